@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include "drivers/measurement/measurement.hpp"
+#include "drivers/wire/can_frame.hpp"
+#include "drivers/wire/codec.hpp"
+
+/// Drivers are sans-I/O: bytes, frames and time come in, measurements and replies go out.
+/// A driver never reads a port or a clock, so the same one runs on the bench, in a test without
+/// sleeping, and through a mission at full speed.
+namespace drydock::device {
+
+using measurement::Measurement;
+using measurement::Stamp;
+
+/// Receives what a driver produces while it handles one call. Nothing is kept after the call.
+class Output {
+ public:
+  virtual ~Output() = default;
+  virtual void publish(const Measurement& measurement) = 0;
+  virtual void send(std::span<const std::uint8_t> bytes) = 0;
+  virtual void send(const wire::CanFrame& frame) = 0;
+};
+
+/// Driver of a sensor on a byte link. `received_at` is when the last byte of `bytes` arrived.
+class ByteDriver {
+ public:
+  virtual ~ByteDriver() = default;
+  virtual void receive(wire::Bytes bytes, Stamp received_at, Output& out) = 0;
+  virtual void tick(Stamp now, Output& out) = 0;           ///< called at or after deadline()
+  virtual std::optional<Stamp> deadline() const = 0;       ///< when it wants tick() next
+  virtual void restart(Stamp now, Output& out) = 0;        ///< the link was opened (again)
+  virtual const wire::StreamCounters& counters() const = 0;
+};
+
+/// Driver of a sensor on a CAN bus; it picks its own frames out of all traffic.
+class FrameDriver {
+ public:
+  virtual ~FrameDriver() = default;
+  virtual void receive(const wire::CanFrame& frame, Stamp received_at, Output& out) = 0;
+  virtual void tick(Stamp now, Output& out) = 0;
+  virtual std::optional<Stamp> deadline() const = 0;
+  virtual void restart(Stamp now, Output& out) = 0;
+  virtual const wire::StreamCounters& counters() const = 0;  ///< bytes are payload bytes
+};
+
+}  // namespace drydock::device

@@ -1,0 +1,118 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <boost/container/static_vector.hpp>
+#include <chrono>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <variant>
+
+#include "drivers/measurement/stamp.hpp"
+
+/// What the sensors measured, in SI units and radians, body frame FRD (x forward, y starboard,
+/// z down), navigation frame NED. A value that the device did not give is an empty optional.
+namespace drydock::measurement {
+
+enum class Provenance : std::uint8_t { real, emulated, replayed };
+
+constexpr std::string_view to_string(Provenance provenance) {
+  constexpr std::array<std::string_view, 3> names{"real", "emulated", "replayed"};
+  return names[static_cast<std::size_t>(provenance)];
+}
+
+/// Where and when a measurement comes from. Drivers fill it; nothing later changes it.
+struct Origin {
+  Stamp valid_at{};     ///< when the value was true, corrected for wire time and stated latency
+  Stamp received_at{};  ///< when the last byte or frame of it arrived
+  std::optional<std::chrono::nanoseconds> device_time;  ///< the device's own time, its own epoch
+  Provenance provenance = Provenance::real;
+  std::uint16_t device = 0;  ///< index of the device in the rig
+};
+
+/// Inertial measurement of one instant, already turned into the body frame by the mounting.
+struct ImuSample {
+  Origin origin;
+  Eigen::Vector3d specific_force = Eigen::Vector3d::Zero();  ///< m/s2, body
+  Eigen::Vector3d angular_rate = Eigen::Vector3d::Zero();    ///< rad/s, body against inertial
+};
+
+struct DepthSample {
+  Origin origin;
+  std::optional<double> depth_m;        ///< of the sensor below the surface, positive down
+  std::optional<double> pressure_pa;    ///< absolute
+  std::optional<double> temperature_k;  ///< of the water
+  std::optional<double> altitude_m;     ///< of the transducer above the bed (echo sounder)
+};
+
+/// DVL: velocity of the vehicle over the bed (bottom track).
+struct BottomVelocity {
+  Origin origin;
+  std::optional<Eigen::Vector3d> velocity;        ///< m/s, body; empty without bottom lock
+  std::optional<double> error_velocity_mps;       ///< disagreement of the four beams
+  std::optional<double> altitude_m;               ///< vertical distance to the bed
+  std::array<std::optional<double>, 4> range_m;   ///< per beam, vertical component
+  std::optional<double> heading_rad, pitch_rad, roll_rad;  ///< the DVL's own attitude sensors
+  std::optional<double> sound_speed_mps;
+};
+
+/// EM log: speed through the water. Speed over ground never comes out here.
+struct WaterSpeed {
+  Origin origin;
+  std::optional<double> longitudinal_mps;  ///< body x, positive ahead
+  std::optional<double> transverse_mps;    ///< body y, positive to starboard
+  std::optional<double> distance_m;        ///< total distance through the water
+};
+
+struct Geodetic {
+  double latitude_rad = 0;
+  double longitude_rad = 0;
+};
+
+enum class FixType : std::uint8_t { none, dead_reckoning, two_d, three_d, gnss_and_dr, time_only };
+
+struct GnssFix {
+  Origin origin;
+  FixType type = FixType::none;
+  std::optional<Stamp> utc;
+  std::optional<Geodetic> position;             ///< WGS-84; empty unless the receiver vouches for it
+  std::optional<double> ellipsoidal_height_m, mean_sea_level_height_m;
+  std::optional<Eigen::Vector3d> velocity_ned;  ///< m/s
+  std::optional<double> horizontal_accuracy_m, vertical_accuracy_m, speed_accuracy_mps;
+  std::optional<double> position_dop;
+  std::optional<int> satellites_used;
+};
+
+enum class Constellation : std::uint8_t { gps, sbas, galileo, beidou, imes, qzss, glonass, navic };
+
+struct Satellite {
+  Constellation constellation = Constellation::gps;
+  std::uint8_t number = 0;  ///< PRN or slot within the constellation
+  std::optional<double> cno_dbhz;
+  std::optional<double> elevation_rad, azimuth_rad;
+  bool used = false;
+};
+
+struct GnssSatellites {
+  Origin origin;
+  boost::container::static_vector<Satellite, 96> satellites;
+};
+
+/// Feedback of the actuators; each device reports what it has.
+struct ActuatorState {
+  Origin origin;
+  std::optional<double> rudder_rad;       ///< positive turns to port (N < 0), as in the paper
+  std::optional<double> stern_plane_rad;  ///< positive noses down (M < 0)
+  std::optional<double> bow_plane_rad;
+  std::optional<double> propeller_radps;
+};
+
+using Measurement = std::variant<ImuSample, DepthSample, BottomVelocity, WaterSpeed, GnssFix,
+                                 GnssSatellites, ActuatorState>;
+
+inline const Origin& origin_of(const Measurement& m) {
+  return std::visit([](const auto& x) -> const Origin& { return x.origin; }, m);
+}
+
+}  // namespace drydock::measurement

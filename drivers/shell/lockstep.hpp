@@ -1,0 +1,39 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "drivers/measurement/stamp.hpp"
+
+/// The lockstep shell: a virtual clock that jumps from event to event. No thread, no sleep, and
+/// for one seed the same output to the last bit.
+namespace drydock::shell {
+
+using measurement::Stamp;
+
+/// Something that acts at times of its own: a driver, an emulated device, a line between them.
+class Actor {
+ public:
+  virtual ~Actor() = default;
+  virtual std::optional<Stamp> deadline() const = 0;  ///< empty: nothing to do until woken
+  virtual void act(Stamp now) = 0;                    ///< called at its deadline
+};
+
+class Lockstep {
+ public:
+  explicit Lockstep(Stamp start) : now_(start) {}
+
+  /// The actor must outlive the shell. Actors due at the same time act in the order of adding.
+  void add(Actor& actor) { actors_.push_back(&actor); }
+
+  Stamp now() const { return now_; }
+
+  /// Lets every actor act that is due until `end`, then sets the clock to `end`.
+  void run_until(Stamp end);
+
+ private:
+  Stamp now_;
+  std::vector<Actor*> actors_;
+};
+
+}  // namespace drydock::shell

@@ -1,0 +1,116 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <optional>
+#include <span>
+#include <string_view>
+
+/// The contract of every byte protocol. A protocol is a struct `P` with
+///   P::name                                   how rig files and the command line call it
+///   P::max_frame                              bytes of its longest frame
+///   P::Message                                std::variant of its messages (SI units, optionals)
+///   P::scan(bytes)   -> Scan                  what stands at the front of the bytes
+///   P::decode(frame) -> optional<Message>     empty: a sound frame that holds none of our messages
+/// and beside it free functions `encode(message, out) -> size` for what we also send.
+namespace drydock::wire {
+
+using Bytes = std::span<const std::uint8_t>;
+
+/// Three-valued answer about the front of a byte stream. After a bad checksum the answer is
+/// "skip 1": the search goes on one byte past the sync, so the next good frame is never lost.
+struct Scan {
+  enum class Kind : std::uint8_t { frame, need_more, skip, bad_checksum };
+  Kind kind = Kind::need_more;
+  std::size_t size = 0;  ///< bytes of the frame, or bytes to skip
+
+  static constexpr Scan frame(std::size_t n) { return {Kind::frame, n}; }
+  static constexpr Scan need_more() { return {Kind::need_more, 0}; }
+  static constexpr Scan skip(std::size_t n) { return {Kind::skip, n}; }
+  /// Skips one byte and counts a damaged frame.
+  static constexpr Scan bad_checksum() { return {Kind::bad_checksum, 1}; }
+  friend constexpr bool operator==(const Scan&, const Scan&) = default;
+};
+
+/// bytes_in = bytes_good + bytes_skipped + what still waits in the buffer.
+struct StreamCounters {
+  std::uint64_t bytes_in = 0;
+  std::uint64_t bytes_good = 0;     ///< inside sound frames
+  std::uint64_t bytes_skipped = 0;  ///< noise, damaged frames
+  std::uint64_t frames = 0;
+  std::uint64_t bad_checksums = 0;
+  friend bool operator==(const StreamCounters&, const StreamCounters&) = default;
+};
+
+/// Cuts a stream into frames. `Capacity` must hold the longest frame. No allocation.
+template <std::size_t Capacity>
+class Framer {
+ public:
+  /// Feeds bytes; calls `scan(Bytes) -> Scan` and, for each sound frame,
+  /// `on_frame(Bytes frame, std::size_t after)`: `after` bytes of this call's input follow the frame.
+  template <class ScanFn, class OnFrame>
+  void feed(Bytes bytes, ScanFn&& scan, OnFrame&& on_frame) {
+    counters_.bytes_in += bytes.size();
+    while (!bytes.empty()) {
+      // What is already complete in the input needs no copy; only a cut frame is kept.
+      if (held_ == 0) {
+        const std::size_t used = consume(bytes, bytes.size(), scan, on_frame);
+        bytes = bytes.subspan(used);
+        if (bytes.empty()) return;
+      }
+      const std::size_t take = std::min(bytes.size(), Capacity - held_);
+      std::memcpy(buffer_.data() + held_, bytes.data(), take);
+      held_ += take;
+      bytes = bytes.subspan(take);
+      const std::size_t used =
+          consume(Bytes{buffer_.data(), held_}, held_ + bytes.size(), scan, on_frame);
+      discard(used);
+      if (held_ == Capacity) {  // a frame that claims more than fits is no frame
+        ++counters_.bytes_skipped;
+        discard(1);
+      }
+    }
+  }
+
+  void reset() {
+    counters_.bytes_skipped += held_;
+    held_ = 0;
+  }
+
+  const StreamCounters& counters() const { return counters_; }
+  std::size_t held() const { return held_; }
+
+ private:
+  template <class ScanFn, class OnFrame>
+  std::size_t consume(Bytes bytes, std::size_t through_input_end, ScanFn& scan, OnFrame& on_frame) {
+    std::size_t at = 0;
+    while (at < bytes.size()) {
+      const Scan s = scan(bytes.subspan(at));
+      if (s.kind == Scan::Kind::need_more) break;
+      if (s.kind == Scan::Kind::frame) {
+        counters_.bytes_good += s.size;
+        ++counters_.frames;
+        on_frame(bytes.subspan(at, s.size), through_input_end - at - s.size);
+      } else {
+        counters_.bytes_skipped += s.size;
+        counters_.bad_checksums += s.kind == Scan::Kind::bad_checksum;
+      }
+      at += s.size;
+    }
+    return at;
+  }
+
+  void discard(std::size_t n) {
+    held_ -= n;
+    std::memmove(buffer_.data(), buffer_.data() + n, held_);
+  }
+
+  std::array<std::uint8_t, Capacity> buffer_{};
+  std::size_t held_ = 0;
+  StreamCounters counters_;
+};
+
+}  // namespace drydock::wire

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <optional>
+#include <span>
+
+#include "drivers/measurement/measurement.hpp"
+#include "drivers/wire/can_frame.hpp"
+#include "drivers/wire/codec.hpp"
+
+/// The other end of the wire: a device that turns the truth into the bytes a real one would send.
+/// Sans-I/O like the drivers, so the same emulated device runs on a pty, on a CAN bus, in lockstep.
+namespace drydock::emulate {
+
+using measurement::Stamp;
+
+/// Takes what a device sends. The line behind it paces: bytes leave at the baud rate,
+/// frames at the bus's bit rate, in the order they were sent.
+class Wire {
+ public:
+  virtual ~Wire() = default;
+  virtual void send(wire::Bytes bytes) = 0;
+  virtual void send(const wire::CanFrame& frame) = 0;
+};
+
+class EmulatedDevice {
+ public:
+  virtual ~EmulatedDevice() = default;
+  virtual std::optional<Stamp> deadline() const = 0;        ///< when it samples or answers next
+  virtual void tick(Stamp now, Wire& out) = 0;
+  virtual void receive(wire::Bytes bytes, Stamp now, Wire& out) = 0;         ///< from the driver
+  virtual void receive(const wire::CanFrame& frame, Stamp now, Wire& out) = 0;
+};
+
+}  // namespace drydock::emulate

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <Eigen/Geometry>
+
+#include "drivers/measurement/stamp.hpp"
+
+namespace drydock::motion {
+
+using measurement::Stamp;
+
+/// The one truth that every emulated sensor is derived from. Body FRD, navigation NED, SI.
+struct Truth {
+  Stamp at{};
+  double latitude_rad = 0, longitude_rad = 0;  ///< WGS-84
+  double height_m = 0;                         ///< above the ellipsoid, up; depth = -height
+  double roll_rad = 0, pitch_rad = 0, yaw_rad = 0;
+  Eigen::Quaterniond body_to_ned = Eigen::Quaterniond::Identity();
+  Eigen::Vector3d velocity_body = Eigen::Vector3d::Zero();   ///< m/s, over ground
+  Eigen::Vector3d velocity_ned = Eigen::Vector3d::Zero();    ///< m/s
+  Eigen::Vector3d specific_force = Eigen::Vector3d::Zero();  ///< m/s2, body
+  Eigen::Vector3d angular_rate = Eigen::Vector3d::Zero();    ///< rad/s, body against inertial
+  Eigen::Vector3d rate_body = Eigen::Vector3d::Zero();       ///< rad/s, body against NED (p, q, r)
+  Eigen::Vector3d current_ned = Eigen::Vector3d::Zero();     ///< m/s, water over ground
+  double bed_depth_m = 0;                                    ///< of the sea bed under the vehicle
+  double rudder_rad = 0, stern_plane_rad = 0, bow_plane_rad = 0, propeller_radps = 0;
+};
+
+/// A motion that can be asked at any time of the mission, in any order, with the same answer.
+class Trajectory {
+ public:
+  virtual ~Trajectory() = default;
+  virtual Truth at(Stamp time) const = 0;
+  virtual Stamp start() const = 0;
+  virtual Stamp end() const = 0;
+};
+
+}  // namespace drydock::motion
