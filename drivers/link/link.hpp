@@ -59,12 +59,17 @@ class FrameLink {
   virtual std::uint64_t dropped() const { return 0; }  ///< frames lost in the receive queue
 };
 
-/// Opens the link that the URI names (Uri::carries tells which kind it is). The error's message
-/// is a sentence for a person: what failed and what to do.
-boost::system::result<std::unique_ptr<ByteLink>> open_bytes(asio::any_io_executor executor,
-                                                            const Uri& uri, Side side);
-boost::system::result<std::unique_ptr<FrameLink>> open_frames(asio::any_io_executor executor,
-                                                              const Uri& uri, Side side);
+/// Why a link could not be opened. `message` is a sentence for a person: what failed, what to do.
+struct OpenError {
+  boost::system::error_code code;
+  std::string message;
+};
+
+/// Opens the link that the URI names (Uri::carries tells which kind it is).
+boost::system::result<std::unique_ptr<ByteLink>, OpenError> open_bytes(
+    asio::any_io_executor executor, const Uri& uri, Side side);
+boost::system::result<std::unique_ptr<FrameLink>, OpenError> open_frames(
+    asio::any_io_executor executor, const Uri& uri, Side side);
 
 /// Bench time now: UTC of the host.
 Stamp now();
