@@ -1,0 +1,47 @@
+#!/usr/bin/env bash
+# The arrows of docs/architecture.md, read from the #include lines: each folder may see only those named here.
+set -euo pipefail
+cd "$(dirname "$0")/../.."
+failed=0
+
+allow() { # FOLDER ALLOWED-REGEX: what files of FOLDER may include from this tree
+  local line
+  while IFS= read -r line; do
+    echo "not allowed: $line"
+    failed=1
+  done < <(grep -rHnE '#include "(drivers|estimators|hil|rig_config|tests)/' "$1" --include='*.hpp' --include='*.cpp' 2>/dev/null |
+    grep -vE "#include \"($2)/" || true)
+}
+
+never() { # FOLDER REGEX: system headers that FOLDER keeps out
+  local line
+  while IFS= read -r line; do
+    echo "kept out of $1: $line"
+    failed=1
+  done < <(grep -rHnE "#include <($2)" "$1" --include='*.hpp' --include='*.cpp' 2>/dev/null || true)
+}
+
+allow drivers/measurement 'drivers/measurement'
+allow drivers/wire 'drivers/wire'
+allow drivers/link 'drivers/(link|wire|measurement)'
+allow drivers/device 'drivers/(device|wire|measurement)'
+allow drivers/shell 'drivers/(shell|device|link|wire|measurement)|rig_config'
+allow drivers/bus 'drivers/(bus|measurement)'
+allow drivers/cli 'drivers/[a-z]*|rig_config'
+allow estimators/frame 'estimators/frame|drivers/measurement'
+allow estimators/leveling 'estimators/(leveling|frame)|drivers/measurement'
+allow estimators/pipeline 'estimators/[a-z]*|drivers/measurement'
+allow rig_config 'rig_config'
+allow hil/motion 'hil/motion|estimators/frame|drivers/measurement|rig_config'
+allow hil/sensor 'hil/(sensor|motion)|estimators/frame|drivers/measurement|rig_config'
+allow hil/emulate 'hil/(emulate|sensor|motion)|estimators/frame|drivers/[a-z]*|rig_config'
+
+io='boost/asio|dds/|fstream|iostream|filesystem|thread|mutex|sys/|unistd|spdlog|toml'
+for folder in drivers/measurement drivers/wire drivers/device estimators/frame estimators/leveling estimators/pipeline; do
+  never "$folder" "$io"
+done
+if grep -rnE '(system_clock|steady_clock)::now|\brandom_device\b|\brand\(\)' drivers/wire drivers/device drivers/measurement estimators hil/motion hil/sensor; then
+  echo "a clock or global randomness in a pure layer"
+  failed=1
+fi
+exit $failed
