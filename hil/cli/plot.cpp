@@ -1,0 +1,89 @@
+#include "hil/cli/plot.hpp"
+
+#include <fmt/format.h>
+#include <stdlib.h>
+#include <unistd.h>
+
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+
+namespace drydock::cli {
+namespace {
+
+// Colours that keep apart on paper, on a dark screen and for colour-blind readers (Okabe-Ito).
+constexpr std::array<const char*, 6> colours{"#0072b2", "#d55e00", "#009e73",
+                                             "#cc79a7", "#e69f00", "#56b4e9"};
+
+struct TemporaryFile {
+  std::string path = (std::filesystem::temp_directory_path() / "drydock-plot-XXXXXX").string();
+  TemporaryFile() {
+    const int fd = ::mkstemp(path.data());
+    if (fd >= 0) ::close(fd);
+  }
+  ~TemporaryFile() { ::unlink(path.c_str()); }
+  TemporaryFile(const TemporaryFile&) = delete;
+  TemporaryFile& operator=(const TemporaryFile&) = delete;
+};
+
+std::string quoted(std::string text) {
+  std::erase(text, '"');
+  return '"' + text + '"';
+}
+
+std::string curve(const Series& series, std::size_t index) {
+  if (series.band) {
+    return fmt::format("$data{0} using 1:(-$2):2 with filledcurves fc rgb '#999999' fs transparent "
+                       "solid 0.35 noborder title {1}",
+                       index, quoted(series.label));
+  }
+  return fmt::format("$data{0} using 1:2 with lines lw 1.4 lc rgb '{1}' title {2}", index,
+                     colours[index % colours.size()], quoted(series.label));
+}
+
+std::string script(const Plot& plot) {
+  fmt::memory_buffer out;
+  auto to = std::back_inserter(out);
+  fmt::format_to(to,
+                 "set term svg size 860,300 dynamic font 'sans,11' background '#ffffff'\n"
+                 "set title {} font 'sans,13'\nset xlabel {}\nset ylabel {}\n"
+                 "set grid lc rgb '#dddddd'\nset key outside right top\n",
+                 quoted(plot.title), quoted(plot.x_label), quoted(plot.y_label));
+  for (std::size_t i = 0; i < plot.series.size(); ++i) {
+    fmt::format_to(to, "$data{} << END\n", i);
+    const auto& s = plot.series[i];
+    for (std::size_t k = 0; k < s.x.size(); ++k) fmt::format_to(to, "{:.6g} {:.6g}\n", s.x[k], s.y[k]);
+    fmt::format_to(to, "END\n");
+  }
+  for (std::size_t i = 0; i < plot.series.size(); ++i) {
+    fmt::format_to(to, "{}{}", i == 0 ? "plot " : ", ", curve(plot.series[i], i));
+  }
+  out.push_back('\n');
+  return fmt::to_string(out);
+}
+
+}  // namespace
+
+std::string render_svg(const Plot& plot) {
+  const TemporaryFile file;
+  {
+    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> out{std::fopen(file.path.c_str(), "w"),
+                                                              std::fclose};
+    if (!out) return {};
+    const auto text = script(plot);
+    std::fwrite(text.data(), 1, text.size(), out.get());
+  }
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> pipe{
+      ::popen(fmt::format("gnuplot '{}' 2>/dev/null", file.path).c_str(), "r"), ::pclose};
+  if (!pipe) return {};
+  std::string svg;
+  std::array<char, 8192> chunk{};
+  while (const std::size_t n = std::fread(chunk.data(), 1, chunk.size(), pipe.get())) {
+    svg.append(chunk.data(), n);
+  }
+  const auto begin = svg.find("<svg");
+  return begin == std::string::npos ? std::string{} : svg.substr(begin);
+}
+
+}  // namespace drydock::cli

@@ -1,0 +1,94 @@
+#include "hil/cli/summary.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+namespace drydock::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json error_json(const std::optional<AttitudeError>& e) {
+  if (!e) return nullptr;
+  return {{"roll_rms_deg", e->roll_rms_deg},   {"pitch_rms_deg", e->pitch_rms_deg},
+          {"roll_max_deg", e->roll_max_deg},   {"pitch_max_deg", e->pitch_max_deg},
+          {"nees_mean", e->nees_mean}};
+}
+
+Json device_json(const DeviceSummary& d) {
+  return {{"name", d.name},
+          {"kind", d.kind},
+          {"protocol", d.protocol},
+          {"link", d.link},
+          {"provenance", d.provenance},
+          {"state", d.state},
+          {"rate_hz", d.rate_hz},
+          {"nominal_rate_hz", d.nominal_rate_hz},
+          {"messages", d.messages},
+          {"frames", d.frames},
+          {"bytes_in", d.bytes_in},
+          {"bytes_good", d.bytes_good},
+          {"bytes_skipped", d.bytes_skipped},
+          {"bytes_held", d.bytes_held},
+          {"bad_checksums", d.bad_checksums},
+          {"reopens", d.reopens},
+          {"last_error", d.last_error.empty() ? Json(nullptr) : Json(d.last_error)}};
+}
+
+}  // namespace
+
+bool Summary::all_streaming() const {
+  return std::all_of(devices.begin(), devices.end(),
+                     [](const auto& d) { return d.state == "streaming"; });
+}
+
+std::string to_json(const Summary& s) {
+  Json root{{"rig", s.rig},
+            {"mode", s.mode},
+            {"seed", s.seed},
+            {"duration_s", s.duration_s},
+            {"wall_s", s.wall_s},
+            {"interrupted", s.interrupted},
+            {"notes", s.notes},
+            {"devices", Json::array()},
+            {"estimators", Json::array()}};
+  for (const auto& d : s.devices) root["devices"].push_back(device_json(d));
+  for (const auto& e : s.estimators) {
+    root["estimators"].push_back({{"name", e.name},
+                                  {"kind", e.kind},
+                                  {"estimates", e.estimates},
+                                  {"whole_run", error_json(e.whole_run)},
+                                  {"after_10_s", error_json(e.after_10_s)}});
+  }
+  return root.dump(2) + "\n";
+}
+
+std::string to_text(const Summary& s) {
+  std::string out = fmt::format("{:<10} {:<10} {:<9} {:>9} {:>9} {:>10} {:>8} {:>8} {:>6}\n", "device",
+                                "state", "source", "rate", "nominal", "messages", "skipped B",
+                                "bad sums", "reopen");
+  for (const auto& d : s.devices) {
+    out += fmt::format("{:<10} {:<10} {:<9} {:>6.2f} Hz {:>6.2f} Hz {:>10} {:>9} {:>8} {:>6}\n", d.name,
+                       d.state, d.provenance, d.rate_hz, d.nominal_rate_hz, d.messages,
+                       d.bytes_skipped, d.bad_checksums, d.reopens);
+    if (!d.last_error.empty()) out += fmt::format("           last error: {}\n", d.last_error);
+  }
+  for (const auto& e : s.estimators) {
+    out += fmt::format("{} ({}): {} estimates", e.name, e.kind, e.estimates);
+    if (e.whole_run) {
+      out += fmt::format(", error against truth: roll {:.3f} deg RMS, pitch {:.3f} deg RMS",
+                         e.whole_run->roll_rms_deg, e.whole_run->pitch_rms_deg);
+    }
+    if (e.after_10_s) {
+      out += fmt::format(" (after 10 s: {:.3f}, {:.3f})", e.after_10_s->roll_rms_deg,
+                         e.after_10_s->pitch_rms_deg);
+    }
+    out += '\n';
+  }
+  for (const auto& note : s.notes) out += note + '\n';
+  return out;
+}
+
+}  // namespace drydock::cli

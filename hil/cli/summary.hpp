@@ -1,0 +1,71 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace drydock::cli {
+
+/// What a run was worth, as the report, the JSON file and the last lines on the terminal show it.
+struct DeviceSummary {
+  std::string name, kind, protocol, link, provenance, state, last_error;
+  double nominal_rate_hz = 0, rate_hz = 0;
+  std::uint64_t bytes_in = 0, bytes_good = 0, bytes_skipped = 0, bytes_held = 0;
+  std::uint64_t frames = 0, bad_checksums = 0, messages = 0, reopens = 0;
+};
+
+/// Error of an attitude estimate against the truth, degrees.
+struct AttitudeError {
+  double roll_rms_deg = 0, pitch_rms_deg = 0, roll_max_deg = 0, pitch_max_deg = 0;
+  double nees_mean = 0;  ///< normalised by the filter's own covariance, per axis; 1 is consistent
+};
+
+struct EstimatorSummary {
+  std::string name, kind;
+  std::uint64_t estimates = 0;
+  std::optional<AttitudeError> whole_run;      ///< empty where there is no truth
+  std::optional<AttitudeError> after_10_s;
+};
+
+/// Curves for the report, thinned to at most a few thousand points.
+struct AttitudeTrace {
+  std::vector<double> t_s, roll_deg, pitch_deg, true_roll_deg, true_pitch_deg;
+  std::vector<double> roll_sigma_deg, pitch_sigma_deg;
+};
+
+struct MotionTrace {
+  std::vector<double> t_s, north_m, east_m, depth_m, speed_mps, heading_deg;
+};
+
+struct MeasurementTrace {
+  std::string title, unit;
+  std::vector<std::string> labels;
+  std::vector<std::vector<double>> t_s, value;  ///< one vector a label
+};
+
+struct Summary {
+  std::string rig, mode;
+  std::uint64_t seed = 0;
+  double duration_s = 0, wall_s = 0;
+  bool interrupted = false;
+  std::vector<std::string> notes;  ///< for a person: which CAN level, what was left out
+  std::vector<DeviceSummary> devices;
+  std::vector<EstimatorSummary> estimators;
+  std::vector<AttitudeTrace> traces;  ///< one an estimator
+  MotionTrace motion;
+  std::vector<MeasurementTrace> measurements;
+
+  bool all_streaming() const;
+};
+
+/// The summary as JSON (without the curves), keys as in docs/run.md.
+std::string to_json(const Summary& summary);
+
+/// A table for a terminal.
+std::string to_text(const Summary& summary);
+
+/// One self-contained HTML page with health table and plots.
+std::string to_html(const Summary& summary);
+
+}  // namespace drydock::cli
