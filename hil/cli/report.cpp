@@ -1,0 +1,161 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "hil/cli/plot.hpp"
+#include "hil/cli/summary.hpp"
+
+namespace drydock::cli {
+namespace {
+
+// Readable at phone width, light and dark; no script, nothing loaded from elsewhere.
+constexpr const char* style = R"(
+:root{color-scheme:light dark;--ink:#1b1f24;--paper:#fff;--line:#d0d7de;--ok:#1a7f37;--bad:#c0392b;--soft:#57606a}
+@media(prefers-color-scheme:dark){:root{--ink:#e6edf3;--paper:#0d1117;--line:#30363d;--ok:#3fb950;--bad:#ff7b72;--soft:#8b949e}}
+body{font:15px/1.5 system-ui,sans-serif;color:var(--ink);background:var(--paper);max-width:920px;margin:2rem auto;padding:0 1rem}
+h1{font-size:1.6rem;margin-bottom:.2rem}h2{font-size:1.15rem;margin-top:2rem}
+.soft{color:var(--soft)}.scroll{overflow-x:auto}
+table{border-collapse:collapse;width:100%;font-variant-numeric:tabular-nums}
+th,td{padding:.35rem .6rem;border-bottom:1px solid var(--line);text-align:right;white-space:nowrap}
+th:first-child,td:first-child,.left{text-align:left}
+.ok{color:var(--ok);font-weight:600}.bad{color:var(--bad);font-weight:600}
+figure{margin:1rem 0;background:#fff;border:1px solid var(--line);border-radius:6px;padding:.4rem}
+figure svg{width:100%;height:auto;display:block}
+)";
+
+std::string escaped(const std::string& text) {
+  std::string out;
+  for (const char c : text) {
+    switch (c) {
+      case '<': out += "&lt;"; break;
+      case '>': out += "&gt;"; break;
+      case '&': out += "&amp;"; break;
+      case '"': out += "&quot;"; break;
+      default: out += c;
+    }
+  }
+  return out;
+}
+
+std::string figure(const Plot& plot) {
+  const auto svg = render_svg(plot);
+  if (svg.empty()) {
+    return fmt::format("<p class=soft>{}: no plot (is gnuplot installed?)</p>", escaped(plot.title));
+  }
+  return "<figure>" + svg + "</figure>\n";
+}
+
+std::string health_table(const Summary& s) {
+  std::string out =
+      "<div class=scroll><table><tr><th>device<th class=left>state<th class=left>source"
+      "<th class=left>protocol<th>rate<th>nominal<th>messages<th>bytes in<th>in good frames"
+      "<th>skipped<th>bad checksums<th>reopened</tr>\n";
+  for (const auto& d : s.devices) {
+    out += fmt::format(
+        "<tr><td>{}<td class='left {}'>{}<td class=left>{}<td class=left>{}<td>{:.2f} Hz<td>{:.2f} Hz"
+        "<td>{}<td>{}<td>{}<td>{}<td>{}<td>{}</tr>\n",
+        escaped(d.name), d.state == "streaming" ? "ok" : "bad", d.state, d.provenance,
+        escaped(d.protocol), d.rate_hz, d.nominal_rate_hz, d.messages, d.bytes_in, d.bytes_good,
+        d.bytes_skipped, d.bad_checksums, d.reopens);
+  }
+  out += "</table></div>\n";
+  for (const auto& d : s.devices) {
+    out += fmt::format("<p class=soft>{}: <code>{}</code>{}</p>\n", escaped(d.name), escaped(d.link),
+                       d.last_error.empty() ? "" : " — last error: " + escaped(d.last_error));
+  }
+  return out;
+}
+
+std::string error_row(const char* span, const AttitudeError& e) {
+  return fmt::format(
+      "<tr><td>{}<td>{:.3f}°<td>{:.3f}°<td>{:.3f}°<td>{:.3f}°<td>{:.2f}</tr>\n", span, e.roll_rms_deg,
+      e.pitch_rms_deg, e.roll_max_deg, e.pitch_max_deg, e.nees_mean);
+}
+
+std::string error_table(const EstimatorSummary& e) {
+  if (!e.whole_run) {
+    return fmt::format("<p>{} estimates; no truth to compare with.</p>", e.estimates);
+  }
+  std::string out =
+      "<div class=scroll><table><tr><th>error against truth<th>roll RMS<th>pitch RMS"
+      "<th>roll max<th>pitch max<th>NEES per axis</tr>\n";
+  out += error_row("whole run", *e.whole_run);
+  if (e.after_10_s) out += error_row("after 10 s", *e.after_10_s);
+  return out + "</table></div>\n";
+}
+
+std::vector<double> difference(const std::vector<double>& a, const std::vector<double>& b) {
+  std::vector<double> out(a.size());
+  std::transform(a.begin(), a.end(), b.begin(), out.begin(), std::minus<>{});
+  return out;
+}
+
+std::vector<double> scaled(std::vector<double> v, double by) {
+  for (double& x : v) x *= by;
+  return v;
+}
+
+std::string axis_figures(const char* axis, const AttitudeTrace& t, const std::vector<double>& estimate,
+                         const std::vector<double>& truth, const std::vector<double>& sigma) {
+  Plot level{fmt::format("{}: truth and estimate", axis), "time [s]", "deg", {}};
+  if (!truth.empty()) level.series.push_back({"truth", t.t_s, truth});
+  level.series.push_back({"estimate", t.t_s, estimate});
+  std::string out = figure(level);
+  if (truth.empty()) return out;
+  Plot error{fmt::format("{}: error with the filter's 3-sigma band", axis), "time [s]", "deg", {}};
+  error.series.push_back({"3 sigma", t.t_s, scaled(sigma, 3), true});
+  error.series.push_back({"estimate - truth", t.t_s, difference(estimate, truth)});
+  return out + figure(error);
+}
+
+std::string estimator_section(const Summary& s, std::size_t i) {
+  const auto& e = s.estimators[i];
+  std::string out = fmt::format("<h2>Estimator {} <span class=soft>({})</span></h2>\n{}",
+                                escaped(e.name), escaped(e.kind), error_table(e));
+  const auto& t = s.traces[i];
+  if (t.t_s.empty()) return out;
+  out += axis_figures("Roll", t, t.roll_deg, t.true_roll_deg, t.roll_sigma_deg);
+  return out + axis_figures("Pitch", t, t.pitch_deg, t.true_pitch_deg, t.pitch_sigma_deg);
+}
+
+std::string measurement_section(const Summary& s) {
+  std::string out = "<h2>Measurements, decoded from the wire</h2>\n";
+  for (const auto& m : s.measurements) {
+    Plot plot{m.title, "time [s]", m.unit, {}};
+    for (std::size_t i = 0; i < m.labels.size(); ++i) {
+      if (!m.t_s[i].empty()) plot.series.push_back({m.labels[i], m.t_s[i], m.value[i]});
+    }
+    if (!plot.series.empty()) out += figure(plot);
+  }
+  return out;
+}
+
+std::string motion_section(const Summary& s) {
+  if (s.motion.t_s.empty()) return {};
+  return "<h2>The emulated vehicle</h2>\n" +
+         figure({"Track", "east [m]", "north [m]", {{"truth", s.motion.east_m, s.motion.north_m}}}) +
+         figure({"Depth", "time [s]", "m, negative down",
+                 {{"truth", s.motion.t_s, scaled(s.motion.depth_m, -1)}}});
+}
+
+}  // namespace
+
+std::string to_html(const Summary& s) {
+  const std::size_t streaming = static_cast<std::size_t>(std::count_if(
+      s.devices.begin(), s.devices.end(), [](const auto& d) { return d.state == "streaming"; }));
+  std::string out = fmt::format(
+      "<!doctype html><html lang=en><meta charset=utf-8><meta name=viewport "
+      "content='width=device-width,initial-scale=1'><title>Drydock: {0}</title><style>{1}</style>\n"
+      "<h1>{0}</h1><p class=soft>{2}, {3:.1f} s of bench time in {4:.1f} s, seed {5}{6}</p>\n"
+      "<p><span class={7}>{8} of {9} devices streaming</span> at the end.</p>\n",
+      escaped(s.rig), style, escaped(s.mode), s.duration_s, s.wall_s, s.seed,
+      s.interrupted ? ", interrupted" : "", streaming == s.devices.size() ? "ok" : "bad", streaming,
+      s.devices.size());
+  for (const auto& note : s.notes) out += fmt::format("<p>{}</p>\n", escaped(note));
+  out += "<h2>Health</h2>\n" + health_table(s);
+  for (std::size_t i = 0; i < s.estimators.size(); ++i) out += estimator_section(s, i);
+  out += measurement_section(s) + motion_section(s);
+  return out + "</html>\n";
+}
+
+}  // namespace drydock::cli
