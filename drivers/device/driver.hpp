@@ -25,26 +25,28 @@ class Output {
   virtual void send(const wire::CanFrame& frame) = 0;
 };
 
-/// Driver of a sensor on a byte link. `received_at` is when the last byte of `bytes` arrived.
-class ByteDriver {
+/// What every driver has, whatever its sensor is wired to.
+class Driver {
  public:
-  virtual ~ByteDriver() = default;
+  virtual ~Driver() = default;
+  virtual void tick(Stamp now, Output& out) = 0;             ///< called at or after deadline()
+  virtual std::optional<Stamp> deadline() const = 0;         ///< when it wants tick() next
+  virtual void restart(Stamp now, Output& out) = 0;          ///< the link was opened (again)
+  virtual const wire::StreamCounters& counters() const = 0;  ///< on CAN: payload bytes
+  virtual std::size_t held_bytes() const = 0;  ///< bytes_in - bytes_good - bytes_skipped
+  virtual void set_provenance(measurement::Provenance provenance) = 0;  ///< told by the link
+};
+
+/// Driver of a sensor on a byte link. `received_at` is when the last byte of `bytes` arrived.
+class ByteDriver : public Driver {
+ public:
   virtual void receive(wire::Bytes bytes, Stamp received_at, Output& out) = 0;
-  virtual void tick(Stamp now, Output& out) = 0;           ///< called at or after deadline()
-  virtual std::optional<Stamp> deadline() const = 0;       ///< when it wants tick() next
-  virtual void restart(Stamp now, Output& out) = 0;        ///< the link was opened (again)
-  virtual const wire::StreamCounters& counters() const = 0;
 };
 
 /// Driver of a sensor on a CAN bus; it picks its own frames out of all traffic.
-class FrameDriver {
+class FrameDriver : public Driver {
  public:
-  virtual ~FrameDriver() = default;
   virtual void receive(const wire::CanFrame& frame, Stamp received_at, Output& out) = 0;
-  virtual void tick(Stamp now, Output& out) = 0;
-  virtual std::optional<Stamp> deadline() const = 0;
-  virtual void restart(Stamp now, Output& out) = 0;
-  virtual const wire::StreamCounters& counters() const = 0;  ///< bytes are payload bytes
 };
 
 }  // namespace drydock::device

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <array>
+#include <chrono>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "drivers/device/mounting.hpp"
+
+namespace drydock::device {
+
+enum class Kind : std::uint8_t { dvl, emlog, gnss, imu, depth, actuator };
+
+constexpr std::string_view to_string(Kind kind) {
+  constexpr std::array<std::string_view, 6> names{"dvl", "emlog", "gnss",
+                                                  "imu", "depth", "actuator"};
+  return names[static_cast<std::size_t>(kind)];
+}
+
+/// All that a driver is told about its sensor.
+struct DriverOptions {
+  Kind kind = Kind::imu;
+  std::string protocol;      ///< one of protocols_of(kind)
+  std::uint16_t device = 0;  ///< index in the rig, goes into every Origin
+  Mounting mounting;
+  std::chrono::nanoseconds latency{0};   ///< from being true to the first bit on the wire
+  std::optional<unsigned> baud;          ///< byte links; empty where there is no line rate
+  unsigned bitrate = 250'000;            ///< CAN
+  std::uint8_t address = 0;              ///< J1939 source address, CANopen node; 0: the first seen
+  double surface_pressure_pa = 101'325;  ///< kind depth
+  double water_density_kgm3 = 1025;      ///< kind depth
+};
+
+}  // namespace drydock::device

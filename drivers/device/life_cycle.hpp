@@ -1,0 +1,87 @@
+#pragma once
+
+#include <array>
+#include <chrono>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+#include "drivers/device/fixed_text.hpp"
+#include "drivers/measurement/stamp.hpp"
+
+namespace drydock::device {
+
+using measurement::Stamp;
+
+///   closed --start--> opening --opened--> waiting --message--> streaming <--message-- stale
+///                        ^  \                \                      \--quiet--------->/
+///                        |   +--failed--------+--lost, quiet---------+--lost, quiet--+
+///                        +-------- backing_off <-------------------------------------+
+enum class State : std::uint8_t { closed, opening, waiting, streaming, stale, backing_off };
+
+constexpr std::string_view to_string(State state) {
+  constexpr std::array<std::string_view, 6> names{"closed",    "opening", "waiting",
+                                                  "streaming", "stale",   "backing off"};
+  return names[static_cast<std::size_t>(state)];
+}
+
+struct LifeCycleOptions {
+  std::chrono::nanoseconds stale_after = std::chrono::seconds{2};    ///< streaming -> stale
+  std::chrono::nanoseconds reopen_after = std::chrono::seconds{10};  ///< waiting, stale -> again
+  /// A serial line that went quiet may need opening again. A bus is shared, and a device that says
+  /// nothing on it is no fault of the bus: false keeps it open.
+  bool reopen_when_quiet = true;
+  std::chrono::nanoseconds first_back_off = std::chrono::milliseconds{250};  ///< doubles each time
+  std::chrono::nanoseconds back_off_cap = std::chrono::seconds{30};
+};
+
+/// One change of state, in words: what happened and what happens next.
+struct Transition {
+  State from = State::closed;
+  State to = State::closed;
+  Stamp at{};
+  Reason why;
+};
+
+/// When a device is opened, believed, doubted and given up. It is told what happened and asked what
+/// to do; it never touches a link. Every event answers with the change of state it made, if any.
+class LifeCycle {
+ public:
+  using Change = std::optional<Transition>;
+
+  explicit LifeCycle(const LifeCycleOptions& options = {}) : options_(options) {}
+
+  Change start(Stamp now);
+  Change opened(Stamp now);
+  Change open_failed(Stamp now, std::string_view reason);
+  Change message(Stamp now);
+  Change link_lost(Stamp now, std::string_view reason);
+  Change stop(Stamp now);
+  Change tick(Stamp now);  ///< at or after deadline()
+
+  State state() const { return state_; }
+  Stamp since() const { return since_; }
+  bool wants_open() const { return state_ == State::opening; }
+  /// The link is open and should not be. Closing it is told by link_lost().
+  bool wants_close() const { return link_open_ && !uses_link(); }
+  std::optional<Stamp> deadline() const;
+  std::uint32_t opened_count() const { return opened_count_; }
+
+ private:
+  bool uses_link() const {
+    return state_ == State::waiting || state_ == State::streaming || state_ == State::stale;
+  }
+  Change enter(State to, Stamp now, std::string_view why);
+  Change back_off(Stamp now, std::string_view reason);
+
+  LifeCycleOptions options_;
+  State state_ = State::closed;
+  Stamp since_{};
+  Stamp last_message_{};
+  bool link_open_ = false;
+  std::uint32_t opened_count_ = 0;
+  std::chrono::nanoseconds next_back_off_{0};  ///< zero: the first
+  std::chrono::nanoseconds waits_{0};          ///< of the back-off under way
+};
+
+}  // namespace drydock::device

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <boost/system/result.hpp>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "drivers/device/driver.hpp"
+#include "drivers/device/driver_options.hpp"
+
+namespace drydock::device {
+
+/// One line: what is wrong, what is allowed.
+struct DriverError {
+  std::string message;
+};
+
+enum class Travels : std::uint8_t { as_bytes, as_frames };
+
+struct ProtocolEntry {
+  std::string_view name;
+  Travels travels;
+};
+
+/// The protocols in which a kind of sensor is understood.
+std::span<const ProtocolEntry> protocols_of(Kind kind);
+
+boost::system::result<std::unique_ptr<ByteDriver>, DriverError> make_byte_driver(
+    const DriverOptions& options);
+boost::system::result<std::unique_ptr<FrameDriver>, DriverError> make_frame_driver(
+    const DriverOptions& options);
+
+}  // namespace drydock::device

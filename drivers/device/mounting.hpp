@@ -1,0 +1,28 @@
+#pragma once
+
+#include <Eigen/Geometry>
+
+namespace drydock::device {
+
+/// How a sensor sits in the vehicle: body axes turned by yaw, then pitch, then roll are the
+/// sensor's axes. The one place where vectors of a sensor become vectors of the body (FRD). The
+/// lever arm is not applied here: its correction w x r needs the angular rate, which the estimator
+/// has.
+class Mounting {
+ public:
+  Mounting() = default;
+  Mounting(double roll_rad, double pitch_rad, double yaw_rad)
+      : sensor_to_body_((Eigen::AngleAxisd(yaw_rad, Eigen::Vector3d::UnitZ()) *
+                         Eigen::AngleAxisd(pitch_rad, Eigen::Vector3d::UnitY()) *
+                         Eigen::AngleAxisd(roll_rad, Eigen::Vector3d::UnitX()))
+                            .toRotationMatrix()) {}
+
+  Eigen::Vector3d to_body(const Eigen::Vector3d& in_sensor_axes) const {
+    return sensor_to_body_ * in_sensor_axes;
+  }
+
+ private:
+  Eigen::Matrix3d sensor_to_body_ = Eigen::Matrix3d::Identity();
+};
+
+}  // namespace drydock::device

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <memory>
+
+#include "drivers/device/device.hpp"
+#include "drivers/shell/lockstep.hpp"
+
+namespace drydock::shell {
+
+/// A device in the lockstep shell. Its link is a line of the same process: it opens at once and
+/// provenance is `emulated`. The emulated line calls receive() when the bytes have arrived.
+class DeviceActor final : public Actor {
+ public:
+  /// Opens the device at the first act(), at `start`. Listener and transmitter must outlive it.
+  DeviceActor(std::unique_ptr<device::Device> device, device::Listener& listener,
+              device::Transmitter& transmitter, Stamp start);
+
+  void receive(wire::Bytes bytes, Stamp at) { device_->receive(bytes, at); }
+  void receive(const wire::CanFrame& frame, Stamp at) { device_->receive(frame, at); }
+
+  std::optional<Stamp> deadline() const override;
+  void act(Stamp now) override;
+
+  void stop(Stamp now) { device_->stop(now); }
+  const device::Device& device() const { return *device_; }
+
+ private:
+  std::unique_ptr<device::Device> device_;
+  std::optional<Stamp> start_;  ///< empty once started
+};
+
+}  // namespace drydock::shell

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <boost/system/result.hpp>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "drivers/device/device.hpp"
+#include "rig_config/rig.hpp"
+
+namespace drydock::shell {
+
+/// One line: `file:line: device "name": what is wrong, what is allowed`.
+struct RigDevicesError {
+  std::string message;
+};
+
+/// What the rig file says of a device, as the driver layer's options. `index` is its place in the
+/// rig.
+boost::system::result<device::DeviceOptions, RigDevicesError> device_options(
+    const rig_config::Rig& rig, std::size_t index);
+
+/// All devices of a rig, in the order of the file.
+boost::system::result<std::vector<std::unique_ptr<device::Device>>, RigDevicesError> make_devices(
+    const rig_config::Rig& rig);
+
+}  // namespace drydock::shell
