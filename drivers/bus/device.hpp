@@ -1,0 +1,52 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "drivers/measurement/measurement.hpp"
+
+/// What travels on the bus, as the rest of the program sees it. See docs/bus.md for the topics.
+namespace drydock::bus {
+
+using measurement::Measurement;
+using measurement::Provenance;
+using measurement::Stamp;
+
+enum class Kind : std::uint8_t { dvl, emlog, gnss, imu, depth, actuator };
+
+/// Which messages a subscriber takes for a device. `complete`: Drydock's own where a standard one
+/// would lose a field. `standard`: only ROS 2's, for a device that a ROS 2 node drives.
+enum class Form : std::uint8_t { complete, standard };
+
+/// One device of the rig; its place in the list is `Origin::device`.
+struct Device {
+  std::string name;
+  Kind kind = Kind::imu;
+  /// Publishing: declared to every subscriber at discovery, and fixed for the publisher's life.
+  /// Subscribing: what to assume of a writer that declares nothing, such as a ROS 2 node.
+  Provenance provenance = Provenance::real;
+  Form form = Form::complete;  ///< subscribing only; a publisher always writes both
+};
+
+/// Attitude against NED as an estimator gives it: `rt/estimate/<name>`.
+struct Attitude {
+  Stamp valid_at{};
+  double roll_rad = 0, pitch_rad = 0;
+  std::optional<double> yaw_rad;                         ///< from north, clockwise seen from above
+  Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();  ///< rad2, roll and pitch
+};
+
+enum class Level : std::uint8_t { ok, warn, error, stale };
+
+/// Health of one device: one status of the diagnostic_msgs/DiagnosticArray on `rt/diagnostics`.
+struct DeviceStatus {
+  Level level = Level::ok;
+  std::string name, message, hardware_id;
+  std::vector<std::pair<std::string, std::string>> values;
+};
+
+}  // namespace drydock::bus

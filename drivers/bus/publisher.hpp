@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "drivers/bus/device.hpp"
+#include "drivers/bus/participant.hpp"
+
+namespace drydock::bus {
+
+struct TopicCounters {
+  std::string topic;
+  std::uint64_t written = 0;
+  std::uint64_t dropped =
+      0;  ///< a stalled reader filled the writer's queue; the sample was given up
+  std::uint64_t failed = 0;  ///< any other refusal of DDS
+};
+
+/// Puts measurements, estimates and health on the bus. Never waits for a reader and never throws
+/// after construction. One thread at a time.
+class Publisher {
+ public:
+  Publisher(const Participant& participant, const std::vector<Device>& devices,
+            const std::vector<std::string>& estimators = {});
+  Publisher(Publisher&&) noexcept;
+  Publisher& operator=(Publisher&&) noexcept;
+  ~Publisher();
+
+  /// To the topics of device `origin.device`. Counted in misrouted() when there is no such device,
+  /// its kind does not give such a measurement, or its provenance is not the declared one.
+  void publish(const Measurement& measurement);
+
+  /// To `rt/estimate/<estimators[estimator]>`; an unknown index counts in misrouted().
+  void publish(const Attitude& attitude, std::size_t estimator);
+
+  void publish(std::span<const DeviceStatus> health, Stamp now);
+
+  std::vector<TopicCounters> counters() const;
+  std::uint64_t misrouted() const;
+
+ private:
+  struct Writers;
+  std::unique_ptr<Writers> writers_;
+};
+
+}  // namespace drydock::bus
