@@ -25,9 +25,9 @@ class Wire {
 class EmulatedDevice {
  public:
   virtual ~EmulatedDevice() = default;
-  virtual std::optional<Stamp> deadline() const = 0;        ///< when it samples or answers next
+  virtual std::optional<Stamp> deadline() const = 0;  ///< when it samples or answers next
   virtual void tick(Stamp now, Wire& out) = 0;
-  virtual void receive(wire::Bytes bytes, Stamp now, Wire& out) = 0;         ///< from the driver
+  virtual void receive(wire::Bytes bytes, Stamp now, Wire& out) = 0;  ///< from the driver
   virtual void receive(const wire::CanFrame& frame, Stamp now, Wire& out) = 0;
 };
 

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <deque>
+#include <optional>
+
+#include "drivers/measurement/stamp.hpp"
+#include "drivers/wire/can_frame.hpp"
+
+namespace drydock::emulate {
+
+using measurement::Stamp;
+
+/// Bits of a classic frame on the wire with the interframe space: SOF, arbitration, control, data
+/// and CRC with the stuff bits that their actual content needs, then 13 fixed bits (ISO 11898-1).
+/// A CAN FD frame is counted with the same layout at the nominal rate.
+unsigned bits_on_wire(const wire::CanFrame& frame);
+
+/// A bus shared by its nodes: one frame at a time, in the order of sending.
+class CanPacer {
+ public:
+  static constexpr std::size_t bound = 256;  ///< frames that may wait; then the oldest is lost
+
+  explicit CanPacer(unsigned bit_rate) : bit_rate_(bit_rate) {}
+
+  struct Sent {
+    wire::CanFrame frame;
+    Stamp at{};      ///< end of the frame
+    int sender = 0;  ///< as given to queue()
+  };
+
+  void queue(const wire::CanFrame& frame, int sender, Stamp now);
+  std::optional<Stamp> deadline() const;
+  std::optional<Sent> take(Stamp now);
+
+  std::uint64_t frames_lost() const { return frames_lost_; }
+
+ private:
+  struct Waiting {
+    wire::CanFrame frame;
+    int sender = 0;
+    Stamp queued_at{};
+  };
+
+  unsigned bit_rate_;
+  std::deque<Waiting> waiting_;  ///< the front one is on the wire
+  Stamp front_ends_{};
+  std::uint64_t frames_lost_ = 0;
+};
+
+}  // namespace drydock::emulate

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <deque>
+#include <optional>
+#include <vector>
+
+#include "drivers/measurement/stamp.hpp"
+#include "drivers/wire/codec.hpp"
+
+namespace drydock::emulate {
+
+using measurement::Stamp;
+
+/// Some bytes of one message that have now left the line.
+struct Chunk {
+  wire::Bytes bytes;  ///< valid until the next call
+  Stamp at{};         ///< when the last of them has left
+  bool ends_message = false;
+};
+
+/// A serial line's transmitter: 10 bits a byte (8N1), messages one after the other. Sans-I/O: it
+/// says what leaves when. A device that says more than the line carries loses its oldest waiting
+/// message, and that is counted.
+class LinePacer {
+ public:
+  /// Chunks last at most `longest_chunk`; duration::max() hands out whole messages.
+  /// `bound` is how much waiting the line may hold, in line time.
+  LinePacer(unsigned baud, std::chrono::nanoseconds longest_chunk,
+            std::chrono::nanoseconds bound = std::chrono::seconds{1});
+
+  void queue(wire::Bytes message, Stamp now);
+  std::optional<Stamp> deadline() const;  ///< of the next chunk
+  std::optional<Chunk> take(Stamp now);   ///< the next chunk whose time has come
+
+  std::uint64_t messages_lost() const { return messages_lost_; }
+
+ private:
+  struct Message {
+    std::vector<std::uint8_t> bytes;
+    Stamp queued_at{};
+  };
+
+  std::chrono::nanoseconds line_time(std::size_t bytes) const;
+  std::size_t chunk_end() const;
+  void start_next();
+
+  std::uint64_t baud_;
+  std::size_t chunk_bytes_;
+  std::size_t bound_bytes_;
+  std::deque<Message> waiting_;  ///< the front one is leaving
+  std::vector<std::vector<std::uint8_t>> spare_;
+  std::vector<std::uint8_t> taken_;
+  std::size_t waiting_bytes_ = 0;
+  std::size_t sent_ = 0;  ///< bytes of the front message that have left
+  Stamp began_{};         ///< when the front message began to leave
+  Stamp free_at_{};       ///< when the message before it had left
+  std::uint64_t messages_lost_ = 0;
+};
+
+}  // namespace drydock::emulate

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "drivers/shell/lockstep.hpp"
+#include "hil/emulate/can_pacer.hpp"
+#include "hil/emulate/emulated_device.hpp"
+#include "hil/emulate/line_pacer.hpp"
+
+/// Emulated devices in the lockstep shell: what they send arrives when it would on a real line.
+namespace drydock::emulate {
+
+/// A device at the end of a serial line.
+class EmulatedLine final : public shell::Actor, private Wire {
+ public:
+  /// Gets each whole message at the time its last byte has left the line.
+  using Deliver = std::function<void(wire::Bytes message, Stamp last_byte)>;
+
+  EmulatedLine(std::unique_ptr<EmulatedDevice> device, unsigned baud, Deliver deliver);
+
+  void receive(wire::Bytes bytes, Stamp now);  ///< from the driver
+  std::optional<Stamp> deadline() const override;
+  void act(Stamp now) override;
+
+  std::uint64_t messages_lost() const { return pacer_.messages_lost(); }
+
+ private:
+  void send(wire::Bytes bytes) override { pacer_.queue(bytes, now_); }
+  void send(const wire::CanFrame&) override {}
+
+  std::unique_ptr<EmulatedDevice> device_;
+  LinePacer pacer_;
+  Deliver deliver_;
+  Stamp now_{};
+};
+
+/// A CAN bus with its emulated nodes. Every frame reaches every other node and, when an emulated
+/// node sent it, the drivers.
+class EmulatedBus final : public shell::Actor {
+ public:
+  using Deliver = std::function<void(const wire::CanFrame& frame, Stamp end_of_frame)>;
+
+  EmulatedBus(unsigned bit_rate, Deliver deliver);
+  ~EmulatedBus() override;
+
+  void add(std::unique_ptr<EmulatedDevice> device);
+  void receive(const wire::CanFrame& frame, Stamp now);  ///< from a driver
+  std::optional<Stamp> deadline() const override;
+  void act(Stamp now) override;
+
+  std::uint64_t frames_lost() const { return pacer_.frames_lost(); }
+
+ private:
+  struct Node;
+
+  CanPacer pacer_;
+  Deliver deliver_;
+  std::vector<std::unique_ptr<Node>> nodes_;
+};
+
+}  // namespace drydock::emulate

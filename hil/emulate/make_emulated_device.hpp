@@ -1,0 +1,26 @@
+#pragma once
+
+#include <boost/system/result.hpp>
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "hil/emulate/emulated_device.hpp"
+#include "hil/motion/truth.hpp"
+#include "rig_config/rig.hpp"
+
+namespace drydock::emulate {
+
+/// One line: what is wrong, what is allowed.
+struct EmulateError {
+  std::string message;
+};
+
+/// The emulated device for a kind and protocol. It boots at trajectory.start() and samples every
+/// 1/rate_hz from then on (GNSS: at whole multiples of that in UTC). The trajectory must outlive
+/// it.
+boost::system::result<std::unique_ptr<EmulatedDevice>, EmulateError> make_emulated_device(
+    const rig_config::DeviceConfig& config, const motion::Trajectory& trajectory,
+    std::uint64_t seed);
+
+}  // namespace drydock::emulate

@@ -1,0 +1,55 @@
+#pragma once
+
+#include "drivers/measurement/measurement.hpp"
+#include "hil/motion/truth.hpp"
+#include "hil/sensor/mounting.hpp"
+
+/// What a perfect sensor at its place in the vehicle would report of the truth. Vectors are in the
+/// sensor's own axes: turning them into the body frame is the driver's work. Origin holds valid_at
+/// only.
+namespace drydock::sensor {
+
+using motion::Stamp;
+using motion::Trajectory;
+using motion::Truth;
+
+/// Specific force f + w x (w x r) + dw/dt x r and rate w, both against inertial space. dw/dt is the
+/// central difference of the truth over 2 ms; gravity is taken as the same at both ends of r.
+measurement::ImuSample ideal_imu(const Trajectory& trajectory, Stamp at, const Mounting& mounting);
+
+/// Over-ground velocity v + w x r of the sensor in its own axes.
+Eigen::Vector3d velocity_at(const Truth& truth, const Mounting& mounting);
+
+/// Four Janus beams over a flat bed. Beam order as in PD0: starboard, port, forward, aft.
+struct JanusBeams {
+  double angle_rad = 0.5235987755982988;  ///< of each beam from the transducer's axis
+  double longest_range_m = 120;           ///< slant range at which bottom lock is lost
+};
+
+/// Velocity, altitude and per-beam range (slant * cos(beam angle)); a beam without echo has no
+/// range, and with fewer than four there is no velocity.
+measurement::BottomVelocity ideal_dvl(const Truth& truth, const Mounting& mounting,
+                                      const JanusBeams& beams = {});
+
+/// Speed through the water along the log's x (longitudinal) and y (transverse) axes.
+/// distance_m stays empty: the device that counts adds it.
+measurement::WaterSpeed ideal_log(const Truth& truth, const Mounting& mounting);
+
+/// An antenna deeper than this hears nothing.
+inline constexpr double antenna_awash_depth_m = 0.3;
+
+/// Position, height and velocity of the antenna; FixType::none and nothing else under water.
+measurement::GnssFix ideal_gnss(const Truth& truth, const Mounting& mounting);
+
+/// Pressure p = p0 + rho g(latitude, 0) d at the sensor (p0 above the surface), depth, and the
+/// temperature of well-mixed water.
+measurement::DepthSample ideal_depth(const Truth& truth, const Mounting& mounting,
+                                     double surface_pressure_pa, double water_density_kgm3);
+inline constexpr double water_temperature_k = 283.15;
+
+/// Vertical distance from an echo sounder to the bed.
+double altitude_at(const Truth& truth, const Mounting& mounting);
+
+measurement::ActuatorState ideal_actuators(const Truth& truth);
+
+}  // namespace drydock::sensor
