@@ -8,6 +8,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 
 #include "drivers/link/uri.hpp"
 #include "drivers/measurement/measurement.hpp"
@@ -24,7 +25,8 @@ using measurement::Stamp;
 template <class T>
 using Task = asio::awaitable<boost::system::result<T>>;
 
-/// Which end of a virtual line is opened: `device` makes the pty, bus or socket that `driver` joins.
+/// Which end of a virtual line is opened: `device` makes the pty, bus or socket that `driver`
+/// joins.
 enum class Side : std::uint8_t { driver, device };
 
 struct ReceivedBytes {
@@ -32,9 +34,16 @@ struct ReceivedBytes {
   Stamp at{};            ///< when the read returned
 };
 
-/// A serial line, a socket, a file: bytes in order. Closing ends pending reads with an error.
+/// A serial line, a socket, a file: bytes in order. Closing ends pending reads with
+/// operation_aborted. The `device` side outlives its drivers: it waits when one leaves, and what it
+/// writes while nobody listens is lost, as on a wire. The `driver` side reads an error when the
+/// device is gone; it then closes and opens again. One read and one write at a time, all on the
+/// thread of the executor; a pending read or write must have ended before the link is destroyed.
 class ByteLink {
  public:
+  ByteLink() = default;
+  ByteLink(const ByteLink&) = delete;
+  ByteLink& operator=(const ByteLink&) = delete;
   virtual ~ByteLink() = default;
   virtual Task<ReceivedBytes> read(std::span<std::uint8_t> into) = 0;
   virtual Task<void> write(std::span<const std::uint8_t> bytes) = 0;
@@ -44,13 +53,16 @@ class ByteLink {
 
 struct ReceivedFrame {
   wire::CanFrame frame;
-  Stamp at{};               ///< of the kernel where it gives one
-  bool own = false;         ///< echo of a frame that this socket sent
+  Stamp at{};        ///< of the kernel where it gives one
+  bool own = false;  ///< echo of a frame that this socket sent
 };
 
-/// A CAN bus.
+/// A CAN bus, with the same rules as a ByteLink.
 class FrameLink {
  public:
+  FrameLink() = default;
+  FrameLink(const FrameLink&) = delete;
+  FrameLink& operator=(const FrameLink&) = delete;
   virtual ~FrameLink() = default;
   virtual Task<ReceivedFrame> read() = 0;
   virtual Task<void> write(const wire::CanFrame& frame) = 0;
@@ -65,11 +77,22 @@ struct OpenError {
   std::string message;
 };
 
+/// Called by result::value() when there is none; throws std::runtime_error.
+[[noreturn]] void throw_exception_from_error(const OpenError& error,
+                                             const boost::source_location& where);
+
 /// Opens the link that the URI names (Uri::carries tells which kind it is).
 boost::system::result<std::unique_ptr<ByteLink>, OpenError> open_bytes(
     asio::any_io_executor executor, const Uri& uri, Side side);
 boost::system::result<std::unique_ptr<FrameLink>, OpenError> open_frames(
     asio::any_io_executor executor, const Uri& uri, Side side);
+
+/// Which bus a can:auto URI stands for now, in words: "vcan0 of the kernel" or "slcan on the pty
+/// /tmp/drydock-0/bus0". Settled once the device side is open.
+std::string can_auto_level(const Uri& uri);
+
+/// Where the symlink of a pty with this name stands; an absolute path stands for itself.
+std::string pty_path(std::string_view name);
 
 /// Bench time now: UTC of the host.
 Stamp now();

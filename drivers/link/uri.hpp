@@ -1,5 +1,6 @@
 #pragma once
 
+#include <boost/assert/source_location.hpp>
 #include <boost/system/result.hpp>
 #include <cstdint>
 #include <map>
@@ -10,31 +11,56 @@
 namespace drydock::link {
 
 enum class Scheme : std::uint8_t {
-  serial, pty, tcp, udp, file, memory,             // bytes
-  socketcan, slcan, memory_can, can_auto           // CAN frames
+  serial,
+  pty,
+  tcp,
+  udp,
+  file,
+  memory,  // bytes
+  socketcan,
+  slcan,
+  memory_can,
+  can_auto  // CAN frames
 };
 
 enum class Carries : std::uint8_t { bytes, frames };
 
 /// A link's address: `scheme:target?key=value&key=value`. The URI alone decides whether a device is
-/// real (serial tcp udp socketcan:can0 slcan), emulated (pty memory memory-can can:auto
-/// socketcan:vcan0) or recorded (file).
+/// emulated (pty, memory, memory-can, can:auto, socketcan of a vcan interface, anything that says
+/// `emulated=1`), recorded (file) or real (the rest). docs/links.md lists the schemes and their
+/// keys.
 struct Uri {
   Scheme scheme = Scheme::memory;
-  std::string target;  ///< device path, name, host:port, interface
+  std::string target;  ///< device path, name, host:port, interface; of can:auto the bus's name
   std::map<std::string, std::string> query;
   std::string text;  ///< as written
 
   Carries carries() const;
   bool emulated() const;  ///< its other end is an emulated device of this rig
   bool recorded() const { return scheme == Scheme::file; }
-  std::optional<unsigned> baud() const;  ///< bit/s of a serial line (serial, pty, memory, file)
+  std::optional<unsigned> baud()
+      const;  ///< bit/s of a serial line (serial, pty, memory, file, slcan)
+  /// Bit/s of a CAN bus (nominal phase); 250000, that of NMEA 2000 and J1939, where not written.
+  std::optional<unsigned> bitrate() const;
+  bool flag(std::string_view key) const;  ///< true for `key=1`
 };
 
-/// Parses and checks a URI. The failure is one line that says what is wrong and what is allowed.
+/// The failure to read a URI: one line that says what is wrong and what is allowed.
 struct UriError {
   std::string message;
 };
+/// Called by result::value() when there is none; throws std::invalid_argument.
+[[noreturn]] void throw_exception_from_error(const UriError& error,
+                                             const boost::source_location& where);
+
+/// Parses and checks a URI.
 boost::system::result<Uri, UriError> parse_uri(std::string_view text);
+
+/// The byte link under an slcan bus: `slcan:/dev/ttyACM0` runs over a serial port,
+/// `slcan:tcp:host:port` over TCP. Precondition: parse_uri made it.
+Uri line_under_slcan(const Uri& slcan);
+
+/// "serial pty tcp ... can:auto", for messages and help.
+std::string allowed_schemes();
 
 }  // namespace drydock::link
