@@ -1,0 +1,47 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+#include "drivers/measurement/measurement.hpp"
+#include "estimators/pipeline/listener.hpp"
+
+namespace drydock::pipeline {
+
+/// What an estimator did with a measurement, best first.
+enum class Outcome : std::uint8_t {
+  accepted,  ///< used, in its turn
+  delayed,   ///< a speed older than the estimator's time: used on the present state
+  late,      ///< too old to be used
+  refused,   ///< not finite, or beyond what a vehicle can do
+  unused     ///< not this estimator's device, or without the value that it needs
+};
+
+enum class EstimatorState : std::uint8_t { waiting_for_imu, waiting_for_speed, running };
+
+constexpr std::string_view to_string(EstimatorState state) {
+  constexpr std::array<std::string_view, 3> names{"waiting for imu", "waiting for speed",
+                                                  "running"};
+  return names[static_cast<std::size_t>(state)];
+}
+
+struct EstimatorStatus {
+  EstimatorState state = EstimatorState::waiting_for_imu;
+  std::uint64_t estimates = 0;
+  std::uint64_t restarts = 0;          ///< after a gap in the IMU's samples, or a clock set back
+  measurement::Stamp last_estimate{};  ///< valid_at
+  measurement::Stamp last_speed{};     ///< valid_at
+};
+
+/// One system of the papers at work in the pipeline. Measurements come in the order of valid_at as
+/// far as the reorder window allows; the estimator judges those that come behind its own time.
+class Estimator {
+ public:
+  virtual ~Estimator() = default;
+  virtual Outcome take(const measurement::ImuSample& sample, EstimateListener& listener) = 0;
+  virtual Outcome take(const measurement::WaterSpeed& speed, EstimateListener& listener) = 0;
+  virtual const EstimatorStatus& status() const = 0;
+};
+
+}  // namespace drydock::pipeline
