@@ -1,0 +1,52 @@
+#pragma once
+
+#include <array>
+#include <chrono>
+#include <concepts>
+#include <numbers>
+#include <optional>
+#include <string_view>
+#include <type_traits>
+
+/// What a message tells a printer. Each message has `type`, the protocol's name for it, and beside
+/// it `visit_fields(message, field)` that calls `field(key, value)` for every field in order. Keys
+/// carry their unit (`latitude_deg`, `speed_mps`). A value is a scalar (integer, double, bool,
+/// std::string_view), an optional of one, or a std::array or std::span of scalars, of optionals, or
+/// of structs that have visit_fields themselves. An empty optional prints as null. Structs hold SI
+/// units and radians; only the visit turns to degrees.
+namespace drydock::wire {
+
+template <class T>
+concept ScalarField = std::is_arithmetic_v<T> || std::same_as<T, std::string_view>;
+
+constexpr double knot_mps = 1852.0 / 3600.0;
+constexpr double kilometre_per_hour_mps = 1.0 / 3.6;
+constexpr double nautical_mile_m = 1852.0;
+
+constexpr double radians(double degrees) { return degrees * (std::numbers::pi / 180.0); }
+constexpr double degrees(double radians) { return radians * (180.0 / std::numbers::pi); }
+
+constexpr std::optional<double> degrees(const std::optional<double>& angle_rad) {
+  return angle_rad ? std::optional{degrees(*angle_rad)} : std::nullopt;
+}
+
+template <class Rep, class Period>
+constexpr double seconds(std::chrono::duration<Rep, Period> duration) {
+  return std::chrono::duration<double>(duration).count();
+}
+
+template <class Duration>
+constexpr std::optional<double> seconds(const std::optional<Duration>& duration) {
+  return duration ? std::optional{seconds(*duration)} : std::nullopt;
+}
+
+/// Shows a calendar date as three integers.
+template <class F>
+void visit_date(const std::optional<std::chrono::year_month_day>& date, F&& field) {
+  using Number = std::optional<int>;
+  field("year", date ? Number{static_cast<int>(date->year())} : std::nullopt);
+  field("month", date ? Number{static_cast<unsigned>(date->month())} : std::nullopt);
+  field("day", date ? Number{static_cast<unsigned>(date->day())} : std::nullopt);
+}
+
+}  // namespace drydock::wire

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <optional>
+#include <string_view>
+#include <variant>
+
+#include "drivers/wire/codec.hpp"
+#include "drivers/wire/nmea0183_gnss.hpp"
+#include "drivers/wire/nmea0183_speed.hpp"
+
+namespace drydock::wire {
+
+/// NMEA 0183, all talkers. A frame runs from `$` through the checksum and its line end (CR LF, LF
+/// or CR). A sentence without a checksum is no frame; a `$` inside one starts over.
+struct Nmea0183 {
+  static constexpr std::string_view name = "nmea0183";
+  /// The standard says 82; receivers with many satellites and vendors' sentences exceed it.
+  static constexpr std::size_t max_frame = 1024;
+  using Message = std::variant<Gga, Rmc, Gsv, Gsa, Vtg, Zda, Vhw, Vbw, Vlw>;
+
+  static Scan scan(Bytes bytes);
+  static std::optional<Message> decode(Bytes frame);
+};
+
+}  // namespace drydock::wire

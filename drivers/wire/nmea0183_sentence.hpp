@@ -1,0 +1,101 @@
+#pragma once
+
+#include <array>
+#include <charconv>
+#include <chrono>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include "drivers/wire/codec.hpp"
+
+/// The line format of NMEA 0183 (IEC 61162-1): `$ttsss,field,field*hh` and a line end; hh is the
+/// XOR of the characters between `$` and `*`. Any field may be empty: empty is "not available".
+namespace drydock::wire {
+
+/// Who speaks: GP, GN, VD, VM, ... Any two characters are a talker.
+struct Talker {
+  std::array<char, 2> letters{};
+  constexpr Talker() = default;
+  constexpr explicit Talker(std::string_view text) : letters{text[0], text[1]} {}
+  constexpr std::string_view text() const { return {letters.data(), letters.size()}; }
+  friend bool operator==(const Talker&, const Talker&) = default;
+};
+
+/// One letter that says a status or mode; '\0' when the field is empty or absent.
+struct Letter {
+  char value = '\0';
+  constexpr Letter() = default;
+  constexpr Letter(char letter) : value(letter) {}
+  constexpr std::optional<std::string_view> text() const {
+    return value ? std::optional{std::string_view{&value, 1}} : std::nullopt;
+  }
+  friend bool operator==(const Letter&, const Letter&) = default;
+};
+
+/// Reads the fields of a sound sentence from left to right. A field that is empty, missing at the
+/// end or malformed reads as empty and never spoils the others.
+class SentenceReader {
+ public:
+  /// `frame` as the scan gave it. A proprietary or malformed address leaves `formatter()` empty.
+  explicit SentenceReader(Bytes frame);
+
+  Talker talker() const { return talker_; }
+  std::string_view formatter() const { return formatter_; }  ///< GGA, VHW, ...
+
+  std::size_t remaining() const;  ///< fields not yet read
+  std::string_view text();
+  void skip(std::size_t fields);
+  Letter letter();
+  std::optional<double> number();
+  std::optional<int> integer();
+  std::optional<double> angle();                   ///< degrees on the wire, rad here
+  std::optional<double> latitude();                ///< ddmm.m,N|S; two fields; rad
+  std::optional<double> longitude();               ///< dddmm.m,E|W; two fields; rad
+  std::optional<std::chrono::nanoseconds> time();  ///< hhmmss.s of the UTC day, 23:59:60 too
+
+ private:
+  std::optional<double> coordinate(double limit_deg, char positive, char negative);
+
+  const char* at_ = nullptr;  ///< start of the next field, nullptr when there is none
+  const char* end_ = nullptr;
+  Talker talker_;
+  std::string_view formatter_;
+};
+
+/// Digits after the point that a device sends. The defaults suit a good receiver and log.
+struct NmeaDecimals {
+  int time = 2, minutes = 5, height = 2, dop = 2, angle = 2, speed = 3, distance = 3;
+};
+
+/// Writes one sentence, checksum and CR LF into a buffer. An empty value writes an empty field.
+class SentenceWriter {
+ public:
+  SentenceWriter(std::span<std::uint8_t> out, Talker talker, std::string_view formatter);
+
+  void text(std::string_view text);
+  void letter(Letter letter);
+  void number(const std::optional<double>& value, int decimals);
+  void integer(const std::optional<int>& value, int width = 1);  ///< padded with zeros
+  void angle(const std::optional<double>& radians, int decimals);
+  void latitude(const std::optional<double>& radians, int decimals_of_minute);
+  void longitude(const std::optional<double>& radians, int decimals_of_minute);
+  void time(const std::optional<std::chrono::nanoseconds>& time_of_day, int decimals);
+
+  std::size_t finish();  ///< bytes written, 0 when the buffer was too small
+
+ private:
+  void put(char c);
+  void put(std::string_view text);
+  void put_padded(std::int64_t value, int width);
+  void put_decimal(std::int64_t units, int integer_width, int decimals);
+  void coordinate(const std::optional<double>& radians, int degree_width, int decimals,
+                  std::string_view hemispheres);
+
+  std::span<std::uint8_t> out_;
+  std::size_t size_ = 0;
+  bool overflow_ = false;
+};
+
+}  // namespace drydock::wire

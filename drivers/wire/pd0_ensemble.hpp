@@ -1,0 +1,130 @@
+#pragma once
+
+#include <array>
+#include <chrono>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include "drivers/wire/fields.hpp"
+
+/// What one PD0 ensemble says (Teledyne Pathfinder DVL Guide, P/N 95B-6116-00, tables 32 to 47).
+namespace drydock::wire {
+
+/// Axes of the velocities: beams 1 to 4; instrument X, Y, Z; ship starboard, forward, mast; earth
+/// east, north, up. Except for beams the fourth component is the error velocity.
+enum class Pd0Frame : std::uint8_t { beam, instrument, ship, earth };
+std::string_view to_string(Pd0Frame frame);
+
+/// How the instrument is built and set up.
+struct Pd0FixedLeader {
+  std::uint8_t firmware_version = 0, firmware_revision = 0;
+  std::optional<double> frequency_hz;    ///< nominal
+  std::optional<double> beam_angle_rad;  ///< from the vertical axis; empty: "other"
+  bool convex = true;
+  bool faces_up = false;
+  std::uint8_t beams = 4, cells = 0;
+  std::uint16_t pings_per_ensemble = 0;
+  double cell_length_m = 0, blank_m = 0;
+  Pd0Frame frame = Pd0Frame::earth;
+  bool tilts_used = false;           ///< ship and earth velocities are levelled with pitch and roll
+  bool three_beam = false;           ///< a solution of three beams is allowed
+  double heading_alignment_rad = 0;  ///< of beam 3 from the ship's bow, clockwise
+  double heading_bias_rad = 0;
+  std::uint8_t sensor_source = 0, sensors_available = 0;  ///< bits c d h p r s t, see EZ
+};
+
+/// When, and what the instrument's own sensors read.
+struct Pd0VariableLeader {
+  std::uint32_t ensemble = 0;
+  std::optional<std::chrono::local_time<std::chrono::milliseconds>> clock;  ///< at the first ping
+  std::uint16_t built_in_test = 0;                                          ///< 0: passed
+  std::optional<double> sound_speed_mps;
+  std::optional<double> depth_m;
+  std::optional<double> heading_rad, pitch_rad, roll_rad;  ///< bow up, starboard down positive
+  std::optional<double> salinity_ppt;
+  std::optional<double> temperature_k;
+  std::optional<double> pressure_pa;  ///< gauge
+};
+
+/// Motion over the bed. On the wire the instrument stands still and the bed moves; here the sign is
+/// turned, so velocities are the vehicle's.
+struct Pd0BottomTrack {
+  std::uint16_t pings_per_ensemble = 0;
+  std::array<std::optional<double>, 4> velocity_mps;  ///< in the frame of the fixed leader
+  /// Vertical component of each beam's range, not corrected for tilt; empty: no bottom found.
+  std::array<std::optional<double>, 4> range_m;
+  std::array<std::uint8_t, 4> correlation{}, amplitude{}, percent_good{};
+  std::optional<double> max_depth_m;  ///< tracking limit
+};
+
+struct Pd0Ensemble {
+  static constexpr std::string_view type = "PD0";
+  Pd0FixedLeader fixed;
+  Pd0VariableLeader variable;
+  std::optional<Pd0BottomTrack> bottom_track;
+};
+
+/// Writes header, fixed leader (59 bytes), variable leader (65), bottom track (81) and checksum.
+/// Bytes written, 0 when `out` is too small.
+std::size_t encode(const Pd0Ensemble& m, std::span<std::uint8_t> out);
+
+template <class F>
+void visit_fields(const Pd0FixedLeader& m, F&& field) {
+  field("firmware_version", m.firmware_version);
+  field("firmware_revision", m.firmware_revision);
+  field("frequency_hz", m.frequency_hz);
+  field("beam_angle_deg", degrees(m.beam_angle_rad));
+  field("convex", m.convex);
+  field("faces_up", m.faces_up);
+  field("beams", m.beams);
+  field("cells", m.cells);
+  field("pings_per_ensemble", m.pings_per_ensemble);
+  field("cell_length_m", m.cell_length_m);
+  field("blank_m", m.blank_m);
+  field("frame", to_string(m.frame));
+  field("tilts_used", m.tilts_used);
+  field("three_beam", m.three_beam);
+  field("heading_alignment_deg", degrees(m.heading_alignment_rad));
+  field("heading_bias_deg", degrees(m.heading_bias_rad));
+  field("sensor_source", m.sensor_source);
+  field("sensors_available", m.sensors_available);
+}
+
+template <class F>
+void visit_fields(const Pd0VariableLeader& m, F&& field) {
+  field("ensemble", m.ensemble);
+  field("clock_s", m.clock ? std::optional{seconds(m.clock->time_since_epoch())} : std::nullopt);
+  field("built_in_test", m.built_in_test);
+  field("sound_speed_mps", m.sound_speed_mps);
+  field("depth_m", m.depth_m);
+  field("heading_deg", degrees(m.heading_rad));
+  field("pitch_deg", degrees(m.pitch_rad));
+  field("roll_deg", degrees(m.roll_rad));
+  field("salinity_ppt", m.salinity_ppt);
+  field("temperature_k", m.temperature_k);
+  field("pressure_pa", m.pressure_pa);
+}
+
+template <class F>
+void visit_fields(const Pd0BottomTrack& m, F&& field) {
+  field("bottom_pings_per_ensemble", m.pings_per_ensemble);
+  field("bottom_velocity_mps", m.velocity_mps);
+  field("bottom_range_m", m.range_m);
+  field("bottom_correlation", m.correlation);
+  field("bottom_amplitude", m.amplitude);
+  field("bottom_percent_good", m.percent_good);
+  field("bottom_max_depth_m", m.max_depth_m);
+}
+
+/// An ensemble without bottom track shows the same keys, all empty.
+template <class F>
+void visit_fields(const Pd0Ensemble& m, F&& field) {
+  visit_fields(m.variable, field);
+  visit_fields(m.fixed, field);
+  field("bottom_track", m.bottom_track.has_value());
+  visit_fields(m.bottom_track.value_or(Pd0BottomTrack{}), field);
+}
+
+}  // namespace drydock::wire

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <concepts>
+#include <cstddef>
+#include <optional>
+#include <string_view>
+
+#include "drivers/wire/codec.hpp"
+#include "drivers/wire/nmea0183.hpp"
+#include "drivers/wire/pd0.hpp"
+#include "drivers/wire/ubx.hpp"
+#include "drivers/wire/ubx_nmea.hpp"
+
+/// Every protocol by its name. A new one adds its include and its entry in one of the lists.
+namespace drydock::wire {
+
+template <class... P>
+struct ProtocolList {};
+
+/// The contract of codec.hpp.
+template <class P>
+concept ByteProtocol = requires(Bytes bytes) {
+  { P::name } -> std::convertible_to<std::string_view>;
+  { P::max_frame } -> std::convertible_to<std::size_t>;
+  { P::scan(bytes) } -> std::same_as<Scan>;
+  { P::decode(bytes) } -> std::same_as<std::optional<typename P::Message>>;
+};
+
+template <ByteProtocol... P>
+constexpr void all_are_byte_protocols(ProtocolList<P...>) {}
+
+using BytesProtocols = ProtocolList<Nmea0183, Ubx, UbxNmea, Pd0>;
+
+static_assert(requires { all_are_byte_protocols(BytesProtocols{}); });
+
+/// Calls `visit.operator()<P>()` for the protocol of that name; false when no list entry has it.
+template <class... P, class Visit>
+constexpr bool with_protocol(ProtocolList<P...>, std::string_view name, Visit&& visit) {
+  return ((P::name == name && (visit.template operator()<P>(), true)) || ...);
+}
+
+}  // namespace drydock::wire

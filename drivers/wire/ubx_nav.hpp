@@ -1,0 +1,153 @@
+#pragma once
+
+#include <boost/container/static_vector.hpp>
+#include <chrono>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include "drivers/wire/codec.hpp"
+#include "drivers/wire/fields.hpp"
+
+/// Navigation messages of u-blox receivers, class 0x01 (u-blox interface descriptions, M8 to F9).
+namespace drydock::wire {
+
+enum class UbxFixType : std::uint8_t {
+  none,
+  dead_reckoning,
+  two_d,
+  three_d,
+  gnss_and_dr,
+  time_only
+};
+
+/// Position, velocity, time. What the receiver does not vouch for is empty: position and velocity
+/// need gnssFixOK and a fix type from 2D to GNSS with dead reckoning, the position no invalidLlh.
+struct NavPvt {
+  static constexpr std::string_view type = "NAV-PVT";
+  std::chrono::milliseconds itow{};  ///< GPS time of week
+  std::optional<std::chrono::year_month_day> date;
+  /// UTC since midnight of `date`; the receiver rounds to seconds and corrects by a signed
+  /// fraction, so it may be slightly negative.
+  std::optional<std::chrono::nanoseconds> time_of_day;
+  bool time_resolved = false;  ///< no whole-second ambiguity left
+  std::optional<double> time_accuracy_s;
+
+  UbxFixType fix_type = UbxFixType::none;
+  bool fix_ok = false;  ///< within the receiver's DOP and accuracy masks
+  bool differential = false;
+  std::uint8_t carrier_solution = 0;  ///< 0 none, 1 float, 2 fixed
+  std::uint8_t satellites_used = 0;
+
+  std::optional<double> latitude_rad, longitude_rad;
+  std::optional<double> ellipsoidal_height_m, mean_sea_level_height_m;
+  std::optional<double> horizontal_accuracy_m, vertical_accuracy_m;
+
+  std::optional<double> velocity_north_mps, velocity_east_mps, velocity_down_mps;
+  std::optional<double> ground_speed_mps, course_rad;
+  std::optional<double> speed_accuracy_mps, course_accuracy_rad;
+
+  std::optional<double> position_dop;
+  std::optional<double> vehicle_heading_rad;
+  std::optional<double> magnetic_declination_rad, magnetic_accuracy_rad;
+};
+
+enum class UbxGnss : std::uint8_t { gps, sbas, galileo, beidou, imes, qzss, glonass, navic };
+std::string_view to_string(UbxGnss gnss);  ///< "unknown" for numbers beyond the list
+
+struct UbxSatellite {
+  UbxGnss gnss = UbxGnss::gps;
+  std::uint8_t number = 0;                           ///< within its constellation
+  std::optional<double> cno_dbhz;                    ///< empty: not tracked
+  std::optional<double> elevation_rad, azimuth_rad;  ///< empty: unknown
+  double residual_m = 0;                             ///< of the pseudorange
+  std::uint8_t quality = 0;  ///< 0 no signal .. 4 code .. 7 code and carrier
+  bool used = false;         ///< in the navigation solution
+  std::optional<bool> healthy;
+  std::uint8_t orbit_source = 0;  ///< 0 none, 1 ephemeris, 2 almanac, 3 and on: assistance
+  bool has_ephemeris = false, has_almanac = false;
+};
+
+/// Satellites the receiver knows of.
+struct NavSat {
+  static constexpr std::string_view type = "NAV-SAT";
+  std::chrono::milliseconds itow{};
+  boost::container::static_vector<UbxSatellite, 255> satellites;  ///< the wire's count is one byte
+};
+
+/// End of epoch: all navigation messages of this time of week have been sent.
+struct NavEoe {
+  static constexpr std::string_view type = "NAV-EOE";
+  std::chrono::milliseconds itow{};
+};
+
+/// Each reads a payload; empty when its length is not one of the message's.
+std::optional<NavPvt> read_nav_pvt(Bytes payload);  ///< 92 bytes, 84 from old receivers
+std::optional<NavSat> read_nav_sat(Bytes payload);
+std::optional<NavEoe> read_nav_eoe(Bytes payload);
+
+/// Bytes of the whole frame written, 0 when `out` is too small.
+std::size_t encode(const NavPvt& m, std::span<std::uint8_t> out);  ///< the 92-byte form
+std::size_t encode(const NavSat& m, std::span<std::uint8_t> out);
+std::size_t encode(const NavEoe& m, std::span<std::uint8_t> out);
+
+template <class F>
+void visit_fields(const NavPvt& m, F&& field) {
+  field("itow_s", seconds(m.itow));
+  visit_date(m.date, field);
+  field("time_of_day_s", seconds(m.time_of_day));
+  field("time_resolved", m.time_resolved);
+  field("time_accuracy_s", m.time_accuracy_s);
+  field("fix_type", static_cast<int>(m.fix_type));
+  field("fix_ok", m.fix_ok);
+  field("differential", m.differential);
+  field("carrier_solution", m.carrier_solution);
+  field("satellites_used", m.satellites_used);
+  field("latitude_deg", degrees(m.latitude_rad));
+  field("longitude_deg", degrees(m.longitude_rad));
+  field("ellipsoidal_height_m", m.ellipsoidal_height_m);
+  field("mean_sea_level_height_m", m.mean_sea_level_height_m);
+  field("horizontal_accuracy_m", m.horizontal_accuracy_m);
+  field("vertical_accuracy_m", m.vertical_accuracy_m);
+  field("velocity_north_mps", m.velocity_north_mps);
+  field("velocity_east_mps", m.velocity_east_mps);
+  field("velocity_down_mps", m.velocity_down_mps);
+  field("ground_speed_mps", m.ground_speed_mps);
+  field("course_deg", degrees(m.course_rad));
+  field("speed_accuracy_mps", m.speed_accuracy_mps);
+  field("course_accuracy_deg", degrees(m.course_accuracy_rad));
+  field("position_dop", m.position_dop);
+  field("vehicle_heading_deg", degrees(m.vehicle_heading_rad));
+  field("magnetic_declination_deg", degrees(m.magnetic_declination_rad));
+  field("magnetic_accuracy_deg", degrees(m.magnetic_accuracy_rad));
+}
+
+template <class F>
+void visit_fields(const UbxSatellite& m, F&& field) {
+  field("gnss", to_string(m.gnss));
+  field("number", m.number);
+  field("cno_dbhz", m.cno_dbhz);
+  field("elevation_deg", degrees(m.elevation_rad));
+  field("azimuth_deg", degrees(m.azimuth_rad));
+  field("residual_m", m.residual_m);
+  field("quality", m.quality);
+  field("used", m.used);
+  field("healthy", m.healthy);
+  field("orbit_source", m.orbit_source);
+  field("has_ephemeris", m.has_ephemeris);
+  field("has_almanac", m.has_almanac);
+}
+
+template <class F>
+void visit_fields(const NavSat& m, F&& field) {
+  field("itow_s", seconds(m.itow));
+  field("satellites", std::span{m.satellites});
+}
+
+template <class F>
+void visit_fields(const NavEoe& m, F&& field) {
+  field("itow_s", seconds(m.itow));
+}
+
+}  // namespace drydock::wire
