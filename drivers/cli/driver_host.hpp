@@ -1,0 +1,43 @@
+#pragma once
+
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/steady_timer.hpp>
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "drivers/bus/publisher.hpp"
+#include "drivers/device/device.hpp"
+#include "drivers/shell/real_time.hpp"
+#include "rig_config/rig.hpp"
+
+namespace drydock::cli {
+
+/// The drivers of a rig on their links in real time, their measurements and health on the bus.
+class DriverHost final : private device::Listener {
+ public:
+  /// `bus` may be empty: then nothing is published. Its publisher must outlive the host.
+  DriverHost(boost::asio::io_context& io, std::vector<std::unique_ptr<device::Device>> devices,
+             bus::Publisher* bus);
+
+  /// Called for every measurement and state change, beside the bus.
+  std::function<void(const measurement::Measurement&)> on_measurement_hook;
+  std::function<void(const device::Device&, const device::Transition&)> on_state_hook;
+
+  void start();
+  void stop();
+  const shell::RealTime& shell() const { return shell_; }
+  bool all_streaming() const;
+
+ private:
+  void on_measurement(const measurement::Measurement& measurement) override;
+  void on_state(const device::Device& device, const device::Transition& change) override;
+  void publish_health();
+  void schedule_health();
+
+  bus::Publisher* bus_;
+  shell::RealTime shell_;
+  boost::asio::steady_timer health_timer_;
+};
+
+}  // namespace drydock::cli

@@ -1,0 +1,82 @@
+#include "estimators/cli/estimate.hpp"
+
+#include <fmt/format.h>
+
+#include <boost/asio/signal_set.hpp>
+#include <cmath>
+#include <numbers>
+
+#include "drivers/bus/participant.hpp"
+#include "drivers/cli/rig_bus.hpp"
+#include "estimators/cli/estimator_host.hpp"
+#include "estimators/cli/rig_pipeline.hpp"
+
+namespace drydock::cli {
+namespace {
+
+constexpr double to_deg = 180 / std::numbers::pi;
+
+/// Prints estimates as they come, either all as JSON or one a second for a person.
+class Printer {
+ public:
+  Printer(const rig_config::Rig& rig, bool json_lines) : rig_(rig), json_lines_(json_lines) {}
+
+  void operator()(const pipeline::AttitudeEstimate& e) {
+    ++count;
+    const auto& name = rig_.estimators[e.estimator].name;
+    const double roll_sigma = std::sqrt(e.covariance(0, 0)) * to_deg;
+    const double pitch_sigma = std::sqrt(e.covariance(1, 1)) * to_deg;
+    if (json_lines_) {
+      fmt::print(
+          R"({{"estimator":"{}","valid_at_s":{:.9f},"roll_deg":{:.6f},"pitch_deg":{:.6f},"roll_sigma_deg":{:.6f},"pitch_sigma_deg":{:.6f}}})"
+          "\n",
+          name, measurement::seconds(e.valid_at.time_since_epoch()), e.roll_rad * to_deg,
+          e.pitch_rad * to_deg, roll_sigma, pitch_sigma);
+      return;
+    }
+    if (e.valid_at < next_) return;
+    next_ = e.valid_at + std::chrono::seconds{1};
+    fmt::print("{}: roll {:8.3f} +- {:.3f} deg, pitch {:8.3f} +- {:.3f} deg (1 sigma)\n", name,
+               e.roll_rad * to_deg, roll_sigma, e.pitch_rad * to_deg, pitch_sigma);
+    std::fflush(stdout);
+  }
+
+  std::uint64_t count = 0;
+
+ private:
+  const rig_config::Rig& rig_;
+  bool json_lines_;
+  measurement::Stamp next_{};
+};
+
+}  // namespace
+
+int estimate(const rig_config::Rig& rig, const EstimateOptions& options) {
+  boost::asio::io_context io{1};
+  const bus::Participant participant(static_cast<std::uint32_t>(rig.dds_domain));
+  bus::Publisher publisher(participant, {}, estimator_names(rig));
+  bus::Subscriber subscriber(participant, bus_devices(rig));
+  EstimatorHost host(io, pipeline_options(rig), subscriber, publisher);
+  Printer printer(rig, options.json_lines);
+  host.on_attitude_hook = [&](const pipeline::AttitudeEstimate& e) { printer(e); };
+
+  boost::asio::signal_set signals(io, SIGINT, SIGTERM);
+  boost::asio::steady_timer timer(io);
+  const auto stop = [&](const boost::system::error_code& ec) {
+    if (ec) return;
+    signals.cancel();
+    timer.cancel();
+    host.stop();
+  };
+  signals.async_wait([&](const boost::system::error_code& ec, int) { stop(ec); });
+  if (options.duration_s > 0) {
+    timer.expires_after(measurement::from_seconds(options.duration_s));
+    timer.async_wait(stop);
+  }
+  host.start();
+  io.run();
+  fmt::print(stderr, "{} estimates\n", printer.count);
+  return printer.count > 0 ? 0 : 1;
+}
+
+}  // namespace drydock::cli

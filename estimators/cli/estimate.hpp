@@ -1,0 +1,16 @@
+#pragma once
+
+#include "rig_config/rig.hpp"
+
+namespace drydock::cli {
+
+struct EstimateOptions {
+  double duration_s = 0;     ///< 0: until Ctrl-C
+  bool json_lines = false;   ///< every estimate as a JSON line instead of one line a second
+};
+
+/// Runs the estimators of a rig on the measurements of the bus and puts estimates on it.
+/// Returns 0, or 1 when no estimate was made.
+int estimate(const rig_config::Rig& rig, const EstimateOptions& options);
+
+}  // namespace drydock::cli

@@ -1,0 +1,38 @@
+#include "estimators/cli/rig_pipeline.hpp"
+
+#include <algorithm>
+
+#include "drivers/measurement/stamp.hpp"
+
+namespace drydock::cli {
+namespace {
+
+std::uint16_t index_of(const rig_config::Rig& rig, const std::string& name) {
+  const auto it = std::find_if(rig.devices.begin(), rig.devices.end(),
+                               [&](const auto& device) { return device.name == name; });
+  return static_cast<std::uint16_t>(it - rig.devices.begin());
+}
+
+}  // namespace
+
+pipeline::PipelineOptions pipeline_options(const rig_config::Rig& rig) {
+  pipeline::PipelineOptions options;
+  options.reorder_window = measurement::from_seconds(rig.reorder_window_s);
+  for (const auto& config : rig.estimators) {
+    pipeline::EstimatorOptions estimator;
+    estimator.name = config.name;
+    estimator.kind = config.kind;
+    estimator.imu = index_of(rig, config.imu);
+    if (!config.log.empty()) estimator.log = index_of(rig, config.log);
+    estimator.stationary = config.stationary;
+    estimator.leveling.latitude_rad = config.latitude_rad;
+    estimator.leveling.heading_rad = config.heading_rad;
+    estimator.leveling.accelerometer_start = config.accelerometer_start;
+    estimator.leveling.initial_roll_rad = config.initial_roll_rad;
+    estimator.leveling.initial_pitch_rad = config.initial_pitch_rad;
+    options.estimators.push_back(std::move(estimator));
+  }
+  return options;
+}
+
+}  // namespace drydock::cli

@@ -1,0 +1,11 @@
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+namespace drydock::cli {
+
+/// Seconds of `90`, `60s`, `10min` or `5.5h`; empty for anything else and for negative times.
+std::optional<double> parse_duration(std::string_view text);
+
+}  // namespace drydock::cli

@@ -1,0 +1,54 @@
+#include "hil/cli/emulate.hpp"
+
+#include <fmt/format.h>
+
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/signal_set.hpp>
+#include <boost/asio/steady_timer.hpp>
+#include <stdexcept>
+
+#include "drivers/link/link.hpp"
+#include "hil/cli/truth_of_rig.hpp"
+#include "hil/emulate/real_time.hpp"
+
+namespace drydock::cli {
+
+int emulate(const rig_config::Rig& rig, double duration_s) {
+  const auto devices = emulated_devices(rig);
+  if (devices.empty()) {
+    throw std::runtime_error(rig.file +
+                             ": no device has an emulated link (pty, memory, memory-can, can:auto)");
+  }
+  boost::asio::io_context io{1};
+  const motion::KinematicTrajectory trajectory(rig.mission, link::now());
+  emulate::RealTimeEmulator emulator(io, trajectory, rig.seed);
+  if (auto started = emulator.start(devices); !started) {
+    throw std::runtime_error(started.error().message);
+  }
+  for (const auto& device : devices) {
+    fmt::print("{}: {} on {}\n", device.name, device.protocol, device.link);
+  }
+  for (const auto& note : can_notes(rig)) fmt::print("{}\n", note);
+  std::fflush(stdout);
+
+  boost::asio::signal_set signals(io, SIGINT, SIGTERM);
+  boost::asio::steady_timer timer(io);
+  const auto stop = [&](const boost::system::error_code& ec) {
+    if (ec) return;
+    signals.cancel();
+    timer.cancel();
+    emulator.stop();
+  };
+  signals.async_wait([&](const boost::system::error_code& ec, int) { stop(ec); });
+  if (duration_s > 0) {
+    timer.expires_after(measurement::from_seconds(duration_s));
+    timer.async_wait(stop);
+  }
+  io.run();
+  const auto counters = emulator.counters();
+  fmt::print("{} messages written, {} late, {} lost to overloaded lines, {} write errors\n",
+             counters.messages, counters.late, counters.lost, counters.write_errors);
+  return counters.lost == 0 ? 0 : 1;
+}
+
+}  // namespace drydock::cli

@@ -1,0 +1,96 @@
+#include "hil/cli/live_table.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+
+namespace drydock::cli {
+namespace {
+
+constexpr std::size_t events_shown = 5;
+
+const char* colour(device::State state) {
+  switch (state) {
+    case device::State::streaming: return "\033[32m";
+    case device::State::stale: return "\033[33m";
+    case device::State::backing_off: return "\033[31m";
+    default: return "\033[36m";
+  }
+}
+
+std::string row(const device::Device& device, const device::Health& h) {
+  return fmt::format("{:<10} {}{:<11}\033[0m {:>8.2f} Hz of {:>6.1f}  {:>9} messages  {:>8} B skipped"
+                     "  {:>5} bad  age {:>6.3f} s",
+                     device.name(), colour(h.state), to_string(h.state), h.rate_hz.value_or(0),
+                     h.nominal_rate_hz, h.messages, h.stream.bytes_skipped, h.stream.bad_checksums,
+                     h.age ? measurement::seconds(*h.age) : 0.0);
+}
+
+std::string bar(double part) {
+  constexpr int width = 30;
+  const int full = std::clamp(static_cast<int>(part * width), 0, width);
+  return std::string(static_cast<std::size_t>(full), '#') +
+         std::string(static_cast<std::size_t>(width - full), '.');
+}
+
+}  // namespace
+
+LiveTable::LiveTable() : terminal_(::isatty(STDOUT_FILENO) == 1) {}
+
+void LiveTable::note(std::string_view device, const device::Transition& change) {
+  auto line = fmt::format("{}: {} -> {}: {}", device, to_string(change.from), to_string(change.to),
+                          change.why.view());
+  if (!terminal_) {
+    fmt::print("{}\n", line);
+    std::fflush(stdout);
+    return;
+  }
+  events_.push_back(std::move(line));
+  if (events_.size() > events_shown) events_.pop_front();
+}
+
+void LiveTable::draw(const shell::RealTime& shell, double elapsed_s, double duration_s) {
+  if (terminal_) {
+    draw_table(shell, elapsed_s, duration_s);
+  } else if (elapsed_s >= next_lines_s_) {
+    next_lines_s_ += 10;
+    print_lines(shell, elapsed_s);
+  }
+}
+
+void LiveTable::draw_table(const shell::RealTime& shell, double elapsed_s, double duration_s) {
+  std::string out;
+  if (lines_drawn_ > 0) out += fmt::format("\033[{}A", lines_drawn_);
+  lines_drawn_ = 0;
+  const auto line = [&](const std::string& text) {
+    out += "\r\033[2K" + text + "\n";
+    ++lines_drawn_;
+  };
+  if (duration_s > 0) {
+    line(fmt::format("[{}] {:.0f} s of {:.0f} s, {:.0f} s left, Ctrl-C ends with the report",
+                     bar(elapsed_s / duration_s), elapsed_s, duration_s,
+                     std::max(0.0, duration_s - elapsed_s)));
+  } else {
+    line(fmt::format("{:.0f} s, Ctrl-C ends with the report", elapsed_s));
+  }
+  for (std::size_t i = 0; i < shell.size(); ++i) line(row(shell.device(i), shell.health(i)));
+  for (const auto& event : events_) line("  " + event);
+  std::fwrite(out.data(), 1, out.size(), stdout);
+  std::fflush(stdout);
+}
+
+void LiveTable::print_lines(const shell::RealTime& shell, double elapsed_s) const {
+  for (std::size_t i = 0; i < shell.size(); ++i) {
+    const auto h = shell.health(i);
+    fmt::print("{:.0f} s {}: {}, {:.2f} Hz of {:.1f}, {} messages, {} bad checksums\n", elapsed_s,
+               shell.device(i).name(), to_string(h.state), h.rate_hz.value_or(0),
+               h.nominal_rate_hz, h.messages, h.stream.bad_checksums);
+  }
+  std::fflush(stdout);
+}
+
+void LiveTable::finish() { lines_drawn_ = 0; }
+
+}  // namespace drydock::cli

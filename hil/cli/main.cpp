@@ -1,0 +1,191 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <functional>
+#include <stdexcept>
+
+#include "drivers/cli/check.hpp"
+#include "drivers/cli/decode.hpp"
+#include "drivers/cli/drive.hpp"
+#include "drivers/cli/monitor.hpp"
+#include "drivers/link/uri.hpp"
+#include "estimators/cli/estimate.hpp"
+#include "hil/cli/duration.hpp"
+#include "hil/cli/emulate.hpp"
+#include "hil/cli/run.hpp"
+#include "rig_config/load.hpp"
+
+namespace {
+
+using namespace drydock;
+
+constexpr int exit_failed = 1;
+constexpr int exit_usage = 2;
+
+/// A rig file that cannot be used; the lines have been printed.
+struct BadRig {};
+
+rig_config::LoadOptions load_options() {
+  rig_config::LoadOptions options;
+  options.link_check = [](std::string_view uri) -> std::optional<std::string> {
+    const auto parsed = link::parse_uri(uri);
+    return parsed ? std::nullopt : std::optional{parsed.error().message};
+  };
+  return options;
+}
+
+rig_config::Rig load(const std::string& path) {
+  auto rig = rig_config::load_rig(path, load_options());
+  if (rig) return std::move(*rig);
+  for (const auto& problem : rig.error()) fmt::print(stderr, "{}\n", to_string(problem));
+  throw BadRig{};
+}
+
+const CLI::Validator duration_text(
+    [](std::string& text) {
+      const auto seconds = cli::parse_duration(text);
+      if (!seconds) return fmt::format("'{}' is no duration; allowed: 90, 60s, 10min, 5.5h", text);
+      text = fmt::format("{}", *seconds);
+      return std::string{};
+    },
+    "DURATION");
+
+/// What the command line chose: set by exactly one subcommand's callback.
+using Command = std::function<int()>;
+
+void add_run(CLI::App& app, Command& command) {
+  struct Arguments {
+    std::string rig, speed = "1";
+    std::optional<std::uint64_t> seed;
+    cli::RunOptions options;
+  };
+  auto a = std::make_shared<Arguments>();
+  auto* sub = app.add_subcommand("run", "Emulated devices, drivers and estimators of a rig, with a report");
+  sub->footer(
+      "Example: drydock run rig_config/rigs/demo.toml --for 60s --report out\n"
+      "         drydock run rig_config/rigs/demo.toml --for 10min --speed max --json out.json");
+  sub->add_option("RIG", a->rig, "rig file (TOML)")->required();
+  sub->add_option("--for", a->options.duration_s, "how long: 60s, 10min, 5.5h; default until Ctrl-C")
+      ->transform(duration_text);
+  sub->add_option("--seed", a->seed, "seed of all random errors; default that of the rig file");
+  sub->add_option("--speed", a->speed, "1: real time; max: lockstep in virtual time")
+      ->check(CLI::IsMember({"1", "max"}))
+      ->capture_default_str();
+  sub->add_option("--json", a->options.json, "write the summary to this file");
+  sub->add_option("--report", a->options.report, "write index.html with plots into this folder");
+  sub->add_flag("--expect-streaming", a->options.expect_streaming,
+                "exit 1 when a device is not streaming at the end");
+  sub->add_option("--expect-rms", a->options.expect_rms_deg,
+                  "exit 1 when an attitude estimate is worse than this against the truth [deg RMS]");
+  sub->callback([a, &command] {
+    command = [a] {
+      auto rig = load(a->rig);
+      if (a->seed) rig.seed = *a->seed;
+      a->options.lockstep = a->speed == "max";
+      return cli::run(rig, a->options);
+    };
+  });
+}
+
+/// emulate, drive: a rig and a duration.
+void add_rig_command(CLI::App& app, Command& command, const std::string& name,
+                     const std::string& description, const std::string& example,
+                     int (*body)(const rig_config::Rig&, double)) {
+  struct Arguments {
+    std::string rig;
+    double duration_s = 0;
+  };
+  auto a = std::make_shared<Arguments>();
+  auto* sub = app.add_subcommand(name, description);
+  sub->footer("Example: " + example);
+  sub->add_option("RIG", a->rig, "rig file (TOML)")->required();
+  sub->add_option("--for", a->duration_s, "how long: 60s, 10min, 5.5h; default until Ctrl-C")
+      ->transform(duration_text);
+  sub->callback([a, &command, body] {
+    command = [a, body] { return body(load(a->rig), a->duration_s); };
+  });
+}
+
+void add_estimate(CLI::App& app, Command& command) {
+  struct Arguments {
+    std::string rig;
+    cli::EstimateOptions options;
+  };
+  auto a = std::make_shared<Arguments>();
+  auto* sub = app.add_subcommand("estimate", "Estimators of a rig on the measurements of the bus");
+  sub->footer(
+      "Example, in three terminals: drydock emulate R.toml; drydock drive R.toml; drydock estimate R.toml");
+  sub->add_option("RIG", a->rig, "rig file (TOML)")->required();
+  sub->add_option("--for", a->options.duration_s, "how long: 60s, 10min, 5.5h; default until Ctrl-C")
+      ->transform(duration_text);
+  sub->add_flag("--json", a->options.json_lines, "every estimate as a JSON line");
+  sub->callback(
+      [a, &command] { command = [a] { return cli::estimate(load(a->rig), a->options); }; });
+}
+
+void add_check(CLI::App& app, Command& command) {
+  auto files = std::make_shared<std::vector<std::string>>();
+  auto* sub = app.add_subcommand("check", "Check rig, mission and sensor files");
+  sub->footer("Example: drydock check rig_config/rigs/*.toml");
+  sub->add_option("FILES", *files, "TOML files")->required();
+  sub->callback([files, &command] {
+    command = [files] { return cli::check(*files, load_options(), stdout); };
+  });
+}
+
+void add_monitor(CLI::App& app, Command& command) {
+  auto options = std::make_shared<cli::MonitorOptions>();
+  auto* sub = app.add_subcommand("monitor", "Print what a link says; never writes to the wire");
+  sub->footer("Example: drydock monitor 'serial:/dev/ttyUSB0?baud=38400' --protocol ubx");
+  sub->add_option("LINK", options->link, "link URI")->required();
+  sub->add_option("--protocol", options->protocol, "one of " + cli::protocol_names())->required();
+  sub->add_option("--for", options->duration_s, "how long: 60s, 10min; default until Ctrl-C")
+      ->transform(duration_text);
+  sub->callback([options, &command] { command = [options] { return cli::monitor(*options); }; });
+}
+
+void add_decode(CLI::App& app, Command& command) {
+  auto options = std::make_shared<cli::DecodeOptions>();
+  auto* sub = app.add_subcommand("decode", "Turn a recording into JSON Lines, one object a message");
+  sub->footer(
+      "Example: drydock decode --protocol pd0 dive.pd0\n"
+      "         candump -L can0 | drydock decode --protocol nmea2000");
+  sub->add_option("FILE", options->file, "recording; default standard input");
+  sub->add_option("--protocol", options->protocol, "one of " + cli::protocol_names())->required();
+  sub->add_flag("--quiet", options->quiet, "no line of counts at the end");
+  sub->callback([options, &command] { command = [options] { return cli::decode(*options); }; });
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app{
+      "Drydock: a test rig for underwater navigation.\n"
+      "Exit codes: 0 success, 1 the run or the input failed, 2 wrong usage or configuration."};
+  app.name("drydock");
+  app.set_version_flag("--version", DRYDOCK_VERSION);
+  app.require_subcommand(1);
+  app.footer("drydock COMMAND --help shows an example of each.");
+  Command command;
+  add_run(app, command);
+  add_rig_command(app, command, "emulate", "The emulated devices of a rig, for any program to open",
+                  "drydock emulate rig_config/rigs/demo.toml", cli::emulate);
+  add_rig_command(app, command, "drive", "The drivers of a rig: links in, measurements on the bus",
+                  "drydock drive rig_config/rigs/demo.toml", cli::drive);
+  add_estimate(app, command);
+  add_check(app, command);
+  add_monitor(app, command);
+  add_decode(app, command);
+  try {
+    app.parse(argc, argv);
+    return command();
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : exit_usage;
+  } catch (const BadRig&) {
+    return exit_usage;
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "drydock: {}\n", error.what());
+    return exit_failed;
+  }
+}

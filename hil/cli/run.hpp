@@ -1,0 +1,32 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "drivers/device/device.hpp"
+#include "hil/cli/summary.hpp"
+#include "rig_config/rig.hpp"
+
+namespace drydock::cli {
+
+struct RunOptions {
+  double duration_s = 0;       ///< 0: until Ctrl-C (real time), one lap of the mission (lockstep)
+  bool lockstep = false;       ///< --speed max
+  std::string json, report;    ///< file, folder; empty: none
+  bool expect_streaming = false;
+  std::optional<double> expect_rms_deg;  ///< of every estimator that has a truth
+};
+
+/// Runs the rig: emulated devices, drivers, estimators, in real time or in lockstep.
+/// Throws std::runtime_error with one line when it cannot begin.
+Summary run_real_time(const rig_config::Rig& rig, const RunOptions& options);
+Summary run_lockstep(const rig_config::Rig& rig, const RunOptions& options);
+
+/// The command: runs, prints, writes the files. Returns the exit code.
+int run(const rig_config::Rig& rig, const RunOptions& options);
+
+/// The row of a device in the summary; shared by both ways to run.
+DeviceSummary summarise(const device::Device& device, const device::Health& health,
+                        measurement::Provenance provenance);
+
+}  // namespace drydock::cli

@@ -1,0 +1,204 @@
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <csignal>
+#include <map>
+#include <stdexcept>
+
+#include "drivers/cli/rig_bus.hpp"
+#include "drivers/link/uri.hpp"
+#include "drivers/shell/device_actor.hpp"
+#include "drivers/shell/lockstep.hpp"
+#include "drivers/shell/recorded_line.hpp"
+#include "drivers/shell/rig_devices.hpp"
+#include "estimators/cli/rig_pipeline.hpp"
+#include "estimators/pipeline/pipeline.hpp"
+#include "hil/cli/run.hpp"
+#include "hil/cli/scribe.hpp"
+#include "hil/cli/truth_of_rig.hpp"
+#include "hil/emulate/lockstep.hpp"
+#include "hil/emulate/make_emulated_device.hpp"
+
+namespace drydock::cli {
+namespace {
+
+using measurement::Stamp;
+
+constexpr unsigned default_bit_rate = 250'000;
+
+volatile std::sig_atomic_t interrupted = 0;
+
+/// Ctrl-C between construction and destruction sets `interrupted`.
+class InterruptFlag {
+ public:
+  InterruptFlag() : before_(std::signal(SIGINT, [](int) { interrupted = 1; })) { interrupted = 0; }
+  ~InterruptFlag() { std::signal(SIGINT, before_); }
+  InterruptFlag(const InterruptFlag&) = delete;
+  InterruptFlag& operator=(const InterruptFlag&) = delete;
+
+ private:
+  void (*before_)(int);
+};
+
+template <class Result>
+auto or_throw(Result result) {
+  if (!result) throw std::runtime_error(result.error().message);
+  return std::move(*result);
+}
+
+/// What a driver sends goes to whatever emulates its other end.
+class ToLine final : public device::Transmitter {
+ public:
+  explicit ToLine(const shell::Lockstep& clock) : clock_(clock) {}
+  void send(wire::Bytes bytes) override {
+    if (line != nullptr) line->receive(bytes, clock_.now());
+  }
+  void send(const wire::CanFrame& frame) override {
+    if (bus != nullptr) bus->receive(frame, clock_.now());
+  }
+  emulate::EmulatedLine* line = nullptr;
+  emulate::EmulatedBus* bus = nullptr;
+
+ private:
+  const shell::Lockstep& clock_;
+};
+
+/// A rig in virtual time: every link becomes a line of this process with the same baud rate.
+class LockstepBench final : private device::Listener, private pipeline::EstimateListener {
+ public:
+  LockstepBench(const rig_config::Rig& rig, double duration_s)
+      : rig_(rig),
+        start_(measurement::stamp_from_ns(rig.start_utc_ns)),
+        trajectory_(rig.mission, start_),
+        clock_(start_),
+        pipeline_(or_throw(pipeline::make_pipeline(pipeline_options(rig), *this))),
+        duration_s_(duration_s > 0 ? duration_s : measurement::seconds(trajectory_.end() - start_)),
+        scribe_(rig, truth_for_estimators(rig) ? &trajectory_ : nullptr, start_, duration_s_) {
+    auto devices = or_throw(shell::make_devices(rig));
+    for (std::size_t i = 0; i < devices.size(); ++i) add(rig.devices[i], std::move(devices[i]));
+    for (auto& bus : buses_) clock_.add(*bus.second.bus);
+  }
+
+  Summary run() {
+    const InterruptFlag flag;
+    const auto wall_start = std::chrono::steady_clock::now();
+    const Stamp end = start_ + measurement::from_seconds(duration_s_);
+    while (clock_.now() < end && interrupted == 0) {
+      clock_.run_until(std::min(end, clock_.now() + std::chrono::seconds{1}));
+      show_progress();
+    }
+    pipeline_.flush();
+    Summary s;
+    s.rig = rig_.name;
+    s.mode = "lockstep";
+    s.seed = rig_.seed;
+    s.duration_s = measurement::seconds(clock_.now() - start_);
+    s.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - wall_start).count();
+    s.interrupted = interrupted != 0;
+    for (const auto& actor : actors_) {
+      const auto& device = actor->device();
+      s.devices.push_back(summarise(device, device.health(clock_.now()),
+                                    provenance_of(device.options().link)));
+    }
+    scribe_.write(s, clock_.now());
+    return s;
+  }
+
+ private:
+  struct Bus {
+    std::unique_ptr<emulate::EmulatedBus> bus;
+    std::vector<shell::DeviceActor*> drivers;
+  };
+
+  void add(const rig_config::DeviceConfig& config, std::unique_ptr<device::Device> device) {
+    const auto uri = link::parse_uri(config.link);
+    if (!uri) throw std::runtime_error(uri.error().message);
+    to_lines_.push_back(std::make_unique<ToLine>(clock_));
+    device::Listener& listener = *this;
+    actors_.push_back(std::make_unique<shell::DeviceActor>(
+        std::move(device), listener, *to_lines_.back(), start_, provenance_of(config.link)));
+    auto& actor = *actors_.back();
+    clock_.add(actor);
+    if (uri->recorded()) {
+      recordings_.push_back(std::make_unique<shell::RecordedLine>(*uri, actor, start_));
+      clock_.add(*recordings_.back());
+    } else if (!uri->emulated()) {
+      throw std::runtime_error(fmt::format(
+          "{}:{}: device \"{}\": {} is real hardware, which has no virtual time; allowed with --speed "
+          "max: pty, memory, memory-can, can:auto, file, socketcan:vcan*",
+          rig_.file, config.line, config.name, config.link));
+    } else if (uri->carries() == link::Carries::bytes) {
+      add_line(config, *uri, actor);
+    } else {
+      add_to_bus(config, *uri, actor);
+    }
+  }
+
+  void add_line(const rig_config::DeviceConfig& config, const link::Uri& uri,
+                shell::DeviceActor& actor) {
+    lines_.push_back(std::make_unique<emulate::EmulatedLine>(
+        or_throw(emulate::make_emulated_device(config, trajectory_, rig_.seed)),
+        uri.baud().value_or(115200),
+        [&actor](wire::Bytes bytes, Stamp at) { actor.receive(bytes, at); }));
+    to_lines_.back()->line = lines_.back().get();
+    clock_.add(*lines_.back());
+  }
+
+  void add_to_bus(const rig_config::DeviceConfig& config, const link::Uri& uri,
+                  shell::DeviceActor& actor) {
+    auto& bus = buses_[config.link];
+    if (!bus.bus) {
+      bus.bus = std::make_unique<emulate::EmulatedBus>(
+          uri.bitrate().value_or(default_bit_rate),
+          [&bus](const wire::CanFrame& frame, Stamp at) {
+            for (auto* driver : bus.drivers) driver->receive(frame, at);
+          });
+    }
+    bus.bus->add(or_throw(emulate::make_emulated_device(config, trajectory_, rig_.seed)));
+    bus.drivers.push_back(&actor);
+    to_lines_.back()->bus = bus.bus.get();
+  }
+
+  void on_measurement(const measurement::Measurement& m) override {
+    scribe_.note(m);
+    pipeline_.receive(m);
+  }
+
+  void on_state(const device::Device& device, const device::Transition& change) override {
+    if (::isatty(STDOUT_FILENO) == 1) return;
+    fmt::print("{:.3f} s {}: {} -> {}: {}\n", measurement::seconds(change.at - start_),
+               device.name(), to_string(change.from), to_string(change.to), change.why.view());
+  }
+
+  void on_attitude(const pipeline::AttitudeEstimate& estimate) override { scribe_.note(estimate); }
+
+  void show_progress() const {
+    if (::isatty(STDOUT_FILENO) != 1) return;
+    const double done = measurement::seconds(clock_.now() - start_);
+    fmt::print("\r{:.0f} s of {:.0f} s ({:.0f} %)", done, duration_s_, 100 * done / duration_s_);
+    std::fflush(stdout);
+  }
+
+  const rig_config::Rig& rig_;
+  Stamp start_;
+  motion::KinematicTrajectory trajectory_;
+  shell::Lockstep clock_;
+  pipeline::Pipeline pipeline_;
+  double duration_s_;
+  Scribe scribe_;
+  std::vector<std::unique_ptr<ToLine>> to_lines_;
+  std::vector<std::unique_ptr<shell::DeviceActor>> actors_;
+  std::vector<std::unique_ptr<emulate::EmulatedLine>> lines_;
+  std::vector<std::unique_ptr<shell::RecordedLine>> recordings_;
+  std::map<std::string, Bus> buses_;
+};
+
+}  // namespace
+
+Summary run_lockstep(const rig_config::Rig& rig, const RunOptions& options) {
+  LockstepBench bench(rig, options.duration_s);
+  return bench.run();
+}
+
+}  // namespace drydock::cli

@@ -1,0 +1,153 @@
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/signal_set.hpp>
+#include <boost/asio/steady_timer.hpp>
+#include <optional>
+#include <stdexcept>
+
+#include "drivers/bus/participant.hpp"
+#include "drivers/bus/publisher.hpp"
+#include "drivers/bus/subscriber.hpp"
+#include "drivers/cli/driver_host.hpp"
+#include "drivers/cli/rig_bus.hpp"
+#include "drivers/link/link.hpp"
+#include "drivers/shell/rig_devices.hpp"
+#include "estimators/cli/estimator_host.hpp"
+#include "estimators/cli/rig_pipeline.hpp"
+#include "hil/cli/live_table.hpp"
+#include "hil/cli/run.hpp"
+#include "hil/cli/scribe.hpp"
+#include "hil/cli/truth_of_rig.hpp"
+#include "hil/emulate/real_time.hpp"
+
+namespace drydock::cli {
+namespace {
+
+namespace asio = boost::asio;
+
+constexpr std::chrono::milliseconds redraw_period{500};
+
+template <class T>
+T or_throw(boost::system::result<T, shell::RigDevicesError> result) {
+  if (!result) throw std::runtime_error(result.error().message);
+  return std::move(*result);
+}
+
+/// Everything of a rig on one thread. Members in the order in which they need each other.
+class Bench {
+ public:
+  Bench(const rig_config::Rig& rig, const RunOptions& options)
+      : rig_(rig),
+        options_(options),
+        start_(link::now()),
+        trajectory_(rig.mission, start_),
+        participant_(static_cast<std::uint32_t>(rig.dds_domain)),
+        publisher_(participant_, bus_devices(rig), estimator_names(rig)),
+        subscriber_(participant_, bus_devices(rig)),
+        emulator_(io_, trajectory_, rig.seed),
+        drivers_(io_, or_throw(shell::make_devices(rig)), &publisher_),
+        estimators_(io_, pipeline_options(rig), subscriber_, publisher_),
+        scribe_(rig, truth_for_estimators(rig) ? &trajectory_ : nullptr, start_,
+                options.duration_s > 0 ? options.duration_s : 600) {}
+
+  Summary run() {
+    connect();
+    if (auto started = emulator_.start(emulated_devices(rig_)); !started) {
+      throw std::runtime_error(started.error().message);
+    }
+    estimators_.start();
+    drivers_.start();
+    signals_.async_wait([this](const boost::system::error_code& ec, int) {
+      if (ec) return;
+      interrupted_ = true;
+      stop();
+    });
+    schedule_redraw();
+    io_.run();
+    live_.finish();
+    return summary();
+  }
+
+ private:
+  void connect() {
+    drivers_.on_measurement_hook = [this](const measurement::Measurement& m) { scribe_.note(m); };
+    drivers_.on_state_hook = [this](const device::Device& d, const device::Transition& change) {
+      if (!stopping_) live_.note(d.name(), change);
+    };
+    estimators_.on_attitude_hook = [this](const pipeline::AttitudeEstimate& e) { scribe_.note(e); };
+  }
+
+  double elapsed() const { return measurement::seconds(link::now() - start_); }
+
+  void schedule_redraw() {
+    timer_.expires_after(redraw_period);
+    timer_.async_wait([this](const boost::system::error_code& ec) {
+      if (ec) return;
+      live_.draw(drivers_.shell(), elapsed(), options_.duration_s);
+      if (options_.duration_s > 0 && elapsed() >= options_.duration_s) return stop();
+      schedule_redraw();
+    });
+  }
+
+  // The health that counts is that of the last moment before the links are closed.
+  void stop() {
+    if (stopping_) return;
+    stopping_ = true;
+    end_ = link::now();
+    for (std::size_t i = 0; i < drivers_.shell().size(); ++i) {
+      const auto& device = drivers_.shell().device(i);
+      devices_.push_back(summarise(device, drivers_.shell().health(i),
+                                   provenance_of(device.options().link)));
+    }
+    signals_.cancel();
+    timer_.cancel();
+    drivers_.stop();
+    estimators_.stop();
+    emulator_.stop();
+  }
+
+  Summary summary() {
+    Summary s;
+    s.rig = rig_.name;
+    s.mode = "real time";
+    s.seed = rig_.seed;
+    s.duration_s = s.wall_s = measurement::seconds(end_ - start_);
+    s.interrupted = interrupted_;
+    s.devices = devices_;
+    s.notes = can_notes(rig_);
+    if (const auto counters = emulator_.counters(); counters.lost > 0 || counters.write_errors > 0) {
+      s.notes.push_back("emulated devices lost " + std::to_string(counters.lost) +
+                        " messages to overloaded lines, " + std::to_string(counters.write_errors) +
+                        " to write errors");
+    }
+    scribe_.write(s, end_);
+    return s;
+  }
+
+  const rig_config::Rig& rig_;
+  const RunOptions& options_;
+  asio::io_context io_{1};
+  measurement::Stamp start_, end_{};
+  motion::KinematicTrajectory trajectory_;
+  bus::Participant participant_;
+  bus::Publisher publisher_;
+  bus::Subscriber subscriber_;
+  emulate::RealTimeEmulator emulator_;
+  DriverHost drivers_;
+  EstimatorHost estimators_;
+  Scribe scribe_;
+  LiveTable live_;
+  asio::steady_timer timer_{io_};
+  asio::signal_set signals_{io_, SIGINT, SIGTERM};
+  std::vector<DeviceSummary> devices_;
+  bool stopping_ = false;
+  bool interrupted_ = false;
+};
+
+}  // namespace
+
+Summary run_real_time(const rig_config::Rig& rig, const RunOptions& options) {
+  Bench bench(rig, options);
+  return bench.run();
+}
+
+}  // namespace drydock::cli

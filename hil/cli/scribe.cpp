@@ -1,0 +1,174 @@
+#include "hil/cli/scribe.hpp"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace drydock::cli {
+
+using namespace measurement;
+
+namespace {
+
+constexpr double to_deg = 180 / std::numbers::pi;
+constexpr double points_per_curve = 1500;
+
+double wrapped(double angle) { return std::remainder(angle, 2 * std::numbers::pi); }
+
+}  // namespace
+
+void ErrorStatistics::add(const Eigen::Vector2d& error, const Eigen::Matrix2d& covariance) {
+  ++count_;
+  squares_ += error.cwiseAbs2();
+  largest_ = largest_.cwiseMax(error.cwiseAbs());
+  nees_ += error.dot(covariance.inverse() * error) / 2;
+}
+
+AttitudeError ErrorStatistics::result() const {
+  const double n = static_cast<double>(count_);
+  return {.roll_rms_deg = std::sqrt(squares_.x() / n) * to_deg,
+          .pitch_rms_deg = std::sqrt(squares_.y() / n) * to_deg,
+          .roll_max_deg = largest_.x() * to_deg,
+          .pitch_max_deg = largest_.y() * to_deg,
+          .nees_mean = nees_ / n};
+}
+
+Scribe::Scribe(const rig_config::Rig& rig, const motion::Trajectory* truth, Stamp start,
+               double expected_duration_s)
+    : truth_(truth), start_(start), spacing_s_(expected_duration_s / points_per_curve) {
+  for (const auto& config : rig.estimators) {
+    Estimator estimator;
+    estimator.summary.name = config.name;
+    estimator.summary.kind = config.kind;
+    estimator.has_truth = truth != nullptr;
+    estimators_.push_back(std::move(estimator));
+  }
+  for (const auto& device : rig.devices) add_device(device);
+}
+
+std::size_t Scribe::add_plot(std::string title, std::string unit, std::vector<std::string> labels) {
+  const std::size_t first = curves_.size();
+  for (std::size_t i = 0; i < labels.size(); ++i) curves_.push_back({plots_.size(), i, 0});
+  MeasurementTrace plot{std::move(title), std::move(unit), std::move(labels), {}, {}};
+  plot.t_s.resize(plot.labels.size());
+  plot.value.resize(plot.labels.size());
+  plots_.push_back(std::move(plot));
+  return first;
+}
+
+void Scribe::add_device(const rig_config::DeviceConfig& device) {
+  using rig_config::DeviceKind;
+  std::size_t first = 0;
+  switch (device.kind) {
+    case DeviceKind::dvl:
+      first = add_plot(device.name + ": velocity over the bed", "m/s, body", {"x", "y", "z"});
+      break;
+    case DeviceKind::emlog:
+      first = add_plot(device.name + ": speed through the water", "m/s", {"longitudinal", "transverse"});
+      break;
+    case DeviceKind::gnss:
+      first = add_plot(device.name + ": velocity", "m/s, NED", {"north", "east", "down"});
+      break;
+    case DeviceKind::imu:
+      first = add_plot(device.name + ": angular rate", "deg/s, body", {"x", "y", "z"});
+      add_plot(device.name + ": specific force", "m/s2, body", {"x", "y", "z"});
+      break;
+    case DeviceKind::depth:
+      first = add_plot(device.name + ": depth", "m", {"depth"});
+      break;
+    case DeviceKind::actuator:
+      first = add_plot(device.name + ": actuators", "deg", {"rudder", "stern plane", "bow plane"});
+      break;
+  }
+  first_curve_.push_back(first);
+}
+
+void Scribe::point(std::size_t curve, Stamp at, double value) {
+  auto& c = curves_[curve];
+  const double t = since_start(at);
+  if (t < c.next_point_s) return;
+  c.next_point_s = t + spacing_s_;
+  plots_[c.plot].t_s[c.line].push_back(t);
+  plots_[c.plot].value[c.line].push_back(value);
+}
+
+void Scribe::note(const Measurement& m) {
+  const Origin& origin = origin_of(m);
+  if (origin.device >= first_curve_.size()) return;
+  const std::size_t first = first_curve_[origin.device];
+  const auto maybe = [&](std::size_t i, const std::optional<double>& value, double scale = 1) {
+    if (value) point(first + i, origin.valid_at, *value * scale);
+  };
+  const auto vector = [&](std::size_t i, const Eigen::Vector3d& v, double scale = 1) {
+    for (int k = 0; k < 3; ++k) point(first + i + static_cast<std::size_t>(k), origin.valid_at, v[k] * scale);
+  };
+  if (const auto* imu = std::get_if<ImuSample>(&m)) {
+    vector(0, imu->angular_rate, to_deg);
+    vector(3, imu->specific_force);
+  } else if (const auto* dvl = std::get_if<BottomVelocity>(&m)) {
+    if (dvl->velocity) vector(0, *dvl->velocity);
+  } else if (const auto* log = std::get_if<WaterSpeed>(&m)) {
+    maybe(0, log->longitudinal_mps);
+    maybe(1, log->transverse_mps);
+  } else if (const auto* fix = std::get_if<GnssFix>(&m)) {
+    if (fix->velocity_ned) vector(0, *fix->velocity_ned);
+  } else if (const auto* depth = std::get_if<DepthSample>(&m)) {
+    maybe(0, depth->depth_m);
+  } else if (const auto* actuators = std::get_if<ActuatorState>(&m)) {
+    maybe(0, actuators->rudder_rad, to_deg);
+    maybe(1, actuators->stern_plane_rad, to_deg);
+    maybe(2, actuators->bow_plane_rad, to_deg);
+  }
+}
+
+void Scribe::note(const pipeline::AttitudeEstimate& estimate) {
+  auto& e = estimators_[estimate.estimator];
+  ++e.summary.estimates;
+  const double t = since_start(estimate.valid_at);
+  const bool draw = t >= e.next_point_s;
+  if (draw) {
+    e.next_point_s = t + spacing_s_;
+    e.trace.t_s.push_back(t);
+    e.trace.roll_deg.push_back(estimate.roll_rad * to_deg);
+    e.trace.pitch_deg.push_back(estimate.pitch_rad * to_deg);
+    e.trace.roll_sigma_deg.push_back(std::sqrt(estimate.covariance(0, 0)) * to_deg);
+    e.trace.pitch_sigma_deg.push_back(std::sqrt(estimate.covariance(1, 1)) * to_deg);
+  }
+  if (!e.has_truth) return;
+  const auto truth = truth_->at(estimate.valid_at);
+  const Eigen::Vector2d error{wrapped(estimate.roll_rad - truth.roll_rad),
+                              wrapped(estimate.pitch_rad - truth.pitch_rad)};
+  e.whole_run.add(error, estimate.covariance);
+  if (t >= 10) e.after_10_s.add(error, estimate.covariance);
+  if (draw) {
+    e.trace.true_roll_deg.push_back(truth.roll_rad * to_deg);
+    e.trace.true_pitch_deg.push_back(truth.pitch_rad * to_deg);
+  }
+}
+
+void Scribe::write(Summary& summary, Stamp end) const {
+  for (const auto& e : estimators_) {
+    summary.estimators.push_back(e.summary);
+    if (e.whole_run.count() > 0) summary.estimators.back().whole_run = e.whole_run.result();
+    if (e.after_10_s.count() > 0) summary.estimators.back().after_10_s = e.after_10_s.result();
+    summary.traces.push_back(e.trace);
+  }
+  summary.measurements = plots_;
+  if (!truth_) return;
+  const auto origin = truth_->at(start_);
+  constexpr double earth_radius_m = 6371000;  // for the axes of a sketch, not for navigation
+  for (double t = 0; t <= since_start(end); t += std::max(spacing_s_ * 3, 1e-3)) {
+    const auto truth = truth_->at(start_ + from_seconds(t));
+    auto& m = summary.motion;
+    m.t_s.push_back(t);
+    m.north_m.push_back((truth.latitude_rad - origin.latitude_rad) * earth_radius_m);
+    m.east_m.push_back((truth.longitude_rad - origin.longitude_rad) * earth_radius_m *
+                       std::cos(origin.latitude_rad));
+    m.depth_m.push_back(-truth.height_m);
+    m.speed_mps.push_back(truth.velocity_body.norm());
+    m.heading_deg.push_back(truth.yaw_rad * to_deg);
+  }
+}
+
+}  // namespace drydock::cli

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "drivers/measurement/measurement.hpp"
+#include "estimators/pipeline/estimate.hpp"
+#include "hil/cli/summary.hpp"
+#include "hil/motion/truth.hpp"
+#include "rig_config/rig.hpp"
+
+namespace drydock::cli {
+
+/// Root-mean-square and largest error of one estimator; angles in radians in, degrees out.
+class ErrorStatistics {
+ public:
+  void add(const Eigen::Vector2d& error, const Eigen::Matrix2d& covariance);
+  std::uint64_t count() const { return count_; }
+  AttitudeError result() const;
+
+ private:
+  std::uint64_t count_ = 0;
+  Eigen::Vector2d squares_ = Eigen::Vector2d::Zero();
+  Eigen::Vector2d largest_ = Eigen::Vector2d::Zero();
+  double nees_ = 0;
+};
+
+/// Follows a run: compares estimates with the truth and keeps thinned curves for the report.
+class Scribe {
+ public:
+  /// `truth` may be empty (real sensors only) and must outlive the scribe. `spacing` thins curves.
+  Scribe(const rig_config::Rig& rig, const motion::Trajectory* truth, measurement::Stamp start,
+         double expected_duration_s);
+
+  void note(const measurement::Measurement& measurement);
+  void note(const pipeline::AttitudeEstimate& estimate);
+
+  /// Fills in estimators, traces, measurements and motion of the summary.
+  void write(Summary& summary, measurement::Stamp end) const;
+
+ private:
+  struct Estimator {
+    EstimatorSummary summary;
+    ErrorStatistics whole_run, after_10_s;
+    AttitudeTrace trace;
+    bool has_truth = false;
+    double next_point_s = 0;
+  };
+  struct Curve {
+    std::size_t plot = 0;
+    std::size_t line = 0;
+    double next_point_s = 0;
+  };
+
+  double since_start(measurement::Stamp at) const { return measurement::seconds(at - start_); }
+  void point(std::size_t curve, measurement::Stamp at, double value);
+  std::size_t add_plot(std::string title, std::string unit, std::vector<std::string> labels);
+  void add_device(const rig_config::DeviceConfig& device);
+
+  const motion::Trajectory* truth_;
+  measurement::Stamp start_;
+  double spacing_s_;
+  std::vector<Estimator> estimators_;
+  std::vector<MeasurementTrace> plots_;
+  std::vector<Curve> curves_;
+  std::vector<std::size_t> first_curve_;  ///< per device
+};
+
+}  // namespace drydock::cli

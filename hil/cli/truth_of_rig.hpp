@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "hil/motion/kinematic_trajectory.hpp"
+#include "rig_config/rig.hpp"
+
+namespace drydock::cli {
+
+/// The devices of the rig whose other end this program plays.
+std::vector<rig_config::DeviceConfig> emulated_devices(const rig_config::Rig& rig);
+
+/// Whether the estimators' inertial measurements come from the emulated truth.
+bool truth_for_estimators(const rig_config::Rig& rig);
+
+/// One line for each automatic CAN bus: what it became on this machine.
+std::vector<std::string> can_notes(const rig_config::Rig& rig);
+
+}  // namespace drydock::cli
