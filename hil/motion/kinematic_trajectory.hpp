@@ -34,7 +34,7 @@ class KinematicTrajectory final : public Trajectory {
   Stamp start_;
   MissionProfile profile_;
   mutable std::mutex mutex_;
-  mutable std::vector<Position> checkpoints_;  ///< one a second from start(), grown on demand
+  mutable std::vector<Position> checkpoints_;  ///< equally spaced from start(), grown on demand
 };
 
 }  // namespace drydock::motion

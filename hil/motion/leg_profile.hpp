@@ -11,22 +11,25 @@ struct Varying {
   double value = 0, rate = 0;
 };
 
-/// What a leg prescribes at one time; SI, radians.
-struct Attitude {
+/// What the legs prescribe at one time; SI, radians.
+struct Prescribed {
   Varying speed, roll, pitch, yaw;
   double depth_m = 0;
 };
 
-/// The legs of a mission as smooth functions of the time since its start. Within a leg
+/// The legs of a mission as functions of the time since its start, C2 for speed and angles:
 ///   speed  quintic from the speed before to `speed_mps`, over the whole leg
-///   turn   yaw rate and heel rise, hold and fall with quintic ramps
+///   turn   yaw rate and heel rise and fall with quintic ramps, constant between them
 ///   dive   septic depth; pitch is what brings it about: sin(pitch) = -(d depth/dt) / speed
-///   s_path heading amplitude * sin(2 pi t / period), faded in and out
+///   s_path heading `amplitude_rad` * sin(2 pi t / period), faded in and out
+/// A lap begins with the heading, depth and speed at which the one before ended; missions meant to
+/// repeat therefore end at the depth at which they begin.
 class MissionProfile {
  public:
+  /// Throws std::invalid_argument (one line) for legs that cannot be flown.
   explicit MissionProfile(const rig_config::MissionConfig& mission);
 
-  Attitude at(double t) const;
+  Prescribed at(double t) const;
   double lap_s() const { return lap_s_; }
 
  private:
@@ -35,11 +38,11 @@ class MissionProfile {
     double begins_s = 0, speed_before = 0, yaw_before = 0, depth_before = 0;
   };
 
-  const Leg& leg_at(double t_in_lap) const;
+  void add(const rig_config::LegConfig& leg);
 
   std::vector<Leg> legs_;
-  double lap_s_ = 0, lap_yaw_ = 0, lap_depth_ = 0;
-  Attitude first_;
+  Prescribed begin_, end_;  ///< of the first lap
+  double lap_s_ = 0;
 };
 
 }  // namespace drydock::motion

@@ -17,17 +17,19 @@ using motion::Truth;
 /// central difference of the truth over 2 ms; gravity is taken as the same at both ends of r.
 measurement::ImuSample ideal_imu(const Trajectory& trajectory, Stamp at, const Mounting& mounting);
 
-/// Over-ground velocity v + w x r of the sensor in its own axes.
+/// Over-ground velocity v + w x r of the sensor in its own axes. w is against NED: the turn of NED
+/// against the Earth adds less than 1e-6 m/s.
 Eigen::Vector3d velocity_at(const Truth& truth, const Mounting& mounting);
 
-/// Four Janus beams over a flat bed. Beam order as in PD0: starboard, port, forward, aft.
+/// Four Janus beams over a flat bed, in PD0's order for a head that looks down with beam 3 ahead:
+/// port, starboard, forward, aft.
 struct JanusBeams {
   double angle_rad = 0.5235987755982988;  ///< of each beam from the transducer's axis
   double longest_range_m = 120;           ///< slant range at which bottom lock is lost
 };
 
-/// Velocity, altitude and per-beam range (slant * cos(beam angle)); a beam without echo has no
-/// range, and with fewer than four there is no velocity.
+/// Velocity, altitude, attitude of the head and per-beam range (slant * cos(beam angle)); a beam
+/// without echo has no range, and with fewer than four there is no velocity.
 measurement::BottomVelocity ideal_dvl(const Truth& truth, const Mounting& mounting,
                                       const JanusBeams& beams = {});
 
@@ -38,7 +40,8 @@ measurement::WaterSpeed ideal_log(const Truth& truth, const Mounting& mounting);
 /// An antenna deeper than this hears nothing.
 inline constexpr double antenna_awash_depth_m = 0.3;
 
-/// Position, height and velocity of the antenna; FixType::none and nothing else under water.
+/// Position, height and velocity of the antenna, the sea surface being the ellipsoid; under water
+/// FixType::none and the time alone.
 measurement::GnssFix ideal_gnss(const Truth& truth, const Mounting& mounting);
 
 /// Pressure p = p0 + rho g(latitude, 0) d at the sensor (p0 above the surface), depth, and the
@@ -47,8 +50,8 @@ measurement::DepthSample ideal_depth(const Truth& truth, const Mounting& mountin
                                      double surface_pressure_pa, double water_density_kgm3);
 inline constexpr double water_temperature_k = 283.15;
 
-/// Vertical distance from an echo sounder to the bed.
-double altitude_at(const Truth& truth, const Mounting& mounting);
+double depth_at(const Truth& truth, const Mounting& mounting);     ///< of the sensor, down, m
+double altitude_at(const Truth& truth, const Mounting& mounting);  ///< of the sensor over the bed
 
 measurement::ActuatorState ideal_actuators(const Truth& truth);
 

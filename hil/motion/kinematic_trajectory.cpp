@@ -1,0 +1,108 @@
+#include "hil/motion/kinematic_trajectory.hpp"
+
+#include <cmath>
+
+#include "estimators/frame/attitude.hpp"
+#include "estimators/frame/earth.hpp"
+#include "hil/motion/actuator_law.hpp"
+
+namespace drydock::motion {
+namespace {
+
+// Keeps position and velocity consistent to 2e-6 m/s through the shortest usual ramps.
+constexpr double spacing_s = 0.5;
+
+// f^b = C_n^b [ dV^n/dt + (2 w_ie + w_en) x V^n - g^n ], w_ib^b = w_nb^b + C_n^b (w_ie^n + w_en^n)
+void set_inertial(const Eigen::Vector3d& acceleration_ned, Truth& truth) {
+  const Eigen::Vector3d earth_rate = frame::earth_rate_ned(truth.latitude_rad);
+  const Eigen::Vector3d transport_rate =
+      frame::transport_rate_ned(truth.latitude_rad, truth.height_m, truth.velocity_ned);
+  const Eigen::Vector3d gravity{0, 0, frame::gravity(truth.latitude_rad, truth.height_m)};
+  const Eigen::Quaterniond ned_to_body = truth.body_to_ned.conjugate();
+  truth.specific_force =
+      ned_to_body *
+      (acceleration_ned + (2 * earth_rate + transport_rate).cross(truth.velocity_ned) - gravity);
+  truth.angular_rate = truth.rate_body + ned_to_body * (earth_rate + transport_rate);
+}
+
+}  // namespace
+
+KinematicTrajectory::KinematicTrajectory(const rig_config::MissionConfig& mission, Stamp start)
+    : mission_(mission),
+      start_(start),
+      profile_(mission),
+      checkpoints_{{mission.latitude_rad, mission.longitude_rad}} {}
+
+Stamp KinematicTrajectory::end() const {
+  return start_ + measurement::from_seconds(profile_.lap_s());
+}
+
+Truth KinematicTrajectory::at(Stamp time) const {
+  const double t = measurement::seconds(time - start_);
+  const Prescribed p = profile_.at(t);
+  const Position position = position_at(t);
+
+  Truth truth;
+  truth.at = time;
+  truth.latitude_rad = position.latitude_rad;
+  truth.longitude_rad = frame::wrap_pi(position.longitude_rad);
+  truth.height_m = -p.depth_m;
+  truth.roll_rad = p.roll.value;
+  truth.pitch_rad = p.pitch.value;
+  truth.yaw_rad = frame::wrap_pi(p.yaw.value);
+
+  const frame::Euler attitude{truth.roll_rad, truth.pitch_rad, truth.yaw_rad};
+  truth.body_to_ned = frame::body_to_ned(attitude);
+  truth.rate_body = frame::body_rate(attitude, {p.roll.rate, p.pitch.rate, p.yaw.rate});
+  truth.velocity_body = {p.speed.value, 0, 0};
+  truth.velocity_ned = truth.body_to_ned * truth.velocity_body;
+  const Eigen::Vector3d acceleration_body =
+      Eigen::Vector3d{p.speed.rate, 0, 0} + truth.rate_body.cross(truth.velocity_body);
+  set_inertial(truth.body_to_ned * acceleration_body, truth);
+
+  const auto& current = mission_.current_ned_mps;
+  truth.current_ned = {current[0], current[1], current[2]};
+  truth.bed_depth_m = mission_.bed_depth_m;
+  set_actuators(truth);
+  return truth;
+}
+
+KinematicTrajectory::Position KinematicTrajectory::position_at(double t) const {
+  const auto index = static_cast<std::size_t>(std::max(t, 0.0) / spacing_s);
+  Position checkpoint;
+  {
+    const std::lock_guard lock(mutex_);
+    while (checkpoints_.size() <= index) {
+      const double from = spacing_s * static_cast<double>(checkpoints_.size() - 1);
+      checkpoints_.push_back(integrate(checkpoints_.back(), from, spacing_s));
+    }
+    checkpoint = checkpoints_[index];
+  }
+  const double from = spacing_s * static_cast<double>(index);
+  return integrate(checkpoint, from, t - from);
+}
+
+// One step of Runge-Kutta 4 (Simpson's rule, since latitude hardly changes within a step).
+KinematicTrajectory::Position KinematicTrajectory::integrate(Position from, double t,
+                                                             double duration) const {
+  const auto rate = [](const Prescribed& p, double latitude) -> Position {
+    const double level = p.speed.value * std::cos(p.pitch.value);
+    const double east_radius = frame::transverse_radius(latitude) - p.depth_m;
+    return {level * std::cos(p.yaw.value) / (frame::meridian_radius(latitude) - p.depth_m),
+            level * std::sin(p.yaw.value) / (east_radius * std::cos(latitude))};
+  };
+  const Prescribed middle = profile_.at(t + duration / 2);
+  const double lat = from.latitude_rad;
+  const Position k1 = rate(profile_.at(t), lat);
+  const Position k2 = rate(middle, lat + duration / 2 * k1.latitude_rad);
+  const Position k3 = rate(middle, lat + duration / 2 * k2.latitude_rad);
+  const Position k4 = rate(profile_.at(t + duration), lat + duration * k3.latitude_rad);
+  const auto advance = [duration](double a, double b, double c, double d) {
+    return duration / 6 * (a + 2 * b + 2 * c + d);
+  };
+  return {lat + advance(k1.latitude_rad, k2.latitude_rad, k3.latitude_rad, k4.latitude_rad),
+          from.longitude_rad +
+              advance(k1.longitude_rad, k2.longitude_rad, k3.longitude_rad, k4.longitude_rad)};
+}
+
+}  // namespace drydock::motion

@@ -1,0 +1,130 @@
+#include "hil/motion/leg_profile.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+#include <string>
+
+#include "hil/motion/smooth_step.hpp"
+
+namespace drydock::motion {
+namespace {
+
+using rig_config::LegConfig;
+using rig_config::LegKind;
+
+constexpr double longest_ramp_s = 10;
+constexpr double steepest_sine = 0.8660254037844386;  // pitch of 60 deg
+
+Window window_of(const LegConfig& leg) {
+  return {leg.duration_s, std::min(longest_ramp_s, leg.duration_s / 4)};
+}
+
+[[noreturn]] void refuse(std::size_t leg, const std::string& why) {
+  throw std::invalid_argument("mission leg " + std::to_string(leg + 1) + ": " + why);
+}
+
+void check(std::size_t number, const LegConfig& leg, double speed_before, double depth_before,
+           double bed_depth) {
+  if (!(leg.duration_s > 0)) refuse(number, "duration_s must be above 0");
+  if (leg.speed_mps < 0) refuse(number, "speed_mps must not be negative");
+  if (leg.kind == LegKind::s_path && !(leg.period_s > 0)) {
+    refuse(number, "an s_path needs a period_s above 0");
+  }
+  if (leg.kind != LegKind::dive) return;
+  const double steepest_sink = septic_steepest * std::abs(leg.depth_change_m) / leg.duration_s;
+  if (steepest_sink > steepest_sine * std::min(speed_before, leg.speed_mps)) {
+    refuse(number, "this dive needs a pitch above 60 deg; allow more time, speed or less depth");
+  }
+  const double depth_after = depth_before + leg.depth_change_m;
+  if (depth_after < 0 || depth_after >= bed_depth) {
+    refuse(number, "the dive ends outside the water (surface 0 m, sea bed " +
+                       std::to_string(bed_depth) + " m)");
+  }
+}
+
+void add_turn(const LegConfig& leg, double t, Prescribed& p) {
+  const Window window = window_of(leg);
+  const double rate = leg.turn_rad / window.area();
+  p.yaw.value += rate * window.integral(t);
+  p.yaw.rate = rate * window.value(t);
+  p.roll = {leg.roll_rad * window.value(t), leg.roll_rad * window.rate(t)};
+}
+
+void add_s_path(const LegConfig& leg, double t, Prescribed& p) {
+  const Window window = window_of(leg);
+  const double omega = 2 * std::numbers::pi / leg.period_s;
+  const double wave = leg.amplitude_rad * std::sin(omega * t);
+  p.yaw.value += wave * window.value(t);
+  p.yaw.rate =
+      wave * window.rate(t) + leg.amplitude_rad * omega * std::cos(omega * t) * window.value(t);
+}
+
+void add_dive(const LegConfig& leg, double t, Prescribed& p) {
+  const double x = t / leg.duration_s;
+  const double sink = leg.depth_change_m * septic_rate(x) / leg.duration_s;
+  const double sink_rate =
+      leg.depth_change_m * septic_acceleration(x) / (leg.duration_s * leg.duration_s);
+  p.depth_m += leg.depth_change_m * septic(x);
+  const double u = p.speed.value;
+  if (u <= 0) return;  // a checked dive at rest changes no depth
+  const double sine = -sink / u;
+  const double sine_rate = -(sink_rate * u - sink * p.speed.rate) / (u * u);
+  p.pitch = {std::asin(sine), sine_rate / std::sqrt(1 - sine * sine)};
+}
+
+}  // namespace
+
+MissionProfile::MissionProfile(const rig_config::MissionConfig& mission) {
+  begin_.speed.value = mission.speed_mps;
+  begin_.yaw.value = mission.heading_rad;
+  begin_.depth_m = mission.depth_m;
+  if (mission.speed_mps < 0) throw std::invalid_argument("mission: speed_mps must not be negative");
+  end_ = begin_;
+  for (std::size_t i = 0; i < mission.legs.size(); ++i) {
+    check(i, mission.legs[i], end_.speed.value, end_.depth_m, mission.bed_depth_m);
+    add(mission.legs[i]);
+  }
+  // From the second lap on, the first leg begins at the last leg's speed.
+  if (!mission.legs.empty()) {
+    check(0, mission.legs[0], end_.speed.value, begin_.depth_m, mission.bed_depth_m);
+  }
+}
+
+void MissionProfile::add(const LegConfig& leg) {
+  legs_.push_back({leg, lap_s_, end_.speed.value, end_.yaw.value, end_.depth_m});
+  lap_s_ += leg.duration_s;
+  end_.speed.value = leg.speed_mps;
+  if (leg.kind == LegKind::turn) end_.yaw.value += leg.turn_rad;
+  if (leg.kind == LegKind::dive) end_.depth_m += leg.depth_change_m;
+}
+
+Prescribed MissionProfile::at(double t) const {
+  if (legs_.empty() || t <= 0) return begin_;
+  const double lap = std::floor(t / lap_s_);
+  const double in_lap = t - lap * lap_s_;
+  const auto after = std::upper_bound(legs_.begin() + 1, legs_.end(), in_lap,
+                                      [](double x, const Leg& leg) { return x < leg.begins_s; });
+  const Leg& leg = *(after - 1);
+  const double in_leg = std::min(in_lap - leg.begins_s, leg.config.duration_s);
+
+  const bool follows_a_lap = &leg == &legs_.front() && lap > 0;
+  const double speed_before = follows_a_lap ? end_.speed.value : leg.speed_before;
+  const double gain = leg.config.speed_mps - speed_before;
+  const double x = in_leg / leg.config.duration_s;
+
+  Prescribed p;
+  p.speed = {speed_before + gain * quintic(x), gain * quintic_rate(x) / leg.config.duration_s};
+  p.yaw.value = leg.yaw_before + lap * (end_.yaw.value - begin_.yaw.value);
+  p.depth_m = leg.depth_before + lap * (end_.depth_m - begin_.depth_m);
+  switch (leg.config.kind) {
+    case LegKind::straight: break;
+    case LegKind::turn: add_turn(leg.config, in_leg, p); break;
+    case LegKind::dive: add_dive(leg.config, in_leg, p); break;
+    case LegKind::s_path: add_s_path(leg.config, in_leg, p); break;
+  }
+  return p;
+}
+
+}  // namespace drydock::motion

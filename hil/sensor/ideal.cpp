@@ -1,0 +1,142 @@
+#include "hil/sensor/ideal.hpp"
+
+#include <cmath>
+
+#include "estimators/frame/attitude.hpp"
+#include "estimators/frame/earth.hpp"
+#include "estimators/frame/geodetic.hpp"
+
+namespace drydock::sensor {
+namespace {
+
+using Eigen::Vector3d;
+
+measurement::Origin origin_at(Stamp at) {
+  measurement::Origin origin;
+  origin.valid_at = at;
+  return origin;
+}
+
+Vector3d arm_ned(const Truth& truth, const Mounting& mounting) {
+  return truth.body_to_ned * mounting.lever_arm_m;
+}
+
+Vector3d velocity_body_at(const Truth& truth, const Mounting& mounting) {
+  return truth.velocity_body + truth.rate_body.cross(mounting.lever_arm_m);
+}
+
+std::array<Vector3d, 4> beam_directions(double angle_rad) {
+  const double s = std::sin(angle_rad), c = std::cos(angle_rad);
+  return {Vector3d{0, -s, c}, Vector3d{0, s, c}, Vector3d{s, 0, c}, Vector3d{-s, 0, c}};
+}
+
+}  // namespace
+
+measurement::ImuSample ideal_imu(const Trajectory& trajectory, Stamp at, const Mounting& mounting) {
+  const Truth truth = trajectory.at(at);
+  measurement::ImuSample sample;
+  sample.origin = origin_at(at);
+  Vector3d force = truth.specific_force;
+  const Vector3d& r = mounting.lever_arm_m;
+  if (!r.isZero()) {
+    const auto h = std::chrono::milliseconds{1};
+    const Vector3d acceleration =
+        (trajectory.at(at + h).angular_rate - trajectory.at(at - h).angular_rate) /
+        (2 * measurement::seconds(h));
+    const Vector3d& w = truth.angular_rate;
+    force += w.cross(w.cross(r)) + acceleration.cross(r);
+  }
+  sample.specific_force = mounting.to_sensor(force);
+  sample.angular_rate = mounting.to_sensor(truth.angular_rate);
+  return sample;
+}
+
+Vector3d velocity_at(const Truth& truth, const Mounting& mounting) {
+  return mounting.to_sensor(velocity_body_at(truth, mounting));
+}
+
+double depth_at(const Truth& truth, const Mounting& mounting) {
+  return arm_ned(truth, mounting).z() - truth.height_m;
+}
+
+double altitude_at(const Truth& truth, const Mounting& mounting) {
+  return truth.bed_depth_m - depth_at(truth, mounting);
+}
+
+measurement::BottomVelocity ideal_dvl(const Truth& truth, const Mounting& mounting,
+                                      const JanusBeams& beams) {
+  measurement::BottomVelocity sample;
+  sample.origin = origin_at(truth.at);
+  const Eigen::Matrix3d sensor_to_ned = truth.body_to_ned * mounting.sensor_to_body;
+  const frame::Euler attitude = frame::euler(Eigen::Matrix3d(sensor_to_ned.transpose()));
+  sample.heading_rad = attitude.yaw;
+  sample.pitch_rad = attitude.pitch;
+  sample.roll_rad = attitude.roll;
+
+  const double altitude = altitude_at(truth, mounting);
+  bool lock = true;
+  const auto directions = beam_directions(beams.angle_rad);
+  for (std::size_t i = 0; i < directions.size(); ++i) {
+    const double down = sensor_to_ned.row(2).dot(directions[i]);
+    const bool echo = down > 0 && altitude > 0 && altitude / down <= beams.longest_range_m;
+    if (echo) sample.range_m[i] = altitude / down * std::cos(beams.angle_rad);
+    lock = lock && echo;
+  }
+  if (lock) {
+    sample.velocity = velocity_at(truth, mounting);
+    sample.altitude_m = altitude;
+    sample.error_velocity_mps = 0;
+  }
+  return sample;
+}
+
+measurement::WaterSpeed ideal_log(const Truth& truth, const Mounting& mounting) {
+  const Vector3d current_body = truth.body_to_ned.conjugate() * truth.current_ned;
+  const Vector3d through_water =
+      mounting.to_sensor(velocity_body_at(truth, mounting) - current_body);
+  measurement::WaterSpeed sample;
+  sample.origin = origin_at(truth.at);
+  sample.longitudinal_mps = through_water.x();
+  sample.transverse_mps = through_water.y();
+  return sample;
+}
+
+measurement::GnssFix ideal_gnss(const Truth& truth, const Mounting& mounting) {
+  measurement::GnssFix fix;
+  fix.origin = origin_at(truth.at);
+  fix.utc = truth.at;
+  if (depth_at(truth, mounting) > antenna_awash_depth_m) return fix;
+  const auto antenna = frame::at_ned_offset(
+      {truth.latitude_rad, truth.longitude_rad, truth.height_m}, arm_ned(truth, mounting));
+  fix.type = measurement::FixType::three_d;
+  fix.position = measurement::Geodetic{antenna.latitude_rad, antenna.longitude_rad};
+  fix.ellipsoidal_height_m = antenna.height_m;
+  fix.mean_sea_level_height_m = antenna.height_m;
+  fix.velocity_ned = truth.body_to_ned * velocity_body_at(truth, mounting);
+  return fix;
+}
+
+measurement::DepthSample ideal_depth(const Truth& truth, const Mounting& mounting,
+                                     double surface_pressure_pa, double water_density_kgm3) {
+  const double depth = depth_at(truth, mounting);
+  measurement::DepthSample sample;
+  sample.origin = origin_at(truth.at);
+  sample.depth_m = depth;
+  sample.pressure_pa = surface_pressure_pa + water_density_kgm3 *
+                                                 frame::gravity(truth.latitude_rad) *
+                                                 std::max(depth, 0.0);
+  sample.temperature_k = water_temperature_k;
+  return sample;
+}
+
+measurement::ActuatorState ideal_actuators(const Truth& truth) {
+  measurement::ActuatorState state;
+  state.origin = origin_at(truth.at);
+  state.rudder_rad = truth.rudder_rad;
+  state.stern_plane_rad = truth.stern_plane_rad;
+  state.bow_plane_rad = truth.bow_plane_rad;
+  state.propeller_radps = truth.propeller_radps;
+  return state;
+}
+
+}  // namespace drydock::sensor
