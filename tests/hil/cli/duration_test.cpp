@@ -1,0 +1,18 @@
+#include "hil/cli/duration.hpp"
+
+#include <gtest/gtest.h>
+
+using drydock::cli::parse_duration;
+
+TEST(Duration, ReadsSecondsMinutesAndHours) {
+  EXPECT_EQ(parse_duration("90"), 90.0);
+  EXPECT_EQ(parse_duration("60s"), 60.0);
+  EXPECT_EQ(parse_duration("10min"), 600.0);
+  EXPECT_EQ(parse_duration("5.5h"), 19800.0);
+}
+
+TEST(Duration, RefusesWhatIsNone) {
+  for (const char* text : {"", "s", "-5s", "5 s", "1d", "nan", "inf", "5parsec", "0x10"}) {
+    EXPECT_EQ(parse_duration(text), std::nullopt) << text;
+  }
+}

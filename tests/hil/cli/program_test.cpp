@@ -1,0 +1,146 @@
+// The program as a person or a script meets it: what it prints, what it exits with.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <string>
+
+namespace {
+
+using testing::HasSubstr;
+
+struct Outcome {
+  int exit_code = -1;
+  std::string output;  ///< standard output and standard error
+};
+
+Outcome drydock(const std::string& arguments) {
+  const std::string command =
+      "cd " DRYDOCK_SOURCE_DIR " && " DRYDOCK_PROGRAM " " + arguments + " 2>&1";
+  std::FILE* pipe = popen(command.c_str(), "r");
+  Outcome outcome;
+  std::array<char, 4096> chunk{};
+  while (const auto n = std::fread(chunk.data(), 1, chunk.size(), pipe)) {
+    outcome.output.append(chunk.data(), n);
+  }
+  const int status = pclose(pipe);
+  outcome.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  return outcome;
+}
+
+/// A folder of the test that goes with it.
+class Folder {
+ public:
+  Folder() {
+    auto name = (std::filesystem::temp_directory_path() / "drydock-test-XXXXXX").string();
+    path_ = mkdtemp(name.data());
+  }
+  ~Folder() { std::filesystem::remove_all(path_); }
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+  std::filesystem::path operator/(const std::string& file) const { return path_ / file; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+std::string read_file(const std::filesystem::path& path) {
+  std::ifstream in(path);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+TEST(Program, HelpOfEveryCommandShowsAnExample) {
+  for (const char* command : {"run", "emulate", "drive", "estimate", "check", "monitor", "decode"}) {
+    const auto help = drydock(std::string{command} + " --help");
+    EXPECT_EQ(help.exit_code, 0) << command;
+    EXPECT_THAT(help.output, HasSubstr("Example")) << command;
+  }
+}
+
+TEST(Program, WrongUsageAndWrongConfigurationExitWithTwo) {
+  EXPECT_EQ(drydock("").exit_code, 2);
+  EXPECT_EQ(drydock("sail").exit_code, 2);
+  const auto duration = drydock("run rig_config/rigs/demo.toml --for 5parsec");
+  EXPECT_EQ(duration.exit_code, 2);
+  EXPECT_THAT(duration.output, HasSubstr("allowed: 90, 60s, 10min, 5.5h"));
+  const auto missing = drydock("run nowhere.toml");
+  EXPECT_EQ(missing.exit_code, 2);
+  EXPECT_THAT(missing.output, HasSubstr("nowhere.toml"));
+}
+
+TEST(Program, ABadLinkIsNamedWithFileLineAndColumn) {
+  const Folder folder;
+  std::ofstream(folder / "rig.toml")
+      << "[rig]\nname = \"x\"\n[[device]]\nname = \"dvl\"\nkind = \"dvl\"\nprotocol = \"pd0\"\n"
+         "link = \"seriel:/dev/ttyUSB0\"\nrate_hz = 5\n";
+  const auto check = drydock("check " + (folder / "rig.toml").string());
+  EXPECT_EQ(check.exit_code, 1);
+  EXPECT_THAT(check.output, HasSubstr("rig.toml:7:"));
+  EXPECT_THAT(check.output, HasSubstr("serial"));
+}
+
+TEST(Program, TheShippedRigFilesAreGood) {
+  const auto check = drydock("check rig_config/rigs/demo.toml rig_config/missions/*.toml");
+  EXPECT_EQ(check.exit_code, 0) << check.output;
+}
+
+TEST(Program, ALockstepRunWritesAReportAndASummary) {
+  const Folder folder;
+  const auto run = drydock("run rig_config/rigs/demo.toml --for 30s --speed max --expect-streaming "
+                           "--expect-rms 0.5 --json " + (folder / "s.json").string() + " --report " +
+                           (folder / "report").string());
+  EXPECT_EQ(run.exit_code, 0) << run.output;
+  const auto summary = nlohmann::json::parse(read_file(folder / "s.json"));
+  EXPECT_EQ(summary["devices"].size(), 6u);
+  EXPECT_DOUBLE_EQ(summary["duration_s"], 30.0);
+  EXPECT_LT(summary["estimators"][0]["whole_run"]["roll_rms_deg"], 0.5);
+  const auto page = read_file(folder / "report/index.html");
+  EXPECT_THAT(page, HasSubstr("<svg"));
+  EXPECT_THAT(page, HasSubstr("Roll: truth and estimate"));
+  EXPECT_THAT(page, HasSubstr("6 of 6 devices streaming"));
+  EXPECT_THAT(page, testing::Not(HasSubstr("src=")));
+  EXPECT_THAT(page, testing::Not(HasSubstr("<link")));
+}
+
+TEST(Program, AnUnmetExpectationExitsWithOneAndSaysWhich) {
+  const auto run = drydock("run rig_config/rigs/demo.toml --for 5s --speed max --expect-rms 0.000001");
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_THAT(run.output, HasSubstr("expected at most 1e-06 deg"));
+}
+
+TEST(Program, ARealTimeRunStreamsFromAllSixDevices) {
+  const auto run = drydock("run rig_config/rigs/demo.toml --for 6s --expect-streaming");
+  EXPECT_EQ(run.exit_code, 0) << run.output;
+  EXPECT_THAT(run.output, HasSubstr("CAN bus can:auto"));
+}
+
+TEST(Program, DriveAndEstimateAsTwoProcessesDoWhatRunDoesInOne) {
+  const Folder folder;
+  const std::string rig = "rig_config/rigs/demo.toml";
+  const std::string log = (folder / "estimates.jsonl").string();
+  const auto outcome = drydock("emulate " + rig + " --for 10s > /dev/null & sleep 1; " DRYDOCK_PROGRAM
+                               " drive " + rig + " --for 7s > " + (folder / "drive.txt").string() +
+                               " & " DRYDOCK_PROGRAM " estimate " + rig + " --for 6s --json > " + log +
+                               "; r=$?; wait; exit $r");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.output << read_file(folder / "drive.txt");
+  const auto text = read_file(log);
+  // 100 Hz for the seconds in which all three run, less discovery and the filter's start.
+  EXPECT_GT(std::count(text.begin(), text.end(), '\n'), 200) << read_file(folder / "drive.txt");
+}
+
+TEST(Program, InterruptEndsARunCleanlyWithTheReport) {
+  const Folder folder;
+  const auto page = folder / "out/index.html";
+  const auto outcome = drydock("run rig_config/rigs/demo.toml --report " + (folder / "out").string() +
+                               " > /dev/null & p=$!; sleep 3; kill -INT $p; wait $p");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.output;
+  EXPECT_THAT(read_file(page), HasSubstr("interrupted"));
+}
+
+}  // namespace
