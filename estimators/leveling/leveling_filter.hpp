@@ -22,17 +22,18 @@ struct LevelingOptions {
   double initial_alpha_sigma = 1;                ///< P0 of alpha without attitude knowledge; paper
   double accelerometer_start_alpha_sigma = 0.1;  ///< P0 of alpha with accelerometer start; chosen
 
-  double velocity_noise = 1e-3;  ///< Q of V, m/s per sqrt(s); chosen
+  double velocity_noise = 1e-2;  ///< Q of V, m/s per sqrt(s); chosen
   double alpha_noise = 1e-5;     ///< Q of alpha, 1 per sqrt(s); chosen
 
   double speed_sigma_mps = 0.1;        ///< R of V_x moving; paper, Table 1
   double stationary_sigma_mps = 0.01;  ///< R of V stationary; chosen
   double norm_sigma = 0.1;             ///< R of |alpha|^2 = 1; chosen
 
-  /// Nonholonomic constraint: V_z (V_y) is zero to this much, m/s sqrt(s); empty: not used. It
-  /// decides the sign of alpha_3, which the paper's measurements leave open when p = q = 0.
+  /// Nonholonomic constraints: V_z, V_y are zero to this much, m/s sqrt(s); empty: not used. The
+  /// first decides the sign of alpha_3, the second holds roll on a straight course: the paper's
+  /// measurements leave both open while p = q = 0.
   std::optional<double> vertical_speed_density = 0.3;
-  std::optional<double> transverse_speed_density;
+  std::optional<double> transverse_speed_density = 1.0;
 };
 
 /// What the last update saw: z - h(x), its normalised square (NIS) and the degrees of freedom.

@@ -51,8 +51,8 @@ class Pipeline {
   }
 
  private:
-  void take(const Sample& sample);
-  void release(measurement::Stamp horizon);
+  void order(const Sample& sample);
+  void release();
   void run(const Sample& sample);
   void count(std::uint16_t device, Outcome outcome);
   DeviceCounters& of(std::uint16_t device);

@@ -11,6 +11,8 @@ namespace drydock::pipeline {
 /// The kinds of measurement that some estimator takes.
 using Sample = std::variant<measurement::ImuSample, measurement::WaterSpeed>;
 
+const measurement::Origin& origin_of(const Sample& sample);
+
 /// Fixed-capacity priority queue by valid_at. Of equal stamps IMU samples come before speeds, then
 /// the lower device index, then the first to arrive: the order of arrival plays no part unless one
 /// device gives two samples of the same instant.

@@ -1,0 +1,48 @@
+#include <fmt/format.h>
+
+#include <memory>
+#include <utility>
+
+#include "estimators/pipeline/leveling_estimator.hpp"
+#include "estimators/pipeline/pipeline.hpp"
+
+namespace drydock::pipeline {
+
+namespace {
+
+/// Bits of AttitudeEstimate::fed_by.
+constexpr int max_devices = 32;
+
+/// Empty: nothing is wrong.
+std::string fault_of(const EstimatorOptions& options) {
+  if (options.kind != "leveling") {
+    return fmt::format("kind '{}' is not known, allowed: leveling", options.kind);
+  }
+  if (options.imu >= max_devices || options.log.value_or(0) >= max_devices) {
+    return fmt::format("device index out of range, allowed: 0 to {}", max_devices - 1);
+  }
+  if (!options.stationary && !options.log) {
+    return "a moving vehicle needs a speed log, allowed: log = a device, or stationary = true";
+  }
+  return {};
+}
+
+}  // namespace
+
+boost::system::result<Pipeline, PipelineError> make_pipeline(const PipelineOptions& options,
+                                                             EstimateListener& listener) {
+  if (options.reorder_window < std::chrono::nanoseconds::zero() || options.reorder_capacity == 0) {
+    return PipelineError{"reorder window below 0 or capacity 0, allowed: 0 s or more, 1 or more"};
+  }
+  std::vector<std::unique_ptr<Estimator>> estimators;
+  for (const EstimatorOptions& estimator : options.estimators) {
+    if (const std::string fault = fault_of(estimator); !fault.empty()) {
+      return PipelineError{fmt::format("estimator '{}': {}", estimator.name, fault)};
+    }
+    const auto index = static_cast<std::uint16_t>(estimators.size());
+    estimators.push_back(std::make_unique<LevelingEstimator>(index, estimator, options));
+  }
+  return Pipeline{options, listener, std::move(estimators)};
+}
+
+}  // namespace drydock::pipeline

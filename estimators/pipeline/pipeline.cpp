@@ -1,0 +1,86 @@
+#include "estimators/pipeline/pipeline.hpp"
+
+#include <algorithm>
+#include <type_traits>
+#include <utility>
+#include <variant>
+
+namespace drydock::pipeline {
+
+using measurement::Measurement;
+using measurement::Stamp;
+
+Pipeline::Pipeline(const PipelineOptions& options, EstimateListener& listener,
+                   std::vector<std::unique_ptr<Estimator>> estimators)
+    : window_(options.reorder_window),
+      listener_(&listener),
+      estimators_(std::move(estimators)),
+      buffer_(options.reorder_capacity) {}
+
+void Pipeline::receive(const Measurement& measurement) {
+  ++of(measurement::origin_of(measurement).device).received;
+  std::visit(
+      [this](const auto& m) {
+        if constexpr (std::is_constructible_v<Sample, decltype(m)>) {
+          order(m);
+        } else {
+          count(m.origin.device, Outcome::unused);
+        }
+      },
+      measurement);
+}
+
+void Pipeline::advance(Stamp now) {
+  newest_ = std::max(newest_, now);
+  release();
+}
+
+void Pipeline::flush() {
+  while (!buffer_.empty()) run(buffer_.pop());
+}
+
+void Pipeline::order(const Sample& sample) {
+  if (window_ == std::chrono::nanoseconds::zero()) return run(sample);
+  if (buffer_.full()) {
+    ++overflows_;
+    run(buffer_.pop());
+  }
+  buffer_.push(sample);
+  newest_ = std::max(newest_, origin_of(sample).valid_at);
+  release();
+}
+
+void Pipeline::release() {
+  // Strictly older: what is exactly `window_` late still finds its place.
+  while (!buffer_.empty() && newest_ - buffer_.oldest() > window_) run(buffer_.pop());
+}
+
+void Pipeline::run(const Sample& sample) {
+  Outcome best = Outcome::unused;
+  std::visit(
+      [&](const auto& s) {
+        for (const auto& estimator : estimators_) {
+          best = std::min(best, estimator->take(s, *listener_));
+        }
+      },
+      sample);
+  count(origin_of(sample).device, best);
+}
+
+void Pipeline::count(std::uint16_t device, Outcome outcome) {
+  DeviceCounters& counters = of(device);
+  switch (outcome) {
+    case Outcome::accepted: ++counters.accepted; break;
+    case Outcome::delayed: ++counters.delayed; break;
+    case Outcome::late: ++counters.late; break;
+    case Outcome::refused: ++counters.refused; break;
+    case Outcome::unused: ++counters.unused; break;
+  }
+}
+
+DeviceCounters& Pipeline::of(std::uint16_t device) {
+  if (device >= counters_.size()) counters_.resize(device + 1u);
+  return counters_[device];
+}
+
+}  // namespace drydock::pipeline
