@@ -2,8 +2,8 @@
 
 #include <chrono>
 #include <cstdint>
-#include <deque>
 #include <optional>
+#include <vector>
 
 #include "drivers/measurement/stamp.hpp"
 #include "drivers/wire/can_frame.hpp"
@@ -43,9 +43,11 @@ class CanPacer {
     Stamp queued_at{};
   };
 
+  Stamp end_of(const Waiting& frame, Stamp earliest) const;
+
   unsigned bit_rate_;
-  std::deque<Waiting> waiting_;  ///< the front one is on the wire
-  Stamp front_ends_{};
+  std::vector<Waiting> waiting_;  ///< the first is on the wire
+  Stamp first_ends_{};
   std::uint64_t frames_lost_ = 0;
 };
 

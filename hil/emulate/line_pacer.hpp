@@ -2,7 +2,6 @@
 
 #include <chrono>
 #include <cstdint>
-#include <deque>
 #include <optional>
 #include <vector>
 
@@ -26,7 +25,7 @@ struct Chunk {
 class LinePacer {
  public:
   /// Chunks last at most `longest_chunk`; duration::max() hands out whole messages.
-  /// `bound` is how much waiting the line may hold, in line time.
+  /// `bound` is how much may wait, in line time; one message may always wait.
   LinePacer(unsigned baud, std::chrono::nanoseconds longest_chunk,
             std::chrono::nanoseconds bound = std::chrono::seconds{1});
 
@@ -44,18 +43,16 @@ class LinePacer {
 
   std::chrono::nanoseconds line_time(std::size_t bytes) const;
   std::size_t chunk_end() const;
-  void start_next();
 
   std::uint64_t baud_;
   std::size_t chunk_bytes_;
   std::size_t bound_bytes_;
-  std::deque<Message> waiting_;  ///< the front one is leaving
-  std::vector<std::vector<std::uint8_t>> spare_;
-  std::vector<std::uint8_t> taken_;
+  std::vector<Message> waiting_;                  ///< the first is leaving
+  std::vector<std::vector<std::uint8_t>> spare_;  ///< buffers of messages that have left
+  std::vector<std::uint8_t> taken_;               ///< keeps the last chunk's bytes
   std::size_t waiting_bytes_ = 0;
-  std::size_t sent_ = 0;  ///< bytes of the front message that have left
-  Stamp began_{};         ///< when the front message began to leave
-  Stamp free_at_{};       ///< when the message before it had left
+  std::size_t sent_ = 0;  ///< bytes of the first message that have left
+  Stamp began_{};         ///< when the first message began to leave
   std::uint64_t messages_lost_ = 0;
 };
 

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <memory>
+
+#include "hil/emulate/sampling_device.hpp"
+
+/// One emulated device per kind and protocol. docs/emulation.md says what each sends when, and
+/// what `primary` and `secondary` errors mean for it.
+namespace drydock::emulate {
+
+using DevicePtr = std::unique_ptr<EmulatedDevice>;
+
+/// Ensemble per sample: ship frame without tilts, that is the head's own axes.
+DevicePtr make_pd0_dvl(const DeviceSetup& setup);
+
+/// VBW (longitudinal and transverse speed), then VHW per sample, VLW once a second; talker VM.
+DevicePtr make_nmea0183_em_log(const DeviceSetup& setup);
+
+/// NAV-PVT, NAV-SAT, NAV-EOE per epoch.
+DevicePtr make_ubx_gnss(const DeviceSetup& setup);
+
+/// RMC, GGA, GSA, GSV, VTG, ZDA per epoch; talker GP.
+DevicePtr make_nmea0183_gnss(const DeviceSetup& setup);
+
+/// Address claim at boot, then SSI2, ACCS, ARI back to back per sample.
+DevicePtr make_aceinna_imu(const DeviceSetup& setup);
+
+/// Boot-up message, heartbeat every second; after NMT start three TPDOs back to back per sample.
+DevicePtr make_cia404_imu(const DeviceSetup& setup);
+
+/// Address claim at boot, then 130314 (water pressure), 130312 (sea temperature) and 128267 (bed
+/// below the transducer) per sample, tied by SID.
+DevicePtr make_nmea2000_depth(const DeviceSetup& setup);
+
+/// Address claim at boot, then 127245 for rudder (instance 0), stern plane (1), bow plane (2) and
+/// 127488 for the propeller per sample.
+DevicePtr make_nmea2000_actuators(const DeviceSetup& setup);
+
+}  // namespace drydock::emulate

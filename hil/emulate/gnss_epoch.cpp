@@ -1,0 +1,79 @@
+#include "hil/emulate/gnss_epoch.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "estimators/frame/geodetic.hpp"
+#include "hil/sensor/ideal.hpp"
+#include "hil/sensor/sky.hpp"
+
+namespace drydock::emulate {
+namespace {
+
+using namespace std::chrono;
+
+constexpr double position_dop = 1.6;
+
+// No receiver claims to be perfect.
+constexpr double best_accuracy_m = 0.01;
+constexpr double best_accuracy_mps = 0.001;
+
+constexpr seconds gps_epoch{315'964'800};  // 1980-01-06 in UTC seconds since 1970
+constexpr seconds gps_ahead_of_utc{18};
+
+double spread(const rig_config::SensorErrors& errors, std::size_t axis) {
+  return std::hypot(errors.bias[axis], errors.noise[axis]);
+}
+
+}  // namespace
+
+double course_rad(const Eigen::Vector3d& velocity_ned) {
+  const double angle = std::atan2(velocity_ned.y(), velocity_ned.x());
+  return angle < 0 ? angle + 2 * std::numbers::pi : angle;
+}
+
+GnssSensor::GnssSensor(const DeviceSetup& setup)
+    : position_errors_(setup.primary_errors()), velocity_errors_(setup.secondary_errors()) {
+  const auto& position = setup.config.emulate.primary;
+  const auto& velocity = setup.config.emulate.secondary;
+  horizontal_accuracy_m_ =
+      std::max(best_accuracy_m, std::hypot(spread(position, 0), spread(position, 1)));
+  vertical_accuracy_m_ = std::max(best_accuracy_m, spread(position, 2));
+  speed_accuracy_mps_ =
+      std::max({best_accuracy_mps, spread(velocity, 0), spread(velocity, 1), spread(velocity, 2)});
+}
+
+void GnssSensor::add_errors(measurement::GnssFix& fix) {
+  const auto moved = frame::at_ned_offset(
+      {fix.position->latitude_rad, fix.position->longitude_rad, *fix.ellipsoidal_height_m},
+      position_errors_.apply(Eigen::Vector3d::Zero()));
+  fix.position = measurement::Geodetic{moved.latitude_rad, moved.longitude_rad};
+  fix.ellipsoidal_height_m = fix.mean_sea_level_height_m = moved.height_m;
+  fix.velocity_ned = velocity_errors_.apply(*fix.velocity_ned);
+  fix.horizontal_accuracy_m = horizontal_accuracy_m_;
+  fix.vertical_accuracy_m = vertical_accuracy_m_;
+  fix.speed_accuracy_mps = speed_accuracy_mps_;
+  fix.position_dop = position_dop;
+}
+
+GnssEpoch GnssSensor::measure(const motion::Truth& truth, const sensor::Mounting& mounting) {
+  GnssEpoch epoch;
+  epoch.fix = sensor::ideal_gnss(truth, mounting);
+  const bool heard = epoch.fix.type != measurement::FixType::none;
+  epoch.sky = sensor::ideal_sky(truth, !heard);
+  if (heard) add_errors(epoch.fix);
+  epoch.fix.satellites_used = static_cast<int>(
+      std::count_if(epoch.sky.satellites.begin(), epoch.sky.satellites.end(),
+                    [](const measurement::Satellite& satellite) { return satellite.used; }));
+
+  const sys_time<nanoseconds> utc{truth.at.time_since_epoch()};
+  const auto midnight = floor<days>(utc);
+  epoch.date = year_month_day{midnight};
+  epoch.time_of_day = utc - midnight;
+  const auto gps = utc.time_since_epoch() - gps_epoch + gps_ahead_of_utc;
+  epoch.time_of_week = duration_cast<milliseconds>(gps % weeks{1});
+  return epoch;
+}
+
+}  // namespace drydock::emulate

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <chrono>
+
+#include "drivers/measurement/measurement.hpp"
+#include "hil/emulate/sampling_device.hpp"
+
+namespace drydock::emulate {
+
+/// What a receiver knows at one epoch. Under water: no fix, no satellites; its clock runs on.
+struct GnssEpoch {
+  measurement::GnssFix fix;
+  measurement::GnssSatellites sky;
+  std::chrono::year_month_day date;          ///< UTC
+  std::chrono::nanoseconds time_of_day{};    ///< UTC
+  std::chrono::milliseconds time_of_week{};  ///< GPS time, 18 s ahead of UTC (since 2017)
+};
+
+/// Course over ground, [0, 2 pi).
+double course_rad(const Eigen::Vector3d& velocity_ned);
+
+/// The receiver's measuring side, the same for every protocol. Primary errors are the position's
+/// (m: north, east, down), secondary the velocity's.
+class GnssSensor {
+ public:
+  explicit GnssSensor(const DeviceSetup& setup);
+  GnssEpoch measure(const motion::Truth& truth, const sensor::Mounting& mounting);
+
+ private:
+  void add_errors(measurement::GnssFix& fix);
+
+  sensor::ErrorModel position_errors_, velocity_errors_;
+  double horizontal_accuracy_m_, vertical_accuracy_m_, speed_accuracy_mps_;
+};
+
+}  // namespace drydock::emulate

@@ -1,0 +1,77 @@
+#include "hil/emulate/line_pacer.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace drydock::emulate {
+namespace {
+
+constexpr std::uint64_t bits_per_byte = 10;  // 8N1
+constexpr std::uint64_t ns_per_s = 1'000'000'000;
+
+std::size_t bytes_within(std::chrono::nanoseconds time, std::uint64_t baud) {
+  return static_cast<std::size_t>(measurement::seconds(time) * static_cast<double>(baud) /
+                                  bits_per_byte);
+}
+
+}  // namespace
+
+LinePacer::LinePacer(unsigned baud, std::chrono::nanoseconds longest_chunk,
+                     std::chrono::nanoseconds bound)
+    : baud_(baud),
+      chunk_bytes_(std::max<std::size_t>(1, bytes_within(longest_chunk, baud))),
+      bound_bytes_(bytes_within(bound, baud)) {}
+
+// Rounded up, so that no byte leaves early.
+std::chrono::nanoseconds LinePacer::line_time(std::size_t bytes) const {
+  return std::chrono::nanoseconds{(bytes * bits_per_byte * ns_per_s + baud_ - 1) / baud_};
+}
+
+void LinePacer::queue(wire::Bytes message, Stamp now) {
+  if (message.empty()) return;
+  while (waiting_.size() > 1 && waiting_bytes_ + message.size() > bound_bytes_) {
+    const auto oldest = waiting_.begin() + 1;
+    waiting_bytes_ -= oldest->bytes.size();
+    spare_.push_back(std::move(oldest->bytes));
+    waiting_.erase(oldest);
+    ++messages_lost_;
+  }
+  std::vector<std::uint8_t> bytes;
+  if (!spare_.empty()) {
+    bytes = std::move(spare_.back());
+    spare_.pop_back();
+  }
+  bytes.assign(message.begin(), message.end());
+  if (waiting_.empty()) began_ = std::max(began_, now);
+  waiting_bytes_ += bytes.size();
+  waiting_.push_back({std::move(bytes), now});
+}
+
+std::size_t LinePacer::chunk_end() const {
+  return std::min(sent_ + chunk_bytes_, waiting_.front().bytes.size());
+}
+
+std::optional<Stamp> LinePacer::deadline() const {
+  if (waiting_.empty()) return std::nullopt;
+  return began_ + line_time(chunk_end());
+}
+
+std::optional<Chunk> LinePacer::take(Stamp now) {
+  const auto at = deadline();
+  if (!at || *at > now) return std::nullopt;
+  Message& message = waiting_.front();
+  const std::size_t from = std::exchange(sent_, chunk_end());
+  const std::size_t size = sent_ - from;
+  if (sent_ < message.bytes.size()) {
+    return Chunk{wire::Bytes{message.bytes}.subspan(from, size), *at, false};
+  }
+  waiting_bytes_ -= message.bytes.size();
+  std::swap(taken_, message.bytes);
+  spare_.push_back(std::move(message.bytes));
+  waiting_.erase(waiting_.begin());
+  sent_ = 0;
+  began_ = waiting_.empty() ? *at : std::max(*at, waiting_.front().queued_at);
+  return Chunk{wire::Bytes{taken_}.subspan(from, size), *at, true};
+}
+
+}  // namespace drydock::emulate

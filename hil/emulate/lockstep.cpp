@@ -1,0 +1,88 @@
+#include "hil/emulate/lockstep.hpp"
+
+#include <algorithm>
+
+namespace drydock::emulate {
+namespace {
+
+std::optional<Stamp> earlier(std::optional<Stamp> a, std::optional<Stamp> b) {
+  if (!a || !b) return a ? a : b;
+  return std::min(*a, *b);
+}
+
+}  // namespace
+
+EmulatedLine::EmulatedLine(std::unique_ptr<EmulatedDevice> device, unsigned baud, Deliver deliver)
+    : device_(std::move(device)),
+      pacer_(baud, std::chrono::nanoseconds::max()),
+      deliver_(std::move(deliver)) {}
+
+void EmulatedLine::receive(wire::Bytes bytes, Stamp now) {
+  now_ = now;
+  device_->receive(bytes, now, *this);
+}
+
+std::optional<Stamp> EmulatedLine::deadline() const {
+  return earlier(device_->deadline(), pacer_.deadline());
+}
+
+void EmulatedLine::act(Stamp now) {
+  now_ = now;
+  while (const auto chunk = pacer_.take(now)) deliver_(chunk->bytes, chunk->at);
+  const auto due = device_->deadline();
+  if (due && *due <= now) device_->tick(now, *this);
+}
+
+// A node's way onto the bus.
+struct EmulatedBus::Node final : Wire {
+  Node(std::unique_ptr<EmulatedDevice> emulated, CanPacer& bus, int place)
+      : device(std::move(emulated)), pacer(bus), index(place) {}
+
+  void send(wire::Bytes) override {}
+  void send(const wire::CanFrame& frame) override { pacer.queue(frame, index, now); }
+
+  std::unique_ptr<EmulatedDevice> device;
+  CanPacer& pacer;
+  int index;
+  Stamp now{};
+};
+
+namespace {
+constexpr int a_driver = -1;
+}
+
+EmulatedBus::EmulatedBus(unsigned bit_rate, Deliver deliver)
+    : pacer_(bit_rate), deliver_(std::move(deliver)) {}
+
+EmulatedBus::~EmulatedBus() = default;
+
+void EmulatedBus::add(std::unique_ptr<EmulatedDevice> device) {
+  nodes_.push_back(
+      std::make_unique<Node>(std::move(device), pacer_, static_cast<int>(nodes_.size())));
+}
+
+void EmulatedBus::receive(const wire::CanFrame& frame, Stamp now) {
+  pacer_.queue(frame, a_driver, now);
+}
+
+std::optional<Stamp> EmulatedBus::deadline() const {
+  auto next = pacer_.deadline();
+  for (const auto& node : nodes_) next = earlier(next, node->device->deadline());
+  return next;
+}
+
+void EmulatedBus::act(Stamp now) {
+  for (const auto& node : nodes_) node->now = now;
+  while (const auto sent = pacer_.take(now)) {
+    for (const auto& node : nodes_) {
+      if (node->index != sent->sender) node->device->receive(sent->frame, now, *node);
+    }
+    if (sent->sender != a_driver) deliver_(sent->frame, sent->at);
+  }
+  for (const auto& node : nodes_) {
+    const auto due = node->device->deadline();
+    if (due && *due <= now) node->device->tick(now, *node);
+  }
+}
+
+}  // namespace drydock::emulate

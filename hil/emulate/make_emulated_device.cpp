@@ -1,0 +1,56 @@
+#include "hil/emulate/make_emulated_device.hpp"
+
+#include <array>
+#include <string_view>
+
+#include "hil/emulate/devices.hpp"
+
+namespace drydock::emulate {
+namespace {
+
+using rig_config::DeviceKind;
+
+struct Entry {
+  DeviceKind kind;
+  std::string_view kind_name, protocol;
+  DevicePtr (*make)(const DeviceSetup&);
+};
+
+constexpr std::array<Entry, 8> catalogue{{
+    {DeviceKind::dvl, "dvl", "pd0", make_pd0_dvl},
+    {DeviceKind::emlog, "emlog", "nmea0183", make_nmea0183_em_log},
+    {DeviceKind::gnss, "gnss", "ubx", make_ubx_gnss},
+    {DeviceKind::gnss, "gnss", "nmea0183", make_nmea0183_gnss},
+    {DeviceKind::imu, "imu", "aceinna", make_aceinna_imu},
+    {DeviceKind::imu, "imu", "cia404-imu", make_cia404_imu},
+    {DeviceKind::depth, "depth", "nmea2000", make_nmea2000_depth},
+    {DeviceKind::actuator, "actuator", "nmea2000", make_nmea2000_actuators},
+}};
+
+EmulateError unknown_protocol(const DeviceConfig& config) {
+  std::string kind, allowed;
+  for (const Entry& entry : catalogue) {
+    if (entry.kind != config.kind) continue;
+    kind = entry.kind_name;
+    allowed += (allowed.empty() ? "" : ", ") + std::string(entry.protocol);
+  }
+  return {"device \"" + config.name + "\": no emulated " + kind + " speaks \"" + config.protocol +
+          "\"; allowed: " + allowed};
+}
+
+}  // namespace
+
+boost::system::result<std::unique_ptr<EmulatedDevice>, EmulateError> make_emulated_device(
+    const DeviceConfig& config, const Trajectory& trajectory, std::uint64_t seed) {
+  if (!(config.rate_hz > 0)) {
+    return EmulateError{"device \"" + config.name + "\": rate_hz must be above 0"};
+  }
+  for (const Entry& entry : catalogue) {
+    if (entry.kind == config.kind && entry.protocol == config.protocol) {
+      return entry.make({config, trajectory, seed});
+    }
+  }
+  return unknown_protocol(config);
+}
+
+}  // namespace drydock::emulate

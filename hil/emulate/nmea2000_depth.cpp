@@ -1,0 +1,72 @@
+#include "drivers/wire/nmea2000.hpp"
+#include "hil/emulate/devices.hpp"
+#include "hil/emulate/j1939_device.hpp"
+#include "hil/sensor/ideal.hpp"
+
+namespace drydock::emulate {
+namespace {
+
+constexpr std::uint8_t preferred_address = 0x23;
+// NMEA 2000 class "sensor communication interface", function "pressure"; industry group marine.
+constexpr std::uint8_t device_class = 75, pressure_function = 140, marine = 4;
+constexpr double echo_range_m = 200;
+constexpr unsigned sequences = 253;  // SIDs above 252 are reserved
+
+std::uint64_t name_value(const DeviceConfig& config) {
+  auto name = name_for(config, pressure_function, device_class);
+  name.industry_group = marine;
+  return to_value(name);
+}
+
+class Nmea2000Depth final : public J1939Device {
+ public:
+  explicit Nmea2000Depth(const DeviceSetup& setup)
+      : J1939Device(setup, name_value(setup.config), preferred_address),
+        errors_(setup.primary_errors()),
+        surface_pressure_pa_(setup.config.surface_pressure_pa),
+        water_density_kgm3_(setup.config.water_density_kgm3) {}
+
+ private:
+  void report(Stamp at, std::uint8_t address, Wire& out) override {
+    const auto truth = trajectory().at(at);
+    const auto ideal =
+        sensor::ideal_depth(truth, mounting(), surface_pressure_pa_, water_density_kgm3_);
+    const auto sequence = static_cast<std::uint8_t>(samples() % sequences);
+
+    wire::nmea2000::Pressure pressure;
+    pressure.source = address;
+    pressure.sequence = sequence;
+    pressure.instance = 0;
+    pressure.kind = wire::nmea2000::Pressure::water;
+    pressure.pressure_pa = errors_.apply(*ideal.pressure_pa);
+    out.send(encode(pressure));
+
+    wire::nmea2000::Temperature temperature;
+    temperature.source = address;
+    temperature.sequence = sequence;
+    temperature.instance = 0;
+    temperature.kind = wire::nmea2000::Temperature::sea;
+    temperature.actual_k = ideal.temperature_k;
+    out.send(encode(temperature));
+
+    wire::nmea2000::WaterDepth below;
+    below.source = address;
+    below.sequence = sequence;
+    const double altitude = sensor::altitude_at(truth, mounting());
+    if (altitude > 0 && altitude <= echo_range_m) below.depth_m = altitude;
+    below.offset_m = 0;
+    below.maximum_range_m = echo_range_m;
+    out.send(encode(below));
+  }
+
+  sensor::ErrorModel errors_;
+  double surface_pressure_pa_, water_density_kgm3_;
+};
+
+}  // namespace
+
+DevicePtr make_nmea2000_depth(const DeviceSetup& setup) {
+  return std::make_unique<Nmea2000Depth>(setup);
+}
+
+}  // namespace drydock::emulate

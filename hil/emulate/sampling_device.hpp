@@ -1,0 +1,59 @@
+#pragma once
+
+#include <cstdint>
+
+#include "hil/emulate/emulated_device.hpp"
+#include "hil/emulate/make_emulated_device.hpp"
+#include "hil/sensor/errors.hpp"
+#include "hil/sensor/mounting.hpp"
+
+namespace drydock::emulate {
+
+using motion::Trajectory;
+using rig_config::DeviceConfig;
+
+/// What an emulated device is made from. The trajectory outlives the device.
+struct DeviceSetup {
+  const DeviceConfig& config;
+  const Trajectory& trajectory;
+  std::uint64_t seed = 0;
+
+  sensor::ErrorModel primary_errors() const;
+  sensor::ErrorModel secondary_errors() const;
+};
+
+/// A device that samples the truth at a constant rate and sends each sample `latency_s` later.
+/// Sample k is at first + k / rate to the nanosecond: the rate has no drift.
+class SamplingDevice : public EmulatedDevice {
+ public:
+  std::optional<Stamp> deadline() const override { return send_time(); }
+  void tick(Stamp now, Wire& out) override;
+  void receive(wire::Bytes, Stamp, Wire&) override {}
+  void receive(const wire::CanFrame&, Stamp, Wire&) override {}
+
+ protected:
+  /// First sample at the trajectory's start.
+  explicit SamplingDevice(const DeviceSetup& setup);
+
+  virtual void sample(Stamp at, Wire& out) = 0;
+
+  void sample_at_whole_multiples();  ///< of the period in UTC, as satellite receivers do
+  const Trajectory& trajectory() const { return trajectory_; }
+  const sensor::Mounting& mounting() const { return mounting_; }
+  double rate_hz() const { return rate_hz_; }
+  std::chrono::nanoseconds latency() const { return latency_; }
+  std::uint64_t samples() const { return samples_; }  ///< taken before the one under way
+
+ private:
+  Stamp sample_time() const;
+  Stamp send_time() const { return sample_time() + latency_; }
+
+  const Trajectory& trajectory_;
+  sensor::Mounting mounting_;
+  double rate_hz_;
+  std::chrono::nanoseconds latency_;
+  Stamp first_;
+  std::uint64_t samples_ = 0;
+};
+
+}  // namespace drydock::emulate
