@@ -5,8 +5,8 @@
 namespace drydock::cli {
 
 struct EstimateOptions {
-  double duration_s = 0;     ///< 0: until Ctrl-C
-  bool json_lines = false;   ///< every estimate as a JSON line instead of one line a second
+  double duration_s = 0;    ///< 0: until Ctrl-C
+  bool json_lines = false;  ///< every estimate as a JSON line instead of one line a second
 };
 
 /// Runs the estimators of a rig on the measurements of the bus and puts estimates on it.

@@ -53,8 +53,7 @@ void EstimatorHost::on_attitude(const pipeline::AttitudeEstimate& estimate) {
 void EstimatorHost::wait_for_measurements() {
   readable_.async_wait(readable_.wait_read, [this](const boost::system::error_code& ec) {
     if (ec) return;
-    from_.take_measurements(
-        [this](const measurement::Measurement& m) { pipeline_.receive(m); });
+    from_.take_measurements([this](const measurement::Measurement& m) { pipeline_.receive(m); });
     wait_for_measurements();
   });
 }

@@ -16,8 +16,8 @@ namespace drydock::cli {
 int emulate(const rig_config::Rig& rig, double duration_s) {
   const auto devices = emulated_devices(rig);
   if (devices.empty()) {
-    throw std::runtime_error(rig.file +
-                             ": no device has an emulated link (pty, memory, memory-can, can:auto)");
+    throw std::runtime_error(
+        rig.file + ": no device has an emulated link (pty, memory, memory-can, can:auto)");
   }
   boost::asio::io_context io{1};
   const motion::KinematicTrajectory trajectory(rig.mission, link::now());

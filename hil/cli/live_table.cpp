@@ -21,11 +21,12 @@ const char* colour(device::State state) {
 }
 
 std::string row(const device::Device& device, const device::Health& h) {
-  return fmt::format("{:<10} {}{:<11}\033[0m {:>8.2f} Hz of {:>6.1f}  {:>9} messages  {:>8} B skipped"
-                     "  {:>5} bad  age {:>6.3f} s",
-                     device.name(), colour(h.state), to_string(h.state), h.rate_hz.value_or(0),
-                     h.nominal_rate_hz, h.messages, h.stream.bytes_skipped, h.stream.bad_checksums,
-                     h.age ? measurement::seconds(*h.age) : 0.0);
+  return fmt::format(
+      "{:<10} {}{:<11}\033[0m {:>8.2f} Hz of {:>6.1f}  {:>9} messages  {:>8} B skipped"
+      "  {:>5} bad  age {:>6.3f} s",
+      device.name(), colour(h.state), to_string(h.state), h.rate_hz.value_or(0), h.nominal_rate_hz,
+      h.messages, h.stream.bytes_skipped, h.stream.bad_checksums,
+      h.age ? measurement::seconds(*h.age) : 0.0);
 }
 
 std::string bar(double part) {
@@ -85,8 +86,8 @@ void LiveTable::print_lines(const shell::RealTime& shell, double elapsed_s) cons
   for (std::size_t i = 0; i < shell.size(); ++i) {
     const auto h = shell.health(i);
     fmt::print("{:.0f} s {}: {}, {:.2f} Hz of {:.1f}, {} messages, {} bad checksums\n", elapsed_s,
-               shell.device(i).name(), to_string(h.state), h.rate_hz.value_or(0),
-               h.nominal_rate_hz, h.messages, h.stream.bad_checksums);
+               shell.device(i).name(), to_string(h.state), h.rate_hz.value_or(0), h.nominal_rate_hz,
+               h.messages, h.stream.bad_checksums);
   }
   std::fflush(stdout);
 }

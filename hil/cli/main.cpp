@@ -61,12 +61,14 @@ void add_run(CLI::App& app, Command& command) {
     cli::RunOptions options;
   };
   auto a = std::make_shared<Arguments>();
-  auto* sub = app.add_subcommand("run", "Emulated devices, drivers and estimators of a rig, with a report");
+  auto* sub =
+      app.add_subcommand("run", "Emulated devices, drivers and estimators of a rig, with a report");
   sub->footer(
       "Example: drydock run rig_config/rigs/demo.toml --for 60s --report out\n"
       "         drydock run rig_config/rigs/demo.toml --for 10min --speed max --json out.json");
   sub->add_option("RIG", a->rig, "rig file (TOML)")->required();
-  sub->add_option("--for", a->options.duration_s, "how long: 60s, 10min, 5.5h; default until Ctrl-C")
+  sub->add_option("--for", a->options.duration_s,
+                  "how long: 60s, 10min, 5.5h; default until Ctrl-C")
       ->transform(duration_text);
   sub->add_option("--seed", a->seed, "seed of all random errors; default that of the rig file");
   sub->add_option("--speed", a->speed, "1: real time; max: lockstep in virtual time")
@@ -76,8 +78,9 @@ void add_run(CLI::App& app, Command& command) {
   sub->add_option("--report", a->options.report, "write index.html with plots into this folder");
   sub->add_flag("--expect-streaming", a->options.expect_streaming,
                 "exit 1 when a device is not streaming at the end");
-  sub->add_option("--expect-rms", a->options.expect_rms_deg,
-                  "exit 1 when an attitude estimate is worse than this against the truth [deg RMS]");
+  sub->add_option(
+      "--expect-rms", a->options.expect_rms_deg,
+      "exit 1 when an attitude estimate is worse than this against the truth [deg RMS]");
   sub->callback([a, &command] {
     command = [a] {
       auto rig = load(a->rig);
@@ -102,9 +105,8 @@ void add_rig_command(CLI::App& app, Command& command, const std::string& name,
   sub->add_option("RIG", a->rig, "rig file (TOML)")->required();
   sub->add_option("--for", a->duration_s, "how long: 60s, 10min, 5.5h; default until Ctrl-C")
       ->transform(duration_text);
-  sub->callback([a, &command, body] {
-    command = [a, body] { return body(load(a->rig), a->duration_s); };
-  });
+  sub->callback(
+      [a, &command, body] { command = [a, body] { return body(load(a->rig), a->duration_s); }; });
 }
 
 void add_estimate(CLI::App& app, Command& command) {
@@ -115,9 +117,11 @@ void add_estimate(CLI::App& app, Command& command) {
   auto a = std::make_shared<Arguments>();
   auto* sub = app.add_subcommand("estimate", "Estimators of a rig on the measurements of the bus");
   sub->footer(
-      "Example, in three terminals: drydock emulate R.toml; drydock drive R.toml; drydock estimate R.toml");
+      "Example, in three terminals: drydock emulate R.toml; drydock drive R.toml; drydock estimate "
+      "R.toml");
   sub->add_option("RIG", a->rig, "rig file (TOML)")->required();
-  sub->add_option("--for", a->options.duration_s, "how long: 60s, 10min, 5.5h; default until Ctrl-C")
+  sub->add_option("--for", a->options.duration_s,
+                  "how long: 60s, 10min, 5.5h; default until Ctrl-C")
       ->transform(duration_text);
   sub->add_flag("--json", a->options.json_lines, "every estimate as a JSON line");
   sub->callback(
@@ -147,7 +151,8 @@ void add_monitor(CLI::App& app, Command& command) {
 
 void add_decode(CLI::App& app, Command& command) {
   auto options = std::make_shared<cli::DecodeOptions>();
-  auto* sub = app.add_subcommand("decode", "Turn a recording into JSON Lines, one object a message");
+  auto* sub =
+      app.add_subcommand("decode", "Turn a recording into JSON Lines, one object a message");
   sub->footer(
       "Example: drydock decode --protocol pd0 dive.pd0\n"
       "         candump -L can0 | drydock decode --protocol nmea2000");

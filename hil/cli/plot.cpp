@@ -34,9 +34,10 @@ std::string quoted(std::string text) {
 
 std::string curve(const Series& series, std::size_t index) {
   if (series.band) {
-    return fmt::format("$data{0} using 1:(-$2):2 with filledcurves fc rgb '#999999' fs transparent "
-                       "solid 0.35 noborder title {1}",
-                       index, quoted(series.label));
+    return fmt::format(
+        "$data{0} using 1:(-$2):2 with filledcurves fc rgb '#999999' fs transparent "
+        "solid 0.35 noborder title {1}",
+        index, quoted(series.label));
   }
   return fmt::format("$data{0} using 1:2 with lines lw 1.4 lc rgb '{1}' title {2}", index,
                      colours[index % colours.size()], quoted(series.label));
@@ -53,7 +54,8 @@ std::string script(const Plot& plot) {
   for (std::size_t i = 0; i < plot.series.size(); ++i) {
     fmt::format_to(to, "$data{} << END\n", i);
     const auto& s = plot.series[i];
-    for (std::size_t k = 0; k < s.x.size(); ++k) fmt::format_to(to, "{:.6g} {:.6g}\n", s.x[k], s.y[k]);
+    for (std::size_t k = 0; k < s.x.size(); ++k)
+      fmt::format_to(to, "{:.6g} {:.6g}\n", s.x[k], s.y[k]);
     fmt::format_to(to, "END\n");
   }
   for (std::size_t i = 0; i < plot.series.size(); ++i) {

@@ -40,7 +40,8 @@ std::string escaped(const std::string& text) {
 std::string figure(const Plot& plot) {
   const auto svg = render_svg(plot);
   if (svg.empty()) {
-    return fmt::format("<p class=soft>{}: no plot (is gnuplot installed?)</p>", escaped(plot.title));
+    return fmt::format("<p class=soft>{}: no plot (is gnuplot installed?)</p>",
+                       escaped(plot.title));
   }
   return "<figure>" + svg + "</figure>\n";
 }
@@ -52,7 +53,8 @@ std::string health_table(const Summary& s) {
       "<th>skipped<th>bad checksums<th>reopened</tr>\n";
   for (const auto& d : s.devices) {
     out += fmt::format(
-        "<tr><td>{}<td class='left {}'>{}<td class=left>{}<td class=left>{}<td>{:.2f} Hz<td>{:.2f} Hz"
+        "<tr><td>{}<td class='left {}'>{}<td class=left>{}<td class=left>{}<td>{:.2f} Hz<td>{:.2f} "
+        "Hz"
         "<td>{}<td>{}<td>{}<td>{}<td>{}<td>{}</tr>\n",
         escaped(d.name), d.state == "streaming" ? "ok" : "bad", d.state, d.provenance,
         escaped(d.protocol), d.rate_hz, d.nominal_rate_hz, d.messages, d.bytes_in, d.bytes_good,
@@ -60,16 +62,17 @@ std::string health_table(const Summary& s) {
   }
   out += "</table></div>\n";
   for (const auto& d : s.devices) {
-    out += fmt::format("<p class=soft>{}: <code>{}</code>{}</p>\n", escaped(d.name), escaped(d.link),
-                       d.last_error.empty() ? "" : " — last error: " + escaped(d.last_error));
+    out +=
+        fmt::format("<p class=soft>{}: <code>{}</code>{}</p>\n", escaped(d.name), escaped(d.link),
+                    d.last_error.empty() ? "" : " — last error: " + escaped(d.last_error));
   }
   return out;
 }
 
 std::string error_row(const char* span, const AttitudeError& e) {
-  return fmt::format(
-      "<tr><td>{}<td>{:.3f}°<td>{:.3f}°<td>{:.3f}°<td>{:.3f}°<td>{:.2f}</tr>\n", span, e.roll_rms_deg,
-      e.pitch_rms_deg, e.roll_max_deg, e.pitch_max_deg, e.nees_mean);
+  return fmt::format("<tr><td>{}<td>{:.3f}°<td>{:.3f}°<td>{:.3f}°<td>{:.3f}°<td>{:.2f}</tr>\n",
+                     span, e.roll_rms_deg, e.pitch_rms_deg, e.roll_max_deg, e.pitch_max_deg,
+                     e.nees_mean);
 }
 
 std::string error_table(const EstimatorSummary& e) {
@@ -95,8 +98,9 @@ std::vector<double> scaled(std::vector<double> v, double by) {
   return v;
 }
 
-std::string axis_figures(const char* axis, const AttitudeTrace& t, const std::vector<double>& estimate,
-                         const std::vector<double>& truth, const std::vector<double>& sigma) {
+std::string axis_figures(const char* axis, const AttitudeTrace& t,
+                         const std::vector<double>& estimate, const std::vector<double>& truth,
+                         const std::vector<double>& sigma) {
   Plot level{fmt::format("{}: truth and estimate", axis), "time [s]", "deg", {}};
   if (!truth.empty()) level.series.push_back({"truth", t.t_s, truth});
   level.series.push_back({"estimate", t.t_s, estimate});
@@ -133,8 +137,11 @@ std::string measurement_section(const Summary& s) {
 std::string motion_section(const Summary& s) {
   if (s.motion.t_s.empty()) return {};
   return "<h2>The emulated vehicle</h2>\n" +
-         figure({"Track", "east [m]", "north [m]", {{"truth", s.motion.east_m, s.motion.north_m}}}) +
-         figure({"Depth", "time [s]", "m, negative down",
+         figure(
+             {"Track", "east [m]", "north [m]", {{"truth", s.motion.east_m, s.motion.north_m}}}) +
+         figure({"Depth",
+                 "time [s]",
+                 "m, negative down",
                  {{"truth", s.motion.t_s, scaled(s.motion.depth_m, -1)}}});
 }
 

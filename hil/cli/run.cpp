@@ -31,14 +31,16 @@ std::vector<std::string> unmet(const Summary& summary, const RunOptions& options
   std::vector<std::string> lines;
   if (options.expect_streaming) {
     for (const auto& d : summary.devices) {
-      if (d.state != "streaming") lines.push_back(fmt::format("{} is {}, not streaming", d.name, d.state));
+      if (d.state != "streaming")
+        lines.push_back(fmt::format("{} is {}, not streaming", d.name, d.state));
     }
   }
   if (options.expect_rms_deg) {
     for (const auto& e : summary.estimators) {
       if (!(worst_rms_deg(e) <= *options.expect_rms_deg) || e.estimates == 0) {
-        lines.push_back(fmt::format("{}: {} estimates, attitude error {:.3f} deg RMS, expected at most {} deg",
-                                    e.name, e.estimates, worst_rms_deg(e), *options.expect_rms_deg));
+        lines.push_back(
+            fmt::format("{}: {} estimates, attitude error {:.3f} deg RMS, expected at most {} deg",
+                        e.name, e.estimates, worst_rms_deg(e), *options.expect_rms_deg));
       }
     }
   }

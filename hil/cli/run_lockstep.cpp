@@ -98,8 +98,8 @@ class LockstepBench final : private device::Listener, private pipeline::Estimate
     s.interrupted = interrupted != 0;
     for (const auto& actor : actors_) {
       const auto& device = actor->device();
-      s.devices.push_back(summarise(device, device.health(clock_.now()),
-                                    provenance_of(device.options().link)));
+      s.devices.push_back(
+          summarise(device, device.health(clock_.now()), provenance_of(device.options().link)));
     }
     scribe_.write(s, clock_.now());
     return s;
@@ -124,10 +124,11 @@ class LockstepBench final : private device::Listener, private pipeline::Estimate
       recordings_.push_back(std::make_unique<shell::RecordedLine>(*uri, actor, start_));
       clock_.add(*recordings_.back());
     } else if (!uri->emulated()) {
-      throw std::runtime_error(fmt::format(
-          "{}:{}: device \"{}\": {} is real hardware, which has no virtual time; allowed with --speed "
-          "max: pty, memory, memory-can, can:auto, file, socketcan:vcan*",
-          rig_.file, config.line, config.name, config.link));
+      throw std::runtime_error(
+          fmt::format("{}:{}: device \"{}\": {} is real hardware, which has no virtual time; "
+                      "allowed with --speed "
+                      "max: pty, memory, memory-can, can:auto, file, socketcan:vcan*",
+                      rig_.file, config.line, config.name, config.link));
     } else if (uri->carries() == link::Carries::bytes) {
       add_line(config, *uri, actor);
     } else {
@@ -150,8 +151,7 @@ class LockstepBench final : private device::Listener, private pipeline::Estimate
     auto& bus = buses_[config.link];
     if (!bus.bus) {
       bus.bus = std::make_unique<emulate::EmulatedBus>(
-          uri.bitrate().value_or(default_bit_rate),
-          [&bus](const wire::CanFrame& frame, Stamp at) {
+          uri.bitrate().value_or(default_bit_rate), [&bus](const wire::CanFrame& frame, Stamp at) {
             for (auto* driver : bus.drivers) driver->receive(frame, at);
           });
     }

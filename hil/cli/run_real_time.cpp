@@ -95,8 +95,8 @@ class Bench {
     end_ = link::now();
     for (std::size_t i = 0; i < drivers_.shell().size(); ++i) {
       const auto& device = drivers_.shell().device(i);
-      devices_.push_back(summarise(device, drivers_.shell().health(i),
-                                   provenance_of(device.options().link)));
+      devices_.push_back(
+          summarise(device, drivers_.shell().health(i), provenance_of(device.options().link)));
     }
     signals_.cancel();
     timer_.cancel();
@@ -114,7 +114,8 @@ class Bench {
     s.interrupted = interrupted_;
     s.devices = devices_;
     s.notes = can_notes(rig_);
-    if (const auto counters = emulator_.counters(); counters.lost > 0 || counters.write_errors > 0) {
+    if (const auto counters = emulator_.counters();
+        counters.lost > 0 || counters.write_errors > 0) {
       s.notes.push_back("emulated devices lost " + std::to_string(counters.lost) +
                         " messages to overloaded lines, " + std::to_string(counters.write_errors) +
                         " to write errors");

@@ -65,7 +65,8 @@ void Scribe::add_device(const rig_config::DeviceConfig& device) {
       first = add_plot(device.name + ": velocity over the bed", "m/s, body", {"x", "y", "z"});
       break;
     case DeviceKind::emlog:
-      first = add_plot(device.name + ": speed through the water", "m/s", {"longitudinal", "transverse"});
+      first = add_plot(device.name + ": speed through the water", "m/s",
+                       {"longitudinal", "transverse"});
       break;
     case DeviceKind::gnss:
       first = add_plot(device.name + ": velocity", "m/s, NED", {"north", "east", "down"});
@@ -74,9 +75,7 @@ void Scribe::add_device(const rig_config::DeviceConfig& device) {
       first = add_plot(device.name + ": angular rate", "deg/s, body", {"x", "y", "z"});
       add_plot(device.name + ": specific force", "m/s2, body", {"x", "y", "z"});
       break;
-    case DeviceKind::depth:
-      first = add_plot(device.name + ": depth", "m", {"depth"});
-      break;
+    case DeviceKind::depth: first = add_plot(device.name + ": depth", "m", {"depth"}); break;
     case DeviceKind::actuator:
       first = add_plot(device.name + ": actuators", "deg", {"rudder", "stern plane", "bow plane"});
       break;
@@ -101,7 +100,8 @@ void Scribe::note(const Measurement& m) {
     if (value) point(first + i, origin.valid_at, *value * scale);
   };
   const auto vector = [&](std::size_t i, const Eigen::Vector3d& v, double scale = 1) {
-    for (int k = 0; k < 3; ++k) point(first + i + static_cast<std::size_t>(k), origin.valid_at, v[k] * scale);
+    for (int k = 0; k < 3; ++k)
+      point(first + i + static_cast<std::size_t>(k), origin.valid_at, v[k] * scale);
   };
   if (const auto* imu = std::get_if<ImuSample>(&m)) {
     vector(0, imu->angular_rate, to_deg);

@@ -12,8 +12,10 @@ using Json = nlohmann::ordered_json;
 
 Json error_json(const std::optional<AttitudeError>& e) {
   if (!e) return nullptr;
-  return {{"roll_rms_deg", e->roll_rms_deg},   {"pitch_rms_deg", e->pitch_rms_deg},
-          {"roll_max_deg", e->roll_max_deg},   {"pitch_max_deg", e->pitch_max_deg},
+  return {{"roll_rms_deg", e->roll_rms_deg},
+          {"pitch_rms_deg", e->pitch_rms_deg},
+          {"roll_max_deg", e->roll_max_deg},
+          {"pitch_max_deg", e->pitch_max_deg},
           {"nees_mean", e->nees_mean}};
 }
 
@@ -66,12 +68,12 @@ std::string to_json(const Summary& s) {
 }
 
 std::string to_text(const Summary& s) {
-  std::string out = fmt::format("{:<10} {:<10} {:<9} {:>9} {:>9} {:>10} {:>8} {:>8} {:>6}\n", "device",
-                                "state", "source", "rate", "nominal", "messages", "skipped B",
-                                "bad sums", "reopen");
+  std::string out =
+      fmt::format("{:<10} {:<10} {:<9} {:>9} {:>9} {:>10} {:>8} {:>8} {:>6}\n", "device", "state",
+                  "source", "rate", "nominal", "messages", "skipped B", "bad sums", "reopen");
   for (const auto& d : s.devices) {
-    out += fmt::format("{:<10} {:<10} {:<9} {:>6.2f} Hz {:>6.2f} Hz {:>10} {:>9} {:>8} {:>6}\n", d.name,
-                       d.state, d.provenance, d.rate_hz, d.nominal_rate_hz, d.messages,
+    out += fmt::format("{:<10} {:<10} {:<9} {:>6.2f} Hz {:>6.2f} Hz {:>10} {:>9} {:>8} {:>6}\n",
+                       d.name, d.state, d.provenance, d.rate_hz, d.nominal_rate_hz, d.messages,
                        d.bytes_skipped, d.bad_checksums, d.reopens);
     if (!d.last_error.empty()) out += fmt::format("           last error: {}\n", d.last_error);
   }

@@ -24,7 +24,7 @@ struct AttitudeError {
 struct EstimatorSummary {
   std::string name, kind;
   std::uint64_t estimates = 0;
-  std::optional<AttitudeError> whole_run;      ///< empty where there is no truth
+  std::optional<AttitudeError> whole_run;  ///< empty where there is no truth
   std::optional<AttitudeError> after_10_s;
 };
 

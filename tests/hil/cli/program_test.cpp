@@ -56,7 +56,8 @@ std::string read_file(const std::filesystem::path& path) {
 }
 
 TEST(Program, HelpOfEveryCommandShowsAnExample) {
-  for (const char* command : {"run", "emulate", "drive", "estimate", "check", "monitor", "decode"}) {
+  for (const char* command :
+       {"run", "emulate", "drive", "estimate", "check", "monitor", "decode"}) {
     const auto help = drydock(std::string{command} + " --help");
     EXPECT_EQ(help.exit_code, 0) << command;
     EXPECT_THAT(help.output, HasSubstr("Example")) << command;
@@ -92,9 +93,10 @@ TEST(Program, TheShippedRigFilesAreGood) {
 
 TEST(Program, ALockstepRunWritesAReportAndASummary) {
   const Folder folder;
-  const auto run = drydock("run rig_config/rigs/demo.toml --for 30s --speed max --expect-streaming "
-                           "--expect-rms 0.5 --json " + (folder / "s.json").string() + " --report " +
-                           (folder / "report").string());
+  const auto run = drydock(
+      "run rig_config/rigs/demo.toml --for 30s --speed max --expect-streaming "
+      "--expect-rms 0.5 --json " +
+      (folder / "s.json").string() + " --report " + (folder / "report").string());
   EXPECT_EQ(run.exit_code, 0) << run.output;
   const auto summary = nlohmann::json::parse(read_file(folder / "s.json"));
   EXPECT_EQ(summary["devices"].size(), 6u);
@@ -109,7 +111,8 @@ TEST(Program, ALockstepRunWritesAReportAndASummary) {
 }
 
 TEST(Program, AnUnmetExpectationExitsWithOneAndSaysWhich) {
-  const auto run = drydock("run rig_config/rigs/demo.toml --for 5s --speed max --expect-rms 0.000001");
+  const auto run =
+      drydock("run rig_config/rigs/demo.toml --for 5s --speed max --expect-rms 0.000001");
   EXPECT_EQ(run.exit_code, 1);
   EXPECT_THAT(run.output, HasSubstr("expected at most 1e-06 deg"));
 }
@@ -124,10 +127,10 @@ TEST(Program, DriveAndEstimateAsTwoProcessesDoWhatRunDoesInOne) {
   const Folder folder;
   const std::string rig = "rig_config/rigs/demo.toml";
   const std::string log = (folder / "estimates.jsonl").string();
-  const auto outcome = drydock("emulate " + rig + " --for 10s > /dev/null & sleep 1; " DRYDOCK_PROGRAM
-                               " drive " + rig + " --for 7s > " + (folder / "drive.txt").string() +
-                               " & " DRYDOCK_PROGRAM " estimate " + rig + " --for 6s --json > " + log +
-                               "; r=$?; wait; exit $r");
+  const auto outcome = drydock(
+      "emulate " + rig + " --for 10s > /dev/null & sleep 1; " DRYDOCK_PROGRAM " drive " + rig +
+      " --for 7s > " + (folder / "drive.txt").string() + " & " DRYDOCK_PROGRAM " estimate " + rig +
+      " --for 6s --json > " + log + "; r=$?; wait; exit $r");
   EXPECT_EQ(outcome.exit_code, 0) << outcome.output << read_file(folder / "drive.txt");
   const auto text = read_file(log);
   // 100 Hz for the seconds in which all three run, less discovery and the filter's start.
@@ -137,8 +140,9 @@ TEST(Program, DriveAndEstimateAsTwoProcessesDoWhatRunDoesInOne) {
 TEST(Program, InterruptEndsARunCleanlyWithTheReport) {
   const Folder folder;
   const auto page = folder / "out/index.html";
-  const auto outcome = drydock("run rig_config/rigs/demo.toml --report " + (folder / "out").string() +
-                               " > /dev/null & p=$!; sleep 3; kill -INT $p; wait $p");
+  const auto outcome =
+      drydock("run rig_config/rigs/demo.toml --report " + (folder / "out").string() +
+              " > /dev/null & p=$!; sleep 3; kill -INT $p; wait $p");
   EXPECT_EQ(outcome.exit_code, 0) << outcome.output;
   EXPECT_THAT(read_file(page), HasSubstr("interrupted"));
 }
