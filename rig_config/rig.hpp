@@ -20,35 +20,36 @@ struct SensorErrors {
 };
 
 struct EmulateConfig {
-  bool fixed_bias = true;         ///< biases are +1 sigma as given; false: drawn N(0, 1 sigma) per seed
-  double latency_s = 0;           ///< from sampling to the first byte on the wire
-  SensorErrors primary;           ///< gyro rad/s, speed m/s, velocity m/s, pressure Pa, position m
-  SensorErrors secondary;         ///< accelerometer m/s2, GNSS velocity m/s
+  bool fixed_bias = true;  ///< biases are +1 sigma as given; false: drawn N(0, 1 sigma) per seed
+  double latency_s = 0;    ///< from sampling to the first byte on the wire
+  SensorErrors primary;    ///< gyro rad/s, speed m/s, velocity m/s, pressure Pa, position m
+  SensorErrors secondary;  ///< accelerometer m/s2, GNSS velocity m/s
 };
 
 struct DeviceConfig {
   std::string name;
   DeviceKind kind = DeviceKind::imu;
-  std::string protocol;           ///< nmea0183 ubx pd0 aceinna cia404-imu nmea2000
-  std::string link;               ///< URI, see drivers/link/uri.hpp
-  double rate_hz = 1;             ///< nominal; the emulated device keeps it, health compares with it
-  double stale_after_s = 2;       ///< streaming -> stale
-  double reopen_after_s = 10;     ///< stale -> backing off and opening again
-  double latency_s = 0;           ///< stated by the protocol or the maker: subtracted from valid_at
-  std::array<double, 3> lever_arm_m{};      ///< sensor in the body frame, from the vehicle's origin
-  std::array<double, 3> mounting_rad{};     ///< roll, pitch, yaw of the sensor's axes against body
-  int address = 0;                ///< J1939 / NMEA 2000 source address or CANopen node; 0: any
+  std::string protocol;        ///< nmea0183 ubx ubx+nmea0183 pd0 aceinna cia404-imu nmea2000
+  std::string link;            ///< URI, see drivers/link/uri.hpp
+  double rate_hz = 1;          ///< nominal; the emulated device keeps it, health compares with it
+  double stale_after_s = 2;    ///< streaming -> stale
+  double reopen_after_s = 10;  ///< stale -> backing off and opening again
+  double latency_s = 0;        ///< stated by the protocol or the maker: subtracted from valid_at
+  std::array<double, 3> lever_arm_m{};   ///< sensor in the body frame, from the vehicle's origin
+  std::array<double, 3> mounting_rad{};  ///< roll, pitch, yaw of the sensor's axes against body
+  int address = 0;  ///< J1939 / NMEA 2000 source address or CANopen node; 0: any
   double surface_pressure_pa = 101325, water_density_kgm3 = 1025;  ///< kind depth
   EmulateConfig emulate;
-  int line = 0;                   ///< of the [[device]] block in the file
+  int line = 0;  ///< of the [[device]] block in the file
 };
 
 struct EstimatorConfig {
   std::string name;
-  std::string kind;               ///< leveling
-  std::string imu, log;           ///< device names
-  bool stationary = false;        ///< measurement model: all three velocities zero
-  bool accelerometer_start = true;///< first attitude from the first specific force, not from `initial_*`
+  std::string kind;         ///< leveling
+  std::string imu, log;     ///< device names
+  bool stationary = false;  ///< measurement model: all three velocities zero
+  bool accelerometer_start =
+      true;  ///< first attitude from the first specific force, not from `initial_*`
   double initial_roll_rad = 0, initial_pitch_rad = 0;
   double latitude_rad = 0, heading_rad = 0;
 };
@@ -59,18 +60,18 @@ enum class LegKind : std::uint8_t { straight, turn, dive, s_path };
 struct LegConfig {
   LegKind kind = LegKind::straight;
   double duration_s = 0;
-  double turn_rad = 0;            ///< turn: change of heading
-  double depth_change_m = 0;      ///< dive: positive down
-  double speed_mps = 0;           ///< speed at the end of the leg
+  double turn_rad = 0;                     ///< turn: change of heading
+  double depth_change_m = 0;               ///< dive: positive down
+  double speed_mps = 0;                    ///< speed at the end of the leg
   double amplitude_rad = 0, period_s = 0;  ///< s_path: heading amplitude
-  double roll_rad = 0;            ///< heel held during a turn
+  double roll_rad = 0;                     ///< heel held during a turn
 };
 
 struct MissionConfig {
   double latitude_rad = 0, longitude_rad = 0, depth_m = 0, heading_rad = 0, speed_mps = 0;
   double bed_depth_m = 100;
   std::array<double, 3> current_ned_mps{};
-  std::vector<LegConfig> legs;    ///< repeated from the first when the run lasts longer
+  std::vector<LegConfig> legs;  ///< repeated from the first when the run lasts longer
 };
 
 struct Rig {

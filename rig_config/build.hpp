@@ -1,0 +1,18 @@
+#pragma once
+
+#include "rig_config/node.hpp"
+#include "rig_config/rig.hpp"
+
+/// From checked documents to typed values: units become SI, absent keys keep their defaults.
+namespace drydock::rig_config {
+
+/// All of a rig but its mission and the errors that stand in sensor files.
+Rig build_rig(const Node& root, const std::string& file);
+
+MissionConfig build_mission(const Node& root);
+
+/// Takes the error keys of a kind from `[device.emulate]` or from that kind's table in a sensor
+/// file; keys that are absent change nothing.
+void read_errors(const Node& table, DeviceKind kind, EmulateConfig& into);
+
+}  // namespace drydock::rig_config

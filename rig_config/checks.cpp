@@ -1,0 +1,140 @@
+#include "rig_config/checks.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include "rig_config/explain.hpp"
+
+namespace drydock::rig_config {
+
+namespace {
+
+using Kind = Node::Kind;
+
+class RigChecks {
+ public:
+  RigChecks(const Node& root, const std::string& file, const LoadOptions& options)
+      : root_(root), file_(file), options_(options) {}
+
+  Problems run() {
+    names_are_unique("device");
+    names_are_unique("estimator");
+    links_are_sound();
+    addresses_are_unique();
+    estimator_devices_exist("imu", "imu");
+    estimator_devices_exist("log", "emlog");
+    return std::move(problems_);
+  }
+
+ private:
+  void names_are_unique(const char* group) {
+    std::map<std::string, int> line_of;
+    for_each_table(root_, group, [&](const Node& table, std::size_t i) {
+      const Node* name = table.find_text("name");
+      if (!name) return;
+      const auto [first, fresh] = line_of.emplace(name->text, name->at.line);
+      if (!fresh)
+        add(*name, fmt::format("/{}/{}/name", group, i),
+            fmt::format("\"{}\" is used twice, first in line {}; each {} needs its own", name->text,
+                        first->second, group));
+    });
+  }
+
+  void links_are_sound() {
+    if (!options_.link_check) return;
+    for_each_table(root_, "device", [&](const Node& device, std::size_t i) {
+      const Node* link = device.find_text("link");
+      if (!link) return;
+      if (const auto wrong = options_.link_check(link->text))
+        add(*link, fmt::format("/device/{}/link", i), *wrong);
+    });
+  }
+
+  void addresses_are_unique() {
+    std::map<std::pair<std::string, std::int64_t>, std::string> taken;
+    for_each_table(root_, "device", [&](const Node& device, std::size_t i) {
+      const Node* link = device.find_text("link");
+      const Node* address = device.find("address");
+      const Node* name = device.find_text("name");
+      if (!link || !name || !address || address->kind != Kind::integer || !address->integer) return;
+      const auto [first, fresh] =
+          taken.emplace(std::pair(link->text, address->integer), name->text);
+      if (!fresh)
+        add(*address, fmt::format("/device/{}/address", i),
+            fmt::format(
+                "{} is already the address of '{}' on {}; each device on a bus needs its own",
+                address->integer, first->second, link->text));
+    });
+  }
+
+  void estimator_devices_exist(const char* key, std::string_view kind) {
+    std::vector<std::string> fitting;
+    std::map<std::string, std::string> kind_of;
+    for_each_table(root_, "device", [&](const Node& device, std::size_t) {
+      const Node* name = device.find_text("name");
+      const Node* device_kind = device.find_text("kind");
+      if (!name || !device_kind) return;
+      kind_of[name->text] = device_kind->text;
+      if (device_kind->text == kind) fitting.push_back(name->text);
+    });
+    const std::string offer = fitting.empty()
+                                  ? fmt::format("this rig has no device of kind {}", kind)
+                                  : "allowed: " + listed(fitting);
+    for_each_table(root_, "estimator", [&](const Node& estimator, std::size_t i) {
+      const Node* wanted = estimator.find_text(key);
+      if (!wanted || std::ranges::find(fitting, wanted->text) != fitting.end()) return;
+      const auto other = kind_of.find(wanted->text);
+      const std::string what =
+          other == kind_of.end()
+              ? fmt::format("no device is named \"{}\"", wanted->text)
+              : fmt::format("device \"{}\" is of kind {}", wanted->text, other->second);
+      add(*wanted, fmt::format("/estimator/{}/{}", i, key),
+          fmt::format("{}{}, {}", what, did_you_mean(wanted->text, fitting), offer));
+    });
+  }
+
+  void add(const Node& at, std::string path, std::string what) {
+    problems_.push_back({file_, at.at.line, at.at.column, std::move(path), std::move(what)});
+  }
+
+  const Node& root_;
+  const std::string& file_;
+  const LoadOptions& options_;
+  Problems problems_;
+};
+
+double number_at(const Node& table, std::string_view key, double otherwise) {
+  const Node* value = table.find(key);
+  return value && (value->kind == Kind::number || value->kind == Kind::integer) ? value->number
+                                                                                : otherwise;
+}
+
+}  // namespace
+
+Problems check_rig(const Node& root, const std::string& file, const LoadOptions& options) {
+  return RigChecks(root, file, options).run();
+}
+
+Problems check_mission(const Node& root, const std::string& file) {
+  const Node* mission = root.find("mission");
+  if (!mission) return {};
+  double depth_m = number_at(*mission, "depth_m", 0);
+  const double bed_m = number_at(*mission, "bed_depth_m", MissionConfig{}.bed_depth_m);
+  Problems problems;
+  for_each_table(root, "leg", [&](const Node& leg, std::size_t i) {
+    const Node* change = leg.find("depth_change_m");
+    if (!change) return;
+    depth_m += number_at(leg, "depth_change_m", 0);
+    if (depth_m < -1e-9 || depth_m > bed_m)
+      problems.push_back(
+          {file, change->at.line, change->at.column, fmt::format("/leg/{}/depth_change_m", i),
+           fmt::format("the leg ends at a depth of {} m, allowed: 0 (the surface) to {} "
+                       "(the bed)",
+                       depth_m, bed_m)});
+  });
+  return problems;
+}
+
+}  // namespace drydock::rig_config

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "rig_config/load.hpp"
+#include "rig_config/node.hpp"
+
+namespace drydock::rig_config {
+
+/// What a schema cannot say of a rig: names used twice, an estimator's devices, link URIs,
+/// addresses taken twice on one bus. Holds for incomplete documents too.
+Problems check_rig(const Node& root, const std::string& file, const LoadOptions& options);
+
+/// What a schema cannot say of a mission: it stays in the water.
+Problems check_mission(const Node& root, const std::string& file);
+
+}  // namespace drydock::rig_config

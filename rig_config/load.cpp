@@ -1,0 +1,156 @@
+#include "rig_config/load.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "rig_config/build.hpp"
+#include "rig_config/checks.hpp"
+#include "rig_config/schema_check.hpp"
+#include "rig_config/toml_reader.hpp"
+
+namespace drydock::rig_config {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+enum class FileKind : std::uint8_t { rig, mission, sensor };
+
+std::string_view described(FileKind kind) {
+  if (kind == FileKind::rig) return "a rig file, which has a table [rig]";
+  if (kind == FileKind::mission) return "a mission file, which has a table [mission]";
+  return "a sensor file, which has a table for each kind of sensor: [imu], [dvl], ...";
+}
+
+FileKind kind_of(const Node& root) {
+  if (root.find("rig")) return FileKind::rig;
+  return root.find("mission") ? FileKind::mission : FileKind::sensor;
+}
+
+Loaded<std::string> read_file(const std::string& path) {
+  std::ifstream in(path, std::ios::binary);
+  std::ostringstream text;
+  if (fs::is_directory(path) || !in || !(text << in.rdbuf()))
+    return Problems{{path, 0, 0, "/", "cannot be read: it is missing, empty or not a file"}};
+  return std::move(text).str();
+}
+
+void append(Problems& to, Problems more) { std::ranges::move(more, std::back_inserter(to)); }
+
+void sort_by_position(Problems& problems) {
+  std::ranges::stable_sort(problems, [](const Problem& a, const Problem& b) {
+    return std::pair(a.line, a.column) < std::pair(b.line, b.column);
+  });
+}
+
+std::string beside(const std::string& file, const std::string& relative) {
+  return (fs::path(file).parent_path() / relative).lexically_normal().string();
+}
+
+/// A document that the schema and the checks of its kind have nothing against.
+Loaded<Node> read_checked(std::string_view text, const std::string& path, FileKind kind,
+                          const LoadOptions& options = {}) {
+  Loaded<Node> root = read_toml(text, path);
+  if (!root) return root;
+  if (kind_of(*root) != kind)
+    return Problems{{path, 1, 1, "/", fmt::format("expected {}", described(kind))}};
+  Problems problems = check_schema(*root, path);
+  if (kind == FileKind::rig) append(problems, check_rig(*root, path, options));
+  if (kind == FileKind::mission) append(problems, check_mission(*root, path));
+  sort_by_position(problems);
+  if (!problems.empty()) return problems;
+  return root;
+}
+
+Loaded<Node> read_checked_file(const std::string& path, FileKind kind) {
+  const auto text = read_file(path);
+  return text ? read_checked(*text, path, kind) : Loaded<Node>(text.error());
+}
+
+/// Another file that `reference` in `file` names; a missing one is a problem of that line.
+Loaded<Node> read_referenced(const Node& reference, const std::string& file,
+                             const std::string& where, FileKind kind) {
+  const std::string path = beside(file, reference.text);
+  if (!fs::is_regular_file(path))
+    return Problems{{file, reference.at.line, reference.at.column, where,
+                     fmt::format("there is no file {}", path)}};
+  return read_checked_file(path, kind);
+}
+
+/// Errors of the emulated sensor: those of its sensor file, then its own keys on top.
+Problems read_emulated_errors(const Node& table, std::size_t index, DeviceConfig& device,
+                              const std::string& file) {
+  const Node* emulate = table.find("emulate");
+  if (!emulate) return {};
+  if (const Node* errors = emulate->find("errors")) {
+    const std::string where = fmt::format("/device/{}/emulate/errors", index);
+    const auto sensors = read_referenced(*errors, file, where, FileKind::sensor);
+    if (!sensors) return sensors.error();
+    const std::string kind = table.find("kind")->text;
+    const Node* grade = sensors->find(kind);
+    if (!grade)
+      return {{file, errors->at.line, errors->at.column, where,
+               fmt::format("{} has no table [{}]", beside(file, errors->text), kind)}};
+    read_errors(*grade, device.kind, device.emulate);
+  }
+  read_errors(*emulate, device.kind, device.emulate);
+  return {};
+}
+
+}  // namespace
+
+Loaded<Rig> load_rig_text(std::string_view text, const std::string& path,
+                          const LoadOptions& options) {
+  const auto root = read_checked(text, path, FileKind::rig, options);
+  if (!root) return root.error();
+  Rig rig = build_rig(*root, path);
+  Problems problems;
+  if (const Node* reference = root->find("rig")->find("mission")) {
+    const auto mission = read_referenced(*reference, path, "/rig/mission", FileKind::mission);
+    if (mission)
+      rig.mission = build_mission(*mission);
+    else
+      append(problems, mission.error());
+  }
+  for_each_table(*root, "device", [&](const Node& table, std::size_t i) {
+    append(problems, read_emulated_errors(table, i, rig.devices[i], path));
+  });
+  if (!problems.empty()) return problems;
+  return rig;
+}
+
+Loaded<Rig> load_rig(const std::string& path, const LoadOptions& options) {
+  const auto text = read_file(path);
+  return text ? load_rig_text(*text, path, options) : Loaded<Rig>(text.error());
+}
+
+Loaded<MissionConfig> load_mission_text(std::string_view text, const std::string& path) {
+  const auto root = read_checked(text, path, FileKind::mission);
+  if (!root) return root.error();
+  return build_mission(*root);
+}
+
+Loaded<MissionConfig> load_mission(const std::string& path) {
+  const auto text = read_file(path);
+  return text ? load_mission_text(*text, path) : Loaded<MissionConfig>(text.error());
+}
+
+Problems check_file(const std::string& path, const LoadOptions& options) {
+  const auto text = read_file(path);
+  if (!text) return text.error();
+  const auto root = read_toml(*text, path);
+  if (!root) return root.error();
+  const FileKind kind = kind_of(*root);
+  if (kind == FileKind::rig) {
+    const auto rig = load_rig_text(*text, path, options);
+    return rig ? Problems{} : rig.error();
+  }
+  const auto document = read_checked(*text, path, kind);
+  return document ? Problems{} : document.error();
+}
+
+}  // namespace drydock::rig_config

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace drydock::rig_config {
+
+/// Line and column in the file, from 1.
+struct Position {
+  int line = 0, column = 0;
+};
+
+/// One value of a TOML file together with where it stands, free of the parser's own types.
+struct Node {
+  enum class Kind : std::uint8_t { boolean, integer, number, text, date_time, array, table };
+  Kind kind = Kind::table;
+  Position at;      ///< of the value
+  Position key_at;  ///< of its key; of the value inside an array
+
+  bool boolean = false;
+  std::int64_t integer = 0;  ///< date_time: nanoseconds of UTC since 1970
+  double number = 0;         ///< also of an integer
+  std::string text;          ///< also of a date_time, as RFC 3339
+  std::vector<Node> items;
+  std::vector<std::pair<std::string, Node>> members;
+
+  const Node* find(std::string_view key) const {
+    for (const auto& [name, value] : members)
+      if (name == key) return &value;
+    return nullptr;
+  }
+
+  /// The text at `key`, or nullptr if there is none or it is no text.
+  const Node* find_text(std::string_view key) const {
+    const Node* value = find(key);
+    return value && value->kind == Kind::text ? value : nullptr;
+  }
+};
+
+/// Visits each table of `[[key]]` with its index.
+template <class Visit>
+void for_each_table(const Node& root, std::string_view key, Visit&& visit) {
+  const Node* array = root.find(key);
+  if (!array) return;
+  for (std::size_t i = 0; i < array->items.size(); ++i)
+    if (array->items[i].kind == Node::Kind::table) visit(array->items[i], i);
+}
+
+}  // namespace drydock::rig_config

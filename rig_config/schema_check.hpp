@@ -1,0 +1,11 @@
+#pragma once
+
+#include "rig_config/load.hpp"
+#include "rig_config/node.hpp"
+
+namespace drydock::rig_config {
+
+/// What the JSON Schema does not allow in a document, in no particular order.
+Problems check_schema(const Node& root, const std::string& file);
+
+}  // namespace drydock::rig_config

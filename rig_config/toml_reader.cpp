@@ -1,0 +1,116 @@
+#include "rig_config/toml_reader.hpp"
+
+#include <toml++/toml.h>
+
+#include <cmath>
+#include <sstream>
+
+namespace drydock::rig_config {
+
+namespace {
+
+Position position(const toml::source_region& region) {
+  return {static_cast<int>(region.begin.line), static_cast<int>(region.begin.column)};
+}
+
+/// Nanoseconds since 1970; the days by the usual count of the proleptic Gregorian calendar.
+std::int64_t utc_ns(const toml::date_time& when) {
+  const std::chrono::sys_days days{std::chrono::year{when.date.year} / when.date.month /
+                                   when.date.day};
+  const std::int64_t minutes = std::int64_t{when.time.hour} * 60 + when.time.minute -
+                               (when.offset ? when.offset->minutes : 0);
+  const std::int64_t day_seconds = minutes * 60 + when.time.second;
+  return (days.time_since_epoch().count() * 86400LL + day_seconds) * 1'000'000'000 +
+         when.time.nanosecond;
+}
+
+class Converter {
+ public:
+  explicit Converter(const std::string& file) : file_(file) {}
+
+  Node convert(const toml::node& value, Position key_at, const std::string& path) {
+    Node node;
+    node.at = position(value.source());
+    if (node.at.line == 0) node.at = key_at;  // a table that only dotted keys imply
+    node.key_at = key_at.line ? key_at : node.at;
+    value.visit([&](const auto& v) { fill(node, v, path); });
+    return node;
+  }
+
+  Problems problems;
+
+ private:
+  void fill(Node& node, const toml::table& table, const std::string& path) {
+    node.kind = Node::Kind::table;
+    for (auto&& [key, value] : table) {
+      const std::string name{key.str()};
+      node.members.emplace_back(name, convert(value, position(key.source()), path + "/" + name));
+    }
+  }
+  void fill(Node& node, const toml::array& array, const std::string& path) {
+    node.kind = Node::Kind::array;
+    for (std::size_t i = 0; i < array.size(); ++i)
+      node.items.push_back(convert(array[i], {}, path + "/" + std::to_string(i)));
+  }
+  void fill(Node& node, const toml::value<bool>& value, const std::string&) {
+    node.kind = Node::Kind::boolean;
+    node.boolean = value.get();
+  }
+  void fill(Node& node, const toml::value<std::int64_t>& value, const std::string&) {
+    node.kind = Node::Kind::integer;
+    node.integer = value.get();
+    node.number = static_cast<double>(value.get());
+  }
+  void fill(Node& node, const toml::value<double>& value, const std::string& path) {
+    node.kind = Node::Kind::number;
+    node.number = value.get();
+    if (!std::isfinite(node.number)) refuse(node, path, "nan and inf are not allowed");
+  }
+  void fill(Node& node, const toml::value<std::string>& value, const std::string&) {
+    node.kind = Node::Kind::text;
+    node.text = value.get();
+  }
+  void fill(Node& node, const toml::value<toml::date_time>& value, const std::string& path) {
+    node.kind = Node::Kind::date_time;
+    node.integer = utc_ns(value.get());
+    node.text = written(value);
+    if (!value.get().offset)
+      refuse(node, path, "this date-time has no offset, write for example " + node.text + "Z");
+  }
+  template <class DateOrTime>
+  void fill(Node& node, const toml::value<DateOrTime>& value, const std::string& path) {
+    node.kind = Node::Kind::date_time;
+    node.text = written(value);
+    refuse(node, path,
+           "expected a full date-time such as 2026-11-21T08:00:00Z, found " + node.text);
+  }
+
+  template <class T>
+  static std::string written(const toml::value<T>& value) {
+    std::ostringstream text;
+    text << value.get();
+    return text.str();
+  }
+  void refuse(const Node& node, const std::string& path, std::string what) {
+    problems.push_back({file_, node.at.line, node.at.column, path, std::move(what)});
+  }
+
+  const std::string& file_;
+};
+
+}  // namespace
+
+Loaded<Node> read_toml(std::string_view text, const std::string& path) {
+  try {
+    const toml::table table = toml::parse(text, path);
+    Converter converter{path};
+    Node root = converter.convert(table, {1, 1}, "");
+    if (!converter.problems.empty()) return converter.problems;
+    return root;
+  } catch (const toml::parse_error& error) {
+    const Position at = position(error.source());
+    return Problems{{path, at.line, at.column, "/", std::string{error.description()}}};
+  }
+}
+
+}  // namespace drydock::rig_config
