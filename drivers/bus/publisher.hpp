@@ -38,6 +38,9 @@ class Publisher {
 
   void publish(std::span<const DeviceStatus> health, Stamp now);
 
+  /// Connections with readers, over all topics: 0 means nobody listens yet.
+  std::size_t matched_readers() const;
+
   std::vector<TopicCounters> counters() const;
   std::uint64_t misrouted() const;
 

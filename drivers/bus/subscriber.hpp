@@ -52,10 +52,11 @@ class Subscriber {
     return take(adapter);
   }
 
-  /// How many writers this subscriber's readers are connected with: 0 means nobody publishes yet.
+  /// Connections with writers, over all topics: 0 means nobody publishes yet.
   std::size_t matched_writers() const;
 
-  std::uint64_t lost() const;  ///< samples that writers gave up before we could receive them
+  std::uint64_t lost() const;      ///< given up by their writer before they could be received
+  std::uint64_t unusable() const;  ///< received, but their content cannot be a measurement
 
  private:
   struct Readers;

@@ -1,0 +1,81 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <span>
+
+#include "drivers/bus/device.hpp"
+#include "drivers/bus/message_types.hpp"
+
+/// Measurements to messages and back.
+/// `fill` sets everything but the frame name; false: this message has nothing to say of the sample.
+/// `read` sets everything but received_at, provenance and device; false: the content cannot be such
+/// a measurement (an unknown enumerator, no value where one is needed).
+namespace drydock::bus {
+
+using namespace measurement;
+
+inline constexpr double not_available = std::numeric_limits<double>::quiet_NaN();
+
+/// Yaw variance, rad2, that says "yaw is not known": ROS messages have no flag for it.
+inline constexpr double unknown_yaw_variance = 1e6;
+
+TimeMessage to_time(Stamp stamp);
+Stamp to_stamp(const TimeMessage& time);
+OptionalTimeMessage to_optional_time(std::optional<std::chrono::nanoseconds> time);
+std::optional<std::chrono::nanoseconds> to_nanoseconds(const OptionalTimeMessage& time);
+Vector3Message to_vector3(const Eigen::Vector3d& v);
+Eigen::Vector3d to_eigen(const Vector3Message& v);
+std::optional<Eigen::Vector3d> to_optional(const Vector3Message& v);
+
+inline double or_nan(std::optional<double> value) { return value.value_or(not_available); }
+inline std::optional<double> to_optional(double value) {
+  return std::isfinite(value) ? std::optional(value) : std::nullopt;
+}
+
+/// FRD <-> FLU is a half turn about x: exact, and its own inverse.
+inline Eigen::Vector3d half_turn_about_x(const Eigen::Vector3d& v) {
+  return {v.x(), -v.y(), -v.z()};
+}
+/// NED <-> ENU: exact, and its own inverse.
+inline Eigen::Vector3d swap_ned_enu(const Eigen::Vector3d& v) { return {v.y(), v.x(), -v.z()}; }
+
+bool fill(ImuMessage& message, const ImuSample& sample);
+bool fill(DvlMessage& message, const BottomVelocity& sample);
+bool fill(TwistMessage& message, const BottomVelocity& sample);
+bool fill(TwistMessage& message, const WaterSpeed& sample);
+bool fill(TwistMessage& message, const GnssFix& sample);
+bool fill(NavSatFixMessage& message, const GnssFix& sample);
+bool fill(FluidPressureMessage& message, const DepthSample& sample);
+bool fill(TemperatureMessage& message, const DepthSample& sample);
+
+bool read(ImuSample& sample, const ImuMessage& message);
+bool read(BottomVelocity& sample, const DvlMessage& message);
+bool read(WaterSpeed& sample, const TwistMessage& message);
+bool read(GnssFix& sample, const NavSatFixMessage& message);
+bool read(DepthSample& sample, const FluidPressureMessage& message);
+
+bool fill(DepthMessage& message, const DepthSample& sample);
+bool fill(BottomTrackMessage& message, const BottomVelocity& sample);
+bool fill(WaterSpeedMessage& message, const WaterSpeed& sample);
+bool fill(GnssFixMessage& message, const GnssFix& sample);
+bool fill(GnssSatellitesMessage& message, const GnssSatellites& sample);
+bool fill(ActuatorStateMessage& message, const ActuatorState& sample);
+
+bool read(DepthSample& sample, const DepthMessage& message);
+bool read(BottomVelocity& sample, const BottomTrackMessage& message);
+bool read(WaterSpeed& sample, const WaterSpeedMessage& message);
+bool read(GnssFix& sample, const GnssFixMessage& message);
+bool read(GnssSatellites& sample, const GnssSatellitesMessage& message);
+bool read(ActuatorState& sample, const ActuatorStateMessage& message);
+
+bool fill(ImuMessage& message, const Attitude& attitude);
+bool read(Attitude& attitude, const ImuMessage& message);
+
+/// Replaces the statuses of `message`; its memory is Cyclone's (dds_sample_free releases it).
+void fill(DiagnosticsMessage& message, std::span<const DeviceStatus> health);
+DeviceStatus read(const diagnostic_msgs_msg_dds__DiagnosticStatus_& status);
+
+}  // namespace drydock::bus

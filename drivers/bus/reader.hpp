@@ -1,0 +1,170 @@
+#pragma once
+
+#include <sys/eventfd.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <system_error>
+
+#include "drivers/bus/convert.hpp"
+#include "drivers/bus/endpoint.hpp"
+#include "drivers/bus/subscriber.hpp"
+#include "drivers/bus/topic.hpp"
+
+/// What a subscriber is made of. Included by subscriber.cpp only.
+namespace drydock::bus {
+
+/// Deeper than a writer's ten: an estimator that is late by seconds still gets every sample.
+inline constexpr std::int32_t reader_depth = 2000;
+
+/// An eventfd that DDS threads raise and the subscriber's thread waits on.
+class Doorbell {
+ public:
+  Doorbell() : fd_(::eventfd(0, EFD_NONBLOCK | EFD_CLOEXEC)) {
+    if (fd_ < 0) throw std::system_error(errno, std::generic_category(), "eventfd");
+  }
+  ~Doorbell() { ::close(fd_); }
+  Doorbell(const Doorbell&) = delete;
+  Doorbell& operator=(const Doorbell&) = delete;
+
+  int fd() const { return fd_; }
+  void ring() const { ::eventfd_write(fd_, 1); }
+  void silence() const {
+    eventfd_t rings = 0;
+    ::eventfd_read(fd_, &rings);
+  }
+
+ private:
+  int fd_;
+};
+
+/// One topic and its reader. Rings `doorbell`, which must outlive it, whenever data arrives.
+template <class Message>
+class Reader {
+ public:
+  Reader(const Participant& participant, const std::string& topic, Doorbell& doorbell)
+      : topic_(make_topic<Message>(participant.handle(), topic)),
+        reader_(create(participant, topic_, doorbell), "reader of " + topic) {}
+  Reader(Reader&&) = default;
+  ~Reader() {  // returns when no callback is running any more
+    if (reader_.handle() > 0) dds_set_listener(reader_.handle(), nullptr);
+  }
+
+  /// Hands every waiting message with its information to `f`.
+  template <class F>
+  void drain(F f) {
+    std::array<void*, batch> messages{};
+    std::array<dds_sample_info_t, batch> infos;
+    for (;;) {
+      const auto n = dds_take(reader_.handle(), messages.data(), infos.data(), batch, batch);
+      if (n <= 0) return;
+      for (std::size_t i = 0; i < static_cast<std::size_t>(n); ++i) {
+        if (infos[i].valid_data) f(*static_cast<const Message*>(messages[i]), infos[i]);
+      }
+      dds_return_loan(reader_.handle(), messages.data(), n);
+    }
+  }
+
+  std::size_t matched() const {
+    dds_subscription_matched_status_t status{};
+    dds_get_subscription_matched_status(reader_.handle(), &status);
+    return status.current_count;
+  }
+
+  std::uint64_t lost() const {
+    dds_sample_lost_status_t status{};
+    dds_get_sample_lost_status(reader_.handle(), &status);
+    return status.total_count;
+  }
+
+  std::int32_t handle() const { return reader_.handle(); }
+
+ private:
+  static constexpr std::size_t batch = 64;
+
+  static dds_entity_t create(const Participant& participant, const Entity& topic,
+                             Doorbell& doorbell) {
+    const std::unique_ptr<dds_listener_t, decltype(&dds_delete_listener)> listener(
+        dds_create_listener(&doorbell), &dds_delete_listener);
+    dds_lset_data_available(listener.get(),
+                            [](dds_entity_t, void* bell) { static_cast<Doorbell*>(bell)->ring(); });
+    return dds_create_reader(participant.handle(), topic.handle(),
+                             make_qos(reader_depth, 0, user_data<Message>()).get(), listener.get());
+  }
+
+  Entity topic_, reader_;
+};
+
+/// What the writers that a reader has heard declared in their USER_DATA.
+class DeclaredProvenance {
+ public:
+  explicit DeclaredProvenance(Provenance undeclared) : undeclared_(undeclared) {}
+
+  Provenance of(dds_entity_t reader, dds_instance_handle_t writer);
+
+ private:
+  Provenance undeclared_;
+  std::vector<std::pair<dds_instance_handle_t, Provenance>> known_;
+};
+
+/// Something a subscriber drains.
+class Source {
+ public:
+  virtual ~Source() = default;
+  virtual std::size_t take(Receiver& receiver) = 0;
+  virtual std::size_t matched() const = 0;
+  virtual std::uint64_t lost() const = 0;
+  std::uint64_t unusable() const { return unusable_; }
+
+ protected:
+  std::uint64_t unusable_ = 0;
+};
+
+template <class Message>
+class ReaderSource : public Source {
+ public:
+  ReaderSource(const Participant& participant, const std::string& topic, Doorbell& doorbell)
+      : reader_(participant, topic, doorbell) {}
+  std::size_t matched() const final { return reader_.matched(); }
+  std::uint64_t lost() const final { return reader_.lost(); }
+
+ protected:
+  Reader<Message> reader_;
+};
+
+/// Reads the `Message`s of one device as `Sample`s.
+template <class Sample, class Message>
+class SampleSource final : public ReaderSource<Message> {
+ public:
+  SampleSource(const Participant& participant, const Device& device, std::uint16_t index,
+               Doorbell& doorbell)
+      : ReaderSource<Message>(participant, topic_name(device.name, route<Sample, Message>.suffix),
+                              doorbell),
+        provenance_(device.provenance),
+        index_(index) {}
+
+  std::size_t take(Receiver& receiver) override {
+    std::size_t count = 0;
+    this->reader_.drain([&](const Message& message, const dds_sample_info_t& info) {
+      Measurement measurement{std::in_place_type<Sample>};
+      auto& sample = std::get<Sample>(measurement);
+      if (!read(sample, message)) {
+        ++this->unusable_;
+        return;
+      }
+      sample.origin.received_at = stamp_from_ns(info.source_timestamp);
+      sample.origin.provenance = provenance_.of(this->reader_.handle(), info.publication_handle);
+      sample.origin.device = index_;
+      receiver.receive(measurement);
+      ++count;
+    });
+    return count;
+  }
+
+ private:
+  DeclaredProvenance provenance_;
+  std::uint16_t index_;
+};
+
+}  // namespace drydock::bus

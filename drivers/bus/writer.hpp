@@ -1,0 +1,123 @@
+#pragma once
+
+#include <tuple>
+
+#include "drivers/bus/convert.hpp"
+#include "drivers/bus/endpoint.hpp"
+#include "drivers/bus/publisher.hpp"
+#include "drivers/bus/topic.hpp"
+
+/// What a publisher is made of. Included by publisher.cpp only.
+namespace drydock::bus {
+
+/// As rmw_cyclonedds does for a default publisher.
+inline constexpr std::int32_t writer_depth = 10;
+
+/// One topic, its writer, and one message that is used again for every sample.
+template <class Message>
+class Writer {
+ public:
+  Writer(const Participant& participant, const std::string& topic, const std::string& frame,
+         std::string_view provenance = {})
+      : topic_(make_topic<Message>(participant.handle(), topic)),
+        writer_(dds_create_writer(participant.handle(), topic_.handle(),
+                                  make_qos(writer_depth, 0, user_data<Message>(provenance)).get(),
+                                  nullptr),
+                "writer of " + topic),
+        message_(new Message{}) {
+    message_->header.frame_id = dds_string_dup(frame.c_str());
+    counters_.topic = topic;
+  }
+
+  Message& message() { return *message_; }
+
+  /// The DDS source timestamp is `received_at`, so that it reaches subscribers of any message.
+  void write(Stamp source_time) {
+    const auto code =
+        dds_write_ts(writer_.handle(), message_.get(), source_time.time_since_epoch().count());
+    ++(code == DDS_RETCODE_OK        ? counters_.written
+       : code == DDS_RETCODE_TIMEOUT ? counters_.dropped
+                                     : counters_.failed);
+  }
+
+  const TopicCounters& counters() const { return counters_; }
+
+  std::size_t matched() const {
+    dds_publication_matched_status_t status{};
+    dds_get_publication_matched_status(writer_.handle(), &status);
+    return status.current_count;
+  }
+
+ private:
+  struct Release {
+    void operator()(Message* message) const {
+      dds_sample_free(message, message_type<Message>.descriptor, DDS_FREE_CONTENTS);
+      delete message;
+    }
+  };
+
+  Entity topic_, writer_;
+  std::unique_ptr<Message, Release> message_;
+  TopicCounters counters_;
+};
+
+/// Everything that is written for one kind of sample of one device.
+template <class Sample, class... Messages>
+class SampleWriters {
+ public:
+  SampleWriters(const Participant& participant, const Device& device)
+      : writers_(make<Messages>(participant, device)...) {}
+
+  void publish(const Sample& sample) {
+    for_each([&sample](auto& writer) {
+      if (fill(writer.message(), sample)) writer.write(sample.origin.received_at);
+    });
+  }
+
+  template <class F>
+  void for_each(F f) {
+    std::apply([&f](auto&... writer) { (f(writer), ...); }, writers_);
+  }
+  template <class F>
+  void for_each(F f) const {
+    std::apply([&f](const auto&... writer) { (f(writer), ...); }, writers_);
+  }
+
+ private:
+  template <class Message>
+  static Writer<Message> make(const Participant& participant, const Device& device) {
+    constexpr auto to = route<Sample, Message>;
+    return {participant, topic_name(device.name, to.suffix), device.name + std::string(to.frame),
+            to_string(device.provenance)};
+  }
+
+  std::tuple<Writer<Messages>...> writers_;
+};
+
+using DvlWriters = SampleWriters<BottomVelocity, DvlMessage, TwistMessage, BottomTrackMessage>;
+using EmLogWriters = SampleWriters<WaterSpeed, TwistMessage, WaterSpeedMessage>;
+using ImuWriters = SampleWriters<ImuSample, ImuMessage>;
+using DepthWriters =
+    SampleWriters<DepthSample, FluidPressureMessage, TemperatureMessage, DepthMessage>;
+using ActuatorWriters = SampleWriters<ActuatorState, ActuatorStateMessage>;
+
+class GnssWriters {
+ public:
+  GnssWriters(const Participant& participant, const Device& device)
+      : fix_(participant, device), satellites_(participant, device) {}
+
+  void publish(const GnssFix& sample) { fix_.publish(sample); }
+  void publish(const GnssSatellites& sample) { satellites_.publish(sample); }
+
+  template <class F>
+  void for_each(F f) const {
+    fix_.for_each(f);
+    satellites_.for_each(f);
+  }
+
+ private:
+  SampleWriters<GnssFix, NavSatFixMessage, TwistMessage, GnssFixMessage> fix_;
+  SampleWriters<GnssSatellites, GnssSatellitesMessage> satellites_;
+};
+
+}  // namespace drydock::bus
