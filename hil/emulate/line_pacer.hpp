@@ -12,9 +12,12 @@ namespace drydock::emulate {
 
 using measurement::Stamp;
 
+/// Stands for the baud rate of a link that has none (tcp, memory): 10 ns a byte.
+inline constexpr unsigned without_line_rate = 1'000'000'000;
+
 /// Some bytes of one message that have now left the line.
 struct Chunk {
-  wire::Bytes bytes;  ///< valid until the next call
+  wire::Bytes bytes;  ///< valid until the next take()
   Stamp at{};         ///< when the last of them has left
   bool ends_message = false;
 };

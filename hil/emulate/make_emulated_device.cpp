@@ -1,6 +1,8 @@
 #include "hil/emulate/make_emulated_device.hpp"
 
 #include <array>
+#include <boost/throw_exception.hpp>
+#include <stdexcept>
 #include <string_view>
 
 #include "hil/emulate/devices.hpp"
@@ -39,6 +41,10 @@ EmulateError unknown_protocol(const DeviceConfig& config) {
 }
 
 }  // namespace
+
+void throw_exception_from_error(const EmulateError& error, const boost::source_location& where) {
+  boost::throw_exception(std::invalid_argument(error.message), where);
+}
 
 boost::system::result<std::unique_ptr<EmulatedDevice>, EmulateError> make_emulated_device(
     const DeviceConfig& config, const Trajectory& trajectory, std::uint64_t seed) {

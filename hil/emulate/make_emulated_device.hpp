@@ -16,6 +16,10 @@ struct EmulateError {
   std::string message;
 };
 
+/// Called by result::value() when there is none; throws std::invalid_argument.
+[[noreturn]] void throw_exception_from_error(const EmulateError& error,
+                                             const boost::source_location& where);
+
 /// The emulated device for a kind and protocol. It boots at trajectory.start() and samples every
 /// 1/rate_hz from then on (GNSS: at whole multiples of that in UTC). The trajectory must outlive
 /// it.

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <boost/asio/io_context.hpp>
 #include <boost/system/result.hpp>
 #include <functional>
 #include <memory>
@@ -9,7 +8,13 @@
 
 #include "hil/emulate/make_emulated_device.hpp"
 
+namespace boost::asio {
+class io_context;
+}
+
 namespace drydock::emulate {
+
+class Runner;
 
 /// Runs emulated devices against the host's clock, each on the device side of its link: one line
 /// per byte device, one bus per CAN link with all devices that name it. It wakes only when a chunk
@@ -19,19 +24,20 @@ class RealTimeEmulator {
  public:
   struct Counters {
     std::uint64_t messages = 0;  ///< messages or frames written
-    std::uint64_t late = 0;      ///< written more than 5 ms after they should have left
+    std::uint64_t late = 0;      ///< chunks or frames written over 5 ms after their time
     std::uint64_t lost = 0;      ///< messages or frames dropped because the line was overloaded
     std::uint64_t write_errors = 0;
   };
 
-  /// Hears when the last byte of a message (or a frame) of a device was handed to the host.
+  /// Hears when the last byte of a message, or a frame, of a device was handed to the host.
   using OnWritten = std::function<void(std::string_view device, Stamp last_byte_written)>;
 
+  /// Both must outlive the emulator.
   RealTimeEmulator(boost::asio::io_context& io, const motion::Trajectory& trajectory,
                    std::uint64_t seed);
   ~RealTimeEmulator();
 
-  void set_on_written(OnWritten hook);
+  void set_on_written(OnWritten hook);  ///< to be called before start()
 
   /// Opens the links and starts the devices. The error names the device and what is wrong with it.
   boost::system::result<void, EmulateError> start(
@@ -43,15 +49,13 @@ class RealTimeEmulator {
   Counters counters() const;  ///< of all lines together
 
  private:
-  class Runner;
-  class LineRunner;
-  class BusRunner;
+  boost::system::result<void, EmulateError> add(const rig_config::DeviceConfig& config);
 
   boost::asio::io_context& io_;
   const motion::Trajectory& trajectory_;
   std::uint64_t seed_;
   OnWritten on_written_;
-  std::vector<std::unique_ptr<Runner>> runners_;
+  std::vector<std::shared_ptr<Runner>> runners_;
 };
 
 }  // namespace drydock::emulate
