@@ -53,7 +53,7 @@ class Device final : private Output {
   void opened(Stamp now, measurement::Provenance provenance);
   void open_failed(Stamp now, std::string_view reason);
   void link_lost(Stamp now, std::string_view reason);
-  void stop(Stamp now);
+  void stop(Stamp now, std::string_view reason = "stopped");
 
   void receive(wire::Bytes bytes, Stamp at);  ///< `at`: arrival of the last byte
   void receive(const wire::CanFrame& frame, Stamp at);
@@ -79,9 +79,10 @@ class Device final : private Output {
   void publish(const Measurement& measurement) override;
   void send(wire::Bytes bytes) override;
   void send(const wire::CanFrame& frame) override;
+  void report(std::string_view trouble) override { last_error_ = trouble; }
 
   Driver& driver() const;
-  void report(const LifeCycle::Change& change);
+  void tell(const LifeCycle::Change& change);
 
   DeviceOptions options_;
   AnyDriver driver_;

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string_view>
 
 #include "drivers/measurement/measurement.hpp"
 #include "drivers/wire/can_frame.hpp"
@@ -23,6 +24,7 @@ class Output {
   virtual void publish(const Measurement& measurement) = 0;
   virtual void send(std::span<const std::uint8_t> bytes) = 0;
   virtual void send(const wire::CanFrame& frame) = 0;
+  virtual void report(std::string_view) {}  ///< trouble that the sensor tells of, in words
 };
 
 /// What every driver has, whatever its sensor is wired to.

@@ -31,6 +31,7 @@ struct LifeCycleOptions {
   /// A serial line that went quiet may need opening again. A bus is shared, and a device that says
   /// nothing on it is no fault of the bus: false keeps it open.
   bool reopen_when_quiet = true;
+  std::string_view quiet_but_up = " on a bus that is up";  ///< said of silence on what stays open
   std::chrono::nanoseconds first_back_off = std::chrono::milliseconds{250};  ///< doubles each time
   std::chrono::nanoseconds back_off_cap = std::chrono::seconds{30};
 };
@@ -56,7 +57,7 @@ class LifeCycle {
   Change open_failed(Stamp now, std::string_view reason);
   Change message(Stamp now);
   Change link_lost(Stamp now, std::string_view reason);
-  Change stop(Stamp now);
+  Change stop(Stamp now, std::string_view reason = "stopped");
   Change tick(Stamp now);  ///< at or after deadline()
 
   State state() const { return state_; }
@@ -66,18 +67,21 @@ class LifeCycle {
   bool wants_close() const { return link_open_ && !uses_link(); }
   std::optional<Stamp> deadline() const;
   std::uint32_t opened_count() const { return opened_count_; }
-
- private:
+  Reason status(Stamp now) const;  ///< the present state in words
   bool uses_link() const {
     return state_ == State::waiting || state_ == State::streaming || state_ == State::stale;
   }
+
+ private:
   Change enter(State to, Stamp now, std::string_view why);
   Change back_off(Stamp now, std::string_view reason);
+  Reason silence(Stamp now) const;
 
   LifeCycleOptions options_;
   State state_ = State::closed;
   Stamp since_{};
   Stamp last_message_{};
+  Reason why_;
   bool link_open_ = false;
   std::uint32_t opened_count_ = 0;
   std::chrono::nanoseconds next_back_off_{0};  ///< zero: the first

@@ -1,8 +1,8 @@
 #pragma once
 
+#include <boost/container/static_vector.hpp>
 #include <boost/system/result.hpp>
 #include <memory>
-#include <span>
 #include <string>
 #include <string_view>
 
@@ -24,7 +24,7 @@ struct ProtocolEntry {
 };
 
 /// The protocols in which a kind of sensor is understood.
-std::span<const ProtocolEntry> protocols_of(Kind kind);
+boost::container::static_vector<ProtocolEntry, 4> protocols_of(Kind kind);
 
 boost::system::result<std::unique_ptr<ByteDriver>, DriverError> make_byte_driver(
     const DriverOptions& options);

@@ -21,6 +21,8 @@ class Mounting {
     return sensor_to_body_ * in_sensor_axes;
   }
 
+  bool is_identity() const { return sensor_to_body_.isIdentity(0); }
+
  private:
   Eigen::Matrix3d sensor_to_body_ = Eigen::Matrix3d::Identity();
 };

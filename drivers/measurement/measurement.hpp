@@ -49,10 +49,10 @@ struct DepthSample {
 /// DVL: velocity of the vehicle over the bed (bottom track).
 struct BottomVelocity {
   Origin origin;
-  std::optional<Eigen::Vector3d> velocity;        ///< m/s, body; empty without bottom lock
-  std::optional<double> error_velocity_mps;       ///< disagreement of the four beams
-  std::optional<double> altitude_m;               ///< vertical distance to the bed
-  std::array<std::optional<double>, 4> range_m;   ///< per beam, vertical component
+  std::optional<Eigen::Vector3d> velocity;                 ///< m/s, body; empty without bottom lock
+  std::optional<double> error_velocity_mps;                ///< disagreement of the four beams
+  std::optional<double> altitude_m;                        ///< vertical distance to the bed
+  std::array<std::optional<double>, 4> range_m;            ///< per beam, vertical component
   std::optional<double> heading_rad, pitch_rad, roll_rad;  ///< the DVL's own attitude sensors
   std::optional<double> sound_speed_mps;
 };
@@ -76,12 +76,14 @@ struct GnssFix {
   Origin origin;
   FixType type = FixType::none;
   std::optional<Stamp> utc;
-  std::optional<Geodetic> position;             ///< WGS-84; empty unless the receiver vouches for it
+  std::optional<Geodetic> position;  ///< WGS-84; empty unless the receiver vouches for it
   std::optional<double> ellipsoidal_height_m, mean_sea_level_height_m;
   std::optional<Eigen::Vector3d> velocity_ned;  ///< m/s
   std::optional<double> horizontal_accuracy_m, vertical_accuracy_m, speed_accuracy_mps;
   std::optional<double> position_dop;
   std::optional<int> satellites_used;
+  /// Over ground; all that receivers without a vertical velocity (NMEA 0183) can say.
+  std::optional<double> ground_speed_mps, course_rad;
 };
 
 enum class Constellation : std::uint8_t { gps, sbas, galileo, beidou, imes, qzss, glonass, navic };

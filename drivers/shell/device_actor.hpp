@@ -8,12 +8,14 @@
 namespace drydock::shell {
 
 /// A device in the lockstep shell. Its link is a line of the same process: it opens at once and
-/// provenance is `emulated`. The emulated line calls receive() when the bytes have arrived.
+/// provenance is that of the line's other end. The emulated line calls receive() when the bytes
+/// have arrived.
 class DeviceActor final : public Actor {
  public:
   /// Opens the device at the first act(), at `start`. Listener and transmitter must outlive it.
   DeviceActor(std::unique_ptr<device::Device> device, device::Listener& listener,
-              device::Transmitter& transmitter, Stamp start);
+              device::Transmitter& transmitter, Stamp start,
+              measurement::Provenance provenance = measurement::Provenance::emulated);
 
   void receive(wire::Bytes bytes, Stamp at) { device_->receive(bytes, at); }
   void receive(const wire::CanFrame& frame, Stamp at) { device_->receive(frame, at); }
@@ -27,6 +29,7 @@ class DeviceActor final : public Actor {
  private:
   std::unique_ptr<device::Device> device_;
   std::optional<Stamp> start_;  ///< empty once started
+  measurement::Provenance provenance_;
 };
 
 }  // namespace drydock::shell

@@ -19,7 +19,8 @@ RecordedLine::RecordedLine(const link::Uri& uri, DeviceActor& driver, Stamp star
       byte_time_(bits_per_byte * 1'000'000'000 / uri.baud().value_or(default_baud)),
       chunk_(bytes_per_step) {
   if (!file_) {
-    throw std::runtime_error("cannot open the recording " + uri.target + ": " + std::strerror(errno));
+    throw std::runtime_error("cannot open the recording " + uri.target + ": " +
+                             std::strerror(errno));
   }
   next_ = start + byte_time_ * static_cast<std::int64_t>(bytes_per_step);
 }

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "drivers/device/bus_driver.hpp"
+#include "drivers/device/source_filter.hpp"
+#include "drivers/wire/aceinna.hpp"
+
+namespace drydock::device {
+
+/// Aceinna IMU on J1939: ACCS and ARI of one instant -> one ImuSample. The two are sent back to
+/// back, in either order; what finds no partner in time gives no sample, as does a set with a
+/// component that the device marks as error or not available. The wire's X, Y, Z are taken as the
+/// sensor's right-handed axes and ACCS as specific force; the mounting turns them into the body.
+/// SSI2 (the device's own attitude) is no measurement of ours.
+class AceinnaImuDriver final : public BusDriver<wire::Aceinna> {
+ public:
+  explicit AceinnaImuDriver(const DriverOptions& options);
+
+  void receive(const wire::CanFrame& frame, Stamp received_at, Output& out) override;
+  void restart(Stamp now, Output& out) override;
+
+ private:
+  using Components = std::array<std::optional<double>, 3>;
+  struct Half {
+    Origin origin;
+    Components components;
+  };
+
+  void pair(Output& out);
+
+  Mounting mounting_;
+  SourceFilter source_;
+  std::optional<Half> rate_, force_;
+  std::optional<Stamp> stated_valid_at_;  ///< by ARI's latency field
+};
+
+}  // namespace drydock::device

@@ -1,0 +1,41 @@
+#include "drivers/device/actuator_driver.hpp"
+
+namespace drydock::device {
+
+ActuatorDriver::ActuatorDriver(const DriverOptions& options)
+    : BusDriver(options),
+      surface_source_{SourceFilter{options.address}, SourceFilter{options.address},
+                      SourceFilter{options.address}},
+      engine_source_(options.address) {}
+
+void ActuatorDriver::receive(const wire::CanFrame& frame, Stamp received_at, Output& out) {
+  const auto message = decoder_.receive(frame);
+  if (!message) return;
+  const Origin origin = timing_.of_frame(received_at, frame);
+  if (const auto* rudder = std::get_if<wire::nmea2000::Rudder>(&*message)) {
+    on(*rudder, origin, out);
+  } else if (const auto* engine = std::get_if<wire::nmea2000::Engine>(&*message)) {
+    on(*engine, origin, out);
+  }
+}
+
+void ActuatorDriver::on(const wire::nmea2000::Rudder& rudder, const Origin& origin, Output& out) {
+  if (!rudder.instance || *rudder.instance >= surfaces) return;
+  if (!surface_source_[*rudder.instance].accepts(rudder.source, origin.received_at)) return;
+  measurement::ActuatorState state;
+  state.origin = origin;
+  if (*rudder.instance == 0 && rudder.position_rad) state.rudder_rad = -*rudder.position_rad;
+  if (*rudder.instance == 1) state.stern_plane_rad = rudder.position_rad;
+  if (*rudder.instance == 2) state.bow_plane_rad = rudder.position_rad;
+  out.publish(state);
+}
+
+void ActuatorDriver::on(const wire::nmea2000::Engine& engine, const Origin& origin, Output& out) {
+  if (!engine_source_.accepts(engine.source, origin.received_at)) return;
+  measurement::ActuatorState state;
+  state.origin = origin;
+  state.propeller_radps = engine.speed_radps;
+  out.publish(state);
+}
+
+}  // namespace drydock::device

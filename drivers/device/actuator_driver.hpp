@@ -1,0 +1,31 @@
+#pragma once
+
+#include <array>
+
+#include "drivers/device/bus_driver.hpp"
+#include "drivers/device/source_filter.hpp"
+#include "drivers/wire/nmea2000.hpp"
+
+namespace drydock::device {
+
+/// Feedback of the actuators on NMEA 2000, one measurement per frame. PGN 127245: instance 0 is the
+/// rudder, 1 the stern plane, 2 the bow plane. NMEA 2000 counts a rudder to starboard as positive,
+/// ActuatorState one that turns to port: the rudder changes sign here, the planes do not.
+/// PGN 127488: shaft speed, any instance. It only listens, so it claims no address.
+class ActuatorDriver final : public BusDriver<wire::Nmea2000> {
+ public:
+  explicit ActuatorDriver(const DriverOptions& options);
+
+  void receive(const wire::CanFrame& frame, Stamp received_at, Output& out) override;
+
+ private:
+  static constexpr std::size_t surfaces = 3;
+
+  void on(const wire::nmea2000::Rudder& rudder, const Origin& origin, Output& out);
+  void on(const wire::nmea2000::Engine& engine, const Origin& origin, Output& out);
+
+  std::array<SourceFilter, surfaces> surface_source_;
+  SourceFilter engine_source_;
+};
+
+}  // namespace drydock::device

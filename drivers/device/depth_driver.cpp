@@ -1,0 +1,61 @@
+#include "drivers/device/depth_driver.hpp"
+
+namespace drydock::device {
+
+namespace {
+constexpr double standard_gravity_mps2 = 9.80665;
+constexpr std::chrono::seconds temperature_counts_for{10};  // PGN 130312 comes every 2 s
+}  // namespace
+
+DepthDriver::DepthDriver(const DriverOptions& options)
+    : BusDriver(options),
+      surface_pressure_pa_(options.surface_pressure_pa),
+      water_density_kgm3_(options.water_density_kgm3),
+      pressure_source_(options.address),
+      temperature_source_(options.address),
+      sounder_source_(options.address) {}
+
+void DepthDriver::receive(const wire::CanFrame& frame, Stamp received_at, Output& out) {
+  const auto message = decoder_.receive(frame);
+  if (!message) return;
+  const Origin origin = timing_.of_frame(received_at, frame);
+  std::visit(
+      [&](const auto& m) {
+        if constexpr (requires { on(m, origin, out); }) on(m, origin, out);
+      },
+      *message);
+}
+
+void DepthDriver::on(const wire::nmea2000::Pressure& pressure, const Origin& origin, Output& out) {
+  if (pressure.kind != wire::nmea2000::Pressure::water) return;
+  if (!pressure_source_.accepts(pressure.source, origin.received_at)) return;
+  measurement::DepthSample sample;
+  sample.origin = origin;
+  sample.pressure_pa = pressure.pressure_pa;
+  if (pressure.pressure_pa) {
+    sample.depth_m = (*pressure.pressure_pa - surface_pressure_pa_) /
+                     (water_density_kgm3_ * standard_gravity_mps2);
+  }
+  if (origin.received_at - temperature_at_ < temperature_counts_for) {
+    sample.temperature_k = temperature_k_;
+  }
+  out.publish(sample);
+}
+
+void DepthDriver::on(const wire::nmea2000::Temperature& temperature, const Origin& origin,
+                     Output&) {
+  if (temperature.kind != wire::nmea2000::Temperature::sea) return;
+  if (!temperature_source_.accepts(temperature.source, origin.received_at)) return;
+  temperature_k_ = temperature.actual_k;
+  temperature_at_ = origin.received_at;
+}
+
+void DepthDriver::on(const wire::nmea2000::WaterDepth& depth, const Origin& origin, Output& out) {
+  if (!sounder_source_.accepts(depth.source, origin.received_at)) return;
+  measurement::DepthSample sample;
+  sample.origin = origin;
+  sample.altitude_m = depth.depth_m;
+  out.publish(sample);
+}
+
+}  // namespace drydock::device

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "drivers/device/bus_driver.hpp"
+#include "drivers/device/source_filter.hpp"
+#include "drivers/wire/nmea2000.hpp"
+
+namespace drydock::device {
+
+/// Depth on NMEA 2000. PGN 130314 with source water -> pressure and
+///   depth = (pressure - surface pressure) / (density g),  g = 9.80665 m/s2 (standard gravity),
+/// with the last sea temperature of PGN 130312. PGN 128267, an echo sounder's depth below its
+/// transducer, is the altitude, a measurement of its own. It only listens, so it claims no address.
+class DepthDriver final : public BusDriver<wire::Nmea2000> {
+ public:
+  explicit DepthDriver(const DriverOptions& options);
+
+  void receive(const wire::CanFrame& frame, Stamp received_at, Output& out) override;
+
+ private:
+  void on(const wire::nmea2000::Pressure& pressure, const Origin& origin, Output& out);
+  void on(const wire::nmea2000::Temperature& temperature, const Origin& origin, Output& out);
+  void on(const wire::nmea2000::WaterDepth& depth, const Origin& origin, Output& out);
+
+  double surface_pressure_pa_;
+  double water_density_kgm3_;
+  SourceFilter pressure_source_, temperature_source_, sounder_source_;
+  std::optional<double> temperature_k_;
+  Stamp temperature_at_{};
+};
+
+}  // namespace drydock::device

@@ -1,0 +1,155 @@
+#include "drivers/device/device.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "drivers/device/can_error_text.hpp"
+
+namespace drydock::device {
+
+namespace {
+
+/// Measurements that come at rates of their own are metered apart.
+struct RateChannel {
+  std::size_t operator()(const measurement::GnssSatellites&) const { return 1; }
+  std::size_t operator()(const measurement::DepthSample& m) const { return m.altitude_m ? 1 : 0; }
+  std::size_t operator()(const measurement::WaterSpeed& m) const { return m.distance_m ? 1 : 0; }
+  std::size_t operator()(const measurement::ActuatorState& m) const {
+    if (m.stern_plane_rad) return 1;
+    if (m.bow_plane_rad) return 2;
+    return m.propeller_radps ? 3 : 0;
+  }
+  template <class Other>
+  std::size_t operator()(const Other&) const {
+    return 0;
+  }
+};
+
+}  // namespace
+
+Device::Device(DeviceOptions options, AnyDriver driver)
+    : options_(std::move(options)), driver_(std::move(driver)), life_cycle_(options_.life_cycle) {}
+
+boost::system::result<std::unique_ptr<Device>, DriverError> Device::make(DeviceOptions options) {
+  const auto wrap = [&](auto made) -> boost::system::result<std::unique_ptr<Device>, DriverError> {
+    if (!made) return made.error();
+    return std::unique_ptr<Device>(new Device(std::move(options), std::move(*made)));
+  };
+  const auto protocols = protocols_of(options.driver.kind);
+  const auto known = std::ranges::find(protocols, options.driver.protocol, &ProtocolEntry::name);
+  if (known != protocols.end() && known->travels == Travels::as_frames) {
+    return wrap(make_frame_driver(options.driver));
+  }
+  return wrap(make_byte_driver(options.driver));
+}
+
+void Device::connect(Listener& listener, Transmitter& transmitter) {
+  listener_ = &listener;
+  transmitter_ = &transmitter;
+}
+
+Driver& Device::driver() const {
+  return std::visit([](const auto& d) -> Driver& { return *d; }, driver_);
+}
+
+void Device::tell(const LifeCycle::Change& change) {
+  if (!change) return;
+  if (change->to == State::backing_off) last_error_ = change->why;
+  if (change->to == State::waiting) {
+    for (RateMeter& meter : rates_) meter.reset();
+  }
+  listener_->on_state(*this, *change);
+}
+
+void Device::start(Stamp now) { tell(life_cycle_.start(now)); }
+
+void Device::opened(Stamp now, measurement::Provenance provenance) {
+  now_ = now;
+  const auto change = life_cycle_.opened(now);
+  tell(change);
+  if (!change) return;
+  driver().set_provenance(provenance);
+  driver().restart(now, *this);
+}
+
+void Device::open_failed(Stamp now, std::string_view reason) {
+  tell(life_cycle_.open_failed(now, reason));
+}
+
+void Device::link_lost(Stamp now, std::string_view reason) {
+  tell(life_cycle_.link_lost(now, reason));
+}
+
+void Device::stop(Stamp now, std::string_view reason) { tell(life_cycle_.stop(now, reason)); }
+
+void Device::receive(wire::Bytes bytes, Stamp at) {
+  auto* byte_driver = std::get_if<std::unique_ptr<ByteDriver>>(&driver_);
+  if (!byte_driver || !life_cycle_.uses_link()) return;
+  now_ = at;
+  (*byte_driver)->receive(bytes, at, *this);
+}
+
+void Device::receive(const wire::CanFrame& frame, Stamp at) {
+  auto* frame_driver = std::get_if<std::unique_ptr<FrameDriver>>(&driver_);
+  if (!frame_driver || !life_cycle_.uses_link()) return;
+  if (frame.error) {
+    ++error_frames_;
+    last_error_ = can_error_text(frame);
+    return;
+  }
+  now_ = at;
+  (*frame_driver)->receive(frame, at, *this);
+}
+
+void Device::tick(Stamp now) {
+  now_ = now;
+  if (life_cycle_.uses_link()) driver().tick(now, *this);
+  tell(life_cycle_.tick(now));
+}
+
+std::optional<Stamp> Device::deadline() const {
+  const auto of_life = life_cycle_.deadline();
+  const auto of_driver = life_cycle_.uses_link() ? driver().deadline() : std::nullopt;
+  if (!of_life || !of_driver) return of_life ? of_life : of_driver;
+  return std::min(*of_life, *of_driver);
+}
+
+void Device::publish(const Measurement& measurement) {
+  ++messages_;
+  last_message_at_ = now_;
+  rates_[std::visit(RateChannel{}, measurement)].add(now_);
+  tell(life_cycle_.message(now_));
+  listener_->on_measurement(measurement);
+}
+
+void Device::send(wire::Bytes bytes) { transmitter_->send(bytes); }
+
+void Device::send(const wire::CanFrame& frame) { transmitter_->send(frame); }
+
+Health Device::health(Stamp now) const {
+  Health health;
+  health.state = state();
+  health.since = life_cycle_.since();
+  health.status = life_cycle_.status(now);
+  health.stream = driver().counters();
+  health.held_bytes = driver().held_bytes();
+  health.messages = messages_;
+  if (state() == State::streaming) {
+    for (const RateMeter& meter : rates_) {
+      if (const auto rate = meter.rate_hz()) {
+        health.rate_hz = std::max(health.rate_hz.value_or(0), *rate);
+      }
+    }
+  }
+  health.nominal_rate_hz = options_.nominal_rate_hz;
+  health.last_message_at = last_message_at_;
+  if (last_message_at_) health.age = now - *last_message_at_;
+  health.last_error = last_error_;
+  const auto opened = life_cycle_.opened_count();
+  health.reopened = opened > 0 ? opened - 1 : 0;
+  health.can_dropped = can_dropped_;
+  health.error_frames = error_frames_;
+  return health;
+}
+
+}  // namespace drydock::device

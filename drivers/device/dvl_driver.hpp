@@ -1,0 +1,25 @@
+#pragma once
+
+#include "drivers/device/stream_driver.hpp"
+#include "drivers/wire/pd0.hpp"
+
+namespace drydock::device {
+
+/// DVL speaking PD0: bottom track of each ensemble -> BottomVelocity in the body frame. The way
+/// from beam, instrument, ship or earth axes to the sensor's own is drivers/wire/pd0_velocity.hpp,
+/// from there to the body it is the mounting. An ensemble without bottom track gives no
+/// measurement, one without bottom lock a measurement without velocity.
+class DvlDriver final : public StreamDriver<wire::Pd0::max_frame> {
+ public:
+  explicit DvlDriver(const DriverOptions& options)
+      : StreamDriver(options), mounting_(options.mounting) {}
+
+  void receive(wire::Bytes bytes, Stamp received_at, Output& out) override;
+
+ private:
+  void on(const wire::Pd0Ensemble& ensemble, const Origin& origin, Output& out) const;
+
+  Mounting mounting_;
+};
+
+}  // namespace drydock::device

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "drivers/device/stream_driver.hpp"
+#include "drivers/wire/nmea0183.hpp"
+
+namespace drydock::device {
+
+/// EM log speaking NMEA 0183: VHW, VBW, VLW -> WaterSpeed, one measurement per sentence. Only what
+/// is measured against the water comes out; VBW's and VLW's ground values never do. A log that
+/// sends VBW and VHW says the same speed twice, so VHW is left out while VBW comes.
+class EmLogDriver final : public StreamDriver<wire::Nmea0183::max_frame> {
+ public:
+  explicit EmLogDriver(const DriverOptions& options)
+      : StreamDriver(options), mounting_(options.mounting) {}
+
+  void receive(wire::Bytes bytes, Stamp received_at, Output& out) override;
+
+ private:
+  void on(const wire::Vhw& vhw, const Origin& origin, Output& out);
+  void on(const wire::Vbw& vbw, const Origin& origin, Output& out);
+  void on(const wire::Vlw& vlw, const Origin& origin, Output& out);
+  void publish_speed(const std::optional<double>& longitudinal_mps,
+                     const std::optional<double>& transverse_mps, const Origin& origin,
+                     Output& out) const;
+
+  Mounting mounting_;
+  std::optional<Stamp> vbw_at_;
+};
+
+}  // namespace drydock::device

@@ -1,0 +1,112 @@
+#include "drivers/device/life_cycle.hpp"
+
+#include <algorithm>
+
+#include "drivers/device/duration_text.hpp"
+
+namespace drydock::device {
+
+LifeCycle::Change LifeCycle::enter(State to, Stamp now, std::string_view why) {
+  const Transition change{state_, to, now, why};
+  state_ = to;
+  since_ = now;
+  why_ = change.why;
+  return change;
+}
+
+LifeCycle::Change LifeCycle::back_off(Stamp now, std::string_view reason) {
+  waits_ = next_back_off_.count() == 0 ? options_.first_back_off : next_back_off_;
+  next_back_off_ = std::min(waits_ * 2, options_.back_off_cap);
+  Reason why = reason;
+  why += "; retry in ";
+  why += in_words(waits_).view();
+  return enter(State::backing_off, now, why.view());
+}
+
+LifeCycle::Change LifeCycle::start(Stamp now) {
+  if (state_ != State::closed) return {};
+  next_back_off_ = {};
+  return enter(State::opening, now, "started; opening the link");
+}
+
+LifeCycle::Change LifeCycle::opened(Stamp now) {
+  link_open_ = true;
+  // A shared bus may come up before this device's own back-off ends. Closed: stopped meanwhile, and
+  // wants_close() says so.
+  if (state_ != State::opening && state_ != State::backing_off) return {};
+  ++opened_count_;
+  return enter(State::waiting, now, "link open; waiting for the first message");
+}
+
+LifeCycle::Change LifeCycle::open_failed(Stamp now, std::string_view reason) {
+  if (state_ != State::opening) return {};
+  return back_off(now, reason);
+}
+
+LifeCycle::Change LifeCycle::message(Stamp now) {
+  if (!uses_link()) return {};
+  last_message_ = now;
+  if (state_ == State::streaming) return {};
+  next_back_off_ = {};
+  return enter(State::streaming, now,
+               state_ == State::waiting ? "first message" : "messages have come back");
+}
+
+LifeCycle::Change LifeCycle::link_lost(Stamp now, std::string_view reason) {
+  link_open_ = false;
+  if (!uses_link()) return {};
+  return back_off(now, reason);
+}
+
+LifeCycle::Change LifeCycle::stop(Stamp now, std::string_view reason) {
+  if (state_ == State::closed) return {};
+  return enter(State::closed, now, reason);
+}
+
+Reason LifeCycle::silence(Stamp now) const {
+  Reason text{"no message for "};
+  text += in_words(now - (state_ == State::waiting ? since_ : last_message_)).view();
+  return text;
+}
+
+Reason LifeCycle::status(Stamp now) const {
+  if (state_ != State::waiting && state_ != State::stale) return why_;
+  Reason text = silence(now);
+  text += options_.reopen_when_quiet ? "" : options_.quiet_but_up;
+  return text;
+}
+
+LifeCycle::Change LifeCycle::tick(Stamp now) {
+  const auto due = deadline();
+  if (!due || now < *due) return {};
+  if (state_ == State::backing_off) return enter(State::opening, now, "opening the link again");
+
+  Reason why = silence(now);
+  if (state_ != State::streaming) return back_off(now, why.view());
+
+  if (options_.reopen_when_quiet) {
+    why += "; opening the link again in ";
+    why += in_words(options_.reopen_after).view();
+    why += " if it stays quiet";
+  } else {
+    why += options_.quiet_but_up;
+    why += "; waiting for the next";
+  }
+  return enter(State::stale, now, why.view());
+}
+
+std::optional<Stamp> LifeCycle::deadline() const {
+  switch (state_) {
+    case State::closed:
+    case State::opening: return {};
+    case State::streaming: return last_message_ + options_.stale_after;
+    case State::backing_off: return since_ + waits_;
+    case State::waiting:
+    case State::stale:
+      if (options_.reopen_when_quiet) return since_ + options_.reopen_after;
+      return {};
+  }
+  return {};
+}
+
+}  // namespace drydock::device

@@ -1,0 +1,101 @@
+#include "drivers/device/make_driver.hpp"
+
+#include <array>
+
+#include "drivers/device/aceinna_imu_driver.hpp"
+#include "drivers/device/actuator_driver.hpp"
+#include "drivers/device/cia404_imu_driver.hpp"
+#include "drivers/device/depth_driver.hpp"
+#include "drivers/device/dvl_driver.hpp"
+#include "drivers/device/emlog_driver.hpp"
+#include "drivers/device/gnss_driver.hpp"
+
+namespace drydock::device {
+
+namespace {
+
+using ByteDriverPtr = std::unique_ptr<ByteDriver>;
+using FrameDriverPtr = std::unique_ptr<FrameDriver>;
+
+template <class Interface, class Implementation>
+std::unique_ptr<Interface> make(const DriverOptions& options) {
+  return std::make_unique<Implementation>(options);
+}
+
+/// The registry of drivers: one row for each way a sensor may speak.
+struct Row {
+  Kind kind;
+  ProtocolEntry protocol;
+  ByteDriverPtr (*make_byte)(const DriverOptions&);
+  FrameDriverPtr (*make_frame)(const DriverOptions&);
+};
+
+template <class Implementation>
+constexpr Row byte_row(Kind kind, std::string_view protocol) {
+  return {kind, {protocol, Travels::as_bytes}, make<ByteDriver, Implementation>, nullptr};
+}
+
+template <class Implementation>
+constexpr Row frame_row(Kind kind, std::string_view protocol) {
+  return {kind, {protocol, Travels::as_frames}, nullptr, make<FrameDriver, Implementation>};
+}
+
+constexpr std::array rows{
+    byte_row<DvlDriver>(Kind::dvl, wire::Pd0::name),
+    byte_row<EmLogDriver>(Kind::emlog, wire::Nmea0183::name),
+    byte_row<GnssDriver>(Kind::gnss, wire::Ubx::name),
+    byte_row<GnssDriver>(Kind::gnss, wire::Nmea0183::name),
+    byte_row<GnssDriver>(Kind::gnss, wire::UbxNmea::name),
+    frame_row<AceinnaImuDriver>(Kind::imu, wire::Aceinna::name),
+    frame_row<Cia404ImuDriver>(Kind::imu, wire::Cia404Imu::name),
+    frame_row<DepthDriver>(Kind::depth, wire::Nmea2000::name),
+    frame_row<ActuatorDriver>(Kind::actuator, wire::Nmea2000::name),
+};
+
+const Row* find(const DriverOptions& options, Travels travels) {
+  for (const Row& row : rows) {
+    if (row.kind == options.kind && row.protocol.name == options.protocol &&
+        row.protocol.travels == travels) {
+      return &row;
+    }
+  }
+  return nullptr;
+}
+
+std::string_view in_words(Travels travels) {
+  return travels == Travels::as_bytes ? "bytes" : "CAN frames";
+}
+
+DriverError no_driver(const DriverOptions& options, Travels travels) {
+  std::string text = "no driver for kind \"";
+  text.append(to_string(options.kind)).append("\" with protocol \"").append(options.protocol);
+  text.append("\" over ").append(in_words(travels)).append("; allowed:");
+  for (const ProtocolEntry& entry : protocols_of(options.kind)) {
+    text.append(" ").append(entry.name).append(" (").append(in_words(entry.travels)).append(")");
+  }
+  return {text};
+}
+
+}  // namespace
+
+boost::container::static_vector<ProtocolEntry, 4> protocols_of(Kind kind) {
+  boost::container::static_vector<ProtocolEntry, 4> found;
+  for (const Row& row : rows) {
+    if (row.kind == kind) found.push_back(row.protocol);
+  }
+  return found;
+}
+
+boost::system::result<ByteDriverPtr, DriverError> make_byte_driver(const DriverOptions& options) {
+  const Row* row = find(options, Travels::as_bytes);
+  if (!row) return no_driver(options, Travels::as_bytes);
+  return row->make_byte(options);
+}
+
+boost::system::result<FrameDriverPtr, DriverError> make_frame_driver(const DriverOptions& options) {
+  const Row* row = find(options, Travels::as_frames);
+  if (!row) return no_driver(options, Travels::as_frames);
+  return row->make_frame(options);
+}
+
+}  // namespace drydock::device

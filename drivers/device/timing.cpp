@@ -1,0 +1,48 @@
+#include "drivers/device/timing.hpp"
+
+namespace drydock::device {
+
+namespace {
+
+constexpr std::int64_t bits_per_byte = 10;  // 8N1
+constexpr std::int64_t ns_per_second = 1'000'000'000;
+
+/// Start of frame to end of frame, ISO 11898-1, without stuff bits.
+std::int64_t nominal_bits(const wire::CanFrame& frame) {
+  return (frame.extended ? 64 : 44) + 8 * std::int64_t{frame.size};
+}
+
+}  // namespace
+
+Timing::Timing(const DriverOptions& options)
+    : baud_(options.baud),
+      bitrate_(options.bitrate),
+      latency_(options.latency),
+      device_(options.device) {}
+
+std::chrono::nanoseconds Timing::line_time(std::size_t bytes) const {
+  if (!baud_) return {};
+  return std::chrono::nanoseconds{static_cast<std::int64_t>(bytes) * bits_per_byte * ns_per_second /
+                                  *baud_};
+}
+
+Origin Timing::of_bytes(Stamp read_at, std::size_t frame_bytes, std::size_t after) const {
+  const Stamp received_at = read_at - line_time(after);
+  return origin(received_at - line_time(frame_bytes) - latency_, received_at);
+}
+
+Origin Timing::of_frame(Stamp stamp, const wire::CanFrame& frame) const {
+  return of_frame(stamp, frame, latency_);
+}
+
+Origin Timing::of_frame(Stamp stamp, const wire::CanFrame& frame,
+                        std::chrono::nanoseconds latency) const {
+  const std::chrono::nanoseconds on_wire{nominal_bits(frame) * ns_per_second / bitrate_};
+  return origin(stamp - on_wire - latency, stamp);
+}
+
+Origin Timing::origin(Stamp valid_at, Stamp received_at) const {
+  return {valid_at, received_at, {}, provenance_, device_};
+}
+
+}  // namespace drydock::device
