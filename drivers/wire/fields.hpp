@@ -30,6 +30,10 @@ constexpr std::optional<double> degrees(const std::optional<double>& angle_rad) 
   return angle_rad ? std::optional{degrees(*angle_rad)} : std::nullopt;
 }
 
+constexpr std::optional<double> scaled(const std::optional<double>& value, double factor) {
+  return value ? std::optional{*value * factor} : std::nullopt;
+}
+
 template <class Rep, class Period>
 constexpr double seconds(std::chrono::duration<Rep, Period> duration) {
   return std::chrono::duration<double>(duration).count();
@@ -38,6 +42,11 @@ constexpr double seconds(std::chrono::duration<Rep, Period> duration) {
 template <class Duration>
 constexpr std::optional<double> seconds(const std::optional<Duration>& duration) {
   return duration ? std::optional{seconds(*duration)} : std::nullopt;
+}
+
+/// Dilution of precision; receivers say 0, 99.9 or 99.99 when there is none.
+constexpr std::optional<double> dilution(std::optional<double> sent) {
+  return sent && *sent > 0 && *sent < 99.9 ? sent : std::nullopt;
 }
 
 /// Shows a calendar date as three integers.

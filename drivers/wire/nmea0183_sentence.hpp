@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <charconv>
 #include <chrono>
 #include <cstdint>
 #include <optional>
@@ -50,6 +49,7 @@ class SentenceReader {
   Letter letter();
   std::optional<double> number();
   std::optional<int> integer();
+  std::optional<int> hexadecimal();
   std::optional<double> angle();                   ///< degrees on the wire, rad here
   std::optional<double> latitude();                ///< ddmm.m,N|S; two fields; rad
   std::optional<double> longitude();               ///< dddmm.m,E|W; two fields; rad
@@ -78,6 +78,7 @@ class SentenceWriter {
   void letter(Letter letter);
   void number(const std::optional<double>& value, int decimals);
   void integer(const std::optional<int>& value, int width = 1);  ///< padded with zeros
+  void hexadecimal(const std::optional<int>& digit);
   void angle(const std::optional<double>& radians, int decimals);
   void latitude(const std::optional<double>& radians, int decimals_of_minute);
   void longitude(const std::optional<double>& radians, int decimals_of_minute);
@@ -89,7 +90,6 @@ class SentenceWriter {
   void put(char c);
   void put(std::string_view text);
   void put_padded(std::int64_t value, int width);
-  void put_decimal(std::int64_t units, int integer_width, int decimals);
   void coordinate(const std::optional<double>& radians, int degree_width, int decimals,
                   std::string_view hemispheres);
 

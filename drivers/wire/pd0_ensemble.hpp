@@ -41,11 +41,11 @@ struct Pd0VariableLeader {
   std::optional<std::chrono::local_time<std::chrono::milliseconds>> clock;  ///< at the first ping
   std::uint16_t built_in_test = 0;                                          ///< 0: passed
   std::optional<double> sound_speed_mps;
-  std::optional<double> depth_m;
+  double depth_m = 0;  ///< by the instrument's sensor, else as set
   std::optional<double> heading_rad, pitch_rad, roll_rad;  ///< bow up, starboard down positive
-  std::optional<double> salinity_ppt;
+  double salinity_ppt = 0;                                 ///< as set
   std::optional<double> temperature_k;
-  std::optional<double> pressure_pa;  ///< gauge
+  std::optional<double> pressure_pa;  ///< gauge; empty without a depth sensor
 };
 
 /// Motion over the bed. On the wire the instrument stands still and the bed moves; here the sign is

@@ -82,13 +82,15 @@ struct NavEoe {
   std::chrono::milliseconds itow{};
 };
 
-/// Each reads a payload; empty when its length is not one of the message's.
+/// Each reads a payload; empty or false when its length is not one of the message's.
 std::optional<NavPvt> read_nav_pvt(Bytes payload);  ///< 92 bytes, 84 from old receivers
-std::optional<NavSat> read_nav_sat(Bytes payload);
+bool read_nav_sat(Bytes payload, NavSat& m);        ///< in place: a NavSat is large
 std::optional<NavEoe> read_nav_eoe(Bytes payload);
 
 /// Bytes of the whole frame written, 0 when `out` is too small.
-std::size_t encode(const NavPvt& m, std::span<std::uint8_t> out);  ///< the 92-byte form
+/// NAV-PVT is sent in its 92-byte form. The wire cannot say "fix without velocity": gnssFixOK is
+/// then cleared.
+std::size_t encode(const NavPvt& m, std::span<std::uint8_t> out);
 std::size_t encode(const NavSat& m, std::span<std::uint8_t> out);
 std::size_t encode(const NavEoe& m, std::span<std::uint8_t> out);
 

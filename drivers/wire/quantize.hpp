@@ -1,0 +1,18 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <concepts>
+#include <limits>
+
+namespace drydock::wire {
+
+/// `value` in whole `unit`s as a wire integer sends it: nearest, held at the ends of its range.
+template <std::integral T>
+T quantize(double value, double unit) {
+  constexpr double lowest = static_cast<double>(std::numeric_limits<T>::min());
+  constexpr double highest = static_cast<double>(std::numeric_limits<T>::max());
+  return static_cast<T>(std::llround(std::clamp(value / unit, lowest, highest)));
+}
+
+}  // namespace drydock::wire

@@ -1,0 +1,41 @@
+#include "drivers/wire/ubx_nmea.hpp"
+
+#include <cstring>
+
+#include "drivers/wire/ubx_frame.hpp"
+
+namespace drydock::wire {
+namespace {
+
+/// Bytes before the next `$` or B5, or all.
+std::size_t noise_in(Bytes bytes) {
+  const auto find = [](Bytes part, int byte) {
+    const auto* at = static_cast<const std::uint8_t*>(std::memchr(part.data(), byte, part.size()));
+    return at ? static_cast<std::size_t>(at - part.data()) : part.size();
+  };
+  const std::size_t to_sentence = find(bytes, '$');
+  return find(bytes.first(to_sentence), ubx::sync_1);
+}
+
+template <class M>
+std::optional<UbxNmea::Message> widened(const std::optional<M>& message) {
+  if (!message) return std::nullopt;
+  return std::visit([](const auto& m) { return std::optional<UbxNmea::Message>{m}; }, *message);
+}
+
+}  // namespace
+
+Scan scan_ubx_or_nmea(Bytes bytes) {
+  if (bytes.empty()) return Scan::need_more();
+  if (bytes[0] == '$') return Nmea0183::scan(bytes);
+  if (bytes[0] != ubx::sync_1) return Scan::skip(noise_in(bytes));
+  if (bytes.size() > 1 && bytes[1] != ubx::sync_2) return Scan::skip(1);
+  return Ubx::scan(bytes);
+}
+
+std::optional<UbxNmea::Message> UbxNmea::decode(Bytes frame) {
+  if (frame.empty()) return std::nullopt;
+  return frame[0] == '$' ? widened(Nmea0183::decode(frame)) : widened(Ubx::decode(frame));
+}
+
+}  // namespace drydock::wire
