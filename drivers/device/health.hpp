@@ -12,6 +12,7 @@ namespace drydock::device {
 struct Health {
   State state = State::closed;
   Stamp since{};                  ///< of the present state
+  Reason status;                  ///< the present state in words
   wire::StreamCounters stream;    ///< this device's frames; on a bus only those it understands
   std::uint64_t held_bytes = 0;   ///< waiting for the rest of a frame
   std::uint64_t messages = 0;     ///< measurements published

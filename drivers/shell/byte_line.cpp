@@ -1,0 +1,56 @@
+#include "drivers/shell/byte_line.hpp"
+
+#include <boost/asio/awaitable.hpp>
+#include <boost/asio/use_awaitable.hpp>
+#include <utility>
+
+namespace drydock::shell {
+
+namespace {
+/// More than any driver says at once; a line that takes nothing any more must not collect for ever.
+constexpr std::size_t longest_queue = 4096;
+}  // namespace
+
+boost::system::result<measurement::Provenance, link::OpenError> ByteLine::open_link() {
+  auto opened = link::open_bytes(executor(), uri(), link::Side::driver);
+  if (!opened) return opened.error();
+  link_ = std::move(*opened);
+  queued_.clear();
+  return link_->provenance();
+}
+
+Line::Run ByteLine::read_until_lost() {
+  for (;;) {
+    const auto received = co_await link_->read(read_buffer_);
+    if (!received) {
+      lost(received.error());
+      co_return;
+    }
+    const wire::Bytes bytes{read_buffer_.data(), received->size};
+    tap(Direction::received, bytes, received->at);
+    for (device::Device* device : devices()) device->receive(bytes, received->at);
+    rearm();
+  }
+}
+
+Line::Run ByteLine::write_until_lost() {
+  while (is_open()) {
+    if (queued_.empty()) {
+      co_await writer_woken();
+      continue;
+    }
+    std::swap(queued_, writing_);
+    const auto written = co_await link_->write(writing_);
+    if (written) tap(Direction::sent, writing_, link::now());
+    writing_.clear();
+    if (!written) lost(written.error());
+  }
+}
+
+void ByteLine::send(wire::Bytes bytes) {
+  if (!is_open() || queued_.size() + bytes.size() > longest_queue) return;
+  queued_.insert(queued_.end(), bytes.begin(), bytes.end());
+  wake_writer();
+}
+
+}  // namespace drydock::shell

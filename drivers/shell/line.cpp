@@ -1,0 +1,140 @@
+#include "drivers/shell/line.hpp"
+
+#include <boost/asio/as_tuple.hpp>
+#include <boost/asio/co_spawn.hpp>
+#include <boost/asio/detached.hpp>
+#include <boost/asio/experimental/awaitable_operators.hpp>
+#include <boost/asio/use_awaitable.hpp>
+#include <utility>
+
+namespace drydock::shell {
+
+namespace asio = boost::asio;
+using device::Device;
+
+Line::Line(asio::io_context& io, link::Uri uri, RawListener* raw)
+    : io_(io), uri_(std::move(uri)), raw_(raw), clock_(io), to_open_(io), to_write_(io) {}
+
+void Line::add(Device& device, device::Listener& listener) {
+  device.connect(listener, *this);
+  devices_.push_back(&device);
+}
+
+void Line::start() {
+  const Stamp now = link::now();
+  for (Device* device : devices_) device->start(now);
+  asio::co_spawn(io_, run(), asio::detached);
+  asio::co_spawn(io_, keep_time(), asio::detached);
+}
+
+void Line::stop() {
+  stopped_ = true;
+  const Stamp now = link::now();
+  for (Device* device : devices_) device->stop(now);
+  if (open_) close_link();
+  clock_.cancel();
+  to_open_.cancel();
+  to_write_.cancel();
+}
+
+Line::Run Line::run() {
+  while (!stopped_) {
+    if (!open_wanted()) {
+      co_await wait(to_open_);
+      continue;
+    }
+    const auto opened = open_link();
+    if (opened) {
+      co_await serve(*opened);
+      continue;
+    }
+    const Stamp now = link::now();
+    for (Device* device : devices_) device->open_failed(now, opened.error().message);
+    rearm();
+  }
+}
+
+Line::Run Line::serve(Provenance provenance) {
+  using namespace asio::experimental::awaitable_operators;
+  open_ = true;
+  lost_reason_.clear();
+  recording_ended_ = false;
+  const Stamp now = link::now();
+  for (Device* device : devices_) device->opened(now, provenance);
+  rearm();
+  co_await (read_until_lost() && write_until_lost());
+  destroy_link();
+
+  const Stamp end = link::now();
+  for (Device* device : devices_) {
+    if (recording_ended_) device->stop(end, "end of the recording");
+    device->link_lost(end, lost_reason_);
+  }
+  rearm();
+}
+
+void Line::lost(const boost::system::error_code& reason) {
+  if (!open_) return;  // the reading or the writing was first to see it
+  open_ = false;
+  lost_reason_ = "link lost: " + reason.message();
+  recording_ended_ = uri_.recorded() && reason == asio::error::eof;
+  close_link();
+  wake_writer();
+}
+
+Line::Run Line::keep_time() {
+  while (!stopped_) {
+    clock_set_for_ = earliest_deadline();
+    if (clock_set_for_) {
+      clock_.expires_after(*clock_set_for_ - link::now());
+    } else {
+      clock_.expires_at(asio::steady_timer::time_point::max());
+    }
+    co_await clock_.async_wait(asio::as_tuple(asio::use_awaitable));
+    const Stamp now = link::now();
+    bool close_wanted = false;
+    for (Device* device : devices_) {
+      const auto due = device->deadline();
+      if (due && now >= *due) device->tick(now);
+      close_wanted = close_wanted || device->wants_close();
+    }
+    if (close_wanted && open_) close_link();
+    if (open_wanted()) to_open_.cancel();
+  }
+}
+
+void Line::rearm() {
+  const auto earliest = earliest_deadline();
+  if (earliest && (!clock_set_for_ || *earliest < *clock_set_for_)) clock_.cancel();
+}
+
+Line::Run Line::wait(asio::steady_timer& signal) {
+  signal.expires_at(asio::steady_timer::time_point::max());
+  co_await signal.async_wait(asio::as_tuple(asio::use_awaitable));
+}
+
+bool Line::open_wanted() const {
+  for (const Device* device : devices_) {
+    if (device->wants_open()) return true;
+  }
+  return false;
+}
+
+std::optional<Stamp> Line::earliest_deadline() const {
+  std::optional<Stamp> earliest;
+  for (const Device* device : devices_) {
+    const auto due = device->deadline();
+    if (due && (!earliest || *due < *earliest)) earliest = due;
+  }
+  return earliest;
+}
+
+void Line::tap(Direction direction, wire::Bytes bytes, Stamp at) const {
+  if (raw_) raw_->on_bytes(uri_.text, direction, bytes, at);
+}
+
+void Line::tap(Direction direction, const wire::CanFrame& frame, Stamp at) const {
+  if (raw_) raw_->on_frame(uri_.text, direction, frame, at);
+}
+
+}  // namespace drydock::shell

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/steady_timer.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "drivers/device/device.hpp"
+#include "drivers/link/link.hpp"
+#include "drivers/shell/raw_listener.hpp"
+
+namespace drydock::shell {
+
+/// Serves one link for its devices in real time: opens it when one wants it, reads until it is
+/// lost, and ticks the devices at their deadlines. What the link carries is the subclass's matter.
+class Line : protected device::Transmitter {
+ public:
+  Line(boost::asio::io_context& io, link::Uri uri, RawListener* raw);
+  Line(const Line&) = delete;
+  Line& operator=(const Line&) = delete;
+
+  void add(device::Device& device, device::Listener& listener);
+  void start();
+  void stop();
+  const link::Uri& uri() const { return uri_; }
+
+ protected:
+  using Provenance = measurement::Provenance;
+  using Run = boost::asio::awaitable<void>;
+
+  virtual boost::system::result<Provenance, link::OpenError> open_link() = 0;
+  virtual Run read_until_lost() = 0;   ///< calls lost() with the reason
+  virtual Run write_until_lost() = 0;  ///< sends what the drivers queue; ends with the reading
+  virtual void close_link() = 0;       ///< pending reads and writes end
+  virtual void destroy_link() = 0;     ///< none is pending any more
+
+  bool is_open() const { return open_; }
+  void lost(const boost::system::error_code& reason);
+  void wake_writer() { to_write_.cancel(); }
+  Run writer_woken() { return wait(to_write_); }
+  /// A driver may want its tick() earlier after what it received.
+  void rearm();
+  void tap(Direction direction, wire::Bytes bytes, Stamp at) const;
+  void tap(Direction direction, const wire::CanFrame& frame, Stamp at) const;
+  const std::vector<device::Device*>& devices() const { return devices_; }
+  boost::asio::any_io_executor executor() const { return io_.get_executor(); }
+
+ private:
+  Run run();
+  Run serve(Provenance provenance);
+  Run keep_time();
+  Run wait(boost::asio::steady_timer& signal);
+  bool open_wanted() const;
+  std::optional<Stamp> earliest_deadline() const;
+
+  boost::asio::io_context& io_;
+  link::Uri uri_;
+  RawListener* raw_;
+  std::vector<device::Device*> devices_;
+  boost::asio::steady_timer clock_;  ///< expires at the earliest deadline
+  std::optional<Stamp> clock_set_for_;
+  boost::asio::steady_timer to_open_;  ///< never expire: cancelled as a signal
+  boost::asio::steady_timer to_write_;
+  bool open_ = false;
+  bool stopped_ = false;
+  std::string lost_reason_;
+  bool recording_ended_ = false;
+};
+
+}  // namespace drydock::shell

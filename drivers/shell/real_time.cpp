@@ -1,0 +1,43 @@
+#include "drivers/shell/real_time.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "drivers/shell/bus_line.hpp"
+#include "drivers/shell/byte_line.hpp"
+
+namespace drydock::shell {
+
+RealTime::RealTime(boost::asio::io_context& io,
+                   std::vector<std::unique_ptr<device::Device>> devices, device::Listener& listener,
+                   RawListener* raw)
+    : devices_(std::move(devices)) {
+  for (const auto& device : devices_) {
+    const link::Uri uri = link::parse_uri(device->options().link).value();
+    if (!device->on_bus()) {
+      lines_.push_back(std::make_unique<ByteLine>(io, uri, raw));
+      lines_.back()->add(*device, listener);
+      continue;
+    }
+    auto bus = std::ranges::find_if(lines_,
+                                    [&](const auto& line) { return line->uri().text == uri.text; });
+    if (bus == lines_.end()) {
+      bus = lines_.insert(lines_.end(), std::make_unique<BusLine>(io, uri, raw));
+    }
+    (*bus)->add(*device, listener);
+  }
+}
+
+RealTime::~RealTime() = default;
+
+void RealTime::start() {
+  for (const auto& line : lines_) line->start();
+}
+
+void RealTime::stop() {
+  for (const auto& line : lines_) line->stop();
+}
+
+device::Health RealTime::health(std::size_t i) const { return devices_[i]->health(link::now()); }
+
+}  // namespace drydock::shell

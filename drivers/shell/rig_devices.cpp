@@ -1,0 +1,109 @@
+#include "drivers/shell/rig_devices.hpp"
+
+#include <utility>
+
+#include "drivers/link/uri.hpp"
+
+namespace drydock::shell {
+
+namespace {
+
+using device::DeviceOptions;
+using rig_config::DeviceConfig;
+using rig_config::DeviceKind;
+
+device::Kind kind_of(DeviceKind kind) {
+  switch (kind) {
+    case DeviceKind::dvl: return device::Kind::dvl;
+    case DeviceKind::emlog: return device::Kind::emlog;
+    case DeviceKind::gnss: return device::Kind::gnss;
+    case DeviceKind::imu: return device::Kind::imu;
+    case DeviceKind::depth: return device::Kind::depth;
+    case DeviceKind::actuator: return device::Kind::actuator;
+  }
+  return device::Kind::imu;
+}
+
+RigDevicesError error_in(const rig_config::Rig& rig, const DeviceConfig& config,
+                         std::string_view what) {
+  std::string text = rig.file;
+  text.append(":").append(std::to_string(config.line)).append(": device \"");
+  text.append(config.name).append("\": ").append(what);
+  return {text};
+}
+
+device::DriverOptions driver_options(const DeviceConfig& config, std::size_t index,
+                                     const link::Uri& uri) {
+  device::DriverOptions options;
+  options.kind = kind_of(config.kind);
+  options.protocol = config.protocol;
+  options.device = static_cast<std::uint16_t>(index);
+  options.mounting = {config.mounting_rad[0], config.mounting_rad[1], config.mounting_rad[2]};
+  options.latency = measurement::from_seconds(config.latency_s);
+  options.baud = uri.baud();
+  options.bitrate = uri.bitrate().value_or(options.bitrate);
+  options.address = static_cast<std::uint8_t>(config.address);
+  options.surface_pressure_pa = config.surface_pressure_pa;
+  options.water_density_kgm3 = config.water_density_kgm3;
+  return options;
+}
+
+device::LifeCycleOptions life_cycle_options(const DeviceConfig& config, const link::Uri& uri) {
+  device::LifeCycleOptions options;
+  options.stale_after = measurement::from_seconds(config.stale_after_s);
+  options.reopen_after = measurement::from_seconds(config.reopen_after_s);
+  if (uri.recorded()) {
+    options.reopen_when_quiet = false;  // opening a recording again would start it over
+    options.quiet_but_up = " in the recording";
+  } else if (uri.carries() == link::Carries::frames) {
+    options.reopen_when_quiet = false;
+  }
+  return options;
+}
+
+}  // namespace
+
+boost::system::result<DeviceOptions, RigDevicesError> device_options(const rig_config::Rig& rig,
+                                                                     std::size_t index) {
+  const DeviceConfig& config = rig.devices.at(index);
+  const auto uri = link::parse_uri(config.link);
+  if (!uri) return error_in(rig, config, uri.error().message);
+  if (config.address < 0 || config.address > 255) {
+    return error_in(rig, config,
+                    "address " + std::to_string(config.address) +
+                        " is no bus address; allowed: 0 (any) to 255");
+  }
+  DeviceOptions options;
+  options.name = config.name;
+  options.link = config.link;
+  options.driver = driver_options(config, index, *uri);
+  options.life_cycle = life_cycle_options(config, *uri);
+  options.nominal_rate_hz = config.rate_hz;
+  return options;
+}
+
+boost::system::result<std::vector<std::unique_ptr<device::Device>>, RigDevicesError> make_devices(
+    const rig_config::Rig& rig) {
+  std::vector<std::unique_ptr<device::Device>> devices;
+  for (std::size_t i = 0; i < rig.devices.size(); ++i) {
+    const DeviceConfig& config = rig.devices[i];
+    auto options = device_options(rig, i);
+    if (!options) return options.error();
+    const auto uri = link::parse_uri(config.link);
+    auto made = device::Device::make(std::move(*options));
+    if (!made) return error_in(rig, config, made.error().message);
+    if ((*made)->on_bus() != (uri->carries() == link::Carries::frames)) {
+      return error_in(
+          rig, config,
+          (*made)->on_bus()
+              ? "protocol \"" + config.protocol + "\" needs a CAN link, \"" + config.link +
+                    "\" carries bytes; allowed: socketcan slcan " + "memory-can can:auto"
+              : "protocol \"" + config.protocol + "\" needs a byte link, \"" + config.link +
+                    "\" carries CAN frames; allowed: serial pty tcp " + "udp file memory");
+    }
+    devices.push_back(std::move(*made));
+  }
+  return devices;
+}
+
+}  // namespace drydock::shell
