@@ -10,18 +10,12 @@
 
 namespace drydock::link {
 
+/// The first six carry bytes, the others CAN frames.
+// clang-format off
 enum class Scheme : std::uint8_t {
-  serial,
-  pty,
-  tcp,
-  udp,
-  file,
-  memory,  // bytes
-  socketcan,
-  slcan,
-  memory_can,
-  can_auto  // CAN frames
+  serial, pty, tcp, udp, file, memory, socketcan, slcan, memory_can, can_auto
 };
+// clang-format on
 
 enum class Carries : std::uint8_t { bytes, frames };
 
@@ -38,9 +32,10 @@ struct Uri {
   Carries carries() const;
   bool emulated() const;  ///< its other end is an emulated device of this rig
   bool recorded() const { return scheme == Scheme::file; }
-  std::optional<unsigned> baud()
-      const;  ///< bit/s of a serial line (serial, pty, memory, file, slcan)
+  /// Bit/s of the serial line, if written; parse_uri insists on it for `serial`.
+  std::optional<unsigned> baud() const;
   /// Bit/s of a CAN bus (nominal phase); 250000, that of NMEA 2000 and J1939, where not written.
+  /// Empty for byte links.
   std::optional<unsigned> bitrate() const;
   bool flag(std::string_view key) const;  ///< true for `key=1`
 };

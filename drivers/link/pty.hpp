@@ -1,0 +1,12 @@
+#pragma once
+
+#include "drivers/link/opening.hpp"
+
+namespace drydock::link {
+
+/// The device's end: makes a pty and a symbolic link to it under the name of the URI. It lives
+/// through drivers that come and go (one slave descriptor stays open, or the master would read
+/// EIO).
+OpenedBytes open_pty_device(const asio::any_io_executor& executor, const Uri& uri);
+
+}  // namespace drydock::link

@@ -1,0 +1,177 @@
+#include "drivers/link/uri.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cstddef>
+#include <stdexcept>
+
+#include "drivers/link/uri_forms.hpp"
+
+namespace drydock::link {
+namespace {
+
+/// `"text": what`, the one line of every failure.
+UriError wrong(std::string_view text, const std::string& what) {
+  return {"\"" + std::string(text) + "\": " + what};
+}
+
+std::string quoted(std::string_view text) { return "\"" + std::string(text) + "\""; }
+
+std::string key_names(const Form& form) {
+  std::string names;
+  for (const Key& key : form.keys)
+    if (!key.name.empty()) names += (names.empty() ? "" : " ") + std::string(key.name);
+  return names;
+}
+
+/// What is wrong with one `key=value` of the query; empty when nothing.
+std::string check_parameter(const Form& form, std::string_view parameter) {
+  const std::size_t equals = parameter.find('=');
+  const std::string_view name = parameter.substr(0, equals);
+  const auto key = std::find_if(form.keys.begin(), form.keys.end(),
+                                [&](const Key& k) { return !name.empty() && k.name == name; });
+  if (key == form.keys.end())
+    return "unknown key " + quoted(name) + "; " + std::string(form.name) + " allows " +
+           key_names(form);
+  if (equals == std::string_view::npos)
+    return "key " + quoted(name) + " has no value; allowed: " + std::string(key->allowed);
+  const std::string_view value = parameter.substr(equals + 1);
+  if (!key->valid(value))
+    return "bad " + std::string(name) + " " + quoted(value) +
+           "; allowed: " + std::string(key->allowed);
+  return {};
+}
+
+std::string parse_query(const Form& form, std::string_view query, Uri& uri) {
+  while (!query.empty()) {
+    const std::size_t end = query.find('&');
+    const std::string_view parameter = query.substr(0, end);
+    query = end == std::string_view::npos ? std::string_view{} : query.substr(end + 1);
+    if (std::string problem = check_parameter(form, parameter); !problem.empty()) return problem;
+    const std::size_t equals = parameter.find('=');
+    const std::string name(parameter.substr(0, equals));
+    if (!uri.query.emplace(name, parameter.substr(equals + 1)).second)
+      return "key " + quoted(name) + " is given twice";
+  }
+  return {};
+}
+
+/// Text of the link under an slcan bus, with the keys that belong to that link.
+std::string line_text(const Uri& slcan) {
+  const bool is_device = slcan.target.starts_with('/');
+  std::string text = is_device ? "serial:" + slcan.target : slcan.target;
+  const bool has_baud = text.starts_with("serial:") || text.starts_with("pty:");
+  if (has_baud) text += "?baud=" + std::to_string(slcan.baud().value_or(115'200));
+  return text;
+}
+
+std::string check_slcan(const Uri& uri) {
+  const auto line = parse_uri(line_text(uri));
+  if (line && line->carries() == Carries::bytes && line->scheme != Scheme::file) return {};
+  return "slcan needs a device path or one of serial: pty: tcp: udp: memory: after it, for "
+         "example " +
+         std::string(form_of(Scheme::slcan).example);
+}
+
+/// What the query must hold beyond sound values.
+std::string check_whole(const Uri& uri) {
+  if (uri.scheme == Scheme::serial && !uri.baud())
+    return "serial needs a baud rate, for example " + std::string(form_of(uri.scheme).example);
+  if (uri.scheme == Scheme::slcan) return check_slcan(uri);
+  const auto factor = uri.query.find("speed");
+  if (factor != uri.query.end() && factor->second != "max" && !uri.baud())
+    return "speed=" + factor->second + " needs the baud rate of the recorded line, for example " +
+           std::string(form_of(Scheme::file).example);
+  return {};
+}
+
+const Form* find_form(std::string_view name) {
+  for (const Form& form : uri_forms())
+    if (form.name == name) return &form;
+  return nullptr;
+}
+
+}  // namespace
+
+std::string allowed_schemes() {
+  std::string names;
+  for (const Form& form : uri_forms()) names += (names.empty() ? "" : " ") + std::string(form.name);
+  return names;
+}
+
+boost::system::result<Uri, UriError> parse_uri(std::string_view text) {
+  const std::size_t question = text.find('?');
+  const std::string_view address = text.substr(0, question);
+  const std::string_view query =
+      question == std::string_view::npos ? std::string_view{} : text.substr(question + 1);
+  const bool is_auto = address == form_of(Scheme::can_auto).name;
+  const std::size_t colon = is_auto ? address.size() : address.find(':');
+  if (colon == std::string_view::npos)
+    return wrong(text, "a link is scheme:target; schemes are " + allowed_schemes());
+
+  const Form* form = find_form(address.substr(0, colon));
+  if (form == nullptr)
+    return wrong(text, "unknown scheme " + quoted(address.substr(0, colon)) + "; allowed are " +
+                           allowed_schemes());
+  Uri uri;
+  uri.scheme = form->scheme;
+  uri.text = text;
+  if (std::string problem = parse_query(*form, query, uri); !problem.empty())
+    return wrong(text, problem);
+  const auto name = uri.query.find("name");
+  if (is_auto)
+    uri.target = name == uri.query.end() ? "vcan0" : name->second;
+  else
+    uri.target = address.substr(colon + 1);
+  if (!form->valid_target(uri.target))
+    return wrong(text, std::string(form->name) + " needs " + std::string(form->target) +
+                           ", for example " + std::string(form->example));
+  if (std::string problem = check_whole(uri); !problem.empty()) return wrong(text, problem);
+  return uri;
+}
+
+Uri line_under_slcan(const Uri& slcan) { return parse_uri(line_text(slcan)).value(); }
+
+Carries Uri::carries() const { return scheme <= Scheme::memory ? Carries::bytes : Carries::frames; }
+
+bool Uri::emulated() const {
+  switch (scheme) {
+    case Scheme::pty:
+    case Scheme::memory:
+    case Scheme::memory_can:
+    case Scheme::can_auto: return true;
+    case Scheme::socketcan: return target.starts_with("vcan") || flag("emulated");
+    case Scheme::slcan: return flag("emulated") || line_under_slcan(*this).emulated();
+    default: return flag("emulated");
+  }
+}
+
+bool Uri::flag(std::string_view key) const {
+  const auto found = query.find(std::string(key));
+  return found != query.end() && found->second == "1";
+}
+
+namespace {
+
+std::optional<unsigned> number(const Uri& uri, const char* key) {
+  const auto found = uri.query.find(key);
+  if (found == uri.query.end()) return std::nullopt;
+  unsigned value = 0;
+  std::from_chars(found->second.data(), found->second.data() + found->second.size(), value);
+  return value;
+}
+
+}  // namespace
+
+std::optional<unsigned> Uri::baud() const { return number(*this, "baud"); }
+
+std::optional<unsigned> Uri::bitrate() const {
+  if (carries() == Carries::bytes) return std::nullopt;
+  return number(*this, "bitrate").value_or(250'000);
+}
+
+void throw_exception_from_error(const UriError& error, const boost::source_location&) {
+  throw std::invalid_argument(error.message);
+}
+
+}  // namespace drydock::link

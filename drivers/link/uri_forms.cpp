@@ -1,0 +1,122 @@
+#include "drivers/link/uri_forms.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <system_error>
+
+namespace drydock::link {
+namespace {
+
+/// Whole decimal number within [low, high].
+template <unsigned low, unsigned high>
+bool is_within(std::string_view text) {
+  unsigned value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  return error == std::errc{} && end == text.data() + text.size() && value >= low && value <= high;
+}
+
+bool is_flag(std::string_view text) { return text == "0" || text == "1"; }
+
+bool is_parity(std::string_view text) { return text == "none" || text == "even" || text == "odd"; }
+
+bool is_speed(std::string_view text) {
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  const bool number = error == std::errc{} && end == text.data() + text.size();
+  return text == "max" || (number && value > 0 && value <= 1e6);
+}
+
+/// The bit rates that slcan has a command for (S0 to S8).
+bool is_slcan_bitrate(std::string_view text) {
+  constexpr std::array<std::string_view, 9> rates{"10000",  "20000",  "50000",  "100000", "125000",
+                                                  "250000", "500000", "800000", "1000000"};
+  return std::find(rates.begin(), rates.end(), text) != rates.end();
+}
+
+/// Name of a network interface, which also serves as the name of a pty.
+bool is_interface(std::string_view text) {
+  constexpr std::size_t longest = 15;  // IFNAMSIZ - 1
+  return !text.empty() && text.size() <= longest &&
+         std::all_of(text.begin(), text.end(), [](unsigned char c) {
+           return std::isalnum(c) != 0 || c == '_' || c == '-' || c == '.';
+         });
+}
+
+bool is_name(std::string_view text) {
+  return !text.empty() && text.find('/') == std::string_view::npos;
+}
+
+bool is_path(std::string_view text) { return !text.empty(); }
+
+bool is_pty(std::string_view text) {
+  return is_name(text) || (text.starts_with('/') && text.size() > 1);
+}
+
+bool is_host_and_port(std::string_view text) {
+  const std::size_t colon = text.rfind(':');
+  return colon != std::string_view::npos && colon > 0 &&
+         is_within<1, 65535>(text.substr(colon + 1));
+}
+
+constexpr Key baud{"baud", "50 to 12000000", is_within<50, 12'000'000>};
+constexpr Key parity{"parity", "none even odd", is_parity};
+constexpr Key stop{"stop", "1 2", is_within<1, 2>};
+constexpr Key speed{"speed", "max, 1 (as fast as the line was) or another factor", is_speed};
+constexpr Key fd{"fd", "0 1", is_flag};
+constexpr Key echo{"echo", "0 1", is_flag};
+constexpr Key listen{"listen", "0 1", is_flag};
+constexpr Key emulated{"emulated", "0 1", is_flag};
+constexpr Key bitrate{"bitrate", "10000 to 1000000", is_within<10'000, 1'000'000>};
+constexpr Key slcan_bitrate{
+    "bitrate", "10000 20000 50000 100000 125000 250000 500000 800000 1000000", is_slcan_bitrate};
+constexpr Key bus_name{"name", "up to 15 letters, digits, _ - .", is_interface};
+
+constexpr std::array<Form, 10> forms{{
+    {Scheme::serial,
+     "serial",
+     "a device path",
+     "serial:/dev/ttyUSB0?baud=115200",
+     is_path,
+     {baud, parity, stop, emulated}},
+    {Scheme::pty, "pty", "a name without / or an absolute path", "pty:dvl", is_pty, {baud}},
+    {Scheme::tcp,
+     "tcp",
+     "host:port, port 1 to 65535",
+     "tcp:192.168.2.3:16171",
+     is_host_and_port,
+     {emulated}},
+    {Scheme::udp,
+     "udp",
+     "host:port, port 1 to 65535",
+     "udp:0.0.0.0:10110?listen=1",
+     is_host_and_port,
+     {listen, emulated}},
+    {Scheme::file, "file", "a path", "file:dive.log?speed=1&baud=38400", is_path, {speed, baud}},
+    {Scheme::memory, "memory", "a name without /", "memory:dvl", is_name, {baud}},
+    {Scheme::socketcan,
+     "socketcan",
+     "an interface name",
+     "socketcan:can0",
+     is_interface,
+     {fd, echo, bitrate, emulated}},
+    {Scheme::slcan,
+     "slcan",
+     "a device path or a byte link",
+     "slcan:/dev/ttyACM0?bitrate=250000",
+     is_path,
+     {baud, slcan_bitrate, emulated}},
+    {Scheme::memory_can, "memory-can", "a name without /", "memory-can:bus0", is_name, {bitrate}},
+    {Scheme::can_auto,
+     "can:auto",
+     "nothing after auto",
+     "can:auto?name=bus0",
+     is_interface,
+     {bus_name, slcan_bitrate}},
+}};
+
+}  // namespace
+
+const std::array<Form, 10>& uri_forms() { return forms; }
+
+}  // namespace drydock::link

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <array>
+#include <string_view>
+
+#include "drivers/link/uri.hpp"
+
+/// The grammar of link URIs: each scheme's target and query keys. Internal to drivers/link.
+namespace drydock::link {
+
+/// True for a sound text.
+using Check = bool (*)(std::string_view);
+
+/// A query key; `allowed` is how a message lists its values.
+struct Key {
+  std::string_view name, allowed;
+  Check valid;
+};
+
+/// What a URI of one scheme may say; `target` and `example` are parts of sentences.
+struct Form {
+  Scheme scheme;
+  std::string_view name, target, example;
+  Check valid_target;
+  std::array<Key, 4> keys;  ///< unused ones have no name
+};
+
+/// In the order of Scheme.
+const std::array<Form, 10>& uri_forms();
+
+inline const Form& form_of(Scheme scheme) { return uri_forms()[static_cast<std::size_t>(scheme)]; }
+
+}  // namespace drydock::link
