@@ -1,0 +1,99 @@
+#include <gtest/gtest.h>
+
+#include "drivers/wire/bytes.hpp"
+#include "drivers/wire/pd0.hpp"
+#include "tests/hil/emulate/bench.hpp"
+
+namespace drydock::emulate {
+namespace {
+
+using rig_config::DeviceKind;
+using wire::load_le;
+
+wire::Pd0Ensemble decoded(const Recorder::Message& message) {
+  EXPECT_EQ(wire::Pd0::scan(message.bytes), wire::Scan::frame(message.bytes.size()));
+  return std::get<wire::Pd0Ensemble>(wire::Pd0::decode(message.bytes).value());
+}
+
+// The data type with this id, found by the ensemble's own table.
+wire::Bytes data_type(wire::Bytes ensemble, std::uint16_t id) {
+  for (std::size_t i = 0; i < ensemble[5]; ++i) {
+    const auto offset = load_le<std::uint16_t>(ensemble, 6 + 2 * i);
+    if (load_le<std::uint16_t>(ensemble, offset) == id) return ensemble.subspan(offset);
+  }
+  return {};
+}
+
+TEST(EmulatedDvl, TheEnsembleHoldsTheTruthWithinTheProtocolsResolution) {
+  const Frozen trajectory(under_way());
+  const auto sent = record(device(DeviceKind::dvl, "pd0", 2), trajectory, 1.2);
+  ASSERT_EQ(sent.messages.size(), 3);
+  const auto ensemble = decoded(sent.messages[2]);
+  EXPECT_EQ(ensemble.fixed.frame, wire::Pd0Frame::ship);
+  EXPECT_FALSE(ensemble.fixed.tilts_used);
+  EXPECT_NEAR(*ensemble.fixed.beam_angle_rad, 30 * degree, 1e-9);
+  EXPECT_EQ(ensemble.variable.ensemble, 3);
+  EXPECT_EQ(ensemble.variable.clock->time_since_epoch(), std::chrono::milliseconds{1700000001000});
+  EXPECT_NEAR(*ensemble.variable.heading_rad, 290 * degree, 1e-4);
+  EXPECT_NEAR(*ensemble.variable.roll_rad, 3 * degree, 1e-4);
+  EXPECT_NEAR(std::tan(*ensemble.variable.pitch_rad), std::tan(-4 * degree) / std::cos(3 * degree),
+              1e-4);
+  EXPECT_NEAR(*ensemble.variable.depth_m, 20, 0.05);
+  EXPECT_NEAR(*ensemble.variable.temperature_k, 283.15, 0.005);
+  const auto& track = *ensemble.bottom_track;
+  EXPECT_NEAR(*track.velocity_mps[0], 0.123, 5e-4);  // starboard
+  EXPECT_NEAR(*track.velocity_mps[1], 2.000, 5e-4);  // forward
+  EXPECT_NEAR(*track.velocity_mps[2], 0.045, 5e-4);  // mast
+  EXPECT_NEAR(*track.velocity_mps[3], 0, 5e-4);
+}
+
+TEST(EmulatedDvl, OnTheWireTheBedMovesNotTheVehicle) {
+  const Frozen trajectory(under_way());
+  const auto sent = record(device(DeviceKind::dvl, "pd0"), trajectory, 0);
+  const auto track = data_type(sent.messages.at(0).bytes, 0x0600);
+  // Table 40 of the Pathfinder guide: ship starboard, forward, mast in mm/s at 24, 26, 28.
+  EXPECT_EQ(load_le<std::int16_t>(track, 24), -123);
+  EXPECT_EQ(load_le<std::int16_t>(track, 26), -2000);
+  EXPECT_EQ(load_le<std::int16_t>(track, 28), -45);
+}
+
+TEST(EmulatedDvl, RangesComeFromTheHeadsPlaceAndAttitudeOverTheBed) {
+  motion::Truth truth = under_way();
+  truth.body_to_ned.setIdentity();
+  const Frozen trajectory(truth);
+  auto config = device(DeviceKind::dvl, "pd0");
+  config.lever_arm_m = {0, 0, 0.5};
+  const auto track = data_type(record(config, trajectory, 0).messages.at(0).bytes, 0x0600);
+  for (std::size_t beam = 0; beam < 4; ++beam) {
+    EXPECT_EQ(load_le<std::uint16_t>(track, 16 + 2 * beam), 2950);  // cm
+  }
+}
+
+TEST(EmulatedDvl, TheHeadsVelocityIsThatOfItsLeverArmInItsTurnedAxes) {
+  motion::Truth truth = under_way();
+  truth.velocity_body = {2, 0, 0};
+  truth.rate_body = {0, 0, 0.1};
+  const Frozen trajectory(truth);
+  auto config = device(DeviceKind::dvl, "pd0");
+  config.lever_arm_m = {5, 0, 0};
+  config.mounting_rad = {0, 0, 90 * degree};
+  const auto ensemble = decoded(record(config, trajectory, 0).messages.at(0));
+  // v + w x r = (2, 0.5, 0); the head's x looks to starboard, its y astern.
+  EXPECT_NEAR(*ensemble.bottom_track->velocity_mps[1], 0.5, 5e-4);
+  EXPECT_NEAR(*ensemble.bottom_track->velocity_mps[0], -2, 5e-4);
+}
+
+TEST(EmulatedDvl, BeyondItsRangeItSaysThatEveryVelocityIsBad) {
+  motion::Truth truth = under_way();
+  truth.bed_depth_m = 400;
+  const Frozen trajectory(truth);
+  const auto sent = record(device(DeviceKind::dvl, "pd0"), trajectory, 0);
+  const auto track = data_type(sent.messages.at(0).bytes, 0x0600);
+  for (std::size_t i = 0; i < 4; ++i) {
+    EXPECT_EQ(load_le<std::int16_t>(track, 24 + 2 * i), -32768);
+    EXPECT_EQ(load_le<std::uint16_t>(track, 16 + 2 * i), 0);
+  }
+}
+
+}  // namespace
+}  // namespace drydock::emulate

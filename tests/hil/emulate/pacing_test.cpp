@@ -1,0 +1,161 @@
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <deque>
+#include <numeric>
+
+#include "hil/emulate/can_pacer.hpp"
+#include "hil/emulate/line_pacer.hpp"
+
+namespace drydock::emulate {
+namespace {
+
+using std::chrono::milliseconds;
+using std::chrono::nanoseconds;
+
+constexpr nanoseconds whole_messages = nanoseconds::max();
+
+Stamp at_ns(std::int64_t ns) { return measurement::stamp_from_ns(ns); }
+
+std::vector<std::uint8_t> message(std::size_t size, std::uint8_t first = 0) {
+  std::vector<std::uint8_t> bytes(size);
+  std::iota(bytes.begin(), bytes.end(), first);
+  return bytes;
+}
+
+TEST(LinePacer, FortyBytesAt4800BaudTake83MillisecondsAndAThird) {
+  LinePacer line(4800, whole_messages);
+  line.queue(message(40), at_ns(0));
+  EXPECT_FALSE(line.take(at_ns(83'333'333)));
+  const auto chunk = line.take(at_ns(83'333'334));
+  ASSERT_TRUE(chunk);
+  EXPECT_EQ(chunk->at, at_ns(83'333'334));
+  EXPECT_EQ(chunk->bytes.size(), 40);
+  EXPECT_TRUE(chunk->ends_message);
+  EXPECT_FALSE(line.deadline());
+}
+
+TEST(LinePacer, AMessageWaitsForTheOneBeforeIt) {
+  LinePacer line(9600, whole_messages);
+  line.queue(message(96), at_ns(0));           // 100 ms
+  line.queue(message(48), at_ns(20'000'000));  // 50 ms
+  EXPECT_EQ(line.take(at_ns(1'000'000'000))->at, at_ns(100'000'000));
+  EXPECT_EQ(line.take(at_ns(1'000'000'000))->at, at_ns(150'000'000));
+}
+
+TEST(LinePacer, ChunksAreShortAndTheLastEndsWithTheMessage) {
+  LinePacer line(115200, milliseconds{4});
+  line.queue(message(227), at_ns(0));
+  std::size_t bytes = 0;
+  Stamp last{};
+  for (bool ended = false; !ended;) {
+    const auto chunk = line.take(*line.deadline());
+    EXPECT_LE(chunk->at - last, milliseconds{4} + nanoseconds{1});
+    for (const auto byte : chunk->bytes) EXPECT_EQ(byte, bytes++ & 0xFF);
+    last = chunk->at;
+    ended = chunk->ends_message;
+  }
+  EXPECT_EQ(bytes, 227);
+  EXPECT_EQ(last, at_ns(19'704'862));  // 2270 bits at 115200 bit/s, rounded up
+}
+
+TEST(LinePacer, ALineThatIsOverloadedLosesWholeOldMessagesAndCountsThem) {
+  LinePacer line(4800, whole_messages);  // 480 bytes a second, as many may wait
+  for (std::uint8_t i = 0; i < 20; ++i) line.queue(message(60, i), at_ns(0));
+  EXPECT_EQ(line.messages_lost(), 12);
+  std::vector<std::uint8_t> firsts;
+  while (line.deadline()) firsts.push_back(line.take(*line.deadline())->bytes[0]);
+  // The first was on the line already; the seven youngest follow.
+  EXPECT_EQ(firsts, (std::vector<std::uint8_t>{0, 13, 14, 15, 16, 17, 18, 19}));
+}
+
+RC_GTEST_PROP(LinePacer, NeverSendsFasterThanTheBaudRateNorReordersNorMixes, ()) {
+  const auto baud = *rc::gen::element(4800u, 38400u, 115200u, 921600u);
+  LinePacer line(baud, milliseconds{*rc::gen::inRange(1, 10)}, std::chrono::hours{1});
+  std::deque<std::uint8_t> expected;
+  std::int64_t now = 0;
+  struct Left {
+    Stamp at;
+    std::size_t total;
+  };
+  std::vector<Left> left{{at_ns(0), 0}};
+  const auto drain = [&](Stamp until) {
+    while (const auto chunk = line.take(until)) {
+      for (const auto byte : chunk->bytes) {
+        RC_ASSERT(byte == expected.front());
+        expected.pop_front();
+      }
+      left.push_back({chunk->at, left.back().total + chunk->bytes.size()});
+    }
+  };
+  for (int i = *rc::gen::inRange(1, 30); i > 0; --i) {
+    now += *rc::gen::inRange<std::int64_t>(0, 30'000'000);
+    drain(at_ns(now));
+    const auto bytes =
+        message(*rc::gen::inRange<std::size_t>(1, 300), static_cast<std::uint8_t>(i));
+    expected.insert(expected.end(), bytes.begin(), bytes.end());
+    line.queue(bytes, at_ns(now));
+  }
+  drain(Stamp::max());
+  RC_ASSERT(expected.empty());
+  for (std::size_t i = 0; i < left.size(); ++i) {
+    for (std::size_t j = i + 1; j < left.size(); ++j) {
+      const double carried = measurement::seconds(left[j].at - left[i].at) * baud / 10;
+      RC_ASSERT(static_cast<double>(left[j].total - left[i].total) <= carried + 1e-6 * baud / 10);
+    }
+  }
+}
+
+wire::CanFrame frame(std::uint32_t id, bool extended, std::vector<std::uint8_t> data) {
+  wire::CanFrame f;
+  f.id = id;
+  f.extended = extended;
+  f.size = static_cast<std::uint8_t>(data.size());
+  std::copy(data.begin(), data.end(), f.data.begin());
+  return f;
+}
+
+TEST(CanPacer, AFrameOfZerosIsStuffedEveryFifthBit) {
+  // SOF, identifier, control and CRC of this frame are 34 zeros: 6 stuff bits after every fifth.
+  EXPECT_EQ(bits_on_wire(frame(0, false, {})), 47 + 6);
+}
+
+RC_GTEST_PROP(CanPacer, AFramesLengthLiesBetweenNoStuffingAndTheWorstCase, ()) {
+  const bool extended = *rc::gen::arbitrary<bool>();
+  const auto id = *rc::gen::inRange<std::uint32_t>(0, extended ? 1u << 29 : 1u << 11);
+  auto data = *rc::gen::container<std::vector<std::uint8_t>>(rc::gen::arbitrary<std::uint8_t>());
+  data.resize(std::min<std::size_t>(data.size(), 8));
+  const auto n = static_cast<unsigned>(data.size());
+  // Davis, Burns, Bril, Lukkien: Controller Area Network schedulability analysis, Real-Time Systems
+  // 35 (2007), equations 1 and 2.
+  const unsigned g = extended ? 54 : 34;
+  const unsigned bits = bits_on_wire(frame(id, extended, data));
+  RC_ASSERT(bits >= g + 8 * n + 13);
+  RC_ASSERT(bits <= g + 8 * n + 13 + (g + 8 * n - 1) / 4);
+}
+
+TEST(CanPacer, FramesFollowEachOtherAtTheBitRate) {
+  const auto f = frame(0x18FF5380, true, {0x11, 0x22, 0x33, 0x44, 0x55, 0x66, 0x77, 0x88});
+  CanPacer bus(250'000);
+  bus.queue(f, 1, at_ns(1000));
+  bus.queue(f, 2, at_ns(1000));
+  const std::int64_t frame_ns = bits_on_wire(f) * 4000;
+  EXPECT_GE(frame_ns, 524'000);  // 131 bits without stuffing
+  EXPECT_LE(frame_ns, 640'000);  // 160 bits at worst
+  EXPECT_FALSE(bus.take(at_ns(1000 + frame_ns - 1)));
+  EXPECT_EQ(bus.take(at_ns(1'000'000'000))->at, at_ns(1000 + frame_ns));
+  const auto second = bus.take(at_ns(1'000'000'000));
+  EXPECT_EQ(second->at, at_ns(1000 + 2 * frame_ns));
+  EXPECT_EQ(second->sender, 2);
+}
+
+TEST(CanPacer, AnOverloadedBusLosesTheOldestWaitingFrames) {
+  CanPacer bus(250'000);
+  for (std::uint32_t i = 0; i < 300; ++i) bus.queue(frame(i, false, {}), 0, at_ns(0));
+  EXPECT_EQ(bus.frames_lost(), 300 - 1 - CanPacer::bound);
+  EXPECT_EQ(bus.take(Stamp::max())->frame.id, 0u);
+  EXPECT_EQ(bus.take(Stamp::max())->frame.id, 300 - CanPacer::bound);
+}
+
+}  // namespace
+}  // namespace drydock::emulate
