@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <map>
 
 #include "rig_config/explain.hpp"
@@ -23,6 +24,7 @@ class RigChecks {
     names_are_unique("estimator");
     links_are_sound();
     addresses_are_unique();
+    files_exist();
     estimator_devices_exist("imu", "imu");
     estimator_devices_exist("log", "emlog");
     return std::move(problems_);
@@ -69,6 +71,20 @@ class RigChecks {
     });
   }
 
+  void files_exist() {
+    if (const Node* rig = root_.find("rig")) file_exists(rig->find_text("mission"), "/rig/mission");
+    for_each_table(root_, "device", [&](const Node& device, std::size_t i) {
+      if (const Node* emulate = device.find("emulate"))
+        file_exists(emulate->find_text("errors"), fmt::format("/device/{}/emulate/errors", i));
+    });
+  }
+
+  void file_exists(const Node* name, const std::string& path) {
+    if (!name || name->text.empty()) return;
+    const std::string full = beside(file_, name->text);
+    if (!std::filesystem::is_regular_file(full)) add(*name, path, "there is no file " + full);
+  }
+
   void estimator_devices_exist(const char* key, std::string_view kind) {
     std::vector<std::string> fitting;
     std::map<std::string, std::string> kind_of;
@@ -112,6 +128,11 @@ double number_at(const Node& table, std::string_view key, double otherwise) {
 }
 
 }  // namespace
+
+std::string beside(const std::string& file, const std::string& relative) {
+  const auto folder = std::filesystem::path(file).parent_path();
+  return (folder / relative).lexically_normal().string();
+}
 
 Problems check_rig(const Node& root, const std::string& file, const LoadOptions& options) {
   return RigChecks(root, file, options).run();

@@ -5,8 +5,11 @@
 
 namespace drydock::rig_config {
 
+/// Path of a file that `file` names relative to its own folder.
+std::string beside(const std::string& file, const std::string& relative);
+
 /// What a schema cannot say of a rig: names used twice, an estimator's devices, link URIs,
-/// addresses taken twice on one bus. Holds for incomplete documents too.
+/// addresses taken twice on one bus, files that are not there. Holds for incomplete documents too.
 Problems check_rig(const Node& root, const std::string& file, const LoadOptions& options);
 
 /// What a schema cannot say of a mission: it stays in the water.

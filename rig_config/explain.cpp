@@ -173,7 +173,7 @@ std::string did_you_mean(const std::string& word, std::span<const std::string> k
   const auto distance = [&](const std::string& other) { return edit_distance(word, other); };
   const auto nearest = std::ranges::min_element(known, {}, distance);
   if (nearest == known.end() || distance(*nearest) > 1 + word.size() / 4) return "";
-  return fmt::format(", did you mean '{}'?", *nearest);
+  return fmt::format(" (did you mean '{}'?)", *nearest);
 }
 
 std::string listed(std::span<const std::string> words) {

@@ -12,7 +12,7 @@ namespace drydock::rig_config {
 /// Which of the rules the value at `path` breaks, in words. What its members break is not told.
 Problems explain(const Ruled& ruled, const std::string& file, const std::string& path);
 
-/// ", did you mean 'x'?" for a likely slip of the pen, else nothing.
+/// " (did you mean 'x'?)" for a likely slip of the pen, else nothing.
 std::string did_you_mean(const std::string& word, std::span<const std::string> known);
 
 /// "a, b, c"

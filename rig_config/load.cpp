@@ -47,10 +47,6 @@ void sort_by_position(Problems& problems) {
   });
 }
 
-std::string beside(const std::string& file, const std::string& relative) {
-  return (fs::path(file).parent_path() / relative).lexically_normal().string();
-}
-
 /// A document that the schema and the checks of its kind have nothing against.
 Loaded<Node> read_checked(std::string_view text, const std::string& path, FileKind kind,
                           const LoadOptions& options = {}) {
@@ -71,29 +67,19 @@ Loaded<Node> read_checked_file(const std::string& path, FileKind kind) {
   return text ? read_checked(*text, path, kind) : Loaded<Node>(text.error());
 }
 
-/// Another file that `reference` in `file` names; a missing one is a problem of that line.
-Loaded<Node> read_referenced(const Node& reference, const std::string& file,
-                             const std::string& where, FileKind kind) {
-  const std::string path = beside(file, reference.text);
-  if (!fs::is_regular_file(path))
-    return Problems{{file, reference.at.line, reference.at.column, where,
-                     fmt::format("there is no file {}", path)}};
-  return read_checked_file(path, kind);
-}
-
 /// Errors of the emulated sensor: those of its sensor file, then its own keys on top.
 Problems read_emulated_errors(const Node& table, std::size_t index, DeviceConfig& device,
                               const std::string& file) {
   const Node* emulate = table.find("emulate");
   if (!emulate) return {};
   if (const Node* errors = emulate->find("errors")) {
-    const std::string where = fmt::format("/device/{}/emulate/errors", index);
-    const auto sensors = read_referenced(*errors, file, where, FileKind::sensor);
+    const auto sensors = read_checked_file(beside(file, errors->text), FileKind::sensor);
     if (!sensors) return sensors.error();
     const std::string kind = table.find("kind")->text;
     const Node* grade = sensors->find(kind);
     if (!grade)
-      return {{file, errors->at.line, errors->at.column, where,
+      return {{file, errors->at.line, errors->at.column,
+               fmt::format("/device/{}/emulate/errors", index),
                fmt::format("{} has no table [{}]", beside(file, errors->text), kind)}};
     read_errors(*grade, device.kind, device.emulate);
   }
@@ -110,7 +96,7 @@ Loaded<Rig> load_rig_text(std::string_view text, const std::string& path,
   Rig rig = build_rig(*root, path);
   Problems problems;
   if (const Node* reference = root->find("rig")->find("mission")) {
-    const auto mission = read_referenced(*reference, path, "/rig/mission", FileKind::mission);
+    const auto mission = read_checked_file(beside(path, reference->text), FileKind::mission);
     if (mission)
       rig.mission = build_mission(*mission);
     else

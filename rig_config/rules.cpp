@@ -10,11 +10,18 @@ namespace {
 using Json = nlohmann::json;
 using Schemas = std::vector<const Json*>;
 
+/// The object or array at `key`, an empty value where there is none.
+const Json& part(const Json& schema, const char* key) {
+  static const Json nothing = Json::object();
+  const auto found = schema.find(key);
+  return found == schema.end() ? nothing : *found;
+}
+
 /// The conditions that the rig schema uses: keys that must be there, texts that they must have.
 bool holds(const Json& condition, const Node& node) {
-  for (const Json& key : condition.value("required", Json::array()))
+  for (const Json& key : part(condition, "required"))
     if (!node.find(key.get<std::string>())) return false;
-  for (const auto& [key, rule] : condition.value("properties", Json::object()).items()) {
+  for (const auto& [key, rule] : part(condition, "properties").items()) {
     const Node* value = node.find_text(key);
     if (!value) return false;
     if (rule.contains("const") && rule["const"] != value->text) return false;
@@ -33,7 +40,7 @@ void flatten(const Json& root, const Json& schema, const Node& node, Schemas& ou
   }
   out.push_back(&schema);
   if (const auto all = schema.find("allOf"); all != schema.end())
-    for (const Json& part : *all) flatten(root, part, node, out);
+    for (const Json& each : *all) flatten(root, each, node, out);
   if (const auto condition = schema.find("if"); condition != schema.end()) {
     const auto branch = schema.find(holds(*condition, node) ? "then" : "else");
     if (branch != schema.end()) flatten(root, *branch, node, out);
@@ -75,7 +82,7 @@ void narrow(std::optional<Bound>& bound, const Json& schema, const char* inclusi
 }
 
 void merge_keys(Rules& rules, const Json& schema) {
-  for (const Json& key : schema.value("required", Json::array())) rules.required.push_back(key);
+  for (const Json& key : part(schema, "required")) rules.required.push_back(key);
   if (!schema.contains("additionalProperties")) return;
   rules.closed = true;
   for (const auto& [key, rule] : schema.at("properties").items()) rules.known.push_back(key);
@@ -104,7 +111,7 @@ void merge(Rules& rules, const Json& schema) {
 void withdraw_forbidden(Rules& rules, const Schemas& schemas) {
   rules.allowed = rules.known;
   for (const Json* schema : schemas)
-    for (const auto& [key, rule] : schema->value("properties", Json::object()).items())
+    for (const auto& [key, rule] : part(*schema, "properties").items())
       if (rule.contains("not")) std::erase(rules.allowed, key);
 }
 
@@ -122,7 +129,7 @@ std::optional<Ruled> rules_at(const Json& schema, const Node& root,
     node = next;
   }
   Ruled ruled{node, {}};
-  for (const Json* part : schemas) merge(ruled.rules, *part);
+  for (const Json* rule : schemas) merge(ruled.rules, *rule);
   withdraw_forbidden(ruled.rules, schemas);
   return ruled;
 }

@@ -3,8 +3,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
-#include <set>
+#include <optional>
 #include <valijson/adapters/nlohmann_json_adapter.hpp>
 #include <valijson/schema.hpp>
 #include <valijson/schema_parser.hpp>
@@ -19,7 +20,6 @@ namespace {
 
 using Json = nlohmann::json;
 using Kind = Node::Kind;
-using Place = std::vector<std::string>;
 
 /// JSON knows no date-time, TOML tells it from a string: where one stands for the other the value
 /// becomes null, which the schema refuses.
@@ -43,43 +43,71 @@ Json to_json(const Node& node, const std::string& path = "") {
   return object;
 }
 
-/// Every place that valijson complains of, with its own words for it. It names parents too.
-std::vector<std::pair<Place, std::string>> complaints(const Json& schema_json,
-                                                      const Json& document) {
+struct Complaint {
+  std::string path, words;
+};
+
+/// valijson's verdict: nothing, or its deepest complaint (it repeats each for the parents).
+std::optional<Complaint> verdict(const Json& schema_json, const Json& document) {
   valijson::Schema schema;
   valijson::SchemaParser parser(valijson::SchemaParser::kDraft7);
   parser.populateSchema(valijson::adapters::NlohmannJsonAdapter(schema_json), schema);
   valijson::Validator validator;
   valijson::ValidationResults results;
-  validator.validate(schema, valijson::adapters::NlohmannJsonAdapter(document), &results);
-  std::vector<std::pair<Place, std::string>> found;
-  for (const auto& error : results) {
-    Place place;
-    for (const std::string& step : error.context)  // "<root>", then "[key]" or "[index]"
-      if (step != "<root>") place.push_back(step.substr(1, step.size() - 2));
-    found.emplace_back(std::move(place), error.description);
-  }
-  return found;
+  const valijson::adapters::NlohmannJsonAdapter target(document);
+  if (validator.validate(schema, target, &results)) return std::nullopt;
+  const auto depth = [](const auto& error) { return error.context.size(); };
+  const auto deepest = std::ranges::max_element(results, {}, depth);
+  if (deepest == results.end()) return Complaint{"/", "does not fit the schema"};
+  Complaint complaint{"", deepest->description};
+  for (const std::string& step : deepest->context)  // "<root>", then "[key]" or "[index]"
+    if (step != "<root>") complaint.path += "/" + step.substr(1, step.size() - 2);
+  return complaint;
 }
+
+/// Puts the broken rules of every place into words, parents before their members. valijson alone
+/// would stop at the first failing branch of an allOf and has no words for what is allowed.
+class Walk {
+ public:
+  Walk(const Json& schema, const Node& root, const std::string& file)
+      : schema_(schema), root_(root), file_(file) {}
+
+  Problems run() {
+    visit(root_);
+    return std::move(problems_);
+  }
+
+ private:
+  void visit(const Node& node) {
+    if (const auto ruled = rules_at(schema_, root_, place_)) {
+      Problems here = explain(*ruled, file_, fmt::format("/{}", fmt::join(place_, "/")));
+      std::ranges::move(here, std::back_inserter(problems_));
+    }
+    for (const auto& [key, member] : node.members) descend(key, member);
+    for (std::size_t i = 0; i < node.items.size(); ++i) descend(std::to_string(i), node.items[i]);
+  }
+  void descend(const std::string& step, const Node& node) {
+    place_.push_back(step);
+    visit(node);
+    place_.pop_back();
+  }
+
+  const Json& schema_;
+  const Node& root_;
+  const std::string& file_;
+  std::vector<std::string> place_;
+  Problems problems_;
+};
 
 }  // namespace
 
 Problems check_schema(const Node& root, const std::string& file) {
   const Json schema = Json::parse(schema_text());
-  const auto found = complaints(schema, to_json(root));
-  Problems problems;
-  std::set<Place> seen;
-  for (const auto& [place, words] : found) {
-    if (!seen.insert(place).second) continue;
-    if (const auto ruled = rules_at(schema, root, place)) {
-      Problems here = explain(*ruled, file, fmt::format("/{}", fmt::join(place, "/")));
-      std::ranges::move(here, std::back_inserter(problems));
-    }
-  }
-  if (problems.empty() && !found.empty()) {
-    const auto& [place, words] = found.front();  // a rule that explain() has no words for
-    problems.push_back({file, 1, 1, fmt::format("/{}", fmt::join(place, "/")), words});
-  }
+  const auto complaint = verdict(schema, to_json(root));
+  if (!complaint) return {};
+  Problems problems = Walk(schema, root, file).run();
+  // A rule of the schema that explain() has no words for must not pass for that.
+  if (problems.empty()) problems.push_back({file, 1, 1, complaint->path, complaint->words});
   return problems;
 }
 

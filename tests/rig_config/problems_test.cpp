@@ -1,0 +1,335 @@
+#include <gmock/gmock.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "rig_config/load.hpp"
+
+namespace drydock::rig_config {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+constexpr std::string_view rig_table = "[rig]\nname = \"bench\"\n";  // lines 1, 2
+constexpr std::string_view dvl_table =                               // lines 3 to 7
+    "[[device]]\nname = \"dvl\"\nkind = \"dvl\"\nprotocol = \"pd0\"\nlink = \"pty:dvl\"\n";
+
+std::vector<std::string> lines_of(const Problems& problems) {
+  std::vector<std::string> lines;
+  for (const Problem& problem : problems) lines.push_back(to_string(problem));
+  return lines;
+}
+
+/// Lines for a rig of the two tables above and what follows them, from line 8.
+std::vector<std::string> problems_of(std::string_view more, const LoadOptions& options = {}) {
+  const auto rig = load_rig_text(
+      std::string(rig_table) + std::string(dvl_table) + std::string(more), "r.toml", options);
+  return rig ? std::vector<std::string>{} : lines_of(rig.error());
+}
+
+std::vector<std::string> problems_of_text(std::string_view text) {
+  const auto rig = load_rig_text(text, "r.toml");
+  return rig ? std::vector<std::string>{} : lines_of(rig.error());
+}
+
+constexpr std::string_view imu_table =
+    "[[device]]\nname = \"imu\"\nkind = \"imu\"\nprotocol = \"cia404-imu\"\nlink = \"can:auto\"\n";
+
+TEST(RigProblems, TheSmallestRigHasNone) { EXPECT_THAT(problems_of(""), IsEmpty()); }
+
+TEST(RigProblems, AnUnknownKeyIsNamedWithTheAllowedOnesAndTheLikelyOne) {
+  EXPECT_THAT(problems_of("colour = 5\n"),
+              ElementsAre("r.toml:8:1: /device/0/colour: unknown key, allowed here: emulate, "
+                          "kind, latency_ms, lever_arm_m, link, mounting_deg, name, protocol, "
+                          "rate_hz, reopen_after_s, stale_after_s"));
+  EXPECT_THAT(problems_of("rate_h = 5\n"),
+              ElementsAre(HasSubstr("/device/0/rate_h: unknown key (did you mean 'rate_hz'?), ")));
+}
+
+TEST(RigProblems, AnUnknownTableIsAnUnknownKey) {
+  EXPECT_THAT(problems_of("[[devices]]\n"),
+              ElementsAre("r.toml:8:3: /devices: unknown key (did you mean 'device'?), allowed "
+                          "here: device, estimator, rig"));
+}
+
+TEST(RigProblems, AMissingKeyIsReportedWhereItsTableBegins) {
+  EXPECT_THAT(problems_of("[[device]]\nname = \"gnss\"\nkind = \"gnss\"\nprotocol = \"ubx\"\n"),
+              ElementsAre("r.toml:8:1: /device/1: key 'link' is missing"));
+}
+
+TEST(RigProblems, AWrongChoiceIsToldTheAllowedOnes) {
+  EXPECT_THAT(problems_of("[[estimator]]\nname = \"l\"\nkind = \"levelling\"\nimu = \"imu\"\n"
+                          "model = \"stationary\"\n" +
+                          std::string(imu_table)),
+              ElementsAre("r.toml:10:8: /estimator/0/kind: \"levelling\" is not allowed (did you "
+                          "mean 'leveling'?), allowed: leveling"));
+}
+
+TEST(RigProblems, AProtocolMustFitTheKind) {
+  EXPECT_THAT(problems_of("[[device]]\nname = \"g\"\nkind = \"gnss\"\nprotocol = \"pd0\"\n"
+                          "link = \"pty:g\"\n"),
+              ElementsAre("r.toml:11:12: /device/1/protocol: \"pd0\" is not allowed, allowed: ubx, "
+                          "nmea0183, ubx+nmea0183"));
+}
+
+TEST(RigProblems, AWrongTypeNamesBoth) {
+  EXPECT_THAT(problems_of("rate_hz = \"5\"\n"),
+              ElementsAre("r.toml:8:11: /device/0/rate_hz: expected a number, found a string"));
+  EXPECT_THAT(problems_of("emulate = { velocity_bias_mps = true }\n"),
+              ElementsAre("r.toml:8:33: /device/0/emulate/velocity_bias_mps: expected a number or "
+                          "an array, found true or false"));
+}
+
+TEST(RigProblems, ANumberOutOfRangeIsToldTheRange) {
+  EXPECT_THAT(problems_of("rate_hz = 0\n"),
+              ElementsAre("r.toml:8:11: /device/0/rate_hz: 0 is out of range, allowed: above 0, up "
+                          "to 1000"));
+  EXPECT_THAT(
+      problems_of("[[device]]\nname = \"d\"\nkind = \"depth\"\nprotocol = \"nmea2000\"\n"
+                  "link = \"can:auto\"\naddress = 254\n"),
+      ElementsAre("r.toml:13:11: /device/1/address: 254 is out of range, allowed: 0 to 253"));
+}
+
+TEST(RigProblems, ACanopenNodeHasANarrowerRangeThanAJ1939Address) {
+  EXPECT_THAT(
+      problems_of(std::string(imu_table) + "address = 128\n"),
+      ElementsAre("r.toml:13:11: /device/1/address: 128 is out of range, allowed: 0 to 127"));
+}
+
+TEST(RigProblems, AVectorHasThreeComponents) {
+  EXPECT_THAT(problems_of("lever_arm_m = [1, 2]\n"),
+              ElementsAre("r.toml:8:15: /device/0/lever_arm_m: has 2 values, allowed: 3"));
+  EXPECT_THAT(problems_of("mounting_deg = [0, 361, 0]\n"),
+              ElementsAre("r.toml:8:20: /device/0/mounting_deg/1: 361 is out of range, allowed: "
+                          "-360 to 360"));
+}
+
+TEST(RigProblems, NotANumberAndInfinityAreNoNumbers) {
+  EXPECT_THAT(problems_of("rate_hz = nan\n"),
+              ElementsAre("r.toml:8:11: /device/0/rate_hz: nan and inf are not allowed"));
+}
+
+TEST(RigProblems, AGyroBiasOnADvlIsRefused) {
+  EXPECT_THAT(problems_of("emulate = { gyro_bias_degph = 1 }\n"),
+              ElementsAre("r.toml:8:13: /device/0/emulate/gyro_bias_degph: unknown key, allowed "
+                          "here: errors, fixed_bias, latency_ms, velocity_bias_mps, "
+                          "velocity_noise_mps"));
+}
+
+TEST(RigProblems, AKeyOfAnotherKindSaysWhereItBelongs) {
+  EXPECT_THAT(problems_of("surface_pressure_pa = 101325\n"),
+              ElementsAre("r.toml:8:1: /device/0/surface_pressure_pa: not allowed here, only for "
+                          "kind = \"depth\""));
+  EXPECT_THAT(
+      problems_of("address = 3\n"),
+      ElementsAre("r.toml:8:1: /device/0/address: not allowed here, only for protocols on a "
+                  "CAN bus"));
+}
+
+TEST(RigProblems, ANegativeNoiseOfOneAxisPointsAtThatAxis) {
+  EXPECT_THAT(problems_of("emulate = { velocity_noise_mps = [0.1, -0.1, 0.1] }\n"),
+              ElementsAre("r.toml:8:40: /device/0/emulate/velocity_noise_mps/1: -0.1 is out of "
+                          "range, allowed: 0 or more"));
+}
+
+TEST(RigProblems, ADvlDoesNotSpeakOnCan) {
+  EXPECT_THAT(
+      problems_of("[[device]]\nname = \"d\"\nkind = \"dvl\"\nprotocol = \"pd0\"\n"
+                  "link = \"socketcan:can0\"\n"),
+      ElementsAre("r.toml:12:8: /device/1/link: \"socketcan:can0\" is not a link for bytes: "
+                  "serial: pty: tcp: udp: file: memory:"));
+}
+
+TEST(RigProblems, TheCallersLinkCheckSpeaksWithAPosition) {
+  const LoadOptions options{[](std::string_view uri) -> std::optional<std::string> {
+    if (uri == "pty:dvl") return std::nullopt;
+    return std::string(uri) + ": no such name";
+  }};
+  EXPECT_THAT(problems_of("", options), IsEmpty());
+  EXPECT_THAT(problems_of("[[device]]\nname = \"g\"\nkind = \"gnss\"\nprotocol = \"ubx\"\n"
+                          "link = \"pty:x/y\"\n",
+                          options),
+              ElementsAre("r.toml:12:8: /device/1/link: pty:x/y: no such name"));
+}
+
+TEST(RigProblems, ANameIsUsedOnce) {
+  EXPECT_THAT(
+      problems_of(dvl_table),
+      ElementsAre("r.toml:9:8: /device/1/name: \"dvl\" is used twice, first in line 4; each "
+                  "device needs its own"));
+  EXPECT_THAT(
+      problems_of("[[device]]\nname = \"the dvl\"\nkind = \"dvl\"\nprotocol = \"pd0\"\n"
+                  "link = \"pty:b\"\n"),
+      ElementsAre("r.toml:9:8: /device/1/name: \"the dvl\" is not a name: letters, digits, _ "
+                  "and -, a letter first"));
+}
+
+TEST(RigProblems, AnEstimatorsDevicesExistAndAreOfTheRightKind) {
+  const std::string more = std::string(imu_table) +
+                           "[[estimator]]\nname = \"l\"\nkind = \"leveling\"\nimu = \"imx\"\n"
+                           "log = \"dvl\"\n";
+  EXPECT_THAT(problems_of(more),
+              ElementsAre("r.toml:16:7: /estimator/0/imu: no device is named \"imx\" (did you mean "
+                          "'imu'?), allowed: imu",
+                          "r.toml:17:7: /estimator/0/log: device \"dvl\" is of kind dvl, this rig "
+                          "has no device of kind emlog"));
+}
+
+TEST(RigProblems, KeysThatDependOnAChoiceSaySo) {
+  const std::string head =
+      std::string(imu_table) + "[[estimator]]\nname = \"l\"\nkind = \"leveling\"\nimu = \"imu\"\n";
+  EXPECT_THAT(problems_of(head), ElementsAre("r.toml:13:1: /estimator/0: key 'log' is missing"));
+  EXPECT_THAT(problems_of(head + "model = \"stationary\"\ninitial_roll_deg = 1\n"),
+              ElementsAre("r.toml:18:1: /estimator/0/initial_roll_deg: not allowed here, only with "
+                          "start = \"given\""));
+  EXPECT_THAT(problems_of(head + "model = \"stationary\"\nstart = \"given\"\n"
+                                 "initial_roll_deg = 1\n"),
+              ElementsAre("r.toml:13:1: /estimator/0: key 'initial_pitch_deg' is missing"));
+}
+
+TEST(RigProblems, AnAddressIsTakenOncePerBus) {
+  const std::string depth =
+      "[[device]]\nname = \"d1\"\nkind = \"depth\"\nprotocol = \"nmea2000\"\nlink = \"can:auto\"\n"
+      "address = 35\n";
+  const std::string actuators =
+      "[[device]]\nname = \"a1\"\nkind = \"actuator\"\nprotocol = \"nmea2000\"\n"
+      "link = \"can:auto\"\naddress = 35\n";
+  EXPECT_THAT(problems_of(depth + actuators),
+              ElementsAre("r.toml:19:11: /device/2/address: 35 is already the address of 'd1' on "
+                          "can:auto; each device on a bus needs its own"));
+}
+
+TEST(RigProblems, StartIsADateTimeWithAnOffset) {
+  const std::string device(dvl_table);
+  EXPECT_THAT(problems_of_text("[rig]\nname = \"r\"\nstart = \"2026-11-21T08:00:00Z\"\n" + device),
+              ElementsAre("r.toml:3:9: /rig/start: expected a date-time without quotes such as "
+                          "2026-11-21T08:00:00Z, found a string"));
+  EXPECT_THAT(problems_of_text("[rig]\nname = \"r\"\nstart = 2026-11-21T08:00:00\n" + device),
+              ElementsAre("r.toml:3:9: /rig/start: this date-time has no offset, write for example "
+                          "2026-11-21T08:00:00Z"));
+  EXPECT_THAT(problems_of_text("[rig]\nname = \"r\"\nmission = 2026-11-21T08:00:00Z\n" + device),
+              ElementsAre("r.toml:3:11: /rig/mission: expected a string, found a date-time"));
+}
+
+TEST(RigProblems, SyntaxErrorsHaveTheSameForm) {
+  EXPECT_THAT(problems_of_text("[rig]\nname = bench\n"), ElementsAre(HasSubstr("r.toml:2:")));
+  EXPECT_THAT(problems_of_text("[rig]\nname = \"a\"\nname = \"b\"\n"),
+              ElementsAre(HasSubstr("r.toml:3:")));
+}
+
+TEST(RigProblems, ARigNeedsADevice) {
+  EXPECT_THAT(problems_of_text("[rig]\nname = \"r\"\n"),
+              ElementsAre("r.toml:1:1: /: key 'device' is missing"));
+  EXPECT_THAT(problems_of_text("device = []\n[rig]\nname = \"r\"\n"),
+              ElementsAre("r.toml:1:10: /device: has 0 values, allowed: 1 or more"));
+}
+
+TEST(RigProblems, AnotherKindOfFileIsNoRig) {
+  EXPECT_THAT(problems_of_text("[mission]\n"),
+              ElementsAre("r.toml:1:1: /: expected a rig file, which has a table [rig]"));
+}
+
+TEST(RigProblems, FilesThatAreNotThereAreProblemsOfTheLineThatNamesThem) {
+  const std::string text = "[rig]\nname = \"r\"\nmission = \"m/none.toml\"\n" +
+                           std::string(dvl_table) + "emulate = { errors = \"none.toml\" }\n";
+  const auto rig = load_rig_text(text, "/rigs/r.toml");
+  ASSERT_FALSE(rig);
+  EXPECT_THAT(lines_of(rig.error()),
+              ElementsAre("/rigs/r.toml:3:11: /rig/mission: there is no file /rigs/m/none.toml",
+                          "/rigs/r.toml:9:22: /device/0/emulate/errors: there is no file "
+                          "/rigs/none.toml"));
+}
+
+TEST(RigProblems, ARigFileThatCannotBeReadIsOneLine) {
+  const auto rig = load_rig("/nowhere/r.toml");
+  ASSERT_FALSE(rig);
+  EXPECT_THAT(lines_of(rig.error()), ElementsAre("/nowhere/r.toml:0:0: /: cannot be read: it is "
+                                                 "missing, empty or not a file"));
+}
+
+TEST(RigProblems, AllComeAtOnceInFileOrder) {
+  const auto lines = problems_of_text(
+      "[rig]\nnmae = \"r\"\nseed = -1\n[[device]]\nname = \"dvl\"\nkind = \"dvl\"\n"
+      "protocol = \"pd0\"\nlink = \"\"\nrate_hz = -1\n[device.emulate]\ncolour = 1\n");
+  EXPECT_THAT(lines, ElementsAre(HasSubstr("r.toml:1:1: /rig: key 'name' is missing"),
+                                 HasSubstr("r.toml:2:1: /rig/nmae: unknown key"),
+                                 HasSubstr("r.toml:3:8: /rig/seed: -1 is out of range"),
+                                 HasSubstr("r.toml:8:8: /device/0/link: must not be empty"),
+                                 HasSubstr("r.toml:9:11: /device/0/rate_hz: -1 is out of range"),
+                                 HasSubstr("r.toml:11:1: /device/0/emulate/colour: unknown key")));
+}
+
+TEST(MissionProblems, ALegHasTheKeysOfItsKindOnly) {
+  const auto mission = load_mission_text(
+      "[mission]\nlatitude_deg = 91\nlongitude_deg = 0\nspeed_mps = 1\n"
+      "[[leg]]\nkind = \"turn\"\nduration_s = 5\nperiod_s = 3\n",
+      "m.toml");
+  ASSERT_FALSE(mission);
+  EXPECT_THAT(
+      lines_of(mission.error()),
+      ElementsAre("m.toml:2:16: /mission/latitude_deg: 91 is out of range, allowed: -90 to 90",
+                  "m.toml:5:1: /leg/0: key 'turn_deg' is missing",
+                  "m.toml:8:1: /leg/0/period_s: not allowed here, only for kind = "
+                  "\"s_path\""));
+}
+
+TEST(MissionProblems, AMissionStaysInTheWater) {
+  const auto mission = load_mission_text(
+      "[mission]\nlatitude_deg = 0\nlongitude_deg = 0\nspeed_mps = 1\nbed_depth_m = 20\n"
+      "[[leg]]\nkind = \"dive\"\nduration_s = 60\ndepth_change_m = 21\n"
+      "[[leg]]\nkind = \"dive\"\nduration_s = 60\ndepth_change_m = -30\n",
+      "m.toml");
+  ASSERT_FALSE(mission);
+  EXPECT_THAT(lines_of(mission.error()),
+              ElementsAre("m.toml:9:18: /leg/0/depth_change_m: the leg ends at a depth of 21 m, "
+                          "allowed: 0 (the surface) to 20 (the bed)",
+                          "m.toml:13:18: /leg/1/depth_change_m: the leg ends at a depth of -9 m, "
+                          "allowed: 0 (the surface) to 20 (the bed)"));
+}
+
+/// A folder of files that is gone after the test.
+class Folder {
+ public:
+  Folder() : path_(testing::TempDir() + "rig_config_problems") {
+    std::filesystem::create_directories(path_);
+  }
+  ~Folder() { std::filesystem::remove_all(path_); }
+  std::string write(const std::string& name, std::string_view text) const {
+    std::ofstream(path_ / name) << text;
+    return (path_ / name).string();
+  }
+
+ private:
+  std::filesystem::path path_;
+};
+
+TEST(CheckFile, TellsTheThreeKindsApart) {
+  const Folder folder;
+  const auto mission = folder.write("m.toml", "[mission]\nlatitude_deg = 1\n");
+  const auto sensor = folder.write("s.toml", "[imu]\ngyro_bias = 1\n");
+  EXPECT_THAT(lines_of(check_file(mission)), testing::Contains(HasSubstr(":1:1: /: key 'leg' is")));
+  EXPECT_THAT(lines_of(check_file(sensor)),
+              ElementsAre(HasSubstr(":2:1: /imu/gyro_bias: unknown key, allowed here: "
+                                    "accelerometer_bias_mg")));
+}
+
+TEST(CheckFile, APartOfARigIsReportedUnderItsOwnName) {
+  const Folder folder;
+  const auto mission = folder.write("m.toml", "[mission]\nspeed_mps = -1\n");
+  const auto grade = folder.write("imu.toml", "[imu]\ngyro_bias_degph = 1\n");
+  const auto rig =
+      folder.write("r.toml", "[rig]\nname = \"r\"\nmission = \"m.toml\"\n" +
+                                 std::string(dvl_table) + "emulate = { errors = \"imu.toml\" }\n");
+  EXPECT_THAT(
+      lines_of(check_file(rig)),
+      ElementsAre(mission + ":1:1: /: key 'leg' is missing",
+                  mission + ":1:1: /mission: key 'latitude_deg' is missing",
+                  mission + ":1:1: /mission: key 'longitude_deg' is missing",
+                  mission + ":2:13: /mission/speed_mps: -1 is out of range, allowed: 0 to 30",
+                  rig + ":9:22: /device/0/emulate/errors: " + grade + " has no table [dvl]"));
+}
+
+}  // namespace
+}  // namespace drydock::rig_config

@@ -1,0 +1,112 @@
+#include <gmock/gmock.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <sstream>
+
+#include "rig_config/load.hpp"
+
+namespace drydock::rig_config {
+namespace {
+
+using Json = nlohmann::json;
+
+std::string read(const std::string& relative) {
+  std::ifstream in(DRYDOCK_SOURCE_DIR "/" + relative, std::ios::binary);
+  std::ostringstream text;
+  text << in.rdbuf();
+  return text.str();
+}
+
+/// Calls `visit(schema)` for a schema and every schema inside it.
+template <class Visit>
+void for_each_schema(const Json& schema, Visit&& visit) {
+  visit(schema);
+  for (const char* group : {"properties", "definitions"})
+    if (schema.contains(group))
+      for (const Json& inner : schema[group]) for_each_schema(inner, visit);
+  for (const char* single : {"items", "if", "then", "else", "not"})
+    if (schema.contains(single)) for_each_schema(schema[single], visit);
+  if (schema.contains("allOf"))
+    for (const Json& inner : schema["allOf"]) for_each_schema(inner, visit);
+}
+
+std::set<std::string> keys_of_schema() {
+  std::set<std::string> keys;
+  for_each_schema(Json::parse(schema_text()), [&](const Json& schema) {
+    if (schema.contains("properties"))
+      for (const auto& entry : schema["properties"].items()) keys.insert(entry.key());
+  });
+  return keys;
+}
+
+TEST(Schema, TheProgramHoldsTheFileThatEditorsRead) {
+  EXPECT_EQ(schema_text(), read("rig_config/schema/rig.schema.json"));
+}
+
+TEST(Schema, EveryWordIsOneOfDraft07AndOfItsType) {
+  const std::map<std::string, std::vector<Json::value_t>> words{
+      {"$schema", {Json::value_t::string}},
+      {"$ref", {Json::value_t::string}},
+      {"title", {Json::value_t::string}},
+      {"description", {Json::value_t::string}},
+      {"format", {Json::value_t::string}},
+      {"pattern", {Json::value_t::string}},
+      {"type", {Json::value_t::string, Json::value_t::array}},
+      {"enum", {Json::value_t::array}},
+      {"required", {Json::value_t::array}},
+      {"allOf", {Json::value_t::array}},
+      {"definitions", {Json::value_t::object}},
+      {"properties", {Json::value_t::object}},
+      {"items", {Json::value_t::object}},
+      {"if", {Json::value_t::object}},
+      {"then", {Json::value_t::object}},
+      {"else", {Json::value_t::object}},
+      {"not", {Json::value_t::object}},
+      {"additionalProperties", {Json::value_t::boolean}},
+      {"const", {Json::value_t::string}}};
+  const std::set<std::string> numbers{"minimum",  "maximum",   "exclusiveMinimum", "minItems",
+                                      "maxItems", "minLength", "minProperties"};
+  const Json root = Json::parse(schema_text());
+  EXPECT_EQ(root["$schema"], "http://json-schema.org/draft-07/schema#");
+  for_each_schema(root, [&](const Json& schema) {
+    for (const auto& [word, value] : schema.items()) {
+      if (numbers.contains(word)) {
+        EXPECT_TRUE(value.is_number()) << word;
+      } else {
+        ASSERT_TRUE(words.contains(word)) << word;
+        EXPECT_THAT(words.at(word), testing::Contains(value.type())) << word;
+      }
+    }
+    if (schema.contains("$ref")) {
+      EXPECT_TRUE(root.contains(Json::json_pointer(schema["$ref"].get<std::string>().substr(1))));
+    }
+  });
+}
+
+TEST(Schema, AnEmulatedSensorTakesTheSameErrorKeysInlineAndFromAFile) {
+  const Json definitions = Json::parse(schema_text())["definitions"];
+  for (const std::string kind : {"dvl", "emlog", "gnss", "imu", "depth"}) {
+    Json inlined = definitions[kind + "_emulate"]["properties"];
+    for (const char* common : {"fixed_bias", "latency_ms", "errors"}) inlined.erase(common);
+    EXPECT_EQ(inlined, definitions[kind + "_errors"]["properties"]) << kind;
+  }
+}
+
+TEST(Schema, EveryKeyIsInTheManual) {
+  const std::string manual = read("docs/configuration.md");
+  for (const std::string& key : keys_of_schema())
+    EXPECT_NE(manual.find("`" + key + "`"), std::string::npos) << key;
+}
+
+TEST(Schema, EveryShippedFileNamesTheSchemaForEditors) {
+  for (const char* file : {"rigs/demo.toml", "rigs/replayed-gps.toml", "rigs/bench-serial.toml",
+                           "missions/s-path.toml", "sensors/leveling-paper.toml"})
+    EXPECT_TRUE(
+        read(std::string("rig_config/") + file).starts_with("#:schema ../schema/rig.schema.json\n"))
+        << file;
+}
+
+}  // namespace
+}  // namespace drydock::rig_config
