@@ -2,13 +2,13 @@
 
 #include <array>
 #include <cstdint>
-#include <numbers>
 #include <optional>
 #include <string_view>
 #include <variant>
 
 #include "drivers/wire/can_frame.hpp"
 #include "drivers/wire/codec.hpp"
+#include "drivers/wire/fields.hpp"
 #include "drivers/wire/j1939.hpp"
 
 /// Aceinna MTLT305D / OpenIMU300RI inertial sensors on J1939. Layouts: the vendor's DBC 19.1.51 and
@@ -72,11 +72,6 @@ CanFrame encode(const AddressClaimed& message);
 /// The number contended with on the bus, in Aceinna's field order.
 std::uint64_t to_value(const j1939::Name& name);
 j1939::Name to_name(std::uint64_t value);
-
-constexpr std::optional<double> degrees(std::optional<double> rad) {
-  if (!rad) return std::nullopt;
-  return *rad * (180.0 / std::numbers::pi);
-}
 
 template <class Field>
 void visit_fields(const SlopeSensor& m, Field&& field) {

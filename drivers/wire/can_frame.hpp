@@ -12,7 +12,7 @@ struct CanFrame {
   std::uint32_t id = 0;   ///< 11 or 29 bits, without flags; for an error frame the error class
   bool extended = false;  ///< 29-bit identifier
   bool remote = false;
-  bool error = false;     ///< error frame of the controller (linux/can/error.h)
+  bool error = false;  ///< error frame of the controller (linux/can/error.h)
   bool fd = false;
   bool bit_rate_switch = false;
   std::uint8_t size = 0;  ///< bytes of data, 0..8, CAN FD 0..64

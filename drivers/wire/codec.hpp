@@ -50,7 +50,8 @@ template <std::size_t Capacity>
 class Framer {
  public:
   /// Feeds bytes; calls `scan(Bytes) -> Scan` and, for each sound frame,
-  /// `on_frame(Bytes frame, std::size_t after)`: `after` bytes of this call's input follow the frame.
+  /// `on_frame(Bytes frame, std::size_t after)`: `after` bytes of this call's input follow the
+  /// frame.
   template <class ScanFn, class OnFrame>
   void feed(Bytes bytes, ScanFn&& scan, OnFrame&& on_frame) {
     counters_.bytes_in += bytes.size();

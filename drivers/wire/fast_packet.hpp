@@ -52,7 +52,9 @@ class FastPacketAssembler {
   Assembly& free_slot();
   std::optional<FastPacket> begin(const j1939::Identifier& id, std::uint8_t sequence,
                                   Bytes payload);
-  std::optional<FastPacket> append(Assembly& assembly, const j1939::Identifier& id, Bytes data);
+  std::optional<FastPacket> append(Assembly& assembly, const j1939::Identifier& id, Bytes data,
+                                   std::size_t room);
+  void drop(Assembly& assembly);
 
   std::array<Assembly, max_concurrent> assemblies_{};
   std::uint64_t clock_ = 0;
@@ -60,9 +62,7 @@ class FastPacketAssembler {
 };
 
 /// Frames that a message of `size` bytes takes.
-constexpr std::size_t fast_packet_frames(std::size_t size) {
-  return size <= 6 ? 1 : 1 + (size - 6 + 6) / 7;
-}
+constexpr std::size_t fast_packet_frames(std::size_t size) { return 1 + size / 7; }
 
 /// Frame `index` of a message of at most 223 bytes; unused bytes are 0xFF.
 CanFrame encode_fast_packet(const j1939::Identifier& id, std::uint8_t sequence, Bytes message,

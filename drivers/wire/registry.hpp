@@ -5,9 +5,16 @@
 #include <optional>
 #include <string_view>
 
+#include "drivers/wire/aceinna.hpp"
+#include "drivers/wire/candump.hpp"
+#include "drivers/wire/cia404_imu.hpp"
 #include "drivers/wire/codec.hpp"
+#include "drivers/wire/frame_protocol.hpp"
+#include "drivers/wire/j1939.hpp"
 #include "drivers/wire/nmea0183.hpp"
+#include "drivers/wire/nmea2000.hpp"
 #include "drivers/wire/pd0.hpp"
+#include "drivers/wire/slcan.hpp"
 #include "drivers/wire/ubx.hpp"
 #include "drivers/wire/ubx_nmea.hpp"
 
@@ -32,6 +39,18 @@ constexpr void all_are_byte_protocols(ProtocolList<P...>) {}
 using BytesProtocols = ProtocolList<Nmea0183, Ubx, UbxNmea, Pd0>;
 
 static_assert(requires { all_are_byte_protocols(BytesProtocols{}); });
+
+template <FrameProtocol... P>
+constexpr void all_are_frame_protocols(ProtocolList<P...>) {}
+
+using FrameProtocols = ProtocolList<Nmea2000, Aceinna, Cia404Imu, J1939>;
+
+static_assert(requires { all_are_frame_protocols(FrameProtocols{}); });
+
+/// Byte protocols that carry CAN frames: a log of them, and a serial adapter's line.
+using FrameCarriers = ProtocolList<Candump, Slcan>;
+
+static_assert(requires { all_are_byte_protocols(FrameCarriers{}); });
 
 /// Calls `visit.operator()<P>()` for the protocol of that name; false when no list entry has it.
 template <class... P, class Visit>
