@@ -45,8 +45,8 @@ std::string expected_type(const Rules& rules) {
 }
 
 bool has_right_type(const Rules& rules, Kind kind) {
-  if (rules.date_time || kind == Kind::date_time) return rules.date_time && kind == Kind::date_time;
   if (rules.types.empty()) return true;
+  if (rules.date_time || kind == Kind::date_time) return rules.date_time && kind == Kind::date_time;
   return std::ranges::any_of(rules.types, [&](const std::string& type) {
     const Kind wanted = kind_of(type);
     return wanted == kind || (wanted == Kind::number && kind == Kind::integer);

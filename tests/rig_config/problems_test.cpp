@@ -1,4 +1,5 @@
 #include <gmock/gmock.h>
+#include <rapidcheck/gtest.h>
 
 #include <filesystem>
 #include <fstream>
@@ -213,6 +214,13 @@ TEST(RigProblems, StartIsADateTimeWithAnOffset) {
               ElementsAre("r.toml:3:11: /rig/mission: expected a string, found a date-time"));
 }
 
+TEST(RigProblems, AChoiceIsAString) {
+  EXPECT_THAT(problems_of_text("[rig]\nname = \"r\"\n[[device]]\nname = \"d\"\nprotocol = \"pd0\"\n"
+                               "link = \"pty:d\"\nkind = 2026-11-21T08:00:00Z\n"),
+              ElementsAre("r.toml:7:8: /device/0/kind: expected one of: dvl, emlog, gnss, imu, "
+                          "depth, actuator, found a date-time"));
+}
+
 TEST(RigProblems, SyntaxErrorsHaveTheSameForm) {
   EXPECT_THAT(problems_of_text("[rig]\nname = bench\n"), ElementsAre(HasSubstr("r.toml:2:")));
   EXPECT_THAT(problems_of_text("[rig]\nname = \"a\"\nname = \"b\"\n"),
@@ -329,6 +337,32 @@ TEST(CheckFile, APartOfARigIsReportedUnderItsOwnName) {
                   mission + ":1:1: /mission: key 'longitude_deg' is missing",
                   mission + ":2:13: /mission/speed_mps: -1 is out of range, allowed: 0 to 30",
                   rig + ":9:22: /device/0/emulate/errors: " + grade + " has no table [dvl]"));
+}
+
+RC_GTEST_PROP(RigProblems, NoTextMakesTheLoaderThrow, (const std::string& text)) {
+  const auto rig = load_rig_text(text, "r.toml");
+  RC_ASSERT(!rig);
+  RC_ASSERT(!rig.error().empty());
+}
+
+/// The demo with one line gone, or with one line's value exchanged: sound, or told why not.
+RC_GTEST_PROP(RigProblems, ADamagedDemoIsLoadedOrToldWhyNot, ()) {
+  const std::string path = DRYDOCK_SOURCE_DIR "/rig_config/rigs/demo.toml";
+  std::vector<std::string> lines;
+  std::ifstream in(path);
+  for (std::string line; std::getline(in, line);) lines.push_back(line);
+  const auto victim = *rc::gen::inRange<std::size_t>(0, lines.size());
+  const auto value = *rc::gen::element<std::string>("", "1", "-1e300", "\"\"", "[]", "{}", "true",
+                                                    "[[1]]", "1979-05-27", "\"\\u0000\"");
+  const auto equals = lines[victim].find('=');
+  lines[victim] = value.empty() || equals == std::string::npos
+                      ? ""
+                      : lines[victim].substr(0, equals + 1) + value;
+  std::string text;
+  for (const std::string& line : lines) text += line + "\n";
+  const auto rig = load_rig_text(text, path);
+  if (rig) return;
+  for (const Problem& problem : rig.error()) RC_ASSERT(problem.line > 0 && !problem.what.empty());
 }
 
 }  // namespace
