@@ -1,0 +1,107 @@
+#include <benchmark/benchmark.h>
+
+#include <chrono>
+
+#include "estimators/leveling/leveling_filter.hpp"
+#include "estimators/pipeline/pipeline.hpp"
+
+/// Cost of the leveling estimator: the filter alone, and a sample's way through the pipeline.
+namespace {
+
+using namespace drydock;
+using Eigen::Vector3d;
+
+constexpr double dt = 0.01;
+const Vector3d force{0.2, 1.0, -9.8}, rate{0.01, -0.02, 0.1};
+
+leveling::LevelingFilter started() {
+  leveling::LevelingOptions options;
+  options.latitude_rad = 0.6;
+  leveling::LevelingFilter filter{options};
+  filter.start(force, rate, 10);
+  return filter;
+}
+
+void leveling_step(benchmark::State& state) {
+  auto filter = started();
+  for (auto _ : state) {
+    filter.predict(force, rate, dt);
+    filter.update_moving(10);
+    benchmark::DoNotOptimize(filter);
+  }
+}
+BENCHMARK(leveling_step)->Name("leveling: predict + update_moving");
+
+void leveling_step_with_constraints(benchmark::State& state) {
+  auto filter = started();
+  for (auto _ : state) {
+    filter.predict(force, rate, dt);
+    filter.update_nonholonomic(dt);
+    filter.update_moving(10);
+    benchmark::DoNotOptimize(filter);
+  }
+}
+BENCHMARK(leveling_step_with_constraints)
+    ->Name("leveling: predict + update_nonholonomic + update_moving");
+
+void leveling_stationary_step(benchmark::State& state) {
+  auto filter = started();
+  for (auto _ : state) {
+    filter.predict(force, Vector3d::Zero(), dt);
+    filter.update_stationary();
+    benchmark::DoNotOptimize(filter);
+  }
+}
+BENCHMARK(leveling_stationary_step)->Name("leveling: predict + update_stationary");
+
+void leveling_output(benchmark::State& state) {
+  const auto filter = started();
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(filter.roll() + filter.pitch());
+    benchmark::DoNotOptimize(filter.roll_pitch_covariance());
+  }
+}
+BENCHMARK(leveling_output)->Name("leveling: roll, pitch and their covariance");
+
+struct Discard final : pipeline::EstimateListener {
+  void on_attitude(const pipeline::AttitudeEstimate& estimate) override {
+    benchmark::DoNotOptimize(&estimate);
+  }
+};
+
+/// One IMU sample of 100 Hz per step, every fiftieth with a speed: 2 Hz.
+void pipeline_step(benchmark::State& state) {
+  pipeline::PipelineOptions options;
+  auto& estimator = options.estimators.emplace_back();
+  estimator.log = 1;
+  options.reorder_window = std::chrono::milliseconds{state.range(0)};
+  Discard listener;
+  auto made = pipeline::make_pipeline(options, listener);
+
+  measurement::ImuSample imu;
+  imu.specific_force = force;
+  imu.angular_rate = rate;
+  measurement::WaterSpeed speed;
+  speed.origin.device = 1;
+  speed.longitudinal_mps = 10;
+  measurement::Stamp now{};
+  int step = 0;
+  for (auto _ : state) {
+    now += std::chrono::milliseconds{10};
+    if (step++ % 50 == 0) {
+      speed.origin.valid_at = now;
+      made->receive(speed);
+    }
+    imu.origin.valid_at = now;
+    made->receive(imu);
+  }
+}
+BENCHMARK(pipeline_step)
+    ->Name("pipeline: IMU sample to estimate")
+    ->ArgName("window_ms")
+    ->Arg(0)
+    ->Arg(200);
+
+}  // namespace
+
+BENCHMARK_MAIN();

@@ -1,0 +1,183 @@
+#include "estimators/pipeline/leveling_estimator.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/LU>
+#include <cmath>
+#include <limits>
+
+#include "tests/estimators/pipeline/support.hpp"
+
+namespace drydock::pipeline {
+namespace {
+
+using test::at_ms;
+using test::Estimates;
+using test::imu;
+using test::imu_device;
+using test::log_device;
+using test::water_speed;
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+class LevelingEstimatorTest : public testing::Test {
+ protected:
+  LevelingEstimator make(bool stationary = false) {
+    PipelineOptions options = test::moving(std::chrono::milliseconds{0});
+    options.estimators[0].stationary = stationary;
+    return {7, options.estimators[0], options};
+  }
+
+  /// A second of samples from `ms` on, every 10 ms.
+  void feed(LevelingEstimator& estimator, int ms) {
+    estimator.take(water_speed(ms), estimates_);
+    for (int t = ms; t < ms + 1000; t += 10) estimator.take(imu(t), estimates_);
+  }
+
+  Estimates estimates_;
+};
+
+TEST_F(LevelingEstimatorTest, WaitsForTheImuThenForASpeedThenRuns) {
+  LevelingEstimator estimator = make();
+  EXPECT_EQ(estimator.status().state, EstimatorState::waiting_for_imu);
+  EXPECT_EQ(estimator.take(imu(0), estimates_), Outcome::accepted);
+  EXPECT_EQ(estimator.status().state, EstimatorState::waiting_for_speed);
+  EXPECT_EQ(estimator.take(water_speed(5), estimates_), Outcome::accepted);
+  EXPECT_TRUE(estimates_.all.empty());
+  estimator.take(imu(10), estimates_);
+  EXPECT_EQ(estimator.status().state, EstimatorState::running);
+  ASSERT_EQ(estimates_.all.size(), 1u);
+  EXPECT_EQ(estimates_.all[0].valid_at, at_ms(10));
+  EXPECT_EQ(estimates_.all[0].estimator, 7);
+  EXPECT_EQ(estimates_.all[0].fed_by, (1u << imu_device) | (1u << log_device));
+  EXPECT_FALSE(estimates_.all[0].yaw_rad);
+  EXPECT_GT(estimates_.all[0].covariance.determinant(), 0);
+}
+
+TEST_F(LevelingEstimatorTest, AStationaryOneNeedsNoSpeedAndUsesNone) {
+  LevelingEstimator estimator = make(true);
+  estimator.take(imu(0), estimates_);
+  EXPECT_EQ(estimator.take(water_speed(5), estimates_), Outcome::unused);
+  ASSERT_EQ(estimates_.all.size(), 1u);
+  EXPECT_EQ(estimates_.all[0].fed_by, 1u << imu_device);
+}
+
+TEST_F(LevelingEstimatorTest, AStaleSpeedDoesNotStartIt) {
+  LevelingEstimator estimator = make();
+  estimator.take(water_speed(0), estimates_);
+  estimator.take(imu(501), estimates_);
+  EXPECT_EQ(estimator.status().state, EstimatorState::waiting_for_speed);
+}
+
+TEST_F(LevelingEstimatorTest, ConstantTiltAtConstantSpeedComesOutAsTheTilt) {
+  LevelingEstimator estimator = make();
+  for (int t = 0; t < 30000; t += 10) {
+    if (t % 500 == 0) estimator.take(water_speed(t), estimates_);
+    estimator.take(imu(t), estimates_);
+  }
+  // f = -g alpha, up to the Coriolis acceleration (2 Omega V / g = 3e-5)
+  EXPECT_NEAR(estimates_.all.back().roll_rad, std::atan2(0.1, 9.8), 1e-3);
+  EXPECT_NEAR(estimates_.all.back().pitch_rad, std::atan2(0.2, std::hypot(0.1, 9.8)), 1e-3);
+}
+
+TEST_F(LevelingEstimatorTest, UsesOnlyItsOwnDevices) {
+  LevelingEstimator estimator = make();
+  EXPECT_EQ(estimator.take(imu(0, 0, log_device), estimates_), Outcome::unused);
+  EXPECT_EQ(estimator.take(water_speed(0, 2, imu_device), estimates_), Outcome::unused);
+}
+
+TEST_F(LevelingEstimatorTest, ASpeedWithoutLongitudinalValueIsUnused) {
+  LevelingEstimator estimator = make();
+  auto speed = water_speed(0);
+  speed.longitudinal_mps.reset();
+  speed.transverse_mps = 0.5;
+  EXPECT_EQ(estimator.take(speed, estimates_), Outcome::unused);
+}
+
+TEST_F(LevelingEstimatorTest, RefusesWhatIsNotFiniteOrAbsurdAndGoesOnAsIfItHadNotCome) {
+  LevelingEstimator estimator = make(), undisturbed = make();
+  Estimates expected;
+  for (int t = 0; t < 1000; t += 10) {
+    if (t % 500 == 0) {
+      estimator.take(water_speed(t), estimates_);
+      undisturbed.take(water_speed(t), expected);
+    }
+    for (const double bad : {nan, infinity, -infinity, 501.}) {
+      auto sample = imu(t + 5);
+      sample.specific_force.y() = bad;
+      EXPECT_EQ(estimator.take(sample, estimates_), Outcome::refused);
+      sample = imu(t + 5);
+      sample.angular_rate.z() = bad;
+      EXPECT_EQ(estimator.take(sample, estimates_), Outcome::refused);
+      EXPECT_EQ(estimator.take(water_speed(t + 5, bad), estimates_), Outcome::refused);
+    }
+    estimator.take(imu(t), estimates_);
+    undisturbed.take(imu(t), expected);
+  }
+  EXPECT_EQ(estimates_.all.back().roll_rad, expected.all.back().roll_rad);
+  EXPECT_EQ(estimates_.all.back().covariance, expected.all.back().covariance);
+}
+
+TEST_F(LevelingEstimatorTest, AGapStartsItAgainWithTheNextSpeed) {
+  LevelingEstimator estimator = make();
+  feed(estimator, 0);
+  estimator.take(imu(990 + 501), estimates_);
+  EXPECT_EQ(estimator.status().restarts, 1u);
+  EXPECT_EQ(estimator.status().state, EstimatorState::waiting_for_speed);
+  feed(estimator, 1500);
+  EXPECT_EQ(estimator.status().state, EstimatorState::running);
+  EXPECT_EQ(estimator.status().restarts, 1u);
+  EXPECT_EQ(estimates_.all[100].covariance, estimates_.all[0].covariance);
+}
+
+TEST_F(LevelingEstimatorTest, AGapUpToTheLimitIsBridged) {
+  LevelingEstimator estimator = make();
+  feed(estimator, 0);
+  estimator.take(imu(990 + 500), estimates_);
+  EXPECT_EQ(estimator.status().restarts, 0u);
+  EXPECT_EQ(estimates_.all.back().valid_at, at_ms(1490));
+}
+
+TEST_F(LevelingEstimatorTest, AnOldOrRepeatedSampleIsLate) {
+  LevelingEstimator estimator = make();
+  feed(estimator, 0);
+  EXPECT_EQ(estimator.take(imu(990), estimates_), Outcome::late);
+  EXPECT_EQ(estimator.take(imu(985), estimates_), Outcome::late);
+  EXPECT_EQ(estimates_.all.size(), 100u);
+}
+
+TEST_F(LevelingEstimatorTest, ASpeedBehindItsTimeIsUsedUntilTheLimit) {
+  LevelingEstimator estimator = make();
+  feed(estimator, 0);
+  const double before = estimator.filter().state()(0);
+  EXPECT_EQ(estimator.take(water_speed(490, before + 1), estimates_), Outcome::delayed);
+  EXPECT_GT(estimator.filter().state()(0), before);
+  EXPECT_EQ(estimator.take(water_speed(489), estimates_), Outcome::late);
+  EXPECT_EQ(estimator.take(water_speed(990), estimates_), Outcome::accepted);
+  EXPECT_EQ(estimator.status().last_speed, at_ms(990));
+}
+
+TEST_F(LevelingEstimatorTest, SpeedsDoNotPullAtAStateWhoseImuIsSilent) {
+  LevelingEstimator estimator = make();
+  feed(estimator, 0);
+  const auto before = estimator.filter().state();
+  EXPECT_EQ(estimator.take(water_speed(990 + 501, 9), estimates_), Outcome::unused);
+  EXPECT_EQ(estimator.filter().state(), before);
+}
+
+TEST_F(LevelingEstimatorTest, AClockSetBackCostsTenSamplesAndARestart) {
+  LevelingEstimator estimator = make();
+  feed(estimator, 100000);
+  int late = 0;
+  for (int t = 0; t < 1000; t += 10) {
+    if (t % 500 == 0) estimator.take(water_speed(t), estimates_);
+    late += estimator.take(imu(t), estimates_) == Outcome::late;
+  }
+  EXPECT_EQ(late, 9);
+  EXPECT_EQ(estimator.status().restarts, 1u);
+  EXPECT_EQ(estimates_.all.back().valid_at, at_ms(990));
+}
+
+}  // namespace
+}  // namespace drydock::pipeline
