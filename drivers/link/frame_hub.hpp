@@ -1,6 +1,5 @@
 #pragma once
 
-#include <atomic>
 #include <boost/circular_buffer.hpp>
 #include <memory>
 #include <mutex>

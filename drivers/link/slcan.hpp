@@ -1,0 +1,17 @@
+#pragma once
+
+#include "drivers/link/opening.hpp"
+
+namespace drydock::link {
+
+/// The computer's end of an slcan adapter on any byte link. The first read or write opens the
+/// channel at `bit_rate`: an empty line (ends a half-typed one), C, S, O. Frames are stamped when
+/// their bytes have been read: the adapter's own stamps have milliseconds and an epoch of their
+/// own.
+std::unique_ptr<FrameLink> make_slcan(const asio::any_io_executor& executor,
+                                      std::unique_ptr<ByteLink> line, unsigned bit_rate);
+
+/// `slcan:` URIs. The device side is an emulated adapter, alone with us on its bus.
+OpenedFrames open_slcan(const asio::any_io_executor& executor, const Uri& uri, Side side);
+
+}  // namespace drydock::link
