@@ -74,8 +74,8 @@ bool read(ActuatorState& sample, const ActuatorStateMessage& message);
 bool fill(ImuMessage& message, const Attitude& attitude);
 bool read(Attitude& attitude, const ImuMessage& message);
 
-/// Replaces the statuses of `message`; its memory is Cyclone's (dds_sample_free releases it).
-void fill(DiagnosticsMessage& message, std::span<const DeviceStatus> health);
+/// Replaces all but the frame name; the strings are Cyclone's (dds_sample_free releases them).
+void fill(DiagnosticsMessage& message, std::span<const DeviceStatus> health, Stamp now);
 DeviceStatus read(const diagnostic_msgs_msg_dds__DiagnosticStatus_& status);
 
 }  // namespace drydock::bus

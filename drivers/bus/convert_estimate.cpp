@@ -82,8 +82,9 @@ bool read(Attitude& attitude, const ImuMessage& message) {
   return true;
 }
 
-void fill(DiagnosticsMessage& message, std::span<const DeviceStatus> health) {
+void fill(DiagnosticsMessage& message, std::span<const DeviceStatus> health, Stamp now) {
   release(message);
+  message.header.stamp = to_time(now);
   auto* next = allocate(message.status, health.size());
   for (const auto& device : health) fill(*next++, device);
 }

@@ -103,6 +103,8 @@ bool fill(GnssFixMessage& message, const GnssFix& sample) {
   message.speed_accuracy = or_nan(sample.speed_accuracy_mps);
   message.position_dop = or_nan(sample.position_dop);
   message.satellites_used = sample.satellites_used.value_or(-1);
+  message.ground_speed = or_nan(sample.ground_speed_mps);
+  message.course = or_nan(sample.course_rad);
   return true;
 }
 
@@ -122,6 +124,8 @@ bool read(GnssFix& sample, const GnssFixMessage& message) {
   sample.speed_accuracy_mps = to_optional(message.speed_accuracy);
   sample.position_dop = to_optional(message.position_dop);
   if (message.satellites_used >= 0) sample.satellites_used = message.satellites_used;
+  sample.ground_speed_mps = to_optional(message.ground_speed);
+  sample.course_rad = to_optional(message.course);
   return true;
 }
 

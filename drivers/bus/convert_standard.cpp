@@ -40,6 +40,14 @@ std::optional<double> negated(std::optional<double> value) {
   return value ? std::optional(-*value) : std::nullopt;
 }
 
+/// East, north, up; without up where the receiver gave speed and course only.
+std::array<std::optional<double>, 3> velocity_enu(const GnssFix& fix) {
+  if (fix.velocity_ned) return components(swap_ned_enu(*fix.velocity_ned));
+  if (!fix.ground_speed_mps || !fix.course_rad) return {};
+  return {*fix.ground_speed_mps * std::sin(*fix.course_rad),
+          *fix.ground_speed_mps * std::cos(*fix.course_rad), std::nullopt};
+}
+
 }  // namespace
 
 bool fill(ImuMessage& message, const ImuSample& sample) {
@@ -121,10 +129,11 @@ bool read(WaterSpeed& sample, const TwistMessage& message) {
 }
 
 bool fill(TwistMessage& message, const GnssFix& sample) {
-  if (!sample.velocity_ned) return false;
+  const auto velocity = velocity_enu(sample);
+  if (!velocity[0]) return false;
   message.header.stamp = to_time(sample.origin.valid_at);
   const double sigma = sample.speed_accuracy_mps.value_or(0);
-  set_twist(message, components(swap_ned_enu(*sample.velocity_ned)), sigma * sigma);
+  set_twist(message, velocity, sigma * sigma);
   return true;
 }
 

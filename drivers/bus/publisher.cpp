@@ -94,8 +94,7 @@ void Publisher::publish(const Attitude& attitude, std::size_t estimator) {
 
 void Publisher::publish(std::span<const DeviceStatus> health, Stamp now) {
   auto& writer = writers_->diagnostics;
-  writer.message().header.stamp = to_time(now);
-  fill(writer.message(), health);
+  fill(writer.message(), health, now);
   writer.write(now);
 }
 

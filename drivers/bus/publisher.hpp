@@ -14,9 +14,11 @@ namespace drydock::bus {
 struct TopicCounters {
   std::string topic;
   std::uint64_t written = 0;
-  std::uint64_t dropped =
-      0;  ///< a stalled reader filled the writer's queue; the sample was given up
-  std::uint64_t failed = 0;  ///< any other refusal of DDS
+  /// Written while some reader owed more acknowledgements than the writer keeps samples: that
+  /// reader stalls, and may have lost as many. Readers that keep up lose nothing.
+  std::uint64_t overrun = 0;
+  std::uint64_t dropped = 0;  ///< written for nobody: a stalled reader filled the queue (time-out)
+  std::uint64_t failed = 0;   ///< any other refusal of DDS
 };
 
 /// Puts measurements, estimates and health on the bus. Never waits for a reader and never throws

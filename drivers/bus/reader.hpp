@@ -15,7 +15,7 @@
 /// What a subscriber is made of. Included by subscriber.cpp only.
 namespace drydock::bus {
 
-/// Deeper than a writer's ten: an estimator that is late by seconds still gets every sample.
+/// An estimator that is late by seconds still gets every sample.
 inline constexpr std::int32_t reader_depth = 2000;
 
 /// An eventfd that DDS threads raise and the subscriber's thread waits on.
@@ -72,12 +72,6 @@ class Reader {
     return status.current_count;
   }
 
-  std::uint64_t lost() const {
-    dds_sample_lost_status_t status{};
-    dds_get_sample_lost_status(reader_.handle(), &status);
-    return status.total_count;
-  }
-
   std::int32_t handle() const { return reader_.handle(); }
 
  private:
@@ -114,7 +108,6 @@ class Source {
   virtual ~Source() = default;
   virtual std::size_t take(Receiver& receiver) = 0;
   virtual std::size_t matched() const = 0;
-  virtual std::uint64_t lost() const = 0;
   std::uint64_t unusable() const { return unusable_; }
 
  protected:
@@ -127,7 +120,6 @@ class ReaderSource : public Source {
   ReaderSource(const Participant& participant, const std::string& topic, Doorbell& doorbell)
       : reader_(participant, topic, doorbell) {}
   std::size_t matched() const final { return reader_.matched(); }
-  std::uint64_t lost() const final { return reader_.lost(); }
 
  protected:
   Reader<Message> reader_;

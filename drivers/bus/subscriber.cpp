@@ -152,12 +152,6 @@ std::size_t Subscriber::matched_writers() const {
   return count;
 }
 
-std::uint64_t Subscriber::lost() const {
-  std::uint64_t count = 0;
-  for (const auto& source : readers_->sources) count += source->lost();
-  return count;
-}
-
 std::uint64_t Subscriber::unusable() const {
   std::uint64_t count = 0;
   for (const auto& source : readers_->sources) count += source->unusable();

@@ -55,8 +55,7 @@ class Subscriber {
   /// Connections with writers, over all topics: 0 means nobody publishes yet.
   std::size_t matched_writers() const;
 
-  std::uint64_t lost() const;      ///< given up by their writer before they could be received
-  std::uint64_t unusable() const;  ///< received, but their content cannot be a measurement
+  std::uint64_t unusable() const;  ///< samples whose content cannot be a measurement
 
  private:
   struct Readers;

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <poll.h>
+
+#include <chrono>
+#include <vector>
+
+#include "drivers/bus/publisher.hpp"
+#include "drivers/bus/subscriber.hpp"
+
+namespace drydock::bus::test {
+
+using measurement::stamp_from_ns;
+
+/// A domain of this process's own, so that tests which run side by side do not meet.
+std::uint32_t test_domain();
+
+/// True as soon as `condition` holds; false after five seconds.
+template <class Condition>
+bool eventually(Condition condition) {
+  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(5);
+  while (!condition()) {
+    if (std::chrono::steady_clock::now() > end) return false;
+    ::poll(nullptr, 0, 1);
+  }
+  return true;
+}
+
+/// Waits on fd() until `count` measurements came, or five seconds passed without one.
+std::vector<Measurement> take(Subscriber& subscriber, std::size_t count);
+
+/// The rig of these tests: one device of every kind, in this order.
+enum Index : std::uint16_t { dvl, log, gnss, imu, depth, actuator };
+std::vector<Device> all_devices(Provenance provenance = Provenance::emulated,
+                                Form form = Form::complete);
+
+/// An origin with odd nanoseconds in every place.
+measurement::Origin origin(Index device);
+
+/// A sample of which the device gave nothing.
+template <class Sample>
+Sample only_origin(Index device) {
+  Sample sample;
+  sample.origin = origin(device);
+  return sample;
+}
+
+}  // namespace drydock::bus::test

@@ -1,0 +1,324 @@
+#include <dds/dds.h>
+#include <dds/ddsi/ddsi_serdata.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <map>
+#include <numbers>
+
+#include "drivers/bus/endpoint.hpp"
+#include "tests/drivers/bus/bus_fixture.hpp"
+#include "tests/drivers/bus/cdr_reader.hpp"
+
+namespace drydock::bus::test {
+namespace {
+
+using namespace measurement;
+using testing::Each;
+using testing::ElementsAre;
+using testing::IsNan;
+
+/// Names that make frame ids as long as those of the experiment whose sizes are expected below.
+std::vector<Device> ros_devices() {
+  return {{"dvl", Kind::dvl, Provenance::emulated, Form::complete},
+          {"log", Kind::emlog, Provenance::emulated, Form::complete},
+          {"gps", Kind::gnss, Provenance::emulated, Form::complete},
+          {"imu", Kind::imu, Provenance::emulated, Form::complete},
+          {"ctd", Kind::depth, Provenance::emulated, Form::complete},
+          {"rudder", Kind::actuator, Provenance::replayed, Form::complete}};
+}
+
+struct Endpoint {
+  std::string type, user_data;
+  dds_reliability_kind_t reliability;
+  dds_durability_kind_t durability;
+};
+
+std::string user_data_of(const dds_qos_t* qos) {
+  void* bytes = nullptr;
+  std::size_t size = 0;
+  if (!dds_qget_userdata(qos, &bytes, &size)) return {};
+  std::string text(static_cast<const char*>(bytes), size);
+  dds_free(bytes);
+  return text;
+}
+
+/// What discovery tells every participant of the domain about its writers, by topic.
+std::map<std::string, Endpoint> discovered_writers(const Participant& participant) {
+  const Entity reader(
+      dds_create_reader(participant.handle(), DDS_BUILTIN_TOPIC_DCPSPUBLICATION, nullptr, nullptr),
+      "builtin reader");
+  std::map<std::string, Endpoint> writers;
+  void* sample = nullptr;
+  dds_sample_info_t info;
+  while (dds_take(reader.handle(), &sample, &info, 1, 1) == 1) {
+    const auto& endpoint = *static_cast<const dds_builtintopic_endpoint_t*>(sample);
+    auto& writer = writers[endpoint.topic_name];
+    writer = {endpoint.type_name, user_data_of(endpoint.qos), {}, {}};
+    dds_duration_t blocking = 0;
+    dds_qget_reliability(endpoint.qos, &writer.reliability, &blocking);
+    dds_qget_durability(endpoint.qos, &writer.durability);
+    dds_return_loan(reader.handle(), &sample, 1);
+    sample = nullptr;
+  }
+  return writers;
+}
+
+TEST(BusOnTheWire, TopicsAndTypesAreNamedAsRos2Does) {
+  const Participant participant(test_domain());
+  const Publisher publisher(participant, ros_devices(), {"leveling"});
+  const auto writers = discovered_writers(participant);
+  const std::map<std::string, std::string> expected{
+      {"rt/imu/data", "sensor_msgs::msg::dds_::Imu_"},
+      {"rt/dvl/data", "marine_acoustic_msgs::msg::dds_::Dvl_"},
+      {"rt/dvl/twist", "geometry_msgs::msg::dds_::TwistWithCovarianceStamped_"},
+      {"rt/dvl/bottom_track", "drydock::msg::dds_::BottomTrack_"},
+      {"rt/log/twist", "geometry_msgs::msg::dds_::TwistWithCovarianceStamped_"},
+      {"rt/log/speed", "drydock::msg::dds_::WaterSpeed_"},
+      {"rt/gps/fix", "sensor_msgs::msg::dds_::NavSatFix_"},
+      {"rt/gps/velocity", "geometry_msgs::msg::dds_::TwistWithCovarianceStamped_"},
+      {"rt/gps/solution", "drydock::msg::dds_::GnssFix_"},
+      {"rt/gps/satellites", "drydock::msg::dds_::GnssSatellites_"},
+      {"rt/ctd/pressure", "sensor_msgs::msg::dds_::FluidPressure_"},
+      {"rt/ctd/temperature", "sensor_msgs::msg::dds_::Temperature_"},
+      {"rt/ctd/depth", "drydock::msg::dds_::Depth_"},
+      {"rt/rudder/state", "drydock::msg::dds_::ActuatorState_"},
+      {"rt/estimate/leveling", "sensor_msgs::msg::dds_::Imu_"},
+      {"rt/diagnostics", "diagnostic_msgs::msg::dds_::DiagnosticArray_"}};
+  EXPECT_EQ(writers.size(), expected.size());
+  for (const auto& [topic, type] : expected) {
+    ASSERT_TRUE(writers.contains(topic)) << topic;
+    EXPECT_EQ(writers.at(topic).type, type) << topic;
+    EXPECT_EQ(writers.at(topic).reliability, DDS_RELIABILITY_RELIABLE) << topic;
+    EXPECT_EQ(writers.at(topic).durability, DDS_DURABILITY_VOLATILE) << topic;
+  }
+}
+
+TEST(BusOnTheWire, UserDataHoldsTheTypeHashOfRos2AndTheProvenance) {
+  const Participant participant(test_domain());
+  const Publisher publisher(participant, ros_devices());
+  auto writers = discovered_writers(participant);
+  EXPECT_EQ(writers["rt/imu/data"].user_data,
+            "typehash=RIHS01_7d9a00ff131080897a5ec7e26e315954b8eae3353c3f995c55faf71574000b5b;"
+            "provenance=emulated;");
+  EXPECT_EQ(writers["rt/gps/fix"].user_data,
+            "typehash=RIHS01_62223ab3fe210a15976021da7afddc9e200dc9ec75231c1b6a557fc598a65404;"
+            "provenance=emulated;");
+  EXPECT_EQ(writers["rt/diagnostics"].user_data,
+            "typehash=RIHS01_5a8a36efb05fb25070fa0fb3810290c0e6cd4862b54a8fb975a1ee8dc55a333e;");
+  EXPECT_EQ(writers["rt/rudder/state"].user_data, "provenance=replayed;");
+  const Qos qos(dds_create_qos());
+  ASSERT_EQ(dds_get_qos(participant.handle(), qos.get()), DDS_RETCODE_OK);
+  EXPECT_EQ(user_data_of(qos.get()), "enclave=/;");
+}
+
+/// A publisher of the rig, and the bytes of what it writes on one topic.
+template <class Message>
+class Wire {
+ public:
+  explicit Wire(const std::string& topic)
+      : participant_(test_domain()),
+        publisher_(participant_, ros_devices(), {"leveling"}),
+        topic_(make_topic<Message>(participant_.handle(), topic)),
+        reader_(dds_create_reader(participant_.handle(), topic_.handle(), make_qos(10, 0, "").get(),
+                                  nullptr),
+                "reader") {
+    EXPECT_TRUE(eventually([this] { return publisher_.matched_readers() == 1; }));
+  }
+
+  template <class... Arguments>
+  CdrReader publish(const Arguments&... arguments) {
+    publisher_.publish(arguments...);
+    ddsi_serdata* data = nullptr;
+    dds_sample_info_t info;
+    EXPECT_TRUE(eventually(
+        [&] { return dds_takecdr(reader_.handle(), &data, 1, &info, DDS_ANY_STATE) == 1; }));
+    std::vector<std::uint8_t> bytes(ddsi_serdata_size(data));
+    ddsi_serdata_to_ser(data, 0, bytes.size(), bytes.data());
+    ddsi_serdata_unref(data);
+    CdrReader cdr(std::move(bytes));
+    EXPECT_TRUE(cdr.is_plain_little_endian());
+    return cdr;
+  }
+
+ private:
+  Participant participant_;
+  Publisher publisher_;
+  Entity topic_, reader_;
+};
+
+void expect_header(CdrReader& cdr, const std::string& frame) {
+  EXPECT_EQ(cdr.next<std::int32_t>(), 1'700'000'000);
+  EXPECT_EQ(cdr.next<std::uint32_t>(), 123'456'789u);
+  EXPECT_EQ(cdr.next_string(), frame);
+}
+
+TEST(BusOnTheWire, ImuIsForwardLeftUpWithoutOrientation) {
+  Wire<ImuMessage> wire("rt/imu/data");
+  auto cdr = wire.publish(Measurement{ImuSample{origin(imu), {0.5, -0.25, -9.81}, {1, 2, 3}}});
+  EXPECT_EQ(cdr.size(), 324u);
+  expect_header(cdr, "imu_link");
+  EXPECT_THAT(cdr.next_doubles(4), ElementsAre(0, 0, 0, 1));
+  EXPECT_THAT(cdr.next_doubles(9), ElementsAre(-1, 0, 0, 0, 0, 0, 0, 0, 0));
+  EXPECT_THAT(cdr.next_doubles(3), ElementsAre(1, -2, -3));
+  EXPECT_THAT(cdr.next_doubles(9), Each(0));
+  EXPECT_THAT(cdr.next_doubles(3), ElementsAre(0.5, 0.25, 9.81));
+  EXPECT_THAT(cdr.next_doubles(9), Each(0));
+}
+
+TEST(BusOnTheWire, DvlKeepsItsForwardStarboardDownAxes) {
+  Wire<DvlMessage> wire("rt/dvl/data");
+  auto sample = only_origin<BottomVelocity>(dvl);
+  sample.velocity = Eigen::Vector3d(1.5, 0.1, -0.2);
+  sample.altitude_m = 12.5;
+  sample.range_m = {12, 12.25, std::nullopt, 13};
+  sample.sound_speed_mps = 1500;
+  auto cdr = wire.publish(Measurement{sample});
+  EXPECT_EQ(cdr.size(),
+            364u);  // 356 with frame "base_link": three letters more cross one alignment
+  expect_header(cdr, "dvl_link_frd");
+  EXPECT_EQ(cdr.next<std::uint8_t>(), 1);  // DVL_MODE_BOTTOM
+  EXPECT_EQ(cdr.next<std::uint8_t>(), 0);
+  EXPECT_THAT(cdr.next_doubles(3), ElementsAre(1.5, 0.1, -0.2));
+  EXPECT_THAT(cdr.next_doubles(9), Each(-1));
+  EXPECT_EQ(cdr.next<double>(), 12.5);
+  EXPECT_DOUBLE_EQ(cdr.next<double>(), std::atan2(0.1, 1.5));
+  EXPECT_DOUBLE_EQ(cdr.next<double>(), std::sqrt(1.5 * 1.5 + 0.1 * 0.1));
+  EXPECT_EQ(cdr.next<std::uint8_t>(), 3);  // good beams
+  EXPECT_EQ(cdr.next<float>(), 1500.0f);
+  EXPECT_EQ(cdr.next<std::uint8_t>(), 0);  // no ranges along the beams
+  EXPECT_EQ(cdr.next<std::uint8_t>(), 0);  // no velocities along the beams
+  EXPECT_THAT(cdr.next_doubles(12), Each(IsNan()));
+  EXPECT_THAT(cdr.next_doubles(4), Each(IsNan()));
+}
+
+TEST(BusOnTheWire, WaterSpeedIsATwistWhoseUnmeasuredComponentsHaveVarianceMinusOne) {
+  Wire<TwistMessage> wire("rt/log/twist");
+  auto cdr = wire.publish(Measurement{WaterSpeed{origin(log), 2.0, std::nullopt, 7.0}});
+  EXPECT_EQ(cdr.size(), 364u);
+  expect_header(cdr, "log_link");
+  EXPECT_THAT(cdr.next_doubles(6), ElementsAre(2, 0, 0, 0, 0, 0));
+  const auto covariance = cdr.next_doubles(36);
+  EXPECT_EQ(covariance[0], 0);
+  for (std::size_t i = 1; i < 6; ++i) EXPECT_EQ(covariance[7 * i], -1);
+}
+
+TEST(BusOnTheWire, TwistOfTheDvlIsForwardLeftUp) {
+  Wire<TwistMessage> wire("rt/dvl/twist");
+  auto sample = only_origin<BottomVelocity>(dvl);
+  sample.velocity = Eigen::Vector3d(1.5, 0.1, -0.2);
+  auto cdr = wire.publish(Measurement{sample});
+  EXPECT_EQ(cdr.size(), 364u);
+  expect_header(cdr, "dvl_link");
+  EXPECT_THAT(cdr.next_doubles(3), ElementsAre(1.5, -0.1, 0.2));
+}
+
+TEST(BusOnTheWire, GnssVelocityIsEastNorthUp) {
+  Wire<TwistMessage> wire("rt/gps/velocity");
+  auto sample = only_origin<GnssFix>(gnss);
+  sample.velocity_ned = Eigen::Vector3d(1, 2, 3);
+  sample.speed_accuracy_mps = 0.5;
+  auto cdr = wire.publish(Measurement{sample});
+  expect_header(cdr, "gps_enu");
+  EXPECT_THAT(cdr.next_doubles(3), ElementsAre(2, 1, -3));
+  cdr.next_doubles(3);
+  EXPECT_EQ(cdr.next<double>(), 0.25);
+}
+
+TEST(BusOnTheWire, SpeedAndCourseAreAnEastNorthVelocityWithoutUp) {
+  Wire<TwistMessage> wire("rt/gps/velocity");
+  auto sample = only_origin<GnssFix>(gnss);
+  sample.ground_speed_mps = 2;
+  sample.course_rad = std::numbers::pi / 6;
+  auto cdr = wire.publish(Measurement{sample});
+  expect_header(cdr, "gps_enu");
+  EXPECT_NEAR(cdr.next<double>(), 1, 1e-12);
+  EXPECT_NEAR(cdr.next<double>(), std::sqrt(3), 1e-12);
+  EXPECT_EQ(cdr.next<double>(), 0);
+  cdr.next_doubles(3);
+  const auto covariance = cdr.next_doubles(36);
+  EXPECT_EQ(covariance[7], 0);
+  EXPECT_EQ(covariance[14], -1);
+}
+
+TEST(BusOnTheWire, NavSatFixIsInDegreesAndWithoutAFixItIsNan) {
+  Wire<NavSatFixMessage> wire("rt/gps/fix");
+  auto sample = only_origin<GnssFix>(gnss);
+  sample.position = Geodetic{std::numbers::pi / 4, -std::numbers::pi / 2};
+  sample.ellipsoidal_height_m = -32.25;
+  auto cdr = wire.publish(Measurement{sample});
+  EXPECT_EQ(cdr.size(), 128u);
+  expect_header(cdr, "gps_link");
+  EXPECT_EQ(cdr.next<std::int8_t>(), 0);
+  EXPECT_EQ(cdr.next<std::uint16_t>(), 0);
+  EXPECT_THAT(cdr.next_doubles(3), ElementsAre(45, -90, -32.25));
+
+  auto none = wire.publish(Measurement{only_origin<GnssFix>(gnss)});
+  expect_header(none, "gps_link");
+  EXPECT_EQ(none.next<std::int8_t>(), -1);
+  none.next<std::uint16_t>();
+  EXPECT_THAT(none.next_doubles(3), Each(IsNan()));
+}
+
+TEST(BusOnTheWire, PressureIsInPascalAndTemperatureInCelsius) {
+  const DepthSample sample{origin(depth), 10.0, 201'325.5, 280.15, {}};
+  auto pressure = Wire<FluidPressureMessage>("rt/ctd/pressure").publish(Measurement{sample});
+  EXPECT_EQ(pressure.size(), 44u);
+  expect_header(pressure, "ctd_link");
+  EXPECT_EQ(pressure.next<double>(), 201'325.5);
+  auto temperature = Wire<TemperatureMessage>("rt/ctd/temperature").publish(Measurement{sample});
+  expect_header(temperature, "ctd_link");
+  EXPECT_NEAR(temperature.next<double>(), 7.0, 1e-12);
+}
+
+TEST(BusOnTheWire, AttitudeIsAgainstEastNorthUp) {
+  Wire<ImuMessage> wire("rt/estimate/leveling");
+  const double half = std::sqrt(0.5), degree = std::numbers::pi / 180;
+  const auto orientation = [&](double roll, double pitch, double yaw) {
+    auto cdr = wire.publish(Attitude{origin(imu).valid_at, roll, pitch, yaw, {}}, std::size_t{0});
+    expect_header(cdr, "base_link");
+    return cdr.next_doubles(4);
+  };
+  const auto near = [](double x, double y, double z, double w) {
+    return testing::Pointwise(testing::DoubleNear(1e-15), {x, y, z, w});
+  };
+  EXPECT_THAT(orientation(0, 0, 90 * degree), near(0, 0, 0, 1));  // bow east: x is east
+  EXPECT_THAT(orientation(0, 0, 0), near(0, 0, half, half));      // bow north
+  EXPECT_THAT(orientation(0, 30 * degree, 90 * degree),           // bow up: about left, negative
+              near(0, -std::sin(15 * degree), 0, std::cos(15 * degree)));
+  EXPECT_THAT(orientation(20 * degree, 0, 90 * degree),  // starboard down
+              near(std::sin(10 * degree), 0, 0, std::cos(10 * degree)));
+}
+
+TEST(BusOnTheWire, AttitudeSaysThatItHasNoRatesAndWhetherItHasYaw) {
+  Wire<ImuMessage> wire("rt/estimate/leveling");
+  Attitude attitude{origin(imu).valid_at, 0, 0, {}, {}};
+  attitude.covariance << 1, 0.5, 0.5, 2;
+  auto cdr = wire.publish(attitude, std::size_t{0});
+  expect_header(cdr, "base_link");
+  cdr.next_doubles(4);
+  EXPECT_THAT(cdr.next_doubles(9), ElementsAre(1, -0.5, 0, -0.5, 2, 0, 0, 0, 1e6));
+  cdr.next_doubles(3);
+  EXPECT_EQ(cdr.next_doubles(9)[0], -1);
+  cdr.next_doubles(3);
+  EXPECT_EQ(cdr.next_doubles(9)[0], -1);
+}
+
+TEST(BusOnTheWire, HealthIsADiagnosticArray) {
+  Wire<DiagnosticsMessage> wire("rt/diagnostics");
+  const std::vector<DeviceStatus> health{
+      {Level::warn, "dvl", "no bottom lock", "serial:/dev/ttyS0", {{"beams", "2"}}}};
+  auto cdr = wire.publish(std::span(health), origin(dvl).valid_at);
+  expect_header(cdr, "");
+  EXPECT_EQ(cdr.next<std::uint32_t>(), 1u);
+  EXPECT_EQ(cdr.next<std::uint8_t>(), 1);  // WARN
+  EXPECT_EQ(cdr.next_string(), "dvl");
+  EXPECT_EQ(cdr.next_string(), "no bottom lock");
+  EXPECT_EQ(cdr.next_string(), "serial:/dev/ttyS0");
+  EXPECT_EQ(cdr.next<std::uint32_t>(), 1u);
+  EXPECT_EQ(cdr.next_string(), "beams");
+  EXPECT_EQ(cdr.next_string(), "2");
+}
+
+}  // namespace
+}  // namespace drydock::bus::test
