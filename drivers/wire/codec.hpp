@@ -76,6 +76,19 @@ class Framer {
     }
   }
 
+  /// The stream has ended: a frame that still waits for bytes is none, and the search goes on one
+  /// byte past its sync.
+  template <class ScanFn, class OnFrame>
+  void finish(ScanFn&& scan, OnFrame&& on_frame) {
+    while (held_ > 0) {
+      const std::size_t used = consume(Bytes{buffer_.data(), held_}, held_, scan, on_frame);
+      discard(used);
+      if (used > 0 || held_ == 0) continue;
+      ++counters_.bytes_skipped;
+      discard(1);
+    }
+  }
+
   void reset() {
     counters_.bytes_skipped += held_;
     held_ = 0;
