@@ -7,7 +7,7 @@
 namespace drydock::emulate {
 namespace {
 
-constexpr double frequency_hz = 614400;
+constexpr double frequency_hz = 600e3;
 constexpr double sound_speed_mps = 1490;
 constexpr double salinity_ppt = 35;
 constexpr double full_turn = 6.283185307179586;

@@ -82,9 +82,7 @@ class Recorder final : public Wire {
     wire::CanFrame frame;
   };
 
-  void send(wire::Bytes bytes) override {
-    messages.push_back({now, {bytes.begin(), bytes.end()}});
-  }
+  void send(wire::Bytes bytes) override { messages.push_back({now, {bytes.begin(), bytes.end()}}); }
   void send(const wire::CanFrame& frame) override { frames.push_back({now, frame}); }
 
   /// Lets the device act at every deadline up to `end`.

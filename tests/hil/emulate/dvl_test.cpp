@@ -38,7 +38,7 @@ TEST(EmulatedDvl, TheEnsembleHoldsTheTruthWithinTheProtocolsResolution) {
   EXPECT_NEAR(*ensemble.variable.roll_rad, 3 * degree, 1e-4);
   EXPECT_NEAR(std::tan(*ensemble.variable.pitch_rad), std::tan(-4 * degree) / std::cos(3 * degree),
               1e-4);
-  EXPECT_NEAR(*ensemble.variable.depth_m, 20, 0.05);
+  EXPECT_NEAR(ensemble.variable.depth_m, 20, 0.05);
   EXPECT_NEAR(*ensemble.variable.temperature_k, 283.15, 0.005);
   const auto& track = *ensemble.bottom_track;
   EXPECT_NEAR(*track.velocity_mps[0], 0.123, 5e-4);  // starboard

@@ -13,7 +13,8 @@ TEST(EmulatedEmLog, SaysSpeedThroughTheWaterInKnots) {
   const auto sent = record(device(DeviceKind::emlog, "nmea0183"), trajectory, 0);
   ASSERT_EQ(sent.messages.size(), 3);
   // 2 m/s are 3.888 kn and 7.200 km/h, 0.123 m/s are 0.239 kn.
-  EXPECT_TRUE(text(sent.messages[0]).starts_with("$VMVBW,3.888,0.239,A,,,V")) << text(sent.messages[0]);
+  EXPECT_TRUE(text(sent.messages[0]).starts_with("$VMVBW,3.888,0.239,A,,,V"))
+      << text(sent.messages[0]);
   EXPECT_TRUE(text(sent.messages[1]).starts_with("$VMVHW,,T,,M,3.888,N,7.200,K*"))
       << text(sent.messages[1]);
   EXPECT_TRUE(text(sent.messages[2]).starts_with("$VMVLW,")) << text(sent.messages[2]);

@@ -64,7 +64,8 @@ TEST(EmulatedGnss, NmeaSentencesHoldTheTruthWithinTheProtocolsResolution) {
   EXPECT_EQ(all_of<wire::Gsa>(sent).at(0).fix_type, 3);
   EXPECT_EQ(all_of<wire::Vtg>(sent).size(), 1);
   int satellites = 0;
-  for (const auto& gsv : all_of<wire::Gsv>(sent)) satellites += static_cast<int>(gsv.satellites.size());
+  for (const auto& gsv : all_of<wire::Gsv>(sent))
+    satellites += static_cast<int>(gsv.satellites.size());
   EXPECT_EQ(satellites, 10);
 }
 
@@ -104,9 +105,9 @@ TEST(EmulatedGnss, PositionErrorsAreMetresNorthEastDown) {
   auto config = device(DeviceKind::gnss, "ubx");
   config.emulate.primary.bias = {3, -4, 0};
   const auto pvt = all_of<wire::NavPvt>(record(config, trajectory, 0)).at(0);
-  const Eigen::Vector3d offset = frame::ned_offset(
-      {47.123456 * degree, -8.765432 * degree, -0.1},
-      {*pvt.latitude_rad, *pvt.longitude_rad, *pvt.ellipsoidal_height_m});
+  const Eigen::Vector3d offset =
+      frame::ned_offset({47.123456 * degree, -8.765432 * degree, -0.1},
+                        {*pvt.latitude_rad, *pvt.longitude_rad, *pvt.ellipsoidal_height_m});
   EXPECT_NEAR((offset - Eigen::Vector3d(3, -4, 0)).norm(), 0, 0.02);
   EXPECT_NEAR(*pvt.horizontal_accuracy_m, 5, 1e-3);
 }
@@ -115,7 +116,8 @@ TEST(EmulatedGnss, PositionErrorsAreMetresNorthEastDown) {
 std::vector<nlohmann::json> by_gpsdecode(const std::vector<std::uint8_t>& bytes) {
   const auto path = std::filesystem::path(testing::TempDir()) / "drydock-emulated-gnss.bin";
   std::ofstream(path, std::ios::binary)
-      .write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+      .write(reinterpret_cast<const char*>(bytes.data()),
+             static_cast<std::streamsize>(bytes.size()));
   std::vector<nlohmann::json> reports;
   FILE* pipe = popen(("/usr/bin/gpsdecode -j < '" + path.string() + "' 2>/dev/null").c_str(), "r");
   std::array<char, 8192> line;
