@@ -23,7 +23,9 @@ std::optional<double> altitude(const Ranges& range_m, const wire::Pd0VariableLea
     beams += 2;
   }
   if (beams == 0) return {};
-  return std::cos(*tilt.pitch_rad) * std::cos(*tilt.roll_rad) * beams / inverse_sum;
+  // The pitch sensor reads the tilt of the bow axis (see pd0_velocity.hpp).
+  const double pitch = std::atan(std::tan(*tilt.pitch_rad) * std::cos(*tilt.roll_rad));
+  return std::cos(pitch) * std::cos(*tilt.roll_rad) * beams / inverse_sum;
 }
 
 }  // namespace

@@ -1,0 +1,156 @@
+#include "drivers/device/device.hpp"
+
+#include <gtest/gtest.h>
+
+#include <rapidcheck/gtest.h>
+
+#include "tests/drivers/device/support.hpp"
+
+namespace drydock::device::test {
+namespace {
+
+struct Desk final : Listener, Transmitter {
+  void on_measurement(const Measurement& m) override { heard.push_back(m); }
+  void on_state(const Device&, const Transition& change) override { changes.push_back(change); }
+  void send(wire::Bytes) override {}
+  void send(const wire::CanFrame& frame) override { sent.push_back(frame); }
+
+  std::vector<Measurement> heard;
+  std::vector<Transition> changes;
+  std::vector<wire::CanFrame> sent;
+};
+
+std::unique_ptr<Device> device(Kind kind, const std::string& protocol, Desk& desk,
+                               bool on_bus = false) {
+  DeviceOptions o;
+  o.name = "sensor";
+  o.driver = options(kind, protocol);
+  o.driver.device = 3;
+  o.life_cycle.reopen_when_quiet = !on_bus;
+  auto made = std::move(*Device::make(o));
+  made->connect(desk, desk);
+  made->start(at_s(0));
+  made->opened(at_s(0), measurement::Provenance::replayed);
+  return made;
+}
+
+const Octets vhw = octets("$HCVHW,,,,,0.2,N,0,K*5B\r\n");
+
+TEST(Device, MeasurementsCarryDeviceAndProvenanceOfTheLink) {
+  Desk desk;
+  const auto log = device(Kind::emlog, "nmea0183", desk);
+  log->receive(vhw, at_s(1));
+  ASSERT_EQ(desk.heard.size(), 1U);
+  EXPECT_EQ(measurement::origin_of(desk.heard[0]).device, 3);
+  EXPECT_EQ(measurement::origin_of(desk.heard[0]).provenance, measurement::Provenance::replayed);
+}
+
+TEST(Device, OneLinePerChangeOfStateAndNoMore) {
+  Desk desk;
+  const auto log = device(Kind::emlog, "nmea0183", desk);
+  for (int i = 0; i < 100; ++i) log->receive(vhw, at_s(0.1 * i));
+  log->tick(at_s(20));
+  std::vector<State> to;
+  for (const Transition& change : desk.changes) to.push_back(change.to);
+  EXPECT_EQ(to, (std::vector{State::opening, State::waiting, State::streaming, State::stale}));
+}
+
+TEST(Device, NoiseIsNoMessage) {
+  Desk desk;
+  const auto log = device(Kind::emlog, "nmea0183", desk);
+  log->receive(octets("~~~~~~~~~~~~~~~~"), at_s(1));
+  EXPECT_EQ(log->state(), State::waiting);
+}
+
+TEST(Device, RateIsThatOfTheArrivals) {
+  Desk desk;
+  const auto log = device(Kind::emlog, "nmea0183", desk);
+  for (int i = 0; i < 50; ++i) log->receive(vhw, at_s(0.2 * i));
+  const Health health = log->health(at_s(10));
+  EXPECT_NEAR(health.rate_hz.value(), 5, 1e-6);
+  EXPECT_EQ(health.messages, 50U);
+  EXPECT_NEAR(measurement::seconds(health.age.value()), 0.2, 1e-6);
+}
+
+TEST(Device, RateSurvivesJitterAndBatches) {
+  Desk desk;
+  const auto log = device(Kind::emlog, "nmea0183", desk);
+  for (int i = 0; i < 32; ++i) log->receive(vhw + vhw, at_s(0.4 * i + (i % 2 ? 0.05 : 0)));
+  EXPECT_NEAR(log->health(at_s(13)).rate_hz.value(), 5, 0.15);
+}
+
+TEST(Device, SensorsOfSeveralMessagesHaveTheRateOfEachNotTheSum) {
+  Desk desk;
+  const auto actuators = device(Kind::actuator, "nmea2000", desk, true);
+  for (int i = 0; i < 50; ++i) {
+    for (const unsigned instance : {0U, 1U, 2U}) {
+      actuators->receive(can_frame(0x09F10D11, true, {instance, 0xF8, 0xFF, 0x7F, 1, 0, 255, 255}),
+                         at_s(0.1 * i));
+    }
+  }
+  EXPECT_NEAR(actuators->health(at_s(5)).rate_hz.value(), 10, 1e-6);
+}
+
+TEST(Device, ErrorFramesAreCountedAndSaidInWords) {
+  Desk desk;
+  const auto depth = device(Kind::depth, "nmea2000", desk, true);
+  auto bus_off = can_frame(0x40, false, {0, 0, 0, 0, 0, 0, 0, 0});
+  bus_off.error = true;
+  depth->receive(bus_off, at_s(1));
+  depth->note_dropped(7);
+  const Health health = depth->health(at_s(1));
+  EXPECT_EQ(health.error_frames, 1U);
+  EXPECT_EQ(health.can_dropped, 7U);
+  EXPECT_EQ(health.last_error.view().substr(0, 7), "bus-off");
+}
+
+TEST(Device, BusDeviceStartsItsNodeThroughTheTransmitter) {
+  Desk desk;
+  const auto imu = device(Kind::imu, "cia404-imu", desk, true);
+  EXPECT_EQ(desk.sent.size(), 1U);
+}
+
+TEST(Device, HearsNothingBeforeItsLinkIsOpenOrAfterItStopped) {
+  Desk desk;
+  const auto log = device(Kind::emlog, "nmea0183", desk);
+  log->stop(at_s(1));
+  log->receive(vhw, at_s(2));
+  EXPECT_TRUE(desk.heard.empty());
+}
+
+TEST(Device, UnknownProtocolIsRefused) {
+  DeviceOptions o;
+  o.driver = options(Kind::dvl, "nmea0183");
+  const auto made = Device::make(o);
+  ASSERT_FALSE(made);
+  EXPECT_EQ(made.error().message,
+            "no driver for kind \"dvl\" with protocol \"nmea0183\" over bytes; allowed: pd0 "
+            "(bytes)");
+}
+
+/// Whatever comes in whatever pieces, every byte is accounted for and nothing breaks.
+void counters_add_up(Kind kind, const std::string& protocol) {
+  Desk desk;
+  const auto d = device(kind, protocol, desk);
+  const auto pieces = *rc::gen::container<std::vector<Octets>>(rc::gen::oneOf(
+      rc::gen::just(vhw), rc::gen::just(Octets{0xB5, 0x62, 0x01, 0x07, 92, 0}),
+      rc::gen::just(Octets{0x7F, 0x7F, 0xF0, 0x00, 0x00, 0x03}), rc::gen::arbitrary<Octets>()));
+  std::uint64_t fed = 0;
+  Stamp now = at_s(1);
+  for (const Octets& piece : pieces) {
+    d->receive(piece, now);
+    fed += piece.size();
+    now += std::chrono::milliseconds{10};
+  }
+  const Health health = d->health(now);
+  RC_ASSERT(health.stream.bytes_in == fed);
+  RC_ASSERT(health.stream.bytes_in ==
+            health.stream.bytes_good + health.stream.bytes_skipped + health.held_bytes);
+}
+
+RC_GTEST_PROP(Device, CountersAddUpForALog, ()) { counters_add_up(Kind::emlog, "nmea0183"); }
+RC_GTEST_PROP(Device, CountersAddUpForAReceiver, ()) { counters_add_up(Kind::gnss, "ubx"); }
+RC_GTEST_PROP(Device, CountersAddUpForADvl, ()) { counters_add_up(Kind::dvl, "pd0"); }
+
+}  // namespace
+}  // namespace drydock::device::test

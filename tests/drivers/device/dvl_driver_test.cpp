@@ -1,0 +1,129 @@
+#include <cmath>
+
+#include "tests/drivers/device/support.hpp"
+
+/// Ensembles are put together here by the offsets of Teledyne's Pathfinder DVL Guide (tables
+/// 32-47).
+namespace drydock::device::test {
+namespace {
+
+using measurement::BottomVelocity;
+
+struct Bed {
+  std::array<int, 4> velocity_mmps{};  ///< of the bed, as on the wire
+  std::array<int, 4> range_cm{1000, 1000, 1000, 1000};
+  std::uint8_t transform = 0x10;  ///< ship axes, tilts not used
+  int pitch_cdeg = 0, roll_cdeg = 0;
+};
+
+Octets ensemble(const Bed& bed) {
+  constexpr std::size_t header = 6 + 3 * 2, fixed = header, variable = fixed + 59,
+                        track = variable + 65, end = track + 81;
+  Octets out(end + 2, 0);
+  put(out, 0, 2, 0x7F7F);
+  put(out, 2, 2, end);
+  out[5] = 3;
+  put(out, 6, 2, fixed);
+  put(out, 8, 2, variable);
+  put(out, 10, 2, track);
+
+  put(out, fixed, 2, 0x0000);
+  put(out, fixed + 4, 2, 0x020B);  // 30 degrees, convex, 600 kHz
+  out[fixed + 8] = 4;
+  out[fixed + 25] = bed.transform;
+
+  put(out, variable, 2, 0x0080);
+  const std::array<std::uint8_t, 7> clock{26, 3, 4, 5, 6, 7, 50};
+  std::copy(clock.begin(), clock.end(), out.begin() + variable + 4);
+  put(out, variable + 14, 2, 1500);
+  put(out, variable + 18, 2, 9000);
+  put(out, variable + 20, 2, bed.pitch_cdeg);
+  put(out, variable + 22, 2, bed.roll_cdeg);
+
+  put(out, track, 2, 0x0600);
+  for (std::size_t i = 0; i < 4; ++i) {
+    put(out, track + 16 + 2 * i, 2, bed.range_cm[i]);
+    put(out, track + 24 + 2 * i, 2, bed.velocity_mmps[i]);
+  }
+  int sum = 0;
+  for (std::size_t i = 0; i < end; ++i) sum += out[i];
+  put(out, end, 2, sum % 65536);
+  return out;
+}
+
+BottomVelocity heard(const Bed& bed, DriverOptions o = options(Kind::dvl, "pd0")) {
+  Ear ear;
+  byte_driver(o)->receive(ensemble(bed), at_s(1), ear);
+  const auto all = ear.all<BottomVelocity>();
+  EXPECT_EQ(all.size(), 1U);
+  return all.empty() ? BottomVelocity{} : all[0];
+}
+
+TEST(DvlDriver, VehicleMovesAgainstTheBedsMotion) {
+  // Ship axes: starboard, forward, mast. The bed goes 1.5 m/s astern, 0.2 to port, 0.1 up.
+  const auto v = heard({.velocity_mmps = {-200, -1500, 100, 4}}).velocity;
+  ASSERT_TRUE(v);
+  EXPECT_NEAR(v->x(), 1.5, 1e-12);
+  EXPECT_NEAR(v->y(), 0.2, 1e-12);
+  EXPECT_NEAR(v->z(), 0.1, 1e-12);  // the vehicle sinks: positive down
+}
+
+TEST(DvlDriver, MountingTurnsTheSensorIntoTheBody) {
+  DriverOptions o = options(Kind::dvl, "pd0");
+  o.mounting = {0, 0, 45 * degree};  // its bow axis looks 45 degrees to starboard
+  const auto v = heard({.velocity_mmps = {0, -1000, 0, 0}}, o).velocity;
+  EXPECT_NEAR(v->x(), std::sqrt(0.5), 1e-12);
+  EXPECT_NEAR(v->y(), std::sqrt(0.5), 1e-12);
+}
+
+TEST(DvlDriver, NoBottomLockIsNoVelocityButALivingDvl) {
+  const auto m = heard({.velocity_mmps = {-32768, -32768, -32768, -32768}, .range_cm = {}});
+  EXPECT_FALSE(m.velocity);
+  EXPECT_FALSE(m.error_velocity_mps);
+  EXPECT_FALSE(m.altitude_m);
+  EXPECT_FALSE(m.range_m[0]);
+}
+
+TEST(DvlDriver, AltitudeOfALevelVehicleIsTheRange) {
+  EXPECT_NEAR(heard({.range_cm = {1200, 1200, 1200, 1200}}).altitude_m.value(), 12, 1e-12);
+}
+
+TEST(DvlDriver, AltitudeOverAFlatBedIsTrueUnderTilt) {
+  // Closed form: 20 m above the bed, pitch 10 degrees, beams 30 degrees fore and aft. A beam at
+  // angle b +- 10 degrees from the vertical has the slant 20 / cos and the component cos(30) of it.
+  const auto component = [](double from_vertical_deg) {
+    return 20 / std::cos(from_vertical_deg * degree) * std::cos(30 * degree);
+  };
+  const int fore = static_cast<int>(std::lround(100 * component(40)));
+  const int aft = static_cast<int>(std::lround(100 * component(20)));
+  const auto m = heard({.range_cm = {0, 0, fore, aft}, .pitch_cdeg = 1000});
+  EXPECT_NEAR(m.altitude_m.value(), 20, 0.01);
+}
+
+TEST(DvlDriver, OneBeamOfAPairIsNoAltitude) {
+  EXPECT_FALSE(heard({.range_cm = {1000, 0, 0, 1000}}).altitude_m);
+}
+
+TEST(DvlDriver, KeepsTheDevicesOwnClockAttitudeAndSoundSpeed) {
+  const auto m = heard({.pitch_cdeg = -250, .roll_cdeg = 125});
+  using namespace std::chrono;
+  const auto clock = sys_days{2026y / March / 4} + 5h + 6min + 7s + 500ms;
+  EXPECT_EQ(m.origin.device_time, clock.time_since_epoch());
+  EXPECT_NEAR(m.heading_rad.value(), 90 * degree, 1e-12);
+  EXPECT_NEAR(m.pitch_rad.value(), -2.5 * degree, 1e-12);
+  EXPECT_NEAR(m.roll_rad.value(), 1.25 * degree, 1e-12);
+  EXPECT_EQ(m.sound_speed_mps, 1500);
+}
+
+TEST(DvlDriver, NoEnsembleIsLostAfterADamagedOne) {
+  Octets damaged = ensemble({});
+  damaged[40] ^= 0x01;
+  Ear ear;
+  const auto driver = byte_driver(options(Kind::dvl, "pd0"));
+  driver->receive(damaged + ensemble({}), at_s(1), ear);
+  EXPECT_EQ(ear.all<BottomVelocity>().size(), 1U);
+  EXPECT_GE(driver->counters().bad_checksums, 1U);
+}
+
+}  // namespace
+}  // namespace drydock::device::test

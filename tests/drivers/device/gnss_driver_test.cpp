@@ -1,0 +1,244 @@
+#include "tests/drivers/device/support.hpp"
+
+namespace drydock::device::test {
+namespace {
+
+using measurement::Constellation;
+using measurement::FixType;
+using measurement::GnssFix;
+using measurement::GnssSatellites;
+using namespace std::chrono;
+
+/// NAV-PVT by the offsets of the u-blox interface description.
+struct Pvt {
+  std::uint32_t itow_ms = 1000;
+  std::uint8_t fix_type = 3, flags = 0x01;
+  std::uint16_t flags3 = 0;
+};
+
+Octets nav_pvt(const Pvt& p) {
+  Octets m(92, 0);
+  put(m, 0, 4, p.itow_ms);
+  put(m, 4, 2, 2026);
+  m[6] = 3, m[7] = 4, m[8] = 5, m[9] = 6, m[10] = 7;
+  m[11] = 0x07;             // date, time valid, fully resolved
+  put(m, 16, 4, -250'000);  // ns: just before the second
+  m[20] = p.fix_type;
+  m[21] = p.flags;
+  m[23] = 11;
+  put(m, 24, 4, 85'000'000);   // 8.5 deg east
+  put(m, 28, 4, 472'500'000);  // 47.25 deg north
+  put(m, 32, 4, 450'000);
+  put(m, 36, 4, 402'000);
+  put(m, 40, 4, 1'500);
+  put(m, 48, 4, 1'000);
+  put(m, 52, 4, -500);
+  put(m, 56, 4, 250);
+  put(m, 76, 2, 123);
+  put(m, 78, 2, p.flags3);
+  return ubx(0x01, 0x07, m);
+}
+
+Octets nav_eoe(std::uint32_t itow_ms) {
+  Octets m(4, 0);
+  put(m, 0, 4, itow_ms);
+  return ubx(0x01, 0x61, m);
+}
+
+/// Two satellites: Galileo 5 used at 41 dBHz, GLONASS 7 in view, its elevation unknown.
+Octets nav_sat(std::uint32_t itow_ms) {
+  Octets m(8 + 2 * 12, 0);
+  put(m, 0, 4, itow_ms);
+  m[4] = 1, m[5] = 2;
+  m[8] = 2, m[9] = 5, m[10] = 41, m[11] = 30;
+  put(m, 12, 2, 270);
+  put(m, 16, 4, 0x0000001F);
+  m[20] = 6, m[21] = 7, m[22] = 0, m[23] = static_cast<std::uint8_t>(-91);
+  return ubx(0x01, 0x35, m);
+}
+
+struct Receiver {
+  explicit Receiver(std::string protocol, std::optional<unsigned> baud = {}) {
+    DriverOptions o = options(Kind::gnss, std::move(protocol));
+    o.baud = baud;
+    driver = byte_driver(o);
+  }
+  void says(const Octets& bytes, double at) { driver->receive(bytes, at_s(at), ear); }
+  std::vector<GnssFix> fixes() const { return ear.all<GnssFix>(); }
+
+  Ear ear;
+  std::unique_ptr<ByteDriver> driver;
+};
+
+// Widely published examples of the format (gpsinformation.org): 23 March 1994, 12:35:19.
+const std::string gga = "GPGGA,123519,4807.038,N,01131.000,E,1,08,0.9,545.4,M,46.9,M,,";
+const std::string rmc = "GPRMC,123519,A,4807.038,N,01131.000,E,022.4,084.4,230394,003.1,W";
+const std::string gsa = "GPGSA,A,3,04,05,,09,12,,,24,,,,,2.5,1.3,2.1";
+
+TEST(GnssDriver, UbxFixIsPublishedWhole) {
+  Receiver r("ubx");
+  r.says(nav_pvt({}), 1);
+  ASSERT_EQ(r.fixes().size(), 1U);
+  const GnssFix fix = r.fixes()[0];
+  EXPECT_EQ(fix.type, FixType::three_d);
+  EXPECT_NEAR(fix.position->latitude_rad, 47.25 * degree, 1e-12);
+  EXPECT_NEAR(fix.position->longitude_rad, 8.5 * degree, 1e-12);
+  EXPECT_NEAR(fix.ellipsoidal_height_m.value(), 450, 1e-9);
+  EXPECT_NEAR(fix.velocity_ned->x(), 1, 1e-12);
+  EXPECT_NEAR(fix.velocity_ned->y(), -0.5, 1e-12);
+  EXPECT_NEAR(fix.velocity_ned->z(), 0.25, 1e-12);
+  EXPECT_EQ(fix.satellites_used, 11);
+  EXPECT_EQ(fix.origin.device_time, 1s);
+  const auto utc = sys_days{2026y / March / 4} + 5h + 6min + 7s - 250us;
+  EXPECT_EQ(fix.utc, Stamp{utc.time_since_epoch()});
+}
+
+TEST(GnssDriver, UbxWithoutFixHasNoPositionWhateverStandsInTheField) {
+  Receiver r("ubx");
+  r.says(nav_pvt({.itow_ms = 1000, .fix_type = 0, .flags = 0}), 1);
+  r.says(nav_pvt({.itow_ms = 2000, .fix_type = 3, .flags = 0}), 2);  // outside its own masks
+  r.says(nav_pvt({.itow_ms = 3000, .fix_type = 3, .flags = 1, .flags3 = 1}), 3);  // invalidLlh
+  r.says(nav_pvt({.itow_ms = 4000, .fix_type = 5, .flags = 1}), 4);               // time only
+  ASSERT_EQ(r.fixes().size(), 4U);
+  for (const GnssFix& fix : r.fixes()) EXPECT_FALSE(fix.position);
+  EXPECT_EQ(r.fixes()[0].type, FixType::none);
+  EXPECT_EQ(r.fixes()[1].type, FixType::none);
+  EXPECT_EQ(r.fixes()[3].type, FixType::time_only);
+}
+
+TEST(GnssDriver, SameTimeOfWeekTwiceIsOneFix) {
+  Receiver r("ubx");
+  r.says(nav_pvt({}) + nav_pvt({}) + nav_eoe(1000) + nav_pvt({.itow_ms = 2000}), 1);
+  EXPECT_EQ(r.fixes().size(), 2U);
+}
+
+TEST(GnssDriver, FixBehindOtherMessagesOfItsEpochIsAsOldAsTheFirstOfThem) {
+  Receiver r("ubx", 38400);
+  const Octets sat = nav_sat(1000), pvt = nav_pvt({});
+  r.says(sat + pvt, 1);
+  const double on_the_line = static_cast<double>(sat.size() + pvt.size()) * 10 / 38400;
+  const measurement::Origin origin = r.fixes().at(0).origin;
+  EXPECT_NEAR(measurement::seconds(at_s(1) - origin.valid_at), on_the_line, 2e-9);
+  EXPECT_EQ(origin.received_at, at_s(1));
+}
+
+TEST(GnssDriver, UbxSatellitesKeepConstellationAndUnknowns) {
+  Receiver r("ubx");
+  r.says(nav_sat(1000), 1);
+  const auto all = r.ear.all<GnssSatellites>();
+  ASSERT_EQ(all.size(), 1U);
+  ASSERT_EQ(all[0].satellites.size(), 2U);
+  const auto& galileo = all[0].satellites[0];
+  EXPECT_EQ(galileo.constellation, Constellation::galileo);
+  EXPECT_EQ(galileo.number, 5);
+  EXPECT_EQ(galileo.cno_dbhz, 41);
+  EXPECT_NEAR(galileo.azimuth_rad.value(), 270 * degree, 1e-12);
+  EXPECT_TRUE(galileo.used);
+  const auto& glonass = all[0].satellites[1];
+  EXPECT_EQ(glonass.constellation, Constellation::glonass);
+  EXPECT_FALSE(glonass.cno_dbhz);
+  EXPECT_FALSE(glonass.elevation_rad);
+}
+
+TEST(GnssDriver, NmeaSentencesOfOneTimeAreOneFix) {
+  Receiver r("nmea0183");
+  r.says(nmea(gga) + nmea(gsa) + nmea(rmc), 1);
+  EXPECT_TRUE(r.fixes().empty());  // more may come
+  r.driver->tick(r.driver->deadline().value(), r.ear);
+  ASSERT_EQ(r.fixes().size(), 1U);
+  const GnssFix fix = r.fixes()[0];
+  EXPECT_EQ(fix.type, FixType::three_d);
+  EXPECT_NEAR(fix.position->latitude_rad, (48 + 7.038 / 60) * degree, 1e-12);
+  EXPECT_NEAR(fix.position->longitude_rad, (11 + 31.0 / 60) * degree, 1e-12);
+  EXPECT_NEAR(fix.mean_sea_level_height_m.value(), 545.4, 1e-9);
+  EXPECT_NEAR(fix.ellipsoidal_height_m.value(), 592.3, 1e-9);
+  EXPECT_NEAR(fix.ground_speed_mps.value(), 22.4 * knot, 1e-12);
+  EXPECT_NEAR(fix.course_rad.value(), 84.4 * degree, 1e-12);
+  EXPECT_FALSE(fix.velocity_ned);  // nobody measured the vertical part
+  EXPECT_EQ(fix.satellites_used, 8);
+  EXPECT_EQ(fix.position_dop, 2.5);
+  const auto utc = sys_days{1994y / March / 23} + 12h + 35min + 19s;
+  EXPECT_EQ(fix.utc, Stamp{utc.time_since_epoch()});
+  EXPECT_EQ(fix.origin.device_time, 12h + 35min + 19s);
+}
+
+TEST(GnssDriver, NextTimeOfDayClosesTheEpoch) {
+  Receiver r("nmea0183");
+  r.says(
+      nmea(gga) + nmea(rmc) + nmea("GPGGA,123520,4807.038,N,01131.000,E,1,08,0.9,545.4,M,46.9,M,,"),
+      1);
+  EXPECT_EQ(r.fixes().size(), 1U);
+}
+
+TEST(GnssDriver, StragglerOfAClosedEpochIsNoSecondFix) {
+  Receiver r("nmea0183");
+  r.says(nmea(gga), 1);
+  r.driver->tick(at_s(1.2), r.ear);
+  r.says(nmea(rmc), 1.3);
+  r.driver->tick(at_s(1.5), r.ear);
+  EXPECT_EQ(r.fixes().size(), 1U);
+}
+
+TEST(GnssDriver, NmeaWithoutFixHasNoPosition) {
+  Receiver r("nmea0183");
+  r.says(nmea("GPGGA,123519,4807.038,N,01131.000,E,0,00,,,M,,M,,"), 1);  // digits, quality 0
+  r.says(nmea("GPGGA,123520,4807.038,N,01131.000,E,1,03,,,M,,M,,") +
+             nmea("GPRMC,123520,V,4807.038,N,01131.000,E,,,230394,,"),
+         2);                                                             // RMC contradicts
+  r.says(nmea("GPGGA,123521,4807.038,N,01131.000,E,8,03,,,M,,M,,"), 3);  // simulator
+  r.driver->tick(at_s(4), r.ear);
+  ASSERT_EQ(r.fixes().size(), 3U);
+  for (const GnssFix& fix : r.fixes()) {
+    EXPECT_FALSE(fix.position);
+    EXPECT_EQ(fix.type, FixType::none);
+  }
+}
+
+TEST(GnssDriver, GsvGroupsOfAnEpochAreOneList) {
+  Receiver r("nmea0183");
+  r.says(nmea(gga) + nmea("GPGSA,A,3,01,14,,,,,,,,,,,2.5,1.3,2.1") +
+             nmea("GPGSV,2,1,05,01,40,083,46,02,17,308,41,12,07,344,39,14,22,228,45") +
+             nmea("GPGSV,2,2,05,33,10,120,") + nmea("GLGSV,1,1,01,65,50,010,30"),
+         1);
+  r.driver->tick(at_s(2), r.ear);
+  const auto all = r.ear.all<GnssSatellites>();
+  ASSERT_EQ(all.size(), 1U);
+  const auto& s = all[0].satellites;
+  ASSERT_EQ(s.size(), 6U);
+  EXPECT_EQ(s[0].number, 1);
+  EXPECT_TRUE(s[0].used);
+  EXPECT_FALSE(s[1].used);
+  EXPECT_TRUE(s[3].used);
+  EXPECT_EQ(s[4].constellation, Constellation::sbas);
+  EXPECT_EQ(s[4].number, 120);  // NMEA 33 is PRN 120
+  EXPECT_FALSE(s[4].cno_dbhz);
+  EXPECT_EQ(s[5].constellation, Constellation::glonass);
+  EXPECT_EQ(s[5].number, 1);
+}
+
+TEST(GnssDriver, GroupWithALostSentenceIsNotPublished) {
+  Receiver r("nmea0183");
+  r.says(nmea(gga) + nmea("GPGSV,3,1,09,01,40,083,46,02,17,308,41,12,07,344,39,14,22,228,45") +
+             nmea("GPGSV,3,3,09,03,40,083,46"),
+         1);
+  r.driver->tick(at_s(2), r.ear);
+  EXPECT_TRUE(r.ear.all<GnssSatellites>().empty());
+  EXPECT_EQ(r.fixes().size(), 1U);
+}
+
+TEST(GnssDriver, MixedLineGivesEachEpochOnceAndFromUbx) {
+  Receiver r("ubx");
+  for (int epoch = 1; epoch <= 3; ++epoch) {
+    const std::string second = std::to_string(10 + epoch);
+    r.says(nmea("GNGGA,1235" + second + ",4807.038,N,01131.000,E,1,08,0.9,545.4,M,46.9,M,,") +
+               nav_pvt({.itow_ms = 1000U * static_cast<unsigned>(epoch)}) +
+               nmea("GNRMC,1235" + second + ",A,4807.038,N,01131.000,E,022.4,084.4,230394,,"),
+           epoch);
+  }
+  r.driver->tick(at_s(4), r.ear);
+  ASSERT_EQ(r.fixes().size(), 3U);
+  for (const GnssFix& fix : r.fixes()) EXPECT_TRUE(fix.velocity_ned);
+}
+
+}  // namespace
+}  // namespace drydock::device::test

@@ -1,0 +1,175 @@
+#include "drivers/device/life_cycle.hpp"
+
+#include <gmock/gmock.h>
+
+#include <vector>
+
+#include "tests/drivers/device/support.hpp"
+
+namespace drydock::device::test {
+namespace {
+
+using testing::HasSubstr;
+using namespace std::chrono_literals;
+
+LifeCycleOptions line_options() { return {}; }
+
+LifeCycleOptions bus_options() {
+  LifeCycleOptions options;
+  options.reopen_when_quiet = false;
+  return options;
+}
+
+/// Given a device in a state; its link has been open since 0 s.
+LifeCycle waiting(const LifeCycleOptions& options = line_options()) {
+  LifeCycle life(options);
+  life.start(at_s(0));
+  life.opened(at_s(0));
+  return life;
+}
+
+LifeCycle streaming(const LifeCycleOptions& options = line_options()) {
+  LifeCycle life = waiting(options);
+  life.message(at_s(0));
+  return life;
+}
+
+LifeCycle stale(const LifeCycleOptions& options = line_options()) {
+  LifeCycle life = streaming(options);
+  life.tick(at_s(2));
+  return life;
+}
+
+TEST(LifeCycle, ClosedDeviceWantsNothing) {
+  const LifeCycle life;
+  EXPECT_EQ(life.state(), State::closed);
+  EXPECT_FALSE(life.wants_open());
+  EXPECT_FALSE(life.wants_close());
+  EXPECT_FALSE(life.deadline());
+}
+
+TEST(LifeCycle, StartedDeviceWantsItsLinkOpened) {
+  LifeCycle life;
+  const auto change = life.start(at_s(1));
+  ASSERT_TRUE(change);
+  EXPECT_EQ(change->from, State::closed);
+  EXPECT_EQ(change->to, State::opening);
+  EXPECT_TRUE(life.wants_open());
+}
+
+TEST(LifeCycle, FirstMessageMakesItStreamAndFurtherOnesAreNoNews) {
+  LifeCycle life = waiting();
+  EXPECT_EQ(life.message(at_s(1))->to, State::streaming);
+  EXPECT_FALSE(life.message(at_s(1.1)));
+  EXPECT_EQ(life.deadline(), at_s(3.1));  // stale 2 s after the last
+}
+
+TEST(LifeCycle, SilenceMakesItStaleAndAMessageMakesItStreamAgain) {
+  LifeCycle life = streaming();
+  EXPECT_FALSE(life.tick(at_s(1.99)));
+  const auto change = life.tick(at_s(2));
+  ASSERT_TRUE(change);
+  EXPECT_EQ(change->to, State::stale);
+  EXPECT_EQ(change->why.view(),
+            "no message for 2 s; opening the link again in 10 s if it stays quiet");
+  EXPECT_EQ(life.message(at_s(5))->to, State::streaming);
+}
+
+TEST(LifeCycle, StaleLineIsClosedAndOpenedAgain) {
+  LifeCycle life = stale();
+  EXPECT_EQ(life.deadline(), at_s(12));
+  const auto change = life.tick(at_s(12));
+  ASSERT_TRUE(change);
+  EXPECT_EQ(change->to, State::backing_off);
+  EXPECT_EQ(change->why.view(), "no message for 12 s; retry in 0.25 s");
+  EXPECT_TRUE(life.wants_close());
+  EXPECT_FALSE(life.link_lost(at_s(12), "closed"));
+  EXPECT_FALSE(life.wants_close());
+  EXPECT_EQ(life.tick(at_s(12.25))->to, State::opening);
+}
+
+TEST(LifeCycle, LineThatNeverSpeaksIsOpenedAgain) {
+  LifeCycle life = waiting();
+  EXPECT_EQ(life.tick(at_s(10))->to, State::backing_off);
+}
+
+TEST(LifeCycle, BackOffDoublesFromAQuarterSecondToThirtySeconds) {
+  LifeCycle life;
+  Stamp now = at_s(0);
+  life.start(now);
+  std::vector<double> waits;
+  for (int i = 0; i < 10; ++i) {
+    life.open_failed(now, "no such device");
+    waits.push_back(measurement::seconds(*life.deadline() - now));
+    now = *life.deadline();
+    life.tick(now);
+  }
+  EXPECT_EQ(waits, (std::vector<double>{0.25, 0.5, 1, 2, 4, 8, 16, 30, 30, 30}));
+  EXPECT_EQ(now, at_s(0.25 + 0.5 + 1 + 2 + 4 + 8 + 16 + 30 + 30 + 30));
+}
+
+TEST(LifeCycle, OnlyStreamingForgivesEarlierFailures) {
+  LifeCycle life;
+  life.start(at_s(0));
+  life.open_failed(at_s(0), "busy");
+  life.tick(at_s(0.25));
+  life.opened(at_s(0.25));
+  life.link_lost(at_s(1), "unplugged");
+  EXPECT_EQ(life.deadline(), at_s(1.5));  // opened, but never streamed: the second wait
+  life.tick(at_s(1.5));
+  life.opened(at_s(1.5));
+  life.message(at_s(2));
+  life.link_lost(at_s(3), "unplugged");
+  EXPECT_EQ(life.deadline(), at_s(3.25));
+}
+
+TEST(LifeCycle, TheReasonSaysWhatHappenedAndWhatComesNext) {
+  LifeCycle life = streaming();
+  life.link_lost(at_s(1), "first");
+  life.tick(at_s(1.25));
+  const auto change = life.open_failed(at_s(1.25), "/dev/ttyUSB0: no such file");
+  EXPECT_EQ(change->why.view(), "/dev/ttyUSB0: no such file; retry in 0.5 s");
+}
+
+TEST(LifeCycle, QuietBusIsNoFault) {
+  LifeCycle life = stale(bus_options());
+  EXPECT_FALSE(life.deadline());
+  EXPECT_FALSE(life.tick(at_s(3600)));
+  EXPECT_EQ(life.state(), State::stale);
+  EXPECT_FALSE(life.wants_close());
+  EXPECT_EQ(life.status(at_s(3600)).view(), "no message for 3600 s on a bus that is up");
+  EXPECT_EQ(life.message(at_s(3601))->to, State::streaming);
+}
+
+TEST(LifeCycle, BusDeviceThatNeverSpokeKeepsWaiting) {
+  LifeCycle life = waiting(bus_options());
+  EXPECT_FALSE(life.tick(at_s(100)));
+  EXPECT_EQ(life.state(), State::waiting);
+  EXPECT_EQ(life.status(at_s(12.5)).view(), "no message for 12.5 s on a bus that is up");
+}
+
+TEST(LifeCycle, SharedBusMayComeUpBeforeItsOwnBackOffEnds) {
+  LifeCycle life = streaming(bus_options());
+  life.link_lost(at_s(1), "down");
+  EXPECT_EQ(life.opened(at_s(1.1))->to, State::waiting);
+}
+
+TEST(LifeCycle, StopClosesFromEveryState) {
+  LifeCycle life = streaming();
+  EXPECT_EQ(life.stop(at_s(1))->to, State::closed);
+  EXPECT_TRUE(life.wants_close());
+  EXPECT_FALSE(life.message(at_s(1.1)));
+  EXPECT_FALSE(life.link_lost(at_s(1.2), "closed"));
+  EXPECT_FALSE(life.wants_close());
+  EXPECT_FALSE(life.deadline());
+}
+
+TEST(LifeCycle, LongReasonsAreCutNotLost) {
+  LifeCycle life;
+  life.start(at_s(0));
+  const auto change = life.open_failed(at_s(0), std::string(500, 'x'));
+  EXPECT_EQ(change->why.view().size(), 160U);
+}
+
+}  // namespace
+}  // namespace drydock::device::test

@@ -1,0 +1,87 @@
+#include "drivers/device/timing.hpp"
+
+#include "tests/drivers/device/support.hpp"
+
+namespace drydock::device::test {
+namespace {
+
+using std::chrono::nanoseconds;
+
+DriverOptions log_at(unsigned baud, double latency_s = 0) {
+  DriverOptions o = options(Kind::emlog, "nmea0183");
+  o.baud = baud;
+  o.latency = from_seconds(latency_s);
+  return o;
+}
+
+/// A VHW sentence of exactly 40 bytes: 1 + body + 5.
+Octets forty_bytes() {
+  Octets sentence = nmea("VMVHW,045.0,T,043.00,M,03.50,N,06.");
+  EXPECT_EQ(sentence.size(), 40U);
+  return sentence;
+}
+
+TEST(Timing, FortyBytesAt4800BaudTake83Milliseconds) {
+  Ear ear;
+  byte_driver(log_at(4800))->receive(forty_bytes(), at_s(1), ear);
+  const auto speeds = ear.all<measurement::WaterSpeed>();
+  ASSERT_EQ(speeds.size(), 1U);
+  EXPECT_EQ(speeds[0].origin.received_at, at_s(1));
+  EXPECT_EQ(speeds[0].origin.valid_at, at_s(1) - nanoseconds{83'333'333});
+}
+
+TEST(Timing, StatedLatencyIsSubtractedToo) {
+  Ear ear;
+  byte_driver(log_at(4800, 0.1))->receive(forty_bytes(), at_s(1), ear);
+  EXPECT_EQ(ear.all<measurement::WaterSpeed>().at(0).origin.valid_at,
+            at_s(1) - nanoseconds{183'333'333});
+}
+
+TEST(Timing, FrameInPiecesCountsFromItsLastByte) {
+  Ear ear;
+  const auto driver = byte_driver(log_at(4800));
+  const Octets sentence = forty_bytes();
+  for (std::size_t i = 0; i < sentence.size(); ++i) {
+    driver->receive({&sentence[i], 1}, at_s(1 + 0.01 * static_cast<double>(i)), ear);
+  }
+  const auto origin = ear.all<measurement::WaterSpeed>().at(0).origin;
+  EXPECT_EQ(origin.received_at, at_s(1.39));
+  EXPECT_EQ(origin.valid_at, at_s(1.39) - nanoseconds{83'333'333});
+}
+
+TEST(Timing, FramesInOneReadArrivedOneAfterTheOther) {
+  Ear ear;
+  byte_driver(log_at(4800))->receive(forty_bytes() + forty_bytes() + forty_bytes(), at_s(1), ear);
+  const auto speeds = ear.all<measurement::WaterSpeed>();
+  ASSERT_EQ(speeds.size(), 3U);
+  EXPECT_EQ(speeds[0].origin.received_at, at_s(1) - nanoseconds{166'666'666});
+  EXPECT_EQ(speeds[1].origin.received_at, at_s(1) - nanoseconds{83'333'333});
+  EXPECT_EQ(speeds[2].origin.received_at, at_s(1));
+  EXPECT_NEAR(measurement::seconds(at_s(1) - speeds[0].origin.valid_at), 0.25, 2e-9);
+}
+
+TEST(Timing, LineWithoutABaudRateCostsOnlyTheLatency) {
+  DriverOptions o = options(Kind::emlog, "nmea0183");
+  o.latency = from_seconds(0.02);
+  Ear ear;
+  byte_driver(o)->receive(forty_bytes() + forty_bytes(), at_s(1), ear);
+  const auto origin = ear.all<measurement::WaterSpeed>().at(0).origin;
+  EXPECT_EQ(origin.received_at, at_s(1));
+  EXPECT_EQ(origin.valid_at, at_s(0.98));
+}
+
+TEST(Timing, EightByteExtendedFrameTakesHalfAMillisecondAt250Kilobits) {
+  const auto frame = can_frame(0x08F02D80, true, {0, 0, 0, 0, 0, 0, 0, 0});
+  const Origin origin = Timing(options(Kind::imu, "aceinna")).of_frame(at_s(1), frame);
+  EXPECT_EQ(origin.received_at, at_s(1));
+  EXPECT_EQ(origin.valid_at, at_s(1) - nanoseconds{512'000});  // 64 + 8 x 8 bits of 4 us
+}
+
+TEST(Timing, StandardFrameIsTwentyBitsShorter) {
+  const auto frame = can_frame(0x181, false, {0, 0, 0, 0, 0, 0, 0, 0});
+  const Origin origin = Timing(options(Kind::imu, "cia404-imu")).of_frame(at_s(1), frame);
+  EXPECT_EQ(origin.valid_at, at_s(1) - nanoseconds{432'000});
+}
+
+}  // namespace
+}  // namespace drydock::device::test
