@@ -117,11 +117,11 @@ bool run(Source& source, Sink& sink, wire::Framer<Capacity>& framer, Scan&& scan
     framer.feed(bytes, scan, on_frame);
     if (!source.likely_more(bytes) && !sink.flush()) return false;  // a live line: show it now
   }
-  const std::uint64_t frames = framer.counters().frames;
+  const auto [total, frames] = std::pair(framer.counters().bytes_in, framer.counters().frames);
   constexpr std::uint8_t line_end[] = {'\n'};  // which the last line of a capture may lack
   if (framer.held() > 0) framer.feed(line_end, scan, on_frame);
-  const bool lent = framer.held() > 0 && framer.counters().frames == frames;
-  framer.reset();
+  const bool lent = framer.counters().bytes_in > total && framer.counters().frames == frames;
+  framer.finish(scan, on_frame);
   counters = framer.counters();
   counters.bytes_skipped -= lent;
   sink.finish();

@@ -1,0 +1,73 @@
+#include "drivers/cli/json_lines.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <limits>
+#include <nlohmann/json.hpp>
+
+namespace drydock::cli {
+namespace {
+
+template <class T>
+std::string written(const T& value) {
+  std::string text;
+  JsonWriter(text).value(value);
+  return text;
+}
+
+struct Point {
+  double x = 0;
+  std::optional<int> label;
+};
+template <class F>
+void visit_fields(const Point& p, F&& field) {
+  field("x_m", p.x);
+  field("label", p.label);
+}
+
+TEST(JsonWriter, NotANumberAndInfinityAreNull) {
+  EXPECT_EQ(written(std::numeric_limits<double>::quiet_NaN()), "null");
+  EXPECT_EQ(written(std::numeric_limits<double>::infinity()), "null");
+  EXPECT_EQ(written(std::optional<double>{}), "null");
+  EXPECT_EQ(written(std::string_view{}), "null");
+}
+
+TEST(JsonWriter, DoublesHaveTheFewestDigits) {
+  EXPECT_EQ(written(0.1), "0.1");
+  EXPECT_EQ(written(-2.0), "-2");
+  EXPECT_EQ(written(1436509052.249713), "1436509052.249713");
+}
+
+TEST(JsonWriter, BytesAreNumbers) {
+  EXPECT_EQ(written(std::uint8_t{65}), "65");
+  EXPECT_EQ(written(std::array<std::uint8_t, 3>{1, 2, 255}), "[1,2,255]");
+  EXPECT_EQ(written(true), "true");
+}
+
+TEST(JsonWriter, StructsNest) {
+  EXPECT_EQ(written(std::array<Point, 2>{Point{1.5, 7}, Point{}}),
+            R"([{"x_m":1.5,"label":7},{"x_m":0,"label":null}])");
+}
+
+RC_GTEST_PROP(JsonWriter, AnyBytesAreOneJsonString, (const std::string& bytes)) {
+  const nlohmann::json parsed = nlohmann::json::parse(written(std::string_view(bytes)));
+  if (bytes.empty()) {
+    RC_ASSERT(parsed.is_null());
+    return;
+  }
+  std::string latin1;  // the parser gives UTF-8
+  const auto utf8 = parsed.get<std::string>();
+  for (std::size_t i = 0; i < utf8.size(); ++i) {
+    const auto lead = static_cast<unsigned char>(utf8[i]);
+    latin1 += lead < 0x80 ? utf8[i] : static_cast<char>(((lead & 3) << 6) | (utf8[++i] & 0x3F));
+  }
+  RC_ASSERT(latin1 == bytes);
+}
+
+RC_GTEST_PROP(JsonWriter, DoublesReadBackTheSame, (double number)) {
+  RC_ASSERT(nlohmann::json::parse(written(number)).get<double>() == number);
+}
+
+}  // namespace
+}  // namespace drydock::cli
