@@ -1,0 +1,138 @@
+#include <fcntl.h>
+#include <gmock/gmock.h>
+#include <sys/stat.h>
+
+#include <fstream>
+
+#include "drivers/link/descriptor.hpp"
+#include "drivers/link/line_settings.hpp"
+#include "tests/drivers/link/running.hpp"
+
+namespace drydock::link::testing {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+
+class Pty : public ::testing::Test {
+ protected:
+  Folder folder;
+  std::string path = folder.file("dvl");
+  std::string uri = "pty:" + path + "?baud=38400";
+  asio::io_context io;
+};
+
+TEST_F(Pty, StandsUnderAStableNameThatGoesWithIt) {
+  auto device = open(io, uri, Side::device);
+  EXPECT_TRUE(fs::is_character_file(path));
+  EXPECT_THAT(fs::read_symlink(path).string(), HasSubstr("/dev/pts/"));
+  device->close();
+  EXPECT_FALSE(fs::is_symlink(path));
+}
+
+TEST_F(Pty, WithoutACloseTheNameGoesWithTheLink) {
+  { const auto device = open(io, uri, Side::device); }
+  EXPECT_FALSE(fs::is_symlink(path));
+}
+
+TEST_F(Pty, ShortNamesStandInThePrivateRuntimeFolder) {
+  ::setenv("XDG_RUNTIME_DIR", folder.file("").c_str(), 1);
+  const auto device = open(io, "pty:gnss", Side::device);
+  const fs::path expected =
+      fs::path(folder.file("")) / ("drydock-" + std::to_string(::getuid())) / "gnss";
+  EXPECT_TRUE(fs::is_character_file(expected));
+  EXPECT_EQ(fs::status(expected.parent_path()).permissions() & fs::perms::all,
+            fs::perms::owner_all);
+  ::unsetenv("XDG_RUNTIME_DIR");
+  EXPECT_EQ(pty_path("gnss"), "/tmp/drydock-" + std::to_string(::getuid()) + "/gnss");
+}
+
+TEST_F(Pty, NeverReplacesAFileOfAnotherKind) {
+  std::ofstream(path) << "precious";
+  const auto device = open_bytes(io.get_executor(), parse_uri(uri).value(), Side::device);
+  ASSERT_FALSE(device);
+  EXPECT_EQ(device.error().message,
+            path + " exists and is no symbolic link: it will not be replaced");
+  EXPECT_TRUE(fs::is_regular_file(path));
+}
+
+TEST_F(Pty, ReplacesTheNameThatACrashLeftBehind) {
+  fs::create_symlink("/dev/pts/99999", path);
+  const auto device = open(io, uri, Side::device);
+  EXPECT_TRUE(fs::is_character_file(path));
+}
+
+TEST_F(Pty, LeavesANameAloneThatIsNoLongerItsOwn) {
+  auto device = open(io, uri, Side::device);
+  fs::remove(path);
+  fs::create_symlink("/dev/null", path);
+  device.reset();
+  EXPECT_EQ(fs::read_symlink(path), "/dev/null");
+}
+
+TEST_F(Pty, DriverIsToldWhatIsMissing) {
+  const auto driver = open_bytes(io.get_executor(), parse_uri(uri).value(), Side::driver);
+  ASSERT_FALSE(driver);
+  EXPECT_EQ(driver.error().message,
+            "cannot open " + path + ": No such file or directory (is the device plugged in, or " +
+                "the emulator running?)");
+}
+
+TEST_F(Pty, AListenerThatStopsReadingDoesNotStopTheDevice) {
+  const auto device = open(io, uri, Side::device);
+  const auto driver = open(io, uri, Side::driver);
+  for (int i = 0; i < 50; ++i) ASSERT_TRUE(run(io, device->write(Buffer(4096, 'x')))) << i;
+}
+
+TEST_F(Pty, IsNotExclusiveSoOtherProgramsMayJoin) {
+  const auto device = open(io, uri, Side::device);
+  const auto driver = open(io, uri, Side::driver);
+  const Descriptor other(::open(path.c_str(), O_RDWR | O_NOCTTY));
+  EXPECT_TRUE(other);
+}
+
+TEST_F(Pty, SerialLinkTakesItForItselfAlone) {
+  const auto device = open(io, uri, Side::device);
+  const std::string serial = "serial:" + path + "?baud=9600";
+  const auto first = open(io, serial, Side::driver);
+  const auto second = open_bytes(io.get_executor(), parse_uri(serial).value(), Side::driver);
+  ASSERT_FALSE(second);
+  EXPECT_THAT(second.error().message, HasSubstr("another program has it open"));
+}
+
+TEST_F(Pty, ProvenanceFollowsTheUri) {
+  const auto device = open(io, uri, Side::device);
+  EXPECT_EQ(open(io, uri, Side::driver)->provenance(), Provenance::emulated);
+  const std::string serial = "serial:" + path + "?baud=9600";
+  EXPECT_EQ(open(io, serial, Side::driver)->provenance(), Provenance::real);
+  EXPECT_EQ(open(io, serial + "&emulated=1", Side::driver)->provenance(), Provenance::emulated);
+}
+
+class AnyBaud : public ::testing::TestWithParam<unsigned> {};
+
+TEST_P(AnyBaud, IsWhatTheKernelReadsBack) {
+  const Folder folder;
+  const std::string path = folder.file("line");
+  asio::io_context io;
+  const auto device = open(io, "pty:" + path, Side::device);
+  const auto driver = open(io, "pty:" + path + "?baud=" + std::to_string(GetParam()), Side::driver);
+  const Descriptor port(::open(path.c_str(), O_RDWR | O_NOCTTY));
+  EXPECT_EQ(line_baud(port.get()).value(), GetParam());
+}
+
+INSTANTIATE_TEST_SUITE_P(Termios2, AnyBaud,
+                         ::testing::Values(50U, 4800U, 38'400U, 100'000U, 115'200U, 250'000U,
+                                           921'600U, 3'000'000U, 12'000'000U),
+                         ::testing::PrintToStringParamName());
+
+TEST(Serial, ADeviceThatIsNoLineIsRefused) {
+  asio::io_context io;
+  const auto link =
+      open_bytes(io.get_executor(), parse_uri("serial:/dev/null?baud=9600").value(), Side::driver);
+  ASSERT_FALSE(link);
+  EXPECT_EQ(link.error().message,
+            "cannot open /dev/null: Inappropriate ioctl for device (not a serial port)");
+}
+
+}  // namespace
+}  // namespace drydock::link::testing

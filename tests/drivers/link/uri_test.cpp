@@ -1,0 +1,126 @@
+#include <gtest/gtest.h>
+
+#include "drivers/link/uri.hpp"
+
+namespace drydock::link {
+namespace {
+
+std::string error_of(std::string_view text) {
+  const auto uri = parse_uri(text);
+  return uri ? "no error" : uri.error().message;
+}
+
+TEST(Uri, NamesSchemeTargetAndKeys) {
+  const Uri uri = parse_uri("serial:/dev/ttyUSB0?baud=115200&parity=even").value();
+  EXPECT_EQ(uri.scheme, Scheme::serial);
+  EXPECT_EQ(uri.target, "/dev/ttyUSB0");
+  EXPECT_EQ(uri.baud(), 115'200U);
+  EXPECT_EQ(uri.query.at("parity"), "even");
+  EXPECT_EQ(uri.text, "serial:/dev/ttyUSB0?baud=115200&parity=even");
+  EXPECT_EQ(uri.bitrate(), std::nullopt);
+}
+
+TEST(Uri, TellsBytesFromFrames) {
+  for (const char* text :
+       {"serial:/dev/ttyS0?baud=9600", "pty:x", "tcp:h:1", "udp:h:1", "file:f", "memory:m"})
+    EXPECT_EQ(parse_uri(text).value().carries(), Carries::bytes) << text;
+  for (const char* text : {"socketcan:can0", "slcan:/dev/ttyACM0", "memory-can:b", "can:auto"})
+    EXPECT_EQ(parse_uri(text).value().carries(), Carries::frames) << text;
+}
+
+TEST(Uri, SaysWhichDevicesAreEmulated) {
+  for (const char* text :
+       {"pty:x", "memory:m", "memory-can:b", "can:auto", "socketcan:vcan0", "slcan:pty:bus",
+        "tcp:localhost:4001?emulated=1", "slcan:/dev/ttyACM0?emulated=1"})
+    EXPECT_TRUE(parse_uri(text).value().emulated()) << text;
+  for (const char* text : {"serial:/dev/ttyS0?baud=9600", "tcp:h:1", "udp:h:1", "socketcan:can0",
+                           "slcan:/dev/ttyACM0", "slcan:tcp:gateway:3333", "file:f"})
+    EXPECT_FALSE(parse_uri(text).value().emulated()) << text;
+  EXPECT_TRUE(parse_uri("file:f").value().recorded());
+}
+
+TEST(Uri, CanBitRateIsThatOfMarineBusesUnlessWritten) {
+  EXPECT_EQ(parse_uri("socketcan:can0").value().bitrate(), 250'000U);
+  EXPECT_EQ(parse_uri("can:auto?name=bus0&bitrate=500000").value().bitrate(), 500'000U);
+  EXPECT_EQ(parse_uri("can:auto?name=bus0").value().target, "bus0");
+  EXPECT_EQ(parse_uri("can:auto").value().target, "vcan0");
+}
+
+TEST(Uri, SlcanRunsOverAnyByteLink) {
+  const Uri port = line_under_slcan(parse_uri("slcan:/dev/ttyACM0?baud=1000000").value());
+  EXPECT_EQ(port.text, "serial:/dev/ttyACM0?baud=1000000");
+  EXPECT_EQ(line_under_slcan(parse_uri("slcan:tcp:gateway:3333").value()).text, "tcp:gateway:3333");
+}
+
+TEST(Uri, AnUnknownSchemeListsAll) {
+  EXPECT_EQ(error_of("rs232:/dev/ttyS0"),
+            "\"rs232:/dev/ttyS0\": unknown scheme \"rs232\"; allowed are serial pty tcp udp file "
+            "memory socketcan slcan memory-can can:auto");
+  EXPECT_EQ(error_of("/dev/ttyS0"),
+            "\"/dev/ttyS0\": a link is scheme:target; schemes are serial pty tcp udp file memory "
+            "socketcan slcan memory-can can:auto");
+  EXPECT_EQ(error_of("can:vcan0"),
+            "\"can:vcan0\": unknown scheme \"can\"; allowed are serial pty tcp udp file memory "
+            "socketcan slcan memory-can can:auto");
+}
+
+TEST(Uri, AnUnknownKeyListsThoseOfItsScheme) {
+  EXPECT_EQ(error_of("serial:/dev/ttyS0?bauds=9600"),
+            "\"serial:/dev/ttyS0?bauds=9600\": unknown key \"bauds\"; serial allows baud parity "
+            "stop emulated");
+  EXPECT_EQ(error_of("pty:dvl?parity=odd"),
+            "\"pty:dvl?parity=odd\": unknown key \"parity\"; pty allows baud");
+}
+
+TEST(Uri, ABadValueListsWhatIsAllowed) {
+  EXPECT_EQ(error_of("pty:dvl?baud=fast"),
+            "\"pty:dvl?baud=fast\": bad baud \"fast\"; allowed: 50 to 12000000");
+  EXPECT_EQ(error_of("pty:dvl?baud=0"),
+            "\"pty:dvl?baud=0\": bad baud \"0\"; allowed: 50 to 12000000");
+  EXPECT_EQ(error_of("pty:dvl?baud"),
+            "\"pty:dvl?baud\": key \"baud\" has no value; allowed: 50 to 12000000");
+  EXPECT_EQ(
+      error_of("serial:/dev/ttyS0?baud=9600&parity=mark"),
+      "\"serial:/dev/ttyS0?baud=9600&parity=mark\": bad parity \"mark\"; allowed: none even odd");
+  EXPECT_EQ(error_of("file:f?speed=-1&baud=9600"),
+            "\"file:f?speed=-1&baud=9600\": bad speed \"-1\"; allowed: max, 1 (as fast as the line "
+            "was) or "
+            "another factor");
+  EXPECT_EQ(error_of("slcan:/dev/ttyACM0?bitrate=300000"),
+            "\"slcan:/dev/ttyACM0?bitrate=300000\": bad bitrate \"300000\"; allowed: 10000 20000 "
+            "50000 100000 "
+            "125000 250000 500000 800000 1000000");
+  EXPECT_EQ(error_of("pty:dvl?baud=9600&baud=4800"),
+            "\"pty:dvl?baud=9600&baud=4800\": key \"baud\" is given twice");
+}
+
+TEST(Uri, ABadTargetShowsAGoodOne) {
+  EXPECT_EQ(
+      error_of("tcp:localhost"),
+      "\"tcp:localhost\": tcp needs host:port, port 1 to 65535, for example tcp:192.168.2.3:16171");
+  EXPECT_EQ(error_of("tcp:localhost:70000"),
+            "\"tcp:localhost:70000\": tcp needs host:port, port 1 to 65535, for example "
+            "tcp:192.168.2.3:16171");
+  EXPECT_EQ(error_of("pty:a/b"),
+            "\"pty:a/b\": pty needs a name without / or an absolute path, for example pty:dvl");
+  EXPECT_EQ(error_of("socketcan:an-interface-too-long"),
+            "\"socketcan:an-interface-too-long\": socketcan needs an interface name, for example "
+            "socketcan:can0");
+  EXPECT_EQ(error_of("slcan:file:dive.cap"),
+            "\"slcan:file:dive.cap\": slcan needs a device path or one of serial: pty: tcp: udp: "
+            "memory: after "
+            "it, for example slcan:/dev/ttyACM0?bitrate=250000");
+}
+
+TEST(Uri, WhatHasNoSoundDefaultMustBeWritten) {
+  EXPECT_EQ(error_of("serial:/dev/ttyS0"),
+            "\"serial:/dev/ttyS0\": serial needs a baud rate, for example "
+            "serial:/dev/ttyUSB0?baud=115200");
+  EXPECT_EQ(
+      error_of("file:dive.cap?speed=1"),
+      "\"file:dive.cap?speed=1\": speed=1 needs the baud rate of the recorded line, for example "
+      "file:dive.log?speed=1&baud=38400");
+}
+
+}  // namespace
+}  // namespace drydock::link
