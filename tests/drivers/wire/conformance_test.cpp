@@ -1,0 +1,223 @@
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <rapidcheck.h>
+#include <numeric>
+
+#include "drivers/wire/registry.hpp"
+#include "tests/drivers/wire/byte_streams.hpp"
+
+/// What every byte protocol owes its driver, tried on golden bytes of other software.
+namespace drydock::wire::testing {
+namespace {
+
+/// Golden stream of a protocol, its frames and messages, and how its sync looks.
+template <class P>
+struct Golden;
+
+template <>
+struct Golden<Nmea0183> {
+  static Buffer stream() { return fixture("nmea0183/golden.nmea"); }
+  static constexpr std::size_t frames = 22, messages = 22;
+  static Buffer false_sync() { return as_bytes("$GPGGA,12"); }
+  static constexpr std::size_t inside = 9;  ///< offset of a byte that the checksum covers
+};
+
+template <>
+struct Golden<Ubx> {
+  static Buffer stream() { return fixture("ubx/golden.ubx"); }
+  static constexpr std::size_t frames = 9, messages = 8;
+  static Buffer false_sync() { return {0xB5, 0x62, 0x01, 0x07, 0x5C, 0x00}; }
+  static constexpr std::size_t inside = 8;
+};
+
+template <>
+struct Golden<UbxNmea> {
+  static Buffer stream() { return Golden<Ubx>::stream() + Golden<Nmea0183>::stream(); }
+  static constexpr std::size_t frames = 31, messages = 30;
+  static Buffer false_sync() { return {0xB5, 0x62, 0x01, 0x07, 0x5C, 0x00, '$', 'G', 'P'}; }
+  static constexpr std::size_t inside = 8;
+};
+
+template <>
+struct Golden<Pd0> {
+  static Buffer stream() { return fixture("pd0/golden.pd0"); }
+  static constexpr std::size_t frames = 4, messages = 3;
+  static Buffer false_sync() { return {0x7F, 0x7F, 0xD9, 0x00, 0x00, 0x03}; }
+  static constexpr std::size_t inside = 20;
+};
+
+/// The checksums once more, written from the documents and not from the scanners.
+bool sound_sentence(Bytes frame) {
+  const std::string_view text = as_text(frame);
+  const std::size_t star = text.rfind('*');
+  if (text.empty() || text[0] != '$' || star == text.npos || star + 3 > text.size()) return false;
+  const int sum = std::accumulate(text.begin() + 1, text.begin() + static_cast<long>(star), 0,
+                                  [](int x, char c) { return x ^ c; });
+  return std::stoi(std::string{text.substr(star + 1, 2)}, nullptr, 16) == sum;
+}
+
+bool sound_ubx(Bytes frame) {
+  unsigned a = 0, b = 0;
+  for (const auto byte : frame.subspan(2, frame.size() - 4)) b = (b + (a = (a + byte) % 256)) % 256;
+  return frame[0] == 0xB5 && frame[1] == 0x62 && frame[frame.size() - 2] == a && frame.back() == b;
+}
+
+template <class P>
+bool sound(Bytes frame) {
+  if constexpr (std::is_same_v<P, Nmea0183>) return sound_sentence(frame);
+  if constexpr (std::is_same_v<P, Ubx>) return sound_ubx(frame);
+  if constexpr (std::is_same_v<P, UbxNmea>) {
+    return frame[0] == '$' ? sound_sentence(frame) : sound_ubx(frame);
+  }
+  const std::size_t n = frame.size() - 2;
+  const unsigned sum = std::accumulate(frame.begin(), frame.end() - 2, 0u);
+  return frame[0] == 0x7F && frame[1] == 0x7F && frame[n] + 256u * frame[n + 1] == sum % 65536;
+}
+
+template <class P>
+void expect_counters_add_up(const Reading<P>& reading, std::size_t bytes) {
+  EXPECT_EQ(reading.counters.bytes_in, bytes);
+  EXPECT_EQ(reading.counters.bytes_good + reading.counters.bytes_skipped + reading.held, bytes);
+  EXPECT_EQ(reading.counters.frames, reading.frames.size());
+}
+
+/// Good frames in order, then enough quiet noise to end any wait for a false length.
+template <class P>
+void expect_all_golden_frames_in(const Buffer& stream, const Buffer& golden) {
+  const auto expected = read_stream<P>(golden).frames;
+  const auto reading = read_stream<P>(stream + Buffer(P::max_frame, 0x00));
+  for (const Buffer& frame : expected) {
+    EXPECT_NE(std::ranges::find(reading.frames, frame), reading.frames.end()) << "frame lost";
+  }
+  expect_counters_add_up(reading, stream.size() + P::max_frame);
+}
+
+/// Random bytes and torn pieces of real frames.
+Buffer noise(const Buffer& golden) {
+  const auto begin = *rc::gen::inRange<std::size_t>(0, golden.size());
+  const auto end = *rc::gen::inRange<std::size_t>(begin, golden.size());
+  const Buffer torn(golden.begin() + static_cast<long>(begin),
+                    golden.begin() + static_cast<long>(end));
+  return *rc::gen::arbitrary<Buffer>() + torn + *rc::gen::arbitrary<Buffer>();
+}
+
+template <class P>
+class ByteProtocolTest : public ::testing::Test {};
+
+template <class List>
+struct AsTestTypes;
+template <class... P>
+struct AsTestTypes<ProtocolList<P...>> {
+  using type = ::testing::Types<P...>;
+};
+TYPED_TEST_SUITE(ByteProtocolTest, typename AsTestTypes<BytesProtocols>::type);
+
+TYPED_TEST(ByteProtocolTest, TakesEveryGoldenFrameAndNoByteMore) {
+  const Buffer stream = Golden<TypeParam>::stream();
+  const auto reading = read_stream<TypeParam>(stream);
+  EXPECT_EQ(reading.frames.size(), Golden<TypeParam>::frames);
+  EXPECT_EQ(reading.messages.size(), Golden<TypeParam>::messages);
+  EXPECT_EQ(reading.counters.bytes_good, stream.size());
+  EXPECT_EQ(reading.counters.bad_checksums, 0u);
+}
+
+TYPED_TEST(ByteProtocolTest, SeesTheSameInAnySplit) {
+  const Buffer stream = Golden<TypeParam>::stream();
+  const auto whole = read_stream<TypeParam>(stream);
+  EXPECT_TRUE(rc::check([&] {
+    const auto pieces = *rc::gen::nonEmpty(
+        rc::gen::container<std::vector<std::size_t>>(rc::gen::inRange<std::size_t>(1, 120)));
+    const auto split = read_stream<TypeParam>(stream, pieces);
+    RC_ASSERT(split.frames == whole.frames);
+    RC_ASSERT(split.counters == whole.counters);
+  }));
+}
+
+TYPED_TEST(ByteProtocolTest, SplitNoiseCountsLikeWholeNoise) {
+  const Buffer golden = Golden<TypeParam>::stream();
+  EXPECT_TRUE(rc::check([&] {
+    const Buffer stream = noise(golden) + golden + noise(golden);
+    const auto whole = read_stream<TypeParam>(stream);
+    const auto bytewise = read_stream<TypeParam>(stream, {1});
+    RC_ASSERT(bytewise.frames == whole.frames);
+    RC_ASSERT(bytewise.counters == whole.counters);
+  }));
+}
+
+TYPED_TEST(ByteProtocolTest, FindsEveryFrameBetweenNoise) {
+  const Buffer golden = Golden<TypeParam>::stream();
+  EXPECT_TRUE(rc::check([&] {
+    const Buffer stream = noise(golden) + golden + noise(golden);
+    expect_all_golden_frames_in<TypeParam>(stream, golden);
+    RC_ASSERT(!::testing::Test::HasFailure());
+  }));
+}
+
+TYPED_TEST(ByteProtocolTest, LosesNoFrameBehindAFalseSync) {
+  const Buffer golden = Golden<TypeParam>::stream();
+  const Buffer sync = Golden<TypeParam>::false_sync();
+  for (std::size_t n = 1; n <= sync.size(); ++n) {
+    const Buffer head(sync.begin(), sync.begin() + static_cast<long>(n));
+    expect_all_golden_frames_in<TypeParam>(head + golden, golden);
+  }
+}
+
+TYPED_TEST(ByteProtocolTest, LosesNoFrameBehindADamagedOne) {
+  const Buffer golden = Golden<TypeParam>::stream();
+  Buffer damaged = read_stream<TypeParam>(golden).frames.front();
+  damaged[Golden<TypeParam>::inside] ^= 0x01;
+  const auto reading = read_stream<TypeParam>(damaged + golden);
+  EXPECT_EQ(reading.frames.size(), Golden<TypeParam>::frames);
+  EXPECT_GE(reading.counters.bad_checksums, 1u);
+  expect_counters_add_up(reading, damaged.size() + golden.size());
+}
+
+TYPED_TEST(ByteProtocolTest, LosesNoFrameBehindATruncatedOne) {
+  const Buffer golden = Golden<TypeParam>::stream();
+  const Buffer first = read_stream<TypeParam>(golden).frames.front();
+  for (std::size_t n = 1; n < first.size(); ++n) {
+    const Buffer cut(first.begin(), first.begin() + static_cast<long>(n));
+    expect_all_golden_frames_in<TypeParam>(cut + golden, golden);
+  }
+}
+
+TYPED_TEST(ByteProtocolTest, NoBytesMakeAFrameWithAWrongChecksum) {
+  const Buffer golden = Golden<TypeParam>::stream();
+  EXPECT_TRUE(rc::check([&] {
+    Buffer stream = golden;
+    const auto changes = *rc::gen::arbitrary<std::vector<std::pair<std::uint32_t, std::uint8_t>>>();
+    for (const auto& [at, value] : changes) stream[at % stream.size()] = value;
+    const auto reading = read_stream<TypeParam>(stream);
+    for (const Buffer& frame : reading.frames) RC_ASSERT(sound<TypeParam>(frame));
+    expect_counters_add_up(reading, stream.size());
+  }));
+}
+
+TYPED_TEST(ByteProtocolTest, DecodesAnyFrameShapedBytesWithoutHarm) {
+  const auto frames = read_stream<TypeParam>(Golden<TypeParam>::stream()).frames;
+  EXPECT_TRUE(rc::check([&] {
+    Buffer frame = *rc::gen::elementOf(frames);
+    frame.resize(*rc::gen::inRange<std::size_t>(1, frame.size() + 1));
+    const auto changes = *rc::gen::arbitrary<std::vector<std::pair<std::uint16_t, std::uint8_t>>>();
+    for (const auto& [at, value] : changes) frame[at % frame.size()] = value;
+    TypeParam::decode(frame);
+  }));
+}
+
+TYPED_TEST(ByteProtocolTest, MessagesNameTheirFieldsOnce) {
+  for (const auto& message : read_stream<TypeParam>(Golden<TypeParam>::stream()).messages) {
+    std::vector<std::string> keys;
+    std::visit(
+        [&](const auto& m) {
+          EXPECT_FALSE(m.type.empty());
+          visit_fields(m, [&](std::string_view key, const auto&) { keys.emplace_back(key); });
+        },
+        message);
+    std::ranges::sort(keys);
+    EXPECT_EQ(std::ranges::adjacent_find(keys), keys.end());
+  }
+}
+
+}  // namespace
+}  // namespace drydock::wire::testing

@@ -1,0 +1,133 @@
+#include "drivers/wire/pd0_velocity.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "drivers/wire/fields.hpp"
+
+namespace drydock::wire::testing {
+namespace {
+
+using Vector = std::array<double, 3>;
+
+constexpr double heading = 0.7, pitch = 0.12, roll = -0.2;  // Euler angles of the hull, rad
+constexpr Vector body{1.6, -0.3, 0.15};                     // FRD, m/s
+
+/// Yaw, pitch, roll (3-2-1) rotation of a body vector into north, east, down.
+Vector to_ned(const Vector& v, double yaw_rad, double pitch_rad, double roll_rad) {
+  const auto [x, y, z] = v;
+  const double y1 = y * std::cos(roll_rad) - z * std::sin(roll_rad);
+  const double z1 = y * std::sin(roll_rad) + z * std::cos(roll_rad);
+  const double x2 = x * std::cos(pitch_rad) + z1 * std::sin(pitch_rad);
+  const double z2 = z1 * std::cos(pitch_rad) - x * std::sin(pitch_rad);
+  return {x2 * std::cos(yaw_rad) - y1 * std::sin(yaw_rad),
+          x2 * std::sin(yaw_rad) + y1 * std::cos(yaw_rad), z2};
+}
+
+/// An ensemble whose pitch sensor reads the tilt of the bow axis as the instrument's does.
+Pd0Ensemble ensemble(Pd0Frame frame, std::array<std::optional<double>, 4> velocity) {
+  Pd0Ensemble e;
+  e.fixed.frame = frame;
+  e.fixed.tilts_used = true;
+  e.fixed.beam_angle_rad = radians(30);
+  e.variable.heading_rad = heading;
+  e.variable.pitch_rad = std::atan(std::tan(pitch) / std::cos(roll));
+  e.variable.roll_rad = roll;
+  e.bottom_track.emplace().velocity_mps = velocity;
+  return e;
+}
+
+void expect_body(const Pd0Ensemble& e, const Vector& expected = body) {
+  const auto v = velocity_frd(e);
+  ASSERT_TRUE(v);
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR((*v)[i], expected[i], 1e-12) << "axis " << i;
+}
+
+/// Velocities along the beams (towards the transducer, of the bed, sign turned) by the directions
+/// of the beams: down and outwards, 1 to port, 2 to starboard, 3 to the bow, 4 to the stern.
+std::array<std::optional<double>, 4> along_beams(const Vector& frd) {
+  const double s = std::sin(radians(30)), c = std::cos(radians(30));
+  const std::array<Vector, 4> outwards{Vector{0, -s, c}, {0, s, c}, {s, 0, c}, {-s, 0, c}};
+  std::array<std::optional<double>, 4> along;
+  for (std::size_t i = 0; i < 4; ++i) {
+    // The vehicle's motion towards the bed along a beam moves the bed towards the transducer; with
+    // the sign turned it is negative.
+    along[i] = -(frd[0] * outwards[i][0] + frd[1] * outwards[i][1] + frd[2] * outwards[i][2]);
+  }
+  return along;
+}
+
+TEST(Pd0Velocity, InstrumentAxesAreStarboardBowMast) {
+  expect_body(ensemble(Pd0Frame::instrument, {-0.3, 1.6, -0.15, 0.0}));
+}
+
+TEST(Pd0Velocity, ShipAxesWithoutTiltsAreTheHulls) {
+  auto e = ensemble(Pd0Frame::ship, {-0.3, 1.6, -0.15, {}});
+  e.fixed.tilts_used = false;
+  expect_body(e);
+}
+
+TEST(Pd0Velocity, ShipAxesWithTiltsAreTurnedBackToTheHull) {
+  const Vector level = to_ned(body, 0, pitch, roll);
+  expect_body(ensemble(Pd0Frame::ship, {level[1], level[0], -level[2], 0.0}));
+}
+
+TEST(Pd0Velocity, EarthAxesAreTurnedBackToTheHull) {
+  const Vector ned = to_ned(body, heading, pitch, roll);
+  expect_body(ensemble(Pd0Frame::earth, {ned[1], ned[0], -ned[2], 0.0}));
+}
+
+TEST(Pd0Velocity, BeamsFollowTheJanusGeometry) {
+  expect_body(ensemble(Pd0Frame::beam, along_beams(body)));
+}
+
+TEST(Pd0Velocity, OneBadBeamIsBridgedWhereThreeAreAllowed) {
+  for (std::size_t bad = 0; bad < 4; ++bad) {
+    auto beams = along_beams(body);
+    beams[bad].reset();
+    auto e = ensemble(Pd0Frame::beam, beams);
+    EXPECT_FALSE(velocity_frd(e));
+    e.fixed.three_beam = true;
+    expect_body(e);
+    e.bottom_track->velocity_mps[bad ^ 1].reset();
+    EXPECT_FALSE(velocity_frd(e)) << "two bad beams";
+  }
+}
+
+TEST(Pd0Velocity, AlignmentTurnsTheInstrumentToTheBow) {
+  // Beam 3 stands 90 degrees to starboard: its X axis looks astern, its Y axis to starboard.
+  auto e = ensemble(Pd0Frame::instrument, {-1.6, -0.3, -0.15, 0.0});
+  e.fixed.heading_alignment_rad = radians(90);
+  expect_body(e);
+}
+
+TEST(Pd0Velocity, LevelAlignedEarthVelocityNeedsOnlyTheShipsHeading) {
+  // The heading output refers to the ship, wherever beam 3 stands.
+  const Vector ned = to_ned(body, heading, 0, 0);
+  auto e = ensemble(Pd0Frame::earth, {ned[1], ned[0], -ned[2], 0.0});
+  e.variable.pitch_rad = e.variable.roll_rad = 0.0;
+  e.fixed.heading_alignment_rad = radians(45);
+  expect_body(e);
+}
+
+TEST(Pd0Velocity, NothingComesOfBadVelocitiesOrMissingAngles) {
+  EXPECT_FALSE(velocity_frd(ensemble(Pd0Frame::ship, {0.1, {}, 0.1, 0.0})));
+  auto no_heading = ensemble(Pd0Frame::earth, {0.1, 0.1, 0.1, 0.0});
+  no_heading.variable.heading_rad.reset();
+  EXPECT_FALSE(velocity_frd(no_heading));
+  auto no_roll = ensemble(Pd0Frame::ship, {0.1, 0.1, 0.1, 0.0});
+  no_roll.variable.roll_rad.reset();
+  EXPECT_FALSE(velocity_frd(no_roll));
+  auto no_angle = ensemble(Pd0Frame::beam, {0.1, 0.1, 0.1, 0.1});
+  no_angle.fixed.beam_angle_rad.reset();
+  EXPECT_FALSE(velocity_frd(no_angle));
+  auto upwards = ensemble(Pd0Frame::instrument, {0.1, 0.1, 0.1, 0.1});
+  upwards.fixed.faces_up = true;
+  EXPECT_FALSE(velocity_frd(upwards));
+  EXPECT_FALSE(velocity_frd(Pd0Ensemble{}));
+}
+
+}  // namespace
+}  // namespace drydock::wire::testing
