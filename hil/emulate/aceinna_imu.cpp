@@ -18,6 +18,9 @@ constexpr double frame_time_s = 0.54e-3;
 std::uint64_t name_value(const DeviceConfig& config) {
   auto name = name_for(config, inertial_function, 0);
   name.manufacturer_code = manufacturer;
+  // In this vendor's reversed layout bit 63 is the top of the identity number; who reads the NAME
+  // as SAE has it finds "arbitrary address capable" there. Set, both readings agree.
+  name.identity_number |= 1U << 20;
   return wire::aceinna::to_value(name);
 }
 

@@ -86,7 +86,6 @@ TEST(EmulatedGnss, UnderWaterItGoesOnSendingWithoutAFix) {
 }
 
 TEST(EmulatedGnss, EpochsAreWholeMultiplesOfThePeriodInUtc) {
-  const Frozen trajectory(at_the_surface());
   class Late final : public motion::Trajectory {
    public:
     motion::Truth at(Stamp time) const override { return Frozen(at_the_surface()).at(time); }
