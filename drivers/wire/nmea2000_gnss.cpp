@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include "drivers/wire/bit_field.hpp"
 #include "drivers/wire/bytes.hpp"
 #include "drivers/wire/fields.hpp"
@@ -33,6 +35,12 @@ std::optional<double> angle(std::int64_t raw, double limit_deg) {
   return radians(*deg);
 }
 
+/// Receivers without a fix send 0xFFFF, "not available" of the unsigned field this once was.
+std::optional<double> dilution(std::int16_t raw) {
+  if (raw < 0) return std::nullopt;
+  return scaled_field(raw, centi_step);
+}
+
 }  // namespace
 
 std::optional<GnssPosition> decode_gnss_position(std::uint8_t source, Bytes p) {
@@ -49,8 +57,8 @@ std::optional<GnssPosition> decode_gnss_position(std::uint8_t source, Bytes p) {
     m.altitude_m = scaled_field(load_le<std::int64_t>(p, 23), micrometre_step);
   }
   m.satellites = number_field(p[33]);
-  m.horizontal_dop = scaled_field(load_le<std::int16_t>(p, 34), centi_step);
-  m.position_dop = scaled_field(load_le<std::int16_t>(p, 36), centi_step);
+  m.horizontal_dop = dilution(load_le<std::int16_t>(p, 34));
+  m.position_dop = dilution(load_le<std::int16_t>(p, 36));
   m.geoid_height_m = scaled_field(load_le<std::int32_t>(p, 38), centi_step);
   return m;
 }
