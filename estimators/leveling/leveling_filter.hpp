@@ -22,7 +22,7 @@ struct LevelingOptions {
   double initial_alpha_sigma = 1;                ///< P0 of alpha without attitude knowledge; paper
   double accelerometer_start_alpha_sigma = 0.1;  ///< P0 of alpha with accelerometer start; chosen
 
-  double velocity_noise = 1e-2;  ///< Q of V, m/s per sqrt(s); chosen
+  double velocity_noise = 3e-3;  ///< Q of V, m/s per sqrt(s); chosen
   double alpha_noise = 1e-5;     ///< Q of alpha, 1 per sqrt(s); chosen
 
   double speed_sigma_mps = 0.1;        ///< R of V_x moving; paper, Table 1
