@@ -71,12 +71,13 @@ class PtyDevice final : public ByteLink {
 
 Task<void> PtyDevice::write(std::span<const std::uint8_t> bytes) {
   if (listeners_.opened_since() || !listeners_.present()) discard_unread();
-  const auto give_up = asio::steady_timer::clock_type::now() + patience;
+  auto give_up = asio::steady_timer::clock_type::now() + patience;
   while (!bytes.empty()) {
     if (!master_.is_open()) co_return ErrorCode(asio::error::operation_aborted);
     const ssize_t size = ::write(master_.native_handle(), bytes.data(), bytes.size());
     if (size >= 0) {
       overrun_ = false;
+      give_up = asio::steady_timer::clock_type::now() + patience;
       bytes = bytes.subspan(static_cast<std::size_t>(size));
       continue;
     }

@@ -125,7 +125,7 @@ TEST_P(Slcan, AFrameWithoutAFormOnThisLineIsAnError) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Over, Slcan, ::testing::Values("pty", "memory"),
-                         ::testing::PrintToStringParamName());
+                         [](const auto& over) { return std::string(over.param); });
 
 class CanAuto : public ::testing::Test {
  protected:
