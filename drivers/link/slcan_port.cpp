@@ -28,6 +28,7 @@ class SlcanBus::Port {
   }
 
  private:
+  void take_in(wire::Bytes bytes, Stamp at);
   void handle(wire::Bytes line, Stamp at);
   void on_frame(const wire::CanFrame& frame, Stamp at);
   void on_command(const slcan::Command& command);
@@ -53,8 +54,7 @@ asio::awaitable<void> SlcanBus::Port::hear(std::shared_ptr<Port> port) {
   for (;;) {
     const auto received = co_await port->line_->read(port->buffer_);
     if (!received) break;
-    port->framer_.feed({port->buffer_.data(), received->size}, wire::Slcan::scan,
-                       [&](wire::Bytes line, std::size_t) { port->handle(line, received->at); });
+    port->take_in({port->buffer_.data(), received->size}, received->at);
   }
   port->close();
 }
@@ -87,6 +87,15 @@ bool SlcanBus::Port::collect() {
     outgoing_.append(line.begin(), line.begin() + size);
   }
   return true;
+}
+
+void SlcanBus::Port::take_in(wire::Bytes bytes, Stamp at) {
+  const auto scan = [&](wire::Bytes front) {
+    const wire::Scan found = wire::Slcan::scan(front);
+    if (found.kind == wire::Scan::Kind::bad_checksum) answer("\a");  // a line that says nothing
+    return found;
+  };
+  framer_.feed(bytes, scan, [&](wire::Bytes line, std::size_t) { handle(line, at); });
 }
 
 void SlcanBus::Port::handle(wire::Bytes line, Stamp at) {
