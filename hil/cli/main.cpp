@@ -9,7 +9,6 @@
 #include "drivers/cli/decode.hpp"
 #include "drivers/cli/drive.hpp"
 #include "drivers/cli/monitor.hpp"
-#include "drivers/link/uri.hpp"
 #include "estimators/cli/estimate.hpp"
 #include "hil/cli/duration.hpp"
 #include "hil/cli/emulate.hpp"
@@ -26,17 +25,8 @@ constexpr int exit_usage = 2;
 /// A rig file that cannot be used; the lines have been printed.
 struct BadRig {};
 
-rig_config::LoadOptions load_options() {
-  rig_config::LoadOptions options;
-  options.link_check = [](std::string_view uri) -> std::optional<std::string> {
-    const auto parsed = link::parse_uri(uri);
-    return parsed ? std::nullopt : std::optional{parsed.error().message};
-  };
-  return options;
-}
-
 rig_config::Rig load(const std::string& path) {
-  auto rig = rig_config::load_rig(path, load_options());
+  auto rig = rig_config::load_rig(path, cli::load_options());
   if (rig) return std::move(*rig);
   for (const auto& problem : rig.error()) fmt::print(stderr, "{}\n", to_string(problem));
   throw BadRig{};
@@ -133,9 +123,7 @@ void add_check(CLI::App& app, Command& command) {
   auto* sub = app.add_subcommand("check", "Check rig, mission and sensor files");
   sub->footer("Example: drydock check rig_config/rigs/*.toml");
   sub->add_option("FILES", *files, "TOML files")->required();
-  sub->callback([files, &command] {
-    command = [files] { return cli::check(*files, load_options(), stdout); };
-  });
+  sub->callback([files, &command] { command = [files] { return cli::check(*files, stdout); }; });
 }
 
 void add_monitor(CLI::App& app, Command& command) {
@@ -143,7 +131,7 @@ void add_monitor(CLI::App& app, Command& command) {
   auto* sub = app.add_subcommand("monitor", "Print what a link says; never writes to the wire");
   sub->footer("Example: drydock monitor 'serial:/dev/ttyUSB0?baud=38400' --protocol ubx");
   sub->add_option("LINK", options->link, "link URI")->required();
-  sub->add_option("--protocol", options->protocol, "one of " + cli::protocol_names())->required();
+  sub->add_option("--protocol", options->protocol, "one of " + cli::decode_protocols())->required();
   sub->add_option("--for", options->duration_s, "how long: 60s, 10min; default until Ctrl-C")
       ->transform(duration_text);
   sub->callback([options, &command] { command = [options] { return cli::monitor(*options); }; });
@@ -157,9 +145,12 @@ void add_decode(CLI::App& app, Command& command) {
       "Example: drydock decode --protocol pd0 dive.pd0\n"
       "         candump -L can0 | drydock decode --protocol nmea2000");
   sub->add_option("FILE", options->file, "recording; default standard input");
-  sub->add_option("--protocol", options->protocol, "one of " + cli::protocol_names())->required();
+  sub->add_option("--protocol", options->protocol, "one of " + cli::decode_protocols())->required();
+  sub->add_flag("--count", options->count, "how many of each type, not the messages");
   sub->add_flag("--quiet", options->quiet, "no line of counts at the end");
-  sub->callback([options, &command] { command = [options] { return cli::decode(*options); }; });
+  sub->callback([options, &command] {
+    command = [options] { return cli::decode(*options, stdout, stderr); };
+  });
 }
 
 }  // namespace

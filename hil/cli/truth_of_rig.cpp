@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <set>
 
-#include "drivers/link/uri.hpp"
+#include "drivers/link/link.hpp"
 
 namespace drydock::cli {
 namespace {
