@@ -11,6 +11,8 @@ namespace drydock::device {
 template <std::size_t Capacity>
 class FixedText {
  public:
+  static constexpr std::size_t capacity = Capacity;
+
   FixedText() = default;
   FixedText(std::string_view text) { *this += text; }
 

@@ -17,7 +17,8 @@ LifeCycle::Change LifeCycle::enter(State to, Stamp now, std::string_view why) {
 LifeCycle::Change LifeCycle::back_off(Stamp now, std::string_view reason) {
   waits_ = next_back_off_.count() == 0 ? options_.first_back_off : next_back_off_;
   next_back_off_ = std::min(waits_ * 2, options_.back_off_cap);
-  Reason why = reason;
+  constexpr std::size_t room_for_next_step = 24;
+  Reason why{reason.substr(0, Reason::capacity - room_for_next_step)};
   why += "; retry in ";
   why += in_words(waits_).view();
   return enter(State::backing_off, now, why.view());

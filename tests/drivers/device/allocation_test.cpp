@@ -1,21 +1,5 @@
-#include <cstdlib>
-#include <new>
-
+#include "tests/drivers/device/allocation_count.hpp"
 #include "tests/drivers/device/support.hpp"
-
-namespace {
-bool counting = false;
-std::size_t allocations = 0;
-}  // namespace
-
-// Replaces the program's allocation functions to count their calls.
-void* operator new(std::size_t size) {
-  if (counting) ++allocations;
-  if (void* memory = std::malloc(size ? size : 1)) return memory;
-  throw std::bad_alloc();
-}
-void operator delete(void* memory) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 
 namespace drydock::device::test {
 namespace {
@@ -39,23 +23,20 @@ std::size_t allocations_of(Kind kind, const std::string& protocol, Feed feed) {
   device->start(at_s(0));
   device->opened(at_s(0), measurement::Provenance::emulated);
   for (int i = 0; i < 10; ++i) feed(*device, at_s(0.1 * i));
-  allocations = 0;
-  counting = true;
+  const AllocationCount count;
   for (int i = 10; i < 1010; ++i) {
     feed(*device, at_s(0.1 * i));
     device->tick(at_s(0.1 * i + 0.05));
   }
-  counting = false;
+  const std::size_t allocations = count.so_far();
   EXPECT_GT(ears.heard, 900);
   return allocations;
 }
 
 TEST(Allocation, ACountedAllocationIsSeen) {
-  allocations = 0;
-  counting = true;
-  delete new int(1);
-  counting = false;
-  EXPECT_EQ(allocations, 1U);
+  const AllocationCount count;
+  const auto seen = std::make_unique<Octets>(100);
+  EXPECT_EQ(count.so_far(), 2U);
 }
 
 TEST(Allocation, NoneByTheEmLogDriver) {

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <cstddef>
+
+namespace drydock::device::test {
+
+/// Counts the program's calls of operator new from its construction on.
+class AllocationCount {
+ public:
+  AllocationCount();
+  std::size_t so_far() const;
+
+ private:
+  std::size_t before_;
+};
+
+}  // namespace drydock::device::test
