@@ -72,6 +72,7 @@ struct UbxSatellite {
 /// Satellites the receiver knows of.
 struct NavSat {
   static constexpr std::string_view type = "NAV-SAT";
+  NavSat() {}  // not defaulted: value-initialization would clear 20 kB for every message
   std::chrono::milliseconds itow{};
   boost::container::static_vector<UbxSatellite, 255> satellites;  ///< the wire's count is one byte
 };

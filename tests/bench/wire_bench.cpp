@@ -1,0 +1,85 @@
+#include <benchmark/benchmark.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <memory>
+#include <vector>
+
+#include "drivers/wire/registry.hpp"
+
+/// Decoding speed over the golden bytes again and again, as they come from a link in pieces.
+namespace drydock::wire {
+namespace {
+
+using Buffer = std::vector<std::uint8_t>;
+
+constexpr std::size_t stream_size = 4 << 20, piece = 4096;
+
+void append_file(Buffer& stream, const char* name) {
+  const auto path = std::filesystem::path{DRYDOCK_SOURCE_DIR} / "fixtures" / name;
+  std::ifstream file{path, std::ios::binary};
+  stream.insert(stream.end(), std::istreambuf_iterator<char>{file}, {});
+}
+
+template <class P>
+void scan_and_decode(benchmark::State& state, std::vector<const char*> files) {
+  Buffer stream;
+  do {
+    for (const char* file : files) append_file(stream, file);
+  } while (!stream.empty() && stream.size() < stream_size);
+  const auto framer = std::make_unique<Framer<P::max_frame>>();
+  std::size_t messages = 0;
+  for (auto _ : state) {
+    for (std::size_t at = 0; at < stream.size(); at += piece) {
+      const Bytes bytes = Bytes{stream}.subspan(at, std::min(piece, stream.size() - at));
+      framer->feed(bytes, P::scan, [&](Bytes frame, std::size_t) {
+        const auto message = P::decode(frame);
+        benchmark::DoNotOptimize(&message);
+        messages += message.has_value();
+      });
+    }
+  }
+  const auto rounds = static_cast<std::int64_t>(state.iterations());
+  state.SetBytesProcessed(rounds * static_cast<std::int64_t>(stream.size()));
+  state.SetItemsProcessed(static_cast<std::int64_t>(messages));
+}
+
+void nmea0183(benchmark::State& state) {
+  scan_and_decode<Nmea0183>(state, {"nmea0183/golden.nmea"});
+}
+BENCHMARK(nmea0183);
+
+void ubx(benchmark::State& state) { scan_and_decode<Ubx>(state, {"ubx/golden.ubx"}); }
+BENCHMARK(ubx);
+
+void ubx_and_nmea0183(benchmark::State& state) {
+  scan_and_decode<UbxNmea>(state, {"ubx/golden.ubx", "nmea0183/golden.nmea"});
+}
+BENCHMARK(ubx_and_nmea0183);
+
+void pd0(benchmark::State& state) { scan_and_decode<Pd0>(state, {"pd0/golden.pd0"}); }
+BENCHMARK(pd0);
+
+/// A line at the wrong baud rate: nothing but noise.
+template <class P>
+void skip_noise(benchmark::State& state) {
+  Buffer stream(stream_size);
+  std::uint32_t word = 1;
+  for (auto& byte : stream) {
+    word = word * 1664525u + 1013904223u;
+    byte = static_cast<std::uint8_t>(word >> 24);
+  }
+  const auto framer = std::make_unique<Framer<P::max_frame>>();
+  for (auto _ : state) framer->feed(stream, P::scan, [](Bytes, std::size_t) {});
+  state.SetBytesProcessed(static_cast<std::int64_t>(state.iterations()) *
+                          static_cast<std::int64_t>(stream.size()));
+}
+
+BENCHMARK(skip_noise<Nmea0183>);
+BENCHMARK(skip_noise<Ubx>);
+BENCHMARK(skip_noise<UbxNmea>);
+BENCHMARK(skip_noise<Pd0>);
+
+}  // namespace
+}  // namespace drydock::wire
