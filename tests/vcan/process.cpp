@@ -9,6 +9,7 @@
 #include <chrono>
 #include <cstdlib>
 #include <fstream>
+#include <sstream>
 #include <thread>
 
 namespace drydock::vcan {
@@ -80,19 +81,21 @@ int Process::wait() {
 
 int run_program(const std::vector<std::string>& command) { return Process(command).wait(); }
 
-int receiver_count() {
+int receiver_count(const std::string& name) {
   int count = 0;
-  for (const char* list : {"/proc/net/can/rcvlist_all", "/proc/net/can/rcvlist_fil"}) {
-    std::ifstream file(list);
-    for (std::string line; std::getline(file, line);)
-      count += line.find(interface() + " ") != std::string::npos;
+  std::ifstream list("/proc/net/can/rcvlist_all");
+  for (std::string line; std::getline(list, line);) {
+    std::istringstream words(line);
+    std::string first;
+    words >> first;
+    count += first == name;
   }
   return count;
 }
 
-bool wait_for_receivers(int at_least) {
+bool wait_for_receivers(const std::string& name, int at_least) {
   const auto end = Clock::now() + bound;
-  while (receiver_count() < at_least) {
+  while (receiver_count(name) < at_least) {
     if (Clock::now() > end) return false;
     std::this_thread::sleep_for(std::chrono::milliseconds{2});
   }

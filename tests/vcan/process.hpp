@@ -33,9 +33,9 @@ class Process {
 /// Runs a program to its end; its exit status.
 int run_program(const std::vector<std::string>& command);
 
-/// Returns once the interface has this many more CAN_RAW receivers than `before` (/proc/net/can):
-/// a candump that has just been started hears nothing before that.
-int receiver_count();
-bool wait_for_receivers(int at_least);
+/// Receivers of all frames on the interface (/proc/net/can/rcvlist_all).
+int receiver_count(const std::string& name);
+/// A candump that has just been started hears nothing before it is among them. False after 5 s.
+bool wait_for_receivers(const std::string& name, int at_least);
 
 }  // namespace drydock::vcan

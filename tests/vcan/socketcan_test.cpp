@@ -42,9 +42,9 @@ class SocketCan : public ::testing::Test {
 
 TEST_F(SocketCan, CandumpSeesWhatWeWriteByteForByte) {
   const auto bus = open_interface("?fd=1");
-  const int before = vcan::receiver_count();
+  const int before = vcan::receiver_count(interface);
   Process candump({"candump", "-L", interface});
-  ASSERT_TRUE(vcan::wait_for_receivers(before + 1));
+  ASSERT_TRUE(vcan::wait_for_receivers(interface, before + 1));
 
   CanFrame remote = frame(0x7FF, false, {});
   remote.remote = true;

@@ -59,7 +59,8 @@ mkdir -p /dev/pts /dev/shm
 mount -t devpts -o ptmxmode=666 devpts /dev/pts
 mount -t tmpfs shm /dev/shm
 mount -t tmpfs run /run
-for module in net/can/can net/can/can-raw net/can/j1939/can-j1939 drivers/net/can/dev/can-dev drivers/net/can/vcan; do
+for module in net/can/can net/can/can-raw net/can/j1939/can-j1939 \
+  drivers/net/can/dev/can-dev drivers/net/can/vcan drivers/net/can/slcan/slcan; do
   busybox insmod $modules/\$module.ko
 done
 ip link set lo up

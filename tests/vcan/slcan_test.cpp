@@ -1,0 +1,52 @@
+#include <gmock/gmock.h>
+
+#include "drivers/link/can_interface.hpp"
+#include "tests/drivers/link/running.hpp"
+#include "tests/vcan/process.hpp"
+
+/// Our emulated slcan adapter as slcand of can-utils and the kernel's slcan driver see it.
+namespace drydock::link::testing {
+namespace {
+
+using vcan::Process;
+
+bool is_up(const std::string& interface) {
+  const auto found = find_can_interface(interface);
+  return found && found->up;
+}
+
+TEST(SlcanAdapter, SlcandMakesACanInterfaceOfIt) {
+  if (!std::filesystem::exists("/sys/module/slcan")) GTEST_SKIP() << "the kernel has no slcan";
+  const Folder folder;
+  const std::string path = folder.file("adapter");
+  asio::io_context io;
+  const auto adapter = open_bus(io, "slcan:pty:" + path, Side::device);
+  Process slcand({"slcand", "-F", "-o", "-s5", std::filesystem::read_symlink(path), "slc0"});
+  const auto end = std::chrono::steady_clock::now() + 5s;
+  while (!is_up("slc0") && std::chrono::steady_clock::now() < end) {
+    settle(io);
+    vcan::run_program({"ip", "link", "set", "slc0", "up"});
+  }
+  ASSERT_TRUE(is_up("slc0")) << slcand.output_until("\n");
+  settle(io);
+
+  ASSERT_EQ(vcan::run_program({"cansend", "slc0", "09F11201#0102030405060708"}), 0);
+  const auto received = run(io, adapter->read());
+  ASSERT_TRUE(received);
+  EXPECT_EQ(received->frame.id, 0x09F11201U);
+  EXPECT_TRUE(received->frame.extended);
+  EXPECT_THAT(received->frame.payload(), ::testing::ElementsAre(1, 2, 3, 4, 5, 6, 7, 8));
+
+  Process candump({"candump", "-L", "-n", "1", "slc0"});
+  ASSERT_TRUE(vcan::wait_for_receivers("slc0", 1));
+  wire::CanFrame sent;
+  sent.id = 0x123;
+  sent.size = 2;
+  sent.data = {0xAB, 0xCD};
+  ASSERT_TRUE(run(io, adapter->write(sent)));
+  settle(io);
+  EXPECT_THAT(candump.output_until("\n"), ::testing::HasSubstr(" slc0 123#ABCD\n"));
+}
+
+}  // namespace
+}  // namespace drydock::link::testing
