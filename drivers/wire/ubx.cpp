@@ -45,8 +45,8 @@ std::optional<Ubx::Message> Ubx::decode(Bytes frame) {
   switch (load_be<std::uint16_t>(frame, 2)) {
     case ubx::nav_pvt: return as_message(read_nav_pvt(payload));
     case ubx::nav_sat: {
-      std::optional<Message> message;
-      if (!read_nav_sat(payload, message.emplace().emplace<NavSat>())) message.reset();
+      std::optional<Message> message{std::in_place, std::in_place_type<NavSat>};
+      if (!read_nav_sat(payload, std::get<NavSat>(*message))) message.reset();
       return message;
     }
     case ubx::nav_eoe: return as_message(read_nav_eoe(payload));
