@@ -51,6 +51,7 @@ std::string script(const Plot& plot) {
                  "set title {} font 'sans,13'\nset xlabel {}\nset ylabel {}\n"
                  "set grid lc rgb '#dddddd'\nset key outside right top\n",
                  quoted(plot.title), quoted(plot.x_label), quoted(plot.y_label));
+  if (plot.y_limit > 0) fmt::format_to(to, "set yrange [{}:{}]\n", -plot.y_limit, plot.y_limit);
   for (std::size_t i = 0; i < plot.series.size(); ++i) {
     fmt::format_to(to, "$data{} << END\n", i);
     const auto& s = plot.series[i];

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "hil/cli/plot.hpp"
 #include "hil/cli/summary.hpp"
@@ -12,11 +13,11 @@ namespace {
 constexpr const char* style = R"(
 :root{color-scheme:light dark;--ink:#1b1f24;--paper:#fff;--line:#d0d7de;--ok:#1a7f37;--bad:#c0392b;--soft:#57606a}
 @media(prefers-color-scheme:dark){:root{--ink:#e6edf3;--paper:#0d1117;--line:#30363d;--ok:#3fb950;--bad:#ff7b72;--soft:#8b949e}}
-body{font:15px/1.5 system-ui,sans-serif;color:var(--ink);background:var(--paper);max-width:920px;margin:2rem auto;padding:0 1rem}
+body{font:15px/1.5 system-ui,sans-serif;color:var(--ink);background:var(--paper);max-width:1060px;margin:2rem auto;padding:0 1rem}
 h1{font-size:1.6rem;margin-bottom:.2rem}h2{font-size:1.15rem;margin-top:2rem}
 .soft{color:var(--soft)}.scroll{overflow-x:auto}
 table{border-collapse:collapse;width:100%;font-variant-numeric:tabular-nums}
-th,td{padding:.35rem .6rem;border-bottom:1px solid var(--line);text-align:right;white-space:nowrap}
+th,td{padding:.3rem .45rem;border-bottom:1px solid var(--line);text-align:right;white-space:nowrap}
 th:first-child,td:first-child,.left{text-align:left}
 .ok{color:var(--ok);font-weight:600}.bad{color:var(--bad);font-weight:600}
 figure{margin:1rem 0;background:#fff;border:1px solid var(--line);border-radius:6px;padding:.4rem}
@@ -93,6 +94,12 @@ std::vector<double> difference(const std::vector<double>& a, const std::vector<d
   return out;
 }
 
+double largest(const std::vector<double>& v) {
+  double most = 0;
+  for (const double x : v) most = std::max(most, std::abs(x));
+  return most;
+}
+
 std::vector<double> scaled(std::vector<double> v, double by) {
   for (double& x : v) x *= by;
   return v;
@@ -107,6 +114,8 @@ std::string axis_figures(const char* axis, const AttitudeTrace& t,
   std::string out = figure(level);
   if (truth.empty()) return out;
   Plot error{fmt::format("{}: error with the filter's 3-sigma band", axis), "time [s]", "deg", {}};
+  // The band begins tens of degrees wide; the axis shows the error.
+  error.y_limit = 1.3 * largest(difference(estimate, truth));
   error.series.push_back({"3 sigma", t.t_s, scaled(sigma, 3), true});
   error.series.push_back({"estimate - truth", t.t_s, difference(estimate, truth)});
   return out + figure(error);

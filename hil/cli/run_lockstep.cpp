@@ -140,7 +140,7 @@ class LockstepBench final : private device::Listener, private pipeline::Estimate
                 shell::DeviceActor& actor) {
     lines_.push_back(std::make_unique<emulate::EmulatedLine>(
         or_throw(emulate::make_emulated_device(config, trajectory_, rig_.seed)),
-        uri.baud().value_or(115200),
+        uri.baud().value_or(emulate::without_line_rate),
         [&actor](wire::Bytes bytes, Stamp at) { actor.receive(bytes, at); }));
     to_lines_.back()->line = lines_.back().get();
     clock_.add(*lines_.back());

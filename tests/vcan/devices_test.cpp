@@ -30,11 +30,13 @@ rig_config::DeviceConfig device(DeviceKind kind, const std::string& protocol, do
   return config;
 }
 
-class Bench : public ::testing::Test, private device::Listener {
+class Bench : public ::testing::Test, public device::Listener {
  protected:
   void start_drivers(const std::vector<rig_config::DeviceConfig>& configs) {
     rig_.devices = configs;
-    drivers_ = std::make_unique<shell::RealTime>(io, shell::make_devices(rig_).value(), *this);
+    auto devices = shell::make_devices(rig_);
+    ASSERT_TRUE(devices) << devices.error().message;
+    drivers_ = std::make_unique<shell::RealTime>(io, std::move(*devices), *this);
     drivers_->start();
   }
 
