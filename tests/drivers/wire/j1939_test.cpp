@@ -1,0 +1,209 @@
+#include "drivers/wire/j1939.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include "drivers/wire/j1939_address_claim.hpp"
+#include "tests/drivers/wire/can_fixture.hpp"
+
+namespace drydock::wire::j1939 {
+namespace {
+
+using namespace std::chrono_literals;
+using test::frame;
+using test::text_of;
+
+constexpr std::uint64_t movable = std::uint64_t{1} << 63;  // arbitrary address capable
+constexpr std::uint64_t low_name = 0x1000, high_name = 0x2000;
+
+TEST(J1939, IdentifierSplitsAsTheStandardSays) {
+  // 60928 addressed to all, 126720 to node 0, 128267 broadcast; split by canboat.
+  EXPECT_EQ(parse_identifier(0x18EEFF01), (Identifier{6, 60928, 255, 1}));
+  EXPECT_EQ(parse_identifier(0x1DEF0023), (Identifier{7, 126720, 0, 35}));
+  EXPECT_EQ(parse_identifier(0x0DF50B74), (Identifier{3, 128267, 255, 116}));
+  EXPECT_EQ(make_identifier({6, 59904, 35, 1}), 0x18EA2301u);
+  EXPECT_EQ(make_identifier({3, 128267, 255, 116}), 0x0DF50B74u);
+}
+
+RC_GTEST_PROP(J1939, AnyIdentifierSurvivesBeingTakenApart, ()) {
+  const auto id = *rc::gen::inRange<std::uint32_t>(0, 0x20000000);
+  RC_ASSERT(make_identifier(parse_identifier(id)) == id);
+}
+
+RC_GTEST_PROP(J1939, ANameKeepsAllItsBitsButTheReservedOne, (std::uint64_t value)) {
+  constexpr std::uint64_t reserved = std::uint64_t{1} << 48;
+  RC_ASSERT(to_value(to_name(value)) == (value & ~reserved));
+}
+
+TEST(J1939, ClaimAndRequestAreTheBytesOfRealOnes) {
+  Name name;
+  name.identity_number = 321561;
+  name.manufacturer_code = 135;
+  name.function = 130;
+  name.vehicle_system = 60;
+  name.industry_group = 4;
+  name.arbitrary_address_capable = true;
+  EXPECT_EQ(text_of(encode(AddressClaimed{35, to_value(name)})), "18EEFF23#19E8E410008278C0");
+  EXPECT_EQ(text_of(encode(Request{1, 35, 126996})), "18EA2301#14F001");
+}
+
+TEST(J1939, ElevenBitRemoteAndErrorFramesAreNotJ1939) {
+  EXPECT_FALSE(identify(frame("123#00")));
+  EXPECT_FALSE(identify(frame("18EEFF01#R")));
+  EXPECT_FALSE(identify(frame("20000004#0004000000000000")));
+}
+
+TEST(AddressClaim, ClaimsAtOnceAndHoldsTheAddressAfter250Ms) {
+  AddressClaim node(low_name, 0x80);
+  const auto claim = node.start(1s);
+  ASSERT_TRUE(claim);
+  EXPECT_EQ(text_of(*claim), "18EEFF80#0010000000000000");
+  EXPECT_FALSE(node.address());
+  ASSERT_EQ(node.deadline(), 1s + 250ms);
+  EXPECT_FALSE(node.tick(1s + 249ms));
+  EXPECT_FALSE(node.address());
+  EXPECT_FALSE(node.tick(1s + 250ms));
+  EXPECT_EQ(node.address(), 0x80);
+  EXPECT_FALSE(node.deadline());
+}
+
+/// Two nodes on one bus: every frame that one sends reaches the other.
+struct Bus {
+  AddressClaim a, b;
+  void exchange(std::optional<CanFrame> from_a, std::optional<CanFrame> from_b,
+                AddressClaim::Time now) {
+    while (from_a || from_b) {
+      const auto to_b = from_a, to_a = from_b;
+      from_a = to_a ? a.receive(*to_a, now) : std::nullopt;
+      from_b = to_b ? b.receive(*to_b, now) : std::nullopt;
+    }
+  }
+  void run(AddressClaim::Time until) {
+    for (AddressClaim::Time now{}; now <= until; now += 10ms) {
+      exchange(a.tick(now), std::nullopt, now);
+      exchange(std::nullopt, b.tick(now), now);
+    }
+  }
+};
+
+TEST(AddressClaim, TheLowerNameWinsWhicheverStartsFirst) {
+  for (const bool low_first : {true, false}) {
+    Bus bus{AddressClaim(movable | low_name, 0x80), AddressClaim(movable | high_name, 0x80)};
+    if (low_first) {
+      bus.exchange(bus.a.start(0ms), std::nullopt, 0ms);
+      bus.exchange(std::nullopt, bus.b.start(0ms), 0ms);
+    } else {
+      bus.exchange(std::nullopt, bus.b.start(0ms), 0ms);
+      bus.exchange(bus.a.start(0ms), std::nullopt, 0ms);
+    }
+    bus.run(1s);
+    EXPECT_EQ(bus.a.address(), 0x80);
+    EXPECT_EQ(bus.b.address(), 0x81);
+  }
+}
+
+TEST(AddressClaim, AHolderGivesItsAddressUpToALowerNameThatComesLate) {
+  Bus bus{AddressClaim(movable | high_name, 0x80), AddressClaim(movable | low_name, 0x80)};
+  bus.exchange(bus.a.start(0ms), std::nullopt, 0ms);
+  bus.run(500ms);
+  EXPECT_EQ(bus.a.address(), 0x80);
+  bus.exchange(std::nullopt, bus.b.start(500ms), 500ms);
+  EXPECT_FALSE(bus.a.address());
+  bus.run(2s);
+  EXPECT_EQ(bus.b.address(), 0x80);
+  EXPECT_EQ(bus.a.address(), 0x81);
+}
+
+TEST(AddressClaim, TheLoserSkipsAddressesThatOthersHold) {
+  AddressClaim node(movable | high_name, 0x80, {0x80, 0x84});
+  node.start(0ms);
+  node.receive(encode(AddressClaimed{0x81, low_name}), 1ms);
+  node.receive(encode(AddressClaimed{0x82, low_name + 1}), 1ms);
+  const auto next = node.receive(encode(AddressClaimed{0x80, low_name + 2}), 1ms);
+  ASSERT_TRUE(next);
+  EXPECT_EQ(decode_address_claimed(*identify(*next), next->payload())->source, 0x83);
+}
+
+TEST(AddressClaim, WhoMayNotMoveSaysCannotClaimFromTheNullAddress) {
+  AddressClaim node(high_name, 0x80);
+  node.start(0ms);
+  EXPECT_FALSE(node.receive(encode(AddressClaimed{0x80, low_name}), 10ms));
+  EXPECT_TRUE(node.cannot_claim());
+  ASSERT_TRUE(node.deadline());
+  EXPECT_LE(*node.deadline(), 10ms + 153ms);
+  const auto sorry = node.tick(*node.deadline());
+  ASSERT_TRUE(sorry);
+  EXPECT_EQ(text_of(*sorry), "18EEFFFE#0020000000000000");
+  EXPECT_FALSE(node.address());
+  EXPECT_FALSE(node.deadline());
+}
+
+TEST(AddressClaim, AFullRangeEndsInCannotClaim) {
+  AddressClaim node(movable | high_name, 0x80, {0x80, 0x81});
+  node.start(0ms);
+  node.receive(encode(AddressClaimed{0x81, low_name}), 1ms);
+  node.receive(encode(AddressClaimed{0x80, low_name + 1}), 2ms);
+  EXPECT_TRUE(node.cannot_claim());
+}
+
+TEST(AddressClaim, AnswersRequestsAddressedToItOrToAll) {
+  AddressClaim node(low_name, 0x80);
+  node.start(0ms);
+  node.tick(250ms);
+  const std::string claim = "18EEFF80#0010000000000000";
+  // From a node without an address yet (255, as some devices do, and 254), to all and to us.
+  for (const char* request : {"18EAFFFF#00EE00", "18EAFFFE#00EE00", "18EA8001#00EE00"}) {
+    const auto answer = node.receive(frame(request), 300ms);
+    ASSERT_TRUE(answer) << request;
+    EXPECT_EQ(text_of(*answer), claim);
+  }
+  EXPECT_FALSE(node.receive(frame("18EA8101#00EE00"), 300ms));  // to another node
+  EXPECT_FALSE(node.receive(frame("18EAFF01#14F001"), 300ms));  // for another PGN
+}
+
+TEST(AddressClaim, AnswersARequestWithCannotClaimWhenItHasNoAddress) {
+  AddressClaim node(high_name, 0x80);
+  node.start(0ms);
+  node.receive(encode(AddressClaimed{0x80, low_name}), 10ms);
+  node.tick(*node.deadline());
+  node.receive(frame("18EAFF01#00EE00"), 1s);
+  ASSERT_TRUE(node.deadline());
+  const auto answer = node.tick(*node.deadline());
+  ASSERT_TRUE(answer);
+  EXPECT_EQ(identify(*answer)->source, null_address);
+}
+
+TEST(AddressClaim, ItsOwnFrameLoopedBackIsNoContention) {
+  AddressClaim node(low_name, 0x80);
+  const auto claim = node.start(0ms);
+  EXPECT_FALSE(node.receive(*claim, 1ms));
+  node.tick(250ms);
+  EXPECT_EQ(node.address(), 0x80);
+}
+
+TEST(AddressClaim, SaysNothingBeforeItIsStarted) {
+  AddressClaim node(low_name, 0x80);
+  EXPECT_FALSE(node.receive(frame("18EAFF01#00EE00"), 0ms));
+  EXPECT_FALSE(node.deadline());
+}
+
+RC_GTEST_PROP(AddressClaim, ANodeNeverHoldsAnAddressAgainstALowerName, ()) {
+  AddressClaim node(movable | 500, 0x80, {0x80, 0x83});
+  AddressClaim::Time now{};
+  node.start(now);
+  const auto steps = *rc::gen::inRange(0, 40);
+  for (int i = 0; i < steps; ++i) {
+    now += std::chrono::milliseconds(*rc::gen::inRange(0, 300));
+    node.tick(now);
+    const auto source = static_cast<std::uint8_t>(*rc::gen::inRange(0x80, 0x85));
+    const auto name = movable | *rc::gen::inRange<std::uint64_t>(1, 1000);
+    node.receive(encode(AddressClaimed{source, name}), now);
+    if (name < (movable | 500)) {
+      RC_ASSERT(node.address() != source);
+    }
+    RC_ASSERT(node.address().has_value() + node.cannot_claim() <= 1);
+  }
+}
+
+}  // namespace
+}  // namespace drydock::wire::j1939
