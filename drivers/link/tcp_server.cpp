@@ -1,7 +1,9 @@
 #include <boost/asio/buffer.hpp>
 #include <boost/asio/co_spawn.hpp>
 #include <boost/asio/detached.hpp>
+#include <boost/asio/steady_timer.hpp>
 #include <boost/asio/write.hpp>
+#include <chrono>
 
 #include "drivers/link/endpoint.hpp"
 #include "drivers/link/signal.hpp"
@@ -11,6 +13,8 @@ namespace drydock::link {
 namespace {
 
 using asio::ip::tcp;
+
+constexpr auto accept_pause = std::chrono::milliseconds{100};
 
 /// Shared with the coroutine that accepts clients.
 struct Server {
@@ -38,7 +42,11 @@ asio::awaitable<void> accept_one_at_a_time(std::shared_ptr<Server> server) {
     }
     auto [error, client] = co_await server->acceptor.async_accept(as_outcome);
     if (error == asio::error::operation_aborted || !server->acceptor.is_open()) co_return;
-    if (error) continue;  // the client left before we took it
+    if (error) {  // the client left before we took it, or no descriptor is free just now
+      asio::steady_timer pause(server->acceptor.get_executor(), accept_pause);
+      co_await pause.async_wait(as_outcome);
+      continue;
+    }
     server->client = std::move(client);
     server->client.set_option(tcp::no_delay(true), error);
     server->changed->notify();
