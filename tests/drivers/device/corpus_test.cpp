@@ -91,10 +91,13 @@ void agrees_with_gpsd(const std::string& name, const std::string& protocol, doub
 }
 
 TEST(Corpus, GnssDriverAgreesWithGpsdOnUbx) { agrees_with_gpsd("ublox-neo-m8n", "ubx", 0.7); }
-TEST(Corpus, GnssDriverAgreesWithGpsdOnNmea) { agrees_with_gpsd("bu303-moving", "nmea0183", 0.95); }
+TEST(Corpus, GnssDriverAgreesWithGpsdOnNmea) { agrees_with_gpsd("gpsdf", "nmea0183", 0.95); }
+TEST(Corpus, GnssDriverAgreesWithGpsdOnNmeaOfSeveralConstellations) {
+  agrees_with_gpsd("quectelLC79D", "nmea0183", 0.95);
+}
 
 TEST(Corpus, ReceiverWithoutFixGivesNoPosition) {
-  const auto log = corpora() / "gps/gpsd/daemon/bu303b-nofix.log";
+  const auto log = corpora() / "gps/gpsd/daemon/tn200.log";
   if (!exists(log)) GTEST_SKIP() << "no capture " << log;
   const Ear ear = ear_after(Kind::gnss, "nmea0183", read_all(log));
   EXPECT_FALSE(ear.all<GnssFix>().empty());
