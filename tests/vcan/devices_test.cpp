@@ -106,7 +106,7 @@ TEST_F(Bench, CandumpSeesTheEmulatedDevicesAndTheDriversGetTheTruth) {
   EXPECT_THAT(seen, HasSubstr(" 000#01"));  // the driver starts the CANopen node
   EXPECT_THAT(seen, HasSubstr(" 181#"));
   EXPECT_THAT(seen, HasSubstr(" 281#"));
-  EXPECT_THAT(seen, HasSubstr("14FD0A"));  // PGN 130314, priority 5
+  EXPECT_THAT(seen, HasSubstr("15FD0A"));  // PGN 130314, priority 5
 }
 
 TEST_F(Bench, TheDriverReadsWhatCanplayerPlaysBackFromARealSensor) {
@@ -127,7 +127,7 @@ TEST_F(Bench, ASingleFrameFromCansendIsADepth) {
   start_drivers({device(DeviceKind::depth, "nmea2000", 1)});
   link::testing::settle(io);
   // 130314: SID 0, instance 0, source 1 (water), 2 013 250 steps of 0.1 Pa.
-  ASSERT_EQ(run_program({"cansend", interface(), "14FD0A20#00000142B81E00FF"}), 0);
+  ASSERT_EQ(run_program({"cansend", interface(), "15FD0A20#00000142B81E00FF"}), 0);
   const auto depths = take<DepthSample>(1);
   ASSERT_EQ(depths.size(), 1u);
   EXPECT_NEAR(*depths[0].pressure_pa, 201325.0, 0.1);

@@ -14,7 +14,9 @@ rig_config::Rig demo() {
 
 cli::Summary run(const rig_config::Rig& rig, double seconds) {
   testing::internal::CaptureStdout();
-  auto summary = cli::run_lockstep(rig, {.duration_s = seconds, .lockstep = true});
+  cli::RunOptions options;
+  options.duration_s = seconds;
+  auto summary = cli::run_lockstep(rig, options);
   testing::internal::GetCapturedStdout();
   return summary;
 }

@@ -22,7 +22,7 @@ struct Outcome {
 
 Outcome drydock(const std::string& arguments) {
   const std::string command =
-      "cd " DRYDOCK_SOURCE_DIR " && " DRYDOCK_PROGRAM " " + arguments + " 2>&1";
+      "cd " DRYDOCK_SOURCE_DIR "; " DRYDOCK_PROGRAM " " + arguments + " 2>&1";
   std::FILE* pipe = popen(command.c_str(), "r");
   Outcome outcome;
   std::array<char, 4096> chunk{};
