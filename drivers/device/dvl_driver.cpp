@@ -34,13 +34,17 @@ void DvlDriver::receive(wire::Bytes bytes, Stamp received_at, Output& out) {
   framer_.feed(bytes, wire::Pd0::scan, [&](wire::Bytes frame, std::size_t after) {
     const auto message = wire::Pd0::decode(frame);
     if (!message) return;
-    on(std::get<wire::Pd0Ensemble>(*message), timing_.of_bytes(received_at, frame.size(), after),
+    const auto& ensemble = std::get<wire::Pd0Ensemble>(*message);
+    const auto age = ensemble.navigation ? age_of(*ensemble.navigation) : std::nullopt;
+    on(ensemble,
+       age ? timing_.of_bytes(received_at, frame.size(), after, *age)
+           : timing_.of_bytes(received_at, frame.size(), after),
        out);
   });
 }
 
 void DvlDriver::on(const wire::Pd0Ensemble& ensemble, const Origin& origin, Output& out) const {
-  if (!ensemble.bottom_track) return;
+  if (!ensemble.bottom_track && !ensemble.high_resolution) return;
   const wire::Pd0VariableLeader& leader = ensemble.variable;
 
   measurement::BottomVelocity result;
@@ -50,11 +54,12 @@ void DvlDriver::on(const wire::Pd0Ensemble& ensemble, const Origin& origin, Outp
     result.velocity = mounting_.to_body({(*v)[0], (*v)[1], (*v)[2]});
   }
   if (ensemble.fixed.frame != wire::Pd0Frame::beam) {
-    result.error_velocity_mps = ensemble.bottom_track->velocity_mps[3];
+    result.error_velocity_mps = wire::finest_velocity(ensemble)[3];
   }
   if (!ensemble.fixed.faces_up) {
-    result.range_m = ensemble.bottom_track->range_m;
-    result.altitude_m = altitude(result.range_m, leader);
+    if (ensemble.bottom_track) result.range_m = ensemble.bottom_track->range_m;
+    if (ensemble.bottom_range) result.altitude_m = ensemble.bottom_range->vertical_range_m;
+    if (!result.altitude_m) result.altitude_m = altitude(result.range_m, leader);
   }
   result.heading_rad = leader.heading_rad;
   result.pitch_rad = leader.pitch_rad;

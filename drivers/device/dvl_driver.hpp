@@ -7,8 +7,10 @@ namespace drydock::device {
 
 /// DVL speaking PD0: bottom track of each ensemble -> BottomVelocity in the body frame. The way
 /// from beam, instrument, ship or earth axes to the sensor's own is drivers/wire/pd0_velocity.hpp,
-/// from there to the body it is the mounting. An ensemble without bottom track gives no
-/// measurement, one without bottom lock a measurement without velocity.
+/// from there to the body it is the mounting. High-resolution velocity and vertical range count
+/// before bottom track's where an ensemble has them, and the age of the bottom echoes before the
+/// configured latency. An ensemble without bottom track gives no measurement, one without bottom
+/// lock a measurement without velocity.
 class DvlDriver final : public StreamDriver<wire::Pd0::max_frame> {
  public:
   explicit DvlDriver(const DriverOptions& options)

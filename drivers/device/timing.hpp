@@ -23,11 +23,13 @@ class Timing {
   /// rate, 10 bits a byte (8N1): received_at = read_at - after bytes,
   /// valid_at = received_at - frame_bytes - latency.
   Origin of_bytes(Stamp read_at, std::size_t frame_bytes, std::size_t after) const;
+  /// Where the frame itself says how old its values are, that counts instead of the option.
+  Origin of_bytes(Stamp read_at, std::size_t frame_bytes, std::size_t after,
+                  std::chrono::nanoseconds latency) const;
 
   /// `stamp` is the end of the frame. Nominal length without stuff bits: 44 + 8n bits, 64 + 8n with
   /// a 29-bit identifier; stuffing adds at most a fifth (0.1 ms at 250 kbit/s).
   Origin of_frame(Stamp stamp, const wire::CanFrame& frame) const;
-  /// Where the frame itself says how old its values are, that counts instead of the option.
   Origin of_frame(Stamp stamp, const wire::CanFrame& frame, std::chrono::nanoseconds latency) const;
 
   std::chrono::nanoseconds line_time(std::size_t bytes) const;  ///< zero without a baud rate

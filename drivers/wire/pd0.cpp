@@ -67,6 +67,11 @@ class OffsetTable {
   std::size_t count_;
 };
 
+template <class Block>
+void read_optional(Bytes block, std::optional<Block>& m) {
+  if (Block read; read_block(block, read)) m = read;
+}
+
 }  // namespace
 
 Scan Pd0::scan(Bytes bytes) {
@@ -92,9 +97,10 @@ std::optional<Pd0::Message> Pd0::decode(Bytes frame) {
     switch (table.id(i)) {
       case pd0::fixed_leader: has_fixed |= read_block(table.block(i), m.fixed); break;
       case pd0::variable_leader: has_variable |= read_block(table.block(i), m.variable); break;
-      case pd0::bottom_track:
-        if (Pd0BottomTrack bottom; read_block(table.block(i), bottom)) m.bottom_track = bottom;
-        break;
+      case pd0::bottom_track: read_optional(table.block(i), m.bottom_track); break;
+      case pd0::high_resolution: read_optional(table.block(i), m.high_resolution); break;
+      case pd0::bottom_range: read_optional(table.block(i), m.bottom_range); break;
+      case pd0::navigation: read_optional(table.block(i), m.navigation); break;
       default: break;
     }
   }

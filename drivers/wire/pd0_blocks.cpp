@@ -1,6 +1,7 @@
 #include "drivers/wire/pd0_blocks.hpp"
 
 #include <cstdlib>
+#include <limits>
 
 #include "drivers/wire/bytes.hpp"
 
@@ -29,6 +30,21 @@ void read_system_configuration(unsigned word, Pd0FixedLeader& m) {
   if (angle < pd0::beam_angle_deg.size()) m.beam_angle_rad = radians(pd0::beam_angle_deg[angle]);
   m.convex = bit(word, 3);
   m.faces_up = bit(word, 7);
+}
+
+/// Steps of 0.01 mm/s (0.01 mm); a number not above `bad` is none.
+void read_hundredths_of_mm(Bytes block, std::size_t offset, std::int32_t bad,
+                           Pd0HighResolution::Components& m) {
+  for (std::size_t i = 0; i < m.size(); ++i) {
+    const auto raw = load_le<std::int32_t>(block, offset + 4 * i);
+    if (raw > bad) m[i] = raw / 1e5;
+  }
+}
+
+/// Steps of 0.1 mm, 0 where there is none.
+std::optional<double> tenths_of_mm(Bytes block, std::size_t offset) {
+  const auto raw = load_le<std::int32_t>(block, offset);
+  return raw == 0 ? std::nullopt : std::optional{raw / 1e4};
 }
 
 /// The clock with its century where the block has one (real-time clock of year 2000 firmware).
@@ -101,6 +117,38 @@ bool read_block(Bytes block, Pd0BottomTrack& m) {
     m.percent_good[i] = block[40 + i];
   }
   if (block.size() >= 72) m.max_depth_m = load_le<std::uint16_t>(block, 70) / 10.0;
+  return true;
+}
+
+bool read_block(Bytes block, Pd0HighResolution& m) {
+  // The velocity that bottom track calls bad, and what no distance can be.
+  constexpr std::int32_t bad_velocity = 100 * pd0::bad;
+  constexpr std::int32_t bad_distance = std::numeric_limits<std::int32_t>::min();
+  if (block.size() < 18) return false;
+  read_hundredths_of_mm(block, 2, bad_velocity, m.bottom_velocity_mps);
+  if (block.size() < 66) return true;
+  read_hundredths_of_mm(block, 18, bad_distance, m.bottom_distance_m);
+  read_hundredths_of_mm(block, 34, bad_velocity, m.water_velocity_mps);
+  read_hundredths_of_mm(block, 50, bad_distance, m.water_distance_m);
+  return true;
+}
+
+bool read_block(Bytes block, Pd0BottomRange& m) {
+  if (block.size() < 14) return false;
+  m.slant_range_m = tenths_of_mm(block, 2);
+  if (m.slant_range_m) m.axis_difference_m = load_le<std::int32_t>(block, 6) / 1e4;
+  m.vertical_range_m = tenths_of_mm(block, 10);
+  if (block.size() < 33) return true;
+  for (std::size_t i = 0; i < 4; ++i) m.beam_range_m[i] = tenths_of_mm(block, 17 + 4 * i);
+  return true;
+}
+
+bool read_block(Bytes block, Pd0Navigation& m) {
+  if (block.size() < 69) return false;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const auto age_us = load_le<std::uint32_t>(block, 53 + 4 * i);
+    if (age_us != 0) m.echo_age[i] = std::chrono::microseconds{age_us};
+  }
   return true;
 }
 

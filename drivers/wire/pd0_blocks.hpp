@@ -11,6 +11,7 @@ namespace drydock::wire {
 
 namespace pd0 {
 constexpr std::uint16_t fixed_leader = 0x0000, variable_leader = 0x0080, bottom_track = 0x0600;
+constexpr std::uint16_t navigation = 0x2013, high_resolution = 0x5803, bottom_range = 0x5804;
 constexpr std::int16_t bad = -32768;  ///< of velocities, and of sensors that are not there
 constexpr std::uint8_t has_depth_sensor = 1 << 5;  ///< of Pd0FixedLeader::sensors_available
 /// Low three bits of the system configuration.
@@ -22,5 +23,8 @@ constexpr std::array<double, 3> beam_angle_deg{15, 20, 30};
 bool read_block(Bytes block, Pd0FixedLeader& m);
 bool read_block(Bytes block, Pd0VariableLeader& m);
 bool read_block(Bytes block, Pd0BottomTrack& m);
+bool read_block(Bytes block, Pd0HighResolution& m);
+bool read_block(Bytes block, Pd0BottomRange& m);
+bool read_block(Bytes block, Pd0Navigation& m);
 
 }  // namespace drydock::wire

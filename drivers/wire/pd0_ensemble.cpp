@@ -123,6 +123,17 @@ std::string_view to_string(Pd0Frame frame) {
   return names[static_cast<std::size_t>(frame)];
 }
 
+std::optional<std::chrono::microseconds> age_of(const Pd0Navigation& navigation) {
+  std::chrono::microseconds sum{0};
+  int beams = 0;
+  for (const auto& age : navigation.echo_age) {
+    if (!age) continue;
+    sum += *age;
+    ++beams;
+  }
+  return beams ? std::optional{sum / beams} : std::nullopt;
+}
+
 std::size_t encode(const Pd0Ensemble& m, std::span<std::uint8_t> out) {
   const std::size_t types = m.bottom_track ? 3 : 2;
   const std::size_t fixed_at = 6 + 2 * types, variable_at = fixed_at + fixed_size,

@@ -59,15 +59,41 @@ struct Pd0BottomTrack {
   std::optional<double> max_depth_m;  ///< tracking limit
 };
 
+/// Motion of the vehicle in steps of 0.01 mm/s: on the wire too it is the vehicle that moves.
+struct Pd0HighResolution {
+  using Components = std::array<std::optional<double>, 4>;  ///< in the frame of the fixed leader
+  Components bottom_velocity_mps, bottom_distance_m;        ///< distance made good
+  Components water_velocity_mps, water_distance_m;          ///< against the water layer
+};
+
+/// Distance to the bed in steps of 0.1 mm.
+struct Pd0BottomRange {
+  std::optional<double> slant_range_m, vertical_range_m;  ///< of all beams together
+  std::optional<double> axis_difference_m;                ///< between the two planes of beams
+  std::array<std::optional<double>, 4> beam_range_m;      ///< raw
+};
+
+/// How old the bottom echo of each beam was (its centre) when the ensemble's first byte left; empty
+/// for a bad beam.
+struct Pd0Navigation {
+  std::array<std::optional<std::chrono::microseconds>, 4> echo_age;
+};
+
 struct Pd0Ensemble {
   static constexpr std::string_view type = "PD0";
   Pd0FixedLeader fixed;
   Pd0VariableLeader variable;
   std::optional<Pd0BottomTrack> bottom_track;
+  std::optional<Pd0HighResolution> high_resolution;
+  std::optional<Pd0BottomRange> bottom_range;
+  std::optional<Pd0Navigation> navigation;
 };
 
-/// Writes header, fixed leader (59 bytes), variable leader (65), bottom track (81) and checksum.
-/// Bytes written, 0 when `out` is too small.
+/// How old the velocity is when the first byte leaves: the mean of the good beams.
+std::optional<std::chrono::microseconds> age_of(const Pd0Navigation& navigation);
+
+/// Writes header, fixed leader (59 bytes), variable leader (65), bottom track (81) and checksum;
+/// nothing of the other data types. Bytes written, 0 when `out` is too small.
 std::size_t encode(const Pd0Ensemble& m, std::span<std::uint8_t> out);
 
 template <class F>
@@ -118,13 +144,39 @@ void visit_fields(const Pd0BottomTrack& m, F&& field) {
   field("bottom_max_depth_m", m.max_depth_m);
 }
 
-/// An ensemble without bottom track shows the same keys, all empty.
+template <class F>
+void visit_fields(const Pd0HighResolution& m, F&& field) {
+  field("fine_bottom_velocity_mps", m.bottom_velocity_mps);
+  field("fine_bottom_distance_m", m.bottom_distance_m);
+  field("fine_water_velocity_mps", m.water_velocity_mps);
+  field("fine_water_distance_m", m.water_distance_m);
+}
+
+template <class F>
+void visit_fields(const Pd0BottomRange& m, F&& field) {
+  field("slant_range_m", m.slant_range_m);
+  field("vertical_range_m", m.vertical_range_m);
+  field("axis_difference_m", m.axis_difference_m);
+  field("beam_range_m", m.beam_range_m);
+}
+
+template <class F>
+void visit_fields(const Pd0Navigation& m, F&& field) {
+  std::array<std::optional<double>, 4> age_s;
+  for (std::size_t i = 0; i < age_s.size(); ++i) age_s[i] = seconds(m.echo_age[i]);
+  field("echo_age_s", age_s);
+}
+
+/// A data type that the ensemble does not have shows the same keys, all empty.
 template <class F>
 void visit_fields(const Pd0Ensemble& m, F&& field) {
   visit_fields(m.variable, field);
   visit_fields(m.fixed, field);
   field("bottom_track", m.bottom_track.has_value());
   visit_fields(m.bottom_track.value_or(Pd0BottomTrack{}), field);
+  visit_fields(m.high_resolution.value_or(Pd0HighResolution{}), field);
+  visit_fields(m.bottom_range.value_or(Pd0BottomRange{}), field);
+  visit_fields(m.navigation.value_or(Pd0Navigation{}), field);
 }
 
 }  // namespace drydock::wire

@@ -6,6 +6,7 @@
 namespace drydock::wire {
 namespace {
 
+using Components = std::array<std::optional<double>, 4>;
 using Vector = std::array<double, 3>;  // instrument axes X starboard, Y bow, Z mast unless said
 
 /// The matrix of the coordinate transformation booklet (its eq. 18), transposed: from earth (or,
@@ -26,9 +27,8 @@ Vector aligned(const Vector& v, double alignment) {
 }
 
 /// Janus geometry: beams 1 and 2 to port and starboard, 3 and 4 to bow and stern.
-std::optional<Vector> from_beams(const Pd0FixedLeader& set_up, const Pd0BottomTrack& track) {
+std::optional<Vector> from_beams(const Pd0FixedLeader& set_up, const Components& beam) {
   if (!set_up.beam_angle_rad) return std::nullopt;
-  const auto& beam = track.velocity_mps;
   const auto bad = std::ranges::count_if(beam, [](const auto& b) { return !b; });
   if (bad > 1 || (bad == 1 && !set_up.three_beam)) return std::nullopt;
   // b1 + b2 = b3 + b4 where the error velocity is zero; that gives the one bad beam.
@@ -43,8 +43,7 @@ std::optional<Vector> from_beams(const Pd0FixedLeader& set_up, const Pd0BottomTr
                 along * (b[0] + b[1] + b[2] + b[3])};
 }
 
-std::optional<Vector> first_three(const Pd0BottomTrack& track) {
-  const auto& v = track.velocity_mps;
+std::optional<Vector> first_three(const Components& v) {
   if (!v[0] || !v[1] || !v[2]) return std::nullopt;
   return Vector{*v[0], *v[1], *v[2]};
 }
@@ -60,18 +59,19 @@ std::optional<Vector> unlevelled(const std::optional<Vector>& v, const Pd0Variab
 /// Ship axes: X starboard, Y bow, Z mast, tilting with the hull.
 std::optional<Vector> in_ship_axes(const Pd0Ensemble& e) {
   const double alignment = e.fixed.heading_alignment_rad;
+  const Components sent = finest_velocity(e);
   std::optional<Vector> v;
   switch (e.fixed.frame) {
-    case Pd0Frame::beam: v = from_beams(e.fixed, *e.bottom_track); break;
-    case Pd0Frame::instrument: v = first_three(*e.bottom_track); break;
+    case Pd0Frame::beam: v = from_beams(e.fixed, sent); break;
+    case Pd0Frame::instrument: v = first_three(sent); break;
     case Pd0Frame::ship:
-      v = first_three(*e.bottom_track);
+      v = first_three(sent);
       if (!e.fixed.tilts_used) return v;
       v = unlevelled(v, e.variable, alignment);
       break;
     case Pd0Frame::earth:
       if (!e.variable.heading_rad) return std::nullopt;
-      v = unlevelled(first_three(*e.bottom_track), e.variable, *e.variable.heading_rad + alignment);
+      v = unlevelled(first_three(sent), e.variable, *e.variable.heading_rad + alignment);
       break;
   }
   if (!v) return std::nullopt;
@@ -80,8 +80,21 @@ std::optional<Vector> in_ship_axes(const Pd0Ensemble& e) {
 
 }  // namespace
 
+std::array<std::optional<double>, 4> finest_velocity(const Pd0Ensemble& ensemble) {
+  if (!ensemble.high_resolution) {
+    return ensemble.bottom_track ? ensemble.bottom_track->velocity_mps : Components{};
+  }
+  Components finest = ensemble.high_resolution->bottom_velocity_mps;
+  if (!ensemble.bottom_track) return finest;
+  const Components& coarse = ensemble.bottom_track->velocity_mps;
+  for (std::size_t i = 0; i < finest.size(); ++i) {
+    if (!finest[i] || !coarse[i]) finest[i] = coarse[i];
+  }
+  return finest;
+}
+
 std::optional<std::array<double, 3>> velocity_frd(const Pd0Ensemble& ensemble) {
-  if (!ensemble.bottom_track || ensemble.fixed.faces_up) return std::nullopt;
+  if (ensemble.fixed.faces_up) return std::nullopt;
   const auto v = in_ship_axes(ensemble);
   if (!v) return std::nullopt;
   return std::array{(*v)[1], (*v)[0], -(*v)[2]};

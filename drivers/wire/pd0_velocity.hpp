@@ -7,6 +7,10 @@
 
 namespace drydock::wire {
 
+/// The four components over the bed in the frame of the fixed leader, each as fine as the ensemble
+/// has it: high resolution where bottom track, if there is one, does not call it bad.
+std::array<std::optional<double>, 4> finest_velocity(const Pd0Ensemble& ensemble);
+
 /// Velocity of the instrument over the bed in its body axes (x along the ship's bow as the heading
 /// alignment says, y starboard, z down), m/s, from whatever frame the ensemble is in:
 ///   beam        Janus geometry; one bad beam of four is bridged where the set-up allows it

@@ -7,6 +7,7 @@
 namespace drydock::device::test {
 namespace {
 
+using namespace std::chrono_literals;
 using measurement::BottomVelocity;
 
 struct Bed {
@@ -113,6 +114,37 @@ TEST(DvlDriver, KeepsTheDevicesOwnClockAttitudeAndSoundSpeed) {
   EXPECT_NEAR(m.pitch_rad.value(), -2.5 * degree, 1e-12);
   EXPECT_NEAR(m.roll_rad.value(), 1.25 * degree, 1e-12);
   EXPECT_EQ(m.sound_speed_mps, 1500);
+}
+
+/// Ensemble 5 of fixtures/pd0/NOTE.md: 0.25012 m/s to starboard, 1.5 ahead (fine: bad), 152 ms old.
+Octets pathfinder() {
+  constexpr std::size_t size = 12 + 6 + 59 + 65 + 81 + 66 + 33 + 87 + 2;
+  const Octets all = read_all(DRYDOCK_SOURCE_DIR "/fixtures/pd0/golden.pd0");
+  return {all.end() - size, all.end()};
+}
+
+TEST(DvlDriver, TheFinestVelocityAndRangeThatAnEnsembleHas) {
+  Ear ear;
+  byte_driver(options(Kind::dvl, "pd0"))->receive(pathfinder(), at_s(1), ear);
+  ASSERT_EQ(ear.heard.size(), 1U);
+  const auto m = ear.all<BottomVelocity>()[0];
+  EXPECT_NEAR(m.velocity->x(), 1.5, 1e-12);
+  EXPECT_NEAR(m.velocity->y(), 0.25012, 1e-12);
+  EXPECT_NEAR(m.velocity->z(), 0.03998, 1e-12);
+  EXPECT_NEAR(m.error_velocity_mps.value(), -0.00301, 1e-12);
+  EXPECT_NEAR(m.altitude_m.value(), 12.6543, 1e-12);
+  EXPECT_NEAR(m.range_m[0].value(), 12.34, 1e-12);
+}
+
+TEST(DvlDriver, TheAgeOfTheBottomEchoesCountsBeforeTheConfiguredLatency) {
+  DriverOptions o = options(Kind::dvl, "pd0");
+  o.baud = 115200;
+  o.latency = 70ms;
+  const Octets bytes = pathfinder();
+  Ear ear;
+  byte_driver(o)->receive(bytes, at_s(1), ear);
+  const auto on_wire = std::chrono::nanoseconds{bytes.size() * 10 * 1'000'000'000 / 115200};
+  EXPECT_EQ(ear.all<BottomVelocity>().at(0).origin.valid_at, at_s(1) - on_wire - 152ms);
 }
 
 TEST(DvlDriver, NoEnsembleIsLostAfterADamagedOne) {

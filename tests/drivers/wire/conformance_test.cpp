@@ -42,7 +42,7 @@ struct Golden<UbxNmea> {
 template <>
 struct Golden<Pd0> {
   static Buffer stream() { return fixture("pd0/golden.pd0"); }
-  static constexpr std::size_t frames = 4, messages = 3;
+  static constexpr std::size_t frames = 5, messages = 4;
   static Buffer false_sync() { return {0x7F, 0x7F, 0xD9, 0x00, 0x00, 0x03}; }
   static constexpr std::size_t inside = 20;
 };

@@ -106,6 +106,39 @@ TEST(Pd0, SensorsThatAreNotThereAreEmpty) {
   EXPECT_NEAR(degrees(*m.fixed.beam_angle_rad), 15, 1e-12);
 }
 
+TEST(Pd0, HighResolutionIsTheVehiclesMotionOnTheWireToo) {
+  const auto fine = golden(3).high_resolution;
+  ASSERT_TRUE(fine);
+  EXPECT_DOUBLE_EQ(*fine->bottom_velocity_mps[0], 0.25012);
+  EXPECT_FALSE(fine->bottom_velocity_mps[1]);
+  EXPECT_DOUBLE_EQ(*fine->bottom_velocity_mps[2], -0.03998);
+  EXPECT_DOUBLE_EQ(*fine->bottom_velocity_mps[3], -0.00301);
+  EXPECT_DOUBLE_EQ(*fine->bottom_distance_m[0], 12.34567);
+  EXPECT_DOUBLE_EQ(*fine->bottom_distance_m[1], -0.00089);
+  EXPECT_DOUBLE_EQ(*fine->water_velocity_mps[2], -0.003);
+  EXPECT_FALSE(fine->water_velocity_mps[3]);
+  EXPECT_DOUBLE_EQ(*fine->water_distance_m[3], 4e-5);
+}
+
+TEST(Pd0, RangesToTheBedInTenthsOfAMillimetre) {
+  const auto range = golden(3).bottom_range;
+  ASSERT_TRUE(range);
+  EXPECT_DOUBLE_EQ(*range->slant_range_m, 13.0001);
+  EXPECT_DOUBLE_EQ(*range->axis_difference_m, -0.0025);
+  EXPECT_DOUBLE_EQ(*range->vertical_range_m, 12.6543);
+  EXPECT_DOUBLE_EQ(*range->beam_range_m[2], 12.8003);
+  EXPECT_FALSE(range->beam_range_m[3]);
+}
+
+TEST(Pd0, TheAgeOfTheEchoesIsTheMeanOfTheGoodBeams) {
+  const auto navigation = golden(3).navigation;
+  ASSERT_TRUE(navigation);
+  EXPECT_EQ(navigation->echo_age[2], 155ms);
+  EXPECT_FALSE(navigation->echo_age[3]);
+  EXPECT_EQ(age_of(*navigation), 152ms);
+  EXPECT_FALSE(age_of(Pd0Navigation{}));
+}
+
 TEST(Pd0, AnEnsembleWithoutLeadersHoldsNoMessage) {
   const auto reading = read_stream<Pd0>(fixture("pd0/golden.pd0"));
   EXPECT_FALSE(Pd0::decode(reading.frames.at(3)));

@@ -112,6 +112,18 @@ TEST(Pd0Velocity, LevelAlignedEarthVelocityNeedsOnlyTheShipsHeading) {
   expect_body(e);
 }
 
+TEST(Pd0Velocity, HighResolutionCountsBeforeBottomTrack) {
+  auto e = ensemble(Pd0Frame::instrument, {-0.3, 1.6, -0.15, 0.0});
+  e.high_resolution.emplace().bottom_velocity_mps = {-0.30004, 1.60003, {}, 0.00002};
+  expect_body(e, {1.60003, -0.30004, 0.15});
+  EXPECT_EQ(finest_velocity(e)[3], 0.00002);
+  e.bottom_track->velocity_mps[0].reset();
+  EXPECT_FALSE(velocity_frd(e)) << "bottom track calls it bad";
+  e.bottom_track.reset();
+  e.high_resolution->bottom_velocity_mps[2] = -0.15001;
+  expect_body(e, {1.60003, -0.30004, 0.15001});
+}
+
 TEST(Pd0Velocity, NothingComesOfBadVelocitiesOrMissingAngles) {
   EXPECT_FALSE(velocity_frd(ensemble(Pd0Frame::ship, {0.1, {}, 0.1, 0.0})));
   auto no_heading = ensemble(Pd0Frame::earth, {0.1, 0.1, 0.1, 0.0});
