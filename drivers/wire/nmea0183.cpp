@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cstring>
 
+#include "drivers/wire/checksum.hpp"
+#include "drivers/wire/nmea0183_decode.hpp"
+
 namespace drydock::wire {
 namespace {
 
@@ -13,10 +16,17 @@ constexpr int hex_value(std::uint8_t c) {
   return -1;
 }
 
-constexpr std::uint32_t code(std::string_view formatter) {
-  if (formatter.size() != 3) return 0;
-  return static_cast<std::uint32_t>(formatter[0]) << 16 |
-         static_cast<std::uint32_t>(formatter[1]) << 8 | static_cast<std::uint32_t>(formatter[2]);
+constexpr std::uint64_t every_byte(std::uint8_t value) { return value * 0x0101'0101'0101'0101; }
+
+/// One of the eight characters is `*`, `$`, or none that a sentence may hold. High bits mark them:
+/// a byte minus a larger one borrows, DEL and beyond plus one reach 0x80.
+constexpr bool ends_text(std::uint64_t word) {
+  const auto below = [](std::uint64_t bytes, std::uint8_t limit) {
+    return (bytes - every_byte(limit)) & ~bytes;
+  };
+  return ((below(word, 0x20) | below(word ^ every_byte('*'), 1) | below(word ^ every_byte('$'), 1) |
+           word | (word + every_byte(1))) &
+          every_byte(0x80)) != 0;
 }
 
 /// The sentence and its checksum are sound up to `end`; how far does its line end reach?
@@ -50,31 +60,26 @@ Scan Nmea0183::scan(Bytes bytes) {
     return Scan::skip(start ? static_cast<std::size_t>(start - bytes.data()) : bytes.size());
   }
   constexpr std::size_t tail = 5;  // *hh CR LF
-  const std::size_t limit = std::min(bytes.size(), max_frame - tail + 1);
-  std::uint8_t checksum = 0;
-  for (std::size_t i = 1; i < limit; ++i) {
-    const std::uint8_t c = bytes[i];
+  const Bytes body = bytes.first(std::min(bytes.size(), max_frame - tail + 1));
+  std::size_t i = 1;
+  std::uint64_t words = 0;
+  for (; i + 8 <= body.size(); i += 8) {
+    const auto word = load_le<std::uint64_t>(body, i);
+    if (ends_text(word)) break;
+    words ^= word;
+  }
+  std::uint8_t checksum = xor_of_bytes(words);
+  for (; i < body.size(); ++i) {
+    const std::uint8_t c = body[i];
     if (c == '*') return with_checksum(bytes, i, checksum);
     if (c == '$' || c < 0x20 || c > 0x7e) return Scan::skip(i);
     checksum ^= c;
   }
-  return limit < bytes.size() ? Scan::skip(1) : Scan::need_more();
+  return body.size() < bytes.size() ? Scan::skip(1) : Scan::need_more();
 }
 
 std::optional<Nmea0183::Message> Nmea0183::decode(Bytes frame) {
-  SentenceReader fields{frame};
-  switch (code(fields.formatter())) {
-    case code("GGA"): return read_gga(fields);
-    case code("RMC"): return read_rmc(fields);
-    case code("GSV"): return read_gsv(fields);
-    case code("GSA"): return read_gsa(fields);
-    case code("VTG"): return read_vtg(fields);
-    case code("ZDA"): return read_zda(fields);
-    case code("VHW"): return read_vhw(fields);
-    case code("VBW"): return read_vbw(fields);
-    case code("VLW"): return read_vlw(fields);
-    default: return std::nullopt;
-  }
+  return decode_nmea0183<Message>(frame);
 }
 
 }  // namespace drydock::wire

@@ -2,13 +2,15 @@
 
 #include <optional>
 #include <string_view>
-#include <variant>
 
 #include "drivers/wire/codec.hpp"
+#include "drivers/wire/message_list.hpp"
 #include "drivers/wire/nmea0183_gnss.hpp"
 #include "drivers/wire/nmea0183_speed.hpp"
 
 namespace drydock::wire {
+
+using Nmea0183Messages = MessageList<Gga, Rmc, Gsv, Gsa, Vtg, Zda, Vhw, Vbw, Vlw>;
 
 /// NMEA 0183, all talkers. A frame runs from `$` through the checksum and its line end (CR LF, LF
 /// or CR). A sentence without a checksum is no frame; a `$` inside one starts over.
@@ -16,7 +18,7 @@ struct Nmea0183 {
   static constexpr std::string_view name = "nmea0183";
   /// The standard says 82; receivers with many satellites and vendors' sentences exceed it.
   static constexpr std::size_t max_frame = 1024;
-  using Message = std::variant<Gga, Rmc, Gsv, Gsa, Vtg, Zda, Vhw, Vbw, Vlw>;
+  using Message = Nmea0183Messages::Variant;
 
   static Scan scan(Bytes bytes);
   static std::optional<Message> decode(Bytes frame);

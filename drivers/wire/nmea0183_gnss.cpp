@@ -55,8 +55,7 @@ std::optional<double> read_variation(SentenceReader& fields) {
 
 }  // namespace
 
-Gga read_gga(SentenceReader& fields) {
-  Gga m;
+bool read(SentenceReader& fields, Gga& m) {
   m.talker = fields.talker();
   m.time_of_day = fields.time();
   m.latitude_rad = fields.latitude();
@@ -73,11 +72,10 @@ Gga read_gga(SentenceReader& fields) {
   if (m.quality.value_or(0) <= 0) {
     m.latitude_rad = m.longitude_rad = m.mean_sea_level_height_m = std::nullopt;
   }
-  return m;
+  return true;
 }
 
-Rmc read_rmc(SentenceReader& fields) {
-  Rmc m;
+bool read(SentenceReader& fields, Rmc& m) {
   m.talker = fields.talker();
   m.time_of_day = fields.time();
   m.valid = fields.letter().value == 'A';
@@ -93,16 +91,16 @@ Rmc read_rmc(SentenceReader& fields) {
   if (!m.valid) {
     m.latitude_rad = m.longitude_rad = m.speed_mps = m.course_rad = std::nullopt;
   }
-  return m;
+  return true;
 }
 
-Gsv read_gsv(SentenceReader& fields) {
-  Gsv m;
+bool read(SentenceReader& fields, Gsv& m) {
   m.talker = fields.talker();
   m.sentences = fields.integer();
   m.sentence_number = fields.integer();
   m.satellites_in_view = fields.integer();
-  while (fields.remaining() >= 4 && m.satellites.size() < m.satellites.capacity()) {
+  std::size_t remaining = fields.remaining();
+  for (; remaining >= 4 && m.satellites.size() < m.satellites.capacity(); remaining -= 4) {
     const auto number = fields.integer();
     auto elevation = fields.angle(), azimuth = fields.angle();
     const auto cno = fields.number();
@@ -114,12 +112,11 @@ Gsv read_gsv(SentenceReader& fields) {
                             .azimuth_rad = azimuth,
                             .cno_dbhz = cno.value_or(0) > 0 ? cno : std::nullopt});
   }
-  if (fields.remaining() == 1) m.signal = fields.hexadecimal();
-  return m;
+  if (remaining == 1) m.signal = fields.hexadecimal();
+  return true;
 }
 
-Gsa read_gsa(SentenceReader& fields) {
-  Gsa m;
+bool read(SentenceReader& fields, Gsa& m) {
   m.talker = fields.talker();
   m.selection = fields.letter();
   m.fix_type = fields.integer();
@@ -130,11 +127,10 @@ Gsa read_gsa(SentenceReader& fields) {
   m.horizontal_dop = dilution(fields.number());
   m.vertical_dop = dilution(fields.number());
   m.system = fields.hexadecimal();
-  return m;
+  return true;
 }
 
-Vtg read_vtg(SentenceReader& fields) {
-  Vtg m;
+bool read(SentenceReader& fields, Vtg& m) {
   m.talker = fields.talker();
   m.course_true_rad = fields.angle();
   fields.skip(1);
@@ -145,17 +141,16 @@ Vtg read_vtg(SentenceReader& fields) {
   if (m.mode.value == 'N') {
     m.course_true_rad = m.course_magnetic_rad = m.speed_mps = std::nullopt;
   }
-  return m;
+  return true;
 }
 
-Zda read_zda(SentenceReader& fields) {
-  Zda m;
+bool read(SentenceReader& fields, Zda& m) {
   m.talker = fields.talker();
   m.time_of_day = fields.time();
   m.date = read_long_date(fields);
   m.zone_hours = fields.integer();
   m.zone_minutes = fields.integer();
-  return m;
+  return true;
 }
 
 }  // namespace drydock::wire

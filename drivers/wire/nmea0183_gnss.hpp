@@ -90,12 +90,12 @@ struct Zda {
 };
 
 /// Each reads the fields behind the address.
-Gga read_gga(SentenceReader& fields);
-Rmc read_rmc(SentenceReader& fields);
-Gsv read_gsv(SentenceReader& fields);
-Gsa read_gsa(SentenceReader& fields);
-Vtg read_vtg(SentenceReader& fields);
-Zda read_zda(SentenceReader& fields);
+bool read(SentenceReader& fields, Gga& m);
+bool read(SentenceReader& fields, Rmc& m);
+bool read(SentenceReader& fields, Gsv& m);
+bool read(SentenceReader& fields, Gsa& m);
+bool read(SentenceReader& fields, Vtg& m);
+bool read(SentenceReader& fields, Zda& m);
 
 /// Bytes written, 0 when `out` is too small.
 std::size_t encode(const Gga& m, std::span<std::uint8_t> out, const NmeaDecimals& decimals = {});

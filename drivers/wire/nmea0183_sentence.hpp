@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "drivers/wire/codec.hpp"
+#include "drivers/wire/fields.hpp"
 
 /// The line format of NMEA 0183 (IEC 61162-1): `$ttsss,field,field*hh` and a line end; hh is the
 /// XOR of the characters between `$` and `*`. Any field may be empty: empty is "not available".
@@ -47,15 +48,33 @@ class SentenceReader {
   std::string_view text();
   void skip(std::size_t fields);
   Letter letter();
-  std::optional<double> number();
-  std::optional<int> integer();
+  std::optional<double> number() { return optional_of<double>(&SentenceReader::take_number); }
+  std::optional<int> integer() { return optional_of<int>(&SentenceReader::take_integer); }
   std::optional<int> hexadecimal();
-  std::optional<double> angle();                   ///< degrees on the wire, rad here
+  std::optional<double> angle() {
+    return scaled(number(), radians(1));
+  }                                                ///< degrees sent, rad here
   std::optional<double> latitude();                ///< ddmm.m,N|S; two fields; rad
   std::optional<double> longitude();               ///< dddmm.m,E|W; two fields; rad
   std::optional<std::chrono::nanoseconds> time();  ///< hhmmss.s of the UTC day, 23:59:60 too
 
  private:
+  /// Inline, so that no optional has to be packed into a return value: its flag, written as one
+  /// byte and read back as eight, would stall every field.
+  template <class T>
+  std::optional<T> optional_of(bool (SentenceReader::*take)(T&)) {
+    T value{};
+    return (this->*take)(value) ? std::optional{value} : std::nullopt;
+  }
+  bool take_number(double& value);
+  bool take_integer(int& value);
+  bool ends_field(const char* at) const { return at == end_ || *at == ','; }
+  bool skip_empty() {
+    if (at_ && !ends_field(at_)) return false;
+    if (at_) pass(at_);
+    return true;
+  }
+  void pass(const char* stop) { at_ = stop == end_ ? nullptr : stop + 1; }
   std::optional<double> coordinate(double limit_deg, char positive, char negative);
 
   const char* at_ = nullptr;  ///< start of the next field, nullptr when there is none

@@ -31,8 +31,7 @@ void write_distance(SentenceWriter& out, const Value& distance_m, int decimals) 
 
 }  // namespace
 
-Vhw read_vhw(SentenceReader& fields) {
-  Vhw m;
+bool read(SentenceReader& fields, Vhw& m) {
   m.talker = fields.talker();
   m.heading_true_rad = fields.angle();
   fields.skip(1);
@@ -43,27 +42,25 @@ Vhw read_vhw(SentenceReader& fields) {
   const Value kilometres_per_hour = fields.number();
   m.speed_mps =
       knots ? scaled(knots, knot_mps) : scaled(kilometres_per_hour, kilometre_per_hour_mps);
-  return m;
+  return true;
 }
 
-Vbw read_vbw(SentenceReader& fields) {
-  Vbw m;
+bool read(SentenceReader& fields, Vbw& m) {
   m.talker = fields.talker();
   read_speeds(fields, m.water_longitudinal_mps, m.water_transverse_mps);
   read_speeds(fields, m.ground_longitudinal_mps, m.ground_transverse_mps);
   read_speeds(fields, m.water_stern_transverse_mps);
   read_speeds(fields, m.ground_stern_transverse_mps);
-  return m;
+  return true;
 }
 
-Vlw read_vlw(SentenceReader& fields) {
-  Vlw m;
+bool read(SentenceReader& fields, Vlw& m) {
   m.talker = fields.talker();
   m.water_total_m = read_distance(fields);
   m.water_trip_m = read_distance(fields);
   m.ground_total_m = read_distance(fields);
   m.ground_trip_m = read_distance(fields);
-  return m;
+  return true;
 }
 
 std::size_t encode(const Vhw& m, std::span<std::uint8_t> out, const NmeaDecimals& decimals) {

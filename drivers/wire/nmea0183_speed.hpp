@@ -36,9 +36,9 @@ struct Vlw {
   std::optional<double> ground_total_m, ground_trip_m;
 };
 
-Vhw read_vhw(SentenceReader& fields);
-Vbw read_vbw(SentenceReader& fields);
-Vlw read_vlw(SentenceReader& fields);
+bool read(SentenceReader& fields, Vhw& m);
+bool read(SentenceReader& fields, Vbw& m);
+bool read(SentenceReader& fields, Vlw& m);
 
 /// Bytes written, 0 when `out` is too small.
 std::size_t encode(const Vhw& m, std::span<std::uint8_t> out, const NmeaDecimals& decimals = {});

@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "drivers/wire/bytes.hpp"
+#include "drivers/wire/checksum.hpp"
 #include "drivers/wire/pd0_blocks.hpp"
 
 namespace drydock::wire {
@@ -24,12 +25,6 @@ std::size_t distance_to_sync(Bytes bytes) {
     ++at;
   }
   return static_cast<std::size_t>(at - bytes.data());
-}
-
-std::uint16_t sum(Bytes bytes) {
-  std::uint32_t total = 0;
-  for (const std::uint8_t byte : bytes) total += byte;
-  return static_cast<std::uint16_t>(total);
 }
 
 /// The offsets of the data types, checked against the frame when asked for a block.
@@ -83,7 +78,7 @@ Scan Pd0::scan(Bytes bytes) {
     return Scan::skip(1);
   }
   if (bytes.size() < checked + checksum_size) return Scan::need_more();
-  return sum(bytes.first(checked)) == load_le<std::uint16_t>(bytes, checked)
+  return byte_sum(bytes.first(checked)) == load_le<std::uint16_t>(bytes, checked)
              ? Scan::frame(checked + checksum_size)
              : Scan::bad_checksum();
 }

@@ -2,7 +2,7 @@
 
 #include <cstring>
 
-#include "drivers/wire/ubx_frame.hpp"
+#include "drivers/wire/ubx_decode.hpp"
 
 namespace drydock::wire {
 namespace {
@@ -21,11 +21,6 @@ std::size_t distance_to_sync(Bytes bytes) {
   return static_cast<std::size_t>(at - bytes.data());
 }
 
-template <class M>
-std::optional<Ubx::Message> as_message(const std::optional<M>& m) {
-  return m ? std::optional<Ubx::Message>{*m} : std::nullopt;
-}
-
 }  // namespace
 
 Scan Ubx::scan(Bytes bytes) {
@@ -35,23 +30,10 @@ Scan Ubx::scan(Bytes bytes) {
   if (size > max_frame) return Scan::skip(1);
   if (bytes.size() < size) return Scan::need_more();
   const auto sent = load_le<std::uint16_t>(bytes, size - ubx::checksum_size);
-  return ubx::checksum(ubx::checked_part(bytes.first(size))) == sent ? Scan::frame(size)
-                                                                     : Scan::bad_checksum();
+  return fletcher8(ubx::checked_part(bytes.first(size))) == sent ? Scan::frame(size)
+                                                                 : Scan::bad_checksum();
 }
 
-std::optional<Ubx::Message> Ubx::decode(Bytes frame) {
-  if (frame.size() < ubx::overhead) return std::nullopt;
-  const Bytes payload = frame.subspan(ubx::header_size, frame.size() - ubx::overhead);
-  switch (load_be<std::uint16_t>(frame, 2)) {
-    case ubx::nav_pvt: return as_message(read_nav_pvt(payload));
-    case ubx::nav_sat: {
-      std::optional<Message> message{std::in_place, std::in_place_type<NavSat>};
-      if (!read_nav_sat(payload, std::get<NavSat>(*message))) message.reset();
-      return message;
-    }
-    case ubx::nav_eoe: return as_message(read_nav_eoe(payload));
-    default: return std::nullopt;
-  }
-}
+std::optional<Ubx::Message> Ubx::decode(Bytes frame) { return decode_ubx<Message>(frame); }
 
 }  // namespace drydock::wire

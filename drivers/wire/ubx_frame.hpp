@@ -4,6 +4,7 @@
 #include <span>
 
 #include "drivers/wire/bytes.hpp"
+#include "drivers/wire/checksum.hpp"
 #include "drivers/wire/codec.hpp"
 
 /// How UBX wraps a payload.
@@ -12,20 +13,7 @@ namespace drydock::wire::ubx {
 constexpr std::uint8_t sync_1 = 0xB5, sync_2 = 0x62;
 constexpr std::size_t header_size = 6, checksum_size = 2, overhead = header_size + checksum_size;
 
-/// Class and id as one number.
-constexpr std::uint16_t nav_pvt = 0x0107, nav_sat = 0x0135, nav_eoe = 0x0161;
-
-/// 8-bit Fletcher sum; CK_A in the low byte, as it stands on the wire in little-endian order.
-inline std::uint16_t checksum(Bytes bytes) {
-  std::uint32_t a = 0, b = 0;
-  for (const std::uint8_t byte : bytes) {
-    a += byte;
-    b += a;
-  }
-  return static_cast<std::uint16_t>((a & 0xFF) | (b & 0xFF) << 8);
-}
-
-/// Class to end of payload.
+/// Class to end of payload. Of its Fletcher sum CK_A comes first on the wire: little-endian.
 inline Bytes checked_part(Bytes frame) { return frame.subspan(2, frame.size() - 4); }
 
 /// Puts header and checksum around a payload that stands at `header_size`. Gives the frame's size.
@@ -36,7 +24,7 @@ inline std::size_t wrap(std::span<std::uint8_t> out, std::uint16_t class_and_id,
   frame[1] = sync_2;
   store_be<std::uint16_t>(frame, 2, class_and_id);
   store_le<std::uint16_t>(frame, 4, static_cast<std::uint16_t>(payload_size));
-  store_le<std::uint16_t>(frame, frame.size() - checksum_size, checksum(checked_part(frame)));
+  store_le<std::uint16_t>(frame, frame.size() - checksum_size, fletcher8(checked_part(frame)));
   return frame.size();
 }
 

@@ -63,11 +63,10 @@ void read_velocity(Bytes payload, NavPvt& m) {
   m.course_rad = radians(value<std::int32_t>(payload, 64, 1e-5));
 }
 
-UbxSatellite read_satellite(Bytes block) {
+void read_satellite(Bytes block, UbxSatellite& s) {
   const auto flags = load_le<std::uint32_t>(block, 8);
   const int elevation_deg = load_le<std::int8_t>(block, 3);
   const int azimuth_deg = load_le<std::int16_t>(block, 4);
-  UbxSatellite s;
   s.gnss = static_cast<UbxGnss>(block[0]);
   s.number = block[1];
   if (block[2] > 0) s.cno_dbhz = block[2];
@@ -83,7 +82,6 @@ UbxSatellite read_satellite(Bytes block) {
   s.orbit_source = flags >> 8 & 7;
   s.has_ephemeris = bit(flags, 11);
   s.has_almanac = bit(flags, 12);
-  return s;
 }
 
 std::chrono::milliseconds read_itow(Bytes payload) {
@@ -99,10 +97,9 @@ std::string_view to_string(UbxGnss gnss) {
   return index < names.size() ? names[index] : "unknown";
 }
 
-std::optional<NavPvt> read_nav_pvt(Bytes payload) {
+bool read(Bytes payload, NavPvt& m) {
   constexpr std::size_t old_size = 84, size = 92;
-  if (payload.size() != size && payload.size() != old_size) return std::nullopt;
-  NavPvt m;
+  if (payload.size() != size && payload.size() != old_size) return false;
   m.itow = read_itow(payload);
   read_time(payload, m);
   m.fix_type = static_cast<UbxFixType>(payload[20]);
@@ -128,23 +125,24 @@ std::optional<NavPvt> read_nav_pvt(Bytes payload) {
       m.magnetic_accuracy_rad = radians(value<std::uint16_t>(payload, 90, 0.01));
     }
   }
-  return m;
+  return true;
 }
 
-bool read_nav_sat(Bytes payload, NavSat& m) {
+bool read(Bytes payload, NavSat& m) {
   constexpr std::size_t head = 8, block = 12;
   if (payload.size() < head || payload.size() != head + block * payload[5]) return false;
   m.itow = read_itow(payload);
   m.satellites.clear();
   for (std::size_t at = head; at < payload.size(); at += block) {
-    m.satellites.push_back(read_satellite(payload.subspan(at, block)));
+    read_satellite(payload.subspan(at, block), m.satellites.emplace_back());
   }
   return true;
 }
 
-std::optional<NavEoe> read_nav_eoe(Bytes payload) {
-  if (payload.size() != 4) return std::nullopt;
-  return NavEoe{read_itow(payload)};
+bool read(Bytes payload, NavEoe& m) {
+  if (payload.size() != 4) return false;
+  m.itow = read_itow(payload);
+  return true;
 }
 
 }  // namespace drydock::wire

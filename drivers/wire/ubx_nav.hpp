@@ -26,6 +26,8 @@ enum class UbxFixType : std::uint8_t {
 /// need gnssFixOK and a fix type from 2D to GNSS with dead reckoning, the position no invalidLlh.
 struct NavPvt {
   static constexpr std::string_view type = "NAV-PVT";
+  static constexpr std::uint16_t class_and_id = 0x0107;
+  NavPvt() {}                        // read in place, see message_list.hpp
   std::chrono::milliseconds itow{};  ///< GPS time of week
   std::optional<std::chrono::year_month_day> date;
   /// UTC since midnight of `date`; the receiver rounds to seconds and corrects by a signed
@@ -72,7 +74,8 @@ struct UbxSatellite {
 /// Satellites the receiver knows of.
 struct NavSat {
   static constexpr std::string_view type = "NAV-SAT";
-  NavSat() {}  // not defaulted: value-initialization would clear 20 kB for every message
+  static constexpr std::uint16_t class_and_id = 0x0135;
+  NavSat() {}  // read in place, see message_list.hpp
   std::chrono::milliseconds itow{};
   boost::container::static_vector<UbxSatellite, 255> satellites;  ///< the wire's count is one byte
 };
@@ -80,13 +83,14 @@ struct NavSat {
 /// End of epoch: all navigation messages of this time of week have been sent.
 struct NavEoe {
   static constexpr std::string_view type = "NAV-EOE";
+  static constexpr std::uint16_t class_and_id = 0x0161;
   std::chrono::milliseconds itow{};
 };
 
-/// Each reads a payload; empty or false when its length is not one of the message's.
-std::optional<NavPvt> read_nav_pvt(Bytes payload);  ///< 92 bytes, 84 from old receivers
-bool read_nav_sat(Bytes payload, NavSat& m);        ///< in place: a NavSat is large
-std::optional<NavEoe> read_nav_eoe(Bytes payload);
+/// Each reads a payload into a fresh message; false when the length is not one of the message's.
+bool read(Bytes payload, NavPvt& m);  ///< 92 bytes, 84 from old receivers
+bool read(Bytes payload, NavSat& m);
+bool read(Bytes payload, NavEoe& m);
 
 /// Bytes of the whole frame written, 0 when `out` is too small.
 /// NAV-PVT is sent in its 92-byte form. The wire cannot say "fix without velocity": gnssFixOK is

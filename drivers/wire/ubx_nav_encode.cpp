@@ -113,7 +113,7 @@ std::size_t encode(const NavPvt& m, std::span<std::uint8_t> out) {
   put<std::int32_t>(payload, 84, degrees(m.vehicle_heading_rad), 1e-5);
   put<std::int16_t>(payload, 88, degrees(m.magnetic_declination_rad), 0.01);
   put<std::uint16_t>(payload, 90, degrees(m.magnetic_accuracy_rad), 0.01);
-  return ubx::wrap(out, ubx::nav_pvt, payload.size());
+  return ubx::wrap(out, NavPvt::class_and_id, payload.size());
 }
 
 std::size_t encode(const NavSat& m, std::span<std::uint8_t> out) {
@@ -125,14 +125,14 @@ std::size_t encode(const NavSat& m, std::span<std::uint8_t> out) {
   for (std::size_t i = 0; i < m.satellites.size(); ++i) {
     put_satellite(payload.subspan(8 + 12 * i, 12), m.satellites[i]);
   }
-  return ubx::wrap(out, ubx::nav_sat, payload.size());
+  return ubx::wrap(out, NavSat::class_and_id, payload.size());
 }
 
 std::size_t encode(const NavEoe& m, std::span<std::uint8_t> out) {
   const Payload payload = payload_in(out, 4);
   if (payload.empty()) return 0;
   store_le<std::uint32_t>(payload, 0, static_cast<std::uint32_t>(m.itow.count()));
-  return ubx::wrap(out, ubx::nav_eoe, payload.size());
+  return ubx::wrap(out, NavEoe::class_and_id, payload.size());
 }
 
 }  // namespace drydock::wire

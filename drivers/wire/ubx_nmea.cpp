@@ -2,7 +2,8 @@
 
 #include <cstring>
 
-#include "drivers/wire/ubx_frame.hpp"
+#include "drivers/wire/nmea0183_decode.hpp"
+#include "drivers/wire/ubx_decode.hpp"
 
 namespace drydock::wire {
 namespace {
@@ -17,12 +18,6 @@ std::size_t noise_in(Bytes bytes) {
   return find(bytes.first(to_sentence), ubx::sync_1);
 }
 
-template <class M>
-std::optional<UbxNmea::Message> widened(const std::optional<M>& message) {
-  if (!message) return std::nullopt;
-  return std::visit([](const auto& m) { return std::optional<UbxNmea::Message>{m}; }, *message);
-}
-
 }  // namespace
 
 Scan scan_ubx_or_nmea(Bytes bytes) {
@@ -35,7 +30,7 @@ Scan scan_ubx_or_nmea(Bytes bytes) {
 
 std::optional<UbxNmea::Message> UbxNmea::decode(Bytes frame) {
   if (frame.empty()) return std::nullopt;
-  return frame[0] == '$' ? widened(Nmea0183::decode(frame)) : widened(Ubx::decode(frame));
+  return frame[0] == '$' ? decode_nmea0183<Message>(frame) : decode_ubx<Message>(frame);
 }
 
 }  // namespace drydock::wire

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <optional>
 #include <string_view>
-#include <variant>
 
 #include "drivers/wire/nmea0183.hpp"
 #include "drivers/wire/ubx.hpp"
@@ -17,7 +16,7 @@ Scan scan_ubx_or_nmea(Bytes bytes);
 struct UbxNmea {
   static constexpr std::string_view name = "ubx+nmea0183";
   static constexpr std::size_t max_frame = std::max(Ubx::max_frame, Nmea0183::max_frame);
-  using Message = std::variant<NavPvt, NavSat, NavEoe, Gga, Rmc, Gsv, Gsa, Vtg, Zda, Vhw, Vbw, Vlw>;
+  using Message = decltype(joined(UbxMessages{}, Nmea0183Messages{}))::Variant;
 
   static Scan scan(Bytes bytes) { return scan_ubx_or_nmea(bytes); }
   static std::optional<Message> decode(Bytes frame);

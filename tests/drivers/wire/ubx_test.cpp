@@ -168,7 +168,7 @@ TEST(Ubx, ANavSatWhoseCountContradictsItsLengthIsRefused) {
   Buffer payload(8 + 12, 0);
   payload[5] = 2;
   NavSat m;
-  EXPECT_FALSE(read_nav_sat(payload, m));
+  EXPECT_FALSE(read(payload, m));
 }
 
 }  // namespace
