@@ -3,7 +3,6 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 namespace drydock::rig_config {
@@ -15,6 +14,7 @@ struct Position {
 
 /// One value of a TOML file together with where it stands, free of the parser's own types.
 struct Node {
+  struct Member;
   enum class Kind : std::uint8_t { boolean, integer, number, text, date_time, array, table };
   Kind kind = Kind::table;
   Position at;      ///< of the value
@@ -25,13 +25,9 @@ struct Node {
   double number = 0;         ///< also of an integer
   std::string text;          ///< also of a date_time, as RFC 3339
   std::vector<Node> items;
-  std::vector<std::pair<std::string, Node>> members;
+  std::vector<Member> members;
 
-  const Node* find(std::string_view key) const {
-    for (const auto& [name, value] : members)
-      if (name == key) return &value;
-    return nullptr;
-  }
+  const Node* find(std::string_view key) const;
 
   /// The text at `key`, or nullptr if there is none or it is no text.
   const Node* find_text(std::string_view key) const {
@@ -39,6 +35,17 @@ struct Node {
     return value && value->kind == Kind::text ? value : nullptr;
   }
 };
+
+struct Node::Member {
+  std::string key;
+  Node value;
+};
+
+inline const Node* Node::find(std::string_view key) const {
+  for (const Member& member : members)
+    if (member.key == key) return &member.value;
+  return nullptr;
+}
 
 /// Visits each table of `[[key]]` with its index.
 template <class Visit>

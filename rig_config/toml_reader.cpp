@@ -44,7 +44,7 @@ class Converter {
     node.kind = Node::Kind::table;
     for (auto&& [key, value] : table) {
       const std::string name{key.str()};
-      node.members.emplace_back(name, convert(value, position(key.source()), path + "/" + name));
+      node.members.push_back({name, convert(value, position(key.source()), path + "/" + name)});
     }
   }
   void fill(Node& node, const toml::array& array, const std::string& path) {

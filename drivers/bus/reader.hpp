@@ -46,7 +46,7 @@ class Reader {
   Reader(const Participant& participant, const std::string& topic, Doorbell& doorbell)
       : topic_(make_topic<Message>(participant.handle(), topic)),
         reader_(create(participant, topic_, doorbell), "reader of " + topic) {}
-  Reader(Reader&&) = default;
+  Reader(Reader&&) noexcept = default;
   ~Reader() {  // returns when no callback is running any more
     if (reader_.handle() > 0) dds_set_listener(reader_.handle(), nullptr);
   }

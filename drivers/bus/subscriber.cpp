@@ -95,7 +95,7 @@ std::string user_data_of(dds_entity_t reader, dds_instance_handle_t writer) {
   void* bytes = nullptr;
   std::size_t size = 0;
   if (!endpoint || !dds_qget_userdata(endpoint->qos, &bytes, &size)) return {};
-  const std::string text(static_cast<const char*>(bytes), size);
+  std::string text(static_cast<const char*>(bytes), size);
   dds_free(bytes);
   return text;
 }

@@ -76,10 +76,10 @@ class Sink {
 
   /// The counts, if they are what was asked for.
   void finish() {
-    for (const auto& [type, count] : counts_)
+    for (const auto& entry : counts_)
       lines_.line([&](JsonWriter& json) {
-        json.field("type", type);
-        json.field("count", count);
+        json.field("type", entry.first);
+        json.field("count", entry.second);
       });
   }
   std::uint64_t messages() const { return messages_; }

@@ -83,9 +83,9 @@ struct OpenError {
 
 /// Opens the link that the URI names (Uri::carries tells which kind it is).
 boost::system::result<std::unique_ptr<ByteLink>, OpenError> open_bytes(
-    asio::any_io_executor executor, const Uri& uri, Side side);
+    const asio::any_io_executor& executor, const Uri& uri, Side side);
 boost::system::result<std::unique_ptr<FrameLink>, OpenError> open_frames(
-    asio::any_io_executor executor, const Uri& uri, Side side);
+    const asio::any_io_executor& executor, const Uri& uri, Side side);
 
 /// Which bus a can:auto URI stands for now, in words: "vcan0 of the kernel" or "slcan on the pty
 /// /tmp/drydock-0/bus0". Settled once the device side is open.

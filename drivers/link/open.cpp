@@ -22,7 +22,7 @@ OpenError wrong_kind(const Uri& uri, const char* wanted) {
 }  // namespace
 
 boost::system::result<std::unique_ptr<ByteLink>, OpenError> open_bytes(
-    asio::any_io_executor executor, const Uri& uri, Side side) {
+    const asio::any_io_executor& executor, const Uri& uri, Side side) {
   const bool is_driver = side == Side::driver;
   switch (uri.scheme) {
     case Scheme::serial: return open_serial(executor, uri);
@@ -38,7 +38,7 @@ boost::system::result<std::unique_ptr<ByteLink>, OpenError> open_bytes(
 }
 
 boost::system::result<std::unique_ptr<FrameLink>, OpenError> open_frames(
-    asio::any_io_executor executor, const Uri& uri, Side side) {
+    const asio::any_io_executor& executor, const Uri& uri, Side side) {
   switch (uri.scheme) {
     case Scheme::socketcan: return open_socketcan(executor, uri);
     case Scheme::slcan: return open_slcan(executor, uri, side);

@@ -23,8 +23,8 @@ namespace {
 using namespace std::chrono_literals;
 
 /// How long a listener may leave the line full (about 64 KiB) before its bytes are lost.
-constexpr auto patience = 200ms;
-constexpr auto patience_step = 2ms;
+constexpr auto listener_patience = 200ms;
+constexpr auto listener_step = 2ms;
 
 class PtyDevice final : public ByteLink {
  public:
@@ -71,13 +71,13 @@ class PtyDevice final : public ByteLink {
 
 Task<void> PtyDevice::write(std::span<const std::uint8_t> bytes) {
   if (listeners_.opened_since() || !listeners_.present()) discard_unread();
-  auto give_up = asio::steady_timer::clock_type::now() + patience;
+  auto give_up = asio::steady_timer::clock_type::now() + listener_patience;
   while (!bytes.empty()) {
     if (!master_.is_open()) co_return ErrorCode(asio::error::operation_aborted);
     const ssize_t size = ::write(master_.native_handle(), bytes.data(), bytes.size());
     if (size >= 0) {
       overrun_ = false;
-      give_up = asio::steady_timer::clock_type::now() + patience;
+      give_up = asio::steady_timer::clock_type::now() + listener_patience;
       bytes = bytes.subspan(static_cast<std::size_t>(size));
       continue;
     }
@@ -85,7 +85,7 @@ Task<void> PtyDevice::write(std::span<const std::uint8_t> bytes) {
     if (errno != EAGAIN) co_return system_error(errno);
     overrun_ = overrun_ || asio::steady_timer::clock_type::now() >= give_up;
     if (overrun_ || !listeners_.present()) break;
-    room_.expires_after(patience_step);
+    room_.expires_after(listener_step);
     const auto [error] = co_await room_.async_wait(as_outcome);
     if (error) co_return error;
   }

@@ -15,7 +15,7 @@ UriError wrong(std::string_view text, const std::string& what) {
   return {"\"" + std::string(text) + "\": " + what};
 }
 
-std::string quoted(std::string_view text) { return "\"" + std::string(text) + "\""; }
+std::string in_quotes(std::string_view text) { return "\"" + std::string(text) + "\""; }
 
 std::string key_names(const Form& form) {
   std::string names;
@@ -31,13 +31,13 @@ std::string check_parameter(const Form& form, std::string_view parameter) {
   const auto key = std::find_if(form.keys.begin(), form.keys.end(),
                                 [&](const Key& k) { return !name.empty() && k.name == name; });
   if (key == form.keys.end())
-    return "unknown key " + quoted(name) + "; " + std::string(form.name) + " allows " +
+    return "unknown key " + in_quotes(name) + "; " + std::string(form.name) + " allows " +
            key_names(form);
   if (equals == std::string_view::npos)
-    return "key " + quoted(name) + " has no value; allowed: " + std::string(key->allowed);
+    return "key " + in_quotes(name) + " has no value; allowed: " + std::string(key->allowed);
   const std::string_view value = parameter.substr(equals + 1);
   if (!key->valid(value))
-    return "bad " + std::string(name) + " " + quoted(value) +
+    return "bad " + std::string(name) + " " + in_quotes(value) +
            "; allowed: " + std::string(key->allowed);
   return {};
 }
@@ -51,7 +51,7 @@ std::string parse_query(const Form& form, std::string_view query, Uri& uri) {
     const std::size_t equals = parameter.find('=');
     const std::string name(parameter.substr(0, equals));
     if (!uri.query.emplace(name, parameter.substr(equals + 1)).second)
-      return "key " + quoted(name) + " is given twice";
+      return "key " + in_quotes(name) + " is given twice";
   }
   return {};
 }
@@ -111,7 +111,7 @@ boost::system::result<Uri, UriError> parse_uri(std::string_view text) {
 
   const Form* form = find_form(address.substr(0, colon));
   if (form == nullptr)
-    return wrong(text, "unknown scheme " + quoted(address.substr(0, colon)) + "; allowed are " +
+    return wrong(text, "unknown scheme " + in_quotes(address.substr(0, colon)) + "; allowed are " +
                            allowed_schemes());
   Uri uri;
   uri.scheme = form->scheme;

@@ -7,7 +7,7 @@
 namespace drydock::shell {
 
 namespace {
-constexpr std::size_t longest_queue = 64;
+constexpr std::size_t most_frames_queued = 64;
 }
 
 boost::system::result<measurement::Provenance, link::OpenError> BusLine::open_link() {
@@ -56,7 +56,7 @@ Line::Run BusLine::write_until_lost() {
 }
 
 void BusLine::send(const wire::CanFrame& frame) {
-  if (!is_open() || queued_.size() >= longest_queue) return;
+  if (!is_open() || queued_.size() >= most_frames_queued) return;
   queued_.push_back(frame);
   wake_writer();
 }

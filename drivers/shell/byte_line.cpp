@@ -8,7 +8,7 @@ namespace drydock::shell {
 
 namespace {
 /// More than any driver says at once; a line that takes nothing any more must not collect for ever.
-constexpr std::size_t longest_queue = 4096;
+constexpr std::size_t most_bytes_queued = 4096;
 }  // namespace
 
 boost::system::result<measurement::Provenance, link::OpenError> ByteLine::open_link() {
@@ -48,7 +48,7 @@ Line::Run ByteLine::write_until_lost() {
 }
 
 void ByteLine::send(wire::Bytes bytes) {
-  if (!is_open() || queued_.size() + bytes.size() > longest_queue) return;
+  if (!is_open() || queued_.size() + bytes.size() > most_bytes_queued) return;
   queued_.insert(queued_.end(), bytes.begin(), bytes.end());
   wake_writer();
 }

@@ -45,7 +45,7 @@ std::size_t encode(const Frame& frame, std::span<std::uint8_t> out);
 std::size_t encode(const Command& command, std::span<std::uint8_t> out);
 std::size_t encode(const Reply& reply, std::span<std::uint8_t> out);
 
-/// "S6" for 250000; empty if the adapters know no such rate.
+/// "S5" for 250000; empty if the adapters know no such rate.
 std::optional<std::string_view> bit_rate_command(std::uint32_t bits_per_second);
 std::optional<std::uint32_t> bit_rate_of(std::string_view command);
 

@@ -32,7 +32,7 @@ measurement::Stamp ReorderBuffer::oldest() const {
 
 Sample ReorderBuffer::pop() {
   std::pop_heap(waiting_.begin(), waiting_.end(), after);
-  const Sample sample = waiting_.back().sample;
+  Sample sample = waiting_.back().sample;
   waiting_.pop_back();
   return sample;
 }
