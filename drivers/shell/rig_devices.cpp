@@ -97,9 +97,9 @@ boost::system::result<std::vector<std::unique_ptr<device::Device>>, RigDevicesEr
           rig, config,
           (*made)->on_bus()
               ? "protocol \"" + config.protocol + "\" needs a CAN link, \"" + config.link +
-                    "\" carries bytes; allowed: socketcan slcan " + "memory-can can:auto"
+                    "\" carries bytes; allowed: socketcan slcan memory-can can:auto"
               : "protocol \"" + config.protocol + "\" needs a byte link, \"" + config.link +
-                    "\" carries CAN frames; allowed: serial pty tcp " + "udp file memory");
+                    "\" carries CAN frames; allowed: serial pty tcp udp file memory");
     }
     devices.push_back(std::move(*made));
   }

@@ -124,11 +124,10 @@ class LockstepBench final : private device::Listener, private pipeline::Estimate
       recordings_.push_back(std::make_unique<shell::RecordedLine>(*uri, actor, start_));
       clock_.add(*recordings_.back());
     } else if (!uri->emulated()) {
-      throw std::runtime_error(
-          fmt::format("{}:{}: device \"{}\": {} is real hardware, which has no virtual time; "
-                      "allowed with --speed "
-                      "max: pty, memory, memory-can, can:auto, file, socketcan:vcan*",
-                      rig_.file, config.line, config.name, config.link));
+      throw std::runtime_error(fmt::format(
+          "{}:{}: device \"{}\": {} is real hardware, which has no virtual time; "
+          "allowed with --speed max: pty, memory, memory-can, can:auto, file, socketcan:vcan*",
+          rig_.file, config.line, config.name, config.link));
     } else if (uri->carries() == link::Carries::bytes) {
       add_line(config, *uri, actor);
     } else {
