@@ -4,6 +4,7 @@
 
 #include <boost/asio/signal_set.hpp>
 #include <stdexcept>
+#include <utility>
 
 #include "drivers/bus/participant.hpp"
 #include "drivers/cli/driver_host.hpp"
@@ -39,15 +40,16 @@ int drive(const rig_config::Rig& rig, double duration_s) {
   DriverHost host(io, std::move(*devices), &publisher);
   host.on_state_hook = print_state;
 
-  bool all_streaming = false;
+  bool stopped = false, all_streaming = false;
   boost::asio::signal_set signals(io, SIGINT, SIGTERM);
   boost::asio::steady_timer timer(io);
   const auto stop = [&](const boost::system::error_code& ec) {
-    if (ec) return;
+    if (ec || std::exchange(stopped, true)) return;
     all_streaming = host.all_streaming();
     print_health(host.shell());
     host.on_state_hook = nullptr;
     signals.cancel();
+    signals.clear();  // a second Ctrl-C ends the program at once
     timer.cancel();
     host.stop();
   };

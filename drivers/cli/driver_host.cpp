@@ -1,6 +1,6 @@
 #include "drivers/cli/driver_host.hpp"
 
-#include <algorithm>
+#include <utility>
 
 #include "drivers/cli/rig_bus.hpp"
 #include "drivers/link/link.hpp"
@@ -23,6 +23,7 @@ void DriverHost::start() {
 }
 
 void DriverHost::stop() {
+  if (std::exchange(stopped_, true)) return;
   health_timer_.cancel();
   shell_.stop();
 }
@@ -45,7 +46,7 @@ void DriverHost::on_state(const device::Device& device, const device::Transition
 
 void DriverHost::schedule_health() {
   health_timer_.async_wait([this](const boost::system::error_code& ec) {
-    if (ec) return;
+    if (ec || stopped_) return;
     publish_health();
     health_timer_.expires_at(health_timer_.expiry() + health_period);
     schedule_health();

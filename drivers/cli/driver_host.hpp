@@ -38,6 +38,7 @@ class DriverHost final : private device::Listener {
   bus::Publisher* bus_;
   shell::RealTime shell_;
   boost::asio::steady_timer health_timer_;
+  bool stopped_ = false;  ///< a timer that has expired can no longer be cancelled
 };
 
 }  // namespace drydock::cli

@@ -134,8 +134,11 @@ template <class Link>
 int watch(asio::io_context& io, Link& open_link, Screen& screen, double duration_s) {
   asio::signal_set signals(io, SIGINT, SIGTERM);
   asio::steady_timer end(io), every(io);
+  bool stopped = false;  // an expired timer can no longer be cancelled
   const auto stop = [&] {
+    stopped = true;
     signals.cancel();
+    signals.clear();  // a second Ctrl-C ends the program at once
     end.cancel();
     every.cancel();
     open_link.close();
@@ -152,7 +155,7 @@ int watch(asio::io_context& io, Link& open_link, Screen& screen, double duration
   std::function<void()> tell = [&] {
     every.expires_after(counters_period);
     every.async_wait([&](const boost::system::error_code& ec) {
-      if (ec) return;
+      if (ec || stopped) return;
       print_counters(screen);
       tell();
     });

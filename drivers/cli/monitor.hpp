@@ -5,9 +5,9 @@
 namespace drydock::cli {
 
 struct MonitorOptions {
-  std::string link;        ///< URI
-  std::string protocol;    ///< as in a rig file
-  double duration_s = 0;   ///< 0: until Ctrl-C
+  std::string link;       ///< URI
+  std::string protocol;   ///< as in a rig file
+  double duration_s = 0;  ///< 0: until Ctrl-C
 };
 
 /// Listens on a link and prints what it says: each message as a JSON line on standard output, a

@@ -65,6 +65,7 @@ int estimate(const rig_config::Rig& rig, const EstimateOptions& options) {
   const auto stop = [&](const boost::system::error_code& ec) {
     if (ec) return;
     signals.cancel();
+    signals.clear();  // a second Ctrl-C ends the program at once
     timer.cancel();
     host.stop();
   };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <utility>
 
 #include "drivers/link/link.hpp"
 
@@ -35,6 +36,7 @@ void EstimatorHost::start() {
 }
 
 void EstimatorHost::stop() {
+  if (std::exchange(stopped_, true)) return;
   readable_.cancel();
   window_timer_.cancel();
   pipeline_.flush();
@@ -52,7 +54,7 @@ void EstimatorHost::on_attitude(const pipeline::AttitudeEstimate& estimate) {
 
 void EstimatorHost::wait_for_measurements() {
   readable_.async_wait(readable_.wait_read, [this](const boost::system::error_code& ec) {
-    if (ec) return;
+    if (ec || stopped_) return;
     from_.take_measurements([this](const measurement::Measurement& m) { pipeline_.receive(m); });
     wait_for_measurements();
   });
@@ -61,7 +63,7 @@ void EstimatorHost::wait_for_measurements() {
 void EstimatorHost::wait_for_window() {
   window_timer_.expires_after(std::max(window_ / 2, std::chrono::nanoseconds{10'000'000}));
   window_timer_.async_wait([this](const boost::system::error_code& ec) {
-    if (ec) return;
+    if (ec || stopped_) return;
     pipeline_.advance(link::now());
     wait_for_window();
   });

@@ -40,6 +40,7 @@ class EstimatorHost final : private pipeline::EstimateListener {
   boost::asio::posix::stream_descriptor readable_;
   boost::asio::steady_timer window_timer_;
   std::chrono::nanoseconds window_;
+  bool stopped_ = false;  ///< a timer that has expired can no longer be cancelled
 };
 
 }  // namespace drydock::cli

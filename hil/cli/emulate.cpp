@@ -36,6 +36,7 @@ int emulate(const rig_config::Rig& rig, double duration_s) {
   const auto stop = [&](const boost::system::error_code& ec) {
     if (ec) return;
     signals.cancel();
+    signals.clear();  // a second Ctrl-C ends the program at once
     timer.cancel();
     emulator.stop();
   };

@@ -1,7 +1,9 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <charconv>
 #include <cstdio>
+#include <cstdlib>
 #include <functional>
 #include <stdexcept>
 
@@ -25,9 +27,27 @@ constexpr int exit_usage = 2;
 /// A rig file that cannot be used; the lines have been printed.
 struct BadRig {};
 
+/// ROS_DOMAIN_ID chooses the DDS domain, as for every ROS 2 program, and goes before the rig file.
+void apply_environment(rig_config::Rig& rig) {
+  const char* text = std::getenv("ROS_DOMAIN_ID");
+  if (text == nullptr || *text == '\0') return;
+  constexpr int highest_domain = 232;
+  const std::string_view digits(text);
+  const auto [end, error] =
+      std::from_chars(digits.data(), digits.data() + digits.size(), rig.dds_domain);
+  if (error != std::errc{} || end != digits.data() + digits.size() || rig.dds_domain < 0 ||
+      rig.dds_domain > highest_domain) {
+    throw std::runtime_error(
+        fmt::format("ROS_DOMAIN_ID is '{}'; allowed: 0 to {}", digits, highest_domain));
+  }
+}
+
 rig_config::Rig load(const std::string& path) {
   auto rig = rig_config::load_rig(path, cli::load_options());
-  if (rig) return std::move(*rig);
+  if (rig) {
+    apply_environment(*rig);
+    return std::move(*rig);
+  }
   for (const auto& problem : rig.error()) fmt::print(stderr, "{}\n", to_string(problem));
   throw BadRig{};
 }

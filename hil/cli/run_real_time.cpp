@@ -81,7 +81,7 @@ class Bench {
   void schedule_redraw() {
     timer_.expires_after(redraw_period);
     timer_.async_wait([this](const boost::system::error_code& ec) {
-      if (ec) return;
+      if (ec || stopping_) return;  // an expired timer can no longer be cancelled
       live_.draw(drivers_.shell(), elapsed(), options_.duration_s);
       if (options_.duration_s > 0 && elapsed() >= options_.duration_s) return stop();
       schedule_redraw();
@@ -99,6 +99,7 @@ class Bench {
           summarise(device, drivers_.shell().health(i), provenance_of(device.options().link)));
     }
     signals_.cancel();
+    signals_.clear();  // a second Ctrl-C ends the program at once
     timer_.cancel();
     drivers_.stop();
     estimators_.stop();

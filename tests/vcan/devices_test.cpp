@@ -102,7 +102,7 @@ TEST_F(Bench, CandumpSeesTheEmulatedDevicesAndTheDriversGetTheTruth) {
   ASSERT_GE(depths.size(), 5u);
   ASSERT_TRUE(depths.back().depth_m.has_value());
   EXPECT_NEAR(*depths.back().depth_m, 20, 0.05);
-  const auto seen = candump.output_until("381#", 20);
+  const auto seen = candump.output_until("15FD0A", 5);
   EXPECT_THAT(seen, HasSubstr(" 000#01"));  // the driver starts the CANopen node
   EXPECT_THAT(seen, HasSubstr(" 181#"));
   EXPECT_THAT(seen, HasSubstr(" 281#"));

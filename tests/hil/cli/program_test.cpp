@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -20,20 +21,6 @@ struct Outcome {
   std::string output;  ///< standard output and standard error
 };
 
-Outcome drydock(const std::string& arguments) {
-  const std::string command =
-      "cd " DRYDOCK_SOURCE_DIR "; " DRYDOCK_PROGRAM " " + arguments + " 2>&1";
-  std::FILE* pipe = popen(command.c_str(), "r");
-  Outcome outcome;
-  std::array<char, 4096> chunk{};
-  while (const auto n = std::fread(chunk.data(), 1, chunk.size(), pipe)) {
-    outcome.output.append(chunk.data(), n);
-  }
-  const int status = pclose(pipe);
-  outcome.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-  return outcome;
-}
-
 /// A folder of the test that goes with it.
 class Folder {
  public:
@@ -49,6 +36,23 @@ class Folder {
  private:
   std::filesystem::path path_;
 };
+
+Outcome drydock(const std::string& arguments) {
+  const Folder links;  // ptys of its own: another run on this machine must not matter
+  const std::string command =
+      "cd " DRYDOCK_SOURCE_DIR "; export XDG_RUNTIME_DIR=" + (links / "").string() +
+      " ROS_DOMAIN_ID=" + std::to_string(100 + getpid() % 100) + "; " DRYDOCK_PROGRAM " " +
+      arguments + " 2>&1";
+  std::FILE* pipe = popen(command.c_str(), "r");
+  Outcome outcome;
+  std::array<char, 4096> chunk{};
+  while (const auto n = std::fread(chunk.data(), 1, chunk.size(), pipe)) {
+    outcome.output.append(chunk.data(), n);
+  }
+  const int status = pclose(pipe);
+  outcome.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  return outcome;
+}
 
 std::string read_file(const std::filesystem::path& path) {
   std::ifstream in(path);
