@@ -33,6 +33,9 @@ class GnssDriver final : public StreamDriver<wire::UbxNmea::max_frame> {
   void on_timed(const Sentence& sentence, const Origin& origin, Output& out);
   void on(const wire::Gga& s, const Origin& o, Output& out) { on_timed(s, o, out); }
   void on(const wire::Rmc& s, const Origin& o, Output& out) { on_timed(s, o, out); }
+  void on(const wire::Gns& s, const Origin& o, Output& out) { on_timed(s, o, out); }
+  void on(const wire::Gll& s, const Origin& o, Output& out) { on_timed(s, o, out); }
+  void on(const wire::Gst& s, const Origin& o, Output& out) { on_timed(s, o, out); }
   void on(const wire::Zda& s, const Origin& o, Output& out) { on_timed(s, o, out); }
   void on(const wire::Vtg& s, const Origin& o, Output&) { nmea_.add(s, o); }
   void on(const wire::Gsa& s, const Origin& o, Output&) { nmea_.add(s, o); }

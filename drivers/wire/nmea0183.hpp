@@ -6,11 +6,14 @@
 #include "drivers/wire/codec.hpp"
 #include "drivers/wire/message_list.hpp"
 #include "drivers/wire/nmea0183_gnss.hpp"
+#include "drivers/wire/nmea0183_heading.hpp"
+#include "drivers/wire/nmea0183_position.hpp"
 #include "drivers/wire/nmea0183_speed.hpp"
 
 namespace drydock::wire {
 
-using Nmea0183Messages = MessageList<Gga, Rmc, Gsv, Gsa, Vtg, Zda, Vhw, Vbw, Vlw>;
+using Nmea0183Messages =
+    MessageList<Gga, Rmc, Gsv, Gsa, Vtg, Zda, Gns, Gll, Gst, Hdt, Ths, Vhw, Vbw, Vlw>;
 
 /// NMEA 0183, all talkers. A frame runs from `$` through the checksum and its line end (CR LF, LF
 /// or CR). A sentence without a checksum is no frame; a `$` inside one starts over.

@@ -49,8 +49,8 @@ Counts decoded_lines(const std::string& protocol, const fs::path& file) {
 
 /// Every `$ttsss,...*hh` with a good XOR and one of our formatters.
 Counts scan_nmea(const std::string& text) {
-  static const std::set<std::string> ours{"GGA", "RMC", "GSV", "GSA", "VTG",
-                                          "ZDA", "VHW", "VBW", "VLW"};
+  static const std::set<std::string> ours{"GGA", "RMC", "GSV", "GSA", "VTG", "ZDA", "GNS",
+                                          "GLL", "GST", "HDT", "THS", "VHW", "VBW", "VLW"};
   Counts counts;
   for (auto at = text.find('$'); at != std::string::npos; at = text.find('$', at + 1)) {
     int sum = 0;
@@ -118,7 +118,8 @@ TEST_F(Corpora, EveryGoodNmeaSentenceOfOursIsDecoded) {
     EXPECT_EQ(decoded_counts("nmea0183", file), expected) << file;
     for (const auto& [type, count] : expected) all[type] += count;
   }
-  for (const char* type : {"GGA", "RMC", "GSV", "GSA", "VTG", "ZDA", "VHW", "VLW"})
+  for (const char* type :
+       {"GGA", "RMC", "GSV", "GSA", "VTG", "ZDA", "GNS", "GLL", "GST", "VHW", "VLW"})
     EXPECT_GT(all[type], 50) << type;
 }
 

@@ -194,6 +194,44 @@ TEST(GnssDriver, NmeaWithoutFixHasNoPosition) {
   }
 }
 
+TEST(GnssDriver, GnsGivesTheFixAndGstItsAccuracy) {
+  Receiver r("nmea0183");
+  r.says(nmea("GNGNS,014035.00,4332.69262,S,17235.48549,E,RR,13,0.9,25.63,11.24,,") +
+             nmea("GPGNS,014035.00,,,,,,8,,,,1.0,23") + nmea("GLGNS,014035.00,,,,,,5,,,,1.0,23") +
+             nmea("GNGST,014035.00,0.006,0.023,0.020,273.6,0.03,0.04,0.05"),
+         1);
+  r.driver->tick(at_s(2), r.ear);
+  ASSERT_EQ(r.fixes().size(), 1U);
+  const GnssFix fix = r.fixes()[0];
+  EXPECT_EQ(fix.type, FixType::three_d);
+  EXPECT_NEAR(fix.position->latitude_rad, -(43 + 32.69262 / 60) * degree, 1e-12);
+  EXPECT_NEAR(fix.ellipsoidal_height_m.value(), 36.87, 1e-9);
+  EXPECT_EQ(fix.satellites_used, 13);
+  EXPECT_NEAR(fix.horizontal_accuracy_m.value(), 0.05, 1e-12);
+  EXPECT_EQ(fix.vertical_accuracy_m, 0.05);
+}
+
+TEST(GnssDriver, GllAloneIsAFixInThePlane) {
+  Receiver r("nmea0183");
+  r.says(nmea("GPGLL,4717.11364,N,00833.91565,E,092321.00,A,A"), 1);
+  r.says(nmea("GPGLL,4717.11364,N,00833.91565,E,092322.00,V,N"), 2);
+  r.driver->tick(at_s(3), r.ear);
+  ASSERT_EQ(r.fixes().size(), 2U);
+  EXPECT_EQ(r.fixes()[0].type, FixType::two_d);
+  EXPECT_NEAR(r.fixes()[0].position->longitude_rad, (8 + 33.91565 / 60) * degree, 1e-12);
+  EXPECT_EQ(r.fixes()[1].type, FixType::none);
+  EXPECT_FALSE(r.fixes()[1].position);
+}
+
+TEST(GnssDriver, GnsWithoutAMeasuredConstellationHasNoPosition) {
+  Receiver r("nmea0183");
+  r.says(nmea("GNGNS,014035,4332.69262,S,17235.48549,E,NS,13,0.9,25.63,11.24,,"), 1);
+  r.driver->tick(at_s(2), r.ear);
+  ASSERT_EQ(r.fixes().size(), 1U);
+  EXPECT_EQ(r.fixes()[0].type, FixType::none);
+  EXPECT_FALSE(r.fixes()[0].position);
+}
+
 TEST(GnssDriver, GsvGroupsOfAnEpochAreOneList) {
   Receiver r("nmea0183");
   r.says(nmea(gga) + nmea("GPGSA,A,3,01,14,,,,,,,,,,,2.5,1.3,2.1") +
