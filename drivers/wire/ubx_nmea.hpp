@@ -9,7 +9,8 @@
 
 namespace drydock::wire {
 
-/// Cuts a line that carries UBX and NMEA 0183 in turn; anything else (RTCM) is skipped.
+/// Cuts a line that carries UBX and NMEA 0183 in turn. An RTCM 3 frame is one without a message;
+/// anything else is skipped.
 Scan scan_ubx_or_nmea(Bytes bytes);
 
 /// A receiver's port that carries both protocols.
