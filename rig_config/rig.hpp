@@ -29,7 +29,8 @@ struct EmulateConfig {
 struct DeviceConfig {
   std::string name;
   DeviceKind kind = DeviceKind::imu;
-  std::string protocol;        ///< nmea0183 ubx ubx+nmea0183 pd0 aceinna cia404-imu nmea2000
+  /// nmea0183 ubx ubx+nmea0183 pd0 water-linked nortek aceinna cia404-imu nmea2000
+  std::string protocol;
   std::string link;            ///< URI, see drivers/link/uri.hpp
   double rate_hz = 1;          ///< nominal; the emulated device keeps it, health compares with it
   double stale_after_s = 2;    ///< streaming -> stale

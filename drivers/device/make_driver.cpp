@@ -9,6 +9,8 @@
 #include "drivers/device/dvl_driver.hpp"
 #include "drivers/device/emlog_driver.hpp"
 #include "drivers/device/gnss_driver.hpp"
+#include "drivers/device/nortek_driver.hpp"
+#include "drivers/device/water_linked_driver.hpp"
 
 namespace drydock::device {
 
@@ -42,6 +44,8 @@ constexpr Row frame_row(Kind kind, std::string_view protocol) {
 
 constexpr std::array rows{
     byte_row<DvlDriver>(Kind::dvl, wire::Pd0::name),
+    byte_row<WaterLinkedDriver>(Kind::dvl, wire::WaterLinked::name),
+    byte_row<NortekDriver>(Kind::dvl, wire::Nortek::name),
     byte_row<EmLogDriver>(Kind::emlog, wire::Nmea0183::name),
     byte_row<GnssDriver>(Kind::gnss, wire::Ubx::name),
     byte_row<GnssDriver>(Kind::gnss, wire::Nmea0183::name),
@@ -78,8 +82,8 @@ DriverError no_driver(const DriverOptions& options, Travels travels) {
 
 }  // namespace
 
-boost::container::static_vector<ProtocolEntry, 4> protocols_of(Kind kind) {
-  boost::container::static_vector<ProtocolEntry, 4> found;
+boost::container::static_vector<ProtocolEntry, 8> protocols_of(Kind kind) {
+  boost::container::static_vector<ProtocolEntry, 8> found;
   for (const Row& row : rows) {
     if (row.kind == kind) found.push_back(row.protocol);
   }

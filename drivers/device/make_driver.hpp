@@ -24,7 +24,7 @@ struct ProtocolEntry {
 };
 
 /// The protocols in which a kind of sensor is understood.
-boost::container::static_vector<ProtocolEntry, 4> protocols_of(Kind kind);
+boost::container::static_vector<ProtocolEntry, 8> protocols_of(Kind kind);
 
 boost::system::result<std::unique_ptr<ByteDriver>, DriverError> make_byte_driver(
     const DriverOptions& options);

@@ -13,10 +13,12 @@
 #include "drivers/wire/j1939.hpp"
 #include "drivers/wire/nmea0183.hpp"
 #include "drivers/wire/nmea2000.hpp"
+#include "drivers/wire/nortek.hpp"
 #include "drivers/wire/pd0.hpp"
 #include "drivers/wire/slcan.hpp"
 #include "drivers/wire/ubx.hpp"
 #include "drivers/wire/ubx_nmea.hpp"
+#include "drivers/wire/water_linked.hpp"
 
 /// Every protocol by its name. A new one adds its include and its entry in one of the lists.
 namespace drydock::wire {
@@ -36,7 +38,7 @@ concept ByteProtocol = requires(Bytes bytes) {
 template <ByteProtocol... P>
 constexpr void all_are_byte_protocols(ProtocolList<P...>) {}
 
-using BytesProtocols = ProtocolList<Nmea0183, Ubx, UbxNmea, Pd0>;
+using BytesProtocols = ProtocolList<Nmea0183, Ubx, UbxNmea, Pd0, WaterLinked, Nortek>;
 
 static_assert(requires { all_are_byte_protocols(BytesProtocols{}); });
 

@@ -13,6 +13,12 @@ using DevicePtr = std::unique_ptr<EmulatedDevice>;
 /// Ensemble per sample: ship frame without tilts, that is the head's own axes.
 DevicePtr make_pd0_dvl(const DeviceSetup& setup);
 
+/// wrz, then wru of four transducers per sample; obeys the command dialogue.
+DevicePtr make_water_linked_dvl(const DeviceSetup& setup);
+
+/// PNORBT9 per sample.
+DevicePtr make_nortek_dvl(const DeviceSetup& setup);
+
 /// VBW (longitudinal and transverse speed), then VHW per sample, VLW once a second; talker VM.
 DevicePtr make_nmea0183_em_log(const DeviceSetup& setup);
 

@@ -18,8 +18,10 @@ struct Entry {
   DevicePtr (*make)(const DeviceSetup&);
 };
 
-constexpr std::array<Entry, 8> catalogue{{
+constexpr std::array<Entry, 10> catalogue{{
     {DeviceKind::dvl, "dvl", "pd0", make_pd0_dvl},
+    {DeviceKind::dvl, "dvl", "water-linked", make_water_linked_dvl},
+    {DeviceKind::dvl, "dvl", "nortek", make_nortek_dvl},
     {DeviceKind::emlog, "emlog", "nmea0183", make_nmea0183_em_log},
     {DeviceKind::gnss, "gnss", "ubx", make_ubx_gnss},
     {DeviceKind::gnss, "gnss", "nmea0183", make_nmea0183_gnss},

@@ -123,9 +123,10 @@ TEST(Device, UnknownProtocolIsRefused) {
   o.driver = options(Kind::dvl, "nmea0183");
   const auto made = Device::make(o);
   ASSERT_FALSE(made);
-  EXPECT_EQ(made.error().message,
-            "no driver for kind \"dvl\" with protocol \"nmea0183\" over bytes; allowed: pd0 "
-            "(bytes)");
+  EXPECT_EQ(
+      made.error().message,
+      "no driver for kind \"dvl\" with protocol \"nmea0183\" over bytes; allowed: pd0 (bytes) "
+      "water-linked (bytes) nortek (bytes)");
 }
 
 /// Whatever comes in whatever pieces, every byte is accounted for and nothing breaks.
@@ -151,6 +152,10 @@ void counters_add_up(Kind kind, const std::string& protocol) {
 RC_GTEST_PROP(Device, CountersAddUpForALog, ()) { counters_add_up(Kind::emlog, "nmea0183"); }
 RC_GTEST_PROP(Device, CountersAddUpForAReceiver, ()) { counters_add_up(Kind::gnss, "ubx"); }
 RC_GTEST_PROP(Device, CountersAddUpForADvl, ()) { counters_add_up(Kind::dvl, "pd0"); }
+RC_GTEST_PROP(Device, CountersAddUpForAWaterLinkedDvl, ()) {
+  counters_add_up(Kind::dvl, "water-linked");
+}
+RC_GTEST_PROP(Device, CountersAddUpForANortekDvl, ()) { counters_add_up(Kind::dvl, "nortek"); }
 
 }  // namespace
 }  // namespace drydock::device::test

@@ -86,7 +86,7 @@ TEST(RigDevices, MistakesAreOneLineThatNamesThePlace) {
   wrong.protocol = "pd7";
   EXPECT_EQ(error_of(wrong),
             "boat.toml:12: device \"bottom\": no driver for kind \"dvl\" with protocol \"pd7\" "
-            "over bytes; allowed: pd0 (bytes)");
+            "over bytes; allowed: pd0 (bytes) water-linked (bytes) nortek (bytes)");
   wrong = dvl();
   wrong.link = "carrier-pigeon:x";
   EXPECT_THAT(error_of(wrong), HasSubstr("boat.toml:12: device \"bottom\": "));

@@ -47,6 +47,22 @@ struct Golden<Pd0> {
   static constexpr std::size_t inside = 20;
 };
 
+template <>
+struct Golden<WaterLinked> {
+  static Buffer stream() { return fixture("water-linked/golden.txt"); }
+  static constexpr std::size_t frames = 20, messages = 19;
+  static Buffer false_sync() { return as_bytes("wrz,0.1,"); }
+  static constexpr std::size_t inside = 8;
+};
+
+template <>
+struct Golden<Nortek> {
+  static Buffer stream() { return fixture("nortek/golden.nmea"); }
+  static constexpr std::size_t frames = 10, messages = 9;
+  static Buffer false_sync() { return as_bytes("$PNORBT7,12"); }
+  static constexpr std::size_t inside = 9;
+};
+
 /// The checksums once more, written from the documents and not from the scanners.
 bool sound_sentence(Bytes frame) {
   const std::string_view text = as_text(frame);
@@ -63,10 +79,27 @@ bool sound_ubx(Bytes frame) {
   return frame[0] == 0xB5 && frame[1] == 0x62 && frame[frame.size() - 2] == a && frame.back() == b;
 }
 
+/// A command may lack the checksum: the line's end follows no star then.
+bool sound_water_linked(Bytes frame) {
+  const std::string_view text = as_text(frame);
+  const std::size_t star = text.find('*');
+  if (star == text.npos) return text.starts_with("wc");
+  unsigned crc = 0;
+  for (const char c : text.substr(0, star)) {
+    for (int bit = 7; bit >= 0; --bit) {
+      const unsigned carry = crc >> 7 ^ (static_cast<unsigned char>(c) >> bit & 1u);
+      crc = (crc << 1 & 0xFF) ^ (carry ? 7 : 0);
+    }
+  }
+  return std::stoul(std::string{text.substr(star + 1, 2)}, nullptr, 16) == crc;
+}
+
 template <class P>
 bool sound(Bytes frame) {
-  if constexpr (std::is_same_v<P, Nmea0183>) return sound_sentence(frame);
+  if constexpr (std::is_same_v<P, Nmea0183> || std::is_same_v<P, Nortek>)
+    return sound_sentence(frame);
   if constexpr (std::is_same_v<P, Ubx>) return sound_ubx(frame);
+  if constexpr (std::is_same_v<P, WaterLinked>) return sound_water_linked(frame);
   if constexpr (std::is_same_v<P, UbxNmea>) {
     return frame[0] == '$' ? sound_sentence(frame) : sound_ubx(frame);
   }

@@ -107,6 +107,31 @@ TEST_F(ThroughDrivers, TheDvlsVelocityAndAltitude) {
   }
 }
 
+TEST_F(ThroughDrivers, WaterLinkedAndNortekDvlsKnowTheirOwnLatency) {
+  for (const char* protocol : {"water-linked", "nortek"}) {
+    measurements_.clear();
+    auto config = device(DeviceKind::dvl, protocol, 5);
+    config.emulate.latency_s = 0.075;  // not told to the driver
+    run_line(device::Kind::dvl, config, 115200);
+    int locked = 0;
+    const auto samples = all<measurement::BottomVelocity>();
+    EXPECT_EQ(samples.size(), 450);
+    for (const auto& sample : samples) {
+      const auto truth = trajectory_.at(sample.origin.valid_at);
+      if (!sample.velocity) continue;  // the bed is further than the beams reach
+      ++locked;
+      EXPECT_LT((*sample.velocity - truth.velocity_body).norm(), 1.5e-3);
+      if (sample.altitude_m) {
+        EXPECT_NEAR(*sample.altitude_m, truth.bed_depth_m + truth.height_m, 0.02);
+      }
+      EXPECT_LT(std::abs(measurement::seconds((sample.origin.valid_at - start) %
+                                              std::chrono::milliseconds{200})),
+                1e-6);
+    }
+    EXPECT_GT(locked, 50) << protocol;
+  }
+}
+
 TEST_F(ThroughDrivers, TheLogsSpeedAtTheTimeItWasTrue) {
   run_line(device::Kind::emlog, device(DeviceKind::emlog, "nmea0183", 2), 4800);
   int speeds = 0;

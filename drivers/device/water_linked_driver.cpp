@@ -1,0 +1,70 @@
+#include "drivers/device/water_linked_driver.hpp"
+
+namespace drydock::device {
+
+namespace {
+
+namespace water_linked = wire::water_linked;
+
+constexpr std::chrono::seconds new_form_counts_for{3};  // at least two reports a second
+/// An older report is none of this ping: the DVL's clock was set between its two times.
+constexpr std::chrono::seconds oldest_report{2};
+
+std::optional<std::chrono::nanoseconds> age_of(const water_linked::ReportTimes& times) {
+  if (!times.validity || !times.transmission) return {};
+  const auto age = *times.transmission - *times.validity;
+  if (age < age.zero() || age > oldest_report) return {};
+  return age;
+}
+
+}  // namespace
+
+void WaterLinkedDriver::receive(wire::Bytes bytes, Stamp received_at, Output& out) {
+  framer_.feed(bytes, wire::WaterLinked::scan, [&](wire::Bytes frame, std::size_t after) {
+    const auto message = wire::WaterLinked::decode(frame);
+    if (!message) return;
+    const Arrival arrival{received_at, frame.size(), after};
+    std::visit(
+        [&](const auto& sentence) {
+          if constexpr (requires { on(sentence, arrival, out); }) on(sentence, arrival, out);
+        },
+        *message);
+  });
+}
+
+void WaterLinkedDriver::on(const water_linked::BottomVelocity& report, const Arrival& arrival,
+                           Output& out) {
+  const auto age = age_of(report);
+  Origin origin = age ? timing_.of_bytes(arrival.read_at, arrival.bytes, arrival.after, *age)
+                      : timing_.of_bytes(arrival.read_at, arrival.bytes, arrival.after);
+  origin.device_time = report.validity;
+  new_form_at_ = origin.received_at;
+  heed_heat(report.hot, out);
+  publish(report, report.altitude_m, origin, out);
+}
+
+void WaterLinkedDriver::on(const water_linked::OldVelocity& report, const Arrival& arrival,
+                           Output& out) {
+  const Origin origin = timing_.of_bytes(arrival.read_at, arrival.bytes, arrival.after);
+  if (new_form_at_ && origin.received_at - *new_form_at_ < new_form_counts_for) return;
+  heed_heat(report.hot.value_or(false), out);
+  publish(report, report.altitude_m, origin, out);
+}
+
+void WaterLinkedDriver::publish(const water_linked::Report& report,
+                                const std::optional<double>& altitude_m, const Origin& origin,
+                                Output& out) const {
+  measurement::BottomVelocity result;
+  result.origin = origin;
+  const auto& [x, y, z] = report.velocity_mps;
+  if (x && y && z) result.velocity = mounting_.to_body({*x, *y, *z});
+  result.altitude_m = altitude_m;
+  out.publish(result);
+}
+
+void WaterLinkedDriver::heed_heat(bool hot, Output& out) {
+  if (hot && !hot_) out.report("the DVL is hot and will shut down soon");
+  hot_ = hot;
+}
+
+}  // namespace drydock::device

@@ -1,0 +1,167 @@
+#include <cmath>
+
+#include "drivers/wire/text_fields.hpp"
+#include "drivers/wire/water_linked.hpp"
+#include "hil/emulate/devices.hpp"
+#include "hil/sensor/ideal.hpp"
+
+namespace drydock::emulate {
+namespace {
+
+namespace water_linked = wire::water_linked;
+using water_linked::Verdict;
+
+constexpr sensor::JanusBeams a50_beams{22.5 * 3.14159265358979323846 / 180, 50};
+/// The transducers in the order of JanusBeams, as the A50 numbers them (from 0) in its PD4 output.
+constexpr std::array<int, 4> transducer_of_beam{2, 0, 3, 1};
+constexpr int most_queued_pings = 15;
+
+/// `protocol` of the command wcp.
+constexpr int output_off = 0, output_all = 1, output_new = 3;
+
+class WaterLinkedDvl final : public SamplingDevice {
+ public:
+  explicit WaterLinkedDvl(const DeviceSetup& setup)
+      : SamplingDevice(setup), errors_(setup.primary_errors()) {
+    configuration_.range_mode = "auto";
+    configuration_.sound_speed_mps = 1475;
+    configuration_.mounting_rotation_rad = 0;
+    configuration_.acoustic_enabled = true;
+    configuration_.dark_mode = false;
+    configuration_.periodic_cycling = true;
+  }
+
+  using SamplingDevice::receive;
+  void receive(wire::Bytes bytes, Stamp, Wire& out) override {
+    const auto damaged = commands_.counters().bad_checksums;
+    commands_.feed(bytes, wire::WaterLinked::scan, [&](wire::Bytes frame, std::size_t) {
+      const auto message = wire::WaterLinked::decode(frame);
+      const auto* command = message ? std::get_if<water_linked::Command>(&*message) : nullptr;
+      if (command) obey(*command, out);
+    });
+    if (commands_.counters().bad_checksums != damaged) answer(Verdict::bad_checksum, out);
+  }
+
+ private:
+  void sample(Stamp at, Wire& out) override {
+    if (!*configuration_.acoustic_enabled) {
+      if (pings_ == 0) return;
+      --pings_;
+    }
+    const auto measured = sensor::ideal_dvl(trajectory().at(at), mounting(), a50_beams);
+    if (output_ == output_off) return;
+    send_velocity(measured, at, out);  // first: the report's own times do not know of a queue
+    send_transducers(measured, out);
+  }
+
+  void send_velocity(const measurement::BottomVelocity& measured, Stamp at, Wire& out) {
+    water_linked::BottomVelocity report;
+    report.valid = measured.velocity.has_value();
+    if (measured.velocity) {
+      const Eigen::Vector3d v = errors_.apply(*measured.velocity);
+      report.velocity_mps = {v.x(), v.y(), v.z()};
+      report.altitude_m = measured.altitude_m;
+    }
+    using std::chrono::duration_cast, std::chrono::microseconds;
+    report.validity = duration_cast<microseconds>(at.time_since_epoch());
+    report.transmission = duration_cast<microseconds>((at + latency()).time_since_epoch());
+    report.interval_s = 1 / rate_hz();
+    send(report, out);
+    if (output_ == output_all) {
+      water_linked::OldVelocity old;
+      static_cast<water_linked::Report&>(old) = report;
+      old.interval_s = report.interval_s;
+      old.altitude_m = report.altitude_m;
+      old.hot = report.hot;
+      send(old, out);
+    }
+  }
+
+  void send_transducers(const measurement::BottomVelocity& measured, Wire& out) {
+    const double s = std::sin(a50_beams.angle_rad), c = std::cos(a50_beams.angle_rad);
+    const std::array<Eigen::Vector3d, 4> outwards{
+        Eigen::Vector3d{0, -s, c}, {0, s, c}, {s, 0, c}, {-s, 0, c}};
+    std::array<water_linked::Transducer, 4> transducers;
+    water_linked::OldRanges ranges;
+    for (std::size_t beam = 0; beam < transducers.size(); ++beam) {
+      const int id = transducer_of_beam[beam];
+      auto& transducer = transducers[static_cast<std::size_t>(id)];
+      transducer.id = id;
+      transducer.rssi_dbm = measured.range_m[beam] ? -40 : -95;
+      transducer.noise_dbm = -95;
+      if (!measured.range_m[beam]) continue;
+      transducer.distance_m = *measured.range_m[beam] / c;
+      if (measured.velocity) transducer.velocity_mps = measured.velocity->dot(outwards[beam]);
+      ranges.distance_m[static_cast<std::size_t>(id)] = transducer.distance_m;
+    }
+    for (const auto& transducer : transducers) send(transducer, out);
+    if (output_ == output_all) send(ranges, out);
+  }
+
+  void obey(const water_linked::Command& command, Wire& out) {
+    switch (command.letter) {
+      case 'v': return send(water_linked::Version{2, 7, 0}, out);
+      case 'w': return send(water_linked::Product{"dvl-a50", "2.7.1", "0x0", {}}, out);
+      case 'c': return send(configuration_, out);
+      case 's': return answer(set(command.options), out);
+      case 'p': return answer(set_output(command.options), out);
+      case 'x': return answer(queue_ping(), out);
+      case 'r':
+      case 'g': return answer(Verdict::done, out);
+      default: return answer(Verdict::not_understood, out);
+    }
+  }
+
+  Verdict set(std::string_view options) {
+    const auto asked = water_linked::read_configuration(options);
+    if (!asked) return Verdict::not_understood;
+    const auto take = [](auto& setting, const auto& value) {
+      if (value) setting = value;
+    };
+    // A mounting rotation and other range modes are not emulated.
+    if (asked->mounting_rotation_rad.value_or(0) != 0) return Verdict::refused;
+    if (!asked->range_mode.empty() && asked->range_mode != "auto") return Verdict::refused;
+    take(configuration_.sound_speed_mps, asked->sound_speed_mps);
+    take(configuration_.acoustic_enabled, asked->acoustic_enabled);
+    take(configuration_.dark_mode, asked->dark_mode);
+    take(configuration_.periodic_cycling, asked->periodic_cycling);
+    return Verdict::done;
+  }
+
+  Verdict set_output(std::string_view option) {
+    const auto asked = wire::parse_integer(option);
+    if (!asked) return Verdict::not_understood;
+    if (*asked != output_off && *asked != output_all && *asked != output_new) {
+      return Verdict::refused;
+    }
+    output_ = *asked;
+    return Verdict::done;
+  }
+
+  Verdict queue_ping() {
+    if (pings_ == most_queued_pings) return Verdict::refused;
+    ++pings_;
+    return Verdict::done;
+  }
+
+  void answer(Verdict verdict, Wire& out) { send(water_linked::Answer{verdict}, out); }
+
+  template <class Sentence>
+  void send(const Sentence& sentence, Wire& out) {
+    out.send(wire::Bytes{bytes_}.first(encode(sentence, bytes_)));
+  }
+
+  sensor::ErrorModel errors_;
+  water_linked::Configuration configuration_;
+  int output_ = output_new, pings_ = 0;
+  wire::Framer<wire::WaterLinked::max_frame> commands_;
+  std::array<std::uint8_t, 512> bytes_{};
+};
+
+}  // namespace
+
+DevicePtr make_water_linked_dvl(const DeviceSetup& setup) {
+  return std::make_unique<WaterLinkedDvl>(setup);
+}
+
+}  // namespace drydock::emulate

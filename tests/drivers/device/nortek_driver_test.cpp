@@ -1,0 +1,58 @@
+#include "tests/drivers/device/support.hpp"
+
+/// Sentences are written out here by the public description of their fields.
+namespace drydock::device::test {
+namespace {
+
+using namespace std::chrono_literals;
+using measurement::BottomVelocity;
+
+Octets pnorbt7(const std::string& velocity, const std::string& age_ms = "-75.500") {
+  return nmea("PNORBT7,1795262400.2500,61.250," + age_ms + "," + velocity +
+              ",0.0031,7.01,7.02,0.00,7.04");
+}
+
+std::vector<BottomVelocity> heard_nortek(const Octets& bytes, DriverOptions o) {
+  Ear ear;
+  byte_driver(o)->receive(bytes, at_s(1), ear);
+  return ear.all<BottomVelocity>();
+}
+
+TEST(NortekDriver, VelocityInTheBodyRangesAndNoAltitude) {
+  DriverOptions o = options(Kind::dvl, "nortek");
+  o.mounting = {0, 0, 90 * degree};  // its x axis looks to starboard
+  const auto m = heard_nortek(pnorbt7("1.2345,-0.0560,0.0780"), o).at(0);
+  EXPECT_NEAR(m.velocity->x(), 0.056, 1e-12);
+  EXPECT_NEAR(m.velocity->y(), 1.2345, 1e-12);
+  EXPECT_NEAR(m.velocity->z(), 0.078, 1e-12);
+  EXPECT_EQ(m.range_m[1], 7.02);
+  EXPECT_FALSE(m.range_m[2] || m.altitude_m);
+  // 100 us on the wire; a Unix time in a double keeps it within 1 us.
+  EXPECT_LT(std::chrono::abs(*m.origin.device_time - (1795262400s + 250ms)), 1us);
+}
+
+TEST(NortekDriver, OneBadComponentIsNoVelocity) {
+  const auto o = options(Kind::dvl, "nortek");
+  EXPECT_FALSE(heard_nortek(pnorbt7("1.2345,-32.7680,0.0780"), o).at(0).velocity);
+}
+
+TEST(NortekDriver, TheSentenceSaysHowOldItIs) {
+  DriverOptions o = options(Kind::dvl, "nortek");
+  o.latency = 20ms;
+  const auto valid_at = [&](const std::string& age_ms) {
+    return heard_nortek(pnorbt7("1,0,0", age_ms), o).at(0).origin.valid_at;
+  };
+  EXPECT_EQ(valid_at("-75.500"), at_s(1) - 75500us);
+  EXPECT_EQ(valid_at("3.000"), at_s(1) - 20ms) << "an echo to come";
+  EXPECT_EQ(valid_at("-9000.0"), at_s(1) - 20ms) << "an echo of long ago";
+  EXPECT_EQ(valid_at(""), at_s(1) - 20ms);
+}
+
+TEST(NortekDriver, OneBeamOrSpeedAloneIsNoBodyVelocity) {
+  const auto bytes = nmea("PNORBT4,61.250,-75.500,1.236,357.4,0.00310,7.02") +
+                     nmea("PNORBT0,2,211126,114000.2500,61.2,-75.5,-0.5120,0.0040,7.02,0x0F");
+  EXPECT_TRUE(heard_nortek(bytes, options(Kind::dvl, "nortek")).empty());
+}
+
+}  // namespace
+}  // namespace drydock::device::test

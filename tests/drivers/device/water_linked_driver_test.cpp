@@ -1,0 +1,95 @@
+#include "tests/drivers/device/support.hpp"
+
+/// Sentences are written out here by Water Linked's description, with its CRC-8.
+namespace drydock::device::test {
+namespace {
+
+using namespace std::chrono_literals;
+using measurement::BottomVelocity;
+
+Octets line(const std::string& body) {
+  unsigned crc = 0;
+  for (const unsigned char c : body) {
+    for (unsigned bit = 0x80; bit != 0; bit >>= 1) {
+      const bool carry = ((crc & 0x80) != 0) != ((c & bit) != 0);
+      crc = (crc << 1 & 0xFF) ^ (carry ? 0x07 : 0);
+    }
+  }
+  std::array<char, 8> tail{};
+  std::snprintf(tail.data(), tail.size(), "*%02x\r\n", crc);
+  return octets(body + tail.data());
+}
+
+Octets wrz(const std::string& velocity, const std::string& times, const std::string& status = "0") {
+  return line("wrz," + velocity + ",0.003,1;0;0;0;1;0;0;0;1," + times + ",83.40," + status);
+}
+
+const std::string locked = "1.234,-0.056,0.078,y,6.98", lost = "0.000,0.000,0.000,n,-1.00";
+const std::string times = "1795262400123456,1795262400198456";  // 75 ms apart
+
+std::vector<BottomVelocity> heard(const Octets& bytes,
+                                  DriverOptions o = options(Kind::dvl, "water-linked")) {
+  Ear ear;
+  byte_driver(o)->receive(bytes, at_s(1), ear);
+  return ear.all<BottomVelocity>();
+}
+
+TEST(WaterLinkedDriver, VelocityInTheBodyAndAltitude) {
+  DriverOptions o = options(Kind::dvl, "water-linked");
+  o.mounting = {0, 0, 90 * degree};  // its x axis looks to starboard
+  const auto m = heard(wrz(locked, times), o).at(0);
+  EXPECT_NEAR(m.velocity->x(), 0.056, 1e-12);
+  EXPECT_NEAR(m.velocity->y(), 1.234, 1e-12);
+  EXPECT_NEAR(m.velocity->z(), 0.078, 1e-12);
+  EXPECT_EQ(m.altitude_m, 6.98);
+  EXPECT_EQ(m.origin.device_time, 1795262400123456us);
+}
+
+TEST(WaterLinkedDriver, NoLockIsNoVelocityButALivingDvl) {
+  const auto m = heard(wrz(lost, times)).at(0);
+  EXPECT_FALSE(m.velocity);
+  EXPECT_FALSE(m.altitude_m);
+}
+
+TEST(WaterLinkedDriver, TheReportsOwnTimesSayHowOldItIs) {
+  DriverOptions o = options(Kind::dvl, "water-linked");
+  o.latency = 20ms;
+  EXPECT_EQ(heard(wrz(locked, times), o).at(0).origin.valid_at, at_s(1) - 75ms);
+  o.baud = 115200;
+  const Octets bytes = wrz(locked, times);
+  const std::chrono::nanoseconds on_wire{bytes.size() * 10 * 1'000'000'000 / 115200};
+  EXPECT_EQ(heard(bytes, o).at(0).origin.valid_at, at_s(1) - on_wire - 75ms);
+}
+
+TEST(WaterLinkedDriver, TimesThatCannotBeGiveWayToTheConfiguredLatency) {
+  DriverOptions o = options(Kind::dvl, "water-linked");
+  o.latency = 20ms;
+  for (const char* nonsense : {"20,10", "0,1795262400198456", ",14"}) {
+    EXPECT_EQ(heard(wrz(locked, nonsense), o).at(0).origin.valid_at, at_s(1) - 20ms) << nonsense;
+  }
+}
+
+TEST(WaterLinkedDriver, TheOldFormCountsWhileTheNewOneDoesNotCome) {
+  const Octets old = line("wrx,83.40,1.5,0.1,0.2,0.003,7.00,y,0");
+  EXPECT_NEAR(heard(old).at(0).velocity->x(), 1.5, 1e-12);
+  const auto both = heard(wrz(locked, times) + old);
+  ASSERT_EQ(both.size(), 1U);
+  EXPECT_NEAR(both[0].velocity->x(), 1.234, 1e-12);
+}
+
+TEST(WaterLinkedDriver, WaterTrackAndTransducersAreNoBottomVelocity) {
+  EXPECT_TRUE(heard(line("wrs,0.5,0.01,-0.02,y,0.015,1;0;0;0;1;0;0;0;1," + times + ",500,0") +
+                    line("wru,0,0.412,7.61,-38,-86"))
+                  .empty());
+}
+
+TEST(WaterLinkedDriver, HeatIsReportedOnce) {
+  Ear ear;
+  const auto driver = byte_driver(options(Kind::dvl, "water-linked"));
+  driver->receive(wrz(locked, times, "1") + wrz(locked, times, "1"), at_s(1), ear);
+  EXPECT_EQ(ear.reports.size(), 1U);
+  EXPECT_EQ(ear.all<BottomVelocity>().size(), 2U);
+}
+
+}  // namespace
+}  // namespace drydock::device::test
