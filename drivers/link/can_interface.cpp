@@ -54,12 +54,12 @@ class LinkRequest {
 
   const nlmsghdr& answer() const { return *reinterpret_cast<const nlmsghdr*>(buffer_.data()); }
   const ifinfomsg& link() const {
-    return *static_cast<const ifinfomsg*>(NLMSG_DATA(buffer_.data()));
+    return *reinterpret_cast<const ifinfomsg*>(buffer_.data() + NLMSG_HDRLEN);
   }
 
  private:
   nlmsghdr& header() { return *reinterpret_cast<nlmsghdr*>(buffer_.data()); }
-  ifinfomsg& info() { return *static_cast<ifinfomsg*>(NLMSG_DATA(buffer_.data())); }
+  ifinfomsg& info() { return *reinterpret_cast<ifinfomsg*>(buffer_.data() + NLMSG_HDRLEN); }
 
   alignas(nlmsghdr) std::array<char, 8192> buffer_{};
 };
