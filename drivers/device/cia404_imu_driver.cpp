@@ -47,7 +47,7 @@ void Cia404ImuDriver::on(const wire::cia404_imu::ImuSet& set, const Origin& end,
   // The three values were true together, before the first frame left.
   Origin origin = first_frame_[set.node];
   if (end.received_at - origin.received_at > longest_set) {
-    out.report("frames of two samples in one set: the bus loses frames");
+    out.report("frames of one sample came over 5 ms apart: some were lost, or the host was late");
     return;
   }
   origin.received_at = end.received_at;
