@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <rapidcheck/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 
@@ -346,6 +347,16 @@ RC_GTEST_PROP(RigProblems, NoTextMakesTheLoaderThrow, (const std::string& text))
 }
 
 /// The demo with one line gone, or with one line's value exchanged: sound, or told why not.
+TEST(RigProblems, AListOrATableWhereADateTimeBelongsIsToldAndDoesNotAbort) {
+  for (const std::string value : {"[]", "[[1]]", "{}", "{ a = 1 }"}) {
+    const auto rig = load_rig_text("[rig]\nname = \"x\"\nstart = " + value + "\n", "r.toml");
+    ASSERT_FALSE(rig) << value;
+    EXPECT_TRUE(std::ranges::any_of(rig.error(), [](const Problem& problem) {
+      return problem.path.starts_with("/rig/start");
+    })) << value;
+  }
+}
+
 RC_GTEST_PROP(RigProblems, ADamagedDemoIsLoadedOrToldWhyNot, ()) {
   const std::string path = DRYDOCK_SOURCE_DIR "/rig_config/rigs/demo.toml";
   std::vector<std::string> lines;
