@@ -85,7 +85,9 @@ class JsonWriter {
   }
   template <class Struct>
   void fields(const Struct& s) {
-    visit_fields(s, [this](std::string_view key, const auto& content) { field(key, content); });
+    visit_fields(s, [this](std::string_view key, const auto& content) {
+      this->field(key, content);  // clang calls `this` unused without its name
+    });
   }
 
  private:

@@ -4,17 +4,15 @@
 
 #include <boost/asio/signal_set.hpp>
 #include <cmath>
-#include <numbers>
 
 #include "drivers/bus/participant.hpp"
 #include "drivers/cli/rig_bus.hpp"
+#include "estimators/cli/degrees.hpp"
 #include "estimators/cli/estimator_host.hpp"
 #include "estimators/cli/rig_pipeline.hpp"
 
 namespace drydock::cli {
 namespace {
-
-constexpr double to_deg = 180 / std::numbers::pi;
 
 /// Prints estimates as they come, either all as JSON or one a second for a person.
 class Printer {
@@ -76,6 +74,7 @@ int estimate(const rig_config::Rig& rig, const EstimateOptions& options) {
   }
   host.start();
   io.run();
+  for (const auto& note : pipeline_notes(rig, host.pipeline())) fmt::print(stderr, "{}\n", note);
   fmt::print(stderr, "{} estimates\n", printer.count);
   return printer.count > 0 ? 0 : 1;
 }

@@ -1,5 +1,7 @@
 #include "estimators/cli/rig_pipeline.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "drivers/measurement/stamp.hpp"
@@ -33,6 +35,23 @@ pipeline::PipelineOptions pipeline_options(const rig_config::Rig& rig) {
     options.estimators.push_back(std::move(estimator));
   }
   return options;
+}
+
+std::vector<std::string> pipeline_notes(const rig_config::Rig& rig,
+                                        const pipeline::Pipeline& pipeline) {
+  std::vector<std::string> notes;
+  const auto& counters = pipeline.counters();
+  for (std::size_t i = 0; i < std::min(counters.size(), rig.devices.size()); ++i) {
+    const pipeline::DeviceCounters& c = counters[i];
+    if (c.late == 0 && c.refused == 0) continue;
+    notes.push_back(fmt::format("{}: of {} measurements {} too late for the estimators, {} refused",
+                                rig.devices[i].name, c.received, c.late, c.refused));
+  }
+  if (pipeline.overflows() > 0) {
+    notes.push_back(fmt::format("reorder buffer full: {} measurements used before their turn",
+                                pipeline.overflows()));
+  }
+  return notes;
 }
 
 }  // namespace drydock::cli

@@ -101,6 +101,7 @@ class LockstepBench final : private device::Listener, private pipeline::Estimate
       s.devices.push_back(
           summarise(device, device.health(clock_.now()), provenance_of(device.options().link)));
     }
+    s.notes = pipeline_notes(rig_, pipeline_);
     scribe_.write(s, clock_.now());
     return s;
   }

@@ -1,6 +1,8 @@
+#include <algorithm>
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/signal_set.hpp>
 #include <boost/asio/steady_timer.hpp>
+#include <iterator>
 #include <optional>
 #include <stdexcept>
 
@@ -121,6 +123,7 @@ class Bench {
                         " messages to overloaded lines, " + std::to_string(counters.write_errors) +
                         " to write errors");
     }
+    std::ranges::move(pipeline_notes(rig_, estimators_.pipeline()), std::back_inserter(s.notes));
     scribe_.write(s, end_);
     return s;
   }

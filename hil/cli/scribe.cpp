@@ -5,13 +5,14 @@
 #include <cmath>
 #include <numbers>
 
+#include "estimators/cli/degrees.hpp"
+
 namespace drydock::cli {
 
 using namespace measurement;
 
 namespace {
 
-constexpr double to_deg = 180 / std::numbers::pi;
 constexpr double points_per_curve = 1500;
 
 double wrapped(double angle) { return std::remainder(angle, 2 * std::numbers::pi); }

@@ -1,0 +1,9 @@
+#pragma once
+
+#include <numbers>
+
+namespace drydock::cli {
+
+constexpr double to_deg = 180 / std::numbers::pi;  ///< for what people read
+
+}  // namespace drydock::cli
