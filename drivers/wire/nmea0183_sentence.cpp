@@ -56,8 +56,9 @@ inline PlainNumber plain_number(const char* at, const char* const stop) {
     number.decimals = take_digits();
     number.digits += number.decimals;
   }
-  const auto magnitude = static_cast<std::int64_t>(mantissa);
-  number.mantissa = negative ? -magnitude : magnitude;
+  // Unsigned, since digits past the 19th may wrap to any value; is_exact() tells that it has no
+  // use.
+  number.mantissa = static_cast<std::int64_t>(negative ? 0 - mantissa : mantissa);
   number.end = at;
   return number;
 }

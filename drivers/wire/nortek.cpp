@@ -132,23 +132,25 @@ std::optional<Nortek::Message> Nortek::decode(Bytes frame) {
 
 std::size_t encode(const NortekVelocity& m, std::span<std::uint8_t> out) {
   FieldWriter line{out};
-  const auto number = [&](double value, int decimals) {
+  const auto number = [&](std::optional<double> value, int decimals) {
     line.text(",");
-    line.number(value, decimals);
+    if (value) line.number(*value, decimals);
   };
   const bool with_state = m.status.has_value();
   line.text(with_state ? "$PNORBT9" : "$PNORBT7");
-  number(m.ping_time_s.value_or(0), 4);
-  number(m.after_trigger_s.value_or(0) * 1e3, 3);
-  number(m.after_sentence_s.value_or(0) * 1e3, 3);
+  number(m.ping_time_s, 4);
+  number(scaled(m.after_trigger_s, 1e3), 3);
+  number(scaled(m.after_sentence_s, 1e3), 3);
   for (const auto& component : m.velocity_mps) number(component.value_or(bad_velocity), 4);
   number(m.figure_of_merit_mps.value_or(bad_merit), 4);
   for (const auto& distance : m.distance_m) number(distance.value_or(bad_distance), 2);
   if (with_state) {
-    number(m.battery_v.value_or(0), 1);
-    number(m.sound_speed_mps.value_or(0), 1);
-    number(0, 1);
-    number(m.temperature_k.value_or(kelvin_at_zero_celsius) - kelvin_at_zero_celsius, 1);
+    number(m.battery_v, 1);
+    number(m.sound_speed_mps, 1);
+    number(std::nullopt, 1);  // pressure
+    number(
+        m.temperature_k ? std::optional{*m.temperature_k - kelvin_at_zero_celsius} : std::nullopt,
+        1);
     std::array<std::uint8_t, 8> digits;
     TextWriter hex{digits};
     hex.put_hex(*m.status, 8);

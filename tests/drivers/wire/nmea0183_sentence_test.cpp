@@ -28,7 +28,7 @@ std::string digits(int least, int most) {
 }
 
 RC_GTEST_PROP(NmeaSentence, NumbersAreThoseOfTheStandardLibraryToTheLastBit, ()) {
-  const std::string text = *rc::gen::element<std::string>("", "-") + digits(1, 12) +
+  const std::string text = *rc::gen::element<std::string>("", "-") + digits(1, 24) +
                            *rc::gen::element<std::string>("", ".");
   const std::string field = text.ends_with('.') ? text + digits(0, 12) : text;
   double expected = 0;

@@ -82,6 +82,18 @@ TEST(Nortek, AWrittenSentenceReadsAsItWas) {
   }
 }
 
+TEST(Nortek, WhatIsNotKnownIsWrittenAsAnEmptyField) {
+  NortekVelocity m;
+  m.status = 0;
+  std::array<std::uint8_t, 256> out;
+  const Bytes line{out.data(), encode(m, out)};
+  EXPECT_TRUE(as_text(line).starts_with(
+      "$PNORBT9,,,,-32.7680,-32.7680,-32.7680,10.0000,0.00,0.00,0.00,0.00,,,,,0x00000000*"));
+  const auto read = std::get<NortekVelocity>(Nortek::decode(line).value());
+  EXPECT_FALSE(read.ping_time_s || read.after_trigger_s || read.after_sentence_s);
+  EXPECT_FALSE(read.battery_v || read.sound_speed_mps || read.temperature_k);
+}
+
 /// Sentences of pynmea2's tests: verdict on the checksum, sentence.
 TEST(Nortek, SentencesOfAnotherProgramAreRead) {
   const auto file = corpora() / "dvl/nortek/pnor_sentences.txt";

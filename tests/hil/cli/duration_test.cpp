@@ -16,3 +16,10 @@ TEST(Duration, RefusesWhatIsNone) {
     EXPECT_EQ(parse_duration(text), std::nullopt) << text;
   }
 }
+
+TEST(Duration, EndsWhereAStampWould) {
+  EXPECT_EQ(parse_duration("876600h"), 3155760000.0);
+  for (const char* text : {"876601h", "1e18s", "1e300h"}) {
+    EXPECT_EQ(parse_duration(text), std::nullopt) << text;
+  }
+}

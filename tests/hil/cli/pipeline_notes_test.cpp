@@ -37,7 +37,7 @@ measurement::ImuSample sample(int at_ms, double down_mps2 = -9.8) {
 Notes notes_after(const std::vector<measurement::Measurement>& measurements,
                   const pipeline::PipelineOptions& options) {
   Ignore nobody;
-  auto pipeline = pipeline::make_pipeline(options, nobody).value();
+  auto pipeline = *pipeline::make_pipeline(options, nobody);
   for (const auto& m : measurements) pipeline.receive(m);
   return cli::pipeline_notes(still_rig(), pipeline);
 }
