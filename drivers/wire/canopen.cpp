@@ -13,11 +13,6 @@ bool is_data(const CanFrame& frame) {
   return !frame.extended && !frame.remote && !frame.error && !frame.fd;
 }
 
-std::optional<std::uint8_t> node_above(const CanFrame& frame, std::uint32_t base) {
-  if (!is_data(frame) || frame.id <= base || frame.id > base + 127) return std::nullopt;
-  return static_cast<std::uint8_t>(frame.id - base);
-}
-
 CanFrame data_frame(std::uint32_t id, std::uint8_t size) {
   CanFrame frame;
   frame.id = id;
@@ -35,6 +30,11 @@ std::string_view to_string(NodeState state) {
     case NodeState::pre_operational: return "pre_operational";
   }
   return "unknown";
+}
+
+std::optional<std::uint8_t> node_above(const CanFrame& frame, std::uint32_t base) {
+  if (!is_data(frame) || frame.id <= base || frame.id > base + 127) return std::nullopt;
+  return static_cast<std::uint8_t>(frame.id - base);
 }
 
 bool is_sync(const CanFrame& frame) { return is_data(frame) && frame.id == sync_id; }

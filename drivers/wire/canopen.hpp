@@ -60,6 +60,13 @@ struct Emergency {
   std::array<std::uint8_t, 5> vendor{};
 };
 
+/// CiA 301's words for an emergency's code: of the code itself where it has a name, else of its
+/// class.
+std::string_view error_text(std::uint16_t code);
+
+/// The node of an 11-bit data frame with identifier base + 1 to base + 127, else empty.
+std::optional<std::uint8_t> node_above(const CanFrame& frame, std::uint32_t base);
+
 bool is_sync(const CanFrame& frame);
 std::optional<Nmt> decode_nmt(const CanFrame& frame);
 std::optional<Heartbeat> decode_heartbeat(const CanFrame& frame);
@@ -80,6 +87,7 @@ template <class Field>
 void visit_fields(const Emergency& m, Field&& field) {
   field("node", m.node);
   field("code", m.code);
+  field("error", error_text(m.code));
   field("error_register", m.error_register);
 }
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "drivers/wire/canopen_sdo.hpp"
 #include "tests/drivers/wire/can_fixture.hpp"
 
 namespace drydock::wire::canopen {
@@ -42,6 +43,54 @@ TEST(CanOpen, TellsItsServicesFromTheirNeighbours) {
   EXPECT_FALSE(decode_heartbeat(frame("705#55")));
   EXPECT_FALSE(decode_heartbeat(frame("00000705#05")));
   EXPECT_FALSE(decode_nmt(frame("000#0305")));
+}
+
+// Codes and classes: CiA 301, table of emergency error codes.
+TEST(CanOpen, PutsEmergencyCodesIntoWords) {
+  EXPECT_EQ(error_text(0x0000), "error reset or no error");
+  EXPECT_EQ(error_text(0x1000), "generic error");
+  EXPECT_EQ(error_text(0x8130), "life guard or heartbeat error");
+  EXPECT_EQ(error_text(0x8199), "communication");  // its class
+  EXPECT_EQ(error_text(0x4310), "temperature");    // its group
+  EXPECT_EQ(error_text(0xFF42), "device specific");
+  EXPECT_EQ(error_text(0xA000), "error class not in CiA 301");
+}
+
+// Command bytes 40h, 23h, 2Bh, 2Fh, 43h, 4Bh, 60h, 80h: CiA 301, SDO protocols.
+TEST(CanOpen, EncodesExpeditedTransfersAsCia301Says) {
+  EXPECT_EQ(text_of(encode(SdoRead{5, {0x6131, 1}})), "605#4031610100000000");
+  EXPECT_EQ(text_of(encode(SdoWrite{5, {0x1017, 0}, 1000, 2})), "605#2B171000E8030000");
+  EXPECT_EQ(text_of(encode(SdoWrite{5, {0x1005, 0}, 0x40000080, 4})), "605#2305100080000040");
+  EXPECT_EQ(text_of(encode(SdoWrite{5, {0x1800, 2}, 1, 1})), "605#2F00180201000000");
+  EXPECT_EQ(text_of(encode(SdoValue{5, {0x6131, 1}, 0x004E0000, 4})), "585#4331610100004E00");
+  EXPECT_EQ(text_of(encode(SdoWritten{5, {0x1017, 0}})), "585#6017100000000000");
+  EXPECT_EQ(text_of(encode(SdoAbort{5, {0x1017, 0}, 0x06020000})), "585#8017100000000206");
+}
+
+TEST(CanOpen, DecodesTheRequestsOfAClient) {
+  const auto read = decode_sdo_request(frame("605#4031610100000000"));
+  ASSERT_TRUE(read);
+  EXPECT_EQ(std::get<SdoRead>(*read).entry, (ObjectEntry{0x6131, 1}));
+  const auto write = decode_sdo_request(frame("605#2B171000E803FFFF"));  // two bytes mean nothing
+  ASSERT_TRUE(write);
+  EXPECT_EQ(std::get<SdoWrite>(*write).value, 1000u);
+  EXPECT_EQ(std::get<SdoWrite>(*write).size, 2);
+}
+
+TEST(CanOpen, DecodesTheAnswersOfANode) {
+  const auto value = decode_sdo_response(frame("585#4F32610103AABBCC"));  // one byte: decimals
+  ASSERT_TRUE(value);
+  EXPECT_EQ(std::get<SdoValue>(*value).value, 3u);
+  EXPECT_EQ(std::get<SdoValue>(*value).size, 1);
+  const auto unsized = decode_sdo_response(frame("585#4231610100004E00"));
+  ASSERT_TRUE(unsized);
+  EXPECT_EQ(std::get<SdoValue>(*unsized).value, 0x004E0000u);
+  const auto refused = decode_sdo_response(frame("585#8017100002000106"));
+  ASSERT_TRUE(refused);
+  EXPECT_EQ(abort_text(std::get<SdoAbort>(*refused).code), "object can only be read");
+  EXPECT_FALSE(decode_sdo_response(frame("585#410810000B000000")));  // segmented: no value in it
+  EXPECT_FALSE(decode_sdo_response(frame("585#4331610100004E")));
+  EXPECT_FALSE(decode_sdo_response(frame("580#4331610100004E00")));
 }
 
 }  // namespace
