@@ -8,6 +8,7 @@
 # usage: with-vcan.sh COMMAND [ARGUMENT...]     exit status of the command
 #        with-vcan.sh --level                   says which of the four it would be
 # DRYDOCK_VCAN_TIMEOUT: seconds that user-mode Linux and the command may take together (110).
+# DRYDOCK_UML_REGISTERS: the library made of uml_registers.c, which newer processors need (that of build/release).
 set -eu
 
 can_type=280 # ARPHRD_CAN
@@ -90,9 +91,12 @@ run_in_uml() {
   work=$(mktemp -d)
   trap 'rm -rf "$work"' EXIT
   write_init "$@"
+  registers=${DRYDOCK_UML_REGISTERS:-$(dirname "$0")/../../build/release/tests/vcan/libuml_registers.so}
+  [ -f "$registers" ] || registers=
   timed_out=0
   HOME=$work TMPDIR=$(memory_folder) timeout -k 5 "$limit" \
-    linux.uml umid="drydock-$$" uml_dir="$work/" root=/dev/root rootfstype=hostfs rootflags=/ rw init="$work/init" \
+    env LD_PRELOAD="$registers" linux.uml umid="drydock-$$" uml_dir="$work/" \
+    root=/dev/root rootfstype=hostfs rootflags=/ rw init="$work/init" \
     mem=1G con=null con0=fd:0,fd:1 quiet </dev/null >"$work/console" 2>&1 || timed_out=$?
   cat "$work/output" 2>/dev/null || true
   status=$(cat "$work/status" 2>/dev/null || true)
@@ -112,7 +116,7 @@ if [ "${1:-}" = --level ]; then
   echo "$level"
   exit
 fi
-[ $# -gt 0 ] || { sed -n '2,11s/^# \{0,1\}//p' "$0" >&2; exit 2; }
+[ $# -gt 0 ] || { sed -n '2,12s/^# \{0,1\}//p' "$0" >&2; exit 2; }
 echo "CAN level: $level"
 case $place in
   here) exec "$@" ;;
