@@ -1,15 +1,13 @@
 #pragma once
 
-#include <array>
 #include <charconv>
 #include <cmath>
 #include <concepts>
-#include <cstdint>
 #include <cstdio>
 #include <optional>
-#include <string>
 #include <string_view>
-#include <type_traits>
+
+#include "drivers/cli/json_text.hpp"
 
 namespace drydock::cli {
 
@@ -17,42 +15,37 @@ namespace drydock::cli {
 /// what JSON has no number for (NaN, infinity), empty optionals and empty strings are null.
 class JsonWriter {
  public:
-  explicit JsonWriter(std::string& out) : out_(out) {}
+  explicit JsonWriter(JsonText& out) : out_(out) {}
 
-  void value(bool truth) { out_ += truth ? "true" : "false"; }
+  void value(bool truth) { out_.append(truth ? "true" : "false"); }
   void value(std::string_view text);
   template <std::floating_point T>
   void value(T number) {
-    if (std::isfinite(number)) {
-      append_number(number);
-    } else {
-      out_ += "null";
-    }
+    if (!std::isfinite(number)) return null();
+    out_.end(write_number(out_.room(longest_number), number));
   }
   template <std::integral T>
   void value(T number) {
-    append_number(+number);  // a byte is a number, not a character
+    char* const at = out_.room(longest_number);
+    out_.end(std::to_chars(at, at + longest_number, +number).ptr);  // a byte is a number too
   }
   template <class T>
   void value(const std::optional<T>& maybe) {
-    if (maybe) {
-      value(*maybe);
-    } else {
-      out_ += "null";
-    }
+    if (!maybe) return null();
+    value(*maybe);
   }
   /// Arrays and spans of values or of structs with visit_fields.
   template <class Range>
   requires requires(const Range& range) { range.begin(), range.end(); }
   void value(const Range& range) {
-    out_ += '[';
+    out_.append('[');
     bool first = true;
     for (const auto& item : range) {
-      if (!first) out_ += ',';
+      if (!first) out_.append(',');
       first = false;
       value(item);
     }
-    out_ += ']';
+    out_.append(']');
   }
   /// A struct: the object of its fields.
   template <class Struct>
@@ -66,19 +59,23 @@ class JsonWriter {
   }
 
   void open() {
-    out_ += '{';
+    out_.append('{');
     first_ = true;
   }
   void close() {
-    out_ += '}';
+    out_.append('}');
     first_ = false;
   }
   template <class T>
   void field(std::string_view key, const T& content) {
-    if (!first_) out_ += ',';
-    out_ += '"';
-    out_ += key;
-    out_ += "\":";
+    char* at = out_.room(key.size() + 4);
+    if (!first_) *at++ = ',';
+    *at++ = '"';
+    std::memcpy(at, key.data(), key.size());
+    at += key.size();
+    *at++ = '"';
+    *at++ = ':';
+    out_.end(at);
     first_ = false;
     value(content);
     first_ = false;
@@ -91,21 +88,17 @@ class JsonWriter {
   }
 
  private:
-  template <class T>
-  void append_number(T number) {
-    std::array<char, 32> digits;
-    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr;
-    out_.append(digits.data(), end);
-  }
+  static constexpr std::size_t longest_number = 32;
+  void null() { out_.append("null"); }
 
-  std::string& out_;
+  JsonText& out_;
   bool first_ = true;  ///< of the object being written
 };
 
 /// JSON Lines into a file, handed over in blocks.
 class JsonLines {
  public:
-  explicit JsonLines(std::FILE* file) : file_(file) { text_.reserve(2 * block); }
+  explicit JsonLines(std::FILE* file) : file_(file) {}
 
   /// Writes one line; `fill(JsonWriter&)` gives its fields.
   template <class Fill>
@@ -114,7 +107,7 @@ class JsonLines {
     writer.open();
     fill(writer);
     writer.close();
-    text_ += '\n';
+    text_.append('\n');
     if (text_.size() >= block) flush();
   }
 
@@ -124,7 +117,7 @@ class JsonLines {
  private:
   static constexpr std::size_t block = 64 * 1024;
   std::FILE* file_;
-  std::string text_;
+  JsonText text_{2 * block};
   bool sound_ = true;
 };
 

@@ -11,9 +11,9 @@ namespace {
 
 template <class T>
 std::string written(const T& value) {
-  std::string text;
+  JsonText text{1};
   JsonWriter(text).value(value);
-  return text;
+  return std::string{text.view()};
 }
 
 struct Point {
@@ -37,6 +37,11 @@ TEST(JsonWriter, DoublesHaveTheFewestDigits) {
   EXPECT_EQ(written(0.1), "0.1");
   EXPECT_EQ(written(-2.0), "-2");
   EXPECT_EQ(written(1436509052.249713), "1436509052.249713");
+  EXPECT_EQ(written(0.0000012), "0.0000012");
+  EXPECT_EQ(written(-0.05), "-0.05");
+  EXPECT_EQ(written(100000.0), "100000");
+  EXPECT_EQ(written(0.1 + 0.2), "0.30000000000000004");
+  EXPECT_EQ(written(0.1F), "0.1");
 }
 
 TEST(JsonWriter, BytesAreNumbers) {
@@ -67,6 +72,24 @@ RC_GTEST_PROP(JsonWriter, AnyBytesAreOneJsonString, (const std::string& bytes)) 
 
 RC_GTEST_PROP(JsonWriter, DoublesReadBackTheSame, (double number)) {
   RC_ASSERT(nlohmann::json::parse(written(number)).get<double>() == number);
+}
+
+RC_GTEST_PROP(JsonWriter, DecimalsOfAWireHaveTheFewestDigits, ()) {
+  const auto whole = *rc::gen::inRange<std::int64_t>(-1'000'000'000'000'000, 1'000'000'000'000'000);
+  const double unit = *rc::gen::element(1.0, 10.0, 100.0, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8);
+  const double number = static_cast<double>(whole) / unit;
+  const auto digits = [](std::string_view text) {
+    std::string kept;
+    for (const char c : text.substr(0, text.find('e'))) {
+      if (c >= '0' && c <= '9' && !(kept.empty() && c == '0')) kept += c;
+    }
+    return kept.substr(0, kept.find_last_not_of('0') + 1);
+  };
+  std::array<char, 32> shortest;  // of the standard library, which guarantees it
+  const char* end = std::to_chars(shortest.begin(), shortest.end(), number).ptr;
+  const std::string ours = written(number);
+  RC_ASSERT(digits(ours) == digits({shortest.data(), end}));
+  RC_ASSERT(nlohmann::json::parse(ours).get<double>() == number);
 }
 
 }  // namespace
