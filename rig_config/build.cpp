@@ -78,6 +78,26 @@ std::string resolved(const std::string& link, const std::string& rig_file) {
   return std::string(scheme) + full.lexically_normal().string() + link.substr(query);
 }
 
+AceinnaConfig build_aceinna(const Node& table) {
+  AceinnaConfig aceinna;
+  read(table, "packet_rate_hz", aceinna.packet_rate_hz);
+  read(table, "slope_message", aceinna.slope_message);
+  read(table, "rate_filter_hz", aceinna.rate_filter_hz);
+  read(table, "acceleration_filter_hz", aceinna.acceleration_filter_hz);
+  read(table, "orientation", aceinna.orientation);
+  return aceinna;
+}
+
+XsensConfig build_xsens(const Node& table) {
+  XsensConfig xsens;
+  read(table, "extended", xsens.extended);
+  if (const Node* identifiers = table.find("identifiers")) {
+    for (const Node::Member& member : identifiers->members)
+      xsens.identifiers.push_back({member.key, static_cast<std::uint32_t>(member.value.integer)});
+  }
+  return xsens;
+}
+
 DeviceConfig build_device(const Node& table, const std::string& rig_file) {
   DeviceConfig device;
   device.line = table.at.line;
@@ -93,8 +113,12 @@ DeviceConfig build_device(const Node& table, const std::string& rig_file) {
   read(table, "lever_arm_m", device.lever_arm_m);
   read(table, "mounting_deg", device.mounting_rad, degree);
   read(table, "address", device.address);
+  read(table, "heartbeat_timeout_s", device.heartbeat_timeout_s);
+  read(table, "sync", device.sync);
   read(table, "surface_pressure_pa", device.surface_pressure_pa);
   read(table, "water_density_kgm3", device.water_density_kgm3);
+  if (const Node* aceinna = table.find("aceinna")) device.aceinna = build_aceinna(*aceinna);
+  if (const Node* xsens = table.find("xsens")) device.xsens = build_xsens(*xsens);
   if (const Node* emulate = table.find("emulate")) {
     read(*emulate, "fixed_bias", device.emulate.fixed_bias);
     read(*emulate, "latency_ms", device.emulate.latency_s, millisecond);

@@ -26,10 +26,29 @@ struct EmulateConfig {
   SensorErrors secondary;  ///< accelerometer m/s2, GNSS velocity m/s
 };
 
+/// What an Aceinna IMU is set to; empty and zero: left as it is.
+struct AceinnaConfig {
+  int packet_rate_hz = 0;                                ///< 100 50 25 20 10 5 4 2
+  std::string slope_message;                             ///< "on", "off": SSI2 beside ARI and ACCS
+  int rate_filter_hz = -1, acceleration_filter_hz = -1;  ///< cut-off; -1: left, 0: off
+  std::string orientation;  ///< "+X+Y+Z": the output's X, Y, Z as axes of the housing
+};
+
+/// Identifiers of an Xsens IMU that are not as delivered.
+struct XsensConfig {
+  bool extended = false;  ///< 29 bits
+  struct Identifier {
+    std::string message;  ///< as `drydock decode` names it: rate_of_turn, ...
+    std::uint32_t id = 0;
+  };
+  std::vector<Identifier> identifiers;
+};
+
 struct DeviceConfig {
   std::string name;
   DeviceKind kind = DeviceKind::imu;
-  /// nmea0183 ubx ubx+nmea0183 pd0 water-linked nortek aceinna cia404-imu nmea2000
+  /// nmea0183 ubx ubx+nmea0183 pd0 water-linked nortek aceinna cia404-imu epson-g550 epson-g552
+  /// xsens nmea2000
   std::string protocol;
   std::string link;            ///< URI, see drivers/link/uri.hpp
   double rate_hz = 1;          ///< nominal; the emulated device keeps it, health compares with it
@@ -38,8 +57,12 @@ struct DeviceConfig {
   double latency_s = 0;        ///< stated by the protocol or the maker: subtracted from valid_at
   std::array<double, 3> lever_arm_m{};   ///< sensor in the body frame, from the vehicle's origin
   std::array<double, 3> mounting_rad{};  ///< roll, pitch, yaw of the sensor's axes against body
-  int address = 0;  ///< J1939 / NMEA 2000 source address or CANopen node; 0: any
+  int address = 0;                 ///< J1939 / NMEA 2000 source address or CANopen node; 0: any
+  double heartbeat_timeout_s = 3;  ///< CANopen: a node silent for so long is lost
+  bool sync = false;               ///< CANopen: samples on SYNC, which its driver sends at rate_hz
   double surface_pressure_pa = 101325, water_density_kgm3 = 1025;  ///< kind depth
+  AceinnaConfig aceinna;
+  XsensConfig xsens;
   EmulateConfig emulate;
   int line = 0;  ///< of the [[device]] block in the file
 };

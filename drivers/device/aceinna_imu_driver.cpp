@@ -7,36 +7,86 @@
 namespace drydock::device {
 
 namespace {
+
+namespace aceinna = wire::aceinna;
+
 /// The device sends its messages within 0.8 ms; half the period of 100 Hz still tells two apart.
 constexpr std::chrono::milliseconds pairing_window{5};
+
+constexpr std::size_t place_of(const aceinna::HardwareBit&) { return 0; }
+constexpr std::size_t place_of(const aceinna::SoftwareBit&) { return 1; }
+constexpr std::size_t place_of(const aceinna::SensorStatus&) { return 2; }
+
 }  // namespace
 
 AceinnaImuDriver::AceinnaImuDriver(const DriverOptions& options)
-    : BusDriver(options), mounting_(options.mounting), source_(options.address) {}
+    : BusDriver(options),
+      mounting_(options.mounting),
+      source_(options.address),
+      configurator_(options) {}
 
-void AceinnaImuDriver::restart(Stamp, Output&) {
+void AceinnaImuDriver::restart(Stamp now, Output& out) {
   rate_.reset();
   force_.reset();
+  told_ = {};
+  configurator_.restart(now, out);
 }
 
 void AceinnaImuDriver::receive(const wire::CanFrame& frame, Stamp received_at, Output& out) {
+  configurator_.receive(frame, received_at, out);
   const auto message = decoder_.receive(frame);
   if (!message) return;
-  if (const auto* ari = std::get_if<wire::aceinna::AngularRate>(&*message)) {
-    if (!source_.accepts(ari->source, received_at)) return;
-    rate_ = Half{timing_.of_frame(received_at, frame), ari->rate_radps};
-    if (ari->latency_s) {
-      stated_valid_at_ =
-          timing_.of_frame(received_at, frame, measurement::from_seconds(*ari->latency_s)).valid_at;
-    } else {
-      stated_valid_at_.reset();
-    }
-    pair(out);
-  } else if (const auto* accs = std::get_if<wire::aceinna::Acceleration>(&*message)) {
-    if (!source_.accepts(accs->source, received_at)) return;
-    force_ = Half{timing_.of_frame(received_at, frame), accs->acceleration_mps2};
-    pair(out);
+  std::visit(
+      [&](const auto& m) {
+        if constexpr (requires { on(m, frame, received_at, out); }) {
+          on(m, frame, received_at, out);
+        } else if constexpr (requires { m.source; }) {
+          if (ours(m.source)) configurator_.on(*message, received_at);
+        }
+      },
+      *message);
+}
+
+void AceinnaImuDriver::on(const aceinna::AngularRate& m, const wire::CanFrame& frame, Stamp at,
+                          Output& out) {
+  if (!source_.accepts(m.source, at)) return;
+  configurator_.found(m.source, at);
+  rate_ = Half{timing_.of_frame(at, frame), m.rate_radps};
+  if (m.latency_s) {
+    stated_valid_at_ =
+        timing_.of_frame(at, frame, measurement::from_seconds(*m.latency_s)).valid_at;
+  } else {
+    stated_valid_at_.reset();
   }
+  pair(out);
+}
+
+void AceinnaImuDriver::on(const aceinna::Acceleration& m, const wire::CanFrame& frame, Stamp at,
+                          Output& out) {
+  if (!source_.accepts(m.source, at)) return;
+  configurator_.found(m.source, at);
+  force_ = Half{timing_.of_frame(at, frame), m.acceleration_mps2};
+  pair(out);
+}
+
+/// A claim is the first that a device says after its boot: it has lost its settings.
+void AceinnaImuDriver::on(const aceinna::AddressClaimed& m, const wire::CanFrame&, Stamp at,
+                          Output&) {
+  if (ours(m.source)) configurator_.begin_anew(at);
+}
+
+template <class Layout>
+void AceinnaImuDriver::on(const aceinna::Flags<Layout>& m, const wire::CanFrame&, Stamp,
+                          Output& out) {
+  if (!ours(m.source)) return;
+  std::string_view& told = told_[place_of(m)];
+  const std::string_view trouble = m.trouble();
+  if (!trouble.empty() && trouble != told) {
+    Reason text{"the IMU reports: "};
+    text += trouble;
+    out.report(text.view());
+  }
+  told = trouble;
 }
 
 void AceinnaImuDriver::pair(Output& out) {

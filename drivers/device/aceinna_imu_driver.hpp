@@ -1,5 +1,6 @@
 #pragma once
 
+#include "drivers/device/aceinna_configurator.hpp"
 #include "drivers/device/bus_driver.hpp"
 #include "drivers/device/source_filter.hpp"
 #include "drivers/wire/aceinna.hpp"
@@ -10,13 +11,16 @@ namespace drydock::device {
 /// back, in either order; what finds no partner in time gives no sample, as does a set with a
 /// component that the device marks as error or not available. The wire's X, Y, Z are taken as the
 /// sensor's right-handed axes and ACCS as specific force; the mounting turns them into the body.
-/// SSI2 (the device's own attitude) is no measurement of ours.
+/// SSI2 (the device's own attitude) is no measurement of ours. What BIT and status messages
+/// complain of is reported when it begins; AceinnaConfigurator sets the device up.
 class AceinnaImuDriver final : public BusDriver<wire::Aceinna> {
  public:
   explicit AceinnaImuDriver(const DriverOptions& options);
 
   void receive(const wire::CanFrame& frame, Stamp received_at, Output& out) override;
   void restart(Stamp now, Output& out) override;
+  void tick(Stamp now, Output& out) override { configurator_.tick(now, out); }
+  std::optional<Stamp> deadline() const override { return configurator_.deadline(); }
 
  private:
   using Components = std::array<std::optional<double>, 3>;
@@ -25,12 +29,23 @@ class AceinnaImuDriver final : public BusDriver<wire::Aceinna> {
     Components components;
   };
 
+  void on(const wire::aceinna::AngularRate& m, const wire::CanFrame& frame, Stamp at, Output& out);
+  void on(const wire::aceinna::Acceleration& m, const wire::CanFrame& frame, Stamp at, Output& out);
+  void on(const wire::aceinna::AddressClaimed& m, const wire::CanFrame& frame, Stamp at,
+          Output& out);
+  template <class Layout>
+  void on(const wire::aceinna::Flags<Layout>& m, const wire::CanFrame& frame, Stamp at,
+          Output& out);
+
+  bool ours(std::uint8_t source) const { return source_.source() == source; }
   void pair(Output& out);
 
   Mounting mounting_;
   SourceFilter source_;
+  AceinnaConfigurator configurator_;
   std::optional<Half> rate_, force_;
   std::optional<Stamp> stated_valid_at_;  ///< by ARI's latency field
+  std::array<std::string_view, 3> told_;  ///< trouble of hardware BIT, software BIT and status
 };
 
 }  // namespace drydock::device

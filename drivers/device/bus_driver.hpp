@@ -1,5 +1,7 @@
 #pragma once
 
+#include <utility>
+
 #include "drivers/device/driver.hpp"
 #include "drivers/device/timing.hpp"
 
@@ -22,7 +24,8 @@ class BusDriver : public FrameDriver {
   }
 
  protected:
-  explicit BusDriver(const DriverOptions& options) : timing_(options) {}
+  explicit BusDriver(const DriverOptions& options, typename Protocol::Decoder decoder = {})
+      : decoder_(std::move(decoder)), timing_(options) {}
 
   typename Protocol::Decoder decoder_;
   Timing timing_;

@@ -8,6 +8,8 @@
 #include <string_view>
 
 #include "drivers/device/mounting.hpp"
+#include "drivers/wire/aceinna_setup.hpp"
+#include "drivers/wire/xsens.hpp"
 
 namespace drydock::device {
 
@@ -19,16 +21,38 @@ constexpr std::string_view to_string(Kind kind) {
   return names[static_cast<std::size_t>(kind)];
 }
 
+/// How a driver looks after its CANopen node.
+struct CanopenOptions {
+  std::chrono::nanoseconds heartbeat_timeout = std::chrono::seconds{3};
+  std::chrono::nanoseconds sync_period{0};  ///< the driver sends SYNC this often; 0: never
+};
+
+/// What an Aceinna IMU is set to; empty: left as it is.
+struct AceinnaSettings {
+  struct Filter {
+    std::uint8_t rate_hz = 0, acceleration_hz = 0;  ///< cut-off frequencies
+  };
+  std::optional<std::uint8_t> rate_divider;  ///< of 100 Hz
+  std::optional<std::uint8_t> packets;       ///< wire::aceinna::PacketType
+  std::optional<Filter> filter;
+  std::optional<std::uint16_t> orientation;  ///< wire::aceinna::Axes::code
+
+  bool any() const { return rate_divider || packets || filter || orientation; }
+};
+
 /// All that a driver is told about its sensor.
 struct DriverOptions {
   Kind kind = Kind::imu;
   std::string protocol;      ///< one of protocols_of(kind)
   std::uint16_t device = 0;  ///< index in the rig, goes into every Origin
   Mounting mounting;
-  std::chrono::nanoseconds latency{0};   ///< from being true to the first bit on the wire
-  std::optional<unsigned> baud;          ///< byte links; empty where there is no line rate
-  unsigned bitrate = 250'000;            ///< CAN
-  std::uint8_t address = 0;              ///< J1939 source address, CANopen node; 0: the first seen
+  std::chrono::nanoseconds latency{0};  ///< from being true to the first bit on the wire
+  std::optional<unsigned> baud;         ///< byte links; empty where there is no line rate
+  unsigned bitrate = 250'000;           ///< CAN
+  std::uint8_t address = 0;             ///< J1939 source address, CANopen node; 0: the first seen
+  AceinnaSettings aceinna;
+  CanopenOptions canopen;
+  wire::xsens::Identifiers xsens_identifiers;
   double surface_pressure_pa = 101'325;  ///< kind depth
   double water_density_kgm3 = 1025;      ///< kind depth
 };

@@ -11,6 +11,7 @@
 #include "drivers/device/gnss_driver.hpp"
 #include "drivers/device/nortek_driver.hpp"
 #include "drivers/device/water_linked_driver.hpp"
+#include "drivers/device/xsens_imu_driver.hpp"
 
 namespace drydock::device {
 
@@ -51,7 +52,10 @@ constexpr std::array rows{
     byte_row<GnssDriver>(Kind::gnss, wire::Nmea0183::name),
     byte_row<GnssDriver>(Kind::gnss, wire::UbxNmea::name),
     frame_row<AceinnaImuDriver>(Kind::imu, wire::Aceinna::name),
-    frame_row<Cia404ImuDriver>(Kind::imu, wire::Cia404Imu::name),
+    frame_row<Cia404ImuDriver<wire::Cia404Imu>>(Kind::imu, wire::Cia404Imu::name),
+    frame_row<Cia404ImuDriver<wire::EpsonG550>>(Kind::imu, wire::EpsonG550::name),
+    frame_row<Cia404ImuDriver<wire::EpsonG552>>(Kind::imu, wire::EpsonG552::name),
+    frame_row<XsensImuDriver>(Kind::imu, wire::Xsens::name),
     frame_row<DepthDriver>(Kind::depth, wire::Nmea2000::name),
     frame_row<ActuatorDriver>(Kind::actuator, wire::Nmea2000::name),
 };

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "drivers/link/uri.hpp"
+#include "drivers/shell/imu_settings.hpp"
 
 namespace drydock::shell {
 
@@ -43,6 +44,8 @@ device::DriverOptions driver_options(const DeviceConfig& config, std::size_t ind
   options.baud = uri.baud();
   options.bitrate = uri.bitrate().value_or(options.bitrate);
   options.address = static_cast<std::uint8_t>(config.address);
+  options.canopen.heartbeat_timeout = measurement::from_seconds(config.heartbeat_timeout_s);
+  if (config.sync) options.canopen.sync_period = measurement::from_seconds(1 / config.rate_hz);
   options.surface_pressure_pa = config.surface_pressure_pa;
   options.water_density_kgm3 = config.water_density_kgm3;
   return options;
@@ -77,6 +80,12 @@ boost::system::result<DeviceOptions, RigDevicesError> device_options(const rig_c
   options.name = config.name;
   options.link = config.link;
   options.driver = driver_options(config, index, *uri);
+  const auto aceinna = aceinna_settings(config.aceinna);
+  if (!aceinna) return error_in(rig, config, aceinna.error().message);
+  options.driver.aceinna = *aceinna;
+  const auto xsens = xsens_identifiers(config.xsens);
+  if (!xsens) return error_in(rig, config, xsens.error().message);
+  options.driver.xsens_identifiers = *xsens;
   options.life_cycle = life_cycle_options(config, *uri);
   options.nominal_rate_hz = config.rate_hz;
   return options;

@@ -11,11 +11,14 @@ namespace {
 constexpr std::uint32_t slope_pgn = 61481;
 constexpr std::uint32_t rate_pgn = 61482;
 constexpr std::uint32_t acceleration_pgn = 61485;
+constexpr std::uint32_t magnetic_pgn = 65386;
 
 // Zero in steps, then steps per degree, degree per second, m/s2 and second.
 constexpr double slope_zero = 250.0 * 32768, slope_steps = 32768;
 constexpr double rate_zero = 250.0 * 128, rate_steps = 128;
 constexpr double acceleration_zero = 320.0 * 100, acceleration_steps = 100;
+constexpr double magnetic_zero = 8.0 * 4000, magnetic_steps = 4000;  // gauss
+constexpr double tesla_per_gauss = 1e-4;
 constexpr double latency_steps = 2000;
 
 std::uint32_t load_u24(Bytes bytes, std::size_t offset) {
@@ -99,10 +102,38 @@ Acceleration decode_acceleration(std::uint8_t source, Bytes p) {
   return m;
 }
 
+MagneticField decode_magnetic(std::uint8_t source, Bytes p) {
+  MagneticField m;
+  m.source = source;
+  for (unsigned axis = 0; axis < 3; ++axis) {
+    const auto gauss =
+        j1939_field<16>(load_le<std::uint16_t>(p, 2 * axis), magnetic_zero, magnetic_steps);
+    m.field_t[axis] = scaled(gauss, tesla_per_gauss);
+  }
+  return m;
+}
+
+template <class M>
+std::optional<Aceinna::Message> read_as(const j1939::Identifier& id, Bytes payload) {
+  M m;
+  return read(id.source, payload, m) ? std::optional<Aceinna::Message>{m} : std::nullopt;
+}
+
 std::optional<Aceinna::Message> decode(const j1939::Identifier& id, Bytes payload) {
-  if (id.pgn == j1939::request_pgn) return j1939::decode_request(id, payload);
+  switch (id.pgn) {
+    case j1939::request_pgn: return j1939::decode_request(id, payload);
+    case hardware_bit_pgn: return read_as<HardwareBit>(id, payload);
+    case software_bit_pgn: return read_as<SoftwareBit>(id, payload);
+    case status_pgn: return read_as<SensorStatus>(id, payload);
+    case packet_rate_pgn: return read_as<PacketRate>(id, payload);
+    case packet_type_pgn: return read_as<PacketType>(id, payload);
+    case filter_pgn: return read_as<DigitalFilter>(id, payload);
+    case orientation_pgn: return read_as<Orientation>(id, payload);
+    default: break;
+  }
   if (payload.size() < 8) return std::nullopt;
   switch (id.pgn) {
+    case magnetic_pgn: return decode_magnetic(id.source, payload);
     case slope_pgn: return decode_slope(id.source, payload);
     case rate_pgn: return decode_rate(id.source, payload);
     case acceleration_pgn: return decode_acceleration(id.source, payload);
@@ -111,8 +142,9 @@ std::optional<Aceinna::Message> decode(const j1939::Identifier& id, Bytes payloa
 }
 
 bool is_ours(std::uint32_t pgn) {
-  return pgn == slope_pgn || pgn == rate_pgn || pgn == acceleration_pgn ||
-         pgn == j1939::address_claim_pgn || pgn == j1939::request_pgn;
+  return pgn == slope_pgn || pgn == rate_pgn || pgn == acceleration_pgn || pgn == magnetic_pgn ||
+         (pgn >= hardware_bit_pgn && pgn <= orientation_pgn) || pgn == j1939::address_claim_pgn ||
+         pgn == j1939::request_pgn;
 }
 
 }  // namespace
@@ -146,6 +178,16 @@ CanFrame encode(const Acceleration& m) {
     store_le<std::uint16_t>(frame.data, 2 * axis, raw);
   }
   frame.data[6] = pack(code(m.merit[0]), code(m.merit[1]), code(m.merit[2]), m.rate_support);
+  return frame;
+}
+
+CanFrame encode(const MagneticField& m) {
+  CanFrame frame = j1939::blank_frame({6, magnetic_pgn, j1939::global_address, m.source});
+  for (unsigned axis = 0; axis < 3; ++axis) {
+    const auto gauss = scaled(m.field_t[axis], 1 / tesla_per_gauss);
+    store_le<std::uint16_t>(frame.data, 2 * axis,
+                            to_j1939_field<16>(gauss, magnetic_zero, magnetic_steps));
+  }
   return frame;
 }
 

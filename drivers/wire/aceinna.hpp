@@ -6,6 +6,7 @@
 #include <string_view>
 #include <variant>
 
+#include "drivers/wire/aceinna_setup.hpp"
 #include "drivers/wire/can_frame.hpp"
 #include "drivers/wire/codec.hpp"
 #include "drivers/wire/fields.hpp"
@@ -57,6 +58,13 @@ struct Acceleration {
   std::uint8_t rate_support = 3;  ///< 2 bits: variable transmission rate, 3 n/a
 };
 
+/// PGN 65386: magnetic field along the wire's X, Y, Z.
+struct MagneticField {
+  static constexpr std::string_view type = "magnetic_field";
+  std::uint8_t source = j1939::null_address;
+  std::array<std::optional<double>, 3> field_t;  ///< tesla
+};
+
 /// PGN 60928 as Aceinna fills it in: the NAME's fields stand in reverse order.
 struct AddressClaimed {
   static constexpr std::string_view type = "address_claimed";
@@ -67,6 +75,7 @@ struct AddressClaimed {
 CanFrame encode(const SlopeSensor& message);
 CanFrame encode(const AngularRate& message);
 CanFrame encode(const Acceleration& message);
+CanFrame encode(const MagneticField& message);
 CanFrame encode(const AddressClaimed& message);
 
 /// The number contended with on the bus, in Aceinna's field order.
@@ -110,6 +119,14 @@ void visit_fields(const Acceleration& m, Field&& field) {
 }
 
 template <class Field>
+void visit_fields(const MagneticField& m, Field&& field) {
+  field("source", m.source);
+  field("magnetic_x_t", m.field_t[0]);
+  field("magnetic_y_t", m.field_t[1]);
+  field("magnetic_z_t", m.field_t[2]);
+}
+
+template <class Field>
 void visit_fields(const AddressClaimed& m, Field&& field) {
   field("source", m.source);
   j1939::visit_fields(m.name, field);
@@ -122,7 +139,10 @@ namespace drydock::wire {
 struct Aceinna {
   static constexpr std::string_view name = "aceinna";
   using Message = std::variant<aceinna::SlopeSensor, aceinna::AngularRate, aceinna::Acceleration,
-                               aceinna::AddressClaimed, j1939::Request>;
+                               aceinna::MagneticField, aceinna::AddressClaimed,
+                               aceinna::HardwareBit, aceinna::SoftwareBit, aceinna::SensorStatus,
+                               aceinna::PacketRate, aceinna::PacketType, aceinna::DigitalFilter,
+                               aceinna::Orientation, j1939::Request>;
 
   class Decoder {
    public:

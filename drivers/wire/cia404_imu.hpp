@@ -8,6 +8,7 @@
 
 #include "drivers/wire/canopen.hpp"
 #include "drivers/wire/codec.hpp"
+#include "drivers/wire/fields.hpp"
 
 /// CANopen measuring device (CiA 404) profile of a navigation-grade IMU: process values as REAL32
 /// in three transmit PDOs, because 16-bit rates are too coarse to find north with.

@@ -9,6 +9,7 @@
 #include "drivers/wire/candump.hpp"
 #include "drivers/wire/cia404_imu.hpp"
 #include "drivers/wire/codec.hpp"
+#include "drivers/wire/epson_imu.hpp"
 #include "drivers/wire/frame_protocol.hpp"
 #include "drivers/wire/j1939.hpp"
 #include "drivers/wire/nmea0183.hpp"
@@ -19,6 +20,7 @@
 #include "drivers/wire/ubx.hpp"
 #include "drivers/wire/ubx_nmea.hpp"
 #include "drivers/wire/water_linked.hpp"
+#include "drivers/wire/xsens.hpp"
 
 /// Every protocol by its name. A new one adds its include and its entry in one of the lists.
 namespace drydock::wire {
@@ -45,7 +47,8 @@ static_assert(requires { all_are_byte_protocols(BytesProtocols{}); });
 template <FrameProtocol... P>
 constexpr void all_are_frame_protocols(ProtocolList<P...>) {}
 
-using FrameProtocols = ProtocolList<Nmea2000, Aceinna, Cia404Imu, J1939>;
+using FrameProtocols =
+    ProtocolList<Nmea2000, Aceinna, Cia404Imu, EpsonG550, EpsonG552, Xsens, J1939>;
 
 static_assert(requires { all_are_frame_protocols(FrameProtocols{}); });
 

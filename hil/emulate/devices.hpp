@@ -34,6 +34,14 @@ DevicePtr make_aceinna_imu(const DeviceSetup& setup);
 /// Boot-up message, heartbeat every second; after NMT start three TPDOs back to back per sample.
 DevicePtr make_cia404_imu(const DeviceSetup& setup);
 
+/// As make_cia404_imu with Epson's integers: TPDO1, 2 and 3 of one counter per sample. An emergency
+/// tells when the truth does not fit them.
+DevicePtr make_epson_g550(const DeviceSetup& setup);
+DevicePtr make_epson_g552(const DeviceSetup& setup);
+
+/// SampleTime, GroupCounter, StatusWord, RateOfTurn, Acceleration back to back per sample.
+DevicePtr make_xsens_imu(const DeviceSetup& setup);
+
 /// Address claim at boot, then 130314 (water pressure), 130312 (sea temperature) and 128267 (bed
 /// below the transducer) per sample, tied by SID.
 DevicePtr make_nmea2000_depth(const DeviceSetup& setup);

@@ -50,6 +50,7 @@ void J1939Device::tick(Stamp now, Wire& out) {
 
 void J1939Device::receive(const wire::CanFrame& frame, Stamp now, Wire& out) {
   send(claim_.receive(frame, now.time_since_epoch()), out);
+  if (const auto address = claim_.address()) hear(frame, *address, out);
 }
 
 void J1939Device::sample(Stamp at, Wire& out) {

@@ -23,6 +23,9 @@ class J1939Device : public SamplingDevice {
   /// `name` as compared in contention. Takes `preferred` unless the configuration names an address.
   J1939Device(const DeviceSetup& setup, std::uint64_t name, std::uint8_t preferred);
 
+  /// Hears a frame of the bus while it holds an address.
+  virtual void hear(const wire::CanFrame&, std::uint8_t /*address*/, Wire&) {}
+
   /// Sends a sample of the truth at `at` from the address held.
   virtual void report(Stamp at, std::uint8_t address, Wire& out) = 0;
 

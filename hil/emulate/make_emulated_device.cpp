@@ -18,7 +18,7 @@ struct Entry {
   DevicePtr (*make)(const DeviceSetup&);
 };
 
-constexpr std::array<Entry, 10> catalogue{{
+constexpr auto catalogue = std::to_array<Entry>({
     {DeviceKind::dvl, "dvl", "pd0", make_pd0_dvl},
     {DeviceKind::dvl, "dvl", "water-linked", make_water_linked_dvl},
     {DeviceKind::dvl, "dvl", "nortek", make_nortek_dvl},
@@ -27,9 +27,12 @@ constexpr std::array<Entry, 10> catalogue{{
     {DeviceKind::gnss, "gnss", "nmea0183", make_nmea0183_gnss},
     {DeviceKind::imu, "imu", "aceinna", make_aceinna_imu},
     {DeviceKind::imu, "imu", "cia404-imu", make_cia404_imu},
+    {DeviceKind::imu, "imu", "epson-g550", make_epson_g550},
+    {DeviceKind::imu, "imu", "epson-g552", make_epson_g552},
+    {DeviceKind::imu, "imu", "xsens", make_xsens_imu},
     {DeviceKind::depth, "depth", "nmea2000", make_nmea2000_depth},
     {DeviceKind::actuator, "actuator", "nmea2000", make_nmea2000_actuators},
-}};
+});
 
 EmulateError unknown_protocol(const DeviceConfig& config) {
   std::string kind, allowed;

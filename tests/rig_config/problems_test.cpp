@@ -100,6 +100,24 @@ TEST(RigProblems, ACanopenNodeHasANarrowerRangeThanAJ1939Address) {
       ElementsAre("r.toml:13:11: /device/1/address: 128 is out of range, allowed: 0 to 127"));
 }
 
+TEST(RigProblems, SettingsOfOneImuAreNotAnothers) {
+  EXPECT_THAT(problems_of(std::string(imu_table) + "xsens = { extended = true }\n"),
+              ElementsAre("r.toml:13:1: /device/1/xsens: not allowed here, only for protocol = "
+                          "\"xsens\""));
+  EXPECT_THAT(problems_of("sync = true\n"),
+              ElementsAre("r.toml:8:1: /device/0/sync: not allowed here, only for CANopen "
+                          "protocols"));
+  EXPECT_THAT(problems_of(std::string(imu_table) + "sync = true\nheartbeat_timeout_s = 2\n"),
+              IsEmpty());
+}
+
+TEST(RigProblems, AnXsensMessageThatDoesNotExistIsTold) {
+  EXPECT_THAT(
+      problems_of("[[device]]\nname = \"i\"\nkind = \"imu\"\nprotocol = \"xsens\"\n"
+                  "link = \"can:auto\"\nxsens = { identifiers = { rate_of_trun = 0x132 } }\n"),
+      ElementsAre(HasSubstr("rate_of_trun: unknown key (did you mean 'rate_of_turn'?)")));
+}
+
 TEST(RigProblems, AVectorHasThreeComponents) {
   EXPECT_THAT(problems_of("lever_arm_m = [1, 2]\n"),
               ElementsAre("r.toml:8:15: /device/0/lever_arm_m: has 2 values, allowed: 3"));

@@ -148,5 +148,32 @@ TEST(Emulate, ItsOwnKeysOverrideTheSensorFile) {
   EXPECT_NEAR(imu.secondary.bias[2], 9.80665e-3, 1e-17);
 }
 
+TEST(ImuSettings, AreReadFromTheirTables) {
+  const auto rig = load_rig_text(
+      "[rig]\nname = \"r\"\n"
+      "[[device]]\nname = \"a\"\nkind = \"imu\"\nprotocol = \"aceinna\"\nlink = \"can:auto\"\n"
+      "[device.aceinna]\npacket_rate_hz = 50\nslope_message = \"off\"\nrate_filter_hz = 25\n"
+      "acceleration_filter_hz = 0\norientation = \"-X-Y+Z\"\n"
+      "[[device]]\nname = \"x\"\nkind = \"imu\"\nprotocol = \"xsens\"\nlink = \"can:auto\"\n"
+      "xsens = { extended = true, identifiers = { rate_of_turn = 0x19FF0032 } }\n"
+      "[[device]]\nname = \"e\"\nkind = \"imu\"\nprotocol = \"epson-g552\"\nlink = \"can:auto\"\n"
+      "rate_hz = 125\nsync = true\nheartbeat_timeout_s = 1.5\n",
+      folder + "rigs/r.toml");
+  ASSERT_TRUE(rig);
+  const AceinnaConfig& aceinna = rig->devices.at(0).aceinna;
+  EXPECT_EQ(aceinna.packet_rate_hz, 50);
+  EXPECT_EQ(aceinna.slope_message, "off");
+  EXPECT_EQ(aceinna.rate_filter_hz, 25);
+  EXPECT_EQ(aceinna.acceleration_filter_hz, 0);
+  EXPECT_EQ(aceinna.orientation, "-X-Y+Z");
+  const XsensConfig& xsens = rig->devices.at(1).xsens;
+  EXPECT_TRUE(xsens.extended);
+  ASSERT_EQ(xsens.identifiers.size(), 1U);
+  EXPECT_EQ(xsens.identifiers[0].message, "rate_of_turn");
+  EXPECT_EQ(xsens.identifiers[0].id, 0x19FF0032U);
+  EXPECT_TRUE(rig->devices.at(2).sync);
+  EXPECT_EQ(rig->devices.at(2).heartbeat_timeout_s, 1.5);
+}
+
 }  // namespace
 }  // namespace drydock::rig_config

@@ -156,7 +156,7 @@ TEST(Cia404ImuDriver, EmergencyIsReportedInWords) {
   Bus bus(options(Kind::imu, "cia404-imu"));
   bus.says(can_frame(0x081, false, {0x30, 0x81, 0x11, 0, 0, 0, 0, 0}), 1);
   ASSERT_EQ(bus.ear.reports.size(), 1U);
-  EXPECT_EQ(bus.ear.reports[0], "emergency 0x8130");
+  EXPECT_EQ(bus.ear.reports[0], "node 1: emergency 0x8130, life guard or heartbeat error");
 }
 
 TEST(Cia404ImuDriver, NotANumberGivesNoSample) {

@@ -101,5 +101,59 @@ TEST(RigDevices, MistakesAreOneLineThatNamesThePlace) {
   EXPECT_THAT(error_of(wrong), HasSubstr("address 256"));
 }
 
+DeviceConfig imu(std::string protocol) {
+  DeviceConfig config;
+  config.name = "imu";
+  config.kind = DeviceKind::imu;
+  config.protocol = std::move(protocol);
+  config.link = "memory-can:bus0";
+  config.rate_hz = 100;
+  return config;
+}
+
+TEST(RigDevices, SettingsOfAnAceinnaImuAreTheNumbersOfItsMessages) {
+  auto config = imu("aceinna");
+  config.aceinna = {50, "off", 25, 5, "-X-Y+Z"};
+  const auto settings = device_options(rig_of({config}), 0)->driver.aceinna;
+  EXPECT_EQ(settings.rate_divider, 2);
+  EXPECT_EQ(settings.packets, 6);
+  ASSERT_TRUE(settings.filter);
+  EXPECT_EQ(settings.filter->acceleration_hz, 5);
+  EXPECT_EQ(settings.orientation, 0x0009);
+  EXPECT_FALSE(device_options(rig_of({imu("aceinna")}), 0)->driver.aceinna.any());
+}
+
+TEST(RigDevices, SettingsThatNoAceinnaImuHasAreErrors) {
+  auto config = imu("aceinna");
+  config.aceinna.packet_rate_hz = 30;
+  EXPECT_THAT(error_of(config), HasSubstr("30 is none of its rates"));
+  config.aceinna = {};
+  config.aceinna.rate_filter_hz = 25;
+  EXPECT_THAT(error_of(config), HasSubstr("go together"));
+  config.aceinna = {};
+  config.aceinna.orientation = "-X+Y+Z";
+  EXPECT_THAT(error_of(config), HasSubstr("no right-handed set of axes"));
+}
+
+TEST(RigDevices, IdentifiersOfAnXsensImuDifferAndFitTheirFormat) {
+  auto config = imu("xsens");
+  config.xsens.identifiers = {{"rate_of_turn", 0x132}};
+  EXPECT_EQ(encode(wire::xsens::RateOfTurn{},
+                   device_options(rig_of({config}), 0)->driver.xsens_identifiers)
+                .id,
+            0x132U);
+  config.xsens.identifiers = {{"rate_of_turn", 0x034}};  // the acceleration's
+  EXPECT_THAT(error_of(config), HasSubstr("two are the same"));
+}
+
+TEST(RigDevices, SyncIsSentAtTheRateOfTheDevice) {
+  auto config = imu("epson-g552");
+  config.sync = true;
+  config.heartbeat_timeout_s = 1.5;
+  const auto canopen = device_options(rig_of({config}), 0)->driver.canopen;
+  EXPECT_EQ(canopen.sync_period, std::chrono::milliseconds{10});
+  EXPECT_EQ(canopen.heartbeat_timeout, std::chrono::milliseconds{1500});
+}
+
 }  // namespace
 }  // namespace drydock::shell

@@ -148,9 +148,13 @@ TEST_F(ThroughDrivers, TheLogsSpeedAtTheTimeItWasTrue) {
   EXPECT_GE(speeds, 179);
 }
 
-TEST_F(ThroughDrivers, BothImusForceAndRate) {
+TEST_F(ThroughDrivers, EveryImusForceAndRate) {
+  constexpr double milli_g = 9.80665e-3;
   for (const auto& [protocol, force_step, rate_step] :
-       {std::tuple{"cia404-imu", 2e-6, 1e-8}, std::tuple{"aceinna", 0.01, 1.0 / 128 * degree}}) {
+       {std::tuple{"cia404-imu", 2e-6, 1e-8}, std::tuple{"aceinna", 0.01, 1.0 / 128 * degree},
+        std::tuple{"epson-g550", 0.2 * milli_g, 0.008 * degree},
+        std::tuple{"epson-g552", 0.4 * milli_g, 0.01515 * degree},
+        std::tuple{"xsens", 1.0 / 256, 1.0 / 512}}) {
     measurements_.clear();
     run_bus(device::Kind::imu, device(DeviceKind::imu, protocol, 100));
     const auto samples = all<measurement::ImuSample>();

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "drivers/wire/aceinna.hpp"
 #include "drivers/wire/bytes.hpp"
 #include "drivers/wire/cia404_imu.hpp"
 #include "tests/hil/emulate/bench.hpp"
@@ -109,8 +110,9 @@ TEST(EmulatedCia404Imu, ThreeProcessDataObjectsHoldTheSixValuesAsReal32) {
   const auto imu =
       make_emulated_device(device(DeviceKind::imu, "cia404-imu", 100), trajectory, 1).value();
   Recorder sent;
+  sent.run(*imu, start);  // boots
   imu->receive(canopen::encode(canopen::Nmt{canopen::NmtCommand::start, 1}), start, sent);
-  sent.run(*imu, at_s(0.005));
+  sent.run(*imu, at_s(0.01));
   ASSERT_EQ(sent.frames.size(), 4);
   const std::array<float, 6> expected{0.01f, -0.02f, 0.03f, 0.7f, -0.5f, -9.78f};
   for (std::size_t i = 0; i < 6; ++i) {
@@ -120,6 +122,105 @@ TEST(EmulatedCia404Imu, ThreeProcessDataObjectsHoldTheSixValuesAsReal32) {
   }
 }
 
+/// An emulated Aceinna IMU that holds address 80h.
+struct HeldAceinna {
+  HeldAceinna() { sent.run(*imu, at_s(0.5)); }
+  /// What it sends in the second after it heard this.
+  Recorder after(const wire::CanFrame& frame) {
+    sent.frames.clear();
+    imu->receive(frame, sent.now, sent);
+    sent.run(*imu, sent.now + std::chrono::seconds{1});
+    return sent;
+  }
+  Frozen trajectory{under_way()};
+  std::unique_ptr<EmulatedDevice> imu =
+      make_emulated_device(device(DeviceKind::imu, "aceinna", 100), trajectory, 1).value();
+  Recorder sent;
+};
+
+constexpr std::uint32_t ssi2_id = 0x0CF02980, ari_id = 0x0CF02A80, accs_id = 0x08F02D80;
+
+TEST(EmulatedAceinnaImu, ObeysPacketRateAndTypeSentToItsAddress) {
+  using namespace wire::aceinna;
+  HeldAceinna bench;
+  EXPECT_EQ(with_id(bench.after(encode(PacketRate{0, 0x81, 10})), ari_id).size(), 100);
+  EXPECT_EQ(with_id(bench.after(encode(PacketRate{0, 0x80, 3})), ari_id).size(),
+            100);  // no divider
+  EXPECT_EQ(with_id(bench.after(encode(PacketRate{0, 0x80, 10})), ari_id).size(), 10);
+  const auto without_slope = bench.after(encode(PacketType{0, 0x80, 6}));
+  EXPECT_EQ(with_id(without_slope, ssi2_id).size(), 0);
+  EXPECT_EQ(with_id(without_slope, accs_id).size(), 10);
+  EXPECT_TRUE(bench.after(encode(PacketRate{0, 0x80, 0})).frames.empty());  // quiet
+}
+
+TEST(EmulatedAceinnaImu, AnswersARequestWithTheSettingInForce) {
+  using namespace wire::aceinna;
+  HeldAceinna bench;
+  bench.after(encode(DigitalFilter{0, 0x80, 10, 5}));
+  const auto sent = bench.after(wire::j1939::encode(wire::j1939::Request{0, 0x80, filter_pgn}));
+  const auto answer = with_id(sent, 0x18FF5780);
+  ASSERT_EQ(answer.size(), 1);
+  EXPECT_EQ(answer[0].frame, encode(DigitalFilter{0x80, 0x80, 10, 5}));
+  const auto status = bench.after(wire::j1939::encode(wire::j1939::Request{0, 0xFF, status_pgn}));
+  EXPECT_EQ(with_id(status, 0x18FF5480).size(), 1);
+  EXPECT_TRUE(with_id(bench.after(wire::j1939::encode(wire::j1939::Request{0, 0x81, status_pgn})),
+                      0x18FF5480)
+                  .empty());
+}
+
+TEST(EmulatedAceinnaImu, OrientationTurnsItsOutput) {
+  HeldAceinna bench;
+  const auto axes = wire::aceinna::Axes::of_text("-Y+X+Z");
+  const auto turned = bench.after(encode(wire::aceinna::Orientation{0, 0x80, axes->code()}));
+  const auto accs = with_id(turned, accs_id).at(0).frame;
+  // The output's x is the housing's -y, its y the housing's x.
+  EXPECT_NEAR(load_le<std::uint16_t>(accs.payload(), 0) * 0.01 - 320, 0.5, 0.005 + 1e-9);
+  EXPECT_NEAR(load_le<std::uint16_t>(accs.payload(), 2) * 0.01 - 320, 0.7, 0.005 + 1e-9);
+}
+
+TEST(EmulatedXsensImu, MarksEachGroupWithTicksAndCounterOnTheIdentifiersOfTheRig) {
+  const Frozen trajectory(under_way());
+  auto config = device(DeviceKind::imu, "xsens", 100);
+  config.xsens.identifiers = {{"sample_time", 0x105}};
+  const auto sent = record(config, trajectory, 0.02);
+  ASSERT_EQ(sent.frames.size(), 15);
+  EXPECT_TRUE(with_id(sent, 0x005).empty());
+  const auto times = with_id(sent, 0x105);
+  ASSERT_EQ(times.size(), 3);
+  EXPECT_EQ(times[2].frame.data[3], 200);  // 20 ms in ticks of 100 us, big-endian
+  EXPECT_EQ(with_id(sent, 0x006)[1].frame.data[1], 1);
+  // 2^-9 rad/s and 2^-8 m/s2.
+  const auto rate = with_id(sent, 0x032)[0].frame, force = with_id(sent, 0x034)[0].frame;
+  EXPECT_EQ(wire::load_be<std::int16_t>(rate.payload(), 4), 15);      // 0.03 * 512
+  EXPECT_EQ(wire::load_be<std::int16_t>(force.payload(), 4), -2504);  // -9.78 * 256
+}
+
+TEST(EmulatedEpsonImu, SendsIntegersOfOneCounterAndAnEmergencyWhenTheyOverflow) {
+  auto truth = under_way();
+  const Frozen trajectory(truth);
+  auto config = device(DeviceKind::imu, "epson-g552", 100);
+  const auto imu = make_emulated_device(config, trajectory, 1).value();
+  Recorder sent;
+  sent.run(*imu, start);
+  imu->receive(canopen::encode(canopen::Nmt{canopen::NmtCommand::start, 1}), start, sent);
+  sent.run(*imu, at_s(0.01));
+  const auto gyro = with_id(sent, 0x181).at(0).frame, force = with_id(sent, 0x281).at(0).frame;
+  EXPECT_EQ(load_le<std::uint16_t>(gyro.payload(), 0), load_le<std::uint16_t>(force.payload(), 0));
+  EXPECT_EQ(load_le<std::int16_t>(gyro.payload(), 2), 38);      // 0.01 rad/s / 0.01515 deg/s
+  EXPECT_EQ(load_le<std::int16_t>(force.payload(), 6), -2493);  // -9.78 m/s2 / 0.4 mg
+  EXPECT_TRUE(with_id(sent, 0x081).empty());
+
+  truth.specific_force.x() = 200;  // 20 g; the integers end at 13.1 g
+  const Frozen shaken(truth);
+  const auto other = make_emulated_device(config, shaken, 1).value();
+  Recorder loud;
+  loud.run(*other, start);
+  other->receive(canopen::encode(canopen::Nmt{canopen::NmtCommand::start, 1}), start, loud);
+  loud.run(*other, at_s(0.05));
+  ASSERT_EQ(with_id(loud, 0x081).size(), 1);  // told once
+  EXPECT_EQ(load_le<std::uint16_t>(with_id(loud, 0x081)[0].frame.payload(), 0), 0xFF00);
+}
+
 TEST(EmulatedImu, BiasIsAddedInTheSensorsAxes) {
   const Frozen trajectory(under_way());
   auto config = device(DeviceKind::imu, "cia404-imu", 100);
@@ -127,8 +228,9 @@ TEST(EmulatedImu, BiasIsAddedInTheSensorsAxes) {
   config.emulate.primary.bias = {0.001, 0, 0};
   const auto imu = make_emulated_device(config, trajectory, 1).value();
   Recorder sent;
+  sent.run(*imu, start);  // boots
   imu->receive(canopen::encode(canopen::Nmt{canopen::NmtCommand::start, 1}), start, sent);
-  sent.run(*imu, start);
+  sent.run(*imu, at_s(0.01));
   // The sensor's x is the vehicle's y, its y the vehicle's -x.
   EXPECT_FLOAT_EQ(load_le<float>(sent.frames.at(1).frame.payload(), 0), -0.02f + 0.001f);
   EXPECT_FLOAT_EQ(load_le<float>(sent.frames.at(1).frame.payload(), 4), -0.01f);

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <algorithm>
+#include <chrono>
+#include <cstdint>
+#include <optional>
+
+#include "drivers/measurement/stamp.hpp"
+
+namespace drydock::device {
+
+using measurement::Stamp;
+
+/// Maps the wrapping 32-bit tick counter of a device to the host's clock. A message can only come
+/// late, by what the bus and the host add, never early: the offset between the clocks is the least
+/// that was seen, raised by 100 ppm of the time since so that it follows crystals that part.
+/// A counter that jumps (the device restarted) begins anew.
+class DeviceClock {
+ public:
+  explicit DeviceClock(std::chrono::nanoseconds tick) : tick_(tick) {}
+
+  struct Time {
+    std::chrono::nanoseconds device;  ///< since the device's zero, or since it was first heard
+    Stamp host;                       ///< never after what the arrival alone says
+  };
+
+  /// `by_arrival`: when the value was true by its frame's arrival.
+  Time map(std::uint32_t ticks, Stamp by_arrival) {
+    const auto step = static_cast<std::int32_t>(ticks - last_ticks_);  // right across the wrap
+    elapsed_ = offset_ ? elapsed_ + step * tick_ : ticks * tick_;
+    last_ticks_ = ticks;
+    const auto offset = by_arrival - Stamp{elapsed_};
+    if (offset_ && std::chrono::abs(offset - *offset_) > restart_) {
+      elapsed_ = ticks * tick_;
+      offset_.reset();
+    }
+    const auto seen = by_arrival - Stamp{elapsed_};
+    const auto parted = offset_ ? (by_arrival - last_arrival_) / drift_divisor : seen.zero();
+    offset_ = offset_ ? std::min(seen, *offset_ + parted) : seen;
+    last_arrival_ = by_arrival;
+    return {elapsed_, Stamp{elapsed_} + *offset_};
+  }
+
+  void reset() { offset_.reset(); }
+
+ private:
+  static constexpr std::chrono::seconds restart_{1};
+  static constexpr int drift_divisor = 10'000;
+
+  std::chrono::nanoseconds tick_;
+  std::uint32_t last_ticks_ = 0;
+  std::chrono::nanoseconds elapsed_{0};
+  std::optional<std::chrono::nanoseconds> offset_;
+  Stamp last_arrival_{};
+};
+
+}  // namespace drydock::device

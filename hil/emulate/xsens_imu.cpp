@@ -1,0 +1,64 @@
+#include "drivers/wire/xsens.hpp"
+#include "hil/emulate/devices.hpp"
+#include "hil/sensor/ideal.hpp"
+
+namespace drydock::emulate {
+namespace {
+
+constexpr std::chrono::microseconds tick_length{100};
+
+// Bits of the status word: self-test passed, filter valid; then clipping, axis by axis.
+constexpr std::uint32_t sound = 0x3, acceleration_clipped = 0x700, rate_clipped = 0x3800;
+// Ranges of the MTi-600 (MT1603P).
+constexpr double acceleration_range_mps2 = 98.1, rate_range_radps = 34.9;
+
+wire::xsens::Identifiers identifiers_of(const rig_config::XsensConfig& config) {
+  wire::xsens::Identifiers identifiers;
+  identifiers.extended = config.extended;
+  for (const auto& [message, id] : config.identifiers) identifiers.set(message, id);
+  return identifiers;
+}
+
+std::array<double, 3> clipped(const Eigen::Vector3d& v, double range) {
+  const Eigen::Vector3d held = v.cwiseMax(-range).cwiseMin(range);
+  return {held.x(), held.y(), held.z()};
+}
+
+class XsensImu final : public SamplingDevice {
+ public:
+  explicit XsensImu(const DeviceSetup& setup)
+      : SamplingDevice(setup),
+        identifiers_(identifiers_of(setup.config.xsens)),
+        boot_(setup.trajectory.start()),
+        gyro_errors_(setup.primary_errors()),
+        accelerometer_errors_(setup.secondary_errors()) {}
+
+ private:
+  void sample(Stamp at, Wire& out) override {
+    const auto ideal = sensor::ideal_imu(trajectory(), at, mounting());
+    const Eigen::Vector3d rate = gyro_errors_.apply(ideal.angular_rate);
+    const Eigen::Vector3d force = accelerometer_errors_.apply(ideal.specific_force);
+    std::uint32_t status = sound;
+    if (rate.cwiseAbs().maxCoeff() > rate_range_radps) status |= rate_clipped;
+    if (force.cwiseAbs().maxCoeff() > acceleration_range_mps2) status |= acceleration_clipped;
+
+    const auto say = [&](const wire::xsens::Message& message) {
+      out.send(wire::xsens::encode(message, identifiers_));
+    };
+    say(wire::xsens::SampleTime{static_cast<std::uint32_t>((at - boot_) / tick_length)});
+    say(wire::xsens::GroupCounter{static_cast<std::uint16_t>(samples())});
+    say(wire::xsens::StatusWord{status});
+    say(wire::xsens::RateOfTurn{clipped(rate, rate_range_radps)});
+    say(wire::xsens::Acceleration{clipped(force, acceleration_range_mps2)});
+  }
+
+  wire::xsens::Identifiers identifiers_;
+  Stamp boot_;
+  sensor::ErrorModel gyro_errors_, accelerometer_errors_;
+};
+
+}  // namespace
+
+DevicePtr make_xsens_imu(const DeviceSetup& setup) { return std::make_unique<XsensImu>(setup); }
+
+}  // namespace drydock::emulate

@@ -1,0 +1,74 @@
+#include <gtest/gtest.h>
+
+#include "drivers/wire/canopen.hpp"
+#include "drivers/wire/canopen_sdo.hpp"
+#include "tests/hil/emulate/bench.hpp"
+
+namespace drydock::emulate {
+namespace {
+
+namespace canopen = wire::canopen;
+using rig_config::DeviceKind;
+
+/// An emulated node 1 that has booted.
+struct Booted {
+  explicit Booted(const rig_config::DeviceConfig& config)
+      : node(make_emulated_device(config, trajectory, 1).value()) {
+    sent.run(*node, start);
+    sent.frames.clear();
+  }
+  void hears(const wire::CanFrame& frame) { node->receive(frame, sent.now, sent); }
+  wire::CanFrame answer_to(const wire::CanFrame& request) {
+    sent.frames.clear();
+    hears(request);
+    return sent.frames.empty() ? wire::CanFrame{} : sent.frames.front().frame;
+  }
+
+  Frozen trajectory{under_way()};
+  std::unique_ptr<EmulatedDevice> node;
+  Recorder sent;
+};
+
+const auto started = canopen::encode(canopen::Nmt{canopen::NmtCommand::start, 0});
+
+TEST(EmulatedCanopenNode, OnSyncItSamplesWhenSyncComesAndAnswersLaterByItsLatency) {
+  auto config = device(DeviceKind::imu, "cia404-imu", 100);
+  config.sync = true;
+  config.emulate.latency_s = 0.002;
+  Booted bench(config);
+  bench.hears(started);
+  bench.sent.run(*bench.node, at_s(0.5));
+  EXPECT_TRUE(bench.sent.frames.empty());
+  bench.hears(canopen::sync_frame());
+  bench.sent.run(*bench.node, at_s(0.9));
+  ASSERT_EQ(bench.sent.frames.size(), 3);
+  EXPECT_EQ(bench.sent.frames[0].frame.id, 0x181u);
+  EXPECT_EQ(bench.sent.frames[0].at, at_s(0.502));
+}
+
+// Device type: CiA 404 with analogue inputs, as real measuring devices state it in 1000h.
+TEST(EmulatedCanopenNode, AnswersExpeditedReads) {
+  Booted bench(device(DeviceKind::imu, "cia404-imu", 100));
+  const auto type = bench.answer_to(canopen::encode(canopen::SdoRead{1, {0x1000, 0}}));
+  EXPECT_EQ(type.id, 0x581u);
+  const auto value = canopen::decode_sdo_response(type);
+  ASSERT_TRUE(value);
+  EXPECT_EQ(std::get<canopen::SdoValue>(*value).value, 0x00020194u);
+  const auto none = bench.answer_to(canopen::encode(canopen::SdoRead{1, {0x2FFF, 0}}));
+  EXPECT_EQ(std::get<canopen::SdoAbort>(*canopen::decode_sdo_response(none)).code, 0x06020000u);
+  EXPECT_EQ(bench.answer_to(canopen::encode(canopen::SdoRead{2, {0x1000, 0}})), wire::CanFrame{});
+}
+
+TEST(EmulatedCanopenNode, ItsHeartbeatTimeCanBeSetAndTheRestNot) {
+  Booted bench(device(DeviceKind::imu, "cia404-imu", 100));
+  const auto set = bench.answer_to(canopen::encode(canopen::SdoWrite{1, {0x1017, 0}, 250, 2}));
+  EXPECT_EQ(set.data[0], 0x60);
+  bench.sent.frames.clear();
+  bench.sent.run(*bench.node, at_s(1));
+  EXPECT_EQ(bench.sent.frames.size(), 4);
+  const auto fixed = bench.answer_to(canopen::encode(canopen::SdoWrite{1, {0x1000, 0}, 1, 4}));
+  EXPECT_EQ(std::get<canopen::SdoAbort>(*canopen::decode_sdo_response(fixed)).code, 0x06010002u);
+}
+
+}  // namespace
+}  // namespace drydock::emulate
