@@ -74,7 +74,7 @@ struct GnssPosition {
   std::optional<std::uint8_t> sequence;
   std::optional<std::int64_t> utc_ns;  ///< since 1970
   std::optional<double> latitude_rad, longitude_rad;
-  std::optional<double> altitude_m;            ///< above mean sea level
+  std::optional<double> altitude_m;            ///< above the WGS-84 ellipsoid
   std::optional<std::uint8_t> system, method;  ///< method 0 no fix, 1 GNSS, 2 DGNSS, 3 precise, ...
   std::optional<std::uint8_t> satellites;
   std::optional<double> horizontal_dop, position_dop;

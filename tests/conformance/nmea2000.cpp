@@ -1,0 +1,209 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <deque>
+#include <map>
+
+#include "tests/conformance/canboat_text.hpp"
+#include "tests/conformance/comparers.hpp"
+#include "tests/conformance/reading.hpp"
+
+/// NMEA 2000 against canboat's analyzer (-json -si -nv): the messages of the PGNs that we read, in
+/// the order of each sender.
+namespace drydock::conformance {
+
+namespace {
+
+constexpr Rule no_fix_rule{
+    "canboat prints a position without a fix",
+    "the method field says no fix; what then stands in the position is no position"};
+constexpr Rule dilution_rule{
+    "canboat prints a negative dilution",
+    "0xFFFF in the signed field of a dilution of precision, which cannot be below zero"};
+
+/// Ours turned to canboat's unit: ours * scale.
+struct Column {
+  const char* theirs;
+  const char* ours;
+  double resolution, scale = 1;
+};
+
+constexpr double degree = 180 / std::numbers::pi, rpm = 30 / std::numbers::pi;
+
+constexpr std::array rudder{
+    Column{"Instance", "instance", 1}, Column{"Direction Order", "direction_order", 1},
+    Column{"Angle Order", "angle_order_rad", 1e-4}, Column{"Position", "position_rad", 1e-4}};
+constexpr std::array engine{
+    Column{"Instance", "instance", 1}, Column{"Speed", "speed_radps", 0.25, rpm},
+    Column{"Boost Pressure", "boost_pressure_pa", 100}, Column{"Tilt/Trim", "tilt_percent", 1}};
+constexpr std::array water_depth{Column{"SID", "sequence", 1}, Column{"Depth", "depth_m", 0.01},
+                                 Column{"Offset", "offset_m", 0.001},
+                                 Column{"Range", "maximum_range_m", 10}};
+constexpr std::array gnss_position{Column{"SID", "sequence", 1},
+                                   Column{"Latitude", "latitude_rad", 1e-7, degree},
+                                   Column{"Longitude", "longitude_rad", 1e-7, degree},
+                                   Column{"Altitude", "altitude_m", 1e-6},
+                                   Column{"GNSS type", "system", 1},
+                                   Column{"Method", "method", 1},
+                                   Column{"Number of SVs", "satellites", 1},
+                                   Column{"HDOP", "horizontal_dop", 0.01},
+                                   Column{"PDOP", "position_dop", 0.01},
+                                   Column{"Geoidal Separation", "geoid_height_m", 0.01}};
+constexpr std::array temperature{
+    Column{"SID", "sequence", 1}, Column{"Instance", "instance", 1}, Column{"Source", "kind", 1},
+    Column{"Actual Temperature", "actual_k", 0.01}, Column{"Set Temperature", "set_k", 0.01}};
+constexpr std::array pressure{Column{"SID", "sequence", 1}, Column{"Instance", "instance", 1},
+                              Column{"Source", "kind", 1}, Column{"Pressure", "pressure_pa", 0.1}};
+constexpr std::array address_claim{
+    Column{"Unique Number", "identity_number", 1},
+    Column{"Manufacturer Code", "manufacturer_code", 1},
+    Column{"Device Instance Lower", "ecu_instance", 1},
+    Column{"Device Instance Upper", "function_instance", 1},
+    Column{"Device Function", "function", 1},
+    Column{"Device Class", "vehicle_system", 1},
+    Column{"System Instance", "vehicle_system_instance", 1},
+    Column{"Industry Group", "industry_group", 1},
+    Column{"Arbitrary address capable", "arbitrary_address_capable", 1}};
+constexpr std::array request{Column{"PGN", "requested_pgn", 1}};
+
+/// The PGNs that we read.
+struct Message {
+  std::uint32_t pgn;
+  std::string_view type;
+  std::span<const Column> columns;
+};
+constexpr std::array messages{
+    Message{127245, "rudder", rudder},
+    Message{127488, "engine", engine},
+    Message{128267, "water_depth", water_depth},
+    Message{129029, "gnss_position", gnss_position},
+    Message{130312, "temperature", temperature},
+    Message{130314, "pressure", pressure},
+    Message{60928, "address_claimed", address_claim},
+    Message{59904, "request", request},
+};
+
+const Message* message_of(const json& row) {
+  const auto found = std::ranges::find(messages, row.value("pgn", 0U), &Message::pgn);
+  return found == messages.end() ? nullptr : &*found;
+}
+
+/// canboat's value: plain, or beside its name or its bytes; absent where there is none. What it
+/// gives by name alone is not compared.
+json value_of(const json& fields, const char* key) {
+  if (!fields.contains(key)) return nullptr;
+  const json& field = fields[key];
+  return field.is_object() ? field.value("value", json()) : field;
+}
+
+json in_their_unit(const json& value, double scale) {
+  if (value.is_boolean()) return int(value.get<bool>());
+  return value.is_number() ? json(value.get<double>() * scale) : value;
+}
+
+bool by_rule(const json& ours, const json& fields, const Column& column, Comparison& c) {
+  const std::string_view key = column.theirs;
+  const json theirs = value_of(fields, column.theirs);
+  if (!ours[column.ours].is_null() || !theirs.is_number()) return false;
+  const bool position = key == "Latitude" || key == "Longitude" || key == "Altitude";
+  if (position && value_of(fields, "Method") == 0) {
+    c.by_rule(no_fix_rule);
+    return true;
+  }
+  if ((key == "HDOP" || key == "PDOP") && theirs < 0) {
+    c.by_rule(dilution_rule);
+    return true;
+  }
+  return false;
+}
+
+void compare_time(const json& ours, const json& fields, Comparison& c) {
+  const json days = value_of(fields, "Date"), steps = value_of(fields, "Time");
+  if (days.is_string() || steps.is_string()) return;
+  const bool whole = days.is_number() && steps.is_number();
+  c.number("UTC", ours["utc_ns"].is_number() ? json(double(ours["utc_ns"]) * 1e-9) : json(),
+           whole ? json(double(days) * 86400 + double(steps) * 1e-4) : json(), {1e-4});
+}
+
+void compare_message(const json& ours, const json& row, const Message& message, Comparison& c) {
+  c.same("source", ours["source"], row["src"]);
+  const json& fields = row["fields"];
+  for (const Column& column : message.columns) {
+    const json theirs = value_of(fields, column.theirs);
+    if (theirs.is_string() || by_rule(ours, fields, column, c)) continue;
+    c.number(std::string(message.type) + " " + column.theirs,
+             in_their_unit(ours[column.ours], column.scale), theirs, {column.resolution});
+  }
+  if (message.type == "gnss_position") compare_time(ours, fields, c);
+}
+
+using Queues = std::map<std::pair<std::string, int>, std::deque<json>>;
+
+Queues by_sender(std::vector<json> decoded) {
+  Queues queues;
+  for (json& message : decoded) {
+    const std::pair key{message["type"].get<std::string>(), message["source"].get<int>()};
+    queues[key].push_back(std::move(message));
+  }
+  return queues;
+}
+
+void compare_rows(const std::string& name, std::vector<json> decoded, const std::vector<json>& rows,
+                  Score& score) {
+  Queues queues = by_sender(std::move(decoded));
+  std::size_t number = 0;
+  for (const json& row : rows) {
+    const Message* message = message_of(row);
+    if (row.contains("pgn")) ++number;
+    if (!message) continue;
+    auto& queue = queues[{std::string(message->type), row["src"].get<int>()}];
+    if (queue.empty()) {
+      score.missed(name, number, row.dump());
+      continue;
+    }
+    Comparison c(name, number);
+    compare_message(queue.front(), row, *message, c);
+    score.add(c);
+    queue.pop_front();
+  }
+  for (const auto& [key, queue] : queues)
+    for (const json& left : queue) score.unexpected(name, 0, left.dump());
+}
+
+/// STEM.in and the golden output that gives values in numbers: of STEM*.out the one that says nv,
+/// else STEM.out when it is JSON.
+fs::path golden_beside(const fs::path& input) {
+  const std::string stem = (input.parent_path() / input.stem()).string();
+  for (const char* end : {"-json-nv.out", "-nv.out", ".out"})
+    if (fs::exists(stem + end) && read_text(stem + end).starts_with("{")) return stem + end;
+  return {};
+}
+
+}  // namespace
+
+std::vector<Case> discover_canboat_samples(const fs::path& folder) {
+  auto expected = files_of(folder / "expected", ".json");
+  return paired(files_of(folder / "samples"), expected, [&](const fs::path& sample) {
+    return folder / "expected" / (sample.filename().string() + ".json");
+  });
+}
+
+void compare_canboat_sample(const Case& one, Score& score) {
+  auto decoded = decode("nmea2000", one.capture).messages;
+  if (one.expected.empty()) return score.matched(decoded.size());
+  compare_rows(one.capture.filename().string(), std::move(decoded), read_json_lines(one.expected),
+               score);
+}
+
+std::vector<Case> discover_canboat_tests(const fs::path& folder) {
+  return paired(files_of(folder, ".in"), {}, golden_beside);
+}
+
+void compare_canboat_test(const Case& one, Score& score) {
+  auto decoded = decode_bytes("nmea2000", candump_of(read_text(one.capture))).messages;
+  if (one.expected.empty()) return score.matched(decoded.size());
+  compare_rows(one.capture.filename().string(), std::move(decoded), read_json_lines(one.expected),
+               score);
+}
+
+}  // namespace drydock::conformance

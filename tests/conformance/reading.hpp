@@ -1,0 +1,54 @@
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "drivers/device/driver_options.hpp"
+#include "drivers/measurement/measurement.hpp"
+#include "drivers/wire/codec.hpp"
+
+/// Captures through the product, and references as JSON.
+namespace drydock::conformance {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+/// What `drydock decode` prints of a capture.
+struct Decoded {
+  std::vector<json> messages;
+  std::uint64_t frames = 0, bad_checksums = 0;  ///< of the line of totals
+};
+Decoded decode(std::string_view protocol, const fs::path& capture);
+Decoded decode_bytes(std::string_view protocol, std::string_view bytes);
+
+/// What the driver of a sensor on a byte link publishes of these bytes, handed over in blocks as
+/// a port would.
+std::vector<measurement::Measurement> drive(device::Kind kind, std::string_view protocol,
+                                            std::string_view bytes);
+
+template <class M>
+std::vector<M> all_of(const std::vector<measurement::Measurement>& heard) {
+  std::vector<M> found;
+  for (const auto& one : heard)
+    if (const M* m = std::get_if<M>(&one)) found.push_back(*m);
+  return found;
+}
+
+/// Throw Unreadable.
+std::string read_text(const fs::path& file);
+std::vector<json> read_json_lines(const fs::path& file);
+
+std::vector<std::string> lines_of(std::string_view text);
+std::vector<std::string> split(std::string_view text, char separator);
+wire::Bytes as_bytes(std::string_view text);
+
+/// A value of a struct of optionals as JSON.
+template <class T>
+json optional(const std::optional<T>& value) {
+  return value ? json(*value) : json();
+}
+
+}  // namespace drydock::conformance
