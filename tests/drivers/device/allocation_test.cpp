@@ -100,6 +100,31 @@ TEST(Allocation, NoneByTheImuDrivers) {
             0U);
 }
 
+TEST(Allocation, NoneByTheDriversOfEpsonAndXsensImus) {
+  EXPECT_EQ(allocations_of(Kind::imu, "epson-g552",
+                           [&](Device& d, Stamp at) {
+                             for (const std::uint32_t id : {0x181U, 0x281U, 0x701U}) {
+                               auto frame = can_frame(id, false, {5, 0, 0, 0, 0, 0, 0, 0});
+                               if (id == 0x701U) frame.size = 1;  // heartbeat, operational
+                               d.receive(frame, at);
+                             }
+                           }),
+            0U);
+  std::uint32_t ticks = 0;
+  EXPECT_EQ(allocations_of(
+                Kind::imu, "xsens",
+                [&](Device& d, Stamp at) {
+                  ticks += 1000;
+                  d.receive(can_frame(0x005, false,
+                                      {0, ticks >> 16 & 0xFF, ticks >> 8 & 0xFF, ticks & 0xFF}),
+                            at);
+                  for (const std::uint32_t id : {0x032U, 0x034U}) {
+                    d.receive(can_frame(id, false, {0, 1, 0, 2, 0, 3}), at);
+                  }
+                }),
+            0U);
+}
+
 TEST(Allocation, NoneByDepthAndActuatorDrivers) {
   const auto pressure = can_frame(0x15FD0A23, true, {0, 0, 1, 0x42, 0xB8, 0x1E, 0x00, 0xFF});
   const auto rudder = can_frame(0x09F10D11, true, {0, 0xF8, 0xFF, 0x7F, 0xD0, 7, 0xFF, 0xFF});
