@@ -21,13 +21,18 @@ std::size_t distance_to_sync(Bytes bytes) {
   return static_cast<std::size_t>(at - bytes.data());
 }
 
+constexpr std::size_t longest_frame(std::uint16_t class_and_id) {
+  return class_and_id == RxmRawx::class_and_id ? Ubx::max_frame
+                                               : Ubx::longest_payload + ubx::overhead;
+}
+
 }  // namespace
 
 Scan Ubx::scan(Bytes bytes) {
   if (const std::size_t noise = distance_to_sync(bytes)) return Scan::skip(noise);
   if (bytes.size() < ubx::header_size) return Scan::need_more();
   const std::size_t size = load_le<std::uint16_t>(bytes, 4) + ubx::overhead;
-  if (size > max_frame) return Scan::skip(1);
+  if (size > longest_frame(load_be<std::uint16_t>(bytes, 2))) return Scan::skip(1);
   if (bytes.size() < size) return Scan::need_more();
   const auto sent = load_le<std::uint16_t>(bytes, size - ubx::checksum_size);
   return fletcher8(ubx::checked_part(bytes.first(size))) == sent ? Scan::frame(size)

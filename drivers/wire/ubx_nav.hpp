@@ -22,8 +22,14 @@ enum class UbxFixType : std::uint8_t {
   time_only
 };
 
-/// Position, velocity, time. What the receiver does not vouch for is empty: position and velocity
-/// need gnssFixOK and a fix type from 2D to GNSS with dead reckoning, the position no invalidLlh.
+/// Whether a receiver stands in for the position and velocity that it sends: gnssFixOK and a fix
+/// type from 2D to GNSS with dead reckoning.
+constexpr bool vouched_for(UbxFixType type, bool fix_ok) {
+  return fix_ok && type >= UbxFixType::two_d && type <= UbxFixType::gnss_and_dr;
+}
+
+/// Position, velocity, time. What the receiver does not vouch for is empty; the position also with
+/// invalidLlh.
 struct NavPvt {
   static constexpr std::string_view type = "NAV-PVT";
   static constexpr std::uint16_t class_and_id = 0x0107;

@@ -15,7 +15,11 @@ namespace {
 using Counts = std::map<std::string, std::size_t>;
 
 const std::map<unsigned, std::string> ubx_messages{
-    {0x0107, "NAV-PVT"}, {0x0135, "NAV-SAT"}, {0x0161, "NAV-EOE"}};
+    {0x0102, "NAV-POSLLH"},  {0x0103, "NAV-STATUS"},  {0x0104, "NAV-DOP"},
+    {0x0106, "NAV-SOL"},     {0x0107, "NAV-PVT"},     {0x0112, "NAV-VELNED"},
+    {0x0120, "NAV-TIMEGPS"}, {0x0121, "NAV-TIMEUTC"}, {0x0130, "NAV-SVINFO"},
+    {0x0135, "NAV-SAT"},     {0x0143, "NAV-SIG"},     {0x0161, "NAV-EOE"},
+    {0x0213, "RXM-SFRBX"},   {0x0215, "RXM-RAWX"}};
 const std::set<std::string_view> nmea_messages{"GGA", "RMC", "GSV", "GSA", "VTG", "ZDA", "GNS",
                                                "GLL", "GST", "HDT", "THS", "VHW", "VBW", "VLW"};
 

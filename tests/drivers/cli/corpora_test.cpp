@@ -69,10 +69,14 @@ Counts scan_nmea(const std::string& text) {
   return counts;
 }
 
-/// Every NAV-PVT, NAV-SAT, NAV-EOE with a good Fletcher checksum.
+/// Every message of ours with a good Fletcher checksum.
 Counts scan_ubx(const std::string& text) {
   static const std::map<int, std::string> ours{
-      {0x0107, "NAV-PVT"}, {0x0135, "NAV-SAT"}, {0x0161, "NAV-EOE"}};
+      {0x0102, "NAV-POSLLH"},  {0x0103, "NAV-STATUS"},  {0x0104, "NAV-DOP"},
+      {0x0106, "NAV-SOL"},     {0x0107, "NAV-PVT"},     {0x0112, "NAV-VELNED"},
+      {0x0120, "NAV-TIMEGPS"}, {0x0121, "NAV-TIMEUTC"}, {0x0130, "NAV-SVINFO"},
+      {0x0135, "NAV-SAT"},     {0x0143, "NAV-SIG"},     {0x0161, "NAV-EOE"},
+      {0x0213, "RXM-SFRBX"},   {0x0215, "RXM-RAWX"}};
   const auto byte = [&](std::size_t i) { return static_cast<std::uint8_t>(text[i]); };
   Counts counts;
   std::size_t at = 0;
@@ -134,6 +138,9 @@ TEST_F(Corpora, EveryGoodUbxMessageOfOursIsDecoded) {
   EXPECT_GT(all["NAV-PVT"], 400);
   EXPECT_GT(all["NAV-SAT"], 300);
   EXPECT_GT(all["NAV-EOE"], 300);
+  EXPECT_GT(all["NAV-DOP"], 600);
+  EXPECT_GT(all["RXM-SFRBX"], 800);
+  EXPECT_EQ(all["RXM-RAWX"], 14);
 }
 
 TEST_F(Corpora, AMixedPortGivesBothProtocols) {

@@ -26,7 +26,7 @@ struct Golden<Nmea0183> {
 template <>
 struct Golden<Ubx> {
   static Buffer stream() { return fixture("ubx/golden.ubx"); }
-  static constexpr std::size_t frames = 9, messages = 8;
+  static constexpr std::size_t frames = 20, messages = 19;
   static Buffer false_sync() { return {0xB5, 0x62, 0x01, 0x07, 0x5C, 0x00}; }
   static constexpr std::size_t inside = 8;
 };
@@ -34,7 +34,7 @@ struct Golden<Ubx> {
 template <>
 struct Golden<UbxNmea> {
   static Buffer stream() { return Golden<Ubx>::stream() + Golden<Nmea0183>::stream(); }
-  static constexpr std::size_t frames = 37, messages = 36;
+  static constexpr std::size_t frames = 48, messages = 47;
   static Buffer false_sync() { return {0xB5, 0x62, 0x01, 0x07, 0x5C, 0x00, '$', 'G', 'P'}; }
   static constexpr std::size_t inside = 8;
 };

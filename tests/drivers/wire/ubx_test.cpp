@@ -119,7 +119,12 @@ TEST(Ubx, EncodersRebuildTheGoldenFrames) {
   // that was marked invalid (4): what cannot be believed is not kept.
   const auto rebuilt = [&](std::size_t frame) {
     const auto message = *Ubx::decode(golden().frames.at(frame));
-    const std::size_t size = std::visit([&](const auto& m) { return encode(m, out); }, message);
+    std::size_t size = 0;
+    std::visit(
+        [&](const auto& m) {
+          if constexpr (requires { encode(m, out); }) size = encode(m, out);
+        },
+        message);
     return Buffer(out.begin(), out.begin() + static_cast<long>(size));
   };
   EXPECT_EQ(rebuilt(0), golden().frames[0]);
