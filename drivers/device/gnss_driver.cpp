@@ -2,8 +2,6 @@
 
 namespace drydock::device {
 
-using measurement::Constellation;
-using measurement::FixType;
 using measurement::GnssFix;
 using std::chrono::milliseconds;
 
@@ -15,24 +13,11 @@ constexpr milliseconds shortest_pause{50};
 constexpr milliseconds pause_without_baud{100};
 constexpr std::size_t block_bytes = 128;
 
-constexpr milliseconds late_within{500};  ///< a closed epoch's time again: a straggler
-constexpr std::chrono::seconds ubx_counts_for{5};
+constexpr milliseconds late_within{500};       ///< a closed epoch's time again: a straggler
+constexpr std::chrono::seconds counts_for{5};  ///< a message that says the same better
 
 bool recent(const std::optional<Stamp>& last, Stamp now) {
-  return last && now - *last < ubx_counts_for;
-}
-
-FixType fix_type(const wire::NavPvt& pvt) {
-  switch (pvt.fix_type) {
-    case wire::UbxFixType::none: return FixType::none;
-    case wire::UbxFixType::time_only: return FixType::time_only;
-    case wire::UbxFixType::dead_reckoning:
-      return pvt.fix_ok ? FixType::dead_reckoning : FixType::none;
-    case wire::UbxFixType::two_d: return pvt.fix_ok ? FixType::two_d : FixType::none;
-    case wire::UbxFixType::three_d: return pvt.fix_ok ? FixType::three_d : FixType::none;
-    case wire::UbxFixType::gnss_and_dr: return pvt.fix_ok ? FixType::gnss_and_dr : FixType::none;
-  }
-  return FixType::none;
+  return last && now - *last < counts_for;
 }
 
 }  // namespace
@@ -58,45 +43,57 @@ void GnssDriver::receive(wire::Bytes bytes, Stamp received_at, Output& out) {
 }
 
 std::optional<Stamp> GnssDriver::deadline() const {
-  if (nmea_.empty()) return {};
+  if (nmea_.empty() && ubx_.empty()) return {};
   return last_bytes_ + pause_;
 }
 
 void GnssDriver::tick(Stamp now, Output& out) {
   const auto due = deadline();
-  if (due && now >= *due) close_nmea_epoch(out);
+  if (!due || now < *due) return;
+  close_ubx_epoch(out);
+  close_nmea_epoch(out);
 }
 
 void GnssDriver::restart(Stamp, Output&) {
   framer_.reset();
   nmea_.clear();
+  ubx_.clear();
   closed_time_of_day_.reset();
-  itow_.reset();
-  published_itow_.reset();
+  itow_ = fix_itow_ = satellites_itow_ = closed_itow_ = std::nullopt;
+  pvt_at_ = sat_at_ = ubx_fix_at_ = ubx_satellites_at_ = std::nullopt;
 }
 
 template <class Sentence>
 void GnssDriver::on_timed(const Sentence& sentence, const Origin& origin, Output& out) {
   if (nmea_.ends_before(sentence)) close_nmea_epoch(out);
-  const bool straggler = nmea_.empty() && sentence.time_of_day &&
+  const bool straggler = !nmea_.time_of_day() && sentence.time_of_day &&
                          sentence.time_of_day == closed_time_of_day_ &&
                          origin.received_at - closed_at_ < late_within;
   if (!straggler) nmea_.add(sentence, origin);
 }
 
+template <class Sentence>
+void GnssDriver::on_untimed(const Sentence& sentence, const Origin& origin, Output& out) {
+  if (nmea_.ends_before(sentence)) close_nmea_epoch(out);
+  nmea_.add(sentence, origin);
+}
+
 void GnssDriver::close_nmea_epoch(Output& out) {
   if (nmea_.empty()) return;
-  const auto fix = recent(pvt_at_, last_bytes_) ? std::nullopt : nmea_.fix();
-  const auto satellites = recent(sat_at_, last_bytes_) ? std::nullopt : nmea_.satellites();
-  closed_time_of_day_ = nmea_.time_of_day();
+  const bool fix_told = recent(ubx_fix_at_, last_bytes_) || ubx_.fix();
+  const bool satellites_told = recent(ubx_satellites_at_, last_bytes_) || ubx_.satellites();
+  const auto fix = fix_told ? std::nullopt : nmea_.fix();
+  const auto satellites = satellites_told ? std::nullopt : nmea_.satellites();
+  if (nmea_.time_of_day()) closed_time_of_day_ = nmea_.time_of_day();
   closed_at_ = last_bytes_;
   nmea_.clear();
   if (fix) out.publish(*fix);
   if (satellites) out.publish(*satellites);
 }
 
-Origin GnssDriver::epoch_origin(milliseconds itow, const Origin& origin) {
+Origin GnssDriver::enter_epoch(milliseconds itow, const Origin& origin, Output& out) {
   if (itow_ != itow) {
+    close_ubx_epoch(out);
     itow_ = itow;
     itow_valid_at_ = origin.valid_at;
   }
@@ -106,14 +103,44 @@ Origin GnssDriver::epoch_origin(milliseconds itow, const Origin& origin) {
   return of_epoch;
 }
 
+template <class Part>
+requires requires(UbxEpoch& epoch, const Part& part, const Origin& o) { epoch.add(part, o); }
+void GnssDriver::on(const Part& part, const Origin& origin, Output& out) {
+  const Origin of_epoch = enter_epoch(part.itow, origin, out);
+  if (closed_itow_ != part.itow) ubx_.add(part, of_epoch);  // else a straggler
+}
+
+void GnssDriver::on(const wire::NavEoe& eoe, const Origin& origin, Output& out) {
+  enter_epoch(eoe.itow, origin, out);
+  close_ubx_epoch(out);
+}
+
+void GnssDriver::close_ubx_epoch(Output& out) {
+  if (ubx_.empty()) return;
+  const auto fix = recent(pvt_at_, last_bytes_) ? std::nullopt : ubx_.fix();
+  const auto satellites = recent(sat_at_, last_bytes_) ? std::nullopt : ubx_.satellites();
+  closed_itow_ = itow_;
+  ubx_.clear();
+  if (fix) {
+    fix_itow_ = itow_;
+    ubx_fix_at_ = last_bytes_;
+    out.publish(*fix);
+  }
+  if (satellites) {
+    satellites_itow_ = itow_;
+    ubx_satellites_at_ = last_bytes_;
+    out.publish(*satellites);
+  }
+}
+
 void GnssDriver::on(const wire::NavPvt& pvt, const Origin& origin, Output& out) {
   GnssFix fix;
-  fix.origin = epoch_origin(pvt.itow, origin);
-  if (published_itow_ == pvt.itow) return;  // polled or sent twice
-  published_itow_ = pvt.itow;
-  pvt_at_ = origin.received_at;
+  fix.origin = enter_epoch(pvt.itow, origin, out);
+  pvt_at_ = ubx_fix_at_ = origin.received_at;
+  if (fix_itow_ == pvt.itow) return;  // polled or sent twice
+  fix_itow_ = pvt.itow;
 
-  fix.type = fix_type(pvt);
+  fix.type = fix_type(pvt.fix_type, pvt.fix_ok);
   if (pvt.date && pvt.time_of_day && pvt.date->ok()) {
     fix.utc = Stamp{std::chrono::sys_days{*pvt.date}.time_since_epoch() + *pvt.time_of_day};
   }
@@ -134,16 +161,11 @@ void GnssDriver::on(const wire::NavPvt& pvt, const Origin& origin, Output& out) 
 }
 
 void GnssDriver::on(const wire::NavSat& sat, const Origin& origin, Output& out) {
-  measurement::GnssSatellites result;
-  result.origin = epoch_origin(sat.itow, origin);
-  sat_at_ = origin.received_at;
-  for (const wire::UbxSatellite& s : sat.satellites) {
-    if (s.gnss > wire::UbxGnss::navic) continue;
-    if (result.satellites.size() == result.satellites.capacity()) break;
-    result.satellites.push_back({static_cast<Constellation>(s.gnss), s.number, s.cno_dbhz,
-                                 s.elevation_rad, s.azimuth_rad, s.used});
-  }
-  out.publish(result);
+  const Origin of_epoch = enter_epoch(sat.itow, origin, out);
+  sat_at_ = ubx_satellites_at_ = origin.received_at;
+  if (satellites_itow_ == sat.itow) return;
+  satellites_itow_ = sat.itow;
+  out.publish(measurement::GnssSatellites{of_epoch, satellite_list(sat.satellites)});
 }
 
 }  // namespace drydock::device

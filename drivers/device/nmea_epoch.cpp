@@ -38,6 +38,7 @@ void NmeaEpoch::begin(const Origin& origin, const TimeOfDay& time_of_day) {
   if (!began_) began_ = origin;
   began_->received_at = origin.received_at;
   if (time_of_day) time_of_day_ = time_of_day;
+  last_is_gsa_ = false;
 }
 
 bool NmeaEpoch::differs(const TimeOfDay& time_of_day, bool have_one) const {
@@ -57,6 +58,7 @@ void NmeaEpoch::add(const wire::Gsa& s, const Origin& origin) {
   if (s.fix_type) gsa_fix_type_ = std::max(gsa_fix_type_.value_or(0), *s.fix_type);
   if (s.position_dop) position_dop_ = s.position_dop;
   satellites_.add(s);
+  last_is_gsa_ = true;
 }
 
 void NmeaEpoch::clear() { *this = {}; }

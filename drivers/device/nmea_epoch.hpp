@@ -12,7 +12,7 @@ using measurement::Origin;
 
 /// The NMEA sentences of one epoch on their way to one fix. The time of day in GGA, GNS, RMC,
 /// GLL, GST and ZDA says which belong together; GSA, GSV and VTG carry none and belong to the epoch
-/// that is open.
+/// that is open, until one comes that the epoch already has.
 class NmeaEpoch {
  public:
   using TimeOfDay = std::optional<std::chrono::nanoseconds>;
@@ -26,6 +26,9 @@ class NmeaEpoch {
   bool ends_before(const wire::Gll& s) const { return differs(s.time_of_day, gll_.has_value()); }
   bool ends_before(const wire::Gst& s) const { return differs(s.time_of_day, gst_.has_value()); }
   bool ends_before(const wire::Zda& s) const { return differs(s.time_of_day, zda_.has_value()); }
+  bool ends_before(const wire::Vtg&) const { return vtg_.has_value(); }
+  bool ends_before(const wire::Gsa& s) const { return !last_is_gsa_ && satellites_.has_again(s); }
+  bool ends_before(const wire::Gsv& s) const { return satellites_.has_again(s); }
   const TimeOfDay& time_of_day() const { return time_of_day_; }
 
   void add(const wire::Gga& s, const Origin& o) { begin(o, s.time_of_day), gga_ = s; }
@@ -65,6 +68,7 @@ class NmeaEpoch {
   std::optional<wire::Gst> gst_;
   std::optional<wire::Zda> zda_;
   std::optional<wire::Vtg> vtg_;
+  bool last_is_gsa_ = false;
   std::optional<int> gsa_fix_type_;
   std::optional<double> position_dop_;
   NmeaSatellites satellites_;

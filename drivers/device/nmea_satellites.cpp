@@ -83,6 +83,7 @@ void NmeaSatellites::add(const wire::Gsv& gsv) {
   if (number == 1) {
     group_.clear();
     next_sentence_ = 1;
+    if (begun_.size() < begun_.capacity()) begun_.push_back({gsv.talker, gsv.signal});
   }
   if (number != next_sentence_) {  // one was lost: the group is not whole
     next_sentence_ = 0;
@@ -107,7 +108,9 @@ void NmeaSatellites::merge(const Satellite& satellite) {
     return s.constellation == satellite.constellation && s.number == satellite.number;
   });
   if (same != satellites_.end()) {
-    if (satellite.cno_dbhz.value_or(0) > same->cno_dbhz.value_or(0)) *same = satellite;
+    same->cno_dbhz = std::max(same->cno_dbhz, satellite.cno_dbhz);  // empty is less than any
+    if (!same->elevation_rad) same->elevation_rad = satellite.elevation_rad;
+    if (!same->azimuth_rad) same->azimuth_rad = satellite.azimuth_rad;
   } else if (satellites_.size() < satellites_.capacity()) {
     satellites_.push_back(satellite);
   }
@@ -120,7 +123,20 @@ void NmeaSatellites::add(const wire::Gsa& gsa) {
   }
 }
 
+bool NmeaSatellites::has_again(const wire::Gsv& gsv) const {
+  return gsv.sentence_number == 1 &&
+         std::ranges::find(begun_, Group{gsv.talker, gsv.signal}) != begun_.end();
+}
+
+bool NmeaSatellites::has_again(const wire::Gsa& gsa) const {
+  return std::ranges::any_of(gsa.satellites_used, [&](int number) {
+    const auto id = identify_satellite(gsa.talker, gsa.system, number);
+    return id && std::ranges::find(used_, *id) != used_.end();
+  });
+}
+
 void NmeaSatellites::clear() {
+  begun_.clear();
   group_.clear();
   next_sentence_ = 0;
   satellites_.clear();

@@ -21,7 +21,8 @@ std::optional<SatelliteId> identify_satellite(wire::Talker talker, std::optional
                                               int number);
 
 /// Collects the GSV and GSA sentences of one epoch. A group of GSV sentences counts when all of it
-/// came; a satellite heard on several signals keeps its strongest.
+/// came; a satellite heard on several signals (since NMEA 4.10 a group for each) keeps its
+/// strongest C/N0.
 class NmeaSatellites {
  public:
   using List = decltype(measurement::GnssSatellites::satellites);
@@ -30,12 +31,24 @@ class NmeaSatellites {
   void add(const wire::Gsa& gsa);
   void clear();
 
+  /// The first sentence of a group that has already begun: of another epoch.
+  bool has_again(const wire::Gsv& gsv) const;
+  /// Uses a satellite that is already used: of another epoch, unless its GSAs are still coming.
+  bool has_again(const wire::Gsa& gsa) const;
+
   bool complete_group() const { return complete_group_; }
   List list() const;  ///< with `used` from the GSA sentences
 
  private:
+  /// Of one talker and one signal.
+  struct Group {
+    wire::Talker talker;
+    std::optional<int> signal;
+    friend bool operator==(const Group&, const Group&) = default;
+  };
   void merge(const measurement::Satellite& satellite);
 
+  boost::container::static_vector<Group, 32> begun_;
   boost::container::static_vector<measurement::Satellite, 64> group_;  ///< not yet complete
   int next_sentence_ = 1;
   List satellites_;

@@ -1,4 +1,4 @@
-#include "tests/drivers/device/support.hpp"
+#include "tests/drivers/device/gnss_receiver.hpp"
 
 namespace drydock::device::test {
 namespace {
@@ -8,67 +8,6 @@ using measurement::FixType;
 using measurement::GnssFix;
 using measurement::GnssSatellites;
 using namespace std::chrono;
-
-/// NAV-PVT by the offsets of the u-blox interface description.
-struct Pvt {
-  std::uint32_t itow_ms = 1000;
-  std::uint8_t fix_type = 3, flags = 0x01;
-  std::uint16_t flags3 = 0;
-};
-
-Octets nav_pvt(const Pvt& p) {
-  Octets m(92, 0);
-  put(m, 0, 4, p.itow_ms);
-  put(m, 4, 2, 2026);
-  m[6] = 3, m[7] = 4, m[8] = 5, m[9] = 6, m[10] = 7;
-  m[11] = 0x07;             // date, time valid, fully resolved
-  put(m, 16, 4, -250'000);  // ns: just before the second
-  m[20] = p.fix_type;
-  m[21] = p.flags;
-  m[23] = 11;
-  put(m, 24, 4, 85'000'000);   // 8.5 deg east
-  put(m, 28, 4, 472'500'000);  // 47.25 deg north
-  put(m, 32, 4, 450'000);
-  put(m, 36, 4, 402'000);
-  put(m, 40, 4, 1'500);
-  put(m, 48, 4, 1'000);
-  put(m, 52, 4, -500);
-  put(m, 56, 4, 250);
-  put(m, 76, 2, 123);
-  put(m, 78, 2, p.flags3);
-  return ubx(0x01, 0x07, m);
-}
-
-Octets nav_eoe(std::uint32_t itow_ms) {
-  Octets m(4, 0);
-  put(m, 0, 4, itow_ms);
-  return ubx(0x01, 0x61, m);
-}
-
-/// Two satellites: Galileo 5 used at 41 dBHz, GLONASS 7 in view, its elevation unknown.
-Octets nav_sat(std::uint32_t itow_ms) {
-  Octets m(8 + 2 * 12, 0);
-  put(m, 0, 4, itow_ms);
-  m[4] = 1, m[5] = 2;
-  m[8] = 2, m[9] = 5, m[10] = 41, m[11] = 30;
-  put(m, 12, 2, 270);
-  put(m, 16, 4, 0x0000001F);
-  m[20] = 6, m[21] = 7, m[22] = 0, m[23] = static_cast<std::uint8_t>(-91);
-  return ubx(0x01, 0x35, m);
-}
-
-struct Receiver {
-  explicit Receiver(std::string protocol, std::optional<unsigned> baud = {}) {
-    DriverOptions o = options(Kind::gnss, std::move(protocol));
-    o.baud = baud;
-    driver = byte_driver(o);
-  }
-  void says(const Octets& bytes, double at) { driver->receive(bytes, at_s(at), ear); }
-  std::vector<GnssFix> fixes() const { return ear.all<GnssFix>(); }
-
-  Ear ear;
-  std::unique_ptr<ByteDriver> driver;
-};
 
 // Widely published examples of the format (gpsinformation.org): 23 March 1994, 12:35:19.
 const std::string gga = "GPGGA,123519,4807.038,N,01131.000,E,1,08,0.9,545.4,M,46.9,M,,";
@@ -262,6 +201,58 @@ TEST(GnssDriver, GroupWithALostSentenceIsNotPublished) {
   r.driver->tick(at_s(2), r.ear);
   EXPECT_TRUE(r.ear.all<GnssSatellites>().empty());
   EXPECT_EQ(r.fixes().size(), 1U);
+}
+
+TEST(GnssDriver, ASatelliteOnSeveralSignalsKeepsItsStrongestAndItsDirection) {
+  Receiver r("nmea0183");  // signals of NMEA 4.10: 1 is L1 C/A, 6 is L2 CM, 8 is L5
+  r.says(nmea(gga) + nmea("GNGSA,A,3,01,,,,,,,,,,,,2.5,1.3,2.1,1") +
+             nmea("GPGSV,1,1,02,01,40,083,41,02,17,308,,1") + nmea("GPGSV,1,1,01,01,,,44,6") +
+             nmea("GPGSV,1,1,02,01,40,083,39,02,17,308,30,8"),
+         1);
+  r.driver->tick(at_s(2), r.ear);
+  const auto all = r.ear.all<GnssSatellites>();
+  ASSERT_EQ(all.size(), 1U);
+  const auto& s = all[0].satellites;
+  ASSERT_EQ(s.size(), 2U);
+  EXPECT_EQ(s[0].cno_dbhz, 44);
+  EXPECT_NEAR(s[0].azimuth_rad.value(), 83 * degree, 1e-12);
+  EXPECT_TRUE(s[0].used);
+  EXPECT_EQ(s[1].cno_dbhz, 30);
+}
+
+TEST(GnssDriver, EpochsThatBeginWithoutATimeStayApartOnALineWithoutPauses) {
+  Receiver r("nmea0183");
+  const auto epoch = [](const std::string& second, const std::string& satellite) {
+    return nmea("GPGSA,A,3," + satellite + ",11,,,,,,,,,,,2.5,1.3,2.1") +
+           nmea("GPGSV,1,1,02," + satellite + ",40,083,4" + satellite.substr(1) + ",11,20,100,30") +
+           nmea("GPVTG,084.4,T,,M,0" + satellite + ",N,,K") +
+           nmea("GPGGA,1235" + second + ",4807.038,N,01131.000,E,1,08,0.9,545.4,M,46.9,M,,");
+  };
+  r.says(epoch("19", "01") + epoch("20", "02") + epoch("21", "03"), 1);
+  r.driver->tick(at_s(2), r.ear);
+  const auto skies = r.ear.all<GnssSatellites>();
+  ASSERT_EQ(skies.size(), 3U);
+  ASSERT_EQ(r.fixes().size(), 3U);
+  for (std::size_t i = 0; i < 3; ++i) {
+    ASSERT_EQ(skies[i].satellites.size(), 2U);
+    EXPECT_EQ(skies[i].satellites[0].number, i + 1);
+    EXPECT_TRUE(skies[i].satellites[0].used && skies[i].satellites[1].used);
+    EXPECT_NEAR(r.fixes()[i].ground_speed_mps.value(), (static_cast<double>(i) + 1) * knot, 1e-12);
+    EXPECT_EQ(r.fixes()[i].origin.device_time, 12h + 35min + seconds{19 + static_cast<int>(i)});
+  }
+}
+
+TEST(GnssDriver, ALeapSecondBelongsToItsDay) {
+  Receiver r("nmea0183");
+  r.says(nmea("GPRMC,235960,A,4807.038,N,01131.000,E,022.4,084.4,311216,,"), 1);
+  r.says(nmea("GPRMC,000000,A,4807.038,N,01131.000,E,022.4,084.4,010117,,"), 2);
+  r.driver->tick(at_s(3), r.ear);
+  ASSERT_EQ(r.fixes().size(), 2U);
+  // A count of seconds since 1970 has no place for it: both are the first second of 2017.
+  const auto new_year = Stamp{sys_days{2017y / January / 1}.time_since_epoch()};
+  EXPECT_EQ(r.fixes()[0].utc, new_year);
+  EXPECT_EQ(r.fixes()[1].utc, new_year);
+  EXPECT_EQ(r.fixes()[0].origin.device_time, 24h);
 }
 
 TEST(GnssDriver, MixedLineGivesEachEpochOnceAndFromUbx) {
