@@ -98,6 +98,17 @@ XsensConfig build_xsens(const Node& table) {
   return xsens;
 }
 
+PressureConfig build_pressure(const Node& table) {
+  PressureConfig pressure;
+  read(table, "format", pressure.format);
+  read(table, "unit", pressure.unit);
+  read(table, "decimals", pressure.decimals);
+  std::string reference;
+  read(table, "reference", reference);
+  pressure.gauge = reference == "gauge";
+  return pressure;
+}
+
 DeviceConfig build_device(const Node& table, const std::string& rig_file) {
   DeviceConfig device;
   device.line = table.at.line;
@@ -117,8 +128,12 @@ DeviceConfig build_device(const Node& table, const std::string& rig_file) {
   read(table, "sync", device.sync);
   read(table, "surface_pressure_pa", device.surface_pressure_pa);
   read(table, "water_density_kgm3", device.water_density_kgm3);
+  if (const Node* latitude = table.find("latitude_deg")) {
+    device.unesco_latitude_rad = latitude->number * degree;
+  }
   if (const Node* aceinna = table.find("aceinna")) device.aceinna = build_aceinna(*aceinna);
   if (const Node* xsens = table.find("xsens")) device.xsens = build_xsens(*xsens);
+  if (const Node* pressure = table.find("pressure")) device.pressure = build_pressure(*pressure);
   if (const Node* emulate = table.find("emulate")) {
     read(*emulate, "fixed_bias", device.emulate.fixed_bias);
     read(*emulate, "latency_ms", device.emulate.latency_s, millisecond);

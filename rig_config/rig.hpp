@@ -44,11 +44,18 @@ struct XsensConfig {
   std::vector<Identifier> identifiers;
 };
 
+/// How a CiA 404 pressure transmitter was set.
+struct PressureConfig {
+  std::string format = "integer+status", unit = "Pa";  ///< of TPDO1; object 6131h
+  int decimals = 0;                                    ///< object 6132h
+  bool gauge = false;                                  ///< 0 at the surface
+};
+
 struct DeviceConfig {
   std::string name;
   DeviceKind kind = DeviceKind::imu;
   /// nmea0183 ubx ubx+nmea0183 pd0 water-linked nortek aceinna cia404-imu epson-g550 epson-g552
-  /// xsens nmea2000
+  /// xsens nmea2000 cia404-pressure
   std::string protocol;
   std::string link;            ///< URI, see drivers/link/uri.hpp
   double rate_hz = 1;          ///< nominal; the emulated device keeps it, health compares with it
@@ -61,8 +68,10 @@ struct DeviceConfig {
   double heartbeat_timeout_s = 3;  ///< CANopen: a node silent for so long is lost
   bool sync = false;               ///< CANopen: samples on SYNC, which its driver sends at rate_hz
   double surface_pressure_pa = 101325, water_density_kgm3 = 1025;  ///< kind depth
+  std::optional<double> unesco_latitude_rad;  ///< depth: of the standard ocean there instead
   AceinnaConfig aceinna;
   XsensConfig xsens;
+  PressureConfig pressure;
   EmulateConfig emulate;
   int line = 0;  ///< of the [[device]] block in the file
 };

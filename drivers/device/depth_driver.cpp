@@ -3,14 +3,12 @@
 namespace drydock::device {
 
 namespace {
-constexpr double standard_gravity_mps2 = 9.80665;
 constexpr std::chrono::seconds temperature_counts_for{10};  // PGN 130312 comes every 2 s
 }  // namespace
 
 DepthDriver::DepthDriver(const DriverOptions& options)
     : BusDriver(options),
-      surface_pressure_pa_(options.surface_pressure_pa),
-      water_density_kgm3_(options.water_density_kgm3),
+      water_(options.water),
       pressure_source_(options.address),
       temperature_source_(options.address),
       sounder_source_(options.address) {}
@@ -32,10 +30,7 @@ void DepthDriver::on(const wire::nmea2000::Pressure& pressure, const Origin& ori
   measurement::DepthSample sample;
   sample.origin = origin;
   sample.pressure_pa = pressure.pressure_pa;
-  if (pressure.pressure_pa) {
-    sample.depth_m = (*pressure.pressure_pa - surface_pressure_pa_) /
-                     (water_density_kgm3_ * standard_gravity_mps2);
-  }
+  if (pressure.pressure_pa) sample.depth_m = water_.depth_m(*pressure.pressure_pa);
   if (origin.received_at - temperature_at_ < temperature_counts_for) {
     sample.temperature_k = temperature_k_;
   }

@@ -7,9 +7,9 @@
 namespace drydock::device {
 
 /// Depth on NMEA 2000. PGN 130314 with source water -> pressure and
-///   depth = (pressure - surface pressure) / (density g),  g = 9.80665 m/s2 (standard gravity),
-/// with the last sea temperature of PGN 130312. PGN 128267, an echo sounder's depth below its
-/// transducer, is the altitude, a measurement of its own. It only listens, so it claims no address.
+/// depth by the configured water column, with the last sea temperature of PGN 130312. PGN 128267,
+/// an echo sounder's depth below its transducer, is the altitude, a measurement of its own. It only
+/// listens, so it claims no address.
 class DepthDriver final : public BusDriver<wire::Nmea2000> {
  public:
   explicit DepthDriver(const DriverOptions& options);
@@ -21,8 +21,7 @@ class DepthDriver final : public BusDriver<wire::Nmea2000> {
   void on(const wire::nmea2000::Temperature& temperature, const Origin& origin, Output& out);
   void on(const wire::nmea2000::WaterDepth& depth, const Origin& origin, Output& out);
 
-  double surface_pressure_pa_;
-  double water_density_kgm3_;
+  WaterColumn water_;
   SourceFilter pressure_source_, temperature_source_, sounder_source_;
   std::optional<double> temperature_k_;
   Stamp temperature_at_{};

@@ -8,7 +8,9 @@
 #include <string_view>
 
 #include "drivers/device/mounting.hpp"
+#include "drivers/device/water_column.hpp"
 #include "drivers/wire/aceinna_setup.hpp"
+#include "drivers/wire/cia404_pressure.hpp"
 #include "drivers/wire/xsens.hpp"
 
 namespace drydock::device {
@@ -40,6 +42,12 @@ struct AceinnaSettings {
   bool any() const { return rate_divider || packets || filter || orientation; }
 };
 
+/// How a pressure transmitter's numbers are meant.
+struct PressureOptions {
+  wire::cia404_pressure::Scale scale;
+  bool gauge = false;  ///< it says 0 at the surface, not in vacuum
+};
+
 /// All that a driver is told about its sensor.
 struct DriverOptions {
   Kind kind = Kind::imu;
@@ -53,8 +61,8 @@ struct DriverOptions {
   AceinnaSettings aceinna;
   CanopenOptions canopen;
   wire::xsens::Identifiers xsens_identifiers;
-  double surface_pressure_pa = 101'325;  ///< kind depth
-  double water_density_kgm3 = 1025;      ///< kind depth
+  WaterColumn water;         ///< kind depth
+  PressureOptions pressure;  ///< protocol cia404-pressure
 };
 
 }  // namespace drydock::device

@@ -5,6 +5,7 @@
 #include "drivers/device/aceinna_imu_driver.hpp"
 #include "drivers/device/actuator_driver.hpp"
 #include "drivers/device/cia404_imu_driver.hpp"
+#include "drivers/device/cia404_pressure_driver.hpp"
 #include "drivers/device/depth_driver.hpp"
 #include "drivers/device/dvl_driver.hpp"
 #include "drivers/device/emlog_driver.hpp"
@@ -57,6 +58,7 @@ constexpr std::array rows{
     frame_row<Cia404ImuDriver<wire::EpsonG552>>(Kind::imu, wire::EpsonG552::name),
     frame_row<XsensImuDriver>(Kind::imu, wire::Xsens::name),
     frame_row<DepthDriver>(Kind::depth, wire::Nmea2000::name),
+    frame_row<Cia404PressureDriver>(Kind::depth, wire::Cia404Pressure::name),
     frame_row<ActuatorDriver>(Kind::actuator, wire::Nmea2000::name),
 };
 

@@ -46,8 +46,8 @@ device::DriverOptions driver_options(const DeviceConfig& config, std::size_t ind
   options.address = static_cast<std::uint8_t>(config.address);
   options.canopen.heartbeat_timeout = measurement::from_seconds(config.heartbeat_timeout_s);
   if (config.sync) options.canopen.sync_period = measurement::from_seconds(1 / config.rate_hz);
-  options.surface_pressure_pa = config.surface_pressure_pa;
-  options.water_density_kgm3 = config.water_density_kgm3;
+  options.water = {config.surface_pressure_pa, config.water_density_kgm3,
+                   config.unesco_latitude_rad};
   return options;
 }
 
@@ -86,6 +86,12 @@ boost::system::result<DeviceOptions, RigDevicesError> device_options(const rig_c
   const auto xsens = xsens_identifiers(config.xsens);
   if (!xsens) return error_in(rig, config, xsens.error().message);
   options.driver.xsens_identifiers = *xsens;
+  const auto& pressure = config.pressure;
+  const auto scale = wire::cia404_pressure::find_scale(pressure.format, pressure.unit,
+                                                       static_cast<unsigned>(pressure.decimals));
+  if (!scale)
+    return error_in(rig, config, "no pressure in " + pressure.format + " " + pressure.unit);
+  options.driver.pressure = {*scale, pressure.gauge};
   options.life_cycle = life_cycle_options(config, *uri);
   options.nominal_rate_hz = config.rate_hz;
   return options;

@@ -1,7 +1,8 @@
 #include "drivers/wire/j1939.hpp"
 
+#include <algorithm>
+
 #include "drivers/wire/bytes.hpp"
-#include "drivers/wire/frame_protocol.hpp"
 
 namespace drydock::wire::j1939 {
 
@@ -55,6 +56,20 @@ std::optional<Request> decode_request(const Identifier& id, Bytes payload) {
   return Request{id.source, id.destination, pgn};
 }
 
+std::optional<CommandedAddress> decode_commanded_address(const Identifier& id, Bytes message) {
+  if (id.pgn != commanded_address_pgn || message.size() < CommandedAddress::bytes) {
+    return std::nullopt;
+  }
+  return CommandedAddress{id.source, load_le<std::uint64_t>(message, 0), message[8]};
+}
+
+std::array<std::uint8_t, CommandedAddress::bytes> encode(const CommandedAddress& command) {
+  std::array<std::uint8_t, CommandedAddress::bytes> message;
+  store_le<std::uint64_t>(message, 0, command.name);
+  message[8] = command.address;
+  return message;
+}
+
 CanFrame encode(const AddressClaimed& claim) {
   CanFrame frame = blank_frame({6, address_claim_pgn, global_address, claim.source});
   store_le<std::uint64_t>(frame.data, 0, claim.name);
@@ -69,21 +84,3 @@ CanFrame encode(const Request& request) {
 }
 
 }  // namespace drydock::wire::j1939
-
-namespace drydock::wire {
-
-std::optional<J1939::Message> J1939::Decoder::receive(const CanFrame& frame) {
-  const auto id = j1939::identify(frame);
-  if (!id) return std::nullopt;
-  std::optional<Message> message;
-  if (id->pgn == j1939::address_claim_pgn) {
-    message = j1939::decode_address_claimed(*id, frame.payload());
-  } else if (id->pgn == j1939::request_pgn) {
-    message = j1939::decode_request(*id, frame.payload());
-  } else {
-    return std::nullopt;
-  }
-  return count_frame(counters_, frame, message);
-}
-
-}  // namespace drydock::wire

@@ -1,9 +1,9 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string_view>
-#include <variant>
 
 #include "drivers/wire/can_frame.hpp"
 #include "drivers/wire/codec.hpp"
@@ -16,6 +16,7 @@ constexpr std::uint8_t global_address = 0xFF;
 constexpr std::uint8_t null_address = 0xFE;  ///< of a node that could not claim one
 constexpr std::uint32_t request_pgn = 59904;
 constexpr std::uint32_t address_claim_pgn = 60928;
+constexpr std::uint32_t commanded_address_pgn = 65240;
 
 /// priority<<26 | PGN<<8 | source. Below PDU format 240 the PGN's low byte is the destination.
 struct Identifier {
@@ -81,10 +82,21 @@ struct Request {
   std::uint32_t pgn = 0;
 };
 
+/// PGN 65240, by the transport protocol: the node with this NAME shall claim this address.
+struct CommandedAddress {
+  static constexpr std::string_view type = "commanded_address";
+  static constexpr std::size_t bytes = 9;
+  std::uint8_t source = null_address;
+  std::uint64_t name = 0;
+  std::uint8_t address = null_address;
+};
+
 std::optional<AddressClaimed> decode_address_claimed(const Identifier& id, Bytes payload);
 std::optional<Request> decode_request(const Identifier& id, Bytes payload);
+std::optional<CommandedAddress> decode_commanded_address(const Identifier& id, Bytes message);
 CanFrame encode(const AddressClaimed& claim);
 CanFrame encode(const Request& request);
+std::array<std::uint8_t, CommandedAddress::bytes> encode(const CommandedAddress& command);
 
 template <class Field>
 void visit_fields(const Name& n, Field&& field) {
@@ -112,23 +124,11 @@ void visit_fields(const Request& m, Field&& field) {
   field("requested_pgn", m.pgn);
 }
 
+template <class Field>
+void visit_fields(const CommandedAddress& m, Field&& field) {
+  field("source", m.source);
+  field("new_address", m.address);
+  visit_fields(to_name(m.name), field);
+}
+
 }  // namespace drydock::wire::j1939
-
-namespace drydock::wire {
-
-/// Network management alone, for `decode --protocol j1939` and for watching a bus.
-struct J1939 {
-  static constexpr std::string_view name = "j1939";
-  using Message = std::variant<j1939::AddressClaimed, j1939::Request>;
-
-  class Decoder {
-   public:
-    std::optional<Message> receive(const CanFrame& frame);
-    const StreamCounters& counters() const { return counters_; }
-
-   private:
-    StreamCounters counters_;
-  };
-};
-
-}  // namespace drydock::wire

@@ -30,6 +30,14 @@ std::optional<CanFrame> AddressClaim::receive(const CanFrame& frame, Time now) {
   return std::nullopt;
 }
 
+std::optional<CanFrame> AddressClaim::obey(const CommandedAddress& command, Time now) {
+  const bool for_us = state_ != State::idle && command.name == name_;
+  if (!for_us || command.address >= null_address || command.address == address_) {
+    return std::nullopt;
+  }
+  return claim(command.address, now);
+}
+
 std::optional<CanFrame> AddressClaim::tick(Time now) {
   if (!deadline_ || now < *deadline_) return std::nullopt;
   deadline_.reset();

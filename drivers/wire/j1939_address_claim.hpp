@@ -17,7 +17,7 @@ struct AddressRange {
 /// The address claim procedure of SAE J1939-81 for one node, sans-I/O: each call returns at most
 /// one frame to send. The lowest NAME wins an address; the loser takes the next free one of its
 /// range if its NAME says it can, else it sends "cannot claim" from the null address and stays
-/// silent until started again.
+/// silent until started again or commanded to an address.
 class AddressClaim {
  public:
   using Time = std::chrono::nanoseconds;
@@ -28,10 +28,12 @@ class AddressClaim {
 
   std::optional<CanFrame> start(Time now);
   std::optional<CanFrame> receive(const CanFrame& frame, Time now);
+  /// Claims the address it is told to take; empty where the command is for another NAME.
+  std::optional<CanFrame> obey(const CommandedAddress& command, Time now);
   std::optional<CanFrame> tick(Time now);  ///< to be called at or after deadline()
   std::optional<Time> deadline() const { return deadline_; }
 
-  /// Empty while it is contended, and for good after "cannot claim".
+  /// Empty while it is contended and after "cannot claim".
   std::optional<std::uint8_t> address() const;
   bool cannot_claim() const { return state_ == State::cannot_claim; }
 

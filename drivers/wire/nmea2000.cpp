@@ -37,6 +37,7 @@ std::optional<Nmea2000::Message> Nmea2000::Decoder::receive(const CanFrame& fram
   const auto id = j1939::identify(frame);
   if (!id) return std::nullopt;
   if (id->pgn == nmea2000::gnss_position_pgn) return receive_part(*id, frame);
+  if (is_transport(id->pgn)) return receive_packet(*id, frame);
   if (!is_single_frame(id->pgn)) return std::nullopt;
   return count_frame(counters_, frame, decode_single(*id, frame.payload()));
 }
@@ -50,14 +51,28 @@ std::optional<Nmea2000::Message> Nmea2000::Decoder::receive_part(const j1939::Id
   counters_.bad_checksums += after.dropped - before.dropped;
   const bool lost = after.dropped != before.dropped || after.stray != before.stray;
   (lost ? counters_.bytes_skipped : counters_.bytes_good) += frame.size;
-  if (!whole) return std::nullopt;
-  auto position = nmea2000::decode_gnss_position(id.source, whole->data);
-  if (!position) {
-    ++counters_.bad_checksums;
+  return whole ? receive_whole(whole->id, whole->data) : std::nullopt;
+}
+
+/// Any message may come by the transport protocol; of ours only those too long for one frame do.
+std::optional<Nmea2000::Message> Nmea2000::Decoder::receive_packet(const j1939::Identifier& id,
+                                                                   const CanFrame& frame) {
+  const auto whole = receive_transport(transport_, counters_, id, frame.payload());
+  return whole ? receive_whole(whole->id, whole->data) : std::nullopt;
+}
+
+std::optional<Nmea2000::Message> Nmea2000::Decoder::receive_whole(const j1939::Identifier& id,
+                                                                  Bytes data) {
+  std::optional<Message> message;
+  if (id.pgn == nmea2000::gnss_position_pgn) {
+    message = nmea2000::decode_gnss_position(id.source, data);
+  } else if (id.pgn == j1939::commanded_address_pgn) {
+    message = j1939::decode_commanded_address(id, data);
+  } else {
     return std::nullopt;
   }
-  ++counters_.frames;
-  return *position;
+  ++(message ? counters_.frames : counters_.bad_checksums);
+  return message;
 }
 
 }  // namespace drydock::wire

@@ -5,16 +5,18 @@
 #include <variant>
 
 #include "drivers/wire/fast_packet.hpp"
+#include "drivers/wire/j1939_protocol.hpp"
 #include "drivers/wire/nmea2000_messages.hpp"
 
 namespace drydock::wire {
 
-/// NMEA 2000: 29-bit identifiers of J1939, 250 kbit/s, single frames and fast packets.
+/// NMEA 2000: 29-bit identifiers of J1939, 250 kbit/s, single frames, fast packets and
+/// the transport protocol.
 struct Nmea2000 {
   static constexpr std::string_view name = "nmea2000";
   using Message = std::variant<nmea2000::Pressure, nmea2000::Temperature, nmea2000::WaterDepth,
                                nmea2000::Rudder, nmea2000::Engine, nmea2000::GnssPosition,
-                               j1939::AddressClaimed, j1939::Request>;
+                               j1939::AddressClaimed, j1939::Request, j1939::CommandedAddress>;
 
   class Decoder {
    public:
@@ -23,8 +25,11 @@ struct Nmea2000 {
 
    private:
     std::optional<Message> receive_part(const j1939::Identifier& id, const CanFrame& frame);
+    std::optional<Message> receive_packet(const j1939::Identifier& id, const CanFrame& frame);
+    std::optional<Message> receive_whole(const j1939::Identifier& id, Bytes message);
 
     FastPacketAssembler assembler_;
+    j1939::TransportReceiver transport_;
     StreamCounters counters_;
   };
 };

@@ -8,10 +8,11 @@
 #include "drivers/wire/aceinna.hpp"
 #include "drivers/wire/candump.hpp"
 #include "drivers/wire/cia404_imu.hpp"
+#include "drivers/wire/cia404_pressure.hpp"
 #include "drivers/wire/codec.hpp"
 #include "drivers/wire/epson_imu.hpp"
 #include "drivers/wire/frame_protocol.hpp"
-#include "drivers/wire/j1939.hpp"
+#include "drivers/wire/j1939_protocol.hpp"
 #include "drivers/wire/nmea0183.hpp"
 #include "drivers/wire/nmea2000.hpp"
 #include "drivers/wire/nortek.hpp"
@@ -47,8 +48,8 @@ static_assert(requires { all_are_byte_protocols(BytesProtocols{}); });
 template <FrameProtocol... P>
 constexpr void all_are_frame_protocols(ProtocolList<P...>) {}
 
-using FrameProtocols =
-    ProtocolList<Nmea2000, Aceinna, Cia404Imu, EpsonG550, EpsonG552, Xsens, J1939>;
+using FrameProtocols = ProtocolList<Nmea2000, Aceinna, Cia404Imu, Cia404Pressure, EpsonG550,
+                                    EpsonG552, Xsens, J1939>;
 
 static_assert(requires { all_are_frame_protocols(FrameProtocols{}); });
 

@@ -12,6 +12,8 @@ using canopen::NodeState;
 constexpr std::uint8_t default_node = 1;
 constexpr canopen::ObjectEntry device_type_entry{0x1000, 0}, error_register_entry{0x1001, 0},
     heartbeat_entry{0x1017, 0};
+constexpr std::uint16_t identity_index = 0x1018, pdo_index = 0x1800, mapping_index = 0x1A00;
+constexpr std::uint8_t on_each_sync = 1, by_the_profile = 0xFE;  // PDO transmission types
 constexpr std::uint32_t read_only = 0x06010002, no_such_object = 0x06020000,
                         length_differs = 0x06070010;
 
@@ -82,18 +84,39 @@ void CanopenDevice::obey(const canopen::Nmt& order, Stamp now, Wire& out) {
   }
 }
 
+std::optional<CanopenDevice::Object> CanopenDevice::find(const canopen::ObjectEntry& entry) const {
+  if (entry == device_type_entry) return Object{device_type_, 4};
+  if (entry == error_register_entry) return Object{error_register_, 1};
+  if (entry == heartbeat_entry) {
+    return Object{static_cast<std::uint32_t>(heartbeat_period_.count()), 2};
+  }
+  if (entry == canopen::ObjectEntry{identity_index, 0}) return Object{1, 1};
+  if (entry == canopen::ObjectEntry{identity_index, 1}) return Object{0, 4};  // nobody's product
+  if (const auto found = pdo_object(entry)) return found;
+  return object(entry);
+}
+
+std::optional<CanopenDevice::Object> CanopenDevice::pdo_object(
+    const canopen::ObjectEntry& entry) const {
+  const unsigned place = entry.index & 0xFF, group = entry.index & 0xFF00;
+  if ((group != pdo_index && group != mapping_index) || place >= pdos().size()) return {};
+  const Mapping mapping = pdos()[place];
+  if (group == mapping_index) {
+    if (entry.subindex == 0) return Object{static_cast<std::uint32_t>(mapping.size()), 1};
+    if (entry.subindex > mapping.size()) return {};
+    return Object{mapping[entry.subindex - 1u], 4};
+  }
+  switch (entry.subindex) {
+    case 0: return Object{2, 1};
+    case 1: return Object{canopen::tpdo_id(place + 1, node_), 4};
+    case 2: return Object{on_sync_ ? on_each_sync : by_the_profile, 1};
+    default: return {};
+  }
+}
+
 void CanopenDevice::serve(const canopen::SdoRead& request, Wire& out) const {
   if (request.node != node_) return;
-  std::optional<Object> found;
-  if (request.entry == device_type_entry) {
-    found = Object{device_type_, 4};
-  } else if (request.entry == error_register_entry) {
-    found = Object{error_register_, 1};
-  } else if (request.entry == heartbeat_entry) {
-    found = Object{static_cast<std::uint32_t>(heartbeat_period_.count()), 2};
-  } else {
-    found = object(request.entry);
-  }
+  const auto found = find(request.entry);
   if (found) {
     out.send(canopen::encode(canopen::SdoValue{node_, request.entry, found->value, found->size}));
   } else {
@@ -107,9 +130,7 @@ void CanopenDevice::serve(const canopen::SdoWrite& request, Stamp now, Wire& out
     out.send(canopen::encode(canopen::SdoAbort{node_, request.entry, code}));
   };
   if (request.entry != heartbeat_entry) {
-    const bool known = request.entry == device_type_entry ||
-                       request.entry == error_register_entry || object(request.entry);
-    return refuse(known ? read_only : no_such_object);
+    return refuse(find(request.entry) ? read_only : no_such_object);
   }
   if (request.size != 2) return refuse(length_differs);
   heartbeat_period_ = std::chrono::milliseconds{request.value};

@@ -28,8 +28,13 @@ class CanopenDevice : public SamplingDevice {
   /// Sends the process data of the truth at `at`; called only while the node is operational.
   virtual void report(Stamp at, Wire& out) = 0;
 
-  /// What stands in an entry of the profile or the maker; 1000h, 1001h and 1017h are known here.
+  /// What stands in an entry of the profile or the maker; 1000h, 1001h, 1017h, 1018h and what
+  /// follows from pdos() are known here.
   virtual std::optional<Object> object(const wire::canopen::ObjectEntry&) const { return {}; }
+
+  /// What each transmit PDO holds, as 1A00h writes it: index << 16 | subindex << 8 | bits.
+  using Mapping = std::span<const std::uint32_t>;
+  virtual std::span<const Mapping> pdos() const { return {}; }
 
   /// Sends an emergency where the fault is another than before; code 0 says that it is gone.
   void set_fault(std::uint16_t code, std::uint8_t error_register, Wire& out);
@@ -40,6 +45,8 @@ class CanopenDevice : public SamplingDevice {
   void sample(Stamp at, Wire& out) final;
   void beat(Stamp now, Wire& out);
   void obey(const wire::canopen::Nmt& order, Stamp now, Wire& out);
+  std::optional<Object> find(const wire::canopen::ObjectEntry& entry) const;
+  std::optional<Object> pdo_object(const wire::canopen::ObjectEntry& entry) const;
   void serve(const wire::canopen::SdoRead& request, Wire& out) const;
   void serve(const wire::canopen::SdoWrite& request, Stamp now, Wire& out);
 

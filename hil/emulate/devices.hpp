@@ -46,6 +46,10 @@ DevicePtr make_xsens_imu(const DeviceSetup& setup);
 /// below the transducer) per sample, tied by SID.
 DevicePtr make_nmea2000_depth(const DeviceSetup& setup);
 
+/// Boot-up message, heartbeat every second; after NMT start TPDO1 per sample, in the form, unit and
+/// decimals of the configuration.
+DevicePtr make_cia404_pressure(const DeviceSetup& setup);
+
 /// Address claim at boot, then 127245 for rudder (instance 0), stern plane (1), bow plane (2) and
 /// 127488 for the propeller per sample.
 DevicePtr make_nmea2000_actuators(const DeviceSetup& setup);

@@ -32,9 +32,11 @@ J1939Device::J1939Device(const DeviceSetup& setup, std::uint64_t name, std::uint
 
 std::optional<Stamp> J1939Device::deadline() const {
   if (boot_) return boot_;
-  const auto next = SamplingDevice::deadline();
-  const auto claim = claim_.deadline();
-  return claim ? std::min(*next, Stamp{*claim}) : next;
+  auto next = SamplingDevice::deadline();
+  for (const auto& due : {claim_.deadline(), transport_.deadline()}) {
+    if (due) next = std::min(*next, Stamp{*due});
+  }
+  return next;
 }
 
 void J1939Device::tick(Stamp now, Wire& out) {
@@ -45,12 +47,28 @@ void J1939Device::tick(Stamp now, Wire& out) {
   if (claim_.deadline() && *claim_.deadline() <= now.time_since_epoch()) {
     send(claim_.tick(now.time_since_epoch()), out);
   }
+  while (transport_.deadline() && *transport_.deadline() <= now.time_since_epoch()) {
+    send(transport_.tick(now.time_since_epoch()), out);
+  }
   SamplingDevice::tick(now, out);
 }
 
 void J1939Device::receive(const wire::CanFrame& frame, Stamp now, Wire& out) {
   send(claim_.receive(frame, now.time_since_epoch()), out);
   if (const auto address = claim_.address()) hear(frame, *address, out);
+  if (const auto id = wire::j1939::identify(frame)) {
+    receive_packet(*id, frame.payload(), now, out);
+  }
+}
+
+void J1939Device::receive_packet(const wire::j1939::Identifier& id, wire::Bytes payload, Stamp now,
+                                 Wire& out) {
+  transport_.set_address(claim_.address());
+  const auto got = transport_.receive(id, payload, now.time_since_epoch());
+  send(got.reply, out);
+  if (!got.message) return;
+  const auto command = wire::j1939::decode_commanded_address(got.message->id, got.message->data);
+  if (command) send(claim_.obey(*command, now.time_since_epoch()), out);
 }
 
 void J1939Device::sample(Stamp at, Wire& out) {

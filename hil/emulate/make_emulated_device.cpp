@@ -31,6 +31,7 @@ constexpr auto catalogue = std::to_array<Entry>({
     {DeviceKind::imu, "imu", "epson-g552", make_epson_g552},
     {DeviceKind::imu, "imu", "xsens", make_xsens_imu},
     {DeviceKind::depth, "depth", "nmea2000", make_nmea2000_depth},
+    {DeviceKind::depth, "depth", "cia404-pressure", make_cia404_pressure},
     {DeviceKind::actuator, "actuator", "nmea2000", make_nmea2000_actuators},
 });
 

@@ -23,14 +23,12 @@ class Nmea2000Depth final : public J1939Device {
   explicit Nmea2000Depth(const DeviceSetup& setup)
       : J1939Device(setup, name_value(setup.config), preferred_address),
         errors_(setup.primary_errors()),
-        surface_pressure_pa_(setup.config.surface_pressure_pa),
-        water_density_kgm3_(setup.config.water_density_kgm3) {}
+        water_(setup.water()) {}
 
  private:
   void report(Stamp at, std::uint8_t address, Wire& out) override {
     const auto truth = trajectory().at(at);
-    const auto ideal =
-        sensor::ideal_depth(truth, mounting(), surface_pressure_pa_, water_density_kgm3_);
+    const auto ideal = sensor::ideal_depth(truth, mounting(), water_);
     const auto sequence = static_cast<std::uint8_t>(samples() % sequences);
 
     wire::nmea2000::Pressure pressure;
@@ -60,7 +58,7 @@ class Nmea2000Depth final : public J1939Device {
   }
 
   sensor::ErrorModel errors_;
-  double surface_pressure_pa_, water_density_kgm3_;
+  device::WaterColumn water_;
 };
 
 }  // namespace

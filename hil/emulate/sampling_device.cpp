@@ -10,6 +10,17 @@ sensor::ErrorModel DeviceSetup::secondary_errors() const {
   return {config.emulate.secondary, config.emulate.fixed_bias, seed, config.name, "secondary"};
 }
 
+device::WaterColumn DeviceSetup::water() const {
+  return {config.surface_pressure_pa, config.water_density_kgm3, config.unesco_latitude_rad};
+}
+
+wire::cia404_pressure::Scale DeviceSetup::pressure_scale() const {
+  const auto& pressure = config.pressure;
+  return wire::cia404_pressure::find_scale(pressure.format, pressure.unit,
+                                           static_cast<unsigned>(pressure.decimals))
+      .value();
+}
+
 SamplingDevice::SamplingDevice(const DeviceSetup& setup)
     : trajectory_(setup.trajectory),
       mounting_(sensor::mounting_of(setup.config)),

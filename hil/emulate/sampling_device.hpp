@@ -2,6 +2,8 @@
 
 #include <cstdint>
 
+#include "drivers/device/water_column.hpp"
+#include "drivers/wire/cia404_pressure.hpp"
 #include "hil/emulate/emulated_device.hpp"
 #include "hil/emulate/make_emulated_device.hpp"
 #include "hil/sensor/errors.hpp"
@@ -20,6 +22,8 @@ struct DeviceSetup {
 
   sensor::ErrorModel primary_errors() const;
   sensor::ErrorModel secondary_errors() const;
+  device::WaterColumn water() const;  ///< over a depth sensor
+  wire::cia404_pressure::Scale pressure_scale() const;
 };
 
 /// A device that samples the truth at a constant rate and sends each sample `latency_s` later.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "drivers/device/water_column.hpp"
 #include "drivers/measurement/measurement.hpp"
 #include "hil/motion/truth.hpp"
 #include "hil/sensor/mounting.hpp"
@@ -44,10 +45,10 @@ inline constexpr double antenna_awash_depth_m = 0.3;
 /// FixType::none and the time alone.
 measurement::GnssFix ideal_gnss(const Truth& truth, const Mounting& mounting);
 
-/// Pressure p = p0 + rho g(latitude, 0) d at the sensor (p0 above the surface), depth, and the
-/// temperature of well-mixed water.
+/// Pressure at the sensor, depth, and the temperature of well-mixed water. Water of one density:
+/// p = p_surface + density g(latitude, 0) depth; standard ocean water: EOS-80 at the true latitude.
 measurement::DepthSample ideal_depth(const Truth& truth, const Mounting& mounting,
-                                     double surface_pressure_pa, double water_density_kgm3);
+                                     const device::WaterColumn& water);
 inline constexpr double water_temperature_k = 283.15;
 
 double depth_at(const Truth& truth, const Mounting& mounting);     ///< of the sensor, down, m

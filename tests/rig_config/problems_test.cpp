@@ -148,6 +148,44 @@ TEST(RigProblems, AKeyOfAnotherKindSaysWhereItBelongs) {
                   "CAN bus"));
 }
 
+TEST(RigProblems, TheStandardOceanNeedsALatitudeAndNoDensity) {
+  const std::string depth =
+      std::string(rig_table) +
+      "[[device]]\nname = \"depth\"\nkind = \"depth\"\nprotocol = \"nmea2000\"\n"
+      "link = \"can:auto\"\n";
+  EXPECT_THAT(problems_of_text(depth + "depth_formula = \"unesco\"\nlatitude_deg = 30\n"),
+              IsEmpty());
+  EXPECT_THAT(problems_of_text(depth + "depth_formula = \"unesco\"\n"),
+              ElementsAre(HasSubstr("latitude_deg")));
+  EXPECT_THAT(problems_of_text(depth + "depth_formula = \"unesco\"\nlatitude_deg = 30\n"
+                                       "water_density_kgm3 = 1025\n"),
+              ElementsAre("r.toml:10:1: /device/0/water_density_kgm3: not allowed here, only with "
+                          "depth_formula = \"density\""));
+  EXPECT_THAT(problems_of_text(depth + "latitude_deg = 30\n"),
+              ElementsAre("r.toml:8:1: /device/0/latitude_deg: not allowed here, only with "
+                          "depth_formula = \"unesco\""));
+}
+
+TEST(RigProblems, APressureTransmitterIsSetByItsOwnTable) {
+  const std::string depth =
+      std::string(rig_table) +
+      "[[device]]\nname = \"depth\"\nkind = \"depth\"\nlink = \"can:auto\"\n";  // to line 6
+  const auto rig =
+      load_rig_text(depth +
+                        "protocol = \"cia404-pressure\"\n[device.pressure]\nformat = \"real32\"\n"
+                        "unit = \"bar\"\ndecimals = 3\nreference = \"gauge\"\n",
+                    "r.toml");
+  ASSERT_TRUE(rig);
+  const PressureConfig& pressure = rig->devices.at(0).pressure;
+  EXPECT_EQ(pressure.format, "real32");
+  EXPECT_EQ(pressure.unit, "bar");
+  EXPECT_EQ(pressure.decimals, 3);
+  EXPECT_TRUE(pressure.gauge);
+  EXPECT_THAT(problems_of_text(depth + "protocol = \"nmea2000\"\npressure = { unit = \"bar\" }\n"),
+              ElementsAre("r.toml:8:1: /device/0/pressure: not allowed here, only for protocol = "
+                          "\"cia404-pressure\""));
+}
+
 TEST(RigProblems, ANegativeNoiseOfOneAxisPointsAtThatAxis) {
   EXPECT_THAT(problems_of("emulate = { velocity_noise_mps = [0.1, -0.1, 0.1] }\n"),
               ElementsAre("r.toml:8:40: /device/0/emulate/velocity_noise_mps/1: -0.1 is out of "

@@ -131,6 +131,10 @@ TEST(Allocation, NoneByDepthAndActuatorDrivers) {
   EXPECT_EQ(allocations_of(Kind::depth, "nmea2000",
                            [&](Device& d, Stamp at) { d.receive(pressure, at); }),
             0U);
+  const auto value = can_frame(0x181, false, {0xA0, 0x86, 0x01, 0x00, 0x00});
+  EXPECT_EQ(allocations_of(Kind::depth, "cia404-pressure",
+                           [&](Device& d, Stamp at) { d.receive(value, at); }),
+            0U);
   EXPECT_EQ(allocations_of(Kind::actuator, "nmea2000",
                            [&](Device& d, Stamp at) { d.receive(rudder, at); }),
             0U);

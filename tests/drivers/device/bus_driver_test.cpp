@@ -34,11 +34,20 @@ TEST(DepthDriver, DepthIsPressureOverDensityAndStandardGravity) {
 
 TEST(DepthDriver, SurfacePressureAndDensityAreConfiguration) {
   DriverOptions o = options(Kind::depth, "nmea2000");
-  o.surface_pressure_pa = 201325 - 1000 * 9.80665;
-  o.water_density_kgm3 = 1000;
+  o.water.surface_pressure_pa = 201325 - 1000 * 9.80665;
+  o.water.density_kgm3 = 1000;
   Bus bus(o);
   bus.says(pressure_id, water_pressure);
   EXPECT_NEAR(bus.ear.all<DepthSample>().at(0).depth_m.value(), 1, 1e-9);
+}
+
+TEST(DepthDriver, StandardOceanWaterAtTheConfiguredLatitude) {
+  DriverOptions o = options(Kind::depth, "nmea2000");
+  o.water.unesco_latitude_rad = 30 * degree;
+  Bus bus(o);
+  // 100101325.0 Pa: the sea pressure of 10000 dbar, the report's check value.
+  bus.says(pressure_id, {0, 0, 1, 0x02, 0x40, 0xAA, 0x3B, 0xFF});
+  EXPECT_NEAR(bus.ear.all<DepthSample>().at(0).depth_m.value(), 9712.653, 5e-4);
 }
 
 TEST(DepthDriver, OtherPressuresAreNoDepth) {

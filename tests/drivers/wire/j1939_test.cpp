@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <map>
+
 #include "drivers/wire/j1939_address_claim.hpp"
 #include "tests/drivers/wire/can_fixture.hpp"
 
@@ -185,6 +187,69 @@ TEST(AddressClaim, SaysNothingBeforeItIsStarted) {
   AddressClaim node(low_name, 0x80);
   EXPECT_FALSE(node.receive(frame("18EAFF01#00EE00"), 0ms));
   EXPECT_FALSE(node.deadline());
+}
+
+TEST(AddressClaim, TakesTheAddressThatItIsCommandedTo) {
+  AddressClaim node(low_name, 0x80);
+  node.start(0ms);
+  node.tick(250ms);
+  EXPECT_FALSE(node.obey({1, high_name, 0x90}, 1s));  // for another NAME
+  EXPECT_FALSE(node.obey({1, low_name, 0x80}, 1s));   // it has it
+  EXPECT_FALSE(node.obey({1, low_name, 0xFE}, 1s));   // none may hold it
+  const auto claim = node.obey({1, low_name, 0x90}, 1s);
+  ASSERT_TRUE(claim);
+  EXPECT_EQ(text_of(*claim), "18EEFF90#0010000000000000");
+  EXPECT_FALSE(node.address());
+  node.tick(1250ms);
+  EXPECT_EQ(node.address(), 0x90);
+}
+
+TEST(AddressClaim, ACommandEndsCannotClaim) {
+  AddressClaim node(high_name, 0x80);
+  node.start(0ms);
+  node.receive(encode(AddressClaimed{0x80, low_name}), 10ms);
+  ASSERT_TRUE(node.cannot_claim());
+  ASSERT_TRUE(node.obey({1, high_name, 0x90}, 1s));
+  node.tick(1250ms);
+  EXPECT_EQ(node.address(), 0x90);
+}
+
+/// Any number of nodes on one bus: what one sends reaches all others, in order.
+struct Crowd {
+  std::vector<AddressClaim> nodes;
+  AddressClaim::Time now{};
+  void say(std::size_t from, const std::optional<CanFrame>& f) {
+    if (!f) return;
+    for (std::size_t to = 0; to < nodes.size(); ++to) {
+      if (to != from) say(to, nodes[to].receive(*f, now));
+    }
+  }
+  void run(AddressClaim::Time duration) {
+    for (const auto end = now + duration; now < end; now += 1ms) {
+      for (std::size_t i = 0; i < nodes.size(); ++i) say(i, nodes[i].tick(now));
+    }
+  }
+};
+
+RC_GTEST_PROP(AddressClaim, GivenAnyCrowdEachEndsWithItsOwnAddressOrNone, ()) {
+  const auto names = *rc::gen::unique<std::vector<std::uint64_t>>(
+      8, rc::gen::inRange<std::uint64_t>(1, 1'000'000));
+  Crowd crowd;
+  for (const auto name : names) {
+    const auto preferred = static_cast<std::uint8_t>(*rc::gen::inRange(0x80, 0x84));
+    const std::uint64_t capable = *rc::gen::arbitrary<bool>() ? movable : 0;
+    crowd.nodes.emplace_back(capable | name, preferred, AddressRange{0x80, 0x85});
+  }
+  for (std::size_t i = 0; i < crowd.nodes.size(); ++i) {
+    crowd.say(i, crowd.nodes[i].start(crowd.now));
+    crowd.run(std::chrono::milliseconds(*rc::gen::inRange(0, 400)));
+  }
+  crowd.run(3s);
+  std::map<std::uint8_t, int> holders;
+  for (const auto& node : crowd.nodes) {
+    RC_ASSERT(node.address().has_value() != node.cannot_claim());
+    if (node.address()) RC_ASSERT(++holders[*node.address()] == 1);
+  }
 }
 
 RC_GTEST_PROP(AddressClaim, ANodeNeverHoldsAnAddressAgainstALowerName, ()) {

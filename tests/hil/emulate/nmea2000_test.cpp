@@ -83,5 +83,29 @@ TEST(EmulatedNmea2000Device, AnswersARequestForItsAddressClaim) {
   EXPECT_EQ(of_pgn(sent, 0x0EEFF).size(), before + 1);
 }
 
+// PGN 65240 by the transport protocol: 9 bytes in two packets, NAME and address.
+TEST(EmulatedNmea2000Device, TakesTheAddressThatABroadcastCommandsIt) {
+  const Frozen trajectory(under_way());
+  const auto depth =
+      make_emulated_device(device(DeviceKind::depth, "nmea2000"), trajectory, 1).value();
+  Recorder sent;
+  sent.run(*depth, at_s(0.5));
+  const auto name = of_pgn(sent, 0x0EEFF).at(0).data;
+  const auto hears = [&](std::uint32_t id, std::array<std::uint8_t, 8> data) {
+    wire::CanFrame frame;
+    frame.id = id;
+    frame.extended = true;
+    frame.size = 8;
+    std::copy(data.begin(), data.end(), frame.data.begin());
+    depth->receive(frame, sent.now, sent);
+  };
+  hears(0x1CECFF01, {0x20, 9, 0, 2, 0xFF, 0xD8, 0xFE, 0x00});
+  hears(0x1CEBFF01, {1, name[0], name[1], name[2], name[3], name[4], name[5], name[6]});
+  hears(0x1CEBFF01, {2, name[7], 0x9A, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF});
+  EXPECT_EQ(sent.frames.back().frame.id, 0x18EEFF9A);
+  sent.run(*depth, at_s(2.5));
+  EXPECT_EQ(of_pgn(sent, 130314).back().id & 0xFF, 0x9AU);
+}
+
 }  // namespace
 }  // namespace drydock::emulate

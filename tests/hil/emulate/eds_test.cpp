@@ -1,0 +1,121 @@
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <map>
+
+#include "drivers/wire/canopen_sdo.hpp"
+#include "tests/hil/emulate/bench.hpp"
+
+/// The electronic data sheets (CiA 306) say what the emulated nodes answer.
+namespace drydock::emulate {
+namespace {
+
+namespace canopen = wire::canopen;
+using rig_config::DeviceKind;
+using Section = std::map<std::string, std::string>;
+
+std::map<std::string, Section> sections_of(const std::string& name) {
+  std::ifstream file(DRYDOCK_SOURCE_DIR "/rig_config/eds/" + name + ".eds");
+  std::map<std::string, Section> sections;
+  std::string current;
+  for (std::string line; std::getline(file, line);) {
+    const auto equals = line.find('=');
+    if (line.starts_with('[')) {
+      current = line.substr(1, line.size() - 2);
+    } else if (equals != std::string::npos) {
+      sections[current][line.substr(0, equals)] = line.substr(equals + 1);
+    }
+  }
+  return sections;
+}
+
+struct Variable {
+  canopen::ObjectEntry entry;
+  unsigned bits = 0;
+  std::optional<std::uint32_t> value;  ///< by default
+  bool mappable = false;
+};
+
+constexpr std::uint8_t node = 1;
+
+unsigned bits_of(const std::string& data_type) {
+  switch (std::stoul(data_type, nullptr, 16)) {
+    case 0x5: return 8;
+    case 0x6: return 16;
+    default: return 32;  // UNSIGNED32, INTEGER32, REAL32
+  }
+}
+
+std::uint32_t number(std::string text) {
+  constexpr std::string_view of_node = "$NODEID+";
+  const bool relative = text.starts_with(of_node);
+  if (relative) text.erase(0, of_node.size());
+  return static_cast<std::uint32_t>(std::stoul(text, nullptr, 0)) + (relative ? node : 0);
+}
+
+std::vector<Variable> variables_of(const std::string& name) {
+  std::vector<Variable> variables;
+  for (const auto& [title, section] : sections_of(name)) {
+    const auto type = section.find("DataType");
+    if (type == section.end()) continue;
+    Variable v;
+    v.entry.index = static_cast<std::uint16_t>(std::stoul(title.substr(0, 4), nullptr, 16));
+    if (title.size() > 4) {
+      v.entry.subindex = static_cast<std::uint8_t>(std::stoul(title.substr(7), nullptr, 16));
+    }
+    v.bits = bits_of(type->second);
+    v.mappable = section.at("PDOMapping") == "1";
+    const auto value = section.find("DefaultValue");
+    if (value != section.end()) v.value = number(value->second);
+    variables.push_back(v);
+  }
+  return variables;
+}
+
+class EdsOf : public testing::TestWithParam<std::tuple<const char*, DeviceKind>> {};
+
+TEST_P(EdsOf, EveryObjectIsAnsweredWithItsSizeAndDefault) {
+  const auto [name, kind] = GetParam();
+  const Frozen trajectory(under_way());
+  const auto device_under_test =
+      make_emulated_device(device(kind, name, 10), trajectory, 1).value();
+  Recorder sent;
+  sent.run(*device_under_test, start);
+  const auto variables = variables_of(name);
+  EXPECT_GT(variables.size(), 10U);
+  for (const Variable& v : variables) {
+    sent.frames.clear();
+    device_under_test->receive(canopen::encode(canopen::SdoRead{node, v.entry}), sent.now, sent);
+    ASSERT_EQ(sent.frames.size(), 1U);
+    const auto answer = canopen::decode_sdo_response(sent.frames[0].frame);
+    const auto* found = answer ? std::get_if<canopen::SdoValue>(&*answer) : nullptr;
+    ASSERT_NE(found, nullptr) << std::hex << v.entry.index << "sub" << unsigned{v.entry.subindex};
+    EXPECT_EQ(8U * found->size, v.bits) << std::hex << v.entry.index;
+    if (v.value) {
+      EXPECT_EQ(found->value, *v.value) << std::hex << v.entry.index;
+    }
+  }
+}
+
+TEST_P(EdsOf, WhatIsMappedIsInTheSheetAndMayBeMapped) {
+  const auto variables = variables_of(std::get<0>(GetParam()));
+  unsigned mapped = 0;
+  for (const Variable& v : variables) {
+    if ((v.entry.index & 0xFF00) != 0x1A00 || v.entry.subindex == 0) continue;
+    const auto target = std::find_if(variables.begin(), variables.end(), [&](const Variable& t) {
+      return t.entry.index == *v.value >> 16 && t.entry.subindex == (*v.value >> 8 & 0xFF);
+    });
+    ASSERT_NE(target, variables.end());
+    EXPECT_TRUE(target->mappable);
+    EXPECT_EQ(target->bits, *v.value & 0xFF);
+    ++mapped;
+  }
+  EXPECT_GT(mapped, 1U);
+}
+
+INSTANTIATE_TEST_SUITE_P(Eds, EdsOf,
+                         testing::Values(std::tuple{"cia404-imu", DeviceKind::imu},
+                                         std::tuple{"cia404-pressure", DeviceKind::depth}));
+
+}  // namespace
+}  // namespace drydock::emulate
