@@ -1,11 +1,7 @@
 #include "drivers/cli/decode.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <unistd.h>
 
-#include <algorithm>
-#include <cerrno>
 #include <cstring>
 #include <map>
 #include <memory>
@@ -13,48 +9,21 @@
 #include <variant>
 #include <vector>
 
+#include "drivers/capture/comment_head.hpp"
+#include "drivers/capture/file_blocks.hpp"
+#include "drivers/capture/frame_capture.hpp"
 #include "drivers/cli/json_lines.hpp"
 #include "drivers/measurement/stamp.hpp"
-#include "drivers/wire/candump.hpp"
 #include "drivers/wire/registry.hpp"
 
 namespace drydock::cli {
 
 namespace {
 
-/// The capture as blocks of bytes.
-class Source {
- public:
-  explicit Source(const std::string& file)
-      : owned_(!file.empty() && file != "-"),
-        fd_(owned_ ? ::open(file.c_str(), O_RDONLY | O_CLOEXEC) : STDIN_FILENO) {
-    error_ = fd_ < 0 ? errno : 0;
-  }
-  ~Source() {
-    if (owned_ && fd_ >= 0) ::close(fd_);
-  }
-  Source(const Source&) = delete;
-  Source& operator=(const Source&) = delete;
+using capture::FileBlocks;
+using capture::FrameCapture;
 
-  /// The next bytes, none at the end or after an error.
-  wire::Bytes read() {
-    if (error_) return {};
-    ssize_t size = 0;
-    do size = ::read(fd_, block_.data(), block_.size());
-    while (size < 0 && errno == EINTR);
-    if (size < 0) error_ = errno;
-    return {block_.data(), static_cast<std::size_t>(std::max<ssize_t>(size, 0))};
-  }
-  /// Whether the last read gave all that a read can give: more is likely to wait.
-  bool likely_more(wire::Bytes last) const { return last.size() == block_.size(); }
-  int error() const { return error_; }
-
- private:
-  bool owned_;
-  int fd_;
-  int error_ = 0;
-  std::vector<std::uint8_t> block_ = std::vector<std::uint8_t>(64 * 1024);
-};
+constexpr std::string_view raw_format = "raw";
 
 /// Where messages go: to lines, or to a count for each type.
 class Sink {
@@ -66,10 +35,11 @@ class Sink {
     put(message, [](JsonWriter&) {});
   }
   template <class Variant>
-  void message(const Variant& message, const wire::candump::Line& line) {
+  void message(const Variant& message, const capture::Record& record) {
     put(message, [&](JsonWriter& json) {
-      json.field("time_s", measurement::seconds(line.time));
-      json.field("interface", line.interface);
+      using Seconds = std::optional<double>;
+      json.field("time_s", record.time ? Seconds(measurement::seconds(*record.time)) : Seconds());
+      json.field("interface", record.interface);
     });
   }
   bool flush() { return lines_.flush(); }
@@ -109,57 +79,80 @@ class Sink {
   std::uint64_t messages_ = 0;
 };
 
-/// Reads to the end, cutting frames by `scan`; false when the output cannot be written.
-template <std::size_t Capacity, class Scan, class OnFrame>
-bool run(Source& source, Sink& sink, wire::Framer<Capacity>& framer, Scan&& scan,
-         OnFrame&& on_frame, wire::StreamCounters& counters) {
-  for (wire::Bytes bytes = source.read(); !bytes.empty(); bytes = source.read()) {
-    framer.feed(bytes, scan, on_frame);
-    if (!source.likely_more(bytes) && !sink.flush()) return false;  // a live line: show it now
+/// A byte capture to its end; false when the output cannot be written.
+template <wire::ByteProtocol P>
+bool decode_bytes(FileBlocks& blocks, bool raw, Sink& sink, wire::StreamCounters& counters) {
+  const auto framer = std::make_unique<wire::Framer<P::max_frame>>();
+  capture::CommentHead head;
+  const auto on_frame = [&](wire::Bytes frame, std::size_t) {
+    if (const auto message = P::decode(frame)) sink.message(*message);
+  };
+  for (wire::Bytes block = blocks.read(); !block.empty(); block = blocks.read()) {
+    framer->feed(raw ? block : head.without(block), P::scan, on_frame);
+    if (!blocks.likely_more(block) && !sink.flush()) return false;  // a live line: show it now
   }
-  const auto [total, frames] = std::pair(framer.counters().bytes_in, framer.counters().frames);
+  const auto [total, frames] = std::pair(framer->counters().bytes_in, framer->counters().frames);
   constexpr std::uint8_t line_end[] = {'\n'};  // which the last line of a capture may lack
-  if (framer.held() > 0) framer.feed(line_end, scan, on_frame);
-  const bool lent = framer.counters().bytes_in > total && framer.counters().frames == frames;
-  framer.finish(scan, on_frame);
-  counters = framer.counters();
+  if (framer->held() > 0) framer->feed(line_end, P::scan, on_frame);
+  const bool lent = framer->counters().bytes_in > total && framer->counters().frames == frames;
+  framer->finish(P::scan, on_frame);
+  counters = framer->counters();
   counters.bytes_skipped -= lent;
   sink.finish();
   return sink.flush();
 }
 
-template <wire::ByteProtocol P>
-bool decode_bytes(Source& source, Sink& sink, wire::StreamCounters& counters) {
-  const auto framer = std::make_unique<wire::Framer<P::max_frame>>();
-  return run(
-      source, sink, *framer, P::scan,
-      [&](wire::Bytes frame, std::size_t) {
-        if (const auto message = P::decode(frame)) sink.message(*message);
-      },
-      counters);
-}
-
+/// A CAN capture to its end; false when the output cannot be written.
 template <wire::FrameProtocol P>
-bool decode_frames(Source& source, Sink& sink, wire::StreamCounters& counters) {
+bool decode_frames(FileBlocks& blocks, FrameCapture& frames, Sink& sink,
+                   wire::StreamCounters& counters) {
   std::map<std::string, typename P::Decoder, std::less<>> buses;  // each assembles on its own
-  wire::Framer<wire::Candump::max_frame> framer;
-  const auto on_line = [&](wire::Bytes text, std::size_t) {
-    const auto decoded = wire::Candump::decode(text);
-    if (!decoded) return;
-    const auto& line = std::get<wire::candump::Line>(*decoded);
-    auto bus = buses.find(line.interface);
-    if (bus == buses.end()) bus = buses.try_emplace(std::string(line.interface)).first;
-    if (const auto message = bus->second.receive(line.frame)) sink.message(*message, line);
+  const auto drain = [&] {
+    while (const auto record = frames.next()) {
+      auto bus = buses.find(record->interface);
+      if (bus == buses.end()) bus = buses.try_emplace(std::string(record->interface)).first;
+      if (const auto message = bus->second.receive(record->frame)) sink.message(*message, *record);
+    }
   };
-  const bool written = run(source, sink, framer, wire::Candump::scan, on_line, counters);
+  for (wire::Bytes block = blocks.read(); !block.empty(); block = blocks.read()) {
+    frames.feed(block);
+    drain();
+    if (frames.unknown()) return true;
+    if (!blocks.likely_more(block) && !sink.flush()) return false;
+  }
+  frames.finish();
+  drain();
   for (const auto& [name, decoder] : buses)
     counters.bad_checksums += decoder.counters().bad_checksums;
-  return written;
+  counters.frames = frames.tally().frames;
+  counters.bytes_skipped = frames.tally().bytes_skipped;
+  sink.finish();
+  return sink.flush();
 }
 
 template <class... P>
 void append_names(wire::ProtocolList<P...>, std::string& names) {
   ((names += fmt::format("{}{}", names.empty() ? "" : ", ", P::name)), ...);
+}
+
+/// Whether the list has a protocol of that name.
+template <class List>
+bool knows(List list, std::string_view name) {
+  return wire::with_protocol(list, name, []<class P>() {});
+}
+
+int refuse(std::FILE* err, const std::string& why) {
+  fmt::print(err, "decode: {}\n", why);
+  return 2;
+}
+
+void print_totals(std::FILE* err, const wire::StreamCounters& counters, std::uint64_t messages,
+                  const FrameCapture& capture) {
+  if (capture.format() != nullptr) fmt::print(err, "{}: ", capture.format()->name);
+  fmt::print(err, "{} frames, {} messages, {} bad checksums, {} bytes skipped\n", counters.frames,
+             messages, counters.bad_checksums, counters.bytes_skipped);
+  const std::string damage = capture::damage_text(capture.tally());
+  if (!damage.empty()) fmt::print(err, "{}\n", damage);
 }
 
 }  // namespace
@@ -168,37 +161,50 @@ std::string decode_protocols() {
   std::string names;
   append_names(wire::BytesProtocols{}, names);
   append_names(wire::FrameProtocols{}, names);
+  append_names(wire::FramesAsTheyAre{}, names);
   append_names(wire::FrameCarriers{}, names);
   return names;
 }
 
+std::string decode_formats() { return fmt::format("{}, {}", raw_format, capture::format_names()); }
+
 int decode(const DecodeOptions& options, std::FILE* out, std::FILE* err) {
-  Source source(options.file);
+  const std::string& protocol = options.protocol;
+  const bool from_frames =
+      knows(wire::FrameProtocols{}, protocol) || knows(wire::FramesAsTheyAre{}, protocol);
+  if (!from_frames && !knows(wire::BytesProtocols{}, protocol) &&
+      !knows(wire::FrameCarriers{}, protocol)) {
+    return refuse(
+        err, fmt::format("unknown protocol \"{}\", allowed: {}", protocol, decode_protocols()));
+  }
+  const capture::Format* format = from_frames ? capture::find_format(options.format) : nullptr;
+  const bool raw = !from_frames && options.format == raw_format;
+  if (!options.format.empty() && format == nullptr && !raw) {
+    return refuse(err, fmt::format("no format \"{}\" with protocol {}, allowed: {}", options.format,
+                                   protocol, from_frames ? capture::format_names() : raw_format));
+  }
+
+  const std::string file = options.file.empty() ? "standard input" : options.file;
+  FileBlocks blocks(options.file);
+  FrameCapture capture(format);
   Sink sink(options, out);
   wire::StreamCounters counters;
   bool written = false;
-  const auto bytes = [&]<class P>() { written = decode_bytes<P>(source, sink, counters); };
-  const auto frames = [&]<class P>() { written = decode_frames<P>(source, sink, counters); };
-  if (!wire::with_protocol(wire::BytesProtocols{}, options.protocol, bytes) &&
-      !wire::with_protocol(wire::FrameCarriers{}, options.protocol, bytes) &&
-      !wire::with_protocol(wire::FrameProtocols{}, options.protocol, frames)) {
-    fmt::print(err, "decode: unknown protocol \"{}\", allowed: {}\n", options.protocol,
-               decode_protocols());
-    return 2;
+  const auto bytes = [&]<class P>() { written = decode_bytes<P>(blocks, raw, sink, counters); };
+  const auto frames = [&]<class P>() {
+    written = decode_frames<P>(blocks, capture, sink, counters);
+  };
+  wire::with_protocol(wire::BytesProtocols{}, protocol, bytes);
+  wire::with_protocol(wire::FrameCarriers{}, protocol, bytes);
+  wire::with_protocol(wire::FrameProtocols{}, protocol, frames);
+  wire::with_protocol(wire::FramesAsTheyAre{}, protocol, frames);
+
+  if (blocks.error() != 0) {
+    return refuse(err, fmt::format("cannot read {}: {}", file, std::strerror(blocks.error())));
   }
-  if (source.error()) {
-    fmt::print(err, "decode: cannot read {}: {}\n",
-               options.file.empty() ? "standard input" : options.file,
-               std::strerror(source.error()));
-    return 2;
-  }
-  if (!written) {
-    fmt::print(err, "decode: cannot write the output\n");
-    return 2;
-  }
-  if (!options.quiet)
-    fmt::print(err, "{} frames, {} messages, {} bad checksums, {} bytes skipped\n", counters.frames,
-               sink.messages(), counters.bad_checksums, counters.bytes_skipped);
+  if (capture.unknown()) return refuse(err, capture::unknown_format_text(file));
+  if (!written) return refuse(err, "cannot write the output");
+  if (!options.quiet) print_totals(err, counters, sink.messages(), capture);
   return sink.messages() > 0 ? 0 : 1;
 }
 

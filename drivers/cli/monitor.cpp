@@ -88,8 +88,9 @@ std::unique_ptr<Screen> make_screen(const std::string& protocol, link::Carries c
     wire::with_protocol(wire::BytesProtocols{}, protocol,
                         [&]<class P>() { screen = std::make_unique<ByteScreen<P>>(); });
   } else {
-    wire::with_protocol(wire::FrameProtocols{}, protocol,
-                        [&]<class P>() { screen = std::make_unique<FrameScreen<P>>(); });
+    const auto make = [&]<class P>() { screen = std::make_unique<FrameScreen<P>>(); };
+    wire::with_protocol(wire::FrameProtocols{}, protocol, make);
+    wire::with_protocol(wire::FramesAsTheyAre{}, protocol, make);
   }
   return screen;
 }
@@ -175,10 +176,15 @@ int monitor(const MonitorOptions& options) {
     fmt::print(stderr, "monitor: {}\n", uri.error().message);
     return 2;
   }
-  const auto screen = make_screen(options.protocol, uri->carries());
+  auto carries = uri->carries();
+  auto screen = make_screen(options.protocol, carries);
+  if (!screen && uri->recorded()) {
+    carries = link::Carries::frames;
+    screen = make_screen(options.protocol, carries);
+  }
   if (!screen) {
     fmt::print(stderr, "monitor: a {} link carries no protocol \"{}\"; allowed: {}\n",
-               uri->carries() == link::Carries::bytes ? "byte" : "CAN", options.protocol,
+               carries == link::Carries::bytes ? "byte" : "CAN", options.protocol,
                decode_protocols());
     return 2;
   }
@@ -188,7 +194,7 @@ int monitor(const MonitorOptions& options) {
     fmt::print(stderr, "monitor: {}\n", opened.error().message);
     return 2;
   };
-  return uri->carries() == link::Carries::bytes
+  return carries == link::Carries::bytes
              ? watch_opened(link::open_bytes(io.get_executor(), *uri, link::Side::driver))
              : watch_opened(link::open_frames(io.get_executor(), *uri, link::Side::driver));
 }

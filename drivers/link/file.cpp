@@ -8,8 +8,8 @@
 #include <boost/asio/post.hpp>
 #include <boost/asio/steady_timer.hpp>
 #include <chrono>
-#include <cstdlib>
 
+#include "drivers/capture/comment_head.hpp"
 #include "drivers/link/descriptor.hpp"
 
 namespace drydock::link {
@@ -23,9 +23,11 @@ constexpr double chunk_seconds = 0.004;  // as a UART's FIFO hands bytes over
 class FileLink final : public ByteLink {
  public:
   /// `bytes_per_second` 0: no pacing.
-  FileLink(const asio::any_io_executor& executor, Descriptor file, double bytes_per_second)
+  FileLink(const asio::any_io_executor& executor, Descriptor file, const Uri& uri,
+           double bytes_per_second)
       : executor_(executor),
         file_(std::move(file)),
+        raw_(uri.text_of("format") == "raw"),
         bytes_per_second_(bytes_per_second),
         pace_(executor) {}
 
@@ -50,14 +52,30 @@ class FileLink final : public ByteLink {
     return start_ + std::chrono::duration_cast<SteadyClock::duration>(after);
   }
 
+  /// Bytes behind the head's comments, at the front of `into`; as ::read.
+  ssize_t read_file(std::span<std::uint8_t> into);
+
   asio::any_io_executor executor_;
   Descriptor file_;
+  bool raw_;
+  capture::CommentHead head_;
   double bytes_per_second_;
   asio::steady_timer pace_;
   SteadyClock::time_point start_{};
   std::size_t delivered_ = 0;
   bool closed_ = false;
 };
+
+ssize_t FileLink::read_file(std::span<std::uint8_t> into) {
+  for (;;) {
+    const ssize_t size = ::read(file_.get(), into.data(), into.size());
+    if (size <= 0 || raw_) return size;
+    const wire::Bytes rest = head_.without(into.first(static_cast<std::size_t>(size)));
+    if (rest.empty()) continue;
+    std::copy(rest.begin(), rest.end(), into.begin());
+    return static_cast<ssize_t>(rest.size());
+  }
+}
 
 Task<ReceivedBytes> FileLink::read(std::span<std::uint8_t> into) {
   // Others get their turn even when the file is faster than everything.
@@ -69,7 +87,7 @@ Task<ReceivedBytes> FileLink::read(std::span<std::uint8_t> into) {
     into = into.first(std::min(into.size(), std::max<std::size_t>(chunk, 1)));
     if (delivered_ == 0) start_ = SteadyClock::now();
   }
-  const ssize_t size = ::read(file_.get(), into.data(), into.size());
+  const ssize_t size = read_file(into);
   if (size < 0) co_return system_error(errno);
   if (size == 0) co_return ErrorCode(asio::error::eof);
   delivered_ += static_cast<std::size_t>(size);
@@ -82,26 +100,29 @@ Task<ReceivedBytes> FileLink::read(std::span<std::uint8_t> into) {
 }
 
 double bytes_per_second(const Uri& uri) {
-  const auto speed = uri.query.find("speed");
-  const bool is_written = speed != uri.query.end();
-  if (!uri.baud() || (is_written && speed->second == "max")) return 0;
-  const double factor = is_written ? std::strtod(speed->second.c_str(), nullptr) : 1;
-  return *uri.baud() * factor / bits_per_byte;
+  return uri.baud().value_or(0) * uri.speed().value_or(1) / bits_per_byte;
 }
 
 }  // namespace
 
-OpenedBytes open_file(const asio::any_io_executor& executor, const Uri& uri, Side side) {
+std::optional<OpenError> refuse_file(const Uri& uri, Side side, Carries what) {
   if (side == Side::device)
     return OpenError{asio::error::operation_not_supported,
                      uri.target + " is a recording: no emulated device can stand behind it"};
-  Descriptor file(::open(uri.target.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
-  if (!file) return open_error(errno, "cannot open " + uri.target);
+  if (std::string misfit = recording_misfit(uri, what); !misfit.empty())
+    return OpenError{asio::error::invalid_argument, std::move(misfit)};
   struct stat info {};
-  if (::fstat(file.get(), &info) != 0) return open_error(errno, "cannot open " + uri.target);
+  if (::stat(uri.target.c_str(), &info) != 0) return open_error(errno, "cannot open " + uri.target);
   if (!S_ISREG(info.st_mode))
     return OpenError{asio::error::invalid_argument, uri.target + " is no regular file"};
-  return std::make_unique<FileLink>(executor, std::move(file), bytes_per_second(uri));
+  return std::nullopt;
+}
+
+OpenedBytes open_file(const asio::any_io_executor& executor, const Uri& uri, Side side) {
+  if (auto refused = refuse_file(uri, side, Carries::bytes)) return std::move(*refused);
+  Descriptor file(::open(uri.target.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
+  if (!file) return open_error(errno, "cannot open " + uri.target);
+  return std::make_unique<FileLink>(executor, std::move(file), uri, bytes_per_second(uri));
 }
 
 }  // namespace drydock::link

@@ -2,6 +2,7 @@
 
 #include "drivers/link/can_auto.hpp"
 #include "drivers/link/file.hpp"
+#include "drivers/link/frame_file.hpp"
 #include "drivers/link/frame_hub.hpp"
 #include "drivers/link/link.hpp"
 #include "drivers/link/memory.hpp"
@@ -44,6 +45,7 @@ boost::system::result<std::unique_ptr<FrameLink>, OpenError> open_frames(
     case Scheme::slcan: return open_slcan(executor, uri, side);
     case Scheme::memory_can: return open_memory_can(executor, uri);
     case Scheme::can_auto: return open_can_auto(executor, uri, side);
+    case Scheme::file: return open_frame_file(executor, uri, side);
     default: return wrong_kind(uri, "CAN frames but bytes");
   }
 }

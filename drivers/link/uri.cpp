@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <stdexcept>
 
+#include "drivers/capture/format.hpp"
 #include "drivers/link/uri_forms.hpp"
 
 namespace drydock::link {
@@ -77,12 +78,7 @@ std::string check_slcan(const Uri& uri) {
 std::string check_whole(const Uri& uri) {
   if (uri.scheme == Scheme::serial && !uri.baud())
     return "serial needs a baud rate, for example " + std::string(form_of(uri.scheme).example);
-  if (uri.scheme == Scheme::slcan) return check_slcan(uri);
-  const auto factor = uri.query.find("speed");
-  if (factor != uri.query.end() && factor->second != "max" && !uri.baud())
-    return "speed=" + factor->second + " needs the baud rate of the recorded line, for example " +
-           std::string(form_of(Scheme::file).example);
-  return {};
+  return uri.scheme == Scheme::slcan ? check_slcan(uri) : std::string();
 }
 
 const Form* find_form(std::string_view name) {
@@ -130,6 +126,20 @@ boost::system::result<Uri, UriError> parse_uri(std::string_view text) {
   return uri;
 }
 
+std::string recording_misfit(const Uri& file, Carries what) {
+  const std::string_view format = file.text_of("format");
+  std::string problem;
+  if (what == Carries::frames && format == "raw")
+    problem = "format=raw is for bytes; for CAN frames there are " + capture::format_names();
+  if (what == Carries::bytes && !format.empty() && format != "raw")
+    problem = "format=" + std::string(format) + " is for CAN frames; for bytes there is raw";
+  if (what == Carries::bytes && file.speed().value_or(0) > 0 && !file.baud())
+    problem = "speed=" + std::string(file.text_of("speed")) +
+              " needs the baud rate of the recorded line, for example " +
+              std::string(form_of(Scheme::file).example);
+  return problem.empty() ? problem : in_quotes(file.text) + ": " + problem;
+}
+
 Uri line_under_slcan(const Uri& slcan) { return parse_uri(line_text(slcan)).value(); }
 
 Carries Uri::carries() const { return scheme <= Scheme::memory ? Carries::bytes : Carries::frames; }
@@ -146,9 +156,18 @@ bool Uri::emulated() const {
   }
 }
 
-bool Uri::flag(std::string_view key) const {
+std::string_view Uri::text_of(std::string_view key) const {
   const auto found = query.find(std::string(key));
-  return found != query.end() && found->second == "1";
+  return found == query.end() ? std::string_view{} : std::string_view(found->second);
+}
+
+bool Uri::flag(std::string_view key) const { return text_of(key) == "1"; }
+
+std::optional<double> Uri::speed() const {
+  const std::string_view written = text_of("speed");
+  double factor = 0;  // "max"
+  std::from_chars(written.data(), written.data() + written.size(), factor);
+  return written.empty() ? std::nullopt : std::optional(factor);
 }
 
 namespace {

@@ -5,6 +5,8 @@
 #include <charconv>
 #include <system_error>
 
+#include "drivers/capture/format.hpp"
+
 namespace drydock::link {
 namespace {
 
@@ -59,10 +61,17 @@ bool is_host_and_port(std::string_view text) {
          is_within<1, 65535>(text.substr(colon + 1));
 }
 
+bool is_capture_format(std::string_view text) {
+  return text == "raw" || capture::find_format(text) != nullptr;
+}
+
 constexpr Key baud{"baud", "50 to 12000000", is_within<50, 12'000'000>};
 constexpr Key parity{"parity", "none even odd", is_parity};
 constexpr Key stop{"stop", "1 2", is_within<1, 2>};
 constexpr Key speed{"speed", "max, 1 (as fast as the line was) or another factor", is_speed};
+constexpr Key format{"format", "raw candump-log candump-screen asc trc canboat pcap pcapng",
+                     is_capture_format};
+constexpr Key interface { "interface", "up to 15 letters, digits, _ - .", is_interface };
 constexpr Key fd{"fd", "0 1", is_flag};
 constexpr Key echo{"echo", "0 1", is_flag};
 constexpr Key listen{"listen", "0 1", is_flag};
@@ -92,7 +101,12 @@ constexpr std::array<Form, 10> forms{{
      "udp:0.0.0.0:10110?listen=1",
      is_host_and_port,
      {listen, emulated}},
-    {Scheme::file, "file", "a path", "file:dive.log?speed=1&baud=38400", is_path, {speed, baud}},
+    {Scheme::file,
+     "file",
+     "a path",
+     "file:dive.log?speed=1&baud=38400",
+     is_path,
+     {speed, baud, format, interface}},
     {Scheme::memory, "memory", "a name without /", "memory:dvl", is_name, {baud}},
     {Scheme::socketcan,
      "socketcan",

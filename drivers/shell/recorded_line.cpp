@@ -17,6 +17,7 @@ RecordedLine::RecordedLine(const link::Uri& uri, DeviceActor& driver, Stamp star
     : file_(uri.target, std::ios::binary),
       driver_(driver),
       byte_time_(bits_per_byte * 1'000'000'000 / uri.baud().value_or(default_baud)),
+      raw_(uri.text_of("format") == "raw"),
       chunk_(bytes_per_step) {
   if (!file_) {
     throw std::runtime_error("cannot open the recording " + uri.target + ": " +
@@ -32,7 +33,9 @@ void RecordedLine::act(Stamp now) {
     next_.reset();
     return;
   }
-  driver_.receive(wire::Bytes{reinterpret_cast<const std::uint8_t*>(chunk_.data()), n}, now);
+  const wire::Bytes read{reinterpret_cast<const std::uint8_t*>(chunk_.data()), n};
+  const wire::Bytes bytes = raw_ ? read : head_.without(read);
+  if (!bytes.empty()) driver_.receive(bytes, now);
   next_ = now + byte_time_ * static_cast<std::int64_t>(bytes_per_step);
 }
 

@@ -3,13 +3,15 @@
 #include <fstream>
 #include <vector>
 
+#include "drivers/capture/comment_head.hpp"
 #include "drivers/link/uri.hpp"
 #include "drivers/shell/device_actor.hpp"
 
 namespace drydock::shell {
 
 /// A recording of raw bytes (`file:` link) in the lockstep shell: its bytes arrive at the driver at
-/// the line's baud rate, in virtual time. At the end of the file the line falls silent.
+/// the line's baud rate, in virtual time, behind the head's comments. At the end of the file the
+/// line falls silent.
 class RecordedLine final : public Actor {
  public:
   /// Throws std::runtime_error with one line when the file cannot be opened.
@@ -22,6 +24,8 @@ class RecordedLine final : public Actor {
   std::ifstream file_;
   DeviceActor& driver_;
   std::chrono::nanoseconds byte_time_;
+  bool raw_;
+  capture::CommentHead head_;
   std::vector<char> chunk_;
   std::optional<Stamp> next_;
 };

@@ -107,14 +107,19 @@ boost::system::result<std::vector<std::unique_ptr<device::Device>>, RigDevicesEr
     const auto uri = link::parse_uri(config.link);
     auto made = device::Device::make(std::move(*options));
     if (!made) return error_in(rig, config, made.error().message);
-    if ((*made)->on_bus() != (uri->carries() == link::Carries::frames)) {
+    const auto needed = (*made)->on_bus() ? link::Carries::frames : link::Carries::bytes;
+    if (!uri->may_carry(needed)) {
       return error_in(
           rig, config,
           (*made)->on_bus()
               ? "protocol \"" + config.protocol + "\" needs a CAN link, \"" + config.link +
-                    "\" carries bytes; allowed: socketcan slcan memory-can can:auto"
+                    "\" carries bytes; allowed: socketcan slcan memory-can can:auto file"
               : "protocol \"" + config.protocol + "\" needs a byte link, \"" + config.link +
                     "\" carries CAN frames; allowed: serial pty tcp udp file memory");
+    }
+    if (uri->recorded()) {
+      const std::string misfit = link::recording_misfit(*uri, needed);
+      if (!misfit.empty()) return error_in(rig, config, misfit);
     }
     devices.push_back(std::move(*made));
   }

@@ -16,12 +16,6 @@ constexpr std::uint32_t error_flag = 0x20000000;
 constexpr std::uint32_t max_standard_id = 0x7FF, max_extended_id = 0x1FFFFFFF;
 constexpr std::size_t longest_interface = 21;  // what canplayer takes; Linux itself 15
 
-bool is_end(std::uint8_t byte) { return byte == '\n' || byte == '\r'; }
-
-std::string_view as_text(Bytes bytes) {
-  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
-}
-
 std::optional<std::uint64_t> parse_decimal(std::string_view digits) {
   std::uint64_t value = 0;
   const char* const end = digits.data() + digits.size();
@@ -40,18 +34,6 @@ std::optional<std::chrono::nanoseconds> parse_time(std::string_view text) {
   if (!seconds || !fraction || *seconds >= 9223372036 || decimals.size() > 9) return std::nullopt;
   for (std::size_t i = decimals.size(); i < 9; ++i) *fraction *= 10;
   return std::chrono::nanoseconds{static_cast<std::int64_t>(*seconds * 1000000000 + *fraction)};
-}
-
-bool parse_identifier(std::string_view text, CanFrame& frame) {
-  const auto id = parse_hex(text);
-  if (!id) return false;
-  frame.id = *id;
-  if (text.size() == 3) return *id <= max_standard_id;
-  if (text.size() != 8) return false;
-  frame.error = (*id & error_flag) != 0;
-  frame.extended = !frame.error;
-  frame.id = *id & ~error_flag;
-  return frame.id <= max_extended_id;
 }
 
 /// Pairs of hex digits, dots between the bytes allowed.
@@ -125,8 +107,21 @@ Direction cut_direction(std::string_view& rest) {
   return Direction::unknown;
 }
 
-/// A line without its end.
-std::optional<Line> parse_line(std::string_view rest) {
+}  // namespace
+
+bool candump::parse_identifier(std::string_view text, CanFrame& frame) {
+  const auto id = parse_hex(text);
+  if (!id) return false;
+  frame.id = *id;
+  if (text.size() == 3) return *id <= max_standard_id;
+  if (text.size() != 8) return false;
+  frame.error = (*id & error_flag) != 0;
+  frame.extended = !frame.error;
+  frame.id = *id & ~error_flag;
+  return frame.id <= max_extended_id;
+}
+
+std::optional<Line> candump::parse_line(std::string_view rest) {
   if (rest.empty() || rest[0] != '(') return std::nullopt;
   rest.remove_prefix(1);
   const auto stamp = cut(rest, ')');
@@ -148,38 +143,9 @@ std::optional<Line> parse_line(std::string_view rest) {
   return line;
 }
 
-}  // namespace
-
-Scan Candump::scan(Bytes bytes) {
-  if (bytes.empty()) return Scan::need_more();
-  if (bytes[0] != '(') {
-    const auto sync = std::find(bytes.begin(), bytes.end(), '(');
-    return Scan::skip(static_cast<std::size_t>(sync - bytes.begin()));
-  }
-  const Bytes window = bytes.first(std::min(bytes.size(), max_frame));
-  const auto end = std::find_if(window.begin(), window.end(), is_end);
-  if (end == window.end()) {
-    return window.size() < max_frame ? Scan::need_more() : Scan::bad_checksum();
-  }
-  const auto length = static_cast<std::size_t>(end - window.begin());
-  if (!parse_line(as_text(window.first(length)))) return Scan::bad_checksum();
-  return Scan::frame(length + 1);
-}
-
-std::optional<Candump::Message> Candump::decode(Bytes frame) {
-  if (frame.empty() || !is_end(frame.back())) return std::nullopt;
-  if (auto line = parse_line(as_text(frame.first(frame.size() - 1)))) return *line;
-  return std::nullopt;
-}
-
 }  // namespace drydock::wire
 
 namespace drydock::wire::candump {
-
-std::string_view to_string(Direction direction) {
-  constexpr std::array<std::string_view, 3> names{"unknown", "received", "transmitted"};
-  return names[static_cast<std::size_t>(direction)];
-}
 
 namespace {
 
@@ -217,14 +183,6 @@ std::size_t encode(const Line& line, std::span<std::uint8_t> out) {
   if (line.direction == Direction::transmitted) text.put(" T");
   text.put('\n');
   return text.size();
-}
-
-HexText::HexText(Bytes bytes) {
-  constexpr std::string_view symbols = "0123456789ABCDEF";
-  for (const std::uint8_t byte : bytes.first(std::min(bytes.size(), text_.size() / 2))) {
-    text_[size_++] = symbols[byte >> 4];
-    text_[size_++] = symbols[byte & 0xF];
-  }
 }
 
 }  // namespace drydock::wire::candump

@@ -32,6 +32,23 @@ inline bool parse_hex_bytes(std::string_view digits, std::span<std::uint8_t> out
   return true;
 }
 
+/// Upper-case hex of a frame's data.
+class HexText {
+ public:
+  explicit HexText(std::span<const std::uint8_t> bytes) {
+    constexpr std::string_view symbols = "0123456789ABCDEF";
+    for (const std::uint8_t byte : bytes.first(std::min(bytes.size(), text_.size() / 2))) {
+      text_[size_++] = symbols[byte >> 4];
+      text_[size_++] = symbols[byte & 0xF];
+    }
+  }
+  std::string_view view() const { return {text_.data(), size_}; }
+
+ private:
+  std::array<char, 128> text_{};
+  std::size_t size_ = 0;
+};
+
 /// Writes text into a caller's buffer. What does not fit leaves size() 0: no half line is sent.
 class TextWriter {
  public:

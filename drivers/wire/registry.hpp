@@ -6,7 +6,6 @@
 #include <string_view>
 
 #include "drivers/wire/aceinna.hpp"
-#include "drivers/wire/candump.hpp"
 #include "drivers/wire/cia404_imu.hpp"
 #include "drivers/wire/cia404_pressure.hpp"
 #include "drivers/wire/codec.hpp"
@@ -17,6 +16,7 @@
 #include "drivers/wire/nmea2000.hpp"
 #include "drivers/wire/nortek.hpp"
 #include "drivers/wire/pd0.hpp"
+#include "drivers/wire/raw_can.hpp"
 #include "drivers/wire/slcan.hpp"
 #include "drivers/wire/ubx.hpp"
 #include "drivers/wire/ubx_nmea.hpp"
@@ -53,8 +53,13 @@ using FrameProtocols = ProtocolList<Nmea2000, Aceinna, Cia404Imu, Cia404Pressure
 
 static_assert(requires { all_are_frame_protocols(FrameProtocols{}); });
 
-/// Byte protocols that carry CAN frames: a log of them, and a serial adapter's line.
-using FrameCarriers = ProtocolList<Candump, Slcan>;
+/// The frames themselves, where FrameProtocols are heard.
+using FramesAsTheyAre = ProtocolList<RawCan>;
+
+static_assert(requires { all_are_frame_protocols(FramesAsTheyAre{}); });
+
+/// A byte protocol that carries CAN frames: a serial adapter's line.
+using FrameCarriers = ProtocolList<Slcan>;
 
 static_assert(requires { all_are_byte_protocols(FrameCarriers{}); });
 

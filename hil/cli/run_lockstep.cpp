@@ -10,6 +10,7 @@
 #include "drivers/link/uri.hpp"
 #include "drivers/shell/device_actor.hpp"
 #include "drivers/shell/lockstep.hpp"
+#include "drivers/shell/recorded_bus.hpp"
 #include "drivers/shell/recorded_line.hpp"
 #include "drivers/shell/rig_devices.hpp"
 #include "estimators/cli/rig_pipeline.hpp"
@@ -122,7 +123,11 @@ class LockstepBench final : private device::Listener, private pipeline::Estimate
     auto& actor = *actors_.back();
     clock_.add(actor);
     if (uri->recorded()) {
-      recordings_.push_back(std::make_unique<shell::RecordedLine>(*uri, actor, start_));
+      if (actor.device().on_bus()) {
+        recordings_.push_back(std::make_unique<shell::RecordedBus>(*uri, actor, start_));
+      } else {
+        recordings_.push_back(std::make_unique<shell::RecordedLine>(*uri, actor, start_));
+      }
       clock_.add(*recordings_.back());
     } else if (!uri->emulated()) {
       throw std::runtime_error(fmt::format(
@@ -190,7 +195,7 @@ class LockstepBench final : private device::Listener, private pipeline::Estimate
   std::vector<std::unique_ptr<ToLine>> to_lines_;
   std::vector<std::unique_ptr<shell::DeviceActor>> actors_;
   std::vector<std::unique_ptr<emulate::EmulatedLine>> lines_;
-  std::vector<std::unique_ptr<shell::RecordedLine>> recordings_;
+  std::vector<std::unique_ptr<shell::Actor>> recordings_;
   std::map<std::string, Bus> buses_;
 };
 

@@ -24,9 +24,10 @@ never() { # FOLDER REGEX: system headers that FOLDER keeps out
 
 allow drivers/measurement 'drivers/measurement'
 allow drivers/wire 'drivers/wire'
-allow drivers/link 'drivers/(link|wire|measurement)'
+allow drivers/capture 'drivers/(capture|wire)'
+allow drivers/link 'drivers/(link|capture|wire|measurement)'
 allow drivers/device 'drivers/(device|wire|measurement)'
-allow drivers/shell 'drivers/(shell|device|link|wire|measurement)|rig_config'
+allow drivers/shell 'drivers/(shell|device|link|capture|wire|measurement)|rig_config'
 allow drivers/bus 'drivers/(bus|measurement)'
 allow drivers/cli 'drivers/[a-z]*|rig_config'
 allow estimators/frame 'estimators/frame|drivers/measurement'

@@ -1,3 +1,5 @@
+#include <gmock/gmock.h>
+
 #include <fstream>
 
 #include "tests/drivers/link/running.hpp"
@@ -58,6 +60,66 @@ TEST_F(File, ClosingEndsAPacedRead) {
   link->close();
   ASSERT_TRUE(run_until(io, [&] { return pending->outcome.has_value(); }));
   EXPECT_EQ(pending->outcome->error(), asio::error::operation_aborted);
+}
+
+TEST_F(File, TheCommentsOfItsHeadAreNoBytesOfTheLine) {
+  const Buffer content = bytes("# Name: gps\n# Date\nabc\n# d\n");
+  const auto link = open(io, recording(content), Side::driver);
+  EXPECT_EQ(run(io, read_bytes(*link, 100)).value(), bytes("abc\n# d\n"));
+  const auto raw = open(io, recording(content) + "?format=raw", Side::driver);
+  EXPECT_EQ(run(io, read_bytes(*raw, 100)).value(), content);
+}
+
+class FrameFile : public File {
+ protected:
+  std::unique_ptr<FrameLink> open_capture(const std::string& uri) {
+    return open_frames(io.get_executor(), parse_uri(uri).value(), Side::driver).value();
+  }
+  std::vector<std::uint32_t> identifiers(FrameLink& link) {
+    std::vector<std::uint32_t> ids;
+    for (;;) {
+      const auto frame = run(io, link.read());
+      if (!frame) {
+        EXPECT_EQ(frame.error(), asio::error::eof);
+        return ids;
+      }
+      ids.push_back(frame->frame.id);
+    }
+  }
+};
+
+TEST_F(FrameFile, GivesTheFramesOfACaptureInAnyFormatAndThenItsEnd) {
+  const std::string folder_of_captures = DRYDOCK_SOURCE_DIR "/fixtures/capture/";
+  const std::vector<std::uint32_t> ids{0x123, 0x18EEFF01, 0x7FF, 0x09F80102,
+                                       0,     0x80,       0x321, 0x12345678};
+  for (const char* file : {"frames.log", "hex.asc", "v2.1.trc", "le.pcapng"}) {
+    const auto link = open_capture("file:" + folder_of_captures + file);
+    EXPECT_EQ(identifiers(*link), ids) << file;
+    EXPECT_EQ(link->provenance(), Provenance::replayed);
+  }
+  const auto can1 = open_capture("file:" + folder_of_captures + "frames.log?interface=can1");
+  EXPECT_EQ(identifiers(*can1), (std::vector<std::uint32_t>{0x7FF, 0x09F80102}));
+}
+
+TEST_F(FrameFile, KeepsTheCapturesTimes) {
+  const std::string uri = recording(bytes("(9.00) can0 123#00\n(9.12) can0 124#00\n"));
+  const auto took = [&](const std::string& speed) {
+    const auto begin = std::chrono::steady_clock::now();
+    const auto link = open_capture(uri + speed);
+    EXPECT_EQ(identifiers(*link).size(), 2U);
+    return std::chrono::steady_clock::now() - begin;
+  };
+  EXPECT_GE(took(""), 120ms);
+  EXPECT_GE(took("?speed=2"), 60ms);
+  EXPECT_LT(took("?speed=max"), 60ms);
+}
+
+TEST_F(FrameFile, OfNoKnownFormatIsToldTheFormatsThatAreKnown) {
+  const auto link = open_frames(
+      io.get_executor(), parse_uri(recording(bytes("$GPGGA,1*00\r\n"))).value(), Side::driver);
+  ASSERT_FALSE(link);
+  EXPECT_THAT(link.error().message,
+              ::testing::HasSubstr("no CAN capture of a known format; known are: candump-log, "));
 }
 
 TEST_F(File, OpensOnlyRecordings) {

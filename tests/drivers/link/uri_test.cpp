@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "drivers/capture/format.hpp"
 #include "drivers/link/uri.hpp"
 
 namespace drydock::link {
@@ -116,10 +117,32 @@ TEST(Uri, WhatHasNoSoundDefaultMustBeWritten) {
   EXPECT_EQ(error_of("serial:/dev/ttyS0"),
             "\"serial:/dev/ttyS0\": serial needs a baud rate, for example "
             "serial:/dev/ttyUSB0?baud=115200");
+}
+
+TEST(Uri, ARecordingMayNameEveryFormatOfCaptures) {
+  std::string allowed = "raw";
+  for (const capture::Format& format : capture::formats()) {
+    EXPECT_TRUE(parse_uri("file:can.cap?format=" + std::string(format.name)));
+    allowed.append(" ").append(format.name);
+  }
+  EXPECT_EQ(error_of("file:can.cap?format=zip"),
+            "\"file:can.cap?format=zip\": bad format \"zip\"; allowed: " + allowed);
+}
+
+TEST(Uri, ARecordingsKeysFitWhatItIsToCarry) {
+  const auto misfit = [](const char* uri, Carries what) {
+    return recording_misfit(parse_uri(uri).value(), what);
+  };
   EXPECT_EQ(
-      error_of("file:dive.cap?speed=1"),
+      misfit("file:dive.cap?speed=1", Carries::bytes),
       "\"file:dive.cap?speed=1\": speed=1 needs the baud rate of the recorded line, for example "
       "file:dive.log?speed=1&baud=38400");
+  EXPECT_EQ(misfit("file:can.log?speed=2&format=asc&interface=can1", Carries::frames), "");
+  EXPECT_EQ(misfit("file:dive.cap?format=trc", Carries::bytes),
+            "\"file:dive.cap?format=trc\": format=trc is for CAN frames; for bytes there is raw");
+  EXPECT_EQ(misfit("file:can.log?format=raw", Carries::frames),
+            "\"file:can.log?format=raw\": format=raw is for bytes; for CAN frames there are "
+            "candump-log, candump-screen, asc, trc, canboat, pcap, pcapng");
 }
 
 }  // namespace

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "drivers/wire/candump.hpp"
+#include "drivers/wire/codec.hpp"
 
 /// Reads frames and what they say from fixtures and from the corpora.
 namespace drydock::wire::test {
@@ -41,10 +42,10 @@ inline Bytes as_bytes(std::string_view text) {
 
 /// The frame of `18EEFF01#05A0...`.
 inline CanFrame frame(const std::string& id_and_data) {
-  const std::string line = "(0.0) can0 " + id_and_data + "\n";
-  const auto message = Candump::decode(as_bytes(line));
-  EXPECT_TRUE(message) << line;
-  return message ? std::get<candump::Line>(*message).frame : CanFrame{};
+  const std::string text = "(0.0) can0 " + id_and_data;
+  const auto line = candump::parse_line(text);
+  EXPECT_TRUE(line) << text;
+  return line ? line->frame : CanFrame{};
 }
 
 inline std::string text_of(const CanFrame& frame) {
@@ -57,9 +58,7 @@ inline std::string text_of(const CanFrame& frame) {
 inline std::vector<CanFrame> frames_of_log(const std::string& path) {
   std::vector<CanFrame> frames;
   for (const std::string& line : lines_of(path)) {
-    if (const auto message = Candump::decode(as_bytes(line + "\n"))) {
-      frames.push_back(std::get<candump::Line>(*message).frame);
-    }
+    if (const auto parsed = candump::parse_line(line)) frames.push_back(parsed->frame);
   }
   return frames;
 }

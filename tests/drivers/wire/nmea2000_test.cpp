@@ -151,9 +151,7 @@ std::vector<CanFrame> canboat_sample(const std::string& path) {
       std::erase(data, '\r');
       line = "(0.0) can0 " + line.substr(3, 8) + "#" + data;
     }
-    if (const auto message = Candump::decode(test::as_bytes(line + "\n"))) {
-      frames.push_back(std::get<candump::Line>(*message).frame);
-    }
+    if (const auto parsed = candump::parse_line(line)) frames.push_back(parsed->frame);
   }
   return frames;
 }

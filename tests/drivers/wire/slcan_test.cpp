@@ -47,7 +47,7 @@ std::string described(const Slcan::Message& message) {
   } else if (frame.size == 0) {
     words += "-";
   } else {
-    words += candump::HexText(frame.payload()).view();
+    words += HexText(frame.payload()).view();
   }
   if (time) {
     std::snprintf(text, sizeof text, " time %04X", *time);

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "drivers/wire/codec.hpp"
+
+namespace drydock::capture {
+
+/// A file, pipe or standard input as blocks of bytes, never more than one at a time.
+class FileBlocks {
+ public:
+  explicit FileBlocks(const std::string& file);  ///< empty or "-": standard input
+  ~FileBlocks();
+  FileBlocks(const FileBlocks&) = delete;
+  FileBlocks& operator=(const FileBlocks&) = delete;
+
+  /// The next bytes, none at the end or after an error.
+  wire::Bytes read();
+  /// Whether the last read gave all that a read can give: more is likely to wait.
+  bool likely_more(wire::Bytes last) const { return last.size() == block_.size(); }
+  int error() const { return error_; }  ///< errno; 0: none
+
+ private:
+  bool owned_;
+  int fd_;
+  int error_ = 0;
+  std::vector<std::uint8_t> block_;
+};
+
+}  // namespace drydock::capture

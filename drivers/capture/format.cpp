@@ -1,0 +1,92 @@
+#include "drivers/capture/format.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "drivers/capture/canboat_plain.hpp"
+#include "drivers/capture/candump_log.hpp"
+#include "drivers/capture/candump_screen.hpp"
+#include "drivers/capture/pcan_trc.hpp"
+#include "drivers/capture/pcap.hpp"
+#include "drivers/capture/pcapng.hpp"
+#include "drivers/capture/vector_asc.hpp"
+
+namespace drydock::capture {
+
+namespace {
+
+template <class R>
+std::unique_ptr<Reader> make() {
+  return std::make_unique<R>();
+}
+
+template <class R>
+std::optional<std::size_t> magic(Bytes head, std::size_t, bool) {
+  return R::recognises(head) ? std::optional<std::size_t>(0) : std::nullopt;
+}
+
+template <class R>
+std::optional<std::size_t> first_good_line(Bytes head, std::size_t from, bool is_whole_file) {
+  for (std::size_t at = from; at < head.size();) {
+    const Scan scan = scan_line(head.subspan(at), is_whole_file);
+    if (scan.kind == Scan::Kind::need_more) break;
+    const std::string_view line = text_of(head.subspan(at, scan.size));
+    if (scan.kind == Scan::Kind::frame && !line.empty() && R::recognises(line)) return at;
+    at += scan.size;
+  }
+  return std::nullopt;
+}
+
+template <class R>
+constexpr Format binary_format() {
+  return {R::name, make<R>, magic<R>};
+}
+template <class R>
+constexpr Format text_format() {
+  return {R::name, make<R>, first_good_line<R>};
+}
+
+constexpr std::array all{text_format<CandumpLog>(),   text_format<CandumpScreen>(),
+                         text_format<VectorAsc>(),    text_format<PcanTrc>(),
+                         text_format<CanboatPlain>(), binary_format<Pcap>(),
+                         binary_format<Pcapng>()};
+
+}  // namespace
+
+std::span<const Format> formats() { return all; }
+
+const Format* find_format(std::string_view name) {
+  const auto found = std::ranges::find(all, name, &Format::name);
+  return found == all.end() ? nullptr : &*found;
+}
+
+std::string format_names() {
+  std::string names;
+  for (const Format& format : all) {
+    names.append(names.empty() ? "" : ", ").append(format.name);
+  }
+  return names;
+}
+
+std::size_t past_whole_lines(Bytes head, std::size_t from) {
+  while (from < head.size()) {
+    const Scan scan = scan_line(head.subspan(from), false);
+    if (scan.kind == Scan::Kind::need_more) break;
+    from += scan.size;
+  }
+  return from;
+}
+
+const Format* recognise(Bytes head, bool is_whole_file, std::size_t from) {
+  const Format* first = nullptr;
+  std::size_t first_at = head.size();
+  for (const Format& format : all) {
+    const auto at = format.first_sign(head, from, is_whole_file);
+    if (!at || (first != nullptr && *at >= first_at)) continue;
+    first = &format;
+    first_at = *at;
+  }
+  return first;
+}
+
+}  // namespace drydock::capture

@@ -1,0 +1,98 @@
+#include "drivers/capture/frame_capture.hpp"
+
+#include <algorithm>
+
+namespace drydock::capture {
+
+namespace {
+constexpr std::size_t longest_magic = 64;
+}
+
+std::string damage_text(const Tally& tally) {
+  if (tally.damaged == 0) return {};
+  std::string text = std::to_string(tally.damaged);
+  text +=
+      tally.damaged == 1 ? " line or block not understood: " : " lines or blocks not understood: ";
+  for (std::size_t i = 0; i < tally.where.size(); ++i) {
+    text.append(i == 0 ? "" : ", ").append(std::to_string(tally.where[i]));
+  }
+  return tally.damaged > tally.where.size() ? text + ", ..." : text;
+}
+
+std::string unknown_format_text(std::string_view file) {
+  return std::string(file) + ": no CAN capture of a known format; known are: " + format_names();
+}
+
+FrameCapture::FrameCapture(const Format* format)
+    : format_(format), reader_(format ? format->make() : nullptr) {}
+
+void FrameCapture::feed(Bytes block) {
+  buffer_.erase(buffer_.begin(), buffer_.begin() + static_cast<std::ptrdiff_t>(at_));
+  at_ = 0;
+  if (unknown_) return;
+  buffer_.insert(buffer_.end(), block.begin(), block.end());
+  const bool line_ended =
+      std::ranges::any_of(block, [](std::uint8_t byte) { return byte == '\n' || byte == '\r'; });
+  may_show_format_ = may_show_format_ || line_ended || buffer_.size() <= longest_magic;
+}
+
+void FrameCapture::finish() { finished_ = true; }
+
+std::optional<Record> FrameCapture::next() {
+  if (!know_format()) return std::nullopt;
+  if (more_in_unit_) {
+    if (auto record = reader_->more()) {
+      ++tally_.frames;
+      return record;
+    }
+    more_in_unit_ = false;
+  }
+  while (at_ < buffer_.size()) {
+    const Bytes bytes = rest();
+    const Scan scan = reader_->scan(bytes, finished_);
+    if (scan.kind == Scan::Kind::need_more) {
+      if (finished_) {
+        ++tally_.units;
+        note_damage(bytes.size());
+        at_ = buffer_.size();
+      }
+      break;
+    }
+    at_ += scan.size;
+    if (scan.kind != Scan::Kind::frame) {
+      tally_.bytes_skipped += scan.size;
+      continue;
+    }
+    ++tally_.units;
+    const Reading reading = reader_->read(bytes.first(scan.size));
+    if (reading.damaged) note_damage(reading.record ? 0 : scan.size);
+    if (!reading.record) continue;
+    more_in_unit_ = true;
+    ++tally_.frames;
+    return reading.record;
+  }
+  return std::nullopt;
+}
+
+bool FrameCapture::know_format() {
+  if (format_ || unknown_) return !unknown_;
+  if (!may_show_format_ && !finished_ && rest().size() < head_to_recognise) return false;
+  may_show_format_ = false;
+  format_ = recognise(rest(), finished_, searched_);
+  if (format_) {
+    reader_ = format_->make();
+  } else if (finished_ || rest().size() >= head_to_recognise) {
+    unknown_ = true;
+  } else {
+    searched_ = past_whole_lines(rest(), searched_);
+  }
+  return format_ != nullptr;
+}
+
+void FrameCapture::note_damage(std::size_t bytes) {
+  ++tally_.damaged;
+  tally_.bytes_skipped += bytes;
+  if (tally_.where.size() < tally_.where.capacity()) tally_.where.push_back(tally_.units);
+}
+
+}  // namespace drydock::capture

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <boost/container/static_vector.hpp>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "drivers/capture/format.hpp"
+
+namespace drydock::capture {
+
+/// What was read, and what could not be.
+struct Tally {
+  std::uint64_t units = 0;  ///< lines of a text, blocks of a binary file
+  std::uint64_t frames = 0;
+  std::uint64_t damaged = 0;        ///< units that were not understood, in whole or in part
+  std::uint64_t bytes_skipped = 0;  ///< within them
+  boost::container::static_vector<std::uint64_t, 8> where;  ///< the first of them, counted from 1
+};
+
+/// "2 lines not understood: 4, 17"; empty where all was.
+std::string damage_text(const Tally& tally);
+
+/// "dive.log: no CAN capture of a known format; known are: ...".
+std::string unknown_format_text(std::string_view file);
+
+/// The frames of a CAN capture that comes in blocks, of a format that is given or recognised by
+/// its content. Sans-I/O; keeps no more than the last block and a line.
+class FrameCapture {
+ public:
+  /// `format` null: recognised.
+  explicit FrameCapture(const Format* format = nullptr);
+
+  void feed(Bytes block);
+  void finish();  ///< no more blocks will come
+  /// The next frame of what was fed; empty when it needs more or the capture is at its end.
+  std::optional<Record> next();
+
+  const Format* format() const { return format_; }  ///< null: not recognised (yet)
+  /// The head shows no format that we know: there will be no frames.
+  bool unknown() const { return unknown_; }
+  const Tally& tally() const { return tally_; }
+
+ private:
+  Bytes rest() const { return Bytes{buffer_}.subspan(at_); }
+  bool know_format();
+  void note_damage(std::size_t bytes);
+
+  const Format* format_;
+  std::unique_ptr<Reader> reader_;
+  std::vector<std::uint8_t> buffer_;
+  std::size_t at_ = 0;
+  bool finished_ = false;
+  bool unknown_ = false;
+  std::size_t searched_ = 0;      ///< bytes of the head in which no format was recognised
+  bool may_show_format_ = false;  ///< there are bytes since the last try to recognise it
+  bool more_in_unit_ = false;
+  Tally tally_;
+};
+
+}  // namespace drydock::capture

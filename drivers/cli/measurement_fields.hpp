@@ -1,0 +1,94 @@
+#pragma once
+
+#include "drivers/measurement/measurement.hpp"
+#include "drivers/wire/fields.hpp"
+
+/// Names of the measurements and of their fields, for JSON; angles in degrees.
+namespace drydock::measurement {
+
+constexpr std::string_view type_of(const ImuSample&) { return "imu"; }
+constexpr std::string_view type_of(const DepthSample&) { return "depth"; }
+constexpr std::string_view type_of(const BottomVelocity&) { return "bottom_velocity"; }
+constexpr std::string_view type_of(const WaterSpeed&) { return "water_speed"; }
+constexpr std::string_view type_of(const GnssFix&) { return "gnss_fix"; }
+constexpr std::string_view type_of(const GnssSatellites&) { return "gnss_satellites"; }
+constexpr std::string_view type_of(const ActuatorState&) { return "actuator_state"; }
+
+template <class Field>
+void visit_fields(const ImuSample& m, Field&& field) {
+  field("specific_force_mps2", m.specific_force);
+  field("angular_rate_degps", Eigen::Vector3d(m.angular_rate * wire::degrees(1)));
+}
+
+template <class Field>
+void visit_fields(const DepthSample& m, Field&& field) {
+  field("depth_m", m.depth_m);
+  field("pressure_pa", m.pressure_pa);
+  field("temperature_k", m.temperature_k);
+  field("altitude_m", m.altitude_m);
+}
+
+template <class Field>
+void visit_fields(const BottomVelocity& m, Field&& field) {
+  field("velocity_mps", m.velocity);
+  field("error_velocity_mps", m.error_velocity_mps);
+  field("altitude_m", m.altitude_m);
+  field("range_m", m.range_m);
+  field("heading_deg", wire::degrees(m.heading_rad));
+  field("pitch_deg", wire::degrees(m.pitch_rad));
+  field("roll_deg", wire::degrees(m.roll_rad));
+  field("sound_speed_mps", m.sound_speed_mps);
+}
+
+template <class Field>
+void visit_fields(const WaterSpeed& m, Field&& field) {
+  field("longitudinal_mps", m.longitudinal_mps);
+  field("transverse_mps", m.transverse_mps);
+  field("distance_m", m.distance_m);
+}
+
+template <class Field>
+void visit_fields(const GnssFix& m, Field&& field) {
+  using Angle = std::optional<double>;
+  field("fix_type", static_cast<int>(m.type));
+  field("utc_s", m.utc ? Angle(seconds(m.utc->time_since_epoch())) : Angle());
+  field("latitude_deg", m.position ? Angle(wire::degrees(m.position->latitude_rad)) : Angle());
+  field("longitude_deg", m.position ? Angle(wire::degrees(m.position->longitude_rad)) : Angle());
+  field("ellipsoidal_height_m", m.ellipsoidal_height_m);
+  field("mean_sea_level_height_m", m.mean_sea_level_height_m);
+  field("velocity_ned_mps", m.velocity_ned);
+  field("horizontal_accuracy_m", m.horizontal_accuracy_m);
+  field("vertical_accuracy_m", m.vertical_accuracy_m);
+  field("speed_accuracy_mps", m.speed_accuracy_mps);
+  field("position_dop", m.position_dop);
+  field("satellites_used", m.satellites_used);
+  field("ground_speed_mps", m.ground_speed_mps);
+  field("course_deg", wire::degrees(m.course_rad));
+}
+
+template <class Field>
+void visit_fields(const Satellite& m, Field&& field) {
+  constexpr std::array<std::string_view, 8> names{"gps",  "sbas", "galileo", "beidou",
+                                                  "imes", "qzss", "glonass", "navic"};
+  field("gnss", names[static_cast<std::size_t>(m.constellation)]);
+  field("number", m.number);
+  field("cno_dbhz", m.cno_dbhz);
+  field("elevation_deg", wire::degrees(m.elevation_rad));
+  field("azimuth_deg", wire::degrees(m.azimuth_rad));
+  field("used", m.used);
+}
+
+template <class Field>
+void visit_fields(const GnssSatellites& m, Field&& field) {
+  field("satellites", m.satellites);
+}
+
+template <class Field>
+void visit_fields(const ActuatorState& m, Field&& field) {
+  field("rudder_deg", wire::degrees(m.rudder_rad));
+  field("stern_plane_deg", wire::degrees(m.stern_plane_rad));
+  field("bow_plane_deg", wire::degrees(m.bow_plane_rad));
+  field("propeller_radps", m.propeller_radps);
+}
+
+}  // namespace drydock::measurement

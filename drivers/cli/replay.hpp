@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstdint>
+#include <cstdio>
+#include <string>
+
+namespace drydock::cli {
+
+struct ReplayOptions {
+  std::string capture;        ///< file
+  std::string protocol;       ///< of the sensor to listen for
+  std::string kind;           ///< of the sensor; empty where only one kind speaks the protocol
+  std::string speed = "max";  ///< max: at once, in virtual time; 1: as it was; or another factor
+  std::string format;         ///< empty: recognised by content
+  std::string interface;      ///< of a CAN capture; empty: all
+  unsigned baud = 0;          ///< of a byte capture's line; 0: not known
+  std::uint8_t address = 0;   ///< on a CAN bus; 0: the first seen
+  bool quiet = false;         ///< no states and totals on `err`
+};
+
+/// `drydock replay`: a capture through a driver; its measurements on `out` as JSON Lines. Exit
+/// code: 0 there were some, 1 there were none, 2 there is no such driver or the capture cannot be
+/// read.
+int replay(const ReplayOptions& options, std::FILE* out, std::FILE* err);
+
+}  // namespace drydock::cli

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "drivers/capture/capture_file.hpp"
+#include "drivers/link/uri.hpp"
+#include "drivers/shell/device_actor.hpp"
+
+namespace drydock::shell {
+
+/// A capture of a CAN bus (`file:` link) in the lockstep shell: its frames reach the driver at the
+/// capture's own times, counted from `start` on. Frames without a time follow each other as on a
+/// bus of 250 kbit/s that is never idle. At the end of the file the bus falls silent.
+class RecordedBus final : public Actor {
+ public:
+  /// Throws std::runtime_error with one line when the file cannot be read or is no capture.
+  RecordedBus(const link::Uri& uri, DeviceActor& driver, Stamp start);
+
+  std::optional<Stamp> deadline() const override;
+  void act(Stamp now) override;
+  const capture::FrameCapture& frames() const { return file_.frames(); }
+
+ private:
+  void read_next();
+
+  capture::CaptureFile file_;
+  DeviceActor& driver_;
+  std::optional<wire::CanFrame> frame_;  ///< the next; empty at the end
+  std::optional<std::chrono::nanoseconds> first_time_;
+  Stamp start_, due_;
+};
+
+}  // namespace drydock::shell

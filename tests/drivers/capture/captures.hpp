@@ -1,0 +1,67 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "drivers/capture/frame_capture.hpp"
+#include "tests/drivers/wire/byte_streams.hpp"
+
+/// Captures read to their end.
+namespace drydock::capture::testing {
+
+using wire::testing::Buffer;
+using wire::testing::operator+;
+
+/// A record that outlives its reader.
+struct Seen {
+  std::optional<std::chrono::nanoseconds> time;
+  std::string interface;
+  wire::CanFrame frame;
+  friend bool operator==(const Seen&, const Seen&) = default;
+};
+
+struct Outcome {
+  std::vector<Seen> records;
+  std::string format;
+  std::uint64_t units = 0, damaged = 0, bytes_skipped = 0;
+  std::vector<std::uint64_t> where;
+  bool unknown = false;
+  friend bool operator==(const Outcome&, const Outcome&) = default;
+};
+
+/// Feeds the capture in pieces of the given sizes, the last size over and over.
+inline Outcome read_capture(Bytes bytes, const std::vector<std::size_t>& pieces = {1u << 16},
+                            const Format* format = nullptr) {
+  FrameCapture capture(format);
+  Outcome outcome;
+  const auto drain = [&] {
+    while (const auto record = capture.next()) {
+      outcome.records.push_back({record->time, std::string(record->interface), record->frame});
+    }
+  };
+  for (std::size_t i = 0; !bytes.empty(); ++i) {
+    const auto size = std::min(pieces[std::min(i, pieces.size() - 1)], bytes.size());
+    capture.feed(bytes.first(size));
+    drain();
+    bytes = bytes.subspan(size);
+  }
+  capture.finish();
+  drain();
+  const Tally& tally = capture.tally();
+  EXPECT_EQ(tally.frames, outcome.records.size());
+  if (capture.format() != nullptr) outcome.format = capture.format()->name;
+  outcome.units = tally.units;
+  outcome.damaged = tally.damaged;
+  outcome.bytes_skipped = tally.bytes_skipped;
+  outcome.where.assign(tally.where.begin(), tally.where.end());
+  outcome.unknown = capture.unknown();
+  return outcome;
+}
+
+inline Outcome read_capture(std::string_view text) {
+  return read_capture(wire::testing::as_bytes(text));
+}
+
+}  // namespace drydock::capture::testing
