@@ -109,6 +109,19 @@ PressureConfig build_pressure(const Node& table) {
   return pressure;
 }
 
+std::optional<double> read_if(const Node& table, const char* key, double unit = 1) {
+  const Node* value = table.find(key);
+  return value ? std::optional{value->number * unit} : std::nullopt;
+}
+
+WaterLinkedConfig build_water_linked(const Node& table) {
+  WaterLinkedConfig config;
+  config.sound_speed_mps = read_if(table, "sound_speed_mps");
+  config.mounting_rotation_rad = read_if(table, "mounting_rotation_deg", degree);
+  read(table, "old_sentences", config.old_sentences);
+  return config;
+}
+
 DeviceConfig build_device(const Node& table, const std::string& rig_file) {
   DeviceConfig device;
   device.line = table.at.line;
@@ -134,6 +147,13 @@ DeviceConfig build_device(const Node& table, const std::string& rig_file) {
   if (const Node* aceinna = table.find("aceinna")) device.aceinna = build_aceinna(*aceinna);
   if (const Node* xsens = table.find("xsens")) device.xsens = build_xsens(*xsens);
   if (const Node* pressure = table.find("pressure")) device.pressure = build_pressure(*pressure);
+  std::string maker;
+  read(table, "maker", maker);
+  if (maker == "water-linked") device.maker = DvlMaker::water_linked;
+  device.beam_angle_rad = read_if(table, "beam_angle_deg", degree);
+  if (const Node* water_linked = table.find("water_linked")) {
+    device.water_linked = build_water_linked(*water_linked);
+  }
   if (const Node* emulate = table.find("emulate")) {
     read(*emulate, "fixed_bias", device.emulate.fixed_bias);
     read(*emulate, "latency_ms", device.emulate.latency_s, millisecond);

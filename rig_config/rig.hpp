@@ -13,6 +13,15 @@ namespace drydock::rig_config {
 
 enum class DeviceKind : std::uint8_t { dvl, emlog, gnss, imu, depth, actuator };
 
+/// Whose axes PD4 and PD6 have.
+enum class DvlMaker : std::uint8_t { teledyne, water_linked };
+
+/// What is set on a Water Linked DVL when its link opens.
+struct WaterLinkedConfig {
+  std::optional<double> sound_speed_mps, mounting_rotation_rad;
+  bool old_sentences = false;  ///< wrx and wrt too
+};
+
 /// How an emulated sensor errs. One standard deviation each; drawn or fixed as `bias_mode` says.
 struct SensorErrors {
   std::array<double, 3> bias{};   ///< unit of the measured quantity, per axis
@@ -54,8 +63,8 @@ struct PressureConfig {
 struct DeviceConfig {
   std::string name;
   DeviceKind kind = DeviceKind::imu;
-  /// nmea0183 ubx ubx+nmea0183 pd0 water-linked nortek aceinna cia404-imu epson-g550 epson-g552
-  /// xsens nmea2000 cia404-pressure
+  /// nmea0183 ubx ubx+nmea0183 pd0 pd4 pd5 pd6 water-linked nortek aceinna cia404-imu epson-g550
+  /// epson-g552 xsens nmea2000 cia404-pressure
   std::string protocol;
   std::string link;            ///< URI, see drivers/link/uri.hpp
   double rate_hz = 1;          ///< nominal; the emulated device keeps it, health compares with it
@@ -72,6 +81,9 @@ struct DeviceConfig {
   AceinnaConfig aceinna;
   XsensConfig xsens;
   PressureConfig pressure;
+  DvlMaker maker = DvlMaker::teledyne;            ///< kind dvl, PD4 and PD6
+  std::optional<double> beam_angle_rad;           ///< kind dvl, PD4 and PD5 in beam coordinates
+  std::optional<WaterLinkedConfig> water_linked;  ///< kind dvl, Water Linked serial
   EmulateConfig emulate;
   int line = 0;  ///< of the [[device]] block in the file
 };

@@ -48,6 +48,23 @@ struct PressureOptions {
   bool gauge = false;  ///< it says 0 at the surface, not in vacuum
 };
 
+/// Whose axes a DVL's PD4 or PD6 has: Teledyne's are starboard, bow, mast (or those of the frame
+/// that the report names), Water Linked's forward, starboard, down whatever the report names.
+enum class DvlMaker : std::uint8_t { teledyne, water_linked };
+
+/// What is set on a Water Linked DVL when its link opens; an empty value leaves the DVL's.
+struct WaterLinkedSettings {
+  std::optional<double> sound_speed_mps;
+  std::optional<double> mounting_rotation_rad;  ///< the DVL itself turns by it, about z
+  bool old_sentences = false;                   ///< wrx and wrt too
+};
+
+struct DvlOptions {
+  DvlMaker maker = DvlMaker::teledyne;
+  std::optional<double> beam_angle_rad;  ///< from the vertical, where the protocol does not tell it
+  std::optional<WaterLinkedSettings> water_linked;  ///< empty: the driver only listens
+};
+
 /// All that a driver is told about its sensor.
 struct DriverOptions {
   Kind kind = Kind::imu;
@@ -63,6 +80,7 @@ struct DriverOptions {
   wire::xsens::Identifiers xsens_identifiers;
   WaterColumn water;         ///< kind depth
   PressureOptions pressure;  ///< protocol cia404-pressure
+  DvlOptions dvl;            ///< kind dvl
 };
 
 }  // namespace drydock::device

@@ -11,6 +11,8 @@
 #include "drivers/device/emlog_driver.hpp"
 #include "drivers/device/gnss_driver.hpp"
 #include "drivers/device/nortek_driver.hpp"
+#include "drivers/device/pd4_driver.hpp"
+#include "drivers/device/pd6_driver.hpp"
 #include "drivers/device/water_linked_driver.hpp"
 #include "drivers/device/xsens_imu_driver.hpp"
 
@@ -46,6 +48,9 @@ constexpr Row frame_row(Kind kind, std::string_view protocol) {
 
 constexpr std::array rows{
     byte_row<DvlDriver>(Kind::dvl, wire::Pd0::name),
+    byte_row<Pd4Driver<wire::Pd4>>(Kind::dvl, wire::Pd4::name),
+    byte_row<Pd4Driver<wire::Pd5>>(Kind::dvl, wire::Pd5::name),
+    byte_row<Pd6Driver>(Kind::dvl, wire::Pd6::name),
     byte_row<WaterLinkedDriver>(Kind::dvl, wire::WaterLinked::name),
     byte_row<NortekDriver>(Kind::dvl, wire::Nortek::name),
     byte_row<EmLogDriver>(Kind::emlog, wire::Nmea0183::name),

@@ -35,6 +35,7 @@ class Timing {
   std::chrono::nanoseconds line_time(std::size_t bytes) const;  ///< zero without a baud rate
 
   void set_provenance(measurement::Provenance provenance) { provenance_ = provenance; }
+  measurement::Provenance provenance() const { return provenance_; }
 
  private:
   Origin origin(Stamp valid_at, Stamp received_at) const;

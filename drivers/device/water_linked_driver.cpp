@@ -23,6 +23,7 @@ void WaterLinkedDriver::receive(wire::Bytes bytes, Stamp received_at, Output& ou
   framer_.feed(bytes, wire::WaterLinked::scan, [&](wire::Bytes frame, std::size_t after) {
     const auto message = wire::WaterLinked::decode(frame);
     if (!message) return;
+    dialogue_.receive(*message, received_at, out);
     const Arrival arrival{received_at, frame.size(), after};
     std::visit(
         [&](const auto& sentence) {
@@ -30,6 +31,13 @@ void WaterLinkedDriver::receive(wire::Bytes bytes, Stamp received_at, Output& ou
         },
         *message);
   });
+}
+
+void WaterLinkedDriver::restart(Stamp now, Output& out) {
+  StreamDriver::restart(now, out);
+  // A recording does not answer.
+  if (timing_.provenance() == measurement::Provenance::replayed) return dialogue_.stop();
+  dialogue_.start(now, out);
 }
 
 void WaterLinkedDriver::on(const water_linked::BottomVelocity& report, const Arrival& arrival,

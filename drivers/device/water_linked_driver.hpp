@@ -1,6 +1,7 @@
 #pragma once
 
 #include "drivers/device/stream_driver.hpp"
+#include "drivers/device/water_linked_dialogue.hpp"
 #include "drivers/wire/water_linked.hpp"
 
 namespace drydock::device {
@@ -9,12 +10,16 @@ namespace drydock::device {
 /// of transmission and validity, else by the configured latency. wrx counts while no wrz comes: a
 /// DVL that sends both says the same twice. Water track (wrs) is no bottom velocity. Distances
 /// along the beams (wru, wrt) do not say of which ping they are, so none go into a measurement.
+/// Sets the DVL up when the link opens, where the rig says how (WaterLinkedDialogue).
 class WaterLinkedDriver final : public StreamDriver<wire::WaterLinked::max_frame> {
  public:
   explicit WaterLinkedDriver(const DriverOptions& options)
-      : StreamDriver(options), mounting_(options.mounting) {}
+      : StreamDriver(options), mounting_(options.mounting), dialogue_(options.dvl.water_linked) {}
 
   void receive(wire::Bytes bytes, Stamp received_at, Output& out) override;
+  void restart(Stamp now, Output& out) override;
+  void tick(Stamp now, Output& out) override { dialogue_.tick(now, out); }
+  std::optional<Stamp> deadline() const override { return dialogue_.deadline(); }
 
  private:
   struct Arrival {
@@ -29,6 +34,7 @@ class WaterLinkedDriver final : public StreamDriver<wire::WaterLinked::max_frame
   void heed_heat(bool hot, Output& out);
 
   Mounting mounting_;
+  WaterLinkedDialogue dialogue_;
   std::optional<Stamp> new_form_at_;
   bool hot_ = false;
 };

@@ -48,6 +48,14 @@ device::DriverOptions driver_options(const DeviceConfig& config, std::size_t ind
   if (config.sync) options.canopen.sync_period = measurement::from_seconds(1 / config.rate_hz);
   options.water = {config.surface_pressure_pa, config.water_density_kgm3,
                    config.unesco_latitude_rad};
+  options.dvl.maker = config.maker == rig_config::DvlMaker::water_linked
+                          ? device::DvlMaker::water_linked
+                          : device::DvlMaker::teledyne;
+  options.dvl.beam_angle_rad = config.beam_angle_rad;
+  if (const auto& water_linked = config.water_linked) {
+    options.dvl.water_linked = {water_linked->sound_speed_mps, water_linked->mounting_rotation_rad,
+                                water_linked->old_sentences};
+  }
   return options;
 }
 

@@ -77,9 +77,10 @@ std::optional<Nortek::Message> read_beam(NortekFields fields) {
   return m;
 }
 
+template <class Speed>
 std::optional<Nortek::Message> read_speed(NortekFields fields) {
   if (fields.remaining() != 6) return std::nullopt;
-  NortekSpeed m;
+  Speed m;
   read_times(fields, m);
   m.speed_mps = fields.velocity();
   if (const auto direction_deg = fields.number()) m.direction_rad = radians(*direction_deg);
@@ -88,10 +89,11 @@ std::optional<Nortek::Message> read_speed(NortekFields fields) {
   return m;
 }
 
+template <class Velocity>
 std::optional<Nortek::Message> read_velocity(NortekFields fields) {
   const std::size_t count = fields.remaining();
   if (count != 11 && count != 16) return std::nullopt;
-  NortekVelocity m;
+  Velocity m;
   m.ping_time_s = fields.number();
   read_times(fields, m);
   for (auto& component : m.velocity_mps) component = fields.velocity();
@@ -111,21 +113,25 @@ std::optional<Nortek::Message> read_velocity(NortekFields fields) {
 Scan Nortek::scan(Bytes bytes) { return Nmea0183::scan(bytes); }
 
 std::optional<Nortek::Message> Nortek::decode(Bytes frame) {
-  constexpr std::string_view address = "$PNORBT";
+  constexpr std::string_view address = "$PNORBT", water_address = "$PNORWT";
   const std::string_view line = as_text(frame);
   const std::string_view text = line.substr(0, line.rfind('*'));
-  if (!text.starts_with(address) || text.size() < address.size() + 2) return std::nullopt;
+  const bool water = text.starts_with(water_address);
+  if (!water && !text.starts_with(address)) return std::nullopt;
+  if (text.size() < address.size() + 2) return std::nullopt;
   if (text[address.size() + 1] != ',') return std::nullopt;
   const NortekFields fields{text.substr(address.size() + 2)};
   switch (text[address.size()]) {
     case '0':
-    case '1': return read_beam(fields);
+    case '1': return water ? std::nullopt : read_beam(fields);
     case '3':
-    case '4': return read_speed(fields);
+    case '4': return water ? read_speed<NortekWaterSpeed>(fields) : read_speed<NortekSpeed>(fields);
     case '6':
     case '7':
     case '8':
-    case '9': return read_velocity(fields);
+    case '9':
+      return water ? read_velocity<NortekWaterVelocity>(fields)
+                   : read_velocity<NortekVelocity>(fields);
     default: return std::nullopt;
   }
 }

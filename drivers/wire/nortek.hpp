@@ -47,13 +47,23 @@ struct NortekVelocity : NortekTimes {
   std::optional<unsigned> status;
 };
 
-/// Bottom track sentences of Nortek DVLs, in the line format of NMEA 0183. Formats 1, 3, 6 and 8
-/// write NAME=value, formats 0, 4, 7 and 9 the value alone; either is read under any number. No
-/// value is -32.768 for a velocity, 0 for a distance, 10 for a figure of merit.
+/// The same fields against the water: PNORWT3 and PNORWT4, PNORWT6 to PNORWT9. Distances are to the
+/// water layer.
+struct NortekWaterSpeed : NortekSpeed {
+  static constexpr std::string_view type = "PNORWT3";
+};
+struct NortekWaterVelocity : NortekVelocity {
+  static constexpr std::string_view type = "PNORWT6";
+};
+
+/// Bottom and water track sentences of Nortek DVLs, in the line format of NMEA 0183. Formats 1, 3,
+/// 6 and 8 write NAME=value, formats 0, 4, 7 and 9 the value alone; either is read under any
+/// number. No value is -32.768 for a velocity, 0 for a distance, 10 for a figure of merit.
 struct Nortek {
   static constexpr std::string_view name = "nortek";
   static constexpr std::size_t max_frame = 1024;
-  using Message = std::variant<NortekBeam, NortekSpeed, NortekVelocity>;
+  using Message =
+      std::variant<NortekBeam, NortekSpeed, NortekVelocity, NortekWaterSpeed, NortekWaterVelocity>;
 
   static Scan scan(Bytes bytes);
   static std::optional<Message> decode(Bytes frame);

@@ -33,8 +33,7 @@ void read_system_configuration(unsigned word, Pd0FixedLeader& m) {
 }
 
 /// Steps of 0.01 mm/s (0.01 mm); a number not above `bad` is none.
-void read_hundredths_of_mm(Bytes block, std::size_t offset, std::int32_t bad,
-                           Pd0HighResolution::Components& m) {
+void read_hundredths_of_mm(Bytes block, std::size_t offset, std::int32_t bad, DvlComponents& m) {
   for (std::size_t i = 0; i < m.size(); ++i) {
     const auto raw = load_le<std::int32_t>(block, offset + 4 * i);
     if (raw > bad) m[i] = raw / 1e5;
@@ -66,13 +65,17 @@ bool read_block(Bytes block, Pd0FixedLeader& m) {
   m.firmware_version = block[2];
   m.firmware_revision = block[3];
   read_system_configuration(load_le<std::uint16_t>(block, 4), m);
+  // An angle that the two bits have no name for stands in the last byte, in degrees.
+  if (!m.beam_angle_rad && block.size() > 58 && block[58] > 0 && block[58] < 90) {
+    m.beam_angle_rad = radians(block[58]);
+  }
   m.beams = block[8];
   m.cells = block[9];
   m.pings_per_ensemble = load_le<std::uint16_t>(block, 10);
   m.cell_length_m = load_le<std::uint16_t>(block, 12) / 100.0;
   m.blank_m = load_le<std::uint16_t>(block, 14) / 100.0;
   const unsigned transform = block[25];
-  m.frame = static_cast<Pd0Frame>(transform >> 3 & 3);
+  m.frame = static_cast<DvlFrame>(transform >> 3 & 3);
   m.tilts_used = bit(transform, 2);
   m.three_beam = bit(transform, 1);
   m.heading_alignment_rad = centidegrees(block, 26);

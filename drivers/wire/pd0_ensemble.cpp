@@ -48,6 +48,9 @@ void write(Out block, const Pd0FixedLeader& m) {
   store_le<std::int16_t>(block, 28, quantize<std::int16_t>(degrees(m.heading_bias_rad), 0.01));
   block[30] = m.sensor_source;
   block[31] = m.sensors_available;
+  if (m.beam_angle_rad && !index_of(pd0::beam_angle_deg, degrees(*m.beam_angle_rad))) {
+    block[58] = quantize<std::uint8_t>(degrees(*m.beam_angle_rad), 1);
+  }
 }
 
 /// Year (of the century), month, day, hour, minute, second, hundredths.
@@ -117,11 +120,6 @@ void write(Out block, const Pd0BottomTrack& m) {
 }
 
 }  // namespace
-
-std::string_view to_string(Pd0Frame frame) {
-  constexpr std::array<std::string_view, 4> names{"beam", "instrument", "ship", "earth"};
-  return names[static_cast<std::size_t>(frame)];
-}
 
 std::optional<std::chrono::microseconds> age_of(const Pd0Navigation& navigation) {
   std::chrono::microseconds sum{0};

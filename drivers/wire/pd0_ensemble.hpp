@@ -7,43 +7,31 @@
 #include <span>
 #include <string_view>
 
+#include "drivers/wire/dvl_frame.hpp"
 #include "drivers/wire/fields.hpp"
 
 /// What one PD0 ensemble says (Teledyne Pathfinder DVL Guide, P/N 95B-6116-00, tables 32 to 47).
 namespace drydock::wire {
 
-/// Axes of the velocities: beams 1 to 4; instrument X, Y, Z; ship starboard, forward, mast; earth
-/// east, north, up. Except for beams the fourth component is the error velocity.
-enum class Pd0Frame : std::uint8_t { beam, instrument, ship, earth };
-std::string_view to_string(Pd0Frame frame);
-
 /// How the instrument is built and set up.
-struct Pd0FixedLeader {
+struct Pd0FixedLeader : DvlGeometry {
   std::uint8_t firmware_version = 0, firmware_revision = 0;
-  std::optional<double> frequency_hz;    ///< nominal
-  std::optional<double> beam_angle_rad;  ///< from the vertical axis; empty: "other"
-  bool convex = true;
-  bool faces_up = false;
+  std::optional<double> frequency_hz;  ///< nominal
   std::uint8_t beams = 4, cells = 0;
   std::uint16_t pings_per_ensemble = 0;
   double cell_length_m = 0, blank_m = 0;
-  Pd0Frame frame = Pd0Frame::earth;
-  bool tilts_used = false;           ///< ship and earth velocities are levelled with pitch and roll
-  bool three_beam = false;           ///< a solution of three beams is allowed
-  double heading_alignment_rad = 0;  ///< of beam 3 from the ship's bow, clockwise
   double heading_bias_rad = 0;
   std::uint8_t sensor_source = 0, sensors_available = 0;  ///< bits c d h p r s t, see EZ
 };
 
 /// When, and what the instrument's own sensors read.
-struct Pd0VariableLeader {
+struct Pd0VariableLeader : DvlAttitude {
   std::uint32_t ensemble = 0;
   std::optional<std::chrono::local_time<std::chrono::milliseconds>> clock;  ///< at the first ping
   std::uint16_t built_in_test = 0;                                          ///< 0: passed
   std::optional<double> sound_speed_mps;
-  double depth_m = 0;  ///< by the instrument's sensor, else as set
-  std::optional<double> heading_rad, pitch_rad, roll_rad;  ///< bow up, starboard down positive
-  double salinity_ppt = 0;                                 ///< as set
+  double depth_m = 0;       ///< by the instrument's sensor, else as set
+  double salinity_ppt = 0;  ///< as set
   std::optional<double> temperature_k;
   std::optional<double> pressure_pa;  ///< gauge; empty without a depth sensor
 };
@@ -52,18 +40,18 @@ struct Pd0VariableLeader {
 /// turned, so velocities are the vehicle's.
 struct Pd0BottomTrack {
   std::uint16_t pings_per_ensemble = 0;
-  std::array<std::optional<double>, 4> velocity_mps;  ///< in the frame of the fixed leader
+  DvlComponents velocity_mps;  ///< in the frame of the fixed leader
   /// Vertical component of each beam's range, not corrected for tilt; empty: no bottom found.
   std::array<std::optional<double>, 4> range_m;
   std::array<std::uint8_t, 4> correlation{}, amplitude{}, percent_good{};
   std::optional<double> max_depth_m;  ///< tracking limit
 };
 
-/// Motion of the vehicle in steps of 0.01 mm/s: on the wire too it is the vehicle that moves.
+/// Motion of the vehicle in steps of 0.01 mm/s, in the frame of the fixed leader: on the wire too
+/// it is the vehicle that moves.
 struct Pd0HighResolution {
-  using Components = std::array<std::optional<double>, 4>;  ///< in the frame of the fixed leader
-  Components bottom_velocity_mps, bottom_distance_m;        ///< distance made good
-  Components water_velocity_mps, water_distance_m;          ///< against the water layer
+  DvlComponents bottom_velocity_mps, bottom_distance_m;  ///< distance made good
+  DvlComponents water_velocity_mps, water_distance_m;    ///< against the water layer
 };
 
 /// Distance to the bed in steps of 0.1 mm.

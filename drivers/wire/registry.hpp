@@ -16,6 +16,8 @@
 #include "drivers/wire/nmea2000.hpp"
 #include "drivers/wire/nortek.hpp"
 #include "drivers/wire/pd0.hpp"
+#include "drivers/wire/pd4.hpp"
+#include "drivers/wire/pd6.hpp"
 #include "drivers/wire/raw_can.hpp"
 #include "drivers/wire/slcan.hpp"
 #include "drivers/wire/ubx.hpp"
@@ -41,15 +43,16 @@ concept ByteProtocol = requires(Bytes bytes) {
 template <ByteProtocol... P>
 constexpr void all_are_byte_protocols(ProtocolList<P...>) {}
 
-using BytesProtocols = ProtocolList<Nmea0183, Ubx, UbxNmea, Pd0, WaterLinked, Nortek>;
+using BytesProtocols =
+    ProtocolList<Nmea0183, Ubx, UbxNmea, Pd0, Pd4, Pd5, Pd6, WaterLinked, Nortek>;
 
 static_assert(requires { all_are_byte_protocols(BytesProtocols{}); });
 
 template <FrameProtocol... P>
 constexpr void all_are_frame_protocols(ProtocolList<P...>) {}
 
-using FrameProtocols = ProtocolList<Nmea2000, Aceinna, Cia404Imu, Cia404Pressure, EpsonG550,
-                                    EpsonG552, Xsens, J1939>;
+using FrameProtocols =
+    ProtocolList<Nmea2000, Aceinna, Cia404Imu, Cia404Pressure, EpsonG550, EpsonG552, Xsens, J1939>;
 
 static_assert(requires { all_are_frame_protocols(FrameProtocols{}); });
 

@@ -25,6 +25,10 @@ class Line {
   void time(const std::optional<std::chrono::microseconds>& time) {
     number(static_cast<double>(time.value_or(std::chrono::microseconds{0}).count()), 0);
   }
+  void number_or_blank(const std::optional<double>& value, int decimals) {
+    if (value) return number(*value, decimals);
+    text("");
+  }
   void letter(const std::optional<bool>& yes) { text(yes ? (*yes ? "y" : "n") : ""); }
 
   void covariance(const std::array<std::optional<double>, 9>& entries) {
@@ -130,6 +134,17 @@ std::size_t encode(const Command& m, std::span<std::uint8_t> out) {
   const std::array<char, 3> head{'w', 'c', m.letter};
   Line line{out, {head.data(), head.size()}};
   if (!m.options.empty()) line.text(m.options);
+  return line.finish();
+}
+
+std::size_t encode_settings(const Configuration& m, std::span<std::uint8_t> out) {
+  Line line{out, "wcs"};
+  line.number_or_blank(m.sound_speed_mps, 2);
+  line.number_or_blank(degrees(m.mounting_rotation_rad), 2);
+  line.letter(m.acoustic_enabled);
+  line.letter(m.dark_mode);
+  line.text(m.range_mode);
+  line.letter(m.periodic_cycling);
   return line.finish();
 }
 

@@ -128,6 +128,8 @@ std::size_t encode(const Product& m, std::span<std::uint8_t> out);
 std::size_t encode(const Configuration& m, std::span<std::uint8_t> out);
 std::size_t encode(const Answer& m, std::span<std::uint8_t> out);
 std::size_t encode(const Command& m, std::span<std::uint8_t> out);
+/// wcs: an empty value leaves the DVL's as it is.
+std::size_t encode_settings(const Configuration& m, std::span<std::uint8_t> out);
 
 template <class F>
 void visit_report(const Report& m, F&& field) {

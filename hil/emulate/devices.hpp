@@ -13,6 +13,13 @@ using DevicePtr = std::unique_ptr<EmulatedDevice>;
 /// Ensemble per sample: ship frame without tilts, that is the head's own axes.
 DevicePtr make_pd0_dvl(const DeviceSetup& setup);
 
+/// Report per sample: ship frame without tilts. PD5 has the head's sensors too.
+DevicePtr make_pd4_dvl(const DeviceSetup& setup);
+DevicePtr make_pd5_dvl(const DeviceSetup& setup);
+
+/// The ten lines of an ensemble per sample.
+DevicePtr make_pd6_dvl(const DeviceSetup& setup);
+
 /// wrz, then wru of four transducers per sample; obeys the command dialogue.
 DevicePtr make_water_linked_dvl(const DeviceSetup& setup);
 

@@ -20,6 +20,9 @@ struct Entry {
 
 constexpr auto catalogue = std::to_array<Entry>({
     {DeviceKind::dvl, "dvl", "pd0", make_pd0_dvl},
+    {DeviceKind::dvl, "dvl", "pd4", make_pd4_dvl},
+    {DeviceKind::dvl, "dvl", "pd5", make_pd5_dvl},
+    {DeviceKind::dvl, "dvl", "pd6", make_pd6_dvl},
     {DeviceKind::dvl, "dvl", "water-linked", make_water_linked_dvl},
     {DeviceKind::dvl, "dvl", "nortek", make_nortek_dvl},
     {DeviceKind::emlog, "emlog", "nmea0183", make_nmea0183_em_log},

@@ -1,16 +1,12 @@
-#include <cmath>
-
 #include "drivers/wire/pd0.hpp"
 #include "hil/emulate/devices.hpp"
+#include "hil/emulate/dvl_head.hpp"
 #include "hil/sensor/ideal.hpp"
 
 namespace drydock::emulate {
 namespace {
 
 constexpr double frequency_hz = 600e3;
-constexpr double sound_speed_mps = 1490;
-constexpr double salinity_ppt = 35;
-constexpr double full_turn = 6.283185307179586;
 
 wire::Pd0FixedLeader fixed_leader(const sensor::JanusBeams& beams) {
   wire::Pd0FixedLeader leader;
@@ -18,7 +14,7 @@ wire::Pd0FixedLeader fixed_leader(const sensor::JanusBeams& beams) {
   leader.frequency_hz = frequency_hz;
   leader.beam_angle_rad = beams.angle_rad;
   leader.pings_per_ensemble = 1;
-  leader.frame = wire::Pd0Frame::ship;
+  leader.frame = wire::DvlFrame::ship;
   leader.sensor_source = leader.sensors_available = 0b0111'1101;  // all but a conductivity cell
   return leader;
 }
@@ -45,14 +41,10 @@ class Pd0Dvl final : public SamplingDevice {
     leader.clock = std::chrono::local_time<std::chrono::milliseconds>{
         std::chrono::duration_cast<std::chrono::milliseconds>(
             measured.origin.valid_at.time_since_epoch())};
-    leader.sound_speed_mps = sound_speed_mps;
+    leader.sound_speed_mps = dvl_sound_speed_mps;
     leader.depth_m = std::max(depth_m, 0.0);
-    const double heading = *measured.heading_rad;
-    leader.heading_rad = heading < 0 ? heading + full_turn : heading;
-    // The pendulum on the bow axis reads more than Euler's pitch when the head is heeled.
-    leader.pitch_rad = std::atan(std::tan(*measured.pitch_rad) / std::cos(*measured.roll_rad));
-    leader.roll_rad = measured.roll_rad;
-    leader.salinity_ppt = salinity_ppt;
+    static_cast<wire::DvlAttitude&>(leader) = head_attitude(measured);
+    leader.salinity_ppt = dvl_salinity_ppt;
     leader.temperature_k = sensor::water_temperature_k;
   }
 
@@ -69,7 +61,7 @@ class Pd0Dvl final : public SamplingDevice {
     }
     if (measured.velocity) {
       const Eigen::Vector3d v = errors_.apply(*measured.velocity);
-      track.velocity_mps = {v.y(), v.x(), -v.z(), *measured.error_velocity_mps};
+      track.velocity_mps = along_head_axes(v, *measured.error_velocity_mps);
     }
     ensemble_.bottom_track = track;
   }

@@ -1,4 +1,6 @@
+#include <Eigen/Geometry>
 #include <cmath>
+#include <numbers>
 
 #include "drivers/wire/text_fields.hpp"
 #include "drivers/wire/water_linked.hpp"
@@ -15,6 +17,7 @@ constexpr sensor::JanusBeams a50_beams{22.5 * 3.14159265358979323846 / 180, 50};
 /// The transducers in the order of JanusBeams, as the A50 numbers them (from 0) in its PD4 output.
 constexpr std::array<int, 4> transducer_of_beam{2, 0, 3, 1};
 constexpr int most_queued_pings = 15;
+constexpr double slowest_sound_mps = 1000, fastest_sound_mps = 2000;
 
 /// `protocol` of the command wcp.
 constexpr int output_off = 0, output_all = 1, output_new = 3;
@@ -58,7 +61,9 @@ class WaterLinkedDvl final : public SamplingDevice {
     water_linked::BottomVelocity report;
     report.valid = measured.velocity.has_value();
     if (measured.velocity) {
-      const Eigen::Vector3d v = errors_.apply(*measured.velocity);
+      const Eigen::AngleAxisd mounted(*configuration_.mounting_rotation_rad,
+                                      Eigen::Vector3d::UnitZ());
+      const Eigen::Vector3d v = mounted * errors_.apply(*measured.velocity);
       report.velocity_mps = {v.x(), v.y(), v.z()};
       report.altitude_m = measured.altitude_m;
     }
@@ -118,10 +123,14 @@ class WaterLinkedDvl final : public SamplingDevice {
     const auto take = [](auto& setting, const auto& value) {
       if (value) setting = value;
     };
-    // A mounting rotation and other range modes are not emulated.
-    if (asked->mounting_rotation_rad.value_or(0) != 0) return Verdict::refused;
+    const double sound_speed = asked->sound_speed_mps.value_or(slowest_sound_mps);
+    const double rotation = asked->mounting_rotation_rad.value_or(0);
+    if (sound_speed < slowest_sound_mps || sound_speed > fastest_sound_mps) return Verdict::refused;
+    if (rotation < 0 || rotation > 2 * std::numbers::pi) return Verdict::refused;
+    // Other range modes are not emulated.
     if (!asked->range_mode.empty() && asked->range_mode != "auto") return Verdict::refused;
     take(configuration_.sound_speed_mps, asked->sound_speed_mps);
+    take(configuration_.mounting_rotation_rad, asked->mounting_rotation_rad);
     take(configuration_.acoustic_enabled, asked->acoustic_enabled);
     take(configuration_.dark_mode, asked->dark_mode);
     take(configuration_.periodic_cycling, asked->periodic_cycling);

@@ -186,6 +186,36 @@ TEST(RigProblems, APressureTransmitterIsSetByItsOwnTable) {
                           "\"cia404-pressure\""));
 }
 
+TEST(RigProblems, WhatOnlySomeDvlProtocolsNeedIsRefusedElsewhere) {
+  EXPECT_THAT(
+      problems_of("maker = \"water-linked\"\nbeam_angle_deg = 30\nconfigure = {}\n"),
+      ElementsAre("r.toml:8:1: /device/0/maker: not allowed here, only for protocol = \"pd4\" or "
+                  "\"pd6\"",
+                  "r.toml:9:1: /device/0/beam_angle_deg: not allowed here, only for protocol = "
+                  "\"pd4\" or \"pd5\"",
+                  "r.toml:10:1: /device/0/water_linked: not allowed here, only for protocol = "
+                  "\"water-linked\""));
+}
+
+TEST(Rig, ADvlsMakerBeamAngleAndSettings) {
+  const auto rig = load_rig_text(
+      "[rig]\nname = \"r\"\n"
+      "[[device]]\nname = \"a\"\nkind = \"dvl\"\nprotocol = \"pd4\"\nlink = \"pty:a\"\n"
+      "maker = \"water-linked\"\nbeam_angle_deg = 22.5\n"
+      "[[device]]\nname = \"b\"\nkind = \"dvl\"\nprotocol = \"water-linked\"\nlink = \"pty:b\"\n"
+      "[device.water_linked]\nmounting_rotation_deg = 180\nold_sentences = true\n",
+      "r.toml");
+  const auto& devices = rig.value().devices;
+  EXPECT_EQ(devices[0].maker, DvlMaker::water_linked);
+  EXPECT_DOUBLE_EQ(*devices[0].beam_angle_rad, 0.39269908169872414);
+  EXPECT_FALSE(devices[0].water_linked);
+  EXPECT_EQ(devices[1].maker, DvlMaker::teledyne);
+  ASSERT_TRUE(devices[1].water_linked);
+  EXPECT_FALSE(devices[1].water_linked->sound_speed_mps);
+  EXPECT_DOUBLE_EQ(*devices[1].water_linked->mounting_rotation_rad, 3.141592653589793);
+  EXPECT_TRUE(devices[1].water_linked->old_sentences);
+}
+
 TEST(RigProblems, ANegativeNoiseOfOneAxisPointsAtThatAxis) {
   EXPECT_THAT(problems_of("emulate = { velocity_noise_mps = [0.1, -0.1, 0.1] }\n"),
               ElementsAre("r.toml:8:40: /device/0/emulate/velocity_noise_mps/1: -0.1 is out of "

@@ -126,6 +126,7 @@ TEST(Device, UnknownProtocolIsRefused) {
   EXPECT_EQ(
       made.error().message,
       "no driver for kind \"dvl\" with protocol \"nmea0183\" over bytes; allowed: pd0 (bytes) "
+      "pd4 (bytes) pd5 (bytes) pd6 (bytes) "
       "water-linked (bytes) nortek (bytes)");
 }
 

@@ -66,6 +66,20 @@ TEST(RigDevices, QuietBusIsNotOpenedAgainNorIsARecording) {
   EXPECT_FALSE(device_options(rig, 1)->life_cycle.reopen_when_quiet);
 }
 
+TEST(RigDevices, ADvlIsToldItsMakerBeamAngleAndSettings) {
+  auto config = dvl();
+  EXPECT_FALSE(device_options(rig_of({config}), 0)->driver.dvl.water_linked);
+  config.maker = rig_config::DvlMaker::water_linked;
+  config.beam_angle_rad = 0.5;
+  config.water_linked = rig_config::WaterLinkedConfig{1490, 0.25, true};
+  const auto options = device_options(rig_of({config}), 0)->driver.dvl;
+  EXPECT_EQ(options.maker, device::DvlMaker::water_linked);
+  EXPECT_EQ(options.beam_angle_rad, 0.5);
+  EXPECT_EQ(options.water_linked->sound_speed_mps, 1490);
+  EXPECT_EQ(options.water_linked->mounting_rotation_rad, 0.25);
+  EXPECT_TRUE(options.water_linked->old_sentences);
+}
+
 TEST(RigDevices, DevicesStandInTheOrderOfTheFile) {
   const auto devices = make_devices(rig_of({depth(), dvl()}));
   ASSERT_TRUE(devices);
@@ -86,7 +100,8 @@ TEST(RigDevices, MistakesAreOneLineThatNamesThePlace) {
   wrong.protocol = "pd7";
   EXPECT_EQ(error_of(wrong),
             "boat.toml:12: device \"bottom\": no driver for kind \"dvl\" with protocol \"pd7\" "
-            "over bytes; allowed: pd0 (bytes) water-linked (bytes) nortek (bytes)");
+            "over bytes; allowed: pd0 (bytes) pd4 (bytes) "
+            "pd5 (bytes) pd6 (bytes) water-linked (bytes) nortek (bytes)");
   wrong = dvl();
   wrong.link = "carrier-pigeon:x";
   EXPECT_THAT(error_of(wrong), HasSubstr("boat.toml:12: device \"bottom\": "));

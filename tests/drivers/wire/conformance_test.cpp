@@ -48,6 +48,30 @@ struct Golden<Pd0> {
 };
 
 template <>
+struct Golden<Pd4> {
+  static Buffer stream() { return fixture("pd4/golden.pd4"); }
+  static constexpr std::size_t frames = 2, messages = 2;
+  static Buffer false_sync() { return {0x7D, 0x00, 0x2D, 0x00, 0x43}; }
+  static constexpr std::size_t inside = 20;
+};
+
+template <>
+struct Golden<Pd5> {
+  static Buffer stream() { return fixture("pd5/golden.pd5"); }
+  static constexpr std::size_t frames = 2, messages = 2;
+  static Buffer false_sync() { return {0x7D, 0x01, 0x56, 0x00, 0x43}; }
+  static constexpr std::size_t inside = 60;
+};
+
+template <>
+struct Golden<Pd6> {
+  static Buffer stream() { return fixture("pd6/golden.pd6"); }
+  static constexpr std::size_t frames = 18, messages = 17;
+  static Buffer false_sync() { return as_bytes(":BI,  +12"); }
+  static constexpr std::size_t inside = 7;  ///< the point of a number: no checksum covers digits
+};
+
+template <>
 struct Golden<WaterLinked> {
   static Buffer stream() { return fixture("water-linked/golden.txt"); }
   static constexpr std::size_t frames = 20, messages = 19;
@@ -58,7 +82,7 @@ struct Golden<WaterLinked> {
 template <>
 struct Golden<Nortek> {
   static Buffer stream() { return fixture("nortek/golden.nmea"); }
-  static constexpr std::size_t frames = 10, messages = 9;
+  static constexpr std::size_t frames = 13, messages = 12;
   static Buffer false_sync() { return as_bytes("$PNORBT7,12"); }
   static constexpr std::size_t inside = 9;
 };
@@ -94,8 +118,24 @@ bool sound_water_linked(Bytes frame) {
   return std::stoul(std::string{text.substr(star + 1, 2)}, nullptr, 16) == crc;
 }
 
+/// No checksum: a head, fields without a second colon, a line end, and of known lines the number of
+/// fields.
+bool sound_pd6(Bytes frame) {
+  const std::string_view text = as_text(frame);
+  if (text.size() < 5 || text[0] != ':' || text.rfind(':') != 0 || text[3] != ',') return false;
+  if (!text.ends_with('\n')) return false;
+  const auto fields = std::ranges::count(text, ',');
+  const std::string_view name = text.substr(1, 2);
+  if (name == "SA") return fields == 3;
+  if (name == "TS") return fields == 6;
+  if (name[0] != 'B' && name[0] != 'W') return true;
+  if (name[1] == 'I' || name[1] == 'D') return fields == 5;
+  return (name[1] != 'S' && name[1] != 'E') || fields == 4;
+}
+
 template <class P>
 bool sound(Bytes frame) {
+  if constexpr (std::is_same_v<P, Pd6>) return sound_pd6(frame);
   if constexpr (std::is_same_v<P, Nmea0183> || std::is_same_v<P, Nortek>)
     return sound_sentence(frame);
   if constexpr (std::is_same_v<P, Ubx>) return sound_ubx(frame);
@@ -105,7 +145,9 @@ bool sound(Bytes frame) {
   }
   const std::size_t n = frame.size() - 2;
   const unsigned sum = std::accumulate(frame.begin(), frame.end() - 2, 0u);
-  return frame[0] == 0x7F && frame[1] == 0x7F && frame[n] + 256u * frame[n + 1] == sum % 65536;
+  if (frame[n] + 256u * frame[n + 1] != sum % 65536) return false;
+  if constexpr (std::is_same_v<P, Pd0>) return frame[0] == 0x7F && frame[1] == 0x7F;
+  return frame[0] == 0x7D && frame[2] + 256u * frame[3] == n;
 }
 
 template <class P>

@@ -65,6 +65,19 @@ TEST(Nortek, SpeedAndDirection) {
   }
 }
 
+TEST(Nortek, WaterTrackIsNotBottomTrack) {
+  const auto velocity = nortek_golden().all<NortekWaterVelocity>();
+  ASSERT_EQ(velocity.size(), 2u);
+  for (const NortekWaterVelocity& m : velocity) {
+    EXPECT_EQ(m.velocity_mps, (std::array<std::optional<double>, 3>{1.2345, -0.056, 0.078}));
+    EXPECT_EQ(m.figure_of_merit_mps, 0.0031);
+  }
+  EXPECT_EQ(velocity[1].status, 0xF00Fu);
+  const auto speed = nortek_golden().all<NortekWaterSpeed>();
+  ASSERT_EQ(speed.size(), 1u);
+  EXPECT_EQ(speed[0].speed_mps, 1.236);
+}
+
 TEST(Nortek, AWrittenSentenceReadsAsItWas) {
   auto m = nortek_golden().all<NortekVelocity>().at(1);
   std::array<std::uint8_t, 256> out;
@@ -106,7 +119,10 @@ TEST(Nortek, SentencesOfAnotherProgramAreRead) {
     const auto reading = read_stream<Nortek>(as_bytes(line.substr(3) + "\r\n"));
     EXPECT_EQ(reading.frames.size(), 1u) << line;
     const bool bottom_track = line.find("$PNORBT") != line.npos;
-    EXPECT_EQ(reading.messages.size(), bottom_track ? 1u : 0u) << line;
+    const bool water_track = line.find("$PNORWT") != line.npos;
+    EXPECT_EQ(reading.messages.size(), bottom_track || water_track ? 1u : 0u) << line;
+    EXPECT_EQ(reading.all<NortekWaterVelocity>().size() + reading.all<NortekWaterSpeed>().size(),
+              water_track ? 1u : 0u);
     for (const auto& m : reading.all<NortekVelocity>()) {
       EXPECT_EQ(m.ping_time_s, 1452244916.7508);
       EXPECT_EQ(m.velocity_mps[2], 0.1234);

@@ -27,7 +27,7 @@ TEST(Pd0, FixedLeaderTellsHowTheInstrumentIsBuilt) {
   EXPECT_EQ(m.cells, 30);
   EXPECT_DOUBLE_EQ(m.cell_length_m, 1.0);
   EXPECT_DOUBLE_EQ(m.blank_m, 0.88);
-  EXPECT_EQ(m.frame, Pd0Frame::ship);
+  EXPECT_EQ(m.frame, DvlFrame::ship);
   EXPECT_FALSE(m.tilts_used);
   EXPECT_FALSE(m.three_beam);
   EXPECT_NEAR(degrees(m.heading_alignment_rad), 45, 1e-12);
@@ -83,7 +83,7 @@ TEST(Pd0, BadBeamsAreEmptyAndSpareTheOthers) {
 
 TEST(Pd0, OffsetsDecideWhereABlockStandsAndEnds) {
   const Pd0Ensemble m = golden(1);
-  EXPECT_EQ(m.fixed.frame, Pd0Frame::earth);
+  EXPECT_EQ(m.fixed.frame, DvlFrame::earth);
   EXPECT_TRUE(m.fixed.tilts_used);
   EXPECT_TRUE(m.fixed.three_beam);
   EXPECT_EQ(m.variable.ensemble, 42u);
@@ -149,6 +149,18 @@ TEST(Pd0, TheEncoderRebuildsTheGoldenEnsembles) {
   std::array<std::uint8_t, 512> out;
   const std::size_t size = encode(golden(0), out);
   EXPECT_EQ(Buffer(out.begin(), out.begin() + static_cast<long>(size)), frames[0]);
+}
+
+TEST(Pd0, ABeamAngleWithoutABitPatternStandsInTheLastByteOfTheFixedLeader) {
+  Pd0Ensemble m = golden(0);
+  m.fixed.beam_angle_rad = radians(25);
+  std::array<std::uint8_t, 512> out;
+  const std::size_t size = encode(m, out);
+  constexpr std::size_t fixed_at = 12;  // header, three offsets
+  EXPECT_EQ(out[fixed_at + 5] & 3, 3) << "other";
+  EXPECT_EQ(out[fixed_at + 58], 25);
+  const auto again = std::get<Pd0Ensemble>(*Pd0::decode(Bytes{out}.first(size)));
+  EXPECT_NEAR(degrees(*again.fixed.beam_angle_rad), 25, 1e-12);
 }
 
 TEST(Pd0, WhatIsAbsentIsMarkedAbsent) {

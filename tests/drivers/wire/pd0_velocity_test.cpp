@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <utility>
 
 #include "drivers/wire/fields.hpp"
 
@@ -27,7 +28,7 @@ Vector to_ned(const Vector& v, double yaw_rad, double pitch_rad, double roll_rad
 }
 
 /// An ensemble whose pitch sensor reads the tilt of the bow axis as the instrument's does.
-Pd0Ensemble ensemble(Pd0Frame frame, std::array<std::optional<double>, 4> velocity) {
+Pd0Ensemble ensemble(DvlFrame frame, std::array<std::optional<double>, 4> velocity) {
   Pd0Ensemble e;
   e.fixed.frame = frame;
   e.fixed.tilts_used = true;
@@ -47,8 +48,11 @@ void expect_body(const Pd0Ensemble& e, const Vector& expected = body) {
 
 /// Velocities along the beams (towards the transducer, of the bed, sign turned) by the directions
 /// of the beams: down and outwards, 1 to port, 2 to starboard, 3 to the bow, 4 to the stern.
-std::array<std::optional<double>, 4> along_beams(const Vector& frd) {
-  const double s = std::sin(radians(30)), c = std::cos(radians(30));
+/// The beams of a concave head cross: each looks to the other side.
+std::array<std::optional<double>, 4> along_beams(const Vector& frd, double angle_deg = 30,
+                                                 bool convex = true) {
+  const double s = std::sin(radians(angle_deg)) * (convex ? 1 : -1);
+  const double c = std::cos(radians(angle_deg));
   const std::array<Vector, 4> outwards{Vector{0, -s, c}, {0, s, c}, {s, 0, c}, {-s, 0, c}};
   std::array<std::optional<double>, 4> along;
   for (std::size_t i = 0; i < 4; ++i) {
@@ -60,34 +64,63 @@ std::array<std::optional<double>, 4> along_beams(const Vector& frd) {
 }
 
 TEST(Pd0Velocity, InstrumentAxesAreStarboardBowMast) {
-  expect_body(ensemble(Pd0Frame::instrument, {-0.3, 1.6, -0.15, 0.0}));
+  expect_body(ensemble(DvlFrame::instrument, {-0.3, 1.6, -0.15, 0.0}));
 }
 
 TEST(Pd0Velocity, ShipAxesWithoutTiltsAreTheHulls) {
-  auto e = ensemble(Pd0Frame::ship, {-0.3, 1.6, -0.15, {}});
+  auto e = ensemble(DvlFrame::ship, {-0.3, 1.6, -0.15, {}});
   e.fixed.tilts_used = false;
   expect_body(e);
 }
 
 TEST(Pd0Velocity, ShipAxesWithTiltsAreTurnedBackToTheHull) {
   const Vector level = to_ned(body, 0, pitch, roll);
-  expect_body(ensemble(Pd0Frame::ship, {level[1], level[0], -level[2], 0.0}));
+  expect_body(ensemble(DvlFrame::ship, {level[1], level[0], -level[2], 0.0}));
 }
 
 TEST(Pd0Velocity, EarthAxesAreTurnedBackToTheHull) {
   const Vector ned = to_ned(body, heading, pitch, roll);
-  expect_body(ensemble(Pd0Frame::earth, {ned[1], ned[0], -ned[2], 0.0}));
+  expect_body(ensemble(DvlFrame::earth, {ned[1], ned[0], -ned[2], 0.0}));
 }
 
 TEST(Pd0Velocity, BeamsFollowTheJanusGeometry) {
-  expect_body(ensemble(Pd0Frame::beam, along_beams(body)));
+  expect_body(ensemble(DvlFrame::beam, along_beams(body)));
+}
+
+TEST(Pd0Velocity, TheBeamsOfAConcaveHeadCross) {
+  auto e = ensemble(DvlFrame::beam, along_beams(body, 30, false));
+  e.fixed.convex = false;
+  expect_body(e);
+  e.fixed.three_beam = true;
+  for (auto& beam : e.bottom_track->velocity_mps) {
+    const auto kept = std::exchange(beam, std::nullopt);
+    expect_body(e);
+    beam = kept;
+  }
+}
+
+TEST(Pd0Velocity, AnyBeamAngleThatTheInstrumentTells) {
+  for (const double angle_deg : {15.0, 20.0, 25.0}) {
+    auto e = ensemble(DvlFrame::beam, along_beams(body, angle_deg));
+    e.fixed.beam_angle_rad = radians(angle_deg);
+    expect_body(e);
+  }
+}
+
+TEST(Pd0Velocity, BeamsAreTurnedToTheBowByTheAlignment) {
+  // Beam 3 stands 45 degrees to starboard of the bow, as most heads are mounted.
+  const double q = std::sqrt(0.5);
+  const Vector in_head{q * (body[0] + body[1]), q * (body[1] - body[0]), body[2]};
+  auto e = ensemble(DvlFrame::beam, along_beams(in_head));
+  e.fixed.heading_alignment_rad = radians(45);
+  expect_body(e);
 }
 
 TEST(Pd0Velocity, OneBadBeamIsBridgedWhereThreeAreAllowed) {
   for (std::size_t bad = 0; bad < 4; ++bad) {
     auto beams = along_beams(body);
     beams[bad].reset();
-    auto e = ensemble(Pd0Frame::beam, beams);
+    auto e = ensemble(DvlFrame::beam, beams);
     EXPECT_FALSE(velocity_frd(e));
     e.fixed.three_beam = true;
     expect_body(e);
@@ -98,7 +131,7 @@ TEST(Pd0Velocity, OneBadBeamIsBridgedWhereThreeAreAllowed) {
 
 TEST(Pd0Velocity, AlignmentTurnsTheInstrumentToTheBow) {
   // Beam 3 stands 90 degrees to starboard: its X axis looks astern, its Y axis to starboard.
-  auto e = ensemble(Pd0Frame::instrument, {-1.6, -0.3, -0.15, 0.0});
+  auto e = ensemble(DvlFrame::instrument, {-1.6, -0.3, -0.15, 0.0});
   e.fixed.heading_alignment_rad = radians(90);
   expect_body(e);
 }
@@ -106,14 +139,14 @@ TEST(Pd0Velocity, AlignmentTurnsTheInstrumentToTheBow) {
 TEST(Pd0Velocity, LevelAlignedEarthVelocityNeedsOnlyTheShipsHeading) {
   // The heading output refers to the ship, wherever beam 3 stands.
   const Vector ned = to_ned(body, heading, 0, 0);
-  auto e = ensemble(Pd0Frame::earth, {ned[1], ned[0], -ned[2], 0.0});
+  auto e = ensemble(DvlFrame::earth, {ned[1], ned[0], -ned[2], 0.0});
   e.variable.pitch_rad = e.variable.roll_rad = 0.0;
   e.fixed.heading_alignment_rad = radians(45);
   expect_body(e);
 }
 
 TEST(Pd0Velocity, HighResolutionCountsBeforeBottomTrack) {
-  auto e = ensemble(Pd0Frame::instrument, {-0.3, 1.6, -0.15, 0.0});
+  auto e = ensemble(DvlFrame::instrument, {-0.3, 1.6, -0.15, 0.0});
   e.high_resolution.emplace().bottom_velocity_mps = {-0.30004, 1.60003, {}, 0.00002};
   expect_body(e, {1.60003, -0.30004, 0.15});
   EXPECT_EQ(finest_velocity(e)[3], 0.00002);
@@ -125,17 +158,17 @@ TEST(Pd0Velocity, HighResolutionCountsBeforeBottomTrack) {
 }
 
 TEST(Pd0Velocity, NothingComesOfBadVelocitiesOrMissingAngles) {
-  EXPECT_FALSE(velocity_frd(ensemble(Pd0Frame::ship, {0.1, {}, 0.1, 0.0})));
-  auto no_heading = ensemble(Pd0Frame::earth, {0.1, 0.1, 0.1, 0.0});
+  EXPECT_FALSE(velocity_frd(ensemble(DvlFrame::ship, {0.1, {}, 0.1, 0.0})));
+  auto no_heading = ensemble(DvlFrame::earth, {0.1, 0.1, 0.1, 0.0});
   no_heading.variable.heading_rad.reset();
   EXPECT_FALSE(velocity_frd(no_heading));
-  auto no_roll = ensemble(Pd0Frame::ship, {0.1, 0.1, 0.1, 0.0});
+  auto no_roll = ensemble(DvlFrame::ship, {0.1, 0.1, 0.1, 0.0});
   no_roll.variable.roll_rad.reset();
   EXPECT_FALSE(velocity_frd(no_roll));
-  auto no_angle = ensemble(Pd0Frame::beam, {0.1, 0.1, 0.1, 0.1});
+  auto no_angle = ensemble(DvlFrame::beam, {0.1, 0.1, 0.1, 0.1});
   no_angle.fixed.beam_angle_rad.reset();
   EXPECT_FALSE(velocity_frd(no_angle));
-  auto upwards = ensemble(Pd0Frame::instrument, {0.1, 0.1, 0.1, 0.1});
+  auto upwards = ensemble(DvlFrame::instrument, {0.1, 0.1, 0.1, 0.1});
   upwards.fixed.faces_up = true;
   EXPECT_FALSE(velocity_frd(upwards));
   EXPECT_FALSE(velocity_frd(Pd0Ensemble{}));

@@ -37,6 +37,10 @@ class ThroughDrivers : public testing::Test, protected device::Output {
     device::DriverOptions options;
     options.kind = kind;
     options.protocol = config.protocol;
+    options.mounting = {config.mounting_rad[0], config.mounting_rad[1], config.mounting_rad[2]};
+    if (config.maker == rig_config::DvlMaker::water_linked) {
+      options.dvl.maker = device::DvlMaker::water_linked;
+    }
     return options;
   }
 
@@ -84,12 +88,15 @@ class ThroughDrivers : public testing::Test, protected device::Output {
   }
 
   void publish(const measurement::Measurement& m) override { measurements_.push_back(m); }
-  void send(wire::Bytes) override {}
+  void send(wire::Bytes bytes) override {
+    if (line_) line_->receive(bytes, now_);
+  }
   void send(const wire::CanFrame& frame) override { bus_->receive(frame, now_); }
   void report(std::string_view what) override { ADD_FAILURE() << what; }
 
   motion::KinematicTrajectory trajectory_;
   std::vector<measurement::Measurement> measurements_;
+  EmulatedLine* line_ = nullptr;
   EmulatedBus* bus_ = nullptr;
   Stamp now_ = start;
 };
@@ -104,6 +111,31 @@ TEST_F(ThroughDrivers, TheDvlsVelocityAndAltitude) {
     ASSERT_TRUE(sample.velocity && sample.altitude_m);
     EXPECT_LT((*sample.velocity - truth.velocity_body).norm(), 1.5e-3);
     EXPECT_NEAR(*sample.altitude_m, truth.bed_depth_m + truth.height_m, 0.02);
+  }
+}
+
+TEST_F(ThroughDrivers, Pd4Pd5AndPd6OfBothMakers) {
+  using enum rig_config::DvlMaker;
+  for (const auto& [protocol, maker] : {std::pair{"pd4", teledyne},
+                                        {"pd4", water_linked},
+                                        {"pd5", teledyne},
+                                        {"pd6", teledyne},
+                                        {"pd6", water_linked}}) {
+    measurements_.clear();
+    auto config = device(DeviceKind::dvl, protocol, 5);
+    config.maker = maker;
+    config.mounting_rad = {0, 0, 45 * degree};
+    run_line(device::Kind::dvl, config, 115200);
+    const auto samples = all<measurement::BottomVelocity>();
+    EXPECT_EQ(samples.size(), 450) << protocol;
+    for (const auto& sample : samples) {
+      const auto truth = trajectory_.at(sample.origin.valid_at);
+      ASSERT_TRUE(sample.velocity);
+      EXPECT_LT((*sample.velocity - truth.velocity_body).norm(), 1.5e-3);
+      EXPECT_EQ(sample.altitude_m.has_value(), std::string_view{protocol} != "pd4");
+      if (!sample.altitude_m) continue;
+      EXPECT_NEAR(*sample.altitude_m, truth.bed_depth_m + truth.height_m, 0.02);
+    }
   }
 }
 
@@ -130,6 +162,36 @@ TEST_F(ThroughDrivers, WaterLinkedAndNortekDvlsKnowTheirOwnLatency) {
     }
     EXPECT_GT(locked, 50) << protocol;
   }
+}
+
+TEST_F(ThroughDrivers, AWaterLinkedDvlIsSetUpAndItsRotationTurnsBothWays) {
+  auto with_baud = options(device::Kind::dvl, device(DeviceKind::dvl, "water-linked", 5));
+  with_baud.baud = 115200;
+  with_baud.mounting = {};
+  with_baud.dvl.water_linked = device::WaterLinkedSettings{1490.0, 30 * degree, false};
+  const auto made = device::make_byte_driver(with_baud);
+  ASSERT_TRUE(made);
+  const auto& driver = *made;
+  auto config = device(DeviceKind::dvl, "water-linked", 5);
+  config.mounting_rad = {0, 0, 30 * degree};  // the DVL is told, the driver is not
+  EmulatedLine line(make_emulated_device(config, trajectory_, 1).value(), 115200,
+                    [&](wire::Bytes bytes, Stamp at) {
+                      now_ = at;
+                      driver->receive(bytes, at, *this);
+                    });
+  line_ = &line;
+  driver->restart(start, *this);
+  run(line);
+  line_ = nullptr;
+  EXPECT_FALSE(driver->deadline()) << "every command was answered";
+  int locked = 0;
+  for (const auto& sample : all<measurement::BottomVelocity>()) {
+    if (!sample.velocity || sample.origin.valid_at < at_s(1)) continue;
+    ++locked;
+    const auto truth = trajectory_.at(sample.origin.valid_at);
+    EXPECT_LT((*sample.velocity - truth.velocity_body).norm(), 1.5e-3);
+  }
+  EXPECT_GT(locked, 50);
 }
 
 TEST_F(ThroughDrivers, TheLogsSpeedAtTheTimeItWasTrue) {

@@ -29,7 +29,7 @@ TEST(EmulatedDvl, TheEnsembleHoldsTheTruthWithinTheProtocolsResolution) {
   const auto sent = record(device(DeviceKind::dvl, "pd0", 2), trajectory, 1.2);
   ASSERT_EQ(sent.messages.size(), 3);
   const auto ensemble = decoded(sent.messages[2]);
-  EXPECT_EQ(ensemble.fixed.frame, wire::Pd0Frame::ship);
+  EXPECT_EQ(ensemble.fixed.frame, wire::DvlFrame::ship);
   EXPECT_FALSE(ensemble.fixed.tilts_used);
   EXPECT_NEAR(*ensemble.fixed.beam_angle_rad, 30 * degree, 1e-9);
   EXPECT_EQ(ensemble.variable.ensemble, 3);
@@ -93,6 +93,55 @@ TEST(EmulatedDvl, BeyondItsRangeItSaysThatEveryVelocityIsBad) {
     EXPECT_EQ(load_le<std::int16_t>(track, 24 + 2 * i), -32768);
     EXPECT_EQ(load_le<std::uint16_t>(track, 16 + 2 * i), 0);
   }
+}
+
+TEST(EmulatedDvl, InPd4AndPd5TheVehicleMoves) {
+  const Frozen trajectory(under_way());
+  for (const auto& [protocol, size] : {std::pair{"pd4", 47U}, {"pd5", 88U}}) {
+    const auto sent = record(device(DeviceKind::dvl, protocol), trajectory, 0);
+    const wire::Bytes report = sent.messages.at(0).bytes;
+    ASSERT_EQ(report.size(), size);
+    // Table 48 of the Pathfinder guide, bytes 5 to 13: ship axes, 600 kHz; starboard, forward,
+    // mast.
+    EXPECT_EQ(report[4], 0b1000'0011);
+    EXPECT_EQ(load_le<std::int16_t>(report, 5), 123);
+    EXPECT_EQ(load_le<std::int16_t>(report, 7), 2000);
+    EXPECT_EQ(load_le<std::int16_t>(report, 9), 45);
+    EXPECT_EQ(report[35], 22);  // 22:13:20 UTC
+    EXPECT_EQ(report[36], 13);
+    EXPECT_EQ(report[37], 20);
+  }
+}
+
+TEST(EmulatedDvl, AWaterLinkedPd4HasThatMakersAxesAndConfiguration) {
+  const Frozen trajectory(under_way());
+  auto config = device(DeviceKind::dvl, "pd4");
+  config.maker = rig_config::DvlMaker::water_linked;
+  const auto sent = record(config, trajectory, 0);
+  const wire::Bytes report = sent.messages.at(0).bytes;
+  EXPECT_EQ(report[4], 0b1010'0011);  // as that maker documents
+  EXPECT_EQ(load_le<std::int16_t>(report, 5), 2000);
+  EXPECT_EQ(load_le<std::int16_t>(report, 7), 123);
+  EXPECT_EQ(load_le<std::int16_t>(report, 9), -45);
+}
+
+TEST(EmulatedDvl, APd6EnsembleIsTenLines) {
+  motion::Truth truth = under_way();
+  truth.body_to_ned.setIdentity();
+  truth.roll_rad = truth.pitch_rad = truth.yaw_rad = 0;
+  const Frozen trajectory(truth);
+  const auto sent = record(device(DeviceKind::dvl, "pd6"), trajectory, 0);
+  EXPECT_EQ(text(sent.messages.at(0)),
+            ":SA, +0.00, +0.00,  0.00\r\n"
+            ":TS,23111422132000,35.0,+10.0,  20.0,1490.0,  0\r\n"
+            ":WI,-32768,-32768,-32768,-32768,V\r\n"
+            ":WS,-32768,-32768,-32768,V\r\n"
+            ":WE,-32768,-32768,-32768,V\r\n"
+            ":WD,       +0.00,       +0.00,       +0.00,   0.00,  0.00\r\n"
+            ":BI,  +123, +2000,   +45,    +0,A\r\n"
+            ":BS,  +123, +2000,   +45,A\r\n"
+            ":BE,  +123, +2000,   +45,A\r\n"
+            ":BD,       +0.12,       +2.00,       +0.04,  30.00,  0.00\r\n");
 }
 
 }  // namespace

@@ -60,6 +60,21 @@ TEST_F(WaterLinkedDvl, AnswersAsTheVendorDescribes) {
   EXPECT_EQ(answer_to("wcv*00"), "wr!*1e\r\n");
 }
 
+TEST_F(WaterLinkedDvl, TurnsItsVelocityByTheMountingRotation) {
+  EXPECT_EQ(answer_to("wcs,,90,,,,"), "wra*d9\r\n");
+  EXPECT_EQ(sent_until(0.1), "zuuuu");
+  // The DVL looks to starboard: its forward is the vehicle's starboard, its starboard astern.
+  EXPECT_EQ(text(recorder_.messages.front()).substr(0, 24), "wrz,-0.123,2.000,-0.045,");
+}
+
+TEST_F(WaterLinkedDvl, RefusesWhatItCannotDo) {
+  for (const char* command :
+       {"wcs,999,,,,,", "wcs,2001,,,,,", "wcs,,361,,,,", "wcs,,,,,wt,", "wcp,6", "wcp,9"}) {
+    EXPECT_EQ(answer_to(command), "wrn*f4\r\n") << command;
+  }
+  EXPECT_EQ(answer_to("wcc").substr(0, 28), "wrc,1475.00,0.00,y,n,auto,y*");
+}
+
 TEST_F(WaterLinkedDvl, SendsTheFormsThatAreAskedFor) {
   EXPECT_EQ(answer_to("wcp,1"), "wra*d9\r\n");
   EXPECT_EQ(sent_until(0.1), "zxuuuut");

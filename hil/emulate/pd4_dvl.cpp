@@ -1,0 +1,73 @@
+#include "drivers/wire/pd4.hpp"
+
+#include "hil/emulate/devices.hpp"
+#include "hil/emulate/dvl_head.hpp"
+#include "hil/sensor/ideal.hpp"
+
+namespace drydock::emulate {
+namespace {
+
+/// One PD4 or PD5 report a sample: ship axes without tilts, which are the head's own. A Water
+/// Linked head says "ship axes with tilts" and sends forward, starboard, down, as that maker
+/// documents.
+template <class Protocol>
+class Pd4Dvl final : public SamplingDevice {
+ public:
+  explicit Pd4Dvl(const DeviceSetup& setup)
+      : SamplingDevice(setup),
+        errors_(setup.primary_errors()),
+        water_linked_(setup.config.maker == rig_config::DvlMaker::water_linked) {}
+
+ private:
+  using Report = typename Protocol::Report;
+
+  void sample(Stamp at, Wire& out) override {
+    const auto truth = trajectory().at(at);
+    const auto measured = sensor::ideal_dvl(truth, mounting());
+    Report report;
+    report.frame = wire::DvlFrame::ship;
+    report.tilts_used = water_linked_;
+    report.frequency_hz = 600e3;
+    set_bottom_track(measured, report);
+    const auto since_midnight =
+        at.time_since_epoch() - std::chrono::floor<std::chrono::days>(at.time_since_epoch());
+    report.first_ping = std::chrono::duration_cast<std::chrono::milliseconds>(since_midnight);
+    report.sound_speed_mps = dvl_sound_speed_mps;
+    report.temperature_k = sensor::water_temperature_k;
+    if constexpr (std::is_same_v<Protocol, wire::Pd5>) {
+      static_cast<wire::DvlAttitude&>(report) = head_attitude(measured);
+      report.salinity_ppt = dvl_salinity_ppt;
+      report.depth_m = std::max(sensor::depth_at(truth, mounting()), 0.0);
+    }
+    out.send(wire::Bytes{bytes_}.first(wire::encode(report, bytes_)));
+  }
+
+  void set_bottom_track(const measurement::BottomVelocity& measured, Report& report) {
+    report.bottom_range_m = measured.range_m;
+    for (std::size_t i = 0; i < 4; ++i) {
+      if (!measured.range_m[i]) report.bottom_status |= static_cast<std::uint8_t>(2u << 2 * i);
+    }
+    report.water_status = 0xFF;
+    if (!measured.velocity) return;
+    const Eigen::Vector3d v = errors_.apply(*measured.velocity);
+    const double error = *measured.error_velocity_mps;
+    report.bottom_velocity_mps =
+        water_linked_ ? wire::DvlComponents{v.x(), v.y(), v.z(), error} : along_head_axes(v, error);
+  }
+
+  sensor::ErrorModel errors_;
+  bool water_linked_;
+  std::array<std::uint8_t, Protocol::max_frame> bytes_{};
+};
+
+}  // namespace
+
+DevicePtr make_pd4_dvl(const DeviceSetup& setup) {
+  return std::make_unique<Pd4Dvl<wire::Pd4>>(setup);
+}
+
+DevicePtr make_pd5_dvl(const DeviceSetup& setup) {
+  return std::make_unique<Pd4Dvl<wire::Pd5>>(setup);
+}
+
+}  // namespace drydock::emulate
