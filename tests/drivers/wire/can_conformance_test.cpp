@@ -12,7 +12,7 @@ using test::decode_all;
 using test::fixture;
 
 template <class P>
-class CanConformance : public testing::Test {
+class CanConformance : public ::testing::Test {
  public:
   static std::string folder() { return std::string{P::name}; }
 };
@@ -21,7 +21,7 @@ template <class List>
 struct TestedProtocols;
 template <class... P>
 struct TestedProtocols<ProtocolList<P...>> {
-  using Types = testing::Types<P...>;
+  using Types = ::testing::Types<P...>;
 };
 TYPED_TEST_SUITE(CanConformance, TestedProtocols<FrameProtocols>::Types);
 

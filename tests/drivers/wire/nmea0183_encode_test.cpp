@@ -2,6 +2,7 @@
 
 #include "drivers/wire/nmea0183.hpp"
 #include "tests/drivers/wire/byte_streams.hpp"
+#include "tests/drivers/wire/sentences.hpp"
 
 namespace drydock::wire::testing {
 namespace {
@@ -14,8 +15,6 @@ std::string encoded(const M& m, const Decimals&... decimals) {
   const std::size_t size = encode(m, out, decimals...);
   return std::string{as_text(Bytes{out}.first(size))};
 }
-
-constexpr double arc_minute = std::numbers::pi / 180 / 60;
 
 // The expected sentences are the public examples of fixtures/nmea0183, their values typed in here.
 

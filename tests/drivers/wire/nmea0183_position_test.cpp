@@ -11,17 +11,15 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr double arc_minute = std::numbers::pi / 180 / 60;
-
 template <class M>
-M read(std::string_view text) {
+M only(std::string_view text) {
   const auto messages = read_stream<Nmea0183>(as_bytes(text)).template all<M>();
   EXPECT_EQ(messages.size(), 1u) << text;
   return messages.empty() ? M{} : messages.front();
 }
 
 template <class M>
-std::string encoded(const M& m, const NmeaDecimals& decimals) {
+std::string written(const M& m, const NmeaDecimals& decimals) {
   std::array<std::uint8_t, 200> out;
   return std::string{as_text(Bytes{out}.first(encode(m, out, decimals)))};
 }
@@ -33,7 +31,7 @@ constexpr auto gst = "$GPGST,172814.0,0.006,0.023,0.020,273.6,0.023,0.020,0.031*
 constexpr auto hdt = "$GPHDT,75.5664,T*36\r\n";
 
 TEST(Nmea0183, GnsOfAReceiverManual) {
-  const auto m = read<Gns>(gns);
+  const auto m = only<Gns>(gns);
   EXPECT_EQ(m.time_of_day, 10h + 36min + 10ms);
   EXPECT_NEAR(*m.latitude_rad, (51 * 60 + 14.51176) * arc_minute, 1e-15);
   EXPECT_NEAR(*m.longitude_rad, -12.29380 * arc_minute, 1e-15);
@@ -44,38 +42,38 @@ TEST(Nmea0183, GnsOfAReceiverManual) {
   EXPECT_EQ(m.geoid_separation_m, 45.6);
   EXPECT_FALSE(m.differential_age_s || m.differential_station);
   EXPECT_EQ(m.nav_status, Letter{'V'});
-  EXPECT_EQ(encoded(m, {.height = 1}), gns);
+  EXPECT_EQ(written(m, {.height = 1}), gns);
 }
 
 TEST(Nmea0183, AGnsInWhichNoConstellationHasAFixIsNoPosition) {
   for (const auto* modes : {"NNNN", "N", ""}) {
-    const auto m = read<Gns>(
+    const auto m = only<Gns>(
         sentence(std::string{"GNGNS,103600,5114.5,N,00012.2,W,"} + modes + ",00,,111.5,45.6,,"));
     EXPECT_FALSE(m.latitude_rad || m.longitude_rad || m.mean_sea_level_height_m) << modes;
   }
-  EXPECT_TRUE(read<Gns>(sentence("GNGNS,103600,5114.5,N,00012.2,W,NNR,,,,,,")).latitude_rad);
+  EXPECT_TRUE(only<Gns>(sentence("GNGNS,103600,5114.5,N,00012.2,W,NNR,,,,,,")).latitude_rad);
 }
 
 TEST(Nmea0183, GllOfAReceiverManual) {
-  const auto m = read<Gll>(gll);
+  const auto m = only<Gll>(gll);
   EXPECT_NEAR(*m.latitude_rad, (47 * 60 + 17.11364) * arc_minute, 1e-15);
   EXPECT_NEAR(*m.longitude_rad, (8 * 60 + 33.91565) * arc_minute, 1e-15);
   EXPECT_EQ(m.time_of_day, 9h + 23min + 21s);
   EXPECT_TRUE(m.valid);
-  EXPECT_EQ(encoded(m, {}), gll);
+  EXPECT_EQ(written(m, {}), gll);
 }
 
 TEST(Nmea0183, AGllThatIsVoidGivesOnlyItsTime) {
   for (const auto* status : {"V", "V,N", "A,N", ""}) {
     const auto m =
-        read<Gll>(sentence(std::string{"GPGLL,4717.11364,N,00833.91565,E,092321.00,"} + status));
+        only<Gll>(sentence(std::string{"GPGLL,4717.11364,N,00833.91565,E,092321.00,"} + status));
     EXPECT_FALSE(m.valid || m.latitude_rad || m.longitude_rad) << status;
     EXPECT_EQ(m.time_of_day, 9h + 23min + 21s);
   }
 }
 
 TEST(Nmea0183, GstOfTwoReceiverManuals) {
-  const auto m = read<Gst>(gst);
+  const auto m = only<Gst>(gst);
   EXPECT_EQ(m.time_of_day, 17h + 28min + 14s);
   EXPECT_EQ(m.range_rms_m, 0.006);
   EXPECT_EQ(m.semi_major_m, 0.023);
@@ -84,23 +82,23 @@ TEST(Nmea0183, GstOfTwoReceiverManuals) {
   EXPECT_EQ(m.latitude_sigma_m, 0.023);
   EXPECT_EQ(m.longitude_sigma_m, 0.020);
   EXPECT_EQ(m.height_sigma_m, 0.031);
-  EXPECT_EQ(encoded(m, {.time = 1, .angle = 1, .distance = 3}), gst);
-  const auto sparse = read<Gst>("$GPGST,082356.00,1.8,,,,1.7,1.3,2.2*7E\r\n");
+  EXPECT_EQ(written(m, {.time = 1, .angle = 1, .distance = 3}), gst);
+  const auto sparse = only<Gst>("$GPGST,082356.00,1.8,,,,1.7,1.3,2.2*7E\r\n");
   EXPECT_FALSE(sparse.semi_major_m || sparse.semi_minor_m || sparse.orientation_rad);
   EXPECT_EQ(sparse.height_sigma_m, 2.2);
 }
 
 TEST(Nmea0183, HeadingFromTrueNorth) {
-  const auto m = read<Hdt>(hdt);
+  const auto m = only<Hdt>(hdt);
   EXPECT_NEAR(degrees(*m.heading_rad), 75.5664, 1e-12);
-  EXPECT_EQ(encoded(m, {.angle = 4}), hdt);
+  EXPECT_EQ(written(m, {.angle = 4}), hdt);
   // As a SkyTraq PX1172RH sent it.
   constexpr auto ths = "$GNTHS,244.17,A*1D\r\n";
-  const auto with_mode = read<Ths>(ths);
+  const auto with_mode = only<Ths>(ths);
   EXPECT_NEAR(degrees(*with_mode.heading_rad), 244.17, 1e-12);
   EXPECT_EQ(with_mode.mode, Letter{'A'});
-  EXPECT_EQ(encoded(with_mode, {}), ths);
-  EXPECT_FALSE(read<Ths>(sentence("GPTHS,244.17,V")).heading_rad) << "V: not valid";
+  EXPECT_EQ(written(with_mode, {}), ths);
+  EXPECT_FALSE(only<Ths>(sentence("GPTHS,244.17,V")).heading_rad) << "V: not valid";
 }
 
 }  // namespace

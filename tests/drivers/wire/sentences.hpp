@@ -1,9 +1,12 @@
 #pragma once
 
+#include <numbers>
 #include <numeric>
 #include <string>
 
 namespace drydock::wire::testing {
+
+constexpr double arc_minute = std::numbers::pi / 180 / 60;  ///< rad
 
 /// Puts `$`, checksum and line end around a body.
 inline std::string sentence(const std::string& body) {

@@ -12,7 +12,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double degree = std::numbers::pi / 180;
+constexpr double deg = std::numbers::pi / 180;
 
 void expect_same(const Position& a, const Position& b, double metres) {
   EXPECT_NEAR(a.latitude_rad, b.latitude_rad, metres / 6.4e6);
@@ -22,13 +22,13 @@ void expect_same(const Position& a, const Position& b, double metres) {
 
 TEST(Geodetic, AxesOfTheEllipsoidAreKnownPoints) {
   EXPECT_LT((ecef({0, 0, 0}) - Vector3d{6378137, 0, 0}).norm(), 1e-8);
-  EXPECT_LT((ecef({0, 90 * degree, 10}) - Vector3d{0, 6378147, 0}).norm(), 1e-8);
-  EXPECT_LT((ecef({90 * degree, 0, -5}) - Vector3d{0, 0, 6356752.3142 - 5}).norm(), 1e-4);
+  EXPECT_LT((ecef({0, 90 * deg, 10}) - Vector3d{0, 6378147, 0}).norm(), 1e-8);
+  EXPECT_LT((ecef({90 * deg, 0, -5}) - Vector3d{0, 0, 6356752.3142 - 5}).norm(), 1e-4);
 }
 
 TEST(Geodetic, APointThatAnotherProgramConverted) {
   // PROJ manual, conversion "cart": on GRS80, which differs from WGS-84 by .1 mm here
-  const Position geographic{45.3935192042 * degree, 17.7562015132 * degree, 133.12};
+  const Position geographic{45.3935192042 * deg, 17.7562015132 * deg, 133.12};
   const Vector3d geocentric{4272922.1553, 1368283.0597, 4518261.3501};
   EXPECT_LT((ecef(geographic) - geocentric).norm(), 5e-4);
   expect_same(geodetic(geocentric), geographic, 5e-4);
@@ -37,7 +37,7 @@ TEST(Geodetic, APointThatAnotherProgramConverted) {
 TEST(Geodetic, TheWayBackClosesFromTheSeaBedToSatellites) {
   for (const double height : {-11000., -300., 0., 8848., 400e3, 20200e3, 40000e3}) {
     for (double latitude = -90; latitude <= 90; latitude += 7.5) {
-      const Position there{latitude * degree, 1.1, height};
+      const Position there{latitude * deg, 1.1, height};
       const Vector3d point = ecef(there);
       EXPECT_LT((ecef(geodetic(point)) - point).norm(), 2e-8);
       EXPECT_NEAR(geodetic(point).height_m, height, 2e-8);
@@ -47,7 +47,7 @@ TEST(Geodetic, TheWayBackClosesFromTheSeaBedToSatellites) {
 }
 
 TEST(Geodetic, NedAxesPointNorthEastAndDown) {
-  const Position here{36 * degree, 129 * degree, 0};
+  const Position here{36 * deg, 129 * deg, 0};
   const double little = 1e-7;
   const Vector3d north = ned_offset(here, {here.latitude_rad + little, here.longitude_rad, 0});
   const Vector3d east = ned_offset(here, {here.latitude_rad, here.longitude_rad + little, 0});
@@ -59,7 +59,7 @@ TEST(Geodetic, NedAxesPointNorthEastAndDown) {
 }
 
 TEST(Geodetic, AnOffsetThereAndBackCloses) {
-  const Position origin{-41.3 * degree, 174.8 * degree, 12};
+  const Position origin{-41.3 * deg, 174.8 * deg, 12};
   const Vector3d offset{12345, -6789, 321};
   EXPECT_LT((ned_offset(origin, at_ned_offset(origin, offset)) - offset).norm(), 1e-8);
 }
