@@ -1,0 +1,45 @@
+#!/usr/bin/env bash
+# drydock decode beside gpsdecode (Debian's gpsd-clients): the same bytes in, JSON Lines to /dev/null, in turn.
+# usage: decode_peers.sh DRYDOCK
+set -euo pipefail
+drydock=$1
+fixtures=$(dirname "$(readlink -f "$0")")/../../fixtures
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+
+repeated() { # FILE TIMES: a capture that often
+  local once=$work/once
+  cp "$1" "$once"
+  for ((size = 1; size < $2; size *= 2)); do cat "$once" "$once" >"$once.2" && mv "$once.2" "$once"; done
+  mv "$once" "$work/input"
+}
+
+seconds_of() { # COMMAND...: the shortest of five runs on the input
+  local TIMEFORMAT=%R run best=
+  for run in 1 2 3 4 5; do
+    run=$({ time "$@" <"$work/input" >/dev/null 2>&1; } 2>&1)
+    best=$(printf '%s\n' "$best" "$run" | sed '/^$/d' | sort -g | head -n 1)
+  done
+  echo "$best"
+}
+
+compare() { # NAME PROTOCOL FILE
+  repeated "$3" 8192
+  local bytes ours theirs
+  bytes=$(stat -c %s "$work/input")
+  ours=$(seconds_of "$drydock" decode --quiet --protocol "$2")
+  head -c $((bytes / 8)) "$work/input" >"$work/part" && mv "$work/part" "$work/input"
+  theirs=$(seconds_of gpsdecode -j)
+  awk -v name="$1" -v b="$bytes" -v o="$ours" -v t="$theirs" 'BEGIN {
+    ours = b / o / 1e6; theirs = b / 8 / t / 1e6
+    printf "%-10s %7.1f MB/s   gpsdecode -j %5.1f MB/s   ratio %4.1f (goal 10)\n", name, ours, theirs, ours / theirs }'
+}
+
+echo "decode, file in, JSON Lines out:"
+compare "NMEA 0183" nmea0183 "$fixtures/nmea0183/golden.nmea"
+compare UBX ubx "$fixtures/ubx/golden.ubx"
+
+repeated "$fixtures/nmea2000/frames.log" 32768
+frames=$(wc -l <"$work/input")
+awk -v f="$frames" -v s="$(seconds_of "$drydock" decode --quiet --protocol nmea2000)" 'BEGIN {
+  printf "%-10s %7.2f million candump lines a second\n", "NMEA 2000", f / s / 1e6 }'
