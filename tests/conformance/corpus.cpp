@@ -23,6 +23,9 @@ std::span<const Corpus> corpora() {
       Corpus{"n2k/gpsd", "n2k/gpsd", discover_gpsd_nmea2000, compare_gpsd_nmea2000},
       Corpus{"can_imu aceinna", "can_imu", discover_aceinna, compare_aceinna},
       Corpus{"can_imu xsens", "can_imu", discover_xsens, compare_xsens},
+      Corpus{"dvl/waterlinked pd6", "dvl/waterlinked", discover_pd6, compare_pd6},
+      Corpus{"can_depth", "can_depth", discover_can_pressure, compare_can_pressure},
+      Corpus{"canlog", "canlog", discover_can_log, compare_can_log},
   };
   return list;
 }

@@ -3,7 +3,7 @@
 #include <set>
 
 #include "tests/conformance/comparers.hpp"
-#include "tests/conformance/reading.hpp"
+#include "tests/conformance/gpsd_log.hpp"
 #include "tests/conformance/scan.hpp"
 
 /// Every sound frame of a message that we read must be decoded, counted against a scan of
@@ -48,13 +48,14 @@ std::vector<Case> discover_gnss_logs(const fs::path& folder) {
   auto captures = files_of(folder, ".log");
   for (fs::path& nested : files_of(folder / "daemon", ".log"))
     captures.push_back(std::move(nested));
-  std::erase_if(captures, [](const fs::path& log) { return scanned(read_text(log)).empty(); });
+  std::erase_if(captures,
+                [](const fs::path& log) { return scanned(read_gnss_log(log).bytes).empty(); });
   return vectors(captures);
 }
 
 void compare_gnss_messages(const Case& one, Score& score) {
   const std::string name = one.capture.filename().string();
-  const Counts theirs = scanned(read_text(one.capture));
+  const Counts theirs = scanned(read_gnss_log(one.capture).bytes);
   Counts ours;
   for (const json& message : decode("ubx+nmea0183", one.capture).messages) ++ours[message["type"]];
   for (const auto& [type, count] : theirs) {
