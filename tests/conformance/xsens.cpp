@@ -69,7 +69,7 @@ std::vector<std::pair<std::size_t, double>> quoted(const std::string& words) {
     for (std::size_t i = 0; i < 3; ++i) values.emplace_back(i, std::stod(found[i + 1]));
   else if (std::regex_search(words, found, one))
     for (std::size_t i = 0; i < axes.size(); ++i)
-      if (found[1] == axes[i]) values.emplace_back(i % 3, std::stod(found[2]));
+      if (found[1].str() == axes[i]) values.emplace_back(i % 3, std::stod(found[2]));
   return values;
 }
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include "drivers/wire/hex.hpp"
 #include "tests/drivers/wire/can_fixture.hpp"
 #include "tests/drivers/wire/line_stream.hpp"
 
