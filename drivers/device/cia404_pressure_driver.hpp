@@ -23,7 +23,7 @@ class Cia404PressureDriver final : public BusDriver<wire::Cia404Pressure> {
   CanopenNode node_;
   wire::cia404_pressure::Scale scale_;
   double zero_pa_;  ///< absolute pressure at which the transmitter says 0
-  WaterColumn water_;
+  measurement::WaterColumn water_;
 };
 
 }  // namespace drydock::device

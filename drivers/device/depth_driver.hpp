@@ -21,7 +21,7 @@ class DepthDriver final : public BusDriver<wire::Nmea2000> {
   void on(const wire::nmea2000::Temperature& temperature, const Origin& origin, Output& out);
   void on(const wire::nmea2000::WaterDepth& depth, const Origin& origin, Output& out);
 
-  WaterColumn water_;
+  measurement::WaterColumn water_;
   SourceFilter pressure_source_, temperature_source_, sounder_source_;
   std::optional<double> temperature_k_;
   Stamp temperature_at_{};

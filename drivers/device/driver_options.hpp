@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "drivers/device/mounting.hpp"
-#include "drivers/device/water_column.hpp"
+#include "drivers/measurement/water_column.hpp"
 #include "drivers/wire/aceinna_setup.hpp"
 #include "drivers/wire/cia404_pressure.hpp"
 #include "drivers/wire/xsens.hpp"
@@ -78,9 +78,9 @@ struct DriverOptions {
   AceinnaSettings aceinna;
   CanopenOptions canopen;
   wire::xsens::Identifiers xsens_identifiers;
-  WaterColumn water;         ///< kind depth
-  PressureOptions pressure;  ///< protocol cia404-pressure
-  DvlOptions dvl;            ///< kind dvl
+  measurement::WaterColumn water;  ///< kind depth
+  PressureOptions pressure;        ///< protocol cia404-pressure
+  DvlOptions dvl;                  ///< kind dvl
 };
 
 }  // namespace drydock::device

@@ -73,7 +73,7 @@ class Cia404Pressure final : public CanopenDevice {
 
   std::optional<double> reading_pa_;  ///< the last; none before the node was started
   sensor::ErrorModel errors_;
-  device::WaterColumn water_;
+  measurement::WaterColumn water_;
   pressure::Scale scale_;
   double zero_pa_;
 };

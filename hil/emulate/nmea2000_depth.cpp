@@ -58,7 +58,7 @@ class Nmea2000Depth final : public J1939Device {
   }
 
   sensor::ErrorModel errors_;
-  device::WaterColumn water_;
+  measurement::WaterColumn water_;
 };
 
 }  // namespace

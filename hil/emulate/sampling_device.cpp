@@ -10,7 +10,7 @@ sensor::ErrorModel DeviceSetup::secondary_errors() const {
   return {config.emulate.secondary, config.emulate.fixed_bias, seed, config.name, "secondary"};
 }
 
-device::WaterColumn DeviceSetup::water() const {
+measurement::WaterColumn DeviceSetup::water() const {
   return {config.surface_pressure_pa, config.water_density_kgm3, config.unesco_latitude_rad};
 }
 

@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "drivers/device/water_column.hpp"
+#include "drivers/measurement/water_column.hpp"
 #include "drivers/wire/cia404_pressure.hpp"
 #include "hil/emulate/emulated_device.hpp"
 #include "hil/emulate/make_emulated_device.hpp"
@@ -22,7 +22,7 @@ struct DeviceSetup {
 
   sensor::ErrorModel primary_errors() const;
   sensor::ErrorModel secondary_errors() const;
-  device::WaterColumn water() const;  ///< over a depth sensor
+  measurement::WaterColumn water() const;  ///< over a depth sensor
   wire::cia404_pressure::Scale pressure_scale() const;
 };
 

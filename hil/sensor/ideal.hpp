@@ -1,7 +1,7 @@
 #pragma once
 
-#include "drivers/device/water_column.hpp"
 #include "drivers/measurement/measurement.hpp"
+#include "drivers/measurement/water_column.hpp"
 #include "hil/motion/truth.hpp"
 #include "hil/sensor/mounting.hpp"
 
@@ -48,7 +48,7 @@ measurement::GnssFix ideal_gnss(const Truth& truth, const Mounting& mounting);
 /// Pressure at the sensor, depth, and the temperature of well-mixed water. Water of one density:
 /// p = p_surface + density g(latitude, 0) depth; standard ocean water: EOS-80 at the true latitude.
 measurement::DepthSample ideal_depth(const Truth& truth, const Mounting& mounting,
-                                     const device::WaterColumn& water);
+                                     const measurement::WaterColumn& water);
 inline constexpr double water_temperature_k = 283.15;
 
 double depth_at(const Truth& truth, const Mounting& mounting);     ///< of the sensor, down, m

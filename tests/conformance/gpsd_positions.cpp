@@ -36,7 +36,7 @@ constexpr Rule sibling_rule{
 constexpr Rule doubt_rule{
     "gpsd reports a position without a fix",
     "the receiver does not vouch for it: gnssFixOK clear or a time-only fix, quality 0, 7 or 8, "
-    "status V"};
+    "status V, or a GSA beside it says that there is no fix"};
 
 /// Less is noise on the line.
 constexpr std::size_t shortest_foreign_frame = 8;

@@ -50,7 +50,10 @@ constexpr std::array velocity{
 constexpr std::array layouts{
     Layout{"PNORBT0", beam},     Layout{"PNORBT1", beam},     Layout{"PNORBT3", speed},
     Layout{"PNORBT4", speed},    Layout{"PNORBT6", velocity}, Layout{"PNORBT7", velocity},
-    Layout{"PNORBT8", velocity}, Layout{"PNORBT9", velocity},
+    Layout{"PNORBT8", velocity}, Layout{"PNORBT9", velocity}, Layout{"PNORWT0", beam},
+    Layout{"PNORWT1", beam},     Layout{"PNORWT3", speed},    Layout{"PNORWT4", speed},
+    Layout{"PNORWT6", velocity}, Layout{"PNORWT7", velocity}, Layout{"PNORWT8", velocity},
+    Layout{"PNORWT9", velocity},
 };
 
 }  // namespace

@@ -53,6 +53,13 @@ std::optional<WirePosition> read_sentence(std::string_view sentence) {
   return {};
 }
 
+/// A GSA without a fix. It carries no time: its epoch is that of the sentence before or behind it.
+bool says_no_fix(std::string_view sentence) {
+  const auto fields = split(sentence, ',');
+  return fields.size() > 2 && fields[0].size() == 6 && fields[0].ends_with("GSA") &&
+         fields[2] == "1";
+}
+
 std::int32_t signed_le(std::string_view bytes, std::size_t at) {
   return static_cast<std::int32_t>(pair_le(bytes, at) | pair_le(bytes, at + 2) << 16);
 }
@@ -84,7 +91,17 @@ std::vector<WirePosition> scan_positions(std::string_view bytes) {
     if (position) found.push_back(std::move(*position));
   };
   for (const std::string_view frame : scan_ubx(bytes)) keep(read_pvt(frame));
-  for (const std::string_view sentence : scan_nmea(bytes)) keep(read_sentence(sentence));
+  bool doubted = false;
+  for (const std::string_view sentence : scan_nmea(bytes)) {
+    if (says_no_fix(sentence)) {
+      if (!found.empty()) found.back().vouched_for = false;
+      doubted = true;
+    } else if (auto position = read_sentence(sentence)) {
+      position->vouched_for = position->vouched_for && !doubted;
+      doubted = false;
+      found.push_back(*std::move(position));
+    }
+  }
   return found;
 }
 

@@ -188,7 +188,7 @@ TEST(RigProblems, APressureTransmitterIsSetByItsOwnTable) {
 
 TEST(RigProblems, WhatOnlySomeDvlProtocolsNeedIsRefusedElsewhere) {
   EXPECT_THAT(
-      problems_of("maker = \"water-linked\"\nbeam_angle_deg = 30\nconfigure = {}\n"),
+      problems_of("maker = \"water-linked\"\nbeam_angle_deg = 30\nwater_linked = {}\n"),
       ElementsAre("r.toml:8:1: /device/0/maker: not allowed here, only for protocol = \"pd4\" or "
                   "\"pd6\"",
                   "r.toml:9:1: /device/0/beam_angle_deg: not allowed here, only for protocol = "

@@ -99,7 +99,7 @@ TYPED_TEST(DbcFile, ReadsTheGoldenFramesAsTheCodecDoes) {
   for (const auto& frame : test::frames_of_log(test::fixture(folder + "/frames.log"))) {
     compared += compare<TypeParam>(file, frame);
   }
-  EXPECT_GT(compared, 1u);
+  EXPECT_GT(compared, 0u);
 }
 
 template <class P, class M>

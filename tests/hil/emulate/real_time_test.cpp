@@ -163,8 +163,8 @@ TEST_F(RealTime, ADeviceThatCannotBeMadeOrOpenedIsNamed) {
   const auto unknown = emulator.start({on("memory:x", device(DeviceKind::dvl, "ubx"))});
   ASSERT_FALSE(unknown);
   EXPECT_EQ(unknown.error().message,
-            "device \"ubx device\": no emulated dvl speaks \"ubx\"; allowed: pd0, "
-            "water-linked, nortek");
+            "device \"ubx device\": no emulated dvl speaks \"ubx\"; allowed: pd0, pd4, "
+            "pd5, pd6, water-linked, nortek");
   const auto no_link = emulator.start({on("carrier-pigeon:x", device(DeviceKind::dvl, "pd0"))});
   ASSERT_FALSE(no_link);
   EXPECT_EQ(no_link.error().message.find("device \"pd0 device\": "), 0u);

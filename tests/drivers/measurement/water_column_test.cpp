@@ -1,11 +1,11 @@
-#include "drivers/device/water_column.hpp"
+#include "drivers/measurement/water_column.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
 #include <numbers>
 
-namespace drydock::device {
+namespace drydock::measurement {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180;
@@ -57,4 +57,4 @@ TEST(WaterColumn, TakesTheOceanWhereALatitudeIsGivenElseOneDensity) {
 }
 
 }  // namespace
-}  // namespace drydock::device
+}  // namespace drydock::measurement
