@@ -16,21 +16,21 @@ void read_time(Bytes payload, NavPvt& m) {
   if (bit(valid, 0)) m.date = ubx::date(payload, 4);
   if (bit(valid, 1)) m.time_of_day = ubx::time_of_day(payload, 8, 16);
   m.time_resolved = bit(valid, 2);
-  m.time_accuracy_s = accuracy(payload, 12, 1e-9);
+  m.time_accuracy_s = accuracy(payload, 12, 1e9);
 }
 
 void read_position(Bytes payload, NavPvt& m) {
   if (!ubx::read_position(payload, 24, m.latitude_rad, m.longitude_rad)) return;
-  m.ellipsoidal_height_m = value<std::int32_t>(payload, 32, 1e-3);
-  m.mean_sea_level_height_m = value<std::int32_t>(payload, 36, 1e-3);
+  m.ellipsoidal_height_m = value<std::int32_t>(payload, 32, 1e3);
+  m.mean_sea_level_height_m = value<std::int32_t>(payload, 36, 1e3);
 }
 
 void read_velocity(Bytes payload, NavPvt& m) {
-  m.velocity_north_mps = value<std::int32_t>(payload, 48, 1e-3);
-  m.velocity_east_mps = value<std::int32_t>(payload, 52, 1e-3);
-  m.velocity_down_mps = value<std::int32_t>(payload, 56, 1e-3);
-  m.ground_speed_mps = value<std::int32_t>(payload, 60, 1e-3);
-  m.course_rad = radians(value<std::int32_t>(payload, 64, 1e-5));
+  m.velocity_north_mps = value<std::int32_t>(payload, 48, 1e3);
+  m.velocity_east_mps = value<std::int32_t>(payload, 52, 1e3);
+  m.velocity_down_mps = value<std::int32_t>(payload, 56, 1e3);
+  m.ground_speed_mps = value<std::int32_t>(payload, 60, 1e3);
+  m.course_rad = radians(value<std::int32_t>(payload, 64, 1e5));
 }
 
 void read_satellite(Bytes block, UbxSatellite& s) {
@@ -39,7 +39,7 @@ void read_satellite(Bytes block, UbxSatellite& s) {
   s.number = block[1];
   s.cno_dbhz = ubx::carrier_to_noise(block, 2);
   ubx::read_direction(block, 3, s.elevation_rad, s.azimuth_rad);
-  s.residual_m = value<std::int16_t>(block, 6, 0.1);
+  s.residual_m = value<std::int16_t>(block, 6, 10);
   s.quality = flags & 7;
   s.used = bit(flags, 3);
   s.healthy = ubx::health(flags >> 4 & 3);
@@ -73,16 +73,16 @@ bool read(Bytes payload, NavPvt& m) {
     if (!position_invalid) read_position(payload, m);
     read_velocity(payload, m);
   }
-  m.horizontal_accuracy_m = accuracy(payload, 40, 1e-3);
-  m.vertical_accuracy_m = accuracy(payload, 44, 1e-3);
-  m.speed_accuracy_mps = accuracy(payload, 68, 1e-3);
-  if (const auto sigma = accuracy(payload, 72, 1e-5)) m.course_accuracy_rad = radians(*sigma);
+  m.horizontal_accuracy_m = accuracy(payload, 40, 1e3);
+  m.vertical_accuracy_m = accuracy(payload, 44, 1e3);
+  m.speed_accuracy_mps = accuracy(payload, 68, 1e3);
+  if (const auto sigma = accuracy(payload, 72, 1e5)) m.course_accuracy_rad = radians(*sigma);
   m.position_dop = ubx::dop(payload, 76);
   if (payload.size() == size) {
-    if (bit(flags, 5)) m.vehicle_heading_rad = radians(value<std::int32_t>(payload, 84, 1e-5));
+    if (bit(flags, 5)) m.vehicle_heading_rad = radians(value<std::int32_t>(payload, 84, 1e5));
     if (bit(payload[11], 3)) {
-      m.magnetic_declination_rad = radians(value<std::int16_t>(payload, 88, 0.01));
-      m.magnetic_accuracy_rad = radians(value<std::uint16_t>(payload, 90, 0.01));
+      m.magnetic_declination_rad = radians(value<std::int16_t>(payload, 88, 1e2));
+      m.magnetic_accuracy_rad = radians(value<std::uint16_t>(payload, 90, 1e2));
     }
   }
   return true;

@@ -10,18 +10,19 @@
 #include "drivers/wire/fields.hpp"
 
 /// What the fields of UBX payloads have in common, and how each says "unknown" (u-blox interface
-/// descriptions, M8 to F9). Offsets in bytes; `unit` is that of the wire's integer.
+/// descriptions, M8 to F9). Offsets in bytes; the wire's integers count `steps_per_unit`, by which
+/// they are divided: a decimal comes out as the double nearest to it.
 namespace drydock::wire::ubx {
 
 template <class T>
-double value(Bytes payload, std::size_t offset, double unit) {
-  return load_le<T>(payload, offset) * unit;
+double value(Bytes payload, std::size_t offset, double steps_per_unit) {
+  return load_le<T>(payload, offset) / steps_per_unit;
 }
 
 /// FFFFFFFF says that the receiver has no estimate.
-inline std::optional<double> accuracy(Bytes payload, std::size_t offset, double unit) {
+inline std::optional<double> accuracy(Bytes payload, std::size_t offset, double steps_per_unit) {
   const auto raw = load_le<std::uint32_t>(payload, offset);
-  return raw == 0xFFFF'FFFF ? std::nullopt : std::optional{raw * unit};
+  return raw == 0xFFFF'FFFF ? std::nullopt : std::optional{raw / steps_per_unit};
 }
 
 /// 0 dBHz says that the signal is not tracked.
@@ -31,7 +32,7 @@ inline std::optional<double> carrier_to_noise(Bytes payload, std::size_t offset)
 
 /// Hundredths; 99.99 is none.
 inline std::optional<double> dop(Bytes payload, std::size_t offset) {
-  return dilution(value<std::uint16_t>(payload, offset, 0.01));
+  return dilution(value<std::uint16_t>(payload, offset, 1e2));
 }
 
 /// Two bits: 0 unknown, 1 healthy, 2 not.

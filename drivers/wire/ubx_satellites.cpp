@@ -53,7 +53,7 @@ bool read_channel(Bytes block, UbxSatellite& s) {
   s.quality = block[3] & 0xF;
   s.cno_dbhz = ubx::carrier_to_noise(block, 4);
   ubx::read_direction(block, 5, s.elevation_rad, s.azimuth_rad);
-  s.residual_m = ubx::value<std::int32_t>(block, 8, 1e-2);
+  s.residual_m = ubx::value<std::int32_t>(block, 8, 1e2);
   return true;
 }
 
@@ -63,7 +63,7 @@ void read_signal(Bytes block, UbxSignal& s) {
   s.number = block[1];
   s.signal = block[2];
   if (s.gnss == UbxGnss::glonass) s.frequency_number = block[3] - 7;
-  s.residual_m = ubx::value<std::int16_t>(block, 4, 0.1);
+  s.residual_m = ubx::value<std::int16_t>(block, 4, 10);
   s.cno_dbhz = ubx::carrier_to_noise(block, 6);
   s.quality = block[7];
   s.correction_source = block[8];

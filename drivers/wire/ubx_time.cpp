@@ -12,7 +12,7 @@ bool read(Bytes payload, NavTimeGps& m) {
   m.time_known = ubx::bit(valid, 0);
   if (ubx::bit(valid, 1)) m.gps_week = load_le<std::int16_t>(payload, 8);
   if (ubx::bit(valid, 2)) m.leap_seconds = load_le<std::int8_t>(payload, 10);
-  m.time_accuracy_s = ubx::accuracy(payload, 12, 1e-9);
+  m.time_accuracy_s = ubx::accuracy(payload, 12, 1e9);
   return true;
 }
 
@@ -20,7 +20,7 @@ bool read(Bytes payload, NavTimeUtc& m) {
   if (payload.size() != 20) return false;
   constexpr unsigned all_known = 0b111;  // time of week, week, leap seconds
   m.itow = ubx::itow(payload);
-  m.time_accuracy_s = ubx::accuracy(payload, 4, 1e-9);
+  m.time_accuracy_s = ubx::accuracy(payload, 4, 1e9);
   if ((payload[19] & all_known) != all_known) return true;
   m.date = ubx::date(payload, 12);
   if (m.date) m.time_of_day = ubx::time_of_day(payload, 16, 8);
