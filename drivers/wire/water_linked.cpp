@@ -201,6 +201,11 @@ std::optional<WaterLinked::Message> read_response(char name, std::string_view op
   }
 }
 
+/// A response inside a line: the one before it was torn. One glued line of 256 has a sound CRC-8.
+bool begins_response(Bytes bytes) {
+  return bytes.size() > head_size && bytes[1] == 'r' && may_begin(bytes);
+}
+
 }  // namespace
 
 Scan WaterLinked::scan(Bytes bytes) {
@@ -218,6 +223,7 @@ Scan WaterLinked::scan(Bytes bytes) {
     if (c == '*') return with_checksum(bytes, i);
     if (bytes[1] == 'c' && ends_line(c)) return with_line_end(bytes, i);
     if (c < 0x20 || c > 0x7e) return Scan::skip(1);
+    if (c == 'w' && begins_response(bytes.subspan(i))) return Scan::skip(i);
   }
   return limit < bytes.size() ? Scan::skip(1) : Scan::need_more();
 }

@@ -10,7 +10,7 @@
 
 /// What every format must hold to, on the files of fixtures/capture: the same frames in each.
 namespace drydock::capture::testing {
-namespace {
+namespace conformance_test {
 
 using std::chrono::nanoseconds;
 using wire::testing::fixture;
@@ -161,5 +161,5 @@ TEST(Capture, EveryFormatOfTheListIsTested) {
   EXPECT_EQ(tested, listed);
 }
 
-}  // namespace
+}  // namespace conformance_test
 }  // namespace drydock::capture::testing

@@ -11,7 +11,7 @@
 
 /// Other people's CAN captures, against scanners of a few lines and can-utils' asc2log.
 namespace drydock::capture::testing {
-namespace {
+namespace corpora_test {
 
 namespace fs = std::filesystem;
 
@@ -118,5 +118,5 @@ TEST_F(Corpora, Asc2logReadsTheSameFrames) {
   EXPECT_GE(compared, 10u);
 }
 
-}  // namespace
+}  // namespace corpora_test
 }  // namespace drydock::capture::testing

@@ -7,7 +7,7 @@
 
 /// What the formats' rarer lines say, and how a file is refused.
 namespace drydock::capture::testing {
-namespace {
+namespace formats_test {
 
 using std::chrono::nanoseconds;
 using ::testing::ElementsAre;
@@ -198,5 +198,5 @@ TEST(CommentHeadOfAByteCapture, IsDroppedInAnySplitAndNothingElse) {
   }
 }
 
-}  // namespace
+}  // namespace formats_test
 }  // namespace drydock::capture::testing

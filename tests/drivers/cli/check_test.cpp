@@ -5,7 +5,7 @@
 #include "tests/drivers/cli/captured.hpp"
 
 namespace drydock::cli {
-namespace {
+namespace check_test {
 
 using testing::HasSubstr;
 using testing::StartsWith;
@@ -38,5 +38,5 @@ TEST(Check, OneBadFileDoesNotHideTheOthers) {
   EXPECT_THAT(out.text(), HasSubstr(demo + ": ok\n"));
 }
 
-}  // namespace
+}  // namespace check_test
 }  // namespace drydock::cli

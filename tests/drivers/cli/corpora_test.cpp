@@ -11,7 +11,7 @@
 /// `decode` against counts that other, simpler means give: a scanner of a few lines that knows
 /// checksums only, or the output of somebody else's decoder.
 namespace drydock::cli {
-namespace {
+namespace corpora_test {
 
 namespace fs = std::filesystem;
 using Counts = std::map<std::string, int>;
@@ -308,5 +308,5 @@ TEST_F(Corpora, AceinnaFramesReadAsTheVendorsFormulaSays) {
   EXPECT_GE(at, 12u);
 }
 
-}  // namespace
+}  // namespace corpora_test
 }  // namespace drydock::cli

@@ -11,7 +11,7 @@
 #include "tests/drivers/cli/captured.hpp"
 
 namespace drydock::cli {
-namespace {
+namespace decode_test {
 
 using nlohmann::json;
 using testing::ElementsAre;
@@ -167,5 +167,5 @@ TEST(DecodeManual, ASectionForEachMessageHasJustItsKeys) {
   }
 }
 
-}  // namespace
+}  // namespace decode_test
 }  // namespace drydock::cli

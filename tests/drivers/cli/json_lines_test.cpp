@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 namespace drydock::cli {
-namespace {
+namespace json_lines_test {
 
 template <class T>
 std::string written(const T& value) {
@@ -92,5 +92,5 @@ RC_GTEST_PROP(JsonWriter, DecimalsOfAWireHaveTheFewestDigits, ()) {
   RC_ASSERT(nlohmann::json::parse(ours).get<double>() == number);
 }
 
-}  // namespace
+}  // namespace json_lines_test
 }  // namespace drydock::cli

@@ -5,7 +5,7 @@
 #include "tests/drivers/cli/captured.hpp"
 
 namespace drydock::cli {
-namespace {
+namespace replay_test {
 
 using nlohmann::json;
 using testing::HasSubstr;
@@ -80,5 +80,5 @@ TEST(Replay, WhatCannotBePlayedIsOneLine) {
   EXPECT_THAT(unknown.err, HasSubstr("no CAN capture of a known format; known are: candump-log"));
 }
 
-}  // namespace
+}  // namespace replay_test
 }  // namespace drydock::cli

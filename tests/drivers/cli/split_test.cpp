@@ -19,7 +19,7 @@
 /// that it holds messages of, the same messages in the same order and the same counters. No file is
 /// named here.
 namespace drydock::cli {
-namespace {
+namespace split_test {
 
 namespace fs = std::filesystem;
 using wire::Bytes;
@@ -159,5 +159,5 @@ TYPED_TEST(CapturesInPieces, GiveTheSameMessagesAndCountersAsWhole) {
   std::cout << TypeParam::name << ": " << files << " captures\n";
 }
 
-}  // namespace
+}  // namespace split_test
 }  // namespace drydock::cli

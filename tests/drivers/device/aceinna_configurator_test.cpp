@@ -4,7 +4,7 @@
 
 /// Frames by the vendor's DBC: settings 18FF55 to 18FF58, BIT and status 18FF52 to 18FF54.
 namespace drydock::device::test {
-namespace {
+namespace aceinna_configurator_test {
 
 constexpr std::uint32_t accs_id = 0x08F02D80;
 const auto accs = can_frame(accs_id, true, {0x31, 0x79, 0x55, 0x7D, 0x0A, 0x7D, 0x80, 0x06});
@@ -128,5 +128,5 @@ TEST(AceinnaImuDriver, WhatBitAndStatusComplainOfIsReportedOnce) {
   EXPECT_EQ(bus.ear.reports, std::vector<std::string>{"the IMU reports: internal gyro error"});
 }
 
-}  // namespace
+}  // namespace aceinna_configurator_test
 }  // namespace drydock::device::test

@@ -2,7 +2,7 @@
 #include "tests/drivers/device/support.hpp"
 
 namespace drydock::device::test {
-namespace {
+namespace allocation_test {
 
 struct Deaf final : Listener, Transmitter {
   void on_measurement(const Measurement&) override { ++heard; }
@@ -161,5 +161,5 @@ TEST(Allocation, NoneByTheDvlDriver) {
             0U);
 }
 
-}  // namespace
+}  // namespace allocation_test
 }  // namespace drydock::device::test

@@ -2,7 +2,7 @@
 
 /// Depth and actuators: frames written out by the field tables of canboat's public PGN database.
 namespace drydock::device::test {
-namespace {
+namespace bus_driver_test {
 
 using measurement::ActuatorState;
 using measurement::DepthSample;
@@ -143,5 +143,5 @@ TEST(MakeDriver, EveryListedCombinationIsMade) {
   }
 }
 
-}  // namespace
+}  // namespace bus_driver_test
 }  // namespace drydock::device::test

@@ -3,7 +3,7 @@
 #include "tests/drivers/device/support.hpp"
 
 namespace drydock::device::test {
-namespace {
+namespace canopen_node_test {
 
 using namespace std::chrono_literals;
 using wire::canopen::Emergency;
@@ -92,5 +92,5 @@ TEST(CanopenNode, SendsSyncAtItsPeriodAndSkipsWhatALateHostMissed) {
   EXPECT_EQ(w.node.deadline(), at_s(0.1));
 }
 
-}  // namespace
+}  // namespace canopen_node_test
 }  // namespace drydock::device::test

@@ -6,7 +6,7 @@
 
 /// Real captures through whole drivers, against what other programs made of them.
 namespace drydock::device::test {
-namespace {
+namespace corpus_test {
 
 using measurement::BottomVelocity;
 using measurement::GnssFix;
@@ -152,5 +152,5 @@ TEST(Corpus, ImuDriverAgreesWithTheMakersDatabase) {
   }
 }
 
-}  // namespace
+}  // namespace corpus_test
 }  // namespace drydock::device::test

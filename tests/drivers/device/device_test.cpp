@@ -7,7 +7,7 @@
 #include "tests/drivers/device/support.hpp"
 
 namespace drydock::device::test {
-namespace {
+namespace device_test {
 
 struct Desk final : Listener, Transmitter {
   void on_measurement(const Measurement& m) override { heard.push_back(m); }
@@ -158,5 +158,5 @@ RC_GTEST_PROP(Device, CountersAddUpForAWaterLinkedDvl, ()) {
 }
 RC_GTEST_PROP(Device, CountersAddUpForANortekDvl, ()) { counters_add_up(Kind::dvl, "nortek"); }
 
-}  // namespace
+}  // namespace device_test
 }  // namespace drydock::device::test

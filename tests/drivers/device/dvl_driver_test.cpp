@@ -5,7 +5,7 @@
 /// Ensembles are put together here by the offsets of Teledyne's Pathfinder DVL Guide (tables
 /// 32-47).
 namespace drydock::device::test {
-namespace {
+namespace dvl_driver_test {
 
 using namespace std::chrono_literals;
 using measurement::BottomVelocity;
@@ -157,5 +157,5 @@ TEST(DvlDriver, NoEnsembleIsLostAfterADamagedOne) {
   EXPECT_GE(driver->counters().bad_checksums, 1U);
 }
 
-}  // namespace
+}  // namespace dvl_driver_test
 }  // namespace drydock::device::test

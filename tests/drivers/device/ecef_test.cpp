@@ -5,7 +5,7 @@
 #include "tests/drivers/device/support.hpp"
 
 namespace drydock::device::test {
-namespace {
+namespace ecef_test {
 
 constexpr double a = 6'378'137.0, f = 1 / 298.257223563;  // WGS-84
 
@@ -49,5 +49,5 @@ TEST(Ecef, NorthEastAndDownAreTheAxesOfThePlace) {
   EXPECT_NEAR((ned_of_ecef({1, 2, 3}, north_pole) - Eigen::Vector3d(-1, 2, -3)).norm(), 0, 1e-15);
 }
 
-}  // namespace
+}  // namespace ecef_test
 }  // namespace drydock::device::test

@@ -2,7 +2,7 @@
 
 /// Sentences and what they mean: real logs and other programs' test suites, as named.
 namespace drydock::device::test {
-namespace {
+namespace emlog_driver_test {
 
 using measurement::WaterSpeed;
 
@@ -88,5 +88,5 @@ TEST(EmLogDriver, TurnedLogNeedsBothAxes) {
   EXPECT_FALSE(speeds_of("$HCVHW,,,,,0.2,N,0,K*5B\r\n", turned).at(0).longitudinal_mps);
 }
 
-}  // namespace
+}  // namespace emlog_driver_test
 }  // namespace drydock::device::test

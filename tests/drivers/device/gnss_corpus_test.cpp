@@ -9,7 +9,7 @@
 /// Every log of gpsd through the whole driver: each epoch once, and the satellites of gpsd's
 /// report.
 namespace drydock::device::test {
-namespace {
+namespace gnss_corpus_test {
 
 using measurement::GnssFix;
 using measurement::GnssSatellites;
@@ -141,5 +141,5 @@ TEST_F(GnssCorpus, SatellitesAreThoseThatGpsdReports) {
   EXPECT_GE(nmea.reported, 737U) << "of " << nmea.skies;
 }
 
-}  // namespace
+}  // namespace gnss_corpus_test
 }  // namespace drydock::device::test

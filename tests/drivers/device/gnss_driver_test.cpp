@@ -1,7 +1,7 @@
 #include "tests/drivers/device/gnss_receiver.hpp"
 
 namespace drydock::device::test {
-namespace {
+namespace gnss_driver_test {
 
 using measurement::Constellation;
 using measurement::FixType;
@@ -269,5 +269,5 @@ TEST(GnssDriver, MixedLineGivesEachEpochOnceAndFromUbx) {
   for (const GnssFix& fix : r.fixes()) EXPECT_TRUE(fix.velocity_ned);
 }
 
-}  // namespace
+}  // namespace gnss_driver_test
 }  // namespace drydock::device::test

@@ -3,7 +3,7 @@
 #include "tests/drivers/device/support.hpp"
 
 namespace drydock::device::test {
-namespace {
+namespace imu_driver_test {
 
 using measurement::ImuSample;
 
@@ -167,5 +167,5 @@ TEST(Cia404ImuDriver, NotANumberGivesNoSample) {
   EXPECT_TRUE(bus.samples().empty());
 }
 
-}  // namespace
+}  // namespace imu_driver_test
 }  // namespace drydock::device::test

@@ -7,7 +7,7 @@
 #include "tests/drivers/device/support.hpp"
 
 namespace drydock::device::test {
-namespace {
+namespace life_cycle_test {
 
 using testing::EndsWith;
 using namespace std::chrono_literals;
@@ -171,5 +171,5 @@ TEST(LifeCycle, LongReasonLeavesRoomForWhatComesNext) {
   EXPECT_THAT(std::string(change->why.view()), EndsWith("xxx; retry in 0.25 s"));
 }
 
-}  // namespace
+}  // namespace life_cycle_test
 }  // namespace drydock::device::test

@@ -2,7 +2,7 @@
 
 /// Sentences are written out here by the public description of their fields.
 namespace drydock::device::test {
-namespace {
+namespace nortek_driver_test {
 
 using namespace std::chrono_literals;
 using measurement::BottomVelocity;
@@ -54,5 +54,5 @@ TEST(NortekDriver, OneBeamOrSpeedAloneIsNoBodyVelocity) {
   EXPECT_TRUE(heard_nortek(bytes, options(Kind::dvl, "nortek")).empty());
 }
 
-}  // namespace
+}  // namespace nortek_driver_test
 }  // namespace drydock::device::test

@@ -4,7 +4,7 @@
 
 /// Reports are put together here by tables 48 and 49 of Teledyne's Pathfinder DVL Guide.
 namespace drydock::device::test {
-namespace {
+namespace pd4_driver_test {
 
 using namespace std::chrono_literals;
 using measurement::BottomVelocity;
@@ -174,5 +174,5 @@ TEST(Pd4Driver, NoReportIsLostAfterADamagedOne) {
   EXPECT_EQ(driver->counters().bad_checksums, 1U);
 }
 
-}  // namespace
+}  // namespace pd4_driver_test
 }  // namespace drydock::device::test

@@ -2,7 +2,7 @@
 
 /// Lines are written out here by table 50 of Teledyne's Pathfinder DVL Guide.
 namespace drydock::device::test {
-namespace {
+namespace pd6_driver_test {
 
 using namespace std::chrono_literals;
 using measurement::BottomVelocity;
@@ -154,5 +154,5 @@ TEST(Pd6Driver, SplitsDoNotMatter) {
   }
 }
 
-}  // namespace
+}  // namespace pd6_driver_test
 }  // namespace drydock::device::test

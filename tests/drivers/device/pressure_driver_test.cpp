@@ -2,7 +2,7 @@
 
 /// CiA 404 pressure transmitters: frames written out by the makers' manuals.
 namespace drydock::device::test {
-namespace {
+namespace pressure_driver_test {
 
 using measurement::DepthSample;
 using wire::cia404_pressure::find_unit;
@@ -80,5 +80,5 @@ TEST(PressureDriver, TellsOfEmergencies) {
   EXPECT_EQ(bus.ear.reports.size(), 1U);
 }
 
-}  // namespace
+}  // namespace pressure_driver_test
 }  // namespace drydock::device::test

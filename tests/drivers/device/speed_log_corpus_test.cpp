@@ -5,7 +5,7 @@
 /// Sentences of real speed logs and of other programs' tests, through the whole driver, against
 /// their own text: fields counted here once more, knots of 1852 m in 3600 s.
 namespace drydock::device::test {
-namespace {
+namespace speed_log_corpus_test {
 
 using measurement::WaterSpeed;
 
@@ -113,5 +113,5 @@ TEST_F(SpeedLogCorpus, AnyTalkerMaySpeakAndADamagedSentenceIsRefused) {
   }
 }
 
-}  // namespace
+}  // namespace speed_log_corpus_test
 }  // namespace drydock::device::test

@@ -3,7 +3,7 @@
 #include "tests/drivers/device/support.hpp"
 
 namespace drydock::device::test {
-namespace {
+namespace timing_test {
 
 using std::chrono::nanoseconds;
 
@@ -83,5 +83,5 @@ TEST(Timing, StandardFrameIsTwentyBitsShorter) {
   EXPECT_EQ(origin.valid_at, at_s(1) - nanoseconds{432'000});
 }
 
-}  // namespace
+}  // namespace timing_test
 }  // namespace drydock::device::test

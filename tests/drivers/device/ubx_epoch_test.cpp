@@ -2,7 +2,7 @@
 
 /// Receivers that say an epoch in parts: each part by hand from the u-blox 7 Receiver Description.
 namespace drydock::device::test {
-namespace {
+namespace ubx_epoch_test {
 
 using measurement::Constellation;
 using measurement::FixType;
@@ -265,5 +265,5 @@ TEST(UbxEpoch, AReopenedLineStartsOver) {
   EXPECT_FALSE(r.fixes()[0].position) << "that of before";
 }
 
-}  // namespace
+}  // namespace ubx_epoch_test
 }  // namespace drydock::device::test

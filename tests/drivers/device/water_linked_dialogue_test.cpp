@@ -4,7 +4,7 @@
 
 /// Both sides of the dialogue are written out here by Water Linked's description.
 namespace drydock::device::test {
-namespace {
+namespace water_linked_dialogue_test {
 
 using namespace std::chrono_literals;
 namespace wl = wire::water_linked;
@@ -189,5 +189,5 @@ TEST(WaterLinkedDriver, SetsTheDvlUpWhenTheLinkOpensButNoRecording) {
   EXPECT_EQ(ear.sent_bytes.size(), 3U) << "wcc again";
 }
 
-}  // namespace
+}  // namespace water_linked_dialogue_test
 }  // namespace drydock::device::test

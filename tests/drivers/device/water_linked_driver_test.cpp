@@ -2,7 +2,7 @@
 
 /// Sentences are written out here by Water Linked's description, with its CRC-8.
 namespace drydock::device::test {
-namespace {
+namespace water_linked_driver_test {
 
 using namespace std::chrono_literals;
 using measurement::BottomVelocity;
@@ -91,5 +91,5 @@ TEST(WaterLinkedDriver, HeatIsReportedOnce) {
   EXPECT_EQ(ear.all<BottomVelocity>().size(), 2U);
 }
 
-}  // namespace
+}  // namespace water_linked_driver_test
 }  // namespace drydock::device::test

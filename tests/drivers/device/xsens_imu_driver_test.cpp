@@ -4,7 +4,7 @@
 
 /// Frames written out by MT1604P's tables.
 namespace drydock::device::test {
-namespace {
+namespace xsens_imu_driver_test {
 
 using measurement::ImuSample;
 using namespace std::chrono_literals;
@@ -170,5 +170,5 @@ TEST(XsensImuDriver, IdentifiersAreThoseOfTheRig) {
   EXPECT_EQ(bus.samples().size(), 1U);
 }
 
-}  // namespace
+}  // namespace xsens_imu_driver_test
 }  // namespace drydock::device::test

@@ -12,7 +12,7 @@
 
 /// Our layouts against every SG_ line of the vendor's DBC 19.1.51.
 namespace drydock::wire::aceinna {
-namespace {
+namespace aceinna_dbc_test {
 
 using Message = Aceinna::Message;
 using Number = std::optional<double>;
@@ -180,5 +180,5 @@ TEST(AceinnaDbc, EverySignalOfTheVendorIsReadWhereItStands) {
   EXPECT_EQ(checked.size(), known.size());
 }
 
-}  // namespace
+}  // namespace aceinna_dbc_test
 }  // namespace drydock::wire::aceinna

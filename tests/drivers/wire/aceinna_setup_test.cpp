@@ -7,7 +7,7 @@
 #include "tests/drivers/wire/can_fixture.hpp"
 
 namespace drydock::wire::aceinna {
-namespace {
+namespace aceinna_setup_test {
 
 using test::frame;
 using test::text_of;
@@ -99,5 +99,5 @@ TEST(AceinnaSetup, ANameWithBothBitsSetMovesInEitherReading) {
   EXPECT_EQ(next->id, 0x18EEFF81u);
 }
 
-}  // namespace
+}  // namespace aceinna_setup_test
 }  // namespace drydock::wire::aceinna

@@ -6,7 +6,7 @@
 #include "tests/drivers/wire/can_fixture.hpp"
 
 namespace drydock::wire::aceinna {
-namespace {
+namespace aceinna_test {
 
 using test::frame;
 using test::only;
@@ -98,5 +98,5 @@ TEST(Aceinna, DecodesARealSensorAsAnIndependentDecoderDoes) {
   EXPECT_EQ(decoder.counters().bad_checksums, 0u);
 }
 
-}  // namespace
+}  // namespace aceinna_test
 }  // namespace drydock::wire::aceinna

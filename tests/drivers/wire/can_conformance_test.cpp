@@ -6,7 +6,7 @@
 
 /// What every CAN protocol of the registry must hold to.
 namespace drydock::wire {
-namespace {
+namespace can_conformance_test {
 
 using test::decode_all;
 using test::fixture;
@@ -116,5 +116,5 @@ TYPED_TEST(CanConformance, AnyTrafficGivesFiniteNumbersAndHonestCounters) {
   }));
 }
 
-}  // namespace
+}  // namespace can_conformance_test
 }  // namespace drydock::wire

@@ -7,7 +7,7 @@
 #include "tests/drivers/wire/can_fixture.hpp"
 
 namespace drydock::wire {
-namespace {
+namespace candump_test {
 
 using candump::Direction;
 using candump::Line;
@@ -97,5 +97,5 @@ TEST(Candump, ALineThatDoesNotFitIsNotWritten) {
   EXPECT_EQ(candump::encode({{}, "can0", test::frame("123#00"), {}}, small), 0u);
 }
 
-}  // namespace
+}  // namespace candump_test
 }  // namespace drydock::wire

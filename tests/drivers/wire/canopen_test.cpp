@@ -6,7 +6,7 @@
 #include "tests/drivers/wire/can_fixture.hpp"
 
 namespace drydock::wire::canopen {
-namespace {
+namespace canopen_test {
 
 using test::frame;
 using test::text_of;
@@ -93,5 +93,5 @@ TEST(CanOpen, DecodesTheAnswersOfANode) {
   EXPECT_FALSE(decode_sdo_response(frame("580#4331610100004E00")));
 }
 
-}  // namespace
+}  // namespace canopen_test
 }  // namespace drydock::wire::canopen

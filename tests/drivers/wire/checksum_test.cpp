@@ -10,7 +10,7 @@
 #include "tests/drivers/wire/byte_streams.hpp"
 
 namespace drydock::wire::testing {
-namespace {
+namespace checksum_test {
 
 TEST(Checksum, FletcherOfThePublishedExamples) {
   EXPECT_EQ(fletcher8(as_bytes("")), 0);
@@ -46,5 +46,5 @@ RC_GTEST_PROP(Checksum, XorOfAWordIsThatOfItsBytes, (std::uint64_t word)) {
   RC_ASSERT(xor_of_bytes(word) == expected);
 }
 
-}  // namespace
+}  // namespace checksum_test
 }  // namespace drydock::wire::testing

@@ -6,7 +6,7 @@
 #include "tests/drivers/wire/can_fixture.hpp"
 
 namespace drydock::wire {
-namespace {
+namespace cia404_imu_test {
 
 using cia404_imu::ImuSet;
 using test::frame;
@@ -117,5 +117,5 @@ RC_GTEST_PROP(Cia404Imu, UpToTwoLostFramesInARowNeverMixTwoSamples, ()) {
   }
 }
 
-}  // namespace
+}  // namespace cia404_imu_test
 }  // namespace drydock::wire

@@ -6,7 +6,7 @@
 #include "tests/drivers/wire/can_fixture.hpp"
 
 namespace drydock::wire::cia404_pressure {
-namespace {
+namespace cia404_pressure_test {
 
 using test::frame;
 using test::text_of;
@@ -96,5 +96,5 @@ TEST(Cia404Pressure, OtherLengthsAreDamaged) {
   EXPECT_EQ(decoder.counters().bad_checksums, 2U);
 }
 
-}  // namespace
+}  // namespace cia404_pressure_test
 }  // namespace drydock::wire::cia404_pressure

@@ -9,7 +9,7 @@
 
 /// What every byte protocol owes its driver, tried on golden bytes of other software.
 namespace drydock::wire::testing {
-namespace {
+namespace conformance_test {
 
 /// Golden stream of a protocol, its frames and messages, and how its sync looks.
 template <class P>
@@ -294,5 +294,5 @@ TYPED_TEST(ByteProtocolTest, MessagesNameTheirFieldsOnce) {
   }
 }
 
-}  // namespace
+}  // namespace conformance_test
 }  // namespace drydock::wire::testing

@@ -8,7 +8,7 @@
 
 /// The DBC files that other tools open our bus with say what our codecs do.
 namespace drydock::wire {
-namespace {
+namespace dbc_test {
 
 using test::Dbc;
 using test::DbcMessage;
@@ -149,5 +149,5 @@ TEST(Dbc, ReadsWhatTheEncodersWriteToHalfAStep) {
   }));
 }
 
-}  // namespace
+}  // namespace dbc_test
 }  // namespace drydock::wire

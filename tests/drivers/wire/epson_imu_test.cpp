@@ -5,7 +5,7 @@
 #include "tests/drivers/wire/can_fixture.hpp"
 
 namespace drydock::wire::epson {
-namespace {
+namespace epson_imu_test {
 
 using cia404_imu::ImuSet;
 using test::frame;
@@ -88,5 +88,5 @@ TEST(EpsonImu, TheCounterWraps) {
   EXPECT_EQ(sets.size(), 2u);
 }
 
-}  // namespace
+}  // namespace epson_imu_test
 }  // namespace drydock::wire::epson

@@ -13,7 +13,7 @@
 #include "tests/drivers/wire/can_fixture.hpp"
 
 namespace drydock::wire {
-namespace {
+namespace fast_packet_test {
 
 constexpr j1939::Identifier position{3, 129029, 255, 7};
 
@@ -243,5 +243,5 @@ TEST(FastPacket, RecombinesThousandsOfSatelliteFramesAsGpsdDoes) {
   EXPECT_EQ(agreed, reported);
 }
 
-}  // namespace
+}  // namespace fast_packet_test
 }  // namespace drydock::wire

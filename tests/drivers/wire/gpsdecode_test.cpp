@@ -11,7 +11,7 @@
 
 /// Another program reads what we encode: gpsd's gpsdecode, a filter from a stream to JSON.
 namespace drydock::wire::testing {
-namespace {
+namespace gpsdecode_test {
 
 using namespace std::chrono_literals;
 
@@ -153,5 +153,5 @@ TEST_F(Gpsdecode, ReadsOurGgaAndRmc) {
   EXPECT_NEAR(tpv["track"], 123.45, 1e-4);
 }
 
-}  // namespace
+}  // namespace gpsdecode_test
 }  // namespace drydock::wire::testing

@@ -9,7 +9,7 @@
 #include "tests/drivers/wire/can_fixture.hpp"
 
 namespace drydock::wire::j1939 {
-namespace {
+namespace j1939_test {
 
 using namespace std::chrono_literals;
 using test::frame;
@@ -270,5 +270,5 @@ RC_GTEST_PROP(AddressClaim, ANodeNeverHoldsAnAddressAgainstALowerName, ()) {
   }
 }
 
-}  // namespace
+}  // namespace j1939_test
 }  // namespace drydock::wire::j1939

@@ -9,7 +9,7 @@
 
 /// Frames written out by the layouts of canboat's PGN database (60416, 60160); times of J1939-21.
 namespace drydock::wire::j1939 {
-namespace {
+namespace j1939_transport_test {
 
 using namespace std::chrono_literals;
 using Time = TransportReceiver::Time;
@@ -367,5 +367,5 @@ RC_GTEST_PROP(Connection, GetsAnyMessageAcrossABusThatLosesAPacket, ()) {
   RC_ASSERT(sender.outcome() == TransportSender::Outcome::sent);
 }
 
-}  // namespace
+}  // namespace j1939_transport_test
 }  // namespace drydock::wire::j1939

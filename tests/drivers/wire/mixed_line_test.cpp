@@ -9,7 +9,7 @@
 /// Lines that carry UBX, NMEA 0183 and RTCM 3 in turn, counted once more by a scanner that tries
 /// every byte, written from the documents and not from the product's.
 namespace drydock::wire::testing {
-namespace {
+namespace mixed_line_test {
 
 struct Count {
   std::size_t ubx = 0, nmea = 0, rtcm = 0;
@@ -128,5 +128,5 @@ TEST_F(MixedLine, WhatIsDamagedOrCutCostsNothingElse) {
   EXPECT_EQ(count("pygpsdata-NMEABADEND.log"), (Count{0, 16, 0}));
 }
 
-}  // namespace
+}  // namespace mixed_line_test
 }  // namespace drydock::wire::testing

@@ -8,7 +8,7 @@
 #include "tests/drivers/wire/gpsd_logs.hpp"
 
 namespace drydock::wire::testing {
-namespace {
+namespace nmea0183_corpus_test {
 
 class Nmea0183Corpus : public ::testing::Test {
  protected:
@@ -100,5 +100,5 @@ TEST_F(Nmea0183Corpus, ARealSpeedLogAgreesWithItself) {
   EXPECT_NEAR(*speeds.front().speed_mps, 12.3 / 3.6, 0.05 * 1852 / 3600 + 0.05 / 3.6);
 }
 
-}  // namespace
+}  // namespace nmea0183_corpus_test
 }  // namespace drydock::wire::testing

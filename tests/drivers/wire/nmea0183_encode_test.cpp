@@ -5,7 +5,7 @@
 #include "tests/drivers/wire/sentences.hpp"
 
 namespace drydock::wire::testing {
-namespace {
+namespace nmea0183_encode_test {
 
 using namespace std::chrono_literals;
 
@@ -123,5 +123,5 @@ TEST(Nmea0183Encoder, RefusesABufferThatIsTooSmall) {
   EXPECT_EQ(encode(Vhw{}, out), 0u);
 }
 
-}  // namespace
+}  // namespace nmea0183_encode_test
 }  // namespace drydock::wire::testing

@@ -7,7 +7,7 @@
 #include "tests/drivers/wire/sentences.hpp"
 
 namespace drydock::wire::testing {
-namespace {
+namespace nmea0183_position_test {
 
 using namespace std::chrono_literals;
 
@@ -101,5 +101,5 @@ TEST(Nmea0183, HeadingFromTrueNorth) {
   EXPECT_FALSE(only<Ths>(sentence("GPTHS,244.17,V")).heading_rad) << "V: not valid";
 }
 
-}  // namespace
+}  // namespace nmea0183_position_test
 }  // namespace drydock::wire::testing

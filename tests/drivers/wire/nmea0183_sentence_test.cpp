@@ -10,7 +10,7 @@
 #include "tests/drivers/wire/byte_streams.hpp"
 
 namespace drydock::wire::testing {
-namespace {
+namespace nmea0183_sentence_test {
 
 /// The one field of a sentence, and another behind it that must not be touched.
 std::optional<double> number_in(const std::string& field) {
@@ -56,5 +56,5 @@ RC_GTEST_PROP(NmeaSentence, TheTextEndsAtTheFirstCharacterThatIsNone, ()) {
   RC_ASSERT(Nmea0183::scan(bytes) == Scan::skip(length + 1));
 }
 
-}  // namespace
+}  // namespace nmea0183_sentence_test
 }  // namespace drydock::wire::testing

@@ -6,7 +6,7 @@
 #include "tests/drivers/wire/sentences.hpp"
 
 namespace drydock::wire::testing {
-namespace {
+namespace nmea0183_test {
 
 using namespace std::chrono_literals;
 
@@ -225,5 +225,5 @@ TEST(Nmea0183, ASentenceThatNeverEndsIsGivenUp) {
   EXPECT_EQ(reading.frames.size(), 1u);
 }
 
-}  // namespace
+}  // namespace nmea0183_test
 }  // namespace drydock::wire::testing

@@ -10,7 +10,7 @@
 #include "tests/drivers/wire/can_fixture.hpp"
 
 namespace drydock::wire::nmea2000 {
-namespace {
+namespace nmea2000_test {
 
 using test::frame;
 using test::only;
@@ -203,5 +203,5 @@ TEST(Nmea2000, ReadsDepthAsGpsdDoes) {
   }
 }
 
-}  // namespace
+}  // namespace nmea2000_test
 }  // namespace drydock::wire::nmea2000

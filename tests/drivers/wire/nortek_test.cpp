@@ -7,7 +7,7 @@
 #include "tests/drivers/wire/byte_streams.hpp"
 
 namespace drydock::wire::testing {
-namespace {
+namespace nortek_test {
 
 using namespace std::chrono_literals;
 
@@ -136,5 +136,5 @@ TEST(Nortek, SentencesOfAnotherProgramAreRead) {
   EXPECT_GT(messages, 0u);
 }
 
-}  // namespace
+}  // namespace nortek_test
 }  // namespace drydock::wire::testing

@@ -8,7 +8,7 @@
 
 /// Real instruments' files, and what the MHKiT library (float32) reads in them.
 namespace drydock::wire::testing {
-namespace {
+namespace pd0_corpus_test {
 
 constexpr double float32_relative = 1.2e-7;
 
@@ -95,5 +95,5 @@ INSTANTIATE_TEST_SUITE_P(
                       Capture{"winriver02.PD0", "winriver02.jsonl", 75, 75}),
     [](const auto& test) { return test.param.expected.substr(0, test.param.expected.find('.')); });
 
-}  // namespace
+}  // namespace pd0_corpus_test
 }  // namespace drydock::wire::testing

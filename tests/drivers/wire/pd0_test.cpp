@@ -5,7 +5,7 @@
 #include "tests/drivers/wire/byte_streams.hpp"
 
 namespace drydock::wire::testing {
-namespace {
+namespace pd0_test {
 
 using namespace std::chrono_literals;
 
@@ -192,5 +192,5 @@ TEST(Pd0, TheEncoderRefusesABufferThatIsTooSmall) {
   EXPECT_EQ(encode(golden(0), out), 0u);
 }
 
-}  // namespace
+}  // namespace pd0_test
 }  // namespace drydock::wire::testing

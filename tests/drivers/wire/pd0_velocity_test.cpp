@@ -9,7 +9,7 @@
 #include "drivers/wire/fields.hpp"
 
 namespace drydock::wire::testing {
-namespace {
+namespace pd0_velocity_test {
 
 using Vector = std::array<double, 3>;
 
@@ -174,5 +174,5 @@ TEST(Pd0Velocity, NothingComesOfBadVelocitiesOrMissingAngles) {
   EXPECT_FALSE(velocity_frd(Pd0Ensemble{}));
 }
 
-}  // namespace
+}  // namespace pd0_velocity_test
 }  // namespace drydock::wire::testing

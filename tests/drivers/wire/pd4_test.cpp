@@ -5,7 +5,7 @@
 #include "tests/drivers/wire/byte_streams.hpp"
 
 namespace drydock::wire::testing {
-namespace {
+namespace pd4_test {
 
 using namespace std::chrono_literals;
 
@@ -109,5 +109,5 @@ TEST(Pd4, TheOtherStructureIsNoFrame) {
   EXPECT_EQ(read_stream<Pd5>(fixture("pd4/golden.pd4")).frames.size(), 0u);
 }
 
-}  // namespace
+}  // namespace pd4_test
 }  // namespace drydock::wire::testing

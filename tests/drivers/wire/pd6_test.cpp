@@ -7,7 +7,7 @@
 #include "tests/drivers/wire/byte_streams.hpp"
 
 namespace drydock::wire::testing {
-namespace {
+namespace pd6_test {
 
 using namespace std::chrono_literals;
 
@@ -140,5 +140,5 @@ TEST(Pd6, TheExampleOfWaterLinkedIsReadAndRebuilt) {
   EXPECT_EQ(rebuilt, 6u) << "SA, TS, WD, BI, BS, BD";
 }
 
-}  // namespace
+}  // namespace pd6_test
 }  // namespace drydock::wire::testing

@@ -6,7 +6,7 @@
 #include "tests/drivers/wire/byte_streams.hpp"
 
 namespace drydock::wire::testing {
-namespace {
+namespace rtcm3_test {
 
 /// The example of message 1005 in RTCM 10403.
 const Buffer station{0xD3, 0x00, 0x13, 0x3E, 0xD7, 0xD3, 0x02, 0x02, 0x98, 0x0E, 0xDE, 0xEF, 0x34,
@@ -48,5 +48,5 @@ TEST(Rtcm3, WhatLooksLikeAnotherProtocolInsideIsPassedOver) {
   EXPECT_EQ(mixed.held, 0u);
 }
 
-}  // namespace
+}  // namespace rtcm3_test
 }  // namespace drydock::wire::testing

@@ -8,7 +8,7 @@
 #include "tests/drivers/wire/line_stream.hpp"
 
 namespace drydock::wire {
-namespace {
+namespace slcan_test {
 
 using slcan::Answer;
 using slcan::Command;
@@ -165,5 +165,5 @@ RC_GTEST_PROP(Slcan, AnyBytesAreCutWithoutHarm, (const std::string& bytes)) {
   for (const auto& frame : cut.frames) RC_ASSERT(Slcan::decode(as_bytes(frame)).has_value());
 }
 
-}  // namespace
+}  // namespace slcan_test
 }  // namespace drydock::wire

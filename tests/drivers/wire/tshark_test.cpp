@@ -12,7 +12,7 @@
 
 /// Another program reads what we encode: Wireshark's J1939 and CANopen dissectors, by tshark.
 namespace drydock::wire {
-namespace {
+namespace tshark_test {
 
 using namespace std::chrono_literals;
 
@@ -171,5 +171,5 @@ TEST_F(Tshark, ReadsTheServicesOfOurCanopenFrames) {
                   }));
 }
 
-}  // namespace
+}  // namespace tshark_test
 }  // namespace drydock::wire

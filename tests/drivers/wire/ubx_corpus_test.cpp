@@ -9,7 +9,7 @@
 #include "tests/drivers/wire/gpsd_logs.hpp"
 
 namespace drydock::wire::testing {
-namespace {
+namespace ubx_corpus_test {
 
 class UbxCorpus : public ::testing::Test {
  protected:
@@ -243,5 +243,5 @@ TEST_F(UbxCorpus, PositionsAreThoseThatGpsdReports) {
   EXPECT_GE(reported, 90u) << "the others: gpsd drops a log's last epoch and merges mixed logs";
 }
 
-}  // namespace
+}  // namespace ubx_corpus_test
 }  // namespace drydock::wire::testing

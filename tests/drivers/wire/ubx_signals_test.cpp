@@ -5,7 +5,7 @@
 
 /// Frames 17 to 20 of fixtures/ubx/NOTE.md, and a capture of raw measurements.
 namespace drydock::wire::testing {
-namespace {
+namespace ubx_signals_test {
 
 using namespace std::chrono_literals;
 
@@ -138,5 +138,5 @@ TEST(UbxSignals, EveryRawMeasurementOfACaptureIsRead) {
   EXPECT_NEAR(*epochs[0].measurements[6].carrier_phase_cycles, 109766763.532506, 1e-6);
 }
 
-}  // namespace
+}  // namespace ubx_signals_test
 }  // namespace drydock::wire::testing

@@ -7,7 +7,7 @@
 
 /// Frames 10 to 16 of fixtures/ubx/NOTE.md: one epoch of a receiver before NAV-PVT.
 namespace drydock::wire::testing {
-namespace {
+namespace ubx_solution_test {
 
 using namespace std::chrono_literals;
 
@@ -130,5 +130,5 @@ TEST(UbxSolution, APayloadOfAnotherLengthIsRefused) {
                takes<NavTimeUtc>(16));
 }
 
-}  // namespace
+}  // namespace ubx_solution_test
 }  // namespace drydock::wire::testing

@@ -5,7 +5,7 @@
 #include "tests/drivers/wire/byte_streams.hpp"
 
 namespace drydock::wire::testing {
-namespace {
+namespace ubx_test {
 
 using namespace std::chrono_literals;
 using std::chrono::year_month_day;
@@ -176,5 +176,5 @@ TEST(Ubx, ANavSatWhoseCountContradictsItsLengthIsRefused) {
   EXPECT_FALSE(read(payload, m));
 }
 
-}  // namespace
+}  // namespace ubx_test
 }  // namespace drydock::wire::testing

@@ -7,7 +7,7 @@
 #include "tests/drivers/wire/byte_streams.hpp"
 
 namespace drydock::wire::testing {
-namespace {
+namespace water_linked_test {
 
 using namespace std::chrono_literals;
 namespace wl = water_linked;
@@ -174,5 +174,16 @@ TEST(WaterLinked, VectorsOfTheVendorAreReadAndTheBadOnesRefused) {
   EXPECT_GT(bad, 0u);
 }
 
-}  // namespace
+TEST(WaterLinked, ATornLineWhoseCrcHappensToFitTheNextOneHidesNothing) {
+  const std::string torn = "wrs,0.500,0.010,-0.020,y,0.015,2.5e-06;1e-07;-3e-0";
+  const std::string whole = "wru,0,0.412,7.61,-38,-86*9b\r\n";
+  const auto text = (torn + whole).substr(0, torn.size() + whole.find('*'));
+  ASSERT_EQ(water_linked::crc8(text), 0x9b);
+  const auto reading = read_stream<WaterLinked>(as_bytes(torn + whole));
+  ASSERT_EQ(reading.frames.size(), 1u);
+  EXPECT_EQ(reading.frames[0], as_bytes(whole));
+  EXPECT_EQ(reading.counters.bytes_skipped, torn.size());
+}
+
+}  // namespace water_linked_test
 }  // namespace drydock::wire::testing

@@ -6,7 +6,7 @@
 #include "tests/drivers/wire/can_fixture.hpp"
 
 namespace drydock::wire::xsens {
-namespace {
+namespace xsens_test {
 
 using test::frame;
 using test::text_of;
@@ -100,5 +100,5 @@ RC_GTEST_PROP(Xsens, AnyIntegersComeBackTheSame, (std::array<std::int16_t, 3> ra
   RC_ASSERT(encode(test::only<Acceleration, Xsens>({sent})) == sent);
 }
 
-}  // namespace
+}  // namespace xsens_test
 }  // namespace drydock::wire::xsens
