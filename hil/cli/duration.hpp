@@ -5,8 +5,8 @@
 
 namespace drydock::cli {
 
-/// Seconds of `90`, `60s`, `10min` or `5.5h`; empty for anything else, for negative times and for more than
-/// a century.
+/// Seconds of `90`, `60s`, `10min` or `5.5h`; empty for anything else, for negative times and for
+/// more than a century.
 std::optional<double> parse_duration(std::string_view text);
 
 }  // namespace drydock::cli
