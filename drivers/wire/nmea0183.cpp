@@ -16,7 +16,7 @@ constexpr int hex_value(std::uint8_t c) {
   return -1;
 }
 
-constexpr std::uint64_t every_byte(std::uint8_t value) { return value * 0x0101'0101'0101'0101; }
+constexpr std::uint64_t every_byte(std::uint8_t value) { return value * 0x0101'0101'0101'0101u; }
 
 /// One of the eight characters is `*`, `$`, or none that a sentence may hold. High bits mark them:
 /// a byte minus a larger one borrows, DEL and beyond plus one reach 0x80.

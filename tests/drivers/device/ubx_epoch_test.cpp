@@ -206,7 +206,7 @@ TEST(UbxEpoch, SatellitesByChannelKeepConstellationAndDirection) {
   Receiver r("ubx");
   r.says(sig(1000) + svinfo(1000) + nav_eoe(1000), 1);
   ASSERT_EQ(r.skies().size(), 1U);
-  const auto& s = r.skies()[0].satellites;
+  const auto s = r.skies()[0].satellites;
   ASSERT_EQ(s.size(), 2U);
   EXPECT_EQ(s[0].number, 17);
   EXPECT_EQ(s[0].cno_dbhz, 43);
