@@ -47,6 +47,15 @@ void sort_by_position(Problems& problems) {
   });
 }
 
+/// What the caller finds wrong with a link says more than the schema's pattern, which sees only the
+/// scheme.
+void keep_one_for_each_link(Problems& of_schema, const Problems& of_rig) {
+  std::erase_if(of_schema, [&](const Problem& p) {
+    return p.path.ends_with("/link") &&
+           std::ranges::any_of(of_rig, [&](const Problem& q) { return q.path == p.path; });
+  });
+}
+
 /// A document that the schema and the checks of its kind have nothing against.
 Loaded<Node> read_checked(std::string_view text, const std::string& path, FileKind kind,
                           const LoadOptions& options = {}) {
@@ -55,7 +64,11 @@ Loaded<Node> read_checked(std::string_view text, const std::string& path, FileKi
   if (kind_of(*root) != kind)
     return Problems{{path, 1, 1, "/", fmt::format("expected {}", described(kind))}};
   Problems problems = check_schema(*root, path);
-  if (kind == FileKind::rig) append(problems, check_rig(*root, path, options));
+  if (kind == FileKind::rig) {
+    Problems of_rig = check_rig(*root, path, options);
+    keep_one_for_each_link(problems, of_rig);
+    append(problems, std::move(of_rig));
+  }
   if (kind == FileKind::mission) append(problems, check_mission(*root, path));
   sort_by_position(problems);
   if (!problems.empty()) return problems;

@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "drivers/wire/checksum.hpp"
+#include "drivers/wire/line_end.hpp"
 #include "drivers/wire/nmea0183_decode.hpp"
 
 namespace drydock::wire {
@@ -27,15 +28,6 @@ constexpr bool ends_text(std::uint64_t word) {
   return ((below(word, 0x20) | below(word ^ every_byte('*'), 1) | below(word ^ every_byte('$'), 1) |
            word | (word + every_byte(1))) &
           every_byte(0x80)) != 0;
-}
-
-/// The sentence and its checksum are sound up to `end`; how far does its line end reach?
-Scan with_line_end(Bytes bytes, std::size_t end) {
-  if (end == bytes.size()) return Scan::need_more();
-  if (bytes[end] == '\n') return Scan::frame(end + 1);
-  if (bytes[end] != '\r') return Scan::frame(end);
-  if (end + 1 == bytes.size()) return Scan::need_more();
-  return Scan::frame(bytes[end + 1] == '\n' ? end + 2 : end + 1);
 }
 
 /// `star` is where the checksum begins. Nothing before it can start another sentence.

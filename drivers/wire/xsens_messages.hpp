@@ -125,7 +125,7 @@ void visit_fields(const Error& m, Field&& field) {
 
 template <class Field>
 void visit_fields(const SampleTime& m, Field&& field) {
-  field("time_s", m.ticks * 1e-4);
+  field("device_time_s", m.ticks / 1e4);
 }
 
 template <class Field>

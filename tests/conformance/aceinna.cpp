@@ -9,7 +9,7 @@ namespace drydock::conformance {
 namespace {
 
 /// One value of a row: an element of an array or, with -1, the value itself. theirs = ours * scale.
-struct Column {
+struct Signal {
   unsigned pgn;
   const char* type;
   const char* theirs;
@@ -18,28 +18,28 @@ struct Column {
   double resolution, scale = 1;
 };
 constexpr double slope_step = 1.0 / 32768, rate_step = 1.0 / 128;
-constexpr std::array columns{
-    Column{61481, "slope_sensor", "pitch_deg", -1, "pitch_deg", slope_step},
-    Column{61481, "slope_sensor", "roll_deg", -1, "roll_deg", slope_step},
-    Column{61481, "slope_sensor", "latency_ms", -1, "latency_s", 0.5, 1e3},
-    Column{61482, "angular_rate", "rate_dps", 0, "rate_x_degps", rate_step},
-    Column{61482, "angular_rate", "rate_dps", 1, "rate_y_degps", rate_step},
-    Column{61482, "angular_rate", "rate_dps", 2, "rate_z_degps", rate_step},
-    Column{61482, "angular_rate", "latency_ms", -1, "latency_s", 0.5, 1e3},
-    Column{61485, "acceleration", "acc_ms2", 0, "acceleration_x_mps2", 0.01},
-    Column{61485, "acceleration", "acc_ms2", 1, "acceleration_y_mps2", 0.01},
-    Column{61485, "acceleration", "acc_ms2", 2, "acceleration_z_mps2", 0.01},
+constexpr std::array signals{
+    Signal{61481, "slope_sensor", "pitch_deg", -1, "pitch_deg", slope_step},
+    Signal{61481, "slope_sensor", "roll_deg", -1, "roll_deg", slope_step},
+    Signal{61481, "slope_sensor", "latency_ms", -1, "latency_s", 0.5, 1e3},
+    Signal{61482, "angular_rate", "rate_dps", 0, "rate_x_degps", rate_step},
+    Signal{61482, "angular_rate", "rate_dps", 1, "rate_y_degps", rate_step},
+    Signal{61482, "angular_rate", "rate_dps", 2, "rate_z_degps", rate_step},
+    Signal{61482, "angular_rate", "latency_ms", -1, "latency_s", 0.5, 1e3},
+    Signal{61485, "acceleration", "acc_ms2", 0, "acceleration_x_mps2", 0.01},
+    Signal{61485, "acceleration", "acc_ms2", 1, "acceleration_y_mps2", 0.01},
+    Signal{61485, "acceleration", "acc_ms2", 2, "acceleration_z_mps2", 0.01},
 };
 
 std::string_view type_of(const json& row) {
-  for (const Column& column : columns)
+  for (const Signal& column : signals)
     if (row.value("pgn", 0U) == column.pgn) return column.type;
   return {};
 }
 
 void compare_row(const json& ours, const json& row, Comparison& c) {
   c.same("source", ours["source"], row["sa"]);
-  for (const Column& column : columns) {
+  for (const Signal& column : signals) {
     if (row["pgn"] != column.pgn || !row.contains(column.theirs)) continue;
     const json& value = row[column.theirs];
     const json& mine = ours[column.ours];

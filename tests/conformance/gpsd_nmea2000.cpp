@@ -2,7 +2,6 @@
 #include <cmath>
 #include <deque>
 #include <map>
-#include <numbers>
 
 #include "tests/conformance/comparers.hpp"
 #include "tests/conformance/gpsd_log.hpp"
@@ -50,13 +49,11 @@ void compare_depths(const std::string& name, const std::vector<json>& decoded,
 }
 
 double distance(const json& ours, const json& report) {
-  constexpr double degree = 180 / std::numbers::pi;
   return std::max(std::abs(double(ours["latitude_rad"]) * degree - double(report["lat"])),
                   std::abs(double(ours["longitude_rad"]) * degree - double(report["lon"])));
 }
 
 void compare_position(const json& ours, const json& report, Comparison& c) {
-  constexpr double degree = 180 / std::numbers::pi;
   c.number("latitude", double(ours["latitude_rad"]) * degree, report["lat"], {1e-7});
   c.number("longitude", double(ours["longitude_rad"]) * degree, report["lon"], {1e-7});
   c.number("ellipsoidal height", ours["altitude_m"], report.value("altHAE", json()), {1e-4});

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <numbers>
 #include <set>
 
 #include "tests/conformance/comparers.hpp"
@@ -93,7 +92,6 @@ bool doubted(const std::vector<WirePosition>& wire, const Position& place) {
 }
 
 Fix fix_of(const measurement::GnssFix& heard) {
-  constexpr double degree = 180 / std::numbers::pi;
   Fix fix{{heard.position->latitude_rad * degree, heard.position->longitude_rad * degree}, {}};
   if (heard.utc)
     fix.time_of_day = std::chrono::round<milliseconds>(heard.utc->time_since_epoch()) %

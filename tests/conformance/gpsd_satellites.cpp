@@ -19,7 +19,6 @@ int whole(double value) { return static_cast<int>(std::lround(value)); }
 
 /// gpsd leaves out satellites without a direction, and prints 0 where nothing is tracked.
 Sky sky_of(const measurement::GnssSatellites& heard) {
-  constexpr double degree = 180 / std::numbers::pi;
   Sky sky;
   for (const measurement::Satellite& s : heard.satellites) {
     if (!s.elevation_rad || !s.azimuth_rad) continue;

@@ -28,7 +28,7 @@ struct Column {
   double resolution, scale = 1;
 };
 
-constexpr double degree = 180 / std::numbers::pi, rpm = 30 / std::numbers::pi;
+constexpr double rpm = 30 / std::numbers::pi;
 
 constexpr std::array rudder{
     Column{"Instance", "instance", 1}, Column{"Direction Order", "direction_order", 1},

@@ -21,7 +21,7 @@ constexpr std::array beam{
     Slot{"distance_m", -1, 8, 1, 0, "0"},
     Slot{"status", -1, 9},
 };
-constexpr std::array speed{
+constexpr std::array speeds{
     Slot{"after_trigger_s", -1, 1, 1e-3},
     Slot{"after_sentence_s", -1, 2, 1e-3},
     Slot{"speed_mps", -1, 3},
@@ -47,11 +47,11 @@ constexpr std::array velocity{
     Slot{"status", -1, 16},
 };
 
-constexpr std::array layouts{
-    Layout{"PNORBT0", beam},     Layout{"PNORBT1", beam},     Layout{"PNORBT3", speed},
-    Layout{"PNORBT4", speed},    Layout{"PNORBT6", velocity}, Layout{"PNORBT7", velocity},
+constexpr std::array sentence_layouts{
+    Layout{"PNORBT0", beam},     Layout{"PNORBT1", beam},     Layout{"PNORBT3", speeds},
+    Layout{"PNORBT4", speeds},   Layout{"PNORBT6", velocity}, Layout{"PNORBT7", velocity},
     Layout{"PNORBT8", velocity}, Layout{"PNORBT9", velocity}, Layout{"PNORWT0", beam},
-    Layout{"PNORWT1", beam},     Layout{"PNORWT3", speed},    Layout{"PNORWT4", speed},
+    Layout{"PNORWT1", beam},     Layout{"PNORWT3", speeds},   Layout{"PNORWT4", speeds},
     Layout{"PNORWT6", velocity}, Layout{"PNORWT7", velocity}, Layout{"PNORWT8", velocity},
     Layout{"PNORWT9", velocity},
 };
@@ -71,8 +71,8 @@ void compare_nortek(const Case& one, Score& score) {
     if (line.starts_with('#') || start == line.npos) continue;
     const std::string sentence = line.substr(start, line.find_first_of(" \t", start) - start);
     if (line.starts_with("ok"))
-      compare_sound("nortek", name, number, sentence, find(layouts, fields_of(sentence).front()),
-                    score);
+      compare_sound("nortek", name, number, sentence,
+                    find(sentence_layouts, fields_of(sentence).front()), score);
     else
       compare_damaged("nortek", name, number, sentence, score);
   }

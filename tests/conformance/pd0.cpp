@@ -30,7 +30,7 @@ struct Column {
   const char* ours;
   double scale, offset, resolution;
 };
-constexpr std::array columns{
+constexpr std::array ensemble_columns{
     Column{"time", "clock_s", 1, 0, 0.01},
     Column{"pitch", "pitch_deg", 1, 0, 0.01},
     Column{"roll", "roll_deg", 1, 0, 0.01},
@@ -101,7 +101,7 @@ void compare_message(const json& ours, const json& row, double declination, Comp
   if (row["number"] != ours["ensemble"]) c.by_rule(number_rule);
   if (row.contains("heading")) compare_heading(ours, row, declination, c);
   if (row.contains("pressure")) compare_pressure(ours, row, c);
-  for (const Column& column : columns) {
+  for (const Column& column : ensemble_columns) {
     if (!row.contains(column.theirs)) continue;
     c.number(column.theirs, scaled(ours[column.ours], column.scale, column.offset),
              row[column.theirs], float32(column.resolution));

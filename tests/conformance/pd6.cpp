@@ -22,15 +22,15 @@ constexpr Slot component(int element, std::size_t column) {
 }
 constexpr std::array four{component(0, 1), component(1, 2), component(2, 3), component(3, 4)};
 constexpr std::array three{component(0, 1), component(1, 2), component(2, 3)};
-constexpr std::array distance{Slot{"distance_m", 0, 1}, Slot{"distance_m", 1, 2},
-                              Slot{"distance_m", 2, 3}, Slot{"range_m", -1, 4, 1, 0, "0"},
-                              Slot{"since_good_s", -1, 5}};
+constexpr std::array distances{Slot{"distance_m", 0, 1}, Slot{"distance_m", 1, 2},
+                               Slot{"distance_m", 2, 3}, Slot{"range_m", -1, 4, 1, 0, "0"},
+                               Slot{"since_good_s", -1, 5}};
 
-constexpr std::array layouts{
+constexpr std::array line_layouts{
     Layout{"SA", attitude},      Layout{"TS", timing},        Layout{"WI", four, 5, "A"},
-    Layout{"WS", three, 4, "A"}, Layout{"WE", three, 4, "A"}, Layout{"WD", distance},
+    Layout{"WS", three, 4, "A"}, Layout{"WE", three, 4, "A"}, Layout{"WD", distances},
     Layout{"BI", four, 5, "A"},  Layout{"BS", three, 4, "A"}, Layout{"BE", three, 4, "A"},
-    Layout{"BD", distance},
+    Layout{"BD", distances},
 };
 
 /// `:XX,a,b` without colon and padding.
@@ -55,7 +55,7 @@ void compare_pd6(const Case& one, Score& score) {
   for (const std::string& line : lines_of(read_text(one.capture))) {
     ++number;
     const auto fields = fields_of_line(line);
-    const Layout* layout = find(layouts, fields.front());
+    const Layout* layout = find(line_layouts, fields.front());
     if (!layout) continue;
     if (at == ours.size() || ours[at]["type"] != fields.front()) {
       score.missed(name, number, line);

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <numbers>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -15,6 +16,8 @@ namespace drydock::conformance {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
+
+constexpr double degree = 180 / std::numbers::pi;  ///< of a radian
 
 /// What `drydock decode` prints of a capture.
 struct Decoded {

@@ -53,7 +53,7 @@ constexpr std::array old_ranges{
     Slot{"distance_m", 3, 4, 1, 0, "-1"},
 };
 
-constexpr std::array layouts{
+constexpr std::array wrz_layouts{
     Layout{"wrz", bottom_velocity, 4, "y"},
     Layout{"wrs", water_velocity, 4, "y"},
     Layout{"wru", transducer},
@@ -88,7 +88,7 @@ void compare_water_linked(const Case& one, Score& score) {
     const std::string& sentence = columns[2];
     if (columns[0] == "crc_ok")
       compare_sound("water-linked", name, number, sentence,
-                    find(layouts, fields_of(sentence).front()), score);
+                    find(wrz_layouts, fields_of(sentence).front()), score);
     else
       compare_damaged("water-linked", name, number, sentence, score);
   }

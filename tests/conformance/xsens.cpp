@@ -1,5 +1,4 @@
 #include <array>
-#include <numbers>
 #include <regex>
 
 #include "tests/conformance/comparers.hpp"
@@ -12,7 +11,7 @@ namespace drydock::conformance {
 namespace {
 
 /// `count` big-endian numbers of `size` bytes; ours = number * scale.
-struct Layout {
+struct DataLayout {
   unsigned id;
   std::string_view type;
   std::vector<std::string> keys;
@@ -21,39 +20,37 @@ struct Layout {
   double quoted_factor;  ///< from the words' unit to ours
 };
 
-constexpr double degree = 180 / std::numbers::pi;
-
-const std::array layouts{
-    Layout{0x001, "error", {"code"}, 1, 1, 1, 1},
-    Layout{0x005, "sample_time", {"time_s"}, 4, 1, 1e-4, 1e-4},
-    Layout{0x006, "group_counter", {"counter"}, 2, 1, 1, 1},
-    Layout{0x021, "quaternion", {"wxyz"}, 2, 4, 1.0 / 32767, 1},
-    Layout{0x022, "euler_angles", {"roll_deg", "pitch_deg", "yaw_deg"}, 2, 3, 1.0 / 128, 1},
-    Layout{0x032,
-           "rate_of_turn",
-           {"rate_x_degps", "rate_y_degps", "rate_z_degps"},
-           2,
-           3,
-           degree / 512,
-           degree},
-    Layout{0x034,
-           "acceleration",
-           {"acceleration_x_mps2", "acceleration_y_mps2", "acceleration_z_mps2"},
-           2,
-           3,
-           1.0 / 256,
-           1},
+const std::array data_layouts{
+    DataLayout{0x001, "error", {"code"}, 1, 1, 1, 1},
+    DataLayout{0x005, "sample_time", {"device_time_s"}, 4, 1, 1e-4, 1e-4},
+    DataLayout{0x006, "group_counter", {"counter"}, 2, 1, 1, 1},
+    DataLayout{0x021, "quaternion", {"wxyz"}, 2, 4, 1.0 / 32767, 1},
+    DataLayout{0x022, "euler_angles", {"roll_deg", "pitch_deg", "yaw_deg"}, 2, 3, 1.0 / 128, 1},
+    DataLayout{0x032,
+               "rate_of_turn",
+               {"rate_x_degps", "rate_y_degps", "rate_z_degps"},
+               2,
+               3,
+               degree / 512,
+               degree},
+    DataLayout{0x034,
+               "acceleration",
+               {"acceleration_x_mps2", "acceleration_y_mps2", "acceleration_z_mps2"},
+               2,
+               3,
+               1.0 / 256,
+               1},
 };
 
 /// Two's complement where there are several; a lone number is unsigned.
-double number_at(const std::vector<std::uint8_t>& data, const Layout& layout, std::size_t i) {
+double number_at(const std::vector<std::uint8_t>& data, const DataLayout& layout, std::size_t i) {
   std::int64_t value = 0;
   for (std::size_t b = 0; b < layout.size; ++b) value = value << 8 | data.at(i * layout.size + b);
   const std::int64_t range = std::int64_t{1} << (8 * layout.size);
   return static_cast<double>(layout.count > 1 && value >= range / 2 ? value - range : value);
 }
 
-json value_of(const json& ours, const Layout& layout, std::size_t i) {
+json value_of(const json& ours, const DataLayout& layout, std::size_t i) {
   return layout.keys.size() == 1 && layout.count > 1 ? ours.at(layout.keys[0]).at(i)
                                                      : ours.at(layout.keys.at(i));
 }
@@ -73,7 +70,7 @@ std::vector<std::pair<std::size_t, double>> quoted(const std::string& words) {
   return values;
 }
 
-void compare_vector(const json& ours, const FrameVector& vector, const Layout& layout,
+void compare_vector(const json& ours, const FrameVector& vector, const DataLayout& layout,
                     Comparison& c) {
   const std::string name(layout.type);
   c.same("type", ours["type"], name);
@@ -93,8 +90,8 @@ std::vector<Case> discover_xsens(const fs::path& folder) { return frame_vector_f
 void compare_xsens(const Case& one, Score& score) {
   const std::string name = one.capture.filename().string();
   for (const FrameVector& vector : read_frame_vectors(one.capture)) {
-    const auto layout = std::ranges::find(layouts, vector.id, &Layout::id);
-    if (layout == layouts.end()) {
+    const auto layout = std::ranges::find(data_layouts, vector.id, &DataLayout::id);
+    if (layout == data_layouts.end()) {
       score.note(name + ":" + std::to_string(vector.line) + ": no layout for this identifier");
       continue;
     }

@@ -1,43 +1,18 @@
-#include <gmock/gmock.h>
+#include "tests/rig_config/problems.hpp"
+
 #include <rapidcheck/gtest.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <fstream>
+#include <iterator>
 
-#include "rig_config/load.hpp"
-
-namespace drydock::rig_config {
-namespace {
+/// Rig files: keys, types, ranges, names.
+namespace drydock::rig_config::test {
+namespace problems_test {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
-
-constexpr std::string_view rig_table = "[rig]\nname = \"bench\"\n";  // lines 1, 2
-constexpr std::string_view dvl_table =                               // lines 3 to 7
-    "[[device]]\nname = \"dvl\"\nkind = \"dvl\"\nprotocol = \"pd0\"\nlink = \"pty:dvl\"\n";
-
-std::vector<std::string> lines_of(const Problems& problems) {
-  std::vector<std::string> lines;
-  for (const Problem& problem : problems) lines.push_back(to_string(problem));
-  return lines;
-}
-
-/// Lines for a rig of the two tables above and what follows them, from line 8.
-std::vector<std::string> problems_of(std::string_view more, const LoadOptions& options = {}) {
-  const auto rig = load_rig_text(
-      std::string(rig_table) + std::string(dvl_table) + std::string(more), "r.toml", options);
-  return rig ? std::vector<std::string>{} : lines_of(rig.error());
-}
-
-std::vector<std::string> problems_of_text(std::string_view text) {
-  const auto rig = load_rig_text(text, "r.toml");
-  return rig ? std::vector<std::string>{} : lines_of(rig.error());
-}
-
-constexpr std::string_view imu_table =
-    "[[device]]\nname = \"imu\"\nkind = \"imu\"\nprotocol = \"cia404-imu\"\nlink = \"can:auto\"\n";
 
 TEST(RigProblems, TheSmallestRigHasNone) { EXPECT_THAT(problems_of(""), IsEmpty()); }
 
@@ -94,30 +69,6 @@ TEST(RigProblems, ANumberOutOfRangeIsToldTheRange) {
       ElementsAre("r.toml:13:11: /device/1/address: 254 is out of range, allowed: 0 to 253"));
 }
 
-TEST(RigProblems, ACanopenNodeHasANarrowerRangeThanAJ1939Address) {
-  EXPECT_THAT(
-      problems_of(std::string(imu_table) + "address = 128\n"),
-      ElementsAre("r.toml:13:11: /device/1/address: 128 is out of range, allowed: 0 to 127"));
-}
-
-TEST(RigProblems, SettingsOfOneImuAreNotAnothers) {
-  EXPECT_THAT(problems_of(std::string(imu_table) + "xsens = { extended = true }\n"),
-              ElementsAre("r.toml:13:1: /device/1/xsens: not allowed here, only for protocol = "
-                          "\"xsens\""));
-  EXPECT_THAT(problems_of("sync = true\n"),
-              ElementsAre("r.toml:8:1: /device/0/sync: not allowed here, only for CANopen "
-                          "protocols"));
-  EXPECT_THAT(problems_of(std::string(imu_table) + "sync = true\nheartbeat_timeout_s = 2\n"),
-              IsEmpty());
-}
-
-TEST(RigProblems, AnXsensMessageThatDoesNotExistIsTold) {
-  EXPECT_THAT(
-      problems_of("[[device]]\nname = \"i\"\nkind = \"imu\"\nprotocol = \"xsens\"\n"
-                  "link = \"can:auto\"\nxsens = { identifiers = { rate_of_trun = 0x132 } }\n"),
-      ElementsAre(HasSubstr("rate_of_trun: unknown key (did you mean 'rate_of_turn'?)")));
-}
-
 TEST(RigProblems, AVectorHasThreeComponents) {
   EXPECT_THAT(problems_of("lever_arm_m = [1, 2]\n"),
               ElementsAre("r.toml:8:15: /device/0/lever_arm_m: has 2 values, allowed: 3"));
@@ -129,97 +80,6 @@ TEST(RigProblems, AVectorHasThreeComponents) {
 TEST(RigProblems, NotANumberAndInfinityAreNoNumbers) {
   EXPECT_THAT(problems_of("rate_hz = nan\n"),
               ElementsAre("r.toml:8:11: /device/0/rate_hz: nan and inf are not allowed"));
-}
-
-TEST(RigProblems, AGyroBiasOnADvlIsRefused) {
-  EXPECT_THAT(problems_of("emulate = { gyro_bias_degph = 1 }\n"),
-              ElementsAre("r.toml:8:13: /device/0/emulate/gyro_bias_degph: unknown key, allowed "
-                          "here: errors, fixed_bias, latency_ms, velocity_bias_mps, "
-                          "velocity_noise_mps"));
-}
-
-TEST(RigProblems, AKeyOfAnotherKindSaysWhereItBelongs) {
-  EXPECT_THAT(problems_of("surface_pressure_pa = 101325\n"),
-              ElementsAre("r.toml:8:1: /device/0/surface_pressure_pa: not allowed here, only for "
-                          "kind = \"depth\""));
-  EXPECT_THAT(
-      problems_of("address = 3\n"),
-      ElementsAre("r.toml:8:1: /device/0/address: not allowed here, only for protocols on a "
-                  "CAN bus"));
-}
-
-TEST(RigProblems, TheStandardOceanNeedsALatitudeAndNoDensity) {
-  const std::string depth =
-      std::string(rig_table) +
-      "[[device]]\nname = \"depth\"\nkind = \"depth\"\nprotocol = \"nmea2000\"\n"
-      "link = \"can:auto\"\n";
-  EXPECT_THAT(problems_of_text(depth + "depth_formula = \"unesco\"\nlatitude_deg = 30\n"),
-              IsEmpty());
-  EXPECT_THAT(problems_of_text(depth + "depth_formula = \"unesco\"\n"),
-              ElementsAre(HasSubstr("latitude_deg")));
-  EXPECT_THAT(problems_of_text(depth + "depth_formula = \"unesco\"\nlatitude_deg = 30\n"
-                                       "water_density_kgm3 = 1025\n"),
-              ElementsAre("r.toml:10:1: /device/0/water_density_kgm3: not allowed here, only with "
-                          "depth_formula = \"density\""));
-  EXPECT_THAT(problems_of_text(depth + "latitude_deg = 30\n"),
-              ElementsAre("r.toml:8:1: /device/0/latitude_deg: not allowed here, only with "
-                          "depth_formula = \"unesco\""));
-}
-
-TEST(RigProblems, APressureTransmitterIsSetByItsOwnTable) {
-  const std::string depth =
-      std::string(rig_table) +
-      "[[device]]\nname = \"depth\"\nkind = \"depth\"\nlink = \"can:auto\"\n";  // to line 6
-  const auto rig =
-      load_rig_text(depth +
-                        "protocol = \"cia404-pressure\"\n[device.pressure]\nformat = \"real32\"\n"
-                        "unit = \"bar\"\ndecimals = 3\nreference = \"gauge\"\n",
-                    "r.toml");
-  ASSERT_TRUE(rig);
-  const PressureConfig& pressure = rig->devices.at(0).pressure;
-  EXPECT_EQ(pressure.format, "real32");
-  EXPECT_EQ(pressure.unit, "bar");
-  EXPECT_EQ(pressure.decimals, 3);
-  EXPECT_TRUE(pressure.gauge);
-  EXPECT_THAT(problems_of_text(depth + "protocol = \"nmea2000\"\npressure = { unit = \"bar\" }\n"),
-              ElementsAre("r.toml:8:1: /device/0/pressure: not allowed here, only for protocol = "
-                          "\"cia404-pressure\""));
-}
-
-TEST(RigProblems, WhatOnlySomeDvlProtocolsNeedIsRefusedElsewhere) {
-  EXPECT_THAT(
-      problems_of("maker = \"water-linked\"\nbeam_angle_deg = 30\nwater_linked = {}\n"),
-      ElementsAre("r.toml:8:1: /device/0/maker: not allowed here, only for protocol = \"pd4\" or "
-                  "\"pd6\"",
-                  "r.toml:9:1: /device/0/beam_angle_deg: not allowed here, only for protocol = "
-                  "\"pd4\" or \"pd5\"",
-                  "r.toml:10:1: /device/0/water_linked: not allowed here, only for protocol = "
-                  "\"water-linked\""));
-}
-
-TEST(Rig, ADvlsMakerBeamAngleAndSettings) {
-  const auto rig = load_rig_text(
-      "[rig]\nname = \"r\"\n"
-      "[[device]]\nname = \"a\"\nkind = \"dvl\"\nprotocol = \"pd4\"\nlink = \"pty:a\"\n"
-      "maker = \"water-linked\"\nbeam_angle_deg = 22.5\n"
-      "[[device]]\nname = \"b\"\nkind = \"dvl\"\nprotocol = \"water-linked\"\nlink = \"pty:b\"\n"
-      "[device.water_linked]\nmounting_rotation_deg = 180\nold_sentences = true\n",
-      "r.toml");
-  const auto& devices = rig.value().devices;
-  EXPECT_EQ(devices[0].maker, DvlMaker::water_linked);
-  EXPECT_DOUBLE_EQ(*devices[0].beam_angle_rad, 0.39269908169872414);
-  EXPECT_FALSE(devices[0].water_linked);
-  EXPECT_EQ(devices[1].maker, DvlMaker::teledyne);
-  ASSERT_TRUE(devices[1].water_linked);
-  EXPECT_FALSE(devices[1].water_linked->sound_speed_mps);
-  EXPECT_DOUBLE_EQ(*devices[1].water_linked->mounting_rotation_rad, 3.141592653589793);
-  EXPECT_TRUE(devices[1].water_linked->old_sentences);
-}
-
-TEST(RigProblems, ANegativeNoiseOfOneAxisPointsAtThatAxis) {
-  EXPECT_THAT(problems_of("emulate = { velocity_noise_mps = [0.1, -0.1, 0.1] }\n"),
-              ElementsAre("r.toml:8:40: /device/0/emulate/velocity_noise_mps/1: -0.1 is out of "
-                          "range, allowed: 0 or more"));
 }
 
 TEST(RigProblems, ADvlDoesNotSpeakOnCan) {
@@ -240,6 +100,10 @@ TEST(RigProblems, TheCallersLinkCheckSpeaksWithAPosition) {
                           "link = \"pty:x/y\"\n",
                           options),
               ElementsAre("r.toml:12:8: /device/1/link: pty:x/y: no such name"));
+  EXPECT_THAT(problems_of("[[device]]\nname = \"g\"\nkind = \"gnss\"\nprotocol = \"ubx\"\n"
+                          "link = \"ptty:x\"\n",
+                          options),
+              ElementsAre("r.toml:12:8: /device/1/link: ptty:x: no such name"));
 }
 
 TEST(RigProblems, ANameIsUsedOnce) {
@@ -356,76 +220,6 @@ TEST(RigProblems, AllComeAtOnceInFileOrder) {
                                  HasSubstr("r.toml:11:1: /device/0/emulate/colour: unknown key")));
 }
 
-TEST(MissionProblems, ALegHasTheKeysOfItsKindOnly) {
-  const auto mission = load_mission_text(
-      "[mission]\nlatitude_deg = 91\nlongitude_deg = 0\nspeed_mps = 1\n"
-      "[[leg]]\nkind = \"turn\"\nduration_s = 5\nperiod_s = 3\n",
-      "m.toml");
-  ASSERT_FALSE(mission);
-  EXPECT_THAT(
-      lines_of(mission.error()),
-      ElementsAre("m.toml:2:16: /mission/latitude_deg: 91 is out of range, allowed: -90 to 90",
-                  "m.toml:5:1: /leg/0: key 'turn_deg' is missing",
-                  "m.toml:8:1: /leg/0/period_s: not allowed here, only for kind = "
-                  "\"s_path\""));
-}
-
-TEST(MissionProblems, AMissionStaysInTheWater) {
-  const auto mission = load_mission_text(
-      "[mission]\nlatitude_deg = 0\nlongitude_deg = 0\nspeed_mps = 1\nbed_depth_m = 20\n"
-      "[[leg]]\nkind = \"dive\"\nduration_s = 60\ndepth_change_m = 21\n"
-      "[[leg]]\nkind = \"dive\"\nduration_s = 60\ndepth_change_m = -30\n",
-      "m.toml");
-  ASSERT_FALSE(mission);
-  EXPECT_THAT(lines_of(mission.error()),
-              ElementsAre("m.toml:9:18: /leg/0/depth_change_m: the leg ends at a depth of 21 m, "
-                          "allowed: 0 (the surface) to 20 (the bed)",
-                          "m.toml:13:18: /leg/1/depth_change_m: the leg ends at a depth of -9 m, "
-                          "allowed: 0 (the surface) to 20 (the bed)"));
-}
-
-/// A folder of files that is gone after the test.
-class Folder {
- public:
-  Folder() : path_(testing::TempDir() + "rig_config_problems") {
-    std::filesystem::create_directories(path_);
-  }
-  ~Folder() { std::filesystem::remove_all(path_); }
-  std::string write(const std::string& name, std::string_view text) const {
-    std::ofstream(path_ / name) << text;
-    return (path_ / name).string();
-  }
-
- private:
-  std::filesystem::path path_;
-};
-
-TEST(CheckFile, TellsTheThreeKindsApart) {
-  const Folder folder;
-  const auto mission = folder.write("m.toml", "[mission]\nlatitude_deg = 1\n");
-  const auto sensor = folder.write("s.toml", "[imu]\ngyro_bias = 1\n");
-  EXPECT_THAT(lines_of(check_file(mission)), testing::Contains(HasSubstr(":1:1: /: key 'leg' is")));
-  EXPECT_THAT(lines_of(check_file(sensor)),
-              ElementsAre(HasSubstr(":2:1: /imu/gyro_bias: unknown key, allowed here: "
-                                    "accelerometer_bias_mg")));
-}
-
-TEST(CheckFile, APartOfARigIsReportedUnderItsOwnName) {
-  const Folder folder;
-  const auto mission = folder.write("m.toml", "[mission]\nspeed_mps = -1\n");
-  const auto grade = folder.write("imu.toml", "[imu]\ngyro_bias_degph = 1\n");
-  const auto rig =
-      folder.write("r.toml", "[rig]\nname = \"r\"\nmission = \"m.toml\"\n" +
-                                 std::string(dvl_table) + "emulate = { errors = \"imu.toml\" }\n");
-  EXPECT_THAT(
-      lines_of(check_file(rig)),
-      ElementsAre(mission + ":1:1: /: key 'leg' is missing",
-                  mission + ":1:1: /mission: key 'latitude_deg' is missing",
-                  mission + ":1:1: /mission: key 'longitude_deg' is missing",
-                  mission + ":2:13: /mission/speed_mps: -1 is out of range, allowed: 0 to 30",
-                  rig + ":9:22: /device/0/emulate/errors: " + grade + " has no table [dvl]"));
-}
-
 RC_GTEST_PROP(RigProblems, NoTextMakesTheLoaderThrow, (const std::string& text)) {
   const auto rig = load_rig_text(text, "r.toml");
   RC_ASSERT(!rig);
@@ -462,5 +256,5 @@ RC_GTEST_PROP(RigProblems, ADamagedDemoIsLoadedOrToldWhyNot, ()) {
   for (const Problem& problem : rig.error()) RC_ASSERT(problem.line > 0 && !problem.what.empty());
 }
 
-}  // namespace
-}  // namespace drydock::rig_config
+}  // namespace problems_test
+}  // namespace drydock::rig_config::test

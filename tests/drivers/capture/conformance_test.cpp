@@ -1,5 +1,4 @@
 #include <gmock/gmock.h>
-#include <rapidcheck.h>
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
@@ -8,6 +7,7 @@
 
 #include "drivers/wire/hex.hpp"
 #include "tests/drivers/capture/captures.hpp"
+#include "tests/drivers/property.hpp"
 
 /// What every format must hold to, on the files of fixtures/capture: the same frames in each.
 namespace drydock::capture::testing {
@@ -111,7 +111,7 @@ TEST_P(EachFormat, IsRecognisedByItsContentAndGivesTheFramesThatWereWritten) {
 TEST_P(EachFormat, GivesTheSameInAnySplit) {
   const Outcome whole = read_capture(bytes);
   EXPECT_EQ(read_capture(bytes, {1}), whole);
-  EXPECT_TRUE(rc::check([&] {
+  EXPECT_TRUE(holds([&] {
     const auto pieces = *rc::gen::nonEmpty(
         rc::gen::container<std::vector<std::size_t>>(rc::gen::inRange<std::size_t>(1, 90)));
     RC_ASSERT(read_capture(bytes, pieces) == whole);
@@ -145,7 +145,7 @@ TEST_P(EachFormat, CutShortAnywhereGivesTheFramesBeforeTheCut) {
 }
 
 TEST_P(EachFormat, DamagedBytesDoNoHarmAndGiveOnlyFramesThatThereCanBe) {
-  EXPECT_TRUE(rc::check([&] {
+  EXPECT_TRUE(holds([&] {
     Buffer damaged = bytes;
     const auto changes = *rc::gen::arbitrary<std::vector<std::pair<std::uint32_t, std::uint8_t>>>();
     for (const auto& [at, value] : changes) damaged[at % damaged.size()] = value;

@@ -1,7 +1,9 @@
 #include <gtest/gtest.h>
-#include <rapidcheck.h>
+
+#include <algorithm>
 
 #include "drivers/wire/registry.hpp"
+#include "tests/drivers/property.hpp"
 #include "tests/drivers/wire/can_fixture.hpp"
 
 /// What every CAN protocol of the registry must hold to.
@@ -70,6 +72,21 @@ TYPED_TEST(CanConformance, GoldenFramesDecodeToTheNumbersOfTheirSources) {
   }
 }
 
+TYPED_TEST(CanConformance, MessagesNameTheirFieldsOnceBesideThoseOfTheirFrame) {
+  for (const auto& message :
+       decode_all<TypeParam>(test::frames_of_log(fixture(this->folder() + "/frames.log")))) {
+    std::vector<std::string> keys{"type", "time_s", "interface"};  // decode writes these itself
+    std::visit(
+        [&](const auto& m) {
+          visit_fields(m, [&](std::string_view key, const auto&) { keys.emplace_back(key); });
+        },
+        message);
+    std::ranges::sort(keys);
+    const auto twice = std::ranges::adjacent_find(keys);
+    EXPECT_EQ(twice, keys.end()) << *twice;
+  }
+}
+
 TYPED_TEST(CanConformance, ForeignTrafficBetweenGoldenFramesChangesNothing) {
   const auto golden = test::frames_of_log(fixture(this->folder() + "/frames.log"));
   const CanFrame foreign[] = {test::frame("1DEFFFCC#C0083B9FF0819C51"),
@@ -101,7 +118,7 @@ TYPED_TEST(CanConformance, EachGoldenFrameCutShortGivesNoMessageAndIsCounted) {
 }
 
 TYPED_TEST(CanConformance, AnyTrafficGivesFiniteNumbersAndHonestCounters) {
-  EXPECT_TRUE(rc::check([] {
+  EXPECT_TRUE(holds([] {
     typename TypeParam::Decoder decoder;
     std::uint64_t messages = 0;
     for (const CanFrame& frame : random_traffic(60)) {

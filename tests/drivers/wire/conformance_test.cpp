@@ -1,10 +1,9 @@
 #include <gtest/gtest.h>
-#include <rapidcheck/gtest.h>
 
-#include <rapidcheck.h>
 #include <numeric>
 
 #include "drivers/wire/registry.hpp"
+#include "tests/drivers/property.hpp"
 #include "tests/drivers/wire/byte_streams.hpp"
 
 /// What every byte protocol owes its driver, tried on golden bytes of other software.
@@ -200,7 +199,7 @@ TYPED_TEST(ByteProtocolTest, TakesEveryGoldenFrameAndNoByteMore) {
 TYPED_TEST(ByteProtocolTest, SeesTheSameInAnySplit) {
   const Buffer stream = Golden<TypeParam>::stream();
   const auto whole = read_stream<TypeParam>(stream);
-  EXPECT_TRUE(rc::check([&] {
+  EXPECT_TRUE(holds([&] {
     const auto pieces = *rc::gen::nonEmpty(
         rc::gen::container<std::vector<std::size_t>>(rc::gen::inRange<std::size_t>(1, 120)));
     const auto split = read_stream<TypeParam>(stream, pieces);
@@ -211,7 +210,7 @@ TYPED_TEST(ByteProtocolTest, SeesTheSameInAnySplit) {
 
 TYPED_TEST(ByteProtocolTest, SplitNoiseCountsLikeWholeNoise) {
   const Buffer golden = Golden<TypeParam>::stream();
-  EXPECT_TRUE(rc::check([&] {
+  EXPECT_TRUE(holds([&] {
     const Buffer stream = noise(golden) + golden + noise(golden);
     const auto whole = read_stream<TypeParam>(stream);
     const auto bytewise = read_stream<TypeParam>(stream, {1});
@@ -222,7 +221,7 @@ TYPED_TEST(ByteProtocolTest, SplitNoiseCountsLikeWholeNoise) {
 
 TYPED_TEST(ByteProtocolTest, FindsEveryFrameBetweenNoise) {
   const Buffer golden = Golden<TypeParam>::stream();
-  EXPECT_TRUE(rc::check([&] {
+  EXPECT_TRUE(holds([&] {
     const Buffer stream = noise(golden) + golden + noise(golden);
     expect_all_golden_frames_in<TypeParam>(stream, golden);
     RC_ASSERT(!::testing::Test::HasFailure());
@@ -259,7 +258,7 @@ TYPED_TEST(ByteProtocolTest, LosesNoFrameBehindATruncatedOne) {
 
 TYPED_TEST(ByteProtocolTest, NoBytesMakeAFrameWithAWrongChecksum) {
   const Buffer golden = Golden<TypeParam>::stream();
-  EXPECT_TRUE(rc::check([&] {
+  EXPECT_TRUE(holds([&] {
     Buffer stream = golden;
     const auto changes = *rc::gen::arbitrary<std::vector<std::pair<std::uint32_t, std::uint8_t>>>();
     for (const auto& [at, value] : changes) stream[at % stream.size()] = value;
@@ -271,7 +270,7 @@ TYPED_TEST(ByteProtocolTest, NoBytesMakeAFrameWithAWrongChecksum) {
 
 TYPED_TEST(ByteProtocolTest, DecodesAnyFrameShapedBytesWithoutHarm) {
   const auto frames = read_stream<TypeParam>(Golden<TypeParam>::stream()).frames;
-  EXPECT_TRUE(rc::check([&] {
+  EXPECT_TRUE(holds([&] {
     Buffer frame = *rc::gen::elementOf(frames);
     frame.resize(*rc::gen::inRange<std::size_t>(1, frame.size() + 1));
     const auto changes = *rc::gen::arbitrary<std::vector<std::pair<std::uint16_t, std::uint8_t>>>();

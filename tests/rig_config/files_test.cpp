@@ -1,0 +1,87 @@
+#include "tests/rig_config/problems.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+/// Missions, and files that name one another.
+namespace drydock::rig_config::test {
+namespace files_test {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+TEST(MissionProblems, ALegHasTheKeysOfItsKindOnly) {
+  const auto mission = load_mission_text(
+      "[mission]\nlatitude_deg = 91\nlongitude_deg = 0\nspeed_mps = 1\n"
+      "[[leg]]\nkind = \"turn\"\nduration_s = 5\nperiod_s = 3\n",
+      "m.toml");
+  ASSERT_FALSE(mission);
+  EXPECT_THAT(
+      lines_of(mission.error()),
+      ElementsAre("m.toml:2:16: /mission/latitude_deg: 91 is out of range, allowed: -90 to 90",
+                  "m.toml:5:1: /leg/0: key 'turn_deg' is missing",
+                  "m.toml:8:1: /leg/0/period_s: not allowed here, only for kind = "
+                  "\"s_path\""));
+}
+
+TEST(MissionProblems, AMissionStaysInTheWater) {
+  const auto mission = load_mission_text(
+      "[mission]\nlatitude_deg = 0\nlongitude_deg = 0\nspeed_mps = 1\nbed_depth_m = 20\n"
+      "[[leg]]\nkind = \"dive\"\nduration_s = 60\ndepth_change_m = 21\n"
+      "[[leg]]\nkind = \"dive\"\nduration_s = 60\ndepth_change_m = -30\n",
+      "m.toml");
+  ASSERT_FALSE(mission);
+  EXPECT_THAT(lines_of(mission.error()),
+              ElementsAre("m.toml:9:18: /leg/0/depth_change_m: the leg ends at a depth of 21 m, "
+                          "allowed: 0 (the surface) to 20 (the bed)",
+                          "m.toml:13:18: /leg/1/depth_change_m: the leg ends at a depth of -9 m, "
+                          "allowed: 0 (the surface) to 20 (the bed)"));
+}
+
+/// A folder of files that is gone after the test.
+class Folder {
+ public:
+  Folder() : path_(testing::TempDir() + "rig_config_problems") {
+    std::filesystem::create_directories(path_);
+  }
+  ~Folder() { std::filesystem::remove_all(path_); }
+  std::string write(const std::string& name, std::string_view text) const {
+    std::ofstream(path_ / name) << text;
+    return (path_ / name).string();
+  }
+
+ private:
+  std::filesystem::path path_;
+};
+
+TEST(CheckFile, TellsTheThreeKindsApart) {
+  const Folder folder;
+  const auto mission = folder.write("m.toml", "[mission]\nlatitude_deg = 1\n");
+  const auto sensor = folder.write("s.toml", "[imu]\ngyro_bias = 1\n");
+  EXPECT_THAT(lines_of(check_file(mission)), testing::Contains(HasSubstr(":1:1: /: key 'leg' is")));
+  EXPECT_THAT(lines_of(check_file(sensor)),
+              ElementsAre(HasSubstr(":2:1: /imu/gyro_bias: unknown key, allowed here: "
+                                    "accelerometer_bias_mg")));
+}
+
+TEST(CheckFile, APartOfARigIsReportedUnderItsOwnName) {
+  const Folder folder;
+  const auto mission = folder.write("m.toml", "[mission]\nspeed_mps = -1\n");
+  const auto grade = folder.write("imu.toml", "[imu]\ngyro_bias_degph = 1\n");
+  const auto rig =
+      folder.write("r.toml", "[rig]\nname = \"r\"\nmission = \"m.toml\"\n" +
+                                 std::string(dvl_table) + "emulate = { errors = \"imu.toml\" }\n");
+  EXPECT_THAT(
+      lines_of(check_file(rig)),
+      ElementsAre(mission + ":1:1: /: key 'leg' is missing",
+                  mission + ":1:1: /mission: key 'latitude_deg' is missing",
+                  mission + ":1:1: /mission: key 'longitude_deg' is missing",
+                  mission + ":2:13: /mission/speed_mps: -1 is out of range, allowed: 0 to 30",
+                  rig + ":9:22: /device/0/emulate/errors: " + grade + " has no table [dvl]"));
+}
+
+}  // namespace files_test
+}  // namespace drydock::rig_config::test

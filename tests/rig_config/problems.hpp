@@ -1,0 +1,40 @@
+#pragma once
+
+#include <gmock/gmock.h>
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "rig_config/load.hpp"
+
+/// What the loader says of rigs written as text.
+namespace drydock::rig_config::test {
+
+inline constexpr std::string_view rig_table = "[rig]\nname = \"bench\"\n";  // lines 1, 2
+inline constexpr std::string_view dvl_table =                               // lines 3 to 7
+    "[[device]]\nname = \"dvl\"\nkind = \"dvl\"\nprotocol = \"pd0\"\nlink = \"pty:dvl\"\n";
+
+inline std::vector<std::string> lines_of(const Problems& problems) {
+  std::vector<std::string> lines;
+  for (const Problem& problem : problems) lines.push_back(to_string(problem));
+  return lines;
+}
+
+/// Lines for a rig of the two tables above and what follows them, from line 8.
+inline std::vector<std::string> problems_of(std::string_view more,
+                                            const LoadOptions& options = {}) {
+  const auto rig = load_rig_text(
+      std::string(rig_table) + std::string(dvl_table) + std::string(more), "r.toml", options);
+  return rig ? std::vector<std::string>{} : lines_of(rig.error());
+}
+
+inline std::vector<std::string> problems_of_text(std::string_view text) {
+  const auto rig = load_rig_text(text, "r.toml");
+  return rig ? std::vector<std::string>{} : lines_of(rig.error());
+}
+
+inline constexpr std::string_view imu_table =
+    "[[device]]\nname = \"imu\"\nkind = \"imu\"\nprotocol = \"cia404-imu\"\nlink = \"can:auto\"\n";
+
+}  // namespace drydock::rig_config::test

@@ -1,0 +1,129 @@
+#include "tests/rig_config/problems.hpp"
+
+#include <gtest/gtest.h>
+
+/// Settings that only some sensors or protocols have.
+namespace drydock::rig_config::test {
+namespace sensor_settings_test {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+TEST(RigProblems, ACanopenNodeHasANarrowerRangeThanAJ1939Address) {
+  EXPECT_THAT(
+      problems_of(std::string(imu_table) + "address = 128\n"),
+      ElementsAre("r.toml:13:11: /device/1/address: 128 is out of range, allowed: 0 to 127"));
+}
+
+TEST(RigProblems, SettingsOfOneImuAreNotAnothers) {
+  EXPECT_THAT(problems_of(std::string(imu_table) + "xsens = { extended = true }\n"),
+              ElementsAre("r.toml:13:1: /device/1/xsens: not allowed here, only for protocol = "
+                          "\"xsens\""));
+  EXPECT_THAT(problems_of("sync = true\n"),
+              ElementsAre("r.toml:8:1: /device/0/sync: not allowed here, only for CANopen "
+                          "protocols"));
+  EXPECT_THAT(problems_of(std::string(imu_table) + "sync = true\nheartbeat_timeout_s = 2\n"),
+              IsEmpty());
+}
+
+TEST(RigProblems, AnXsensMessageThatDoesNotExistIsTold) {
+  EXPECT_THAT(
+      problems_of("[[device]]\nname = \"i\"\nkind = \"imu\"\nprotocol = \"xsens\"\n"
+                  "link = \"can:auto\"\nxsens = { identifiers = { rate_of_trun = 0x132 } }\n"),
+      ElementsAre(HasSubstr("rate_of_trun: unknown key (did you mean 'rate_of_turn'?)")));
+}
+
+TEST(RigProblems, AGyroBiasOnADvlIsRefused) {
+  EXPECT_THAT(problems_of("emulate = { gyro_bias_degph = 1 }\n"),
+              ElementsAre("r.toml:8:13: /device/0/emulate/gyro_bias_degph: unknown key, allowed "
+                          "here: errors, fixed_bias, latency_ms, velocity_bias_mps, "
+                          "velocity_noise_mps"));
+}
+
+TEST(RigProblems, AKeyOfAnotherKindSaysWhereItBelongs) {
+  EXPECT_THAT(problems_of("surface_pressure_pa = 101325\n"),
+              ElementsAre("r.toml:8:1: /device/0/surface_pressure_pa: not allowed here, only for "
+                          "kind = \"depth\""));
+  EXPECT_THAT(
+      problems_of("address = 3\n"),
+      ElementsAre("r.toml:8:1: /device/0/address: not allowed here, only for protocols on a "
+                  "CAN bus"));
+}
+
+TEST(RigProblems, TheStandardOceanNeedsALatitudeAndNoDensity) {
+  const std::string depth =
+      std::string(rig_table) +
+      "[[device]]\nname = \"depth\"\nkind = \"depth\"\nprotocol = \"nmea2000\"\n"
+      "link = \"can:auto\"\n";
+  EXPECT_THAT(problems_of_text(depth + "depth_formula = \"unesco\"\nlatitude_deg = 30\n"),
+              IsEmpty());
+  EXPECT_THAT(problems_of_text(depth + "depth_formula = \"unesco\"\n"),
+              ElementsAre(HasSubstr("latitude_deg")));
+  EXPECT_THAT(problems_of_text(depth + "depth_formula = \"unesco\"\nlatitude_deg = 30\n"
+                                       "water_density_kgm3 = 1025\n"),
+              ElementsAre("r.toml:10:1: /device/0/water_density_kgm3: not allowed here, only with "
+                          "depth_formula = \"density\""));
+  EXPECT_THAT(problems_of_text(depth + "latitude_deg = 30\n"),
+              ElementsAre("r.toml:8:1: /device/0/latitude_deg: not allowed here, only with "
+                          "depth_formula = \"unesco\""));
+}
+
+TEST(RigProblems, APressureTransmitterIsSetByItsOwnTable) {
+  const std::string depth =
+      std::string(rig_table) +
+      "[[device]]\nname = \"depth\"\nkind = \"depth\"\nlink = \"can:auto\"\n";  // to line 6
+  const auto rig =
+      load_rig_text(depth +
+                        "protocol = \"cia404-pressure\"\n[device.pressure]\nformat = \"real32\"\n"
+                        "unit = \"bar\"\ndecimals = 3\nreference = \"gauge\"\n",
+                    "r.toml");
+  ASSERT_TRUE(rig);
+  const PressureConfig& pressure = rig->devices.at(0).pressure;
+  EXPECT_EQ(pressure.format, "real32");
+  EXPECT_EQ(pressure.unit, "bar");
+  EXPECT_EQ(pressure.decimals, 3);
+  EXPECT_TRUE(pressure.gauge);
+  EXPECT_THAT(problems_of_text(depth + "protocol = \"nmea2000\"\npressure = { unit = \"bar\" }\n"),
+              ElementsAre("r.toml:8:1: /device/0/pressure: not allowed here, only for protocol = "
+                          "\"cia404-pressure\""));
+}
+
+TEST(RigProblems, WhatOnlySomeDvlProtocolsNeedIsRefusedElsewhere) {
+  EXPECT_THAT(
+      problems_of("maker = \"water-linked\"\nbeam_angle_deg = 30\nwater_linked = {}\n"),
+      ElementsAre("r.toml:8:1: /device/0/maker: not allowed here, only for protocol = \"pd4\" or "
+                  "\"pd6\"",
+                  "r.toml:9:1: /device/0/beam_angle_deg: not allowed here, only for protocol = "
+                  "\"pd4\" or \"pd5\"",
+                  "r.toml:10:1: /device/0/water_linked: not allowed here, only for protocol = "
+                  "\"water-linked\""));
+}
+
+TEST(Rig, ADvlsMakerBeamAngleAndSettings) {
+  const auto rig = load_rig_text(
+      "[rig]\nname = \"r\"\n"
+      "[[device]]\nname = \"a\"\nkind = \"dvl\"\nprotocol = \"pd4\"\nlink = \"pty:a\"\n"
+      "maker = \"water-linked\"\nbeam_angle_deg = 22.5\n"
+      "[[device]]\nname = \"b\"\nkind = \"dvl\"\nprotocol = \"water-linked\"\nlink = \"pty:b\"\n"
+      "[device.water_linked]\nmounting_rotation_deg = 180\nold_sentences = true\n",
+      "r.toml");
+  const auto& devices = rig.value().devices;
+  EXPECT_EQ(devices[0].maker, DvlMaker::water_linked);
+  EXPECT_DOUBLE_EQ(*devices[0].beam_angle_rad, 0.39269908169872414);
+  EXPECT_FALSE(devices[0].water_linked);
+  EXPECT_EQ(devices[1].maker, DvlMaker::teledyne);
+  ASSERT_TRUE(devices[1].water_linked);
+  EXPECT_FALSE(devices[1].water_linked->sound_speed_mps);
+  EXPECT_DOUBLE_EQ(*devices[1].water_linked->mounting_rotation_rad, 3.141592653589793);
+  EXPECT_TRUE(devices[1].water_linked->old_sentences);
+}
+
+TEST(RigProblems, ANegativeNoiseOfOneAxisPointsAtThatAxis) {
+  EXPECT_THAT(problems_of("emulate = { velocity_noise_mps = [0.1, -0.1, 0.1] }\n"),
+              ElementsAre("r.toml:8:40: /device/0/emulate/velocity_noise_mps/1: -0.1 is out of "
+                          "range, allowed: 0 or more"));
+}
+
+}  // namespace sensor_settings_test
+}  // namespace drydock::rig_config::test
