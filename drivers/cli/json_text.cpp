@@ -1,29 +1,65 @@
 #include "drivers/cli/json_text.hpp"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
+#include <optional>
 
 namespace drydock::cli {
 namespace {
 
 constexpr std::size_t longest_number = 32;
 
-/// `whole` / 10^`decimals`, without zeros at the end.
-char* write_decimal(char* at, std::uint64_t whole, int decimals) {
-  for (; decimals > 0 && whole % 10 == 0; --decimals) whole /= 10;
-  char* const end = std::to_chars(at, at + longest_number, whole).ptr;
-  if (decimals == 0) return end;
-  const auto digits = end - at;
-  const auto before = std::max<std::ptrdiff_t>(digits - decimals, 0);
-  const auto zeros = decimals - (digits - before);  // between the point and the first digit
-  const auto lead = before > 0 ? before : 1;
-  std::memmove(at + lead + 1 + zeros, at + before, static_cast<std::size_t>(digits - before));
-  if (before == 0) *at = '0';
-  at[lead] = '.';
-  std::fill_n(at + lead + 1, zeros, '0');
-  return at + lead + 1 + decimals;
+constexpr auto digit_pairs = [] {
+  std::array<char, 200> pairs{};
+  for (std::size_t i = 0; i < 100; ++i) {
+    pairs[2 * i] = static_cast<char>('0' + i / 10);
+    pairs[2 * i + 1] = static_cast<char>('0' + i % 10);
+  }
+  return pairs;
+}();
+
+/// `Digits` digits, zeros first.
+template <int Digits>
+void write_digits(char* at, std::uint64_t whole) {
+  if constexpr (Digits == 1) {
+    *at = static_cast<char>('0' + whole);
+  } else {
+    std::memcpy(at + Digits - 2, digit_pairs.data() + 2 * (whole % 100), 2);
+    if constexpr (Digits > 2) write_digits<Digits - 2>(at, whole / 100);
+  }
+}
+
+char* write_whole(char* at, std::uint64_t whole) {
+  if (whole > 99) return std::to_chars(at, at + longest_number, whole).ptr;
+  if (whole > 9) *at++ = digit_pairs[2 * whole];
+  *at++ = digit_pairs[2 * whole + 1];
+  return at;
+}
+
+/// `whole` / 10^`Decimals`, which is no whole number, without zeros at the end.
+template <int Decimals, std::uint64_t Unit>
+char* write_decimal(char* at, std::uint64_t whole) {
+  at = write_whole(at, whole / Unit);
+  *at++ = '.';
+  write_digits<Decimals>(at, whole % Unit);
+  at += Decimals;
+  while (at[-1] == '0') --at;
+  return at;
+}
+
+/// The whole number of 1/`Unit` that `magnitude` is. Such a decimal of up to 15 digits reads back
+/// as `whole` / `Unit`, both exact and the quotient rounded once, and no other decimal as short
+/// does: if that is the number, these are its fewest digits.
+template <std::uint64_t Unit>
+std::optional<std::uint64_t> whole_number(double magnitude) {
+  constexpr double unit = Unit;
+  if (magnitude >= 1e15 / unit) return {};
+  const auto whole = static_cast<std::int64_t>(magnitude * unit + (Unit == 1 ? 0 : 0.5));
+  if (static_cast<double>(whole) / unit != magnitude) return {};
+  return static_cast<std::uint64_t>(whole);
 }
 
 }  // namespace
@@ -37,19 +73,15 @@ void JsonText::grow(std::size_t size) {
 }
 
 char* write_number(char* at, double number) {
-  // What came over a wire mostly is a whole number of some power of ten. Such a decimal of up to 15
-  // digits reads back as `whole` / `unit`, both exact and the quotient rounded once, and no other
-  // decimal as short does: if that is the number, these are its fewest digits.
   const double magnitude = std::abs(number);
-  for (const auto& [decimals, unit] : {std::pair{0, 1.0}, {3, 1e3}, {7, 1e7}}) {
-    const double nearly_whole = magnitude * unit;
-    if (nearly_whole >= 1e15) break;
-    const auto whole = static_cast<std::int64_t>(nearly_whole + 0.5);
-    if (static_cast<double>(whole) / unit != magnitude) continue;
-    if (std::signbit(number)) *at++ = '-';
-    return write_decimal(at, static_cast<std::uint64_t>(whole), decimals);
-  }
-  return std::to_chars(at, at + longest_number, number).ptr;
+  *at = '-';
+  at += std::signbit(number);
+  // What came over a wire mostly is a whole number of some power of ten.
+  if (const auto whole = whole_number<1>(magnitude)) return write_whole(at, *whole);
+  if (const auto milli = whole_number<1'000>(magnitude)) return write_decimal<3, 1'000>(at, *milli);
+  if (const auto ten_millionth = whole_number<10'000'000>(magnitude))
+    return write_decimal<7, 10'000'000>(at, *ten_millionth);
+  return std::to_chars(at, at + longest_number, magnitude).ptr;
 }
 
 char* write_number(char* at, float number) {

@@ -13,8 +13,8 @@ class JsonText {
   explicit JsonText(std::size_t capacity = 256) : text_(new char[capacity]), capacity_(capacity) {}
 
   /// Where to write up to `size` characters; nothing counts before `end`.
-  char* room(std::size_t size) {
-    if (capacity_ - size_ < size) grow(size);
+  [[gnu::always_inline]] char* room(std::size_t size) {
+    if (capacity_ - size_ < size) [[unlikely]] grow(size);
     return text_.get() + size_;
   }
   void end(const char* at) { size_ = static_cast<std::size_t>(at - text_.get()); }

@@ -3,6 +3,7 @@
 #include <array>
 #include <chrono>
 #include <concepts>
+#include <cstdint>
 #include <numbers>
 #include <optional>
 #include <string_view>
@@ -24,7 +25,22 @@ constexpr double kilometre_per_hour_mps = 1.0 / 3.6;
 constexpr double nautical_mile_m = 1852.0;
 
 constexpr double radians(double degrees) { return degrees * (std::numbers::pi / 180.0); }
-constexpr double degrees(double radians) { return radians * (180.0 / std::numbers::pi); }
+
+/// The nearest whole number of 1/`unit`.
+constexpr double nearest(double value, double unit) {
+  const double scaled = value * unit;
+  return static_cast<double>(static_cast<std::int64_t>(scaled + (scaled < 0 ? -0.5 : 0.5))) / unit;
+}
+
+/// Where a decimal of up to seven places makes just these radians, that one: a device that sent 3
+/// degrees is shown with 3, not with what is left of it after two conversions.
+constexpr double degrees(double angle_rad) {
+  const double nearly = angle_rad * (180.0 / std::numbers::pi);
+  if (!(nearly > -1e8 && nearly < 1e8)) return nearly;
+  if (const double whole = nearest(nearly, 1); radians(whole) == angle_rad) return whole;
+  const double decimal = nearest(nearly, 1e7);
+  return radians(decimal) == angle_rad ? decimal : nearly;
+}
 
 constexpr std::optional<double> degrees(const std::optional<double>& angle_rad) {
   return angle_rad ? std::optional{degrees(*angle_rad)} : std::nullopt;

@@ -14,13 +14,11 @@ repeated() { # FILE TIMES: a capture that often
   mv "$once" "$work/input"
 }
 
-seconds_of() { # COMMAND...: the shortest of five runs on the input
-  local TIMEFORMAT=%R run best=
+seconds_of() { # COMMAND...: the least processor time of five runs on the input, which other load hardly changes
+  local TIMEFORMAT='%U %S' run
   for run in 1 2 3 4 5; do
-    run=$({ time "$@" <"$work/input" >/dev/null 2>&1; } 2>&1)
-    best=$(printf '%s\n' "$best" "$run" | sed '/^$/d' | sort -g | head -n 1)
-  done
-  echo "$best"
+    { time "$@" <"$work/input" >/dev/null 2>&1; } 2>&1
+  done | awk 'NR == 1 || $1 + $2 < best { best = $1 + $2 } END { print best }'
 }
 
 compare() { # NAME PROTOCOL FILE

@@ -63,7 +63,8 @@ TEST(EmulatedDvl, RangesComeFromTheHeadsPlaceAndAttitudeOverTheBed) {
   const Frozen trajectory(truth);
   auto config = device(DeviceKind::dvl, "pd0");
   config.lever_arm_m = {0, 0, 0.5};
-  const auto track = data_type(record(config, trajectory, 0).messages.at(0).bytes, 0x0600);
+  const auto sent = record(config, trajectory, 0);
+  const auto track = data_type(sent.messages.at(0).bytes, 0x0600);
   for (std::size_t beam = 0; beam < 4; ++beam) {
     EXPECT_EQ(load_le<std::uint16_t>(track, 16 + 2 * beam), 2950);  // cm
   }
