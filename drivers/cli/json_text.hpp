@@ -14,7 +14,8 @@ class JsonText {
 
   /// Where to write up to `size` characters; nothing counts before `end`.
   [[gnu::always_inline]] char* room(std::size_t size) {
-    if (capacity_ - size_ < size) [[unlikely]] grow(size);
+    if (capacity_ - size_ < size) [[unlikely]]
+      grow(size);
     return text_.get() + size_;
   }
   void end(const char* at) { size_ = static_cast<std::size_t>(at - text_.get()); }
