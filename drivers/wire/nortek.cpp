@@ -55,7 +55,7 @@ std::optional<std::chrono::nanoseconds> time_of_day(std::string_view text) {
   };
   if (!within(hour, 24) || !within(minute, 60) || !within(second, 61.0)) return std::nullopt;
   return std::chrono::hours{*hour} + std::chrono::minutes{*minute} +
-         std::chrono::nanoseconds{static_cast<std::int64_t>(*second * 1e9 + 0.5)};
+         std::chrono::nanoseconds{std::llround(*second * 1e9)};
 }
 
 void read_times(NortekFields& fields, NortekTimes& m) {

@@ -159,10 +159,11 @@ void Scribe::write(Summary& summary, Stamp end) const {
   if (!truth_) return;
   const auto origin = truth_->at(start_);
   constexpr double earth_radius_m = 6371000;  // for the axes of a sketch, not for navigation
-  for (double t = 0; t <= since_start(end); t += std::max(spacing_s_ * 3, 1e-3)) {
-    const auto truth = truth_->at(start_ + from_seconds(t));
+  const auto step = from_seconds(std::max(spacing_s_ * 3, 1e-3));
+  for (Stamp at = start_; at <= end; at += step) {
+    const auto truth = truth_->at(at);
     auto& m = summary.motion;
-    m.t_s.push_back(t);
+    m.t_s.push_back(since_start(at));
     m.north_m.push_back((truth.latitude_rad - origin.latitude_rad) * earth_radius_m);
     m.east_m.push_back((truth.longitude_rad - origin.longitude_rad) * earth_radius_m *
                        std::cos(origin.latitude_rad));
