@@ -16,18 +16,19 @@ struct MessageList {
 template <class... A, class... B>
 MessageList<A..., B...> joined(MessageList<A...>, MessageList<B...>);
 
-/// A message with its own constructor is large and is read where it stays. For an aggregate the
-/// compiler would clear the whole variant first: a copy is cheaper.
+/// For an aggregate the compiler would clear the whole variant first: a copy is cheaper.
+template <class Variant, class M, class Input>
+requires std::is_aggregate_v<M> std::optional<Variant> read_as(Input& input) {
+  M m;
+  return read(input, m) ? std::optional<Variant>{std::in_place, m} : std::nullopt;
+}
+
+/// A message with its own constructor is large and is read where it stays.
 template <class Variant, class M, class Input>
 std::optional<Variant> read_as(Input& input) {
-  if constexpr (std::is_aggregate_v<M>) {
-    M m;
-    return read(input, m) ? std::optional<Variant>{std::in_place, m} : std::nullopt;
-  } else {
-    std::optional<Variant> message{std::in_place, std::in_place_type<M>};
-    if (!read(input, *std::get_if<M>(&*message))) message.reset();
-    return message;
-  }
+  std::optional<Variant> message{std::in_place, std::in_place_type<M>};
+  if (!read(input, *std::get_if<M>(&*message))) message.reset();
+  return message;
 }
 
 /// Reads the message of the list for which `is_it.operator()<M>()` holds: `read(input, m)` says

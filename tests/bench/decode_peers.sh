@@ -23,14 +23,17 @@ seconds_of() { # COMMAND...: the least processor time of five runs on the input,
 
 compare() { # NAME PROTOCOL FILE
   repeated "$3" 8192
-  local bytes ours theirs
+  local bytes ours our_text theirs their_text
   bytes=$(stat -c %s "$work/input")
   ours=$(seconds_of "$drydock" decode --quiet --protocol "$2")
+  our_text=$("$drydock" decode --quiet --protocol "$2" <"$work/input" | wc -c)
   head -c $((bytes / 8)) "$work/input" >"$work/part" && mv "$work/part" "$work/input"
   theirs=$(seconds_of gpsdecode -j)
-  awk -v name="$1" -v b="$bytes" -v o="$ours" -v t="$theirs" 'BEGIN {
+  their_text=$(gpsdecode -j <"$work/input" | wc -c)
+  awk -v name="$1" -v b="$bytes" -v o="$ours" -v ot="$our_text" -v t="$theirs" -v tt="$their_text" 'BEGIN {
     ours = b / o / 1e6; theirs = b / 8 / t / 1e6
-    printf "%-10s %7.1f MB/s   gpsdecode -j %5.1f MB/s   ratio %4.1f (goal 10)\n", name, ours, theirs, ours / theirs }'
+    printf "%-10s %7.1f MB/s   gpsdecode -j %5.1f MB/s   ratio %4.1f (goal 10)   text written %6.1f and %5.1f MB/s\n",
+      name, ours, theirs, ours / theirs, ot / o / 1e6, tt / t / 1e6 }'
 }
 
 echo "decode, file in, JSON Lines out:"
