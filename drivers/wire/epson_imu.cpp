@@ -10,7 +10,7 @@ namespace drydock::wire::epson {
 
 namespace {
 
-constexpr std::uint8_t half_bytes = 8;
+constexpr std::uint8_t full_bytes = 8, bytes_without_status = 4;
 
 // Raw 2634 is 25 deg C; the figures of Epson's IMUs, and what its tool prints agrees with them.
 constexpr double zero_celsius_k = 273.15, reference_k = zero_celsius_k + 25;
@@ -23,7 +23,7 @@ std::array<double, 3> scaled(const std::array<std::int16_t, 3>& axes, double ste
 CanFrame pdo(unsigned number, std::uint8_t node, std::uint16_t counter) {
   CanFrame frame;
   frame.id = canopen::tpdo_id(number, node);
-  frame.size = half_bytes;
+  frame.size = full_bytes;
   store_le<std::uint16_t>(frame.data, 0, counter);
   return frame;
 }
@@ -38,37 +38,57 @@ CanFrame half(unsigned number, const Sample& sample, const std::array<double, 3>
 }
 
 std::optional<Message> decode_condition(std::uint8_t node, const CanFrame& frame) {
-  if (frame.size != half_bytes) return std::nullopt;
+  if (frame.size != bytes_without_status && frame.size != full_bytes) return std::nullopt;
   const auto raw = load_le<std::int16_t>(frame.data, 2);
-  return Condition{node, load_le<std::uint16_t>(frame.data, 0),
-                   reference_k + (raw - reference_raw) * kelvin_per_step,
-                   load_le<std::uint16_t>(frame.data, 6)};
+  Condition m{node,
+              load_le<std::uint16_t>(frame.data, 0),
+              reference_k + (raw - reference_raw) * kelvin_per_step,
+              {}};
+  if (frame.size == full_bytes) m.status = load_le<std::uint16_t>(frame.data, 6);
+  return m;
+}
+
+std::optional<Message> decode_time(std::uint8_t node, const CanFrame& frame, bool day_first) {
+  constexpr unsigned reserved_bits = 4;
+  constexpr std::uint32_t ms_of_a_day = 24 * 3600 * 1000;
+  if (frame.size != full_bytes) return std::nullopt;
+  DeviceTime m{node,
+               load_le<std::uint16_t>(frame.data, 0),
+               load_le<std::uint16_t>(frame.data, day_first ? 2 : 6),
+               {}};
+  const auto ms = load_le<std::uint32_t>(frame.data, day_first ? 4 : 2) >> reserved_bits;
+  if (ms < ms_of_a_day) m.time_of_day_s = ms * 1e-3;
+  return m;
 }
 
 }  // namespace
 
-std::array<CanFrame, 2> encode(const Sample& sample, const Scale& scale) {
-  return {half(1, sample, sample.rate_radps, scale.rate_radps),
-          half(2, sample, sample.specific_force_mps2, scale.force_mps2)};
+std::array<CanFrame, 2> encode(const Sample& sample, const Model& model) {
+  return {half(1, sample, sample.rate_radps, model.rate_radps),
+          half(2, sample, sample.specific_force_mps2, model.force_mps2)};
 }
 
 CanFrame encode(const Condition& m) {
   CanFrame frame = pdo(3, m.node, m.counter);
   const double steps = (m.temperature_k - reference_k) / kelvin_per_step;
   store_le<std::int16_t>(frame.data, 2, quantize<std::int16_t>(steps + reference_raw, 1));
-  store_le<std::uint16_t>(frame.data, 6, m.status);
+  if (m.status) {
+    store_le<std::uint16_t>(frame.data, 6, *m.status);
+  } else {
+    frame.size = bytes_without_status;
+  }
   return frame;
 }
 
-bool fits(const Sample& sample, const Scale& scale) {
+bool fits(const Sample& sample, const Model& model) {
   const auto all_fit = [](const std::array<double, 3>& axes, double step) {
     for (const double value : axes) {
       if (!(std::abs(value / step) <= 32767)) return false;
     }
     return true;
   };
-  return all_fit(sample.rate_radps, scale.rate_radps) &&
-         all_fit(sample.specific_force_mps2, scale.force_mps2);
+  return all_fit(sample.rate_radps, model.rate_radps) &&
+         all_fit(sample.specific_force_mps2, model.force_mps2);
 }
 
 std::optional<Message> Decoder::receive(const CanFrame& frame) {
@@ -81,6 +101,9 @@ std::optional<Message> Decoder::receive(const CanFrame& frame) {
   if (const auto node = canopen::node_above(frame, canopen::tpdo_id(3, 0))) {
     return count_frame(counters_, frame, decode_condition(*node, frame));
   }
+  if (const auto node = canopen::node_above(frame, canopen::tpdo_id(4, 0))) {
+    return count_frame(counters_, frame, decode_time(*node, frame, model_.day_first));
+  }
   std::optional<Message> message;
   if (const auto heartbeat = canopen::decode_heartbeat(frame)) message = *heartbeat;
   if (const auto emergency = canopen::decode_emergency(frame)) message = *emergency;
@@ -91,7 +114,7 @@ std::optional<Message> Decoder::receive(const CanFrame& frame) {
 std::optional<Message> Decoder::receive_half(std::optional<Half> Node::*which, std::uint8_t node,
                                              const CanFrame& frame) {
   counters_.bytes_in += frame.size;
-  if (frame.size != half_bytes) {
+  if (frame.size != full_bytes) {
     counters_.bytes_skipped += frame.size;
     ++counters_.bad_checksums;
     return std::nullopt;
@@ -110,14 +133,14 @@ std::optional<Message> Decoder::receive_half(std::optional<Half> Node::*which, s
   }
   cia404_imu::ImuSet set;
   set.node = node;
-  const auto rate = scaled(held.gyro->axes, scale_.rate_radps);
-  const auto force = scaled(held.accelerometer->axes, scale_.force_mps2);
+  const auto rate = scaled(held.gyro->axes, model_.rate_radps);
+  const auto force = scaled(held.accelerometer->axes, model_.force_mps2);
   for (unsigned i = 0; i < 3; ++i) {
     set.rate_radps[i] = rate[i];
     set.specific_force_mps2[i] = force[i];
   }
   held = {};
-  counters_.bytes_good += 2 * half_bytes;
+  counters_.bytes_good += 2 * full_bytes;
   ++counters_.frames;
   return set;
 }
@@ -125,7 +148,7 @@ std::optional<Message> Decoder::receive_half(std::optional<Half> Node::*which, s
 void Decoder::drop(std::optional<Half>& half) {
   if (!half) return;
   half.reset();
-  counters_.bytes_skipped += half_bytes;
+  counters_.bytes_skipped += full_bytes;
   ++counters_.bad_checksums;
 }
 

@@ -1,5 +1,6 @@
 #include "drivers/wire/epson_imu.hpp"
 
+#include "drivers/wire/bytes.hpp"
 #include "hil/emulate/canopen_device.hpp"
 #include "hil/emulate/devices.hpp"
 #include "hil/sensor/ideal.hpp"
@@ -7,10 +8,23 @@
 namespace drydock::emulate {
 namespace {
 
-// Objects 1000h, 1001h and the unit of each process value, as the G552's dictionary holds them.
+// Objects 1000h, 1001h and the unit of each process value, as Epson's dictionaries hold them.
 constexpr std::uint32_t measuring_device = 0x00020194;
 constexpr std::uint32_t degree_per_second = 0x00410300, milli_g = 0xFDF10000, celsius = 0x002D0000;
-constexpr std::uint16_t unit_index = 0x6131;
+constexpr std::array units{
+    degree_per_second, degree_per_second, degree_per_second, milli_g, milli_g, milli_g, celsius};
+constexpr std::uint16_t status_index = 0x2022, unit_index = 0x6131, value_index = 0x7130;
+constexpr std::uint8_t reserved_subindex = 4;  // of 2022h
+
+// What the TPDOs hold, 2100h being the counter; the G550's third ends with the temperature.
+constexpr std::array<std::uint32_t, 4> rates{0x21000010, 0x71300110, 0x71300210, 0x71300310};
+constexpr std::array<std::uint32_t, 4> forces{0x21000010, 0x71300410, 0x71300510, 0x71300610};
+constexpr std::array<std::uint32_t, 4> temperature_and_status{0x21000010, 0x71300710, 0x20220410,
+                                                              0x20220110};
+constexpr std::array<std::span<const std::uint32_t>, 3> with_status{rates, forces,
+                                                                    temperature_and_status},
+    without_status{rates, forces, std::span(temperature_and_status).first(2)};
+
 constexpr std::uint16_t out_of_range = 0xFF00;  // CiA 301: device specific
 constexpr std::uint8_t manufacturer_error = 0x81;
 
@@ -20,9 +34,9 @@ std::array<double, 3> components(const Eigen::Vector3d& v) { return {v.x(), v.y(
 
 class EpsonImu final : public CanopenDevice {
  public:
-  EpsonImu(const DeviceSetup& setup, const wire::epson::Scale& scale)
+  EpsonImu(const DeviceSetup& setup, const wire::epson::Model& model)
       : CanopenDevice(setup, measuring_device),
-        scale_(scale),
+        model_(model),
         gyro_errors_(setup.primary_errors()),
         accelerometer_errors_(setup.secondary_errors()) {}
 
@@ -34,31 +48,57 @@ class EpsonImu final : public CanopenDevice {
     sample.counter = counter_++;
     sample.rate_radps = components(gyro_errors_.apply(ideal.angular_rate));
     sample.specific_force_mps2 = components(accelerometer_errors_.apply(ideal.specific_force));
-    const bool sound = fits(sample, scale_);
+    const bool sound = fits(sample, model_);
     set_fault(sound ? 0 : out_of_range, sound ? 0 : manufacturer_error, out);
-    for (const wire::CanFrame& frame : encode(sample, scale_)) out.send(frame);
-    out.send(encode(wire::epson::Condition{node(), sample.counter, water_k, 0}));
+    wire::epson::Condition condition{node(), sample.counter, water_k, {}};
+    if (model_.has_status) condition.status = 0;
+    const auto halves = encode(sample, model_);
+    last_ = {halves[0], halves[1], encode(condition)};
+    for (const wire::CanFrame& frame : last_) out.send(frame);
   }
 
   std::optional<Object> object(const wire::canopen::ObjectEntry& entry) const override {
-    if (entry.index != unit_index || entry.subindex < 1 || entry.subindex > 7) return {};
-    if (entry.subindex <= 3) return Object{degree_per_second};
-    return Object{entry.subindex <= 6 ? milli_g : celsius};
+    const bool is_unit = entry.index == unit_index;
+    if (entry.subindex == 0) {
+      if (is_unit || entry.index == value_index) return Object{units.size(), 1};
+      if (entry.index == status_index && model_.has_status) return Object{reserved_subindex, 1};
+    } else if (is_unit && entry.subindex <= units.size()) {
+      return Object{units[entry.subindex - 1u], 4};
+    }
+    return as_last_sent(entry);
   }
 
-  wire::epson::Scale scale_;
+  /// All that is mapped has 16 bits.
+  std::optional<Object> as_last_sent(const wire::canopen::ObjectEntry& entry) const {
+    const std::uint32_t wanted = std::uint32_t{entry.index} << 8 | entry.subindex;
+    for (std::size_t pdo = 0; pdo < last_.size(); ++pdo) {
+      const Mapping mapping = pdos()[pdo];
+      for (std::size_t place = 0; place < mapping.size(); ++place) {
+        if (mapping[place] >> 8 != wanted) continue;
+        return Object{wire::load_le<std::uint16_t>(last_[pdo].data, 2 * place), 2};
+      }
+    }
+    return {};
+  }
+
+  std::span<const Mapping> pdos() const override {
+    return model_.has_status ? with_status : without_status;
+  }
+
+  wire::epson::Model model_;
   std::uint16_t counter_ = 0;
+  std::array<wire::CanFrame, 3> last_{};  ///< first all zero
   sensor::ErrorModel gyro_errors_, accelerometer_errors_;
 };
 
 }  // namespace
 
 DevicePtr make_epson_g550(const DeviceSetup& setup) {
-  return std::make_unique<EpsonImu>(setup, wire::EpsonG550::scale);
+  return std::make_unique<EpsonImu>(setup, wire::EpsonG550::model);
 }
 
 DevicePtr make_epson_g552(const DeviceSetup& setup) {
-  return std::make_unique<EpsonImu>(setup, wire::EpsonG552::scale);
+  return std::make_unique<EpsonImu>(setup, wire::EpsonG552::model);
 }
 
 }  // namespace drydock::emulate

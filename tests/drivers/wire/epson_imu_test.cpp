@@ -44,7 +44,34 @@ TEST(EpsonImu, EncodesWhatPythonsStructPacks) {
   const auto frames = encode(sample, g550);
   EXPECT_EQ(text_of(frames[0]), "181#7A51FDFFF2FFFBFF");
   EXPECT_EQ(text_of(frames[1]), "281#7A51B806FDFCC9ED");
-  EXPECT_EQ(text_of(encode(Condition{1, 20858, 273.15 + 24.366770, 0})), "381#7A51F10A00000000");
+  EXPECT_EQ(text_of(encode(Condition{1, 20858, 273.15 + 24.366770, {}})), "381#7A51F10A");
+  EXPECT_EQ(text_of(encode(Condition{1, 20858, 273.15 + 24.366770, 2})), "381#7A51F10A00000200");
+}
+
+TEST(EpsonImu, AConditionHasTheStatusOnlyWhereThePdoHoldsIt) {
+  EXPECT_EQ((test::only<Condition, EpsonG550>({frame("381#7A51F10A")}).status), std::nullopt);
+  EXPECT_EQ((test::only<Condition, EpsonG552>({frame("381#7A51F10A00000200")}).status), 2);
+  EXPECT_TRUE(test::decode_all<EpsonG552>({frame("381#7A51F10A0000")}).empty());
+}
+
+// The tool's dump of a real G552 holds 2101h:1 = 35E6h and 2101h:2 = 0CE87340h; a moment later it
+// prints 20:45:35.175 of 10 October 2021, in a zone 7 h behind UTC.
+TEST(EpsonImu, ReadsTheTimeOfTheDeviceInTheOrderOfItsModel) {
+  const auto g552 = test::only<DeviceTime, EpsonG552>({frame("489#38014073E80CE635")});
+  EXPECT_EQ(g552.node, 9);
+  EXPECT_EQ(g552.counter, 0x138);
+  EXPECT_EQ(g552.day, 13797 + 1);  // 37 years of 365 days, 10 leap days, 282; and past midnight
+  EXPECT_NEAR(*g552.time_of_day_s, (20 + 7 - 24) * 3600 + 45 * 60 + 35.028, 1e-9);
+  const auto g550 = test::only<DeviceTime, EpsonG550>({frame("489#3801E6354073E80C")});
+  EXPECT_EQ(g550.day, g552.day);
+  EXPECT_EQ(g550.time_of_day_s, g552.time_of_day_s);
+}
+
+TEST(EpsonImu, ATimeBeyondTheDayIsNone) {
+  const auto last = test::only<DeviceTime, EpsonG552>({frame("481#0000F0BF6552E635")});
+  EXPECT_NEAR(*last.time_of_day_s, 86'399.999, 1e-9);
+  const auto beyond = test::only<DeviceTime, EpsonG552>({frame("481#000000C06552E635")});
+  EXPECT_EQ(beyond.time_of_day_s, std::nullopt);
 }
 
 TEST(EpsonImu, HoldsWhatDoesNotFitAtTheEndOfTheRange) {

@@ -3,6 +3,7 @@
 #include <fstream>
 #include <map>
 
+#include "drivers/wire/canopen.hpp"
 #include "drivers/wire/canopen_sdo.hpp"
 #include "tests/hil/emulate/bench.hpp"
 
@@ -41,6 +42,7 @@ constexpr std::uint8_t node = 1;
 unsigned bits_of(const std::string& data_type) {
   switch (std::stoul(data_type, nullptr, 16)) {
     case 0x5: return 8;
+    case 0x3:
     case 0x6: return 16;
     default: return 32;  // UNSIGNED32, INTEGER32, REAL32
   }
@@ -72,24 +74,47 @@ std::vector<Variable> variables_of(const std::string& name) {
   return variables;
 }
 
-class EdsOf : public testing::TestWithParam<std::tuple<const char*, DeviceKind>> {};
+bool is_mapping(const Variable& v) {
+  return (v.entry.index & 0xFF00) == 0x1A00 && v.entry.subindex != 0;
+}
+
+/// The entry that a mapping parameter names, and its bits.
+canopen::ObjectEntry mapped_entry(std::uint32_t mapping) {
+  return {static_cast<std::uint16_t>(mapping >> 16), static_cast<std::uint8_t>(mapping >> 8)};
+}
+unsigned mapped_bits(std::uint32_t mapping) { return mapping & 0xFF; }
+
+/// What the device answers when asked for an entry; empty: nothing, or a refusal.
+std::optional<canopen::SdoValue> ask(EmulatedDevice& device, Recorder& sent,
+                                     const canopen::ObjectEntry& entry) {
+  sent.frames.clear();
+  device.receive(canopen::encode(canopen::SdoRead{node, entry}), sent.now, sent);
+  if (sent.frames.size() != 1) return {};
+  const auto answer = canopen::decode_sdo_response(sent.frames[0].frame);
+  const auto* value = answer ? std::get_if<canopen::SdoValue>(&*answer) : nullptr;
+  return value ? std::optional(*value) : std::nullopt;
+}
+
+class EdsOf : public testing::TestWithParam<std::tuple<const char*, DeviceKind>> {
+ protected:
+  std::unique_ptr<EmulatedDevice> make() const {
+    const auto [name, kind] = GetParam();
+    return make_emulated_device(device(kind, name, 10), trajectory_, 1).value();
+  }
+
+ private:
+  Frozen trajectory_{under_way()};
+};
 
 TEST_P(EdsOf, EveryObjectIsAnsweredWithItsSizeAndDefault) {
-  const auto [name, kind] = GetParam();
-  const Frozen trajectory(under_way());
-  const auto device_under_test =
-      make_emulated_device(device(kind, name, 10), trajectory, 1).value();
+  const auto device_under_test = make();
   Recorder sent;
   sent.run(*device_under_test, start);
-  const auto variables = variables_of(name);
+  const auto variables = variables_of(std::get<0>(GetParam()));
   EXPECT_GT(variables.size(), 10U);
   for (const Variable& v : variables) {
-    sent.frames.clear();
-    device_under_test->receive(canopen::encode(canopen::SdoRead{node, v.entry}), sent.now, sent);
-    ASSERT_EQ(sent.frames.size(), 1U);
-    const auto answer = canopen::decode_sdo_response(sent.frames[0].frame);
-    const auto* found = answer ? std::get_if<canopen::SdoValue>(&*answer) : nullptr;
-    ASSERT_NE(found, nullptr) << std::hex << v.entry.index << "sub" << unsigned{v.entry.subindex};
+    const auto found = ask(*device_under_test, sent, v.entry);
+    ASSERT_TRUE(found) << std::hex << v.entry.index << "sub" << unsigned{v.entry.subindex};
     EXPECT_EQ(8U * found->size, v.bits) << std::hex << v.entry.index;
     if (v.value) {
       EXPECT_EQ(found->value, *v.value) << std::hex << v.entry.index;
@@ -97,17 +122,43 @@ TEST_P(EdsOf, EveryObjectIsAnsweredWithItsSizeAndDefault) {
   }
 }
 
+TEST_P(EdsOf, WhatIsMappedIsAnsweredAsItWasLastSent) {
+  const auto device_under_test = make();
+  Recorder sent;
+  sent.run(*device_under_test, start);
+  device_under_test->receive(canopen::encode(canopen::Nmt{canopen::NmtCommand::start, node}), start,
+                             sent);
+  sent.run(*device_under_test, at_s(0.35));
+  std::map<std::uint32_t, wire::CanFrame> last;
+  for (const auto& message : sent.frames) last[message.frame.id] = message.frame;
+
+  std::map<std::uint32_t, std::size_t> compared;  // bytes of each PDO
+  for (const Variable& v : variables_of(std::get<0>(GetParam()))) {
+    if (!is_mapping(v)) continue;
+    const auto id = canopen::tpdo_id((v.entry.index & 0xFFU) + 1, node);
+    ASSERT_TRUE(last.contains(id));
+    const auto value = ask(*device_under_test, sent, mapped_entry(*v.value));
+    ASSERT_TRUE(value) << std::hex << *v.value;
+    ASSERT_EQ(8U * value->size, mapped_bits(*v.value));
+    for (unsigned i = 0; i < value->size; ++i) {
+      EXPECT_EQ(value->value >> 8 * i & 0xFF, last[id].data.at(compared[id] + i)) << *v.value;
+    }
+    compared[id] += value->size;
+  }
+  for (const auto& [id, bytes] : compared) EXPECT_EQ(last[id].size, bytes);
+}
+
 TEST_P(EdsOf, WhatIsMappedIsInTheSheetAndMayBeMapped) {
   const auto variables = variables_of(std::get<0>(GetParam()));
   unsigned mapped = 0;
   for (const Variable& v : variables) {
-    if ((v.entry.index & 0xFF00) != 0x1A00 || v.entry.subindex == 0) continue;
+    if (!is_mapping(v)) continue;
     const auto target = std::find_if(variables.begin(), variables.end(), [&](const Variable& t) {
-      return t.entry.index == *v.value >> 16 && t.entry.subindex == (*v.value >> 8 & 0xFF);
+      return t.entry == mapped_entry(*v.value);
     });
     ASSERT_NE(target, variables.end());
     EXPECT_TRUE(target->mappable);
-    EXPECT_EQ(target->bits, *v.value & 0xFF);
+    EXPECT_EQ(target->bits, mapped_bits(*v.value));
     ++mapped;
   }
   EXPECT_GT(mapped, 1U);
@@ -115,6 +166,8 @@ TEST_P(EdsOf, WhatIsMappedIsInTheSheetAndMayBeMapped) {
 
 INSTANTIATE_TEST_SUITE_P(Eds, EdsOf,
                          testing::Values(std::tuple{"cia404-imu", DeviceKind::imu},
+                                         std::tuple{"epson-g550", DeviceKind::imu},
+                                         std::tuple{"epson-g552", DeviceKind::imu},
                                          std::tuple{"cia404-pressure", DeviceKind::depth}));
 
 }  // namespace
