@@ -57,7 +57,7 @@ std::optional<Message> decode_time(std::uint8_t node, const CanFrame& frame, boo
                load_le<std::uint16_t>(frame.data, day_first ? 2 : 6),
                {}};
   const auto ms = load_le<std::uint32_t>(frame.data, day_first ? 4 : 2) >> reserved_bits;
-  if (ms < ms_of_a_day) m.time_of_day_s = ms * 1e-3;
+  if (ms < ms_of_a_day) m.time_of_day_s = ms / 1e3;
   return m;
 }
 
