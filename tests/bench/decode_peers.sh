@@ -7,11 +7,13 @@ fixtures=$(dirname "$(readlink -f "$0")")/../../fixtures
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
-repeated() { # FILE TIMES: a capture that often
-  local once=$work/once
-  cp "$1" "$once"
-  for ((size = 1; size < $2; size *= 2)); do cat "$once" "$once" >"$once.2" && mv "$once.2" "$once"; done
-  mv "$once" "$work/input"
+repeated() { # FILE BYTES: a capture as often as makes that many, a multiple of eight times
+  local all=$work/all times=1
+  cp "$1" "$all"
+  for (( ; times < 8 || $(stat -c %s "$all") < $2; times *= 2)); do
+    cat "$all" "$all" >"$all.2" && mv "$all.2" "$all"
+  done
+  mv "$all" "$work/input"
 }
 
 seconds_of() { # COMMAND...: the least processor time of five runs on the input, which other load hardly changes
@@ -22,7 +24,7 @@ seconds_of() { # COMMAND...: the least processor time of five runs on the input,
 }
 
 compare() { # NAME PROTOCOL FILE
-  repeated "$3" 8192
+  repeated "$3" 10000000
   local bytes ours our_text theirs their_text
   bytes=$(stat -c %s "$work/input")
   ours=$(seconds_of "$drydock" decode --quiet --protocol "$2")
@@ -36,11 +38,16 @@ compare() { # NAME PROTOCOL FILE
       name, ours, theirs, ours / theirs, ot / o / 1e6, tt / t / 1e6 }'
 }
 
-echo "decode, file in, JSON Lines out:"
+echo "decode, file in, JSON Lines out (receivers: all captures with UBX of gpsd's own tests):"
 compare "NMEA 0183" nmea0183 "$fixtures/nmea0183/golden.nmea"
 compare UBX ubx "$fixtures/ubx/golden.ubx"
+corpora=${DRYDOCK_CORPORA:-$fixtures/../../shared/corpora}
+if [ -d "$corpora/gps/gpsd" ]; then
+  grep -rlaP --include='*.log' '\xb5\x62' "$corpora/gps/gpsd" | sort | xargs cat >"$work/receivers"
+  compare "receivers" ubx+nmea0183 "$work/receivers"
+fi
 
-repeated "$fixtures/nmea2000/frames.log" 32768
+repeated "$fixtures/nmea2000/frames.log" 50000000
 frames=$(wc -l <"$work/input")
 awk -v f="$frames" -v s="$(seconds_of "$drydock" decode --quiet --protocol nmea2000)" 'BEGIN {
   printf "%-10s %7.2f million candump lines a second\n", "NMEA 2000", f / s / 1e6 }'
