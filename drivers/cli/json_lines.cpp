@@ -4,10 +4,10 @@
 
 namespace drydock::cli {
 
-void JsonWriter::value(std::string_view text) {
-  if (text.empty()) return null();
+char* JsonWriter::put(char* at, std::string_view text) {
+  if (text.empty()) return null(at);
   constexpr std::string_view hex = "0123456789abcdef";
-  char* at = out_.room(6 * text.size() + 2);
+  at = out_.room(at, 6 * text.size() + 2);
   *at++ = '"';
   for (const char c : text) {
     const auto byte = static_cast<unsigned char>(c);
@@ -25,7 +25,7 @@ void JsonWriter::value(std::string_view text) {
     }
   }
   *at++ = '"';
-  out_.end(at);
+  return at;
 }
 
 bool JsonLines::flush() {

@@ -1,11 +1,13 @@
 #pragma once
 
-#include <charconv>
 #include <cmath>
 #include <concepts>
+#include <cstdint>
 #include <cstdio>
+#include <cstring>
 #include <optional>
 #include <string_view>
+#include <type_traits>
 
 #include "drivers/cli/json_text.hpp"
 
@@ -17,84 +19,96 @@ class JsonWriter {
  public:
   explicit JsonWriter(JsonText& out) : out_(out) {}
 
-  void value(bool truth) { truth ? out_.append("true") : out_.append("false"); }
-  void value(std::string_view text);
+  /// A truth, number, string; an optional, array or span of values; a struct with visit_fields.
+  template <class T>
+  void value(const T& content) {
+    out_.end(put(out_.end(), content));
+  }
+
+  void open() { out_.append('{'); }
+  void close() { out_.end(put_end(out_.end(), '}')); }
+  template <class T>
+  void field(std::string_view key, const T& content) {
+    out_.end(put_field(out_.end(), key, content));
+  }
+  template <class Struct>
+  void fields(const Struct& s) {
+    out_.end(put_fields(out_.end(), s));
+  }
+
+ private:
+  // Each writes from `at` on and returns where it ended: the text's end then stays in a register,
+  // which it could not as a member, as what is written might be the member.
+
+  char* put(char* at, bool truth) {
+    return truth ? put_literal(at, "true") : put_literal(at, "false");
+  }
+  char* put(char* at, std::string_view text);
   template <std::floating_point T>
-  void value(T number) {
-    if (!std::isfinite(number)) return null();
-    out_.end(write_number(out_.room(longest_number), number));
+  char* put(char* at, T number) {
+    return std::isfinite(number) ? write_number(out_.room(at, longest_number), number) : null(at);
   }
   template <std::integral T>
-  void value(T number) {
-    char* const at = out_.room(longest_number);
-    out_.end(std::to_chars(at, at + longest_number, +number).ptr);  // a byte is a number too
+  char* put(char* at, T number) {
+    using Wide = std::conditional_t<std::signed_integral<T>, std::int64_t, std::uint64_t>;
+    return write_number(out_.room(at, longest_number), Wide{number});  // a byte is a number too
   }
   template <class T>
-  void value(const std::optional<T>& maybe) {
-    if (!maybe) return null();
-    value(*maybe);
+  char* put(char* at, const std::optional<T>& maybe) {
+    return maybe ? put(at, *maybe) : null(at);
   }
-  /// Arrays and spans of values or of structs with visit_fields.
   template <class Range>
   requires requires(const Range& range) { range.begin(), range.end(); }
-  void value(const Range& range) {
-    out_.append('[');
-    bool first = true;
-    for (const auto& item : range) {
-      if (!first) out_.append(',');
-      first = false;
-      value(item);
-    }
-    out_.append(']');
+  char* put(char* at, const Range& range) {
+    at = put_character(at, '[');
+    for (const auto& item : range) at = put_character(put(at, item), ',');
+    return put_end(at, ']');
   }
-  /// A struct: the object of its fields.
   template <class Struct>
   requires requires(const Struct& s) {
     visit_fields(s, [](std::string_view, const auto&) {});
   }
-  void value(const Struct& s) {
-    open();
-    fields(s);
-    close();
+  char* put(char* at, const Struct& s) {
+    return put_end(put_fields(put_character(at, '{'), s), '}');
   }
 
-  void open() {
-    out_.append('{');
-    first_ = true;
-  }
-  void close() {
-    out_.append('}');
-    first_ = false;
-  }
-  /// Inlined, so that a literal key is written by moves of its known length.
+  /// Leaves a comma behind it.
   template <class T>
-  [[gnu::always_inline]] void field(std::string_view key, const T& content) {
-    char* at = out_.room(key.size() + 4);
-    if (!first_) *at++ = ',';
-    *at++ = '"';
-    std::memcpy(at, key.data(), key.size());
-    at += key.size();
-    *at++ = '"';
-    *at++ = ':';
-    out_.end(at);
-    first_ = false;
-    value(content);
-    first_ = false;
+  [[gnu::always_inline]] char* put_field(char* at, std::string_view key, const T& content) {
+    at = put_literal(put_literal(put_character(at, '"'), key), "\":");
+    return put_character(put(at, content), ',');
   }
   template <class Struct>
-  void fields(const Struct& s) {
+  [[gnu::noinline, gnu::flatten]] char* put_fields(char* at, const Struct& s) {
     visit_fields(
-        s, [this](std::string_view key, const auto& content) __attribute__((always_inline)) {
-          this->field(key, content);  // clang calls `this` unused without its name
+        s, [&](std::string_view key, const auto& content) __attribute__((always_inline)) {
+          at = this->put_field(at, key, content);  // clang calls `this` unused without its name
         });
+    return at;
   }
 
- private:
-  static constexpr std::size_t longest_number = 32;
-  void null() { out_.append("null"); }
+  char* put_character(char* at, char c) {
+    at = out_.room(at, 1);
+    *at = c;
+    return at + 1;
+  }
+  /// Ends an object or array; the comma behind its last member goes.
+  char* put_end(char* at, char bracket) {
+    at = out_.room(at, 1);
+    if (at[-1] == ',') --at;
+    *at = bracket;
+    return at + 1;
+  }
+  char* null(char* at) { return put_literal(at, "null"); }
+
+  /// Inlined, so that a literal is written by moves of its length.
+  [[gnu::always_inline]] char* put_literal(char* at, std::string_view text) {
+    at = out_.room(at, text.size());
+    std::memcpy(at, text.data(), text.size());
+    return at + text.size();
+  }
 
   JsonText& out_;
-  bool first_ = true;  ///< of the object being written
 };
 
 /// JSON Lines into a file, handed over in blocks.

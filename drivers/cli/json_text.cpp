@@ -5,12 +5,11 @@
 #include <charconv>
 #include <cmath>
 #include <cstdint>
+#include <cstring>
 #include <optional>
 
 namespace drydock::cli {
 namespace {
-
-constexpr std::size_t longest_number = 32;
 
 constexpr auto digit_pairs = [] {
   std::array<char, 200> pairs{};
@@ -64,12 +63,15 @@ std::optional<std::uint64_t> whole_number(double magnitude) {
 
 }  // namespace
 
-void JsonText::grow(std::size_t size) {
-  const std::size_t capacity = std::max(2 * capacity_, size_ + size);
+char* JsonText::grow(char* at, std::size_t size) {
+  const auto written = static_cast<std::size_t>(at - text_.get());
+  const auto capacity =
+      std::max(2 * static_cast<std::size_t>(limit_ - text_.get()), written + size);
   std::unique_ptr<char[]> text(new char[capacity]);
-  std::memcpy(text.get(), text_.get(), size_);
+  std::memcpy(text.get(), text_.get(), written);
   text_ = std::move(text);
-  capacity_ = capacity;
+  limit_ = text_.get() + capacity;
+  return text_.get() + written;
 }
 
 char* write_number(char* at, double number) {
@@ -82,6 +84,15 @@ char* write_number(char* at, double number) {
   if (const auto ten_millionth = whole_number<10'000'000>(magnitude))
     return write_decimal<7, 10'000'000>(at, *ten_millionth);
   return std::to_chars(at, at + longest_number, magnitude).ptr;
+}
+
+char* write_number(char* at, std::uint64_t number) { return write_whole(at, number); }
+
+char* write_number(char* at, std::int64_t number) {
+  *at = '-';
+  at += number < 0;
+  return write_whole(
+      at, number < 0 ? 0 - static_cast<std::uint64_t>(number) : static_cast<std::uint64_t>(number));
 }
 
 char* write_number(char* at, float number) {
