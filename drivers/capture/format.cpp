@@ -46,10 +46,11 @@ constexpr Format text_format() {
   return {R::name, make<R>, first_good_line<R>};
 }
 
-constexpr std::array all{text_format<CandumpLog>(),   text_format<CandumpScreen>(),
-                         text_format<VectorAsc>(),    text_format<PcanTrc>(),
-                         text_format<CanboatPlain>(), binary_format<Pcap>(),
-                         binary_format<Pcapng>()};
+// A magic goes before lines: what a binary file holds may look like one from its first byte on.
+constexpr std::array all{binary_format<Pcap>(),      binary_format<Pcapng>(),
+                         text_format<CandumpLog>(),  text_format<CandumpScreen>(),
+                         text_format<VectorAsc>(),   text_format<PcanTrc>(),
+                         text_format<CanboatPlain>()};
 
 }  // namespace
 

@@ -20,10 +20,11 @@ struct Format {
 
 std::span<const Format> formats();
 const Format* find_format(std::string_view name);
-/// "candump-log, candump-screen, ...", for messages and help.
+/// "pcap, pcapng, candump-log, ...", for messages and help.
 std::string format_names();
 
 constexpr std::size_t head_to_recognise = 64 * 1024;
+constexpr std::size_t longest_magic = 24;  ///< no less is looked at, unless the file has no more
 
 /// The format whose sign comes first in the head of a file; null if there is none in it. A head
 /// that grows need not be searched again: `from` is past_whole_lines() of what was searched before.

@@ -4,10 +4,6 @@
 
 namespace drydock::capture {
 
-namespace {
-constexpr std::size_t longest_magic = 64;
-}
-
 std::string damage_text(const Tally& tally) {
   if (tally.damaged == 0) return {};
   std::string text = std::to_string(tally.damaged);
@@ -30,10 +26,11 @@ void FrameCapture::feed(Bytes block) {
   buffer_.erase(buffer_.begin(), buffer_.begin() + static_cast<std::ptrdiff_t>(at_));
   at_ = 0;
   if (unknown_) return;
+  const bool magic_was_short = buffer_.size() < longest_magic;
   buffer_.insert(buffer_.end(), block.begin(), block.end());
   const bool line_ended =
       std::ranges::any_of(block, [](std::uint8_t byte) { return byte == '\n' || byte == '\r'; });
-  may_show_format_ = may_show_format_ || line_ended || buffer_.size() <= longest_magic;
+  may_show_format_ = may_show_format_ || line_ended || magic_was_short;
 }
 
 void FrameCapture::finish() { finished_ = true; }
@@ -76,6 +73,7 @@ std::optional<Record> FrameCapture::next() {
 
 bool FrameCapture::know_format() {
   if (format_ || unknown_) return !unknown_;
+  if (!finished_ && rest().size() < longest_magic) return false;
   if (!may_show_format_ && !finished_ && rest().size() < head_to_recognise) return false;
   may_show_format_ = false;
   format_ = recognise(rest(), finished_, searched_);

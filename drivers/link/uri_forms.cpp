@@ -69,7 +69,7 @@ constexpr Key baud{"baud", "50 to 12000000", is_within<50, 12'000'000>};
 constexpr Key parity{"parity", "none even odd", is_parity};
 constexpr Key stop{"stop", "1 2", is_within<1, 2>};
 constexpr Key speed{"speed", "max, 1 (as fast as the line was) or another factor", is_speed};
-constexpr Key format{"format", "raw candump-log candump-screen asc trc canboat pcap pcapng",
+constexpr Key format{"format", "raw pcap pcapng candump-log candump-screen asc trc canboat",
                      is_capture_format};
 constexpr Key interface { "interface", "up to 15 letters, digits, _ - .", is_interface };
 constexpr Key fd{"fd", "0 1", is_flag};

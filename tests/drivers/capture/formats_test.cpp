@@ -169,8 +169,8 @@ TEST(UnknownFile, IsToldTheFormatsThatAreKnown) {
   EXPECT_TRUE(read_capture(Buffer(200'000, 0x7F)).unknown);
   EXPECT_TRUE(read_capture("").unknown);
   EXPECT_EQ(unknown_format_text("dive.log"),
-            "dive.log: no CAN capture of a known format; known are: candump-log, candump-screen, "
-            "asc, trc, canboat, pcap, pcapng");
+            "dive.log: no CAN capture of a known format; known are: pcap, pcapng, candump-log, "
+            "candump-screen, asc, trc, canboat");
 }
 
 TEST(Recognition, WaitsForTheFirstWholeLine) {
@@ -182,6 +182,24 @@ TEST(Recognition, WaitsForTheFirstWholeLine) {
   capture.feed(as_bytes("3#00\n"));
   EXPECT_TRUE(capture.next());
   EXPECT_EQ(capture.format()->name, "candump-log");
+}
+
+TEST(Recognition, TheMagicCountsWhateverThePacketsBehindItLookLike) {
+  Buffer file = wire::testing::fixture("capture/le_us.pcap");
+  const Buffer line = as_bytes("\n7FF [0]\n");
+  std::ranges::copy(line, file.begin() + 8);  // time zone and snap length, which nobody reads
+  const Buffer lines = file + line + line;
+  for (std::size_t piece = 1; piece <= lines.size(); ++piece) {
+    FrameCapture capture;
+    std::size_t frames = 0;
+    for (std::size_t at = 0; at < lines.size(); at += piece) {
+      capture.feed(Bytes{lines}.subspan(at, std::min(piece, lines.size() - at)));
+      while (capture.next()) ++frames;
+    }
+    ASSERT_NE(capture.format(), nullptr) << piece;
+    EXPECT_EQ(capture.format()->name, "pcap") << piece;
+    EXPECT_EQ(frames, 8u) << piece;
+  }
 }
 
 TEST(CommentHeadOfAByteCapture, IsDroppedInAnySplitAndNothingElse) {

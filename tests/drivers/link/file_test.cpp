@@ -119,7 +119,8 @@ TEST_F(FrameFile, OfNoKnownFormatIsToldTheFormatsThatAreKnown) {
       io.get_executor(), parse_uri(recording(bytes("$GPGGA,1*00\r\n"))).value(), Side::driver);
   ASSERT_FALSE(link);
   EXPECT_THAT(link.error().message,
-              ::testing::HasSubstr("no CAN capture of a known format; known are: candump-log, "));
+              ::testing::HasSubstr(
+                  "no CAN capture of a known format; known are: pcap, pcapng, candump-log, "));
 }
 
 TEST_F(File, OpensOnlyRecordings) {
