@@ -6,8 +6,6 @@ namespace drydock::hydrodynamics {
 
 namespace {
 
-double side(double x) { return (x > 0) - (x < 0); }
-
 /// Eq. (A5): each function is one row of it, the derivatives of that force by u v w p q r.
 class HullPartials {
  public:
@@ -98,7 +96,7 @@ class HullPartials {
   const double u, v, w, p, q, r, dr, ds, db, u_c;
   const double v_h = cross_flow_speed(v, w);
   const double v_h_v = v / v_h, v_h_w = w / v_h;  ///< derivatives of v_h by v and w
-  const double s_v = side(v), s_w = side(w), s_q = side(q), s_r = side(r);
+  const double s_v = sign(v), s_w = sign(w), s_q = sign(q), s_r = sign(r);
   const double abs_w = std::abs(w), abs_p = std::abs(p), abs_q = std::abs(q), abs_r = std::abs(r);
 };
 

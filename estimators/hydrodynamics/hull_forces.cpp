@@ -6,8 +6,6 @@ namespace drydock::hydrodynamics {
 
 namespace {
 
-double sign(double x) { return (x > 0) - (x < 0); }
-
 /// F^s, M^s: drift without rotation.
 Wrench static_forces(const Coefficients& c, const Velocity& velocity) {
   const double u = velocity[0], v = velocity[1], w = velocity[2];

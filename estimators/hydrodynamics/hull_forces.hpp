@@ -16,4 +16,7 @@ Matrix6 hull_force_partials(const Coefficients& c, const Velocity& velocity,
 /// v_h = sqrt(v^2 + w^2 + (1e-8 m/s)^2): the guard keeps 1/v_h finite where there is no cross-flow.
 double cross_flow_speed(double v, double w);
 
+/// s_x of the equations: -1, 0 or 1.
+inline double sign(double x) { return (x > 0) - (x < 0); }
+
 }  // namespace drydock::hydrodynamics
