@@ -2,37 +2,17 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <numbers>
 #include <span>
+
+#include "rig_config/read_keys.hpp"
 
 namespace drydock::rig_config {
 
 namespace {
 
-constexpr double degree = std::numbers::pi / 180;
 constexpr double degree_per_hour = degree / 3600;
 constexpr double millisecond = 1e-3;
 constexpr double milli_g = 9.80665e-3, micro_g = 9.80665e-6;  // standard gravity, ISO 80000-3
-
-void read(const Node& table, const char* key, double& into, double unit = 1) {
-  if (const Node* value = table.find(key)) into = value->number * unit;
-}
-void read(const Node& table, const char* key, bool& into) {
-  if (const Node* value = table.find(key)) into = value->boolean;
-}
-void read(const Node& table, const char* key, std::string& into) {
-  if (const Node* value = table.find(key)) into = value->text;
-}
-void read(const Node& table, const char* key, int& into) {
-  if (const Node* value = table.find(key)) into = static_cast<int>(value->integer);
-}
-/// Three numbers, or one for all axes.
-void read(const Node& table, const char* key, std::array<double, 3>& into, double unit = 1) {
-  const Node* value = table.find(key);
-  if (!value) return;
-  for (std::size_t i = 0; i < 3; ++i)
-    into[i] = (value->kind == Node::Kind::array ? value->items[i].number : value->number) * unit;
-}
 
 /// The schema holds the same names in the order of the enumeration.
 template <class Enum, std::size_t N>
@@ -107,11 +87,6 @@ PressureConfig build_pressure(const Node& table) {
   read(table, "reference", reference);
   pressure.gauge = reference == "gauge";
   return pressure;
-}
-
-std::optional<double> read_if(const Node& table, const char* key, double unit = 1) {
-  const Node* value = table.find(key);
-  return value ? std::optional{value->number * unit} : std::nullopt;
 }
 
 WaterLinkedConfig build_water_linked(const Node& table) {

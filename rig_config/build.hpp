@@ -2,6 +2,7 @@
 
 #include "rig_config/node.hpp"
 #include "rig_config/rig.hpp"
+#include "rig_config/vehicle.hpp"
 
 /// From checked documents to typed values: units become SI, absent keys keep their defaults.
 namespace drydock::rig_config {
@@ -10,6 +11,8 @@ namespace drydock::rig_config {
 Rig build_rig(const Node& root, const std::string& file);
 
 MissionConfig build_mission(const Node& root);
+
+VehicleConfig build_vehicle(const Node& root);
 
 /// Takes the error keys of a kind from `[device.emulate]` or from that kind's table in a sensor
 /// file; keys that are absent change nothing.

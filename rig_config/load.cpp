@@ -18,16 +18,18 @@ namespace {
 
 namespace fs = std::filesystem;
 
-enum class FileKind : std::uint8_t { rig, mission, sensor };
+enum class FileKind : std::uint8_t { rig, mission, sensor, vehicle };
 
 std::string_view described(FileKind kind) {
   if (kind == FileKind::rig) return "a rig file, which has a table [rig]";
   if (kind == FileKind::mission) return "a mission file, which has a table [mission]";
+  if (kind == FileKind::vehicle) return "a vehicle file, which has a table [vehicle]";
   return "a sensor file, which has a table for each kind of sensor: [imu], [dvl], ...";
 }
 
 FileKind kind_of(const Node& root) {
   if (root.find("rig")) return FileKind::rig;
+  if (root.find("vehicle")) return FileKind::vehicle;
   return root.find("mission") ? FileKind::mission : FileKind::sensor;
 }
 
@@ -63,7 +65,8 @@ Loaded<Node> read_checked(std::string_view text, const std::string& path, FileKi
   if (!root) return root;
   if (kind_of(*root) != kind)
     return Problems{{path, 1, 1, "/", fmt::format("expected {}", described(kind))}};
-  Problems problems = check_schema(*root, path);
+  Problems problems =
+      check_schema(*root, path, kind == FileKind::vehicle ? vehicle_schema_text() : schema_text());
   if (kind == FileKind::rig) {
     Problems of_rig = check_rig(*root, path, options);
     keep_one_for_each_link(problems, of_rig);
@@ -136,6 +139,17 @@ Loaded<MissionConfig> load_mission_text(std::string_view text, const std::string
 Loaded<MissionConfig> load_mission(const std::string& path) {
   const auto text = read_file(path);
   return text ? load_mission_text(*text, path) : Loaded<MissionConfig>(text.error());
+}
+
+Loaded<VehicleConfig> load_vehicle_text(std::string_view text, const std::string& path) {
+  const auto root = read_checked(text, path, FileKind::vehicle);
+  if (!root) return root.error();
+  return build_vehicle(*root);
+}
+
+Loaded<VehicleConfig> load_vehicle(const std::string& path) {
+  const auto text = read_file(path);
+  return text ? load_vehicle_text(*text, path) : Loaded<VehicleConfig>(text.error());
 }
 
 Problems check_file(const std::string& path, const LoadOptions& options) {

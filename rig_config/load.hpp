@@ -8,10 +8,11 @@
 #include <vector>
 
 #include "rig_config/rig.hpp"
+#include "rig_config/vehicle.hpp"
 
-/// Reads rig, mission and sensor files (TOML). Each is checked against the JSON Schema
-/// `rig_config/schema/rig.schema.json`, which is built into the program, then for what a schema
-/// cannot say: names that must exist, files that must be there. All problems are reported at once.
+/// Reads rig, mission, sensor and vehicle files (TOML). Each is checked against a JSON Schema of
+/// `rig_config/schema`, which is built into the program, then for what a schema cannot say: names
+/// that must exist, files that must be there. All problems are reported at once.
 namespace drydock::rig_config {
 
 /// One mistake in a file; `path` names the key, as in `/device/0/rate_hz`.
@@ -54,10 +55,15 @@ Loaded<Rig> load_rig_text(std::string_view text, const std::string& path,
 Loaded<MissionConfig> load_mission(const std::string& path);
 Loaded<MissionConfig> load_mission_text(std::string_view text, const std::string& path);
 
-/// Problems of a rig, mission or sensor file, told apart by their top-level tables.
+/// Prime values stay prime: estimators/vehicle makes the equations of motion of them.
+Loaded<VehicleConfig> load_vehicle(const std::string& path);
+Loaded<VehicleConfig> load_vehicle_text(std::string_view text, const std::string& path);
+
+/// Problems of a rig, mission, sensor or vehicle file, told apart by their top-level tables.
 Problems check_file(const std::string& path, const LoadOptions& options = {});
 
-/// The JSON Schema (draft-07) of all three kinds of file.
+/// The JSON Schema (draft-07) of rig, mission and sensor files, and that of vehicle files.
 std::string_view schema_text();
+std::string_view vehicle_schema_text();
 
 }  // namespace drydock::rig_config

@@ -112,8 +112,8 @@ class Walk {
 
 }  // namespace
 
-Problems check_schema(const Node& root, const std::string& file) {
-  const Json schema = Json::parse(schema_text());
+Problems check_schema(const Node& root, const std::string& file, std::string_view schema_text) {
+  const Json schema = Json::parse(schema_text);
   const auto complaint = verdict(schema, to_json(root));
   if (!complaint) return {};
   Problems problems = Walk(schema, root, file).run();

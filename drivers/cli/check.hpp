@@ -11,7 +11,7 @@ namespace drydock::cli {
 /// What every command loads rig files with: link URIs are checked too.
 rig_config::LoadOptions load_options();
 
-/// `drydock check`: for each rig, mission or sensor file its problems, or `FILE: ok`.
+/// `drydock check`: for each rig, mission, sensor or vehicle file its problems, or `FILE: ok`.
 /// Exit code: 0 all are sound, 1 not all.
 int check(const std::vector<std::string>& files, std::FILE* out);
 

@@ -141,7 +141,7 @@ void add_estimate(CLI::App& app, Command& command) {
 
 void add_check(CLI::App& app, Command& command) {
   auto files = std::make_shared<std::vector<std::string>>();
-  auto* sub = app.add_subcommand("check", "Check rig, mission and sensor files");
+  auto* sub = app.add_subcommand("check", "Check rig, mission, sensor and vehicle files");
   sub->footer("Example: drydock check rig_config/rigs/*.toml");
   sub->add_option("FILES", *files, "TOML files")->required();
   sub->callback([files, &command] { command = [files] { return cli::check(*files, stdout); }; });

@@ -2,10 +2,15 @@
 
 #include <chrono>
 
+#include "estimators/frame/attitude.hpp"
+#include "estimators/hydrodynamics/model.hpp"
 #include "estimators/leveling/leveling_filter.hpp"
 #include "estimators/pipeline/pipeline.hpp"
+#include "estimators/vehicle/vehicle.hpp"
+#include "rig_config/load.hpp"
 
-/// Cost of the leveling estimator: the filter alone, and a sample's way through the pipeline.
+/// Cost of the leveling estimator, the filter alone and a sample's way through the pipeline, and of
+/// the vehicle's equations of motion.
 namespace {
 
 using namespace drydock;
@@ -101,6 +106,53 @@ BENCHMARK(pipeline_step)
     ->ArgName("window_ms")
     ->Arg(0)
     ->Arg(200);
+
+const hydrodynamics::Model& nps_auv() {
+  static const hydrodynamics::Model model{vehicle::dimensional(
+      rig_config::load_vehicle(DRYDOCK_SOURCE_DIR "/rig_config/vehicles/nps-auv-ii.toml").value())};
+  return model;
+}
+
+const hydrodynamics::Control control{0.1, -0.05, 0.05, 1.9};
+
+hydrodynamics::State turning_and_diving() {
+  hydrodynamics::State vehicle;
+  vehicle << 1.8, 0.15, 0.05, 0.01, -0.02, -0.05, 0, 0, 10, 0.05, -0.1, 1;
+  return vehicle;
+}
+
+void vehicle_right_hand_side(benchmark::State& state) {
+  auto vehicle = turning_and_diving();
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(vehicle.data());
+    benchmark::ClobberMemory();
+    auto derivative = nps_auv().derivative(vehicle, control);
+    benchmark::DoNotOptimize(derivative.data());
+    benchmark::ClobberMemory();
+  }
+}
+BENCHMARK(vehicle_right_hand_side)->Name("vehicle: right-hand side");
+
+void vehicle_step(benchmark::State& state) {
+  auto vehicle = turning_and_diving();
+  for (auto _ : state) {
+    vehicle = nps_auv().step(vehicle, control, dt);
+    benchmark::DoNotOptimize(vehicle.data());
+    benchmark::ClobberMemory();
+  }
+}
+BENCHMARK(vehicle_step)->Name("vehicle: Runge-Kutta step");
+
+void vehicle_partials(benchmark::State& state) {
+  const hydrodynamics::Velocity velocity = turning_and_diving().head<6>();
+  const auto attitude = frame::ned_to_body({0.05, -0.1, 1});
+  for (auto _ : state) {
+    auto partials = nps_auv().partials(velocity, attitude, control);
+    benchmark::DoNotOptimize(partials.by_velocity.data());
+    benchmark::ClobberMemory();
+  }
+}
+BENCHMARK(vehicle_partials)->Name("vehicle: partial derivatives");
 
 }  // namespace
 

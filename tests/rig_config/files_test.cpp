@@ -57,14 +57,17 @@ class Folder {
   std::filesystem::path path_;
 };
 
-TEST(CheckFile, TellsTheThreeKindsApart) {
+TEST(CheckFile, TellsTheKindsApart) {
   const Folder folder;
   const auto mission = folder.write("m.toml", "[mission]\nlatitude_deg = 1\n");
   const auto sensor = folder.write("s.toml", "[imu]\ngyro_bias = 1\n");
+  const auto vehicle = folder.write("v.toml", "[vehicle]\nname = \"v\"\n");
   EXPECT_THAT(lines_of(check_file(mission)), testing::Contains(HasSubstr(":1:1: /: key 'leg' is")));
   EXPECT_THAT(lines_of(check_file(sensor)),
               ElementsAre(HasSubstr(":2:1: /imu/gyro_bias: unknown key, allowed here: "
                                     "accelerometer_bias_mg")));
+  EXPECT_THAT(lines_of(check_file(vehicle)),
+              testing::Contains(HasSubstr(":1:1: /: key 'rudder' is missing")));
 }
 
 TEST(CheckFile, APartOfARigIsReportedUnderItsOwnName) {

@@ -32,17 +32,19 @@ void for_each_schema(const Json& schema, Visit&& visit) {
     for (const Json& inner : schema["allOf"]) for_each_schema(inner, visit);
 }
 
-std::set<std::string> keys_of_schema() {
+std::set<std::string> keys_of_schemas() {
   std::set<std::string> keys;
-  for_each_schema(Json::parse(schema_text()), [&](const Json& schema) {
-    if (schema.contains("properties"))
-      for (const auto& entry : schema["properties"].items()) keys.insert(entry.key());
-  });
+  for (const auto text : {schema_text(), vehicle_schema_text()})
+    for_each_schema(Json::parse(text), [&](const Json& schema) {
+      if (schema.contains("properties"))
+        for (const auto& entry : schema["properties"].items()) keys.insert(entry.key());
+    });
   return keys;
 }
 
-TEST(Schema, TheProgramHoldsTheFileThatEditorsRead) {
+TEST(Schema, TheProgramHoldsTheFilesThatEditorsRead) {
   EXPECT_EQ(schema_text(), read("rig_config/schema/rig.schema.json"));
+  EXPECT_EQ(vehicle_schema_text(), read("rig_config/schema/vehicle.schema.json"));
 }
 
 TEST(Schema, EveryWordIsOneOfDraft07AndOfItsType) {
@@ -68,21 +70,23 @@ TEST(Schema, EveryWordIsOneOfDraft07AndOfItsType) {
       {"const", {Json::value_t::string}}};
   const std::set<std::string> numbers{"minimum",  "maximum",   "exclusiveMinimum", "minItems",
                                       "maxItems", "minLength", "minProperties"};
-  const Json root = Json::parse(schema_text());
-  EXPECT_EQ(root["$schema"], "http://json-schema.org/draft-07/schema#");
-  for_each_schema(root, [&](const Json& schema) {
-    for (const auto& [word, value] : schema.items()) {
-      if (numbers.contains(word)) {
-        EXPECT_TRUE(value.is_number()) << word;
-      } else {
-        ASSERT_TRUE(words.contains(word)) << word;
-        EXPECT_THAT(words.at(word), testing::Contains(value.type())) << word;
+  for (const auto text : {schema_text(), vehicle_schema_text()}) {
+    const Json root = Json::parse(text);
+    EXPECT_EQ(root["$schema"], "http://json-schema.org/draft-07/schema#");
+    for_each_schema(root, [&](const Json& schema) {
+      for (const auto& [word, value] : schema.items()) {
+        if (numbers.contains(word)) {
+          EXPECT_TRUE(value.is_number()) << word;
+        } else {
+          ASSERT_TRUE(words.contains(word)) << word;
+          EXPECT_THAT(words.at(word), testing::Contains(value.type())) << word;
+        }
       }
-    }
-    if (schema.contains("$ref")) {
-      EXPECT_TRUE(root.contains(Json::json_pointer(schema["$ref"].get<std::string>().substr(1))));
-    }
-  });
+      if (schema.contains("$ref")) {
+        EXPECT_TRUE(root.contains(Json::json_pointer(schema["$ref"].get<std::string>().substr(1))));
+      }
+    });
+  }
 }
 
 TEST(Schema, AnEmulatedSensorTakesTheSameErrorKeysInlineAndFromAFile) {
@@ -96,7 +100,7 @@ TEST(Schema, AnEmulatedSensorTakesTheSameErrorKeysInlineAndFromAFile) {
 
 TEST(Schema, EveryKeyIsInTheManual) {
   const std::string manual = read("docs/configuration.md");
-  for (const std::string& key : keys_of_schema())
+  for (const std::string& key : keys_of_schemas())
     EXPECT_NE(manual.find("`" + key + "`"), std::string::npos) << key;
 }
 
@@ -105,6 +109,10 @@ TEST(Schema, EveryShippedFileNamesTheSchemaForEditors) {
                            "missions/s-path.toml", "sensors/leveling-paper.toml"})
     EXPECT_TRUE(
         read(std::string("rig_config/") + file).starts_with("#:schema ../schema/rig.schema.json\n"))
+        << file;
+  for (const char* file : {"vehicles/nps-auv-ii.toml", "vehicles/nps-auv-ii-asymmetric.toml"})
+    EXPECT_TRUE(read(std::string("rig_config/") + file)
+                    .starts_with("#:schema ../schema/vehicle.schema.json\n"))
         << file;
 }
 

@@ -24,12 +24,12 @@ class DemoRig : public testing::Test {
 
 TEST(ShippedFiles, EveryOneIsSound) {
   int files = 0;
-  for (const char* part : {"rigs", "missions", "sensors"})
+  for (const char* part : {"rigs", "missions", "sensors", "vehicles"})
     for (const auto& entry : fs::directory_iterator(folder + part)) {
       for (const Problem& problem : check_file(entry.path())) ADD_FAILURE() << to_string(problem);
       ++files;
     }
-  EXPECT_GE(files, 5);
+  EXPECT_GE(files, 7);
 }
 
 TEST_F(DemoRig, StartsAtTheWrittenInstant) {

@@ -1,0 +1,66 @@
+#pragma once
+
+#include "estimators/hydrodynamics/vehicle.hpp"
+
+/// Motion of an underwater vehicle in six degrees of freedom by the standard submarine equations
+/// (Gertler and Hagen, NSRDC Report 2510, 1967), in the form of Lee, Ra, Kim, Ahn and Lee,
+/// "Gertler-Hagen Hydrodynamic Model Based Velocity Estimation Filter for Long-term Underwater
+/// Navigation Without External Position Fix" (2016). Equation numbers are those of
+/// docs/estimators/hydrodynamics.md, which lists what was put right.
+namespace drydock::hydrodynamics {
+
+/// u v w p q r (body: m/s through the water, rad/s), x y z (NED: m over ground, z is the depth),
+/// phi theta psi (rad).
+using State = Eigen::Matrix<double, 12, 1>;
+
+/// Where the vehicle moves. NED.
+struct Surroundings {
+  Eigen::Vector3d current = Eigen::Vector3d::Zero();     ///< steady, water over ground, m/s
+  Eigen::Vector3d earth_rate = Eigen::Vector3d::Zero();  ///< rad/s; 0: an Earth at rest
+};
+
+/// Derivatives of the accelerations of eq. (4).
+struct Partials {
+  Matrix6 by_velocity;  ///< A of eq. (7) without its first row and column, u v w p q r
+  /// By a small rotation of the body about its own axes, C_n^b <- (I - sigma x) C_n^b, rad.
+  Eigen::Matrix<double, 6, 3> by_attitude;
+};
+
+/// [M - M_A, E - E_A; D - D_A, J - J_A]: what multiplies the accelerations in eq. (2), (3).
+Matrix6 mass_matrix(const Vehicle& vehicle);
+
+/// Whether its symmetric part is positive definite: then no motion has negative kinetic energy.
+bool is_mass(const Matrix6& mass_matrix);
+
+/// The equations of one vehicle. Allocates nothing once made.
+class Model {
+ public:
+  /// Throws std::invalid_argument (one line) if the mass matrix is none, see is_mass().
+  explicit Model(const Vehicle& vehicle);
+
+  /// Eq. (4): d/dt of u v w p q r. `ned_to_body`: C_n^b.
+  Velocity acceleration(const Velocity& velocity, const Eigen::Matrix3d& ned_to_body,
+                        const Control& control,
+                        const Eigen::Vector3d& earth_rate_ned = Eigen::Vector3d::Zero()) const;
+
+  /// Eq. (7) at the same arguments.
+  Partials partials(const Velocity& velocity, const Eigen::Matrix3d& ned_to_body,
+                    const Control& control,
+                    const Eigen::Vector3d& earth_rate_ned = Eigen::Vector3d::Zero()) const;
+
+  /// Eq. (4) with the kinematics (1), (1a), (1b). Not defined at pitch +-pi/2.
+  State derivative(const State& state, const Control& control,
+                   const Surroundings& surroundings = {}) const;
+
+  /// The state `dt` seconds later by the classical Runge-Kutta method, control held.
+  State step(const State& state, const Control& control, double dt,
+             const Surroundings& surroundings = {}) const;
+
+  const Vehicle& vehicle() const { return vehicle_; }
+
+ private:
+  Vehicle vehicle_;
+  Matrix6 inverse_mass_;
+};
+
+}  // namespace drydock::hydrodynamics

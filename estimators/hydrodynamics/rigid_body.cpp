@@ -1,0 +1,73 @@
+#include "estimators/hydrodynamics/rigid_body.hpp"
+
+#include <Eigen/Geometry>
+
+#include "estimators/frame/attitude.hpp"
+
+namespace drydock::hydrodynamics {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+using frame::skew;
+
+namespace {
+
+/// D of eq. (2) times a vector: m r_G x a.
+Vector3d d_bar(const RigidBody& body, const Vector3d& a) {
+  const double m_z = body.mass * body.z_G;
+  return {-m_z * a.y(), m_z * a.x(), 0};
+}
+
+/// z_G W - z_B B: what rights the vehicle.
+double righting(const RigidBody& body) { return body.z_G * body.weight - body.z_B * body.buoyancy; }
+
+}  // namespace
+
+Wrench rigid_body_forces(const RigidBody& body, const Velocity& velocity,
+                         const Vector3d& earth_rate) {
+  const Vector3d v = velocity.head<3>(), omega = velocity.tail<3>();
+  const Vector3d d_omega = d_bar(body, omega);
+  const Vector3d momentum = body.moments_of_inertia.cwiseProduct(omega);
+  Wrench wrench;
+  wrench << omega.cross(d_omega) - body.mass * (omega + 2 * earth_rate).cross(v),
+      momentum.cross(omega) + v.cross(d_omega) - omega.cross(d_bar(body, v));
+  return wrench;
+}
+
+Matrix6 rigid_body_partials(const RigidBody& body, const Velocity& velocity,
+                            const Vector3d& earth_rate) {
+  const Vector3d v = velocity.head<3>(), omega = velocity.tail<3>();
+  const Matrix3d d = body.mass * body.z_G * skew(Vector3d::UnitZ());
+  const Matrix3d j = body.moments_of_inertia.asDiagonal();
+  Matrix6 partials;
+  partials.topLeftCorner<3, 3>() = -body.mass * skew(omega + 2 * earth_rate);
+  partials.topRightCorner<3, 3>() = body.mass * skew(v) + skew(omega) * d - skew(d * omega);
+  partials.bottomLeftCorner<3, 3>() = -skew(d * omega) - skew(omega) * d;
+  partials.bottomRightCorner<3, 3>() =
+      skew(j * omega) - skew(omega) * j + skew(v) * d + skew(d * v);
+  return partials;
+}
+
+Eigen::Matrix<double, 6, 3> rigid_body_attitude_partials(const RigidBody& body,
+                                                         const Velocity& velocity,
+                                                         const Vector3d& earth_rate) {
+  Eigen::Matrix<double, 6, 3> partials;
+  partials << 2 * body.mass * skew(velocity.head<3>()) * skew(earth_rate), Matrix3d::Zero();
+  return partials;
+}
+
+Wrench hydrostatic_forces(const RigidBody& body, const Vector3d& down) {
+  Wrench wrench;
+  wrench << (body.weight - body.buoyancy) * down, righting(body) * Vector3d{-down.y(), down.x(), 0};
+  return wrench;
+}
+
+Eigen::Matrix<double, 6, 3> hydrostatic_attitude_partials(const RigidBody& body,
+                                                          const Vector3d& down) {
+  Eigen::Matrix<double, 6, 3> partials;
+  partials << (body.weight - body.buoyancy) * skew(down),
+      righting(body) * skew(Vector3d::UnitZ()) * skew(down);
+  return partials;
+}
+
+}  // namespace drydock::hydrodynamics

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <array>
+#include <numbers>
+#include <optional>
+#include <string>
+
+#include "rig_config/node.hpp"
+
+/// Values of keys in a checked table; an absent key changes nothing. `unit`: what a number is
+/// multiplied by to become SI.
+namespace drydock::rig_config {
+
+inline constexpr double degree = std::numbers::pi / 180;
+
+inline void read(const Node& table, const char* key, double& into, double unit = 1) {
+  if (const Node* value = table.find(key)) into = value->number * unit;
+}
+inline void read(const Node& table, const char* key, bool& into) {
+  if (const Node* value = table.find(key)) into = value->boolean;
+}
+inline void read(const Node& table, const char* key, std::string& into) {
+  if (const Node* value = table.find(key)) into = value->text;
+}
+inline void read(const Node& table, const char* key, int& into) {
+  if (const Node* value = table.find(key)) into = static_cast<int>(value->integer);
+}
+/// Three numbers, or one for all axes.
+inline void read(const Node& table, const char* key, std::array<double, 3>& into, double unit = 1) {
+  const Node* value = table.find(key);
+  if (!value) return;
+  for (std::size_t i = 0; i < 3; ++i)
+    into[i] = (value->kind == Node::Kind::array ? value->items[i].number : value->number) * unit;
+}
+
+inline std::optional<double> read_if(const Node& table, const char* key, double unit = 1) {
+  const Node* value = table.find(key);
+  return value ? std::optional{value->number * unit} : std::nullopt;
+}
+
+}  // namespace drydock::rig_config
