@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <span>
 
+#include "rig_config/checks.hpp"
 #include "rig_config/read_keys.hpp"
 
 namespace drydock::rig_config {
@@ -97,6 +98,22 @@ WaterLinkedConfig build_water_linked(const Node& table) {
   return config;
 }
 
+SkyConfig build_sky(const Node& table, const std::string& rig_file) {
+  SkyConfig sky;
+  sky.ephemeris = beside(rig_file, table.find("ephemeris")->text);
+  if (const Node* at = table.find("at")) sky.at_utc_ns = at->integer;
+  if (const Node* axis = table.find("antenna_axis")) {  // "-z": sign, then axis
+    sky.antenna_axis = {};
+    sky.antenna_axis.at(static_cast<std::size_t>(axis->text[1] - 'x')) =
+        axis->text[0] == '-' ? -1 : 1;
+  }
+  read(table, "boresight_cno_dbhz", sky.boresight_cno_dbhz);
+  read(table, "power_noise", sky.power_noise);
+  read(table, "lowest_cno_dbhz", sky.lowest_cno_dbhz);
+  read(table, "elevation_mask_deg", sky.elevation_mask_rad, degree);
+  return sky;
+}
+
 DeviceConfig build_device(const Node& table, const std::string& rig_file) {
   DeviceConfig device;
   device.line = table.at.line;
@@ -132,6 +149,7 @@ DeviceConfig build_device(const Node& table, const std::string& rig_file) {
   if (const Node* emulate = table.find("emulate")) {
     read(*emulate, "fixed_bias", device.emulate.fixed_bias);
     read(*emulate, "latency_ms", device.emulate.latency_s, millisecond);
+    if (const Node* sky = emulate->find("sky")) device.emulate.sky = build_sky(*sky, rig_file);
   }
   return device;
 }
@@ -166,6 +184,20 @@ LegConfig build_leg(const Node& table, double speed_before) {
   read(table, "amplitude_deg", leg.amplitude_rad, degree);
   read(table, "period_s", leg.period_s);
   return leg;
+}
+
+BallisticConfig build_ballistic(const Node& table) {
+  BallisticConfig flight;
+  read(table, "height_m", flight.height_m);
+  read(table, "ground_height_m", flight.ground_height_m);
+  read(table, "elevation_deg", flight.elevation_rad, degree);
+  read(table, "ballistic_coefficient_kgm2", flight.ballistic_coefficient_kgm2);
+  read(table, "roll_rate_degps", flight.roll_rate_radps, degree);
+  read(table, "roll_deg", flight.roll_rad, degree);
+  read(table, "spin_up_s", flight.spin_up_s);
+  read(table, "angle_of_attack_deg", flight.angle_of_attack_rad, degree);
+  read(table, "coning_hz", flight.coning_radps, 2 * std::numbers::pi);
+  return flight;
 }
 
 }  // namespace
@@ -209,6 +241,10 @@ MissionConfig build_mission(const Node& root) {
     mission.legs.push_back(build_leg(leg, speed_mps));
     speed_mps = mission.legs.back().speed_mps;
   });
+  if (const Node* ballistic = root.find("ballistic")) {
+    mission.ballistic = build_ballistic(*ballistic);
+    read(*ballistic, "speed_mps", mission.speed_mps);
+  }
   return mission;
 }
 

@@ -74,8 +74,12 @@ class RigChecks {
   void files_exist() {
     if (const Node* rig = root_.find("rig")) file_exists(rig->find_text("mission"), "/rig/mission");
     for_each_table(root_, "device", [&](const Node& device, std::size_t i) {
-      if (const Node* emulate = device.find("emulate"))
-        file_exists(emulate->find_text("errors"), fmt::format("/device/{}/emulate/errors", i));
+      const Node* emulate = device.find("emulate");
+      if (!emulate) return;
+      file_exists(emulate->find_text("errors"), fmt::format("/device/{}/emulate/errors", i));
+      if (const Node* sky = emulate->find("sky"))
+        file_exists(sky->find_text("ephemeris"),
+                    fmt::format("/device/{}/emulate/sky/ephemeris", i));
     });
   }
 

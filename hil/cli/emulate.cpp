@@ -20,8 +20,8 @@ int emulate(const rig_config::Rig& rig, double duration_s) {
         rig.file + ": no device has an emulated link (pty, memory, memory-can, can:auto)");
   }
   boost::asio::io_context io{1};
-  const motion::KinematicTrajectory trajectory(rig.mission, link::now());
-  emulate::RealTimeEmulator emulator(io, trajectory, rig.seed);
+  const auto trajectory = motion::make_trajectory(rig.mission, link::now());
+  emulate::RealTimeEmulator emulator(io, *trajectory, rig.seed);
   if (auto started = emulator.start(devices); !started) {
     throw std::runtime_error(started.error().message);
   }

@@ -71,11 +71,12 @@ class LockstepBench final : private device::Listener, private pipeline::Estimate
   LockstepBench(const rig_config::Rig& rig, double duration_s)
       : rig_(rig),
         start_(measurement::stamp_from_ns(rig.start_utc_ns)),
-        trajectory_(rig.mission, start_),
+        trajectory_(motion::make_trajectory(rig.mission, start_)),
         clock_(start_),
         pipeline_(or_throw(pipeline::make_pipeline(pipeline_options(rig), *this))),
-        duration_s_(duration_s > 0 ? duration_s : measurement::seconds(trajectory_.end() - start_)),
-        scribe_(rig, truth_for_estimators(rig) ? &trajectory_ : nullptr, start_, duration_s_) {
+        duration_s_(duration_s > 0 ? duration_s
+                                   : measurement::seconds(trajectory_->end() - start_)),
+        scribe_(rig, truth_for_estimators(rig) ? trajectory_.get() : nullptr, start_, duration_s_) {
     auto devices = or_throw(shell::make_devices(rig));
     for (std::size_t i = 0; i < devices.size(); ++i) add(rig.devices[i], std::move(devices[i]));
     for (auto& bus : buses_) clock_.add(*bus.second.bus);
@@ -144,7 +145,7 @@ class LockstepBench final : private device::Listener, private pipeline::Estimate
   void add_line(const rig_config::DeviceConfig& config, const link::Uri& uri,
                 shell::DeviceActor& actor) {
     lines_.push_back(std::make_unique<emulate::EmulatedLine>(
-        or_throw(emulate::make_emulated_device(config, trajectory_, rig_.seed)),
+        or_throw(emulate::make_emulated_device(config, *trajectory_, rig_.seed)),
         uri.baud().value_or(emulate::without_line_rate),
         [&actor](wire::Bytes bytes, Stamp at) { actor.receive(bytes, at); }));
     to_lines_.back()->line = lines_.back().get();
@@ -160,7 +161,7 @@ class LockstepBench final : private device::Listener, private pipeline::Estimate
             for (auto* driver : bus.drivers) driver->receive(frame, at);
           });
     }
-    bus.bus->add(or_throw(emulate::make_emulated_device(config, trajectory_, rig_.seed)));
+    bus.bus->add(or_throw(emulate::make_emulated_device(config, *trajectory_, rig_.seed)));
     bus.drivers.push_back(&actor);
     to_lines_.back()->bus = bus.bus.get();
   }
@@ -187,7 +188,7 @@ class LockstepBench final : private device::Listener, private pipeline::Estimate
 
   const rig_config::Rig& rig_;
   Stamp start_;
-  motion::KinematicTrajectory trajectory_;
+  std::unique_ptr<motion::Trajectory> trajectory_;
   shell::Lockstep clock_;
   pipeline::Pipeline pipeline_;
   double duration_s_;

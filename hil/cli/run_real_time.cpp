@@ -41,14 +41,14 @@ class Bench {
       : rig_(rig),
         options_(options),
         start_(link::now()),
-        trajectory_(rig.mission, start_),
+        trajectory_(motion::make_trajectory(rig.mission, start_)),
         participant_(static_cast<std::uint32_t>(rig.dds_domain)),
         publisher_(participant_, bus_devices(rig), estimator_names(rig)),
         subscriber_(participant_, bus_devices(rig)),
-        emulator_(io_, trajectory_, rig.seed),
+        emulator_(io_, *trajectory_, rig.seed),
         drivers_(io_, or_throw(shell::make_devices(rig)), &publisher_),
         estimators_(io_, pipeline_options(rig), subscriber_, publisher_),
-        scribe_(rig, truth_for_estimators(rig) ? &trajectory_ : nullptr, start_,
+        scribe_(rig, truth_for_estimators(rig) ? trajectory_.get() : nullptr, start_,
                 options.duration_s > 0 ? options.duration_s : 600) {}
 
   Summary run() {
@@ -132,7 +132,7 @@ class Bench {
   const RunOptions& options_;
   asio::io_context io_{1};
   measurement::Stamp start_, end_{};
-  motion::KinematicTrajectory trajectory_;
+  std::unique_ptr<motion::Trajectory> trajectory_;
   bus::Participant participant_;
   bus::Publisher publisher_;
   bus::Subscriber subscriber_;

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "hil/motion/kinematic_trajectory.hpp"
+#include "hil/motion/make_trajectory.hpp"
 #include "rig_config/rig.hpp"
 
 namespace drydock::cli {

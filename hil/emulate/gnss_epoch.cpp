@@ -6,7 +6,7 @@
 
 #include "estimators/frame/geodetic.hpp"
 #include "hil/sensor/ideal.hpp"
-#include "hil/sensor/sky.hpp"
+#include "hil/sky/gps_time.hpp"
 
 namespace drydock::emulate {
 namespace {
@@ -19,8 +19,7 @@ constexpr double position_dop = 1.6;
 constexpr double best_accuracy_m = 0.01;
 constexpr double best_accuracy_mps = 0.001;
 
-constexpr seconds gps_epoch{315'964'800};  // 1980-01-06 in UTC seconds since 1970
-constexpr seconds gps_ahead_of_utc{18};
+constexpr int fewest_for_a_fix = 4;
 
 double spread(const rig_config::SensorErrors& errors, std::size_t axis) {
   return std::hypot(errors.bias[axis], errors.noise[axis]);
@@ -34,7 +33,9 @@ double course_rad(const Eigen::Vector3d& velocity_ned) {
 }
 
 GnssSensor::GnssSensor(const DeviceSetup& setup)
-    : position_errors_(setup.primary_errors()), velocity_errors_(setup.secondary_errors()) {
+    : sky_(setup.sky),
+      position_errors_(setup.primary_errors()),
+      velocity_errors_(setup.secondary_errors()) {
   const auto& position = setup.config.emulate.primary;
   const auto& velocity = setup.config.emulate.secondary;
   horizontal_accuracy_m_ =
@@ -60,19 +61,24 @@ void GnssSensor::add_errors(measurement::GnssFix& fix) {
 GnssEpoch GnssSensor::measure(const motion::Truth& truth, const sensor::Mounting& mounting) {
   GnssEpoch epoch;
   epoch.fix = sensor::ideal_gnss(truth, mounting);
-  const bool heard = epoch.fix.type != measurement::FixType::none;
-  epoch.sky = sensor::ideal_sky(truth, !heard);
-  if (heard) add_errors(epoch.fix);
-  epoch.fix.satellites_used = static_cast<int>(
-      std::count_if(epoch.sky.satellites.begin(), epoch.sky.satellites.end(),
-                    [](const measurement::Satellite& satellite) { return satellite.used; }));
+  epoch.sky.origin.valid_at = truth.at;
+  if (epoch.fix.type != measurement::FixType::none) epoch.sky = sky_->at(truth);
+  const auto used = std::ranges::count_if(epoch.sky.satellites, &measurement::Satellite::used);
+  if (used >= fewest_for_a_fix) {
+    add_errors(epoch.fix);
+  } else {
+    measurement::GnssFix none;
+    none.origin = epoch.fix.origin;
+    none.utc = epoch.fix.utc;
+    epoch.fix = none;
+  }
+  epoch.fix.satellites_used = static_cast<int>(used);
 
   const sys_time<nanoseconds> utc{truth.at.time_since_epoch()};
   const auto midnight = floor<days>(utc);
   epoch.date = year_month_day{midnight};
   epoch.time_of_day = utc - midnight;
-  const auto gps = utc.time_since_epoch() - gps_epoch + gps_ahead_of_utc;
-  epoch.time_of_week = duration_cast<milliseconds>(gps % weeks{1});
+  epoch.time_of_week = duration_cast<milliseconds>(sky::week_of(sky::gps_time(truth.at)).of_week);
   return epoch;
 }
 

@@ -7,13 +7,14 @@
 
 namespace drydock::emulate {
 
-/// What a receiver knows at one epoch. Under water: no fix, no satellites; its clock runs on.
+/// What a receiver knows at one epoch. Under water: no fix, no satellites; its clock runs on. With
+/// fewer than four satellites in use: no fix.
 struct GnssEpoch {
   measurement::GnssFix fix;
   measurement::GnssSatellites sky;
   std::chrono::year_month_day date;          ///< UTC
   std::chrono::nanoseconds time_of_day{};    ///< UTC
-  std::chrono::milliseconds time_of_week{};  ///< GPS time, 18 s ahead of UTC (since 2017)
+  std::chrono::milliseconds time_of_week{};  ///< GPS time
 };
 
 /// Course over ground, [0, 2 pi).
@@ -29,6 +30,7 @@ class GnssSensor {
  private:
   void add_errors(measurement::GnssFix& fix);
 
+  std::shared_ptr<sensor::Sky> sky_;
   sensor::ErrorModel position_errors_, velocity_errors_;
   double horizontal_accuracy_m_, vertical_accuracy_m_, speed_accuracy_mps_;
 };

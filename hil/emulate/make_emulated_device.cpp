@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "hil/emulate/devices.hpp"
+#include "hil/emulate/make_sky.hpp"
 
 namespace drydock::emulate {
 namespace {
@@ -62,7 +63,13 @@ boost::system::result<std::unique_ptr<EmulatedDevice>, EmulateError> make_emulat
   }
   for (const Entry& entry : catalogue) {
     if (entry.kind == config.kind && entry.protocol == config.protocol) {
-      return entry.make({config, trajectory, seed});
+      DeviceSetup setup{config, trajectory, seed, nullptr};
+      if (config.kind == DeviceKind::gnss) {
+        auto sky = make_sky(config, trajectory.start(), seed);
+        if (!sky) return sky.error();
+        setup.sky = std::move(*sky);
+      }
+      return entry.make(setup);
     }
   }
   return unknown_protocol(config);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 
 #include "drivers/measurement/water_column.hpp"
 #include "drivers/wire/cia404_pressure.hpp"
@@ -8,6 +9,7 @@
 #include "hil/emulate/make_emulated_device.hpp"
 #include "hil/sensor/errors.hpp"
 #include "hil/sensor/mounting.hpp"
+#include "hil/sensor/sky.hpp"
 
 namespace drydock::emulate {
 
@@ -19,6 +21,7 @@ struct DeviceSetup {
   const DeviceConfig& config;
   const Trajectory& trajectory;
   std::uint64_t seed = 0;
+  std::shared_ptr<sensor::Sky> sky;  ///< kind gnss; this receiver's alone
 
   sensor::ErrorModel primary_errors() const;
   sensor::ErrorModel secondary_errors() const;

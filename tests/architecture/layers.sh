@@ -40,7 +40,8 @@ allow rig_config 'rig_config'
 allow hil/motion 'hil/motion|estimators/(frame|hydrodynamics|vehicle)|drivers/measurement|rig_config'
 allow hil/sensor 'hil/(sensor|motion)|estimators/frame|drivers/measurement|rig_config'
 allow hil/study 'hil/(study|sensor|motion)|estimators/[a-z]*|drivers/measurement|rig_config'
-allow hil/emulate 'hil/(emulate|sensor|motion)|estimators/frame|drivers/(device|link|shell|wire|measurement)|rig_config'
+allow hil/sky 'hil/(sky|sensor|motion)|estimators/frame|drivers/measurement|rig_config'
+allow hil/emulate 'hil/(emulate|sky|sensor|motion)|estimators/frame|drivers/(device|link|shell|wire|measurement)|rig_config'
 allow hil/cli 'hil/[a-z]*|estimators/[a-z]*|drivers/[a-z]*|rig_config'
 
 io='boost/asio|dds/|fstream|iostream|filesystem|thread|mutex|sys/|unistd|toml'
@@ -48,7 +49,7 @@ for folder in drivers/measurement drivers/wire drivers/device estimators/frame e
   estimators/pipeline; do
   never "$folder" "$io"
 done
-if grep -rnE '(system_clock|steady_clock)::now|\brandom_device\b|\brand\(\)' drivers/wire drivers/device drivers/measurement estimators hil/motion hil/sensor hil/study; then
+if grep -rnE '(system_clock|steady_clock)::now|\brandom_device\b|\brand\(\)' drivers/wire drivers/device drivers/measurement estimators hil/motion hil/sensor hil/sky hil/study; then
   echo "a clock or global randomness in a pure layer"
   failed=1
 fi

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <numbers>
 
 /// Missions, and files that name one another.
 namespace drydock::rig_config::test {
@@ -39,6 +40,58 @@ TEST(MissionProblems, AMissionStaysInTheWater) {
                           "allowed: 0 (the surface) to 20 (the bed)",
                           "m.toml:13:18: /leg/1/depth_change_m: the leg ends at a depth of -9 m, "
                           "allowed: 0 (the surface) to 20 (the bed)"));
+}
+
+TEST(MissionProblems, ABallisticFlightHasNoLegsAndItsOwnSpeed) {
+  const auto mission = load_mission_text(
+      "[mission]\nlatitude_deg = 0\nlongitude_deg = 0\nspeed_mps = 1\n"
+      "[ballistic]\nspeed_mps = 700\nelevation_deg = 89\n"
+      "[[leg]]\nkind = \"straight\"\nduration_s = 5\n",
+      "m.toml");
+  ASSERT_FALSE(mission);
+  const auto lines = lines_of(mission.error());
+  EXPECT_THAT(lines,
+              testing::Contains(HasSubstr(
+                  "/mission/speed_mps: not allowed here, a ballistic flight has its speed")));
+  EXPECT_THAT(lines, testing::Contains(
+                         "m.toml:7:17: /ballistic/elevation_deg: 89 is out of range, allowed: -85 "
+                         "to 85"));
+  EXPECT_THAT(lines, testing::Contains(HasSubstr("/leg: not allowed here, a ballistic flight")));
+}
+
+TEST(Mission, TheSoundingRocketsFlightIsInSiAndRadians) {
+  const auto mission =
+      load_mission(DRYDOCK_SOURCE_DIR "/rig_config/missions/sounding-rocket.toml").value();
+  ASSERT_TRUE(mission.ballistic);
+  EXPECT_EQ(mission.speed_mps, 700);
+  EXPECT_DOUBLE_EQ(mission.ballistic->elevation_rad, std::numbers::pi / 4);
+  EXPECT_DOUBLE_EQ(mission.ballistic->roll_rate_radps, std::numbers::pi / 2);
+  EXPECT_DOUBLE_EQ(mission.ballistic->coning_radps, 2 * std::numbers::pi);
+  EXPECT_EQ(mission.ballistic->ballistic_coefficient_kgm2, 20000);
+  EXPECT_TRUE(mission.legs.empty());
+}
+
+TEST(Sky, AReceiversEphemerisIsSoughtFromTheRigFile) {
+  const auto rig = load_rig(DRYDOCK_SOURCE_DIR "/rig_config/rigs/sounding-rocket.toml").value();
+  const auto& sky = rig.devices.at(0).emulate.sky;
+  ASSERT_TRUE(sky);
+  EXPECT_EQ(sky->ephemeris, DRYDOCK_SOURCE_DIR "/fixtures/rinex/walker.rnx");
+  EXPECT_EQ(sky->antenna_axis, (std::array<double, 3>{0, 0, 1}));
+  EXPECT_EQ(sky->power_noise, 0.1);
+  EXPECT_FALSE(sky->at_utc_ns);
+  EXPECT_FALSE(rig.devices.at(1).emulate.sky);
+}
+
+TEST(Sky, AMissingEphemerisIsToldWithItsPlace) {
+  const auto rig = load_rig_text(
+      "[rig]\nname = \"r\"\n[[device]]\nname = \"g\"\nkind = \"gnss\"\nprotocol = \"ubx\"\n"
+      "link = \"pty:g\"\n[device.emulate.sky]\nephemeris = \"none.rnx\"\nantenna_axis = \"up\"\n",
+      "/nowhere/r.toml");
+  ASSERT_FALSE(rig);
+  EXPECT_THAT(lines_of(rig.error()),
+              ElementsAre(HasSubstr("9:13: /device/0/emulate/sky/ephemeris: there is no file "
+                                    "/nowhere/none.rnx"),
+                          HasSubstr("/device/0/emulate/sky/antenna_axis: \"up\" is not allowed")));
 }
 
 /// A folder of files that is gone after the test.

@@ -61,7 +61,7 @@ std::string read_file(const std::filesystem::path& path) {
 
 TEST(Program, HelpOfEveryCommandShowsAnExample) {
   for (const char* command :
-       {"run", "emulate", "drive", "estimate", "check", "monitor", "decode"}) {
+       {"run", "emulate", "drive", "estimate", "check", "monitor", "decode", "sky"}) {
     const auto help = drydock(std::string{command} + " --help");
     EXPECT_EQ(help.exit_code, 0) << command;
     EXPECT_THAT(help.output, HasSubstr("Example")) << command;
@@ -149,6 +149,41 @@ TEST(Program, InterruptEndsARunCleanlyWithTheReport) {
               " > /dev/null & p=$!; sleep 3; kill -INT $p; wait $p");
   EXPECT_EQ(outcome.exit_code, 0) << outcome.output;
   EXPECT_THAT(read_file(page), HasSubstr("interrupted"));
+}
+
+TEST(Program, TheSkyIsATableJsonAndAPlot) {
+  const Folder folder;
+  const std::string ask = "sky --ephemeris fixtures/rinex/walker.rnx --at 2026-11-21T09:59:42Z ";
+  const auto table = drydock(ask);
+  EXPECT_EQ(table.exit_code, 0) << table.output;
+  EXPECT_THAT(table.output, HasSubstr("2026-11-21T10:00:00 GPS  (week 2445, 554400.000 s"));
+  EXPECT_THAT(table.output, HasSubstr("G25  bad 63"));
+  EXPECT_THAT(table.output, HasSubstr("refused: G26 of line 204"));
+  EXPECT_THAT(table.output, testing::Not(HasSubstr("elevation")));
+
+  const auto plot = (folder / "sky.svg").string();
+  const auto json = drydock(ask + "--from 0,0,0 --json --plot " + plot);
+  ASSERT_EQ(json.exit_code, 0) << json.output;
+  const auto sky = nlohmann::json::parse(json.output);
+  ASSERT_EQ(sky["satellites"].size(), 25u);
+  // Satellite 1 stands over the Gulf of Guinea at toe: (a, 0, 0).
+  EXPECT_EQ(sky["satellites"][0]["prn"], 1);
+  EXPECT_NEAR(sky["satellites"][0]["elevation_deg"], 90, 0.01);
+  EXPECT_NEAR(sky["satellites"][0]["ecef_m"][0], 26'559'710, 1e-3);
+  EXPECT_NEAR(sky["satellites"][0]["clock_s"], 1e-6, 1e-15);
+  EXPECT_EQ(sky["refused"][0]["prn"], 26);
+  EXPECT_THAT(read_file(plot), testing::StartsWith("<svg"));
+}
+
+TEST(Program, ASkyThatCannotBeToldExitsWithOneAndAWrongQuestionWithTwo) {
+  const std::string file = "sky --ephemeris fixtures/rinex/walker.rnx ";
+  const auto late = drydock(file + "--at 2026-11-21T13:00:00Z");
+  EXPECT_EQ(late.exit_code, 1);
+  EXPECT_THAT(late.output, HasSubstr("has no record within 2 h of 2026-11-21T13:00:18 GPS"));
+  EXPECT_EQ(drydock("sky --ephemeris README.md --at 2026-11-21T13:00:00Z").exit_code, 1);
+  EXPECT_EQ(drydock(file + "--at noon").exit_code, 2);
+  EXPECT_EQ(drydock(file + "--at 2026-11-21T10:00:00Z --from 91,0").exit_code, 2);
+  EXPECT_EQ(drydock(file + "--at 2026-11-21T10:00:00Z --plot sky.svg").exit_code, 2);
 }
 
 }  // namespace

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "hil/motion/truth.hpp"
+#include "rig_config/rig.hpp"
+
+namespace drydock::motion {
+
+/// A rolling airframe in ballistic flight, as a sounding rocket after burn-out: gravity, Coriolis
+/// and drag move it; pitch and yaw follow its velocity but for a small cone of the nose, and the
+/// rate of the roll angle is held. docs/sky.md has the equations. It comes to rest, at once and as
+/// it lies, at the first moment on the ground.
+class BallisticTrajectory final : public Trajectory {
+ public:
+  /// `mission.ballistic` must be there; heading and speed are those of the velocity at burn-out.
+  /// Throws std::invalid_argument (one line) for a flight that begins below the ground,
+  /// climbs above 500 km or does not come down within an hour.
+  BallisticTrajectory(const rig_config::MissionConfig& mission, Stamp start);
+
+  Truth at(Stamp time) const override;  ///< any order, any thread; before start() the first state
+  Stamp start() const override { return start_; }
+  Stamp end() const override;  ///< on the ground
+
+ private:
+  struct State {
+    double latitude_rad = 0, longitude_rad = 0, height_m = 0;
+    Eigen::Vector3d velocity_ned = Eigen::Vector3d::Zero();
+  };
+  struct Attitude {
+    Eigen::Vector3d angles, rates;  ///< roll, pitch, yaw
+  };
+
+  State state_at(double t) const;
+  State derivative(const State& s) const;
+  State step(const State& s, double h) const;
+  Eigen::Vector3d drag_ned(const State& s) const;
+  double landing_within_last_step() const;
+  Attitude attitude_at(double t, const Eigen::Vector3d& velocity,
+                       const Eigen::Vector3d& acceleration) const;
+
+  rig_config::MissionConfig mission_;
+  rig_config::BallisticConfig flight_;
+  Stamp start_;
+  std::vector<State> checkpoints_;  ///< equally spaced from start() to beyond the landing
+  double landing_s_ = 0;
+};
+
+}  // namespace drydock::motion

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+#include "hil/sky/gps_time.hpp"
+
+namespace drydock::sky::test {
+
+inline std::string text_of(const std::filesystem::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+inline std::filesystem::path walker(const std::string& ending = "rnx") {
+  return DRYDOCK_SOURCE_DIR "/fixtures/rinex/walker." + ending;
+}
+
+/// Folder of the files made by others; may not exist.
+inline std::filesystem::path gnss_corpus() {
+  const char* folder = std::getenv("DRYDOCK_CORPORA");
+  return std::filesystem::path(folder ? folder : DRYDOCK_SOURCE_DIR "/../shared/corpora") / "gnss";
+}
+
+/// toe of walker.rnx.
+inline const GpsTime walker_toe =
+    gps_time(std::chrono::sys_days{std::chrono::year{2026} / 11 / 21}, std::chrono::hours{10});
+
+}  // namespace drydock::sky::test
