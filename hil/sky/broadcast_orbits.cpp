@@ -75,10 +75,11 @@ void BroadcastOrbits::refuse_strangers() {
 }
 
 const Ephemeris* BroadcastOrbits::nearest(int prn, GpsTime time, Health health) const {
-  const auto of_satellite = std::ranges::equal_range(
+  const auto first = std::ranges::lower_bound(
       records_, prn, {}, [](const Ephemeris& r) { return static_cast<int>(r.prn); });
   const Ephemeris* best = nullptr;
-  for (const Ephemeris& record : of_satellite) {
+  for (auto at = first; at != records_.end() && at->prn == prn; ++at) {
+    const Ephemeris& record = *at;
     if (health == Health::healthy && !record.healthy()) continue;
     const auto distance = std::chrono::abs(record.toe - time);
     if (distance > record_holds) continue;
