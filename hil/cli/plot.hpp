@@ -15,7 +15,8 @@ struct Series {
 struct Plot {
   std::string title, x_label, y_label;
   std::vector<Series> series;
-  double y_limit = 0;  ///< 0: as the data needs; else the axis goes from -y_limit to y_limit
+  double y_limit = 0;         ///< 0: as the data needs; else the axis goes from -y_limit to y_limit
+  bool equal_scales = false;  ///< a metre is as long on both axes
 };
 
 /// The plot as an SVG element, drawn by gnuplot. Empty when gnuplot is not there or fails.

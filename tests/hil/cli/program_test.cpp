@@ -60,8 +60,8 @@ std::string read_file(const std::filesystem::path& path) {
 }
 
 TEST(Program, HelpOfEveryCommandShowsAnExample) {
-  for (const char* command :
-       {"run", "emulate", "drive", "estimate", "check", "monitor", "decode", "sky"}) {
+  for (const char* command : {"run", "emulate", "drive", "estimate", "check", "monitor", "decode",
+                              "replay", "sky", "maneuver"}) {
     const auto help = drydock(std::string{command} + " --help");
     EXPECT_EQ(help.exit_code, 0) << command;
     EXPECT_THAT(help.output, HasSubstr("Example")) << command;
@@ -184,6 +184,35 @@ TEST(Program, ASkyThatCannotBeToldExitsWithOneAndAWrongQuestionWithTwo) {
   EXPECT_EQ(drydock(file + "--at noon").exit_code, 2);
   EXPECT_EQ(drydock(file + "--at 2026-11-21T10:00:00Z --from 91,0").exit_code, 2);
   EXPECT_EQ(drydock(file + "--at 2026-11-21T10:00:00Z --plot sky.svg").exit_code, 2);
+}
+
+TEST(Program, AManeuverIsATableJsonATrackAndAPlot) {
+  const Folder folder;
+  const std::string ask = "maneuver rig_config/vehicles/nps-auv-ii.toml turning-circle ";
+  EXPECT_THAT(drydock(ask).output, HasSubstr("tactical diameter"));
+
+  const auto plot = (folder / "c.svg").string(), track = (folder / "c.csv").string();
+  const auto json = drydock(ask + "--deflection 10 --json --plot " + plot + " --csv " + track);
+  ASSERT_EQ(json.exit_code, 0) << json.output;
+  const auto figures = nlohmann::json::parse(json.output);
+  EXPECT_NEAR(figures["steady_turning_diameter_m"], 2 * 29.46, 0.6);
+  EXPECT_NEAR(figures["steady_rate_of_turn_degps"], -3.189, 0.13);
+  EXPECT_THAT(read_file(plot), testing::StartsWith("<svg"));
+  EXPECT_THAT(read_file(track),
+              testing::StartsWith("t,u,v,w,p,q,r,x,y,z,phi,theta,psi,delta_r,delta_s,delta_b\n"
+                                  "0,1.884955592,0,0,"));
+}
+
+TEST(Program, AManeuverWithoutVehicleScheduleOrPlaceToWriteSaysSo) {
+  const std::string file = "maneuver rig_config/vehicles/nps-auv-ii.toml ";
+  EXPECT_EQ(drydock(file).exit_code, 2);
+  EXPECT_EQ(drydock("maneuver rig_config/rigs/demo.toml zigzag").exit_code, 2);
+  const auto schedule = drydock(file + "--schedule README.md");
+  EXPECT_EQ(schedule.exit_code, 2);
+  EXPECT_THAT(schedule.output, HasSubstr("README.md:1: the header must be t,rudder"));
+  const auto unwritable = drydock(file + "dive --csv /nowhere/track.csv");
+  EXPECT_EQ(unwritable.exit_code, 1);
+  EXPECT_THAT(unwritable.output, HasSubstr("/nowhere/track.csv: cannot be written"));
 }
 
 }  // namespace
