@@ -44,6 +44,7 @@ Steering zigzag(double speed, double rudder, double reverse_at) {
 std::vector<double> spiral_steps(double limit) {
   constexpr std::array parts{1.0, 0.75, 0.5, 0.25, 0.125, 0.0};
   std::vector<double> there;
+  there.reserve(2 * parts.size());
   for (const double part : parts) there.push_back(part * limit);
   for (auto part = std::next(parts.rbegin()); part != parts.rend(); ++part)
     there.push_back(-*part * limit);
