@@ -13,7 +13,7 @@ namespace {
 constexpr std::uint8_t full_bytes = 8, bytes_without_status = 4;
 
 // Raw 2634 is 25 deg C; the figures of Epson's IMUs, and what its tool prints agrees with them.
-constexpr double zero_celsius_k = 273.15, reference_k = zero_celsius_k + 25;
+constexpr double reference_k = zero_celsius_k + 25;
 constexpr double reference_raw = 2634, kelvin_per_step = -0.0037918;
 
 std::array<double, 3> scaled(const std::array<std::int16_t, 3>& axes, double step) {

@@ -23,6 +23,7 @@ concept ScalarField = std::is_arithmetic_v<T> || std::same_as<T, std::string_vie
 constexpr double knot_mps = 1852.0 / 3600.0;
 constexpr double kilometre_per_hour_mps = 1.0 / 3.6;
 constexpr double nautical_mile_m = 1852.0;
+constexpr double zero_celsius_k = 273.15;
 
 constexpr double radians(double degrees) { return degrees * (std::numbers::pi / 180.0); }
 

@@ -9,7 +9,6 @@
 namespace drydock::wire {
 namespace {
 
-constexpr double kelvin_at_zero_celsius = 273.15;
 constexpr double bad_velocity = -32.768, bad_distance = 0, bad_merit = 10;
 
 /// Values of a sentence, with or without their names before them.
@@ -103,7 +102,7 @@ std::optional<Nortek::Message> read_velocity(NortekFields fields) {
   m.battery_v = fields.number();
   m.sound_speed_mps = fields.number();
   fields.text();  // pressure, in a unit on which the public descriptions do not agree
-  if (const auto celsius = fields.number()) m.temperature_k = *celsius + kelvin_at_zero_celsius;
+  if (const auto celsius = fields.number()) m.temperature_k = *celsius + zero_celsius_k;
   m.status = fields.status();
   return m;
 }
@@ -154,9 +153,7 @@ std::size_t encode(const NortekVelocity& m, std::span<std::uint8_t> out) {
     number(m.battery_v, 1);
     number(m.sound_speed_mps, 1);
     number(std::nullopt, 1);  // pressure
-    number(
-        m.temperature_k ? std::optional{*m.temperature_k - kelvin_at_zero_celsius} : std::nullopt,
-        1);
+    number(m.temperature_k ? std::optional{*m.temperature_k - zero_celsius_k} : std::nullopt, 1);
     std::array<std::uint8_t, 8> digits;
     TextWriter hex{digits};
     hex.put_hex(*m.status, 8);

@@ -8,8 +8,6 @@
 namespace drydock::wire {
 namespace {
 
-constexpr double kelvin_at_zero_celsius = 273.15;
-
 constexpr bool bit(unsigned word, unsigned number) { return (word >> number & 1u) != 0; }
 
 double centidegrees(Bytes block, std::size_t offset) {
@@ -99,7 +97,7 @@ bool read_block(Bytes block, Pd0VariableLeader& m) {
   m.roll_rad = tilt(block, 22, 18000);
   m.salinity_ppt = load_le<std::uint16_t>(block, 24);
   if (const auto celsius = load_le<std::int16_t>(block, 26); celsius != pd0::bad) {
-    m.temperature_k = celsius / 100.0 + kelvin_at_zero_celsius;
+    m.temperature_k = celsius / 100.0 + zero_celsius_k;
   }
   // Signed: near the surface a pressure sensor reads slightly below its zero.
   if (block.size() >= 52) m.pressure_pa = load_le<std::int32_t>(block, 48) * 10.0;

@@ -95,7 +95,7 @@ void write(Out block, const Pd0VariableLeader& m) {
   store_le<std::uint16_t>(block, 24, quantize<std::uint16_t>(m.salinity_ppt, 1));
   store_le<std::int16_t>(
       block, 26,
-      m.temperature_k ? quantize<std::int16_t>(*m.temperature_k - 273.15, 0.01) : pd0::bad);
+      m.temperature_k ? quantize<std::int16_t>(*m.temperature_k - zero_celsius_k, 0.01) : pd0::bad);
   store_le<std::int32_t>(block, 48, quantize<std::int32_t>(m.pressure_pa.value_or(0), 10));
 }
 

@@ -17,7 +17,6 @@ constexpr std::uint8_t sync = 0x7D;
 constexpr std::size_t checksum_size = 2;
 constexpr std::int16_t bad = -32768;
 constexpr std::uint16_t no_heading = 0xFFFF;
-constexpr double kelvin_at_zero_celsius = 273.15;
 /// Low three bits of the system configuration, from 1.
 constexpr std::array<double, 4> frequency_hz{150e3, 300e3, 600e3, 1200e3};
 
@@ -88,7 +87,7 @@ void read(Bytes frame, Pd4Report& m) {
   m.built_in_test = load_le<std::uint16_t>(frame, 39);
   if (const auto speed = load_le<std::uint16_t>(frame, 41)) m.sound_speed_mps = speed;
   if (const auto celsius = load_le<std::int16_t>(frame, 43); celsius != bad) {
-    m.temperature_k = celsius / 100.0 + kelvin_at_zero_celsius;
+    m.temperature_k = celsius / 100.0 + zero_celsius_k;
   }
 }
 
@@ -156,7 +155,7 @@ void write(Out frame, const Pd4Report& m) {
   store_le<std::uint16_t>(frame, 39, m.built_in_test);
   store_le<std::uint16_t>(frame, 41, quantize<std::uint16_t>(m.sound_speed_mps.value_or(0), 1));
   const auto celsius =
-      m.temperature_k ? std::optional{*m.temperature_k - kelvin_at_zero_celsius} : std::nullopt;
+      m.temperature_k ? std::optional{*m.temperature_k - zero_celsius_k} : std::nullopt;
   store_le<std::int16_t>(frame, 43, signed_field(celsius, 0.01));
 }
 

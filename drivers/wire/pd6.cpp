@@ -9,7 +9,6 @@
 namespace drydock::wire {
 namespace {
 
-constexpr double kelvin_at_zero_celsius = 273.15;
 constexpr std::size_t head_size = 4;  // ":BI,"
 
 /// Numbers of a line; one that is none, or beyond what its field can hold, spoils the line.
@@ -65,7 +64,7 @@ void read_line(CheckedFields& fields, Pd6Timing& m) {
   fields.require(whole);
   if (whole) m.clock = clock(digits);
   m.salinity_ppt = fields.number(0, 99.9);
-  m.temperature_k = fields.number(-99.9, 99.9) + kelvin_at_zero_celsius;
+  m.temperature_k = fields.number(-99.9, 99.9) + zero_celsius_k;
   m.depth_m = fields.number(0, 9999.9);
   m.sound_speed_mps = unless_zero(fields.number(0, 9999.9));
   m.built_in_test = static_cast<unsigned>(fields.number(0, 65535));

@@ -6,7 +6,6 @@
 namespace drydock::wire {
 namespace {
 
-constexpr double kelvin_at_zero_celsius = 273.15;
 constexpr double bad_mmps = -32768;
 
 /// One line; numbers are padded with blanks to the widths of the document.
@@ -83,8 +82,7 @@ void write(Line& line, const Pd6Timing& m) {
     line.text("00000000000000");
   }
   line.number(m.salinity_ppt, 4, 1);
-  line.signed_number(m.temperature_k.value_or(kelvin_at_zero_celsius) - kelvin_at_zero_celsius, 5,
-                     1);
+  line.signed_number(m.temperature_k.value_or(zero_celsius_k) - zero_celsius_k, 5, 1);
   line.number(m.depth_m, 6, 1);
   line.number(m.sound_speed_mps.value_or(0), 6, 1);
   line.number(m.built_in_test, 3, 0);
