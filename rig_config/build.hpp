@@ -14,6 +14,9 @@ MissionConfig build_mission(const Node& root);
 
 VehicleConfig build_vehicle(const Node& root);
 
+/// `[device.emulate]` but for the errors of the sensor; `rig_file` for what is named beside it.
+EmulateConfig build_emulate(const Node& table, const std::string& rig_file);
+
 /// Takes the error keys of a kind from `[device.emulate]` or from that kind's table in a sensor
 /// file; keys that are absent change nothing.
 void read_errors(const Node& table, DeviceKind kind, EmulateConfig& into);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <numbers>
 #include <optional>
@@ -12,6 +13,7 @@
 namespace drydock::rig_config {
 
 inline constexpr double degree = std::numbers::pi / 180;
+inline constexpr double millisecond = 1e-3;
 
 inline void read(const Node& table, const char* key, double& into, double unit = 1) {
   if (const Node* value = table.find(key)) into = value->number * unit;
@@ -36,6 +38,13 @@ inline void read(const Node& table, const char* key, std::array<double, 3>& into
 inline std::optional<double> read_if(const Node& table, const char* key, double unit = 1) {
   const Node* value = table.find(key);
   return value ? std::optional{value->number * unit} : std::nullopt;
+}
+
+/// The enumerator of the text at `kind`: the schema holds the same names in the same order.
+template <class Enum, std::size_t N>
+Enum named(const Node& table, const std::array<const char*, N>& names) {
+  const auto found = std::ranges::find(names, table.find("kind")->text);
+  return static_cast<Enum>(found - names.begin());
 }
 
 }  // namespace drydock::rig_config

@@ -7,6 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "rig_config/emulate.hpp"
+#include "rig_config/mission.hpp"
+
 /// A rig file as typed values. Names and units are those of the TOML keys; the JSON Schema
 /// `rig_config/schema/rig.schema.json` says which are allowed, the loader fills in the defaults.
 namespace drydock::rig_config {
@@ -20,31 +23,6 @@ enum class DvlMaker : std::uint8_t { teledyne, water_linked };
 struct WaterLinkedConfig {
   std::optional<double> sound_speed_mps, mounting_rotation_rad;
   bool old_sentences = false;  ///< wrx and wrt too
-};
-
-/// How an emulated sensor errs. One standard deviation each; drawn or fixed as `bias_mode` says.
-struct SensorErrors {
-  std::array<double, 3> bias{};   ///< unit of the measured quantity, per axis
-  std::array<double, 3> noise{};  ///< white, 1 sigma per sample
-};
-
-/// The satellites of an emulated receiver, where a broadcast ephemeris gives them.
-struct SkyConfig {
-  std::string ephemeris;                         ///< RINEX 2 or 3 GPS navigation file
-  std::optional<std::int64_t> at_utc_ns;         ///< the sky of then, from the mission's start on
-  std::array<double, 3> antenna_axis{0, 0, -1};  ///< boresight, unit vector in the body frame
-  double boresight_cno_dbhz = 48;
-  double power_noise = 0;       ///< 1 sigma of the power at each epoch, share of that at boresight
-  double lowest_cno_dbhz = 20;  ///< below it nothing is tracked
-  double elevation_mask_rad = 0.0872664625997165;  ///< 5 deg
-};
-
-struct EmulateConfig {
-  bool fixed_bias = true;  ///< biases are +1 sigma as given; false: drawn N(0, 1 sigma) per seed
-  double latency_s = 0;    ///< from sampling to the first byte on the wire
-  SensorErrors primary;    ///< gyro rad/s, speed m/s, velocity m/s, pressure Pa, position m
-  SensorErrors secondary;  ///< accelerometer m/s2, GNSS velocity m/s
-  std::optional<SkyConfig> sky;  ///< kind gnss; empty: ten invented satellites
 };
 
 /// What an Aceinna IMU is set to; empty and zero: left as it is.
@@ -109,40 +87,6 @@ struct EstimatorConfig {
       true;  ///< first attitude from the first specific force, not from `initial_*`
   double initial_roll_rad = 0, initial_pitch_rad = 0;
   double latitude_rad = 0, heading_rad = 0;
-};
-
-enum class LegKind : std::uint8_t { straight, turn, dive, s_path };
-
-/// One leg of a kinematic mission, entered and left smoothly.
-struct LegConfig {
-  LegKind kind = LegKind::straight;
-  double duration_s = 0;
-  double turn_rad = 0;                     ///< turn: change of heading
-  double depth_change_m = 0;               ///< dive: positive down
-  double speed_mps = 0;                    ///< speed at the end of the leg
-  double amplitude_rad = 0, period_s = 0;  ///< s_path: heading amplitude
-  double roll_rad = 0;                     ///< heel held during a turn
-};
-
-/// A rolling airframe from burn-out to where it comes down.
-struct BallisticConfig {
-  double height_m = 0;                    ///< at burn-out, above the ellipsoid
-  double ground_height_m = 0;             ///< of where it comes down
-  double elevation_rad = 0;               ///< of the velocity at burn-out, above the horizon
-  double ballistic_coefficient_kgm2 = 0;  ///< mass / (drag coefficient x area); 0: no air
-  double roll_rate_radps = 0;             ///< held once spun up
-  double roll_rad = 0;                    ///< at burn-out
-  double spin_up_s = 0;                   ///< from no roll rate to the one held
-  double angle_of_attack_rad = 0;         ///< of the nose's cone about the velocity
-  double coning_radps = 0;                ///< rate at which the nose goes around it
-};
-
-struct MissionConfig {
-  double latitude_rad = 0, longitude_rad = 0, depth_m = 0, heading_rad = 0, speed_mps = 0;
-  double bed_depth_m = 100;
-  std::array<double, 3> current_ned_mps{};
-  std::vector<LegConfig> legs;               ///< repeated from the first when the run lasts longer
-  std::optional<BallisticConfig> ballistic;  ///< in place of legs
 };
 
 struct Rig {

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+/// Emulated devices: what their sensors get wrong, and the sky over a receiver. Values of a rig
+/// file or a sensor file.
+namespace drydock::rig_config {
+
+/// How an emulated sensor errs. One standard deviation each; drawn or fixed as `bias_mode` says.
+struct SensorErrors {
+  std::array<double, 3> bias{};   ///< unit of the measured quantity, per axis
+  std::array<double, 3> noise{};  ///< white, 1 sigma per sample
+};
+
+/// The satellites of an emulated receiver, where a broadcast ephemeris gives them.
+struct SkyConfig {
+  std::string ephemeris;                         ///< RINEX 2 or 3 GPS navigation file
+  std::optional<std::int64_t> at_utc_ns;         ///< the sky of then, from the mission's start on
+  std::array<double, 3> antenna_axis{0, 0, -1};  ///< boresight, unit vector in the body frame
+  double boresight_cno_dbhz = 48;
+  double power_noise = 0;       ///< 1 sigma of the power at each epoch, share of that at boresight
+  double lowest_cno_dbhz = 20;  ///< below it nothing is tracked
+  double elevation_mask_rad = 0.0872664625997165;  ///< 5 deg
+};
+
+struct EmulateConfig {
+  bool fixed_bias = true;  ///< biases are +1 sigma as given; false: drawn N(0, 1 sigma) per seed
+  double latency_s = 0;    ///< from sampling to the first byte on the wire
+  SensorErrors primary;    ///< gyro rad/s, speed m/s, velocity m/s, pressure Pa, position m
+  SensorErrors secondary;  ///< accelerometer m/s2, GNSS velocity m/s
+  std::optional<SkyConfig> sky;  ///< kind gnss; empty: ten invented satellites
+};
+
+}  // namespace drydock::rig_config

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+/// A mission file as typed values: where the emulated vehicle goes.
+namespace drydock::rig_config {
+
+enum class LegKind : std::uint8_t { straight, turn, dive, s_path };
+
+/// One leg of a kinematic mission, entered and left smoothly.
+struct LegConfig {
+  LegKind kind = LegKind::straight;
+  double duration_s = 0;
+  double turn_rad = 0;                     ///< turn: change of heading
+  double depth_change_m = 0;               ///< dive: positive down
+  double speed_mps = 0;                    ///< speed at the end of the leg
+  double amplitude_rad = 0, period_s = 0;  ///< s_path: heading amplitude
+  double roll_rad = 0;                     ///< heel held during a turn
+};
+
+/// A rolling airframe from burn-out to where it comes down.
+struct BallisticConfig {
+  double height_m = 0;                    ///< at burn-out, above the ellipsoid
+  double ground_height_m = 0;             ///< of where it comes down
+  double elevation_rad = 0;               ///< of the velocity at burn-out, above the horizon
+  double ballistic_coefficient_kgm2 = 0;  ///< mass / (drag coefficient x area); 0: no air
+  double roll_rate_radps = 0;             ///< held once spun up
+  double roll_rad = 0;                    ///< at burn-out
+  double spin_up_s = 0;                   ///< from no roll rate to the one held
+  double angle_of_attack_rad = 0;         ///< of the nose's cone about the velocity
+  double coning_radps = 0;                ///< rate at which the nose goes around it
+};
+
+struct MissionConfig {
+  double latitude_rad = 0, longitude_rad = 0, depth_m = 0, heading_rad = 0, speed_mps = 0;
+  double bed_depth_m = 100;
+  std::array<double, 3> current_ned_mps{};
+  std::vector<LegConfig> legs;               ///< repeated from the first when the run lasts longer
+  std::optional<BallisticConfig> ballistic;  ///< in place of legs
+};
+
+}  // namespace drydock::rig_config
