@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "hil/cli/exit_codes.hpp"
 #include "hil/cli/maneuver_plot.hpp"
 #include "hil/motion/maneuver.hpp"
 #include "hil/motion/schedule.hpp"
@@ -19,7 +20,6 @@ namespace {
 
 constexpr double degree = std::numbers::pi / 180;
 constexpr double usual_propeller_radps = 1500 * 2 * std::numbers::pi / 60;
-constexpr int exit_failed = 1, exit_usage = 2;
 
 std::optional<double> radians(const std::optional<double>& angle_deg) {
   return angle_deg ? std::optional(*angle_deg * degree) : std::nullopt;
