@@ -1,9 +1,9 @@
 #include "hil/cli/maneuver_plot.hpp"
-#include "estimators/cli/degrees.hpp"
 
 #include <fstream>
 #include <numbers>
 
+#include "estimators/cli/degrees.hpp"
 #include "hil/cli/plot.hpp"
 
 namespace drydock::cli {
