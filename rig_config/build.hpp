@@ -10,7 +10,9 @@ namespace drydock::rig_config {
 /// All of a rig but its mission and the errors that stand in sensor files.
 Rig build_rig(const Node& root, const std::string& file);
 
-MissionConfig build_mission(const Node& root);
+/// `file`: the mission's own, for what is named beside it.
+MissionConfig build_mission(const Node& root, const std::string& file);
+OceanConfig build_ocean(const Node& table, const std::string& mission_file);
 
 VehicleConfig build_vehicle(const Node& root);
 
