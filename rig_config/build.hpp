@@ -19,7 +19,9 @@ inline std::string_view name_of(DeviceKind kind) {
 /// All of a rig but its mission and the errors that stand in sensor files.
 Rig build_rig(const Node& root, const std::string& file);
 
-MissionConfig build_mission(const Node& root);
+/// `file`: the mission's own, for what is named beside it.
+MissionConfig build_mission(const Node& root, const std::string& file);
+OceanConfig build_ocean(const Node& table, const std::string& mission_file);
 
 VehicleConfig build_vehicle(const Node& root);
 

@@ -119,9 +119,10 @@ Loaded<Rig> load_rig_text(std::string_view text, const std::string& path,
   Rig rig = build_rig(*root, path);
   Problems problems;
   if (const Node* reference = root->find("rig")->find("mission")) {
-    const auto mission = read_checked_file(beside(path, reference->text), FileKind::mission);
+    const std::string file = beside(path, reference->text);
+    const auto mission = read_checked_file(file, FileKind::mission);
     if (mission)
-      rig.mission = build_mission(*mission);
+      rig.mission = build_mission(*mission, file);
     else
       append(problems, mission.error());
   }
@@ -140,7 +141,7 @@ Loaded<Rig> load_rig(const std::string& path, const LoadOptions& options) {
 Loaded<MissionConfig> load_mission_text(std::string_view text, const std::string& path) {
   const auto root = read_checked(text, path, FileKind::mission);
   if (!root) return root.error();
-  return build_mission(*root);
+  return build_mission(*root, path);
 }
 
 Loaded<MissionConfig> load_mission(const std::string& path) {

@@ -25,8 +25,7 @@ Window window_of(const LegConfig& leg) {
   throw std::invalid_argument("mission leg " + std::to_string(leg + 1) + ": " + why);
 }
 
-void check(std::size_t number, const LegConfig& leg, double speed_before, double depth_before,
-           double bed_depth) {
+void check(std::size_t number, const LegConfig& leg, double speed_before, double depth_before) {
   if (!(leg.duration_s > 0)) refuse(number, "duration_s must be above 0");
   if (leg.speed_mps < 0) refuse(number, "speed_mps must not be negative");
   if (leg.kind == LegKind::s_path && !(leg.period_s > 0)) {
@@ -37,11 +36,7 @@ void check(std::size_t number, const LegConfig& leg, double speed_before, double
   if (steepest_sink > steepest_sine * std::min(speed_before, leg.speed_mps)) {
     refuse(number, "this dive needs a pitch above 60 deg; allow more time, speed or less depth");
   }
-  const double depth_after = depth_before + leg.depth_change_m;
-  if (depth_after < 0 || depth_after >= bed_depth) {
-    refuse(number, "the dive ends outside the water (surface 0 m, sea bed " +
-                       std::to_string(bed_depth) + " m)");
-  }
+  if (depth_before + leg.depth_change_m < 0) refuse(number, "the dive ends above the surface");
 }
 
 void add_turn(const LegConfig& leg, double t, Prescribed& p) {
@@ -83,12 +78,12 @@ MissionProfile::MissionProfile(const rig_config::MissionConfig& mission) {
   if (mission.speed_mps < 0) throw std::invalid_argument("mission: speed_mps must not be negative");
   end_ = begin_;
   for (std::size_t i = 0; i < mission.legs.size(); ++i) {
-    check(i, mission.legs[i], end_.speed.value, end_.depth_m, mission.bed_depth_m);
+    check(i, mission.legs[i], end_.speed.value, end_.depth_m);
     add(mission.legs[i]);
   }
   // From the second lap on, the first leg begins at the last leg's speed.
   if (!mission.legs.empty()) {
-    check(0, mission.legs[0], end_.speed.value, begin_.depth_m, mission.bed_depth_m);
+    check(0, mission.legs[0], end_.speed.value, begin_.depth_m);
   }
 }
 
