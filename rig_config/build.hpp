@@ -10,6 +10,7 @@ namespace drydock::rig_config {
 /// All of a rig but its mission and the errors that stand in sensor files.
 Rig build_rig(const Node& root, const std::string& file);
 
+/// All of a mission but its vehicle, which has a file of its own.
 MissionConfig build_mission(const Node& root);
 
 VehicleConfig build_vehicle(const Node& root);
