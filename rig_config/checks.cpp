@@ -125,57 +125,6 @@ class RigChecks {
   Problems problems_;
 };
 
-double number_at(const Node& table, std::string_view key, double otherwise) {
-  const Node* value = table.find(key);
-  return value && (value->kind == Kind::number || value->kind == Kind::integer) ? value->number
-                                                                                : otherwise;
-}
-
-/// No leg ends above the surface or below the bed.
-Problems check_water(const Node& root, const Node& mission, const std::string& file) {
-  double depth_m = number_at(mission, "depth_m", 0);
-  const double bed_m = number_at(mission, "bed_depth_m", MissionConfig{}.bed_depth_m);
-  Problems problems;
-  for_each_table(root, "leg", [&](const Node& leg, std::size_t i) {
-    if (const Node* kind = leg.find_text("kind"); kind && kind->text == "surface") depth_m = 0;
-    const Node* change = leg.find("depth_change_m");
-    if (!change) return;
-    depth_m += number_at(leg, "depth_change_m", 0);
-    if (depth_m < -1e-9 || depth_m > bed_m)
-      problems.push_back(
-          {file, change->at.line, change->at.column, fmt::format("/leg/{}/depth_change_m", i),
-           fmt::format("the leg ends at a depth of {} m, allowed: 0 (the surface) to {} "
-                       "(the bed)",
-                       depth_m, bed_m)});
-  });
-  return problems;
-}
-
-/// Legs and keys that need a vehicle's equations of motion, or that these leave no room for.
-Problems check_vehicle(const Node& root, const Node& mission, const std::string& file) {
-  Problems problems;
-  const auto add = [&](Position at, std::string path, std::string what) {
-    problems.push_back({file, at.line, at.column, std::move(path), std::move(what)});
-  };
-  const Node* vehicle = mission.find_text("vehicle");
-  if (vehicle && !vehicle->text.empty()) {
-    const std::string full = beside(file, vehicle->text);
-    if (!std::filesystem::is_regular_file(full))
-      add(vehicle->at, "/mission/vehicle", "there is no file " + full);
-  }
-  for_each_table(root, "leg", [&](const Node& leg, std::size_t i) {
-    const Node* kind = leg.find_text("kind");
-    if (!vehicle && kind && kind->text == "turning_circle")
-      add(kind->at, fmt::format("/leg/{}/kind", i),
-          "a turning_circle is steered by the rudder: give the mission a vehicle, or take a turn");
-    const Node* roll = leg.find("roll_deg");
-    if (vehicle && roll)
-      add(roll->key_at, fmt::format("/leg/{}/roll_deg", i),
-          "not allowed here, a vehicle heels as its equations of motion say");
-  });
-  return problems;
-}
-
 }  // namespace
 
 std::string beside(const std::string& file, const std::string& relative) {
@@ -185,14 +134,6 @@ std::string beside(const std::string& file, const std::string& relative) {
 
 Problems check_rig(const Node& root, const std::string& file, const LoadOptions& options) {
   return RigChecks(root, file, options).run();
-}
-
-Problems check_mission(const Node& root, const std::string& file) {
-  const Node* mission = root.find("mission");
-  if (!mission) return {};
-  Problems problems = check_water(root, *mission, file);
-  std::ranges::move(check_vehicle(root, *mission, file), std::back_inserter(problems));
-  return problems;
 }
 
 }  // namespace drydock::rig_config

@@ -85,7 +85,7 @@ Loaded<Node> read_checked_file(const std::string& path, FileKind kind) {
 
 /// The mission of a checked document with its vehicle file read in.
 Loaded<MissionConfig> build_with_vehicle(const Node& root, const std::string& path) {
-  MissionConfig mission = build_mission(root);
+  MissionConfig mission = build_mission(root, path);
   if (const Node* reference = root.find("mission")->find("vehicle")) {
     const auto vehicle = read_checked_file(beside(path, reference->text), FileKind::vehicle);
     if (!vehicle) return vehicle.error();

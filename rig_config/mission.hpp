@@ -1,10 +1,10 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <optional>
 #include <vector>
 
+#include "rig_config/ocean.hpp"
 #include "rig_config/vehicle.hpp"
 
 /// A mission file as typed values: where the emulated vehicle goes.
@@ -52,8 +52,7 @@ struct BallisticConfig {
 
 struct MissionConfig {
   double latitude_rad = 0, longitude_rad = 0, depth_m = 0, heading_rad = 0, speed_mps = 0;
-  double bed_depth_m = 100;
-  std::array<double, 3> current_ned_mps{};
+  OceanConfig ocean;
   std::vector<LegConfig> legs;               ///< repeated from the first when the run lasts longer
   std::optional<BallisticConfig> ballistic;  ///< in place of legs
   std::optional<VehicleConfig> vehicle;      ///< sails the legs under autopilots; none: kinematic

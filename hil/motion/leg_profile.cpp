@@ -74,11 +74,7 @@ void check(std::size_t number, const LegConfig& leg, double speed_before, double
     refuse(number, std::string("this dive needs a pitch above ") + (mission.vehicle ? "30" : "60") +
                        " deg; allow more time, speed or less depth");
   }
-  const double depth_after = depth_before + leg.depth_change_m;
-  if (depth_after < 0 || depth_after >= mission.bed_depth_m) {
-    refuse(number, "the dive ends outside the water (surface 0 m, sea bed " +
-                       std::to_string(mission.bed_depth_m) + " m)");
-  }
+  if (depth_before + leg.depth_change_m < 0) refuse(number, "the dive ends above the surface");
 }
 
 void add_turn(const LegConfig& leg, double t, Prescribed& p) {

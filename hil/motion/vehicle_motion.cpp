@@ -43,9 +43,7 @@ struct VehicleMotion::Earth {
 
 VehicleMotion::VehicleMotion(const rig_config::MissionConfig& mission)
     : model_(vehicle::dimensional(mission.vehicle.value())),
-      current_(mission.current_ned_mps.data()) {}
-
-Vector3d VehicleMotion::current_ned(double, double) const { return current_; }
+      ocean_(mission.ocean, {mission.latitude_rad, mission.longitude_rad, 0}) {}
 
 VehicleRate VehicleMotion::rate(const VehicleState& s, const hydrodynamics::Control& control,
                                 double t) const {
@@ -58,7 +56,7 @@ VehicleRate VehicleMotion::rate(const VehicleState& s, const hydrodynamics::Cont
   const auto omega = s.velocity.tail<3>();
   VehicleRate rate;
   const Vector3d through_water = s.velocity.head<3>();
-  rate.velocity_ned = current_ned(-s.height_m, t);
+  rate.velocity_ned = ocean_.current_ned(-s.height_m, t);
   rate.velocity_ned.noalias() += body_to_ned * through_water;
   rate.attitude = (s.body_to_ned * Quaterniond{0, omega.x(), omega.y(), omega.z()}).coeffs() / 2;
   // Eq. (4) of the vehicle has 2 w_IE x V, here it is (2 w_IE + w_EN) x V.
@@ -68,9 +66,10 @@ VehicleRate VehicleMotion::rate(const VehicleState& s, const hydrodynamics::Cont
 }
 
 Vector3d VehicleMotion::acceleration_ned(const VehicleState& s, const VehicleRate& rate,
-                                         double) const {
+                                         double t) const {
   const Vector3d through_water = s.velocity.head<3>(), omega = s.velocity.tail<3>();
-  return s.body_to_ned * (rate.velocity.head<3>() + omega.cross(through_water));
+  return s.body_to_ned * (rate.velocity.head<3>() + omega.cross(through_water)) +
+         ocean_.current_rate_ned(-s.height_m, rate.velocity_ned.z(), t);
 }
 
 VehicleState VehicleMotion::step(const VehicleState& s, const VehicleRate& k1, Actuators& actuators,

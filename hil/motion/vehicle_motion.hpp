@@ -4,6 +4,7 @@
 
 #include "estimators/hydrodynamics/model.hpp"
 #include "hil/motion/actuators.hpp"
+#include "hil/ocean/ocean.hpp"
 #include "rig_config/mission.hpp"
 
 /// An underwater vehicle on the rotating WGS-84 Earth, in water that moves over ground. Equation
@@ -27,7 +28,8 @@ struct VehicleRate {
 /// The equations of one vehicle in one sea.
 class VehicleMotion {
  public:
-  /// `mission.vehicle` must be there. Throws std::invalid_argument, see hydrodynamics::Model.
+  /// `mission.vehicle` must be there. Throws std::invalid_argument, see hydrodynamics::Model and
+  /// ocean::Ocean.
   explicit VehicleMotion(const rig_config::MissionConfig& mission);
 
   VehicleRate rate(const VehicleState& state, const hydrodynamics::Control& control,
@@ -42,7 +44,7 @@ class VehicleMotion {
   VehicleState step(const VehicleState& state, const VehicleRate& rate, Actuators& actuators,
                     const Command& command, double t, double h) const;
 
-  Eigen::Vector3d current_ned(double depth_m, double t) const;  ///< of the water, m/s
+  const ocean::Ocean& ocean() const { return ocean_; }
 
  private:
   struct Earth;
@@ -51,7 +53,7 @@ class VehicleMotion {
                    const Earth& earth) const;
 
   hydrodynamics::Model model_;
-  Eigen::Vector3d current_;
+  ocean::Ocean ocean_;
 };
 
 }  // namespace drydock::motion

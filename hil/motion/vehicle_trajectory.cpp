@@ -8,7 +8,7 @@
 namespace drydock::motion {
 
 VehicleTrajectory::VehicleTrajectory(const rig_config::MissionConfig& mission, Stamp start)
-    : voyage_(mission), start_(start), bed_depth_m_(mission.bed_depth_m) {}
+    : voyage_(mission), start_(start) {}
 
 Stamp VehicleTrajectory::end() const { return start_ + measurement::from_seconds(voyage_.lap_s()); }
 
@@ -42,8 +42,8 @@ Truth VehicleTrajectory::at(Stamp time) const {
   truth.velocity_body = truth.body_to_ned.conjugate() * rate.velocity_ned;
   truth.rate_body = s.velocity.tail<3>();
   set_inertial(voyage_.motion().acceleration_ned(s, rate, t), truth);
-  truth.current_ned = voyage_.motion().current_ned(-s.height_m, t);
-  truth.bed_depth_m = bed_depth_m_;
+  truth.current_ned = ocean().current_ned(-s.height_m, t);
+  truth.bed_depth_m = ocean().bed_depth_m(truth.latitude_rad, truth.longitude_rad);
   truth.rudder_rad = control.delta_r;
   truth.stern_plane_rad = control.delta_s;
   truth.bow_plane_rad = control.delta_b;

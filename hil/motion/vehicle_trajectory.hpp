@@ -19,11 +19,11 @@ class VehicleTrajectory final : public Trajectory {
   Truth at(Stamp time) const override;  ///< any order, any thread; before start() the first state
   Stamp start() const override { return start_; }
   Stamp end() const override;  ///< of the first lap; the motion itself does not end
+  const ocean::Ocean& ocean() const override { return voyage_.motion().ocean(); }
 
  private:
   Voyage voyage_;
   Stamp start_;
-  double bed_depth_m_;
 };
 
 }  // namespace drydock::motion

@@ -1,8 +1,13 @@
 #include "hil/motion/voyage.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 #include "estimators/frame/attitude.hpp"
+#include "estimators/frame/earth.hpp"
 
 namespace drydock::motion {
 
@@ -17,15 +22,36 @@ double seconds_of(std::int64_t step) { return static_cast<double>(step * voyage_
 
 Voyage::Voyage(const rig_config::MissionConfig& mission)
     : motion_(mission), profile_(mission), autopilot_(mission.vehicle.value()) {
-  const auto& propeller = mission.vehicle->propeller;
-  const double fastest = propeller.advance_m * propeller.limit_radps;
-  for (std::size_t i = 0; i < mission.legs.size(); ++i)
-    if (mission.legs[i].speed_mps > fastest)
-      throw std::invalid_argument("mission leg " + std::to_string(i + 1) +
-                                  ": the vehicle's propeller drives it at " +
-                                  std::to_string(fastest) + " m/s at most");
+  check_plan(mission);
   starts_.reserve(static_cast<std::size_t>(lap_s() / seconds_of(block_steps)) + 1);
   starts_.push_back(first(mission));
+}
+
+/// Throws for legs that ask for more than the propeller gives, or that lead into the bed: along the
+/// track by dead reckoning in steps of a second.
+void Voyage::check_plan(const rig_config::MissionConfig& mission) const {
+  const auto& propeller = mission.vehicle->propeller;
+  const double fastest = propeller.advance_m * propeller.limit_radps;
+  double latitude = mission.latitude_rad, longitude = mission.longitude_rad;
+  for (double t = 0; t <= lap_s(); ++t) {
+    const Prescribed plan = profile_.at(t);
+    if (plan.speed.value > fastest)
+      throw std::invalid_argument(fmt::format(
+          "mission: after {:.0f} s the vehicle would need {:.2f} m/s, its propeller gives {:.2f}",
+          t, plan.speed.value, fastest));
+    const double bed_m = motion_.ocean().bed_depth_m(latitude, longitude);
+    if (plan.depth_m >= bed_m)
+      throw std::invalid_argument(
+          fmt::format("mission: after {:.0f} s the vehicle would be {:.1f} m deep, at or below the "
+                      "sea bed ({:.1f} m there)",
+                      t, plan.depth_m, bed_m));
+    const Eigen::Vector3d current = motion_.ocean().current_ned(plan.depth_m, t);
+    const double level = std::sqrt(
+        std::max(plan.speed.value * plan.speed.value - plan.descent_mps * plan.descent_mps, 0.0));
+    latitude += (level * std::cos(plan.yaw.value) + current.x()) / frame::meridian_radius(latitude);
+    longitude += (level * std::sin(plan.yaw.value) + current.y()) /
+                 (frame::transverse_radius(latitude) * std::cos(latitude));
+  }
 }
 
 VoyageStep Voyage::first(const rig_config::MissionConfig& mission) const {

@@ -42,6 +42,7 @@ class Voyage {
     std::vector<VoyageStep> steps;
   };
 
+  void check_plan(const rig_config::MissionConfig& mission) const;
   VoyageStep first(const rig_config::MissionConfig& mission) const;
   VoyageStep after(const VoyageStep& step, std::int64_t index) const;
   void complete(VoyageStep& step, std::int64_t index) const;
