@@ -6,7 +6,8 @@ namespace drydock::rig_config {
 
 namespace {
 
-constexpr std::array leg_kinds{"straight", "turn", "dive", "s_path"};
+constexpr std::array leg_kinds{"straight", "turn",   "dive",           "s_path",
+                               "spiral",   "zigzag", "turning_circle", "surface"};
 
 LegConfig build_leg(const Node& table, double speed_before) {
   LegConfig leg;
@@ -19,6 +20,10 @@ LegConfig build_leg(const Node& table, double speed_before) {
   read(table, "depth_change_m", leg.depth_change_m);
   read(table, "amplitude_deg", leg.amplitude_rad, degree);
   read(table, "period_s", leg.period_s);
+  read(table, "rate_degps", leg.rate_radps, degree);
+  read(table, "end_rate_degps", leg.end_rate_radps, degree);
+  read(table, "rudder_deg", leg.rudder_rad, degree);
+  read(table, "ramp_s", leg.ramp_s);
   return leg;
 }
 

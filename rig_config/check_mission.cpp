@@ -25,7 +25,10 @@ class MissionChecks {
   }
 
   Problems run() {
-    if (root_.find("mission")) legs_stay_in_the_water();
+    if (const Node* mission = root_.find("mission")) {
+      legs_stay_in_the_water();
+      vehicle_fits(mission->find_text("vehicle"));
+    }
     if (bed_kind_ == "raster") raster_exists();
     if (ocean_) depths_rise(*ocean_, "current", "/ocean/current");
     const Node* water = ocean_ ? ocean_->find("water") : nullptr;
@@ -40,6 +43,7 @@ class MissionChecks {
     const bool plane = bed_kind_ == "plane";
     const double bed_m = plane ? number_at(bed_, "depth_m", BedConfig{}.depth_m) : 11'000;
     for_each_table(root_, "leg", [&](const Node& leg, std::size_t i) {
+      if (const Node* kind = leg.find_text("kind"); kind && kind->text == "surface") depth_m = 0;
       const Node* change = leg.find("depth_change_m");
       if (!change) return;
       depth_m += number_at(&leg, "depth_change_m", 0);
@@ -50,12 +54,29 @@ class MissionChecks {
     });
   }
 
+  /// Its file is there; a turning circle needs one, a heel leaves no room for one.
+  void vehicle_fits(const Node* vehicle) {
+    if (vehicle) exists(*vehicle, "/mission/vehicle");
+    for_each_table(root_, "leg", [&](const Node& leg, std::size_t i) {
+      const Node* kind = leg.find_text("kind");
+      if (!vehicle && kind && kind->text == "turning_circle")
+        add(*kind, fmt::format("/leg/{}/kind", i),
+            "a turning_circle is steered by a rudder: give the mission a vehicle, or take a turn");
+      const Node* roll = leg.find("roll_deg");
+      if (vehicle && roll)
+        add(*roll, fmt::format("/leg/{}/roll_deg", i),
+            "not allowed here, a vehicle heels as its equations of motion say");
+    });
+  }
+
   void raster_exists() {
-    const Node* file = bed_->find_text("file");
-    if (!file || file->text.empty()) return;
-    const std::string full = beside(file_, file->text);
-    if (!std::filesystem::is_regular_file(full))
-      add(*file, "/ocean/bed/file", "there is no file " + full);
+    if (const Node* file = bed_->find_text("file")) exists(*file, "/ocean/bed/file");
+  }
+
+  void exists(const Node& file, const std::string& path) {
+    if (file.text.empty()) return;
+    const std::string full = beside(file_, file.text);
+    if (!std::filesystem::is_regular_file(full)) add(file, path, "there is no file " + full);
   }
 
   void depths_rise(const Node& table, const char* key, const std::string& path) {

@@ -25,7 +25,7 @@ TEST(MissionProblems, ALegHasTheKeysOfItsKindOnly) {
       ElementsAre("m.toml:2:16: /mission/latitude_deg: 91 is out of range, allowed: -90 to 90",
                   "m.toml:5:1: /leg/0: key 'turn_deg' is missing",
                   "m.toml:8:1: /leg/0/period_s: not allowed here, only for kind = "
-                  "\"s_path\""));
+                  "\"s_path\" or \"zigzag\""));
 }
 
 TEST(MissionProblems, AMissionStaysInTheWater) {
