@@ -19,6 +19,7 @@ LegConfig build_leg(const Node& table, double speed_before) {
   read(table, "depth_change_m", leg.depth_change_m);
   read(table, "amplitude_deg", leg.amplitude_rad, degree);
   read(table, "period_s", leg.period_s);
+  read(table, "ramp_s", leg.ramp_s);
   return leg;
 }
 
@@ -48,6 +49,8 @@ MissionConfig build_mission(const Node& root) {
   read(table, "speed_mps", mission.speed_mps);
   read(table, "bed_depth_m", mission.bed_depth_m);
   read(table, "current_ned_mps", mission.current_ned_mps);
+  read(table, "pivot_m", mission.pivot_m);
+  read(table, "sideslip_lag_s", mission.sideslip_lag_s);
   double speed_mps = mission.speed_mps;
   for_each_table(root, "leg", [&](const Node& leg, std::size_t) {
     mission.legs.push_back(build_leg(leg, speed_mps));

@@ -19,6 +19,7 @@ struct LegConfig {
   double speed_mps = 0;                    ///< speed at the end of the leg
   double amplitude_rad = 0, period_s = 0;  ///< s_path: heading amplitude
   double roll_rad = 0;                     ///< heel held during a turn
+  double ramp_s = 0;  ///< to and from a constant rate (dv/dt, turn, sink); 0: as smooth as can be
 };
 
 /// A rolling airframe from burn-out to where it comes down.
@@ -38,7 +39,9 @@ struct MissionConfig {
   double latitude_rad = 0, longitude_rad = 0, depth_m = 0, heading_rad = 0, speed_mps = 0;
   double bed_depth_m = 100;
   std::array<double, 3> current_ned_mps{};
-  std::vector<LegConfig> legs;               ///< repeated from the first when the run lasts longer
+  double pivot_m = 0;           ///< ahead of the origin, where a turning hull has no side slip
+  double sideslip_lag_s = 0.5;  ///< of each of the two lags between turning and slipping
+  std::vector<LegConfig> legs;  ///< repeated from the first when the run lasts longer
   std::optional<BallisticConfig> ballistic;  ///< in place of legs
 };
 

@@ -18,7 +18,31 @@ constexpr double longest_ramp_s = 10;
 constexpr double steepest_sine = 0.8660254037844386;  // pitch of 60 deg
 
 Window window_of(const LegConfig& leg) {
+  if (leg.ramp_s > 0) return {leg.duration_s, leg.ramp_s};
   return {leg.duration_s, std::min(longest_ramp_s, leg.duration_s / 4)};
+}
+
+/// How far a leg is on its way from 0 to 1, and the time derivatives.
+struct Progress {
+  double value, rate, acceleration;
+};
+
+Progress ramped(const Window& window, double t) {
+  const double area = window.area();
+  return {window.integral(t) / area, window.value(t) / area, window.rate(t) / area};
+}
+
+Progress of_speed(const LegConfig& leg, double t) {
+  if (leg.ramp_s > 0) return ramped(window_of(leg), t);
+  const double x = t / leg.duration_s;
+  return {quintic(x), quintic_rate(x) / leg.duration_s, 0};
+}
+
+Progress of_depth(const LegConfig& leg, double t) {
+  if (leg.ramp_s > 0) return ramped(window_of(leg), t);
+  const double x = t / leg.duration_s, over_duration = 1 / leg.duration_s;
+  return {septic(x), septic_rate(x) * over_duration,
+          septic_acceleration(x) * over_duration * over_duration};
 }
 
 [[noreturn]] void refuse(std::size_t leg, const std::string& why) {
@@ -29,11 +53,13 @@ void check(std::size_t number, const LegConfig& leg, double speed_before, double
            double bed_depth) {
   if (!(leg.duration_s > 0)) refuse(number, "duration_s must be above 0");
   if (leg.speed_mps < 0) refuse(number, "speed_mps must not be negative");
+  if (2 * leg.ramp_s > leg.duration_s) refuse(number, "two ramps last longer than the leg");
   if (leg.kind == LegKind::s_path && !(leg.period_s > 0)) {
     refuse(number, "an s_path needs a period_s above 0");
   }
   if (leg.kind != LegKind::dive) return;
-  const double steepest_sink = septic_steepest * std::abs(leg.depth_change_m) / leg.duration_s;
+  const double steepest_sink =
+      std::abs(leg.depth_change_m) * of_depth(leg, leg.duration_s / 2).rate;
   if (steepest_sink > steepest_sine * std::min(speed_before, leg.speed_mps)) {
     refuse(number, "this dive needs a pitch above 60 deg; allow more time, speed or less depth");
   }
@@ -62,11 +88,10 @@ void add_s_path(const LegConfig& leg, double t, Prescribed& p) {
 }
 
 void add_dive(const LegConfig& leg, double t, Prescribed& p) {
-  const double x = t / leg.duration_s;
-  const double sink = leg.depth_change_m * septic_rate(x) / leg.duration_s;
-  const double sink_rate =
-      leg.depth_change_m * septic_acceleration(x) / (leg.duration_s * leg.duration_s);
-  p.depth_m += leg.depth_change_m * septic(x);
+  const Progress progress = of_depth(leg, t);
+  const double sink = leg.depth_change_m * progress.rate;
+  const double sink_rate = leg.depth_change_m * progress.acceleration;
+  p.depth_m += leg.depth_change_m * progress.value;
   const double u = p.speed.value;
   if (u <= 0) return;  // a checked dive at rest changes no depth
   const double sine = -sink / u;
@@ -112,10 +137,10 @@ Prescribed MissionProfile::at(double t) const {
   const bool follows_a_lap = &leg == &legs_.front() && lap > 0;
   const double speed_before = follows_a_lap ? end_.speed.value : leg.speed_before;
   const double gain = leg.config.speed_mps - speed_before;
-  const double x = in_leg / leg.config.duration_s;
+  const Progress progress = of_speed(leg.config, in_leg);
 
   Prescribed p;
-  p.speed = {speed_before + gain * quintic(x), gain * quintic_rate(x) / leg.config.duration_s};
+  p.speed = {speed_before + gain * progress.value, gain * progress.rate};
   p.yaw.value = leg.yaw_before + lap * (end_.yaw.value - begin_.yaw.value);
   p.depth_m = leg.depth_before + lap * (end_.depth_m - begin_.depth_m);
   switch (leg.config.kind) {

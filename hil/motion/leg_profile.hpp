@@ -22,6 +22,8 @@ struct Prescribed {
 ///   turn   yaw rate and heel rise and fall with quintic ramps, constant between them
 ///   dive   septic depth; pitch is what brings it about: sin(pitch) = -(d depth/dt) / speed
 ///   s_path heading `amplitude_rad` * sin(2 pi t / period), faded in and out
+/// With `ramp_s` acceleration, yaw rate and sink rate are constant between quintic ramps of that
+/// length; then the speed is C2 where the ramps are, and so is the pitch.
 /// A lap begins with the heading, depth and speed at which the one before ended; missions meant to
 /// repeat therefore end at the depth at which they begin.
 class MissionProfile {
