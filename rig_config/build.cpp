@@ -11,8 +11,6 @@ namespace drydock::rig_config {
 
 namespace {
 
-constexpr std::array device_kinds{"dvl", "emlog", "gnss", "imu", "depth", "actuator"};
-
 /// A recording named relative to the rig file stays found wherever the program is started.
 std::string resolved(const std::string& link, const std::string& rig_file) {
   constexpr std::string_view scheme = "file:";

@@ -1,11 +1,20 @@
 #pragma once
 
+#include <array>
+#include <string_view>
+
 #include "rig_config/node.hpp"
 #include "rig_config/rig.hpp"
 #include "rig_config/vehicle.hpp"
 
 /// From checked documents to typed values: units become SI, absent keys keep their defaults.
 namespace drydock::rig_config {
+
+/// As rig and sensor files name them, in the order of DeviceKind.
+inline constexpr std::array device_kinds{"dvl", "emlog", "gnss", "imu", "depth", "actuator"};
+inline std::string_view name_of(DeviceKind kind) {
+  return device_kinds.at(static_cast<std::size_t>(kind));
+}
 
 /// All of a rig but its mission and the errors that stand in sensor files.
 Rig build_rig(const Node& root, const std::string& file);
@@ -14,11 +23,12 @@ MissionConfig build_mission(const Node& root);
 
 VehicleConfig build_vehicle(const Node& root);
 
-/// `[device.emulate]` but for the errors of the sensor; `rig_file` for what is named beside it.
+/// `[device.emulate]` but for what may stand in sensor files; `rig_file` for what is named beside
+/// it.
 EmulateConfig build_emulate(const Node& table, const std::string& rig_file);
 
-/// Takes the error keys of a kind from `[device.emulate]` or from that kind's table in a sensor
-/// file; keys that are absent change nothing.
+/// Takes the keys of a kind from `[device.emulate]` or from that kind's table in a sensor file;
+/// keys that are absent change nothing.
 void read_errors(const Node& table, DeviceKind kind, EmulateConfig& into);
 
 }  // namespace drydock::rig_config

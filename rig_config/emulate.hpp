@@ -5,15 +5,11 @@
 #include <optional>
 #include <string>
 
+#include "rig_config/sensor_errors.hpp"
+
 /// Emulated devices: what their sensors get wrong, and the sky over a receiver. Values of a rig
 /// file or a sensor file.
 namespace drydock::rig_config {
-
-/// How an emulated sensor errs. One standard deviation each; drawn or fixed as `bias_mode` says.
-struct SensorErrors {
-  std::array<double, 3> bias{};   ///< unit of the measured quantity, per axis
-  std::array<double, 3> noise{};  ///< white, 1 sigma per sample
-};
 
 /// The satellites of an emulated receiver, where a broadcast ephemeris gives them.
 struct SkyConfig {
@@ -26,11 +22,22 @@ struct SkyConfig {
   double elevation_mask_rad = 0.0872664625997165;  ///< 5 deg
 };
 
+/// Samples that never leave the device, in bursts (docs/sensors.md, (15)).
+struct DropoutConfig {
+  double probability = 0;   ///< that an outage begins, at each sample that is not in one
+  double mean_samples = 1;  ///< length of an outage
+};
+
 struct EmulateConfig {
-  bool fixed_bias = true;  ///< biases are +1 sigma as given; false: drawn N(0, 1 sigma) per seed
+  bool fixed_bias = true;  ///< constants are +1 sigma as given; false: drawn N(0, 1 sigma) per seed
   double latency_s = 0;    ///< from sampling to the first byte on the wire
-  SensorErrors primary;    ///< gyro rad/s, speed m/s, velocity m/s, pressure Pa, position m
-  SensorErrors secondary;  ///< accelerometer m/s2, GNSS velocity m/s
+  DropoutConfig dropout;
+  std::optional<double>
+      power_noise;                ///< of a sensor file of kind gnss: a sky that names none has it
+  std::optional<double> rate_hz;  ///< of a sensor file: a device that names none has it
+  SensorErrors
+      primary;  ///< gyro rad/s, speed m/s, velocity m/s, pressure Pa, position m, angle rad
+  SensorErrors secondary;        ///< accelerometer m/s2, GNSS velocity m/s, shaft rad/s
   std::optional<SkyConfig> sky;  ///< kind gnss; empty: ten invented satellites
 };
 

@@ -83,23 +83,30 @@ Loaded<Node> read_checked_file(const std::string& path, FileKind kind) {
   return text ? read_checked(*text, path, kind) : Loaded<Node>(text.error());
 }
 
-/// Errors of the emulated sensor: those of its sensor file, then its own keys on top.
+std::string no_table(const std::string& path, DeviceKind kind) {
+  return fmt::format("{} has no table [{}]", path, name_of(kind));
+}
+
+/// What the sensor file says of the emulated sensor, then the device's own keys on top.
 Problems read_emulated_errors(const Node& table, std::size_t index, DeviceConfig& device,
                               const std::string& file) {
   const Node* emulate = table.find("emulate");
   if (!emulate) return {};
+  EmulateConfig& emulated = device.emulate;
   if (const Node* errors = emulate->find("errors")) {
-    const auto sensors = read_checked_file(beside(file, errors->text), FileKind::sensor);
+    const std::string path = beside(file, errors->text);
+    const auto sensors = read_checked_file(path, FileKind::sensor);
     if (!sensors) return sensors.error();
-    const std::string kind = table.find("kind")->text;
-    const Node* grade = sensors->find(kind);
+    const Node* grade = sensors->find(name_of(device.kind));
     if (!grade)
       return {{file, errors->at.line, errors->at.column,
-               fmt::format("/device/{}/emulate/errors", index),
-               fmt::format("{} has no table [{}]", beside(file, errors->text), kind)}};
-    read_errors(*grade, device.kind, device.emulate);
+               fmt::format("/device/{}/emulate/errors", index), no_table(path, device.kind)}};
+    read_errors(*grade, device.kind, emulated);
   }
-  read_errors(*emulate, device.kind, device.emulate);
+  read_errors(*emulate, device.kind, emulated);
+  if (emulated.rate_hz && !table.find("rate_hz")) device.rate_hz = *emulated.rate_hz;
+  if (emulated.power_noise && emulated.sky && !emulate->find("sky")->find("power_noise"))
+    emulated.sky->power_noise = *emulated.power_noise;
   return {};
 }
 
@@ -139,6 +146,16 @@ Loaded<MissionConfig> load_mission_text(std::string_view text, const std::string
 Loaded<MissionConfig> load_mission(const std::string& path) {
   const auto text = read_file(path);
   return text ? load_mission_text(*text, path) : Loaded<MissionConfig>(text.error());
+}
+
+Loaded<EmulateConfig> load_sensor(const std::string& path, DeviceKind kind) {
+  const auto root = read_checked_file(path, FileKind::sensor);
+  if (!root) return root.error();
+  const Node* table = root->find(name_of(kind));
+  if (!table) return Problems{{path, 1, 1, "/", no_table(path, kind)}};
+  EmulateConfig sensor;
+  read_errors(*table, kind, sensor);
+  return sensor;
 }
 
 Loaded<VehicleConfig> load_vehicle_text(std::string_view text, const std::string& path) {

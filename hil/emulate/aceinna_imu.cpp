@@ -48,26 +48,24 @@ class AceinnaImu final : public J1939Device {
  public:
   explicit AceinnaImu(const DeviceSetup& setup)
       : J1939Device(setup, name_value(setup.config), preferred_address),
-        gyro_errors_(setup.primary_errors()),
-        accelerometer_errors_(setup.secondary_errors()) {}
+        errors_(setup.imu_errors()) {}
 
  private:
   void report(Stamp at, std::uint8_t address, Wire& out) override {
     if (!due()) return;
-    const auto ideal = sensor::ideal_imu(trajectory(), at, mounting());
+    const auto measured = errors_.apply(sensor::ideal_imu(trajectory(), at, mounting()));
     const double age_s = measurement::seconds(latency());
     if ((packets_ & aceinna::PacketType::slope) != 0) send_slope(at, address, out);
     if ((packets_ & aceinna::PacketType::acceleration) != 0) {
       aceinna::Acceleration acceleration;
       acceleration.source = address;
-      acceleration.acceleration_mps2 =
-          components(to_output_ * accelerometer_errors_.apply(ideal.specific_force));
+      acceleration.acceleration_mps2 = components(to_output_ * measured.specific_force);
       out.send(encode(acceleration));
     }
     if ((packets_ & aceinna::PacketType::rate) != 0) {
       aceinna::AngularRate rate;
       rate.source = address;
-      rate.rate_radps = components(to_output_ * gyro_errors_.apply(ideal.angular_rate));
+      rate.rate_radps = components(to_output_ * measured.angular_rate);
       rate.latency_s = age_s + 2 * frame_time_s;
       out.send(encode(rate));
     }
@@ -151,7 +149,7 @@ class AceinnaImu final : public J1939Device {
   aceinna::DigitalFilter filter_;  ///< stored and told; the truth is not filtered
   aceinna::Axes axes_;
   Eigen::Matrix3d to_output_ = Eigen::Matrix3d::Identity();
-  sensor::ErrorModel gyro_errors_, accelerometer_errors_;
+  sensor::ImuErrors errors_;
 };
 
 }  // namespace

@@ -41,7 +41,7 @@ std::optional<Stamp> CanopenDevice::deadline() const {
 void CanopenDevice::tick(Stamp now, Wire& out) {
   if (next_heartbeat_ && *next_heartbeat_ <= now) beat(now, out);
   if (synced_ && *synced_ + latency() <= now) {
-    sample(*synced_, out);
+    take(*synced_, out);
     synced_.reset();
   }
   if (!on_sync_) SamplingDevice::tick(now, out);

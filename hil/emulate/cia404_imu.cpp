@@ -25,17 +25,15 @@ std::array<std::optional<double>, 3> components(const Eigen::Vector3d& v) {
 class Cia404Imu final : public CanopenDevice {
  public:
   explicit Cia404Imu(const DeviceSetup& setup)
-      : CanopenDevice(setup, measuring_device),
-        gyro_errors_(setup.primary_errors()),
-        accelerometer_errors_(setup.secondary_errors()) {}
+      : CanopenDevice(setup, measuring_device), errors_(setup.imu_errors()) {}
 
  private:
   void report(Stamp at, Wire& out) override {
-    const auto ideal = sensor::ideal_imu(trajectory(), at, mounting());
+    const auto measured = errors_.apply(sensor::ideal_imu(trajectory(), at, mounting()));
     wire::cia404_imu::ImuSet set;
     set.node = node();
-    set.rate_radps = components(gyro_errors_.apply(ideal.angular_rate));
-    set.specific_force_mps2 = components(accelerometer_errors_.apply(ideal.specific_force));
+    set.rate_radps = components(measured.angular_rate);
+    set.specific_force_mps2 = components(measured.specific_force);
     last_ = encode(set);
     for (const wire::CanFrame& frame : last_) out.send(frame);
   }
@@ -52,7 +50,7 @@ class Cia404Imu final : public CanopenDevice {
   std::span<const Mapping> pdos() const override { return mappings; }
 
   std::array<wire::CanFrame, 3> last_ = encode(wire::cia404_imu::ImuSet{});  ///< first no numbers
-  sensor::ErrorModel gyro_errors_, accelerometer_errors_;
+  sensor::ImuErrors errors_;
 };
 
 }  // namespace

@@ -38,7 +38,7 @@ class Cia404Pressure final : public CanopenDevice {
  private:
   void report(Stamp at, Wire& out) override {
     const auto ideal = sensor::ideal_depth(trajectory().at(at), mounting(), water_);
-    reading_pa_ = errors_.apply(*ideal.pressure_pa) - zero_pa_;
+    reading_pa_ = errors_.apply(*ideal.pressure_pa, at) - zero_pa_;
     out.send(pressure::encode(node(), reading_pa_, scale_));
   }
 

@@ -35,19 +35,16 @@ std::array<double, 3> components(const Eigen::Vector3d& v) { return {v.x(), v.y(
 class EpsonImu final : public CanopenDevice {
  public:
   EpsonImu(const DeviceSetup& setup, const wire::epson::Model& model)
-      : CanopenDevice(setup, measuring_device),
-        model_(model),
-        gyro_errors_(setup.primary_errors()),
-        accelerometer_errors_(setup.secondary_errors()) {}
+      : CanopenDevice(setup, measuring_device), model_(model), errors_(setup.imu_errors()) {}
 
  private:
   void report(Stamp at, Wire& out) override {
-    const auto ideal = sensor::ideal_imu(trajectory(), at, mounting());
+    const auto measured = errors_.apply(sensor::ideal_imu(trajectory(), at, mounting()));
     wire::epson::Sample sample;
     sample.node = node();
     sample.counter = counter_++;
-    sample.rate_radps = components(gyro_errors_.apply(ideal.angular_rate));
-    sample.specific_force_mps2 = components(accelerometer_errors_.apply(ideal.specific_force));
+    sample.rate_radps = components(measured.angular_rate);
+    sample.specific_force_mps2 = components(measured.specific_force);
     const bool sound = fits(sample, model_);
     set_fault(sound ? 0 : out_of_range, sound ? 0 : manufacturer_error, out);
     wire::epson::Condition condition{node(), sample.counter, water_k, {}};
@@ -88,7 +85,7 @@ class EpsonImu final : public CanopenDevice {
   wire::epson::Model model_;
   std::uint16_t counter_ = 0;
   std::array<wire::CanFrame, 3> last_{};  ///< first all zero
-  sensor::ErrorModel gyro_errors_, accelerometer_errors_;
+  sensor::ImuErrors errors_;
 };
 
 }  // namespace

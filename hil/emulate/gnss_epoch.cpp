@@ -22,7 +22,7 @@ constexpr double best_accuracy_mps = 0.001;
 constexpr int fewest_for_a_fix = 4;
 
 double spread(const rig_config::SensorErrors& errors, std::size_t axis) {
-  return std::hypot(errors.bias[axis], errors.noise[axis]);
+  return std::hypot(errors.bias[axis], errors.noise[axis], errors.bias_instability[axis]);
 }
 
 }  // namespace
@@ -48,10 +48,10 @@ GnssSensor::GnssSensor(const DeviceSetup& setup)
 void GnssSensor::add_errors(measurement::GnssFix& fix) {
   const auto moved = frame::at_ned_offset(
       {fix.position->latitude_rad, fix.position->longitude_rad, *fix.ellipsoidal_height_m},
-      position_errors_.apply(Eigen::Vector3d::Zero()));
+      position_errors_.apply(Eigen::Vector3d::Zero(), fix.origin.valid_at));
   fix.position = measurement::Geodetic{moved.latitude_rad, moved.longitude_rad};
   fix.ellipsoidal_height_m = fix.mean_sea_level_height_m = moved.height_m;
-  fix.velocity_ned = velocity_errors_.apply(*fix.velocity_ned);
+  fix.velocity_ned = velocity_errors_.apply(*fix.velocity_ned, fix.origin.valid_at);
   fix.horizontal_accuracy_m = horizontal_accuracy_m_;
   fix.vertical_accuracy_m = vertical_accuracy_m_;
   fix.speed_accuracy_mps = speed_accuracy_mps_;

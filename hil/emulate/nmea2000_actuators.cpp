@@ -27,7 +27,7 @@ class Nmea2000Actuators final : public J1939Device {
   void report(Stamp at, std::uint8_t address, Wire& out) override {
     const auto ideal = sensor::ideal_actuators(trajectory().at(at));
     const Eigen::Vector3d angles =
-        angle_errors_.apply({*ideal.rudder_rad, *ideal.stern_plane_rad, *ideal.bow_plane_rad});
+        angle_errors_.apply({*ideal.rudder_rad, *ideal.stern_plane_rad, *ideal.bow_plane_rad}, at);
     // On the wire an angle that turns to starboard is positive, with us one that turns to port.
     send_angle(0, -angles.x(), address, out);
     send_angle(1, angles.y(), address, out);
@@ -36,7 +36,7 @@ class Nmea2000Actuators final : public J1939Device {
     wire::nmea2000::Engine engine;
     engine.source = address;
     engine.instance = 0;
-    engine.speed_radps = shaft_errors_.apply(*ideal.propeller_radps);
+    engine.speed_radps = shaft_errors_.apply(*ideal.propeller_radps, at);
     out.send(encode(engine));
   }
 

@@ -36,7 +36,7 @@ class Nmea2000Depth final : public J1939Device {
     pressure.sequence = sequence;
     pressure.instance = 0;
     pressure.kind = wire::nmea2000::Pressure::water;
-    pressure.pressure_pa = errors_.apply(*ideal.pressure_pa);
+    pressure.pressure_pa = errors_.apply(*ideal.pressure_pa, at);
     out.send(encode(pressure));
 
     wire::nmea2000::Temperature temperature;

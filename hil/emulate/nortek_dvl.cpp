@@ -20,7 +20,7 @@ class NortekDvl final : public SamplingDevice {
     sentence.after_sentence_s = -measurement::seconds(latency());
     sentence.distance_m = measured.range_m;
     if (measured.velocity) {
-      const Eigen::Vector3d v = errors_.apply(*measured.velocity);
+      const Eigen::Vector3d v = errors_.apply(*measured.velocity, measured.origin.valid_at);
       sentence.velocity_mps = {v.x(), v.y(), v.z()};
       sentence.figure_of_merit_mps = 0.003;
     }

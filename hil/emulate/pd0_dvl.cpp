@@ -60,7 +60,7 @@ class Pd0Dvl final : public SamplingDevice {
       track.percent_good[i] = 100;
     }
     if (measured.velocity) {
-      const Eigen::Vector3d v = errors_.apply(*measured.velocity);
+      const Eigen::Vector3d v = errors_.apply(*measured.velocity, measured.origin.valid_at);
       track.velocity_mps = along_head_axes(v, *measured.error_velocity_mps);
     }
     ensemble_.bottom_track = track;

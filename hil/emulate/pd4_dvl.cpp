@@ -49,7 +49,7 @@ class Pd4Dvl final : public SamplingDevice {
     }
     report.water_status = 0xFF;
     if (!measured.velocity) return;
-    const Eigen::Vector3d v = errors_.apply(*measured.velocity);
+    const Eigen::Vector3d v = errors_.apply(*measured.velocity, measured.origin.valid_at);
     const double error = *measured.error_velocity_mps;
     report.bottom_velocity_mps =
         water_linked_ ? wire::DvlComponents{v.x(), v.y(), v.z(), error} : along_head_axes(v, error);

@@ -53,7 +53,7 @@ class Pd6Dvl final : public SamplingDevice {
     wire::Pd6BottomEarth earth;
     since_good_s_ += 1 / rate_hz();
     if (measured.velocity) {
-      const Eigen::Vector3d v = errors_.apply(*measured.velocity);
+      const Eigen::Vector3d v = errors_.apply(*measured.velocity, measured.origin.valid_at);
       const double error = *measured.error_velocity_mps;
       const Eigen::Vector3d ned =
           frame::body_to_ned({*measured.roll_rad, *measured.pitch_rad, *measured.heading_rad}) * v;

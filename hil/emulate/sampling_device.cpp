@@ -1,13 +1,29 @@
 #include "hil/emulate/sampling_device.hpp"
 
 namespace drydock::emulate {
+namespace {
+
+struct NoWire final : Wire {
+  void send(wire::Bytes) override {}
+  void send(const wire::CanFrame&) override {}
+};
+
+}  // namespace
 
 sensor::ErrorModel DeviceSetup::primary_errors() const {
-  return {config.emulate.primary, config.emulate.fixed_bias, seed, config.name, "primary"};
+  return {config.emulate.primary,
+          config.rate_hz,
+          {seed, config.name, "primary", config.emulate.fixed_bias}};
 }
 
 sensor::ErrorModel DeviceSetup::secondary_errors() const {
-  return {config.emulate.secondary, config.emulate.fixed_bias, seed, config.name, "secondary"};
+  return {config.emulate.secondary,
+          config.rate_hz,
+          {seed, config.name, "secondary", config.emulate.fixed_bias}};
+}
+
+sensor::ImuErrors DeviceSetup::imu_errors() const {
+  return {config.emulate, config.rate_hz, seed, config.name};
 }
 
 measurement::WaterColumn DeviceSetup::water() const {
@@ -26,6 +42,7 @@ SamplingDevice::SamplingDevice(const DeviceSetup& setup)
       mounting_(sensor::mounting_of(setup.config)),
       rate_hz_(setup.config.rate_hz),
       latency_(measurement::from_seconds(setup.config.emulate.latency_s)),
+      dropouts_(setup.config.emulate.dropout, setup.seed, setup.config.name),
       first_(setup.trajectory.start()) {}
 
 void SamplingDevice::sample_at_whole_multiples() {
@@ -40,8 +57,17 @@ Stamp SamplingDevice::sample_time() const {
 
 void SamplingDevice::tick(Stamp now, Wire& out) {
   while (send_time() <= now) {
-    sample(sample_time(), out);
+    take(sample_time(), out);
     ++samples_;
+  }
+}
+
+void SamplingDevice::take(Stamp at, Wire& out) {
+  NoWire nowhere;
+  if (dropouts_.next_is_lost()) {
+    sample(at, nowhere);
+  } else {
+    sample(at, out);
   }
 }
 

@@ -7,7 +7,8 @@
 #include "drivers/wire/cia404_pressure.hpp"
 #include "hil/emulate/emulated_device.hpp"
 #include "hil/emulate/make_emulated_device.hpp"
-#include "hil/sensor/errors.hpp"
+#include "hil/sensor/dropouts.hpp"
+#include "hil/sensor/imu_errors.hpp"
 #include "hil/sensor/mounting.hpp"
 #include "hil/sensor/sky.hpp"
 
@@ -25,12 +26,14 @@ struct DeviceSetup {
 
   sensor::ErrorModel primary_errors() const;
   sensor::ErrorModel secondary_errors() const;
+  sensor::ImuErrors imu_errors() const;
   measurement::WaterColumn water() const;  ///< over a depth sensor
   wire::cia404_pressure::Scale pressure_scale() const;
 };
 
 /// A device that samples the truth at a constant rate and sends each sample `latency_s` later.
-/// Sample k is at first + k / rate to the nanosecond: the rate has no drift.
+/// Sample k is at first + k / rate to the nanosecond: the rate has no drift. A sample that drops
+/// out is taken, counted and measured as any other, but nothing of it reaches the wire.
 class SamplingDevice : public EmulatedDevice {
  public:
   std::optional<Stamp> deadline() const override { return send_time(); }
@@ -44,6 +47,7 @@ class SamplingDevice : public EmulatedDevice {
 
   virtual void sample(Stamp at, Wire& out) = 0;
 
+  void take(Stamp at, Wire& out);    ///< sample() with the dropouts of the configuration
   void sample_at_whole_multiples();  ///< of the period in UTC, as satellite receivers do
   const Trajectory& trajectory() const { return trajectory_; }
   const sensor::Mounting& mounting() const { return mounting_; }
@@ -59,6 +63,7 @@ class SamplingDevice : public EmulatedDevice {
   sensor::Mounting mounting_;
   double rate_hz_;
   std::chrono::nanoseconds latency_;
+  sensor::Dropouts dropouts_;
   Stamp first_;
   std::uint64_t samples_ = 0;
 };

@@ -63,7 +63,8 @@ class WaterLinkedDvl final : public SamplingDevice {
     if (measured.velocity) {
       const Eigen::AngleAxisd mounted(*configuration_.mounting_rotation_rad,
                                       Eigen::Vector3d::UnitZ());
-      const Eigen::Vector3d v = mounted * errors_.apply(*measured.velocity);
+      const Eigen::Vector3d v =
+          mounted * errors_.apply(*measured.velocity, measured.origin.valid_at);
       report.velocity_mps = {v.x(), v.y(), v.z()};
       report.altitude_m = measured.altitude_m;
     }

@@ -1,4 +1,7 @@
 #include "drivers/wire/xsens.hpp"
+
+#include <numbers>
+
 #include "hil/emulate/devices.hpp"
 #include "hil/sensor/ideal.hpp"
 
@@ -10,7 +13,8 @@ constexpr std::chrono::microseconds tick_length{100};
 // Bits of the status word: self-test passed, filter valid; then clipping, axis by axis.
 constexpr std::uint32_t sound = 0x3, acceleration_clipped = 0x700, rate_clipped = 0x3800;
 // Ranges of the MTi-600 (MT1603P).
-constexpr double acceleration_range_mps2 = 98.1, rate_range_radps = 34.9;
+constexpr double acceleration_range_mps2 = 10 * 9.80665;
+constexpr double rate_range_radps = 2000 * (std::numbers::pi / 180);
 
 wire::xsens::Identifiers identifiers_of(const rig_config::XsensConfig& config) {
   wire::xsens::Identifiers identifiers;
@@ -30,17 +34,16 @@ class XsensImu final : public SamplingDevice {
       : SamplingDevice(setup),
         identifiers_(identifiers_of(setup.config.xsens)),
         boot_(setup.trajectory.start()),
-        gyro_errors_(setup.primary_errors()),
-        accelerometer_errors_(setup.secondary_errors()) {}
+        errors_(setup.imu_errors()) {}
 
  private:
   void sample(Stamp at, Wire& out) override {
-    const auto ideal = sensor::ideal_imu(trajectory(), at, mounting());
-    const Eigen::Vector3d rate = gyro_errors_.apply(ideal.angular_rate);
-    const Eigen::Vector3d force = accelerometer_errors_.apply(ideal.specific_force);
+    const auto measured = errors_.apply(sensor::ideal_imu(trajectory(), at, mounting()));
+    const Eigen::Vector3d rate = measured.angular_rate;
+    const Eigen::Vector3d force = measured.specific_force;
     std::uint32_t status = sound;
-    if (rate.cwiseAbs().maxCoeff() > rate_range_radps) status |= rate_clipped;
-    if (force.cwiseAbs().maxCoeff() > acceleration_range_mps2) status |= acceleration_clipped;
+    if (rate.cwiseAbs().maxCoeff() >= rate_range_radps) status |= rate_clipped;
+    if (force.cwiseAbs().maxCoeff() >= acceleration_range_mps2) status |= acceleration_clipped;
 
     const auto say = [&](const wire::xsens::Message& message) {
       out.send(wire::xsens::encode(message, identifiers_));
@@ -54,7 +57,7 @@ class XsensImu final : public SamplingDevice {
 
   wire::xsens::Identifiers identifiers_;
   Stamp boot_;
-  sensor::ErrorModel gyro_errors_, accelerometer_errors_;
+  sensor::ImuErrors errors_;
 };
 
 }  // namespace

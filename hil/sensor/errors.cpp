@@ -1,30 +1,26 @@
 #include "hil/sensor/errors.hpp"
 
-#include <string>
-
 namespace drydock::sensor {
-namespace {
 
-Eigen::Vector3d vector(const std::array<double, 3>& a) { return {a[0], a[1], a[2]}; }
+ErrorModel::ErrorModel(const rig_config::SensorErrors& errors, double rate_hz,
+                       const ErrorSource& source)
+    : bias_(source.constant(errors.bias, "bias")),
+      response_(errors, source),
+      noise_(errors, rate_hz, source),
+      drift_(errors, source),
+      readout_(errors),
+      responds_(!response_.is_ideal()),
+      noisy_(!noise_.is_silent()),
+      drifts_(!drift_.is_silent()),
+      reads_out_(!readout_.is_ideal()) {}
 
-}  // namespace
-
-ErrorModel::ErrorModel(const rig_config::SensorErrors& sigma, bool fixed_bias, std::uint64_t seed,
-                       std::string_view device, std::string_view quantity)
-    : noise_sigma_(vector(sigma.noise)),
-      bias_(vector(sigma.bias)),
-      noise_(seed, device, std::string(quantity) + " noise") {
-  if (fixed_bias) return;
-  RandomStream draw(seed, device, std::string(quantity) + " bias");
-  bias_ = bias_.cwiseProduct(draw.normal3());
-}
-
-Eigen::Vector3d ErrorModel::apply(const Eigen::Vector3d& ideal) {
-  return ideal + bias_ + noise_sigma_.cwiseProduct(noise_.normal3());
-}
-
-double ErrorModel::apply(double ideal) {
-  return ideal + bias_.x() + noise_sigma_.x() * noise_.normal();
+Vector3d ErrorModel::read(const Vector3d& ideal, Stamp valid_at, const Vector3d& induced,
+                          int axes) {
+  Vector3d reading = ideal + bias_ + induced;
+  if (responds_) reading += response_.error(ideal);
+  if (drifts_) reading += drift_.at(valid_at, axes);
+  if (noisy_) reading += noise_.next(axes);
+  return reads_out_ ? readout_.of(reading) : reading;
 }
 
 }  // namespace drydock::sensor

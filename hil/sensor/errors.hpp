@@ -1,29 +1,39 @@
 #pragma once
 
-#include <Eigen/Core>
-#include <string_view>
-
-#include "hil/sensor/random.hpp"
-#include "rig_config/rig.hpp"
+#include "hil/sensor/noise.hpp"
+#include "hil/sensor/readout.hpp"
 
 namespace drydock::sensor {
 
-/// Error of one quantity of a device: a constant bias and white noise per axis. Quantisation is
-/// the wire's. The bias is +1 sigma as given, or drawn once from N(0, 1 sigma).
+/// All errors of one quantity (docs/sensors.md (1)): a constant bias, the response to the input,
+/// drift, white noise, then the converter. A part that is not configured costs a branch and draws
+/// no random number; one part's numbers do not depend on another's being there.
 class ErrorModel {
  public:
-  ErrorModel(const rig_config::SensorErrors& sigma, bool fixed_bias, std::uint64_t seed,
-             std::string_view device, std::string_view quantity);
+  /// `rate_hz`: of the samples; white noise given as a density depends on it.
+  ErrorModel(const rig_config::SensorErrors& errors, double rate_hz, const ErrorSource& source);
 
-  Eigen::Vector3d apply(const Eigen::Vector3d& ideal);
-  double apply(double ideal);  ///< of a scalar quantity: the first axis
+  /// The reading of `ideal`. `valid_at` never goes back. `induced`: a further error at the input,
+  /// as an IMU's triads have of each other.
+  Vector3d apply(const Vector3d& ideal, Stamp valid_at,
+                 const Vector3d& induced = Vector3d::Zero()) {
+    return read(ideal, valid_at, induced, 3);
+  }
+  double apply(double ideal, Stamp valid_at) {  ///< of a scalar quantity: the first axis
+    return read({ideal, 0, 0}, valid_at, Vector3d::Zero(), 1).x();
+  }
 
-  const Eigen::Vector3d& bias() const { return bias_; }
+  const Vector3d& bias() const { return bias_; }
 
  private:
-  Eigen::Vector3d noise_sigma_;
-  Eigen::Vector3d bias_;
-  RandomStream noise_;
+  Vector3d read(const Vector3d& ideal, Stamp valid_at, const Vector3d& induced, int axes);
+
+  Vector3d bias_;
+  Response response_;
+  WhiteNoise noise_;
+  Drift drift_;
+  Readout readout_;
+  bool responds_, noisy_, drifts_, reads_out_;
 };
 
 }  // namespace drydock::sensor

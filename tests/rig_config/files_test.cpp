@@ -118,7 +118,7 @@ TEST(CheckFile, TellsTheKindsApart) {
   EXPECT_THAT(lines_of(check_file(mission)), testing::Contains(HasSubstr(":1:1: /: key 'leg' is")));
   EXPECT_THAT(lines_of(check_file(sensor)),
               ElementsAre(HasSubstr(":2:1: /imu/gyro_bias: unknown key, allowed here: "
-                                    "accelerometer_bias_mg")));
+                                    "accelerometer_anisoelasticity_ugpg2")));
   EXPECT_THAT(lines_of(check_file(vehicle)),
               testing::Contains(HasSubstr(":1:1: /: key 'rudder' is missing")));
 }

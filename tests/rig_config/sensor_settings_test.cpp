@@ -35,10 +35,9 @@ TEST(RigProblems, AnXsensMessageThatDoesNotExistIsTold) {
 }
 
 TEST(RigProblems, AGyroBiasOnADvlIsRefused) {
-  EXPECT_THAT(problems_of("emulate = { gyro_bias_degph = 1 }\n"),
-              ElementsAre("r.toml:8:13: /device/0/emulate/gyro_bias_degph: unknown key, allowed "
-                          "here: errors, fixed_bias, latency_ms, velocity_bias_mps, "
-                          "velocity_noise_mps"));
+  EXPECT_THAT(
+      problems_of("emulate = { gyro_bias_degph = 1 }\n"),
+      ElementsAre(HasSubstr("r.toml:8:13: /device/0/emulate/gyro_bias_degph: unknown key")));
 }
 
 TEST(RigProblems, AKeyOfAnotherKindSaysWhereItBelongs) {
