@@ -41,7 +41,7 @@ struct MixingOptions {
   double low_pass_s = 0.5;      ///< of the components of (6) and (7); 0: none; chosen
   double velocity_leak_s = 20;  ///< of v and w, eq. (8); chosen
 
-  double pivot_m = 2.5;         ///< compensated: v = -pivot r, w = pivot q; of the vehicle
+  double pivot_m = 0;  ///< compensated: v = -pivot r, w = pivot q; of the vehicle, 0: not known
   double integral_leak_s = 50;  ///< compensated: the integral forgets; chosen
 };
 
