@@ -98,13 +98,18 @@ DeviceConfig build_device(const Node& table, const std::string& rig_file) {
   return device;
 }
 
+constexpr std::array mixing_types{"compensated", "type1", "type2", "type3"};
+
 EstimatorConfig build_estimator(const Node& table) {
   EstimatorConfig estimator;
   read(table, "name", estimator.name);
   read(table, "kind", estimator.kind);
   read(table, "imu", estimator.imu);
   read(table, "log", estimator.log);
-  std::string model, start;
+  std::string filter, model, start;
+  read(table, "filter", filter);
+  if (filter == "augmented") estimator.filter = LevelingFilter::augmented;
+  if (filter == "paper") estimator.filter = LevelingFilter::paper;
   read(table, "model", model);
   read(table, "start", start);
   estimator.stationary = model == "stationary";
@@ -113,6 +118,8 @@ EstimatorConfig build_estimator(const Node& table) {
   read(table, "initial_pitch_deg", estimator.initial_pitch_rad, degree);
   read(table, "latitude_deg", estimator.latitude_rad, degree);
   read(table, "heading_deg", estimator.heading_rad, degree);
+  if (table.find("type")) estimator.mixing_type = named<MixingType>(table, mixing_types, "type");
+  read(table, "pivot_m", estimator.pivot_m);
   return estimator;
 }
 

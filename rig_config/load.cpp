@@ -164,7 +164,13 @@ Loaded<MissionConfig> load_mission(const std::string& path) {
 }
 
 Loaded<EmulateConfig> load_sensor(const std::string& path, DeviceKind kind) {
-  const auto root = read_checked_file(path, FileKind::sensor);
+  const auto text = read_file(path);
+  return text ? load_sensor_text(*text, path, kind) : Loaded<EmulateConfig>(text.error());
+}
+
+Loaded<EmulateConfig> load_sensor_text(std::string_view text, const std::string& path,
+                                       DeviceKind kind) {
+  const auto root = read_checked(text, path, FileKind::sensor);
   if (!root) return root.error();
   const Node* table = root->find(name_of(kind));
   if (!table) return Problems{{path, 1, 1, "/", no_table(path, kind)}};

@@ -57,6 +57,8 @@ Loaded<MissionConfig> load_mission_text(std::string_view text, const std::string
 
 /// The grade that a sensor file gives sensors of a kind: what hil/sensor makes error models of.
 Loaded<EmulateConfig> load_sensor(const std::string& path, DeviceKind kind);
+Loaded<EmulateConfig> load_sensor_text(std::string_view text, const std::string& path,
+                                       DeviceKind kind);
 
 /// Prime values stay prime: estimators/vehicle makes the equations of motion of them.
 Loaded<VehicleConfig> load_vehicle(const std::string& path);

@@ -53,7 +53,9 @@ struct BallisticConfig {
 struct MissionConfig {
   double latitude_rad = 0, longitude_rad = 0, depth_m = 0, heading_rad = 0, speed_mps = 0;
   OceanConfig ocean;
-  std::vector<LegConfig> legs;               ///< repeated from the first when the run lasts longer
+  double pivot_m = 0;           ///< ahead of the origin, where a turning hull has no side slip
+  double sideslip_lag_s = 0.5;  ///< of each of the two lags between turning and slipping
+  std::vector<LegConfig> legs;  ///< repeated from the first when the run lasts longer
   std::optional<BallisticConfig> ballistic;  ///< in place of legs
   std::optional<VehicleConfig> vehicle;      ///< sails the legs under autopilots; none: kinematic
 };

@@ -40,10 +40,10 @@ inline std::optional<double> read_if(const Node& table, const char* key, double 
   return value ? std::optional{value->number * unit} : std::nullopt;
 }
 
-/// The enumerator of the text at `kind`: the schema holds the same names in the same order.
+/// The enumerator of the text at `key`: the schema holds the same names in the same order.
 template <class Enum, std::size_t N>
-Enum named(const Node& table, const std::array<const char*, N>& names) {
-  const auto found = std::ranges::find(names, table.find("kind")->text);
+Enum named(const Node& table, const std::array<const char*, N>& names, const char* key = "kind") {
+  const auto found = std::ranges::find(names, table.find(key)->text);
   return static_cast<Enum>(found - names.begin());
 }
 

@@ -78,15 +78,22 @@ struct DeviceConfig {
   int line = 0;  ///< of the [[device]] block in the file
 };
 
+enum class LevelingFilter : std::uint8_t { robust, augmented, paper };
+
+enum class MixingType : std::uint8_t { compensated, type1, type2, type3 };
+
 struct EstimatorConfig {
   std::string name;
-  std::string kind;         ///< leveling
+  std::string kind;  ///< leveling, mixing
+  LevelingFilter filter = LevelingFilter::robust;
   std::string imu, log;     ///< device names
   bool stationary = false;  ///< measurement model: all three velocities zero
   bool accelerometer_start =
       true;  ///< first attitude from the first specific force, not from `initial_*`
   double initial_roll_rad = 0, initial_pitch_rad = 0;
   double latitude_rad = 0, heading_rad = 0;
+  MixingType mixing_type = MixingType::compensated;
+  double pivot_m = 0;  ///< mixing: ahead of the origin, where the vehicle does not slip; 0: unknown
 };
 
 struct Rig {

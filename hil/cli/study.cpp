@@ -10,6 +10,7 @@
 
 #include "hil/cli/study_progress.hpp"
 #include "hil/cli/study_report.hpp"
+#include "hil/cli/study_timing.hpp"
 
 namespace drydock::cli {
 namespace {
@@ -80,10 +81,11 @@ int run_study(const study::Study& study, const StudyOptions& options, std::FILE*
   study::Options campaign = options.campaign;
   if (campaign.jobs == 0) campaign.jobs = std::max(1U, std::thread::hardware_concurrency());
   StudyProgress progress(errors);
-  const auto result = study.run(campaign, progress);
+  auto result = study.run(campaign, progress);
   progress.finish(study.name, result.runs, campaign);
 
   if (result.runs == 0) return study_failed;
+  if (study.workloads) add_step_times(study.workloads(), result);
   for (const auto& table : result.tables) fmt::print(out, "{}\n", to_text(table));
   if (json && !json->write(to_json(study, campaign, result))) return cannot_write(*json);
   if (report && !report->write(to_html(study, campaign, result))) return cannot_write(*report);

@@ -15,6 +15,8 @@ namespace {
 
 // Keeps position and velocity consistent to 2e-6 m/s through the shortest usual ramps.
 constexpr double spacing_s = 0.5;
+// Of a lag of half a second or more, to 1e-9 of its input; a shorter one takes more steps.
+constexpr double spacing_in_lags = 0.1;
 
 }  // namespace
 
@@ -22,6 +24,9 @@ KinematicTrajectory::KinematicTrajectory(const rig_config::MissionConfig& missio
     : start_(start),
       ocean_(mission.ocean, {mission.latitude_rad, mission.longitude_rad, 0}),
       profile_(mission),
+      pivot_m_(mission.pivot_m),
+      sideslip_lag_s_(mission.sideslip_lag_s),
+      spacing_s_(mission.pivot_m > 0 ? spacing_in_lags * mission.sideslip_lag_s : spacing_s),
       checkpoints_{{mission.latitude_rad, mission.longitude_rad}} {
   check_clear_of_bed();
 }
@@ -29,13 +34,14 @@ KinematicTrajectory::KinematicTrajectory(const rig_config::MissionConfig& missio
 void KinematicTrajectory::check_clear_of_bed() const {
   const double lap_s = profile_.lap_s();
   for (double t = 0; t <= lap_s; t += spacing_s) {
-    const Position place = position_at(t);
-    const double bed_m = ocean_.bed_depth_m(place.latitude_rad, place.longitude_rad);
-    if (profile_.at(t).depth_m >= bed_m)
+    const Path path = path_at(t);
+    const double bed_m = ocean_.bed_depth_m(path.latitude_rad, path.longitude_rad);
+    const double depth_m = profile_.at(t).depth_m + path.slip_depth_m;
+    if (depth_m >= bed_m)
       throw std::invalid_argument(
           fmt::format("mission: after {:.0f} s the vehicle would be {:.1f} m deep, at or below the "
                       "sea bed ({:.1f} m there)",
-                      t, profile_.at(t).depth_m, bed_m));
+                      t, depth_m, bed_m));
   }
 }
 
@@ -46,13 +52,13 @@ Stamp KinematicTrajectory::end() const {
 Truth KinematicTrajectory::at(Stamp time) const {
   const double t = measurement::seconds(time - start_);
   const Prescribed p = profile_.at(t);
-  const Position position = position_at(t);
+  const Path path = path_at(t);
 
   Truth truth;
   truth.at = time;
-  truth.latitude_rad = position.latitude_rad;
-  truth.longitude_rad = frame::wrap_pi(position.longitude_rad);
-  truth.height_m = -p.depth_m;
+  truth.latitude_rad = path.latitude_rad;
+  truth.longitude_rad = frame::wrap_pi(path.longitude_rad);
+  truth.height_m = -p.depth_m - path.slip_depth_m;
   truth.roll_rad = p.roll.value;
   truth.pitch_rad = p.pitch.value;
   truth.yaw_rad = frame::wrap_pi(p.yaw.value);
@@ -60,54 +66,77 @@ Truth KinematicTrajectory::at(Stamp time) const {
   const frame::Euler attitude{truth.roll_rad, truth.pitch_rad, truth.yaw_rad};
   truth.body_to_ned = frame::body_to_ned(attitude);
   truth.rate_body = frame::body_rate(attitude, {p.roll.rate, p.pitch.rate, p.yaw.rate});
-  truth.velocity_body = {p.speed.value, 0, 0};
+  truth.velocity_body << p.speed.value, path.slip_mps;
   truth.velocity_ned = truth.body_to_ned * truth.velocity_body;
-  const Eigen::Vector3d acceleration_body =
-      Eigen::Vector3d{p.speed.rate, 0, 0} + truth.rate_body.cross(truth.velocity_body);
+  Eigen::Vector3d change;
+  change << p.speed.rate, (path.lagged - path.slip_mps) / sideslip_lag_s_;
+  const Eigen::Vector3d acceleration_body = change + truth.rate_body.cross(truth.velocity_body);
   set_inertial(truth.body_to_ned * acceleration_body, truth);
 
-  truth.current_ned = ocean_.current_ned(p.depth_m, t);
+  truth.current_ned = ocean_.current_ned(-truth.height_m, t);
   truth.bed_depth_m = ocean_.bed_depth_m(truth.latitude_rad, truth.longitude_rad);
   set_actuators(truth);
   return truth;
 }
 
-KinematicTrajectory::Position KinematicTrajectory::position_at(double t) const {
-  const auto index = static_cast<std::size_t>(std::max(t, 0.0) / spacing_s);
-  Position checkpoint;
+KinematicTrajectory::Path KinematicTrajectory::path_at(double t) const {
+  const auto index = static_cast<std::size_t>(std::max(t, 0.0) / spacing_s_);
+  Path checkpoint;
   {
     const std::lock_guard lock(mutex_);
     while (checkpoints_.size() <= index) {
-      const double from = spacing_s * static_cast<double>(checkpoints_.size() - 1);
-      checkpoints_.push_back(integrate(checkpoints_.back(), from, spacing_s));
+      const double from = spacing_s_ * static_cast<double>(checkpoints_.size() - 1);
+      checkpoints_.push_back(integrate(checkpoints_.back(), from, spacing_s_));
     }
     checkpoint = checkpoints_[index];
   }
-  const double from = spacing_s * static_cast<double>(index);
+  const double from = spacing_s_ * static_cast<double>(index);
   return integrate(checkpoint, from, t - from);
 }
 
-// One step of Runge-Kutta 4 (Simpson's rule, since latitude hardly changes within a step).
-KinematicTrajectory::Position KinematicTrajectory::integrate(Position from, double t,
-                                                             double duration) const {
-  const auto rate = [](const Prescribed& p, double latitude) -> Position {
-    const double level = p.speed.value * std::cos(p.pitch.value);
-    const double east_radius = frame::transverse_radius(latitude) - p.depth_m;
-    return {level * std::cos(p.yaw.value) / (frame::meridian_radius(latitude) - p.depth_m),
-            level * std::sin(p.yaw.value) / (east_radius * std::cos(latitude))};
+KinematicTrajectory::Path KinematicTrajectory::derivative(const Prescribed& p,
+                                                          const Path& path) const {
+  const double sin_pitch = std::sin(p.pitch.value), cos_pitch = std::cos(p.pitch.value);
+  const double sin_yaw = std::sin(p.yaw.value), cos_yaw = std::cos(p.yaw.value);
+  double ahead = p.speed.value * cos_pitch, abeam = 0;  // over ground, by the heading
+  Path rate;
+  if (pivot_m_ > 0) {
+    const double sin_roll = std::sin(p.roll.value), cos_roll = std::cos(p.roll.value);
+    const double v = path.slip_mps.x(), w = path.slip_mps.y();
+    const double under_deck = v * sin_roll + w * cos_roll;
+    ahead += under_deck * sin_pitch;
+    abeam = v * cos_roll - w * sin_roll;
+    rate.slip_depth_m = under_deck * cos_pitch;
+    const Eigen::Vector3d turning = frame::body_rate({p.roll.value, p.pitch.value, p.yaw.value},
+                                                     {p.roll.rate, p.pitch.rate, p.yaw.rate});
+    const Eigen::Vector2d steady = pivot_m_ * Eigen::Vector2d{-turning.z(), turning.y()};
+    rate.lagged = (steady - path.lagged) / sideslip_lag_s_;
+    rate.slip_mps = (path.lagged - path.slip_mps) / sideslip_lag_s_;
+  }
+  const double depth = p.depth_m + path.slip_depth_m;
+  rate.latitude_rad =
+      (ahead * cos_yaw - abeam * sin_yaw) / (frame::meridian_radius(path.latitude_rad) - depth);
+  rate.longitude_rad =
+      (ahead * sin_yaw + abeam * cos_yaw) /
+      ((frame::transverse_radius(path.latitude_rad) - depth) * std::cos(path.latitude_rad));
+  return rate;
+}
+
+// One step of Runge-Kutta 4.
+KinematicTrajectory::Path KinematicTrajectory::integrate(const Path& from, double t,
+                                                         double duration) const {
+  const auto moved = [](const Path& path, double h, const Path& rate) -> Path {
+    return {path.latitude_rad + h * rate.latitude_rad, path.longitude_rad + h * rate.longitude_rad,
+            path.slip_depth_m + h * rate.slip_depth_m, path.lagged + h * rate.lagged,
+            path.slip_mps + h * rate.slip_mps};
   };
   const Prescribed middle = profile_.at(t + duration / 2);
-  const double lat = from.latitude_rad;
-  const Position k1 = rate(profile_.at(t), lat);
-  const Position k2 = rate(middle, lat + duration / 2 * k1.latitude_rad);
-  const Position k3 = rate(middle, lat + duration / 2 * k2.latitude_rad);
-  const Position k4 = rate(profile_.at(t + duration), lat + duration * k3.latitude_rad);
-  const auto advance = [duration](double a, double b, double c, double d) {
-    return duration / 6 * (a + 2 * b + 2 * c + d);
-  };
-  return {lat + advance(k1.latitude_rad, k2.latitude_rad, k3.latitude_rad, k4.latitude_rad),
-          from.longitude_rad +
-              advance(k1.longitude_rad, k2.longitude_rad, k3.longitude_rad, k4.longitude_rad)};
+  const Path k1 = derivative(profile_.at(t), from);
+  const Path k2 = derivative(middle, moved(from, duration / 2, k1));
+  const Path k3 = derivative(middle, moved(from, duration / 2, k2));
+  const Path k4 = derivative(profile_.at(t + duration), moved(from, duration, k3));
+  const Path halfway = moved(moved(from, duration / 6, k1), duration / 3, k2);
+  return moved(moved(halfway, duration / 3, k3), duration / 6, k4);
 }
 
 }  // namespace drydock::motion

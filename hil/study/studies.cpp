@@ -1,6 +1,7 @@
 #include <array>
 
 #include "hil/study/leveling_study.hpp"
+#include "hil/study/mixing_study.hpp"
 #include "hil/study/study.hpp"
 
 namespace drydock::study {
@@ -9,6 +10,9 @@ std::span<const Study> studies() {
   static constexpr std::array all{
       Study{"leveling", "Leveling: roll and pitch from an IMU and a speed log (Hong et al. 2000)",
             leveling_study},
+      Study{"mixing",
+            "Mixing: attitude held by accelerometers, gains by fuzzy inference (Kim et al. 1996)",
+            mixing_study, mixing_workloads},
   };
   return all;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <span>
 #include <string>
@@ -28,11 +29,20 @@ struct Result {
   nlohmann::ordered_json json;  ///< an object; docs/study.md names its keys
 };
 
+/// What takes time on board. A result has no times, so whoever runs the study measures it.
+struct Workload {
+  std::string key;   ///< of the result's JSON, which gets its `ns_per_step`
+  std::string name;  ///< in the table
+  std::function<void(std::size_t steps)> run;
+};
+
 struct Study {
   std::string_view name;   ///< as the command line has it
   std::string_view title;  ///< what is repeated, and whose
   /// Stopped before the first run is done, it gives a result of no runs, of which nothing is shown.
   Result (*run)(const Options& options, Progress& progress);
+  std::vector<Workload> (*workloads)() =
+      nullptr;  ///< the first is what the others are compared with
 };
 
 /// All of them, in the order of the papers.

@@ -32,9 +32,10 @@ allow drivers/bus 'drivers/(bus|measurement)'
 allow drivers/cli 'drivers/[a-z]*|rig_config'
 allow estimators/frame 'estimators/frame|drivers/measurement'
 allow estimators/leveling 'estimators/(leveling|frame)|drivers/measurement'
+allow estimators/mixing 'estimators/(mixing|frame)'
 allow estimators/hydrodynamics 'estimators/(hydrodynamics|frame)'
 allow estimators/vehicle 'estimators/(vehicle|hydrodynamics)|rig_config'
-allow estimators/pipeline 'estimators/(pipeline|leveling|frame)|drivers/measurement'
+allow estimators/pipeline 'estimators/(pipeline|leveling|mixing|frame)|drivers/measurement'
 allow estimators/cli 'estimators/[a-z]*|drivers/[a-z]*|rig_config'
 allow rig_config 'rig_config'
 allow hil/ocean 'hil/ocean|estimators/frame|drivers/measurement|rig_config'
@@ -46,7 +47,7 @@ allow hil/emulate 'hil/(emulate|sky|sensor|motion|ocean)|estimators/frame|driver
 allow hil/cli 'hil/[a-z]*|estimators/[a-z]*|drivers/[a-z]*|rig_config'
 
 io='boost/asio|dds/|fstream|iostream|filesystem|thread|mutex|sys/|unistd|toml'
-for folder in drivers/measurement drivers/wire drivers/device estimators/frame estimators/hydrodynamics estimators/leveling estimators/vehicle \
+for folder in drivers/measurement drivers/wire drivers/device estimators/frame estimators/hydrodynamics estimators/leveling estimators/mixing estimators/vehicle \
   estimators/pipeline; do
   never "$folder" "$io"
 done

@@ -1,0 +1,166 @@
+#include "estimators/mixing/mixing_filter.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "estimators/frame/earth.hpp"
+
+namespace drydock::mixing {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+namespace {
+
+// Euler angles fail at a pitch of 90 deg; the estimate stays this side of it.
+constexpr double steepest = std::numbers::pi / 2 - 1e-3;
+
+double arcsine(double x) { return std::asin(std::clamp(x, -1.0, 1.0)); }
+
+/// In [-pi, pi], at no cost while it is there.
+double wrapped(double angle) {
+  constexpr double pi = std::numbers::pi;
+  return std::abs(angle) <= pi ? angle : std::remainder(angle, 2 * pi);
+}
+
+}  // namespace
+
+/// What a step's inputs say at the attitude estimated so far.
+struct MixingFilter::Motion {
+  Vector3d force;
+  Vector3d rate;        ///< p, q, r against NED, eq. (1)
+  Vector3d earth_rate;  ///< in body axes
+  Vector3d down;        ///< C_n^b [0 0 1]
+  double cos_pitch;
+  double roll_rate, pitch_rate, yaw_rate;  ///< eq. (2)
+  double speed, dt;
+};
+
+MixingFilter::MixingFilter(const MixingOptions& options)
+    : options_(options),
+      gravity_(frame::gravity(options.latitude_rad)),
+      earth_rate_ned_(frame::earth_rate_ned(options.latitude_rad)),
+      heading_(options.heading_rad),
+      gains_(options.type == MixingType::fixed_gain ? options.fixed : gains_of_level(1)) {}
+
+void MixingFilter::start(const Vector3d& force, const Vector3d& rate, double speed) {
+  roll_ = options_.initial_roll_rad;
+  pitch_ = options_.initial_pitch_rad;
+  settling_left_s_ = 0;
+  if (options_.accelerometer_start) {  // eq. (5)
+    settling_left_s_ = options_.settling_s;
+    pitch_ = std::clamp(arcsine(force.x() / gravity_), -steepest, steepest);
+    roll_ = arcsine((rate.z() * speed - force.y()) / (gravity_ * std::cos(pitch_)));
+  }
+  integral_.setZero();
+  slow_rate_.setZero();
+  slow_force_.setZero();
+  drift_.setZero();
+  slow_speed_ = speed;
+  slow_turn_ = rate.tail<2>();
+  slow_residual_ = unexplained_x_ = 0;
+  level_ = 1;
+}
+
+MixingFilter::Motion MixingFilter::observe(const Vector3d& force, const Vector3d& rate,
+                                           double speed, double dt) const {
+  const double sin_roll = std::sin(roll_), cos_roll = std::cos(roll_);
+  const double sin_pitch = std::sin(pitch_), cos_pitch = std::cos(pitch_);
+  const double sin_yaw = std::sin(heading_), cos_yaw = std::cos(heading_);
+  Motion m;
+  m.force = force;
+  m.down = {-sin_pitch, sin_roll * cos_pitch, cos_roll * cos_pitch};
+  const Vector3d north{cos_pitch * cos_yaw, sin_roll * sin_pitch * cos_yaw - cos_roll * sin_yaw,
+                       cos_roll * sin_pitch * cos_yaw + sin_roll * sin_yaw};
+  m.earth_rate = earth_rate_ned_.x() * north + earth_rate_ned_.z() * m.down;
+  m.rate = rate - m.earth_rate;
+  m.cos_pitch = cos_pitch;
+  m.yaw_rate = (m.rate.y() * sin_roll + m.rate.z() * cos_roll) / cos_pitch;
+  m.roll_rate = m.rate.x() + m.yaw_rate * sin_pitch;
+  m.pitch_rate = m.rate.y() * cos_roll - m.rate.z() * sin_roll;
+  m.speed = speed;
+  m.dt = dt;
+  return m;
+}
+
+void MixingFilter::step(const Vector3d& force, const Vector3d& rate, double speed, double dt) {
+  if (dt != dt_) discretise(dt);
+  const Motion m = observe(force, rate, speed, dt);
+  const bool compensated = options_.type == MixingType::compensated;
+  const Vector2d error = compensated ? compensated_error(m) : accelerometer_error(m);
+  if (options_.type != MixingType::fixed_gain) choose_gains(m);
+
+  // Fig. 2.
+  integral_ = integral_kept_ * integral_ +
+              integral_gain() * dt * error;  // the gain of the time when the error was there
+  const Vector2d correction = gains_.k1 * error + integral_;
+  roll_ = wrapped(roll_ + (m.roll_rate + correction.x()) * dt);
+  pitch_ = std::clamp(pitch_ + (m.pitch_rate + correction.y()) * dt, -steepest, steepest);
+  heading_ = wrapped(heading_ + m.yaw_rate * dt);
+}
+
+double MixingFilter::integral_gain() const {
+  return options_.integral_gain == IntegralGain::k1_k2 ? gains_.k1 * gains_.k2 : gains_.k2;
+}
+
+double MixingFilter::integral_leak() const {
+  return options_.type == MixingType::compensated ? 1 / options_.integral_leak_s : 0;
+}
+
+void MixingFilter::discretise(double dt) {
+  const auto share = [dt](double tau) { return tau > 0 ? -std::expm1(-dt / tau) : 1.0; };
+  dt_ = dt;
+  low_pass_ = share(options_.low_pass_s);
+  drift_kept_ = 1 - share(options_.velocity_leak_s);
+  integral_kept_ = std::exp(-dt * integral_leak());
+}
+
+// Eq. (5): all that is known of the motion is the speed ahead.
+Vector2d MixingFilter::accelerometer_error(const Motion& m) const {
+  const double across = m.rate.z() * m.speed - m.force.y();
+  return {arcsine(across / (gravity_ * m.cos_pitch)) - roll_,
+          arcsine(m.force.x() / gravity_) - pitch_};
+}
+
+// Eq. (10) to (12). The residual is low-passed with everything at the same instant, so that the
+// attitude does not lag; the log's derivative is that of its speed through the same low-pass.
+Vector2d MixingFilter::compensated_error(const Motion& m) {
+  slow_turn_ += low_pass_ * (m.rate.tail<2>() - slow_turn_);
+  const double v = -options_.pivot_m * slow_turn_.y(), w = options_.pivot_m * slow_turn_.x();
+
+  const double along = m.force.x() + m.rate.z() * v - m.rate.y() * w + gravity_ * m.down.x();
+  slow_residual_ += low_pass_ * (along - slow_residual_);
+  const double gained = low_pass_ * (m.speed - slow_speed_);
+  slow_speed_ += gained;
+  unexplained_x_ = slow_residual_ - gained / m.dt;
+
+  const double across = m.rate.z() * m.speed - m.rate.x() * w - m.force.y();
+  return {arcsine(across / (gravity_ * m.cos_pitch)) - roll_,
+          unexplained_x_ / (gravity_ * m.cos_pitch)};
+}
+
+void MixingFilter::choose_gains(const Motion& m) {
+  // Eq. (8): the Earth turns the frame once against inertial space, once more by Coriolis.
+  const Vector3d velocity{m.speed, drift_.x(), drift_.y()};
+  const Vector3d turning = m.rate + 2 * m.earth_rate;
+  const Vector3d change = m.force + gravity_ * m.down - turning.cross(velocity);
+  drift_ = drift_kept_ * (drift_ + change.tail<2>() * m.dt);
+
+  slow_rate_ += low_pass_ * (Vector2d{m.roll_rate, m.pitch_rate} - slow_rate_);
+  slow_force_ += low_pass_ * (change.tail<2>() - slow_force_);
+  const double ahead = options_.type == MixingType::compensated ? unexplained_x_ : change.x();
+  const double attitude_rate = slow_rate_.norm();                                     // eq. (6)
+  const double velocity_rate = std::sqrt(ahead * ahead + slow_force_.squaredNorm());  // eq. (7)
+  level_ = options_.type == MixingType::gain_schedule
+               ? scheduled_level(attitude_rate, velocity_rate)
+               : inferred_level(attitude_rate, velocity_rate, options_.sets);
+  if (settling_left_s_ > 0) {
+    settling_left_s_ -= m.dt;
+    level_ = 1;
+  }
+  gains_ = gains_of_level(level_);
+}
+
+}  // namespace drydock::mixing

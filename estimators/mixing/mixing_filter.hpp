@@ -1,0 +1,104 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+
+#include "estimators/mixing/maneuver_level.hpp"
+
+/// Roll and pitch from gyroscopes, held by accelerometers and a speed log: the mixing loop of Kim,
+/// Lee and Han, "Mixing Algorithm for Attitude Computation of Underwater Vehicle Using Fuzzy
+/// Theory" (1996). Equation numbers are those of docs/estimators/mixing.md.
+namespace drydock::mixing {
+
+/// Table 4 of the paper, and ours.
+enum class MixingType : std::uint8_t {
+  fixed_gain,       ///< type 1: the loop as it was before
+  fuzzy_inference,  ///< type 2: gains by fuzzy inference
+  gain_schedule,    ///< type 3: gains by Table 3
+  compensated       ///< type 2 that knows the vehicle's acceleration and side slip
+};
+
+/// The paper's text can be read both ways.
+enum class IntegralGain : std::uint8_t { k1_k2, k2_alone };
+
+/// "Paper": stated there; "chosen": the docs page says why.
+struct MixingOptions {
+  MixingType type = MixingType::compensated;
+  IntegralGain integral_gain = IntegralGain::k1_k2;  ///< chosen
+  Gains fixed{0.008, 0.00125};                       ///< type 1; paper, Table 4
+  FuzzySets sets;                                    ///< chosen, within Table 3
+
+  double latitude_rad = 0;  ///< Earth rate and gravity; needed to about a degree
+  double heading_rad = 0;   ///< at the start; the gyro carries it on
+
+  /// First attitude from the first specific force; false: from initial_roll and initial_pitch.
+  bool accelerometer_start = true;
+  double initial_roll_rad = 0, initial_pitch_rad = 0;
+  /// After an accelerometer start the gains are those of level 1 for so long: a wrong first
+  /// attitude looks like a manoeuvre and would stay. Chosen.
+  double settling_s = 60;
+
+  double low_pass_s = 0.5;      ///< of the components of (6) and (7); 0: none; chosen
+  double velocity_leak_s = 20;  ///< of v and w, eq. (8); chosen
+
+  double pivot_m = 0;  ///< compensated: v = -pivot r, w = pivot q; of the vehicle, 0: not known
+  double integral_leak_s = 50;  ///< compensated: the integral forgets; chosen
+};
+
+/// Allocates nothing, throws nothing; inputs must be finite (the pipeline sees to that).
+class MixingFilter {
+ public:
+  explicit MixingFilter(const MixingOptions& options);
+
+  /// Begins, or begins again: attitude as the options say. The heading is kept.
+  void start(const Eigen::Vector3d& specific_force, const Eigen::Vector3d& angular_rate,
+             double speed_mps);
+
+  /// One step of `dt` seconds in which the inputs (m/s2 and rad/s, body; m/s ahead) are constant.
+  void step(const Eigen::Vector3d& specific_force, const Eigen::Vector3d& angular_rate,
+            double speed_mps, double dt);
+
+  double roll() const { return roll_; }        ///< [-pi/2, pi/2]
+  double pitch() const { return pitch_; }      ///< [-pi/2, pi/2]
+  double heading() const { return heading_; }  ///< the given one carried on by the gyro
+  int level() const { return level_; }         ///< of manoeuvring, 1 to 12; type 1 stays at 1
+  Gains gains() const { return gains_; }       ///< of the last step
+  double integral_gain() const;                ///< 1/s2, as those gains are read
+  double integral_leak() const;                ///< 1/s
+  const MixingOptions& options() const { return options_; }
+
+ private:
+  struct Motion;
+
+  void discretise(double dt);
+  Motion observe(const Eigen::Vector3d& specific_force, const Eigen::Vector3d& angular_rate,
+                 double speed_mps, double dt) const;
+  Eigen::Vector2d accelerometer_error(const Motion& motion) const;
+  Eigen::Vector2d compensated_error(const Motion& motion);
+  void choose_gains(const Motion& motion);
+
+  MixingOptions options_;
+  double gravity_;
+  Eigen::Vector3d earth_rate_ned_;
+
+  double roll_ = 0, pitch_ = 0, heading_;
+  Eigen::Vector2d integral_ = Eigen::Vector2d::Zero();
+  int level_ = 1;
+  Gains gains_;
+  double settling_left_s_ = 0;
+
+  // Of the manoeuvre's two inputs, eq. (6) and (7).
+  Eigen::Vector2d slow_rate_ = Eigen::Vector2d::Zero();
+  Eigen::Vector2d slow_force_ = Eigen::Vector2d::Zero();
+  Eigen::Vector2d drift_ = Eigen::Vector2d::Zero();  ///< v and w integrated from (8)
+
+  // Of the compensation.
+  Eigen::Vector2d slow_turn_ = Eigen::Vector2d::Zero();  ///< q and r
+  double slow_residual_ = 0, slow_speed_ = 0, unexplained_x_ = 0;
+
+  double dt_ = 0;        ///< for which the rest is
+  double low_pass_ = 1;  ///< share of a new input
+  double drift_kept_ = 1, integral_kept_ = 1;
+};
+
+}  // namespace drydock::mixing

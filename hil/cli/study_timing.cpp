@@ -1,0 +1,50 @@
+#include "hil/cli/study_timing.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+
+namespace drydock::cli {
+namespace {
+
+constexpr std::size_t timed_steps = 20'000, repetitions = 15;
+
+double ns_per_step(study::Workload& workload) {
+  const auto begin = std::chrono::steady_clock::now();
+  workload.run(timed_steps);
+  const std::chrono::duration<double, std::nano> taken = std::chrono::steady_clock::now() - begin;
+  return taken.count() / timed_steps;
+}
+
+double median(std::vector<double>& times) {
+  const auto middle = times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2);
+  std::nth_element(times.begin(), middle, times.end());
+  return *middle;
+}
+
+}  // namespace
+
+void add_step_times(std::vector<study::Workload> workloads, study::Result& result) {
+  // In turns: whatever else the machine does meets all of them.
+  std::vector<std::vector<double>> times(workloads.size());
+  for (std::size_t i = 0; i < repetitions; ++i)
+    for (std::size_t w = 0; w < workloads.size(); ++w)
+      times[w].push_back(ns_per_step(workloads[w]));
+
+  study::Table table{"Time per step on this machine",
+                     {"algorithm", "ns", "multiple of the first"},
+                     {},
+                     fmt::format("median of {} times {} steps", repetitions, timed_steps)};
+  double first = 0;
+  for (std::size_t w = 0; w < workloads.size(); ++w) {
+    const double ns = median(times[w]);
+    if (w == 0) first = ns;
+    table.rows.push_back(
+        {workloads[w].name, fmt::format("{:.0f}", ns), fmt::format("{:.2f}", ns / first)});
+    result.json[workloads[w].key]["ns_per_step"] = ns;
+  }
+  result.tables.push_back(std::move(table));
+}
+
+}  // namespace drydock::cli
