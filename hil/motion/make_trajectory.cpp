@@ -2,23 +2,14 @@
 
 #include "hil/motion/ballistic_trajectory.hpp"
 #include "hil/motion/kinematic_trajectory.hpp"
-#include "hil/motion/remembered_trajectory.hpp"
 #include "hil/motion/vehicle_trajectory.hpp"
 
 namespace drydock::motion {
 
-namespace {
-
-std::unique_ptr<Trajectory> motion_of(const rig_config::MissionConfig& mission, Stamp start) {
+std::unique_ptr<Trajectory> make_trajectory(const rig_config::MissionConfig& mission, Stamp start) {
   if (mission.ballistic) return std::make_unique<BallisticTrajectory>(mission, start);
   if (mission.vehicle) return std::make_unique<VehicleTrajectory>(mission, start);
   return std::make_unique<KinematicTrajectory>(mission, start);
-}
-
-}  // namespace
-
-std::unique_ptr<Trajectory> make_trajectory(const rig_config::MissionConfig& mission, Stamp start) {
-  return std::make_unique<RememberedTrajectory>(motion_of(mission, start));
 }
 
 }  // namespace drydock::motion

@@ -41,7 +41,7 @@ TEST(RigProblems, AWrongChoiceIsToldTheAllowedOnes) {
                           "model = \"stationary\"\n" +
                           std::string(imu_table)),
               ElementsAre("r.toml:10:8: /estimator/0/kind: \"levelling\" is not allowed (did you "
-                          "mean 'leveling'?), allowed: leveling"));
+                          "mean 'leveling'?), allowed: leveling, mixing"));
 }
 
 TEST(RigProblems, AProtocolMustFitTheKind) {
