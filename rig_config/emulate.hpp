@@ -26,12 +26,22 @@ struct SkyConfig {
   double elevation_mask_rad = 0.0872664625997165;  ///< 5 deg
 };
 
+/// The head of an emulated DVL; what is empty is as its maker built it. Ranges are along the beams.
+struct DvlHeadConfig {
+  std::optional<double> shortest_range_m, longest_range_m;
+  std::optional<bool> three_beams;                  ///< are enough for a velocity
+  double fading_db = 1.5;                           ///< 1 sigma of each echo's strength
+  double beam_noise_mps = 0;                        ///< 1 sigma of each beam's velocity
+  double layer_start_m = 0, layer_thickness_m = 0;  ///< water track; thickness 0: none
+};
+
 struct EmulateConfig {
   bool fixed_bias = true;  ///< biases are +1 sigma as given; false: drawn N(0, 1 sigma) per seed
   double latency_s = 0;    ///< from sampling to the first byte on the wire
   SensorErrors primary;    ///< gyro rad/s, speed m/s, velocity m/s, pressure Pa, position m
   SensorErrors secondary;  ///< accelerometer m/s2, GNSS velocity m/s
   std::optional<SkyConfig> sky;  ///< kind gnss; empty: ten invented satellites
+  DvlHeadConfig head;            ///< kind dvl
 };
 
 }  // namespace drydock::rig_config

@@ -49,7 +49,7 @@ class Nmea2000Depth final : public J1939Device {
     wire::nmea2000::WaterDepth below;
     below.source = address;
     below.sequence = sequence;
-    const double altitude = sensor::altitude_at(truth, mounting());
+    const double altitude = sensor::altitude_at(truth, trajectory().ocean(), mounting());
     if (altitude > 0 && altitude <= echo_range_m) below.depth_m = altitude;
     below.offset_m = 0;
     below.maximum_range_m = echo_range_m;
