@@ -34,7 +34,8 @@ class Nmea2000Depth final : public J1939Device {
     const auto ideal = sensor::ideal_depth(truth, trajectory().ocean(), mounting());
     send_pressure(*ideal.pressure_pa, at, address, out);
     if (each(temperature_interval_s)) send_temperature(*ideal.temperature_k, address, out);
-    if (each(depth_interval_s)) send_depth(sensor::altitude_at(truth, mounting()), address, out);
+    if (each(depth_interval_s))
+      send_depth(sensor::altitude_at(truth, trajectory().ocean(), mounting()), address, out);
     ++reports_;
   }
 
