@@ -214,7 +214,9 @@ TEST(EmulatedDvl, EchoesFadeTowardsTheLongestRange) {
     const auto track = *decoded(message).bottom_track;
     for (std::size_t i = 0; i < 4; ++i) {
       // 8 dB or more: 255 x / (1 + x) with x = 6.3.
-      if (track.range_m[i]) EXPECT_GE(track.correlation[i], 220);
+      if (track.range_m[i]) {
+        EXPECT_GE(track.correlation[i], 220);
+      }
     }
     locked += track.velocity_mps[0].has_value();
   }
