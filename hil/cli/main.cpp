@@ -17,6 +17,7 @@
 #include "hil/cli/emulate.hpp"
 #include "hil/cli/maneuver.hpp"
 #include "hil/cli/run.hpp"
+#include "hil/cli/sensor.hpp"
 #include "hil/cli/sky.hpp"
 #include "rig_config/load.hpp"
 
@@ -246,6 +247,24 @@ void add_sky(CLI::App& app, Command& command) {
   });
 }
 
+void add_sensor(CLI::App& app, Command& command) {
+  auto options = std::make_shared<cli::SensorOptions>();
+  auto* sub = app.add_subcommand("sensor", "Allan deviation of an inertial unit of a grade");
+  sub->footer(
+      "Example: drydock sensor rig_config/sensors/xsens-mti-630.toml --for 5h --allan allan.svg");
+  sub->add_option("GRADE", options->grade, "sensor file (TOML) with a table [imu]")->required();
+  sub->add_option("--for", options->duration_s, "how long it is recorded: 10min, 5h; default 2h")
+      ->transform(duration_text);
+  sub->add_option("--rate", options->rate_hz, "samples a second; default the grade's, else 100")
+      ->check(CLI::PositiveNumber);
+  sub->add_option("--seed", options->seed, "of all random errors")->capture_default_str();
+  sub->add_flag("--json", options->json, "JSON instead of a table");
+  sub->add_option("--allan", options->allan, "write a plot to this SVG file");
+  sub->callback([options, &command] {
+    command = [options] { return cli::show_sensor(*options, stdout, stderr); };
+  });
+}
+
 void add_maneuver(CLI::App& app, Command& command) {
   auto options = std::make_shared<cli::ManeuverOptions>();
   auto* sub = app.add_subcommand("maneuver", "Standard manoeuvres of a vehicle, and their figures");
@@ -311,6 +330,7 @@ int main(int argc, char** argv) {
   add_monitor(app, command);
   add_decode(app, command);
   add_replay(app, command);
+  add_sensor(app, command);
   add_sky(app, command);
   add_maneuver(app, command);
   try {

@@ -50,9 +50,10 @@ std::string script(const Plot& plot) {
                  "set term svg size {} dynamic font 'sans,11' background '#ffffff'\n"
                  "set title {} font 'sans,13'\nset xlabel {}\nset ylabel {}\n"
                  "set grid lc rgb '#dddddd'\nset key outside right top\n",
-                 plot.equal_scales ? "860,600" : "860,300", quoted(plot.title),
+                 plot.equal_scales || plot.logarithmic ? "860,600" : "860,300", quoted(plot.title),
                  quoted(plot.x_label), quoted(plot.y_label));
   if (plot.equal_scales) fmt::format_to(to, "set size ratio -1\n");
+  if (plot.logarithmic) fmt::format_to(to, "set logscale xy\nset format xy '10^{{%T}}'\n");
   if (plot.y_limit > 0) fmt::format_to(to, "set yrange [{}:{}]\n", -plot.y_limit, plot.y_limit);
   for (std::size_t i = 0; i < plot.series.size(); ++i) {
     fmt::format_to(to, "$data{} << END\n", i);

@@ -17,6 +17,7 @@ struct Plot {
   std::vector<Series> series;
   double y_limit = 0;         ///< 0: as the data needs; else the axis goes from -y_limit to y_limit
   bool equal_scales = false;  ///< a metre is as long on both axes
+  bool logarithmic = false;   ///< both axes; what is not above zero is left out
 };
 
 /// The plot as an SVG element, drawn by gnuplot. Empty when gnuplot is not there or fails.
