@@ -41,12 +41,15 @@ struct EmulateConfig {
   bool fixed_bias = true;  ///< constants are +1 sigma as given; false: drawn N(0, 1 sigma) per seed
   double latency_s = 0;    ///< from sampling to the first byte on the wire
   DropoutConfig dropout;
-  std::optional<double>
-      power_noise;                ///< of a sensor file of kind gnss: a sky that names none has it
-  std::optional<double> rate_hz;  ///< of a sensor file: a device that names none has it
-  SensorErrors
-      primary;  ///< gyro rad/s, speed m/s, velocity m/s, pressure Pa, position m, angle rad
-  SensorErrors secondary;        ///< accelerometer m/s2, GNSS velocity m/s, shaft rad/s
+
+  /// Gyro rad/s, velocity or speed m/s, position m, pressure Pa, angle rad.
+  SensorErrors primary;
+  SensorErrors secondary;  ///< accelerometer m/s2, GNSS velocity m/s, shaft rad/s
+
+  // What a sensor file says for rigs that say nothing themselves.
+  std::optional<double> rate_hz;
+  std::optional<double> power_noise;  ///< kind gnss: of the sky
+
   std::optional<SkyConfig> sky;  ///< kind gnss; empty: ten invented satellites
   DvlHeadConfig head;            ///< kind dvl
 };

@@ -57,13 +57,14 @@ std::string script(const Plot& plot) {
                  "set term svg size {} dynamic font 'sans,11' background '#ffffff'\n"
                  "set title {} font 'sans,13'\nset xlabel {}\nset ylabel {}\n"
                  "set grid lc rgb '#dddddd'\nset key outside right top\n",
-                 plot.equal_scales ? "860,600" : "860,300", quoted(plot.title),
+                 plot.equal_scales || (plot.log_x && plot.log_y) ? "860,600" : "860,300", quoted(plot.title),
                  quoted(plot.x_label), quoted(plot.y_label));
   if (plot.equal_scales) fmt::format_to(to, "set size ratio -1\n");
   if (plot.y_limit > 0)
     fmt::format_to(to, "set yrange [{}:{}]\n", goes_below_zero(plot) ? -plot.y_limit : 0,
                    plot.y_limit);
-  if (plot.log_y) fmt::format_to(to, "set logscale y\nset format y '%.0e'\n");
+  if (plot.log_x) fmt::format_to(to, "set logscale x\nset format x '10^{{%T}}'\n");
+  if (plot.log_y) fmt::format_to(to, "set logscale y\nset format y '10^{{%T}}'\n");
   for (std::size_t i = 0; i < plot.curves.size(); ++i) {
     fmt::format_to(to, "$data{} << END\n", i);
     const auto& s = plot.curves[i];

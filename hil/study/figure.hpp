@@ -17,7 +17,7 @@ struct Figure {
   std::vector<Curve> curves;
   double y_limit = 0;  ///< 0: as the data needs; else as far as this, down only where they go
   bool equal_scales = false;  ///< a metre is as long on both axes
-  bool log_y = false;         ///< a decade is as high everywhere; values are above 0
+  bool log_x = false, log_y = false;  ///< a decade is as long everywhere; values are above 0
 };
 
 }  // namespace drydock::study
