@@ -160,7 +160,10 @@ EstimatorConfig build_estimator(const Node& table) {
   read(table, "kind", estimator.kind);
   read(table, "imu", estimator.imu);
   read(table, "log", estimator.log);
-  std::string model, start;
+  std::string filter, model, start;
+  read(table, "filter", filter);
+  if (filter == "augmented") estimator.filter = LevelingFilter::augmented;
+  if (filter == "paper") estimator.filter = LevelingFilter::paper;
   read(table, "model", model);
   read(table, "start", start);
   estimator.stationary = model == "stationary";

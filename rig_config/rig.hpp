@@ -100,9 +100,12 @@ struct DeviceConfig {
   int line = 0;  ///< of the [[device]] block in the file
 };
 
+enum class LevelingFilter : std::uint8_t { robust, augmented, paper };
+
 struct EstimatorConfig {
   std::string name;
-  std::string kind;         ///< leveling
+  std::string kind;  ///< leveling
+  LevelingFilter filter = LevelingFilter::robust;
   std::string imu, log;     ///< device names
   bool stationary = false;  ///< measurement model: all three velocities zero
   bool accelerometer_start =
