@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <cmath>
+#include <variant>
 
 namespace drydock::pipeline {
 
@@ -29,7 +30,7 @@ LevelingEstimator::LevelingEstimator(std::uint16_t index, const EstimatorOptions
       stationary_(options.stationary),
       max_imu_gap_(pipeline.max_imu_gap),
       max_speed_age_(pipeline.max_speed_age),
-      filter_(options.leveling) {}
+      filter_(leveling::make_filter(options.filter, options.leveling)) {}
 
 Outcome LevelingEstimator::take(const ImuSample& sample, EstimateListener& listener) {
   if (sample.origin.device != imu_) return Outcome::unused;
@@ -67,7 +68,7 @@ Outcome LevelingEstimator::take(const WaterSpeed& speed, EstimateListener&) {
   if (behind > max_speed_age_) return Outcome::late;
   if (behind < -max_speed_age_) return Outcome::unused;  // the IMU is silent: kept for its return
 
-  filter_.update_moving(*speed.longitudinal_mps);
+  std::visit([&](auto& filter) { filter.update_moving(*speed.longitudinal_mps); }, filter_);
   fed_by_ |= bit(*log_);
   status_.last_speed = speed.origin.valid_at;
   return behind > behind.zero() ? Outcome::delayed : Outcome::accepted;
@@ -89,7 +90,9 @@ bool LevelingEstimator::try_start(const ImuSample& sample) {
   const bool fresh =
       speed_ && std::chrono::abs(sample.origin.valid_at - speed_->valid_at) <= max_speed_age_;
   if (!stationary_ && !fresh) return false;
-  filter_.start(sample.specific_force, sample.angular_rate, stationary_ ? 0.0 : speed_->mps);
+  const double speed = stationary_ ? 0.0 : speed_->mps;
+  std::visit([&](auto& filter) { filter.start(sample.specific_force, sample.angular_rate, speed); },
+             filter_);
   status_.state = EstimatorState::running;
   fed_by_ = bit(imu_) | (stationary_ ? 0 : bit(*log_));
   if (!stationary_) status_.last_speed = speed_->valid_at;
@@ -99,13 +102,18 @@ bool LevelingEstimator::try_start(const ImuSample& sample) {
 void LevelingEstimator::step(const ImuSample& sample) {
   // Samples are instants: their mean stands for the interval between them to the second order.
   const double dt = measurement::seconds(sample.origin.valid_at - last_->origin.valid_at);
-  filter_.predict(0.5 * (last_->specific_force + sample.specific_force),
-                  0.5 * (last_->angular_rate + sample.angular_rate), dt);
-  if (stationary_) {
-    filter_.update_stationary();
-  } else {
-    filter_.update_nonholonomic(dt);
-  }
+  const Eigen::Vector3d force = 0.5 * (last_->specific_force + sample.specific_force);
+  const Eigen::Vector3d rate = 0.5 * (last_->angular_rate + sample.angular_rate);
+  std::visit(
+      [&](auto& filter) {
+        filter.predict(force, rate, dt);
+        if (stationary_) {
+          filter.update_stationary();
+        } else {
+          filter.update_nonholonomic(dt);
+        }
+      },
+      filter_);
 }
 
 void LevelingEstimator::emit(EstimateListener& listener) {
@@ -114,9 +122,13 @@ void LevelingEstimator::emit(EstimateListener& listener) {
   AttitudeEstimate estimate;
   estimate.valid_at = last_->origin.valid_at;
   estimate.estimator = index_;
-  estimate.roll_rad = filter_.roll();
-  estimate.pitch_rad = filter_.pitch();
-  estimate.covariance = filter_.roll_pitch_covariance();
+  std::visit(
+      [&](const auto& filter) {
+        estimate.roll_rad = filter.roll();
+        estimate.pitch_rad = filter.pitch();
+        estimate.covariance = filter.roll_pitch_covariance();
+      },
+      filter_);
   estimate.fed_by = fed_by_;
   listener.on_attitude(estimate);
 }

@@ -4,13 +4,13 @@
 #include <cstdint>
 #include <optional>
 
-#include "estimators/leveling/leveling_filter.hpp"
+#include "estimators/leveling/any_leveling_filter.hpp"
 #include "estimators/pipeline/estimator.hpp"
 #include "estimators/pipeline/options.hpp"
 
 namespace drydock::pipeline {
 
-/// The leveling filter on one IMU and one speed log. Gives an estimate for every IMU sample once it
+/// A leveling filter on one IMU and one speed log. Gives an estimate for every IMU sample once it
 /// runs; a speed corrects the state, and the next IMU sample shows it.
 class LevelingEstimator final : public Estimator {
  public:
@@ -27,7 +27,7 @@ class LevelingEstimator final : public Estimator {
   Outcome take(const measurement::WaterSpeed& speed, EstimateListener& listener) override;
   const EstimatorStatus& status() const override { return status_; }
 
-  const leveling::LevelingFilter& filter() const { return filter_; }
+  const leveling::AnyLevelingFilter& filter() const { return filter_; }
 
  private:
   struct Speed {
@@ -46,7 +46,7 @@ class LevelingEstimator final : public Estimator {
   std::optional<std::uint16_t> log_;
   bool stationary_;
   std::chrono::nanoseconds max_imu_gap_, max_speed_age_;
-  leveling::LevelingFilter filter_;
+  leveling::AnyLevelingFilter filter_;
   std::optional<measurement::ImuSample> last_;  ///< its valid_at is the filter's time
   std::optional<Speed> speed_;                  ///< the newest, for the next start
   int far_behind_ = 0;                          ///< samples in a row

@@ -10,7 +10,10 @@ namespace drydock::study {
 namespace {
 
 constexpr double zoomed_limit_deg = 0.2;  // four times what is left of a bias of 1 mg
-constexpr std::size_t s_path_case = 0, stationary_case = 1;
+constexpr std::size_t s_path_case = 0, stationary_case = 1, augmented_filter = 2;
+static_assert(leveling_cases[s_path_case].name == "moving_s" &&
+              leveling_cases[stationary_case].name == "stationary" &&
+              leveling_filters[augmented_filter].name == "augmented");
 
 std::vector<double> point_times() {
   std::vector<double> t(leveling_points);
@@ -114,7 +117,7 @@ std::vector<Figure> leveling_figures(const LevelingResults& results) {
                        &Ensemble::mean);
   add_ensemble_figures(figures, "Fig. 9: standard deviation, stationary", deviation,
                        fixed[stationary_case], &Ensemble::deviation);
-  const auto& augmented = results[1][s_path_case][2];
+  const auto& augmented = results[1][s_path_case][augmented_filter];
   figures.push_back(belief_figure("roll", augmented, &LevelingStatistics::roll,
                                   &LevelingStatistics::roll_variance));
   figures.push_back(belief_figure("pitch", augmented, &LevelingStatistics::pitch,

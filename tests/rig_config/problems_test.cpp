@@ -141,6 +141,20 @@ TEST(RigProblems, KeysThatDependOnAChoiceSaySo) {
               ElementsAre("r.toml:13:1: /estimator/0: key 'initial_pitch_deg' is missing"));
 }
 
+TEST(RigProblems, ThePapersFilterStartsFromAGivenAttitudeAlone) {
+  const std::string head = std::string(imu_table) +
+                           "[[estimator]]\nname = \"l\"\nkind = \"leveling\"\nimu = \"imu\"\n"
+                           "model = \"stationary\"\n";
+  EXPECT_THAT(problems_of(head + "filter = \"paper\"\n"),
+              ElementsAre("r.toml:13:1: /estimator/0: key 'start' is missing"));
+  EXPECT_THAT(problems_of(head + "filter = \"paper\"\nstart = \"accelerometer\"\n"),
+              ElementsAre("r.toml:19:9: /estimator/0/start: \"accelerometer\" is not allowed, "
+                          "allowed: given"));
+  EXPECT_THAT(problems_of(head + "filter = \"augmentd\"\n"),
+              ElementsAre("r.toml:18:10: /estimator/0/filter: \"augmentd\" is not allowed (did you "
+                          "mean 'augmented'?), allowed: robust, augmented, paper"));
+}
+
 TEST(RigProblems, AnAddressIsTakenOncePerBus) {
   const std::string depth =
       "[[device]]\nname = \"d1\"\nkind = \"depth\"\nprotocol = \"nmea2000\"\nlink = \"can:auto\"\n"

@@ -80,6 +80,30 @@ TEST(Program, WrongUsageAndWrongConfigurationExitWithTwo) {
   EXPECT_THAT(missing.output, HasSubstr("nowhere.toml"));
 }
 
+TEST(Program, AStudyGivesTheSameFilesOnOneThreadAndOnThree) {
+  const Folder folder;
+  const auto study = [&](const std::string& jobs) {
+    const auto json = folder / (jobs + ".json");
+    const auto outcome = drydock("study leveling --runs 4 --jobs " + jobs + " --json " +
+                                 json.string() + " --report " + (folder / jobs).string());
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.output;
+    EXPECT_THAT(outcome.output, HasSubstr("leveling: 4 of 4 runs, seed 1"));
+    return read_file(json) + read_file(folder / jobs / "index.html");
+  };
+  const auto alone = study("1");
+  EXPECT_THAT(alone, HasSubstr("\"augmented\""));
+  EXPECT_EQ(study("3"), alone);
+}
+
+TEST(Program, AStudyWithWrongArgumentsSaysWhatIsAllowed) {
+  const auto name = drydock("study levelling");
+  EXPECT_EQ(name.exit_code, 2);
+  EXPECT_EQ(name.output.find("study: 'levelling' is not known, allowed: leveling"), 0U);
+  const auto runs = drydock("study leveling --runs 0");
+  EXPECT_EQ(runs.exit_code, 2);
+  EXPECT_THAT(runs.output, HasSubstr("1 to 1000000"));
+}
+
 TEST(Program, ABadLinkIsNamedWithFileLineAndColumn) {
   const Folder folder;
   std::ofstream(folder / "rig.toml")
