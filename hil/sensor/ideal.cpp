@@ -21,6 +21,13 @@ Vector3d velocity_body_at(const Truth& truth, const Mounting& mounting) {
   return truth.velocity_body + truth.rate_body.cross(mounting.lever_arm_m);
 }
 
+/// d(angular rate)/dt of a motion that does not know it.
+Vector3d differenced_rate(const Trajectory& trajectory, Stamp at) {
+  const auto h = std::chrono::milliseconds{1};
+  return (trajectory.at(at + h).angular_rate - trajectory.at(at - h).angular_rate) /
+         (2 * measurement::seconds(h));
+}
+
 }  // namespace
 
 measurement::ImuSample ideal_imu(const Trajectory& trajectory, Stamp at, const Mounting& mounting) {
@@ -30,10 +37,8 @@ measurement::ImuSample ideal_imu(const Trajectory& trajectory, Stamp at, const M
   Vector3d force = truth.specific_force;
   const Vector3d& r = mounting.lever_arm_m;
   if (!r.isZero()) {
-    const auto h = std::chrono::milliseconds{1};
     const Vector3d acceleration =
-        (trajectory.at(at + h).angular_rate - trajectory.at(at - h).angular_rate) /
-        (2 * measurement::seconds(h));
+        truth.angular_acceleration ? *truth.angular_acceleration : differenced_rate(trajectory, at);
     const Vector3d& w = truth.angular_rate;
     force += w.cross(w.cross(r)) + acceleration.cross(r);
   }

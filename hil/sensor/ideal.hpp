@@ -14,8 +14,9 @@ using motion::Stamp;
 using motion::Trajectory;
 using motion::Truth;
 
-/// Specific force f + w x (w x r) + dw/dt x r and rate w, both against inertial space. dw/dt is the
-/// central difference of the truth over 2 ms; gravity is taken as the same at both ends of r.
+/// Specific force f + w x (w x r) + dw/dt x r and rate w, both against inertial space. dw/dt is
+/// the truth's, or where it has none its central difference over 2 ms; gravity is taken as the same
+/// at both ends of r.
 measurement::ImuSample ideal_imu(const Trajectory& trajectory, Stamp at, const Mounting& mounting);
 
 /// Over-ground velocity v + w x r of the sensor in its own axes. w is against NED: the turn of NED
