@@ -37,7 +37,7 @@ TEST(RigProblems, AnXsensMessageThatDoesNotExistIsTold) {
 TEST(RigProblems, AGyroBiasOnADvlIsRefused) {
   EXPECT_THAT(problems_of("emulate = { gyro_bias_degph = 1 }\n"),
               ElementsAre("r.toml:8:13: /device/0/emulate/gyro_bias_degph: unknown key, allowed "
-                          "here: errors, fixed_bias, latency_ms, velocity_bias_mps, "
+                          "here: errors, fixed_bias, head, latency_ms, velocity_bias_mps, "
                           "velocity_noise_mps"));
 }
 
