@@ -17,13 +17,22 @@ class DeviceActor final : public Actor {
               device::Transmitter& transmitter, Stamp start,
               measurement::Provenance provenance = measurement::Provenance::emulated);
 
-  void receive(wire::Bytes bytes, Stamp at) { device_->receive(bytes, at); }
-  void receive(const wire::CanFrame& frame, Stamp at) { device_->receive(frame, at); }
+  void receive(wire::Bytes bytes, Stamp at) {
+    device_->receive(bytes, at);
+    woken();
+  }
+  void receive(const wire::CanFrame& frame, Stamp at) {
+    device_->receive(frame, at);
+    woken();
+  }
 
   std::optional<Stamp> deadline() const override;
   void act(Stamp now) override;
 
-  void stop(Stamp now) { device_->stop(now); }
+  void stop(Stamp now) {
+    device_->stop(now);
+    woken();
+  }
   const device::Device& device() const { return *device_; }
 
  private:

@@ -10,27 +10,35 @@ namespace {
 constexpr int most_acts_at_one_instant = 1'000'000;
 }  // namespace
 
-void Lockstep::run_until(Stamp end) {
-  int acts_at_this_instant = 0;
-  for (;;) {
-    Actor* first = nullptr;
-    Stamp first_due = end;
-    for (Actor* actor : actors_) {
-      const auto deadline = actor->deadline();
-      if (!deadline) continue;
-      const Stamp due = std::max(*deadline, now_);
-      if (due < first_due || (!first && due == first_due)) {
-        first = actor;
-        first_due = due;
-      }
+Actor* Lockstep::first_due(Stamp end) {
+  Actor* first = nullptr;
+  Stamp earliest = end;
+  for (Actor* actor : actors_) {
+    if (!actor->asked_) {
+      actor->due_ = actor->deadline();
+      actor->asked_ = true;
     }
-    if (!first) break;
-    acts_at_this_instant = first_due > now_ ? 0 : acts_at_this_instant + 1;
+    if (!actor->due_) continue;
+    const Stamp due = std::max(*actor->due_, now_);
+    if (due < earliest || (!first && due == earliest)) {
+      first = actor;
+      earliest = due;
+    }
+  }
+  return first;
+}
+
+void Lockstep::run_until(Stamp end) {
+  for (Actor* actor : actors_) actor->asked_ = false;  // the caller may have changed them
+  int acts_at_this_instant = 0;
+  while (Actor* actor = first_due(end)) {
+    acts_at_this_instant = *actor->due_ > now_ ? 0 : acts_at_this_instant + 1;
     if (acts_at_this_instant > most_acts_at_one_instant) {
       throw std::logic_error("lockstep: an actor stays due at the same instant for ever");
     }
-    now_ = first_due;
-    first->act(now_);
+    now_ = std::max(*actor->due_, now_);
+    actor->asked_ = false;
+    actor->act(now_);
   }
   now_ = std::max(now_, end);
 }

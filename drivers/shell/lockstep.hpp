@@ -17,6 +17,15 @@ class Actor {
   virtual ~Actor() = default;
   virtual std::optional<Stamp> deadline() const = 0;  ///< empty: nothing to do until woken
   virtual void act(Stamp now) = 0;                    ///< called at its deadline
+
+ protected:
+  /// To be called where the deadline moves for another reason than an act() of its own.
+  void woken() { asked_ = false; }
+
+ private:
+  friend class Lockstep;
+  bool asked_ = false;  ///< `due_` is what deadline() says
+  std::optional<Stamp> due_;
 };
 
 class Lockstep {
@@ -32,6 +41,8 @@ class Lockstep {
   void run_until(Stamp end);
 
  private:
+  Actor* first_due(Stamp end);
+
   Stamp now_;
   std::vector<Actor*> actors_;
 };

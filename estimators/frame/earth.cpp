@@ -17,8 +17,8 @@ double curvature_term(double latitude_rad) {
 }  // namespace
 
 double meridian_radius(double latitude_rad) {
-  return wgs84::semi_major_axis_m * (1 - wgs84::eccentricity_squared) /
-         std::pow(curvature_term(latitude_rad), 1.5);
+  const double c = curvature_term(latitude_rad);
+  return wgs84::semi_major_axis_m * (1 - wgs84::eccentricity_squared) / (c * std::sqrt(c));
 }
 
 double transverse_radius(double latitude_rad) {
@@ -37,7 +37,7 @@ Vector3d transport_rate_ned(double latitude_rad, double height_m, const Vector3d
 
 double gravity(double latitude_rad, double height_m) {
   using namespace wgs84;
-  const double s2 = std::pow(std::sin(latitude_rad), 2);
+  const double s = std::sin(latitude_rad), s2 = s * s;
   // TR8350.2 eq. 4-1
   constexpr double k =
       semi_minor_axis_m * gravity_pole_mps2 / (semi_major_axis_m * gravity_equator_mps2) - 1;

@@ -1,14 +1,14 @@
 #include "hil/cli/maneuver.hpp"
 
 #include <fmt/format.h>
-#include <fmt/os.h>
 
-#include <cmath>
+#include <algorithm>
 #include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "hil/cli/exit_codes.hpp"
 #include "hil/cli/maneuver_plot.hpp"
 #include "hil/motion/maneuver.hpp"
 #include "hil/motion/schedule.hpp"
@@ -20,7 +20,6 @@ namespace {
 
 constexpr double degree = std::numbers::pi / 180;
 constexpr double usual_propeller_radps = 1500 * 2 * std::numbers::pi / 60;
-constexpr int exit_failed = 1, exit_usage = 2;
 
 std::optional<double> radians(const std::optional<double>& angle_deg) {
   return angle_deg ? std::optional(*angle_deg * degree) : std::nullopt;
@@ -33,17 +32,30 @@ motion::Schedule read_schedule(const std::string& path) {
   return motion::parse_schedule(text, path);
 }
 
+/// What was asked for cannot be sailed by this vehicle.
+struct Refused : std::runtime_error {
+  using runtime_error::runtime_error;
+};
+
+motion::Maneuver maneuver_of(const ManeuverOptions& options,
+                             const rig_config::VehicleConfig& vehicle) {
+  const double usual_mps = usual_propeller_radps * vehicle.propeller.advance_m;
+  motion::Maneuver m;
+  m.kind = *motion::maneuver_kind(options.kind);
+  m.speed_mps = options.speed_mps.value_or(std::min(usual_mps, motion::fastest_mps(vehicle)));
+  m.deflection_rad = radians(options.deflection_deg);
+  if (options.switch_deg) m.switch_rad = *options.switch_deg * degree;
+  return m;
+}
+
 motion::Track sail(const ManeuverOptions& options, const rig_config::VehicleConfig& vehicle) {
-  const double advance = vehicle.propeller.advance_m;
   if (options.schedule.empty()) {
-    motion::Maneuver m;
-    m.kind = *motion::maneuver_kind(options.kind);
-    m.speed_mps = options.speed_mps.value_or(usual_propeller_radps * advance);
-    m.deflection_rad = radians(options.deflection_deg);
-    if (options.switch_deg) m.switch_rad = *options.switch_deg * degree;
+    const auto m = maneuver_of(options, vehicle);
+    if (const auto why_not = motion::refusal(vehicle, m)) throw Refused(*why_not);
     return motion::sail(vehicle, m);
   }
   constexpr double behind_last_row_s = 300;
+  const double advance = vehicle.propeller.advance_m;
   const auto schedule = read_schedule(options.schedule);
   const double speed = options.speed_mps.value_or(schedule.front().propeller_radps * advance);
   const auto until = options.duration_s.value_or(schedule.back().t + behind_last_row_s);
@@ -135,7 +147,13 @@ int maneuver(const ManeuverOptions& options, std::FILE* out, std::FILE* errors) 
   } catch (const motion::BadSchedule& bad) {
     fmt::print(errors, "{}\n", bad.what());
     return exit_usage;
+  } catch (const Refused& refused) {
+    fmt::print(errors, "maneuver: {}: {}\n", options.vehicle, refused.what());
+    return exit_usage;
   }
+  if (motion::too_steep(track.back().state))
+    fmt::print(errors, "maneuver: ended after {:.1f} s: pitch came to {:.1f} deg\n", track.back().t,
+               track.back().state[motion::element::pitch] / degree);
   const auto figures = kind ? motion::figures(*kind, track) : std::vector<motion::Figure>{};
   const auto points = kind == motion::ManeuverKind::spiral ? motion::spiral_points(track)
                                                            : std::vector<motion::SpiralPoint>{};

@@ -3,13 +3,13 @@
 #include <fstream>
 #include <numbers>
 
+#include "estimators/cli/degrees.hpp"
 #include "hil/cli/plot.hpp"
 
 namespace drydock::cli {
 
 namespace {
 
-constexpr double to_deg = 180 / std::numbers::pi;
 using namespace motion::element;
 
 template <class Across, class Up>

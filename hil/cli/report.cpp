@@ -120,6 +120,14 @@ std::string motion_section(const Summary& s) {
                  {{"truth", s.motion.t_s, scaled(s.motion.depth_m, -1)}}});
 }
 
+std::string process_section(const Summary& s) {
+  if (s.resident.t_s.size() < 2) return {};
+  return "<h2>This process</h2>\n" + figure({"Resident memory",
+                                             "time [s]",
+                                             "MB",
+                                             {{"resident", s.resident.t_s, s.resident.megabytes}}});
+}
+
 }  // namespace
 
 std::string to_html(const Summary& s) {
@@ -133,7 +141,7 @@ std::string to_html(const Summary& s) {
   for (const auto& note : s.notes) out += fmt::format("<p>{}</p>\n", escaped(note));
   out += "<h2>Health</h2>\n" + health_table(s);
   for (std::size_t i = 0; i < s.estimators.size(); ++i) out += estimator_section(s, i);
-  out += measurement_section(s) + motion_section(s);
+  out += measurement_section(s) + motion_section(s) + process_section(s);
   return html::page(s.rig, out);
 }
 

@@ -74,8 +74,10 @@ DeviceSummary summarise(const device::Device& device, const device::Health& heal
 int run(const rig_config::Rig& rig, const RunOptions& options) {
   const Summary summary =
       options.lockstep ? run_lockstep(rig, options) : run_real_time(rig, options);
-  fmt::print("\n{}: {:.1f} s of bench time in {:.1f} s{}\n{}", summary.rig, summary.duration_s,
-             summary.wall_s, summary.interrupted ? " (interrupted)" : "", to_text(summary));
+  fmt::print("\n{}: {:.1f} s of bench time in {:.1f} s{}{}\n{}", summary.rig, summary.duration_s,
+             summary.wall_s,
+             options.lockstep ? fmt::format(", {:.0f} times real time", summary.speed()) : "",
+             summary.interrupted ? " (interrupted)" : "", to_text(summary));
   if (!options.json.empty()) write_file(options.json, to_json(summary));
   if (!options.report.empty()) {
     const auto page = std::filesystem::path(options.report) / "index.html";

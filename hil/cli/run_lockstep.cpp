@@ -72,8 +72,10 @@ class LockstepBench final : private device::Listener, private pipeline::Estimate
     const InterruptFlag interrupted;
     const auto wall_start = std::chrono::steady_clock::now();
     const Stamp end = start_ + measurement::from_seconds(duration_s_);
+    scribe_.follow(start_);
     while (clock_.now() < end && !interrupted.set()) {
       clock_.run_until(std::min(end, clock_.now() + std::chrono::seconds{1}));
+      scribe_.follow(clock_.now());
       show_progress();
     }
     pipeline_.flush();
@@ -90,7 +92,7 @@ class LockstepBench final : private device::Listener, private pipeline::Estimate
           summarise(device, device.health(clock_.now()), provenance_of(device.options().link)));
     }
     s.notes = pipeline_notes(rig_, pipeline_);
-    scribe_.write(s, clock_.now());
+    scribe_.write(s);
     return s;
   }
 

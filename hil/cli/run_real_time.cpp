@@ -84,6 +84,7 @@ class Bench {
     timer_.expires_after(redraw_period);
     timer_.async_wait([this](const boost::system::error_code& ec) {
       if (ec || stopping_) return;  // an expired timer can no longer be cancelled
+      scribe_.follow(link::now());
       live_.draw(drivers_.shell(), elapsed(), options_.duration_s);
       if (options_.duration_s > 0 && elapsed() >= options_.duration_s) return stop();
       schedule_redraw();
@@ -124,7 +125,7 @@ class Bench {
                         " to write errors");
     }
     std::ranges::move(pipeline_notes(rig_, estimators_.pipeline()), std::back_inserter(s.notes));
-    scribe_.write(s, end_);
+    scribe_.write(s);
     return s;
   }
 

@@ -1,8 +1,11 @@
 #include "hil/cli/scribe.hpp"
 
+#include <unistd.h>
+
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <numbers>
 
 #include "estimators/cli/degrees.hpp"
@@ -14,6 +17,18 @@ using namespace measurement;
 namespace {
 
 constexpr double points_per_curve = 1500;
+
+frame::Position position_of(const motion::Truth& truth) {
+  return {truth.latitude_rad, truth.longitude_rad, truth.height_m};
+}
+
+/// Of this process, from the second figure of /proc/self/statm (pages); 0 where there is none.
+double resident_megabytes() {
+  std::ifstream statm("/proc/self/statm");
+  double size = 0, resident = 0;
+  statm >> size >> resident;
+  return resident * static_cast<double>(::sysconf(_SC_PAGESIZE)) / 1e6;
+}
 
 double wrapped(double angle) { return std::remainder(angle, 2 * std::numbers::pi); }
 
@@ -38,6 +53,7 @@ AttitudeError ErrorStatistics::result() const {
 Scribe::Scribe(const rig_config::Rig& rig, const motion::Trajectory* truth, Stamp start,
                double expected_duration_s)
     : truth_(truth), start_(start), spacing_s_(expected_duration_s / points_per_curve) {
+  if (truth) origin_ = position_of(truth->at(start));
   for (const auto& config : rig.estimators) {
     Estimator estimator;
     estimator.summary.name = config.name;
@@ -148,7 +164,26 @@ void Scribe::note(const pipeline::AttitudeEstimate& estimate) {
   }
 }
 
-void Scribe::write(Summary& summary, Stamp end) const {
+void Scribe::follow(Stamp now) {
+  const double t = since_start(now);
+  if (!resident_.t_s.empty() && t < resident_.t_s.back() + 3 * spacing_s_) return;
+  resident_.t_s.push_back(t);
+  resident_.megabytes.push_back(resident_megabytes());
+  if (truth_) follow_motion(now);
+}
+
+void Scribe::follow_motion(Stamp now) {
+  const auto truth = truth_->at(now);
+  const auto offset = frame::ned_offset(*origin_, position_of(truth));
+  motion_.t_s.push_back(since_start(now));
+  motion_.north_m.push_back(offset.x());
+  motion_.east_m.push_back(offset.y());
+  motion_.depth_m.push_back(-truth.height_m);
+  motion_.speed_mps.push_back(truth.velocity_body.norm());
+  motion_.heading_deg.push_back(truth.yaw_rad * to_deg);
+}
+
+void Scribe::write(Summary& summary) const {
   for (const auto& e : estimators_) {
     summary.estimators.push_back(e.summary);
     if (e.whole_run.count() > 0) summary.estimators.back().whole_run = e.whole_run.result();
@@ -156,21 +191,8 @@ void Scribe::write(Summary& summary, Stamp end) const {
     summary.traces.push_back(e.trace);
   }
   summary.measurements = plots_;
-  if (!truth_) return;
-  const auto origin = truth_->at(start_);
-  constexpr double earth_radius_m = 6371000;  // for the axes of a sketch, not for navigation
-  const auto step = from_seconds(std::max(spacing_s_ * 3, 1e-3));
-  for (Stamp at = start_; at <= end; at += step) {
-    const auto truth = truth_->at(at);
-    auto& m = summary.motion;
-    m.t_s.push_back(since_start(at));
-    m.north_m.push_back((truth.latitude_rad - origin.latitude_rad) * earth_radius_m);
-    m.east_m.push_back((truth.longitude_rad - origin.longitude_rad) * earth_radius_m *
-                       std::cos(origin.latitude_rad));
-    m.depth_m.push_back(-truth.height_m);
-    m.speed_mps.push_back(truth.velocity_body.norm());
-    m.heading_deg.push_back(truth.yaw_rad * to_deg);
-  }
+  summary.motion = motion_;
+  summary.resident = resident_;
 }
 
 }  // namespace drydock::cli

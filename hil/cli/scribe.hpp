@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "drivers/measurement/measurement.hpp"
+#include "estimators/frame/geodetic.hpp"
 #include "estimators/pipeline/estimate.hpp"
 #include "hil/cli/summary.hpp"
 #include "hil/motion/truth.hpp"
@@ -32,11 +33,15 @@ class Scribe {
   Scribe(const rig_config::Rig& rig, const motion::Trajectory* truth, measurement::Stamp start,
          double expected_duration_s);
 
+  /// To be called as the run goes on, at least as often as the curves have points: the truth's
+  /// motion and the memory of this process at `now`.
+  void follow(measurement::Stamp now);
+
   void note(const measurement::Measurement& measurement);
   void note(const pipeline::AttitudeEstimate& estimate);
 
-  /// Fills in estimators, traces, measurements and motion of the summary.
-  void write(Summary& summary, measurement::Stamp end) const;
+  /// Fills in estimators and all curves of the summary.
+  void write(Summary& summary) const;
 
  private:
   struct Estimator {
@@ -57,13 +62,18 @@ class Scribe {
   std::size_t add_plot(std::string title, std::string unit, std::vector<std::string> labels);
   void add_device(const rig_config::DeviceConfig& device);
 
+  void follow_motion(measurement::Stamp now);
+
   const motion::Trajectory* truth_;
   measurement::Stamp start_;
   double spacing_s_;
   std::vector<Estimator> estimators_;
   std::vector<MeasurementTrace> plots_;
   std::vector<Curve> curves_;
-  std::vector<std::size_t> first_curve_;  ///< per device
+  std::vector<std::size_t> first_curve_;   ///< per device
+  std::optional<frame::Position> origin_;  ///< of the motion's axes
+  MotionTrace motion_;
+  ResidentTrace resident_;
 };
 
 }  // namespace drydock::cli

@@ -39,6 +39,13 @@ Json device_json(const DeviceSummary& d) {
           {"last_error", d.last_error.empty() ? Json(nullptr) : Json(d.last_error)}};
 }
 
+Json resident_json(const ResidentTrace& resident) {
+  if (resident.megabytes.empty()) return nullptr;
+  return {{"start_mb", resident.megabytes.front()},
+          {"end_mb", resident.megabytes.back()},
+          {"largest_mb", std::ranges::max(resident.megabytes)}};
+}
+
 }  // namespace
 
 bool Summary::all_streaming() const {
@@ -52,7 +59,9 @@ std::string to_json(const Summary& s) {
             {"seed", s.seed},
             {"duration_s", s.duration_s},
             {"wall_s", s.wall_s},
+            {"times_real_time", s.speed()},
             {"interrupted", s.interrupted},
+            {"resident", resident_json(s.resident)},
             {"notes", s.notes},
             {"devices", Json::array()},
             {"estimators", Json::array()}};

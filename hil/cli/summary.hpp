@@ -38,6 +38,11 @@ struct MotionTrace {
   std::vector<double> t_s, north_m, east_m, depth_m, speed_mps, heading_deg;
 };
 
+/// What the process held in memory as the run went on.
+struct ResidentTrace {
+  std::vector<double> t_s, megabytes;
+};
+
 struct MeasurementTrace {
   std::string title, unit;
   std::vector<std::string> labels;
@@ -53,10 +58,12 @@ struct Summary {
   std::vector<DeviceSummary> devices;
   std::vector<EstimatorSummary> estimators;
   std::vector<AttitudeTrace> traces;  ///< one an estimator
-  MotionTrace motion;
+  MotionTrace motion;                 ///< empty where there is no truth
+  ResidentTrace resident;
   std::vector<MeasurementTrace> measurements;
 
   bool all_streaming() const;
+  double speed() const { return wall_s > 0 ? duration_s / wall_s : 0; }  ///< times real time
 };
 
 /// The summary as JSON (without the curves), keys as in docs/run.md.

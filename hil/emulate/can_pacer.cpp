@@ -1,64 +1,101 @@
 #include "hil/emulate/can_pacer.hpp"
 
 #include <algorithm>
+#include <array>
 
 namespace drydock::emulate {
 namespace {
 
-// Counts the bits that are subject to stuffing: after five equal bits the sender inserts one of the
-// other value, which itself counts towards the next five.
-class StuffedBits {
- public:
-  void put(std::uint32_t value, unsigned width) {
-    while (width > 0) put_bit((value >> --width) & 1);
+/// CRC-15-CAN (polynomial 4599h, from 0) of one more byte; `crc` left-aligned in 16 bits.
+constexpr auto crc_table = [] {
+  std::array<std::uint16_t, 256> table{};
+  for (unsigned byte = 0; byte < table.size(); ++byte) {
+    unsigned crc = byte << 8;
+    for (int bit = 0; bit < 8; ++bit) crc = (crc << 1) ^ (crc & 0x8000 ? 0x4599u << 1 : 0);
+    table[byte] = static_cast<std::uint16_t>(crc);
   }
-  void put_crc() { put(crc_, 15); }
-  unsigned count() const { return count_; }
+  return table;
+}();
 
- private:
-  void put_bit(std::uint32_t bit) {
-    const bool divide = (bit ^ (crc_ >> 14)) & 1;
-    crc_ = (crc_ << 1) & 0x7FFF;
-    if (divide) crc_ ^= 0x4599;
-    ++count_;
-    run_ = bit == last_ ? run_ + 1 : 1;
-    last_ = bit;
-    if (run_ == 5) {
-      ++count_;
-      last_ = 1 - bit;
-      run_ = 1;
+/// After five equal bits the sender inserts one of the other value, which itself counts towards
+/// the next five. State: 4 * last bit + length of its run - 1; entry: 8 * inserted bits + state.
+constexpr auto stuff_table = [] {
+  std::array<std::array<std::uint8_t, 256>, 8> table{};
+  for (unsigned state = 0; state < table.size(); ++state) {
+    for (unsigned byte = 0; byte < 256; ++byte) {
+      unsigned last = state / 4, run = state % 4 + 1, inserted = 0;
+      for (int place = 7; place >= 0; --place) {
+        const unsigned bit = (byte >> place) & 1;
+        run = bit == last ? run + 1 : 1;
+        last = bit;
+        if (run < 5) continue;
+        ++inserted;
+        last = 1 - bit;
+        run = 1;
+      }
+      table[state][byte] = static_cast<std::uint8_t>(8 * inserted + 4 * last + run - 1);
     }
   }
+  return table;
+}();
 
-  std::uint32_t crc_ = 0;
-  std::uint32_t last_ = 2;  // neither 0 nor 1: the first bit begins a run
-  unsigned run_ = 0, count_ = 0;
+/// Passes bytes of a frame in the order of sending.
+class Stuffing {
+ public:
+  void put(unsigned byte) {
+    const unsigned entry = stuff_table[state_][byte];
+    inserted_ += entry / 8;
+    state_ = entry % 8;
+  }
+  unsigned inserted() const { return inserted_; }
+
+ private:
+  unsigned state_ = 0, inserted_ = 0;
 };
 
+/// The bits before the data. Bits in front that fill the first byte are 0, which the CRC does not
+/// see; `fill` sets those that the stuffing must see differ from each other.
+struct Header {
+  std::uint64_t bits = 0;
+  unsigned size = 0, bytes = 0;
+  std::uint64_t fill = 0;
+};
+
+Header header_of(const wire::CanFrame& frame) {
+  const std::uint64_t remote = frame.remote, length = frame.size & 0xF;
+  if (!frame.extended)  // start of frame, identifier, remote, extension, a reserved bit, length
+    return {std::uint64_t{frame.id} << 7 | remote << 6 | length, 19, 3,
+            std::uint64_t{0b10101} << 19};
+  // start of frame, identifier, substitute remote and extension, identifier, remote, two reserved
+  return {std::uint64_t{frame.id >> 18} << 27 | std::uint64_t{0b11} << 25 |
+              std::uint64_t{frame.id & 0x3FFFF} << 7 | remote << 6 | length,
+          39, 5, std::uint64_t{1} << 39};
+}
+
+constexpr unsigned crc_bits = 15;
 // CRC delimiter, acknowledge slot and delimiter, end of frame, intermission.
 constexpr unsigned unstuffed_bits = 1 + 2 + 7 + 3;
 
 }  // namespace
 
 unsigned bits_on_wire(const wire::CanFrame& frame) {
-  StuffedBits bits;
-  const std::uint32_t remote = frame.remote;
-  bits.put(0, 1);  // start of frame
-  if (frame.extended) {
-    bits.put(frame.id >> 18, 11);
-    bits.put(0b11, 2);  // substitute remote request, identifier extension
-    bits.put(frame.id & 0x3FFFF, 18);
-    bits.put(remote << 2, 3);  // and two reserved bits
-  } else {
-    bits.put(frame.id, 11);
-    bits.put(remote << 2, 3);  // identifier extension, a reserved bit
+  const Header header = header_of(frame);
+  unsigned crc = 0;
+  Stuffing stuffing;
+  const auto put = [&](std::uint8_t byte, unsigned as_stuffed) {
+    crc = (crc << 8 ^ crc_table[(crc >> 8 ^ byte) & 0xFF]) & 0xFFFF;
+    stuffing.put(as_stuffed);
+  };
+  for (unsigned i = header.bytes; i-- > 0;) {
+    put(static_cast<std::uint8_t>(header.bits >> 8 * i),
+        static_cast<unsigned>((header.bits | header.fill) >> 8 * i) & 0xFF);
   }
-  bits.put(frame.size, 4);
-  if (!frame.remote) {
-    for (const std::uint8_t byte : frame.payload()) bits.put(byte, 8);
-  }
-  bits.put_crc();
-  return bits.count() + unstuffed_bits;
+  const auto data = frame.remote ? std::span<const std::uint8_t>{} : frame.payload();
+  for (const std::uint8_t byte : data) put(byte, byte);
+  stuffing.put(crc >> 8);
+  stuffing.put((crc & 0xFE) | (~crc >> 1 & 1));  // the sixteenth bit ends a run, so inserts nothing
+  return header.size + 8 * static_cast<unsigned>(data.size()) + crc_bits + stuffing.inserted() +
+         unstuffed_bits;
 }
 
 Stamp CanPacer::end_of(const Waiting& frame, Stamp earliest) const {

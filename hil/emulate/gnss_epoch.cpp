@@ -13,13 +13,9 @@ namespace {
 
 using namespace std::chrono;
 
-constexpr double position_dop = 1.6;
-
 // No receiver claims to be perfect.
 constexpr double best_accuracy_m = 0.01;
 constexpr double best_accuracy_mps = 0.001;
-
-constexpr int fewest_for_a_fix = 4;
 
 double spread(const rig_config::SensorErrors& errors, std::size_t axis) {
   return std::hypot(errors.bias[axis], errors.noise[axis], errors.bias_instability[axis]);
@@ -55,7 +51,6 @@ void GnssSensor::add_errors(measurement::GnssFix& fix) {
   fix.horizontal_accuracy_m = horizontal_accuracy_m_;
   fix.vertical_accuracy_m = vertical_accuracy_m_;
   fix.speed_accuracy_mps = speed_accuracy_mps_;
-  fix.position_dop = position_dop;
 }
 
 GnssEpoch GnssSensor::measure(const motion::Truth& truth, const sensor::Mounting& mounting) {
@@ -64,8 +59,10 @@ GnssEpoch GnssSensor::measure(const motion::Truth& truth, const sensor::Mounting
   epoch.sky.origin.valid_at = truth.at;
   if (epoch.fix.type != measurement::FixType::none) epoch.sky = sky_->at(truth);
   const auto used = std::ranges::count_if(epoch.sky.satellites, &measurement::Satellite::used);
-  if (used >= fewest_for_a_fix) {
+  epoch.dilution = sky::dilution(epoch.sky.satellites);
+  if (epoch.dilution) {
     add_errors(epoch.fix);
+    epoch.fix.position_dop = epoch.dilution->position;
   } else {
     measurement::GnssFix none;
     none.origin = epoch.fix.origin;

@@ -4,14 +4,16 @@
 
 #include "drivers/measurement/measurement.hpp"
 #include "hil/emulate/sampling_device.hpp"
+#include "hil/sky/dilution.hpp"
 
 namespace drydock::emulate {
 
-/// What a receiver knows at one epoch. Under water: no fix, no satellites; its clock runs on. With
-/// fewer than four satellites in use: no fix.
+/// What a receiver knows at one epoch. Under water: no fix, no satellites; its clock runs on. No
+/// fix either where the satellites in use do not give one (sky::dilution).
 struct GnssEpoch {
   measurement::GnssFix fix;
   measurement::GnssSatellites sky;
+  std::optional<sky::Dilution> dilution;     ///< with a fix
   std::chrono::year_month_day date;          ///< UTC
   std::chrono::nanoseconds time_of_day{};    ///< UTC
   std::chrono::milliseconds time_of_week{};  ///< GPS time

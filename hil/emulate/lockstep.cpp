@@ -20,6 +20,7 @@ EmulatedLine::EmulatedLine(std::unique_ptr<EmulatedDevice> device, unsigned baud
 void EmulatedLine::receive(wire::Bytes bytes, Stamp now) {
   now_ = now;
   device_->receive(bytes, now, *this);
+  woken();
 }
 
 std::optional<Stamp> EmulatedLine::deadline() const {
@@ -36,15 +37,29 @@ void EmulatedLine::act(Stamp now) {
 // A node's way onto the bus.
 struct EmulatedBus::Node final : Wire {
   Node(std::unique_ptr<EmulatedDevice> emulated, CanPacer& bus, int place)
-      : device(std::move(emulated)), pacer(bus), index(place) {}
+      : device(std::move(emulated)), pacer(bus), index(place) {
+    ask();
+  }
 
   void send(wire::Bytes) override {}
   void send(const wire::CanFrame& frame) override { pacer.queue(frame, index, now); }
+
+  void hear(const wire::CanFrame& frame) {
+    device->receive(frame, now, *this);
+    ask();
+  }
+  void act() {
+    if (due > now) return;
+    device->tick(now, *this);
+    ask();
+  }
+  void ask() { due = device->deadline().value_or(Stamp::max()); }
 
   std::unique_ptr<EmulatedDevice> device;
   CanPacer& pacer;
   int index;
   Stamp now{};
+  Stamp due{};  ///< the device's deadline, which moves only when it hears or acts; max: none
 };
 
 namespace {
@@ -59,30 +74,29 @@ EmulatedBus::~EmulatedBus() = default;
 void EmulatedBus::add(std::unique_ptr<EmulatedDevice> device) {
   nodes_.push_back(
       std::make_unique<Node>(std::move(device), pacer_, static_cast<int>(nodes_.size())));
+  woken();
 }
 
 void EmulatedBus::receive(const wire::CanFrame& frame, Stamp now) {
   pacer_.queue(frame, a_driver, now);
+  woken();
 }
 
 std::optional<Stamp> EmulatedBus::deadline() const {
-  auto next = pacer_.deadline();
-  for (const auto& node : nodes_) next = earlier(next, node->device->deadline());
-  return next;
+  Stamp next = pacer_.deadline().value_or(Stamp::max());
+  for (const auto& node : nodes_) next = std::min(next, node->due);
+  return next == Stamp::max() ? std::nullopt : std::optional(next);
 }
 
 void EmulatedBus::act(Stamp now) {
   for (const auto& node : nodes_) node->now = now;
   while (const auto sent = pacer_.take(now)) {
     for (const auto& node : nodes_) {
-      if (node->index != sent->sender) node->device->receive(sent->frame, now, *node);
+      if (node->index != sent->sender) node->hear(sent->frame);
     }
     if (sent->sender != a_driver) deliver_(sent->frame, sent->at);
   }
-  for (const auto& node : nodes_) {
-    const auto due = node->device->deadline();
-    if (due && *due <= now) node->device->tick(now, *node);
-  }
+  for (const auto& node : nodes_) node->act();
 }
 
 }  // namespace drydock::emulate

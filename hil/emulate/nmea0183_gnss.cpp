@@ -5,8 +5,6 @@
 namespace drydock::emulate {
 namespace {
 
-constexpr double horizontal_dop = 0.9, vertical_dop = 1.3;
-
 wire::Rmc rmc(const GnssEpoch& epoch) {
   wire::Rmc m;
   m.time_of_day = epoch.time_of_day;
@@ -33,7 +31,7 @@ wire::Gga gga(const GnssEpoch& epoch) {
   m.quality = 1;
   m.latitude_rad = fix.position->latitude_rad;
   m.longitude_rad = fix.position->longitude_rad;
-  m.horizontal_dop = horizontal_dop;
+  m.horizontal_dop = epoch.dilution->horizontal;
   m.mean_sea_level_height_m = fix.mean_sea_level_height_m;
   m.geoid_separation_m = *fix.ellipsoidal_height_m - *fix.mean_sea_level_height_m;
   return m;
@@ -49,9 +47,9 @@ wire::Gsa gsa(const GnssEpoch& epoch) {
     }
   }
   if (!epoch.fix.position) return m;
-  m.position_dop = epoch.fix.position_dop;
-  m.horizontal_dop = horizontal_dop;
-  m.vertical_dop = vertical_dop;
+  m.position_dop = epoch.dilution->position;
+  m.horizontal_dop = epoch.dilution->horizontal;
+  m.vertical_dop = epoch.dilution->vertical;
   return m;
 }
 

@@ -26,10 +26,6 @@ sensor::ImuErrors DeviceSetup::imu_errors() const {
   return {config.emulate, config.rate_hz, seed, config.name};
 }
 
-measurement::WaterColumn DeviceSetup::water() const {
-  return {config.surface_pressure_pa, config.water_density_kgm3, config.unesco_latitude_rad};
-}
-
 wire::cia404_pressure::Scale DeviceSetup::pressure_scale() const {
   const auto& pressure = config.pressure;
   return wire::cia404_pressure::find_scale(pressure.format, pressure.unit,

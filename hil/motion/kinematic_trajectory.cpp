@@ -1,6 +1,9 @@
 #include "hil/motion/kinematic_trajectory.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
+#include <stdexcept>
 
 #include "estimators/frame/attitude.hpp"
 #include "estimators/frame/earth.hpp"
@@ -18,11 +21,29 @@ constexpr double spacing_in_lags = 0.1;
 }  // namespace
 
 KinematicTrajectory::KinematicTrajectory(const rig_config::MissionConfig& mission, Stamp start)
-    : mission_(mission),
-      start_(start),
+    : start_(start),
+      ocean_(mission.ocean, {mission.latitude_rad, mission.longitude_rad, 0}),
       profile_(mission),
-      spacing_s_(mission.pivot_m > 0 ? spacing_in_lags * mission.sideslip_lag_s : spacing_s),
-      checkpoints_{{mission.latitude_rad, mission.longitude_rad}} {}
+      pivot_m_(mission.pivot_m),
+      sideslip_lag_s_(mission.sideslip_lag_s),
+      spacing_s_(pivot_m_ > 0 ? spacing_in_lags * sideslip_lag_s_ : spacing_s),
+      checkpoints_{{mission.latitude_rad, mission.longitude_rad}} {
+  check_clear_of_bed();
+}
+
+void KinematicTrajectory::check_clear_of_bed() const {
+  const double lap_s = profile_.lap_s();
+  for (double t = 0; t <= lap_s; t += spacing_s) {
+    const Path place = path_at(t);
+    const double bed_m = ocean_.bed_depth_m(place.latitude_rad, place.longitude_rad);
+    const double depth_m = profile_.at(t).depth_m + place.slip_depth_m;
+    if (depth_m >= bed_m)
+      throw std::invalid_argument(
+          fmt::format("mission: after {:.0f} s the vehicle would be {:.1f} m deep, at or below the "
+                      "sea bed ({:.1f} m there)",
+                      t, depth_m, bed_m));
+  }
+}
 
 Stamp KinematicTrajectory::end() const {
   return start_ + measurement::from_seconds(profile_.lap_s());
@@ -48,13 +69,12 @@ Truth KinematicTrajectory::at(Stamp time) const {
   truth.velocity_body << p.speed.value, path.slip_mps;
   truth.velocity_ned = truth.body_to_ned * truth.velocity_body;
   Eigen::Vector3d change;
-  change << p.speed.rate, (path.lagged - path.slip_mps) / mission_.sideslip_lag_s;
+  change << p.speed.rate, (path.lagged - path.slip_mps) / sideslip_lag_s_;
   const Eigen::Vector3d acceleration_body = change + truth.rate_body.cross(truth.velocity_body);
   set_inertial(truth.body_to_ned * acceleration_body, truth);
 
-  const auto& current = mission_.current_ned_mps;
-  truth.current_ned = {current[0], current[1], current[2]};
-  truth.bed_depth_m = mission_.bed_depth_m;
+  truth.current_ned = ocean_.current_ned(-truth.height_m, t);
+  truth.bed_depth_m = ocean_.bed_depth_m(truth.latitude_rad, truth.longitude_rad);
   set_actuators(truth);
   return truth;
 }
@@ -80,7 +100,7 @@ KinematicTrajectory::Path KinematicTrajectory::derivative(const Prescribed& p,
   const double sin_yaw = std::sin(p.yaw.value), cos_yaw = std::cos(p.yaw.value);
   double ahead = p.speed.value * cos_pitch, abeam = 0;  // over ground, by the heading
   Path rate;
-  if (mission_.pivot_m > 0) {
+  if (pivot_m_ > 0) {
     const double sin_roll = std::sin(p.roll.value), cos_roll = std::cos(p.roll.value);
     const double v = path.slip_mps.x(), w = path.slip_mps.y();
     const double under_deck = v * sin_roll + w * cos_roll;
@@ -89,9 +109,9 @@ KinematicTrajectory::Path KinematicTrajectory::derivative(const Prescribed& p,
     rate.slip_depth_m = under_deck * cos_pitch;
     const Eigen::Vector3d turning = frame::body_rate({p.roll.value, p.pitch.value, p.yaw.value},
                                                      {p.roll.rate, p.pitch.rate, p.yaw.rate});
-    const Eigen::Vector2d steady = mission_.pivot_m * Eigen::Vector2d{-turning.z(), turning.y()};
-    rate.lagged = (steady - path.lagged) / mission_.sideslip_lag_s;
-    rate.slip_mps = (path.lagged - path.slip_mps) / mission_.sideslip_lag_s;
+    const Eigen::Vector2d steady = pivot_m_ * Eigen::Vector2d{-turning.z(), turning.y()};
+    rate.lagged = (steady - path.lagged) / sideslip_lag_s_;
+    rate.slip_mps = (path.lagged - path.slip_mps) / sideslip_lag_s_;
   }
   const double depth = p.depth_m + path.slip_depth_m;
   rate.latitude_rad =

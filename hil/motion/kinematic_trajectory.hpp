@@ -23,6 +23,7 @@ class KinematicTrajectory final : public Trajectory {
   Truth at(Stamp time) const override;  ///< any order, any thread; before start() the first state
   Stamp start() const override { return start_; }
   Stamp end() const override;  ///< of the first lap; the motion itself does not end
+  const ocean::Ocean& ocean() const override { return ocean_; }
 
  private:
   /// What is integrated from the start on; slips are v and w, `lagged` what they follow.
@@ -31,13 +32,15 @@ class KinematicTrajectory final : public Trajectory {
     Eigen::Vector2d lagged = Eigen::Vector2d::Zero(), slip_mps = Eigen::Vector2d::Zero();
   };
 
+  void check_clear_of_bed() const;  ///< throws; through the first lap
   Path path_at(double t) const;
   Path integrate(const Path& from, double t, double duration) const;
   Path derivative(const Prescribed& p, const Path& path) const;
 
-  rig_config::MissionConfig mission_;
   Stamp start_;
+  ocean::Ocean ocean_;
   MissionProfile profile_;
+  double pivot_m_, sideslip_lag_s_;
   mutable std::mutex mutex_;
   double spacing_s_;
   mutable std::vector<Path> checkpoints_;  ///< equally spaced from start(), grown on demand

@@ -1,5 +1,7 @@
 #include "hil/motion/maneuver.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -27,16 +29,15 @@ Steering turning_circle(double speed, double rudder) {
 
 Steering zigzag(double speed, double rudder, double reverse_at) {
   constexpr int reversals = 5;
-  // Positive rudder turns to port: the heading falls.
-  return [=, side = 1.0, left = reversals + 1](
+  return [=, side = rudder < 0 ? -1.0 : 1.0, left = reversals + 1](
              double t, const hydrodynamics::State& state) mutable -> std::optional<Command> {
     Command command = ahead(speed);
     if (t < execute_s) return command;
-    if (-side * state[yaw] >= reverse_at) {
+    if (-side * state[yaw] >= reverse_at) {  // positive rudder turns to port: the heading falls
       side = -side;
       if (--left == 0) return {};
     }
-    command.delta_r = side * rudder;
+    command.delta_r = side * std::abs(rudder);
     return command;
   };
 }
@@ -80,10 +81,7 @@ Steering dive(double speed, double planes, double reverse_at) {
     Command command = ahead(speed);
     if (t < execute_s) return command;
     reversed = reversed || -state[pitch] >= reverse_at;
-    const double descent = -std::sin(state[pitch]) * state[u] +
-                           std::cos(state[pitch]) * (std::sin(state[roll]) * state[v] +
-                                                     std::cos(state[roll]) * state[w]);
-    if (reversed && descent <= 0) return {};
+    if (reversed && descent_rate(state) <= 0) return {};
     command.delta_s = reversed ? -planes : planes;  // positive stern planes: nose down
     return command;
   };
@@ -97,6 +95,27 @@ std::optional<ManeuverKind> maneuver_kind(std::string_view name) {
   const auto found = std::ranges::find(names, name);
   if (found == names.end()) return {};
   return static_cast<ManeuverKind>(found - names.begin());
+}
+
+std::optional<std::string> refusal(const rig_config::VehicleConfig& vehicle, const Maneuver& m) {
+  const double fastest = fastest_mps(vehicle);
+  if (!(m.speed_mps > 0 && m.speed_mps <= fastest))
+    return fmt::format(
+        "a speed of {:.4g} m/s; allowed: above 0, up to {:.4g} m/s, the propeller's "
+        "limit",
+        m.speed_mps, fastest);
+  if (!m.deflection_rad) return {};
+  const bool dives = m.kind == ManeuverKind::dive;
+  const double stop = dives ? vehicle.stern_planes.limit_rad : vehicle.rudder.limit_rad;
+  const double angle = dives ? *m.deflection_rad : std::abs(*m.deflection_rad);
+  if (angle > 0 && angle <= stop) return {};
+  return fmt::format("a deflection of {:.4g} deg; allowed: {}, up to the stop at {:.4g} deg",
+                     *m.deflection_rad / degree,
+                     dives ? "above 0 (nose down)" : "to either side, not 0", stop / degree);
+}
+
+double fastest_mps(const rig_config::VehicleConfig& vehicle) {
+  return vehicle.propeller.limit_radps * vehicle.propeller.advance_m;
 }
 
 Track sail(const rig_config::VehicleConfig& vehicle, const Maneuver& m) {

@@ -28,16 +28,19 @@ struct Maneuver {
 /// Where the surface is first moved.
 inline constexpr double execute_s = 10;
 
+/// Why a vehicle cannot sail it so, what is allowed; nothing when it can.
+std::optional<std::string> refusal(const rig_config::VehicleConfig& vehicle, const Maneuver& m);
+double fastest_mps(const rig_config::VehicleConfig& vehicle);  ///< at the propeller's limit
+
 /// The track of
 ///   turning_circle  rudder over (default: to its limit) until the heading has turned 540 deg
-///   zigzag          rudder over (default 10 deg), reversed at each change of heading by
-///   `switch_rad`
-///                   to the side it steers to, five times
+///   zigzag          rudder over (default 10 deg), reversed five times, each time that the heading
+///                   has come to `switch_rad` on the side it steers to
 ///   spiral          rudder in steps from one limit (or +-deflection) to the other and back, each
-///   held
-///                   until the rate of turn stands
+///                   held until the rate of turn stands
 ///   dive            stern planes down (default 5 deg) until the bow has gone down by `switch_rad`,
 ///                   then reversed until the vehicle no longer descends
+/// What refusal() names must have been asked before.
 Track sail(const rig_config::VehicleConfig& vehicle, const Maneuver& maneuver);
 
 /// Where the rate of turn stood at one rudder angle of a spiral.

@@ -29,14 +29,21 @@ Points reversals(const Track& track, double Command::*surface) {
   return found;
 }
 
+/// Where the rudder is next commanded to another angle than at `start`.
+Track::const_iterator rudder_moved(Track::const_iterator start, const Track& track) {
+  return std::find_if(start, track.end(), [&](const TrackPoint& point) {
+    return point.command.delta_r != start->command.delta_r;
+  });
+}
+
 /// Time and state where element i of the state first passes a value.
 struct Passing {
   double t;
   hydrodynamics::State state;
 };
-std::optional<Passing> passing(Track::const_iterator from, const Track& track, int i,
+std::optional<Passing> passing(Track::const_iterator from, Track::const_iterator until, int i,
                                double value) {
-  for (auto next = std::next(from); next < track.end(); from = next++) {
+  for (auto next = std::next(from); next < until; from = next++) {
     const double a = from->state[i], b = next->state[i];
     if ((a - value) * (b - value) > 0 || a == b) continue;
     const double part = (value - a) / (b - a);
@@ -50,11 +57,13 @@ double rate_of_turn(const hydrodynamics::State& s) {
   return (s[q] * std::sin(s[roll]) + s[r] * std::cos(s[roll])) / std::cos(s[pitch]);
 }
 
+/// Of the part with the rudder as at the execute: what a schedule does later is no such circle.
 std::vector<Figure> of_turning_circle(const Track& track, Track::const_iterator start) {
-  const auto& end = track.back().state;
+  const auto moved = rudder_moved(start, track);
+  const auto& end = std::prev(moved)->state;
   const double side = end[yaw] < start->state[yaw] ? -1 : 1;
   const auto turned = [&](double angle_deg) {
-    return passing(start, track, yaw, start->state[yaw] + side * angle_deg / to_deg);
+    return passing(start, moved, yaw, start->state[yaw] + side * angle_deg / to_deg);
   };
   const auto quarter = turned(90), half = turned(180), full = turned(360);
   const auto distance = [&](const auto& at, int i) {
@@ -74,7 +83,7 @@ std::vector<Figure> of_turning_circle(const Track& track, Track::const_iterator 
       {"time to 360 deg", "s", after(full)},
       {"steady rate of turn", "deg/s", steady(rate_of_turn(end) * to_deg)},
       {"steady speed", "m/s", steady(speed)},
-      {"speed lost", "%", steady(100 * (1 - speed / before))},
+      {"speed lost", "%", before > 0 ? steady(100 * (1 - speed / before)) : Value()},
       {"steady drift angle", "deg", steady(-std::atan2(end[v], end[u]) * to_deg)},
       {"steady roll", "deg", steady(end[roll] * to_deg)},
   };
@@ -130,16 +139,21 @@ std::vector<Figure> of_dive(const Track& track, Track::const_iterator start) {
   const auto of_reversal = [&](auto&& value) {
     return turns.empty() ? Value() : Value(value(turns.front()));
   };
-  const auto deepest = [&](auto at) { return overshoot(at, track.end(), z); };
+  const auto level =
+      std::ranges::find_if(turns.empty() ? track.end() : turns.front(), track.end(),
+                           [](const TrackPoint& point) { return descent_rate(point.state) <= 0; });
+  const auto of_level = [&](auto&& value) {
+    return level == track.end() ? Value() : Value(value());
+  };
   return {
       {"time to reversal", "s", of_reversal([&](auto at) { return at->t - start->t; })},
       {"depth gained to reversal", "m",
        of_reversal([&](auto at) { return at->state[z] - start->state[z]; })},
       {"pitch overshoot", "deg",
-       of_reversal([&](auto at) { return overshoot(at, track.end(), pitch) * to_deg; })},
-      {"depth overshoot", "m", of_reversal(deepest)},
-      {"time from reversal to level", "s",
-       of_reversal([&](auto at) { return track.back().t - at->t; })},
+       of_level([&] { return overshoot(turns.front(), level, pitch) * to_deg; })},
+      {"depth overshoot", "m",
+       of_level([&] { return overshoot(turns.front(), std::next(level), z); })},
+      {"time from reversal to level", "s", of_level([&] { return level->t - turns.front()->t; })},
   };
 }
 

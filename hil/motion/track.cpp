@@ -1,15 +1,18 @@
 #include "hil/motion/track.hpp"
 
 #include <cmath>
-#include <numbers>
 
 namespace drydock::motion {
 
-namespace {
+double descent_rate(const hydrodynamics::State& s) {
+  using namespace element;
+  return -std::sin(s[pitch]) * s[u] +
+         std::cos(s[pitch]) * (std::sin(s[roll]) * s[v] + std::cos(s[roll]) * s[w]);
+}
 
-constexpr double steepest_rad = 85 * std::numbers::pi / 180;
-
-}  // namespace
+bool too_steep(const hydrodynamics::State& state) {
+  return !(std::abs(state[element::pitch]) <= steepest_pitch_rad);
+}
 
 Track sail(const rig_config::VehicleConfig& config, double speed_mps, double limit_s,
            const Steering& steering) {
@@ -24,8 +27,9 @@ Track sail(const rig_config::VehicleConfig& config, double speed_mps, double lim
     const auto next = steering(t, vehicle.state());
     if (next) command = *next;
     track.push_back({t, vehicle.state(), vehicle.actuators().control(), command});
-    if (!next || std::abs(vehicle.state()[element::pitch]) > steepest_rad) break;
+    if (!next || too_steep(vehicle.state())) break;
     vehicle.step(command, track_step_s);
+    if (!vehicle.state().allFinite()) break;
   }
   return track;
 }

@@ -26,7 +26,10 @@ constexpr auto steps_a_point =
 /// Table 1, with the biases switched off where there are none.
 rig_config::SensorErrors table_1(double bias, double noise, LevelingBiases biases) {
   if (biases == LevelingBiases::none) bias = 0;
-  return {{bias, bias, bias}, {noise, noise, noise}};
+  rig_config::SensorErrors errors;
+  errors.bias = {bias, bias, bias};
+  errors.noise = {noise, noise, noise};
+  return errors;
 }
 
 class LevelingScore {
@@ -89,19 +92,22 @@ std::vector<LevelingReading> leveling_readings(const LevelingTrial& trial) {
   const std::string run = "run " + std::to_string(trial.run);
   const bool fixed = trial.biases == LevelingBiases::one_sigma;
   const double hour = 3600, standard_gravity = 9.80665;
-  sensor::ErrorModel gyro(table_1(degree / hour, 0.3 * degree / hour, trial.biases), fixed,
-                          trial.seed, run, "gyro");
-  sensor::ErrorModel accelerometer(
-      table_1(1e-3 * standard_gravity, 50e-6 * standard_gravity, trial.biases), fixed, trial.seed,
-      run, "accelerometer");
-  sensor::ErrorModel log(table_1(0.1, 0.1, trial.biases), fixed, trial.seed, run, "log");
+  const auto model = [&](double bias, double noise, std::string_view quantity) {
+    return sensor::ErrorModel(table_1(bias, noise, trial.biases), 1 / dt,
+                              {trial.seed, run, quantity, fixed});
+  };
+  auto gyro = model(degree / hour, 0.3 * degree / hour, "gyro");
+  auto accelerometer = model(1e-3 * standard_gravity, 50e-6 * standard_gravity, "accelerometer");
+  auto log = model(0.1, 0.1, "log");
 
   std::vector<LevelingReading> readings;
   readings.reserve(steps);
   for (std::size_t i = 0; i < steps; ++i) {
-    const auto ideal = trial.motion.reading(static_cast<double>(i) * dt, dt, leveling_latitude_rad);
-    readings.push_back({accelerometer.apply(ideal.specific_force), gyro.apply(ideal.angular_rate),
-                        log.apply(ideal.speed_mps)});
+    const double t = static_cast<double>(i) * dt;
+    const auto ideal = trial.motion.reading(t, dt, leveling_latitude_rad);
+    const measurement::Stamp at{measurement::from_seconds(t)};
+    readings.push_back({accelerometer.apply(ideal.specific_force, at),
+                        gyro.apply(ideal.angular_rate, at), log.apply(ideal.speed_mps, at)});
   }
   return readings;
 }

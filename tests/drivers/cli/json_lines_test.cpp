@@ -50,6 +50,12 @@ TEST(JsonWriter, BytesAreNumbers) {
   EXPECT_EQ(written(true), "true");
 }
 
+TEST(JsonWriter, WholeNumbersAreWholeToTheirLimits) {
+  EXPECT_EQ(written(std::numeric_limits<std::int64_t>::min()), "-9223372036854775808");
+  EXPECT_EQ(written(std::numeric_limits<std::int64_t>::max()), "9223372036854775807");
+  EXPECT_EQ(written(std::numeric_limits<std::uint64_t>::max()), "18446744073709551615");
+}
+
 TEST(JsonWriter, StructsNest) {
   EXPECT_EQ(written(std::array<Point, 2>{Point{1.5, 7}, Point{}}),
             R"([{"x_m":1.5,"label":7},{"x_m":0,"label":null}])");

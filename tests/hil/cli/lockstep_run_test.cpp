@@ -21,15 +21,26 @@ cli::Summary run(const rig_config::Rig& rig, double seconds) {
   return summary;
 }
 
-std::string json_without_wall_time(cli::Summary summary) {
+/// Wall time and memory are the machine's.
+std::string json_of_bench(cli::Summary summary) {
   summary.wall_s = 0;
+  summary.resident = {};
   return to_json(summary);
+}
+
+TEST(LockstepRun, HoldsAsMuchMemoryAfterHalfAnHourAsAfterFiveMinutes) {
+  const auto resident = run(demo(), 1800).resident;
+  ASSERT_GT(resident.t_s.size(), 100u);
+  const std::size_t early = resident.t_s.size() / 6;
+  EXPECT_NEAR(resident.t_s[early], 300, 30);
+  EXPECT_LT(resident.megabytes.back() - resident.megabytes[early], 1.0);
+  EXPECT_GT(resident.megabytes.front(), 1.0) << "a program holds more than that";
 }
 
 TEST(LockstepRun, TheSameSeedGivesTheSameOutputToTheLastBit) {
   const auto first = run(demo(), 30);
   const auto second = run(demo(), 30);
-  EXPECT_EQ(json_without_wall_time(first), json_without_wall_time(second));
+  EXPECT_EQ(json_of_bench(first), json_of_bench(second));
   ASSERT_FALSE(first.traces.empty());
   EXPECT_EQ(first.traces[0].roll_deg, second.traces[0].roll_deg);
   EXPECT_EQ(first.traces[0].pitch_sigma_deg, second.traces[0].pitch_sigma_deg);

@@ -128,5 +128,62 @@ TEST(Maneuver, ASlowRudderWidensTheTurnAtItsBegin) {
   EXPECT_NEAR(*slow[0].value - *fast[0].value, 4 * cruise_mps, 2);
 }
 
+TEST(Zigzag, ToTheOtherSideFirstIsTheMirrorImage) {
+  const auto port = sailed(ManeuverKind::zigzag, 10), starboard = sailed(ManeuverKind::zigzag, -10);
+  ASSERT_EQ(port.track.size(), starboard.track.size());
+  EXPECT_NEAR(port.track.back().state[11], -starboard.track.back().state[11], 1e-9);
+  EXPECT_NEAR(port.value("third overshoot"), starboard.value("third overshoot"), 1e-9);
+}
+
+TEST(TurningCircle, OfAScheduleEndsWhereTheRudderMoves) {
+  const auto steered = [](double until) {
+    return sail(with_ideal_actuators(nps_file()), cruise_mps, 400, [=](double t, const auto&) {
+      return std::optional(Command{t < 10 || t >= until ? 0 : 10 * degree, 0, 0, cruise_mps});
+    });
+  };
+  const auto whole = figures(ManeuverKind::turning_circle, steered(1e9));
+  const auto righted = figures(ManeuverKind::turning_circle, steered(200));
+  ASSERT_EQ(whole[3].name, "steady turning diameter");
+  EXPECT_NEAR(*righted[3].value, *whole[3].value, 0.01);
+  EXPECT_FALSE(figures(ManeuverKind::turning_circle, steered(60))[3].value)
+      << "no full circle: nothing steady";
+}
+
+TEST(Dive, OfAScheduleThatNeverLevelsOutHasNoOvershoot) {
+  const Track track = sail(nps_file(), cruise_mps, 30, [](double t, const auto&) {
+    return std::optional(Command{0, (t < 10 ? 0 : t < 29.9 ? 5 : -5) * degree, 0, cruise_mps});
+  });
+  const auto found = figures(ManeuverKind::dive, track);
+  EXPECT_NEAR(*found[0].value, 19.9, 0.021);
+  for (std::size_t i = 2; i < found.size(); ++i) EXPECT_FALSE(found[i].value) << found[i].name;
+}
+
+TEST(Maneuver, ThatTheVehicleCannotSailIsRefusedInOneLine) {
+  const auto why = [](ManeuverKind kind, double speed, std::optional<double> deflection_deg) {
+    Maneuver m;
+    m.kind = kind;
+    m.speed_mps = speed;
+    if (deflection_deg) m.deflection_rad = *deflection_deg * degree;
+    return refusal(nps_file(), m).value_or("");
+  };
+  EXPECT_EQ(why(ManeuverKind::zigzag, 1.9, -10), "");
+  EXPECT_EQ(why(ManeuverKind::dive, 1.9, 5), "");
+  EXPECT_EQ(why(ManeuverKind::turning_circle, 1.9, 25),
+            "a deflection of 25 deg; allowed: to either side, not 0, up to the stop at 20 deg");
+  EXPECT_NE(why(ManeuverKind::spiral, 1.9, 0), "");
+  EXPECT_NE(why(ManeuverKind::dive, 1.9, -5), "");
+  EXPECT_NE(why(ManeuverKind::dive, std::nan(""), 5), "");
+  EXPECT_EQ(why(ManeuverKind::dive, 4, 5),
+            "a speed of 4 m/s; allowed: above 0, up to 3.142 m/s, the propeller's limit");
+}
+
+TEST(Track, EndsAtTheFirstStateThatEulerAnglesCannotFollow) {
+  const Track track = sail(nps_file(), 3, 600, [](double, const auto&) {
+    return std::optional(Command{0, -20 * degree, 20 * degree, 3});
+  });
+  for (const TrackPoint& point : track) ASSERT_TRUE(point.state.allFinite()) << point.t;
+  for (std::size_t i = 0; i + 1 < track.size(); ++i) ASSERT_FALSE(too_steep(track[i].state));
+}
+
 }  // namespace maneuver_test
 }  // namespace drydock::motion

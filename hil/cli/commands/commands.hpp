@@ -1,0 +1,27 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+
+/// The command line of the program: its subcommands with their options.
+namespace drydock::cli {
+
+/// What the command line chose: set by exactly one subcommand's callback. Gives the exit code.
+using Command = std::function<int()>;
+
+/// run, emulate, drive, estimate, check: a rig file and what it describes.
+void add_rig_commands(CLI::App& app, Command& command);
+
+/// monitor, decode, replay: what one link says or a recording said.
+void add_capture_commands(CLI::App& app, Command& command);
+
+/// sky, maneuver, study: the emulated world and the papers, without wires.
+void add_world_commands(CLI::App& app, Command& command);
+
+/// A rig file that cannot be used; the lines have been printed.
+struct BadRig {};
+
+/// Takes "60s", "10min", "5.5h" and gives seconds.
+extern const CLI::Validator duration_text;
+
+}  // namespace drydock::cli

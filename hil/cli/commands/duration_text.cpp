@@ -1,0 +1,17 @@
+#include <fmt/format.h>
+
+#include "hil/cli/commands/commands.hpp"
+#include "hil/cli/duration.hpp"
+
+namespace drydock::cli {
+
+const CLI::Validator duration_text(
+    [](std::string& text) {
+      const auto seconds = parse_duration(text);
+      if (!seconds) return fmt::format("'{}' is no duration; allowed: 90, 60s, 10min, 5.5h", text);
+      text = fmt::format("{}", *seconds);
+      return std::string{};
+    },
+    "DURATION");
+
+}  // namespace drydock::cli

@@ -1,0 +1,138 @@
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cstdlib>
+#include <memory>
+#include <stdexcept>
+
+#include "drivers/cli/check.hpp"
+#include "drivers/cli/drive.hpp"
+#include "estimators/cli/estimate.hpp"
+#include "hil/cli/commands/commands.hpp"
+#include "hil/cli/emulate.hpp"
+#include "hil/cli/run.hpp"
+#include "rig_config/load.hpp"
+
+namespace drydock::cli {
+
+namespace {
+
+/// ROS_DOMAIN_ID chooses the DDS domain, as for every ROS 2 program, and goes before the rig file.
+void apply_environment(rig_config::Rig& rig) {
+  const char* text = std::getenv("ROS_DOMAIN_ID");
+  if (text == nullptr || *text == '\0') return;
+  constexpr int highest_domain = 232;
+  const std::string_view digits(text);
+  const auto [end, error] =
+      std::from_chars(digits.data(), digits.data() + digits.size(), rig.dds_domain);
+  if (error != std::errc{} || end != digits.data() + digits.size() || rig.dds_domain < 0 ||
+      rig.dds_domain > highest_domain) {
+    throw std::runtime_error(
+        fmt::format("ROS_DOMAIN_ID is '{}'; allowed: 0 to {}", digits, highest_domain));
+  }
+}
+
+rig_config::Rig load(const std::string& path) {
+  auto rig = rig_config::load_rig(path, load_options());
+  if (rig) {
+    apply_environment(*rig);
+    return std::move(*rig);
+  }
+  for (const auto& problem : rig.error()) fmt::print(stderr, "{}\n", to_string(problem));
+  throw BadRig{};
+}
+
+void add_run(CLI::App& app, Command& command) {
+  struct Arguments {
+    std::string rig, speed = "1";
+    std::optional<std::uint64_t> seed;
+    RunOptions options;
+  };
+  auto a = std::make_shared<Arguments>();
+  auto* sub =
+      app.add_subcommand("run", "Emulated devices, drivers and estimators of a rig, with a report");
+  sub->footer(
+      "Example: drydock run rig_config/rigs/demo.toml --for 60s --report out\n"
+      "         drydock run rig_config/rigs/demo.toml --for 10min --speed max --json out.json");
+  sub->add_option("RIG", a->rig, "rig file (TOML)")->required();
+  sub->add_option("--for", a->options.duration_s,
+                  "how long: 60s, 10min, 5.5h; default until Ctrl-C")
+      ->transform(duration_text);
+  sub->add_option("--seed", a->seed, "seed of all random errors; default that of the rig file");
+  sub->add_option("--speed", a->speed, "1: real time; max: lockstep in virtual time")
+      ->check(CLI::IsMember({"1", "max"}))
+      ->capture_default_str();
+  sub->add_option("--json", a->options.json, "write the summary to this file");
+  sub->add_option("--report", a->options.report, "write index.html with plots into this folder");
+  sub->add_flag("--expect-streaming", a->options.expect_streaming,
+                "exit 1 when a device is not streaming at the end");
+  sub->add_option(
+      "--expect-rms", a->options.expect_rms_deg,
+      "exit 1 when an attitude estimate is worse than this against the truth [deg RMS]");
+  sub->callback([a, &command] {
+    command = [a] {
+      auto rig = load(a->rig);
+      if (a->seed) rig.seed = *a->seed;
+      a->options.lockstep = a->speed == "max";
+      return run(rig, a->options);
+    };
+  });
+}
+
+/// emulate, drive: a rig and a duration.
+void add_rig_command(CLI::App& app, Command& command, const std::string& name,
+                     const std::string& description, const std::string& example,
+                     int (*body)(const rig_config::Rig&, double)) {
+  struct Arguments {
+    std::string rig;
+    double duration_s = 0;
+  };
+  auto a = std::make_shared<Arguments>();
+  auto* sub = app.add_subcommand(name, description);
+  sub->footer("Example: " + example);
+  sub->add_option("RIG", a->rig, "rig file (TOML)")->required();
+  sub->add_option("--for", a->duration_s, "how long: 60s, 10min, 5.5h; default until Ctrl-C")
+      ->transform(duration_text);
+  sub->callback(
+      [a, &command, body] { command = [a, body] { return body(load(a->rig), a->duration_s); }; });
+}
+
+void add_estimate(CLI::App& app, Command& command) {
+  struct Arguments {
+    std::string rig;
+    EstimateOptions options;
+  };
+  auto a = std::make_shared<Arguments>();
+  auto* sub = app.add_subcommand("estimate", "Estimators of a rig on the measurements of the bus");
+  sub->footer(
+      "Example, in three terminals: drydock emulate R.toml; drydock drive R.toml; drydock estimate "
+      "R.toml");
+  sub->add_option("RIG", a->rig, "rig file (TOML)")->required();
+  sub->add_option("--for", a->options.duration_s,
+                  "how long: 60s, 10min, 5.5h; default until Ctrl-C")
+      ->transform(duration_text);
+  sub->add_flag("--json", a->options.json_lines, "every estimate as a JSON line");
+  sub->callback([a, &command] { command = [a] { return estimate(load(a->rig), a->options); }; });
+}
+
+void add_check(CLI::App& app, Command& command) {
+  auto files = std::make_shared<std::vector<std::string>>();
+  auto* sub = app.add_subcommand("check", "Check rig, mission, sensor and vehicle files");
+  sub->footer("Example: drydock check rig_config/rigs/*.toml");
+  sub->add_option("FILES", *files, "TOML files")->required();
+  sub->callback([files, &command] { command = [files] { return check(*files, stdout); }; });
+}
+
+}  // namespace
+
+void add_rig_commands(CLI::App& app, Command& command) {
+  add_run(app, command);
+  add_rig_command(app, command, "emulate", "The emulated devices of a rig, for any program to open",
+                  "drydock emulate rig_config/rigs/demo.toml", emulate);
+  add_rig_command(app, command, "drive", "The drivers of a rig: links in, measurements on the bus",
+                  "drydock drive rig_config/rigs/demo.toml", drive);
+  add_estimate(app, command);
+  add_check(app, command);
+}
+
+}  // namespace drydock::cli
