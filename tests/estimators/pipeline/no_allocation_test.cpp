@@ -12,9 +12,12 @@ struct LastEstimate final : EstimateListener {
 };
 
 TEST(Pipeline, AllocatesNothingPerSample) {
-  for (const int window_ms : {0, 100}) {
+  for (const auto& [window_ms, kind] :
+       {std::pair{0, "leveling"}, std::pair{100, "leveling"}, std::pair{100, "mixing"}}) {
     LastEstimate listener;
-    auto pipeline = make_pipeline(test::moving(std::chrono::milliseconds{window_ms}), listener);
+    auto options = test::moving(std::chrono::milliseconds{window_ms});
+    options.estimators[0].kind = kind;
+    auto pipeline = make_pipeline(options, listener);
     const auto feed = [&](int from_ms, int to_ms) {
       for (int t = from_ms; t < to_ms; t += 10) {
         if (t % 500 == 0) pipeline->receive(test::water_speed(t - 100));
