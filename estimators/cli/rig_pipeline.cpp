@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 #include "drivers/measurement/stamp.hpp"
 
@@ -24,6 +25,20 @@ leveling::FilterKind filter_kind(rig_config::LevelingFilter filter) {
   return leveling::FilterKind::robust;
 }
 
+mixing::MixingOptions mixing_options(const rig_config::EstimatorConfig& config) {
+  using enum mixing::MixingType;
+  constexpr std::array types{compensated, fixed_gain, fuzzy_inference, gain_schedule};
+  mixing::MixingOptions options;
+  options.type = types.at(static_cast<std::size_t>(config.mixing_type));
+  options.latitude_rad = config.latitude_rad;
+  options.heading_rad = config.heading_rad;
+  options.accelerometer_start = config.accelerometer_start;
+  options.initial_roll_rad = config.initial_roll_rad;
+  options.initial_pitch_rad = config.initial_pitch_rad;
+  options.pivot_m = config.pivot_m;
+  return options;
+}
+
 }  // namespace
 
 pipeline::PipelineOptions pipeline_options(const rig_config::Rig& rig) {
@@ -43,6 +58,7 @@ pipeline::PipelineOptions pipeline_options(const rig_config::Rig& rig) {
     estimator.leveling.accelerometer_start = config.accelerometer_start;
     estimator.leveling.initial_roll_rad = config.initial_roll_rad;
     estimator.leveling.initial_pitch_rad = config.initial_pitch_rad;
+    estimator.mixing = mixing_options(config);
     options.estimators.push_back(std::move(estimator));
   }
   return options;

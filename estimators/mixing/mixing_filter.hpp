@@ -58,7 +58,7 @@ class MixingFilter {
   void step(const Eigen::Vector3d& specific_force, const Eigen::Vector3d& angular_rate,
             double speed_mps, double dt);
 
-  double roll() const { return roll_; }        ///< [-pi/2, pi/2]
+  double roll() const { return roll_; }        ///< [-pi, pi]; beyond pi/2 it does not hold
   double pitch() const { return pitch_; }      ///< [-pi/2, pi/2]
   double heading() const { return heading_; }  ///< the given one carried on by the gyro
   int level() const { return level_; }         ///< of manoeuvring, 1 to 12; type 1 stays at 1

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "estimators/pipeline/leveling_estimator.hpp"
+#include "estimators/pipeline/mixing_estimator.hpp"
 #include "estimators/pipeline/pipeline.hpp"
 
 namespace drydock::pipeline {
@@ -15,8 +16,11 @@ constexpr int max_devices = 32;
 
 /// Empty: nothing is wrong.
 std::string fault_of(const EstimatorOptions& options) {
-  if (options.kind != "leveling") {
-    return fmt::format("kind '{}' is not known, allowed: leveling", options.kind);
+  if (options.kind != "leveling" && options.kind != "mixing") {
+    return fmt::format("kind '{}' is not known, allowed: leveling, mixing", options.kind);
+  }
+  if (options.kind == "mixing" && options.stationary) {
+    return "mixing knows no stationary vehicle, allowed: log = a device";
   }
   if (options.imu >= max_devices || options.log.value_or(0) >= max_devices) {
     return fmt::format("device index out of range, allowed: 0 to {}", max_devices - 1);
@@ -25,6 +29,13 @@ std::string fault_of(const EstimatorOptions& options) {
     return "a moving vehicle needs a speed log, allowed: log = a device, or stationary = true";
   }
   return {};
+}
+
+std::unique_ptr<Estimator> made(std::uint16_t index, const EstimatorOptions& estimator,
+                                const PipelineOptions& options) {
+  if (estimator.kind == "mixing")
+    return std::make_unique<MixingEstimator>(index, estimator, options);
+  return std::make_unique<LevelingEstimator>(index, estimator, options);
 }
 
 }  // namespace
@@ -40,7 +51,7 @@ boost::system::result<Pipeline, PipelineError> make_pipeline(const PipelineOptio
       return PipelineError{fmt::format("estimator '{}': {}", estimator.name, fault)};
     }
     const auto index = static_cast<std::uint16_t>(estimators.size());
-    estimators.push_back(std::make_unique<LevelingEstimator>(index, estimator, options));
+    estimators.push_back(made(index, estimator, options));
   }
   return Pipeline{options, listener, std::move(estimators)};
 }

@@ -8,18 +8,22 @@
 #include <vector>
 
 #include "estimators/leveling/leveling_filter.hpp"
+#include "estimators/mixing/mixing_accuracy.hpp"
+#include "estimators/mixing/mixing_filter.hpp"
 
 namespace drydock::pipeline {
 
 /// One estimator of the rig. Its index in `PipelineOptions::estimators` names its estimates.
 struct EstimatorOptions {
   std::string name;
-  std::string kind = "leveling";     ///< the only one so far
+  std::string kind = "leveling";     ///< or "mixing"
   std::uint16_t imu = 0;             ///< device index, as in Origin::device
   std::optional<std::uint16_t> log;  ///< device index; needed unless stationary
   bool stationary = false;           ///< all velocities are zero; the log is not used
   leveling::FilterKind filter = leveling::FilterKind::robust;
   leveling::LevelingOptions leveling;
+  mixing::MixingOptions mixing;
+  mixing::SensorAccuracy mixing_sensors;
 };
 
 struct PipelineOptions {

@@ -1,16 +1,20 @@
 #include <benchmark/benchmark.h>
 
 #include <chrono>
+#include <cmath>
+#include <random>
+#include <vector>
 
 #include "estimators/frame/attitude.hpp"
 #include "estimators/hydrodynamics/model.hpp"
 #include "estimators/leveling/any_leveling_filter.hpp"
+#include "estimators/mixing/mixing_filter.hpp"
 #include "estimators/pipeline/pipeline.hpp"
 #include "estimators/vehicle/vehicle.hpp"
 #include "rig_config/load.hpp"
 
-/// Cost of the leveling estimator, the filter alone and a sample's way through the pipeline, and of
-/// the vehicle's equations of motion.
+/// Cost of the leveling estimator, the filter alone and a sample's way through the pipeline, of the
+/// mixing filter, and of the vehicle's equations of motion.
 namespace {
 
 using namespace drydock;
@@ -82,6 +86,47 @@ void leveling_output(benchmark::State& state) {
   }
 }
 BENCHMARK(leveling_output)->Name("leveling: roll, pitch and their covariance");
+
+/// Gentle motion with the gyro noise of a low-grade unit: every level of manoeuvring comes up.
+std::vector<Vector3d> noisy_rates() {
+  std::vector<Vector3d> rates;
+  std::mt19937_64 random(1);
+  std::normal_distribution<double> noise(0, 0.0044);
+  for (int i = 0; i < 4096; ++i) {
+    const Vector3d swing{0.02 * std::sin(0.01 * i), 0.01 * std::sin(0.003 * i), 0.05};
+    rates.push_back(swing + Vector3d{noise(random), noise(random), noise(random)});
+  }
+  return rates;
+}
+
+double ns_of_mixing_step(mixing::MixingType type, const std::vector<Vector3d>& rates) {
+  mixing::MixingOptions options;
+  options.type = type;
+  mixing::MixingFilter filter{options};
+  filter.start(force, rate, 10);
+  const auto begin = std::chrono::steady_clock::now();
+  for (const Vector3d& turning : rates) filter.step(force, turning, 10, dt);
+  benchmark::DoNotOptimize(filter);
+  const std::chrono::duration<double, std::nano> taken = std::chrono::steady_clock::now() - begin;
+  return taken.count() / static_cast<double>(rates.size());
+}
+
+/// `of_type1`: how many times a step of type 1 takes, measured in turns with it.
+void mixing_step(benchmark::State& state, mixing::MixingType type) {
+  const auto rates = noisy_rates();
+  double sum = 0, of_type1 = 0;
+  for (auto _ : state) {
+    const double ns = ns_of_mixing_step(type, rates);
+    sum += ns;
+    of_type1 += ns_of_mixing_step(mixing::MixingType::fixed_gain, rates);
+    state.SetIterationTime(ns * 1e-9);
+  }
+  state.counters["of_type1"] = sum / of_type1;
+}
+BENCHMARK_CAPTURE(mixing_step, type1, mixing::MixingType::fixed_gain)->UseManualTime();
+BENCHMARK_CAPTURE(mixing_step, type2, mixing::MixingType::fuzzy_inference)->UseManualTime();
+BENCHMARK_CAPTURE(mixing_step, type3, mixing::MixingType::gain_schedule)->UseManualTime();
+BENCHMARK_CAPTURE(mixing_step, compensated, mixing::MixingType::compensated)->UseManualTime();
 
 struct Discard final : pipeline::EstimateListener {
   void on_attitude(const pipeline::AttitudeEstimate& estimate) override {

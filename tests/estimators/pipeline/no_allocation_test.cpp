@@ -12,11 +12,18 @@ struct LastEstimate final : EstimateListener {
 };
 
 TEST(Pipeline, AllocatesNothingPerSample) {
-  for (const auto& [window_ms, filter] : {std::pair{0, leveling::FilterKind::robust},
-                                          {100, leveling::FilterKind::robust},
-                                          {100, leveling::FilterKind::augmented}}) {
+  struct Case {
+    int window_ms;
+    const char* kind;
+    leveling::FilterKind filter;
+  };
+  using enum leveling::FilterKind;
+  for (const auto& [window_ms, kind, filter] :
+       {Case{0, "leveling", robust}, Case{100, "leveling", robust},
+        Case{100, "leveling", augmented}, Case{100, "mixing", robust}}) {
     LastEstimate listener;
     auto options = test::moving(std::chrono::milliseconds{window_ms});
+    options.estimators[0].kind = kind;
     options.estimators[0].filter = filter;
     auto pipeline = make_pipeline(options, listener);
     const auto feed = [&](int from_ms, int to_ms) {

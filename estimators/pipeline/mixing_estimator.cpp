@@ -1,0 +1,32 @@
+#include "estimators/pipeline/mixing_estimator.hpp"
+
+#include <cmath>
+
+namespace drydock::pipeline {
+
+MixingEstimator::MixingEstimator(std::uint16_t index, const EstimatorOptions& options,
+                                 const PipelineOptions& pipeline)
+    : ImuDrivenEstimator(index, options, pipeline),
+      filter_(options.mixing),
+      accuracy_(options.mixing_sensors) {}
+
+void MixingEstimator::start(const measurement::ImuSample& sample, double speed_mps) {
+  filter_.start(sample.specific_force, sample.angular_rate, speed_mps);
+  accuracy_.start(filter_.options().accelerometer_start);
+  speed_mps_ = speed_mps;
+}
+
+void MixingEstimator::step(const Eigen::Vector3d& force, const Eigen::Vector3d& rate, double dt) {
+  filter_.step(force, rate, speed_mps_, dt);
+  accuracy_.step(filter_.gains().k1, filter_.integral_gain(), filter_.integral_leak(), dt);
+}
+
+void MixingEstimator::fill(AttitudeEstimate& estimate) const {
+  const double cos_pitch = std::cos(filter_.pitch());
+  estimate.roll_rad = filter_.roll();
+  estimate.pitch_rad = filter_.pitch();
+  estimate.covariance.diagonal() << accuracy_.variance() / (cos_pitch * cos_pitch),
+      accuracy_.variance();
+}
+
+}  // namespace drydock::pipeline

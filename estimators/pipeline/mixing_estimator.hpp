@@ -1,0 +1,29 @@
+#pragma once
+
+#include "estimators/mixing/mixing_accuracy.hpp"
+#include "estimators/mixing/mixing_filter.hpp"
+#include "estimators/pipeline/imu_driven_estimator.hpp"
+
+namespace drydock::pipeline {
+
+/// The mixing filter on one IMU and one speed log, whose last speed holds until the next. The
+/// covariance is that of mixing::MixingAccuracy: what the loop makes of known sensors' errors.
+class MixingEstimator final : public ImuDrivenEstimator {
+ public:
+  MixingEstimator(std::uint16_t index, const EstimatorOptions& options,
+                  const PipelineOptions& pipeline);
+
+  const mixing::MixingFilter& filter() const { return filter_; }
+
+ private:
+  void start(const measurement::ImuSample& sample, double speed_mps) override;
+  void step(const Eigen::Vector3d& force, const Eigen::Vector3d& rate, double dt) override;
+  void correct(double speed_mps) override { speed_mps_ = speed_mps; }
+  void fill(AttitudeEstimate& estimate) const override;
+
+  mixing::MixingFilter filter_;
+  mixing::MixingAccuracy accuracy_;
+  double speed_mps_ = 0;
+};
+
+}  // namespace drydock::pipeline

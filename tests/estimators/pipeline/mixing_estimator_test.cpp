@@ -1,0 +1,75 @@
+#include "estimators/pipeline/mixing_estimator.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/estimators/pipeline/support.hpp"
+
+namespace drydock::pipeline::mixing_estimator_test {
+namespace {
+
+PipelineOptions mixing_on(mixing::MixingType type) {
+  auto options = test::moving(std::chrono::milliseconds{0});
+  options.estimators[0].kind = "mixing";
+  options.estimators[0].mixing.type = type;
+  return options;
+}
+
+TEST(MixingEstimator, WaitsForASpeedAndThenGivesAnEstimateForEveryImuSample) {
+  test::Estimates estimates;
+  auto pipeline = make_pipeline(mixing_on(mixing::MixingType::compensated), estimates);
+  pipeline->receive(test::imu(0));
+  EXPECT_EQ(pipeline->status(0).state, EstimatorState::waiting_for_speed);
+  EXPECT_TRUE(estimates.all.empty());
+  pipeline->receive(test::water_speed(5));
+  for (int t = 10; t <= 1000; t += 10) pipeline->receive(test::imu(t));
+  ASSERT_EQ(estimates.all.size(), 100U);
+  EXPECT_EQ(estimates.all.back().valid_at, test::at_ms(1000));
+  EXPECT_EQ(estimates.all.back().fed_by, 1U << test::imu_device | 1U << test::log_device);
+  EXPECT_FALSE(estimates.all.back().yaw_rad.has_value());
+}
+
+TEST(MixingEstimator, IsTheFilterOnTheMeansBetweenSamples) {
+  test::Estimates estimates;
+  const auto options = mixing_on(mixing::MixingType::fuzzy_inference);
+  auto pipeline = make_pipeline(options, estimates);
+  mixing::MixingFilter filter(options.estimators[0].mixing);
+  pipeline->receive(test::water_speed(0, 3));
+  const auto at = [](int k) { return test::imu(10 * k, 0.1 * std::sin(0.05 * k)); };
+  pipeline->receive(at(0));
+  filter.start(at(0).specific_force, at(0).angular_rate, 3);
+  for (int k = 1; k < 500; ++k) {
+    pipeline->receive(at(k));
+    filter.step((at(k - 1).specific_force + at(k).specific_force) / 2,
+                (at(k - 1).angular_rate + at(k).angular_rate) / 2, 3, 0.01);
+  }
+  EXPECT_NEAR(estimates.all.back().roll_rad, filter.roll(), 1e-12);
+  EXPECT_NEAR(estimates.all.back().pitch_rad, filter.pitch(), 1e-12);
+}
+
+TEST(MixingEstimator, ItsCovarianceIsTheLoopsAnswerToKnownSensors) {
+  test::Estimates estimates;
+  const auto options = mixing_on(mixing::MixingType::compensated);
+  auto pipeline = make_pipeline(options, estimates);
+  pipeline->receive(test::water_speed(0));
+  for (int t = 0; t <= 600'000; t += 10) pipeline->receive(test::imu(t));
+  // At level 1, K1 = 0.1: the vertical's error, and the gyro's noise q / sqrt(2 K1) but for the
+  // integral's share.
+  const mixing::SensorAccuracy sensors;
+  const double expected = std::hypot(sensors.vertical_rad, sensors.gyro_noise / std::sqrt(0.2));
+  EXPECT_NEAR(std::sqrt(estimates.all.back().covariance(1, 1)), expected, 0.05 * expected);
+  EXPECT_GE(estimates.all.back().covariance(0, 0), estimates.all.back().covariance(1, 1));
+  EXPECT_EQ(estimates.all.back().covariance(0, 1), 0);
+}
+
+TEST(MixingEstimator, AStationaryOneIsRefusedInOneLine) {
+  test::Estimates estimates;
+  auto options = mixing_on(mixing::MixingType::compensated);
+  options.estimators[0].stationary = true;
+  EXPECT_EQ(make_pipeline(options, estimates).error().message,
+            "estimator 'attitude': mixing knows no stationary vehicle, allowed: log = a device");
+}
+
+}  // namespace
+}  // namespace drydock::pipeline::mixing_estimator_test
