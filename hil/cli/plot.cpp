@@ -54,15 +54,15 @@ std::string script(const Plot& plot) {
                  quoted(plot.x_label), quoted(plot.y_label));
   if (plot.equal_scales) fmt::format_to(to, "set size ratio -1\n");
   if (plot.y_limit > 0) fmt::format_to(to, "set yrange [{}:{}]\n", -plot.y_limit, plot.y_limit);
-  for (std::size_t i = 0; i < plot.series.size(); ++i) {
+  for (std::size_t i = 0; i < plot.curves.size(); ++i) {
     fmt::format_to(to, "$data{} << END\n", i);
-    const auto& s = plot.series[i];
+    const auto& s = plot.curves[i];
     for (std::size_t k = 0; k < s.x.size(); ++k)
       fmt::format_to(to, "{:.6g} {:.6g}\n", s.x[k], s.y[k]);
     fmt::format_to(to, "END\n");
   }
-  for (std::size_t i = 0; i < plot.series.size(); ++i) {
-    fmt::format_to(to, "{}{}", i == 0 ? "plot " : ", ", curve(plot.series[i], i));
+  for (std::size_t i = 0; i < plot.curves.size(); ++i) {
+    fmt::format_to(to, "{}{}", i == 0 ? "plot " : ", ", curve(plot.curves[i], i));
   }
   out.push_back('\n');
   return fmt::to_string(out);
