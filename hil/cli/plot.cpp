@@ -40,8 +40,9 @@ std::string curve(const Series& series, std::size_t index) {
         "solid 0.35 noborder title {1}",
         index, quoted(series.label));
   }
-  return fmt::format("$data{0} using 1:2 with lines lw 1.4 lc rgb '{1}' title {2}", index,
-                     colours[index % colours.size()], quoted(series.label));
+  return fmt::format("$data{0} using 1:2 with {3} lc rgb '{1}' title {2}", index,
+                     colours[index % colours.size()], quoted(series.label),
+                     series.points ? "points pt 7 ps 0.35" : "lines lw 1.4");
 }
 
 bool goes_below_zero(const Plot& plot) {

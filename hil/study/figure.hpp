@@ -9,7 +9,8 @@ namespace drydock::study {
 struct Curve {
   std::string label;
   std::vector<double> x, y;
-  bool band = false;  ///< drawn as +-y around zero (a sigma band)
+  bool band = false;    ///< drawn as +-y around zero (a sigma band)
+  bool points = false;  ///< each on its own, not joined
 };
 
 struct Figure {
