@@ -2,6 +2,7 @@
 // same measurements through emulated devices, wire bytes, drivers and the pipeline in lockstep.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -10,8 +11,10 @@
 #include "hil/motion/make_trajectory.hpp"
 #include "hil/sensor/errors.hpp"
 #include "hil/sensor/ideal.hpp"
+#include "hil/sensor/imu_errors.hpp"
 #include "rig_config/load.hpp"
 
+namespace leveling_wire_test {
 namespace {
 
 using namespace drydock;
@@ -59,22 +62,17 @@ struct Attitude {
 std::vector<Attitude> straight_into(leveling::FilterKind kind, const rig_config::Rig& rig) {
   const Stamp start = measurement::stamp_from_ns(rig.start_utc_ns);
   const auto trajectory = motion::make_trajectory(rig.mission, start);
-  const auto error = [&](Kind device, auto which) {
-    const auto& config = device_of(rig, device);
-    return sensor::ErrorModel(config.emulate.*which, true, rig.seed, config.name, "");
-  };
-  auto gyro = error(Kind::imu, &rig_config::EmulateConfig::primary);
-  auto accelerometer = error(Kind::imu, &rig_config::EmulateConfig::secondary);
-  auto log = error(Kind::emlog, &rig_config::EmulateConfig::primary);
+  const auto& unit = device_of(rig, Kind::imu);
+  const auto& em_log = device_of(rig, Kind::emlog);
+  sensor::ImuErrors imu_errors(unit.emulate, imu_hz, rig.seed, unit.name);
+  sensor::ErrorModel log_errors(em_log.emulate.primary, em_log.rate_hz,
+                                {rig.seed, em_log.name, "primary", true});
   const auto at = [&](int k) { return start + std::chrono::milliseconds{1000 / imu_hz} * k; };
   const auto imu = [&](int k) {
-    auto sample = sensor::ideal_imu(*trajectory, at(k), {});
-    sample.specific_force = accelerometer.apply(sample.specific_force);
-    sample.angular_rate = gyro.apply(sample.angular_rate);
-    return sample;
+    return imu_errors.apply(sensor::ideal_imu(*trajectory, at(k), {}));
   };
   const auto speed = [&](int k) {
-    return log.apply(*sensor::ideal_log(trajectory->at(at(k)), {}).longitudinal_mps);
+    return log_errors.apply(*sensor::ideal_log(*trajectory, at(k), {}).longitudinal_mps, at(k));
   };
 
   auto options = leveling::options_for(kind);
@@ -141,3 +139,4 @@ TEST(LevelingOnTheWire, EveryFilterAgreesWithItsMeasurementsToTheWiresResolution
 }
 
 }  // namespace
+}  // namespace leveling_wire_test
