@@ -23,6 +23,7 @@ class LevelingEstimator final : public Estimator {
   LevelingEstimator(std::uint16_t index, const EstimatorOptions& options,
                     const PipelineOptions& pipeline);
 
+  using Estimator::take;
   Outcome take(const measurement::ImuSample& sample, EstimateListener& listener) override;
   Outcome take(const measurement::WaterSpeed& speed, EstimateListener& listener) override;
   const EstimatorStatus& status() const override { return status_; }

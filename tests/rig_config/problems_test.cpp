@@ -41,7 +41,7 @@ TEST(RigProblems, AWrongChoiceIsToldTheAllowedOnes) {
                           "model = \"stationary\"\n" +
                           std::string(imu_table)),
               ElementsAre("r.toml:10:8: /estimator/0/kind: \"levelling\" is not allowed (did you "
-                          "mean 'leveling'?), allowed: leveling"));
+                          "mean 'leveling'?), allowed: leveling, roll"));
 }
 
 TEST(RigProblems, AProtocolMustFitTheKind) {
@@ -139,6 +139,15 @@ TEST(RigProblems, KeysThatDependOnAChoiceSaySo) {
   EXPECT_THAT(problems_of(head + "model = \"stationary\"\nstart = \"given\"\n"
                                  "initial_roll_deg = 1\n"),
               ElementsAre("r.toml:13:1: /estimator/0: key 'initial_pitch_deg' is missing"));
+}
+
+TEST(RigProblems, ARollEstimatorNeedsAReceiverAndHasNoLog) {
+  const std::string head =
+      std::string(imu_table) + "[[estimator]]\nname = \"r\"\nkind = \"roll\"\nimu = \"imu\"\n";
+  EXPECT_THAT(problems_of(head), ElementsAre("r.toml:13:1: /estimator/0: key 'gnss' is missing"));
+  EXPECT_THAT(problems_of(head + "gnss = \"imu\"\n"),
+              ElementsAre("r.toml:17:8: /estimator/0/gnss: device \"imu\" is of kind imu, this rig "
+                          "has no device of kind gnss"));
 }
 
 TEST(RigProblems, AnAddressIsTakenOncePerBus) {
