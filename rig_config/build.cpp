@@ -100,12 +100,28 @@ DeviceConfig build_device(const Node& table, const std::string& rig_file) {
 
 constexpr std::array mixing_types{"compensated", "type1", "type2", "type3"};
 
+RollConfig build_roll(const Node& table) {
+  constexpr double degree_per_root_hour = degree / 60;
+  RollConfig roll;
+  read_axis(table, "antenna_axis", roll.antenna_axis);
+  read(table, "boresight_cno_dbhz", roll.boresight_cno_dbhz);
+  read(table, "lowest_cno_dbhz", roll.lowest_cno_dbhz);
+  read(table, "cno_resolution_db", roll.cno_resolution_db);
+  read(table, "power_noise", roll.power_noise);
+  read(table, "angular_random_walk_degprth", roll.angular_random_walk, degree_per_root_hour);
+  read(table, "gyro_bias_degps", roll.gyro_bias_radps, degree);
+  read(table, "angle_of_attack_deg", roll.angle_of_attack_rad, degree);
+  return roll;
+}
+
 EstimatorConfig build_estimator(const Node& table) {
   EstimatorConfig estimator;
   read(table, "name", estimator.name);
   read(table, "kind", estimator.kind);
   read(table, "imu", estimator.imu);
   read(table, "log", estimator.log);
+  read(table, "gnss", estimator.gnss);
+  if (const Node* roll = table.find("roll")) estimator.roll = build_roll(*roll);
   std::string filter, model, start;
   read(table, "filter", filter);
   if (filter == "augmented") estimator.filter = LevelingFilter::augmented;

@@ -10,11 +10,7 @@ SkyConfig build_sky(const Node& table, const std::string& rig_file) {
   SkyConfig sky;
   sky.ephemeris = beside(rig_file, table.find("ephemeris")->text);
   if (const Node* at = table.find("at")) sky.at_utc_ns = at->integer;
-  if (const Node* axis = table.find("antenna_axis")) {  // "-z": sign, then axis
-    sky.antenna_axis = {};
-    sky.antenna_axis.at(static_cast<std::size_t>(axis->text[1] - 'x')) =
-        axis->text[0] == '-' ? -1 : 1;
-  }
+  read_axis(table, "antenna_axis", sky.antenna_axis);
   read(table, "boresight_cno_dbhz", sky.boresight_cno_dbhz);
   read(table, "power_noise", sky.power_noise);
   read(table, "lowest_cno_dbhz", sky.lowest_cno_dbhz);

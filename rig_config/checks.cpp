@@ -27,6 +27,7 @@ class RigChecks {
     files_exist();
     estimator_devices_exist("imu", "imu");
     estimator_devices_exist("log", "emlog");
+    estimator_devices_exist("gnss", "gnss");
     return std::move(problems_);
   }
 

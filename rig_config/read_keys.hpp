@@ -35,6 +35,14 @@ inline void read(const Node& table, const char* key, std::array<double, 3>& into
     into[i] = (value->kind == Node::Kind::array ? value->items[i].number : value->number) * unit;
 }
 
+/// "-z": sign, then axis.
+inline void read_axis(const Node& table, const char* key, std::array<double, 3>& into) {
+  const Node* axis = table.find(key);
+  if (!axis) return;
+  into = {};
+  into.at(static_cast<std::size_t>(axis->text[1] - 'x')) = axis->text[0] == '-' ? -1 : 1;
+}
+
 inline std::optional<double> read_if(const Node& table, const char* key, double unit = 1) {
   const Node* value = table.find(key);
   return value ? std::optional{value->number * unit} : std::nullopt;

@@ -82,11 +82,24 @@ enum class LevelingFilter : std::uint8_t { robust, augmented, paper };
 
 enum class MixingType : std::uint8_t { compensated, type1, type2, type3 };
 
+/// What a roll estimator is told of antenna, receiver and gyro; one standard deviation each.
+struct RollConfig {
+  std::array<double, 3> antenna_axis{0, 0, 1};  ///< boresight, unit vector in the body frame
+  double boresight_cno_dbhz = 48;
+  double lowest_cno_dbhz = 20;            ///< the receiver reports no less
+  double cno_resolution_db = 1;           ///< on the wire
+  double power_noise = 0.1;               ///< of each epoch's power, share of that at boresight
+  double angular_random_walk = 1.745e-4;  ///< of the roll gyro, rad per sqrt(s): 0.6 deg/sqrt(h)
+  double gyro_bias_radps = 0.0174532925199433;
+  double angle_of_attack_rad = 0.00872664625997165;  ///< between body x and the velocity
+};
+
 struct EstimatorConfig {
   std::string name;
-  std::string kind;  ///< leveling, mixing
+  std::string kind;  ///< leveling, mixing, roll
   LevelingFilter filter = LevelingFilter::robust;
-  std::string imu, log;     ///< device names
+  std::string imu, log, gnss;  ///< device names
+  RollConfig roll;
   bool stationary = false;  ///< measurement model: all three velocities zero
   bool accelerometer_start =
       true;  ///< first attitude from the first specific force, not from `initial_*`

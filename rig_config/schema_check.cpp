@@ -24,7 +24,7 @@ using Kind = Node::Kind;
 /// JSON knows no date-time, TOML tells it from a string: where one stands for the other the value
 /// becomes null, which the schema refuses.
 Json to_json(const Node& node, const std::string& path = "") {
-  const bool date_wanted = path == "/rig/start";
+  const bool date_wanted = path == "/rig/start" || path == "/device//emulate/sky/at";
   switch (node.kind) {
     case Kind::boolean: return node.boolean;
     case Kind::integer: return node.integer;

@@ -39,6 +39,19 @@ mixing::MixingOptions mixing_options(const rig_config::EstimatorConfig& config) 
   return options;
 }
 
+pipeline::RollOptions roll_options(const rig_config::RollConfig& config) {
+  pipeline::RollOptions roll;
+  roll.boresight_cno_dbhz = config.boresight_cno_dbhz;
+  roll.lowest_cno_dbhz = config.lowest_cno_dbhz;
+  roll.axis_sigma_rad = config.angle_of_attack_rad;
+  roll.filter.gyro_noise = config.angular_random_walk;
+  roll.filter.bias_sigma_radps = config.gyro_bias_radps;
+  roll.filter.antenna.boresight_body = Eigen::Vector3d{config.antenna_axis.data()};
+  roll.filter.antenna.noise = config.power_noise;
+  roll.filter.antenna.resolution_db = config.cno_resolution_db;
+  return roll;
+}
+
 }  // namespace
 
 pipeline::PipelineOptions pipeline_options(const rig_config::Rig& rig) {
@@ -50,6 +63,7 @@ pipeline::PipelineOptions pipeline_options(const rig_config::Rig& rig) {
     estimator.kind = config.kind;
     estimator.imu = index_of(rig, config.imu);
     if (!config.log.empty()) estimator.log = index_of(rig, config.log);
+    if (!config.gnss.empty()) estimator.gnss = index_of(rig, config.gnss);
     estimator.stationary = config.stationary;
     estimator.filter = filter_kind(config.filter);
     estimator.leveling = leveling::options_for(estimator.filter);
@@ -59,6 +73,7 @@ pipeline::PipelineOptions pipeline_options(const rig_config::Rig& rig) {
     estimator.leveling.initial_roll_rad = config.initial_roll_rad;
     estimator.leveling.initial_pitch_rad = config.initial_pitch_rad;
     estimator.mixing = mixing_options(config);
+    estimator.roll = roll_options(config.roll);
     options.estimators.push_back(std::move(estimator));
   }
   return options;
@@ -73,6 +88,12 @@ std::vector<std::string> pipeline_notes(const rig_config::Rig& rig,
     if (c.late == 0 && c.refused == 0) continue;
     notes.push_back(fmt::format("{}: of {} measurements {} too late for the estimators, {} refused",
                                 rig.devices[i].name, c.received, c.late, c.refused));
+  }
+  for (std::size_t i = 0; i < std::min(pipeline.estimators(), rig.estimators.size()); ++i) {
+    const std::uint64_t rejected = pipeline.status(i).rejected;
+    if (rejected > 0)
+      notes.push_back(
+          fmt::format("{}: {} values outside its gate", rig.estimators[i].name, rejected));
   }
   if (pipeline.overflows() > 0) {
     notes.push_back(fmt::format("reorder buffer full: {} measurements used before their turn",

@@ -18,11 +18,16 @@ enum class Outcome : std::uint8_t {
   unused     ///< not this estimator's device, or without the value that it needs
 };
 
-enum class EstimatorState : std::uint8_t { waiting_for_imu, waiting_for_speed, running };
+enum class EstimatorState : std::uint8_t {
+  waiting_for_imu,
+  waiting_for_speed,
+  waiting_for_satellites,
+  running
+};
 
 constexpr std::string_view to_string(EstimatorState state) {
-  constexpr std::array<std::string_view, 3> names{"waiting for imu", "waiting for speed",
-                                                  "running"};
+  constexpr std::array<std::string_view, 4> names{"waiting for imu", "waiting for speed",
+                                                  "waiting for satellites", "running"};
   return names[static_cast<std::size_t>(state)];
 }
 
@@ -32,6 +37,7 @@ struct EstimatorStatus {
   std::uint64_t restarts = 0;          ///< after a gap in the IMU's samples, or a clock set back
   measurement::Stamp last_estimate{};  ///< valid_at
   measurement::Stamp last_speed{};     ///< valid_at
+  std::uint64_t rejected = 0;          ///< values outside the estimator's innovation gate
 };
 
 /// One system of the papers at work in the pipeline. Measurements come in the order of valid_at as
@@ -40,7 +46,13 @@ class Estimator {
  public:
   virtual ~Estimator() = default;
   virtual Outcome take(const measurement::ImuSample& sample, EstimateListener& listener) = 0;
-  virtual Outcome take(const measurement::WaterSpeed& speed, EstimateListener& listener) = 0;
+  virtual Outcome take(const measurement::WaterSpeed&, EstimateListener&) {
+    return Outcome::unused;
+  }
+  virtual Outcome take(const measurement::GnssFix&, EstimateListener&) { return Outcome::unused; }
+  virtual Outcome take(const measurement::GnssSatellites&, EstimateListener&) {
+    return Outcome::unused;
+  }
   virtual const EstimatorStatus& status() const = 0;
 };
 

@@ -10,13 +10,23 @@
 #include "estimators/leveling/leveling_filter.hpp"
 #include "estimators/mixing/mixing_accuracy.hpp"
 #include "estimators/mixing/mixing_filter.hpp"
+#include "estimators/roll/hypothesis.hpp"
 
 namespace drydock::pipeline {
+
+/// Of kind "roll".
+struct RollOptions {
+  roll::AllSatellitesOptions filter;  ///< antenna.tracking_limit is made of the next two
+  double boresight_cno_dbhz = 48;     ///< C/N0 of a satellite straight ahead of the antenna
+  double lowest_cno_dbhz = 20;        ///< the receiver does not report less
+  double axis_sigma_rad = 0.01;       ///< between body x and the velocity: angle of attack
+  double least_speed_mps = 20;        ///< below it the velocity says nothing of the axis
+};
 
 /// One estimator of the rig. Its index in `PipelineOptions::estimators` names its estimates.
 struct EstimatorOptions {
   std::string name;
-  std::string kind = "leveling";     ///< or "mixing"
+  std::string kind = "leveling";     ///< or "mixing", "roll"
   std::uint16_t imu = 0;             ///< device index, as in Origin::device
   std::optional<std::uint16_t> log;  ///< device index; needed unless stationary
   bool stationary = false;           ///< all velocities are zero; the log is not used
@@ -24,6 +34,8 @@ struct EstimatorOptions {
   leveling::LevelingOptions leveling;
   mixing::MixingOptions mixing;
   mixing::SensorAccuracy mixing_sensors;
+  std::optional<std::uint16_t> gnss;  ///< device index; kind "roll" needs it
+  RollOptions roll;
 };
 
 struct PipelineOptions {

@@ -11,30 +11,42 @@ const measurement::Origin& origin_of(const Sample& sample) {
 
 ReorderBuffer::ReorderBuffer(std::size_t capacity) : capacity_(capacity) {
   waiting_.reserve(capacity);
+  samples_.reserve(capacity);
+  free_.reserve(capacity);
 }
 
 bool ReorderBuffer::after(const Waiting& a, const Waiting& b) {
   const auto key = [](const Waiting& w) {
-    const measurement::Origin& from = origin_of(w.sample);
-    return std::tuple{from.valid_at, w.sample.index(), from.device, w.arrival};
+    return std::tuple{w.valid_at, w.kind, w.device, w.arrival};
   };
   return key(a) > key(b);
 }
 
 void ReorderBuffer::push(const Sample& sample) {
-  waiting_.push_back({sample, arrivals_++});
+  const measurement::Origin& from = origin_of(sample);
+  waiting_.push_back({from.valid_at, sample.index(), from.device, arrivals_++, put(sample)});
   std::push_heap(waiting_.begin(), waiting_.end(), after);
 }
 
-measurement::Stamp ReorderBuffer::oldest() const {
-  return origin_of(waiting_.front().sample).valid_at;
+std::size_t ReorderBuffer::put(const Sample& sample) {
+  if (free_.empty()) {
+    samples_.push_back(sample);
+    return samples_.size() - 1;
+  }
+  const std::size_t place = free_.back();
+  free_.pop_back();
+  samples_[place] = sample;
+  return place;
 }
+
+measurement::Stamp ReorderBuffer::oldest() const { return waiting_.front().valid_at; }
 
 Sample ReorderBuffer::pop() {
   std::pop_heap(waiting_.begin(), waiting_.end(), after);
-  Sample sample = waiting_.back().sample;
+  const std::size_t place = waiting_.back().place;
   waiting_.pop_back();
-  return sample;
+  free_.push_back(place);
+  return samples_[place];
 }
 
 }  // namespace drydock::pipeline

@@ -9,13 +9,14 @@
 namespace drydock::pipeline {
 
 /// The kinds of measurement that some estimator takes.
-using Sample = std::variant<measurement::ImuSample, measurement::WaterSpeed>;
+using Sample = std::variant<measurement::ImuSample, measurement::WaterSpeed, measurement::GnssFix,
+                            measurement::GnssSatellites>;
 
 const measurement::Origin& origin_of(const Sample& sample);
 
-/// Fixed-capacity priority queue by valid_at. Of equal stamps IMU samples come before speeds, then
-/// the lower device index, then the first to arrive: the order of arrival plays no part unless one
-/// device gives two samples of the same instant.
+/// Fixed-capacity priority queue by valid_at. Of equal stamps the order is that of `Sample`: IMU
+/// samples come first; then the lower device index, then the first to arrive: the order of arrival
+/// plays no part unless one device gives two samples of the same instant.
 class ReorderBuffer {
  public:
   explicit ReorderBuffer(std::size_t capacity);
@@ -35,13 +36,19 @@ class ReorderBuffer {
 
  private:
   struct Waiting {
-    Sample sample;
+    measurement::Stamp valid_at;
+    std::size_t kind = 0;  ///< index of Sample
+    std::uint16_t device = 0;
     std::uint64_t arrival = 0;
+    std::size_t place = 0;  ///< in samples_
   };
   static bool after(const Waiting& a, const Waiting& b);
+  std::size_t put(const Sample& sample);
 
   std::size_t capacity_;
-  std::vector<Waiting> waiting_;  ///< a heap, reserved once
+  std::vector<Waiting> waiting_;   ///< a heap, reserved once as the next two
+  std::vector<Sample> samples_;    ///< do not move: a sky of satellites is large
+  std::vector<std::size_t> free_;  ///< places in samples_
   std::uint64_t arrivals_ = 0;
 };
 

@@ -77,7 +77,9 @@ void add_covariance_figures(std::vector<Figure>& figures, const std::string& tit
 Figure path_figure(std::string title, const LevelingMotion& motion) {
   Curve curve{"path", {0}, {0}};
   constexpr double step = 0.01, half_width_m = 100;
-  for (double t = step / 2; t < leveling_duration_s; t += step) {
+  const auto steps = std::lround(leveling_duration_s / step);
+  for (long i = 0; i < steps; ++i) {
+    const double t = (static_cast<double>(i) + 0.5) * step;
     const Eigen::Vector3d ned = frame::body_to_ned(motion.attitude(t)) * motion.velocity(t) * step;
     curve.x.push_back(curve.x.back() + ned.x());
     curve.y.push_back(curve.y.back() + ned.y());

@@ -16,6 +16,13 @@ constexpr double degree = std::numbers::pi / 180;
 constexpr double paper_power = 664;  // of eq. (23), at boresight
 constexpr double epoch_s = roll_gyro_per_epoch / roll_gyro_hz;
 
+/// For a legend, where an underscore would set the next letter lower.
+std::string label_of(const RollMethod& method) {
+  std::string label(method.name);
+  std::ranges::replace(label, '_', ' ');
+  return label;
+}
+
 double decibels(double power) { return 10 * std::log10(power); }
 
 /// Fig. 4.
@@ -53,7 +60,8 @@ Figure sampled(int number, double roll_hz, bool in_decibels) {
       smooth.y.push_back(power(smooth.x.back()));
     }
     Curve epochs{fmt::format("at 10 Hz, pitch {} deg", pitch_deg), {}, {}, false, true};
-    for (double t = 0; t < span_s; t += epoch_s) {
+    for (int epoch = 0; epoch * epoch_s < span_s; ++epoch) {
+      const double t = epoch * epoch_s;
       epochs.x.push_back(t);
       epochs.y.push_back(power(t));
     }
@@ -108,7 +116,7 @@ Curve beginning(Curve curve, double seconds) {
 }
 
 Curve error_curve(std::size_t method, const RollOutcome& outcome) {
-  Curve curve{std::string(roll_methods[method].name), {}, {}};
+  Curve curve{label_of(roll_methods[method]), {}, {}};
   const auto& errors = outcome.errors[method].at_epochs;
   for (std::size_t i = 0; i < errors.size(); ++i) {
     if (std::isnan(errors[i])) continue;
@@ -169,8 +177,7 @@ void RollEnsemble::add(const RollOutcome& outcome) {
 Figure RollEnsemble::figure() const {
   Figure figure{"Roll error over the runs, ideal signals", "time [s]", "RMS [deg]", {}};
   for (std::size_t m = 0; m < squares_.size(); ++m) {
-    Curve curve{
-        m < roll_methods.size() ? std::string(roll_methods[m].name) : "Cramer-Rao bound", {}, {}};
+    Curve curve{m < roll_methods.size() ? label_of(roll_methods[m]) : "Cramer-Rao bound", {}, {}};
     for (std::size_t i = 0; i < squares_[m].size(); ++i) {
       const double rms = std::sqrt(squares_[m][i] / runs_);
       if (!(rms <= 12)) continue;

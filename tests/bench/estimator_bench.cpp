@@ -1,5 +1,6 @@
 #include <benchmark/benchmark.h>
 
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <random>
@@ -10,11 +11,12 @@
 #include "estimators/leveling/any_leveling_filter.hpp"
 #include "estimators/mixing/mixing_filter.hpp"
 #include "estimators/pipeline/pipeline.hpp"
+#include "estimators/roll/all_satellites.hpp"
 #include "estimators/vehicle/vehicle.hpp"
 #include "rig_config/load.hpp"
 
 /// Cost of the leveling estimator, the filter alone and a sample's way through the pipeline, of the
-/// mixing filter, and of the vehicle's equations of motion.
+/// mixing and roll filters, and of the vehicle's equations of motion.
 namespace {
 
 using namespace drydock;
@@ -174,6 +176,46 @@ BENCHMARK(pipeline_step)
     ->ArgName("window_ms")
     ->Arg(0)
     ->Arg(200);
+
+/// Ten satellites around the sky; `state.range(0)` epochs have gone before, so that one hypothesis
+/// is left or, with none, all 24 begin.
+roll::AllSatellites rolling(std::array<roll::Signal, 10>& signals, std::int64_t epochs) {
+  for (std::size_t i = 0; i < signals.size(); ++i) {
+    const auto k = static_cast<double>(i);
+    signals[i].satellite = static_cast<std::uint16_t>(i);
+    signals[i].toward_ned = roll::toward_ned(0.2 + 0.1 * k, 0.7 * k);
+    const roll::SightLine line(signals[i].toward_ned, {0.3, 0.4}, {0, 0, 1});
+    signals[i].power = roll::power_of({}, line, 1.0).value;
+  }
+  roll::AllSatellitesOptions options;
+  options.antenna.resolution_db = 1;
+  options.antenna.tracking_limit = 0.01;
+  roll::AllSatellites filter(options);
+  for (std::int64_t i = 0; i < epochs; ++i) filter.update({.signals = signals, .path = {0.3, 0.4}});
+  return filter;
+}
+
+void roll_epoch(benchmark::State& state) {
+  std::array<roll::Signal, 10> signals;
+  const auto before = rolling(signals, state.range(0));
+  auto filter = before;
+  for (auto _ : state) {
+    if (state.range(0) == 0) filter.restart();
+    filter.update({.signals = signals, .path = {0.3, 0.4}});
+    benchmark::DoNotOptimize(filter);
+  }
+}
+BENCHMARK(roll_epoch)->Name("roll: epoch of ten satellites")->ArgName("after")->Arg(0)->Arg(20);
+
+void roll_gyro_sample(benchmark::State& state) {
+  std::array<roll::Signal, 10> signals;
+  auto filter = rolling(signals, 20);
+  for (auto _ : state) {
+    filter.predict(1.57, dt);
+    benchmark::DoNotOptimize(filter);
+  }
+}
+BENCHMARK(roll_gyro_sample)->Name("roll: gyro sample");
 
 const hydrodynamics::Model& nps_auv() {
   static const hydrodynamics::Model model{vehicle::dimensional(

@@ -139,7 +139,7 @@ TEST(Sky, AReceiversEphemerisIsSoughtFromTheRigFile) {
   EXPECT_EQ(sky->ephemeris, DRYDOCK_SOURCE_DIR "/fixtures/rinex/walker.rnx");
   EXPECT_EQ(sky->antenna_axis, (std::array<double, 3>{0, 0, 1}));
   EXPECT_EQ(sky->power_noise, 0.1);
-  EXPECT_FALSE(sky->at_utc_ns);
+  EXPECT_EQ(sky->at_utc_ns, rig.start_utc_ns);
   EXPECT_FALSE(rig.devices.at(1).emulate.sky);
 }
 

@@ -41,7 +41,7 @@ TEST(RigProblems, AWrongChoiceIsToldTheAllowedOnes) {
                           "model = \"stationary\"\n" +
                           std::string(imu_table)),
               ElementsAre("r.toml:10:8: /estimator/0/kind: \"levelling\" is not allowed (did you "
-                          "mean 'leveling'?), allowed: leveling, mixing"));
+                          "mean 'leveling'?), allowed: leveling, mixing, roll"));
 }
 
 TEST(RigProblems, AProtocolMustFitTheKind) {
@@ -153,6 +153,15 @@ TEST(RigProblems, ThePapersFilterStartsFromAGivenAttitudeAlone) {
   EXPECT_THAT(problems_of(head + "filter = \"augmentd\"\n"),
               ElementsAre("r.toml:18:10: /estimator/0/filter: \"augmentd\" is not allowed (did you "
                           "mean 'augmented'?), allowed: robust, augmented, paper"));
+}
+
+TEST(RigProblems, ARollEstimatorNeedsAReceiverAndHasNoLog) {
+  const std::string head =
+      std::string(imu_table) + "[[estimator]]\nname = \"r\"\nkind = \"roll\"\nimu = \"imu\"\n";
+  EXPECT_THAT(problems_of(head), ElementsAre("r.toml:13:1: /estimator/0: key 'gnss' is missing"));
+  EXPECT_THAT(problems_of(head + "gnss = \"imu\"\n"),
+              ElementsAre("r.toml:17:8: /estimator/0/gnss: device \"imu\" is of kind imu, this rig "
+                          "has no device of kind gnss"));
 }
 
 TEST(RigProblems, AnAddressIsTakenOncePerBus) {

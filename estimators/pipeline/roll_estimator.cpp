@@ -1,0 +1,178 @@
+#include "estimators/pipeline/roll_estimator.hpp"
+
+#include <cmath>
+
+namespace drydock::pipeline {
+
+using measurement::GnssFix;
+using measurement::GnssSatellites;
+using measurement::ImuSample;
+using measurement::seconds;
+using measurement::Stamp;
+
+namespace {
+
+/// As many samples in a row from the past are no stragglers: the clock was set back.
+constexpr int imu_set_back_after = 10;
+
+/// Lower ones may be hidden by the ground: that they are not heard says nothing of the roll.
+constexpr double surely_in_sight_rad = 0.1;
+
+/// Between two heights that give a vertical speed, at least; and what it does to the pitch: half of
+/// the span and the time until the next one late, and the heights' noise.
+constexpr std::chrono::milliseconds climb_span{500};
+constexpr double climb_sigma_rad = 0.015;
+
+std::uint32_t mask_of(std::uint16_t device) { return std::uint32_t{1} << device; }
+
+/// What the antenna is taken for, with the weakest power that the receiver still reports.
+roll::AllSatellitesOptions filter_options(const RollOptions& options) {
+  roll::AllSatellitesOptions filter = options.filter;
+  const double weakest_db =
+      options.lowest_cno_dbhz - filter.antenna.resolution_db / 2 - options.boresight_cno_dbhz;
+  filter.antenna.tracking_limit = std::pow(10, weakest_db / 10);
+  return filter;
+}
+
+}  // namespace
+
+RollEstimator::RollEstimator(std::uint16_t index, const EstimatorOptions& options,
+                             const PipelineOptions& pipeline)
+    : index_(index),
+      imu_(options.imu),
+      gnss_(options.gnss.value()),
+      options_(options.roll),
+      max_imu_gap_(pipeline.max_imu_gap),
+      max_fix_age_(pipeline.max_speed_age),
+      filter_(filter_options(options.roll)) {}
+
+Outcome RollEstimator::take(const ImuSample& sample, EstimateListener& listener) {
+  if (sample.origin.device != imu_) return Outcome::unused;
+  const double rate = sample.angular_rate.x();
+  // A comparison that NaN fails as well.
+  if (!(std::abs(rate) <= max_angular_rate_radps)) return Outcome::refused;
+  const Stamp at = sample.origin.valid_at;
+  if (!gyro_.empty() && at <= last_) {
+    if (!clock_was_set_back(sample)) return Outcome::late;
+    stop();
+  } else if (!gyro_.empty() && at - last_ > max_imu_gap_) {
+    stop();
+  }
+  far_behind_ = 0;
+  if (!gyro_.empty()) {
+    const double dt = seconds(at - last_);
+    filter_.predict(0.5 * (gyro_.rate() + rate), dt);
+  } else {
+    status_.state = EstimatorState::waiting_for_satellites;
+  }
+  gyro_.add(at, rate);
+  last_ = at;
+  if (filter_.running() && knows_axis(at)) emit(listener);
+  return Outcome::accepted;
+}
+
+Outcome RollEstimator::take(const GnssFix& fix, EstimateListener&) {
+  if (fix.origin.device != gnss_) return Outcome::unused;
+  const auto velocity = velocity_of(fix);
+  if (!velocity) return Outcome::unused;
+  const double speed = velocity->norm();
+  if (!(speed <= max_speed_mps)) return Outcome::refused;
+  if (axis_ && fix.origin.valid_at < axis_->valid_at &&
+      axis_->valid_at - fix.origin.valid_at < max_fix_age_)
+    return Outcome::late;
+  if (speed < options_.least_speed_mps) {
+    axis_.reset();
+    return Outcome::unused;
+  }
+  const double by_receiver =
+      fix.velocity_ned ? fix.speed_accuracy_mps.value_or(0) / speed : climb_sigma_rad;
+  const double sigma = std::hypot(options_.axis_sigma_rad, by_receiver);
+  axis_ = Axis{fix.origin.valid_at, roll::flight_path(*velocity), sigma};
+  return Outcome::accepted;
+}
+
+std::optional<Eigen::Vector3d> RollEstimator::velocity_of(const GnssFix& fix) {
+  if (fix.velocity_ned) return fix.velocity_ned;
+  const auto height = fix.mean_sea_level_height_m;
+  if (!fix.ground_speed_mps || !fix.course_rad || !height) return std::nullopt;
+  const Stamp at = fix.origin.valid_at;
+  const auto since = height_ ? at - height_->valid_at : std::chrono::nanoseconds::zero();
+  if (since <= since.zero() || since > 3 * climb_span) {
+    height_ = Height{at, *height, std::nullopt};
+  } else if (since >= climb_span) {
+    height_ = Height{at, *height, (height_->metres - *height) / seconds(since)};
+  }
+  if (!height_->down_mps) return std::nullopt;
+  return Eigen::Vector3d{*fix.ground_speed_mps * std::cos(*fix.course_rad),
+                         *fix.ground_speed_mps * std::sin(*fix.course_rad), *height_->down_mps};
+}
+
+bool RollEstimator::knows_axis(Stamp at) const {
+  return axis_ && std::chrono::abs(at - axis_->valid_at) <= max_fix_age_;
+}
+
+Outcome RollEstimator::take(const GnssSatellites& sky, EstimateListener&) {
+  if (sky.origin.device != gnss_) return Outcome::unused;
+  const Stamp at = sky.origin.valid_at;
+  if (gyro_.empty() || at - last_ > max_imu_gap_ || !knows_axis(at)) return Outcome::unused;
+  if (at < gyro_.oldest()) return Outcome::late;
+
+  std::array<roll::Signal, roll::most_satellites> signals;
+  std::size_t n = 0, heard = 0;
+  for (const auto& satellite : sky.satellites) {
+    if (!satellite.elevation_rad || !satellite.azimuth_rad || n == signals.size()) continue;
+    if (!satellite.cno_dbhz && *satellite.elevation_rad < surely_in_sight_rad) continue;
+    auto& signal = signals[n++];
+    signal.satellite = static_cast<std::uint16_t>(256 * static_cast<int>(satellite.constellation) +
+                                                  satellite.number);
+    signal.toward_ned = roll::toward_ned(*satellite.elevation_rad, *satellite.azimuth_rad);
+    signal.power.reset();
+    if (!satellite.cno_dbhz) continue;
+    signal.power = std::pow(10, (*satellite.cno_dbhz - options_.boresight_cno_dbhz) / 10);
+    ++heard;
+  }
+  if (heard == 0) return Outcome::unused;  // the antenna is cut off, not every satellite behind it
+
+  filter_.update({.signals = std::span(signals).first(n),
+                  .path = axis_->path,
+                  .age_s = seconds(last_ - at),
+                  .turned_rad = gyro_.now() - gyro_.at(at)});
+  status_.state = EstimatorState::running;
+  status_.rejected = filter_.rejected();
+  fed_by_ = mask_of(imu_) | mask_of(gnss_);
+  return at < last_ ? Outcome::delayed : Outcome::accepted;
+}
+
+bool RollEstimator::clock_was_set_back(const ImuSample& sample) {
+  const bool far = last_ - sample.origin.valid_at > max_imu_gap_;
+  far_behind_ = far ? far_behind_ + 1 : 0;
+  return far_behind_ >= imu_set_back_after;
+}
+
+void RollEstimator::stop() {
+  if (filter_.running()) ++status_.restarts;
+  status_.state = EstimatorState::waiting_for_imu;
+  filter_.restart();
+  gyro_.clear();
+  axis_.reset();
+  height_.reset();
+}
+
+void RollEstimator::emit(EstimateListener& listener) {
+  ++status_.estimates;
+  status_.last_estimate = last_;
+  AttitudeEstimate estimate;
+  estimate.valid_at = last_;
+  estimate.estimator = index_;
+  estimate.roll_rad = filter_.roll();
+  estimate.pitch_rad = axis_->path.pitch_rad;
+  estimate.yaw_rad = axis_->path.azimuth_rad;
+  // An axis that lies beside the velocity by d turns the roll angle about it by d sin(pitch).
+  const double by_axis = axis_->sigma_rad * std::sin(estimate.pitch_rad);
+  estimate.covariance(0, 0) = filter_.roll_variance() + by_axis * by_axis;
+  estimate.covariance(1, 1) = axis_->sigma_rad * axis_->sigma_rad;
+  estimate.fed_by = fed_by_;
+  listener.on_attitude(estimate);
+}
+
+}  // namespace drydock::pipeline
