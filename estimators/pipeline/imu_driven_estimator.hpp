@@ -20,6 +20,7 @@ class ImuDrivenEstimator : public Estimator {
   static constexpr double max_angular_rate_radps = 50;
   static constexpr double max_speed_mps = 100;
 
+  using Estimator::take;
   Outcome take(const measurement::ImuSample& sample, EstimateListener& listener) final;
   Outcome take(const measurement::WaterSpeed& speed, EstimateListener& listener) final;
   const EstimatorStatus& status() const final { return status_; }

@@ -88,7 +88,7 @@ struct CaseSum {
 static_assert(5 * roll_settled_s == roll_run_s, "CaseSum::add begins at a fifth");
 
 std::string existing(const std::string& asked) {
-  const std::string file = asked.empty() ? default_ephemeris : asked;
+  std::string file = asked.empty() ? default_ephemeris : asked;
   if (std::filesystem::is_regular_file(file)) return file;
   throw std::runtime_error(fmt::format(
       "study roll: no GPS navigation file {}; allowed: --ephemeris FILE, a RINEX 2 or 3 broadcast "

@@ -47,15 +47,14 @@ std::vector<pipeline::AttitudeEstimate> straight(const rig_config::Rig& rig) {
                                   emulate::make_sky(receiver, start, rig.seed).value()};
   const emulate::DeviceSetup imu_setup{inertial, *trajectory, rig.seed, nullptr};
   emulate::GnssSensor gnss(gnss_setup);
-  auto gyro_errors = imu_setup.primary_errors();
+  auto imu_errors = imu_setup.imu_errors();
   const auto antenna = sensor::mounting_of(receiver), sensor = sensor::mounting_of(inertial);
 
   Kept kept;
   auto pipeline = *pipeline::make_pipeline(pipeline_options(rig), kept);
   for (int k = 0; k <= static_cast<int>(100 * seconds_flown); ++k) {
     const auto at = start + k * std::chrono::milliseconds{10};
-    auto imu = sensor::ideal_imu(*trajectory, at, sensor);
-    imu.angular_rate = gyro_errors.apply(imu.angular_rate);
+    auto imu = imu_errors.apply(sensor::ideal_imu(*trajectory, at, sensor));
     imu.origin.valid_at = at;
     imu.origin.device = 1;
     pipeline.receive(imu);
