@@ -22,11 +22,24 @@ SkyConfig build_sky(const Node& table, const std::string& rig_file) {
   return sky;
 }
 
+DvlHeadConfig build_head(const Node& table) {
+  DvlHeadConfig head;
+  head.shortest_range_m = read_if(table, "shortest_range_m");
+  head.longest_range_m = read_if(table, "longest_range_m");
+  if (const Node* three = table.find("three_beams")) head.three_beams = three->boolean;
+  read(table, "fading_db", head.fading_db);
+  read(table, "beam_noise_mps", head.beam_noise_mps);
+  read(table, "layer_start_m", head.layer_start_m);
+  read(table, "layer_thickness_m", head.layer_thickness_m);
+  return head;
+}
+
 }  // namespace
 
 EmulateConfig build_emulate(const Node& table, const std::string& rig_file) {
   EmulateConfig emulate;
   if (const Node* sky = table.find("sky")) emulate.sky = build_sky(*sky, rig_file);
+  if (const Node* head = table.find("head")) emulate.head = build_head(*head);
   return emulate;
 }
 

@@ -28,17 +28,30 @@ struct DropoutConfig {
   double mean_samples = 1;  ///< length of an outage
 };
 
+/// The head of an emulated DVL; what is empty is as its maker built it. Ranges are along the beams.
+struct DvlHeadConfig {
+  std::optional<double> shortest_range_m, longest_range_m;
+  std::optional<bool> three_beams;                  ///< are enough for a velocity
+  double fading_db = 1.5;                           ///< 1 sigma of each echo's strength
+  double beam_noise_mps = 0;                        ///< 1 sigma of each beam's velocity
+  double layer_start_m = 0, layer_thickness_m = 0;  ///< water track; thickness 0: none
+};
+
 struct EmulateConfig {
   bool fixed_bias = true;  ///< constants are +1 sigma as given; false: drawn N(0, 1 sigma) per seed
   double latency_s = 0;    ///< from sampling to the first byte on the wire
   DropoutConfig dropout;
-  std::optional<double>
-      power_noise;                ///< of a sensor file of kind gnss: a sky that names none has it
-  std::optional<double> rate_hz;  ///< of a sensor file: a device that names none has it
-  SensorErrors
-      primary;  ///< gyro rad/s, speed m/s, velocity m/s, pressure Pa, position m, angle rad
-  SensorErrors secondary;        ///< accelerometer m/s2, GNSS velocity m/s, shaft rad/s
+
+  /// Gyro rad/s, velocity or speed m/s, position m, pressure Pa, angle rad.
+  SensorErrors primary;
+  SensorErrors secondary;  ///< accelerometer m/s2, GNSS velocity m/s, shaft rad/s
+
+  // What a sensor file says for rigs that say nothing themselves.
+  std::optional<double> rate_hz;
+  std::optional<double> power_noise;  ///< kind gnss: of the sky
+
   std::optional<SkyConfig> sky;  ///< kind gnss; empty: ten invented satellites
+  DvlHeadConfig head;            ///< kind dvl
 };
 
 }  // namespace drydock::rig_config

@@ -96,18 +96,4 @@ LifeCycle::Change LifeCycle::tick(Stamp now) {
   return enter(State::stale, now, why.view());
 }
 
-std::optional<Stamp> LifeCycle::deadline() const {
-  switch (state_) {
-    case State::closed:
-    case State::opening: return {};
-    case State::streaming: return last_message_ + options_.stale_after;
-    case State::backing_off: return since_ + waits_;
-    case State::waiting:
-    case State::stale:
-      if (options_.reopen_when_quiet) return since_ + options_.reopen_after;
-      return {};
-  }
-  return {};
-}
-
 }  // namespace drydock::device

@@ -88,4 +88,18 @@ class LifeCycle {
   std::chrono::nanoseconds waits_{0};          ///< of the back-off under way
 };
 
+inline std::optional<Stamp> LifeCycle::deadline() const {
+  switch (state_) {
+    case State::closed:
+    case State::opening: return {};
+    case State::streaming: return last_message_ + options_.stale_after;
+    case State::backing_off: return since_ + waits_;
+    case State::waiting:
+    case State::stale:
+      if (options_.reopen_when_quiet) return since_ + options_.reopen_after;
+      return {};
+  }
+  return {};
+}
+
 }  // namespace drydock::device

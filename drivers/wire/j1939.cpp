@@ -6,11 +6,6 @@
 
 namespace drydock::wire::j1939 {
 
-std::optional<Identifier> identify(const CanFrame& frame) {
-  if (!frame.extended || frame.remote || frame.error || frame.fd) return std::nullopt;
-  return parse_identifier(frame.id);
-}
-
 CanFrame blank_frame(const Identifier& id) {
   CanFrame frame;
   frame.id = make_identifier(id);

@@ -45,7 +45,10 @@ constexpr std::uint32_t make_identifier(const Identifier& id) {
 }
 
 /// Empty for what cannot be J1939: 11-bit, remote, error and CAN FD frames.
-std::optional<Identifier> identify(const CanFrame& frame);
+inline std::optional<Identifier> identify(const CanFrame& frame) {
+  if (!frame.extended || frame.remote || frame.error || frame.fd) return std::nullopt;
+  return parse_identifier(frame.id);
+}
 
 /// An extended data frame of 8 bytes, all 0xFF ("not available").
 CanFrame blank_frame(const Identifier& id);

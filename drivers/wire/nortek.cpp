@@ -135,14 +135,18 @@ std::optional<Nortek::Message> Nortek::decode(Bytes frame) {
   }
 }
 
-std::size_t encode(const NortekVelocity& m, std::span<std::uint8_t> out) {
+namespace {
+
+std::size_t write_velocity(std::string_view address, const NortekVelocity& m,
+                           std::span<std::uint8_t> out) {
   FieldWriter line{out};
   const auto number = [&](std::optional<double> value, int decimals) {
     line.text(",");
     if (value) line.number(*value, decimals);
   };
   const bool with_state = m.status.has_value();
-  line.text(with_state ? "$PNORBT9" : "$PNORBT7");
+  line.text(address);
+  line.text(with_state ? "9" : "7");
   number(m.ping_time_s, 4);
   number(scaled(m.after_trigger_s, 1e3), 3);
   number(scaled(m.after_sentence_s, 1e3), 3);
@@ -171,6 +175,16 @@ std::size_t encode(const NortekVelocity& m, std::span<std::uint8_t> out) {
   line.text(as_text(digits));
   line.text("\r\n");
   return line.size();
+}
+
+}  // namespace
+
+std::size_t encode(const NortekVelocity& m, std::span<std::uint8_t> out) {
+  return write_velocity("$PNORBT", m, out);
+}
+
+std::size_t encode(const NortekWaterVelocity& m, std::span<std::uint8_t> out) {
+  return write_velocity("$PNORWT", m, out);
 }
 
 }  // namespace drydock::wire

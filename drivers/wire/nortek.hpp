@@ -69,9 +69,10 @@ struct Nortek {
   static std::optional<Message> decode(Bytes frame);
 };
 
-/// Writes PNORBT9 if the state of the instrument is known, else PNORBT7. Bytes written, 0 when
-/// `out` is too small.
+/// Writes PNORBT9 (PNORWT9) if the state of the instrument is known, else PNORBT7 (PNORWT7). Bytes
+/// written, 0 when `out` is too small.
 std::size_t encode(const NortekVelocity& m, std::span<std::uint8_t> out);
+std::size_t encode(const NortekWaterVelocity& m, std::span<std::uint8_t> out);
 
 template <class F>
 void visit_fields(const NortekBeam& m, F&& field) {

@@ -104,6 +104,20 @@ bool read_block(Bytes block, Pd0VariableLeader& m) {
   return true;
 }
 
+/// Without water track both its distances are 0.
+static void read_water_layer(Bytes block, Pd0BottomTrack& m) {
+  const auto near_dm = load_le<std::uint16_t>(block, 46),
+             far_dm = load_le<std::uint16_t>(block, 48);
+  if (far_dm == 0) return;
+  m.layer_near_m = near_dm / 10.0;
+  m.layer_far_m = far_dm / 10.0;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const auto water_mmps = load_le<std::int16_t>(block, 50 + 2 * i);
+    if (water_mmps != pd0::bad) m.water_velocity_mps[i] = (0 - water_mmps) / 1000.0;
+    m.water_percent_good[i] = block[66 + i];
+  }
+}
+
 bool read_block(Bytes block, Pd0BottomTrack& m) {
   if (block.size() < 44) return false;
   m.pings_per_ensemble = load_le<std::uint16_t>(block, 2);
@@ -117,6 +131,7 @@ bool read_block(Bytes block, Pd0BottomTrack& m) {
     m.amplitude[i] = block[36 + i];
     m.percent_good[i] = block[40 + i];
   }
+  if (block.size() >= 70) read_water_layer(block, m);
   if (block.size() >= 72) m.max_depth_m = load_le<std::uint16_t>(block, 70) / 10.0;
   return true;
 }

@@ -99,6 +99,21 @@ void write(Out block, const Pd0VariableLeader& m) {
   store_le<std::int32_t>(block, 48, quantize<std::int32_t>(m.pressure_pa.value_or(0), 10));
 }
 
+std::int16_t reversed(const std::optional<double>& vehicle_mps) {
+  // A velocity beyond the range of the wire must not turn into the mark of a bad one.
+  return vehicle_mps ? std::max<std::int16_t>(quantize<std::int16_t>(-*vehicle_mps, 1e-3), -32767)
+                     : pd0::bad;
+}
+
+void write_water_layer(Out block, const Pd0BottomTrack& m) {
+  store_le<std::uint16_t>(block, 46, quantize<std::uint16_t>(m.layer_near_m.value_or(0), 0.1));
+  store_le<std::uint16_t>(block, 48, quantize<std::uint16_t>(*m.layer_far_m, 0.1));
+  for (std::size_t i = 0; i < 4; ++i) {
+    store_le<std::int16_t>(block, 50 + 2 * i, reversed(m.water_velocity_mps[i]));
+    block[66 + i] = m.water_percent_good[i];
+  }
+}
+
 void write(Out block, const Pd0BottomTrack& m) {
   store_le<std::uint16_t>(block, 0, pd0::bottom_track);
   store_le<std::uint16_t>(block, 2, m.pings_per_ensemble);
@@ -106,16 +121,12 @@ void write(Out block, const Pd0BottomTrack& m) {
     const auto range_cm = quantize<std::uint32_t>(m.range_m[i].value_or(0), 0.01);
     store_le<std::uint16_t>(block, 16 + 2 * i, static_cast<std::uint16_t>(range_cm));
     block[77 + i] = static_cast<std::uint8_t>(range_cm >> 16);
-    const auto& velocity = m.velocity_mps[i];
-    // A velocity beyond the range of the wire must not turn into the mark of a bad one.
-    const auto bed_mmps =
-        velocity ? std::max<std::int16_t>(quantize<std::int16_t>(-*velocity, 1e-3), -32767)
-                 : pd0::bad;
-    store_le<std::int16_t>(block, 24 + 2 * i, bed_mmps);
+    store_le<std::int16_t>(block, 24 + 2 * i, reversed(m.velocity_mps[i]));
     block[32 + i] = m.correlation[i];
     block[36 + i] = m.amplitude[i];
     block[40 + i] = m.percent_good[i];
   }
+  if (m.layer_far_m) write_water_layer(block, m);
   store_le<std::uint16_t>(block, 70, quantize<std::uint16_t>(m.max_depth_m.value_or(0), 0.1));
 }
 

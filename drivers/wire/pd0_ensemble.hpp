@@ -45,6 +45,10 @@ struct Pd0BottomTrack {
   std::array<std::optional<double>, 4> range_m;
   std::array<std::uint8_t, 4> correlation{}, amplitude{}, percent_good{};
   std::optional<double> max_depth_m;  ///< tracking limit
+  /// Against the water layer, with the bed's sign and frame; empty without water track.
+  DvlComponents water_velocity_mps;
+  std::optional<double> layer_near_m, layer_far_m;  ///< vertical distance from the head
+  std::array<std::uint8_t, 4> water_percent_good{};
 };
 
 /// Motion of the vehicle in steps of 0.01 mm/s, in the frame of the fixed leader: on the wire too
@@ -130,6 +134,10 @@ void visit_fields(const Pd0BottomTrack& m, F&& field) {
   field("bottom_amplitude", m.amplitude);
   field("bottom_percent_good", m.percent_good);
   field("bottom_max_depth_m", m.max_depth_m);
+  field("water_velocity_mps", m.water_velocity_mps);
+  field("layer_near_m", m.layer_near_m);
+  field("layer_far_m", m.layer_far_m);
+  field("water_percent_good", m.water_percent_good);
 }
 
 template <class F>

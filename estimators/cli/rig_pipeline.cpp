@@ -16,6 +16,15 @@ std::uint16_t index_of(const rig_config::Rig& rig, const std::string& name) {
   return static_cast<std::uint16_t>(it - rig.devices.begin());
 }
 
+leveling::FilterKind filter_kind(rig_config::LevelingFilter filter) {
+  switch (filter) {
+    case rig_config::LevelingFilter::augmented: return leveling::FilterKind::augmented;
+    case rig_config::LevelingFilter::paper: return leveling::FilterKind::paper;
+    case rig_config::LevelingFilter::robust: break;
+  }
+  return leveling::FilterKind::robust;
+}
+
 mixing::MixingOptions mixing_options(const rig_config::EstimatorConfig& config) {
   using enum mixing::MixingType;
   constexpr std::array types{compensated, fixed_gain, fuzzy_inference, gain_schedule};
@@ -42,6 +51,8 @@ pipeline::PipelineOptions pipeline_options(const rig_config::Rig& rig) {
     estimator.imu = index_of(rig, config.imu);
     if (!config.log.empty()) estimator.log = index_of(rig, config.log);
     estimator.stationary = config.stationary;
+    estimator.filter = filter_kind(config.filter);
+    estimator.leveling = leveling::options_for(estimator.filter);
     estimator.leveling.latitude_rad = config.latitude_rad;
     estimator.leveling.heading_rad = config.heading_rad;
     estimator.leveling.accelerometer_start = config.accelerometer_start;

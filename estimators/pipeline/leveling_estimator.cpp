@@ -1,30 +1,46 @@
 #include "estimators/pipeline/leveling_estimator.hpp"
 
+#include <variant>
+
 namespace drydock::pipeline {
 
 LevelingEstimator::LevelingEstimator(std::uint16_t index, const EstimatorOptions& options,
                                      const PipelineOptions& pipeline)
     : ImuDrivenEstimator(index, options, pipeline),
       stationary_(options.stationary),
-      filter_(options.leveling) {}
+      filter_(leveling::make_filter(options.filter, options.leveling)) {}
 
 void LevelingEstimator::start(const measurement::ImuSample& sample, double speed_mps) {
-  filter_.start(sample.specific_force, sample.angular_rate, speed_mps);
+  std::visit(
+      [&](auto& filter) { filter.start(sample.specific_force, sample.angular_rate, speed_mps); },
+      filter_);
 }
 
 void LevelingEstimator::step(const Eigen::Vector3d& force, const Eigen::Vector3d& rate, double dt) {
-  filter_.predict(force, rate, dt);
-  if (stationary_) {
-    filter_.update_stationary();
-  } else {
-    filter_.update_nonholonomic(dt);
-  }
+  std::visit(
+      [&](auto& filter) {
+        filter.predict(force, rate, dt);
+        if (stationary_) {
+          filter.update_stationary();
+        } else {
+          filter.update_nonholonomic(dt);
+        }
+      },
+      filter_);
+}
+
+void LevelingEstimator::correct(double speed_mps) {
+  std::visit([&](auto& filter) { filter.update_moving(speed_mps); }, filter_);
 }
 
 void LevelingEstimator::fill(AttitudeEstimate& estimate) const {
-  estimate.roll_rad = filter_.roll();
-  estimate.pitch_rad = filter_.pitch();
-  estimate.covariance = filter_.roll_pitch_covariance();
+  std::visit(
+      [&](const auto& filter) {
+        estimate.roll_rad = filter.roll();
+        estimate.pitch_rad = filter.pitch();
+        estimate.covariance = filter.roll_pitch_covariance();
+      },
+      filter_);
 }
 
 }  // namespace drydock::pipeline

@@ -1,26 +1,26 @@
 #pragma once
 
-#include "estimators/leveling/leveling_filter.hpp"
+#include "estimators/leveling/any_leveling_filter.hpp"
 #include "estimators/pipeline/imu_driven_estimator.hpp"
 
 namespace drydock::pipeline {
 
-/// The leveling filter on one IMU and one speed log.
+/// A leveling filter on one IMU and one speed log.
 class LevelingEstimator final : public ImuDrivenEstimator {
  public:
   LevelingEstimator(std::uint16_t index, const EstimatorOptions& options,
                     const PipelineOptions& pipeline);
 
-  const leveling::LevelingFilter& filter() const { return filter_; }
+  const leveling::AnyLevelingFilter& filter() const { return filter_; }
 
  private:
   void start(const measurement::ImuSample& sample, double speed_mps) override;
   void step(const Eigen::Vector3d& force, const Eigen::Vector3d& rate, double dt) override;
-  void correct(double speed_mps) override { filter_.update_moving(speed_mps); }
+  void correct(double speed_mps) override;
   void fill(AttitudeEstimate& estimate) const override;
 
   bool stationary_;
-  leveling::LevelingFilter filter_;
+  leveling::AnyLevelingFilter filter_;
 };
 
 }  // namespace drydock::pipeline

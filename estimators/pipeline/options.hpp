@@ -20,6 +20,7 @@ struct EstimatorOptions {
   std::uint16_t imu = 0;             ///< device index, as in Origin::device
   std::optional<std::uint16_t> log;  ///< device index; needed unless stationary
   bool stationary = false;           ///< all velocities are zero; the log is not used
+  leveling::FilterKind filter = leveling::FilterKind::robust;
   leveling::LevelingOptions leveling;
   mixing::MixingOptions mixing;
   mixing::SensorAccuracy mixing_sensors;

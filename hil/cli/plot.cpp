@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <filesystem>
@@ -43,6 +44,12 @@ std::string curve(const Series& series, std::size_t index) {
                      colours[index % colours.size()], quoted(series.label));
 }
 
+bool goes_below_zero(const Plot& plot) {
+  return std::ranges::any_of(plot.curves, [](const Series& series) {
+    return series.band || std::ranges::any_of(series.y, [](double y) { return y < 0; });
+  });
+}
+
 std::string script(const Plot& plot) {
   fmt::memory_buffer out;
   auto to = std::back_inserter(out);
@@ -50,10 +57,14 @@ std::string script(const Plot& plot) {
                  "set term svg size {} dynamic font 'sans,11' background '#ffffff'\n"
                  "set title {} font 'sans,13'\nset xlabel {}\nset ylabel {}\n"
                  "set grid lc rgb '#dddddd'\nset key outside right top\n",
-                 plot.equal_scales ? "860,600" : "860,300", quoted(plot.title),
+                 plot.equal_scales || (plot.log_x && plot.log_y) ? "860,600" : "860,300", quoted(plot.title),
                  quoted(plot.x_label), quoted(plot.y_label));
   if (plot.equal_scales) fmt::format_to(to, "set size ratio -1\n");
-  if (plot.y_limit > 0) fmt::format_to(to, "set yrange [{}:{}]\n", -plot.y_limit, plot.y_limit);
+  if (plot.y_limit > 0)
+    fmt::format_to(to, "set yrange [{}:{}]\n", goes_below_zero(plot) ? -plot.y_limit : 0,
+                   plot.y_limit);
+  if (plot.log_x) fmt::format_to(to, "set logscale x\nset format x '10^{{%T}}'\n");
+  if (plot.log_y) fmt::format_to(to, "set logscale y\nset format y '10^{{%T}}'\n");
   for (std::size_t i = 0; i < plot.curves.size(); ++i) {
     fmt::format_to(to, "$data{} << END\n", i);
     const auto& s = plot.curves[i];

@@ -20,6 +20,7 @@
 #include "hil/cli/truth_of_rig.hpp"
 #include "hil/emulate/lockstep.hpp"
 #include "hil/emulate/make_emulated_device.hpp"
+#include "hil/motion/remembered_trajectory.hpp"
 
 namespace drydock::cli {
 namespace {
@@ -57,7 +58,8 @@ class LockstepBench final : private device::Listener, private pipeline::Estimate
   LockstepBench(const rig_config::Rig& rig, double duration_s)
       : rig_(rig),
         start_(measurement::stamp_from_ns(rig.start_utc_ns)),
-        trajectory_(motion::make_trajectory(rig.mission, start_)),
+        trajectory_(std::make_unique<motion::RememberedTrajectory>(
+            motion::make_trajectory(rig.mission, start_))),
         clock_(start_),
         pipeline_(or_throw(pipeline::make_pipeline(pipeline_options(rig), *this))),
         duration_s_(duration_s > 0 ? duration_s

@@ -24,9 +24,9 @@ double ns_per_step(study::Workload& workload) {
 }
 
 double median(std::vector<double>& times) {
-  const auto middle = times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2);
-  std::nth_element(times.begin(), middle, times.end());
-  return *middle;
+  const auto half_way = times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2);
+  std::nth_element(times.begin(), half_way, times.end());
+  return *half_way;
 }
 
 }  // namespace

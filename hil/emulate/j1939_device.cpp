@@ -54,11 +54,11 @@ void J1939Device::tick(Stamp now, Wire& out) {
 }
 
 void J1939Device::receive(const wire::CanFrame& frame, Stamp now, Wire& out) {
+  const auto id = wire::j1939::identify(frame);
+  if (!id) return;
   send(claim_.receive(frame, now.time_since_epoch()), out);
   if (const auto address = claim_.address()) hear(frame, *address, out);
-  if (const auto id = wire::j1939::identify(frame)) {
-    receive_packet(*id, frame.payload(), now, out);
-  }
+  receive_packet(*id, frame.payload(), now, out);
 }
 
 void J1939Device::receive_packet(const wire::j1939::Identifier& id, wire::Bytes payload, Stamp now,

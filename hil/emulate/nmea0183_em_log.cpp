@@ -16,7 +16,7 @@ class Nmea0183EmLog final : public SamplingDevice {
 
  private:
   void sample(Stamp at, Wire& out) override {
-    const auto ideal = sensor::ideal_log(trajectory().at(at), mounting());
+    const auto ideal = sensor::ideal_log(trajectory(), at, mounting());
     const Eigen::Vector3d speed =
         errors_.apply({*ideal.longitudinal_mps, *ideal.transverse_mps, 0}, at);
     distance_m_ += std::abs(speed.x()) / rate_hz();

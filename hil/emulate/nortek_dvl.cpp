@@ -1,34 +1,61 @@
+#include <numbers>
+
 #include "drivers/wire/nortek.hpp"
 #include "hil/emulate/devices.hpp"
-#include "hil/sensor/ideal.hpp"
+#include "hil/emulate/dvl_device.hpp"
 
 namespace drydock::emulate {
 namespace {
 
-constexpr sensor::JanusBeams dvl1000_beams{25 * 3.14159265358979323846 / 180, 75};
+/// 1 MHz.
+constexpr sensor::JanusHead dvl1000{.beam_angle_rad = 25 * std::numbers::pi / 180,
+                                    .shortest_range_m = 0.2,
+                                    .longest_range_m = 75,
+                                    .absorption_dbpm = 0.35};
 
-class NortekDvl final : public SamplingDevice {
+class NortekDvl final : public DvlDevice {
  public:
   explicit NortekDvl(const DeviceSetup& setup)
-      : SamplingDevice(setup), errors_(setup.primary_errors()) {}
+      : DvlDevice(setup, dvl1000), errors_(setup.primary_errors()) {}
 
  private:
   void sample(Stamp at, Wire& out) override {
-    const auto measured = sensor::ideal_dvl(trajectory().at(at), mounting(), dvl1000_beams);
-    wire::NortekVelocity sentence;
-    sentence.ping_time_s = measurement::seconds(at.time_since_epoch());
-    sentence.after_sentence_s = -measurement::seconds(latency());
-    sentence.distance_m = measured.range_m;
+    const auto measured = ping(at);
+    wire::NortekVelocity bottom = sentence(measured);
+    bottom.distance_m = measured.range_m;
     if (measured.velocity) {
       const Eigen::Vector3d v = errors_.apply(*measured.velocity, measured.origin.valid_at);
-      sentence.velocity_mps = {v.x(), v.y(), v.z()};
-      sentence.figure_of_merit_mps = 0.003;
+      set_velocity(v, bottom);
     }
+    out.send(wire::Bytes{bytes_}.first(wire::encode(bottom, bytes_)));
+    if (head().layer) send_water_track(measured, out);
+  }
+
+  void send_water_track(const sensor::DvlPing& measured, Wire& out) {
+    wire::NortekWaterVelocity water{sentence(measured)};
+    const sensor::WaterLayer& layer = *head().layer;
+    for (std::size_t i = 0; i < 4; ++i) {
+      if (measured.water.beam_good[i]) water.distance_m[i] = layer.start_m + layer.thickness_m / 2;
+    }
+    if (measured.water.velocity) set_velocity(*measured.water.velocity, water);
+    out.send(wire::Bytes{bytes_}.first(wire::encode(water, bytes_)));
+  }
+
+  wire::NortekVelocity sentence(const sensor::DvlPing& measured) const {
+    wire::NortekVelocity sentence;
+    sentence.ping_time_s = measurement::seconds(measured.origin.valid_at.time_since_epoch());
+    sentence.after_sentence_s = -measurement::seconds(latency());
     sentence.battery_v = 24;
-    sentence.sound_speed_mps = 1490;
-    sentence.temperature_k = sensor::water_temperature_k;
-    sentence.status = measured.velocity ? 0xFFFFu : 0u;
-    out.send(wire::Bytes{bytes_}.first(wire::encode(sentence, bytes_)));
+    sentence.sound_speed_mps = measured.sound_speed;
+    sentence.temperature_k = trajectory().ocean().temperature_k();
+    sentence.status = 0;
+    return sentence;
+  }
+
+  static void set_velocity(const Eigen::Vector3d& v, wire::NortekVelocity& sentence) {
+    sentence.velocity_mps = {v.x(), v.y(), v.z()};
+    sentence.figure_of_merit_mps = 0.003;
+    sentence.status = 0xFFFF;
   }
 
   sensor::ErrorModel errors_;

@@ -1,8 +1,8 @@
 #include "drivers/wire/pd4.hpp"
 
 #include "hil/emulate/devices.hpp"
+#include "hil/emulate/dvl_device.hpp"
 #include "hil/emulate/dvl_head.hpp"
-#include "hil/sensor/ideal.hpp"
 
 namespace drydock::emulate {
 namespace {
@@ -11,10 +11,10 @@ namespace {
 /// Linked head says "ship axes with tilts" and sends forward, starboard, down, as that maker
 /// documents.
 template <class Protocol>
-class Pd4Dvl final : public SamplingDevice {
+class Pd4Dvl final : public DvlDevice {
  public:
   explicit Pd4Dvl(const DeviceSetup& setup)
-      : SamplingDevice(setup),
+      : DvlDevice(setup, {}),
         errors_(setup.primary_errors()),
         water_linked_(setup.config.maker == rig_config::DvlMaker::water_linked) {}
 
@@ -22,37 +22,53 @@ class Pd4Dvl final : public SamplingDevice {
   using Report = typename Protocol::Report;
 
   void sample(Stamp at, Wire& out) override {
-    const auto truth = trajectory().at(at);
-    const auto measured = sensor::ideal_dvl(truth, mounting());
+    const auto measured = ping(at);
     Report report;
     report.frame = wire::DvlFrame::ship;
     report.tilts_used = water_linked_;
+    report.three_beam = !water_linked_ && head().fewest_beams == 3;
     report.frequency_hz = 600e3;
     set_bottom_track(measured, report);
+    set_water_track(measured, report);
     const auto since_midnight =
         at.time_since_epoch() - std::chrono::floor<std::chrono::days>(at.time_since_epoch());
     report.first_ping = std::chrono::duration_cast<std::chrono::milliseconds>(since_midnight);
-    report.sound_speed_mps = dvl_sound_speed_mps;
-    report.temperature_k = sensor::water_temperature_k;
+    report.sound_speed_mps = measured.sound_speed;
+    report.temperature_k = trajectory().ocean().temperature_k();
     if constexpr (std::is_same_v<Protocol, wire::Pd5>) {
       static_cast<wire::DvlAttitude&>(report) = head_attitude(measured);
-      report.salinity_ppt = dvl_salinity_ppt;
-      report.depth_m = std::max(sensor::depth_at(truth, mounting()), 0.0);
+      report.salinity_ppt = trajectory().ocean().salinity_ppt();
+      report.depth_m = std::max(measured.depth_m, 0.0);
     }
     out.send(wire::Bytes{bytes_}.first(wire::encode(report, bytes_)));
   }
 
-  void set_bottom_track(const measurement::BottomVelocity& measured, Report& report) {
+  void set_bottom_track(const sensor::DvlPing& measured, Report& report) {
     report.bottom_range_m = measured.range_m;
     for (std::size_t i = 0; i < 4; ++i) {
       if (!measured.range_m[i]) report.bottom_status |= static_cast<std::uint8_t>(2u << 2 * i);
     }
-    report.water_status = 0xFF;
     if (!measured.velocity) return;
     const Eigen::Vector3d v = errors_.apply(*measured.velocity, measured.origin.valid_at);
-    const double error = *measured.error_velocity_mps;
-    report.bottom_velocity_mps =
-        water_linked_ ? wire::DvlComponents{v.x(), v.y(), v.z(), error} : along_head_axes(v, error);
+    report.bottom_velocity_mps = in_report_axes(v, measured.error_velocity_mps);
+  }
+
+  void set_water_track(const sensor::DvlPing& measured, Report& report) const {
+    const auto& water = measured.water;
+    for (std::size_t i = 0; i < 4; ++i) {
+      if (!water.beam_good[i]) report.water_status |= static_cast<std::uint8_t>(3u << 2 * i);
+    }
+    if (head().layer) {
+      report.layer_start_m = head().layer->start_m;
+      report.layer_end_m = head().layer->start_m + head().layer->thickness_m;
+    }
+    if (water.velocity)
+      report.water_velocity_mps = in_report_axes(*water.velocity, water.error_velocity_mps);
+  }
+
+  wire::DvlComponents in_report_axes(const Eigen::Vector3d& v, std::optional<double> error) const {
+    if (water_linked_) return {v.x(), v.y(), v.z(), error};
+    return along_head_axes(v, error);
   }
 
   sensor::ErrorModel errors_;

@@ -2,59 +2,81 @@
 
 #include "estimators/frame/attitude.hpp"
 #include "hil/emulate/devices.hpp"
+#include "hil/emulate/dvl_device.hpp"
 #include "hil/emulate/dvl_head.hpp"
-#include "hil/sensor/ideal.hpp"
 
 namespace drydock::emulate {
 namespace {
 
-/// The ten lines of an ensemble a sample; the water layer is never found. A Water Linked head sends
-/// forward, starboard, down in :BI, has no compass and fills :TS, :BI, :BS and :BD alone.
-class Pd6Dvl final : public SamplingDevice {
+/// The ten lines of an ensemble a sample. A Water Linked head sends forward, starboard, down in
+/// :BI, has no compass and fills :TS, :BI, :BS and :BD alone.
+class Pd6Dvl final : public DvlDevice {
  public:
   explicit Pd6Dvl(const DeviceSetup& setup)
-      : SamplingDevice(setup),
+      : DvlDevice(setup, {}),
         errors_(setup.primary_errors()),
         water_linked_(setup.config.maker == rig_config::DvlMaker::water_linked) {}
 
  private:
   void sample(Stamp at, Wire& out) override {
-    const auto truth = trajectory().at(at);
-    const auto measured = sensor::ideal_dvl(truth, mounting());
+    const auto measured = ping(at);
     size_ = 0;
-    write_sensors(at, measured, sensor::depth_at(truth, mounting()));
-    write(wire::Pd6Velocity<'W', 'I'>{});
-    write(wire::Pd6Velocity<'W', 'S'>{});
-    write(wire::Pd6Velocity<'W', 'E'>{});
-    write(wire::Pd6Distance<'W'>{});
+    write_sensors(at, measured);
+    write_water_track(measured);
     write_bottom_track(measured);
     out.send(wire::Bytes{bytes_}.first(size_));
   }
 
-  void write_sensors(Stamp at, const measurement::BottomVelocity& measured, double depth_m) {
+  void write_sensors(Stamp at, const sensor::DvlPing& measured) {
     wire::Pd6Attitude attitude;
     if (!water_linked_) static_cast<wire::DvlAttitude&>(attitude) = head_attitude(measured);
     write(attitude);
     wire::Pd6Timing timing;
     timing.clock = std::chrono::local_time<std::chrono::milliseconds>{
         std::chrono::duration_cast<std::chrono::milliseconds>(at.time_since_epoch())};
-    timing.sound_speed_mps = dvl_sound_speed_mps;
+    timing.sound_speed_mps = measured.sound_speed;
     if (!water_linked_) {
-      timing.salinity_ppt = dvl_salinity_ppt;
-      timing.temperature_k = sensor::water_temperature_k;
-      timing.depth_m = std::max(depth_m, 0.0);
+      timing.salinity_ppt = trajectory().ocean().salinity_ppt();
+      timing.temperature_k = trajectory().ocean().temperature_k();
+      timing.depth_m = std::max(measured.depth_m, 0.0);
     }
     write(timing);
   }
 
-  void write_bottom_track(const measurement::BottomVelocity& measured) {
-    wire::Pd6BottomInstrument instrument;
-    wire::Pd6BottomShip ship;
-    wire::Pd6BottomEarth earth;
-    since_good_s_ += 1 / rate_hz();
-    if (measured.velocity) {
-      const Eigen::Vector3d v = errors_.apply(*measured.velocity, measured.origin.valid_at);
-      const double error = *measured.error_velocity_mps;
+  /// What was made good since boot, and how long ago the last good velocity was.
+  struct Way {
+    Eigen::Vector3d ned_m = Eigen::Vector3d::Zero();
+    double since_good_s = 0;
+  };
+
+  void write_water_track(const sensor::DvlPing& measured) {
+    if (!head().layer || water_linked_) {
+      write(wire::Pd6Velocity<'W', 'I'>{});
+      write(wire::Pd6Velocity<'W', 'S'>{});
+      write(wire::Pd6Velocity<'W', 'E'>{});
+      return write(wire::Pd6Distance<'W'>{});
+    }
+    const sensor::WaterLayer& layer = *head().layer;
+    write_track<'W'>(measured, measured.water.velocity, measured.water.error_velocity_mps,
+                     layer.start_m + layer.thickness_m / 2, through_water_);
+  }
+
+  void write_bottom_track(const sensor::DvlPing& measured) {
+    std::optional<Eigen::Vector3d> velocity;
+    if (measured.velocity) velocity = errors_.apply(*measured.velocity, measured.origin.valid_at);
+    write_track<'B'>(measured, velocity, measured.error_velocity_mps, measured.altitude_m,
+                     over_bed_);
+  }
+
+  template <char Reference>
+  void write_track(const sensor::DvlPing& measured, const std::optional<Eigen::Vector3d>& velocity,
+                   std::optional<double> error, std::optional<double> range_m, Way& way) {
+    wire::Pd6Velocity<Reference, 'I'> instrument;
+    wire::Pd6Velocity<Reference, 'S'> ship;
+    wire::Pd6Velocity<Reference, 'E'> earth;
+    way.since_good_s += 1 / rate_hz();
+    if (velocity) {
+      const Eigen::Vector3d& v = *velocity;
       const Eigen::Vector3d ned =
           frame::body_to_ned({*measured.roll_rad, *measured.pitch_rad, *measured.heading_rad}) * v;
       instrument = {true, along_head_axes(v, error)};
@@ -65,18 +87,16 @@ class Pd6Dvl final : public SamplingDevice {
         ship.velocity_mps = {v.y(), v.x(), v.z(), {}};
         earth = {};
       }
-      made_good_ned_ += ned / rate_hz();
-      since_good_s_ = 0;
+      way.ned_m += ned / rate_hz();
+      way.since_good_s = 0;
     }
     write(instrument);
     write(ship);
     write(earth);
-    wire::Pd6BottomDistance distance;
-    if (!water_linked_) {
-      distance.distance_m = {made_good_ned_.y(), made_good_ned_.x(), -made_good_ned_.z()};
-    }
-    distance.range_m = measured.altitude_m;
-    distance.since_good_s = water_linked_ ? 0 : std::min(since_good_s_, longest_shown_s);
+    wire::Pd6Distance<Reference> distance;
+    if (!water_linked_) distance.distance_m = {way.ned_m.y(), way.ned_m.x(), -way.ned_m.z()};
+    distance.range_m = range_m;
+    distance.since_good_s = water_linked_ ? 0 : std::min(way.since_good_s, longest_shown_s);
     write(distance);
   }
 
@@ -88,8 +108,7 @@ class Pd6Dvl final : public SamplingDevice {
 
   sensor::ErrorModel errors_;
   bool water_linked_;
-  Eigen::Vector3d made_good_ned_ = Eigen::Vector3d::Zero();
-  double since_good_s_ = 0;
+  Way over_bed_, through_water_;
   std::array<std::uint8_t, 10 * wire::Pd6::max_frame> bytes_{};
   std::size_t size_ = 0;
 };

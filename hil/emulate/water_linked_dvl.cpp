@@ -5,7 +5,7 @@
 #include "drivers/wire/text_fields.hpp"
 #include "drivers/wire/water_linked.hpp"
 #include "hil/emulate/devices.hpp"
-#include "hil/sensor/ideal.hpp"
+#include "hil/emulate/dvl_device.hpp"
 
 namespace drydock::emulate {
 namespace {
@@ -13,19 +13,25 @@ namespace {
 namespace water_linked = wire::water_linked;
 using water_linked::Verdict;
 
-constexpr sensor::JanusBeams a50_beams{22.5 * 3.14159265358979323846 / 180, 50};
-/// The transducers in the order of JanusBeams, as the A50 numbers them (from 0) in its PD4 output.
+/// 1 MHz.
+constexpr sensor::JanusHead a50{.beam_angle_rad = 22.5 * std::numbers::pi / 180,
+                                .shortest_range_m = 0.05,
+                                .longest_range_m = 50,
+                                .absorption_dbpm = 0.35};
+/// The transducers in the order of JanusHead's beams, as the A50 numbers them (from 0) in its PD4
+/// output.
 constexpr std::array<int, 4> transducer_of_beam{2, 0, 3, 1};
+constexpr double noise_dbm = -95;
 constexpr int most_queued_pings = 15;
 constexpr double slowest_sound_mps = 1000, fastest_sound_mps = 2000;
 
 /// `protocol` of the command wcp.
 constexpr int output_off = 0, output_all = 1, output_new = 3;
 
-class WaterLinkedDvl final : public SamplingDevice {
+class WaterLinkedDvl final : public DvlDevice {
  public:
   explicit WaterLinkedDvl(const DeviceSetup& setup)
-      : SamplingDevice(setup), errors_(setup.primary_errors()) {
+      : DvlDevice(setup, a50), errors_(setup.primary_errors()) {
     configuration_.range_mode = "auto";
     configuration_.sound_speed_mps = 1475;
     configuration_.mounting_rotation_rad = 0;
@@ -34,7 +40,7 @@ class WaterLinkedDvl final : public SamplingDevice {
     configuration_.periodic_cycling = true;
   }
 
-  using SamplingDevice::receive;
+  using DvlDevice::receive;
   void receive(wire::Bytes bytes, Stamp, Wire& out) override {
     const auto damaged = commands_.counters().bad_checksums;
     commands_.feed(bytes, wire::WaterLinked::scan, [&](wire::Bytes frame, std::size_t) {
@@ -51,13 +57,13 @@ class WaterLinkedDvl final : public SamplingDevice {
       if (pings_ == 0) return;
       --pings_;
     }
-    const auto measured = sensor::ideal_dvl(trajectory().at(at), mounting(), a50_beams);
+    const auto measured = ping(at);
     if (output_ == output_off) return;
     send_velocity(measured, at, out);  // first: the report's own times do not know of a queue
     send_transducers(measured, out);
   }
 
-  void send_velocity(const measurement::BottomVelocity& measured, Stamp at, Wire& out) {
+  void send_velocity(const sensor::DvlPing& measured, Stamp at, Wire& out) {
     water_linked::BottomVelocity report;
     report.valid = measured.velocity.has_value();
     if (measured.velocity) {
@@ -83,22 +89,19 @@ class WaterLinkedDvl final : public SamplingDevice {
     }
   }
 
-  void send_transducers(const measurement::BottomVelocity& measured, Wire& out) {
-    const double s = std::sin(a50_beams.angle_rad), c = std::cos(a50_beams.angle_rad);
-    const std::array<Eigen::Vector3d, 4> outwards{
-        Eigen::Vector3d{0, -s, c}, {0, s, c}, {s, 0, c}, {-s, 0, c}};
+  void send_transducers(const sensor::DvlPing& measured, Wire& out) {
     std::array<water_linked::Transducer, 4> transducers;
     water_linked::OldRanges ranges;
     for (std::size_t beam = 0; beam < transducers.size(); ++beam) {
+      const auto& echo = measured.beams[beam];
       const int id = transducer_of_beam[beam];
       auto& transducer = transducers[static_cast<std::size_t>(id)];
       transducer.id = id;
-      transducer.rssi_dbm = measured.range_m[beam] ? -40 : -95;
-      transducer.noise_dbm = -95;
-      if (!measured.range_m[beam]) continue;
-      transducer.distance_m = *measured.range_m[beam] / c;
-      if (measured.velocity) transducer.velocity_mps = measured.velocity->dot(outwards[beam]);
-      ranges.distance_m[static_cast<std::size_t>(id)] = transducer.distance_m;
+      transducer.noise_dbm = noise_dbm;
+      transducer.rssi_dbm = noise_dbm + echo.snr_db;
+      transducer.distance_m = echo.range_m;
+      transducer.velocity_mps = echo.velocity_mps;
+      ranges.distance_m[static_cast<std::size_t>(id)] = echo.range_m;
     }
     for (const auto& transducer : transducers) send(transducer, out);
     if (output_ == output_all) send(ranges, out);

@@ -41,8 +41,8 @@ class KinematicTrajectory final : public Trajectory {
   ocean::Ocean ocean_;
   MissionProfile profile_;
   double pivot_m_, sideslip_lag_s_;
-  mutable std::mutex mutex_;
   double spacing_s_;
+  mutable std::mutex mutex_;
   mutable std::vector<Path> checkpoints_;  ///< equally spaced from start(), grown on demand
 };
 

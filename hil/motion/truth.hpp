@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <optional>
 
 #include "drivers/measurement/stamp.hpp"
 #include "hil/ocean/ocean.hpp"
@@ -20,6 +21,7 @@ struct Truth {
   Eigen::Vector3d velocity_ned = Eigen::Vector3d::Zero();    ///< m/s
   Eigen::Vector3d specific_force = Eigen::Vector3d::Zero();  ///< m/s2, body
   Eigen::Vector3d angular_rate = Eigen::Vector3d::Zero();    ///< rad/s, body against inertial
+  std::optional<Eigen::Vector3d> angular_acceleration;       ///< its rate, where known, rad/s2
   Eigen::Vector3d rate_body = Eigen::Vector3d::Zero();       ///< rad/s, body against NED (p, q, r)
   Eigen::Vector3d current_ned = Eigen::Vector3d::Zero();     ///< m/s, of the water at the vehicle
   double bed_depth_m = 0;                                    ///< of the sea bed under the vehicle

@@ -89,15 +89,26 @@ Vector2d Ocean::chart(double latitude_rad, double longitude_rad) const {
           frame::wrap_pi(longitude_rad - origin_.longitude_rad) * metres_per_rad_.y()};
 }
 
+Vector3d Ocean::tide_ned(double t_s) const {
+  if (!tide_) return Vector3d::Zero();
+  const double rate = 2 * std::numbers::pi / tide_->period_s;
+  return std::sin(rate * t_s + tide_->phase_rad) *
+         Eigen::Map<const Vector3d>(tide_->velocity_ned_mps.data());
+}
+
 Vector3d Ocean::current_ned(double depth_m, double t_s) const {
-  Vector3d current{current_[0].value(depth_m), current_[1].value(depth_m),
-                   current_[2].value(depth_m)};
-  if (tide_) {
-    const double rate = 2 * std::numbers::pi / tide_->period_s;
-    current += std::sin(rate * t_s + tide_->phase_rad) *
-               Eigen::Map<const Vector3d>(tide_->velocity_ned_mps.data());
-  }
-  return current;
+  const Vector3d layer{current_[0].value(depth_m), current_[1].value(depth_m),
+                       current_[2].value(depth_m)};
+  return layer + tide_ned(t_s);
+}
+
+Vector3d Ocean::mean_current_ned(double from_m, double to_m, double t_s) const {
+  const double height = to_m - from_m;
+  if (std::abs(height) < 1e-6) return current_ned(from_m, t_s);
+  const auto mean = [&](const Profile& p) {
+    return (p.integral(to_m) - p.integral(from_m)) / height;
+  };
+  return Vector3d{mean(current_[0]), mean(current_[1]), mean(current_[2])} + tide_ned(t_s);
 }
 
 Vector3d Ocean::current_rate_ned(double depth_m, double descent_mps, double t_s) const {

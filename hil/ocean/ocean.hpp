@@ -21,6 +21,8 @@ class Ocean {
 
   /// Of the water over ground, m/s.
   Eigen::Vector3d current_ned(double depth_m, double t_s) const;
+  /// Its mean over the depths between two, m/s.
+  Eigen::Vector3d mean_current_ned(double from_m, double to_m, double t_s) const;
   /// Its rate along the way of one that sinks with `descent_mps`, m/s2.
   Eigen::Vector3d current_rate_ned(double depth_m, double descent_mps, double t_s) const;
 
@@ -39,6 +41,7 @@ class Ocean {
   double sound_speed_mps(double depth_m) const;
 
  private:
+  Eigen::Vector3d tide_ned(double t_s) const;
   Eigen::Vector2d chart(double latitude_rad, double longitude_rad) const;
   Bed make_bed(const rig_config::BedConfig& config) const;
 

@@ -1,9 +1,5 @@
 #include "hil/sensor/ideal.hpp"
 
-#include <cmath>
-
-#include "estimators/frame/attitude.hpp"
-#include "estimators/frame/earth.hpp"
 #include "estimators/frame/geodetic.hpp"
 
 namespace drydock::sensor {
@@ -25,9 +21,11 @@ Vector3d velocity_body_at(const Truth& truth, const Mounting& mounting) {
   return truth.velocity_body + truth.rate_body.cross(mounting.lever_arm_m);
 }
 
-std::array<Vector3d, 4> beam_directions(double angle_rad) {
-  const double s = std::sin(angle_rad), c = std::cos(angle_rad);
-  return {Vector3d{0, -s, c}, Vector3d{0, s, c}, Vector3d{s, 0, c}, Vector3d{-s, 0, c}};
+/// d(angular rate)/dt of a motion that does not know it.
+Vector3d differenced_rate(const Trajectory& trajectory, Stamp at) {
+  const auto h = std::chrono::milliseconds{1};
+  return (trajectory.at(at + h).angular_rate - trajectory.at(at - h).angular_rate) /
+         (2 * measurement::seconds(h));
 }
 
 }  // namespace
@@ -39,10 +37,8 @@ measurement::ImuSample ideal_imu(const Trajectory& trajectory, Stamp at, const M
   Vector3d force = truth.specific_force;
   const Vector3d& r = mounting.lever_arm_m;
   if (!r.isZero()) {
-    const auto h = std::chrono::milliseconds{1};
     const Vector3d acceleration =
-        (trajectory.at(at + h).angular_rate - trajectory.at(at - h).angular_rate) /
-        (2 * measurement::seconds(h));
+        truth.angular_acceleration ? *truth.angular_acceleration : differenced_rate(trajectory, at);
     const Vector3d& w = truth.angular_rate;
     force += w.cross(w.cross(r)) + acceleration.cross(r);
   }
@@ -59,39 +55,23 @@ double depth_at(const Truth& truth, const Mounting& mounting) {
   return arm_ned(truth, mounting).z() - truth.height_m;
 }
 
-double altitude_at(const Truth& truth, const Mounting& mounting) {
-  return truth.bed_depth_m - depth_at(truth, mounting);
+frame::Position place_of(const Truth& truth, const Mounting& mounting) {
+  const frame::Position origin{truth.latitude_rad, truth.longitude_rad, truth.height_m};
+  if (mounting.lever_arm_m.isZero()) return origin;
+  return frame::at_ned_offset(origin, arm_ned(truth, mounting));
 }
 
-measurement::BottomVelocity ideal_dvl(const Truth& truth, const Mounting& mounting,
-                                      const JanusBeams& beams) {
-  measurement::BottomVelocity sample;
-  sample.origin = origin_at(truth.at);
-  const Eigen::Matrix3d sensor_to_ned = truth.body_to_ned * mounting.sensor_to_body;
-  const frame::Euler attitude = frame::euler(Eigen::Matrix3d(sensor_to_ned.transpose()));
-  sample.heading_rad = attitude.yaw;
-  sample.pitch_rad = attitude.pitch;
-  sample.roll_rad = attitude.roll;
-
-  const double altitude = altitude_at(truth, mounting);
-  bool lock = true;
-  const auto directions = beam_directions(beams.angle_rad);
-  for (std::size_t i = 0; i < directions.size(); ++i) {
-    const double down = sensor_to_ned.row(2).dot(directions[i]);
-    const bool echo = down > 0 && altitude > 0 && altitude / down <= beams.longest_range_m;
-    if (echo) sample.range_m[i] = altitude / down * std::cos(beams.angle_rad);
-    lock = lock && echo;
-  }
-  if (lock) {
-    sample.velocity = velocity_at(truth, mounting);
-    sample.altitude_m = altitude;
-    sample.error_velocity_mps = 0;
-  }
-  return sample;
+double altitude_at(const Truth& truth, const ocean::Ocean& ocean, const Mounting& mounting) {
+  const frame::Position place = place_of(truth, mounting);
+  return ocean.bed_depth_m(place.latitude_rad, place.longitude_rad) + place.height_m;
 }
 
-measurement::WaterSpeed ideal_log(const Truth& truth, const Mounting& mounting) {
-  const Vector3d current_body = truth.body_to_ned.conjugate() * truth.current_ned;
+measurement::WaterSpeed ideal_log(const Trajectory& trajectory, Stamp at,
+                                  const Mounting& mounting) {
+  const Truth truth = trajectory.at(at);
+  const Vector3d current_ned = trajectory.ocean().current_ned(
+      depth_at(truth, mounting), measurement::seconds(at - trajectory.start()));
+  const Vector3d current_body = truth.body_to_ned.conjugate() * current_ned;
   const Vector3d through_water =
       mounting.to_sensor(velocity_body_at(truth, mounting) - current_body);
   measurement::WaterSpeed sample;
@@ -106,8 +86,7 @@ measurement::GnssFix ideal_gnss(const Truth& truth, const Mounting& mounting) {
   fix.origin = origin_at(truth.at);
   fix.utc = truth.at;
   if (depth_at(truth, mounting) > antenna_awash_depth_m) return fix;
-  const auto antenna = frame::at_ned_offset(
-      {truth.latitude_rad, truth.longitude_rad, truth.height_m}, arm_ned(truth, mounting));
+  const frame::Position antenna = place_of(truth, mounting);
   fix.type = measurement::FixType::three_d;
   fix.position = measurement::Geodetic{antenna.latitude_rad, antenna.longitude_rad};
   fix.ellipsoidal_height_m = antenna.height_m;

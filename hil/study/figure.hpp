@@ -15,8 +15,9 @@ struct Curve {
 struct Figure {
   std::string title, x_label, y_label;
   std::vector<Curve> curves;
-  double y_limit = 0;         ///< 0: as the data needs; else the axis goes from -y_limit to y_limit
+  double y_limit = 0;  ///< 0: as the data needs; else as far as this, down only where they go
   bool equal_scales = false;  ///< a metre is as long on both axes
+  bool log_x = false, log_y = false;  ///< a decade is as long everywhere; values are above 0
 };
 
 }  // namespace drydock::study

@@ -5,6 +5,15 @@
 
 namespace drydock::study {
 
+namespace {
+
+LevelingFigures last_of(const Ensemble& roll, const Ensemble& pitch) {
+  constexpr std::size_t end = leveling_points - 1;
+  return {roll.mean(end), pitch.mean(end), roll.deviation(end), pitch.deviation(end)};
+}
+
+}  // namespace
+
 void LevelingStatistics::add(const LevelingOutcome& outcome) {
   roll.add(outcome.roll_error);
   pitch.add(outcome.pitch_error);
@@ -12,12 +21,18 @@ void LevelingStatistics::add(const LevelingOutcome& outcome) {
   pitch_variance.add(outcome.pitch_variance);
   settled_s.push_back(outcome.settled_s);
   nees_sum += outcome.nees;
-  diverged += outcome.diverged ? 1 : 0;
+  if (outcome.diverged) {
+    ++diverged;
+  } else {
+    kept_roll.add(outcome.roll_error);
+    kept_pitch.add(outcome.pitch_error);
+  }
 }
 
-LevelingFigures LevelingStatistics::at_the_end() const {
-  constexpr std::size_t end = leveling_points - 1;
-  return {roll.mean(end), pitch.mean(end), roll.deviation(end), pitch.deviation(end)};
+LevelingFigures LevelingStatistics::at_the_end() const { return last_of(roll, pitch); }
+
+LevelingFigures LevelingStatistics::kept_at_the_end() const {
+  return last_of(kept_roll, kept_pitch);
 }
 
 double LevelingStatistics::settled_p95_s() const {

@@ -41,7 +41,8 @@ inline constexpr std::array leveling_biases{LevelingBiases::one_sigma, LevelingB
 
 /// One filter in one case over the runs.
 struct LevelingStatistics {
-  Ensemble roll{leveling_points}, pitch{leveling_points};  ///< errors, deg
+  Ensemble roll{leveling_points}, pitch{leveling_points};            ///< errors, deg
+  Ensemble kept_roll{leveling_points}, kept_pitch{leveling_points};  ///< without the lost runs
   Ensemble roll_variance{leveling_points}, pitch_variance{leveling_points};
   std::vector<double> settled_s;
   double nees_sum = 0;
@@ -50,6 +51,7 @@ struct LevelingStatistics {
   void add(const LevelingOutcome& outcome);
   std::size_t runs() const { return roll.runs(); }
   LevelingFigures at_the_end() const;
+  LevelingFigures kept_at_the_end() const;  ///< of the runs not lost; there must be one
   double roll_rms() const { return roll.rms(leveling_points - 1); }
   double pitch_rms() const { return pitch.rms(leveling_points - 1); }
   double nees_mean() const { return nees_sum / static_cast<double>(runs()); }

@@ -7,7 +7,7 @@
 
 #include "estimators/frame/attitude.hpp"
 #include "estimators/hydrodynamics/model.hpp"
-#include "estimators/leveling/leveling_filter.hpp"
+#include "estimators/leveling/any_leveling_filter.hpp"
 #include "estimators/mixing/mixing_filter.hpp"
 #include "estimators/pipeline/pipeline.hpp"
 #include "estimators/vehicle/vehicle.hpp"
@@ -62,6 +62,21 @@ void leveling_stationary_step(benchmark::State& state) {
   }
 }
 BENCHMARK(leveling_stationary_step)->Name("leveling: predict + update_stationary");
+
+void augmented_leveling_step(benchmark::State& state) {
+  auto options = leveling::options_for(leveling::FilterKind::augmented);
+  options.latitude_rad = 0.6;
+  leveling::AugmentedLevelingFilter filter{options};
+  filter.start(force, rate, 10);
+  for (auto _ : state) {
+    filter.predict(force, rate, dt);
+    filter.update_nonholonomic(dt);
+    filter.update_moving(10);
+    benchmark::DoNotOptimize(filter);
+  }
+}
+BENCHMARK(augmented_leveling_step)
+    ->Name("leveling, augmented: predict + update_nonholonomic + update_moving");
 
 void leveling_output(benchmark::State& state) {
   const auto filter = started();

@@ -92,6 +92,46 @@ TEST(Mission, TheSoundingRocketsFlightIsInSiAndRadians) {
   EXPECT_TRUE(mission.legs.empty());
 }
 
+TEST(Mission, ItsVehicleIsReadFromTheFileBesideIt) {
+  const auto mission =
+      load_mission(DRYDOCK_SOURCE_DIR "/rig_config/missions/velocity-paper.toml").value();
+  ASSERT_TRUE(mission.vehicle);
+  EXPECT_EQ(mission.vehicle->name, "nps-auv-ii");
+  EXPECT_EQ(mission.legs.at(2).kind, LegKind::spiral);
+  EXPECT_DOUBLE_EQ(mission.legs.at(2).rate_radps, std::numbers::pi / 120);
+  EXPECT_DOUBLE_EQ(mission.legs.at(2).end_rate_radps, std::numbers::pi / 360);
+  EXPECT_EQ(mission.legs.at(2).ramp_s, 72);
+  EXPECT_EQ(mission.legs.at(5).kind, LegKind::zigzag);
+  EXPECT_EQ(mission.legs.at(7).kind, LegKind::surface);
+}
+
+TEST(MissionProblems, AVehiclesFileIsThereAndItsLegsAreForAVehicle) {
+  const std::string head = "[mission]\nlatitude_deg = 0\nlongitude_deg = 0\nspeed_mps = 1\n";
+  const auto sailed = load_mission_text(
+      head +
+          "vehicle = \"none.toml\"\n"
+          "[[leg]]\nkind = \"turn\"\nduration_s = 60\nturn_deg = 9\nroll_deg = 3\n",
+      "m.toml");
+  EXPECT_THAT(lines_of(sailed.error()),
+              ElementsAre("m.toml:5:11: /mission/vehicle: there is no file none.toml",
+                          "m.toml:10:12: /leg/0/roll_deg: not allowed here, a vehicle heels as its "
+                          "equations of motion say"));
+  const auto kinematic = load_mission_text(
+      head + "[[leg]]\nkind = \"turning_circle\"\nduration_s = 60\nrudder_deg = 9\n", "m.toml");
+  EXPECT_THAT(lines_of(kinematic.error()),
+              ElementsAre("m.toml:6:8: /leg/0/kind: a turning_circle is steered by a rudder: give "
+                          "the mission a vehicle, or take a turn"));
+}
+
+TEST(MissionProblems, AFaultOfTheVehicleFileIsOneOfTheMission) {
+  const auto mission = load_mission_text(
+      "[mission]\nlatitude_deg = 0\nlongitude_deg = 0\nspeed_mps = 1\n"
+      "vehicle = \"rigs/demo.toml\"\n[[leg]]\nkind = \"straight\"\nduration_s = 5\n",
+      DRYDOCK_SOURCE_DIR "/rig_config/m.toml");
+  EXPECT_THAT(lines_of(mission.error()),
+              ElementsAre(HasSubstr("rigs/demo.toml:1:1: /: expected a vehicle file")));
+}
+
 TEST(Sky, AReceiversEphemerisIsSoughtFromTheRigFile) {
   const auto rig = load_rig(DRYDOCK_SOURCE_DIR "/rig_config/rigs/sounding-rocket.toml").value();
   const auto& sky = rig.devices.at(0).emulate.sky;

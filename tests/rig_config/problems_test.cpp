@@ -41,7 +41,7 @@ TEST(RigProblems, AWrongChoiceIsToldTheAllowedOnes) {
                           "model = \"stationary\"\n" +
                           std::string(imu_table)),
               ElementsAre("r.toml:10:8: /estimator/0/kind: \"levelling\" is not allowed (did you "
-                          "mean 'leveling'?), allowed: leveling"));
+                          "mean 'leveling'?), allowed: leveling, mixing"));
 }
 
 TEST(RigProblems, AProtocolMustFitTheKind) {
@@ -139,6 +139,35 @@ TEST(RigProblems, KeysThatDependOnAChoiceSaySo) {
   EXPECT_THAT(problems_of(head + "model = \"stationary\"\nstart = \"given\"\n"
                                  "initial_roll_deg = 1\n"),
               ElementsAre("r.toml:13:1: /estimator/0: key 'initial_pitch_deg' is missing"));
+}
+
+TEST(RigProblems, KeysOfOneKindOfEstimatorAreNotThoseOfAnother) {
+  const auto head = [](const std::string& kind) {
+    return std::string(imu_table) + "[[estimator]]\nname = \"l\"\nkind = \"" + kind +
+           "\"\nimu = \"imu\"\n";
+  };
+  EXPECT_THAT(problems_of(head("leveling") + "model = \"stationary\"\ntype = \"type2\"\n"),
+              ElementsAre("r.toml:18:1: /estimator/0/type: not allowed here, only for kind = "
+                          "\"mixing\""));
+  EXPECT_THAT(problems_of(head("mixing") + "filter = \"robust\"\n"),
+              UnorderedElementsAre(
+                  "r.toml:13:1: /estimator/0: key 'log' is missing",
+                  "r.toml:17:1: /estimator/0/filter: not allowed here, only for kind = "
+                  "\"leveling\""));
+}
+
+TEST(RigProblems, ThePapersFilterStartsFromAGivenAttitudeAlone) {
+  const std::string head = std::string(imu_table) +
+                           "[[estimator]]\nname = \"l\"\nkind = \"leveling\"\nimu = \"imu\"\n"
+                           "model = \"stationary\"\n";
+  EXPECT_THAT(problems_of(head + "filter = \"paper\"\n"),
+              ElementsAre("r.toml:13:1: /estimator/0: key 'start' is missing"));
+  EXPECT_THAT(problems_of(head + "filter = \"paper\"\nstart = \"accelerometer\"\n"),
+              ElementsAre("r.toml:19:9: /estimator/0/start: \"accelerometer\" is not allowed, "
+                          "allowed: given"));
+  EXPECT_THAT(problems_of(head + "filter = \"augmentd\"\n"),
+              ElementsAre("r.toml:18:10: /estimator/0/filter: \"augmentd\" is not allowed (did you "
+                          "mean 'augmented'?), allowed: robust, augmented, paper"));
 }
 
 TEST(RigProblems, AnAddressIsTakenOncePerBus) {

@@ -15,7 +15,7 @@ void add_rig_commands(CLI::App& app, Command& command);
 /// monitor, decode, replay: what one link says or a recording said.
 void add_capture_commands(CLI::App& app, Command& command);
 
-/// sky, maneuver, study: the emulated world and the papers, without wires.
+/// sensor, sky, maneuver, study: the emulated world and the papers, without wires.
 void add_world_commands(CLI::App& app, Command& command);
 
 /// A rig file that cannot be used; the lines have been printed.

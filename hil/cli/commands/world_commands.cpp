@@ -4,6 +4,7 @@
 
 #include "hil/cli/commands/commands.hpp"
 #include "hil/cli/maneuver.hpp"
+#include "hil/cli/sensor.hpp"
 #include "hil/cli/sky.hpp"
 #include "hil/cli/study.hpp"
 
@@ -47,6 +48,24 @@ void add_sky(CLI::App& app, Command& command) {
   sub->add_option("--plot", options->plot, "write a sky plot to this SVG file")->needs(from);
   sub->callback(
       [options, &command] { command = [options] { return show_sky(*options, stdout, stderr); }; });
+}
+
+void add_sensor(CLI::App& app, Command& command) {
+  auto options = std::make_shared<SensorOptions>();
+  auto* sub = app.add_subcommand("sensor", "Allan deviation of an inertial unit of a grade");
+  sub->footer(
+      "Example: drydock sensor rig_config/sensors/xsens-mti-630.toml --for 5h --allan allan.svg");
+  sub->add_option("GRADE", options->grade, "sensor file (TOML) with a table [imu]")->required();
+  sub->add_option("--for", options->duration_s, "how long it is recorded: 10min, 5h; default 2h")
+      ->transform(duration_text);
+  sub->add_option("--rate", options->rate_hz, "samples a second; default the grade's, else 100")
+      ->check(CLI::PositiveNumber);
+  sub->add_option("--seed", options->seed, "of all random errors")->capture_default_str();
+  sub->add_flag("--json", options->json, "JSON instead of a table");
+  sub->add_option("--allan", options->allan, "write a plot to this SVG file");
+  sub->callback([options, &command] {
+    command = [options] { return show_sensor(*options, stdout, stderr); };
+  });
 }
 
 void add_maneuver(CLI::App& app, Command& command) {
@@ -117,6 +136,7 @@ void add_study(CLI::App& app, Command& command) {
 }  // namespace
 
 void add_world_commands(CLI::App& app, Command& command) {
+  add_sensor(app, command);
   add_sky(app, command);
   add_maneuver(app, command);
   add_study(app, command);

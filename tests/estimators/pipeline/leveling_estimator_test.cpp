@@ -150,9 +150,10 @@ TEST_F(LevelingEstimatorTest, AnOldOrRepeatedSampleIsLate) {
 TEST_F(LevelingEstimatorTest, ASpeedBehindItsTimeIsUsedUntilTheLimit) {
   LevelingEstimator estimator = make();
   feed(estimator, 0);
-  const double before = estimator.filter().state()(0);
+  const auto& filter = std::get<leveling::LevelingFilter>(estimator.filter());
+  const double before = filter.state()(0);
   EXPECT_EQ(estimator.take(water_speed(490, before + 1), estimates_), Outcome::delayed);
-  EXPECT_GT(estimator.filter().state()(0), before);
+  EXPECT_GT(filter.state()(0), before);
   EXPECT_EQ(estimator.take(water_speed(489), estimates_), Outcome::late);
   EXPECT_EQ(estimator.take(water_speed(990), estimates_), Outcome::accepted);
   EXPECT_EQ(estimator.status().last_speed, at_ms(990));
@@ -161,9 +162,10 @@ TEST_F(LevelingEstimatorTest, ASpeedBehindItsTimeIsUsedUntilTheLimit) {
 TEST_F(LevelingEstimatorTest, SpeedsDoNotPullAtAStateWhoseImuIsSilent) {
   LevelingEstimator estimator = make();
   feed(estimator, 0);
-  const auto before = estimator.filter().state();
+  const auto& filter = std::get<leveling::LevelingFilter>(estimator.filter());
+  const auto before = filter.state();
   EXPECT_EQ(estimator.take(water_speed(990 + 501, 9), estimates_), Outcome::unused);
-  EXPECT_EQ(estimator.filter().state(), before);
+  EXPECT_EQ(filter.state(), before);
 }
 
 TEST_F(LevelingEstimatorTest, AClockSetBackCostsTenSamplesAndARestart) {

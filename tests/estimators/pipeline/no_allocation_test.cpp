@@ -12,11 +12,20 @@ struct LastEstimate final : EstimateListener {
 };
 
 TEST(Pipeline, AllocatesNothingPerSample) {
-  for (const auto& [window_ms, kind] :
-       {std::pair{0, "leveling"}, std::pair{100, "leveling"}, std::pair{100, "mixing"}}) {
+  struct Case {
+    int window_ms;
+    const char* kind;
+    leveling::FilterKind filter;
+  };
+  for (const auto& [window_ms, kind, filter] :
+       {Case{0, "leveling", leveling::FilterKind::robust},
+        Case{100, "leveling", leveling::FilterKind::robust},
+        Case{100, "leveling", leveling::FilterKind::augmented},
+        Case{100, "mixing", leveling::FilterKind::robust}}) {
     LastEstimate listener;
     auto options = test::moving(std::chrono::milliseconds{window_ms});
     options.estimators[0].kind = kind;
+    options.estimators[0].filter = filter;
     auto pipeline = make_pipeline(options, listener);
     const auto feed = [&](int from_ms, int to_ms) {
       for (int t = from_ms; t < to_ms; t += 10) {

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -61,7 +62,7 @@ std::string read_file(const std::filesystem::path& path) {
 
 TEST(Program, HelpOfEveryCommandShowsAnExample) {
   for (const char* command : {"run", "emulate", "drive", "estimate", "check", "monitor", "decode",
-                              "replay", "sky", "maneuver", "study"}) {
+                              "replay", "sensor", "sky", "maneuver", "study"}) {
     const auto help = drydock(std::string{command} + " --help");
     EXPECT_EQ(help.exit_code, 0) << command;
     EXPECT_THAT(help.output, HasSubstr("Example")) << command;
@@ -77,6 +78,30 @@ TEST(Program, WrongUsageAndWrongConfigurationExitWithTwo) {
   const auto missing = drydock("run nowhere.toml");
   EXPECT_EQ(missing.exit_code, 2);
   EXPECT_THAT(missing.output, HasSubstr("nowhere.toml"));
+}
+
+TEST(Program, AStudyGivesTheSameFilesOnOneThreadAndOnThree) {
+  const Folder folder;
+  const auto study = [&](const std::string& jobs) {
+    const auto json = folder / (jobs + ".json");
+    const auto outcome = drydock("study leveling --runs 4 --jobs " + jobs + " --json " +
+                                 json.string() + " --report " + (folder / jobs).string());
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.output;
+    EXPECT_THAT(outcome.output, HasSubstr("leveling: 4 of 4 runs, seed 1"));
+    return read_file(json) + read_file(folder / jobs / "index.html");
+  };
+  const auto alone = study("1");
+  EXPECT_THAT(alone, HasSubstr("\"augmented\""));
+  EXPECT_EQ(study("3"), alone);
+}
+
+TEST(Program, AStudyWithWrongArgumentsSaysWhatIsAllowed) {
+  const auto name = drydock("study levelling");
+  EXPECT_EQ(name.exit_code, 2);
+  EXPECT_EQ(name.output.find("study: 'levelling' is not known, allowed: leveling"), 0U);
+  const auto runs = drydock("study leveling --runs 0");
+  EXPECT_EQ(runs.exit_code, 2);
+  EXPECT_THAT(runs.output, HasSubstr("1 to 1000000"));
 }
 
 TEST(Program, ABadLinkIsNamedWithFileLineAndColumn) {
@@ -173,6 +198,29 @@ TEST(Program, TheSkyIsATableJsonAndAPlot) {
   EXPECT_NEAR(sky["satellites"][0]["clock_s"], 1e-6, 1e-15);
   EXPECT_EQ(sky["refused"][0]["prn"], 26);
   EXPECT_THAT(read_file(plot), testing::StartsWith("<svg"));
+}
+
+TEST(Program, AGradesAllanDeviationIsATableJsonAndAPlot) {
+  const Folder folder;
+  const std::string ask = "sensor rig_config/sensors/xsens-mti-630.toml --for 1h ";
+  const auto table = drydock(ask);
+  EXPECT_EQ(table.exit_code, 0) << table.output;
+  EXPECT_THAT(table.output, HasSubstr("gyro [deg/h]"));
+
+  const auto plot = (folder / "allan.svg").string();
+  const auto json = drydock(ask + "--json --allan " + plot);
+  ASSERT_EQ(json.exit_code, 0) << json.output;
+  for (const auto& row : nlohmann::json::parse(json.output)) {
+    if (row["tau_s"] > 3) break;
+    // 0.007 deg/s/sqrt(Hz) and 60 ug/sqrt(Hz) are 25.2 deg/h and 60 ug at 1 s.
+    const double root = std::sqrt(row["tau_s"].get<double>());
+    for (int axis = 0; axis < 3; ++axis) {
+      EXPECT_NEAR(row["gyro_degph"][axis].get<double>() * root, 25.2, 0.1 * 25.2);
+      EXPECT_NEAR(row["accelerometer_ug"][axis].get<double>() * root, 60, 0.1 * 60);
+    }
+  }
+  EXPECT_THAT(read_file(plot), testing::StartsWith("<svg"));
+  EXPECT_EQ(drydock("sensor rig_config/sensors/water-linked-a50.toml").exit_code, 2);
 }
 
 TEST(Program, ASkyThatCannotBeToldExitsWithOneAndAWrongQuestionWithTwo) {

@@ -142,6 +142,31 @@ TEST(KinematicTrajectory, ALapThatEndsAtItsDepthRepeatsTheMotion) {
   EXPECT_NEAR(frame::wrap_pi(third.yaw_rad - second.yaw_rad), 150 * degree, 1e-9);
 }
 
+TEST(KinematicTrajectory, RefusesToTouchABedThatRisesUnderItsWay) {
+  rig_config::MissionConfig mission;
+  mission.latitude_rad = 47 * degree;
+  mission.depth_m = 20;
+  mission.speed_mps = 2;
+  mission.legs = {{.kind = rig_config::LegKind::straight, .duration_s = 600, .speed_mps = 2}};
+  mission.ocean.bed = {.kind = rig_config::BedKind::slope,
+                       .depth_m = 60,
+                       .gradient = 0.05,
+                       .downhill_rad = 180 * degree,
+                       .file = {}};
+  try {
+    KinematicTrajectory(mission, start);
+    FAIL();
+  } catch (const std::invalid_argument& refusal) {
+    // 2 m/s up a slope of 1 in 20 from 40 m over the bed: 400 s.
+    EXPECT_STREQ(refusal.what(),
+                 "mission: after 400 s the vehicle would be 20.0 m deep, at or below the sea bed "
+                 "(20.0 m there)");
+  }
+  mission.ocean.bed.downhill_rad = 90 * degree;
+  const KinematicTrajectory along(mission, start);
+  EXPECT_NEAR(along.at(at_s(600)).bed_depth_m, 60, 1e-6);
+}
+
 TEST(KinematicTrajectory, RefusesLegsThatCannotBeFlownAndSaysWhich) {
   rig_config::MissionConfig mission = varied_mission();
   mission.legs[2].duration_s = 10;

@@ -80,7 +80,8 @@ TEST_F(MixingMission, RatesAndVelocityAreTheDerivativesOfAttitudeAndPosition) {
     const Vector3d moved =
         frame::ned_offset({before.latitude_rad, before.longitude_rad, before.height_m},
                           {after.latitude_rad, after.longitude_rad, after.height_m});
-    EXPECT_LT((moved / (2 * h) - now.velocity_ned).norm(), 1e-4) << "at " << t;
+    EXPECT_LT((moved / (2 * h) - now.velocity_ned).norm(), 2e-4)
+        << "at " << t;  // over 20 ms, where the jerk is 8 m/s3
     const Vector3d change = (after.velocity_body - before.velocity_body) / (2 * h);
     const Vector3d felt = now.body_to_ned.conjugate() * Vector3d{0, 0, 9.78} + now.specific_force -
                           now.rate_body.cross(now.velocity_body);

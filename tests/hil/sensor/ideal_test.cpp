@@ -8,6 +8,7 @@
 #include "estimators/frame/attitude.hpp"
 #include "estimators/frame/geodetic.hpp"
 #include "hil/sensor/sky.hpp"
+#include "tests/hil/frozen.hpp"
 
 namespace drydock::sensor {
 namespace {
@@ -78,49 +79,21 @@ TEST(LeverArm, TurningAboutZTheSensorAheadMovesToStarboard) {
   EXPECT_NEAR((v - Vector3d(2, 0.5, 0)).norm(), 0, 1e-12);
 }
 
-TEST(IdealDvl, LevelOverAFlatBedAllBeamsReadTheAltitudesVerticalRange) {
-  const auto sample = ideal_dvl(level(10, 60), {});
-  ASSERT_TRUE(sample.velocity && sample.altitude_m);
-  EXPECT_NEAR((*sample.velocity - Vector3d(2, 0, 0)).norm(), 0, 1e-12);
-  EXPECT_NEAR(*sample.altitude_m, 50, 1e-12);
-  for (const auto& range : sample.range_m) EXPECT_NEAR(*range, 50, 1e-9);
-}
-
-TEST(IdealDvl, NosedUpTheForwardBeamIsTheLongestAndTheAfterBeamTheShortest) {
-  Truth truth = level(10, 60);
-  set_attitude(truth, 0, 10 * degree, 0);
-  const auto sample = ideal_dvl(truth, {});
-  // Beams 3 and 4 stand 30 deg before and behind the axis, which leans 10 deg ahead.
-  const double c30 = std::cos(30 * degree);
-  EXPECT_NEAR(*sample.range_m[2], 50 / std::cos(40 * degree) * c30, 1e-9);
-  EXPECT_NEAR(*sample.range_m[3], 50 / std::cos(20 * degree) * c30, 1e-9);
-  EXPECT_NEAR(*sample.range_m[0], 50 / (c30 * std::cos(10 * degree)) * c30, 1e-9);
-  EXPECT_NEAR(*sample.range_m[1], *sample.range_m[0], 1e-9);
-}
-
-TEST(IdealDvl, HeeledToStarboardTheStarboardBeamIsTheShortest) {
-  Truth truth = level(10, 60);
-  set_attitude(truth, 5 * degree, 0, 0);
-  const auto sample = ideal_dvl(truth, {});
-  // PD0: beam 1 looks to port, beam 2 to starboard.
-  EXPECT_NEAR(*sample.range_m[1], 50 / std::cos(25 * degree) * std::cos(30 * degree), 1e-9);
-  EXPECT_NEAR(*sample.range_m[0], 50 / std::cos(35 * degree) * std::cos(30 * degree), 1e-9);
-}
-
-TEST(IdealDvl, BeyondItsRangeItHasNoLock) {
-  // Level, the slant range is altitude / cos 30 deg: 120 m of slant is 103.92 m of altitude.
-  EXPECT_TRUE(ideal_dvl(level(10, 10 + 103.9), {}).velocity);
-  const auto lost = ideal_dvl(level(10, 10 + 104), {});
-  EXPECT_FALSE(lost.velocity || lost.altitude_m || lost.range_m[0]);
-}
-
 TEST(IdealLog, ReadsTheSpeedThroughTheWaterNotOverTheGround) {
   Truth truth = level();
   set_attitude(truth, 0, 0, 90 * degree);  // heading east at 2 m/s over ground
   truth.current_ned = {0.3, 0.5, 0};       // sets along the course and to port
-  const auto sample = ideal_log(truth, {});
+  const auto sample = ideal_log(motion::test::Frozen(truth), {}, {});
   EXPECT_NEAR(*sample.longitudinal_mps, 1.5, 1e-12);
   EXPECT_NEAR(*sample.transverse_mps, 0.3, 1e-12);
+}
+
+TEST(IdealLog, FeelsTheCurrentAtItsOwnDepth) {
+  rig_config::OceanConfig ocean;
+  ocean.current = {{10, {0, 0, 0}}, {14, {1, 0, 0}}};
+  const motion::test::Frozen trajectory(level(10), ocean);
+  const auto sample = ideal_log(trajectory, {}, {Eigen::Matrix3d::Identity(), {0, 0, 2}});
+  EXPECT_NEAR(*sample.longitudinal_mps, 2 - 0.5, 1e-12);
 }
 
 TEST(IdealGnss, TheAntennaStandsWhereTheLeverArmSays) {

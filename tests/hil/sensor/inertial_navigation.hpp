@@ -29,23 +29,22 @@ class InertialNavigation {
   /// "Strapdown Inertial Navigation Integration Algorithm Design", J. Guidance 21(1-2), 1998).
   void advance(const Increments& a, const Increments& b, double dt) {
     const double h = 2 * dt;
-    const Vector3d angle = a.angle + b.angle, velocity = a.velocity + b.velocity;
+    const Vector3d angle = a.angle + b.angle, sum = a.velocity + b.velocity;
     const Vector3d coned = angle + 2.0 / 3 * a.angle.cross(b.angle);
-    const Vector3d sculled = velocity + angle.cross(velocity) / 2 +
-                             angle.cross(angle.cross(velocity)) / 6 +
+    const Vector3d sculled = sum + angle.cross(sum) / 2 + angle.cross(angle.cross(sum)) / 6 +
                              2.0 / 3 * (a.angle.cross(b.velocity) + a.velocity.cross(b.angle));
     const Vector3d earth{0, 0, frame::wgs84::earth_rate_radps};
 
-    const Vector3d middle = position + h / 2 * this->velocity;
+    const Vector3d middle = position + h / 2 * velocity;
     const auto place = frame::geodetic(middle);
     const Matrix3d to_ecef =
         frame::ecef_to_ned(place.latitude_rad, place.longitude_rad).transpose();
     const Vector3d gravity = to_ecef.col(2) * frame::gravity(place.latitude_rad, place.height_m);
     const Vector3d from_force = turn(-h / 2 * earth) * body_to_ecef * sculled;
-    const Vector3d half_way = this->velocity + (from_force + h * gravity) / 2;
-    const Vector3d after = this->velocity + from_force + h * (gravity - 2 * earth.cross(half_way));
-    position += h / 2 * (this->velocity + after);
-    this->velocity = after;
+    const Vector3d half_way = velocity + (from_force + h * gravity) / 2;
+    const Vector3d after = velocity + from_force + h * (gravity - 2 * earth.cross(half_way));
+    position += h / 2 * (velocity + after);
+    velocity = after;
     body_to_ecef = turn(-h * earth) * body_to_ecef * turn(coned);
   }
 

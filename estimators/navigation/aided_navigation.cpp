@@ -1,0 +1,131 @@
+#include "estimators/navigation/aided_navigation.hpp"
+
+#include <cmath>
+
+#include "estimators/frame/attitude.hpp"
+#include "estimators/frame/local_earth.hpp"
+
+namespace drydock::navigation {
+
+using Eigen::Vector3d;
+
+namespace {
+
+ErrorFilter<0>::Vector padded(const Vector15& values) {
+  ErrorFilter<0>::Vector all = ErrorFilter<0>::Vector::Zero();
+  all.head<15>() = values;
+  return all;
+}
+
+}  // namespace
+
+Vector15 initial_sigma(const NavigationOptions& o, const frame::Position& at) {
+  const frame::LocalEarth earth = frame::local_earth(at.latitude_rad, at.height_m);
+  Vector15 sigma;
+  sigma << o.position_m / (earth.meridian_radius_m + at.height_m),
+      o.position_m / ((earth.transverse_radius_m + at.height_m) * earth.cos_latitude), o.height_m,
+      Vector3d::Constant(o.velocity_mps), o.alignment_rad, Vector3d::Constant(o.gyro_bias_radps),
+      Vector3d::Constant(o.accel_bias_mps2);
+  return sigma;
+}
+
+Vector15 noise_density(const NavigationOptions& o) {
+  Vector15 root;
+  root << 0, 0, o.height_noise_m, Vector3d::Constant(o.velocity_noise_mps),
+      Vector3d::Constant(o.angle_noise_rad), Vector3d::Constant(o.gyro_bias_walk_radps),
+      Vector3d::Constant(o.accel_bias_walk_mps2);
+  return root.array().square();
+}
+
+HeightLoop height_loop(const NavigationOptions& o) {
+  return o.height_loop_tau_s > 0 ? HeightLoop::of_time_constant(o.height_loop_tau_s) : HeightLoop{};
+}
+
+Eigen::Matrix<double, 3, 6> body_velocity_rows(const NavigationState& state) {
+  const Eigen::Matrix3d ned_to_body = state.body_to_ned.toRotationMatrix().transpose();
+  Eigen::Matrix<double, 3, 6> rows;
+  rows << ned_to_body, -ned_to_body * frame::skew(state.velocity_ned);
+  return rows;
+}
+
+AidedNavigation::AidedNavigation(const NavigationState& start, const NavigationOptions& options)
+    : options_(options),
+      sdins_(start, height_loop(options)),
+      filter_(padded(initial_sigma(options, start.position))),
+      noise_(padded(noise_density(options))) {}
+
+void AidedNavigation::add_imu(const Vector3d& angle, const Vector3d& velocity, double dt) {
+  sum_.add(angle - gyro_bias_ * dt, velocity - accel_bias_ * dt, dt);
+}
+
+void AidedNavigation::step(std::optional<double> reference_height_m) {
+  const Increments increments = sum_.take();
+  if (!(increments.dt > 0)) return;
+  sdins_.step(increments, reference_height_m);
+  filter_.propagate(error_dynamics(sdins_.state(), sdins_.force_ned(), sdins_.loop()),
+                    increments.dt, noise_);
+}
+
+int AidedNavigation::update_velocity(const Vector3d& velocity_body, const Vector3d& sigma) {
+  const NavigationState& now = sdins_.state();
+  const Vector3d residual = now.body_to_ned.conjugate() * now.velocity_ned - velocity_body;
+  const auto rows = body_velocity_rows(now);
+  Vector errors = Vector::Zero();
+  int used = 0;
+  innovation_square_ = innovations_ = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    Vector row = Vector::Zero();
+    row.segment<6>(velocity_error) = rows.row(axis);
+    used += update_row(row, residual(axis), sigma(axis) * sigma(axis), errors);
+  }
+  feed_back(errors);
+  return used;
+}
+
+int AidedNavigation::update_height(double height_m, double sigma) {
+  Vector errors = Vector::Zero();
+  innovation_square_ = innovations_ = 0;
+  const int used = update_row(Vector::Unit(position_error + 2),
+                              sdins_.state().position.height_m - height_m, sigma * sigma, errors);
+  feed_back(errors);
+  return used;
+}
+
+int AidedNavigation::update_position(const frame::Position& position, const Vector3d& sigma) {
+  const frame::Position& now = sdins_.state().position;
+  const frame::LocalEarth earth = frame::local_earth(now.latitude_rad, now.height_m);
+  const Vector3d unit{1 / (earth.meridian_radius_m + now.height_m),
+                      1 / ((earth.transverse_radius_m + now.height_m) * earth.cos_latitude), 1};
+  const Vector3d residual{now.latitude_rad - position.latitude_rad,
+                          frame::wrap_pi(now.longitude_rad - position.longitude_rad),
+                          now.height_m - position.height_m};
+  Vector errors = Vector::Zero();
+  int used = 0;
+  innovation_square_ = innovations_ = 0;
+  for (int axis = 0; axis < 3; ++axis)
+    used += update_row(Vector::Unit(position_error + axis), residual(axis),
+                       std::pow(sigma(axis) * unit(axis), 2), errors);
+  feed_back(errors);
+  return used;
+}
+
+int AidedNavigation::update_row(const Vector& row, double residual, double variance,
+                                Vector& errors) {
+  const double innovation = residual - row.dot(errors);
+  const auto expected = filter_.row(row, variance);
+  const double square = innovation * innovation / expected.variance;
+  innovation_square_ += square;
+  ++innovations_;
+  if (options_.gate_sigma > 0 && square > options_.gate_sigma * options_.gate_sigma) return 0;
+  errors += filter_.update(expected, innovation);
+  return 1;
+}
+
+void AidedNavigation::feed_back(const Vector& errors) {
+  sdins_.correct(errors.segment<3>(position_error), errors.segment<3>(velocity_error),
+                 errors.segment<3>(phi));
+  gyro_bias_ += errors.segment<3>(navigation::gyro_bias);
+  accel_bias_ += errors.segment<3>(navigation::accel_bias);
+}
+
+}  // namespace drydock::navigation

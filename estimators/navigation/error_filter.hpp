@@ -1,0 +1,76 @@
+#pragma once
+
+#include <utility>
+
+#include "estimators/navigation/error_model.hpp"
+
+namespace drydock::navigation {
+
+/// Kalman filter of the 15 errors of eq. (14) and of `Further` states that do not grow by
+/// themselves. Numbers without units: who owns it knows what the further states are. Errors that
+/// have been found are fed back, so that the state is zero between updates and not kept.
+template <int Further>
+class ErrorFilter {
+ public:
+  static constexpr int size = 15 + Further;
+  /// One more, always zero, where `size` is odd: then every column is a whole number of SIMD words.
+  static constexpr int stored = size + size % 2;
+  using Vector = Eigen::Matrix<double, stored, 1>;
+  using Covariance = Eigen::Matrix<double, stored, stored>;
+
+  /// `sigma`: one standard deviation of each error.
+  explicit ErrorFilter(const Vector& sigma) : p_(sigma.array().square().matrix().asDiagonal()) {}
+
+  /// Eq. (15): P <- (I + F dt) P (I + F dt)' + diag(`noise`) dt. Noise per second.
+  void propagate(const ErrorDynamics& f, double dt, const Vector& noise) {
+    constexpr auto entries = std::make_index_sequence<error_dynamics_pattern.size()>{};
+    Eigen::Matrix<double, stored, 9> right = p_.template leftCols<9>();  // P (I + F dt)'
+    add_columns(right, f, dt, p_, entries);
+    Eigen::Matrix<double, 10, stored> left = Eigen::Matrix<double, 10, stored>::Zero();
+    left.template topRows<9>() = right.transpose();
+    Eigen::Matrix<double, 10, 9> both = left.template leftCols<9>();  // (I + F dt) P (I + F dt)'
+    add_columns(both, f, dt, left, entries);
+
+    p_.template topRightCorner<9, stored - 9>() = left.template topRightCorner<9, stored - 9>();
+    p_.template bottomLeftCorner<stored - 9, 9>() = right.template bottomRows<stored - 9>();
+    for (int i = 0; i < 9; ++i)
+      for (int j = 0; j <= i; ++j) p_(i, j) = p_(j, i) = (both(i, j) + both(j, i)) / 2;
+    p_.diagonal() += noise * dt;
+  }
+
+  /// What a measurement z = h x + noise would do.
+  struct Row {
+    Vector cross;     ///< P h'
+    double variance;  ///< of the innovation, h P h' + r
+  };
+  Row row(const Vector& h, double noise_variance) const {
+    const Vector cross = p_ * h;
+    return {cross, h.dot(cross) + noise_variance};
+  }
+
+  /// Takes it, gives the correction of the errors, which is to be fed back. Joseph's form for a row
+  /// is (I - K h) P (I - K h)' + K r K' = P - K b' - b K', b = P h' - K s / 2, s the innovation's
+  /// variance: symmetric by construction.
+  Vector update(const Row& row, double innovation) {
+    const Vector gain = row.cross / row.variance;
+    const Vector b = row.cross - row.variance / 2 * gain;
+    for (int j = 0; j < stored; ++j) p_.col(j) -= gain * b(j) + b * gain(j);
+    return gain * innovation;
+  }
+
+  const Covariance& covariance() const { return p_; }
+  Covariance& covariance() { return p_; }
+
+ private:
+  /// to += from F' dt, column by column, for the entries of F that are not zero.
+  template <class To, class From, std::size_t... I>
+  static void add_columns(To& to, const ErrorDynamics& f, double dt, const From& from,
+                          std::index_sequence<I...>) {
+    constexpr auto& at = error_dynamics_pattern;
+    ((to.col(at[I].first) += dt * f(at[I].first, at[I].second) * from.col(at[I].second)), ...);
+  }
+
+  Covariance p_;
+};
+
+}  // namespace drydock::navigation

@@ -1,0 +1,33 @@
+#include "hil/emulate/dvl_device.hpp"
+
+namespace drydock::emulate {
+namespace {
+
+sensor::JanusHead set_up(sensor::JanusHead head, const rig_config::DvlHeadConfig& config) {
+  head.shortest_range_m = config.shortest_range_m.value_or(head.shortest_range_m);
+  head.longest_range_m = config.longest_range_m.value_or(head.longest_range_m);
+  if (config.three_beams) head.fewest_beams = *config.three_beams ? 3 : 4;
+  head.fading_db = config.fading_db;
+  head.beam_noise_mps = config.beam_noise_mps;
+  if (config.layer_thickness_m > 0) head.layer = {config.layer_start_m, config.layer_thickness_m};
+  return head;
+}
+
+}  // namespace
+
+DvlDevice::DvlDevice(const DeviceSetup& setup, const sensor::JanusHead& made)
+    : SamplingDevice(setup),
+      head_(set_up(made, setup.config.emulate.head)),
+      noise_(setup.seed, setup.config.name, "beams") {}
+
+sensor::DvlPing DvlDevice::ping(Stamp at) {
+  sensor::PingNoise noise;
+  for (std::size_t beam = 0; beam < 4; ++beam) {
+    noise.fade_db[beam] = head_.fading_db * noise_.normal();
+    noise.bed_mps[beam] = head_.beam_noise_mps * noise_.normal();
+    noise.water_mps[beam] = head_.beam_noise_mps * noise_.normal();
+  }
+  return sensor::dvl_ping(trajectory(), at, mounting(), head_, noise);
+}
+
+}  // namespace drydock::emulate

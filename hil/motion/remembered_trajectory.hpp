@@ -1,0 +1,32 @@
+#pragma once
+
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <utility>
+
+#include "hil/motion/truth.hpp"
+
+namespace drydock::motion {
+
+/// A motion that keeps its last answer: sensors that sample at the same instant ask once.
+class RememberedTrajectory final : public Trajectory {
+ public:
+  explicit RememberedTrajectory(std::unique_ptr<Trajectory> motion) : motion_(std::move(motion)) {}
+
+  Truth at(Stamp time) const override {
+    const std::lock_guard lock(mutex_);
+    if (!last_ || last_->at != time) last_ = motion_->at(time);
+    return *last_;
+  }
+  Stamp start() const override { return motion_->start(); }
+  Stamp end() const override { return motion_->end(); }
+  const ocean::Ocean& ocean() const override { return motion_->ocean(); }
+
+ private:
+  std::unique_ptr<Trajectory> motion_;
+  mutable std::mutex mutex_;
+  mutable std::optional<Truth> last_;
+};
+
+}  // namespace drydock::motion
