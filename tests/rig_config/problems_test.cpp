@@ -150,7 +150,7 @@ TEST(RigProblems, KeysOfOneKindOfEstimatorAreNotThoseOfAnother) {
               ElementsAre("r.toml:18:1: /estimator/0/type: not allowed here, only for kind = "
                           "\"mixing\""));
   EXPECT_THAT(problems_of(head("mixing") + "filter = \"robust\"\n"),
-              UnorderedElementsAre(
+              testing::UnorderedElementsAre(
                   "r.toml:13:1: /estimator/0: key 'log' is missing",
                   "r.toml:17:1: /estimator/0/filter: not allowed here, only for kind = "
                   "\"leveling\""));
