@@ -51,9 +51,9 @@ MissionConfig build_mission(const Node& root, const std::string& file) {
   read(table, "depth_m", mission.depth_m);
   read(table, "heading_deg", mission.heading_rad, degree);
   read(table, "speed_mps", mission.speed_mps);
-  if (const Node* ocean = root.find("ocean")) mission.ocean = build_ocean(*ocean, file);
   read(table, "pivot_m", mission.pivot_m);
   read(table, "sideslip_lag_s", mission.sideslip_lag_s);
+  if (const Node* ocean = root.find("ocean")) mission.ocean = build_ocean(*ocean, file);
   double speed_mps = mission.speed_mps;
   for_each_table(root, "leg", [&](const Node& leg, std::size_t) {
     mission.legs.push_back(build_leg(leg, speed_mps));

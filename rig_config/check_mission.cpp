@@ -58,10 +58,6 @@ class MissionChecks {
   /// it.
   void vehicle_fits(const Node* vehicle) {
     if (vehicle) exists(*vehicle, "/mission/vehicle");
-    const Node* pivot = root_.find("mission")->find("pivot_m");
-    if (vehicle && pivot)
-      add(*pivot, "/mission/pivot_m",
-          "not allowed here, a vehicle slips as its equations of motion say");
     for_each_table(root_, "leg", [&](const Node& leg, std::size_t i) {
       const Node* kind = leg.find_text("kind");
       if (!vehicle && kind && kind->text == "turning_circle")

@@ -16,6 +16,10 @@ void LevelingEstimator::start(const measurement::ImuSample& sample, double speed
       filter_);
 }
 
+void LevelingEstimator::correct(double speed_mps) {
+  std::visit([&](auto& filter) { filter.update_moving(speed_mps); }, filter_);
+}
+
 void LevelingEstimator::step(const Eigen::Vector3d& force, const Eigen::Vector3d& rate, double dt) {
   std::visit(
       [&](auto& filter) {
@@ -27,10 +31,6 @@ void LevelingEstimator::step(const Eigen::Vector3d& force, const Eigen::Vector3d
         }
       },
       filter_);
-}
-
-void LevelingEstimator::correct(double speed_mps) {
-  std::visit([&](auto& filter) { filter.update_moving(speed_mps); }, filter_);
 }
 
 void LevelingEstimator::fill(AttitudeEstimate& estimate) const {

@@ -40,8 +40,9 @@ std::string curve(const Series& series, std::size_t index) {
         "solid 0.35 noborder title {1}",
         index, quoted(series.label));
   }
-  return fmt::format("$data{0} using 1:2 with lines lw 1.4 lc rgb '{1}' title {2}", index,
-                     colours[index % colours.size()], quoted(series.label));
+  return fmt::format("$data{0} using 1:2 with {3} lc rgb '{1}' title {2}", index,
+                     colours[index % colours.size()], quoted(series.label),
+                     series.points ? "points pt 7 ps 0.35" : "lines lw 1.4");
 }
 
 bool goes_below_zero(const Plot& plot) {
@@ -57,8 +58,8 @@ std::string script(const Plot& plot) {
                  "set term svg size {} dynamic font 'sans,11' background '#ffffff'\n"
                  "set title {} font 'sans,13'\nset xlabel {}\nset ylabel {}\n"
                  "set grid lc rgb '#dddddd'\nset key outside right top\n",
-                 plot.equal_scales || (plot.log_x && plot.log_y) ? "860,600" : "860,300", quoted(plot.title),
-                 quoted(plot.x_label), quoted(plot.y_label));
+                 plot.equal_scales || (plot.log_x && plot.log_y) ? "860,600" : "860,300",
+                 quoted(plot.title), quoted(plot.x_label), quoted(plot.y_label));
   if (plot.equal_scales) fmt::format_to(to, "set size ratio -1\n");
   if (plot.y_limit > 0)
     fmt::format_to(to, "set yrange [{}:{}]\n", goes_below_zero(plot) ? -plot.y_limit : 0,

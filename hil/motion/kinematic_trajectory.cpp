@@ -26,7 +26,7 @@ KinematicTrajectory::KinematicTrajectory(const rig_config::MissionConfig& missio
       profile_(mission),
       pivot_m_(mission.pivot_m),
       sideslip_lag_s_(mission.sideslip_lag_s),
-      spacing_s_(mission.pivot_m > 0 ? spacing_in_lags * mission.sideslip_lag_s : spacing_s),
+      spacing_s_(pivot_m_ > 0 ? spacing_in_lags * sideslip_lag_s_ : spacing_s),
       checkpoints_{{mission.latitude_rad, mission.longitude_rad}} {
   check_clear_of_bed();
 }
@@ -34,9 +34,9 @@ KinematicTrajectory::KinematicTrajectory(const rig_config::MissionConfig& missio
 void KinematicTrajectory::check_clear_of_bed() const {
   const double lap_s = profile_.lap_s();
   for (double t = 0; t <= lap_s; t += spacing_s) {
-    const Path path = path_at(t);
-    const double bed_m = ocean_.bed_depth_m(path.latitude_rad, path.longitude_rad);
-    const double depth_m = profile_.at(t).depth_m + path.slip_depth_m;
+    const Path place = path_at(t);
+    const double bed_m = ocean_.bed_depth_m(place.latitude_rad, place.longitude_rad);
+    const double depth_m = profile_.at(t).depth_m + place.slip_depth_m;
     if (depth_m >= bed_m)
       throw std::invalid_argument(
           fmt::format("mission: after {:.0f} s the vehicle would be {:.1f} m deep, at or below the "

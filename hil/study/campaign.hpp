@@ -19,7 +19,8 @@ namespace drydock::study {
 struct Options {
   std::size_t runs = 100;
   std::uint64_t seed = 1;
-  unsigned jobs = 1;  ///< threads; the result does not depend on it
+  unsigned jobs = 1;           ///< threads; the result does not depend on it
+  std::string ephemeris = {};  ///< navigation file of the study that needs one; empty: its own
 };
 
 /// Who watches a campaign. Calls come one at a time, from any thread.

@@ -2,6 +2,7 @@
 
 #include "hil/study/leveling_study.hpp"
 #include "hil/study/mixing_study.hpp"
+#include "hil/study/roll_study.hpp"
 #include "hil/study/study.hpp"
 
 namespace drydock::study {
@@ -13,6 +14,8 @@ std::span<const Study> studies() {
       Study{"mixing",
             "Mixing: attitude held by accelerometers, gains by fuzzy inference (Kim et al. 1996)",
             mixing_study, mixing_workloads},
+      Study{"roll", "Roll: from the strengths of GPS signals (Hong, Kim, Ryoo, Lee 2015)",
+            run_roll_study},
   };
   return all;
 }

@@ -40,6 +40,7 @@ struct Study {
   std::string_view name;   ///< as the command line has it
   std::string_view title;  ///< what is repeated, and whose
   /// Stopped before the first run is done, it gives a result of no runs, of which nothing is shown.
+  /// Throws std::runtime_error, one line, where a file that it needs is not there.
   Result (*run)(const Options& options, Progress& progress);
   std::vector<Workload> (*workloads)() =
       nullptr;  ///< the first is what the others are compared with

@@ -32,23 +32,24 @@ allow drivers/bus 'drivers/(bus|measurement)'
 allow drivers/cli 'drivers/[a-z]*|rig_config'
 allow estimators/frame 'estimators/frame|drivers/measurement'
 allow estimators/leveling 'estimators/(leveling|frame)|drivers/measurement'
+allow estimators/roll 'estimators/(roll|frame)|drivers/measurement'
 allow estimators/mixing 'estimators/(mixing|frame)'
 allow estimators/navigation 'estimators/(navigation|frame)'
 allow estimators/hydrodynamics 'estimators/(hydrodynamics|frame)'
 allow estimators/vehicle 'estimators/(vehicle|hydrodynamics)|rig_config'
-allow estimators/pipeline 'estimators/(pipeline|leveling|mixing|frame)|drivers/measurement'
+allow estimators/pipeline 'estimators/(pipeline|leveling|mixing|roll|frame)|drivers/measurement'
 allow estimators/cli 'estimators/[a-z]*|drivers/[a-z]*|rig_config'
 allow rig_config 'rig_config'
 allow hil/ocean 'hil/ocean|estimators/frame|drivers/measurement|rig_config'
 allow hil/motion 'hil/(motion|ocean)|estimators/(frame|hydrodynamics|vehicle)|drivers/measurement|rig_config'
 allow hil/sensor 'hil/(sensor|motion|ocean)|estimators/frame|drivers/measurement|rig_config'
-allow hil/study 'hil/(study|sensor|motion|ocean)|estimators/[a-z]*|drivers/measurement|rig_config'
+allow hil/study 'hil/(study|sky|sensor|motion|ocean)|estimators/[a-z]*|drivers/measurement|rig_config'
 allow hil/sky 'hil/(sky|sensor|motion|ocean)|estimators/frame|drivers/measurement|rig_config'
 allow hil/emulate 'hil/(emulate|sky|sensor|motion|ocean)|estimators/frame|drivers/(device|link|shell|wire|measurement)|rig_config'
 allow hil/cli 'hil/[a-z]*|estimators/[a-z]*|drivers/[a-z]*|rig_config'
 
 io='boost/asio|dds/|fstream|iostream|filesystem|thread|mutex|sys/|unistd|toml'
-for folder in drivers/measurement drivers/wire drivers/device estimators/frame estimators/hydrodynamics estimators/leveling estimators/mixing estimators/navigation estimators/vehicle \
+for folder in drivers/measurement drivers/wire drivers/device estimators/frame estimators/hydrodynamics estimators/leveling estimators/mixing estimators/navigation estimators/roll estimators/vehicle \
   estimators/pipeline; do
   never "$folder" "$io"
 done

@@ -127,6 +127,8 @@ void add_study(CLI::App& app, Command& command) {
   sub->add_option("--jobs", options->campaign.jobs,
                   "threads; the result does not depend on it; default one a processor")
       ->check(CLI::Range(1U, 1024U));
+  sub->add_option("--ephemeris", options->campaign.ephemeris,
+                  "roll: GPS navigation file in place of that of 2010-07-01");
   sub->add_option("--json", options->json, "write the figures to this file");
   sub->add_option("--report", options->report, "write index.html with plots into this folder");
   sub->callback(

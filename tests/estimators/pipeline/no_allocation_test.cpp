@@ -17,11 +17,10 @@ TEST(Pipeline, AllocatesNothingPerSample) {
     const char* kind;
     leveling::FilterKind filter;
   };
+  using enum leveling::FilterKind;
   for (const auto& [window_ms, kind, filter] :
-       {Case{0, "leveling", leveling::FilterKind::robust},
-        Case{100, "leveling", leveling::FilterKind::robust},
-        Case{100, "leveling", leveling::FilterKind::augmented},
-        Case{100, "mixing", leveling::FilterKind::robust}}) {
+       {Case{0, "leveling", robust}, Case{100, "leveling", robust},
+        Case{100, "leveling", augmented}, Case{100, "mixing", robust}}) {
     LastEstimate listener;
     auto options = test::moving(std::chrono::milliseconds{window_ms});
     options.estimators[0].kind = kind;

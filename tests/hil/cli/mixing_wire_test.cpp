@@ -61,7 +61,7 @@ Readings readings_of(const rig_config::Rig& rig) {
     readings.imu.push_back(imu_errors.apply(sensor::ideal_imu(*trajectory, at, {})));
     if (k % samples_per_speed == 0)
       readings.speed_mps.push_back(
-          log_errors.apply(*sensor::ideal_log(trajectory->at(at), {}).longitudinal_mps, at));
+          log_errors.apply(*sensor::ideal_log(*trajectory, at, {}).longitudinal_mps, at));
   }
   return readings;
 }

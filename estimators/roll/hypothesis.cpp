@@ -1,0 +1,117 @@
+#include "estimators/roll/hypothesis.hpp"
+
+#include <cmath>
+#include <limits>
+
+namespace drydock::roll {
+namespace {
+
+enum Index : int { i_roll, i_bias, i_common, i_gain };
+
+/// Where a reported power must have been before it was rounded or lost.
+struct Interval {
+  double low, high;
+};
+
+double density(double z) { return std::exp(-0.5 * z * z) / std::sqrt(2 * std::numbers::pi); }
+
+/// Eq. (30), (31). Nothing where a lost signal says nothing.
+std::optional<Interval> interval_of(const AntennaOptions& antenna, const Signal& signal) {
+  if (signal.power) {
+    const double half_a_step = std::pow(10, antenna.resolution_db / 20);
+    return Interval{*signal.power / half_a_step, *signal.power * half_a_step};
+  }
+  if (!antenna.tracking_limit) return std::nullopt;
+  return Interval{-std::numeric_limits<double>::infinity(), *antenna.tracking_limit};
+}
+
+/// Probability above z.
+double above(double z) { return 0.5 * std::erfc(z / std::numbers::sqrt2); }
+
+struct Moments {
+  double log_probability = 0;
+  double shift = 0;   ///< of the mean, in sigmas
+  double shrink = 0;  ///< of the variance, as a share of it
+};
+
+/// Of a standard normal variable that turns out to lie between `z`, eq. (31): its mean, and what
+/// is missing from its variance of 1. The interval must not be further out than 30 or so.
+Moments within(const Interval& z) {
+  // Differences of small tails, not of numbers near 1.
+  const double probability =
+      z.low > 0 ? above(z.low) - above(z.high) : above(-z.high) - above(-z.low);
+  const double low = density(z.low), high = density(z.high);
+  const double mean = (low - high) / probability;
+  const auto weighted = [](double at, double d) { return std::isfinite(at) ? at * d : 0; };
+  const double bend = (weighted(z.high, high) - weighted(z.low, low)) / probability;
+  return {std::log(probability), mean, bend + mean * mean};
+}
+
+}  // namespace
+
+Hypothesis::Hypothesis(double roll_rad, double sigma_rad, const AllSatellitesOptions& options) {
+  x_.setOnes();
+  x_(i_roll) = roll_rad;
+  x_(i_bias) = 0;
+  p_.diagonal().setConstant(options.satellite_gain_sigma * options.satellite_gain_sigma);
+  p_(i_roll, i_roll) = sigma_rad * sigma_rad;
+  p_(i_bias, i_bias) = options.bias_sigma_radps * options.bias_sigma_radps;
+  p_(i_common, i_common) = options.gain_sigma * options.gain_sigma;
+}
+
+void Hypothesis::predict(const AllSatellitesOptions& options, double rate_radps, double dt) {
+  x_(i_roll) += (rate_radps - x_(i_bias)) * dt;
+  p_.row(i_roll) -= dt * p_.row(i_bias);
+  p_.col(i_roll) -= dt * p_.col(i_bias);
+  p_(i_roll, i_roll) += options.gyro_noise * options.gyro_noise * dt;
+  p_(i_bias, i_bias) += options.bias_noise * options.bias_noise * dt;
+}
+
+bool Hypothesis::update(const AllSatellitesOptions& options, const Signal& signal,
+                        const SightLine& line, const Epoch& epoch, std::size_t slot) {
+  const int own = i_gain + static_cast<int>(slot);
+  const double then = x_(i_roll) - epoch.turned_rad + x_(i_bias) * epoch.age_s;
+  const Power power = power_of(options.antenna, line, then);
+  const double gain = x_(i_common) * x_(own);
+  const double expected = gain * power.value;  // eq. (29)
+
+  const double by_roll = gain * power.slope, by_bias = by_roll * epoch.age_s;
+  const double by_common = x_(own) * power.value, by_own = x_(i_common) * power.value;
+  const State ph = by_roll * p_.col(i_roll) + by_bias * p_.col(i_bias) +
+                   by_common * p_.col(i_common) + by_own * p_.col(own);
+  const double variance = by_roll * ph(i_roll) + by_bias * ph(i_bias) + by_common * ph(i_common) +
+                          by_own * ph(own) + options.antenna.noise * options.antenna.noise;
+  const double sigma = std::sqrt(variance);
+
+  const auto seen = interval_of(options.antenna, signal);
+  if (!seen) return true;
+  const Interval z{(seen->low - expected) / sigma, (seen->high - expected) / sigma};
+  if (z.low > options.gate || z.high < -options.gate) {
+    log_likelihood -= 0.5 * options.gate * options.gate;
+    return false;
+  }
+  if (z.low == z.high) {  // eq. (30)
+    log_likelihood -= 0.5 * z.low * z.low + std::log(sigma);
+    shift(ph, z.low / sigma, 1 / variance);
+  } else {
+    const Moments moments = within(z);
+    log_likelihood += moments.log_probability;
+    shift(ph, moments.shift / sigma, moments.shrink / variance);
+  }
+  return true;
+}
+
+void Hypothesis::shift(const State& ph, double by, double shrink) {
+  x_ += ph * by;
+  p_.noalias() -= ph * (ph * shrink).transpose();
+}
+
+void Hypothesis::forget_gain(std::size_t slot, double sigma) {
+  const int own = i_gain + static_cast<int>(slot);
+  x_(own) = 1;
+  p_.row(own).setZero();
+  p_.col(own).setZero();
+  p_(own, own) = sigma * sigma;
+}
+
+}  // namespace drydock::roll
