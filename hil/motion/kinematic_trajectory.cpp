@@ -32,8 +32,9 @@ KinematicTrajectory::KinematicTrajectory(const rig_config::MissionConfig& missio
 }
 
 void KinematicTrajectory::check_clear_of_bed() const {
-  const double lap_s = profile_.lap_s();
-  for (double t = 0; t <= lap_s; t += spacing_s) {
+  const auto looks = static_cast<int>(profile_.lap_s() / spacing_s);
+  for (int look = 0; look <= looks; ++look) {
+    const double t = look * spacing_s;
     const Path place = path_at(t);
     const double bed_m = ocean_.bed_depth_m(place.latitude_rad, place.longitude_rad);
     const double depth_m = profile_.at(t).depth_m + place.slip_depth_m;

@@ -33,7 +33,8 @@ void Voyage::check_plan(const rig_config::MissionConfig& mission) const {
   const auto& propeller = mission.vehicle->propeller;
   const double fastest = propeller.advance_m * propeller.limit_radps;
   double latitude = mission.latitude_rad, longitude = mission.longitude_rad;
-  for (double t = 0; t <= lap_s(); ++t) {
+  for (int second = 0; second <= lap_s(); ++second) {
+    const double t = second;
     const Prescribed plan = profile_.at(t);
     if (plan.speed.value > fastest)
       throw std::invalid_argument(fmt::format(

@@ -48,7 +48,7 @@ std::optional<double> PlaneBed::range(const Ray& ray, double longest_m) const {
   return above / approach;
 }
 
-RasterBed::RasterBed(Raster raster, Vector2d south_west, Vector2d spacing)
+RasterBed::RasterBed(Raster raster, const Vector2d& south_west, const Vector2d& spacing)
     : raster_(std::make_shared<const Raster>(std::move(raster))),
       south_west_(south_west),
       spacing_(spacing) {}

@@ -31,7 +31,7 @@ class RasterBed {
  public:
   /// Columns go east and rows north; `south_west` is the chart place of the first point of both,
   /// `spacing` the metres north and east from point to point.
-  RasterBed(Raster raster, Eigen::Vector2d south_west, Eigen::Vector2d spacing);
+  RasterBed(Raster raster, const Eigen::Vector2d& south_west, const Eigen::Vector2d& spacing);
 
   double depth_at(const Eigen::Vector2d& place) const;
   /// Cell by cell; within each the bed under a straight line is a parabola.

@@ -23,6 +23,7 @@ constexpr double melting_point_k = 273.15;
 
 Profile component(const std::vector<rig_config::CurrentConfig>& current, std::size_t axis) {
   std::vector<Profile::Knot> knots;
+  knots.reserve(current.size());
   for (const auto& knot : current) knots.push_back({knot.depth_m, knot.velocity_ned_mps[axis]});
   return Profile(std::move(knots));
 }
@@ -30,6 +31,7 @@ Profile component(const std::vector<rig_config::CurrentConfig>& current, std::si
 Profile density_profile(const rig_config::WaterConfig& water) {
   if (water.kind == WaterKind::uniform) return Profile({{0, water.density_kgm3}});
   std::vector<Profile::Knot> knots;
+  knots.reserve(water.density.size());
   for (const auto& knot : water.density) knots.push_back({knot.depth_m, knot.density_kgm3});
   return Profile(std::move(knots));
 }

@@ -123,10 +123,18 @@ void mixing_step(benchmark::State& state, mixing::MixingType type) {
   }
   state.counters["of_type1"] = sum / of_type1;
 }
-BENCHMARK_CAPTURE(mixing_step, type1, mixing::MixingType::fixed_gain)->UseManualTime();
-BENCHMARK_CAPTURE(mixing_step, type2, mixing::MixingType::fuzzy_inference)->UseManualTime();
-BENCHMARK_CAPTURE(mixing_step, type3, mixing::MixingType::gain_schedule)->UseManualTime();
-BENCHMARK_CAPTURE(mixing_step, compensated, mixing::MixingType::compensated)->UseManualTime();
+BENCHMARK_CAPTURE(mixing_step, type1, mixing::MixingType::fixed_gain)
+    ->UseManualTime()
+    ->Iterations(200);
+BENCHMARK_CAPTURE(mixing_step, type2, mixing::MixingType::fuzzy_inference)
+    ->UseManualTime()
+    ->Iterations(200);
+BENCHMARK_CAPTURE(mixing_step, type3, mixing::MixingType::gain_schedule)
+    ->UseManualTime()
+    ->Iterations(200);
+BENCHMARK_CAPTURE(mixing_step, compensated, mixing::MixingType::compensated)
+    ->UseManualTime()
+    ->Iterations(200);
 
 struct Discard final : pipeline::EstimateListener {
   void on_attitude(const pipeline::AttitudeEstimate& estimate) override {
