@@ -141,6 +141,21 @@ TEST(RigProblems, KeysThatDependOnAChoiceSaySo) {
               ElementsAre("r.toml:13:1: /estimator/0: key 'initial_pitch_deg' is missing"));
 }
 
+TEST(RigProblems, KeysOfOneKindOfEstimatorAreNotThoseOfAnother) {
+  const auto head = [](const std::string& kind) {
+    return std::string(imu_table) + "[[estimator]]\nname = \"l\"\nkind = \"" + kind +
+           "\"\nimu = \"imu\"\n";
+  };
+  EXPECT_THAT(problems_of(head("leveling") + "model = \"stationary\"\ntype = \"type2\"\n"),
+              ElementsAre("r.toml:18:1: /estimator/0/type: not allowed here, only for kind = "
+                          "\"mixing\""));
+  EXPECT_THAT(problems_of(head("mixing") + "filter = \"robust\"\n"),
+              testing::UnorderedElementsAre(
+                  "r.toml:13:1: /estimator/0: key 'log' is missing",
+                  "r.toml:17:1: /estimator/0/filter: not allowed here, only for kind = "
+                  "\"leveling\""));
+}
+
 TEST(RigProblems, ThePapersFilterStartsFromAGivenAttitudeAlone) {
   const std::string head = std::string(imu_table) +
                            "[[estimator]]\nname = \"l\"\nkind = \"leveling\"\nimu = \"imu\"\n"
