@@ -20,8 +20,8 @@ void IncrementSum::add(const Vector3d& angle, const Vector3d& velocity, double d
 
 Increments IncrementSum::take() {
   const Vector3d turned = angle_.cross(velocity_);
-  Increments sum{angle_ + coning_,
-                       velocity_ + turned / 2 + angle_.cross(turned) / 6 + sculling_, dt_};
+  Increments sum{angle_ + coning_, velocity_ + turned / 2 + angle_.cross(turned) / 6 + sculling_,
+                 dt_};
   angle_.setZero();
   velocity_.setZero();
   coning_.setZero();
