@@ -10,7 +10,10 @@ namespace drydock::rig_config {
 /// All of a rig but its mission and the errors that stand in sensor files.
 Rig build_rig(const Node& root, const std::string& file);
 
-MissionConfig build_mission(const Node& root);
+/// All of a mission but its vehicle, which has a file of its own. `file`: the mission's, for what
+/// is named beside it.
+MissionConfig build_mission(const Node& root, const std::string& file);
+OceanConfig build_ocean(const Node& table, const std::string& mission_file);
 
 VehicleConfig build_vehicle(const Node& root);
 

@@ -6,7 +6,8 @@ namespace drydock::rig_config {
 
 namespace {
 
-constexpr std::array leg_kinds{"straight", "turn", "dive", "s_path"};
+constexpr std::array leg_kinds{"straight", "turn",   "dive",           "s_path",
+                               "spiral",   "zigzag", "turning_circle", "surface"};
 
 LegConfig build_leg(const Node& table, double speed_before) {
   LegConfig leg;
@@ -19,6 +20,10 @@ LegConfig build_leg(const Node& table, double speed_before) {
   read(table, "depth_change_m", leg.depth_change_m);
   read(table, "amplitude_deg", leg.amplitude_rad, degree);
   read(table, "period_s", leg.period_s);
+  read(table, "rate_degps", leg.rate_radps, degree);
+  read(table, "end_rate_degps", leg.end_rate_radps, degree);
+  read(table, "rudder_deg", leg.rudder_rad, degree);
+  read(table, "ramp_s", leg.ramp_s);
   return leg;
 }
 
@@ -38,7 +43,7 @@ BallisticConfig build_ballistic(const Node& table) {
 
 }  // namespace
 
-MissionConfig build_mission(const Node& root) {
+MissionConfig build_mission(const Node& root, const std::string& file) {
   MissionConfig mission;
   const Node& table = *root.find("mission");
   read(table, "latitude_deg", mission.latitude_rad, degree);
@@ -46,8 +51,7 @@ MissionConfig build_mission(const Node& root) {
   read(table, "depth_m", mission.depth_m);
   read(table, "heading_deg", mission.heading_rad, degree);
   read(table, "speed_mps", mission.speed_mps);
-  read(table, "bed_depth_m", mission.bed_depth_m);
-  read(table, "current_ned_mps", mission.current_ned_mps);
+  if (const Node* ocean = root.find("ocean")) mission.ocean = build_ocean(*ocean, file);
   double speed_mps = mission.speed_mps;
   for_each_table(root, "leg", [&](const Node& leg, std::size_t) {
     mission.legs.push_back(build_leg(leg, speed_mps));

@@ -125,12 +125,6 @@ class RigChecks {
   Problems problems_;
 };
 
-double number_at(const Node& table, std::string_view key, double otherwise) {
-  const Node* value = table.find(key);
-  return value && (value->kind == Kind::number || value->kind == Kind::integer) ? value->number
-                                                                                : otherwise;
-}
-
 }  // namespace
 
 std::string beside(const std::string& file, const std::string& relative) {
@@ -140,26 +134,6 @@ std::string beside(const std::string& file, const std::string& relative) {
 
 Problems check_rig(const Node& root, const std::string& file, const LoadOptions& options) {
   return RigChecks(root, file, options).run();
-}
-
-Problems check_mission(const Node& root, const std::string& file) {
-  const Node* mission = root.find("mission");
-  if (!mission) return {};
-  double depth_m = number_at(*mission, "depth_m", 0);
-  const double bed_m = number_at(*mission, "bed_depth_m", MissionConfig{}.bed_depth_m);
-  Problems problems;
-  for_each_table(root, "leg", [&](const Node& leg, std::size_t i) {
-    const Node* change = leg.find("depth_change_m");
-    if (!change) return;
-    depth_m += number_at(leg, "depth_change_m", 0);
-    if (depth_m < -1e-9 || depth_m > bed_m)
-      problems.push_back(
-          {file, change->at.line, change->at.column, fmt::format("/leg/{}/depth_change_m", i),
-           fmt::format("the leg ends at a depth of {} m, allowed: 0 (the surface) to {} "
-                       "(the bed)",
-                       depth_m, bed_m)});
-  });
-  return problems;
 }
 
 }  // namespace drydock::rig_config

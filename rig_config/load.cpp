@@ -83,6 +83,22 @@ Loaded<Node> read_checked_file(const std::string& path, FileKind kind) {
   return text ? read_checked(*text, path, kind) : Loaded<Node>(text.error());
 }
 
+/// The mission of a checked document with its vehicle file read in.
+Loaded<MissionConfig> build_with_vehicle(const Node& root, const std::string& path) {
+  MissionConfig mission = build_mission(root, path);
+  if (const Node* reference = root.find("mission")->find("vehicle")) {
+    const auto vehicle = read_checked_file(beside(path, reference->text), FileKind::vehicle);
+    if (!vehicle) return vehicle.error();
+    mission.vehicle = build_vehicle(*vehicle);
+  }
+  return mission;
+}
+
+Loaded<MissionConfig> read_mission(const std::string& path) {
+  const auto root = read_checked_file(path, FileKind::mission);
+  return root ? build_with_vehicle(*root, path) : Loaded<MissionConfig>(root.error());
+}
+
 /// Errors of the emulated sensor: those of its sensor file, then its own keys on top.
 Problems read_emulated_errors(const Node& table, std::size_t index, DeviceConfig& device,
                               const std::string& file) {
@@ -112,9 +128,9 @@ Loaded<Rig> load_rig_text(std::string_view text, const std::string& path,
   Rig rig = build_rig(*root, path);
   Problems problems;
   if (const Node* reference = root->find("rig")->find("mission")) {
-    const auto mission = read_checked_file(beside(path, reference->text), FileKind::mission);
+    const auto mission = read_mission(beside(path, reference->text));
     if (mission)
-      rig.mission = build_mission(*mission);
+      rig.mission = *mission;
     else
       append(problems, mission.error());
   }
@@ -132,8 +148,7 @@ Loaded<Rig> load_rig(const std::string& path, const LoadOptions& options) {
 
 Loaded<MissionConfig> load_mission_text(std::string_view text, const std::string& path) {
   const auto root = read_checked(text, path, FileKind::mission);
-  if (!root) return root.error();
-  return build_mission(*root);
+  return root ? build_with_vehicle(*root, path) : Loaded<MissionConfig>(root.error());
 }
 
 Loaded<MissionConfig> load_mission(const std::string& path) {
@@ -161,6 +176,10 @@ Problems check_file(const std::string& path, const LoadOptions& options) {
   if (kind == FileKind::rig) {
     const auto rig = load_rig_text(*text, path, options);
     return rig ? Problems{} : rig.error();
+  }
+  if (kind == FileKind::mission) {
+    const auto mission = load_mission_text(*text, path);
+    return mission ? Problems{} : mission.error();
   }
   const auto document = read_checked(*text, path, kind);
   return document ? Problems{} : document.error();

@@ -1,24 +1,40 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <optional>
 #include <vector>
 
+#include "rig_config/ocean.hpp"
+#include "rig_config/vehicle.hpp"
+
 /// A mission file as typed values: where the emulated vehicle goes.
 namespace drydock::rig_config {
 
-enum class LegKind : std::uint8_t { straight, turn, dive, s_path };
+enum class LegKind : std::uint8_t {
+  straight,
+  turn,
+  dive,
+  s_path,
+  spiral,
+  zigzag,
+  turning_circle,
+  surface
+};
 
-/// One leg of a kinematic mission, entered and left smoothly.
+/// One leg of a mission, entered and left smoothly: kept to exactly, or what a vehicle's autopilots
+/// follow.
 struct LegConfig {
   LegKind kind = LegKind::straight;
   double duration_s = 0;
   double turn_rad = 0;                     ///< turn: change of heading
   double depth_change_m = 0;               ///< dive: positive down
   double speed_mps = 0;                    ///< speed at the end of the leg
-  double amplitude_rad = 0, period_s = 0;  ///< s_path: heading amplitude
-  double roll_rad = 0;                     ///< heel held during a turn
+  double amplitude_rad = 0, period_s = 0;  ///< s_path, zigzag: of the heading
+  double roll_rad = 0;                     ///< turn, kinematic: heel held
+  double rate_radps = 0;                   ///< spiral: rate of turn at first; zigzag: highest
+  double end_rate_radps = 0;               ///< spiral: rate of turn in the end
+  double rudder_rad = 0;                   ///< turning_circle: held, positive to port
+  double ramp_s = 0;  ///< to and from a constant rate (dv/dt, turn, sink); 0: as smooth as can be
 };
 
 /// A rolling airframe from burn-out to where it comes down.
@@ -36,10 +52,10 @@ struct BallisticConfig {
 
 struct MissionConfig {
   double latitude_rad = 0, longitude_rad = 0, depth_m = 0, heading_rad = 0, speed_mps = 0;
-  double bed_depth_m = 100;
-  std::array<double, 3> current_ned_mps{};
+  OceanConfig ocean;
   std::vector<LegConfig> legs;               ///< repeated from the first when the run lasts longer
   std::optional<BallisticConfig> ballistic;  ///< in place of legs
+  std::optional<VehicleConfig> vehicle;      ///< sails the legs under autopilots; none: kinematic
 };
 
 }  // namespace drydock::rig_config

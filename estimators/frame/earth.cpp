@@ -17,8 +17,8 @@ double curvature_term(double latitude_rad) {
 }  // namespace
 
 double meridian_radius(double latitude_rad) {
-  return wgs84::semi_major_axis_m * (1 - wgs84::eccentricity_squared) /
-         std::pow(curvature_term(latitude_rad), 1.5);
+  const double w = curvature_term(latitude_rad);
+  return wgs84::semi_major_axis_m * (1 - wgs84::eccentricity_squared) / (w * std::sqrt(w));
 }
 
 double transverse_radius(double latitude_rad) {

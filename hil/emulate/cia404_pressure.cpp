@@ -31,13 +31,13 @@ class Cia404Pressure final : public CanopenDevice {
   explicit Cia404Pressure(const DeviceSetup& setup)
       : CanopenDevice(setup, measuring_device_with_analogue_input),
         errors_(setup.primary_errors()),
-        water_(setup.water()),
         scale_(setup.pressure_scale()),
-        zero_pa_(setup.config.pressure.gauge ? water_.surface_pressure_pa : 0) {}
+        zero_pa_(setup.config.pressure.gauge ? setup.trajectory.ocean().surface_pressure_pa() : 0) {
+  }
 
  private:
   void report(Stamp at, Wire& out) override {
-    const auto ideal = sensor::ideal_depth(trajectory().at(at), mounting(), water_);
+    const auto ideal = sensor::ideal_depth(trajectory().at(at), trajectory().ocean(), mounting());
     reading_pa_ = errors_.apply(*ideal.pressure_pa) - zero_pa_;
     out.send(pressure::encode(node(), reading_pa_, scale_));
   }
@@ -73,7 +73,6 @@ class Cia404Pressure final : public CanopenDevice {
 
   std::optional<double> reading_pa_;  ///< the last; none before the node was started
   sensor::ErrorModel errors_;
-  measurement::WaterColumn water_;
   pressure::Scale scale_;
   double zero_pa_;
 };

@@ -22,13 +22,12 @@ class Nmea2000Depth final : public J1939Device {
  public:
   explicit Nmea2000Depth(const DeviceSetup& setup)
       : J1939Device(setup, name_value(setup.config), preferred_address),
-        errors_(setup.primary_errors()),
-        water_(setup.water()) {}
+        errors_(setup.primary_errors()) {}
 
  private:
   void report(Stamp at, std::uint8_t address, Wire& out) override {
     const auto truth = trajectory().at(at);
-    const auto ideal = sensor::ideal_depth(truth, mounting(), water_);
+    const auto ideal = sensor::ideal_depth(truth, trajectory().ocean(), mounting());
     const auto sequence = static_cast<std::uint8_t>(samples() % sequences);
 
     wire::nmea2000::Pressure pressure;
@@ -58,7 +57,6 @@ class Nmea2000Depth final : public J1939Device {
   }
 
   sensor::ErrorModel errors_;
-  measurement::WaterColumn water_;
 };
 
 }  // namespace

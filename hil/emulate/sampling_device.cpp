@@ -10,10 +10,6 @@ sensor::ErrorModel DeviceSetup::secondary_errors() const {
   return {config.emulate.secondary, config.emulate.fixed_bias, seed, config.name, "secondary"};
 }
 
-measurement::WaterColumn DeviceSetup::water() const {
-  return {config.surface_pressure_pa, config.water_density_kgm3, config.unesco_latitude_rad};
-}
-
 wire::cia404_pressure::Scale DeviceSetup::pressure_scale() const {
   const auto& pressure = config.pressure;
   return wire::cia404_pressure::find_scale(pressure.format, pressure.unit,

@@ -3,7 +3,6 @@
 #include <cstdint>
 #include <memory>
 
-#include "drivers/measurement/water_column.hpp"
 #include "drivers/wire/cia404_pressure.hpp"
 #include "hil/emulate/emulated_device.hpp"
 #include "hil/emulate/make_emulated_device.hpp"
@@ -25,7 +24,6 @@ struct DeviceSetup {
 
   sensor::ErrorModel primary_errors() const;
   sensor::ErrorModel secondary_errors() const;
-  measurement::WaterColumn water() const;  ///< over a depth sensor
   wire::cia404_pressure::Scale pressure_scale() const;
 };
 

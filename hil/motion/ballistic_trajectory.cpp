@@ -24,7 +24,9 @@ constexpr double sea_level_density_kgm3 = 1.225, scale_height_m = 8434.5;
 }  // namespace
 
 BallisticTrajectory::BallisticTrajectory(const rig_config::MissionConfig& mission, Stamp start)
-    : mission_(mission), flight_(mission.ballistic.value()), start_(start) {
+    : flight_(mission.ballistic.value()),
+      ocean_(mission.ocean, {mission.latitude_rad, mission.longitude_rad, 0}),
+      start_(start) {
   if (flight_.height_m < flight_.ground_height_m)
     throw std::invalid_argument("mission: the ballistic flight begins below the ground");
   const double across = mission.speed_mps * std::cos(flight_.elevation_rad);
@@ -85,9 +87,8 @@ Truth BallisticTrajectory::at(Stamp time) const {
   }
   set_inertial(landed ? Vector3d::Zero().eval() : acceleration, truth);
 
-  const auto& current = mission_.current_ned_mps;
-  truth.current_ned = {current[0], current[1], current[2]};
-  truth.bed_depth_m = mission_.bed_depth_m;
+  truth.current_ned = ocean_.current_ned(-s.height_m, t);
+  truth.bed_depth_m = ocean_.bed_depth_m(s.latitude_rad, s.longitude_rad);
   return truth;
 }
 

@@ -22,6 +22,7 @@ class BallisticTrajectory final : public Trajectory {
   Truth at(Stamp time) const override;  ///< any order, any thread; before start() the first state
   Stamp start() const override { return start_; }
   Stamp end() const override;  ///< on the ground
+  const ocean::Ocean& ocean() const override { return ocean_; }
 
  private:
   struct State {
@@ -40,8 +41,8 @@ class BallisticTrajectory final : public Trajectory {
   Attitude attitude_at(double t, const Eigen::Vector3d& velocity,
                        const Eigen::Vector3d& acceleration) const;
 
-  rig_config::MissionConfig mission_;
   rig_config::BallisticConfig flight_;
+  ocean::Ocean ocean_;
   Stamp start_;
   std::vector<State> checkpoints_;  ///< equally spaced from start() to beyond the landing
   double landing_s_ = 0;

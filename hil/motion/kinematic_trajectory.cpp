@@ -1,6 +1,9 @@
 #include "hil/motion/kinematic_trajectory.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
+#include <stdexcept>
 
 #include "estimators/frame/attitude.hpp"
 #include "estimators/frame/earth.hpp"
@@ -16,10 +19,25 @@ constexpr double spacing_s = 0.5;
 }  // namespace
 
 KinematicTrajectory::KinematicTrajectory(const rig_config::MissionConfig& mission, Stamp start)
-    : mission_(mission),
-      start_(start),
+    : start_(start),
+      ocean_(mission.ocean, {mission.latitude_rad, mission.longitude_rad, 0}),
       profile_(mission),
-      checkpoints_{{mission.latitude_rad, mission.longitude_rad}} {}
+      checkpoints_{{mission.latitude_rad, mission.longitude_rad}} {
+  check_clear_of_bed();
+}
+
+void KinematicTrajectory::check_clear_of_bed() const {
+  const double lap_s = profile_.lap_s();
+  for (double t = 0; t <= lap_s; t += spacing_s) {
+    const Position place = position_at(t);
+    const double bed_m = ocean_.bed_depth_m(place.latitude_rad, place.longitude_rad);
+    if (profile_.at(t).depth_m >= bed_m)
+      throw std::invalid_argument(
+          fmt::format("mission: after {:.0f} s the vehicle would be {:.1f} m deep, at or below the "
+                      "sea bed ({:.1f} m there)",
+                      t, profile_.at(t).depth_m, bed_m));
+  }
+}
 
 Stamp KinematicTrajectory::end() const {
   return start_ + measurement::from_seconds(profile_.lap_s());
@@ -48,9 +66,8 @@ Truth KinematicTrajectory::at(Stamp time) const {
       Eigen::Vector3d{p.speed.rate, 0, 0} + truth.rate_body.cross(truth.velocity_body);
   set_inertial(truth.body_to_ned * acceleration_body, truth);
 
-  const auto& current = mission_.current_ned_mps;
-  truth.current_ned = {current[0], current[1], current[2]};
-  truth.bed_depth_m = mission_.bed_depth_m;
+  truth.current_ned = ocean_.current_ned(p.depth_m, t);
+  truth.bed_depth_m = ocean_.bed_depth_m(truth.latitude_rad, truth.longitude_rad);
   set_actuators(truth);
   return truth;
 }

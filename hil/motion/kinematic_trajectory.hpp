@@ -21,17 +21,19 @@ class KinematicTrajectory final : public Trajectory {
   Truth at(Stamp time) const override;  ///< any order, any thread; before start() the first state
   Stamp start() const override { return start_; }
   Stamp end() const override;  ///< of the first lap; the motion itself does not end
+  const ocean::Ocean& ocean() const override { return ocean_; }
 
  private:
   struct Position {
     double latitude_rad = 0, longitude_rad = 0;
   };
 
+  void check_clear_of_bed() const;  ///< throws; through the first lap
   Position position_at(double t) const;
   Position integrate(Position from, double t, double duration) const;
 
-  rig_config::MissionConfig mission_;
   Stamp start_;
+  ocean::Ocean ocean_;
   MissionProfile profile_;
   mutable std::mutex mutex_;
   mutable std::vector<Position> checkpoints_;  ///< equally spaced from start(), grown on demand

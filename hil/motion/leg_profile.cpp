@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "hil/motion/leg_shapes.hpp"
 #include "hil/motion/smooth_step.hpp"
 
 namespace drydock::motion {
@@ -16,9 +17,34 @@ using rig_config::LegKind;
 
 constexpr double longest_ramp_s = 10;
 constexpr double steepest_sine = 0.8660254037844386;  // pitch of 60 deg
+constexpr double steepest_sailed_sine = 0.5;          // 30 deg, see autopilot.hpp
 
 Window window_of(const LegConfig& leg) {
+  if (leg.ramp_s > 0) return {leg.duration_s, leg.ramp_s};
   return {leg.duration_s, std::min(longest_ramp_s, leg.duration_s / 4)};
+}
+
+/// How far a leg is on its way from 0 to 1, and the time derivatives.
+struct Progress {
+  double value, rate, acceleration;
+};
+
+Progress ramped(const Window& window, double t) {
+  const double area = window.area();
+  return {window.integral(t) / area, window.value(t) / area, window.rate(t) / area};
+}
+
+Progress of_speed(const LegConfig& leg, double t) {
+  if (leg.ramp_s > 0) return ramped(window_of(leg), t);
+  const double x = t / leg.duration_s;
+  return {quintic(x), quintic_rate(x) / leg.duration_s, 0};
+}
+
+Progress of_depth(const LegConfig& leg, double t) {
+  if (leg.ramp_s > 0) return ramped(window_of(leg), t);
+  const double x = t / leg.duration_s, over_duration = 1 / leg.duration_s;
+  return {septic(x), septic_rate(x) * over_duration,
+          septic_acceleration(x) * over_duration * over_duration};
 }
 
 [[noreturn]] void refuse(std::size_t leg, const std::string& why) {
@@ -26,22 +52,29 @@ Window window_of(const LegConfig& leg) {
 }
 
 void check(std::size_t number, const LegConfig& leg, double speed_before, double depth_before,
-           double bed_depth) {
+           const rig_config::MissionConfig& mission) {
   if (!(leg.duration_s > 0)) refuse(number, "duration_s must be above 0");
   if (leg.speed_mps < 0) refuse(number, "speed_mps must not be negative");
+  if (2 * leg.ramp_s > leg.duration_s) refuse(number, "two ramps last longer than the leg");
   if (leg.kind == LegKind::s_path && !(leg.period_s > 0)) {
     refuse(number, "an s_path needs a period_s above 0");
   }
-  if (leg.kind != LegKind::dive) return;
-  const double steepest_sink = septic_steepest * std::abs(leg.depth_change_m) / leg.duration_s;
-  if (steepest_sink > steepest_sine * std::min(speed_before, leg.speed_mps)) {
-    refuse(number, "this dive needs a pitch above 60 deg; allow more time, speed or less depth");
+  if (leg.kind == LegKind::zigzag && !turns_fit(leg)) {
+    refuse(number,
+           "this zigzag needs a rate_degps that turns it in half a period_s, and two of these");
   }
-  const double depth_after = depth_before + leg.depth_change_m;
-  if (depth_after < 0 || depth_after >= bed_depth) {
-    refuse(number, "the dive ends outside the water (surface 0 m, sea bed " +
-                       std::to_string(bed_depth) + " m)");
+  if (leg.kind == LegKind::turning_circle && !mission.vehicle) {
+    refuse(number, "a turning_circle needs a vehicle with a rudder");
   }
+  if (leg.kind != LegKind::dive && leg.kind != LegKind::surface) return;
+  const double steepest = mission.vehicle ? steepest_sailed_sine : steepest_sine;
+  const double steepest_sink =
+      std::abs(leg.depth_change_m) * of_depth(leg, leg.duration_s / 2).rate;
+  if (steepest_sink > steepest * std::min(speed_before, leg.speed_mps)) {
+    refuse(number, std::string("this dive needs a pitch above ") + (mission.vehicle ? "30" : "60") +
+                       " deg; allow more time, speed or less depth");
+  }
+  if (depth_before + leg.depth_change_m < 0) refuse(number, "the dive ends above the surface");
 }
 
 void add_turn(const LegConfig& leg, double t, Prescribed& p) {
@@ -50,6 +83,11 @@ void add_turn(const LegConfig& leg, double t, Prescribed& p) {
   p.yaw.value += rate * window.integral(t);
   p.yaw.rate = rate * window.value(t);
   p.roll = {leg.roll_rad * window.value(t), leg.roll_rad * window.rate(t)};
+}
+
+void turn_by(const Varying& turned, Prescribed& p) {
+  p.yaw.value += turned.value;
+  p.yaw.rate = turned.rate;
 }
 
 void add_s_path(const LegConfig& leg, double t, Prescribed& p) {
@@ -62,11 +100,11 @@ void add_s_path(const LegConfig& leg, double t, Prescribed& p) {
 }
 
 void add_dive(const LegConfig& leg, double t, Prescribed& p) {
-  const double x = t / leg.duration_s;
-  const double sink = leg.depth_change_m * septic_rate(x) / leg.duration_s;
-  const double sink_rate =
-      leg.depth_change_m * septic_acceleration(x) / (leg.duration_s * leg.duration_s);
-  p.depth_m += leg.depth_change_m * septic(x);
+  const Progress progress = of_depth(leg, t);
+  const double sink = leg.depth_change_m * progress.rate;
+  const double sink_rate = leg.depth_change_m * progress.acceleration;
+  p.depth_m += leg.depth_change_m * progress.value;
+  p.descent_mps = sink;
   const double u = p.speed.value;
   if (u <= 0) return;  // a checked dive at rest changes no depth
   const double sine = -sink / u;
@@ -83,13 +121,13 @@ MissionProfile::MissionProfile(const rig_config::MissionConfig& mission) {
   if (mission.speed_mps < 0) throw std::invalid_argument("mission: speed_mps must not be negative");
   end_ = begin_;
   for (std::size_t i = 0; i < mission.legs.size(); ++i) {
-    check(i, mission.legs[i], end_.speed.value, end_.depth_m, mission.bed_depth_m);
-    add(mission.legs[i]);
+    LegConfig leg = mission.legs[i];
+    if (leg.kind == LegKind::surface) leg.depth_change_m = -end_.depth_m;
+    check(i, leg, end_.speed.value, end_.depth_m, mission);
+    add(leg);
   }
   // From the second lap on, the first leg begins at the last leg's speed.
-  if (!mission.legs.empty()) {
-    check(0, mission.legs[0], end_.speed.value, begin_.depth_m, mission.bed_depth_m);
-  }
+  if (!legs_.empty()) check(0, legs_[0].config, end_.speed.value, begin_.depth_m, mission);
 }
 
 void MissionProfile::add(const LegConfig& leg) {
@@ -97,7 +135,9 @@ void MissionProfile::add(const LegConfig& leg) {
   lap_s_ += leg.duration_s;
   end_.speed.value = leg.speed_mps;
   if (leg.kind == LegKind::turn) end_.yaw.value += leg.turn_rad;
-  if (leg.kind == LegKind::dive) end_.depth_m += leg.depth_change_m;
+  if (leg.kind == LegKind::spiral)
+    end_.yaw.value += spiral(leg, window_of(leg), leg.duration_s).value;
+  end_.depth_m += leg.depth_change_m;
 }
 
 Prescribed MissionProfile::at(double t) const {
@@ -112,10 +152,10 @@ Prescribed MissionProfile::at(double t) const {
   const bool follows_a_lap = &leg == &legs_.front() && lap > 0;
   const double speed_before = follows_a_lap ? end_.speed.value : leg.speed_before;
   const double gain = leg.config.speed_mps - speed_before;
-  const double x = in_leg / leg.config.duration_s;
+  const Progress progress = of_speed(leg.config, in_leg);
 
   Prescribed p;
-  p.speed = {speed_before + gain * quintic(x), gain * quintic_rate(x) / leg.config.duration_s};
+  p.speed = {speed_before + gain * progress.value, gain * progress.rate};
   p.yaw.value = leg.yaw_before + lap * (end_.yaw.value - begin_.yaw.value);
   p.depth_m = leg.depth_before + lap * (end_.depth_m - begin_.depth_m);
   switch (leg.config.kind) {
@@ -123,6 +163,10 @@ Prescribed MissionProfile::at(double t) const {
     case LegKind::turn: add_turn(leg.config, in_leg, p); break;
     case LegKind::dive: add_dive(leg.config, in_leg, p); break;
     case LegKind::s_path: add_s_path(leg.config, in_leg, p); break;
+    case LegKind::spiral: turn_by(spiral(leg.config, window_of(leg.config), in_leg), p); break;
+    case LegKind::zigzag: turn_by(zigzag(leg.config, in_leg), p); break;
+    case LegKind::turning_circle: p.rudder_rad = leg.config.rudder_rad; break;
+    case LegKind::surface: add_dive(leg.config, in_leg, p); break;
   }
   return p;
 }

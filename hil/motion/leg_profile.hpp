@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "rig_config/rig.hpp"
@@ -14,7 +15,8 @@ struct Varying {
 /// What the legs prescribe at one time; SI, radians.
 struct Prescribed {
   Varying speed, roll, pitch, yaw;
-  double depth_m = 0;
+  double depth_m = 0, descent_mps = 0;
+  std::optional<double> rudder_rad;  ///< turning_circle: held, whatever heading comes of it
 };
 
 /// The legs of a mission as functions of the time since its start, C2 for speed and angles:
@@ -22,6 +24,12 @@ struct Prescribed {
 ///   turn   yaw rate and heel rise and fall with quintic ramps, constant between them
 ///   dive   septic depth; pitch is what brings it about: sin(pitch) = -(d depth/dt) / speed
 ///   s_path heading `amplitude_rad` * sin(2 pi t / period), faded in and out
+///   spiral rate of turn from `rate_radps` to `end_rate_radps`, with quintic ramps at both ends
+///   zigzag heading to both sides by `amplitude_rad`, changed each half `period_s`
+///   turning_circle  the rudder is held: only for a vehicle
+///   surface  a dive up to depth 0
+/// With `ramp_s` acceleration, yaw rate and sink rate are constant between quintic ramps of that
+/// length; then the speed is C2 where the ramps are, and so is the pitch.
 /// A lap begins with the heading, depth and speed at which the one before ended; missions meant to
 /// repeat therefore end at the depth at which they begin.
 class MissionProfile {

@@ -2,11 +2,13 @@
 
 #include "hil/motion/ballistic_trajectory.hpp"
 #include "hil/motion/kinematic_trajectory.hpp"
+#include "hil/motion/vehicle_trajectory.hpp"
 
 namespace drydock::motion {
 
 std::unique_ptr<Trajectory> make_trajectory(const rig_config::MissionConfig& mission, Stamp start) {
   if (mission.ballistic) return std::make_unique<BallisticTrajectory>(mission, start);
+  if (mission.vehicle) return std::make_unique<VehicleTrajectory>(mission, start);
   return std::make_unique<KinematicTrajectory>(mission, start);
 }
 

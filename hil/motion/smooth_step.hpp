@@ -20,7 +20,6 @@ constexpr double septic_acceleration(double x) {
   const double y = x * (1 - x);
   return 420 * y * y * (1 - 2 * x);
 }
-inline constexpr double septic_steepest = 140.0 / 64.0;  ///< septic_rate(1/2)
 
 /// 0 -> 1 -> 0 over [0, duration]: quintic ramps of length `ramp` at both ends, 1 between them.
 struct Window {

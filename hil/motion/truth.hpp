@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 
 #include "drivers/measurement/stamp.hpp"
+#include "hil/ocean/ocean.hpp"
 
 namespace drydock::motion {
 
@@ -20,7 +21,7 @@ struct Truth {
   Eigen::Vector3d specific_force = Eigen::Vector3d::Zero();  ///< m/s2, body
   Eigen::Vector3d angular_rate = Eigen::Vector3d::Zero();    ///< rad/s, body against inertial
   Eigen::Vector3d rate_body = Eigen::Vector3d::Zero();       ///< rad/s, body against NED (p, q, r)
-  Eigen::Vector3d current_ned = Eigen::Vector3d::Zero();     ///< m/s, water over ground
+  Eigen::Vector3d current_ned = Eigen::Vector3d::Zero();     ///< m/s, of the water at the vehicle
   double bed_depth_m = 0;                                    ///< of the sea bed under the vehicle
   double rudder_rad = 0, stern_plane_rad = 0, bow_plane_rad = 0, propeller_radps = 0;
 };
@@ -32,6 +33,10 @@ class Trajectory {
   virtual Truth at(Stamp time) const = 0;
   virtual Stamp start() const = 0;
   virtual Stamp end() const = 0;
+
+  /// The water that it goes through, its times counted from start(); where a motion names none it
+  /// is still and 100 m deep.
+  virtual const ocean::Ocean& ocean() const;
 };
 
 }  // namespace drydock::motion

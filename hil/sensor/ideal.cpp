@@ -116,17 +116,13 @@ measurement::GnssFix ideal_gnss(const Truth& truth, const Mounting& mounting) {
   return fix;
 }
 
-measurement::DepthSample ideal_depth(const Truth& truth, const Mounting& mounting,
-                                     const measurement::WaterColumn& water) {
-  const double depth = depth_at(truth, mounting), under = std::max(depth, 0.0);
+measurement::DepthSample ideal_depth(const Truth& truth, const ocean::Ocean& ocean,
+                                     const Mounting& mounting) {
   measurement::DepthSample sample;
   sample.origin = origin_at(truth.at);
-  sample.depth_m = depth;
-  sample.pressure_pa =
-      water.surface_pressure_pa +
-      (water.unesco_latitude_rad ? measurement::unesco_pressure_pa(under, truth.latitude_rad)
-                                 : water.density_kgm3 * frame::gravity(truth.latitude_rad) * under);
-  sample.temperature_k = water_temperature_k;
+  sample.depth_m = depth_at(truth, mounting);
+  sample.pressure_pa = ocean.pressure_pa(*sample.depth_m, truth.latitude_rad);
+  sample.temperature_k = ocean.temperature_k();
   return sample;
 }
 

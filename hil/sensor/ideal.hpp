@@ -1,7 +1,6 @@
 #pragma once
 
 #include "drivers/measurement/measurement.hpp"
-#include "drivers/measurement/water_column.hpp"
 #include "hil/motion/truth.hpp"
 #include "hil/sensor/mounting.hpp"
 
@@ -45,10 +44,9 @@ inline constexpr double antenna_awash_depth_m = 0.3;
 /// FixType::none and the time alone.
 measurement::GnssFix ideal_gnss(const Truth& truth, const Mounting& mounting);
 
-/// Pressure at the sensor, depth, and the temperature of well-mixed water. Water of one density:
-/// p = p_surface + density g(latitude, 0) depth; standard ocean water: EOS-80 at the true latitude.
-measurement::DepthSample ideal_depth(const Truth& truth, const Mounting& mounting,
-                                     const measurement::WaterColumn& water);
+/// Depth of the sensor and the ocean's pressure and temperature there.
+measurement::DepthSample ideal_depth(const Truth& truth, const ocean::Ocean& ocean,
+                                     const Mounting& mounting);
 inline constexpr double water_temperature_k = 283.15;
 
 double depth_at(const Truth& truth, const Mounting& mounting);     ///< of the sensor, down, m

@@ -38,11 +38,12 @@ allow estimators/vehicle 'estimators/(vehicle|hydrodynamics)|rig_config'
 allow estimators/pipeline 'estimators/(pipeline|leveling|frame)|drivers/measurement'
 allow estimators/cli 'estimators/[a-z]*|drivers/[a-z]*|rig_config'
 allow rig_config 'rig_config'
-allow hil/motion 'hil/motion|estimators/(frame|hydrodynamics|vehicle)|drivers/measurement|rig_config'
-allow hil/sensor 'hil/(sensor|motion)|estimators/frame|drivers/measurement|rig_config'
-allow hil/study 'hil/(study|sensor|motion)|estimators/[a-z]*|drivers/measurement|rig_config'
-allow hil/sky 'hil/(sky|sensor|motion)|estimators/frame|drivers/measurement|rig_config'
-allow hil/emulate 'hil/(emulate|sky|sensor|motion)|estimators/frame|drivers/(device|link|shell|wire|measurement)|rig_config'
+allow hil/ocean 'hil/ocean|estimators/frame|drivers/measurement|rig_config'
+allow hil/motion 'hil/(motion|ocean)|estimators/(frame|hydrodynamics|vehicle)|drivers/measurement|rig_config'
+allow hil/sensor 'hil/(sensor|motion|ocean)|estimators/frame|drivers/measurement|rig_config'
+allow hil/study 'hil/(study|sensor|motion|ocean)|estimators/[a-z]*|drivers/measurement|rig_config'
+allow hil/sky 'hil/(sky|sensor|motion|ocean)|estimators/frame|drivers/measurement|rig_config'
+allow hil/emulate 'hil/(emulate|sky|sensor|motion|ocean)|estimators/frame|drivers/(device|link|shell|wire|measurement)|rig_config'
 allow hil/cli 'hil/[a-z]*|estimators/[a-z]*|drivers/[a-z]*|rig_config'
 
 io='boost/asio|dds/|fstream|iostream|filesystem|thread|mutex|sys/|unistd|toml'
@@ -50,7 +51,7 @@ for folder in drivers/measurement drivers/wire drivers/device estimators/frame e
   estimators/pipeline; do
   never "$folder" "$io"
 done
-if grep -rnE '(system_clock|steady_clock)::now|\brandom_device\b|\brand\(\)' drivers/wire drivers/device drivers/measurement estimators hil/motion hil/sensor hil/sky hil/study; then
+if grep -rnE '(system_clock|steady_clock)::now|\brandom_device\b|\brand\(\)' drivers/wire drivers/device drivers/measurement estimators hil/ocean hil/motion hil/sensor hil/sky hil/study; then
   echo "a clock or global randomness in a pure layer"
   failed=1
 fi

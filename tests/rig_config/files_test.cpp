@@ -25,12 +25,13 @@ TEST(MissionProblems, ALegHasTheKeysOfItsKindOnly) {
       ElementsAre("m.toml:2:16: /mission/latitude_deg: 91 is out of range, allowed: -90 to 90",
                   "m.toml:5:1: /leg/0: key 'turn_deg' is missing",
                   "m.toml:8:1: /leg/0/period_s: not allowed here, only for kind = "
-                  "\"s_path\""));
+                  "\"s_path\" or \"zigzag\""));
 }
 
 TEST(MissionProblems, AMissionStaysInTheWater) {
   const auto mission = load_mission_text(
-      "[mission]\nlatitude_deg = 0\nlongitude_deg = 0\nspeed_mps = 1\nbed_depth_m = 20\n"
+      "ocean.bed = { kind = \"plane\", depth_m = 20 }\n"
+      "[mission]\nlatitude_deg = 0\nlongitude_deg = 0\nspeed_mps = 1\n"
       "[[leg]]\nkind = \"dive\"\nduration_s = 60\ndepth_change_m = 21\n"
       "[[leg]]\nkind = \"dive\"\nduration_s = 60\ndepth_change_m = -30\n",
       "m.toml");
@@ -40,6 +41,26 @@ TEST(MissionProblems, AMissionStaysInTheWater) {
                           "allowed: 0 (the surface) to 20 (the bed)",
                           "m.toml:13:18: /leg/1/depth_change_m: the leg ends at a depth of -9 m, "
                           "allowed: 0 (the surface) to 20 (the bed)"));
+}
+
+TEST(MissionProblems, AnOceanHasTheKeysOfItsKindsAndDepthsThatRise) {
+  const auto mission = load_mission_text(
+      "[mission]\nlatitude_deg = 0\nlongitude_deg = 0\nspeed_mps = 1\n"
+      "[[leg]]\nkind = \"straight\"\nduration_s = 5\n"
+      "[ocean]\nbed = { kind = \"raster\", file = \"none.asc\", gradient = 0.1 }\n"
+      "[[ocean.current]]\ndepth_m = 5\nvelocity_ned_mps = [0.1, 0, 0]\n"
+      "[[ocean.current]]\ndepth_m = 5\nvelocity_ned_mps = [0.2, 0, 0]\n"
+      "[ocean.water]\nkind = \"standard\"\ndensity_kgm3 = 1025\n",
+      "m.toml");
+  ASSERT_FALSE(mission);
+  EXPECT_THAT(
+      lines_of(mission.error()),
+      ElementsAre("m.toml:9:33: /ocean/bed/file: there is no file none.asc",
+                  "m.toml:9:45: /ocean/bed/gradient: not allowed here, only for kind = \"slope\"",
+                  "m.toml:14:11: /ocean/current/1/depth_m: 5 is not below the one before, "
+                  "allowed: more than 5",
+                  "m.toml:18:1: /ocean/water/density_kgm3: not allowed here, only with kind = "
+                  "\"uniform\""));
 }
 
 TEST(MissionProblems, ABallisticFlightHasNoLegsAndItsOwnSpeed) {

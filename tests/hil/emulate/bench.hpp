@@ -16,10 +16,11 @@ inline constexpr double degree = std::numbers::pi / 180;
 inline const Stamp start = measurement::stamp_from_ns(1'700'000'000'000'000'000);
 inline Stamp at_s(double t) { return start + measurement::from_seconds(t); }
 
-/// The same truth at all times.
+/// The same truth at all times, in an ocean with its current and a plane bed at its depth.
 class Frozen final : public motion::Trajectory {
  public:
-  explicit Frozen(motion::Truth truth) : truth_(std::move(truth)) {}
+  explicit Frozen(motion::Truth truth)
+      : truth_(std::move(truth)), ocean_(ocean_of(truth_), {truth_.latitude_rad, 0, 0}) {}
   motion::Truth at(Stamp time) const override {
     motion::Truth truth = truth_;
     truth.at = time;
@@ -27,9 +28,19 @@ class Frozen final : public motion::Trajectory {
   }
   Stamp start() const override { return emulate::start; }
   Stamp end() const override { return emulate::start; }
+  const ocean::Ocean& ocean() const override { return ocean_; }
 
  private:
+  static rig_config::OceanConfig ocean_of(const motion::Truth& truth) {
+    const Eigen::Vector3d& v = truth.current_ned;
+    rig_config::OceanConfig config;
+    config.bed.depth_m = truth.bed_depth_m;
+    config.current = {{0, {v.x(), v.y(), v.z()}}};
+    return config;
+  }
+
   motion::Truth truth_;
+  ocean::Ocean ocean_;
 };
 
 /// Under way at 20 m, 30 m above the bed, every value different from every other.

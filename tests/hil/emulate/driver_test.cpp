@@ -26,7 +26,7 @@ class ThroughDrivers : public testing::Test, protected device::Output {
     mission.latitude_rad = 47 * degree;
     mission.depth_m = 0;
     mission.speed_mps = 2;
-    mission.bed_depth_m = 60;
+    mission.ocean.bed.depth_m = 60;
     mission.legs = {
         {.kind = turn, .duration_s = 30, .turn_rad = 1.2, .speed_mps = 2.5, .roll_rad = -0.1},
         {.kind = dive, .duration_s = 60, .depth_change_m = 20, .speed_mps = 2}};

@@ -149,7 +149,7 @@ TEST(IdealDepth, PressureIsThatOfTheWaterColumnAboveTheSensor) {
   set_attitude(truth, 0, 30 * degree, 0);
   // 2 m ahead of the origin, nosed up by 30 deg: 1 m higher.
   const auto sample =
-      ideal_depth(truth, {Eigen::Matrix3d::Identity(), {2, 0, 0}}, {101325, 1025, {}});
+      ideal_depth(truth, ocean::Ocean({}, {}), {Eigen::Matrix3d::Identity(), {2, 0, 0}});
   EXPECT_NEAR(*sample.depth_m, 49, 1e-12);
   EXPECT_NEAR(*sample.pressure_pa, 101325 + 1025 * 9.806198 * 49, 0.1);
 }
@@ -157,8 +157,9 @@ TEST(IdealDepth, PressureIsThatOfTheWaterColumnAboveTheSensor) {
 TEST(IdealDepth, InTheStandardOceanPressureIsThatOfTheUnescoReport) {
   Truth truth = level(9712.653);
   truth.latitude_rad = 30 * degree;
-  // The configured latitude is the driver's affair: the water is where the vehicle is.
-  const auto sample = ideal_depth(truth, {}, {101325, 1025, 60 * degree});
+  rig_config::OceanConfig config;
+  config.water.kind = rig_config::WaterKind::standard;
+  const auto sample = ideal_depth(truth, ocean::Ocean(config, {}), {});
   EXPECT_NEAR(*sample.pressure_pa, 101325 + 1e8, 10);
 }
 
