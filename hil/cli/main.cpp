@@ -18,6 +18,7 @@
 #include "hil/cli/maneuver.hpp"
 #include "hil/cli/run.hpp"
 #include "hil/cli/sky.hpp"
+#include "hil/cli/study.hpp"
 #include "rig_config/load.hpp"
 
 namespace {
@@ -290,6 +291,28 @@ void add_maneuver(CLI::App& app, Command& command) {
   });
 }
 
+void add_study(CLI::App& app, Command& command) {
+  auto options = std::make_shared<cli::StudyOptions>();
+  auto* sub =
+      app.add_subcommand("study", "A paper's experiment again: its figures beside ours, many runs");
+  sub->footer("Studies: " + cli::study_names() +
+              "\nExample: drydock study leveling --runs 100 --json leveling.json --report out");
+  sub->add_option("NAME", options->name, "which: " + cli::study_names())->required();
+  sub->add_option("--runs", options->campaign.runs, "of the Monte Carlo experiment")
+      ->check(CLI::Range(std::size_t{1}, std::size_t{1'000'000}))
+      ->capture_default_str();
+  sub->add_option("--seed", options->campaign.seed, "of every random number")
+      ->capture_default_str();
+  sub->add_option("--jobs", options->campaign.jobs,
+                  "threads; the result does not depend on it; default one a processor")
+      ->check(CLI::Range(1U, 1024U));
+  sub->add_option("--json", options->json, "write the figures to this file");
+  sub->add_option("--report", options->report, "write index.html with plots into this folder");
+  sub->callback([options, &command] {
+    command = [options] { return cli::run_study(*options, stdout, stderr); };
+  });
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -313,6 +336,7 @@ int main(int argc, char** argv) {
   add_replay(app, command);
   add_sky(app, command);
   add_maneuver(app, command);
+  add_study(app, command);
   try {
     app.parse(argc, argv);
     return command();

@@ -36,13 +36,13 @@ auto surface(double hydrodynamics::Control::*which) {
 Plot path_of(const motion::Track& track) {
   Plot plot{"Path", "east [m]", "north [m]", {}};
   plot.equal_scales = true;
-  plot.series = {series("path", track, state(y), state(x))};
+  plot.curves = {series("path", track, state(y), state(x))};
   return plot;
 }
 
 Plot zigzag_of(const motion::Track& track) {
   Plot plot{"Zigzag", "time [s]", "[deg]", {}};
-  plot.series = {series("heading", track, time_of, state(yaw, to_deg)),
+  plot.curves = {series("heading", track, time_of, state(yaw, to_deg)),
                  series("rudder", track, time_of, surface(&hydrodynamics::Control::delta_r))};
   return plot;
 }
@@ -55,13 +55,13 @@ Plot spiral_of(const motion::Track& track) {
     way.x.push_back(point.rudder_rad * to_deg);
     way.y.push_back(point.rate_of_turn_radps * to_deg);
   }
-  plot.series = {there, back};
+  plot.curves = {there, back};
   return plot;
 }
 
 Plot dive_of(const motion::Track& track) {
   Plot plot{"Dive", "time [s]", "[deg], [m]", {}};
-  plot.series = {
+  plot.curves = {
       series("pitch [deg]", track, time_of, state(pitch, to_deg)),
       series("stern planes [deg]", track, time_of, surface(&hydrodynamics::Control::delta_s)),
       series("height over the start [m]", track, time_of, state(z, -1))};

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <filesystem>
@@ -43,6 +44,12 @@ std::string curve(const Series& series, std::size_t index) {
                      colours[index % colours.size()], quoted(series.label));
 }
 
+bool goes_below_zero(const Plot& plot) {
+  return std::ranges::any_of(plot.curves, [](const Series& series) {
+    return series.band || std::ranges::any_of(series.y, [](double y) { return y < 0; });
+  });
+}
+
 std::string script(const Plot& plot) {
   fmt::memory_buffer out;
   auto to = std::back_inserter(out);
@@ -53,16 +60,19 @@ std::string script(const Plot& plot) {
                  plot.equal_scales ? "860,600" : "860,300", quoted(plot.title),
                  quoted(plot.x_label), quoted(plot.y_label));
   if (plot.equal_scales) fmt::format_to(to, "set size ratio -1\n");
-  if (plot.y_limit > 0) fmt::format_to(to, "set yrange [{}:{}]\n", -plot.y_limit, plot.y_limit);
-  for (std::size_t i = 0; i < plot.series.size(); ++i) {
+  if (plot.y_limit > 0)
+    fmt::format_to(to, "set yrange [{}:{}]\n", goes_below_zero(plot) ? -plot.y_limit : 0,
+                   plot.y_limit);
+  if (plot.log_y) fmt::format_to(to, "set logscale y\nset format y '%.0e'\n");
+  for (std::size_t i = 0; i < plot.curves.size(); ++i) {
     fmt::format_to(to, "$data{} << END\n", i);
-    const auto& s = plot.series[i];
+    const auto& s = plot.curves[i];
     for (std::size_t k = 0; k < s.x.size(); ++k)
       fmt::format_to(to, "{:.6g} {:.6g}\n", s.x[k], s.y[k]);
     fmt::format_to(to, "END\n");
   }
-  for (std::size_t i = 0; i < plot.series.size(); ++i) {
-    fmt::format_to(to, "{}{}", i == 0 ? "plot " : ", ", curve(plot.series[i], i));
+  for (std::size_t i = 0; i < plot.curves.size(); ++i) {
+    fmt::format_to(to, "{}{}", i == 0 ? "plot " : ", ", curve(plot.curves[i], i));
   }
   out.push_back('\n');
   return fmt::to_string(out);

@@ -3,49 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hil/cli/html.hpp"
 #include "hil/cli/plot.hpp"
 #include "hil/cli/summary.hpp"
 
 namespace drydock::cli {
 namespace {
 
-// Readable at phone width, light and dark; no script, nothing loaded from elsewhere.
-constexpr const char* style = R"(
-:root{color-scheme:light dark;--ink:#1b1f24;--paper:#fff;--line:#d0d7de;--ok:#1a7f37;--bad:#c0392b;--soft:#57606a}
-@media(prefers-color-scheme:dark){:root{--ink:#e6edf3;--paper:#0d1117;--line:#30363d;--ok:#3fb950;--bad:#ff7b72;--soft:#8b949e}}
-body{font:15px/1.5 system-ui,sans-serif;color:var(--ink);background:var(--paper);max-width:1060px;margin:2rem auto;padding:0 1rem}
-h1{font-size:1.6rem;margin-bottom:.2rem}h2{font-size:1.15rem;margin-top:2rem}
-.soft{color:var(--soft)}.scroll{overflow-x:auto}
-table{border-collapse:collapse;width:100%;font-variant-numeric:tabular-nums}
-th,td{padding:.3rem .45rem;border-bottom:1px solid var(--line);text-align:right;white-space:nowrap}
-th:first-child,td:first-child,.left{text-align:left}
-.ok{color:var(--ok);font-weight:600}.bad{color:var(--bad);font-weight:600}
-figure{margin:1rem 0;background:#fff;border:1px solid var(--line);border-radius:6px;padding:.4rem}
-figure svg{width:100%;height:auto;display:block}
-)";
-
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (const char c : text) {
-    switch (c) {
-      case '<': out += "&lt;"; break;
-      case '>': out += "&gt;"; break;
-      case '&': out += "&amp;"; break;
-      case '"': out += "&quot;"; break;
-      default: out += c;
-    }
-  }
-  return out;
-}
-
-std::string figure(const Plot& plot) {
-  const auto svg = render_svg(plot);
-  if (svg.empty()) {
-    return fmt::format("<p class=soft>{}: no plot (is gnuplot installed?)</p>",
-                       escaped(plot.title));
-  }
-  return "<figure>" + svg + "</figure>\n";
-}
+using html::escaped;
+using html::figure;
 
 std::string health_table(const Summary& s) {
   std::string out =
@@ -109,15 +75,15 @@ std::string axis_figures(const char* axis, const AttitudeTrace& t,
                          const std::vector<double>& estimate, const std::vector<double>& truth,
                          const std::vector<double>& sigma) {
   Plot level{fmt::format("{}: truth and estimate", axis), "time [s]", "deg", {}};
-  if (!truth.empty()) level.series.push_back({"truth", t.t_s, truth});
-  level.series.push_back({"estimate", t.t_s, estimate});
+  if (!truth.empty()) level.curves.push_back({"truth", t.t_s, truth});
+  level.curves.push_back({"estimate", t.t_s, estimate});
   std::string out = figure(level);
   if (truth.empty()) return out;
   Plot error{fmt::format("{}: error with the filter's 3-sigma band", axis), "time [s]", "deg", {}};
   // The band begins tens of degrees wide; the axis shows the error.
   error.y_limit = 1.3 * largest(difference(estimate, truth));
-  error.series.push_back({"3 sigma", t.t_s, scaled(sigma, 3), true});
-  error.series.push_back({"estimate - truth", t.t_s, difference(estimate, truth)});
+  error.curves.push_back({"3 sigma", t.t_s, scaled(sigma, 3), true});
+  error.curves.push_back({"estimate - truth", t.t_s, difference(estimate, truth)});
   return out + figure(error);
 }
 
@@ -136,9 +102,9 @@ std::string measurement_section(const Summary& s) {
   for (const auto& m : s.measurements) {
     Plot plot{m.title, "time [s]", m.unit, {}};
     for (std::size_t i = 0; i < m.labels.size(); ++i) {
-      if (!m.t_s[i].empty()) plot.series.push_back({m.labels[i], m.t_s[i], m.value[i]});
+      if (!m.t_s[i].empty()) plot.curves.push_back({m.labels[i], m.t_s[i], m.value[i]});
     }
-    if (!plot.series.empty()) out += figure(plot);
+    if (!plot.curves.empty()) out += figure(plot);
   }
   return out;
 }
@@ -168,18 +134,15 @@ std::string to_html(const Summary& s) {
   const std::size_t streaming = static_cast<std::size_t>(std::count_if(
       s.devices.begin(), s.devices.end(), [](const auto& d) { return d.state == "streaming"; }));
   std::string out = fmt::format(
-      "<!doctype html><html lang=en><meta charset=utf-8><meta name=viewport "
-      "content='width=device-width,initial-scale=1'><title>Drydock: {0}</title><style>{1}</style>\n"
-      "<h1>{0}</h1><p class=soft>{2}, {3:.1f} s of bench time in {4:.1f} s, seed {5}{6}</p>\n"
-      "<p><span class={7}>{8} of {9} devices streaming</span> at the end.</p>\n",
-      escaped(s.rig), style, escaped(s.mode), s.duration_s, s.wall_s, s.seed,
-      s.interrupted ? ", interrupted" : "", streaming == s.devices.size() ? "ok" : "bad", streaming,
-      s.devices.size());
+      "<p class=soft>{}, {:.1f} s of bench time in {:.1f} s, seed {}{}</p>\n"
+      "<p><span class={}>{} of {} devices streaming</span> at the end.</p>\n",
+      escaped(s.mode), s.duration_s, s.wall_s, s.seed, s.interrupted ? ", interrupted" : "",
+      streaming == s.devices.size() ? "ok" : "bad", streaming, s.devices.size());
   for (const auto& note : s.notes) out += fmt::format("<p>{}</p>\n", escaped(note));
   out += "<h2>Health</h2>\n" + health_table(s);
   for (std::size_t i = 0; i < s.estimators.size(); ++i) out += estimator_section(s, i);
   out += measurement_section(s) + motion_section(s) + process_section(s);
-  return out + "</html>\n";
+  return html::page(s.rig, out);
 }
 
 }  // namespace drydock::cli

@@ -2,7 +2,6 @@
 #include <unistd.h>
 
 #include <chrono>
-#include <csignal>
 #include <map>
 #include <stdexcept>
 
@@ -15,6 +14,7 @@
 #include "drivers/shell/rig_devices.hpp"
 #include "estimators/cli/rig_pipeline.hpp"
 #include "estimators/pipeline/pipeline.hpp"
+#include "hil/cli/interrupt_flag.hpp"
 #include "hil/cli/run.hpp"
 #include "hil/cli/scribe.hpp"
 #include "hil/cli/truth_of_rig.hpp"
@@ -27,20 +27,6 @@ namespace {
 using measurement::Stamp;
 
 constexpr unsigned default_bit_rate = 250'000;
-
-volatile std::sig_atomic_t interrupted = 0;
-
-/// Ctrl-C between construction and destruction sets `interrupted`.
-class InterruptFlag {
- public:
-  InterruptFlag() : before_(std::signal(SIGINT, [](int) { interrupted = 1; })) { interrupted = 0; }
-  ~InterruptFlag() { std::signal(SIGINT, before_); }
-  InterruptFlag(const InterruptFlag&) = delete;
-  InterruptFlag& operator=(const InterruptFlag&) = delete;
-
- private:
-  void (*before_)(int);
-};
 
 template <class Result>
 auto or_throw(Result result) {
@@ -83,11 +69,11 @@ class LockstepBench final : private device::Listener, private pipeline::Estimate
   }
 
   Summary run() {
-    const InterruptFlag flag;
+    const InterruptFlag interrupted;
     const auto wall_start = std::chrono::steady_clock::now();
     const Stamp end = start_ + measurement::from_seconds(duration_s_);
     scribe_.follow(start_);
-    while (clock_.now() < end && interrupted == 0) {
+    while (clock_.now() < end && !interrupted.set()) {
       clock_.run_until(std::min(end, clock_.now() + std::chrono::seconds{1}));
       scribe_.follow(clock_.now());
       show_progress();
@@ -99,7 +85,7 @@ class LockstepBench final : private device::Listener, private pipeline::Estimate
     s.seed = rig_.seed;
     s.duration_s = measurement::seconds(clock_.now() - start_);
     s.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - wall_start).count();
-    s.interrupted = interrupted != 0;
+    s.interrupted = interrupted.set();
     for (const auto& actor : actors_) {
       const auto& device = actor->device();
       s.devices.push_back(

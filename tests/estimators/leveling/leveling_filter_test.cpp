@@ -92,7 +92,7 @@ TEST(LevelingFilter, SystemMatrixIsTheDerivativeOfTheEquationsOfMotion) {
   const Vector3d force{0.3, -0.2, -9.7}, rate_nb{0.1, -0.4, 0.2}, rate_coriolis{0.11, -0.41, 0.19};
   LevelingFilter::State x;
   x << 9, -1, 0.5, -0.1, 0.2, 0.97;
-  const auto f = LevelingFilter::system_matrix(rate_nb, rate_coriolis, 9.8);
+  const auto f = system_matrix(rate_nb, rate_coriolis, 9.8);
   for (int i = 0; i < 6; ++i) {
     const LevelingFilter::State h = 1e-3 * LevelingFilter::State::Unit(i);
     const LevelingFilter::State numeric = (derivative(x + h, force, rate_nb, rate_coriolis, 9.8) -
@@ -111,7 +111,7 @@ TEST(LevelingFilter, AlphaFollowsTheEulerAnglesOfEquation4) {
     return frame::ned_to_body({e.roll + t * rates.x(), e.pitch + t * rates.y(), e.yaw}).col(2);
   };
   const Vector3d numeric = (down(h) - down(-h)) / (2 * h);
-  const auto f = LevelingFilter::system_matrix(rate_nb, Vector3d::Zero(), 9.8);
+  const auto f = system_matrix(rate_nb, Vector3d::Zero(), 9.8);
   EXPECT_LT((f.bottomRightCorner<3, 3>() * down(0) - numeric).norm(), 1e-9);
 }
 

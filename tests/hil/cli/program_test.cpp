@@ -61,7 +61,7 @@ std::string read_file(const std::filesystem::path& path) {
 
 TEST(Program, HelpOfEveryCommandShowsAnExample) {
   for (const char* command : {"run", "emulate", "drive", "estimate", "check", "monitor", "decode",
-                              "replay", "sky", "maneuver"}) {
+                              "replay", "sky", "maneuver", "study"}) {
     const auto help = drydock(std::string{command} + " --help");
     EXPECT_EQ(help.exit_code, 0) << command;
     EXPECT_THAT(help.output, HasSubstr("Example")) << command;

@@ -1,0 +1,134 @@
+#include "estimators/leveling/augmented_leveling_filter.hpp"
+
+#include <cmath>
+
+#include "estimators/frame/attitude.hpp"
+#include "estimators/frame/earth.hpp"
+#include "estimators/leveling/level_kinematics.hpp"
+
+namespace drydock::leveling {
+
+using Eigen::Vector3d;
+using frame::skew;
+
+namespace {
+
+constexpr int alpha_at = 3, accelerometer_at = 6, gyro_at = 9, log_at = 12;
+
+/// What six biases do to V and alpha, d(x')/d(b) of eq. (A2); the log's bias does nothing.
+Matrix6 bias_matrix(const Vector3d& velocity, const Vector3d& alpha) {
+  Matrix6 g = Matrix6::Zero();
+  g.topLeftCorner<3, 3>() = -Eigen::Matrix3d::Identity();
+  g.topRightCorner<3, 3>() = -skew(velocity);
+  g.bottomRightCorner<3, 3>() = -skew(alpha);
+  return g;
+}
+
+double squared(double x) { return x * x; }
+
+}  // namespace
+
+AugmentedLevelingFilter::AugmentedLevelingFilter(const LevelingOptions& options)
+    : options_(options),
+      gravity_(frame::gravity(options.latitude_rad, options.height_m)),
+      earth_rate_ned_(frame::earth_rate_ned(options.latitude_rad)),
+      heading_(frame::wrap_pi(options.heading_rad)) {}
+
+void AugmentedLevelingFilter::start(const Vector3d& specific_force, const Vector3d& angular_rate,
+                                    double speed_mps) {
+  const auto first = first_alpha(options_, specific_force, angular_rate, speed_mps, gravity_);
+  x_.setZero();
+  x_(0) = speed_mps;
+  x_.segment<3>(alpha_at) = first.alpha;
+
+  State sigma;
+  sigma << Vector3d::Constant(options_.initial_velocity_sigma_mps), Vector3d::Constant(first.sigma),
+      Vector3d::Constant(options_.accelerometer_bias_sigma_mps2),
+      Vector3d::Constant(options_.gyro_bias_sigma_radps), options_.speed_bias_sigma_mps;
+  p_ = sigma.cwiseAbs2().asDiagonal();
+  turn_ = angular_rate.z();
+  innovation_ = {};
+}
+
+void AugmentedLevelingFilter::predict(const Vector3d& specific_force, const Vector3d& angular_rate,
+                                      double dt) {
+  const Vector3d velocity = x_.head<3>(), alpha = x_.segment<3>(alpha_at);
+  const Vector3d force = specific_force - accelerometer_bias();  // eq. (A1)
+  const Vector3d rate = angular_rate - gyro_bias();
+  const Vector3d earth_rate =
+      frame::ned_to_body({roll(), pitch(), heading_}) * earth_rate_ned_;  // eq. (16)
+
+  turn_ = rate.z();
+  const Transition transition(system_matrix(rate - earth_rate, rate + earth_rate, gravity_), dt);
+  heading_ = carried_heading(heading_, alpha, rate - earth_rate, dt);
+  x_.head<6>() =
+      (transition.step * x_.head<6>() + transition.mean.leftCols<3>() * (force * dt)).eval();
+
+  // Eq. (A3) by its blocks: motion, motion with biases, biases. The biases stay as they are.
+  const Matrix6& s = transition.step;
+  const Matrix6 b = transition.mean * bias_matrix(velocity, alpha) * dt;
+  const Eigen::Matrix<double, 6, 7> cross = p_.topRightCorner<6, 7>();
+  const Matrix6 half = s * p_.topLeftCorner<6, 6>() + b * cross.leftCols<6>().transpose();
+  const Eigen::Matrix<double, 6, 7> carried = s * cross + b * p_.block<6, 7>(6, 6);
+  const Matrix6 motion = half * s.transpose() + carried.leftCols<6>() * b.transpose();
+  p_.topLeftCorner<6, 6>() = 0.5 * (motion + motion.transpose());
+  p_.topRightCorner<6, 7>() = carried;
+  p_.bottomLeftCorner<7, 6>() = carried.transpose();
+  p_.diagonal().head<3>().array() += squared(options_.velocity_noise) * dt;
+  p_.diagonal().segment<3>(alpha_at).array() += squared(options_.alpha_noise) * dt;
+}
+
+void AugmentedLevelingFilter::update_moving(double speed_mps) {
+  begin_update();
+  update(speed_mps - x_(0) - x_(log_at), State::Unit(0) + State::Unit(log_at),
+         squared(options_.speed_sigma_mps));
+  update_norm();
+}
+
+void AugmentedLevelingFilter::update_stationary() {
+  begin_update();
+  for (int axis = 0; axis < 3; ++axis)
+    update(-x_(axis), State::Unit(axis), squared(options_.stationary_sigma_mps));
+  update_norm();
+}
+
+void AugmentedLevelingFilter::update_nonholonomic(double dt) {
+  begin_update();
+  const Nonholonomic allowed(options_, turn_, dt);
+  if (allowed.transverse) update(-x_(1), State::Unit(1), *allowed.transverse);
+  if (allowed.vertical) update(-x_(2), State::Unit(2), *allowed.vertical);
+}
+
+void AugmentedLevelingFilter::update_norm() {
+  const Vector3d alpha = x_.segment<3>(alpha_at);
+  State row = State::Zero();
+  row.segment<3>(alpha_at) = 2 * alpha;
+  update(1 - alpha.squaredNorm(), row, squared(options_.norm_sigma));
+}
+
+void AugmentedLevelingFilter::update(double residual, const State& row, double variance) {
+  const State seen = p_ * row;
+  const double expected = row.dot(seen) + variance;
+  const State gain = seen / expected;  // eq. (25)
+  x_ += gain * residual;               // eq. (23)
+
+  // Joseph's form of eq. (24), (I - K h) P (I - K h)^T + K r K^T, one factor after the other.
+  Covariance kept = p_ - gain * seen.transpose();
+  const State still_seen = kept * row;
+  kept += (variance * gain - still_seen) * gain.transpose();
+  p_ = 0.5 * (kept + kept.transpose());
+
+  innovation_.residual(innovation_.size++) = residual;
+  innovation_.normalised_square += residual * residual / expected;
+}
+
+double AugmentedLevelingFilter::roll() const { return roll_of(x_.segment<3>(alpha_at)); }
+
+double AugmentedLevelingFilter::pitch() const { return pitch_of(x_.segment<3>(alpha_at)); }
+
+Eigen::Matrix2d AugmentedLevelingFilter::roll_pitch_covariance() const {
+  return leveling::roll_pitch_covariance(x_.segment<3>(alpha_at),
+                                         p_.block<3, 3>(alpha_at, alpha_at));
+}
+
+}  // namespace drydock::leveling

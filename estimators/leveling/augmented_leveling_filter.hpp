@@ -1,0 +1,65 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "estimators/leveling/leveling_options.hpp"
+
+namespace drydock::leveling {
+
+/// The leveling filter with the biases of its sensors as states: eq. (A1)-(A6) of
+/// docs/estimators/leveling.md. A turn carries a bias, which is fixed to the body, round against
+/// the horizon, so that the two come apart; its covariance is consistent where that of the six
+/// states is not. The calls are those of LevelingFilter. Allocates nothing, throws nothing; inputs
+/// must be finite.
+class AugmentedLevelingFilter {
+ public:
+  /// [V (3) alpha (3) accelerometer bias (3) gyro bias (3) log bias]: m/s, -, m/s2, rad/s, m/s;
+  /// a bias is what the sensor says too much.
+  static constexpr int states = 13;
+  using State = Eigen::Matrix<double, states, 1>;
+  using Covariance = Eigen::Matrix<double, states, states>;
+
+  explicit AugmentedLevelingFilter(const LevelingOptions& options);
+
+  /// Begins, or begins again, without knowledge of the biases. The heading is kept.
+  void start(const Eigen::Vector3d& specific_force, const Eigen::Vector3d& angular_rate,
+             double speed_mps);
+
+  /// Eq. (A2), (A3) over dt seconds, in which the inputs (m/s2 and rad/s, body) are constant.
+  void predict(const Eigen::Vector3d& specific_force, const Eigen::Vector3d& angular_rate,
+               double dt);
+
+  void update_moving(double speed_mps);  ///< eq. (A4): the log with its bias, and |alpha|^2 = 1
+  void update_stationary();              ///< eq. (32): V = 0, which no log measures, and |alpha|^2
+  void update_nonholonomic(double dt);   ///< as LevelingFilter's
+
+  double roll() const;                         ///< eq. (28), (-pi, pi]
+  double pitch() const;                        ///< eq. (28), [-pi/2, pi/2]
+  double heading() const { return heading_; }  ///< the given one carried on by the gyro, (-pi, pi]
+  Eigen::Matrix2d roll_pitch_covariance() const;  ///< rad2
+
+  Eigen::Vector3d accelerometer_bias() const { return x_.segment<3>(6); }
+  Eigen::Vector3d gyro_bias() const { return x_.segment<3>(9); }
+  double speed_bias() const { return x_(12); }
+
+  const State& state() const { return x_; }
+  const Covariance& covariance() const { return p_; }
+  const Innovation& innovation() const { return innovation_; }
+  const LevelingOptions& options() const { return options_; }
+
+ private:
+  void begin_update() { innovation_ = {}; }
+  void update(double residual, const State& row, double variance);
+  void update_norm();
+
+  LevelingOptions options_;
+  double gravity_;
+  Eigen::Vector3d earth_rate_ned_;
+  double heading_;
+  double turn_ = 0;  ///< rad/s about body z, of the last prediction
+  State x_ = State::Zero();
+  Covariance p_ = Covariance::Zero();
+  Innovation innovation_;
+};
+
+}  // namespace drydock::leveling

@@ -1,0 +1,20 @@
+#include "estimators/leveling/leveling_options.hpp"
+
+namespace drydock::leveling {
+
+LevelingOptions options_for(FilterKind kind) {
+  LevelingOptions options;
+  if (kind == FilterKind::robust) return options;
+  // Neither has to pass biases off as noise: the paper does not think of them, the augmented filter
+  // estimates them.
+  options.velocity_noise = 1e-3;
+  options.alpha_noise = 1e-6;
+  if (kind == FilterKind::paper) {
+    options.accelerometer_start = false;
+    options.vertical_speed_density.reset();
+    options.transverse_speed_density.reset();
+  }
+  return options;
+}
+
+}  // namespace drydock::leveling

@@ -1,0 +1,19 @@
+#pragma once
+
+namespace drydock::cli {
+
+/// While one of these lives, the first Ctrl-C only sets it; the second ends the program as usual.
+class InterruptFlag {
+ public:
+  InterruptFlag();
+  ~InterruptFlag();
+  InterruptFlag(const InterruptFlag&) = delete;
+  InterruptFlag& operator=(const InterruptFlag&) = delete;
+
+  bool set() const;  ///< from any thread
+
+ private:
+  void (*before_)(int);
+};
+
+}  // namespace drydock::cli

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+
+#include "hil/study/study.hpp"
+
+namespace drydock::cli {
+
+/// Columns side by side, the first to the left, the others to the right; ends with a line break.
+std::string to_text(const study::Table& table);
+
+/// The study's page: tables and every figure.
+std::string to_html(const study::Study& study, const study::Options& options,
+                    const study::Result& result);
+
+}  // namespace drydock::cli

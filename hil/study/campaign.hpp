@@ -1,0 +1,86 @@
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <exception>
+#include <map>
+#include <mutex>
+#include <string>
+#include <string_view>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "hil/sensor/random.hpp"
+
+/// Many runs of one experiment, on several threads, with a result that does not show how many.
+namespace drydock::study {
+
+struct Options {
+  std::size_t runs = 100;
+  std::uint64_t seed = 1;
+  unsigned jobs = 1;  ///< threads; the result does not depend on it
+};
+
+/// Who watches a campaign. Calls come one at a time, from any thread.
+class Progress {
+ public:
+  virtual ~Progress() = default;
+  virtual void on_run(std::string_view campaign, std::size_t done, std::size_t of) = 0;
+  virtual bool stopped() const = 0;  ///< true: no further run begins
+};
+
+/// The random numbers of `stream` in one run: those of (seed, run, stream) and nothing else.
+inline sensor::RandomStream stream_of(std::uint64_t seed, std::size_t run,
+                                      std::string_view stream) {
+  return {seed, "run " + std::to_string(run), stream};
+}
+
+/// Calls `run(k)` for k = 0, 1, ... runs - 1, each independent of the others, and `collect(k, its
+/// outcome)` in the order of k, one at a time. Gives the number of runs collected. When `progress`
+/// stops it, the runs that had begun are finished, so that what was collected is, to the last bit,
+/// a campaign of so many runs. What `run` or `collect` throws ends the campaign and comes out here.
+template <class Run, class Collect>
+std::size_t campaign(std::string_view name, const Options& options, Progress& progress, Run&& run,
+                     Collect&& collect) {
+  using Outcome = decltype(run(std::size_t{}));
+  std::mutex mutex;  // of all that follows
+  std::size_t begun = 0, collected = 0;
+  std::map<std::size_t, Outcome> early;  // done before a run of lower number
+  std::exception_ptr failure;
+
+  const auto next = [&](std::size_t& k) {
+    const std::lock_guard lock(mutex);
+    if (failure || begun == options.runs || progress.stopped()) return false;
+    k = begun++;
+    return true;
+  };
+  const auto take = [&](std::size_t k, Outcome&& outcome) {
+    const std::lock_guard lock(mutex);
+    early.emplace(k, std::move(outcome));
+    while (!early.empty() && early.begin()->first == collected) {
+      collect(collected, std::move(early.begin()->second));
+      early.erase(early.begin());
+      progress.on_run(name, ++collected, options.runs);
+    }
+  };
+  const auto work = [&] {
+    try {
+      for (std::size_t k = 0; next(k);) take(k, run(k));
+    } catch (...) {
+      const std::lock_guard lock(mutex);
+      if (!failure) failure = std::current_exception();
+    }
+  };
+  {
+    const auto jobs =
+        std::clamp<std::size_t>(options.jobs, 1, std::max<std::size_t>(options.runs, 1));
+    std::vector<std::jthread> others;
+    for (std::size_t i = 1; i < jobs; ++i) others.emplace_back(work);
+    work();
+  }
+  if (failure) std::rethrow_exception(failure);
+  return collected;
+}
+
+}  // namespace drydock::study

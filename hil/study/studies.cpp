@@ -1,0 +1,16 @@
+#include <array>
+
+#include "hil/study/leveling_study.hpp"
+#include "hil/study/study.hpp"
+
+namespace drydock::study {
+
+std::span<const Study> studies() {
+  static constexpr std::array all{
+      Study{"leveling", "Leveling: roll and pitch from an IMU and a speed log (Hong et al. 2000)",
+            leveling_study},
+  };
+  return all;
+}
+
+}  // namespace drydock::study
