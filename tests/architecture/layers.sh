@@ -34,6 +34,7 @@ allow estimators/frame 'estimators/frame|drivers/measurement'
 allow estimators/leveling 'estimators/(leveling|frame)|drivers/measurement'
 allow estimators/navigation 'estimators/(navigation|frame)'
 allow estimators/hydrodynamics 'estimators/(hydrodynamics|frame)'
+allow estimators/velocity 'estimators/(velocity|navigation|hydrodynamics|frame)'
 allow estimators/vehicle 'estimators/(vehicle|hydrodynamics)|rig_config'
 allow estimators/pipeline 'estimators/(pipeline|leveling|frame)|drivers/measurement'
 allow estimators/cli 'estimators/[a-z]*|drivers/[a-z]*|rig_config'
@@ -47,7 +48,7 @@ allow hil/emulate 'hil/(emulate|sky|sensor|motion|ocean)|estimators/frame|driver
 allow hil/cli 'hil/[a-z]*|estimators/[a-z]*|drivers/[a-z]*|rig_config'
 
 io='boost/asio|dds/|fstream|iostream|filesystem|thread|mutex|sys/|unistd|toml'
-for folder in drivers/measurement drivers/wire drivers/device estimators/frame estimators/hydrodynamics estimators/leveling estimators/navigation estimators/vehicle \
+for folder in drivers/measurement drivers/wire drivers/device estimators/frame estimators/hydrodynamics estimators/leveling estimators/navigation estimators/vehicle estimators/velocity \
   estimators/pipeline; do
   never "$folder" "$io"
 done
