@@ -2,6 +2,7 @@
 
 #include "hil/study/leveling_study.hpp"
 #include "hil/study/study.hpp"
+#include "hil/study/velocity_study.hpp"
 
 namespace drydock::study {
 
@@ -9,6 +10,10 @@ std::span<const Study> studies() {
   static constexpr std::array all{
       Study{"leveling", "Leveling: roll and pitch from an IMU and a speed log (Hong et al. 2000)",
             leveling_study},
+      Study{"velocity",
+            "Velocity: a vehicle model aids inertial navigation for 5.5 h under water (Lee et al. "
+            "2016)",
+            velocity_study},
   };
   return all;
 }
