@@ -8,8 +8,9 @@
 #include "estimators/velocity/velocity_filter.hpp"
 #include "rig_config/load.hpp"
 
-/// Cost of inertial navigation, of its aiding and of the velocity filter. The floor to compare with,
-/// in the same run on the same machine: one propagation of a 15-state covariance by full matrices.
+/// Cost of inertial navigation, of its aiding and of the velocity filter. The floor to compare
+/// with, in the same run on the same machine: one propagation of a 15-state covariance by full
+/// matrices.
 namespace {
 
 using namespace drydock;

@@ -135,8 +135,9 @@ TEST(ErrorModel, OneStepOfTheSdinsMovesAnErrorAsFSays) {
     return sdins.state();
   };
   const Vector3d tilt{1e-4, -2e-4, 3e-4};
-  const Vector3d gained =
-      (after(Vector3d::Zero(), tilt).velocity_ned - after(Vector3d::Zero(), Vector3d::Zero()).velocity_ned) / dt;
+  const Vector3d gained = (after(Vector3d::Zero(), tilt).velocity_ned -
+                           after(Vector3d::Zero(), Vector3d::Zero()).velocity_ned) /
+                          dt;
   const Vector3d expected = frame::skew(model.truth.body_to_ned * model.force) * tilt;
   EXPECT_LT((gained - expected).norm(), 1e-3 * expected.norm());
 }
