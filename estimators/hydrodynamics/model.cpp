@@ -60,14 +60,20 @@ Velocity Model::acceleration(const Velocity& velocity, const Matrix3d& ned_to_bo
                           hydrostatic_forces(vehicle_.body, ned_to_body.col(2)));
 }
 
+Matrix6 Model::velocity_partials(const Velocity& velocity, const Matrix3d& ned_to_body,
+                                 const Control& control, const Vector3d& earth_rate_ned) const {
+  return inverse_mass_ *
+         (rigid_body_partials(vehicle_.body, velocity, ned_to_body * earth_rate_ned) +
+          hull_force_partials(vehicle_.coefficients, velocity, control));
+}
+
 Partials Model::partials(const Velocity& velocity, const Matrix3d& ned_to_body,
                          const Control& control, const Vector3d& earth_rate_ned) const {
   const RigidBody& body = vehicle_.body;
-  const Vector3d earth_rate = ned_to_body * earth_rate_ned;
-  return {inverse_mass_ * (rigid_body_partials(body, velocity, earth_rate) +
-                           hull_force_partials(vehicle_.coefficients, velocity, control)),
-          inverse_mass_ * (rigid_body_attitude_partials(body, velocity, earth_rate) +
-                           hydrostatic_attitude_partials(body, ned_to_body.col(2)))};
+  return {velocity_partials(velocity, ned_to_body, control, earth_rate_ned),
+          inverse_mass_ *
+              (rigid_body_attitude_partials(body, velocity, ned_to_body * earth_rate_ned) +
+               hydrostatic_attitude_partials(body, ned_to_body.col(2)))};
 }
 
 State Model::derivative(const State& state, const Control& control,

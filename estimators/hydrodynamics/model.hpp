@@ -48,6 +48,11 @@ class Model {
                     const Control& control,
                     const Eigen::Vector3d& earth_rate_ned = Eigen::Vector3d::Zero()) const;
 
+  /// Its part by u v w p q r alone.
+  Matrix6 velocity_partials(const Velocity& velocity, const Eigen::Matrix3d& ned_to_body,
+                            const Control& control,
+                            const Eigen::Vector3d& earth_rate_ned = Eigen::Vector3d::Zero()) const;
+
   /// Eq. (4) with the kinematics (1), (1a), (1b). Not defined at pitch +-pi/2.
   State derivative(const State& state, const Control& control,
                    const Surroundings& surroundings = {}) const;

@@ -23,13 +23,14 @@ class ErrorFilter {
 
   /// Eq. (15): P <- (I + F dt) P (I + F dt)' + diag(`noise`) dt. Noise per second.
   void propagate(const ErrorDynamics& f, double dt, const Vector& noise) {
-    constexpr auto entries = std::make_index_sequence<error_dynamics_pattern.size()>{};
+    constexpr auto rows = std::make_index_sequence<9>{};
+    const ErrorDynamics g = dt * f;
     Eigen::Matrix<double, stored, 9> right = p_.template leftCols<9>();  // P (I + F dt)'
-    add_columns(right, f, dt, p_, entries);
+    add_products(right, g, p_, rows);
     Eigen::Matrix<double, 10, stored> left = Eigen::Matrix<double, 10, stored>::Zero();
     left.template topRows<9>() = right.transpose();
     Eigen::Matrix<double, 10, 9> both = left.template leftCols<9>();  // (I + F dt) P (I + F dt)'
-    add_columns(both, f, dt, left, entries);
+    add_products(both, g, left, rows);
 
     p_.template topRightCorner<9, stored - 9>() = left.template topRightCorner<9, stored - 9>();
     p_.template bottomLeftCorner<stored - 9, 9>() = right.template bottomRows<stored - 9>();
@@ -62,12 +63,18 @@ class ErrorFilter {
   Covariance& covariance() { return p_; }
 
  private:
-  /// to += from F' dt, column by column, for the entries of F that are not zero.
-  template <class To, class From, std::size_t... I>
-  static void add_columns(To& to, const ErrorDynamics& f, double dt, const From& from,
+  /// to += from G', column by column, each as one sum over the entries that are not zero.
+  template <class To, class From, std::size_t... Row>
+  static void add_products(To& to, const ErrorDynamics& g, const From& from,
+                           std::index_sequence<Row...>) {
+    (add_product<Row>(to, g, from, std::make_index_sequence<error_dynamics_pattern[Row].entries>{}),
+     ...);
+  }
+  template <std::size_t Row, class To, class From, std::size_t... I>
+  static void add_product(To& to, const ErrorDynamics& g, const From& from,
                           std::index_sequence<I...>) {
-    constexpr auto& at = error_dynamics_pattern;
-    ((to.col(at[I].first) += dt * f(at[I].first, at[I].second) * from.col(at[I].second)), ...);
+    constexpr auto& columns = error_dynamics_pattern[Row].columns;
+    to.col(Row) += ((g(Row, columns[I]) * from.col(columns[I])) + ...);
   }
 
   Covariance p_;

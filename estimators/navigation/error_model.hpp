@@ -2,7 +2,6 @@
 
 #include <Eigen/Core>
 #include <array>
-#include <utility>
 
 #include "estimators/navigation/sdins.hpp"
 
@@ -21,17 +20,22 @@ using ErrorDynamics = Eigen::Matrix<double, 9, 15>;
 ErrorDynamics error_dynamics(const NavigationState& state, const Eigen::Vector3d& force_ned,
                              const HeightLoop& loop = {});
 
-/// Where F may differ from zero: row, column. What is built on F does no work elsewhere.
-inline constexpr auto error_dynamics_pattern = std::to_array<std::pair<int, int>>({
-    {0, 0}, {0, 2}, {0, 3},  // latitude
-    {1, 0}, {1, 2}, {1, 4},  // longitude
-    {2, 2}, {2, 5},          // height
-    {3, 0}, {3, 2}, {3, 3}, {3, 4}, {3, 5},  {3, 7},  {3, 8},  {3, 12}, {3, 13}, {3, 14},  // V^N
-    {4, 0}, {4, 2}, {4, 3}, {4, 4}, {4, 5},  {4, 6},  {4, 8},  {4, 12}, {4, 13}, {4, 14},  // V^E
-    {5, 0}, {5, 2}, {5, 3}, {5, 4}, {5, 6},  {5, 7},  {5, 12}, {5, 13}, {5, 14},           // V^D
-    {6, 0}, {6, 2}, {6, 4}, {6, 7}, {6, 8},  {6, 9},  {6, 10}, {6, 11},                    // phi
-    {7, 0}, {7, 2}, {7, 3}, {7, 6}, {7, 8},  {7, 9},  {7, 10}, {7, 11}, {8, 0},  {8, 2},
-    {8, 4}, {8, 6}, {8, 7}, {8, 9}, {8, 10}, {8, 11},
-});
+/// The columns of each row of F that may differ from zero. What is built on F does no work
+/// elsewhere.
+struct ErrorDynamicsRow {
+  int entries;
+  std::array<int, 10> columns;
+};
+inline constexpr std::array<ErrorDynamicsRow, 9> error_dynamics_pattern{{
+    {3, {0, 2, 3}},                           // latitude
+    {3, {0, 2, 4}},                           // longitude
+    {2, {2, 5}},                              // height
+    {10, {0, 2, 3, 4, 5, 7, 8, 12, 13, 14}},  // V^N
+    {10, {0, 2, 3, 4, 5, 6, 8, 12, 13, 14}},  // V^E
+    {9, {0, 2, 3, 4, 6, 7, 12, 13, 14}},      // V^D
+    {8, {0, 2, 4, 7, 8, 9, 10, 11}},          // phi
+    {8, {0, 2, 3, 6, 8, 9, 10, 11}},
+    {8, {0, 2, 4, 6, 7, 9, 10, 11}},
+}};
 
 }  // namespace drydock::navigation

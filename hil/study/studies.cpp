@@ -4,6 +4,7 @@
 #include "hil/study/mixing_study.hpp"
 #include "hil/study/roll_study.hpp"
 #include "hil/study/study.hpp"
+#include "hil/study/velocity_study.hpp"
 
 namespace drydock::study {
 
@@ -16,6 +17,10 @@ std::span<const Study> studies() {
             mixing_study, mixing_workloads},
       Study{"roll", "Roll: from the strengths of GPS signals (Hong, Kim, Ryoo, Lee 2015)",
             run_roll_study},
+      Study{"velocity",
+            "Velocity: a vehicle model aids inertial navigation for 5.5 h under water (Lee et al. "
+            "2016)",
+            velocity_study},
   };
   return all;
 }

@@ -36,6 +36,7 @@ allow estimators/roll 'estimators/(roll|frame)|drivers/measurement'
 allow estimators/mixing 'estimators/(mixing|frame)'
 allow estimators/navigation 'estimators/(navigation|frame)'
 allow estimators/hydrodynamics 'estimators/(hydrodynamics|frame)'
+allow estimators/velocity 'estimators/(velocity|navigation|hydrodynamics|frame)'
 allow estimators/vehicle 'estimators/(vehicle|hydrodynamics)|rig_config'
 allow estimators/pipeline 'estimators/(pipeline|leveling|mixing|roll|frame)|drivers/measurement'
 allow estimators/cli 'estimators/[a-z]*|drivers/[a-z]*|rig_config'
@@ -49,7 +50,7 @@ allow hil/emulate 'hil/(emulate|sky|sensor|motion|ocean)|estimators/frame|driver
 allow hil/cli 'hil/[a-z]*|estimators/[a-z]*|drivers/[a-z]*|rig_config'
 
 io='boost/asio|dds/|fstream|iostream|filesystem|thread|mutex|sys/|unistd|toml'
-for folder in drivers/measurement drivers/wire drivers/device estimators/frame estimators/hydrodynamics estimators/leveling estimators/mixing estimators/navigation estimators/roll estimators/vehicle \
+for folder in drivers/measurement drivers/wire drivers/device estimators/frame estimators/hydrodynamics estimators/leveling estimators/mixing estimators/navigation estimators/roll estimators/vehicle estimators/velocity \
   estimators/pipeline; do
   never "$folder" "$io"
 done

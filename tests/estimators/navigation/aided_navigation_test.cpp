@@ -65,7 +65,7 @@ struct Bench {
 TEST(AidedNavigation, FindsPositionVelocityAttitudeAndBiasesFromPositions) {
   Bench bench(1);
   AidedNavigation navigation(bench.wrong_start(), bench.options);
-  for (int k = 0; k < 3000; ++k) {
+  for (int k = 0; k < 1500; ++k) {
     bench.step(navigation, k * 0.1);
     if (k % 10 != 9) continue;
     frame::Position seen = bench.voyage.at((k + 1) * 0.1).position;
@@ -74,7 +74,7 @@ TEST(AidedNavigation, FindsPositionVelocityAttitudeAndBiasesFromPositions) {
     seen.height_m += bench.normal(0.03);
     EXPECT_EQ(navigation.update_position(seen, {0.02, 0.02, 0.03}), 3);
   }
-  const NavigationState truth = bench.voyage.at(300);
+  const NavigationState truth = bench.voyage.at(150);
   EXPECT_LT(test::horizontal_distance(truth.position, navigation.state().position), 0.05);
   EXPECT_LT((truth.velocity_ned - navigation.state().velocity_ned).norm(), 0.02);
 
@@ -89,13 +89,13 @@ TEST(AidedNavigation, FindsPositionVelocityAttitudeAndBiasesFromPositions) {
 }
 
 TEST(AidedNavigation, VelocityAndHeightErrorsAreAsLargeAsItsCovarianceSays) {
-  // 3 axes and 20 voyages: the mean normalised square is 3 within 1.1 in 95 of 100 such tests.
+  // 3 axes and 12 voyages: the mean normalised square is 3 within 1.4 in 95 of 100 such tests.
   double square = 0;
-  constexpr int voyages = 20;
+  constexpr int voyages = 12;
   for (int run = 0; run < voyages; ++run) {
     Bench bench(100 + run);
     AidedNavigation navigation(bench.wrong_start(), bench.options);
-    for (int k = 0; k < 600; ++k) {
+    for (int k = 0; k < 200; ++k) {
       bench.step(navigation, k * 0.1);
       if (k % 10 != 9) continue;
       const NavigationState truth = bench.voyage.at((k + 1) * 0.1);
@@ -103,11 +103,11 @@ TEST(AidedNavigation, VelocityAndHeightErrorsAreAsLargeAsItsCovarianceSays) {
       navigation.update_velocity(body + bench.normal3(0.03), Vector3d::Constant(0.03));
       navigation.update_height(truth.position.height_m + bench.normal(0.5), 0.5);
     }
-    const Vector3d error = navigation.state().velocity_ned - bench.voyage.at(60).velocity_ned;
+    const Vector3d error = navigation.state().velocity_ned - bench.voyage.at(20).velocity_ned;
     const Eigen::Matrix3d covariance = navigation.covariance().block<3, 3>(3, 3);
     square += error.dot(covariance.ldlt().solve(error));
   }
-  EXPECT_NEAR(square / voyages, 3, 1.1);
+  EXPECT_NEAR(square / voyages, 3, 1.4);
 }
 
 TEST(AidedNavigation, TheGateRefusesAnOutlierAndSaysSo) {

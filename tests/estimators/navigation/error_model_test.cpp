@@ -113,7 +113,10 @@ TEST(ErrorModel, IsZeroOutsideItsPattern) {
   std::mt19937_64 random(2);
   const Erroneous model = random_case(random);
   ErrorDynamics f = error_dynamics(model.truth, model.truth.body_to_ned * model.force, model.loop);
-  for (const auto& [row, column] : error_dynamics_pattern) f(row, column) = 0;
+  for (std::size_t row = 0; row < 9; ++row)
+    for (int i = 0; i < error_dynamics_pattern[row].entries; ++i)
+      f(static_cast<int>(row), error_dynamics_pattern[row].columns[static_cast<std::size_t>(i)]) =
+          0;
   EXPECT_EQ(f, ErrorDynamics::Zero());
 }
 
@@ -132,8 +135,9 @@ TEST(ErrorModel, OneStepOfTheSdinsMovesAnErrorAsFSays) {
     return sdins.state();
   };
   const Vector3d tilt{1e-4, -2e-4, 3e-4};
-  const Vector3d gained =
-      (after({}, tilt).velocity_ned - after({}, Vector3d::Zero()).velocity_ned) / dt;
+  const Vector3d gained = (after(Vector3d::Zero(), tilt).velocity_ned -
+                           after(Vector3d::Zero(), Vector3d::Zero()).velocity_ned) /
+                          dt;
   const Vector3d expected = frame::skew(model.truth.body_to_ned * model.force) * tilt;
   EXPECT_LT((gained - expected).norm(), 1e-3 * expected.norm());
 }

@@ -1,0 +1,96 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <map>
+
+#include "hil/study/velocity_study.hpp"
+
+namespace drydock::study {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string metres(double m) { return fmt::format("{:.{}f}", m, m < 100 ? 1 : 0); }
+
+std::string three_mmps(const Eigen::Vector3d& mps) {
+  return fmt::format("{:.1f} {:.1f} {:.1f}", 1e3 * mps.x(), 1e3 * mps.y(), 1e3 * mps.z());
+}
+
+bool has_covariance(std::size_t method) { return velocity_methods[method].method != Method::pure; }
+
+/// What the paper's text says of its figures 9, 11 and 13.
+std::string_view published(std::string_view which, std::string_view method) {
+  static const std::map<std::pair<std::string_view, std::string_view>, std::string_view> said{
+      {{"case1", "pure"}, "1.4 km"},          {{"case2", "pure"}, "1.4 km"},
+      {{"case1", "earlier"}, "grows slowly"}, {{"case1", "paper"}, "better than earlier"},
+      {{"case2", "earlier"}, "diverges"},     {{"case2", "paper"}, "about 400"}};
+  const auto found = said.find({which, method});
+  return found == said.end() ? "" : found->second;
+}
+
+Table main_table(const VelocityResults& results) {
+  Table table{
+      "Horizontal position error after 5.5 h without a position fix, DVL for 1 h [m]",
+      {"case", "method", "RMSE max", "RMSE end", "growth", "worst run", "velocity RMSE [mm/s]",
+       "NEES", "paper"},
+      {},
+      "growth: RMSE at the end with each run's initial position error taken out. Velocity: "
+      "forward, starboard, down, as the method trusts it. NEES: of the horizontal position, "
+      "over time and runs, over 2: 1 where the errors are what the covariance says."};
+  for (const auto& [which, methods] : results.cases) {
+    for (std::size_t m = 0; m < methods.size(); ++m) {
+      const auto& s = methods[m];
+      table.rows.push_back({m == 0 ? fmt::format("{}: {}", which.name, which.what) : "",
+                            std::string(velocity_methods[m].name), metres(s.horizontal_rmse_max()),
+                            metres(s.horizontal_rmse_end()), metres(s.growth_rmse_end()),
+                            metres(s.worst_run()), three_mmps(s.velocity_rmse()),
+                            has_covariance(m) ? fmt::format("{:.2f}", s.nees_mean()) : "",
+                            std::string(published(which.name, velocity_methods[m].name))});
+    }
+  }
+  return table;
+}
+
+Table budget_table(const VelocityResults& results) {
+  Table table{"Error budget of `ours` in case 2: one source at a time",
+              {"source", "RMSE at 5.5 h [m]"},
+              {},
+              fmt::format("{} runs", results.budget_runs)};
+  for (const auto& [source, m] : results.budget)
+    table.rows.push_back({std::string(source), fmt::format("{:.2f}", m)});
+  return table;
+}
+
+Json json_of(const VelocityStatistics& s, bool with_nees) {
+  const auto vector = [](const Eigen::Vector3d& v) { return Json{v.x(), v.y(), v.z()}; };
+  Json json = {{"horizontal_rmse_max_m", s.horizontal_rmse_max()},
+               {"horizontal_rmse_end_m", s.horizontal_rmse_end()},
+               {"growth_rmse_end_m", s.growth_rmse_end()},
+               {"worst_run_m", s.worst_run()},
+               {"velocity_rmse_mps", vector(s.velocity_rmse())},
+               {"velocity_mean_error_mps", vector(s.velocity_mean())},
+               {"nees_mean", nullptr},
+               {"runs", s.runs()}};
+  if (with_nees) json["nees_mean"] = s.nees_mean();
+  return json;
+}
+
+}  // namespace
+
+std::vector<Table> velocity_tables(const VelocityResults& results) {
+  std::vector<Table> tables{main_table(results)};
+  if (!results.budget.empty()) tables.push_back(budget_table(results));
+  return tables;
+}
+
+Json velocity_json(const VelocityResults& results) {
+  Json json;
+  for (std::size_t m = 0; m < velocity_methods.size(); ++m)
+    for (const auto& [which, methods] : results.cases)
+      json[std::string(velocity_methods[m].name)][std::string(which.name)] =
+          json_of(methods[m], has_covariance(m));
+  for (const auto& [source, m] : results.budget) json["error_budget_m"][std::string(source)] = m;
+  return json;
+}
+
+}  // namespace drydock::study
