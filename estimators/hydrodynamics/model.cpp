@@ -70,10 +70,10 @@ Matrix6 Model::velocity_partials(const Velocity& velocity, const Matrix3d& ned_t
 Partials Model::partials(const Velocity& velocity, const Matrix3d& ned_to_body,
                          const Control& control, const Vector3d& earth_rate_ned) const {
   const RigidBody& body = vehicle_.body;
-  return {velocity_partials(velocity, ned_to_body, control, earth_rate_ned),
-          inverse_mass_ *
-              (rigid_body_attitude_partials(body, velocity, ned_to_body * earth_rate_ned) +
-               hydrostatic_attitude_partials(body, ned_to_body.col(2)))};
+  return {
+      velocity_partials(velocity, ned_to_body, control, earth_rate_ned),
+      inverse_mass_ * (rigid_body_attitude_partials(body, velocity, ned_to_body * earth_rate_ned) +
+                       hydrostatic_attitude_partials(body, ned_to_body.col(2)))};
 }
 
 State Model::derivative(const State& state, const Control& control,
