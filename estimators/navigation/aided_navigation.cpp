@@ -61,50 +61,64 @@ void AidedNavigation::add_imu(const Vector3d& angle, const Vector3d& velocity, d
 void AidedNavigation::step(std::optional<double> reference_height_m) {
   const Increments increments = sum_.take();
   if (!(increments.dt > 0)) return;
+  rate_ = increments.rotation / increments.dt;
   sdins_.step(increments, reference_height_m);
   filter_.propagate(error_dynamics(sdins_.state(), sdins_.force_ned(), sdins_.loop()),
                     increments.dt, noise_);
 }
 
-int AidedNavigation::update_velocity(const Vector3d& velocity_body, const Vector3d& sigma) {
+int AidedNavigation::update_velocity(const Vector3d& velocity_body, const Vector3d& sigma,
+                                     const Vector3d& lever) {
   const NavigationState& now = sdins_.state();
-  const Vector3d residual = now.body_to_ned.conjugate() * now.velocity_ned - velocity_body;
+  const Vector3d residual =
+      now.body_to_ned.conjugate() * now.velocity_ned + rate_.cross(lever) - velocity_body;
   const auto rows = body_velocity_rows(now);
+  const Eigen::Matrix3d by_gyro_bias = -frame::skew(lever);  // eq. (N8)
   Vector errors = Vector::Zero();
   int used = 0;
   innovation_square_ = innovations_ = 0;
   for (int axis = 0; axis < 3; ++axis) {
     Vector row = Vector::Zero();
     row.segment<6>(velocity_error) = rows.row(axis);
+    row.segment<3>(navigation::gyro_bias) = by_gyro_bias.row(axis);
     used += update_row(row, residual(axis), sigma(axis) * sigma(axis), errors);
   }
   feed_back(errors);
   return used;
 }
 
-int AidedNavigation::update_height(double height_m, double sigma) {
-  Vector errors = Vector::Zero();
+int AidedNavigation::update_height(double height_m, double sigma, const Vector3d& lever) {
+  const Vector3d arm = sdins_.state().body_to_ned * lever;
+  Vector errors = Vector::Zero(), row = Vector::Unit(position_error + 2);
+  row.segment<3>(phi) = -frame::skew(arm).row(2);  // eq. (N8); height is up
   innovation_square_ = innovations_ = 0;
-  const int used = update_row(Vector::Unit(position_error + 2),
-                              sdins_.state().position.height_m - height_m, sigma * sigma, errors);
+  const int used =
+      update_row(row, sdins_.state().position.height_m - arm.z() - height_m, sigma * sigma, errors);
   feed_back(errors);
   return used;
 }
 
-int AidedNavigation::update_position(const frame::Position& position, const Vector3d& sigma) {
+int AidedNavigation::update_position(const frame::Position& position, const Vector3d& sigma,
+                                     const Vector3d& lever) {
   const frame::Position& now = sdins_.state().position;
   const frame::LocalEarth earth = frame::local_earth(now.latitude_rad, now.height_m);
+  // Radians and metres up per metre north, east, down.
   const Vector3d unit{1 / (earth.meridian_radius_m + now.height_m),
-                      1 / ((earth.transverse_radius_m + now.height_m) * earth.cos_latitude), 1};
-  const Vector3d residual{now.latitude_rad - position.latitude_rad,
-                          frame::wrap_pi(now.longitude_rad - position.longitude_rad),
-                          now.height_m - position.height_m};
+                      1 / ((earth.transverse_radius_m + now.height_m) * earth.cos_latitude), -1};
+  const Vector3d arm = sdins_.state().body_to_ned * lever;
+  const Vector3d residual = Vector3d{now.latitude_rad - position.latitude_rad,
+                                     frame::wrap_pi(now.longitude_rad - position.longitude_rad),
+                                     now.height_m - position.height_m} +
+                            unit.cwiseProduct(arm);
+  const Eigen::Matrix3d by_phi = unit.asDiagonal() * frame::skew(arm);  // eq. (N8)
   Vector errors = Vector::Zero();
   int used = 0;
   innovation_square_ = innovations_ = 0;
-  for (int axis = 0; axis < 3; ++axis)
-    used += update_row(Vector::Unit(position_error + axis), residual(axis),
-                       std::pow(sigma(axis) * unit(axis), 2), errors);
+  for (int axis = 0; axis < 3; ++axis) {
+    Vector row = Vector::Unit(position_error + axis);
+    row.segment<3>(phi) = by_phi.row(axis);
+    used += update_row(row, residual(axis), std::pow(sigma(axis) * unit(axis), 2), errors);
+  }
   feed_back(errors);
   return used;
 }

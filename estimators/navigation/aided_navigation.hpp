@@ -47,9 +47,13 @@ class AidedNavigation {
 
   /// Eq. (16). Give the number of rows that passed the gate; errors found are taken out at once.
   /// Standard deviations in body axes m/s, m, and m north, east, up.
-  int update_velocity(const Eigen::Vector3d& velocity_body, const Eigen::Vector3d& sigma);
-  int update_height(double height_m, double sigma);
-  int update_position(const frame::Position& position, const Eigen::Vector3d& sigma);
+  /// `lever`: from the IMU to the sensor, body axes, m, eq. (N8).
+  int update_velocity(const Eigen::Vector3d& velocity_body, const Eigen::Vector3d& sigma,
+                      const Eigen::Vector3d& lever = Eigen::Vector3d::Zero());
+  int update_height(double height_m, double sigma,
+                    const Eigen::Vector3d& lever = Eigen::Vector3d::Zero());
+  int update_position(const frame::Position& position, const Eigen::Vector3d& sigma,
+                      const Eigen::Vector3d& lever = Eigen::Vector3d::Zero());
 
   const NavigationState& state() const { return sdins_.state(); }
   /// With the samples that wait for their step.
@@ -75,6 +79,7 @@ class AidedNavigation {
   ErrorFilter<0> filter_;
   Vector noise_;
   Eigen::Vector3d gyro_bias_ = Eigen::Vector3d::Zero(), accel_bias_ = Eigen::Vector3d::Zero();
+  Eigen::Vector3d rate_ = Eigen::Vector3d::Zero();  ///< mean over the last step, rad/s
   double innovation_square_ = 0;
   int innovations_ = 0;
 };

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "estimators/navigation/aided_navigation.hpp"
+#include "tests/estimators/navigation/recordings/pool_recording.hpp"
+
+namespace drydock::navigation::test {
+
+/// What the recording does not say of the vehicle that made it. Levers from the IMU, body axes, m.
+struct DiveSetup {
+  Eigen::Matrix3d imu_to_body, dvl_to_body;
+  Eigen::Vector3d dvl_lever, pressure_lever;
+  double latitude_rad, density;  ///< kg/m3
+  double dvl_sigma_mps, depth_sigma_m;
+  NavigationOptions options;
+};
+
+struct DiveResult {
+  double travelled_m = 0, gap_m = 0;  ///< path, and horizontal distance of its end from its start
+  double turned_rad = 0;              ///< by the filter's heading, over the whole dive
+  double magnetic_turned_rad = 0;     ///< by the magnetometer, which the filter does not use
+  double velocity_nis = 0, depth_nis = 0;  ///< per degree of freedom
+  double velocity_rms_mps = 0, depth_rms_m = 0;
+  int refused = 0;  ///< rows beyond the gate
+};
+
+/// Levels over the first 2 s (the vehicle never rests), takes the heading from the magnetometer and
+/// the velocity from the first DVL line. Refused when the recording is shorter than that.
+Read<DiveResult> navigate(const PoolRecording& dive, const DiveSetup& setup);
+
+}  // namespace drydock::navigation::test

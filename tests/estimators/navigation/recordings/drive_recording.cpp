@@ -1,0 +1,132 @@
+#include "tests/estimators/navigation/recordings/drive_recording.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <cstring>
+#include <numbers>
+#include <sstream>
+
+namespace drydock::navigation::test {
+
+static_assert(std::endian::native == std::endian::little);  // as the tags are
+
+namespace {
+
+constexpr double in_radians = std::numbers::pi / 180, standard_gravity = 9.80665;
+constexpr double day = 86400;
+constexpr std::size_t tag_header = 64;  // then time_t and fraction of a second, then pairs
+
+Read<std::filesystem::path> only_file(const std::filesystem::path& folder, const std::string& end) {
+  std::vector<std::filesystem::path> found;
+  std::error_code error;
+  for (const auto& entry : std::filesystem::directory_iterator{folder, error})
+    if (entry.path().filename().string().ends_with(end)) found.push_back(entry.path());
+  if (found.size() == 1) return found.front();
+  return Refusal{folder, std::to_string(found.size()) + " files *" + end + ", expected one"};
+}
+
+Read<std::vector<RtkFix>> read_solution(const std::filesystem::path& file) {
+  const Read<std::string> text = read_text(file);
+  if (text.has_error()) return text.error();
+  std::istringstream lines{*text};
+  std::vector<RtkFix> fixes;
+  std::string line;
+  for (std::size_t number = 1; std::getline(lines, line); ++number) {
+    if (line.starts_with('%')) continue;
+    int hour = 0, minute = 0;
+    double second = 0, v[22];
+    std::istringstream fields{line};
+    std::string date, time;
+    fields >> date >> time;
+    if (std::sscanf(time.c_str(), "%d:%d:%lf", &hour, &minute, &second) != 3)
+      return Refusal{file, number, "no time: " + time};
+    for (double& value : v)
+      if (!(fields >> value)) return Refusal{file, number, "expected 22 numbers after the time"};
+    double t = hour * 3600 + minute * 60 + second;
+    if (!fixes.empty() && t < fixes.back().t - day / 2) t += day;
+    if (!fixes.empty() && t <= fixes.back().t) return Refusal{file, number, "time runs backwards"};
+    if (!(std::abs(v[0]) < 90 && std::abs(v[1]) <= 180))
+      return Refusal{file, number, "no such place"};
+    if (!(v[5] > 0 && v[6] > 0 && v[7] > 0)) return Refusal{file, number, "deviation not positive"};
+    fixes.push_back({t,
+                     {v[0] * in_radians, v[1] * in_radians, v[2]},
+                     static_cast<int>(v[3]),
+                     {v[5], v[6], v[7]},
+                     {v[13], v[14], -v[15]}});
+  }
+  if (fixes.empty()) return Refusal{file, "holds no fix"};
+  return fixes;
+}
+
+struct Line {
+  double origin, offset, slope;
+  double at(double x) const { return offset + slope * (x - origin); }
+};
+
+/// The logger's time of day by the IMU's clock.
+Read<Line> read_clock(const std::filesystem::path& tags, const std::string& csv,
+                      const std::vector<std::vector<double>>& rows) {
+  const Read<std::string> text = read_text(tags);
+  if (text.has_error()) return text.error();
+  const std::string& bytes = *text;
+  std::uint32_t start = 0, pair[2];
+  double fraction = 0;
+  constexpr std::size_t first = tag_header + sizeof start + sizeof fraction;
+  if (!bytes.starts_with("TIMETAG") || bytes.size() < first + 2 * sizeof pair)
+    return Refusal{tags, "not a file of RTKLIB time tags"};
+  std::memcpy(&start, bytes.data() + tag_header, sizeof start);
+  std::memcpy(&fraction, bytes.data() + tag_header + sizeof start, sizeof fraction);
+  // Tags count the bytes that were logged; a file whose line ends were converted since is shorter.
+  const std::size_t last = first + (bytes.size() - first) / sizeof pair * sizeof pair - sizeof pair;
+  std::memcpy(pair, bytes.data() + last, sizeof pair);
+  const std::size_t lost = pair[1] > csv.size() ? 1 : 0;
+  std::vector<std::size_t> ends;
+  for (std::size_t at = csv.find('\n'); at != std::string::npos; at = csv.find('\n', at + 1))
+    ends.push_back(at + 1 + lost * (ends.size() + 1));
+
+  std::vector<Eigen::Vector2d> points;
+  for (std::size_t at = first; at <= last; at += sizeof pair) {
+    std::memcpy(pair, bytes.data() + at, sizeof pair);
+    const auto after = std::upper_bound(ends.begin(), ends.end(), pair[1]);
+    const auto row = static_cast<std::size_t>(after - ends.begin());
+    if (row > 0 && row <= rows.size()) points.emplace_back(rows[row - 1][6] * 1e-3, pair[0] * 1e-3);
+  }
+  Eigen::Vector2d mean = Eigen::Vector2d::Zero();
+  for (const auto& point : points) mean += point / static_cast<double>(points.size());
+  double xx = 0, xy = 0;
+  for (const auto& point : points) {
+    xx += std::pow(point.x() - mean.x(), 2);
+    xy += (point.x() - mean.x()) * (point.y() - mean.y());
+  }
+  if (!(xx > 0)) return Refusal{tags, "no two tags that belong to lines of the recording"};
+  return Line{mean.x(), std::fmod(start, day) + fraction + mean.y(), xy / xx};
+}
+
+}  // namespace
+
+Read<DriveRecording> read_drive(const std::filesystem::path& folder) {
+  const auto solution = only_file(folder, ".pos"), imu = only_file(folder, ".csv"),
+             tags = only_file(folder, ".csv.tag");
+  for (const auto* file : {&solution, &imu, &tags})
+    if (file->has_error()) return file->error();
+  auto fixes = read_solution(*solution);
+  if (fixes.has_error()) return fixes.error();
+  const auto rows = read_csv(*imu, 7, 6);
+  if (rows.has_error()) return rows.error();
+  const auto text = read_text(*imu);
+  if (text.has_error()) return text.error();
+  const auto clock = read_clock(*tags, *text, *rows);
+  if (clock.has_error()) return clock.error();
+
+  DriveRecording drive{{}, std::move(*fixes), clock->slope};
+  for (const auto& row : *rows)
+    drive.imu.push_back({clock->at(row[6] * 1e-3),
+                         Eigen::Vector3d{row[3], row[4], row[5]} * in_radians,
+                         Eigen::Vector3d{row[0], row[1], row[2]} * standard_gravity});
+  return drive;
+}
+
+}  // namespace drydock::navigation::test

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <Eigen/Core>
+
+namespace drydock::navigation::test {
+
+/// What an IMU measured over the interval that ends at `t`, in its own axes.
+struct ImuRow {
+  double t;               ///< s, in the recording's own count
+  Eigen::Vector3d rate;   ///< rad/s
+  Eigen::Vector3d force;  ///< m/s2
+};
+
+}  // namespace drydock::navigation::test
