@@ -25,6 +25,7 @@ never() { # FOLDER REGEX: system headers that FOLDER keeps out
 allow drivers/measurement 'drivers/measurement'
 allow drivers/wire 'drivers/wire'
 allow drivers/capture 'drivers/(capture|wire)'
+allow drivers/mcap 'drivers/mcap'
 allow drivers/link 'drivers/(link|capture|wire|measurement)'
 allow drivers/device 'drivers/(device|wire|measurement)'
 allow drivers/shell 'drivers/(shell|device|link|capture|wire|measurement)|rig_config'
