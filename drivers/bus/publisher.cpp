@@ -1,41 +1,15 @@
 #include "drivers/bus/publisher.hpp"
 
+#include "drivers/bus/outlets.hpp"
 #include "drivers/bus/writer.hpp"
 
 namespace drydock::bus {
 namespace {
 
-/// The alternatives stand in the order of Kind.
-using DeviceWriters =
-    std::variant<DvlWriters, EmLogWriters, GnssWriters, ImuWriters, DepthWriters, ActuatorWriters>;
-
-DeviceWriters make_writers(const Participant& participant, const Device& device) {
-  switch (device.kind) {
-    case Kind::dvl: return DvlWriters(participant, device);
-    case Kind::emlog: return EmLogWriters(participant, device);
-    case Kind::gnss: return GnssWriters(participant, device);
-    case Kind::imu: return ImuWriters(participant, device);
-    case Kind::depth: return DepthWriters(participant, device);
-    case Kind::actuator: return ActuatorWriters(participant, device);
-  }
-  throw std::invalid_argument("bus: device " + device.name + " has no known kind");
-}
-
 struct Channel {
   Provenance provenance;
-  DeviceWriters writers;
+  DeviceOutlets<Writer> outlets;
 };
-
-/// False when this kind of device does not give such a measurement.
-bool publish_to(DeviceWriters& writers, const Measurement& measurement) {
-  return std::visit(
-      [](auto& device, const auto& sample) {
-        constexpr bool gives = requires { device.publish(sample); };
-        if constexpr (gives) device.publish(sample);
-        return gives;
-      },
-      writers, measurement);
-}
 
 }  // namespace
 
@@ -47,9 +21,7 @@ struct Publisher::Writers {
 
   template <class F>
   void for_each(F f) const {
-    for (const auto& device : devices) {
-      std::visit([&f](const auto& writers) { writers.for_each(f); }, device.writers);
-    }
+    for (const auto& device : devices) device.outlets.for_each(f);
     for (const auto& estimate : estimates) f(estimate);
     f(diagnostics);
   }
@@ -62,7 +34,10 @@ Publisher::Publisher(const Participant& participant, const std::vector<Device>& 
                            .diagnostics = {participant, std::string(diagnostics_topic), ""}}) {
   writers_->devices.reserve(devices.size());
   for (const auto& device : devices) {
-    writers_->devices.push_back({device.provenance, make_writers(participant, device)});
+    const auto open = [&]<class Message>(const std::string& topic, const std::string& frame) {
+      return Writer<Message>(participant, topic, frame, to_string(device.provenance));
+    };
+    writers_->devices.push_back({device.provenance, {device, open}});
   }
   for (const auto& name : estimators) {
     writers_->estimates.emplace_back(participant, estimate_topic(name), "base_link");
@@ -77,7 +52,7 @@ void Publisher::publish(const Measurement& measurement) {
   const auto& origin = origin_of(measurement);
   const bool known = origin.device < writers_->devices.size() &&
                      writers_->devices[origin.device].provenance == origin.provenance;
-  if (!known || !publish_to(writers_->devices[origin.device].writers, measurement)) {
+  if (!known || !writers_->devices[origin.device].outlets.publish(measurement)) {
     ++writers_->misrouted;
   }
 }

@@ -1,11 +1,9 @@
 #pragma once
 
-#include <tuple>
+#include <memory>
 
-#include "drivers/bus/convert.hpp"
 #include "drivers/bus/endpoint.hpp"
 #include "drivers/bus/publisher.hpp"
-#include "drivers/bus/topic.hpp"
 
 /// What a publisher is made of. Included by publisher.cpp only.
 namespace drydock::bus {
@@ -66,65 +64,6 @@ class Writer {
   std::unique_ptr<Message, Release> message_;
   TopicCounters counters_;
   std::uint64_t acknowledged_ = 0;  ///< of counters_.written, by all readers
-};
-
-/// Everything that is written for one kind of sample of one device.
-template <class Sample, class... Messages>
-class SampleWriters {
- public:
-  SampleWriters(const Participant& participant, const Device& device)
-      : writers_(make<Messages>(participant, device)...) {}
-
-  void publish(const Sample& sample) {
-    for_each([&sample](auto& writer) {
-      if (fill(writer.message(), sample)) writer.write(sample.origin.received_at);
-    });
-  }
-
-  template <class F>
-  void for_each(F f) {
-    std::apply([&f](auto&... writer) { (f(writer), ...); }, writers_);
-  }
-  template <class F>
-  void for_each(F f) const {
-    std::apply([&f](const auto&... writer) { (f(writer), ...); }, writers_);
-  }
-
- private:
-  template <class Message>
-  static Writer<Message> make(const Participant& participant, const Device& device) {
-    constexpr auto to = route<Sample, Message>;
-    return {participant, topic_name(device.name, to.suffix), device.name + std::string(to.frame),
-            to_string(device.provenance)};
-  }
-
-  std::tuple<Writer<Messages>...> writers_;
-};
-
-using DvlWriters = SampleWriters<BottomVelocity, DvlMessage, TwistMessage, BottomTrackMessage>;
-using EmLogWriters = SampleWriters<WaterSpeed, TwistMessage, WaterSpeedMessage>;
-using ImuWriters = SampleWriters<ImuSample, ImuMessage>;
-using DepthWriters =
-    SampleWriters<DepthSample, FluidPressureMessage, TemperatureMessage, DepthMessage>;
-using ActuatorWriters = SampleWriters<ActuatorState, ActuatorStateMessage>;
-
-class GnssWriters {
- public:
-  GnssWriters(const Participant& participant, const Device& device)
-      : fix_(participant, device), satellites_(participant, device) {}
-
-  void publish(const GnssFix& sample) { fix_.publish(sample); }
-  void publish(const GnssSatellites& sample) { satellites_.publish(sample); }
-
-  template <class F>
-  void for_each(F f) const {
-    fix_.for_each(f);
-    satellites_.for_each(f);
-  }
-
- private:
-  SampleWriters<GnssFix, NavSatFixMessage, TwistMessage, GnssFixMessage> fix_;
-  SampleWriters<GnssSatellites, GnssSatellitesMessage> satellites_;
 };
 
 }  // namespace drydock::bus

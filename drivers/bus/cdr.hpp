@@ -1,0 +1,42 @@
+#pragma once
+
+#include <dds/ddsi/ddsi_cdrstream.h>
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "drivers/bus/message_types.hpp"
+
+namespace drydock::bus {
+
+/// Messages as the bytes that DDS would send: encapsulation header 00 01 00 00 (plain CDR, little
+/// endian), then XCDR1. Keeps its memory: allocates no more once it has seen the largest message.
+class CdrEncoder {
+ public:
+  CdrEncoder() { dds_ostreamLE_init(&stream_, 0, xcdr1); }
+  CdrEncoder(const CdrEncoder&) = delete;
+  CdrEncoder& operator=(const CdrEncoder&) = delete;
+  ~CdrEncoder() { dds_ostreamLE_fini(&stream_); }
+
+  /// Holds until the next call.
+  template <class Message>
+  std::span<const std::uint8_t> encode(const Message& message) {
+    // Alignment counts from behind the header, which has 4 bytes where doubles align to 8.
+    stream_.x.m_index = 0;
+    dds_stream_writeLE(&stream_, reinterpret_cast<const char*>(&message),
+                       message_type<Message>.descriptor->m_ops);
+    bytes_.assign(header.begin(), header.end());
+    bytes_.insert(bytes_.end(), stream_.x.m_buffer, stream_.x.m_buffer + stream_.x.m_index);
+    return bytes_;
+  }
+
+ private:
+  static constexpr std::uint32_t xcdr1 = 1;
+  static constexpr std::array<std::uint8_t, 4> header{0, 1, 0, 0};
+  dds_ostreamLE_t stream_{};
+  std::vector<std::uint8_t> bytes_;
+};
+
+}  // namespace drydock::bus
