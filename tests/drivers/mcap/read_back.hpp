@@ -19,4 +19,4 @@ std::optional<nlohmann::json> read_back(const std::filesystem::path& file);
     ASSERT_EQ(std::getenv("CI"), nullptr) << "node and its packages are missing"; \
     GTEST_SKIP() << "node or build/npm absent: ./rig test brings them";           \
   }                                                                               \
-  const nlohmann::json& found = *found##_or_none
+  nlohmann::json found = *found##_or_none
