@@ -1,0 +1,221 @@
+#include "drivers/live/server.hpp"
+
+#include <algorithm>
+#include <boost/asio/co_spawn.hpp>
+#include <boost/asio/detached.hpp>
+#include <boost/asio/ip/tcp.hpp>
+#include <boost/asio/steady_timer.hpp>
+#include <boost/beast/http.hpp>
+#include <chrono>
+#include <utility>
+
+#include "drivers/live/access.hpp"
+#include "drivers/live/viewer.hpp"
+
+namespace drydock::live {
+
+namespace {
+
+namespace asio = boost::asio;
+namespace beast = boost::beast;
+namespace http = beast::http;
+using asio::ip::tcp;
+using link::as_outcome;
+
+using HttpRequest = http::request<http::string_body>;
+using HttpResponse = http::response<http::string_body>;
+
+constexpr std::chrono::seconds patience{10};
+constexpr std::chrono::milliseconds accept_pause{100};
+constexpr std::size_t most_clients = 64;
+
+std::string text_of(beast::string_view view) { return {view.data(), view.size()}; }
+
+HttpResponse answer(const HttpRequest& request, http::status status, std::string_view media_type,
+                    std::string_view content) {
+  HttpResponse response{status, request.version()};
+  response.set(http::field::content_type, {media_type.data(), media_type.size()});
+  response.set(http::field::cache_control, "no-store");
+  response.set("X-Content-Type-Options", "nosniff");
+  response.set("Content-Security-Policy",
+               "default-src 'self'; connect-src 'self' ws: wss:; style-src 'self' 'unsafe-inline'");
+  if (request.method() == http::verb::get) response.body() = content;
+  response.keep_alive(request.keep_alive());
+  response.prepare_payload();
+  return response;
+}
+
+}  // namespace
+
+/// What the coroutines of all clients share.
+struct Server::House : std::enable_shared_from_this<House> {
+  House(asio::any_io_executor on, ServerOptions with, std::vector<PageFile> files)
+      : executor(std::move(on)), options(std::move(with)), page(std::move(files)), door(executor) {}
+
+  boost::system::error_code open();
+  asio::awaitable<void> let_in();
+  asio::awaitable<void> serve(tcp::socket socket);
+  asio::awaitable<void> show(beast::tcp_stream stream, HttpRequest request);
+  HttpResponse answer_to(const HttpRequest& request) const;
+  std::optional<std::string> refusal_of(const HttpRequest& request);
+  void remove(const std::shared_ptr<Viewer>& viewer);
+
+  asio::any_io_executor executor;
+  ServerOptions options;
+  std::vector<PageFile> page;
+  tcp::acceptor door;
+  std::vector<Channel> channels;
+  std::vector<std::shared_ptr<Viewer>> viewers;
+  std::size_t clients = 0;
+  ServerCounters past;  ///< of viewers that have left
+};
+
+boost::system::error_code Server::House::open() {
+  boost::system::error_code error;
+  const bool local = is_loopback(options.address);
+  if (!local && options.token.empty())
+    return boost::system::errc::make_error_code(boost::system::errc::permission_denied);
+  const auto address =
+      asio::ip::make_address(options.address == "localhost" ? "127.0.0.1" : options.address, error);
+  if (error) return error;
+  const tcp::endpoint endpoint(address, options.port);
+  door.open(endpoint.protocol(), error);
+  if (!error) door.set_option(tcp::acceptor::reuse_address(true), error);
+  if (!error) door.bind(endpoint, error);
+  if (!error) door.listen(tcp::acceptor::max_listen_connections, error);
+  return error;
+}
+
+asio::awaitable<void> Server::House::let_in() {
+  const auto self = shared_from_this();
+  while (door.is_open()) {
+    auto [error, socket] = co_await door.async_accept(as_outcome);
+    if (error == asio::error::operation_aborted || !door.is_open()) co_return;
+    if (error || clients >= most_clients) {  // beyond that a client is closed at once
+      asio::steady_timer pause(executor, accept_pause);
+      co_await pause.async_wait(as_outcome);
+      continue;
+    }
+    asio::co_spawn(executor, serve(std::move(socket)), asio::detached);
+  }
+}
+
+asio::awaitable<void> Server::House::serve(tcp::socket socket) {
+  const auto self = shared_from_this();
+  struct Count {
+    std::size_t& clients;
+    explicit Count(std::size_t& of) : clients(of) { ++clients; }
+    ~Count() { --clients; }
+  } const count(clients);
+  boost::system::error_code ignored;
+  socket.set_option(tcp::no_delay(true), ignored);
+  beast::tcp_stream stream(std::move(socket));
+  beast::flat_buffer buffer;
+  for (bool more = true; more;) {
+    HttpRequest request;
+    stream.expires_after(patience);
+    const auto [error, size] = co_await http::async_read(stream, buffer, request, as_outcome);
+    if (error) co_return;
+    const auto refused = refusal_of(request);
+    if (!refused && beast::websocket::is_upgrade(request)) {
+      co_await show(std::move(stream), std::move(request));
+      co_return;
+    }
+    HttpResponse response =
+        refused ? answer(request, http::status::forbidden, "text/plain", *refused + "\n")
+                : answer_to(request);
+    more = response.keep_alive();
+    const auto [write_error, written] = co_await http::async_write(stream, response, as_outcome);
+    if (write_error) co_return;
+  }
+}
+
+std::optional<std::string> Server::House::refusal_of(const HttpRequest& request) {
+  const std::string target = text_of(request.target()), host = text_of(request[http::field::host]),
+                    origin = text_of(request[http::field::origin]);
+  auto refused = refusal({target, host, origin}, options.token);
+  if (refused) ++past.refused;
+  return refused;
+}
+
+HttpResponse Server::House::answer_to(const HttpRequest& request) const {
+  if (request.method() != http::verb::get && request.method() != http::verb::head)
+    return answer(request, http::status::method_not_allowed, "text/plain", "GET only\n");
+  const std::string target = text_of(request.target());
+  const auto path = path_of(target);
+  const auto file = std::ranges::find(page, path, &PageFile::path);
+  return file == page.end() ? answer(request, http::status::not_found, "text/plain", "not here\n")
+                            : answer(request, http::status::ok, file->media_type, file->content);
+}
+
+asio::awaitable<void> Server::House::show(beast::tcp_stream stream, HttpRequest request) {
+  const auto viewer = std::make_shared<Viewer>(std::move(stream));
+  viewers.push_back(viewer);
+  std::vector<std::string> greeting{server_info(options.name, std::to_string(options.port)),
+                                    advertise(channels)};
+  co_await viewer->run(std::move(request), std::move(greeting), [this](std::uint32_t channel) {
+    return channel >= 1 && channel <= channels.size();
+  });
+  remove(viewer);
+}
+
+void Server::House::remove(const std::shared_ptr<Viewer>& viewer) {
+  past.sent += viewer->sent();
+  past.dropped += viewer->dropped();
+  std::erase(viewers, viewer);
+}
+
+Server::Server(asio::any_io_executor executor, ServerOptions options, std::vector<PageFile> page)
+    : house_(std::make_shared<House>(std::move(executor), std::move(options), std::move(page))) {}
+
+Server::~Server() { stop(); }
+
+boost::system::error_code Server::listen() {
+  if (const auto error = house_->open()) return error;
+  asio::co_spawn(house_->executor, house_->let_in(), asio::detached);
+  return {};
+}
+
+std::uint16_t Server::port() const {
+  boost::system::error_code error;
+  return house_->door.local_endpoint(error).port();
+}
+
+std::uint32_t Server::add_channel(Channel channel) {
+  channel.id = static_cast<std::uint32_t>(house_->channels.size() + 1);
+  house_->channels.push_back(std::move(channel));
+  const auto text = advertise(std::span(house_->channels).last(1));
+  for (const auto& viewer : house_->viewers) viewer->tell(text);
+  return house_->channels.back().id;
+}
+
+bool Server::wanted(std::uint32_t channel) const {
+  return std::ranges::any_of(house_->viewers,
+                             [&](const auto& viewer) { return viewer->wants(channel); });
+}
+
+void Server::publish(std::uint32_t channel, measurement::Stamp at,
+                     std::span<const std::uint8_t> data) {
+  if (!wanted(channel)) return;
+  const auto body = std::make_shared<std::vector<std::uint8_t>>(data.begin(), data.end());
+  const auto time = static_cast<std::uint64_t>(at.time_since_epoch().count());
+  for (const auto& viewer : house_->viewers) viewer->publish(channel, time, body);
+}
+
+ServerCounters Server::counters() const {
+  ServerCounters counters = house_->past;
+  counters.viewers = house_->viewers.size();
+  for (const auto& viewer : house_->viewers) {
+    counters.sent += viewer->sent();
+    counters.dropped += viewer->dropped();
+  }
+  return counters;
+}
+
+void Server::stop() {
+  boost::system::error_code ignored;
+  house_->door.close(ignored);
+  for (const auto& viewer : house_->viewers) viewer->close();
+}
+
+}  // namespace drydock::live

@@ -1,0 +1,143 @@
+#include "drivers/live/viewer.hpp"
+
+#include <boost/asio/co_spawn.hpp>
+#include <boost/asio/detached.hpp>
+#include <boost/beast/core/buffers_to_string.hpp>
+
+namespace drydock::live {
+
+namespace {
+
+namespace asio = boost::asio;
+namespace beast = boost::beast;
+namespace websocket = beast::websocket;
+using link::as_outcome;
+
+constexpr std::size_t longest_request = 64 * 1024;
+
+/// The first of ours that the client offers; empty: none.
+std::string_view chosen_subprotocol(std::string_view offered) {
+  for (const auto ours : subprotocols)
+    if (offered.find(ours) != std::string_view::npos) return ours;
+  return {};
+}
+
+}  // namespace
+
+Viewer::Viewer(beast::tcp_stream stream)
+    : socket_(std::move(stream)), queued_(std::make_shared<link::Signal>(socket_.get_executor())) {}
+
+asio::awaitable<void> Viewer::run(beast::http::request<beast::http::string_body> request,
+                                  std::vector<std::string> greeting,
+                                  std::function<bool(std::uint32_t)> has) {
+  beast::get_lowest_layer(socket_).expires_never();  // the WebSocket has its own time-outs
+  socket_.set_option(websocket::stream_base::timeout::suggested(beast::role_type::server));
+  socket_.read_message_max(longest_request);
+  const std::string chosen(chosen_subprotocol(request[beast::http::field::sec_websocket_protocol]));
+  socket_.set_option(
+      websocket::stream_base::decorator([chosen](websocket::response_type& response) {
+        if (!chosen.empty()) response.set(beast::http::field::sec_websocket_protocol, chosen);
+      }));
+  const auto [error] = co_await socket_.async_accept(request, as_outcome);
+  if (error) co_return;
+  open_ = true;
+  for (const auto& text : greeting) tell(text);
+  asio::co_spawn(
+      socket_.get_executor(),
+      [self = shared_from_this()]() -> asio::awaitable<void> { co_await self->write_all(); },
+      asio::detached);
+  co_await read_all(std::move(has));
+  open_ = false;
+  queued_->notify();
+}
+
+asio::awaitable<void> Viewer::read_all(std::function<bool(std::uint32_t)> has) {
+  beast::flat_buffer buffer;
+  for (;;) {
+    const auto [error, size] = co_await socket_.async_read(buffer, as_outcome);
+    if (error) co_return;
+    if (socket_.got_text()) obey(parse_request(beast::buffers_to_string(buffer.data())), has);
+    buffer.consume(size);
+  }
+}
+
+void Viewer::obey(const Request& request, const std::function<bool(std::uint32_t)>& has) {
+  if (const auto* subscribe = std::get_if<Subscribe>(&request)) {
+    for (const auto& [id, channel] : subscribe->subscriptions) {
+      if (has(channel))
+        subscriptions_[channel] = id;
+      else
+        tell(status(2, "there is no channel " + std::to_string(channel)));
+    }
+  } else if (const auto* unsubscribe = std::get_if<Unsubscribe>(&request)) {
+    for (const auto id : unsubscribe->ids)
+      std::erase_if(subscriptions_, [id](const auto& entry) { return entry.second == id; });
+  } else {
+    tell(status(2, std::get<Refused>(request).why));
+  }
+}
+
+void Viewer::tell(const std::string& text) {
+  if (!open_) return;
+  queue_.push_back(
+      {true, {}, std::make_shared<std::vector<std::uint8_t>>(text.begin(), text.end())});
+  queued_bytes_ += text.size();
+  queued_->notify();
+}
+
+void Viewer::publish(std::uint32_t channel, std::uint64_t time_ns, const Body& body) {
+  const auto subscription = subscriptions_.find(channel);
+  if (!open_ || subscription == subscriptions_.end()) return;
+  make_room(body->size());
+  queue_.push_back({false, data_head(subscription->second, time_ns), body});
+  queued_bytes_ += body->size();
+  queued_->notify();
+}
+
+void Viewer::make_room(std::size_t size) {
+  for (auto item = queue_.begin();
+       item != queue_.end() &&
+       (queue_.size() >= most_queued || queued_bytes_ + size > most_queued_bytes);) {
+    if (item->is_text) {
+      ++item;
+      continue;
+    }
+    queued_bytes_ -= item->body->size();
+    item = queue_.erase(item);
+    ++dropped_;
+  }
+}
+
+asio::awaitable<void> Viewer::write_all() {
+  while (open_) {
+    if (queue_.empty()) {
+      if (dropped_ > told_dropped_) {
+        tell(status(1, std::to_string(dropped_ - told_dropped_) +
+                           " messages were dropped: this viewer does not keep up"));
+        told_dropped_ = dropped_;
+        continue;
+      }
+      co_await queued_->wait();
+      continue;
+    }
+    const Item item = std::move(queue_.front());
+    queue_.pop_front();
+    queued_bytes_ -= item.body->size();
+    socket_.text(item.is_text);
+    const std::array<asio::const_buffer, 2> parts{
+        asio::buffer(item.head.data(), item.is_text ? 0 : item.head.size()),
+        asio::buffer(*item.body)};
+    const auto [error, size] = co_await socket_.async_write(parts, as_outcome);
+    if (error) break;
+    if (!item.is_text) ++sent_;
+  }
+  close();
+}
+
+void Viewer::close() {
+  open_ = false;
+  queued_->notify();
+  beast::get_lowest_layer(socket_).close();
+}
+
+}  // namespace drydock::live

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <boost/asio/awaitable.hpp>
+#include <boost/beast/core/flat_buffer.hpp>
+#include <boost/beast/core/tcp_stream.hpp>
+#include <boost/beast/http/string_body.hpp>
+#include <boost/beast/websocket.hpp>
+#include <deque>
+#include <functional>
+#include <map>
+#include <memory>
+
+#include "drivers/link/signal.hpp"
+#include "drivers/live/foxglove.hpp"
+
+namespace drydock::live {
+
+/// One client of the protocol. What it does not take in time is dropped, oldest first.
+class Viewer : public std::enable_shared_from_this<Viewer> {
+ public:
+  using Body = std::shared_ptr<const std::vector<std::uint8_t>>;
+  static constexpr std::size_t most_queued = 512, most_queued_bytes = 4u << 20;
+
+  explicit Viewer(boost::beast::tcp_stream stream);
+
+  /// Ends when the client is gone. `greeting` are texts that come first; `has` says whether a
+  /// channel exists.
+  boost::asio::awaitable<void> run(
+      boost::beast::http::request<boost::beast::http::string_body> request,
+      std::vector<std::string> greeting, std::function<bool(std::uint32_t)> has);
+
+  void tell(const std::string& text);  ///< control: never dropped
+  bool wants(std::uint32_t channel) const { return subscriptions_.contains(channel); }
+  void publish(std::uint32_t channel, std::uint64_t time_ns, const Body& body);
+  void close();
+
+  std::uint64_t sent() const { return sent_; }
+  std::uint64_t dropped() const { return dropped_; }
+
+ private:
+  struct Item {
+    bool is_text = false;
+    DataHead head{};
+    Body body;
+  };
+  boost::asio::awaitable<void> write_all();
+  boost::asio::awaitable<void> read_all(std::function<bool(std::uint32_t)> has);
+  void obey(const Request& request, const std::function<bool(std::uint32_t)>& has);
+  void make_room(std::size_t size);
+
+  boost::beast::websocket::stream<boost::beast::tcp_stream> socket_;
+  std::shared_ptr<link::Signal> queued_;
+  std::deque<Item> queue_;
+  std::size_t queued_bytes_ = 0;
+  std::map<std::uint32_t, std::uint32_t> subscriptions_;  ///< channel -> the client's number
+  std::uint64_t sent_ = 0, dropped_ = 0, told_dropped_ = 0;
+  bool open_ = false;
+};
+
+}  // namespace drydock::live
