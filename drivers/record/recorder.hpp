@@ -1,9 +1,8 @@
 #pragma once
 
-#include <memory>
 #include <span>
 
-#include "drivers/bus/device.hpp"
+#include "drivers/bus/cdr_publisher.hpp"
 #include "drivers/mcap/file_sink.hpp"
 #include "drivers/record/tape.hpp"
 #include "drivers/shell/raw_listener.hpp"
@@ -33,32 +32,29 @@ struct RecorderOptions {
 class Recorder final : public shell::RawListener {
  public:
   Recorder(mcap::Sink sink, const RecorderOptions& options);
-  ~Recorder() override;
 
   void on_bytes(std::string_view link, shell::Direction direction, wire::Bytes bytes,
                 Stamp at) override;
   void on_frame(std::string_view link, shell::Direction direction, const wire::CanFrame& frame,
                 Stamp at) override;
-  void note(const measurement::Measurement& measurement);
-  void note(const bus::Attitude& attitude, std::size_t estimator);
-  void note(std::span<const bus::DeviceStatus> health, Stamp now);
+  /// What was understood, and what was made of it.
+  bus::CdrPublisher& topics() { return topics_; }
 
   void tick(Stamp now);
   boost::system::error_code finish();
   TapeStatus status() const;
 
  private:
-  struct Tracks;
   struct Link {
     std::string uri;
-    std::uint16_t channel;
+    std::uint32_t topic;
   };
   void add_raw(std::string_view link, Stamp at);
 
   Tape tape_;
   std::vector<Link> links_;
   std::vector<std::uint8_t> raw_;  ///< used again for each
-  std::unique_ptr<Tracks> tracks_;
+  bus::CdrPublisher topics_;
 };
 
 }  // namespace drydock::record

@@ -1,6 +1,5 @@
 #include "drivers/record/tape.hpp"
 
-#include "drivers/bus/schema.hpp"
 #include "drivers/mcap/writer.hpp"
 
 namespace drydock::record {
@@ -24,32 +23,32 @@ Tape::Tape(mcap::Sink sink, WhenBehind when_behind,
       when_behind_(when_behind),
       sequences_(1) {}
 
-std::uint16_t Tape::add_channel(const std::string& topic, const std::string& type,
-                                mcap::Map metadata) {
+std::uint32_t Tape::add_topic(const Topic& topic) {
   const auto next = static_cast<std::uint16_t>(schemas_.size() + 1);
-  const auto [schema, is_new] = schemas_.emplace(type, next);
-  if (is_new) block_.add(mcap::Schema{schema->second, type, "ros2msg", bus::ros2_schema(type)});
+  const auto [schema, is_new] = schemas_.emplace(topic.type, next);
+  if (is_new) block_.add(mcap::Schema{schema->second, topic.type, "ros2msg", topic.schema});
   const auto id = static_cast<std::uint16_t>(sequences_.size());
   sequences_.push_back(0);
-  block_.add(mcap::Channel{id, schema->second, topic, "cdr", std::move(metadata)});
+  block_.add(mcap::Channel{id, schema->second, topic.name, "cdr", topic.metadata});
   return id;
 }
 
-void Tape::begin() { put(); }
+void Tape::begin() { put_block(); }
 
-void Tape::add(std::uint16_t channel, Stamp at, mcap::Bytes data) {
+void Tape::put(std::uint32_t topic, Stamp at, std::span<const std::uint8_t> cdr) {
   const auto time = static_cast<std::uint64_t>(at.time_since_epoch().count());
-  block_.add(mcap::Message{channel, sequences_[channel]++, time, time, data});
-  if (mcap::is_full(block_)) put();
+  block_.add(
+      mcap::Message{static_cast<std::uint16_t>(topic), sequences_[topic]++, time, time, cdr});
+  if (mcap::is_full(block_)) put_block();
 }
 
 void Tape::tick(Stamp now) {
   const auto time = static_cast<std::uint64_t>(now.time_since_epoch().count());
   const auto oldest = block_.first_time() + static_cast<std::uint64_t>(mcap::block_time.count());
-  if (block_.messages() > 0 && time >= oldest) put();
+  if (block_.messages() > 0 && time >= oldest) put_block();
 }
 
-void Tape::put() {
+void Tape::put_block() {
   const auto messages = block_.messages();
   const bool taken =
       when_behind_ == WhenBehind::wait ? file_.put_when_there_is_room(block_) : file_.put(block_);
@@ -59,7 +58,7 @@ void Tape::put() {
 }
 
 boost::system::error_code Tape::finish() {
-  put();
+  put_block();
   return file_.finish({"recording", {{"messages_lost", std::to_string(lost_)}}});
 }
 

@@ -3,7 +3,7 @@
 #include <map>
 #include <string>
 
-#include "drivers/measurement/stamp.hpp"
+#include "drivers/bus/cdr_sink.hpp"
 #include "drivers/record/background_file.hpp"
 
 namespace drydock::record {
@@ -23,20 +23,20 @@ struct TapeStatus {
 
 /// A recording in the making: channels, then messages. A chunk goes out at 768 KiB or each second
 /// of the messages' time. After a file error messages are counted as lost, nothing else happens.
-class Tape {
+class Tape final : public bus::CdrSink {
  public:
   /// Attachments and metadata stand at the file's start.
   Tape(mcap::Sink sink, WhenBehind when_behind,
        const std::vector<mcap::Attachment>& attachments = {},
        const std::vector<mcap::Metadata>& metadata = {});
 
-  /// Before the first message. One schema serves all channels of its type.
-  std::uint16_t add_channel(const std::string& topic, const std::string& type, mcap::Map metadata);
+  /// Before begin(). One schema serves all topics of its type.
+  std::uint32_t add_topic(const Topic& topic) override;
+  bool wanted(std::uint32_t) const override { return true; }
   /// Puts the channels out.
   void begin();
 
-  /// `data` is CDR.
-  void add(std::uint16_t channel, Stamp at, mcap::Bytes data);
+  void put(std::uint32_t topic, Stamp at, std::span<const std::uint8_t> cdr) override;
   /// Puts out what is older than a second, so that silence does not keep it back.
   void tick(Stamp now);
   boost::system::error_code finish();
@@ -44,7 +44,7 @@ class Tape {
   TapeStatus status() const;
 
  private:
-  void put();
+  void put_block();
 
   BackgroundFile file_;
   WhenBehind when_behind_;

@@ -55,18 +55,18 @@ TEST_F(RecorderTest, RawAndUnderstoodAreReadByOtherPeoplesDecoders) {
   frame.size = 2;
   frame.data[1] = 9;
   recorder.on_frame("can:auto?name=can0", shell::Direction::sent, frame, start);
-  recorder.note(ImuSample{origin(1, 10), {0.5, -0.25, -9.81}, {1, 2, 3}});
+  recorder.topics().publish(ImuSample{origin(1, 10), {0.5, -0.25, -9.81}, {1, 2, 3}});
   BottomVelocity dvl;
   dvl.origin = origin(0, 20);
   dvl.velocity = Eigen::Vector3d{1.5, 0.1, -0.2};
-  recorder.note(dvl);
+  recorder.topics().publish(dvl);
   GnssFix fix;
   fix.origin = origin(3, 30);
   fix.position = Geodetic{std::numbers::pi / 4, -std::numbers::pi / 2};
-  recorder.note(fix);
-  recorder.note(bus::Attitude{start, 0.1, 0.2, {}, {}}, 0);
+  recorder.topics().publish(fix);
+  recorder.topics().publish(bus::Attitude{start, 0.1, 0.2, {}, {}}, 0);
   const std::vector<bus::DeviceStatus> health{{bus::Level::warn, "dvl", "no bottom lock", "", {}}};
-  recorder.note(health, start);
+  recorder.topics().publish(health, start);
   ASSERT_FALSE(recorder.finish());
   EXPECT_EQ(recorder.status().lost, 0U);
 

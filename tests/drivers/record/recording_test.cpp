@@ -39,7 +39,7 @@ std::string recorded(int seconds) {
     recorder.on_frame("can:auto?name=can0", Direction::sent, frame, at);
     measurement::ImuSample imu;
     imu.origin.valid_at = imu.origin.received_at = at;
-    recorder.note(imu);
+    recorder.topics().publish(imu);
   }
   EXPECT_FALSE(recorder.finish());
   return file;
