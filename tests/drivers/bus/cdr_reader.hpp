@@ -37,6 +37,7 @@ class CdrReader {
     return values;
   }
 
+  const std::vector<std::uint8_t>& bytes() const { return bytes_; }
   bool is_plain_little_endian() const { return bytes_.at(0) == 0 && bytes_.at(1) == 1; }
   std::size_t size() const { return bytes_.size(); }
 

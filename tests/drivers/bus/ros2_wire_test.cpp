@@ -1,14 +1,9 @@
-#include <dds/dds.h>
-#include <dds/ddsi/ddsi_serdata.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <map>
 #include <numbers>
 
-#include "drivers/bus/endpoint.hpp"
-#include "tests/drivers/bus/bus_fixture.hpp"
-#include "tests/drivers/bus/cdr_reader.hpp"
+#include "tests/drivers/bus/wire_reader.hpp"
 
 namespace drydock::bus::test {
 namespace {
@@ -17,135 +12,6 @@ using namespace measurement;
 using testing::Each;
 using testing::ElementsAre;
 using testing::IsNan;
-
-/// Names that make frame ids as long as those of the experiment whose sizes are expected below.
-std::vector<Device> ros_devices() {
-  return {{"dvl", Kind::dvl, Provenance::emulated, Form::complete},
-          {"log", Kind::emlog, Provenance::emulated, Form::complete},
-          {"gps", Kind::gnss, Provenance::emulated, Form::complete},
-          {"imu", Kind::imu, Provenance::emulated, Form::complete},
-          {"ctd", Kind::depth, Provenance::emulated, Form::complete},
-          {"rudder", Kind::actuator, Provenance::replayed, Form::complete}};
-}
-
-struct Endpoint {
-  std::string type, user_data;
-  dds_reliability_kind_t reliability;
-  dds_durability_kind_t durability;
-};
-
-std::string user_data_of(const dds_qos_t* qos) {
-  void* bytes = nullptr;
-  std::size_t size = 0;
-  if (!dds_qget_userdata(qos, &bytes, &size)) return {};
-  std::string text(static_cast<const char*>(bytes), size);
-  dds_free(bytes);
-  return text;
-}
-
-/// What discovery tells every participant of the domain about its writers, by topic.
-std::map<std::string, Endpoint> discovered_writers(const Participant& participant) {
-  const Entity reader(
-      dds_create_reader(participant.handle(), DDS_BUILTIN_TOPIC_DCPSPUBLICATION, nullptr, nullptr),
-      "builtin reader");
-  std::map<std::string, Endpoint> writers;
-  void* sample = nullptr;
-  dds_sample_info_t info;
-  while (dds_take(reader.handle(), &sample, &info, 1, 1) == 1) {
-    const auto& endpoint = *static_cast<const dds_builtintopic_endpoint_t*>(sample);
-    auto& writer = writers[endpoint.topic_name];
-    writer = {endpoint.type_name, user_data_of(endpoint.qos), {}, {}};
-    dds_duration_t blocking = 0;
-    dds_qget_reliability(endpoint.qos, &writer.reliability, &blocking);
-    dds_qget_durability(endpoint.qos, &writer.durability);
-    dds_return_loan(reader.handle(), &sample, 1);
-    sample = nullptr;
-  }
-  return writers;
-}
-
-TEST(BusOnTheWire, TopicsAndTypesAreNamedAsRos2Does) {
-  const Participant participant(test_domain());
-  const Publisher publisher(participant, ros_devices(), {"leveling"});
-  const auto writers = discovered_writers(participant);
-  const std::map<std::string, std::string> expected{
-      {"rt/imu/data", "sensor_msgs::msg::dds_::Imu_"},
-      {"rt/dvl/data", "marine_acoustic_msgs::msg::dds_::Dvl_"},
-      {"rt/dvl/twist", "geometry_msgs::msg::dds_::TwistWithCovarianceStamped_"},
-      {"rt/dvl/bottom_track", "drydock::msg::dds_::BottomTrack_"},
-      {"rt/log/twist", "geometry_msgs::msg::dds_::TwistWithCovarianceStamped_"},
-      {"rt/log/speed", "drydock::msg::dds_::WaterSpeed_"},
-      {"rt/gps/fix", "sensor_msgs::msg::dds_::NavSatFix_"},
-      {"rt/gps/velocity", "geometry_msgs::msg::dds_::TwistWithCovarianceStamped_"},
-      {"rt/gps/solution", "drydock::msg::dds_::GnssFix_"},
-      {"rt/gps/satellites", "drydock::msg::dds_::GnssSatellites_"},
-      {"rt/ctd/pressure", "sensor_msgs::msg::dds_::FluidPressure_"},
-      {"rt/ctd/temperature", "sensor_msgs::msg::dds_::Temperature_"},
-      {"rt/ctd/depth", "drydock::msg::dds_::Depth_"},
-      {"rt/rudder/state", "drydock::msg::dds_::ActuatorState_"},
-      {"rt/estimate/leveling", "sensor_msgs::msg::dds_::Imu_"},
-      {"rt/diagnostics", "diagnostic_msgs::msg::dds_::DiagnosticArray_"}};
-  EXPECT_EQ(writers.size(), expected.size());
-  for (const auto& [topic, type] : expected) {
-    ASSERT_TRUE(writers.contains(topic)) << topic;
-    EXPECT_EQ(writers.at(topic).type, type) << topic;
-    EXPECT_EQ(writers.at(topic).reliability, DDS_RELIABILITY_RELIABLE) << topic;
-    EXPECT_EQ(writers.at(topic).durability, DDS_DURABILITY_VOLATILE) << topic;
-  }
-}
-
-TEST(BusOnTheWire, UserDataHoldsTheTypeHashOfRos2AndTheProvenance) {
-  const Participant participant(test_domain());
-  const Publisher publisher(participant, ros_devices());
-  auto writers = discovered_writers(participant);
-  EXPECT_EQ(writers["rt/imu/data"].user_data,
-            "typehash=RIHS01_7d9a00ff131080897a5ec7e26e315954b8eae3353c3f995c55faf71574000b5b;"
-            "provenance=emulated;");
-  EXPECT_EQ(writers["rt/gps/fix"].user_data,
-            "typehash=RIHS01_62223ab3fe210a15976021da7afddc9e200dc9ec75231c1b6a557fc598a65404;"
-            "provenance=emulated;");
-  EXPECT_EQ(writers["rt/diagnostics"].user_data,
-            "typehash=RIHS01_5a8a36efb05fb25070fa0fb3810290c0e6cd4862b54a8fb975a1ee8dc55a333e;");
-  EXPECT_EQ(writers["rt/rudder/state"].user_data, "provenance=replayed;");
-  const Qos qos(dds_create_qos());
-  ASSERT_EQ(dds_get_qos(participant.handle(), qos.get()), DDS_RETCODE_OK);
-  EXPECT_EQ(user_data_of(qos.get()), "enclave=/;");
-}
-
-/// A publisher of the rig, and the bytes of what it writes on one topic.
-template <class Message>
-class Wire {
- public:
-  explicit Wire(const std::string& topic)
-      : participant_(test_domain()),
-        publisher_(participant_, ros_devices(), {"leveling"}),
-        topic_(make_topic<Message>(participant_.handle(), topic)),
-        reader_(dds_create_reader(participant_.handle(), topic_.handle(), make_qos(10, 0, "").get(),
-                                  nullptr),
-                "reader") {
-    EXPECT_TRUE(eventually([this] { return publisher_.matched_readers() == 1; }));
-  }
-
-  template <class... Arguments>
-  CdrReader publish(const Arguments&... arguments) {
-    publisher_.publish(arguments...);
-    ddsi_serdata* data = nullptr;
-    dds_sample_info_t info;
-    EXPECT_TRUE(eventually(
-        [&] { return dds_takecdr(reader_.handle(), &data, 1, &info, DDS_ANY_STATE) == 1; }));
-    std::vector<std::uint8_t> bytes(ddsi_serdata_size(data));
-    ddsi_serdata_to_ser(data, 0, bytes.size(), bytes.data());
-    ddsi_serdata_unref(data);
-    CdrReader cdr(std::move(bytes));
-    EXPECT_TRUE(cdr.is_plain_little_endian());
-    return cdr;
-  }
-
- private:
-  Participant participant_;
-  Publisher publisher_;
-  Entity topic_, reader_;
-};
 
 void expect_header(CdrReader& cdr, const std::string& frame) {
   EXPECT_EQ(cdr.next<std::int32_t>(), 1'700'000'000);
