@@ -56,18 +56,18 @@ function metres(from, to) {
 }
 
 let origin;
-function place(name, t, at) {
+function place(name, at) {
   origin ??= at;
   track ??= new Track(by('where'));
   if (!colourOf.has(name)) colourOf.set(name, ['--c1', '--c3', '--c4', '--c5'][(colourOf.size - 1) % 4]);
   const { north, east } = metres(origin, at);
   track.add(name, colourOf.get(name), north, east);
-  plot('where', `${name}: depth`, 'm', [{ label: 'depth' }]).add(t, [-at.height]);
 }
 
 function navigation(name, t, at) {
   const truth = truths.get(key(at.header.stamp)), c = (i) => 3 * Math.sqrt(at.covariance[10 * i]);
-  place(name, t, at);
+  place(name, at);
+  plot('where', `${name}: depth`, 'm', [{ label: name, colour: 0 }, { label: 'truth', colour: 1 }]).add(t, [-at.height, truth && -truth.height]);
   attitude(name, t, eulerOf(at.orientation), [6, 7].map((i) => c(i) / 3), truth && eulerOf(truth.orientation));
   if (truth) {
     const off = metres(truth, at);
@@ -96,7 +96,7 @@ const measurements = {
   'drydock/msg/Depth': (n, t, m) => plot('measurements', `${n}: depth`, 'm', named('depth')).add(t, [m.depth]),
   'drydock/msg/ActuatorState': (n, t, m) => plot('measurements', `${n}: planes`, 'deg', named('rudder', 'stern', 'bow')).add(t, [m.rudder, m.stern_plane, m.bow_plane].map((x) => x / degree)),
   'drydock/msg/GnssFix': (n, t, m) => {
-    if (Number.isFinite(m.latitude)) place(n, t, { latitude: m.latitude, longitude: m.longitude, height: m.ellipsoidal_height });
+    if (Number.isFinite(m.latitude)) place(n, { latitude: m.latitude, longitude: m.longitude, height: m.ellipsoidal_height });
   },
   'drydock/msg/GnssSatellites': (n, t, m) => { sky ??= new Sky(by('where')); sky.set(m.satellites); },
 };
@@ -105,7 +105,7 @@ function take(topic, type, time, message) {
   const t = message.header ? seconds(message.header.stamp) : 0;
   const [, first, second] = topic.split('/');
   if (type === 'diagnostic_msgs/msg/DiagnosticArray') health(message);
-  else if (topic === '/truth') { truths.set(key(message.header.stamp), message); if (truths.size > 200) truths.delete(truths.keys().next().value); place('truth', t, message); }
+  else if (topic === '/truth') { truths.set(key(message.header.stamp), message); if (truths.size > 200) truths.delete(truths.keys().next().value); place('truth', message); }
   else if (topic === '/faults') { by('fault').hidden = !message.text; by('fault').textContent = message.text; }
   else if (first === 'estimate' && type === 'drydock/msg/Navigation') navigation(second, t, message);
   else if (first === 'estimate' && type === 'sensor_msgs/msg/Imu') imuAsEstimate(second, t, message);

@@ -1,13 +1,10 @@
 #include <gtest/gtest.h>
 
-#include <array>
-#include <cstdio>
 #include <cstdlib>
-#include <fstream>
-#include <nlohmann/json.hpp>
 
 #include "drivers/bus/message_types.hpp"
 #include "drivers/bus/schema.hpp"
+#include "tests/npm/node.hpp"
 
 namespace drydock::bus {
 namespace schema_test {
@@ -30,21 +27,6 @@ TEST(Schema, OfAnUnknownTypeIsRefused) {
   EXPECT_THROW(ros2_schema("sensor_msgs/msg/Joy"), std::invalid_argument);
 }
 
-/// What the hash of each definition comes to; empty where node is not there.
-nlohmann::json hashes_of(const nlohmann::json& definitions) {
-  const std::string file = testing::TempDir() + "drydock-definitions.json";
-  std::ofstream(file) << definitions;
-  const std::string command =
-      "node " DRYDOCK_SOURCE_DIR "/tests/drivers/bus/type_hashes.cjs < " + file;
-  std::FILE* pipe = popen(command.c_str(), "r");
-  std::string text;
-  std::array<char, 4096> chunk{};
-  while (const auto n = std::fread(chunk.data(), 1, chunk.size(), pipe))
-    text.append(chunk.data(), n);
-  std::remove(file.c_str());
-  return pclose(pipe) == 0 ? nlohmann::json::parse(text) : nlohmann::json{};
-}
-
 TEST(Schema, HashesToTheTypeHashesThatRos2Publishes) {
   const std::vector<MessageType> types{
       message_type<ImuMessage>,           message_type<NavSatFixMessage>,
@@ -59,11 +41,9 @@ TEST(Schema, HashesToTheTypeHashesThatRos2Publishes) {
   // From the ROS 2 Jazzy packages: a witness of the hash itself.
   definitions["nav_msgs/msg/Odometry"] = ros2_schema("nav_msgs/msg/Odometry");
   definitions["std_msgs/msg/Header"] = ros2_schema("std_msgs/msg/Header");
-  const auto hashes = hashes_of(definitions);
-  if (hashes.empty()) {
-    ASSERT_EQ(std::getenv("CI"), nullptr) << "node is missing";
-    GTEST_SKIP() << "node absent";
-  }
+  DRYDOCK_NEEDS_NODE();
+  auto hashes =
+      drydock::test::run_node("tests/drivers/bus/type_hashes.cjs", {}, definitions.dump());
   for (const auto& type : types) {
     const std::string name = ros2_type(type.descriptor->m_typename);
     EXPECT_EQ(hashes[name], type.hash) << name;

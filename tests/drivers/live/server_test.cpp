@@ -14,11 +14,10 @@
 #include <boost/asio/write.hpp>
 #include <boost/beast/core/tcp_stream.hpp>
 #include <boost/beast/websocket.hpp>
-#include <cstdio>
 #include <cstdlib>
-#include <filesystem>
-#include <nlohmann/json.hpp>
 #include <thread>
+
+#include "tests/npm/node.hpp"
 
 namespace drydock::live {
 namespace server_test {
@@ -30,14 +29,7 @@ constexpr auto at = measurement::stamp_from_ns(1'700'000'000'123'456'789);
 /// A server on a free port, and other people's client on it.
 class LiveServer : public testing::Test {
  protected:
-  static std::string packages() { return DRYDOCK_SOURCE_DIR "/build/npm/node_modules"; }
-
-  void SetUp() override {
-    if (!std::filesystem::exists(packages())) {
-      ASSERT_EQ(std::getenv("CI"), nullptr) << "the packages of tests/npm are missing";
-      GTEST_SKIP() << "build/npm absent: ./rig test brings it";
-    }
-  }
+  void SetUp() override { DRYDOCK_NEEDS_NODE(); }
 
   std::string url() const { return "ws://127.0.0.1:" + std::to_string(server_.port()) + "/"; }
 
@@ -52,16 +44,10 @@ class LiveServer : public testing::Test {
       });
     };
     again();
-    std::string text;
+    nlohmann::json found;
     std::jthread client([&] {
-      const std::string command = "NODE_PATH=" + packages() +
-                                  " node " DRYDOCK_SOURCE_DIR "/tests/drivers/live/watch.cjs " +
-                                  url() + " " + std::to_string(count) + " " + subprotocol;
-      std::FILE* pipe = popen(command.c_str(), "r");
-      std::array<char, 4096> chunk{};
-      while (const auto n = std::fread(chunk.data(), 1, chunk.size(), pipe))
-        text.append(chunk.data(), n);
-      pclose(pipe);
+      found = drydock::test::run_node("tests/drivers/live/watch.cjs",
+                                      {url(), std::to_string(count), subprotocol});
       asio::post(io_, [&] {
         server_.stop();
         timer_.cancel();
@@ -69,7 +55,7 @@ class LiveServer : public testing::Test {
     });
     io_.run();
     client.join();
-    return nlohmann::json::parse(text);
+    return found;
   }
 
   /// The answer to one HTTP request, head and body.

@@ -70,7 +70,8 @@ TEST_F(RecorderTest, RawAndUnderstoodAreReadByOtherPeoplesDecoders) {
   ASSERT_FALSE(recorder.finish());
   EXPECT_EQ(recorder.status().lost, 0U);
 
-  DRYDOCK_READ_BACK(found, path_);
+  DRYDOCK_NEEDS_NODE();
+  auto found = mcap::test::read_back(path_);
   ASSERT_FALSE(found.contains("indexedError")) << found["indexedError"];
   auto& topics = found["indexed"]["topics"];
   EXPECT_EQ(topics["/raw/serial/dvl"]["last"]["data"].dump(), "[127,127,1,2]");
@@ -106,7 +107,8 @@ TEST_F(RecorderTest, WhatIsOlderThanASecondSurvivesAKilledProcess) {
                      start + std::chrono::milliseconds{ms});
   while (killed->status().bytes < 1000) std::this_thread::yield();
   // Never finished, never deleted: the file as it is now is what a killed process leaves.
-  DRYDOCK_READ_BACK(found, path_);
+  DRYDOCK_NEEDS_NODE();
+  auto found = mcap::test::read_back(path_);
   EXPECT_TRUE(found.contains("indexedError"));
   EXPECT_GE(found["streamed"]["counts"]["Message"], 50);
   killed->finish();
