@@ -1,0 +1,110 @@
+#include "tests/estimators/navigation/recordings/own_clock.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <numbers>
+
+namespace drydock::navigation::test {
+
+namespace {
+
+constexpr double furthest = 0.03, nearest = 5e-4;  // of the two rates from each other
+constexpr double coarse_s = 100;                   // a line through this much leads the rest
+constexpr int alike = 20;                          // repeats on each side that give the stray
+
+/// Eq. (R1): a repeat says that a sample came between it and one period after the poll before.
+struct Repeat {
+  double poll, before;
+  double arrival(double period) const { return (poll + before + period) / 2; }
+};
+
+/// The period whose phase the arrivals share, by the length of their resultant.
+double coarse_period(const std::vector<Repeat>& repeats, double polled, bool faster) {
+  const double span = std::min(coarse_s, repeats.back().poll - repeats.front().poll);
+  const double step = polled * polled / span / 10;
+  double best = 0, found = polled;
+  for (double off = nearest * polled; off < furthest * polled; off += step) {
+    const double period = faster ? polled - off : polled + off;
+    std::complex<double> sum = 0;
+    for (const Repeat& r : repeats) {
+      if (r.poll - repeats.front().poll > coarse_s) break;
+      sum += std::polar(1.0,
+                        2 * std::numbers::pi * (r.arrival(period) - repeats.front().poll) / period);
+    }
+    if (std::abs(sum) > best) best = std::abs(sum), found = period;
+  }
+  return found;
+}
+
+OwnClock clock_near(const std::vector<Repeat>& repeats, double period) {
+  OwnClock clock{repeats.front().arrival(period), period, {}, {}};
+  for (const double reach : {coarse_s, repeats.back().poll}) {
+    double n = 0, j1 = 0, j2 = 0, e1 = 0, je = 0;
+    for (const Repeat& r : repeats) {
+      if (r.poll - repeats.front().poll > reach) break;
+      const double arrival = r.arrival(clock.period);
+      const double j = std::round((arrival - clock.first) / clock.period);
+      const double e = arrival - clock.first - j * clock.period;
+      n += 1, j1 += j, j2 += j * j, e1 += e, je += j * e;
+    }
+    const double slope = (n * je - j1 * e1) / (n * j2 - j1 * j1);
+    clock.first += (e1 - slope * j1) / n;
+    clock.period += slope;
+  }
+  std::vector<double> off;
+  for (const Repeat& r : repeats) {
+    const double arrival = r.arrival(clock.period) - clock.first;
+    off.push_back(arrival - std::round(arrival / clock.period) * clock.period);
+  }
+  const int n = static_cast<int>(off.size());
+  for (int i = 0; i < n; ++i) {
+    const int from = std::max(0, i - alike), to = std::min(n, i + alike + 1);
+    double sum = 0, at = 0;
+    for (int k = from; k < to; ++k) sum += off[k], at += repeats[k].poll;
+    clock.stray_at.push_back(at / (to - from));
+    clock.stray.push_back(sum / (to - from));
+  }
+  return clock;
+}
+
+}  // namespace
+
+double OwnClock::stray_near(double t) const {
+  const auto after = std::upper_bound(stray_at.begin(), stray_at.end(), t);
+  if (after == stray_at.begin()) return stray.front();
+  if (after == stray_at.end()) return stray.back();
+  const auto i = static_cast<std::size_t>(after - stray_at.begin());
+  const double part = (t - stray_at[i - 1]) / (stray_at[i] - stray_at[i - 1]);
+  return stray[i - 1] + part * (stray[i] - stray[i - 1]);
+}
+
+long OwnClock::newest(double t) const {
+  return static_cast<long>(std::floor((t - first - stray_near(t)) / period));
+}
+
+std::vector<bool> repeats_of(std::span<const Poll> polls) {
+  std::vector<bool> repeats(polls.size(), false);
+  for (std::size_t i = 1; i < polls.size(); ++i) repeats[i] = polls[i].value == polls[i - 1].value;
+  return repeats;
+}
+
+Read<OwnClock> own_clock(std::span<const Poll> polls, const std::vector<bool>& repeats) {
+  std::vector<Repeat> found;
+  for (std::size_t i = 1; i < polls.size(); ++i)
+    if (repeats[i]) found.push_back({polls[i].t, polls[i - 1].t});
+  const double polled = (polls.back().t - polls.front().t) / static_cast<double>(polls.size() - 1);
+  OwnClock best;
+  std::size_t fewest = found.size() / 10 + 1;
+  for (const bool faster : {true, false}) {
+    const OwnClock clock = clock_near(found, coarse_period(found, polled, faster));
+    std::size_t unexplained = 0;
+    for (std::size_t i = 1; i < polls.size(); ++i)
+      unexplained += (clock.newest(polls[i].t) == clock.newest(polls[i - 1].t)) != repeats[i];
+    if (unexplained < fewest) fewest = unexplained, best = clock;
+  }
+  if (best.period == 0) return Refusal{"IMU", "repeated rows that no steady clock explains"};
+  return best;
+}
+
+}  // namespace drydock::navigation::test
