@@ -9,9 +9,10 @@ namespace drydock::navigation::test {
 
 namespace {
 
-constexpr double furthest = 0.03, nearest = 5e-4;  // of the two rates from each other
-constexpr double coarse_s = 100;                   // a line through this much leads the rest
-constexpr int alike = 20;                          // repeats on each side that give the stray
+constexpr double furthest = 0.03, nearest = 5e-4;   // of the two rates from each other
+constexpr double coarse_s = 100;                    // a line through this much leads the rest
+constexpr std::size_t window = 500;                 // polls that give one point of the stray
+constexpr double widest_s = 1.5e-3, fine_s = 5e-5;  // strays that are tried
 
 /// Eq. (R1): a repeat says that a sample came between it and one period after the poll before.
 struct Repeat {
@@ -37,35 +38,56 @@ double coarse_period(const std::vector<Repeat>& repeats, double polled, bool fas
   return found;
 }
 
-OwnClock clock_near(const std::vector<Repeat>& repeats, double period) {
+OwnClock line_near(const std::vector<Repeat>& repeats, double period) {
   OwnClock clock{repeats.front().arrival(period), period, {}, {}};
   for (const double reach : {coarse_s, repeats.back().poll}) {
     double n = 0, j1 = 0, j2 = 0, e1 = 0, je = 0;
+    double led = 0;  // the stray so far, lest a sample be miscounted
     for (const Repeat& r : repeats) {
       if (r.poll - repeats.front().poll > reach) break;
       const double arrival = r.arrival(clock.period);
-      const double j = std::round((arrival - clock.first) / clock.period);
+      const double j = std::round((arrival - clock.first - led) / clock.period);
       const double e = arrival - clock.first - j * clock.period;
+      led += (e - led) / 10;
       n += 1, j1 += j, j2 += j * j, e1 += e, je += j * e;
     }
     const double slope = (n * je - j1 * e1) / (n * j2 - j1 * j1);
     clock.first += (e1 - slope * j1) / n;
     clock.period += slope;
   }
-  std::vector<double> off;
-  for (const Repeat& r : repeats) {
-    const double arrival = r.arrival(clock.period) - clock.first;
-    off.push_back(arrival - std::round(arrival / clock.period) * clock.period);
-  }
-  const int n = static_cast<int>(off.size());
-  for (int i = 0; i < n; ++i) {
-    const int from = std::max(0, i - alike), to = std::min(n, i + alike + 1);
-    double sum = 0, at = 0;
-    for (int k = from; k < to; ++k) sum += off[k], at += repeats[k].poll;
-    clock.stray_at.push_back(at / (to - from));
-    clock.stray.push_back(sum / (to - from));
-  }
   return clock;
+}
+
+/// Polls of a window whose news, or want of it, the clock does not explain when `stray` s late.
+int unexplained(std::span<const Poll> polls, const std::vector<bool>& repeats, std::size_t from,
+                const OwnClock& clock, double stray) {
+  int count = 0;
+  const auto newest = [&](std::size_t i) {
+    return std::floor((polls[i].t - clock.first - stray) / clock.period);
+  };
+  double before = newest(from);
+  for (std::size_t i = from + 1; i < std::min(polls.size(), from + window); ++i) {
+    const double now = newest(i);
+    count += (now == before) != repeats[i];
+    before = now;
+  }
+  return count;
+}
+
+/// The stray, window by window: the middle of those that leave fewest polls unexplained.
+void add_stray(std::span<const Poll> polls, const std::vector<bool>& repeats, OwnClock& clock) {
+  for (std::size_t from = 0; from == 0 || from + window <= polls.size(); from += window / 2) {
+    int fewest = static_cast<int>(window);
+    double sum = 0;
+    int n = 0;
+    for (double stray = -widest_s; stray <= widest_s; stray += fine_s) {
+      const int count = unexplained(polls, repeats, from, clock, stray);
+      if (count < fewest) fewest = count, sum = 0, n = 0;
+      if (count == fewest) sum += stray, ++n;
+    }
+    clock.stray_at.push_back(polls[std::min(polls.size() - 1, from + window / 2)].t);
+    clock.stray.push_back(sum / n);
+  }
 }
 
 }  // namespace
@@ -97,11 +119,12 @@ Read<OwnClock> own_clock(std::span<const Poll> polls, const std::vector<bool>& r
   OwnClock best;
   std::size_t fewest = found.size() / 10 + 1;
   for (const bool faster : {true, false}) {
-    const OwnClock clock = clock_near(found, coarse_period(found, polled, faster));
-    std::size_t unexplained = 0;
+    OwnClock clock = line_near(found, coarse_period(found, polled, faster));
+    add_stray(polls, repeats, clock);
+    std::size_t wrong = 0;
     for (std::size_t i = 1; i < polls.size(); ++i)
-      unexplained += (clock.newest(polls[i].t) == clock.newest(polls[i - 1].t)) != repeats[i];
-    if (unexplained < fewest) fewest = unexplained, best = clock;
+      wrong += (clock.newest(polls[i].t) == clock.newest(polls[i - 1].t)) != repeats[i];
+    if (wrong < fewest) fewest = wrong, best = clock;
   }
   if (best.period == 0) return Refusal{"IMU", "repeated rows that no steady clock explains"};
   return best;

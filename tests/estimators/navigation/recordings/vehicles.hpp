@@ -20,7 +20,7 @@ inline DriveSetup car() {
   o.gyro_bias_radps = 0.02 * degree;
   o.accel_bias_mps2 = 0.1;
   // Where each comes from: docs/estimators/real-data.md.
-  o.angle_noise_rad = 0.008 * degree;
+  o.angle_noise_rad = 0.005 * degree;
   o.velocity_noise_mps = 0.009;
   o.gyro_bias_walk_radps = 4e-4 * degree;
   o.accel_bias_walk_mps2 = 7e-6 * 9.80665;
