@@ -9,10 +9,11 @@ namespace drydock::navigation::test {
 
 namespace {
 
-constexpr double furthest = 0.03, nearest = 5e-4;   // of the two rates from each other
-constexpr double coarse_s = 100;                    // a line through this much leads the rest
-constexpr std::size_t window = 500;                 // polls that give one point of the stray
-constexpr double widest_s = 1.5e-3, fine_s = 5e-5;  // strays that are tried
+constexpr double furthest = 0.03, nearest = 5e-4;  // of the two rates from each other
+constexpr double coarse_s = 100;                   // a line through this much leads the rest
+constexpr std::size_t window = 500;                // polls that give one point of the stray
+constexpr double fine_s = 5e-5;                    // between strays that are tried
+constexpr int tried = 30;                          // of them, early and late
 
 /// Eq. (R1): a repeat says that a sample came between it and one period after the poll before.
 struct Repeat {
@@ -25,7 +26,9 @@ double coarse_period(const std::vector<Repeat>& repeats, double polled, bool fas
   const double span = std::min(coarse_s, repeats.back().poll - repeats.front().poll);
   const double step = polled * polled / span / 10;
   double best = 0, found = polled;
-  for (double off = nearest * polled; off < furthest * polled; off += step) {
+  const int last = static_cast<int>(furthest * polled / step);
+  for (int i = static_cast<int>(nearest * polled / step); i < last; ++i) {
+    const double off = i * step;
     const double period = faster ? polled - off : polled + off;
     std::complex<double> sum = 0;
     for (const Repeat& r : repeats) {
@@ -80,7 +83,8 @@ void add_stray(std::span<const Poll> polls, const std::vector<bool>& repeats, Ow
     int fewest = static_cast<int>(window);
     double sum = 0;
     int n = 0;
-    for (double stray = -widest_s; stray <= widest_s; stray += fine_s) {
+    for (int i = -tried; i <= tried; ++i) {
+      const double stray = i * fine_s;
       const int count = unexplained(polls, repeats, from, clock, stray);
       if (count < fewest) fewest = count, sum = 0, n = 0;
       if (count == fewest) sum += stray, ++n;

@@ -40,7 +40,7 @@ Eigen::Matrix<double, inputs, 1> neighbours(const Samples& samples, std::size_t 
                                             const Vector6& mean, const Vector6& deviation) {
   Eigen::Matrix<double, inputs, 1> x;
   for (int k = 0; k < reach; ++k) {
-    const auto off = static_cast<std::size_t>(k + 1);
+    const std::size_t off = 1 + static_cast<std::size_t>(k);
     x.segment<6>(12 * k) = (samples[i - off].value - mean).cwiseQuotient(deviation);
     x.segment<6>(12 * k + 6) = (samples[i + off].value - mean).cwiseQuotient(deviation);
   }
