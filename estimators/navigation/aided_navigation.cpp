@@ -67,6 +67,14 @@ void AidedNavigation::step(std::optional<double> reference_height_m) {
                     increments.dt, noise_);
 }
 
+void AidedNavigation::add_noise(const Vector3d& angle, const Vector3d& velocity) {
+  const Eigen::Matrix3d turn = sdins_.state().body_to_ned.toRotationMatrix();
+  auto& p = filter_.covariance();
+  p.block<3, 3>(phi, phi) += turn * angle.cwiseAbs2().asDiagonal() * turn.transpose();
+  p.block<3, 3>(velocity_error, velocity_error) +=
+      turn * velocity.cwiseAbs2().asDiagonal() * turn.transpose();
+}
+
 int AidedNavigation::update_velocity(const Vector3d& velocity_body, const Vector3d& sigma,
                                      const Vector3d& lever) {
   const NavigationState& now = sdins_.state();

@@ -45,6 +45,10 @@ class AidedNavigation {
   /// The navigation step over the samples since the last one, and eq. (15).
   void step(std::optional<double> reference_height_m = {});
 
+  /// What a sample since the last step may miss beyond the options' noise: one standard deviation
+  /// each of its angle (rad) and velocity (m/s), body axes.
+  void add_noise(const Eigen::Vector3d& angle, const Eigen::Vector3d& velocity);
+
   /// Eq. (16). Give the number of rows that passed the gate; errors found are taken out at once.
   /// Standard deviations in body axes m/s, m, and m north, east, up.
   /// `lever`: from the IMU to the sensor, body axes, m, eq. (N8).

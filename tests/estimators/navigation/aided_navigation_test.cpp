@@ -62,6 +62,18 @@ struct Bench {
   }
 };
 
+TEST(AidedNavigation, NoiseOfASampleJoinsTheCovarianceTurnedFromBodyAxes) {
+  NavigationState start = AnalyticVoyage{}.at(0);
+  start.body_to_ned = quaternion_of({0, 0, M_PI / 2});  // forward is east, starboard south
+  AidedNavigation aided{start, {}};
+  const Eigen::MatrixXd before = aided.covariance();
+  aided.add_noise({1e-3, 2e-3, 3e-3}, {0.1, 0.2, 0.3});
+  Eigen::MatrixXd expected = Eigen::MatrixXd::Zero(before.rows(), before.cols());
+  expected.diagonal().segment<3>(velocity_error) << 0.04, 0.01, 0.09;
+  expected.diagonal().segment<3>(phi) << 4e-6, 1e-6, 9e-6;
+  EXPECT_LT((aided.covariance() - before - expected).cwiseAbs().maxCoeff(), 1e-12);
+}
+
 TEST(AidedNavigation, FindsPositionVelocityAttitudeAndBiasesFromPositions) {
   Bench bench(1);
   AidedNavigation navigation(bench.wrong_start(), bench.options);

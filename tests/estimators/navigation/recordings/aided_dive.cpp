@@ -108,6 +108,9 @@ Read<DiveResult> navigate(const PoolRecording& dive, const DiveSetup& setup) {
     }
   }
   result.gap_m = frame::ned_offset(start.position, aided.state().position).head<2>().norm();
+  const auto& p = aided.covariance();
+  const double cosine = std::cos(setup.latitude_rad);
+  result.gap_sigma_m = 6.37e6 * std::sqrt(p(0, 0) + p(1, 1) * cosine * cosine);
   result.velocity_nis = velocity.mean();
   result.depth_nis = depth.mean();
   result.velocity_rms_mps = std::sqrt(velocity_square / std::max(1, velocity.rows));

@@ -16,6 +16,7 @@ struct DiveSetup {
 
 struct DiveResult {
   double travelled_m = 0, gap_m = 0;  ///< path, and horizontal distance of its end from its start
+  double gap_sigma_m = 0;             ///< what the filter expects of the end, root of two variances
   double turned_rad = 0;              ///< by the filter's heading, over the whole dive
   double magnetic_turned_rad = 0;     ///< by the magnetometer, which the filter does not use
   double velocity_nis = 0, depth_nis = 0;  ///< per degree of freedom

@@ -1,5 +1,6 @@
 #include "tests/estimators/navigation/recordings/aided_drive.hpp"
 
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 
@@ -12,6 +13,7 @@ using Eigen::Vector3d;
 namespace {
 
 constexpr double resting_mps = 0.05, moving_mps = 2, needed_rest_s = 5;
+constexpr int rtk_fixed = 1;  // of RTKLIB; a float solution is off by more than it says
 
 /// The IMU in body axes, in the time of the fixes, without the rate it shows at rest.
 struct Imu {
@@ -21,6 +23,9 @@ struct Imu {
 
   double time(std::size_t i) const { return drive.imu[i].t - setup.imu_delay_s; }
   Vector3d rate(std::size_t i) const { return setup.imu_to_body * drive.imu[i].rate - rest_rate; }
+  Vector3d missed(const Vector3d& sigma) const {
+    return (setup.imu_to_body.cwiseAbs2() * sigma.cwiseAbs2()).cwiseSqrt();
+  }
   Vector3d force(std::size_t i) const { return setup.imu_to_body * drive.imu[i].force; }
 };
 
@@ -77,10 +82,11 @@ Read<DriveResult> navigate(const DriveRecording& drive, const DriveSetup& setup,
   AidedNavigation aided{start->state, setup.options};
   const double begin = drive.fixes[start->fix].t;
   const auto in_gap = [&](double t) {
-    return std::fmod(t - begin, gaps.every_s) >= gaps.every_s - gaps.length_s;
+    return std::fmod(t - begin + gaps.early_s, gaps.every_s) >= gaps.every_s - gaps.length_s;
   };
 
   DriveResult result;
+  bool after_gap = false;
   double now = begin, square = 0, nis = 0;
   std::size_t aids = 0, rows = 0, sample = start->sample;
   const auto go_to = [&](double t) {  // part of a sample where a fix lies inside it
@@ -91,8 +97,13 @@ Read<DriveResult> navigate(const DriveRecording& drive, const DriveSetup& setup,
   };
   for (std::size_t i = start->fix + 1; i < drive.fixes.size(); ++i) {
     const RtkFix& fix = drive.fixes[i];
-    for (; sample < drive.imu.size() && imu.time(sample) <= fix.t; ++sample)
+    for (; sample < drive.imu.size() && imu.time(sample) <= fix.t; ++sample) {
+      const ImuRow& row = drive.imu[sample];
+      const double dt = imu.time(sample) - imu.time(sample - 1);
+      if (!row.rate_missed.isZero())
+        aided.add_noise(imu.missed(row.rate_missed) * dt, imu.missed(row.force_missed) * dt);
       go_to(imu.time(sample));
+    }
     if (sample == drive.imu.size()) break;
     go_to(fix.t);
     const Eigen::Vector2d error = horizontal_error(aided, fix, setup.antenna);
@@ -100,12 +111,17 @@ Read<DriveResult> navigate(const DriveRecording& drive, const DriveSetup& setup,
       if (i + 1 < drive.fixes.size() && in_gap(drive.fixes[i + 1].t)) continue;
       result.gap_end_m.push_back(error.norm());
       const auto& p = aided.covariance();
-      const double radius = 6.37e6, cosine = std::cos(fix.position.latitude_rad);
-      result.gap_sigma_m.push_back(radius * std::sqrt(p(0, 0) + p(1, 1) * cosine * cosine));
+      const Eigen::Vector2d metres{6.37e6, 6.37e6 * std::cos(fix.position.latitude_rad)};
+      const Eigen::Matrix2d expected =
+          metres.asDiagonal() * p.topLeftCorner<2, 2>() * metres.asDiagonal();
+      result.gap_sigma_m.push_back(std::sqrt(expected.trace()));
+      result.gap_nees.push_back(error.dot(expected.ldlt().solve(error)) / 2);
+      after_gap = true;
       continue;
     }
-    square += error.squaredNorm();
-    ++aids;
+    if (fix.quality != rtk_fixed) continue;
+    if (!after_gap) square += error.squaredNorm(), ++aids;
+    after_gap = false;
     const Vector3d sigma =
         (fix.sigma_m.array().square() + setup.fix_sigma_m * setup.fix_sigma_m).sqrt();
     aided.update_position(fix.position, sigma, setup.antenna);

@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <complex>
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
 #include <numbers>
 #include <sstream>
+
+#include "tests/estimators/navigation/recordings/polled_imu.hpp"
 
 namespace drydock::navigation::test {
 
@@ -17,6 +20,8 @@ namespace {
 
 constexpr double in_radians = std::numbers::pi / 180, standard_gravity = 9.80665;
 constexpr double day = 86400;
+constexpr double logger_loop_s =
+    2.048e-3;                           // polls fall on its turns, of which the rows tell the ms
 constexpr std::size_t tag_header = 64;  // then time_t and fraction of a second, then pairs
 
 Read<std::filesystem::path> only_file(const std::filesystem::path& folder, const std::string& end) {
@@ -105,6 +110,22 @@ Read<Line> read_clock(const std::filesystem::path& tags, const std::string& csv,
   return Line{mean.x(), std::fmod(start, day) + fraction + mean.y(), xy / xx};
 }
 
+/// The rows by the IMU's count, finer than its ms where they fall on the turns of the loop.
+std::vector<Poll> read_polls(const std::vector<std::vector<double>>& rows) {
+  std::complex<double> turn = 0;
+  const auto angle = [](double t) { return 2 * std::numbers::pi * t / logger_loop_s; };
+  for (const auto& row : rows) turn += std::polar(1.0, angle(row[6] * 1e-3));
+  const bool on_turns = std::abs(turn) > 0.5 * static_cast<double>(rows.size());
+  const double first = std::arg(turn) / (2 * std::numbers::pi) * logger_loop_s;
+  std::vector<Poll> polls;
+  for (const auto& row : rows) {
+    double t = row[6] * 1e-3;
+    if (on_turns) t = first + std::round((t - first) / logger_loop_s) * logger_loop_s;
+    polls.push_back({t, Eigen::Map<const Vector6>(row.data())});
+  }
+  return polls;
+}
+
 }  // namespace
 
 Read<DriveRecording> read_drive(const std::filesystem::path& folder) {
@@ -121,11 +142,16 @@ Read<DriveRecording> read_drive(const std::filesystem::path& folder) {
   const auto clock = read_clock(*tags, *text, *rows);
   if (clock.has_error()) return clock.error();
 
-  DriveRecording drive{{}, std::move(*fixes), clock->slope};
-  for (const auto& row : *rows)
-    drive.imu.push_back({clock->at(row[6] * 1e-3),
-                         Eigen::Vector3d{row[3], row[4], row[5]} * in_radians,
-                         Eigen::Vector3d{row[0], row[1], row[2]} * standard_gravity});
+  const auto own = own_samples(read_polls(*rows));
+  if (own.has_error()) return Refusal{*imu, own.error().line};
+
+  DriveRecording drive{{},       std::move(*fixes), clock->slope, own->period_s, own->repeated,
+                       own->lost};
+  for (const OwnSample& sample : own->samples)
+    drive.imu.push_back({clock->at(sample.t), sample.value.tail<3>() * in_radians,
+                         sample.value.head<3>() * standard_gravity,
+                         sample.missed.tail<3>() * in_radians,
+                         sample.missed.head<3>() * standard_gravity});
   return drive;
 }
 

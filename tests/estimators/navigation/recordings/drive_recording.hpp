@@ -20,11 +20,14 @@ struct RtkFix {
 struct DriveRecording {
   std::vector<ImuRow> imu;
   std::vector<RtkFix> fixes;
-  double clock_rate;  ///< s of the logger's clock per s of the IMU's
+  double clock_rate;     ///< s of the logger's clock per s of the IMU's count
+  double period_s;       ///< of the IMU's own samples; 0 where no row is repeated
+  std::size_t repeated;  ///< rows that brought what the row before brought
+  std::size_t lost;      ///< samples that no row brought, filled in from their neighbours
 };
 
 /// The IMU's clock is tied to the logger's by the line of least squares through the time tags; what
-/// delays every tag alike stays in.
+/// delays every tag alike stays in. The IMU's own samples are put back in their places.
 Read<DriveRecording> read_drive(const std::filesystem::path& folder);
 
 }  // namespace drydock::navigation::test

@@ -19,15 +19,15 @@ inline DriveSetup car() {
   o.alignment_rad = Eigen::Vector3d{1, 1, 10} * degree;
   o.gyro_bias_radps = 0.02 * degree;
   o.accel_bias_mps2 = 0.1;
-  // Data sheet times 5, 30, 10 and 30: with these the aided innovations are consistent.
-  o.angle_noise_rad = 5 * 0.0038 * degree;
-  o.velocity_noise_mps = 30 * 70e-6 * 9.80665;
-  o.gyro_bias_walk_radps = 10 * 3.8e-5 * degree;
-  o.accel_bias_walk_mps2 = 30 * 7e-6 * 9.80665;
+  // Where each comes from: docs/estimators/real-data.md.
+  o.angle_noise_rad = 0.005 * degree;
+  o.velocity_noise_mps = 0.009;
+  o.gyro_bias_walk_radps = 4e-4 * degree;
+  o.accel_bias_walk_mps2 = 7e-6 * 9.80665;
   o.height_noise_m = o.height_loop_tau_s = 0;
   // Groves' Euler angles of the IMU against the car: what turns body axes into the IMU's.
   const frame::Euler imu{180 * degree, -6.79 * degree, 185.35 * degree};
-  return {frame::ned_to_body(imu), {0, -0.05, 0}, 0.3, 0.02, o};
+  return {frame::ned_to_body(imu), {0, -0.05, 0}, 0.26, 0.015, o};
 }
 
 /// The SONIA vehicle of 2016: IMU upside down, DVL turned by -45 degrees.
