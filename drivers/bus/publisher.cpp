@@ -1,5 +1,8 @@
 #include "drivers/bus/publisher.hpp"
 
+#include <algorithm>
+#include <optional>
+
 #include "drivers/bus/writer.hpp"
 
 namespace drydock::bus {
@@ -26,6 +29,16 @@ struct Channel {
   DeviceWriters writers;
 };
 
+struct NavigationWriters {
+  NavigationWriters(const Participant& participant, const std::string& estimator)
+      : odometry(participant, estimate_topic(estimator) + "/odometry", estimator + "_enu"),
+        fix(participant, estimate_topic(estimator) + "/fix", "base_link") {
+    odometry.message().child_frame_id = dds_string_dup("base_link");
+  }
+  Writer<OdometryMessage> odometry;
+  Writer<NavSatFixMessage> fix;
+};
+
 /// False when this kind of device does not give such a measurement.
 bool publish_to(DeviceWriters& writers, const Measurement& measurement) {
   return std::visit(
@@ -42,6 +55,7 @@ bool publish_to(DeviceWriters& writers, const Measurement& measurement) {
 struct Publisher::Writers {
   std::vector<Channel> devices;
   std::vector<Writer<ImuMessage>> estimates;
+  std::vector<std::optional<NavigationWriters>> navigation;  ///< one an estimator
   Writer<DiagnosticsMessage> diagnostics;
   std::uint64_t misrouted = 0;
 
@@ -51,14 +65,21 @@ struct Publisher::Writers {
       std::visit([&f](const auto& writers) { writers.for_each(f); }, device.writers);
     }
     for (const auto& estimate : estimates) f(estimate);
+    for (const auto& writers : navigation) {
+      if (!writers) continue;
+      f(writers->odometry);
+      f(writers->fix);
+    }
     f(diagnostics);
   }
 };
 
 Publisher::Publisher(const Participant& participant, const std::vector<Device>& devices,
-                     const std::vector<std::string>& estimators)
+                     const std::vector<std::string>& estimators,
+                     const std::vector<std::string>& navigators)
     : writers_(new Writers{.devices = {},
                            .estimates = {},
+                           .navigation = {},
                            .diagnostics = {participant, std::string(diagnostics_topic), ""}}) {
   writers_->devices.reserve(devices.size());
   for (const auto& device : devices) {
@@ -66,6 +87,9 @@ Publisher::Publisher(const Participant& participant, const std::vector<Device>& 
   }
   for (const auto& name : estimators) {
     writers_->estimates.emplace_back(participant, estimate_topic(name), "base_link");
+    auto& navigation = writers_->navigation.emplace_back();
+    if (std::ranges::find(navigators, name) != navigators.end())
+      navigation.emplace(participant, name);
   }
 }
 
@@ -90,6 +114,19 @@ void Publisher::publish(const Attitude& attitude, std::size_t estimator) {
   auto& writer = writers_->estimates[estimator];
   fill(writer.message(), attitude);
   writer.write(attitude.valid_at);
+}
+
+void Publisher::publish(const Navigation& navigation, std::size_t estimator) {
+  if (estimator >= writers_->navigation.size() || !writers_->navigation[estimator]) {
+    ++writers_->misrouted;
+    return;
+  }
+  const auto write = [&](auto& writer) {
+    fill(writer.message(), navigation);
+    writer.write(navigation.valid_at);
+  };
+  write(writers_->navigation[estimator]->odometry);
+  write(writers_->navigation[estimator]->fix);
 }
 
 void Publisher::publish(std::span<const DeviceStatus> health, Stamp now) {
