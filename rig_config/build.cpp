@@ -82,6 +82,7 @@ DeviceConfig build_device(const Node& table, const std::string& rig_file) {
   if (const Node* latitude = table.find("latitude_deg")) {
     device.unesco_latitude_rad = latitude->number * degree;
   }
+  if (const Node* output = table.find("output")) device.means = output->text == "mean";
   if (const Node* aceinna = table.find("aceinna")) device.aceinna = build_aceinna(*aceinna);
   if (const Node* xsens = table.find("xsens")) device.xsens = build_xsens(*xsens);
   if (const Node* pressure = table.find("pressure")) device.pressure = build_pressure(*pressure);
@@ -114,6 +115,32 @@ RollConfig build_roll(const Node& table) {
   return roll;
 }
 
+InertialConfig build_inertial(const Node& table) {
+  InertialConfig inertial;
+  read(table, "dvl", inertial.dvl);
+  read(table, "depth", inertial.depth);
+  read(table, "actuators", inertial.actuators);
+  if (const Node* filter = table.find("filter"); filter && filter->text == "paper")
+    inertial.method = VelocityMethod::paper;
+  read(table, "gate_sigma", inertial.gate_sigma);
+  read(table, "sea_level_m", inertial.sea_level_m);
+  const Node* initial = table.find("initial");
+  if (!initial) return inertial;
+  read(*initial, "latitude_deg", inertial.latitude_rad, degree);
+  read(*initial, "longitude_deg", inertial.longitude_rad, degree);
+  read(*initial, "depth_m", inertial.depth_m);
+  read(*initial, "velocity_ned_mps", inertial.velocity_ned_mps);
+  read(*initial, "roll_deg", inertial.roll_rad, degree);
+  read(*initial, "pitch_deg", inertial.pitch_rad, degree);
+  read(*initial, "heading_deg", inertial.heading_rad, degree);
+  read(*initial, "position_sigma_m", inertial.position_sigma_m);
+  read(*initial, "depth_sigma_m", inertial.depth_sigma_m);
+  read(*initial, "velocity_sigma_mps", inertial.velocity_sigma_mps);
+  read(*initial, "tilt_sigma_deg", inertial.tilt_sigma_rad, degree);
+  read(*initial, "heading_sigma_deg", inertial.heading_sigma_rad, degree);
+  return inertial;
+}
+
 EstimatorConfig build_estimator(const Node& table) {
   EstimatorConfig estimator;
   read(table, "name", estimator.name);
@@ -121,6 +148,7 @@ EstimatorConfig build_estimator(const Node& table) {
   read(table, "imu", estimator.imu);
   read(table, "log", estimator.log);
   read(table, "gnss", estimator.gnss);
+  estimator.inertial = build_inertial(table);
   if (const Node* roll = table.find("roll")) estimator.roll = build_roll(*roll);
   std::string filter, model, start;
   read(table, "filter", filter);

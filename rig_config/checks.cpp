@@ -25,9 +25,13 @@ class RigChecks {
     links_are_sound();
     addresses_are_unique();
     files_exist();
+    estimator_files_exist();
     estimator_devices_exist("imu", "imu");
     estimator_devices_exist("log", "emlog");
     estimator_devices_exist("gnss", "gnss");
+    estimator_devices_exist("dvl", "dvl");
+    estimator_devices_exist("depth", "depth");
+    estimator_devices_exist("actuators", "actuator");
     return std::move(problems_);
   }
 
@@ -81,6 +85,13 @@ class RigChecks {
       if (const Node* sky = emulate->find("sky"))
         file_exists(sky->find_text("ephemeris"),
                     fmt::format("/device/{}/emulate/sky/ephemeris", i));
+    });
+  }
+
+  void estimator_files_exist() {
+    for_each_table(root_, "estimator", [&](const Node& estimator, std::size_t i) {
+      for (const char* key : {"sensors", "vehicle"})
+        file_exists(estimator.find_text(key), fmt::format("/estimator/{}/{}", i, key));
     });
   }
 

@@ -126,6 +126,50 @@ Problems read_emulated_errors(const Node& table, std::size_t index, DeviceConfig
   return {};
 }
 
+/// What the sensor file of an inertial navigation says of those of its sensors that it names.
+Problems read_grades(const Node& table, std::size_t index, InertialConfig& inertial,
+                     const std::string& file) {
+  const Node* reference = table.find("sensors");
+  if (!reference) return {};
+  const std::string path = beside(file, reference->text);
+  const auto sensors = read_checked_file(path, FileKind::sensor);
+  if (!sensors) return sensors.error();
+  struct Wanted {
+    const char* key;
+    DeviceKind kind;
+    EmulateConfig InertialConfig::*grade;
+  };
+  Problems problems;
+  for (const auto& [key, kind, grade] :
+       {Wanted{"imu", DeviceKind::imu, &InertialConfig::imu_grade},
+        Wanted{"dvl", DeviceKind::dvl, &InertialConfig::dvl_grade},
+        Wanted{"log", DeviceKind::emlog, &InertialConfig::log_grade},
+        Wanted{"depth", DeviceKind::depth, &InertialConfig::depth_grade}}) {
+    if (!table.find(key)) continue;
+    if (const Node* found = sensors->find(name_of(kind))) {
+      read_errors(*found, kind, inertial.*grade);
+    } else {
+      problems.push_back({file, reference->at.line, reference->at.column,
+                          fmt::format("/estimator/{}/sensors", index), no_table(path, kind)});
+    }
+  }
+  return problems;
+}
+
+Problems read_estimator_files(const Node& table, std::size_t index, EstimatorConfig& estimator,
+                              const std::string& file) {
+  Problems problems = read_grades(table, index, estimator.inertial, file);
+  if (const Node* reference = table.find("vehicle")) {
+    const auto vehicle = read_checked_file(beside(file, reference->text), FileKind::vehicle);
+    if (!vehicle) {
+      append(problems, vehicle.error());
+    } else {
+      estimator.inertial.vehicle = build_vehicle(*vehicle);
+    }
+  }
+  return problems;
+}
+
 }  // namespace
 
 Loaded<Rig> load_rig_text(std::string_view text, const std::string& path,
@@ -143,6 +187,9 @@ Loaded<Rig> load_rig_text(std::string_view text, const std::string& path,
   }
   for_each_table(*root, "device", [&](const Node& table, std::size_t i) {
     append(problems, read_emulated_errors(table, i, rig.devices[i], path));
+  });
+  for_each_table(*root, "estimator", [&](const Node& table, std::size_t i) {
+    append(problems, read_estimator_files(table, i, rig.estimators[i], path));
   });
   if (!problems.empty()) return problems;
   return rig;

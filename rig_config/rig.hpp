@@ -9,6 +9,7 @@
 
 #include "rig_config/emulate.hpp"
 #include "rig_config/mission.hpp"
+#include "rig_config/vehicle.hpp"
 
 /// A rig file as typed values. Names and units are those of the TOML keys; the JSON Schema
 /// `rig_config/schema/rig.schema.json` says which are allowed, the loader fills in the defaults.
@@ -68,6 +69,7 @@ struct DeviceConfig {
   bool sync = false;               ///< CANopen: samples on SYNC, which its driver sends at rate_hz
   double surface_pressure_pa = 101325, water_density_kgm3 = 1025;  ///< kind depth
   std::optional<double> unesco_latitude_rad;  ///< depth: of the standard ocean there instead
+  bool means = false;                         ///< kind imu: samples are means, not instants
   AceinnaConfig aceinna;
   XsensConfig xsens;
   PressureConfig pressure;
@@ -94,9 +96,27 @@ struct RollConfig {
   double angle_of_attack_rad = 0.00872664625997165;  ///< between body x and the velocity
 };
 
+enum class VelocityMethod : std::uint8_t { coupled, paper };
+
+/// Of an inertial navigation: where it starts, what it knows of sensors and vehicle. 1 sigma.
+struct InertialConfig {
+  std::string dvl, depth, actuators;  ///< device names
+  VelocityMethod method = VelocityMethod::coupled;
+  double gate_sigma = 5, sea_level_m = 0;
+
+  double latitude_rad = 0, longitude_rad = 0, depth_m = 0;
+  std::array<double, 3> velocity_ned_mps{};
+  double roll_rad = 0, pitch_rad = 0, heading_rad = 0;
+  double position_sigma_m = 10, depth_sigma_m = 1, velocity_sigma_mps = 0.1;
+  double tilt_sigma_rad = 0, heading_sigma_rad = 0;
+
+  EmulateConfig imu_grade, dvl_grade, log_grade, depth_grade;  ///< of the sensor file
+  std::optional<VehicleConfig> vehicle;                        ///< kind velocity
+};
+
 struct EstimatorConfig {
   std::string name;
-  std::string kind;  ///< leveling, mixing, roll
+  std::string kind;  ///< leveling, mixing, roll, navigation, velocity
   LevelingFilter filter = LevelingFilter::robust;
   std::string imu, log, gnss;  ///< device names
   RollConfig roll;
@@ -106,6 +126,7 @@ struct EstimatorConfig {
   double initial_roll_rad = 0, initial_pitch_rad = 0;
   double latitude_rad = 0, heading_rad = 0;
   MixingType mixing_type = MixingType::compensated;
+  InertialConfig inertial;  ///< navigation, velocity
   double pivot_m = 0;  ///< mixing: ahead of the origin, where the vehicle does not slip; 0: unknown
 };
 

@@ -6,25 +6,26 @@
 namespace drydock::bus {
 
 struct CdrPublisher::Topics {
-  Topics(CdrSink& sink, const std::vector<Device>& of, const std::vector<std::string>& estimators)
+  Topics(CdrSink& sink, const std::vector<Device>& of, const std::vector<std::string>& estimators,
+         const std::vector<std::string>& navigators)
       : diagnostics(sink, encoder, std::string(diagnostics_topic), "") {
     const auto open = [&]<class Message>(const std::string& topic, const std::string& frame) {
       return CdrOutlet<Message>(sink, encoder, topic, frame);
     };
     for (const auto& device : of) devices.emplace_back(device, open);
-    for (const auto& name : estimators)
-      estimates.emplace_back(sink, encoder, estimate_topic(name), "base_link");
+    estimates = open_estimates<CdrOutlet>(estimators, navigators, open);
   }
 
   CdrEncoder encoder;
   std::vector<DeviceOutlets<CdrOutlet>> devices;
-  std::vector<CdrOutlet<ImuMessage>> estimates;
+  std::vector<EstimateOutlets<CdrOutlet>> estimates;
   CdrOutlet<DiagnosticsMessage> diagnostics;
 };
 
 CdrPublisher::CdrPublisher(CdrSink& sink, const std::vector<Device>& devices,
-                           const std::vector<std::string>& estimators)
-    : topics_(std::make_unique<Topics>(sink, devices, estimators)) {}
+                           const std::vector<std::string>& estimators,
+                           const std::vector<std::string>& navigators)
+    : topics_(std::make_unique<Topics>(sink, devices, estimators, navigators)) {}
 
 CdrPublisher::CdrPublisher(CdrPublisher&&) noexcept = default;
 CdrPublisher& CdrPublisher::operator=(CdrPublisher&&) noexcept = default;
@@ -36,10 +37,11 @@ void CdrPublisher::publish(const Measurement& measurement) {
 }
 
 void CdrPublisher::publish(const Attitude& attitude, std::size_t estimator) {
-  if (estimator >= topics_->estimates.size()) return;
-  auto& outlet = topics_->estimates[estimator];
-  fill(outlet.message(), attitude);
-  outlet.write(attitude.valid_at);
+  if (estimator < topics_->estimates.size()) topics_->estimates[estimator].publish(attitude);
+}
+
+void CdrPublisher::publish(const Navigation& navigation, std::size_t estimator) {
+  if (estimator < topics_->estimates.size()) topics_->estimates[estimator].publish(navigation);
 }
 
 void CdrPublisher::publish(std::span<const DeviceStatus> health, Stamp now) {

@@ -14,13 +14,15 @@ class CdrPublisher {
  public:
   /// The sink must outlive it.
   CdrPublisher(CdrSink& sink, const std::vector<Device>& devices,
-               const std::vector<std::string>& estimators);
+               const std::vector<std::string>& estimators,
+               const std::vector<std::string>& navigators = {});  ///< those that give Navigation
   CdrPublisher(CdrPublisher&&) noexcept;
   CdrPublisher& operator=(CdrPublisher&&) noexcept;
   ~CdrPublisher();
 
   void publish(const Measurement& measurement);
   void publish(const Attitude& attitude, std::size_t estimator);
+  void publish(const Navigation& navigation, std::size_t estimator);
   void publish(std::span<const DeviceStatus> health, Stamp now);
 
  private:

@@ -74,6 +74,11 @@ bool read(ActuatorState& sample, const ActuatorStateMessage& message);
 bool fill(ImuMessage& message, const Attitude& attitude);
 bool read(Attitude& attitude, const ImuMessage& message);
 
+/// Pose in the ENU axes of the first estimate, velocity in the body (FLU). Angular velocity is not
+/// given: variance -1.
+bool fill(OdometryMessage& message, const Navigation& navigation);
+bool fill(NavSatFixMessage& message, const Navigation& navigation);
+
 /// Replaces all but the frame name; the strings are Cyclone's (dds_sample_free releases them).
 void fill(DiagnosticsMessage& message, std::span<const DeviceStatus> health, Stamp now);
 DeviceStatus read(const diagnostic_msgs_msg_dds__DiagnosticStatus_& status);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -38,6 +38,18 @@ struct Attitude {
   double roll_rad = 0, pitch_rad = 0;
   std::optional<double> yaw_rad;                         ///< from north, clockwise seen from above
   Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();  ///< rad2, roll and pitch
+};
+
+/// Position, velocity and attitude as an estimator gives them: nav_msgs/Odometry on
+/// `rt/estimate/<name>/odometry`, sensor_msgs/NavSatFix on `rt/estimate/<name>/fix`.
+struct Navigation {
+  Stamp valid_at{};
+  double latitude_rad = 0, longitude_rad = 0, height_m = 0;  ///< WGS-84, up
+  Eigen::Vector3d offset_ned = Eigen::Vector3d::Zero();      ///< m, from the first estimate
+  Eigen::Vector3d velocity_ned = Eigen::Vector3d::Zero();    ///< m/s over ground
+  Eigen::Quaterniond body_to_ned = Eigen::Quaterniond::Identity();
+  /// NED: position m, velocity m/s, rotation rad.
+  Eigen::Matrix<double, 9, 9> covariance = Eigen::Matrix<double, 9, 9>::Zero();
 };
 
 enum class Level : std::uint8_t { ok, warn, error, stale };

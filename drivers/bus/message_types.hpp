@@ -20,6 +20,7 @@ using FluidPressureMessage = sensor_msgs_msg_dds__FluidPressure_;
 using TemperatureMessage = sensor_msgs_msg_dds__Temperature_;
 using TwistMessage = geometry_msgs_msg_dds__TwistWithCovarianceStamped_;
 using DvlMessage = marine_acoustic_msgs_msg_dds__Dvl_;
+using OdometryMessage = nav_msgs_msg_dds__Odometry_;
 using DiagnosticsMessage = diagnostic_msgs_msg_dds__DiagnosticArray_;
 using OptionalTimeMessage = drydock_msg_dds__OptionalTime_;
 using DepthMessage = drydock_msg_dds__Depth_;
@@ -63,6 +64,10 @@ template <>
 inline const MessageType message_type<DvlMessage>{
     &marine_acoustic_msgs_msg_dds__Dvl__desc,
     "RIHS01_77604ba1b113d1a39148d095ac2cb21540de83cff2bbc5443e06e25208afd421"};
+template <>
+inline const MessageType message_type<OdometryMessage>{
+    &nav_msgs_msg_dds__Odometry__desc,
+    "RIHS01_3cc97dc7fb7502f8714462c526d369e35b603cfc34d946e3f2eda2766dfec6e0"};
 template <>
 inline const MessageType message_type<DiagnosticsMessage>{
     &diagnostic_msgs_msg_dds__DiagnosticArray__desc,

@@ -1,8 +1,11 @@
 #pragma once
 
+#include <algorithm>
+#include <optional>
 #include <stdexcept>
 #include <tuple>
 #include <variant>
+#include <vector>
 
 #include "drivers/bus/convert.hpp"
 #include "drivers/bus/topic.hpp"
@@ -117,5 +120,59 @@ class DeviceOutlets {
 
   Any outlets_;
 };
+
+/// Attitude of an estimator, and where it is if it is one that navigates.
+template <template <class> class Outlet>
+class EstimateOutlets {
+ public:
+  template <class Open>
+  EstimateOutlets(const std::string& name, bool navigates, const Open& open)
+      : attitude_(open.template operator()<ImuMessage>(estimate_topic(name), "base_link")) {
+    if (!navigates) return;
+    odometry_.emplace(open.template operator()<OdometryMessage>(estimate_topic(name) + "/odometry",
+                                                                name + "_enu"));
+    odometry_->message().child_frame_id = dds_string_dup("base_link");
+    fix_.emplace(
+        open.template operator()<NavSatFixMessage>(estimate_topic(name) + "/fix", "base_link"));
+  }
+
+  void publish(const Attitude& attitude) { write(attitude_, attitude); }
+  /// False: it does not navigate.
+  bool publish(const Navigation& navigation) {
+    if (!odometry_) return false;
+    write(*odometry_, navigation);
+    write(*fix_, navigation);
+    return true;
+  }
+
+  template <class F>
+  void for_each(F f) const {
+    f(attitude_);
+    if (odometry_) f(*odometry_);
+    if (fix_) f(*fix_);
+  }
+
+ private:
+  template <class Message, class Estimate>
+  static void write(Outlet<Message>& outlet, const Estimate& estimate) {
+    fill(outlet.message(), estimate);
+    outlet.write(estimate.valid_at);
+  }
+
+  Outlet<ImuMessage> attitude_;
+  std::optional<Outlet<OdometryMessage>> odometry_;
+  std::optional<Outlet<NavSatFixMessage>> fix_;
+};
+
+/// One for each of `names`; those that are among `navigators` too give Navigation.
+template <template <class> class Outlet, class Open>
+std::vector<EstimateOutlets<Outlet>> open_estimates(const std::vector<std::string>& names,
+                                                    const std::vector<std::string>& navigators,
+                                                    const Open& open) {
+  std::vector<EstimateOutlets<Outlet>> all;
+  for (const auto& name : names)
+    all.emplace_back(name, std::ranges::find(navigators, name) != navigators.end(), open);
+  return all;
+}
 
 }  // namespace drydock::bus

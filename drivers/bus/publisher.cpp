@@ -15,20 +15,21 @@ struct Channel {
 
 struct Publisher::Writers {
   std::vector<Channel> devices;
-  std::vector<Writer<ImuMessage>> estimates;
+  std::vector<EstimateOutlets<Writer>> estimates;
   Writer<DiagnosticsMessage> diagnostics;
   std::uint64_t misrouted = 0;
 
   template <class F>
   void for_each(F f) const {
     for (const auto& device : devices) device.outlets.for_each(f);
-    for (const auto& estimate : estimates) f(estimate);
+    for (const auto& estimate : estimates) estimate.for_each(f);
     f(diagnostics);
   }
 };
 
 Publisher::Publisher(const Participant& participant, const std::vector<Device>& devices,
-                     const std::vector<std::string>& estimators)
+                     const std::vector<std::string>& estimators,
+                     const std::vector<std::string>& navigators)
     : writers_(new Writers{.devices = {},
                            .estimates = {},
                            .diagnostics = {participant, std::string(diagnostics_topic), ""}}) {
@@ -39,9 +40,10 @@ Publisher::Publisher(const Participant& participant, const std::vector<Device>& 
     };
     writers_->devices.push_back({device.provenance, {device, open}});
   }
-  for (const auto& name : estimators) {
-    writers_->estimates.emplace_back(participant, estimate_topic(name), "base_link");
-  }
+  const auto open = [&]<class Message>(const std::string& topic, const std::string& frame) {
+    return Writer<Message>(participant, topic, frame);
+  };
+  writers_->estimates = open_estimates<Writer>(estimators, navigators, open);
 }
 
 Publisher::Publisher(Publisher&&) noexcept = default;
@@ -58,13 +60,15 @@ void Publisher::publish(const Measurement& measurement) {
 }
 
 void Publisher::publish(const Attitude& attitude, std::size_t estimator) {
-  if (estimator >= writers_->estimates.size()) {
-    ++writers_->misrouted;
-    return;
-  }
-  auto& writer = writers_->estimates[estimator];
-  fill(writer.message(), attitude);
-  writer.write(attitude.valid_at);
+  const bool known = estimator < writers_->estimates.size();
+  if (known) writers_->estimates[estimator].publish(attitude);
+  if (!known) ++writers_->misrouted;
+}
+
+void Publisher::publish(const Navigation& navigation, std::size_t estimator) {
+  const bool known =
+      estimator < writers_->estimates.size() && writers_->estimates[estimator].publish(navigation);
+  if (!known) ++writers_->misrouted;
 }
 
 void Publisher::publish(std::span<const DeviceStatus> health, Stamp now) {

@@ -26,7 +26,8 @@ struct TopicCounters {
 class Publisher {
  public:
   Publisher(const Participant& participant, const std::vector<Device>& devices,
-            const std::vector<std::string>& estimators = {});
+            const std::vector<std::string>& estimators = {},
+            const std::vector<std::string>& navigators = {});  ///< those that give Navigation
   Publisher(Publisher&&) noexcept;
   Publisher& operator=(Publisher&&) noexcept;
   ~Publisher();
@@ -37,6 +38,9 @@ class Publisher {
 
   /// To `rt/estimate/<estimators[estimator]>`; an unknown index counts in misrouted().
   void publish(const Attitude& attitude, std::size_t estimator);
+
+  /// To `rt/estimate/<name>/odometry` and `/fix`; one that is no navigator counts in misrouted().
+  void publish(const Navigation& navigation, std::size_t estimator);
 
   void publish(std::span<const DeviceStatus> health, Stamp now);
 

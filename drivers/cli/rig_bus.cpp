@@ -43,6 +43,14 @@ std::vector<std::string> estimator_names(const rig_config::Rig& rig) {
   return names;
 }
 
+std::vector<std::string> navigator_names(const rig_config::Rig& rig) {
+  std::vector<std::string> names;
+  for (const auto& estimator : rig.estimators)
+    if (estimator.kind == "navigation" || estimator.kind == "velocity")
+      names.push_back(estimator.name);
+  return names;
+}
+
 bus::DeviceStatus status_of(const device::Device& device, const device::Health& health) {
   const auto count = [](std::uint64_t n) { return std::to_string(n); };
   const auto& options = device.options();

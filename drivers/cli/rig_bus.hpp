@@ -12,6 +12,7 @@ namespace drydock::cli {
 std::vector<bus::Device> bus_devices(const rig_config::Rig& rig);
 
 std::vector<std::string> estimator_names(const rig_config::Rig& rig);
+std::vector<std::string> navigator_names(const rig_config::Rig& rig);  ///< that give positions
 
 /// Where the measurements of a device with this link come from, told by the URI alone.
 measurement::Provenance provenance_of(const std::string& link);

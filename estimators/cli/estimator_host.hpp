@@ -25,12 +25,16 @@ class EstimatorHost final : private pipeline::EstimateListener {
   /// Called for every estimate, beside the bus.
   std::function<void(const pipeline::AttitudeEstimate&)> on_attitude_hook;
 
+  std::function<void(const pipeline::NavigationEstimate&)> on_navigation_hook;
+
   void start();
   void stop();
   const pipeline::Pipeline& pipeline() const { return pipeline_; }
 
  private:
   void on_attitude(const pipeline::AttitudeEstimate& estimate) override;
+  void on_navigation(const pipeline::NavigationEstimate& estimate) override;
+  void publish(const pipeline::AttitudeEstimate& estimate);
   void wait_for_measurements();
   void wait_for_window();
 
@@ -40,6 +44,7 @@ class EstimatorHost final : private pipeline::EstimateListener {
   boost::asio::posix::stream_descriptor readable_;
   boost::asio::steady_timer window_timer_;
   std::chrono::nanoseconds window_;
+  std::vector<std::optional<frame::Position>> origins_;  ///< first estimate of each navigation
   bool stopped_ = false;  ///< a timer that has expired can no longer be cancelled
 };
 

@@ -6,6 +6,7 @@
 #include <array>
 
 #include "drivers/measurement/stamp.hpp"
+#include "estimators/cli/inertial_options.hpp"
 
 namespace drydock::cli {
 namespace {
@@ -74,6 +75,8 @@ pipeline::PipelineOptions pipeline_options(const rig_config::Rig& rig) {
     estimator.leveling.initial_pitch_rad = config.initial_pitch_rad;
     estimator.mixing = mixing_options(config);
     estimator.roll = roll_options(config.roll);
+    if (config.kind == "navigation" || config.kind == "velocity")
+      estimator.inertial = inertial_options(rig, config);
     options.estimators.push_back(std::move(estimator));
   }
   return options;
@@ -90,10 +93,16 @@ std::vector<std::string> pipeline_notes(const rig_config::Rig& rig,
                                 rig.devices[i].name, c.received, c.late, c.refused));
   }
   for (std::size_t i = 0; i < std::min(pipeline.estimators(), rig.estimators.size()); ++i) {
-    const std::uint64_t rejected = pipeline.status(i).rejected;
-    if (rejected > 0)
+    const auto& status = pipeline.status(i);
+    if (status.rejected > 0)
       notes.push_back(
-          fmt::format("{}: {} values outside its gate", rig.estimators[i].name, rejected));
+          fmt::format("{}: {} values outside its gate", rig.estimators[i].name, status.rejected));
+    if (status.lost_at)
+      notes.push_back(fmt::format(
+          "{}: lost after {} estimates, when its IMU fell silent for more than {} s; it needs a "
+          "new start",
+          rig.estimators[i].name, status.estimates,
+          measurement::seconds(pipeline::PipelineOptions{}.max_imu_gap)));
   }
   if (pipeline.overflows() > 0) {
     notes.push_back(fmt::format("reorder buffer full: {} measurements used before their turn",

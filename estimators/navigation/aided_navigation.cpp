@@ -138,9 +138,23 @@ int AidedNavigation::update_row(const Vector& row, double residual, double varia
   const double square = innovation * innovation / expected.variance;
   innovation_square_ += square;
   ++innovations_;
-  if (options_.gate_sigma > 0 && square > options_.gate_sigma * options_.gate_sigma) return 0;
+  if (outside_gate(square, options_.gate_sigma)) {
+    ++rejected_;
+    return 0;
+  }
   errors += filter_.update(expected, innovation);
   return 1;
+}
+
+bool AidedNavigation::passes_height(double residual_m, double sigma) {
+  const double variance = filter_.row(Vector::Unit(position_error + 2), sigma * sigma).variance;
+  const bool outside = outside_gate(residual_m * residual_m / variance, options_.gate_sigma);
+  if (outside) ++rejected_;
+  return !outside;
+}
+
+void AidedNavigation::loosen(double velocity_sigma_mps, double angle_sigma_rad) {
+  filter_.loosen(velocity_sigma_mps, angle_sigma_rad);
 }
 
 void AidedNavigation::feed_back(const Vector& errors) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 
 #include "estimators/navigation/error_filter.hpp"
@@ -59,6 +60,12 @@ class AidedNavigation {
   int update_position(const frame::Position& position, const Eigen::Vector3d& sigma,
                       const Eigen::Vector3d& lever = Eigen::Vector3d::Zero());
 
+  /// Whether a single height, so much above the state's, is inside the gate; counted if not.
+  bool passes_height(double residual_m, double sigma);
+
+  /// Velocity and attitude have become less certain by so much, each axis.
+  void loosen(double velocity_sigma_mps, double angle_sigma_rad);
+
   const NavigationState& state() const { return sdins_.state(); }
   /// With the samples that wait for their step.
   Eigen::Quaterniond body_to_ned() const {
@@ -71,6 +78,7 @@ class AidedNavigation {
   /// Normalised square of the innovations of the last update, and how many there were.
   double innovation_square() const { return innovation_square_; }
   int innovations() const { return innovations_; }
+  std::uint64_t rejected() const { return rejected_; }  ///< rows outside the gate, ever
 
  private:
   using Vector = ErrorFilter<0>::Vector;
@@ -86,6 +94,7 @@ class AidedNavigation {
   Eigen::Vector3d rate_ = Eigen::Vector3d::Zero();  ///< mean over the last step, rad/s
   double innovation_square_ = 0;
   int innovations_ = 0;
+  std::uint64_t rejected_ = 0;
 };
 
 }  // namespace drydock::navigation

@@ -6,6 +6,11 @@
 
 namespace drydock::navigation {
 
+/// Whether a normalised squared innovation lies further out than `gate_sigma`; 0: nothing does.
+inline bool outside_gate(double normalised_square, double gate_sigma) {
+  return gate_sigma > 0 && normalised_square > gate_sigma * gate_sigma;
+}
+
 /// Kalman filter of the 15 errors of eq. (14) and of `Further` states that do not grow by
 /// themselves. Numbers without units: who owns it knows what the further states are. Errors that
 /// have been found are fed back, so that the state is zero between updates and not kept.
@@ -57,6 +62,13 @@ class ErrorFilter {
     const Vector b = row.cross - row.variance / 2 * gain;
     for (int j = 0; j < stored; ++j) p_.col(j) -= gain * b(j) + b * gain(j);
     return gain * innovation;
+  }
+
+  /// Velocity and attitude have become less certain by so much, each axis.
+  void loosen(double velocity_sigma_mps, double angle_sigma_rad) {
+    p_.diagonal().template segment<3>(velocity_error).array() +=
+        velocity_sigma_mps * velocity_sigma_mps;
+    p_.diagonal().template segment<3>(phi).array() += angle_sigma_rad * angle_sigma_rad;
   }
 
   const Covariance& covariance() const { return p_; }

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string_view>
 
 #include "drivers/measurement/measurement.hpp"
@@ -22,12 +23,13 @@ enum class EstimatorState : std::uint8_t {
   waiting_for_imu,
   waiting_for_speed,
   waiting_for_satellites,
-  running
+  running,
+  lost  ///< of an inertial navigation: the IMU was silent for too long, it needs a new start
 };
 
 constexpr std::string_view to_string(EstimatorState state) {
-  constexpr std::array<std::string_view, 4> names{"waiting for imu", "waiting for speed",
-                                                  "waiting for satellites", "running"};
+  constexpr std::array<std::string_view, 5> names{"waiting for imu", "waiting for speed",
+                                                  "waiting for satellites", "running", "lost"};
   return names[static_cast<std::size_t>(state)];
 }
 
@@ -38,6 +40,7 @@ struct EstimatorStatus {
   measurement::Stamp last_estimate{};  ///< valid_at
   measurement::Stamp last_speed{};     ///< valid_at
   std::uint64_t rejected = 0;          ///< values outside the estimator's innovation gate
+  std::optional<measurement::Stamp> lost_at;  ///< valid_at of the last IMU sample in use
 };
 
 /// One system of the papers at work in the pipeline. Measurements come in the order of valid_at as
@@ -47,6 +50,15 @@ class Estimator {
   virtual ~Estimator() = default;
   virtual Outcome take(const measurement::ImuSample& sample, EstimateListener& listener) = 0;
   virtual Outcome take(const measurement::WaterSpeed&, EstimateListener&) {
+    return Outcome::unused;
+  }
+  virtual Outcome take(const measurement::DepthSample&, EstimateListener&) {
+    return Outcome::unused;
+  }
+  virtual Outcome take(const measurement::BottomVelocity&, EstimateListener&) {
+    return Outcome::unused;
+  }
+  virtual Outcome take(const measurement::ActuatorState&, EstimateListener&) {
     return Outcome::unused;
   }
   virtual Outcome take(const measurement::GnssFix&, EstimateListener&) { return Outcome::unused; }

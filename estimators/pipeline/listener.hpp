@@ -1,6 +1,7 @@
 #pragma once
 
 #include "estimators/pipeline/estimate.hpp"
+#include "estimators/pipeline/navigation_estimate.hpp"
 
 namespace drydock::pipeline {
 
@@ -9,6 +10,7 @@ class EstimateListener {
  public:
   virtual ~EstimateListener() = default;
   virtual void on_attitude(const AttitudeEstimate& estimate) = 0;
+  virtual void on_navigation(const NavigationEstimate&) {}
 };
 
 }  // namespace drydock::pipeline

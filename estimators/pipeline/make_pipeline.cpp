@@ -1,10 +1,14 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
+#include <array>
 #include <memory>
 #include <utility>
 
 #include "estimators/pipeline/leveling_estimator.hpp"
 #include "estimators/pipeline/mixing_estimator.hpp"
+#include "estimators/pipeline/navigation_estimator.hpp"
 #include "estimators/pipeline/pipeline.hpp"
 #include "estimators/pipeline/roll_estimator.hpp"
 
@@ -15,10 +19,32 @@ namespace {
 /// Bits of AttitudeEstimate::fed_by.
 constexpr int max_devices = 32;
 
+constexpr std::array<std::string_view, 5> kinds{"leveling", "mixing", "roll", "navigation",
+                                                "velocity"};
+
+/// Of the kinds "navigation" and "velocity".
+std::string inertial_fault(const EstimatorOptions& options) {
+  const InertialOptions& inertial = options.inertial;
+  const auto index = [](const auto& sensor) { return sensor ? sensor->device : 0; };
+  if (std::max({index(inertial.ground), index(inertial.log), index(inertial.depth),
+                index(inertial.gnss), static_cast<int>(inertial.actuators.value_or(0))}) >=
+      max_devices)
+    return fmt::format("device index out of range, allowed: 0 to {}", max_devices - 1);
+  if (!(inertial.imu_period_s > 0)) return "IMU period not above 0, allowed: seconds";
+  if (options.kind == "navigation") {
+    return inertial.ground || inertial.depth || inertial.gnss
+               ? ""
+               : "nothing aids it, allowed: dvl, depth, gnss = devices, one at least";
+  }
+  return inertial.log && inertial.depth && inertial.actuators
+             ? ""
+             : "velocity needs log, depth and actuators, allowed: = devices";
+}
+
 /// Empty: nothing is wrong.
 std::string fault_of(const EstimatorOptions& options) {
-  if (options.kind != "leveling" && options.kind != "mixing" && options.kind != "roll") {
-    return fmt::format("kind '{}' is not known, allowed: leveling, mixing, roll", options.kind);
+  if (std::ranges::find(kinds, options.kind) == kinds.end()) {
+    return fmt::format("kind '{}' is not known, allowed: {}", options.kind, fmt::join(kinds, ", "));
   }
   if (options.kind == "mixing" && options.stationary) {
     return "mixing knows no stationary vehicle, allowed: log = a device";
@@ -27,6 +53,7 @@ std::string fault_of(const EstimatorOptions& options) {
       options.gnss.value_or(0) >= max_devices) {
     return fmt::format("device index out of range, allowed: 0 to {}", max_devices - 1);
   }
+  if (options.kind == "navigation" || options.kind == "velocity") return inertial_fault(options);
   if (options.kind == "roll") {
     return options.gnss ? "" : "roll needs a satellite receiver, allowed: gnss = a device";
   }
@@ -38,6 +65,8 @@ std::string fault_of(const EstimatorOptions& options) {
 
 std::unique_ptr<Estimator> make_estimator(std::uint16_t index, const EstimatorOptions& options,
                                           const PipelineOptions& pipeline) {
+  if (options.kind == "navigation" || options.kind == "velocity")
+    return std::make_unique<NavigationEstimator>(index, options, pipeline);
   if (options.kind == "roll") return std::make_unique<RollEstimator>(index, options, pipeline);
   if (options.kind == "mixing") return std::make_unique<MixingEstimator>(index, options, pipeline);
   return std::make_unique<LevelingEstimator>(index, options, pipeline);

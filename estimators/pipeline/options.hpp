@@ -10,6 +10,7 @@
 #include "estimators/leveling/leveling_filter.hpp"
 #include "estimators/mixing/mixing_accuracy.hpp"
 #include "estimators/mixing/mixing_filter.hpp"
+#include "estimators/pipeline/inertial_options.hpp"
 #include "estimators/roll/hypothesis.hpp"
 
 namespace drydock::pipeline {
@@ -26,7 +27,7 @@ struct RollOptions {
 /// One estimator of the rig. Its index in `PipelineOptions::estimators` names its estimates.
 struct EstimatorOptions {
   std::string name;
-  std::string kind = "leveling";     ///< or "mixing", "roll"
+  std::string kind = "leveling";     ///< or "mixing", "roll", "navigation", "velocity"
   std::uint16_t imu = 0;             ///< device index, as in Origin::device
   std::optional<std::uint16_t> log;  ///< device index; needed unless stationary
   bool stationary = false;           ///< all velocities are zero; the log is not used
@@ -36,6 +37,7 @@ struct EstimatorOptions {
   mixing::SensorAccuracy mixing_sensors;
   std::optional<std::uint16_t> gnss;  ///< device index; kind "roll" needs it
   RollOptions roll;
+  InertialOptions inertial;  ///< kinds "navigation" and "velocity"
 };
 
 struct PipelineOptions {

@@ -10,7 +10,8 @@ namespace drydock::pipeline {
 
 /// The kinds of measurement that some estimator takes.
 using Sample = std::variant<measurement::ImuSample, measurement::WaterSpeed, measurement::GnssFix,
-                            measurement::GnssSatellites>;
+                            measurement::GnssSatellites, measurement::DepthSample,
+                            measurement::BottomVelocity, measurement::ActuatorState>;
 
 const measurement::Origin& origin_of(const Sample& sample);
 

@@ -89,10 +89,19 @@ void CoupledNavigation::update_log(double speed_mps) {
   const Vector3d velocity = velocity_through_water();
   const double speed = velocity.norm();
   if (speed < slowest) return;
-  Vector row = (1 + log_(0)) / speed * water_rows().transpose() * velocity;  // eq. (V7)
-  row.segment<2>(log_error) = Vector2d{speed, 1};
-  update(row, (1 + log_(0)) * speed + log_(1) - speed_mps,
-         options_.log_sigma_mps * options_.log_sigma_mps);
+  update_by_log(water_rows().transpose() * velocity / speed, speed, speed_mps);  // eq. (V7)
+}
+
+void CoupledNavigation::update_longitudinal(double mps) {
+  update_by_log(water_rows().row(0), velocity_through_water().x(), mps);  // eq. (V7a)
+}
+
+void CoupledNavigation::update_by_log(Vector row, double value, double measured_mps) {
+  row *= 1 + log_(0);
+  row.segment<2>(log_error) = Vector2d{value, 1};
+  const auto expected = filter_.row(row, options_.log_sigma_mps * options_.log_sigma_mps);
+  const double innovation = (1 + log_(0)) * value + log_(1) - measured_mps;
+  if (passes(innovation, expected.variance)) feed_back(filter_.update(expected, innovation));
 }
 
 void CoupledNavigation::update_velocity(const Vector3d& velocity_body) {
@@ -105,7 +114,8 @@ void CoupledNavigation::update_velocity(const Vector3d& velocity_body) {
     Vector row = Vector::Zero();
     row.segment<6>(velocity_error) = rows.row(axis);
     const auto expected = filter_.row(row, options_.ground_sigma_mps * options_.ground_sigma_mps);
-    errors += filter_.update(expected, residual(axis) - row.dot(errors));
+    const double innovation = residual(axis) - row.dot(errors);
+    if (passes(innovation, expected.variance)) errors += filter_.update(expected, innovation);
   }
   feed_back(errors);
 }
@@ -127,6 +137,19 @@ Eigen::Matrix<double, 3, CoupledNavigation::Filter::stored> CoupledNavigation::w
 
 void CoupledNavigation::update(const Vector& row, double residual, double variance) {
   feed_back(filter_.update(filter_.row(row, variance), residual));
+}
+
+bool CoupledNavigation::passes(double innovation, double variance) {
+  const bool outside =
+      navigation::outside_gate(innovation * innovation / variance, options_.navigation.gate_sigma);
+  if (outside) ++rejected_;
+  return !outside;
+}
+
+bool CoupledNavigation::passes_height(double height_m) {
+  const double variance = filter_.covariance()(position_error + 2, position_error + 2) +
+                          options_.depth_sigma_m * options_.depth_sigma_m;
+  return passes(state().position.height_m - height_m, variance);
 }
 
 void CoupledNavigation::feed_back(const Vector& errors) {

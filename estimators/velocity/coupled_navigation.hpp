@@ -38,7 +38,9 @@ class CoupledNavigation {
 
   /// A depth sensor's height (up) at the time of the last IMU sample; used with the next step.
   void add_height(double height_m) {
-    height_sum_ += height_m + sdins_.state().velocity_ned.z() * sum_.dt();
+    const double at_start = height_m + sdins_.state().velocity_ned.z() * sum_.dt();
+    if (!passes_height(at_start)) return;
+    height_sum_ += at_start;
     ++heights_;
   }
 
@@ -47,7 +49,13 @@ class CoupledNavigation {
   void step(const hydrodynamics::Control& control);
 
   void update_log(double speed_mps);                           ///< |V| through the water, (V7)
+  void update_longitudinal(double mps);                        ///< u through the water, (V7a)
   void update_velocity(const Eigen::Vector3d& velocity_body);  ///< over ground, body
+
+  /// Velocity and attitude have become less certain by so much, each axis.
+  void loosen(double velocity_sigma_mps, double angle_sigma_rad) {
+    filter_.loosen(velocity_sigma_mps, angle_sigma_rad);
+  }
 
   const navigation::NavigationState& state() const { return sdins_.state(); }
   const Filter::Covariance& covariance() const { return filter_.covariance(); }
@@ -55,6 +63,9 @@ class CoupledNavigation {
   double log_scale() const { return log_(0); }
   double log_bias_mps() const { return log_(1); }
   const SwayModel& sway() const { return sway_; }
+  const Eigen::Vector3d& gyro_bias() const { return gyro_bias_; }
+  /// Values of log, DVL and depth outside `navigation.gate_sigma`.
+  std::uint64_t rejected() const { return rejected_; }
 
  private:
   using Vector = Filter::Vector;
@@ -62,6 +73,10 @@ class CoupledNavigation {
   /// d(C_n^b (V - current)) by velocity, phi and current.
   Eigen::Matrix<double, 3, Filter::stored> water_rows() const;
   void update(const Vector& row, double residual, double variance);
+  bool passes(double innovation, double variance);
+  bool passes_height(double height_m);
+  /// A log's row: how its quantity, now `value` m/s, depends on the states before the log's own.
+  void update_by_log(Vector row, double value, double measured_mps);
   void feed_back(const Vector& errors);
   void update_height(double sinking_m);  ///< over the step
   void weigh_hypotheses();
@@ -78,7 +93,8 @@ class CoupledNavigation {
   Eigen::Vector3d last_rate_ = Eigen::Vector3d::Zero();
   double height_sum_ = 0;  ///< carried back to the start of the step
   int heights_ = 0;
-  bool moving_ = false;              ///< there has been a step
+  bool moving_ = false;  ///< there has been a step
+  std::uint64_t rejected_ = 0;
   double since_ground_s_ = -1;       ///< -1: no DVL yet, or weighed since
   bool closed_[2] = {false, false};  ///< current, log: held to be absent
 };

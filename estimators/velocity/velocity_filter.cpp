@@ -41,13 +41,14 @@ void VelocityFilter::predict(const Setting& setting, const hydrodynamics::Contro
   p_.diagonal().array() += (dt * noise).array().square();
 }
 
-void VelocityFilter::update_height(double height_m) {
-  update_state(0, height_m - simulator_.state().height_m, options_.depth_sigma_m);
+bool VelocityFilter::update_height(double height_m) {
+  return update_state(0, height_m - simulator_.state().height_m, options_.depth_sigma_m);
 }
 
 void VelocityFilter::update_rate(const Vector3d& rate) {
-  for (int i = 0; i < 3; ++i)
-    update_state(4 + i, rate(i) - simulator_.state().velocity(3 + i), options_.gyro_sigma_radps);
+  const double variance = options_.gyro_sigma_radps * options_.gyro_sigma_radps;
+  for (int i = 4; i < 7; ++i)  // no gate: the navigation believes its gyros as well
+    apply(p_.col(i), p_(i, i) + variance, rate(i - 4) - simulator_.state().velocity(i - 1));
 }
 
 void VelocityFilter::update_velocity(const Vector3d& velocity) {
@@ -61,12 +62,28 @@ void VelocityFilter::update_log(double speed_mps) {
   if (speed < slowest) return;
   const Vector3d direction = velocity() / speed;  // row 2 of C_k
   const Vector cross = p_.middleCols<3>(1) * direction;
-  apply(cross, direction.dot(cross.segment<3>(1)) + options_.log_sigma_mps * options_.log_sigma_mps,
-        speed_mps - speed);
+  const double variance =
+      direction.dot(cross.segment<3>(1)) + options_.log_sigma_mps * options_.log_sigma_mps;
+  if (passes(speed_mps - speed, variance)) apply(cross, variance, speed_mps - speed);
 }
 
-void VelocityFilter::update_state(int index, double residual, double sigma) {
-  apply(p_.col(index), p_(index, index) + sigma * sigma, residual);
+void VelocityFilter::update_longitudinal(double mps) {
+  update_state(1, mps - velocity().x(), options_.log_sigma_mps);
+}
+
+bool VelocityFilter::passes(double residual, double innovation_variance) {
+  const double square = residual * residual / innovation_variance;
+  const bool outside =
+      options_.gate_sigma > 0 && square > options_.gate_sigma * options_.gate_sigma;
+  if (outside) ++rejected_;
+  return !outside;
+}
+
+bool VelocityFilter::update_state(int index, double residual, double sigma) {
+  const double variance = p_(index, index) + sigma * sigma;
+  if (!passes(residual, variance)) return false;
+  apply(p_.col(index), variance, residual);
+  return true;
 }
 
 void VelocityFilter::apply(const Vector& cross, double innovation_variance, double residual) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+
 #include "estimators/velocity/simulator.hpp"
 
 /// Velocity through the water of Lee, Ra, Kim, Ahn and Lee (2016): a vehicle simulator whose errors
@@ -15,6 +17,7 @@ struct VelocityFilterOptions {
   double rate_noise_radps2 = 0.00174532925;
   double depth_sigma_m = 0.5, log_sigma_mps = 0.03, ground_sigma_mps = 0.03;
   double gyro_sigma_radps = 1.16e-6;  ///< angle random walk at 100 Hz
+  double gate_sigma = 0;  ///< values of depth, log and DVL further out are refused; 0: none are
 };
 
 /// The 7-state filter (8)-(12) in the form that feeds its corrections into the simulator: with a()
@@ -27,13 +30,16 @@ class VelocityFilter {
 
   void predict(const Setting& setting, const hydrodynamics::Control& control, double dt);  ///< (12)
 
-  void update_height(double height_m);                    ///< rows of eq. (10), (11)
+  bool update_height(double height_m);                    ///< rows of (10), (11); inside the gate?
   void update_log(double speed_mps);                      ///< |V| through the water
+  void update_longitudinal(double mps);                   ///< u through the water
   void update_rate(const Eigen::Vector3d& rate);          ///< against the Earth, body, rad/s
   void update_velocity(const Eigen::Vector3d& velocity);  ///< a DVL's, body, m/s
 
   Eigen::Vector3d velocity() const { return simulator_.state().velocity.head<3>(); }
   const Simulated& state() const { return simulator_.state(); }
+
+  std::uint64_t rejected() const { return rejected_; }  ///< values outside the gate
 
   /// Of h, u v w, p q r; the eighth row and column are zero: a whole number of SIMD words.
   using Covariance = Eigen::Matrix<double, 8, 8>;
@@ -42,12 +48,14 @@ class VelocityFilter {
 
  private:
   using Vector = Eigen::Matrix<double, 8, 1>;
-  void update_state(int index, double residual, double sigma);
+  bool passes(double residual, double innovation_variance);
+  bool update_state(int index, double residual, double sigma);  ///< inside the gate?
   void apply(const Vector& cross, double innovation_variance, double residual);
 
   Simulator simulator_;
   VelocityFilterOptions options_;
   Covariance p_ = Covariance::Zero();
+  std::uint64_t rejected_ = 0;
 };
 
 }  // namespace drydock::velocity

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "hil/cli/html.hpp"
+#include "hil/cli/navigation_report.hpp"
 #include "hil/cli/plot.hpp"
 #include "hil/cli/summary.hpp"
 
@@ -90,7 +91,8 @@ std::string axis_figures(const char* axis, const AttitudeTrace& t,
 std::string estimator_section(const Summary& s, std::size_t i) {
   const auto& e = s.estimators[i];
   std::string out = fmt::format("<h2>Estimator {} <span class=soft>({})</span></h2>\n{}",
-                                escaped(e.name), escaped(e.kind), error_table(e));
+                                escaped(e.name), escaped(e.kind), error_table(e)) +
+                    navigation_section(e.navigation, s.navigation[i]);
   const auto& t = s.traces[i];
   if (t.t_s.empty()) return out;
   out += axis_figures("Roll", t, t.roll_deg, t.true_roll_deg, t.roll_sigma_deg);

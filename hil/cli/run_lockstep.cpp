@@ -168,6 +168,9 @@ class LockstepBench final : private device::Listener, private pipeline::Estimate
   }
 
   void on_attitude(const pipeline::AttitudeEstimate& estimate) override { scribe_.note(estimate); }
+  void on_navigation(const pipeline::NavigationEstimate& estimate) override {
+    scribe_.note(estimate);
+  }
 
   void show_progress() const {
     if (::isatty(STDOUT_FILENO) != 1) return;

@@ -43,7 +43,7 @@ class Bench {
         start_(link::now()),
         trajectory_(motion::make_trajectory(rig.mission, start_)),
         participant_(static_cast<std::uint32_t>(rig.dds_domain)),
-        publisher_(participant_, bus_devices(rig), estimator_names(rig)),
+        publisher_(participant_, bus_devices(rig), estimator_names(rig), navigator_names(rig)),
         subscriber_(participant_, bus_devices(rig)),
         emulator_(io_, *trajectory_, rig.seed),
         drivers_(io_, or_throw(shell::make_devices(rig)), &publisher_),
@@ -76,6 +76,9 @@ class Bench {
       if (!stopping_) live_.note(d.name(), change);
     };
     estimators_.on_attitude_hook = [this](const pipeline::AttitudeEstimate& e) { scribe_.note(e); };
+    estimators_.on_navigation_hook = [this](const pipeline::NavigationEstimate& e) {
+      scribe_.note(e);
+    };
   }
 
   double elapsed() const { return measurement::seconds(link::now() - start_); }

@@ -141,26 +141,47 @@ void Scribe::note(const Measurement& m) {
 
 void Scribe::note(const pipeline::AttitudeEstimate& estimate) {
   auto& e = estimators_[estimate.estimator];
+  std::optional<motion::Truth> truth;
+  if (e.has_truth) truth = truth_->at(estimate.valid_at);
+  compare(e, estimate, truth ? &*truth : nullptr,
+          is_time_to_draw(e, since_start(estimate.valid_at)));
+}
+
+void Scribe::note(const pipeline::NavigationEstimate& estimate) {
+  auto& e = estimators_[estimate.estimator];
+  std::optional<motion::Truth> truth;
+  if (e.has_truth) truth = truth_->at(estimate.valid_at);
+  const double t = since_start(estimate.valid_at);
+  const bool draw = is_time_to_draw(e, t);
+  compare(e, pipeline::attitude_of(estimate), truth ? &*truth : nullptr, draw);
+  e.navigation.note(estimate, truth ? &*truth : nullptr, t, draw);
+}
+
+bool Scribe::is_time_to_draw(Estimator& e, double t_s) const {
+  if (t_s < e.next_point_s) return false;
+  e.next_point_s = t_s + spacing_s_;
+  return true;
+}
+
+void Scribe::compare(Estimator& e, const pipeline::AttitudeEstimate& estimate,
+                     const motion::Truth* truth, bool draw) {
   ++e.summary.estimates;
   const double t = since_start(estimate.valid_at);
-  const bool draw = t >= e.next_point_s;
   if (draw) {
-    e.next_point_s = t + spacing_s_;
     e.trace.t_s.push_back(t);
     e.trace.roll_deg.push_back(estimate.roll_rad * to_deg);
     e.trace.pitch_deg.push_back(estimate.pitch_rad * to_deg);
     e.trace.roll_sigma_deg.push_back(std::sqrt(estimate.covariance(0, 0)) * to_deg);
     e.trace.pitch_sigma_deg.push_back(std::sqrt(estimate.covariance(1, 1)) * to_deg);
   }
-  if (!e.has_truth) return;
-  const auto truth = truth_->at(estimate.valid_at);
-  const Eigen::Vector2d error{wrapped(estimate.roll_rad - truth.roll_rad),
-                              wrapped(estimate.pitch_rad - truth.pitch_rad)};
+  if (!truth) return;
+  const Eigen::Vector2d error{wrapped(estimate.roll_rad - truth->roll_rad),
+                              wrapped(estimate.pitch_rad - truth->pitch_rad)};
   e.whole_run.add(error, estimate.covariance);
   if (t >= 10) e.after_10_s.add(error, estimate.covariance);
   if (draw) {
-    e.trace.true_roll_deg.push_back(truth.roll_rad * to_deg);
-    e.trace.true_pitch_deg.push_back(truth.pitch_rad * to_deg);
+    e.trace.true_roll_deg.push_back(truth->roll_rad * to_deg);
+    e.trace.true_pitch_deg.push_back(truth->pitch_rad * to_deg);
   }
 }
 
@@ -189,6 +210,8 @@ void Scribe::write(Summary& summary) const {
     if (e.whole_run.count() > 0) summary.estimators.back().whole_run = e.whole_run.result();
     if (e.after_10_s.count() > 0) summary.estimators.back().after_10_s = e.after_10_s.result();
     summary.traces.push_back(e.trace);
+    summary.estimators.back().navigation = e.navigation.error();
+    summary.navigation.push_back(e.navigation.trace());
   }
   summary.measurements = plots_;
   summary.motion = motion_;

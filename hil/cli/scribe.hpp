@@ -6,6 +6,7 @@
 #include "drivers/measurement/measurement.hpp"
 #include "estimators/frame/geodetic.hpp"
 #include "estimators/pipeline/estimate.hpp"
+#include "hil/cli/navigation_record.hpp"
 #include "hil/cli/summary.hpp"
 #include "hil/motion/truth.hpp"
 #include "rig_config/rig.hpp"
@@ -39,6 +40,7 @@ class Scribe {
 
   void note(const measurement::Measurement& measurement);
   void note(const pipeline::AttitudeEstimate& estimate);
+  void note(const pipeline::NavigationEstimate& estimate);
 
   /// Fills in estimators and all curves of the summary.
   void write(Summary& summary) const;
@@ -48,6 +50,7 @@ class Scribe {
     EstimatorSummary summary;
     ErrorStatistics whole_run, after_10_s;
     AttitudeTrace trace;
+    NavigationRecord navigation;
     bool has_truth = false;
     double next_point_s = 0;
   };
@@ -57,6 +60,9 @@ class Scribe {
     double next_point_s = 0;
   };
 
+  void compare(Estimator& e, const pipeline::AttitudeEstimate& estimate, const motion::Truth* truth,
+               bool draw);
+  bool is_time_to_draw(Estimator& e, double t_s) const;
   double since_start(measurement::Stamp at) const { return measurement::seconds(at - start_); }
   void point(std::size_t curve, measurement::Stamp at, double value);
   std::size_t add_plot(std::string title, std::string unit, std::vector<std::string> labels);

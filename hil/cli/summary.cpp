@@ -19,6 +19,22 @@ Json error_json(const std::optional<AttitudeError>& e) {
           {"nees_mean", e->nees_mean}};
 }
 
+Json navigation_json(const NavigationError& e) {
+  return {{"horizontal_rms_m", e.horizontal_rms_m}, {"horizontal_max_m", e.horizontal_max_m},
+          {"horizontal_end_m", e.horizontal_end_m}, {"depth_rms_m", e.depth_rms_m},
+          {"velocity_rms_mps", e.velocity_rms_mps}, {"velocity_max_mps", e.velocity_max_mps},
+          {"roll_rms_deg", e.roll_rms_deg},         {"pitch_rms_deg", e.pitch_rms_deg},
+          {"heading_rms_deg", e.heading_rms_deg},   {"nees_position", e.nees_position}};
+}
+
+std::string navigation_text(const NavigationError& e) {
+  return fmt::format(
+      ", error against truth: position {:.2f} m RMS, {:.2f} m at most, {:.2f} m at the end, "
+      "velocity {:.4f} m/s RMS, roll {:.4f}, pitch {:.4f}, heading {:.4f} deg RMS, NEES {:.2f}\n",
+      e.horizontal_rms_m, e.horizontal_max_m, e.horizontal_end_m, e.velocity_rms_mps,
+      e.roll_rms_deg, e.pitch_rms_deg, e.heading_rms_deg, e.nees_position);
+}
+
 Json device_json(const DeviceSummary& d) {
   return {{"name", d.name},
           {"kind", d.kind},
@@ -72,6 +88,7 @@ std::string to_json(const Summary& s) {
                                   {"estimates", e.estimates},
                                   {"whole_run", error_json(e.whole_run)},
                                   {"after_10_s", error_json(e.after_10_s)}});
+    if (e.navigation) root["estimators"].back()["navigation"] = navigation_json(*e.navigation);
   }
   return root.dump(2) + "\n";
 }
@@ -88,6 +105,10 @@ std::string to_text(const Summary& s) {
   }
   for (const auto& e : s.estimators) {
     out += fmt::format("{} ({}): {} estimates", e.name, e.kind, e.estimates);
+    if (e.navigation) {
+      out += navigation_text(*e.navigation);
+      continue;
+    }
     if (e.whole_run) {
       out += fmt::format(", error against truth: roll {:.3f} deg RMS, pitch {:.3f} deg RMS",
                          e.whole_run->roll_rms_deg, e.whole_run->pitch_rms_deg);

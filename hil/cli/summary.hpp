@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -21,17 +22,36 @@ struct AttitudeError {
   double nees_mean = 0;  ///< normalised by the filter's own covariance, per axis; 1 is consistent
 };
 
+/// Error of a navigation estimate against the truth.
+struct NavigationError {
+  double horizontal_rms_m = 0, horizontal_max_m = 0, horizontal_end_m = 0;
+  double depth_rms_m = 0;
+  double velocity_rms_mps = 0, velocity_max_mps = 0;  ///< of the vector, over ground
+  double roll_rms_deg = 0, pitch_rms_deg = 0, heading_rms_deg = 0;
+  double nees_position = 0;  ///< horizontal, per axis; 1 is consistent
+};
+
 struct EstimatorSummary {
   std::string name, kind;
   std::uint64_t estimates = 0;
   std::optional<AttitudeError> whole_run;  ///< empty where there is no truth
   std::optional<AttitudeError> after_10_s;
+  std::optional<NavigationError> navigation;  ///< of kinds navigation and velocity
 };
 
 /// Curves for the report, thinned to at most a few thousand points.
 struct AttitudeTrace {
   std::vector<double> t_s, roll_deg, pitch_deg, true_roll_deg, true_pitch_deg;
   std::vector<double> roll_sigma_deg, pitch_sigma_deg;
+};
+
+/// Where a navigation was, in metres from its first estimate, and how far off; what has no truth is
+/// empty. Sigma: one standard deviation, as the filter has it.
+struct NavigationTrace {
+  std::vector<double> t_s, north_m, east_m, true_north_m, true_east_m;
+  std::vector<double> north_error_m, east_error_m, north_sigma_m, east_sigma_m;
+  std::array<std::vector<double>, 3> velocity_error_mps, velocity_sigma_mps;  ///< NED
+  std::vector<double> current_north_mps, current_east_mps;
 };
 
 struct MotionTrace {
@@ -57,8 +77,9 @@ struct Summary {
   std::vector<std::string> notes;  ///< for a person: which CAN level, what was left out
   std::vector<DeviceSummary> devices;
   std::vector<EstimatorSummary> estimators;
-  std::vector<AttitudeTrace> traces;  ///< one an estimator
-  MotionTrace motion;                 ///< empty where there is no truth
+  std::vector<AttitudeTrace> traces;        ///< one an estimator
+  std::vector<NavigationTrace> navigation;  ///< one an estimator; empty of other kinds
+  MotionTrace motion;                       ///< empty where there is no truth
   ResidentTrace resident;
   std::vector<MeasurementTrace> measurements;
 

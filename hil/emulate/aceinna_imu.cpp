@@ -6,7 +6,6 @@
 #include "estimators/frame/attitude.hpp"
 #include "hil/emulate/devices.hpp"
 #include "hil/emulate/j1939_device.hpp"
-#include "hil/sensor/ideal.hpp"
 
 namespace drydock::emulate {
 namespace {
@@ -48,12 +47,13 @@ class AceinnaImu final : public J1939Device {
  public:
   explicit AceinnaImu(const DeviceSetup& setup)
       : J1939Device(setup, name_value(setup.config), preferred_address),
+        ideal_(setup.imu_sampler()),
         errors_(setup.imu_errors()) {}
 
  private:
   void report(Stamp at, std::uint8_t address, Wire& out) override {
     if (!due()) return;
-    const auto measured = errors_.apply(sensor::ideal_imu(trajectory(), at, mounting()));
+    const auto measured = errors_.apply(ideal_.at(at));
     const double age_s = measurement::seconds(latency());
     if ((packets_ & aceinna::PacketType::slope) != 0) send_slope(at, address, out);
     if ((packets_ & aceinna::PacketType::acceleration) != 0) {
@@ -149,6 +149,7 @@ class AceinnaImu final : public J1939Device {
   aceinna::DigitalFilter filter_;  ///< stored and told; the truth is not filtered
   aceinna::Axes axes_;
   Eigen::Matrix3d to_output_ = Eigen::Matrix3d::Identity();
+  sensor::ImuSampler ideal_;
   sensor::ImuErrors errors_;
 };
 

@@ -3,7 +3,6 @@
 #include "drivers/wire/bytes.hpp"
 #include "hil/emulate/canopen_device.hpp"
 #include "hil/emulate/devices.hpp"
-#include "hil/sensor/ideal.hpp"
 
 namespace drydock::emulate {
 namespace {
@@ -25,11 +24,13 @@ std::array<std::optional<double>, 3> components(const Eigen::Vector3d& v) {
 class Cia404Imu final : public CanopenDevice {
  public:
   explicit Cia404Imu(const DeviceSetup& setup)
-      : CanopenDevice(setup, measuring_device), errors_(setup.imu_errors()) {}
+      : CanopenDevice(setup, measuring_device),
+        ideal_(setup.imu_sampler()),
+        errors_(setup.imu_errors()) {}
 
  private:
   void report(Stamp at, Wire& out) override {
-    const auto measured = errors_.apply(sensor::ideal_imu(trajectory(), at, mounting()));
+    const auto measured = errors_.apply(ideal_.at(at));
     wire::cia404_imu::ImuSet set;
     set.node = node();
     set.rate_radps = components(measured.angular_rate);
@@ -50,6 +51,7 @@ class Cia404Imu final : public CanopenDevice {
   std::span<const Mapping> pdos() const override { return mappings; }
 
   std::array<wire::CanFrame, 3> last_ = encode(wire::cia404_imu::ImuSet{});  ///< first no numbers
+  sensor::ImuSampler ideal_;
   sensor::ImuErrors errors_;
 };
 

@@ -3,7 +3,6 @@
 #include "drivers/wire/bytes.hpp"
 #include "hil/emulate/canopen_device.hpp"
 #include "hil/emulate/devices.hpp"
-#include "hil/sensor/ideal.hpp"
 
 namespace drydock::emulate {
 namespace {
@@ -35,11 +34,14 @@ std::array<double, 3> components(const Eigen::Vector3d& v) { return {v.x(), v.y(
 class EpsonImu final : public CanopenDevice {
  public:
   EpsonImu(const DeviceSetup& setup, const wire::epson::Model& model)
-      : CanopenDevice(setup, measuring_device), model_(model), errors_(setup.imu_errors()) {}
+      : CanopenDevice(setup, measuring_device),
+        model_(model),
+        ideal_(setup.imu_sampler()),
+        errors_(setup.imu_errors()) {}
 
  private:
   void report(Stamp at, Wire& out) override {
-    const auto measured = errors_.apply(sensor::ideal_imu(trajectory(), at, mounting()));
+    const auto measured = errors_.apply(ideal_.at(at));
     wire::epson::Sample sample;
     sample.node = node();
     sample.counter = counter_++;
@@ -85,6 +87,7 @@ class EpsonImu final : public CanopenDevice {
   wire::epson::Model model_;
   std::uint16_t counter_ = 0;
   std::array<wire::CanFrame, 3> last_{};  ///< first all zero
+  sensor::ImuSampler ideal_;
   sensor::ImuErrors errors_;
 };
 

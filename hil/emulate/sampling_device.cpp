@@ -26,6 +26,10 @@ sensor::ImuErrors DeviceSetup::imu_errors() const {
   return {config.emulate, config.rate_hz, seed, config.name};
 }
 
+sensor::ImuSampler DeviceSetup::imu_sampler() const {
+  return {trajectory, sensor::mounting_of(config), config.rate_hz, config.means};
+}
+
 wire::cia404_pressure::Scale DeviceSetup::pressure_scale() const {
   const auto& pressure = config.pressure;
   return wire::cia404_pressure::find_scale(pressure.format, pressure.unit,

@@ -8,6 +8,7 @@
 #include "hil/emulate/make_emulated_device.hpp"
 #include "hil/sensor/dropouts.hpp"
 #include "hil/sensor/imu_errors.hpp"
+#include "hil/sensor/imu_sampler.hpp"
 #include "hil/sensor/mounting.hpp"
 #include "hil/sensor/sky.hpp"
 
@@ -26,6 +27,7 @@ struct DeviceSetup {
   sensor::ErrorModel primary_errors() const;
   sensor::ErrorModel secondary_errors() const;
   sensor::ImuErrors imu_errors() const;
+  sensor::ImuSampler imu_sampler() const;
   wire::cia404_pressure::Scale pressure_scale() const;
 };
 

@@ -3,7 +3,6 @@
 #include <numbers>
 
 #include "hil/emulate/devices.hpp"
-#include "hil/sensor/ideal.hpp"
 
 namespace drydock::emulate {
 namespace {
@@ -34,11 +33,12 @@ class XsensImu final : public SamplingDevice {
       : SamplingDevice(setup),
         identifiers_(identifiers_of(setup.config.xsens)),
         boot_(setup.trajectory.start()),
+        ideal_(setup.imu_sampler()),
         errors_(setup.imu_errors()) {}
 
  private:
   void sample(Stamp at, Wire& out) override {
-    const auto measured = errors_.apply(sensor::ideal_imu(trajectory(), at, mounting()));
+    const auto measured = errors_.apply(ideal_.at(at));
     const Eigen::Vector3d rate = measured.angular_rate;
     const Eigen::Vector3d force = measured.specific_force;
     std::uint32_t status = sound;
@@ -57,6 +57,7 @@ class XsensImu final : public SamplingDevice {
 
   wire::xsens::Identifiers identifiers_;
   Stamp boot_;
+  sensor::ImuSampler ideal_;
   sensor::ImuErrors errors_;
 };
 

@@ -37,11 +37,12 @@ TEST(RigProblems, AMissingKeyIsReportedWhereItsTableBegins) {
 }
 
 TEST(RigProblems, AWrongChoiceIsToldTheAllowedOnes) {
-  EXPECT_THAT(problems_of("[[estimator]]\nname = \"l\"\nkind = \"levelling\"\nimu = \"imu\"\n"
-                          "model = \"stationary\"\n" +
-                          std::string(imu_table)),
-              ElementsAre("r.toml:10:8: /estimator/0/kind: \"levelling\" is not allowed (did you "
-                          "mean 'leveling'?), allowed: leveling, mixing, roll"));
+  EXPECT_THAT(
+      problems_of("[[estimator]]\nname = \"l\"\nkind = \"levelling\"\nimu = \"imu\"\n"
+                  "model = \"stationary\"\n" +
+                  std::string(imu_table)),
+      ElementsAre("r.toml:10:8: /estimator/0/kind: \"levelling\" is not allowed (did you "
+                  "mean 'leveling'?), allowed: leveling, mixing, roll, navigation, velocity"));
 }
 
 TEST(RigProblems, AProtocolMustFitTheKind) {
@@ -177,6 +178,14 @@ TEST(RigProblems, ARollEstimatorNeedsAReceiverAndHasNoLog) {
   EXPECT_THAT(problems_of(head + "gnss = \"imu\"\n"),
               ElementsAre("r.toml:17:8: /estimator/0/gnss: device \"imu\" is of kind imu, this rig "
                           "has no device of kind gnss"));
+}
+
+TEST(RigProblems, AnInertialNavigationNeedsAStartAndItsSensorsGrades) {
+  const std::string head = std::string(imu_table) +
+                           "[[estimator]]\nname = \"n\"\nkind = \"navigation\"\nimu = \"imu\"\n";
+  EXPECT_THAT(problems_of(head),
+              ElementsAre("r.toml:13:1: /estimator/0: key 'sensors' is missing",
+                          "r.toml:13:1: /estimator/0: key 'initial' is missing"));
 }
 
 TEST(RigProblems, AnAddressIsTakenOncePerBus) {

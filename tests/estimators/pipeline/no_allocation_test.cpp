@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/estimators/pipeline/counting_new.hpp"
+#include "tests/estimators/pipeline/resting_vehicle.hpp"
 #include "tests/estimators/pipeline/support.hpp"
 
 namespace drydock::pipeline {
@@ -38,6 +39,21 @@ TEST(Pipeline, AllocatesNothingPerSample) {
     feed(1000, 20000);
     EXPECT_EQ(test::allocations(), before);
     EXPECT_GT(listener.last.valid_at, test::at_ms(19000));
+  }
+}
+
+TEST(Pipeline, AllocatesNothingPerStepOfAnInertialNavigation) {
+  for (const auto method :
+       {InertialMethod::sensors, InertialMethod::coupled, InertialMethod::paper}) {
+    test::RestingVehicle bench(method);
+    bench.listener.all.reserve(1000);
+    bench.run(10);
+    const std::size_t before = test::allocations();
+    bench.run(60);  // with DVL, log and depth
+    bench.skip(0.3);
+    bench.run(1);
+    EXPECT_EQ(test::allocations(), before);
+    EXPECT_GT(bench.listener.all.size(), 700u);
   }
 }
 

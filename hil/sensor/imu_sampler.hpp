@@ -1,0 +1,29 @@
+#pragma once
+
+#include <optional>
+
+#include "drivers/measurement/measurement.hpp"
+#include "hil/sensor/increments.hpp"
+
+namespace drydock::sensor {
+
+/// What an ideal inertial unit puts into a sample: the values at its time, or, as one that
+/// integrates does, their means over the sample interval that ends there.
+class ImuSampler {
+ public:
+  ImuSampler(const motion::Trajectory& trajectory, const Mounting& mounting, double rate_hz,
+             bool means);
+
+  /// Times do not go back.
+  measurement::ImuSample at(motion::Stamp time);
+
+ private:
+  const motion::Trajectory& trajectory_;
+  Mounting mounting_;
+  std::chrono::nanoseconds period_;
+  bool means_;
+  std::optional<IncrementIntegrator> integrator_;
+  motion::Stamp integrated_to_{};
+};
+
+}  // namespace drydock::sensor
