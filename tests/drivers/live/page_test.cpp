@@ -93,7 +93,7 @@ class LivePage : public testing::TestWithParam<Look> {
   void keep_stepping() {
     timer_.expires_after(milliseconds{50});
     timer_.async_wait([this](const boost::system::error_code& error) {
-      if (error) return;
+      if (error || stopped_) return;  // an expired timer can no longer be cancelled
       bench_.step();
       keep_stepping();
     });
@@ -110,6 +110,7 @@ class LivePage : public testing::TestWithParam<Look> {
           {"/usr/bin/chromium", "http://127.0.0.1:" + std::to_string(server_.port()) + "/",
            folder.string(), std::to_string(how.width), how.theme});
       asio::post(io_, [&] {
+        stopped_ = true;
         server_.stop();
         timer_.cancel();
       });
@@ -123,6 +124,7 @@ class LivePage : public testing::TestWithParam<Look> {
   Server server_{io_.get_executor(), {.port = 0, .name = "drydock demo"}, page_files()};
   MadeUpBench bench_{server_};
   asio::steady_timer timer_{io_};
+  bool stopped_ = false;
 };
 
 TEST_P(LivePage, ShowsHealthEstimatesAndMeasurementsAtThisWidthAndInThisLight) {

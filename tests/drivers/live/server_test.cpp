@@ -38,7 +38,7 @@ class LiveServer : public testing::Test {
     std::function<void()> again = [&] {
       timer_.expires_after(std::chrono::milliseconds{1});
       timer_.async_wait([&](const boost::system::error_code& error) {
-        if (error) return;
+        if (error || stopped_) return;  // an expired timer can no longer be cancelled
         serve();
         again();
       });
@@ -49,6 +49,7 @@ class LiveServer : public testing::Test {
       found = drydock::test::run_node("tests/drivers/live/watch.cjs",
                                       {url(), std::to_string(count), subprotocol});
       asio::post(io_, [&] {
+        stopped_ = true;
         server_.stop();
         timer_.cancel();
       });
@@ -77,6 +78,7 @@ class LiveServer : public testing::Test {
   asio::io_context io_{1};
   Server server_{io_.get_executor(), {.port = 0}, {{"/", "text/html", "<title>Drydock</title>"}}};
   asio::steady_timer timer_{io_};
+  bool stopped_ = false;
 };
 
 const Channel json_channel{0, "/bench", "json", "bench", R"({"type":"object"})", "jsonschema"};
