@@ -90,6 +90,7 @@ Loaded<MissionConfig> build_with_vehicle(const Node& root, const std::string& pa
     const auto vehicle = read_checked_file(beside(path, reference->text), FileKind::vehicle);
     if (!vehicle) return vehicle.error();
     mission.vehicle = build_vehicle(*vehicle);
+    mission.files.push_back(beside(path, reference->text));
   }
   return mission;
 }
@@ -170,6 +171,29 @@ Problems read_estimator_files(const Node& table, std::size_t index, EstimatorCon
   return problems;
 }
 
+/// Its own file, then those that it and its mission name, each once.
+std::vector<std::string> files_of(const Node& root, const std::string& path,
+                                  const MissionConfig& mission) {
+  std::vector<std::string> files{path};
+  const auto add = [&](const std::string& file) {
+    if (std::ranges::find(files, file) == files.end()) files.push_back(file);
+  };
+  const auto add_named = [&](const Node* table, const char* key) {
+    if (const Node* reference = table ? table->find(key) : nullptr)
+      add(beside(path, reference->text));
+  };
+  add_named(root.find("rig"), "mission");
+  for (const auto& file : mission.files) add(file);
+  for_each_table(root, "device", [&](const Node& table, std::size_t) {
+    add_named(table.find("emulate"), "errors");
+  });
+  for_each_table(root, "estimator", [&](const Node& table, std::size_t) {
+    add_named(&table, "sensors");
+    add_named(&table, "vehicle");
+  });
+  return files;
+}
+
 }  // namespace
 
 Loaded<Rig> load_rig_text(std::string_view text, const std::string& path,
@@ -192,6 +216,7 @@ Loaded<Rig> load_rig_text(std::string_view text, const std::string& path,
     append(problems, read_estimator_files(table, i, rig.estimators[i], path));
   });
   if (!problems.empty()) return problems;
+  rig.files = files_of(*root, path, rig.mission);
   return rig;
 }
 

@@ -51,6 +51,7 @@ struct BallisticConfig {
 };
 
 struct MissionConfig {
+  std::vector<std::string> files;  ///< that it names: its vehicle
   double latitude_rad = 0, longitude_rad = 0, depth_m = 0, heading_rad = 0, speed_mps = 0;
   OceanConfig ocean;
   double pivot_m = 0;           ///< ahead of the origin, where a turning hull has no side slip

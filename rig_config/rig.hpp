@@ -132,6 +132,7 @@ struct EstimatorConfig {
 
 struct Rig {
   std::string file, name;
+  std::vector<std::string> files;  ///< that it was read from: its own, then those it names
   std::uint64_t seed = 1;
   std::int64_t start_utc_ns = 0;  ///< virtual time at which a lockstep run starts
   int dds_domain = 0;

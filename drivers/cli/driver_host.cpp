@@ -12,12 +12,12 @@ constexpr std::chrono::seconds health_period{1};
 }
 
 DriverHost::DriverHost(boost::asio::io_context& io,
-                       std::vector<std::unique_ptr<device::Device>> devices, bus::Publisher* bus)
-    : bus_(bus), shell_(io, std::move(devices), *this), health_timer_(io) {}
+                       std::vector<std::unique_ptr<device::Device>> devices, bus::Publisher* bus,
+                       shell::RawListener* raw)
+    : bus_(bus), shell_(io, std::move(devices), *this, raw), health_timer_(io) {}
 
 void DriverHost::start() {
   shell_.start();
-  if (bus_ == nullptr) return;
   health_timer_.expires_after(health_period);
   schedule_health();
 }
@@ -58,7 +58,9 @@ void DriverHost::publish_health() {
   for (std::size_t i = 0; i < shell_.size(); ++i) {
     statuses.push_back(status_of(shell_.device(i), shell_.health(i)));
   }
-  bus_->publish(statuses, link::now());
+  const auto now = link::now();
+  if (bus_ != nullptr) bus_->publish(statuses, now);
+  if (on_health_hook) on_health_hook(statuses, now);
 }
 
 }  // namespace drydock::cli

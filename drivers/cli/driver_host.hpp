@@ -4,6 +4,7 @@
 #include <boost/asio/steady_timer.hpp>
 #include <functional>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "drivers/bus/publisher.hpp"
@@ -16,13 +17,14 @@ namespace drydock::cli {
 /// The drivers of a rig on their links in real time, their measurements and health on the bus.
 class DriverHost final : private device::Listener {
  public:
-  /// `bus` may be empty: then nothing is published. Its publisher must outlive the host.
+  /// `bus` may be empty: then nothing is published. Publisher and listener must outlive the host.
   DriverHost(boost::asio::io_context& io, std::vector<std::unique_ptr<device::Device>> devices,
-             bus::Publisher* bus);
+             bus::Publisher* bus, shell::RawListener* raw = nullptr);
 
   /// Called for every measurement and state change, beside the bus.
   std::function<void(const measurement::Measurement&)> on_measurement_hook;
   std::function<void(const device::Device&, const device::Transition&)> on_state_hook;
+  std::function<void(std::span<const bus::DeviceStatus>, measurement::Stamp)> on_health_hook;
 
   void start();
   void stop();

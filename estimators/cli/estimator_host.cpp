@@ -25,8 +25,7 @@ EstimatorHost::EstimatorHost(boost::asio::io_context& io, const pipeline::Pipeli
       pipeline_(made(options, *this)),
       readable_(io, from.fd()),
       window_timer_(io),
-      window_(options.reorder_window),
-      origins_(options.estimators.size()) {}
+      window_(options.reorder_window) {}
 
 EstimatorHost::~EstimatorHost() { readable_.release(); }  // the subscriber owns the descriptor
 
@@ -44,33 +43,14 @@ void EstimatorHost::stop() {
 }
 
 void EstimatorHost::on_attitude(const pipeline::AttitudeEstimate& estimate) {
-  publish(estimate);
+  to_.publish(bus_attitude(estimate), estimate.estimator);
   if (on_attitude_hook) on_attitude_hook(estimate);
 }
 
 void EstimatorHost::on_navigation(const pipeline::NavigationEstimate& estimate) {
-  publish(pipeline::attitude_of(estimate));
-  auto& origin = origins_[estimate.estimator];
-  if (!origin) origin = estimate.position;
-  to_.publish(bus::Navigation{.valid_at = estimate.valid_at,
-                              .latitude_rad = estimate.position.latitude_rad,
-                              .longitude_rad = estimate.position.longitude_rad,
-                              .height_m = estimate.position.height_m,
-                              .offset_ned = frame::ned_offset(*origin, estimate.position),
-                              .velocity_ned = estimate.velocity_ned,
-                              .body_to_ned = estimate.body_to_ned,
-                              .covariance = estimate.covariance},
-              estimate.estimator);
+  to_.publish(bus_attitude(pipeline::attitude_of(estimate)), estimate.estimator);
+  to_.publish(to_bus_(estimate), estimate.estimator);
   if (on_navigation_hook) on_navigation_hook(estimate);
-}
-
-void EstimatorHost::publish(const pipeline::AttitudeEstimate& estimate) {
-  to_.publish(bus::Attitude{.valid_at = estimate.valid_at,
-                            .roll_rad = estimate.roll_rad,
-                            .pitch_rad = estimate.pitch_rad,
-                            .yaw_rad = estimate.yaw_rad,
-                            .covariance = estimate.covariance},
-              estimate.estimator);
 }
 
 void EstimatorHost::wait_for_measurements() {

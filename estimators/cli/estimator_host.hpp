@@ -7,6 +7,7 @@
 
 #include "drivers/bus/publisher.hpp"
 #include "drivers/bus/subscriber.hpp"
+#include "estimators/cli/bus_estimates.hpp"
 #include "estimators/pipeline/pipeline.hpp"
 
 namespace drydock::cli {
@@ -34,7 +35,6 @@ class EstimatorHost final : private pipeline::EstimateListener {
  private:
   void on_attitude(const pipeline::AttitudeEstimate& estimate) override;
   void on_navigation(const pipeline::NavigationEstimate& estimate) override;
-  void publish(const pipeline::AttitudeEstimate& estimate);
   void wait_for_measurements();
   void wait_for_window();
 
@@ -44,7 +44,7 @@ class EstimatorHost final : private pipeline::EstimateListener {
   boost::asio::posix::stream_descriptor readable_;
   boost::asio::steady_timer window_timer_;
   std::chrono::nanoseconds window_;
-  std::vector<std::optional<frame::Position>> origins_;  ///< first estimate of each navigation
+  BusNavigation to_bus_;
   bool stopped_ = false;  ///< a timer that has expired can no longer be cancelled
 };
 

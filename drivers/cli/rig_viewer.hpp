@@ -1,0 +1,52 @@
+#pragma once
+
+#include <boost/asio/any_io_executor.hpp>
+#include <optional>
+
+#include "drivers/bus/cdr_publisher.hpp"
+#include "drivers/cli/watcher.hpp"
+#include "drivers/live/live_topics.hpp"
+#include "rig_config/rig.hpp"
+
+namespace drydock::cli {
+
+/// Where a run can be watched: `--serve [ADDRESS:PORT]`, `--token`.
+struct ServeOptions {
+  std::string address;  ///< "127.0.0.1:8765", ":8765", "8765"; empty: nowhere
+  std::string token;
+};
+
+/// A run for browsers and Foxglove. Fast topics are thinned to what an eye can follow.
+class RigViewer final : public Watcher {
+ public:
+  static constexpr std::chrono::milliseconds shortest_interval{40};
+
+  /// Throws std::runtime_error with one line when the address cannot be served. An address beyond
+  /// this host gets a token of its own when none is given.
+  RigViewer(boost::asio::any_io_executor executor, const rig_config::Rig& rig,
+            const ServeOptions& options);
+
+  std::string url() const;  ///< to open in a browser, with the token where there is one
+
+  void note(const measurement::Measurement& measurement) override;
+  void note(const bus::Attitude& attitude, std::size_t estimator) override;
+  void note(const bus::Navigation& navigation, std::size_t estimator) override;
+  void note(std::span<const bus::DeviceStatus> health, Stamp now) override {
+    topics_.publish(health, now);
+  }
+  void tick(Stamp) override {}
+  void stop() { server_.stop(); }
+  live::ServerCounters counters() const { return server_.counters(); }
+
+ private:
+  bool due(Stamp& last, Stamp now) const;
+
+  live::ServerOptions options_;
+  live::Server server_;
+  live::LiveTopics sink_;
+  bus::CdrPublisher topics_;
+  std::vector<Stamp> last_sample_;                    ///< by device; of IMUs
+  std::vector<Stamp> last_attitude_, last_position_;  ///< by estimator
+};
+
+}  // namespace drydock::cli

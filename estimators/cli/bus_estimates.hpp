@@ -1,0 +1,23 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "drivers/bus/device.hpp"
+#include "estimators/pipeline/navigation_estimate.hpp"
+
+namespace drydock::cli {
+
+/// Estimates as the bus has them.
+bus::Attitude bus_attitude(const pipeline::AttitudeEstimate& estimate);
+
+/// Positions besides as offsets, each estimator's from its first.
+class BusNavigation {
+ public:
+  bus::Navigation operator()(const pipeline::NavigationEstimate& estimate);
+
+ private:
+  std::vector<std::optional<frame::Position>> origins_;
+};
+
+}  // namespace drydock::cli

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <memory>
+
+#include "drivers/cli/rig_recorder.hpp"
+#include "drivers/cli/rig_viewer.hpp"
+#include "estimators/cli/bus_estimates.hpp"
+#include "hil/motion/truth.hpp"
+
+namespace drydock::cli {
+
+/// What follows a run besides its report: estimates go to them as the bus has them, each with the
+/// truth of the same time before it.
+class RunWatchers {
+ public:
+  /// `truth` may be empty and must outlive the watchers.
+  RunWatchers(const rig_config::Rig& rig, const motion::Trajectory* truth)
+      : truth_(truth), truth_index_(rig.estimators.size()) {}
+
+  Watchers all;
+
+  void note(const pipeline::AttitudeEstimate& estimate);
+  void note(const pipeline::NavigationEstimate& estimate);
+
+ private:
+  void note_truth(measurement::Stamp at);
+
+  const motion::Trajectory* truth_;
+  std::size_t truth_index_;  ///< after the last estimator
+  measurement::Stamp last_truth_{};
+  BusNavigation to_bus_;
+};
+
+}  // namespace drydock::cli
