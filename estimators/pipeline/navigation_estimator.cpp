@@ -85,6 +85,10 @@ void NavigationEstimator::go_on(const ImuSample& sample, EstimateListener& liste
   const auto pieces = std::max<std::int64_t>(1, (interval + period_ / 2) / period_);
   const Vector3d rate_change =
       (sample.angular_rate - last_->angular_rate) / static_cast<double>(pieces);
+  if (bridges) {
+    const double cubed = std::pow(seconds(interval), 3) / 12;
+    filter_->loosen(force_curvature * cubed, rate_curvature * cubed);
+  }
   for (std::int64_t i = 1; i <= pieces; ++i) {
     end_step_if_due(listener);
     const Stamp to = from + interval * i / pieces;
@@ -92,10 +96,6 @@ void NavigationEstimator::go_on(const ImuSample& sample, EstimateListener& liste
     now_ = to;
   }
   rate_ = sample.angular_rate;
-  if (bridges) {
-    const double cubed = std::pow(seconds(interval), 3) / 12;
-    filter_->loosen(force_curvature * cubed, rate_curvature * cubed);
-  }
 }
 
 void NavigationEstimator::add(const Vector3d& rate, const Vector3d& force,

@@ -22,13 +22,13 @@ std::string navigation_table(const NavigationError& e) {
       e.velocity_max_mps, e.roll_rms_deg, e.pitch_rms_deg, e.heading_rms_deg, e.nees_position);
 }
 
-/// The filter's band, and the error on top of it; the axis leaves room for 1.3 times the error.
+/// The filter's band, and the error on top of it; what the start brings may leave the axis.
 std::string error_figure(const std::string& title, const char* unit, const NavigationTrace& t,
                          const std::vector<double>& error, std::vector<double> sigma) {
   double largest = 0;
   for (std::size_t i = 0; i < error.size(); ++i) {
     sigma[i] *= 3;
-    largest = std::max({largest, 1.3 * std::abs(error[i]), i > error.size() / 10 ? sigma[i] : 0});
+    if (i > error.size() / 50) largest = std::max({largest, 1.3 * std::abs(error[i]), sigma[i]});
   }
   Plot plot{title, "time [s]", unit, {}};
   plot.y_limit = largest;

@@ -126,6 +126,31 @@ TEST(BusConversion, OrientationWithoutRatesIsNotAnImuSample) {
   EXPECT_FALSE(read(attitude, message));
 }
 
+TEST(BusConversion, ANavigationBecomesOdometryInEnuAndFlu) {
+  Navigation navigation;
+  navigation.offset_ned = {100, 20, 5};
+  navigation.velocity_ned = {0, 3, 0.5};  // east and down, heading east: ahead and down
+  navigation.body_to_ned =
+      Eigen::Quaterniond{Eigen::AngleAxisd{std::numbers::pi / 2, Eigen::Vector3d::UnitZ()}};
+  navigation.covariance.diagonal() << 1, 4, 9, 0.01, 0.04, 0.09, 1e-6, 2e-6, 3e-6;
+  navigation.covariance(0, 1) = navigation.covariance(1, 0) = 0.5;
+  OdometryMessage message{};
+  ASSERT_TRUE(fill(message, navigation));
+  EXPECT_DOUBLE_EQ(message.pose.pose.position.x, 20);
+  EXPECT_DOUBLE_EQ(message.pose.pose.position.y, 100);
+  EXPECT_DOUBLE_EQ(message.pose.pose.position.z, -5);
+  EXPECT_NEAR(std::abs(message.pose.pose.orientation.w), 1, 1e-12);  // REP-103: yaw 0 is east
+  EXPECT_NEAR(message.twist.twist.linear.x, 3, 1e-12);
+  EXPECT_NEAR(message.twist.twist.linear.y, 0, 1e-12);
+  EXPECT_NEAR(message.twist.twist.linear.z, -0.5, 1e-12);
+  EXPECT_DOUBLE_EQ(message.pose.covariance[0], 4);
+  EXPECT_DOUBLE_EQ(message.pose.covariance[1], 0.5);
+  EXPECT_DOUBLE_EQ(message.pose.covariance[7], 1);
+  EXPECT_DOUBLE_EQ(message.pose.covariance[21], 2e-6);
+  EXPECT_NEAR(message.twist.covariance[0], 0.04, 1e-12);
+  EXPECT_DOUBLE_EQ(message.twist.covariance[35], -1);
+}
+
 TEST(BusConversion, UnknownEnumeratorsAndTooManySatellitesAreRefused) {
   GnssFixMessage fix{};
   fix.fix_type = 6;

@@ -181,7 +181,8 @@ TEST(MakePipeline, SaysInOneLineWhatIsWrongAndWhatIsAllowed) {
   EXPECT_EQ(error_of(options), "no error");
   options.estimators[0].kind = "levelling";
   EXPECT_EQ(error_of(options),
-            "estimator 'attitude': kind 'levelling' is not known, allowed: leveling, mixing, roll");
+            "estimator 'attitude': kind 'levelling' is not known, allowed: leveling, mixing, roll, "
+            "navigation, velocity");
 
   options = moving(milliseconds{0});
   options.estimators[0].log.reset();

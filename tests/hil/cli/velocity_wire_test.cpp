@@ -41,9 +41,11 @@ rig_config::Rig brief_mission() {
   auto dive = leg_of(LegKind::dive, 90);
   dive.depth_change_m = 40;
   auto zigzag = leg_of(LegKind::zigzag, 240);
-  zigzag.period_s = 120;
-  legs = {leg_of(LegKind::straight, 90), dive, leg_of(LegKind::spiral, 120), zigzag,
-          leg_of(LegKind::straight, 60)};
+  zigzag.period_s = 240;
+  zigzag.amplitude_rad = 0.3;
+  auto spiral = leg_of(LegKind::spiral, 120);
+  spiral.ramp_s = 20;
+  legs = {leg_of(LegKind::straight, 90), dive, spiral, zigzag, leg_of(LegKind::straight, 60)};
   for (auto& device : rig.devices) {
     for (auto* errors : {&device.emulate.primary, &device.emulate.secondary})
       errors->noise = errors->noise_density = {};
@@ -151,14 +153,18 @@ TEST(VelocityOnTheWire, BothFiltersAgreeWithTheStudysToTheWiresResolution) {
   EXPECT_GT(bed.size(), 100u);
   EXPECT_LT(bed.size(), 500u);  // the bed goes out of range on the way
   constexpr std::array methods{study::Method::ours, study::Method::paper};
+  // Speeds are rounded to .001 knot (log) and 1 mm/s (DVL), rates and forces to 24 bits. The study
+  // has the actuators every 10 ms in the middle of the sample, the wire every 100 ms and held:
+  // the paper's simulator lives on them, ours leans on them for sway alone.
+  constexpr std::array limits{Apart{0.05, 0.0005}, Apart{0.15, 0.004}};
   for (std::size_t i = 0; i < methods.size(); ++i) {
     const auto direct = straight_into(methods[i], rig, bed);
     ASSERT_GT(wires.navigation.at(i).t_s.size(), 1000u);
     const auto apart = largest_difference(direct, wires.navigation[i]);
     RecordProperty(wires.estimators[i].name + "_m", std::to_string(apart.metres));
     RecordProperty(wires.estimators[i].name + "_mps", std::to_string(apart.metres_per_second));
-    EXPECT_LT(apart.metres, 0.05) << wires.estimators[i].name;
-    EXPECT_LT(apart.metres_per_second, 0.002) << wires.estimators[i].name;
+    EXPECT_LT(apart.metres, limits[i].metres) << wires.estimators[i].name;
+    EXPECT_LT(apart.metres_per_second, limits[i].metres_per_second) << wires.estimators[i].name;
   }
 }
 
