@@ -3,16 +3,21 @@
 #include <fmt/format.h>
 
 #include <boost/asio/signal_set.hpp>
+#include <boost/asio/steady_timer.hpp>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
 #include "drivers/bus/participant.hpp"
 #include "drivers/cli/driver_host.hpp"
 #include "drivers/cli/rig_bus.hpp"
+#include "drivers/link/link.hpp"
 #include "drivers/shell/rig_devices.hpp"
 
 namespace drydock::cli {
 namespace {
+
+constexpr std::chrono::milliseconds tick_period{200};
 
 void print_state(const device::Device& device, const device::Transition& change) {
   fmt::print("{}: {} -> {}: {}\n", device.name(), to_string(change.from), to_string(change.to),
@@ -29,38 +34,87 @@ void print_health(const shell::RealTime& shell) {
   }
 }
 
+/// The drivers and what follows them, until the time is over or Ctrl-C.
+class Drive {
+ public:
+  Drive(const rig_config::Rig& rig, const DriveOptions& options,
+        std::vector<std::unique_ptr<device::Device>> devices)
+      : options_(options),
+        participant_(static_cast<std::uint32_t>(rig.dds_domain)),
+        publisher_(participant_, bus_devices(rig)),
+        host_(io_, std::move(devices), &publisher_, &watchers_) {
+    if (!options.record.path.empty()) {
+      recorder_.emplace(rig, options.record, link::now(), record::WhenBehind::lose);
+      watchers_.add(*recorder_);
+    }
+    if (!options.serve.address.empty()) {
+      viewer_.emplace(io_.get_executor(), rig, options.serve);
+      watchers_.add(*viewer_);
+      fmt::print("live: {}\n", viewer_->url());
+    }
+    host_.on_state_hook = print_state;
+    host_.on_measurement_hook = [this](const measurement::Measurement& m) { watchers_.note(m); };
+    host_.on_health_hook = [this](auto health, measurement::Stamp now) {
+      watchers_.note(health, now);
+    };
+  }
+
+  int run() {
+    signals_.async_wait([this](const boost::system::error_code& ec, int) {
+      if (!ec) stop();
+    });
+    keep_ticking(link::now());
+    host_.start();
+    io_.run();
+    if (recorder_) fmt::print("{}\n", recorder_->finish());
+    return all_streaming_ && !(recorder_ && recorder_->failed()) ? 0 : 1;
+  }
+
+ private:
+  void keep_ticking(measurement::Stamp start) {
+    timer_.expires_after(tick_period);
+    timer_.async_wait([this, start](const boost::system::error_code& ec) {
+      if (ec || stopped_) return;  // an expired timer can no longer be cancelled
+      const auto now = link::now();
+      watchers_.tick(now);
+      if (options_.duration_s > 0 && measurement::seconds(now - start) >= options_.duration_s)
+        return stop();
+      keep_ticking(start);
+    });
+  }
+
+  void stop() {
+    if (std::exchange(stopped_, true)) return;
+    all_streaming_ = host_.all_streaming();
+    print_health(host_.shell());
+    host_.on_state_hook = nullptr;
+    signals_.cancel();
+    signals_.clear();  // a second Ctrl-C ends the program at once
+    timer_.cancel();
+    host_.stop();
+    if (viewer_) viewer_->stop();
+  }
+
+  const DriveOptions& options_;
+  boost::asio::io_context io_{1};
+  bus::Participant participant_;
+  bus::Publisher publisher_;
+  Watchers watchers_;
+  std::optional<RigRecorder> recorder_;
+  std::optional<RigViewer> viewer_;
+  DriverHost host_;
+  boost::asio::signal_set signals_{io_, SIGINT, SIGTERM};
+  boost::asio::steady_timer timer_{io_};
+  bool stopped_ = false, all_streaming_ = false;
+};
+
 }  // namespace
 
-int drive(const rig_config::Rig& rig, double duration_s) {
+int drive(const rig_config::Rig& rig, const DriveOptions& options) {
   auto devices = shell::make_devices(rig);
   if (!devices) throw std::runtime_error(devices.error().message);
-  boost::asio::io_context io{1};
-  const bus::Participant participant(static_cast<std::uint32_t>(rig.dds_domain));
-  bus::Publisher publisher(participant, bus_devices(rig));
-  DriverHost host(io, std::move(*devices), &publisher);
-  host.on_state_hook = print_state;
-
-  bool stopped = false, all_streaming = false;
-  boost::asio::signal_set signals(io, SIGINT, SIGTERM);
-  boost::asio::steady_timer timer(io);
-  const auto stop = [&](const boost::system::error_code& ec) {
-    if (ec || std::exchange(stopped, true)) return;
-    all_streaming = host.all_streaming();
-    print_health(host.shell());
-    host.on_state_hook = nullptr;
-    signals.cancel();
-    signals.clear();  // a second Ctrl-C ends the program at once
-    timer.cancel();
-    host.stop();
-  };
-  signals.async_wait([&](const boost::system::error_code& ec, int) { stop(ec); });
-  if (duration_s > 0) {
-    timer.expires_after(measurement::from_seconds(duration_s));
-    timer.async_wait(stop);
-  }
-  host.start();
-  io.run();
-  return all_streaming ? 0 : 1;
+  Drive drive(rig, options, std::move(*devices));
+  return drive.run();
 }
 
 }  // namespace drydock::cli

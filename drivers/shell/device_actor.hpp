@@ -4,6 +4,7 @@
 
 #include "drivers/device/device.hpp"
 #include "drivers/shell/lockstep.hpp"
+#include "drivers/shell/raw_listener.hpp"
 
 namespace drydock::shell {
 
@@ -17,11 +18,17 @@ class DeviceActor final : public Actor {
               device::Transmitter& transmitter, Stamp start,
               measurement::Provenance provenance = measurement::Provenance::emulated);
 
+  /// Where the link is this device's alone: what comes over it goes past `raw`, which must outlive
+  /// the actor.
+  void tap(RawListener& raw) { raw_ = &raw; }
+
   void receive(wire::Bytes bytes, Stamp at) {
+    if (raw_ != nullptr) raw_->on_bytes(device_->options().link, Direction::received, bytes, at);
     device_->receive(bytes, at);
     woken();
   }
   void receive(const wire::CanFrame& frame, Stamp at) {
+    if (raw_ != nullptr) raw_->on_frame(device_->options().link, Direction::received, frame, at);
     device_->receive(frame, at);
     woken();
   }
@@ -39,6 +46,7 @@ class DeviceActor final : public Actor {
   std::unique_ptr<device::Device> device_;
   std::optional<Stamp> start_;  ///< empty once started
   measurement::Provenance provenance_;
+  RawListener* raw_ = nullptr;
 };
 
 }  // namespace drydock::shell

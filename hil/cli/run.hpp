@@ -3,6 +3,8 @@
 #include <optional>
 #include <string>
 
+#include "drivers/cli/rig_recorder.hpp"
+#include "drivers/cli/rig_viewer.hpp"
 #include "drivers/device/device.hpp"
 #include "hil/cli/summary.hpp"
 #include "rig_config/rig.hpp"
@@ -15,6 +17,8 @@ struct RunOptions {
   std::string json, report;  ///< file, folder; empty: none
   bool expect_streaming = false;
   std::optional<double> expect_rms_deg;  ///< of every estimator that has a truth
+  RecordOptions record;
+  ServeOptions serve;  ///< real time only
 };
 
 /// Runs the rig: emulated devices, drivers, estimators, in real time or in lockstep.

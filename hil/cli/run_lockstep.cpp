@@ -16,6 +16,7 @@
 #include "estimators/pipeline/pipeline.hpp"
 #include "hil/cli/interrupt_flag.hpp"
 #include "hil/cli/run.hpp"
+#include "hil/cli/run_watchers.hpp"
 #include "hil/cli/scribe.hpp"
 #include "hil/cli/truth_of_rig.hpp"
 #include "hil/emulate/lockstep.hpp"
@@ -35,14 +36,17 @@ auto or_throw(Result result) {
   return std::move(*result);
 }
 
-/// What a driver sends goes to whatever emulates its other end.
+/// What a driver sends goes to whatever emulates its other end, and past the watchers.
 class ToLine final : public device::Transmitter {
  public:
-  explicit ToLine(const shell::Lockstep& clock) : clock_(clock) {}
+  ToLine(const shell::Lockstep& clock, std::string link, shell::RawListener& raw)
+      : clock_(clock), link_(std::move(link)), raw_(raw) {}
   void send(wire::Bytes bytes) override {
+    raw_.on_bytes(link_, shell::Direction::sent, bytes, clock_.now());
     if (line != nullptr) line->receive(bytes, clock_.now());
   }
   void send(const wire::CanFrame& frame) override {
+    raw_.on_frame(link_, shell::Direction::sent, frame, clock_.now());
     if (bus != nullptr) bus->receive(frame, clock_.now());
   }
   emulate::EmulatedLine* line = nullptr;
@@ -50,21 +54,28 @@ class ToLine final : public device::Transmitter {
 
  private:
   const shell::Lockstep& clock_;
+  std::string link_;
+  shell::RawListener& raw_;
 };
 
 /// A rig in virtual time: every link becomes a line of this process with the same baud rate.
 class LockstepBench final : private device::Listener, private pipeline::EstimateListener {
  public:
-  LockstepBench(const rig_config::Rig& rig, double duration_s)
+  LockstepBench(const rig_config::Rig& rig, const RunOptions& options)
       : rig_(rig),
         start_(measurement::stamp_from_ns(rig.start_utc_ns)),
         trajectory_(std::make_unique<motion::RememberedTrajectory>(
             motion::make_trajectory(rig.mission, start_))),
         clock_(start_),
         pipeline_(or_throw(pipeline::make_pipeline(pipeline_options(rig), *this))),
-        duration_s_(duration_s > 0 ? duration_s
-                                   : measurement::seconds(trajectory_->end() - start_)),
-        scribe_(rig, truth_for_estimators(rig) ? trajectory_.get() : nullptr, start_, duration_s_) {
+        duration_s_(options.duration_s > 0 ? options.duration_s
+                                           : measurement::seconds(trajectory_->end() - start_)),
+        scribe_(rig, truth_for_estimators(rig) ? trajectory_.get() : nullptr, start_, duration_s_),
+        watchers_(rig, truth_for_estimators(rig) ? trajectory_.get() : nullptr) {
+    if (!options.record.path.empty()) {
+      recorder_.emplace(rig, options.record, start_, record::WhenBehind::wait);
+      watchers_.all.add(*recorder_);
+    }
     auto devices = or_throw(shell::make_devices(rig));
     for (std::size_t i = 0; i < devices.size(); ++i) add(rig.devices[i], std::move(devices[i]));
     for (auto& bus : buses_) clock_.add(*bus.second.bus);
@@ -78,6 +89,7 @@ class LockstepBench final : private device::Listener, private pipeline::Estimate
     while (clock_.now() < end && !interrupted.set()) {
       clock_.run_until(std::min(end, clock_.now() + std::chrono::seconds{1}));
       scribe_.follow(clock_.now());
+      tell_watchers();
       show_progress();
     }
     pipeline_.flush();
@@ -94,6 +106,7 @@ class LockstepBench final : private device::Listener, private pipeline::Estimate
           summarise(device, device.health(clock_.now()), provenance_of(device.options().link)));
     }
     s.notes = pipeline_notes(rig_, pipeline_);
+    if (recorder_) s.notes.push_back(recorder_->finish());
     scribe_.write(s);
     return s;
   }
@@ -107,13 +120,14 @@ class LockstepBench final : private device::Listener, private pipeline::Estimate
   void add(const rig_config::DeviceConfig& config, std::unique_ptr<device::Device> device) {
     const auto uri = link::parse_uri(config.link);
     if (!uri) throw std::runtime_error(uri.error().message);
-    to_lines_.push_back(std::make_unique<ToLine>(clock_));
+    to_lines_.push_back(std::make_unique<ToLine>(clock_, config.link, watchers_.all));
     device::Listener& listener = *this;
     actors_.push_back(std::make_unique<shell::DeviceActor>(
         std::move(device), listener, *to_lines_.back(), start_, provenance_of(config.link)));
     auto& actor = *actors_.back();
     clock_.add(actor);
     if (uri->recorded()) {
+      actor.tap(watchers_.all);
       if (actor.device().on_bus()) {
         recordings_.push_back(std::make_unique<shell::RecordedBus>(*uri, actor, start_));
       } else {
@@ -138,6 +152,7 @@ class LockstepBench final : private device::Listener, private pipeline::Estimate
         or_throw(emulate::make_emulated_device(config, *trajectory_, rig_.seed)),
         uri.baud().value_or(emulate::without_line_rate),
         [&actor](wire::Bytes bytes, Stamp at) { actor.receive(bytes, at); }));
+    actor.tap(watchers_.all);
     to_lines_.back()->line = lines_.back().get();
     clock_.add(*lines_.back());
   }
@@ -147,7 +162,9 @@ class LockstepBench final : private device::Listener, private pipeline::Estimate
     auto& bus = buses_[config.link];
     if (!bus.bus) {
       bus.bus = std::make_unique<emulate::EmulatedBus>(
-          uri.bitrate().value_or(default_bit_rate), [&bus](const wire::CanFrame& frame, Stamp at) {
+          uri.bitrate().value_or(default_bit_rate),
+          [this, &bus, link = config.link](const wire::CanFrame& frame, Stamp at) {
+            watchers_.all.on_frame(link, shell::Direction::received, frame, at);
             for (auto* driver : bus.drivers) driver->receive(frame, at);
           });
     }
@@ -158,6 +175,7 @@ class LockstepBench final : private device::Listener, private pipeline::Estimate
 
   void on_measurement(const measurement::Measurement& m) override {
     scribe_.note(m);
+    watchers_.all.note(m);
     pipeline_.receive(m);
   }
 
@@ -167,9 +185,22 @@ class LockstepBench final : private device::Listener, private pipeline::Estimate
                device.name(), to_string(change.from), to_string(change.to), change.why.view());
   }
 
-  void on_attitude(const pipeline::AttitudeEstimate& estimate) override { scribe_.note(estimate); }
+  void on_attitude(const pipeline::AttitudeEstimate& estimate) override {
+    scribe_.note(estimate);
+    watchers_.note(estimate);
+  }
   void on_navigation(const pipeline::NavigationEstimate& estimate) override {
     scribe_.note(estimate);
+    watchers_.note(estimate);
+  }
+
+  void tell_watchers() {
+    if (watchers_.all.empty()) return;
+    std::vector<bus::DeviceStatus> health;
+    for (const auto& actor : actors_)
+      health.push_back(status_of(actor->device(), actor->device().health(clock_.now())));
+    watchers_.all.note(health, clock_.now());
+    watchers_.all.tick(clock_.now());
   }
 
   void show_progress() const {
@@ -186,6 +217,8 @@ class LockstepBench final : private device::Listener, private pipeline::Estimate
   pipeline::Pipeline pipeline_;
   double duration_s_;
   Scribe scribe_;
+  RunWatchers watchers_;
+  std::optional<RigRecorder> recorder_;
   std::vector<std::unique_ptr<ToLine>> to_lines_;
   std::vector<std::unique_ptr<shell::DeviceActor>> actors_;
   std::vector<std::unique_ptr<emulate::EmulatedLine>> lines_;
@@ -196,7 +229,7 @@ class LockstepBench final : private device::Listener, private pipeline::Estimate
 }  // namespace
 
 Summary run_lockstep(const rig_config::Rig& rig, const RunOptions& options) {
-  LockstepBench bench(rig, options.duration_s);
+  LockstepBench bench(rig, options);
   return bench.run();
 }
 

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/signal_set.hpp>
@@ -17,6 +19,7 @@
 #include "estimators/cli/rig_pipeline.hpp"
 #include "hil/cli/live_table.hpp"
 #include "hil/cli/run.hpp"
+#include "hil/cli/run_watchers.hpp"
 #include "hil/cli/scribe.hpp"
 #include "hil/cli/truth_of_rig.hpp"
 #include "hil/emulate/real_time.hpp"
@@ -46,10 +49,21 @@ class Bench {
         publisher_(participant_, bus_devices(rig), estimator_names(rig), navigator_names(rig)),
         subscriber_(participant_, bus_devices(rig)),
         emulator_(io_, *trajectory_, rig.seed),
-        drivers_(io_, or_throw(shell::make_devices(rig)), &publisher_),
+        watchers_(rig, truth_for_estimators(rig) ? trajectory_.get() : nullptr),
+        drivers_(io_, or_throw(shell::make_devices(rig)), &publisher_, &watchers_.all),
         estimators_(io_, pipeline_options(rig), subscriber_, publisher_),
         scribe_(rig, truth_for_estimators(rig) ? trajectory_.get() : nullptr, start_,
-                options.duration_s > 0 ? options.duration_s : 600) {}
+                options.duration_s > 0 ? options.duration_s : 600) {
+    if (!options.record.path.empty()) {
+      recorder_.emplace(rig, options.record, start_, record::WhenBehind::lose);
+      watchers_.all.add(*recorder_);
+    }
+    if (!options.serve.address.empty()) {
+      viewer_.emplace(io_.get_executor(), rig, options.serve);
+      watchers_.all.add(*viewer_);
+      fmt::print("live: {}\n", viewer_->url());
+    }
+  }
 
   Summary run() {
     connect();
@@ -71,13 +85,23 @@ class Bench {
 
  private:
   void connect() {
-    drivers_.on_measurement_hook = [this](const measurement::Measurement& m) { scribe_.note(m); };
+    drivers_.on_measurement_hook = [this](const measurement::Measurement& m) {
+      scribe_.note(m);
+      watchers_.all.note(m);
+    };
+    drivers_.on_health_hook = [this](auto health, measurement::Stamp now) {
+      watchers_.all.note(health, now);
+    };
     drivers_.on_state_hook = [this](const device::Device& d, const device::Transition& change) {
       if (!stopping_) live_.note(d.name(), change);
     };
-    estimators_.on_attitude_hook = [this](const pipeline::AttitudeEstimate& e) { scribe_.note(e); };
+    estimators_.on_attitude_hook = [this](const pipeline::AttitudeEstimate& e) {
+      scribe_.note(e);
+      watchers_.note(e);
+    };
     estimators_.on_navigation_hook = [this](const pipeline::NavigationEstimate& e) {
       scribe_.note(e);
+      watchers_.note(e);
     };
   }
 
@@ -88,6 +112,7 @@ class Bench {
     timer_.async_wait([this](const boost::system::error_code& ec) {
       if (ec || stopping_) return;  // an expired timer can no longer be cancelled
       scribe_.follow(link::now());
+      watchers_.all.tick(link::now());
       live_.draw(drivers_.shell(), elapsed(), options_.duration_s);
       if (options_.duration_s > 0 && elapsed() >= options_.duration_s) return stop();
       schedule_redraw();
@@ -110,6 +135,7 @@ class Bench {
     drivers_.stop();
     estimators_.stop();
     emulator_.stop();
+    if (viewer_) viewer_->stop();
   }
 
   Summary summary() {
@@ -128,6 +154,7 @@ class Bench {
                         " to write errors");
     }
     std::ranges::move(pipeline_notes(rig_, estimators_.pipeline()), std::back_inserter(s.notes));
+    if (recorder_) s.notes.push_back(recorder_->finish());
     scribe_.write(s);
     return s;
   }
@@ -141,6 +168,9 @@ class Bench {
   bus::Publisher publisher_;
   bus::Subscriber subscriber_;
   emulate::RealTimeEmulator emulator_;
+  RunWatchers watchers_;
+  std::optional<RigRecorder> recorder_;
+  std::optional<RigViewer> viewer_;
   DriverHost drivers_;
   EstimatorHost estimators_;
   Scribe scribe_;

@@ -42,6 +42,20 @@ rig_config::Rig load(const std::string& path) {
   throw BadRig{};
 }
 
+void add_serve(CLI::App* sub, ServeOptions& serve) {
+  sub->add_option("--serve", serve.address,
+                  "a page for browsers and the Foxglove protocol at PORT or ADDRESS:PORT; default "
+                  "127.0.0.1:8765")
+      ->expected(0, 1)
+      ->default_str("127.0.0.1:8765");
+  sub->add_option("--token", serve.token,
+                  "that a viewer must name; one is made where the address is not loopback");
+}
+
+void add_overwrite(CLI::App* sub, RecordOptions& record) {
+  sub->add_flag("--overwrite", record.overwrite, "replace a recording that is there");
+}
+
 void add_run(CLI::App& app, Command& command) {
   struct Arguments {
     std::string rig, speed = "1";
@@ -64,6 +78,10 @@ void add_run(CLI::App& app, Command& command) {
       ->capture_default_str();
   sub->add_option("--json", a->options.json, "write the summary to this file");
   sub->add_option("--report", a->options.report, "write index.html with plots into this folder");
+  sub->add_option("--record", a->options.record.path,
+                  "record all bytes, frames, measurements and estimates to this MCAP file");
+  add_overwrite(sub, a->options.record);
+  add_serve(sub, a->options.serve);
   sub->add_flag("--expect-streaming", a->options.expect_streaming,
                 "exit 1 when a device is not streaming at the end");
   sub->add_option(
@@ -74,12 +92,14 @@ void add_run(CLI::App& app, Command& command) {
       auto rig = load(a->rig);
       if (a->seed) rig.seed = *a->seed;
       a->options.lockstep = a->speed == "max";
+      if (a->options.lockstep && !a->options.serve.address.empty())
+        throw std::runtime_error("--serve shows a run in real time, not with --speed max");
       return run(rig, a->options);
     };
   });
 }
 
-/// emulate, drive: a rig and a duration.
+/// emulate: a rig and a duration.
 void add_rig_command(CLI::App& app, Command& command, const std::string& name,
                      const std::string& description, const std::string& example,
                      int (*body)(const rig_config::Rig&, double)) {
@@ -95,6 +115,27 @@ void add_rig_command(CLI::App& app, Command& command, const std::string& name,
       ->transform(duration_text);
   sub->callback(
       [a, &command, body] { command = [a, body] { return body(load(a->rig), a->duration_s); }; });
+}
+
+/// drive, record: the drivers of a rig; `output` is the option that names the recording.
+void add_drive_command(CLI::App& app, Command& command, const std::string& name,
+                       const std::string& description, const std::string& example,
+                       const std::string& output) {
+  struct Arguments {
+    std::string rig;
+    DriveOptions options;
+  };
+  auto a = std::make_shared<Arguments>();
+  auto* sub = app.add_subcommand(name, description);
+  sub->footer("Example: " + example);
+  sub->add_option("RIG", a->rig, "rig file (TOML)")->required();
+  sub->add_option("--for", a->options.duration_s,
+                  "how long: 60s, 10min, 5.5h; default until Ctrl-C")
+      ->transform(duration_text);
+  sub->add_option(output, a->options.record.path, "the MCAP file")->required(name == "record");
+  add_overwrite(sub, a->options.record);
+  add_serve(sub, a->options.serve);
+  sub->callback([a, &command] { command = [a] { return drive(load(a->rig), a->options); }; });
 }
 
 void add_estimate(CLI::App& app, Command& command) {
@@ -129,8 +170,11 @@ void add_rig_commands(CLI::App& app, Command& command) {
   add_run(app, command);
   add_rig_command(app, command, "emulate", "The emulated devices of a rig, for any program to open",
                   "drydock emulate rig_config/rigs/demo.toml", emulate);
-  add_rig_command(app, command, "drive", "The drivers of a rig: links in, measurements on the bus",
-                  "drydock drive rig_config/rigs/demo.toml", drive);
+  add_drive_command(app, command, "drive",
+                    "The drivers of a rig: links in, measurements on the bus",
+                    "drydock drive rig_config/rigs/demo.toml", "--record");
+  add_drive_command(app, command, "record", "The drivers of a rig, and all they hear in a file",
+                    "drydock record rig.toml -o dive.mcap --serve", "-o,--output");
   add_estimate(app, command);
   add_check(app, command);
 }
