@@ -7,7 +7,7 @@ const degree = Math.PI / 180, earthRadius = 6371000;
 const by = (id) => document.getElementById(id);
 const plots = new Map(); // title -> Plot
 let start, track, sky;
-const truths = new Map(); // stamp -> Navigation
+const truths = { attitude: new Map(), fix: new Map(), odometry: new Map() }; // stamp -> message of /estimate/truth
 const colourOf = new Map([['truth', '--c2']]);
 
 const key = ({ sec, nanosec }) => `${sec}.${nanosec}`;
@@ -16,10 +16,6 @@ const seconds = ({ sec, nanosec }) => { start ??= sec; return sec - start + nano
 function plot(place, title, unit, lines) {
   if (!plots.has(title)) plots.set(title, new Plot(by(place), title, unit, lines));
   return plots.get(title);
-}
-
-function eulerOf({ x, y, z, w }) {
-  return { roll: Math.atan2(2 * (w * x + y * z), 1 - 2 * (x * x + y * y)), pitch: Math.asin(Math.max(-1, Math.min(1, 2 * (w * y - z * x)))) };
 }
 
 const levels = [['ok', 'ok'], ['warn', 'warning'], ['error', 'error'], ['stale', 'stale']];
@@ -42,17 +38,31 @@ function health({ status }) {
   }
 }
 
-// Attitude with its 3-sigma band, and the truth where there is one. From ROS axes: pitch changes sign.
-function attitude(name, t, { roll, pitch }, sigma, truth) {
-  const both = { roll: [roll, sigma[0]], pitch: [pitch, sigma[1]] };
-  for (const [axis, [value, s]] of Object.entries(both)) {
-    const lines = [{ label: name, colour: 0 }, { label: '+3σ', dash: true, colour: 0 }, { label: '-3σ', dash: true, colour: 0 }, { label: 'truth', colour: 1 }];
-    plot('estimates', `${name}: ${axis}`, 'deg', lines).add(t, [value, value + 3 * s, value - 3 * s, truth && truth[axis]].map((x) => x === undefined ? null : x / degree));
-  }
+function remember(kind, message) {
+  truths[kind].set(key(message.header.stamp), message);
+  if (truths[kind].size > 200) truths[kind].delete(truths[kind].keys().next().value);
+}
+const truthOf = (kind, message) => truths[kind].get(key(message.header.stamp));
+
+// Body forward-left-up against east-north-up, as ROS has it: pitch changes sign to become nose up.
+function eulerOf({ x, y, z, w }) {
+  return { roll: Math.atan2(2 * (w * x + y * z), 1 - 2 * (x * x + y * y)), pitch: -Math.asin(Math.max(-1, Math.min(1, 2 * (w * y - z * x)))) };
 }
 
+// With its 3-sigma band, and the truth where there is one.
+function attitude(name, t, message) {
+  const value = eulerOf(message.orientation), truth = truthOf('attitude', message), true_ = truth && eulerOf(truth.orientation);
+  ['roll', 'pitch'].forEach((axis, i) => {
+    const sigma = Math.sqrt(message.orientation_covariance[4 * i]);
+    plot('estimates', `${name}: ${axis}`, 'deg', [{ label: name, colour: 0 }, { label: '+3σ', dash: true, colour: 0 }, { label: '-3σ', dash: true, colour: 0 }, { label: 'truth', colour: 1 }])
+      .add(t, [value[axis], value[axis] + 3 * sigma, value[axis] - 3 * sigma, true_ && true_[axis]].map((x) => x === undefined ? null : x / degree));
+  });
+}
+
+const errorLines = (...labels) => labels.flatMap((label, i) => [{ label, colour: i }, { label: '+3σ', dash: true, colour: i }, { label: '-3σ', dash: true, colour: i }]);
+
 function metres(from, to) {
-  return { north: (to.latitude - from.latitude) * earthRadius, east: (to.longitude - from.longitude) * earthRadius * Math.cos(from.latitude) };
+  return { north: (to.latitude - from.latitude) * degree * earthRadius, east: (to.longitude - from.longitude) * degree * earthRadius * Math.cos(from.latitude * degree) };
 }
 
 let origin;
@@ -64,26 +74,26 @@ function place(name, at) {
   track.add(name, colourOf.get(name), north, east);
 }
 
-function navigation(name, t, at) {
-  const truth = truths.get(key(at.header.stamp)), c = (i) => 3 * Math.sqrt(at.covariance[10 * i]);
-  place(name, at);
-  plot('where', `${name}: depth`, 'm', [{ label: name, colour: 0 }, { label: 'truth', colour: 1 }]).add(t, [-at.height, truth && -truth.height]);
-  attitude(name, t, eulerOf(at.orientation), [6, 7].map((i) => c(i) / 3), truth && eulerOf(truth.orientation));
-  if (truth) {
-    const off = metres(truth, at);
-    const lines = ['north', 'east'].flatMap((label, i) => [{ label, colour: i }, { label: '+3σ', dash: true, colour: i }, { label: '-3σ', dash: true, colour: i }]);
-    plot('estimates', `${name}: position error`, 'm', lines).add(t, [off.north, c(0), -c(0), off.east, c(1), -c(1)]);
-    plot('estimates', `${name}: velocity error`, 'm/s', lines)
-      .add(t, [at.velocity.x - truth.velocity.x, c(3), -c(3), at.velocity.y - truth.velocity.y, c(4), -c(4)]);
-  }
-  if (Number.isFinite(at.current_north))
-    plot('estimates', `${name}: current`, 'm/s', [{ label: 'north' }, { label: 'east' }]).add(t, [at.current_north, at.current_east]);
+function position(name, t, fix) {
+  const truth = truthOf('fix', fix);
+  place(name, fix);
+  plot('where', `${name}: depth`, 'm', [{ label: name, colour: 0 }, { label: 'truth', colour: 1 }]).add(t, [-fix.altitude, truth && -truth.altitude]);
+  if (!truth) return;
+  const off = metres(truth, fix), [east, north] = [0, 4].map((i) => 3 * Math.sqrt(fix.position_covariance[i]));
+  plot('estimates', `${name}: position error`, 'm', errorLines('north', 'east')).add(t, [off.north, north, -north, off.east, east, -east]);
 }
 
-function imuAsEstimate(name, t, m) {
-  const { roll, pitch } = eulerOf(m.orientation), truth = truths.get(key(m.header.stamp));
-  attitude(name, t, { roll, pitch: -pitch }, [0, 4].map((i) => Math.sqrt(m.orientation_covariance[i])), truth && eulerOf(truth.orientation));
+// In body axes, forward and to port.
+function velocity(name, t, odometry) {
+  const truth = truthOf('odometry', odometry);
+  if (!truth) return;
+  const [is, was] = [odometry, truth].map((o) => o.twist.twist.linear), [x, y] = [0, 7].map((i) => 3 * Math.sqrt(odometry.twist.covariance[i]));
+  plot('estimates', `${name}: velocity error`, 'm/s', errorLines('forward', 'port')).add(t, [is.x - was.x, x, -x, is.y - was.y, y, -y]);
 }
+
+const estimates = {
+  'sensor_msgs/msg/Imu': ['attitude', attitude], 'sensor_msgs/msg/NavSatFix': ['fix', position], 'nav_msgs/msg/Odometry': ['odometry', velocity],
+};
 
 const xyz = (v) => [v.x, v.y, v.z], named = (...labels) => labels.map((label) => ({ label }));
 const measurements = {
@@ -96,7 +106,7 @@ const measurements = {
   'drydock/msg/Depth': (n, t, m) => plot('measurements', `${n}: depth`, 'm', named('depth')).add(t, [m.depth]),
   'drydock/msg/ActuatorState': (n, t, m) => plot('measurements', `${n}: planes`, 'deg', named('rudder', 'stern', 'bow')).add(t, [m.rudder, m.stern_plane, m.bow_plane].map((x) => x / degree)),
   'drydock/msg/GnssFix': (n, t, m) => {
-    if (Number.isFinite(m.latitude)) place(n, { latitude: m.latitude, longitude: m.longitude, height: m.ellipsoidal_height });
+    if (Number.isFinite(m.latitude)) place(n, { latitude: m.latitude / degree, longitude: m.longitude / degree });
   },
   'drydock/msg/GnssSatellites': (n, t, m) => { sky ??= new Sky(by('where')); sky.set(m.satellites); },
 };
@@ -105,10 +115,9 @@ function take(topic, type, time, message) {
   const t = message.header ? seconds(message.header.stamp) : 0;
   const [, first, second] = topic.split('/');
   if (type === 'diagnostic_msgs/msg/DiagnosticArray') health(message);
-  else if (topic === '/truth') { truths.set(key(message.header.stamp), message); if (truths.size > 200) truths.delete(truths.keys().next().value); place('truth', message); }
   else if (topic === '/faults') { by('fault').hidden = !message.text; by('fault').textContent = message.text; }
-  else if (first === 'estimate' && type === 'drydock/msg/Navigation') navigation(second, t, message);
-  else if (first === 'estimate' && type === 'sensor_msgs/msg/Imu') imuAsEstimate(second, t, message);
+  else if (first === 'estimate' && second === 'truth') { remember(estimates[type][0], message); if (type === 'sensor_msgs/msg/NavSatFix') place('truth', message); }
+  else if (first === 'estimate') estimates[type]?.[1](second, t, message);
   else measurements[type]?.(first, t, message);
   by('clock').textContent = new Date(time * 1000).toISOString().replace('T', ' ').replace('Z', ' UTC');
 }

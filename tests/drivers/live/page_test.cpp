@@ -38,7 +38,7 @@ class MadeUpBench {
                     {"gps", bus::Kind::gnss},
                     {"imu", bus::Kind::imu},
                     {"depth", bus::Kind::depth}},
-                   {"leveling"}) {}
+                   {"leveling", "truth"}, {"leveling", "truth"}) {}
 
   void step() {
     const double t = 0.05 * ++steps_, wave = std::sin(t);
@@ -63,12 +63,27 @@ class MadeUpBench {
     publisher_.publish(sky);
     publisher_.publish(ImuSample{origin(3), {0.1 * wave, 0, -9.8}, {0, 0.02 * wave, 0}});
     publisher_.publish(DepthSample{origin(4), 5 + wave, {}, {}, {}});
-    publisher_.publish(bus::Attitude{origin(3).valid_at, 0.1 * wave, 0.05, {}, attitude_covariance},
-                       0);
+    publish_estimates(origin(3).valid_at, wave);
     if (steps_ % 10 == 0) publisher_.publish(health_, origin(0).valid_at);
   }
 
  private:
+  /// The estimate is 2 m north of the truth, and knows it to 1 m.
+  void publish_estimates(Stamp at, double wave) {
+    publisher_.publish(bus::Attitude{at, 0.11 * wave, 0.05, {}, {}}, 1);
+    publisher_.publish(bus::Attitude{at, 0.1 * wave, 0.05, {}, attitude_covariance}, 0);
+    bus::Navigation where;
+    where.valid_at = at;
+    where.latitude_rad = 0.6;
+    where.longitude_rad = 0.2 + 1e-6 * wave;
+    where.height_m = -5;
+    publisher_.publish(where, 1);
+    where.latitude_rad += 2 / 6.37e6;
+    where.velocity_ned.x() = 0.1;
+    where.covariance.setIdentity();
+    publisher_.publish(where, 0);
+  }
+
   const Stamp start_ = stamp_from_ns(1'700'000'000'000'000'000);
   const Eigen::Matrix2d attitude_covariance = 1e-4 * Eigen::Matrix2d::Identity();
   const std::vector<bus::DeviceStatus> health_{
@@ -144,6 +159,9 @@ TEST_P(LivePage, ShowsHealthEstimatesAndMeasurementsAtThisWidthAndInThisLight) {
   };
   EXPECT_GT(drawn("leveling: roll [deg]", "--c1"), 50);
   EXPECT_GT(drawn("leveling: pitch [deg]", "--c1"), 50);
+  EXPECT_GT(drawn("leveling: roll [deg]", "--c2"), 50);  // the truth
+  EXPECT_GT(drawn("leveling: position error [m]", "--c1"), 50);
+  EXPECT_GT(drawn("leveling: velocity error [m/s]", "--c1"), 50);
   EXPECT_GT(drawn("dvl: velocity over the bed [m/s, body]", "--c1"), 50);
   EXPECT_GT(drawn("dvl: velocity over the bed [m/s, body]", "--c2"), 50);
   EXPECT_GT(drawn("depth: depth [m]", "--c1"), 50);
