@@ -101,7 +101,7 @@ Figure pure_figure(const CaseResult& result) {
 
 std::vector<Figure> velocity_figures(const VelocityResults& results) {
   std::vector<Figure> figures;
-  add_truth_figures(results.track, figures);
+  if (!results.track.empty()) add_truth_figures(results.track, figures);
   for (const auto& result : results.cases) {
     const std::string name(result.which.name);
     if (name == "case1") {
