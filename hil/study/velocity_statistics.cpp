@@ -57,6 +57,7 @@ double mean_over_time(const Ensemble& values) {
 VelocityStatistics::VelocityStatistics(std::size_t instants)
     : north_(instants),
       east_(instants),
+      up_(instants),
       growth_north_(instants),
       growth_east_(instants),
       stated_(instants),
@@ -72,6 +73,7 @@ void VelocityStatistics::add(const VelocityTrial& trial) {
   };
   north_.add(trial.north_m);
   east_.add(trial.east_m);
+  up_.add(trial.up_m);
   growth_north_.add(grown(trial.north_m));
   growth_east_.add(grown(trial.east_m));
   stated_.add(trial.stated_m2);

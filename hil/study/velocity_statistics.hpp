@@ -64,10 +64,11 @@ class VelocityStatistics {
 
   const Ensemble& north() const { return north_; }
   const Ensemble& east() const { return east_; }
+  const Ensemble& up() const { return up_; }
   const Ensemble& velocity(std::size_t axis) const { return velocity_[axis]; }
 
  private:
-  Ensemble north_, east_, growth_north_, growth_east_, stated_, nees_, growth_nees_;
+  Ensemble north_, east_, up_, growth_north_, growth_east_, stated_, nees_, growth_nees_;
   std::array<Ensemble, 3> velocity_;
   Eigen::Vector3d velocity_square_ = Eigen::Vector3d::Zero();
   Eigen::Vector3d velocity_sum_ = Eigen::Vector3d::Zero();

@@ -33,6 +33,7 @@ void note_instant(const MissionInstant& truth, const Navigator& navigator, Veloc
   const Matrix2d covariance = navigator.horizontal_covariance();
   trial.north_m.push_back(off.x() * metres.x());
   trial.east_m.push_back(off.y() * metres.y());
+  trial.up_m.push_back(navigator.state().position.height_m - truth.position.height_m);
   trial.stated_m2.push_back(covariance.diagonal().dot(metres.cwiseAbs2()));
   trial.nees.push_back(per_state(off, covariance));
   const Vector3d mps = navigator.velocity_body() - truth.velocity_body();
