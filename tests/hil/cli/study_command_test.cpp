@@ -131,15 +131,17 @@ TEST_F(StudyCommand, AnUnknownNameIsOneLineThatSaysWhatIsAllowed) {
 }
 
 TEST_F(StudyCommand, CasesAreHandedToTheStudyThatHasThem) {
-  const study::Study with_cases{
-      "two", "",
-      [](const study::Options& options, study::Progress&) {
-        return study::Result{.runs = options.runs, .tables = {{options.cases.at(0), {}, {}, ""}}};
-      },
-      nullptr,
-      [] {
-        return std::vector<std::string_view>{"first", "second"};
-      }};
+  const study::Study with_cases{"two", "",
+                                [](const study::Options& options, study::Progress&) {
+                                  study::Result result;
+                                  result.runs = options.runs;
+                                  result.tables = {{options.cases.at(0), {}, {}, ""}};
+                                  return result;
+                                },
+                                nullptr,
+                                [] {
+                                  return std::vector<std::string_view>{"first", "second"};
+                                }};
   StudyOptions options;
   options.campaign.cases = {"second"};
   EXPECT_EQ(run_study(with_cases, options, out_, errors_), 0);
