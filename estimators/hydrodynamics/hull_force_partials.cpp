@@ -106,8 +106,12 @@ Matrix6 hull_force_partials(const Coefficients& c, const Velocity& velocity,
                             const Control& control) {
   const HullPartials partials(c, velocity, control);
   Matrix6 rows;
-  rows << partials.surge(), partials.sway(), partials.heave(),  //
-      partials.roll(), partials.pitch(), partials.yaw();
+  rows.row(0) = partials.surge();
+  rows.row(1) = partials.sway();
+  rows.row(2) = partials.heave();
+  rows.row(3) = partials.roll();
+  rows.row(4) = partials.pitch();
+  rows.row(5) = partials.yaw();
   return rows;
 }
 

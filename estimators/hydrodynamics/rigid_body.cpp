@@ -36,15 +36,20 @@ Wrench rigid_body_forces(const RigidBody& body, const Velocity& velocity,
 
 Matrix6 rigid_body_partials(const RigidBody& body, const Velocity& velocity,
                             const Vector3d& earth_rate) {
-  const Vector3d v = velocity.head<3>(), omega = velocity.tail<3>();
-  const Matrix3d d = body.mass * body.z_G * skew(Vector3d::UnitZ());
-  const Matrix3d j = body.moments_of_inertia.asDiagonal();
+  const double m = body.mass, mz = m * body.z_G;
+  const double u = velocity[0], v = velocity[1], w = velocity[2];
+  const double p = velocity[3], q = velocity[4], r = velocity[5];
+  const double yz = body.moments_of_inertia.y() - body.moments_of_inertia.z();
+  const double zx = body.moments_of_inertia.z() - body.moments_of_inertia.x();
+  const double xy = body.moments_of_inertia.x() - body.moments_of_inertia.y();
+  const Vector3d turn = m * (velocity.tail<3>() + 2 * earth_rate);
   Matrix6 partials;
-  partials.topLeftCorner<3, 3>() = -body.mass * skew(omega + 2 * earth_rate);
-  partials.topRightCorner<3, 3>() = body.mass * skew(v) + skew(omega) * d - skew(d * omega);
-  partials.bottomLeftCorner<3, 3>() = -skew(d * omega) - skew(omega) * d;
-  partials.bottomRightCorner<3, 3>() =
-      skew(j * omega) - skew(omega) * j + skew(v) * d + skew(d * v);
+  partials << 0, turn.z(), -turn.y(), -mz * r, -m * w, m * v - mz * p,    //
+      -turn.z(), 0, turn.x(), m * w, -mz * r, -m * u - mz * q,            //
+      turn.y(), -turn.x(), 0, 2 * mz * p - m * v, 2 * mz * q + m * u, 0,  //
+      mz * r, 0, -mz * p, -mz * w, yz * r, yz * q + mz * u,               //
+      0, mz * r, -mz * q, zx * r, -mz * w, zx * p + mz * v,               //
+      0, 0, 0, xy * q, xy * p, 0;
   return partials;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <utility>
 
 #include "estimators/navigation/error_model.hpp"
@@ -50,18 +51,17 @@ class ErrorFilter {
     double variance;  ///< of the innovation, h P h' + r
   };
   Row row(const Vector& h, double noise_variance) const {
-    const Vector cross = p_ * h;
+    const Vector cross = p_.lazyProduct(h);
     return {cross, h.dot(cross) + noise_variance};
   }
 
-  /// Takes it, gives the correction of the errors, which is to be fed back. Joseph's form for a row
-  /// is (I - K h) P (I - K h)' + K r K' = P - K b' - b K', b = P h' - K s / 2, s the innovation's
-  /// variance: symmetric by construction.
+  /// Takes it, gives the correction of the errors, which is to be fed back. With K = P h' / s, s
+  /// the innovation's variance, Joseph's form (I - K h) P (I - K h)' + K r K' is P - P h' (P h')' /
+  /// s: less a square, and so symmetric to the last bit.
   Vector update(const Row& row, double innovation) {
-    const Vector gain = row.cross / row.variance;
-    const Vector b = row.cross - row.variance / 2 * gain;
-    for (int j = 0; j < stored; ++j) p_.col(j) -= gain * b(j) + b * gain(j);
-    return gain * innovation;
+    const Vector root = row.cross / std::sqrt(row.variance);
+    for (int j = 0; j < stored; ++j) p_.col(j) -= root(j) * root;
+    return innovation / row.variance * row.cross;
   }
 
   /// Velocity and attitude have become less certain by so much, each axis.

@@ -1,5 +1,7 @@
 #include "estimators/velocity/velocity_filter.hpp"
 
+#include <cmath>
+
 namespace drydock::velocity {
 
 using Eigen::Vector3d;
@@ -24,16 +26,15 @@ void VelocityFilter::predict(const Setting& setting, const hydrodynamics::Contro
   const Vector3d climb = -dt * setting.ned_to_body.col(2);
   simulator_.step(setting, control, dt);
 
-  // P A': the column of h, then the six others.
-  Covariance right = p_;
-  right.col(0).noalias() += p_.middleCols<3>(1) * climb;
-  right.middleCols<6>(1).noalias() = p_.middleCols<6>(1) * a.transpose();
-  const Covariance left = right.transpose();
-  p_ = left;
-  p_.col(0).noalias() += left.middleCols<3>(1) * climb;
-  p_.middleCols<6>(1).noalias() = left.middleCols<6>(1) * a.transpose();
-  p_.row(0) = p_.col(0).transpose();
-  p_ = (0.5 * (p_ + p_.transpose())).eval();
+  // The blocks of h and of x = [V, omega] apart: h <- h + climb' V, x <- a x.
+  const Matrix6 x = p_.block<6, 6>(1, 1);
+  const hydrodynamics::Velocity by_h = p_.col(0).segment<6>(1), climbed = x.leftCols<3>() * climb;
+  const hydrodynamics::Velocity cross = a * (by_h + climbed);
+  const Matrix6 right = x * a.transpose(), both = a * right;
+  p_(0, 0) += climb.dot((2 * by_h + climbed).head<3>());
+  p_.col(0).segment<6>(1) = cross;
+  p_.row(0).segment<6>(1) = cross.transpose();
+  p_.block<6, 6>(1, 1) = (both + both.transpose()) / 2;
 
   Vector noise;
   noise << options_.height_noise_mps, options_.velocity_noise_mps2,
@@ -87,9 +88,8 @@ bool VelocityFilter::update_state(int index, double residual, double sigma) {
 }
 
 void VelocityFilter::apply(const Vector& cross, double innovation_variance, double residual) {
-  const Vector gain = cross / innovation_variance;
-  const Vector b = cross - innovation_variance / 2 * gain;
-  for (int j = 0; j < 8; ++j) p_.col(j) -= gain * b(j) + b * gain(j);  // Joseph, for one row
+  const Vector root = cross / std::sqrt(innovation_variance), gain = cross / innovation_variance;
+  for (int j = 0; j < 8; ++j) p_.col(j) -= root(j) * root;
   simulator_.state().height_m += gain(0) * residual;
   simulator_.state().velocity += gain.segment<6>(1) * residual;
 }

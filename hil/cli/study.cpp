@@ -50,6 +50,18 @@ std::string to_json(const study::Study& study, const study::Options& options,
   return json.dump(2) + "\n";
 }
 
+/// One line on the first of `asked` that the study does not have.
+std::optional<std::string> unknown_case(const study::Study& study,
+                                        const std::vector<std::string>& asked) {
+  if (asked.empty()) return {};
+  if (!study.cases) return "has no cases to choose from";
+  const auto known = study.cases();
+  for (const auto& name : asked)
+    if (std::ranges::find(known, name) == known.end())
+      return fmt::format("case '{}' is not known, allowed: {}", name, fmt::join(known, ", "));
+  return {};
+}
+
 }  // namespace
 
 std::string study_names() {
@@ -69,6 +81,10 @@ int run_study(const StudyOptions& options, std::FILE* out, std::FILE* errors) {
 
 int run_study(const study::Study& study, const StudyOptions& options, std::FILE* out,
               std::FILE* errors) {
+  if (const auto wrong = unknown_case(study, options.campaign.cases)) {
+    fmt::print(errors, "study {}: {}\n", study.name, *wrong);
+    return study_usage;
+  }
   const auto cannot_write = [&](const Output& file) {
     fmt::print(errors, "study: {}: cannot be written\n", file.path().string());
     return study_failed;

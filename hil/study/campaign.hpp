@@ -21,6 +21,7 @@ struct Options {
   std::uint64_t seed = 1;
   unsigned jobs = 1;           ///< threads; the result does not depend on it
   std::string ephemeris = {};  ///< navigation file of the study that needs one; empty: its own
+  std::vector<std::string> cases = {};  ///< of those that the study has; empty: all
 };
 
 /// Who watches a campaign. Calls come one at a time, from any thread.

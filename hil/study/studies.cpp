@@ -20,7 +20,7 @@ std::span<const Study> studies() {
       Study{"velocity",
             "Velocity: a vehicle model aids inertial navigation for 5.5 h under water (Lee et al. "
             "2016)",
-            velocity_study},
+            velocity_study, nullptr, velocity_case_names},
   };
   return all;
 }

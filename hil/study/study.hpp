@@ -44,6 +44,8 @@ struct Study {
   Result (*run)(const Options& options, Progress& progress);
   std::vector<Workload> (*workloads)() =
       nullptr;  ///< the first is what the others are compared with
+  /// What Options::cases may name; none: the study is run whole.
+  std::vector<std::string_view> (*cases)() = nullptr;
 };
 
 /// All of them, in the order of the papers.

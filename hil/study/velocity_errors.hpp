@@ -47,14 +47,12 @@ class MeasuredMission {
   void measure(std::size_t step, MeasuredStep& out);
 
  private:
-  double normal();  ///< N(0, 1), two at a time
+  double normal();  ///< N(0, 1)
 
   const RecordedMission& mission_;
   VelocityErrors errors_;
   bool gaps_;
   sensor::RandomStream random_;
-  double kept_ = 0;
-  bool has_kept_ = false;
   navigation::NavigationState start_;
   Eigen::Vector3d gyro_bias_, accel_bias_, gyro_scale_, accel_scale_;
   double log_scale_, log_bias_;

@@ -94,14 +94,15 @@ Figure pure_figure(const CaseResult& result) {
           "m",
           {over_hours("north", s.instants(), [&](auto i) { return s.north().rms(i); }),
            over_hours("east", s.instants(), [&](auto i) { return s.east().rms(i); }),
-           over_hours("horizontal", s.instants(), [&](auto i) { return s.horizontal_rmse(i); })}};
+           over_hours("horizontal", s.instants(), [&](auto i) { return s.horizontal_rmse(i); }),
+           over_hours("vertical", s.instants(), [&](auto i) { return s.up().rms(i); })}};
 }
 
 }  // namespace
 
 std::vector<Figure> velocity_figures(const VelocityResults& results) {
   std::vector<Figure> figures;
-  add_truth_figures(results.track, figures);
+  if (!results.track.empty()) add_truth_figures(results.track, figures);
   for (const auto& result : results.cases) {
     const std::string name(result.which.name);
     if (name == "case1") {
@@ -112,7 +113,8 @@ std::vector<Figure> velocity_figures(const VelocityResults& results) {
       add_velocity_figures(result, "Fig. 12: velocity error, case 2", figures);
       figures.push_back(position_figure(result, "Fig. 13: horizontal distance error, case 2", 1));
     } else {
-      figures.push_back(position_figure(result, "Not in the paper: " + name, 0));
+      figures.push_back(
+          position_figure(result, "Not in the paper: " + std::string(result.which.what), 0));
     }
   }
   return figures;

@@ -15,29 +15,13 @@ constexpr double dt = RecordedMission::sample_s;
 constexpr double height_sigma_m = 0.05;  ///< of the mean of ten depths and the velocity filter's
 constexpr double velocity_floor_mps = 0.01;  ///< added to P^v: R of eq. (16)
 
-class PureNavigator final : public Navigator {
- public:
-  explicit PureNavigator(const NavigationState& start)
-      : sdins_(start, navigation::height_loop({})) {}
-  void step(const MeasuredStep& measured) override {
-    for (std::size_t i = 0; i < MeasuredStep::samples; ++i)
-      sum_.add(measured.angle[i], measured.velocity[i], dt);
-    sdins_.step(sum_.take(), measured.mean_height_m);
-  }
-  const NavigationState& state() const override { return sdins_.state(); }
-
- private:
-  navigation::Sdins sdins_;
-  navigation::IncrementSum sum_;
-};
-
-/// What the two methods of the paper have in common: the 15-state aiding filter, and the rate
-/// against the Earth that its SDINS gives the vehicle model.
+/// What pure and the two methods of the paper have in common: SDINS with height loop and 15-state
+/// covariance, and the rate against the Earth that the SDINS gives a vehicle model.
 class AidedNavigator : public Navigator {
  public:
   explicit AidedNavigator(const NavigationState& start) : aided_(start, {}) {}
   const NavigationState& state() const override { return aided_.state(); }
-  std::optional<Eigen::Matrix2d> horizontal_covariance() const override {
+  Eigen::Matrix2d horizontal_covariance() const override {
     return aided_.covariance().topLeftCorner<2, 2>();
   }
 
@@ -57,6 +41,17 @@ class AidedNavigator : public Navigator {
 
   AidedNavigation aided_;
   Vector3d earth_rate_ = frame::earth_rate_ned(aided_.state().position.latitude_rad);
+};
+
+/// Nothing aids it: its covariance is the linear covariance analysis of the SDINS.
+class PureNavigator final : public AidedNavigator {
+ public:
+  using AidedNavigator::AidedNavigator;
+  void step(const MeasuredStep& measured) override {
+    for (std::size_t i = 0; i < MeasuredStep::samples; ++i)
+      aided_.add_imu(measured.angle[i], measured.velocity[i], dt);
+    navigate(measured.mean_height_m);
+  }
 };
 
 /// Koifman and Bar-Itzhack: where the DVL is out, an open-loop simulator stands in for it.
@@ -105,9 +100,10 @@ class PaperNavigator final : public AidedNavigator {
 
   void step(const MeasuredStep& measured) override {
     for (std::size_t i = 0; i < MeasuredStep::samples; ++i) {
-      filter_.predict(setting(), measured.control[i], dt);
+      const velocity::Setting at = setting();
+      filter_.predict(at, measured.control[i], dt);
       aided_.add_imu(measured.angle[i], measured.velocity[i], dt);
-      filter_.update_rate(rate(measured.angle[i], setting()));
+      filter_.update_rate(rate(measured.angle[i], at));
       filter_.update_height(measured.height_m[i]);
     }
     if (measured.log_mps) filter_.update_log(*measured.log_mps);
@@ -145,7 +141,7 @@ class OurNavigator final : public Navigator {
     if (measured.ground) coupled_.update_velocity(*measured.ground);
   }
   const NavigationState& state() const override { return coupled_.state(); }
-  std::optional<Eigen::Matrix2d> horizontal_covariance() const override {
+  Eigen::Matrix2d horizontal_covariance() const override {
     return coupled_.covariance().topLeftCorner<2, 2>();
   }
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <memory>
-#include <optional>
 
 #include "estimators/hydrodynamics/model.hpp"
 #include "hil/study/velocity_errors.hpp"
@@ -20,8 +19,7 @@ class Navigator {
   virtual Eigen::Vector3d velocity_body() const {
     return state().body_to_ned.conjugate() * state().velocity_ned;
   }
-  /// Of latitude and longitude, rad2; empty: no covariance kept.
-  virtual std::optional<Eigen::Matrix2d> horizontal_covariance() const { return {}; }
+  virtual Eigen::Matrix2d horizontal_covariance() const = 0;  ///< latitude, longitude; rad2
 };
 
 /// `model`: the vehicle as the method knows it.

@@ -35,12 +35,34 @@ const std::vector<VelocityGroup>& velocity_groups() {
   return groups;
 }
 
+Band nees_band(std::size_t runs) {
+  // chi-square of two states a run, by Wilson and Hilferty: good to 1e-3 from ten runs on.
+  const double freedom = 2 * static_cast<double>(runs), spread = 2 / (9 * freedom);
+  const auto bound = [&](double sigma) {
+    return std::pow(1 - spread + sigma * std::sqrt(spread), 3);
+  };
+  return {bound(-1.959964), bound(1.959964)};
+}
+
+namespace {
+
+double mean_over_time(const Ensemble& values) {
+  double sum = 0;
+  for (std::size_t i = 0; i < values.instants(); ++i) sum += values.mean(i);
+  return sum / static_cast<double>(values.instants());
+}
+
+}  // namespace
+
 VelocityStatistics::VelocityStatistics(std::size_t instants)
     : north_(instants),
       east_(instants),
+      up_(instants),
       growth_north_(instants),
       growth_east_(instants),
+      stated_(instants),
       nees_(instants),
+      growth_nees_(instants - 1),
       velocity_{Ensemble(instants), Ensemble(instants), Ensemble(instants)} {}
 
 void VelocityStatistics::add(const VelocityTrial& trial) {
@@ -51,9 +73,12 @@ void VelocityStatistics::add(const VelocityTrial& trial) {
   };
   north_.add(trial.north_m);
   east_.add(trial.east_m);
+  up_.add(trial.up_m);
   growth_north_.add(grown(trial.north_m));
   growth_east_.add(grown(trial.east_m));
+  stated_.add(trial.stated_m2);
   nees_.add(trial.nees);
+  growth_nees_.add(trial.growth_nees);
   for (std::size_t axis = 0; axis < 3; ++axis) velocity_[axis].add(trial.mps[axis]);
   velocity_square_ += trial.velocity_square;
   velocity_sum_ += trial.velocity_mean;
@@ -82,10 +107,12 @@ Eigen::Vector3d VelocityStatistics::velocity_mean() const {
   return velocity_sum_ / static_cast<double>(runs());
 }
 
-double VelocityStatistics::nees_mean() const {
-  double sum = 0;
-  for (std::size_t i = 0; i < instants(); ++i) sum += nees_.mean(i);
-  return sum / static_cast<double>(instants());
+double VelocityStatistics::stated_sigma_end() const {
+  return std::sqrt(stated_.mean(instants() - 1));
 }
+
+double VelocityStatistics::nees_mean() const { return mean_over_time(nees_); }
+
+double VelocityStatistics::growth_nees_mean() const { return mean_over_time(growth_nees_); }
 
 }  // namespace drydock::study

@@ -35,6 +35,13 @@ inline constexpr std::array velocity_methods{
     MethodName{Method::pure, "pure"}, MethodName{Method::earlier, "earlier"},
     MethodName{Method::paper, "paper"}, MethodName{Method::ours, "ours"}};
 
+/// 95 % of the mean NEES of so many runs lie between, if the filter is consistent: of one instant,
+/// and so, errors of a run being alike at all times, of their mean over time at most.
+struct Band {
+  double low, high;
+};
+Band nees_band(std::size_t runs);
+
 /// One method in one case, over the runs.
 class VelocityStatistics {
  public:
@@ -51,14 +58,17 @@ class VelocityStatistics {
   double worst_run() const { return worst_; }  ///< m, at the end
   Eigen::Vector3d velocity_rmse() const;       ///< over time and runs, m/s
   Eigen::Vector3d velocity_mean() const;
-  double nees_mean() const;  ///< of the horizontal position, over time and runs; 1 is consistent
+  double stated_sigma_end() const;  ///< m: of the position as the method itself states it, RMS
+  double nees_mean() const;         ///< of the horizontal position, over time and runs
+  double growth_nees_mean() const;  ///< of what was added to the initial error
 
   const Ensemble& north() const { return north_; }
   const Ensemble& east() const { return east_; }
+  const Ensemble& up() const { return up_; }
   const Ensemble& velocity(std::size_t axis) const { return velocity_[axis]; }
 
  private:
-  Ensemble north_, east_, growth_north_, growth_east_, nees_;
+  Ensemble north_, east_, up_, growth_north_, growth_east_, stated_, nees_, growth_nees_;
   std::array<Ensemble, 3> velocity_;
   Eigen::Vector3d velocity_square_ = Eigen::Vector3d::Zero();
   Eigen::Vector3d velocity_sum_ = Eigen::Vector3d::Zero();

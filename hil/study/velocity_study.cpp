@@ -1,5 +1,6 @@
 #include "hil/study/velocity_study.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <numbers>
@@ -150,19 +151,45 @@ std::size_t study_budget(const Options& options, Progress& progress, VelocityRes
   return done == fewer.runs ? options.runs : 0;
 }
 
+constexpr std::string_view budget_name = "error_budget";
+
+bool asked_for(const Options& options, std::string_view name) {
+  return options.cases.empty() || std::ranges::find(options.cases, name) != options.cases.end();
+}
+
+std::vector<VelocityGroup> groups_asked_for(const Options& options) {
+  auto groups = velocity_groups();
+  for (auto& group : groups)
+    std::erase_if(group.cases, [&](auto& which) { return !asked_for(options, which.name); });
+  std::erase_if(groups, [](const VelocityGroup& group) { return group.cases.empty(); });
+  return groups;
+}
+
 }  // namespace
+
+std::vector<std::string_view> velocity_case_names() {
+  std::vector<std::string_view> names;
+  for (const auto& group : velocity_groups())
+    for (const auto& which : group.cases) names.push_back(which.name);
+  names.push_back(budget_name);
+  return names;
+}
 
 Result velocity_study(const Options& options, Progress& progress) {
   VelocityResults results;
-  std::size_t done = 0;
-  for (const auto& group : velocity_groups())
-    if (!progress.stopped()) done += study_group(group, options, progress, results);
-  if (!progress.stopped()) done += study_budget(options, progress, results);
+  std::size_t done = 0, parts = 0;
+  const auto study_part = [&](const auto& part) {
+    ++parts;
+    if (!progress.stopped()) done += part();
+  };
+  for (const auto& group : groups_asked_for(options))
+    study_part([&] { return study_group(group, options, progress, results); });
+  if (asked_for(options, budget_name))
+    study_part([&] { return study_budget(options, progress, results); });
 
   Result result;
-  if (results.cases.empty()) return result;
+  if (results.cases.empty() && results.budget.empty()) return result;
   // Stopped early, the last cases have fewer runs or none: on an average over all of them.
-  const std::size_t parts = velocity_groups().size() + 1;
   result.runs = std::max<std::size_t>(done / parts, 1);
   result.tables = velocity_tables(results);
   result.figures = velocity_figures(results);

@@ -10,6 +10,9 @@ namespace drydock::study {
 /// that it leaves out, with four methods side by side.
 Result velocity_study(const Options& options, Progress& progress);
 
+/// The experiments' names and `error_budget`.
+std::vector<std::string_view> velocity_case_names();
+
 std::vector<Table> velocity_tables(const VelocityResults& results);
 std::vector<Figure> velocity_figures(const VelocityResults& results);
 nlohmann::ordered_json velocity_json(const VelocityResults& results);

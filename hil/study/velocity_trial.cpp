@@ -7,6 +7,7 @@
 
 namespace drydock::study {
 
+using Eigen::Matrix2d;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
@@ -19,17 +20,37 @@ Vector2d angles_off(const MissionInstant& truth, const Navigator& navigator) {
           frame::wrap_pi(at.longitude_rad - truth.position.longitude_rad)};
 }
 
+double per_state(const Vector2d& error, const Matrix2d& covariance) {
+  return error.dot(covariance.inverse() * error) / 2;
+}
+
 void note_instant(const MissionInstant& truth, const Navigator& navigator, VelocityTrial& trial) {
   const frame::LocalEarth earth =
       frame::local_earth(truth.position.latitude_rad, truth.position.height_m);
+  const Vector2d metres{earth.meridian_radius_m + truth.position.height_m,
+                        earth.cos_latitude * (earth.transverse_radius_m + truth.position.height_m)};
   const Vector2d off = angles_off(truth, navigator);
-  trial.north_m.push_back(off.x() * (earth.meridian_radius_m + truth.position.height_m));
-  trial.east_m.push_back(off.y() * earth.cos_latitude *
-                         (earth.transverse_radius_m + truth.position.height_m));
-  const auto covariance = navigator.horizontal_covariance();
-  trial.nees.push_back(covariance ? off.dot(covariance->inverse() * off) / 2 : 0);
+  const Matrix2d covariance = navigator.horizontal_covariance();
+  trial.north_m.push_back(off.x() * metres.x());
+  trial.east_m.push_back(off.y() * metres.y());
+  trial.up_m.push_back(navigator.state().position.height_m - truth.position.height_m);
+  trial.stated_m2.push_back(covariance.diagonal().dot(metres.cwiseAbs2()));
+  trial.nees.push_back(per_state(off, covariance));
   const Vector3d mps = navigator.velocity_body() - truth.velocity_body();
   for (std::size_t i = 0; i < 3; ++i) trial.mps[i].push_back(mps(static_cast<int>(i)));
+}
+
+/// What a navigator began with. No method can find it, and it stays as it is in latitude and
+/// longitude: its covariance is that much of any later one.
+struct Beginning {
+  Vector2d off;
+  Matrix2d covariance;
+};
+
+void note_growth(const MissionInstant& truth, const Navigator& navigator,
+                 const Beginning& beginning, VelocityTrial& trial) {
+  trial.growth_nees.push_back(per_state(angles_off(truth, navigator) - beginning.off,
+                                        navigator.horizontal_covariance() - beginning.covariance));
 }
 
 void note_velocity(const MissionInstant& truth, const Navigator& navigator, VelocityTrial& trial) {
@@ -50,9 +71,12 @@ std::vector<VelocityTrial> velocity_trial(const RecordedMission& mission,
   for (const auto& [method, model] : contenders)
     navigators.push_back(make_navigator(method, sensors.start(), *model));
   std::vector<VelocityTrial> trials(contenders.size());
+  std::vector<Beginning> beginnings;
   for (std::size_t i = 0; i < trials.size(); ++i) {
     trials[i].velocity_mean.setZero();
     trials[i].velocity_square.setZero();
+    beginnings.push_back({angles_off(mission.instants.front(), *navigators[i]),
+                          navigators[i]->horizontal_covariance()});
     note_instant(mission.instants.front(), *navigators[i], trials[i]);
   }
   MeasuredStep measured;
@@ -62,8 +86,9 @@ std::vector<VelocityTrial> velocity_trial(const RecordedMission& mission,
     for (std::size_t i = 0; i < trials.size(); ++i) {
       navigators[i]->step(measured);
       if ((step + 1) % steps_a_second == 0) note_velocity(truth, *navigators[i], trials[i]);
-      if ((step + 1) % VelocityTrial::steps_an_instant == 0)
-        note_instant(truth, *navigators[i], trials[i]);
+      if ((step + 1) % VelocityTrial::steps_an_instant != 0) continue;
+      note_instant(truth, *navigators[i], trials[i]);
+      note_growth(truth, *navigators[i], beginnings[i], trials[i]);
     }
   }
   const double seconds = static_cast<double>(mission.steps() / steps_a_second);

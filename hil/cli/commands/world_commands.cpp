@@ -127,6 +127,9 @@ void add_study(CLI::App& app, Command& command) {
   sub->add_option("--jobs", options->campaign.jobs,
                   "threads; the result does not depend on it; default one a processor")
       ->check(CLI::Range(1U, 1024U));
+  sub->add_option("--cases", options->campaign.cases,
+                  "these experiments of the study alone: A,B; velocity has them")
+      ->delimiter(',');
   sub->add_option("--ephemeris", options->campaign.ephemeris,
                   "roll: GPS navigation file in place of that of 2010-07-01");
   sub->add_option("--json", options->json, "write the figures to this file");

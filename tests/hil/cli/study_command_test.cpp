@@ -130,6 +130,42 @@ TEST_F(StudyCommand, AnUnknownNameIsOneLineThatSaysWhatIsAllowed) {
   EXPECT_EQ(text_of(errors_), "study: 'levelling' is not known, allowed: " + study_names() + "\n");
 }
 
+TEST_F(StudyCommand, CasesAreHandedToTheStudyThatHasThem) {
+  const study::Study with_cases{"two", "",
+                                [](const study::Options& options, study::Progress&) {
+                                  study::Result result;
+                                  result.runs = options.runs;
+                                  result.tables = {{options.cases.at(0), {}, {}, ""}};
+                                  return result;
+                                },
+                                nullptr,
+                                [] {
+                                  return std::vector<std::string_view>{"first", "second"};
+                                }};
+  StudyOptions options;
+  options.campaign.cases = {"second"};
+  EXPECT_EQ(run_study(with_cases, options, out_, errors_), 0);
+  EXPECT_THAT(text_of(out_), HasSubstr("second"));
+}
+
+TEST_F(StudyCommand, AnUnknownCaseIsOneLineThatSaysWhatIsAllowed) {
+  const study::Study with_cases{"two", "", mean_of_normals, nullptr, [] {
+                                  return std::vector<std::string_view>{"first", "second"};
+                                }};
+  StudyOptions options;
+  options.campaign.cases = {"first", "third"};
+  EXPECT_EQ(run_study(with_cases, options, out_, errors_), 2);
+  EXPECT_EQ(text_of(errors_), "study two: case 'third' is not known, allowed: first, second\n");
+  EXPECT_EQ(text_of(out_), "");
+}
+
+TEST_F(StudyCommand, AStudyWithoutCasesSaysSo) {
+  StudyOptions options;
+  options.campaign.cases = {"first"};
+  EXPECT_EQ(run_study(normals, options, out_, errors_), 2);
+  EXPECT_EQ(text_of(errors_), "study normals: has no cases to choose from\n");
+}
+
 TEST(StudyTable, ColumnsStandBelowEachOtherWhateverTheAlphabet) {
   const study::Table table{"T", {"filter", "φ [°]"}, {{"a", "1.0000"}, {"bb", "-2"}}, ""};
   EXPECT_EQ(to_text(table), "T\nfilter   φ [°]\na       1.0000\nbb          -2\n");

@@ -31,10 +31,32 @@ TEST(VelocityTrial, WithoutSensorErrorsEveryMethodStaysOnTheTrack) {
   none.alignment_rad.setZero();
   none.accel_bias_mps2 = none.gyro_bias_radps = none.angle_noise_rad = none.velocity_noise_mps = 0;
   none.log_mps = none.ground_mps = 0;
-  for (const auto& [north, east, nees, mps, mean, square] : trial(none, 0)) {
-    EXPECT_LT(std::hypot(north.back(), east.back()), 0.05);
-    EXPECT_LT(mean.norm(), 1e-3);
+  for (const auto& method : trial(none, 0)) {
+    EXPECT_LT(std::hypot(method.north_m.back(), method.east_m.back()), 0.05);
+    EXPECT_LT(method.velocity_mean.norm(), 1e-3);
   }
+}
+
+TEST(VelocityTrial, TheSdinsAloneErrsAsItsLinearCovarianceSays) {
+  constexpr std::size_t runs = 60;
+  VelocityStatistics pure(beginning().steps() / VelocityTrial::steps_an_instant + 1);
+  const Contender alone{Method::pure, &exact_model()};
+  for (std::size_t run = 0; run < runs; ++run)
+    pure.add(velocity_trial(beginning(), {}, false, 1, run, {&alone, 1}).front());
+  // Three standard errors of an RMSE of 60 runs, two axes each.
+  EXPECT_NEAR(pure.horizontal_rmse_end() / pure.stated_sigma_end(), 1, 3 / std::sqrt(4.0 * runs));
+  EXPECT_GT(pure.growth_rmse_end(), 20);  // 0.1 m/s for four minutes
+  EXPECT_NEAR(pure.nees_mean(), 1, 3 / std::sqrt(runs));
+  EXPECT_NEAR(pure.growth_nees_mean(), 1, 3 / std::sqrt(runs));
+}
+
+TEST(VelocityStatistics, TheBandOfTheNeesIsThatOfChiSquare) {
+  // Tables of chi-square, 2.5 % and 97.5 %: 20 degrees of freedom 9.591, 34.170; 200: 162.728,
+  // 241.058.
+  EXPECT_NEAR(nees_band(10).low, 9.591 / 20, 1e-3);
+  EXPECT_NEAR(nees_band(10).high, 34.170 / 20, 1e-3);
+  EXPECT_NEAR(nees_band(100).low, 162.728 / 200, 1e-4);
+  EXPECT_NEAR(nees_band(100).high, 241.058 / 200, 1e-4);
 }
 
 TEST(VelocityTrial, OneSeedAndRunGiveOneResult) {
