@@ -165,21 +165,21 @@ void CoupledNavigation::feed_back(const Vector& errors) {
 void CoupledNavigation::weigh_hypotheses() {
   Eigen::Vector4d values;
   values << current_, log_;
-  const Weighed weighed = weigh_absence(filter_, current_error, values, absence_prior(options_));
-  feed_back(weighed.errors);
-  for (int pair = 0; pair < 2; ++pair) closed_[pair] = weighed.absent[pair] > 0.5;
+  open_ = Open{values, filter_.covariance().block<4, 4>(current_error, current_error)};
+  feed_back(weigh_absence(filter_, current_error, values, absence_prior(options_)).errors);
   since_ground_s_ = -1;
 }
 
+/// What an hour of DVL has told of current and log must not be lost when the bed comes and goes.
 void CoupledNavigation::reopen_hypotheses() {
-  const Eigen::Vector4d sigma = absence_prior(options_);
-  for (int i = 0; i < 4; ++i) {
-    if (!closed_[i / 2]) continue;
-    filter_.covariance().row(current_error + i).setZero();
-    filter_.covariance().col(current_error + i).setZero();
-    filter_.covariance()(current_error + i, current_error + i) = sigma(i) * sigma(i);
-  }
-  closed_[0] = closed_[1] = false;
+  if (!open_) return;
+  auto& covariance = filter_.covariance();
+  covariance.middleRows<4>(current_error).setZero();
+  covariance.middleCols<4>(current_error).setZero();
+  covariance.block<4, 4>(current_error, current_error) = open_->covariance;
+  current_ = open_->values.head<2>();
+  log_ = open_->values.tail<2>();
+  open_.reset();
 }
 
 }  // namespace drydock::velocity

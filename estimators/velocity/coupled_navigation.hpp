@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <optional>
 
 #include "estimators/hydrodynamics/vehicle.hpp"
 #include "estimators/navigation/aided_navigation.hpp"
@@ -95,8 +96,12 @@ class CoupledNavigation {
   int heights_ = 0;
   bool moving_ = false;  ///< there has been a step
   std::uint64_t rejected_ = 0;
-  double since_ground_s_ = -1;       ///< -1: no DVL yet, or weighed since
-  bool closed_[2] = {false, false};  ///< current, log: held to be absent
+  double since_ground_s_ = -1;  ///< -1: no DVL yet, or weighed since
+  struct Open {
+    Eigen::Vector4d values;  ///< current, log
+    Eigen::Matrix4d covariance;
+  };
+  std::optional<Open> open_;  ///< before the hypotheses were weighed, while the mixture holds
 };
 
 }  // namespace drydock::velocity

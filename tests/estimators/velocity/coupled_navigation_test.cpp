@@ -99,6 +99,21 @@ TEST(CoupledNavigation, OpensTheQuestionAgainWhenTheDvlIsBack) {
   EXPECT_GT(run.navigation().covariance()(current_error, current_error), 1e-6);
 }
 
+TEST(CoupledNavigation, ForgetsNothingWhenTheBedComesAndGoes) {
+  // At the edge of its range a DVL is silent for some seconds, gives a fix, and is silent again.
+  StraightRun run(Vector2d::Zero(), 0);
+  run.sail(3000, true);
+  const Eigen::Vector4d known =
+      run.navigation().covariance().diagonal().segment<4>(current_error).cwiseSqrt();
+  for (int flicker = 0; flicker < 5; ++flicker) {
+    run.sail(60, false);
+    run.sail(10, true);
+  }
+  const Eigen::Vector4d now =
+      run.navigation().covariance().diagonal().segment<4>(current_error).cwiseSqrt();
+  for (int i = 0; i < 4; ++i) EXPECT_LE(now(i), known(i)) << i;
+}
+
 TEST(CoupledNavigation, AllocatesNothing) {
   StraightRun run(Vector2d::Zero(), 0);
   run.sail(100, true);
