@@ -36,12 +36,12 @@ class RestingVehicle {
     options.method = method;
     options.start = {position(), Eigen::Vector3d::Zero(), attitude()};
     options.navigation.gate_sigma = 5;
-    options.ground = AidingSensor{6, {}};
-    options.depth = AidingSensor{7, {}};
+    options.ground = AidingSensor{.device = 6};
+    options.depth = AidingSensor{.device = 7};
     if (method == InertialMethod::sensors) {
-      options.gnss = AidingSensor{9, {}};
+      options.gnss = AidingSensor{.device = 9};
     } else {
-      options.log = AidingSensor{log_device, {}};
+      options.log = AidingSensor{.device = log_device};
       options.actuators = 8;
       options.vehicle = vehicle::dimensional(
           rig_config::load_vehicle(DRYDOCK_SOURCE_DIR "/rig_config/vehicles/nps-auv-ii.toml")
