@@ -170,6 +170,7 @@ std::vector<EstimateOutlets<Outlet>> open_estimates(const std::vector<std::strin
                                                     const std::vector<std::string>& navigators,
                                                     const Open& open) {
   std::vector<EstimateOutlets<Outlet>> all;
+  all.reserve(names.size());
   for (const auto& name : names)
     all.emplace_back(name, std::ranges::find(navigators, name) != navigators.end(), open);
   return all;
