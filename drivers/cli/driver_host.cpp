@@ -12,8 +12,9 @@ constexpr std::chrono::seconds health_period{1};
 }
 
 DriverHost::DriverHost(boost::asio::io_context& io,
-                       std::vector<std::unique_ptr<device::Device>> devices, bus::Publisher* bus)
-    : bus_(bus), shell_(io, std::move(devices), *this), health_timer_(io) {}
+                       std::vector<std::unique_ptr<device::Device>> devices, bus::Publisher* bus,
+                       shell::RawListener* raw)
+    : bus_(bus), shell_(io, std::move(devices), *this, raw), health_timer_(io) {}
 
 void DriverHost::start() {
   shell_.start();

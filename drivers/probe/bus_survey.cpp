@@ -110,8 +110,8 @@ class BusSurvey::Listener {
           node.kind == NodeKind::canopen && kind == Kind::depth && widest_tpdo1_ > 5;
       if (!second_reading && !too_wide) good.push_back(best);
     }
-    node.sensors = good;
     for (const auto* sensor : good) {
+      node.sensors.push_back(sensor->heard());
       constexpr std::uint64_t enough = 5;
       const bool certain =
           sensor->measurements() >= enough && sensor->counters().bad_checksums == 0;

@@ -34,7 +34,7 @@ struct Node {
   std::optional<std::uint32_t> device_type, vendor_id, product_code;  ///< where it was asked
   std::vector<Traffic> traffic;
   /// Drivers that got measurements out of its frames that could be true, one a kind of sensor.
-  std::vector<const DriverTrial*> sensors;
+  std::vector<SensorHeard> sensors;
   Confidence confidence = Confidence::nothing;  ///< that it is those sensors
 };
 

@@ -63,7 +63,7 @@ class CandidateOf final : public ByteCandidate {
       f.messages_total += arrivals.count;
     }
     for (const auto& trial : trials_)
-      if (trial->measurements() > 0) f.sensors.push_back(trial.get());
+      if (trial->measurements() > 0) f.sensors.push_back(trial->heard());
     f.confidence = judge(f);
     return f;
   }
@@ -145,9 +145,9 @@ ByteFinding ByteSurvey::best() const {
 bool ByteSurvey::settled() const {
   const ByteFinding found = best();
   return found.confidence == Confidence::certain && !found.sensors.empty() &&
-         std::ranges::all_of(found.sensors, [](const DriverTrial* s) {
+         std::ranges::all_of(found.sensors, [](const SensorHeard& s) {
            constexpr std::uint64_t enough_for_a_rate = 8;
-           return s->measurements() >= enough_for_a_rate && s->rate_hz();
+           return s.measurements >= enough_for_a_rate && s.rate_hz.has_value();
          });
 }
 

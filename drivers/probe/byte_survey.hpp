@@ -33,8 +33,8 @@ struct ByteFinding {
   std::uint64_t bytes = 0;       ///< since the first proof; all where there is none
   std::uint64_t bytes_good = 0;  ///< of them within frames
   std::uint64_t messages_total = 0;
-  std::vector<MessageCount> messages;       ///< in the order in which they were first heard
-  std::vector<const DriverTrial*> sensors;  ///< drivers that got measurements out of it
+  std::vector<MessageCount> messages;  ///< in the order in which they were first heard
+  std::vector<SensorHeard> sensors;    ///< drivers that got measurements out of it
 
   double explained() const {
     return bytes == 0 ? 0 : static_cast<double>(bytes_good) / static_cast<double>(bytes);

@@ -1,5 +1,6 @@
 #include "drivers/probe/driver_trial.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <stdexcept>
@@ -67,6 +68,13 @@ void DriverTrial::on_measurement(const measurement::Measurement& measurement) {
     judged_ += verdict.has_value();
     plausible_ += verdict.value_or(false);
   }
+}
+
+SensorHeard DriverTrial::heard() const {
+  // Registry names have static storage; the device's own copy goes with the trial.
+  const auto known = device::protocols_of(kind());
+  const auto name = std::ranges::find(known, protocol(), &device::ProtocolEntry::name)->name;
+  return {kind(), name, measurements_, device_->health(now_).rate_hz};
 }
 
 double DriverTrial::plausible_share() const {

@@ -12,6 +12,15 @@ namespace drydock::probe {
 using device::Kind;
 using measurement::Stamp;
 
+/// A driver that got measurements out of a wire.
+struct SensorHeard {
+  Kind kind = Kind::dvl;
+  std::string_view protocol;
+  std::uint64_t measurements = 0;
+  /// Of its fastest kind of measurement; empty while there are too few, or without times.
+  std::optional<double> rate_hz;
+};
+
 /// A sensor's driver tried on what a wire says: does it give measurements, and could they be true?
 /// What the driver would send goes nowhere.
 class DriverTrial final : private device::Listener, private device::Transmitter {
@@ -24,10 +33,8 @@ class DriverTrial final : private device::Listener, private device::Transmitter 
 
   Kind kind() const { return device_->options().driver.kind; }
   std::string_view protocol() const { return device_->options().driver.protocol; }
-  std::uint8_t address() const { return device_->options().driver.address; }
   std::uint64_t measurements() const { return measurements_; }
-  /// Of its fastest kind of measurement; empty while there are too few, or without times.
-  std::optional<double> rate_hz() const { return device_->health(now_).rate_hz; }
+  SensorHeard heard() const;
   wire::StreamCounters counters() const { return device_->health(now_).stream; }
 
   /// Share of the measurements that a vehicle's sensor could give: specific forces within 0.3 to

@@ -26,7 +26,7 @@ std::unique_ptr<BusSurvey> hear(const std::string& file) {
 std::vector<std::string> protocols(const std::vector<Node>& nodes) {
   std::vector<std::string> names;
   for (const Node& node : nodes)
-    for (const auto* sensor : node.sensors) names.emplace_back(sensor->protocol());
+    for (const auto& sensor : node.sensors) names.emplace_back(sensor.protocol);
   return names;
 }
 
@@ -69,7 +69,7 @@ TEST(BusSurvey, ATransmittersPressureIsFoundByFramesOfFourOrFiveBytes) {
   const auto nodes = survey.nodes();
   EXPECT_THAT(protocols(nodes), testing::ElementsAre("cia404-pressure"));
   EXPECT_EQ(nodes.at(0).confidence, Confidence::certain);
-  EXPECT_NEAR(*nodes.at(0).sensors.at(0)->rate_hz(), 10, 1e-9);
+  EXPECT_NEAR(*nodes.at(0).sensors.at(0).rate_hz, 10, 1e-9);
 }
 
 TEST(BusSurvey, APressureThatNoSeaHasIsNone) {

@@ -109,7 +109,7 @@ TEST(ByteSurvey, TheKindsOfSensorsAreThoseThatMeasure) {
                     "$VDVHW,,T,,M,-0.08,N,-0.15,K*4B\r\n"));
   const auto best = survey.best();
   ASSERT_EQ(best.sensors.size(), 1u);
-  EXPECT_EQ(best.sensors.front()->kind(), Kind::emlog);
+  EXPECT_EQ(best.sensors.front().kind, Kind::emlog);
 }
 
 TEST(ByteSurvey, RatesFollowTheStampsOfTheLine) {
@@ -120,7 +120,7 @@ TEST(ByteSurvey, RatesFollowTheStampsOfTheLine) {
   const auto best = survey.best();
   ASSERT_EQ(best.messages.size(), 1u);
   EXPECT_NEAR(*best.messages[0].rate_hz, 2, 1e-9);
-  EXPECT_NEAR(*best.sensors.at(0)->rate_hz(), 2, 1e-9);
+  EXPECT_NEAR(*best.sensors.at(0).rate_hz, 2, 1e-9);
   EXPECT_TRUE(survey.settled());
 }
 
