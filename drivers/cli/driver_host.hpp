@@ -17,7 +17,8 @@ namespace drydock::cli {
 /// The drivers of a rig on their links in real time, their measurements and health on the bus.
 class DriverHost final : private device::Listener {
  public:
-  /// `bus` may be empty: then nothing is published. Publisher and listener must outlive the host.
+  /// `bus` may be empty: then nothing is published. Its publisher, and the listener to raw bytes
+  /// and frames, must outlive the host.
   DriverHost(boost::asio::io_context& io, std::vector<std::unique_ptr<device::Device>> devices,
              bus::Publisher* bus, shell::RawListener* raw = nullptr);
 

@@ -170,7 +170,7 @@ int watch(asio::io_context& io, Link& open_link, Screen& screen, double duration
 
 }  // namespace
 
-int monitor(const MonitorOptions& options) {
+int monitor_messages(const MonitorOptions& options) {
   const auto uri = link::parse_uri(options.link);
   if (!uri) {
     fmt::print(stderr, "monitor: {}\n", uri.error().message);

@@ -122,9 +122,13 @@ void Device::publish(const Measurement& measurement) {
   listener_->on_measurement(measurement);
 }
 
-void Device::send(wire::Bytes bytes) { transmitter_->send(bytes); }
+void Device::send(wire::Bytes bytes) {
+  if (!listens_only_) transmitter_->send(bytes);
+}
 
-void Device::send(const wire::CanFrame& frame) { transmitter_->send(frame); }
+void Device::send(const wire::CanFrame& frame) {
+  if (!listens_only_) transmitter_->send(frame);
+}
 
 Health Device::health(Stamp now) const {
   Health health;
@@ -136,9 +140,10 @@ Health Device::health(Stamp now) const {
   health.messages = messages_;
   if (state() == State::streaming) {
     for (const RateMeter& meter : rates_) {
-      if (const auto rate = meter.rate_hz()) {
-        health.rate_hz = std::max(health.rate_hz.value_or(0), *rate);
-      }
+      const auto rate = meter.rate_hz();
+      if (!rate || *rate <= health.rate_hz.value_or(0)) continue;
+      health.rate_hz = rate;
+      health.jitter = meter.jitter();
     }
   }
   health.nominal_rate_hz = options_.nominal_rate_hz;

@@ -49,6 +49,9 @@ class Device final : private Output {
   /// Both must outlive the device; to be called once, before start().
   void connect(Listener& listener, Transmitter& transmitter);
 
+  /// What its driver would send to the sensor goes nowhere.
+  void listen_only() { listens_only_ = true; }
+
   void start(Stamp now);
   void opened(Stamp now, measurement::Provenance provenance);
   void open_failed(Stamp now, std::string_view reason);
@@ -89,6 +92,7 @@ class Device final : private Output {
   LifeCycle life_cycle_;
   Listener* listener_ = nullptr;
   Transmitter* transmitter_ = nullptr;
+  bool listens_only_ = false;
   Stamp now_{};  ///< of the call under way
   std::array<RateMeter, 4> rates_;
   std::uint64_t messages_ = 0;

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "drivers/device/life_cycle.hpp"
+#include "drivers/device/rate_meter.hpp"
 #include "drivers/wire/codec.hpp"
 
 namespace drydock::device {
@@ -17,6 +18,7 @@ struct Health {
   std::uint64_t held_bytes = 0;   ///< waiting for the rest of a frame
   std::uint64_t messages = 0;     ///< measurements published
   std::optional<double> rate_hz;  ///< of its fastest kind of measurement, while streaming
+  std::optional<Jitter> jitter;   ///< of that kind's intervals
   double nominal_rate_hz = 0;
   std::optional<Stamp> last_message_at;
   std::optional<std::chrono::nanoseconds> age;  ///< of the last message, at the time of asking

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <optional>
 
@@ -9,6 +11,12 @@
 namespace drydock::device {
 
 using measurement::Stamp;
+
+/// How regularly something arrives.
+struct Jitter {
+  double deviation_s = 0;         ///< standard deviation of the intervals
+  double longest_interval_s = 0;  ///< the widest gap
+};
 
 /// Rate of arrivals over the last 64 of them: intervals by the time they took. So jitter and
 /// several messages in one read cancel, where a mean or median of 1/interval would not.
@@ -25,14 +33,31 @@ class RateMeter {
   /// Empty until two arrivals at different times.
   std::optional<double> rate_hz() const {
     if (count_ < 2) return {};
-    const std::size_t newest = (next_ + arrivals_.size() - 1) % arrivals_.size();
-    const std::size_t oldest = (next_ + arrivals_.size() - count_) % arrivals_.size();
-    const auto span = arrivals_[newest] - arrivals_[oldest];
+    const auto span = arrival(count_ - 1) - arrival(0);
     if (span.count() <= 0) return {};
     return static_cast<double>(count_ - 1) / measurement::seconds(span);
   }
 
+  /// Of the same intervals; empty until there are two.
+  std::optional<Jitter> jitter() const {
+    if (count_ < 3) return {};
+    const auto intervals = static_cast<double>(count_ - 1);
+    const double mean = measurement::seconds(arrival(count_ - 1) - arrival(0)) / intervals;
+    double squares = 0, longest = 0;
+    for (std::size_t i = 1; i < count_; ++i) {
+      const double interval = measurement::seconds(arrival(i) - arrival(i - 1));
+      squares += (interval - mean) * (interval - mean);
+      longest = std::max(longest, interval);
+    }
+    return Jitter{std::sqrt(squares / intervals), longest};
+  }
+
  private:
+  /// From the oldest one kept.
+  Stamp arrival(std::size_t i) const {
+    return arrivals_[(next_ + arrivals_.size() - count_ + i) % arrivals_.size()];
+  }
+
   std::array<Stamp, 64> arrivals_{};
   std::size_t next_ = 0;
   std::size_t count_ = 0;

@@ -4,6 +4,7 @@
 #include <net/if.h>
 
 #include <linux/can.h>
+#include <linux/can/netlink.h>
 #include <linux/if_arp.h>
 #include <linux/rtnetlink.h>
 #include <sys/socket.h>
@@ -87,6 +88,32 @@ void for_each_attribute(std::string_view bytes, Visit&& visit) {
   }
 }
 
+template <class Value>
+std::optional<Value> value_of(std::string_view data) {
+  Value value;
+  if (data.size() < sizeof value) return {};
+  std::memcpy(&value, data.data(), sizeof value);
+  return value;
+}
+
+std::string_view state_name(std::uint32_t state) {
+  constexpr std::array<std::string_view, 6> names{"ERROR-ACTIVE", "ERROR-WARNING", "ERROR-PASSIVE",
+                                                  "BUS-OFF",      "STOPPED",       "SLEEPING"};
+  return state < names.size() ? names[state] : std::string_view{};
+}
+
+/// What the controller's driver says of itself (IFLA_CAN_*).
+void read_controller(std::string_view details, CanInterface& found) {
+  for_each_attribute(details, [&](std::uint16_t type, std::string_view data) {
+    if (type == IFLA_CAN_BITTIMING) {
+      const auto timing = value_of<can_bittiming>(data);
+      if (timing && timing->bitrate > 0) found.bitrate = timing->bitrate;
+    }
+    if (type == IFLA_CAN_STATE)
+      if (const auto state = value_of<std::uint32_t>(data)) found.state = state_name(*state);
+  });
+}
+
 CanInterface interface_from(const LinkRequest& request) {
   CanInterface found;
   found.index = request.link().ifi_index;
@@ -99,6 +126,7 @@ CanInterface interface_from(const LinkRequest& request) {
     if (type != IFLA_LINKINFO) return;
     for_each_attribute(data, [&](std::uint16_t kind, std::string_view name) {
       if (kind == IFLA_INFO_KIND) found.is_vcan = name.starts_with("vcan") && name[4] == '\0';
+      if (kind == IFLA_INFO_DATA && !found.is_vcan) read_controller(name, found);
     });
   });
   return found;

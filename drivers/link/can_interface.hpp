@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "drivers/link/opening.hpp"
 
@@ -12,7 +13,10 @@ struct CanInterface {
   int index = 0;
   bool up = false;
   bool is_vcan = false;
-  unsigned mtu = 0;  ///< 16: classic CAN; 72: CAN FD
+  unsigned mtu = 0;                 ///< 16: classic CAN; 72: CAN FD
+  std::optional<unsigned> bitrate;  ///< nominal phase, bit/s; empty where the driver has none
+  /// Of the controller, in the kernel's words: "ERROR-ACTIVE" ... "BUS-OFF"; empty: none is told.
+  std::string_view state;
 };
 
 /// The kernel's name for the interface; fails with ENODEV when there is none or it is not CAN.

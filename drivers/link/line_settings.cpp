@@ -39,6 +39,7 @@ LineSettings line_settings(const Uri& uri) {
     if (parity->second == "even") settings.parity = LineSettings::Parity::even;
     if (parity->second == "odd") settings.parity = LineSettings::Parity::odd;
   }
+  settings.data_bits = uri.text_of("bits") == "7" ? 7 : 8;
   const auto stop = uri.query.find("stop");
   settings.stop_bits = stop != uri.query.end() && stop->second == "2" ? 2 : 1;
   return settings;
@@ -49,7 +50,8 @@ boost::system::error_code configure_line(int fd, const LineSettings& settings) {
   if (::ioctl(fd, TCGETS2, &t) != 0) return last_error();
   set_raw(t);
   t.c_cflag &= ~(CBAUD | (CBAUD << IBSHIFT) | CSIZE | CSTOPB | CRTSCTS);
-  t.c_cflag |= BOTHER | (BOTHER << IBSHIFT) | CS8 | CREAD | CLOCAL;
+  t.c_cflag |= BOTHER | (BOTHER << IBSHIFT) | CREAD | CLOCAL;
+  t.c_cflag |= settings.data_bits == 7 ? CS7 : CS8;
   if (settings.stop_bits == 2) t.c_cflag |= CSTOPB;
   set_parity(t, settings.parity);
   t.c_ispeed = t.c_ospeed = settings.baud;

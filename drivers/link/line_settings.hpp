@@ -13,12 +13,13 @@ struct LineSettings {
   unsigned baud = 9600;
   Parity parity = Parity::none;
   unsigned stop_bits = 1;
+  unsigned data_bits = 8;
 };
 
 /// The settings a serial or pty URI names.
 LineSettings line_settings(const Uri& uri);
 
-/// Eight raw bits at any baud (termios2, BOTHER), no flow control, a read waits for one byte.
+/// Raw bytes at any baud (termios2, BOTHER), no flow control, a read waits for one byte.
 /// Fails with ERANGE when the port can only do a rate more than 2.5 % away: such a line would
 /// carry nothing but framing errors.
 boost::system::error_code configure_line(int fd, const LineSettings& settings);

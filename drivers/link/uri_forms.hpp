@@ -22,7 +22,7 @@ struct Form {
   Scheme scheme;
   std::string_view name, target, example;
   Check valid_target;
-  std::array<Key, 4> keys;  ///< unused ones have no name
+  std::array<Key, 5> keys;  ///< unused ones have no name
 };
 
 /// In the order of Scheme.

@@ -28,6 +28,7 @@ allow drivers/capture 'drivers/(capture|wire)'
 allow drivers/mcap 'drivers/mcap'
 allow drivers/link 'drivers/(link|capture|wire|measurement)'
 allow drivers/device 'drivers/(device|wire|measurement)'
+allow drivers/probe 'drivers/(probe|device|wire|measurement)'
 allow drivers/shell 'drivers/(shell|device|link|capture|wire|measurement)|rig_config'
 allow drivers/bus 'drivers/(bus|measurement)'
 allow drivers/record 'drivers/(record|mcap|bus|shell|link|wire|measurement)'
@@ -53,11 +54,11 @@ allow hil/emulate 'hil/(emulate|sky|sensor|motion|ocean)|estimators/frame|driver
 allow hil/cli 'hil/[a-z]*|estimators/[a-z]*|drivers/[a-z]*|rig_config'
 
 io='boost/asio|dds/|fstream|iostream|filesystem|thread|mutex|sys/|unistd|toml'
-for folder in drivers/measurement drivers/wire drivers/device estimators/frame estimators/hydrodynamics estimators/leveling estimators/mixing estimators/navigation estimators/roll estimators/vehicle estimators/velocity \
+for folder in drivers/measurement drivers/wire drivers/device drivers/probe estimators/frame estimators/hydrodynamics estimators/leveling estimators/mixing estimators/navigation estimators/roll estimators/vehicle estimators/velocity \
   estimators/pipeline; do
   never "$folder" "$io"
 done
-if grep -rnE '(system_clock|steady_clock)::now|\brandom_device\b|\brand\(\)' drivers/wire drivers/device drivers/measurement estimators hil/ocean hil/motion hil/sensor hil/sky hil/study; then
+if grep -rnE '(system_clock|steady_clock)::now|\brandom_device\b|\brand\(\)' drivers/wire drivers/device drivers/probe drivers/measurement estimators hil/ocean hil/motion hil/sensor hil/sky hil/study; then
   echo "a clock or global randomness in a pure layer"
   failed=1
 fi

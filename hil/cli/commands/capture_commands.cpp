@@ -3,24 +3,12 @@
 #include <memory>
 
 #include "drivers/cli/decode.hpp"
-#include "drivers/cli/monitor.hpp"
 #include "drivers/cli/replay.hpp"
 #include "hil/cli/commands/commands.hpp"
 
 namespace drydock::cli {
 
 namespace {
-
-void add_monitor(CLI::App& app, Command& command) {
-  auto options = std::make_shared<MonitorOptions>();
-  auto* sub = app.add_subcommand("monitor", "Print what a link says; never writes to the wire");
-  sub->footer("Example: drydock monitor 'serial:/dev/ttyUSB0?baud=38400' --protocol ubx");
-  sub->add_option("LINK", options->link, "link URI")->required();
-  sub->add_option("--protocol", options->protocol, "one of " + decode_protocols())->required();
-  sub->add_option("--for", options->duration_s, "how long: 60s, 10min; default until Ctrl-C")
-      ->transform(duration_text);
-  sub->callback([options, &command] { command = [options] { return monitor(*options); }; });
-}
 
 void add_decode(CLI::App& app, Command& command) {
   auto options = std::make_shared<DecodeOptions>();
@@ -68,7 +56,6 @@ void add_replay(CLI::App& app, Command& command) {
 }  // namespace
 
 void add_capture_commands(CLI::App& app, Command& command) {
-  add_monitor(app, command);
   add_decode(app, command);
   add_replay(app, command);
 }

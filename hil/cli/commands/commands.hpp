@@ -2,6 +2,9 @@
 
 #include <CLI/CLI.hpp>
 #include <functional>
+#include <string>
+
+#include "rig_config/rig.hpp"
 
 /// The command line of the program: its subcommands with their options.
 namespace drydock::cli {
@@ -12,14 +15,21 @@ using Command = std::function<int()>;
 /// run, emulate, drive, estimate, check: a rig file and what it describes.
 void add_rig_commands(CLI::App& app, Command& command);
 
-/// monitor, decode, replay: what one link says or a recording said.
+/// decode, replay: what one link says or a recording said.
 void add_capture_commands(CLI::App& app, Command& command);
+
+/// probe, monitor, doctor: what is on this wire, how is it, is this machine fit; completion, man:
+/// the program itself.
+void add_field_commands(CLI::App& app, Command& command);
 
 /// sensor, sky, maneuver, study: the emulated world and the papers, without wires.
 void add_world_commands(CLI::App& app, Command& command);
 
 /// A rig file that cannot be used; the lines have been printed.
 struct BadRig {};
+
+/// Reads it, with the environment's DDS domain. Throws BadRig.
+rig_config::Rig load_rig(const std::string& path);
 
 /// Takes "60s", "10min", "5.5h" and gives seconds.
 extern const CLI::Validator duration_text;

@@ -32,7 +32,9 @@ void apply_environment(rig_config::Rig& rig) {
   }
 }
 
-rig_config::Rig load(const std::string& path) {
+}  // namespace
+
+rig_config::Rig load_rig(const std::string& path) {
   auto rig = rig_config::load_rig(path, load_options());
   if (rig) {
     apply_environment(*rig);
@@ -41,6 +43,8 @@ rig_config::Rig load(const std::string& path) {
   for (const auto& problem : rig.error()) fmt::print(stderr, "{}\n", to_string(problem));
   throw BadRig{};
 }
+
+namespace {
 
 void add_serve(CLI::App* sub, ServeOptions& serve) {
   sub->add_option("--serve", serve.address,
@@ -89,7 +93,7 @@ void add_run(CLI::App& app, Command& command) {
       "exit 1 when an attitude estimate is worse than this against the truth [deg RMS]");
   sub->callback([a, &command] {
     command = [a] {
-      auto rig = load(a->rig);
+      auto rig = load_rig(a->rig);
       if (a->seed) rig.seed = *a->seed;
       a->options.lockstep = a->speed == "max";
       if (a->options.lockstep && !a->options.serve.address.empty())
@@ -113,8 +117,9 @@ void add_rig_command(CLI::App& app, Command& command, const std::string& name,
   sub->add_option("RIG", a->rig, "rig file (TOML)")->required();
   sub->add_option("--for", a->duration_s, "how long: 60s, 10min, 5.5h; default until Ctrl-C")
       ->transform(duration_text);
-  sub->callback(
-      [a, &command, body] { command = [a, body] { return body(load(a->rig), a->duration_s); }; });
+  sub->callback([a, &command, body] {
+    command = [a, body] { return body(load_rig(a->rig), a->duration_s); };
+  });
 }
 
 /// drive, record: the drivers of a rig; `output` is the option that names the recording.
@@ -135,7 +140,7 @@ void add_drive_command(CLI::App& app, Command& command, const std::string& name,
   sub->add_option(output, a->options.record.path, "the MCAP file")->required(name == "record");
   add_overwrite(sub, a->options.record);
   add_serve(sub, a->options.serve);
-  sub->callback([a, &command] { command = [a] { return drive(load(a->rig), a->options); }; });
+  sub->callback([a, &command] { command = [a] { return drive(load_rig(a->rig), a->options); }; });
 }
 
 void add_estimate(CLI::App& app, Command& command) {
@@ -153,7 +158,8 @@ void add_estimate(CLI::App& app, Command& command) {
                   "how long: 60s, 10min, 5.5h; default until Ctrl-C")
       ->transform(duration_text);
   sub->add_flag("--json", a->options.json_lines, "every estimate as a JSON line");
-  sub->callback([a, &command] { command = [a] { return estimate(load(a->rig), a->options); }; });
+  sub->callback(
+      [a, &command] { command = [a] { return estimate(load_rig(a->rig), a->options); }; });
 }
 
 void add_check(CLI::App& app, Command& command) {

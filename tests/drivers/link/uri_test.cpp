@@ -68,7 +68,7 @@ TEST(Uri, AnUnknownSchemeListsAll) {
 TEST(Uri, AnUnknownKeyListsThoseOfItsScheme) {
   EXPECT_EQ(error_of("serial:/dev/ttyS0?bauds=9600"),
             "\"serial:/dev/ttyS0?bauds=9600\": unknown key \"bauds\"; serial allows baud parity "
-            "stop emulated");
+            "stop emulated bits");
   EXPECT_EQ(error_of("pty:dvl?parity=odd"),
             "\"pty:dvl?parity=odd\": unknown key \"parity\"; pty allows baud");
 }

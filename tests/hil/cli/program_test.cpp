@@ -61,8 +61,9 @@ std::string read_file(const std::filesystem::path& path) {
 }
 
 TEST(Program, HelpOfEveryCommandShowsAnExample) {
-  for (const char* command : {"run", "emulate", "drive", "estimate", "check", "monitor", "decode",
-                              "replay", "sensor", "sky", "maneuver", "study"}) {
+  for (const char* command :
+       {"run", "emulate", "drive", "estimate", "check", "monitor", "decode", "replay", "probe",
+        "doctor", "completion", "man", "sensor", "sky", "maneuver", "study"}) {
     const auto help = drydock(std::string{command} + " --help");
     EXPECT_EQ(help.exit_code, 0) << command;
     EXPECT_THAT(help.output, HasSubstr("Example")) << command;
@@ -261,6 +262,107 @@ TEST(Program, AManeuverWithoutVehicleScheduleOrPlaceToWriteSaysSo) {
   const auto unwritable = drydock(file + "dive --csv /nowhere/track.csv");
   EXPECT_EQ(unwritable.exit_code, 1);
   EXPECT_THAT(unwritable.output, HasSubstr("/nowhere/track.csv: cannot be written"));
+}
+
+constexpr auto emulated_demo =
+    "emulate rig_config/rigs/demo.toml --for 12s > /dev/null & sleep 1; " DRYDOCK_PROGRAM " ";
+
+TEST(Program, AProbeFindsAnEmulatedSensorAndItsBlockIsAGoodRig) {
+  const Folder folder;
+  const auto outcome = drydock(std::string(emulated_demo) + "probe pty:dvl --for 8s --json; wait");
+  const auto found = nlohmann::json::parse(outcome.output);
+  EXPECT_EQ(found["confidence"], "certain");
+  EXPECT_EQ(found["attempts"][0]["findings"][0]["protocol"], "pd0");
+  ASSERT_EQ(found["devices"].size(), 1u);
+  EXPECT_EQ(found["devices"][0]["kind"], "dvl");
+  EXPECT_NEAR(found["devices"][0]["rate_hz"], 5, 0.3);
+  std::ofstream(folder / "rig.toml") << "[rig]\nname = \"probed\"\n"
+                                     << found["devices"][0]["block"].get<std::string>();
+  EXPECT_EQ(drydock("check " + (folder / "rig.toml").string()).exit_code, 0);
+}
+
+TEST(Program, AProbeOfAnEmulatedBusFindsDepthAndActuators) {
+  const auto outcome =
+      drydock(std::string(emulated_demo) + "probe 'can:auto?name=drydock0' --for 4s --json; wait");
+  const auto found = nlohmann::json::parse(outcome.output);
+  std::string kinds;
+  for (const auto& device : found["devices"])
+    kinds += device["kind"].get<std::string>() + device["address"].dump() + " ";
+  EXPECT_EQ(kinds, "depth35 actuator36 ");
+}
+
+TEST(Program, AProbeOfARecordingNeedsNoTime) {
+  const auto bytes = drydock("probe 'file:fixtures/pd0/golden.pd0?baud=115200'");
+  EXPECT_EQ(bytes.exit_code, 0);
+  EXPECT_THAT(bytes.output, HasSubstr("protocol = \"pd0\""));
+  const auto frames = drydock("probe file:fixtures/nmea2000/frames.log");
+  EXPECT_EQ(frames.exit_code, 0);
+  EXPECT_THAT(frames.output, HasSubstr("protocol = \"nmea2000\""));
+  EXPECT_EQ(drydock("probe file:/dev/null").exit_code, 1);
+  EXPECT_EQ(drydock("probe serial:/dev/nowhere").exit_code, 2);
+  EXPECT_EQ(drydock("probe").exit_code, 2);
+}
+
+TEST(Program, AMonitorOnlyListensSoANodeThatNobodyStartsStaysSilent) {
+  const auto outcome =
+      drydock(std::string(emulated_demo) +
+              "monitor rig_config/rigs/demo.toml --once --for 4s; r=$?; wait; exit $r");
+  EXPECT_EQ(outcome.exit_code, 1) << outcome.output;
+  EXPECT_THAT(outcome.output, HasSubstr("imu        waiting"));
+  EXPECT_THAT(outcome.output, HasSubstr("dvl        streaming"));
+  EXPECT_THAT(outcome.output, HasSubstr("m/s"));
+  EXPECT_THAT(outcome.output, HasSubstr("latency"));
+  EXPECT_THAT(outcome.output, HasSubstr("load"));
+  const auto quiet = drydock("monitor rig_config/rigs/demo.toml --once --json --for 1s");
+  EXPECT_EQ(quiet.exit_code, 1);
+  EXPECT_THAT(quiet.output, HasSubstr("\"state\":\"backing off\""));
+}
+
+TEST(Program, AMonitorReadsTheBusWhileAnotherProcessHasThePorts) {
+  const auto outcome = drydock(std::string(emulated_demo) +
+                               "drive rig_config/rigs/demo.toml --for 9s > /dev/null & "
+                               "sleep 2; " DRYDOCK_PROGRAM
+                               " monitor rig_config/rigs/demo.toml --bus --once --json --for 6s; "
+                               "r=$?; wait; exit $r");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.output;
+  EXPECT_EQ(std::count(outcome.output.begin(), outcome.output.end(), '\n'), 6);
+  EXPECT_THAT(outcome.output, HasSubstr("\"name\":\"velocity\""));
+}
+
+TEST(Program, TheDoctorNarrowsToARigAndNamesACommandForWhatIsWrong) {
+  const auto machine = drydock("doctor --json");
+  EXPECT_TRUE(nlohmann::json::parse(machine.output)["checks"].size() > 4) << machine.output;
+  const Folder folder;
+  std::ofstream(folder / "rig.toml")
+      << "[rig]\nname = \"x\"\n[[device]]\nname = \"dvl\"\nkind = \"dvl\"\nprotocol = \"pd0\"\n"
+         "link = \"serial:/dev/nowhere?baud=9600\"\n";
+  const auto rig = drydock("doctor " + (folder / "rig.toml").string());
+  EXPECT_EQ(rig.exit_code, 1);
+  EXPECT_THAT(rig.output, HasSubstr("/dev/nowhere is not there"));
+  EXPECT_THAT(rig.output, HasSubstr("drydock probe --all"));
+}
+
+TEST(Program, BashCompletesCommandsOptionsAndValues) {
+  const Folder folder;
+  std::ofstream(folder / "try.sh")
+      << "source <(drydock completion bash)\n"
+         "complete_at() { COMP_WORDS=(\"$@\"); COMP_CWORD=$(($# - 1)); "
+         "_drydock; echo \"${COMPREPLY[*]}\"; }\n"
+         "complete_at drydock mon\n"
+         "complete_at drydock run --spe\n"
+         "complete_at drydock run --speed m\n"
+         "complete_at drydock decode --protocol pd\n";
+  const auto outcome = drydock("--version; PATH=$(dirname " DRYDOCK_PROGRAM "):$PATH bash " +
+                               (folder / "try.sh").string());
+  EXPECT_THAT(outcome.output, HasSubstr("\nmonitor\n--speed\nmax\npd0 pd4 pd5 pd6\n"));
+  EXPECT_THAT(drydock("completion zsh").output, testing::StartsWith("#compdef drydock"));
+}
+
+TEST(Program, TheManualPageIsSoundRoff) {
+  const auto page = drydock("man | groff -man -ww -z");
+  EXPECT_EQ(page.exit_code, 0);
+  EXPECT_EQ(page.output, "");
+  EXPECT_THAT(drydock("man").output, HasSubstr(".SS probe"));
 }
 
 }  // namespace

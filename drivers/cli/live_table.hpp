@@ -4,6 +4,7 @@
 #include <string>
 #include <string_view>
 
+#include "drivers/cli/monitor_view.hpp"
 #include "drivers/device/life_cycle.hpp"
 #include "drivers/shell/real_time.hpp"
 
@@ -24,7 +25,8 @@ class LiveTable {
   void print_lines(const shell::RealTime& shell, double elapsed_s) const;
 
   bool terminal_;
-  int lines_drawn_ = 0;
+  Palette palette_;
+  Overdrawn screen_;
   double next_lines_s_ = 10;
   std::deque<std::string> events_;
 };

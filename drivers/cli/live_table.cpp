@@ -1,4 +1,4 @@
-#include "hil/cli/live_table.hpp"
+#include "drivers/cli/live_table.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -11,24 +11,6 @@ namespace {
 
 constexpr std::size_t events_shown = 5;
 
-const char* colour(device::State state) {
-  switch (state) {
-    case device::State::streaming: return "\033[32m";
-    case device::State::stale: return "\033[33m";
-    case device::State::backing_off: return "\033[31m";
-    default: return "\033[36m";
-  }
-}
-
-std::string row(const device::Device& device, const device::Health& h) {
-  return fmt::format(
-      "{:<10} {}{:<11}\033[0m {:>8.2f} Hz of {:>6.1f}  {:>9} messages  {:>8} B skipped"
-      "  {:>5} bad  age {:>6.3f} s",
-      device.name(), colour(h.state), to_string(h.state), h.rate_hz.value_or(0), h.nominal_rate_hz,
-      h.messages, h.stream.bytes_skipped, h.stream.bad_checksums,
-      h.age ? measurement::seconds(*h.age) : 0.0);
-}
-
 std::string bar(double part) {
   constexpr int width = 30;
   const int full = std::clamp(static_cast<int>(part * width), 0, width);
@@ -38,7 +20,8 @@ std::string bar(double part) {
 
 }  // namespace
 
-LiveTable::LiveTable() : terminal_(::isatty(STDOUT_FILENO) == 1) {}
+LiveTable::LiveTable()
+    : terminal_(::isatty(STDOUT_FILENO) == 1), palette_(terminal_), screen_(stdout) {}
 
 void LiveTable::note(std::string_view device, const device::Transition& change) {
   auto line = fmt::format("{}: {} -> {}: {}", device, to_string(change.from), to_string(change.to),
@@ -62,24 +45,19 @@ void LiveTable::draw(const shell::RealTime& shell, double elapsed_s, double dura
 }
 
 void LiveTable::draw_table(const shell::RealTime& shell, double elapsed_s, double duration_s) {
-  std::string out;
-  if (lines_drawn_ > 0) out += fmt::format("\033[{}A", lines_drawn_);
-  lines_drawn_ = 0;
-  const auto line = [&](const std::string& text) {
-    out += "\r\033[2K" + text + "\n";
-    ++lines_drawn_;
-  };
+  std::vector<std::string> lines;
   if (duration_s > 0) {
-    line(fmt::format("[{}] {:.0f} s of {:.0f} s, {:.0f} s left, Ctrl-C ends with the report",
-                     bar(elapsed_s / duration_s), elapsed_s, duration_s,
-                     std::max(0.0, duration_s - elapsed_s)));
+    lines.push_back(fmt::format(
+        "[{}] {:.0f} s of {:.0f} s, {:.0f} s left, Ctrl-C ends with the "
+        "report",
+        bar(elapsed_s / duration_s), elapsed_s, duration_s, std::max(0.0, duration_s - elapsed_s)));
   } else {
-    line(fmt::format("{:.0f} s, Ctrl-C ends with the report", elapsed_s));
+    lines.push_back(fmt::format("{:.0f} s, Ctrl-C ends with the report", elapsed_s));
   }
-  for (std::size_t i = 0; i < shell.size(); ++i) line(row(shell.device(i), shell.health(i)));
-  for (const auto& event : events_) line("  " + event);
-  std::fwrite(out.data(), 1, out.size(), stdout);
-  std::fflush(stdout);
+  for (std::size_t i = 0; i < shell.size(); ++i)
+    lines.push_back(headline(view_of(shell.device(i), shell.health(i)), palette_));
+  for (const auto& event : events_) lines.push_back("  " + event);
+  screen_.draw(lines);
 }
 
 void LiveTable::print_lines(const shell::RealTime& shell, double elapsed_s) const {
@@ -92,6 +70,6 @@ void LiveTable::print_lines(const shell::RealTime& shell, double elapsed_s) cons
   std::fflush(stdout);
 }
 
-void LiveTable::finish() { lines_drawn_ = 0; }
+void LiveTable::finish() { screen_.finish(); }
 
 }  // namespace drydock::cli

@@ -1,0 +1,81 @@
+#include <algorithm>
+#include <charconv>
+
+#include "drivers/bus/subscriber.hpp"
+#include "drivers/cli/monitor_loop.hpp"
+#include "drivers/cli/rig_bus.hpp"
+
+namespace drydock::cli {
+namespace {
+
+/// Diagnostics and measurements of the bus as views.
+class BusViews final : public bus::Receiver {
+ public:
+  explicit BusViews(const rig_config::Rig& rig) {
+    for (const auto& device : rig.devices) {
+      DeviceView view;
+      view.name = device.name;
+      view.link = device.link;
+      view.protocol = device.protocol;
+      view.kind = to_string(static_cast<device::Kind>(device.kind));
+      view.nominal_rate_hz = device.rate_hz;
+      view.state = "not heard";
+      view.status = "no diagnostics on the bus: do its drivers run, in this DDS domain?";
+      views.push_back(std::move(view));
+    }
+  }
+
+  using bus::Receiver::receive;
+  void receive(const bus::Measurement& measurement) override {
+    const auto index = std::visit([](const auto& m) { return m.origin.device; }, measurement);
+    if (index < views.size()) show(measurement, views[index]);
+  }
+
+  void receive(const bus::DeviceStatus& status) override {
+    const auto view = std::ranges::find(views, status.name, &DeviceView::name);
+    if (view == views.end()) return;
+    view->state = status.message;
+    view->streaming = status.level == bus::Level::ok;
+    view->status.clear();
+    for (const auto& [key, value] : status.values) set(*view, key, value);
+  }
+
+  std::vector<DeviceView> views;
+
+ private:
+  static void set(DeviceView& view, std::string_view key, const std::string& value) {
+    double number = 0;
+    const bool is_number =
+        std::from_chars(value.data(), value.data() + value.size(), number).ec == std::errc{};
+    const auto maybe = is_number ? std::optional{number} : std::nullopt;
+    const auto count = static_cast<std::uint64_t>(number);
+    if (key == "rate_hz") view.rate_hz = maybe;
+    if (key == "jitter_s") view.jitter_s = maybe;
+    if (key == "longest_interval_s") view.longest_interval_s = maybe;
+    if (key == "age_s") view.age_s = maybe;
+    if (key == "messages") view.messages = count;
+    if (key == "frames") view.frames = count;
+    if (key == "bytes_in") view.bytes = count;
+    if (key == "bytes_skipped") view.bytes_skipped = count;
+    if (key == "bad_checksums") view.bad_frames = count;
+    if (key == "reopened") view.reopened = count;
+    if (key == "can_dropped") view.can_dropped = count;
+    if (key == "error_frames") view.error_frames = count;
+    if (key == "last_error") view.last_error = value;
+    if (key == "status") view.status = value;
+  }
+};
+
+}  // namespace
+
+int monitor_bus(const rig_config::Rig& rig, const MonitorOptions& options) {
+  const bus::Participant participant(static_cast<std::uint32_t>(rig.dds_domain));
+  bus::SubscriberOptions wanted;
+  wanted.diagnostics = true;
+  bus::Subscriber subscriber(participant, bus_devices(rig), wanted);
+  BusViews heard(rig);
+  MonitorLoop loop(options, [&] { return heard.views; });
+  return loop.run([&] { subscriber.take(heard); }, [] {});
+}
+
+}  // namespace drydock::cli

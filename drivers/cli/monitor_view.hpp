@@ -1,0 +1,86 @@
+#pragma once
+
+#include <cstdio>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "drivers/device/device.hpp"
+
+namespace drydock::cli {
+
+/// A value that a device measured last, as a person reads it: "velocity", "1.2 0.1 0.0 m/s".
+struct ShownValue {
+  std::string name, text;
+};
+
+/// One device as a monitor or a run shows it.
+struct DeviceView {
+  std::string name, kind, protocol, link;
+  std::string state;       ///< "streaming", ...
+  std::string status;      ///< the state in words, and what happens next
+  std::string last_error;  ///< empty: none so far
+  bool streaming = false;
+  std::optional<double> rate_hz, jitter_s, longest_interval_s, age_s;
+  double nominal_rate_hz = 0;
+  std::uint64_t messages = 0, frames = 0, bad_frames = 0, bytes = 0, bytes_skipped = 0;
+  std::uint64_t error_frames = 0, can_dropped = 0, reopened = 0;
+  std::optional<double> bus_load;  ///< of a CAN bus: share of its bit rate, 0 to 1
+  std::optional<double> bits_per_second;
+  std::string can_state;  ///< of the controller; empty: not told
+  /// Source time and arrival are kept apart; their difference is the latency.
+  std::optional<double> valid_at_s, received_at_s, device_time_s, latency_s;
+  std::vector<ShownValue> values;
+};
+
+/// What health says; `values` and times are left.
+DeviceView view_of(const device::Device& device, const device::Health& health);
+
+/// Puts in the times and values of what was measured last.
+void show(const measurement::Measurement& measurement, DeviceView& view);
+
+/// Colours and weight on a terminal; nothing where the output is none, or NO_COLOR is set.
+class Palette {
+ public:
+  explicit Palette(bool terminal);
+  std::string state(std::string_view state, std::string_view text) const;
+  std::string changed(std::string_view text) const;
+
+ private:
+  bool colour_;
+};
+
+/// The line of a device that a run's table has too.
+std::string headline(const DeviceView& view, const Palette& palette);
+
+/// All lines of devices. Values that differ from those of the call before stand out.
+class DeviceTable {
+ public:
+  explicit DeviceTable(bool terminal) : palette_(terminal) {}
+  std::vector<std::string> lines(const std::vector<DeviceView>& views);
+
+ private:
+  std::string value_text(const DeviceView& view, const ShownValue& value);
+
+  Palette palette_;
+  std::map<std::string, std::string, std::less<>> before_;
+};
+
+/// Lines drawn over those of the time before.
+class Overdrawn {
+ public:
+  explicit Overdrawn(std::FILE* out) : out_(out) {}
+  void draw(const std::vector<std::string>& lines);
+  void finish() { drawn_ = 0; }
+
+ private:
+  std::FILE* out_;
+  std::size_t drawn_ = 0;
+};
+
+/// One JSON object a device, with the fields of DeviceView.
+void print_json(const std::vector<DeviceView>& views, std::FILE* out);
+
+}  // namespace drydock::cli

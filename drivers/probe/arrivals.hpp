@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "drivers/measurement/stamp.hpp"
+
+namespace drydock::probe {
+
+/// How often something came: intervals by the time they took.
+struct Arrivals {
+  std::uint64_t count = 0;
+  measurement::Stamp first{}, last{};
+
+  void add(measurement::Stamp at) {
+    if (count++ == 0) first = at;
+    last = at;
+  }
+  /// Empty for a single one, or without times.
+  std::optional<double> rate_hz() const {
+    if (count < 2 || last <= first) return {};
+    return static_cast<double>(count - 1) / measurement::seconds(last - first);
+  }
+};
+
+}  // namespace drydock::probe

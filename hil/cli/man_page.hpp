@@ -1,0 +1,11 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+namespace drydock::cli {
+
+/// drydock(1) in roff, made of the command line's own description.
+std::string man_page(const CLI::App& app, const std::string& version);
+
+}  // namespace drydock::cli
