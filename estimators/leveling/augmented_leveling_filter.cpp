@@ -48,6 +48,7 @@ void AugmentedLevelingFilter::start(const Vector3d& specific_force, const Vector
   p_ = sigma.cwiseAbs2().asDiagonal();
   turn_ = angular_rate.z();
   innovation_ = {};
+  gate_.start();
 }
 
 void AugmentedLevelingFilter::predict(const Vector3d& specific_force, const Vector3d& angular_rate,
@@ -80,8 +81,10 @@ void AugmentedLevelingFilter::predict(const Vector3d& specific_force, const Vect
 
 void AugmentedLevelingFilter::update_moving(double speed_mps) {
   begin_update();
-  update(speed_mps - x_(0) - x_(log_at), State::Unit(0) + State::Unit(log_at),
-         squared(options_.speed_sigma_mps));
+  const State row = State::Unit(0) + State::Unit(log_at);
+  const double residual = speed_mps - row.dot(x_), variance = squared(options_.speed_sigma_mps);
+  if (gate_.passes(residual, row.dot(p_ * row) + variance, options_.speed_gate, p_(0, 0)))
+    update(residual, row, variance);
   update_norm();
 }
 
