@@ -32,7 +32,8 @@ AugmentedLevelingFilter::AugmentedLevelingFilter(const LevelingOptions& options)
     : options_(options),
       gravity_(frame::gravity(options.latitude_rad, options.height_m)),
       earth_rate_ned_(frame::earth_rate_ned(options.latitude_rad)),
-      heading_(frame::wrap_pi(options.heading_rad)) {}
+      heading_(frame::wrap_pi(options.heading_rad)),
+      gate_(options) {}
 
 void AugmentedLevelingFilter::start(const Vector3d& specific_force, const Vector3d& angular_rate,
                                     double speed_mps) {
@@ -83,7 +84,7 @@ void AugmentedLevelingFilter::update_moving(double speed_mps) {
   begin_update();
   const State row = State::Unit(0) + State::Unit(log_at);
   const double residual = speed_mps - row.dot(x_), variance = squared(options_.speed_sigma_mps);
-  if (gate_.passes(residual, row.dot(p_ * row) + variance, options_.speed_gate, p_(0, 0)))
+  if (gate_.passes(residual, row.dot(p_ * row) + variance, p_(0, 0)))
     update(residual, row, variance);
   update_norm();
 }

@@ -14,7 +14,8 @@ LevelingFilter::LevelingFilter(const LevelingOptions& options)
     : options_(options),
       gravity_(frame::gravity(options.latitude_rad, options.height_m)),
       earth_rate_ned_(frame::earth_rate_ned(options.latitude_rad)),
-      heading_(frame::wrap_pi(options.heading_rad)) {}
+      heading_(frame::wrap_pi(options.heading_rad)),
+      gate_(options) {}
 
 void LevelingFilter::start(const Vector3d& specific_force, const Vector3d& angular_rate,
                            double speed_mps) {
@@ -53,7 +54,7 @@ void LevelingFilter::update_moving(double speed_mps) {
   const Eigen::Vector2d residual{speed_mps - x_(0), 1 - alpha.squaredNorm()};  // put right
   const Eigen::Vector2d variance{std::pow(options_.speed_sigma_mps, 2),
                                  std::pow(options_.norm_sigma, 2)};
-  if (gate_.passes(residual(0), p_(0, 0) + variance(0), options_.speed_gate, p_(0, 0))) {
+  if (gate_.passes(residual(0), p_(0, 0) + variance(0), p_(0, 0))) {
     update<2>(residual, h, variance);  // eq. (31)
   } else {
     update<1>(residual.tail<1>(), h.bottomRows<1>(), variance.tail<1>());
