@@ -32,7 +32,8 @@ AugmentedLevelingFilter::AugmentedLevelingFilter(const LevelingOptions& options)
     : options_(options),
       gravity_(frame::gravity(options.latitude_rad, options.height_m)),
       earth_rate_ned_(frame::earth_rate_ned(options.latitude_rad)),
-      heading_(frame::wrap_pi(options.heading_rad)) {}
+      heading_(frame::wrap_pi(options.heading_rad)),
+      gate_(options) {}
 
 void AugmentedLevelingFilter::start(const Vector3d& specific_force, const Vector3d& angular_rate,
                                     double speed_mps) {
@@ -48,6 +49,7 @@ void AugmentedLevelingFilter::start(const Vector3d& specific_force, const Vector
   p_ = sigma.cwiseAbs2().asDiagonal();
   turn_ = angular_rate.z();
   innovation_ = {};
+  gate_.start();
 }
 
 void AugmentedLevelingFilter::predict(const Vector3d& specific_force, const Vector3d& angular_rate,
@@ -80,8 +82,10 @@ void AugmentedLevelingFilter::predict(const Vector3d& specific_force, const Vect
 
 void AugmentedLevelingFilter::update_moving(double speed_mps) {
   begin_update();
-  update(speed_mps - x_(0) - x_(log_at), State::Unit(0) + State::Unit(log_at),
-         squared(options_.speed_sigma_mps));
+  const State row = State::Unit(0) + State::Unit(log_at);
+  const double residual = speed_mps - row.dot(x_), variance = squared(options_.speed_sigma_mps);
+  if (gate_.passes(residual, row.dot(p_ * row) + variance, p_(0, 0)))
+    update(residual, row, variance);
   update_norm();
 }
 

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 
 #include "estimators/leveling/leveling_options.hpp"
+#include "estimators/leveling/speed_gate.hpp"
 
 namespace drydock::leveling {
 
@@ -29,9 +30,10 @@ class AugmentedLevelingFilter {
   void predict(const Eigen::Vector3d& specific_force, const Eigen::Vector3d& angular_rate,
                double dt);
 
-  void update_moving(double speed_mps);  ///< eq. (A4): the log with its bias, and |alpha|^2 = 1
-  void update_stationary();              ///< eq. (32): V = 0, which no log measures, and |alpha|^2
-  void update_nonholonomic(double dt);   ///< as LevelingFilter's
+  /// Eq. (A4): the log with its bias, and |alpha|^2 = 1. A speed outside the gate is not used.
+  void update_moving(double speed_mps);
+  void update_stationary();             ///< eq. (32): V = 0, which no log measures, and |alpha|^2
+  void update_nonholonomic(double dt);  ///< as LevelingFilter's
 
   double roll() const;                         ///< eq. (28), (-pi, pi]
   double pitch() const;                        ///< eq. (28), [-pi/2, pi/2]
@@ -45,6 +47,7 @@ class AugmentedLevelingFilter {
   const State& state() const { return x_; }
   const Covariance& covariance() const { return p_; }
   const Innovation& innovation() const { return innovation_; }
+  std::uint64_t rejected() const { return gate_.rejected(); }  ///< speeds, since it was made
   const LevelingOptions& options() const { return options_; }
 
  private:
@@ -60,6 +63,7 @@ class AugmentedLevelingFilter {
   State x_ = State::Zero();
   Covariance p_ = Covariance::Zero();
   Innovation innovation_;
+  SpeedGate gate_;
 };
 
 }  // namespace drydock::leveling

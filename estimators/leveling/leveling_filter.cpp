@@ -14,7 +14,8 @@ LevelingFilter::LevelingFilter(const LevelingOptions& options)
     : options_(options),
       gravity_(frame::gravity(options.latitude_rad, options.height_m)),
       earth_rate_ned_(frame::earth_rate_ned(options.latitude_rad)),
-      heading_(frame::wrap_pi(options.heading_rad)) {}
+      heading_(frame::wrap_pi(options.heading_rad)),
+      gate_(options) {}
 
 void LevelingFilter::start(const Vector3d& specific_force, const Vector3d& angular_rate,
                            double speed_mps) {
@@ -25,6 +26,7 @@ void LevelingFilter::start(const Vector3d& specific_force, const Vector3d& angul
   p_.diagonal().tail<3>().setConstant(first.sigma * first.sigma);
   turn_ = angular_rate.z();
   innovation_ = {};
+  gate_.start();
 }
 
 void LevelingFilter::predict(const Vector3d& specific_force, const Vector3d& angular_rate,
@@ -49,8 +51,14 @@ void LevelingFilter::update_moving(double speed_mps) {
   Eigen::Matrix<double, 2, 6> h = Eigen::Matrix<double, 2, 6>::Zero();  // eq. (30)
   h(0, 0) = 1;
   h.row(1).tail<3>() = 2 * alpha.transpose();
-  update<2>({speed_mps - x_(0), 1 - alpha.squaredNorm()}, h,  // eq. (31), brackets put right
-            {std::pow(options_.speed_sigma_mps, 2), std::pow(options_.norm_sigma, 2)});
+  const Eigen::Vector2d residual{speed_mps - x_(0), 1 - alpha.squaredNorm()};  // put right
+  const Eigen::Vector2d variance{std::pow(options_.speed_sigma_mps, 2),
+                                 std::pow(options_.norm_sigma, 2)};
+  if (gate_.passes(residual(0), p_(0, 0) + variance(0), p_(0, 0))) {
+    update<2>(residual, h, variance);  // eq. (31)
+  } else {
+    update<1>(residual.tail<1>(), h.bottomRows<1>(), variance.tail<1>());
+  }
 }
 
 void LevelingFilter::update_stationary() {

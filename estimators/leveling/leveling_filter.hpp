@@ -4,6 +4,7 @@
 
 #include "estimators/leveling/level_kinematics.hpp"
 #include "estimators/leveling/leveling_options.hpp"
+#include "estimators/leveling/speed_gate.hpp"
 
 /// Roll and pitch from an inertial measurement unit and a speed log, without knowing either to
 /// begin with: the extended Kalman filter of Hong, Park, Han and Lee, "A Leveling Algorithm for
@@ -28,7 +29,7 @@ class LevelingFilter {
   void predict(const Eigen::Vector3d& specific_force, const Eigen::Vector3d& angular_rate,
                double dt);
 
-  /// Eq. (29)-(31): speed along body x, and |alpha|^2 = 1.
+  /// Eq. (29)-(31): speed along body x, and |alpha|^2 = 1. A speed outside the gate is not used.
   void update_moving(double speed_mps);
 
   /// Eq. (32)-(34): all three velocities are zero, and |alpha|^2 = 1.
@@ -47,6 +48,7 @@ class LevelingFilter {
   const State& state() const { return x_; }
   const Covariance& covariance() const { return p_; }
   const Innovation& innovation() const { return innovation_; }
+  std::uint64_t rejected() const { return gate_.rejected(); }  ///< speeds, since it was made
   const LevelingOptions& options() const { return options_; }
   double gravity_mps2() const { return gravity_; }
 
@@ -66,6 +68,7 @@ class LevelingFilter {
   State x_ = State::Zero();
   Covariance p_ = Covariance::Zero();
   Innovation innovation_;
+  SpeedGate gate_;
 };
 
 }  // namespace drydock::leveling

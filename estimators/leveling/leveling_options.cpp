@@ -1,5 +1,7 @@
 #include "estimators/leveling/leveling_options.hpp"
 
+#include <limits>
+
 namespace drydock::leveling {
 
 LevelingOptions options_for(FilterKind kind) {
@@ -11,6 +13,7 @@ LevelingOptions options_for(FilterKind kind) {
   options.alpha_noise = 1e-6;
   if (kind == FilterKind::paper) {
     options.accelerometer_start = false;
+    options.speed_gate = std::numeric_limits<double>::infinity();
     options.vertical_speed_density.reset();
     options.transverse_speed_density.reset();
   }

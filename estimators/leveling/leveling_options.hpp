@@ -35,6 +35,8 @@ struct LevelingOptions {
   double speed_sigma_mps = 0.1;        ///< R of V_x moving; paper, Table 1
   double stationary_sigma_mps = 0.01;  ///< R of V stationary; chosen
   double norm_sigma = 0.1;             ///< R of |alpha|^2 = 1; chosen
+  /// With an accelerometer start: a speed further off, in its sigmas, is not used; paper: infinite.
+  double speed_gate = 6;
 
   /// Nonholonomic constraints, eq. (A5): V_z and V_y are zero to this much, m/s sqrt(s); empty: not
   /// used. The first decides the sign of alpha_3, the second holds roll on a straight course: the

@@ -37,8 +37,35 @@ Fuzzified fuzzify(double input, const Peaks& peaks) {
 }
 
 // The output's sets have their peaks 15 points apart, -30 to 30, and memberships here are counted
-// in fifteenths: whole numbers at every point, so that what is symmetrical sums up to exactly 0.
+// in fifteenths: whole numbers at every point.
 constexpr int points = 15;
+
+/// A sum over the points of one flank of a set, by how far the set is filled. Its bends are at
+/// whole fifteenths, so that between them a straight line is exact.
+class Filled {
+ public:
+  /// Of `weight(k) * min(fill, height(k))` for k = 1 ... 15 points from the peak.
+  constexpr Filled(auto height, auto weight) {
+    for (int fill = 0; fill <= points; ++fill)
+      for (int k = 1; k <= points; ++k)
+        at_[static_cast<std::size_t>(fill)] += weight(k) * std::min(fill, height(k));
+  }
+  double operator()(double fill) const {
+    const int whole = std::min(static_cast<int>(fill), points - 1);
+    const auto i = static_cast<std::size_t>(whole);
+    return at_[i] + (fill - whole) * (at_[i + 1] - at_[i]);
+  }
+
+ private:
+  std::array<double, points + 1> at_{};
+};
+
+constexpr auto one = [](int) { return 1; };
+constexpr auto slope = [](int k) { return points - k; };
+constexpr Filled flank_area(slope, one);
+constexpr Filled flank_moment(slope, [](int k) { return k; });  // about the peak
+/// What two neighbours, both filled so far, have in common.
+constexpr Filled common_area([](int k) { return std::min(k, points - k); }, one);
 
 /// How far up each set of the output is filled, in fifteenths: the rules of Table 1, min of their
 /// two inputs, max over those with the same conclusion. At most four rules are active.
@@ -59,23 +86,21 @@ std::array<double, 5> composed(const Fuzzified& rate, const Fuzzified& accelerat
 double inferred_maneuver(double attitude_rate, double velocity_rate, const FuzzySets& sets) {
   const auto fill = composed(fuzzify(attitude_rate, sets.attitude_rate),
                              fuzzify(velocity_rate, sets.velocity_rate));
-  // Between two peaks only their two sets are there. The four such spans are summed side by side.
-  std::array<double, 4> area{}, moment{};
-  for (int k = 0; k < points; ++k) {
-    for (std::size_t span = 0; span < 4; ++span) {
-      const double falling = std::min(fill[span], static_cast<double>(points - k));
-      const double rising = std::min(fill[span + 1], static_cast<double>(k));
-      const double membership = std::max(falling, rising);
-      area[span] += membership;
-      moment[span] += membership * k;
-    }
+  double area = 0, moment = 0;  // of all points, and about the middle one
+  for (std::size_t set = vs; set <= vb; ++set) {
+    const int flanks = set == vs || set == vb ? 1 : 2;
+    const double own = fill[set] + flanks * flank_area(fill[set]);
+    area += own;
+    moment += own * (points * static_cast<double>(set) - 30);
   }
-  double all = fill[vb], about_zero = 30 * fill[vb];  // the last point
-  for (std::size_t span = 0; span < 4; ++span) {
-    all += area[span];
-    about_zero += moment[span] + area[span] * (points * static_cast<double>(span) - 30);
+  moment += flank_moment(fill[vs]) - flank_moment(fill[vb]);
+  // max(a, b) = a + b - min(a, b); the last lies about the middle between both peaks.
+  for (std::size_t set = vs; set < vb; ++set) {
+    const double common = common_area(std::min(fill[set], fill[set + 1]));
+    area -= common;
+    moment -= common * (points * static_cast<double>(set) - 22.5);
   }
-  return about_zero / all;
+  return moment / area;
 }
 
 int inferred_level(double attitude_rate, double velocity_rate, const FuzzySets& sets) {
@@ -86,7 +111,7 @@ int inferred_level(double attitude_rate, double velocity_rate, const FuzzySets& 
 
 int scheduled_level(double attitude_rate, double velocity_rate) {
   const auto nearest = [](double input, double step) {
-    return static_cast<std::size_t>(std::lround(std::min(input / step, 5.0)));
+    return static_cast<std::size_t>(std::min(input / step, 5.0) + 0.5);
   };
   return level_table[nearest(attitude_rate, row_step)][nearest(velocity_rate, column_step)];
 }

@@ -19,12 +19,6 @@ constexpr double steepest = std::numbers::pi / 2 - 1e-3;
 
 double arcsine(double x) { return std::asin(std::clamp(x, -1.0, 1.0)); }
 
-/// In [-pi, pi], at no cost while it is there.
-double wrapped(double angle) {
-  constexpr double pi = std::numbers::pi;
-  return std::abs(angle) <= pi ? angle : std::remainder(angle, 2 * pi);
-}
-
 }  // namespace
 
 /// What a step's inputs say at the attitude estimated so far.
@@ -33,7 +27,7 @@ struct MixingFilter::Motion {
   Vector3d rate;        ///< p, q, r against NED, eq. (1)
   Vector3d earth_rate;  ///< in body axes
   Vector3d down;        ///< C_n^b [0 0 1]
-  double cos_pitch;
+  double per_cos_pitch;
   double roll_rate, pitch_rate, yaw_rate;  ///< eq. (2)
   double speed, dt;
 };
@@ -41,18 +35,19 @@ struct MixingFilter::Motion {
 MixingFilter::MixingFilter(const MixingOptions& options)
     : options_(options),
       gravity_(frame::gravity(options.latitude_rad)),
+      per_gravity_(1 / gravity_),
       earth_rate_ned_(frame::earth_rate_ned(options.latitude_rad)),
       heading_(options.heading_rad),
       gains_(options.type == MixingType::fixed_gain ? options.fixed : gains_of_level(1)) {}
 
 void MixingFilter::start(const Vector3d& force, const Vector3d& rate, double speed) {
-  roll_ = options_.initial_roll_rad;
-  pitch_ = options_.initial_pitch_rad;
+  roll_.set(options_.initial_roll_rad);
+  pitch_.set(options_.initial_pitch_rad);
   settling_left_s_ = 0;
   if (options_.accelerometer_start) {  // eq. (5)
     settling_left_s_ = options_.settling_s;
-    pitch_ = std::clamp(arcsine(force.x() / gravity_), -steepest, steepest);
-    roll_ = arcsine((rate.z() * speed - force.y()) / (gravity_ * std::cos(pitch_)));
+    pitch_.set(std::clamp(arcsine(force.x() / gravity_), -steepest, steepest));
+    roll_.set(arcsine((rate.z() * speed - force.y()) / (gravity_ * pitch_.cosine())));
   }
   integral_.setZero();
   slow_rate_.setZero();
@@ -66,9 +61,9 @@ void MixingFilter::start(const Vector3d& force, const Vector3d& rate, double spe
 
 MixingFilter::Motion MixingFilter::observe(const Vector3d& force, const Vector3d& rate,
                                            double speed, double dt) const {
-  const double sin_roll = std::sin(roll_), cos_roll = std::cos(roll_);
-  const double sin_pitch = std::sin(pitch_), cos_pitch = std::cos(pitch_);
-  const double sin_yaw = std::sin(heading_), cos_yaw = std::cos(heading_);
+  const double sin_roll = roll_.sine(), cos_roll = roll_.cosine();
+  const double sin_pitch = pitch_.sine(), cos_pitch = pitch_.cosine();
+  const double sin_yaw = heading_.sine(), cos_yaw = heading_.cosine();
   Motion m;
   m.force = force;
   m.down = {-sin_pitch, sin_roll * cos_pitch, cos_roll * cos_pitch};
@@ -76,8 +71,8 @@ MixingFilter::Motion MixingFilter::observe(const Vector3d& force, const Vector3d
                        cos_roll * sin_pitch * cos_yaw + sin_roll * sin_yaw};
   m.earth_rate = earth_rate_ned_.x() * north + earth_rate_ned_.z() * m.down;
   m.rate = rate - m.earth_rate;
-  m.cos_pitch = cos_pitch;
-  m.yaw_rate = (m.rate.y() * sin_roll + m.rate.z() * cos_roll) / cos_pitch;
+  m.per_cos_pitch = 1 / cos_pitch;
+  m.yaw_rate = (m.rate.y() * sin_roll + m.rate.z() * cos_roll) * m.per_cos_pitch;
   m.roll_rate = m.rate.x() + m.yaw_rate * sin_pitch;
   m.pitch_rate = m.rate.y() * cos_roll - m.rate.z() * sin_roll;
   m.speed = speed;
@@ -96,9 +91,10 @@ void MixingFilter::step(const Vector3d& force, const Vector3d& rate, double spee
   integral_ = integral_kept_ * integral_ +
               integral_gain() * dt * error;  // the gain of the time when the error was there
   const Vector2d correction = gains_.k1 * error + integral_;
-  roll_ = wrapped(roll_ + (m.roll_rate + correction.x()) * dt);
-  pitch_ = std::clamp(pitch_ + (m.pitch_rate + correction.y()) * dt, -steepest, steepest);
-  heading_ = wrapped(heading_ + m.yaw_rate * dt);
+  roll_.add((m.roll_rate + correction.x()) * dt);
+  pitch_.add((m.pitch_rate + correction.y()) * dt);
+  if (std::abs(pitch()) > steepest) pitch_.set(std::copysign(steepest, pitch()));
+  heading_.add(m.yaw_rate * dt);
 }
 
 double MixingFilter::integral_gain() const {
@@ -120,8 +116,8 @@ void MixingFilter::discretise(double dt) {
 // Eq. (5): all that is known of the motion is the speed ahead.
 Vector2d MixingFilter::accelerometer_error(const Motion& m) const {
   const double across = m.rate.z() * m.speed - m.force.y();
-  return {arcsine(across / (gravity_ * m.cos_pitch)) - roll_,
-          arcsine(m.force.x() / gravity_) - pitch_};
+  return {arcsine(across * (per_gravity_ * m.per_cos_pitch)) - roll(),
+          arcsine(m.force.x() * per_gravity_) - pitch()};
 }
 
 // Eq. (10) to (12). The residual is low-passed with everything at the same instant, so that the
@@ -137,8 +133,8 @@ Vector2d MixingFilter::compensated_error(const Motion& m) {
   unexplained_x_ = slow_residual_ - gained / m.dt;
 
   const double across = m.rate.z() * m.speed - m.rate.x() * w - m.force.y();
-  return {arcsine(across / (gravity_ * m.cos_pitch)) - roll_,
-          unexplained_x_ / (gravity_ * m.cos_pitch)};
+  const double per_gravity = per_gravity_ * m.per_cos_pitch;
+  return {arcsine(across * per_gravity) - roll(), unexplained_x_ * per_gravity};
 }
 
 void MixingFilter::choose_gains(const Motion& m) {

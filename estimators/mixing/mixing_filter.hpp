@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "estimators/mixing/maneuver_level.hpp"
+#include "estimators/mixing/stepped_angle.hpp"
 
 /// Roll and pitch from gyroscopes, held by accelerometers and a speed log: the mixing loop of Kim,
 /// Lee and Han, "Mixing Algorithm for Attitude Computation of Underwater Vehicle Using Fuzzy
@@ -58,13 +59,13 @@ class MixingFilter {
   void step(const Eigen::Vector3d& specific_force, const Eigen::Vector3d& angular_rate,
             double speed_mps, double dt);
 
-  double roll() const { return roll_; }        ///< [-pi, pi]; beyond pi/2 it does not hold
-  double pitch() const { return pitch_; }      ///< [-pi/2, pi/2]
-  double heading() const { return heading_; }  ///< the given one carried on by the gyro
-  int level() const { return level_; }         ///< of manoeuvring, 1 to 12; type 1 stays at 1
-  Gains gains() const { return gains_; }       ///< of the last step
-  double integral_gain() const;                ///< 1/s2, as those gains are read
-  double integral_leak() const;                ///< 1/s
+  double roll() const { return roll_.angle(); }        ///< [-pi, pi]; beyond pi/2 it does not hold
+  double pitch() const { return pitch_.angle(); }      ///< [-pi/2, pi/2]
+  double heading() const { return heading_.angle(); }  ///< the given one carried on by the gyro
+  int level() const { return level_; }    ///< of manoeuvring, 1 to 12; type 1 stays at 1
+  Gains gains() const { return gains_; }  ///< of the last step
+  double integral_gain() const;           ///< 1/s2, as those gains are read
+  double integral_leak() const;           ///< 1/s
   const MixingOptions& options() const { return options_; }
 
  private:
@@ -78,10 +79,10 @@ class MixingFilter {
   void choose_gains(const Motion& motion);
 
   MixingOptions options_;
-  double gravity_;
+  double gravity_, per_gravity_;
   Eigen::Vector3d earth_rate_ned_;
 
-  double roll_ = 0, pitch_ = 0, heading_;
+  SteppedAngle roll_{0}, pitch_{0}, heading_;
   Eigen::Vector2d integral_ = Eigen::Vector2d::Zero();
   int level_ = 1;
   Gains gains_;

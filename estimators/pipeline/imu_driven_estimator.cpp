@@ -63,8 +63,11 @@ Outcome ImuDrivenEstimator::take(const WaterSpeed& speed, EstimateListener&) {
   if (behind > max_speed_age_) return Outcome::late;
   if (behind < -max_speed_age_) return Outcome::unused;  // the IMU is silent: kept for its return
 
-  correct(*speed.longitudinal_mps);
-  fed_by_ |= bit(*log_);
+  if (correct(*speed.longitudinal_mps)) {
+    fed_by_ |= bit(*log_);
+  } else {
+    ++status_.rejected;
+  }
   status_.last_speed = speed.origin.valid_at;
   return behind > behind.zero() ? Outcome::delayed : Outcome::accepted;
 }

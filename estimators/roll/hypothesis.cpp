@@ -1,51 +1,13 @@
 #include "estimators/roll/hypothesis.hpp"
 
 #include <cmath>
-#include <limits>
+
+#include "estimators/roll/received_power.hpp"
 
 namespace drydock::roll {
 namespace {
 
 enum Index : int { i_roll, i_bias, i_common, i_gain };
-
-/// Where a reported power must have been before it was rounded or lost.
-struct Interval {
-  double low, high;
-};
-
-double density(double z) { return std::exp(-0.5 * z * z) / std::sqrt(2 * std::numbers::pi); }
-
-/// Eq. (30), (31). Nothing where a lost signal says nothing.
-std::optional<Interval> interval_of(const AntennaOptions& antenna, const Signal& signal) {
-  if (signal.power) {
-    const double half_a_step = std::pow(10, antenna.resolution_db / 20);
-    return Interval{*signal.power / half_a_step, *signal.power * half_a_step};
-  }
-  if (!antenna.tracking_limit) return std::nullopt;
-  return Interval{-std::numeric_limits<double>::infinity(), *antenna.tracking_limit};
-}
-
-/// Probability above z.
-double above(double z) { return 0.5 * std::erfc(z / std::numbers::sqrt2); }
-
-struct Moments {
-  double log_probability = 0;
-  double shift = 0;   ///< of the mean, in sigmas
-  double shrink = 0;  ///< of the variance, as a share of it
-};
-
-/// Of a standard normal variable that turns out to lie between `z`, eq. (31): its mean, and what
-/// is missing from its variance of 1. The interval must not be further out than 30 or so.
-Moments within(const Interval& z) {
-  // Differences of small tails, not of numbers near 1.
-  const double probability =
-      z.low > 0 ? above(z.low) - above(z.high) : above(-z.high) - above(-z.low);
-  const double low = density(z.low), high = density(z.high);
-  const double mean = (low - high) / probability;
-  const auto weighted = [](double at, double d) { return std::isfinite(at) ? at * d : 0; };
-  const double bend = (weighted(z.high, high) - weighted(z.low, low)) / probability;
-  return {std::log(probability), mean, bend + mean * mean};
-}
 
 }  // namespace
 
@@ -90,14 +52,9 @@ bool Hypothesis::update(const AllSatellitesOptions& options, const Signal& signa
     log_likelihood -= 0.5 * options.gate * options.gate;
     return false;
   }
-  if (z.low == z.high) {  // eq. (30)
-    log_likelihood -= 0.5 * z.low * z.low + std::log(sigma);
-    shift(ph, z.low / sigma, 1 / variance);
-  } else {
-    const Moments moments = within(z);
-    log_likelihood += moments.log_probability;
-    shift(ph, moments.shift / sigma, moments.shrink / variance);
-  }
+  const Moments moments = within(z);
+  log_likelihood += moments.log_probability - (z.low == z.high ? std::log(sigma) : 0);  // eq. (33)
+  shift(ph, moments.shift / sigma, moments.shrink / variance);
   return true;
 }
 

@@ -1,6 +1,7 @@
 #include "hil/study/roll_bound.hpp"
 
 #include <Eigen/Dense>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -13,7 +14,14 @@ using std::numbers::pi;
 
 constexpr double uniform_turn_variance = pi * pi / 3;  // of an angle of which nothing is known
 
-constexpr int weakest_db = -20, strongest_db = 8;  // of boresight, what a wire may carry
+/// Powers at which a wire's whole dB changes, -20 to 8 dB of boresight.
+std::array<double, 29> rounding_edges() {
+  constexpr int weakest_db = -20;
+  std::array<double, 29> edges{};
+  for (std::size_t i = 0; i < edges.size(); ++i)
+    edges[i] = std::pow(10, (weakest_db + static_cast<int>(i) + 0.5) / 10);
+  return edges;
+}
 
 }  // namespace
 
@@ -35,8 +43,12 @@ double rounded_information(double expected, double sigma) {
     low = high;
   };
   add_up_to(edge(roll_tracking_limit));
-  for (int db = weakest_db; db <= strongest_db; ++db)
-    add_up_to(edge(std::pow(10, (db + 0.5) / 10)));
+  static const auto edges = rounding_edges();
+  constexpr double never = 7;  // sigmas
+  for (const double at : edges) {
+    if (at > expected + never * sigma) break;
+    if (at > expected - never * sigma) add_up_to(edge(at));
+  }
   add_up_to({1, 0});
   return sum / (sigma * sigma);
 }

@@ -6,6 +6,7 @@
 
 #include "estimators/frame/attitude.hpp"
 #include "hil/study/roll_bound.hpp"
+#include "hil/study/roll_witness.hpp"
 
 namespace drydock::study {
 namespace {
@@ -109,6 +110,8 @@ RollOutcome roll_run(const RollCase& the_case, const RollSky& sky, std::uint64_t
                    Follower{roll::PeakFilter(peak_options(true)), roll_methods[2]}};
   const auto options = all_satellites_options(the_case);
   Follower ours{roll::AllSatellites(options), roll_methods[3]};
+  RollWitness witness(the_case, flight, options, roll_methods[3].gyro_bias_degps / to_deg);
+  double witness_squares = 0, witnessed = 0;
   // The paper's filters are told the azimuth of a reference point, ours the course.
   const double azimuth =
       roll::azimuth_of_point(sky.place.latitude_rad, sky.place.longitude_rad,
@@ -120,6 +123,8 @@ RollOutcome roll_run(const RollCase& the_case, const RollSky& sky, std::uint64_t
     const double t = k / roll_gyro_hz, rate = flight.gyro(t), truth = flight.true_roll(t);
     for (auto& follower : peaks) follower.predict(rate);
     ours.predict(rate);
+    const double turned = truth - flight.true_roll(t - 1 / roll_gyro_hz);
+    witness.predict(rate - turned * roll_gyro_hz, 1 / roll_gyro_hz);
     const bool epoch = k % roll_gyro_per_epoch == 0;
     if (epoch) {
       const auto signals = flight.signals(t);
@@ -127,12 +132,18 @@ RollOutcome roll_run(const RollCase& the_case, const RollSky& sky, std::uint64_t
       for (auto& follower : peaks)
         follower.filter().update({.signals = signals, .path = {azimuth, path.pitch_rad}});
       ours.filter().update({.signals = signals, .path = path});
+      witness.update(t, signals);
       keep_raw(outcome.raw, peaks[0].filter(), flight);
       if (observer) observer->on_epoch(t, signals, peaks[0].filter(), truth);
     }
     for (auto& follower : peaks) follower.judge(t, truth, epoch);
     ours.judge(t, truth, epoch);
+    if (t > roll_settled_s) {
+      witness_squares += std::pow(witness.roll_error() * to_deg, 2);
+      ++witnessed;
+    }
   }
+  outcome.witness_rms = std::sqrt(witness_squares / witnessed);
   for (std::size_t i = 0; i < peaks.size(); ++i) outcome.errors[i] = peaks[i].errors();
   outcome.errors.back() = ours.errors();
   outcome.bound = roll_bound(the_case, flight, options.bias_sigma_radps, options.bias_noise);

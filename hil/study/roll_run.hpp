@@ -37,6 +37,7 @@ struct RollOutcome {
   std::array<RollErrors, roll_methods.size()> errors;
   std::vector<float> raw;     ///< of single peaks, absolute, from the start
   std::vector<double> bound;  ///< least variance after each epoch, rad2
+  double witness_rms = 0;     ///< of RollWitness beside all_satellites, degrees
 };
 
 /// One more epoch has been worked in; for who draws it.

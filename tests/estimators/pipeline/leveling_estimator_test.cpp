@@ -119,6 +119,40 @@ TEST_F(LevelingEstimatorTest, RefusesWhatIsNotFiniteOrAbsurdAndGoesOnAsIfItHadNo
   EXPECT_EQ(estimates_.all.back().covariance, expected.all.back().covariance);
 }
 
+TEST_F(LevelingEstimatorTest, AWrongSpeedIsOutsideTheGateCountedAndWithoutEffect) {
+  for (const auto kind : {leveling::FilterKind::robust, leveling::FilterKind::augmented}) {
+    PipelineOptions options = test::moving(std::chrono::milliseconds{0});
+    options.estimators[0].filter = kind;
+    options.estimators[0].leveling = leveling::options_for(kind);
+    const auto fly = [&](bool spoilt) {
+      LevelingEstimator estimator(7, options.estimators[0], options);
+      Estimates estimates;
+      for (int t = 0; t <= 30000; t += 10) {
+        const bool outlier = spoilt && t == 20000;
+        if (t % 500 == 0) estimator.take(water_speed(t, outlier ? 9 : 2), estimates);
+        estimator.take(imu(t), estimates);
+      }
+      EXPECT_EQ(estimator.status().rejected, spoilt ? 1u : 0u);
+      return estimates.all.back();
+    };
+    const auto spoilt = fly(true), clean = fly(false);
+    EXPECT_NEAR(spoilt.roll_rad, clean.roll_rad, 1e-4);
+    EXPECT_NEAR(spoilt.pitch_rad, clean.pitch_rad, 1e-4);
+  }
+}
+
+TEST_F(LevelingEstimatorTest, ASpeedThatStaysOutsideTheGateIsBelieved) {
+  LevelingEstimator estimator = make();
+  for (int t = 0; t <= 60000; t += 10) {
+    if (t % 500 == 0) estimator.take(water_speed(t, t < 20000 ? 2 : 5), estimates_);
+    estimator.take(imu(t), estimates_);
+  }
+  EXPECT_EQ(estimator.status().rejected, 5u);
+  const auto& filter = std::get<leveling::LevelingFilter>(estimator.filter());
+  EXPECT_NEAR(filter.state()(0), 5, 0.05);
+  EXPECT_NEAR(estimates_.all.back().pitch_rad, std::atan2(0.2, 9.8), 0.01);
+}
+
 TEST_F(LevelingEstimatorTest, AGapStartsItAgainWithTheNextSpeed) {
   LevelingEstimator estimator = make();
   feed(estimator, 0);

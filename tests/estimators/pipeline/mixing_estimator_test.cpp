@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "tests/estimators/pipeline/support.hpp"
 
@@ -61,6 +63,32 @@ TEST(MixingEstimator, ItsCovarianceIsTheLoopsAnswerToKnownSensors) {
   EXPECT_NEAR(std::sqrt(estimates.all.back().covariance(1, 1)), expected, 0.05 * expected);
   EXPECT_GE(estimates.all.back().covariance(0, 0), estimates.all.back().covariance(1, 1));
   EXPECT_EQ(estimates.all.back().covariance(0, 1), 0);
+}
+
+/// How far one speed of 20 m/s among those of 2 m/s, in a turn, turns roll and pitch at most.
+double pulled_by_an_outlier_deg(mixing::MixingType type) {
+  test::Estimates spoilt, clean;
+  for (auto* estimates : {&spoilt, &clean}) {
+    auto pipeline = make_pipeline(mixing_on(type), *estimates);
+    for (int t = 0; t <= 120'000; t += 10) {
+      const bool outlier = estimates == &spoilt && t == 90'000;
+      if (t % 500 == 0) pipeline->receive(test::water_speed(t, outlier ? 20 : 2));
+      pipeline->receive(test::imu(t, 0.002));
+    }
+    EXPECT_EQ(pipeline->status(0).rejected, 0U);
+  }
+  double most = 0;
+  for (std::size_t i = 0; i < clean.all.size(); ++i)
+    most = std::max({most, std::abs(spoilt.all[i].roll_rad - clean.all[i].roll_rad),
+                     std::abs(spoilt.all[i].pitch_rad - clean.all[i].pitch_rad)});
+  return most * 180 / std::numbers::pi;
+}
+
+TEST(MixingEstimator, HasNoGateButASingleWrongSpeedIsSmallAgainstItsErrors) {
+  EXPECT_LT(pulled_by_an_outlier_deg(mixing::MixingType::fixed_gain), 0.02);
+  EXPECT_LT(pulled_by_an_outlier_deg(mixing::MixingType::fuzzy_inference), 0.05);
+  EXPECT_LT(pulled_by_an_outlier_deg(mixing::MixingType::gain_schedule), 0.05);
+  EXPECT_LT(pulled_by_an_outlier_deg(mixing::MixingType::compensated), 0.1);
 }
 
 TEST(MixingEstimator, AStationaryOneIsRefusedInOneLine) {

@@ -105,6 +105,24 @@ TEST(RollEstimator, GivesRollWithItsErrorAndWhoFedIt) {
   EXPECT_EQ(pipeline.status(0).state, EstimatorState::running);
 }
 
+TEST(RollEstimator, ASignalOutsideTheGateIsCountedAndWithoutEffect) {
+  test::Estimates spoilt, clean;
+  for (auto* estimates : {&spoilt, &clean}) {
+    auto pipeline = *make_pipeline(rolling(), *estimates);
+    Rocket rocket;
+    fly(pipeline, rocket, 20000);
+    const auto before = pipeline.status(0).rejected;
+    auto sky = rocket.sky(20000);
+    sky.satellites.resize(1);
+    if (estimates == &spoilt) sky.satellites[0].cno_dbhz = boresight_dbhz + 7;  // five times
+    if (estimates == &clean) sky.satellites[0].cno_dbhz.reset();
+    pipeline.receive(sky);
+    pipeline.receive(rocket.imu(20010));
+    EXPECT_EQ(pipeline.status(0).rejected, before + (estimates == &spoilt ? 1 : 0));
+  }
+  EXPECT_EQ(spoilt.all.back().roll_rad, clean.all.back().roll_rad);
+}
+
 TEST(RollEstimator, EpochsThatComeLateCountForTheirOwnTime) {
   for (const int late_ms : {50, 130, 400}) {
     test::Estimates estimates;

@@ -53,6 +53,26 @@ TEST(PipelineNotes, NameTheDeviceWithWhatCameLateAndWhatWasRefused) {
             Notes{"imu: of 4 measurements 1 too late for the estimators, 1 refused"});
 }
 
+TEST(PipelineNotes, TellWhatAnEstimatorKeptOutsideItsGate) {
+  auto rig = still_rig();
+  rig.devices.resize(2);
+  rig.devices[1].name = "log";
+  rig.estimators[0].name = "attitude";
+  rig.estimators[0].stationary = false;
+  rig.estimators[0].log = "log";
+  Ignore nobody;
+  auto pipeline = *pipeline::make_pipeline(cli::pipeline_options(rig), nobody);
+  measurement::WaterSpeed speed;
+  speed.origin.device = 1;
+  for (int ms = 0; ms <= 10'000; ms += 10) {
+    speed.origin.valid_at = measurement::Stamp{milliseconds{ms}};
+    speed.longitudinal_mps = ms == 9000 || ms == 9500 ? 50 : 2;
+    if (ms % 500 == 0) pipeline.receive(speed);
+    pipeline.receive(sample(ms));
+  }
+  EXPECT_EQ(cli::pipeline_notes(rig, pipeline), Notes{"attitude: 2 values outside its gate"});
+}
+
 TEST(PipelineNotes, TellOfABufferThatIsTooSmallForTheWindow) {
   auto options = cli::pipeline_options(still_rig());
   options.reorder_window = milliseconds{200};

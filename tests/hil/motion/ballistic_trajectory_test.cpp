@@ -50,7 +50,7 @@ TEST(BallisticTrajectory, AnIndependentMechanizationOfItsImuFindsItAgain) {
   const double flight_s = measurement::seconds(trajectory.end() - start);
   EXPECT_GT(flight_s, 80);
   EXPECT_LT(flight_s, 110);
-  const MechanizationError error = mechanize(trajectory, start, std::floor(flight_s), 0.005);
+  const MechanizationError error = mechanize(trajectory, start, std::floor(flight_s), 0.01);
   EXPECT_LT(error.position_m, 0.01);
   EXPECT_LT(error.velocity_mps, 1e-4);
   EXPECT_LT(error.attitude_rad, 1e-6);

@@ -19,7 +19,7 @@ using rig_config::LegKind;
 
 TEST(KinematicTrajectory, AnIndependentMechanizationOfItsImuFindsItAgain) {
   const KinematicTrajectory trajectory(varied_mission(), start);
-  const MechanizationError error = mechanize(trajectory, start, 600, 0.01);
+  const MechanizationError error = mechanize(trajectory, start, 600, 0.05);
   EXPECT_LT(error.position_m, 0.01);
   EXPECT_LT(error.velocity_mps, 1e-4);
   EXPECT_LT(error.attitude_rad, 1e-6);

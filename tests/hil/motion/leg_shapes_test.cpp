@@ -74,7 +74,7 @@ TEST(KinematicTrajectory, SpiralZigzagAndSurfaceAreFoundAgainByAMechanization) {
                   a_zigzag(),
                   {.kind = LegKind::surface, .duration_s = 100, .speed_mps = 2, .ramp_s = 10}};
   const KinematicTrajectory trajectory(mission, start);
-  const MechanizationError error = mechanize(trajectory, start, 440, 0.01);
+  const MechanizationError error = mechanize(trajectory, start, 440, 0.05);
   EXPECT_LT(error.position_m, 0.01);
   EXPECT_LT(error.attitude_rad, 1e-6);
   EXPECT_NEAR(trajectory.at(at_s(440)).height_m, 0, 1e-9);

@@ -51,18 +51,20 @@ struct MechanizationError {
 inline MechanizationError mechanize(const Trajectory& trajectory, Stamp from, double duration_s,
                                     double step_s) {
   const auto imu = [&](double t) { return trajectory.at(from + measurement::from_seconds(t)); };
-  Mechanization s = from_truth(imu(0));
+  Truth begin = imu(0);
+  Mechanization s = from_truth(begin);
   const auto steps = std::lround(duration_s / step_s);
   for (long i = 0; i < steps; ++i) {
     const double t = static_cast<double>(i) * step_s, h = step_s;
-    const Truth middle = imu(t + h / 2);
-    const auto k1 = derivative(s, imu(t));
+    const Truth middle = imu(t + h / 2), end = imu(static_cast<double>(i + 1) * step_s);
+    const auto k1 = derivative(s, begin);
     const auto k2 = derivative(plus(s, h / 2, k1), middle);
     const auto k3 = derivative(plus(s, h / 2, k2), middle);
-    const auto k4 = derivative(plus(s, h, k3), imu(t + h));
+    const auto k4 = derivative(plus(s, h, k3), end);
     s = plus(plus(plus(plus(s, h / 6, k1), h / 3, k2), h / 3, k3), h / 6, k4);
+    begin = end;
   }
-  const Mechanization truth = from_truth(imu(static_cast<double>(steps) * step_s));
+  const Mechanization truth = from_truth(begin);
   const Eigen::AngleAxisd turned(Eigen::Matrix3d(s.body_to_ecef.transpose() * truth.body_to_ecef));
   return {(s.position - truth.position).norm(), (s.velocity - truth.velocity).norm(),
           turned.angle()};

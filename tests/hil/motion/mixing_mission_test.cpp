@@ -51,7 +51,7 @@ TEST_F(MixingMission, DoesWhatThePaperTellsOfIt) {
 }
 
 TEST_F(MixingMission, AnIndependentMechanizationOfItsImuFindsItAgain) {
-  const MechanizationError error = mechanize(trajectory_, start, 600, 0.02);
+  const MechanizationError error = mechanize(trajectory_, start, 600, 0.05);
   EXPECT_LT(error.position_m, 0.05);
   EXPECT_LT(error.velocity_mps, 5e-4);
   EXPECT_LT(error.attitude_rad, 1e-6);
