@@ -58,8 +58,9 @@ class JsonWriter {
     return maybe ? put(at, *maybe) : null(at);
   }
   template <class Range>
-  requires requires(const Range& range) { range.begin(), range.end(); }
-  char* put(char* at, const Range& range) {
+  requires(!std::convertible_to<const Range&, std::string_view> && requires(const Range& range) {
+    range.begin(), range.end();
+  }) char* put(char* at, const Range& range) {
     at = put_character(at, '[');
     for (const auto& item : range) at = put_character(put(at, item), ',');
     return put_end(at, ']');

@@ -21,28 +21,33 @@ class BusViews final : public bus::Receiver {
       view.nominal_rate_hz = device.rate_hz;
       view.state = "not heard";
       view.status = "no diagnostics on the bus: do its drivers run, in this DDS domain?";
-      views.push_back(std::move(view));
+      views_.push_back(std::move(view));
     }
   }
 
   using bus::Receiver::receive;
-  void receive(const bus::Measurement& measurement) override {
-    const auto index = std::visit([](const auto& m) { return m.origin.device; }, measurement);
-    if (index < views.size()) show(measurement, views[index]);
-  }
+  void receive(const bus::Measurement& measurement) override { latest_.note(measurement); }
 
   void receive(const bus::DeviceStatus& status) override {
-    const auto view = std::ranges::find(views, status.name, &DeviceView::name);
-    if (view == views.end()) return;
+    const auto view = std::ranges::find(views_, status.name, &DeviceView::name);
+    if (view == views_.end()) return;
     view->state = status.message;
     view->streaming = status.level == bus::Level::ok;
     view->status.clear();
     for (const auto& [key, value] : status.values) set(*view, key, value);
   }
 
-  std::vector<DeviceView> views;
+  std::vector<DeviceView> current() const {
+    std::vector<DeviceView> shown = views_;
+    for (std::size_t i = 0; i < shown.size(); ++i)
+      latest_.show(static_cast<std::uint16_t>(i), shown[i]);
+    return shown;
+  }
 
  private:
+  std::vector<DeviceView> views_;
+  Latest latest_;
+
   static void set(DeviceView& view, std::string_view key, const std::string& value) {
     double number = 0;
     const bool is_number =
@@ -74,7 +79,7 @@ int monitor_bus(const rig_config::Rig& rig, const MonitorOptions& options) {
   wanted.diagnostics = true;
   bus::Subscriber subscriber(participant, bus_devices(rig), wanted);
   BusViews heard(rig);
-  MonitorLoop loop(options, [&] { return heard.views; });
+  MonitorLoop loop(options, [&] { return heard.current(); });
   return loop.run([&] { subscriber.take(heard); }, [] {});
 }
 

@@ -92,7 +92,7 @@ std::vector<std::unique_ptr<device::Device>> devices_of(const ProbeReport& repor
 int monitor_devices(std::vector<std::unique_ptr<device::Device>> devices,
                     const MonitorOptions& options) {
   for (auto& device : devices) device->listen_only();
-  std::map<std::uint16_t, measurement::Measurement> latest;
+  Latest latest;
   BusMeter meter;
   DriverHost* drivers = nullptr;
   MonitorLoop loop(options, [&] {
@@ -100,8 +100,7 @@ int monitor_devices(std::vector<std::unique_ptr<device::Device>> devices,
     const auto& shell = drivers->shell();
     for (std::size_t i = 0; i < shell.size(); ++i) {
       DeviceView view = view_of(shell.device(i), shell.health(i));
-      if (const auto found = latest.find(shell.device(i).index()); found != latest.end())
-        show(found->second, view);
+      latest.show(shell.device(i).index(), view);
       meter.show(link::now(), view);
       views.push_back(std::move(view));
     }
@@ -109,9 +108,7 @@ int monitor_devices(std::vector<std::unique_ptr<device::Device>> devices,
   });
   DriverHost host(loop.io(), std::move(devices), nullptr, &meter);
   drivers = &host;
-  host.on_measurement_hook = [&](const measurement::Measurement& m) {
-    latest.insert_or_assign(std::visit([](const auto& any) { return any.origin.device; }, m), m);
-  };
+  host.on_measurement_hook = [&](const measurement::Measurement& m) { latest.note(m); };
   host.start();
   return loop.run([] {}, [&] { host.stop(); });
 }

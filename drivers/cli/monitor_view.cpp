@@ -163,21 +163,29 @@ DeviceView view_of(const device::Device& device, const device::Health& h) {
   return v;
 }
 
-void show(const measurement::Measurement& measurement, DeviceView& view) {
+void Latest::note(const measurement::Measurement& measurement) {
+  const auto device = std::visit([](const auto& m) { return m.origin.device; }, measurement);
+  measurements_.insert_or_assign({device, measurement.index()}, measurement);
+}
+
+void Latest::show(std::uint16_t device, DeviceView& view) const {
   view.values.clear();
-  std::visit(
-      [&](const auto& m) {
-        const auto in_s = [](measurement::Stamp at) {
-          return measurement::seconds(at.time_since_epoch());
-        };
-        view.valid_at_s = in_s(m.origin.valid_at);
-        view.received_at_s = in_s(m.origin.received_at);
-        view.latency_s = measurement::seconds(m.origin.received_at - m.origin.valid_at);
-        view.device_time_s.reset();
-        if (m.origin.device_time) view.device_time_s = measurement::seconds(*m.origin.device_time);
-        visit_fields(m, Lister(view.values));
-      },
-      measurement);
+  std::optional<measurement::Origin> newest;
+  const auto first = measurements_.lower_bound({device, 0});
+  for (auto entry = first; entry != measurements_.end() && entry->first.first == device; ++entry) {
+    std::visit(
+        [&](const auto& m) {
+          if (!newest || m.origin.received_at > newest->received_at) newest = m.origin;
+          visit_fields(m, Lister(view.values));
+        },
+        entry->second);
+  }
+  if (!newest) return;
+  view.valid_at_s = measurement::seconds(newest->valid_at.time_since_epoch());
+  view.received_at_s = measurement::seconds(newest->received_at.time_since_epoch());
+  view.latency_s = measurement::seconds(newest->received_at - newest->valid_at);
+  view.device_time_s.reset();
+  if (newest->device_time) view.device_time_s = measurement::seconds(*newest->device_time);
 }
 
 Palette::Palette(bool terminal) {

@@ -38,8 +38,16 @@ struct DeviceView {
 /// What health says; `values` and times are left.
 DeviceView view_of(const device::Device& device, const device::Health& health);
 
-/// Puts in the times and values of what was measured last.
-void show(const measurement::Measurement& measurement, DeviceView& view);
+/// What each device measured last, of every type it gives.
+class Latest {
+ public:
+  void note(const measurement::Measurement& measurement);
+  /// Puts the values into a view, and the times of the newest.
+  void show(std::uint16_t device, DeviceView& view) const;
+
+ private:
+  std::map<std::pair<std::uint16_t, std::size_t>, measurement::Measurement> measurements_;
+};
 
 /// Colours and weight on a terminal; nothing where the output is none, or NO_COLOR is set.
 class Palette {
