@@ -79,7 +79,13 @@ std::optional<Record> Reader::next() {
   }
   while (!ended_) {
     auto record = in_chunk_ < chunk_.size() ? next_in_chunk() : next_in_file();
-    if (record && std::holds_alternative<DataEnd>(*record)) ended_ = true;
+    if (record && std::holds_alternative<DataEnd>(*record)) {
+      ended_ = true;
+      file_->seekg(static_cast<std::streamoff>(size_ - magic.size()));
+      if (!read(content_, magic.size()) ||
+          !std::equal(magic.begin(), magic.end(), content_.begin()))
+        fail("the file is cut behind here, in its summary");
+    }
     if (record) return record;
   }
   return {};

@@ -108,6 +108,15 @@ TEST(Recover, MakesACutFileWholeUpToItsLastChunk) {
   EXPECT_EQ(found["indexed"]["profile"], "ros2");
 }
 
+TEST(Recover, MendsAFileOfWhichOnlyTheSummaryIsCut) {
+  const std::string whole = recorded(3);
+  mcap::Reader cut(std::make_unique<std::istringstream>(whole.substr(0, whole.size() - 20)));
+  const auto nowhere = [](mcap::Bytes) { return boost::system::error_code{}; };
+  const Recovered recovered = recover(cut, nowhere);
+  EXPECT_THAT(recovered.damage, testing::HasSubstr("in its summary"));
+  EXPECT_EQ(recovered.messages, 90U);
+}
+
 TEST(Recover, LeavesAWholeFileAsItIs) {
   mcap::Reader source(std::make_unique<std::istringstream>(recorded(3)));
   std::string copy;
