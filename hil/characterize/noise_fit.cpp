@@ -146,8 +146,8 @@ NoiseModel model_of(const Solution& solution) {
   return model;
 }
 
-/// Covariance of the squares, and of ln T behind them where there is one: that of weighted least
-/// squares whose data are correlated.
+/// Covariance of the logarithms of the squares, and of T behind them where there is one: that of
+/// weighted least squares whose data are correlated.
 MatrixXd scatter(const Solution& solution, const AllanCurve& curve, const MatrixXd& covariance) {
   MatrixXd design = design_of(solution.candidate, curve);
   const ArrayXd model = (design * solution.squares).array();
@@ -159,7 +159,8 @@ MatrixXd scatter(const Solution& solution, const AllanCurve& curve, const Matrix
     design.conservativeResize(Eigen::NoChange, design.cols() + 1);
     design.rightCols<1>() = slope;
   }
-  // Scaled to the model, since variances span decades.
+  // Relative to the model and to the figures themselves, since both span decades.
+  design.leftCols(solution.squares.size()) *= solution.squares.asDiagonal();
   const MatrixXd relative = design.array().colwise() / model;
   const MatrixXd together = (covariance.array().colwise() / model).rowwise() / model.transpose();
   const VectorXd weight = together.diagonal().cwiseInverse();
@@ -177,7 +178,7 @@ NoiseFit estimates(const Solution& solution, const AllanCurve& curve, const Matr
   const auto sigma = [&](Index i) { return std::sqrt(spread(i, i)); };
   for (std::size_t c = 0; c < solution.candidate.terms.size(); ++c) {
     const auto i = static_cast<Index>(c);
-    const auto estimate = deviation_estimate(solution.squares[i], sigma(i));
+    const auto estimate = deviation_estimate(solution.squares[i], solution.squares[i] * sigma(i));
     switch (solution.candidate.terms[c]) {
       case quantisation: fit.quantisation = estimate; break;
       case white: fit.density = estimate; break;

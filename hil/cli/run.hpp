@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -15,6 +16,7 @@ struct RunOptions {
   std::string json, report;  ///< file, folder; empty: none
   bool expect_streaming = false;
   std::optional<double> expect_rms_deg;  ///< of every estimator that has a truth
+  std::function<void(const measurement::Measurement&)> on_measurement;  ///< hears all; may be empty
 };
 
 /// Runs the rig: emulated devices, drivers, estimators, in real time or in lockstep.

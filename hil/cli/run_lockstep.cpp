@@ -55,15 +55,16 @@ class ToLine final : public device::Transmitter {
 /// A rig in virtual time: every link becomes a line of this process with the same baud rate.
 class LockstepBench final : private device::Listener, private pipeline::EstimateListener {
  public:
-  LockstepBench(const rig_config::Rig& rig, double duration_s)
+  LockstepBench(const rig_config::Rig& rig, const RunOptions& options)
       : rig_(rig),
+        on_measurement_hook_(options.on_measurement),
         start_(measurement::stamp_from_ns(rig.start_utc_ns)),
         trajectory_(std::make_unique<motion::RememberedTrajectory>(
             motion::make_trajectory(rig.mission, start_))),
         clock_(start_),
         pipeline_(or_throw(pipeline::make_pipeline(pipeline_options(rig), *this))),
-        duration_s_(duration_s > 0 ? duration_s
-                                   : measurement::seconds(trajectory_->end() - start_)),
+        duration_s_(options.duration_s > 0 ? options.duration_s
+                                           : measurement::seconds(trajectory_->end() - start_)),
         scribe_(rig, truth_for_estimators(rig) ? trajectory_.get() : nullptr, start_, duration_s_) {
     auto devices = or_throw(shell::make_devices(rig));
     for (std::size_t i = 0; i < devices.size(); ++i) add(rig.devices[i], std::move(devices[i]));
@@ -159,6 +160,7 @@ class LockstepBench final : private device::Listener, private pipeline::Estimate
   void on_measurement(const measurement::Measurement& m) override {
     scribe_.note(m);
     pipeline_.receive(m);
+    if (on_measurement_hook_) on_measurement_hook_(m);
   }
 
   void on_state(const device::Device& device, const device::Transition& change) override {
@@ -177,6 +179,7 @@ class LockstepBench final : private device::Listener, private pipeline::Estimate
   }
 
   const rig_config::Rig& rig_;
+  std::function<void(const measurement::Measurement&)> on_measurement_hook_;
   Stamp start_;
   std::unique_ptr<motion::Trajectory> trajectory_;
   shell::Lockstep clock_;
@@ -193,7 +196,7 @@ class LockstepBench final : private device::Listener, private pipeline::Estimate
 }  // namespace
 
 Summary run_lockstep(const rig_config::Rig& rig, const RunOptions& options) {
-  LockstepBench bench(rig, options.duration_s);
+  LockstepBench bench(rig, options);
   return bench.run();
 }
 

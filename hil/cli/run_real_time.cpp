@@ -71,7 +71,10 @@ class Bench {
 
  private:
   void connect() {
-    drivers_.on_measurement_hook = [this](const measurement::Measurement& m) { scribe_.note(m); };
+    drivers_.on_measurement_hook = [this](const measurement::Measurement& m) {
+      scribe_.note(m);
+      if (options_.on_measurement) options_.on_measurement(m);
+    };
     drivers_.on_state_hook = [this](const device::Device& d, const device::Transition& change) {
       if (!stopping_) live_.note(d.name(), change);
     };

@@ -74,6 +74,18 @@ TEST(NoiseFit, AGaussMarkovProcessIsFoundWithItsCorrelationTime) {
             32);
 }
 
+TEST(NoiseFit, BoundsDoNotDependOnTheUnit) {
+  auto readings =
+      readings_of({.density = 0.02, .instability = 1, .correlation_s = 0.5}, 0.01, 8192, 1);
+  const auto large = fit_noise(allan_curve(readings, 0.01)).value();
+  for (double& reading : readings) reading *= 1e-5;
+  const auto small = fit_noise(allan_curve(readings, 0.01)).value();
+  ASSERT_TRUE(large.correlation_s && small.correlation_s);
+  EXPECT_NEAR(small.correlation_s->low / large.correlation_s->low, 1, 1e-3);
+  EXPECT_NEAR(small.instability->high / large.instability->high * 1e5, 1, 1e-3);
+  EXPECT_GT(large.correlation_s->high, 1.2 * large.correlation_s->low);
+}
+
 TEST(NoiseFit, OfReadingsThatAreAllEqualThereIsNone) {
   EXPECT_FALSE(fit_noise(allan_curve(std::vector<double>(1000, 5.0), 0.01)));
   EXPECT_FALSE(fit_noise(allan_curve(std::vector<double>{1, 2, 3}, 0.01)));

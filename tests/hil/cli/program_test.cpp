@@ -62,7 +62,7 @@ std::string read_file(const std::filesystem::path& path) {
 
 TEST(Program, HelpOfEveryCommandShowsAnExample) {
   for (const char* command : {"run", "emulate", "drive", "estimate", "check", "monitor", "decode",
-                              "replay", "sensor", "sky", "maneuver", "study"}) {
+                              "replay", "sensor", "sky", "maneuver", "study", "characterize"}) {
     const auto help = drydock(std::string{command} + " --help");
     EXPECT_EQ(help.exit_code, 0) << command;
     EXPECT_THAT(help.output, HasSubstr("Example")) << command;
