@@ -39,4 +39,37 @@ class CdrEncoder {
   std::vector<std::uint8_t> bytes_;
 };
 
+/// The other way: messages of such bytes, from anywhere. Keeps its memory for the next.
+template <class Message>
+class CdrDecoder {
+ public:
+  CdrDecoder() = default;
+  CdrDecoder(const CdrDecoder&) = delete;
+  CdrDecoder& operator=(const CdrDecoder&) = delete;
+  ~CdrDecoder() { dds_sample_free(&message_, message_type<Message>.descriptor, DDS_FREE_CONTENTS); }
+
+  /// Null: not plain CDR, little endian, of this type. Holds until the next call.
+  const Message* decode(std::span<const std::uint8_t> cdr) {
+    constexpr std::uint32_t xcdr1 = 1;
+    constexpr std::size_t header = 4;
+    if (cdr.size() < header || cdr[0] != 0 || cdr[1] != 1) return nullptr;
+    bytes_.assign(cdr.begin() + header, cdr.end());
+    const auto size = static_cast<std::uint32_t>(bytes_.size());
+    const auto* operations = message_type<Message>.descriptor->m_ops;
+    std::uint32_t checked = 0;
+    // Cyclone reads only what it has checked: lengths, strings' ends, enumerators.
+    if (dds_stream_normalize_data(reinterpret_cast<char*>(bytes_.data()), &checked, size, false,
+                                  xcdr1, operations) == nullptr)
+      return nullptr;
+    dds_istream_t stream;
+    dds_istream_init(&stream, size, bytes_.data(), xcdr1);
+    dds_stream_read(&stream, reinterpret_cast<char*>(&message_), operations);
+    return &message_;
+  }
+
+ private:
+  Message message_{};
+  std::vector<std::uint8_t> bytes_;
+};
+
 }  // namespace drydock::bus

@@ -146,9 +146,10 @@ Stamp start_of(const link::Uri& uri, bool on_bus) {
 }
 
 void play_in_virtual_time(const link::Uri& uri, std::unique_ptr<Device> device, Stamp start,
-                          Printer& printer, std::FILE* totals) {
+                          device::Listener& listener, device::Transmitter& transmitter,
+                          std::FILE* totals) {
   const bool on_bus = device->on_bus();
-  shell::DeviceActor driver(std::move(device), printer, printer, start,
+  shell::DeviceActor driver(std::move(device), listener, transmitter, start,
                             measurement::Provenance::replayed);
   std::unique_ptr<shell::RecordedBus> bus;
   std::unique_ptr<shell::RecordedLine> line;
@@ -195,7 +196,30 @@ void play_in_real_time(std::unique_ptr<Device> device, Printer& printer, std::FI
   io.run();
 }
 
+/// Hands measurements on; what the driver sends goes nowhere.
+class Hearer final : public device::Listener, public device::Transmitter {
+ public:
+  explicit Hearer(const MeasurementHook& hook) : hook_(hook) {}
+  void on_measurement(const measurement::Measurement& measurement) override { hook_(measurement); }
+  void on_state(const Device&, const device::Transition&) override {}
+  void send(wire::Bytes) override {}
+  void send(const wire::CanFrame&) override {}
+
+ private:
+  const MeasurementHook& hook_;
+};
+
 }  // namespace
+
+Kind play(const ReplayOptions& options, const MeasurementHook& hook) {
+  const link::Uri uri = uri_of(options);
+  auto device = make_device(options, uri);
+  const Stamp start = start_of(uri, device->on_bus());
+  const Kind kind = device->options().driver.kind;
+  Hearer hearer(hook);
+  play_in_virtual_time(uri, std::move(device), start, hearer, hearer, nullptr);
+  return kind;
+}
 
 int replay(const ReplayOptions& options, std::FILE* out, std::FILE* err) {
   std::FILE* const totals = options.quiet ? nullptr : err;
@@ -207,7 +231,7 @@ int replay(const ReplayOptions& options, std::FILE* out, std::FILE* err) {
     if (uri.speed().value_or(0) > 0) {
       play_in_real_time(std::move(device), printer, totals);
     } else {
-      play_in_virtual_time(uri, std::move(device), start, printer, totals);
+      play_in_virtual_time(uri, std::move(device), start, printer, printer, totals);
     }
   } catch (const std::exception& error) {
     fmt::print(err, "replay: {}\n", error.what());

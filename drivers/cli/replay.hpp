@@ -2,7 +2,11 @@
 
 #include <cstdint>
 #include <cstdio>
+#include <functional>
 #include <string>
+
+#include "drivers/device/driver_options.hpp"
+#include "drivers/measurement/measurement.hpp"
 
 namespace drydock::cli {
 
@@ -22,5 +26,11 @@ struct ReplayOptions {
 /// code: 0 there were some, 1 there were none, 2 there is no such driver or the capture cannot be
 /// read.
 int replay(const ReplayOptions& options, std::FILE* out, std::FILE* err);
+
+using MeasurementHook = std::function<void(const measurement::Measurement&)>;
+
+/// The same for a program: in virtual time, each measurement to `hook`. Gives the kind of sensor.
+/// Throws std::exception with one line: no such driver, or the capture cannot be read.
+device::Kind play(const ReplayOptions& options, const MeasurementHook& hook);
 
 }  // namespace drydock::cli

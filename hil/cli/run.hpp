@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -18,7 +19,8 @@ struct RunOptions {
   bool expect_streaming = false;
   std::optional<double> expect_rms_deg;  ///< of every estimator that has a truth
   RecordOptions record;
-  ServeOptions serve;  ///< real time only
+  ServeOptions serve;                                                   ///< real time only
+  std::function<void(const measurement::Measurement&)> on_measurement;  ///< hears all; may be empty
 };
 
 /// Runs the rig: emulated devices, drivers, estimators, in real time or in lockstep.

@@ -63,6 +63,7 @@ class LockstepBench final : private device::Listener, private pipeline::Estimate
  public:
   LockstepBench(const rig_config::Rig& rig, const RunOptions& options)
       : rig_(rig),
+        on_measurement_hook_(options.on_measurement),
         start_(measurement::stamp_from_ns(rig.start_utc_ns)),
         trajectory_(std::make_unique<motion::RememberedTrajectory>(
             motion::make_trajectory(rig.mission, start_))),
@@ -177,6 +178,7 @@ class LockstepBench final : private device::Listener, private pipeline::Estimate
     scribe_.note(m);
     watchers_.all.note(m);
     pipeline_.receive(m);
+    if (on_measurement_hook_) on_measurement_hook_(m);
   }
 
   void on_state(const device::Device& device, const device::Transition& change) override {
@@ -211,6 +213,7 @@ class LockstepBench final : private device::Listener, private pipeline::Estimate
   }
 
   const rig_config::Rig& rig_;
+  std::function<void(const measurement::Measurement&)> on_measurement_hook_;
   Stamp start_;
   std::unique_ptr<motion::Trajectory> trajectory_;
   shell::Lockstep clock_;

@@ -88,6 +88,7 @@ class Bench {
     drivers_.on_measurement_hook = [this](const measurement::Measurement& m) {
       scribe_.note(m);
       watchers_.all.note(m);
+      if (options_.on_measurement) options_.on_measurement(m);
     };
     drivers_.on_health_hook = [this](auto health, measurement::Stamp now) {
       watchers_.all.note(health, now);

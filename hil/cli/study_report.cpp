@@ -35,7 +35,9 @@ std::string line(const std::vector<std::string>& cells, const std::vector<std::s
   return out + "\n";
 }
 
-std::string table_section(const study::Table& table) {
+}  // namespace
+
+std::string to_html(const study::Table& table) {
   std::string out = fmt::format("<h2>{}</h2>\n<div class=scroll><table><tr>", escaped(table.title));
   for (const auto& name : table.columns) out += "<th>" + escaped(name);
   out += "</tr>\n";
@@ -48,8 +50,6 @@ std::string table_section(const study::Table& table) {
   return table.note.empty() ? out : out + "<p class=soft>" + escaped(table.note) + "</p>\n";
 }
 
-}  // namespace
-
 std::string to_text(const study::Table& table) {
   const auto widths = widths_of(table);
   std::string out = table.title + "\n" + line(table.columns, widths);
@@ -61,7 +61,7 @@ std::string to_html(const study::Study& study, const study::Options& options,
                     const study::Result& result) {
   std::string body = fmt::format("<p class=soft>{} of {} runs, seed {}</p>\n", result.runs,
                                  options.runs, options.seed);
-  for (const auto& table : result.tables) body += table_section(table);
+  for (const auto& table : result.tables) body += to_html(table);
   if (!result.figures.empty()) body += "<h2>Figures</h2>\n";
   for (const auto& figure : result.figures) body += html::figure(figure);
   return html::page(std::string(study.title), body);

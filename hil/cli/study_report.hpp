@@ -9,6 +9,9 @@ namespace drydock::cli {
 /// Columns side by side, the first to the left, the others to the right; ends with a line break.
 std::string to_text(const study::Table& table);
 
+/// A heading, the table and its note.
+std::string to_html(const study::Table& table);
+
 /// The study's page: tables and every figure.
 std::string to_html(const study::Study& study, const study::Options& options,
                     const study::Result& result);

@@ -28,6 +28,9 @@ void add_recording_commands(CLI::App& app, Command& command);
 /// sensor, sky, maneuver, study: the emulated world and the papers, without wires.
 void add_world_commands(CLI::App& app, Command& command);
 
+/// characterize: what a sensor is worth.
+void add_characterize_command(CLI::App& app, Command& command);
+
 /// A rig file that cannot be used; the lines have been printed.
 struct BadRig {};
 

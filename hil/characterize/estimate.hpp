@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cmath>
+#include <optional>
+
+namespace drydock::characterize {
+
+/// A figure with the bounds within which it lies with 95 % confidence.
+struct Estimate {
+  double value = 0;
+  double low = 0, high = 0;
+
+  bool holds(double x) const { return low <= x && x <= high; }
+};
+
+inline constexpr double z_95 = 1.959963984540054;  ///< of N(0, 1), two-sided
+
+/// An estimate with normal errors of the deviation sigma.
+inline Estimate normal_estimate(double value, double sigma) {
+  return {value, value - z_95 * sigma, value + z_95 * sigma};
+}
+
+/// A deviation whose square was estimated as `variance`, with the deviation `sigma` of its own:
+/// distributed as chi-square of 2 (variance / sigma)^2 degrees of freedom.
+Estimate deviation_estimate(double variance, double sigma);
+
+}  // namespace drydock::characterize

@@ -1,0 +1,30 @@
+#include "hil/characterize/quantity.hpp"
+
+#include <numbers>
+
+namespace drydock::characterize {
+
+std::vector<Quantity> quantities_of(rig_config::DeviceKind kind) {
+  using enum rig_config::DeviceKind;
+  using rig_config::EmulateConfig;
+  constexpr auto primary = &EmulateConfig::primary, secondary = &EmulateConfig::secondary;
+  constexpr double degree = std::numbers::pi / 180, micro_g = 9.80665e-6;
+  constexpr std::array<std::string_view, 3> xyz{"x", "y", "z"}, ned{"north", "east", "down"};
+  switch (kind) {
+    case imu:
+      return {{"gyro", primary, 0, xyz, "deg/h", degree / 3600, 0.1 * degree, true, true},
+              {"accelerometer", secondary, 1, xyz, "ug", micro_g, 5e3 * micro_g, true, true}};
+    case dvl: return {{"velocity", primary, 0, xyz, "m/s", 1, 0.05}};
+    case emlog: return {{"speed", primary, 0, {"ahead", "across", ""}, "m/s", 1, 0.05}};
+    case depth: return {{"pressure", primary, 0, {"", "", ""}, "Pa", 1, 500, false, true}};
+    case gnss:
+      return {{"position", primary, 0, ned, "m", 1, 10},
+              {"velocity", secondary, 1, ned, "m/s", 1, 0.2}};
+    case actuator:
+      return {{"angle", primary, 0, {"rudder", "stern", "bow"}, "deg", degree, 0.5 * degree},
+              {"shaft", secondary, 1, {"", "", ""}, "rpm", std::numbers::pi / 30, 1}};
+  }
+  return {};
+}
+
+}  // namespace drydock::characterize

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <string>
+#include <vector>
+
+#include "drivers/measurement/measurement.hpp"
+#include "rig_config/rig.hpp"
+
+namespace drydock::characterize {
+
+/// One device that is looked at.
+struct Subject {
+  std::string name;
+  rig_config::DeviceKind kind = rig_config::DeviceKind::imu;
+  double nominal_rate_hz = 0;  ///< 0: not known
+  Eigen::Matrix3d sensor_to_body = Eigen::Matrix3d::Identity();
+};
+
+/// What a device said, in the quantities and axes of its sensor file: IMU rate and specific force,
+/// rad/s, m/s2; DVL velocity, m/s; EM log speed ahead and across, m/s; depth absolute pressure, Pa;
+/// GNSS position from the first, velocity, north east down, m, m/s; actuator angles and shaft, rad,
+/// rad/s. NaN: the device did not give it.
+struct Samples {
+  explicit Samples(Subject of) : subject(std::move(of)) {}
+  void add(const measurement::Measurement& measurement);
+
+  Subject subject;
+  std::vector<measurement::Origin> origins;
+  std::array<std::vector<Eigen::Vector3d>, 2> quantities;  ///< primary, secondary
+  std::vector<double> utc_latency_s;  ///< GNSS: arrival less the time the fix itself states
+
+ private:
+  std::optional<measurement::Geodetic> first_position_;
+  double first_height_m_ = 0;
+};
+
+}  // namespace drydock::characterize

@@ -1,0 +1,144 @@
+#include "hil/characterize/timing.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace drydock::characterize {
+namespace {
+
+using measurement::Origin;
+using measurement::seconds;
+
+std::vector<double> arrivals_of(std::span<const Origin> origins) {
+  std::vector<double> times;
+  times.reserve(origins.size());
+  for (const Origin& o : origins) times.push_back(seconds(o.received_at - origins[0].received_at));
+  return times;
+}
+
+/// Empty unless every sample says its time and no time comes again.
+std::vector<double> device_times_of(std::span<const Origin> origins) {
+  std::vector<double> times;
+  for (const Origin& o : origins) {
+    if (!o.device_time) return {};
+    times.push_back(seconds(*o.device_time - *origins[0].device_time));
+    if (times.size() > 1 && times.back() <= times[times.size() - 2]) return {};
+  }
+  return times;
+}
+
+double median_gap(const std::vector<double>& times) {
+  std::vector<double> gaps;
+  for (std::size_t i = 1; i < times.size(); ++i) gaps.push_back(times[i] - times[i - 1]);
+  const auto middle = gaps.begin() + static_cast<std::ptrdiff_t>(gaps.size() / 2);
+  std::ranges::nth_element(gaps, middle);
+  return *middle;
+}
+
+struct Numbers {
+  std::vector<double> of_samples;
+  std::size_t outages = 0, lost = 0;
+};
+
+Numbers numbered(const std::vector<double>& times, double period) {
+  constexpr double longest_regular = 1.5;  // periods
+  Numbers numbers;
+  numbers.of_samples.assign(times.size(), 0.0);
+  for (std::size_t i = 1; i < times.size(); ++i) {
+    const double periods = (times[i] - times[i - 1]) / period;
+    double step = 1;
+    if (periods > longest_regular) {
+      step = std::round(periods);
+      ++numbers.outages;
+      numbers.lost += static_cast<std::size_t>(step) - 1;
+    }
+    numbers.of_samples[i] = numbers.of_samples[i - 1] + step;
+  }
+  return numbers;
+}
+
+struct Line {
+  double slope = 0, sigma = 0;  ///< and its deviation
+  double rms = 0, largest = 0;  ///< of what is left
+};
+
+Line fit_line(const std::vector<double>& x, const std::vector<double>& y) {
+  const auto n = static_cast<double>(x.size());
+  double mean_x = 0, mean_y = 0, xx = 0, xy = 0;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    mean_x += x[i] / n;
+    mean_y += y[i] / n;
+  }
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    xx += (x[i] - mean_x) * (x[i] - mean_x);
+    xy += (x[i] - mean_x) * (y[i] - mean_y);
+  }
+  Line line{.slope = xy / xx};
+  double squares = 0;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    const double rest = y[i] - mean_y - line.slope * (x[i] - mean_x);
+    squares += rest * rest;
+    line.largest = std::max(line.largest, std::abs(rest));
+  }
+  line.rms = std::sqrt(squares / n);
+  line.sigma = std::sqrt(squares / (n - 2) / xx);
+  return line;
+}
+
+Estimate rate_of(const Line& period) {
+  return normal_estimate(1 / period.slope, period.sigma / (period.slope * period.slope));
+}
+
+/// Wilson's interval of a share.
+Estimate share(std::size_t cases, std::size_t of) {
+  const auto n = static_cast<double>(of);
+  const double p = static_cast<double>(cases) / n, zz = z_95 * z_95;
+  const double middle = (p + zz / (2 * n)) / (1 + zz / n);
+  const double half = z_95 / (1 + zz / n) * std::sqrt(p * (1 - p) / n + zz / (4 * n * n));
+  return {p, middle - half, middle + half};
+}
+
+void add_latency(TimingFigures& figures, std::span<const Origin> origins) {
+  const auto n = static_cast<double>(origins.size());
+  const auto latency = [](const Origin& o) { return seconds(o.received_at - o.valid_at); };
+  double squares = 0;
+  for (const Origin& o : origins) {
+    figures.latency_s += latency(o) / n;
+    figures.largest_latency_s = std::max(figures.largest_latency_s, latency(o));
+  }
+  for (const Origin& o : origins)
+    squares += (latency(o) - figures.latency_s) * (latency(o) - figures.latency_s);
+  figures.latency_spread_s = std::sqrt(squares / n);
+}
+
+}  // namespace
+
+std::optional<TimingFigures> timing_of(std::span<const Origin> origins) {
+  constexpr std::size_t fewest = 10;
+  if (origins.size() < fewest) return std::nullopt;
+  const auto arrivals = arrivals_of(origins), device_times = device_times_of(origins);
+  // Arrivals in bursts have no gaps to go by; the device's own times do.
+  const auto& gaps_of = device_times.empty() ? arrivals : device_times;
+  const double period = median_gap(gaps_of);
+  if (!(period > 0)) return std::nullopt;
+  const Numbers numbers = numbered(gaps_of, period);
+  const Line line = fit_line(numbers.of_samples, arrivals);
+  if (!(line.slope > 0)) return std::nullopt;
+  TimingFigures figures;
+  figures.samples = origins.size();
+  figures.rate_hz = rate_of(line);
+  if (!device_times.empty())
+    figures.device_rate_hz = rate_of(fit_line(numbers.of_samples, device_times));
+  figures.jitter_s = line.rms;
+  figures.largest_jitter_s = line.largest;
+  figures.outages = numbers.outages;
+  figures.lost = numbers.lost;
+  figures.outage_probability = share(numbers.outages, origins.size());
+  if (numbers.outages > 0)
+    figures.mean_outage = static_cast<double>(numbers.lost) / static_cast<double>(numbers.outages);
+  add_latency(figures, origins);
+  return figures;
+}
+
+}  // namespace drydock::characterize
