@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "drivers/slice/move_understood.hpp"
 #include "rig_config/rewrite.hpp"
@@ -17,6 +18,12 @@ constexpr std::array<std::string_view, 6> know_no_place{"pd0", "pd4",          "
 template <class Names>
 bool is_one_of(const Names& names, std::string_view name) {
   return std::ranges::find(names, name) != names.end();
+}
+
+/// Degrees to a tenth of a millimetre.
+double written(double deg) {
+  constexpr double steps = 1e9;
+  return std::round(deg * steps) / steps;
 }
 
 }  // namespace
@@ -126,8 +133,8 @@ bool Disguise::apply(mcap::Attachment& attachment) {
   rewriting.number = [this](std::string_view key, double value) {
     constexpr double degree = wire::radians(1);
     if (!place_) return value;
-    if (key == "latitude_deg") return place_->latitude(value * degree) / degree;
-    if (key == "longitude_deg") return place_->longitude(value * degree) / degree;
+    if (key == "latitude_deg") return written(place_->latitude(value * degree) / degree);
+    if (key == "longitude_deg") return written(place_->longitude(value * degree) / degree);
     return value;
   };
   const auto text = attachment.name.ends_with(".toml")
