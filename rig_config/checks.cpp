@@ -24,8 +24,10 @@ class RigChecks {
     names_are_unique("estimator");
     links_are_sound();
     addresses_are_unique();
-    files_exist();
-    estimator_files_exist();
+    if (!options_.devices_only) {
+      files_exist();
+      estimator_files_exist();
+    }
     estimator_devices_exist("imu", "imu");
     estimator_devices_exist("log", "emlog");
     estimator_devices_exist("gnss", "gnss");

@@ -201,6 +201,7 @@ Loaded<Rig> load_rig_text(std::string_view text, const std::string& path,
   const auto root = read_checked(text, path, FileKind::rig, options);
   if (!root) return root.error();
   Rig rig = build_rig(*root, path);
+  if (options.devices_only) return rig;
   Problems problems;
   if (const Node* reference = root->find("rig")->find("mission")) {
     const auto mission = read_mission(beside(path, reference->text));

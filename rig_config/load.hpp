@@ -42,6 +42,9 @@ struct LoadOptions {
   /// Says what is wrong with a link URI, nothing if it is good. This folder knows no links, so the
   /// caller brings the knowledge; without it any text passes.
   std::function<std::optional<std::string>(std::string_view uri)> link_check;
+  /// Only what the drivers need: the files that a rig names, of missions and of sensors' errors, are
+  /// left alone. A recording has the rig file, not always those.
+  bool devices_only = false;
 };
 
 /// The rig with its mission and sensor files read in and its `file:` links made relative to the

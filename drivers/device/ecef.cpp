@@ -28,12 +28,29 @@ EllipsoidalPosition from_ecef(const Eigen::Vector3d& position_m) {
   return result;
 }
 
+Eigen::Vector3d to_ecef(const EllipsoidalPosition& position) {
+  const auto [latitude, longitude] = position.horizontal;
+  const double sine = std::sin(latitude);
+  const double normal_m = semi_major_m / std::sqrt(1 - eccentricity_squared * sine * sine);
+  const double from_axis_m = (normal_m + position.height_m) * std::cos(latitude);
+  return {from_axis_m * std::cos(longitude), from_axis_m * std::sin(longitude),
+          (normal_m * (1 - eccentricity_squared) + position.height_m) * sine};
+}
+
 Eigen::Vector3d ned_of_ecef(const Eigen::Vector3d& vector, const measurement::Geodetic& at) {
   const double sin_lat = std::sin(at.latitude_rad), cos_lat = std::cos(at.latitude_rad);
   const double sin_lon = std::sin(at.longitude_rad), cos_lon = std::cos(at.longitude_rad);
   const double outward = cos_lon * vector.x() + sin_lon * vector.y();
   return {cos_lat * vector.z() - sin_lat * outward, cos_lon * vector.y() - sin_lon * vector.x(),
           -cos_lat * outward - sin_lat * vector.z()};
+}
+
+Eigen::Vector3d ecef_of_ned(const Eigen::Vector3d& vector, const measurement::Geodetic& at) {
+  const double sin_lat = std::sin(at.latitude_rad), cos_lat = std::cos(at.latitude_rad);
+  const double sin_lon = std::sin(at.longitude_rad), cos_lon = std::cos(at.longitude_rad);
+  const double outward = -sin_lat * vector.x() - cos_lat * vector.z();
+  return {cos_lon * outward - sin_lon * vector.y(), sin_lon * outward + cos_lon * vector.y(),
+          cos_lat * vector.x() - sin_lat * vector.z()};
 }
 
 }  // namespace drydock::device

@@ -16,7 +16,12 @@ struct EllipsoidalPosition {
 /// Below 1e-9 m of error within 10 km of the surface.
 EllipsoidalPosition from_ecef(const Eigen::Vector3d& position_m);
 
+Eigen::Vector3d to_ecef(const EllipsoidalPosition& position);
+
 /// Turns a vector from Earth-centred axes to north, east, down at a place.
 Eigen::Vector3d ned_of_ecef(const Eigen::Vector3d& vector, const measurement::Geodetic& at);
+
+/// And back.
+Eigen::Vector3d ecef_of_ned(const Eigen::Vector3d& vector, const measurement::Geodetic& at);
 
 }  // namespace drydock::device

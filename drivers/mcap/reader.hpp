@@ -27,6 +27,7 @@ class Reader {
   const std::string& damage() const { return damage_; }
   /// Where the record that came last, or the chunk that held it, ends.
   std::uint64_t position() const { return position_; }
+  std::uint64_t size() const { return size_; }  ///< of the file
 
  private:
   struct Free {

@@ -1,5 +1,6 @@
 #include "drivers/record/recording.hpp"
 
+#include <algorithm>
 #include <boost/throw_exception.hpp>
 #include <cerrno>
 #include <cstring>
@@ -17,6 +18,10 @@ std::string value_of(const mcap::Map& map, std::string_view key) {
   for (const auto& [name, value] : map)
     if (name == key) return value;
   return {};
+}
+
+Stamp stamp_of(const mcap::Message& message) {
+  return measurement::stamp_from_ns(static_cast<std::int64_t>(message.log_time));
 }
 
 std::vector<std::string> split(const std::string& names) {
@@ -39,6 +44,7 @@ boost::system::result<Recording, RecordingError> Recording::open(const std::stri
   while (auto record = recording.reader_.next()) {
     if (const auto* message = std::get_if<mcap::Message>(&*record)) {
       recording.first_ = *message;
+      recording.begin_ = stamp_of(*message);
       break;
     }
     recording.note(std::move(*record));
@@ -79,13 +85,29 @@ std::string Recording::attachment(std::string_view name) const {
   return {};
 }
 
+std::optional<std::size_t> Recording::link_of(std::uint16_t channel) const {
+  const auto found = link_of_.find(channel);
+  return found == link_of_.end() ? std::nullopt : std::optional(found->second);
+}
+
+std::vector<const mcap::Channel*> Recording::understood() const {
+  std::vector<const mcap::Channel*> all;
+  for (const auto& [id, channel] : channels_)
+    if (!link_of_.contains(id)) all.push_back(&channel);
+  return all;
+}
+
+double Recording::done() const {
+  return static_cast<double>(reader_.position()) /
+         static_cast<double>(std::max<std::uint64_t>(reader_.size(), 1));
+}
+
 std::optional<Event> Recording::event_of(const mcap::Message& message) {
   const auto channel = channels_.find(message.channel);
   if (channel == channels_.end()) return {};
   const auto link = link_of_.find(message.channel);
   if (link == link_of_.end()) {
-    return Understood{&channel->second, &schemas_[channel->second.schema],
-                      measurement::stamp_from_ns(static_cast<std::int64_t>(message.log_time)),
+    return Understood{&channel->second, &schemas_[channel->second.schema], stamp_of(message),
                       message.data};
   }
   if (links_[link->second].frames) {

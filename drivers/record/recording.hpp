@@ -53,6 +53,15 @@ class Recording {
   /// Text of an attachment; empty where there is none of that name.
   std::string attachment(std::string_view name) const;
 
+  /// Which of links() a raw channel is of; empty: not one of them.
+  std::optional<std::size_t> link_of(std::uint16_t channel) const;
+  /// Topics of what was understood, as channels.
+  std::vector<const mcap::Channel*> understood() const;
+  /// Time of the first message; empty where there is none.
+  std::optional<Stamp> begin() const { return begin_; }
+  /// How much of the file has been read, 0 to 1.
+  double done() const;
+
   /// Empty at the end. What the event points to holds until the next call.
   std::optional<Event> next();
 
@@ -74,6 +83,7 @@ class Recording {
   std::map<std::uint16_t, mcap::Channel> channels_;
   std::map<std::uint16_t, std::size_t> link_of_;  ///< raw channels
   std::optional<mcap::Message> first_;
+  std::optional<Stamp> begin_;
   std::uint64_t unreadable_ = 0;
 };
 

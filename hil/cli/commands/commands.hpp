@@ -15,6 +15,9 @@ void add_rig_commands(CLI::App& app, Command& command);
 /// monitor, decode, replay: what one link says or a recording said.
 void add_capture_commands(CLI::App& app, Command& command);
 
+/// export, recover, cut, bisect: recordings as files.
+void add_recording_commands(CLI::App& app, Command& command);
+
 /// sensor, sky, maneuver, study: the emulated world and the papers, without wires.
 void add_world_commands(CLI::App& app, Command& command);
 

@@ -1,0 +1,106 @@
+#include "drivers/record/player.hpp"
+
+#include <algorithm>
+
+#include "drivers/shell/rig_devices.hpp"
+#include "rig_config/load.hpp"
+
+namespace drydock::record {
+
+namespace {
+
+constexpr const char* rig_file = "rig.toml";
+/// Longer than any driver waits for the rest of an epoch.
+constexpr std::chrono::seconds last_wait{1};
+
+/// Nothing to open again in a recording.
+void stay_open(device::DeviceOptions& options) {
+  options.life_cycle.reopen_when_quiet = false;
+  options.life_cycle.quiet_but_up = " in the recording";
+}
+
+bool has(const std::vector<std::string>& names, const std::string& name) {
+  return std::ranges::find(names, name) != names.end();
+}
+
+}  // namespace
+
+boost::system::result<rig_config::Rig, RecordingError> rig_of(const Recording& recording) {
+  const std::string text = recording.attachment(rig_file);
+  if (text.empty()) return RecordingError{"the recording has no rig.toml: which driver is unknown"};
+  rig_config::LoadOptions options;
+  options.devices_only = true;
+  auto rig = rig_config::load_rig_text(text, rig_file, options);
+  if (!rig) return RecordingError{"the recording's " + to_string(rig.error().front())};
+  return std::move(*rig);
+}
+
+boost::system::result<std::unique_ptr<Player>, RecordingError> Player::make(
+    const Recording& recording, const rig_config::Rig& rig, const Selection& selection,
+    device::Listener& listener) {
+  const Stamp start =
+      recording.begin().value_or(Stamp{}) + selection.from.value_or(Stamp::duration{0});
+  std::unique_ptr<Player> player(new Player(start));
+  device::Transmitter& to_nobody = *player;
+  player->on_link_.resize(recording.links().size());
+  for (std::size_t i = 0; i < rig.devices.size(); ++i) {
+    const std::string& name = rig.devices[i].name;
+    const auto link = std::ranges::find_if(
+        recording.links(), [&](const RecordedLink& l) { return has(l.devices, name); });
+    if (link == recording.links().end()) continue;
+    if (!selection.only.empty() && !has(selection.only, name) && !has(selection.only, link->name))
+      continue;
+    auto options = shell::device_options(rig, i);
+    if (!options) return RecordingError{"the recording's " + options.error().message};
+    stay_open(*options);
+    auto device = device::Device::make(std::move(*options));
+    if (!device) return RecordingError{"the recording's " + device.error().message};
+    if ((*device)->on_bus() != link->frames)
+      return RecordingError{"the recording's link of " + name + " is none for its protocol"};
+    player->devices_.push_back(std::make_unique<shell::DeviceActor>(
+        std::move(*device), listener, to_nobody, start, measurement::Provenance::replayed));
+    player->clock_.add(*player->devices_.back());
+    player->on_link_[static_cast<std::size_t>(link - recording.links().begin())].push_back(
+        player->devices_.back().get());
+  }
+  player->clock_.run_until(start);
+  return player;
+}
+
+void Player::play(const RawEvent& event) {
+  clock_.run_until(std::max(event.at(), clock_.now()));
+  if (event.direction() != Direction::received) return;
+  for (shell::DeviceActor* device : on_link_[event.link]) {
+    if (const auto* read = std::get_if<RawBytes>(&event.content))
+      device->receive(read->data, read->at);
+    else
+      device->receive(std::get<RawFrame>(event.content).frame, event.at());
+  }
+}
+
+void Player::finish(Stamp end) {
+  clock_.run_until(std::max(end, clock_.now()));
+  for (const auto& device : devices_) device->stop(clock_.now());
+}
+
+boost::system::result<void, RecordingError> play(const std::string& path,
+                                                 const Selection& selection,
+                                                 device::Listener& listener) {
+  auto recording = Recording::open(path);
+  if (!recording) return recording.error();
+  const auto rig = rig_of(*recording);
+  if (!rig) return RecordingError{path + ": " + rig.error().line};
+  auto player = Player::make(*recording, *rig, selection, listener);
+  if (!player) return RecordingError{path + ": " + player.error().line};
+  const Stamp begin = recording->begin().value_or(Stamp{});
+  while (const auto event = recording->next()) {
+    const auto* raw = std::get_if<RawEvent>(&*event);
+    if (raw != nullptr && selection.takes(recording->links()[raw->link]) &&
+        selection.holds(raw->at(), begin))
+      (*player)->play(*raw);
+  }
+  (*player)->finish((*player)->now() + last_wait);
+  return {};
+}
+
+}  // namespace drydock::record

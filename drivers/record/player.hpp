@@ -1,0 +1,49 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "drivers/record/recording.hpp"
+#include "drivers/record/selection.hpp"
+#include "drivers/shell/device_actor.hpp"
+#include "rig_config/rig.hpp"
+
+namespace drydock::record {
+
+/// What the attached rig file says of the drivers. Mission and sensor files are not needed.
+boost::system::result<rig_config::Rig, RecordingError> rig_of(const Recording& recording);
+
+/// The drivers of a recorded rig in the lockstep shell, fed with the bytes and frames that they
+/// once received: the same measurements again, at the same times, to the last bit. What they send
+/// is dropped; what was answered then is in the recording.
+class Player final : private device::Transmitter {
+ public:
+  /// Drivers of the selected devices on links of the recording. `listener` must outlive the player.
+  static boost::system::result<std::unique_ptr<Player>, RecordingError> make(
+      const Recording& recording, const rig_config::Rig& rig, const Selection& selection,
+      device::Listener& listener);
+
+  /// Time goes on to the event's, then its devices hear it. Sent bytes only let time go on.
+  void play(const RawEvent& event);
+  /// Lets timers run out until `end`, then stops the devices.
+  void finish(Stamp end);
+
+  Stamp now() const { return clock_.now(); }
+  const std::vector<std::unique_ptr<shell::DeviceActor>>& devices() const { return devices_; }
+
+ private:
+  explicit Player(Stamp start) : clock_(start) {}
+  void send(wire::Bytes) override {}
+  void send(const wire::CanFrame&) override {}
+
+  shell::Lockstep clock_;
+  std::vector<std::unique_ptr<shell::DeviceActor>> devices_;
+  std::vector<std::vector<shell::DeviceActor*>> on_link_;  ///< by link of the recording
+};
+
+/// Plays the selected part of a recording to its end.
+boost::system::result<void, RecordingError> play(const std::string& path,
+                                                 const Selection& selection,
+                                                 device::Listener& listener);
+
+}  // namespace drydock::record

@@ -1,0 +1,39 @@
+#include "hil/cli/recording_progress.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+namespace drydock::cli {
+
+namespace {
+constexpr std::chrono::milliseconds not_worth_a_bar{500}, between_drawings{100};
+constexpr const char* wipe_line = "\r\033[2K";
+}  // namespace
+
+RecordingProgress::RecordingProgress(std::string what, std::FILE* out)
+    : what_(std::move(what)),
+      out_(out),
+      terminal_(::isatty(fileno(out)) == 1),
+      next_drawing_(Clock::now() + not_worth_a_bar) {}
+
+RecordingProgress::~RecordingProgress() {
+  if (!drawn_) return;
+  fmt::print(out_, "{}", wipe_line);
+  std::fflush(out_);
+}
+
+bool RecordingProgress::operator()(double done) {
+  constexpr unsigned between_looks = 64;  // the clock is not for every message
+  constexpr std::size_t width = 30;
+  if (terminal_ && calls_++ % between_looks == 0 && Clock::now() >= next_drawing_) {
+    const auto full = static_cast<std::size_t>(static_cast<double>(width) * done);
+    fmt::print(out_, "{}{} [{}{}] {:.0f} %, Ctrl-C ends", wipe_line, what_, std::string(full, '#'),
+               std::string(width - full, '.'), 100 * done);
+    std::fflush(out_);
+    drawn_ = true;
+    next_drawing_ = Clock::now() + between_drawings;
+  }
+  return !interrupt_.set();
+}
+
+}  // namespace drydock::cli
