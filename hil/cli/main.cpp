@@ -16,6 +16,7 @@ int main(int argc, char** argv) {
   cli::add_rig_commands(app, command);
   cli::add_capture_commands(app, command);
   cli::add_recording_commands(app, command);
+  cli::add_replay_command(app, command);
   cli::add_world_commands(app, command);
   try {
     app.parse(argc, argv);

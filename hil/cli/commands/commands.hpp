@@ -12,11 +12,14 @@ using Command = std::function<int()>;
 /// run, emulate, drive, estimate, check: a rig file and what it describes.
 void add_rig_commands(CLI::App& app, Command& command);
 
-/// monitor, decode, replay: what one link says or a recording said.
+/// monitor, decode: what one link says or said.
 void add_capture_commands(CLI::App& app, Command& command);
 
 /// export, recover, cut, bisect: recordings as files.
 void add_recording_commands(CLI::App& app, Command& command);
+
+/// replay: a recording through the drivers and estimators of its rig.
+void add_replay_command(CLI::App& app, Command& command);
 
 /// sensor, sky, maneuver, study: the emulated world and the papers, without wires.
 void add_world_commands(CLI::App& app, Command& command);
