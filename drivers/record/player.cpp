@@ -68,7 +68,7 @@ boost::system::result<std::unique_ptr<Player>, RecordingError> Player::make(
 }
 
 void Player::play(const RawEvent& event) {
-  clock_.run_until(std::max(event.at(), clock_.now()));
+  run_until(event.at());
   if (event.direction() != Direction::received) return;
   for (shell::DeviceActor* device : on_link_[event.link]) {
     if (const auto* read = std::get_if<RawBytes>(&event.content))
@@ -79,7 +79,7 @@ void Player::play(const RawEvent& event) {
 }
 
 void Player::finish(Stamp end) {
-  clock_.run_until(std::max(end, clock_.now()));
+  run_until(end);
   for (const auto& device : devices_) device->stop(clock_.now());
 }
 

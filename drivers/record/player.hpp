@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <vector>
 
@@ -23,6 +24,8 @@ class Player final : private device::Transmitter {
       const Recording& recording, const rig_config::Rig& rig, const Selection& selection,
       device::Listener& listener);
 
+  /// Time goes on, and drivers that waited for it act.
+  void run_until(Stamp at) { clock_.run_until(std::max(at, clock_.now())); }
   /// Time goes on to the event's, then its devices hear it. Sent bytes only let time go on.
   void play(const RawEvent& event);
   /// Lets timers run out until `end`, then stops the devices.

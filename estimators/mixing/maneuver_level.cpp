@@ -111,7 +111,7 @@ int inferred_level(double attitude_rate, double velocity_rate, const FuzzySets& 
 
 int scheduled_level(double attitude_rate, double velocity_rate) {
   const auto nearest = [](double input, double step) {
-    return static_cast<std::size_t>(std::min(input / step, 5.0) + 0.5);
+    return static_cast<std::size_t>(std::lround(std::min(input / step, 5.0)));
   };
   return level_table[nearest(attitude_rate, row_step)][nearest(velocity_rate, column_step)];
 }

@@ -88,12 +88,14 @@ Solution with_best_correlation(Candidate candidate, const AllanCurve& curve,
   };
   double step = std::log(2.0) / 2, centre = std::log(shortest);
   Solution best;
-  for (double x = centre; x <= std::log(longest); x += step)
-    if (auto here = at(x); here.deviance < best.deviance) {
+  const int steps = static_cast<int>(std::log(longest / shortest) / step);
+  for (int i = 0; i <= steps; ++i)
+    if (auto here = at(std::log(shortest) + i * step); here.deviance < best.deviance) {
       best = here;
-      centre = x;
+      centre = std::log(shortest) + i * step;
     }
-  for (constexpr double finest = 1e-5; step > finest; step /= 2)
+  constexpr int halvings = 15;  // to 1e-5
+  for (int i = 0; i < halvings; ++i, step /= 2)
     for (const double x : {centre - step / 2, centre + step / 2})
       if (auto here = at(x); here.deviance < best.deviance) {
         best = here;

@@ -17,6 +17,7 @@ int main(int argc, char** argv) {
   cli::add_capture_commands(app, command);
   cli::add_field_commands(app, command);
   cli::add_recording_commands(app, command);
+  cli::add_replay_command(app, command);
   cli::add_world_commands(app, command);
   cli::add_characterize_command(app, command);
   try {

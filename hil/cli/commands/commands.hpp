@@ -15,7 +15,7 @@ using Command = std::function<int()>;
 /// run, emulate, drive, estimate, check: a rig file and what it describes.
 void add_rig_commands(CLI::App& app, Command& command);
 
-/// decode, replay: what one link says or a recording said.
+/// decode: what one link said.
 void add_capture_commands(CLI::App& app, Command& command);
 
 /// probe, monitor, doctor: what is on this wire, how is it, is this machine fit; completion, man:
@@ -24,6 +24,9 @@ void add_field_commands(CLI::App& app, Command& command);
 
 /// export, recover, cut, bisect: recordings as files.
 void add_recording_commands(CLI::App& app, Command& command);
+
+/// replay: a recording through the drivers and estimators of its rig.
+void add_replay_command(CLI::App& app, Command& command);
 
 /// sensor, sky, maneuver, study: the emulated world and the papers, without wires.
 void add_world_commands(CLI::App& app, Command& command);

@@ -1,0 +1,149 @@
+#include "hil/cli/replay/replay_bench.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "drivers/cli/rig_bus.hpp"
+#include "estimators/cli/rig_pipeline.hpp"
+
+namespace drydock::cli {
+
+namespace {
+
+constexpr std::chrono::seconds health_period{1};  // as in a run
+
+pipeline::Pipeline pipeline_of(const rig_config::Rig& rig, pipeline::EstimateListener& listener) {
+  auto made = pipeline::make_pipeline(pipeline_options(rig), listener);
+  if (!made) throw std::runtime_error(made.error().message);
+  return std::move(*made);
+}
+
+std::unique_ptr<record::Player> player_of(const record::Recording& recording,
+                                          const rig_config::Rig& rig, const record::Selection& part,
+                                          device::Listener& listener) {
+  auto made = record::Player::make(recording, rig, part, listener);
+  if (!made) throw std::runtime_error(made.error().line);
+  return std::move(*made);
+}
+
+measurement::Stamp time_of(const record::Event& event) {
+  if (const auto* raw = std::get_if<record::RawEvent>(&event)) return raw->at();
+  return std::get<record::Understood>(event).at;
+}
+
+}  // namespace
+
+ReplayBench::ReplayBench(record::Recording& recording, const rig_config::Rig& rig,
+                         const record::Selection& part, const ReplayOutlets& outlets)
+    : recording_(recording),
+      rig_(rig),
+      part_(part),
+      outlets_(outlets),
+      watchers_(rig, nullptr),
+      pipeline_(pipeline_of(rig, *this)),
+      player_(player_of(recording, rig, part, *this)),
+      errors_(rig, watchers_.all),
+      start_(player_->now()),
+      next_health_(start_ + health_period),
+      estimates_(rig.estimators.size()) {}
+
+void ReplayBench::play(Pace& pace, const record::Watch& watch) {
+  const Stamp begin = recording_.begin().value_or(Stamp{});
+  Stamp last = start_;
+  while (const auto event = recording_.next()) {
+    if (!watch(recording_.done())) ended_ = true;
+    if (ended_) break;
+    const Stamp at = time_of(*event);
+    if (!part_.holds(at, begin)) continue;
+    last = std::max(last, at);
+    if (const auto* raw = std::get_if<record::RawEvent>(&*event)) {
+      if (!part_.takes(recording_.links()[raw->link])) continue;
+      if (!wait_until(at, pace)) break;
+      play(*raw);
+    } else {
+      errors_.hear(std::get<record::Understood>(*event));
+    }
+  }
+  // Not a moment longer than the recording: what a driver still waited for was not said then
+  // either.
+  if (!ended_) wait_until(last, pace);
+  pipeline_.flush();
+  stopping_ = true;
+  player_->finish(player_->now());
+}
+
+/// Time goes on with the drivers' own deadlines and their health each second.
+bool ReplayBench::wait_until(Stamp at, Pace& pace) {
+  for (; next_health_ <= at; next_health_ += health_period) {
+    if (!pace.wait(next_health_, interrupt_)) ended_ = true;
+    if (ended_) return false;
+    player_->run_until(next_health_);
+    tell_health();
+  }
+  if (!pace.wait(at, interrupt_)) ended_ = true;
+  if (ended_) return false;
+  player_->run_until(at);
+  return true;
+}
+
+void ReplayBench::play(const record::RawEvent& event) {
+  const auto& link = recording_.links()[event.link];
+  if (const auto* read = std::get_if<record::RawBytes>(&event.content))
+    watchers_.all.on_bytes(link.uri, read->direction, read->data, read->at);
+  else
+    watchers_.all.on_frame(link.uri, event.direction(),
+                           std::get<record::RawFrame>(event.content).frame, event.at());
+  if (outlets_.onto != nullptr) outlets_.onto->send(event);
+  player_->play(event);
+}
+
+void ReplayBench::tell_health() {
+  if (watchers_.all.empty()) return;
+  std::vector<bus::DeviceStatus> health;
+  for (const auto& actor : player_->devices())
+    health.push_back(status_of(actor->device(), actor->device().health(player_->now())));
+  watchers_.all.note(health, player_->now());
+  watchers_.all.tick(player_->now());
+}
+
+/// A line has been written: for a person it is there at once, and waits for one who steps.
+void ReplayBench::shown() {
+  if (outlets_.steps == nullptr || ended_) return;
+  outlets_.lines->flush();
+  if (!outlets_.steps->next(interrupt_)) ended_ = true;
+}
+
+void ReplayBench::on_measurement(const measurement::Measurement& measurement) {
+  if (ended_) return;
+  ++measurements_;
+  watchers_.all.note(measurement);
+  if (outlets_.lines != nullptr) outlets_.lines->write(measurement), shown();
+  pipeline_.receive(measurement);
+}
+
+void ReplayBench::on_state(const device::Device& device, const device::Transition& change) {
+  if (outlets_.states == nullptr || stopping_) return;
+  fmt::print(outlets_.states, "{:.3f} s {}: {} -> {}: {}\n",
+             measurement::seconds(change.at - start_), device.name(), to_string(change.from),
+             to_string(change.to), change.why.view());
+}
+
+void ReplayBench::on_attitude(const pipeline::AttitudeEstimate& estimate) {
+  if (ended_) return;
+  ++estimates_[estimate.estimator];
+  watchers_.note(estimate);
+  errors_.note(estimate);
+  if (outlets_.lines != nullptr) outlets_.lines->write(estimate), shown();
+}
+
+void ReplayBench::on_navigation(const pipeline::NavigationEstimate& estimate) {
+  if (ended_) return;
+  ++estimates_[estimate.estimator];
+  watchers_.note(estimate);
+  errors_.note(estimate);
+  if (outlets_.lines != nullptr) outlets_.lines->write(estimate), shown();
+}
+
+}  // namespace drydock::cli
