@@ -82,6 +82,7 @@ void AugmentedLevelingFilter::update_moving(double speed_mps) {
   begin_update();
   update(speed_mps - x_(0) - x_(log_at), State::Unit(0) + State::Unit(log_at),
          squared(options_.speed_sigma_mps));
+  innovation_.log_square = innovation_.normalised_square;
   update_norm();
 }
 

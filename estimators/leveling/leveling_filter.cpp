@@ -49,8 +49,11 @@ void LevelingFilter::update_moving(double speed_mps) {
   Eigen::Matrix<double, 2, 6> h = Eigen::Matrix<double, 2, 6>::Zero();  // eq. (30)
   h(0, 0) = 1;
   h.row(1).tail<3>() = 2 * alpha.transpose();
-  update<2>({speed_mps - x_(0), 1 - alpha.squaredNorm()}, h,  // eq. (31), brackets put right
-            {std::pow(options_.speed_sigma_mps, 2), std::pow(options_.norm_sigma, 2)});
+  const double off = speed_mps - x_(0), variance = std::pow(options_.speed_sigma_mps, 2);
+  const double log_square = off * off / (p_(0, 0) + variance);
+  update<2>({off, 1 - alpha.squaredNorm()}, h,  // eq. (31), brackets put right
+            {variance, std::pow(options_.norm_sigma, 2)});
+  innovation_.log_square = log_square;
 }
 
 void LevelingFilter::update_stationary() {
@@ -89,7 +92,7 @@ void LevelingFilter::update(const Eigen::Matrix<double, Rows, 1>& residual,
   const Matrix6 kept = Matrix6::Identity() - gain * h;
   p_ = (kept * p_ * kept.transpose() + gain * r * gain.transpose()).eval();
 
-  innovation_.residual.setZero();
+  innovation_ = {};
   innovation_.residual.head<Rows>() = residual;
   innovation_.size = Rows;
   innovation_.normalised_square = residual.dot(inverse * residual);

@@ -63,7 +63,7 @@ Outcome ImuDrivenEstimator::take(const WaterSpeed& speed, EstimateListener&) {
   if (behind > max_speed_age_) return Outcome::late;
   if (behind < -max_speed_age_) return Outcome::unused;  // the IMU is silent: kept for its return
 
-  correct(*speed.longitudinal_mps);
+  if (const auto square = correct(*speed.longitudinal_mps)) status_.taken.add(*square);
   fed_by_ |= bit(*log_);
   status_.last_speed = speed.origin.valid_at;
   return behind > behind.zero() ? Outcome::delayed : Outcome::accepted;

@@ -35,7 +35,8 @@ class ImuDrivenEstimator : public Estimator {
   virtual void start(const measurement::ImuSample& sample, double speed_mps) = 0;
   /// Goes on by `dt` seconds with the mean force and rate of them.
   virtual void step(const Eigen::Vector3d& force, const Eigen::Vector3d& rate, double dt) = 0;
-  virtual void correct(double speed_mps) = 0;
+  /// Gives the normalised square of the innovation, where the estimator has one.
+  virtual std::optional<double> correct(double speed_mps) = 0;
   /// Roll, pitch and covariance.
   virtual void fill(AttitudeEstimate& estimate) const = 0;
 

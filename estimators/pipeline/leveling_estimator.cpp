@@ -16,8 +16,13 @@ void LevelingEstimator::start(const measurement::ImuSample& sample, double speed
       filter_);
 }
 
-void LevelingEstimator::correct(double speed_mps) {
-  std::visit([&](auto& filter) { filter.update_moving(speed_mps); }, filter_);
+std::optional<double> LevelingEstimator::correct(double speed_mps) {
+  return std::visit(
+      [&](auto& filter) {
+        filter.update_moving(speed_mps);
+        return filter.innovation().log_square;
+      },
+      filter_);
 }
 
 void LevelingEstimator::step(const Eigen::Vector3d& force, const Eigen::Vector3d& rate, double dt) {

@@ -18,7 +18,10 @@ class MixingEstimator final : public ImuDrivenEstimator {
  private:
   void start(const measurement::ImuSample& sample, double speed_mps) override;
   void step(const Eigen::Vector3d& force, const Eigen::Vector3d& rate, double dt) override;
-  void correct(double speed_mps) override { speed_mps_ = speed_mps; }
+  std::optional<double> correct(double speed_mps) override {
+    speed_mps_ = speed_mps;
+    return {};
+  }
   void fill(AttitudeEstimate& estimate) const override;
 
   mixing::MixingFilter filter_;
