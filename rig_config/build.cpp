@@ -185,6 +185,7 @@ Rig build_rig(const Node& root, const std::string& file) {
   for_each_table(root, "estimator", [&](const Node& estimator, std::size_t) {
     rig.estimators.push_back(build_estimator(estimator));
   });
+  rig.expects = build_expects(root);
   return rig;
 }
 

@@ -16,6 +16,9 @@ inline std::string_view name_of(DeviceKind kind) {
   return device_kinds.at(static_cast<std::size_t>(kind));
 }
 
+/// The blocks [[expect]] of a rig, in their order.
+std::vector<ExpectConfig> build_expects(const Node& root);
+
 /// All of a rig but its mission and the errors that stand in sensor files.
 Rig build_rig(const Node& root, const std::string& file);
 

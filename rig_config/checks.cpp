@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <map>
 
 #include "rig_config/explain.hpp"
@@ -147,7 +148,9 @@ std::string beside(const std::string& file, const std::string& relative) {
 }
 
 Problems check_rig(const Node& root, const std::string& file, const LoadOptions& options) {
-  return RigChecks(root, file, options).run();
+  Problems problems = RigChecks(root, file, options).run();
+  std::ranges::move(check_expects(root, file), std::back_inserter(problems));
+  return problems;
 }
 
 }  // namespace drydock::rig_config

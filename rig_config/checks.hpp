@@ -12,6 +12,9 @@ std::string beside(const std::string& file, const std::string& relative);
 /// addresses taken twice on one bus, files that are not there. Holds for incomplete documents too.
 Problems check_rig(const Node& root, const std::string& file, const LoadOptions& options);
 
+/// Of blocks [[expect]]: names that exist, bounds in order, figures that the kind of estimator has.
+Problems check_expects(const Node& root, const std::string& file);
+
 /// What a schema cannot say of a mission: it stays in the water, depths of profiles rise, raster
 /// and vehicle file are there, only a vehicle is steered by its rudder, only a kinematic one heels
 /// as told.

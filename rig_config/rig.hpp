@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "rig_config/emulate.hpp"
+#include "rig_config/expect.hpp"
 #include "rig_config/mission.hpp"
 #include "rig_config/vehicle.hpp"
 
@@ -141,6 +142,7 @@ struct Rig {
   MissionConfig mission;
   std::vector<DeviceConfig> devices;
   std::vector<EstimatorConfig> estimators;
+  std::vector<ExpectConfig> expects;
 };
 
 }  // namespace drydock::rig_config

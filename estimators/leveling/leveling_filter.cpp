@@ -54,8 +54,11 @@ void LevelingFilter::update_moving(double speed_mps) {
   const Eigen::Vector2d residual{speed_mps - x_(0), 1 - alpha.squaredNorm()};  // put right
   const Eigen::Vector2d variance{std::pow(options_.speed_sigma_mps, 2),
                                  std::pow(options_.norm_sigma, 2)};
-  if (gate_.passes(residual(0), p_(0, 0) + variance(0), p_(0, 0))) {
+  const double expected = p_(0, 0) + variance(0);
+  if (gate_.passes(residual(0), expected, p_(0, 0))) {
+    const double log_square = residual(0) * residual(0) / expected;
     update<2>(residual, h, variance);  // eq. (31)
+    innovation_.log_square = log_square;
   } else {
     update<1>(residual.tail<1>(), h.bottomRows<1>(), variance.tail<1>());
   }
@@ -97,7 +100,7 @@ void LevelingFilter::update(const Eigen::Matrix<double, Rows, 1>& residual,
   const Matrix6 kept = Matrix6::Identity() - gain * h;
   p_ = (kept * p_ * kept.transpose() + gain * r * gain.transpose()).eval();
 
-  innovation_.residual.setZero();
+  innovation_ = {};
   innovation_.residual.head<Rows>() = residual;
   innovation_.size = Rows;
   innovation_.normalised_square = residual.dot(inverse * residual);

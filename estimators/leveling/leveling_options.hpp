@@ -60,6 +60,7 @@ struct Innovation {
   Eigen::Vector4d residual = Eigen::Vector4d::Zero();  ///< first `size` entries
   int size = 0;
   double normalised_square = 0;
+  std::optional<double> log_square;  ///< that of the speed log alone
 };
 
 }  // namespace drydock::leveling

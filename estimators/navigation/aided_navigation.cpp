@@ -142,6 +142,7 @@ int AidedNavigation::update_row(const Vector& row, double residual, double varia
     ++rejected_;
     return 0;
   }
+  taken_.add(square);
   errors += filter_.update(expected, innovation);
   return 1;
 }

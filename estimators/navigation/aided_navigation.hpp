@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "estimators/navigation/error_filter.hpp"
+#include "estimators/navigation/innovation_tally.hpp"
 
 /// SDINS with its 15-state aiding filter, eq. (13)-(16) of docs/estimators/navigation.md.
 namespace drydock::navigation {
@@ -78,7 +79,8 @@ class AidedNavigation {
   /// Normalised square of the innovations of the last update, and how many there were.
   double innovation_square() const { return innovation_square_; }
   int innovations() const { return innovations_; }
-  std::uint64_t rejected() const { return rejected_; }  ///< rows outside the gate, ever
+  std::uint64_t rejected() const { return rejected_; }     ///< rows outside the gate, ever
+  const InnovationTally& taken() const { return taken_; }  ///< rows inside it, ever
 
  private:
   using Vector = ErrorFilter<0>::Vector;
@@ -95,6 +97,7 @@ class AidedNavigation {
   double innovation_square_ = 0;
   int innovations_ = 0;
   std::uint64_t rejected_ = 0;
+  InnovationTally taken_;
 };
 
 }  // namespace drydock::navigation

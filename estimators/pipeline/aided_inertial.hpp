@@ -33,6 +33,7 @@ class AidedInertial {
   virtual const navigation::NavigationState& state() const = 0;  ///< at the last step
   virtual const Eigen::Vector3d& gyro_bias() const = 0;          ///< found so far, rad/s
   virtual std::uint64_t rejected() const = 0;                    ///< values outside the gate
+  virtual navigation::InnovationTally taken() const = 0;         ///< innovations inside it
   virtual void fill(NavigationEstimate& estimate) const = 0;     ///< state, covariance, current
 };
 

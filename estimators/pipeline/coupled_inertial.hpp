@@ -30,6 +30,7 @@ class CoupledInertial final : public AidedInertial {
   const navigation::NavigationState& state() const override { return filter_.state(); }
   const Eigen::Vector3d& gyro_bias() const override { return filter_.gyro_bias(); }
   std::uint64_t rejected() const override { return filter_.rejected(); }
+  navigation::InnovationTally taken() const override { return filter_.taken(); }
   void fill(NavigationEstimate& estimate) const override {
     const auto& p = filter_.covariance();
     fill_navigation(state(), p.topLeftCorner<9, 9>(), estimate);

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "drivers/measurement/measurement.hpp"
+#include "estimators/navigation/innovation_tally.hpp"
 #include "estimators/pipeline/listener.hpp"
 
 namespace drydock::pipeline {
@@ -40,6 +41,8 @@ struct EstimatorStatus {
   measurement::Stamp last_estimate{};  ///< valid_at
   measurement::Stamp last_speed{};     ///< valid_at
   std::uint64_t rejected = 0;          ///< values outside the estimator's innovation gate
+  navigation::InnovationTally
+      taken;  ///< of the sensors' values inside it; kinds mixing, roll: none
   std::optional<measurement::Stamp> lost_at;  ///< valid_at of the last IMU sample in use
 };
 

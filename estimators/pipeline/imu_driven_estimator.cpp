@@ -63,7 +63,9 @@ Outcome ImuDrivenEstimator::take(const WaterSpeed& speed, EstimateListener&) {
   if (behind > max_speed_age_) return Outcome::late;
   if (behind < -max_speed_age_) return Outcome::unused;  // the IMU is silent: kept for its return
 
-  if (correct(*speed.longitudinal_mps)) {
+  const Correction correction = correct(*speed.longitudinal_mps);
+  if (correction.innovation_square) status_.taken.add(*correction.innovation_square);
+  if (correction.used) {
     fed_by_ |= bit(*log_);
   } else {
     ++status_.rejected;

@@ -26,6 +26,11 @@ class ImuDrivenEstimator : public Estimator {
   const EstimatorStatus& status() const final { return status_; }
 
  protected:
+  struct Correction {
+    bool used = true;                         ///< false: the speed is outside the gate
+    std::optional<double> innovation_square;  ///< normalised, where the estimator has one
+  };
+
   /// `index` names the estimates; of `pipeline` the two time limits are used.
   ImuDrivenEstimator(std::uint16_t index, const EstimatorOptions& options,
                      const PipelineOptions& pipeline);
@@ -35,8 +40,8 @@ class ImuDrivenEstimator : public Estimator {
   virtual void start(const measurement::ImuSample& sample, double speed_mps) = 0;
   /// Goes on by `dt` seconds with the mean force and rate of them.
   virtual void step(const Eigen::Vector3d& force, const Eigen::Vector3d& rate, double dt) = 0;
-  /// Whether the speed was used; false: it is outside the gate.
-  virtual bool correct(double speed_mps) = 0;
+  /// A speed corrects the present state.
+  virtual Correction correct(double speed_mps) = 0;
   /// Roll, pitch and covariance.
   virtual void fill(AttitudeEstimate& estimate) const = 0;
 

@@ -16,12 +16,12 @@ void LevelingEstimator::start(const measurement::ImuSample& sample, double speed
       filter_);
 }
 
-bool LevelingEstimator::correct(double speed_mps) {
+LevelingEstimator::Correction LevelingEstimator::correct(double speed_mps) {
   return std::visit(
       [&](auto& filter) {
         const auto rejected = filter.rejected();
         filter.update_moving(speed_mps);
-        return filter.rejected() == rejected;
+        return Correction{filter.rejected() == rejected, filter.innovation().log_square};
       },
       filter_);
 }

@@ -16,7 +16,7 @@ class LevelingEstimator final : public ImuDrivenEstimator {
  private:
   void start(const measurement::ImuSample& sample, double speed_mps) override;
   void step(const Eigen::Vector3d& force, const Eigen::Vector3d& rate, double dt) override;
-  bool correct(double speed_mps) override;
+  Correction correct(double speed_mps) override;
   void fill(AttitudeEstimate& estimate) const override;
 
   bool stationary_;

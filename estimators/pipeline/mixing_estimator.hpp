@@ -18,9 +18,9 @@ class MixingEstimator final : public ImuDrivenEstimator {
  private:
   void start(const measurement::ImuSample& sample, double speed_mps) override;
   void step(const Eigen::Vector3d& force, const Eigen::Vector3d& rate, double dt) override;
-  bool correct(double speed_mps) override {
+  Correction correct(double speed_mps) override {
     speed_mps_ = speed_mps;
-    return true;  // it has no innovation: mixing.md, Outliers
+    return {};  // it has no innovation: mixing.md, Outliers
   }
   void fill(AttitudeEstimate& estimate) const override;
 

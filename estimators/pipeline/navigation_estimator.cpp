@@ -237,6 +237,7 @@ void NavigationEstimator::emit(EstimateListener& listener) {
   ++status_.estimates;
   status_.last_estimate = now_;
   status_.rejected = filter_->rejected();
+  status_.taken = filter_->taken();
   NavigationEstimate estimate;
   estimate.valid_at = now_;
   estimate.estimator = index_;

@@ -29,6 +29,8 @@ class PaperInertial final : public AidedInertial {
   const navigation::NavigationState& state() const override { return aided_.state(); }
   const Eigen::Vector3d& gyro_bias() const override { return aided_.gyro_bias(); }
   std::uint64_t rejected() const override { return filter_.rejected() + aided_.rejected(); }
+  /// Those of the sensors alone: the navigation's come from the velocity filter, not from outside.
+  navigation::InnovationTally taken() const override { return filter_.taken(); }
   void fill(NavigationEstimate& estimate) const override {
     fill_navigation(state(), aided_.covariance().topLeftCorner<9, 9>(), estimate);
   }

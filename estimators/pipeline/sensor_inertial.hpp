@@ -44,6 +44,7 @@ class SensorInertial final : public AidedInertial {
   const navigation::NavigationState& state() const override { return aided_.state(); }
   const Eigen::Vector3d& gyro_bias() const override { return aided_.gyro_bias(); }
   std::uint64_t rejected() const override { return aided_.rejected(); }
+  navigation::InnovationTally taken() const override { return aided_.taken(); }
   void fill(NavigationEstimate& estimate) const override {
     fill_navigation(state(), aided_.covariance().topLeftCorner<9, 9>(), estimate);
   }

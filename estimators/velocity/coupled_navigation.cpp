@@ -140,10 +140,13 @@ void CoupledNavigation::update(const Vector& row, double residual, double varian
 }
 
 bool CoupledNavigation::passes(double innovation, double variance) {
-  const bool outside =
-      navigation::outside_gate(innovation * innovation / variance, options_.navigation.gate_sigma);
-  if (outside) ++rejected_;
-  return !outside;
+  const double square = innovation * innovation / variance;
+  if (navigation::outside_gate(square, options_.navigation.gate_sigma)) {
+    ++rejected_;
+    return false;
+  }
+  taken_.add(square);
+  return true;
 }
 
 bool CoupledNavigation::passes_height(double height_m) {

@@ -67,6 +67,7 @@ class CoupledNavigation {
   const Eigen::Vector3d& gyro_bias() const { return gyro_bias_; }
   /// Values of log, DVL and depth outside `navigation.gate_sigma`.
   std::uint64_t rejected() const { return rejected_; }
+  const navigation::InnovationTally& taken() const { return taken_; }  ///< those inside
 
  private:
   using Vector = Filter::Vector;
@@ -96,6 +97,7 @@ class CoupledNavigation {
   int heights_ = 0;
   bool moving_ = false;  ///< there has been a step
   std::uint64_t rejected_ = 0;
+  navigation::InnovationTally taken_;
   double since_ground_s_ = -1;  ///< -1: no DVL yet, or weighed since
   struct Open {
     Eigen::Vector4d values;  ///< current, log

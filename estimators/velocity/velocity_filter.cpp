@@ -74,10 +74,12 @@ void VelocityFilter::update_longitudinal(double mps) {
 
 bool VelocityFilter::passes(double residual, double innovation_variance) {
   const double square = residual * residual / innovation_variance;
-  const bool outside =
-      options_.gate_sigma > 0 && square > options_.gate_sigma * options_.gate_sigma;
-  if (outside) ++rejected_;
-  return !outside;
+  if (options_.gate_sigma > 0 && square > options_.gate_sigma * options_.gate_sigma) {
+    ++rejected_;
+    return false;
+  }
+  taken_.add(square);
+  return true;
 }
 
 bool VelocityFilter::update_state(int index, double residual, double sigma) {

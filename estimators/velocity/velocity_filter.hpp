@@ -2,6 +2,7 @@
 
 #include <cstdint>
 
+#include "estimators/navigation/innovation_tally.hpp"
 #include "estimators/velocity/simulator.hpp"
 
 /// Velocity through the water of Lee, Ra, Kim, Ahn and Lee (2016): a vehicle simulator whose errors
@@ -39,7 +40,8 @@ class VelocityFilter {
   Eigen::Vector3d velocity() const { return simulator_.state().velocity.head<3>(); }
   const Simulated& state() const { return simulator_.state(); }
 
-  std::uint64_t rejected() const { return rejected_; }  ///< values outside the gate
+  std::uint64_t rejected() const { return rejected_; }                 ///< values outside the gate
+  const navigation::InnovationTally& taken() const { return taken_; }  ///< those inside
 
   /// Of h, u v w, p q r; the eighth row and column are zero: a whole number of SIMD words.
   using Covariance = Eigen::Matrix<double, 8, 8>;
@@ -56,6 +58,7 @@ class VelocityFilter {
   VelocityFilterOptions options_;
   Covariance p_ = Covariance::Zero();
   std::uint64_t rejected_ = 0;
+  navigation::InnovationTally taken_;
 };
 
 }  // namespace drydock::velocity

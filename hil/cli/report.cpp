@@ -55,6 +55,19 @@ std::string error_table(const EstimatorSummary& e) {
   return out + "</table></div>\n";
 }
 
+std::string verdict_section(const Summary& s) {
+  if (s.verdicts.empty()) return {};
+  std::string out =
+      "<h2>Expectations</h2>\n<div class=scroll><table><tr><th>of<th class=left>what"
+      "<th class=left>verdict<th>measured<th>expected</tr>\n";
+  for (const auto& v : s.verdicts) {
+    out += fmt::format("<tr><td>{}<td class=left>{}<td class='left {}'>{}<td>{}<td>{}</tr>\n",
+                       escaped(v.subject), escaped(v.what), v.passed ? "ok" : "bad",
+                       v.passed ? "pass" : "fail", escaped(v.measured), escaped(v.expected));
+  }
+  return out + "</table></div>\n";
+}
+
 std::vector<double> difference(const std::vector<double>& a, const std::vector<double>& b) {
   std::vector<double> out(a.size());
   std::transform(a.begin(), a.end(), b.begin(), out.begin(), std::minus<>{});
@@ -141,7 +154,7 @@ std::string to_html(const Summary& s) {
       escaped(s.mode), s.duration_s, s.wall_s, s.seed, s.interrupted ? ", interrupted" : "",
       streaming == s.devices.size() ? "ok" : "bad", streaming, s.devices.size());
   for (const auto& note : s.notes) out += fmt::format("<p>{}</p>\n", escaped(note));
-  out += "<h2>Health</h2>\n" + health_table(s);
+  out += verdict_section(s) + "<h2>Health</h2>\n" + health_table(s);
   for (std::size_t i = 0; i < s.estimators.size(); ++i) out += estimator_section(s, i);
   out += measurement_section(s) + motion_section(s) + process_section(s);
   return html::page(s.rig, out);

@@ -6,7 +6,12 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <stdexcept>
+
+#include "hil/cli/exit_codes.hpp"
+#include "hil/cli/junit.hpp"
+#include "hil/cli/truth_of_rig.hpp"
 
 namespace drydock::cli {
 namespace {
@@ -22,29 +27,43 @@ void write_file(const std::filesystem::path& path, const std::string& text) {
   if (!out) throw std::runtime_error(fmt::format("cannot write {}", path.string()));
 }
 
-double worst_rms_deg(const EstimatorSummary& e) {
-  return e.whole_run ? std::max(e.whole_run->roll_rms_deg, e.whole_run->pitch_rms_deg) : 0;
+/// --expect-streaming and --expect-rms, as blocks [[expect]].
+std::vector<rig_config::ExpectConfig> asked_for(const rig_config::Rig& rig,
+                                                const RunOptions& options) {
+  std::vector<rig_config::ExpectConfig> expects;
+  if (options.expect_streaming) {
+    for (const auto& d : rig.devices) {
+      expects.emplace_back();
+      expects.back().device = d.name;
+      expects.back().state = "streaming";
+    }
+  }
+  if (!options.expect_rms_deg) return expects;
+  for (const auto& e : rig.estimators) {
+    expects.emplace_back();
+    expects.back().estimator = e.name;
+    expects.back().figures.push_back({"estimates", {.low = 1}});
+    if (!truth_for_estimators(rig)) continue;
+    for (const char* figure : {"roll_rms_deg", "pitch_rms_deg"})
+      expects.back().figures.push_back({figure, {.high = *options.expect_rms_deg}});
+  }
+  return expects;
 }
 
-/// One line for each expectation that the run did not meet.
-std::vector<std::string> unmet(const Summary& summary, const RunOptions& options) {
-  std::vector<std::string> lines;
-  if (options.expect_streaming) {
-    for (const auto& d : summary.devices) {
-      if (d.state != "streaming")
-        lines.push_back(fmt::format("{} is {}, not streaming", d.name, d.state));
-    }
-  }
-  if (options.expect_rms_deg) {
-    for (const auto& e : summary.estimators) {
-      if (!(worst_rms_deg(e) <= *options.expect_rms_deg) || e.estimates == 0) {
-        lines.push_back(
-            fmt::format("{}: {} estimates, attitude error {:.3f} deg RMS, expected at most {} deg",
-                        e.name, e.estimates, worst_rms_deg(e), *options.expect_rms_deg));
-      }
-    }
-  }
-  return lines;
+void print(const Summary& summary, const RunOptions& options) {
+  fmt::print("\n{}: {:.1f} s of bench time in {:.1f} s{}{}\n{}", summary.rig, summary.duration_s,
+             summary.wall_s,
+             options.lockstep ? fmt::format(", {:.0f} times real time", summary.speed()) : "",
+             summary.interrupted ? " (interrupted)" : "", to_text(summary));
+}
+
+/// A CI server is told of a run that could not begin as well.
+Summary run_or_report(const rig_config::Rig& rig, const RunOptions& options) try {
+  return options.lockstep ? run_lockstep(rig, options) : run_real_time(rig, options);
+} catch (const std::exception& error) {
+  if (!options.junit.empty())
+    write_file(options.junit, junit_of_failure(rig.name, rig.file, error.what()));
+  throw;
 }
 
 }  // namespace
@@ -72,21 +91,18 @@ DeviceSummary summarise(const device::Device& device, const device::Health& heal
 }
 
 int run(const rig_config::Rig& rig, const RunOptions& options) {
-  const Summary summary =
-      options.lockstep ? run_lockstep(rig, options) : run_real_time(rig, options);
-  fmt::print("\n{}: {:.1f} s of bench time in {:.1f} s{}{}\n{}", summary.rig, summary.duration_s,
-             summary.wall_s,
-             options.lockstep ? fmt::format(", {:.0f} times real time", summary.speed()) : "",
-             summary.interrupted ? " (interrupted)" : "", to_text(summary));
+  rig_config::Rig asked = rig;
+  std::ranges::move(asked_for(rig, options), std::back_inserter(asked.expects));
+  const Summary summary = run_or_report(asked, options);
+  print(summary, options);
   if (!options.json.empty()) write_file(options.json, to_json(summary));
+  if (!options.junit.empty()) write_file(options.junit, to_junit(summary, rig.file));
   if (!options.report.empty()) {
     const auto page = std::filesystem::path(options.report) / "index.html";
     write_file(page, to_html(summary));
     fmt::print("report: {}\n", page.string());
   }
-  const auto misses = unmet(summary, options);
-  for (const auto& miss : misses) fmt::print(stderr, "not as expected: {}\n", miss);
-  return misses.empty() ? 0 : 1;
+  return std::ranges::all_of(summary.verdicts, &Verdict::passed) ? 0 : exit_failed;
 }
 
 }  // namespace drydock::cli

@@ -13,9 +13,9 @@
 namespace drydock::cli {
 
 struct RunOptions {
-  double duration_s = 0;     ///< 0: until Ctrl-C (real time), one lap of the mission (lockstep)
-  bool lockstep = false;     ///< --speed max
-  std::string json, report;  ///< file, folder; empty: none
+  double duration_s = 0;  ///< 0: until Ctrl-C (real time), one lap of the mission (lockstep)
+  bool lockstep = false;  ///< --speed max
+  std::string json, report, junit;  ///< file, folder, file; empty: none
   bool expect_streaming = false;
   std::optional<double> expect_rms_deg;  ///< of every estimator that has a truth
   RecordOptions record;

@@ -14,6 +14,7 @@
 #include "drivers/shell/rig_devices.hpp"
 #include "estimators/cli/rig_pipeline.hpp"
 #include "estimators/pipeline/pipeline.hpp"
+#include "hil/cli/expect_watch.hpp"
 #include "hil/cli/interrupt_flag.hpp"
 #include "hil/cli/run.hpp"
 #include "hil/cli/run_watchers.hpp"
@@ -72,6 +73,7 @@ class LockstepBench final : private device::Listener, private pipeline::Estimate
         duration_s_(options.duration_s > 0 ? options.duration_s
                                            : measurement::seconds(trajectory_->end() - start_)),
         scribe_(rig, truth_for_estimators(rig) ? trajectory_.get() : nullptr, start_, duration_s_),
+        expects_(rig, truth_for_estimators(rig) ? trajectory_.get() : nullptr, start_),
         watchers_(rig, truth_for_estimators(rig) ? trajectory_.get() : nullptr) {
     if (!options.record.path.empty()) {
       recorder_.emplace(rig, options.record, start_, record::WhenBehind::wait);
@@ -90,6 +92,8 @@ class LockstepBench final : private device::Listener, private pipeline::Estimate
     while (clock_.now() < end && !interrupted.set()) {
       clock_.run_until(std::min(end, clock_.now() + std::chrono::seconds{1}));
       scribe_.follow(clock_.now());
+      expects_.follow(
+          clock_.now(), [this] { return devices(); }, pipeline_);
       tell_watchers();
       show_progress();
     }
@@ -101,14 +105,11 @@ class LockstepBench final : private device::Listener, private pipeline::Estimate
     s.duration_s = measurement::seconds(clock_.now() - start_);
     s.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - wall_start).count();
     s.interrupted = interrupted.set();
-    for (const auto& actor : actors_) {
-      const auto& device = actor->device();
-      s.devices.push_back(
-          summarise(device, device.health(clock_.now()), provenance_of(device.options().link)));
-    }
+    s.devices = devices();
     s.notes = pipeline_notes(rig_, pipeline_);
     if (recorder_) s.notes.push_back(recorder_->finish());
     scribe_.write(s);
+    expects_.write(s, pipeline_);
     return s;
   }
 
@@ -117,6 +118,16 @@ class LockstepBench final : private device::Listener, private pipeline::Estimate
     std::unique_ptr<emulate::EmulatedBus> bus;
     std::vector<shell::DeviceActor*> drivers;
   };
+
+  std::vector<DeviceSummary> devices() const {
+    std::vector<DeviceSummary> all;
+    for (const auto& actor : actors_) {
+      const auto& device = actor->device();
+      all.push_back(
+          summarise(device, device.health(clock_.now()), provenance_of(device.options().link)));
+    }
+    return all;
+  }
 
   void add(const rig_config::DeviceConfig& config, std::unique_ptr<device::Device> device) {
     const auto uri = link::parse_uri(config.link);
@@ -182,6 +193,7 @@ class LockstepBench final : private device::Listener, private pipeline::Estimate
   }
 
   void on_state(const device::Device& device, const device::Transition& change) override {
+    expects_.note(device.name(), change);
     if (::isatty(STDOUT_FILENO) == 1) return;
     fmt::print("{:.3f} s {}: {} -> {}: {}\n", measurement::seconds(change.at - start_),
                device.name(), to_string(change.from), to_string(change.to), change.why.view());
@@ -189,10 +201,12 @@ class LockstepBench final : private device::Listener, private pipeline::Estimate
 
   void on_attitude(const pipeline::AttitudeEstimate& estimate) override {
     scribe_.note(estimate);
+    expects_.note(estimate);
     watchers_.note(estimate);
   }
   void on_navigation(const pipeline::NavigationEstimate& estimate) override {
     scribe_.note(estimate);
+    expects_.note(estimate);
     watchers_.note(estimate);
   }
 
@@ -220,6 +234,7 @@ class LockstepBench final : private device::Listener, private pipeline::Estimate
   pipeline::Pipeline pipeline_;
   double duration_s_;
   Scribe scribe_;
+  ExpectWatch expects_;
   RunWatchers watchers_;
   std::optional<RigRecorder> recorder_;
   std::vector<std::unique_ptr<ToLine>> to_lines_;

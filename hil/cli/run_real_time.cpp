@@ -18,6 +18,7 @@
 #include "drivers/shell/rig_devices.hpp"
 #include "estimators/cli/estimator_host.hpp"
 #include "estimators/cli/rig_pipeline.hpp"
+#include "hil/cli/expect_watch.hpp"
 #include "hil/cli/run.hpp"
 #include "hil/cli/run_watchers.hpp"
 #include "hil/cli/scribe.hpp"
@@ -53,7 +54,8 @@ class Bench {
         drivers_(io_, or_throw(shell::make_devices(rig)), &publisher_, &watchers_.all),
         estimators_(io_, pipeline_options(rig), subscriber_, publisher_),
         scribe_(rig, truth_for_estimators(rig) ? trajectory_.get() : nullptr, start_,
-                options.duration_s > 0 ? options.duration_s : 600) {
+                options.duration_s > 0 ? options.duration_s : 600),
+        expects_(rig, truth_for_estimators(rig) ? trajectory_.get() : nullptr, start_) {
     if (!options.record.path.empty()) {
       recorder_.emplace(rig, options.record, start_, record::WhenBehind::lose);
       watchers_.all.add(*recorder_);
@@ -94,14 +96,18 @@ class Bench {
       watchers_.all.note(health, now);
     };
     drivers_.on_state_hook = [this](const device::Device& d, const device::Transition& change) {
-      if (!stopping_) live_.note(d.name(), change);
+      if (stopping_) return;
+      expects_.note(d.name(), change);
+      live_.note(d.name(), change);
     };
     estimators_.on_attitude_hook = [this](const pipeline::AttitudeEstimate& e) {
       scribe_.note(e);
+      expects_.note(e);
       watchers_.note(e);
     };
     estimators_.on_navigation_hook = [this](const pipeline::NavigationEstimate& e) {
       scribe_.note(e);
+      expects_.note(e);
       watchers_.note(e);
     };
   }
@@ -113,6 +119,8 @@ class Bench {
     timer_.async_wait([this](const boost::system::error_code& ec) {
       if (ec || stopping_) return;  // an expired timer can no longer be cancelled
       scribe_.follow(link::now());
+      expects_.follow(
+          link::now(), [this] { return devices(); }, estimators_.pipeline());
       watchers_.all.tick(link::now());
       live_.draw(drivers_.shell(), elapsed(), options_.duration_s);
       if (options_.duration_s > 0 && elapsed() >= options_.duration_s) return stop();
@@ -120,16 +128,22 @@ class Bench {
     });
   }
 
+  std::vector<DeviceSummary> devices() const {
+    std::vector<DeviceSummary> all;
+    for (std::size_t i = 0; i < drivers_.shell().size(); ++i) {
+      const auto& device = drivers_.shell().device(i);
+      all.push_back(
+          summarise(device, drivers_.shell().health(i), provenance_of(device.options().link)));
+    }
+    return all;
+  }
+
   // The health that counts is that of the last moment before the links are closed.
   void stop() {
     if (stopping_) return;
     stopping_ = true;
     end_ = link::now();
-    for (std::size_t i = 0; i < drivers_.shell().size(); ++i) {
-      const auto& device = drivers_.shell().device(i);
-      devices_.push_back(
-          summarise(device, drivers_.shell().health(i), provenance_of(device.options().link)));
-    }
+    devices_ = devices();
     signals_.cancel();
     signals_.clear();  // a second Ctrl-C ends the program at once
     timer_.cancel();
@@ -157,6 +171,7 @@ class Bench {
     std::ranges::move(pipeline_notes(rig_, estimators_.pipeline()), std::back_inserter(s.notes));
     if (recorder_) s.notes.push_back(recorder_->finish());
     scribe_.write(s);
+    expects_.write(s, estimators_.pipeline());
     return s;
   }
 
@@ -175,6 +190,7 @@ class Bench {
   DriverHost drivers_;
   EstimatorHost estimators_;
   Scribe scribe_;
+  ExpectWatch expects_;
   LiveTable live_;
   asio::steady_timer timer_{io_};
   asio::signal_set signals_{io_, SIGINT, SIGTERM};

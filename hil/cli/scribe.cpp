@@ -34,11 +34,13 @@ double wrapped(double angle) { return std::remainder(angle, 2 * std::numbers::pi
 
 }  // namespace
 
-void ErrorStatistics::add(const Eigen::Vector2d& error, const Eigen::Matrix2d& covariance) {
+void ErrorStatistics::add(const pipeline::AttitudeEstimate& estimate, const motion::Truth& truth) {
+  const Eigen::Vector2d error{wrapped(estimate.roll_rad - truth.roll_rad),
+                              wrapped(estimate.pitch_rad - truth.pitch_rad)};
   ++count_;
   squares_ += error.cwiseAbs2();
   largest_ = largest_.cwiseMax(error.cwiseAbs());
-  nees_ += error.dot(covariance.inverse() * error) / 2;
+  nees_ += error.dot(estimate.covariance.inverse() * error) / 2;
 }
 
 AttitudeError ErrorStatistics::result() const {
@@ -175,10 +177,8 @@ void Scribe::compare(Estimator& e, const pipeline::AttitudeEstimate& estimate,
     e.trace.pitch_sigma_deg.push_back(std::sqrt(estimate.covariance(1, 1)) * to_deg);
   }
   if (!truth) return;
-  const Eigen::Vector2d error{wrapped(estimate.roll_rad - truth->roll_rad),
-                              wrapped(estimate.pitch_rad - truth->pitch_rad)};
-  e.whole_run.add(error, estimate.covariance);
-  if (t >= 10) e.after_10_s.add(error, estimate.covariance);
+  e.whole_run.add(estimate, *truth);
+  if (t >= 10) e.after_10_s.add(estimate, *truth);
   if (draw) {
     e.trace.true_roll_deg.push_back(truth->roll_rad * to_deg);
     e.trace.true_pitch_deg.push_back(truth->pitch_rad * to_deg);

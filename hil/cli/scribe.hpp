@@ -16,7 +16,7 @@ namespace drydock::cli {
 /// Root-mean-square and largest error of one estimator; angles in radians in, degrees out.
 class ErrorStatistics {
  public:
-  void add(const Eigen::Vector2d& error, const Eigen::Matrix2d& covariance);
+  void add(const pipeline::AttitudeEstimate& estimate, const motion::Truth& truth);
   std::uint64_t count() const { return count_; }
   AttitudeError result() const;
 

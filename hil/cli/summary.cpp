@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "hil/cli/judge.hpp"
+
 namespace drydock::cli {
 namespace {
 
@@ -55,6 +57,11 @@ Json device_json(const DeviceSummary& d) {
           {"last_error", d.last_error.empty() ? Json(nullptr) : Json(d.last_error)}};
 }
 
+Json verdict_json(const Verdict& v) {
+  return {{"of", v.subject},        {"what", v.what},     {"measured", v.measured},
+          {"expected", v.expected}, {"passed", v.passed}, {"line", v.line}};
+}
+
 Json resident_json(const ResidentTrace& resident) {
   if (resident.megabytes.empty()) return nullptr;
   return {{"start_mb", resident.megabytes.front()},
@@ -79,13 +86,17 @@ std::string to_json(const Summary& s) {
             {"interrupted", s.interrupted},
             {"resident", resident_json(s.resident)},
             {"notes", s.notes},
+            {"expectations", Json::array()},
             {"devices", Json::array()},
             {"estimators", Json::array()}};
+  for (const auto& v : s.verdicts) root["expectations"].push_back(verdict_json(v));
   for (const auto& d : s.devices) root["devices"].push_back(device_json(d));
   for (const auto& e : s.estimators) {
     root["estimators"].push_back({{"name", e.name},
                                   {"kind", e.kind},
                                   {"estimates", e.estimates},
+                                  {"rejected", e.rejected},
+                                  {"nis", e.nis ? Json(*e.nis) : Json(nullptr)},
                                   {"whole_run", error_json(e.whole_run)},
                                   {"after_10_s", error_json(e.after_10_s)}});
     if (e.navigation) root["estimators"].back()["navigation"] = navigation_json(*e.navigation);
@@ -105,6 +116,7 @@ std::string to_text(const Summary& s) {
   }
   for (const auto& e : s.estimators) {
     out += fmt::format("{} ({}): {} estimates", e.name, e.kind, e.estimates);
+    if (e.nis) out += fmt::format(", NIS {:.2f}", *e.nis);
     if (e.navigation) {
       out += navigation_text(*e.navigation);
       continue;
@@ -120,7 +132,7 @@ std::string to_text(const Summary& s) {
     out += '\n';
   }
   for (const auto& note : s.notes) out += note + '\n';
-  return out;
+  return out + to_text(s.verdicts);
 }
 
 }  // namespace drydock::cli

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "hil/cli/verdict.hpp"
+
 namespace drydock::cli {
 
 /// What a run was worth, as the report, the JSON file and the last lines on the terminal show it.
@@ -34,6 +36,8 @@ struct NavigationError {
 struct EstimatorSummary {
   std::string name, kind;
   std::uint64_t estimates = 0;
+  std::uint64_t rejected = 0;  ///< sensors' values outside its gate
+  std::optional<double> nis;   ///< mean normalised square of innovations taken; empty: none
   std::optional<AttitudeError> whole_run;  ///< empty where there is no truth
   std::optional<AttitudeError> after_10_s;
   std::optional<NavigationError> navigation;  ///< of kinds navigation and velocity
@@ -77,6 +81,7 @@ struct Summary {
   std::vector<std::string> notes;  ///< for a person: which CAN level, what was left out
   std::vector<DeviceSummary> devices;
   std::vector<EstimatorSummary> estimators;
+  std::vector<Verdict> verdicts;            ///< on the rig's [[expect]]
   std::vector<AttitudeTrace> traces;        ///< one an estimator
   std::vector<NavigationTrace> navigation;  ///< one an estimator; empty of other kinds
   MotionTrace motion;                       ///< empty where there is no truth

@@ -71,7 +71,8 @@ void add_run(CLI::App& app, Command& command) {
       app.add_subcommand("run", "Emulated devices, drivers and estimators of a rig, with a report");
   sub->footer(
       "Example: drydock run rig_config/rigs/demo.toml --for 60s --report out\n"
-      "         drydock run rig_config/rigs/demo.toml --for 10min --speed max --json out.json");
+      "         drydock run rig_config/rigs/demo.toml --for 10min --speed max --json out.json\n"
+      "         drydock run rig_config/rigs/demo.toml --for 60s --speed max --junit expects.xml");
   sub->add_option("RIG", a->rig, "rig file (TOML)")->required();
   sub->add_option("--for", a->options.duration_s,
                   "how long: 60s, 10min, 5.5h; default until Ctrl-C")
@@ -81,6 +82,8 @@ void add_run(CLI::App& app, Command& command) {
       ->check(CLI::IsMember({"1", "max"}))
       ->capture_default_str();
   sub->add_option("--json", a->options.json, "write the summary to this file");
+  sub->add_option("--junit", a->options.junit,
+                  "write what became of the rig's [[expect]] to this file, as JUnit XML");
   sub->add_option("--report", a->options.report, "write index.html with plots into this folder");
   sub->add_option("--record", a->options.record.path,
                   "record all bytes, frames, measurements and estimates to this MCAP file");

@@ -70,6 +70,19 @@ TEST_F(LevelingEstimatorTest, AStaleSpeedDoesNotStartIt) {
   EXPECT_EQ(estimator.status().state, EstimatorState::waiting_for_speed);
 }
 
+TEST_F(LevelingEstimatorTest, CountsTheInnovationsOfItsLog) {
+  LevelingEstimator estimator = make();
+  estimator.take(water_speed(0), estimates_);
+  estimator.take(imu(0), estimates_);
+  EXPECT_FALSE(estimator.status().taken.mean()) << "the speed that it starts with is no surprise";
+  estimator.take(imu(10), estimates_);
+  estimator.take(water_speed(10), estimates_);
+  EXPECT_EQ(estimator.status().taken.count, 1u);
+  const auto innovation =
+      std::visit([](const auto& filter) { return filter.innovation(); }, estimator.filter());
+  EXPECT_DOUBLE_EQ(*estimator.status().taken.mean(), *innovation.log_square);
+}
+
 TEST_F(LevelingEstimatorTest, ConstantTiltAtConstantSpeedComesOutAsTheTilt) {
   LevelingEstimator estimator = make();
   for (int t = 0; t < 30000; t += 10) {
