@@ -15,6 +15,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     if (const auto* message = std::get_if<Message>(&*record))
       for (const auto byte : message->data) sum = sum + byte;
   }
-  if (reader.position() > size || complete != reader.damage().empty()) __builtin_trap();
+  // A file may be whole up to the end of its data and cut in its summary.
+  if (reader.position() > size || (!complete && reader.damage().empty())) __builtin_trap();
   return 0;
 }
