@@ -18,19 +18,21 @@ namespace {
 
 namespace fs = std::filesystem;
 
-enum class FileKind : std::uint8_t { rig, mission, sensor, vehicle };
+enum class FileKind : std::uint8_t { rig, mission, sensor, vehicle, fault };
 
 std::string_view described(FileKind kind) {
   if (kind == FileKind::rig) return "a rig file, which has a table [rig]";
   if (kind == FileKind::mission) return "a mission file, which has a table [mission]";
   if (kind == FileKind::vehicle) return "a vehicle file, which has a table [vehicle]";
+  if (kind == FileKind::fault) return "a fault file, which has blocks [[fault]]";
   return "a sensor file, which has a table for each kind of sensor: [imu], [dvl], ...";
 }
 
 FileKind kind_of(const Node& root) {
   if (root.find("rig")) return FileKind::rig;
   if (root.find("vehicle")) return FileKind::vehicle;
-  return root.find("mission") ? FileKind::mission : FileKind::sensor;
+  if (root.find("mission")) return FileKind::mission;
+  return root.find("fault") ? FileKind::fault : FileKind::sensor;
 }
 
 Loaded<std::string> read_file(const std::string& path) {
@@ -41,7 +43,10 @@ Loaded<std::string> read_file(const std::string& path) {
   return std::move(text).str();
 }
 
-void append(Problems& to, Problems more) { std::ranges::move(more, std::back_inserter(to)); }
+template <class T>
+void append(std::vector<T>& to, std::vector<T> more) {
+  std::ranges::move(more, std::back_inserter(to));
+}
 
 void sort_by_position(Problems& problems) {
   std::ranges::stable_sort(problems, [](const Problem& a, const Problem& b) {
@@ -73,6 +78,8 @@ Loaded<Node> read_checked(std::string_view text, const std::string& path, FileKi
     append(problems, std::move(of_rig));
   }
   if (kind == FileKind::mission) append(problems, check_mission(*root, path));
+  if (kind == FileKind::mission || kind == FileKind::fault)
+    append(problems, check_faults(*root, path));
   sort_by_position(problems);
   if (!problems.empty()) return problems;
   return root;
@@ -216,6 +223,8 @@ Loaded<Rig> load_rig_text(std::string_view text, const std::string& path,
   for_each_table(*root, "estimator", [&](const Node& table, std::size_t i) {
     append(problems, read_estimator_files(table, i, rig.estimators[i], path));
   });
+  append(rig.faults, rig.mission.faults);
+  append(problems, check_faults_of(rig));
   if (!problems.empty()) return problems;
   rig.files = files_of(*root, path, rig.mission);
   return rig;
@@ -250,6 +259,17 @@ Loaded<EmulateConfig> load_sensor_text(std::string_view text, const std::string&
   EmulateConfig sensor;
   read_errors(*table, kind, sensor);
   return sensor;
+}
+
+Loaded<std::vector<FaultConfig>> load_faults_text(std::string_view text, const std::string& path) {
+  const auto root = read_checked(text, path, FileKind::fault);
+  if (!root) return root.error();
+  return build_faults(*root, path);
+}
+
+Loaded<std::vector<FaultConfig>> load_faults(const std::string& path) {
+  const auto text = read_file(path);
+  return text ? load_faults_text(*text, path) : Loaded<std::vector<FaultConfig>>(text.error());
 }
 
 Loaded<VehicleConfig> load_vehicle_text(std::string_view text, const std::string& path) {

@@ -21,7 +21,7 @@
 #include "hil/cli/scribe.hpp"
 #include "hil/cli/truth_of_rig.hpp"
 #include "hil/emulate/lockstep.hpp"
-#include "hil/emulate/make_emulated_device.hpp"
+#include "hil/fault/injector.hpp"
 #include "hil/motion/remembered_trajectory.hpp"
 
 namespace drydock::cli {
@@ -69,6 +69,7 @@ class LockstepBench final : private device::Listener, private pipeline::Estimate
         trajectory_(std::make_unique<motion::RememberedTrajectory>(
             motion::make_trajectory(rig.mission, start_))),
         clock_(start_),
+        faults_(rig, *trajectory_, start_),
         pipeline_(or_throw(pipeline::make_pipeline(pipeline_options(rig), *this))),
         duration_s_(options.duration_s > 0 ? options.duration_s
                                            : measurement::seconds(trajectory_->end() - start_)),
@@ -161,9 +162,9 @@ class LockstepBench final : private device::Listener, private pipeline::Estimate
   void add_line(const rig_config::DeviceConfig& config, const link::Uri& uri,
                 shell::DeviceActor& actor) {
     lines_.push_back(std::make_unique<emulate::EmulatedLine>(
-        or_throw(emulate::make_emulated_device(config, *trajectory_, rig_.seed)),
-        uri.baud().value_or(emulate::without_line_rate),
+        or_throw(faults_.device(config)), uri.baud().value_or(emulate::without_line_rate),
         [&actor](wire::Bytes bytes, Stamp at) { actor.receive(bytes, at); }));
+    lines_.back()->set_on_port([&actor](bool there, Stamp at) { actor.set_port(there, at); });
     actor.tap(watchers_.all);
     to_lines_.back()->line = lines_.back().get();
     clock_.add(*lines_.back());
@@ -180,9 +181,16 @@ class LockstepBench final : private device::Listener, private pipeline::Estimate
             for (auto* driver : bus.drivers) driver->receive(frame, at);
           });
     }
-    bus.bus->add(or_throw(emulate::make_emulated_device(config, *trajectory_, rig_.seed)));
+    bus.bus->add(or_throw(faults_.device(config)));
+    if (has_faults(config))
+      bus.bus->add(faults_.rogue(config, uri.bitrate().value_or(default_bit_rate)));
     bus.drivers.push_back(&actor);
     to_lines_.back()->bus = bus.bus.get();
+  }
+
+  bool has_faults(const rig_config::DeviceConfig& config) const {
+    return std::ranges::find(rig_.faults, config.name, &rig_config::FaultConfig::device) !=
+           rig_.faults.end();
   }
 
   void on_measurement(const measurement::Measurement& m) override {
@@ -231,6 +239,7 @@ class LockstepBench final : private device::Listener, private pipeline::Estimate
   Stamp start_;
   std::unique_ptr<motion::Trajectory> trajectory_;
   shell::Lockstep clock_;
+  fault::Injector faults_;
   pipeline::Pipeline pipeline_;
   double duration_s_;
   Scribe scribe_;

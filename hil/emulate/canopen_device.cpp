@@ -29,7 +29,7 @@ CanopenDevice::CanopenDevice(const DeviceSetup& setup, std::uint32_t device_type
                                       : default_node),
       device_type_(device_type),
       on_sync_(setup.config.sync),
-      next_heartbeat_(setup.trajectory.start()) {}
+      next_heartbeat_(setup.boot) {}
 
 std::optional<Stamp> CanopenDevice::deadline() const {
   auto next = on_sync_ ? std::optional<Stamp>{} : SamplingDevice::deadline();

@@ -21,13 +21,17 @@ DvlDevice::DvlDevice(const DeviceSetup& setup, const sensor::JanusHead& made)
       noise_(setup.seed, setup.config.name, "beams") {}
 
 sensor::DvlPing DvlDevice::ping(Stamp at) {
-  sensor::PingNoise noise;
+  sensor::JanusHead head = head_;
+  if (condition().bottom_lost) head.longest_range_m = 0;
+  if (condition().stuck_at)
+    return sensor::dvl_ping(trajectory(), at, mounting(), head, last_noise_);
+  sensor::PingNoise& noise = last_noise_;
   for (std::size_t beam = 0; beam < 4; ++beam) {
     noise.fade_db[beam] = head_.fading_db * noise_.normal();
     noise.bed_mps[beam] = head_.beam_noise_mps * noise_.normal();
     noise.water_mps[beam] = head_.beam_noise_mps * noise_.normal();
   }
-  return sensor::dvl_ping(trajectory(), at, mounting(), head_, noise);
+  return sensor::dvl_ping(trajectory(), at, mounting(), head, noise);
 }
 
 }  // namespace drydock::emulate

@@ -19,6 +19,7 @@ class DvlDevice : public SamplingDevice {
  private:
   sensor::JanusHead head_;
   sensor::RandomStream noise_;
+  sensor::PingNoise last_noise_;  ///< which a stuck head repeats
 };
 
 }  // namespace drydock::emulate

@@ -31,7 +31,10 @@ class GnssSensor {
 
  private:
   void add_errors(measurement::GnssFix& fix);
+  void hide(measurement::GnssSatellites& sky) const;
 
+  std::shared_ptr<const Condition> condition_;
+  double lowest_cno_dbhz_;
   std::shared_ptr<sensor::Sky> sky_;
   sensor::ErrorModel position_errors_, velocity_errors_;
   double horizontal_accuracy_m_, vertical_accuracy_m_, speed_accuracy_mps_;

@@ -75,8 +75,9 @@ class WaterLinkedDvl final : public DvlDevice {
       report.altitude_m = measured.altitude_m;
     }
     using std::chrono::duration_cast, std::chrono::microseconds;
-    report.validity = duration_cast<microseconds>(at.time_since_epoch());
-    report.transmission = duration_cast<microseconds>((at + latency()).time_since_epoch());
+    report.validity = duration_cast<microseconds>(device_time(at).time_since_epoch());
+    report.transmission =
+        duration_cast<microseconds>(device_time(at + latency()).time_since_epoch());
     report.interval_s = 1 / rate_hz();
     send(report, out);
     if (output_ == output_all) {
