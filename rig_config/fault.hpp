@@ -52,7 +52,7 @@ struct FaultConfig {
   std::optional<double> for_s;     ///< empty: until the end of the run, or until cleared
   std::optional<double> every_s;   ///< again so long after each start
   std::array<double, 3> amount{};  ///< in the unit of the word's key; of a quantity: SI
-  bool secondary = false;          ///< quantity: specific force, GNSS velocity, shaft
+  std::string quantity;            ///< its key, where the amount is one: "velocity_mps"
   double within_s = 60;            ///< drift: when the amount is reached
   double probability = 1;          ///< spike, garbage and what is done to messages: of each one
   std::uint64_t seed = 0;          ///< beside the rig's

@@ -9,6 +9,7 @@
 /// What the sensors of each kind measure: the key by which a fault names it, and its unit.
 namespace drydock::rig_config {
 
+/// A key means the same unit wherever it stands.
 struct FaultQuantity {
   DeviceKind kind;
   std::string_view key;
@@ -27,5 +28,12 @@ inline constexpr auto fault_quantities = std::to_array<FaultQuantity>({
     {DeviceKind::actuator, "angle_deg", std::numbers::pi / 180},
     {DeviceKind::actuator, "shaft_rpm", 2 * std::numbers::pi / 60, true},
 });
+
+/// Whether the key names a sensor's second quantity: specific force, GNSS velocity, shaft.
+constexpr bool is_secondary(DeviceKind kind, std::string_view key) {
+  for (const FaultQuantity& quantity : fault_quantities)
+    if (quantity.kind == kind && quantity.key == key) return quantity.secondary;
+  return false;
+}
 
 }  // namespace drydock::rig_config

@@ -101,6 +101,18 @@ std::optional<std::string> of_the_sensor(FaultKind kind, const DeviceConfig& dev
   return {};
 }
 
+/// The key settles the unit; which of the sensor's quantities it is follows from its kind.
+std::optional<std::string> of_the_quantity(const FaultConfig& fault, const DeviceConfig& device) {
+  if (fault.quantity.empty()) return {};
+  std::string measured;
+  for (const FaultQuantity& quantity : fault_quantities) {
+    if (quantity.kind != device.kind) continue;
+    if (quantity.key == fault.quantity) return {};
+    measured += (measured.empty() ? "" : " and ") + std::string(quantity.key);
+  }
+  return fmt::format("a {} measures {}, not {}", name_of(device.kind), measured, fault.quantity);
+}
+
 std::string_view name_of(FaultTarget target) {
   return target == FaultTarget::replayed ? "a recording" : "a real device";
 }
@@ -114,6 +126,7 @@ std::optional<std::string> refusal(const FaultConfig& fault, const DeviceConfig&
     why = fmt::format("behind the wire is {}: only an emulated device can be made to",
                       name_of(target));
   if (!why && target == FaultTarget::emulated) why = of_the_sensor(fault.kind, device);
+  if (!why) why = of_the_quantity(fault, device);
   if (!why) return {};
   return fmt::format("{} \"{}\" ({}) cannot have the fault \"{}\": {}",
                      drydock::rig_config::name_of(device.kind), device.name, device.protocol,

@@ -14,17 +14,18 @@ std::string number_text(const Node& value) {
                      value.items[2].number);
 }
 
-/// The key of a quantity settles which one it is and its unit. A single number is the first axis,
+/// A single number is the first axis,
 /// not all of them: a fault pushes one way.
 void read_quantity(const Node& table, FaultConfig& fault) {
   for (const FaultQuantity& quantity : fault_quantities) {
     const Node* value = table.find(quantity.key);
     if (!value) continue;
-    fault.secondary = quantity.secondary;
+    fault.quantity = quantity.key;
     if (value->kind != Node::Kind::array) fault.amount = {value->number * quantity.unit, 0, 0};
     for (std::size_t i = 0; i < value->items.size(); ++i)
       fault.amount.at(i) = value->items[i].number * quantity.unit;
     fault.words += fmt::format(", {} = {}", quantity.key, number_text(*value));
+    return;
   }
 }
 

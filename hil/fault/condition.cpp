@@ -2,6 +2,8 @@
 
 #include <numbers>
 
+#include "rig_config/fault_quantity.hpp"
+
 namespace drydock::fault {
 
 namespace {
@@ -29,7 +31,8 @@ void disturb(sensor::Disturbance& quantity, const InForce& now) {
 
 }  // namespace
 
-emulate::Condition condition_under(const std::vector<InForce>& faults) {
+emulate::Condition condition_under(const std::vector<InForce>& faults,
+                                   rig_config::DeviceKind kind) {
   emulate::Condition is;
   for (const InForce& now : faults) {
     const FaultConfig& fault = *now.fault;
@@ -51,7 +54,8 @@ emulate::Condition condition_under(const std::vector<InForce>& faults) {
         is.blocked_below_rad = amount * std::numbers::pi / 180;
         break;
       case FaultKind::antenna_gain: is.antenna_gain_db = amount; break;
-      default: disturb(fault.secondary ? is.secondary : is.primary, now);
+      default:
+        disturb(rig_config::is_secondary(kind, fault.quantity) ? is.secondary : is.primary, now);
     }
   }
   return is;

@@ -74,7 +74,7 @@ void FaultyDevice::follow_schedule(Stamp now) {
   if (!edited && (!change || *change > now)) return;
   edits_ = schedule_->edits();
   const auto faults = schedule_->in_force(now);
-  *condition_ = condition_under(faults);
+  *condition_ = condition_under(faults, config_.kind);
   bytes_.set(faults);
   frames_.set(faults);
   switch_power(find(faults, FaultKind::off) == nullptr, now);
