@@ -17,9 +17,9 @@ enum class FaultKind : std::uint8_t {
   // clang-format off
   off, stuck, bias, drift, noise, wrong, spike,
   drop, flip, truncate, bad_checksum, duplicate, reorder, garbage,
-  unplug, hang, wrong_baud, eof, bus_off, error_frames, babbling, address_stolen, bus_load,
+  unplug, hang, wrong_baud, eof, bus_off, error_frames, babbling, address_stolen, bus_load, nak,
   delay, jitter, slow, burst, clock_step, clock_drift,
-  bottom_lost, satellites_blocked, antenna_gain
+  bottom_lost, satellites_blocked, antenna_gain, hot
   // clang-format on
 };
 

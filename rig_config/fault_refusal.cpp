@@ -50,8 +50,8 @@ bool has_noise(const DeviceConfig& device) {
 bool needs_emulation(FaultKind kind) {
   const FaultLayer layer = word_of(kind).layer;
   return layer == FaultLayer::measurement || layer == FaultLayer::environment || kind == slow ||
-         kind == clock_step || kind == clock_drift || kind == address_stolen || kind == babbling ||
-         kind == bus_load;
+         kind == nak || kind == clock_step || kind == clock_drift || kind == address_stolen ||
+         kind == babbling || kind == bus_load;
 }
 
 std::optional<std::string> of_the_wire(FaultKind kind, const DeviceConfig& device) {
@@ -73,6 +73,11 @@ std::optional<std::string> of_the_wire(FaultKind kind, const DeviceConfig& devic
     case bus_load:
       if (!on_can(device)) return "only a CAN bus has that";
       break;
+    case nak:
+      if (!speaks(device,
+                  {"water-linked", "cia404-imu", "cia404-pressure", "epson-g550", "epson-g552"}))
+        return "nothing is set on it that it could refuse";
+      break;
     case address_stolen:
       if (!on_j1939(device)) return "only J1939 and NMEA 2000 nodes claim addresses";
       break;
@@ -91,6 +96,9 @@ std::optional<std::string> of_the_sensor(FaultKind kind, const DeviceConfig& dev
       break;
     case bottom_lost:
       if (device.kind != DeviceKind::dvl) return "only a dvl hears the sea bed";
+      break;
+    case hot:
+      if (!speaks(device, {"water-linked"})) return "only a Water Linked dvl tells its heat";
       break;
     case satellites_blocked:
     case antenna_gain:

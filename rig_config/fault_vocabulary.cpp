@@ -40,6 +40,7 @@ constexpr FaultWord vocabulary[] = {
     {babbling, link, "babbling", "", 0, 0, 0, "a node sends its highest priority all the time"},
     {address_stolen, link, "address-stolen", "", 0, 0, 0, "another J1939 node claims the device's address"},
     {bus_load, link, "bus-load", "share", 0.5, 0.01, 0.99, "other nodes take such a share of the bus"},
+    {nak, link, "nak", "", 0, 0, 0, "it refuses to be set"},
 
     {delay, time, "delay", "seconds", 0.5, 0, hour, "messages come later"},
     {jitter, time, "jitter", "seconds", 0.05, 0, hour, "messages come later by a random time, in order"},
@@ -51,6 +52,7 @@ constexpr FaultWord vocabulary[] = {
     {bottom_lost, environment, "bottom-lost", "", 0, 0, 0, "no echo from the sea bed"},
     {satellites_blocked, environment, "satellites-blocked", "below_deg", 90, 0, 90, "none is seen below such an elevation"},
     {antenna_gain, environment, "antenna-gain", "db", -10, -60, 20, "signals are stronger by so much"},
+    {hot, environment, "hot", "seconds", 20, 0, hour, "out of the water and hot: it shuts down after so long"},
 };
 // clang-format on
 

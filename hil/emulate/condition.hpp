@@ -31,6 +31,11 @@ struct Condition {
   bool bottom_lost = false;
   double blocked_below_rad = -2;  ///< no satellite is seen under such an elevation
   double antenna_gain_db = 0;
+  bool refuses = false;  ///< to be set
+  struct Heat {
+    Stamp shuts_down_at{};
+  };
+  std::optional<Heat> hot;  ///< of a DVL out of the water
 };
 
 }  // namespace drydock::emulate

@@ -35,7 +35,7 @@ sensor::DvlPing DvlDevice::ping(Stamp at) {
   const sensor::PingNoise noise = next_noise();
   if (!condition().stuck_at) last_noise_ = noise;
   sensor::JanusHead head = head_;
-  if (condition().bottom_lost) head.longest_range_m = 0;
+  if (condition().bottom_lost || condition().hot) head.longest_range_m = 0;
   return sensor::dvl_ping(trajectory(), at, mounting(), head, last_noise_);
 }
 

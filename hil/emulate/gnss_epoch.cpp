@@ -30,6 +30,8 @@ double course_rad(const Eigen::Vector3d& velocity_ned) {
 
 GnssSensor::GnssSensor(const DeviceSetup& setup)
     : condition_(setup.condition),
+      boot_(setup.boot),
+      first_fix_(measurement::from_seconds(setup.config.emulate.first_fix_s)),
       lowest_cno_dbhz_(setup.config.emulate.sky.value_or(rig_config::SkyConfig{}).lowest_cno_dbhz),
       sky_(setup.sky),
       position_errors_(setup.primary_errors()),
@@ -71,12 +73,23 @@ void GnssSensor::hide(measurement::GnssSatellites& sky) const {
   }
 }
 
+void GnssSensor::search(GnssEpoch& epoch, Stamp at) const {
+  const double part = std::chrono::duration<double>(at - boot_) / first_fix_;
+  auto& satellites = epoch.sky.satellites;
+  std::ranges::stable_sort(satellites, std::ranges::greater{},
+                           [](const auto& s) { return s.cno_dbhz.value_or(0); });
+  satellites.resize(static_cast<std::size_t>(part * static_cast<double>(satellites.size())));
+  for (auto& satellite : satellites) satellite.used = false;
+  epoch.time_is_known = part >= 0.5;
+}
+
 GnssEpoch GnssSensor::measure(const motion::Truth& truth, const sensor::Mounting& mounting) {
   GnssEpoch epoch;
   epoch.fix = sensor::ideal_gnss(truth, mounting);
   epoch.sky.origin.valid_at = truth.at;
   if (epoch.fix.type != measurement::FixType::none) epoch.sky = sky_->at(truth);
   hide(epoch.sky);
+  if (truth.at - boot_ < first_fix_) search(epoch, truth.at);
   const auto used = std::ranges::count_if(epoch.sky.satellites, &measurement::Satellite::used);
   epoch.dilution = sky::dilution(epoch.sky.satellites);
   if (epoch.dilution) {

@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <string_view>
 
+#include "hil/emulate/booting_device.hpp"
 #include "hil/emulate/devices.hpp"
 #include "hil/emulate/make_sky.hpp"
 
@@ -72,13 +73,16 @@ boost::system::result<DevicePtr, EmulateError> make_emulated_device(const Device
   }
   for (const Entry& entry : catalogue) {
     if (entry.kind == config.kind && entry.protocol == config.protocol) {
-      DeviceSetup setup{config, trajectory, seed, nullptr, power.boot, power.condition};
+      const auto& emulated = config.emulate;
+      const Stamp booted = power.boot + measurement::from_seconds(emulated.boot_s);
+      DeviceSetup setup{config, trajectory, seed, nullptr, booted, power.condition};
       if (config.kind == DeviceKind::gnss) {
         auto sky = make_sky(config, trajectory.start(), seed);
         if (!sky) return sky.error();
         setup.sky = std::move(*sky);
       }
-      return entry.make(setup);
+      if (emulated.boot_s == 0 && emulated.banner.empty()) return entry.make(setup);
+      return std::make_unique<BootingDevice>(entry.make(setup), booted, emulated.banner);
     }
   }
   return unknown_protocol(config);

@@ -53,6 +53,8 @@ emulate::Condition condition_under(const std::vector<InForce>& faults,
       case FaultKind::satellites_blocked:
         is.blocked_below_rad = amount * std::numbers::pi / 180;
         break;
+      case FaultKind::nak: is.refuses = true; break;
+      case FaultKind::hot: is.hot = {now.since + measurement::from_seconds(amount)}; break;
       case FaultKind::antenna_gain: is.antenna_gain_db = amount; break;
       default:
         disturb(rig_config::is_secondary(kind, fault.quantity) ? is.secondary : is.primary, now);

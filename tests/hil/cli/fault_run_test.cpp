@@ -155,9 +155,17 @@ INSTANTIATE_TEST_SUITE_P(Vocabulary, EachFault, testing::ValuesIn(cases), [](con
   return name;
 });
 
+TEST(FaultVocabulary, ACanopenNodeThatWasWithoutPowerIsStartedAgain) {
+  const Heard heard = run_under({"imu", "off"});
+  EXPECT_THAT(heard.between(20.1, 26), testing::IsEmpty());
+  EXPECT_NEAR(static_cast<double>(heard.between(27, 60).size()), 3300, 2);
+  EXPECT_EQ(heard.device.state, "streaming");
+}
+
 TEST(FaultVocabulary, IsTheWholeVocabulary) {
   std::vector<std::string_view> tried, known;
   for (const Case& c : cases) tried.emplace_back(c.fault);
+  tried.insert(tried.end(), {"nak", "hot"});  // tests/hil/fault/power_up_test.cpp
   for (const auto& word : rig_config::fault_vocabulary()) known.push_back(word.name);
   EXPECT_THAT(tried, testing::UnorderedElementsAreArray(known));
 }
