@@ -43,7 +43,7 @@ void WaterLinkedDialogue::tick(Stamp now, Output& out) {
   if (!due_ || now < *due_) return;
   if (finished()) return start(now, out);
   if (tries_ < most_tries) return ask(now, out);
-  tell("no answer to", out);
+  if (!replayed_) tell("no answer to", out);
   settings_hold_ = true;
   step_ = Step::idle;
   due_ = now + start_again_after;

@@ -21,6 +21,8 @@ class WaterLinkedDialogue {
       : wanted_(wanted) {}
 
   void start(Stamp now, Output& out);  ///< nothing to do without settings
+  /// A recording that has no answers is not a DVL that gives none.
+  void expect_no_answers(bool replayed) { replayed_ = replayed; }
   void stop() { step_ = Step::idle, due_.reset(); }
   void receive(const wire::WaterLinked::Message& message, Stamp now, Output& out);
   void tick(Stamp now, Output& out);
@@ -54,6 +56,7 @@ class WaterLinkedDialogue {
 
   Step step_ = Step::idle;
   bool settings_hold_ = true;
+  bool replayed_ = false;
   int tries_ = 0;             ///< of the command under way
   std::optional<Stamp> due_;  ///< of its answer, or of the next start
   FixedText<64> command_;     ///< without checksum, for the reports

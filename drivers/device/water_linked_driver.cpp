@@ -39,8 +39,8 @@ void WaterLinkedDriver::receive(wire::Bytes bytes, Stamp received_at, Output& ou
 void WaterLinkedDriver::restart(Stamp now, Output& out) {
   StreamDriver::restart(now, out);
   heard_at_.reset();
-  // A recording does not answer.
-  if (timing_.provenance() == measurement::Provenance::replayed) return dialogue_.stop();
+  // The answers are in the recording, at the times at which they came: it goes as it went.
+  dialogue_.expect_no_answers(timing_.provenance() == measurement::Provenance::replayed);
   dialogue_.start(now, out);
 }
 
@@ -77,8 +77,7 @@ void WaterLinkedDriver::publish(const water_linked::Report& report,
 void WaterLinkedDriver::heed_silence(Stamp now, Output& out) {
   const bool was_silent = heard_at_ ? now - *heard_at_ > silence_of_a_boot : dialogue_.unanswered();
   heard_at_ = now;
-  if (was_silent && timing_.provenance() != measurement::Provenance::replayed)
-    dialogue_.start(now, out);
+  if (was_silent) dialogue_.start(now, out);
 }
 
 void WaterLinkedDriver::heed_heat(bool hot, Output& out) {

@@ -65,6 +65,8 @@ class LockstepBench final : private device::Listener, private pipeline::Estimate
   LockstepBench(const rig_config::Rig& rig, const RunOptions& options)
       : rig_(rig),
         on_measurement_hook_(options.on_measurement),
+        each_second_(options.each_second),
+        quiet_(options.quiet),
         start_(measurement::stamp_from_ns(rig.start_utc_ns)),
         trajectory_(std::make_unique<motion::RememberedTrajectory>(
             motion::make_trajectory(rig.mission, start_))),
@@ -73,7 +75,8 @@ class LockstepBench final : private device::Listener, private pipeline::Estimate
         pipeline_(or_throw(pipeline::make_pipeline(pipeline_options(rig), *this))),
         duration_s_(options.duration_s > 0 ? options.duration_s
                                            : measurement::seconds(trajectory_->end() - start_)),
-        scribe_(rig, truth_for_estimators(rig) ? trajectory_.get() : nullptr, start_, duration_s_),
+        scribe_(rig, truth_for_estimators(rig) ? trajectory_.get() : nullptr, start_, duration_s_,
+                options.curve_points),
         expects_(rig, truth_for_estimators(rig) ? trajectory_.get() : nullptr, start_),
         watchers_(rig, truth_for_estimators(rig) ? trajectory_.get() : nullptr) {
     if (!options.record.path.empty()) {
@@ -96,6 +99,7 @@ class LockstepBench final : private device::Listener, private pipeline::Estimate
       expects_.follow(
           clock_.now(), [this] { return devices(); }, pipeline_);
       tell_watchers();
+      if (each_second_) each_second_({clock_.now(), devices_, faults_});
       show_progress();
     }
     pipeline_.flush();
@@ -138,6 +142,7 @@ class LockstepBench final : private device::Listener, private pipeline::Estimate
     actors_.push_back(std::make_unique<shell::DeviceActor>(
         std::move(device), listener, *to_lines_.back(), start_, provenance_of(config.link)));
     auto& actor = *actors_.back();
+    devices_.push_back(&actor.device());
     clock_.add(actor);
     if (uri->recorded()) {
       actor.tap(watchers_.all);
@@ -189,8 +194,8 @@ class LockstepBench final : private device::Listener, private pipeline::Estimate
   }
 
   bool has_faults(const rig_config::DeviceConfig& config) const {
-    return std::ranges::find(rig_.faults, config.name, &rig_config::FaultConfig::device) !=
-           rig_.faults.end();
+    return each_second_ || std::ranges::find(rig_.faults, config.name,
+                                             &rig_config::FaultConfig::device) != rig_.faults.end();
   }
 
   void on_measurement(const measurement::Measurement& m) override {
@@ -202,7 +207,7 @@ class LockstepBench final : private device::Listener, private pipeline::Estimate
 
   void on_state(const device::Device& device, const device::Transition& change) override {
     expects_.note(device.name(), change);
-    if (::isatty(STDOUT_FILENO) == 1) return;
+    if (quiet_ || ::isatty(STDOUT_FILENO) == 1) return;
     fmt::print("{:.3f} s {}: {} -> {}: {}\n", measurement::seconds(change.at - start_),
                device.name(), to_string(change.from), to_string(change.to), change.why.view());
   }
@@ -236,6 +241,8 @@ class LockstepBench final : private device::Listener, private pipeline::Estimate
 
   const rig_config::Rig& rig_;
   std::function<void(const measurement::Measurement&)> on_measurement_hook_;
+  std::function<void(const RunView&)> each_second_;
+  bool quiet_;
   Stamp start_;
   std::unique_ptr<motion::Trajectory> trajectory_;
   shell::Lockstep clock_;
@@ -248,6 +255,7 @@ class LockstepBench final : private device::Listener, private pipeline::Estimate
   std::optional<RigRecorder> recorder_;
   std::vector<std::unique_ptr<ToLine>> to_lines_;
   std::vector<std::unique_ptr<shell::DeviceActor>> actors_;
+  std::vector<const device::Device*> devices_;
   std::vector<std::unique_ptr<emulate::EmulatedLine>> lines_;
   std::vector<std::unique_ptr<shell::Actor>> recordings_;
   std::map<std::string, Bus> buses_;

@@ -46,6 +46,10 @@ const InForce* find(const std::vector<InForce>& faults, FaultKind kind) {
 void Schedule::add(const FaultConfig& fault) { faults_.push_back(fault); }
 
 void Schedule::set(FaultConfig fault, Stamp now) {
+  std::erase_if(faults_, [&](const FaultConfig& other) {
+    const auto turn = last_turn(other, start_, now);
+    return turn && turn->until && *turn->until <= now && !other.every_s;
+  });
   fault.start_s = measurement::seconds(now - start_);
   faults_.push_back(std::move(fault));
   ++edits_;

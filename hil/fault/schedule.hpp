@@ -30,7 +30,7 @@ class Schedule {
 
   void add(const FaultConfig& fault);
 
-  /// Sets one from `now` on, whatever its start_s says.
+  /// Sets one from `now` on, whatever its start_s says. Those that are over are forgotten.
   void set(FaultConfig fault, Stamp now);
 
   /// Takes out those of a kind, or all; how many were in force or still to come.
