@@ -186,6 +186,7 @@ Rig build_rig(const Node& root, const std::string& file) {
     rig.estimators.push_back(build_estimator(estimator));
   });
   rig.expects = build_expects(root);
+  rig.faults = build_faults(root, file);
   return rig;
 }
 

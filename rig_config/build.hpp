@@ -19,6 +19,9 @@ inline std::string_view name_of(DeviceKind kind) {
 /// The blocks [[expect]] of a rig, in their order.
 std::vector<ExpectConfig> build_expects(const Node& root);
 
+/// The blocks [[fault]] of a rig, mission or fault file, in their order.
+std::vector<FaultConfig> build_faults(const Node& root, const std::string& file);
+
 /// All of a rig but its mission and the errors that stand in sensor files.
 Rig build_rig(const Node& root, const std::string& file);
 

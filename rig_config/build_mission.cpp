@@ -63,6 +63,7 @@ MissionConfig build_mission(const Node& root, const std::string& file) {
     mission.ballistic = build_ballistic(*ballistic);
     read(*ballistic, "speed_mps", mission.speed_mps);
   }
+  mission.faults = build_faults(root, file);
   return mission;
 }
 

@@ -150,6 +150,7 @@ std::string beside(const std::string& file, const std::string& relative) {
 Problems check_rig(const Node& root, const std::string& file, const LoadOptions& options) {
   Problems problems = RigChecks(root, file, options).run();
   std::ranges::move(check_expects(root, file), std::back_inserter(problems));
+  std::ranges::move(check_faults(root, file), std::back_inserter(problems));
   return problems;
 }
 

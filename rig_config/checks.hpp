@@ -15,6 +15,10 @@ Problems check_rig(const Node& root, const std::string& file, const LoadOptions&
 /// Of blocks [[expect]]: names that exist, bounds in order, figures that the kind of estimator has.
 Problems check_expects(const Node& root, const std::string& file);
 
+/// Of blocks [[fault]]: keys that the fault has, amounts in range. Whether the device can have it:
+/// check_faults_of().
+Problems check_faults(const Node& root, const std::string& file);
+
 /// What a schema cannot say of a mission: it stays in the water, depths of profiles rise, raster
 /// and vehicle file are there, only a vehicle is steered by its rudder, only a kinematic one heels
 /// as told.

@@ -40,6 +40,9 @@ struct DvlHeadConfig {
 struct EmulateConfig {
   bool fixed_bias = true;  ///< constants are +1 sigma as given; false: drawn N(0, 1 sigma) per seed
   double latency_s = 0;    ///< from sampling to the first byte on the wire
+  double boot_s = 0;       ///< from power to the first word
+  std::string banner;      ///< said then; byte links
+  double first_fix_s = 0;  ///< kind gnss: a cold start, from power
   DropoutConfig dropout;
 
   /// Gyro rad/s, velocity or speed m/s, position m, pressure Pa, angle rad.

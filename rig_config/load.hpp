@@ -63,6 +63,14 @@ Loaded<EmulateConfig> load_sensor(const std::string& path, DeviceKind kind);
 Loaded<EmulateConfig> load_sensor_text(std::string_view text, const std::string& path,
                                        DeviceKind kind);
 
+/// Faults alone, as a file of blocks [[fault]] or what is typed has them. Their devices are the
+/// rig's: check_faults_of().
+Loaded<std::vector<FaultConfig>> load_faults(const std::string& path);
+Loaded<std::vector<FaultConfig>> load_faults_text(std::string_view text, const std::string& path);
+
+/// Faults of devices that the rig has not, or that its devices cannot have behind such a target.
+Problems check_faults_of(const Rig& rig, FaultTarget target = FaultTarget::emulated);
+
 /// Prime values stay prime: estimators/vehicle makes the equations of motion of them.
 Loaded<VehicleConfig> load_vehicle(const std::string& path);
 Loaded<VehicleConfig> load_vehicle_text(std::string_view text, const std::string& path);

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "rig_config/fault.hpp"
 #include "rig_config/ocean.hpp"
 #include "rig_config/vehicle.hpp"
 
@@ -57,6 +58,7 @@ struct MissionConfig {
   double pivot_m = 0;           ///< ahead of the origin, where a turning hull has no side slip
   double sideslip_lag_s = 0.5;  ///< of each of the two lags between turning and slipping
   std::vector<LegConfig> legs;  ///< repeated from the first when the run lasts longer
+  std::vector<FaultConfig> faults;
   std::optional<BallisticConfig> ballistic;  ///< in place of legs
   std::optional<VehicleConfig> vehicle;      ///< sails the legs under autopilots; none: kinematic
 };

@@ -13,6 +13,9 @@ void read_errors(const Node& table, DeviceKind kind, EmulateConfig& into) {
   read(table, "quantisation_carried", into.secondary.quantisation_carried);
   read(table, "fixed_bias", into.fixed_bias);
   read(table, "latency_ms", into.latency_s, millisecond);
+  read(table, "boot_s", into.boot_s);
+  read(table, "banner", into.banner);
+  read(table, "first_fix_s", into.first_fix_s);
   read(table, "dropout_probability", into.dropout.probability);
   read(table, "dropout_mean_samples", into.dropout.mean_samples);
   if (const auto rate = read_if(table, "rate_hz")) into.rate_hz = rate;

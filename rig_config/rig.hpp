@@ -9,6 +9,7 @@
 
 #include "rig_config/emulate.hpp"
 #include "rig_config/expect.hpp"
+#include "rig_config/fault.hpp"
 #include "rig_config/mission.hpp"
 #include "rig_config/vehicle.hpp"
 
@@ -143,6 +144,7 @@ struct Rig {
   std::vector<DeviceConfig> devices;
   std::vector<EstimatorConfig> estimators;
   std::vector<ExpectConfig> expects;
+  std::vector<FaultConfig> faults;  ///< of the rig file, then of its mission
 };
 
 }  // namespace drydock::rig_config

@@ -72,6 +72,7 @@ void AceinnaImuDriver::on(const aceinna::Acceleration& m, const wire::CanFrame& 
 /// A claim is the first that a device says after its boot: it has lost its settings.
 void AceinnaImuDriver::on(const aceinna::AddressClaimed& m, const wire::CanFrame&, Stamp at,
                           Output&) {
+  source_.claimed(m.source, aceinna::to_value(m.name));
   if (ours(m.source)) configurator_.begin_anew(at);
 }
 

@@ -16,6 +16,9 @@ void ActuatorDriver::receive(const wire::CanFrame& frame, Stamp received_at, Out
     on(*rudder, origin, out);
   } else if (const auto* engine = std::get_if<wire::nmea2000::Engine>(&*message)) {
     on(*engine, origin, out);
+  } else if (const auto* claim = std::get_if<wire::j1939::AddressClaimed>(&*message)) {
+    for (SourceFilter& source : surface_source_) source.claimed(claim->source, claim->name);
+    engine_source_.claimed(claim->source, claim->name);
   }
 }
 

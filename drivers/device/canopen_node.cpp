@@ -39,6 +39,13 @@ void CanopenNode::restart(Stamp now, Output& out) {
   out.send(canopen::encode(canopen::Nmt{canopen::NmtCommand::start, node}));
 }
 
+bool CanopenNode::is_of_another(const wire::CanFrame& frame) const {
+  constexpr std::uint32_t node_bits = 0x7F;
+  const auto sensor = source_.source();
+  const std::uint32_t node = frame.id & node_bits;
+  return sensor && !frame.extended && !frame.error && node != 0 && node != *sensor;
+}
+
 std::optional<Stamp> CanopenNode::deadline() const {
   if (!lost_at_ || !next_sync_) return lost_at_ ? lost_at_ : next_sync_;
   return std::min(*lost_at_, *next_sync_);

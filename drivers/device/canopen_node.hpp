@@ -22,6 +22,9 @@ class CanopenNode {
   void tick(Stamp now, Output& out);
   std::optional<Stamp> deadline() const;
 
+  /// A frame of the predefined connection set (CiA 301) that is a node's which is not our sensor.
+  bool is_of_another(const wire::CanFrame& frame) const;
+
   /// Whether process data of `node` are our sensor's.
   bool accepts(std::uint8_t node, Stamp now) { return source_.accepts(node, now); }
   void on(const wire::canopen::Heartbeat& heartbeat, Stamp at, Output& out);

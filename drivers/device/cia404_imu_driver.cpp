@@ -17,6 +17,7 @@ constexpr std::chrono::milliseconds longest_set{5};
 template <class Protocol>
 void Cia404ImuDriver<Protocol>::receive(const wire::CanFrame& frame, Stamp received_at,
                                         Output& out) {
+  if (node_.is_of_another(frame)) return;
   if (const auto node = canopen::node_above(frame, canopen::tpdo_id(1, 0))) {
     first_frame_[*node] = timing_.of_frame(received_at, frame);
   }

@@ -12,6 +12,7 @@ Cia404PressureDriver::Cia404PressureDriver(const DriverOptions& options)
       water_(options.water) {}
 
 void Cia404PressureDriver::receive(const wire::CanFrame& frame, Stamp received_at, Output& out) {
+  if (node_.is_of_another(frame)) return;
   const auto message = decoder_.receive(frame);
   if (!message) return;
   if (const auto* value = std::get_if<wire::cia404_pressure::ProcessValue>(&*message)) {

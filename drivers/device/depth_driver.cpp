@@ -53,4 +53,9 @@ void DepthDriver::on(const wire::nmea2000::WaterDepth& depth, const Origin& orig
   out.publish(sample);
 }
 
+void DepthDriver::on(const wire::j1939::AddressClaimed& claim, const Origin&, Output&) {
+  for (SourceFilter* source : {&pressure_source_, &temperature_source_, &sounder_source_})
+    source->claimed(claim.source, claim.name);
+}
+
 }  // namespace drydock::device

@@ -20,6 +20,7 @@ class DepthDriver final : public BusDriver<wire::Nmea2000> {
   void on(const wire::nmea2000::Pressure& pressure, const Origin& origin, Output& out);
   void on(const wire::nmea2000::Temperature& temperature, const Origin& origin, Output& out);
   void on(const wire::nmea2000::WaterDepth& depth, const Origin& origin, Output& out);
+  void on(const wire::j1939::AddressClaimed& claim, const Origin& origin, Output& out);
 
   measurement::WaterColumn water_;
   SourceFilter pressure_source_, temperature_source_, sounder_source_;

@@ -33,6 +33,7 @@ Reason with_number(std::string_view before, double value, std::string_view behin
 void WaterLinkedDialogue::start(Stamp now, Output& out) {
   stop();
   if (!wanted_) return;
+  settings_hold_ = nothing_to_set();
   step_ = Step::version;
   tries_ = 0;
   ask(now, out);
@@ -42,7 +43,8 @@ void WaterLinkedDialogue::tick(Stamp now, Output& out) {
   if (!due_ || now < *due_) return;
   if (finished()) return start(now, out);
   if (tries_ < most_tries) return ask(now, out);
-  tell("no answer to", out);
+  if (!replayed_) tell("no answer to", out);
+  settings_hold_ = true;
   step_ = Step::idle;
   due_ = now + start_again_after;
 }
@@ -64,8 +66,10 @@ void WaterLinkedDialogue::on(const water_linked::Version& version, Stamp now, Ou
 void WaterLinkedDialogue::on(const water_linked::Configuration& read, Stamp now, Output& out) {
   if (step_ != Step::check) return;
   const double rotation = wanted_->mounting_rotation_rad.value_or(0);
+  settings_hold_ = true;
   if (wanted_->sound_speed_mps && read.sound_speed_mps &&
       std::abs(*read.sound_speed_mps - *wanted_->sound_speed_mps) > same_sound_speed_mps) {
+    settings_hold_ = false;
     out.report(with_number("the DVL uses a speed of sound of ", *read.sound_speed_mps,
                            " m/s, not the one of the rig file")
                    .view());
@@ -73,6 +77,7 @@ void WaterLinkedDialogue::on(const water_linked::Configuration& read, Stamp now,
   if (read.mounting_rotation_rad &&
       std::abs(std::remainder(*read.mounting_rotation_rad - rotation, 2 * std::numbers::pi)) >
           same_rotation_rad) {
+    settings_hold_ = false;
     out.report(with_number("the DVL turns its velocities by ",
                            wire::degrees(*read.mounting_rotation_rad),
                            " degrees, not by the mounting_rotation_deg of the rig file")
@@ -100,10 +105,13 @@ void WaterLinkedDialogue::ask_again_or(std::string_view trouble, Stamp now, Outp
   next(now, out);
 }
 
+bool WaterLinkedDialogue::nothing_to_set() const {
+  return !wanted_->sound_speed_mps && !wanted_->mounting_rotation_rad;
+}
+
 void WaterLinkedDialogue::next(Stamp now, Output& out) {
   step_ = static_cast<Step>(static_cast<int>(step_) + 1);
-  const bool nothing_to_set = !wanted_->sound_speed_mps && !wanted_->mounting_rotation_rad;
-  if (step_ == Step::set && nothing_to_set) step_ = Step::check;
+  if (step_ == Step::set && nothing_to_set()) step_ = Step::check;
   tries_ = 0;
   due_.reset();
   if (!finished()) ask(now, out);

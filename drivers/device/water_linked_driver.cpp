@@ -6,6 +6,8 @@ namespace {
 
 namespace water_linked = wire::water_linked;
 
+/// A DVL on says something twice a second or more; one that boots takes longer than that.
+constexpr std::chrono::seconds silence_of_a_boot{2};
 constexpr std::chrono::seconds new_form_counts_for{3};  // at least two reports a second
 /// An older report is none of this ping: the DVL's clock was set between its two times.
 constexpr std::chrono::seconds oldest_report{2};
@@ -23,6 +25,7 @@ void WaterLinkedDriver::receive(wire::Bytes bytes, Stamp received_at, Output& ou
   framer_.feed(bytes, wire::WaterLinked::scan, [&](wire::Bytes frame, std::size_t after) {
     const auto message = wire::WaterLinked::decode(frame);
     if (!message) return;
+    heed_silence(received_at, out);
     dialogue_.receive(*message, received_at, out);
     const Arrival arrival{received_at, frame.size(), after};
     std::visit(
@@ -35,8 +38,9 @@ void WaterLinkedDriver::receive(wire::Bytes bytes, Stamp received_at, Output& ou
 
 void WaterLinkedDriver::restart(Stamp now, Output& out) {
   StreamDriver::restart(now, out);
-  // A recording does not answer.
-  if (timing_.provenance() == measurement::Provenance::replayed) return dialogue_.stop();
+  heard_at_.reset();
+  // The answers are in the recording, at the times at which they came: it goes as it went.
+  dialogue_.expect_no_answers(timing_.provenance() == measurement::Provenance::replayed);
   dialogue_.start(now, out);
 }
 
@@ -65,9 +69,15 @@ void WaterLinkedDriver::publish(const water_linked::Report& report,
   measurement::BottomVelocity result;
   result.origin = origin;
   const auto& [x, y, z] = report.velocity_mps;
-  if (x && y && z) result.velocity = mounting_.to_body({*x, *y, *z});
+  if (x && y && z && dialogue_.settings_hold()) result.velocity = mounting_.to_body({*x, *y, *z});
   result.altitude_m = altitude_m;
   out.publish(result);
+}
+
+void WaterLinkedDriver::heed_silence(Stamp now, Output& out) {
+  const bool was_silent = heard_at_ ? now - *heard_at_ > silence_of_a_boot : dialogue_.unanswered();
+  heard_at_ = now;
+  if (was_silent) dialogue_.start(now, out);
 }
 
 void WaterLinkedDriver::heed_heat(bool hot, Output& out) {

@@ -10,7 +10,10 @@ namespace drydock::device {
 /// of transmission and validity, else by the configured latency. wrx counts while no wrz comes: a
 /// DVL that sends both says the same twice. Water track (wrs) is no bottom velocity. Distances
 /// along the beams (wru, wrt) do not say of which ping they are, so none go into a measurement.
-/// Sets the DVL up when the link opens, where the rig says how (WaterLinkedDialogue).
+/// Sets the DVL up when the link opens and after a silence, in which it may have lost its power and
+/// with it what was set (WaterLinkedDialogue). While that differs from the rig file, or is not
+/// known to agree yet, there are no velocities: they would be those of other axes or another sound
+/// speed.
 class WaterLinkedDriver final : public StreamDriver<wire::WaterLinked::max_frame> {
  public:
   explicit WaterLinkedDriver(const DriverOptions& options)
@@ -31,11 +34,12 @@ class WaterLinkedDriver final : public StreamDriver<wire::WaterLinked::max_frame
   void on(const wire::water_linked::OldVelocity& report, const Arrival& arrival, Output& out);
   void publish(const wire::water_linked::Report& report, const std::optional<double>& altitude_m,
                const Origin& origin, Output& out) const;
+  void heed_silence(Stamp now, Output& out);
   void heed_heat(bool hot, Output& out);
 
   Mounting mounting_;
   WaterLinkedDialogue dialogue_;
-  std::optional<Stamp> new_form_at_;
+  std::optional<Stamp> new_form_at_, heard_at_;
   bool hot_ = false;
 };
 

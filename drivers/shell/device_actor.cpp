@@ -20,7 +20,17 @@ void DeviceActor::act(Stamp now) {
   }
   device_->tick(now);
   if (device_->wants_close()) device_->link_lost(now, "closed");
-  if (device_->wants_open()) device_->opened(now, provenance_);
+  if (!device_->wants_open()) return;
+  if (port_is_there_)
+    device_->opened(now, provenance_);
+  else
+    device_->open_failed(now, "there is no such port");
+}
+
+void DeviceActor::set_port(bool there, Stamp at) {
+  port_is_there_ = there;
+  if (!there) device_->link_lost(at, "the port is gone");
+  woken();
 }
 
 }  // namespace drydock::shell

@@ -33,6 +33,9 @@ class DeviceActor final : public Actor {
     woken();
   }
 
+  /// The port behind the link goes, or comes back and can be opened again.
+  void set_port(bool there, Stamp at);
+
   std::optional<Stamp> deadline() const override;
   void act(Stamp now) override;
 
@@ -47,6 +50,7 @@ class DeviceActor final : public Actor {
   std::optional<Stamp> start_;  ///< empty once started
   measurement::Provenance provenance_;
   RawListener* raw_ = nullptr;
+  bool port_is_there_ = true;
 };
 
 }  // namespace drydock::shell

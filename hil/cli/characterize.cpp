@@ -10,6 +10,7 @@
 #include "hil/cli/exit_codes.hpp"
 #include "hil/cli/html.hpp"
 #include "hil/cli/study_report.hpp"
+#include "hil/cli/write_file.hpp"
 #include "rig_config/error_keys.hpp"
 #include "rig_config/load.hpp"
 
@@ -92,15 +93,6 @@ std::vector<Characterized> characterize_all(const CharacterizeOptions& options,
   return all;
 }
 
-void write(const std::filesystem::path& path, const std::string& text) {
-  std::error_code ignored;  // shows as a file that cannot be opened
-  if (path.has_parent_path()) std::filesystem::create_directories(path.parent_path(), ignored);
-  std::ofstream out(path, std::ios::binary);
-  out << text;
-  out.close();
-  if (!out) throw std::runtime_error(fmt::format("cannot write {}", path.string()));
-}
-
 std::string page_of(const CharacterizeOptions& options, const Gathered& gathered,
                     const std::vector<Characterized>& devices) {
   std::string body;
@@ -120,14 +112,14 @@ void show(const CharacterizeOptions& options, const Gathered& gathered,
     for (const auto& table : tables_of(device)) fmt::print(out, "\n{}", to_text(table));
     json.push_back(json_of(device));
   }
-  if (!options.json.empty()) write(options.json, json.dump(2) + "\n");
+  if (!options.json.empty()) write_file(options.json, json.dump(2) + "\n");
   if (!options.report.empty()) {
     const auto page = std::filesystem::path(options.report) / "index.html";
-    write(page, page_of(options, gathered, devices));
+    write_file(page, page_of(options, gathered, devices));
     fmt::print(out, "\nreport: {}\n", page.string());
   }
   if (!options.out.empty()) {
-    write(options.out, sensor_file_of(devices.front(), options.source));
+    write_file(options.out, sensor_file_of(devices.front(), options.source));
     fmt::print(out, "\nsensor file: {}\n", options.out);
   }
 }

@@ -22,6 +22,7 @@ std::optional<double> parse_duration(std::string_view text) {
   if (unit.empty() || unit == "s") return within_a_century(value);
   if (unit == "min") return within_a_century(value * 60);
   if (unit == "h") return within_a_century(value * 3600);
+  if (unit == "d") return within_a_century(value * 86400);
   return std::nullopt;
 }
 

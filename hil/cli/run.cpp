@@ -1,11 +1,12 @@
 #include "hil/cli/run.hpp"
 
+#include "hil/cli/write_file.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <iterator>
 #include <stdexcept>
 
@@ -15,17 +16,6 @@
 
 namespace drydock::cli {
 namespace {
-
-void write_file(const std::filesystem::path& path, const std::string& text) {
-  if (path.has_parent_path()) {
-    std::error_code ignored;  // a folder that cannot be made shows as a file that cannot be opened
-    std::filesystem::create_directories(path.parent_path(), ignored);
-  }
-  std::ofstream out(path, std::ios::binary);
-  out << text;
-  out.close();
-  if (!out) throw std::runtime_error(fmt::format("cannot write {}", path.string()));
-}
 
 /// --expect-streaming and --expect-rms, as blocks [[expect]].
 std::vector<rig_config::ExpectConfig> asked_for(const rig_config::Rig& rig,

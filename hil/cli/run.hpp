@@ -10,17 +10,31 @@
 #include "hil/cli/summary.hpp"
 #include "rig_config/rig.hpp"
 
+namespace drydock::fault {
+class Injector;
+}
+
 namespace drydock::cli {
+
+/// A run under way, for who looks at it from outside and puts faults on it.
+struct RunView {
+  measurement::Stamp now{};
+  const std::vector<const device::Device*>& devices;  ///< in the order of the rig
+  fault::Injector& faults;
+};
 
 struct RunOptions {
   double duration_s = 0;  ///< 0: until Ctrl-C (real time), one lap of the mission (lockstep)
   bool lockstep = false;  ///< --speed max
   std::string json, report, junit;  ///< file, folder, file; empty: none
+  bool quiet = false;               ///< lockstep: no line for a change of state
+  double curve_points = 1500;       ///< lockstep: of each curve kept for the report
   bool expect_streaming = false;
   std::optional<double> expect_rms_deg;  ///< of every estimator that has a truth
   RecordOptions record;
   ServeOptions serve;                                                   ///< real time only
   std::function<void(const measurement::Measurement&)> on_measurement;  ///< hears all; may be empty
+  std::function<void(const RunView&)> each_second;                      ///< lockstep; may be empty
 };
 
 /// Runs the rig: emulated devices, drivers, estimators, in real time or in lockstep.

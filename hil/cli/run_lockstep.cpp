@@ -21,7 +21,7 @@
 #include "hil/cli/scribe.hpp"
 #include "hil/cli/truth_of_rig.hpp"
 #include "hil/emulate/lockstep.hpp"
-#include "hil/emulate/make_emulated_device.hpp"
+#include "hil/fault/injector.hpp"
 #include "hil/motion/remembered_trajectory.hpp"
 
 namespace drydock::cli {
@@ -65,14 +65,18 @@ class LockstepBench final : private device::Listener, private pipeline::Estimate
   LockstepBench(const rig_config::Rig& rig, const RunOptions& options)
       : rig_(rig),
         on_measurement_hook_(options.on_measurement),
+        each_second_(options.each_second),
+        quiet_(options.quiet),
         start_(measurement::stamp_from_ns(rig.start_utc_ns)),
         trajectory_(std::make_unique<motion::RememberedTrajectory>(
             motion::make_trajectory(rig.mission, start_))),
         clock_(start_),
+        faults_(rig, *trajectory_, start_),
         pipeline_(or_throw(pipeline::make_pipeline(pipeline_options(rig), *this))),
         duration_s_(options.duration_s > 0 ? options.duration_s
                                            : measurement::seconds(trajectory_->end() - start_)),
-        scribe_(rig, truth_for_estimators(rig) ? trajectory_.get() : nullptr, start_, duration_s_),
+        scribe_(rig, truth_for_estimators(rig) ? trajectory_.get() : nullptr, start_, duration_s_,
+                options.curve_points),
         expects_(rig, truth_for_estimators(rig) ? trajectory_.get() : nullptr, start_),
         watchers_(rig, truth_for_estimators(rig) ? trajectory_.get() : nullptr) {
     if (!options.record.path.empty()) {
@@ -95,6 +99,7 @@ class LockstepBench final : private device::Listener, private pipeline::Estimate
       expects_.follow(
           clock_.now(), [this] { return devices(); }, pipeline_);
       tell_watchers();
+      if (each_second_) each_second_({clock_.now(), devices_, faults_});
       show_progress();
     }
     pipeline_.flush();
@@ -137,6 +142,7 @@ class LockstepBench final : private device::Listener, private pipeline::Estimate
     actors_.push_back(std::make_unique<shell::DeviceActor>(
         std::move(device), listener, *to_lines_.back(), start_, provenance_of(config.link)));
     auto& actor = *actors_.back();
+    devices_.push_back(&actor.device());
     clock_.add(actor);
     if (uri->recorded()) {
       actor.tap(watchers_.all);
@@ -161,9 +167,9 @@ class LockstepBench final : private device::Listener, private pipeline::Estimate
   void add_line(const rig_config::DeviceConfig& config, const link::Uri& uri,
                 shell::DeviceActor& actor) {
     lines_.push_back(std::make_unique<emulate::EmulatedLine>(
-        or_throw(emulate::make_emulated_device(config, *trajectory_, rig_.seed)),
-        uri.baud().value_or(emulate::without_line_rate),
+        or_throw(faults_.device(config)), uri.baud().value_or(emulate::without_line_rate),
         [&actor](wire::Bytes bytes, Stamp at) { actor.receive(bytes, at); }));
+    lines_.back()->set_on_port([&actor](bool there, Stamp at) { actor.set_port(there, at); });
     actor.tap(watchers_.all);
     to_lines_.back()->line = lines_.back().get();
     clock_.add(*lines_.back());
@@ -180,9 +186,16 @@ class LockstepBench final : private device::Listener, private pipeline::Estimate
             for (auto* driver : bus.drivers) driver->receive(frame, at);
           });
     }
-    bus.bus->add(or_throw(emulate::make_emulated_device(config, *trajectory_, rig_.seed)));
+    bus.bus->add(or_throw(faults_.device(config)));
+    if (has_faults(config))
+      bus.bus->add(faults_.rogue(config, uri.bitrate().value_or(default_bit_rate)));
     bus.drivers.push_back(&actor);
     to_lines_.back()->bus = bus.bus.get();
+  }
+
+  bool has_faults(const rig_config::DeviceConfig& config) const {
+    return each_second_ || std::ranges::find(rig_.faults, config.name,
+                                             &rig_config::FaultConfig::device) != rig_.faults.end();
   }
 
   void on_measurement(const measurement::Measurement& m) override {
@@ -194,7 +207,7 @@ class LockstepBench final : private device::Listener, private pipeline::Estimate
 
   void on_state(const device::Device& device, const device::Transition& change) override {
     expects_.note(device.name(), change);
-    if (::isatty(STDOUT_FILENO) == 1) return;
+    if (quiet_ || ::isatty(STDOUT_FILENO) == 1) return;
     fmt::print("{:.3f} s {}: {} -> {}: {}\n", measurement::seconds(change.at - start_),
                device.name(), to_string(change.from), to_string(change.to), change.why.view());
   }
@@ -228,9 +241,12 @@ class LockstepBench final : private device::Listener, private pipeline::Estimate
 
   const rig_config::Rig& rig_;
   std::function<void(const measurement::Measurement&)> on_measurement_hook_;
+  std::function<void(const RunView&)> each_second_;
+  bool quiet_;
   Stamp start_;
   std::unique_ptr<motion::Trajectory> trajectory_;
   shell::Lockstep clock_;
+  fault::Injector faults_;
   pipeline::Pipeline pipeline_;
   double duration_s_;
   Scribe scribe_;
@@ -239,6 +255,7 @@ class LockstepBench final : private device::Listener, private pipeline::Estimate
   std::optional<RigRecorder> recorder_;
   std::vector<std::unique_ptr<ToLine>> to_lines_;
   std::vector<std::unique_ptr<shell::DeviceActor>> actors_;
+  std::vector<const device::Device*> devices_;
   std::vector<std::unique_ptr<emulate::EmulatedLine>> lines_;
   std::vector<std::unique_ptr<shell::Actor>> recordings_;
   std::map<std::string, Bus> buses_;

@@ -16,8 +16,6 @@ using namespace measurement;
 
 namespace {
 
-constexpr double points_per_curve = 1500;
-
 frame::Position position_of(const motion::Truth& truth) {
   return {truth.latitude_rad, truth.longitude_rad, truth.height_m};
 }
@@ -53,7 +51,7 @@ AttitudeError ErrorStatistics::result() const {
 }
 
 Scribe::Scribe(const rig_config::Rig& rig, const motion::Trajectory* truth, Stamp start,
-               double expected_duration_s)
+               double expected_duration_s, double points_per_curve)
     : truth_(truth), start_(start), spacing_s_(expected_duration_s / points_per_curve) {
   if (truth) origin_ = position_of(truth->at(start));
   for (const auto& config : rig.estimators) {

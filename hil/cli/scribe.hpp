@@ -32,7 +32,7 @@ class Scribe {
  public:
   /// `truth` may be empty (real sensors only) and must outlive the scribe. `spacing` thins curves.
   Scribe(const rig_config::Rig& rig, const motion::Trajectory* truth, measurement::Stamp start,
-         double expected_duration_s);
+         double expected_duration_s, double points_per_curve = 1500);
 
   /// To be called as the run goes on, at least as often as the curves have points: the truth's
   /// motion and the memory of this process at `now`.

@@ -15,7 +15,7 @@ constexpr canopen::ObjectEntry device_type_entry{0x1000, 0}, error_register_entr
 constexpr std::uint16_t identity_index = 0x1018, pdo_index = 0x1800, mapping_index = 0x1A00;
 constexpr std::uint8_t on_each_sync = 1, by_the_profile = 0xFE;  // PDO transmission types
 constexpr std::uint32_t read_only = 0x06010002, no_such_object = 0x06020000,
-                        length_differs = 0x06070010;
+                        length_differs = 0x06070010, not_in_this_state = 0x08000022;
 
 void earlier_of(std::optional<Stamp>& first, const std::optional<Stamp>& other) {
   if (other && (!first || *other < *first)) first = other;
@@ -29,7 +29,7 @@ CanopenDevice::CanopenDevice(const DeviceSetup& setup, std::uint32_t device_type
                                       : default_node),
       device_type_(device_type),
       on_sync_(setup.config.sync),
-      next_heartbeat_(setup.trajectory.start()) {}
+      next_heartbeat_(setup.boot) {}
 
 std::optional<Stamp> CanopenDevice::deadline() const {
   auto next = on_sync_ ? std::optional<Stamp>{} : SamplingDevice::deadline();
@@ -129,6 +129,7 @@ void CanopenDevice::serve(const canopen::SdoWrite& request, Stamp now, Wire& out
   const auto refuse = [&](std::uint32_t code) {
     out.send(canopen::encode(canopen::SdoAbort{node_, request.entry, code}));
   };
+  if (condition().refuses) return refuse(not_in_this_state);
   if (request.entry != heartbeat_entry) {
     return refuse(find(request.entry) ? read_only : no_such_object);
   }

@@ -20,14 +20,23 @@ DvlDevice::DvlDevice(const DeviceSetup& setup, const sensor::JanusHead& made)
       head_(set_up(made, setup.config.emulate.head)),
       noise_(setup.seed, setup.config.name, "beams") {}
 
-sensor::DvlPing DvlDevice::ping(Stamp at) {
+sensor::PingNoise DvlDevice::next_noise() {
   sensor::PingNoise noise;
   for (std::size_t beam = 0; beam < 4; ++beam) {
     noise.fade_db[beam] = head_.fading_db * noise_.normal();
     noise.bed_mps[beam] = head_.beam_noise_mps * noise_.normal();
     noise.water_mps[beam] = head_.beam_noise_mps * noise_.normal();
   }
-  return sensor::dvl_ping(trajectory(), at, mounting(), head_, noise);
+  return noise;
+}
+
+/// A stuck head draws its noise too, so that it goes on as if it had never been stuck.
+sensor::DvlPing DvlDevice::ping(Stamp at) {
+  const sensor::PingNoise noise = next_noise();
+  if (!condition().stuck_at) last_noise_ = noise;
+  sensor::JanusHead head = head_;
+  if (condition().bottom_lost || condition().hot) head.longest_range_m = 0;
+  return sensor::dvl_ping(trajectory(), at, mounting(), head, last_noise_);
 }
 
 }  // namespace drydock::emulate

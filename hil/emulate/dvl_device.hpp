@@ -17,8 +17,11 @@ class DvlDevice : public SamplingDevice {
   const sensor::JanusHead& head() const { return head_; }
 
  private:
+  sensor::PingNoise next_noise();
+
   sensor::JanusHead head_;
   sensor::RandomStream noise_;
+  sensor::PingNoise last_noise_;  ///< which a stuck head repeats
 };
 
 }  // namespace drydock::emulate

@@ -20,6 +20,10 @@ class Wire {
   virtual ~Wire() = default;
   virtual void send(wire::Bytes bytes) = 0;
   virtual void send(const wire::CanFrame& frame) = 0;
+
+  /// The port is gone until plug(), or from a bus's node: the drivers are cut off from the bus.
+  virtual void unplug() {}
+  virtual void plug() {}
 };
 
 class EmulatedDevice {

@@ -29,7 +29,11 @@ double course_rad(const Eigen::Vector3d& velocity_ned) {
 }
 
 GnssSensor::GnssSensor(const DeviceSetup& setup)
-    : sky_(setup.sky),
+    : condition_(setup.condition),
+      boot_(setup.boot),
+      first_fix_(measurement::from_seconds(setup.config.emulate.first_fix_s)),
+      lowest_cno_dbhz_(setup.config.emulate.sky.value_or(rig_config::SkyConfig{}).lowest_cno_dbhz),
+      sky_(setup.sky),
       position_errors_(setup.primary_errors()),
       velocity_errors_(setup.secondary_errors()) {
   const auto& position = setup.config.emulate.primary;
@@ -53,11 +57,39 @@ void GnssSensor::add_errors(measurement::GnssFix& fix) {
   fix.speed_accuracy_mps = speed_accuracy_mps_;
 }
 
+/// Satellites that faults hide: behind what stands around, or too weak for the antenna.
+void GnssSensor::hide(measurement::GnssSatellites& sky) const {
+  const auto hidden = std::ranges::remove_if(sky.satellites, [&](const auto& satellite) {
+    return satellite.elevation_rad && *satellite.elevation_rad < condition_->blocked_below_rad;
+  });
+  sky.satellites.erase(hidden.begin(), hidden.end());
+  if (condition_->antenna_gain_db == 0) return;
+  for (auto& satellite : sky.satellites) {
+    if (!satellite.cno_dbhz) continue;
+    *satellite.cno_dbhz += condition_->antenna_gain_db;
+    if (*satellite.cno_dbhz >= lowest_cno_dbhz_) continue;
+    satellite.cno_dbhz.reset();
+    satellite.used = false;
+  }
+}
+
+void GnssSensor::search(GnssEpoch& epoch, Stamp at) const {
+  const double part = std::chrono::duration<double>(at - boot_) / first_fix_;
+  auto& satellites = epoch.sky.satellites;
+  std::ranges::stable_sort(satellites, std::ranges::greater{},
+                           [](const auto& s) { return s.cno_dbhz.value_or(0); });
+  satellites.resize(static_cast<std::size_t>(part * static_cast<double>(satellites.size())));
+  for (auto& satellite : satellites) satellite.used = false;
+  epoch.time_is_known = part >= 0.5;
+}
+
 GnssEpoch GnssSensor::measure(const motion::Truth& truth, const sensor::Mounting& mounting) {
   GnssEpoch epoch;
   epoch.fix = sensor::ideal_gnss(truth, mounting);
   epoch.sky.origin.valid_at = truth.at;
   if (epoch.fix.type != measurement::FixType::none) epoch.sky = sky_->at(truth);
+  hide(epoch.sky);
+  if (truth.at - boot_ < first_fix_) search(epoch, truth.at);
   const auto used = std::ranges::count_if(epoch.sky.satellites, &measurement::Satellite::used);
   epoch.dilution = sky::dilution(epoch.sky.satellites);
   if (epoch.dilution) {
@@ -71,11 +103,12 @@ GnssEpoch GnssSensor::measure(const motion::Truth& truth, const sensor::Mounting
   }
   epoch.fix.satellites_used = static_cast<int>(used);
 
-  const sys_time<nanoseconds> utc{truth.at.time_since_epoch()};
+  const Stamp clock = condition_->clock.shows(truth.at);
+  const sys_time<nanoseconds> utc{clock.time_since_epoch()};
   const auto midnight = floor<days>(utc);
   epoch.date = year_month_day{midnight};
   epoch.time_of_day = utc - midnight;
-  epoch.time_of_week = duration_cast<milliseconds>(sky::week_of(sky::gps_time(truth.at)).of_week);
+  epoch.time_of_week = duration_cast<milliseconds>(sky::week_of(sky::gps_time(clock)).of_week);
   return epoch;
 }
 

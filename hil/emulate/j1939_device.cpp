@@ -28,7 +28,7 @@ J1939Device::J1939Device(const DeviceSetup& setup, std::uint64_t name, std::uint
     : SamplingDevice(setup),
       claim_(name, setup.config.address != 0 ? static_cast<std::uint8_t>(setup.config.address)
                                              : preferred),
-      boot_(setup.trajectory.start()) {}
+      boot_(setup.boot) {}
 
 std::optional<Stamp> J1939Device::deadline() const {
   if (boot_) return boot_;

@@ -47,6 +47,12 @@ void LinePacer::queue(wire::Bytes message, Stamp now) {
   waiting_.push_back({std::move(bytes), now});
 }
 
+void LinePacer::drop_all() {
+  waiting_.clear();
+  waiting_bytes_ = 0;
+  sent_ = 0;
+}
+
 std::size_t LinePacer::chunk_end() const {
   return std::min(sent_ + chunk_bytes_, waiting_.front().bytes.size());
 }

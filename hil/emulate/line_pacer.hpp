@@ -33,6 +33,7 @@ class LinePacer {
             std::chrono::nanoseconds bound = std::chrono::seconds{1});
 
   void queue(wire::Bytes message, Stamp now);
+  void drop_all();                        ///< what waits or is leaving is lost, not counted
   std::optional<Stamp> deadline() const;  ///< of the next chunk
   std::optional<Chunk> take(Stamp now);   ///< the next chunk whose time has come
 

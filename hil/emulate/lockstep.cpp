@@ -34,15 +34,23 @@ void EmulatedLine::act(Stamp now) {
   if (due && *due <= now) device_->tick(now, *this);
 }
 
+/// What is still on the line when the port goes is lost.
+void EmulatedLine::set_port(bool there) {
+  if (!there) pacer_.drop_all();
+  on_port_(there, now_);
+}
+
 // A node's way onto the bus.
 struct EmulatedBus::Node final : Wire {
-  Node(std::unique_ptr<EmulatedDevice> emulated, CanPacer& bus, int place)
-      : device(std::move(emulated)), pacer(bus), index(place) {
+  Node(std::unique_ptr<EmulatedDevice> emulated, EmulatedBus& on, int place)
+      : device(std::move(emulated)), bus(on), index(place) {
     ask();
   }
 
   void send(wire::Bytes) override {}
-  void send(const wire::CanFrame& frame) override { pacer.queue(frame, index, now); }
+  void send(const wire::CanFrame& frame) override { bus.pacer_.queue(frame, index, now); }
+  void unplug() override { bus.cut_off_ = true; }
+  void plug() override { bus.cut_off_ = false; }
 
   void hear(const wire::CanFrame& frame) {
     device->receive(frame, now, *this);
@@ -56,7 +64,7 @@ struct EmulatedBus::Node final : Wire {
   void ask() { due = device->deadline().value_or(Stamp::max()); }
 
   std::unique_ptr<EmulatedDevice> device;
-  CanPacer& pacer;
+  EmulatedBus& bus;
   int index;
   Stamp now{};
   Stamp due{};  ///< the device's deadline, which moves only when it hears or acts; max: none
@@ -73,12 +81,12 @@ EmulatedBus::~EmulatedBus() = default;
 
 void EmulatedBus::add(std::unique_ptr<EmulatedDevice> device) {
   nodes_.push_back(
-      std::make_unique<Node>(std::move(device), pacer_, static_cast<int>(nodes_.size())));
+      std::make_unique<Node>(std::move(device), *this, static_cast<int>(nodes_.size())));
   woken();
 }
 
 void EmulatedBus::receive(const wire::CanFrame& frame, Stamp now) {
-  pacer_.queue(frame, a_driver, now);
+  if (!cut_off_) pacer_.queue(frame, a_driver, now);
   woken();
 }
 
@@ -92,9 +100,10 @@ void EmulatedBus::act(Stamp now) {
   for (const auto& node : nodes_) node->now = now;
   while (const auto sent = pacer_.take(now)) {
     for (const auto& node : nodes_) {
-      if (node->index != sent->sender) node->hear(sent->frame);
+      if (node->index != sent->sender && !sent->frame.error) node->hear(sent->frame);
     }
-    if (sent->sender != a_driver) deliver_(sent->frame, sent->at);
+    if (sent->sender != a_driver && (!cut_off_ || sent->frame.error))
+      deliver_(sent->frame, sent->at);
   }
   for (const auto& node : nodes_) node->act();
 }

@@ -18,7 +18,12 @@ class EmulatedLine final : public shell::Actor, private Wire {
   /// Gets each whole message at the time its last byte has left the line.
   using Deliver = std::function<void(wire::Bytes message, Stamp last_byte)>;
 
+  /// Hears when the device's port goes (false) and comes back.
+  using OnPort = std::function<void(bool there, Stamp at)>;
+
   EmulatedLine(std::unique_ptr<EmulatedDevice> device, unsigned baud, Deliver deliver);
+
+  void set_on_port(OnPort hook) { on_port_ = std::move(hook); }
 
   void receive(wire::Bytes bytes, Stamp now);  ///< from the driver
   std::optional<Stamp> deadline() const override;
@@ -29,10 +34,14 @@ class EmulatedLine final : public shell::Actor, private Wire {
  private:
   void send(wire::Bytes bytes) override { pacer_.queue(bytes, now_); }
   void send(const wire::CanFrame&) override {}
+  void unplug() override { set_port(false); }
+  void plug() override { set_port(true); }
+  void set_port(bool there);
 
   std::unique_ptr<EmulatedDevice> device_;
   LinePacer pacer_;
   Deliver deliver_;
+  OnPort on_port_ = [](bool, Stamp) {};
   Stamp now_{};
 };
 
@@ -57,6 +66,7 @@ class EmulatedBus final : public shell::Actor {
 
   CanPacer pacer_;
   Deliver deliver_;
+  bool cut_off_ = false;  ///< the drivers, whose controller is bus-off
   std::vector<std::unique_ptr<Node>> nodes_;
 };
 

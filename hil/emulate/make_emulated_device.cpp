@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <string_view>
 
+#include "hil/emulate/booting_device.hpp"
 #include "hil/emulate/devices.hpp"
 #include "hil/emulate/make_sky.hpp"
 
@@ -56,20 +57,32 @@ void throw_exception_from_error(const EmulateError& error, const boost::source_l
   boost::throw_exception(std::invalid_argument(error.message), where);
 }
 
-boost::system::result<std::unique_ptr<EmulatedDevice>, EmulateError> make_emulated_device(
-    const DeviceConfig& config, const Trajectory& trajectory, std::uint64_t seed) {
+boost::system::result<DevicePtr, EmulateError> make_emulated_device(const DeviceConfig& config,
+                                                                    const Trajectory& trajectory,
+                                                                    std::uint64_t seed) {
+  return make_emulated_device(config, trajectory, seed,
+                              {trajectory.start(), std::make_shared<Condition>()});
+}
+
+boost::system::result<DevicePtr, EmulateError> make_emulated_device(const DeviceConfig& config,
+                                                                    const Trajectory& trajectory,
+                                                                    std::uint64_t seed,
+                                                                    const PowerUp& power) {
   if (!(config.rate_hz > 0)) {
     return EmulateError{"device \"" + config.name + "\": rate_hz must be above 0"};
   }
   for (const Entry& entry : catalogue) {
     if (entry.kind == config.kind && entry.protocol == config.protocol) {
-      DeviceSetup setup{config, trajectory, seed, nullptr};
+      const auto& emulated = config.emulate;
+      const Stamp booted = power.boot + measurement::from_seconds(emulated.boot_s);
+      DeviceSetup setup{config, trajectory, seed, nullptr, booted, power.condition};
       if (config.kind == DeviceKind::gnss) {
         auto sky = make_sky(config, trajectory.start(), seed);
         if (!sky) return sky.error();
         setup.sky = std::move(*sky);
       }
-      return entry.make(setup);
+      if (emulated.boot_s == 0 && emulated.banner.empty()) return entry.make(setup);
+      return std::make_unique<BootingDevice>(entry.make(setup), booted, emulated.banner);
     }
   }
   return unknown_protocol(config);

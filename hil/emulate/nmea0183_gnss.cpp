@@ -7,8 +7,10 @@ namespace {
 
 wire::Rmc rmc(const GnssEpoch& epoch) {
   wire::Rmc m;
-  m.time_of_day = epoch.time_of_day;
-  m.date = epoch.date;
+  if (epoch.time_is_known) {
+    m.time_of_day = epoch.time_of_day;
+    m.date = epoch.date;
+  }
   m.mode = 'N';
   const auto& fix = epoch.fix;
   if (!fix.position) return m;
@@ -23,7 +25,7 @@ wire::Rmc rmc(const GnssEpoch& epoch) {
 
 wire::Gga gga(const GnssEpoch& epoch) {
   wire::Gga m;
-  m.time_of_day = epoch.time_of_day;
+  if (epoch.time_is_known) m.time_of_day = epoch.time_of_day;
   m.quality = 0;
   m.satellites_used = epoch.fix.satellites_used;
   const auto& fix = epoch.fix;
@@ -65,8 +67,10 @@ wire::Vtg vtg(const GnssEpoch& epoch) {
 
 wire::Zda zda(const GnssEpoch& epoch) {
   wire::Zda m;
-  m.time_of_day = epoch.time_of_day;
-  m.date = epoch.date;
+  if (epoch.time_is_known) {
+    m.time_of_day = epoch.time_of_day;
+    m.date = epoch.date;
+  }
   m.zone_hours = m.zone_minutes = 0;
   return m;
 }

@@ -43,7 +43,8 @@ class NortekDvl final : public DvlDevice {
 
   wire::NortekVelocity sentence(const sensor::DvlPing& measured) const {
     wire::NortekVelocity sentence;
-    sentence.ping_time_s = measurement::seconds(measured.origin.valid_at.time_since_epoch());
+    sentence.ping_time_s =
+        measurement::seconds(device_time(measured.origin.valid_at).time_since_epoch());
     sentence.after_sentence_s = -measurement::seconds(latency());
     sentence.battery_v = 24;
     sentence.sound_speed_mps = measured.sound_speed;

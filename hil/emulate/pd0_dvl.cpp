@@ -40,7 +40,7 @@ class Pd0Dvl final : public DvlDevice {
     leader.ensemble = static_cast<std::uint32_t>(samples() + 1) & 0xFFFFFF;
     leader.clock = std::chrono::local_time<std::chrono::milliseconds>{
         std::chrono::duration_cast<std::chrono::milliseconds>(
-            measured.origin.valid_at.time_since_epoch())};
+            device_time(measured.origin.valid_at).time_since_epoch())};
     leader.sound_speed_mps = measured.sound_speed;
     leader.depth_m = std::max(measured.depth_m, 0.0);
     static_cast<wire::DvlAttitude&>(leader) = head_attitude(measured);

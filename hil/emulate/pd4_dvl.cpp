@@ -30,8 +30,8 @@ class Pd4Dvl final : public DvlDevice {
     report.frequency_hz = 600e3;
     set_bottom_track(measured, report);
     set_water_track(measured, report);
-    const auto since_midnight =
-        at.time_since_epoch() - std::chrono::floor<std::chrono::days>(at.time_since_epoch());
+    const auto clock = device_time(at).time_since_epoch();
+    const auto since_midnight = clock - std::chrono::floor<std::chrono::days>(clock);
     report.first_ping = std::chrono::duration_cast<std::chrono::milliseconds>(since_midnight);
     report.sound_speed_mps = measured.sound_speed;
     report.temperature_k = trajectory().ocean().temperature_k();

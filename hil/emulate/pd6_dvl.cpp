@@ -33,7 +33,7 @@ class Pd6Dvl final : public DvlDevice {
     write(attitude);
     wire::Pd6Timing timing;
     timing.clock = std::chrono::local_time<std::chrono::milliseconds>{
-        std::chrono::duration_cast<std::chrono::milliseconds>(at.time_since_epoch())};
+        std::chrono::duration_cast<std::chrono::milliseconds>(device_time(at).time_since_epoch())};
     timing.sound_speed_mps = measured.sound_speed;
     if (!water_linked_) {
       timing.salinity_ppt = trajectory().ocean().salinity_ppt();

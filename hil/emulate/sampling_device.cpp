@@ -13,17 +13,21 @@ struct NoWire final : Wire {
 sensor::ErrorModel DeviceSetup::primary_errors() const {
   return {config.emulate.primary,
           config.rate_hz,
-          {seed, config.name, "primary", config.emulate.fixed_bias}};
+          {seed, config.name, "primary", config.emulate.fixed_bias, &condition->primary}};
 }
 
 sensor::ErrorModel DeviceSetup::secondary_errors() const {
   return {config.emulate.secondary,
           config.rate_hz,
-          {seed, config.name, "secondary", config.emulate.fixed_bias}};
+          {seed, config.name, "secondary", config.emulate.fixed_bias, &condition->secondary}};
 }
 
 sensor::ImuErrors DeviceSetup::imu_errors() const {
-  return {config.emulate, config.rate_hz, seed, config.name};
+  return {config.emulate,
+          config.rate_hz,
+          seed,
+          config.name,
+          {&condition->primary, &condition->secondary}};
 }
 
 sensor::ImuSampler DeviceSetup::imu_sampler() const {
@@ -43,7 +47,8 @@ SamplingDevice::SamplingDevice(const DeviceSetup& setup)
       rate_hz_(setup.config.rate_hz),
       latency_(measurement::from_seconds(setup.config.emulate.latency_s)),
       dropouts_(setup.config.emulate.dropout, setup.seed, setup.config.name),
-      first_(setup.trajectory.start()) {}
+      condition_(setup.condition),
+      first_(setup.boot) {}
 
 void SamplingDevice::sample_at_whole_multiples() {
   const std::int64_t period = measurement::from_seconds(1 / rate_hz_).count();
@@ -52,19 +57,28 @@ void SamplingDevice::sample_at_whole_multiples() {
 }
 
 Stamp SamplingDevice::sample_time() const {
-  return first_ + measurement::from_seconds(static_cast<double>(samples_) / rate_hz_);
+  return first_ + measurement::from_seconds(static_cast<double>(samples_) / rate_hz_) - ahead_;
 }
 
 void SamplingDevice::tick(Stamp now, Wire& out) {
   while (send_time() <= now) {
     take(sample_time(), out);
     ++samples_;
+    ahead_ += measurement::from_seconds(condition_->clock.rate / rate_hz_);
   }
+}
+
+/// One of `times_fewer` samples is sent.
+bool SamplingDevice::is_left_out() {
+  to_leave_out_ += 1 / condition_->times_fewer;
+  if (to_leave_out_ < 1) return true;
+  to_leave_out_ -= 1;
+  return false;
 }
 
 void SamplingDevice::take(Stamp at, Wire& out) {
   NoWire nowhere;
-  if (dropouts_.next_is_lost()) {
+  if (dropouts_.next_is_lost() || is_left_out()) {
     sample(at, nowhere);
   } else {
     sample(at, out);

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "drivers/wire/cia404_pressure.hpp"
+#include "hil/emulate/condition.hpp"
 #include "hil/emulate/emulated_device.hpp"
 #include "hil/emulate/make_emulated_device.hpp"
 #include "hil/sensor/dropouts.hpp"
@@ -22,7 +23,9 @@ struct DeviceSetup {
   const DeviceConfig& config;
   const Trajectory& trajectory;
   std::uint64_t seed = 0;
-  std::shared_ptr<sensor::Sky> sky;  ///< kind gnss; this receiver's alone
+  std::shared_ptr<sensor::Sky> sky = nullptr;  ///< kind gnss; this receiver's alone
+  Stamp boot = trajectory.start();             ///< when it gets power
+  std::shared_ptr<const Condition> condition = std::make_shared<Condition>();
 
   sensor::ErrorModel primary_errors() const;
   sensor::ErrorModel secondary_errors() const;
@@ -32,8 +35,8 @@ struct DeviceSetup {
 };
 
 /// A device that samples the truth at a constant rate and sends each sample `latency_s` later.
-/// Sample k is at first + k / rate to the nanosecond: the rate has no drift. A sample that drops
-/// out is taken, counted and measured as any other, but nothing of it reaches the wire.
+/// Sample k is at first + k / rate to the nanosecond: the rate has no drift but a fault's. A sample
+/// that drops out is taken, counted and measured as any other, but nothing of it reaches the wire.
 class SamplingDevice : public EmulatedDevice {
  public:
   std::optional<Stamp> deadline() const override { return send_time(); }
@@ -42,7 +45,7 @@ class SamplingDevice : public EmulatedDevice {
   void receive(const wire::CanFrame&, Stamp, Wire&) override {}
 
  protected:
-  /// First sample at the trajectory's start.
+  /// First sample at boot.
   explicit SamplingDevice(const DeviceSetup& setup);
 
   virtual void sample(Stamp at, Wire& out) = 0;
@@ -51,12 +54,16 @@ class SamplingDevice : public EmulatedDevice {
   void sample_at_whole_multiples();  ///< of the period in UTC, as satellite receivers do
   const Trajectory& trajectory() const { return trajectory_; }
   const sensor::Mounting& mounting() const { return mounting_; }
+  const Condition& condition() const { return *condition_; }
+  /// What the device's own clock shows.
+  Stamp device_time(Stamp at) const { return condition_->clock.shows(at); }
   double rate_hz() const { return rate_hz_; }
   std::chrono::nanoseconds latency() const { return latency_; }
   std::uint64_t samples() const { return samples_; }  ///< taken before the one under way
 
  private:
   Stamp sample_time() const;
+  bool is_left_out();
   Stamp send_time() const { return sample_time() + latency_; }
 
   const Trajectory& trajectory_;
@@ -64,6 +71,9 @@ class SamplingDevice : public EmulatedDevice {
   double rate_hz_;
   std::chrono::nanoseconds latency_;
   sensor::Dropouts dropouts_;
+  std::shared_ptr<const Condition> condition_;
+  double to_leave_out_ = 0;            ///< samples, of a device that is slow
+  std::chrono::nanoseconds ahead_{0};  ///< of a clock that is too fast
   Stamp first_;
   std::uint64_t samples_ = 0;
 };

@@ -10,9 +10,11 @@ namespace {
 wire::NavPvt nav_pvt(const GnssEpoch& epoch) {
   wire::NavPvt pvt;
   pvt.itow = epoch.time_of_week;
-  pvt.date = epoch.date;
-  pvt.time_of_day = epoch.time_of_day;
-  pvt.time_resolved = true;
+  if (epoch.time_is_known) {
+    pvt.date = epoch.date;
+    pvt.time_of_day = epoch.time_of_day;
+  }
+  pvt.time_resolved = epoch.time_is_known;
   const auto& fix = epoch.fix;
   pvt.satellites_used = static_cast<std::uint8_t>(fix.satellites_used.value_or(0));
   if (!fix.position) return pvt;

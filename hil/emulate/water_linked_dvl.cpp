@@ -58,7 +58,7 @@ class WaterLinkedDvl final : public DvlDevice {
       --pings_;
     }
     const auto measured = ping(at);
-    if (output_ == output_off) return;
+    if (output_ == output_off || (condition().hot && at >= condition().hot->shuts_down_at)) return;
     send_velocity(measured, at, out);  // first: the report's own times do not know of a queue
     send_transducers(measured, out);
   }
@@ -75,9 +75,11 @@ class WaterLinkedDvl final : public DvlDevice {
       report.altitude_m = measured.altitude_m;
     }
     using std::chrono::duration_cast, std::chrono::microseconds;
-    report.validity = duration_cast<microseconds>(at.time_since_epoch());
-    report.transmission = duration_cast<microseconds>((at + latency()).time_since_epoch());
+    report.validity = duration_cast<microseconds>(device_time(at).time_since_epoch());
+    report.transmission =
+        duration_cast<microseconds>(device_time(at + latency()).time_since_epoch());
     report.interval_s = 1 / rate_hz();
+    report.hot = condition().hot.has_value();
     send(report, out);
     if (output_ == output_all) {
       water_linked::OldVelocity old;
@@ -108,6 +110,8 @@ class WaterLinkedDvl final : public DvlDevice {
   }
 
   void obey(const water_linked::Command& command, Wire& out) {
+    const bool sets = command.letter == 's' || command.letter == 'p' || command.letter == 'x';
+    if (condition().refuses && sets) return answer(Verdict::refused, out);
     switch (command.letter) {
       case 'v': return send(water_linked::Version{2, 7, 0}, out);
       case 'w': return send(water_linked::Product{"dvl-a50", "2.7.1", "0x0", {}}, out);

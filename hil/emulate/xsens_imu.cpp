@@ -32,7 +32,7 @@ class XsensImu final : public SamplingDevice {
   explicit XsensImu(const DeviceSetup& setup)
       : SamplingDevice(setup),
         identifiers_(identifiers_of(setup.config.xsens)),
-        boot_(setup.trajectory.start()),
+        boot_(setup.boot),
         ideal_(setup.imu_sampler()),
         errors_(setup.imu_errors()) {}
 
@@ -48,7 +48,8 @@ class XsensImu final : public SamplingDevice {
     const auto say = [&](const wire::xsens::Message& message) {
       out.send(wire::xsens::encode(message, identifiers_));
     };
-    say(wire::xsens::SampleTime{static_cast<std::uint32_t>((at - boot_) / tick_length)});
+    say(wire::xsens::SampleTime{
+        static_cast<std::uint32_t>((device_time(at) - boot_) / tick_length)});
     say(wire::xsens::GroupCounter{static_cast<std::uint16_t>(samples())});
     say(wire::xsens::StatusWord{status});
     say(wire::xsens::RateOfTurn{clipped(rate, rate_range_radps)});

@@ -27,7 +27,7 @@ KinematicTrajectory::KinematicTrajectory(const rig_config::MissionConfig& missio
       pivot_m_(mission.pivot_m),
       sideslip_lag_s_(mission.sideslip_lag_s),
       spacing_s_(pivot_m_ > 0 ? spacing_in_lags * sideslip_lag_s_ : spacing_s),
-      checkpoints_{{mission.latitude_rad, mission.longitude_rad}} {
+      checkpoints_(Path{mission.latitude_rad, mission.longitude_rad}) {
   check_clear_of_bed();
 }
 
@@ -85,11 +85,9 @@ KinematicTrajectory::Path KinematicTrajectory::path_at(double t) const {
   Path checkpoint;
   {
     const std::lock_guard lock(mutex_);
-    while (checkpoints_.size() <= index) {
-      const double from = spacing_s_ * static_cast<double>(checkpoints_.size() - 1);
-      checkpoints_.push_back(integrate(checkpoints_.back(), from, spacing_s_));
-    }
-    checkpoint = checkpoints_[index];
+    checkpoint = checkpoints_.at(index, [&](const Path& from, std::size_t step) {
+      return integrate(from, spacing_s_ * static_cast<double>(step), spacing_s_);
+    });
   }
   const double from = spacing_s_ * static_cast<double>(index);
   return integrate(checkpoint, from, t - from);

@@ -1,8 +1,8 @@
 #pragma once
 
 #include <mutex>
-#include <vector>
 
+#include "hil/motion/checkpoints.hpp"
 #include "hil/motion/leg_profile.hpp"
 #include "hil/motion/truth.hpp"
 #include "rig_config/rig.hpp"
@@ -43,7 +43,7 @@ class KinematicTrajectory final : public Trajectory {
   double pivot_m_, sideslip_lag_s_;
   double spacing_s_;
   mutable std::mutex mutex_;
-  mutable std::vector<Path> checkpoints_;  ///< equally spaced from start(), grown on demand
+  mutable Checkpoints<Path> checkpoints_;  ///< equally spaced from start()
 };
 
 }  // namespace drydock::motion

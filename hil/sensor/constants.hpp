@@ -19,12 +19,15 @@ inline Vector3d vector(const rig_config::Axes& a) { return {a[0], a[1], a[2]}; }
 inline Vector3d next_axis(const Vector3d& v) { return {v.y(), v.z(), v.x()}; }
 inline Vector3d previous_axis(const Vector3d& v) { return {v.z(), v.x(), v.y()}; }
 
+struct Disturbance;
+
 /// Whose errors, in which run. A part's random numbers follow from these names and its own.
 struct ErrorSource {
   std::uint64_t seed = 1;
-  std::string_view device;      ///< or any other name of the sensor
-  std::string_view quantity;    ///< "primary", "secondary"
-  bool fixed_constants = true;  ///< +1 sigma; else drawn once
+  std::string_view device;                   ///< or any other name of the sensor
+  std::string_view quantity;                 ///< "primary", "secondary"
+  bool fixed_constants = true;               ///< +1 sigma; else drawn once
+  const Disturbance* disturbance = nullptr;  ///< what faults add; outlives the models
 
   std::string stream(std::string_view part) const {
     return std::string(quantity) + " " + std::string(part);

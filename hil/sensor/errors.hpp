@@ -1,5 +1,6 @@
 #pragma once
 
+#include "hil/sensor/disturbance.hpp"
 #include "hil/sensor/noise.hpp"
 #include "hil/sensor/readout.hpp"
 
@@ -27,6 +28,7 @@ class ErrorModel {
 
  private:
   Vector3d read(const Vector3d& ideal, Stamp valid_at, const Vector3d& induced, int axes);
+  Vector3d disturbed(const Vector3d& ideal, const Vector3d& reading, Stamp valid_at);
 
   Vector3d bias_;
   Response response_;
@@ -34,6 +36,9 @@ class ErrorModel {
   Drift drift_;
   Readout readout_;
   bool responds_, noisy_, drifts_, reads_out_;
+  const Disturbance* disturbance_;
+  RandomStream spikes_;
+  Vector3d last_error_ = Vector3d::Zero();
 };
 
 }  // namespace drydock::sensor

@@ -4,23 +4,24 @@ namespace drydock::sensor {
 namespace {
 
 ErrorSource gyro_of(const rig_config::EmulateConfig& grade, std::uint64_t seed,
-                    std::string_view name) {
-  return {seed, name, "primary", grade.fixed_bias};
+                    std::string_view name, const Disturbance* fault = nullptr) {
+  return {seed, name, "primary", grade.fixed_bias, fault};
 }
 
 ErrorSource accelerometer_of(const rig_config::EmulateConfig& grade, std::uint64_t seed,
-                             std::string_view name) {
-  return {seed, name, "secondary", grade.fixed_bias};
+                             std::string_view name, const Disturbance* fault = nullptr) {
+  return {seed, name, "secondary", grade.fixed_bias, fault};
 }
 
 }  // namespace
 
 ImuErrors::ImuErrors(const rig_config::EmulateConfig& grade, double rate_hz, std::uint64_t seed,
-                     std::string_view name)
+                     std::string_view name, const Disturbances& faults)
     : gyro_coupling_(grade.primary, gyro_of(grade, seed, name)),
       accelerometer_coupling_(grade.secondary, accelerometer_of(grade, seed, name)),
-      gyro_(grade.primary, rate_hz, gyro_of(grade, seed, name)),
-      accelerometer_(grade.secondary, rate_hz, accelerometer_of(grade, seed, name)),
+      gyro_(grade.primary, rate_hz, gyro_of(grade, seed, name, faults.gyro)),
+      accelerometer_(grade.secondary, rate_hz,
+                     accelerometer_of(grade, seed, name, faults.accelerometer)),
       coupled_(!gyro_coupling_.is_ideal() || !accelerometer_coupling_.is_ideal()) {}
 
 measurement::ImuSample ImuErrors::apply(const measurement::ImuSample& ideal) {

@@ -28,7 +28,7 @@ TEST(RigProblems, AnUnknownKeyIsNamedWithTheAllowedOnesAndTheLikelyOne) {
 TEST(RigProblems, AnUnknownTableIsAnUnknownKey) {
   EXPECT_THAT(problems_of("[[devices]]\n"),
               ElementsAre("r.toml:8:3: /devices: unknown key (did you mean 'device'?), allowed "
-                          "here: device, estimator, expect, rig"));
+                          "here: device, estimator, expect, fault, rig"));
 }
 
 TEST(RigProblems, AMissingKeyIsReportedWhereItsTableBegins) {

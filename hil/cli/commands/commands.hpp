@@ -31,6 +31,9 @@ void add_replay_command(CLI::App& app, Command& command);
 /// sensor, sky, maneuver, study: the emulated world and the papers, without wires.
 void add_world_commands(CLI::App& app, Command& command);
 
+/// soak: a rig for a long time under random faults.
+void add_soak_command(CLI::App& app, Command& command);
+
 /// characterize: what a sensor is worth.
 void add_characterize_command(CLI::App& app, Command& command);
 

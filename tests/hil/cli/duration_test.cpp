@@ -8,6 +8,7 @@ TEST(Duration, ReadsSecondsMinutesAndHours) {
   EXPECT_EQ(parse_duration("90"), 90.0);
   EXPECT_EQ(parse_duration("60s"), 60.0);
   EXPECT_EQ(parse_duration("10min"), 600.0);
+  EXPECT_EQ(parse_duration("30d"), 2592000.0);
   EXPECT_EQ(parse_duration("5.5h"), 19800.0);
 }
 

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace drydock::cli {
+
+/// Writes a whole file, its folders too where they are missing. Throws std::runtime_error with one
+/// line.
+void write_file(const std::filesystem::path& path, const std::string& text);
+
+}  // namespace drydock::cli

@@ -1,0 +1,136 @@
+#include "hil/fault/faulty_device.hpp"
+
+#include <algorithm>
+
+#include "drivers/link/uri.hpp"
+#include "hil/fault/condition.hpp"
+
+namespace drydock::fault {
+
+namespace {
+
+double baud_of(const DeviceConfig& config) {
+  const auto uri = link::parse_uri(config.link);
+  return uri ? uri->baud().value_or(0) : 0;
+}
+
+void keep_earlier(std::optional<Stamp>& first, const std::optional<Stamp>& other) {
+  if (other && (!first || *other < *first)) first = other;
+}
+
+}  // namespace
+
+motion::Truth FaultyDevice::View::at(Stamp time) const {
+  if (!condition_->stuck_at) return motion_.at(time);
+  motion::Truth held = motion_.at(*condition_->stuck_at);
+  held.at = time;
+  return held;
+}
+
+boost::system::result<std::unique_ptr<FaultyDevice>, emulate::EmulateError> FaultyDevice::make(
+    const DeviceConfig& config, const motion::Trajectory& trajectory, std::uint64_t seed,
+    std::shared_ptr<Schedule> schedule) {
+  std::unique_ptr<FaultyDevice> made(
+      new FaultyDevice(config, trajectory, seed, std::move(schedule)));
+  auto device = emulate::make_emulated_device(made->config_, made->view_, seed,
+                                              {trajectory.start(), made->condition_});
+  if (!device) return device.error();
+  made->device_ = std::move(*device);
+  return made;
+}
+
+FaultyDevice::FaultyDevice(const DeviceConfig& config, const motion::Trajectory& trajectory,
+                           std::uint64_t seed, std::shared_ptr<Schedule> schedule)
+    : config_(config),
+      seed_(seed),
+      schedule_(std::move(schedule)),
+      view_(trajectory, condition_),
+      bytes_(seed, config.name, baud_of(config)),
+      frames_(seed, config.name),
+      followed_(trajectory.start() - std::chrono::nanoseconds{1}) {}
+
+std::optional<Stamp> FaultyDevice::deadline() const {
+  auto next = device_ ? device_->deadline() : std::nullopt;
+  if (edits_ != schedule_->edits()) keep_earlier(next, followed_);
+  keep_earlier(next, schedule_->next_change(followed_));
+  keep_earlier(next, bytes_.deadline());
+  keep_earlier(next, frames_.deadline());
+  return next;
+}
+
+void FaultyDevice::tick(Stamp now, emulate::Wire& out) {
+  out_ = &out;
+  now_ = now;
+  follow_schedule(now);
+  if (device_ && device_->deadline() && *device_->deadline() <= now) device_->tick(now, *this);
+  release(now);
+}
+
+/// What is in force is asked anew at each change, so that a fault that has gone leaves nothing.
+void FaultyDevice::follow_schedule(Stamp now) {
+  const auto change = schedule_->next_change(followed_);
+  const bool edited = edits_ != schedule_->edits();
+  followed_ = now;
+  if (!edited && (!change || *change > now)) return;
+  edits_ = schedule_->edits();
+  const auto faults = schedule_->in_force(now);
+  *condition_ = condition_under(faults, config_.kind);
+  bytes_.set(faults);
+  frames_.set(faults);
+  switch_power(find(faults, FaultKind::off) == nullptr, now);
+
+  const bool unplugged = find(faults, FaultKind::unplug) != nullptr;
+  if (unplugged && !unplugged_) out_->unplug();
+  if (!unplugged && unplugged_) out_->plug();
+  unplugged_ = unplugged;
+  const InForce* eof = find(faults, FaultKind::eof);
+  if (eof && eof->since != hung_up_) {
+    hung_up_ = eof->since;
+    out_->unplug();
+    out_->plug();
+  }
+}
+
+/// A device that gets power boots: what was set on it is lost.
+void FaultyDevice::switch_power(bool on, Stamp now) {
+  if (on == (device_ != nullptr)) return;
+  if (!on) {
+    device_.reset();
+    bytes_.drop_all();
+    frames_.drop_all();
+    return;
+  }
+  device_ = std::move(
+      *emulate::make_emulated_device(config_, view_, seed_, {now, condition_}));  // made it before
+}
+
+void FaultyDevice::release(Stamp now) {
+  while (const auto message = bytes_.take(now)) out_->send(wire::Bytes{*message});
+  while (const auto frame = frames_.take(now)) out_->send(*frame);
+}
+
+void FaultyDevice::receive(wire::Bytes bytes, Stamp now, emulate::Wire& out) {
+  if (!hears()) return;
+  out_ = &out;
+  now_ = now;
+  device_->receive(bytes, now, *this);
+  release(now);
+}
+
+void FaultyDevice::receive(const wire::CanFrame& frame, Stamp now, emulate::Wire& out) {
+  if (!hears()) return;
+  out_ = &out;
+  now_ = now;
+  device_->receive(frame, now, *this);
+  release(now);
+}
+
+void FaultyDevice::send(wire::Bytes bytes) {
+  if (!unplugged_) bytes_.put(Message(bytes.begin(), bytes.end()), now_);
+}
+
+void FaultyDevice::send(const wire::CanFrame& frame) {
+  if (!unplugged_) frames_.put(frame, now_);
+}
+
+}  // namespace drydock::fault

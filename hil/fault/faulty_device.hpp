@@ -1,0 +1,70 @@
+#pragma once
+
+#include <memory>
+
+#include "hil/emulate/make_emulated_device.hpp"
+#include "hil/fault/faulty_wire.hpp"
+#include "hil/motion/truth.hpp"
+
+namespace drydock::fault {
+
+using rig_config::DeviceConfig;
+
+/// Any emulated device under the faults of a schedule: its sensors and its clock from within, its
+/// power, its port, and the wire that its messages take. Without a fault in force it passes on
+/// what the device says, when it says it.
+class FaultyDevice final : public emulate::EmulatedDevice, private emulate::Wire {
+ public:
+  /// The trajectory outlives it. Fails as make_emulated_device() does.
+  static boost::system::result<std::unique_ptr<FaultyDevice>, emulate::EmulateError> make(
+      const DeviceConfig& config, const motion::Trajectory& trajectory, std::uint64_t seed,
+      std::shared_ptr<Schedule> schedule);
+
+  std::optional<Stamp> deadline() const override;
+  void tick(Stamp now, emulate::Wire& out) override;
+  void receive(wire::Bytes bytes, Stamp now, emulate::Wire& out) override;
+  void receive(const wire::CanFrame& frame, Stamp now, emulate::Wire& out) override;
+
+ private:
+  /// The vehicle's motion as a device sees it that may have stopped looking.
+  class View final : public motion::Trajectory {
+   public:
+    View(const motion::Trajectory& motion, std::shared_ptr<const emulate::Condition> condition)
+        : motion_(motion), condition_(std::move(condition)) {}
+    motion::Truth at(Stamp time) const override;
+    Stamp start() const override { return motion_.start(); }
+    Stamp end() const override { return motion_.end(); }
+    const ocean::Ocean& ocean() const override { return motion_.ocean(); }
+
+   private:
+    const motion::Trajectory& motion_;
+    std::shared_ptr<const emulate::Condition> condition_;
+  };
+
+  FaultyDevice(const DeviceConfig& config, const motion::Trajectory& trajectory, std::uint64_t seed,
+               std::shared_ptr<Schedule> schedule);
+
+  void follow_schedule(Stamp now);
+  void switch_power(bool on, Stamp now);
+  void release(Stamp now);
+  bool hears() const { return device_ && !unplugged_ && !bytes_.silent(); }
+
+  void send(wire::Bytes bytes) override;
+  void send(const wire::CanFrame& frame) override;
+
+  DeviceConfig config_;
+  std::uint64_t seed_;
+  std::shared_ptr<Schedule> schedule_;
+  std::shared_ptr<emulate::Condition> condition_ = std::make_shared<emulate::Condition>();
+  View view_;
+  std::unique_ptr<emulate::EmulatedDevice> device_;  ///< none: without power
+  FaultyWire<Message> bytes_;
+  FaultyWire<wire::CanFrame> frames_;
+  emulate::Wire* out_ = nullptr;  ///< of the call under way
+  Stamp now_{}, followed_{};
+  std::uint64_t edits_ = 0;
+  std::optional<Stamp> hung_up_;  ///< the turn of the fault "eof" that was obeyed last
+  bool unplugged_ = false;
+};
+
+}  // namespace drydock::fault

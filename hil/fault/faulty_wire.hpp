@@ -1,0 +1,32 @@
+#pragma once
+
+#include "hil/fault/held_messages.hpp"
+#include "hil/fault/message_faults.hpp"
+
+namespace drydock::fault {
+
+/// One direction of a wire under faults: what the wire does to messages, then how long it takes.
+template <class Carried>
+class FaultyWire {
+ public:
+  FaultyWire(std::uint64_t seed, const std::string& device, double baud = 0)
+      : faults_(seed, device, baud), held_(seed, device) {}
+
+  void set(const std::vector<InForce>& faults) {
+    faults_.set(faults);
+    held_.set(faults);
+  }
+  void put(Carried message, Stamp now) {
+    faults_.pass(std::move(message), [&](const Carried& out) { held_.put(out, now); });
+  }
+  std::optional<Stamp> deadline() const { return held_.deadline(); }
+  std::optional<Carried> take(Stamp now) { return held_.take(now); }
+  bool silent() const { return faults_.silent(); }
+  void drop_all() { held_.drop_all(); }
+
+ private:
+  MessageFaults<Carried> faults_;
+  HeldMessages<Carried> held_;
+};
+
+}  // namespace drydock::fault

@@ -1,0 +1,87 @@
+#pragma once
+
+#include <deque>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "hil/fault/damage.hpp"
+#include "hil/fault/schedule.hpp"
+
+namespace drydock::fault {
+
+/// A wire that takes its time: messages come later by a constant, by a random time, or together.
+/// They come in order, and what waits when a fault ends still comes at its time.
+template <class Carried>
+class HeldMessages {
+ public:
+  HeldMessages(std::uint64_t seed, std::string device) : seed_(seed), device_(std::move(device)) {}
+
+  void set(const std::vector<InForce>& faults);
+  void put(const Carried& message, Stamp now);
+  std::optional<Stamp> deadline() const;   ///< of the next one
+  std::optional<Carried> take(Stamp now);  ///< the next one whose time has come
+  void drop_all() { waiting_.clear(); }
+
+ private:
+  struct Waiting {
+    Stamp due{};
+    Carried message;
+  };
+
+  Stamp due(Stamp now);
+
+  std::uint64_t seed_;
+  std::string device_;
+  std::chrono::nanoseconds delay_{0}, jitter_{0}, burst_{0};
+  Stamp burst_since_{};
+  std::optional<RandomStream> random_;
+  std::deque<Waiting> waiting_;
+};
+
+template <class Carried>
+void HeldMessages<Carried>::set(const std::vector<InForce>& faults) {
+  delay_ = jitter_ = burst_ = {};
+  for (const InForce& now : faults) {
+    const auto amount = measurement::from_seconds(now.fault->amount[0]);
+    if (now.fault->kind == FaultKind::delay) delay_ = amount;
+    if (now.fault->kind == FaultKind::jitter) {
+      jitter_ = amount;
+      if (!random_) random_.emplace(seed_ ^ now.fault->seed, device_, "jitter");
+    }
+    if (now.fault->kind == FaultKind::burst) {
+      burst_ = amount;
+      burst_since_ = now.since;
+    }
+  }
+}
+
+template <class Carried>
+Stamp HeldMessages<Carried>::due(Stamp now) {
+  Stamp at = now + delay_;
+  if (jitter_.count() > 0)
+    at += std::chrono::nanoseconds{
+        static_cast<std::int64_t>(random_->uniform() * static_cast<double>(jitter_.count()))};
+  if (burst_.count() > 0) at = burst_since_ + ((at - burst_since_) / burst_ + 1) * burst_;
+  return waiting_.empty() ? at : std::max(at, waiting_.back().due);
+}
+
+template <class Carried>
+void HeldMessages<Carried>::put(const Carried& message, Stamp now) {
+  waiting_.push_back({due(now), message});
+}
+
+template <class Carried>
+std::optional<Stamp> HeldMessages<Carried>::deadline() const {
+  return waiting_.empty() ? std::nullopt : std::optional(waiting_.front().due);
+}
+
+template <class Carried>
+std::optional<Carried> HeldMessages<Carried>::take(Stamp now) {
+  if (waiting_.empty() || waiting_.front().due > now) return {};
+  Carried message = std::move(waiting_.front().message);
+  waiting_.pop_front();
+  return message;
+}
+
+}  // namespace drydock::fault

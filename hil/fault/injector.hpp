@@ -1,0 +1,48 @@
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "hil/fault/faulty_device.hpp"
+#include "hil/fault/rogue_node.hpp"
+#include "rig_config/load.hpp"
+
+namespace drydock::fault {
+
+/// Who has which fault, for those who look on.
+struct FaultNow {
+  std::string device, words;
+  Stamp since{};
+  std::optional<Stamp> until;
+
+  friend bool operator==(const FaultNow&, const FaultNow&) = default;
+};
+
+/// The faults of a rig: puts them on its emulated devices, by the files or by hand while it runs.
+class Injector {
+ public:
+  /// Times of the rig's faults count from `start`. Rig and trajectory outlive it.
+  Injector(const rig_config::Rig& rig, const motion::Trajectory& trajectory, Stamp start);
+
+  /// The device with its faults around it.
+  boost::system::result<std::unique_ptr<emulate::EmulatedDevice>, emulate::EmulateError> device(
+      const DeviceConfig& config);
+
+  /// What the faults of a device on a bus need there beside it.
+  std::unique_ptr<emulate::EmulatedDevice> rogue(const DeviceConfig& config, unsigned bit_rate);
+
+  /// By hand: one from now on. Fails with a line where the device cannot have it.
+  boost::system::result<void, rig_config::Problems> set(const FaultConfig& fault, Stamp now);
+  /// How many were taken away; of no device or kind: of all.
+  std::size_t clear(const std::string& device, std::optional<FaultKind> kind);
+
+  std::vector<FaultNow> in_force(Stamp at) const;
+
+ private:
+  const rig_config::Rig& rig_;
+  const motion::Trajectory& trajectory_;
+  Stamp start_;
+  std::map<std::string, std::shared_ptr<Schedule>> schedules_;  ///< by device
+};
+
+}  // namespace drydock::fault

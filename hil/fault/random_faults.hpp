@@ -1,0 +1,34 @@
+#pragma once
+
+#include <vector>
+
+#include "hil/sensor/random.hpp"
+#include "rig_config/rig.hpp"
+
+namespace drydock::fault {
+
+/// Faults that come by chance, as a soak wants them: any that the device can have, of a random
+/// amount, for a random time, at exponential intervals. The same seed gives the same ones.
+class RandomFaults {
+ public:
+  /// `mean_interval_s`: between the starts of two faults of one device.
+  RandomFaults(const rig_config::Rig& rig, std::uint64_t seed, double mean_interval_s);
+
+  /// The next fault of any device; start_s counts from the start of the run and never falls.
+  rig_config::FaultConfig next();
+
+ private:
+  struct Victim {
+    const rig_config::DeviceConfig* device;
+    std::vector<rig_config::FaultConfig> possible;
+    sensor::RandomStream random;
+    double next_s = 0;
+  };
+
+  double interval(sensor::RandomStream& random) const;
+
+  double mean_interval_s_;
+  std::vector<Victim> victims_;
+};
+
+}  // namespace drydock::fault

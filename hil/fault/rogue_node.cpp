@@ -1,0 +1,129 @@
+#include "hil/fault/rogue_node.hpp"
+
+#include <algorithm>
+namespace drydock::fault {
+
+namespace {
+
+// linux/can/error.h
+constexpr std::uint32_t protocol_violation = 0x008, bus_off_class = 0x040, restarted = 0x100;
+constexpr std::uint8_t single_bit_error = 0x01;
+constexpr std::size_t type_of_violation = 2;
+
+constexpr std::uint64_t strongest_name = 1;  // wins every contention
+
+wire::CanFrame error_frame(std::uint32_t error_class) {
+  wire::CanFrame frame;
+  frame.id = error_class;
+  frame.error = true;
+  frame.size = 8;
+  if (error_class == protocol_violation) frame.data[type_of_violation] = single_bit_error;
+  return frame;
+}
+
+/// Eight bytes of a node that nobody here listens to.
+wire::CanFrame strange_frame(std::uint32_t id, sensor::RandomStream& random) {
+  wire::CanFrame frame;
+  frame.id = id;
+  frame.size = 8;
+  for (std::size_t i = 0; i < frame.size; ++i)
+    frame.data.at(i) = static_cast<std::uint8_t>(random.next());
+  return frame;
+}
+
+/// ISO 11898-1: standard, eight bytes, three bits of space; without stuff bits, so that a babbling
+/// node always has a frame waiting.
+constexpr double bits_of_frame = 111;
+
+constexpr std::uint32_t highest_priority = 0x000, lowest_priority = 0x7FF;
+
+}  // namespace
+
+RogueNode::RogueNode(const rig_config::DeviceConfig& config, unsigned bit_rate, std::uint64_t seed,
+                     Stamp start, std::shared_ptr<Schedule> schedule)
+    : bit_rate_(bit_rate),
+      address_(static_cast<std::uint8_t>(config.address)),
+      random_(seed, config.name, "rogue"),
+      schedule_(std::move(schedule)),
+      beats_{Beat{FaultKind::babbling}, Beat{FaultKind::bus_load}, Beat{FaultKind::error_frames}},
+      followed_(start - std::chrono::nanoseconds{1}) {}
+
+std::optional<Stamp> RogueNode::deadline() const {
+  auto next = schedule_->next_change(followed_);
+  const auto keep_earlier = [&](Stamp at) { next = next ? std::min(*next, at) : at; };
+  if (edits_ != schedule_->edits()) keep_earlier(followed_);
+  for (const Beat& beat : beats_)
+    if (beat.period.count() > 0) keep_earlier(beat.next);
+  if (claim_ && claim_->deadline()) keep_earlier(Stamp{*claim_->deadline()});
+  return next;
+}
+
+void RogueNode::tick(Stamp now, emulate::Wire& out) {
+  follow_schedule(now, out);
+  for (Beat& beat : beats_) {
+    if (beat.period.count() == 0) continue;
+    for (; beat.next <= now; beat.next += beat.period) strike(beat, out);
+  }
+  if (claim_ && claim_->deadline() && *claim_->deadline() <= now.time_since_epoch())
+    if (const auto frame = claim_->tick(now.time_since_epoch())) out.send(*frame);
+}
+
+void RogueNode::follow_schedule(Stamp now, emulate::Wire& out) {
+  const auto change = schedule_->next_change(followed_);
+  const bool edited = edits_ != schedule_->edits();
+  followed_ = now;
+  if (!edited && (!change || *change > now)) return;
+  edits_ = schedule_->edits();
+  const auto faults = schedule_->in_force(now);
+  for (Beat& beat : beats_) set_beat(beat, find(faults, beat.kind), now);
+  go_bus_off(find(faults, FaultKind::bus_off) != nullptr, out);
+  claim_address(find(faults, FaultKind::address_stolen) != nullptr, now, out);
+}
+
+void RogueNode::set_beat(Beat& beat, const InForce* fault, Stamp now) {
+  const auto period = fault ? period_of(*fault->fault) : std::chrono::nanoseconds{0};
+  if (beat.period.count() == 0) beat.next = now;
+  beat.period = period;
+}
+
+std::chrono::nanoseconds RogueNode::period_of(const FaultConfig& fault) const {
+  if (fault.kind == FaultKind::error_frames) return measurement::from_seconds(1 / fault.amount[0]);
+  const double frame_s = bits_of_frame / static_cast<double>(bit_rate_);
+  const double share = fault.kind == FaultKind::babbling ? 1 : fault.amount[0];
+  return measurement::from_seconds(frame_s / share);
+}
+
+void RogueNode::strike(const Beat& beat, emulate::Wire& out) {
+  switch (beat.kind) {
+    case FaultKind::babbling: return out.send(strange_frame(highest_priority, random_));
+    case FaultKind::bus_load: return out.send(strange_frame(lowest_priority, random_));
+    default: return out.send(error_frame(protocol_violation));
+  }
+}
+
+void RogueNode::go_bus_off(bool off, emulate::Wire& out) {
+  if (off == bus_off_) return;
+  bus_off_ = off;
+  if (off) {
+    out.send(error_frame(bus_off_class));
+    out.unplug();
+  } else {
+    out.plug();
+    out.send(error_frame(restarted));
+  }
+}
+
+void RogueNode::claim_address(bool wanted, Stamp now, emulate::Wire& out) {
+  if (wanted == claim_.has_value()) return;
+  claim_.reset();
+  if (!wanted) return;
+  claim_.emplace(strongest_name, address_, wire::j1939::AddressRange{address_, address_});
+  if (const auto frame = claim_->start(now.time_since_epoch())) out.send(*frame);
+}
+
+void RogueNode::receive(const wire::CanFrame& frame, Stamp now, emulate::Wire& out) {
+  if (!claim_) return;
+  if (const auto answer = claim_->receive(frame, now.time_since_epoch())) out.send(*answer);
+}
+
+}  // namespace drydock::fault

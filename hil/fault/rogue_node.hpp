@@ -1,0 +1,52 @@
+#pragma once
+
+#include <memory>
+
+#include "drivers/wire/j1939_address_claim.hpp"
+#include "hil/emulate/emulated_device.hpp"
+#include "hil/fault/schedule.hpp"
+#include "hil/sensor/random.hpp"
+#include "rig_config/rig.hpp"
+
+namespace drydock::fault {
+
+/// What else may be on a CAN bus: one more node that babbles, loads the bus or takes a device's
+/// address, and the drivers' controller that sees errors or goes bus-off. Silent without a fault.
+class RogueNode final : public emulate::EmulatedDevice {
+ public:
+  /// Of the faults of one device on the bus.
+  RogueNode(const rig_config::DeviceConfig& config, unsigned bit_rate, std::uint64_t seed,
+            Stamp start, std::shared_ptr<Schedule> schedule);
+
+  std::optional<Stamp> deadline() const override;
+  void tick(Stamp now, emulate::Wire& out) override;
+  void receive(wire::Bytes, Stamp, emulate::Wire&) override {}
+  void receive(const wire::CanFrame& frame, Stamp now, emulate::Wire& out) override;
+
+ private:
+  /// Something that comes again and again while a fault is in force.
+  struct Beat {
+    FaultKind kind;
+    std::chrono::nanoseconds period{0};  ///< zero: not in force
+    Stamp next{};
+  };
+
+  void follow_schedule(Stamp now, emulate::Wire& out);
+  void set_beat(Beat& beat, const InForce* fault, Stamp now);
+  void go_bus_off(bool off, emulate::Wire& out);
+  std::chrono::nanoseconds period_of(const FaultConfig& fault) const;
+  void strike(const Beat& beat, emulate::Wire& out);
+  void claim_address(bool wanted, Stamp now, emulate::Wire& out);
+
+  unsigned bit_rate_;
+  std::uint8_t address_;                            ///< of the device
+  std::optional<wire::j1939::AddressClaim> claim_;  ///< while it holds the device's
+  sensor::RandomStream random_;
+  std::shared_ptr<Schedule> schedule_;
+  std::array<Beat, 3> beats_;
+  Stamp followed_{};
+  std::uint64_t edits_ = 0;
+  bool bus_off_ = false;
+};
+
+}  // namespace drydock::fault

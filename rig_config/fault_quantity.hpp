@@ -1,0 +1,39 @@
+#pragma once
+
+#include <array>
+#include <numbers>
+#include <string_view>
+
+#include "rig_config/rig.hpp"
+
+/// What the sensors of each kind measure: the key by which a fault names it, and its unit.
+namespace drydock::rig_config {
+
+/// A key means the same unit wherever it stands.
+struct FaultQuantity {
+  DeviceKind kind;
+  std::string_view key;
+  double unit;  ///< one of the key in SI
+  bool secondary = false;
+};
+
+inline constexpr auto fault_quantities = std::to_array<FaultQuantity>({
+    {DeviceKind::dvl, "velocity_mps", 1},
+    {DeviceKind::emlog, "speed_mps", 1},
+    {DeviceKind::gnss, "position_m", 1},
+    {DeviceKind::gnss, "velocity_mps", 1, true},
+    {DeviceKind::imu, "rate_degps", std::numbers::pi / 180},
+    {DeviceKind::imu, "specific_force_mps2", 1, true},
+    {DeviceKind::depth, "pressure_pa", 1},
+    {DeviceKind::actuator, "angle_deg", std::numbers::pi / 180},
+    {DeviceKind::actuator, "shaft_rpm", 2 * std::numbers::pi / 60, true},
+});
+
+/// Whether the key names a sensor's second quantity: specific force, GNSS velocity, shaft.
+constexpr bool is_secondary(DeviceKind kind, std::string_view key) {
+  for (const FaultQuantity& quantity : fault_quantities)
+    if (quantity.kind == kind && quantity.key == key) return quantity.secondary;
+  return false;
+}
+
+}  // namespace drydock::rig_config

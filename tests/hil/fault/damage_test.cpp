@@ -1,0 +1,108 @@
+// Single messages damaged. What a receiver at the wrong baud rate makes of a character was worked
+// out by hand from the levels of 8N1, least significant bit first.
+#include "hil/fault/damage.hpp"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <bit>
+
+namespace drydock::fault::test {
+namespace damage_test {
+
+using testing::ElementsAre;
+using testing::ElementsAreArray;
+
+Message bytes(std::string_view text) { return {text.begin(), text.end()}; }
+
+int bits_that_differ(const Message& a, const Message& b) {
+  int bits = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) bits += std::popcount(unsigned{a[i]} ^ unsigned{b[i]});
+  return bits;
+}
+
+TEST(Damage, AFlipTurnsOverExactlyOneBitAnywhere) {
+  RandomStream random(1, "dvl", "flip");
+  const Message sound(16, 0x5A);
+  std::array<int, 128> hits{};
+  for (int i = 0; i < 12'800; ++i) {
+    Message message = sound;
+    flip_bit(message, random);
+    ASSERT_EQ(bits_that_differ(message, sound), 1);
+    for (std::size_t bit = 0; bit < hits.size(); ++bit)
+      hits[bit] += (message[bit / 8] ^ sound[bit / 8]) >> bit % 8 & 1;
+  }
+  // 100 expected at each place, standard deviation 10.
+  EXPECT_GT(*std::ranges::min_element(hits), 55);
+  EXPECT_LT(*std::ranges::max_element(hits), 145);
+}
+
+TEST(Damage, ATruncatedMessageIsAProperBeginningOfIt) {
+  RandomStream random(1, "dvl", "truncate");
+  for (int i = 0; i < 1000; ++i) {
+    Message message = bytes("$GPZDA,201530.00,04,07,2002,00,00*60\r\n");
+    const Message sound = message;
+    truncate(message, random);
+    ASSERT_LT(message.size(), sound.size());
+    ASSERT_TRUE(std::equal(message.begin(), message.end(), sound.begin()));
+  }
+}
+
+TEST(Damage, OneByteIsCutToNothingAndNothingStaysNothing) {
+  RandomStream random(1, "dvl", "truncate");
+  Message one{1}, none;
+  truncate(one, random);
+  truncate(none, random);
+  flip_bit(none, random);
+  break_checksum(none);
+  EXPECT_TRUE(one.empty());
+  EXPECT_TRUE(none.empty());
+}
+
+TEST(Damage, ABrokenChecksumLeavesWhatItProtectsAlone) {
+  // The sentence of the standard's example of ZDA; its sum is 60 hexadecimal.
+  Message sentence = bytes("$GPZDA,201530.00,04,07,2002,00,00*60\r\n");
+  const Message sound = sentence;
+  break_checksum(sentence);
+  const auto star = static_cast<std::ptrdiff_t>(sound.size()) - 5;
+  EXPECT_TRUE(std::equal(sound.begin(), sound.begin() + star + 1, sentence.begin()));
+  EXPECT_NE(sentence, sound);
+  EXPECT_EQ(sentence.size(), sound.size());
+
+  Message binary{0x7F, 0x7F, 1, 2, 3, 0x34, 0x12};
+  break_checksum(binary);
+  EXPECT_THAT(binary, ElementsAre(0x7F, 0x7F, 1, 2, 3, 0x34, 0xED));
+}
+
+TEST(Damage, AtTheSameBaudEveryByteIsHeardAsItWasSent) {
+  Message all(256);
+  for (std::size_t i = 0; i < all.size(); ++i) all[i] = static_cast<std::uint8_t>(i);
+  EXPECT_THAT(heard_at(all, 38400, 38400), ElementsAreArray(all));
+  // 2.5 % is what a UART stands: half a bit in the ten of a character is 5 % of both together.
+  EXPECT_THAT(heard_at(all, 38400 * 1.025, 38400), ElementsAreArray(all));
+}
+
+TEST(Damage, AtHalfTheBaudTwoCharactersAreHeardAsOne) {
+  // "UU" is 0 10101010 1, twice: samples at bits 3, 5, ... 17 are all high, the stop bit at 19 is.
+  EXPECT_THAT(heard_at(bytes("UU"), 9600, 4800), ElementsAre(0xFF));
+}
+
+TEST(Damage, ACharacterWithoutItsStopBitIsReadAsZero) {
+  // "U" heard twice as fast: the sample for the stop bit falls on the sender's fourth bit, a 0.
+  EXPECT_EQ(heard_at(bytes("U"), 4800, 9600).front(), 0);
+  // A long break (all low) is one framing error, not hundreds.
+  EXPECT_THAT(heard_at(Message{0}, 300, 115200), ElementsAre(0));
+}
+
+TEST(Damage, AFrameOfGarbageIsOneThatABusCanCarry) {
+  RandomStream random(1, "imu", "garbage");
+  for (int i = 0; i < 1000; ++i) {
+    const auto frame = garbage_frame(4096, random);
+    ASSERT_TRUE(frame.extended);
+    ASSERT_LT(frame.id, 1u << 29);
+    ASSERT_EQ(frame.size, 8);
+  }
+}
+
+}  // namespace damage_test
+}  // namespace drydock::fault::test

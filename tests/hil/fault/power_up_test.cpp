@@ -1,0 +1,177 @@
+// Devices that get power, that refuse to be set, that are hot, against their real drivers: in
+// lockstep, the wire between them.
+#include <gmock/gmock.h>
+
+#include <algorithm>
+
+#include "drivers/shell/device_actor.hpp"
+#include "drivers/shell/rig_devices.hpp"
+#include "hil/emulate/lockstep.hpp"
+#include "hil/fault/injector.hpp"
+#include "hil/motion/make_trajectory.hpp"
+#include "rig_config/load.hpp"
+
+namespace drydock::fault::test {
+namespace power_up_test {
+
+using namespace std::chrono_literals;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+
+/// One serial device and its driver.
+class Bench final : private device::Listener, private device::Transmitter {
+ public:
+  explicit Bench(const std::string& device_table, const std::string& faults = "")
+      : rig_(rig_config::load_rig_text(
+                 "[rig]\nname = \"r\"\nmission = \"s-path.toml\"\n" + device_table + faults,
+                 DRYDOCK_SOURCE_DIR "/rig_config/missions/r.toml")
+                 .value()),
+        trajectory_(motion::make_trajectory(rig_.mission, start_)),
+        injector_(rig_, *trajectory_, start_),
+        clock_(start_),
+        actor_(std::move((*shell::make_devices(rig_))[0]), *this, *this, start_),
+        line_(std::move(*injector_.device(rig_.devices[0])), 115200,
+              [this](wire::Bytes bytes, Stamp at) { actor_.receive(bytes, at); }) {
+    line_.set_on_port([this](bool there, Stamp at) { actor_.set_port(there, at); });
+    clock_.add(actor_);
+    clock_.add(line_);
+  }
+
+  void run_to(double seconds) { clock_.run_until(start_ + measurement::from_seconds(seconds)); }
+
+  template <class Kind>
+  std::vector<Kind> between(double from_s, double to_s) const {
+    std::vector<Kind> all;
+    for (const auto& m : measurements_) {
+      const double t = measurement::seconds(measurement::origin_of(m).received_at - start_);
+      if (const auto* kind = std::get_if<Kind>(&m); kind && t >= from_s && t < to_s)
+        all.push_back(*kind);
+    }
+    return all;
+  }
+  device::Health health() const { return actor_.device().health(clock_.now()); }
+
+ private:
+  void on_measurement(const measurement::Measurement& m) override { measurements_.push_back(m); }
+  void on_state(const device::Device&, const device::Transition&) override {}
+  void send(wire::Bytes bytes) override { line_.receive(bytes, clock_.now()); }
+  void send(const wire::CanFrame&) override { ADD_FAILURE() << "a frame on a serial line"; }
+
+  Stamp start_ = measurement::stamp_from_ns(1'795'248'000'000'000'000);
+  rig_config::Rig rig_;
+  std::unique_ptr<motion::Trajectory> trajectory_;
+  Injector injector_;
+  shell::Lockstep clock_;
+  shell::DeviceActor actor_;
+  emulate::EmulatedLine line_;
+  std::vector<measurement::Measurement> measurements_;
+};
+
+std::string dvl(const std::string& more) {
+  return "[[device]]\nname = \"dvl\"\nkind = \"dvl\"\nprotocol = \"water-linked\"\n"
+         "link = \"pty:dvl?baud=115200\"\nrate_hz = 5\n"
+         "emulate.head.longest_range_m = 100\n" +
+         more;
+}
+
+/// The DVL is told to turn its velocities by 90 degrees; when it boots it turns them by none.
+const std::string turned = dvl("water_linked = { mounting_rotation_deg = 90 }\n");
+
+std::string fault(const std::string& word, double start_s, double for_s) {
+  return "[[fault]]\ndevice = \"dvl\"\nfault = \"" + word +
+         "\"\nstart_s = " + std::to_string(start_s) + "\nfor_s = " + std::to_string(for_s) + "\n";
+}
+
+using measurement::BottomVelocity;
+
+/// The mission goes straight ahead: turned by 90 degrees that is along y.
+void expect_turned(const std::vector<BottomVelocity>& all) {
+  for (const auto& m : all) {
+    if (!m.velocity) continue;
+    EXPECT_LT(std::abs(m.velocity->x()), 0.5);
+    EXPECT_GT(m.velocity->y(), 1);
+  }
+}
+
+std::size_t with_velocity(const std::vector<BottomVelocity>& all) {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(all, [](const BottomVelocity& m) { return m.velocity.has_value(); }));
+}
+
+TEST(PowerUp, SettingsThatWereLostAreSetAgainAndNoVelocityIsOfTheOldAxes) {
+  Bench bench(turned, fault("off", 10, 5));
+  bench.run_to(30);
+  const auto before = bench.between<BottomVelocity>(2, 10),
+             after = bench.between<BottomVelocity>(17, 30);
+  EXPECT_EQ(with_velocity(before), before.size());
+  EXPECT_THAT(bench.between<BottomVelocity>(11, 15), IsEmpty());
+  EXPECT_EQ(with_velocity(after), after.size());
+  EXPECT_GE(after.size(), 60u);
+  expect_turned(bench.between<BottomVelocity>(0, 30));
+}
+
+TEST(PowerUp, ADeviceThatBootsHearsNothingAndThenSaysItsBanner) {
+  Bench bench(
+      dvl("emulate.boot_s = 4\nemulate.banner = \"Water Linked A50 ready\\r\\n\"\n"
+          "water_linked = { mounting_rotation_deg = 0 }\n"));
+  bench.run_to(3.9);
+  EXPECT_THAT(bench.between<BottomVelocity>(0, 3.9), IsEmpty());
+  EXPECT_EQ(bench.health().stream.bytes_in, 0u);
+  bench.run_to(12);
+  EXPECT_THAT(bench.between<BottomVelocity>(4, 12), Not(IsEmpty()));
+  EXPECT_EQ(bench.health().stream.bytes_skipped, 24u) << "the banner, nothing else";
+  EXPECT_EQ(bench.health().state, device::State::streaming);
+}
+
+TEST(PowerUp, ARefusalIsReportedAndVelocitiesOfOtherAxesAreNotGiven) {
+  Bench bench(turned, fault("nak", 0, 20));
+  bench.run_to(15);
+  EXPECT_EQ(with_velocity(bench.between<BottomVelocity>(0, 15)), 0u);
+  EXPECT_THAT(std::string(bench.health().last_error.view()), HasSubstr("refuses"));
+}
+
+TEST(PowerUp, AHotDvlSaysSoShutsDownAndComesBack) {
+  Bench bench(
+      dvl(""),
+      "[[fault]]\ndevice = \"dvl\"\nfault = \"hot\"\nseconds = 3\nstart_s = 10\nfor_s = 8\n");
+  bench.run_to(12);
+  EXPECT_THAT(std::string(bench.health().last_error.view()), HasSubstr("hot"));
+  EXPECT_EQ(with_velocity(bench.between<BottomVelocity>(10.5, 12)), 0u) << "out of the water";
+  bench.run_to(30);
+  EXPECT_THAT(bench.between<BottomVelocity>(13.5, 18), IsEmpty());
+  EXPECT_GE(with_velocity(bench.between<BottomVelocity>(18, 30)), 55u);
+  EXPECT_EQ(bench.health().state, device::State::streaming);
+}
+
+std::string gnss(const std::string& protocol) {
+  return "[[device]]\nname = \"dvl\"\nkind = \"gnss\"\nprotocol = \"" + protocol +
+         "\"\nlink = \"pty:gnss?baud=115200\"\nrate_hz = 1\nlever_arm_m = [0, 0, -1]\n"
+         "emulate = { first_fix_s = 26 }\n";
+}
+
+TEST(PowerUp, AColdStartFindsSatellitesThenTheTimeThenItsFix) {
+  for (const std::string protocol : {"ubx", "nmea0183"}) {
+    Bench bench(gnss(protocol), fault("off", 40, 2));
+    bench.run_to(80);
+    const auto fixes_between = [&](double from, double to) {
+      const auto all = bench.between<measurement::GnssFix>(from, to);
+      return std::ranges::count_if(all, [](const auto& m) { return m.position.has_value(); });
+    };
+    EXPECT_EQ(fixes_between(0, 26), 0) << protocol;
+    EXPECT_GE(fixes_between(27, 40), 12) << protocol;
+    EXPECT_EQ(fixes_between(43, 67), 0) << protocol << ": cold again after the cut";
+    EXPECT_GE(fixes_between(70, 80), 9) << protocol;
+    std::size_t most = 0;
+    for (const auto& m : bench.between<measurement::GnssSatellites>(1, 26)) {
+      EXPECT_GE(m.satellites.size(), most) << "one after the other";
+      most = m.satellites.size();
+    }
+    EXPECT_GE(most, 5u) << protocol;
+    for (const auto& m : bench.between<measurement::GnssFix>(1, 12))
+      EXPECT_FALSE(m.utc) << protocol;
+  }
+}
+
+}  // namespace power_up_test
+}  // namespace drydock::fault::test
