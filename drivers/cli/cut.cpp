@@ -35,16 +35,16 @@ int refuse_cut(std::FILE* err, std::string_view why) {
   return 1;
 }
 
-std::string note_of(const CutOptions& options, const slice::Sliced& done, std::uint64_t lines) {
+std::string note_of(const CutOptions& options, const slice::Sliced& done,
+                    std::uint64_t measurements) {
   return fmt::format(
-      "# {}\n\nA part of a recorded dive: {} messages of {:.1f} s. `{}` holds the {} measurements "
-      "that "
-      "the\ndrivers made of its bytes when this was written; the ctest `Fixtures/Dive` plays it "
-      "again "
-      "and compares.\n\n{}",
+      "# {}\n\nA part of a recorded dive: {} messages of {:.1f} s. `{}` holds what the drivers "
+      "made "
+      "of its\nbytes when this was written, {} measurements; the ctest `Fixtures/Dive` plays it "
+      "again and compares.\n\n{}",
       options.fixture, done.messages,
-      done.first ? measurement::seconds(*done.last - *done.first) : 0.0, fixture_reference, lines,
-      account_of(done, options.slice.move_to.has_value()));
+      done.first ? measurement::seconds(*done.last - *done.first) : 0.0, fixture_reference,
+      measurements, account_of(done, options.slice.move_to.has_value()));
 }
 
 int write_fixture(const CutOptions& options, const slice::Sliced& done, std::FILE* err) {
@@ -53,12 +53,12 @@ int write_fixture(const CutOptions& options, const slice::Sliced& done, std::FIL
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> out(std::fopen(reference.c_str(), "wb"),
                                                             std::fclose);
   if (!out) return refuse_cut(err, reference + ": cannot be written");
-  const auto lines = write_measurements(options.output, {}, out.get());
-  if (!lines) return refuse_cut(err, lines.error().line);
-  if (*lines == 0) return refuse_cut(err, "the drivers made no measurement of the slice");
-  std::ofstream(folder / "NOTES.md") << note_of(options, done, *lines);
+  const auto measurements = write_reference(options.output, out.get());
+  if (!measurements) return refuse_cut(err, measurements.error().line);
+  if (*measurements == 0) return refuse_cut(err, "the drivers made no measurement of the slice");
+  std::ofstream(folder / "NOTES.md") << note_of(options, done, *measurements);
   fmt::print(err, "{}: {} measurements; add it to git, and ctest runs it\n", folder.string(),
-             *lines);
+             *measurements);
   return 0;
 }
 

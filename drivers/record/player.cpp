@@ -19,6 +19,24 @@ void stay_open(device::DeviceOptions& options) {
   options.life_cycle.quiet_but_up = " in the recording";
 }
 
+/// Passes on that a driver would have sent, and to which link.
+class Silenced final : public device::Transmitter {
+ public:
+  Silenced(const shell::Lockstep& clock, std::string link, shell::RawListener* sent)
+      : clock_(clock), link_(std::move(link)), sent_(sent) {}
+  void send(wire::Bytes bytes) override {
+    if (sent_ != nullptr) sent_->on_bytes(link_, Direction::sent, bytes, clock_.now());
+  }
+  void send(const wire::CanFrame& frame) override {
+    if (sent_ != nullptr) sent_->on_frame(link_, Direction::sent, frame, clock_.now());
+  }
+
+ private:
+  const shell::Lockstep& clock_;
+  std::string link_;
+  shell::RawListener* sent_;
+};
+
 bool has(const std::vector<std::string>& names, const std::string& name) {
   return std::ranges::find(names, name) != names.end();
 }
@@ -37,11 +55,10 @@ boost::system::result<rig_config::Rig, RecordingError> rig_of(const Recording& r
 
 boost::system::result<std::unique_ptr<Player>, RecordingError> Player::make(
     const Recording& recording, const rig_config::Rig& rig, const Selection& selection,
-    device::Listener& listener) {
+    device::Listener& listener, shell::RawListener* sent) {
   const Stamp start =
       recording.begin().value_or(Stamp{}) + selection.from.value_or(Stamp::duration{0});
   std::unique_ptr<Player> player(new Player(start));
-  device::Transmitter& to_nobody = *player;
   player->on_link_.resize(recording.links().size());
   for (std::size_t i = 0; i < rig.devices.size(); ++i) {
     const std::string& name = rig.devices[i].name;
@@ -57,8 +74,10 @@ boost::system::result<std::unique_ptr<Player>, RecordingError> Player::make(
     if (!device) return RecordingError{"the recording's " + device.error().message};
     if ((*device)->on_bus() != link->frames)
       return RecordingError{"the recording's link of " + name + " is none for its protocol"};
+    player->transmitters_.push_back(std::make_unique<Silenced>(player->clock_, link->uri, sent));
     player->devices_.push_back(std::make_unique<shell::DeviceActor>(
-        std::move(*device), listener, to_nobody, start, measurement::Provenance::replayed));
+        std::move(*device), listener, *player->transmitters_.back(), start,
+        measurement::Provenance::replayed));
     player->clock_.add(*player->devices_.back());
     player->on_link_[static_cast<std::size_t>(link - recording.links().begin())].push_back(
         player->devices_.back().get());
@@ -83,6 +102,20 @@ void Player::finish(Stamp end) {
   for (const auto& device : devices_) device->stop(clock_.now());
 }
 
+void play(Recording& recording, const Selection& selection, Player& player,
+          const std::function<void(const RawEvent&)>& on_event) {
+  const Stamp begin = recording.begin().value_or(Stamp{});
+  while (const auto event = recording.next()) {
+    const auto* raw = std::get_if<RawEvent>(&*event);
+    if (raw == nullptr || !selection.takes(recording.links()[raw->link]) ||
+        !selection.holds(raw->at(), begin))
+      continue;
+    if (on_event) on_event(*raw);
+    player.play(*raw);
+  }
+  player.finish(player.now() + last_wait);
+}
+
 boost::system::result<void, RecordingError> play(const std::string& path,
                                                  const Selection& selection,
                                                  device::Listener& listener) {
@@ -92,14 +125,7 @@ boost::system::result<void, RecordingError> play(const std::string& path,
   if (!rig) return RecordingError{path + ": " + rig.error().line};
   auto player = Player::make(*recording, *rig, selection, listener);
   if (!player) return RecordingError{path + ": " + player.error().line};
-  const Stamp begin = recording->begin().value_or(Stamp{});
-  while (const auto event = recording->next()) {
-    const auto* raw = std::get_if<RawEvent>(&*event);
-    if (raw != nullptr && selection.takes(recording->links()[raw->link]) &&
-        selection.holds(raw->at(), begin))
-      (*player)->play(*raw);
-  }
-  (*player)->finish((*player)->now() + last_wait);
+  play(*recording, selection, **player);
   return {};
 }
 

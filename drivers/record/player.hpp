@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -16,13 +17,14 @@ boost::system::result<rig_config::Rig, RecordingError> rig_of(const Recording& r
 
 /// The drivers of a recorded rig in the lockstep shell, fed with the bytes and frames that they
 /// once received: the same measurements again, at the same times, to the last bit. What they send
-/// is dropped; what was answered then is in the recording.
-class Player final : private device::Transmitter {
+/// reaches nobody; what was answered then is in the recording.
+class Player final {
  public:
-  /// Drivers of the selected devices on links of the recording. `listener` must outlive the player.
+  /// Drivers of the selected devices on links of the recording. What they send is told to `sent`,
+  /// where given. Both must outlive the player.
   static boost::system::result<std::unique_ptr<Player>, RecordingError> make(
       const Recording& recording, const rig_config::Rig& rig, const Selection& selection,
-      device::Listener& listener);
+      device::Listener& listener, shell::RawListener* sent = nullptr);
 
   /// Time goes on, and drivers that waited for it act.
   void run_until(Stamp at) { clock_.run_until(std::max(at, clock_.now())); }
@@ -36,15 +38,18 @@ class Player final : private device::Transmitter {
 
  private:
   explicit Player(Stamp start) : clock_(start) {}
-  void send(wire::Bytes) override {}
-  void send(const wire::CanFrame&) override {}
 
   shell::Lockstep clock_;
+  std::vector<std::unique_ptr<device::Transmitter>> transmitters_;  ///< by device
   std::vector<std::unique_ptr<shell::DeviceActor>> devices_;
   std::vector<std::vector<shell::DeviceActor*>> on_link_;  ///< by link of the recording
 };
 
-/// Plays the selected part of a recording to its end.
+/// Plays the selected part of a recording to its end. `on_event` is told first.
+void play(Recording& recording, const Selection& selection, Player& player,
+          const std::function<void(const RawEvent&)>& on_event = {});
+
+/// The same of a file.
 boost::system::result<void, RecordingError> play(const std::string& path,
                                                  const Selection& selection,
                                                  device::Listener& listener);

@@ -32,9 +32,10 @@ std::vector<std::string> values_of(const CLI::Option& option) {
   return values;
 }
 
-/// A number or a duration is no file.
+/// A number or a duration is no file; "TEXT:PATH(existing)" is one.
 bool takes_file(const CLI::Option& option) {
-  return !is_flag(option) && option.get_type_name() == "TEXT" && values_of(option).empty();
+  return !is_flag(option) && option.get_type_name().starts_with("TEXT") &&
+         values_of(option).empty();
 }
 
 std::string long_name(const CLI::Option& option) { return "--" + option.get_lnames().front(); }
@@ -69,13 +70,17 @@ std::string bash_values(const CLI::App& command) {
   return arms;
 }
 
-/// For zsh's `_arguments`: no quotes, brackets or colons may stand in a description.
+/// A description within single quotes for zsh's `_arguments`: it ends at a bracket or colon, the
+/// quotes at a quote.
 std::string zsh_text(std::string text) {
   text = text.substr(0, text.find('\n'));
-  std::erase_if(text, [](char c) { return c == '\''; });
   std::string out;
-  for (const char c : text)
-    out += c == ':' || c == '[' || c == ']' ? std::string("\\") + c : std::string(1, c);
+  for (const char c : text) {
+    if (c == '\'')
+      out += "'\\''";
+    else
+      out += c == ':' || c == '[' || c == ']' ? std::string("\\") + c : std::string(1, c);
+  }
   return out;
 }
 
@@ -85,15 +90,26 @@ std::string zsh_action(const CLI::Option& option) {
   return takes_file(option) ? "_files" : " ";
 }
 
+/// `'(-o --output)'{-o,--output}'`: one of both names; else the long one.
+std::string zsh_names(const CLI::Option& option) {
+  const std::string name = long_name(option);
+  if (option.get_snames().empty()) return "'" + name;
+  return fmt::format("'(-{0} {1})'{{-{0},{1}}}'", option.get_snames().front(), name);
+}
+
+std::string zsh_option(const CLI::Option& option) {
+  std::string text = fmt::format("{}[{}]", zsh_names(option), zsh_text(option.get_description()));
+  if (is_flag(option)) return text + "'";
+  const bool may_be_left_out = option.get_items_expected_min() == 0;
+  return text + fmt::format("{}value:{}'", may_be_left_out ? "::" : ":", zsh_action(option));
+}
+
 std::string zsh_command(const CLI::App& command) {
   std::string text = fmt::format("    {})\n      _arguments", command.get_name());
-  for (const auto* option : options_of(command)) {
-    text += fmt::format(" \\\n        '{}[{}]", long_name(*option),
-                        zsh_text(option->get_description()));
-    text += is_flag(*option) ? "'" : fmt::format(":value:{}'", zsh_action(*option));
-  }
+  for (const auto* option : options_of(command)) text += " \\\n        " + zsh_option(*option);
   for (const auto* option : positionals_of(command))
-    text += fmt::format(" \\\n        '*:{}:{}'", option->get_name(true), zsh_action(*option));
+    text += fmt::format(" \\\n        '{}:{}:{}'", option->get_items_expected_max() > 1 ? "*" : "",
+                        option->get_name(true), zsh_action(*option));
   return text + " ;;\n";
 }
 
@@ -152,7 +168,8 @@ _drydock() {{
   case $words[1] in
 {}  esac
 }}
-_drydock "$@"
+# Called by the completion system, or read by `source <(drydock completion zsh)`.
+if [[ $funcstack[1] == _drydock ]]; then _drydock "$@"; else compdef _drydock drydock; fi
 )",
                      commands, cases);
 }

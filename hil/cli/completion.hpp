@@ -10,7 +10,8 @@ namespace drydock::cli {
 /// To be read by bash: `source <(drydock completion bash)`.
 std::string bash_completion(const CLI::App& app);
 
-/// To be stored as `_drydock` in a folder of zsh's fpath.
+/// To be stored as `_drydock` in a folder of zsh's fpath, or read once compinit has run:
+/// `source <(drydock completion zsh)`.
 std::string zsh_completion(const CLI::App& app);
 
 }  // namespace drydock::cli

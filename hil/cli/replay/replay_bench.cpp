@@ -43,10 +43,10 @@ ReplayBench::ReplayBench(record::Recording& recording, const rig_config::Rig& ri
       outlets_(outlets),
       watchers_(rig, nullptr),
       pipeline_(pipeline_of(rig, *this)),
+      start_(recording.begin().value_or(Stamp{}) + part.from.value_or(Stamp::duration{0})),
+      next_health_(start_ + health_period),
       player_(player_of(recording, rig, part, *this)),
       errors_(rig, watchers_.all),
-      start_(player_->now()),
-      next_health_(start_ + health_period),
       estimates_(rig.estimators.size()) {}
 
 void ReplayBench::play(Pace& pace, const record::Watch& watch) {

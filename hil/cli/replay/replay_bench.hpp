@@ -61,9 +61,9 @@ class ReplayBench final : private device::Listener, private pipeline::EstimateLi
   InterruptFlag interrupt_;
   RunWatchers watchers_;
   pipeline::Pipeline pipeline_;
+  Stamp start_, next_health_;
   std::unique_ptr<record::Player> player_;
   TruthErrors errors_;
-  Stamp start_, next_health_;
   std::uint64_t measurements_ = 0;
   std::vector<std::uint64_t> estimates_;
   bool ended_ = false, stopping_ = false;

@@ -50,19 +50,19 @@ TEST_F(RecordingCommand, RecoverSaysWhatWasWrongAndWhatIsSaved) {
   EXPECT_THAT(err_.text(), HasSubstr("recover: /nowhere.mcap: cannot be read"));
 }
 
-TEST_F(RecordingCommand, AFixtureHoldsWhatTheDriversMeasured) {
+TEST_F(RecordingCommand, AFixtureHoldsWhatBecameOfTheBytes) {
   CutOptions options;
   options.recording = dive_;
   options.fixture = "lost-lock";
   options.fixtures_folder = folder_ / "dives";
   EXPECT_EQ(cut(options, to_the_end, err_.file()), 0) << err_.text();
-  const std::string reference = read_all(folder_ / "dives/lost-lock/measurements.jsonl");
+  const std::string reference = read_all(folder_ / "dives/lost-lock/expected.jsonl");
   EXPECT_THAT(reference, HasSubstr(R"({"device":"gps","type":"gnss_fix")"));
   EXPECT_THAT(reference, HasSubstr(R"({"device":"dvl","type":"bottom_velocity")"));
   EXPECT_THAT(reference, HasSubstr(R"({"device":"depth","type":"depth")"));
   EXPECT_THAT(read_all(folder_ / "dives/lost-lock/NOTES.md"), HasSubstr("# lost-lock"));
   MemoryFile again;
-  EXPECT_TRUE(write_measurements(folder_ / "dives/lost-lock/dive.mcap", {}, again.file()));
+  EXPECT_TRUE(write_reference(folder_ / "dives/lost-lock/dive.mcap", again.file()));
   EXPECT_EQ(again.text(), reference);
 }
 
