@@ -50,6 +50,12 @@ std::optional<MeasurementTopic> measurement_topic(std::string_view topic, std::s
   return std::nullopt;
 }
 
+std::optional<std::vector<Fault>> faults_of(std::span<const std::uint8_t> cdr) {
+  CdrDecoder<FaultsMessage> decoder;
+  const auto* message = decoder.decode(cdr);
+  return message != nullptr ? std::optional(read(*message)) : std::nullopt;
+}
+
 struct CdrMeasurements::Decoders {
   CdrDecoder<BottomTrackMessage> dvl;
   CdrDecoder<WaterSpeedMessage> emlog;

@@ -19,6 +19,9 @@ struct MeasurementTopic {
 /// "/imu/data", "/dvl/bottom_track". Empty: another topic.
 std::optional<MeasurementTopic> measurement_topic(std::string_view topic, std::string_view type);
 
+/// What stands on "/drydock/faults". Empty: no such message.
+std::optional<std::vector<Fault>> faults_of(std::span<const std::uint8_t> cdr);
+
 /// The way back from CdrPublisher: bytes of a recording to measurements.
 class CdrMeasurements {
  public:

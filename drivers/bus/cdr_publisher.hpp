@@ -15,7 +15,8 @@ class CdrPublisher {
   /// The sink must outlive it.
   CdrPublisher(CdrSink& sink, const std::vector<Device>& devices,
                const std::vector<std::string>& estimators,
-               const std::vector<std::string>& navigators = {});  ///< those that give Navigation
+               const std::vector<std::string>& navigators = {},  ///< those that give Navigation
+               const std::vector<InnovationSource>& innovations = {});
   CdrPublisher(CdrPublisher&&) noexcept;
   CdrPublisher& operator=(CdrPublisher&&) noexcept;
   ~CdrPublisher();
@@ -24,6 +25,9 @@ class CdrPublisher {
   void publish(const Attitude& attitude, std::size_t estimator);
   void publish(const Navigation& navigation, std::size_t estimator);
   void publish(std::span<const DeviceStatus> health, Stamp now);
+  void publish(const Innovation& innovation);
+  /// All that are in force; what was among them before and is no longer has ended.
+  void publish(std::span<const Fault> faults, Stamp now);
 
  private:
   struct Topics;

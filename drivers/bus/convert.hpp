@@ -5,6 +5,7 @@
 #include <limits>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "drivers/bus/device.hpp"
 #include "drivers/bus/message_types.hpp"
@@ -78,6 +79,15 @@ bool read(Attitude& attitude, const ImuMessage& message);
 /// given: variance -1.
 bool fill(OdometryMessage& message, const Navigation& navigation);
 bool fill(NavSatFixMessage& message, const Navigation& navigation);
+
+/// What stays the same of a topic: source, axes, unit.
+void describe(InnovationMessage& message, const Device& source);
+/// The rest; allocates nothing.
+void fill(InnovationMessage& message, const Innovation& innovation);
+
+/// As for diagnostics below.
+void fill(FaultsMessage& message, std::span<const Fault> faults, Stamp now);
+std::vector<Fault> read(const FaultsMessage& message);
 
 /// Replaces all but the frame name; the strings are Cyclone's (dds_sample_free releases them).
 void fill(DiagnosticsMessage& message, std::span<const DeviceStatus> health, Stamp now);

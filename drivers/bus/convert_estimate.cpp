@@ -1,9 +1,9 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <numbers>
-#include <utility>
 
 #include "drivers/bus/convert.hpp"
+#include "drivers/bus/owned.hpp"
 
 namespace drydock::bus {
 namespace {
@@ -20,17 +20,6 @@ Eigen::Quaterniond from_euler(double roll, double pitch, double yaw) {
 
 double yaw_in_turn(double yaw) { return std::remainder(yaw, 2 * std::numbers::pi); }
 
-char* copy_of(const std::string& text) { return dds_string_dup(text.c_str()); }
-
-template <class Sequence>
-auto* allocate(Sequence& sequence, std::size_t count) {
-  using Element = std::remove_pointer_t<decltype(sequence._buffer)>;
-  sequence._length = sequence._maximum = static_cast<std::uint32_t>(count);
-  sequence._buffer = static_cast<Element*>(dds_alloc(count * sizeof(Element)));
-  sequence._release = true;
-  return sequence._buffer;
-}
-
 void fill(diagnostic_msgs_msg_dds__DiagnosticStatus_& status, const DeviceStatus& from) {
   status.level = static_cast<std::uint8_t>(from.level);
   status.name = copy_of(from.name);
@@ -38,13 +27,6 @@ void fill(diagnostic_msgs_msg_dds__DiagnosticStatus_& status, const DeviceStatus
   status.hardware_id = copy_of(from.hardware_id);
   auto* next = allocate(status.values, from.values.size());
   for (const auto& [key, value] : from.values) *next++ = {copy_of(key), copy_of(value)};
-}
-
-void release(DiagnosticsMessage& message) {
-  char* const frame = std::exchange(message.header.frame_id, nullptr);
-  dds_sample_free(&message, &diagnostic_msgs_msg_dds__DiagnosticArray__desc, DDS_FREE_CONTENTS);
-  message = {};
-  message.header.frame_id = frame;
 }
 
 }  // namespace
@@ -83,7 +65,7 @@ bool read(Attitude& attitude, const ImuMessage& message) {
 }
 
 void fill(DiagnosticsMessage& message, std::span<const DeviceStatus> health, Stamp now) {
-  release(message);
+  release_but_frame(message);
   message.header.stamp = to_time(now);
   auto* next = allocate(message.status, health.size());
   for (const auto& device : health) fill(*next++, device);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <boost/container/static_vector.hpp>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -53,6 +54,34 @@ struct Navigation {
 };
 
 enum class Level : std::uint8_t { ok, warn, error, stale };
+
+/// One measurement against what an estimator expected of it: `/drydock/<estimator>/innovation/
+/// <device>`. Rows as docs/live.md names them: measured minus expected, and its sigma.
+struct Innovation {
+  struct Row {
+    double value = 0, sigma = 0;
+    bool used = false;
+  };
+  Stamp valid_at{};
+  std::uint16_t estimator = 0, device = 0;
+  boost::container::static_vector<Row, 3> rows;
+};
+
+/// Whose innovations there will be.
+struct InnovationSource {
+  std::uint16_t estimator = 0, device = 0;
+};
+
+/// A fault made on purpose, on `/drydock/faults`.
+struct Fault {
+  std::string device;  ///< empty: none alone
+  std::string name;    ///< in the vocabulary of faults: "bit-errors"
+  std::string text;    ///< for a person: "one bit in 10000 is wrong"
+  Stamp since{};
+  std::optional<Stamp> until;  ///< past or planned; empty: not known
+
+  bool in_force(Stamp now) const { return since <= now && (!until || now < *until); }
+};
 
 /// Health of one device: one status of the diagnostic_msgs/DiagnosticArray on `rt/diagnostics`.
 struct DeviceStatus {

@@ -29,6 +29,8 @@ using WaterSpeedMessage = drydock_msg_dds__WaterSpeed_;
 using GnssFixMessage = drydock_msg_dds__GnssFix_;
 using GnssSatellitesMessage = drydock_msg_dds__GnssSatellites_;
 using ActuatorStateMessage = drydock_msg_dds__ActuatorState_;
+using InnovationMessage = drydock_msg_dds__Innovation_;
+using FaultsMessage = drydock_msg_dds__Faults_;
 
 /// `hash` is the REP-2016 type hash that ROS 2 (Iron and later) expects in an endpoint's USER_DATA;
 /// empty for Drydock's own types, which ROS 2 reads as "not set".
@@ -86,5 +88,9 @@ inline const MessageType message_type<GnssSatellitesMessage>{&drydock_msg_dds__G
 template <>
 inline const MessageType message_type<ActuatorStateMessage>{&drydock_msg_dds__ActuatorState__desc,
                                                             ""};
+template <>
+inline const MessageType message_type<InnovationMessage>{&drydock_msg_dds__Innovation__desc, ""};
+template <>
+inline const MessageType message_type<FaultsMessage>{&drydock_msg_dds__Faults__desc, ""};
 
 }  // namespace drydock::bus

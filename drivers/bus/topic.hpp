@@ -56,6 +56,13 @@ inline constexpr Route route<measurement::ActuatorState, ActuatorStateMessage>{"
 
 inline constexpr std::string_view diagnostics_topic = "rt/diagnostics";
 
+/// Of recordings and viewers only.
+inline constexpr std::string_view faults_topic = "rt/drydock/faults";
+
+inline std::string innovation_topic(std::string_view estimator, std::string_view device) {
+  return "rt/drydock/" + std::string(estimator) + "/innovation/" + std::string(device);
+}
+
 inline std::string topic_name(std::string_view device, std::string_view suffix) {
   return "rt/" + std::string(device) + "/" + std::string(suffix);
 }

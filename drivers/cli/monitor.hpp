@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "drivers/cli/rig_viewer.hpp"
 #include "drivers/device/device.hpp"
 #include "rig_config/rig.hpp"
 
@@ -15,6 +16,7 @@ struct MonitorOptions {
   double duration_s = 0;  ///< 0: until Ctrl-C
   bool once = false;      ///< one table, as soon as every device streams, or after 10 s
   bool json = false;      ///< JSON Lines, one object a device, every second
+  ServeOptions serve;     ///< for browsers too
 };
 
 /// Listens on a link and prints what it says: each message as a JSON line on standard output, a
@@ -26,9 +28,9 @@ int monitor_messages(const MonitorOptions& options);
 int monitor_link(const MonitorOptions& options);
 
 /// A table of the devices, drawn over itself on a terminal, else JSON Lines or one table at the
-/// end. The drivers only listen: nothing is written to a wire. Returns 0 when all devices were
-/// streaming at the end, else 1.
-int monitor_devices(std::vector<std::unique_ptr<device::Device>> devices,
+/// end. The drivers only listen: nothing is written to a wire. `name` is what viewers read. Returns
+/// 0 when all devices were streaming at the end, else 1.
+int monitor_devices(std::vector<std::unique_ptr<device::Device>> devices, const std::string& name,
                     const MonitorOptions& options);
 
 /// The same from the bus, for a rig whose drivers run in another process.

@@ -4,11 +4,12 @@
 #include "drivers/bus/subscriber.hpp"
 #include "drivers/cli/monitor_loop.hpp"
 #include "drivers/cli/rig_bus.hpp"
+#include "drivers/link/link.hpp"
 
 namespace drydock::cli {
 namespace {
 
-/// Diagnostics and measurements of the bus as views.
+/// Diagnostics and measurements of the bus as views, and to whom watches besides.
 class BusViews final : public bus::Receiver {
  public:
   explicit BusViews(const rig_config::Rig& rig) {
@@ -25,16 +26,31 @@ class BusViews final : public bus::Receiver {
     }
   }
 
+  Watchers watchers;
+
   using bus::Receiver::receive;
-  void receive(const bus::Measurement& measurement) override { latest_.note(measurement); }
+  void receive(const bus::Measurement& measurement) override {
+    latest_.note(measurement);
+    watchers.note(measurement);
+  }
+  void receive(const bus::Attitude& attitude, std::size_t estimator) override {
+    watchers.note(attitude, estimator);
+  }
 
   void receive(const bus::DeviceStatus& status) override {
+    health_.push_back(status);
     const auto view = std::ranges::find(views_, status.name, &DeviceView::name);
     if (view == views_.end()) return;
     view->state = status.message;
     view->streaming = status.level == bus::Level::ok;
     view->status.clear();
     for (const auto& [key, value] : status.values) set(*view, key, value);
+  }
+
+  /// What diagnostics have come since the last time go to the watchers.
+  void tell_health() {
+    if (!health_.empty()) watchers.note(health_, link::now());
+    health_.clear();
   }
 
   std::vector<DeviceView> current() const {
@@ -47,6 +63,7 @@ class BusViews final : public bus::Receiver {
  private:
   std::vector<DeviceView> views_;
   Latest latest_;
+  std::vector<bus::DeviceStatus> health_;
 
   static void set(DeviceView& view, std::string_view key, const std::string& value) {
     double number = 0;
@@ -77,10 +94,20 @@ int monitor_bus(const rig_config::Rig& rig, const MonitorOptions& options) {
   const bus::Participant participant(static_cast<std::uint32_t>(rig.dds_domain));
   bus::SubscriberOptions wanted;
   wanted.diagnostics = true;
+  if (!options.serve.address.empty()) wanted.estimators = estimator_names(rig);
   bus::Subscriber subscriber(participant, bus_devices(rig), wanted);
   BusViews heard(rig);
   MonitorLoop loop(options, [&] { return heard.current(); });
-  return loop.run([&] { subscriber.take(heard); }, [] {});
+  const auto viewer = loop.serve(viewed(rig));
+  if (viewer) heard.watchers.add(*viewer);
+  return loop.run(
+      [&] {
+        subscriber.take(heard);
+        heard.tell_health();
+      },
+      [&] {
+        if (viewer) viewer->stop();
+      });
 }
 
 }  // namespace drydock::cli

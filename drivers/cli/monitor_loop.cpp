@@ -26,6 +26,13 @@ MonitorLoop::MonitorLoop(const MonitorOptions& options,
       table_(terminal_ && !options.once),
       screen_(stdout) {}
 
+std::unique_ptr<RigViewer> MonitorLoop::serve(const Viewed& viewed) {
+  if (options_.serve.address.empty()) return nullptr;
+  auto viewer = std::make_unique<RigViewer>(io_.get_executor(), viewed, options_.serve);
+  fmt::print(stderr, "live: {}\n", viewer->url());
+  return viewer;
+}
+
 /// A rate needs a few messages: a table is not taken before each device has its own.
 bool MonitorLoop::over(const std::vector<DeviceView>& views) const {
   const double elapsed_s = static_cast<double>(steps_) / steps_a_second;

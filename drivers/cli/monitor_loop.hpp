@@ -16,6 +16,9 @@ class MonitorLoop {
   MonitorLoop(const MonitorOptions& options, std::function<std::vector<DeviceView>()> views);
 
   boost::asio::io_context& io() { return io_; }
+  /// A page of what is monitored, where the options want one; empty otherwise. Its address goes to
+  /// standard error.
+  std::unique_ptr<RigViewer> serve(const Viewed& viewed);
   /// `poll` is called 10 times a second; `stop` must let io() run out of work. 0 when all devices
   /// were streaming at the end, else 1.
   int run(const std::function<void()>& poll, const std::function<void()>& stop);

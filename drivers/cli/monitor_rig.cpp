@@ -3,6 +3,7 @@
 #include "drivers/cli/driver_host.hpp"
 #include "drivers/cli/monitor_loop.hpp"
 #include "drivers/cli/probe_bus.hpp"
+#include "drivers/cli/rig_bus.hpp"
 #include "drivers/device/can_error_text.hpp"
 #include "drivers/link/can_interface.hpp"
 #include "drivers/wire/can_bits.hpp"
@@ -89,7 +90,7 @@ std::vector<std::unique_ptr<device::Device>> devices_of(const ProbeReport& repor
 
 }  // namespace
 
-int monitor_devices(std::vector<std::unique_ptr<device::Device>> devices,
+int monitor_devices(std::vector<std::unique_ptr<device::Device>> devices, const std::string& name,
                     const MonitorOptions& options) {
   for (auto& device : devices) device->listen_only();
   Latest latest;
@@ -106,11 +107,22 @@ int monitor_devices(std::vector<std::unique_ptr<device::Device>> devices,
     }
     return views;
   });
+  Watchers watchers;
+  const auto viewer = loop.serve({name, bus_devices(devices)});
+  if (viewer) watchers.add(*viewer);
   DriverHost host(loop.io(), std::move(devices), nullptr, &meter);
   drivers = &host;
-  host.on_measurement_hook = [&](const measurement::Measurement& m) { latest.note(m); };
+  host.on_measurement_hook = [&](const measurement::Measurement& m) {
+    latest.note(m);
+    watchers.note(m);
+  };
+  host.on_health_hook = [&](auto health, Stamp now) { watchers.note(health, now); };
   host.start();
-  return loop.run([] {}, [&] { host.stop(); });
+  return loop.run([] {},
+                  [&] {
+                    host.stop();
+                    if (viewer) viewer->stop();
+                  });
 }
 
 int monitor_link(const MonitorOptions& options) {
@@ -120,7 +132,7 @@ int monitor_link(const MonitorOptions& options) {
     fmt::print(stderr, "monitor: no sensor found; --protocol shows the messages of a protocol\n");
     return 1;
   }
-  return monitor_devices(devices_of(report), options);
+  return monitor_devices(devices_of(report), options.link, options);
 }
 
 }  // namespace drydock::cli

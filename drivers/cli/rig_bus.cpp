@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "drivers/link/uri.hpp"
 
 namespace drydock::cli {
@@ -37,6 +39,16 @@ std::vector<bus::Device> bus_devices(const rig_config::Rig& rig) {
   return devices;
 }
 
+std::vector<bus::Device> bus_devices(std::span<const std::unique_ptr<device::Device>> devices) {
+  std::vector<bus::Device> all;
+  for (const auto& device : devices) {
+    all.push_back({.name = std::string(device->name()),
+                   .kind = static_cast<bus::Kind>(device->options().driver.kind),
+                   .provenance = provenance_of(device->options().link)});
+  }
+  return all;
+}
+
 std::vector<std::string> estimator_names(const rig_config::Rig& rig) {
   std::vector<std::string> names;
   for (const auto& estimator : rig.estimators) names.push_back(estimator.name);
@@ -49,6 +61,23 @@ std::vector<std::string> navigator_names(const rig_config::Rig& rig) {
     if (estimator.kind == "navigation" || estimator.kind == "velocity")
       names.push_back(estimator.name);
   return names;
+}
+
+std::vector<bus::InnovationSource> innovation_sources(const rig_config::Rig& rig) {
+  std::vector<bus::InnovationSource> sources;
+  for (std::uint16_t i = 0; i < rig.estimators.size(); ++i) {
+    const auto& e = rig.estimators[i];
+    const auto add = [&](const std::string& name) {
+      const auto device = std::ranges::find(rig.devices, name, &rig_config::DeviceConfig::name);
+      if (device == rig.devices.end()) return;
+      sources.push_back({i, static_cast<std::uint16_t>(device - rig.devices.begin())});
+    };
+    const bool inertial = e.kind == "navigation" || e.kind == "velocity";
+    if ((e.kind == "leveling" && !e.stationary) || e.kind == "velocity") add(e.log);
+    if (inertial) add(e.inertial.dvl), add(e.inertial.depth);
+    if (e.kind == "navigation") add(e.gnss);
+  }
+  return sources;
 }
 
 bus::DeviceStatus status_of(const device::Device& device, const device::Health& health) {

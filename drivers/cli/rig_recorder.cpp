@@ -78,6 +78,7 @@ record::RecorderOptions recorder_options(const rig_config::Rig& rig, measurement
   options.estimators = estimator_names(rig);
   options.navigators = navigator_names(rig);
   for (auto* names : {&options.estimators, &options.navigators}) names->push_back("truth");
+  options.innovations = innovation_sources(rig);
   options.versions = {{"drydock", DRYDOCK_VERSION}, {"rig", rig.name}};
   options.attachments =
       attachments_of(rig, static_cast<std::uint64_t>(start.time_since_epoch().count()));

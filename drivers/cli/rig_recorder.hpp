@@ -38,6 +38,10 @@ class RigRecorder final : public Watcher {
   void note(std::span<const bus::DeviceStatus> health, Stamp now) override {
     recorder_.topics().publish(health, now);
   }
+  void note(const bus::Innovation& innovation) override { recorder_.topics().publish(innovation); }
+  void note(std::span<const bus::Fault> faults, Stamp now) override {
+    recorder_.topics().publish(faults, now);
+  }
   void tick(Stamp now) override;  ///< says on standard error, once, when the file fails
 
   /// Ends the file. One line of what is in it, or of what went wrong.

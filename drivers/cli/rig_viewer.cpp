@@ -26,9 +26,9 @@ std::string random_token() {
   return token;
 }
 
-live::ServerOptions server_options(const rig_config::Rig& rig, const ServeOptions& options) {
+live::ServerOptions server_options(const std::string& name, const ServeOptions& options) {
   live::ServerOptions server;
-  server.name = "drydock " + rig.name;
+  server.name = "drydock " + name;
   server.token = options.token;
   const auto colon = options.address.rfind(':');
   const auto host = colon == std::string::npos ? "" : options.address.substr(0, colon);
@@ -44,16 +44,21 @@ live::ServerOptions server_options(const rig_config::Rig& rig, const ServeOption
 
 }  // namespace
 
-RigViewer::RigViewer(boost::asio::any_io_executor executor, const rig_config::Rig& rig,
+Viewed viewed(const rig_config::Rig& rig) {
+  return {rig.name, bus_devices(rig), estimator_names(rig), navigator_names(rig),
+          innovation_sources(rig)};
+}
+
+RigViewer::RigViewer(boost::asio::any_io_executor executor, const Viewed& viewed,
                      const ServeOptions& options)
-    : options_(server_options(rig, options)),
+    : options_(server_options(viewed.name, options)),
       server_(std::move(executor), options_, live::page_files()),
       sink_(server_),
-      topics_(sink_, bus_devices(rig), with_truth(estimator_names(rig)),
-              with_truth(navigator_names(rig))),
-      last_sample_(rig.devices.size()),
-      last_attitude_(rig.estimators.size() + 1),
-      last_position_(rig.estimators.size() + 1) {
+      topics_(sink_, viewed.devices, with_truth(viewed.estimators), with_truth(viewed.navigators),
+              viewed.innovations),
+      last_sample_(viewed.devices.size()),
+      last_attitude_(viewed.estimators.size() + 1),
+      last_position_(viewed.estimators.size() + 1) {
   if (const auto error = server_.listen())
     throw std::runtime_error(
         fmt::format("cannot serve on {}:{}: {}", options_.address, options_.port, error.message()));
@@ -86,6 +91,17 @@ void RigViewer::note(const bus::Attitude& attitude, std::size_t estimator) {
 void RigViewer::note(const bus::Navigation& navigation, std::size_t estimator) {
   if (due(last_position_.at(estimator), navigation.valid_at))
     topics_.publish(navigation, estimator);
+}
+
+void RigViewer::note(std::span<const bus::Fault> faults, Stamp now) {
+  faults_.assign(faults.begin(), faults.end());
+  faults_told_ = now;
+  topics_.publish(faults_, now);
+}
+
+void RigViewer::tick(Stamp now) {
+  constexpr std::chrono::seconds again{1};
+  if (!faults_.empty() && now - faults_told_ >= again) note(std::vector(faults_), now);
 }
 
 }  // namespace drydock::cli

@@ -16,6 +16,15 @@ struct ServeOptions {
   std::string token;
 };
 
+/// What a viewer may see.
+struct Viewed {
+  std::string name;
+  std::vector<bus::Device> devices;                     ///< by `Origin::device`
+  std::vector<std::string> estimators{}, navigators{};  ///< those that give Navigation too
+  std::vector<bus::InnovationSource> innovations{};
+};
+Viewed viewed(const rig_config::Rig& rig);
+
 /// A run for browsers and Foxglove. Fast topics are thinned to what an eye can follow.
 class RigViewer final : public Watcher {
  public:
@@ -23,8 +32,11 @@ class RigViewer final : public Watcher {
 
   /// Throws std::runtime_error with one line when the address cannot be served. An address beyond
   /// this host gets a token of its own when none is given.
-  RigViewer(boost::asio::any_io_executor executor, const rig_config::Rig& rig,
+  RigViewer(boost::asio::any_io_executor executor, const Viewed& viewed,
             const ServeOptions& options);
+  RigViewer(boost::asio::any_io_executor executor, const rig_config::Rig& rig,
+            const ServeOptions& options)
+      : RigViewer(std::move(executor), viewed(rig), options) {}
 
   std::string url() const;  ///< to open in a browser, with the token where there is one
 
@@ -34,7 +46,9 @@ class RigViewer final : public Watcher {
   void note(std::span<const bus::DeviceStatus> health, Stamp now) override {
     topics_.publish(health, now);
   }
-  void tick(Stamp) override {}
+  void note(const bus::Innovation& innovation) override { topics_.publish(innovation); }
+  void note(std::span<const bus::Fault> faults, Stamp now) override;
+  void tick(Stamp now) override;  ///< says the faults in force again, for who came later
   void stop() { server_.stop(); }
   live::ServerCounters counters() const { return server_.counters(); }
 
@@ -45,6 +59,8 @@ class RigViewer final : public Watcher {
   live::Server server_;
   live::LiveTopics sink_;
   bus::CdrPublisher topics_;
+  std::vector<bus::Fault> faults_;  ///< in force
+  Stamp faults_told_{};
   std::vector<Stamp> last_sample_;                    ///< by device; of IMUs
   std::vector<Stamp> last_attitude_, last_position_;  ///< by estimator
 };

@@ -20,6 +20,9 @@ class Watcher : public shell::RawListener {
   virtual void note(const bus::Attitude& attitude, std::size_t estimator) = 0;
   virtual void note(const bus::Navigation& navigation, std::size_t estimator) = 0;
   virtual void note(std::span<const bus::DeviceStatus> health, Stamp now) = 0;
+  virtual void note(const bus::Innovation&) {}
+  /// Whenever the faults in force change: all that are in force now, none that have ended.
+  virtual void note(std::span<const bus::Fault> /*faults*/, Stamp /*now*/) {}
   virtual void tick(Stamp now) = 0;  ///< a few times a second
 };
 
@@ -47,6 +50,12 @@ class Watchers final : public Watcher {
   }
   void note(std::span<const bus::DeviceStatus> health, Stamp now) override {
     for (auto* watcher : all_) watcher->note(health, now);
+  }
+  void note(const bus::Innovation& innovation) override {
+    for (auto* watcher : all_) watcher->note(innovation);
+  }
+  void note(std::span<const bus::Fault> faults, Stamp now) override {
+    for (auto* watcher : all_) watcher->note(faults, now);
   }
   void tick(Stamp now) override {
     for (auto* watcher : all_) watcher->tick(now);

@@ -58,6 +58,7 @@ struct Server::House : std::enable_shared_from_this<House> {
   asio::awaitable<void> show(beast::tcp_stream stream, HttpRequest request);
   HttpResponse answer_to(const HttpRequest& request) const;
   std::optional<std::string> refusal_of(const HttpRequest& request);
+  bool is_part_of_page(const HttpRequest& request) const;
   void remove(const std::shared_ptr<Viewer>& viewer);
 
   asio::any_io_executor executor;
@@ -133,9 +134,18 @@ asio::awaitable<void> Server::House::serve(tcp::socket socket) {
 std::optional<std::string> Server::House::refusal_of(const HttpRequest& request) {
   const std::string target = text_of(request.target()), host = text_of(request[http::field::host]),
                     origin = text_of(request[http::field::origin]);
+  if (!options.token.empty() && is_part_of_page(request)) return {};
   auto refused = refusal({target, host, origin}, options.token);
   if (refused) ++past.refused;
   return refused;
+}
+
+/// A script or style: nothing of the run is in it, and a browser asks for it without the token.
+bool Server::House::is_part_of_page(const HttpRequest& request) const {
+  const std::string target = text_of(request.target());
+  const auto path = path_of(target);
+  return path != "/" && !beast::websocket::is_upgrade(request) &&
+         std::ranges::find(page, path, &PageFile::path) != page.end();
 }
 
 HttpResponse Server::House::answer_to(const HttpRequest& request) const {

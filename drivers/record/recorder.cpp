@@ -11,7 +11,7 @@ namespace drydock::record {
 Recorder::Recorder(mcap::Sink sink, const RecorderOptions& options)
     : tape_(std::move(sink), options.when_behind, options.attachments,
             {{"versions", options.versions}}),
-      topics_(tape_, options.devices, options.estimators, options.navigators) {
+      topics_(tape_, options.devices, options.estimators, options.navigators, options.innovations) {
   for (const auto& link : options.links) {
     const std::string type = link.frames ? can_frame_type : raw_bytes_type;
     links_.push_back(

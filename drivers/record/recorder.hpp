@@ -22,8 +22,9 @@ struct RecorderOptions {
   std::vector<RecordedLink> links;
   std::vector<bus::Device> devices;                 ///< by `Origin::device`
   std::vector<std::string> estimators, navigators;  ///< those that give Navigation too
-  mcap::Map versions;                               ///< of the programs, as metadata
-  std::vector<mcap::Attachment> attachments;        ///< the rig file and what it names
+  std::vector<bus::InnovationSource> innovations;
+  mcap::Map versions;                         ///< of the programs, as metadata
+  std::vector<mcap::Attachment> attachments;  ///< the rig file and what it names
   WhenBehind when_behind = WhenBehind::lose;
 };
 

@@ -10,6 +10,12 @@ bus::Attitude bus_attitude(const pipeline::AttitudeEstimate& estimate) {
           .covariance = estimate.covariance};
 }
 
+bus::Innovation bus_innovation(const pipeline::InnovationReport& report) {
+  bus::Innovation innovation{report.valid_at, report.estimator, report.device, {}};
+  for (const auto& row : report.rows) innovation.rows.push_back({row.value, row.sigma, row.used});
+  return innovation;
+}
+
 bus::Navigation BusNavigation::operator()(const pipeline::NavigationEstimate& estimate) {
   if (origins_.size() <= estimate.estimator) origins_.resize(estimate.estimator + 1U);
   auto& origin = origins_[estimate.estimator];

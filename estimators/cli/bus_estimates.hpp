@@ -4,12 +4,13 @@
 #include <vector>
 
 #include "drivers/bus/device.hpp"
-#include "estimators/pipeline/navigation_estimate.hpp"
+#include "estimators/pipeline/listener.hpp"
 
 namespace drydock::cli {
 
 /// Estimates as the bus has them.
 bus::Attitude bus_attitude(const pipeline::AttitudeEstimate& estimate);
+bus::Innovation bus_innovation(const pipeline::InnovationReport& report);
 
 /// Positions besides as offsets, each estimator's from its first.
 class BusNavigation {

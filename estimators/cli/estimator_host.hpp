@@ -27,6 +27,7 @@ class EstimatorHost final : private pipeline::EstimateListener {
   std::function<void(const pipeline::AttitudeEstimate&)> on_attitude_hook;
 
   std::function<void(const pipeline::NavigationEstimate&)> on_navigation_hook;
+  std::function<void(const pipeline::InnovationReport&)> on_innovation_hook;
 
   void start();
   void stop();
@@ -35,6 +36,9 @@ class EstimatorHost final : private pipeline::EstimateListener {
  private:
   void on_attitude(const pipeline::AttitudeEstimate& estimate) override;
   void on_navigation(const pipeline::NavigationEstimate& estimate) override;
+  void on_innovation(const pipeline::InnovationReport& report) override {
+    if (on_innovation_hook) on_innovation_hook(report);
+  }
   void wait_for_measurements();
   void wait_for_window();
 

@@ -84,10 +84,10 @@ void AugmentedLevelingFilter::update_moving(double speed_mps) {
   begin_update();
   const State row = State::Unit(0) + State::Unit(log_at);
   const double residual = speed_mps - row.dot(x_), variance = squared(options_.speed_sigma_mps);
-  if (gate_.passes(residual, row.dot(p_ * row) + variance, p_(0, 0))) {
-    update(residual, row, variance);
-    innovation_.log_square = innovation_.normalised_square;
-  }
+  const double expected = row.dot(p_ * row) + variance;
+  const bool used = gate_.passes(residual, expected, p_(0, 0));
+  innovation_.log = {residual, std::sqrt(expected), used};
+  if (used) update(residual, row, variance);
   update_norm();
 }
 

@@ -56,11 +56,11 @@ void LevelingFilter::update_moving(double speed_mps) {
                                  std::pow(options_.norm_sigma, 2)};
   const double expected = p_(0, 0) + variance(0);
   if (gate_.passes(residual(0), expected, p_(0, 0))) {
-    const double log_square = residual(0) * residual(0) / expected;
     update<2>(residual, h, variance);  // eq. (31)
-    innovation_.log_square = log_square;
+    innovation_.log = {residual(0), std::sqrt(expected), true};
   } else {
     update<1>(residual.tail<1>(), h.bottomRows<1>(), variance.tail<1>());
+    innovation_.log = {residual(0), std::sqrt(expected), false};
   }
 }
 

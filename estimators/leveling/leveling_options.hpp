@@ -5,6 +5,8 @@
 #include <numbers>
 #include <optional>
 
+#include "estimators/navigation/innovation.hpp"
+
 namespace drydock::leveling {
 
 /// Which of the filters; docs/estimators/leveling.md compares them.
@@ -60,7 +62,7 @@ struct Innovation {
   Eigen::Vector4d residual = Eigen::Vector4d::Zero();  ///< first `size` entries
   int size = 0;
   double normalised_square = 0;
-  std::optional<double> log_square;  ///< that of the speed log alone
+  std::optional<navigation::Innovation> log;  ///< that of the speed log alone, used or not, m/s
 };
 
 }  // namespace drydock::leveling

@@ -84,7 +84,7 @@ int AidedNavigation::update_velocity(const Vector3d& velocity_body, const Vector
   const Eigen::Matrix3d by_gyro_bias = -frame::skew(lever);  // eq. (N8)
   Vector errors = Vector::Zero();
   int used = 0;
-  innovation_square_ = innovations_ = 0;
+  innovations_.clear();
   for (int axis = 0; axis < 3; ++axis) {
     Vector row = Vector::Zero();
     row.segment<6>(velocity_error) = rows.row(axis);
@@ -99,7 +99,7 @@ int AidedNavigation::update_height(double height_m, double sigma, const Vector3d
   const Vector3d arm = sdins_.state().body_to_ned * lever;
   Vector errors = Vector::Zero(), row = Vector::Unit(position_error + 2);
   row.segment<3>(phi) = -frame::skew(arm).row(2);  // eq. (N8); height is up
-  innovation_square_ = innovations_ = 0;
+  innovations_.clear();
   const int used =
       update_row(row, sdins_.state().position.height_m - arm.z() - height_m, sigma * sigma, errors);
   feed_back(errors);
@@ -121,24 +121,26 @@ int AidedNavigation::update_position(const frame::Position& position, const Vect
   const Eigen::Matrix3d by_phi = unit.asDiagonal() * frame::skew(arm);  // eq. (N8)
   Vector errors = Vector::Zero();
   int used = 0;
-  innovation_square_ = innovations_ = 0;
+  innovations_.clear();
   for (int axis = 0; axis < 3; ++axis) {
     Vector row = Vector::Unit(position_error + axis);
     row.segment<3>(phi) = by_phi.row(axis);
-    used += update_row(row, residual(axis), std::pow(sigma(axis) * unit(axis), 2), errors);
+    used +=
+        update_row(row, residual(axis), std::pow(sigma(axis) * unit(axis), 2), errors, unit(axis));
   }
   feed_back(errors);
   return used;
 }
 
-int AidedNavigation::update_row(const Vector& row, double residual, double variance,
-                                Vector& errors) {
+int AidedNavigation::update_row(const Vector& row, double residual, double variance, Vector& errors,
+                                double unit) {
   const double innovation = residual - row.dot(errors);
   const auto expected = filter_.row(row, variance);
   const double square = innovation * innovation / expected.variance;
-  innovation_square_ += square;
-  ++innovations_;
-  if (outside_gate(square, options_.gate_sigma)) {
+  const bool outside = outside_gate(square, options_.gate_sigma);
+  innovations_.push_back(
+      {-innovation / unit, std::sqrt(expected.variance) / std::abs(unit), !outside});
+  if (outside) {
     ++rejected_;
     return 0;
   }
@@ -150,8 +152,15 @@ int AidedNavigation::update_row(const Vector& row, double residual, double varia
 bool AidedNavigation::passes_height(double residual_m, double sigma) {
   const double variance = filter_.row(Vector::Unit(position_error + 2), sigma * sigma).variance;
   const bool outside = outside_gate(residual_m * residual_m / variance, options_.gate_sigma);
+  innovations_.assign(1, {residual_m, std::sqrt(variance), !outside});
   if (outside) ++rejected_;
   return !outside;
+}
+
+double AidedNavigation::innovation_square() const {
+  double sum = 0;
+  for (const Innovation& row : innovations_) sum += row.normalised_square();
+  return sum;
 }
 
 void AidedNavigation::loosen(double velocity_sigma_mps, double angle_sigma_rad) {

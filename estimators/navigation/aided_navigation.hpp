@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "estimators/navigation/error_filter.hpp"
+#include "estimators/navigation/innovation.hpp"
 #include "estimators/navigation/innovation_tally.hpp"
 
 /// SDINS with its 15-state aiding filter, eq. (13)-(16) of docs/estimators/navigation.md.
@@ -76,15 +77,17 @@ class AidedNavigation {
   const Eigen::Vector3d& accel_bias() const { return accel_bias_; }
   const ErrorFilter<0>::Covariance& covariance() const { return filter_.covariance(); }
 
-  /// Normalised square of the innovations of the last update, and how many there were.
-  double innovation_square() const { return innovation_square_; }
-  int innovations() const { return innovations_; }
+  /// Of the last update or passes_height(): body axes m/s; up m; north, east, down m.
+  const Innovations& innovations() const { return innovations_; }
+  double innovation_square() const;                        ///< normalised, of all of them
   std::uint64_t rejected() const { return rejected_; }     ///< rows outside the gate, ever
   const InnovationTally& taken() const { return taken_; }  ///< rows inside it, ever
 
  private:
   using Vector = ErrorFilter<0>::Vector;
-  int update_row(const Vector& row, double residual, double variance, Vector& errors);
+  /// `unit`: what the row has where its innovation has 1.
+  int update_row(const Vector& row, double residual, double variance, Vector& errors,
+                 double unit = 1);
   void feed_back(const Vector& errors);
 
   NavigationOptions options_;
@@ -94,8 +97,7 @@ class AidedNavigation {
   Vector noise_;
   Eigen::Vector3d gyro_bias_ = Eigen::Vector3d::Zero(), accel_bias_ = Eigen::Vector3d::Zero();
   Eigen::Vector3d rate_ = Eigen::Vector3d::Zero();  ///< mean over the last step, rad/s
-  double innovation_square_ = 0;
-  int innovations_ = 0;
+  Innovations innovations_;
   std::uint64_t rejected_ = 0;
   InnovationTally taken_;
 };

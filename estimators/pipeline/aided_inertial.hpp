@@ -7,6 +7,9 @@
 
 namespace drydock::pipeline {
 
+/// What a value told the filter, a row an axis; empty: it was not compared.
+using navigation::Innovations;
+
 /// An inertial navigation with what aids it, in the order in which the velocity study feeds it:
 /// samples, heights and the actuators' word, then a step, then the other sensors. Values are those
 /// of the vehicle's origin and finite.
@@ -18,15 +21,17 @@ class AidedInertial {
   /// Integrals of angular rate (rad) and specific force (m/s) over `dt`.
   virtual void add_imu(const Eigen::Vector3d& angle, const Eigen::Vector3d& velocity,
                        double dt) = 0;
-  virtual void add_height(double height_m) = 0;  ///< at the last sample
-  virtual void step() = 0;                       ///< over the samples since the last one
-  virtual void settle() {}                       ///< after the other sensors of a step
+  virtual Innovations add_height(double height_m) = 0;  ///< at the last sample; up, m
+  virtual void step() = 0;                              ///< over the samples since the last one
+  virtual void settle() {}                              ///< after the other sensors of a step
 
-  virtual void update_ground(const Eigen::Vector3d& velocity_body) = 0;  ///< m/s
-  virtual void update_log(double /*longitudinal_mps*/) {}
+  virtual Innovations update_ground(const Eigen::Vector3d& velocity_body) = 0;  ///< m/s
+  virtual Innovations update_log(double /*longitudinal_mps*/) { return {}; }
   /// At `lever` from the origin, body axes; sigma north, east, up, m.
-  virtual void update_position(const frame::Position&, const Eigen::Vector3d& /*sigma*/,
-                               const Eigen::Vector3d& /*lever*/) {}
+  virtual Innovations update_position(const frame::Position&, const Eigen::Vector3d& /*sigma*/,
+                                      const Eigen::Vector3d& /*lever*/) {
+    return {};
+  }
   /// After a gap in the samples: velocity (m/s) and attitude (rad) have become less certain.
   virtual void loosen(double velocity_sigma, double angle_sigma) = 0;
 

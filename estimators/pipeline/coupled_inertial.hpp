@@ -15,13 +15,18 @@ class CoupledInertial final : public AidedInertial {
   void add_imu(const Eigen::Vector3d& angle, const Eigen::Vector3d& velocity, double dt) override {
     filter_.add_imu(angle, velocity, dt);
   }
-  void add_height(double height_m) override { filter_.add_height(height_m); }
-  void step() override { filter_.step(control_); }
-  void update_ground(const Eigen::Vector3d& velocity_body) override {
-    filter_.update_velocity(velocity_body);
+  Innovations add_height(double height_m) override {
+    filter_.add_height(height_m);
+    return filter_.innovations();
   }
-  void update_log(double longitudinal_mps) override {
+  void step() override { filter_.step(control_); }
+  Innovations update_ground(const Eigen::Vector3d& velocity_body) override {
+    filter_.update_velocity(velocity_body);
+    return filter_.innovations();
+  }
+  Innovations update_log(double longitudinal_mps) override {
     filter_.update_longitudinal(longitudinal_mps);
+    return filter_.innovations();
   }
   void loosen(double velocity_sigma, double angle_sigma) override {
     filter_.loosen(velocity_sigma, angle_sigma);

@@ -52,7 +52,7 @@ Outcome ImuDrivenEstimator::take(const ImuSample& sample, EstimateListener& list
   return Outcome::accepted;
 }
 
-Outcome ImuDrivenEstimator::take(const WaterSpeed& speed, EstimateListener&) {
+Outcome ImuDrivenEstimator::take(const WaterSpeed& speed, EstimateListener& listener) {
   if (!log_ || speed.origin.device != log_ || !speed.longitudinal_mps) return Outcome::unused;
   // A comparison that NaN fails as well.
   if (!(std::abs(*speed.longitudinal_mps) <= max_speed_mps)) return Outcome::refused;
@@ -64,7 +64,7 @@ Outcome ImuDrivenEstimator::take(const WaterSpeed& speed, EstimateListener&) {
   if (behind < -max_speed_age_) return Outcome::unused;  // the IMU is silent: kept for its return
 
   const Correction correction = correct(*speed.longitudinal_mps);
-  if (correction.innovation_square) status_.taken.add(*correction.innovation_square);
+  if (correction.innovation) tell(speed, *correction.innovation, listener);
   if (correction.used) {
     fed_by_ |= bit(*log_);
   } else {
@@ -72,6 +72,12 @@ Outcome ImuDrivenEstimator::take(const WaterSpeed& speed, EstimateListener&) {
   }
   status_.last_speed = speed.origin.valid_at;
   return behind > behind.zero() ? Outcome::delayed : Outcome::accepted;
+}
+
+void ImuDrivenEstimator::tell(const WaterSpeed& speed, const navigation::Innovation& innovation,
+                              EstimateListener& listener) {
+  if (innovation.used) status_.taken.add(innovation.normalised_square());
+  listener.on_innovation({speed.origin.valid_at, index_, speed.origin.device, {1, innovation}});
 }
 
 bool ImuDrivenEstimator::clock_was_set_back(const ImuSample& sample) {

@@ -27,8 +27,8 @@ class ImuDrivenEstimator : public Estimator {
 
  protected:
   struct Correction {
-    bool used = true;                         ///< false: the speed is outside the gate
-    std::optional<double> innovation_square;  ///< normalised, where the estimator has one
+    bool used = true;                                  ///< false: the speed is outside the gate
+    std::optional<navigation::Innovation> innovation;  ///< where the estimator has one
   };
 
   /// `index` names the estimates; of `pipeline` the two time limits are used.
@@ -40,6 +40,8 @@ class ImuDrivenEstimator : public Estimator {
   virtual void start(const measurement::ImuSample& sample, double speed_mps) = 0;
   /// Goes on by `dt` seconds with the mean force and rate of them.
   virtual void step(const Eigen::Vector3d& force, const Eigen::Vector3d& rate, double dt) = 0;
+  void tell(const measurement::WaterSpeed& speed, const navigation::Innovation& innovation,
+            EstimateListener& listener);
   /// A speed corrects the present state.
   virtual Correction correct(double speed_mps) = 0;
   /// Roll, pitch and covariance.

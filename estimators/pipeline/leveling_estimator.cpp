@@ -19,9 +19,9 @@ void LevelingEstimator::start(const measurement::ImuSample& sample, double speed
 LevelingEstimator::Correction LevelingEstimator::correct(double speed_mps) {
   return std::visit(
       [&](auto& filter) {
-        const auto rejected = filter.rejected();
         filter.update_moving(speed_mps);
-        return Correction{filter.rejected() == rejected, filter.innovation().log_square};
+        const auto& log = filter.innovation().log;
+        return Correction{log->used, log};
       },
       filter_);
 }

@@ -1,9 +1,19 @@
 #pragma once
 
+#include "estimators/navigation/innovation.hpp"
 #include "estimators/pipeline/estimate.hpp"
 #include "estimators/pipeline/navigation_estimate.hpp"
 
 namespace drydock::pipeline {
+
+/// What a measurement told an estimator that it had not expected, used or not. Rows: of a velocity
+/// body axes, m/s; of a speed log ahead, m/s; of a depth down, m; of a position north, east, down,
+/// m.
+struct InnovationReport {
+  Stamp valid_at{};  ///< of the measurement
+  std::uint16_t estimator = 0, device = 0;
+  navigation::Innovations rows;
+};
 
 /// Takes what the estimators give, in the call that made it. Must outlive the pipeline.
 class EstimateListener {
@@ -11,6 +21,7 @@ class EstimateListener {
   virtual ~EstimateListener() = default;
   virtual void on_attitude(const AttitudeEstimate& estimate) = 0;
   virtual void on_navigation(const NavigationEstimate&) {}
+  virtual void on_innovation(const InnovationReport&) {}
 };
 
 }  // namespace drydock::pipeline

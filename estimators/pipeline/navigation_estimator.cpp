@@ -114,15 +114,24 @@ void NavigationEstimator::end_step_if_due(EstimateListener& listener) {
   filter_->step();
   step_began_ = now_;
   for (const Aiding& aiding : waiting_)
-    if (is_due(aiding)) apply(aiding);
+    if (is_due(aiding)) apply(aiding, listener);
   waiting_.erase(std::remove_if(waiting_.begin(), waiting_.end(), is_due), waiting_.end());
   filter_->settle();
   emit(listener);
 }
 
-void NavigationEstimator::apply(const Aiding& aiding) {
+void NavigationEstimator::apply(const Aiding& aiding, EstimateListener& listener) {
+  fed_by_ |= sensor_bit(aiding.sensor->device);
+  tell(aiding.valid_at, aiding.sensor->device, update(aiding), listener);
+}
+
+void NavigationEstimator::tell(Stamp valid_at, std::uint16_t device, const Innovations& rows,
+                               EstimateListener& listener) const {
+  if (!rows.empty()) listener.on_innovation({valid_at, index_, device, rows});
+}
+
+Innovations NavigationEstimator::update(const Aiding& aiding) {
   const AidingSensor& sensor = *aiding.sensor;
-  fed_by_ |= sensor_bit(sensor.device);
   if (aiding.kind == Aiding::Kind::position) {
     const double age_s = seconds(now_ - aiding.valid_at);
     const auto moved = frame::at_ned_offset(aiding.position, age_s * filter_->state().velocity_ned);
@@ -131,7 +140,7 @@ void NavigationEstimator::apply(const Aiding& aiding) {
   status_.last_speed = aiding.valid_at;
   const Vector3d of_origin = aiding.value - turning_speed(sensor.lever);
   if (aiding.kind == Aiding::Kind::log) return filter_->update_log(of_origin.x());
-  filter_->update_ground(of_origin);
+  return filter_->update_ground(of_origin);
 }
 
 Outcome NavigationEstimator::take(const measurement::WaterSpeed& speed, EstimateListener&) {
@@ -192,7 +201,8 @@ Outcome NavigationEstimator::wait_for_step(const Aiding& aiding) {
   return behind > period_ ? Outcome::delayed : Outcome::accepted;
 }
 
-Outcome NavigationEstimator::take(const measurement::DepthSample& sample, EstimateListener&) {
+Outcome NavigationEstimator::take(const measurement::DepthSample& sample,
+                                  EstimateListener& listener) {
   const auto& depth = options_.depth;
   if (!depth || sample.origin.device != depth->device || !sample.depth_m || !running())
     return Outcome::unused;
@@ -203,7 +213,9 @@ Outcome NavigationEstimator::take(const measurement::DepthSample& sample, Estima
   const auto& state = filter_->state();
   const double arm_down = (state.body_to_ned * depth->lever).z();
   const double height = options_.sea_level_m - *sample.depth_m + arm_down;
-  filter_->add_height(height - state.velocity_ned.z() * seconds(behind));
+  Innovations rows = filter_->add_height(height - state.velocity_ned.z() * seconds(behind));
+  for (auto& row : rows) row.value = -row.value;  // of the depth
+  tell(sample.origin.valid_at, depth->device, rows, listener);
   fed_by_ |= sensor_bit(depth->device);
   return behind > period_ ? Outcome::delayed : Outcome::accepted;
 }

@@ -48,7 +48,10 @@ class NavigationEstimator final : public Estimator {
   void add(const Eigen::Vector3d& rate, const Eigen::Vector3d& force,
            const Eigen::Vector3d& rate_change, double dt);
   void end_step_if_due(EstimateListener& listener);
-  void apply(const Aiding& aiding);
+  void apply(const Aiding& aiding, EstimateListener& listener);
+  Innovations update(const Aiding& aiding);
+  void tell(measurement::Stamp valid_at, std::uint16_t device, const Innovations& rows,
+            EstimateListener& listener) const;
   Outcome wait_for_step(const Aiding& aiding);
   void lose();
   bool clock_was_set_back(measurement::Stamp at);

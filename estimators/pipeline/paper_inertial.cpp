@@ -44,10 +44,12 @@ void PaperInertial::add_imu(const Vector3d& angle, const Vector3d& velocity, dou
   filter_.update_rate(angle / dt - aided_.gyro_bias() - now.ned_to_body * now.earth_rate_ned);
 }
 
-void PaperInertial::add_height(double height_m) {
-  if (!filter_.update_height(height_m)) return;
-  height_sum_ += height_m;
-  ++heights_;
+Innovations PaperInertial::add_height(double height_m) {
+  if (filter_.update_height(height_m)) {
+    height_sum_ += height_m;
+    ++heights_;
+  }
+  return filter_.innovations();
 }
 
 void PaperInertial::settle() {

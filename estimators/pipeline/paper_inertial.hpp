@@ -13,14 +13,16 @@ class PaperInertial final : public AidedInertial {
 
   void control(const hydrodynamics::Control& control) override { control_ = control; }
   void add_imu(const Eigen::Vector3d& angle, const Eigen::Vector3d& velocity, double dt) override;
-  void add_height(double height_m) override;
+  Innovations add_height(double height_m) override;
   void step() override {}
   void settle() override;  ///< the navigation steps when its velocity sensor is done
-  void update_ground(const Eigen::Vector3d& velocity_body) override {
+  Innovations update_ground(const Eigen::Vector3d& velocity_body) override {
     filter_.update_velocity(velocity_body);
+    return filter_.innovations();
   }
-  void update_log(double longitudinal_mps) override {
+  Innovations update_log(double longitudinal_mps) override {
     filter_.update_longitudinal(longitudinal_mps);
+    return filter_.innovations();
   }
   void loosen(double velocity_sigma, double angle_sigma) override {
     aided_.loosen(velocity_sigma, angle_sigma);

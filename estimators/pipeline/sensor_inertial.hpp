@@ -16,12 +16,13 @@ class SensorInertial final : public AidedInertial {
   void add_imu(const Eigen::Vector3d& angle, const Eigen::Vector3d& velocity, double dt) override {
     aided_.add_imu(angle, velocity, dt);
   }
-  void add_height(double height_m) override {
+  Innovations add_height(double height_m) override {
     const double off = height_m - state().position.height_m;
     if (aided_.passes_height(off, options_.depth_sigma_m)) {
       height_sum_ += height_m;
       ++heights_;
     }
+    return aided_.innovations();
   }
   void step() override {
     if (heights_ == 0) return aided_.step();
@@ -30,12 +31,14 @@ class SensorInertial final : public AidedInertial {
     aided_.update_height(mean, options_.depth_sigma_m / std::sqrt(heights_));
     height_sum_ = heights_ = 0;
   }
-  void update_ground(const Eigen::Vector3d& velocity_body) override {
+  Innovations update_ground(const Eigen::Vector3d& velocity_body) override {
     aided_.update_velocity(velocity_body, Eigen::Vector3d::Constant(options_.ground_sigma_mps));
+    return aided_.innovations();
   }
-  void update_position(const frame::Position& position, const Eigen::Vector3d& sigma,
-                       const Eigen::Vector3d& lever) override {
+  Innovations update_position(const frame::Position& position, const Eigen::Vector3d& sigma,
+                              const Eigen::Vector3d& lever) override {
     aided_.update_position(position, sigma, lever);
+    return aided_.innovations();
   }
   void loosen(double velocity_sigma, double angle_sigma) override {
     aided_.loosen(velocity_sigma, angle_sigma);

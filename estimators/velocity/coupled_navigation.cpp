@@ -1,5 +1,7 @@
 #include "estimators/velocity/coupled_navigation.hpp"
 
+#include <cmath>
+
 #include "estimators/frame/attitude.hpp"
 #include "estimators/frame/earth.hpp"
 #include "estimators/velocity/hypotheses.hpp"
@@ -85,6 +87,7 @@ void CoupledNavigation::update_height(double sinking_m) {
 }
 
 void CoupledNavigation::update_log(double speed_mps) {
+  innovations_.clear();
   constexpr double slowest = 1e-3;  // below it the speed says nothing of a direction
   const Vector3d velocity = velocity_through_water();
   const double speed = velocity.norm();
@@ -93,6 +96,7 @@ void CoupledNavigation::update_log(double speed_mps) {
 }
 
 void CoupledNavigation::update_longitudinal(double mps) {
+  innovations_.clear();
   update_by_log(water_rows().row(0), velocity_through_water().x(), mps);  // eq. (V7a)
 }
 
@@ -107,6 +111,7 @@ void CoupledNavigation::update_by_log(Vector row, double value, double measured_
 void CoupledNavigation::update_velocity(const Vector3d& velocity_body) {
   if (since_ground_s_ < 0) reopen_hypotheses();
   since_ground_s_ = 0;
+  innovations_.clear();
   const auto rows = navigation::body_velocity_rows(state());
   const Vector3d residual = state().body_to_ned.conjugate() * state().velocity_ned - velocity_body;
   Vector errors = Vector::Zero();
@@ -141,7 +146,9 @@ void CoupledNavigation::update(const Vector& row, double residual, double varian
 
 bool CoupledNavigation::passes(double innovation, double variance) {
   const double square = innovation * innovation / variance;
-  if (navigation::outside_gate(square, options_.navigation.gate_sigma)) {
+  const bool outside = navigation::outside_gate(square, options_.navigation.gate_sigma);
+  innovations_.push_back({-innovation, std::sqrt(variance), !outside});
+  if (outside) {
     ++rejected_;
     return false;
   }

@@ -39,6 +39,7 @@ class CoupledNavigation {
 
   /// A depth sensor's height (up) at the time of the last IMU sample; used with the next step.
   void add_height(double height_m) {
+    innovations_.clear();
     const double at_start = height_m + sdins_.state().velocity_ned.z() * sum_.dt();
     if (!passes_height(at_start)) return;
     height_sum_ += at_start;
@@ -68,6 +69,8 @@ class CoupledNavigation {
   /// Values of log, DVL and depth outside `navigation.gate_sigma`.
   std::uint64_t rejected() const { return rejected_; }
   const navigation::InnovationTally& taken() const { return taken_; }  ///< those inside
+  /// Of the last value of log, DVL or depth: m/s; body axes m/s; up m.
+  const navigation::Innovations& innovations() const { return innovations_; }
 
  private:
   using Vector = Filter::Vector;
@@ -98,6 +101,7 @@ class CoupledNavigation {
   bool moving_ = false;  ///< there has been a step
   std::uint64_t rejected_ = 0;
   navigation::InnovationTally taken_;
+  navigation::Innovations innovations_;
   double since_ground_s_ = -1;  ///< -1: no DVL yet, or weighed since
   struct Open {
     Eigen::Vector4d values;  ///< current, log

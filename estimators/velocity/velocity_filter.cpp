@@ -43,6 +43,7 @@ void VelocityFilter::predict(const Setting& setting, const hydrodynamics::Contro
 }
 
 bool VelocityFilter::update_height(double height_m) {
+  innovations_.clear();
   return update_state(0, height_m - simulator_.state().height_m, options_.depth_sigma_m);
 }
 
@@ -53,11 +54,13 @@ void VelocityFilter::update_rate(const Vector3d& rate) {
 }
 
 void VelocityFilter::update_velocity(const Vector3d& velocity) {
+  innovations_.clear();
   for (int i = 0; i < 3; ++i)
     update_state(1 + i, velocity(i) - simulator_.state().velocity(i), options_.ground_sigma_mps);
 }
 
 void VelocityFilter::update_log(double speed_mps) {
+  innovations_.clear();
   constexpr double slowest = 1e-3;  // below it the speed says nothing of a direction
   const double speed = velocity().norm();
   if (speed < slowest) return;
@@ -69,12 +72,16 @@ void VelocityFilter::update_log(double speed_mps) {
 }
 
 void VelocityFilter::update_longitudinal(double mps) {
+  innovations_.clear();
   update_state(1, mps - velocity().x(), options_.log_sigma_mps);
 }
 
 bool VelocityFilter::passes(double residual, double innovation_variance) {
   const double square = residual * residual / innovation_variance;
-  if (options_.gate_sigma > 0 && square > options_.gate_sigma * options_.gate_sigma) {
+  const bool outside =
+      options_.gate_sigma > 0 && square > options_.gate_sigma * options_.gate_sigma;
+  innovations_.push_back({residual, std::sqrt(innovation_variance), !outside});
+  if (outside) {
     ++rejected_;
     return false;
   }

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 
+#include "estimators/navigation/innovation.hpp"
 #include "estimators/navigation/innovation_tally.hpp"
 #include "estimators/velocity/simulator.hpp"
 
@@ -42,6 +43,8 @@ class VelocityFilter {
 
   std::uint64_t rejected() const { return rejected_; }                 ///< values outside the gate
   const navigation::InnovationTally& taken() const { return taken_; }  ///< those inside
+  /// Of the last value of depth, log or DVL: up m; m/s; body axes m/s.
+  const navigation::Innovations& innovations() const { return innovations_; }
 
   /// Of h, u v w, p q r; the eighth row and column are zero: a whole number of SIMD words.
   using Covariance = Eigen::Matrix<double, 8, 8>;
@@ -59,6 +62,7 @@ class VelocityFilter {
   Covariance p_ = Covariance::Zero();
   std::uint64_t rejected_ = 0;
   navigation::InnovationTally taken_;
+  navigation::Innovations innovations_;
 };
 
 }  // namespace drydock::velocity

@@ -223,6 +223,8 @@ class LockstepBench final : private device::Listener, private pipeline::Estimate
     watchers_.note(estimate);
   }
 
+  void on_innovation(const pipeline::InnovationReport& report) override { watchers_.note(report); }
+
   void tell_watchers() {
     if (watchers_.all.empty()) return;
     std::vector<bus::DeviceStatus> health;

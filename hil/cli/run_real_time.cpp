@@ -110,6 +110,9 @@ class Bench {
       expects_.note(e);
       watchers_.note(e);
     };
+    estimators_.on_innovation_hook = [this](const pipeline::InnovationReport& r) {
+      watchers_.note(r);
+    };
   }
 
   double elapsed() const { return measurement::seconds(link::now() - start_); }

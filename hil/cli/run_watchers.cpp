@@ -40,4 +40,8 @@ void RunWatchers::note(const pipeline::NavigationEstimate& estimate) {
   all.note(to_bus_(estimate), estimate.estimator);
 }
 
+void RunWatchers::note(const pipeline::InnovationReport& innovation) {
+  if (!all.empty()) all.note(bus_innovation(innovation));
+}
+
 }  // namespace drydock::cli

@@ -21,6 +21,7 @@ class RunWatchers {
 
   void note(const pipeline::AttitudeEstimate& estimate);
   void note(const pipeline::NavigationEstimate& estimate);
+  void note(const pipeline::InnovationReport& innovation);
 
  private:
   void note_truth(measurement::Stamp at);

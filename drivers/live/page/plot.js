@@ -1,46 +1,176 @@
-// Curves over time on a uPlot, drawn at most a few times a second.
-const keptSeconds = 120;
-const colours = ['--c1', '--c2', '--c3', '--c4', '--c5', '--c6'];
-const css = (name) => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
+// Curves over time on a uPlot, each with its band; the last two minutes.
+import { clock, colours, css, insert, make, number, onTheme, place } from './dom.js';
+import { faultBands } from './faults.js';
 
+const keptSeconds = 120, height = 210;
+const font = '11px system-ui, sans-serif';
+const translucent = '26'; // alpha of bands, hexadecimal
+
+// Of the numbers beside the axis, CSS pixels.
+function widthOf({ ctx }, texts) {
+  ctx.save();
+  ctx.font = font;
+  const width = Math.max(20, ...(texts ?? []).map((text) => ctx.measureText(text).width));
+  ctx.restore();
+  return Math.ceil(width);
+}
+
+// lines: [{ label, colour, band, dash, marks }]. One with a band is given [value, low, high]; `marks` are points without a line.
+// options: down: y grows downwards; bound: { at, text }: a level to stay below, y from 0 to four times it.
 export class Plot {
-  // lines: [{ label, dash, band: true where it is the edge of a 3-sigma band }]
-  constructor(parent, title, unit, lines) {
-    this.box = document.createElement('figure');
-    this.box.innerHTML = `<figcaption></figcaption>`;
-    this.box.firstChild.textContent = `${title} [${unit}]`;
-    parent.append(this.box);
-    this.lines = lines;
-    this.data = [[], ...lines.map(() => [])];
-    this.changed = false;
-    this.make();
+  constructor(parent, title, unit, lines, { down = false, bound } = {}) {
+    Object.assign(this, { unit, lines, down, bound, changed: false, shown: null });
+    this.note = make('span', { className: 'note' });
+    this.legend = make('div', { className: 'legend' });
+    this.box = make('figure', { ariaLabel: title }, make('figcaption', {}, title, this.note), this.legend);
+    insert(parent, this.box);
+    this.clear();
+    this.makeLegend();
+    this.makePlot();
     new ResizeObserver(() => this.plot.setSize(this.size())).observe(this.box);
-    matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => { this.plot.destroy(); this.make(); });
+    onTheme(() => { this.plot.destroy(); this.makePlot(); });
   }
-  size() { return { width: Math.max(this.box.clientWidth - 2, 120), height: 190 }; }
-  make() {
-    const axis = { stroke: css('--text'), grid: { stroke: css('--line'), width: 1 }, ticks: { stroke: css('--line') } };
+  size() { return { width: Math.max(this.box.clientWidth, 120), height }; }
+  clear() { this.data = [[], ...this.lines.flatMap(({ band }) => (band ? [[], [], []] : [[]]))]; }
+
+  makeLegend() {
+    this.values = this.lines.map(() => make('b'));
+    this.legend.replaceChildren(...this.lines.map(({ label, colour, marks }, i) => {
+      const key = make('i', { className: marks ? 'marks' : '' });
+      key.style.background = `var(${colours[colour ?? i]})`;
+      return make('span', {}, key, label, ' ', this.values[i]);
+    }));
+  }
+
+  makePlot() {
+    const series = [{}], bands = [];
+    this.lines.forEach(({ colour, band, dash, marks }, i) => {
+      const stroke = css(colours[colour ?? i]);
+      series.push({
+        stroke, width: 1.6, dash: dash ? [7, 5] : undefined, spanGaps: true, points: { show: Boolean(this.bound || marks), size: 5, fill: stroke },
+        ...(marks ? { paths: () => null } : {}),
+      });
+      if (!band) return;
+      const edge = { stroke: stroke + '66', width: 1, spanGaps: true, points: { show: false } };
+      if (this.lines.length < 3) bands.push({ series: [series.length + 1, series.length], fill: stroke + translucent }); // of three only the edges
+      series.push(edge, edge);
+    });
+    const axis = { stroke: css('--soft'), font, labelFont: font, grid: { stroke: css('--line'), width: 1 }, ticks: { stroke: css('--line'), size: 4 }, gap: 3 };
     this.plot = new uPlot({
-      ...this.size(), scales: { x: { time: false } }, legend: { live: true }, cursor: { y: false },
-      axes: [{ ...axis, label: undefined, values: (_, v) => v.map((s) => `${s} s`) }, { ...axis, size: 56 }],
-      series: [{ label: 's' }, ...this.lines.map(({ label, dash, colour }, i) => ({
-        label, stroke: css(colours[(colour ?? i) % colours.length]), width: dash ? 1 : 1.5, dash: dash ? [4, 4] : undefined, spanGaps: true, points: { show: false },
-      }))],
+      ...this.size(), series, bands, legend: { show: false }, cursor: { y: false, points: { show: false } }, padding: [8, 24, 0, 0],
+      scales: { x: { time: false }, y: this.scale() },
+      axes: [
+        { ...axis, size: 24, space: 64, incrs: [1, 2, 5, 10, 15, 30, 60], values: (_, at) => at.map(clock) },
+        { ...axis, size: (u, texts) => widthOf(u, texts) + 10, label: this.unit, labelSize: 16, labelGap: 0, space: 26 },
+      ],
+      hooks: { drawClear: [(u) => this.shade(u)], draw: [(u) => this.drawBound(u)], setCursor: [(u) => { this.shown = u.cursor.idx; this.showValues(); }] },
     }, this.data, this.box);
   }
-  // values by line; null or undefined where there is none
+  scale() {
+    const { at } = this.bound ?? {};
+    return at ? { range: (_, low, high) => [0, Math.max(1.3 * at, Math.min(high * 1.05, 4 * at))] } : { dir: this.down ? -1 : 1 };
+  }
+
+  // What is in force behind everything else.
+  shade(u) {
+    const { ctx, bbox: { left, top, width, height: tall } } = u, ratio = devicePixelRatio || 1;
+    ctx.save();
+    for (const { since, until, name, text } of faultBands()) {
+      const from = Math.max(u.valToPos(since, 'x', true), left), to = Math.min(until === null ? left + width : u.valToPos(until, 'x', true), left + width);
+      if (!(to > from)) continue;
+      ctx.fillStyle = css('--error') + translucent;
+      ctx.fillRect(from, top, to - from, tall);
+      ctx.beginPath(); ctx.rect(from, top, to - from, tall); ctx.clip();
+      ctx.fillStyle = css('--error'); ctx.font = `${10 * ratio}px system-ui, sans-serif`; ctx.textAlign = 'left'; ctx.textBaseline = 'top';
+      ctx.fillText(name || text, from + 3 * ratio, top + 2 * ratio);
+      ctx.restore(); ctx.save();
+    }
+    ctx.restore();
+  }
+  // The bound with its name; what lies beyond the plot stands as a mark at its upper edge.
+  drawBound(u) {
+    if (!this.bound) return;
+    const { ctx, bbox: { left, top, width, height: tall } } = u, ratio = devicePixelRatio || 1, y = u.valToPos(this.bound.at, 'y', true);
+    ctx.save();
+    ctx.beginPath(); ctx.rect(left, top, width, tall); ctx.clip();
+    ctx.strokeStyle = ctx.fillStyle = css('--c2');
+    ctx.lineWidth = 1.5 * ratio; ctx.setLineDash([6 * ratio, 4 * ratio]);
+    ctx.beginPath(); ctx.moveTo(left, y); ctx.lineTo(left + width, y); ctx.stroke();
+    ctx.font = `${11 * ratio}px system-ui, sans-serif`; ctx.textAlign = 'right'; ctx.textBaseline = 'bottom';
+    ctx.setLineDash([]);
+    const text = [this.bound.text, left + width - 4 * ratio, y - 2 * ratio];
+    ctx.strokeStyle = css('--panel'); ctx.lineWidth = 4 * ratio; ctx.lineJoin = 'round';
+    ctx.strokeText(...text);
+    ctx.fillText(...text);
+    const highest = u.scales.y.max, half = 4 * ratio;
+    this.lines.forEach(({ colour }, i) => {
+      ctx.fillStyle = css(colours[colour ?? i]);
+      this.data[i + 1].forEach((value, k) => {
+        if (!(value > highest)) return;
+        const x = u.valToPos(this.data[0][k], 'x', true);
+        ctx.beginPath(); ctx.moveTo(x, top); ctx.lineTo(x - half, top + 2 * half); ctx.lineTo(x + half, top + 2 * half); ctx.fill();
+      });
+    });
+    ctx.restore();
+  }
+
+  // Values by line; undefined where there is none.
   add(seconds, values) {
     const [times] = this.data;
-    if (times.length && seconds < times[times.length - 1] - 5) for (const column of this.data) column.length = 0;
-    times.push(seconds);
-    this.lines.forEach((_, i) => this.data[i + 1].push(Number.isFinite(values[i]) ? values[i] : null));
-    const old = times.findIndex((t) => t >= seconds - keptSeconds);
-    if (old > 200) for (const column of this.data) column.splice(0, old);
+    if (times.length && seconds < times[times.length - 1] - 5) this.clear(); // another run
+    const at = this.row(seconds);
+    let column = 1;
+    this.lines.forEach(({ band }, i) => {
+      for (const value of band ? values[i] ?? [undefined, undefined, undefined] : [values[i]]) {
+        if (Number.isFinite(value)) this.data[column][at] = value;
+        ++column;
+      }
+    });
+    const old = this.data[0].findIndex((t) => t >= seconds - keptSeconds);
+    if (old > 200) for (const one of this.data) one.splice(0, old);
     this.changed = true;
   }
+  row(seconds) {
+    const [times, ...columns] = this.data;
+    let at = times.length;
+    while (at > 0 && times[at - 1] > seconds) --at;
+    if (at > 0 && times[at - 1] === seconds) return at - 1;
+    times.splice(at, 0, seconds);
+    for (const column of columns) column.splice(at, 0, null);
+    return at;
+  }
+  // A line that has not been there before.
+  ensure(label, properties = {}) {
+    let index = this.lines.findIndex((line) => line.label === label);
+    if (index >= 0) return index;
+    this.lines.push({ label, ...properties });
+    for (let i = properties.band ? 3 : 1; i > 0; --i) this.data.push(this.data[0].map(() => null));
+    this.plot.destroy();
+    this.makeLegend();
+    this.makePlot();
+    return this.lines.length - 1;
+  }
+
+  // Those under the cursor, else the newest.
+  showValues() {
+    let column = 1;
+    this.lines.forEach(({ band }, i) => {
+      const values = this.data[column], at = this.shown ?? values.findLastIndex((v) => v !== null);
+      this.values[i].textContent = number(values[at] ?? NaN);
+      column += band ? 3 : 1;
+    });
+  }
   draw() {
-    if (!this.changed) return;
+    if (!this.changed && !faultBands().length) return;
     this.changed = false;
-    this.plot.setData(this.data);
+    if (this.data[0].length) this.plot.setData(this.data);
+    this.showValues();
   }
 }
+
+const plots = new Map(); // title -> Plot
+export function plot(id, title, unit, lines, options) {
+  if (!plots.has(title)) plots.set(title, new Plot(place(id), title, unit, lines.map((line) => (typeof line === 'string' ? { label: line } : line)), options));
+  return plots.get(title);
+}
+export const drawPlots = () => { for (const one of plots.values()) one.draw(); };

@@ -1,105 +1,76 @@
-// A path on a plane with equal axes, and the satellites over it, on canvases.
-const css = (name) => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
+// The way over ground from above, equal axes, metres from where it began.
+import { css, degree } from './dom.js';
+import { Drawing } from './drawing.js';
 
-class Drawing {
-  constructor(parent, title, label) {
-    this.box = document.createElement('figure');
-    this.box.innerHTML = `<figcaption></figcaption><canvas></canvas>`;
-    this.box.firstChild.textContent = title;
-    this.canvas = this.box.lastChild;
-    this.canvas.setAttribute('role', 'img');
-    this.canvas.setAttribute('aria-label', label);
-    parent.append(this.box);
-    this.changed = true;
-    new ResizeObserver(() => { this.changed = true; }).observe(this.box);
-  }
-  begin() {
-    const ratio = devicePixelRatio || 1, width = Math.max(this.box.clientWidth - 2, 120), height = 260;
-    Object.assign(this.canvas, { width: width * ratio, height: height * ratio });
-    Object.assign(this.canvas.style, { width: `${width}px`, height: `${height}px` });
-    const pen = this.canvas.getContext('2d');
-    pen.scale(ratio, ratio);
-    pen.font = '11px system-ui, sans-serif';
-    return { pen, width, height };
-  }
+const earthRadius = 6371000, left = 46, bottom = 24, rim = 8;
+
+// 1, 2 or 5 times a power of ten, so that there are about `count` of them.
+function stepOf(span, count) {
+  const raw = span / count, power = 10 ** Math.floor(Math.log10(raw));
+  return power * [1, 2, 5, 10].find((m) => m * power >= raw);
 }
 
 export class Track extends Drawing {
   constructor(parent) {
-    super(parent, 'Track [m, east to the right, north up]', 'track of truth and estimates');
+    super(parent, 'Track', 'track of truth and estimates, metres east and north');
     this.paths = new Map(); // name -> { colour, points: [[north, east]] }
   }
-  add(name, colour, north, east) {
-    const path = this.paths.get(name) ?? { colour, points: [] };
-    this.paths.set(name, path);
-    const last = path.points[path.points.length - 1];
+  // Degrees.
+  add(name, colour, latitude, longitude) {
+    this.origin ??= { latitude, longitude };
+    const north = (latitude - this.origin.latitude) * degree * earthRadius;
+    const east = (longitude - this.origin.longitude) * degree * earthRadius * Math.cos(this.origin.latitude * degree);
+    if (!this.paths.has(name)) {
+      this.paths.set(name, { colour, points: [] });
+      this.setLegend([...this.paths].map(([n, path]) => [path.colour, n]));
+    }
+    const path = this.paths.get(name), last = path.points[path.points.length - 1];
     if (last && Math.hypot(north - last[0], east - last[1]) < 0.5) return;
     path.points.push([north, east]);
     if (path.points.length > 5000) path.points = path.points.filter((_, i) => i % 2 === 0);
     this.changed = true;
   }
   draw() {
-    if (!this.changed) return;
+    if (!this.changed || !this.paths.size) return;
     this.changed = false;
-    const { pen, width, height } = this.begin();
+    const { pen, width, height } = this.begin(236);
     const all = [...this.paths.values()].flatMap(({ points }) => points);
-    if (!all.length) return;
-    const [north, east] = [0, 1].map((k) => [Math.min(...all.map((p) => p[k])), Math.max(...all.map((p) => p[k]))]);
-    const span = Math.max(north[1] - north[0], (east[1] - east[0]) * height / width, 5) * 1.15;
-    const scale = height / span;
-    const x = (e) => width / 2 + (e - (east[0] + east[1]) / 2) * scale;
-    const y = (n) => height / 2 - (n - (north[0] + north[1]) / 2) * scale;
-    const step = 10 ** Math.floor(Math.log10(span / 2));
-    pen.strokeStyle = css('--line');
-    pen.fillStyle = css('--text');
-    for (let n = Math.ceil((north[0] - span) / step) * step; n < north[1] + span; n += step) {
-      pen.beginPath(); pen.moveTo(0, y(n)); pen.lineTo(width, y(n)); pen.stroke();
-    }
-    for (let e = Math.ceil((east[0] - span * width / height) / step) * step; e < east[1] + span * width / height; e += step) {
-      pen.beginPath(); pen.moveTo(x(e), 0); pen.lineTo(x(e), height); pen.stroke();
-    }
-    pen.fillText(`grid ${step} m`, 6, height - 6);
-    let line = 0;
-    for (const [name, { colour, points }] of this.paths) {
+    const [north, east] = [0, 1].map((k) => all.reduce(([low, high], p) => [Math.min(low, p[k]), Math.max(high, p[k])], [Infinity, -Infinity]));
+    const wide = width - left - rim, tall = height - bottom - rim;
+    const scale = 1 / Math.max(1.1 * (north[1] - north[0]) / tall, 1.1 * (east[1] - east[0]) / wide, 10 / tall);
+    const x = (e) => left + wide / 2 + (e - (east[0] + east[1]) / 2) * scale;
+    const y = (n) => rim + tall / 2 - (n - (north[0] + north[1]) / 2) * scale;
+    this.grid(pen, { x, y, width, height, step: stepOf(tall / scale, 5), east: wide / scale, north: tall / scale, middle: [(north[0] + north[1]) / 2, (east[0] + east[1]) / 2] });
+    for (const { colour, points } of this.paths.values()) {
       pen.strokeStyle = pen.fillStyle = css(colour);
-      pen.lineWidth = 1.5;
+      pen.lineWidth = 1.6;
       pen.beginPath();
       points.forEach(([n, e], i) => (i ? pen.lineTo(x(e), y(n)) : pen.moveTo(x(e), y(n))));
       pen.stroke();
       const [n, e] = points[points.length - 1];
       pen.beginPath(); pen.arc(x(e), y(n), 3.5, 0, 7); pen.fill();
-      pen.fillText(name, 6, 14 + 14 * line++);
     }
   }
-}
-
-const letters = ['G', 'S', 'E', 'C', 'I', 'J', 'R', 'N']; // RINEX's, in the order of the message's numbers
-
-export class Sky extends Drawing {
-  constructor(parent) {
-    super(parent, 'Satellites [north up; size and number: C/N0, dB-Hz]', 'sky plot');
-    this.satellites = [];
-  }
-  set(satellites) { this.satellites = satellites; this.changed = true; }
-  draw() {
-    if (!this.changed) return;
-    this.changed = false;
-    const { pen, width, height } = this.begin();
-    const radius = Math.min(width, height) / 2 - 16, cx = width / 2, cy = height / 2;
-    pen.strokeStyle = css('--line');
-    pen.fillStyle = css('--text');
-    for (const share of [1, 2 / 3, 1 / 3]) { pen.beginPath(); pen.arc(cx, cy, radius * share, 0, 7); pen.stroke(); }
+  grid(pen, { x, y, width, height, step, east, north, middle }) {
+    const low = height - bottom, every = (from, to, line) => { for (let at = Math.ceil(from / step) * step; at <= to; at += step) line(at); };
+    pen.textAlign = 'right'; pen.textBaseline = 'middle';
+    every(middle[0] - north / 2, middle[0] + north / 2, (n) => {
+      pen.beginPath(); pen.moveTo(left, y(n)); pen.lineTo(width - rim, y(n)); pen.stroke();
+      pen.fillText(String(n), left - 4, y(n));
+    });
+    pen.textAlign = 'center'; pen.textBaseline = 'top';
+    const labels = Math.max(1, Math.ceil(46 / (step * (width - left - rim) / east))); // room for a number
+    every(middle[1] - east / 2, middle[1] + east / 2, (e) => {
+      pen.beginPath(); pen.moveTo(x(e), rim); pen.lineTo(x(e), low); pen.stroke();
+      if (Math.round(e / step) % labels === 0 && x(e) < width - 70) pen.fillText(String(e), x(e), low + 5);
+    });
+    pen.textAlign = 'right';
+    pen.fillText('east, m', width - rim, low + 5);
+    pen.save();
+    pen.translate(3, rim + (low - rim) / 2); pen.rotate(-Math.PI / 2);
     pen.textAlign = 'center';
-    ['N', 'E', 'S', 'W'].forEach((name, i) => pen.fillText(name, cx + (radius + 9) * Math.sin(i * Math.PI / 2), cy - (radius + 9) * Math.cos(i * Math.PI / 2) + 4));
-    for (const { constellation, number, used, cno_dbhz: cno, elevation, azimuth } of this.satellites) {
-      if (!Number.isFinite(elevation) || !Number.isFinite(azimuth)) continue;
-      const out = radius * (1 - elevation / (Math.PI / 2));
-      const x = cx + out * Math.sin(azimuth), y = cy - out * Math.cos(azimuth);
-      pen.fillStyle = css(used ? '--ok' : Number.isFinite(cno) ? '--warn' : '--line');
-      pen.beginPath(); pen.arc(x, y, Number.isFinite(cno) ? Math.max(cno / 6, 3) : 3, 0, 7); pen.fill();
-      pen.fillStyle = css('--text');
-      pen.fillText(`${letters[constellation] ?? '?'}${number}${Number.isFinite(cno) ? ` ${Math.round(cno)}` : ''}`, x, y - 10);
-    }
-    pen.textAlign = 'start';
+    pen.fillText('north, m', 0, 0);
+    pen.restore();
+    pen.textAlign = 'start'; pen.textBaseline = 'alphabetic';
   }
 }

@@ -4,6 +4,7 @@
 #include <functional>
 #include <string>
 
+#include "drivers/cli/rig_viewer.hpp"
 #include "rig_config/rig.hpp"
 
 /// The command line of the program: its subcommands with their options.
@@ -36,6 +37,9 @@ void add_soak_command(CLI::App& app, Command& command);
 
 /// characterize: what a sensor is worth.
 void add_characterize_command(CLI::App& app, Command& command);
+
+/// --serve and --token. `more` is added to the help of the first.
+void add_serve(CLI::App& sub, ServeOptions& serve, const std::string& more = {});
 
 /// A rig file that cannot be used; the lines have been printed.
 struct BadRig {};

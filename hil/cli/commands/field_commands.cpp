@@ -69,6 +69,7 @@ void add_monitor(CLI::App& app, Command& command) {
   sub->footer(
       "Example: drydock monitor rig_config/rigs/bench-serial.toml\n"
       "         drydock monitor serial:/dev/ttyUSB0 --once\n"
+      "         drydock monitor serial:/dev/ttyUSB0 --serve\n"
       "         drydock monitor 'serial:/dev/ttyUSB0?baud=38400' --protocol ubx");
   sub->add_option("SOURCE", a->options.link,
                   "rig file (TOML), or link URI: its sensors are found by probing")
@@ -82,7 +83,9 @@ void add_monitor(CLI::App& app, Command& command) {
       sub->add_flag("--json", a->options.json, "an object a device each second, JSON Lines");
   auto* bus = sub->add_flag("--bus", a->bus,
                             "of a rig whose drivers run elsewhere: from DDS, not from the ports");
-  protocol->excludes(once)->excludes(json)->excludes(bus);
+  add_serve(*sub, a->options.serve);
+  auto* serve = sub->get_option("--serve")->excludes(once);
+  protocol->excludes(once)->excludes(json)->excludes(bus)->excludes(serve);
   sub->add_option("--for", a->options.duration_s, "how long: 60s, 10min; default until Ctrl-C")
       ->transform(duration_text);
   sub->callback([a, &command] {
@@ -90,7 +93,8 @@ void add_monitor(CLI::App& app, Command& command) {
       if (!a->options.protocol.empty()) return monitor_messages(a->options);
       if (!is_rig(a->options.link)) return monitor_link(a->options);
       const auto rig = load_rig(a->options.link);
-      return a->bus ? monitor_bus(rig, a->options) : monitor_devices(devices_of(rig), a->options);
+      return a->bus ? monitor_bus(rig, a->options)
+                    : monitor_devices(devices_of(rig), rig.name, a->options);
     };
   });
 }

@@ -43,12 +43,7 @@ void add_recording_options(CLI::App& sub, ReplayArguments& a) {
                  "again for each; or auto for all links; speed 1 unless given")
       ->allow_extra_args(false)
       ->take_all();
-  sub.add_option("--serve", r.serve.address,
-                 "a page for browsers and the Foxglove protocol at PORT or ADDRESS:PORT; default "
-                 "127.0.0.1:8765; speed 1 unless given")
-      ->expected(0, 1)
-      ->default_str("127.0.0.1:8765");
-  sub.add_option("--token", r.serve.token, "that a viewer must name");
+  add_serve(sub, r.serve, "; speed 1 unless given");
 }
 
 void add_capture_options(CLI::App& sub, ReplayOptions& c) {

@@ -44,17 +44,18 @@ rig_config::Rig load_rig(const std::string& path) {
   throw BadRig{};
 }
 
-namespace {
-
-void add_serve(CLI::App* sub, ServeOptions& serve) {
-  sub->add_option("--serve", serve.address,
-                  "a page for browsers and the Foxglove protocol at PORT or ADDRESS:PORT; default "
-                  "127.0.0.1:8765")
+void add_serve(CLI::App& sub, ServeOptions& serve, const std::string& more) {
+  sub.add_option("--serve", serve.address,
+                 "a page for browsers and the Foxglove protocol at PORT or ADDRESS:PORT; default "
+                 "127.0.0.1:8765" +
+                     more)
       ->expected(0, 1)
       ->default_str("127.0.0.1:8765");
-  sub->add_option("--token", serve.token,
-                  "that a viewer must name; one is made where the address is not loopback");
+  sub.add_option("--token", serve.token,
+                 "that a viewer must name; one is made where the address is not loopback");
 }
+
+namespace {
 
 void add_overwrite(CLI::App* sub, RecordOptions& record) {
   sub->add_flag("--overwrite", record.overwrite, "replace a recording that is there");
@@ -88,7 +89,7 @@ void add_run(CLI::App& app, Command& command) {
   sub->add_option("--record", a->options.record.path,
                   "record all bytes, frames, measurements and estimates to this MCAP file");
   add_overwrite(sub, a->options.record);
-  add_serve(sub, a->options.serve);
+  add_serve(*sub, a->options.serve);
   sub->add_flag("--expect-streaming", a->options.expect_streaming,
                 "exit 1 when a device is not streaming at the end");
   sub->add_option(
@@ -142,7 +143,7 @@ void add_drive_command(CLI::App& app, Command& command, const std::string& name,
       ->transform(duration_text);
   sub->add_option(output, a->options.record.path, "the MCAP file")->required(name == "record");
   add_overwrite(sub, a->options.record);
-  add_serve(sub, a->options.serve);
+  add_serve(*sub, a->options.serve);
   sub->callback([a, &command] { command = [a] { return drive(load_rig(a->rig), a->options); }; });
 }
 

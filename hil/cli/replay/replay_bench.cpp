@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "drivers/bus/cdr_measurements.hpp"
 #include "drivers/cli/rig_bus.hpp"
 #include "estimators/cli/rig_pipeline.hpp"
 
@@ -13,6 +14,7 @@ namespace drydock::cli {
 namespace {
 
 constexpr std::chrono::seconds health_period{1};  // as in a run
+constexpr std::string_view faults_topic = "/drydock/faults";
 
 pipeline::Pipeline pipeline_of(const rig_config::Rig& rig, pipeline::EstimateListener& listener) {
   auto made = pipeline::make_pipeline(pipeline_options(rig), listener);
@@ -63,7 +65,7 @@ void ReplayBench::play(Pace& pace, const record::Watch& watch) {
       if (!wait_until(at, pace)) break;
       play(*raw);
     } else {
-      errors_.hear(std::get<record::Understood>(*event));
+      hear(std::get<record::Understood>(*event));
     }
   }
   // Not a moment longer than the recording: what a driver still waited for was not said then
@@ -97,6 +99,13 @@ void ReplayBench::play(const record::RawEvent& event) {
                            std::get<record::RawFrame>(event.content).frame, event.at());
   if (outlets_.onto != nullptr) outlets_.onto->send(event);
   player_->play(event);
+}
+
+/// What no driver can say again: the truth, and the faults that were made.
+void ReplayBench::hear(const record::Understood& message) {
+  errors_.hear(message);
+  if (message.channel->topic != faults_topic) return;
+  if (const auto faults = bus::faults_of(message.cdr)) watchers_.all.note(*faults, message.at);
 }
 
 void ReplayBench::tell_health() {
@@ -144,6 +153,10 @@ void ReplayBench::on_navigation(const pipeline::NavigationEstimate& estimate) {
   watchers_.note(estimate);
   errors_.note(estimate);
   if (outlets_.lines != nullptr) outlets_.lines->write(estimate), shown();
+}
+
+void ReplayBench::on_innovation(const pipeline::InnovationReport& report) {
+  if (!ended_) watchers_.note(report);
 }
 
 }  // namespace drydock::cli

@@ -46,6 +46,7 @@ class ReplayBench final : private device::Listener, private pipeline::EstimateLi
 
   bool wait_until(Stamp at, Pace& pace);
   void play(const record::RawEvent& event);
+  void hear(const record::Understood& message);
   void tell_health();
   void shown();
 
@@ -53,6 +54,7 @@ class ReplayBench final : private device::Listener, private pipeline::EstimateLi
   void on_state(const device::Device& device, const device::Transition& change) override;
   void on_attitude(const pipeline::AttitudeEstimate& estimate) override;
   void on_navigation(const pipeline::NavigationEstimate& estimate) override;
+  void on_innovation(const pipeline::InnovationReport& report) override;
 
   record::Recording& recording_;
   const rig_config::Rig& rig_;

@@ -13,6 +13,7 @@ class TopicsWatcher final : public Watcher {
   TopicsWatcher(bus::CdrSink& sink, const rig_config::Rig& rig)
       : topics_(sink, bus_devices(rig), estimator_names(rig), navigator_names(rig)) {}
 
+  using Watcher::note;
   void note(const measurement::Measurement& m) override { topics_.publish(m); }
   void note(const bus::Attitude& a, std::size_t i) override { topics_.publish(a, i); }
   void note(const bus::Navigation& n, std::size_t i) override { topics_.publish(n, i); }

@@ -1,31 +1,60 @@
 // The page in a real browser: node page.cjs BROWSER URL FOLDER WIDTH light|dark. Waits until it has drawn, keeps a
-// screenshot, prints what can be seen on it.
+// screenshot, prints what can be read on it and what the screenshot's pixels show.
 const puppeteer = require('puppeteer-core');
 const path = require('path');
 const [browserPath, url, folder, width, theme] = process.argv.slice(2);
 
-// In the page: what stands in the table, and how much of each canvas is drawn in which colour.
-function look() {
+// In the page: texts, and where the figures are.
+function read() {
   const css = (name) => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
-  const rgb = (hex) => { const full = hex.length === 4 ? hex.replace(/[^#]/g, '$&$&') : hex; return [1, 3, 5].map((i) => parseInt(full.slice(i, i + 2), 16)); };
-  const pixels = (canvas, colour) => {
-    const { data } = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
-    const [r, g, b] = rgb(css(colour));
-    let count = 0;
-    for (let i = 0; i < data.length; i += 4)
-      if (data[i + 3] > 128 && Math.abs(data[i] - r) + Math.abs(data[i + 1] - g) + Math.abs(data[i + 2] - b) < 24) ++count;
-    return count;
-  };
+  const rectOf = (element) => { const { x, y, width, height } = element.getBoundingClientRect(); return { x: x + scrollX, y: y + scrollY, width, height }; };
+  const text = (element) => element?.innerText.replace(/\s+/g, ' ').trim() ?? '';
+  const meet = (a, b) => a.x < b.x + b.width - 1 && b.x < a.x + a.width - 1 && a.y < b.y + b.height - 1 && b.y < a.y + a.height - 1;
+  const figures = [...document.querySelectorAll('figure')];
+  const apart = [...document.querySelectorAll('header > *, section, #faults')].concat(figures).map((element) => ({ element, rect: rectOf(element) }));
+  const overlaps = apart.flatMap((a, i) => apart.slice(i + 1).filter((b) => !a.element.contains(b.element) && a.rect.width && b.rect.width && meet(a.rect, b.rect))
+    .map((b) => `${text(a.element).slice(0, 30)} | ${text(b.element).slice(0, 30)}`));
+  const cut = [...document.querySelectorAll('td, th, figcaption, .legend, header > *, #faults p')].filter((e) => e.scrollWidth > e.clientWidth + 1 && getComputedStyle(e).display !== 'inline').map(text);
   return {
-    rig: document.getElementById('rig').textContent,
-    link: document.getElementById('link').textContent,
+    rig: text(document.getElementById('rig')), link: text(document.getElementById('link')), faults: text(document.getElementById('faults')),
     background: getComputedStyle(document.body).backgroundColor,
     overflow: document.documentElement.scrollWidth - innerWidth,
-    devices: [...document.querySelectorAll('#devices tbody tr')].map((row) => [...row.cells].slice(0, 3).map((cell) => cell.textContent)),
-    figures: Object.fromEntries([...document.querySelectorAll('figure')].map((figure) => [
-      figure.querySelector('figcaption').textContent,
-      Object.fromEntries(['--c1', '--c2', '--c3', '--ok'].map((c) => [c, pixels(figure.querySelector('canvas'), c)]))])),
+    overlaps, cut,
+    devices: [...document.querySelectorAll('#devices tbody tr')].map((row) => [...row.cells].filter((cell) => cell.offsetWidth).map(text)),
+    colours: Object.fromEntries(['--c1', '--c2', '--c3', '--c6', '--ok', '--error', '--panel'].map((name) => [name, css(name)])),
+    figures: figures.map((figure) => ({
+      title: figure.ariaLabel, caption: text(figure.querySelector('figcaption')), legend: text(figure.querySelector('.legend')),
+      rect: rectOf(figure), canvas: rectOf(figure.querySelector('canvas')), section: text(figure.closest('section').querySelector('h2')),
+    })),
   };
+}
+
+// In another page, of the screenshot: by figure how many pixels have each colour, how many those of a line's band and of a
+// fault's shade have, and how much is written beside and under the plot.
+async function measure({ image, colours, figures }) {
+  const picture = new Image();
+  picture.src = `data:image/png;base64,${image}`;
+  await picture.decode();
+  const canvas = Object.assign(document.createElement('canvas'), { width: picture.width, height: picture.height });
+  const pen = canvas.getContext('2d');
+  pen.drawImage(picture, 0, 0);
+  const rgb = (hex) => { const full = hex.length === 4 ? hex.replace(/[^#]/g, '$&$&') : hex; return [1, 3, 5].map((i) => parseInt(full.slice(i, i + 2), 16)); };
+  const count = ({ x, y, width, height }, wanted, tolerance) => {
+    const { data } = pen.getImageData(Math.round(x), Math.round(y), Math.max(1, Math.round(width)), Math.max(1, Math.round(height)));
+    let found = 0;
+    for (let i = 0; i < data.length; i += 4)
+      if (wanted.reduce((off, part, k) => off + Math.abs(data[i + k] - part), 0) < tolerance) ++found;
+    return found;
+  };
+  const panel = rgb(colours['--panel']), over = (under, name) => rgb(colours[name]).map((part, i) => under[i] + (part - under[i]) * (0x26 / 255));
+  const shade = over(panel, '--error');
+  const bands = [panel, shade].map((under) => over(under, '--c1')).flatMap((one) => [one, over(one, '--c2')]); // the second line's may lie over it
+  const ink = (rect) => Math.round(rect.width) * Math.round(rect.height) - count(rect, panel, 120);
+  return Object.fromEntries(figures.map(({ title, rect, canvas: { x, y, width, height } }) => [title, {
+    ...Object.fromEntries(['--c1', '--c2', '--c3', '--c6', '--ok'].map((name) => [name, count(rect, rgb(colours[name]), 24)])),
+    band: bands.reduce((sum, colour) => sum + count(rect, colour, 8), 0), fault: count(rect, shade, 8),
+    left: ink({ x, y, width: 16, height }), under: ink({ x, y: y + height - 20, width, height: 20 }),
+  }]));
 }
 
 (async () => {
@@ -38,9 +67,13 @@ function look() {
   await page.emulateMediaFeatures([{ name: 'prefers-color-scheme', value: theme }]);
   await page.goto(url, { waitUntil: 'load' });
   await page.waitForFunction(() => document.querySelectorAll('#devices tbody tr').length > 0 && document.querySelectorAll('figure canvas').length > 3, { timeout: 20000 });
-  await new Promise((resolve) => setTimeout(resolve, 2500)); // a few redraws, so that there are curves to see
-  const seen = await page.evaluate(look);
-  await page.screenshot({ path: path.join(folder, `page-${width}-${theme}.png`), fullPage: true });
+  await new Promise((resolve) => setTimeout(resolve, Number(process.argv[7] ?? 4000))); // redraws, so that there are curves to see
+  const image = Buffer.from(await page.screenshot({ path: path.join(folder, `page-${width}-${theme}.png`), fullPage: true })).toString('base64');
+  const seen = await page.evaluate(read);
+  const bench = await browser.newPage();
+  const pixels = await bench.evaluate(measure, { image, ...seen });
   await browser.close();
+  for (const figure of seen.figures) Object.assign(figure, pixels[figure.title]);
+  seen.figures = Object.fromEntries(seen.figures.map((figure) => [figure.title, figure]));
   console.log(JSON.stringify({ ...seen, errors }));
 })().catch((error) => { console.log(JSON.stringify({ failed: String(error) })); process.exit(1); });

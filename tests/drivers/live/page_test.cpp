@@ -1,17 +1,21 @@
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/post.hpp>
 #include <boost/asio/steady_timer.hpp>
-#include <cmath>
+#include <boost/math/distributions/chi_squared.hpp>
+#include <boost/math/distributions/normal.hpp>
 #include <cstdlib>
 #include <filesystem>
 #include <functional>
+#include <iomanip>
+#include <sstream>
 #include <thread>
 
-#include "drivers/bus/cdr_publisher.hpp"
-#include "drivers/live/live_topics.hpp"
 #include "drivers/live/page_files.hpp"
+#include "tests/drivers/live/made_up_bench.hpp"
 #include "tests/npm/node.hpp"
 
 /// The page in headless Chromium, on a bench that is made up here.
@@ -19,80 +23,86 @@ namespace drydock::live {
 namespace page_test {
 
 namespace asio = boost::asio;
-using namespace measurement;
 using std::chrono::milliseconds;
+
+using nlohmann::json;
+using testing::HasSubstr;
+using testing::MatchesRegex;
 
 struct Look {
   int width;
   const char* theme;
+  const char* token = "";
 };
 
-/// One of every kind of sensor and an estimator, 20 times a second from a start in the past.
-class MadeUpBench {
- public:
-  explicit MadeUpBench(Server& server)
-      : topics_(server),
-        publisher_(topics_,
-                   {{"dvl", bus::Kind::dvl},
-                    {"log", bus::Kind::emlog},
-                    {"gps", bus::Kind::gnss},
-                    {"imu", bus::Kind::imu},
-                    {"depth", bus::Kind::depth}},
-                   {"leveling", "truth"}, {"leveling", "truth"}) {}
+/// Pixels of the screenshot inside a figure.
+int drawn(const json& figures, const std::string& title, const char* what) {
+  return figures.contains(title) ? figures[title].value(what, 0) : -1;
+}
 
-  void step() {
-    const double t = 0.05 * ++steps_, wave = std::sin(t);
-    const auto origin = [&](std::uint16_t device) {
-      Origin at;
-      at.device = device;
-      at.valid_at = at.received_at = start_ + from_seconds(t);
-      return at;
-    };
-    BottomVelocity dvl;
-    dvl.origin = origin(0);
-    dvl.velocity = Eigen::Vector3d{1.5 + 0.2 * wave, 0.1, 0};
-    publisher_.publish(dvl);
-    publisher_.publish(WaterSpeed{origin(1), 1.4, {}, {}});
-    GnssFix fix;
-    fix.origin = origin(2);
-    fix.position = Geodetic{0.6 + 1e-6 * t, 0.2 + 1e-6 * wave};
-    publisher_.publish(fix);
-    GnssSatellites sky;
-    sky.origin = origin(2);
-    sky.satellites.push_back({Constellation::gps, 7, 44.0, 0.9, 1.0, true});
-    publisher_.publish(sky);
-    publisher_.publish(ImuSample{origin(3), {0.1 * wave, 0, -9.8}, {0, 0.02 * wave, 0}});
-    publisher_.publish(DepthSample{origin(4), 5 + wave, {}, {}, {}});
-    publish_estimates(origin(3).valid_at, wave);
-    if (steps_ % 10 == 0) publisher_.publish(health_, origin(0).valid_at);
+void see_devices(const json& devices, int width) {
+  ASSERT_EQ(devices.size(), 2U);
+  const auto imu = devices[0].get<std::vector<std::string>>();
+  const auto dvl = devices[1].get<std::vector<std::string>>();
+  EXPECT_EQ(imu[1], "streaming");
+  EXPECT_THAT(imu[width > 1000 ? 3 : 2], HasSubstr("100 of 100"));  // 99.98 to three digits
+  EXPECT_EQ(dvl[1], "degraded fault");
+  EXPECT_THAT(dvl[2], HasSubstr("no bottom lock for 3 s"));
+}
+
+/// Only what is in force is named; the plots are shaded for what has ended too.
+void see_faults(const json& seen) {
+  EXPECT_THAT(seen["faults"].get<std::string>(),
+              MatchesRegex("dvl: bit-errors one bit in 1000 is wrong in force since "
+                           "22:13:[0-9][0-9] UTC, [0-9]+ s"));
+  for (const auto& [title, figure] : seen["figures"].items()) {
+    if (title == "Track" || title == "Satellites") continue;
+    EXPECT_GT(figure["fault"], 1000) << title;
   }
+}
 
- private:
-  /// The estimate is 2 m north of the truth, and knows it to 1 m.
-  void publish_estimates(Stamp at, double wave) {
-    publisher_.publish(bus::Attitude{at, 0.11 * wave, 0.05, {}, {}}, 1);
-    publisher_.publish(bus::Attitude{at, 0.1 * wave, 0.05, {}, attitude_covariance}, 0);
-    bus::Navigation where;
-    where.valid_at = at;
-    where.latitude_rad = 0.6;
-    where.longitude_rad = 0.2 + 1e-6 * wave;
-    where.height_m = -5;
-    publisher_.publish(where, 1);
-    where.latitude_rad += 2 / 6.37e6;
-    where.velocity_ned.x() = 0.1;
-    where.covariance.setIdentity();
-    publisher_.publish(where, 0);
+void see_curves(const json& figures) {
+  EXPECT_GT(drawn(figures, "leveling: roll", "--c1"), 50);
+  EXPECT_GT(drawn(figures, "leveling: roll", "--c2"), 50);  // the truth
+  EXPECT_GT(drawn(figures, "leveling: roll", "band"), 200);
+  EXPECT_GT(drawn(figures, "leveling: pitch", "--c1"), 50);
+  for (const char* error : {"position error", "height error", "velocity error", "heading error"}) {
+    const auto title = std::string("leveling: ") + error;
+    EXPECT_GT(drawn(figures, title, "--c1"), 20) << title;
+    EXPECT_GT(drawn(figures, title, "band"), 500) << title;
   }
+  EXPECT_THAT(figures["leveling: position error"]["legend"].get<std::string>(),
+              MatchesRegex("north ± 3σ 2(.00[0-9])? east ± 3σ .*"));
+  EXPECT_GT(drawn(figures, "dvl: velocity over the bed", "--c1"), 50);
+  EXPECT_GT(drawn(figures, "dvl: velocity over the bed", "--c2"), 50);
+  EXPECT_GT(drawn(figures, "imu: specific force", "--c3"), 50);
+  EXPECT_GT(drawn(figures, "Depth", "--c2"), 20);  // the truth; over it the estimate
+  EXPECT_THAT(figures["Depth"]["legend"].get<std::string>(), HasSubstr("leveling ± 3σ 5"));
+  EXPECT_GT(drawn(figures, "Track", "--c1"), 20);
+  EXPECT_GT(drawn(figures, "Satellites", "--ok"), 50);
+  for (const auto& [title, figure] : figures.items()) {  // the axes have numbers and units
+    if (title == "Satellites") continue;
+    EXPECT_GT(figure["left"], 5) << title;
+    EXPECT_GT(figure["under"], 60) << title;
+  }
+}
 
-  const Stamp start_ = stamp_from_ns(1'700'000'000'000'000'000);
-  const Eigen::Matrix2d attitude_covariance = 1e-4 * Eigen::Matrix2d::Identity();
-  const std::vector<bus::DeviceStatus> health_{
-      {bus::Level::ok, "imu", "100 samples a second", "", {{"state", "streaming"}}},
-      {bus::Level::warn, "dvl", "no bottom lock for 3 s", "", {{"state", "degraded"}}}};
-  LiveTopics topics_;
-  bus::CdrPublisher publisher_;
-  int steps_ = 0;
-};
+/// Nine in ten inside of what 95 % should be; the bound stands in the colour of a second line.
+void see_innovations(const json& figures) {
+  EXPECT_GT(drawn(figures, "leveling, log: innovation", "--c1"), 50);
+  EXPECT_GT(drawn(figures, "leveling, log: innovation", "band"), 500);
+  EXPECT_THAT(figures["leveling, dvl: innovation"]["legend"].get<std::string>(),
+              MatchesRegex("forward, 95 % .* starboard, 95 % .* down, 95 % .*"));
+  for (const char* source : {"log", "dvl"}) {
+    const auto title = std::string("leveling, ") + source + ": NIS";
+    EXPECT_GT(drawn(figures, title, "--c1"), 50) << title;
+    EXPECT_GT(drawn(figures, title, "--c2"), 30) << title;
+  }
+  EXPECT_GT(drawn(figures, "leveling, log: NIS", "--c6"), 20);  // what the gate refused
+  EXPECT_THAT(figures["leveling, log: NIS"]["caption"].get<std::string>(),
+              MatchesRegex(".*(89|90|91) % of [0-9]+ inside"));
+  EXPECT_THAT(figures["leveling, dvl: NIS"]["caption"].get<std::string>(), HasSubstr("100 % of"));
+}
 
 class LivePage : public testing::TestWithParam<Look> {
  protected:
@@ -114,15 +124,16 @@ class LivePage : public testing::TestWithParam<Look> {
     });
   }
 
-  nlohmann::json look(const Look& how) {
+  json look(const Look& how) {
     keep_stepping();
     const auto folder = std::filesystem::path(DRYDOCK_SOURCE_DIR) / "build/screenshots";
     std::filesystem::create_directories(folder);
-    nlohmann::json seen;
+    json seen;
     std::jthread browser([&] {
       seen = drydock::test::run_node(
           "tests/drivers/live/page.cjs",
-          {"/usr/bin/chromium", "http://127.0.0.1:" + std::to_string(server_.port()) + "/",
+          {"/usr/bin/chromium",
+           "http://127.0.0.1:" + std::to_string(server_.port()) + "/?token=" + how.token,
            folder.string(), std::to_string(how.width), how.theme});
       asio::post(io_, [&] {
         stopped_ = true;
@@ -136,41 +147,46 @@ class LivePage : public testing::TestWithParam<Look> {
   }
 
   asio::io_context io_{1};
-  Server server_{io_.get_executor(), {.port = 0, .name = "drydock demo"}, page_files()};
-  MadeUpBench bench_{server_};
+  Server server_{io_.get_executor(),
+                 {.port = 0, .token = GetParam().token, .name = "drydock demo"},
+                 page_files()};
+  test::MadeUpBench bench_{server_};
   asio::steady_timer timer_{io_};
   bool stopped_ = false;
 };
 
-TEST_P(LivePage, ShowsHealthEstimatesAndMeasurementsAtThisWidthAndInThisLight) {
+TEST_P(LivePage, ShowsHealthFaultsEstimatesInnovationsAndMeasurementsAtThisWidthAndInThisLight) {
   auto seen = look(GetParam());
   ASSERT_TRUE(seen.contains("devices")) << seen;
   EXPECT_TRUE(seen["errors"].empty()) << seen["errors"];
   EXPECT_EQ(seen["rig"], "demo");
   EXPECT_EQ(seen["link"], "live");
   EXPECT_LE(seen["overflow"], 0);  // nothing to scroll sideways
+  EXPECT_TRUE(seen["overlaps"].empty()) << seen["overlaps"];
+  EXPECT_TRUE(seen["cut"].empty()) << seen["cut"];
   EXPECT_EQ(seen["background"],
             std::string(GetParam().theme) == "dark" ? "rgb(17, 22, 28)" : "rgb(246, 247, 249)");
-  ASSERT_EQ(seen["devices"].size(), 2U);
-  EXPECT_EQ(seen["devices"][1].dump(), R"(["dvl","degraded","no bottom lock for 3 s"])");
-  auto& figures = seen["figures"];
-  const auto drawn = [&](const std::string& title, const char* colour) {
-    return figures.contains(title) ? figures[title].value(colour, 0) : -1;
-  };
-  EXPECT_GT(drawn("leveling: roll [deg]", "--c1"), 50);
-  EXPECT_GT(drawn("leveling: pitch [deg]", "--c1"), 50);
-  EXPECT_GT(drawn("leveling: roll [deg]", "--c2"), 50);  // the truth
-  EXPECT_GT(drawn("leveling: position error [m]", "--c1"), 50);
-  EXPECT_GT(drawn("leveling: velocity error [m/s]", "--c1"), 50);
-  EXPECT_GT(drawn("dvl: velocity over the bed [m/s, body]", "--c1"), 50);
-  EXPECT_GT(drawn("dvl: velocity over the bed [m/s, body]", "--c2"), 50);
-  EXPECT_GT(drawn("depth: depth [m]", "--c1"), 50);
-  EXPECT_GT(drawn("imu: specific force [m/s², forward left up]", "--c3"), 50);
-  EXPECT_GT(drawn("Track [m, east to the right, north up]", "--c1"), 20);
-  EXPECT_GT(drawn("Satellites [north up; size and number: C/N0, dB-Hz]", "--ok"), 50);
+  see_devices(seen["devices"], GetParam().width);
+  see_faults(seen);
+  see_curves(seen["figures"]);
+  see_innovations(seen["figures"]);
 }
 
-INSTANTIATE_TEST_SUITE_P(Looks, LivePage, testing::Values(Look{1280, "light"}, Look{400, "dark"}),
+TEST(LivePageBounds, AreThoseThatBoostsDistributionsGive) {
+  std::ostringstream bounds;
+  bounds << std::fixed << std::setprecision(3) << "[0";
+  for (const int degrees : {1, 2, 3})
+    bounds << ", " << quantile(boost::math::chi_squared(degrees), 0.95);
+  const auto files = page_files();
+  const auto module = std::ranges::find(files, "/innovations.js", &PageFile::path);
+  ASSERT_NE(module, files.end());
+  EXPECT_THAT(std::string(module->content), HasSubstr("chiSquare95 = " + bounds.str() + "]"));
+  EXPECT_NEAR(quantile(boost::math::normal(), 0.975), 1.96, 5e-5);
+}
+
+INSTANTIATE_TEST_SUITE_P(Looks, LivePage,
+                         testing::Values(Look{1280, "light"}, Look{1280, "dark"},
+                                         Look{400, "light"}, Look{400, "dark", "mine"}),
                          [](const auto& look) {
                            return std::string(look.param.theme) + std::to_string(look.param.width);
                          });

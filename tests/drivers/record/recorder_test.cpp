@@ -29,6 +29,7 @@ class RecorderTest : public testing::Test {
                         {"depth", bus::Kind::depth},
                         {"gps", bus::Kind::gnss}};
     options_.estimators = {"leveling"};
+    options_.innovations = {{0, 0}};
     options_.versions = {{"drydock", "0.1.0"}};
     options_.attachments = {{0, 0, "rig.toml", "application/toml", "[rig]\nname = \"x\"\n"}};
   }
@@ -97,6 +98,45 @@ TEST_F(RecorderTest, RawAndUnderstoodAreReadByOtherPeoplesDecoders) {
   EXPECT_EQ(found["indexed"]["attachments"][0]["name"], "rig.toml");
   EXPECT_EQ(found["indexed"]["metadata"][0]["values"]["drydock"], "0.1.0");
   EXPECT_EQ(found["indexed"]["metadata"][1]["values"]["messages_lost"], "0");
+}
+
+TEST_F(RecorderTest, InnovationsAndFaultsAreReadByOtherPeoplesDecoders) {
+  Recorder recorder(mcap::file_sink(path_).value(), options_);
+  bus::Innovation innovation{start, 0, 0, {}};
+  innovation.rows = {{0.3, 0.1, false}, {-0.2, 0.1, true}};
+  recorder.topics().publish(innovation);
+  innovation.device = 1;  // an IMU is compared with nothing
+  recorder.topics().publish(innovation);
+  const auto later = start + std::chrono::seconds{9};
+  const std::vector<bus::Fault> faults{
+      {"dvl", "bit-errors", "one bit in 1000 is wrong", start, {}},
+      {"gps", "silence", "says nothing", start, later + std::chrono::seconds{1}}};
+  recorder.topics().publish(faults, later);
+  ASSERT_FALSE(recorder.finish());
+
+  DRYDOCK_NEEDS_NODE();
+  auto topics = mcap::test::read_back(path_)["indexed"]["topics"];
+  auto& told = topics["/drydock/leveling/innovation/dvl"];
+  EXPECT_EQ(told["count"], 1);
+  EXPECT_EQ(told["type"], "drydock/msg/Innovation");
+  auto& last = told["last"];
+  EXPECT_EQ(last["source"], "dvl");
+  EXPECT_EQ(last["axes"], "forward, starboard, down");
+  EXPECT_EQ(last["unit"], "m/s");
+  EXPECT_EQ(last["header"]["stamp"]["sec"], 1'700'000'000);
+  EXPECT_EQ(last["rows"], 2);
+  EXPECT_EQ(last["innovation"].dump(), R"([0.3,-0.2,"NaN"])");
+  EXPECT_EQ(last["sigma"].dump(), R"([0.1,0.1,"NaN"])");
+  EXPECT_EQ(last["used"].dump(), "[false,true,false]");
+  EXPECT_NEAR(last["nis"].get<double>(), 13, 1e-12);  // 3^2 + 2^2
+  auto& fault = topics["/drydock/faults"]["last"]["faults"];
+  EXPECT_EQ(fault[0]["fault"], "bit-errors");
+  EXPECT_EQ(fault[0]["in_force"], true);
+  EXPECT_EQ(fault[0]["until_known"], false);
+  EXPECT_EQ(fault[1]["device"], "gps");
+  EXPECT_EQ(fault[1]["since"]["sec"], 1'700'000'000);
+  EXPECT_EQ(fault[1]["until_known"], true);
+  EXPECT_EQ(fault[1]["until"]["sec"], 1'700'000'010);
 }
 
 TEST_F(RecorderTest, WhatIsOlderThanASecondSurvivesAKilledProcess) {

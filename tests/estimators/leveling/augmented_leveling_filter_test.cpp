@@ -141,7 +141,7 @@ TEST(AugmentedLevelingFilter, InnovationOfTheLogCountsItsBias) {
   EXPECT_DOUBLE_EQ(filter.innovation().residual(0), 5);
   const double expected = 4 + 1 + 2.25;
   EXPECT_NEAR(filter.innovation().normalised_square, 25 / expected, 1e-12);
-  EXPECT_NEAR(*filter.innovation().log_square, 25 / expected, 1e-12);
+  EXPECT_NEAR(filter.innovation().log->normalised_square(), 25 / expected, 1e-12);
   EXPECT_NEAR(filter.state()(0), 3 + 5 * 4 / expected, 1e-12);
   EXPECT_NEAR(filter.speed_bias(), 5 * 1 / expected, 1e-12);
   filter.update_stationary();

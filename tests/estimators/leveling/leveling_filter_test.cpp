@@ -185,11 +185,12 @@ TEST(LevelingFilter, InnovationIsMeasurementLessPredictionWithItsNormalisedSquar
   EXPECT_DOUBLE_EQ(filter.innovation().residual(0), 5);
   EXPECT_NEAR(filter.innovation().residual(1), 0, 1e-15);  // eq. (31) with its brackets
   EXPECT_NEAR(filter.innovation().normalised_square, 25 / (4 + 2.25), 1e-12);
-  EXPECT_NEAR(*filter.innovation().log_square, 25 / (4 + 2.25), 1e-12);
+  EXPECT_DOUBLE_EQ(filter.innovation().log->value, 5);
+  EXPECT_NEAR(filter.innovation().log->sigma, 2.5, 1e-12);        // sqrt(4 + 2.25)
   EXPECT_NEAR(filter.state()(0), 3 + 5 * 4 / (4 + 2.25), 1e-12);  // scalar Kalman gain
   filter.update_stationary();
   EXPECT_EQ(filter.innovation().size, 4);
-  EXPECT_FALSE(filter.innovation().log_square);
+  EXPECT_FALSE(filter.innovation().log);
 }
 
 TEST(LevelingFilter, StraightUpItStaysFinite) {

@@ -152,7 +152,7 @@ TEST(AidedNavigation, TheGateRefusesAnOutlierAndSaysSo) {
   const Vector3d body = before.body_to_ned.conjugate() * before.velocity_ned;
   EXPECT_EQ(navigation.update_velocity(body + Vector3d{5, 0, 0}, Vector3d::Constant(0.03)), 2);
   EXPECT_GT(navigation.innovation_square(), 1000);
-  EXPECT_EQ(navigation.innovations(), 3);
+  EXPECT_EQ(navigation.innovations().size(), 3u);
   EXPECT_EQ(navigation.taken().count, 2u);
   EXPECT_LT(navigation.taken().squares, 1);
   EXPECT_NEAR(navigation.state().velocity_ned.x(), before.velocity_ned.x(), 1e-6);

@@ -80,7 +80,23 @@ TEST_F(LevelingEstimatorTest, CountsTheInnovationsOfItsLog) {
   EXPECT_EQ(estimator.status().taken.count, 1u);
   const auto innovation =
       std::visit([](const auto& filter) { return filter.innovation(); }, estimator.filter());
-  EXPECT_DOUBLE_EQ(*estimator.status().taken.mean(), *innovation.log_square);
+  EXPECT_DOUBLE_EQ(*estimator.status().taken.mean(), innovation.log->normalised_square());
+}
+
+TEST_F(LevelingEstimatorTest, TellsTheInnovationsOfItsLogUsedOrNot) {
+  LevelingEstimator estimator = make();
+  for (int s = 0; s < 3; ++s) feed(estimator, 1000 * s);
+  EXPECT_EQ(estimates_.innovations.size(), 2u) << "the speed that it starts with is no surprise";
+  estimator.take(water_speed(3000, 90), estimates_);
+  const auto& last = estimates_.innovations.back();
+  EXPECT_EQ(last.valid_at, at_ms(3000));
+  EXPECT_EQ(last.estimator, 7u);
+  EXPECT_EQ(last.device, log_device);
+  ASSERT_EQ(last.rows.size(), 1u);
+  EXPECT_FALSE(last.rows[0].used);
+  EXPECT_NEAR(last.rows[0].value, 88, 0.5);  // 90 m/s measured, 2 expected
+  EXPECT_TRUE(estimates_.innovations[1].rows[0].used);
+  EXPECT_LT(estimates_.innovations[1].rows[0].normalised_square(), 1);
 }
 
 TEST_F(LevelingEstimatorTest, ConstantTiltAtConstantSpeedComesOutAsTheTilt) {

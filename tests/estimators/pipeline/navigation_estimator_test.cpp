@@ -51,6 +51,34 @@ TEST_P(EveryInertialMethod, RefusesOutliersCountsThemAndStaysRight) {
   EXPECT_LT(bench.last().velocity_ned.norm(), 0.01);
 }
 
+TEST_P(EveryInertialMethod, TellsWhatEachMeasurementHadOfTheUnexpected) {
+  RestingVehicle bench(
+      GetParam(), [](auto&) {}, std::chrono::milliseconds{0});
+  bench.run(30);
+  bench.dvl_error = {3, 0, 0};
+  bench.depth_error_m = 50;
+  bench.run(1);
+  const auto& dvl = bench.listener.innovations[6];
+  EXPECT_EQ(dvl.reports, 31u);
+  EXPECT_EQ(dvl.used, 3 * 31u - 1);
+  EXPECT_EQ(dvl.refused, 1u);
+  EXPECT_EQ(dvl.last.valid_at, test::at_ms(30'000));
+  EXPECT_NEAR(dvl.last.rows[0].value, 3, 0.01);  // measured minus expected, forward
+  EXPECT_FALSE(dvl.last.rows[0].used);
+  EXPECT_GT(dvl.last.rows[0].sigma, bench.options.ground_sigma_mps);  // and what the state adds
+  EXPECT_LT(dvl.last.rows[0].sigma, 2 * bench.options.ground_sigma_mps);
+  EXPECT_LT(dvl.squares, 20);  // sensors without noise
+  const auto& depth = bench.listener.innovations[7];
+  EXPECT_EQ(depth.reports, 310u);
+  EXPECT_EQ(depth.refused, 10u);
+  EXPECT_NEAR(depth.last.rows[0].value, 50, 0.1);  // deeper than expected
+  EXPECT_EQ(bench.listener.innovations[test::log_device].used,
+            GetParam() == InertialMethod::sensors ? 0u : 62u);
+  std::uint64_t refused = 0;
+  for (const auto& of : bench.listener.innovations) refused += of.refused;
+  EXPECT_EQ(refused, bench.pipeline->status(0).rejected);
+}
+
 TEST_P(EveryInertialMethod, IsMovedByTheSameOutliersWithoutItsGate) {
   RestingVehicle bench(GetParam(), [](InertialOptions& o) { o.navigation.gate_sigma = 0; });
   bench.run(30);

@@ -9,7 +9,9 @@ namespace {
 
 struct LastEstimate final : EstimateListener {
   void on_attitude(const AttitudeEstimate& estimate) override { last = estimate; }
+  void on_innovation(const InnovationReport&) override { ++innovations; }
   AttitudeEstimate last;
+  int innovations = 0;
 };
 
 TEST(Pipeline, AllocatesNothingPerSample) {
@@ -39,6 +41,7 @@ TEST(Pipeline, AllocatesNothingPerSample) {
     feed(1000, 20000);
     EXPECT_EQ(test::allocations(), before);
     EXPECT_GT(listener.last.valid_at, test::at_ms(19000));
+    EXPECT_EQ(listener.innovations, std::string_view(kind) == "leveling" ? 39 : 0);
   }
 }
 
@@ -54,6 +57,7 @@ TEST(Pipeline, AllocatesNothingPerStepOfAnInertialNavigation) {
     bench.run(1);
     EXPECT_EQ(test::allocations(), before);
     EXPECT_GT(bench.listener.all.size(), 700u);
+    EXPECT_GT(bench.listener.innovations[6].reports, 60u);
   }
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <functional>
 #include <optional>
 
@@ -17,7 +18,22 @@ namespace drydock::pipeline::test {
 struct Navigated final : EstimateListener {
   void on_attitude(const AttitudeEstimate&) override {}
   void on_navigation(const NavigationEstimate& estimate) override { all.push_back(estimate); }
+  void on_innovation(const InnovationReport& report) override {
+    InnovationCount& of = innovations[report.device];
+    ++of.reports;
+    for (const auto& row : report.rows) {
+      ++(row.used ? of.used : of.refused);
+      if (row.used) of.squares += row.normalised_square();
+    }
+    of.last = report;
+  }
+  struct InnovationCount {
+    std::uint64_t reports = 0, used = 0, refused = 0;  ///< rows
+    double squares = 0;                                ///< of the used, normalised
+    InnovationReport last;
+  };
   std::vector<NavigationEstimate> all;
+  std::array<InnovationCount, 10> innovations{};  ///< by device
 };
 
 /// A vehicle level in still water, at rest or turning about the vertical, and its sensors without

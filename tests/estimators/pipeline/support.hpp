@@ -39,7 +39,9 @@ inline WaterSpeed water_speed(std::int64_t ms, double mps = 2, std::uint16_t dev
 /// Keeps every estimate.
 struct Estimates final : EstimateListener {
   void on_attitude(const AttitudeEstimate& estimate) override { all.push_back(estimate); }
+  void on_innovation(const InnovationReport& report) override { innovations.push_back(report); }
   std::vector<AttitudeEstimate> all;
+  std::vector<InnovationReport> innovations;
 };
 
 /// One leveling estimator on `imu_device` and `log_device`.

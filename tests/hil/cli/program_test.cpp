@@ -13,52 +13,15 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "tests/hil/cli/program.hpp"
+
 namespace {
 
 using testing::HasSubstr;
 
-struct Outcome {
-  int exit_code = -1;
-  std::string output;  ///< standard output and standard error
-};
-
-/// A folder of the test that goes with it.
-class Folder {
- public:
-  Folder() {
-    auto name = (std::filesystem::temp_directory_path() / "drydock-test-XXXXXX").string();
-    path_ = mkdtemp(name.data());
-  }
-  ~Folder() { std::filesystem::remove_all(path_); }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-  std::filesystem::path operator/(const std::string& file) const { return path_ / file; }
-
- private:
-  std::filesystem::path path_;
-};
-
-Outcome drydock(const std::string& arguments) {
-  const Folder links;  // ptys of its own: another run on this machine must not matter
-  const std::string command =
-      "cd " DRYDOCK_SOURCE_DIR "; export XDG_RUNTIME_DIR=" + (links / "").string() +
-      " ROS_DOMAIN_ID=" + std::to_string(100 + getpid() % 100) + "; " DRYDOCK_PROGRAM " " +
-      arguments + " 2>&1";
-  std::FILE* pipe = popen(command.c_str(), "r");
-  Outcome outcome;
-  std::array<char, 4096> chunk{};
-  while (const auto n = std::fread(chunk.data(), 1, chunk.size(), pipe)) {
-    outcome.output.append(chunk.data(), n);
-  }
-  const int status = pclose(pipe);
-  outcome.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-  return outcome;
-}
-
-std::string read_file(const std::filesystem::path& path) {
-  std::ifstream in(path);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
+using program::drydock;
+using program::Folder;
+using program::read_file;
 
 TEST(Program, HelpOfEveryCommandShowsAnExample) {
   for (const char* command :

@@ -102,12 +102,29 @@ TEST_F(ReplayOfARun, GivesEveryMeasurementAndEstimateAgainToTheLastBit) {
   const auto before = results_of(file("run.mcap")), after = results_of(file("replay.mcap"));
   EXPECT_GT(before.at("/imu/data").size(), 1900u);
   EXPECT_GT(before.at("/estimate/leveling").size(), 1900u);
+  EXPECT_GT(before.at("/drydock/leveling/innovation/emlog").size(), 30u);  // 2 a second
   ASSERT_EQ(before.size(), after.size());
   for (const auto& [topic, messages] : before) {
     ASSERT_TRUE(after.contains(topic)) << topic;
     EXPECT_TRUE(messages == after.at(topic))
         << topic << ": " << messages.size() << " messages, " << after.at(topic).size() << " again";
   }
+}
+
+TEST_F(ReplayOfARun, HandsOnTheFaultsOfTheRecordingWhichNoDriverTells) {
+  const auto rig = rig_config::load_rig(DRYDOCK_SOURCE_DIR "/rig_config/rigs/demo.toml").value();
+  const auto start = measurement::stamp_from_ns(rig.start_utc_ns);
+  RigRecorder recorder(rig, {file("faults.mcap")}, start, record::WhenBehind::wait);
+  const std::vector<bus::Fault> faults{{"dvl", "silence", "says nothing", start, {}}};
+  recorder.note(faults, start + std::chrono::seconds{1});
+  recorder.note(std::span<const bus::Fault>{}, start + std::chrono::seconds{3});
+  recorder.finish();
+  auto options = quiet("faults.mcap");
+  options.record.path = file("faults-again.mcap");
+  replayed(options);
+  const auto before = results_of(file("faults.mcap"));
+  EXPECT_EQ(before.at("/drydock/faults").size(), 2u);
+  EXPECT_TRUE(before == results_of(file("faults-again.mcap")));
 }
 
 TEST_F(ReplayOfARun, OfAReplayIsTheReplayAgainRigFileAndAll) {

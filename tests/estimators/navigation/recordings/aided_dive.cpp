@@ -26,12 +26,12 @@ std::size_t first_after(const Samples& samples, double t) {
   return i;
 }
 
-struct Innovations {
+struct InnovationMean {
   double square = 0;
   int rows = 0;
   void add(const AidedNavigation& aided) {
     square += aided.innovation_square();
-    rows += aided.innovations();
+    rows += aided.innovations().size();
   }
   double mean() const { return rows ? square / rows : 0; }
 };
@@ -63,7 +63,7 @@ Read<DiveResult> navigate(const PoolRecording& dive, const DiveSetup& setup) {
   AidedNavigation aided{start, setup.options};
 
   DiveResult result;
-  Innovations velocity, depth;
+  InnovationMean velocity, depth;
   double now = begin, heading = attitude.yaw, magnetic = attitude.yaw;
   double velocity_square = 0, depth_square = 0;
   Vector3d rate = Vector3d::Zero();

@@ -126,7 +126,7 @@ Read<DriveResult> navigate(const DriveRecording& drive, const DriveSetup& setup,
         (fix.sigma_m.array().square() + setup.fix_sigma_m * setup.fix_sigma_m).sqrt();
     aided.update_position(fix.position, sigma, setup.antenna);
     nis += aided.innovation_square();
-    rows += static_cast<std::size_t>(aided.innovations());
+    rows += aided.innovations().size();
   }
   if (aids == 0) return Refusal{"alignment", "no fix while the IMU runs"};
   result.aided_rms_m = std::sqrt(square / static_cast<double>(aids));

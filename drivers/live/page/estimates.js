@@ -1,0 +1,81 @@
+// Each estimate beside the truth of the same time, or its error, with the band of three sigma that the estimator claims.
+import { degree, seconds } from './dom.js';
+import { plot } from './plot.js';
+import { depthProfile, trackPoint } from './where.js';
+
+const earthRadius = 6371000, patience = 2; // s: a truth that comes comes at once
+const truths = { attitude: new Map(), fix: new Map(), odometry: new Map() }; // stamp -> message of /estimate/truth
+const first = new Map(); // when a first estimate came without truth
+
+const key = ({ header: { stamp: { sec, nanosec } } }) => `${sec}.${nanosec}`;
+const truthOf = (kind, message) => truths[kind].get(key(message));
+
+// Undefined while a truth may still come: one without is drawn as it is.
+function hasTruth(kind, t) {
+  if (truths[kind].size) return true;
+  if (!first.has(kind)) first.set(kind, t);
+  return t - first.get(kind) > patience ? false : undefined;
+}
+const around = (value, sigma) => [value, value - 3 * sigma, value + 3 * sigma];
+const error = (value, sigma) => [value, -3 * sigma, 3 * sigma];
+
+// Body forward-left-up against east-north-up, as ROS has it: pitch changes sign to become nose up, yaw runs from east.
+function eulerOf({ x, y, z, w }) {
+  const north = Math.PI / 2 - Math.atan2(2 * (w * z + x * y), 1 - 2 * (y * y + z * z));
+  return { roll: Math.atan2(2 * (w * x + y * z), 1 - 2 * (x * x + y * y)), pitch: -Math.asin(Math.max(-1, Math.min(1, 2 * (w * y - z * x)))), heading: north };
+}
+const turn = (angle) => Math.atan2(Math.sin(angle), Math.cos(angle));
+function metres(from, to) {
+  return { north: (to.latitude - from.latitude) * degree * earthRadius, east: (to.longitude - from.longitude) * degree * earthRadius * Math.cos(from.latitude * degree) };
+}
+
+function attitude(name, t, message) {
+  const value = eulerOf(message.orientation), truth = truthOf('attitude', message), true_ = truth && eulerOf(truth.orientation);
+  ['roll', 'pitch'].forEach((axis, i) => {
+    const sigma = Math.sqrt(message.orientation_covariance[4 * i]) / degree;
+    plot('estimates', `${name}: ${axis}`, 'deg', [{ label: `${name} ± 3σ`, band: true }, { label: 'truth', dash: true }])
+      .add(t, [around(value[axis] / degree, sigma), true_ && true_[axis] / degree]);
+  });
+}
+
+function position(name, t, fix) {
+  const truth = truthOf('fix', fix), [east, north, up] = [0, 4, 8].map((i) => Math.sqrt(fix.position_covariance[i]));
+  trackPoint(name, fix);
+  depthProfile(name, t, around(-fix.altitude, up));
+  if (truth) {
+    const off = metres(truth, fix);
+    plot('estimates', `${name}: position error`, 'm', [{ label: 'north ± 3σ', band: true }, { label: 'east ± 3σ', band: true }]).add(t, [error(off.north, north), error(off.east, east)]);
+    plot('estimates', `${name}: height error`, 'm', [{ label: 'up ± 3σ', band: true }]).add(t, [error(fix.altitude - truth.altitude, up)]);
+  } else if (hasTruth('fix', t) === false) {
+    plot('estimates', `${name}: position, 3σ`, 'm', ['north', 'east', 'up']).add(t, [3 * north, 3 * east, 3 * up]);
+  }
+}
+
+// In body axes, forward and to port; heading with the pose's covariance.
+function odometry(name, t, { pose, twist, ...message }) {
+  const truth = truthOf('odometry', message), is = twist.twist.linear;
+  const [x, y] = [0, 7].map((i) => Math.sqrt(twist.covariance[i])), turned = Math.sqrt(pose.covariance[35]) / degree;
+  const heading = eulerOf(pose.pose.orientation).heading;
+  const pair = [{ label: 'forward ± 3σ', band: true }, { label: 'port ± 3σ', band: true }];
+  if (truth) {
+    const was = truth.twist.twist.linear;
+    plot('estimates', `${name}: velocity error`, 'm/s', pair).add(t, [error(is.x - was.x, x), error(is.y - was.y, y)]);
+    plot('estimates', `${name}: heading error`, 'deg', [{ label: 'heading ± 3σ', band: true }])
+      .add(t, [error(turn(heading - eulerOf(truth.pose.pose.orientation).heading) / degree, turned)]);
+  } else if (hasTruth('odometry', t) === false) {
+    plot('estimates', `${name}: velocity`, 'm/s', pair).add(t, [around(is.x, x), around(is.y, y)]);
+    plot('estimates', `${name}: heading`, 'deg', [{ label: 'heading ± 3σ', band: true }]).add(t, [around((heading / degree + 360) % 360, turned)]);
+  }
+}
+
+const kinds = { 'sensor_msgs/msg/Imu': ['attitude', attitude], 'sensor_msgs/msg/NavSatFix': ['fix', position], 'nav_msgs/msg/Odometry': ['odometry', odometry] };
+
+export function takeEstimate(name, type, message) {
+  const [kind, show] = kinds[type] ?? [];
+  if (!kind) return;
+  const t = seconds(message.header.stamp);
+  if (name !== 'truth') { show(name, t, message); return; }
+  truths[kind].set(key(message), message);
+  if (truths[kind].size > 200) truths[kind].delete(truths[kind].keys().next().value);
+  if (kind === 'fix') { trackPoint(name, message); depthProfile(name, t, -message.altitude); }
+}

@@ -1,0 +1,32 @@
+// The devices of /diagnostics as a table; a narrow page has their numbers under what they say.
+import { by, make } from './dom.js';
+import { inForce } from './faults.js';
+
+const levels = ['ok', 'warn', 'error', 'stale'];
+const known = (text) => text !== undefined && text !== '';
+const short = (text) => (known(text) ? String(Number(Number(text).toPrecision(3))) : '–');
+
+function rate({ rate_hz: rate, nominal_rate_hz: nominal }) {
+  return known(nominal) && Number(nominal) > 0 ? `${short(rate)} of ${short(nominal)}` : short(rate);
+}
+
+function rowOf(name) {
+  const body = by('devices').tBodies[0];
+  const row = [...body.rows].find((r) => r.dataset.name === name) ?? body.insertRow();
+  row.dataset.name = name;
+  return row;
+}
+
+export function takeHealth({ status }) {
+  for (const { level, name, message, values } of status) {
+    const value = Object.fromEntries(values.map((v) => [v.key, v.value]));
+    const wide = [rate(value), short(value.age_s), known(value.jitter_s) ? short(1000 * value.jitter_s) : '–', value.messages ?? '–', value.bad_checksums ?? '–'];
+    const faulty = inForce().some(({ device }) => device === name);
+    rowOf(name).replaceChildren(
+      make('td', {}, name, make('small', {}, value.provenance ?? '')),
+      make('td', {}, make('span', { className: `badge ${levels[level]}` }, value.status === undefined ? levels[level] : message), ...(faulty ? [' ', make('span', { className: 'badge error' }, 'fault')] : [])),
+      make('td', {}, value.status ?? message, make('small', { className: 'narrow' }, `${wide[0]} Hz, ${wide[3]} good, ${wide[4]} bad`)),
+      ...wide.map((text) => make('td', { className: 'wide number' }, text)),
+      make('td', { className: 'wide' }, value.last_error ?? ''));
+  }
+}

@@ -1,0 +1,33 @@
+// What the sensors say, each kind in its own units and axes.
+import { degree, seconds } from './dom.js';
+import { plot } from './plot.js';
+import { depthProfile, satellites, trackPoint } from './where.js';
+
+const xyz = ({ x, y, z }) => [x, y, z];
+const show = (title, unit, lines, t, values) => plot('measurements', title, unit, lines).add(t, values);
+
+const kinds = {
+  'sensor_msgs/msg/Imu': (n, t, m) => {
+    show(`${n}: angular rate`, 'rad/s', ['forward', 'left', 'up'], t, xyz(m.angular_velocity));
+    show(`${n}: specific force`, 'm/s²', ['forward', 'left', 'up'], t, xyz(m.linear_acceleration));
+  },
+  'drydock/msg/BottomTrack': (n, t, m) => {
+    show(`${n}: velocity over the bed`, 'm/s', ['forward', 'starboard', 'down'], t, xyz(m.velocity));
+    if (Number.isFinite(m.altitude)) show(`${n}: altitude`, 'm', ['above the bed'], t, [m.altitude]);
+  },
+  'drydock/msg/WaterSpeed': (n, t, m) => show(`${n}: speed through the water`, 'm/s', ['ahead', 'starboard'], t, [m.longitudinal, m.transverse]),
+  'drydock/msg/Depth': (n, t, m) => {
+    if (Number.isFinite(m.depth)) depthProfile(n, t, m.depth);
+    else if (Number.isFinite(m.pressure)) show(`${n}: pressure`, 'kPa', ['pressure'], t, [m.pressure / 1000]);
+  },
+  'drydock/msg/ActuatorState': (n, t, m) => {
+    show(`${n}: planes`, 'deg', ['rudder', 'stern', 'bow'], t, [m.rudder, m.stern_plane, m.bow_plane].map((x) => x / degree));
+    if (Number.isFinite(m.propeller)) show(`${n}: propeller`, 'r/min', ['propeller'], t, [m.propeller * 30 / Math.PI]);
+  },
+  'drydock/msg/GnssFix': (n, t, m) => {
+    if (Number.isFinite(m.latitude)) trackPoint(n, { latitude: m.latitude / degree, longitude: m.longitude / degree });
+  },
+  'drydock/msg/GnssSatellites': (n, t, m) => satellites(m.satellites),
+};
+
+export const takeMeasurement = (name, type, message) => kinds[type]?.(name, seconds(message.header.stamp), message);
