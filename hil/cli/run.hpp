@@ -8,9 +8,12 @@
 #include "drivers/cli/rig_viewer.hpp"
 #include "drivers/device/device.hpp"
 #include "hil/cli/summary.hpp"
+#include "hil/emulate/real_time.hpp"
 #include "rig_config/rig.hpp"
 
 namespace drydock::cli {
+
+using OnWritten = emulate::RealTimeEmulator::OnWritten;
 
 struct RunOptions {
   double duration_s = 0;  ///< 0: until Ctrl-C (real time), one lap of the mission (lockstep)
@@ -21,6 +24,7 @@ struct RunOptions {
   RecordOptions record;
   ServeOptions serve;                                                   ///< real time only
   std::function<void(const measurement::Measurement&)> on_measurement;  ///< hears all; may be empty
+  OnWritten on_written;  ///< hears what emulated devices sent; may be empty
 };
 
 /// Runs the rig: emulated devices, drivers, estimators, in real time or in lockstep.

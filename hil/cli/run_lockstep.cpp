@@ -65,6 +65,7 @@ class LockstepBench final : private device::Listener, private pipeline::Estimate
   LockstepBench(const rig_config::Rig& rig, const RunOptions& options)
       : rig_(rig),
         on_measurement_hook_(options.on_measurement),
+        on_written_hook_(options.on_written),
         start_(measurement::stamp_from_ns(rig.start_utc_ns)),
         trajectory_(std::make_unique<motion::RememberedTrajectory>(
             motion::make_trajectory(rig.mission, start_))),
@@ -116,6 +117,7 @@ class LockstepBench final : private device::Listener, private pipeline::Estimate
  private:
   struct Bus {
     std::unique_ptr<emulate::EmulatedBus> bus;
+    std::vector<std::string> names;  ///< of its emulated nodes
     std::vector<shell::DeviceActor*> drivers;
   };
 
@@ -163,7 +165,10 @@ class LockstepBench final : private device::Listener, private pipeline::Estimate
     lines_.push_back(std::make_unique<emulate::EmulatedLine>(
         or_throw(emulate::make_emulated_device(config, *trajectory_, rig_.seed)),
         uri.baud().value_or(emulate::without_line_rate),
-        [&actor](wire::Bytes bytes, Stamp at) { actor.receive(bytes, at); }));
+        [this, &actor, name = config.name](wire::Bytes bytes, const emulate::Passage& passage) {
+          if (on_written_hook_) on_written_hook_(name, passage, passage.ended_at);
+          actor.receive(bytes, passage.ended_at);
+        }));
     actor.tap(watchers_.all);
     to_lines_.back()->line = lines_.back().get();
     clock_.add(*lines_.back());
@@ -175,12 +180,16 @@ class LockstepBench final : private device::Listener, private pipeline::Estimate
     if (!bus.bus) {
       bus.bus = std::make_unique<emulate::EmulatedBus>(
           uri.bitrate().value_or(default_bit_rate),
-          [this, &bus, link = config.link](const wire::CanFrame& frame, Stamp at) {
+          [this, &bus, link = config.link](const wire::CanFrame& frame, std::size_t sender,
+                                           const emulate::Passage& passage) {
+            const Stamp at = passage.ended_at;
+            if (on_written_hook_) on_written_hook_(bus.names.at(sender), passage, at);
             watchers_.all.on_frame(link, shell::Direction::received, frame, at);
             for (auto* driver : bus.drivers) driver->receive(frame, at);
           });
     }
     bus.bus->add(or_throw(emulate::make_emulated_device(config, *trajectory_, rig_.seed)));
+    bus.names.push_back(config.name);
     bus.drivers.push_back(&actor);
     to_lines_.back()->bus = bus.bus.get();
   }
@@ -228,6 +237,7 @@ class LockstepBench final : private device::Listener, private pipeline::Estimate
 
   const rig_config::Rig& rig_;
   std::function<void(const measurement::Measurement&)> on_measurement_hook_;
+  OnWritten on_written_hook_;
   Stamp start_;
   std::unique_ptr<motion::Trajectory> trajectory_;
   shell::Lockstep clock_;

@@ -29,7 +29,7 @@ std::optional<Stamp> EmulatedLine::deadline() const {
 
 void EmulatedLine::act(Stamp now) {
   now_ = now;
-  while (const auto chunk = pacer_.take(now)) deliver_(chunk->bytes, chunk->at);
+  while (const auto chunk = pacer_.take(now)) deliver_(chunk->bytes, chunk->of_message);
   const auto due = device_->deadline();
   if (due && *due <= now) device_->tick(now, *this);
 }
@@ -42,7 +42,9 @@ struct EmulatedBus::Node final : Wire {
   }
 
   void send(wire::Bytes) override {}
-  void send(const wire::CanFrame& frame) override { pacer.queue(frame, index, now); }
+  void send(const wire::CanFrame& frame) override {
+    pacer.queue(frame, index, now, device->sampled_at());
+  }
 
   void hear(const wire::CanFrame& frame) {
     device->receive(frame, now, *this);
@@ -94,7 +96,8 @@ void EmulatedBus::act(Stamp now) {
     for (const auto& node : nodes_) {
       if (node->index != sent->sender) node->hear(sent->frame);
     }
-    if (sent->sender != a_driver) deliver_(sent->frame, sent->at);
+    if (sent->sender != a_driver)
+      deliver_(sent->frame, static_cast<std::size_t>(sent->sender), sent->passage);
   }
   for (const auto& node : nodes_) node->act();
 }

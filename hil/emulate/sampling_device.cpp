@@ -64,11 +64,13 @@ void SamplingDevice::tick(Stamp now, Wire& out) {
 
 void SamplingDevice::take(Stamp at, Wire& out) {
   NoWire nowhere;
+  under_way_ = at;
   if (dropouts_.next_is_lost()) {
     sample(at, nowhere);
   } else {
     sample(at, out);
   }
+  under_way_.reset();
 }
 
 }  // namespace drydock::emulate

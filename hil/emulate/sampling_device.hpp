@@ -40,6 +40,7 @@ class SamplingDevice : public EmulatedDevice {
   void tick(Stamp now, Wire& out) override;
   void receive(wire::Bytes, Stamp, Wire&) override {}
   void receive(const wire::CanFrame&, Stamp, Wire&) override {}
+  std::optional<Stamp> sampled_at() const override { return under_way_; }
 
  protected:
   /// First sample at the trajectory's start.
@@ -66,6 +67,7 @@ class SamplingDevice : public EmulatedDevice {
   sensor::Dropouts dropouts_;
   Stamp first_;
   std::uint64_t samples_ = 0;
+  std::optional<Stamp> under_way_;
 };
 
 }  // namespace drydock::emulate

@@ -34,6 +34,9 @@ void add_world_commands(CLI::App& app, Command& command);
 /// characterize: what a sensor is worth.
 void add_characterize_command(CLI::App& app, Command& command);
 
+/// validity: how right the times of measurements are.
+void add_validity_command(CLI::App& app, Command& command);
+
 /// A rig file that cannot be used; the lines have been printed.
 struct BadRig {};
 
