@@ -13,11 +13,14 @@ using Eigen::Vector3d;
 constexpr double slowest_mps = 0.5;  ///< below it a course is none
 constexpr double straight_within_radps = 0.5 * std::numbers::pi / 180;
 
-std::vector<Vector3d> in_body(const Samples& imu) {
+/// Of the vehicle, in body axes.
+Track rate_of(const Samples* imu, measurement::Stamp zero) {
+  if (imu == nullptr) return {};
   std::vector<Vector3d> rates;
-  rates.reserve(imu.origins.size());
-  for (const auto& rate : imu.quantities[0]) rates.emplace_back(imu.subject.sensor_to_body * rate);
-  return rates;
+  rates.reserve(imu->origins.size());
+  for (const auto& rate : imu->quantities[0])
+    rates.emplace_back(imu->subject.sensor_to_body * rate);
+  return {*imu, rates, zero};
 }
 
 /// Heading is unwrapped, so that there are lines between its values.
@@ -45,7 +48,7 @@ AtOnePlace::AtOnePlace(const Samples& dvl, const Samples& gnss, const Samples* i
       sensor_(dvl, dvl.quantities[0], gnss.origins.front().valid_at),
       reference_(gnss, gnss.quantities[1], gnss.origins.front().valid_at),
       attitude_(dvl, unwrapped(dvl.attitude), gnss.origins.front().valid_at),
-      rate_(with_imu_ ? Track(*imu, in_body(*imu), gnss.origins.front().valid_at) : Track()) {}
+      rate_(rate_of(imu, gnss.origins.front().valid_at)) {}
 
 std::optional<double> AtOnePlace::heading(double t_s) const {
   const auto& source = has_attitude() ? attitude_ : reference_;

@@ -14,7 +14,9 @@ using Eigen::Vector2d;
 using Matrix5d = Eigen::Matrix<double, 5, 5>;
 using Vector5d = Eigen::Matrix<double, 5, 1>;
 
-constexpr double block_s = 1, longest_delay_s = 2, delay_step_s = 0.25;
+constexpr double block_s = 1, delay_step_s = 0.25;
+constexpr int delay_steps = 8;  ///< either way
+constexpr double longest_delay_s = delay_steps * delay_step_s;
 
 struct PairedBlock {
   Vector2d sensor = Vector2d::Zero(), reference = Vector2d::Zero();
@@ -160,7 +162,8 @@ VelocityComparison bias_alone(const std::vector<PairedBlock>& blocks) {
 /// Coarse: where a fit without a delay of its own leaves least.
 double likeliest_delay(const AtOnePlace& velocities) {
   double best = 0, least = std::numeric_limits<double>::infinity();
-  for (double delay = -longest_delay_s; delay <= longest_delay_s; delay += delay_step_s) {
+  for (int step = -delay_steps; step <= delay_steps; ++step) {
+    const double delay = step * delay_step_s;
     const auto blocks = blocks_at(velocities, delay, Matrix2d::Identity());
     if (blocks.size() < 10) continue;
     const double left = fit(blocks, noise_of_block(velocities, blocks), false).squares;

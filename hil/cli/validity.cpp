@@ -118,6 +118,7 @@ std::vector<ValidityRun> sweep(const Rig& rig, const ValidityOptions& options) {
   if (fastest.devices.empty()) throw std::runtime_error("no emulated device is on a serial line");
   const auto bits = bits_of_samples(fastest);
   std::vector<ValidityRun> runs;
+  runs.reserve(baud_rates.size());
   for (const unsigned baud : baud_rates)
     runs.push_back(run_once(at_baud(rig, baud, bits), options, baud));
   return runs;
