@@ -18,10 +18,14 @@ struct OfKinds {
 const std::vector<OfKinds>& figures_of_kinds() {
   static const std::vector<std::string> positions{"navigation", "velocity"};
   static const std::vector<OfKinds> figures{
-      {"heading_rms_deg_max", positions},  {"position_rms_m_max", positions},
-      {"position_end_m_max", positions},   {"depth_rms_m_max", positions},
-      {"velocity_rms_mps_max", positions}, {"nees_position", positions},
-      {"rejected_max", positions},         {"nis", {"leveling", "navigation", "velocity"}}};
+      {"heading_rms_deg_max", positions},
+      {"position_rms_m_max", positions},
+      {"position_end_m_max", positions},
+      {"depth_rms_m_max", positions},
+      {"velocity_rms_mps_max", positions},
+      {"nees_position", positions},
+      {"rejected_max", {"leveling", "roll", "navigation", "velocity"}},
+      {"nis", {"leveling", "navigation", "velocity"}}};
   return figures;
 }
 

@@ -73,6 +73,11 @@ TEST(Expect, AFigureThatTheSubjectDoesNotHaveIsRefused) {
               IsEmpty());
 }
 
+TEST(Expect, EveryEstimatorWithAGateIsHeldToWhatItRefuses) {
+  EXPECT_THAT(problems_of(leveling + "[[expect]]\nestimator = \"level\"\nrejected_max = 3\n"),
+              IsEmpty());
+}
+
 TEST(Expect, ABlockWithoutAnythingToExpectIsRefused) {
   EXPECT_THAT(problems_of("[[expect]]\ndevice = \"dvl\"\nafter_s = 3\n"),
               ElementsAre(HasSubstr("r.toml:8:1: /expect/0: expects nothing")));
