@@ -4,6 +4,7 @@ namespace drydock::device {
 
 namespace {
 constexpr std::chrono::seconds temperature_counts_for{10};  // PGN 130312 comes every 2 s
+constexpr std::chrono::milliseconds tied_for{100};          // a SID comes again after 253 samples
 }  // namespace
 
 DepthDriver::DepthDriver(const DriverOptions& options)
@@ -29,6 +30,7 @@ void DepthDriver::on(const wire::nmea2000::Pressure& pressure, const Origin& ori
   if (!pressure_source_.accepts(pressure.source, origin.received_at)) return;
   measurement::DepthSample sample;
   sample.origin = origin;
+  last_pressure_ = {pressure.source, pressure.sequence, origin};
   sample.pressure_pa = pressure.pressure_pa;
   if (pressure.pressure_pa) sample.depth_m = water_.depth_m(*pressure.pressure_pa);
   if (origin.received_at - temperature_at_ < temperature_counts_for) {
@@ -49,6 +51,11 @@ void DepthDriver::on(const wire::nmea2000::WaterDepth& depth, const Origin& orig
   if (!sounder_source_.accepts(depth.source, origin.received_at)) return;
   measurement::DepthSample sample;
   sample.origin = origin;
+  if (depth.sequence && depth.sequence == last_pressure_.sequence &&
+      depth.source == last_pressure_.source &&
+      origin.received_at - last_pressure_.origin.received_at < tied_for) {
+    sample.origin.valid_at = last_pressure_.origin.valid_at;
+  }
   sample.altitude_m = depth.depth_m;
   out.publish(sample);
 }

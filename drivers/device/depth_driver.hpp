@@ -8,8 +8,8 @@ namespace drydock::device {
 
 /// Depth on NMEA 2000. PGN 130314 with source water -> pressure and
 /// depth by the configured water column, with the last sea temperature of PGN 130312. PGN 128267,
-/// an echo sounder's depth below its transducer, is the altitude, a measurement of its own. It only
-/// listens, so it claims no address.
+/// an echo sounder's depth below its transducer, is the altitude, a measurement of its own, true
+/// when the pressure of the same source and SID was. It only listens, so it claims no address.
 class DepthDriver final : public BusDriver<wire::Nmea2000> {
  public:
   explicit DepthDriver(const DriverOptions& options);
@@ -26,6 +26,13 @@ class DepthDriver final : public BusDriver<wire::Nmea2000> {
   SourceFilter pressure_source_, temperature_source_, sounder_source_;
   std::optional<double> temperature_k_;
   Stamp temperature_at_{};
+
+  struct Tie {
+    std::uint8_t source = 0;
+    std::optional<std::uint8_t> sequence;
+    Origin origin;
+  };
+  Tie last_pressure_;
 };
 
 }  // namespace drydock::device

@@ -10,7 +10,8 @@ void EmLogDriver::receive(wire::Bytes bytes, Stamp received_at, Output& out) {
   framer_.feed(bytes, wire::Nmea0183::scan, [&](wire::Bytes frame, std::size_t after) {
     const auto message = wire::Nmea0183::decode(frame);
     if (!message) return;
-    const Origin origin = timing_.of_bytes(received_at, frame.size(), after);
+    const Origin origin = burst_.of(timing_.of_bytes(received_at, frame.size(), after),
+                                    timing_.line_time(frame.size()), message->index());
     std::visit(
         [&](const auto& sentence) {
           if constexpr (requires { on(sentence, origin, out); }) on(sentence, origin, out);

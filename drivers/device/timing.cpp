@@ -1,5 +1,7 @@
 #include "drivers/device/timing.hpp"
 
+#include "drivers/wire/can_bits.hpp"
+
 namespace drydock::device {
 
 namespace {
@@ -7,9 +9,10 @@ namespace {
 constexpr std::int64_t bits_per_byte = 10;  // 8N1
 constexpr std::int64_t ns_per_second = 1'000'000'000;
 
-/// Start of frame to end of frame, ISO 11898-1, without stuff bits.
-std::int64_t nominal_bits(const wire::CanFrame& frame) {
-  return (frame.extended ? 64 : 44) + 8 * std::int64_t{frame.size};
+/// Start of frame to end of frame, ISO 11898-1.
+std::int64_t bits_of(const wire::CanFrame& frame) {
+  constexpr unsigned intermission_bits = 3;
+  return std::int64_t{wire::wire_bits(frame)} - intermission_bits;
 }
 
 }  // namespace
@@ -42,8 +45,11 @@ Origin Timing::of_frame(Stamp stamp, const wire::CanFrame& frame) const {
 
 Origin Timing::of_frame(Stamp stamp, const wire::CanFrame& frame,
                         std::chrono::nanoseconds latency) const {
-  const std::chrono::nanoseconds on_wire{nominal_bits(frame) * ns_per_second / bitrate_};
-  return origin(stamp - on_wire - latency, stamp);
+  return origin(stamp - line_time(frame) - latency, stamp);
+}
+
+std::chrono::nanoseconds Timing::line_time(const wire::CanFrame& frame) const {
+  return std::chrono::nanoseconds{bits_of(frame) * ns_per_second / bitrate_};
 }
 
 Origin Timing::origin(Stamp valid_at, Stamp received_at) const {

@@ -27,12 +27,12 @@ class Timing {
   Origin of_bytes(Stamp read_at, std::size_t frame_bytes, std::size_t after,
                   std::chrono::nanoseconds latency) const;
 
-  /// `stamp` is the end of the frame. Nominal length without stuff bits: 44 + 8n bits, 64 + 8n with
-  /// a 29-bit identifier; stuffing adds at most a fifth (0.1 ms at 250 kbit/s).
+  /// `stamp` is the end of the frame, which took its bits on the wire, stuff bits with them.
   Origin of_frame(Stamp stamp, const wire::CanFrame& frame) const;
   Origin of_frame(Stamp stamp, const wire::CanFrame& frame, std::chrono::nanoseconds latency) const;
 
   std::chrono::nanoseconds line_time(std::size_t bytes) const;  ///< zero without a baud rate
+  std::chrono::nanoseconds line_time(const wire::CanFrame& frame) const;  ///< start to end of frame
 
   void set_provenance(measurement::Provenance provenance) { provenance_ = provenance; }
   measurement::Provenance provenance() const { return provenance_; }

@@ -2,6 +2,7 @@
 #include <numbers>
 
 #include "hil/characterize/device_figures.hpp"
+#include "hil/characterize/velocity_comparison.hpp"
 
 namespace drydock::characterize {
 namespace {
@@ -31,11 +32,26 @@ Signal sensor_axis(const Samples& samples, std::size_t place, Eigen::Index axis)
   return signal_of(samples, [&](std::size_t i) { return samples.quantities[place][i][axis]; });
 }
 
-/// Horizontal speed of a vehicle that is level, or of a GNSS velocity.
-Signal speed(const Samples& samples, std::size_t place) {
-  return signal_of(samples, [&](std::size_t i) {
-    const Eigen::Vector3d v = samples.subject.sensor_to_body * samples.quantities[place][i];
-    return std::hypot(v.x(), v.y());
+/// Horizontal, of a GNSS velocity.
+Signal speed(const Samples& gnss) {
+  return signal_of(gnss, [&](std::size_t i) {
+    return std::hypot(gnss.quantities[1][i].x(), gnss.quantities[1][i].y());
+  });
+}
+
+/// A DVL's velocity where a log sits, in body axes: v + w x r.
+Signal velocity_at_log(const Samples& dvl, const Samples& log, const Samples* imu,
+                       Eigen::Index axis) {
+  const Eigen::Vector3d arm = log.subject.lever_arm_m - dvl.subject.lever_arm_m;
+  if (imu == nullptr || arm.isZero() || dvl.origins.empty()) return body_axis(dvl, 0, axis);
+  const auto zero = dvl.origins.front().valid_at;
+  const Track rates(*imu, imu->quantities[0], zero);
+  return signal_of(dvl, [&](std::size_t i) {
+    const auto rate = rates.at(measurement::seconds(dvl.origins[i].valid_at - zero));
+    if (!rate) return std::nan("");
+    const Eigen::Vector3d in_body = imu->subject.sensor_to_body * *rate;
+    return Eigen::Vector3d(dvl.subject.sensor_to_body * dvl.quantities[0][i] +
+                           in_body.cross(arm))[axis];
   });
 }
 
@@ -77,6 +93,19 @@ class Comparisons {
     comparison->what = std::move(what);
     all.push_back({reference_, place, axis, std::move(*comparison)});
   }
+  void add(const VelocityComparison& found) {
+    for (const int axis : {0, 1}) {
+      Comparison comparison;
+      comparison.what = axis == 0 ? "over ground, x" : "over ground, y";
+      comparison.blocks = found.blocks;
+      comparison.scale = found.scale;
+      comparison.angle_rad = found.angle_rad;
+      comparison.delay_s = found.delay_s;
+      comparison.bias = found.bias[static_cast<std::size_t>(axis)];
+      comparison.residual = found.residual;
+      all.push_back({reference_, 0, axis, std::move(comparison)});
+    }
+  }
   std::vector<AgainstReference> all;
 
  private:
@@ -103,7 +132,8 @@ void add_axes(Comparisons& to, const Samples& sensor, const Samples& reference) 
 
 }  // namespace
 
-std::vector<AgainstReference> against(const Samples& sensor, const Samples& reference) {
+std::vector<AgainstReference> against(const Samples& sensor, const Samples& reference,
+                                      const Samples* inertial) {
   Comparisons found(reference);
   const auto pair = [&](DeviceKind a, DeviceKind b) {
     return sensor.subject.kind == a && reference.subject.kind == b;
@@ -112,14 +142,16 @@ std::vector<AgainstReference> against(const Samples& sensor, const Samples& refe
   if (sensor.subject.kind == reference.subject.kind) {
     add_axes(found, sensor, reference);
   } else if (pair(dvl, gnss)) {
-    found.add("speed over ground", speed(sensor, 0), speed(reference, 1), 0, -1);
+    if (reference.origins.empty()) return {};
+    if (const auto compared = compare(AtOnePlace(sensor, reference, inertial)))
+      found.add(*compared);
   } else if (pair(emlog, dvl)) {
-    found.add("ahead, current and all", sensor_axis(sensor, 0, 0), body_axis(reference, 0, 0), 0,
-              0);
-    found.add("across, current and all", sensor_axis(sensor, 0, 1), body_axis(reference, 0, 1), 0,
-              1);
+    found.add("ahead, current and all", sensor_axis(sensor, 0, 0),
+              velocity_at_log(reference, sensor, inertial, 0), 0, 0);
+    found.add("across, current and all", sensor_axis(sensor, 0, 1),
+              velocity_at_log(reference, sensor, inertial, 1), 0, 1);
   } else if (pair(emlog, gnss)) {
-    found.add("ahead, current and all", sensor_axis(sensor, 0, 0), speed(reference, 1), 0, 0);
+    found.add("ahead, current and all", sensor_axis(sensor, 0, 0), speed(reference), 0, 0);
   } else if (pair(imu, gnss)) {
     found.add("turn about z, level", turn(sensor), course(reference), 0, 2, true);
   }

@@ -17,11 +17,12 @@ struct Signal {
 struct Comparison {
   std::string what;  ///< "speed over ground", "x"
   std::size_t blocks = 0;
-  std::optional<Estimate> scale;    ///< 1 is right; empty: the reference hardly changed
-  std::optional<Estimate> delay_s;  ///< behind the reference, by both drivers' valid_at
-  Estimate bias;                    ///< where the scale is known, at zero; else at what there was
-  std::optional<Estimate> drift;    ///< a second, where it was asked for
-  double residual = 0;              ///< rms of block means
+  std::optional<Estimate> scale;      ///< 1 is right; empty: the reference hardly changed
+  std::optional<Estimate> angle_rad;  ///< a DVL's, about its z axis: VelocityComparison
+  std::optional<Estimate> delay_s;    ///< behind the reference, by both drivers' valid_at
+  Estimate bias;                      ///< where the scale is known, at zero; else at what there was
+  std::optional<Estimate> drift;      ///< a second, where it was asked for
+  double residual = 0;                ///< rms of block means
 };
 
 /// Least squares over means of common blocks of time. The reference's own noise, told from its

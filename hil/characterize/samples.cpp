@@ -31,6 +31,13 @@ Vector3d velocity_of(const measurement::GnssFix& fix) {
           *fix.ground_speed_mps * std::sin(*fix.course_rad), absent};
 }
 
+/// Teledyne's tilt sensors give the pitch of a gimbal: docs/protocols/pd0.md.
+Vector3d attitude_of(const measurement::BottomVelocity& dvl) {
+  if (!dvl.heading_rad || !dvl.pitch_rad || !dvl.roll_rad) return nothing;
+  return {*dvl.roll_rad, std::atan(std::tan(*dvl.pitch_rad) * std::cos(*dvl.roll_rad)),
+          *dvl.heading_rad};
+}
+
 /// Pressure, or that of the stated depth in the rig's default water.
 double pressure_of(const measurement::DepthSample& sample) {
   if (sample.pressure_pa) return *sample.pressure_pa;
@@ -54,6 +61,7 @@ void Samples::add(const measurement::Measurement& any) {
     put(imu->origin, to_sensor * imu->angular_rate, to_sensor * imu->specific_force);
   } else if (const auto* dvl = std::get_if<measurement::BottomVelocity>(&any)) {
     put(dvl->origin, dvl->velocity ? Vector3d(to_sensor * *dvl->velocity) : nothing, nothing);
+    attitude.push_back(attitude_of(*dvl));
   } else if (const auto* log = std::get_if<measurement::WaterSpeed>(&any)) {
     put(log->origin,
         {log->longitudinal_mps.value_or(absent), log->transverse_mps.value_or(absent), absent},

@@ -16,6 +16,7 @@ struct Subject {
   rig_config::DeviceKind kind = rig_config::DeviceKind::imu;
   double nominal_rate_hz = 0;  ///< 0: not known
   Eigen::Matrix3d sensor_to_body = Eigen::Matrix3d::Identity();
+  Eigen::Vector3d lever_arm_m = Eigen::Vector3d::Zero();  ///< body axes, from the vehicle's origin
 };
 
 /// What a device said, in the quantities and axes of its sensor file: IMU rate and specific force,
@@ -29,6 +30,8 @@ struct Samples {
   Subject subject;
   std::vector<measurement::Origin> origins;
   std::array<std::vector<Eigen::Vector3d>, 2> quantities;  ///< primary, secondary
+  std::vector<Eigen::Vector3d>
+      attitude;                       ///< DVL: roll, pitch, heading of its head, rad; else empty
   std::vector<double> utc_latency_s;  ///< GNSS: arrival less the time the fix itself states
 
  private:

@@ -45,6 +45,12 @@ const Samples& must_be_named(const std::vector<Samples>& devices, const std::str
   throw std::invalid_argument(fmt::format("no device \"{}\"; there are: {}", name, all));
 }
 
+const Samples* first_of(const std::vector<Samples>& devices, DeviceKind kind) {
+  const auto found = std::ranges::find_if(
+      devices, [&](const Samples& samples) { return samples.subject.kind == kind; });
+  return found == devices.end() ? nullptr : &*found;
+}
+
 const Samples* reference_for(const Samples& sensor, const std::vector<Samples>& devices,
                              const std::string& chosen) {
   if (!chosen.empty()) {
@@ -52,8 +58,7 @@ const Samples* reference_for(const Samples& sensor, const std::vector<Samples>& 
     return &found == &sensor ? nullptr : &found;
   }
   for (const DeviceKind kind : reference_kinds(sensor.subject.kind))
-    for (const Samples& other : devices)
-      if (other.subject.kind == kind) return &other;
+    if (const Samples* found = first_of(devices, kind)) return found;
   return nullptr;
 }
 
@@ -84,7 +89,8 @@ std::vector<Characterized> characterize_all(const CharacterizeOptions& options,
     auto figures = characterize::figures_of(samples);
     if (!figures) continue;
     if (const Samples* reference = reference_for(samples, gathered.devices, options.reference))
-      figures->against = characterize::against(samples, *reference);
+      figures->against =
+          characterize::against(samples, *reference, first_of(gathered.devices, DeviceKind::imu));
     Characterized device{std::move(*figures), {}, {}};
     device.measured = characterize::grade_of(device.figures);
     device.beside = grade_beside(options, device, gathered.named[i]);

@@ -7,6 +7,7 @@
 #include "drivers/bus/cdr_measurements.hpp"
 #include "drivers/cli/check.hpp"
 #include "drivers/link/uri.hpp"
+#include "drivers/record/player.hpp"
 #include "drivers/record/recording.hpp"
 #include "hil/cli/characterize.hpp"
 #include "hil/cli/run.hpp"
@@ -25,6 +26,11 @@ rig_config::DeviceKind rig_kind(Kind kind) {
   return static_cast<rig_config::DeviceKind>(kind);
 }
 
+Subject subject_of(const rig_config::DeviceConfig& config) {
+  const auto mounting = sensor::mounting_of(config);
+  return {config.name, config.kind, config.rate_hz, mounting.sensor_to_body, mounting.lever_arm_m};
+}
+
 /// A link whose other end needs no time of the wall's.
 bool virtual_time(const rig_config::DeviceConfig& device) {
   const auto uri = link::parse_uri(device.link);
@@ -34,10 +40,10 @@ bool virtual_time(const rig_config::DeviceConfig& device) {
 Gathered gather_rig(const CharacterizeOptions& options) {
   auto rig = rig_config::load_rig(options.source, load_options()).value();
   rig.estimators.clear();
+  rig.expects.clear();
   Gathered gathered;
   for (const auto& config : rig.devices) {
-    gathered.devices.emplace_back(Subject{config.name, config.kind, config.rate_hz,
-                                          sensor::mounting_of(config).sensor_to_body});
+    gathered.devices.emplace_back(subject_of(config));
     gathered.named.emplace_back(
         characterize::NamedGrade{config.name + " in the rig file", config.emulate});
   }
@@ -55,8 +61,14 @@ Gathered gather_rig(const CharacterizeOptions& options) {
   return gathered;
 }
 
+const rig_config::DeviceConfig* device_of(const rig_config::Rig& rig, const std::string& name) {
+  const auto found = std::ranges::find(rig.devices, name, &rig_config::DeviceConfig::name);
+  return found == rig.devices.end() ? nullptr : &*found;
+}
+
 Gathered gather_recording(const CharacterizeOptions& options) {
   auto recording = record::Recording::open(options.source).value();
+  const auto rig = record::rig_of(recording);
   bus::CdrMeasurements decoder;
   Gathered gathered;
   struct Channel {
@@ -73,8 +85,10 @@ Gathered gather_recording(const CharacterizeOptions& options) {
       if (const auto topic =
               bus::measurement_topic(understood->channel->topic, understood->schema->name)) {
         known->second = Channel{gathered.devices.size(), topic->kind};
-        gathered.devices.emplace_back(
-            Subject{topic->device, rig_kind(topic->kind), 0, Eigen::Matrix3d::Identity()});
+        const auto* config = rig ? device_of(*rig, topic->device) : nullptr;
+        gathered.devices.emplace_back(config != nullptr
+                                          ? subject_of(*config)
+                                          : Subject{topic->device, rig_kind(topic->kind)});
       }
     }
     if (!known->second) continue;
@@ -85,7 +99,9 @@ Gathered gather_recording(const CharacterizeOptions& options) {
       ++unreadable;
     }
   }
-  gathered.notes.emplace_back("axes are the body's: a recording's measurements are turned already");
+  if (!rig)
+    gathered.notes.emplace_back(
+        "axes are the body's, lever arms are not known: no rig is attached");
   if (unreadable > 0)
     gathered.notes.push_back(fmt::format("{} messages are no measurements", unreadable));
   if (!recording.damage().empty()) gathered.notes.push_back(recording.damage());

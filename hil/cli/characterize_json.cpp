@@ -56,10 +56,11 @@ ordered_json axis_json(const characterize::AxisFigures& axis) {
 
 ordered_json comparison_json(const characterize::AgainstReference& against) {
   const auto& c = against.comparison;
-  return {{"what", c.what},         {"reference", against.reference},
-          {"scale", of(c.scale)},   {"bias", of(c.bias)},
-          {"drift", of(c.drift)},   {"delay_s", of(c.delay_s)},
-          {"residual", c.residual}, {"blocks", c.blocks}};
+  return {{"what", c.what},           {"reference", against.reference},
+          {"scale", of(c.scale)},     {"angle_rad", of(c.angle_rad)},
+          {"bias", of(c.bias)},       {"drift", of(c.drift)},
+          {"delay_s", of(c.delay_s)}, {"residual", c.residual},
+          {"blocks", c.blocks}};
 }
 
 /// By the keys of a sensor file, in their units.

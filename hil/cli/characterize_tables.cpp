@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "hil/cli/characterize.hpp"
 #include "rig_config/sensor_file.hpp"
@@ -14,6 +15,8 @@ using characterize::Estimate;
 using characterize::QuantityFigures;
 using rig_config::Axes;
 using rig_config::ErrorKey;
+
+constexpr double one_degree = std::numbers::pi / 180;
 
 std::string bounds(const Estimate& e, double unit = 1) {
   return fmt::format("{:.5g} to {:.5g}", e.low / unit, e.high / unit);
@@ -123,8 +126,8 @@ study::Table process_table(const Characterized& device, const QuantityFigures& o
 
 study::Table reference_table(const Characterized& device) {
   study::Table table{device.figures.subject.name + ": against a reference",
-                     {"", "reference", "scale", "95 %", "bias", "95 %", "delay [ms]", "95 %",
-                      "residual", "blocks"},
+                     {"", "reference", "scale", "95 %", "angle [deg]", "95 %", "bias", "95 %",
+                      "delay [ms]", "95 %", "residual", "blocks"},
                      {},
                      "SI. Bounds are of the comparison; the reference's own errors are in it."};
   for (const auto& against : device.figures.against) {
@@ -132,8 +135,10 @@ study::Table reference_table(const Characterized& device) {
     const auto bias = c.drift.value_or(c.bias);
     table.rows.push_back(
         {c.what, against.reference, c.scale ? fmt::format("{:.6f}", c.scale->value) : "",
-         c.scale ? bounds(*c.scale) : "", fmt::format("{:.5g}", bias.value), bounds(bias),
-         c.delay_s ? fmt::format("{:.2f}", c.delay_s->value * 1e3) : "",
+         c.scale ? bounds(*c.scale) : "",
+         c.angle_rad ? fmt::format("{:.3f}", c.angle_rad->value / one_degree) : "",
+         c.angle_rad ? bounds(*c.angle_rad, one_degree) : "", fmt::format("{:.5g}", bias.value),
+         bounds(bias), c.delay_s ? fmt::format("{:.2f}", c.delay_s->value * 1e3) : "",
          c.delay_s ? bounds(*c.delay_s, 1e-3) : "", fmt::format("{:.4g}", c.residual),
          std::to_string(c.blocks)});
   }

@@ -21,6 +21,7 @@ int main(int argc, char** argv) {
   cli::add_world_commands(app, command);
   cli::add_characterize_command(app, command);
   cli::add_soak_command(app, command);
+  cli::add_validity_command(app, command);
   try {
     app.parse(argc, argv);
     return command();

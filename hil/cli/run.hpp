@@ -8,6 +8,7 @@
 #include "drivers/cli/rig_viewer.hpp"
 #include "drivers/device/device.hpp"
 #include "hil/cli/summary.hpp"
+#include "hil/emulate/real_time.hpp"
 #include "rig_config/rig.hpp"
 
 namespace drydock::fault {
@@ -23,6 +24,8 @@ struct RunView {
   fault::Injector& faults;
 };
 
+using OnWritten = emulate::RealTimeEmulator::OnWritten;
+
 struct RunOptions {
   double duration_s = 0;  ///< 0: until Ctrl-C (real time), one lap of the mission (lockstep)
   bool lockstep = false;  ///< --speed max
@@ -35,6 +38,7 @@ struct RunOptions {
   ServeOptions serve;                                                   ///< real time only
   std::function<void(const measurement::Measurement&)> on_measurement;  ///< hears all; may be empty
   std::function<void(const RunView&)> each_second;                      ///< lockstep; may be empty
+  OnWritten on_written;  ///< hears what emulated devices sent; may be empty
 };
 
 /// Runs the rig: emulated devices, drivers, estimators, in real time or in lockstep.

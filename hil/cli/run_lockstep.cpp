@@ -67,6 +67,7 @@ class LockstepBench final : private device::Listener, private pipeline::Estimate
         on_measurement_hook_(options.on_measurement),
         each_second_(options.each_second),
         quiet_(options.quiet),
+        on_written_hook_(options.on_written),
         start_(measurement::stamp_from_ns(rig.start_utc_ns)),
         trajectory_(std::make_unique<motion::RememberedTrajectory>(
             motion::make_trajectory(rig.mission, start_))),
@@ -121,6 +122,7 @@ class LockstepBench final : private device::Listener, private pipeline::Estimate
  private:
   struct Bus {
     std::unique_ptr<emulate::EmulatedBus> bus;
+    std::vector<std::string> names;  ///< of its emulated nodes
     std::vector<shell::DeviceActor*> drivers;
   };
 
@@ -168,7 +170,10 @@ class LockstepBench final : private device::Listener, private pipeline::Estimate
                 shell::DeviceActor& actor) {
     lines_.push_back(std::make_unique<emulate::EmulatedLine>(
         or_throw(faults_.device(config)), uri.baud().value_or(emulate::without_line_rate),
-        [&actor](wire::Bytes bytes, Stamp at) { actor.receive(bytes, at); }));
+        [this, &actor, name = config.name](wire::Bytes bytes, const emulate::Passage& passage) {
+          if (on_written_hook_) on_written_hook_(name, passage, passage.ended_at);
+          actor.receive(bytes, passage.ended_at);
+        }));
     lines_.back()->set_on_port([&actor](bool there, Stamp at) { actor.set_port(there, at); });
     actor.tap(watchers_.all);
     to_lines_.back()->line = lines_.back().get();
@@ -181,14 +186,20 @@ class LockstepBench final : private device::Listener, private pipeline::Estimate
     if (!bus.bus) {
       bus.bus = std::make_unique<emulate::EmulatedBus>(
           uri.bitrate().value_or(default_bit_rate),
-          [this, &bus, link = config.link](const wire::CanFrame& frame, Stamp at) {
+          [this, &bus, link = config.link](const wire::CanFrame& frame, std::size_t sender,
+                                           const emulate::Passage& passage) {
+            const Stamp at = passage.ended_at;
+            if (on_written_hook_) on_written_hook_(bus.names.at(sender), passage, at);
             watchers_.all.on_frame(link, shell::Direction::received, frame, at);
             for (auto* driver : bus.drivers) driver->receive(frame, at);
           });
     }
     bus.bus->add(or_throw(faults_.device(config)));
-    if (has_faults(config))
+    bus.names.push_back(config.name);
+    if (has_faults(config)) {
       bus.bus->add(faults_.rogue(config, uri.bitrate().value_or(default_bit_rate)));
+      bus.names.emplace_back();
+    }
     bus.drivers.push_back(&actor);
     to_lines_.back()->bus = bus.bus.get();
   }
@@ -227,11 +238,22 @@ class LockstepBench final : private device::Listener, private pipeline::Estimate
 
   void tell_watchers() {
     if (watchers_.all.empty()) return;
+    tell_faults();
     std::vector<bus::DeviceStatus> health;
     for (const auto& actor : actors_)
       health.push_back(status_of(actor->device(), actor->device().health(clock_.now())));
     watchers_.all.note(health, clock_.now());
     watchers_.all.tick(clock_.now());
+  }
+
+  void tell_faults() {
+    auto now = faults_.in_force(clock_.now());
+    if (now == faults_told_) return;
+    std::vector<bus::Fault> all;
+    for (const fault::FaultNow& f : now)
+      all.push_back({f.device, f.name, f.words, f.since, f.until});
+    watchers_.all.note(all, clock_.now());
+    faults_told_ = std::move(now);
   }
 
   void show_progress() const {
@@ -245,10 +267,12 @@ class LockstepBench final : private device::Listener, private pipeline::Estimate
   std::function<void(const measurement::Measurement&)> on_measurement_hook_;
   std::function<void(const RunView&)> each_second_;
   bool quiet_;
+  OnWritten on_written_hook_;
   Stamp start_;
   std::unique_ptr<motion::Trajectory> trajectory_;
   shell::Lockstep clock_;
   fault::Injector faults_;
+  std::vector<fault::FaultNow> faults_told_;
   pipeline::Pipeline pipeline_;
   double duration_s_;
   Scribe scribe_;

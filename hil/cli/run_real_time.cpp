@@ -69,6 +69,7 @@ class Bench {
 
   Summary run() {
     connect();
+    if (options_.on_written) emulator_.set_on_written(options_.on_written);
     if (auto started = emulator_.start(emulated_devices(rig_)); !started) {
       throw std::runtime_error(started.error().message);
     }

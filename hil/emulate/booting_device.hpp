@@ -17,6 +17,7 @@ class BootingDevice final : public EmulatedDevice {
   std::optional<Stamp> deadline() const override {
     return has_booted_ ? device_->deadline() : std::optional(booted_);
   }
+  std::optional<Stamp> sampled_at() const override { return device_->sampled_at(); }
   void tick(Stamp now, Wire& out) override;
   void receive(wire::Bytes bytes, Stamp now, Wire& out) override {
     if (has_booted_) device_->receive(bytes, now, out);

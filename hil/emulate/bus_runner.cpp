@@ -14,7 +14,9 @@ struct BusRunner::Node final : Wire {
       : name(std::move(device_name)), device(std::move(emulated)), pacer(bus), index(place) {}
 
   void send(wire::Bytes) override {}  // a bus carries frames only
-  void send(const wire::CanFrame& frame) override { pacer.queue(frame, index, time); }
+  void send(const wire::CanFrame& frame) override {
+    pacer.queue(frame, index, time, device->sampled_at());
+  }
 
   std::string name;
   std::unique_ptr<EmulatedDevice> device;
@@ -66,7 +68,7 @@ Runner::Coroutine BusRunner::send_due(Stamp now) {
     deliver(sent->frame, sent->at, sent->sender);
     const auto& node = *nodes_[static_cast<std::size_t>(sent->sender)];
     const auto result = co_await bus_->write(sent->frame);
-    note_written(result, node.name, true);
+    note_written(result, node.name, true, sent->passage);
     if (stopped_) co_return;
   }
 }

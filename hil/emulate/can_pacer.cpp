@@ -74,7 +74,8 @@ Header header_of(const wire::CanFrame& frame) {
 
 constexpr unsigned crc_bits = 15;
 // CRC delimiter, acknowledge slot and delimiter, end of frame, intermission.
-constexpr unsigned unstuffed_bits = 1 + 2 + 7 + 3;
+constexpr unsigned intermission_bits = 3;
+constexpr unsigned unstuffed_bits = 1 + 2 + 7 + intermission_bits;
 
 }  // namespace
 
@@ -98,19 +99,27 @@ unsigned bits_on_wire(const wire::CanFrame& frame) {
          unstuffed_bits;
 }
 
-Stamp CanPacer::end_of(const Waiting& frame, Stamp earliest) const {
-  const std::uint64_t bits = bits_on_wire(frame.frame);
-  const std::uint64_t ns = (bits * 1'000'000'000 + bit_rate_ - 1) / bit_rate_;
-  return std::max(earliest, frame.queued_at) + std::chrono::nanoseconds{ns};
+// Rounded up, so that no frame ends early.
+std::chrono::nanoseconds CanPacer::line_time(unsigned bits) const {
+  return std::chrono::nanoseconds{(std::uint64_t{bits} * 1'000'000'000 + bit_rate_ - 1) /
+                                  bit_rate_};
 }
 
-void CanPacer::queue(const wire::CanFrame& frame, int sender, Stamp now) {
+void CanPacer::begin_first() {
+  const unsigned bits = bits_on_wire(waiting_.front().frame);
+  first_begins_ = std::max(free_at_, waiting_.front().queued_at);
+  first_ends_ = first_begins_ + line_time(bits - intermission_bits);
+  free_at_ = first_begins_ + line_time(bits);
+}
+
+void CanPacer::queue(const wire::CanFrame& frame, int sender, Stamp now,
+                     std::optional<Stamp> sampled_at) {
   if (waiting_.size() > bound) {
     waiting_.erase(waiting_.begin() + 1);
     ++frames_lost_;
   }
-  waiting_.push_back({frame, sender, now});
-  if (waiting_.size() == 1) first_ends_ = end_of(waiting_.front(), first_ends_);
+  waiting_.push_back({frame, sender, now, sampled_at});
+  if (waiting_.size() == 1) begin_first();
 }
 
 std::optional<Stamp> CanPacer::deadline() const {
@@ -120,9 +129,13 @@ std::optional<Stamp> CanPacer::deadline() const {
 
 std::optional<CanPacer::Sent> CanPacer::take(Stamp now) {
   if (waiting_.empty() || first_ends_ > now) return std::nullopt;
-  const Sent sent{waiting_.front().frame, first_ends_, waiting_.front().sender};
+  const Waiting& first = waiting_.front();
+  const Sent sent{first.frame,
+                  first_ends_,
+                  first.sender,
+                  {first.sampled_at, first.queued_at, first_begins_, first_ends_}};
   waiting_.erase(waiting_.begin());
-  if (!waiting_.empty()) first_ends_ = end_of(waiting_.front(), first_ends_);
+  if (!waiting_.empty()) begin_first();
   return sent;
 }
 

@@ -7,10 +7,9 @@
 
 #include "drivers/measurement/stamp.hpp"
 #include "drivers/wire/can_frame.hpp"
+#include "hil/emulate/emulated_device.hpp"
 
 namespace drydock::emulate {
-
-using measurement::Stamp;
 
 /// Bits of a classic frame on the wire with the interframe space: SOF, arbitration, control, data
 /// and CRC with the stuff bits that their actual content needs, then 13 fixed bits (ISO 11898-1).
@@ -26,11 +25,13 @@ class CanPacer {
 
   struct Sent {
     wire::CanFrame frame;
-    Stamp at{};      ///< end of the frame
+    Stamp at{};      ///< end of the frame, before the intermission: when controllers stamp it
     int sender = 0;  ///< as given to queue()
+    Passage passage;
   };
 
-  void queue(const wire::CanFrame& frame, int sender, Stamp now);
+  void queue(const wire::CanFrame& frame, int sender, Stamp now,
+             std::optional<Stamp> sampled_at = {});
   std::optional<Stamp> deadline() const;
   std::optional<Sent> take(Stamp now);
 
@@ -41,13 +42,16 @@ class CanPacer {
     wire::CanFrame frame;
     int sender = 0;
     Stamp queued_at{};
+    std::optional<Stamp> sampled_at;
   };
 
-  Stamp end_of(const Waiting& frame, Stamp earliest) const;
+  void begin_first();
+  std::chrono::nanoseconds line_time(unsigned bits) const;
 
   unsigned bit_rate_;
   std::vector<Waiting> waiting_;  ///< the first is on the wire
-  Stamp first_ends_{};
+  Stamp first_begins_{}, first_ends_{};
+  Stamp free_at_{};  ///< the intermission of the frame before has passed
   std::uint64_t frames_lost_ = 0;
 };
 

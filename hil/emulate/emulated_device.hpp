@@ -33,6 +33,16 @@ class EmulatedDevice {
   virtual void tick(Stamp now, Wire& out) = 0;
   virtual void receive(wire::Bytes bytes, Stamp now, Wire& out) = 0;  ///< from the driver
   virtual void receive(const wire::CanFrame& frame, Stamp now, Wire& out) = 0;
+  /// While it sends a sample: when that was taken. Empty: what it sends is of no sample.
+  virtual std::optional<Stamp> sampled_at() const { return {}; }
+};
+
+/// A message or frame on its way over the wire, for who measures what drivers make of its time.
+struct Passage {
+  std::optional<Stamp> sampled_at;  ///< EmulatedDevice::sampled_at() when it was sent
+  Stamp sent_at{};                  ///< handed to the line, which may be busy
+  Stamp began_at{};                 ///< its first bit leaves
+  Stamp ended_at{};                 ///< its last bit has left
 };
 
 }  // namespace drydock::emulate

@@ -27,7 +27,7 @@ std::chrono::nanoseconds LinePacer::line_time(std::size_t bytes) const {
   return std::chrono::nanoseconds{(bytes * bits_per_byte * ns_per_s + baud_ - 1) / baud_};
 }
 
-void LinePacer::queue(wire::Bytes message, Stamp now) {
+void LinePacer::queue(wire::Bytes message, Stamp now, std::optional<Stamp> sampled_at) {
   if (message.empty()) return;
   while (waiting_.size() > 1 && waiting_bytes_ + message.size() > bound_bytes_) {
     const auto oldest = waiting_.begin() + 1;
@@ -44,7 +44,7 @@ void LinePacer::queue(wire::Bytes message, Stamp now) {
   bytes.assign(message.begin(), message.end());
   if (waiting_.empty()) began_ = std::max(began_, now);
   waiting_bytes_ += bytes.size();
-  waiting_.push_back({std::move(bytes), now});
+  waiting_.push_back({std::move(bytes), now, sampled_at});
 }
 
 void LinePacer::drop_all() {
@@ -68,8 +68,9 @@ std::optional<Chunk> LinePacer::take(Stamp now) {
   Message& message = waiting_.front();
   const std::size_t from = std::exchange(sent_, chunk_end());
   const std::size_t size = sent_ - from;
+  const Passage passage{message.sampled_at, message.queued_at, began_, *at};
   if (sent_ < message.bytes.size()) {
-    return Chunk{wire::Bytes{message.bytes}.subspan(from, size), *at, false};
+    return Chunk{wire::Bytes{message.bytes}.subspan(from, size), *at, false, passage};
   }
   waiting_bytes_ -= message.bytes.size();
   std::swap(taken_, message.bytes);
@@ -77,7 +78,7 @@ std::optional<Chunk> LinePacer::take(Stamp now) {
   waiting_.erase(waiting_.begin());
   sent_ = 0;
   began_ = waiting_.empty() ? *at : std::max(*at, waiting_.front().queued_at);
-  return Chunk{wire::Bytes{taken_}.subspan(from, size), *at, true};
+  return Chunk{wire::Bytes{taken_}.subspan(from, size), *at, true, passage};
 }
 
 }  // namespace drydock::emulate

@@ -7,10 +7,9 @@
 
 #include "drivers/measurement/stamp.hpp"
 #include "drivers/wire/codec.hpp"
+#include "hil/emulate/emulated_device.hpp"
 
 namespace drydock::emulate {
-
-using measurement::Stamp;
 
 /// Stands for the baud rate of a link that has none (tcp, memory): 10 ns a byte.
 inline constexpr unsigned without_line_rate = 1'000'000'000;
@@ -20,6 +19,7 @@ struct Chunk {
   wire::Bytes bytes;  ///< valid until the next take()
   Stamp at{};         ///< when the last of them has left
   bool ends_message = false;
+  Passage of_message;  ///< complete with the last chunk
 };
 
 /// A serial line's transmitter: 10 bits a byte (8N1), messages one after the other. Sans-I/O: it
@@ -32,7 +32,7 @@ class LinePacer {
   LinePacer(unsigned baud, std::chrono::nanoseconds longest_chunk,
             std::chrono::nanoseconds bound = std::chrono::seconds{1});
 
-  void queue(wire::Bytes message, Stamp now);
+  void queue(wire::Bytes message, Stamp now, std::optional<Stamp> sampled_at = {});
   void drop_all();                        ///< what waits or is leaving is lost, not counted
   std::optional<Stamp> deadline() const;  ///< of the next chunk
   std::optional<Chunk> take(Stamp now);   ///< the next chunk whose time has come
@@ -43,6 +43,7 @@ class LinePacer {
   struct Message {
     std::vector<std::uint8_t> bytes;
     Stamp queued_at{};
+    std::optional<Stamp> sampled_at;
   };
 
   std::chrono::nanoseconds line_time(std::size_t bytes) const;

@@ -42,7 +42,7 @@ Runner::Coroutine LineRunner::send_due(Stamp now) {
   while (const auto chunk = pacer_.take(now)) {
     note_time(chunk->at, now);
     const auto result = co_await line_->write(chunk->bytes);
-    note_written(result, name_, chunk->ends_message);
+    note_written(result, name_, chunk->ends_message, chunk->of_message);
     if (stopped_) co_return;
   }
 }

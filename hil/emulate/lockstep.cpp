@@ -29,7 +29,7 @@ std::optional<Stamp> EmulatedLine::deadline() const {
 
 void EmulatedLine::act(Stamp now) {
   now_ = now;
-  while (const auto chunk = pacer_.take(now)) deliver_(chunk->bytes, chunk->at);
+  while (const auto chunk = pacer_.take(now)) deliver_(chunk->bytes, chunk->of_message);
   const auto due = device_->deadline();
   if (due && *due <= now) device_->tick(now, *this);
 }
@@ -48,7 +48,9 @@ struct EmulatedBus::Node final : Wire {
   }
 
   void send(wire::Bytes) override {}
-  void send(const wire::CanFrame& frame) override { bus.pacer_.queue(frame, index, now); }
+  void send(const wire::CanFrame& frame) override {
+    bus.pacer_.queue(frame, index, now, device->sampled_at());
+  }
   void unplug() override { bus.cut_off_ = true; }
   void plug() override { bus.cut_off_ = false; }
 
@@ -103,7 +105,7 @@ void EmulatedBus::act(Stamp now) {
       if (node->index != sent->sender && !sent->frame.error) node->hear(sent->frame);
     }
     if (sent->sender != a_driver && (!cut_off_ || sent->frame.error))
-      deliver_(sent->frame, sent->at);
+      deliver_(sent->frame, static_cast<std::size_t>(sent->sender), sent->passage);
   }
   for (const auto& node : nodes_) node->act();
 }

@@ -16,7 +16,7 @@ namespace drydock::emulate {
 class EmulatedLine final : public shell::Actor, private Wire {
  public:
   /// Gets each whole message at the time its last byte has left the line.
-  using Deliver = std::function<void(wire::Bytes message, Stamp last_byte)>;
+  using Deliver = std::function<void(wire::Bytes message, const Passage& passage)>;
 
   /// Hears when the device's port goes (false) and comes back.
   using OnPort = std::function<void(bool there, Stamp at)>;
@@ -32,7 +32,7 @@ class EmulatedLine final : public shell::Actor, private Wire {
   std::uint64_t messages_lost() const { return pacer_.messages_lost(); }
 
  private:
-  void send(wire::Bytes bytes) override { pacer_.queue(bytes, now_); }
+  void send(wire::Bytes bytes) override { pacer_.queue(bytes, now_, device_->sampled_at()); }
   void send(const wire::CanFrame&) override {}
   void unplug() override { set_port(false); }
   void plug() override { set_port(true); }
@@ -49,7 +49,9 @@ class EmulatedLine final : public shell::Actor, private Wire {
 /// node sent it, the drivers.
 class EmulatedBus final : public shell::Actor {
  public:
-  using Deliver = std::function<void(const wire::CanFrame& frame, Stamp end_of_frame)>;
+  /// Gets each frame of an emulated node at its end; `sender` counts the nodes as they were added.
+  using Deliver =
+      std::function<void(const wire::CanFrame& frame, std::size_t sender, const Passage& passage)>;
 
   EmulatedBus(unsigned bit_rate, Deliver deliver);
   ~EmulatedBus() override;

@@ -29,8 +29,10 @@ class RealTimeEmulator {
     std::uint64_t write_errors = 0;
   };
 
-  /// Hears when the last byte of a message, or a frame, of a device was handed to the host.
-  using OnWritten = std::function<void(std::string_view device, Stamp last_byte_written)>;
+  /// Hears when the last byte of a message, or a frame, of a device was handed to the host, and
+  /// when it should have been.
+  using OnWritten =
+      std::function<void(std::string_view device, const Passage& passage, Stamp written)>;
 
   /// Both must outlive the emulator.
   RealTimeEmulator(boost::asio::io_context& io, const motion::Trajectory& trajectory,

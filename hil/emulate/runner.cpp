@@ -56,12 +56,12 @@ Runner::Coroutine Runner::keep_pace() {
 void Runner::note_time(Stamp should, Stamp is) { counters_.late += is - should > late_by; }
 
 void Runner::note_written(const boost::system::result<void>& result, const std::string& device,
-                          bool whole_message) {
+                          bool whole_message, const Passage& passage) {
   if (!result) {
     counters_.write_errors += !stopped_;
   } else if (whole_message) {
     ++counters_.messages;
-    if (on_written_) on_written_(device, link::now());
+    if (on_written_) on_written_(device, passage, link::now());
   }
 }
 

@@ -35,7 +35,7 @@ class Runner : public std::enable_shared_from_this<Runner> {
   void wake() { timer_.cancel(); }  ///< the deadline may have come nearer
   void note_time(Stamp should, Stamp is);
   void note_written(const boost::system::result<void>& result, const std::string& device,
-                    bool whole_message);
+                    bool whole_message, const Passage& passage);
 
   /// Devices act at the time they asked for, so that late wake-ups do not shift what they send.
   /// After a stall they catch up at once, and the pacer drops what the line could not have carried.
@@ -67,7 +67,7 @@ class LineRunner final : public Runner, private Wire {
   std::optional<Stamp> deadline() const override;
   void close() override { line_->close(); }
 
-  void send(wire::Bytes bytes) override { pacer_.queue(bytes, wire_time_); }
+  void send(wire::Bytes bytes) override { pacer_.queue(bytes, wire_time_, device_->sampled_at()); }
   void send(const wire::CanFrame&) override {}  // frames do not travel on a serial line
 
   std::string name_;

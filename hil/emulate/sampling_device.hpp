@@ -43,6 +43,7 @@ class SamplingDevice : public EmulatedDevice {
   void tick(Stamp now, Wire& out) override;
   void receive(wire::Bytes, Stamp, Wire&) override {}
   void receive(const wire::CanFrame&, Stamp, Wire&) override {}
+  std::optional<Stamp> sampled_at() const override { return under_way_; }
 
  protected:
   /// First sample at boot.
@@ -76,6 +77,7 @@ class SamplingDevice : public EmulatedDevice {
   std::chrono::nanoseconds ahead_{0};  ///< of a clock that is too fast
   Stamp first_;
   std::uint64_t samples_ = 0;
+  std::optional<Stamp> under_way_;
 };
 
 }  // namespace drydock::emulate

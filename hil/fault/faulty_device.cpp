@@ -105,8 +105,14 @@ void FaultyDevice::switch_power(bool on, Stamp now) {
 }
 
 void FaultyDevice::release(Stamp now) {
-  while (const auto message = bytes_.take(now)) out_->send(wire::Bytes{*message});
-  while (const auto frame = frames_.take(now)) out_->send(*frame);
+  while (const auto message = bytes_.take(now)) {
+    sampled_at_ = bytes_.sampled_at();
+    out_->send(wire::Bytes{*message});
+  }
+  while (const auto frame = frames_.take(now)) {
+    sampled_at_ = frames_.sampled_at();
+    out_->send(*frame);
+  }
 }
 
 void FaultyDevice::receive(wire::Bytes bytes, Stamp now, emulate::Wire& out) {
@@ -126,11 +132,11 @@ void FaultyDevice::receive(const wire::CanFrame& frame, Stamp now, emulate::Wire
 }
 
 void FaultyDevice::send(wire::Bytes bytes) {
-  if (!unplugged_) bytes_.put(Message(bytes.begin(), bytes.end()), now_);
+  if (!unplugged_) bytes_.put(Message(bytes.begin(), bytes.end()), now_, device_->sampled_at());
 }
 
 void FaultyDevice::send(const wire::CanFrame& frame) {
-  if (!unplugged_) frames_.put(frame, now_);
+  if (!unplugged_) frames_.put(frame, now_, device_->sampled_at());
 }
 
 }  // namespace drydock::fault

@@ -21,6 +21,7 @@ class FaultyDevice final : public emulate::EmulatedDevice, private emulate::Wire
       std::shared_ptr<Schedule> schedule);
 
   std::optional<Stamp> deadline() const override;
+  std::optional<Stamp> sampled_at() const override { return sampled_at_; }
   void tick(Stamp now, emulate::Wire& out) override;
   void receive(wire::Bytes bytes, Stamp now, emulate::Wire& out) override;
   void receive(const wire::CanFrame& frame, Stamp now, emulate::Wire& out) override;
@@ -62,6 +63,7 @@ class FaultyDevice final : public emulate::EmulatedDevice, private emulate::Wire
   FaultyWire<wire::CanFrame> frames_;
   emulate::Wire* out_ = nullptr;  ///< of the call under way
   Stamp now_{}, followed_{};
+  std::optional<Stamp> sampled_at_;  ///< of the message that goes out
   std::uint64_t edits_ = 0;
   std::optional<Stamp> hung_up_;  ///< the turn of the fault "eof" that was obeyed last
   bool unplugged_ = false;

@@ -16,11 +16,12 @@ class FaultyWire {
     faults_.set(faults);
     held_.set(faults);
   }
-  void put(Carried message, Stamp now) {
-    faults_.pass(std::move(message), [&](const Carried& out) { held_.put(out, now); });
+  void put(Carried message, Stamp now, std::optional<Stamp> sampled_at = {}) {
+    faults_.pass(std::move(message), [&](const Carried& out) { held_.put(out, now, sampled_at); });
   }
   std::optional<Stamp> deadline() const { return held_.deadline(); }
   std::optional<Carried> take(Stamp now) { return held_.take(now); }
+  std::optional<Stamp> sampled_at() const { return held_.sampled_at(); }
   bool silent() const { return faults_.silent(); }
   void drop_all() { held_.drop_all(); }
 

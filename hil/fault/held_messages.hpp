@@ -18,15 +18,18 @@ class HeldMessages {
   HeldMessages(std::uint64_t seed, std::string device) : seed_(seed), device_(std::move(device)) {}
 
   void set(const std::vector<InForce>& faults);
-  void put(const Carried& message, Stamp now);
+  void put(const Carried& message, Stamp now, std::optional<Stamp> sampled_at = {});
   std::optional<Stamp> deadline() const;   ///< of the next one
   std::optional<Carried> take(Stamp now);  ///< the next one whose time has come
+  /// Of the one taken last, as it was put.
+  std::optional<Stamp> sampled_at() const { return sampled_at_; }
   void drop_all() { waiting_.clear(); }
 
  private:
   struct Waiting {
     Stamp due{};
     Carried message;
+    std::optional<Stamp> sampled_at;
   };
 
   Stamp due(Stamp now);
@@ -37,6 +40,7 @@ class HeldMessages {
   Stamp burst_since_{};
   std::optional<RandomStream> random_;
   std::deque<Waiting> waiting_;
+  std::optional<Stamp> sampled_at_;
 };
 
 template <class Carried>
@@ -67,8 +71,9 @@ Stamp HeldMessages<Carried>::due(Stamp now) {
 }
 
 template <class Carried>
-void HeldMessages<Carried>::put(const Carried& message, Stamp now) {
-  waiting_.push_back({due(now), message});
+void HeldMessages<Carried>::put(const Carried& message, Stamp now,
+                                std::optional<Stamp> sampled_at) {
+  waiting_.push_back({due(now), message, sampled_at});
 }
 
 template <class Carried>
@@ -80,6 +85,7 @@ template <class Carried>
 std::optional<Carried> HeldMessages<Carried>::take(Stamp now) {
   if (waiting_.empty() || waiting_.front().due > now) return {};
   Carried message = std::move(waiting_.front().message);
+  sampled_at_ = waiting_.front().sampled_at;
   waiting_.pop_front();
   return message;
 }

@@ -43,7 +43,8 @@ std::vector<FaultNow> Injector::in_force(Stamp at) const {
   std::vector<FaultNow> all;
   for (const auto& [name, schedule] : schedules_)
     for (const InForce& now : schedule->in_force(at))
-      all.push_back({name, now.fault->words, now.since, now.until});
+      all.push_back({name, std::string(rig_config::word_of(now.fault->kind).name), now.fault->words,
+                     now.since, now.until});
   return all;
 }
 

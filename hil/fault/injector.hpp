@@ -11,7 +11,7 @@ namespace drydock::fault {
 
 /// Who has which fault, for those who look on.
 struct FaultNow {
-  std::string device, words;
+  std::string device, name, words;  ///< name: of the vocabulary
   Stamp since{};
   std::optional<Stamp> until;
 

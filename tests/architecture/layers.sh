@@ -54,7 +54,8 @@ allow hil/study 'hil/(study|sky|sensor|motion|ocean)|estimators/[a-z]*|drivers/m
 allow hil/sky 'hil/(sky|sensor|motion|ocean)|estimators/frame|drivers/measurement|rig_config'
 allow hil/emulate 'hil/(emulate|sky|sensor|motion|ocean)|estimators/frame|drivers/(device|link|shell|wire|measurement)|rig_config'
 allow hil/fault 'hil/(fault|emulate|sensor|motion|ocean)|drivers/(link|wire|measurement)|rig_config'
-allow hil/characterize 'hil/characterize|drivers/measurement|rig_config'
+allow hil/characterize 'hil/characterize|estimators/frame|drivers/measurement|rig_config'
+allow hil/validity 'hil/(validity|emulate)|drivers/measurement|rig_config'
 allow hil/cli 'hil/[a-z]*|estimators/[a-z]*|drivers/[a-z]*|rig_config'
 
 io='boost/asio|dds/|fstream|iostream|filesystem|thread|mutex|sys/|unistd|toml'
@@ -62,7 +63,7 @@ for folder in drivers/measurement drivers/wire drivers/device drivers/probe esti
   estimators/pipeline; do
   never "$folder" "$io"
 done
-if grep -rnE '(system_clock|steady_clock)::now|\brandom_device\b|\brand\(\)' drivers/wire drivers/device drivers/probe drivers/measurement estimators hil/ocean hil/motion hil/sensor hil/sky hil/study hil/characterize; then
+if grep -rnE '(system_clock|steady_clock)::now|\brandom_device\b|\brand\(\)' drivers/wire drivers/device drivers/probe drivers/measurement estimators hil/ocean hil/motion hil/sensor hil/sky hil/study hil/characterize hil/validity; then
   echo "a clock or global randomness in a pure layer"
   failed=1
 fi

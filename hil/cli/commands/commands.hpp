@@ -41,6 +41,9 @@ void add_characterize_command(CLI::App& app, Command& command);
 /// --serve and --token. `more` is added to the help of the first.
 void add_serve(CLI::App& sub, ServeOptions& serve, const std::string& more = {});
 
+/// validity: how right the times of measurements are.
+void add_validity_command(CLI::App& app, Command& command);
+
 /// A rig file that cannot be used; the lines have been printed.
 struct BadRig {};
 

@@ -38,8 +38,8 @@ TEST(AceinnaImuDriver, PairsAccelerationAndRateIntoOneSample) {
   EXPECT_NEAR(s.angular_rate.y(), -0.1640625 * degree, 1e-9);
   EXPECT_NEAR(s.angular_rate.z(), -7.0546875 * degree, 1e-9);
   EXPECT_EQ(s.origin.received_at, at_s(1));
-  // ARI states 3 ms; its frame takes 128 bits at 250 kbit/s.
-  EXPECT_EQ(s.origin.valid_at, at_s(1) - std::chrono::microseconds{3000 + 512});
+  // ARI states 3 ms; its frame takes 128 bits at 250 kbit/s and 6 of stuffing (timing_test).
+  EXPECT_EQ(s.origin.valid_at, at_s(1) - std::chrono::microseconds{3000 + 536});
 }
 
 TEST(AceinnaImuDriver, HalvesOfTwoSamplesAreNotPaired) {
@@ -123,7 +123,8 @@ TEST(Cia404ImuDriver, ThreeFramesAreOneSampleTrueBeforeTheFirst) {
   const ImuSample s = bus.samples()[0];
   EXPECT_EQ(s.angular_rate, Eigen::Vector3d(0.125, 0.25, 0.5));
   EXPECT_EQ(s.specific_force, Eigen::Vector3d(1, 2, -9.75));
-  EXPECT_EQ(s.origin.valid_at, at_s(1) - std::chrono::microseconds{432});  // 108 bits
+  EXPECT_EQ(s.origin.valid_at,
+            at_s(1) - std::chrono::microseconds{480});  // 108 bits and 12 of stuffing
   EXPECT_EQ(s.origin.received_at, at_s(1.001));
 }
 

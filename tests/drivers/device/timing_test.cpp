@@ -70,17 +70,24 @@ TEST(Timing, LineWithoutABaudRateCostsOnlyTheLatency) {
   EXPECT_EQ(origin.valid_at, at_s(0.98));
 }
 
-TEST(Timing, EightByteExtendedFrameTakesHalfAMillisecondAt250Kilobits) {
-  const auto frame = can_frame(0x08F02D80, true, {0, 0, 0, 0, 0, 0, 0, 0});
+// Lengths from start to end of frame by a bit-by-bit model in Python of ISO 11898-1.
+Stamp begin_of(const wire::CanFrame& frame) {
   const Origin origin = Timing(options(Kind::imu, "aceinna")).of_frame(at_s(1), frame);
   EXPECT_EQ(origin.received_at, at_s(1));
-  EXPECT_EQ(origin.valid_at, at_s(1) - nanoseconds{512'000});  // 64 + 8 x 8 bits of 4 us
+  return origin.valid_at;
 }
 
-TEST(Timing, StandardFrameIsTwentyBitsShorter) {
-  const auto frame = can_frame(0x181, false, {0, 0, 0, 0, 0, 0, 0, 0});
-  const Origin origin = Timing(options(Kind::imu, "cia404-imu")).of_frame(at_s(1), frame);
-  EXPECT_EQ(origin.valid_at, at_s(1) - nanoseconds{432'000});
+TEST(Timing, AFrameWithoutRunsTakesItsPlainBits) {
+  const auto frame = can_frame(0x0AAAAAAA, true, {0x55, 0x55, 0x55, 0x55, 0x55, 0x55, 0x55, 0x55});
+  EXPECT_EQ(begin_of(frame), at_s(1) - nanoseconds{512'000});  // 64 + 8 x 8 bits of 4 us
+}
+
+TEST(Timing, AFrameOfRunsTakesItsStuffBitsToo) {
+  EXPECT_EQ(begin_of(can_frame(0, false, {})), at_s(1) - 50 * nanoseconds{4000});
+  EXPECT_EQ(begin_of(can_frame(0x181, false, {0, 0, 0, 0, 0, 0, 0, 0})),
+            at_s(1) - 123 * nanoseconds{4000});
+  EXPECT_EQ(begin_of(can_frame(0x08F02D80, true, {0, 0, 0, 0, 0, 0, 0, 0})),
+            at_s(1) - 144 * nanoseconds{4000});
 }
 
 }  // namespace timing_test

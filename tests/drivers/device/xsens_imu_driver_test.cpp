@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "drivers/wire/can_bits.hpp"
 #include "tests/drivers/device/support.hpp"
 
 /// Frames written out by MT1604P's tables.
@@ -29,11 +30,14 @@ wire::CanFrame status(std::uint32_t s) {
 struct Bus {
   explicit Bus(const DriverOptions& o = options(Kind::imu, "xsens")) : driver(frame_driver(o)) {}
   void says(const wire::CanFrame& frame, Stamp at) { driver->receive(frame, at, ear); }
-  /// Frames 0.4 ms apart from `at` on.
+  /// Frames 0.4 ms apart, the first on the wire from 304 us before `at` on, whatever its stuff
+  /// bits.
   void says(std::initializer_list<wire::CanFrame> frames, double at) {
+    constexpr unsigned intermission_bits = 3;
+    Stamp end = at_s(at) - 304us + 4us * (wire::wire_bits(*frames.begin()) - intermission_bits);
     for (const auto& frame : frames) {
-      says(frame, at_s(at));
-      at += 0.0004;
+      says(frame, end);
+      end = at_s(at += 0.0004);
     }
   }
   std::vector<ImuSample> samples() const { return ear.all<ImuSample>(); }
@@ -50,7 +54,6 @@ TEST(XsensImuDriver, RateAndAccelerationOfAGroupAreOneSample) {
   EXPECT_EQ(s.angular_rate, Eigen::Vector3d(0.099609375, -0.25, 2.5));
   EXPECT_EQ(s.specific_force, Eigen::Vector3d(1.5, -2.25, 9.80859375));
   EXPECT_EQ(s.origin.received_at, at_s(1.0012));
-  // The first frame, of 4 bytes, takes 76 bits at 250 kbit/s.
   EXPECT_EQ(s.origin.valid_at, at_s(1) - 304us);
   EXPECT_EQ(s.origin.device_time, 100ms);
 }

@@ -54,7 +54,9 @@ class ThroughDrivers : public testing::Test, protected device::Output {
     const auto& driver = *made;
     driver->restart(start, *this);
     EmulatedLine line(make_emulated_device(config, trajectory_, 1).value(), baud,
-                      [&](wire::Bytes bytes, Stamp at) { driver->receive(bytes, at, *this); });
+                      [&](wire::Bytes bytes, const Passage& passage) {
+                        driver->receive(bytes, passage.ended_at, *this);
+                      });
     run(line);
   }
 
@@ -62,9 +64,9 @@ class ThroughDrivers : public testing::Test, protected device::Output {
     const auto made = device::make_frame_driver(options(kind, config));
     ASSERT_TRUE(made);
     const auto& driver = *made;
-    EmulatedBus bus(250'000, [&](const wire::CanFrame& frame, Stamp at) {
-      now_ = at;
-      driver->receive(frame, at, *this);
+    EmulatedBus bus(250'000, [&](const wire::CanFrame& frame, std::size_t, const Passage& passage) {
+      now_ = passage.ended_at;
+      driver->receive(frame, now_, *this);
     });
     bus_ = &bus;
     now_ = start;
@@ -176,9 +178,9 @@ TEST_F(ThroughDrivers, AWaterLinkedDvlIsSetUpAndItsRotationTurnsBothWays) {
   auto config = device(DeviceKind::dvl, "water-linked", 5);
   config.mounting_rad = {0, 0, 30 * degree};  // the DVL is told, the driver is not
   EmulatedLine line(make_emulated_device(config, trajectory_, 1).value(), 115200,
-                    [&](wire::Bytes bytes, Stamp at) {
-                      now_ = at;
-                      driver->receive(bytes, at, *this);
+                    [&](wire::Bytes bytes, const Passage& passage) {
+                      now_ = passage.ended_at;
+                      driver->receive(bytes, now_, *this);
                     });
   line_ = &line;
   driver->restart(start, *this);

@@ -31,8 +31,8 @@ std::vector<Recorder::Message> listen_to(const rig_config::DeviceConfig& config,
   const auto trajectory = surfaced_turn();
   std::vector<Recorder::Message> heard;
   EmulatedLine line(make_emulated_device(config, trajectory, seed).value(), baud,
-                    [&](wire::Bytes bytes, Stamp at) {
-                      heard.push_back({at, {bytes.begin(), bytes.end()}});
+                    [&](wire::Bytes bytes, const Passage& passage) {
+                      heard.push_back({passage.ended_at, {bytes.begin(), bytes.end()}});
                     });
   shell::Lockstep lockstep(start);
   lockstep.add(line);
@@ -55,7 +55,9 @@ TEST(EmulatedLine, ALogThatSaysMoreThanItsLineCarriesLosesWholeSentences) {
   std::size_t damaged = 0;
   EmulatedLine line(
       make_emulated_device(device(DeviceKind::emlog, "nmea0183", 20), trajectory, 1).value(), 4800,
-      [&](wire::Bytes bytes, Stamp) { damaged += bytes.front() != '$' || bytes.back() != '\n'; });
+      [&](wire::Bytes bytes, const Passage&) {
+        damaged += bytes.front() != '$' || bytes.back() != '\n';
+      });
   shell::Lockstep lockstep(start);
   lockstep.add(line);
   lockstep.run_until(at_s(30));
@@ -95,8 +97,8 @@ struct HeardFrame {
 TEST(EmulatedBus, TwoNodesThatWantOneAddressSettleItByTheirNames) {
   const auto trajectory = surfaced_turn();
   std::vector<HeardFrame> heard;
-  EmulatedBus bus(250'000, [&](const wire::CanFrame& frame, Stamp at) {
-    heard.push_back({frame, at});
+  EmulatedBus bus(250'000, [&](const wire::CanFrame& frame, std::size_t, const Passage& passage) {
+    heard.push_back({frame, passage.ended_at});
   });
   for (const char* name : {"one", "two"}) {
     auto config = device(DeviceKind::imu, "aceinna", 50);
@@ -131,8 +133,8 @@ TEST(EmulatedBus, TwoNodesThatWantOneAddressSettleItByTheirNames) {
 TEST(EmulatedBus, FramesOfAllNodesShareTheWireOneAfterTheOther) {
   const auto trajectory = surfaced_turn();
   std::vector<HeardFrame> heard;
-  EmulatedBus bus(250'000, [&](const wire::CanFrame& frame, Stamp at) {
-    heard.push_back({frame, at});
+  EmulatedBus bus(250'000, [&](const wire::CanFrame& frame, std::size_t, const Passage& passage) {
+    heard.push_back({frame, passage.ended_at});
   });
   bus.add(make_emulated_device(device(DeviceKind::imu, "aceinna", 100), trajectory, 1).value());
   bus.add(make_emulated_device(device(DeviceKind::depth, "nmea2000", 100), trajectory, 1).value());
@@ -151,8 +153,9 @@ TEST(EmulatedBus, FramesOfAllNodesShareTheWireOneAfterTheOther) {
 TEST(EmulatedBus, ADriversFrameReachesTheNodesAfterItsTimeOnTheWire) {
   const auto trajectory = surfaced_turn();
   int samples = 0;
-  EmulatedBus bus(250'000,
-                  [&](const wire::CanFrame& frame, Stamp) { samples += frame.id == 0x181; });
+  EmulatedBus bus(250'000, [&](const wire::CanFrame& frame, std::size_t, const Passage&) {
+    samples += frame.id == 0x181;
+  });
   bus.add(make_emulated_device(device(DeviceKind::imu, "cia404-imu", 100), trajectory, 1).value());
   shell::Lockstep lockstep(start);
   lockstep.add(bus);

@@ -204,12 +204,15 @@ TEST(CanPacer, FramesFollowEachOtherAtTheBitRate) {
   bus.queue(f, 1, at_ns(1000));
   bus.queue(f, 2, at_ns(1000));
   const std::int64_t frame_ns = bits_on_wire(f) * 4000;
-  EXPECT_GE(frame_ns, 524'000);  // 131 bits without stuffing
-  EXPECT_LE(frame_ns, 640'000);  // 160 bits at worst
-  EXPECT_FALSE(bus.take(at_ns(1000 + frame_ns - 1)));
-  EXPECT_EQ(bus.take(at_ns(1'000'000'000))->at, at_ns(1000 + frame_ns));
+  EXPECT_GE(frame_ns, 524'000);                   // 131 bits without stuffing
+  EXPECT_LE(frame_ns, 640'000);                   // 160 bits at worst
+  const std::int64_t intermission_ns = 3 * 4000;  // of the bus's time, but behind the frame
+  EXPECT_FALSE(bus.take(at_ns(1000 + frame_ns - intermission_ns - 1)));
+  EXPECT_EQ(bus.take(at_ns(1'000'000'000))->at, at_ns(1000 + frame_ns - intermission_ns));
   const auto second = bus.take(at_ns(1'000'000'000));
-  EXPECT_EQ(second->at, at_ns(1000 + 2 * frame_ns));
+  EXPECT_EQ(second->at, at_ns(1000 + 2 * frame_ns - intermission_ns));
+  EXPECT_EQ(second->passage.sent_at, at_ns(1000));
+  EXPECT_EQ(second->passage.began_at, at_ns(1000 + frame_ns));
   EXPECT_EQ(second->sender, 2);
 }
 

@@ -95,7 +95,7 @@ TEST_F(RealTime, ALineOf4800BaudCarriesNoMoreThanItsRate) {
   RealTimeEmulator emulator(io_, trajectory_, 1);
   int hooks = 0;
   emulator.set_on_written(
-      [&](std::string_view name, Stamp) { hooks += name == "nmea0183 device"; });
+      [&](std::string_view name, const Passage&, Stamp) { hooks += name == "nmea0183 device"; });
   const std::string uri = "memory:paced-log?baud=4800";
   ASSERT_TRUE(emulator.start({on(uri, device(DeviceKind::emlog, "nmea0183", 20))}));
   listen_bytes(uri);

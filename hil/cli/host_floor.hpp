@@ -1,0 +1,27 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+namespace drydock::cli {
+
+/// What this machine does to any program while something else runs: microseconds.
+struct HostTimes {
+  std::vector<double> timer_late_us;  ///< a bare steady_timer, each 5 ms, behind its time
+  std::vector<double> pty_hop_us;     ///< a byte written to a bare pty until the other end has it
+};
+
+/// Measures them on a thread of its own, through Asio as everything here, from making to stop().
+class HostFloor {
+ public:
+  /// Throws std::system_error where there is no pty.
+  HostFloor();
+  ~HostFloor();
+  HostTimes stop();
+
+ private:
+  struct Probe;
+  std::unique_ptr<Probe> probe_;
+};
+
+}  // namespace drydock::cli
