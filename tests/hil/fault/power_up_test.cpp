@@ -4,69 +4,14 @@
 
 #include <algorithm>
 
-#include "drivers/shell/device_actor.hpp"
-#include "drivers/shell/rig_devices.hpp"
-#include "hil/emulate/lockstep.hpp"
-#include "hil/fault/injector.hpp"
-#include "hil/motion/make_trajectory.hpp"
-#include "rig_config/load.hpp"
+#include "tests/hil/fault/line_bench.hpp"
 
 namespace drydock::fault::test {
 namespace power_up_test {
 
-using namespace std::chrono_literals;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
-
-/// One serial device and its driver.
-class Bench final : private device::Listener, private device::Transmitter {
- public:
-  explicit Bench(const std::string& device_table, const std::string& faults = "")
-      : rig_(rig_config::load_rig_text(
-                 "[rig]\nname = \"r\"\nmission = \"s-path.toml\"\n" + device_table + faults,
-                 DRYDOCK_SOURCE_DIR "/rig_config/missions/r.toml")
-                 .value()),
-        trajectory_(motion::make_trajectory(rig_.mission, start_)),
-        injector_(rig_, *trajectory_, start_),
-        clock_(start_),
-        actor_(std::move((*shell::make_devices(rig_))[0]), *this, *this, start_),
-        line_(std::move(*injector_.device(rig_.devices[0])), 115200,
-              [this](wire::Bytes bytes, Stamp at) { actor_.receive(bytes, at); }) {
-    line_.set_on_port([this](bool there, Stamp at) { actor_.set_port(there, at); });
-    clock_.add(actor_);
-    clock_.add(line_);
-  }
-
-  void run_to(double seconds) { clock_.run_until(start_ + measurement::from_seconds(seconds)); }
-
-  template <class Kind>
-  std::vector<Kind> between(double from_s, double to_s) const {
-    std::vector<Kind> all;
-    for (const auto& m : measurements_) {
-      const double t = measurement::seconds(measurement::origin_of(m).received_at - start_);
-      if (const auto* kind = std::get_if<Kind>(&m); kind && t >= from_s && t < to_s)
-        all.push_back(*kind);
-    }
-    return all;
-  }
-  device::Health health() const { return actor_.device().health(clock_.now()); }
-
- private:
-  void on_measurement(const measurement::Measurement& m) override { measurements_.push_back(m); }
-  void on_state(const device::Device&, const device::Transition&) override {}
-  void send(wire::Bytes bytes) override { line_.receive(bytes, clock_.now()); }
-  void send(const wire::CanFrame&) override { ADD_FAILURE() << "a frame on a serial line"; }
-
-  Stamp start_ = measurement::stamp_from_ns(1'795'248'000'000'000'000);
-  rig_config::Rig rig_;
-  std::unique_ptr<motion::Trajectory> trajectory_;
-  Injector injector_;
-  shell::Lockstep clock_;
-  shell::DeviceActor actor_;
-  emulate::EmulatedLine line_;
-  std::vector<measurement::Measurement> measurements_;
-};
 
 std::string dvl(const std::string& more) {
   return "[[device]]\nname = \"dvl\"\nkind = \"dvl\"\nprotocol = \"water-linked\"\n"
@@ -100,7 +45,7 @@ std::size_t with_velocity(const std::vector<BottomVelocity>& all) {
 }
 
 TEST(PowerUp, SettingsThatWereLostAreSetAgainAndNoVelocityIsOfTheOldAxes) {
-  Bench bench(turned, fault("off", 10, 5));
+  LineBench bench(turned, fault("off", 10, 5));
   bench.run_to(30);
   const auto before = bench.between<BottomVelocity>(2, 10),
              after = bench.between<BottomVelocity>(17, 30);
@@ -112,7 +57,7 @@ TEST(PowerUp, SettingsThatWereLostAreSetAgainAndNoVelocityIsOfTheOldAxes) {
 }
 
 TEST(PowerUp, ADeviceThatBootsHearsNothingAndThenSaysItsBanner) {
-  Bench bench(
+  LineBench bench(
       dvl("emulate.boot_s = 4\nemulate.banner = \"Water Linked A50 ready\\r\\n\"\n"
           "water_linked = { mounting_rotation_deg = 0 }\n"));
   bench.run_to(3.9);
@@ -125,14 +70,14 @@ TEST(PowerUp, ADeviceThatBootsHearsNothingAndThenSaysItsBanner) {
 }
 
 TEST(PowerUp, ARefusalIsReportedAndVelocitiesOfOtherAxesAreNotGiven) {
-  Bench bench(turned, fault("nak", 0, 20));
+  LineBench bench(turned, fault("nak", 0, 20));
   bench.run_to(15);
   EXPECT_EQ(with_velocity(bench.between<BottomVelocity>(0, 15)), 0u);
   EXPECT_THAT(std::string(bench.health().last_error.view()), HasSubstr("refuses"));
 }
 
 TEST(PowerUp, AHotDvlSaysSoShutsDownAndComesBack) {
-  Bench bench(
+  LineBench bench(
       dvl(""),
       "[[fault]]\ndevice = \"dvl\"\nfault = \"hot\"\nseconds = 3\nstart_s = 10\nfor_s = 8\n");
   bench.run_to(12);
@@ -152,7 +97,7 @@ std::string gnss(const std::string& protocol) {
 
 TEST(PowerUp, AColdStartFindsSatellitesThenTheTimeThenItsFix) {
   for (const std::string protocol : {"ubx", "nmea0183"}) {
-    Bench bench(gnss(protocol), fault("off", 40, 2));
+    LineBench bench(gnss(protocol), fault("off", 40, 2));
     bench.run_to(80);
     const auto fixes_between = [&](double from, double to) {
       const auto all = bench.between<measurement::GnssFix>(from, to);
