@@ -24,9 +24,9 @@ class LineBench final : private device::Listener, private device::Transmitter {
         clock_(start_),
         actor_(std::move((*shell::make_devices(rig_))[0]), *this, *this, start_),
         line_(std::move(*injector_.device(rig_.devices[0])), 115200,
-              [this](wire::Bytes bytes, Stamp at) {
+              [this](wire::Bytes bytes, const emulate::Passage& passage) {
                 carried_ += bytes.size();
-                actor_.receive(bytes, at);
+                actor_.receive(bytes, passage.ended_at);
               }) {
     line_.set_on_port([this](bool there, Stamp at) { actor_.set_port(there, at); });
     clock_.add(actor_);
