@@ -63,6 +63,8 @@ std::optional<std::string> of_the_wire(FaultKind kind, const DeviceConfig& devic
     case unplug:
     case eof:
       if (on_can(device)) return "a node on a bus is not a port; allowed: hang, off, bus-off";
+      if (device.link.starts_with("udp:"))
+        return "datagrams have no connection that could be lost; allowed: hang, off";
       break;
     case wrong_baud:
       if (!on_serial_line(device)) return "only a serial line has a baud rate (pty, serial)";

@@ -24,8 +24,11 @@ LiveTable::LiveTable()
     : terminal_(::isatty(STDOUT_FILENO) == 1), palette_(terminal_), screen_(stdout) {}
 
 void LiveTable::note(std::string_view device, const device::Transition& change) {
-  auto line = fmt::format("{}: {} -> {}: {}", device, to_string(change.from), to_string(change.to),
-                          change.why.view());
+  note(fmt::format("{}: {} -> {}: {}", device, to_string(change.from), to_string(change.to),
+                   change.why.view()));
+}
+
+void LiveTable::note(std::string line) {
   if (!terminal_) {
     fmt::print("{}\n", line);
     std::fflush(stdout);

@@ -17,6 +17,7 @@ class LiveTable {
   LiveTable();
 
   void note(std::string_view device, const device::Transition& change);
+  void note(std::string line);
   void draw(const shell::RealTime& shell, double elapsed_s, double duration_s);
   void finish();
 

@@ -72,6 +72,11 @@ void Device::opened(Stamp now, measurement::Provenance provenance) {
   driver().restart(now, *this);
 }
 
+void Device::set_baud(unsigned baud) {
+  if (auto* byte_driver = std::get_if<std::unique_ptr<ByteDriver>>(&driver_))
+    (*byte_driver)->set_baud(baud);
+}
+
 void Device::open_failed(Stamp now, std::string_view reason) {
   tell(life_cycle_.open_failed(now, reason));
 }
@@ -105,6 +110,14 @@ void Device::tick(Stamp now) {
   now_ = now;
   if (life_cycle_.uses_link()) driver().tick(now, *this);
   tell(life_cycle_.tick(now));
+}
+
+void Device::clock_stepped(std::chrono::nanoseconds step, Stamp now) {
+  now_ = now;
+  life_cycle_.clock_stepped(step);
+  if (last_message_at_) *last_message_at_ += step;
+  for (RateMeter& meter : rates_) meter.reset();
+  if (life_cycle_.uses_link()) driver().restart(now, *this);
 }
 
 std::optional<Stamp> Device::deadline() const {

@@ -54,6 +54,7 @@ class Device final : private Output {
 
   void start(Stamp now);
   void opened(Stamp now, measurement::Provenance provenance);
+  void set_baud(unsigned baud);  ///< before opened(), where the shell searches it
   void open_failed(Stamp now, std::string_view reason);
   void link_lost(Stamp now, std::string_view reason);
   void stop(Stamp now, std::string_view reason = "stopped");
@@ -61,6 +62,9 @@ class Device final : private Output {
   void receive(wire::Bytes bytes, Stamp at);  ///< `at`: arrival of the last byte
   void receive(const wire::CanFrame& frame, Stamp at);
   void tick(Stamp now);
+  /// The host's clock was set by so much and shows `now`. The driver begins anew, as after opening:
+  /// what it knows of the device's clock, and what it waits for, was told by the old one.
+  void clock_stepped(std::chrono::nanoseconds step, Stamp now);
   std::optional<Stamp> deadline() const;
 
   State state() const { return life_cycle_.state(); }
@@ -71,6 +75,7 @@ class Device final : private Output {
   const std::string& name() const { return options_.name; }
   std::uint16_t index() const { return options_.driver.device; }
 
+  std::uint64_t messages() const { return messages_; }
   Health health(Stamp now) const;
   void note_dropped(std::uint64_t total) { can_dropped_ = total; }  ///< FrameLink::dropped()
 

@@ -43,6 +43,7 @@ class Driver {
 class ByteDriver : public Driver {
  public:
   virtual void receive(wire::Bytes bytes, Stamp received_at, Output& out) = 0;
+  virtual void set_baud(unsigned baud) = 0;  ///< of a line whose rate was found
 };
 
 /// Driver of a sensor on a CAN bus; it picks its own frames out of all traffic.

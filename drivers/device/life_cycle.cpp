@@ -64,6 +64,11 @@ LifeCycle::Change LifeCycle::stop(Stamp now, std::string_view reason) {
   return enter(State::closed, now, reason);
 }
 
+void LifeCycle::clock_stepped(std::chrono::nanoseconds step) {
+  since_ += step;
+  last_message_ += step;
+}
+
 Reason LifeCycle::silence(Stamp now) const {
   Reason text{"no message for "};
   text += in_words(now - (state_ == State::waiting ? since_ : last_message_)).view();

@@ -59,6 +59,8 @@ class LifeCycle {
   Change link_lost(Stamp now, std::string_view reason);
   Change stop(Stamp now, std::string_view reason = "stopped");
   Change tick(Stamp now);  ///< at or after deadline()
+  /// The clock that gives the stamps was set: what has lasted so long goes on lasting.
+  void clock_stepped(std::chrono::nanoseconds step);
 
   State state() const { return state_; }
   Stamp since() const { return since_; }

@@ -17,6 +17,7 @@ class StreamDriver : public ByteDriver {
   void set_provenance(measurement::Provenance provenance) final {
     timing_.set_provenance(provenance);
   }
+  void set_baud(unsigned baud) final { timing_.set_baud(baud); }
 
  protected:
   explicit StreamDriver(const DriverOptions& options) : timing_(options) {}

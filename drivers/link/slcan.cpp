@@ -8,6 +8,7 @@
 #include "drivers/link/signal.hpp"
 #include "drivers/link/slcan_port.hpp"
 #include "drivers/wire/slcan.hpp"
+#include "drivers/wire/slcan_report.hpp"
 
 namespace drydock::link {
 namespace {
@@ -15,7 +16,7 @@ namespace {
 namespace slcan = wire::slcan;
 
 constexpr std::size_t read_size = 512;
-constexpr std::size_t most_frames_per_read = 128;  // the shortest line has 5 bytes
+constexpr std::size_t most_frames_per_read = 128;  // the shortest line has 4 bytes
 
 std::string opening_lines(unsigned bit_rate) {
   return "\rC\r" + std::string(slcan::bit_rate_command(bit_rate).value()) + "\rO\r";
@@ -48,6 +49,7 @@ class SlcanLink final : public FrameLink {
 
   Task<void> opened();
   void take_in(wire::Bytes bytes, Stamp at);
+  void keep(const wire::CanFrame& frame, Stamp at);
 
   std::unique_ptr<ByteLink> line_;
   std::string opening_;
@@ -86,13 +88,17 @@ void SlcanLink::take_in(wire::Bytes bytes, Stamp at) {
   framer_.feed(bytes, wire::Slcan::scan, [&](wire::Bytes line, std::size_t) {
     const auto message = wire::Slcan::decode(line);
     if (!message) return;
-    const auto* frame = std::get_if<slcan::Frame>(&*message);
-    if (frame == nullptr) return;  // the adapter's answers
-    if (frames_.full())
-      ++dropped_;
-    else
-      frames_.push_back({frame->frame, at, false});
+    if (const auto* frame = std::get_if<slcan::Frame>(&*message)) keep(frame->frame, at);
+    if (const auto* report = std::get_if<slcan::Command>(&*message))
+      if (const auto error = slcan::error_frame_of(report->text)) keep(*error, at);
   });
+}
+
+void SlcanLink::keep(const wire::CanFrame& frame, Stamp at) {
+  if (frames_.full())
+    ++dropped_;
+  else
+    frames_.push_back({frame, at, false});
 }
 
 Task<void> SlcanLink::write(const wire::CanFrame& frame) {

@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "drivers/wire/slcan.hpp"
+#include "drivers/wire/slcan_report.hpp"
 
 namespace drydock::link {
 
@@ -82,6 +83,10 @@ bool SlcanBus::Port::collect() {
     if (!taken) return true;
     if (!*taken) return false;
     if (!channel_open_) continue;
+    if ((*taken)->frame.error) {
+      outgoing_.append(slcan::report_of((*taken)->frame));
+      continue;
+    }
     std::array<std::uint8_t, wire::Slcan::max_frame> line;
     const std::size_t size = slcan::encode(slcan::Frame{(*taken)->frame, std::nullopt}, line);
     outgoing_.append(line.begin(), line.begin() + size);

@@ -76,7 +76,7 @@ std::string check_slcan(const Uri& uri) {
 
 /// What the query must hold beyond sound values.
 std::string check_whole(const Uri& uri) {
-  if (uri.scheme == Scheme::serial && !uri.baud())
+  if (uri.scheme == Scheme::serial && uri.text_of("baud").empty())
     return "serial needs a baud rate, for example " + std::string(form_of(uri.scheme).example);
   return uri.scheme == Scheme::slcan ? check_slcan(uri) : std::string();
 }
@@ -182,7 +182,9 @@ std::optional<unsigned> number(const Uri& uri, const char* key) {
 
 }  // namespace
 
-std::optional<unsigned> Uri::baud() const { return number(*this, "baud"); }
+std::optional<unsigned> Uri::baud() const {
+  return text_of("baud") == "auto" ? std::nullopt : number(*this, "baud");
+}
 
 std::optional<unsigned> Uri::bitrate() const {
   if (carries() == Carries::bytes) return std::nullopt;

@@ -33,7 +33,8 @@ struct Uri {
   bool may_carry(Carries what) const { return recorded() || carries() == what; }
   bool emulated() const;  ///< its other end is an emulated device of this rig
   bool recorded() const { return scheme == Scheme::file; }
-  /// Bit/s of the serial line, if written; parse_uri insists on it for `serial`.
+  /// Bit/s of the serial line, if written; parse_uri insists on `baud` for `serial`. Empty for
+  /// `baud=auto`: whoever opens the line finds the rate and puts it there.
   std::optional<unsigned> baud() const;
   /// How many times as fast as it was a recording is played; 0: as fast as it can be read. Empty
   /// where not written.

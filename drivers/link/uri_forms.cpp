@@ -66,6 +66,9 @@ bool is_capture_format(std::string_view text) {
 }
 
 constexpr Key baud{"baud", "50 to 12000000", is_within<50, 12'000'000>};
+constexpr Key baud_or_auto{"baud", "50 to 12000000, or auto", [](std::string_view text) {
+                             return text == "auto" || is_within<50, 12'000'000>(text);
+                           }};
 constexpr Key parity{"parity", "none even odd", is_parity};
 constexpr Key bits{"bits", "7 8", is_within<7, 8>};
 constexpr Key stop{"stop", "1 2", is_within<1, 2>};
@@ -88,7 +91,7 @@ constexpr std::array<Form, 10> forms{{
      "a device path",
      "serial:/dev/ttyUSB0?baud=115200",
      is_path,
-     {baud, parity, stop, emulated, bits}},
+     {baud_or_auto, parity, stop, emulated, bits}},
     {Scheme::pty, "pty", "a name without / or an absolute path", "pty:dvl", is_pty, {baud}},
     {Scheme::tcp,
      "tcp",

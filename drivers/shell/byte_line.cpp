@@ -12,11 +12,23 @@ constexpr std::size_t most_bytes_queued = 4096;
 }  // namespace
 
 boost::system::result<measurement::Provenance, link::OpenError> ByteLine::open_link() {
-  auto opened = link::open_bytes(executor(), uri(), link::Side::driver);
+  auto opened = link::open_bytes(executor(), next_uri(), link::Side::driver);
   if (!opened) return opened.error();
   link_ = std::move(*opened);
   queued_.clear();
   return link_->provenance();
+}
+
+/// What the line is opened as: with the rate that the search has come to.
+link::Uri ByteLine::next_uri() {
+  link::Uri next = uri();
+  if (!searches_baud(next)) return next;
+  std::uint64_t heard = 0;
+  for (const device::Device* device : devices()) heard += device->messages();
+  search_.open_again(heard > std::exchange(heard_before_, heard));
+  next.query["baud"] = std::to_string(search_.baud());
+  for (device::Device* device : devices()) device->set_baud(search_.baud());
+  return next;
 }
 
 Line::Run ByteLine::read_until_lost() {
@@ -27,6 +39,7 @@ Line::Run ByteLine::read_until_lost() {
       co_return;
     }
     const wire::Bytes bytes{read_buffer_.data(), received->size};
+    follow_clock();
     tap(Direction::received, bytes, received->at);
     for (device::Device* device : devices()) device->receive(bytes, received->at);
     rearm();

@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "drivers/shell/baud_search.hpp"
 #include "drivers/shell/line.hpp"
 
 namespace drydock::shell {
@@ -22,6 +23,10 @@ class ByteLine final : public Line {
   void send(wire::Bytes bytes) override;
   void send(const wire::CanFrame&) override {}  // no driver of a byte link sends frames
 
+  link::Uri next_uri();
+
+  BaudSearch search_;
+  std::uint64_t heard_before_ = 0;  ///< messages, when the line was opened last
   std::unique_ptr<link::ByteLink> link_;
   std::array<std::uint8_t, 4096> read_buffer_{};
   std::vector<std::uint8_t> queued_, writing_;

@@ -59,6 +59,7 @@ Line::Run Line::serve(Provenance provenance) {
   open_ = true;
   lost_reason_.clear();
   recording_ended_ = false;
+  follow_clock();
   const Stamp now = link::now();
   for (Device* device : devices_) device->opened(now, provenance);
   rearm();
@@ -91,6 +92,7 @@ Line::Run Line::keep_time() {
       clock_.expires_at(asio::steady_timer::time_point::max());
     }
     co_await clock_.async_wait(asio::as_tuple(asio::use_awaitable));
+    follow_clock();
     const Stamp now = link::now();
     bool close_wanted = false;
     for (Device* device : devices_) {
@@ -106,6 +108,14 @@ Line::Run Line::keep_time() {
 void Line::rearm() {
   const auto earliest = earliest_deadline();
   if (earliest && (!clock_set_for_ || *earliest < *clock_set_for_)) clock_.cancel();
+}
+
+void Line::follow_clock() {
+  const auto step = host_clock_.step();
+  if (step.count() == 0) return;
+  const Stamp now = link::now();
+  for (Device* device : devices_) device->clock_stepped(step, now);
+  clock_.cancel();
 }
 
 Line::Run Line::wait(asio::steady_timer& signal) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "drivers/device/device.hpp"
+#include "drivers/link/clock.hpp"
 #include "drivers/link/link.hpp"
 #include "drivers/shell/raw_listener.hpp"
 
@@ -41,6 +42,8 @@ class Line : protected device::Transmitter {
   Run writer_woken() { return wait(to_write_); }
   /// A driver may want its tick() earlier after what it received.
   void rearm();
+  /// The devices hear when the host's clock was set, before they are given a stamp of the new time.
+  void follow_clock();
   void tap(Direction direction, wire::Bytes bytes, Stamp at) const;
   void tap(Direction direction, const wire::CanFrame& frame, Stamp at) const;
   const std::vector<device::Device*>& devices() const { return devices_; }
@@ -60,6 +63,7 @@ class Line : protected device::Transmitter {
   std::vector<device::Device*> devices_;
   boost::asio::steady_timer clock_;  ///< expires at the earliest deadline
   std::optional<Stamp> clock_set_for_;
+  link::ClockWatch host_clock_;
   boost::asio::steady_timer to_open_;  ///< never expire: cancelled as a signal
   boost::asio::steady_timer to_write_;
   bool open_ = false;

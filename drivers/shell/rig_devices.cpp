@@ -1,8 +1,10 @@
 #include "drivers/shell/rig_devices.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "drivers/link/uri.hpp"
+#include "drivers/shell/baud_search.hpp"
 #include "drivers/shell/imu_settings.hpp"
 
 namespace drydock::shell {
@@ -59,10 +61,19 @@ device::DriverOptions driver_options(const DeviceConfig& config, std::size_t ind
   return options;
 }
 
+/// How long a line that searches its rate listens at each.
+constexpr std::chrono::nanoseconds shortest_trial = std::chrono::seconds{2};
+
 device::LifeCycleOptions life_cycle_options(const DeviceConfig& config, const link::Uri& uri) {
   device::LifeCycleOptions options;
   options.stale_after = measurement::from_seconds(config.stale_after_s);
   options.reopen_after = measurement::from_seconds(config.reopen_after_s);
+  if (searches_baud(uri)) {
+    constexpr double messages = 4;  // that would have come at the right rate
+    options.reopen_after =
+        std::max(shortest_trial, measurement::from_seconds(messages / config.rate_hz));
+    options.back_off_cap = options.first_back_off;
+  }
   if (uri.recorded()) {
     options.reopen_when_quiet = false;  // opening a recording again would start it over
     options.quiet_but_up = " in the recording";

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "drivers/wire/hex.hpp"
+#include "drivers/wire/slcan_report.hpp"
 
 namespace drydock::wire {
 
@@ -62,7 +63,8 @@ std::optional<Frame> parse_frame(std::string_view line) {
   return message;
 }
 
-/// Commands of the LAWICEL manual and of slcanpty, and the adapters' answers to V, v, N and F.
+/// Commands of the LAWICEL manual and of slcanpty, the adapters' answers to V, v, N and F, and what
+/// they report of the bus.
 std::optional<Command> parse_command(std::string_view line) {
   const std::string_view argument = line.substr(1);
   const auto hex_of = [&](std::size_t digits) {
@@ -75,7 +77,8 @@ std::optional<Command> parse_command(std::string_view line) {
     switch (line[0]) {
       case 'S': return digit_upto('8');
       case 'Z': return digit_upto('1');
-      case 's': return hex_of(4) || hex_of(6);
+      case 's': return hex_of(4) || hex_of(6) || slcan::is_report(line);
+      case 'e': return slcan::is_report(line);
       case 'O':
       case 'L':
       case 'C': return argument.empty();

@@ -7,7 +7,8 @@
 #include <boost/asio/steady_timer.hpp>
 #include <stdexcept>
 
-#include "drivers/link/link.hpp"
+#include "drivers/link/clock.hpp"
+#include "hil/cli/fault/live_faults.hpp"
 #include "hil/cli/truth_of_rig.hpp"
 #include "hil/emulate/real_time.hpp"
 
@@ -20,8 +21,9 @@ int emulate(const rig_config::Rig& rig, double duration_s) {
         rig.file + ": no device has an emulated link (pty, memory, memory-can, can:auto)");
   }
   boost::asio::io_context io{1};
-  const auto trajectory = motion::make_trajectory(rig.mission, link::now());
-  emulate::RealTimeEmulator emulator(io, *trajectory, rig.seed);
+  const auto trajectory = motion::make_trajectory(rig.mission, link::steady_now());
+  LiveFaults faults(io, rig, *trajectory, trajectory->start());
+  emulate::RealTimeEmulator emulator(io, faults.injector());
   if (auto started = emulator.start(devices); !started) {
     throw std::runtime_error(started.error().message);
   }
@@ -29,6 +31,11 @@ int emulate(const rig_config::Rig& rig, double duration_s) {
     fmt::print("{}: {} on {}\n", device.name, device.protocol, device.link);
   }
   for (const auto& note : can_notes(rig)) fmt::print("{}\n", note);
+  const auto print_line = [](const std::string& line) {
+    fmt::print("{}\n", line);
+    std::fflush(stdout);
+  };
+  faults.start([&] { emulator.wake(); }, print_line);
   std::fflush(stdout);
 
   boost::asio::signal_set signals(io, SIGINT, SIGTERM);
@@ -38,6 +45,7 @@ int emulate(const rig_config::Rig& rig, double duration_s) {
     signals.cancel();
     signals.clear();  // a second Ctrl-C ends the program at once
     timer.cancel();
+    faults.stop();
     emulator.stop();
   };
   signals.async_wait([&](const boost::system::error_code& ec, int) { stop(ec); });

@@ -14,6 +14,7 @@ int main(int argc, char** argv) {
   app.footer("drydock COMMAND --help shows an example of each.");
   cli::Command command;
   cli::add_rig_commands(app, command);
+  cli::add_fault_command(app, command);
   cli::add_capture_commands(app, command);
   cli::add_field_commands(app, command);
   cli::add_recording_commands(app, command);

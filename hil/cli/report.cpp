@@ -55,6 +55,16 @@ std::string error_table(const EstimatorSummary& e) {
   return out + "</table></div>\n";
 }
 
+std::string fault_section(const Summary& s) {
+  if (s.faults.empty()) return {};
+  std::string out =
+      "<h2>Faults</h2>\n<div class=scroll><table><tr><th>fault<th>from<th>until</tr>\n";
+  for (const auto& f : s.faults)
+    out += fmt::format("<tr><td>{}<td>{:.3f} s<td>{}</tr>\n", escaped(f.words), f.since_s,
+                       f.until_s ? fmt::format("{:.3f} s", *f.until_s) : "the end");
+  return out + "</table></div>\n";
+}
+
 std::string verdict_section(const Summary& s) {
   if (s.verdicts.empty()) return {};
   std::string out =
@@ -154,7 +164,7 @@ std::string to_html(const Summary& s) {
       escaped(s.mode), s.duration_s, s.wall_s, s.seed, s.interrupted ? ", interrupted" : "",
       streaming == s.devices.size() ? "ok" : "bad", streaming, s.devices.size());
   for (const auto& note : s.notes) out += fmt::format("<p>{}</p>\n", escaped(note));
-  out += verdict_section(s) + "<h2>Health</h2>\n" + health_table(s);
+  out += verdict_section(s) + fault_section(s) + "<h2>Health</h2>\n" + health_table(s);
   for (std::size_t i = 0; i < s.estimators.size(); ++i) out += estimator_section(s, i);
   out += measurement_section(s) + motion_section(s) + process_section(s);
   return html::page(s.rig, out);

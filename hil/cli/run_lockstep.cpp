@@ -15,13 +15,14 @@
 #include "estimators/cli/rig_pipeline.hpp"
 #include "estimators/pipeline/pipeline.hpp"
 #include "hil/cli/expect_watch.hpp"
+#include "hil/cli/fault/live_faults.hpp"
 #include "hil/cli/interrupt_flag.hpp"
 #include "hil/cli/run.hpp"
 #include "hil/cli/run_watchers.hpp"
 #include "hil/cli/scribe.hpp"
 #include "hil/cli/truth_of_rig.hpp"
 #include "hil/emulate/lockstep.hpp"
-#include "hil/fault/injector.hpp"
+#include "hil/fault/chronicle.hpp"
 #include "hil/motion/remembered_trajectory.hpp"
 
 namespace drydock::cli {
@@ -73,6 +74,7 @@ class LockstepBench final : private device::Listener, private pipeline::Estimate
             motion::make_trajectory(rig.mission, start_))),
         clock_(start_),
         faults_(rig, *trajectory_, start_),
+        chronicle_(faults_, start_),
         pipeline_(or_throw(pipeline::make_pipeline(pipeline_options(rig), *this))),
         duration_s_(options.duration_s > 0 ? options.duration_s
                                            : measurement::seconds(trajectory_->end() - start_)),
@@ -80,6 +82,10 @@ class LockstepBench final : private device::Listener, private pipeline::Estimate
                 options.curve_points),
         expects_(rig, truth_for_estimators(rig) ? trajectory_.get() : nullptr, start_),
         watchers_(rig, truth_for_estimators(rig) ? trajectory_.get() : nullptr) {
+    if (!quiet_ && ::isatty(STDOUT_FILENO) != 1)
+      chronicle_.set_on_change([this](const fault::Episode& episode) {
+        fmt::print("{}\n", line_of(episode, start_));
+      });
     if (!options.record.path.empty()) {
       recorder_.emplace(rig, options.record, start_, record::WhenBehind::wait);
       watchers_.all.add(*recorder_);
@@ -97,6 +103,7 @@ class LockstepBench final : private device::Listener, private pipeline::Estimate
     while (clock_.now() < end && !interrupted.set()) {
       clock_.run_until(std::min(end, clock_.now() + std::chrono::seconds{1}));
       scribe_.follow(clock_.now());
+      chronicle_.follow(clock_.now());
       expects_.follow(
           clock_.now(), [this] { return devices(); }, pipeline_);
       tell_watchers();
@@ -116,6 +123,7 @@ class LockstepBench final : private device::Listener, private pipeline::Estimate
     if (recorder_) s.notes.push_back(recorder_->finish());
     scribe_.write(s);
     expects_.write(s, pipeline_);
+    cli::write(chronicle_, start_, s);
     return s;
   }
 
@@ -249,10 +257,7 @@ class LockstepBench final : private device::Listener, private pipeline::Estimate
   void tell_faults() {
     auto now = faults_.in_force(clock_.now());
     if (now == faults_told_) return;
-    std::vector<bus::Fault> all;
-    for (const fault::FaultNow& f : now)
-      all.push_back({f.device, f.name, f.words, f.since, f.until});
-    watchers_.all.note(all, clock_.now());
+    tell_faults_to(watchers_.all, now, clock_.now());
     faults_told_ = std::move(now);
   }
 
@@ -273,6 +278,7 @@ class LockstepBench final : private device::Listener, private pipeline::Estimate
   shell::Lockstep clock_;
   fault::Injector faults_;
   std::vector<fault::FaultNow> faults_told_;
+  fault::Chronicle chronicle_;
   pipeline::Pipeline pipeline_;
   double duration_s_;
   Scribe scribe_;

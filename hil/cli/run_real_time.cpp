@@ -14,11 +14,13 @@
 #include "drivers/cli/driver_host.hpp"
 #include "drivers/cli/live_table.hpp"
 #include "drivers/cli/rig_bus.hpp"
+#include "drivers/link/clock.hpp"
 #include "drivers/link/link.hpp"
 #include "drivers/shell/rig_devices.hpp"
 #include "estimators/cli/estimator_host.hpp"
 #include "estimators/cli/rig_pipeline.hpp"
 #include "hil/cli/expect_watch.hpp"
+#include "hil/cli/fault/live_faults.hpp"
 #include "hil/cli/run.hpp"
 #include "hil/cli/run_watchers.hpp"
 #include "hil/cli/scribe.hpp"
@@ -44,12 +46,13 @@ class Bench {
   Bench(const rig_config::Rig& rig, const RunOptions& options)
       : rig_(rig),
         options_(options),
-        start_(link::now()),
+        start_(link::steady_now()),
         trajectory_(motion::make_trajectory(rig.mission, start_)),
         participant_(static_cast<std::uint32_t>(rig.dds_domain)),
         publisher_(participant_, bus_devices(rig), estimator_names(rig), navigator_names(rig)),
         subscriber_(participant_, bus_devices(rig)),
-        emulator_(io_, *trajectory_, rig.seed),
+        faults_(io_, rig, *trajectory_, start_),
+        emulator_(io_, faults_.injector()),
         watchers_(rig, truth_for_estimators(rig) ? trajectory_.get() : nullptr),
         drivers_(io_, or_throw(shell::make_devices(rig)), &publisher_, &watchers_.all),
         estimators_(io_, pipeline_options(rig), subscriber_, publisher_),
@@ -73,6 +76,12 @@ class Bench {
     if (auto started = emulator_.start(emulated_devices(rig_)); !started) {
       throw std::runtime_error(started.error().message);
     }
+    faults_.set_on_change([this](const fault::Episode&) {
+      const auto now = link::now();
+      tell_faults_to(watchers_.all, faults_.injector().in_force(now), now);
+    });
+    faults_.start([this] { emulator_.wake(); },
+                  [this](const std::string& line) { live_.note(line); });
     estimators_.start();
     drivers_.start();
     signals_.async_wait([this](const boost::system::error_code& ec, int) {
@@ -116,7 +125,7 @@ class Bench {
     };
   }
 
-  double elapsed() const { return measurement::seconds(link::now() - start_); }
+  double elapsed() const { return measurement::seconds(link::steady_now() - start_); }
 
   void schedule_redraw() {
     timer_.expires_after(redraw_period);
@@ -146,13 +155,14 @@ class Bench {
   void stop() {
     if (stopping_) return;
     stopping_ = true;
-    end_ = link::now();
+    end_ = link::steady_now();
     devices_ = devices();
     signals_.cancel();
     signals_.clear();  // a second Ctrl-C ends the program at once
     timer_.cancel();
     drivers_.stop();
     estimators_.stop();
+    faults_.stop();
     emulator_.stop();
     if (viewer_) viewer_->stop();
   }
@@ -176,6 +186,7 @@ class Bench {
     if (recorder_) s.notes.push_back(recorder_->finish());
     scribe_.write(s);
     expects_.write(s, estimators_.pipeline());
+    faults_.write(s);
     return s;
   }
 
@@ -187,6 +198,7 @@ class Bench {
   bus::Participant participant_;
   bus::Publisher publisher_;
   bus::Subscriber subscriber_;
+  LiveFaults faults_;
   emulate::RealTimeEmulator emulator_;
   RunWatchers watchers_;
   std::optional<RigRecorder> recorder_;

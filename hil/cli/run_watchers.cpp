@@ -44,4 +44,12 @@ void RunWatchers::note(const pipeline::InnovationReport& innovation) {
   if (!all.empty()) all.note(bus_innovation(innovation));
 }
 
+void tell_faults_to(Watchers& all, const std::vector<fault::FaultNow>& faults,
+                    measurement::Stamp now) {
+  std::vector<bus::Fault> told;
+  for (const fault::FaultNow& f : faults)
+    told.push_back({f.device, f.name, f.words, f.since, f.until});
+  all.note(told, now);
+}
+
 }  // namespace drydock::cli

@@ -5,6 +5,7 @@
 #include "drivers/cli/rig_recorder.hpp"
 #include "drivers/cli/rig_viewer.hpp"
 #include "estimators/cli/bus_estimates.hpp"
+#include "hil/fault/injector.hpp"
 #include "hil/motion/truth.hpp"
 
 namespace drydock::cli {
@@ -31,5 +32,9 @@ class RunWatchers {
   measurement::Stamp last_truth_{};
   BusNavigation to_bus_;
 };
+
+/// All faults in force at `now`, as pages and recordings have them.
+void tell_faults_to(Watchers& all, const std::vector<fault::FaultNow>& faults,
+                    measurement::Stamp now);
 
 }  // namespace drydock::cli

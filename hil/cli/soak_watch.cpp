@@ -48,7 +48,9 @@ void SoakWatch::look(const RunView& run) {
 
 void SoakWatch::set_faults(const RunView& run) {
   while (start_ + measurement::from_seconds(next_.start_s) <= run.now) {
-    if (const auto set = run.faults.set(next_, run.now); !set) add(to_string(set.error().front()));
+    rig_config::FaultConfig now = next_;
+    now.start_s = 0;
+    if (const auto set = run.faults.set(now, run.now); !set) add(to_string(set.error().front()));
     ++faults_set_;
     ++by_word_[std::string(rig_config::word_of(next_.kind).name)];
     const auto until = run.now + measurement::from_seconds(*next_.for_s) + recovers_within;

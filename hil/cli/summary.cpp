@@ -62,6 +62,27 @@ Json verdict_json(const Verdict& v) {
           {"expected", v.expected}, {"passed", v.passed}, {"line", v.line}};
 }
 
+Json fault_json(const FaultSummary& f) {
+  return {{"device", f.device},
+          {"fault", f.words},
+          {"since_s", f.since_s},
+          {"until_s", f.until_s ? Json(*f.until_s) : Json(nullptr)}};
+}
+
+/// A line each, as many as a person reads.
+std::string faults_text(const std::vector<FaultSummary>& faults) {
+  constexpr std::size_t most_lines = 20;
+  std::string out;
+  for (std::size_t i = 0; i < std::min(faults.size(), most_lines); ++i) {
+    const FaultSummary& f = faults[i];
+    out += fmt::format("fault {:.3f} s to {}: {}\n", f.since_s,
+                       f.until_s ? fmt::format("{:.3f} s", *f.until_s) : "the end", f.words);
+  }
+  if (faults.size() > most_lines)
+    out += fmt::format("and {} faults more (--json has all)\n", faults.size() - most_lines);
+  return out;
+}
+
 Json resident_json(const ResidentTrace& resident) {
   if (resident.megabytes.empty()) return nullptr;
   return {{"start_mb", resident.megabytes.front()},
@@ -86,9 +107,11 @@ std::string to_json(const Summary& s) {
             {"interrupted", s.interrupted},
             {"resident", resident_json(s.resident)},
             {"notes", s.notes},
+            {"faults", Json::array()},
             {"expectations", Json::array()},
             {"devices", Json::array()},
             {"estimators", Json::array()}};
+  for (const auto& f : s.faults) root["faults"].push_back(fault_json(f));
   for (const auto& v : s.verdicts) root["expectations"].push_back(verdict_json(v));
   for (const auto& d : s.devices) root["devices"].push_back(device_json(d));
   for (const auto& e : s.estimators) {
@@ -131,6 +154,7 @@ std::string to_text(const Summary& s) {
     }
     out += '\n';
   }
+  out += faults_text(s.faults);
   for (const auto& note : s.notes) out += note + '\n';
   return out + to_text(s.verdicts);
 }

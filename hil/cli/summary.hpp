@@ -62,6 +62,13 @@ struct MotionTrace {
   std::vector<double> t_s, north_m, east_m, depth_m, speed_mps, heading_deg;
 };
 
+/// A fault that was in force, times from the start of the run.
+struct FaultSummary {
+  std::string device, words;
+  double since_s = 0;
+  std::optional<double> until_s;  ///< empty: to the end
+};
+
 /// What the process held in memory as the run went on.
 struct ResidentTrace {
   std::vector<double> t_s, megabytes;
@@ -81,6 +88,7 @@ struct Summary {
   std::vector<std::string> notes;  ///< for a person: which CAN level, what was left out
   std::vector<DeviceSummary> devices;
   std::vector<EstimatorSummary> estimators;
+  std::vector<FaultSummary> faults;
   std::vector<Verdict> verdicts;            ///< on the rig's [[expect]]
   std::vector<AttitudeTrace> traces;        ///< one an estimator
   std::vector<NavigationTrace> navigation;  ///< one an estimator; empty of other kinds

@@ -39,4 +39,33 @@ boost::system::result<std::unique_ptr<EmulatedDevice>, EmulateError> make_emulat
     const rig_config::DeviceConfig& config, const motion::Trajectory& trajectory,
     std::uint64_t seed, const PowerUp& power);
 
+/// Makes the devices of a rig for a bench: sound ones, or those of hil/fault.
+class DeviceMaker {
+ public:
+  using Made = boost::system::result<std::unique_ptr<EmulatedDevice>, EmulateError>;
+
+  virtual ~DeviceMaker() = default;
+  virtual Made device(const rig_config::DeviceConfig& config) = 0;
+  /// What else its bus needs beside a device; nullptr: nothing.
+  virtual std::unique_ptr<EmulatedDevice> rogue(const rig_config::DeviceConfig& config,
+                                                unsigned bit_rate) = 0;
+};
+
+/// Devices without a fault. The trajectory must outlive what it makes.
+class SoundDevices final : public DeviceMaker {
+ public:
+  SoundDevices(const motion::Trajectory& trajectory, std::uint64_t seed)
+      : trajectory_(trajectory), seed_(seed) {}
+  Made device(const rig_config::DeviceConfig& config) override {
+    return make_emulated_device(config, trajectory_, seed_);
+  }
+  std::unique_ptr<EmulatedDevice> rogue(const rig_config::DeviceConfig&, unsigned) override {
+    return nullptr;
+  }
+
+ private:
+  const motion::Trajectory& trajectory_;
+  std::uint64_t seed_;
+};
+
 }  // namespace drydock::emulate

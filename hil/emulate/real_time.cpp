@@ -14,9 +14,8 @@ EmulateError cannot(const rig_config::DeviceConfig& config, const std::string& w
 
 }  // namespace
 
-RealTimeEmulator::RealTimeEmulator(boost::asio::io_context& io,
-                                   const motion::Trajectory& trajectory, std::uint64_t seed)
-    : io_(io), trajectory_(trajectory), seed_(seed) {}
+RealTimeEmulator::RealTimeEmulator(boost::asio::io_context& io, DeviceMaker& maker)
+    : io_(io), maker_(maker) {}
 
 RealTimeEmulator::~RealTimeEmulator() { stop(); }
 
@@ -36,7 +35,7 @@ boost::system::result<void, EmulateError> RealTimeEmulator::start(
 
 boost::system::result<void, EmulateError> RealTimeEmulator::add(
     const rig_config::DeviceConfig& config) {
-  auto device = make_emulated_device(config, trajectory_, seed_);
+  auto device = maker_.device(config);
   if (!device) return device.error();
   const auto uri = link::parse_uri(config.link);
   if (!uri) return cannot(config, uri.error().message);
@@ -44,9 +43,8 @@ boost::system::result<void, EmulateError> RealTimeEmulator::add(
   if (uri->carries() == link::Carries::bytes) {
     auto line = link::open_bytes(io_.get_executor(), *uri, link::Side::device);
     if (!line) return cannot(config, line.error().message);
-    runners_.push_back(
-        std::make_shared<LineRunner>(io_, config.link, on_written_, config.name, std::move(*device),
-                                     uri->baud().value_or(without_line_rate), std::move(*line)));
+    runners_.push_back(std::make_shared<LineRunner>(io_, *uri, on_written_, config.name,
+                                                    std::move(*device), std::move(*line)));
     return {};
   }
 
@@ -55,12 +53,17 @@ boost::system::result<void, EmulateError> RealTimeEmulator::add(
   if (found == runners_.end()) {
     auto bus = link::open_frames(io_.get_executor(), *uri, link::Side::device);
     if (!bus) return cannot(config, bus.error().message);
-    runners_.push_back(std::make_shared<BusRunner>(io_, config.link, on_written_, *uri->bitrate(),
-                                                   std::move(*bus)));
+    runners_.push_back(std::make_shared<BusRunner>(io_, *uri, on_written_, std::move(*bus)));
     found = runners_.end() - 1;
   }
-  static_cast<BusRunner&>(**found).add(config.name, std::move(*device));
+  auto& bus = static_cast<BusRunner&>(**found);
+  bus.add(config.name, std::move(*device));
+  if (auto rogue = maker_.rogue(config, *uri->bitrate())) bus.add(config.name, std::move(rogue));
   return {};
+}
+
+void RealTimeEmulator::wake() {
+  for (const auto& runner : runners_) runner->wake();
 }
 
 void RealTimeEmulator::stop() {

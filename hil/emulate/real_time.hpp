@@ -19,7 +19,9 @@ class Runner;
 /// Runs emulated devices against the host's clock, each on the device side of its link: one line
 /// per byte device, one bus per CAN link with all devices that name it. It wakes only when a chunk
 /// or a frame is due. Bench time and the trajectory's time are the same: start the trajectory at
-/// link::now(). Everything runs on the thread of the io_context.
+/// link::steady_now(), which goes on evenly when the host's clock is set. A device whose port goes
+/// closes its end of the link, and a new one stands under the same name when it comes back.
+/// Everything runs on the thread of the io_context.
 class RealTimeEmulator {
  public:
   struct Counters {
@@ -35,8 +37,7 @@ class RealTimeEmulator {
       std::function<void(std::string_view device, const Passage& passage, Stamp written)>;
 
   /// Both must outlive the emulator.
-  RealTimeEmulator(boost::asio::io_context& io, const motion::Trajectory& trajectory,
-                   std::uint64_t seed);
+  RealTimeEmulator(boost::asio::io_context& io, DeviceMaker& maker);
   ~RealTimeEmulator();
 
   void set_on_written(OnWritten hook);  ///< to be called before start()
@@ -44,6 +45,9 @@ class RealTimeEmulator {
   /// Opens the links and starts the devices. The error names the device and what is wrong with it.
   boost::system::result<void, EmulateError> start(
       const std::vector<rig_config::DeviceConfig>& devices);
+
+  /// A device's deadline may have come nearer from without.
+  void wake();
 
   /// Closes the links; the coroutines end and io_context::run() returns when nothing else waits.
   void stop();
@@ -54,8 +58,7 @@ class RealTimeEmulator {
   boost::system::result<void, EmulateError> add(const rig_config::DeviceConfig& config);
 
   boost::asio::io_context& io_;
-  const motion::Trajectory& trajectory_;
-  std::uint64_t seed_;
+  DeviceMaker& maker_;
   OnWritten on_written_;
   std::vector<std::shared_ptr<Runner>> runners_;
 };

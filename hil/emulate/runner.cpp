@@ -40,11 +40,11 @@ void Runner::stop() {
 
 Runner::Coroutine Runner::keep_pace() {
   while (!stopped_) {
-    co_await send_due(link::now());
+    co_await send_due(link::steady_now());
     if (stopped_) break;
     const auto next = deadline();
     if (next) {
-      timer_.expires_after(*next - link::now());
+      timer_.expires_after(*next - link::steady_now());
     } else {
       timer_.expires_at(asio::steady_timer::time_point::max());
     }

@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 
+#include "drivers/link/clock.hpp"
 #include "drivers/link/link.hpp"
 #include "hil/emulate/can_pacer.hpp"
 #include "hil/emulate/line_pacer.hpp"
@@ -21,6 +22,7 @@ class Runner : public std::enable_shared_from_this<Runner> {
 
   void start();
   void stop();
+  void wake() { timer_.cancel(); }  ///< the deadline may have come nearer
   const std::string& link() const { return link_; }
   virtual RealTimeEmulator::Counters counters() const { return counters_; }
 
@@ -32,7 +34,6 @@ class Runner : public std::enable_shared_from_this<Runner> {
   virtual std::optional<Stamp> deadline() const = 0;
   virtual void close() = 0;
 
-  void wake() { timer_.cancel(); }  ///< the deadline may have come nearer
   void note_time(Stamp should, Stamp is);
   void note_written(const boost::system::result<void>& result, const std::string& device,
                     bool whole_message, const Passage& passage);
@@ -52,11 +53,11 @@ class Runner : public std::enable_shared_from_this<Runner> {
   RealTimeEmulator::Counters counters_;
 };
 
-/// A byte device at the end of a paced line.
+/// A byte device at the end of a paced line, whose port may go and come back.
 class LineRunner final : public Runner, private Wire {
  public:
-  LineRunner(boost::asio::io_context& io, std::string link, RealTimeEmulator::OnWritten on_written,
-             std::string name, std::unique_ptr<EmulatedDevice> device, unsigned baud,
+  LineRunner(boost::asio::io_context& io, link::Uri uri, RealTimeEmulator::OnWritten on_written,
+             std::string name, std::unique_ptr<EmulatedDevice> device,
              std::unique_ptr<link::ByteLink> line);
 
   RealTimeEmulator::Counters counters() const override;
@@ -65,23 +66,31 @@ class LineRunner final : public Runner, private Wire {
   Coroutine listen() override;
   Coroutine send_due(Stamp now) override;
   std::optional<Stamp> deadline() const override;
-  void close() override { line_->close(); }
+  void close() override;
+
+  Coroutine hear();     ///< until the port goes
+  Coroutine plug_in();  ///< when the port may come back
 
   void send(wire::Bytes bytes) override { pacer_.queue(bytes, wire_time_, device_->sampled_at()); }
   void send(const wire::CanFrame&) override {}  // frames do not travel on a serial line
+  void unplug() override;
+  void plug() override;
 
+  link::Uri uri_;
   std::string name_;
   std::unique_ptr<EmulatedDevice> device_;
   LinePacer pacer_;
-  std::unique_ptr<link::ByteLink> line_;
+  std::shared_ptr<link::ByteLink> line_;  ///< empty: the port is gone
+  bool plugged_ = true;
+  boost::asio::steady_timer port_;  ///< cancelled as a signal: plugged_ has changed
   Stamp wire_time_{};
 };
 
-/// The nodes of one CAN bus.
+/// The nodes of one CAN bus, whose interface may be set down and up again.
 class BusRunner final : public Runner {
  public:
-  BusRunner(boost::asio::io_context& io, std::string link, RealTimeEmulator::OnWritten on_written,
-            unsigned bit_rate, std::unique_ptr<link::FrameLink> bus);
+  BusRunner(boost::asio::io_context& io, link::Uri uri, RealTimeEmulator::OnWritten on_written,
+            std::unique_ptr<link::FrameLink> bus);
   ~BusRunner() override;
 
   void add(std::string name, std::unique_ptr<EmulatedDevice> device);
@@ -93,12 +102,16 @@ class BusRunner final : public Runner {
   Coroutine listen() override;
   Coroutine send_due(Stamp now) override;
   std::optional<Stamp> deadline() const override;
-  void close() override { bus_->close(); }
+  void close() override;
 
+  Coroutine open_again();
   void deliver(const wire::CanFrame& frame, Stamp at, int sender);
 
+  link::Uri uri_;
   CanPacer pacer_;
-  std::unique_ptr<link::FrameLink> bus_;
+  bool cut_off_ = false;                  ///< the drivers, whose controller is bus-off
+  std::shared_ptr<link::FrameLink> bus_;  ///< empty: the interface is down or gone
+  boost::asio::steady_timer retry_;
   std::vector<std::unique_ptr<Node>> nodes_;
 };
 

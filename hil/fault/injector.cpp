@@ -1,6 +1,35 @@
 #include "hil/fault/injector.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "drivers/link/uri.hpp"
+
 namespace drydock::fault {
+
+namespace {
+
+/// Nothing where this program plays the device.
+std::optional<std::string> not_played(const DeviceConfig& device) {
+  const auto uri = link::parse_uri(device.link);
+  if (!uri || uri->emulated()) return {};
+  return fmt::format("device \"{}\" is not emulated, its link is {}; allowed: {}", device.name,
+                     device.link, uri->recorded() ? "drydock replay" : "drydock proxy");
+}
+
+}  // namespace
+
+rig_config::Problems check_faults(const rig_config::Rig& rig) {
+  auto problems = rig_config::check_faults_of(rig);
+  for (const FaultConfig& fault : rig.faults) {
+    const auto device = std::ranges::find(rig.devices, fault.device, &DeviceConfig::name);
+    if (device == rig.devices.end()) continue;
+    if (const auto why = not_played(*device))
+      problems.push_back({fault.file, fault.line, 1, "/fault", *why});
+  }
+  return problems;
+}
 
 Injector::Injector(const rig_config::Rig& rig, const motion::Trajectory& trajectory, Stamp start)
     : rig_(rig), trajectory_(trajectory), start_(start) {
@@ -9,8 +38,7 @@ Injector::Injector(const rig_config::Rig& rig, const motion::Trajectory& traject
   for (const auto& fault : rig.faults) schedules_.at(fault.device)->add(fault);
 }
 
-boost::system::result<std::unique_ptr<emulate::EmulatedDevice>, emulate::EmulateError>
-Injector::device(const DeviceConfig& config) {
+Injector::Made Injector::device(const DeviceConfig& config) {
   auto made = FaultyDevice::make(config, trajectory_, rig_.seed, schedules_.at(config.name));
   if (!made) return made.error();
   return std::unique_ptr<emulate::EmulatedDevice>(std::move(*made));
@@ -27,7 +55,7 @@ boost::system::result<void, rig_config::Problems> Injector::set(const FaultConfi
   rig_config::Rig asked;
   asked.devices = rig_.devices;
   asked.faults = {fault};
-  if (auto problems = rig_config::check_faults_of(asked); !problems.empty()) return problems;
+  if (auto problems = check_faults(asked); !problems.empty()) return problems;
   schedules_.at(fault.device)->set(fault, now);
   return {};
 }
@@ -46,6 +74,15 @@ std::vector<FaultNow> Injector::in_force(Stamp at) const {
       all.push_back({name, std::string(rig_config::word_of(now.fault->kind).name), now.fault->words,
                      now.since, now.until});
   return all;
+}
+
+std::optional<Stamp> Injector::next_change(Stamp after) const {
+  std::optional<Stamp> next;
+  for (const auto& [name, schedule] : schedules_) {
+    const auto change = schedule->next_change(after);
+    if (change && (!next || *change < *next)) next = change;
+  }
+  return next;
 }
 
 }  // namespace drydock::fault

@@ -31,7 +31,7 @@ void MessageFaults<Carried>::set(const std::vector<InForce>& faults) {
   for (const InForce& now : faults) {
     if (!is_of_messages(now.fault->kind)) continue;
     if (Active* before = find(now.fault->kind); before && before->fault.words == now.fault->words)
-      next.push_back(std::move(*before));
+      next.push_back(*before);
     else
       next.push_back({*now.fault, RandomStream(seed_ ^ now.fault->seed, device_,
                                                rig_config::word_of(now.fault->kind).name)});
@@ -41,9 +41,9 @@ void MessageFaults<Carried>::set(const std::vector<InForce>& faults) {
 
 template <class Carried>
 typename MessageFaults<Carried>::Active* MessageFaults<Carried>::find(FaultKind kind) {
-  const auto found = std::ranges::find_if(
-      active_, [&](const Active& active) { return active.fault.kind == kind; });
-  return found == active_.end() ? nullptr : &*found;
+  for (auto active = active_.rbegin(); active != active_.rend(); ++active)
+    if (active->fault.kind == kind) return &*active;
+  return nullptr;
 }
 
 template <class Carried>

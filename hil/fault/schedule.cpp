@@ -8,6 +8,8 @@ namespace {
 
 using std::chrono::nanoseconds;
 
+bool by_hand(const FaultConfig& fault) { return fault.file.empty(); }
+
 struct Turn {
   Stamp since{};
   std::optional<Stamp> until;
@@ -38,19 +40,18 @@ std::optional<Stamp> change_after(const FaultConfig& fault, Stamp start, Stamp a
 }  // namespace
 
 const InForce* find(const std::vector<InForce>& faults, FaultKind kind) {
-  const auto found =
-      std::ranges::find_if(faults, [&](const InForce& now) { return now.fault->kind == kind; });
-  return found == faults.end() ? nullptr : &*found;
+  for (auto now = faults.rbegin(); now != faults.rend(); ++now)
+    if (now->fault->kind == kind) return &*now;
+  return nullptr;
 }
 
 void Schedule::add(const FaultConfig& fault) { faults_.push_back(fault); }
 
 void Schedule::set(FaultConfig fault, Stamp now) {
   std::erase_if(faults_, [&](const FaultConfig& other) {
-    const auto turn = last_turn(other, start_, now);
-    return turn && turn->until && *turn->until <= now && !other.every_s;
+    return by_hand(other) && other.kind == fault.kind && other.quantity == fault.quantity;
   });
-  fault.start_s = measurement::seconds(now - start_);
+  fault.start_s += measurement::seconds(now - start_);
   faults_.push_back(std::move(fault));
   ++edits_;
 }

@@ -19,7 +19,7 @@ struct InForce {
   std::optional<Stamp> until;  ///< empty: until cleared
 };
 
-/// The first of a kind, or nullptr.
+/// The last of a kind, which goes before the others; nullptr: none.
 const InForce* find(const std::vector<InForce>& faults, FaultKind kind);
 
 /// Which faults of one device are in force when. A fault holds from its start to just before its
@@ -30,7 +30,8 @@ class Schedule {
 
   void add(const FaultConfig& fault);
 
-  /// Sets one from `now` on, whatever its start_s says. Those that are over are forgotten.
+  /// Sets one by hand: its start_s counts from `now`. It takes the place of one of the same kind
+  /// and quantity that was set by hand before.
   void set(FaultConfig fault, Stamp now);
 
   /// Takes out those of a kind, or all; how many were in force or still to come.

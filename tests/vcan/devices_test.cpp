@@ -86,7 +86,8 @@ TEST_F(Bench, CandumpSeesTheEmulatedDevicesAndTheDriversGetTheTruth) {
   mission.latitude_rad = 0.6;
   mission.legs = {{.kind = rig_config::LegKind::straight, .duration_s = 60}};
   const motion::KinematicTrajectory trajectory(mission, link::now());
-  emulate::RealTimeEmulator emulator(io, trajectory, 1);
+  emulate::SoundDevices sound(trajectory, 1);
+  emulate::RealTimeEmulator emulator(io, sound);
   const int before = receiver_count(interface());
   Process candump({"candump", "-L", interface()});
   ASSERT_TRUE(wait_for_receivers(interface(), before + 1));

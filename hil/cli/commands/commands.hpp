@@ -16,6 +16,9 @@ using Command = std::function<int()>;
 /// run, emulate, drive, estimate, check: a rig file and what it describes.
 void add_rig_commands(CLI::App& app, Command& command);
 
+/// fault: breaks a bench that runs, and mends it.
+void add_fault_command(CLI::App& app, Command& command);
+
 /// decode: what one link said.
 void add_capture_commands(CLI::App& app, Command& command);
 

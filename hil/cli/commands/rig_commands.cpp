@@ -10,6 +10,7 @@
 #include "estimators/cli/estimate.hpp"
 #include "hil/cli/commands/commands.hpp"
 #include "hil/cli/emulate.hpp"
+#include "hil/cli/fault/fault.hpp"
 #include "hil/cli/run.hpp"
 #include "rig_config/load.hpp"
 
@@ -57,13 +58,17 @@ void add_serve(CLI::App& sub, ServeOptions& serve, const std::string& more) {
 
 namespace {
 
+void add_faults_option(CLI::App* sub, std::string& file) {
+  sub->add_option("--faults", file, "file of blocks [[fault]], beside those of the rig");
+}
+
 void add_overwrite(CLI::App* sub, RecordOptions& record) {
   sub->add_flag("--overwrite", record.overwrite, "replace a recording that is there");
 }
 
 void add_run(CLI::App& app, Command& command) {
   struct Arguments {
-    std::string rig, speed = "1";
+    std::string rig, faults, speed = "1";
     std::optional<std::uint64_t> seed;
     RunOptions options;
   };
@@ -79,6 +84,7 @@ void add_run(CLI::App& app, Command& command) {
                   "how long: 60s, 10min, 5.5h; default until Ctrl-C")
       ->transform(duration_text);
   sub->add_option("--seed", a->seed, "seed of all random errors; default that of the rig file");
+  add_faults_option(sub, a->faults);
   sub->add_option("--speed", a->speed, "1: real time; max: lockstep in virtual time")
       ->check(CLI::IsMember({"1", "max"}))
       ->capture_default_str();
@@ -98,6 +104,7 @@ void add_run(CLI::App& app, Command& command) {
   sub->callback([a, &command] {
     command = [a] {
       auto rig = load_rig(a->rig);
+      add_faults(rig, a->faults);
       if (a->seed) rig.seed = *a->seed;
       a->options.lockstep = a->speed == "max";
       if (a->options.lockstep && !a->options.serve.address.empty())
@@ -107,22 +114,25 @@ void add_run(CLI::App& app, Command& command) {
   });
 }
 
-/// emulate: a rig and a duration.
-void add_rig_command(CLI::App& app, Command& command, const std::string& name,
-                     const std::string& description, const std::string& example,
-                     int (*body)(const rig_config::Rig&, double)) {
+void add_emulate(CLI::App& app, Command& command) {
   struct Arguments {
-    std::string rig;
+    std::string rig, faults;
     double duration_s = 0;
   };
   auto a = std::make_shared<Arguments>();
-  auto* sub = app.add_subcommand(name, description);
-  sub->footer("Example: " + example);
+  auto* sub = app.add_subcommand("emulate",
+                                 "The emulated devices of a rig, for any program to open");
+  sub->footer("Example: drydock emulate rig_config/rigs/demo.toml");
   sub->add_option("RIG", a->rig, "rig file (TOML)")->required();
   sub->add_option("--for", a->duration_s, "how long: 60s, 10min, 5.5h; default until Ctrl-C")
       ->transform(duration_text);
-  sub->callback([a, &command, body] {
-    command = [a, body] { return body(load_rig(a->rig), a->duration_s); };
+  add_faults_option(sub, a->faults);
+  sub->callback([a, &command] {
+    command = [a] {
+      auto rig = load_rig(a->rig);
+      add_faults(rig, a->faults);
+      return emulate(rig, a->duration_s);
+    };
   });
 }
 
@@ -178,8 +188,7 @@ void add_check(CLI::App& app, Command& command) {
 
 void add_rig_commands(CLI::App& app, Command& command) {
   add_run(app, command);
-  add_rig_command(app, command, "emulate", "The emulated devices of a rig, for any program to open",
-                  "drydock emulate rig_config/rigs/demo.toml", emulate);
+  add_emulate(app, command);
   add_drive_command(app, command, "drive",
                     "The drivers of a rig: links in, measurements on the bus",
                     "drydock drive rig_config/rigs/demo.toml", "--record");

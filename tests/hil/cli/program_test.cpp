@@ -25,10 +25,10 @@ using program::read_file;
 
 TEST(Program, HelpOfEveryCommandShowsAnExample) {
   for (const char* command :
-       {"run",     "emulate",  "drive",  "record",      "estimate", "check",
-        "monitor", "decode",   "replay", "probe",       "doctor",   "completion",
-        "man",     "export",   "cut",    "recover",     "bisect",   "sensor",
-        "sky",     "maneuver", "study",  "characterize"}) {
+       {"run",     "emulate",  "drive",  "record",       "estimate", "check",
+        "monitor", "decode",   "replay", "probe",        "doctor",   "completion",
+        "man",     "export",   "cut",    "recover",      "bisect",   "sensor",
+        "sky",     "maneuver", "study",  "characterize", "fault"}) {
     const auto help = drydock(std::string{command} + " --help");
     EXPECT_EQ(help.exit_code, 0) << command;
     EXPECT_THAT(help.output, HasSubstr("Example")) << command;
@@ -130,6 +130,74 @@ TEST(Program, DriveAndEstimateAsTwoProcessesDoWhatRunDoesInOne) {
   const auto text = read_file(log);
   // 100 Hz for the seconds in which all three run, less discovery and the filter's start.
   EXPECT_GT(std::count(text.begin(), text.end(), '\n'), 200) << read_file(folder / "drive.txt");
+}
+
+TEST(Program, AFaultIsSetListedAndClearedWhileTheBenchRuns) {
+  const Folder folder;
+  const std::string rig = "rig_config/rigs/demo.toml",
+                    fault = DRYDOCK_PROGRAM " fault " + rig + " ";
+  const auto outcome = drydock("run " + rig + " --for 8s --json " + (folder / "s.json").string() +
+                               " > " + (folder / "run.txt").string() + " & sleep 3; " + fault +
+                               "set dvl garbage bytes=32 --for 1s; " + fault + "set emlog unplug; " +
+                               fault + "list; " + fault + "set emlog bottom-lost; " + fault +
+                               "clear emlog; sleep 1; " + fault + "list; wait");
+  EXPECT_THAT(outcome.output, HasSubstr("set: dvl: garbage, bytes = 32, for 1 s"));
+  EXPECT_THAT(outcome.output, HasSubstr("emlog: unplug (since "));
+  EXPECT_THAT(outcome.output, HasSubstr("only a dvl hears the sea bed"));
+  EXPECT_THAT(outcome.output, HasSubstr("cleared: 1"));
+  EXPECT_THAT(outcome.output, HasSubstr("no fault is in force"));
+  EXPECT_THAT(read_file(folder / "run.txt"), HasSubstr(" s fault set: emlog: unplug"));
+  const auto summary = nlohmann::json::parse(read_file(folder / "s.json"));
+  ASSERT_EQ(summary["faults"].size(), 2u) << summary["faults"];
+  EXPECT_NEAR(summary["faults"][0]["until_s"].get<double>(),
+              summary["faults"][0]["since_s"].get<double>() + 1, 0.001);
+}
+
+TEST(Program, AFaultNeedsABenchThatRunsAndSaysHowToStartOne) {
+  const auto set = drydock("fault rig_config/rigs/demo.toml set dvl hang");
+  EXPECT_EQ(set.exit_code, 1);
+  EXPECT_THAT(set.output, HasSubstr("start one: drydock run rig_config/rigs/demo.toml"));
+  const auto words = drydock("fault rig_config/rigs/demo.toml words");
+  EXPECT_EQ(words.exit_code, 0);
+  EXPECT_THAT(words.output, HasSubstr("bottom-lost"));
+}
+
+TEST(Program, AFileOfFaultsIsPutOnALockstepRunAndAWrongOneRefused) {
+  const Folder folder;
+  std::ofstream(folder / "f.toml")
+      << "[[fault]]\ndevice = \"emlog\"\nfault = \"hang\"\nstart_s = 5\nfor_s = 10\n";
+  const std::string run = "run rig_config/rigs/demo.toml --for 20s --speed max --faults ";
+  const auto outcome = drydock(run + (folder / "f.toml").string());
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.output;
+  EXPECT_THAT(outcome.output, HasSubstr("fault 5.000 s to 15.000 s: emlog: hang"));
+  std::ofstream(folder / "bad.toml") << "[[fault]]\ndevice = \"emlog\"\nfault = \"bottom-lost\"\n";
+  const auto refused = drydock(run + (folder / "bad.toml").string());
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_THAT(refused.output, HasSubstr("bad.toml:1:1: /fault: emlog \"emlog\""));
+}
+
+// Each process in its turn is killed without a word and started again. What the second drive
+// printed is of a process that met ptys and buses as the first had left them.
+TEST(Program, EitherProcessKilledAndStartedAgainStreamsFromAllDevices) {
+  const Folder folder;
+  const std::string rig = "rig_config/rigs/demo.toml";
+  const auto in_background = [&](const std::string& what, const std::string& name) {
+    return DRYDOCK_PROGRAM " " + what + " " + rig + " > " + (folder / name).string() + " 2>&1 & ";
+  };
+  const auto outcome = drydock(
+      "--version; " + in_background("emulate", "emulate1.txt") + "emulate=$!; sleep 1; " +
+      in_background("drive", "drive1.txt") + "drive=$!; sleep 3; kill -KILL $drive; " +
+      in_background("drive", "drive2.txt") + "drive=$!; sleep 4; kill -KILL $emulate; sleep 1; " +
+      in_background("emulate", "emulate2.txt") +
+      "emulate=$!; sleep 6; kill -TERM $drive; wait $drive; "
+      "echo drive ended with $?; kill -TERM $emulate; wait");
+  const auto drive = read_file(folder / "drive2.txt");
+  EXPECT_THAT(outcome.output, HasSubstr("drive ended with 0")) << drive;
+  for (const char* device : {"imu", "dvl", "emlog", "gnss", "depth", "actuators"}) {
+    const auto first = drive.find(std::string(device) + ": waiting -> streaming");
+    EXPECT_NE(first, std::string::npos) << device << "\n" << drive;
+  }
+  EXPECT_THAT(drive, HasSubstr("-> backing off"));
 }
 
 TEST(Program, InterruptEndsARunCleanlyWithTheReport) {

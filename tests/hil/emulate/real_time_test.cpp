@@ -89,10 +89,11 @@ class RealTime : public testing::Test {
   std::vector<std::uint8_t> heard_;
   std::vector<wire::CanFrame> frames_;
   motion::KinematicTrajectory trajectory_{rig_config::MissionConfig{}, link::now()};
+  SoundDevices devices_{trajectory_, 1};
 };
 
 TEST_F(RealTime, ALineOf4800BaudCarriesNoMoreThanItsRate) {
-  RealTimeEmulator emulator(io_, trajectory_, 1);
+  RealTimeEmulator emulator(io_, devices_);
   int hooks = 0;
   emulator.set_on_written(
       [&](std::string_view name, const Passage&, Stamp) { hooks += name == "nmea0183 device"; });
@@ -109,7 +110,7 @@ TEST_F(RealTime, ALineOf4800BaudCarriesNoMoreThanItsRate) {
 }
 
 TEST_F(RealTime, OnAPtyWholeSoundSentencesArrive) {
-  RealTimeEmulator emulator(io_, trajectory_, 1);
+  RealTimeEmulator emulator(io_, devices_);
   const std::string uri = "pty:emulate-test-log?baud=4800";
   ASSERT_TRUE(emulator.start({on(uri, device(DeviceKind::emlog, "nmea0183", 2))}));
   listen_bytes(uri);
@@ -123,7 +124,7 @@ TEST_F(RealTime, OnAPtyWholeSoundSentencesArrive) {
 }
 
 TEST_F(RealTime, DevicesThatNameOneBusShareItAndHearTheDriver) {
-  RealTimeEmulator emulator(io_, trajectory_, 1);
+  RealTimeEmulator emulator(io_, devices_);
   const std::string uri = "memory-can:emulate-test";
   ASSERT_TRUE(emulator.start({on(uri, device(DeviceKind::imu, "cia404-imu", 100)),
                               on(uri, device(DeviceKind::depth, "nmea2000", 5))}));
@@ -140,7 +141,7 @@ TEST_F(RealTime, DevicesThatNameOneBusShareItAndHearTheDriver) {
 }
 
 TEST_F(RealTime, SixDevicesNeedLittleOfOneProcessor) {
-  RealTimeEmulator emulator(io_, trajectory_, 1);
+  RealTimeEmulator emulator(io_, devices_);
   const std::string bus = "memory-can:six-devices";
   ASSERT_TRUE(
       emulator.start({on("memory:six-dvl?baud=115200", device(DeviceKind::dvl, "pd0", 5)),
@@ -159,7 +160,7 @@ TEST_F(RealTime, SixDevicesNeedLittleOfOneProcessor) {
 }
 
 TEST_F(RealTime, ADeviceThatCannotBeMadeOrOpenedIsNamed) {
-  RealTimeEmulator emulator(io_, trajectory_, 1);
+  RealTimeEmulator emulator(io_, devices_);
   const auto unknown = emulator.start({on("memory:x", device(DeviceKind::dvl, "ubx"))});
   ASSERT_FALSE(unknown);
   EXPECT_EQ(unknown.error().message,

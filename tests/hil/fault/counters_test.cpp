@@ -28,8 +28,11 @@ RC_GTEST_PROP(FaultCounters, EveryByteOfALineIsAccountedForUnderAnyFaults, ()) {
   RandomFaults random(bench.rig(), *rc::gen::arbitrary<std::uint64_t>(), 4);
   auto next = random.next();
   for (int second = 1; second <= 60; ++second) {
-    for (; next.start_s < second; next = random.next())
-      if (!bench.set(next)) RC_FAIL("a fault that the device can have was refused");
+    for (; next.start_s < second; next = random.next()) {
+      auto from_now = next;
+      from_now.start_s = 0;
+      if (!bench.set(from_now)) RC_FAIL("a fault that the device can have was refused");
+    }
     bench.run_to(second);
     const auto health = bench.health();
     const auto& stream = health.stream;

@@ -58,7 +58,7 @@ TEST(FaultSchedule, OneThatComesAgainHoldsInEachOfItsTurns) {
 TEST(FaultSchedule, WhatIsSetByHandHoldsFromThatMomentForItsTime) {
   Schedule schedule(start);
   const auto before = schedule.edits();
-  schedule.set(timed(99, 5), start + 42s);
+  schedule.set(timed(0, 5), start + 42s);
   EXPECT_NE(schedule.edits(), before) << "who follows it must look again";
   EXPECT_TRUE(holds(schedule, 42s));
   EXPECT_FALSE(holds(schedule, 47s));
