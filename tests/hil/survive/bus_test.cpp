@@ -17,8 +17,8 @@ TEST(BusOff, CutsTheDriversOffAndTheyStreamAfterTheRestart) {
   EXPECT_NE(std::string(bench.health().last_error.view()).find("bus-off"), std::string::npos)
       << bench.health().last_error.view();
   ASSERT_TRUE(bench.reaches(State::streaming));
-  EXPECT_EQ(bench.health().error_frames, 2u);  // restarted
-  EXPECT_EQ(bench.health().reopened, 0u);      // the bus itself never went
+  EXPECT_TRUE(bench.until([&] { return bench.health().error_frames == 2; }));  // restarted
+  EXPECT_EQ(bench.health().reopened, 0u);  // the bus itself never went
 }
 
 TEST(BusOff, ErrorFramesAreCountedAndMakeNoLine) {
@@ -46,7 +46,7 @@ TEST(BusOff, IsToldOverASerialAdapterAsWell) {
   ASSERT_TRUE(bench.reaches(State::stale));
   EXPECT_NE(std::string(bench.health().last_error.view()).find("bus-off"), std::string::npos);
   ASSERT_TRUE(bench.reaches(State::streaming));
-  EXPECT_EQ(bench.health().error_frames, 2u);
+  EXPECT_TRUE(bench.until([&] { return bench.health().error_frames == 2; }));  // restarted
 }
 
 // The examples of the Linux driver's comments: bus-off with both counters at 256, active with 57
