@@ -3,15 +3,14 @@
 namespace drydock::fault {
 
 Injector::Injector(const rig_config::Rig& rig, const motion::Trajectory& trajectory, Stamp start)
-    : rig_(rig), trajectory_(trajectory), start_(start) {
-  for (const auto& device : rig.devices)
-    schedules_.emplace(device.name, std::make_shared<Schedule>(start));
-  for (const auto& fault : rig.faults) schedules_.at(fault.device)->add(fault);
-}
+    : rig_(rig),
+      trajectory_(trajectory),
+      start_(start),
+      schedules_(rig, start, rig_config::FaultTarget::emulated) {}
 
 boost::system::result<std::unique_ptr<emulate::EmulatedDevice>, emulate::EmulateError>
 Injector::device(const DeviceConfig& config) {
-  auto made = FaultyDevice::make(config, trajectory_, rig_.seed, schedules_.at(config.name));
+  auto made = FaultyDevice::make(config, trajectory_, rig_.seed, schedules_.of(config.name));
   if (!made) return made.error();
   return std::unique_ptr<emulate::EmulatedDevice>(std::move(*made));
 }
@@ -19,32 +18,7 @@ Injector::device(const DeviceConfig& config) {
 std::unique_ptr<emulate::EmulatedDevice> Injector::rogue(const DeviceConfig& config,
                                                          unsigned bit_rate) {
   return std::make_unique<RogueNode>(config, bit_rate, rig_.seed, start_,
-                                     schedules_.at(config.name));
-}
-
-boost::system::result<void, rig_config::Problems> Injector::set(const FaultConfig& fault,
-                                                                Stamp now) {
-  rig_config::Rig asked;
-  asked.devices = rig_.devices;
-  asked.faults = {fault};
-  if (auto problems = rig_config::check_faults_of(asked); !problems.empty()) return problems;
-  schedules_.at(fault.device)->set(fault, now);
-  return {};
-}
-
-std::size_t Injector::clear(const std::string& device, std::optional<FaultKind> kind) {
-  std::size_t cleared = 0;
-  for (auto& [name, schedule] : schedules_)
-    if (device.empty() || device == name) cleared += schedule->clear(kind);
-  return cleared;
-}
-
-std::vector<FaultNow> Injector::in_force(Stamp at) const {
-  std::vector<FaultNow> all;
-  for (const auto& [name, schedule] : schedules_)
-    for (const InForce& now : schedule->in_force(at))
-      all.push_back({name, now.fault->words, now.since, now.until});
-  return all;
+                                     schedules_.of(config.name));
 }
 
 }  // namespace drydock::fault

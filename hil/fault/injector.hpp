@@ -1,22 +1,10 @@
 #pragma once
 
-#include <map>
-#include <string>
-
 #include "hil/fault/faulty_device.hpp"
 #include "hil/fault/rogue_node.hpp"
-#include "rig_config/load.hpp"
+#include "hil/fault/schedules.hpp"
 
 namespace drydock::fault {
-
-/// Who has which fault, for those who look on.
-struct FaultNow {
-  std::string device, words;
-  Stamp since{};
-  std::optional<Stamp> until;
-
-  friend bool operator==(const FaultNow&, const FaultNow&) = default;
-};
 
 /// The faults of a rig: puts them on its emulated devices, by the files or by hand while it runs.
 class Injector {
@@ -32,17 +20,20 @@ class Injector {
   std::unique_ptr<emulate::EmulatedDevice> rogue(const DeviceConfig& config, unsigned bit_rate);
 
   /// By hand: one from now on. Fails with a line where the device cannot have it.
-  boost::system::result<void, rig_config::Problems> set(const FaultConfig& fault, Stamp now);
+  boost::system::result<void, rig_config::Problems> set(const FaultConfig& fault, Stamp now) {
+    return schedules_.set(fault, now);
+  }
   /// How many were taken away; of no device or kind: of all.
-  std::size_t clear(const std::string& device, std::optional<FaultKind> kind);
-
-  std::vector<FaultNow> in_force(Stamp at) const;
+  std::size_t clear(const std::string& device, std::optional<FaultKind> kind) {
+    return schedules_.clear(device, kind);
+  }
+  std::vector<FaultNow> in_force(Stamp at) const { return schedules_.in_force(at); }
 
  private:
   const rig_config::Rig& rig_;
   const motion::Trajectory& trajectory_;
   Stamp start_;
-  std::map<std::string, std::shared_ptr<Schedule>> schedules_;  ///< by device
+  Schedules schedules_;
 };
 
 }  // namespace drydock::fault
