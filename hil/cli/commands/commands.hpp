@@ -34,6 +34,9 @@ void add_world_commands(CLI::App& app, Command& command);
 /// characterize: what a sensor is worth.
 void add_characterize_command(CLI::App& app, Command& command);
 
+/// proxy: a real device with faults between it and its drivers.
+void add_proxy_command(CLI::App& app, Command& command);
+
 /// A rig file that cannot be used; the lines have been printed.
 struct BadRig {};
 
