@@ -19,12 +19,17 @@ bool speaks(const DeviceConfig& device, std::initializer_list<std::string_view> 
 bool on_j1939(const DeviceConfig& device) { return speaks(device, {"aceinna", "nmea2000"}); }
 
 bool on_can(const DeviceConfig& device) {
-  return on_j1939(device) ||
-         speaks(device, {"cia404-imu", "cia404-pressure", "epson-g550", "epson-g552", "xsens"});
+  return on_j1939(device) || speaks(device, {"cia404-imu", "cia404-pressure", "epson-g550",
+                                             "epson-g552", "xsens", "can"});
 }
 
 bool on_serial_line(const DeviceConfig& device) {
   return device.link.starts_with("pty:") || device.link.starts_with("serial:");
+}
+
+bool tells_baud(const DeviceConfig& device) {
+  return device.link.find("?baud=") != std::string::npos ||
+         device.link.find("&baud=") != std::string::npos;
 }
 
 /// PD6 is text without a checksum.
@@ -68,6 +73,7 @@ std::optional<std::string> of_the_wire(FaultKind kind, const DeviceConfig& devic
       break;
     case wrong_baud:
       if (!on_serial_line(device)) return "only a serial line has a baud rate (pty, serial)";
+      if (!tells_baud(device)) return "its link names no baud rate (?baud=)";
       break;
     case bus_off:
     case error_frames:
@@ -111,6 +117,12 @@ std::optional<std::string> of_the_sensor(FaultKind kind, const DeviceConfig& dev
   return {};
 }
 
+/// Of a proxy that was not told which protocol passes through it.
+std::optional<std::string> of_unknown_messages(FaultKind kind, const DeviceConfig& device) {
+  if (!device.protocol.empty() || word_of(kind).layer != FaultLayer::message) return {};
+  return "its messages are not known without a protocol (--protocol)";
+}
+
 /// The key settles the unit; which of the sensor's quantities it is follows from its kind.
 std::optional<std::string> of_the_quantity(const FaultConfig& fault, const DeviceConfig& device) {
   if (fault.quantity.empty()) return {};
@@ -131,7 +143,8 @@ std::string_view name_of(FaultTarget target) {
 
 std::optional<std::string> refusal(const FaultConfig& fault, const DeviceConfig& device,
                                    FaultTarget target) {
-  std::optional<std::string> why = of_the_wire(fault.kind, device);
+  std::optional<std::string> why = of_unknown_messages(fault.kind, device);
+  if (!why) why = of_the_wire(fault.kind, device);
   if (!why && target != FaultTarget::emulated && needs_emulation(fault.kind))
     why = fmt::format("behind the wire is {}: only an emulated device can be made to",
                       name_of(target));

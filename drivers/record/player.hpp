@@ -30,6 +30,8 @@ class Player final {
   void run_until(Stamp at) { clock_.run_until(std::max(at, clock_.now())); }
   /// Time goes on to the event's, then its devices hear it. Sent bytes only let time go on.
   void play(const RawEvent& event);
+  /// The port of a link goes, or comes back and can be opened again.
+  void set_port(std::size_t link, bool there);
   /// Lets timers run out until `end`, then stops the devices.
   void finish(Stamp end);
 

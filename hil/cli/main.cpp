@@ -19,6 +19,7 @@ int main(int argc, char** argv) {
   cli::add_field_commands(app, command);
   cli::add_recording_commands(app, command);
   cli::add_replay_command(app, command);
+  cli::add_proxy_command(app, command);
   cli::add_world_commands(app, command);
   cli::add_characterize_command(app, command);
   cli::add_soak_command(app, command);

@@ -79,16 +79,11 @@ void FaultyDevice::follow_schedule(Stamp now) {
   frames_.set(faults);
   switch_power(find(faults, FaultKind::off) == nullptr, now);
 
-  const bool unplugged = find(faults, FaultKind::unplug) != nullptr;
-  if (unplugged && !unplugged_) out_->unplug();
-  if (!unplugged && unplugged_) out_->plug();
-  unplugged_ = unplugged;
-  const InForce* eof = find(faults, FaultKind::eof);
-  if (eof && eof->since != hung_up_) {
-    hung_up_ = eof->since;
+  port_.set(faults, [&](bool there) {
+    if (there) return out_->plug();
+    bytes_.drop_all();  // what was on its way does not arrive
     out_->unplug();
-    out_->plug();
-  }
+  });
 }
 
 /// A device that gets power boots: what was set on it is lost.
@@ -132,11 +127,12 @@ void FaultyDevice::receive(const wire::CanFrame& frame, Stamp now, emulate::Wire
 }
 
 void FaultyDevice::send(wire::Bytes bytes) {
-  if (!unplugged_) bytes_.put(Message(bytes.begin(), bytes.end()), now_, device_->sampled_at());
+  if (!port_.unplugged())
+    bytes_.put(Message(bytes.begin(), bytes.end()), now_, device_->sampled_at());
 }
 
 void FaultyDevice::send(const wire::CanFrame& frame) {
-  if (!unplugged_) frames_.put(frame, now_, device_->sampled_at());
+  if (!port_.unplugged()) frames_.put(frame, now_, device_->sampled_at());
 }
 
 }  // namespace drydock::fault

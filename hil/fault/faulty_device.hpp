@@ -4,6 +4,7 @@
 
 #include "hil/emulate/make_emulated_device.hpp"
 #include "hil/fault/faulty_wire.hpp"
+#include "hil/fault/port_faults.hpp"
 #include "hil/motion/truth.hpp"
 
 namespace drydock::fault {
@@ -48,7 +49,7 @@ class FaultyDevice final : public emulate::EmulatedDevice, private emulate::Wire
   void follow_schedule(Stamp now);
   void switch_power(bool on, Stamp now);
   void release(Stamp now);
-  bool hears() const { return device_ && !unplugged_ && !bytes_.silent(); }
+  bool hears() const { return device_ && !port_.unplugged() && !bytes_.silent(); }
 
   void send(wire::Bytes bytes) override;
   void send(const wire::CanFrame& frame) override;
@@ -65,8 +66,7 @@ class FaultyDevice final : public emulate::EmulatedDevice, private emulate::Wire
   Stamp now_{}, followed_{};
   std::optional<Stamp> sampled_at_;  ///< of the message that goes out
   std::uint64_t edits_ = 0;
-  std::optional<Stamp> hung_up_;  ///< the turn of the fault "eof" that was obeyed last
-  bool unplugged_ = false;
+  PortFaults port_;
 };
 
 }  // namespace drydock::fault

@@ -19,11 +19,29 @@ class FaultyWire {
   void put(Carried message, Stamp now, std::optional<Stamp> sampled_at = {}) {
     faults_.pass(std::move(message), [&](const Carried& out) { held_.put(out, now, sampled_at); });
   }
+  /// Bytes between messages: they keep their place and take their time.
+  void put_between(Carried noise, Stamp now) {
+    faults_.pass_between(std::move(noise),
+                         [&](const Carried& out) { held_.put(out, now, {}, false); });
+  }
+  /// What waits for its successor waits no longer.
+  void release(Stamp now) {
+    faults_.release([&](const Carried& out) { held_.put(out, now, {}, false); });
+  }
   std::optional<Stamp> deadline() const { return held_.deadline(); }
   std::optional<Carried> take(Stamp now) { return held_.take(now); }
   std::optional<Stamp> sampled_at() const { return held_.sampled_at(); }
   bool silent() const { return faults_.silent(); }
-  void drop_all() { held_.drop_all(); }
+  bool empty() const { return held_.empty(); }  ///< nothing is on its way
+  void drop_all() {
+    faults_.release([](const Carried&) {});
+    held_.drop_all();
+  }
+  FaultHits hits() const {
+    FaultHits all = faults_.hits();
+    all += held_.hits();
+    return all;
+  }
 
  private:
   MessageFaults<Carried> faults_;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "hil/fault/damage.hpp"
+#include "hil/fault/fault_hits.hpp"
 #include "hil/fault/schedule.hpp"
 
 namespace drydock::fault {
@@ -18,12 +19,16 @@ class HeldMessages {
   HeldMessages(std::uint64_t seed, std::string device) : seed_(seed), device_(std::move(device)) {}
 
   void set(const std::vector<InForce>& faults);
-  void put(const Carried& message, Stamp now, std::optional<Stamp> sampled_at = {});
+  /// `counts`: as a message, among the hits.
+  void put(const Carried& message, Stamp now, std::optional<Stamp> sampled_at = {},
+           bool counts = true);
   std::optional<Stamp> deadline() const;   ///< of the next one
   std::optional<Carried> take(Stamp now);  ///< the next one whose time has come
   /// Of the one taken last, as it was put.
   std::optional<Stamp> sampled_at() const { return sampled_at_; }
   void drop_all() { waiting_.clear(); }
+  bool empty() const { return waiting_.empty(); }
+  const FaultHits& hits() const { return hits_; }
 
  private:
   struct Waiting {
@@ -41,6 +46,7 @@ class HeldMessages {
   std::optional<RandomStream> random_;
   std::deque<Waiting> waiting_;
   std::optional<Stamp> sampled_at_;
+  FaultHits hits_;
 };
 
 template <class Carried>
@@ -71,8 +77,11 @@ Stamp HeldMessages<Carried>::due(Stamp now) {
 }
 
 template <class Carried>
-void HeldMessages<Carried>::put(const Carried& message, Stamp now,
-                                std::optional<Stamp> sampled_at) {
+void HeldMessages<Carried>::put(const Carried& message, Stamp now, std::optional<Stamp> sampled_at,
+                                bool counts) {
+  hits_[FaultKind::delay] += counts && delay_.count() > 0;
+  hits_[FaultKind::jitter] += counts && jitter_.count() > 0;
+  hits_[FaultKind::burst] += counts && burst_.count() > 0;
   waiting_.push_back({due(now), message, sampled_at});
 }
 

@@ -32,14 +32,13 @@ rig_config::Problems check_faults(const rig_config::Rig& rig) {
 }
 
 Injector::Injector(const rig_config::Rig& rig, const motion::Trajectory& trajectory, Stamp start)
-    : rig_(rig), trajectory_(trajectory), start_(start) {
-  for (const auto& device : rig.devices)
-    schedules_.emplace(device.name, std::make_shared<Schedule>(start));
-  for (const auto& fault : rig.faults) schedules_.at(fault.device)->add(fault);
-}
+    : rig_(rig),
+      trajectory_(trajectory),
+      start_(start),
+      schedules_(rig, start, rig_config::FaultTarget::emulated) {}
 
 Injector::Made Injector::device(const DeviceConfig& config) {
-  auto made = FaultyDevice::make(config, trajectory_, rig_.seed, schedules_.at(config.name));
+  auto made = FaultyDevice::make(config, trajectory_, rig_.seed, schedules_.of(config.name));
   if (!made) return made.error();
   return std::unique_ptr<emulate::EmulatedDevice>(std::move(*made));
 }
@@ -47,7 +46,7 @@ Injector::Made Injector::device(const DeviceConfig& config) {
 std::unique_ptr<emulate::EmulatedDevice> Injector::rogue(const DeviceConfig& config,
                                                          unsigned bit_rate) {
   return std::make_unique<RogueNode>(config, bit_rate, rig_.seed, start_,
-                                     schedules_.at(config.name));
+                                     schedules_.of(config.name));
 }
 
 boost::system::result<void, rig_config::Problems> Injector::set(const FaultConfig& fault,
@@ -56,33 +55,7 @@ boost::system::result<void, rig_config::Problems> Injector::set(const FaultConfi
   asked.devices = rig_.devices;
   asked.faults = {fault};
   if (auto problems = check_faults(asked); !problems.empty()) return problems;
-  schedules_.at(fault.device)->set(fault, now);
-  return {};
-}
-
-std::size_t Injector::clear(const std::string& device, std::optional<FaultKind> kind) {
-  std::size_t cleared = 0;
-  for (auto& [name, schedule] : schedules_)
-    if (device.empty() || device == name) cleared += schedule->clear(kind);
-  return cleared;
-}
-
-std::vector<FaultNow> Injector::in_force(Stamp at) const {
-  std::vector<FaultNow> all;
-  for (const auto& [name, schedule] : schedules_)
-    for (const InForce& now : schedule->in_force(at))
-      all.push_back({name, std::string(rig_config::word_of(now.fault->kind).name), now.fault->words,
-                     now.since, now.until});
-  return all;
-}
-
-std::optional<Stamp> Injector::next_change(Stamp after) const {
-  std::optional<Stamp> next;
-  for (const auto& [name, schedule] : schedules_) {
-    const auto change = schedule->next_change(after);
-    if (change && (!next || *change < *next)) next = change;
-  }
-  return next;
+  return schedules_.set(fault, now);
 }
 
 }  // namespace drydock::fault

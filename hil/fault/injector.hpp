@@ -1,22 +1,10 @@
 #pragma once
 
-#include <map>
-#include <string>
-
 #include "hil/fault/faulty_device.hpp"
 #include "hil/fault/rogue_node.hpp"
-#include "rig_config/load.hpp"
+#include "hil/fault/schedules.hpp"
 
 namespace drydock::fault {
-
-/// Who has which fault, for those who look on.
-struct FaultNow {
-  std::string device, name, words;  ///< name: of the vocabulary
-  Stamp since{};
-  std::optional<Stamp> until;
-
-  friend bool operator==(const FaultNow&, const FaultNow&) = default;
-};
 
 /// Faults of devices that the rig has not, that cannot have them, or whose other end is not played
 /// by this program.
@@ -39,16 +27,18 @@ class Injector final : public emulate::DeviceMaker {
   /// before. Fails with a line where the device cannot have it.
   boost::system::result<void, rig_config::Problems> set(const FaultConfig& fault, Stamp now);
   /// How many were taken away; of no device or kind: of all.
-  std::size_t clear(const std::string& device, std::optional<FaultKind> kind);
-
-  std::vector<FaultNow> in_force(Stamp at) const;
-  std::optional<Stamp> next_change(Stamp after) const;  ///< of any device
+  std::size_t clear(const std::string& device, std::optional<FaultKind> kind) {
+    return schedules_.clear(device, kind);
+  }
+  std::vector<FaultNow> in_force(Stamp at) const { return schedules_.in_force(at); }
+  /// Of any device.
+  std::optional<Stamp> next_change(Stamp after) const { return schedules_.next_change(after); }
 
  private:
   const rig_config::Rig& rig_;
   const motion::Trajectory& trajectory_;
   Stamp start_;
-  std::map<std::string, std::shared_ptr<Schedule>> schedules_;  ///< by device
+  Schedules schedules_;
 };
 
 }  // namespace drydock::fault

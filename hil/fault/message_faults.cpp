@@ -49,7 +49,9 @@ typename MessageFaults<Carried>::Active* MessageFaults<Carried>::find(FaultKind 
 template <class Carried>
 bool MessageFaults<Carried>::strikes(FaultKind kind) {
   Active* active = find(kind);
-  return active && active->strikes();
+  if (!active || !active->strikes()) return false;
+  ++hits_[kind];
+  return true;
 }
 
 template <class Carried>
@@ -58,27 +60,51 @@ void MessageFaults<Carried>::damage(Carried& message) {
   if (strikes(FaultKind::truncate)) truncate(message, find(FaultKind::truncate)->random);
   if constexpr (std::is_same_v<Carried, Message>) {
     if (strikes(FaultKind::bad_checksum)) break_checksum(message);
+    if (find(FaultKind::wrong_baud)) ++hits_[FaultKind::wrong_baud];
+  }
+  hear_at_wrong_baud(message);
+}
+
+template <class Carried>
+void MessageFaults<Carried>::hear_at_wrong_baud(Carried& bytes) {
+  if constexpr (std::is_same_v<Carried, Message>) {
     if (const Active* baud = find(FaultKind::wrong_baud))
-      message = heard_at(message, baud->fault.amount[0], baud_);
+      bytes = heard_at(bytes, baud->fault.amount[0], baud_);
   }
 }
 
 template <class Carried>
 void MessageFaults<Carried>::pass(Carried message, const Emit& emit) {
-  if (silent_ || strikes(FaultKind::drop)) return;
+  if (silent_) {
+    ++hits_[FaultKind::hang];
+    return;
+  }
+  if (strikes(FaultKind::drop)) return;
   damage(message);
-  if (Active* noise = find(FaultKind::garbage); noise && noise->strikes())
-    emit(make_garbage(static_cast<std::size_t>(noise->fault.amount[0]), noise->random, &message));
+  if (strikes(FaultKind::garbage)) {
+    Active& noise = *find(FaultKind::garbage);
+    emit(make_garbage(static_cast<std::size_t>(noise.fault.amount[0]), noise.random, &message));
+  }
   if (!held_ && strikes(FaultKind::reorder)) {
     held_ = std::move(message);
     return;
   }
   emit(message);
   if (strikes(FaultKind::duplicate)) emit(message);
-  if (held_) {
-    emit(*held_);
-    held_.reset();
-  }
+  release(emit);
+}
+
+template <class Carried>
+void MessageFaults<Carried>::pass_between(Carried noise, const Emit& emit) {
+  if (silent_) return;
+  hear_at_wrong_baud(noise);
+  emit(noise);
+}
+
+template <class Carried>
+void MessageFaults<Carried>::release(const Emit& emit) {
+  if (held_) emit(*held_);
+  held_.reset();
 }
 
 template class MessageFaults<Message>;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "hil/fault/damage.hpp"
+#include "hil/fault/fault_hits.hpp"
 #include "hil/fault/schedule.hpp"
 
 namespace drydock::fault {
@@ -25,7 +26,12 @@ class MessageFaults {
   void set(const std::vector<InForce>& faults);
 
   void pass(Carried message, const Emit& emit);
+  /// What is no message of the device's: only what the whole line suffers happens to it.
+  void pass_between(Carried noise, const Emit& emit);
+  /// Nothing waits for its successor any more.
+  void release(const Emit& emit);
 
+  const FaultHits& hits() const { return hits_; }
   bool silent() const { return silent_; }  ///< nothing comes through
 
  private:
@@ -38,12 +44,14 @@ class MessageFaults {
   Active* find(FaultKind kind);
   bool strikes(FaultKind kind);
   void damage(Carried& message);
+  void hear_at_wrong_baud(Carried& bytes);
 
   std::uint64_t seed_;
   std::string device_;
   double baud_;
   std::vector<Active> active_;
   std::optional<Carried> held_;  ///< until its successor has gone
+  FaultHits hits_;
   bool silent_ = false;
 };
 

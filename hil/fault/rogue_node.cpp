@@ -6,7 +6,7 @@ namespace drydock::fault {
 namespace {
 
 // linux/can/error.h
-constexpr std::uint32_t protocol_violation = 0x008, bus_off_class = 0x040, restarted = 0x100;
+constexpr std::uint32_t bus_off_class = 0x040, restarted = 0x100;
 constexpr std::uint8_t single_bit_error = 0x01;
 constexpr std::size_t type_of_violation = 2;
 

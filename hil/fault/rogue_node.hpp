@@ -10,6 +10,9 @@
 
 namespace drydock::fault {
 
+/// Error class of the error frames it sends while it is not bus-off: linux/can/error.h.
+inline constexpr std::uint32_t protocol_violation = 0x008;
+
 /// What else may be on a CAN bus: one more node that babbles, loads the bus or takes a device's
 /// address, and the drivers' controller that sees errors or goes bus-off. Silent without a fault.
 class RogueNode final : public emulate::EmulatedDevice {

@@ -54,6 +54,7 @@ allow hil/study 'hil/(study|sky|sensor|motion|ocean)|estimators/[a-z]*|drivers/m
 allow hil/sky 'hil/(sky|sensor|motion|ocean)|estimators/frame|drivers/measurement|rig_config'
 allow hil/emulate 'hil/(emulate|sky|sensor|motion|ocean)|estimators/frame|drivers/(device|link|shell|wire|measurement)|rig_config'
 allow hil/fault 'hil/(fault|emulate|sensor|motion|ocean)|drivers/(link|wire|measurement)|rig_config'
+allow hil/proxy 'hil/(proxy|fault)|drivers/(device|link|wire|measurement)|rig_config'
 allow hil/characterize 'hil/characterize|estimators/frame|drivers/measurement|rig_config'
 allow hil/validity 'hil/(validity|emulate)|drivers/measurement|rig_config'
 allow hil/cli 'hil/[a-z]*|estimators/[a-z]*|drivers/[a-z]*|rig_config'

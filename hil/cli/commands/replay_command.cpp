@@ -23,6 +23,9 @@ void add_recording_options(CLI::App& sub, ReplayArguments& a) {
   auto& r = a.recording;
   a.part.add_only_and_from(sub);
   a.part.add_to(sub);
+  sub.add_option(
+      "--faults", r.faults,
+      "file of blocks [[fault]] that come between recording and drivers: docs/faults.md");
   sub.add_flag("--step", r.step, "wait for Enter behind each message; q ends");
   auto* record = sub.add_option("--record", r.record.path, "record the replay to this MCAP file");
   sub.add_flag("--overwrite", r.record.overwrite, "replace a file that is there")->needs(record);
@@ -93,8 +96,8 @@ void read_recording(ReplayArguments& a) {
 void read_capture(const CLI::App& sub, ReplayArguments& a) {
   if (a.capture.protocol.empty())
     throw CLI::RequiredError("--protocol (" + a.capture.capture + " is no MCAP recording)");
-  for (const char* option : {"--only", "--from", "--to", "--step", "--record", "--check",
-                             "--update-refs", "--onto", "--serve"})
+  for (const char* option : {"--only", "--from", "--to", "--faults", "--step", "--record",
+                             "--check", "--update-refs", "--onto", "--serve"})
     if (sub.count(option) > 0)
       throw CLI::ValidationError(option, "needs an MCAP recording, with its rig");
   if (!a.speed.empty()) a.capture.speed = a.speed;
@@ -113,6 +116,7 @@ void add_replay_command(CLI::App& app, Command& command) {
       "         drydock replay dive.mcap --quiet --update-refs refs.json\n"
       "         drydock replay dive.mcap --quiet --check refs.json\n"
       "         drydock replay dive.mcap --onto dvl=pty:dvl --speed 1\n"
+      "         drydock replay dive.mcap --faults F.toml\n"
       "         drydock replay dive.pd0 --protocol pd0");
   sub->add_option("RECORDING", a->capture.capture, "MCAP recording, or capture of one link")
       ->required()

@@ -38,7 +38,8 @@ measurement::Stamp time_of(const record::Event& event) {
 }  // namespace
 
 ReplayBench::ReplayBench(record::Recording& recording, const rig_config::Rig& rig,
-                         const record::Selection& part, const ReplayOutlets& outlets)
+                         const record::Selection& part, const ReplayOutlets& outlets,
+                         const std::vector<rig_config::FaultConfig>& faults)
     : recording_(recording),
       rig_(rig),
       part_(part),
@@ -49,7 +50,19 @@ ReplayBench::ReplayBench(record::Recording& recording, const rig_config::Rig& ri
       next_health_(start_ + health_period),
       player_(player_of(recording, rig, part, *this)),
       errors_(rig, watchers_.all),
-      estimates_(rig.estimators.size()) {}
+      estimates_(rig.estimators.size()) {
+  if (!faults.empty()) add_faults(faults);
+}
+
+void ReplayBench::add_faults(const std::vector<rig_config::FaultConfig>& faults) {
+  std::vector<std::string> played;
+  for (const auto& actor : player_->devices()) played.push_back(actor->device().name());
+  faults_ = std::make_unique<ReplayFaults>(
+      recording_, rig_, faults, played,
+      ReplayFaults::Drivers{
+          [this](const record::RawEvent& event) { hear(event); },
+          [this](std::size_t link, bool there) { player_->set_port(link, there); }});
+}
 
 void ReplayBench::play(Pace& pace, const record::Watch& watch) {
   const Stamp begin = recording_.begin().value_or(Stamp{});
@@ -76,13 +89,21 @@ void ReplayBench::play(Pace& pace, const record::Watch& watch) {
   player_->finish(player_->now());
 }
 
-/// Time goes on with the drivers' own deadlines and their health each second.
+/// Time goes on with the drivers' own deadlines, the faults', and the drivers' health each second.
 bool ReplayBench::wait_until(Stamp at, Pace& pace) {
-  for (; next_health_ <= at; next_health_ += health_period) {
-    if (!pace.wait(next_health_, interrupt_)) ended_ = true;
+  for (;;) {
+    const Stamp of_faults = faults_ ? faults_->deadline().value_or(Stamp::max()) : Stamp::max();
+    const Stamp next = std::max(std::min(next_health_, of_faults), player_->now());
+    if (next > at) break;
+    if (!pace.wait(next, interrupt_)) ended_ = true;
     if (ended_) return false;
-    player_->run_until(next_health_);
-    tell_health();
+    player_->run_until(next);
+    if (next_health_ <= of_faults) {
+      tell_health();
+      next_health_ += health_period;
+    } else {
+      faults_->tick(next);
+    }
   }
   if (!pace.wait(at, interrupt_)) ended_ = true;
   if (ended_) return false;
@@ -91,6 +112,13 @@ bool ReplayBench::wait_until(Stamp at, Pace& pace) {
 }
 
 void ReplayBench::play(const record::RawEvent& event) {
+  if (faults_ && faults_->are_on(event.link) && event.direction() == record::Direction::received)
+    faults_->receive(event);
+  else
+    hear(event);
+}
+
+void ReplayBench::hear(const record::RawEvent& event) {
   const auto& link = recording_.links()[event.link];
   if (const auto* read = std::get_if<record::RawBytes>(&event.content))
     watchers_.all.on_bytes(link.uri, read->direction, read->data, read->at);

@@ -6,6 +6,7 @@
 #include "estimators/pipeline/pipeline.hpp"
 #include "hil/cli/replay/onto.hpp"
 #include "hil/cli/replay/pace.hpp"
+#include "hil/cli/replay/replay_faults.hpp"
 #include "hil/cli/replay/replay_lines.hpp"
 #include "hil/cli/replay/truth_errors.hpp"
 #include "hil/cli/run_watchers.hpp"
@@ -26,7 +27,8 @@ class ReplayBench final : private device::Listener, private pipeline::EstimateLi
  public:
   /// Throws std::runtime_error with one line. All must outlive the bench.
   ReplayBench(record::Recording& recording, const rig_config::Rig& rig,
-              const record::Selection& part, const ReplayOutlets& outlets);
+              const record::Selection& part, const ReplayOutlets& outlets,
+              const std::vector<rig_config::FaultConfig>& faults = {});
 
   Watchers& watchers() { return watchers_.all; }
 
@@ -38,6 +40,7 @@ class ReplayBench final : private device::Listener, private pipeline::EstimateLi
   const std::vector<std::uint64_t>& estimates() const { return estimates_; }  ///< by estimator
   const TruthErrors& errors() const { return errors_; }
   const record::Player& player() const { return *player_; }
+  const ReplayFaults* faults() const { return faults_.get(); }  ///< nullptr: none
   const pipeline::Pipeline& pipeline() const { return pipeline_; }
   measurement::Stamp::duration played() const { return player_->now() - start_; }
 
@@ -45,8 +48,10 @@ class ReplayBench final : private device::Listener, private pipeline::EstimateLi
   using Stamp = measurement::Stamp;
 
   bool wait_until(Stamp at, Pace& pace);
+  void add_faults(const std::vector<rig_config::FaultConfig>& faults);
   void play(const record::RawEvent& event);
   void hear(const record::Understood& message);
+  void hear(const record::RawEvent& event);
   void tell_health();
   void shown();
 
@@ -65,6 +70,7 @@ class ReplayBench final : private device::Listener, private pipeline::EstimateLi
   pipeline::Pipeline pipeline_;
   Stamp start_, next_health_;
   std::unique_ptr<record::Player> player_;
+  std::unique_ptr<ReplayFaults> faults_;
   TruthErrors errors_;
   std::uint64_t measurements_ = 0;
   std::vector<std::uint64_t> estimates_;

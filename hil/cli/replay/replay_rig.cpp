@@ -16,6 +16,7 @@
 #include "hil/cli/replay/reference_check.hpp"
 #include "hil/cli/replay/replay_bench.hpp"
 #include "hil/cli/replay/topics_watcher.hpp"
+#include "rig_config/load.hpp"
 
 namespace drydock::cli {
 
@@ -27,13 +28,23 @@ std::string text_of(const std::string& path) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-/// Of a recording, in words: references hold for that part alone.
-std::string part_text(const record::Selection& part) {
+using Faults = std::vector<rig_config::FaultConfig>;
+
+Faults faults_of(const std::string& path) {
+  return path.empty() ? Faults{} : rig_config::load_faults(path).value();
+}
+
+/// Of a recording, in words, and what is done to it: references hold for that alone.
+std::string part_text(const record::Selection& part, const Faults& faults) {
   std::string text;
   for (const auto& name : part.only) text += (text.empty() ? "only " : ",") + name;
   if (part.from) text += fmt::format(" from {} ns", part.from->count());
   if (part.to) text += fmt::format(" to {} ns", part.to->count());
-  return text.empty() ? "all" : text;
+  if (text.empty()) text = "all";
+  for (const auto& fault : faults)
+    text += fmt::format("{} {} from {} s", &fault == &faults.front() ? ", with" : ",", fault.words,
+                        fault.start_s);
+  return text;
 }
 
 /// One replay: what the options ask for beside drivers and estimators. Members in the order in
@@ -47,6 +58,7 @@ class RigReplay {
         err_(err),
         recording_(std::move(recording)),
         rig_(recording_),
+        faults_(faults_of(options.faults)),
         lines_(rig_.rig(), out),
         steps_(in) {
     if (const auto wrong = misfit(options.part, recording_); !wrong.empty())
@@ -59,7 +71,8 @@ class RigReplay {
     bench_.emplace(
         recording_, rig_.rig(), options_.part,
         ReplayOutlets{options.quiet ? nullptr : &lines_, options.step ? &steps_ : nullptr,
-                      onto_ ? &*onto_ : nullptr, options.quiet ? nullptr : err});
+                      onto_ ? &*onto_ : nullptr, options.quiet ? nullptr : err},
+        faults_);
     add_watchers();
     if (!rig_.trouble().empty()) fmt::print(err_, "{}\n", rig_.trouble());
     for (const auto& line : onto_ ? onto_->lines() : std::vector<std::string>{})
@@ -104,10 +117,10 @@ class RigReplay {
     if (!options_.check.empty()) {
       auto expected = parse_references(text_of(options_.check));
       if (!expected) throw std::runtime_error(options_.check + ": " + expected.error().line);
-      if (expected->part != part_text(options_.part))
+      if (expected->part != part_text(options_.part, faults_))
         throw std::runtime_error(fmt::format("{} is of another part of a recording: {}; this is {}",
                                              options_.check, expected->part,
-                                             part_text(options_.part)));
+                                             part_text(options_.part, faults_)));
       check_.emplace(std::move(*expected), options_.tolerance);
       watchers.add(checked_.emplace(*check_, rig));
     }
@@ -127,7 +140,7 @@ class RigReplay {
   bool compared() {
     if (maker_ && !bench_->interrupted()) {
       std::ofstream file(options_.update_refs, std::ios::binary);
-      file << to_json_text(maker_->made(part_text(options_.part)));
+      file << to_json_text(maker_->made(part_text(options_.part, faults_)));
       file.close();
       if (!file) throw std::runtime_error("cannot write " + options_.update_refs);
       fmt::print(err_, "references written: {}\n", options_.update_refs);
@@ -154,6 +167,8 @@ class RigReplay {
                  device.name(), health.messages, health.stream.frames, health.stream.bad_checksums,
                  health.stream.bytes_skipped);
     }
+    if (const auto* faults = bench_->faults())
+      for (const auto& line : faults->lines()) fmt::print(to, "{}\n", line);
     for (std::size_t i = 0; i < rig.estimators.size(); ++i)
       fmt::print(to, "{}: {} estimates{}\n", rig.estimators[i].name, bench_->estimates()[i],
                  error_text(bench_->errors().of(i)));
@@ -181,6 +196,7 @@ class RigReplay {
   boost::asio::io_context io_{1};
   record::Recording recording_;
   RecordedRig rig_;
+  Faults faults_;
   ReplayLines lines_;
   Steps steps_;
   std::optional<Onto> onto_;

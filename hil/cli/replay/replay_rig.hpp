@@ -18,6 +18,7 @@ struct RigReplayOptions {
   record::Selection part;
   double speed = 0;  ///< times as fast as it was; 0: at once, in lockstep
   bool step = false, quiet = false;
+  std::string faults;  ///< a file of blocks [[fault]]; empty: none
   RecordOptions record;
   ServeOptions serve;              ///< in real time only
   std::vector<std::string> onto;   ///< NAME=URI or "auto"; in real time only

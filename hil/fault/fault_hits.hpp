@@ -1,0 +1,29 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "rig_config/fault.hpp"
+
+namespace drydock::fault {
+
+/// What each kind of fault has hit: messages; of unplug, eof and bus-off how often it came.
+class FaultHits {
+ public:
+  std::uint64_t& operator[](rig_config::FaultKind kind) {
+    return hits_.at(static_cast<std::size_t>(kind));
+  }
+  std::uint64_t operator[](rig_config::FaultKind kind) const {
+    return hits_.at(static_cast<std::size_t>(kind));
+  }
+  FaultHits& operator+=(const FaultHits& other) {
+    for (std::size_t i = 0; i < hits_.size(); ++i) hits_.at(i) += other.hits_.at(i);
+    return *this;
+  }
+  bool none() const { return hits_ == decltype(hits_){}; }
+
+ private:
+  std::array<std::uint64_t, 256> hits_{};  ///< as many as FaultKind can have
+};
+
+}  // namespace drydock::fault

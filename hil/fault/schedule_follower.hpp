@@ -1,0 +1,40 @@
+#pragma once
+
+#include <memory>
+#include <utility>
+
+#include "hil/fault/schedule.hpp"
+
+namespace drydock::fault {
+
+/// Sees when a schedule comes to a change, by its times or by hand.
+class ScheduleFollower {
+ public:
+  ScheduleFollower(std::shared_ptr<const Schedule> schedule, Stamp start)
+      : schedule_(std::move(schedule)),
+        followed_(start - std::chrono::nanoseconds{1}),
+        edits_(schedule_->edits()) {}
+
+  std::optional<Stamp> deadline() const {
+    return edited() ? std::optional(followed_) : schedule_->next_change(followed_);
+  }
+
+  /// What is in force, where it may be something else than at the last call. What it points to
+  /// holds until the schedule is edited.
+  std::optional<std::vector<InForce>> changed(Stamp now) {
+    const auto due = deadline();
+    if (!due || *due > now) return {};
+    edits_ = schedule_->edits();
+    followed_ = now;
+    return schedule_->in_force(now);
+  }
+
+ private:
+  bool edited() const { return edits_ != schedule_->edits(); }
+
+  std::shared_ptr<const Schedule> schedule_;
+  Stamp followed_{};
+  std::uint64_t edits_;
+};
+
+}  // namespace drydock::fault

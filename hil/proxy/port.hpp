@@ -1,0 +1,79 @@
+#pragma once
+
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/steady_timer.hpp>
+#include <functional>
+#include <memory>
+#include <optional>
+
+#include "drivers/device/life_cycle.hpp"
+#include "hil/proxy/traffic.hpp"
+
+namespace drydock::proxy {
+
+using link::Stamp;
+
+/// One end of a proxy: a link that is opened while it is wanted, opened again after a growing pause
+/// when it was lost, read until it goes, and written in order. Everything runs on the thread of
+/// the io_context.
+template <class Link>
+class Port {
+ public:
+  using Run = boost::asio::awaitable<void>;
+  using Item = typename Traffic<Link>::Item;
+  using Queue = typename Traffic<Link>::Queue;
+
+  struct Events {
+    std::function<Run(const Item&, Stamp)> received;
+    std::function<void(const device::Transition&)> changed;  ///< opened, lost, in vain
+  };
+  /// Bytes or frames.
+  struct Counters {
+    std::uint64_t received = 0, sent = 0;
+    std::uint64_t lost = 0;  ///< to be sent, but the other side takes no more, or cannot be told
+  };
+
+  Port(boost::asio::io_context& io, link::Uri uri, link::Side side, Events events);
+
+  /// Until finish().
+  Run serve();
+  void finish();
+
+  /// Not wanted: it closes. Wanted again at once: whoever is on it sees it end, and may come back.
+  void want(bool wanted);
+
+  /// Queued until drain(); while the link is closed it is lost, as on a wire.
+  void put(const Item& item);
+  /// Ends when the queue is written, or at once where another coroutine is at it.
+  Run drain();
+
+  bool is_open() const { return link_ && !lost_; }
+  const link::Uri& uri() const { return uri_; }
+  const Counters& counters() const { return counters_; }
+
+ private:
+  Run use(std::unique_ptr<Link> opened);  ///< until it is lost or closed
+  Run read_until_lost();
+  Run wait(std::optional<Stamp> until = {});
+  void lose(std::string_view reason);
+  void tell(const device::LifeCycle::Change& change) {
+    if (change && events_.changed) events_.changed(*change);
+  }
+
+  boost::asio::io_context& io_;
+  link::Uri uri_;
+  link::Side side_;
+  Events events_;
+  device::LifeCycle life_;
+  boost::asio::steady_timer wake_;  ///< of serve()
+  std::unique_ptr<Link> link_;
+  Queue queued_, writing_;
+  device::Reason why_lost_;
+  Counters counters_;
+  bool wanted_ = false, finished_ = false, lost_ = false, closed_ = false, is_writing_ = false;
+};
+
+extern template class Port<link::ByteLink>;
+extern template class Port<link::FrameLink>;
+
+}  // namespace drydock::proxy
