@@ -76,6 +76,8 @@ void ReplayBench::play(Pace& pace, const record::Watch& watch) {
 
 /// Time goes on with the drivers' own deadlines and their health each second.
 bool ReplayBench::wait_until(Stamp at, Pace& pace) {
+  if (at - next_health_ > record::Player::longest_pause)
+    next_health_ += (at - next_health_) / health_period * health_period;
   for (; next_health_ <= at; next_health_ += health_period) {
     if (!pace.wait(next_health_, interrupt_)) ended_ = true;
     if (ended_) return false;
