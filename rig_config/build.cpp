@@ -177,6 +177,7 @@ Rig build_rig(const Node& root, const std::string& file) {
   if (const Node* seed = table.find("seed")) rig.seed = static_cast<std::uint64_t>(seed->integer);
   if (const Node* start = table.find("start")) rig.start_utc_ns = start->integer;
   read(table, "dds_domain", rig.dds_domain);
+  read(table, "dds_interface", rig.dds_interface);
   read(table, "publish", rig.publish);
   read(table, "reorder_window_s", rig.reorder_window_s);
   for_each_table(root, "device", [&](const Node& device, std::size_t) {

@@ -8,6 +8,7 @@
 
 #include "rig_config/checks.hpp"
 #include "rig_config/schema_check.hpp"
+#include "rig_config/toml_limits.hpp"
 #include "rig_config/toml_reader.hpp"
 
 namespace drydock::rig_config {
@@ -49,9 +50,16 @@ FileKind kind_of(const Node& root) {
 }
 
 Loaded<std::string> read_file(const std::string& path) {
-  std::ifstream in(path, std::ios::binary);
+  // A device or a pipe may never end, and a file may be larger than the memory.
+  std::error_code error;
+  std::ifstream in;
+  if (fs::is_regular_file(path, error)) in.open(path, std::ios::binary);
+  const auto size = fs::file_size(path, error);
+  if (in.is_open() && size > largest_file)
+    return Problems{
+        {path, 0, 0, "/", fmt::format("has {} bytes, allowed: up to {}", size, largest_file)}};
   std::ostringstream text;
-  if (fs::is_directory(path) || !in || !(text << in.rdbuf()))
+  if (!in.is_open() || !(text << in.rdbuf()))
     return Problems{{path, 0, 0, "/", "cannot be read: it is missing, empty or not a file"}};
   return std::move(text).str();
 }

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 #include <regex>
 
@@ -134,8 +135,12 @@ class Explanation {
     const std::size_t n = node_.items.size();
     if (n < rules_.min_items || n > rules_.max_items)
       add(node_.at, path_,
-          fmt::format("has {} values, allowed: {}{}", n, rules_.min_items,
-                      rules_.min_items == rules_.max_items ? "" : " or more"));
+          fmt::format("has {} values, allowed: {}{}", n, rules_.min_items, size_to()));
+  }
+  std::string size_to() const {
+    if (rules_.min_items == rules_.max_items) return "";
+    const bool open = rules_.max_items == std::numeric_limits<std::size_t>::max();
+    return open ? " or more" : fmt::format(" to {}", rules_.max_items);
   }
   void keys() {
     if (node_.kind != Kind::table) return;

@@ -138,8 +138,9 @@ struct Rig {
   std::uint64_t seed = 1;
   std::int64_t start_utc_ns = 0;  ///< virtual time at which a lockstep run starts
   int dds_domain = 0;
-  bool publish = true;            ///< put measurements, estimates and health on DDS
-  double reorder_window_s = 0.2;  ///< pipeline: later measurements are counted and dropped
+  std::string dds_interface = "lo";  ///< by which others on the bus are reached
+  bool publish = true;               ///< put measurements, estimates and health on DDS
+  double reorder_window_s = 0.2;     ///< pipeline: later measurements are counted and dropped
   MissionConfig mission;
   std::vector<DeviceConfig> devices;
   std::vector<EstimatorConfig> estimators;

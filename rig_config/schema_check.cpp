@@ -90,6 +90,8 @@ class Walk {
 
  private:
   void visit(const Node& node) {
+    constexpr std::size_t enough = 200;
+    if (problems_.size() >= enough) return;
     if (const auto ruled = rules_at(schema_, root_, place_)) {
       Problems here = explain(*ruled, file_, fmt::format("/{}", fmt::join(place_, "/")));
       std::ranges::move(here, std::back_inserter(problems_));

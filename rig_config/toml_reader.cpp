@@ -5,9 +5,17 @@
 #include <cmath>
 #include <sstream>
 
+#include "rig_config/toml_limits.hpp"
+
 namespace drydock::rig_config {
 
 namespace {
+
+/// Of a key and of a text: patterns are matched by a recursion, a step a character.
+constexpr std::size_t longest_key = 128, longest_text = 4096;
+/// Keeps what is made of a number by its unit finite.
+constexpr double largest_number = 1e18;
+constexpr int last_year = 2200;  ///< nanoseconds since 1970 end in 2262
 
 Position position(const toml::source_region& region) {
   return {static_cast<int>(region.begin.line), static_cast<int>(region.begin.column)};
@@ -44,6 +52,10 @@ class Converter {
     node.kind = Node::Kind::table;
     for (auto&& [key, value] : table) {
       const std::string name{key.str()};
+      if (name.size() > longest_key) {
+        refuse(node, path, "a key of more than 128 characters");
+        continue;
+      }
       node.members.push_back({name, convert(value, position(key.source()), path + "/" + name)});
     }
   }
@@ -64,16 +76,24 @@ class Converter {
   void fill(Node& node, const toml::value<double>& value, const std::string& path) {
     node.kind = Node::Kind::number;
     node.number = value.get();
-    if (!std::isfinite(node.number)) refuse(node, path, "nan and inf are not allowed");
+    if (!std::isfinite(node.number))
+      refuse(node, path, "nan and inf are not allowed");
+    else if (std::abs(node.number) > largest_number)
+      refuse(node, path, "out of range, allowed: -1e18 to 1e18");
   }
-  void fill(Node& node, const toml::value<std::string>& value, const std::string&) {
+  void fill(Node& node, const toml::value<std::string>& value, const std::string& path) {
     node.kind = Node::Kind::text;
     node.text = value.get();
+    if (node.text.size() > longest_text)
+      refuse(node, path,
+             "a text of " + std::to_string(node.text.size()) + " characters, allowed: up to 4096");
   }
   void fill(Node& node, const toml::value<toml::date_time>& value, const std::string& path) {
     node.kind = Node::Kind::date_time;
-    node.integer = utc_ns(value.get());
     node.text = written(value);
+    if (value.get().date.year < 1970 || value.get().date.year > last_year)
+      return refuse(node, path, node.text + " is out of range, allowed: the years 1970 to 2200");
+    node.integer = utc_ns(value.get());
     if (!value.get().offset)
       refuse(node, path, "this date-time has no offset, write for example " + node.text + "Z");
   }
@@ -101,6 +121,7 @@ class Converter {
 }  // namespace
 
 Loaded<Node> read_toml(std::string_view text, const std::string& path) {
+  if (const auto problem = beyond_limits(text, path)) return Problems{*problem};
   try {
     const toml::table table = toml::parse(text, path);
     Converter converter{path};

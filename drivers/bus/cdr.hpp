@@ -52,7 +52,7 @@ class CdrDecoder {
   const Message* decode(std::span<const std::uint8_t> cdr) {
     constexpr std::uint32_t xcdr1 = 1;
     constexpr std::size_t header = 4;
-    if (cdr.size() < header || cdr[0] != 0 || cdr[1] != 1) return nullptr;
+    if (cdr.size() <= header || cdr[0] != 0 || cdr[1] != 1) return nullptr;
     bytes_.assign(cdr.begin() + header, cdr.end());
     const auto size = static_cast<std::uint32_t>(bytes_.size());
     const auto* operations = message_type<Message>.descriptor->m_ops;

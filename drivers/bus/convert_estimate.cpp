@@ -61,7 +61,7 @@ bool read(Attitude& attitude, const ImuMessage& message) {
     attitude.yaw_rad = yaw_in_turn(quarter_turn - std::atan2(r(1, 0), r(0, 0)));
   }
   attitude.covariance << covariance[0], -covariance[1], -covariance[3], covariance[4];
-  return true;
+  return attitude.covariance.allFinite();
 }
 
 void fill(DiagnosticsMessage& message, std::span<const DeviceStatus> health, Stamp now) {

@@ -6,6 +6,9 @@
 #include <map>
 #include <mutex>
 #include <string>
+#include <utility>
+
+#include "drivers/bus/loopback_sockets.hpp"
 
 namespace drydock::bus {
 namespace {
@@ -24,17 +27,32 @@ constexpr const char* loopback_only = R"(
   </Discovery>
 </Domain></CycloneDDS>)";
 
+/// As any Cyclone program on that interface; others find it by multicast.
+std::string on_interface(const std::string& name) {
+  return "<CycloneDDS><Domain Id=\"any\"><General><Interfaces><NetworkInterface name=\"" + name +
+         "\"/></Interfaces></General></Domain></CycloneDDS>";
+}
+
+Entity make_domain(std::uint32_t id, const std::string& interface) {
+  const std::string name = "domain " + std::to_string(id) + " on the interface " + interface;
+  if (interface != loopback_interface)
+    return {dds_create_domain(id, on_interface(interface).c_str()), name};
+  const LoopbackSockets sockets;
+  Entity domain(dds_create_domain(id, loopback_only), name);
+  sockets.keep_new_ones_to_loopback();
+  return domain;
+}
+
 /// A domain can be configured once per process, and deleting it deletes all that is in it.
-std::shared_ptr<Entity> loopback_domain(std::uint32_t id) {
+std::shared_ptr<Entity> domain_on(std::uint32_t id, const std::string& interface) {
   static std::mutex mutex;
-  static std::map<std::uint32_t, std::weak_ptr<Entity>> domains;
+  static std::map<std::pair<std::uint32_t, std::string>, std::weak_ptr<Entity>> domains;
   const std::lock_guard lock(mutex);
-  auto domain = domains[id].lock();
+  auto& known = domains[{id, interface}];
+  auto domain = known.lock();
   if (!domain) {
-    domain =
-        std::make_shared<Entity>(dds_create_domain(id, loopback_only),
-                                 "domain " + std::to_string(id) + " on the loopback interface");
-    domains[id] = domain;
+    domain = std::make_shared<Entity>(make_domain(id, interface));
+    known = domain;
   }
   return domain;
 }
@@ -54,9 +72,8 @@ Entity make_participant(std::uint32_t domain) {
 
 }  // namespace
 
-Participant::Participant(std::uint32_t domain, Reach reach)
-    : domain_(reach == Reach::this_host && !configured_by_user() ? loopback_domain(domain)
-                                                                 : nullptr),
+Participant::Participant(std::uint32_t domain, const std::string& interface)
+    : domain_(configured_by_user() ? nullptr : domain_on(domain, interface)),
       participant_(make_participant(domain)) {}
 
 }  // namespace drydock::bus

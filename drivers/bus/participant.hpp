@@ -2,19 +2,22 @@
 
 #include <cstdint>
 #include <memory>
+#include <string>
 
 #include "drivers/bus/entity.hpp"
 
 namespace drydock::bus {
 
-/// How far the bus reaches. `this_host`: the loopback interface, no multicast, nothing leaves the
-/// machine; a configuration in CYCLONEDDS_URI overrides it. `network`: Cyclone's own defaults.
-enum class Reach : std::uint8_t { this_host, network };
+/// The interface that nothing leaves the machine by, and nothing enters.
+inline constexpr const char* loopback_interface = "lo";
 
-/// Membership in a DDS domain (ROS_DOMAIN_ID of the ROS 2 nodes to talk with, 0 to 232).
+/// Membership in a DDS domain (ROS_DOMAIN_ID of the ROS 2 nodes to talk with, 0 to 232), on one
+/// network interface: on loopback by unicast, on any other with multicast as Cyclone does by
+/// default. A configuration in CYCLONEDDS_URI takes the place of all this. A process can be in a
+/// domain by one interface only.
 class Participant {
  public:
-  explicit Participant(std::uint32_t domain, Reach reach = Reach::this_host);
+  explicit Participant(std::uint32_t domain, const std::string& interface = loopback_interface);
 
   std::int32_t handle() const { return participant_.handle(); }
 

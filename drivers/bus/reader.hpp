@@ -98,6 +98,8 @@ class DeclaredProvenance {
   Provenance of(dds_entity_t reader, dds_instance_handle_t writer);
 
  private:
+  static constexpr std::size_t most_known = 64;  ///< writers may come and go for ever
+
   Provenance undeclared_;
   std::vector<std::pair<dds_instance_handle_t, Provenance>> known_;
 };

@@ -107,6 +107,7 @@ Provenance DeclaredProvenance::of(dds_entity_t reader, dds_instance_handle_t wri
     if (handle == writer) return provenance;
   }
   const auto provenance = declared_in(user_data_of(reader, writer)).value_or(undeclared_);
+  if (known_.size() == most_known) known_.erase(known_.begin());
   known_.emplace_back(writer, provenance);
   return provenance;
 }

@@ -105,7 +105,7 @@ int bisect(const BisectOptions& options, const record::Watch& watch, std::FILE* 
                                  ? fs::path(options.recording).stem().string() + "-smallest.mcap"
                                  : options.output;
   if (!options.overwrite && fs::exists(output))
-    return refuse_bisect(err, output + ": File exists; --force overwrites it");
+    return refuse_bisect(err, output + ": File exists; --overwrite replaces it");
   const auto times = times_in(*recording);
   if (times.empty()) return refuse_bisect(err, options.recording + ": nothing in it");
   std::vector<std::string> links;

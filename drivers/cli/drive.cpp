@@ -40,7 +40,7 @@ class Drive {
   Drive(const rig_config::Rig& rig, const DriveOptions& options,
         std::vector<std::unique_ptr<device::Device>> devices)
       : options_(options),
-        participant_(static_cast<std::uint32_t>(rig.dds_domain)),
+        participant_(static_cast<std::uint32_t>(rig.dds_domain), rig.dds_interface),
         publisher_(participant_, bus_devices(rig)),
         host_(io_, std::move(devices), &publisher_, &watchers_) {
     if (!options.record.path.empty()) {

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 
 #include "drivers/bus/subscriber.hpp"
 #include "drivers/cli/monitor_loop.hpp"
@@ -8,6 +9,15 @@
 
 namespace drydock::cli {
 namespace {
+
+/// Anybody on the bus may write anything: what is no finite number is none.
+template <class Number>
+std::optional<Number> number_of(std::string_view text) {
+  Number number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  const bool whole = error == std::errc{} && end == text.data() + text.size();
+  return whole && std::isfinite(static_cast<double>(number)) ? std::optional(number) : std::nullopt;
+}
 
 /// Diagnostics and measurements of the bus as views, and to whom watches besides.
 class BusViews final : public bus::Receiver {
@@ -66,11 +76,8 @@ class BusViews final : public bus::Receiver {
   std::vector<bus::DeviceStatus> health_;
 
   static void set(DeviceView& view, std::string_view key, const std::string& value) {
-    double number = 0;
-    const bool is_number =
-        std::from_chars(value.data(), value.data() + value.size(), number).ec == std::errc{};
-    const auto maybe = is_number ? std::optional{number} : std::nullopt;
-    const auto count = static_cast<std::uint64_t>(number);
+    const auto maybe = number_of<double>(value);
+    const auto count = number_of<std::uint64_t>(value).value_or(0);
     if (key == "rate_hz") view.rate_hz = maybe;
     if (key == "jitter_s") view.jitter_s = maybe;
     if (key == "longest_interval_s") view.longest_interval_s = maybe;
@@ -91,7 +98,7 @@ class BusViews final : public bus::Receiver {
 }  // namespace
 
 int monitor_bus(const rig_config::Rig& rig, const MonitorOptions& options) {
-  const bus::Participant participant(static_cast<std::uint32_t>(rig.dds_domain));
+  const bus::Participant participant(static_cast<std::uint32_t>(rig.dds_domain), rig.dds_interface);
   bus::SubscriberOptions wanted;
   wanted.diagnostics = true;
   if (!options.serve.address.empty()) wanted.estimators = estimator_names(rig);

@@ -56,7 +56,7 @@ int recover(const RecoverOptions& options, std::FILE* err) {
   const std::string to =
       options.output.empty() ? named_after(options.recording, "-recovered.mcap") : options.output;
   auto sink = mcap::file_sink(to, options.overwrite);
-  if (!sink) return refuse(err, "recover", to + ": " + sink.error().message());
+  if (!sink) return refuse(err, "recover", mcap::refused(to, sink.error()));
   mcap::Reader reader(std::move(file));
   const auto saved = record::recover(reader, std::move(*sink));
   if (saved.error) return refuse(err, "recover", to + ": " + saved.error.message());

@@ -89,9 +89,7 @@ record::RecorderOptions recorder_options(const rig_config::Rig& rig, measurement
 mcap::Sink open_file(const RecordOptions& options) {
   auto sink = mcap::file_sink(options.path, options.overwrite);
   if (sink) return *sink;
-  if (sink.error() == boost::system::errc::file_exists)
-    throw std::runtime_error(options.path + " is there already; --overwrite replaces it");
-  throw std::runtime_error("cannot record to " + options.path + ": " + sink.error().message());
+  throw std::runtime_error("cannot record to " + mcap::refused(options.path, sink.error()));
 }
 
 }  // namespace

@@ -7,7 +7,8 @@
 
 namespace drydock::device {
 
-/// Text of at most `Capacity` characters, kept in place; what does not fit is cut off.
+/// Text of at most `Capacity` characters, kept in place; what does not fit is cut off. People read
+/// it on terminals and sensors may have written it: control characters become '?'.
 template <std::size_t Capacity>
 class FixedText {
  public:
@@ -18,7 +19,10 @@ class FixedText {
 
   FixedText& operator+=(std::string_view text) {
     const std::size_t n = std::min(text.size(), Capacity - size_);
-    std::copy_n(text.begin(), n, chars_.begin() + static_cast<std::ptrdiff_t>(size_));
+    std::transform(text.begin(), text.begin() + n, chars_.begin() + size_, [](char c) {
+      const bool control = static_cast<unsigned char>(c) < 0x20 || c == 0x7F;
+      return control ? '?' : c;
+    });
     size_ += n;
     return *this;
   }

@@ -14,7 +14,7 @@ OutputFile::OutputFile(std::string path, bool overwrite) : path_(std::move(path)
 void OutputFile::fail() {
   const int why = errno;
   if (!error_.empty()) return;
-  error_ = path_ + ": " + std::strerror(why) + (why == EEXIST ? "; --force overwrites it" : "");
+  error_ = path_ + ": " + std::strerror(why) + (why == EEXIST ? "; --overwrite replaces it" : "");
 }
 
 void OutputFile::write(std::string_view text) {

@@ -16,7 +16,11 @@ boost::system::error_code make_private_directory(const fs::path& directory) {
   if (errno != EEXIST) return system_error(errno);
   struct stat info {};
   if (::stat(directory.c_str(), &info) != 0) return system_error(errno);
-  return S_ISDIR(info.st_mode) ? boost::system::error_code{} : system_error(ENOTDIR);
+  if (!S_ISDIR(info.st_mode)) return system_error(ENOTDIR);
+  // Under /tmp anybody may have made it before us.
+  const bool trusted = info.st_uid == ::geteuid() || info.st_uid == 0;
+  const bool open_to_all = (info.st_mode & S_IWOTH) != 0 && (info.st_mode & S_ISVTX) == 0;
+  return trusted && !open_to_all ? boost::system::error_code{} : system_error(EPERM);
 }
 
 }  // namespace
@@ -25,7 +29,10 @@ boost::system::result<OwnedSymlink, OpenError> OwnedSymlink::place(const std::st
                                                                    const std::string& target) {
   const fs::path directory = fs::path(path).parent_path();
   if (const auto error = make_private_directory(directory))
-    return open_error(error.value(), "cannot use the directory " + directory.string());
+    return open_error(error.value(), "cannot use the directory " + directory.string() +
+                                         (error == boost::system::errc::operation_not_permitted
+                                              ? ", which others may write to"
+                                              : ""));
   struct stat info {};
   if (::lstat(path.c_str(), &info) == 0 && !S_ISLNK(info.st_mode))
     return OpenError{system_error(EEXIST),

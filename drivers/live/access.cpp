@@ -1,5 +1,7 @@
 #include "drivers/live/access.hpp"
 
+#include <algorithm>
+
 namespace drydock::live {
 
 namespace {
@@ -18,10 +20,18 @@ bool same(std::string_view a, std::string_view b) {
   return different == 0;
 }
 
+/// "null" is what a browser says for a page that hides its origin, as any page can make one do.
 bool foreign(std::string_view origin) {
   for (const std::string_view scheme : {"http://", "https://"})
     if (origin.starts_with(scheme)) return !is_loopback(without_port(origin.substr(scheme.size())));
-  return false;  // programs, not pages of the web
+  return origin == "null";  // all others are programs, not pages of the web
+}
+
+/// Four numbers, the first 127. A name may begin so too: 127.example.org.
+bool is_loopback_v4(std::string_view address) {
+  if (!address.starts_with("127.") || address.ends_with('.')) return false;
+  if (address.find_first_not_of("0123456789.") != std::string_view::npos) return false;
+  return std::ranges::count(address, '.') == 3 && address.find("..") == std::string_view::npos;
 }
 
 }  // namespace
@@ -41,7 +51,7 @@ std::string_view token_of(std::string_view target) {
 }
 
 bool is_loopback(std::string_view address) {
-  return address == "localhost" || address == "::1" || address.starts_with("127.");
+  return address == "localhost" || address == "::1" || is_loopback_v4(address);
 }
 
 std::optional<std::string> refusal(const Knock& knock, std::string_view token) {

@@ -16,12 +16,20 @@ std::optional<std::uint32_t> number_of(const json& value) {
   return value.get<std::uint32_t>();
 }
 
+/// Null where there is none. Never a copy: copying what a client nested deeply would take the
+/// stack.
+const json& member(const json& object, const char* key) {
+  static const json none;
+  const auto found = object.find(key);
+  return found == object.end() ? none : *found;
+}
+
 Request subscribe(const json& list) {
   Subscribe request;
   for (const auto& entry : list) {
     if (!entry.is_object()) return Refused{"subscriptions: objects with id and channelId"};
-    const auto id = number_of(entry.value("id", json{}));
-    const auto channel = number_of(entry.value("channelId", json{}));
+    const auto id = number_of(member(entry, "id"));
+    const auto channel = number_of(member(entry, "channelId"));
     if (!id || !channel) return Refused{"subscriptions: id and channelId must be numbers"};
     request.subscriptions.push_back({*id, *channel});
   }
@@ -78,14 +86,15 @@ DataHead data_head(std::uint32_t subscription, std::uint64_t time_ns) {
 Request parse_request(std::string_view text) {
   const json request = json::parse(text, nullptr, false);
   if (!request.is_object()) return Refused{"a request is a JSON object"};
-  const auto op = request.find("op");
-  if (op == request.end() || !op->is_string()) return Refused{"a request has an \"op\""};
-  const auto list = [&](const char* key) { return request.value(key, json{}); };
-  if (*op == "subscribe" && list("subscriptions").is_array())
-    return subscribe(list("subscriptions"));
-  if (*op == "unsubscribe" && list("subscriptionIds").is_array())
-    return unsubscribe(list("subscriptionIds"));
-  return Refused{"\"" + op->get<std::string>() + "\" is not served; known: subscribe, unsubscribe"};
+  const json& op = member(request, "op");
+  if (!op.is_string()) return Refused{"a request has an \"op\""};
+  const json &wanted = member(request, "subscriptions"),
+             &unwanted = member(request, "subscriptionIds");
+  if (op == "subscribe" && wanted.is_array()) return subscribe(wanted);
+  if (op == "unsubscribe" && unwanted.is_array()) return unsubscribe(unwanted);
+  constexpr std::size_t enough_to_know_it = 32;
+  return Refused{"\"" + op.get_ref<const std::string&>().substr(0, enough_to_know_it) +
+                 "\" is not served; known: subscribe, unsubscribe"};
 }
 
 }  // namespace drydock::live

@@ -3,6 +3,7 @@
 #include <boost/asio/co_spawn.hpp>
 #include <boost/asio/detached.hpp>
 #include <boost/beast/core/buffers_to_string.hpp>
+#include <optional>
 
 namespace drydock::live {
 
@@ -63,12 +64,14 @@ asio::awaitable<void> Viewer::read_all(std::function<bool(std::uint32_t)> has) {
 
 void Viewer::obey(const Request& request, const std::function<bool(std::uint32_t)>& has) {
   if (const auto* subscribe = std::get_if<Subscribe>(&request)) {
+    std::optional<std::uint32_t> missing;
     for (const auto& [id, channel] : subscribe->subscriptions) {
       if (has(channel))
         subscriptions_[channel] = id;
       else
-        tell(status(2, "there is no channel " + std::to_string(channel)));
+        missing = channel;
     }
+    if (missing) tell(status(2, "there is no channel " + std::to_string(*missing)));
   } else if (const auto* unsubscribe = std::get_if<Unsubscribe>(&request)) {
     for (const auto id : unsubscribe->ids)
       std::erase_if(subscriptions_, [id](const auto& entry) { return entry.second == id; });
@@ -79,6 +82,10 @@ void Viewer::obey(const Request& request, const std::function<bool(std::uint32_t
 
 void Viewer::tell(const std::string& text) {
   if (!open_) return;
+  if (queue_.size() >= most_queued + most_texts || queued_bytes_ > 2 * most_queued_bytes) {
+    close();  // asks and asks, and takes no answer
+    return;
+  }
   queue_.push_back(
       {true, {}, std::make_shared<std::vector<std::uint8_t>>(text.begin(), text.end())});
   queued_bytes_ += text.size();

@@ -20,6 +20,7 @@ class Viewer : public std::enable_shared_from_this<Viewer> {
  public:
   using Body = std::shared_ptr<const std::vector<std::uint8_t>>;
   static constexpr std::size_t most_queued = 512, most_queued_bytes = 4u << 20;
+  static constexpr std::size_t most_texts = 512;
 
   explicit Viewer(boost::beast::tcp_stream stream);
 
@@ -29,7 +30,8 @@ class Viewer : public std::enable_shared_from_this<Viewer> {
       boost::beast::http::request<boost::beast::http::string_body> request,
       std::vector<std::string> greeting, std::function<bool(std::uint32_t)> has);
 
-  void tell(const std::string& text);  ///< control: never dropped
+  /// Control: never dropped. A client that lets too many of them wait is disconnected.
+  void tell(const std::string& text);
   bool wants(std::uint32_t channel) const { return subscriptions_.contains(channel); }
   void publish(std::uint32_t channel, std::uint64_t time_ns, const Body& body);
   void close();

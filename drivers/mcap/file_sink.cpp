@@ -50,4 +50,9 @@ boost::system::result<Sink> file_sink(const std::string& path, bool overwrite) {
   return Sink{[file](Bytes bytes) { return file->write(bytes); }};
 }
 
+std::string refused(const std::string& path, const boost::system::error_code& error) {
+  const bool there = error == boost::system::errc::file_exists;
+  return path + ": " + error.message() + (there ? "; --overwrite replaces it" : "");
+}
+
 }  // namespace drydock::mcap

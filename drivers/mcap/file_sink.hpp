@@ -11,4 +11,7 @@ namespace drydock::mcap {
 /// write() reports, a file that was deleted meanwhile is an error: nobody would ever find it.
 boost::system::result<Sink> file_sink(const std::string& path, bool overwrite = false);
 
+/// Why there is no such sink, in a line: "dive.mcap: File exists; --overwrite replaces it".
+std::string refused(const std::string& path, const boost::system::error_code& error);
+
 }  // namespace drydock::mcap

@@ -71,22 +71,39 @@ std::map<std::string, Fields> fields_of(std::string_view definition) {
 }
 
 /// Fills in the members of nested messages; false: one is not defined, or holds itself.
-bool resolve(MessageNode& node, const std::map<std::string, Fields>& messages, int depth) {
-  constexpr int deepest = 16;
-  if (node.scalar != Scalar::nested) return true;
-  const auto found = messages.find(node.type);
-  if (found == messages.end() || depth > deepest) return false;
-  node.members = found->second;
-  for (auto& member : node.members)
-    if (!resolve(member, messages, depth + 1)) return false;
-  return true;
-}
+/// Messages that hold each other twice double at every level, so there may be only so many fields
+/// (a nav_msgs/Odometry has 30). No element may be without a byte: a message is its only bound on
+/// how many there are.
+class Resolver {
+ public:
+  explicit Resolver(const std::map<std::string, Fields>& messages) : messages_(messages) {}
+
+  bool resolve(MessageNode& node, int depth = 0) {
+    constexpr int deepest = 16;
+    constexpr std::size_t most_fields = 10'000;
+    if (node.repeat == MessageNode::Repeat::array && node.count == 0) return false;
+    if (node.scalar != Scalar::nested) return true;
+    const auto found = messages_.find(node.type);
+    if (found == messages_.end() || found->second.empty() || depth > deepest) return false;
+    fields_ += found->second.size();
+    if (fields_ > most_fields) return false;
+    node.members = found->second;
+    for (auto& member : node.members)
+      if (!resolve(member, depth + 1)) return false;
+    return true;
+  }
+
+ private:
+  const std::map<std::string, Fields>& messages_;
+  std::size_t fields_ = 0;
+};
 
 }  // namespace
 
 std::optional<MessageNode> parse_definition(std::string_view definition) {
   MessageNode message;
-  if (!resolve(message, fields_of(definition), 0)) return {};
+  const auto messages = fields_of(definition);
+  if (!Resolver(messages).resolve(message)) return {};
   return message;
 }
 

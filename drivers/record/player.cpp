@@ -86,6 +86,14 @@ boost::system::result<std::unique_ptr<Player>, RecordingError> Player::make(
   return player;
 }
 
+void Player::run_until(Stamp at) {
+  if (at - clock_.now() > longest_pause) {
+    clock_.run_until(clock_.now() + longest_pause);
+    clock_.skip_to(at);
+  }
+  clock_.run_until(std::max(at, clock_.now()));
+}
+
 void Player::play(const RawEvent& event) {
   run_until(event.at());
   if (event.direction() != Direction::received) return;

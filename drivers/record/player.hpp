@@ -26,8 +26,12 @@ class Player final {
       const Recording& recording, const rig_config::Rig& rig, const Selection& selection,
       device::Listener& listener, shell::RawListener* sent = nullptr);
 
+  /// A host's clock that was set leaves decades without a message. Past this pause every driver has
+  /// given up what it waited for, and the rest of it is skipped.
+  static constexpr std::chrono::hours longest_pause{1};
+
   /// Time goes on, and drivers that waited for it act.
-  void run_until(Stamp at) { clock_.run_until(std::max(at, clock_.now())); }
+  void run_until(Stamp at);
   /// Time goes on to the event's, then its devices hear it. Sent bytes only let time go on.
   void play(const RawEvent& event);
   /// The port of a link goes, or comes back and can be opened again.

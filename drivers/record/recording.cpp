@@ -20,8 +20,29 @@ std::string value_of(const mcap::Map& map, std::string_view key) {
   return {};
 }
 
+/// Differences of two times must fit too.
 Stamp stamp_of(const mcap::Message& message) {
-  return measurement::stamp_from_ns(static_cast<std::int64_t>(message.log_time));
+  constexpr std::uint64_t latest = std::uint64_t{INT64_MAX} / 2;  // the year 2116
+  return measurement::stamp_from_ns(static_cast<std::int64_t>(std::min(message.log_time, latest)));
+}
+
+/// Bytes that a record takes while the file is read: a small packed file may unpack to any size.
+std::size_t kept_size(const mcap::Map& map) {
+  std::size_t size = 0;
+  for (const auto& [name, value] : map) size += sizeof map.front() + name.size() + value.size();
+  return size;
+}
+std::size_t kept_size(const mcap::Schema& s) {
+  return sizeof s + s.name.size() + s.encoding.size() + s.text.size();
+}
+std::size_t kept_size(const mcap::Channel& c) {
+  return sizeof c + c.topic.size() + c.encoding.size() + kept_size(c.metadata);
+}
+std::size_t kept_size(const mcap::Attachment& a) {
+  return sizeof a + a.name.size() + a.media_type.size() + a.data.size();
+}
+std::size_t kept_size(const mcap::Metadata& m) {
+  return sizeof m + m.name.size() + kept_size(m.values);
 }
 
 std::vector<std::string> split(const std::string& names) {
@@ -40,6 +61,11 @@ void throw_exception_from_error(const RecordingError& error, const boost::source
 boost::system::result<Recording, RecordingError> Recording::open(const std::string& path) {
   auto file = std::make_unique<std::ifstream>(path, std::ios::binary);
   if (!*file) return RecordingError{path + ": " + std::strerror(errno)};
+  return open(std::move(file), path);
+}
+
+boost::system::result<Recording, RecordingError> Recording::open(std::unique_ptr<std::istream> file,
+                                                                 const std::string& path) {
   Recording recording{mcap::Reader(std::move(file))};
   while (auto record = recording.reader_.next()) {
     if (const auto* message = std::get_if<mcap::Message>(&*record)) {
@@ -48,21 +74,33 @@ boost::system::result<Recording, RecordingError> Recording::open(const std::stri
       break;
     }
     recording.note(std::move(*record));
+    if (!recording.damage_.empty()) return RecordingError{path + ": " + recording.damage_};
   }
   if (!recording.first_ && recording.channels_.empty() && !recording.damage().empty())
     return RecordingError{path + ": " + recording.damage()};
   return recording;
 }
 
+/// Programs repeat schemas and channels in every chunk: what takes the place of another counts
+/// once.
+template <class Kept>
+void Recording::keep(Kept& place, Kept&& record) {
+  const bool was_empty = kept_size(place) == sizeof place;
+  kept_bytes_ -= was_empty ? 0 : kept_size(place);
+  place = std::move(record);
+  kept_bytes_ += kept_size(place);
+  if (kept_bytes_ > most_kept) damage_ = "more than 256 MB of schemas, channels and attachments";
+}
+
 void Recording::note(mcap::Record&& record) {
   if (auto* schema = std::get_if<mcap::Schema>(&record)) {
-    schemas_[schema->id] = std::move(*schema);
+    keep(schemas_[schema->id], std::move(*schema));
   } else if (auto* channel = std::get_if<mcap::Channel>(&record)) {
     note_channel(std::move(*channel));
   } else if (auto* attachment = std::get_if<mcap::Attachment>(&record)) {
-    attachments_.push_back(std::move(*attachment));
+    keep(attachments_.emplace_back(), std::move(*attachment));
   } else if (auto* metadata = std::get_if<mcap::Metadata>(&record)) {
-    metadata_.push_back(std::move(*metadata));
+    keep(metadata_.emplace_back(), std::move(*metadata));
   }
 }
 
@@ -76,7 +114,7 @@ void Recording::note_channel(mcap::Channel&& channel) {
                       split(value_of(channel.metadata, "devices"))});
   }
   const auto id = channel.id;
-  channels_[id] = std::move(channel);
+  keep(channels_[id], std::move(channel));
 }
 
 std::string Recording::attachment(std::string_view name) const {
@@ -119,7 +157,7 @@ std::optional<Event> Recording::event_of(const mcap::Message& message) {
 }
 
 std::optional<Event> Recording::next() {
-  for (;;) {
+  while (damage_.empty()) {
     std::optional<mcap::Record> record;
     if (first_) {
       record = *first_;
@@ -135,6 +173,7 @@ std::optional<Event> Recording::next() {
       note(std::move(*record));
     }
   }
+  return {};
 }
 
 }  // namespace drydock::record

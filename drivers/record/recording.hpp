@@ -44,7 +44,13 @@ using Event = std::variant<RawEvent, Understood>;
 /// Reads a recording that Recorder wrote from front to back, a cut one up to the cut.
 class Recording {
  public:
+  /// What is not messages and is therefore kept may not come to more than this.
+  static constexpr std::size_t most_kept = 256u << 20;
+
   static boost::system::result<Recording, RecordingError> open(const std::string& path);
+  /// From a stream; `name` is for the error.
+  static boost::system::result<Recording, RecordingError> open(std::unique_ptr<std::istream> file,
+                                                               const std::string& name);
 
   /// Known from the start, as long as the file was not cut before its first message.
   const std::vector<RecordedLink>& links() const { return links_; }
@@ -66,12 +72,14 @@ class Recording {
   std::optional<Event> next();
 
   /// After the end: empty, or one line that says where the file is cut or damaged.
-  const std::string& damage() const { return reader_.damage(); }
+  const std::string& damage() const { return damage_.empty() ? reader_.damage() : damage_; }
   std::uint64_t unreadable() const { return unreadable_; }  ///< raw messages that are not ours
 
  private:
   explicit Recording(mcap::Reader reader) : reader_(std::move(reader)) {}
   void note(mcap::Record&& record);
+  template <class Kept>
+  void keep(Kept& place, Kept&& record);
   void note_channel(mcap::Channel&& channel);
   std::optional<Event> event_of(const mcap::Message& message);
 
@@ -85,6 +93,8 @@ class Recording {
   std::optional<mcap::Message> first_;
   std::optional<Stamp> begin_;
   std::uint64_t unreadable_ = 0;
+  std::size_t kept_bytes_ = 0;
+  std::string damage_;
 };
 
 }  // namespace drydock::record

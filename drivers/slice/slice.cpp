@@ -127,7 +127,7 @@ boost::system::result<Sliced, RecordingError> slice(const std::string& path, con
     disguise.first = first_position(path, Slicer(options, *recording, disguise, rig));
 
   auto sink = mcap::file_sink(to, options.overwrite);
-  if (!sink) return RecordingError{to + ": " + sink.error().message()};
+  if (!sink) return RecordingError{mcap::refused(to, sink.error())};
   Slicer slicer(options, *recording, disguise, rig);
   Copy copy(std::move(*sink), done);
   mcap::Reader reader = reader_of(path);

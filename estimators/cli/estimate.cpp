@@ -75,7 +75,7 @@ class Printer {
 
 int estimate(const rig_config::Rig& rig, const EstimateOptions& options) {
   boost::asio::io_context io{1};
-  const bus::Participant participant(static_cast<std::uint32_t>(rig.dds_domain));
+  const bus::Participant participant(static_cast<std::uint32_t>(rig.dds_domain), rig.dds_interface);
   bus::Publisher publisher(participant, {}, estimator_names(rig), navigator_names(rig));
   bus::Subscriber subscriber(participant, bus_devices(rig));
   EstimatorHost host(io, pipeline_options(rig), subscriber, publisher);

@@ -48,7 +48,7 @@ class Bench {
         options_(options),
         start_(link::steady_now()),
         trajectory_(motion::make_trajectory(rig.mission, start_)),
-        participant_(static_cast<std::uint32_t>(rig.dds_domain)),
+        participant_(static_cast<std::uint32_t>(rig.dds_domain), rig.dds_interface),
         publisher_(participant_, bus_devices(rig), estimator_names(rig), navigator_names(rig)),
         subscriber_(participant_, bus_devices(rig)),
         faults_(io_, rig, *trajectory_, start_),

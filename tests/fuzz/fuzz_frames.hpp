@@ -8,11 +8,12 @@
 
 #include "drivers/wire/can_frame.hpp"
 #include "drivers/wire/codec.hpp"
+#include "tests/fuzz/fuzz_values.hpp"
 
 namespace drydock::wire::fuzz {
 
 /// Every 14 bytes are a frame: identifier (its top bit: 29 bits), length, flags, data. Feeds them
-/// to a decoder, visits every field of every message, and checks the counters.
+/// to a decoder, every field of every message is no number or a finite one; the counters agree.
 template <class P>
 void feed_frames(Bytes input) {
   constexpr std::size_t step = 14;
@@ -29,8 +30,11 @@ void feed_frames(Bytes input) {
     const auto message = decoder.receive(frame);
     if (!message) continue;
     ++messages;
-    std::visit([](const auto& m) { visit_fields(m, [](std::string_view, const auto&) {}); },
-               *message);
+    std::visit(
+        [](const auto& m) {
+          visit_fields(m, [](std::string_view, const auto& value) { require_finite(value); });
+        },
+        *message);
   }
   const StreamCounters& c = decoder.counters();
   if (c.frames != messages || c.bytes_good + c.bytes_skipped > c.bytes_in) std::abort();

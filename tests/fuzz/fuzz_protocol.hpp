@@ -5,6 +5,7 @@
 #include <variant>
 
 #include "drivers/wire/codec.hpp"
+#include "tests/fuzz/fuzz_values.hpp"
 
 namespace drydock::wire::fuzz {
 
@@ -13,7 +14,7 @@ inline void require(bool holds) {
 }
 
 /// Feeds the input as pieces (its first byte says how long they are) and decodes what comes out;
-/// visits every field of every message.
+/// every field of every message is no number or a finite one.
 template <class P>
 void feed(Bytes input) {
   if (input.empty()) return;
@@ -25,8 +26,11 @@ void feed(Bytes input) {
       require(frame.size() <= P::max_frame && after <= P::max_frame + 256);
       const auto message = P::decode(frame);
       if (!message) return;
-      std::visit([](const auto& m) { visit_fields(m, [](std::string_view, const auto&) {}); },
-                 *message);
+      std::visit(
+          [](const auto& m) {
+            visit_fields(m, [](std::string_view, const auto& value) { require_finite(value); });
+          },
+          *message);
     });
     rest = rest.subspan(part.size());
   }

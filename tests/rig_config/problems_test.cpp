@@ -229,7 +229,7 @@ TEST(RigProblems, ARigNeedsADevice) {
   EXPECT_THAT(problems_of_text("[rig]\nname = \"r\"\n"),
               ElementsAre("r.toml:1:1: /: key 'device' is missing"));
   EXPECT_THAT(problems_of_text("device = []\n[rig]\nname = \"r\"\n"),
-              ElementsAre("r.toml:1:10: /device: has 0 values, allowed: 1 or more"));
+              ElementsAre("r.toml:1:10: /device: has 0 values, allowed: 1 to 256"));
 }
 
 TEST(RigProblems, AnotherKindOfFileIsNoRig) {

@@ -56,7 +56,7 @@ void add_export(CLI::App& app, Command& command) {
       "-o,--output", a->options.target.path,
       "file (candump, pcapng, nmea; - is standard output) or folder (raw, csv); default "
       "the recording's name, here");
-  sub->add_flag("--force", a->options.target.overwrite, "overwrite what is there");
+  sub->add_flag("--overwrite", a->options.target.overwrite, "replace what is there");
   sub->add_flag("--plain", a->options.target.plain, "nmea: sentences without times before them");
   a->part.add_only_and_from(*sub);
   sub->callback([a, &command] {
@@ -76,7 +76,7 @@ void add_recover(CLI::App& app, Command& command) {
   sub->add_option("RECORDING", options->recording, "recording (MCAP), of whatever program")
       ->required();
   sub->add_option("-o,--output", options->output, "default NAME-recovered.mcap, here");
-  sub->add_flag("--force", options->overwrite, "overwrite what is there");
+  sub->add_flag("--overwrite", options->overwrite, "replace what is there");
   sub->callback([options, &command] { command = [options] { return recover(*options, stderr); }; });
 }
 
@@ -128,7 +128,7 @@ void add_cut(CLI::App& app, Command& command) {
       "         drydock cut dive.mcap --from 10s --to 25s --as-fixture lost-bottom-lock");
   sub->add_option("RECORDING", a->options.recording, "recording (MCAP)")->required();
   auto* output = sub->add_option("-o,--output", a->options.output, "default NAME-cut.mcap, here");
-  sub->add_flag("--force", a->options.slice.overwrite, "overwrite what is there");
+  sub->add_flag("--overwrite", a->options.slice.overwrite, "replace what is there");
   sub->add_option("--as-fixture", a->options.fixture,
                   "make it a regression test, fixtures/dives/NAME, with what its drivers measure")
       ->excludes(output);
@@ -155,7 +155,7 @@ void add_bisect(CLI::App& app, Command& command) {
                   "for the shell, {} is the part; an exit code other than 0 is the failure")
       ->required();
   sub->add_option("-o,--output", options->output, "default NAME-smallest.mcap, here");
-  sub->add_flag("--force", options->overwrite, "overwrite what is there");
+  sub->add_flag("--overwrite", options->overwrite, "replace what is there");
   sub->callback([options, &command] {
     command = [options] {
       RecordingProgress progress("bisect", stderr);

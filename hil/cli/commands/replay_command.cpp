@@ -28,7 +28,7 @@ void add_recording_options(CLI::App& sub, ReplayArguments& a) {
       "file of blocks [[fault]] that come between recording and drivers: docs/faults.md");
   sub.add_flag("--step", r.step, "wait for Enter behind each message; q ends");
   auto* record = sub.add_option("--record", r.record.path, "record the replay to this MCAP file");
-  sub.add_flag("--overwrite", r.record.overwrite, "replace a file that is there")->needs(record);
+  sub.add_flag("--overwrite", r.record.overwrite, "replace what is there")->needs(record);
   auto* check = sub.add_option("--check", r.check,
                                "compare with this reference; exit 1 and the first divergence where "
                                "something else comes out");

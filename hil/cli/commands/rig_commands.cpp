@@ -63,7 +63,7 @@ void add_faults_option(CLI::App* sub, std::string& file) {
 }
 
 void add_overwrite(CLI::App* sub, RecordOptions& record) {
-  sub->add_flag("--overwrite", record.overwrite, "replace a recording that is there");
+  sub->add_flag("--overwrite", record.overwrite, "replace what is there");
 }
 
 void add_run(CLI::App& app, Command& command) {

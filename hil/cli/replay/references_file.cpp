@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <boost/throw_exception.hpp>
 #include <stdexcept>
 
@@ -36,6 +37,36 @@ std::string to_json_text(const References& references) {
   return text + "}}\n";
 }
 
+namespace {
+
+/// Whole numbers alone: a conversion of 1e300 would give any.
+template <class Integer>
+Integer integer_at(const ReferenceValue& object, const ReferenceValue& value, const char* what) {
+  if (!value.is_number_integer() || (std::is_unsigned_v<Integer> && !value.is_number_unsigned()))
+    throw ReferenceValue::type_error::create(302, std::string(what) + " must be a whole number",
+                                             &object);
+  return value.get<Integer>();
+}
+
+ReferenceRow row_of(const ReferenceValue& row) {
+  const ReferenceValue& values = row.at(2);
+  const auto nested = [](const ReferenceValue& value) { return value.is_structured(); };
+  if (!values.is_array() || std::ranges::any_of(values, nested))
+    throw ReferenceValue::type_error::create(302, "a row's values must be a list of values", &row);
+  return {integer_at<std::int64_t>(row, row.at(0), "a row's time"), row.at(1), values};
+}
+
+ReferenceTopic topic_of(const ReferenceValue& from) {
+  const auto count = [&](const char* key) {
+    return integer_at<std::uint64_t>(from, from.at(key), key);
+  };
+  ReferenceTopic topic{from.at("type"), count("messages"), count("every"), from.at("digest"), {}};
+  for (const auto& row : from.at("rows")) topic.rows.push_back(row_of(row));
+  return topic;
+}
+
+}  // namespace
+
 boost::system::result<References, ReferencesError> parse_references(const std::string& text) {
   try {
     const ReferenceValue file = ReferenceValue::parse(text);
@@ -45,11 +76,8 @@ boost::system::result<References, ReferencesError> parse_references(const std::s
     References references;
     references.part = file.at("part").get<std::string>();
     for (const auto& [name, from] : file.at("topics").items()) {
-      auto& topic = references.topics[name];
-      topic = {from.at("type"), from.at("messages"), from.at("every"), from.at("digest"), {}};
+      const auto& topic = references.topics[name] = topic_of(from);
       if (topic.every == 0) return ReferencesError{name + ": every is 0"};
-      for (const auto& row : from.at("rows"))
-        topic.rows.push_back({row.at(0), row.at(1), row.at(2)});
     }
     return references;
   } catch (const ReferenceValue::exception& error) {

@@ -91,6 +91,8 @@ void ReplayBench::play(Pace& pace, const record::Watch& watch) {
 
 /// Time goes on with the drivers' own deadlines, the faults', and the drivers' health each second.
 bool ReplayBench::wait_until(Stamp at, Pace& pace) {
+  if (at - next_health_ > record::Player::longest_pause)
+    next_health_ += (at - next_health_) / health_period * health_period;
   for (;;) {
     const Stamp of_faults = faults_ ? faults_->deadline().value_or(Stamp::max()) : Stamp::max();
     const Stamp next = std::max(std::min(next_health_, of_faults), player_->now());

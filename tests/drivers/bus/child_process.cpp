@@ -12,6 +12,7 @@
 #include <thread>
 
 #include "tests/drivers/bus/bus_fixture.hpp"
+#include "tests/drivers/bus/hostile_writer.hpp"
 
 extern char** environ;
 
@@ -94,6 +95,11 @@ bool run_as_child(const std::vector<std::string>& arguments) {
     publish_numbered(domain, std::stoi(arguments.at(2)));
   } else if (arguments[0] == "subscribe") {
     subscribe(domain);
+  } else if (arguments[0] == "garbage") {
+    write_garbage(domain, [] {
+      say("written");
+      ::pause();
+    });
   }
   return true;
 }

@@ -46,6 +46,8 @@ TEST_F(RecordingCommand, RecoverSaysWhatWasWrongAndWhatIsSaved) {
   EXPECT_THAT(err_.text(), HasSubstr("the file is cut here"));
   EXPECT_THAT(err_.text(), testing::ContainsRegex("saved.mcap: [0-9]+ messages of [0-9.]+ s and 3 "
                                                   "attachments saved"));
+  EXPECT_EQ(recover({folder_ / "cut.mcap", folder_ / "saved.mcap"}, err_.file()), 1);
+  EXPECT_THAT(err_.text(), HasSubstr("saved.mcap: File exists; --overwrite replaces it"));
   EXPECT_EQ(recover({"/nowhere.mcap", ""}, err_.file()), 1);
   EXPECT_THAT(err_.text(), HasSubstr("recover: /nowhere.mcap: cannot be read"));
 }

@@ -40,6 +40,11 @@ LifeCycle stale(const LifeCycleOptions& options = line_options()) {
   return life;
 }
 
+TEST(FixedText, ControlCharactersNeverReachATerminal) {
+  const Reason reason("\033[2Jok\x7f\r\n\xc3\xa9");
+  EXPECT_EQ(reason.view(), "?[2Jok???\xc3\xa9");
+}
+
 TEST(LifeCycle, ClosedDeviceWantsNothing) {
   const LifeCycle life;
   EXPECT_EQ(life.state(), State::closed);

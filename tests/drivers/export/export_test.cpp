@@ -131,7 +131,7 @@ TEST_F(Export, APartIsWhatItsNamesAndTimesSay) {
 TEST_F(Export, WhatIsThereIsNotOverwrittenAndCtrlCEndsCleanly) {
   ASSERT_TRUE(to(Format::candump, "dive.log"));
   EXPECT_EQ(to(Format::candump, "dive.log").error().line,
-            (folder_ / "dive.log") + ": File exists; --force overwrites it");
+            (folder_ / "dive.log") + ": File exists; --overwrite replaces it");
   int asked = 0;
   const auto ended =
       export_recording(dive_, {}, Format::candump, {folder_ / "two.log", false, false},

@@ -47,6 +47,22 @@ TEST_F(Pty, ShortNamesStandInThePrivateRuntimeFolder) {
   EXPECT_EQ(pty_path("gnss"), "/tmp/drydock-" + std::to_string(::getuid()) + "/gnss");
 }
 
+TEST_F(Pty, ItsNameStandsInNoFolderThatOthersMayWriteTo) {
+  const fs::path open_to_all = folder.file("shared");
+  fs::create_directory(open_to_all);
+  const std::string inside = "pty:" + (open_to_all / "dvl").string();
+  ASSERT_EQ(::chmod(open_to_all.c_str(), 0777), 0);
+  const auto refused = open_bytes(io.get_executor(), parse_uri(inside).value(), Side::device);
+  ASSERT_FALSE(refused);
+  EXPECT_THAT(refused.error().message, HasSubstr("which others may write to"));
+  ASSERT_EQ(::chmod(open_to_all.c_str(), 01777), 0);  // as /tmp: a name is its owner's
+  EXPECT_TRUE(open_bytes(io.get_executor(), parse_uri(inside).value(), Side::device));
+  if (::getuid() != 0) return;
+  constexpr uid_t somebody_else = 12345;
+  ASSERT_EQ(::chown(open_to_all.c_str(), somebody_else, somebody_else), 0);
+  EXPECT_FALSE(open_bytes(io.get_executor(), parse_uri(inside).value(), Side::device));
+}
+
 TEST_F(Pty, NeverReplacesAFileOfAnotherKind) {
   std::ofstream(path) << "precious";
   const auto device = open_bytes(io.get_executor(), parse_uri(uri).value(), Side::device);

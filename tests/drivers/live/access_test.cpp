@@ -18,6 +18,10 @@ TEST(Access, WithoutATokenOnlyLoopbackNamesAndNoForeignPage) {
   EXPECT_FALSE(may({"/", "localhost:8765", "https://evil.example"}));
   EXPECT_FALSE(may({"/", "localhost:8765", "https://localhost.evil.example"}));
   EXPECT_FALSE(may({"/", "", ""}));
+  // A name that begins as an address does, and a page in a frame that hides where it is from.
+  EXPECT_FALSE(may({"/", "127.evil.example:8765", ""}));
+  EXPECT_FALSE(may({"/", "localhost:8765", "http://127.0.0.1.evil.example"}));
+  EXPECT_FALSE(may({"/", "localhost:8765", "null"}));
 }
 
 TEST(Access, WithATokenOnlyWhoKnowsIt) {
@@ -31,7 +35,8 @@ TEST(Access, WithATokenOnlyWhoKnowsIt) {
 TEST(Access, LoopbackIsWhatNeverLeavesTheMachine) {
   for (const auto* local : {"127.0.0.1", "127.1.2.3", "::1", "localhost"})
     EXPECT_TRUE(is_loopback(local)) << local;
-  for (const auto* other : {"0.0.0.0", "192.168.1.7", "::", "rig.local", ""})
+  for (const auto* other : {"0.0.0.0", "192.168.1.7", "::", "rig.local", "", "127.", "127.0.0",
+                            "127.0.0.1.", "127..0.1", "127.0.0.1x"})
     EXPECT_FALSE(is_loopback(other)) << other;
 }
 

@@ -39,6 +39,21 @@ TEST(Foxglove, WhatIsNotARequestIsRefusedWithAReason) {
   EXPECT_THAT(why(R"({"op":"advertise"})"), HasSubstr("\"advertise\" is not served"));
 }
 
+TEST(Foxglove, BracketsInBracketsTakeNoStack) {
+  // As many as the longest message that a viewer may send holds.
+  const std::string deep = std::string(30'000, '[') + std::string(30'000, ']');
+  const auto request = parse_request(R"({"op":"subscribe","subscriptions":)" + deep + "}");
+  EXPECT_EQ(std::get<Refused>(request).why, "subscriptions: objects with id and channelId");
+  const auto inside =
+      parse_request(R"({"op":"subscribe","subscriptions":[{"id":)" + deep + R"(,"channelId":1}]})");
+  EXPECT_EQ(std::get<Refused>(inside).why, "subscriptions: id and channelId must be numbers");
+}
+
+TEST(Foxglove, ARefusalDoesNotSendBackAllThatItRefuses) {
+  const auto request = parse_request(R"({"op":")" + std::string(50'000, 'x') + "\"}");
+  EXPECT_LT(std::get<Refused>(request).why.size(), 100U);
+}
+
 RC_GTEST_PROP(Foxglove, AnyTextIsAnswered, (const std::string& text)) {
   const auto request = parse_request(text);
   if (const auto* refused = std::get_if<Refused>(&request)) RC_ASSERT(!refused->why.empty());

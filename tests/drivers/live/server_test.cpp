@@ -138,6 +138,30 @@ TEST_F(LiveServer, AViewerThatDoesNotReadLosesMessagesAndHoldsUpNobody) {
   io_.run();
 }
 
+TEST(LiveServerQueue, AViewerThatAsksAndTakesNoAnswerIsDisconnected) {
+  asio::io_context io{1};
+  Server server(io.get_executor(), {.port = 0});
+  ASSERT_FALSE(server.listen());
+  bool ended = false;
+  std::jthread client([&, port = server.port()] {
+    asio::io_context own;
+    boost::beast::websocket::stream<asio::ip::tcp::socket> socket(own);
+    socket.next_layer().open(asio::ip::tcp::v4());
+    socket.next_layer().set_option(asio::socket_base::receive_buffer_size(4096));
+    boost::system::error_code error;
+    socket.next_layer().connect({asio::ip::address_v4::loopback(), port}, error);
+    socket.handshake("127.0.0.1", "/", error);
+    // Each is answered with a line; the sockets' buffers hold some thousands of them.
+    for (int i = 0; i < 2'000'000 && !error; ++i) socket.write(asio::buffer("x", 1), error);
+    ended = static_cast<bool>(error);
+    asio::post(io, [&] { server.stop(); });
+  });
+  io.run();
+  client.join();
+  EXPECT_TRUE(ended);
+  EXPECT_EQ(server.counters().viewers, 0U);
+}
+
 TEST_F(LiveServer, GivesItsPageAndNothingElse) {
   ASSERT_FALSE(server_.listen());
   const auto page = get("GET / HTTP/1.1\r\nHost: localhost\r\nConnection: close\r\n\r\n");

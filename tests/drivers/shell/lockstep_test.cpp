@@ -38,6 +38,18 @@ class Diarist final : public Actor {
   std::size_t next_ = 0;
 };
 
+TEST(Lockstep, WhatWasDueInASkippedTimeActsOnceAtItsEnd) {
+  Diary diary;
+  Diarist diarist("a", {at_s(1), at_s(1e9), at_s(1e9 + 2)}, diary);
+  Lockstep lockstep(at_s(0));
+  lockstep.add(diarist);
+  lockstep.run_until(at_s(2));
+  lockstep.skip_to(at_s(1e9 + 1));
+  lockstep.skip_to(at_s(5));
+  lockstep.run_until(at_s(1e9 + 3));
+  EXPECT_EQ(diary, (Diary{{"a", at_s(1)}, {"a", at_s(1e9 + 1)}, {"a", at_s(1e9 + 2)}}));
+}
+
 TEST(Lockstep, ActorsActInTheOrderOfTheirDeadlines) {
   Diary diary;
   Diarist a("a", {at_s(3), at_s(4)}, diary), b("b", {at_s(1), at_s(5)}, diary);

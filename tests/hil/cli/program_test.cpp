@@ -423,6 +423,18 @@ TEST(Program, TheDoctorNarrowsToARigAndNamesACommandForWhatIsWrong) {
   EXPECT_THAT(rig.output, HasSubstr("drydock probe --all"));
 }
 
+TEST(Program, EveryCommandThatWritesAFileHasTheSameWordForReplacingOne) {
+  for (const char* command : {"run", "record", "replay", "export", "recover", "cut", "bisect"}) {
+    const auto help = drydock(std::string{command} + " --help");
+    EXPECT_THAT(help.output, HasSubstr("--overwrite")) << command;
+  }
+  for (const char* everything : {"man", "completion bash", "completion zsh"}) {
+    const auto text = drydock(everything).output;
+    EXPECT_THAT(text, HasSubstr("overwrite")) << everything;
+    EXPECT_THAT(text, testing::Not(HasSubstr("-force"))) << everything;
+  }
+}
+
 TEST(Program, BashCompletesCommandsOptionsAndValues) {
   const Folder folder;
   std::ofstream(folder / "try.sh")

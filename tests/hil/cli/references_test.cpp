@@ -111,4 +111,22 @@ TEST(References, ThatAreNoneAreRefusedInALine) {
             std::string::npos);
 }
 
+TEST(References, AreRefusedWhereAFileCannotBeMeant) {
+  const auto refused = [](const std::string& topic) {
+    const auto read = parse_references(
+        R"({"drydock_references": 1, "part": "all", "topics": {"/t": )" + topic + "}}");
+    return !read && !read.error().line.empty();
+  };
+  const auto rows = [](const std::string& of) {
+    return R"({"type": "t", "messages": 1, "every": 1, "digest": "0", "rows": )" + of + "}";
+  };
+  EXPECT_FALSE(refused(rows(R"([[1, "0", [1.5, null, "x"]]])")));
+  EXPECT_TRUE(refused(rows(R"([[1e300, "0", []]])")));
+  EXPECT_TRUE(refused(rows(R"([[1, "0", [[1]]]])")));
+  EXPECT_TRUE(refused(
+      rows(R"([[1, "0", )" + std::string(100'000, '[') + std::string(100'000, ']') + "]]")));
+  EXPECT_TRUE(refused(R"({"type": "t", "messages": -1, "every": 1, "digest": "0", "rows": []})"));
+  EXPECT_TRUE(refused(R"({"type": "t", "messages": 1, "every": 0, "digest": "0", "rows": []})"));
+}
+
 }  // namespace references_test

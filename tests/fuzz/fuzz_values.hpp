@@ -1,0 +1,22 @@
+#pragma once
+
+#include <cmath>
+#include <concepts>
+#include <cstdlib>
+#include <ranges>
+
+namespace drydock::wire::fuzz {
+
+/// A field may be empty, but NaN and infinity never come out of a codec as a value.
+template <class Value>
+void require_finite(const Value& value) {
+  if constexpr (std::floating_point<Value>) {
+    if (!std::isfinite(value)) std::abort();
+  } else if constexpr (requires { value.has_value(); }) {
+    if (value.has_value()) require_finite(*value);
+  } else if constexpr (std::ranges::range<Value>) {
+    for (const auto& element : value) require_finite(element);
+  }
+}
+
+}  // namespace drydock::wire::fuzz

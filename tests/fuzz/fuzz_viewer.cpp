@@ -1,0 +1,55 @@
+#include <boost/asio/buffer.hpp>
+#include <boost/beast/http.hpp>
+#include <cstdlib>
+#include <string>
+
+#include "drivers/live/access.hpp"
+#include "drivers/live/foxglove.hpp"
+
+namespace http = boost::beast::http;
+using namespace drydock::live;
+
+namespace {
+
+void require(bool holds) {
+  if (!holds) std::abort();
+}
+
+std::string text_of(boost::beast::string_view view) { return {view.data(), view.size()}; }
+
+/// As the server reads a request; who may not look must not be let in.
+void as_http(const std::uint8_t* data, std::size_t size) {
+  http::request_parser<http::string_body> parser;
+  boost::system::error_code error;
+  parser.eager(true);
+  parser.put(boost::asio::buffer(data, size), error);
+  if (!parser.is_header_done()) return;
+  const auto& request = parser.get();
+  const std::string target = text_of(request.target()), host = text_of(request[http::field::host]),
+                    origin = text_of(request[http::field::origin]);
+  const Knock knock{target, host, origin};
+  if (!refusal(knock, "")) {
+    const bool by_address = host.find_first_not_of("0123456789.:") == std::string::npos;
+    require(host.starts_with("localhost") || host.starts_with("[::1]") ||
+            (by_address && host.starts_with("127.")));
+    require(origin != "null");
+  }
+  const bool knows_it = target.find("token=secret") != std::string::npos;
+  require(refusal(knock, "secret").has_value() || knows_it);
+  require(path_of(target).size() <= target.size());
+}
+
+}  // namespace
+
+/// What comes through the port of a live page: the text of a viewer, the head of an HTTP request.
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const auto request = parse_request({reinterpret_cast<const char*>(data), size});
+  if (const auto* refused = std::get_if<Refused>(&request)) {
+    require(!refused->why.empty() && refused->why.size() < 200);
+    require(!status(2, refused->why).empty());
+  }
+  if (const auto* wanted = std::get_if<Subscribe>(&request))
+    require(wanted->subscriptions.size() <= size);
+  as_http(data, size);
+  return 0;
+}
