@@ -62,10 +62,10 @@ std::string read_file(const std::filesystem::path& path) {
 
 TEST(Program, HelpOfEveryCommandShowsAnExample) {
   for (const char* command :
-       {"run",     "emulate",  "drive",  "record",      "estimate", "check",
-        "monitor", "decode",   "replay", "probe",       "doctor",   "completion",
-        "man",     "export",   "cut",    "recover",     "bisect",   "sensor",
-        "sky",     "maneuver", "study",  "characterize"}) {
+       {"run",     "emulate",  "drive",  "record",       "estimate", "check",
+        "monitor", "decode",   "replay", "probe",        "doctor",   "completion",
+        "man",     "export",   "cut",    "recover",      "bisect",   "sensor",
+        "sky",     "maneuver", "study",  "characterize", "scorecard"}) {
     const auto help = drydock(std::string{command} + " --help");
     EXPECT_EQ(help.exit_code, 0) << command;
     EXPECT_THAT(help.output, HasSubstr("Example")) << command;
