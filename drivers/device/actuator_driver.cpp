@@ -1,5 +1,8 @@
 #include "drivers/device/actuator_driver.hpp"
 
+#include <cmath>
+#include <numbers>
+
 namespace drydock::device {
 
 namespace {
@@ -38,6 +41,8 @@ Origin ActuatorDriver::in_burst(const wire::CanFrame& frame, Stamp received_at, 
 void ActuatorDriver::on(const wire::nmea2000::Rudder& rudder, const Origin& origin, Output& out) {
   if (!rudder.instance || *rudder.instance >= surfaces) return;
   if (!surface_source_[*rudder.instance].accepts(rudder.source, origin.received_at)) return;
+  if (std::abs(rudder.position_rad.value_or(0)) > std::numbers::pi / 2)
+    return out.report("a surface beyond 90 degrees was dropped: damaged on its way");
   measurement::ActuatorState state;
   state.origin = origin;
   if (*rudder.instance == 0 && rudder.position_rad) state.rudder_rad = -*rudder.position_rad;

@@ -28,6 +28,8 @@ void DepthDriver::receive(const wire::CanFrame& frame, Stamp received_at, Output
 void DepthDriver::on(const wire::nmea2000::Pressure& pressure, const Origin& origin, Output& out) {
   if (pressure.kind != wire::nmea2000::Pressure::water) return;
   if (!pressure_source_.accepts(pressure.source, origin.received_at)) return;
+  if (pressure.pressure_pa && *pressure.pressure_pa < 0)
+    return out.report("an absolute pressure below zero was dropped: damaged on its way");
   measurement::DepthSample sample;
   sample.origin = origin;
   last_pressure_ = {pressure.source, pressure.sequence, origin};

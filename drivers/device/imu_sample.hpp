@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <optional>
 
 #include "drivers/device/mounting.hpp"
@@ -8,10 +9,22 @@
 
 namespace drydock::device {
 
-/// A sample in body axes; empty unless all six components are there.
+/// Beyond what IMUs of vehicles and rockets measure (about 2000 deg/s and 100 g): a bit of a float
+/// turned over, in frames that have no checksum of their own.
+inline constexpr double most_rate_radps = 100, most_force_mps2 = 2000;
+
+inline bool believable(const std::array<std::optional<double>, 3>& values, double most) {
+  for (const auto& value : values)
+    if (value && !(std::abs(*value) <= most)) return false;
+  return true;
+}
+
+/// A sample in body axes; empty unless all six components are there and believable.
 inline std::optional<measurement::ImuSample> make_imu_sample(
     const measurement::Origin& origin, const std::array<std::optional<double>, 3>& rate_radps,
     const std::array<std::optional<double>, 3>& specific_force_mps2, const Mounting& mounting) {
+  if (!believable(rate_radps, most_rate_radps)) return {};
+  if (!believable(specific_force_mps2, most_force_mps2)) return {};
   Eigen::Vector3d rate, force;
   for (std::size_t i = 0; i < 3; ++i) {
     if (!rate_radps[i] || !specific_force_mps2[i]) return {};

@@ -2,6 +2,7 @@
 
 #include "hil/cli/commands/commands.hpp"
 #include "hil/cli/exit_codes.hpp"
+#include "hil/cli/scorecard/scorecard_command.hpp"
 
 int main(int argc, char** argv) {
   namespace cli = drydock::cli;
@@ -24,6 +25,7 @@ int main(int argc, char** argv) {
   cli::add_characterize_command(app, command);
   cli::add_soak_command(app, command);
   cli::add_validity_command(app, command);
+  cli::add_scorecard_command(app, command);
   try {
     app.parse(argc, argv);
     return command();

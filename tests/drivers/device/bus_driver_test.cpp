@@ -57,6 +57,14 @@ TEST(DepthDriver, OtherPressuresAreNoDepth) {
   EXPECT_TRUE(bus.ear.heard.empty());
 }
 
+TEST(DepthDriver, APressureBelowZeroIsDamagedAndNoDepth) {
+  Bus bus(options(Kind::depth, "nmea2000"));
+  bus.says(pressure_id, {0, 0, 1, 0x42, 0xB8, 0x1E, 0x80, 0xFF});  // its highest bit turned over
+  EXPECT_TRUE(bus.ear.heard.empty());
+  ASSERT_EQ(bus.ear.reports.size(), 1U);
+  EXPECT_EQ(bus.ear.reports[0], "an absolute pressure below zero was dropped: damaged on its way");
+}
+
 TEST(DepthDriver, NotAvailableNeverBecomesADepth) {
   Bus bus(options(Kind::depth, "nmea2000"));
   bus.says(pressure_id, {0, 0, 1, 0xFF, 0xFF, 0xFF, 0x7F, 0xFF});
@@ -92,6 +100,14 @@ TEST(DepthDriver, TwoPressureSensorsAreNotMixedUntilOneFallsSilent) {
   EXPECT_EQ(bus.ear.heard.size(), 1U);
   bus.says(pressure_id + 1, water_pressure, 11.5);
   EXPECT_EQ(bus.ear.heard.size(), 2U);
+}
+
+TEST(ActuatorDriver, ASurfaceBeyondNinetyDegreesIsDamagedAndNoAngle) {
+  Bus bus(options(Kind::actuator, "nmea2000"));
+  bus.says(rudder_id, {0, 0xF8, 0xFF, 0x7F, 0x00, 0x40, 0xFF, 0xFF});  // 1.6384 rad
+  EXPECT_TRUE(bus.ear.heard.empty());
+  ASSERT_EQ(bus.ear.reports.size(), 1U);
+  EXPECT_EQ(bus.ear.reports[0], "a surface beyond 90 degrees was dropped: damaged on its way");
 }
 
 TEST(ActuatorDriver, StarboardRudderOfTheBusIsNegativeHere) {

@@ -135,6 +135,25 @@ TEST(Cia404ImuDriver, SetOfTwoSamplesIsRefused) {
   EXPECT_EQ(bus.ear.reports.size(), 1U);
 }
 
+TEST(Cia404ImuDriver, AFloatWithABitTurnedOverInItsExponentIsNoSample) {
+  Bus bus(options(Kind::imu, "cia404-imu"));
+  const auto turned = [](float x) {
+    return std::bit_cast<float>(std::bit_cast<std::uint32_t>(x) ^ 1U << 30);
+  };
+  for (const auto& [rate, force] :
+       {std::pair(turned(0.5F), 2.0F), std::pair(0.5F, turned(-0.01F))}) {
+    bus.says(tpdo(0x181, 0.125F, 0.25F), 1);
+    bus.says(tpdo(0x281, rate, 1.0F), 1.0005);
+    bus.says(tpdo(0x381, force, -9.75F), 1.001);
+  }
+  EXPECT_TRUE(bus.samples().empty()) << bus.samples().at(0).specific_force;
+  ASSERT_EQ(bus.ear.reports.size(), 2U);
+  EXPECT_EQ(bus.ear.reports[0],
+            "a sample beyond 100 rad/s or 2000 m/s2 was dropped: damaged on its way");
+  one_set(bus, 2);
+  EXPECT_EQ(bus.samples().size(), 1U);
+}
+
 TEST(Cia404ImuDriver, StartsItsNodeWhenTheBusOpensAndAfterABootUp) {
   DriverOptions o = options(Kind::imu, "cia404-imu");
   o.address = 5;

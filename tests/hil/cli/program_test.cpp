@@ -29,7 +29,7 @@ TEST(Program, HelpOfEveryCommandShowsAnExample) {
         "monitor", "decode",   "replay", "probe",        "doctor",   "completion",
         "man",     "export",   "cut",    "recover",      "bisect",   "sensor",
          "sky",     "maneuver", "study",  "characterize", "fault",    "proxy",
-         "soak",    "validity"}) {
+         "soak",    "validity", "scorecard"}) {
     const auto help = drydock(std::string{command} + " --help");
     EXPECT_EQ(help.exit_code, 0) << command;
     EXPECT_THAT(help.output, HasSubstr("Example")) << command;
