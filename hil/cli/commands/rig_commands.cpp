@@ -120,8 +120,8 @@ void add_emulate(CLI::App& app, Command& command) {
     double duration_s = 0;
   };
   auto a = std::make_shared<Arguments>();
-  auto* sub = app.add_subcommand("emulate",
-                                 "The emulated devices of a rig, for any program to open");
+  auto* sub =
+      app.add_subcommand("emulate", "The emulated devices of a rig, for any program to open");
   sub->footer("Example: drydock emulate rig_config/rigs/demo.toml");
   sub->add_option("RIG", a->rig, "rig file (TOML)")->required();
   sub->add_option("--for", a->duration_s, "how long: 60s, 10min, 5.5h; default until Ctrl-C")
