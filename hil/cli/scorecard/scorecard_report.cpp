@@ -21,8 +21,8 @@ study::Table table_of(const Scorecard& card) {
   table.title =
       fmt::format("{}: {:.0f} s sound, {:.0f} s of one fault, {:.0f} s behind it", card.rig,
                   card.window.warm_up_s, card.window.fault_s, card.window.after_s);
-  table.columns = {"device and fault", "amount", "seen after s", "by", "over after s", "lost",
-                   "others lost",      "wrong",  "lies"};
+  table.columns = {"device and fault", "amount", "seen after s", "by",  "over after s", "lost",
+                   "others lost",      "wrong",  "mistimed",     "lies"};
   for (const auto& e : card.scores.front().estimators)
     for (const char* column : {"error x", "NEES", "over after s"})
       table.columns.push_back(e.name + " " + column);

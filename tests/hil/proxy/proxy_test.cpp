@@ -251,7 +251,8 @@ TEST(Proxy, ADvlBehindItIsSoundToItsDriverAndEachOfItsReportsSurvives) {
   const std::string virt = "pty:" + unique("dvl") + "?baud=115200";
   ProxyBetween between(real, virt, "pd0");
   const motion::KinematicTrajectory trajectory(rig_config::MissionConfig{}, link::now());
-  emulate::RealTimeEmulator emulator(between.io, trajectory, 1);
+  emulate::SoundDevices at_sea(trajectory, 1);
+  emulate::RealTimeEmulator emulator(between.io, at_sea);
   rig_config::DeviceConfig dvl;
   dvl.name = "dvl";
   dvl.kind = rig_config::DeviceKind::dvl;

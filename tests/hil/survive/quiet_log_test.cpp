@@ -54,9 +54,10 @@ TEST_P(QuietLog, HasOneLineForEachChangeOfState) {
   ToDevice nowhere;
   shell::Lockstep clock(start);
   shell::DeviceActor actor(std::move(shell::make_devices(rig)->front()), log, nowhere, start);
-  emulate::EmulatedLine line(
-      std::move(*injector.device(rig.devices[0])), 38400,
-      [&](wire::Bytes bytes, measurement::Stamp at) { actor.receive(bytes, at); });
+  emulate::EmulatedLine line(std::move(*injector.device(rig.devices[0])), 38400,
+                             [&](wire::Bytes bytes, const emulate::Passage& passage) {
+                               actor.receive(bytes, passage.ended_at);
+                             });
   line.set_on_port([&](bool there, measurement::Stamp at) { actor.set_port(there, at); });
   clock.add(actor);
   clock.add(line);
