@@ -11,9 +11,7 @@ namespace drydock::fault {
 class ScheduleFollower {
  public:
   ScheduleFollower(std::shared_ptr<const Schedule> schedule, Stamp start)
-      : schedule_(std::move(schedule)),
-        followed_(start - std::chrono::nanoseconds{1}),
-        edits_(schedule_->edits()) {}
+      : schedule_(std::move(schedule)), followed_(start - std::chrono::nanoseconds{1}) {}
 
   std::optional<Stamp> deadline() const {
     return edited() ? std::optional(followed_) : schedule_->next_change(followed_);
@@ -34,7 +32,7 @@ class ScheduleFollower {
 
   std::shared_ptr<const Schedule> schedule_;
   Stamp followed_{};
-  std::uint64_t edits_;
+  std::optional<std::uint64_t> edits_;  ///< none: not looked yet, and a fault may hold already
 };
 
 }  // namespace drydock::fault

@@ -125,7 +125,7 @@ TEST_F(Export, APartIsWhatItsNamesAndTimesSay) {
   part.only = {"dvk"};
   EXPECT_EQ(
       to(Format::candump, "none.log", part).error().line,
-      "--only: there is no \"dvk\" in the recording; it has can0, depth, diagnostics, dvl, gps");
+      "--only: there is no \"dvk\" in the recording; it has can0, depth, diagnostics, drydock, dvl, gps");
 }
 
 TEST_F(Export, WhatIsThereIsNotOverwrittenAndCtrlCEndsCleanly) {

@@ -13,7 +13,7 @@ TEST(Duration, ReadsSecondsMinutesAndHours) {
 }
 
 TEST(Duration, RefusesWhatIsNone) {
-  for (const char* text : {"", "s", "-5s", "5 s", "1d", "nan", "inf", "5parsec", "0x10"}) {
+  for (const char* text : {"", "s", "-5s", "5 s", "1w", "nan", "inf", "5parsec", "0x10"}) {
     EXPECT_EQ(parse_duration(text), std::nullopt) << text;
   }
 }

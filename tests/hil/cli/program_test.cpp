@@ -25,11 +25,10 @@ using program::read_file;
 
 TEST(Program, HelpOfEveryCommandShowsAnExample) {
   for (const char* command :
-       {"run",     "emulate",  "drive",  "record",       "estimate", "check",
-        "monitor", "decode",   "replay", "probe",        "doctor",   "completion",
-        "man",     "export",   "cut",    "recover",      "bisect",   "sensor",
-         "sky",     "maneuver", "study",  "characterize", "fault",    "proxy",
-         "soak",    "validity", "scorecard"}) {
+       {"run",          "emulate", "drive",  "record", "estimate",   "check",    "monitor",
+        "decode",       "replay",  "probe",  "doctor", "completion", "man",      "export",
+        "cut",          "recover", "bisect", "sensor", "sky",        "maneuver", "study",
+        "characterize", "fault",   "proxy",  "soak",   "validity",   "scorecard"}) {
     const auto help = drydock(std::string{command} + " --help");
     EXPECT_EQ(help.exit_code, 0) << command;
     EXPECT_THAT(help.output, HasSubstr("Example")) << command;
@@ -184,11 +183,12 @@ TEST(Program, AFaultIsSetListedAndClearedWhileTheBenchRuns) {
   const Folder folder;
   const std::string rig = "rig_config/rigs/demo.toml",
                     fault = DRYDOCK_PROGRAM " fault " + rig + " ";
-  const auto outcome = drydock("run " + rig + " --for 8s --json " + (folder / "s.json").string() +
-                               " > " + (folder / "run.txt").string() + " & sleep 3; " + fault +
-                               "set dvl garbage bytes=32 --for 1s; " + fault + "set emlog unplug; " +
-                               fault + "list; " + fault + "set emlog bottom-lost; " + fault +
-                               "clear emlog; sleep 1; " + fault + "list; wait");
+  const auto outcome =
+      drydock("run " + rig + " --for 8s --json " + (folder / "s.json").string() + " > " +
+              (folder / "run.txt").string() + " & sleep 3; " + fault +
+              "set dvl garbage bytes=32 --for 1s; " + fault + "set emlog unplug; " + fault +
+              "list; " + fault + "set emlog bottom-lost 2>&1; " + fault + "clear emlog; sleep 1; " +
+              fault + "list; wait");
   EXPECT_THAT(outcome.output, HasSubstr("set: dvl: garbage, bytes = 32, for 1 s"));
   EXPECT_THAT(outcome.output, HasSubstr("emlog: unplug (since "));
   EXPECT_THAT(outcome.output, HasSubstr("only a dvl hears the sea bed"));
