@@ -138,6 +138,7 @@ TEST_F(ByteProxy, UnpluggedTheVirtualSideVanishesAndComesBackAndTheRealOneStays)
   EXPECT_FALSE(link::open_bytes(between_.io.get_executor(), link::parse_uri(virtual_).value(),
                                 Side::driver));
   say("lost");
+  run_until(between_.io, [&] { return between_.proxy->passed().from_device == 4; });
   between_.clear();
   ASSERT_TRUE(between_.until_said("drivers: ", 2));
   drivers_ = open(between_.io, virtual_, Side::driver);
