@@ -50,7 +50,8 @@ std::optional<DeviceFigures> figures_of(const Samples& samples);
 
 /// Same kind against same kind, axis by axis; DVL and EM log against GNSS and each other; an
 /// IMU's turn about its z axis against a GNSS course. Only what both devices give, and moving.
-/// `inertial` (may be null) tells how the vehicle turns, so that lever arms can be taken into account.
+/// `inertial` (may be null) tells how the vehicle turns, so that lever arms can be taken into
+/// account.
 std::vector<AgainstReference> against(const Samples& sensor, const Samples& reference,
                                       const Samples* inertial);
 

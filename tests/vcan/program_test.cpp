@@ -40,8 +40,8 @@ class ProgramOnVcan : public ::testing::Test {
 
   /// What the links of a recording received, as `drydock export` has it.
   std::vector<std::string> received_in(const std::string& recording) const {
-    EXPECT_EQ(run_program({DRYDOCK_PROGRAM, "export", recording, "--to", "candump", "--overwrite", "-o",
-                           file("export.log")}),
+    EXPECT_EQ(run_program({DRYDOCK_PROGRAM, "export", recording, "--to", "candump", "--overwrite",
+                           "-o", file("export.log")}),
               0);
     return frames_of(std::ifstream(file("export.log")), " R");
   }

@@ -123,9 +123,9 @@ TEST_F(Export, APartIsWhatItsNamesAndTimesSay) {
   part.to = std::chrono::milliseconds{2700};
   EXPECT_EQ(to(Format::candump, "part.log", part)->written, 2U);
   part.only = {"dvk"};
-  EXPECT_EQ(
-      to(Format::candump, "none.log", part).error().line,
-      "--only: there is no \"dvk\" in the recording; it has can0, depth, diagnostics, drydock, dvl, gps");
+  EXPECT_EQ(to(Format::candump, "none.log", part).error().line,
+            "--only: there is no \"dvk\" in the recording; it has can0, depth, diagnostics, "
+            "drydock, dvl, gps");
 }
 
 TEST_F(Export, WhatIsThereIsNotOverwrittenAndCtrlCEndsCleanly) {
