@@ -29,7 +29,26 @@ void AceinnaImuDriver::restart(Stamp now, Output& out) {
   rate_.reset();
   force_.reset();
   told_ = {};
+  search_.restart(now, out);
   configurator_.restart(now, out);
+}
+
+void AceinnaImuDriver::tick(Stamp now, Output& out) {
+  search_.tick(now, out);
+  configurator_.tick(now, out);
+}
+
+std::optional<Stamp> AceinnaImuDriver::deadline() const {
+  const auto search = search_.deadline(), configuration = configurator_.deadline();
+  if (!search || !configuration) return search ? search : configuration;
+  return std::min(*search, *configuration);
+}
+
+bool AceinnaImuDriver::accepts(std::uint8_t source, Stamp at) {
+  if (!source_.accepts(source, at)) return false;
+  search_.heard(at);
+  configurator_.found(source, at);
+  return true;
 }
 
 void AceinnaImuDriver::receive(const wire::CanFrame& frame, Stamp received_at, Output& out) {
@@ -49,8 +68,7 @@ void AceinnaImuDriver::receive(const wire::CanFrame& frame, Stamp received_at, O
 
 void AceinnaImuDriver::on(const aceinna::AngularRate& m, const wire::CanFrame& frame, Stamp at,
                           Output& out) {
-  if (!source_.accepts(m.source, at)) return;
-  configurator_.found(m.source, at);
+  if (!accepts(m.source, at)) return;
   rate_ = Half{timing_.of_frame(at, frame), m.rate_radps};
   if (m.latency_s) {
     stated_valid_at_ =
@@ -63,8 +81,7 @@ void AceinnaImuDriver::on(const aceinna::AngularRate& m, const wire::CanFrame& f
 
 void AceinnaImuDriver::on(const aceinna::Acceleration& m, const wire::CanFrame& frame, Stamp at,
                           Output& out) {
-  if (!source_.accepts(m.source, at)) return;
-  configurator_.found(m.source, at);
+  if (!accepts(m.source, at)) return;
   force_ = Half{timing_.of_frame(at, frame), m.acceleration_mps2};
   pair(out);
 }
@@ -72,7 +89,7 @@ void AceinnaImuDriver::on(const aceinna::Acceleration& m, const wire::CanFrame& 
 /// A claim is the first that a device says after its boot: it has lost its settings.
 void AceinnaImuDriver::on(const aceinna::AddressClaimed& m, const wire::CanFrame&, Stamp at,
                           Output&) {
-  source_.claimed(m.source, aceinna::to_value(m.name));
+  source_.claimed(m.source, aceinna::to_value(m.name), at);
   if (ours(m.source)) configurator_.begin_anew(at);
 }
 

@@ -2,6 +2,7 @@
 
 #include "drivers/device/aceinna_configurator.hpp"
 #include "drivers/device/bus_driver.hpp"
+#include "drivers/device/node_search.hpp"
 #include "drivers/device/source_filter.hpp"
 #include "drivers/wire/aceinna.hpp"
 
@@ -19,8 +20,8 @@ class AceinnaImuDriver final : public BusDriver<wire::Aceinna> {
 
   void receive(const wire::CanFrame& frame, Stamp received_at, Output& out) override;
   void restart(Stamp now, Output& out) override;
-  void tick(Stamp now, Output& out) override { configurator_.tick(now, out); }
-  std::optional<Stamp> deadline() const override { return configurator_.deadline(); }
+  void tick(Stamp now, Output& out) override;
+  std::optional<Stamp> deadline() const override;
 
  private:
   using Components = std::array<std::optional<double>, 3>;
@@ -37,11 +38,13 @@ class AceinnaImuDriver final : public BusDriver<wire::Aceinna> {
   void on(const wire::aceinna::Flags<Layout>& m, const wire::CanFrame& frame, Stamp at,
           Output& out);
 
+  bool accepts(std::uint8_t source, Stamp at);
   bool ours(std::uint8_t source) const { return source_.source() == source; }
   void pair(Output& out);
 
   Mounting mounting_;
   SourceFilter source_;
+  NodeSearch search_;
   AceinnaConfigurator configurator_;
   std::optional<Half> rate_, force_;
   std::optional<Stamp> stated_valid_at_;  ///< by ARI's latency field

@@ -11,7 +11,7 @@ constexpr std::chrono::microseconds shortest_pause{500};
 }  // namespace
 
 ActuatorDriver::ActuatorDriver(const DriverOptions& options)
-    : BusDriver(options),
+    : Nmea2000Driver(options),
       surface_source_{SourceFilter{options.address}, SourceFilter{options.address},
                       SourceFilter{options.address}},
       engine_source_(options.address),
@@ -26,8 +26,9 @@ void ActuatorDriver::receive(const wire::CanFrame& frame, Stamp received_at, Out
   } else if (const auto* engine = std::get_if<wire::nmea2000::Engine>(&*message)) {
     on(*engine, in_burst(frame, received_at, engine->source, 0), out);
   } else if (const auto* claim = std::get_if<wire::j1939::AddressClaimed>(&*message)) {
-    for (SourceFilter& source : surface_source_) source.claimed(claim->source, claim->name);
-    engine_source_.claimed(claim->source, claim->name);
+    for (SourceFilter& source : surface_source_)
+      source.claimed(claim->source, claim->name, received_at);
+    engine_source_.claimed(claim->source, claim->name, received_at);
   }
 }
 
@@ -40,7 +41,7 @@ Origin ActuatorDriver::in_burst(const wire::CanFrame& frame, Stamp received_at, 
 
 void ActuatorDriver::on(const wire::nmea2000::Rudder& rudder, const Origin& origin, Output& out) {
   if (!rudder.instance || *rudder.instance >= surfaces) return;
-  if (!surface_source_[*rudder.instance].accepts(rudder.source, origin.received_at)) return;
+  if (!accepts(surface_source_[*rudder.instance], rudder.source, origin.received_at)) return;
   if (std::abs(rudder.position_rad.value_or(0)) > std::numbers::pi / 2)
     return out.report("a surface beyond 90 degrees was dropped: damaged on its way");
   measurement::ActuatorState state;
@@ -52,7 +53,7 @@ void ActuatorDriver::on(const wire::nmea2000::Rudder& rudder, const Origin& orig
 }
 
 void ActuatorDriver::on(const wire::nmea2000::Engine& engine, const Origin& origin, Output& out) {
-  if (!engine_source_.accepts(engine.source, origin.received_at)) return;
+  if (!accepts(engine_source_, engine.source, origin.received_at)) return;
   measurement::ActuatorState state;
   state.origin = origin;
   state.propeller_radps = engine.speed_radps;

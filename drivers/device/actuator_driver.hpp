@@ -3,9 +3,7 @@
 #include <array>
 
 #include "drivers/device/burst.hpp"
-#include "drivers/device/bus_driver.hpp"
-#include "drivers/device/source_filter.hpp"
-#include "drivers/wire/nmea2000.hpp"
+#include "drivers/device/nmea2000_driver.hpp"
 
 namespace drydock::device {
 
@@ -13,8 +11,8 @@ namespace drydock::device {
 /// rudder, 1 the stern plane, 2 the bow plane. NMEA 2000 counts a rudder to starboard as positive,
 /// ActuatorState one that turns to port: the rudder changes sign here, the planes do not.
 /// PGN 127488: shaft speed, any instance. Frames of one source in a row were true together, before
-/// the first left. It only listens, so it claims no address.
-class ActuatorDriver final : public BusDriver<wire::Nmea2000> {
+/// the first left.
+class ActuatorDriver final : public Nmea2000Driver {
  public:
   explicit ActuatorDriver(const DriverOptions& options);
 

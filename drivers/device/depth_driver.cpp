@@ -8,7 +8,7 @@ constexpr std::chrono::milliseconds tied_for{100};          // a SID comes again
 }  // namespace
 
 DepthDriver::DepthDriver(const DriverOptions& options)
-    : BusDriver(options),
+    : Nmea2000Driver(options),
       water_(options.water),
       pressure_source_(options.address),
       temperature_source_(options.address),
@@ -27,7 +27,7 @@ void DepthDriver::receive(const wire::CanFrame& frame, Stamp received_at, Output
 
 void DepthDriver::on(const wire::nmea2000::Pressure& pressure, const Origin& origin, Output& out) {
   if (pressure.kind != wire::nmea2000::Pressure::water) return;
-  if (!pressure_source_.accepts(pressure.source, origin.received_at)) return;
+  if (!accepts(pressure_source_, pressure.source, origin.received_at)) return;
   if (pressure.pressure_pa && *pressure.pressure_pa < 0)
     return out.report("an absolute pressure below zero was dropped: damaged on its way");
   measurement::DepthSample sample;
@@ -44,13 +44,13 @@ void DepthDriver::on(const wire::nmea2000::Pressure& pressure, const Origin& ori
 void DepthDriver::on(const wire::nmea2000::Temperature& temperature, const Origin& origin,
                      Output&) {
   if (temperature.kind != wire::nmea2000::Temperature::sea) return;
-  if (!temperature_source_.accepts(temperature.source, origin.received_at)) return;
+  if (!accepts(temperature_source_, temperature.source, origin.received_at)) return;
   temperature_k_ = temperature.actual_k;
   temperature_at_ = origin.received_at;
 }
 
 void DepthDriver::on(const wire::nmea2000::WaterDepth& depth, const Origin& origin, Output& out) {
-  if (!sounder_source_.accepts(depth.source, origin.received_at)) return;
+  if (!accepts(sounder_source_, depth.source, origin.received_at)) return;
   measurement::DepthSample sample;
   sample.origin = origin;
   if (depth.sequence && depth.sequence == last_pressure_.sequence &&
@@ -62,9 +62,9 @@ void DepthDriver::on(const wire::nmea2000::WaterDepth& depth, const Origin& orig
   out.publish(sample);
 }
 
-void DepthDriver::on(const wire::j1939::AddressClaimed& claim, const Origin&, Output&) {
+void DepthDriver::on(const wire::j1939::AddressClaimed& claim, const Origin& origin, Output&) {
   for (SourceFilter* source : {&pressure_source_, &temperature_source_, &sounder_source_})
-    source->claimed(claim.source, claim.name);
+    source->claimed(claim.source, claim.name, origin.received_at);
 }
 
 }  // namespace drydock::device

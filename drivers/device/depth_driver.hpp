@@ -1,16 +1,14 @@
 #pragma once
 
-#include "drivers/device/bus_driver.hpp"
-#include "drivers/device/source_filter.hpp"
-#include "drivers/wire/nmea2000.hpp"
+#include "drivers/device/nmea2000_driver.hpp"
 
 namespace drydock::device {
 
 /// Depth on NMEA 2000. PGN 130314 with source water -> pressure and
 /// depth by the configured water column, with the last sea temperature of PGN 130312. PGN 128267,
 /// an echo sounder's depth below its transducer, is the altitude, a measurement of its own, true
-/// when the pressure of the same source and SID was. It only listens, so it claims no address.
-class DepthDriver final : public BusDriver<wire::Nmea2000> {
+/// when the pressure of the same source and SID was.
+class DepthDriver final : public Nmea2000Driver {
  public:
   explicit DepthDriver(const DriverOptions& options);
 

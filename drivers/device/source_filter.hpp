@@ -11,41 +11,49 @@ namespace drydock::device {
 /// Which sender on a bus is our sensor: the configured address or, without one, the first heard.
 /// That one stays ours until silent for 10 s, so two sensors are never mixed. A sensor whose NAME
 /// was heard is followed to whatever address it claims, and not mistaken for the node that took its
-/// address from it (SAE J1939-81).
+/// address from it (SAE J1939-81); where such a one is silent for 30 s, another unit may come in
+/// its place.
 class SourceFilter {
  public:
+  static constexpr std::chrono::seconds lost_after{10}, replaced_after{30};
+
   explicit SourceFilter(std::uint8_t configured) : configured_(configured) {
     if (configured != 0) ours_ = configured;
   }
 
   bool accepts(std::uint8_t source, measurement::Stamp now) {
-    const bool any = configured_ == 0 && !name_;
-    const bool forgotten = any && ours_ && now - heard_at_ > std::chrono::seconds{10};
-    if (any && (!ours_ || forgotten)) ours_ = source;
-    if (ours_ != source) return false;
+    if (ours_ != source) {
+      const bool lost = !(ours_ || name_) || silent(now);
+      if (!lost || (configured_ != 0 && configured_ != source)) return false;
+      ours_ = source;
+      name_.reset();
+    }
     heard_at_ = now;
     return true;
   }
 
   /// PGN 60928. The first NAME claimed at our sensor's address is its own.
-  void claimed(std::uint8_t source, std::uint64_t name) {
+  void claimed(std::uint8_t source, std::uint64_t name, measurement::Stamp now) {
+    if (!name_ && ours_ == source) name_ = name;
     if (name_ == name) {
       ours_ = source;
+      heard_at_ = now;
     } else if (ours_ == source) {
-      if (name_)
-        ours_.reset();
-      else
-        name_ = name;
+      ours_.reset();
     }
   }
 
   std::optional<std::uint8_t> source() const { return ours_; }
 
  private:
+  bool silent(measurement::Stamp now) const {
+    return heard_at_ && now - *heard_at_ > (name_ ? replaced_after : lost_after);
+  }
+
   std::uint8_t configured_;
   std::optional<std::uint8_t> ours_;  ///< its address now; empty: not heard, or robbed of it
   std::optional<std::uint64_t> name_;
-  measurement::Stamp heard_at_{};
+  std::optional<measurement::Stamp> heard_at_;
 };
 
 }  // namespace drydock::device

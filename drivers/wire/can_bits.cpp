@@ -1,35 +1,54 @@
 #include "drivers/wire/can_bits.hpp"
 
+#include <bit>
+#include <boost/crc.hpp>
+
 namespace drydock::wire {
 namespace {
 
-/// The part of a classic frame that is stuffed, start of frame to CRC, bit by bit.
+__extension__ using Word = unsigned __int128;
+
+/// The part of a classic frame that is stuffed, start of frame to CRC: at most 118 bits, the last
+/// one sent in bit 0.
 class StuffedBits {
  public:
-  void put(std::uint32_t value, int bits) {
-    for (int i = bits - 1; i >= 0; --i) put_bit(value >> i & 1);
+  void put(std::uint64_t value, unsigned bits) {
+    word_ = word_ << bits | value;
+    count_ += bits;
   }
-  /// CRC-15, polynomial 4599h, over all bits before it.
-  void put_crc() { put(crc_, 15); }
-  unsigned count() const { return count_; }
+
+  /// CRC-15, polynomial 4599h, over all bits before it. It starts at 0, so that the bits that fill
+  /// the first byte change nothing.
+  void put_crc() {
+    boost::crc_optimal<15, 0x4599> crc;
+    for (unsigned bytes = (count_ + 7) / 8; bytes-- > 0;)
+      crc.process_byte(static_cast<unsigned char>(word_ >> 8 * bytes));
+    put(crc.checksum(), 15);
+  }
+
+  unsigned count() const { return count_ + stuff_bits(); }
 
  private:
-  void put_bit(bool bit) {
-    const bool feeds_back = bit != ((crc_ >> 14 & 1) != 0);
-    crc_ = (crc_ << 1 & 0x7FFF) ^ (feeds_back ? 0x4599u : 0u);
-    append(bit);
-    constexpr unsigned longest_run = 5;
-    if (run_ == longest_run) append(!bit);
-  }
-  void append(bool bit) {
-    run_ = count_ > 0 && bit == last_ ? run_ + 1 : 1;
-    last_ = bit;
-    ++count_;
+  static unsigned highest(Word word) {
+    const auto upper = static_cast<std::uint64_t>(word >> 64);
+    return upper != 0 ? 63 + static_cast<unsigned>(std::bit_width(upper))
+                      : static_cast<unsigned>(std::bit_width(static_cast<std::uint64_t>(word))) - 1;
   }
 
-  unsigned count_ = 0, run_ = 0;
-  bool last_ = false;
-  std::uint32_t crc_ = 0;
+  /// After five equal bits comes one of the other value, which counts towards the next five.
+  unsigned stuff_bits() const {
+    Word same = ~(word_ ^ word_ >> 1) & ((Word{1} << (count_ - 1)) - 1);  // as the bit before
+    unsigned inserted = 0;
+    while (const Word fifth = same & same >> 1 & same >> 2 & same >> 3) {
+      ++inserted;
+      const Word behind = (Word{1} << highest(fifth)) - 1;
+      same = (same & behind) ^ (behind + 1) >> 1;
+    }
+    return inserted;
+  }
+
+  Word word_ = 0;
+  unsigned count_ = 0;
 };
 
 constexpr unsigned behind_the_crc = 1 + 2 + 7 + 3;  // delimiter, acknowledgement, end, intermission

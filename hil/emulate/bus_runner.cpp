@@ -2,6 +2,7 @@
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/redirect_error.hpp>
 #include <boost/asio/use_awaitable.hpp>
+#include <utility>
 
 #include "hil/emulate/runner.hpp"
 
@@ -23,13 +24,14 @@ struct BusRunner::Node final : Wire {
   void send(const wire::CanFrame& frame) override {
     bus.pacer_.queue(frame, index, time, device->sampled_at());
   }
-  void unplug() override { bus.cut_off_ = true; }
-  void plug() override { bus.cut_off_ = false; }
+  void unplug() override { bus.cut_off_by_ += std::exchange(cuts_off, true) ? 0 : 1; }
+  void plug() override { bus.cut_off_by_ -= std::exchange(cuts_off, false) ? 1 : 0; }
 
   std::string name;
   std::unique_ptr<EmulatedDevice> device;
   BusRunner& bus;
   int index;
+  bool cuts_off = false;
   Stamp time{};
 };
 
@@ -75,7 +77,7 @@ Runner::Coroutine BusRunner::listen() {
       bus_.reset();
       continue;
     }
-    if (received->own || cut_off_ || received->frame.error) continue;
+    if (received->own || cut_off_by_ > 0 || received->frame.error) continue;
     deliver(received->frame, link::steady_now(), a_driver);
     wake();
   }
@@ -100,7 +102,7 @@ Runner::Coroutine BusRunner::send_due(Stamp now) {
   while (const auto sent = pacer_.take(now)) {
     note_time(sent->at, now);
     if (!sent->frame.error) deliver(sent->frame, sent->at, sent->sender);
-    if (cut_off_ && !sent->frame.error) continue;
+    if (cut_off_by_ > 0 && !sent->frame.error) continue;
     const auto& node = *nodes_[static_cast<std::size_t>(sent->sender)];
     const auto bus = bus_;
     if (!bus) continue;

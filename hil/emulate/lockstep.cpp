@@ -1,6 +1,7 @@
 #include "hil/emulate/lockstep.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace drydock::emulate {
 namespace {
@@ -51,8 +52,8 @@ struct EmulatedBus::Node final : Wire {
   void send(const wire::CanFrame& frame) override {
     bus.pacer_.queue(frame, index, now, device->sampled_at());
   }
-  void unplug() override { bus.cut_off_ = true; }
-  void plug() override { bus.cut_off_ = false; }
+  void unplug() override { bus.cut_off_by_ += std::exchange(cuts_off, true) ? 0 : 1; }
+  void plug() override { bus.cut_off_by_ -= std::exchange(cuts_off, false) ? 1 : 0; }
 
   void hear(const wire::CanFrame& frame) {
     device->receive(frame, now, *this);
@@ -68,6 +69,7 @@ struct EmulatedBus::Node final : Wire {
   std::unique_ptr<EmulatedDevice> device;
   EmulatedBus& bus;
   int index;
+  bool cuts_off = false;
   Stamp now{};
   Stamp due{};  ///< the device's deadline, which moves only when it hears or acts; max: none
 };
@@ -88,7 +90,7 @@ void EmulatedBus::add(std::unique_ptr<EmulatedDevice> device) {
 }
 
 void EmulatedBus::receive(const wire::CanFrame& frame, Stamp now) {
-  if (!cut_off_) pacer_.queue(frame, a_driver, now);
+  if (cut_off_by_ == 0) pacer_.queue(frame, a_driver, now);
   woken();
 }
 
@@ -104,7 +106,7 @@ void EmulatedBus::act(Stamp now) {
     for (const auto& node : nodes_) {
       if (node->index != sent->sender && !sent->frame.error) node->hear(sent->frame);
     }
-    if (sent->sender != a_driver && (!cut_off_ || sent->frame.error))
+    if (sent->sender != a_driver && (cut_off_by_ == 0 || sent->frame.error))
       deliver_(sent->frame, static_cast<std::size_t>(sent->sender), sent->passage);
   }
   for (const auto& node : nodes_) node->act();

@@ -68,7 +68,7 @@ class EmulatedBus final : public shell::Actor {
 
   CanPacer pacer_;
   Deliver deliver_;
-  bool cut_off_ = false;  ///< the drivers, whose controller is bus-off
+  int cut_off_by_ = 0;  ///< nodes, for whose faults the drivers' controller is bus-off
   std::vector<std::unique_ptr<Node>> nodes_;
 };
 

@@ -109,7 +109,7 @@ class BusRunner final : public Runner {
 
   link::Uri uri_;
   CanPacer pacer_;
-  bool cut_off_ = false;                  ///< the drivers, whose controller is bus-off
+  int cut_off_by_ = 0;  ///< nodes, for whose faults the drivers' controller is bus-off
   std::shared_ptr<link::FrameLink> bus_;  ///< empty: the interface is down or gone
   boost::asio::steady_timer retry_;
   std::vector<std::unique_ptr<Node>> nodes_;

@@ -37,6 +37,11 @@ std::optional<Stamp> change_after(const FaultConfig& fault, Stamp start, Stamp a
   return {};
 }
 
+bool is_over(const FaultConfig& fault, Stamp start, Stamp at) {
+  const auto turn = last_turn(fault, start, at);
+  return turn && turn->until && *turn->until <= at && !fault.every_s;
+}
+
 }  // namespace
 
 const InForce* find(const std::vector<InForce>& faults, FaultKind kind) {
@@ -49,7 +54,8 @@ void Schedule::add(const FaultConfig& fault) { faults_.push_back(fault); }
 
 void Schedule::set(FaultConfig fault, Stamp now) {
   std::erase_if(faults_, [&](const FaultConfig& other) {
-    return by_hand(other) && other.kind == fault.kind && other.quantity == fault.quantity;
+    const bool same = other.kind == fault.kind && other.quantity == fault.quantity;
+    return by_hand(other) && (same || is_over(other, start_, now));
   });
   fault.start_s += measurement::seconds(now - start_);
   faults_.push_back(std::move(fault));

@@ -30,14 +30,15 @@ class Schedule {
 
   void add(const FaultConfig& fault);
 
-  /// Sets one by hand: its start_s counts from `now`. It takes the place of one of the same kind
-  /// and quantity that was set by hand before.
+  /// Sets one by hand: its start_s counts from `now`. It takes the place of those set by hand
+  /// before that are over, or of the same kind and quantity.
   void set(FaultConfig fault, Stamp now);
 
   /// Takes out those of a kind, or all; how many were in force or still to come.
   std::size_t clear(std::optional<FaultKind> kind = {});
 
   std::vector<InForce> in_force(Stamp at) const;
+  std::size_t size() const { return faults_.size(); }   ///< in force, to come, and over
   std::optional<Stamp> next_change(Stamp after) const;  ///< the next start or end
   std::uint64_t edits() const { return edits_; }        ///< how often it was set or cleared by hand
 

@@ -14,7 +14,7 @@ class ScheduleFollower {
       : schedule_(std::move(schedule)), followed_(start - std::chrono::nanoseconds{1}) {}
 
   std::optional<Stamp> deadline() const {
-    return edited() ? std::optional(followed_) : schedule_->next_change(followed_);
+    return edited() ? std::optional(followed_) : next_change_;
   }
 
   /// What is in force, where it may be something else than at the last call. What it points to
@@ -24,6 +24,7 @@ class ScheduleFollower {
     if (!due || *due > now) return {};
     edits_ = schedule_->edits();
     followed_ = now;
+    next_change_ = schedule_->next_change(now);
     return schedule_->in_force(now);
   }
 
@@ -32,6 +33,7 @@ class ScheduleFollower {
 
   std::shared_ptr<const Schedule> schedule_;
   Stamp followed_{};
+  std::optional<Stamp> next_change_;
   std::optional<std::uint64_t> edits_;  ///< none: not looked yet, and a fault may hold already
 };
 

@@ -36,29 +36,31 @@ DriverOptions at_50_hz() {
 }
 
 const auto set_50_hz = can_frame(0x18FF5500 | own, true, {0x80, 2});
+const auto ask_names = can_frame(0x18EAFFFE, true, {0x00, 0xEE, 0x00});
 const auto ask_rate = can_frame(0x18EA8000 | own, true, {0x55, 0xFF, 0x00});
 const auto ask_hardware = can_frame(0x18EA8000 | own, true, {0x52, 0xFF, 0x00});
 const auto ask_status = can_frame(0x18EA8000 | own, true, {0x54, 0xFF, 0x00});
 
-TEST(AceinnaConfigurator, WithoutSettingsNothingIsSent) {
+TEST(AceinnaConfigurator, WithoutSettingsOnlyTheNamesOnTheBusAreAskedFor) {
   Bus bus(options(Kind::imu, "aceinna"));
   bus.says(accs, 1);
   bus.run(10);
-  EXPECT_TRUE(bus.ear.sent_frames.empty());
-  EXPECT_FALSE(bus.driver->deadline());
+  ASSERT_EQ(bus.ear.sent_frames.size(), 1U);
+  EXPECT_EQ(bus.ear.sent_frames[0], ask_names);
 }
 
 TEST(AceinnaConfigurator, ClaimsAnAddressThenSetsAndAsks) {
   Bus bus(at_50_hz());
-  ASSERT_EQ(bus.ear.sent_frames.size(), 1U);
-  EXPECT_EQ(bus.ear.sent_frames[0].id, 0x18EEFF00u | own);
+  ASSERT_EQ(bus.ear.sent_frames.size(), 2U);
+  EXPECT_EQ(bus.ear.sent_frames[0], ask_names);
+  EXPECT_EQ(bus.ear.sent_frames[1].id, 0x18EEFF00u | own);
   bus.says(accs, 0.1);  // here is the device
   bus.run(0.2);
-  EXPECT_EQ(bus.ear.sent_frames.size(), 1U);  // J1939-81: the address is ours after 250 ms
+  EXPECT_EQ(bus.ear.sent_frames.size(), 2U);  // J1939-81: the address is ours after 250 ms
   bus.run(0.3);
-  ASSERT_EQ(bus.ear.sent_frames.size(), 3U);
-  EXPECT_EQ(bus.ear.sent_frames[1], set_50_hz);
-  EXPECT_EQ(bus.ear.sent_frames[2], ask_rate);
+  ASSERT_EQ(bus.ear.sent_frames.size(), 4U);
+  EXPECT_EQ(bus.ear.sent_frames[2], set_50_hz);
+  EXPECT_EQ(bus.ear.sent_frames[3], ask_rate);
 }
 
 TEST(AceinnaConfigurator, AConfirmedSettingIsLeftAndBitAndStatusAskedInTurn) {

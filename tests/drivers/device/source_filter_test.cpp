@@ -27,27 +27,58 @@ TEST(SourceFilter, ASensorThatLostItsAddressIsFollowedToItsNextOne) {
   for (const std::uint8_t configured : {0, 35}) {
     SourceFilter filter(configured);
     filter.accepts(35, now);
-    filter.claimed(35, 0xABC);  // our sensor's boot
-    filter.claimed(35, 0x001);  // a stronger NAME takes its address
+    filter.claimed(35, 0xABC, now);  // our sensor's boot
+    filter.claimed(35, 0x001, now);  // a stronger NAME takes its address
     EXPECT_FALSE(filter.accepts(35, now)) << "the thief is not our sensor";
     EXPECT_EQ(filter.source(), std::nullopt);
-    filter.claimed(128, 0xABC);
+    filter.claimed(128, 0xABC, now);
     EXPECT_TRUE(filter.accepts(128, now));
     EXPECT_FALSE(filter.accepts(35, now));
   }
 }
 
+TEST(SourceFilter, ATheftThatNobodyHeardEndsWithTheSensorsNextClaim) {
+  SourceFilter filter(35);
+  filter.claimed(35, 0xABC, now);
+  filter.accepts(35, now + 1s);
+  EXPECT_FALSE(filter.accepts(128, now + 2h)) << "it moved while the controller was bus-off";
+  filter.claimed(128, 0xABC, now + 2h);  // the answer to a request
+  EXPECT_TRUE(filter.accepts(128, now + 2h));
+}
+
+TEST(SourceFilter, AnotherUnitAtTheConfiguredAddressIsTakenWhenTheFirstIsSilentForThirtySeconds) {
+  SourceFilter filter(35);
+  filter.claimed(35, 0xABC, now);
+  filter.accepts(35, now);
+  filter.claimed(35, 0xDEF, now + 5s);  // a spare part, or a thief
+  EXPECT_FALSE(filter.accepts(35, now + 30s));
+  EXPECT_FALSE(filter.accepts(36, now + 31s));
+  EXPECT_TRUE(filter.accepts(35, now + 31s));
+  filter.claimed(35, 0xDEF, now + 32s);
+  filter.claimed(35, 0x001, now + 33s);
+  filter.claimed(129, 0xDEF, now + 34s);
+  EXPECT_TRUE(filter.accepts(129, now + 34s)) << "its NAME is the spare's now";
+}
+
+TEST(SourceFilter, WithoutAnAddressAnotherUnitIsTakenAfterThirtySecondsToo) {
+  SourceFilter filter(0);
+  filter.accepts(40, now);
+  filter.claimed(40, 0xABC, now);
+  EXPECT_FALSE(filter.accepts(41, now + 30s));
+  EXPECT_TRUE(filter.accepts(41, now + 31s));
+}
+
 TEST(SourceFilter, OneThatCanClaimNoAddressIsHeardNoMore) {
   SourceFilter filter(35);
-  filter.claimed(35, 0xABC);
-  filter.claimed(254, 0xABC);
+  filter.claimed(35, 0xABC, now);
+  filter.claimed(254, 0xABC, now);
   EXPECT_FALSE(filter.accepts(35, now));
 }
 
 TEST(SourceFilter, ClaimsOfOthersAreNoMatterOfOurs) {
   SourceFilter filter(35);
-  filter.claimed(35, 0xABC);
-  filter.claimed(36, 0x001);
+  filter.claimed(35, 0xABC, now);
+  filter.claimed(36, 0x001, now);
   EXPECT_TRUE(filter.accepts(35, now));
 }
 

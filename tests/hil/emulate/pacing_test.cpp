@@ -4,6 +4,7 @@
 #include <deque>
 #include <numeric>
 
+#include "drivers/wire/can_bits.hpp"
 #include "hil/emulate/can_pacer.hpp"
 #include "hil/emulate/line_pacer.hpp"
 
@@ -182,6 +183,7 @@ RC_GTEST_PROP(CanPacer, AFramesLengthIsThatOfItsBitsOneByOne, ()) {
     byte = *rc::gen::oneOf(rc::gen::arbitrary<std::uint8_t>(),
                            rc::gen::element<std::uint8_t>(0x00, 0xFF, 0xF0, 0x0F, 0x1F, 0xF8));
   RC_ASSERT(bits_on_wire(f) == bits_one_by_one(f));
+  RC_ASSERT(wire::wire_bits(f) == bits_one_by_one(f));  // what drivers reckon with
 }
 
 RC_GTEST_PROP(CanPacer, AFramesLengthLiesBetweenNoStuffingAndTheWorstCase, ()) {

@@ -64,6 +64,19 @@ TEST(FaultSchedule, WhatIsSetByHandHoldsFromThatMomentForItsTime) {
   EXPECT_FALSE(holds(schedule, 47s));
 }
 
+TEST(FaultSchedule, AMonthOfFaultsSetByHandIsNotKept) {
+  Schedule schedule(start);
+  FaultConfig of_a_file = timed(0, 1);
+  of_a_file.file = "rig.toml";
+  schedule.add(of_a_file);
+  for (int hour = 0; hour < 720; ++hour) {
+    FaultConfig fault = fault_of(hour % 2 == 0 ? FaultKind::drop : FaultKind::flip);
+    fault.for_s = 60;
+    schedule.set(fault, start + std::chrono::hours{hour});
+    EXPECT_EQ(schedule.size(), 2u) << "the one of the file, and the one that holds";
+  }
+}
+
 TEST(FaultSchedule, ManyHoldTogetherInTheOrderInWhichTheyWereWritten) {
   Schedule schedule(start);
   schedule.add(timed(0, 100));
