@@ -58,16 +58,15 @@ void Device::tell(const LifeCycle::Change& change) {
   if (change->to == State::waiting) {
     for (RateMeter& meter : rates_) meter.reset();
   }
-  listener_->on_state(*this, *change);
+  if (const auto news = news_.tell(change)) listener_->on_state(*this, *news);
 }
 
 void Device::start(Stamp now) { tell(life_cycle_.start(now)); }
 
 void Device::opened(Stamp now, measurement::Provenance provenance) {
   now_ = now;
-  const auto change = life_cycle_.opened(now);
-  tell(change);
-  if (!change) return;
+  tell(life_cycle_.opened(now));
+  if (!life_cycle_.uses_link()) return;  // stopped meanwhile
   driver().set_provenance(provenance);
   driver().restart(now, *this);
 }

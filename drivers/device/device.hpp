@@ -9,6 +9,7 @@
 #include "drivers/device/driver_options.hpp"
 #include "drivers/device/health.hpp"
 #include "drivers/device/make_driver.hpp"
+#include "drivers/device/news.hpp"
 #include "drivers/device/rate_meter.hpp"
 
 namespace drydock::device {
@@ -20,6 +21,7 @@ class Listener {
  public:
   virtual ~Listener() = default;
   virtual void on_measurement(const Measurement& measurement) = 0;
+  /// A change of state that is news: `change.from` is the state that was told before.
   virtual void on_state(const Device& device, const Transition& change) = 0;
 };
 
@@ -95,6 +97,7 @@ class Device final : private Output {
   DeviceOptions options_;
   AnyDriver driver_;
   LifeCycle life_cycle_;
+  News news_;
   Listener* listener_ = nullptr;
   Transmitter* transmitter_ = nullptr;
   bool listens_only_ = false;

@@ -6,10 +6,15 @@
 
 namespace drydock::device {
 
+namespace {
+constexpr std::string_view rate_is_searched = "; its rate is searched";
+}
+
 LifeCycle::Change LifeCycle::enter(State to, Stamp now, std::string_view why) {
   const Transition change{state_, to, now, why};
   state_ = to;
   since_ = now;
+  reopening_ = false;
   why_ = change.why;
   return change;
 }
@@ -32,15 +37,23 @@ LifeCycle::Change LifeCycle::start(Stamp now) {
 
 LifeCycle::Change LifeCycle::opened(Stamp now) {
   link_open_ = true;
+  listens_since_ = now;
+  if (reopening_) {
+    reopening_ = false;
+    ++opened_count_;
+    return {};
+  }
   // A shared bus may come up before this device's own back-off ends. Closed: stopped meanwhile, and
   // wants_close() says so.
   if (state_ != State::opening && state_ != State::backing_off) return {};
   ++opened_count_;
-  return enter(State::waiting, now, "link open; waiting for the first message");
+  return enter(State::waiting, now,
+               options_.reopen_in_place ? "link open; its rate is searched until the first message"
+                                        : "link open; waiting for the first message");
 }
 
 LifeCycle::Change LifeCycle::open_failed(Stamp now, std::string_view reason) {
-  if (state_ != State::opening) return {};
+  if (!wants_open()) return {};
   return back_off(now, reason);
 }
 
@@ -55,7 +68,7 @@ LifeCycle::Change LifeCycle::message(Stamp now) {
 
 LifeCycle::Change LifeCycle::link_lost(Stamp now, std::string_view reason) {
   link_open_ = false;
-  if (!uses_link()) return {};
+  if (!uses_link() || reopening_) return {};
   return back_off(now, reason);
 }
 
@@ -67,6 +80,7 @@ LifeCycle::Change LifeCycle::stop(Stamp now, std::string_view reason) {
 void LifeCycle::clock_stepped(std::chrono::nanoseconds step) {
   since_ += step;
   last_message_ += step;
+  listens_since_ += step;
 }
 
 Reason LifeCycle::silence(Stamp now) const {
@@ -78,7 +92,8 @@ Reason LifeCycle::silence(Stamp now) const {
 Reason LifeCycle::status(Stamp now) const {
   if (state_ != State::waiting && state_ != State::stale) return why_;
   Reason text = silence(now);
-  text += options_.reopen_when_quiet ? "" : options_.quiet_but_up;
+  if (options_.reopen_in_place) text += rate_is_searched;
+  if (!options_.reopen_when_quiet) text += options_.quiet_but_up;
   return text;
 }
 
@@ -88,9 +103,15 @@ LifeCycle::Change LifeCycle::tick(Stamp now) {
   if (state_ == State::backing_off) return enter(State::opening, now, "opening the link again");
 
   Reason why = silence(now);
-  if (state_ != State::streaming) return back_off(now, why.view());
+  if (state_ != State::streaming) {
+    if (!options_.reopen_in_place) return back_off(now, why.view());
+    reopening_ = true;
+    return {};
+  }
 
-  if (options_.reopen_when_quiet) {
+  if (options_.reopen_in_place) {
+    why += rate_is_searched;
+  } else if (options_.reopen_when_quiet) {
     why += "; opening the link again in ";
     why += in_words(options_.reopen_after).view();
     why += " if it stays quiet";

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <cstdint>
@@ -33,7 +34,11 @@ struct LifeCycleOptions {
   bool reopen_when_quiet = true;
   std::string_view quiet_but_up = " on a bus that is up";  ///< said of silence on what stays open
   std::chrono::nanoseconds first_back_off = std::chrono::milliseconds{250};  ///< doubles each time
-  std::chrono::nanoseconds back_off_cap = std::chrono::seconds{30};
+  /// To ask for a port that is away costs next to nothing: one that is back is found at once.
+  std::chrono::nanoseconds back_off_cap = std::chrono::seconds{1};
+  /// A line whose rate is searched: that it is opened again, at the next rate, is no change of
+  /// state.
+  bool reopen_in_place = false;
 };
 
 /// One change of state, in words: what happened and what happens next.
@@ -64,9 +69,9 @@ class LifeCycle {
 
   State state() const { return state_; }
   Stamp since() const { return since_; }
-  bool wants_open() const { return state_ == State::opening; }
+  bool wants_open() const { return state_ == State::opening || (reopening_ && !link_open_); }
   /// The link is open and should not be. Closing it is told by link_lost().
-  bool wants_close() const { return link_open_ && !uses_link(); }
+  bool wants_close() const { return link_open_ && (reopening_ || !uses_link()); }
   std::optional<Stamp> deadline() const;
   std::uint32_t opened_count() const { return opened_count_; }
   Reason status(Stamp now) const;  ///< the present state in words
@@ -85,6 +90,8 @@ class LifeCycle {
   Stamp last_message_{};
   Reason why_;
   bool link_open_ = false;
+  bool reopening_ = false;  ///< in place, and not open yet
+  Stamp listens_since_{};   ///< of a line that is opened again in place
   std::uint32_t opened_count_ = 0;
   std::chrono::nanoseconds next_back_off_{0};  ///< zero: the first
   std::chrono::nanoseconds waits_{0};          ///< of the back-off under way
@@ -98,8 +105,8 @@ inline std::optional<Stamp> LifeCycle::deadline() const {
     case State::backing_off: return since_ + waits_;
     case State::waiting:
     case State::stale:
-      if (options_.reopen_when_quiet) return since_ + options_.reopen_after;
-      return {};
+      if (!options_.reopen_when_quiet || reopening_) return {};
+      return std::max(since_, listens_since_) + options_.reopen_after;
   }
   return {};
 }

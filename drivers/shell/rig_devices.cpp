@@ -72,7 +72,7 @@ device::LifeCycleOptions life_cycle_options(const DeviceConfig& config, const li
     constexpr double messages = 4;  // that would have come at the right rate
     options.reopen_after =
         std::max(shortest_trial, measurement::from_seconds(messages / config.rate_hz));
-    options.back_off_cap = options.first_back_off;
+    options.reopen_in_place = true;
   }
   if (uri.recorded()) {
     options.reopen_when_quiet = false;  // opening a recording again would start it over

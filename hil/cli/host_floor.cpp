@@ -15,6 +15,8 @@
 #include <system_error>
 #include <thread>
 
+#include "drivers/link/clock.hpp"
+
 namespace drydock::cli {
 namespace {
 
@@ -50,6 +52,7 @@ struct HostFloor::Probe {
     timer.async_wait([this](const boost::system::error_code& error) {
       if (error) return;
       times.timer_late_us.push_back(us_since(due));
+      times.timer_at.push_back(link::steady_now());
       due = std::max(due, Clock::now() - period);  // a stall counts once
       const char byte = 0;
       written = Clock::now();
@@ -64,6 +67,7 @@ struct HostFloor::Probe {
                         [this](const boost::system::error_code& error, std::size_t) {
                           if (error) return;
                           times.pty_hop_us.push_back(us_since(written));
+                          times.pty_at.push_back(link::steady_now());
                           hear();
                         });
   }

@@ -3,12 +3,15 @@
 #include <memory>
 #include <vector>
 
+#include "drivers/measurement/stamp.hpp"
+
 namespace drydock::cli {
 
 /// What this machine does to any program while something else runs: microseconds.
 struct HostTimes {
   std::vector<double> timer_late_us;  ///< a bare steady_timer, each 5 ms, behind its time
   std::vector<double> pty_hop_us;     ///< a byte written to a bare pty until the other end has it
+  std::vector<measurement::Stamp> timer_at, pty_at;  ///< when each was seen, link::steady_now()
 };
 
 /// Measures them on a thread of its own, through Asio as everything here, from making to stop().

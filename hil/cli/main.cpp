@@ -25,6 +25,7 @@ int main(int argc, char** argv) {
   cli::add_characterize_command(app, command);
   cli::add_soak_command(app, command);
   cli::add_validity_command(app, command);
+  cli::add_load_command(app, command);
   cli::add_scorecard_command(app, command);
   try {
     app.parse(argc, argv);

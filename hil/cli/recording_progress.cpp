@@ -3,11 +3,12 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "hil/cli/progress_bar.hpp"
+
 namespace drydock::cli {
 
 namespace {
 constexpr std::chrono::milliseconds not_worth_a_bar{500}, between_drawings{100};
-constexpr const char* wipe_line = "\r\033[2K";
 }  // namespace
 
 RecordingProgress::RecordingProgress(std::string what, std::FILE* out)
@@ -24,11 +25,9 @@ RecordingProgress::~RecordingProgress() {
 
 bool RecordingProgress::operator()(double done) {
   constexpr unsigned between_looks = 64;  // the clock is not for every message
-  constexpr std::size_t width = 30;
   if (terminal_ && calls_++ % between_looks == 0 && Clock::now() >= next_drawing_) {
-    const auto full = static_cast<std::size_t>(static_cast<double>(width) * done);
-    fmt::print(out_, "{}{} [{}{}] {:.0f} %, Ctrl-C ends", wipe_line, what_, std::string(full, '#'),
-               std::string(width - full, '.'), 100 * done);
+    fmt::print(out_, "{}{} {} {:.0f} %, Ctrl-C ends", wipe_line, what_, progress_bar(done),
+               100 * done);
     std::fflush(out_);
     drawn_ = true;
     next_drawing_ = Clock::now() + between_drawings;

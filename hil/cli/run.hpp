@@ -38,6 +38,8 @@ struct RunOptions {
   ServeOptions serve;                                                   ///< real time only
   std::function<void(const measurement::Measurement&)> on_measurement;  ///< hears all; may be empty
   std::function<void(const RunView&)> each_second;                      ///< lockstep; may be empty
+  /// Real time: hears how much is done, of 1, instead of a table and lines; may be empty.
+  std::function<void(double done)> on_progress;
   OnWritten on_written;  ///< hears what emulated devices sent; may be empty
 };
 

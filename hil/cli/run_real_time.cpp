@@ -108,7 +108,7 @@ class Bench {
     drivers_.on_state_hook = [this](const device::Device& d, const device::Transition& change) {
       if (stopping_) return;
       expects_.note(d.name(), change);
-      live_.note(d.name(), change);
+      if (!options_.on_progress) live_.note(d.name(), change);
     };
     estimators_.on_attitude_hook = [this](const pipeline::AttitudeEstimate& e) {
       scribe_.note(e);
@@ -135,7 +135,10 @@ class Bench {
       expects_.follow(
           link::now(), [this] { return devices(); }, estimators_.pipeline());
       watchers_.all.tick(link::now());
-      live_.draw(drivers_.shell(), elapsed(), options_.duration_s);
+      if (options_.on_progress)
+        options_.on_progress(elapsed() / options_.duration_s);
+      else
+        live_.draw(drivers_.shell(), elapsed(), options_.duration_s);
       if (options_.duration_s > 0 && elapsed() >= options_.duration_s) return stop();
       schedule_redraw();
     });

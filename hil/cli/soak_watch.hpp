@@ -24,8 +24,8 @@ class SoakWatch {
   std::uint64_t looks() const { return looks_; }
 
  private:
-  /// After its last fault a device has so long to stream again: the longest back-off between two
-  /// attempts to open is 30 s, a node that was silent is forgotten after 10 s.
+  /// After its last fault a device has so long to stream again: an attempt to open comes each
+  /// second, a node that was silent is forgotten after 10 s, a receiver looks for its satellites.
   static constexpr std::chrono::seconds recovers_within{120};
 
   void set_faults(const RunView& run);

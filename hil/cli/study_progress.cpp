@@ -6,10 +6,10 @@
 #include <cmath>
 #include <string>
 
+#include "hil/cli/progress_bar.hpp"
+
 namespace drydock::cli {
 namespace {
-
-constexpr const char* wipe = "\r\033[2K";
 
 double seconds_between(std::chrono::steady_clock::time_point from,
                        std::chrono::steady_clock::time_point to) {
@@ -30,16 +30,14 @@ StudyProgress::StudyProgress(std::FILE* out) : out_(out), terminal_(::isatty(fil
 
 void StudyProgress::on_run(std::string_view campaign, std::size_t done, std::size_t of) {
   constexpr auto between_drawings = std::chrono::milliseconds{100};
-  constexpr std::size_t width = 30;
   if (!terminal_) return;
   const auto now = Clock::now();
   if (done < of && now < next_drawing_) return;
   next_drawing_ = now + between_drawings;
-  const std::size_t full = width * done / of;
   const double left = seconds_between(campaign_begin_, now) * static_cast<double>(of - done) /
                       static_cast<double>(done);
-  fmt::print(out_, "{}{} [{}{}] {} of {} runs, {} left, Ctrl-C ends with the runs done", wipe,
-             campaign, std::string(full, '#'), std::string(width - full, '.'), done, of,
+  fmt::print(out_, "{}{} {} {} of {} runs, {} left, Ctrl-C ends with the runs done", wipe_line,
+             campaign, progress_bar(static_cast<double>(done) / static_cast<double>(of)), done, of,
              spoken(left));
   std::fflush(out_);
   if (done == of) campaign_begin_ = now;
@@ -47,8 +45,8 @@ void StudyProgress::on_run(std::string_view campaign, std::size_t done, std::siz
 
 void StudyProgress::finish(std::string_view study, std::size_t runs,
                            const study::Options& options) {
-  fmt::print(out_, "{}{}: {} of {} runs, seed {}, {:.1f} s{}\n", terminal_ ? wipe : "", study, runs,
-             options.runs, options.seed, seconds_between(begin_, Clock::now()),
+  fmt::print(out_, "{}{}: {} of {} runs, seed {}, {:.1f} s{}\n", terminal_ ? wipe_line : "", study,
+             runs, options.runs, options.seed, seconds_between(begin_, Clock::now()),
              stopped() ? ", ended by Ctrl-C" : "");
 }
 

@@ -6,7 +6,6 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <map>
 #include <optional>
 #include <stdexcept>
@@ -17,6 +16,7 @@
 #include "hil/cli/run.hpp"
 #include "hil/cli/study_report.hpp"
 #include "hil/cli/truth_of_rig.hpp"
+#include "hil/cli/write_file.hpp"
 
 namespace drydock::cli {
 namespace {
@@ -26,15 +26,6 @@ using rig_config::Rig;
 
 constexpr std::array<unsigned, 9> baud_rates{4800,   9600,   19200,  38400, 57600,
                                              115200, 230400, 460800, 921600};
-
-/// Its emulated devices alone: only of them is it known when a sample was taken.
-Rig with_truth(Rig rig) {
-  rig.devices = emulated_devices(rig);
-  rig.estimators.clear();
-  rig.expects.clear();
-  if (rig.devices.empty()) throw std::runtime_error("no device of the rig is emulated");
-  return rig;
-}
 
 ValidityRun run_once(const Rig& rig, const ValidityOptions& options, unsigned baud) {
   std::vector<std::string> names;
@@ -124,16 +115,15 @@ std::vector<ValidityRun> sweep(const Rig& rig, const ValidityOptions& options) {
   return runs;
 }
 
-void write_text(const std::filesystem::path& path, const std::string& text) {
-  std::error_code ignored;  // shows as a file that cannot be opened
-  if (path.has_parent_path()) std::filesystem::create_directories(path.parent_path(), ignored);
-  std::ofstream out(path, std::ios::binary);
-  out << text;
-  out.close();
-  if (!out) throw std::runtime_error(fmt::format("cannot write {}", path.string()));
-}
-
 }  // namespace
+
+Rig with_truth(Rig rig) {
+  rig.devices = emulated_devices(rig);
+  rig.estimators.clear();
+  rig.expects.clear();
+  if (rig.devices.empty()) throw std::runtime_error("no device of the rig is emulated");
+  return rig;
+}
 
 int measure_validity(const Rig& whole, const ValidityOptions& options) {
   const Rig rig = with_truth(whole);
@@ -150,10 +140,10 @@ int measure_validity(const Rig& whole, const ValidityOptions& options) {
     json.push_back(json_of(run));
   }
   if (options.bauds) show(sweep_table(runs));
-  if (!options.json.empty()) write_text(options.json, json.dump(2) + "\n");
+  if (!options.json.empty()) write_file(options.json, json.dump(2) + "\n");
   if (!options.report.empty()) {
     const auto page = std::filesystem::path(options.report) / "index.html";
-    write_text(page, html::page("time of validity: " + rig.name, body));
+    write_file(page, html::page("time of validity: " + rig.name, body));
     fmt::print("\nreport: {}\n", page.string());
   }
   const bool any =

@@ -32,6 +32,10 @@ study::Table sweep_table(const std::vector<ValidityRun>& runs);
 std::vector<study::Figure> figures_of(const ValidityRun& run);
 nlohmann::ordered_json json_of(const ValidityRun& run);
 
+/// Its emulated devices alone: only of them is it known when a sample was taken. Throws
+/// std::runtime_error where there is none.
+rig_config::Rig with_truth(rig_config::Rig rig);
+
 /// Exit code. Throws std::runtime_error with one line where the rig cannot run.
 int measure_validity(const rig_config::Rig& rig, const ValidityOptions& options);
 

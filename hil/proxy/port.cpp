@@ -11,12 +11,11 @@ namespace asio = boost::asio;
 
 namespace {
 
-/// As a driver waits, but for a person who plugs a cable in again.
+/// As a driver waits for a cable that is plugged in again; how quiet the device is, it leaves open.
 device::LifeCycleOptions life_of_a_port() {
   device::LifeCycleOptions options;
   options.stale_after = std::chrono::hours{24 * 365};  // silence is the drivers' matter
   options.reopen_when_quiet = false;
-  options.back_off_cap = std::chrono::seconds{1};
   return options;
 }
 

@@ -5,53 +5,15 @@
 #include <algorithm>
 #include <array>
 #include <boost/throw_exception.hpp>
-#include <charconv>
 #include <cmath>
 #include <stdexcept>
+
+#include "hil/sky/rinex_fields.hpp"
 
 namespace drydock::sky {
 namespace {
 
 using namespace std::chrono;
-
-std::string_view columns(std::string_view line, std::size_t from, std::size_t width) {
-  return from < line.size() ? line.substr(from, width) : std::string_view{};
-}
-
-std::string_view trimmed(std::string_view text) {
-  const auto begin = text.find_first_not_of(' ');
-  if (begin == std::string_view::npos) return {};
-  return text.substr(begin, text.find_last_not_of(' ') - begin + 1);
-}
-
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-
-template <class Integer>
-std::optional<Integer> integer(std::string_view text) {
-  Integer value{};
-  const char* end = text.data() + text.size();
-  const auto [rest, error] = std::from_chars(text.data(), end, value);
-  return error == std::errc{} && rest == end ? std::optional{value} : std::nullopt;
-}
-
-/// Fortran's D19.12: the exponent's letter may be D, and one of three digits has none.
-std::optional<double> real(std::string_view text) {
-  std::array<char, 24> digits{};
-  if (text.starts_with('+')) text.remove_prefix(1);
-  if (text.empty() || text.size() >= digits.size()) return std::nullopt;
-  char* end = digits.data();
-  for (const char c : text) {
-    const bool bare_exponent =
-        (c == '-' || c == '+') && end != digits.data() && (is_digit(end[-1]) || end[-1] == '.');
-    if (bare_exponent) *end++ = 'e';
-    *end++ = c == 'D' || c == 'd' ? 'e' : c;
-  }
-  double value = 0;
-  const char* begin = digits.data();
-  const auto [rest, error] = std::from_chars(begin, end, value);
-  if (error != std::errc{} || rest != end || !std::isfinite(value)) return std::nullopt;
-  return value;
-}
 
 /// Where the two versions put things; columns from 0.
 struct Layout {
@@ -94,6 +56,9 @@ class Reader {
   explicit Reader(std::string_view text) : rest_(text) {}
 
   boost::system::result<Navigation, RinexError> read() {
+    if (rest_.size() > most_navigation_bytes)
+      return RinexError{1, fmt::format("longer than {} MB, which no navigation file is",
+                                       most_navigation_bytes / 1'000'000)};
     read_header();
     while (!error_ && next()) {
       if (trimmed(line_).empty()) continue;
@@ -163,6 +128,8 @@ class Reader {
     record.toc = epoch(layout);
     const auto values = numbers(layout, *prn);
     if (!error_) fill(values, record);
+    if (!error_ && file_.records.size() == most_navigation_records)
+      fail(fmt::format("more than {} GPS records", most_navigation_records));
     if (!error_) file_.records.push_back(record);
   }
 

@@ -28,6 +28,11 @@ struct Navigation {
   std::size_t passed_over = 0;      ///< records of other systems in a RINEX 3 file
 };
 
+/// A day of every GNSS in one file is 20 MB; a day of GPS 500 records. More is told as an error, so
+/// that a file that is none cannot take the memory.
+inline constexpr std::size_t most_navigation_bytes = 64'000'000;
+inline constexpr std::size_t most_navigation_records = 20'000;
+
 /// All GPS records of a file, or its first mistake: nothing is guessed and no record is skipped.
 /// toe is the second of week nearest to toc: the week number of old files does not count.
 boost::system::result<Navigation, RinexError> read_navigation(std::string_view text);

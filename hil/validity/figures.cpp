@@ -60,20 +60,31 @@ void Listener::note(std::string_view name, const emulate::Passage& passage, Stam
       {*passage.sampled_at, passage.sent_at, passage.began_at, passage.ended_at, written});
 }
 
-void Listener::note(const measurement::Measurement& m) {
+void Listener::note(const measurement::Measurement& m, Stamp out_at) {
   const auto& origin = measurement::origin_of(m);
   auto& aspects = devices_.at(origin.device).aspects;
   const std::string_view what = std::visit(WhatItSays{}, m);
   auto aspect = std::ranges::find(aspects, what, &Aspect::what);
-  if (aspect == aspects.end()) aspect = aspects.insert(aspects.end(), Aspect{what, {}});
+  if (aspect == aspects.end()) aspect = aspects.insert(aspects.end(), Aspect{what, {}, {}});
   aspect->valid_at.push_back(origin.valid_at);
+  aspect->out_at.push_back(out_at);
+}
+
+std::vector<Stamp> Listener::sampled_at_of(const Device& device) {
+  std::vector<Stamp> sampled_at;
+  sampled_at.reserve(device.sent.size());
+  for (const Sent& sent : device.sent) sampled_at.push_back(sent.sampled_at);
+  return sampled_at;
+}
+
+std::vector<Stamp> Listener::sampled_at(std::string_view name) const {
+  const auto device = std::ranges::find(devices_, name, &Device::name);
+  return device == devices_.end() ? std::vector<Stamp>{} : sampled_at_of(*device);
 }
 
 Figures Listener::figures_of(const Device& device, const Aspect& aspect) {
-  Figures figures{device.name, std::string(aspect.what), 0, 0, {}, {}, {}, {}};
-  std::vector<Stamp> sampled_at;
-  for (const Sent& sent : device.sent) sampled_at.push_back(sent.sampled_at);
-  const auto pairs = pair(aspect.valid_at, sampled_at);
+  Figures figures{device.name, std::string(aspect.what), 0, 0, {}, {}, {}, {}, {}, {}};
+  const auto pairs = pair(aspect.valid_at, sampled_at_of(device));
   std::optional<std::size_t> first, last;
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     if (!pairs[i]) {
@@ -88,6 +99,8 @@ Figures Listener::figures_of(const Device& device, const Aspect& aspect) {
     figures.late_us.push_back(microseconds(sent.written - sent.ended_at));
     figures.rest_us.push_back(figures.errors_us.back() - figures.waited_us.back() -
                               figures.late_us.back());
+    figures.sampled_at.push_back(sent.sampled_at);
+    figures.out_at.push_back(aspect.out_at[i]);
   }
   if (first) figures.lost = *last - *first + 1 - figures.errors_us.size();
   return figures;

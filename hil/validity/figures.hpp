@@ -30,6 +30,8 @@ struct Figures {
   /// line or bus that was busy, `late`: written to the host after its last bit was due.
   std::vector<double> waited_us, late_us;
   std::vector<double> rest_us;  ///< errors less these two: the driver's
+  /// When each was taken, and when its driver had it out.
+  std::vector<Stamp> sampled_at, out_at;
 };
 
 /// Hears what was sent and what was made of it, and pairs them in the end.
@@ -41,9 +43,13 @@ class Listener {
 
   /// A message or frame that reached the host at `written`.
   void note(std::string_view device, const emulate::Passage& passage, Stamp written);
-  void note(const measurement::Measurement& measurement);
+  /// `out_at`: when the driver had it out.
+  void note(const measurement::Measurement& measurement, Stamp out_at);
+  void note(const measurement::Measurement& m) { note(m, measurement::origin_of(m).received_at); }
 
   std::vector<Figures> figures() const;  ///< by device, then in the order in which they first came
+  /// When the samples of a device were taken of which a message left, in order.
+  std::vector<Stamp> sampled_at(std::string_view device) const;
 
  private:
   /// Of a sample, the first message.
@@ -52,7 +58,7 @@ class Listener {
   };
   struct Aspect {
     std::string_view what;
-    std::vector<Stamp> valid_at;
+    std::vector<Stamp> valid_at, out_at;
   };
   struct Device {
     std::string name;
@@ -60,6 +66,7 @@ class Listener {
     std::vector<Aspect> aspects;
   };
 
+  static std::vector<Stamp> sampled_at_of(const Device& device);
   static Figures figures_of(const Device& device, const Aspect& aspect);
 
   std::vector<Device> devices_;

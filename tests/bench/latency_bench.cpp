@@ -1,14 +1,9 @@
 // Wire-to-estimate latency at the rate of a real IMU, beside what the host itself costs in the same
 // run: a bare pty round trip and a bare DDS hop.
 #include <benchmark/benchmark.h>
-#include <fcntl.h>
-#include <poll.h>
-#include <pty.h>
 #include <sys/eventfd.h>
-#include <termios.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <atomic>
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/post.hpp>
@@ -30,38 +25,20 @@
 #include "drivers/wire/slcan.hpp"
 #include "estimators/cli/estimator_host.hpp"
 #include "estimators/cli/rig_pipeline.hpp"
+#include "tests/bench/percentiles.hpp"
+#include "tests/bench/raw_pty.hpp"
 
 namespace {
 
 using namespace drydock;
+using bench::Pty;
+using bench::wait_readable;
 using Clock = std::chrono::steady_clock;
 using Microseconds = std::chrono::duration<double, std::micro>;
 
 constexpr int samples = 1000;
 constexpr auto period = std::chrono::milliseconds{10};  // 100 Hz, so that the CPU idles in between
 constexpr int domain = 77;
-
-/// A raw pty whose two ends stay open.
-struct Pty {
-  int master = -1, slave = -1;
-  char name[64]{};
-  Pty() {
-    termios raw{};
-    cfmakeraw(&raw);
-    if (openpty(&master, &slave, name, &raw, nullptr) != 0) std::abort();
-  }
-  ~Pty() {
-    close(master);
-    close(slave);
-  }
-  Pty(const Pty&) = delete;
-  Pty& operator=(const Pty&) = delete;
-};
-
-bool wait_readable(int fd, int timeout_ms) {
-  pollfd p{fd, POLLIN, 0};
-  return poll(&p, 1, timeout_ms) == 1;
-}
 
 /// When something arrived on another thread; waiting blocks as a program would, and does not spin.
 class Arrival {
@@ -90,10 +67,10 @@ class Arrival {
 
 void report(benchmark::State& state, std::vector<double> us) {
   if (us.empty()) return state.SkipWithError("nothing came through");
-  std::sort(us.begin(), us.end());
-  state.counters["p50_us"] = us[us.size() / 2];
-  state.counters["p99_us"] = us[us.size() * 99 / 100];
   state.counters["n"] = static_cast<double>(us.size());
+  const auto [p50, p99] = bench::percentiles_of(std::move(us));
+  state.counters["p50_us"] = p50;
+  state.counters["p99_us"] = p99;
 }
 
 void bare_pty_round_trip(benchmark::State& state) {
@@ -202,7 +179,7 @@ void wire_to_estimate(benchmark::State& state) {
   estimators.on_attitude_hook = [&](const pipeline::AttitudeEstimate&) { published.note(); };
   estimators.start();
   drivers.start();
-  std::jthread bench([&] { io.run(); });
+  std::jthread shell([&] { io.run(); });
 
   const std::string text = imu_sample_text();
   const auto drain = [&] {  // what the slcan link says to its adapter
@@ -234,7 +211,7 @@ void wire_to_estimate(benchmark::State& state) {
     drivers.stop();
     estimators.stop();
   });
-  bench.join();
+  shell.join();
   report(state, us);
 }
 

@@ -47,6 +47,9 @@ void add_serve(CLI::App& sub, ServeOptions& serve, const std::string& more = {})
 /// validity: how right the times of measurements are.
 void add_validity_command(CLI::App& app, Command& command);
 
+/// load: whether a machine keeps every deadline of a rig.
+void add_load_command(CLI::App& app, Command& command);
+
 /// proxy: a real device with faults between it and its drivers.
 void add_proxy_command(CLI::App& app, Command& command);
 

@@ -98,19 +98,19 @@ TEST(LifeCycle, LineThatNeverSpeaksIsOpenedAgain) {
   EXPECT_EQ(life.tick(at_s(10))->to, State::backing_off);
 }
 
-TEST(LifeCycle, BackOffDoublesFromAQuarterSecondToThirtySeconds) {
+TEST(LifeCycle, BackOffDoublesFromAQuarterSecondToOneSecond) {
   LifeCycle life;
   Stamp now = at_s(0);
   life.start(now);
   std::vector<double> waits;
-  for (int i = 0; i < 10; ++i) {
+  for (int i = 0; i < 5; ++i) {
     life.open_failed(now, "no such device");
     waits.push_back(measurement::seconds(*life.deadline() - now));
     now = *life.deadline();
     life.tick(now);
   }
-  EXPECT_EQ(waits, (std::vector<double>{0.25, 0.5, 1, 2, 4, 8, 16, 30, 30, 30}));
-  EXPECT_EQ(now, at_s(0.25 + 0.5 + 1 + 2 + 4 + 8 + 16 + 30 + 30 + 30));
+  EXPECT_EQ(waits, (std::vector<double>{0.25, 0.5, 1, 1, 1}));
+  EXPECT_EQ(now, at_s(3.75));
 }
 
 TEST(LifeCycle, OnlyStreamingForgivesEarlierFailures) {
@@ -157,6 +157,40 @@ TEST(LifeCycle, SharedBusMayComeUpBeforeItsOwnBackOffEnds) {
   LifeCycle life = streaming(bus_options());
   life.link_lost(at_s(1), "down");
   EXPECT_EQ(life.opened(at_s(1.1))->to, State::waiting);
+}
+
+LifeCycleOptions search_options() {
+  LifeCycleOptions options;
+  options.reopen_in_place = true;
+  return options;
+}
+
+TEST(LifeCycle, LineWhoseRateIsSearchedIsOpenedAgainWithoutAChangeOfState) {
+  LifeCycle life = waiting(search_options());
+  EXPECT_FALSE(life.tick(at_s(10)));
+  EXPECT_TRUE(life.wants_close());
+  EXPECT_FALSE(life.wants_open()) << "not before it is closed";
+  EXPECT_FALSE(life.link_lost(at_s(10), "closed"));
+  EXPECT_FALSE(life.wants_close());
+  EXPECT_TRUE(life.wants_open());
+  EXPECT_FALSE(life.opened(at_s(10)));
+  EXPECT_FALSE(life.wants_open());
+  EXPECT_EQ(life.state(), State::waiting);
+  EXPECT_EQ(life.deadline(), at_s(20));
+  EXPECT_EQ(life.status(at_s(12)).view(), "no message for 12 s; its rate is searched");
+  EXPECT_EQ(life.opened_count(), 2U);
+  EXPECT_EQ(life.message(at_s(13))->to, State::streaming);
+}
+
+TEST(LifeCycle, LineWhoseRateIsSearchedSaysThatItsPortHasGone) {
+  LifeCycle life = stale(search_options());
+  life.tick(at_s(12));
+  life.link_lost(at_s(12), "closed");
+  const auto change = life.open_failed(at_s(12), "No such file or directory");
+  ASSERT_TRUE(change);
+  EXPECT_EQ(change->from, State::stale);
+  EXPECT_EQ(change->to, State::backing_off);
+  EXPECT_EQ(life.deadline(), at_s(12.25));
 }
 
 TEST(LifeCycle, StopClosesFromEveryState) {

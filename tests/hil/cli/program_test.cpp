@@ -25,10 +25,10 @@ using program::read_file;
 
 TEST(Program, HelpOfEveryCommandShowsAnExample) {
   for (const char* command :
-       {"run",          "emulate", "drive",  "record", "estimate",   "check",    "monitor",
-        "decode",       "replay",  "probe",  "doctor", "completion", "man",      "export",
-        "cut",          "recover", "bisect", "sensor", "sky",        "maneuver", "study",
-        "characterize", "fault",   "proxy",  "soak",   "validity",   "scorecard"}) {
+       {"run",          "emulate", "drive",  "record", "estimate",   "check",     "monitor",
+        "decode",       "replay",  "probe",  "doctor", "completion", "man",       "export",
+        "cut",          "recover", "bisect", "sensor", "sky",        "maneuver",  "study",
+        "characterize", "fault",   "proxy",  "soak",   "validity",   "scorecard", "load"}) {
     const auto help = drydock(std::string{command} + " --help");
     EXPECT_EQ(help.exit_code, 0) << command;
     EXPECT_THAT(help.output, HasSubstr("Example")) << command;

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "hil/sky/broadcast_orbits.hpp"
+#include "hil/sky/ephemeris_file.hpp"
 #include "hil/sky/orbit.hpp"
 #include "tests/hil/sky/files.hpp"
 
@@ -83,6 +84,27 @@ TEST(Rinex, ToeIsTheSecondOfTheWeekNearestToTheClocksTime) {
   const Ephemeris record = read(text).records.at(0);
   EXPECT_EQ(record.toe - record.toc, 16s);
   EXPECT_EQ(record.toe, gps_time(sys_days{2026y / November / 22}, 0s));
+}
+
+TEST(Rinex, WhatIsLongerThanAnyNavigationFileIsRefusedBeforeItIsRead) {
+  EXPECT_EQ(error_of(version_3 + std::string(most_navigation_bytes, '\n')),
+            "1: longer than 64 MB, which no navigation file is");
+}
+
+TEST(Rinex, MoreRecordsThanAnyFileHasAreRefused) {
+  const auto body = version_2.find("END OF HEADER");
+  const auto first = version_2.find('\n', body) + 1;
+  const std::string records = version_2.substr(first);
+  std::string text = version_2.substr(0, first);
+  for (std::size_t n = 0; n < most_navigation_records; n += 2) text += records;
+  EXPECT_EQ(read(text).records.size(), most_navigation_records);
+  EXPECT_THAT(error_of(text + records), HasSubstr(": more than 20000 GPS records"));
+}
+
+TEST(Rinex, AFileThatNeverEndsIsRefused) {
+  const auto endless = read_navigation_file("/dev/zero");
+  ASSERT_FALSE(endless);
+  EXPECT_EQ(endless.error().message, "/dev/zero:1: longer than 64 MB, which no navigation file is");
 }
 
 TEST(Rinex, AMistakeIsToldWithItsLine) {

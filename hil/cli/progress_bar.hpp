@@ -1,0 +1,19 @@
+#pragma once
+
+#include <algorithm>
+#include <string>
+
+namespace drydock::cli {
+
+/// To the begin of a terminal's line, which is emptied.
+inline constexpr const char* wipe_line = "\r\033[2K";
+
+/// `[#####.....]` for a share of work from 0 to 1.
+inline std::string progress_bar(double done) {
+  constexpr double width = 30;
+  const auto full = static_cast<std::size_t>(width * std::clamp(done, 0.0, 1.0));
+  return "[" + std::string(full, '#') + std::string(static_cast<std::size_t>(width) - full, '.') +
+         "]";
+}
+
+}  // namespace drydock::cli
