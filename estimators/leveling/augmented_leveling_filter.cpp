@@ -1,5 +1,6 @@
 #include "estimators/leveling/augmented_leveling_filter.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "estimators/frame/attitude.hpp"
@@ -31,25 +32,61 @@ double squared(double x) { return x * x; }
 AugmentedLevelingFilter::AugmentedLevelingFilter(const LevelingOptions& options)
     : options_(options),
       gravity_(frame::gravity(options.latitude_rad, options.height_m)),
-      earth_rate_ned_(frame::earth_rate_ned(options.latitude_rad)),
+      earth_rate_(options.latitude_rad),
       heading_(frame::wrap_pi(options.heading_rad)),
       gate_(options) {}
 
 void AugmentedLevelingFilter::start(const Vector3d& specific_force, const Vector3d& angular_rate,
                                     double speed_mps) {
-  const auto first = first_alpha(options_, specific_force, angular_rate, speed_mps, gravity_);
   x_.setZero();
-  x_(0) = speed_mps;
-  x_.segment<3>(alpha_at) = first.alpha;
-
-  State sigma;
-  sigma << Vector3d::Constant(options_.initial_velocity_sigma_mps), Vector3d::Constant(first.sigma),
-      Vector3d::Constant(options_.accelerometer_bias_sigma_mps2),
+  Eigen::Matrix<double, 7, 1> sigma;
+  sigma << Vector3d::Constant(options_.accelerometer_bias_sigma_mps2),
       Vector3d::Constant(options_.gyro_bias_sigma_radps), options_.speed_bias_sigma_mps;
-  p_ = sigma.cwiseAbs2().asDiagonal();
-  turn_ = angular_rate.z();
+  p_.bottomRightCorner<7, 7>() = sigma.cwiseAbs2().asDiagonal();
+  start_motion(first_alpha(options_, specific_force, angular_rate, speed_mps, gravity_,
+                           options_.accelerometer_start_alpha_sigma),
+               angular_rate.z(), speed_mps);
+}
+
+void AugmentedLevelingFilter::start_again(const Vector3d& specific_force,
+                                          const Vector3d& angular_rate, double speed_mps,
+                                          double silent_s) {
+  const Vector3d force = specific_force - accelerometer_bias(), rate = angular_rate - gyro_bias();
+  const double speed = speed_mps - speed_bias();
+  start_motion(first_alpha(options_, force, rate, speed, gravity_, options_.restart_alpha_sigma),
+               rate.z(), speed);
+  earth_rate_.forget_heading(options_.unseen_turn_radps * silent_s);
+  widen_gyro_bias();
+}
+
+void AugmentedLevelingFilter::start_motion(const FirstAlpha& first, double turn_radps,
+                                           double speed_mps) {
+  x_.head<6>() << speed_mps, 0, 0, first.alpha;
+  Vector6 sigma;
+  sigma << Vector3d::Constant(options_.initial_velocity_sigma_mps), Vector3d::Constant(first.sigma);
+  p_.topRows<6>().setZero();
+  p_.leftCols<6>().setZero();
+  p_.diagonal().head<6>() = sigma.cwiseAbs2();
+  turn_ = turn_radps;
   innovation_ = {};
   gate_.start();
+}
+
+void AugmentedLevelingFilter::widen_gyro_bias() {
+  const double open = earth_rate_.variance();
+  p_.diagonal().segment<3>(gyro_at).array() += open;
+  // However often the heading is lost: a gyro and the Earth's rate together are no worse.
+  const double most = squared(options_.gyro_bias_sigma_radps) + open;
+  for (int axis = gyro_at; axis < log_at; ++axis) {
+    const double scale = std::sqrt(std::min(1.0, most / p_(axis, axis)));
+    p_.row(axis) *= scale;
+    p_.col(axis) *= scale;
+  }
+}
+
+void AugmentedLevelingFilter::loosen(double velocity_sigma_mps, double angle_sigma_rad) {
+  p_.diagonal().head<3>().array() += squared(velocity_sigma_mps);
+  p_.diagonal().segment<3>(alpha_at).array() += squared(angle_sigma_rad);
 }
 
 void AugmentedLevelingFilter::predict(const Vector3d& specific_force, const Vector3d& angular_rate,
@@ -58,7 +95,7 @@ void AugmentedLevelingFilter::predict(const Vector3d& specific_force, const Vect
   const Vector3d force = specific_force - accelerometer_bias();  // eq. (A1)
   const Vector3d rate = angular_rate - gyro_bias();
   const Vector3d earth_rate =
-      frame::ned_to_body({roll(), pitch(), heading_}) * earth_rate_ned_;  // eq. (16)
+      frame::ned_to_body({roll(), pitch(), heading_}) * earth_rate_.ned();  // eq. (16)
 
   turn_ = rate.z();
   const Transition transition(system_matrix(rate - earth_rate, rate + earth_rate, gravity_), dt);
@@ -78,6 +115,8 @@ void AugmentedLevelingFilter::predict(const Vector3d& specific_force, const Vect
   p_.bottomLeftCorner<7, 6>() = carried.transpose();
   p_.diagonal().head<3>().array() += squared(options_.velocity_noise) * dt;
   p_.diagonal().segment<3>(alpha_at).array() += squared(options_.alpha_noise) * dt;
+  // Eq. (A9): fixed to the Earth, that part turns in the body.
+  p_.diagonal().segment<3>(gyro_at).array() += earth_rate_.variance() * std::abs(turn_) * dt;
 }
 
 void AugmentedLevelingFilter::update_moving(double speed_mps) {

@@ -2,6 +2,8 @@
 
 #include <Eigen/Core>
 
+#include "estimators/leveling/earth_rate.hpp"
+#include "estimators/leveling/level_kinematics.hpp"
 #include "estimators/leveling/leveling_options.hpp"
 #include "estimators/leveling/speed_gate.hpp"
 
@@ -22,9 +24,17 @@ class AugmentedLevelingFilter {
 
   explicit AugmentedLevelingFilter(const LevelingOptions& options);
 
-  /// Begins, or begins again, without knowledge of the biases. The heading is kept.
+  /// Begins without knowledge of the biases. The heading is kept.
   void start(const Eigen::Vector3d& specific_force, const Eigen::Vector3d& angular_rate,
              double speed_mps);
+
+  /// As LevelingFilter's; what is known of the biases is kept. What the heading leaves open of the
+  /// Earth's rate goes to the gyros', (A8).
+  void start_again(const Eigen::Vector3d& specific_force, const Eigen::Vector3d& angular_rate,
+                   double speed_mps, double silent_s);
+
+  /// V and alpha are less certain by so much, per axis: samples are missing.
+  void loosen(double velocity_sigma_mps, double angle_sigma_rad);
 
   /// Eq. (A2), (A3) over dt seconds, in which the inputs (m/s2 and rad/s, body) are constant.
   void predict(const Eigen::Vector3d& specific_force, const Eigen::Vector3d& angular_rate,
@@ -51,13 +61,15 @@ class AugmentedLevelingFilter {
   const LevelingOptions& options() const { return options_; }
 
  private:
+  void start_motion(const FirstAlpha& first, double turn_radps, double speed_mps);
+  void widen_gyro_bias();
   void begin_update() { innovation_ = {}; }
   void update(double residual, const State& row, double variance);
   void update_norm();
 
   LevelingOptions options_;
   double gravity_;
-  Eigen::Vector3d earth_rate_ned_;
+  EarthRate earth_rate_;
   double heading_;
   double turn_ = 0;  ///< rad/s about body z, of the last prediction
   State x_ = State::Zero();

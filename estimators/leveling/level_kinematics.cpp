@@ -37,12 +37,13 @@ Eigen::Matrix2d roll_pitch_covariance(const Vector3d& alpha, const Eigen::Matrix
 }
 
 FirstAlpha first_alpha(const LevelingOptions& options, const Vector3d& specific_force,
-                       const Vector3d& angular_rate, double speed_mps, double gravity_mps2) {
+                       const Vector3d& angular_rate, double speed_mps, double gravity_mps2,
+                       double sigma) {
   // Eq. (15) solved for g alpha with V steady: what the accelerometers feel besides gravity is the
   // turn.
   const Vector3d down = angular_rate.cross(Vector3d{speed_mps, 0, 0}) - specific_force;
   if (options.accelerometer_start && down.norm() > 0.1 * gravity_mps2)
-    return {down.normalized(), options.accelerometer_start_alpha_sigma};
+    return {down.normalized(), sigma};
   return {alpha_of(options.initial_roll_rad, options.initial_pitch_rad),
           options.initial_alpha_sigma};
 }

@@ -20,14 +20,16 @@ double pitch_of(const Eigen::Vector3d& alpha);  ///< eq. (28) of alpha / |alpha|
 Eigen::Matrix2d roll_pitch_covariance(const Eigen::Vector3d& alpha,
                                       const Eigen::Matrix3d& covariance);
 
-/// alpha to begin with, and its uncertainty per component: by the accelerometers, eq. (A6), or as
-/// the options give it; so also in free fall, where a specific force tells no direction.
+/// alpha to begin with, and its uncertainty per component: by the accelerometers, eq. (A6), which
+/// are good to `sigma`, or as the options give it; so also in free fall, where a specific force
+/// tells no direction.
 struct FirstAlpha {
   Eigen::Vector3d alpha;
   double sigma;
 };
 FirstAlpha first_alpha(const LevelingOptions& options, const Eigen::Vector3d& specific_force,
-                       const Eigen::Vector3d& angular_rate, double speed_mps, double gravity_mps2);
+                       const Eigen::Vector3d& angular_rate, double speed_mps, double gravity_mps2,
+                       double sigma);
 
 /// F of eq. (26). `rate_nb`: [p q r], eq. (17); `rate_coriolis`: [p* q* r*], eq. (15).
 Matrix6 system_matrix(const Eigen::Vector3d& rate_nb, const Eigen::Vector3d& rate_coriolis,

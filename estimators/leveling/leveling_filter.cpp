@@ -10,23 +10,51 @@ namespace drydock::leveling {
 
 using Eigen::Vector3d;
 
+namespace {
+
+/// Noise of alpha per rad/s of a lasting error of the rate, so that it is covered: chosen.
+constexpr double noise_over_rate = 4;  // sqrt(s)
+
+}  // namespace
+
 LevelingFilter::LevelingFilter(const LevelingOptions& options)
     : options_(options),
       gravity_(frame::gravity(options.latitude_rad, options.height_m)),
-      earth_rate_ned_(frame::earth_rate_ned(options.latitude_rad)),
+      earth_rate_(options.latitude_rad),
+      alpha_variance_(std::pow(options.alpha_noise, 2)),
       heading_(frame::wrap_pi(options.heading_rad)),
       gate_(options) {}
 
 void LevelingFilter::start(const Vector3d& specific_force, const Vector3d& angular_rate,
                            double speed_mps) {
-  const auto first = first_alpha(options_, specific_force, angular_rate, speed_mps, gravity_);
+  start_at(first_alpha(options_, specific_force, angular_rate, speed_mps, gravity_,
+                       options_.accelerometer_start_alpha_sigma),
+           angular_rate.z(), speed_mps);
+}
+
+void LevelingFilter::start_again(const Vector3d& specific_force, const Vector3d& angular_rate,
+                                 double speed_mps, double silent_s) {
+  start_at(first_alpha(options_, specific_force, angular_rate, speed_mps, gravity_,
+                       options_.restart_alpha_sigma),
+           angular_rate.z(), speed_mps);
+  earth_rate_.forget_heading(options_.unseen_turn_radps * silent_s);
+  alpha_variance_ =
+      std::pow(options_.alpha_noise, 2) + std::pow(noise_over_rate, 2) * earth_rate_.variance();
+}
+
+void LevelingFilter::start_at(const FirstAlpha& first, double turn_radps, double speed_mps) {
   x_ << speed_mps, 0, 0, first.alpha;
   p_.setZero();
   p_.diagonal().head<3>().setConstant(std::pow(options_.initial_velocity_sigma_mps, 2));
   p_.diagonal().tail<3>().setConstant(first.sigma * first.sigma);
-  turn_ = angular_rate.z();
+  turn_ = turn_radps;
   innovation_ = {};
   gate_.start();
+}
+
+void LevelingFilter::loosen(double velocity_sigma_mps, double angle_sigma_rad) {
+  p_.diagonal().head<3>().array() += velocity_sigma_mps * velocity_sigma_mps;
+  p_.diagonal().tail<3>().array() += angle_sigma_rad * angle_sigma_rad;
 }
 
 void LevelingFilter::predict(const Vector3d& specific_force, const Vector3d& angular_rate,
@@ -42,7 +70,7 @@ void LevelingFilter::predict(const Vector3d& specific_force, const Vector3d& ang
 
   p_ = transition.step * p_ * transition.step.transpose();
   p_.diagonal().head<3>().array() += std::pow(options_.velocity_noise, 2) * dt;
-  p_.diagonal().tail<3>().array() += std::pow(options_.alpha_noise, 2) * dt;
+  p_.diagonal().tail<3>().array() += alpha_variance_ * dt;
   p_ = (0.5 * (p_ + p_.transpose())).eval();
 }
 
@@ -115,7 +143,7 @@ Eigen::Matrix2d LevelingFilter::roll_pitch_covariance() const {
 }
 
 Vector3d LevelingFilter::earth_rate_body() const {
-  return frame::ned_to_body({roll(), pitch(), heading_}) * earth_rate_ned_;
+  return frame::ned_to_body({roll(), pitch(), heading_}) * earth_rate_.ned();
 }
 
 }  // namespace drydock::leveling

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 
+#include "estimators/leveling/earth_rate.hpp"
 #include "estimators/leveling/level_kinematics.hpp"
 #include "estimators/leveling/leveling_options.hpp"
 #include "estimators/leveling/speed_gate.hpp"
@@ -24,6 +25,14 @@ class LevelingFilter {
   /// Begins, or begins again: attitude as the options say, V = [speed 0 0]. The heading is kept.
   void start(const Eigen::Vector3d& specific_force, const Eigen::Vector3d& angular_rate,
              double speed_mps);
+
+  /// After an IMU's silence of a vehicle under way: as `start`, with an attitude that is better
+  /// known and a heading that is not, (A7).
+  void start_again(const Eigen::Vector3d& specific_force, const Eigen::Vector3d& angular_rate,
+                   double speed_mps, double silent_s);
+
+  /// V and alpha are less certain by so much, per axis: samples are missing.
+  void loosen(double velocity_sigma_mps, double angle_sigma_rad);
 
   /// Eq. (21), (22) over dt seconds, in which the inputs (m/s2 and rad/s, body) are constant.
   void predict(const Eigen::Vector3d& specific_force, const Eigen::Vector3d& angular_rate,
@@ -58,11 +67,13 @@ class LevelingFilter {
               const Eigen::Matrix<double, Rows, 6>& h,
               const Eigen::Matrix<double, Rows, 1>& variance);
 
+  void start_at(const FirstAlpha& first, double turn_radps, double speed_mps);
   Eigen::Vector3d earth_rate_body() const;
 
   LevelingOptions options_;
   double gravity_;
-  Eigen::Vector3d earth_rate_ned_;
+  EarthRate earth_rate_;
+  double alpha_variance_;  ///< Q of alpha, 1/s
   double heading_;
   double turn_ = 0;  ///< rad/s about body z, of the last prediction
   State x_ = State::Zero();

@@ -31,6 +31,11 @@ struct LevelingOptions {
   double initial_alpha_sigma = 1;                ///< P0 of alpha without attitude knowledge; paper
   double accelerometer_start_alpha_sigma = 0.1;  ///< P0 of alpha with accelerometer start; chosen
 
+  /// After an IMU's silence: P0 of alpha, an acceleration of .3 m/s2 over gravity; and the rate of
+  /// turn of a vehicle that nobody sees, that of the paper's S path. Chosen.
+  double restart_alpha_sigma = 0.03;
+  double unseen_turn_radps = 0.12;
+
   double velocity_noise = 3e-3;  ///< Q of V, m/s per sqrt(s); chosen
   double alpha_noise = 1e-5;     ///< Q of alpha, 1 per sqrt(s); chosen
 

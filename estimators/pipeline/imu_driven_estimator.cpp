@@ -1,6 +1,7 @@
 #include "estimators/pipeline/imu_driven_estimator.hpp"
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <cmath>
 
 namespace drydock::pipeline {
@@ -87,7 +88,10 @@ bool ImuDrivenEstimator::clock_was_set_back(const ImuSample& sample) {
 }
 
 void ImuDrivenEstimator::stop() {
-  if (running()) ++status_.restarts;
+  if (running()) {
+    ++status_.restarts;
+    stopped_at_ = last_->origin.valid_at;
+  }
   status_.state = EstimatorState::waiting_for_imu;
   last_.reset();
 }
@@ -96,7 +100,15 @@ bool ImuDrivenEstimator::try_start(const ImuSample& sample) {
   const bool fresh =
       speed_ && std::chrono::abs(sample.origin.valid_at - speed_->valid_at) <= max_speed_age_;
   if (log_ && !fresh) return false;
-  start(sample, log_ ? speed_->mps : 0.0);
+  const double speed_mps = log_ ? speed_->mps : 0.0;
+  if (stopped_at_) {
+    // Below 0 where a clock was set back: then the IMU was not silent.
+    const double silent_s = measurement::seconds(sample.origin.valid_at - *stopped_at_);
+    start_again(sample, speed_mps, std::max(silent_s, 0.0));
+  } else {
+    start(sample, speed_mps);
+  }
+  interval_s_ = 0;
   status_.state = EstimatorState::running;
   fed_by_ = bit(imu_) | (log_ ? bit(*log_) : 0);
   if (log_) status_.last_speed = speed_->valid_at;
@@ -106,6 +118,8 @@ bool ImuDrivenEstimator::try_start(const ImuSample& sample) {
 void ImuDrivenEstimator::go_on(const ImuSample& sample) {
   // Samples are instants: their mean stands for the interval between them to the second order.
   const double dt = measurement::seconds(sample.origin.valid_at - last_->origin.valid_at);
+  if (interval_s_ > 0 && dt > 1.5 * interval_s_) bridge(BridgedGap(dt));
+  interval_s_ = dt;
   step(0.5 * (last_->specific_force + sample.specific_force),
        0.5 * (last_->angular_rate + sample.angular_rate), dt);
 }

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "estimators/pipeline/bridged_gap.hpp"
 #include "estimators/pipeline/estimator.hpp"
 #include "estimators/pipeline/options.hpp"
 
@@ -38,6 +39,14 @@ class ImuDrivenEstimator : public Estimator {
  private:
   /// Begins at a sample; the speed is 0 where no log is used.
   virtual void start(const measurement::ImuSample& sample, double speed_mps) = 0;
+  /// The same after an IMU's silence.
+  virtual void start_again(const measurement::ImuSample& sample, double speed_mps,
+                           double silent_s) {
+    static_cast<void>(silent_s);
+    start(sample, speed_mps);
+  }
+  /// Samples are missing, the line between their neighbours stands for them; none: nothing to do.
+  virtual void bridge(const BridgedGap&) {}
   /// Goes on by `dt` seconds with the mean force and rate of them.
   virtual void step(const Eigen::Vector3d& force, const Eigen::Vector3d& rate, double dt) = 0;
   void tell(const measurement::WaterSpeed& speed, const navigation::Innovation& innovation,
@@ -63,6 +72,8 @@ class ImuDrivenEstimator : public Estimator {
   std::optional<std::uint16_t> log_;  ///< empty: not used, the vehicle does not move
   std::chrono::nanoseconds max_imu_gap_, max_speed_age_;
   std::optional<measurement::ImuSample> last_;  ///< its valid_at is the estimator's time
+  std::optional<Stamp> stopped_at_;             ///< valid_at of the last sample in use before it
+  double interval_s_ = 0;                       ///< between the last two samples; 0: none
   std::optional<Speed> speed_;                  ///< the newest, for the next start
   int far_behind_ = 0;                          ///< samples in a row
   std::uint32_t fed_by_ = 0;                    ///< since the last start

@@ -16,6 +16,20 @@ void LevelingEstimator::start(const measurement::ImuSample& sample, double speed
       filter_);
 }
 
+void LevelingEstimator::start_again(const measurement::ImuSample& sample, double speed_mps,
+                                    double silent_s) {
+  std::visit(
+      [&](auto& filter) {
+        filter.start_again(sample.specific_force, sample.angular_rate, speed_mps, silent_s);
+      },
+      filter_);
+}
+
+void LevelingEstimator::bridge(const BridgedGap& gap) {
+  std::visit([&](auto& filter) { filter.loosen(gap.velocity_sigma_mps, gap.angle_sigma_rad); },
+             filter_);
+}
+
 LevelingEstimator::Correction LevelingEstimator::correct(double speed_mps) {
   return std::visit(
       [&](auto& filter) {

@@ -15,6 +15,9 @@ class LevelingEstimator final : public ImuDrivenEstimator {
 
  private:
   void start(const measurement::ImuSample& sample, double speed_mps) override;
+  void start_again(const measurement::ImuSample& sample, double speed_mps,
+                   double silent_s) override;
+  void bridge(const BridgedGap& gap) override;
   void step(const Eigen::Vector3d& force, const Eigen::Vector3d& rate, double dt) override;
   Correction correct(double speed_mps) override;
   void fill(AttitudeEstimate& estimate) const override;

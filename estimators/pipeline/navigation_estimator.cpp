@@ -1,7 +1,8 @@
 #include "estimators/pipeline/navigation_estimator.hpp"
 
 #include <algorithm>
-#include <cmath>
+
+#include "estimators/pipeline/bridged_gap.hpp"
 
 namespace drydock::pipeline {
 
@@ -14,10 +15,6 @@ namespace {
 
 /// As many samples in a row from the past are no stragglers: the clock was set back.
 constexpr int clock_back_after = 10;
-
-/// Missing samples are taken from the line between their neighbours, which is wrong by the second
-/// derivative times T^3 / 12: of rate (rad/s3) and specific force (m/s4) these, one sigma; chosen.
-constexpr double rate_curvature = 0.5, force_curvature = 5;
 
 std::uint32_t sensor_bit(std::uint16_t device) { return std::uint32_t{1} << device; }
 
@@ -86,8 +83,8 @@ void NavigationEstimator::go_on(const ImuSample& sample, EstimateListener& liste
   const Vector3d rate_change =
       (sample.angular_rate - last_->angular_rate) / static_cast<double>(pieces);
   if (bridges) {
-    const double cubed = std::pow(seconds(interval), 3) / 12;
-    filter_->loosen(force_curvature * cubed, rate_curvature * cubed);
+    const BridgedGap gap(seconds(interval));
+    filter_->loosen(gap.velocity_sigma_mps, gap.angle_sigma_rad);
   }
   for (std::int64_t i = 1; i <= pieces; ++i) {
     end_step_if_due(listener);

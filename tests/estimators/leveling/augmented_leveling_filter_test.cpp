@@ -148,7 +148,7 @@ TEST(AugmentedLevelingFilter, InnovationOfTheLogCountsItsBias) {
   EXPECT_EQ(filter.innovation().size, 4);
 }
 
-TEST(AugmentedLevelingFilter, StartsAgainWithoutKnowledgeOfTheBiases) {
+TEST(AugmentedLevelingFilter, StartsWithoutKnowledgeOfTheBiasesHoweverOftenItIsStarted) {
   test::Table1Sensors sensors{5};
   sensors.fix_biases_at_one_sigma();
   AugmentedLevelingFilter filter{augmented_options()};

@@ -191,7 +191,19 @@ TEST_F(LevelingEstimatorTest, AGapStartsItAgainWithTheNextSpeed) {
   feed(estimator, 1500);
   EXPECT_EQ(estimator.status().state, EstimatorState::running);
   EXPECT_EQ(estimator.status().restarts, 1u);
-  EXPECT_EQ(estimates_.all[100].covariance, estimates_.all[0].covariance);
+  // An acceleration of .3 m/s2 that nobody knows of, over gravity: 1.7 degrees.
+  EXPECT_NEAR(std::sqrt(estimates_.all[100].covariance(0, 0)), 0.3 / 9.8, 1e-3);
+  EXPECT_NEAR(std::sqrt(estimates_.all[100].covariance(1, 1)), 0.3 / 9.8, 1e-3);
+}
+
+TEST_F(LevelingEstimatorTest, NothingIsSaidWhileTheImuIsSilent) {
+  LevelingEstimator estimator = make();
+  feed(estimator, 0);
+  for (int t = 1000; t < 31000; t += 500) estimator.take(water_speed(t), estimates_);
+  EXPECT_EQ(estimates_.all.size(), 100u);
+  feed(estimator, 31000);
+  EXPECT_EQ(estimates_.all[100].valid_at, at_ms(31000));
+  EXPECT_EQ(estimator.status().restarts, 1u);
 }
 
 TEST_F(LevelingEstimatorTest, AGapUpToTheLimitIsBridged) {
@@ -200,6 +212,21 @@ TEST_F(LevelingEstimatorTest, AGapUpToTheLimitIsBridged) {
   estimator.take(imu(990 + 500), estimates_);
   EXPECT_EQ(estimator.status().restarts, 0u);
   EXPECT_EQ(estimates_.all.back().valid_at, at_ms(1490));
+}
+
+TEST_F(LevelingEstimatorTest, ABridgedGapCostsWhatTheLineMayBeWrongBy) {
+  // T^3 / 12 times .5 rad/s3; what the filter knew before is small beside it.
+  for (const auto kind : {leveling::FilterKind::robust, leveling::FilterKind::augmented}) {
+    PipelineOptions options = test::moving(std::chrono::milliseconds{0});
+    options.estimators[0].filter = kind;
+    options.estimators[0].leveling = leveling::options_for(kind);
+    LevelingEstimator estimator(7, options.estimators[0], options);
+    for (int s = 0; s < 120; ++s) feed(estimator, 1000 * s);
+    const double before = estimates_.all.back().covariance(0, 0);
+    estimator.take(imu(119990 + 500), estimates_);
+    const double after = estimates_.all.back().covariance(0, 0);
+    EXPECT_NEAR(std::sqrt(after - before), 0.5 * 0.125 / 12, 3e-4);
+  }
 }
 
 TEST_F(LevelingEstimatorTest, AnOldOrRepeatedSampleIsLate) {

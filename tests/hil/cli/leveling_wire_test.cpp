@@ -39,6 +39,7 @@ rig_config::Rig two_sensors() {
     device.emulate.primary.noise = device.emulate.secondary.noise = {};
   }
   auto& robust = rig.estimators.at(0);
+  robust.filter = rig_config::LevelingFilter::robust;
   robust.heading_rad = 0;
   auto augmented = robust, paper = robust;
   augmented.name = "augmented";

@@ -1,0 +1,19 @@
+#include "estimators/leveling/earth_rate.hpp"
+
+#include <cmath>
+
+#include "estimators/frame/earth.hpp"
+
+namespace drydock::leveling {
+
+EarthRate::EarthRate(double latitude_rad)
+    : given_(frame::earth_rate_ned(latitude_rad)), expected_(given_) {}
+
+void EarthRate::forget_heading(double sigma_rad) {
+  heading_variance_ += sigma_rad * sigma_rad;
+  const double kept = std::exp(-heading_variance_ / 2);  // mean cosine of a normal angle
+  expected_.x() = kept * given_.x();
+  variance_ = given_.x() * given_.x() * (1 - kept * kept) / 2;
+}
+
+}  // namespace drydock::leveling
