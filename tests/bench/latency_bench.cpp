@@ -3,9 +3,7 @@
 #include <benchmark/benchmark.h>
 #include <fcntl.h>
 #include <poll.h>
-#include <pty.h>
 #include <sys/eventfd.h>
-#include <termios.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -30,33 +28,18 @@
 #include "drivers/wire/slcan.hpp"
 #include "estimators/cli/estimator_host.hpp"
 #include "estimators/cli/rig_pipeline.hpp"
+#include "tests/bench/raw_pty.hpp"
 
 namespace {
 
 using namespace drydock;
+using bench::Pty;
 using Clock = std::chrono::steady_clock;
 using Microseconds = std::chrono::duration<double, std::micro>;
 
 constexpr int samples = 1000;
 constexpr auto period = std::chrono::milliseconds{10};  // 100 Hz, so that the CPU idles in between
 constexpr int domain = 77;
-
-/// A raw pty whose two ends stay open.
-struct Pty {
-  int master = -1, slave = -1;
-  char name[64]{};
-  Pty() {
-    termios raw{};
-    cfmakeraw(&raw);
-    if (openpty(&master, &slave, name, &raw, nullptr) != 0) std::abort();
-  }
-  ~Pty() {
-    close(master);
-    close(slave);
-  }
-  Pty(const Pty&) = delete;
-  Pty& operator=(const Pty&) = delete;
-};
 
 bool wait_readable(int fd, int timeout_ms) {
   pollfd p{fd, POLLIN, 0};

@@ -4,7 +4,6 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <poll.h>
-#include <pty.h>
 #include <sys/resource.h>
 #include <termios.h>
 #include <unistd.h>
@@ -20,31 +19,16 @@
 
 #include "drivers/link/link.hpp"
 #include "hil/proxy/proxy.hpp"
+#include "tests/bench/raw_pty.hpp"
 
 namespace {
 
 using namespace drydock;
+using bench::Pty;
 using Clock = std::chrono::steady_clock;
 
 constexpr int rounds = 1500;
 constexpr auto period = std::chrono::milliseconds{5};  // so that the processor idles in between
-
-/// A raw pty whose slave stays open.
-struct Pty {
-  int master = -1, slave = -1;
-  char name[64]{};
-  Pty() {
-    termios raw{};
-    cfmakeraw(&raw);
-    if (openpty(&master, &slave, name, &raw, nullptr) != 0) std::abort();
-  }
-  ~Pty() {
-    close(master);
-    close(slave);
-  }
-  Pty(const Pty&) = delete;
-  Pty& operator=(const Pty&) = delete;
-};
 
 int open_raw(const std::string& path) {
   const int fd = open(path.c_str(), O_RDWR | O_NOCTTY);
