@@ -32,6 +32,9 @@ TEST(Program, WrongUsageAndWrongConfigurationExitWithTwo) {
   const auto duration = drydock("run rig_config/rigs/demo.toml --for 5parsec");
   EXPECT_EQ(duration.exit_code, 2);
   EXPECT_THAT(duration.output, HasSubstr("allowed: 90, 60s, 10min, 5.5h"));
+  const auto served = drydock("run rig_config/rigs/demo.toml --speed max --serve");
+  EXPECT_EQ(served.exit_code, 2);
+  EXPECT_THAT(served.output, HasSubstr("not with --speed max"));
   const auto missing = drydock("run nowhere.toml");
   EXPECT_EQ(missing.exit_code, 2);
   EXPECT_THAT(missing.output, HasSubstr("nowhere.toml"));

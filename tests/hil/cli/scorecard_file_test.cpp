@@ -75,4 +75,14 @@ TEST(HeatMap, EveryCellHasItsNumberAndTextIsEscaped) {
   EXPECT_NE(svg.find("#084081"), std::string::npos) << "the darkest shade";
 }
 
+TEST(HeatMap, ATitleWiderThanItsColumnsPushesTheNextAside) {
+  const HeatMap map{"one device",
+                    {{"seen after [s]", {"dvl"}}, {"over after [s]", {"dvl"}}},
+                    {{"drop", {{"1", Tone::shade, 0, ""}, {"2", Tone::shade, 0, ""}}}},
+                    40};
+  const auto svg = to_svg(map);
+  EXPECT_NE(svg.find("x='170' y='38' font-weight='600'>seen after [s]<"), std::string::npos);
+  EXPECT_NE(svg.find("x='287' y='38' font-weight='600'>over after [s]<"), std::string::npos);
+}
+
 }  // namespace scorecard_file_test
