@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <iterator>
 #include <map>
@@ -24,6 +25,7 @@ class RigChecks {
     names_are_unique("device");
     names_are_unique("estimator");
     links_are_sound();
+    lines_have_one_device();
     addresses_are_unique();
     if (!options_.devices_only) {
       files_exist();
@@ -59,6 +61,27 @@ class RigChecks {
       if (!link) return;
       if (const auto wrong = options_.link_check(link->text))
         add(*link, fmt::format("/device/{}/link", i), *wrong);
+    });
+  }
+
+  /// A bus has many devices, a server many clients and a file many readers; a line has one device.
+  static bool is_line(const std::string& link) {
+    return std::ranges::any_of(std::array{"serial:", "pty:", "udp:", "memory:"},
+                               [&](std::string_view scheme) { return link.starts_with(scheme); });
+  }
+
+  void lines_have_one_device() {
+    std::map<std::string, std::string> taken;
+    for_each_table(root_, "device", [&](const Node& device, std::size_t i) {
+      const Node* link = device.find_text("link");
+      const Node* name = device.find_text("name");
+      if (!link || !name || !is_line(link->text)) return;
+      const std::string line = link->text.substr(0, link->text.find('?'));
+      const auto& first = *taken.emplace(line, name->text).first;
+      if (first.second != name->text)  // a block pasted twice has its name twice already
+        add(*link, fmt::format("/device/{}/link", i),
+            fmt::format("{} is already the link of '{}'; each device needs a line of its own", line,
+                        first.second));
     });
   }
 

@@ -13,7 +13,6 @@ namespace drydock::bus {
 
 using TimeMessage = builtin_interfaces_msg_dds__Time_;
 using Vector3Message = geometry_msgs_msg_dds__Vector3_;
-using QuaternionMessage = geometry_msgs_msg_dds__Quaternion_;
 using ImuMessage = sensor_msgs_msg_dds__Imu_;
 using NavSatFixMessage = sensor_msgs_msg_dds__NavSatFix_;
 using FluidPressureMessage = sensor_msgs_msg_dds__FluidPressure_;

@@ -6,7 +6,6 @@
 #include <boost/asio/co_spawn.hpp>
 #include <boost/asio/detached.hpp>
 #include <boost/asio/io_context.hpp>
-#include <boost/asio/signal_set.hpp>
 #include <boost/asio/steady_timer.hpp>
 #include <cstdio>
 #include <functional>
@@ -14,6 +13,7 @@
 
 #include "drivers/cli/decode.hpp"
 #include "drivers/cli/json_lines.hpp"
+#include "drivers/cli/until_stopped.hpp"
 #include "drivers/link/link.hpp"
 #include "drivers/wire/registry.hpp"
 
@@ -133,26 +133,13 @@ void print_counters(const Screen& screen) {
 /// Listens until the duration is over, Ctrl-C, or the link's end.
 template <class Link>
 int watch(asio::io_context& io, Link& open_link, Screen& screen, double duration_s) {
-  asio::signal_set signals(io, SIGINT, SIGTERM);
-  asio::steady_timer end(io), every(io);
+  asio::steady_timer every(io);
   bool stopped = false;  // an expired timer can no longer be cancelled
-  const auto stop = [&] {
+  UntilStopped until(io, duration_s, [&] {
     stopped = true;
-    signals.cancel();
-    signals.clear();  // a second Ctrl-C ends the program at once
-    end.cancel();
     every.cancel();
     open_link.close();
-  };
-  signals.async_wait([&](const boost::system::error_code& ec, int) {
-    if (!ec) stop();
   });
-  if (duration_s > 0) {
-    end.expires_after(measurement::from_seconds(duration_s));
-    end.async_wait([&](const boost::system::error_code& ec) {
-      if (!ec) stop();
-    });
-  }
   std::function<void()> tell = [&] {
     every.expires_after(counters_period);
     every.async_wait([&](const boost::system::error_code& ec) {
@@ -162,7 +149,7 @@ int watch(asio::io_context& io, Link& open_link, Screen& screen, double duration
     });
   };
   tell();
-  asio::co_spawn(io, listen(open_link, screen, stop), asio::detached);
+  asio::co_spawn(io, listen(open_link, screen, [&] { until.stop(); }), asio::detached);
   io.run();
   print_counters(screen);
   return screen.messages() > 0 ? 0 : 1;

@@ -234,8 +234,10 @@ std::vector<std::string> DeviceTable::lines(const std::vector<DeviceView>& views
     std::string values;
     for (const auto& value : v.values) values += "  " + value_text(v, value);
     if (!values.empty()) all.push_back(std::move(values));
-    if (!v.streaming && !v.status.empty()) all.push_back("  " + v.status);
-    if (!v.last_error.empty()) all.push_back("  last error: " + v.last_error);
+    const bool with_status = !v.streaming && !v.status.empty();
+    if (with_status) all.push_back("  " + v.status);
+    if (!v.last_error.empty() && !(with_status && v.last_error == v.status))
+      all.push_back("  last error: " + v.last_error);
   }
   return all;
 }

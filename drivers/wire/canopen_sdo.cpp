@@ -1,8 +1,5 @@
 #include "drivers/wire/canopen_sdo.hpp"
 
-#include <algorithm>
-#include <array>
-
 #include "drivers/wire/bytes.hpp"
 #include "drivers/wire/canopen.hpp"
 
@@ -53,31 +50,6 @@ unsigned with_data(unsigned which, std::uint8_t size) {
   return which << 5 | unused << 2 | expedited | size_indicated;
 }
 
-struct AbortCode {
-  std::uint32_t code;
-  std::string_view text;
-};
-
-constexpr std::array abort_codes{
-    AbortCode{0x05040000, "SDO protocol timed out"},
-    AbortCode{0x05040001, "command specifier not valid or unknown"},
-    AbortCode{0x06010000, "unsupported access to an object"},
-    AbortCode{0x06010001, "object can only be written"},
-    AbortCode{0x06010002, "object can only be read"},
-    AbortCode{0x06020000, "object does not exist"},
-    AbortCode{0x06040041, "object cannot be mapped to the PDO"},
-    AbortCode{0x06060000, "access failed: hardware error"},
-    AbortCode{0x06070010, "data type or length does not match"},
-    AbortCode{0x06090011, "sub-index does not exist"},
-    AbortCode{0x06090030, "value out of range"},
-    AbortCode{0x06090031, "value too high"},
-    AbortCode{0x06090032, "value too low"},
-    AbortCode{0x08000000, "general error"},
-    AbortCode{0x08000020, "data cannot be stored"},
-    AbortCode{0x08000021, "data cannot be stored: local control"},
-    AbortCode{0x08000022, "data cannot be stored in the present device state"},
-};
-
 }  // namespace
 
 std::optional<SdoRequest> decode_sdo_request(const CanFrame& frame) {
@@ -123,11 +95,6 @@ CanFrame encode(const SdoWritten& m) {
 
 CanFrame encode(const SdoAbort& m) {
   return sdo_frame(sdo_response_base + m.node, abort_transfer << 5, m.entry, m.code);
-}
-
-std::string_view abort_text(std::uint32_t code) {
-  const auto* const known = std::ranges::find(abort_codes, code, &AbortCode::code);
-  return known != abort_codes.end() ? known->text : "abort code of the device";
 }
 
 }  // namespace drydock::wire::canopen

@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <optional>
-#include <string_view>
 #include <variant>
 
 #include "drivers/wire/can_frame.hpp"
@@ -68,8 +67,5 @@ CanFrame encode(const SdoWrite& message);
 CanFrame encode(const SdoValue& message);
 CanFrame encode(const SdoWritten& message);
 CanFrame encode(const SdoAbort& message);
-
-/// CiA 301's words for an abort code.
-std::string_view abort_text(std::uint32_t code);
 
 }  // namespace drydock::wire::canopen

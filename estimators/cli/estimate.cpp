@@ -2,11 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <boost/asio/signal_set.hpp>
 #include <cmath>
 
 #include "drivers/bus/participant.hpp"
 #include "drivers/cli/rig_bus.hpp"
+#include "drivers/cli/until_stopped.hpp"
 #include "estimators/cli/degrees.hpp"
 #include "estimators/cli/estimator_host.hpp"
 #include "estimators/cli/rig_pipeline.hpp"
@@ -83,20 +83,7 @@ int estimate(const rig_config::Rig& rig, const EstimateOptions& options) {
   host.on_attitude_hook = [&](const pipeline::AttitudeEstimate& e) { printer(e); };
   host.on_navigation_hook = [&](const pipeline::NavigationEstimate& e) { printer(e); };
 
-  boost::asio::signal_set signals(io, SIGINT, SIGTERM);
-  boost::asio::steady_timer timer(io);
-  const auto stop = [&](const boost::system::error_code& ec) {
-    if (ec) return;
-    signals.cancel();
-    signals.clear();  // a second Ctrl-C ends the program at once
-    timer.cancel();
-    host.stop();
-  };
-  signals.async_wait([&](const boost::system::error_code& ec, int) { stop(ec); });
-  if (options.duration_s > 0) {
-    timer.expires_after(measurement::from_seconds(options.duration_s));
-    timer.async_wait(stop);
-  }
+  UntilStopped until(io, options.duration_s, [&] { host.stop(); });
   host.start();
   io.run();
   for (const auto& note : pipeline_notes(rig, host.pipeline())) fmt::print(stderr, "{}\n", note);

@@ -25,7 +25,6 @@ class AllSatellites {
   /// Of that roll, rad2: the hypothesis's own, and how far the others are from it, by their weight.
   double roll_variance() const;
   double bias() const { return best().state()(1); }  ///< of the gyro, rad/s
-  double bias_variance() const { return best().covariance()(1, 1); }
   double common_gain() const { return best().state()(2); }
   std::size_t hypotheses() const { return hypotheses_.size(); }
   std::uint64_t rejected() const { return rejected_; }  ///< signals outside the best one's gate

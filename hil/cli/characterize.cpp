@@ -42,7 +42,8 @@ const Samples& must_be_named(const std::vector<Samples>& devices, const std::str
   if (const Samples* found = named(devices, name)) return *found;
   std::string all;
   for (const auto& samples : devices) all += (all.empty() ? "" : ", ") + samples.subject.name;
-  throw std::invalid_argument(fmt::format("no device \"{}\"; there are: {}", name, all));
+  throw std::invalid_argument(
+      fmt::format("no device \"{}\"; there are: {}", name, all.empty() ? "none that spoke" : all));
 }
 
 const Samples* first_of(const std::vector<Samples>& devices, DeviceKind kind) {

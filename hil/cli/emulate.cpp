@@ -3,10 +3,9 @@
 #include <fmt/format.h>
 
 #include <boost/asio/io_context.hpp>
-#include <boost/asio/signal_set.hpp>
-#include <boost/asio/steady_timer.hpp>
 #include <stdexcept>
 
+#include "drivers/cli/until_stopped.hpp"
 #include "drivers/link/clock.hpp"
 #include "hil/cli/fault/live_faults.hpp"
 #include "hil/cli/truth_of_rig.hpp"
@@ -38,21 +37,10 @@ int emulate(const rig_config::Rig& rig, double duration_s) {
   faults.start([&] { emulator.wake(); }, print_line);
   std::fflush(stdout);
 
-  boost::asio::signal_set signals(io, SIGINT, SIGTERM);
-  boost::asio::steady_timer timer(io);
-  const auto stop = [&](const boost::system::error_code& ec) {
-    if (ec) return;
-    signals.cancel();
-    signals.clear();  // a second Ctrl-C ends the program at once
-    timer.cancel();
+  UntilStopped until(io, duration_s, [&] {
     faults.stop();
     emulator.stop();
-  };
-  signals.async_wait([&](const boost::system::error_code& ec, int) { stop(ec); });
-  if (duration_s > 0) {
-    timer.expires_after(measurement::from_seconds(duration_s));
-    timer.async_wait(stop);
-  }
+  });
   io.run();
   const auto counters = emulator.counters();
   fmt::print("{} messages written, {} late, {} lost to overloaded lines, {} write errors\n",

@@ -8,6 +8,7 @@
 #include <array>
 #include <cstdio>
 #include <filesystem>
+#include <limits>
 #include <memory>
 
 namespace drydock::cli {
@@ -28,9 +29,10 @@ struct TemporaryFile {
   TemporaryFile& operator=(const TemporaryFile&) = delete;
 };
 
+/// In single quotes: in double ones gnuplot would run what stands in backquotes.
 std::string quoted(std::string text) {
-  std::erase(text, '"');
-  return '"' + text + '"';
+  std::erase_if(text, [](char c) { return c == '\'' || c == '\n'; });
+  return '\'' + text + '\'';
 }
 
 std::string curve(const Series& series, std::size_t index) {
@@ -51,15 +53,30 @@ bool goes_below_zero(const Plot& plot) {
   });
 }
 
+/// On equal scales a picture is as high as its contents ask for.
+int height_px(const Plot& plot) {
+  if (!plot.equal_scales) return plot.log_x && plot.log_y ? 600 : 300;
+  constexpr double inner_width = 600, margin = 90;  // of 860 px, less legend and labels
+  constexpr double far = std::numeric_limits<double>::max();
+  double left = far, right = -far, low = far, high = -far;
+  for (const Series& series : plot.curves)
+    for (std::size_t i = 0; i < series.x.size(); ++i) {
+      left = std::min(left, series.x[i]), right = std::max(right, series.x[i]);
+      low = std::min(low, series.y[i]), high = std::max(high, series.y[i]);
+    }
+  const double ratio = right > left ? (high - low) / (right - left) : 1;
+  return static_cast<int>(std::clamp(margin + inner_width * ratio, 240.0, 600.0));
+}
+
 std::string script(const Plot& plot) {
   fmt::memory_buffer out;
   auto to = std::back_inserter(out);
   fmt::format_to(to,
-                 "set term svg size {} dynamic font 'sans,11' background '#ffffff'\n"
-                 "set title {} font 'sans,13'\nset xlabel {}\nset ylabel {}\n"
-                 "set grid lc rgb '#dddddd'\nset key outside right top\n",
-                 plot.equal_scales || (plot.log_x && plot.log_y) ? "860,600" : "860,300",
-                 quoted(plot.title), quoted(plot.x_label), quoted(plot.y_label));
+                 "set term svg size 860,{} dynamic font 'sans,11' background '#ffffff'\n"
+                 "set title {} font 'sans,13' noenhanced\n"
+                 "set xlabel {} noenhanced\nset ylabel {} noenhanced\n"
+                 "set grid lc rgb '#dddddd'\nset key outside right top noenhanced\n",
+                 height_px(plot), quoted(plot.title), quoted(plot.x_label), quoted(plot.y_label));
   if (plot.equal_scales) fmt::format_to(to, "set size ratio -1\n");
   if (plot.y_limit > 0)
     fmt::format_to(to, "set yrange [{}:{}]\n", goes_below_zero(plot) ? -plot.y_limit : 0,

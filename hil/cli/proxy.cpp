@@ -2,12 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <boost/asio/signal_set.hpp>
-#include <boost/asio/steady_timer.hpp>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <stdexcept>
 
+#include "drivers/cli/until_stopped.hpp"
 #include "drivers/device/make_driver.hpp"
 #include "drivers/link/link.hpp"
 #include "drivers/wire/registry.hpp"
@@ -175,20 +174,7 @@ int run(const ProxyCommandOptions& o, std::FILE* out, std::FILE* err) {
   const auto proxy = proxy::Proxy::start(
       io, {real, virt, rig.devices.front(), schedules.of(o.device), rig.seed, say});
 
-  boost::asio::signal_set signals(io, SIGINT, SIGTERM);
-  boost::asio::steady_timer timer(io);
-  const auto stop = [&](const boost::system::error_code& ec) {
-    if (ec) return;
-    signals.cancel();
-    signals.clear();  // a second Ctrl-C ends the program at once
-    timer.cancel();
-    proxy->finish();
-  };
-  signals.async_wait([&](const boost::system::error_code& ec, int) { stop(ec); });
-  if (o.duration_s > 0) {
-    timer.expires_after(measurement::from_seconds(o.duration_s));
-    timer.async_wait(stop);
-  }
+  UntilStopped until(io, o.duration_s, [&] { proxy->finish(); });
   io.run();
   if (o.json)
     print_json(*proxy, out);

@@ -29,7 +29,7 @@ motion::Truth FaultyDevice::View::at(Stamp time) const {
 
 boost::system::result<std::unique_ptr<FaultyDevice>, emulate::EmulateError> FaultyDevice::make(
     const DeviceConfig& config, const motion::Trajectory& trajectory, std::uint64_t seed,
-    std::shared_ptr<Schedule> schedule) {
+    std::shared_ptr<const Schedule> schedule) {
   std::unique_ptr<FaultyDevice> made(
       new FaultyDevice(config, trajectory, seed, std::move(schedule)));
   auto device = emulate::make_emulated_device(made->config_, made->view_, seed,
@@ -40,19 +40,17 @@ boost::system::result<std::unique_ptr<FaultyDevice>, emulate::EmulateError> Faul
 }
 
 FaultyDevice::FaultyDevice(const DeviceConfig& config, const motion::Trajectory& trajectory,
-                           std::uint64_t seed, std::shared_ptr<Schedule> schedule)
+                           std::uint64_t seed, std::shared_ptr<const Schedule> schedule)
     : config_(config),
       seed_(seed),
-      schedule_(std::move(schedule)),
+      schedule_(std::move(schedule), trajectory.start()),
       view_(trajectory, condition_),
       bytes_(seed, config.name, baud_of(config)),
-      frames_(seed, config.name),
-      followed_(trajectory.start() - std::chrono::nanoseconds{1}) {}
+      frames_(seed, config.name) {}
 
 std::optional<Stamp> FaultyDevice::deadline() const {
   auto next = device_ ? device_->deadline() : std::nullopt;
-  if (edits_ != schedule_->edits()) keep_earlier(next, followed_);
-  keep_earlier(next, schedule_->next_change(followed_));
+  keep_earlier(next, schedule_.deadline());
   keep_earlier(next, bytes_.deadline());
   keep_earlier(next, frames_.deadline());
   return next;
@@ -68,18 +66,14 @@ void FaultyDevice::tick(Stamp now, emulate::Wire& out) {
 
 /// What is in force is asked anew at each change, so that a fault that has gone leaves nothing.
 void FaultyDevice::follow_schedule(Stamp now) {
-  const auto change = schedule_->next_change(followed_);
-  const bool edited = edits_ != schedule_->edits();
-  followed_ = now;
-  if (!edited && (!change || *change > now)) return;
-  edits_ = schedule_->edits();
-  const auto faults = schedule_->in_force(now);
-  *condition_ = condition_under(faults, config_.kind);
-  bytes_.set(faults);
-  frames_.set(faults);
-  switch_power(find(faults, FaultKind::off) == nullptr, now);
+  const auto faults = schedule_.changed(now);
+  if (!faults) return;
+  *condition_ = condition_under(*faults, config_.kind);
+  bytes_.set(*faults);
+  frames_.set(*faults);
+  switch_power(find(*faults, FaultKind::off) == nullptr, now);
 
-  port_.set(faults, [&](bool there) {
+  port_.set(*faults, [&](bool there) {
     if (there) return out_->plug();
     bytes_.drop_all();  // what was on its way does not arrive
     out_->unplug();

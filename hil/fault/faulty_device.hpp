@@ -5,6 +5,7 @@
 #include "hil/emulate/make_emulated_device.hpp"
 #include "hil/fault/faulty_wire.hpp"
 #include "hil/fault/port_faults.hpp"
+#include "hil/fault/schedule_follower.hpp"
 #include "hil/motion/truth.hpp"
 
 namespace drydock::fault {
@@ -19,7 +20,7 @@ class FaultyDevice final : public emulate::EmulatedDevice, private emulate::Wire
   /// The trajectory outlives it. Fails as make_emulated_device() does.
   static boost::system::result<std::unique_ptr<FaultyDevice>, emulate::EmulateError> make(
       const DeviceConfig& config, const motion::Trajectory& trajectory, std::uint64_t seed,
-      std::shared_ptr<Schedule> schedule);
+      std::shared_ptr<const Schedule> schedule);
 
   std::optional<Stamp> deadline() const override;
   std::optional<Stamp> sampled_at() const override { return sampled_at_; }
@@ -44,7 +45,7 @@ class FaultyDevice final : public emulate::EmulatedDevice, private emulate::Wire
   };
 
   FaultyDevice(const DeviceConfig& config, const motion::Trajectory& trajectory, std::uint64_t seed,
-               std::shared_ptr<Schedule> schedule);
+               std::shared_ptr<const Schedule> schedule);
 
   void follow_schedule(Stamp now);
   void switch_power(bool on, Stamp now);
@@ -56,16 +57,15 @@ class FaultyDevice final : public emulate::EmulatedDevice, private emulate::Wire
 
   DeviceConfig config_;
   std::uint64_t seed_;
-  std::shared_ptr<Schedule> schedule_;
+  ScheduleFollower schedule_;
   std::shared_ptr<emulate::Condition> condition_ = std::make_shared<emulate::Condition>();
   View view_;
   std::unique_ptr<emulate::EmulatedDevice> device_;  ///< none: without power
   FaultyWire<Message> bytes_;
   FaultyWire<wire::CanFrame> frames_;
   emulate::Wire* out_ = nullptr;  ///< of the call under way
-  Stamp now_{}, followed_{};
+  Stamp now_{};
   std::optional<Stamp> sampled_at_;  ///< of the message that goes out
-  std::uint64_t edits_ = 0;
   PortFaults port_;
 };
 

@@ -1,6 +1,7 @@
 #include "hil/fault/rogue_node.hpp"
 
 #include <algorithm>
+
 namespace drydock::fault {
 
 namespace {
@@ -40,18 +41,16 @@ constexpr std::uint32_t highest_priority = 0x000, lowest_priority = 0x7FF;
 }  // namespace
 
 RogueNode::RogueNode(const rig_config::DeviceConfig& config, unsigned bit_rate, std::uint64_t seed,
-                     Stamp start, std::shared_ptr<Schedule> schedule)
+                     Stamp start, std::shared_ptr<const Schedule> schedule)
     : bit_rate_(bit_rate),
       address_(static_cast<std::uint8_t>(config.address)),
       random_(seed, config.name, "rogue"),
-      schedule_(std::move(schedule)),
-      beats_{Beat{FaultKind::babbling}, Beat{FaultKind::bus_load}, Beat{FaultKind::error_frames}},
-      followed_(start - std::chrono::nanoseconds{1}) {}
+      schedule_(std::move(schedule), start),
+      beats_{Beat{FaultKind::babbling}, Beat{FaultKind::bus_load}, Beat{FaultKind::error_frames}} {}
 
 std::optional<Stamp> RogueNode::deadline() const {
-  auto next = schedule_->next_change(followed_);
+  auto next = schedule_.deadline();
   const auto keep_earlier = [&](Stamp at) { next = next ? std::min(*next, at) : at; };
-  if (edits_ != schedule_->edits()) keep_earlier(followed_);
   for (const Beat& beat : beats_)
     if (beat.period.count() > 0) keep_earlier(beat.next);
   if (claim_ && claim_->deadline()) keep_earlier(Stamp{*claim_->deadline()});
@@ -69,15 +68,11 @@ void RogueNode::tick(Stamp now, emulate::Wire& out) {
 }
 
 void RogueNode::follow_schedule(Stamp now, emulate::Wire& out) {
-  const auto change = schedule_->next_change(followed_);
-  const bool edited = edits_ != schedule_->edits();
-  followed_ = now;
-  if (!edited && (!change || *change > now)) return;
-  edits_ = schedule_->edits();
-  const auto faults = schedule_->in_force(now);
-  for (Beat& beat : beats_) set_beat(beat, find(faults, beat.kind), now);
-  go_bus_off(find(faults, FaultKind::bus_off) != nullptr, out);
-  claim_address(find(faults, FaultKind::address_stolen) != nullptr, now, out);
+  const auto faults = schedule_.changed(now);
+  if (!faults) return;
+  for (Beat& beat : beats_) set_beat(beat, find(*faults, beat.kind), now);
+  go_bus_off(find(*faults, FaultKind::bus_off) != nullptr, out);
+  claim_address(find(*faults, FaultKind::address_stolen) != nullptr, now, out);
 }
 
 void RogueNode::set_beat(Beat& beat, const InForce* fault, Stamp now) {

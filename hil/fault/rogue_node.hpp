@@ -4,7 +4,7 @@
 
 #include "drivers/wire/j1939_address_claim.hpp"
 #include "hil/emulate/emulated_device.hpp"
-#include "hil/fault/schedule.hpp"
+#include "hil/fault/schedule_follower.hpp"
 #include "hil/sensor/random.hpp"
 #include "rig_config/rig.hpp"
 
@@ -19,7 +19,7 @@ class RogueNode final : public emulate::EmulatedDevice {
  public:
   /// Of the faults of one device on the bus.
   RogueNode(const rig_config::DeviceConfig& config, unsigned bit_rate, std::uint64_t seed,
-            Stamp start, std::shared_ptr<Schedule> schedule);
+            Stamp start, std::shared_ptr<const Schedule> schedule);
 
   std::optional<Stamp> deadline() const override;
   void tick(Stamp now, emulate::Wire& out) override;
@@ -45,10 +45,8 @@ class RogueNode final : public emulate::EmulatedDevice {
   std::uint8_t address_;                            ///< of the device
   std::optional<wire::j1939::AddressClaim> claim_;  ///< while it holds the device's
   sensor::RandomStream random_;
-  std::shared_ptr<Schedule> schedule_;
+  ScheduleFollower schedule_;
   std::array<Beat, 3> beats_;
-  Stamp followed_{};
-  std::uint64_t edits_ = 0;
   bool bus_off_ = false;
 };
 

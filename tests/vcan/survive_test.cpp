@@ -26,13 +26,7 @@ class OnVcan : public ::testing::Test {
 };
 
 TEST_F(OnVcan, BusOffReachesTheDriversAsAnErrorFrameOfTheKernelAndEnds) {
-  Bench bench(bus_depth(link_));
-  ASSERT_TRUE(bench.reaches(State::streaming));
-  bench.set(fault_of("depth", FaultKind::bus_off, 1.0));
-  ASSERT_TRUE(bench.reaches(State::stale));
-  EXPECT_NE(std::string(bench.health().last_error.view()).find("bus-off"), std::string::npos);
-  ASSERT_TRUE(bench.reaches(State::streaming));
-  EXPECT_TRUE(bench.until([&] { return bench.health().error_frames == 2; }));  // restarted
+  expect_bus_off_told(link_);
 }
 
 TEST_F(OnVcan, AnInterfaceSetDownAndUpAgainStreamsWithoutHelpOnBothSides) {

@@ -108,7 +108,7 @@ void add_run(CLI::App& app, Command& command) {
       if (a->seed) rig.seed = *a->seed;
       a->options.lockstep = a->speed == "max";
       if (a->options.lockstep && !a->options.serve.address.empty())
-        throw std::runtime_error("--serve shows a run in real time, not with --speed max");
+        throw CLI::ValidationError("--serve", "shows a run in real time, not with --speed max");
       return run(rig, a->options);
     };
   });

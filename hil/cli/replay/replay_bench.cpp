@@ -169,7 +169,8 @@ void ReplayBench::on_state(const device::Device& device, const device::Transitio
              to_string(change.to), change.why.view());
 }
 
-void ReplayBench::on_attitude(const pipeline::AttitudeEstimate& estimate) {
+template <class Estimate>
+void ReplayBench::pass_on(const Estimate& estimate) {
   if (ended_) return;
   ++estimates_[estimate.estimator];
   watchers_.note(estimate);
@@ -177,13 +178,9 @@ void ReplayBench::on_attitude(const pipeline::AttitudeEstimate& estimate) {
   if (outlets_.lines != nullptr) outlets_.lines->write(estimate), shown();
 }
 
-void ReplayBench::on_navigation(const pipeline::NavigationEstimate& estimate) {
-  if (ended_) return;
-  ++estimates_[estimate.estimator];
-  watchers_.note(estimate);
-  errors_.note(estimate);
-  if (outlets_.lines != nullptr) outlets_.lines->write(estimate), shown();
-}
+void ReplayBench::on_attitude(const pipeline::AttitudeEstimate& estimate) { pass_on(estimate); }
+
+void ReplayBench::on_navigation(const pipeline::NavigationEstimate& estimate) { pass_on(estimate); }
 
 void ReplayBench::on_innovation(const pipeline::InnovationReport& report) {
   if (!ended_) watchers_.note(report);

@@ -54,6 +54,8 @@ class ReplayBench final : private device::Listener, private pipeline::EstimateLi
   void hear(const record::RawEvent& event);
   void tell_health();
   void shown();
+  template <class Estimate>
+  void pass_on(const Estimate& estimate);
 
   void on_measurement(const measurement::Measurement& measurement) override;
   void on_state(const device::Device& device, const device::Transition& change) override;

@@ -12,6 +12,7 @@ namespace drydock::cli::scorecard {
 namespace {
 
 constexpr double row_px = 20, label_px = 170, panel_gap_px = 12, top_px = 96, font_px = 12;
+constexpr double title_letter_px = 7.5;  // of a bold letter of 12 px, rather too wide
 
 struct Colour {
   std::array<double, 3> rgb;
@@ -57,15 +58,22 @@ std::size_t columns_of(const HeatMap& map) {
   return n;
 }
 
-/// Where the columns begin, with a gap between panels.
-std::vector<double> places_of(const HeatMap& map) {
-  std::vector<double> places;
-  double x = label_px;
+struct Layout {
+  std::vector<double> columns;  ///< where each begins
+  double right = label_px;
+};
+
+/// A gap between panels, each as wide as its columns and its title ask for.
+Layout layout_of(const HeatMap& map) {
+  Layout layout;
   for (const auto& panel : map.panels) {
-    for (std::size_t i = 0; i < panel.columns.size(); ++i, x += map.column_px) places.push_back(x);
-    x += panel_gap_px;
+    const double left = layout.right + (layout.columns.empty() ? 0 : panel_gap_px);
+    const auto columns = static_cast<double>(panel.columns.size());
+    for (double i = 0; i < columns; ++i) layout.columns.push_back(left + i * map.column_px);
+    const auto title = title_letter_px * static_cast<double>(panel.title.size());
+    layout.right = left + std::max(columns * map.column_px, title);
   }
-  return places;
+  return layout;
 }
 
 std::string headings(const HeatMap& map, const std::vector<double>& places) {
@@ -93,8 +101,8 @@ double log_level(double x, double low, double high) {
 
 std::string to_svg(const HeatMap& map) {
   if (columns_of(map) == 0) return {};
-  const auto places = places_of(map);
-  const double width = places.back() + map.column_px + 40;
+  const Layout layout = layout_of(map);
+  const double width = layout.right + 40;
   const double height = top_px + row_px * static_cast<double>(map.rows.size()) + 10;
   std::string out = fmt::format(
       "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 {0:.0f} {1:.0f}' width='{0:.0f}' "
@@ -102,7 +110,7 @@ std::string to_svg(const HeatMap& map) {
       "<rect width='100%' height='100%' fill='#fff'/>\n"
       "<text x='8' y='16' font-size='14' font-weight='600'>{3}</text>\n",
       width, height, font_px, html::escaped(map.title));
-  out += headings(map, places);
+  out += headings(map, layout.columns);
   double y = top_px;
   for (const auto& row : map.rows) {
     const bool heading = row.cells.empty();
@@ -110,7 +118,7 @@ std::string to_svg(const HeatMap& map) {
         fmt::format("<text x='8' y='{:.0f}'{}>{}</text>\n", y + 14,
                     heading ? " font-weight='600' fill='#57606a'" : "", html::escaped(row.label));
     for (std::size_t i = 0; i < row.cells.size(); ++i)
-      out += cell_svg(row.cells[i], places[i], y, map.column_px);
+      out += cell_svg(row.cells[i], layout.columns[i], y, map.column_px);
     y += row_px;
   }
   return out + "</svg>\n";

@@ -71,11 +71,23 @@ TEST(Pd0Velocity, ShipAxesWithoutTiltsAreTheHulls) {
   auto e = ensemble(DvlFrame::ship, {-0.3, 1.6, -0.15, {}});
   e.fixed.tilts_used = false;
   expect_body(e);
+  e.fixed.heading_alignment_rad = radians(45);  // wherever beam 3 stands
+  expect_body(e);
 }
 
 TEST(Pd0Velocity, ShipAxesWithTiltsAreTurnedBackToTheHull) {
   const Vector level = to_ned(body, 0, pitch, roll);
   expect_body(ensemble(DvlFrame::ship, {level[1], level[0], -level[2], 0.0}));
+}
+
+TEST(Pd0Velocity, TiltsAreThoseOfTheHeadWhereverItStands) {
+  // Beam 3 to starboard: its X axis looks astern, so the hull's pitch is its roll.
+  const Vector level = to_ned(body, 0, pitch, 0);
+  auto e = ensemble(DvlFrame::ship, {level[1], level[0], -level[2], 0.0});
+  e.fixed.heading_alignment_rad = radians(90);
+  e.variable.pitch_rad = 0.0;
+  e.variable.roll_rad = pitch;
+  expect_body(e);
 }
 
 TEST(Pd0Velocity, EarthAxesAreTurnedBackToTheHull) {
@@ -101,6 +113,7 @@ TEST(Pd0Velocity, TheBeamsOfAConcaveHeadCross) {
 
 TEST(Pd0Velocity, AnyBeamAngleThatTheInstrumentTells) {
   for (const double angle_deg : {15.0, 20.0, 25.0}) {
+    SCOPED_TRACE(angle_deg);
     auto e = ensemble(DvlFrame::beam, along_beams(body, angle_deg));
     e.fixed.beam_angle_rad = radians(angle_deg);
     expect_body(e);
@@ -118,6 +131,7 @@ TEST(Pd0Velocity, BeamsAreTurnedToTheBowByTheAlignment) {
 
 TEST(Pd0Velocity, OneBadBeamIsBridgedWhereThreeAreAllowed) {
   for (std::size_t bad = 0; bad < 4; ++bad) {
+    SCOPED_TRACE(bad);
     auto beams = along_beams(body);
     beams[bad].reset();
     auto e = ensemble(DvlFrame::beam, beams);

@@ -60,6 +60,18 @@ struct Bench {
     }
     navigation.step();
   }
+
+  /// A velocity (1 sigma 3 cm/s an axis) and a height (0.5 m) each second.
+  void sail_20_s_with_velocity_and_height(AidedNavigation& navigation) {
+    for (int k = 0; k < 200; ++k) {
+      step(navigation, k * 0.1);
+      if (k % 10 != 9) continue;
+      const NavigationState truth = voyage.at((k + 1) * 0.1);
+      const Vector3d body = truth.body_to_ned.conjugate() * truth.velocity_ned;
+      navigation.update_velocity(body + normal3(0.03), Vector3d::Constant(0.03));
+      navigation.update_height(truth.position.height_m + normal(0.5), 0.5);
+    }
+  }
 };
 
 TEST(AidedNavigation, NoiseOfASampleJoinsTheCovarianceTurnedFromBodyAxes) {
@@ -107,14 +119,7 @@ TEST(AidedNavigation, VelocityAndHeightErrorsAreAsLargeAsItsCovarianceSays) {
   for (int run = 0; run < voyages; ++run) {
     Bench bench(100 + run);
     AidedNavigation navigation(bench.wrong_start(), bench.options);
-    for (int k = 0; k < 200; ++k) {
-      bench.step(navigation, k * 0.1);
-      if (k % 10 != 9) continue;
-      const NavigationState truth = bench.voyage.at((k + 1) * 0.1);
-      const Vector3d body = truth.body_to_ned.conjugate() * truth.velocity_ned;
-      navigation.update_velocity(body + bench.normal3(0.03), Vector3d::Constant(0.03));
-      navigation.update_height(truth.position.height_m + bench.normal(0.5), 0.5);
-    }
+    bench.sail_20_s_with_velocity_and_height(navigation);
     const Vector3d error = navigation.state().velocity_ned - bench.voyage.at(20).velocity_ned;
     const Eigen::Matrix3d covariance = navigation.covariance().block<3, 3>(3, 3);
     square += error.dot(covariance.ldlt().solve(error));
@@ -128,14 +133,7 @@ TEST(AidedNavigation, ItsInnovationsAreAsLargeAsItExpects) {
   for (int run = 0; run < 12; ++run) {
     Bench bench(200 + run);
     AidedNavigation navigation(bench.wrong_start(), bench.options);
-    for (int k = 0; k < 200; ++k) {
-      bench.step(navigation, k * 0.1);
-      if (k % 10 != 9) continue;
-      const NavigationState truth = bench.voyage.at((k + 1) * 0.1);
-      const Vector3d body = truth.body_to_ned.conjugate() * truth.velocity_ned;
-      navigation.update_velocity(body + bench.normal3(0.03), Vector3d::Constant(0.03));
-      navigation.update_height(truth.position.height_m + bench.normal(0.5), 0.5);
-    }
+    bench.sail_20_s_with_velocity_and_height(navigation);
     taken = taken + navigation.taken();
   }
   EXPECT_EQ(taken.count, 960u);

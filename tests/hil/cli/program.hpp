@@ -56,4 +56,8 @@ inline std::string read_file(const std::filesystem::path& path) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
+/// Begins a command line: the demo rig's sensors, emulated, and the program beside them.
+inline constexpr auto emulated_demo =
+    "emulate rig_config/rigs/demo.toml --for 12s > /dev/null & sleep 1; " DRYDOCK_PROGRAM " ";
+
 }  // namespace program

@@ -127,4 +127,16 @@ class Bench : private device::Listener {
   emulate::RealTimeEmulator emulator_;
 };
 
+/// On a CAN link of any kind: the drivers hear of a controller that goes bus-off, and again when it
+/// restarts a second later.
+inline void expect_bus_off_told(const std::string& link) {
+  Bench bench(bus_depth(link));
+  ASSERT_TRUE(bench.reaches(State::streaming));
+  bench.set(fault_of("depth", FaultKind::bus_off, 1.0));
+  ASSERT_TRUE(bench.reaches(State::stale));
+  EXPECT_NE(std::string(bench.health().last_error.view()).find("bus-off"), std::string::npos);
+  ASSERT_TRUE(bench.reaches(State::streaming));
+  EXPECT_TRUE(bench.until([&] { return bench.health().error_frames == 2; }));  // restarted
+}
+
 }  // namespace drydock::fault::testing
