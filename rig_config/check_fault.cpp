@@ -5,6 +5,7 @@
 
 #include "rig_config/checks.hpp"
 #include "rig_config/explain.hpp"
+#include "rig_config/fault_extra.hpp"
 #include "rig_config/fault_quantity.hpp"
 
 namespace drydock::rig_config {
@@ -13,10 +14,6 @@ namespace {
 
 /// Keys that a fault of any kind may have; the others depend on the word.
 constexpr std::array common_keys{"device", "fault", "start_s", "for_s", "every_s", "seed"};
-
-bool takes_probability(FaultKind kind) {
-  return kind == FaultKind::spike || kind == FaultKind::garbage;
-}
 
 bool is_quantity(std::string_view key) {
   return std::ranges::find(fault_quantities, key, &FaultQuantity::key) != fault_quantities.end();
@@ -43,8 +40,8 @@ class FaultChecks {
   static bool fits(const std::string& key, const FaultWord& word) {
     if (std::ranges::find(common_keys, key) != common_keys.end()) return true;
     if (key == word.amount) return true;
-    if (key == "probability") return takes_probability(word.kind);
-    if (key == "within_s") return word.kind == FaultKind::drift;
+    const auto extras = extras_of(word.kind);
+    if (std::ranges::find(extras, key, &FaultExtra::key) != extras.end()) return true;
     return word.amount == "quantity" && is_quantity(key);
   }
 
@@ -56,8 +53,7 @@ class FaultChecks {
     } else if (!word.amount.empty()) {
       keys.emplace_back(word.amount);
     }
-    if (takes_probability(word.kind)) keys.emplace_back("probability");
-    if (word.kind == FaultKind::drift) keys.emplace_back("within_s");
+    for (const FaultExtra& extra : extras_of(word.kind)) keys.emplace_back(extra.key);
     return keys;
   }
 

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "rig_config/fault.hpp"
+#include "rig_config/fault_extra.hpp"
 
 namespace drydock::rig_config {
 
@@ -56,11 +56,20 @@ constexpr FaultWord vocabulary[] = {
 };
 // clang-format on
 
+constexpr FaultExtra of_each_one[] = {{"probability", 1, 0, 1}};
+constexpr FaultExtra of_growth[] = {{"within_s", 60, 0, any}};
+
 }  // namespace
 
 std::span<const FaultWord> fault_vocabulary() { return vocabulary; }
 
 const FaultWord& word_of(FaultKind kind) { return vocabulary[static_cast<std::size_t>(kind)]; }
+
+std::span<const FaultExtra> extras_of(FaultKind kind) {
+  if (kind == spike || kind == garbage) return of_each_one;
+  if (kind == drift) return of_growth;
+  return {};
+}
 
 const FaultWord* find_fault(std::string_view name) {
   const auto* found = std::ranges::find(vocabulary, name, &FaultWord::name);

@@ -50,6 +50,8 @@ class Drive {
     if (!options.serve.address.empty()) {
       viewer_.emplace(io_.get_executor(), rig, options.serve);
       watchers_.add(*viewer_);
+      if (options.behind_page)
+        behind_page_ = options.behind_page(io_.get_executor(), *viewer_, watchers_);
       fmt::print("live: {}\n", viewer_->url());
     }
     host_.on_state_hook = print_state;
@@ -77,6 +79,7 @@ class Drive {
       if (ec || stopped_) return;  // an expired timer can no longer be cancelled
       const auto now = link::now();
       watchers_.tick(now);
+      if (behind_page_) behind_page_(now);
       if (options_.duration_s > 0 && measurement::seconds(now - start) >= options_.duration_s)
         return stop();
       keep_ticking(start);
@@ -102,6 +105,7 @@ class Drive {
   Watchers watchers_;
   std::optional<RigRecorder> recorder_;
   std::optional<RigViewer> viewer_;
+  std::function<void(measurement::Stamp)> behind_page_;
   DriverHost host_;
   boost::asio::signal_set signals_{io_, SIGINT, SIGTERM};
   boost::asio::steady_timer timer_{io_};

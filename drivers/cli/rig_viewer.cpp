@@ -64,6 +64,10 @@ RigViewer::RigViewer(boost::asio::any_io_executor executor, const Viewed& viewed
         fmt::format("cannot serve on {}:{}: {}", options_.address, options_.port, error.message()));
 }
 
+void RigViewer::add(std::vector<live::Service> services) {
+  for (auto& service : services) server_.add_service(std::move(service));
+}
+
 std::string RigViewer::url() const {
   const auto token = options_.token.empty() ? "" : "?token=" + options_.token;
   return fmt::format("http://{}:{}/{}", options_.address, server_.port(), token);

@@ -10,10 +10,11 @@
 
 namespace drydock::cli {
 
-/// Where a run can be watched: `--serve [ADDRESS:PORT]`, `--token`.
+/// Where a run can be watched: `--serve [ADDRESS:PORT]`, `--token`, `--allow-faults`.
 struct ServeOptions {
   std::string address;  ///< "127.0.0.1:8765", ":8765", "8765"; empty: nowhere
   std::string token;
+  bool allow_faults = false;  ///< viewers may set and clear faults
 };
 
 /// What a viewer may see.
@@ -37,6 +38,8 @@ class RigViewer final : public Watcher {
   RigViewer(boost::asio::any_io_executor executor, const rig_config::Rig& rig,
             const ServeOptions& options)
       : RigViewer(std::move(executor), viewed(rig), options) {}
+
+  void add(std::vector<live::Service> services);
 
   std::string url() const;  ///< to open in a browser, with the token where there is one
 

@@ -48,11 +48,14 @@ Request unsubscribe(const json& list) {
 
 }  // namespace
 
-std::string server_info(std::string_view name, std::string_view session) {
+std::string server_info(std::string_view name, std::string_view session, bool obeys) {
+  const auto only = [obeys](const char* what) {
+    return obeys ? json::array({what}) : json::array();
+  };
   return json{{"op", "serverInfo"},
               {"name", name},
-              {"capabilities", json::array()},
-              {"supportedEncodings", json::array()},
+              {"capabilities", only("services")},
+              {"supportedEncodings", only("json")},
               {"metadata", json::object()},
               {"sessionId", session}}
       .dump();

@@ -21,7 +21,8 @@ struct Channel {
   std::string topic, encoding, schema_name, schema, schema_encoding;
 };
 
-std::string server_info(std::string_view name, std::string_view session);
+/// `obeys`: it has services, with JSON (services.hpp).
+std::string server_info(std::string_view name, std::string_view session, bool obeys);
 std::string advertise(std::span<const Channel> channels);
 /// `level` 0 information, 1 warning, 2 error.
 std::string status(int level, std::string_view text);

@@ -59,6 +59,7 @@ struct Server::House : std::enable_shared_from_this<House> {
   HttpResponse answer_to(const HttpRequest& request) const;
   std::optional<std::string> refusal_of(const HttpRequest& request);
   bool is_part_of_page(const HttpRequest& request) const;
+  void call(const ServiceCall& call, const std::shared_ptr<Viewer>& viewer) const;
   void remove(const std::shared_ptr<Viewer>& viewer);
 
   asio::any_io_executor executor;
@@ -66,6 +67,7 @@ struct Server::House : std::enable_shared_from_this<House> {
   std::vector<PageFile> page;
   tcp::acceptor door;
   std::vector<Channel> channels;
+  std::vector<Service> services;
   std::vector<std::shared_ptr<Viewer>> viewers;
   std::size_t clients = 0;
   ServerCounters past;  ///< of viewers that have left
@@ -161,12 +163,33 @@ HttpResponse Server::House::answer_to(const HttpRequest& request) const {
 asio::awaitable<void> Server::House::show(beast::tcp_stream stream, HttpRequest request) {
   const auto viewer = std::make_shared<Viewer>(std::move(stream));
   viewers.push_back(viewer);
-  std::vector<std::string> greeting{server_info(options.name, std::to_string(options.port)),
+  const bool obeys = !services.empty();
+  std::vector<std::string> greeting{server_info(options.name, std::to_string(options.port), obeys),
                                     advertise(channels)};
-  co_await viewer->run(std::move(request), std::move(greeting), [this](std::uint32_t channel) {
-    return channel >= 1 && channel <= channels.size();
-  });
+  if (obeys) greeting.push_back(advertise_services(services));
+  Desk desk{
+      [this](std::uint32_t channel) { return channel >= 1 && channel <= channels.size(); },
+      [this](const ServiceCall& asked, const std::shared_ptr<Viewer>& by) { call(asked, by); }};
+  co_await viewer->run(std::move(request), std::move(greeting), std::move(desk));
   remove(viewer);
+}
+
+void Server::House::call(const ServiceCall& call, const std::shared_ptr<Viewer>& viewer) const {
+  const auto refuse = [&](const std::string& why) { viewer->tell(service_failure(call, why)); };
+  if (services.empty()) return refuse("this server only shows: it has no services");
+  if (call.service < 1 || call.service > services.size())
+    return refuse("there is no service " + std::to_string(call.service));
+  if (call.encoding != "json") return refuse("the encoding of a request is json");
+  services[call.service - 1].serve(
+      call.request, [key = ServiceCall{call.service, call.call, {}, {}},
+                     asking = std::weak_ptr(viewer)](const ServiceAnswer& answer) {
+        const auto there = asking.lock();
+        if (!there) return;
+        if (const auto* refused = std::get_if<Refused>(&answer))
+          there->tell(service_failure(key, refused->why));
+        else
+          there->answer(service_response(key, std::get<std::string>(answer)));
+      });
 }
 
 void Server::House::remove(const std::shared_ptr<Viewer>& viewer) {
@@ -198,6 +221,8 @@ std::uint32_t Server::add_channel(Channel channel) {
   for (const auto& viewer : house_->viewers) viewer->tell(text);
   return house_->channels.back().id;
 }
+
+void Server::add_service(Service service) { house_->services.push_back(std::move(service)); }
 
 bool Server::wanted(std::uint32_t channel) const {
   return std::ranges::any_of(house_->viewers,

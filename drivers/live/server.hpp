@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "drivers/live/foxglove.hpp"
+#include "drivers/live/services.hpp"
 #include "drivers/measurement/stamp.hpp"
 
 namespace drydock::live {
@@ -50,6 +50,9 @@ class Server {
   /// Someone is subscribed: without, there is no need to encode.
   bool wanted(std::uint32_t channel) const;
   void publish(std::uint32_t channel, measurement::Stamp at, std::span<const std::uint8_t> data);
+
+  /// Of viewers that come from now on. Without any, a viewer can change nothing.
+  void add_service(Service service);
 
   ServerCounters counters() const;
   void stop();

@@ -29,8 +29,7 @@ Viewer::Viewer(beast::tcp_stream stream)
     : socket_(std::move(stream)), queued_(std::make_shared<link::Signal>(socket_.get_executor())) {}
 
 asio::awaitable<void> Viewer::run(beast::http::request<beast::http::string_body> request,
-                                  std::vector<std::string> greeting,
-                                  std::function<bool(std::uint32_t)> has) {
+                                  std::vector<std::string> greeting, Desk desk) {
   beast::get_lowest_layer(socket_).expires_never();  // the WebSocket has its own time-outs
   socket_.set_option(websocket::stream_base::timeout::suggested(beast::role_type::server));
   socket_.read_message_max(longest_request);
@@ -47,26 +46,30 @@ asio::awaitable<void> Viewer::run(beast::http::request<beast::http::string_body>
       socket_.get_executor(),
       [self = shared_from_this()]() -> asio::awaitable<void> { co_await self->write_all(); },
       asio::detached);
-  co_await read_all(std::move(has));
+  co_await read_all(std::move(desk));
   open_ = false;
   queued_->notify();
 }
 
-asio::awaitable<void> Viewer::read_all(std::function<bool(std::uint32_t)> has) {
+asio::awaitable<void> Viewer::read_all(Desk desk) {
   beast::flat_buffer buffer;
   for (;;) {
     const auto [error, size] = co_await socket_.async_read(buffer, as_outcome);
     if (error) co_return;
-    if (socket_.got_text()) obey(parse_request(beast::buffers_to_string(buffer.data())), has);
+    const std::string message = beast::buffers_to_string(buffer.data());
+    if (socket_.got_text())
+      obey(parse_request(message), desk);
+    else
+      obey(parse_call(message), desk);
     buffer.consume(size);
   }
 }
 
-void Viewer::obey(const Request& request, const std::function<bool(std::uint32_t)>& has) {
+void Viewer::obey(const Request& request, const Desk& desk) {
   if (const auto* subscribe = std::get_if<Subscribe>(&request)) {
     std::optional<std::uint32_t> missing;
     for (const auto& [id, channel] : subscribe->subscriptions) {
-      if (has(channel))
+      if (desk.has(channel))
         subscriptions_[channel] = id;
       else
         missing = channel;
@@ -80,15 +83,22 @@ void Viewer::obey(const Request& request, const std::function<bool(std::uint32_t
   }
 }
 
-void Viewer::tell(const std::string& text) {
+void Viewer::obey(const std::variant<ServiceCall, Refused>& call, const Desk& desk) {
+  if (const auto* refused = std::get_if<Refused>(&call))
+    tell(status(2, refused->why));
+  else
+    desk.call(std::get<ServiceCall>(call), shared_from_this());
+}
+
+void Viewer::queue(Kind kind, const std::string& message) {
   if (!open_) return;
   if (queue_.size() >= most_queued + most_texts || queued_bytes_ > 2 * most_queued_bytes) {
     close();  // asks and asks, and takes no answer
     return;
   }
   queue_.push_back(
-      {true, {}, std::make_shared<std::vector<std::uint8_t>>(text.begin(), text.end())});
-  queued_bytes_ += text.size();
+      {kind, {}, std::make_shared<std::vector<std::uint8_t>>(message.begin(), message.end())});
+  queued_bytes_ += message.size();
   queued_->notify();
 }
 
@@ -96,7 +106,7 @@ void Viewer::publish(std::uint32_t channel, std::uint64_t time_ns, const Body& b
   const auto subscription = subscriptions_.find(channel);
   if (!open_ || subscription == subscriptions_.end()) return;
   make_room(body->size());
-  queue_.push_back({false, data_head(subscription->second, time_ns), body});
+  queue_.push_back({Kind::data, data_head(subscription->second, time_ns), body});
   queued_bytes_ += body->size();
   queued_->notify();
 }
@@ -105,7 +115,7 @@ void Viewer::make_room(std::size_t size) {
   for (auto item = queue_.begin();
        item != queue_.end() &&
        (queue_.size() >= most_queued || queued_bytes_ + size > most_queued_bytes);) {
-    if (item->is_text) {
+    if (item->kind != Kind::data) {
       ++item;
       continue;
     }
@@ -130,13 +140,13 @@ asio::awaitable<void> Viewer::write_all() {
     const Item item = std::move(queue_.front());
     queue_.pop_front();
     queued_bytes_ -= item.body->size();
-    socket_.text(item.is_text);
+    socket_.text(item.kind == Kind::text);
     const std::array<asio::const_buffer, 2> parts{
-        asio::buffer(item.head.data(), item.is_text ? 0 : item.head.size()),
+        asio::buffer(item.head.data(), item.kind == Kind::data ? item.head.size() : 0),
         asio::buffer(*item.body)};
     const auto [error, size] = co_await socket_.async_write(parts, as_outcome);
     if (error) break;
-    if (!item.is_text) ++sent_;
+    if (item.kind == Kind::data) ++sent_;
   }
   close();
 }

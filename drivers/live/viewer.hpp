@@ -11,9 +11,17 @@
 #include <memory>
 
 #include "drivers/link/signal.hpp"
-#include "drivers/live/foxglove.hpp"
+#include "drivers/live/services.hpp"
 
 namespace drydock::live {
+
+class Viewer;
+
+/// What a viewer may ask for.
+struct Desk {
+  std::function<bool(std::uint32_t channel)> has;
+  std::function<void(const ServiceCall&, const std::shared_ptr<Viewer>&)> call;
+};
 
 /// One client of the protocol. What it does not take in time is dropped, oldest first.
 class Viewer : public std::enable_shared_from_this<Viewer> {
@@ -24,14 +32,14 @@ class Viewer : public std::enable_shared_from_this<Viewer> {
 
   explicit Viewer(boost::beast::tcp_stream stream);
 
-  /// Ends when the client is gone. `greeting` are texts that come first; `has` says whether a
-  /// channel exists.
+  /// Ends when the client is gone. `greeting` are texts that come first.
   boost::asio::awaitable<void> run(
       boost::beast::http::request<boost::beast::http::string_body> request,
-      std::vector<std::string> greeting, std::function<bool(std::uint32_t)> has);
+      std::vector<std::string> greeting, Desk desk);
 
   /// Control: never dropped. A client that lets too many of them wait is disconnected.
-  void tell(const std::string& text);
+  void tell(const std::string& text) { queue(Kind::text, text); }
+  void answer(const std::string& message) { queue(Kind::answer, message); }  ///< as binary
   bool wants(std::uint32_t channel) const { return subscriptions_.contains(channel); }
   void publish(std::uint32_t channel, std::uint64_t time_ns, const Body& body);
   void close();
@@ -40,14 +48,17 @@ class Viewer : public std::enable_shared_from_this<Viewer> {
   std::uint64_t dropped() const { return dropped_; }
 
  private:
+  enum class Kind : std::uint8_t { text, answer, data };
   struct Item {
-    bool is_text = false;
-    DataHead head{};
+    Kind kind = Kind::data;
+    DataHead head{};  ///< of data
     Body body;
   };
   boost::asio::awaitable<void> write_all();
-  boost::asio::awaitable<void> read_all(std::function<bool(std::uint32_t)> has);
-  void obey(const Request& request, const std::function<bool(std::uint32_t)>& has);
+  boost::asio::awaitable<void> read_all(Desk desk);
+  void obey(const Request& request, const Desk& desk);
+  void obey(const std::variant<ServiceCall, Refused>& call, const Desk& desk);
+  void queue(Kind kind, const std::string& message);
   void make_room(std::size_t size);
 
   boost::beast::websocket::stream<boost::beast::tcp_stream> socket_;

@@ -1,5 +1,7 @@
 #include "hil/cli/duration.hpp"
 
+#include <fmt/format.h>
+
 #include <charconv>
 
 namespace drydock::cli {
@@ -24,6 +26,10 @@ std::optional<double> parse_duration(std::string_view text) {
   if (unit == "h") return within_a_century(value * 3600);
   if (unit == "d") return within_a_century(value * 86400);
   return std::nullopt;
+}
+
+std::string no_duration(std::string_view text) {
+  return fmt::format("'{}' is no duration; allowed: 90, 60s, 10min, 5.5h", text);
 }
 
 }  // namespace drydock::cli

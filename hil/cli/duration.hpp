@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <string_view>
 
 namespace drydock::cli {
@@ -8,5 +9,6 @@ namespace drydock::cli {
 /// Seconds of `90`, `60s`, `10min` or `5.5h`; empty for anything else, for negative times and for
 /// more than a century.
 std::optional<double> parse_duration(std::string_view text);
+std::string no_duration(std::string_view text);  ///< the line for whoever typed that
 
 }  // namespace drydock::cli

@@ -20,6 +20,7 @@
 #include "estimators/cli/estimator_host.hpp"
 #include "estimators/cli/rig_pipeline.hpp"
 #include "hil/cli/expect_watch.hpp"
+#include "hil/cli/fault/fault_services.hpp"
 #include "hil/cli/fault/live_faults.hpp"
 #include "hil/cli/run.hpp"
 #include "hil/cli/run_watchers.hpp"
@@ -66,6 +67,10 @@ class Bench {
     if (!options.serve.address.empty()) {
       viewer_.emplace(io_.get_executor(), rig, options.serve);
       watchers_.all.add(*viewer_);
+      if (options.serve.allow_faults)
+        viewer_->add(fault_services(rig, [this](const std::string& order, const auto& answered) {
+          answered(faults_.answer(order));
+        }));
       fmt::print("live: {}\n", viewer_->url());
     }
   }

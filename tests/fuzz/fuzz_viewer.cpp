@@ -4,7 +4,8 @@
 #include <string>
 
 #include "drivers/live/access.hpp"
-#include "drivers/live/foxglove.hpp"
+#include "drivers/live/services.hpp"
+#include "hil/cli/fault/fault_requests.hpp"
 
 namespace http = boost::beast::http;
 using namespace drydock::live;
@@ -39,9 +40,32 @@ void as_http(const std::uint8_t* data, std::size_t size) {
   require(path_of(target).size() <= target.size());
 }
 
+/// Of a call for a fault; what is an order for the bench must be whole lines of JSON.
+void as_fault(std::string_view request) {
+  for (const auto& asked : {drydock::cli::order_of_set_request(request),
+                            drydock::cli::order_of_clear_request(request)}) {
+    if (const auto* order = std::get_if<std::string>(&asked)) {
+      require(order->starts_with("{") && order->ends_with("}") && order->size() < 65'536);
+      require(order->find('\n') == std::string::npos);
+    } else {
+      require(!std::get<Refused>(asked).why.empty());
+    }
+  }
+}
+
+void as_call(std::string_view message) {
+  const auto asked = parse_call(message);
+  const auto* call = std::get_if<ServiceCall>(&asked);
+  if (call == nullptr) return require(!std::get<Refused>(asked).why.empty());
+  require(13 + call->encoding.size() + call->request.size() == message.size());
+  require(service_failure(*call, call->request).starts_with("{"));
+  as_fault(call->request);
+}
+
 }  // namespace
 
-/// What comes through the port of a live page: the text of a viewer, the head of an HTTP request.
+/// What comes through the port of a live page: the text of a viewer, its call of a service, the
+/// head of an HTTP request.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const auto request = parse_request({reinterpret_cast<const char*>(data), size});
   if (const auto* refused = std::get_if<Refused>(&request)) {
@@ -50,6 +74,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   }
   if (const auto* wanted = std::get_if<Subscribe>(&request))
     require(wanted->subscriptions.size() <= size);
+  as_call({reinterpret_cast<const char*>(data), size});
+  as_fault({reinterpret_cast<const char*>(data), size});
   as_http(data, size);
   return 0;
 }

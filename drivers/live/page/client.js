@@ -1,14 +1,17 @@
-// The Foxglove WebSocket protocol, as any of its viewers speaks it: subscribes to everything, connects again when lost.
+// The Foxglove WebSocket protocol, as any of its viewers speaks it: subscribes to everything, calls services, connects again when lost.
 import { makeDecoder } from './cdr.js';
 
 const retryMs = 1000;
 
-export function connect({ onState, onChannel, onMessage, onNote }) {
+export function connect(on) {
+  const { onState, onChannel, onMessage, onNote, onServices } = on;
   const socket = new WebSocket(`${location.protocol === 'https:' ? 'wss' : 'ws'}://${location.host}/${location.search}`,
     ['foxglove.sdk.v1', 'foxglove.websocket.v1']);
   socket.binaryType = 'arraybuffer';
   const channels = new Map();
   const json = new TextDecoder();
+  const waiting = new Map(); // call -> { resolve, reject }
+  let calls = 0;
 
   function advertise(list) {
     for (const channel of list) {
@@ -20,8 +23,27 @@ export function connect({ onState, onChannel, onMessage, onNote }) {
     socket.send(JSON.stringify({ op: 'subscribe', subscriptions: list.map(({ id }) => ({ id, channelId: id })) }));
   }
 
+  // An object to a service; its answer is one too. Fails with the server's line.
+  function call(service, request) {
+    const body = new TextEncoder().encode(JSON.stringify(request)), head = 13, encoding = new TextEncoder().encode('json');
+    const message = new Uint8Array(head + encoding.length + body.length), view = new DataView(message.buffer);
+    view.setUint8(0, 2);
+    [service, ++calls, encoding.length].forEach((number, i) => view.setUint32(1 + 4 * i, number, true));
+    message.set(encoding, head);
+    message.set(body, head + encoding.length);
+    const answer = new Promise((resolve, reject) => waiting.set(calls, { resolve, reject }));
+    socket.send(message);
+    return answer;
+  }
+
+  function settle(number, how, value) {
+    waiting.get(number)?.[how](value);
+    waiting.delete(number);
+  }
+
   function data(buffer) {
     const view = new DataView(buffer);
+    if (view.getUint8(0) === 3) settle(view.getUint32(5, true), 'resolve', JSON.parse(json.decode(new DataView(buffer, 13 + view.getUint32(9, true)))));
     const channel = channels.get(view.getUint32(1, true));
     if (view.getUint8(0) !== 1 || channel === undefined) return;
     const seconds = Number(view.getBigUint64(5, true)) / 1e9;
@@ -29,12 +51,19 @@ export function connect({ onState, onChannel, onMessage, onNote }) {
   }
 
   socket.onopen = () => onState(true);
-  socket.onclose = () => { onState(false); setTimeout(() => connect({ onState, onChannel, onMessage, onNote }), retryMs); };
+  socket.onclose = () => {
+    for (const number of [...waiting.keys()]) settle(number, 'reject', new Error('no connection'));
+    onServices(new Map());
+    onState(false);
+    setTimeout(() => connect(on), retryMs);
+  };
   socket.onmessage = ({ data: received }) => {
     if (typeof received !== 'string') { data(received); return; }
     const control = JSON.parse(received);
     if (control.op === 'serverInfo') onNote(control.name);
     if (control.op === 'advertise') advertise(control.channels);
+    if (control.op === 'advertiseServices') onServices(new Map(control.services.map(({ id, name }) => [name, (request) => call(id, request)])));
+    if (control.op === 'serviceCallFailure') settle(control.callId, 'reject', new Error(control.message));
     if (control.op === 'status') onNote(control.message);
   };
 }

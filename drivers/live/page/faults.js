@@ -31,11 +31,16 @@ export function forgetFaults() {
   showFaults(now);
 }
 
+// "dvl: drop" and ", probability = 0.2"; a bench may say it all in the text.
+function partsOf({ device, name, text }) {
+  const title = [device, name].filter(Boolean).join(': ');
+  return [make('strong', {}, title), text.startsWith(title) ? text.slice(title.length) : text && ` ${text}`];
+}
+
 export function showFaults(at) {
   now = Math.max(now, at);
   const current = inForce();
   by('faults').hidden = !current.length;
-  by('faults').replaceChildren(...current.map(({ device, name, text, since, until }) => make('p', {},
-    make('strong', {}, [device, name].filter(Boolean).join(': ')), text && ` ${text}`,
-    make('span', {}, ` in force since ${clock(since)} UTC, ${Math.round(now - since)} s${until === null ? '' : `, until ${clock(until)}`}`))));
+  by('faults').replaceChildren(...current.map((fault) => make('p', {}, ...partsOf(fault),
+    make('span', {}, ` in force since ${clock(fault.since)} UTC, ${Math.round(now - fault.since)} s${fault.until === null ? '' : `, until ${clock(fault.until)}`}`))));
 }

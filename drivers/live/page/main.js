@@ -3,6 +3,7 @@ import { connect } from './client.js';
 import { by, clock } from './dom.js';
 import { takeEstimate } from './estimates.js';
 import { forgetFaults, showFaults, takeFaults } from './faults.js';
+import { showOrders, takeServices } from './fault-orders.js';
 import { takeHealth } from './health.js';
 import { takeInnovation } from './innovations.js';
 import { takeMeasurement } from './measurements.js';
@@ -32,10 +33,12 @@ connect({
   onChannel: () => {},
   onNote: (text) => { if (text.startsWith('drydock')) by('rig').textContent = text.slice('drydock '.length); else by('note').textContent = text; },
   onMessage: take,
+  onServices: takeServices,
 });
 setInterval(() => {
   if (newest) by('clock').textContent = `${new Date(newest * 1000).toISOString().slice(0, 10)} ${clock(newest)} UTC`;
   showFaults(newest);
+  showOrders();
   drawPlots();
   drawWhere();
 }, 200);

@@ -8,7 +8,7 @@ namespace drydock::cli {
 const CLI::Validator duration_text(
     [](std::string& text) {
       const auto seconds = parse_duration(text);
-      if (!seconds) return fmt::format("'{}' is no duration; allowed: 90, 60s, 10min, 5.5h", text);
+      if (!seconds) return no_duration(text);
       text = fmt::format("{}", *seconds);
       return std::string{};
     },

@@ -11,6 +11,7 @@
 #include "hil/cli/commands/commands.hpp"
 #include "hil/cli/emulate.hpp"
 #include "hil/cli/fault/fault.hpp"
+#include "hil/cli/fault/remote_faults.hpp"
 #include "hil/cli/run.hpp"
 #include "rig_config/load.hpp"
 
@@ -62,6 +63,23 @@ void add_faults_option(CLI::App* sub, std::string& file) {
   sub->add_option("--faults", file, "file of blocks [[fault]], beside those of the rig");
 }
 
+void add_allow_faults(CLI::App& sub, ServeOptions& serve) {
+  sub.add_flag("--allow-faults", serve.allow_faults,
+               "viewers may set and clear faults of the emulated devices: docs/live.md")
+      ->needs("--serve");
+}
+
+/// The devices are played by another program, which is asked; for who drives them.
+BehindPage faults_behind_page(const rig_config::Rig& rig) {
+  return
+      [&rig](const boost::asio::any_io_executor& executor, RigViewer& viewer, Watchers& watchers) {
+        const auto remote = std::make_shared<RemoteFaults>(executor, rig, watchers);
+        viewer.add(fault_services(
+            rig, [remote](const auto& order, auto answered) { remote->obey(order, answered); }));
+        return [remote](measurement::Stamp now) { remote->tick(now); };
+      };
+}
+
 void add_overwrite(CLI::App* sub, RecordOptions& record) {
   sub->add_flag("--overwrite", record.overwrite, "replace what is there");
 }
@@ -96,6 +114,7 @@ void add_run(CLI::App& app, Command& command) {
                   "record all bytes, frames, measurements and estimates to this MCAP file");
   add_overwrite(sub, a->options.record);
   add_serve(*sub, a->options.serve);
+  add_allow_faults(*sub, a->options.serve);
   sub->add_flag("--expect-streaming", a->options.expect_streaming,
                 "exit 1 when a device is not streaming at the end");
   sub->add_option(
@@ -154,7 +173,14 @@ void add_drive_command(CLI::App& app, Command& command, const std::string& name,
   sub->add_option(output, a->options.record.path, "the MCAP file")->required(name == "record");
   add_overwrite(sub, a->options.record);
   add_serve(*sub, a->options.serve);
-  sub->callback([a, &command] { command = [a] { return drive(load_rig(a->rig), a->options); }; });
+  if (name == "drive") add_allow_faults(*sub, a->options.serve);
+  sub->callback([a, &command] {
+    command = [a] {
+      const auto rig = load_rig(a->rig);
+      if (a->options.serve.allow_faults) a->options.behind_page = faults_behind_page(rig);
+      return drive(rig, a->options);
+    };
+  });
 }
 
 void add_estimate(CLI::App& app, Command& command) {

@@ -30,6 +30,7 @@ using Local = asio::local::stream_protocol;
 
 constexpr auto outcome = asio::as_tuple(asio::use_awaitable);
 constexpr std::chrono::seconds patience{5};  ///< with one that connects and says nothing
+constexpr std::chrono::seconds quick{1};     ///< an answer where drivers run beside
 constexpr std::size_t most_callers = 16;
 
 /// Empty: the folder is there and nobody else may put names into it.
@@ -49,6 +50,13 @@ bool somebody_answers(const std::string& path) {
   boost::system::error_code refused;
   socket.connect(Local::endpoint(path), refused);
   return !refused;
+}
+
+void close_when_over(asio::steady_timer& time, const std::shared_ptr<Local::socket>& socket) {
+  time.async_wait([socket](const boost::system::error_code& ended) {
+    boost::system::error_code already_gone;
+    if (!ended) socket->close(already_gone);
+  });
 }
 
 }  // namespace
@@ -107,10 +115,7 @@ asio::awaitable<void> ControlSocket::House::receive_callers() {
 asio::awaitable<void> ControlSocket::House::serve(std::shared_ptr<Local::socket> caller) {
   const auto self = shared_from_this();
   asio::steady_timer silence(caller->get_executor(), patience);
-  silence.async_wait([caller](const boost::system::error_code& ended) {
-    boost::system::error_code already_gone;
-    if (!ended) caller->close(already_gone);
-  });
+  close_when_over(silence, caller);
   std::string request;
   const auto [error, size] = co_await asio::async_read_until(
       *caller, asio::dynamic_buffer(request, longest_line), '\n', outcome);
@@ -153,6 +158,24 @@ boost::system::result<std::string> ask(const std::string& path, const std::strin
   if (answer.empty()) return asio::error::make_error_code(asio::error::eof);
   answer.pop_back();
   return answer;
+}
+
+asio::awaitable<boost::system::result<std::string>> ask_soon(std::string path,
+                                                             std::string request) {
+  const auto socket = std::make_shared<Local::socket>(co_await asio::this_coro::executor);
+  asio::steady_timer silence(socket->get_executor(), quick);
+  close_when_over(silence, socket);
+  std::string answer;
+  auto [error] = co_await socket->async_connect(Local::endpoint(path), outcome);
+  if (error) co_return error;
+  request += '\n';
+  const auto [unsent, sent] = co_await asio::async_write(*socket, asio::buffer(request), outcome);
+  if (unsent) co_return unsent;
+  const auto [ended, size] = co_await asio::async_read_until(
+      *socket, asio::dynamic_buffer(answer, ControlSocket::longest_answer), '\n', outcome);
+  if (ended) co_return ended;
+  answer.resize(size - 1);
+  co_return answer;
 }
 
 }  // namespace drydock::cli

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <boost/asio/any_io_executor.hpp>
+#include <boost/asio/awaitable.hpp>
 #include <boost/system/result.hpp>
 #include <functional>
 #include <memory>
@@ -17,7 +18,7 @@ std::string control_path(std::string_view rig_name);
 /// replaced.
 class ControlSocket {
  public:
-  static constexpr std::size_t longest_line = 65'536;
+  static constexpr std::size_t longest_line = 65'536, longest_answer = 4u << 20;
 
   using Answer = std::function<std::string(std::string_view request)>;
 
@@ -37,5 +38,10 @@ class ControlSocket {
 /// The other end: asks one line and waits for the answer. Fails with the system's error when
 /// nobody is there.
 boost::system::result<std::string> ask(const std::string& path, const std::string& request);
+
+/// As ask(), without holding up the coroutine's thread; a bench that says nothing for a second
+/// counts as none.
+boost::asio::awaitable<boost::system::result<std::string>> ask_soon(std::string path,
+                                                                    std::string request);
 
 }  // namespace drydock::cli

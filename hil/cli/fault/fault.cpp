@@ -9,15 +9,15 @@
 #include "hil/cli/commands/commands.hpp"
 #include "hil/cli/exit_codes.hpp"
 #include "hil/cli/fault/control_socket.hpp"
-#include "hil/cli/fault/orders.hpp"
-#include "rig_config/fault_quantity.hpp"
+#include "hil/cli/fault/fault_words.hpp"
+#include "hil/cli/fault/order_text.hpp"
+#include "hil/fault/injector.hpp"
 
 namespace drydock::cli {
 
 namespace {
 
 using Json = nlohmann::ordered_json;
-using rig_config::FaultWord;
 
 Json asked(const rig_config::Rig& rig, const std::string& order) {
   const std::string path = control_path(rig.name);
@@ -49,24 +49,6 @@ int print_answer(const Json& answer, bool json) {
   return ok ? 0 : exit_usage;
 }
 
-std::vector<const FaultWord*> words_for(const rig_config::DeviceConfig& device) {
-  std::vector<const FaultWord*> words;
-  for (const FaultWord& word : rig_config::fault_vocabulary()) {
-    rig_config::FaultConfig fault;
-    fault.kind = word.kind;
-    if (!rig_config::refusal(fault, device)) words.push_back(&word);
-  }
-  return words;
-}
-
-std::string amount_of(const FaultWord& word, const rig_config::DeviceConfig& device) {
-  if (word.amount != "quantity") return std::string(word.amount);
-  std::string keys;
-  for (const auto& quantity : rig_config::fault_quantities)
-    if (quantity.kind == device.kind) keys += (keys.empty() ? "" : "|") + std::string(quantity.key);
-  return keys;
-}
-
 }  // namespace
 
 int set_fault(const rig_config::Rig& rig, const FaultOptions& o) {
@@ -87,20 +69,15 @@ int list_faults(const rig_config::Rig& rig, const FaultOptions& o) {
 }
 
 int show_fault_words(const rig_config::Rig& rig, const FaultOptions& o) {
-  Json all = Json::object();
-  for (const auto& device : rig.devices) {
-    if (!o.json) fmt::print("{} ({})\n", device.name, device.protocol);
-    Json& of_device = all[device.name] = Json::array();
-    for (const FaultWord* word : words_for(device)) {
-      const std::string amount = amount_of(*word, device);
-      of_device.push_back({{"fault", word->name},
-                           {"layer", rig_config::name_of(word->layer)},
-                           {"amount", amount},
-                           {"meaning", word->meaning}});
-      if (!o.json) fmt::print("  {:<19}{:<35}{}\n", word->name, amount, word->meaning);
-    }
+  if (o.json) {
+    fmt::print("{}\n", fault_words_json(rig.devices));
+    return 0;
   }
-  if (o.json) fmt::print("{}\n", all.dump());
+  for (const auto& device : rig.devices) {
+    fmt::print("{} ({})\n", device.name, device.protocol);
+    for (const auto* word : fault_words_of(device))
+      fmt::print("  {:<19}{:<35}{}\n", word->name, amount_keys(*word, device), word->meaning);
+  }
   return 0;
 }
 

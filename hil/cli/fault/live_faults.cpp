@@ -47,7 +47,7 @@ void LiveFaults::changed(const fault::Episode& episode) {
 void LiveFaults::follow() {
   chronicle_.follow(link::steady_now());
   const auto next = chronicle_.deadline();
-  if (!next) {
+  if (!next || stopped_) {
     timer_.cancel();
     return;
   }

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
-#include <stdexcept>
 
 namespace drydock::cli {
 
@@ -12,22 +11,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 using rig_config::FaultKind;
-
-/// A number, an array or a truth value stays as it is, "1,2,3" becomes an array, the rest is text.
-std::string toml_value(const std::string& typed) {
-  constexpr std::string_view of_numbers = "0123456789+-.eE, []";
-  const bool number = !typed.empty() && typed.find_first_of("0123456789") != std::string::npos &&
-                      typed.find_first_not_of(of_numbers) == std::string::npos;
-  if (!number) return Json(typed).dump();
-  if (typed.find(',') != std::string::npos && typed.front() != '[') return "[" + typed + "]";
-  return typed;
-}
-
-bool is_key(std::string_view key) {
-  return !key.empty() && std::ranges::all_of(key, [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_';
-  });
-}
 
 /// What is wrong, without the place in a file that nobody wrote.
 std::string line_of(const rig_config::Problem& problem) {
@@ -38,10 +21,13 @@ std::string line_of(const rig_config::Problem& problem) {
 
 Json refused(const std::string& why) { return {{"ok", false}, {"lines", {why}}}; }
 
+/// Two checks may say the same of one key.
 Json refused(const rig_config::Problems& problems) {
-  Json answer{{"ok", false}, {"lines", Json::array()}};
-  for (const auto& problem : problems) answer["lines"].push_back(line_of(problem));
-  return answer;
+  Json lines = Json::array();
+  for (const auto& problem : problems)
+    if (std::ranges::find(lines, Json(line_of(problem))) == lines.end())
+      lines.push_back(line_of(problem));
+  return {{"ok", false}, {"lines", lines}};
 }
 
 Json set(const std::string& table, fault::Injector& injector, measurement::Stamp now) {
@@ -83,30 +69,6 @@ Json obeyed(const Json& order, const rig_config::Rig& rig, fault::Injector& inje
 
 }  // namespace
 
-std::string fault_table(const std::string& device, const std::string& fault,
-                        const std::vector<std::string>& pairs, double for_s) {
-  std::string table =
-      fmt::format("[[fault]]\ndevice = {}\nfault = {}\n", Json(device).dump(), Json(fault).dump());
-  for (const std::string& pair : pairs) {
-    const auto equals = pair.find('=');
-    if (equals == std::string::npos || !is_key(std::string_view(pair).substr(0, equals)))
-      throw std::runtime_error(fmt::format("\"{}\" is no KEY=VALUE; as in probability=0.5", pair));
-    table += pair.substr(0, equals) + " = " + toml_value(pair.substr(equals + 1)) + "\n";
-  }
-  if (for_s > 0) table += fmt::format("for_s = {}\n", for_s);
-  return table;
-}
-
-std::string order_to_set(const std::string& table) {
-  return Json{{"do", "set"}, {"fault", table}}.dump();
-}
-
-std::string order_to_clear(const std::string& device, const std::string& fault) {
-  return Json{{"do", "clear"}, {"device", device}, {"kind", fault}}.dump();
-}
-
-std::string order_to_list() { return Json{{"do", "list"}}.dump(); }
-
 std::string obey(std::string_view request, const rig_config::Rig& rig, fault::Injector& injector,
                  measurement::Stamp start, measurement::Stamp now) {
   Json answer;
@@ -116,10 +78,12 @@ std::string obey(std::string_view request, const rig_config::Rig& rig, fault::In
     answer = refused("no order: one line of JSON, {\"do\": \"set\", \"fault\": \"[[fault]]...\"}");
   }
   if (answer.at("ok")) {
+    answer["now_s"] = measurement::seconds(now - start);
     answer["faults"] = Json::array();
     for (const auto& fault : injector.in_force(now)) {
       const auto since_s = measurement::seconds(fault.since - start);
       answer["faults"].push_back({{"device", fault.device},
+                                  {"fault", fault.name},
                                   {"words", fault.words},
                                   {"since_s", since_s},
                                   {"until_s", nullptr}});

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "rig_config/fault.hpp"
+
+namespace drydock::rig_config {
+
+/// What a fault can be told beside its amount.
+struct FaultExtra {
+  std::string_view key;  ///< unit in the name
+  double usual = 0, lowest = 0, highest = 0;
+};
+
+/// spike, garbage: of each sample or message; drift: until when.
+std::span<const FaultExtra> extras_of(FaultKind kind);
+
+}  // namespace drydock::rig_config
