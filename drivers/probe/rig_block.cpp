@@ -43,7 +43,7 @@ void name_devices(std::vector<FoundDevice>& devices) {
   for (auto& device : devices) {
     const unsigned number = ++taken[static_cast<std::size_t>(device.kind)];
     device.name = number == 1 ? std::string(to_string(device.kind))
-                              : fmt::format("{}-{}", to_string(device.kind), number);
+                              : fmt::format("{}_{}", to_string(device.kind), number);
   }
 }
 

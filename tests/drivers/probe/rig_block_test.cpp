@@ -17,7 +17,7 @@ TEST(RigBlock, ARigOfTheBlocksIsAGoodRig) {
       {"", device::Kind::depth, "cia404-pressure", "socketcan:can0", {}, 7},
       {"", device::Kind::imu, "cia404-imu", "can:auto?name=bus0", 99.95, 1}};
   name_devices(devices);
-  EXPECT_EQ(devices[2].name, "depth-2");
+  EXPECT_EQ(devices[2].name, "depth_2");
   std::string path = "/tmp/drydock_block_XXXXXX";
   ::close(mkstemp(path.data()));
   std::ofstream rig(path);
