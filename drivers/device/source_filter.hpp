@@ -29,12 +29,13 @@ class SourceFilter {
       name_.reset();
     }
     heard_at_ = now;
+    name_stands_ = name_.has_value();
     return true;
   }
 
-  /// PGN 60928. The first NAME claimed at our sensor's address is its own.
+  /// PGN 60928. The last NAME claimed at our sensor's address before it speaks is its own.
   void claimed(std::uint8_t source, std::uint64_t name, measurement::Stamp now) {
-    if (!name_ && ours_ == source) name_ = name;
+    if (!name_stands_ && ours_ == source) name_ = name;
     if (name_ == name) {
       ours_ = source;
       heard_at_ = now;
@@ -53,6 +54,7 @@ class SourceFilter {
   std::uint8_t configured_;
   std::optional<std::uint8_t> ours_;  ///< its address now; empty: not heard, or robbed of it
   std::optional<std::uint64_t> name_;
+  bool name_stands_ = false;  ///< it has spoken since it claimed
   std::optional<measurement::Stamp> heard_at_;
 };
 

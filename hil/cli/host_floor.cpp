@@ -1,6 +1,8 @@
 #include "hil/cli/host_floor.hpp"
 
+#include <pthread.h>
 #include <pty.h>
+#include <sched.h>
 #include <termios.h>
 #include <unistd.h>
 
@@ -25,6 +27,32 @@ using Clock = std::chrono::steady_clock;
 
 constexpr std::chrono::milliseconds period{5};
 
+std::vector<int> processors() {
+  cpu_set_t allowed;
+  CPU_ZERO(&allowed);
+  std::vector<int> all;
+  if (::sched_getaffinity(0, sizeof allowed, &allowed) == 0)
+    for (int cpu = 0; cpu < CPU_SETSIZE; ++cpu)
+      if (CPU_ISSET(cpu, &allowed)) all.push_back(cpu);
+  return all;
+}
+
+void keep_on(int processor, pthread_t thread) {
+  cpu_set_t one;
+  CPU_ZERO(&one);
+  CPU_SET(processor, &one);
+  ::pthread_setaffinity_np(thread, sizeof one, &one);
+}
+
+void put_ahead_of_us(pthread_t thread) {
+  int policy = 0;
+  sched_param scheduling{};
+  ::pthread_getschedparam(::pthread_self(), &policy, &scheduling);
+  if (policy != SCHED_FIFO) return;
+  ++scheduling.sched_priority;
+  ::pthread_setschedparam(thread, policy, &scheduling);
+}
+
 double us_since(Clock::time_point then) {
   return std::chrono::duration<double, std::micro>(Clock::now() - then).count();
 }
@@ -32,7 +60,7 @@ double us_since(Clock::time_point then) {
 }  // namespace
 
 struct HostFloor::Probe {
-  Probe() : timer(io), near(io), far(io) {
+  explicit Probe(int processor) : timer(io), near(io), far(io) {
     int ends[2] = {-1, -1};
     termios raw{};
     ::cfmakeraw(&raw);
@@ -44,6 +72,8 @@ struct HostFloor::Probe {
     wait();
     hear();
     thread = std::jthread([this] { io.run(); });
+    keep_on(processor, thread.native_handle());
+    put_ahead_of_us(thread.native_handle());
   }
 
   void wait() {
@@ -72,6 +102,17 @@ struct HostFloor::Probe {
                         });
   }
 
+  HostTimes stop() {
+    asio::post(io, [this] {
+      boost::system::error_code gone;
+      timer.cancel();
+      far.close(gone);
+      near.close(gone);
+    });
+    thread.join();
+    return std::move(times);
+  }
+
   asio::io_context io{1};
   asio::steady_timer timer;
   asio::posix::stream_descriptor near, far;
@@ -81,21 +122,26 @@ struct HostFloor::Probe {
   std::jthread thread;
 };
 
-HostFloor::HostFloor() : probe_(std::make_unique<Probe>()) {}
-
-HostFloor::~HostFloor() {
-  if (probe_->thread.joinable()) stop();
+HostFloor::HostFloor() {
+  for (const int processor : processors()) probes_.push_back(std::make_unique<Probe>(processor));
 }
 
+HostFloor::~HostFloor() { stop(); }
+
 HostTimes HostFloor::stop() {
-  asio::post(probe_->io, [this] {
-    boost::system::error_code gone;
-    probe_->timer.cancel();
-    probe_->far.close(gone);
-    probe_->near.close(gone);
-  });
-  probe_->thread.join();
-  return std::move(probe_->times);
+  HostTimes all;
+  const auto append = [](auto& to, const auto& more) {
+    to.insert(to.end(), more.begin(), more.end());
+  };
+  for (const auto& probe : probes_) {
+    const HostTimes one = probe->stop();
+    append(all.timer_late_us, one.timer_late_us);
+    append(all.timer_at, one.timer_at);
+    append(all.pty_hop_us, one.pty_hop_us);
+    append(all.pty_at, one.pty_at);
+  }
+  probes_.clear();
+  return all;
 }
 
 }  // namespace drydock::cli

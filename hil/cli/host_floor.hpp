@@ -14,7 +14,9 @@ struct HostTimes {
   std::vector<measurement::Stamp> timer_at, pty_at;  ///< when each was seen, link::steady_now()
 };
 
-/// Measures them on a thread of its own, through Asio as everything here, from making to stop().
+/// Measures them from making to stop(), through Asio as everything here, on a thread a processor:
+/// a virtual machine's host may hold up one of them alone. Where this program runs under SCHED_FIFO
+/// the threads are one step ahead, so that what it does itself is not taken for the machine's.
 class HostFloor {
  public:
   /// Throws std::system_error where there is no pty.
@@ -24,7 +26,7 @@ class HostFloor {
 
  private:
   struct Probe;
-  std::unique_ptr<Probe> probe_;
+  std::vector<std::unique_ptr<Probe>> probes_;
 };
 
 }  // namespace drydock::cli

@@ -28,6 +28,7 @@ TEST(SourceFilter, ASensorThatLostItsAddressIsFollowedToItsNextOne) {
     SourceFilter filter(configured);
     filter.accepts(35, now);
     filter.claimed(35, 0xABC, now);  // our sensor's boot
+    filter.accepts(35, now);
     filter.claimed(35, 0x001, now);  // a stronger NAME takes its address
     EXPECT_FALSE(filter.accepts(35, now)) << "the thief is not our sensor";
     EXPECT_EQ(filter.source(), std::nullopt);
@@ -55,6 +56,7 @@ TEST(SourceFilter, AnotherUnitAtTheConfiguredAddressIsTakenWhenTheFirstIsSilentF
   EXPECT_FALSE(filter.accepts(36, now + 31s));
   EXPECT_TRUE(filter.accepts(35, now + 31s));
   filter.claimed(35, 0xDEF, now + 32s);
+  EXPECT_TRUE(filter.accepts(35, now + 32s));
   filter.claimed(35, 0x001, now + 33s);
   filter.claimed(129, 0xDEF, now + 34s);
   EXPECT_TRUE(filter.accepts(129, now + 34s)) << "its NAME is the spare's now";
@@ -66,6 +68,16 @@ TEST(SourceFilter, WithoutAnAddressAnotherUnitIsTakenAfterThirtySecondsToo) {
   filter.claimed(40, 0xABC, now);
   EXPECT_FALSE(filter.accepts(41, now + 30s));
   EXPECT_TRUE(filter.accepts(41, now + 31s));
+}
+
+TEST(SourceFilter, AClaimThatWasDamagedBeforeTheSensorSpokeIsPutRightByTheNext) {
+  SourceFilter filter(35);
+  filter.claimed(35, 0xABD, now);
+  filter.claimed(35, 0xABC, now + 1ms);  // the answer to a request
+  EXPECT_TRUE(filter.accepts(35, now + 1s));
+  filter.claimed(35, 0x001, now + 2s);
+  filter.claimed(128, 0xABC, now + 3s);
+  EXPECT_TRUE(filter.accepts(128, now + 3s));
 }
 
 TEST(SourceFilter, OneThatCanClaimNoAddressIsHeardNoMore) {
