@@ -150,6 +150,19 @@ nlohmann::ordered_json json_of(const LoadResult& result, bool passed) {
   return json;
 }
 
+/// Where the machine alone was later than the quickest device comes again, a FAIL says little.
+std::string host_note(const rig_config::Rig& rig, const HostTimes& floor) {
+  double quickest_hz = 0;
+  for (const auto& device : rig.devices) quickest_hz = std::max(quickest_hz, device.rate_hz);
+  const Spread timer = validity::spread_of(floor.timer_late_us);
+  if (quickest_hz == 0 || timer.p99_us < 1e6 / quickest_hz) return "";
+  return fmt::format(
+      "this machine's bare timer was {} ms late at p99, more than the {} ms of the quickest "
+      "device: "
+      "measure where nothing else runs\n",
+      in_ms(timer.p99_us), in_ms(1e6 / quickest_hz));
+}
+
 }  // namespace
 
 int load_run(const rig_config::Rig& whole, const LoadOptions& options, std::FILE* out,
@@ -178,6 +191,7 @@ int load_run(const rig_config::Rig& whole, const LoadOptions& options, std::FILE
   else
     fmt::print(out, "FAIL {} of {} devices in {:.0f} s{}: see the lines above\n", failed,
                result.devices.size(), run.duration_s, ended);
+  if (!passed) fmt::print(out, "{}", host_note(whole, result.floor));
   if (run.interrupted) return 130;
   return passed ? 0 : exit_failed;
 }
