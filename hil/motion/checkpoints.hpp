@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <vector>
@@ -7,27 +8,25 @@
 namespace drydock::motion {
 
 /// States of something that is integrated in equal steps, found again at any index in any order.
-/// The first of each block of steps is kept for good, whole blocks only as long as they are among
-/// the last ones asked for: days of a motion cost little memory, and a block integrated again is
-/// the same to the last bit.
+/// Blocks of steps are kept whole as long as they are among the last ones asked for, and of all
+/// blocks the first state of every so many: a motion of any length costs the same little memory,
+/// and a block integrated again is the same to the last bit.
 template <class State>
 class Checkpoints {
  public:
+  static constexpr std::size_t block = 1024, most_firsts = 512;
+
   explicit Checkpoints(const State& first) : firsts_{first} {}
 
   /// `step(state, index)`: the state one step after that of `index`.
   template <class Step>
   const State& at(std::size_t index, Step&& step) {
-    while (firsts_.size() <= index / block) {
-      const std::size_t last = firsts_.size() - 1;
-      firsts_.push_back(step(whole(last, step).back(), (last + 1) * block - 1));
-    }
     return whole(index / block, step)[index % block];
   }
 
- private:
-  static constexpr std::size_t block = 1024;
+  std::size_t firsts() const { return firsts_.size(); }
 
+ private:
   struct Whole {
     std::size_t number = 0, asked = 0;  ///< `asked` 0: empty
     std::vector<State> states;
@@ -43,15 +42,44 @@ class Checkpoints {
       }
       if (kept.asked < oldest->asked) oldest = &kept;
     }
+    const State first = first_of(number, step);
     *oldest = {number, ++asked_, std::move(oldest->states)};
-    oldest->states.assign(1, firsts_[number]);
+    oldest->states.assign(1, first);
     while (oldest->states.size() < block)
       oldest->states.push_back(
           step(oldest->states.back(), number * block + oldest->states.size() - 1));
     return oldest->states;
   }
 
-  std::vector<State> firsts_;
+  /// From the block before where that is whole, else from the last first that is kept.
+  template <class Step>
+  State first_of(std::size_t number, Step& step) {
+    for (const Whole& kept : recent_) {
+      if (kept.asked == 0 || kept.number + 1 != number) continue;
+      const State state = step(kept.states.back(), number * block - 1);
+      keep(number, state);
+      return state;
+    }
+    std::size_t at = std::min(number / apart_, firsts_.size() - 1) * apart_;
+    State state = firsts_[at / apart_];
+    while (at < number) {
+      for (std::size_t i = 0; i < block; ++i) state = step(state, at * block + i);
+      keep(++at, state);
+    }
+    return state;
+  }
+
+  void keep(std::size_t number, const State& first) {
+    if (number != firsts_.size() * apart_) return;
+    firsts_.push_back(first);
+    if (firsts_.size() < most_firsts) return;
+    for (std::size_t i = 1; 2 * i < firsts_.size(); ++i) firsts_[i] = firsts_[2 * i];
+    firsts_.resize((firsts_.size() + 1) / 2);
+    apart_ *= 2;
+  }
+
+  std::vector<State> firsts_;  ///< of each `apart_`-th block
+  std::size_t apart_ = 1;
   std::array<Whole, 4> recent_;
   std::size_t asked_ = 0;
 };

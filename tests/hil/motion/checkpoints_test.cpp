@@ -39,4 +39,18 @@ TEST(Checkpoints, OneAfterTheOtherEachStepIsTakenOnce) {
   EXPECT_EQ(taken, 10u * 1024 - 1);
 }
 
+TEST(Checkpoints, ALongMotionCostsNoMoreThanAShortOne) {
+  const auto step = [](std::uint32_t s, std::size_t) { return s + 1; };
+  Checkpoints<std::uint32_t> kept(0);
+  for (std::uint32_t block = 0; block < 5'000; ++block) {
+    ASSERT_EQ(kept.at(block * 1024, step), block * 1024);
+    ASSERT_LE(kept.firsts(), 512u);
+  }
+  std::mt19937 random(1);
+  for (int i = 0; i < 100; ++i) {
+    const auto index = static_cast<std::uint32_t>(random() % (5'000 * 1024));
+    ASSERT_EQ(kept.at(index, step), index);
+  }
+}
+
 }  // namespace
