@@ -47,6 +47,7 @@ void RunWatchers::note(const pipeline::InnovationReport& innovation) {
 void tell_faults_to(Watchers& all, const std::vector<fault::FaultNow>& faults,
                     measurement::Stamp now) {
   std::vector<bus::Fault> told;
+  told.reserve(faults.size());
   for (const fault::FaultNow& f : faults)
     told.push_back({f.device, f.name, f.words, f.since, f.until});
   all.note(told, now);

@@ -54,7 +54,7 @@ live::ServiceAnswer order_of_list_request(std::string_view) { return order_to_li
 
 }  // namespace
 
-std::vector<Service> fault_services(const rig_config::Rig& rig, Obey obey) {
+std::vector<Service> fault_services(const rig_config::Rig& rig, const Obey& obey) {
   const auto devices = emulated_devices(rig);
   if (devices.empty())
     throw std::runtime_error(

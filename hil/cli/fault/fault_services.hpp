@@ -15,6 +15,6 @@ using Obey =
 
 /// Faults of the emulated devices for viewers of a run: /drydock/faults/set, clear, list and words.
 /// Throws std::runtime_error with one line where no device of the rig is emulated.
-std::vector<live::Service> fault_services(const rig_config::Rig& rig, Obey obey);
+std::vector<live::Service> fault_services(const rig_config::Rig& rig, const Obey& obey);
 
 }  // namespace drydock::cli

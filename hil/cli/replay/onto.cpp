@@ -9,7 +9,6 @@
 #include <boost/asio/redirect_error.hpp>
 #include <boost/asio/steady_timer.hpp>
 #include <deque>
-#include <ranges>
 #include <stdexcept>
 
 #include "drivers/link/link.hpp"
@@ -158,6 +157,13 @@ auto opened(Opened result) {
   return std::move(*result);
 }
 
+std::vector<std::string> names_of(const std::vector<record::RecordedLink>& links) {
+  std::vector<std::string> names;
+  names.reserve(links.size());
+  for (const auto& link : links) names.push_back(link.name);
+  return names;
+}
+
 }  // namespace
 
 Onto::Onto(asio::io_context& io, const std::vector<record::RecordedLink>& links,
@@ -175,7 +181,7 @@ Onto::Onto(asio::io_context& io, const std::vector<record::RecordedLink>& links,
     if (!known || (text != "auto" && equals == std::string::npos))
       throw std::runtime_error(fmt::format(
           "--onto {}: allowed: auto, or NAME=URI with a link or device of the recording: {}", text,
-          fmt::join(links | std::views::transform(&record::RecordedLink::name), ", ")));
+          fmt::join(names_of(links), ", ")));
   }
 }
 
