@@ -140,6 +140,7 @@ nlohmann::ordered_json json_of(const LoadResult& result, bool passed) {
                                {"sent_hz", d.sent_hz},
                                {"samples", d.samples},
                                {"lost", d.lost},
+                               {"stalled", d.stalled},
                                {"missed", d.missed},
                                {"response", spread_json_ms(d.response)},
                                {"period_ms", 1e3 / d.asked_hz},
@@ -170,14 +171,18 @@ int load_run(const rig_config::Rig& whole, const LoadOptions& options, std::FILE
   const LoadResult result = measure(with_truth(whole), options, bar);
   fmt::print(out, "{}", to_text(table_of(result)));
   for (const auto& note : result.summary.notes) fmt::print(out, "{}\n", note);
-  std::size_t samples = 0, failed = 0;
+  std::size_t samples = 0, stalled = 0, failed = 0;
   for (std::size_t i = 0; i < result.devices.size(); ++i) {
     samples += result.devices[i].samples;
+    stalled += result.devices[i].stalled;
     const auto troubles = troubles_of(result.devices[i], result.summary.devices[i]);
     for (const auto& trouble : troubles)
       fmt::print(out, "{}: {}\n", result.devices[i].device, trouble);
     failed += !troubles.empty();
   }
+  if (stalled > 0)
+    fmt::print(out, "{} samples fell to stalls of this machine longer than their period\n",
+               stalled);
   const bool passed = failed == 0;
   if (!options.json.empty()) write_file(options.json, json_of(result, passed).dump(2) + "\n");
   const Summary& run = result.summary;

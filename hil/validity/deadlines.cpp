@@ -69,8 +69,10 @@ Deadlines deadlines_of(std::string device, double rate_hz, std::span<const Stamp
     const double allowed_us = period_us + floor.worst_us(sample, until);
     if (answer == out_at.end()) {
       const bool was_due = microseconds_of(run.end - sample) > allowed_us;
-      d.lost += was_due;
-      d.samples += was_due;
+      const bool stalled = allowed_us > 2 * period_us;
+      d.stalled += was_due && stalled;
+      d.lost += was_due && !stalled;
+      d.samples += was_due && !stalled;
       continue;
     }
     ++d.samples;

@@ -39,6 +39,7 @@ struct Deadlines {
   double first_s = 0;                ///< from the run's begin until the first was out
   std::size_t samples = 0;           ///< judged: missed and lost ones too
   std::size_t lost = 0;              ///< nothing came of them
+  std::size_t stalled = 0;           ///< nor of these, but the floor alone was a period late there
   std::size_t missed = 0;            ///< came too late
   Spread response;
   double least_margin_us = 0;  ///< of deadline less response; below zero: by how much it was missed

@@ -99,6 +99,18 @@ TEST(Deadlines, ASampleThatNothingCameOfIsLost) {
   EXPECT_FALSE(d.kept());
 }
 
+TEST(Deadlines, ASampleThatAStallLongerThanItsPeriodTookIsTheMachines) {
+  Device device;
+  device.sends_and_answers(0, 49, 40ms);
+  device.sends(50);
+  device.sends_and_answers(51, 99, 40ms);
+  Floor floor;
+  floor.add_timer(begin + 5200ms, 150e3);
+  const Deadlines d = device.judged(floor, 10s);
+  EXPECT_EQ(d.lost, 0U);
+  EXPECT_EQ(d.stalled, 1U);
+}
+
 TEST(Deadlines, ADeviceThatFallsSilentLosesAllThatWasDueBeforeTheEnd) {
   Device device;
   device.sends_and_answers(0, 49, 40ms);
