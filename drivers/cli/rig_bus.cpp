@@ -65,12 +65,13 @@ std::vector<std::string> navigator_names(const rig_config::Rig& rig) {
 
 std::vector<bus::InnovationSource> innovation_sources(const rig_config::Rig& rig) {
   std::vector<bus::InnovationSource> sources;
-  for (std::uint16_t i = 0; i < rig.estimators.size(); ++i) {
+  for (std::size_t i = 0; i < rig.estimators.size(); ++i) {
     const auto& e = rig.estimators[i];
     const auto add = [&](const std::string& name) {
       const auto device = std::ranges::find(rig.devices, name, &rig_config::DeviceConfig::name);
       if (device == rig.devices.end()) return;
-      sources.push_back({i, static_cast<std::uint16_t>(device - rig.devices.begin())});
+      sources.push_back({static_cast<std::uint16_t>(i),
+                         static_cast<std::uint16_t>(device - rig.devices.begin())});
     };
     const bool inertial = e.kind == "navigation" || e.kind == "velocity";
     if ((e.kind == "leveling" && !e.stationary) || e.kind == "velocity") add(e.log);

@@ -17,7 +17,8 @@ bool is_flag(const CLI::Option& option) { return option.get_items_expected_max()
 /// The words of "{1,max}" in a type name or behind "one of " in a description; none when any goes.
 std::vector<std::string> values_of(const CLI::Option& option) {
   std::string list;
-  const std::string type = option.get_type_name(), text = option.get_description();
+  const std::string type = option.get_type_name();
+  const std::string& text = option.get_description();
   if (const auto brace = type.find('{'); brace != std::string::npos) {
     list = type.substr(brace + 1, type.find('}') - brace - 1);
   } else if (const auto one_of = text.find("one of "); one_of != std::string::npos) {
