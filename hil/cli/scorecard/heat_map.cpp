@@ -68,10 +68,11 @@ Layout layout_of(const HeatMap& map) {
   Layout layout;
   for (const auto& panel : map.panels) {
     const double left = layout.right + (layout.columns.empty() ? 0 : panel_gap_px);
-    const auto columns = static_cast<double>(panel.columns.size());
-    for (double i = 0; i < columns; ++i) layout.columns.push_back(left + i * map.column_px);
+    double right = left;
+    for (std::size_t i = 0; i < panel.columns.size(); ++i, right += map.column_px)
+      layout.columns.push_back(right);
     const auto title = title_letter_px * static_cast<double>(panel.title.size());
-    layout.right = left + std::max(columns * map.column_px, title);
+    layout.right = std::max(right, left + title);
   }
   return layout;
 }
