@@ -84,7 +84,7 @@ boost::system::result<Recording, RecordingError> Recording::open(std::unique_ptr
 /// Programs repeat schemas and channels in every chunk: what takes the place of another counts
 /// once.
 template <class Kept>
-void Recording::keep(Kept& place, Kept&& record) {
+void Recording::keep(Kept& place, std::type_identity_t<Kept>&& record) {
   const bool was_empty = kept_size(place) == sizeof place;
   kept_bytes_ -= was_empty ? 0 : kept_size(place);
   place = std::move(record);

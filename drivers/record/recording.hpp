@@ -3,6 +3,7 @@
 #include <boost/system/result.hpp>
 #include <map>
 #include <string>
+#include <type_traits>
 #include <variant>
 
 #include "drivers/mcap/reader.hpp"
@@ -79,7 +80,7 @@ class Recording {
   explicit Recording(mcap::Reader reader) : reader_(std::move(reader)) {}
   void note(mcap::Record&& record);
   template <class Kept>
-  void keep(Kept& place, Kept&& record);
+  void keep(Kept& place, std::type_identity_t<Kept>&& record);
   void note_channel(mcap::Channel&& channel);
   std::optional<Event> event_of(const mcap::Message& message);
 
