@@ -56,7 +56,7 @@ class Checkpoints {
   State first_of(std::size_t number, Step& step) {
     for (const Whole& kept : recent_) {
       if (kept.asked == 0 || kept.number + 1 != number) continue;
-      const State state = step(kept.states.back(), number * block - 1);
+      State state = step(kept.states.back(), number * block - 1);
       keep(number, state);
       return state;
     }
