@@ -59,10 +59,11 @@ void GnssSensor::add_errors(measurement::GnssFix& fix) {
 
 /// Satellites that faults hide: behind what stands around, or too weak for the antenna.
 void GnssSensor::hide(measurement::GnssSatellites& sky) const {
-  const auto hidden = std::ranges::remove_if(sky.satellites, [&](const auto& satellite) {
+  auto& all = sky.satellites;
+  const auto hidden = std::remove_if(all.begin(), all.end(), [&](const auto& satellite) {
     return satellite.elevation_rad && *satellite.elevation_rad < condition_->blocked_below_rad;
   });
-  sky.satellites.erase(hidden.begin(), hidden.end());
+  all.erase(hidden, all.end());
   if (condition_->antenna_gain_db == 0) return;
   for (auto& satellite : sky.satellites) {
     if (!satellite.cno_dbhz) continue;
