@@ -12,6 +12,7 @@
 #include "tests/drivers/cli/captured.hpp"
 #include "tests/drivers/mcap/read_back.hpp"
 #include "tests/drivers/record/sample_dive.hpp"
+#include "tests/test_name.hpp"
 
 /// Every dive under fixtures/dives, made by `drydock cut --as-fixture`, goes through the drivers
 /// again; and one byte more or less is seen.
@@ -190,12 +191,8 @@ TEST(Dives, AreSevenOrMoreAndHaveEveryKindOfDevice) {
   EXPECT_EQ(kinds.size(), 6U);
 }
 
-INSTANTIATE_TEST_SUITE_P(Fixtures, Dive, testing::ValuesIn(dives()), [](const auto& dive) {
-  std::string name = dive.param;
-  for (char& c : name)
-    if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '_';
-  return name;
-});
+INSTANTIATE_TEST_SUITE_P(Fixtures, Dive, testing::ValuesIn(dives()),
+                         [](const auto& dive) { return drydock::testing::test_name(dive.param); });
 
 }  // namespace dives_test
 }  // namespace drydock::cli

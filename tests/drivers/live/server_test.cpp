@@ -18,6 +18,7 @@
 #include <thread>
 
 #include "tests/npm/node.hpp"
+#include "tests/test_name.hpp"
 
 namespace drydock::live {
 namespace server_test {
@@ -106,7 +107,8 @@ TEST_P(LiveServerByName, SpeaksToFoxglovesOwnClient) {
 }
 
 INSTANTIATE_TEST_SUITE_P(BothNames, LiveServerByName,
-                         testing::Values("foxglove.websocket.v1", "foxglove.sdk.v1"));
+                         testing::Values("foxglove.websocket.v1", "foxglove.sdk.v1"),
+                         [](const auto& one) { return drydock::testing::test_name(one.param); });
 
 TEST_F(LiveServer, AViewerThatDoesNotReadLosesMessagesAndHoldsUpNobody) {
   ASSERT_FALSE(server_.listen());

@@ -6,6 +6,7 @@
 
 #include "estimators/frame/attitude.hpp"
 #include "tests/estimators/hydrodynamics/support.hpp"
+#include "tests/test_name.hpp"
 
 /// The NPS AUV II against an independent implementation of the same equations.
 namespace drydock::hydrodynamics::test {
@@ -74,7 +75,10 @@ INSTANTIATE_TEST_SUITE_P(Manoeuvres, NpsAuvSeries,
                          testing::Values(Series{"gh_rudder_p10.csv", 10 * degree, 0, 1e9},
                                          Series{"gh_rudder_m10.csv", -10 * degree, 0, 1e9},
                                          Series{"gh_stern_p3.csv", 0, 3 * degree, 1e9},
-                                         Series{"gh_stern_pulse_m5.csv", 0, -5 * degree, 20}));
+                                         Series{"gh_stern_pulse_m5.csv", 0, -5 * degree, 20}),
+                         [](const auto& one) {
+                           return drydock::testing::test_name(one.param.file);
+                         });
 
 TEST(NpsAuv, CruisePartialsAreThoseOfTheTable) {
   const Table table("gh_cruise_jacobian.csv");

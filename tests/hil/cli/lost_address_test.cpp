@@ -7,6 +7,7 @@
 
 #include "hil/cli/run.hpp"
 #include "rig_config/load.hpp"
+#include "tests/test_name.hpp"
 
 namespace lost_address_test {
 namespace {
@@ -57,7 +58,8 @@ TEST_P(EachSensor, IsFoundAgainWhoseAddressWasTakenWhileTheDriverWasBusOff) {
   EXPECT_GT(at_s.back(), 59);
 }
 
-INSTANTIATE_TEST_SUITE_P(J1939, EachSensor, testing::Values("depth", "actuators", "openimu"));
+INSTANTIATE_TEST_SUITE_P(J1939, EachSensor, testing::Values("depth", "actuators", "openimu"),
+                         [](const auto& one) { return drydock::testing::test_name(one.param); });
 
 TEST(BusOff, EndsWhenTheLastFaultThatKeepsTheControllerOffHasCleared) {
   const auto at_s = arrivals(

@@ -6,6 +6,7 @@
 #include "drivers/wire/canopen.hpp"
 #include "drivers/wire/canopen_sdo.hpp"
 #include "tests/hil/emulate/bench.hpp"
+#include "tests/test_name.hpp"
 
 /// The electronic data sheets (CiA 306) say what the emulated nodes answer.
 namespace drydock::emulate {
@@ -168,7 +169,10 @@ INSTANTIATE_TEST_SUITE_P(Eds, EdsOf,
                          testing::Values(std::tuple{"cia404-imu", DeviceKind::imu},
                                          std::tuple{"epson-g550", DeviceKind::imu},
                                          std::tuple{"epson-g552", DeviceKind::imu},
-                                         std::tuple{"cia404-pressure", DeviceKind::depth}));
+                                         std::tuple{"cia404-pressure", DeviceKind::depth}),
+                         [](const auto& one) {
+                           return drydock::testing::test_name(std::get<0>(one.param));
+                         });
 
 }  // namespace
 }  // namespace drydock::emulate

@@ -8,6 +8,7 @@
 #include "drivers/wire/ubx_nmea.hpp"
 #include "estimators/frame/geodetic.hpp"
 #include "tests/hil/emulate/bench.hpp"
+#include "tests/test_name.hpp"
 
 namespace drydock::emulate {
 namespace {
@@ -155,7 +156,8 @@ TEST_P(GnssWitness, GpsdReadsTheSamePositionSpeedAndSatellites) {
   EXPECT_TRUE(satellites);
 }
 
-INSTANTIATE_TEST_SUITE_P(Protocols, GnssWitness, testing::Values("ubx", "nmea0183"));
+INSTANTIATE_TEST_SUITE_P(Protocols, GnssWitness, testing::Values("ubx", "nmea0183"),
+                         [](const auto& one) { return drydock::testing::test_name(one.param); });
 
 }  // namespace
 }  // namespace drydock::emulate

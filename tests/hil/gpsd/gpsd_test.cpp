@@ -10,6 +10,7 @@
 #include "hil/sensor/sky.hpp"
 #include "tests/drivers/wire/byte_streams.hpp"
 #include "tests/hil/emulate/bench.hpp"
+#include "tests/test_name.hpp"
 
 /// gpsd reads our emulated receiver: what it reports is the truth from which the receiver speaks.
 namespace drydock::peer {
@@ -91,7 +92,6 @@ struct Case {
   const char* protocol;
   Resolution resolution;
 };
-void PrintTo(const Case& c, std::ostream* out) { *out << c.protocol; }
 
 class Gpsd : public testing::TestWithParam<Case> {
  protected:
@@ -133,7 +133,10 @@ TEST_P(Gpsd, ReportsTheTruthOfAnEmulatedReceiverForAMinute) {
 
 INSTANTIATE_TEST_SUITE_P(Protocols, Gpsd,
                          testing::Values(Case{"ubx", ubx_resolution},
-                                         Case{"nmea0183", nmea_resolution}));
+                                         Case{"nmea0183", nmea_resolution}),
+                         [](const auto& one) {
+                           return drydock::testing::test_name(one.param.protocol);
+                         });
 
 /// gpsd leaves out what is not valid, and a carrier phase whose accuracy is unknown.
 void expect_same(const nlohmann::json& row, const char* key, const std::optional<double>& ours) {

@@ -7,6 +7,7 @@
 
 #include "hil/motion/track.hpp"
 #include "tests/estimators/hydrodynamics/support.hpp"
+#include "tests/test_name.hpp"
 
 /// Commands from a CSV file, one row until the next.
 namespace drydock::motion {
@@ -96,8 +97,8 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(Case{"gh_rudder_p10.csv", "0,0,0,0,1500\n10,10,0,0,1500\n"},
                     Case{"gh_rudder_m10.csv", "0,0,0,0,1500\n10,-10,0,0,1500\n"},
                     Case{"gh_stern_p3.csv", "0,0,0,0,1500\n10,0,3,0,1500\n"},
-                    Case{"gh_stern_pulse_m5.csv",
-                         "0,0,0,0,1500\n10,0,-5,0,1500\n20,0,0,0,1500\n"}));
+                    Case{"gh_stern_pulse_m5.csv", "0,0,0,0,1500\n10,0,-5,0,1500\n20,0,0,0,1500\n"}),
+    [](const auto& one) { return drydock::testing::test_name(one.param.file); });
 
 }  // namespace schedule_test
 }  // namespace drydock::motion
