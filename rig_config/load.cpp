@@ -4,10 +4,10 @@
 
 #include <algorithm>
 
-#include "rig_config/build.hpp"
-#include "rig_config/checked_file.hpp"
-#include "rig_config/checks.hpp"
-#include "rig_config/toml_reader.hpp"
+#include "rig_config/checks/checks.hpp"
+#include "rig_config/toml/checked_file.hpp"
+#include "rig_config/toml/toml_reader.hpp"
+#include "rig_config/typed/build.hpp"
 
 namespace drydock::rig_config {
 

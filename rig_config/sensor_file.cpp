@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <sstream>
 
-#include "rig_config/build.hpp"
+#include "rig_config/typed/build.hpp"
 
 namespace drydock::rig_config {
 

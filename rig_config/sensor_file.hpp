@@ -3,7 +3,7 @@
 #include <functional>
 #include <string>
 
-#include "rig_config/error_keys.hpp"
+#include "rig_config/rules/error_keys.hpp"
 
 namespace drydock::rig_config {
 

@@ -7,7 +7,7 @@
 #include <variant>
 #include <vector>
 
-#include "drivers/bus/convert.hpp"
+#include "drivers/bus/convert/convert.hpp"
 #include "drivers/bus/topic.hpp"
 
 /// Which messages are made of a device's measurements, whatever takes them: DDS, a recording.

@@ -7,7 +7,7 @@
 #include <cerrno>
 #include <system_error>
 
-#include "drivers/bus/convert.hpp"
+#include "drivers/bus/convert/convert.hpp"
 #include "drivers/bus/endpoint.hpp"
 #include "drivers/bus/subscriber.hpp"
 #include "drivers/bus/topic.hpp"

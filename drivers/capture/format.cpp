@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <array>
 
-#include "drivers/capture/canboat_plain.hpp"
-#include "drivers/capture/candump_log.hpp"
-#include "drivers/capture/candump_screen.hpp"
-#include "drivers/capture/pcan_trc.hpp"
-#include "drivers/capture/pcap.hpp"
-#include "drivers/capture/pcapng.hpp"
-#include "drivers/capture/vector_asc.hpp"
+#include "drivers/capture/formats/canboat_plain.hpp"
+#include "drivers/capture/formats/candump_log.hpp"
+#include "drivers/capture/formats/candump_screen.hpp"
+#include "drivers/capture/formats/pcan_trc.hpp"
+#include "drivers/capture/formats/pcap.hpp"
+#include "drivers/capture/formats/pcapng.hpp"
+#include "drivers/capture/formats/vector_asc.hpp"
 
 namespace drydock::capture {
 

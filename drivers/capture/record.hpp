@@ -4,7 +4,7 @@
 #include <optional>
 #include <string_view>
 
-#include "drivers/wire/can_frame.hpp"
+#include "drivers/wire/can/can_frame.hpp"
 
 namespace drydock::capture {
 

@@ -6,7 +6,7 @@
 #include <span>
 #include <string_view>
 
-#include "drivers/wire/can_frame.hpp"
+#include "drivers/wire/can/can_frame.hpp"
 
 /// Words of a capture's text line, and the numbers in them.
 namespace drydock::capture {

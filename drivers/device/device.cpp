@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "drivers/device/can_error_text.hpp"
+#include "drivers/device/bus/can_error_text.hpp"
 
 namespace drydock::device {
 

@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "drivers/measurement/measurement.hpp"
-#include "drivers/wire/can_frame.hpp"
+#include "drivers/wire/can/can_frame.hpp"
 #include "drivers/wire/codec.hpp"
 
 /// Drivers are sans-I/O: bytes, frames and time come in, measurements and replies go out.

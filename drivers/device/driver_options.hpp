@@ -9,9 +9,9 @@
 
 #include "drivers/device/mounting.hpp"
 #include "drivers/measurement/water_column.hpp"
-#include "drivers/wire/aceinna_setup.hpp"
-#include "drivers/wire/cia404_pressure.hpp"
-#include "drivers/wire/xsens.hpp"
+#include "drivers/wire/can/xsens.hpp"
+#include "drivers/wire/canopen/cia404_pressure.hpp"
+#include "drivers/wire/j1939/aceinna_setup.hpp"
 
 namespace drydock::device {
 

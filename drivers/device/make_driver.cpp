@@ -2,19 +2,19 @@
 
 #include <array>
 
-#include "drivers/device/aceinna_imu_driver.hpp"
-#include "drivers/device/actuator_driver.hpp"
-#include "drivers/device/cia404_imu_driver.hpp"
-#include "drivers/device/cia404_pressure_driver.hpp"
-#include "drivers/device/depth_driver.hpp"
-#include "drivers/device/dvl_driver.hpp"
-#include "drivers/device/emlog_driver.hpp"
-#include "drivers/device/gnss_driver.hpp"
-#include "drivers/device/nortek_driver.hpp"
-#include "drivers/device/pd4_driver.hpp"
-#include "drivers/device/pd6_driver.hpp"
-#include "drivers/device/water_linked_driver.hpp"
-#include "drivers/device/xsens_imu_driver.hpp"
+#include "drivers/device/dvl/dvl_driver.hpp"
+#include "drivers/device/dvl/nortek_driver.hpp"
+#include "drivers/device/dvl/pd4_driver.hpp"
+#include "drivers/device/dvl/pd6_driver.hpp"
+#include "drivers/device/dvl/water_linked_driver.hpp"
+#include "drivers/device/gnss/gnss_driver.hpp"
+#include "drivers/device/imu/aceinna_imu_driver.hpp"
+#include "drivers/device/imu/cia404_imu_driver.hpp"
+#include "drivers/device/imu/xsens_imu_driver.hpp"
+#include "drivers/device/vessel/actuator_driver.hpp"
+#include "drivers/device/vessel/cia404_pressure_driver.hpp"
+#include "drivers/device/vessel/depth_driver.hpp"
+#include "drivers/device/vessel/emlog_driver.hpp"
 
 namespace drydock::device {
 

@@ -1,6 +1,6 @@
 #include "drivers/device/timing.hpp"
 
-#include "drivers/wire/can_bits.hpp"
+#include "drivers/wire/can/can_bits.hpp"
 
 namespace drydock::device {
 

@@ -6,7 +6,7 @@
 
 #include "drivers/device/driver_options.hpp"
 #include "drivers/measurement/measurement.hpp"
-#include "drivers/wire/can_frame.hpp"
+#include "drivers/wire/can/can_frame.hpp"
 
 namespace drydock::device {
 

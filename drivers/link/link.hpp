@@ -12,7 +12,7 @@
 
 #include "drivers/link/uri.hpp"
 #include "drivers/measurement/measurement.hpp"
-#include "drivers/wire/can_frame.hpp"
+#include "drivers/wire/can/can_frame.hpp"
 
 /// How bytes and CAN frames travel. A link never throws for what the other side does:
 /// every operation ends in a result whose error says what happened.

@@ -7,7 +7,7 @@
 #include <map>
 #include <mutex>
 
-#include "drivers/link/signal.hpp"
+#include "drivers/io/signal.hpp"
 
 namespace drydock::link {
 namespace {

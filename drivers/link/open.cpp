@@ -1,17 +1,17 @@
 #include <stdexcept>
 
-#include "drivers/link/can_auto.hpp"
+#include "drivers/link/can/can_auto.hpp"
+#include "drivers/link/can/frame_file.hpp"
+#include "drivers/link/can/frame_hub.hpp"
+#include "drivers/link/can/slcan.hpp"
+#include "drivers/link/can/socketcan.hpp"
 #include "drivers/link/file.hpp"
-#include "drivers/link/frame_file.hpp"
-#include "drivers/link/frame_hub.hpp"
 #include "drivers/link/link.hpp"
 #include "drivers/link/memory.hpp"
-#include "drivers/link/pty.hpp"
-#include "drivers/link/serial.hpp"
-#include "drivers/link/slcan.hpp"
-#include "drivers/link/socketcan.hpp"
-#include "drivers/link/tcp.hpp"
-#include "drivers/link/udp.hpp"
+#include "drivers/link/net/tcp.hpp"
+#include "drivers/link/net/udp.hpp"
+#include "drivers/link/serial/pty.hpp"
+#include "drivers/link/serial/serial.hpp"
 
 namespace drydock::link {
 namespace {

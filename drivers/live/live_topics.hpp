@@ -1,6 +1,6 @@
 #pragma once
 
-#include "drivers/bus/cdr_sink.hpp"
+#include "drivers/bus/cdr/cdr_sink.hpp"
 #include "drivers/live/server.hpp"
 
 namespace drydock::live {

@@ -9,7 +9,7 @@
 #include <chrono>
 #include <utility>
 
-#include "drivers/live/access.hpp"
+#include "drivers/live/foxglove/access.hpp"
 #include "drivers/live/viewer.hpp"
 
 namespace drydock::live {

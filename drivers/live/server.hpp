@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "drivers/live/services.hpp"
+#include "drivers/live/foxglove/services.hpp"
 #include "drivers/measurement/stamp.hpp"
 
 namespace drydock::live {

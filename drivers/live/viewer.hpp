@@ -10,8 +10,8 @@
 #include <map>
 #include <memory>
 
-#include "drivers/link/signal.hpp"
-#include "drivers/live/services.hpp"
+#include "drivers/io/signal.hpp"
+#include "drivers/live/foxglove/services.hpp"
 
 namespace drydock::live {
 

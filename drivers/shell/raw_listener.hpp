@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "drivers/measurement/stamp.hpp"
-#include "drivers/wire/can_frame.hpp"
+#include "drivers/wire/can/can_frame.hpp"
 #include "drivers/wire/codec.hpp"
 
 namespace drydock::shell {

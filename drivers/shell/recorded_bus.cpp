@@ -2,7 +2,7 @@
 
 #include <stdexcept>
 
-#include "drivers/link/frame_file.hpp"
+#include "drivers/link/can/frame_file.hpp"
 
 namespace drydock::shell {
 

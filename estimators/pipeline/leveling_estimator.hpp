@@ -1,7 +1,7 @@
 #pragma once
 
 #include "estimators/leveling/any_leveling_filter.hpp"
-#include "estimators/pipeline/imu_driven_estimator.hpp"
+#include "estimators/pipeline/inertial/imu_driven_estimator.hpp"
 
 namespace drydock::pipeline {
 

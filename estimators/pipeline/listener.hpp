@@ -2,7 +2,7 @@
 
 #include "estimators/navigation/innovation.hpp"
 #include "estimators/pipeline/estimate.hpp"
-#include "estimators/pipeline/navigation_estimate.hpp"
+#include "estimators/pipeline/inertial/navigation_estimate.hpp"
 
 namespace drydock::pipeline {
 

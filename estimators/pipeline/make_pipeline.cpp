@@ -6,9 +6,9 @@
 #include <memory>
 #include <utility>
 
+#include "estimators/pipeline/inertial/navigation_estimator.hpp"
 #include "estimators/pipeline/leveling_estimator.hpp"
 #include "estimators/pipeline/mixing_estimator.hpp"
-#include "estimators/pipeline/navigation_estimator.hpp"
 #include "estimators/pipeline/pipeline.hpp"
 #include "estimators/pipeline/roll_estimator.hpp"
 

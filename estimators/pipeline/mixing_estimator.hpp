@@ -2,7 +2,7 @@
 
 #include "estimators/mixing/mixing_accuracy.hpp"
 #include "estimators/mixing/mixing_filter.hpp"
-#include "estimators/pipeline/imu_driven_estimator.hpp"
+#include "estimators/pipeline/inertial/imu_driven_estimator.hpp"
 
 namespace drydock::pipeline {
 

@@ -10,7 +10,7 @@
 #include "estimators/leveling/leveling_filter.hpp"
 #include "estimators/mixing/mixing_accuracy.hpp"
 #include "estimators/mixing/mixing_filter.hpp"
-#include "estimators/pipeline/inertial_options.hpp"
+#include "estimators/pipeline/inertial/inertial_options.hpp"
 #include "estimators/roll/hypothesis.hpp"
 
 namespace drydock::pipeline {

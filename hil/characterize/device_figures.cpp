@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "hil/characterize/step.hpp"
+#include "hil/characterize/noise/step.hpp"
 
 namespace drydock::characterize {
 namespace {

@@ -4,11 +4,11 @@
 #include <string>
 #include <vector>
 
-#include "hil/characterize/comparison.hpp"
-#include "hil/characterize/noise_fit.hpp"
+#include "hil/characterize/compare/comparison.hpp"
+#include "hil/characterize/noise/noise_fit.hpp"
+#include "hil/characterize/noise/steadiness.hpp"
 #include "hil/characterize/quantity.hpp"
 #include "hil/characterize/samples.hpp"
-#include "hil/characterize/steadiness.hpp"
 #include "hil/characterize/timing.hpp"
 
 namespace drydock::characterize {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "drivers/measurement/stamp.hpp"
-#include "drivers/wire/can_frame.hpp"
+#include "drivers/wire/can/can_frame.hpp"
 #include "hil/emulate/emulated_device.hpp"
 
 namespace drydock::emulate {

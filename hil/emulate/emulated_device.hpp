@@ -4,7 +4,7 @@
 #include <span>
 
 #include "drivers/measurement/measurement.hpp"
-#include "drivers/wire/can_frame.hpp"
+#include "drivers/wire/can/can_frame.hpp"
 #include "drivers/wire/codec.hpp"
 
 /// The other end of the wire: a device that turns the truth into the bytes a real one would send.

@@ -7,7 +7,7 @@
 
 #include "hil/emulate/booting_device.hpp"
 #include "hil/emulate/devices.hpp"
-#include "hil/emulate/make_sky.hpp"
+#include "hil/emulate/gnss/make_sky.hpp"
 
 namespace drydock::emulate {
 namespace {

@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include "drivers/wire/nmea0183.hpp"
+#include "drivers/wire/nmea0183/nmea0183.hpp"
 #include "hil/emulate/devices.hpp"
 #include "hil/sensor/ideal.hpp"
 

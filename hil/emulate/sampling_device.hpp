@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <memory>
 
-#include "drivers/wire/cia404_pressure.hpp"
+#include "drivers/wire/canopen/cia404_pressure.hpp"
 #include "hil/emulate/condition.hpp"
 #include "hil/emulate/emulated_device.hpp"
 #include "hil/emulate/make_emulated_device.hpp"

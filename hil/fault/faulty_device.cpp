@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "drivers/link/uri.hpp"
-#include "hil/fault/condition.hpp"
+#include "hil/fault/schedule/condition.hpp"
 
 namespace drydock::fault {
 

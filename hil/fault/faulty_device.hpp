@@ -3,9 +3,9 @@
 #include <memory>
 
 #include "hil/emulate/make_emulated_device.hpp"
-#include "hil/fault/faulty_wire.hpp"
 #include "hil/fault/port_faults.hpp"
-#include "hil/fault/schedule_follower.hpp"
+#include "hil/fault/schedule/schedule_follower.hpp"
+#include "hil/fault/wire/faulty_wire.hpp"
 #include "hil/motion/truth.hpp"
 
 namespace drydock::fault {

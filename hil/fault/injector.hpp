@@ -2,7 +2,7 @@
 
 #include "hil/fault/faulty_device.hpp"
 #include "hil/fault/rogue_node.hpp"
-#include "hil/fault/schedules.hpp"
+#include "hil/fault/schedule/schedules.hpp"
 
 namespace drydock::fault {
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "hil/fault/fault_hits.hpp"
-#include "hil/fault/schedule.hpp"
+#include "hil/fault/schedule/schedule.hpp"
 
 namespace drydock::fault {
 

@@ -2,9 +2,9 @@
 
 #include <memory>
 
-#include "drivers/wire/j1939_address_claim.hpp"
+#include "drivers/wire/j1939/j1939_address_claim.hpp"
 #include "hil/emulate/emulated_device.hpp"
-#include "hil/fault/schedule_follower.hpp"
+#include "hil/fault/schedule/schedule_follower.hpp"
 #include "hil/sensor/random.hpp"
 #include "rig_config/rig.hpp"
 

@@ -7,8 +7,8 @@
 
 #include "estimators/frame/attitude.hpp"
 #include "estimators/frame/earth.hpp"
-#include "hil/motion/actuator_law.hpp"
 #include "hil/motion/inertial.hpp"
+#include "hil/motion/vehicle/actuator_law.hpp"
 
 namespace drydock::motion {
 namespace {

@@ -2,9 +2,9 @@
 
 #include <mutex>
 
-#include "hil/motion/checkpoints.hpp"
 #include "hil/motion/leg_profile.hpp"
 #include "hil/motion/truth.hpp"
+#include "hil/motion/vehicle/checkpoints.hpp"
 #include "rig_config/rig.hpp"
 
 namespace drydock::motion {

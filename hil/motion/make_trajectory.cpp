@@ -2,7 +2,7 @@
 
 #include "hil/motion/ballistic_trajectory.hpp"
 #include "hil/motion/kinematic_trajectory.hpp"
-#include "hil/motion/vehicle_trajectory.hpp"
+#include "hil/motion/vehicle/vehicle_trajectory.hpp"
 
 namespace drydock::motion {
 

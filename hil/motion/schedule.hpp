@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "hil/motion/actuators.hpp"
+#include "hil/motion/vehicle/actuators.hpp"
 
 namespace drydock::motion {
 

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "hil/motion/simulated_vehicle.hpp"
+#include "hil/motion/vehicle/simulated_vehicle.hpp"
 
 namespace drydock::motion {
 

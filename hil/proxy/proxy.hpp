@@ -7,7 +7,7 @@
 
 #include "drivers/link/uri.hpp"
 #include "hil/fault/fault_hits.hpp"
-#include "hil/fault/schedule.hpp"
+#include "hil/fault/schedule/schedule.hpp"
 #include "hil/proxy/latency.hpp"
 #include "rig_config/rig.hpp"
 

@@ -4,8 +4,8 @@
 
 #include "drivers/link/link.hpp"
 #include "drivers/wire/codec.hpp"
-#include "hil/fault/faulty_bus.hpp"
-#include "hil/fault/faulty_stream.hpp"
+#include "hil/fault/wire/faulty_bus.hpp"
+#include "hil/fault/wire/faulty_stream.hpp"
 
 /// What is different between a byte link and a CAN bus on their way through a proxy.
 namespace drydock::proxy {

@@ -1,10 +1,10 @@
 #include <array>
 
-#include "hil/study/leveling_study.hpp"
-#include "hil/study/mixing_study.hpp"
-#include "hil/study/roll_study.hpp"
+#include "hil/study/leveling/leveling_study.hpp"
+#include "hil/study/mixing/mixing_study.hpp"
+#include "hil/study/roll/roll_study.hpp"
 #include "hil/study/study.hpp"
-#include "hil/study/velocity_study.hpp"
+#include "hil/study/velocity/velocity_study.hpp"
 
 namespace drydock::study {
 

@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "drivers/wire/cia404_imu.hpp"
-#include "drivers/wire/nmea2000.hpp"
+#include "drivers/wire/canopen/cia404_imu.hpp"
+#include "drivers/wire/nmea2000/nmea2000.hpp"
 
 namespace {
 

@@ -4,7 +4,7 @@
 
 #include "estimators/hydrodynamics/model.hpp"
 #include "estimators/vehicle/vehicle.hpp"
-#include "hil/motion/vehicle_trajectory.hpp"
+#include "hil/motion/vehicle/vehicle_trajectory.hpp"
 #include "rig_config/load.hpp"
 
 /// Cost of the truth of the velocity-filter paper's 5.5 h mission at 100 Hz.

@@ -9,7 +9,7 @@
 #include <regex>
 #include <sstream>
 
-#include "drivers/cli/decode.hpp"
+#include "drivers/decode/decode.hpp"
 #include "drivers/device/make_driver.hpp"
 #include "tests/conformance/corpus.hpp"
 

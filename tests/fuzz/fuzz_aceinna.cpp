@@ -1,4 +1,4 @@
-#include "drivers/wire/aceinna.hpp"
+#include "drivers/wire/j1939/aceinna.hpp"
 #include "tests/fuzz/fuzz_frames.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

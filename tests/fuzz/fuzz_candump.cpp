@@ -1,7 +1,7 @@
 #include <array>
 #include <cstdlib>
 
-#include "drivers/wire/candump.hpp"
+#include "drivers/wire/can/candump.hpp"
 
 using namespace drydock::wire;
 

@@ -2,8 +2,8 @@
 #include <cstdlib>
 #include <vector>
 
-#include "drivers/bus/cdr_measurements.hpp"
-#include "drivers/bus/cdr_publisher.hpp"
+#include "drivers/bus/cdr/cdr_measurements.hpp"
+#include "drivers/bus/cdr/cdr_publisher.hpp"
 #include "drivers/measurement/measurement.hpp"
 
 using namespace drydock;

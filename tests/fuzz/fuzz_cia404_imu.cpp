@@ -1,4 +1,4 @@
-#include "drivers/wire/cia404_imu.hpp"
+#include "drivers/wire/canopen/cia404_imu.hpp"
 #include "tests/fuzz/fuzz_frames.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

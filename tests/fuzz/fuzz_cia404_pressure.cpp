@@ -2,7 +2,7 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "drivers/wire/cia404_pressure.hpp"
+#include "drivers/wire/canopen/cia404_pressure.hpp"
 
 using namespace drydock::wire;
 

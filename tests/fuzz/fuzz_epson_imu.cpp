@@ -1,4 +1,4 @@
-#include "drivers/wire/epson_imu.hpp"
+#include "drivers/wire/canopen/epson_imu.hpp"
 #include "tests/fuzz/fuzz_frames.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "drivers/wire/nmea2000.hpp"
+#include "drivers/wire/nmea2000/nmea2000.hpp"
 
 using namespace drydock::wire;
 

@@ -6,7 +6,7 @@
 #include <cstring>
 #include <variant>
 
-#include "drivers/wire/can_frame.hpp"
+#include "drivers/wire/can/can_frame.hpp"
 #include "drivers/wire/codec.hpp"
 #include "tests/fuzz/fuzz_values.hpp"
 

@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "drivers/wire/j1939_transport_receiver.hpp"
-#include "drivers/wire/j1939_transport_sender.hpp"
+#include "drivers/wire/j1939/j1939_transport_receiver.hpp"
+#include "drivers/wire/j1939/j1939_transport_sender.hpp"
 
 using namespace drydock::wire;
 

@@ -1,7 +1,7 @@
 #include <memory>
 #include <sstream>
 
-#include "drivers/mcap/reader.hpp"
+#include "drivers/recordings/mcap/reader.hpp"
 
 /// Any bytes: the reader ends, says why, and every message it gave lies inside what it was given.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -2,7 +2,7 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "drivers/record/message_layout.hpp"
+#include "drivers/recordings/record/message_layout.hpp"
 
 using namespace drydock;
 

@@ -1,4 +1,4 @@
-#include "drivers/wire/nmea0183.hpp"
+#include "drivers/wire/nmea0183/nmea0183.hpp"
 #include "tests/fuzz/fuzz_protocol.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -1,4 +1,4 @@
-#include "drivers/wire/nortek.hpp"
+#include "drivers/wire/dvl/nortek.hpp"
 #include "tests/fuzz/fuzz_protocol.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

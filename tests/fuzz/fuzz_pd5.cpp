@@ -1,4 +1,4 @@
-#include "drivers/wire/pd4.hpp"
+#include "drivers/wire/dvl/pd4.hpp"
 #include "tests/fuzz/fuzz_protocol.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

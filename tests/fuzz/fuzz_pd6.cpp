@@ -1,4 +1,4 @@
-#include "drivers/wire/pd6.hpp"
+#include "drivers/wire/dvl/pd6.hpp"
 #include "tests/fuzz/fuzz_protocol.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

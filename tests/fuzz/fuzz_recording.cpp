@@ -2,9 +2,9 @@
 #include <cstdlib>
 #include <sstream>
 
-#include "drivers/bus/cdr_measurements.hpp"
-#include "drivers/record/message_layout.hpp"
-#include "drivers/record/player.hpp"
+#include "drivers/bus/cdr/cdr_measurements.hpp"
+#include "drivers/recordings/record/message_layout.hpp"
+#include "drivers/recordings/record/player.hpp"
 
 using namespace drydock;
 

@@ -1,6 +1,6 @@
 #include <cstdlib>
 
-#include "hil/cli/replay/references.hpp"
+#include "hil/replay/reference/references.hpp"
 
 /// Any text is refused with a line, or is references that are the same written and read again.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

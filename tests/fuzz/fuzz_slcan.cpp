@@ -1,6 +1,6 @@
 #include <cstdlib>
 
-#include "drivers/wire/slcan.hpp"
+#include "drivers/wire/can/slcan.hpp"
 
 using namespace drydock::wire;
 

@@ -3,9 +3,9 @@
 #include <cstdlib>
 #include <string>
 
-#include "drivers/live/access.hpp"
-#include "drivers/live/services.hpp"
-#include "hil/cli/fault/fault_requests.hpp"
+#include "drivers/live/foxglove/access.hpp"
+#include "drivers/live/foxglove/services.hpp"
+#include "hil/control/request/fault_requests.hpp"
 
 namespace http = boost::beast::http;
 using namespace drydock::live;

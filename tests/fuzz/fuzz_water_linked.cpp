@@ -1,4 +1,4 @@
-#include "drivers/wire/water_linked.hpp"
+#include "drivers/wire/dvl/water_linked.hpp"
 #include "tests/fuzz/fuzz_protocol.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

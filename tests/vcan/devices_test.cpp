@@ -8,7 +8,7 @@
 
 #include "drivers/shell/real_time.hpp"
 #include "drivers/shell/rig_devices.hpp"
-#include "hil/emulate/real_time.hpp"
+#include "hil/emulate/real_time/real_time.hpp"
 #include "hil/motion/kinematic_trajectory.hpp"
 #include "tests/drivers/link/running.hpp"
 #include "tests/vcan/process.hpp"

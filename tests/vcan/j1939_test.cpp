@@ -9,10 +9,10 @@
 #include <functional>
 #include <numeric>
 
-#include "drivers/link/kernel_frame.hpp"
-#include "drivers/wire/j1939_address_claim.hpp"
-#include "drivers/wire/j1939_transport_receiver.hpp"
-#include "drivers/wire/j1939_transport_sender.hpp"
+#include "drivers/link/can/kernel_frame.hpp"
+#include "drivers/wire/j1939/j1939_address_claim.hpp"
+#include "drivers/wire/j1939/j1939_transport_receiver.hpp"
+#include "drivers/wire/j1939/j1939_transport_sender.hpp"
 #include "tests/vcan/process.hpp"
 
 /// Peer: Linux's own J1939 stack (can-j1939) and can-utils' j1939acd on the same bus.

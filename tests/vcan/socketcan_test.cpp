@@ -8,7 +8,7 @@
 
 #include <fstream>
 
-#include "drivers/link/can_interface.hpp"
+#include "drivers/link/can/can_interface.hpp"
 #include "drivers/link/descriptor.hpp"
 #include "tests/drivers/link/running.hpp"
 #include "tests/vcan/process.hpp"

@@ -4,7 +4,7 @@
 
 #include <fstream>
 
-#include "drivers/link/can_interface.hpp"
+#include "drivers/link/can/can_interface.hpp"
 #include "tests/hil/survive/bench.hpp"
 #include "tests/vcan/process.hpp"
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "drivers/bus/cdr_measurements.hpp"
+#include "drivers/bus/cdr/cdr_measurements.hpp"
 #include "drivers/bus/endpoint.hpp"
 #include "drivers/bus/topic.hpp"
 #include "tests/drivers/bus/bus_fixture.hpp"

@@ -2,7 +2,7 @@
 
 #include <map>
 
-#include "drivers/bus/cdr_publisher.hpp"
+#include "drivers/bus/cdr/cdr_publisher.hpp"
 #include "tests/drivers/bus/wire_reader.hpp"
 
 /// Recordings and viewers get the bytes that DDS itself sends.

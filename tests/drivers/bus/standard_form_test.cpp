@@ -2,7 +2,7 @@
 
 #include <numbers>
 
-#include "drivers/bus/convert.hpp"
+#include "drivers/bus/convert/convert.hpp"
 #include "tests/drivers/bus/bus_fixture.hpp"
 
 namespace drydock::bus::test {

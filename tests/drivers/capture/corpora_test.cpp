@@ -6,7 +6,7 @@
 #include <sstream>
 
 #include "drivers/wire/bytes.hpp"
-#include "drivers/wire/candump.hpp"
+#include "drivers/wire/can/candump.hpp"
 #include "tests/drivers/capture/captures.hpp"
 
 /// Other people's CAN captures, against scanners of a few lines and can-utils' asc2log.

@@ -2,7 +2,7 @@
 
 #include "drivers/capture/comment_head.hpp"
 #include "drivers/wire/bytes.hpp"
-#include "drivers/wire/fast_packet.hpp"
+#include "drivers/wire/nmea2000/fast_packet.hpp"
 #include "tests/drivers/capture/captures.hpp"
 
 /// What the formats' rarer lines say, and how a file is refused.

@@ -1,4 +1,4 @@
-#include "drivers/device/canopen_node.hpp"
+#include "drivers/device/bus/canopen_node.hpp"
 
 #include "tests/drivers/device/support.hpp"
 

@@ -1,4 +1,4 @@
-#include "drivers/device/ecef.hpp"
+#include "drivers/device/gnss/ecef.hpp"
 
 #include <cmath>
 

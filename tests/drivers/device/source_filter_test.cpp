@@ -1,5 +1,5 @@
 // Whose frames are our sensor's: by address, by NAME once it was heard (SAE J1939-81).
-#include "drivers/device/source_filter.hpp"
+#include "drivers/device/bus/source_filter.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "drivers/device/water_linked_dialogue.hpp"
+#include "drivers/device/dvl/water_linked_dialogue.hpp"
 
 #include "tests/drivers/device/support.hpp"
 

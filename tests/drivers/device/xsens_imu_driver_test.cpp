@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "drivers/wire/can_bits.hpp"
+#include "drivers/wire/can/can_bits.hpp"
 #include "tests/drivers/device/support.hpp"
 
 /// Frames written out by MT1604P's tables.

@@ -1,6 +1,6 @@
 #include <gmock/gmock.h>
 
-#include "drivers/link/can_interface.hpp"
+#include "drivers/link/can/can_interface.hpp"
 #include "tests/drivers/link/running.hpp"
 
 namespace drydock::link::testing {

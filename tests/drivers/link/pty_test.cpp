@@ -5,7 +5,7 @@
 #include <fstream>
 
 #include "drivers/link/descriptor.hpp"
-#include "drivers/link/line_settings.hpp"
+#include "drivers/link/serial/line_settings.hpp"
 #include "tests/drivers/link/running.hpp"
 
 namespace drydock::link::testing {

@@ -1,4 +1,4 @@
-#include "drivers/live/access.hpp"
+#include "drivers/live/foxglove/access.hpp"
 
 #include <gtest/gtest.h>
 

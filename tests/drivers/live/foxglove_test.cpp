@@ -1,4 +1,4 @@
-#include "drivers/live/foxglove.hpp"
+#include "drivers/live/foxglove/foxglove.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "drivers/bus/cdr_publisher.hpp"
+#include "drivers/bus/cdr/cdr_publisher.hpp"
 #include "drivers/live/live_topics.hpp"
 
 namespace drydock::live::test {

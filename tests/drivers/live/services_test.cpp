@@ -1,4 +1,4 @@
-#include "drivers/live/services.hpp"
+#include "drivers/live/foxglove/services.hpp"
 
 #include <gmock/gmock.h>
 #include <rapidcheck/gtest.h>

@@ -5,8 +5,8 @@
 #include <random>
 #include <set>
 
-#include "drivers/wire/aceinna.hpp"
 #include "drivers/wire/bytes.hpp"
+#include "drivers/wire/j1939/aceinna.hpp"
 #include "tests/drivers/wire/can_fixture.hpp"
 #include "tests/drivers/wire/dbc_reader.hpp"
 

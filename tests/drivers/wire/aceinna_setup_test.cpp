@@ -1,9 +1,9 @@
-#include "drivers/wire/aceinna_setup.hpp"
+#include "drivers/wire/j1939/aceinna_setup.hpp"
 
 #include <gtest/gtest.h>
 
-#include "drivers/wire/aceinna.hpp"
-#include "drivers/wire/j1939_address_claim.hpp"
+#include "drivers/wire/j1939/aceinna.hpp"
+#include "drivers/wire/j1939/j1939_address_claim.hpp"
 #include "tests/drivers/wire/can_fixture.hpp"
 
 namespace drydock::wire::aceinna {

@@ -1,4 +1,4 @@
-#include "drivers/wire/aceinna.hpp"
+#include "drivers/wire/j1939/aceinna.hpp"
 
 #include <gtest/gtest.h>
 

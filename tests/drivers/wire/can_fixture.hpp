@@ -14,7 +14,7 @@
 #include <variant>
 #include <vector>
 
-#include "drivers/wire/candump.hpp"
+#include "drivers/wire/can/candump.hpp"
 #include "drivers/wire/codec.hpp"
 
 /// Reads frames and what they say from fixtures and from the corpora.

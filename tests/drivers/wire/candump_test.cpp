@@ -1,4 +1,4 @@
-#include "drivers/wire/candump.hpp"
+#include "drivers/wire/can/candump.hpp"
 
 #include <gtest/gtest.h>
 

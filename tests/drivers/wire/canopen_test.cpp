@@ -1,8 +1,8 @@
-#include "drivers/wire/canopen.hpp"
+#include "drivers/wire/canopen/canopen.hpp"
 
 #include <gtest/gtest.h>
 
-#include "drivers/wire/canopen_sdo.hpp"
+#include "drivers/wire/canopen/canopen_sdo.hpp"
 #include "tests/drivers/wire/can_fixture.hpp"
 
 namespace drydock::wire::canopen {

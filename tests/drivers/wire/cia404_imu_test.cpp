@@ -1,4 +1,4 @@
-#include "drivers/wire/cia404_imu.hpp"
+#include "drivers/wire/canopen/cia404_imu.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

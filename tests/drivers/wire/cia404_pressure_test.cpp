@@ -1,4 +1,4 @@
-#include "drivers/wire/cia404_pressure.hpp"
+#include "drivers/wire/canopen/cia404_pressure.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "drivers/wire/can_frame.hpp"
+#include "drivers/wire/can/can_frame.hpp"
 #include "drivers/wire/codec.hpp"
 
 /// As much of the DBC format as our files use: messages, signals of either byte order, value

@@ -1,4 +1,4 @@
-#include "drivers/wire/epson_imu.hpp"
+#include "drivers/wire/canopen/epson_imu.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "drivers/wire/fast_packet.hpp"
+#include "drivers/wire/nmea2000/fast_packet.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -9,7 +9,7 @@
 
 #include "drivers/wire/bytes.hpp"
 #include "drivers/wire/fields.hpp"
-#include "drivers/wire/nmea2000.hpp"
+#include "drivers/wire/nmea2000/nmea2000.hpp"
 #include "tests/drivers/wire/can_fixture.hpp"
 
 namespace drydock::wire {

@@ -5,8 +5,8 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
-#include "drivers/wire/nmea0183.hpp"
-#include "drivers/wire/ubx.hpp"
+#include "drivers/wire/nmea0183/nmea0183.hpp"
+#include "drivers/wire/ubx/ubx.hpp"
 #include "tests/drivers/wire/byte_streams.hpp"
 
 /// Another program reads what we encode: gpsd's gpsdecode, a filter from a stream to JSON.

@@ -1,11 +1,11 @@
-#include "drivers/wire/j1939.hpp"
+#include "drivers/wire/j1939/j1939.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
 #include <map>
 
-#include "drivers/wire/j1939_address_claim.hpp"
+#include "drivers/wire/j1939/j1939_address_claim.hpp"
 #include "tests/drivers/wire/can_fixture.hpp"
 
 namespace drydock::wire::j1939 {

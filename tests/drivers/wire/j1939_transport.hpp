@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "drivers/wire/j1939_transport_receiver.hpp"
-#include "drivers/wire/j1939_transport_sender.hpp"
+#include "drivers/wire/j1939/j1939_transport_receiver.hpp"
+#include "drivers/wire/j1939/j1939_transport_sender.hpp"
 #include "tests/drivers/wire/can_fixture.hpp"
 
 /// The two ends of J1939-21's transport, and the messages that go between them.

@@ -3,7 +3,7 @@
 #include <map>
 #include <numeric>
 
-#include "drivers/wire/ubx_nmea.hpp"
+#include "drivers/wire/ubx/ubx_nmea.hpp"
 #include "tests/drivers/wire/gpsd_logs.hpp"
 
 /// Lines that carry UBX, NMEA 0183 and RTCM 3 in turn, counted once more by a scanner that tries

@@ -4,7 +4,7 @@
 #include <fstream>
 #include <set>
 
-#include "drivers/wire/nmea0183.hpp"
+#include "drivers/wire/nmea0183/nmea0183.hpp"
 #include "tests/drivers/wire/gpsd_logs.hpp"
 
 namespace drydock::wire::testing {

@@ -1,8 +1,8 @@
-#include "drivers/wire/nmea0183_position.hpp"
+#include "drivers/wire/nmea0183/nmea0183_position.hpp"
 
 #include <gtest/gtest.h>
 
-#include "drivers/wire/nmea0183.hpp"
+#include "drivers/wire/nmea0183/nmea0183.hpp"
 #include "tests/drivers/wire/byte_streams.hpp"
 #include "tests/drivers/wire/sentences.hpp"
 

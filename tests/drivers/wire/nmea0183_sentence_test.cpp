@@ -1,4 +1,4 @@
-#include "drivers/wire/nmea0183_sentence.hpp"
+#include "drivers/wire/nmea0183/nmea0183_sentence.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -6,7 +6,7 @@
 #include <rapidcheck.h>
 #include <charconv>
 
-#include "drivers/wire/nmea0183.hpp"
+#include "drivers/wire/nmea0183/nmea0183.hpp"
 #include "tests/drivers/wire/byte_streams.hpp"
 
 namespace drydock::wire::testing {

@@ -1,4 +1,4 @@
-#include "drivers/wire/nmea0183.hpp"
+#include "drivers/wire/nmea0183/nmea0183.hpp"
 
 #include <gtest/gtest.h>
 

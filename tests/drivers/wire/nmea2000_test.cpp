@@ -1,4 +1,4 @@
-#include "drivers/wire/nmea2000.hpp"
+#include "drivers/wire/nmea2000/nmea2000.hpp"
 
 #include <gtest/gtest.h>
 

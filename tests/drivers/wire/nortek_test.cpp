@@ -1,4 +1,4 @@
-#include "drivers/wire/nortek.hpp"
+#include "drivers/wire/dvl/nortek.hpp"
 
 #include <gtest/gtest.h>
 

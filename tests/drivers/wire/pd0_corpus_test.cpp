@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "drivers/wire/pd0.hpp"
+#include "drivers/wire/dvl/pd0.hpp"
 #include "tests/drivers/wire/byte_streams.hpp"
 
 /// Real instruments' files, and what the MHKiT library (float32) reads in them.

@@ -1,4 +1,4 @@
-#include "drivers/wire/pd0.hpp"
+#include "drivers/wire/dvl/pd0.hpp"
 
 #include <gtest/gtest.h>
 

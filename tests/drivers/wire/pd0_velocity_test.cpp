@@ -1,4 +1,4 @@
-#include "drivers/wire/pd0_velocity.hpp"
+#include "drivers/wire/dvl/pd0_velocity.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "drivers/wire/pd4.hpp"
+#include "drivers/wire/dvl/pd4.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "drivers/wire/pd6.hpp"
+#include "drivers/wire/dvl/pd6.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
-#include "drivers/wire/rtcm3.hpp"
+#include "drivers/wire/ubx/rtcm3.hpp"
 
 #include <gtest/gtest.h>
 
-#include "drivers/wire/ubx_nmea.hpp"
+#include "drivers/wire/ubx/ubx_nmea.hpp"
 #include "tests/drivers/wire/byte_streams.hpp"
 
 namespace drydock::wire::testing {

@@ -1,4 +1,4 @@
-#include "drivers/wire/slcan.hpp"
+#include "drivers/wire/can/slcan.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

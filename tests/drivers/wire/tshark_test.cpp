@@ -3,11 +3,11 @@
 
 #include <cstdio>
 
-#include "drivers/wire/aceinna.hpp"
 #include "drivers/wire/bytes.hpp"
-#include "drivers/wire/cia404_imu.hpp"
-#include "drivers/wire/j1939_transport_sender.hpp"
-#include "drivers/wire/nmea2000.hpp"
+#include "drivers/wire/canopen/cia404_imu.hpp"
+#include "drivers/wire/j1939/aceinna.hpp"
+#include "drivers/wire/j1939/j1939_transport_sender.hpp"
+#include "drivers/wire/nmea2000/nmea2000.hpp"
 #include "tests/drivers/wire/can_fixture.hpp"
 
 /// Another program reads what we encode: Wireshark's J1939 and CANopen dissectors, by tshark.

@@ -5,7 +5,7 @@
 #include <set>
 #include <tuple>
 
-#include "drivers/wire/ubx_nmea.hpp"
+#include "drivers/wire/ubx/ubx_nmea.hpp"
 #include "tests/drivers/wire/gpsd_logs.hpp"
 
 namespace drydock::wire::testing {

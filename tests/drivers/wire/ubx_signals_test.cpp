@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "drivers/wire/ubx.hpp"
+#include "drivers/wire/ubx/ubx.hpp"
 #include "tests/drivers/wire/byte_streams.hpp"
 
 /// Frames 17 to 20 of fixtures/ubx/NOTE.md, and a capture of raw measurements.

@@ -1,8 +1,8 @@
-#include "drivers/wire/ubx_solution.hpp"
+#include "drivers/wire/ubx/ubx_solution.hpp"
 
 #include <gtest/gtest.h>
 
-#include "drivers/wire/ubx.hpp"
+#include "drivers/wire/ubx/ubx.hpp"
 #include "tests/drivers/wire/byte_streams.hpp"
 
 /// Frames 10 to 16 of fixtures/ubx/NOTE.md: one epoch of a receiver before NAV-PVT.

@@ -1,4 +1,4 @@
-#include "drivers/wire/ubx.hpp"
+#include "drivers/wire/ubx/ubx.hpp"
 
 #include <gtest/gtest.h>
 

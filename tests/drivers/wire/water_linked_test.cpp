@@ -1,4 +1,4 @@
-#include "drivers/wire/water_linked.hpp"
+#include "drivers/wire/dvl/water_linked.hpp"
 
 #include <gtest/gtest.h>
 

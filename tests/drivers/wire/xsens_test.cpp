@@ -1,4 +1,4 @@
-#include "drivers/wire/xsens.hpp"
+#include "drivers/wire/can/xsens.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

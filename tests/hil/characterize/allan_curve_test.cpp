@@ -1,4 +1,4 @@
-#include "hil/characterize/allan_curve.hpp"
+#include "hil/characterize/noise/allan_curve.hpp"
 
 #include <gtest/gtest.h>
 

@@ -8,11 +8,11 @@
 #include <numbers>
 #include <sstream>
 
-#include "drivers/cli/rig_bus.hpp"
-#include "drivers/mcap/file_sink.hpp"
-#include "drivers/record/recorder.hpp"
-#include "hil/cli/characterize.hpp"
-#include "hil/cli/run.hpp"
+#include "drivers/host/rig_bus.hpp"
+#include "drivers/recordings/mcap/file_sink.hpp"
+#include "drivers/recordings/record/recorder.hpp"
+#include "hil/bench/run.hpp"
+#include "hil/characterize/report/characterize.hpp"
 #include "rig_config/load.hpp"
 
 namespace {

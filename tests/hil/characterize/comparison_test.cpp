@@ -1,4 +1,4 @@
-#include "hil/characterize/comparison.hpp"
+#include "hil/characterize/compare/comparison.hpp"
 
 #include <gtest/gtest.h>
 

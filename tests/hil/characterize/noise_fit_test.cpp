@@ -1,4 +1,4 @@
-#include "hil/characterize/noise_fit.hpp"
+#include "hil/characterize/noise/noise_fit.hpp"
 
 #include <gtest/gtest.h>
 

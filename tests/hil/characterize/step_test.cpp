@@ -1,11 +1,11 @@
-#include "hil/characterize/step.hpp"
+#include "hil/characterize/noise/step.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <vector>
 
-#include "hil/characterize/steadiness.hpp"
+#include "hil/characterize/noise/steadiness.hpp"
 #include "hil/sensor/random.hpp"
 
 namespace drydock::characterize {

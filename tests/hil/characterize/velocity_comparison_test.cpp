@@ -1,4 +1,4 @@
-#include "hil/characterize/velocity_comparison.hpp"
+#include "hil/characterize/compare/velocity_comparison.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <fstream>
 
 #include "hil/characterize/device_figures.hpp"
-#include "hil/cli/characterize.hpp"
+#include "hil/characterize/report/characterize.hpp"
 
 namespace {
 

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "drivers/wire/canopen.hpp"
-#include "drivers/wire/canopen_sdo.hpp"
+#include "drivers/wire/canopen/canopen.hpp"
+#include "drivers/wire/canopen/canopen_sdo.hpp"
 #include "tests/hil/emulate/bench.hpp"
 
 namespace drydock::emulate {

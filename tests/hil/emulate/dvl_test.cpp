@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "drivers/wire/bytes.hpp"
-#include "drivers/wire/pd0.hpp"
+#include "drivers/wire/dvl/pd0.hpp"
 #include "tests/hil/emulate/bench.hpp"
 
 namespace drydock::emulate {

@@ -3,8 +3,8 @@
 #include <fstream>
 #include <map>
 
-#include "drivers/wire/canopen.hpp"
-#include "drivers/wire/canopen_sdo.hpp"
+#include "drivers/wire/canopen/canopen.hpp"
+#include "drivers/wire/canopen/canopen_sdo.hpp"
 #include "tests/hil/emulate/bench.hpp"
 #include "tests/test_name.hpp"
 

@@ -5,7 +5,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "drivers/wire/ubx_nmea.hpp"
+#include "drivers/wire/ubx/ubx_nmea.hpp"
 #include "estimators/frame/geodetic.hpp"
 #include "tests/hil/emulate/bench.hpp"
 #include "tests/test_name.hpp"

@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
-#include "drivers/wire/aceinna.hpp"
 #include "drivers/wire/bytes.hpp"
-#include "drivers/wire/cia404_imu.hpp"
+#include "drivers/wire/canopen/cia404_imu.hpp"
+#include "drivers/wire/j1939/aceinna.hpp"
 #include "tests/hil/emulate/bench.hpp"
 
 namespace drydock::emulate {

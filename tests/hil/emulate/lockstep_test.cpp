@@ -5,7 +5,7 @@
 #include <map>
 #include <set>
 
-#include "drivers/wire/canopen.hpp"
+#include "drivers/wire/canopen/canopen.hpp"
 #include "hil/motion/kinematic_trajectory.hpp"
 #include "tests/hil/emulate/bench.hpp"
 

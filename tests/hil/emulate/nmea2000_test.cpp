@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "drivers/wire/bytes.hpp"
-#include "drivers/wire/nmea2000.hpp"
+#include "drivers/wire/nmea2000/nmea2000.hpp"
 #include "tests/hil/emulate/bench.hpp"
 
 namespace drydock::emulate {

@@ -4,7 +4,7 @@
 #include <deque>
 #include <numeric>
 
-#include "drivers/wire/can_bits.hpp"
+#include "drivers/wire/can/can_bits.hpp"
 #include "hil/emulate/can_pacer.hpp"
 #include "hil/emulate/line_pacer.hpp"
 

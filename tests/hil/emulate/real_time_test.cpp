@@ -1,4 +1,4 @@
-#include "hil/emulate/real_time.hpp"
+#include "hil/emulate/real_time/real_time.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,8 +9,8 @@
 #include <ctime>
 
 #include "drivers/link/link.hpp"
-#include "drivers/wire/canopen.hpp"
-#include "drivers/wire/nmea0183.hpp"
+#include "drivers/wire/canopen/canopen.hpp"
+#include "drivers/wire/nmea0183/nmea0183.hpp"
 #include "hil/motion/kinematic_trajectory.hpp"
 #include "tests/hil/emulate/bench.hpp"
 

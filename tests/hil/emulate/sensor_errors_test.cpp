@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "drivers/wire/bytes.hpp"
-#include "drivers/wire/canopen.hpp"
-#include "drivers/wire/pd0.hpp"
+#include "drivers/wire/canopen/canopen.hpp"
+#include "drivers/wire/dvl/pd0.hpp"
 #include "hil/sensor/ideal.hpp"
 #include "hil/sensor/imu_errors.hpp"
 #include "rig_config/load.hpp"

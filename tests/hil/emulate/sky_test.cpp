@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "drivers/wire/ubx_nmea.hpp"
+#include "drivers/wire/ubx/ubx_nmea.hpp"
 #include "hil/sky/broadcast_sky.hpp"
 #include "hil/sky/ephemeris_file.hpp"
 #include "tests/hil/emulate/bench.hpp"

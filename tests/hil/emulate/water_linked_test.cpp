@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "drivers/wire/water_linked.hpp"
+#include "drivers/wire/dvl/water_linked.hpp"
 #include "tests/hil/emulate/bench.hpp"
 
 namespace drydock::emulate {

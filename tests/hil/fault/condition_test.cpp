@@ -1,5 +1,5 @@
 // What faults make of a device from within. With none of them it is sound.
-#include "hil/fault/condition.hpp"
+#include "hil/fault/schedule/condition.hpp"
 
 #include <gtest/gtest.h>
 

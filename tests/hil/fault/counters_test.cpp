@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include "hil/fault/random_faults.hpp"
+#include "hil/fault/schedule/random_faults.hpp"
 #include "tests/hil/fault/line_bench.hpp"
 
 namespace drydock::fault::test {

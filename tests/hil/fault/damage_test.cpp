@@ -1,6 +1,6 @@
 // Single messages damaged. What a receiver at the wrong baud rate makes of a character was worked
 // out by hand from the levels of 8N1, least significant bit first.
-#include "hil/fault/damage.hpp"
+#include "hil/fault/wire/damage.hpp"
 
 #include <gmock/gmock.h>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "hil/fault/schedule.hpp"
+#include "hil/fault/schedule/schedule.hpp"
 
 namespace drydock::fault::test {
 

@@ -1,5 +1,5 @@
 // Messages that come later: by a constant, by chance, together. Always in order, none lost.
-#include "hil/fault/held_messages.hpp"
+#include "hil/fault/wire/held_messages.hpp"
 
 #include <gtest/gtest.h>
 

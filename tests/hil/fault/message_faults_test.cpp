@@ -1,5 +1,5 @@
 // What a wire does to a stream of numbered messages: how many come, which, in which order.
-#include "hil/fault/message_faults.hpp"
+#include "hil/fault/wire/message_faults.hpp"
 
 #include <gmock/gmock.h>
 

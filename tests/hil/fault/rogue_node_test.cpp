@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "drivers/wire/j1939.hpp"
+#include "drivers/wire/j1939/j1939.hpp"
 #include "tests/hil/fault/faults.hpp"
 
 namespace drydock::fault::test {

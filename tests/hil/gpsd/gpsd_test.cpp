@@ -6,7 +6,7 @@
 #include <ctime>
 #include <set>
 
-#include "drivers/wire/ubx.hpp"
+#include "drivers/wire/ubx/ubx.hpp"
 #include "hil/sensor/sky.hpp"
 #include "tests/drivers/wire/byte_streams.hpp"
 #include "tests/hil/emulate/bench.hpp"

@@ -1,4 +1,4 @@
-#include "hil/motion/actuators.hpp"
+#include "hil/motion/vehicle/actuators.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

@@ -1,5 +1,5 @@
 // States found again at any index in any order, with little kept.
-#include "hil/motion/checkpoints.hpp"
+#include "hil/motion/vehicle/checkpoints.hpp"
 
 #include <gtest/gtest.h>
 

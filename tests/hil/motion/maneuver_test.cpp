@@ -1,4 +1,4 @@
-#include "hil/motion/maneuver.hpp"
+#include "hil/motion/maneuver/maneuver.hpp"
 
 #include <gtest/gtest.h>
 

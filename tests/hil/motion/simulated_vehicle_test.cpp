@@ -1,4 +1,4 @@
-#include "hil/motion/simulated_vehicle.hpp"
+#include "hil/motion/vehicle/simulated_vehicle.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "hil/motion/vehicle_trajectory.hpp"
+#include "hil/motion/vehicle/vehicle_trajectory.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

@@ -1,5 +1,5 @@
 // A CAN bus on its way to the drivers, one of its devices under faults, in virtual time.
-#include "hil/fault/faulty_bus.hpp"
+#include "hil/fault/wire/faulty_bus.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "hil/fault/faulty_stream.hpp"
+#include "hil/fault/wire/faulty_stream.hpp"
 #include "tests/hil/proxy/outlet.hpp"
 
 /// A receiver whose bytes pass through its faults, in virtual time.

@@ -1,4 +1,4 @@
-#include "hil/fault/message_splitter.hpp"
+#include "hil/fault/wire/message_splitter.hpp"
 
 #include <gtest/gtest.h>
 

@@ -4,9 +4,9 @@
 #include <string_view>
 #include <vector>
 
-#include "drivers/wire/canopen.hpp"
-#include "hil/fault/outlet.hpp"
-#include "hil/fault/schedule.hpp"
+#include "drivers/wire/canopen/canopen.hpp"
+#include "hil/fault/schedule/schedule.hpp"
+#include "hil/fault/wire/outlet.hpp"
 #include "rig_config/load.hpp"
 
 /// What drivers hear behind faults, and lines that none of our encoders made.

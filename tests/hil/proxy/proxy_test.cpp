@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "drivers/shell/real_time.hpp"
-#include "hil/emulate/real_time.hpp"
+#include "hil/emulate/real_time/real_time.hpp"
 #include "hil/motion/kinematic_trajectory.hpp"
 #include "tests/hil/proxy/proxy_between.hpp"
 

@@ -1,11 +1,11 @@
-#include "hil/study/leveling_motion.hpp"
+#include "hil/study/leveling/leveling_motion.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "estimators/frame/earth.hpp"
-#include "hil/study/leveling_trial.hpp"
+#include "hil/study/leveling/leveling_trial.hpp"
 
 namespace drydock::study {
 namespace {

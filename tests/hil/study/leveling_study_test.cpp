@@ -1,4 +1,4 @@
-#include "hil/study/leveling_study.hpp"
+#include "hil/study/leveling/leveling_study.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "estimators/frame/earth.hpp"
-#include "hil/study/leveling_covariance.hpp"
+#include "hil/study/leveling/leveling_covariance.hpp"
 
 /// The paper's chapter 4 in small: fewer runs than the study's, the same claims. The full counts
 /// stand in docs/estimators/leveling.md with the command that prints them.

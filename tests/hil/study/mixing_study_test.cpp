@@ -1,4 +1,4 @@
-#include "hil/study/mixing_study.hpp"
+#include "hil/study/mixing/mixing_study.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

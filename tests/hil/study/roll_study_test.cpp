@@ -1,4 +1,4 @@
-#include "hil/study/roll_study.hpp"
+#include "hil/study/roll/roll_study.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <stdexcept>
 
-#include "hil/study/roll_bound.hpp"
+#include "hil/study/roll/roll_bound.hpp"
 #include "tests/hil/sky/files.hpp"
 
 namespace drydock::study::roll_study_test {

@@ -3,7 +3,7 @@
 #include <set>
 
 #include "hil/study/perturbation.hpp"
-#include "hil/study/velocity_study.hpp"
+#include "hil/study/velocity/velocity_study.hpp"
 
 /// What `drydock study velocity` is to show, on few runs of the mission's first 20 minutes with a
 /// DVL that is lost after ten.

@@ -1,8 +1,8 @@
-#include "hil/study/velocity_trial.hpp"
+#include "hil/study/velocity/velocity_trial.hpp"
 
 #include <gtest/gtest.h>
 
-#include "hil/study/velocity_statistics.hpp"
+#include "hil/study/velocity/velocity_statistics.hpp"
 
 namespace drydock::study {
 namespace {

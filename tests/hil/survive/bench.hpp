@@ -11,7 +11,7 @@
 #include "drivers/link/clock.hpp"
 #include "drivers/shell/real_time.hpp"
 #include "drivers/shell/rig_devices.hpp"
-#include "hil/emulate/real_time.hpp"
+#include "hil/emulate/real_time/real_time.hpp"
 #include "hil/fault/injector.hpp"
 #include "hil/motion/kinematic_trajectory.hpp"
 #include "tests/drivers/link/running.hpp"

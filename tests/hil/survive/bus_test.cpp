@@ -1,5 +1,5 @@
-#include "drivers/wire/slcan.hpp"
-#include "drivers/wire/slcan_report.hpp"
+#include "drivers/wire/can/slcan.hpp"
+#include "drivers/wire/can/slcan_report.hpp"
 #include "tests/hil/survive/bench.hpp"
 
 /// A CAN controller that goes bus-off and restarts, in real time.

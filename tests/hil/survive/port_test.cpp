@@ -3,7 +3,7 @@
 #include <ctime>
 
 #include "drivers/link/descriptor.hpp"
-#include "drivers/link/line_settings.hpp"
+#include "drivers/link/serial/line_settings.hpp"
 
 #include "tests/hil/survive/bench.hpp"
 

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "hil/cli/run.hpp"
+#include "hil/bench/run.hpp"
 #include "rig_config/load.hpp"
 
 namespace deadlines_test {

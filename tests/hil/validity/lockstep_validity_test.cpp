@@ -6,7 +6,7 @@
 #include "drivers/device/make_driver.hpp"
 #include "drivers/link/uri.hpp"
 #include "drivers/shell/rig_devices.hpp"
-#include "hil/cli/run.hpp"
+#include "hil/bench/run.hpp"
 #include "hil/emulate/line_pacer.hpp"
 #include "hil/emulate/make_emulated_device.hpp"
 #include "hil/motion/make_trajectory.hpp"

@@ -1,0 +1,70 @@
+#include <algorithm>
+#include <numbers>
+
+#include "drivers/bus/convert/convert.hpp"
+
+namespace drydock::bus {
+namespace {
+
+constexpr std::int8_t has_fix = 0, dead_reckoned_service = 0;
+constexpr std::uint8_t covariance_known = 3;
+
+/// Of vectors and of rotations alike: a proper rotation.
+Eigen::Matrix3d ned_to_enu() {
+  Eigen::Matrix3d m;
+  m << 0, 1, 0, 1, 0, 0, 0, 0, -1;
+  return m;
+}
+
+Eigen::Matrix3d block(const Navigation& navigation, int row, int column) {
+  return navigation.covariance.block<3, 3>(3 * row, 3 * column);
+}
+
+void set(double (&covariance)[36], int row, int column, const Eigen::Matrix3d& values) {
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) covariance[6 * (3 * row + i) + 3 * column + j] = values(i, j);
+}
+
+}  // namespace
+
+bool fill(OdometryMessage& message, const Navigation& navigation) {
+  enum Block { position, velocity, rotation };
+  const Eigen::Matrix3d to_enu = ned_to_enu();
+  const Eigen::Matrix3d frd_to_flu = Eigen::Vector3d{1, -1, -1}.asDiagonal();
+  const Eigen::Matrix3d body_to_ned = navigation.body_to_ned.toRotationMatrix();
+  message.header.stamp = to_time(navigation.valid_at);
+
+  const Eigen::Vector3d at = to_enu * navigation.offset_ned;
+  const Eigen::Quaterniond q(to_enu * body_to_ned * frd_to_flu);
+  message.pose.pose.position = {at.x(), at.y(), at.z()};
+  message.pose.pose.orientation = {q.x(), q.y(), q.z(), q.w()};
+  set(message.pose.covariance, 0, 0, to_enu * block(navigation, position, position) * to_enu);
+  set(message.pose.covariance, 0, 1, to_enu * block(navigation, position, rotation) * to_enu);
+  set(message.pose.covariance, 1, 0, to_enu * block(navigation, rotation, position) * to_enu);
+  set(message.pose.covariance, 1, 1, to_enu * block(navigation, rotation, rotation) * to_enu);
+
+  const Eigen::Matrix3d ned_to_flu = frd_to_flu * body_to_ned.transpose();
+  const Eigen::Vector3d v = ned_to_flu * navigation.velocity_ned;
+  message.twist.twist = {};
+  message.twist.twist.linear = to_vector3(v);
+  std::ranges::fill(message.twist.covariance, 0.0);
+  set(message.twist.covariance, 0, 0,
+      ned_to_flu * block(navigation, velocity, velocity) * ned_to_flu.transpose());
+  set(message.twist.covariance, 1, 1, -Eigen::Matrix3d::Identity());
+  return true;
+}
+
+bool fill(NavSatFixMessage& message, const Navigation& navigation) {
+  constexpr double degrees = 180 / std::numbers::pi;
+  message.header.stamp = to_time(navigation.valid_at);
+  message.status = {has_fix, dead_reckoned_service};
+  message.latitude = navigation.latitude_rad * degrees;
+  message.longitude = navigation.longitude_rad * degrees;
+  message.altitude = navigation.height_m;
+  const Eigen::Matrix3d enu = ned_to_enu() * block(navigation, 0, 0) * ned_to_enu();
+  for (int i = 0; i < 9; ++i) message.position_covariance[i] = enu(i / 3, i % 3);
+  message.position_covariance_type = covariance_known;
+  return true;
+}
+
+}  // namespace drydock::bus

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <array>
+
+#include "drivers/capture/reader.hpp"
+#include "drivers/wire/j1939/j1939.hpp"
+
+namespace drydock::capture {
+
+/// canboat's plain text of NMEA 2000: time, priority, PGN, source, destination, length, data.
+///   2022-09-28-11:36:59.668,5,130311,35,255,8,c5,c0,1c,6e,ff,7f,ff,ff
+///   2011-04-25-06:25:03.603,3,129029,36,255,43,e6,f1,3a,...
+/// A line of up to 8 bytes is a frame. A longer one ("fast") is a message that canboat has put
+/// together: it becomes the fast packet's frames again, all at one time.
+class CanboatPlain final : public LineReader {
+ public:
+  static constexpr std::string_view name = "canboat";
+  static bool recognises(std::string_view line);
+
+  std::optional<Record> more() override;
+
+ private:
+  Reading read_line(std::string_view line) override;
+  std::optional<Record> parse(std::string_view line);
+  std::optional<Record> next_frame();
+
+  std::optional<std::chrono::nanoseconds> time_;
+  wire::j1939::Identifier id_;
+  std::array<std::uint8_t, 223> message_{};
+  std::size_t size_ = 0, frames_given_ = 0;
+  std::uint8_t sequence_ = 0;
+};
+
+}  // namespace drydock::capture

@@ -1,0 +1,211 @@
+#include "drivers/decode/decode.hpp"
+
+#include <fmt/format.h>
+
+#include <cstring>
+#include <map>
+#include <memory>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "drivers/capture/comment_head.hpp"
+#include "drivers/capture/file_blocks.hpp"
+#include "drivers/capture/frame_capture.hpp"
+#include "drivers/measurement/stamp.hpp"
+#include "drivers/text/json_lines.hpp"
+#include "drivers/wire/registry.hpp"
+
+namespace drydock::cli {
+
+namespace {
+
+using capture::FileBlocks;
+using capture::FrameCapture;
+
+constexpr std::string_view raw_format = "raw";
+
+/// Where messages go: to lines, or to a count for each type.
+class Sink {
+ public:
+  Sink(const DecodeOptions& options, std::FILE* out) : count_(options.count), lines_(out) {}
+
+  template <class Variant>
+  void message(const Variant& message) {
+    put(message, [](JsonWriter&) {});
+  }
+  template <class Variant>
+  void message(const Variant& message, const capture::Record& record) {
+    put(message, [&](JsonWriter& json) {
+      using Seconds = std::optional<double>;
+      json.field("time_s", record.time ? Seconds(measurement::seconds(*record.time)) : Seconds());
+      json.field("interface", record.interface);
+    });
+  }
+  bool flush() { return lines_.flush(); }
+
+  /// The counts, if they are what was asked for.
+  void finish() {
+    for (const auto& entry : counts_)
+      lines_.line([&](JsonWriter& json) {
+        json.field("type", entry.first);
+        json.field("count", entry.second);
+      });
+  }
+  std::uint64_t messages() const { return messages_; }
+
+ private:
+  template <class Variant, class Before>
+  void put(const Variant& any, Before&& before) {
+    ++messages_;
+    std::visit(
+        [&](const auto& message) {
+          if (count_) {
+            ++counts_[message.type];
+            return;
+          }
+          lines_.line([&](JsonWriter& json) {
+            json.field("type", message.type);
+            before(json);
+            json.fields(message);
+          });
+        },
+        any);
+  }
+
+  bool count_;
+  JsonLines lines_;
+  std::map<std::string_view, std::uint64_t> counts_;
+  std::uint64_t messages_ = 0;
+};
+
+/// A byte capture to its end; false when the output cannot be written.
+template <wire::ByteProtocol P>
+bool decode_bytes(FileBlocks& blocks, bool raw, Sink& sink, wire::StreamCounters& counters) {
+  const auto framer = std::make_unique<wire::Framer<P::max_frame>>();
+  capture::CommentHead head;
+  const auto on_frame = [&](wire::Bytes frame, std::size_t) {
+    if (const auto message = P::decode(frame)) sink.message(*message);
+  };
+  for (wire::Bytes block = blocks.read(); !block.empty(); block = blocks.read()) {
+    framer->feed(raw ? block : head.without(block), P::scan, on_frame);
+    if (!blocks.likely_more(block) && !sink.flush()) return false;  // a live line: show it now
+  }
+  const auto [total, frames] = std::pair(framer->counters().bytes_in, framer->counters().frames);
+  constexpr std::uint8_t line_end[] = {'\n'};  // which the last line of a capture may lack
+  if (framer->held() > 0) framer->feed(line_end, P::scan, on_frame);
+  const bool lent = framer->counters().bytes_in > total && framer->counters().frames == frames;
+  framer->finish(P::scan, on_frame);
+  counters = framer->counters();
+  counters.bytes_skipped -= lent;
+  sink.finish();
+  return sink.flush();
+}
+
+/// A CAN capture to its end; false when the output cannot be written.
+template <wire::FrameProtocol P>
+bool decode_frames(FileBlocks& blocks, FrameCapture& frames, Sink& sink,
+                   wire::StreamCounters& counters) {
+  std::map<std::string, typename P::Decoder, std::less<>> buses;  // each assembles on its own
+  const auto drain = [&] {
+    while (const auto record = frames.next()) {
+      auto bus = buses.find(record->interface);
+      if (bus == buses.end()) bus = buses.try_emplace(std::string(record->interface)).first;
+      if (const auto message = bus->second.receive(record->frame)) sink.message(*message, *record);
+    }
+  };
+  for (wire::Bytes block = blocks.read(); !block.empty(); block = blocks.read()) {
+    frames.feed(block);
+    drain();
+    if (frames.unknown()) return true;
+    if (!blocks.likely_more(block) && !sink.flush()) return false;
+  }
+  frames.finish();
+  drain();
+  for (const auto& [name, decoder] : buses)
+    counters.bad_checksums += decoder.counters().bad_checksums;
+  counters.frames = frames.tally().frames;
+  counters.bytes_skipped = frames.tally().bytes_skipped;
+  sink.finish();
+  return sink.flush();
+}
+
+template <class... P>
+void append_names(wire::ProtocolList<P...>, std::string& names) {
+  ((names += fmt::format("{}{}", names.empty() ? "" : ", ", P::name)), ...);
+}
+
+/// Whether the list has a protocol of that name.
+template <class List>
+bool knows(List list, std::string_view name) {
+  return wire::with_protocol(list, name, []<class P>() {});
+}
+
+int refuse(std::FILE* err, const std::string& why) {
+  fmt::print(err, "decode: {}\n", why);
+  return 2;
+}
+
+void print_totals(std::FILE* err, const wire::StreamCounters& counters, std::uint64_t messages,
+                  const FrameCapture& capture) {
+  if (capture.format() != nullptr) fmt::print(err, "{}: ", capture.format()->name);
+  fmt::print(err, "{} frames, {} messages, {} bad checksums, {} bytes skipped\n", counters.frames,
+             messages, counters.bad_checksums, counters.bytes_skipped);
+  const std::string damage = capture::damage_text(capture.tally());
+  if (!damage.empty()) fmt::print(err, "{}\n", damage);
+}
+
+}  // namespace
+
+std::string decode_protocols() {
+  std::string names;
+  append_names(wire::BytesProtocols{}, names);
+  append_names(wire::FrameProtocols{}, names);
+  append_names(wire::FramesAsTheyAre{}, names);
+  append_names(wire::FrameCarriers{}, names);
+  return names;
+}
+
+std::string decode_formats() { return fmt::format("{}, {}", raw_format, capture::format_names()); }
+
+int decode(const DecodeOptions& options, std::FILE* out, std::FILE* err) {
+  const std::string& protocol = options.protocol;
+  const bool from_frames =
+      knows(wire::FrameProtocols{}, protocol) || knows(wire::FramesAsTheyAre{}, protocol);
+  if (!from_frames && !knows(wire::BytesProtocols{}, protocol) &&
+      !knows(wire::FrameCarriers{}, protocol)) {
+    return refuse(
+        err, fmt::format("unknown protocol \"{}\", allowed: {}", protocol, decode_protocols()));
+  }
+  const capture::Format* format = from_frames ? capture::find_format(options.format) : nullptr;
+  const bool raw = !from_frames && options.format == raw_format;
+  if (!options.format.empty() && format == nullptr && !raw) {
+    return refuse(err, fmt::format("no format \"{}\" with protocol {}, allowed: {}", options.format,
+                                   protocol, from_frames ? capture::format_names() : raw_format));
+  }
+
+  const std::string file = options.file.empty() ? "standard input" : options.file;
+  FileBlocks blocks(options.file);
+  FrameCapture capture(format);
+  Sink sink(options, out);
+  wire::StreamCounters counters;
+  bool written = false;
+  const auto bytes = [&]<class P>() { written = decode_bytes<P>(blocks, raw, sink, counters); };
+  const auto frames = [&]<class P>() {
+    written = decode_frames<P>(blocks, capture, sink, counters);
+  };
+  wire::with_protocol(wire::BytesProtocols{}, protocol, bytes);
+  wire::with_protocol(wire::FrameCarriers{}, protocol, bytes);
+  wire::with_protocol(wire::FrameProtocols{}, protocol, frames);
+  wire::with_protocol(wire::FramesAsTheyAre{}, protocol, frames);
+
+  if (blocks.error() != 0) {
+    return refuse(err, fmt::format("cannot read {}: {}", file, std::strerror(blocks.error())));
+  }
+  if (capture.unknown()) return refuse(err, capture::unknown_format_text(file));
+  if (!written) return refuse(err, "cannot write the output");
+  if (!options.quiet) print_totals(err, counters, sink.messages(), capture);
+  return sink.messages() > 0 ? 0 : 1;
+}
+
+}  // namespace drydock::cli

@@ -1,0 +1,247 @@
+#include "drivers/decode/replay.hpp"
+
+#include <fmt/format.h>
+
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/post.hpp>
+#include <boost/asio/signal_set.hpp>
+#include <cstring>
+#include <functional>
+#include <memory>
+#include <stdexcept>
+#include <utility>
+
+#include "drivers/link/can/frame_file.hpp"
+#include "drivers/shell/device_actor.hpp"
+#include "drivers/shell/real_time.hpp"
+#include "drivers/shell/recorded_bus.hpp"
+#include "drivers/shell/recorded_line.hpp"
+#include "drivers/text/json_lines.hpp"
+#include "drivers/text/measurement_fields.hpp"
+
+namespace drydock::cli {
+namespace {
+
+using device::Device;
+using device::Kind;
+using measurement::Stamp;
+
+/// What the driver says goes to lines; what it sends goes nowhere.
+class Printer final : public device::Listener, public device::Transmitter {
+ public:
+  Printer(std::FILE* out, std::FILE* states) : lines_(out), states_(states) {}
+
+  void on_measurement(const measurement::Measurement& measurement) override {
+    ++measurements_;
+    std::visit(
+        [&](const auto& m) {
+          lines_.line([&](JsonWriter& json) {
+            json.field("type", type_of(m));
+            json.field("valid_at_s", measurement::seconds(m.origin.valid_at.time_since_epoch()));
+            json.field("received_at_s",
+                       measurement::seconds(m.origin.received_at.time_since_epoch()));
+            json.fields(m);
+          });
+        },
+        measurement);
+    if (live) lines_.flush();
+  }
+  void on_state(const Device& device, const device::Transition& change) override {
+    if (states_ != nullptr) {
+      fmt::print(states_, "{:.3f} s {}: {} -> {}: {}\n",
+                 measurement::seconds(change.at.time_since_epoch()), device.name(),
+                 to_string(change.from), to_string(change.to), change.why.view());
+    }
+    if (change.to == device::State::closed && on_closed) on_closed();
+  }
+  void send(wire::Bytes) override {}
+  void send(const wire::CanFrame&) override {}
+
+  bool flush() { return lines_.flush(); }
+  std::uint64_t measurements() const { return measurements_; }
+
+  bool live = false;
+  std::function<void()> on_closed;
+
+ private:
+  JsonLines lines_;
+  std::FILE* states_;
+  std::uint64_t measurements_ = 0;
+};
+
+/// The kinds of sensor that speak the protocol.
+std::vector<Kind> kinds_with(std::string_view protocol) {
+  std::vector<Kind> kinds;
+  for (const Kind kind :
+       {Kind::dvl, Kind::emlog, Kind::gnss, Kind::imu, Kind::depth, Kind::actuator}) {
+    for (const auto& entry : device::protocols_of(kind)) {
+      if (entry.name == protocol) kinds.push_back(kind);
+    }
+  }
+  return kinds;
+}
+
+Kind chosen_kind(const ReplayOptions& options) {
+  const auto kinds = kinds_with(options.protocol);
+  std::string names;
+  for (const Kind kind : kinds) {
+    if (to_string(kind) == options.kind || (options.kind.empty() && kinds.size() == 1)) return kind;
+    names.append(names.empty() ? "" : ", ").append(to_string(kind));
+  }
+  throw std::invalid_argument(kinds.empty()
+                                  ? fmt::format("no driver speaks \"{}\"", options.protocol)
+                                  : fmt::format("--kind says which sensor speaks {}; allowed: {}",
+                                                options.protocol, names));
+}
+
+link::Uri uri_of(const ReplayOptions& options) {
+  std::string text = "file:" + options.capture + "?speed=" + options.speed;
+  if (options.baud > 0) text += fmt::format("&baud={}", options.baud);
+  if (!options.format.empty()) text += "&format=" + options.format;
+  if (!options.interface.empty()) text += "&interface=" + options.interface;
+  return link::parse_uri(text).value();
+}
+
+std::unique_ptr<Device> make_device(const ReplayOptions& options, const link::Uri& uri) {
+  device::DeviceOptions wanted;
+  wanted.driver.kind = chosen_kind(options);
+  wanted.driver.protocol = options.protocol;
+  wanted.driver.baud = uri.baud();
+  wanted.driver.address = options.address;
+  wanted.name = to_string(wanted.driver.kind);
+  wanted.link = uri.text;
+  wanted.life_cycle.reopen_when_quiet = false;  // opening it again would start it over
+  wanted.life_cycle.quiet_but_up = " in the recording";
+  auto made = Device::make(std::move(wanted));
+  if (!made) throw std::invalid_argument(made.error().message);
+  const auto carries = (*made)->on_bus() ? link::Carries::frames : link::Carries::bytes;
+  const std::string misfit = link::recording_misfit(uri, carries);
+  if (!misfit.empty()) throw std::invalid_argument(misfit);
+  return std::move(*made);
+}
+
+void print_totals(std::FILE* err, const device::Health& health, const capture::Tally* tally) {
+  fmt::print(err, "{} measurements, {} frames, {} bad checksums, {} bytes skipped\n",
+             health.messages, health.stream.frames, health.stream.bad_checksums,
+             health.stream.bytes_skipped);
+  const std::string damage = tally != nullptr ? capture::damage_text(*tally) : std::string();
+  if (!damage.empty()) fmt::print(err, "{}\n", damage);
+}
+
+/// Where virtual time begins, so that the stamps are the capture's own: at the first frame of a CAN
+/// capture, else at zero. Throws when the file cannot be read.
+Stamp start_of(const link::Uri& uri, bool on_bus) {
+  if (!on_bus) {
+    capture::FileBlocks blocks(uri.target);
+    blocks.read();
+    if (blocks.error() == 0) return Stamp{};
+    throw std::runtime_error("cannot read " + uri.target + ": " + std::strerror(blocks.error()));
+  }
+  capture::CaptureFile file = link::capture_of(uri);
+  const auto first = file.next();
+  if (const std::string trouble = file.trouble(); !trouble.empty()) {
+    throw std::runtime_error(trouble);
+  }
+  return Stamp{first ? first->time.value_or(Stamp::duration{0}) : Stamp::duration{0}};
+}
+
+void play_in_virtual_time(const link::Uri& uri, std::unique_ptr<Device> device, Stamp start,
+                          device::Listener& listener, device::Transmitter& transmitter,
+                          std::FILE* totals) {
+  const bool on_bus = device->on_bus();
+  shell::DeviceActor driver(std::move(device), listener, transmitter, start,
+                            measurement::Provenance::replayed);
+  std::unique_ptr<shell::RecordedBus> bus;
+  std::unique_ptr<shell::RecordedLine> line;
+  if (on_bus) {
+    bus = std::make_unique<shell::RecordedBus>(uri, driver, start);
+  } else {
+    line = std::make_unique<shell::RecordedLine>(uri, driver, start);
+  }
+  shell::Actor& recording = on_bus ? static_cast<shell::Actor&>(*bus) : *line;
+  shell::Lockstep clock(start);
+  clock.add(driver);
+  clock.add(recording);
+  while (const auto due = recording.deadline()) clock.run_until(std::max(*due, clock.now()));
+  driver.stop(clock.now());
+  if (totals != nullptr) {
+    print_totals(totals, driver.device().health(clock.now()),
+                 bus ? &bus->frames().tally() : nullptr);
+  }
+}
+
+void play_in_real_time(std::unique_ptr<Device> device, Printer& printer, std::FILE* totals) {
+  boost::asio::io_context io{1};
+  boost::asio::signal_set signals(io, SIGINT, SIGTERM);
+  std::vector<std::unique_ptr<Device>> devices;
+  devices.push_back(std::move(device));
+  shell::RealTime shell(io, std::move(devices), printer);
+  const auto stop = [&] {
+    printer.on_closed = nullptr;
+    signals.cancel();
+    signals.clear();  // a second Ctrl-C ends the program at once
+    if (totals != nullptr) print_totals(totals, shell.health(0), nullptr);
+    shell.stop();
+  };
+  signals.async_wait([&](const boost::system::error_code& ec, int) {
+    if (!ec) stop();
+  });
+  printer.live = true;
+  printer.on_closed = [&] {
+    boost::asio::post(io, [&] {
+      if (printer.on_closed) stop();
+    });
+  };
+  shell.start();
+  io.run();
+}
+
+/// Hands measurements on; what the driver sends goes nowhere.
+class Hearer final : public device::Listener, public device::Transmitter {
+ public:
+  explicit Hearer(const MeasurementHook& hook) : hook_(hook) {}
+  void on_measurement(const measurement::Measurement& measurement) override { hook_(measurement); }
+  void on_state(const Device&, const device::Transition&) override {}
+  void send(wire::Bytes) override {}
+  void send(const wire::CanFrame&) override {}
+
+ private:
+  const MeasurementHook& hook_;
+};
+
+}  // namespace
+
+Kind play(const ReplayOptions& options, const MeasurementHook& hook) {
+  const link::Uri uri = uri_of(options);
+  auto device = make_device(options, uri);
+  const Stamp start = start_of(uri, device->on_bus());
+  const Kind kind = device->options().driver.kind;
+  Hearer hearer(hook);
+  play_in_virtual_time(uri, std::move(device), start, hearer, hearer, nullptr);
+  return kind;
+}
+
+int replay(const ReplayOptions& options, std::FILE* out, std::FILE* err) {
+  std::FILE* const totals = options.quiet ? nullptr : err;
+  Printer printer(out, totals);
+  try {
+    const link::Uri uri = uri_of(options);
+    auto device = make_device(options, uri);
+    const Stamp start = start_of(uri, device->on_bus());
+    if (uri.speed().value_or(0) > 0) {
+      play_in_real_time(std::move(device), printer, totals);
+    } else {
+      play_in_virtual_time(uri, std::move(device), start, printer, printer, totals);
+    }
+  } catch (const std::exception& error) {
+    fmt::print(err, "replay: {}\n", error.what());
+    return 2;
+  }
+  if (!printer.flush()) {
+    fmt::print(err, "replay: cannot write the output\n");
+    return 2;
+  }
+  return printer.measurements() > 0 ? 0 : 1;
+}
+
+}  // namespace drydock::cli

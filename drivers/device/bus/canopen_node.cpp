@@ -1,0 +1,100 @@
+#include "drivers/device/bus/canopen_node.hpp"
+
+#include <charconv>
+
+#include "drivers/device/duration_text.hpp"
+
+namespace drydock::device {
+
+namespace {
+
+namespace canopen = wire::canopen;
+using canopen::NodeState;
+
+constexpr std::uint8_t all_nodes = 0;
+
+FixedText<24> number(unsigned value, int base = 10) {
+  std::array<char, 24> digits{};
+  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value, base).ptr;
+  return std::string_view(digits.data(), end);
+}
+
+Reason of_node(std::uint8_t node, std::string_view what) {
+  Reason text{"node "};
+  text += number(node).view();
+  text += what;
+  return text;
+}
+
+}  // namespace
+
+CanopenNode::CanopenNode(const DriverOptions& options)
+    : source_(options.address), options_(options.canopen) {}
+
+void CanopenNode::restart(Stamp now, Output& out) {
+  state_.reset();
+  lost_at_.reset();
+  if (options_.sync_period.count() > 0) next_sync_ = now;
+  const std::uint8_t node = source_.source().value_or(all_nodes);
+  out.send(canopen::encode(canopen::Nmt{canopen::NmtCommand::start, node}));
+}
+
+bool CanopenNode::is_of_another(const wire::CanFrame& frame) const {
+  constexpr std::uint32_t node_bits = 0x7F;
+  const auto sensor = source_.source();
+  const std::uint32_t node = frame.id & node_bits;
+  return sensor && !frame.extended && !frame.error && node != 0 && node != *sensor;
+}
+
+std::optional<Stamp> CanopenNode::deadline() const {
+  if (!lost_at_ || !next_sync_) return lost_at_ ? lost_at_ : next_sync_;
+  return std::min(*lost_at_, *next_sync_);
+}
+
+void CanopenNode::tick(Stamp now, Output& out) {
+  if (next_sync_ && *next_sync_ <= now) {
+    out.send(canopen::sync_frame());
+    // A late host leaves a SYNC out; two in a row would ask for one instant twice.
+    const auto missed = (now - *next_sync_) / options_.sync_period;
+    *next_sync_ += (missed + 1) * options_.sync_period;
+  }
+  if (lost_at_ && *lost_at_ <= now) {
+    lost_at_.reset();
+    Reason text = of_node(source_.source().value_or(all_nodes), " lost: no heartbeat for ");
+    text += in_words(options_.heartbeat_timeout).view();
+    out.report(text.view());
+  }
+}
+
+void CanopenNode::on(const canopen::Heartbeat& heartbeat, Stamp at, Output& out) {
+  if (!ours(heartbeat.node)) return;
+  if (heartbeat.state == NodeState::boot_up || heartbeat.state == NodeState::pre_operational) {
+    out.send(canopen::encode(canopen::Nmt{canopen::NmtCommand::start, heartbeat.node}));
+  }
+  if (source_.source()) watch(heartbeat, at, out);
+}
+
+/// A boot-up message alone promises no heartbeat; what comes after it does.
+void CanopenNode::watch(const canopen::Heartbeat& heartbeat, Stamp at, Output& out) {
+  if (heartbeat.state == NodeState::boot_up) {
+    lost_at_.reset();
+    if (state_) out.report(of_node(heartbeat.node, " has restarted").view());
+  } else {
+    lost_at_ = at + options_.heartbeat_timeout;
+    if (heartbeat.state == NodeState::stopped && state_ != NodeState::stopped) {
+      out.report(of_node(heartbeat.node, " was stopped").view());
+    }
+  }
+  state_ = heartbeat.state;
+}
+
+void CanopenNode::on(const canopen::Emergency& emergency, Output& out) const {
+  if (!ours(emergency.node) || emergency.code == 0) return;
+  Reason text = of_node(emergency.node, ": emergency 0x");
+  text += number(emergency.code, 16).view();
+  text += ", ";
+  text += canopen::error_text(emergency.code);
+  out.report(text.view());
+}
+
+}  // namespace drydock::device

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <chrono>
+#include <optional>
+
+#include "drivers/device/driver.hpp"
+#include "drivers/wire/j1939/j1939.hpp"
+
+namespace drydock::device {
+
+/// Asks the nodes of a bus for their NAMEs (PGN 59904 for 60928, SAE J1939-81): when the bus opens,
+/// and every 10 s while our sensor is silent, for it may have taken another address while nobody
+/// heard its claim. From the null address, which a node that holds none may do.
+class NodeSearch {
+ public:
+  static constexpr std::chrono::seconds patience{10};
+
+  void restart(Stamp now, Output& out) { ask(now, out); }
+  void heard(Stamp now) { next_ = now + patience; }
+  void tick(Stamp now, Output& out) {
+    if (next_ && *next_ <= now) ask(now, out);
+  }
+  std::optional<Stamp> deadline() const { return next_; }
+
+ private:
+  void ask(Stamp now, Output& out) {
+    out.send(encode(wire::j1939::Request{.pgn = wire::j1939::address_claim_pgn}));
+    next_ = now + patience;
+  }
+
+  std::optional<Stamp> next_;  ///< empty: the bus was never open
+};
+
+}  // namespace drydock::device

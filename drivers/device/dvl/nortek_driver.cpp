@@ -1,0 +1,44 @@
+#include "drivers/device/dvl/nortek_driver.hpp"
+
+namespace drydock::device {
+
+namespace {
+
+std::chrono::nanoseconds in_ns(double seconds) { return measurement::from_seconds(seconds); }
+
+/// How long before the sentence's first byte the bottom echo came.
+std::optional<std::chrono::nanoseconds> age_of(const wire::NortekTimes& times) {
+  constexpr double oldest_echo_s = 2;
+  if (!times.after_sentence_s) return {};
+  const double age_s = -*times.after_sentence_s;
+  if (!(age_s >= 0 && age_s <= oldest_echo_s)) return {};
+  return in_ns(age_s);
+}
+
+}  // namespace
+
+void NortekDriver::receive(wire::Bytes bytes, Stamp received_at, Output& out) {
+  framer_.feed(bytes, wire::Nortek::scan, [&](wire::Bytes frame, std::size_t after) {
+    const auto message = wire::Nortek::decode(frame);
+    const auto* velocity = message ? std::get_if<wire::NortekVelocity>(&*message) : nullptr;
+    if (!velocity) return;
+    const auto age = age_of(*velocity);
+    publish(*velocity,
+            age ? timing_.of_bytes(received_at, frame.size(), after, *age)
+                : timing_.of_bytes(received_at, frame.size(), after),
+            out);
+  });
+}
+
+void NortekDriver::publish(const wire::NortekVelocity& sentence, Origin origin, Output& out) const {
+  measurement::BottomVelocity result;
+  if (sentence.ping_time_s) origin.device_time = in_ns(*sentence.ping_time_s);
+  result.origin = origin;
+  const auto& [x, y, z] = sentence.velocity_mps;
+  if (x && y && z) result.velocity = mounting_.to_body({*x, *y, *z});
+  result.range_m = sentence.distance_m;
+  result.sound_speed_mps = sentence.sound_speed_mps;
+  out.publish(result);
+}
+
+}  // namespace drydock::device

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "drivers/device/dvl/dvl_solution.hpp"
+#include "drivers/device/stream_driver.hpp"
+#include "drivers/wire/dvl/pd4.hpp"
+
+namespace drydock::device {
+
+/// DVL speaking PD4 or PD5: each report -> BottomVelocity in the body frame. PD4 tells no attitude:
+/// earth and levelled ship velocities give none of the body, and the ranges no altitude.
+template <class Protocol>
+class Pd4Driver final : public StreamDriver<Protocol::max_frame> {
+ public:
+  explicit Pd4Driver(const DriverOptions& options)
+      : StreamDriver<Protocol::max_frame>(options), solution_(options) {}
+
+  void receive(wire::Bytes bytes, Stamp received_at, Output& out) override;
+
+ private:
+  void publish(const typename Protocol::Report& report, const Origin& origin, Output& out);
+
+  DvlSolution solution_;
+};
+
+extern template class Pd4Driver<wire::Pd4>;
+extern template class Pd4Driver<wire::Pd5>;
+
+}  // namespace drydock::device

@@ -1,0 +1,45 @@
+#include "drivers/device/dvl/pd6_driver.hpp"
+
+namespace drydock::device {
+
+void Pd6Driver::restart(Stamp now, Output& out) {
+  StreamDriver::restart(now, out);
+  epoch_.forget();
+}
+
+void Pd6Driver::receive(wire::Bytes bytes, Stamp received_at, Output& out) {
+  framer_.feed(bytes, wire::Pd6::scan, [&](wire::Bytes frame, std::size_t after) {
+    const auto line = wire::Pd6::decode(frame);
+    if (!line) return;
+    const auto step =
+        epoch_.take(*line, timing_.of_bytes(received_at, frame.size(), after),
+                    timing_.line_time(frame.size()), framer_.counters().bad_checksums);
+    if (step == Pd6Epoch::Step::complete) publish(out);
+    if (step == Pd6Epoch::Step::broken) {
+      out.report("an ensemble was left out: a line of it was lost or damaged");
+    }
+  });
+}
+
+void Pd6Driver::publish(Output& out) {
+  const Pd6Epoch::Lines& lines = epoch_.lines();
+  wire::DvlGeometry geometry;
+  geometry.frame = lines.instrument.good || !lines.earth.good ? wire::DvlFrame::instrument
+                                                              : wire::DvlFrame::earth;
+  const wire::DvlComponents& velocity = geometry.frame == wire::DvlFrame::instrument
+                                            ? lines.instrument.velocity_mps
+                                            : lines.earth.velocity_mps;
+  measurement::BottomVelocity result;
+  result.origin = epoch_.origin();
+  if (lines.timing.clock) result.origin.device_time = lines.timing.clock->time_since_epoch();
+  result.velocity = solution_.velocity(velocity, geometry, lines.attitude, out);
+  result.error_velocity_mps = velocity[3];
+  if (result.velocity) result.altitude_m = lines.distance.range_m;
+  result.heading_rad = lines.attitude.heading_rad;
+  result.pitch_rad = lines.attitude.pitch_rad;
+  result.roll_rad = lines.attitude.roll_rad;
+  result.sound_speed_mps = lines.timing.sound_speed_mps;
+  out.publish(result);
+}
+
+}  // namespace drydock::device

@@ -1,0 +1,155 @@
+#include "drivers/device/dvl/water_linked_dialogue.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include "drivers/wire/text_fields.hpp"
+
+namespace drydock::device {
+
+namespace {
+
+namespace water_linked = wire::water_linked;
+
+constexpr std::chrono::seconds answer_within{1}, start_again_after{30};
+constexpr int most_tries = 3;
+constexpr int known_major_version = 2;
+
+/// Of the two decimals with which parameters travel.
+constexpr double same_sound_speed_mps = 0.01, same_rotation_rad = 0.01 * std::numbers::pi / 180;
+
+Reason with_number(std::string_view before, double value, std::string_view behind) {
+  std::array<std::uint8_t, 32> digits;
+  wire::FieldWriter number{digits};
+  number.number(value, 2);
+  Reason text{before};
+  text += wire::as_text(number.written());
+  text += behind;
+  return text;
+}
+
+}  // namespace
+
+void WaterLinkedDialogue::start(Stamp now, Output& out) {
+  stop();
+  if (!wanted_) return;
+  settings_hold_ = nothing_to_set();
+  step_ = Step::version;
+  tries_ = 0;
+  ask(now, out);
+}
+
+void WaterLinkedDialogue::tick(Stamp now, Output& out) {
+  if (!due_ || now < *due_) return;
+  if (finished()) return start(now, out);
+  if (tries_ < most_tries) return ask(now, out);
+  if (!replayed_) tell("no answer to", out);
+  settings_hold_ = true;
+  step_ = Step::idle;
+  due_ = now + start_again_after;
+}
+
+void WaterLinkedDialogue::receive(const wire::WaterLinked::Message& message, Stamp now,
+                                  Output& out) {
+  if (finished()) return;
+  std::visit([&](const auto& sentence) { on(sentence, now, out); }, message);
+}
+
+void WaterLinkedDialogue::on(const water_linked::Version& version, Stamp now, Output& out) {
+  if (step_ != Step::version) return;
+  if (version.major != known_major_version) {
+    out.report("the DVL speaks another major version of its protocol than 2");
+  }
+  next(now, out);
+}
+
+void WaterLinkedDialogue::on(const water_linked::Configuration& read, Stamp now, Output& out) {
+  if (step_ != Step::check) return;
+  const double rotation = wanted_->mounting_rotation_rad.value_or(0);
+  settings_hold_ = true;
+  if (wanted_->sound_speed_mps && read.sound_speed_mps &&
+      std::abs(*read.sound_speed_mps - *wanted_->sound_speed_mps) > same_sound_speed_mps) {
+    settings_hold_ = false;
+    out.report(with_number("the DVL uses a speed of sound of ", *read.sound_speed_mps,
+                           " m/s, not the one of the rig file")
+                   .view());
+  }
+  if (read.mounting_rotation_rad &&
+      std::abs(std::remainder(*read.mounting_rotation_rad - rotation, 2 * std::numbers::pi)) >
+          same_rotation_rad) {
+    settings_hold_ = false;
+    out.report(with_number("the DVL turns its velocities by ",
+                           wire::degrees(*read.mounting_rotation_rad),
+                           " degrees, not by the mounting_rotation_deg of the rig file")
+                   .view());
+  }
+  if (!read.acoustic_enabled.value_or(true)) out.report("the DVL's acoustics are switched off");
+  next(now, out);
+}
+
+void WaterLinkedDialogue::on(const water_linked::Answer& answer, Stamp now, Output& out) {
+  using enum water_linked::Verdict;
+  switch (answer.verdict) {
+    case done:
+      if (step_ == Step::set || step_ == Step::output) next(now, out);
+      return;
+    case refused: tell("the DVL refuses", out); return next(now, out);
+    case not_understood: return ask_again_or("the DVL does not understand", now, out);
+    case bad_checksum: return ask_again_or("the DVL hears with a bad checksum", now, out);
+  }
+}
+
+void WaterLinkedDialogue::ask_again_or(std::string_view trouble, Stamp now, Output& out) {
+  if (tries_ < most_tries) return ask(now, out);
+  tell(trouble, out);
+  next(now, out);
+}
+
+bool WaterLinkedDialogue::nothing_to_set() const {
+  return !wanted_->sound_speed_mps && !wanted_->mounting_rotation_rad;
+}
+
+void WaterLinkedDialogue::next(Stamp now, Output& out) {
+  step_ = static_cast<Step>(static_cast<int>(step_) + 1);
+  if (step_ == Step::set && nothing_to_set()) step_ = Step::check;
+  tries_ = 0;
+  due_.reset();
+  if (!finished()) ask(now, out);
+}
+
+void WaterLinkedDialogue::ask(Stamp now, Output& out) {
+  ++tries_;
+  due_ = now + answer_within;
+  std::array<std::uint8_t, 96> line;
+  const std::size_t size = write_command(line);
+  const std::string_view text = wire::as_text({line.data(), size});
+  command_ = FixedText<64>{text.substr(0, text.rfind('*'))};
+  out.send(std::span{line}.first(size));
+}
+
+std::size_t WaterLinkedDialogue::write_command(std::span<std::uint8_t> to) const {
+  switch (step_) {
+    case Step::version: return encode(water_linked::Command{'v', {}}, to);
+    case Step::set: {
+      water_linked::Configuration settings;
+      settings.sound_speed_mps = wanted_->sound_speed_mps;
+      settings.mounting_rotation_rad = wanted_->mounting_rotation_rad;
+      return encode_settings(settings, to);
+    }
+    case Step::check: return encode(water_linked::Command{'c', {}}, to);
+    case Step::output:
+      return encode(water_linked::Command{'p', wanted_->old_sentences ? "1" : "3"}, to);
+    case Step::idle: return 0;
+  }
+  return 0;
+}
+
+void WaterLinkedDialogue::tell(std::string_view trouble, Output& out) const {
+  Reason text{trouble};
+  text += " \"";
+  text += command_.view();
+  text += "\"";
+  out.report(text.view());
+}
+
+}  // namespace drydock::device

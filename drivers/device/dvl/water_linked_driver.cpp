@@ -1,0 +1,88 @@
+#include "drivers/device/dvl/water_linked_driver.hpp"
+
+namespace drydock::device {
+
+namespace {
+
+namespace water_linked = wire::water_linked;
+
+/// A DVL on says something twice a second or more; one that boots takes longer than that.
+constexpr std::chrono::seconds silence_of_a_boot{2};
+constexpr std::chrono::seconds new_form_counts_for{3};  // at least two reports a second
+/// An older report is none of this ping: the DVL's clock was set between its two times.
+constexpr std::chrono::seconds oldest_report{2};
+
+std::optional<std::chrono::nanoseconds> age_of(const water_linked::ReportTimes& times) {
+  if (!times.validity || !times.transmission) return {};
+  const auto age = *times.transmission - *times.validity;
+  if (age < age.zero() || age > oldest_report) return {};
+  return age;
+}
+
+}  // namespace
+
+void WaterLinkedDriver::receive(wire::Bytes bytes, Stamp received_at, Output& out) {
+  framer_.feed(bytes, wire::WaterLinked::scan, [&](wire::Bytes frame, std::size_t after) {
+    const auto message = wire::WaterLinked::decode(frame);
+    if (!message) return;
+    heed_silence(received_at, out);
+    dialogue_.receive(*message, received_at, out);
+    const Arrival arrival{received_at, frame.size(), after};
+    std::visit(
+        [&](const auto& sentence) {
+          if constexpr (requires { on(sentence, arrival, out); }) on(sentence, arrival, out);
+        },
+        *message);
+  });
+}
+
+void WaterLinkedDriver::restart(Stamp now, Output& out) {
+  StreamDriver::restart(now, out);
+  heard_at_.reset();
+  // The answers are in the recording, at the times at which they came: it goes as it went.
+  dialogue_.expect_no_answers(timing_.provenance() == measurement::Provenance::replayed);
+  dialogue_.start(now, out);
+}
+
+void WaterLinkedDriver::on(const water_linked::BottomVelocity& report, const Arrival& arrival,
+                           Output& out) {
+  const auto age = age_of(report);
+  Origin origin = age ? timing_.of_bytes(arrival.read_at, arrival.bytes, arrival.after, *age)
+                      : timing_.of_bytes(arrival.read_at, arrival.bytes, arrival.after);
+  origin.device_time = report.validity;
+  new_form_at_ = origin.received_at;
+  heed_heat(report.hot, out);
+  publish(report, report.altitude_m, origin, out);
+}
+
+void WaterLinkedDriver::on(const water_linked::OldVelocity& report, const Arrival& arrival,
+                           Output& out) {
+  const Origin origin = timing_.of_bytes(arrival.read_at, arrival.bytes, arrival.after);
+  if (new_form_at_ && origin.received_at - *new_form_at_ < new_form_counts_for) return;
+  heed_heat(report.hot.value_or(false), out);
+  publish(report, report.altitude_m, origin, out);
+}
+
+void WaterLinkedDriver::publish(const water_linked::Report& report,
+                                const std::optional<double>& altitude_m, const Origin& origin,
+                                Output& out) const {
+  measurement::BottomVelocity result;
+  result.origin = origin;
+  const auto& [x, y, z] = report.velocity_mps;
+  if (x && y && z && dialogue_.settings_hold()) result.velocity = mounting_.to_body({*x, *y, *z});
+  result.altitude_m = altitude_m;
+  out.publish(result);
+}
+
+void WaterLinkedDriver::heed_silence(Stamp now, Output& out) {
+  const bool was_silent = heard_at_ ? now - *heard_at_ > silence_of_a_boot : dialogue_.unanswered();
+  heard_at_ = now;
+  if (was_silent) dialogue_.start(now, out);
+}
+
+void WaterLinkedDriver::heed_heat(bool hot, Output& out) {
+  if (hot && !hot_) out.report("the DVL is hot and will shut down soon");
+  hot_ = hot;
+}
+
+}  // namespace drydock::device

@@ -1,0 +1,171 @@
+#include "drivers/device/gnss/gnss_driver.hpp"
+
+namespace drydock::device {
+
+using measurement::GnssFix;
+using std::chrono::milliseconds;
+
+namespace {
+
+/// USB adapters and schedulers hold bytes back for some tens of milliseconds, readers pass them on
+/// in blocks: neither is the end of an epoch.
+constexpr milliseconds shortest_pause{50};
+constexpr milliseconds pause_without_baud{100};
+constexpr std::size_t block_bytes = 128;
+
+constexpr milliseconds late_within{500};       ///< a closed epoch's time again: a straggler
+constexpr std::chrono::seconds counts_for{5};  ///< a message that says the same better
+
+bool recent(const std::optional<Stamp>& last, Stamp now) {
+  return last && now - *last < counts_for;
+}
+
+}  // namespace
+
+GnssDriver::GnssDriver(const DriverOptions& options)
+    : StreamDriver(options),
+      scan_(options.protocol == wire::Nmea0183::name ? wire::Nmea0183::scan : wire::UbxNmea::scan),
+      pause_(options.baud ? shortest_pause + timing_.line_time(block_bytes) : pause_without_baud) {}
+
+void GnssDriver::receive(wire::Bytes bytes, Stamp received_at, Output& out) {
+  tick(received_at, out);  // a pause before these bytes has ended the epoch, even if nobody ticked
+  last_bytes_ = received_at;
+  framer_.feed(bytes, scan_, [&](wire::Bytes frame, std::size_t after) {
+    const auto message = wire::UbxNmea::decode(frame);
+    if (!message) return;
+    const Origin origin = timing_.of_bytes(received_at, frame.size(), after);
+    std::visit(
+        [&](const auto& m) {
+          if constexpr (requires { on(m, origin, out); }) on(m, origin, out);
+        },
+        *message);
+  });
+}
+
+std::optional<Stamp> GnssDriver::deadline() const {
+  if (nmea_.empty() && ubx_.empty()) return {};
+  return last_bytes_ + pause_;
+}
+
+void GnssDriver::tick(Stamp now, Output& out) {
+  const auto due = deadline();
+  if (!due || now < *due) return;
+  close_ubx_epoch(out);
+  close_nmea_epoch(out);
+}
+
+void GnssDriver::restart(Stamp, Output&) {
+  framer_.reset();
+  nmea_.clear();
+  ubx_.clear();
+  closed_time_of_day_.reset();
+  itow_ = fix_itow_ = satellites_itow_ = closed_itow_ = std::nullopt;
+  pvt_at_ = sat_at_ = ubx_fix_at_ = ubx_satellites_at_ = std::nullopt;
+}
+
+template <class Sentence>
+void GnssDriver::on_timed(const Sentence& sentence, const Origin& origin, Output& out) {
+  if (nmea_.ends_before(sentence)) close_nmea_epoch(out);
+  const bool straggler = !nmea_.time_of_day() && sentence.time_of_day &&
+                         sentence.time_of_day == closed_time_of_day_ &&
+                         origin.received_at - closed_at_ < late_within;
+  if (!straggler) nmea_.add(sentence, origin);
+}
+
+template <class Sentence>
+void GnssDriver::on_untimed(const Sentence& sentence, const Origin& origin, Output& out) {
+  if (nmea_.ends_before(sentence)) close_nmea_epoch(out);
+  nmea_.add(sentence, origin);
+}
+
+void GnssDriver::close_nmea_epoch(Output& out) {
+  if (nmea_.empty()) return;
+  const bool fix_told = recent(ubx_fix_at_, last_bytes_) || ubx_.fix();
+  const bool satellites_told = recent(ubx_satellites_at_, last_bytes_) || ubx_.satellites();
+  const auto fix = fix_told ? std::nullopt : nmea_.fix();
+  const auto satellites = satellites_told ? std::nullopt : nmea_.satellites();
+  if (nmea_.time_of_day()) closed_time_of_day_ = nmea_.time_of_day();
+  closed_at_ = last_bytes_;
+  nmea_.clear();
+  if (fix) out.publish(*fix);
+  if (satellites) out.publish(*satellites);
+}
+
+Origin GnssDriver::enter_epoch(milliseconds itow, const Origin& origin, Output& out) {
+  if (itow_ != itow) {
+    close_ubx_epoch(out);
+    itow_ = itow;
+    itow_valid_at_ = origin.valid_at;
+  }
+  Origin of_epoch = origin;
+  of_epoch.valid_at = itow_valid_at_;
+  of_epoch.device_time = itow;
+  return of_epoch;
+}
+
+template <class Part>
+requires requires(UbxEpoch& epoch, const Part& part, const Origin& o) { epoch.add(part, o); }
+void GnssDriver::on(const Part& part, const Origin& origin, Output& out) {
+  const Origin of_epoch = enter_epoch(part.itow, origin, out);
+  if (closed_itow_ != part.itow) ubx_.add(part, of_epoch);  // else a straggler
+}
+
+void GnssDriver::on(const wire::NavEoe& eoe, const Origin& origin, Output& out) {
+  enter_epoch(eoe.itow, origin, out);
+  close_ubx_epoch(out);
+}
+
+void GnssDriver::close_ubx_epoch(Output& out) {
+  if (ubx_.empty()) return;
+  const auto fix = recent(pvt_at_, last_bytes_) ? std::nullopt : ubx_.fix();
+  const auto satellites = recent(sat_at_, last_bytes_) ? std::nullopt : ubx_.satellites();
+  closed_itow_ = itow_;
+  ubx_.clear();
+  if (fix) {
+    fix_itow_ = itow_;
+    ubx_fix_at_ = last_bytes_;
+    out.publish(*fix);
+  }
+  if (satellites) {
+    satellites_itow_ = itow_;
+    ubx_satellites_at_ = last_bytes_;
+    out.publish(*satellites);
+  }
+}
+
+void GnssDriver::on(const wire::NavPvt& pvt, const Origin& origin, Output& out) {
+  GnssFix fix;
+  fix.origin = enter_epoch(pvt.itow, origin, out);
+  pvt_at_ = ubx_fix_at_ = origin.received_at;
+  if (fix_itow_ == pvt.itow) return;  // polled or sent twice
+  fix_itow_ = pvt.itow;
+
+  fix.type = fix_type(pvt.fix_type, pvt.fix_ok);
+  if (pvt.date && pvt.time_of_day && pvt.date->ok()) {
+    fix.utc = Stamp{std::chrono::sys_days{*pvt.date}.time_since_epoch() + *pvt.time_of_day};
+  }
+  if (pvt.latitude_rad && pvt.longitude_rad) fix.position = {*pvt.latitude_rad, *pvt.longitude_rad};
+  fix.ellipsoidal_height_m = pvt.ellipsoidal_height_m;
+  fix.mean_sea_level_height_m = pvt.mean_sea_level_height_m;
+  if (pvt.velocity_north_mps && pvt.velocity_east_mps && pvt.velocity_down_mps) {
+    fix.velocity_ned = {*pvt.velocity_north_mps, *pvt.velocity_east_mps, *pvt.velocity_down_mps};
+  }
+  fix.horizontal_accuracy_m = pvt.horizontal_accuracy_m;
+  fix.vertical_accuracy_m = pvt.vertical_accuracy_m;
+  fix.speed_accuracy_mps = pvt.speed_accuracy_mps;
+  fix.position_dop = pvt.position_dop;
+  fix.satellites_used = pvt.satellites_used;
+  fix.ground_speed_mps = pvt.ground_speed_mps;
+  fix.course_rad = pvt.course_rad;
+  out.publish(fix);
+}
+
+void GnssDriver::on(const wire::NavSat& sat, const Origin& origin, Output& out) {
+  const Origin of_epoch = enter_epoch(sat.itow, origin, out);
+  sat_at_ = ubx_satellites_at_ = origin.received_at;
+  if (satellites_itow_ == sat.itow) return;
+  satellites_itow_ = sat.itow;
+  out.publish(measurement::GnssSatellites{of_epoch, satellite_list(sat.satellites)});
+}
+
+}  // namespace drydock::device

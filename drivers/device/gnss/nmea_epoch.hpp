@@ -1,0 +1,77 @@
+#pragma once
+
+#include <chrono>
+#include <optional>
+
+#include "drivers/device/gnss/nmea_satellites.hpp"
+#include "drivers/wire/nmea0183/nmea0183_position.hpp"
+
+namespace drydock::device {
+
+using measurement::Origin;
+
+/// The NMEA sentences of one epoch on their way to one fix. The time of day in GGA, GNS, RMC,
+/// GLL, GST and ZDA says which belong together; GSA, GSV and VTG carry none and belong to the epoch
+/// that is open, until one comes that the epoch already has.
+class NmeaEpoch {
+ public:
+  using TimeOfDay = std::optional<std::chrono::nanoseconds>;
+
+  bool empty() const { return !began_; }
+  /// A sentence with this time starts another epoch. Without times, a second sentence of a kind
+  /// does.
+  bool ends_before(const wire::Gga& s) const { return differs(s.time_of_day, gga_.has_value()); }
+  bool ends_before(const wire::Rmc& s) const { return differs(s.time_of_day, rmc_.has_value()); }
+  bool ends_before(const wire::Gns& s) const { return differs(s.time_of_day, gns_.has_value()); }
+  bool ends_before(const wire::Gll& s) const { return differs(s.time_of_day, gll_.has_value()); }
+  bool ends_before(const wire::Gst& s) const { return differs(s.time_of_day, gst_.has_value()); }
+  bool ends_before(const wire::Zda& s) const { return differs(s.time_of_day, zda_.has_value()); }
+  bool ends_before(const wire::Vtg&) const { return vtg_.has_value(); }
+  bool ends_before(const wire::Gsa& s) const { return !last_is_gsa_ && satellites_.has_again(s); }
+  bool ends_before(const wire::Gsv& s) const { return satellites_.has_again(s); }
+  const TimeOfDay& time_of_day() const { return time_of_day_; }
+
+  void add(const wire::Gga& s, const Origin& o) { begin(o, s.time_of_day), gga_ = s; }
+  void add(const wire::Rmc& s, const Origin& o) { begin(o, s.time_of_day), rmc_ = s; }
+  void add(const wire::Gns& s, const Origin& o);
+  void add(const wire::Gll& s, const Origin& o) { begin(o, s.time_of_day), gll_ = s; }
+  void add(const wire::Gst& s, const Origin& o) { begin(o, s.time_of_day), gst_ = s; }
+  void add(const wire::Zda& s, const Origin& o) { begin(o, s.time_of_day), zda_ = s; }
+  void add(const wire::Vtg& s, const Origin& o) { begin(o, {}), vtg_ = s; }
+  void add(const wire::Gsa& s, const Origin& o);
+  void add(const wire::Gsv& s, const Origin& o) { begin(o, {}), satellites_.add(s); }
+
+  /// valid_at is that of the epoch's first sentence, received_at that of its last. The position is
+  /// there when the receiver vouches for it: GGA of quality 1 to 6, else GNS, RMC, GLL, not
+  /// contradicted by an RMC without valid status. Empty without any of the four.
+  std::optional<measurement::GnssFix> fix() const;
+  /// Empty without a complete GSV group.
+  std::optional<measurement::GnssSatellites> satellites() const;
+
+  void clear();
+
+ private:
+  void begin(const Origin& origin, const TimeOfDay& time_of_day);
+  bool differs(const TimeOfDay& time_of_day, bool have_one) const;
+  measurement::FixType fix_type() const;
+  void fill_position(measurement::GnssFix& fix) const;
+  void fill_accuracy(measurement::GnssFix& fix) const;
+  void fill_motion(measurement::GnssFix& fix) const;
+  std::optional<measurement::Stamp> utc() const;
+
+  std::optional<Origin> began_;
+  TimeOfDay time_of_day_;
+  std::optional<wire::Gga> gga_;
+  std::optional<wire::Rmc> rmc_;
+  std::optional<wire::Gns> gns_;
+  std::optional<wire::Gll> gll_;
+  std::optional<wire::Gst> gst_;
+  std::optional<wire::Zda> zda_;
+  std::optional<wire::Vtg> vtg_;
+  bool last_is_gsa_ = false;
+  std::optional<int> gsa_fix_type_;
+  std::optional<double> position_dop_;
+  NmeaSatellites satellites_;
+};
+
+}  // namespace drydock::device

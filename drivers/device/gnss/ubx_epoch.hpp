@@ -1,0 +1,60 @@
+#pragma once
+
+#include <chrono>
+#include <optional>
+
+#include "drivers/device/gnss/ubx_satellite_list.hpp"
+#include "drivers/device/timing.hpp"
+#include "drivers/wire/ubx/ubx_solution.hpp"
+#include "drivers/wire/ubx/ubx_time.hpp"
+
+namespace drydock::device {
+
+/// What a receiver's fix type and its gnssFixOK amount to.
+measurement::FixType fix_type(wire::UbxFixType type, bool fix_ok);
+
+/// The parts of one epoch of a receiver without NAV-PVT or NAV-SAT on their way to one fix and one
+/// list of satellites: NAV-SOL, STATUS, POSLLH, VELNED, DOP, TIMEGPS and TIMEUTC; SVINFO or SIG.
+/// One iTOW ties them together; the driver sees to it that only parts of one iTOW come here.
+class UbxEpoch {
+ public:
+  bool empty() const { return !began_; }
+
+  void add(const wire::NavSol& m, const Origin& o) { begin(o), sol_ = m; }
+  void add(const wire::NavStatus& m, const Origin& o) { begin(o), status_ = m; }
+  void add(const wire::NavPosllh& m, const Origin& o) { begin(o), posllh_ = m; }
+  void add(const wire::NavVelned& m, const Origin& o) { begin(o), velned_ = m; }
+  void add(const wire::NavDop& m, const Origin& o) { begin(o), dop_ = m; }
+  void add(const wire::NavTimeGps& m, const Origin& o) { begin(o), time_gps_ = m; }
+  void add(const wire::NavTimeUtc& m, const Origin& o) { begin(o), time_utc_ = m; }
+  void add(const wire::NavSvinfo& m, const Origin& o);
+  void add(const wire::NavSig& m, const Origin& o);  ///< SVINFO knows more and takes its place
+
+  /// valid_at is that of the epoch's first message, received_at that of its last. A position or
+  /// velocity needs NAV-SOL or NAV-STATUS to vouch for it; POSLLH and VELNED count before the ECEF
+  /// values of NAV-SOL. Empty without any of these four.
+  std::optional<measurement::GnssFix> fix() const;
+  std::optional<measurement::GnssSatellites> satellites() const;
+
+  void clear() { *this = {}; }
+
+ private:
+  void begin(const Origin& origin);
+  bool vouched_for() const;
+  void fill_position(measurement::GnssFix& fix) const;
+  void fill_velocity(measurement::GnssFix& fix) const;
+  std::optional<measurement::Stamp> utc() const;
+
+  std::optional<Origin> began_;
+  std::optional<wire::NavSol> sol_;
+  std::optional<wire::NavStatus> status_;
+  std::optional<wire::NavPosllh> posllh_;
+  std::optional<wire::NavVelned> velned_;
+  std::optional<wire::NavDop> dop_;
+  std::optional<wire::NavTimeGps> time_gps_;
+  std::optional<wire::NavTimeUtc> time_utc_;
+  bool has_channels_ = false;
+  std::optional<SatelliteList> satellites_;
+};
+
+}  // namespace drydock::device

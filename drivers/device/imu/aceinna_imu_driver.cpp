@@ -1,0 +1,124 @@
+#include "drivers/device/imu/aceinna_imu_driver.hpp"
+
+#include <algorithm>
+
+#include "drivers/device/imu/imu_sample.hpp"
+
+namespace drydock::device {
+
+namespace {
+
+namespace aceinna = wire::aceinna;
+
+/// The device sends its messages within 0.8 ms; half the period of 100 Hz still tells two apart.
+constexpr std::chrono::milliseconds pairing_window{5};
+
+constexpr std::size_t place_of(const aceinna::HardwareBit&) { return 0; }
+constexpr std::size_t place_of(const aceinna::SoftwareBit&) { return 1; }
+constexpr std::size_t place_of(const aceinna::SensorStatus&) { return 2; }
+
+}  // namespace
+
+AceinnaImuDriver::AceinnaImuDriver(const DriverOptions& options)
+    : BusDriver(options),
+      mounting_(options.mounting),
+      source_(options.address),
+      configurator_(options) {}
+
+void AceinnaImuDriver::restart(Stamp now, Output& out) {
+  rate_.reset();
+  force_.reset();
+  told_ = {};
+  search_.restart(now, out);
+  configurator_.restart(now, out);
+}
+
+void AceinnaImuDriver::tick(Stamp now, Output& out) {
+  search_.tick(now, out);
+  configurator_.tick(now, out);
+}
+
+std::optional<Stamp> AceinnaImuDriver::deadline() const {
+  const auto search = search_.deadline(), configuration = configurator_.deadline();
+  if (!search || !configuration) return search ? search : configuration;
+  return std::min(*search, *configuration);
+}
+
+bool AceinnaImuDriver::accepts(std::uint8_t source, Stamp at) {
+  if (!source_.accepts(source, at)) return false;
+  search_.heard(at);
+  configurator_.found(source, at);
+  return true;
+}
+
+void AceinnaImuDriver::receive(const wire::CanFrame& frame, Stamp received_at, Output& out) {
+  configurator_.receive(frame, received_at, out);
+  const auto message = decoder_.receive(frame);
+  if (!message) return;
+  std::visit(
+      [&](const auto& m) {
+        if constexpr (requires { on(m, frame, received_at, out); }) {
+          on(m, frame, received_at, out);
+        } else if constexpr (requires { m.source; }) {
+          if (ours(m.source)) configurator_.on(*message, received_at);
+        }
+      },
+      *message);
+}
+
+void AceinnaImuDriver::on(const aceinna::AngularRate& m, const wire::CanFrame& frame, Stamp at,
+                          Output& out) {
+  if (!accepts(m.source, at)) return;
+  rate_ = Half{timing_.of_frame(at, frame), m.rate_radps};
+  if (m.latency_s) {
+    stated_valid_at_ =
+        timing_.of_frame(at, frame, measurement::from_seconds(*m.latency_s)).valid_at;
+  } else {
+    stated_valid_at_.reset();
+  }
+  pair(out);
+}
+
+void AceinnaImuDriver::on(const aceinna::Acceleration& m, const wire::CanFrame& frame, Stamp at,
+                          Output& out) {
+  if (!accepts(m.source, at)) return;
+  force_ = Half{timing_.of_frame(at, frame), m.acceleration_mps2};
+  pair(out);
+}
+
+/// A claim is the first that a device says after its boot: it has lost its settings.
+void AceinnaImuDriver::on(const aceinna::AddressClaimed& m, const wire::CanFrame&, Stamp at,
+                          Output&) {
+  source_.claimed(m.source, aceinna::to_value(m.name), at);
+  if (ours(m.source)) configurator_.begin_anew(at);
+}
+
+template <class Layout>
+void AceinnaImuDriver::on(const aceinna::Flags<Layout>& m, const wire::CanFrame&, Stamp,
+                          Output& out) {
+  if (!ours(m.source)) return;
+  std::string_view& told = told_[place_of(m)];
+  const std::string_view trouble = m.trouble();
+  if (!trouble.empty() && trouble != told) {
+    Reason text{"the IMU reports: "};
+    text += trouble;
+    out.report(text.view());
+  }
+  told = trouble;
+}
+
+void AceinnaImuDriver::pair(Output& out) {
+  if (!rate_ || !force_) return;
+  const auto apart = rate_->origin.received_at - force_->origin.received_at;
+  if (std::chrono::abs(apart) > pairing_window) return;  // the older one waits in vain
+  // Sampled together, before the first of the two left.
+  Origin origin = rate_->origin;
+  origin.received_at = std::max(origin.received_at, force_->origin.received_at);
+  origin.valid_at = stated_valid_at_.value_or(std::min(origin.valid_at, force_->origin.valid_at));
+  const auto sample = make_imu_sample(origin, rate_->components, force_->components, mounting_);
+  rate_.reset();
+  force_.reset();
+  if (sample) out.publish(*sample);
+}
+
+}  // namespace drydock::device

@@ -1,0 +1,37 @@
+#pragma once
+
+#include "drivers/device/bus/bus_driver.hpp"
+#include "drivers/device/bus/canopen_node.hpp"
+#include "drivers/wire/canopen/cia404_imu.hpp"
+#include "drivers/wire/canopen/epson_imu.hpp"
+
+namespace drydock::device {
+
+/// CANopen IMU whose protocol gives whole sets, as REAL32 or as Epson's integers: each set -> one
+/// ImuSample, true before its first frame left. CanopenNode starts the node and watches it.
+template <class Protocol>
+class Cia404ImuDriver final : public BusDriver<Protocol> {
+ public:
+  explicit Cia404ImuDriver(const DriverOptions& options)
+      : BusDriver<Protocol>(options), mounting_(options.mounting), node_(options) {}
+
+  void receive(const wire::CanFrame& frame, Stamp received_at, Output& out) override;
+  void restart(Stamp now, Output& out) override { node_.restart(now, out); }
+  void tick(Stamp now, Output& out) override { node_.tick(now, out); }
+  std::optional<Stamp> deadline() const override { return node_.deadline(); }
+
+ private:
+  using BusDriver<Protocol>::decoder_, BusDriver<Protocol>::timing_;
+
+  void on(const wire::cia404_imu::ImuSet& set, const Origin& end, Output& out);
+
+  Mounting mounting_;
+  CanopenNode node_;
+  std::array<Origin, 128> first_frame_{};  ///< of each node's set under way
+};
+
+extern template class Cia404ImuDriver<wire::Cia404Imu>;
+extern template class Cia404ImuDriver<wire::EpsonG550>;
+extern template class Cia404ImuDriver<wire::EpsonG552>;
+
+}  // namespace drydock::device

@@ -1,0 +1,39 @@
+#include "drivers/device/vessel/cia404_pressure_driver.hpp"
+
+namespace drydock::device {
+
+namespace canopen = wire::canopen;
+
+Cia404PressureDriver::Cia404PressureDriver(const DriverOptions& options)
+    : BusDriver(options),
+      node_(options),
+      scale_(options.pressure.scale),
+      zero_pa_(options.pressure.gauge ? options.water.surface_pressure_pa : 0),
+      water_(options.water) {}
+
+void Cia404PressureDriver::receive(const wire::CanFrame& frame, Stamp received_at, Output& out) {
+  if (node_.is_of_another(frame)) return;
+  const auto message = decoder_.receive(frame);
+  if (!message) return;
+  if (const auto* value = std::get_if<wire::cia404_pressure::ProcessValue>(&*message)) {
+    on(*value, timing_.of_frame(received_at, frame), out);
+  } else if (const auto* heartbeat = std::get_if<canopen::Heartbeat>(&*message)) {
+    node_.on(*heartbeat, received_at, out);
+  } else if (const auto* emergency = std::get_if<canopen::Emergency>(&*message)) {
+    node_.on(*emergency, out);
+  }
+}
+
+void Cia404PressureDriver::on(const wire::cia404_pressure::ProcessValue& value,
+                              const Origin& origin, Output& out) {
+  if (!node_.accepts(value.node, origin.received_at)) return;
+  measurement::DepthSample sample;
+  sample.origin = origin;
+  if (const auto reading = wire::cia404_pressure::pressure_pa(value, scale_)) {
+    sample.pressure_pa = *reading + zero_pa_;
+    sample.depth_m = water_.depth_m(*sample.pressure_pa);
+  }
+  out.publish(sample);
+}
+
+}  // namespace drydock::device

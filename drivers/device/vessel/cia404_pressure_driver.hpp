@@ -1,0 +1,29 @@
+#pragma once
+
+#include "drivers/device/bus/bus_driver.hpp"
+#include "drivers/device/bus/canopen_node.hpp"
+#include "drivers/wire/canopen/cia404_pressure.hpp"
+
+namespace drydock::device {
+
+/// CANopen pressure transmitter: TPDO1 -> pressure, and depth by the configured water column. The
+/// pressure of a gauge transmitter counts from the surface's.
+class Cia404PressureDriver final : public BusDriver<wire::Cia404Pressure> {
+ public:
+  explicit Cia404PressureDriver(const DriverOptions& options);
+
+  void receive(const wire::CanFrame& frame, Stamp received_at, Output& out) override;
+  void restart(Stamp now, Output& out) override { node_.restart(now, out); }
+  void tick(Stamp now, Output& out) override { node_.tick(now, out); }
+  std::optional<Stamp> deadline() const override { return node_.deadline(); }
+
+ private:
+  void on(const wire::cia404_pressure::ProcessValue& value, const Origin& origin, Output& out);
+
+  CanopenNode node_;
+  wire::cia404_pressure::Scale scale_;
+  double zero_pa_;  ///< absolute pressure at which the transmitter says 0
+  measurement::WaterColumn water_;
+};
+
+}  // namespace drydock::device

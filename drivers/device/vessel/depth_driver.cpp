@@ -1,0 +1,70 @@
+#include "drivers/device/vessel/depth_driver.hpp"
+
+namespace drydock::device {
+
+namespace {
+constexpr std::chrono::seconds temperature_counts_for{10};  // PGN 130312 comes every 2 s
+constexpr std::chrono::milliseconds tied_for{100};          // a SID comes again after 253 samples
+}  // namespace
+
+DepthDriver::DepthDriver(const DriverOptions& options)
+    : Nmea2000Driver(options),
+      water_(options.water),
+      pressure_source_(options.address),
+      temperature_source_(options.address),
+      sounder_source_(options.address) {}
+
+void DepthDriver::receive(const wire::CanFrame& frame, Stamp received_at, Output& out) {
+  const auto message = decoder_.receive(frame);
+  if (!message) return;
+  const Origin origin = timing_.of_frame(received_at, frame);
+  std::visit(
+      [&](const auto& m) {
+        if constexpr (requires { on(m, origin, out); }) on(m, origin, out);
+      },
+      *message);
+}
+
+void DepthDriver::on(const wire::nmea2000::Pressure& pressure, const Origin& origin, Output& out) {
+  if (pressure.kind != wire::nmea2000::Pressure::water) return;
+  if (!accepts(pressure_source_, pressure.source, origin.received_at)) return;
+  if (pressure.pressure_pa && *pressure.pressure_pa < 0)
+    return out.report("an absolute pressure below zero was dropped: damaged on its way");
+  measurement::DepthSample sample;
+  sample.origin = origin;
+  last_pressure_ = {pressure.source, pressure.sequence, origin};
+  sample.pressure_pa = pressure.pressure_pa;
+  if (pressure.pressure_pa) sample.depth_m = water_.depth_m(*pressure.pressure_pa);
+  if (origin.received_at - temperature_at_ < temperature_counts_for) {
+    sample.temperature_k = temperature_k_;
+  }
+  out.publish(sample);
+}
+
+void DepthDriver::on(const wire::nmea2000::Temperature& temperature, const Origin& origin,
+                     Output&) {
+  if (temperature.kind != wire::nmea2000::Temperature::sea) return;
+  if (!accepts(temperature_source_, temperature.source, origin.received_at)) return;
+  temperature_k_ = temperature.actual_k;
+  temperature_at_ = origin.received_at;
+}
+
+void DepthDriver::on(const wire::nmea2000::WaterDepth& depth, const Origin& origin, Output& out) {
+  if (!accepts(sounder_source_, depth.source, origin.received_at)) return;
+  measurement::DepthSample sample;
+  sample.origin = origin;
+  if (depth.sequence && depth.sequence == last_pressure_.sequence &&
+      depth.source == last_pressure_.source &&
+      origin.received_at - last_pressure_.origin.received_at < tied_for) {
+    sample.origin.valid_at = last_pressure_.origin.valid_at;
+  }
+  sample.altitude_m = depth.depth_m;
+  out.publish(sample);
+}
+
+void DepthDriver::on(const wire::j1939::AddressClaimed& claim, const Origin& origin, Output&) {
+  for (SourceFilter* source : {&pressure_source_, &temperature_source_, &sounder_source_})
+    source->claimed(claim.source, claim.name, origin.received_at);
+}
+
+}  // namespace drydock::device

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "drivers/device/vessel/nmea2000_driver.hpp"
+
+namespace drydock::device {
+
+/// Depth on NMEA 2000. PGN 130314 with source water -> pressure and
+/// depth by the configured water column, with the last sea temperature of PGN 130312. PGN 128267,
+/// an echo sounder's depth below its transducer, is the altitude, a measurement of its own, true
+/// when the pressure of the same source and SID was.
+class DepthDriver final : public Nmea2000Driver {
+ public:
+  explicit DepthDriver(const DriverOptions& options);
+
+  void receive(const wire::CanFrame& frame, Stamp received_at, Output& out) override;
+
+ private:
+  void on(const wire::nmea2000::Pressure& pressure, const Origin& origin, Output& out);
+  void on(const wire::nmea2000::Temperature& temperature, const Origin& origin, Output& out);
+  void on(const wire::nmea2000::WaterDepth& depth, const Origin& origin, Output& out);
+  void on(const wire::j1939::AddressClaimed& claim, const Origin& origin, Output& out);
+
+  measurement::WaterColumn water_;
+  SourceFilter pressure_source_, temperature_source_, sounder_source_;
+  std::optional<double> temperature_k_;
+  Stamp temperature_at_{};
+
+  struct Tie {
+    std::uint8_t source = 0;
+    std::optional<std::uint8_t> sequence;
+    Origin origin;
+  };
+  Tie last_pressure_;
+};
+
+}  // namespace drydock::device

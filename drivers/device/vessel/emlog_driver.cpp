@@ -1,0 +1,59 @@
+#include "drivers/device/vessel/emlog_driver.hpp"
+
+namespace drydock::device {
+
+namespace {
+constexpr std::chrono::seconds vbw_counts_for{3};  // logs send once or more a second
+}
+
+void EmLogDriver::receive(wire::Bytes bytes, Stamp received_at, Output& out) {
+  framer_.feed(bytes, wire::Nmea0183::scan, [&](wire::Bytes frame, std::size_t after) {
+    const auto message = wire::Nmea0183::decode(frame);
+    if (!message) return;
+    const Origin origin = burst_.of(timing_.of_bytes(received_at, frame.size(), after),
+                                    timing_.line_time(frame.size()), message->index());
+    std::visit(
+        [&](const auto& sentence) {
+          if constexpr (requires { on(sentence, origin, out); }) on(sentence, origin, out);
+        },
+        *message);
+  });
+}
+
+void EmLogDriver::on(const wire::Vhw& vhw, const Origin& origin, Output& out) {
+  if (vbw_at_ && origin.received_at - *vbw_at_ < vbw_counts_for) return;
+  publish_speed(vhw.speed_mps, {}, origin, out);
+}
+
+void EmLogDriver::on(const wire::Vbw& vbw, const Origin& origin, Output& out) {
+  if (vbw.water_longitudinal_mps) vbw_at_ = origin.received_at;
+  publish_speed(vbw.water_longitudinal_mps, vbw.water_transverse_mps, origin, out);
+}
+
+void EmLogDriver::on(const wire::Vlw& vlw, const Origin& origin, Output& out) {
+  if (!vlw.water_total_m) return;
+  measurement::WaterSpeed result;
+  result.origin = origin;
+  result.distance_m = vlw.water_total_m;
+  out.publish(result);
+}
+
+void EmLogDriver::publish_speed(const std::optional<double>& longitudinal_mps,
+                                const std::optional<double>& transverse_mps, const Origin& origin,
+                                Output& out) const {
+  measurement::WaterSpeed result;
+  result.origin = origin;
+  if (mounting_.is_identity()) {
+    result.longitudinal_mps = longitudinal_mps;
+    result.transverse_mps = transverse_mps;
+  } else if (longitudinal_mps && transverse_mps) {
+    const Eigen::Vector3d body = mounting_.to_body({*longitudinal_mps, *transverse_mps, 0});
+    result.longitudinal_mps = body.x();
+    result.transverse_mps = body.y();
+  } else if (longitudinal_mps) {
+    out.report("the log is mounted turned and gives no transverse speed: no speed along body x");
+  }
+  out.publish(result);
+}
+
+}  // namespace drydock::device

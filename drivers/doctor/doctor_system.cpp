@@ -1,0 +1,143 @@
+#include <fmt/format.h>
+#include <sys/statvfs.h>
+#include <sys/timex.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "drivers/doctor/doctor.hpp"
+#include "drivers/doctor/ports.hpp"
+
+namespace drydock::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Loaded, or built into the kernel.
+bool has_module(const std::string& root, const std::string& name) {
+  if (fs::exists(fs::path(root) / "sys/module" / name)) return true;
+  std::ifstream release_file(fs::path(root) / "proc/sys/kernel/osrelease");
+  std::string release;
+  std::getline(release_file, release);
+  std::ifstream builtin(fs::path(root) / "lib/modules" / release / "modules.builtin");
+  std::string file = name;
+  std::ranges::replace(file, '_', '-');  // can_raw is the module of can-raw.ko
+  for (std::string line; std::getline(builtin, line);)
+    if (line.ends_with("/" + file + ".ko") || line.ends_with("/" + name + ".ko")) return true;
+  return false;
+}
+
+Diagnosis check_module(const std::string& root, const std::string& name, bool needed,
+                       const std::string& what_for) {
+  if (has_module(root, name)) return {"modules", Fitness::ok, name + " is there: " + what_for, ""};
+  return {"modules", needed ? Fitness::wrong : Fitness::advice,
+          name + " is not loaded: " + what_for, "sudo modprobe " + name};
+}
+
+Diagnosis check_bus(const std::string& name, const std::vector<CanPort>& ports) {
+  const auto port = std::ranges::find(ports, name, &CanPort::name);
+  const bool is_virtual = name.starts_with("vcan");
+  if (port == ports.end())
+    return {"CAN", Fitness::wrong, "there is no CAN interface " + name,
+            is_virtual
+                ? fmt::format("sudo ip link add {} type vcan && sudo ip link set {} up", name, name)
+                : "ip -details link show type can"};
+  if (!port->up)
+    return {
+        "CAN", Fitness::wrong, name + " is down",
+        is_virtual
+            ? fmt::format("sudo ip link set {} up", name)
+            : fmt::format("sudo ip link set {} up type can bitrate 250000 restart-ms 100", name)};
+  if (port->state == "BUS-OFF")
+    return {"CAN", Fitness::wrong, name + " is bus-off: it takes no part in the bus",
+            fmt::format("sudo ip link set {} type can restart", name)};
+  return {"CAN", Fitness::ok, name + " is up", ""};
+}
+
+constexpr unsigned multicast_flag = 0x1000;  // IFF_MULTICAST
+
+}  // namespace
+
+std::vector<Diagnosis> check_can(const std::string& root, const Needs& needs) {
+  std::vector<Diagnosis> found;
+  const bool any = needs.whole_machine || needs.kernel_can || needs.can_auto;
+  if (!any) return found;
+  found.push_back(check_module(root, "can", needs.kernel_can, "CAN in the kernel"));
+  found.push_back(check_module(root, "can_raw", needs.kernel_can, "socketcan: links"));
+  const bool needs_vcan = std::ranges::any_of(
+      needs.buses, [](const std::string& bus) { return bus.starts_with("vcan"); });
+  found.push_back(check_module(root, "vcan", needs_vcan,
+                               "virtual buses; can:auto does with slcan on a pty where it is not"));
+  if (needs.whole_machine) {
+    found.push_back(check_module(root, "can_j1939", false, "only for other programs on the bus"));
+    found.push_back(
+        check_module(root, "slcan", false, "only for slcand; slcan: links of ours do without"));
+  }
+  const auto ports = can_ports(root);
+  for (const auto& bus : needs.buses) found.push_back(check_bus(bus, ports));
+  if (needs.whole_machine)
+    for (const auto& port : ports) found.push_back(check_bus(port.name, ports));
+  return found;
+}
+
+std::vector<Diagnosis> check_network(const std::string& root, const Needs& needs) {
+  if (!needs.dds) return {};
+  std::ifstream in(fs::path(root) / "sys/class/net/lo/flags");
+  std::string text;
+  in >> text;
+  const auto flags = std::strtoul(text.c_str(), nullptr, 16);
+  if (text.empty()) return {{"DDS", Fitness::wrong, "there is no loopback interface", ""}};
+  if ((flags & 1) == 0)
+    return {{"DDS", Fitness::wrong, "the loopback interface is down", "sudo ip link set lo up"}};
+  if ((flags & multicast_flag) == 0)
+    return {{"DDS", Fitness::advice,
+             "the loopback interface carries no multicast: ours do without, other DDS programs on "
+             "this machine may not find each other",
+             "sudo ip link set lo multicast on"}};
+  return {{"DDS", Fitness::ok, "the loopback interface carries multicast", ""}};
+}
+
+std::vector<Diagnosis> check_limits(const std::string& root) {
+  std::ifstream in(fs::path(root) / "proc/self/limits");
+  constexpr std::string_view name = "Max realtime priority";
+  for (std::string line; std::getline(in, line);) {
+    if (!line.starts_with(name)) continue;
+    std::istringstream words(line.substr(name.size()));
+    std::string soft;
+    words >> soft;
+    if (soft != "0")
+      return {
+          {"real time", Fitness::ok, "real-time priorities up to " + soft + " are allowed", ""}};
+  }
+  return {{"real time", Fitness::advice,
+           "no real-time priorities: emulated devices may be late on a busy machine",
+           "echo \"$USER - rtprio 50\" | sudo tee /etc/security/limits.d/drydock.conf"}};
+}
+
+std::vector<Diagnosis> check_disk(const std::string& folder) {
+  struct statvfs info {};
+  if (::statvfs(folder.c_str(), &info) != 0)
+    return {{"disk", Fitness::wrong, "cannot look at " + folder, ""}};
+  const double free_mb =
+      static_cast<double>(info.f_bavail) * static_cast<double>(info.f_frsize) / 1e6;
+  constexpr double too_little_mb = 100, little_mb = 2000;
+  const auto fitness = free_mb < too_little_mb ? Fitness::wrong
+                       : free_mb < little_mb   ? Fitness::advice
+                                               : Fitness::ok;
+  return {{"disk", fitness, fmt::format("{:.1f} GB are free here for recordings", free_mb / 1000),
+           fitness == Fitness::ok ? "" : "df -h ."}};
+}
+
+std::vector<Diagnosis> check_clock(int code, int status) {
+  if (code == -1)
+    return {{"clock", Fitness::advice, "the kernel does not say how the clock is", ""}};
+  if (code == TIME_ERROR || (status & STA_UNSYNC) != 0)
+    return {{"clock", Fitness::advice,
+             "the clock follows no time server: stamps of two machines cannot be compared",
+             "sudo timedatectl set-ntp true"}};
+  return {{"clock", Fitness::ok, "the clock is synchronised", ""}};
+}
+
+}  // namespace drydock::cli

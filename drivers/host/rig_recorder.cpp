@@ -1,0 +1,120 @@
+#include "drivers/host/rig_recorder.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <set>
+#include <stdexcept>
+
+#include "drivers/host/rig_bus.hpp"
+#include "drivers/link/uri.hpp"
+#include "drivers/wire/registry.hpp"
+
+namespace drydock::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// "serial:/dev/ttyUSB0?baud=9600" -> "ttyUSB0", "tcp:10.0.0.2:4001" -> "10.0.0.2_4001".
+std::string short_name(const link::Uri& uri) {
+  std::string name = uri.target.substr(uri.target.rfind('/') + 1);
+  for (char& c : name)
+    if (std::isalnum(static_cast<unsigned char>(c)) == 0 && c != '.' && c != '-') c = '_';
+  return name.empty() ? "link" : name;
+}
+
+bool speaks_frames(const std::string& protocol) {
+  bool frames = false;
+  wire::with_protocol(wire::FrameProtocols{}, protocol, [&]<class>() { frames = true; });
+  return frames;
+}
+
+std::vector<record::RecordedLink> links_of(const rig_config::Rig& rig) {
+  std::vector<record::RecordedLink> links;
+  std::set<std::string> names;
+  for (const auto& device : rig.devices) {
+    const auto known = std::ranges::find(links, device.link, &record::RecordedLink::uri);
+    if (known != links.end()) {
+      known->devices.push_back(device.name);
+      continue;
+    }
+    const auto uri = link::parse_uri(device.link).value();
+    std::string name = short_name(uri);
+    for (int i = 2; !names.insert(name).second; ++i)
+      name = fmt::format("{}-{}", short_name(uri), i);
+    const bool frames =
+        uri.recorded() ? speaks_frames(device.protocol) : uri.carries() == link::Carries::frames;
+    links.push_back({device.link, name, frames, {device.name}});
+  }
+  return links;
+}
+
+/// The rig's files under the paths by which they name each other, the rig's own as "rig.toml".
+std::vector<mcap::Attachment> attachments_of(const rig_config::Rig& rig, std::uint64_t time) {
+  std::vector<mcap::Attachment> attachments;
+  for (const auto& path : rig.files) {
+    std::ifstream in(path, std::ios::binary);
+    const bool own = attachments.empty();
+    const auto folder = fs::path(rig.file).parent_path();
+    attachments.push_back({time,
+                           time,
+                           own ? "rig.toml" : fs::path(path).lexically_relative(folder).string(),
+                           "application/toml",
+                           {std::istreambuf_iterator<char>(in), {}}});
+  }
+  return attachments;
+}
+
+record::RecorderOptions recorder_options(const rig_config::Rig& rig, measurement::Stamp start,
+                                         record::WhenBehind when_behind) {
+  record::RecorderOptions options;
+  options.links = links_of(rig);
+  options.devices = bus_devices(rig);
+  options.estimators = estimator_names(rig);
+  options.navigators = navigator_names(rig);
+  for (auto* names : {&options.estimators, &options.navigators}) names->push_back("truth");
+  options.innovations = innovation_sources(rig);
+  options.versions = {{"drydock", DRYDOCK_VERSION}, {"rig", rig.name}};
+  options.attachments =
+      attachments_of(rig, static_cast<std::uint64_t>(start.time_since_epoch().count()));
+  options.when_behind = when_behind;
+  return options;
+}
+
+mcap::Sink open_file(const RecordOptions& options) {
+  auto sink = mcap::file_sink(options.path, options.overwrite);
+  if (sink) return *sink;
+  throw std::runtime_error("cannot record to " + mcap::refused(options.path, sink.error()));
+}
+
+}  // namespace
+
+RigRecorder::RigRecorder(const rig_config::Rig& rig, const RecordOptions& options, Stamp start,
+                         record::WhenBehind when_behind)
+    : path_(options.path),
+      recorder_(open_file(options), recorder_options(rig, start, when_behind)) {}
+
+void RigRecorder::tick(Stamp now) {
+  recorder_.tick(now);
+  if (told_ || !failed()) return;
+  told_ = true;
+  fmt::print(stderr, "recording to {} has failed: {}; the drivers go on without\n", path_,
+             recorder_.status().error.message());
+}
+
+std::string RigRecorder::finish() {
+  const auto error = recorder_.finish();
+  const auto status = recorder_.status();
+  if (error)
+    return fmt::format("recording {}: {} messages, then: {}; {} lost", path_, status.messages,
+                       error.message(), status.lost);
+  return fmt::format("recording {}: {} messages, {:.1f} MB, {} lost", path_, status.messages,
+                     static_cast<double>(status.bytes) / 1e6, status.lost);
+}
+
+}  // namespace drydock::cli

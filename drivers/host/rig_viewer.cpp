@@ -1,0 +1,111 @@
+#include "drivers/host/rig_viewer.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <random>
+#include <stdexcept>
+
+#include "drivers/host/rig_bus.hpp"
+#include "drivers/live/foxglove/access.hpp"
+#include "drivers/live/page_files.hpp"
+
+namespace drydock::cli {
+
+namespace {
+
+std::vector<std::string> with_truth(std::vector<std::string> names) {
+  names.push_back("truth");
+  return names;
+}
+
+std::string random_token() {
+  std::random_device random;
+  std::string token;
+  for (int i = 0; i < 4; ++i) token += fmt::format("{:08x}", random());
+  return token;
+}
+
+live::ServerOptions server_options(const std::string& name, const ServeOptions& options) {
+  live::ServerOptions server;
+  server.name = "drydock " + name;
+  server.token = options.token;
+  const auto colon = options.address.rfind(':');
+  const auto host = colon == std::string::npos ? "" : options.address.substr(0, colon);
+  const auto port = options.address.substr(colon == std::string::npos ? 0 : colon + 1);
+  if (!host.empty()) server.address = host;
+  const auto [end, error] = std::from_chars(port.data(), port.data() + port.size(), server.port);
+  if (error != std::errc{} || end != port.data() + port.size())
+    throw std::runtime_error(fmt::format(
+        "--serve {}: allowed: PORT or ADDRESS:PORT, for example 127.0.0.1:8765", options.address));
+  if (!live::is_loopback(server.address) && server.token.empty()) server.token = random_token();
+  return server;
+}
+
+}  // namespace
+
+Viewed viewed(const rig_config::Rig& rig) {
+  return {rig.name, bus_devices(rig), estimator_names(rig), navigator_names(rig),
+          innovation_sources(rig)};
+}
+
+RigViewer::RigViewer(boost::asio::any_io_executor executor, const Viewed& viewed,
+                     const ServeOptions& options)
+    : options_(server_options(viewed.name, options)),
+      server_(std::move(executor), options_, live::page_files()),
+      sink_(server_),
+      topics_(sink_, viewed.devices, with_truth(viewed.estimators), with_truth(viewed.navigators),
+              viewed.innovations),
+      last_sample_(viewed.devices.size()),
+      last_attitude_(viewed.estimators.size() + 1),
+      last_position_(viewed.estimators.size() + 1) {
+  if (const auto error = server_.listen())
+    throw std::runtime_error(
+        fmt::format("cannot serve on {}:{}: {}", options_.address, options_.port, error.message()));
+}
+
+void RigViewer::add(std::vector<live::Service> services) {
+  for (auto& service : services) server_.add_service(std::move(service));
+}
+
+std::string RigViewer::url() const {
+  const auto token = options_.token.empty() ? "" : "?token=" + options_.token;
+  return fmt::format("http://{}:{}/{}", options_.address, server_.port(), token);
+}
+
+bool RigViewer::due(Stamp& last, Stamp now) const {
+  if (now >= last && now - last < shortest_interval) return false;
+  last = now;
+  return true;
+}
+
+void RigViewer::note(const measurement::Measurement& measurement) {
+  if (const auto* imu = std::get_if<measurement::ImuSample>(&measurement)) {
+    const auto& origin = imu->origin;
+    if (origin.device < last_sample_.size() && !due(last_sample_[origin.device], origin.valid_at))
+      return;
+  }
+  topics_.publish(measurement);
+}
+
+void RigViewer::note(const bus::Attitude& attitude, std::size_t estimator) {
+  if (due(last_attitude_.at(estimator), attitude.valid_at)) topics_.publish(attitude, estimator);
+}
+
+void RigViewer::note(const bus::Navigation& navigation, std::size_t estimator) {
+  if (due(last_position_.at(estimator), navigation.valid_at))
+    topics_.publish(navigation, estimator);
+}
+
+void RigViewer::note(std::span<const bus::Fault> faults, Stamp now) {
+  faults_.assign(faults.begin(), faults.end());
+  faults_told_ = now;
+  topics_.publish(faults_, now);
+}
+
+void RigViewer::tick(Stamp now) {
+  constexpr std::chrono::seconds again{1};
+  if (!faults_.empty() && now - faults_told_ >= again) note(std::vector(faults_), now);
+}
+
+}  // namespace drydock::cli

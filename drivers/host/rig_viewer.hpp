@@ -1,0 +1,71 @@
+#pragma once
+
+#include <boost/asio/any_io_executor.hpp>
+#include <optional>
+
+#include "drivers/bus/cdr/cdr_publisher.hpp"
+#include "drivers/host/watcher.hpp"
+#include "drivers/live/live_topics.hpp"
+#include "rig_config/rig.hpp"
+
+namespace drydock::cli {
+
+/// Where a run can be watched: `--serve [ADDRESS:PORT]`, `--token`, `--allow-faults`.
+struct ServeOptions {
+  std::string address;  ///< "127.0.0.1:8765", ":8765", "8765"; empty: nowhere
+  std::string token;
+  bool allow_faults = false;  ///< viewers may set and clear faults
+};
+
+/// What a viewer may see.
+struct Viewed {
+  std::string name;
+  std::vector<bus::Device> devices;                     ///< by `Origin::device`
+  std::vector<std::string> estimators{}, navigators{};  ///< those that give Navigation too
+  std::vector<bus::InnovationSource> innovations{};
+};
+Viewed viewed(const rig_config::Rig& rig);
+
+/// A run for browsers and Foxglove. Fast topics are thinned to what an eye can follow.
+class RigViewer final : public Watcher {
+ public:
+  static constexpr std::chrono::milliseconds shortest_interval{40};
+
+  /// Throws std::runtime_error with one line when the address cannot be served. An address beyond
+  /// this host gets a token of its own when none is given.
+  RigViewer(boost::asio::any_io_executor executor, const Viewed& viewed,
+            const ServeOptions& options);
+  RigViewer(boost::asio::any_io_executor executor, const rig_config::Rig& rig,
+            const ServeOptions& options)
+      : RigViewer(std::move(executor), viewed(rig), options) {}
+
+  void add(std::vector<live::Service> services);
+
+  std::string url() const;  ///< to open in a browser, with the token where there is one
+
+  void note(const measurement::Measurement& measurement) override;
+  void note(const bus::Attitude& attitude, std::size_t estimator) override;
+  void note(const bus::Navigation& navigation, std::size_t estimator) override;
+  void note(std::span<const bus::DeviceStatus> health, Stamp now) override {
+    topics_.publish(health, now);
+  }
+  void note(const bus::Innovation& innovation) override { topics_.publish(innovation); }
+  void note(std::span<const bus::Fault> faults, Stamp now) override;
+  void tick(Stamp now) override;  ///< says the faults in force again, for who came later
+  void stop() { server_.stop(); }
+  live::ServerCounters counters() const { return server_.counters(); }
+
+ private:
+  bool due(Stamp& last, Stamp now) const;
+
+  live::ServerOptions options_;
+  live::Server server_;
+  live::LiveTopics sink_;
+  bus::CdrPublisher topics_;
+  std::vector<bus::Fault> faults_;  ///< in force
+  Stamp faults_told_{};
+  std::vector<Stamp> last_sample_;                    ///< by device; of IMUs
+  std::vector<Stamp> last_attitude_, last_position_;  ///< by estimator
+};
+
+}  // namespace drydock::cli

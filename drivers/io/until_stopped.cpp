@@ -1,0 +1,31 @@
+#include "drivers/io/until_stopped.hpp"
+
+#include <csignal>
+#include <utility>
+
+#include "drivers/measurement/stamp.hpp"
+
+namespace drydock::cli {
+
+UntilStopped::UntilStopped(boost::asio::io_context& io, double duration_s,
+                           std::function<void()> stop)
+    : stop_(std::move(stop)), signals_(io, SIGINT, SIGTERM), timer_(io) {
+  signals_.async_wait([this](const boost::system::error_code& ec, int) {
+    if (!ec) this->stop();
+  });
+  if (duration_s <= 0) return;
+  timer_.expires_after(measurement::from_seconds(duration_s));
+  timer_.async_wait([this](const boost::system::error_code& ec) {
+    if (!ec) this->stop();
+  });
+}
+
+void UntilStopped::stop() {
+  if (std::exchange(stopped_, true)) return;
+  signals_.cancel();
+  signals_.clear();  // a second Ctrl-C ends the program at once
+  timer_.cancel();
+  stop_();
+}
+
+}  // namespace drydock::cli

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "drivers/link/can/frame_hub.hpp"
+
+namespace drydock::link {
+
+/// An emulated CAN bus with slcan adapters on it, one per byte link: what any member or any
+/// program behind an adapter sends reaches all others. Ends when the last member has closed.
+class SlcanBus : public std::enable_shared_from_this<SlcanBus> {
+ public:
+  static std::shared_ptr<SlcanBus> open(const asio::any_io_executor& executor,
+                                        std::vector<std::unique_ptr<ByteLink>> lines);
+  SlcanBus(const SlcanBus&) = delete;
+  SlcanBus& operator=(const SlcanBus&) = delete;
+  ~SlcanBus();
+
+  /// A further member in this process, on the bus's executor.
+  std::unique_ptr<FrameLink> join();
+
+ private:
+  class Port;
+  explicit SlcanBus(const asio::any_io_executor& executor) : executor_(executor) {}
+
+  asio::any_io_executor executor_;
+  std::shared_ptr<FrameHub> hub_ = std::make_shared<FrameHub>();
+  std::vector<std::shared_ptr<Port>> ports_;
+};
+
+}  // namespace drydock::link

@@ -1,0 +1,78 @@
+#include "drivers/monitor/live_table.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+
+namespace drydock::cli {
+namespace {
+
+constexpr std::size_t events_shown = 5;
+
+std::string bar(double part) {
+  constexpr int width = 30;
+  const int full = std::clamp(static_cast<int>(part * width), 0, width);
+  return std::string(static_cast<std::size_t>(full), '#') +
+         std::string(static_cast<std::size_t>(width - full), '.');
+}
+
+}  // namespace
+
+LiveTable::LiveTable()
+    : terminal_(::isatty(STDOUT_FILENO) == 1), palette_(terminal_), screen_(stdout) {}
+
+void LiveTable::note(std::string_view device, const device::Transition& change) {
+  note(fmt::format("{}: {} -> {}: {}", device, to_string(change.from), to_string(change.to),
+                   change.why.view()));
+}
+
+void LiveTable::note(std::string line) {
+  if (!terminal_) {
+    fmt::print("{}\n", line);
+    std::fflush(stdout);
+    return;
+  }
+  events_.push_back(std::move(line));
+  if (events_.size() > events_shown) events_.pop_front();
+}
+
+void LiveTable::draw(const shell::RealTime& shell, double elapsed_s, double duration_s) {
+  if (terminal_) {
+    draw_table(shell, elapsed_s, duration_s);
+  } else if (elapsed_s >= next_lines_s_) {
+    next_lines_s_ += 10;
+    print_lines(shell, elapsed_s);
+  }
+}
+
+void LiveTable::draw_table(const shell::RealTime& shell, double elapsed_s, double duration_s) {
+  std::vector<std::string> lines;
+  if (duration_s > 0) {
+    lines.push_back(fmt::format(
+        "[{}] {:.0f} s of {:.0f} s, {:.0f} s left, Ctrl-C ends with the "
+        "report",
+        bar(elapsed_s / duration_s), elapsed_s, duration_s, std::max(0.0, duration_s - elapsed_s)));
+  } else {
+    lines.push_back(fmt::format("{:.0f} s, Ctrl-C ends with the report", elapsed_s));
+  }
+  for (std::size_t i = 0; i < shell.size(); ++i)
+    lines.push_back(headline(view_of(shell.device(i), shell.health(i)), palette_));
+  for (const auto& event : events_) lines.push_back("  " + event);
+  screen_.draw(lines);
+}
+
+void LiveTable::print_lines(const shell::RealTime& shell, double elapsed_s) const {
+  for (std::size_t i = 0; i < shell.size(); ++i) {
+    const auto h = shell.health(i);
+    fmt::print("{:.0f} s {}: {}, {:.2f} Hz of {:.1f}, {} messages, {} bad checksums\n", elapsed_s,
+               shell.device(i).name(), to_string(h.state), h.rate_hz.value_or(0), h.nominal_rate_hz,
+               h.messages, h.stream.bad_checksums);
+  }
+  std::fflush(stdout);
+}
+
+void LiveTable::finish() { screen_.finish(); }
+
+}  // namespace drydock::cli

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <deque>
+#include <string>
+#include <string_view>
+
+#include "drivers/device/life_cycle.hpp"
+#include "drivers/monitor/monitor_view.hpp"
+#include "drivers/shell/real_time.hpp"
+
+namespace drydock::cli {
+
+/// Shows a run while it goes on: on a terminal a table that is drawn over itself, otherwise plain
+/// lines, one for a change of state and one for each device every ten seconds.
+class LiveTable {
+ public:
+  LiveTable();
+
+  void note(std::string_view device, const device::Transition& change);
+  void note(std::string line);
+  void draw(const shell::RealTime& shell, double elapsed_s, double duration_s);
+  void finish();
+
+ private:
+  void draw_table(const shell::RealTime& shell, double elapsed_s, double duration_s);
+  void print_lines(const shell::RealTime& shell, double elapsed_s) const;
+
+  bool terminal_;
+  Palette palette_;
+  Overdrawn screen_;
+  double next_lines_s_ = 10;
+  std::deque<std::string> events_;
+};
+
+}  // namespace drydock::cli

@@ -1,0 +1,189 @@
+#include "drivers/monitor/monitor.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <boost/asio/co_spawn.hpp>
+#include <boost/asio/detached.hpp>
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/steady_timer.hpp>
+#include <cstdio>
+#include <functional>
+#include <memory>
+
+#include "drivers/decode/decode.hpp"
+#include "drivers/io/until_stopped.hpp"
+#include "drivers/link/link.hpp"
+#include "drivers/text/json_lines.hpp"
+#include "drivers/wire/registry.hpp"
+
+namespace drydock::cli {
+namespace {
+
+namespace asio = boost::asio;
+using measurement::Stamp;
+
+constexpr std::chrono::seconds counters_period{2};
+
+/// Understands what comes from the link and prints it.
+class Screen {
+ public:
+  virtual ~Screen() = default;
+  virtual void bytes(wire::Bytes, Stamp) {}
+  virtual void frame(const wire::CanFrame&, Stamp) {}
+  virtual const wire::StreamCounters& counters() const = 0;
+  std::uint64_t messages() const { return messages_; }
+
+ protected:
+  template <class Variant>
+  void print(const Variant& any, Stamp received_at) {
+    ++messages_;
+    std::visit(
+        [&](const auto& message) {
+          lines_.line([&](JsonWriter& json) {
+            json.field("type", message.type);
+            json.field("received_at_s", measurement::seconds(received_at.time_since_epoch()));
+            json.fields(message);
+          });
+        },
+        any);
+    lines_.flush();
+    std::fflush(stdout);
+  }
+
+ private:
+  JsonLines lines_{stdout};
+  std::uint64_t messages_ = 0;
+};
+
+template <wire::ByteProtocol P>
+class ByteScreen final : public Screen {
+ public:
+  void bytes(wire::Bytes bytes, Stamp at) override {
+    framer_.feed(bytes, P::scan, [&](wire::Bytes frame, std::size_t) {
+      if (const auto message = P::decode(frame)) print(*message, at);
+    });
+  }
+  const wire::StreamCounters& counters() const override { return framer_.counters(); }
+
+ private:
+  wire::Framer<P::max_frame> framer_;
+};
+
+template <wire::FrameProtocol P>
+class FrameScreen final : public Screen {
+ public:
+  void frame(const wire::CanFrame& frame, Stamp at) override {
+    if (const auto message = decoder_.receive(frame)) print(*message, at);
+  }
+  const wire::StreamCounters& counters() const override { return decoder_.counters(); }
+
+ private:
+  typename P::Decoder decoder_;
+};
+
+std::unique_ptr<Screen> make_screen(const std::string& protocol, link::Carries carries) {
+  std::unique_ptr<Screen> screen;
+  if (carries == link::Carries::bytes) {
+    wire::with_protocol(wire::BytesProtocols{}, protocol,
+                        [&]<class P>() { screen = std::make_unique<ByteScreen<P>>(); });
+  } else {
+    const auto make = [&]<class P>() { screen = std::make_unique<FrameScreen<P>>(); };
+    wire::with_protocol(wire::FrameProtocols{}, protocol, make);
+    wire::with_protocol(wire::FramesAsTheyAre{}, protocol, make);
+  }
+  return screen;
+}
+
+asio::awaitable<void> listen(link::ByteLink& line, Screen& screen, std::function<void()> ended) {
+  std::array<std::uint8_t, 4096> buffer;
+  for (;;) {
+    const auto got = co_await line.read(buffer);
+    if (!got) {
+      if (got.error() != asio::error::operation_aborted) {
+        fmt::print(stderr, "the link ended: {}\n", got.error().message());
+      }
+      break;
+    }
+    screen.bytes({buffer.data(), got->size}, got->at);
+  }
+  ended();
+}
+
+asio::awaitable<void> listen(link::FrameLink& bus, Screen& screen, std::function<void()> ended) {
+  for (;;) {
+    const auto got = co_await bus.read();
+    if (!got) {
+      if (got.error() != asio::error::operation_aborted) {
+        fmt::print(stderr, "the bus ended: {}\n", got.error().message());
+      }
+      break;
+    }
+    screen.frame(got->frame, got->at);
+  }
+  ended();
+}
+
+void print_counters(const Screen& screen) {
+  const auto& c = screen.counters();
+  fmt::print(stderr, "{} messages, {} bytes, {} in good frames, {} skipped, {} bad checksums\n",
+             screen.messages(), c.bytes_in, c.bytes_good, c.bytes_skipped, c.bad_checksums);
+}
+
+/// Listens until the duration is over, Ctrl-C, or the link's end.
+template <class Link>
+int watch(asio::io_context& io, Link& open_link, Screen& screen, double duration_s) {
+  asio::steady_timer every(io);
+  bool stopped = false;  // an expired timer can no longer be cancelled
+  UntilStopped until(io, duration_s, [&] {
+    stopped = true;
+    every.cancel();
+    open_link.close();
+  });
+  std::function<void()> tell = [&] {
+    every.expires_after(counters_period);
+    every.async_wait([&](const boost::system::error_code& ec) {
+      if (ec || stopped) return;
+      print_counters(screen);
+      tell();
+    });
+  };
+  tell();
+  asio::co_spawn(io, listen(open_link, screen, [&] { until.stop(); }), asio::detached);
+  io.run();
+  print_counters(screen);
+  return screen.messages() > 0 ? 0 : 1;
+}
+
+}  // namespace
+
+int monitor_messages(const MonitorOptions& options) {
+  const auto uri = link::parse_uri(options.link);
+  if (!uri) {
+    fmt::print(stderr, "monitor: {}\n", uri.error().message);
+    return 2;
+  }
+  auto carries = uri->carries();
+  auto screen = make_screen(options.protocol, carries);
+  if (!screen && uri->recorded()) {
+    carries = link::Carries::frames;
+    screen = make_screen(options.protocol, carries);
+  }
+  if (!screen) {
+    fmt::print(stderr, "monitor: a {} link carries no protocol \"{}\"; allowed: {}\n",
+               carries == link::Carries::bytes ? "byte" : "CAN", options.protocol,
+               decode_protocols());
+    return 2;
+  }
+  asio::io_context io{1};
+  const auto watch_opened = [&](auto opened) {
+    if (opened) return watch(io, **opened, *screen, options.duration_s);
+    fmt::print(stderr, "monitor: {}\n", opened.error().message);
+    return 2;
+  };
+  return carries == link::Carries::bytes
+             ? watch_opened(link::open_bytes(io.get_executor(), *uri, link::Side::driver))
+             : watch_opened(link::open_frames(io.get_executor(), *uri, link::Side::driver));
+}
+
+}  // namespace drydock::cli

@@ -1,0 +1,86 @@
+#include "drivers/monitor/monitor_loop.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+
+namespace drydock::cli {
+namespace {
+
+constexpr std::chrono::milliseconds step_period{100};
+constexpr int steps_a_second = 10, steps_a_draw = 5;
+constexpr double longest_once_s = 10;
+
+bool all_streaming(const std::vector<DeviceView>& views) {
+  return !views.empty() && std::ranges::all_of(views, &DeviceView::streaming);
+}
+
+}  // namespace
+
+MonitorLoop::MonitorLoop(const MonitorOptions& options,
+                         std::function<std::vector<DeviceView>()> views)
+    : options_(options),
+      views_(std::move(views)),
+      terminal_(::isatty(STDOUT_FILENO) == 1),
+      table_(terminal_ && !options.once),
+      screen_(stdout) {}
+
+std::unique_ptr<RigViewer> MonitorLoop::serve(const Viewed& viewed) {
+  if (options_.serve.address.empty()) return nullptr;
+  auto viewer = std::make_unique<RigViewer>(io_.get_executor(), viewed, options_.serve);
+  fmt::print(stderr, "live: {}\n", viewer->url());
+  return viewer;
+}
+
+/// A rate needs a few messages: a table is not taken before each device has its own.
+bool MonitorLoop::over(const std::vector<DeviceView>& views) const {
+  const double elapsed_s = static_cast<double>(steps_) / steps_a_second;
+  const double limit_s = options_.duration_s > 0 ? options_.duration_s
+                         : options_.once         ? longest_once_s
+                                                 : 0;
+  if (interrupted_ || (limit_s > 0 && elapsed_s >= limit_s)) return true;
+  return options_.once && all_streaming(views) &&
+         std::ranges::all_of(views, [](const auto& v) { return v.rate_hz && v.jitter_s; });
+}
+
+void MonitorLoop::show(const std::vector<DeviceView>& views) {
+  if (options_.once) return;
+  if (options_.json) {
+    if (steps_ % steps_a_second == 0) print_json(views, stdout);
+  } else if (terminal_ && steps_ % steps_a_draw == 0) {
+    screen_.draw(table_.lines(views));
+  }
+}
+
+int MonitorLoop::run(const std::function<void()>& poll, const std::function<void()>& stop) {
+  signals_.async_wait([this](const boost::system::error_code& ec, int) {
+    if (ec) return;
+    interrupted_ = true;
+    signals_.clear();  // a second Ctrl-C ends the program at once
+  });
+  std::vector<DeviceView> last;
+  bool due = false;  // outlives the timer's last handler
+  for (bool ended = false; !ended;) {
+    timer_.expires_after(step_period);
+    due = false;
+    timer_.async_wait([&](const boost::system::error_code&) { due = true; });
+    while (!due && !interrupted_) io_.run_one();
+    timer_.cancel();
+    ++steps_;
+    poll();
+    last = views_();
+    show(last);
+    ended = over(last);
+  }
+  screen_.finish();
+  signals_.cancel();
+  stop();
+  io_.run();
+  if (options_.json && options_.once) print_json(last, stdout);
+  if (!options_.json && (options_.once || !terminal_))
+    for (const auto& line : table_.lines(last)) fmt::print("{}\n", line);
+  return all_streaming(last) ? 0 : 1;
+}
+
+}  // namespace drydock::cli

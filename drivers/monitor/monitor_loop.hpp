@@ -1,0 +1,42 @@
+#pragma once
+
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/signal_set.hpp>
+#include <boost/asio/steady_timer.hpp>
+#include <functional>
+
+#include "drivers/monitor/monitor.hpp"
+#include "drivers/monitor/monitor_view.hpp"
+
+namespace drydock::cli {
+
+/// Shows views again and again until the duration is over or Ctrl-C; with `once`, a single time.
+class MonitorLoop {
+ public:
+  MonitorLoop(const MonitorOptions& options, std::function<std::vector<DeviceView>()> views);
+
+  boost::asio::io_context& io() { return io_; }
+  /// A page of what is monitored, where the options want one; empty otherwise. Its address goes to
+  /// standard error.
+  std::unique_ptr<RigViewer> serve(const Viewed& viewed);
+  /// `poll` is called 10 times a second; `stop` must let io() run out of work. 0 when all devices
+  /// were streaming at the end, else 1.
+  int run(const std::function<void()>& poll, const std::function<void()>& stop);
+
+ private:
+  bool over(const std::vector<DeviceView>& views) const;
+  void show(const std::vector<DeviceView>& views);
+
+  const MonitorOptions& options_;
+  std::function<std::vector<DeviceView>()> views_;
+  boost::asio::io_context io_{1};
+  boost::asio::steady_timer timer_{io_};
+  boost::asio::signal_set signals_{io_, SIGINT, SIGTERM};
+  bool terminal_;
+  DeviceTable table_;
+  Overdrawn screen_;
+  bool interrupted_ = false;
+  int steps_ = 0;
+};
+
+}  // namespace drydock::cli

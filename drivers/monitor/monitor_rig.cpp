@@ -1,0 +1,138 @@
+#include <fmt/format.h>
+
+#include "drivers/device/bus/can_error_text.hpp"
+#include "drivers/host/driver_host.hpp"
+#include "drivers/host/rig_bus.hpp"
+#include "drivers/link/can/can_interface.hpp"
+#include "drivers/monitor/monitor_loop.hpp"
+#include "drivers/probe/probe_bus.hpp"
+#include "drivers/wire/can/can_bits.hpp"
+
+namespace drydock::cli {
+namespace {
+
+using link::Stamp;
+
+/// Bits on each CAN bus, and what its controller says, by the URI of its link.
+class BusMeter final : public shell::RawListener {
+ public:
+  void on_bytes(std::string_view, shell::Direction, wire::Bytes, Stamp) override {}
+  void on_frame(std::string_view link, shell::Direction, const wire::CanFrame& frame,
+                Stamp) override {
+    Bus& bus = bus_of(link);
+    bus.bits += wire::wire_bits(frame);
+    if (frame.error) bus.state = device::can_error_text(frame);
+  }
+
+  /// Puts a bus's load into the view of a device on it. Over at least a second, so it is steady.
+  void show(Stamp now, DeviceView& view) {
+    const auto found = buses_.find(view.link);
+    if (found == buses_.end()) return;
+    Bus& bus = found->second;
+    const double elapsed_s = measurement::seconds(now - bus.since);
+    if (elapsed_s >= 1) {
+      bus.bits_per_second = static_cast<double>(bus.bits) / elapsed_s;
+      bus.bits = 0;
+      bus.since = now;
+    }
+    view.bits_per_second = bus.bits_per_second;
+    if (bus.bits_per_second && bus.bitrate) view.bus_load = *bus.bits_per_second / *bus.bitrate;
+    view.can_state = bus.state;
+  }
+
+ private:
+  struct Bus {
+    std::uint64_t bits = 0;
+    Stamp since = link::now();
+    std::optional<double> bits_per_second;
+    std::optional<unsigned> bitrate;
+    std::string state;
+  };
+
+  Bus& bus_of(std::string_view link) {
+    const auto found = buses_.find(link);
+    if (found != buses_.end()) return found->second;
+    Bus bus;
+    const auto uri = link::parse_uri(link);
+    if (uri) bus.bitrate = uri->bitrate();
+    if (uri && uri->scheme == link::Scheme::socketcan) {
+      if (const auto controller = link::find_can_interface(uri->target)) {
+        if (controller->bitrate) bus.bitrate = controller->bitrate;
+        bus.state = controller->state;
+      }
+    }
+    return buses_.emplace(link, std::move(bus)).first->second;
+  }
+
+  std::map<std::string, Bus, std::less<>> buses_;
+};
+
+/// The devices that were found, as a rig file with their blocks would have them.
+std::vector<std::unique_ptr<device::Device>> devices_of(const ProbeReport& report) {
+  std::vector<std::unique_ptr<device::Device>> devices;
+  for (const auto& found : report.devices) {
+    device::DeviceOptions options;
+    options.name = found.name;
+    options.link = found.link;
+    options.driver.kind = found.kind;
+    options.driver.protocol = found.protocol;
+    options.driver.address = found.address;
+    options.driver.device = static_cast<std::uint16_t>(devices.size());
+    const auto uri = link::parse_uri(found.link).value();
+    options.driver.baud = uri.baud();
+    options.driver.bitrate = uri.bitrate().value_or(options.driver.bitrate);
+    options.nominal_rate_hz = found.rate_hz ? probe::nominal_rate_hz(*found.rate_hz) : 0;
+    auto made = device::Device::make(std::move(options));
+    if (made) devices.push_back(std::move(*made));
+  }
+  return devices;
+}
+
+}  // namespace
+
+int monitor_devices(std::vector<std::unique_ptr<device::Device>> devices, const std::string& name,
+                    const MonitorOptions& options) {
+  for (auto& device : devices) device->listen_only();
+  Latest latest;
+  BusMeter meter;
+  DriverHost* drivers = nullptr;
+  MonitorLoop loop(options, [&] {
+    std::vector<DeviceView> views;
+    const auto& shell = drivers->shell();
+    for (std::size_t i = 0; i < shell.size(); ++i) {
+      DeviceView view = view_of(shell.device(i), shell.health(i));
+      latest.show(shell.device(i).index(), view);
+      meter.show(link::now(), view);
+      views.push_back(std::move(view));
+    }
+    return views;
+  });
+  Watchers watchers;
+  const auto viewer = loop.serve({name, bus_devices(devices)});
+  if (viewer) watchers.add(*viewer);
+  DriverHost host(loop.io(), std::move(devices), nullptr, &meter);
+  drivers = &host;
+  host.on_measurement_hook = [&](const measurement::Measurement& m) {
+    latest.note(m);
+    watchers.note(m);
+  };
+  host.on_health_hook = [&](auto health, Stamp now) { watchers.note(health, now); };
+  host.start();
+  return loop.run([] {},
+                  [&] {
+                    host.stop();
+                    if (viewer) viewer->stop();
+                  });
+}
+
+int monitor_link(const MonitorOptions& options) {
+  const ProbeReport report = find_sensors(options.link, 10);
+  if (report.devices.empty()) {
+    print_text(report, stderr);
+    fmt::print(stderr, "monitor: no sensor found; --protocol shows the messages of a protocol\n");
+    return 1;
+  }
+  return monitor_devices(devices_of(report), options.link, options);
+}
+
+}  // namespace drydock::cli

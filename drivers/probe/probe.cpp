@@ -1,0 +1,147 @@
+#include "drivers/probe/probe.hpp"
+
+#include <fmt/format.h>
+
+#include <boost/asio/error.hpp>
+#include <cstring>
+
+#include "drivers/capture/comment_head.hpp"
+#include "drivers/link/can/frame_file.hpp"
+#include "drivers/probe/probe_bus.hpp"
+
+namespace drydock::cli {
+namespace {
+
+using link::Carries;
+using link::Stamp;
+
+/// What a person types on a pier, as a URI: /dev/ttyUSB0 is a serial port.
+std::string as_uri(const std::string& text) {
+  return text.starts_with("/dev/") ? "serial:" + text : text;
+}
+
+/// The URI's parse, with a rate put in where one is missing: it is what we look for.
+boost::system::result<link::Uri, link::UriError> parse_without_baud(const std::string& text) {
+  const bool missing = text.starts_with("serial:") && text.find("baud=") == std::string::npos;
+  if (!missing) return link::parse_uri(text);
+  return link::parse_uri(text + (text.find('?') == std::string::npos ? "?" : "&") + "baud=9600");
+}
+
+/// A CAN capture, in its own time. False: its content is no CAN capture.
+bool read_frames(const link::Uri& uri, ProbeReport& report) {
+  auto file = link::capture_of(uri);
+  probe::BusSurvey survey;
+  Stamp first{}, last{};
+  while (const auto record = file.next()) {
+    last = Stamp{record->time.value_or(Stamp::duration{0})};
+    if (survey.frames() == 0) first = last;
+    survey.receive(record->frame, last);
+  }
+  if (!file.trouble().empty() || file.frames().tally().frames == 0) return false;
+  report.listened_s = measurement::seconds(last - first);
+  note_bus(survey, uri.text, report);
+  return true;
+}
+
+/// Bytes have no times of their own: those of the line's rate, where the URI says it.
+bool read_bytes(const link::Uri& uri, ProbeReport& report) {
+  capture::FileBlocks blocks(uri.target);
+  capture::CommentHead head;
+  probe::ByteSurvey survey;
+  Stamp now{};
+  constexpr std::size_t step = 64;
+  for (wire::Bytes block = blocks.read(); !block.empty(); block = blocks.read()) {
+    for (auto rest = head.without(block); !rest.empty();) {
+      const auto piece = rest.first(std::min(step, rest.size()));
+      rest = rest.subspan(piece.size());
+      constexpr double bits_a_byte = 10;
+      if (uri.baud())
+        now += measurement::from_seconds(bits_a_byte * static_cast<double>(piece.size()) /
+                                         *uri.baud());
+      survey.feed(piece, now);
+    }
+  }
+  if (blocks.error() != 0) {
+    report.notes.push_back(
+        fmt::format("cannot read {}: {}", uri.target, std::strerror(blocks.error())));
+    return false;
+  }
+  survey.finish();
+  report.listened_s = measurement::seconds(now.time_since_epoch());
+  if (!uri.baud())
+    report.notes.push_back("a recording of bytes has no times: rates need the line's, as " +
+                           uri.text + "?baud=115200");
+  note_line(survey, "", uri.text, report);
+  return true;
+}
+
+bool search(const ProbeOptions& options, const link::Uri& uri, std::FILE* err,
+            ProbeReport& report) {
+  if (uri.recorded()) return read_frames(uri, report) || read_bytes(uri, report);
+  Ear ear;
+  Progress progress(err);
+  const Stamp start = link::now();
+  const LineSearch wanted{report.link, start + measurement::from_seconds(options.duration_s),
+                          options.ask};
+  const bool opened = uri.carries() == Carries::bytes ? search_line(wanted, ear, progress, report)
+                                                      : search_bus(wanted, ear, progress, report);
+  report.listened_s = measurement::seconds(link::now() - start);
+  report.interrupted = ear.interrupted();
+  if (uri.scheme == link::Scheme::pty && opened)
+    report.notes.push_back("a pty has no baud rate: any will do");
+  return opened;
+}
+
+/// What silence or noise most often means.
+void note_nothing(const link::Uri& uri, ProbeReport& report) {
+  if (uri.carries() != Carries::bytes || report.confidence() != probe::Confidence::nothing) return;
+  std::uint64_t bytes = 0;
+  for (const auto& attempt : report.attempts) bytes += attempt.bytes;
+  if (report.attempts.empty()) return;
+  report.notes.push_back(
+      bytes == 0
+          ? "silence: no power, receive and transmit exchanged, or a sensor that waits to be "
+            "asked (--ask)"
+          : "bytes, but no protocol that we know: a rate not tried, RS-422 with A and B "
+            "exchanged, or another protocol");
+}
+
+}  // namespace
+
+ProbeReport find_sensors(const std::string& link, double duration_s) {
+  ProbeReport report;
+  report.link = as_uri(link);
+  ProbeOptions options;
+  options.link = link;
+  options.duration_s = duration_s;
+  const auto uri = parse_without_baud(report.link);
+  if (!uri) {
+    report.notes.push_back(uri.error().message);
+  } else if (search(options, *uri, stderr, report)) {
+    note_nothing(*uri, report);
+  }
+  return report;
+}
+
+int probe(const ProbeOptions& options, std::FILE* out, std::FILE* err) {
+  ProbeReport report;
+  report.link = as_uri(options.link);
+  const auto uri = parse_without_baud(report.link);
+  if (!uri) {
+    fmt::print(err, "probe: {}\n", uri.error().message);
+    return 2;
+  }
+  if (!search(options, *uri, err, report)) {
+    fmt::print(err, "probe: {}\n", report.notes.empty() ? "cannot open it" : report.notes.back());
+    return 2;
+  }
+  note_nothing(*uri, report);
+  if (options.json) {
+    print_json(report, out);
+  } else {
+    print_text(report, out);
+  }
+  return report.confidence() == probe::Confidence::nothing ? 1 : 0;
+}
+
+}  // namespace drydock::cli

@@ -1,0 +1,208 @@
+#include "drivers/probe/probe_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "drivers/survey/node_names.hpp"
+#include "drivers/text/json_lines.hpp"
+
+namespace drydock::probe {
+
+// How the report's parts read as JSON; the names are those of the text.
+
+template <class F>
+void visit_fields(const MessageCount& m, F&& field) {
+  field("type", m.type);
+  field("count", m.count);
+  field("rate_hz", m.rate_hz);
+}
+
+template <class F>
+void visit_fields(const ByteFinding& f, F&& field) {
+  field("protocol", f.protocol);
+  field("confidence", to_string(f.confidence));
+  field("good_frames", f.proofs);
+  field("bad_frames", f.bad_checksums);
+  field("bytes", f.bytes);
+  field("explained", f.explained());
+  field("messages", f.messages);
+}
+
+template <class F>
+void visit_fields(const Traffic& t, F&& field) {
+  field("id", t.number);
+  field("frames", t.frames);
+  field("rate_hz", t.rate_hz);
+}
+
+template <class F>
+void visit_fields(const Complaint& c, F&& field) {
+  field("error", c.text);
+  field("frames", c.frames);
+}
+
+template <class F>
+void visit_fields(const FoundDevice& d, F&& field) {
+  field("name", d.name);
+  field("kind", to_string(d.kind));
+  field("protocol", d.protocol);
+  field("link", d.link);
+  field("rate_hz", d.rate_hz);
+  field("address", d.address);
+  field("block", rig_block(d));
+}
+
+std::string_view to_string(NodeKind kind) {
+  switch (kind) {
+    case NodeKind::j1939: return "j1939";
+    case NodeKind::canopen: return "canopen";
+    case NodeKind::plain: return "plain";
+  }
+  return {};
+}
+
+template <class F>
+void visit_fields(const Node& n, F&& field) {
+  field("kind", to_string(n.kind));
+  field("address", n.address);
+  field("frames", n.frames);
+  field("confidence", to_string(n.confidence));
+  field("name", n.name);
+  field("name_in_words", n.name ? std::optional{in_words(*n.name)} : std::nullopt);
+  field("state", n.state ? std::optional{wire::canopen::to_string(*n.state)} : std::nullopt);
+  field("booted", n.booted);
+  field("emergency", n.emergency);
+  field("device_type", n.device_type);
+  field("vendor_id", n.vendor_id);
+  field("product_code", n.product_code);
+  field("traffic", n.traffic);
+}
+
+}  // namespace drydock::probe
+
+namespace drydock::cli {
+
+template <class F>
+void visit_fields(const LineAttempt& a, F&& field) {
+  field("setting", a.setting);
+  field("link", a.link);
+  field("bytes", a.bytes);
+  field("findings", a.findings);
+}
+
+namespace {
+
+using probe::Confidence;
+using probe::Node;
+using probe::NodeKind;
+
+std::string rate_text(std::optional<double> rate_hz) {
+  return rate_hz ? fmt::format(" at {:.3g} Hz", *rate_hz) : std::string();
+}
+
+void print_attempt(const LineAttempt& attempt, bool is_best, std::FILE* out) {
+  const std::string setting = attempt.setting.empty() ? "the line" : attempt.setting;
+  if (attempt.findings.empty()) {
+    fmt::print(out, "  {}: {} bytes, no frame of any protocol\n", setting, attempt.bytes);
+    return;
+  }
+  const auto& best = attempt.findings.front();
+  fmt::print(out, "  {}: {} ({}): {}\n", setting, best.protocol, to_string(best.confidence),
+             reasons(best));
+  if (!is_best) return;
+  for (const auto& m : best.messages)
+    fmt::print(out, "    {:<10} {:>6}{}\n", m.type, m.count, rate_text(m.rate_hz));
+}
+
+std::string node_title(const Node& n) {
+  switch (n.kind) {
+    case NodeKind::j1939:
+      return fmt::format(
+          "source address {}{}", n.address,
+          n.name ? ": " + probe::in_words(*n.name) : std::string(": no address claim heard"));
+    case NodeKind::canopen: {
+      std::string title = fmt::format("CANopen node {}", n.address);
+      if (n.booted) title += ", booted";
+      if (n.state) title += fmt::format(", {}", wire::canopen::to_string(*n.state));
+      if (n.device_type) title += fmt::format(", device type {:08X}h", *n.device_type);
+      if (n.vendor_id) title += fmt::format(", vendor {:08X}h", *n.vendor_id);
+      if (n.product_code) title += fmt::format(", product {:08X}h", *n.product_code);
+      return title;
+    }
+    case NodeKind::plain: return "identifiers of no node";
+  }
+  return {};
+}
+
+void print_node(const Node& n, std::FILE* out) {
+  fmt::print(out, "  {}\n", node_title(n));
+  if (n.emergency && n.emergency->code != 0)
+    fmt::print(out, "    emergency {:04X}h: {}\n", n.emergency->code,
+               wire::canopen::error_text(n.emergency->code));
+  for (const auto& sensor : n.sensors)
+    fmt::print(out, "    {} ({}, {}): {} measurements{}\n", to_string(sensor.kind), sensor.protocol,
+               to_string(n.confidence), sensor.measurements, rate_text(sensor.rate_hz));
+  for (const auto& t : n.traffic) {
+    const auto number = n.kind == NodeKind::j1939 ? fmt::format("PGN {}", t.number)
+                                                  : fmt::format("id {:03X}h", t.number);
+    fmt::print(out, "    {:<12} {:>6} frames{}\n", number, t.frames, rate_text(t.rate_hz));
+  }
+}
+
+void print_bus(const ProbeReport& report, std::FILE* out) {
+  if (report.frames == 0 && report.nodes.empty() && report.complaints.empty()) return;
+  fmt::print(out, "  {} frames", report.frames);
+  if (report.bits_per_second) {
+    fmt::print(out, ", {:.1f} kbit/s", *report.bits_per_second / 1000);
+    if (report.bitrate)
+      fmt::print(out, " = {:.1f} % of {} bit/s", 100 * *report.bits_per_second / *report.bitrate,
+                 *report.bitrate);
+  }
+  fmt::print(out, "\n");
+  for (const auto& c : report.complaints) fmt::print(out, "  {} x {}\n", c.frames, c.text);
+  for (const auto& node : report.nodes) print_node(node, out);
+}
+
+}  // namespace
+
+Confidence ProbeReport::confidence() const {
+  Confidence best = Confidence::nothing;
+  for (const auto& attempt : attempts)
+    if (!attempt.findings.empty()) best = std::max(best, attempt.findings.front().confidence);
+  for (const auto& node : nodes)
+    best = std::max({best, node.confidence, node.frames > 0 ? Confidence::trace : best});
+  return best;
+}
+
+void print_text(const ProbeReport& report, std::FILE* out) {
+  fmt::print(out, "{}: listened for {:.1f} s{}\n", report.link, report.listened_s,
+             report.interrupted ? ", interrupted" : "");
+  for (std::size_t i = 0; i < report.attempts.size(); ++i)
+    print_attempt(report.attempts[i], i + 1 == report.attempts.size(), out);
+  print_bus(report, out);
+  for (const auto& note : report.notes) fmt::print(out, "  {}\n", note);
+  if (!report.devices.empty()) fmt::print(out, "\n# for a rig file:\n");
+  for (const auto& device : report.devices) fmt::print(out, "\n{}", rig_block(device));
+}
+
+void print_json(const ProbeReport& report, std::FILE* out) {
+  JsonLines lines(out);
+  lines.line([&](JsonWriter& json) {
+    json.field("link", report.link);
+    json.field("listened_s", report.listened_s);
+    json.field("interrupted", report.interrupted);
+    json.field("confidence", to_string(report.confidence()));
+    json.field("attempts", report.attempts);
+    json.field("frames", report.frames);
+    json.field("bits_per_second", report.bits_per_second);
+    json.field("bitrate", report.bitrate);
+    json.field("nodes", report.nodes);
+    json.field("errors", report.complaints);
+    json.field("notes", report.notes);
+    json.field("devices", report.devices);
+  });
+  lines.flush();
+}
+
+}  // namespace drydock::cli

@@ -1,0 +1,58 @@
+#include "drivers/recordings/mcap/file_sink.hpp"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+
+namespace drydock::mcap {
+
+namespace {
+
+using boost::system::error_code;
+
+error_code last_error() { return {errno, boost::system::system_category()}; }
+
+class File {
+ public:
+  explicit File(int descriptor) : descriptor_(descriptor) {}
+  File(const File&) = delete;
+  File& operator=(const File&) = delete;
+  ~File() { ::close(descriptor_); }
+
+  error_code write(Bytes bytes) const {
+    struct stat status {};
+    if (::fstat(descriptor_, &status) != 0) return last_error();
+    if (status.st_nlink == 0) return boost::system::errc::make_error_code(gone);
+    while (!bytes.empty()) {
+      const auto written = ::write(descriptor_, bytes.data(), bytes.size());
+      if (written < 0 && errno != EINTR) return last_error();
+      if (written > 0) bytes = bytes.subspan(static_cast<std::size_t>(written));
+    }
+    return {};
+  }
+
+ private:
+  static constexpr auto gone = boost::system::errc::no_such_file_or_directory;
+  int descriptor_;
+};
+
+}  // namespace
+
+boost::system::result<Sink> file_sink(const std::string& path, bool overwrite) {
+  constexpr mode_t readable_by_all = 0644;
+  const int mode = overwrite ? O_TRUNC : O_EXCL;
+  const int descriptor =
+      ::open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | mode, readable_by_all);
+  if (descriptor < 0) return last_error();
+  const auto file = std::make_shared<File>(descriptor);
+  return Sink{[file](Bytes bytes) { return file->write(bytes); }};
+}
+
+std::string refused(const std::string& path, const boost::system::error_code& error) {
+  const bool there = error == boost::system::errc::file_exists;
+  return path + ": " + error.message() + (there ? "; --overwrite replaces it" : "");
+}
+
+}  // namespace drydock::mcap

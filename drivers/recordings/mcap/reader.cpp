@@ -1,0 +1,156 @@
+#include "drivers/recordings/mcap/reader.hpp"
+
+#include <fmt/format.h>
+#include <zstd.h>
+
+#include <algorithm>
+#include <new>
+
+#include "drivers/recordings/mcap/decoder.hpp"
+#include "drivers/recordings/mcap/encoder.hpp"
+
+namespace drydock::mcap {
+
+namespace {
+
+/// Opcode and length, at the start of every record.
+struct Head {
+  Opcode opcode;
+  std::uint64_t length;
+};
+
+Head head_of(Bytes bytes) {
+  Decoder fields(bytes);
+  const auto opcode = static_cast<Opcode>(fields.number<std::uint8_t>());
+  return {opcode, fields.number<std::uint64_t>()};
+}
+
+/// What comes between the data's records and is of no use to who reads from front to back.
+bool passed_over(Opcode opcode) {
+  switch (opcode) {
+    case Opcode::header:
+    case Opcode::schema:
+    case Opcode::channel:
+    case Opcode::message:
+    case Opcode::attachment:
+    case Opcode::metadata:
+    case Opcode::data_end: return false;
+    default: return true;
+  }
+}
+
+}  // namespace
+
+void Reader::Free::operator()(ZSTD_DCtx_s* context) const { ZSTD_freeDCtx(context); }
+
+Reader::Reader(std::unique_ptr<std::istream> file)
+    : file_(std::move(file)), decompressor_(ZSTD_createDCtx()) {
+  if (!decompressor_) throw std::bad_alloc();
+  file_->seekg(0, std::ios::end);
+  size_ = static_cast<std::uint64_t>(std::max<std::streamoff>(file_->tellg(), 0));
+  file_->seekg(0);
+}
+
+bool Reader::fail(std::string_view what) {
+  damage_ = fmt::format("byte {}: {}", position_, what);
+  ended_ = true;
+  chunk_.clear();
+  return false;
+}
+
+std::optional<Record> Reader::damaged(std::string_view what) {
+  fail(what);
+  return {};
+}
+
+bool Reader::read(Buffer& into, std::uint64_t size) {
+  into.resize(static_cast<std::size_t>(size));
+  file_->read(reinterpret_cast<char*>(into.data()), static_cast<std::streamsize>(size));
+  return static_cast<std::uint64_t>(file_->gcount()) == size;
+}
+
+std::optional<Record> Reader::next() {
+  if (!begun_) {
+    begun_ = true;
+    if (size_ < magic.size() || !read(content_, magic.size()) ||
+        !std::equal(magic.begin(), magic.end(), content_.begin()))
+      return damaged("not an MCAP file");
+    position_ = magic.size();
+  }
+  while (!ended_) {
+    auto record = in_chunk_ < chunk_.size() ? next_in_chunk() : next_in_file();
+    if (record && std::holds_alternative<DataEnd>(*record)) {
+      ended_ = true;
+      file_->seekg(static_cast<std::streamoff>(size_ - magic.size()));
+      if (!read(content_, magic.size()) ||
+          !std::equal(magic.begin(), magic.end(), content_.begin()))
+        fail("the file is cut behind here, in its summary");
+    }
+    if (record) return record;
+  }
+  return {};
+}
+
+std::optional<Record> Reader::next_in_file() {
+  const std::uint64_t left = size_ - position_;
+  if (left == 0) return damaged("the file ends without its summary");
+  if (left < record_head || !read(content_, record_head)) return damaged("the file is cut here");
+  const auto [opcode, length] = head_of(content_);
+  if (length > left - record_head) return damaged("the file is cut here, inside a record");
+  const std::uint64_t end = position_ + record_head + length;
+  if (passed_over(opcode) && opcode != Opcode::chunk) {
+    file_->seekg(static_cast<std::streamoff>(end));
+    position_ = end;
+    return {};
+  }
+  if (length > largest_record) return damaged(fmt::format("a record of {} bytes", length));
+  if (!read(content_, length)) return damaged("the file cannot be read on");
+  if (opcode == Opcode::chunk) {
+    if (open_chunk(content_)) position_ = end;
+    return {};
+  }
+  auto record = decode(opcode, content_);
+  if (!record) return damaged("a record's content is damaged");
+  position_ = end;
+  return record;
+}
+
+bool Reader::open_chunk(Bytes content) {
+  Decoder fields(content);
+  fields.number<std::uint64_t>();  // first and last time
+  fields.number<std::uint64_t>();
+  const auto size = fields.number<std::uint64_t>();
+  const auto crc = fields.number<std::uint32_t>();
+  const std::string compression = fields.text();
+  const Bytes packed = fields.bytes(fields.number<std::uint64_t>());
+  in_chunk_ = 0;
+  if (!fields.good()) return fail("a chunk's head is damaged");
+  if (size > largest_record) return fail(fmt::format("a chunk of {} bytes", size));
+  if (compression == "zstd") {
+    chunk_.resize(static_cast<std::size_t>(size));
+    const std::size_t unpacked = ZSTD_decompressDCtx(decompressor_.get(), chunk_.data(),
+                                                     chunk_.size(), packed.data(), packed.size());
+    chunk_.resize(ZSTD_isError(unpacked) != 0 ? 0 : unpacked);
+  } else if (compression.empty()) {
+    chunk_.assign(packed.begin(), packed.end());
+  } else {
+    return fail(fmt::format("a chunk packed with \"{}\", known: zstd, none", compression));
+  }
+  if (chunk_.size() != size || (crc != 0 && crc32(chunk_) != crc))
+    return fail("a chunk's content is not what its checksum says");
+  return true;
+}
+
+std::optional<Record> Reader::next_in_chunk() {
+  const Bytes rest = Bytes(chunk_).subspan(in_chunk_);
+  if (rest.size() < record_head) return damaged("a chunk ends inside a record");
+  const auto [opcode, length] = head_of(rest.first(record_head));
+  if (length > rest.size() - record_head) return damaged("a chunk ends inside a record");
+  in_chunk_ += record_head + static_cast<std::size_t>(length);
+  if (passed_over(opcode)) return {};
+  auto record = decode(opcode, rest.subspan(record_head, static_cast<std::size_t>(length)));
+  if (!record) return damaged("a record inside a chunk is damaged");
+  return record;
+}
+
+}  // namespace drydock::mcap

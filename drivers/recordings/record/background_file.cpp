@@ -1,0 +1,81 @@
+#include "drivers/recordings/record/background_file.hpp"
+
+#include <utility>
+
+namespace drydock::record {
+
+BackgroundFile::BackgroundFile(mcap::FileWriter file)
+    : file_(std::move(file)),
+      empty_(most_waiting),
+      progress_{file_.error(), file_.size()},
+      thread_([this] { work(); }) {
+  waiting_.reserve(most_waiting);
+}
+
+BackgroundFile::~BackgroundFile() {
+  {
+    const std::scoped_lock lock(mutex_);
+    ended_ = true;
+  }
+  changed_.notify_all();
+  if (thread_.joinable()) thread_.join();
+}
+
+bool BackgroundFile::take(mcap::Block& block) {
+  if (progress_.error || empty_.empty()) return false;
+  std::swap(block, empty_.back());
+  waiting_.push_back(std::move(empty_.back()));
+  empty_.pop_back();
+  changed_.notify_all();
+  return true;
+}
+
+bool BackgroundFile::put(mcap::Block& block) {
+  const std::scoped_lock lock(mutex_);
+  return take(block);
+}
+
+bool BackgroundFile::put_when_there_is_room(mcap::Block& block) {
+  std::unique_lock lock(mutex_);
+  changed_.wait(lock, [this] { return progress_.error || !empty_.empty(); });
+  return take(block);
+}
+
+void BackgroundFile::work() {
+  std::unique_lock lock(mutex_);
+  for (;;) {
+    changed_.wait(lock, [this] { return ended_ || !waiting_.empty(); });
+    if (waiting_.empty()) return;
+    mcap::Block block = std::move(waiting_.front());
+    waiting_.erase(waiting_.begin());
+    lock.unlock();
+    const auto error = file_.write(block);
+    lock.lock();
+    (error ? progress_.lost : progress_.messages) += block.messages();
+    progress_.error = error;
+    progress_.size = file_.size();
+    block.clear();
+    empty_.push_back(std::move(block));
+    changed_.notify_all();
+  }
+}
+
+boost::system::error_code BackgroundFile::finish(const mcap::Metadata& last) {
+  {
+    const std::scoped_lock lock(mutex_);
+    ended_ = true;
+  }
+  changed_.notify_all();
+  thread_.join();
+  file_.write(last);
+  progress_.error = file_.finish();
+  progress_.size = file_.size();
+  return progress_.error;
+}
+
+BackgroundFile::Progress BackgroundFile::progress() const {
+  const std::scoped_lock lock(mutex_);
+  return progress_;
+}
+
+}  // namespace drydock::record

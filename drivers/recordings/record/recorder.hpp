@@ -1,0 +1,61 @@
+#pragma once
+
+#include <span>
+
+#include "drivers/bus/cdr/cdr_publisher.hpp"
+#include "drivers/recordings/mcap/file_sink.hpp"
+#include "drivers/recordings/record/tape.hpp"
+#include "drivers/shell/raw_listener.hpp"
+
+namespace drydock::record {
+
+/// A link whose bytes or frames are recorded: `/raw/serial/<name>` or `/raw/can/<name>`.
+struct RecordedLink {
+  std::string uri;  ///< as the rig file has it
+  std::string name;
+  bool frames = false;               ///< a CAN bus
+  std::vector<std::string> devices;  ///< on it
+};
+
+/// What a recording holds. Topics are those of docs/bus.md, without `rt`.
+struct RecorderOptions {
+  std::vector<RecordedLink> links;
+  std::vector<bus::Device> devices;                 ///< by `Origin::device`
+  std::vector<std::string> estimators, navigators;  ///< those that give Navigation too
+  std::vector<bus::InnovationSource> innovations;
+  mcap::Map versions;                         ///< of the programs, as metadata
+  std::vector<mcap::Attachment> attachments;  ///< the rig file and what it names
+  WhenBehind when_behind = WhenBehind::lose;
+};
+
+/// Records every byte and frame in both directions, and what was understood of them. Never waits
+/// (unless told), never throws after construction. One thread at a time.
+class Recorder final : public shell::RawListener {
+ public:
+  Recorder(mcap::Sink sink, const RecorderOptions& options);
+
+  void on_bytes(std::string_view link, shell::Direction direction, wire::Bytes bytes,
+                Stamp at) override;
+  void on_frame(std::string_view link, shell::Direction direction, const wire::CanFrame& frame,
+                Stamp at) override;
+  /// What was understood, and what was made of it.
+  bus::CdrPublisher& topics() { return topics_; }
+
+  void tick(Stamp now);
+  boost::system::error_code finish();
+  TapeStatus status() const;
+
+ private:
+  struct Link {
+    std::string uri;
+    std::uint32_t topic;
+  };
+  void add_raw(std::string_view link, Stamp at);
+
+  Tape tape_;
+  std::vector<Link> links_;
+  std::vector<std::uint8_t> raw_;  ///< used again for each
+  bus::CdrPublisher topics_;
+};
+
+}  // namespace drydock::record

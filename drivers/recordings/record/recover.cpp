@@ -1,0 +1,58 @@
+#include "drivers/recordings/record/recover.hpp"
+
+#include <algorithm>
+#include <optional>
+
+#include "drivers/recordings/mcap/writer.hpp"
+
+namespace drydock::record {
+
+namespace {
+
+class Copy {
+ public:
+  explicit Copy(mcap::Sink sink) : sink_(std::move(sink)) {}
+
+  void operator()(const mcap::Header& header) { begin(header); }
+  void operator()(const mcap::DataEnd&) {}
+  void operator()(const mcap::Message& message) {
+    writer().add(message);
+    if (done_.messages++ == 0) done_.first_time = message.log_time;
+    done_.first_time = std::min(done_.first_time, message.log_time);
+    done_.last_time = std::max(done_.last_time, message.log_time);
+  }
+  void operator()(const mcap::Attachment& attachment) {
+    writer().add(attachment);
+    ++done_.attachments;
+  }
+  void operator()(const auto& record) { writer().add(record); }
+
+  Recovered finish(const std::string& damage) {
+    done_.damage = damage;
+    done_.error = writer().finish();
+    return done_;
+  }
+
+ private:
+  void begin(const mcap::Header& header) {
+    if (!writer_) writer_.emplace(std::move(sink_), header);
+  }
+  mcap::Writer& writer() {
+    begin({});
+    return *writer_;
+  }
+
+  mcap::Sink sink_;
+  std::optional<mcap::Writer> writer_;
+  Recovered done_;
+};
+
+}  // namespace
+
+Recovered recover(mcap::Reader& source, mcap::Sink sink) {
+  Copy copy(std::move(sink));
+  while (const auto record = source.next()) std::visit(copy, *record);
+  return copy.finish(source.damage());
+}
+
+}  // namespace drydock::record

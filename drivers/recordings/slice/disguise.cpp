@@ -1,0 +1,160 @@
+#include "drivers/recordings/slice/disguise.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "drivers/recordings/slice/move_understood.hpp"
+#include "rig_config/toml/rewrite.hpp"
+
+namespace drydock::slice {
+
+namespace {
+
+constexpr std::array<std::string_view, 3> receivers{"nmea0183", "ubx", "ubx+nmea0183"};
+constexpr std::array<std::string_view, 6> know_no_place{"pd0", "pd4",          "pd5",
+                                                        "pd6", "water-linked", "nortek"};
+
+template <class Names>
+bool is_one_of(const Names& names, std::string_view name) {
+  return std::ranges::find(names, name) != names.end();
+}
+
+/// Degrees to a tenth of a millimetre.
+double written(double deg) {
+  constexpr double steps = 1e9;
+  return std::round(deg * steps) / steps;
+}
+
+}  // namespace
+
+Disguise::Disguise(const Options& options, const std::vector<record::RecordedLink>& links,
+                   const std::optional<rig_config::Rig>& rig)
+    : options_(options) {
+  if (options.move_to) place_.emplace(*options.move_to);
+  if (place_ && options.first) place_->start_at(*options.first);
+  for (const auto& link : links) lines_.push_back(place_ ? line_of(link, rig) : Line::passes);
+}
+
+Disguise::Line Disguise::line_of(const record::RecordedLink& link,
+                                 const std::optional<rig_config::Rig>& rig) const {
+  if (!rig) return Line::unknown;
+  Line line = link.frames ? Line::bus : Line::unknown;
+  for (const auto& device : rig->devices) {
+    if (!is_one_of(link.devices, device.name)) continue;
+    // An Xsens IMU may be set to send positions under any identifier.
+    if (device.protocol == "xsens") return Line::unknown;
+    if (link.frames) continue;
+    if (is_one_of(know_no_place, device.protocol)) line = Line::passes;
+    if (is_one_of(receivers, device.protocol)) line = Line::receiver;
+  }
+  return line;
+}
+
+std::optional<measurement::Geodetic> Disguise::first_position() const {
+  return place_ ? place_->start() : std::nullopt;
+}
+
+void Disguise::note(const mcap::Channel& channel, const mcap::Schema& schema,
+                    std::optional<std::size_t> link) {
+  if (tracks_.contains(channel.id)) return;
+  Track track;
+  track.type = schema.name;
+  track.frames = schema.name == record::can_frame_type;
+  if (link) {
+    track.line = lines_.at(*link);
+    if (place_) {
+      track.receiver = std::make_unique<ReceiverLine>(*place_, dropped_);
+      track.bus = std::make_unique<BusPlace>(*place_, dropped_);
+    }
+  } else {
+    track.layout = record::parse_definition(schema.text);
+  }
+  tracks_[channel.id] = std::move(track);
+}
+
+bool Disguise::apply(mcap::Message& message) {
+  auto& track = tracks_[message.channel];
+  const bool kept = track.line ? apply_raw(track, message) : apply_understood(track, message);
+  message.log_time += static_cast<std::uint64_t>(options_.shift.count());
+  message.publish_time += static_cast<std::uint64_t>(options_.shift.count());
+  return kept;
+}
+
+bool Disguise::apply_raw(Track& track, mcap::Message& message) {
+  if (*track.line == Line::unknown) {
+    ++dropped_[track.frames ? "frames of an unknown bus" : "reads of an unknown line"];
+    return false;
+  }
+  if (track.frames) {
+    auto raw = record::decode_frame(message.data);
+    if (!raw || (*track.line == Line::bus && !track.bus->move(raw->frame))) return false;
+    raw->at += options_.shift;
+    record::encode(data_, *raw);
+  } else {
+    auto raw = record::decode_bytes(message.data);
+    if (!raw || (*track.line == Line::receiver && !move_bytes(track, *raw))) return false;
+    raw->at += options_.shift;
+    record::encode(data_, *raw);
+  }
+  message.data = data_;
+  return true;
+}
+
+bool Disguise::move_bytes(Track& track, record::RawBytes& raw) {
+  if (raw.direction == record::Direction::sent) {  // a receiver may be told where it is
+    ++dropped_["writes to a receiver"];
+    return false;
+  }
+  raw.data = track.receiver->move(raw.data);
+  return !raw.data.empty();
+}
+
+bool Disguise::apply_understood(const Track& track, mcap::Message& message) {
+  if (place_ && (!track.layout || !may_be_kept(track.type))) {
+    ++dropped_[track.type];
+    return false;
+  }
+  if (!track.layout) return true;
+  data_.assign(message.data.begin(), message.data.end());
+  if (options_.shift.count() != 0) shift_stamps(*track.layout, data_, options_.shift);
+  if (place_ && move_position(track.type, *track.layout, data_, *place_)) ++moved_;
+  message.data = data_;
+  return true;
+}
+
+bool Disguise::apply(mcap::Attachment& attachment) {
+  const auto shift = static_cast<std::uint64_t>(options_.shift.count());
+  attachment.log_time += shift;
+  attachment.create_time += shift;
+  if (!place_ && shift == 0) return true;
+  rig_config::Rewriting rewriting;
+  rewriting.without_dates = shift != 0;
+  rewriting.number = [this](std::string_view key, double value) {
+    constexpr double degree = wire::radians(1);
+    if (!place_) return value;
+    if (key == "latitude_deg") return written(place_->latitude(value * degree) / degree);
+    if (key == "longitude_deg") return written(place_->longitude(value * degree) / degree);
+    return value;
+  };
+  const auto text = attachment.name.ends_with(".toml")
+                        ? rig_config::rewrite(attachment.data, rewriting)
+                        : std::nullopt;
+  if (!text) {
+    ++dropped_["attachment " + attachment.name];
+    return false;
+  }
+  attachment.data = *text;
+  return true;
+}
+
+std::uint64_t Disguise::moved() const {
+  std::uint64_t all = moved_;
+  for (const auto& [id, track] : tracks_) {
+    if (track.receiver) all += track.receiver->moved();
+    if (track.bus) all += track.bus->moved();
+  }
+  return all;
+}
+
+}  // namespace drydock::slice

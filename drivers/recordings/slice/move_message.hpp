@@ -1,0 +1,20 @@
+#pragma once
+
+#include <span>
+
+#include "drivers/recordings/slice/displacement.hpp"
+#include "drivers/wire/nmea0183/nmea0183_sentence.hpp"
+
+namespace drydock::slice {
+
+enum class Fate : std::uint8_t { as_it_is, moved, dropped };
+
+/// A sound sentence at another place, into `out`, which it does not outgrow by more than 80
+/// characters; `size` bytes.
+Fate move_sentence(wire::Bytes sentence, Displacement& place, std::span<std::uint8_t> out,
+                   std::size_t& size);
+
+/// The same of a UBX frame, in place.
+Fate move_ubx(std::span<std::uint8_t> frame, Displacement& place);
+
+}  // namespace drydock::slice

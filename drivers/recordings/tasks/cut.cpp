@@ -1,0 +1,117 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+
+#include "drivers/recordings/tasks/fixture.hpp"
+#include "drivers/recordings/tasks/recordings.hpp"
+
+namespace drydock::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What was moved, dropped and left, a line each: nothing about the place is done in silence.
+std::string account_of(const slice::Sliced& done, bool moved) {
+  std::string lines;
+  if (done.shift.count() != 0)
+    lines += fmt::format(
+        "time shifted by {:.3f} s; what the devices say of the time in their own bytes and fields "
+        "stays\n",
+        measurement::seconds(done.shift));
+  if (!moved) return lines;
+  lines += fmt::format("{} positions moved\n", done.moved);
+  for (const auto& [what, count] : done.dropped)
+    lines += fmt::format("dropped, since it could tell the place: {} x {}\n", count, what);
+  return lines;
+}
+
+int refuse_cut(std::FILE* err, std::string_view why) {
+  fmt::print(err, "cut: {}\n", why);
+  return 1;
+}
+
+std::string note_of(const CutOptions& options, const slice::Sliced& done,
+                    std::uint64_t measurements) {
+  return fmt::format(
+      "# {}\n\nA part of a recorded dive: {} messages of {:.1f} s. `{}` holds what the drivers "
+      "made "
+      "of its\nbytes when this was written, {} measurements; the ctest `Fixtures/Dive` plays it "
+      "again and compares.\n\n{}",
+      options.fixture, done.messages,
+      done.first ? measurement::seconds(*done.last - *done.first) : 0.0, fixture_reference,
+      measurements, account_of(done, options.slice.move_to.has_value()));
+}
+
+int write_fixture(const CutOptions& options, const slice::Sliced& done, std::FILE* err) {
+  const fs::path folder = fs::path(options.output).parent_path();
+  const std::string reference = folder / fixture_reference;
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> out(std::fopen(reference.c_str(), "wb"),
+                                                            std::fclose);
+  if (!out) return refuse_cut(err, reference + ": cannot be written");
+  const auto measurements = write_reference(options.output, out.get());
+  if (!measurements) return refuse_cut(err, measurements.error().line);
+  if (*measurements == 0) return refuse_cut(err, "the drivers made no measurement of the slice");
+  std::ofstream(folder / "NOTES.md") << note_of(options, done, *measurements);
+  fmt::print(err, "{}: {} measurements; add it to git, and ctest runs it\n", folder.string(),
+             *measurements);
+  return 0;
+}
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+}  // namespace
+
+int cut(CutOptions options, const record::Watch& watch, std::FILE* err) {
+  if (!options.fixture.empty()) {
+    const fs::path folder = fs::path(options.fixtures_folder) / options.fixture;
+    std::error_code error;
+    fs::create_directories(folder, error);
+    if (error) return refuse_cut(err, folder.string() + ": " + error.message());
+    options.output = folder / fixture_recording;
+  }
+  if (options.output.empty())
+    options.output = fs::path(options.recording).stem().string() + "-cut.mcap";
+  const auto done = slice::slice(options.recording, options.output, options.slice, watch);
+  if (!done) return refuse_cut(err, done.error().line);
+  fmt::print(err, "{}: {} messages of {:.3f} s{}\n{}", options.output, done->messages,
+             done->first ? measurement::seconds(*done->last - *done->first) : 0.0,
+             done->ended_early ? ", ended by Ctrl-C" : "",
+             account_of(*done, options.slice.move_to.has_value()));
+  if (done->messages == 0) return refuse_cut(err, "nothing of the recording is in the slice");
+  return options.fixture.empty() ? 0 : write_fixture(options, *done, err);
+}
+
+std::optional<measurement::Stamp> parse_utc(std::string_view text) {
+  constexpr std::string_view pattern = "dddd-dd-ddTdd:dd:dd";
+  if (text.size() <= pattern.size() || text.back() != 'Z') return {};
+  for (std::size_t i = 0; i < pattern.size(); ++i)
+    if (pattern[i] == 'd' ? !is_digit(text[i]) : text[i] != pattern[i]) return {};
+  const auto number = [&](std::size_t at, std::size_t size) {
+    int value = 0;
+    std::from_chars(text.data() + at, text.data() + at + size, value);
+    return value;
+  };
+  std::string fraction(text.substr(pattern.size(), text.size() - pattern.size() - 1));
+  if (fraction.empty()) fraction = ".0";
+  if (fraction[0] != '.' || fraction.size() < 2 || fraction.size() > 10 ||
+      !std::all_of(fraction.begin() + 1, fraction.end(), is_digit))
+    return {};
+  fraction.resize(10, '0');
+  const std::chrono::year_month_day date{std::chrono::year{number(0, 4)},
+                                         std::chrono::month{static_cast<unsigned>(number(5, 2))},
+                                         std::chrono::day{static_cast<unsigned>(number(8, 2))}};
+  if (!date.ok() || number(11, 2) > 23 || number(14, 2) > 59 || number(17, 2) > 59) return {};
+  int ns = 0;
+  std::from_chars(fraction.data() + 1, fraction.data() + fraction.size(), ns);
+  return measurement::Stamp{std::chrono::sys_days{date}.time_since_epoch() +
+                            std::chrono::hours{number(11, 2)} +
+                            std::chrono::minutes{number(14, 2)} +
+                            std::chrono::seconds{number(17, 2)} + std::chrono::nanoseconds{ns}};
+}
+
+}  // namespace drydock::cli

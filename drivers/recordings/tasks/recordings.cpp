@@ -1,0 +1,70 @@
+#include "drivers/recordings/tasks/recordings.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <fstream>
+#include <memory>
+
+#include "drivers/recordings/mcap/file_sink.hpp"
+#include "drivers/recordings/record/recover.hpp"
+
+namespace drydock::cli {
+
+namespace {
+
+int refuse(std::FILE* err, std::string_view command, std::string_view why) {
+  fmt::print(err, "{}: {}\n", command, why);
+  return 1;
+}
+
+/// "dives/one.mcap" -> "one" and an ending: beside the caller, not beside the recording.
+std::string named_after(const std::string& recording, std::string_view ending) {
+  return std::filesystem::path(recording).stem().string().append(ending);
+}
+
+std::string ending_of(bool damaged, const std::string& damage) {
+  return damaged ? fmt::format("; the recording is damaged: {} (drydock recover)", damage) : "";
+}
+
+}  // namespace
+
+int export_recording(ExportOptions options, const record::Watch& watch, std::FILE* err) {
+  const auto& format = exporting::formats.at(static_cast<std::size_t>(options.format));
+  auto& path = options.target.path;
+  if (path.empty()) path = named_after(options.recording, format.suffix);
+  const auto done = exporting::export_recording(options.recording, options.part, options.format,
+                                                options.target, watch);
+  if (!done) return refuse(err, "export", done.error().line);
+  if (done->written == 0)
+    return refuse(err, "export",
+                  fmt::format("nothing in {} that {} could hold", options.recording, format.name));
+  fmt::print(err, "{}: {} {}{}{}\n", path, done->written,
+             format.format == exporting::Format::csv      ? "messages"
+             : format.format == exporting::Format::nmea   ? "sentences"
+             : format.format == exporting::Format::pcapng ? "packets"
+             : format.format == exporting::Format::raw    ? "reads and writes"
+                                                          : "frames",
+             done->ended_early ? ", ended by Ctrl-C" : "",
+             ending_of(!done->damage.empty(), done->damage));
+  return 0;
+}
+
+int recover(const RecoverOptions& options, std::FILE* err) {
+  auto file = std::make_unique<std::ifstream>(options.recording, std::ios::binary);
+  if (!*file) return refuse(err, "recover", options.recording + ": cannot be read");
+  const std::string to =
+      options.output.empty() ? named_after(options.recording, "-recovered.mcap") : options.output;
+  auto sink = mcap::file_sink(to, options.overwrite);
+  if (!sink) return refuse(err, "recover", mcap::refused(to, sink.error()));
+  mcap::Reader reader(std::move(file));
+  const auto saved = record::recover(reader, std::move(*sink));
+  if (saved.error) return refuse(err, "recover", to + ": " + saved.error.message());
+  fmt::print(err, "{}: {}\n", options.recording,
+             saved.damage.empty() ? "whole, nothing to mend" : saved.damage);
+  fmt::print(err, "{}: {} messages of {:.1f} s and {} attachments saved\n", to, saved.messages,
+             static_cast<double>(saved.last_time - saved.first_time) / 1e9, saved.attachments);
+  return saved.messages > 0 || saved.attachments > 0 ? 0 : 1;
+}
+
+}  // namespace drydock::cli

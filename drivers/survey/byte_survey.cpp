@@ -1,0 +1,161 @@
+#include "drivers/survey/byte_survey.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+
+#include "drivers/survey/arrivals.hpp"
+#include "drivers/wire/registry.hpp"
+
+namespace drydock::probe {
+namespace {
+
+/// Whether chance hardly makes such a frame. PD6 has no checksum: only a line whose fields are all
+/// known proves anything. Of slcan's lines, an answer is a single CR; of Water Linked's, a command
+/// may lack its checksum.
+template <class P>
+bool proves(wire::Bytes frame, const std::optional<typename P::Message>& message) {
+  if constexpr (std::is_same_v<P, wire::Pd6>) return message.has_value();
+  if constexpr (std::is_same_v<P, wire::Slcan>)
+    return message && std::holds_alternative<wire::slcan::Frame>(*message);
+  if constexpr (std::is_same_v<P, wire::WaterLinked>)
+    return std::ranges::find(frame, std::uint8_t{'*'}) != frame.end();
+  return true;
+}
+
+constexpr std::uint64_t enough_proofs = 5;
+constexpr double nearly_all = 0.9, half = 0.5;
+
+Confidence judge(const ByteFinding& f) {
+  if (f.proofs == 0) return Confidence::nothing;
+  if (f.proofs >= enough_proofs && f.explained() >= nearly_all && f.proofs >= 10 * f.bad_checksums)
+    return Confidence::certain;
+  return f.proofs >= 2 && f.explained() >= half ? Confidence::likely : Confidence::trace;
+}
+
+template <wire::ByteProtocol P>
+class CandidateOf final : public ByteCandidate {
+ public:
+  CandidateOf()
+      : framer_(std::make_unique<wire::Framer<P::max_frame>>()), trials_(trials_of(P::name)) {}
+
+  void feed(wire::Bytes bytes, Stamp at) override {
+    at_ = at;
+    framer_->feed(bytes, P::scan, on_frame());
+    for (auto& trial : trials_) trial->receive(bytes, at);
+  }
+
+  void finish() override { framer_->finish(P::scan, on_frame()); }
+
+  ByteFinding finding() const override {
+    const auto& c = framer_->counters();
+    ByteFinding f;
+    f.protocol = P::name;
+    f.proofs = proofs_;
+    f.frames = c.frames;
+    f.bad_checksums = c.bad_checksums;
+    f.bytes = c.bytes_in - framer_->held() - skipped_before_;
+    f.bytes_good = c.bytes_good;
+    for (const auto& [type, arrivals] : heard_) {
+      f.messages.push_back({type, arrivals.count, arrivals.rate_hz()});
+      f.messages_total += arrivals.count;
+    }
+    for (const auto& trial : trials_)
+      if (trial->measurements() > 0) f.sensors.push_back(trial->heard());
+    f.confidence = judge(f);
+    return f;
+  }
+
+ private:
+  auto on_frame() {
+    return [this](wire::Bytes frame, std::size_t) {
+      const auto message = P::decode(frame);
+      if (proves<P>(frame, message) && proofs_++ == 0)
+        skipped_before_ = framer_->counters().bytes_skipped;  // the line before we understood it
+      if (message) std::visit([this](const auto& m) { note(m.type); }, *message);
+    };
+  }
+
+  void note(std::string_view type) {
+    auto heard = std::ranges::find(heard_, type, [](const auto& entry) { return entry.first; });
+    if (heard == heard_.end()) heard = heard_.insert(heard, {type, {}});
+    heard->second.add(at_);
+  }
+
+  std::unique_ptr<wire::Framer<P::max_frame>> framer_;
+  std::vector<std::unique_ptr<DriverTrial>> trials_;
+  std::vector<std::pair<std::string_view, Arrivals>> heard_;  ///< in the order of their first
+  Stamp at_{};
+  std::uint64_t proofs_ = 0, skipped_before_ = 0;
+};
+
+template <class... P>
+void add_all(wire::ProtocolList<P...>, std::vector<std::unique_ptr<ByteCandidate>>& candidates) {
+  (candidates.push_back(std::make_unique<CandidateOf<P>>()), ...);
+}
+
+bool better(const ByteFinding& a, const ByteFinding& b) {
+  if (a.bytes_good != b.bytes_good) return a.bytes_good > b.bytes_good;
+  return a.messages_total > b.messages_total;
+}
+
+}  // namespace
+
+std::string_view to_string(Confidence confidence) {
+  constexpr std::array<std::string_view, 4> names{"nothing", "a trace", "likely", "certain"};
+  return names[static_cast<std::size_t>(confidence)];
+}
+
+std::string reasons(const ByteFinding& f) {
+  return fmt::format("{} good frames, {} bad; {:.0f} % of {} bytes explained", f.proofs,
+                     f.bad_checksums, 100 * f.explained(), f.bytes);
+}
+
+ByteSurvey::ByteSurvey() {
+  add_all(wire::BytesProtocols{}, candidates_);
+  add_all(wire::FrameCarriers{}, candidates_);
+}
+
+void ByteSurvey::feed(wire::Bytes bytes, Stamp at) {
+  bytes_ += bytes.size();
+  for (auto& candidate : candidates_) candidate->feed(bytes, at);
+}
+
+void ByteSurvey::finish() {
+  for (auto& candidate : candidates_) candidate->finish();
+}
+
+std::vector<ByteFinding> ByteSurvey::findings() const {
+  std::vector<ByteFinding> found;
+  for (const auto& candidate : candidates_) {
+    auto finding = candidate->finding();
+    if (finding.confidence != Confidence::nothing) found.push_back(std::move(finding));
+  }
+  std::ranges::stable_sort(found, better);
+  return found;
+}
+
+ByteFinding ByteSurvey::best() const {
+  auto found = findings();
+  return found.empty() ? ByteFinding{} : std::move(found.front());
+}
+
+bool ByteSurvey::settled() const {
+  const ByteFinding found = best();
+  return found.confidence == Confidence::certain && !found.sensors.empty() &&
+         std::ranges::all_of(found.sensors, [](const SensorHeard& s) {
+           constexpr std::uint64_t enough_for_a_rate = 8;
+           return s.measurements >= enough_for_a_rate && s.rate_hz.has_value();
+         });
+}
+
+std::vector<std::uint8_t> seven_bits(wire::Bytes eight, bool odd) {
+  std::vector<std::uint8_t> seven;
+  for (const std::uint8_t byte : eight)
+    if ((std::popcount(byte) % 2 == 1) == odd) seven.push_back(byte & 0x7F);
+  return seven;
+}
+
+}  // namespace drydock::probe

@@ -1,0 +1,112 @@
+#include "drivers/survey/driver_trial.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <stdexcept>
+
+namespace drydock::probe {
+namespace {
+
+constexpr double standard_gravity = 9.80665;
+constexpr double least_plausible_share = 0.9;
+
+bool plausible(const measurement::ImuSample& m) {
+  constexpr double fastest_radps = 35;  // 2000 deg/s, the widest range that such units have
+  const double g = m.specific_force.norm() / standard_gravity;
+  return g > 0.3 && g < 3 && m.angular_rate.norm() < fastest_radps;
+}
+
+/// Empty: a reading without a pressure can be anything.
+std::optional<bool> plausible(const measurement::DepthSample& m) {
+  if (!m.pressure_pa) return {};
+  return *m.pressure_pa > 0.2e5 && *m.pressure_pa < 1.2e8;
+}
+
+}  // namespace
+
+DriverTrial::DriverTrial(Kind kind, std::string_view protocol, std::uint8_t address) {
+  device::DeviceOptions options;
+  options.name = to_string(kind);
+  options.driver.kind = kind;
+  options.driver.protocol = protocol;
+  options.driver.address = address;
+  options.life_cycle.reopen_when_quiet = false;
+  auto made = device::Device::make(std::move(options));
+  if (!made) throw std::invalid_argument(made.error().message);
+  device_ = std::move(*made);
+  device_->connect(*this, *this);
+}
+
+void DriverTrial::begin(Stamp at) {
+  now_ = at;
+  if (std::exchange(begun_, true)) return;
+  device_->start(at);
+  device_->opened(at, measurement::Provenance::real);
+}
+
+void DriverTrial::receive(wire::Bytes bytes, Stamp at) {
+  begin(at);
+  device_->receive(bytes, at);
+}
+
+void DriverTrial::receive(const wire::CanFrame& frame, Stamp at) {
+  begin(at);
+  device_->receive(frame, at);
+}
+
+void DriverTrial::on_measurement(const measurement::Measurement& measurement) {
+  ++measurements_;
+  if (const auto* imu = std::get_if<measurement::ImuSample>(&measurement)) {
+    ++judged_;
+    plausible_ += plausible(*imu);
+    force_sum_mps2_ += imu->specific_force.norm();
+    ++forces_;
+  }
+  if (const auto* depth = std::get_if<measurement::DepthSample>(&measurement)) {
+    const auto verdict = plausible(*depth);
+    judged_ += verdict.has_value();
+    plausible_ += verdict.value_or(false);
+  }
+}
+
+SensorHeard DriverTrial::heard() const {
+  // Registry names have static storage; the device's own copy goes with the trial.
+  const auto known = device::protocols_of(kind());
+  const auto name = std::ranges::find(known, protocol(), &device::ProtocolEntry::name)->name;
+  return {kind(), name, measurements_, device_->health(now_).rate_hz};
+}
+
+double DriverTrial::plausible_share() const {
+  return judged_ == 0 ? 1 : static_cast<double>(plausible_) / static_cast<double>(judged_);
+}
+
+std::optional<double> DriverTrial::gravity_error() const {
+  if (forces_ == 0) return {};
+  return std::abs(force_sum_mps2_ / static_cast<double>(forces_) / standard_gravity - 1);
+}
+
+std::vector<std::unique_ptr<DriverTrial>> trials_of(std::string_view protocol,
+                                                    std::uint8_t address) {
+  std::vector<std::unique_ptr<DriverTrial>> trials;
+  for (const Kind kind :
+       {Kind::dvl, Kind::emlog, Kind::gnss, Kind::imu, Kind::depth, Kind::actuator}) {
+    for (const auto& entry : device::protocols_of(kind)) {
+      if (entry.name == protocol)
+        trials.push_back(std::make_unique<DriverTrial>(kind, protocol, address));
+    }
+  }
+  return trials;
+}
+
+const DriverTrial* better_of(const DriverTrial* a, const DriverTrial* b) {
+  if (b->measurements() == 0 || b->plausible_share() < least_plausible_share) return a;
+  if (a == nullptr || b->measurements() > a->measurements()) return b;
+  // Two scales of one layout: the sensor that weighs its own gravity right is the one.
+  const bool same = b->measurements() == a->measurements();
+  const bool weighs_better =
+      a->gravity_error() && b->gravity_error() && *b->gravity_error() < *a->gravity_error();
+  return same && weighs_better ? b : a;
+}
+
+}  // namespace drydock::probe

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <concepts>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+#include "drivers/wire/can/can_frame.hpp"
+#include "drivers/wire/codec.hpp"
+
+namespace drydock::wire {
+
+/// The contract of every CAN protocol. A protocol is a struct `P` with
+///   P::name      how rig files and the command line call it
+///   P::Message   std::variant of its messages (SI units, radians, optionals)
+///   P::Decoder   receive(frame) -> optional<Message>; it picks its own frames out of all traffic
+/// and beside it free functions `encode(message, ...)` that give frames.
+/// Counters: bytes are payload bytes of the protocol's own frames, `frames` counts messages,
+/// `bad_checksums` frames too short and messages broken by a lost frame. Foreign traffic is not
+/// counted.
+template <class P>
+concept FrameProtocol = requires(typename P::Decoder decoder, const typename P::Decoder& seen,
+                                 const CanFrame& frame) {
+  { P::name } -> std::convertible_to<std::string_view>;
+  { decoder.receive(frame) } -> std::same_as<std::optional<typename P::Message>>;
+  { seen.counters() } -> std::same_as<const StreamCounters&>;
+};
+
+/// Counts one frame of a protocol whose messages are single frames.
+template <class Message>
+const std::optional<Message>& count_frame(StreamCounters& counters, const CanFrame& frame,
+                                          const std::optional<Message>& decoded) {
+  counters.bytes_in += frame.size;
+  if (decoded) {
+    counters.bytes_good += frame.size;
+    ++counters.frames;
+  } else {
+    counters.bytes_skipped += frame.size;
+    ++counters.bad_checksums;
+  }
+  return decoded;
+}
+
+}  // namespace drydock::wire

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <variant>
+
+#include "drivers/wire/can/can_frame.hpp"
+
+/// Expedited SDO transfers of CANopen (CiA 301, 7.2.4): up to 4 bytes of a node's object dictionary
+/// read or written in one exchange. The client asks on 600h + node, the node answers on
+/// 580h + node. Longer objects need segments, which no sensor here asks for.
+namespace drydock::wire::canopen {
+
+constexpr std::uint32_t sdo_request_base = 0x600;
+constexpr std::uint32_t sdo_response_base = 0x580;
+
+struct ObjectEntry {
+  std::uint16_t index = 0;
+  std::uint8_t subindex = 0;
+  friend bool operator==(const ObjectEntry&, const ObjectEntry&) = default;
+};
+
+/// The client asks what stands in an entry (CiA 301: upload).
+struct SdoRead {
+  std::uint8_t node = 0;
+  ObjectEntry entry;
+};
+
+/// The client sets an entry (download). `value` holds `size` bytes, 1 to 4, lowest first.
+struct SdoWrite {
+  std::uint8_t node = 0;
+  ObjectEntry entry;
+  std::uint32_t value = 0;
+  std::uint8_t size = 4;
+};
+
+/// Answer to a read. Size 4 also where the node does not say one.
+struct SdoValue {
+  std::uint8_t node = 0;
+  ObjectEntry entry;
+  std::uint32_t value = 0;
+  std::uint8_t size = 4;
+};
+
+/// Answer to a write.
+struct SdoWritten {
+  std::uint8_t node = 0;
+  ObjectEntry entry;
+};
+
+/// Refusal of either.
+struct SdoAbort {
+  std::uint8_t node = 0;
+  ObjectEntry entry;
+  std::uint32_t code = 0;
+};
+
+using SdoRequest = std::variant<SdoRead, SdoWrite>;
+using SdoResponse = std::variant<SdoValue, SdoWritten, SdoAbort>;
+
+/// Empty for frames of other services and for segmented transfers.
+std::optional<SdoRequest> decode_sdo_request(const CanFrame& frame);
+std::optional<SdoResponse> decode_sdo_response(const CanFrame& frame);
+
+CanFrame encode(const SdoRead& message);
+CanFrame encode(const SdoWrite& message);
+CanFrame encode(const SdoValue& message);
+CanFrame encode(const SdoWritten& message);
+CanFrame encode(const SdoAbort& message);
+
+}  // namespace drydock::wire::canopen

@@ -1,0 +1,108 @@
+#include "drivers/wire/dvl/pd0.hpp"
+
+#include <algorithm>
+#include <cstring>
+
+#include "drivers/wire/bytes.hpp"
+#include "drivers/wire/checksum.hpp"
+#include "drivers/wire/dvl/pd0_blocks.hpp"
+
+namespace drydock::wire {
+namespace {
+
+constexpr std::uint8_t sync = 0x7F;
+constexpr std::size_t header_size = 6, checksum_size = 2;
+
+/// Bytes before the next 7F 7F, counting a 7F at the very end as its possible start.
+std::size_t distance_to_sync(Bytes bytes) {
+  const std::uint8_t* at = bytes.data();
+  const std::uint8_t* const end = at + bytes.size();
+  while (at != end) {
+    at =
+        static_cast<const std::uint8_t*>(std::memchr(at, sync, static_cast<std::size_t>(end - at)));
+    if (!at) return bytes.size();
+    if (at + 1 == end || at[1] == sync) break;
+    ++at;
+  }
+  return static_cast<std::size_t>(at - bytes.data());
+}
+
+/// The offsets of the data types, checked against the frame when asked for a block.
+class OffsetTable {
+ public:
+  explicit OffsetTable(Bytes frame)
+      : data_(frame.first(frame.size() - checksum_size)),
+        count_(std::min<std::size_t>(data_[5], (data_.size() - header_size) / 2)) {}
+
+  std::size_t size() const { return count_; }
+
+  /// A block ends where the next one in the frame begins, wherever that stands in the table.
+  Bytes block(std::size_t index) const {
+    const std::size_t begin = offset(index);
+    if (begin + 2 > data_.size()) return {};
+    std::size_t end = data_.size();
+    for (std::size_t i = 0; i < count_; ++i) {
+      if (const std::size_t other = offset(i); other > begin) end = std::min(end, other);
+    }
+    return data_.subspan(begin, end - begin);
+  }
+
+  /// Id of a data type, 0xFFFF when its offset points outside.
+  std::uint16_t id(std::size_t index) const {
+    const std::size_t begin = offset(index);
+    return begin + 2 <= data_.size() ? load_le<std::uint16_t>(data_, begin) : 0xFFFF;
+  }
+
+ private:
+  std::size_t offset(std::size_t index) const {
+    return load_le<std::uint16_t>(data_, header_size + 2 * index);
+  }
+
+  Bytes data_;
+  std::size_t count_;
+};
+
+template <class Block>
+void read_optional(Bytes block, std::optional<Block>& m) {
+  if (Block read; read_block(block, read)) m = read;
+}
+
+}  // namespace
+
+Scan Pd0::scan(Bytes bytes) {
+  if (const std::size_t noise = distance_to_sync(bytes)) return Scan::skip(noise);
+  if (bytes.size() < header_size) return Scan::need_more();
+  const std::size_t checked = load_le<std::uint16_t>(bytes, 2);
+  const std::size_t smallest = header_size + 2u * bytes[5];
+  if (bytes[5] == 0 || checked < smallest || checked + checksum_size > max_frame) {
+    return Scan::skip(1);
+  }
+  if (bytes.size() < checked + checksum_size) return Scan::need_more();
+  return byte_sum(bytes.first(checked)) == load_le<std::uint16_t>(bytes, checked)
+             ? Scan::frame(checked + checksum_size)
+             : Scan::bad_checksum();
+}
+
+std::optional<Pd0::Message> Pd0::decode(Bytes frame) {
+  if (frame.size() < header_size + checksum_size) return std::nullopt;
+  const OffsetTable table{frame};
+  bool has_fixed = false, has_variable = false;
+  Pd0Ensemble m;
+  for (std::size_t i = 0; i < table.size(); ++i) {
+    switch (table.id(i)) {
+      case pd0::fixed_leader: has_fixed |= read_block(table.block(i), m.fixed); break;
+      case pd0::variable_leader: has_variable |= read_block(table.block(i), m.variable); break;
+      case pd0::bottom_track: read_optional(table.block(i), m.bottom_track); break;
+      case pd0::high_resolution: read_optional(table.block(i), m.high_resolution); break;
+      case pd0::bottom_range: read_optional(table.block(i), m.bottom_range); break;
+      case pd0::navigation: read_optional(table.block(i), m.navigation); break;
+      default: break;
+    }
+  }
+  // Without both leaders nothing says in which frame or when: the numbers mean nothing.
+  if (!has_fixed || !has_variable) return std::nullopt;
+  if ((m.fixed.sensors_available & pd0::has_depth_sensor) == 0) m.variable.pressure_pa.reset();
+  return m;
+}
+
+}  // namespace drydock::wire

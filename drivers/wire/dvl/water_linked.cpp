@@ -1,0 +1,75 @@
+#include "drivers/wire/dvl/water_linked.hpp"
+
+#include <algorithm>
+#include <cstring>
+
+#include "drivers/wire/hex.hpp"
+#include "drivers/wire/line_end.hpp"
+#include "drivers/wire/text_fields.hpp"
+
+namespace drydock::wire {
+namespace {
+
+using namespace water_linked;
+
+constexpr std::size_t head_size = 3, checksum_size = 3, line_end_size = 2;
+
+constexpr bool ends_line(std::uint8_t c) { return c == '\r' || c == '\n'; }
+
+Scan with_checksum(Bytes bytes, std::size_t star) {
+  if (bytes.size() < star + checksum_size) return Scan::need_more();
+  const auto sent = parse_hex(as_text(bytes.subspan(star + 1, 2)));
+  if (!sent) return Scan::skip(1);
+  return *sent == crc8(as_text(bytes.first(star))) ? with_line_end(bytes, star + checksum_size)
+                                                   : Scan::bad_checksum();
+}
+
+/// `w`, direction, name; behind them options, checksum or (of a command) the line's end.
+bool may_begin(Bytes bytes) {
+  const bool command = bytes.size() > 1 && bytes[1] == 'c';
+  if (bytes.size() > 1 && !command && bytes[1] != 'r') return false;
+  if (bytes.size() > 2 && (bytes[2] <= 0x20 || bytes[2] > 0x7e || bytes[2] == '*')) return false;
+  if (bytes.size() <= head_size) return true;
+  return bytes[3] == ',' || bytes[3] == '*' || (command && ends_line(bytes[3]));
+}
+
+/// A response inside a line: the one before it was torn. One glued line of 256 has a sound CRC-8.
+bool begins_response(Bytes bytes) {
+  return bytes.size() > head_size && bytes[1] == 'r' && may_begin(bytes);
+}
+
+}  // namespace
+
+Scan WaterLinked::scan(Bytes bytes) {
+  if (bytes.empty()) return Scan::need_more();
+  if (bytes[0] != 'w') {
+    const void* const start = std::memchr(bytes.data(), 'w', bytes.size());
+    return Scan::skip(
+        start ? static_cast<std::size_t>(static_cast<const std::uint8_t*>(start) - bytes.data())
+              : bytes.size());
+  }
+  if (!may_begin(bytes)) return Scan::skip(1);
+  const std::size_t limit = std::min(bytes.size(), max_frame - checksum_size - line_end_size + 1);
+  for (std::size_t i = head_size; i < limit; ++i) {
+    const std::uint8_t c = bytes[i];
+    if (c == '*') return with_checksum(bytes, i);
+    if (bytes[1] == 'c' && ends_line(c)) return with_line_end(bytes, i);
+    if (c < 0x20 || c > 0x7e) return Scan::skip(1);
+    if (c == 'w' && begins_response(bytes.subspan(i))) return Scan::skip(i);
+  }
+  return limit < bytes.size() ? Scan::skip(1) : Scan::need_more();
+}
+
+namespace water_linked {
+
+std::uint8_t crc8(std::string_view text) {
+  unsigned crc = 0;
+  for (const char c : text) {
+    crc ^= static_cast<std::uint8_t>(c);
+    for (int bit = 0; bit < 8; ++bit) crc = (crc << 1 ^ (crc & 0x80 ? 0x07u : 0u)) & 0xFF;
+  }
+  return static_cast<std::uint8_t>(crc);
+}
+
+}  // namespace water_linked
+}  // namespace drydock::wire

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <optional>
+#include <string_view>
+#include <variant>
+
+#include "drivers/wire/can/frame_protocol.hpp"
+#include "drivers/wire/j1939/j1939_transport_receiver.hpp"
+
+namespace drydock::wire {
+
+/// Network management alone, for `decode --protocol j1939` and for watching a bus.
+struct J1939 {
+  static constexpr std::string_view name = "j1939";
+  using Message = std::variant<j1939::AddressClaimed, j1939::Request, j1939::CommandedAddress>;
+
+  class Decoder {
+   public:
+    std::optional<Message> receive(const CanFrame& frame);
+    const StreamCounters& counters() const { return counters_; }
+
+   private:
+    j1939::TransportReceiver transport_;
+    StreamCounters counters_;
+  };
+};
+
+/// Gives one packet to a listener, which has no clock, and counts its bytes: TP.CM and TP.DT.
+std::optional<j1939::TransportMessage> receive_transport(j1939::TransportReceiver& transport,
+                                                         StreamCounters& counters,
+                                                         const j1939::Identifier& id,
+                                                         Bytes payload);
+
+constexpr bool is_transport(std::uint32_t pgn) {
+  return pgn == j1939::transport_control_pgn || pgn == j1939::transport_data_pgn;
+}
+
+}  // namespace drydock::wire

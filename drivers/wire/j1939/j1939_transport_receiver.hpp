@@ -1,0 +1,79 @@
+#pragma once
+
+#include <array>
+
+#include "drivers/wire/j1939/j1939_transport.hpp"
+
+namespace drydock::wire::j1939 {
+
+/// One whole message; `data` points into the receiver and stays good until its next call.
+struct TransportMessage {
+  Identifier id;
+  std::span<const std::uint8_t> data;
+};
+
+/// The receiving end, sans-I/O. It listens to broadcasts and to the connections of others, and
+/// answers those to its own address where it has one: clear to send, end of message, abort. Any
+/// two nodes may have one session at a time, so the key is (source, destination).
+class TransportReceiver {
+ public:
+  using Time = std::chrono::nanoseconds;
+
+  static constexpr std::size_t max_concurrent = 8;  ///< then the one idle longest is dropped
+  static constexpr unsigned window = 16;            ///< packets granted at once
+  static constexpr unsigned max_repeats = 2;        ///< of packets asked for again
+
+  struct Result {
+    std::optional<TransportMessage> message;
+    std::optional<CanFrame> reply;
+  };
+  struct Counters {
+    std::uint64_t messages = 0;
+    std::uint64_t dropped = 0;  ///< begun and never completed
+    std::uint64_t stray = 0;    ///< frames of no session, or not to be understood
+  };
+
+  /// Without an address of its own it only listens.
+  void set_address(std::optional<std::uint8_t> own) { own_ = own; }
+
+  /// A listener that has no clock gives the same `now` always; then only the numbers of the
+  /// packets tell that one was lost.
+  Result receive(const Identifier& id, Bytes payload, Time now);
+  std::optional<CanFrame> tick(Time now);  ///< to be called at or after deadline()
+  std::optional<Time> deadline() const;
+  const Counters& counters() const { return counters_; }
+
+ private:
+  struct Session {
+    bool busy = false;
+    std::uint8_t priority = 7, source = 0, destination = 0;
+    std::uint32_t pgn = 0;
+    std::uint16_t size = 0;
+    unsigned packets = 0, next = 1;
+    unsigned granted = 0;  ///< the last packet that may come
+    unsigned limit = 0, repeats = 0;
+    Time deadline{};
+    std::uint64_t last_used = 0;
+    std::array<std::uint8_t, transport_max_bytes> data{};
+  };
+
+  bool ours(const Session& s) const { return own_ && s.destination == *own_; }
+  Session* find(std::uint8_t source, std::uint8_t destination);
+  Session& free_slot();
+  void drop(Session& session);
+  void wait(Session& session, Time now, Time timeout);
+  std::optional<CanFrame> control(const TransportControl& control, std::uint8_t priority, Time now);
+  std::optional<CanFrame> begin(const TransportControl& control, std::uint8_t priority, Time now);
+  Result packet(Session& session, Bytes payload, Time now);
+  std::optional<CanFrame> gap(Session& session, unsigned number, Time now);
+  Result complete(Session& session);
+  CanFrame grant(Session& session, Time now);
+  CanFrame abort(Session& session, TransportControl::Reason reason);
+
+  std::optional<std::uint8_t> own_;
+  std::array<Session, max_concurrent> sessions_{};
+  std::uint64_t clock_ = 0;
+  Counters counters_;
+};
+
+}  // namespace drydock::wire::j1939

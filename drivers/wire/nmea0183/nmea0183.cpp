@@ -1,0 +1,77 @@
+#include "drivers/wire/nmea0183/nmea0183.hpp"
+
+#include <algorithm>
+#include <cstring>
+
+#include "drivers/wire/checksum.hpp"
+#include "drivers/wire/line_end.hpp"
+#include "drivers/wire/nmea0183/nmea0183_decode.hpp"
+
+namespace drydock::wire {
+namespace {
+
+constexpr int hex_value(std::uint8_t c) {
+  if (c >= '0' && c <= '9') return c - '0';
+  if (c >= 'A' && c <= 'F') return c - 'A' + 10;
+  if (c >= 'a' && c <= 'f') return c - 'a' + 10;
+  return -1;
+}
+
+constexpr std::uint64_t every_byte(std::uint8_t value) { return value * 0x0101'0101'0101'0101u; }
+
+/// One of the eight characters is `*`, `$`, or none that a sentence may hold. High bits mark them:
+/// a byte minus a larger one borrows, DEL and beyond plus one reach 0x80.
+constexpr bool ends_text(std::uint64_t word) {
+  const auto below = [](std::uint64_t bytes, std::uint8_t limit) {
+    return (bytes - every_byte(limit)) & ~bytes;
+  };
+  return ((below(word, 0x20) | below(word ^ every_byte('*'), 1) | below(word ^ every_byte('$'), 1) |
+           word | (word + every_byte(1))) &
+          every_byte(0x80)) != 0;
+}
+
+/// `star` is where the checksum begins. Nothing before it can start another sentence.
+Scan with_checksum(Bytes bytes, std::size_t star, std::uint8_t checksum) {
+  int sent = 0;
+  for (std::size_t i = star + 1; i < star + 3; ++i) {
+    if (i == bytes.size()) return Scan::need_more();
+    const int digit = hex_value(bytes[i]);
+    if (digit < 0) return Scan::skip(i);
+    sent = sent * 16 + digit;
+  }
+  return sent == checksum ? with_line_end(bytes, star + 3) : Scan::bad_checksum();
+}
+
+}  // namespace
+
+Scan Nmea0183::scan(Bytes bytes) {
+  if (bytes.empty()) return Scan::need_more();
+  if (bytes[0] != '$') {
+    const auto* start =
+        static_cast<const std::uint8_t*>(std::memchr(bytes.data(), '$', bytes.size()));
+    return Scan::skip(start ? static_cast<std::size_t>(start - bytes.data()) : bytes.size());
+  }
+  constexpr std::size_t tail = 5;  // *hh CR LF
+  const Bytes body = bytes.first(std::min(bytes.size(), max_frame - tail + 1));
+  std::size_t i = 1;
+  std::uint64_t words = 0;
+  for (; i + 8 <= body.size(); i += 8) {
+    const auto word = load_le<std::uint64_t>(body, i);
+    if (ends_text(word)) break;
+    words ^= word;
+  }
+  std::uint8_t checksum = xor_of_bytes(words);
+  for (; i < body.size(); ++i) {
+    const std::uint8_t c = body[i];
+    if (c == '*') return with_checksum(bytes, i, checksum);
+    if (c == '$' || c < 0x20 || c > 0x7e) return Scan::skip(i);
+    checksum ^= c;
+  }
+  return body.size() < bytes.size() ? Scan::skip(1) : Scan::need_more();
+}
+
+std::optional<Nmea0183::Message> Nmea0183::decode(Bytes frame) {
+  return decode_nmea0183<Message>(frame);
+}
+
+}  // namespace drydock::wire

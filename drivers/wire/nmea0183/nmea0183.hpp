@@ -1,0 +1,30 @@
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include "drivers/wire/codec.hpp"
+#include "drivers/wire/message_list.hpp"
+#include "drivers/wire/nmea0183/nmea0183_gnss.hpp"
+#include "drivers/wire/nmea0183/nmea0183_heading.hpp"
+#include "drivers/wire/nmea0183/nmea0183_position.hpp"
+#include "drivers/wire/nmea0183/nmea0183_speed.hpp"
+
+namespace drydock::wire {
+
+using Nmea0183Messages =
+    MessageList<Gga, Rmc, Gsv, Gsa, Vtg, Zda, Gns, Gll, Gst, Hdt, Ths, Vhw, Vbw, Vlw>;
+
+/// NMEA 0183, all talkers. A frame runs from `$` through the checksum and its line end (CR LF, LF
+/// or CR). A sentence without a checksum is no frame; a `$` inside one starts over.
+struct Nmea0183 {
+  static constexpr std::string_view name = "nmea0183";
+  /// The standard says 82; receivers with many satellites and vendors' sentences exceed it.
+  static constexpr std::size_t max_frame = 1024;
+  using Message = Nmea0183Messages::Variant;
+
+  static Scan scan(Bytes bytes);
+  static std::optional<Message> decode(Bytes frame);
+};
+
+}  // namespace drydock::wire

@@ -1,0 +1,33 @@
+#include "drivers/wire/nmea0183/nmea0183_heading.hpp"
+
+namespace drydock::wire {
+
+bool read(SentenceReader& fields, Hdt& m) {
+  m.talker = fields.talker();
+  m.heading_rad = fields.angle();
+  return true;
+}
+
+bool read(SentenceReader& fields, Ths& m) {
+  m.talker = fields.talker();
+  m.heading_rad = fields.angle();
+  m.mode = fields.letter();
+  if (m.mode.value == 'V') m.heading_rad = std::nullopt;
+  return true;
+}
+
+std::size_t encode(const Hdt& m, std::span<std::uint8_t> out, const NmeaDecimals& decimals) {
+  SentenceWriter w{out, m.talker, Hdt::type};
+  w.angle(m.heading_rad, decimals.angle);
+  w.letter('T');
+  return w.finish();
+}
+
+std::size_t encode(const Ths& m, std::span<std::uint8_t> out, const NmeaDecimals& decimals) {
+  SentenceWriter w{out, m.talker, Ths::type};
+  w.angle(m.heading_rad, decimals.angle);
+  w.letter(m.mode);
+  return w.finish();
+}
+
+}  // namespace drydock::wire

@@ -1,0 +1,201 @@
+#include "drivers/wire/nmea0183/nmea0183_sentence.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstring>
+
+#include "drivers/wire/fields.hpp"
+
+namespace drydock::wire {
+namespace {
+
+constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+std::string_view trimmed(std::string_view text) {
+  while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
+  while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
+  return text;
+}
+
+constexpr std::array<double, 16> powers_of_ten{1e0, 1e1, 1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
+                                               1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
+
+/// A number as nearly all stand in sentences: a minus perhaps, digits, a point among them.
+struct PlainNumber {
+  std::int64_t mantissa = 0;
+  int digits = 0, decimals = 0;
+  bool whole = true;          ///< without a point
+  const char* end = nullptr;  ///< what stands here decides whether the field was one
+
+  bool is_int() const { return whole && digits > 0 && digits < 10; }
+  /// Up to 15 digits the quotient of two exact doubles is the correctly rounded value.
+  bool is_exact() const { return digits > 0 && digits < 16; }
+  double value() const {
+    const auto exact = static_cast<double>(mantissa);
+    return whole ? exact : exact / powers_of_ten[static_cast<std::size_t>(decimals)];
+  }
+};
+
+inline PlainNumber plain_number(const char* at, const char* const stop) {
+  const bool negative = at != stop && *at == '-';
+  if (negative) ++at;
+  std::uint64_t mantissa = 0;
+  const auto take_digits = [&] {
+    const char* const start = at;
+    for (; at != stop && is_digit(*at); ++at) {
+      mantissa = mantissa * 10 + static_cast<unsigned>(*at - '0');
+    }
+    return static_cast<int>(at - start);
+  };
+  PlainNumber number;
+  number.digits = take_digits();
+  if (at != stop && *at == '.') {
+    ++at;
+    number.whole = false;
+    number.decimals = take_digits();
+    number.digits += number.decimals;
+  }
+  // Unsigned, since digits past the 19th may wrap to any value; is_exact() tells that it has no
+  // use.
+  number.mantissa = static_cast<std::int64_t>(negative ? 0 - mantissa : mantissa);
+  number.end = at;
+  return number;
+}
+
+/// Any number in decimal digits, exponents excluded.
+std::optional<double> decimal(std::string_view text) {
+  text = trimmed(text);
+  const bool negative = !text.empty() && text.front() == '-';
+  if (!text.empty() && (text.front() == '-' || text.front() == '+')) text.remove_prefix(1);
+  if (text.empty() || (!is_digit(text.front()) && text.front() != '.')) return std::nullopt;
+  const char* const stop = text.data() + text.size();
+  double magnitude = 0;
+  const auto [end, error] = std::from_chars(text.data(), stop, magnitude, std::chars_format::fixed);
+  if (error != std::errc{} || end != stop) return std::nullopt;
+  return negative ? -magnitude : magnitude;
+}
+
+std::optional<int> whole(std::string_view text, int base) {
+  text = trimmed(text);
+  if (!text.empty() && text.front() == '+') text.remove_prefix(1);
+  int value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value, base);
+  if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+  return value;
+}
+
+/// Number of two digits at the front of `text`.
+int two_digits(std::string_view text) { return (text[0] - '0') * 10 + (text[1] - '0'); }
+
+/// Nanoseconds of ".123", or of the point alone; digits beyond the ninth are dropped.
+std::optional<std::int64_t> fraction_of_second(std::string_view text) {
+  if (text.front() != '.') return std::nullopt;
+  std::int64_t fraction_ns = 0, unit_ns = 100'000'000;
+  for (const char c : text.substr(1)) {
+    if (!is_digit(c)) return std::nullopt;
+    fraction_ns += (c - '0') * unit_ns;
+    unit_ns /= 10;
+  }
+  return fraction_ns;
+}
+
+}  // namespace
+
+SentenceReader::SentenceReader(Bytes frame) {
+  if (frame.empty()) return;
+  const auto* begin = reinterpret_cast<const char*>(frame.data()) + 1;
+  const auto* star = static_cast<const char*>(std::memchr(begin, '*', frame.size() - 1));
+  end_ = star ? star : begin + frame.size() - 1;
+  at_ = begin;
+  const std::string_view address = text();
+  if (address.size() != 5 || address.front() == 'P') return;
+  talker_ = Talker{address};
+  formatter_ = address.substr(2);
+}
+
+std::size_t SentenceReader::remaining() const {
+  return at_ ? static_cast<std::size_t>(std::count(at_, end_, ',')) + 1 : 0;
+}
+
+std::string_view SentenceReader::text() {
+  if (!at_) return {};
+  const char* const start = at_;
+  const char* stop = start;
+  while (!ends_field(stop)) ++stop;
+  pass(stop);
+  return {start, static_cast<std::size_t>(stop - start)};
+}
+
+void SentenceReader::skip(std::size_t fields) {
+  while (fields-- > 0) text();
+}
+
+Letter SentenceReader::letter() {
+  const std::string_view field = trimmed(text());
+  return field.size() == 1 ? Letter{field.front()} : Letter{};
+}
+
+bool SentenceReader::take_number(double& value) {
+  if (skip_empty()) return false;
+  const PlainNumber plain = plain_number(at_, end_);
+  if (plain.is_exact() && ends_field(plain.end)) {
+    value = plain.value();
+    pass(plain.end);
+    return true;
+  }
+  const auto slowly = decimal(text());
+  value = slowly.value_or(0);
+  return slowly.has_value();
+}
+
+bool SentenceReader::take_integer(int& value) {
+  if (skip_empty()) return false;
+  const PlainNumber plain = plain_number(at_, end_);
+  if (plain.is_int() && ends_field(plain.end)) {
+    value = static_cast<int>(plain.mantissa);
+    pass(plain.end);
+    return true;
+  }
+  const auto slowly = whole(text(), 10);
+  value = slowly.value_or(0);
+  return slowly.has_value();
+}
+
+std::optional<int> SentenceReader::hexadecimal() { return whole(text(), 16); }
+
+std::optional<double> SentenceReader::latitude() { return coordinate(90, 'N', 'S'); }
+
+std::optional<double> SentenceReader::longitude() { return coordinate(180, 'E', 'W'); }
+
+std::optional<double> SentenceReader::coordinate(double limit_deg, char positive, char negative) {
+  const auto digits = number();
+  const char hemisphere = letter().value;
+  if (!digits || *digits < 0 || *digits > limit_deg * 100 ||
+      (hemisphere != positive && hemisphere != negative)) {
+    return std::nullopt;
+  }
+  const int whole_degrees = static_cast<int>(*digits / 100);
+  const double minutes = *digits - whole_degrees * 100;
+  const double angle = whole_degrees + minutes / 60;
+  if (minutes >= 60) return std::nullopt;
+  return radians(hemisphere == positive ? angle : -angle);
+}
+
+std::optional<std::chrono::nanoseconds> SentenceReader::time() {
+  const std::string_view field = trimmed(text());
+  if (field.size() < 6 || !std::all_of(field.begin(), field.begin() + 6, is_digit)) return {};
+  const int hour = two_digits(field), minute = two_digits(field.substr(2)),
+            second = two_digits(field.substr(4));
+  if (hour > 23 || minute > 59 || second > 60) return {};
+  std::int64_t fraction_ns = 0;
+  if (field.size() > 6) {
+    const auto fraction = fraction_of_second(field.substr(6));
+    if (!fraction) return {};
+    fraction_ns = *fraction;
+  }
+  return std::chrono::hours{hour} + std::chrono::minutes{minute} + std::chrono::seconds{second} +
+         std::chrono::nanoseconds{fraction_ns};
+}
+
+}  // namespace drydock::wire

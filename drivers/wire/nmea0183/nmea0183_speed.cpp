@@ -1,0 +1,97 @@
+#include "drivers/wire/nmea0183/nmea0183_speed.hpp"
+
+namespace drydock::wire {
+namespace {
+
+using Value = std::optional<double>;
+
+/// Along, across and status, or only one of them and status.
+template <class... V>
+void read_speeds(SentenceReader& fields, V&... speeds) {
+  ((speeds = scaled(fields.number(), knot_mps)), ...);
+  if (fields.letter().value != 'A') ((speeds = std::nullopt), ...);
+}
+
+template <class... V>
+void write_speeds(SentenceWriter& out, int decimals, const V&... speeds) {
+  (out.number(scaled(speeds, 1 / knot_mps), decimals), ...);
+  out.letter((speeds || ...) ? 'A' : 'V');
+}
+
+Value read_distance(SentenceReader& fields) {
+  const Value miles = fields.number();
+  fields.skip(1);
+  return scaled(miles, nautical_mile_m);
+}
+
+void write_distance(SentenceWriter& out, const Value& distance_m, int decimals) {
+  out.number(scaled(distance_m, 1 / nautical_mile_m), decimals);
+  out.letter('N');
+}
+
+}  // namespace
+
+bool read(SentenceReader& fields, Vhw& m) {
+  m.talker = fields.talker();
+  m.heading_true_rad = fields.angle();
+  fields.skip(1);
+  m.heading_magnetic_rad = fields.angle();
+  fields.skip(1);
+  const Value knots = fields.number();
+  fields.skip(1);
+  const Value kilometres_per_hour = fields.number();
+  m.speed_mps =
+      knots ? scaled(knots, knot_mps) : scaled(kilometres_per_hour, kilometre_per_hour_mps);
+  return true;
+}
+
+bool read(SentenceReader& fields, Vbw& m) {
+  m.talker = fields.talker();
+  read_speeds(fields, m.water_longitudinal_mps, m.water_transverse_mps);
+  read_speeds(fields, m.ground_longitudinal_mps, m.ground_transverse_mps);
+  read_speeds(fields, m.water_stern_transverse_mps);
+  read_speeds(fields, m.ground_stern_transverse_mps);
+  return true;
+}
+
+bool read(SentenceReader& fields, Vlw& m) {
+  m.talker = fields.talker();
+  m.water_total_m = read_distance(fields);
+  m.water_trip_m = read_distance(fields);
+  m.ground_total_m = read_distance(fields);
+  m.ground_trip_m = read_distance(fields);
+  return true;
+}
+
+std::size_t encode(const Vhw& m, std::span<std::uint8_t> out, const NmeaDecimals& decimals) {
+  SentenceWriter w{out, m.talker, Vhw::type};
+  w.angle(m.heading_true_rad, decimals.angle);
+  w.letter('T');
+  w.angle(m.heading_magnetic_rad, decimals.angle);
+  w.letter('M');
+  w.number(scaled(m.speed_mps, 1 / knot_mps), decimals.speed);
+  w.letter('N');
+  w.number(scaled(m.speed_mps, 1 / kilometre_per_hour_mps), decimals.speed);
+  w.letter('K');
+  return w.finish();
+}
+
+std::size_t encode(const Vbw& m, std::span<std::uint8_t> out, const NmeaDecimals& decimals) {
+  SentenceWriter w{out, m.talker, Vbw::type};
+  write_speeds(w, decimals.speed, m.water_longitudinal_mps, m.water_transverse_mps);
+  write_speeds(w, decimals.speed, m.ground_longitudinal_mps, m.ground_transverse_mps);
+  write_speeds(w, decimals.speed, m.water_stern_transverse_mps);
+  write_speeds(w, decimals.speed, m.ground_stern_transverse_mps);
+  return w.finish();
+}
+
+std::size_t encode(const Vlw& m, std::span<std::uint8_t> out, const NmeaDecimals& decimals) {
+  SentenceWriter w{out, m.talker, Vlw::type};
+  write_distance(w, m.water_total_m, decimals.distance);
+  write_distance(w, m.water_trip_m, decimals.distance);
+  write_distance(w, m.ground_total_m, decimals.distance);
+  write_distance(w, m.ground_trip_m, decimals.distance);
+  return w.finish();
+}
+
+}  // namespace drydock::wire

@@ -1,0 +1,110 @@
+#include "drivers/wire/nmea2000/fast_packet.hpp"
+
+#include <algorithm>
+
+namespace drydock::wire {
+
+namespace {
+
+constexpr std::size_t first_frame_bytes = 6;
+constexpr std::size_t next_frame_bytes = 7;
+
+}  // namespace
+
+std::optional<FastPacket> FastPacketAssembler::receive(const j1939::Identifier& id, Bytes payload) {
+  if (payload.empty()) {
+    ++counters_.stray;
+    return std::nullopt;
+  }
+  const std::uint8_t sequence = payload[0] >> 5;
+  const std::uint8_t index = payload[0] & 0x1F;
+  Assembly* assembly = find(id, sequence);
+  if (index == 0) {
+    if (assembly != nullptr) drop(*assembly);
+    return begin(id, sequence, payload);
+  }
+  if (assembly == nullptr) {
+    ++counters_.stray;
+    return std::nullopt;
+  }
+  if (index != assembly->next_index) {
+    drop(*assembly);
+    return std::nullopt;
+  }
+  ++assembly->next_index;
+  return append(*assembly, id, payload.subspan(1), next_frame_bytes);
+}
+
+FastPacketAssembler::Assembly* FastPacketAssembler::find(const j1939::Identifier& id,
+                                                         std::uint8_t sequence) {
+  for (Assembly& a : assemblies_) {
+    if (a.busy && a.pgn == id.pgn && a.source == id.source && a.sequence == sequence) return &a;
+  }
+  return nullptr;
+}
+
+FastPacketAssembler::Assembly& FastPacketAssembler::free_slot() {
+  Assembly* oldest = &assemblies_[0];
+  for (Assembly& a : assemblies_) {
+    if (!a.busy) return a;
+    if (a.last_used < oldest->last_used) oldest = &a;
+  }
+  drop(*oldest);
+  return *oldest;
+}
+
+void FastPacketAssembler::drop(Assembly& assembly) {
+  assembly.busy = false;
+  ++counters_.dropped;
+}
+
+std::optional<FastPacket> FastPacketAssembler::begin(const j1939::Identifier& id,
+                                                     std::uint8_t sequence, Bytes payload) {
+  if (payload.size() < 2 || payload[1] > fast_packet_max_bytes) {
+    ++counters_.stray;
+    return std::nullopt;
+  }
+  Assembly& a = free_slot();
+  a.busy = true;
+  a.pgn = id.pgn;
+  a.source = id.source;
+  a.sequence = sequence;
+  a.next_index = 1;
+  a.total = payload[1];
+  a.held = 0;
+  return append(a, id, payload.subspan(2), first_frame_bytes);
+}
+
+std::optional<FastPacket> FastPacketAssembler::append(Assembly& a, const j1939::Identifier& id,
+                                                      Bytes data, std::size_t room) {
+  const std::size_t wanted = std::min<std::size_t>(a.total - a.held, room);
+  if (data.size() < wanted) {
+    drop(a);
+    return std::nullopt;
+  }
+  std::copy_n(data.begin(), wanted, a.data.begin() + a.held);
+  a.held = static_cast<std::uint8_t>(a.held + wanted);
+  a.last_used = ++clock_;
+  if (a.held < a.total) return std::nullopt;
+  a.busy = false;
+  ++counters_.messages;
+  return FastPacket{id, {a.data.data(), a.total}};
+}
+
+CanFrame encode_fast_packet(const j1939::Identifier& id, std::uint8_t sequence, Bytes message,
+                            std::size_t index) {
+  CanFrame frame = j1939::blank_frame(id);
+  frame.data[0] = static_cast<std::uint8_t>((sequence & 7) << 5 | index);
+  std::size_t header = 1, begin = first_frame_bytes + (index - 1) * next_frame_bytes;
+  if (index == 0) {
+    frame.data[1] = static_cast<std::uint8_t>(message.size());
+    header = 2;
+    begin = 0;
+  }
+  const std::size_t count = std::min(8 - header, message.size() - begin);
+  std::copy_n(message.begin() + static_cast<std::ptrdiff_t>(begin), count,
+              frame.data.begin() + header);
+  return frame;
+}
+
+}  // namespace drydock::wire

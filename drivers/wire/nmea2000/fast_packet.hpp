@@ -1,0 +1,71 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include "drivers/wire/j1939/j1939.hpp"
+
+/// NMEA 2000 fast packet: up to 223 bytes in at most 32 frames. Byte 0 is sequence<<5 | index;
+/// frame 0 carries the length and 6 bytes, each further frame 7.
+namespace drydock::wire {
+
+constexpr std::size_t fast_packet_max_bytes = 223;
+
+/// One whole message; `data` points into the assembler and stays good until its next call.
+struct FastPacket {
+  j1939::Identifier id;
+  std::span<const std::uint8_t> data;
+};
+
+/// Puts messages together, keyed by (PGN, source, sequence). Frames of one message must come in
+/// order: a lost or misplaced frame drops the message. Frame 0 always starts afresh, so it is
+/// never glued onto the body of an earlier message.
+class FastPacketAssembler {
+ public:
+  static constexpr std::size_t max_concurrent = 16;  ///< then the message idle longest is dropped
+
+  struct Counters {
+    std::uint64_t messages = 0;
+    std::uint64_t dropped = 0;  ///< messages begun and never completed
+    std::uint64_t stray = 0;    ///< frames of no message begun, or too short, or too long a length
+  };
+
+  std::optional<FastPacket> receive(const j1939::Identifier& id, Bytes payload);
+  const Counters& counters() const { return counters_; }
+
+ private:
+  struct Assembly {
+    bool busy = false;
+    std::uint32_t pgn = 0;
+    std::uint8_t source = 0;
+    std::uint8_t sequence = 0;
+    std::uint8_t next_index = 0;
+    std::uint8_t total = 0;
+    std::uint8_t held = 0;
+    std::uint64_t last_used = 0;
+    std::array<std::uint8_t, fast_packet_max_bytes> data{};
+  };
+
+  Assembly* find(const j1939::Identifier& id, std::uint8_t sequence);
+  Assembly& free_slot();
+  std::optional<FastPacket> begin(const j1939::Identifier& id, std::uint8_t sequence,
+                                  Bytes payload);
+  std::optional<FastPacket> append(Assembly& assembly, const j1939::Identifier& id, Bytes data,
+                                   std::size_t room);
+  void drop(Assembly& assembly);
+
+  std::array<Assembly, max_concurrent> assemblies_{};
+  std::uint64_t clock_ = 0;
+  Counters counters_;
+};
+
+/// Frames that a message of `size` bytes takes.
+constexpr std::size_t fast_packet_frames(std::size_t size) { return 1 + size / 7; }
+
+/// Frame `index` of a message of at most 223 bytes; unused bytes are 0xFF.
+CanFrame encode_fast_packet(const j1939::Identifier& id, std::uint8_t sequence, Bytes message,
+                            std::size_t index);
+
+}  // namespace drydock::wire

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <optional>
+#include <string_view>
+#include <variant>
+
+#include "drivers/wire/j1939/j1939_protocol.hpp"
+#include "drivers/wire/nmea2000/fast_packet.hpp"
+#include "drivers/wire/nmea2000/nmea2000_messages.hpp"
+
+namespace drydock::wire {
+
+/// NMEA 2000: 29-bit identifiers of J1939, 250 kbit/s, single frames, fast packets and
+/// the transport protocol.
+struct Nmea2000 {
+  static constexpr std::string_view name = "nmea2000";
+  using Message = std::variant<nmea2000::Pressure, nmea2000::Temperature, nmea2000::WaterDepth,
+                               nmea2000::Rudder, nmea2000::Engine, nmea2000::GnssPosition,
+                               j1939::AddressClaimed, j1939::Request, j1939::CommandedAddress>;
+
+  class Decoder {
+   public:
+    std::optional<Message> receive(const CanFrame& frame);
+    const StreamCounters& counters() const { return counters_; }
+
+   private:
+    std::optional<Message> receive_part(const j1939::Identifier& id, const CanFrame& frame);
+    std::optional<Message> receive_packet(const j1939::Identifier& id, const CanFrame& frame);
+    std::optional<Message> receive_whole(const j1939::Identifier& id, Bytes message);
+
+    FastPacketAssembler assembler_;
+    j1939::TransportReceiver transport_;
+    StreamCounters counters_;
+  };
+};
+
+}  // namespace drydock::wire

@@ -1,0 +1,258 @@
+#include "estimators/pipeline/inertial/navigation_estimator.hpp"
+
+#include <algorithm>
+
+#include "estimators/pipeline/inertial/bridged_gap.hpp"
+
+namespace drydock::pipeline {
+
+using Eigen::Vector3d;
+using measurement::ImuSample;
+using measurement::seconds;
+using measurement::Stamp;
+
+namespace {
+
+/// As many samples in a row from the past are no stragglers: the clock was set back.
+constexpr int clock_back_after = 10;
+
+std::uint32_t sensor_bit(std::uint16_t device) { return std::uint32_t{1} << device; }
+
+bool is_within(const Vector3d& v, double limit) {
+  return v.allFinite() && v.cwiseAbs().maxCoeff() <= limit;
+}
+
+}  // namespace
+
+NavigationEstimator::NavigationEstimator(std::uint16_t index, const EstimatorOptions& options,
+                                         const PipelineOptions& pipeline)
+    : index_(index),
+      imu_(options.imu),
+      options_(options.inertial),
+      period_(measurement::from_seconds(options.inertial.imu_period_s)),
+      max_imu_gap_(pipeline.max_imu_gap),
+      max_age_(pipeline.max_speed_age),
+      filter_(make_aided_inertial(options.inertial)) {
+  // Until the actuators speak: amidships, and turning for the speed of the start.
+  control_.u_c = (options_.start.body_to_ned.conjugate() * options_.start.velocity_ned).x();
+  filter_->control(control_);
+}
+
+Outcome NavigationEstimator::take(const ImuSample& sample, EstimateListener& listener) {
+  if (sample.origin.device != imu_ || status_.state == EstimatorState::lost) return Outcome::unused;
+  if (!is_within(sample.specific_force, max_specific_force_mps2) ||
+      !is_within(sample.angular_rate, max_angular_rate_radps))
+    return Outcome::refused;
+  const Stamp at = sample.origin.valid_at;
+  if (!last_) {
+    begin(sample);
+  } else if (at <= now_) {
+    if (clock_was_set_back(at)) lose();
+    return Outcome::late;
+  } else if (at - now_ > max_imu_gap_) {
+    lose();
+    return Outcome::unused;
+  } else {
+    go_on(sample, listener);
+  }
+  far_behind_ = 0;
+  last_ = sample;
+  return Outcome::accepted;
+}
+
+void NavigationEstimator::begin(const ImuSample& sample) {
+  status_.state = EstimatorState::running;
+  fed_by_ = sensor_bit(imu_);
+  now_ = step_began_ = sample.origin.valid_at;
+  rate_ = sample.angular_rate;
+  if (!options_.imu_means) return;
+  step_began_ -= period_;
+  add(sample.angular_rate, sample.specific_force, Vector3d::Zero(), options_.imu_period_s);
+}
+
+void NavigationEstimator::go_on(const ImuSample& sample, EstimateListener& listener) {
+  const Stamp from = now_;
+  const auto interval = sample.origin.valid_at - from;
+  const bool bridges = interval > period_ + period_ / 2;
+  const bool as_sampled = options_.imu_means && !bridges;
+  const Vector3d rate =
+      as_sampled ? sample.angular_rate : 0.5 * (last_->angular_rate + sample.angular_rate);
+  const Vector3d force =
+      as_sampled ? sample.specific_force : 0.5 * (last_->specific_force + sample.specific_force);
+  const auto pieces = std::max<std::int64_t>(1, (interval + period_ / 2) / period_);
+  const Vector3d rate_change =
+      (sample.angular_rate - last_->angular_rate) / static_cast<double>(pieces);
+  if (bridges) {
+    const BridgedGap gap(seconds(interval));
+    filter_->loosen(gap.velocity_sigma_mps, gap.angle_sigma_rad);
+  }
+  for (std::int64_t i = 1; i <= pieces; ++i) {
+    end_step_if_due(listener);
+    const Stamp to = from + interval * i / pieces;
+    add(rate, force, rate_change, seconds(to - now_));
+    now_ = to;
+  }
+  rate_ = sample.angular_rate;
+}
+
+void NavigationEstimator::add(const Vector3d& rate, const Vector3d& force,
+                              const Vector3d& rate_change, double dt) {
+  // From the unit's place to the vehicle's origin; changes of rate add up to no error.
+  const Vector3d& arm = options_.imu_lever;
+  const Vector3d by_lever = rate_change.cross(arm) + dt * rate.cross(rate.cross(arm));
+  filter_->add_imu(dt * rate, dt * force - by_lever, dt);
+}
+
+void NavigationEstimator::end_step_if_due(EstimateListener& listener) {
+  const auto half = period_ / 2;
+  const auto is_due = [&](const Aiding& aiding) { return aiding.valid_at <= now_ + half; };
+  const bool full = now_ - step_began_ >= measurement::from_seconds(step_s) - half;
+  if (now_ == step_began_ || (!full && std::ranges::none_of(waiting_, is_due))) return;
+  filter_->step();
+  step_began_ = now_;
+  for (const Aiding& aiding : waiting_)
+    if (is_due(aiding)) apply(aiding, listener);
+  waiting_.erase(std::remove_if(waiting_.begin(), waiting_.end(), is_due), waiting_.end());
+  filter_->settle();
+  emit(listener);
+}
+
+void NavigationEstimator::apply(const Aiding& aiding, EstimateListener& listener) {
+  fed_by_ |= sensor_bit(aiding.sensor->device);
+  tell(aiding.valid_at, aiding.sensor->device, update(aiding), listener);
+}
+
+void NavigationEstimator::tell(Stamp valid_at, std::uint16_t device, const Innovations& rows,
+                               EstimateListener& listener) const {
+  if (!rows.empty()) listener.on_innovation({valid_at, index_, device, rows});
+}
+
+Innovations NavigationEstimator::update(const Aiding& aiding) {
+  const AidingSensor& sensor = *aiding.sensor;
+  if (aiding.kind == Aiding::Kind::position) {
+    const double age_s = seconds(now_ - aiding.valid_at);
+    const auto moved = frame::at_ned_offset(aiding.position, age_s * filter_->state().velocity_ned);
+    return filter_->update_position(moved, aiding.value, sensor.lever);
+  }
+  status_.last_speed = aiding.valid_at;
+  const Vector3d of_origin = aiding.value - turning_speed(sensor.lever);
+  if (aiding.kind == Aiding::Kind::log) return filter_->update_log(of_origin.x());
+  return filter_->update_ground(of_origin);
+}
+
+Outcome NavigationEstimator::take(const measurement::WaterSpeed& speed, EstimateListener&) {
+  const auto& log = options_.log;
+  if (!log || speed.origin.device != log->device || !speed.longitudinal_mps) return Outcome::unused;
+  // A comparison that NaN fails as well.
+  if (!(std::abs(*speed.longitudinal_mps) <= max_speed_mps)) return Outcome::refused;
+  return wait_for_step({.kind = Aiding::Kind::log,
+                        .sensor = &*log,
+                        .valid_at = speed.origin.valid_at,
+                        .value = {*speed.longitudinal_mps, 0, 0},
+                        .position = {}});
+}
+
+Outcome NavigationEstimator::take(const measurement::BottomVelocity& track, EstimateListener&) {
+  const auto& ground = options_.ground;
+  if (!ground || track.origin.device != ground->device || !track.velocity) return Outcome::unused;
+  if (!is_within(*track.velocity, max_speed_mps)) return Outcome::refused;
+  return wait_for_step({.kind = Aiding::Kind::ground,
+                        .sensor = &*ground,
+                        .valid_at = track.origin.valid_at,
+                        .value = *track.velocity,
+                        .position = {}});
+}
+
+Outcome NavigationEstimator::take(const measurement::GnssFix& fix, EstimateListener&) {
+  constexpr double unknown_height_sigma_m = 1e4;
+  const auto& gnss = options_.gnss;
+  if (!gnss || fix.origin.device != gnss->device || !fix.position) return Outcome::unused;
+  const double horizontal = fix.horizontal_accuracy_m.value_or(options_.position_sigma_m);
+  double vertical = fix.vertical_accuracy_m.value_or(options_.position_height_sigma_m);
+  frame::Position position{fix.position->latitude_rad, fix.position->longitude_rad,
+                           filter_->state().position.height_m};
+  if (fix.ellipsoidal_height_m) {
+    position.height_m = *fix.ellipsoidal_height_m;
+  } else if (fix.mean_sea_level_height_m) {
+    position.height_m = *fix.mean_sea_level_height_m + options_.sea_level_m;
+  } else {
+    vertical = unknown_height_sigma_m;
+  }
+  const Vector3d sigma{horizontal, horizontal, vertical};
+  const Vector3d all{position.latitude_rad, position.longitude_rad, position.height_m};
+  if (!sigma.allFinite() || !(sigma.minCoeff() > 0) || !all.allFinite()) return Outcome::refused;
+  return wait_for_step({.kind = Aiding::Kind::position,
+                        .sensor = &*gnss,
+                        .valid_at = fix.origin.valid_at,
+                        .value = sigma,
+                        .position = position});
+}
+
+Outcome NavigationEstimator::wait_for_step(const Aiding& aiding) {
+  if (!running()) return Outcome::unused;
+  const auto behind = now_ - aiding.valid_at;
+  if (behind > max_age_) return Outcome::late;
+  if (behind < -max_age_) return Outcome::unused;  // the IMU is silent
+  if (waiting_.size() == waiting_.capacity()) return Outcome::refused;
+  waiting_.push_back(aiding);
+  return behind > period_ ? Outcome::delayed : Outcome::accepted;
+}
+
+Outcome NavigationEstimator::take(const measurement::DepthSample& sample,
+                                  EstimateListener& listener) {
+  const auto& depth = options_.depth;
+  if (!depth || sample.origin.device != depth->device || !sample.depth_m || !running())
+    return Outcome::unused;
+  if (!std::isfinite(*sample.depth_m)) return Outcome::refused;
+  const auto behind = now_ - sample.origin.valid_at;
+  if (std::chrono::abs(behind) > max_age_)
+    return behind.count() > 0 ? Outcome::late : Outcome::unused;
+  const auto& state = filter_->state();
+  const double arm_down = (state.body_to_ned * depth->lever).z();
+  const double height = options_.sea_level_m - *sample.depth_m + arm_down;
+  Innovations rows = filter_->add_height(height - state.velocity_ned.z() * seconds(behind));
+  for (auto& row : rows) row.value = -row.value;  // of the depth
+  tell(sample.origin.valid_at, depth->device, rows, listener);
+  fed_by_ |= sensor_bit(depth->device);
+  return behind > period_ ? Outcome::delayed : Outcome::accepted;
+}
+
+Outcome NavigationEstimator::take(const measurement::ActuatorState& state, EstimateListener&) {
+  if (!options_.actuators || state.origin.device != *options_.actuators) return Outcome::unused;
+  const auto known = [](const std::optional<double>& value, double& into, double unit) {
+    if (value && std::isfinite(*value)) into = *value * unit;
+  };
+  known(state.rudder_rad, control_.delta_r, 1);
+  known(state.stern_plane_rad, control_.delta_s, 1);
+  known(state.bow_plane_rad, control_.delta_b, 1);
+  known(state.propeller_radps, control_.u_c, options_.advance_m);
+  filter_->control(control_);
+  fed_by_ |= sensor_bit(*options_.actuators);
+  return Outcome::accepted;
+}
+
+bool NavigationEstimator::clock_was_set_back(Stamp at) {
+  far_behind_ = now_ - at > max_imu_gap_ ? far_behind_ + 1 : 0;
+  return far_behind_ >= clock_back_after;
+}
+
+void NavigationEstimator::lose() {
+  status_.state = EstimatorState::lost;
+  status_.lost_at = now_;
+  waiting_.clear();
+}
+
+void NavigationEstimator::emit(EstimateListener& listener) {
+  ++status_.estimates;
+  status_.last_estimate = now_;
+  status_.rejected = filter_->rejected();
+  status_.taken = filter_->taken();
+  NavigationEstimate estimate;
+  estimate.valid_at = now_;
+  estimate.estimator = index_;
+  filter_->fill(estimate);
+  estimate.fed_by = fed_by_;
+  listener.on_navigation(estimate);
+}
+
+}  // namespace drydock::pipeline

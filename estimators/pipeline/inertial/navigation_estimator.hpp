@@ -1,0 +1,79 @@
+#pragma once
+
+#include <boost/container/static_vector.hpp>
+#include <memory>
+#include <optional>
+
+#include "estimators/pipeline/estimator.hpp"
+#include "estimators/pipeline/inertial/aided_inertial.hpp"
+#include "estimators/pipeline/options.hpp"
+
+namespace drydock::pipeline {
+
+/// An inertial navigation on one IMU and what aids it. Gives an estimate for every step, `step_s`
+/// long or less: a step ends at the IMU sample nearest to an aiding sensor's valid_at, and is done
+/// when the next sample shows that everything of its time has come.
+class NavigationEstimator final : public Estimator {
+ public:
+  static constexpr double step_s = 0.1;
+  static constexpr double max_specific_force_mps2 = 500, max_angular_rate_radps = 50;
+  static constexpr double max_speed_mps = 100;
+
+  /// `index` names the estimates; of `pipeline` the two time limits are used.
+  NavigationEstimator(std::uint16_t index, const EstimatorOptions& options,
+                      const PipelineOptions& pipeline);
+
+  using Estimator::take;
+  Outcome take(const measurement::ImuSample& sample, EstimateListener& listener) override;
+  Outcome take(const measurement::WaterSpeed& speed, EstimateListener& listener) override;
+  Outcome take(const measurement::BottomVelocity& track, EstimateListener& listener) override;
+  Outcome take(const measurement::DepthSample& depth, EstimateListener& listener) override;
+  Outcome take(const measurement::GnssFix& fix, EstimateListener& listener) override;
+  Outcome take(const measurement::ActuatorState& state, EstimateListener& listener) override;
+  const EstimatorStatus& status() const override { return status_; }
+
+ private:
+  /// A measurement that waits for the end of its step.
+  struct Aiding {
+    enum class Kind : std::uint8_t { log, ground, position } kind;
+    const AidingSensor* sensor;
+    measurement::Stamp valid_at;
+    Eigen::Vector3d value = Eigen::Vector3d::Zero();  ///< m/s; sigma of a position, m
+    frame::Position position;
+  };
+
+  bool running() const { return status_.state == EstimatorState::running; }
+  void begin(const measurement::ImuSample& sample);
+  void go_on(const measurement::ImuSample& sample, EstimateListener& listener);
+  void add(const Eigen::Vector3d& rate, const Eigen::Vector3d& force,
+           const Eigen::Vector3d& rate_change, double dt);
+  void end_step_if_due(EstimateListener& listener);
+  void apply(const Aiding& aiding, EstimateListener& listener);
+  Innovations update(const Aiding& aiding);
+  void tell(measurement::Stamp valid_at, std::uint16_t device, const Innovations& rows,
+            EstimateListener& listener) const;
+  Outcome wait_for_step(const Aiding& aiding);
+  void lose();
+  bool clock_was_set_back(measurement::Stamp at);
+  void emit(EstimateListener& listener);
+  /// Velocity of a point of the body against that of the origin, m/s, body axes.
+  Eigen::Vector3d turning_speed(const Eigen::Vector3d& lever) const {
+    return (rate_ - filter_->gyro_bias()).cross(lever);
+  }
+
+  std::uint16_t index_, imu_;
+  InertialOptions options_;
+  std::chrono::nanoseconds period_, max_imu_gap_, max_age_;
+  std::unique_ptr<AidedInertial> filter_;
+  hydrodynamics::Control control_;
+  std::optional<measurement::ImuSample> last_;
+  measurement::Stamp now_{};                        ///< of the last sample in the filter
+  measurement::Stamp step_began_{};                 ///< the filter's state is of then
+  Eigen::Vector3d rate_ = Eigen::Vector3d::Zero();  ///< newest, rad/s
+  boost::container::static_vector<Aiding, 16> waiting_;
+  int far_behind_ = 0;  ///< IMU samples in a row
+  std::uint32_t fed_by_ = 0;
+  EstimatorStatus status_;
+};
+
+}  // namespace drydock::pipeline

@@ -1,0 +1,53 @@
+#pragma once
+
+#include "estimators/pipeline/inertial/aided_inertial.hpp"
+#include "estimators/velocity/velocity_filter.hpp"
+
+namespace drydock::pipeline {
+
+/// The velocity filter of Lee et al. (2016): what its vehicle simulator and the sensors make of the
+/// velocity through the water aids the inertial navigation, as if it were over ground.
+class PaperInertial final : public AidedInertial {
+ public:
+  explicit PaperInertial(const InertialOptions& options);
+
+  void control(const hydrodynamics::Control& control) override { control_ = control; }
+  void add_imu(const Eigen::Vector3d& angle, const Eigen::Vector3d& velocity, double dt) override;
+  Innovations add_height(double height_m) override;
+  void step() override {}
+  void settle() override;  ///< the navigation steps when its velocity sensor is done
+  Innovations update_ground(const Eigen::Vector3d& velocity_body) override {
+    filter_.update_velocity(velocity_body);
+    return filter_.innovations();
+  }
+  Innovations update_log(double longitudinal_mps) override {
+    filter_.update_longitudinal(longitudinal_mps);
+    return filter_.innovations();
+  }
+  void loosen(double velocity_sigma, double angle_sigma) override {
+    aided_.loosen(velocity_sigma, angle_sigma);
+  }
+
+  const navigation::NavigationState& state() const override { return aided_.state(); }
+  const Eigen::Vector3d& gyro_bias() const override { return aided_.gyro_bias(); }
+  std::uint64_t rejected() const override { return filter_.rejected() + aided_.rejected(); }
+  /// Those of the sensors alone: the navigation's come from the velocity filter, not from outside.
+  navigation::InnovationTally taken() const override { return filter_.taken(); }
+  void fill(NavigationEstimate& estimate) const override {
+    fill_navigation(state(), aided_.covariance().topLeftCorner<9, 9>(), estimate);
+  }
+
+ private:
+  velocity::Setting setting() const {
+    return {aided_.body_to_ned().toRotationMatrix().transpose(), earth_rate_};
+  }
+
+  navigation::AidedNavigation aided_;
+  velocity::VelocityFilter filter_;
+  hydrodynamics::Control control_;
+  Eigen::Vector3d earth_rate_;  ///< NED, rad/s
+  double height_sum_ = 0;
+  int heights_ = 0;
+};
+
+}  // namespace drydock::pipeline

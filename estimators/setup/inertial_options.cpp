@@ -1,0 +1,118 @@
+#include "estimators/setup/inertial_options.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "drivers/measurement/water_column.hpp"
+#include "estimators/frame/attitude.hpp"
+#include "estimators/vehicle/vehicle.hpp"
+
+namespace drydock::cli {
+namespace {
+
+using Eigen::Vector3d;
+using rig_config::SensorErrors;
+
+const rig_config::DeviceConfig* find_device(const rig_config::Rig& rig, const std::string& name) {
+  const auto found = std::ranges::find(rig.devices, name, &rig_config::DeviceConfig::name);
+  return found == rig.devices.end() ? nullptr : &*found;
+}
+
+std::uint16_t index_in(const rig_config::Rig& rig, const rig_config::DeviceConfig* device) {
+  return static_cast<std::uint16_t>(device - rig.devices.data());
+}
+
+std::optional<pipeline::AidingSensor> aiding(const rig_config::Rig& rig, const std::string& name) {
+  const auto* device = find_device(rig, name);
+  if (!device) return {};
+  return pipeline::AidingSensor{index_in(rig, device), Vector3d{device->lever_arm_m.data()}};
+}
+
+double worst(const rig_config::Axes& axes) { return *std::ranges::max_element(axes); }
+
+/// White noise as a density: per sample and per root Hz together.
+double density(const SensorErrors& errors, double period_s) {
+  return std::hypot(worst(errors.noise) * std::sqrt(period_s), worst(errors.noise_density));
+}
+
+/// Of one sample: what is white, and the steps of the output.
+double sample_sigma(const SensorErrors& errors, double rate_hz) {
+  return std::hypot(worst(errors.noise), worst(errors.noise_density) * std::sqrt(rate_hz),
+                    worst(errors.quantisation) / std::sqrt(12));
+}
+
+/// A sensor file that says nothing of a sensor's noise leaves the paper's figure.
+void replace_if_known(double& sigma, double known) {
+  if (known > 0) sigma = known;
+}
+
+navigation::NavigationState start_of(const rig_config::InertialConfig& c) {
+  navigation::NavigationState start;
+  start.position = {c.latitude_rad, c.longitude_rad, c.sea_level_m - c.depth_m};
+  start.velocity_ned = Vector3d{c.velocity_ned_mps.data()};
+  start.body_to_ned = frame::body_to_ned({c.roll_rad, c.pitch_rad, c.heading_rad});
+  return start;
+}
+
+navigation::NavigationOptions navigation_options(const rig_config::InertialConfig& c,
+                                                 double imu_period_s) {
+  navigation::NavigationOptions options;
+  options.position_m = c.position_sigma_m;
+  options.height_m = c.depth_sigma_m;
+  options.velocity_mps = c.velocity_sigma_mps;
+  options.alignment_rad = {c.tilt_sigma_rad, c.tilt_sigma_rad, c.heading_sigma_rad};
+  const SensorErrors &gyro = c.imu_grade.primary, &accelerometer = c.imu_grade.secondary;
+  // What an instability does between two looks at it, the filter's constant bias must cover.
+  options.gyro_bias_radps = std::hypot(worst(gyro.bias), worst(gyro.bias_instability));
+  options.accel_bias_mps2 =
+      std::hypot(worst(accelerometer.bias), worst(accelerometer.bias_instability));
+  options.angle_noise_rad = density(gyro, imu_period_s);
+  options.velocity_noise_mps = density(accelerometer, imu_period_s);
+  options.gyro_bias_walk_radps = worst(gyro.random_walk);
+  options.accel_bias_walk_mps2 = worst(accelerometer.random_walk);
+  options.gate_sigma = c.gate_sigma;
+  return options;
+}
+
+}  // namespace
+
+pipeline::InertialOptions inertial_options(const rig_config::Rig& rig,
+                                           const rig_config::EstimatorConfig& config) {
+  using pipeline::InertialMethod;
+  const auto& c = config.inertial;
+  pipeline::InertialOptions options;
+  if (config.kind == "velocity")
+    options.method = c.method == rig_config::VelocityMethod::paper ? InertialMethod::paper
+                                                                   : InertialMethod::coupled;
+  if (const auto* imu = find_device(rig, config.imu)) {
+    options.imu_period_s = 1 / imu->rate_hz;
+    options.imu_means = imu->means;
+    options.imu_lever = Vector3d{imu->lever_arm_m.data()};
+  }
+  options.start = start_of(c);
+  options.navigation = navigation_options(c, options.imu_period_s);
+  options.sea_level_m = c.sea_level_m;
+  options.ground = aiding(rig, c.dvl);
+  options.log = aiding(rig, config.log);
+  options.depth = aiding(rig, c.depth);
+  options.gnss = aiding(rig, config.gnss);
+  if (const auto* dvl = find_device(rig, c.dvl))
+    replace_if_known(options.ground_sigma_mps, sample_sigma(c.dvl_grade.primary, dvl->rate_hz));
+  if (const auto* log = find_device(rig, config.log))
+    replace_if_known(options.log_sigma_mps, sample_sigma(c.log_grade.primary, log->rate_hz));
+  if (const auto* depth = find_device(rig, c.depth)) {
+    const double pascal_per_metre =
+        depth->water_density_kgm3 * measurement::ocean::standard_gravity_mps2;
+    replace_if_known(options.depth_sigma_m,
+                     sample_sigma(c.depth_grade.primary, depth->rate_hz) / pascal_per_metre);
+  }
+  if (const auto* actuators = find_device(rig, c.actuators))
+    options.actuators = index_in(rig, actuators);
+  if (c.vehicle) {
+    options.vehicle = vehicle::dimensional(*c.vehicle);
+    options.advance_m = c.vehicle->propeller.advance_m;
+  }
+  return options;
+}
+
+}  // namespace drydock::cli

@@ -1,0 +1,143 @@
+#include "hil/bench/lockstep_bench.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "drivers/host/rig_bus.hpp"
+#include "drivers/shell/recorded_bus.hpp"
+#include "drivers/shell/recorded_line.hpp"
+#include "drivers/shell/rig_devices.hpp"
+#include "estimators/setup/rig_pipeline.hpp"
+
+namespace drydock::cli {
+namespace {
+
+using measurement::Stamp;
+
+constexpr unsigned default_bit_rate = 250'000;
+
+template <class Result>
+auto or_throw(Result result) {
+  if (!result) throw std::runtime_error(result.error().message);
+  return std::move(*result);
+}
+
+}  // namespace
+
+/// What a driver sends goes to whatever emulates its other end, and past the watchers.
+class LockstepBench::ToLine final : public device::Transmitter {
+ public:
+  ToLine(const shell::Lockstep& clock, std::string link, shell::RawListener& raw)
+      : clock_(clock), link_(std::move(link)), raw_(raw) {}
+  void send(wire::Bytes bytes) override {
+    raw_.on_bytes(link_, shell::Direction::sent, bytes, clock_.now());
+    if (line != nullptr) line->receive(bytes, clock_.now());
+  }
+  void send(const wire::CanFrame& frame) override {
+    raw_.on_frame(link_, shell::Direction::sent, frame, clock_.now());
+    if (bus != nullptr) bus->receive(frame, clock_.now());
+  }
+  emulate::EmulatedLine* line = nullptr;
+  emulate::EmulatedBus* bus = nullptr;
+
+ private:
+  const shell::Lockstep& clock_;
+  std::string link_;
+  shell::RawListener& raw_;
+};
+
+LockstepBench::LockstepBench(const rig_config::Rig& rig, const motion::Trajectory& motion,
+                             const Listeners& listeners)
+    : rig_(rig),
+      listener_(listeners.devices),
+      raw_(listeners.raw),
+      on_written_(listeners.on_written),
+      start_(motion.start()),
+      clock_(start_),
+      faults_(rig, motion, start_),
+      pipeline_(or_throw(pipeline::make_pipeline(pipeline_options(rig), listeners.estimates))) {
+  auto drivers = or_throw(shell::make_devices(rig));
+  for (std::size_t i = 0; i < drivers.size(); ++i) add(rig.devices[i], std::move(drivers[i]));
+  for (auto& bus : buses_) clock_.add(*bus.second.bus);
+}
+
+LockstepBench::~LockstepBench() = default;
+
+void LockstepBench::add(const rig_config::DeviceConfig& config,
+                        std::unique_ptr<device::Device> device) {
+  const auto uri = link::parse_uri(config.link);
+  if (!uri) throw std::runtime_error(uri.error().message);
+  to_lines_.push_back(std::make_unique<ToLine>(clock_, config.link, raw_));
+  device::Listener& listener = *this;
+  actors_.push_back(std::make_unique<shell::DeviceActor>(
+      std::move(device), listener, *to_lines_.back(), start_, provenance_of(config.link)));
+  auto& actor = *actors_.back();
+  clock_.add(actor);
+  if (uri->recorded()) {
+    actor.tap(raw_);
+    if (actor.device().on_bus()) {
+      recordings_.push_back(std::make_unique<shell::RecordedBus>(*uri, actor, start_));
+    } else {
+      recordings_.push_back(std::make_unique<shell::RecordedLine>(*uri, actor, start_));
+    }
+    clock_.add(*recordings_.back());
+  } else if (!uri->emulated()) {
+    throw std::runtime_error(fmt::format(
+        "{}:{}: device \"{}\": {} is real hardware, which has no virtual time; "
+        "allowed with --speed max: pty, memory, memory-can, can:auto, file, socketcan:vcan*",
+        rig_.file, config.line, config.name, config.link));
+  } else if (uri->carries() == link::Carries::bytes) {
+    add_line(config, *uri, actor);
+  } else {
+    add_to_bus(config, *uri, actor);
+  }
+}
+
+void LockstepBench::add_line(const rig_config::DeviceConfig& config, const link::Uri& uri,
+                             shell::DeviceActor& actor) {
+  lines_.push_back(std::make_unique<emulate::EmulatedLine>(
+      or_throw(faults_.device(config)), uri.baud().value_or(emulate::without_line_rate),
+      [this, &actor, name = config.name](wire::Bytes bytes, const emulate::Passage& passage) {
+        if (on_written_) on_written_(name, passage, passage.ended_at);
+        actor.receive(bytes, passage.ended_at);
+      }));
+  lines_.back()->set_on_port([&actor](bool there, Stamp at) { actor.set_port(there, at); });
+  actor.tap(raw_);
+  to_lines_.back()->line = lines_.back().get();
+  clock_.add(*lines_.back());
+}
+
+void LockstepBench::add_to_bus(const rig_config::DeviceConfig& config, const link::Uri& uri,
+                               shell::DeviceActor& actor) {
+  auto& bus = buses_[config.link];
+  if (!bus.bus) {
+    bus.bus = std::make_unique<emulate::EmulatedBus>(
+        uri.bitrate().value_or(default_bit_rate),
+        [this, &bus, link = config.link](const wire::CanFrame& frame, std::size_t sender,
+                                         const emulate::Passage& passage) {
+          const Stamp at = passage.ended_at;
+          if (on_written_) on_written_(bus.names.at(sender), passage, at);
+          raw_.on_frame(link, shell::Direction::received, frame, at);
+          for (auto* driver : bus.drivers) driver->receive(frame, at);
+        });
+  }
+  bus.bus->add(or_throw(faults_.device(config)));
+  bus.names.push_back(config.name);
+  bus.bus->add(faults_.rogue(config, uri.bitrate().value_or(default_bit_rate)));
+  bus.names.emplace_back();  // a rogue's frames are no device's
+  bus.drivers.push_back(&actor);
+  to_lines_.back()->bus = bus.bus.get();
+}
+
+void LockstepBench::on_measurement(const measurement::Measurement& m) {
+  listener_.on_measurement(m);
+  pipeline_.receive(m);
+}
+
+void LockstepBench::on_state(const device::Device& device, const device::Transition& change) {
+  listener_.on_state(device, change);
+}
+
+}  // namespace drydock::cli

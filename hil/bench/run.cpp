@@ -1,0 +1,98 @@
+#include "hil/bench/run.hpp"
+
+#include "hil/report/write_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <iterator>
+#include <stdexcept>
+
+#include "drivers/terminal/exit_codes.hpp"
+#include "hil/bench/truth_of_rig.hpp"
+#include "hil/summary/junit.hpp"
+
+namespace drydock::cli {
+namespace {
+
+/// --expect-streaming and --expect-rms, as blocks [[expect]].
+std::vector<rig_config::ExpectConfig> asked_for(const rig_config::Rig& rig,
+                                                const RunOptions& options) {
+  std::vector<rig_config::ExpectConfig> expects;
+  if (options.expect_streaming) {
+    for (const auto& d : rig.devices) {
+      expects.emplace_back();
+      expects.back().device = d.name;
+      expects.back().state = "streaming";
+    }
+  }
+  if (!options.expect_rms_deg) return expects;
+  for (const auto& e : rig.estimators) {
+    expects.emplace_back();
+    expects.back().estimator = e.name;
+    expects.back().figures.push_back({"estimates", {.low = 1}});
+    if (!truth_for_estimators(rig)) continue;
+    for (const char* figure : {"roll_rms_deg", "pitch_rms_deg"})
+      expects.back().figures.push_back({figure, {.high = *options.expect_rms_deg}});
+  }
+  return expects;
+}
+
+void print(const Summary& summary, const RunOptions& options) {
+  fmt::print("\n{}: {:.1f} s of bench time in {:.1f} s{}{}\n{}", summary.rig, summary.duration_s,
+             summary.wall_s,
+             options.lockstep ? fmt::format(", {:.0f} times real time", summary.speed()) : "",
+             summary.interrupted ? " (interrupted)" : "", to_text(summary));
+}
+
+/// A CI server is told of a run that could not begin as well.
+Summary run_or_report(const rig_config::Rig& rig, const RunOptions& options) try {
+  return options.lockstep ? run_lockstep(rig, options) : run_real_time(rig, options);
+} catch (const std::exception& error) {
+  if (!options.junit.empty())
+    write_file(options.junit, junit_of_failure(rig.name, rig.file, error.what()));
+  throw;
+}
+
+}  // namespace
+
+DeviceSummary summarise(const device::Device& device, const device::Health& health,
+                        measurement::Provenance provenance) {
+  const auto& options = device.options();
+  return {.name = device.name(),
+          .kind = std::string{device::to_string(options.driver.kind)},
+          .protocol = options.driver.protocol,
+          .link = options.link,
+          .provenance = std::string{measurement::to_string(provenance)},
+          .state = std::string{device::to_string(health.state)},
+          .last_error = std::string{health.last_error.view()},
+          .nominal_rate_hz = health.nominal_rate_hz,
+          .rate_hz = health.rate_hz.value_or(0),
+          .bytes_in = health.stream.bytes_in,
+          .bytes_good = health.stream.bytes_good,
+          .bytes_skipped = health.stream.bytes_skipped,
+          .bytes_held = health.held_bytes,
+          .frames = health.stream.frames,
+          .bad_checksums = health.stream.bad_checksums,
+          .messages = health.messages,
+          .reopens = health.reopened};
+}
+
+int run(const rig_config::Rig& rig, const RunOptions& options) {
+  rig_config::Rig asked = rig;
+  std::ranges::move(asked_for(rig, options), std::back_inserter(asked.expects));
+  const Summary summary = run_or_report(asked, options);
+  print(summary, options);
+  if (!options.json.empty()) write_file(options.json, to_json(summary));
+  if (!options.junit.empty()) write_file(options.junit, to_junit(summary, rig.file));
+  if (!options.report.empty()) {
+    const auto page = std::filesystem::path(options.report) / "index.html";
+    write_file(page, to_html(summary));
+    fmt::print("report: {}\n", page.string());
+  }
+  return std::ranges::all_of(summary.verdicts, &Verdict::passed) ? 0 : exit_failed;
+}
+
+}  // namespace drydock::cli

@@ -1,0 +1,181 @@
+#include "hil/control/control_socket.hpp"
+
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <boost/asio/as_tuple.hpp>
+#include <boost/asio/co_spawn.hpp>
+#include <boost/asio/detached.hpp>
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/local/stream_protocol.hpp>
+#include <boost/asio/read.hpp>
+#include <boost/asio/read_until.hpp>
+#include <boost/asio/steady_timer.hpp>
+#include <boost/asio/use_awaitable.hpp>
+#include <boost/asio/write.hpp>
+#include <chrono>
+#include <filesystem>
+#include <vector>
+
+#include "drivers/link/link.hpp"
+
+namespace drydock::cli {
+
+namespace {
+
+namespace asio = boost::asio;
+namespace fs = std::filesystem;
+using Local = asio::local::stream_protocol;
+
+constexpr auto outcome = asio::as_tuple(asio::use_awaitable);
+constexpr std::chrono::seconds patience{5};  ///< with one that connects and says nothing
+constexpr std::chrono::seconds quick{1};     ///< an answer where drivers run beside
+constexpr std::size_t most_callers = 16;
+
+/// Empty: the folder is there and nobody else may put names into it.
+std::string why_not_ours(const fs::path& folder) {
+  ::mkdir(folder.c_str(), 0700);
+  struct stat info {};
+  if (::stat(folder.c_str(), &info) != 0 || !S_ISDIR(info.st_mode))
+    return folder.string() + " is no folder";
+  if (info.st_uid != ::getuid() || (info.st_mode & (S_IWGRP | S_IWOTH)) != 0)
+    return folder.string() + " may be written by others";
+  return {};
+}
+
+bool somebody_answers(const std::string& path) {
+  asio::io_context io;
+  Local::socket socket(io);
+  boost::system::error_code refused;
+  socket.connect(Local::endpoint(path), refused);
+  return !refused;
+}
+
+void close_when_over(asio::steady_timer& time, const std::shared_ptr<Local::socket>& socket) {
+  time.async_wait([socket](const boost::system::error_code& ended) {
+    boost::system::error_code already_gone;
+    if (!ended) socket->close(already_gone);
+  });
+}
+
+}  // namespace
+
+std::string control_path(std::string_view rig_name) {
+  std::string name(rig_name);
+  std::ranges::replace(name, '/', '_');
+  return link::pty_path(name + ".control");
+}
+
+/// Shared with the coroutines.
+struct ControlSocket::House : std::enable_shared_from_this<House> {
+  House(const asio::any_io_executor& executor, std::string where, Answer answers)
+      : acceptor(executor), path(std::move(where)), answer(std::move(answers)) {}
+
+  boost::system::error_code listen();
+  asio::awaitable<void> receive_callers();
+  asio::awaitable<void> serve(std::shared_ptr<Local::socket> caller);
+  void close();
+
+  Local::acceptor acceptor;
+  std::string path;
+  Answer answer;
+  std::vector<std::weak_ptr<Local::socket>> callers;
+};
+
+/// Bound under another name and renamed, so that it is never there with a mode that lets others in.
+boost::system::error_code ControlSocket::House::listen() {
+  const std::string fresh = path + "." + std::to_string(::getpid()) + ".new";
+  ::unlink(fresh.c_str());
+  boost::system::error_code error;
+  acceptor.open(Local(), error);
+  if (!error) acceptor.bind(Local::endpoint(fresh), error);
+  if (!error && ::chmod(fresh.c_str(), 0600) != 0)
+    error.assign(errno, boost::system::system_category());
+  if (!error) acceptor.listen(static_cast<int>(most_callers), error);
+  if (!error && ::rename(fresh.c_str(), path.c_str()) != 0)
+    error.assign(errno, boost::system::system_category());
+  if (error) ::unlink(fresh.c_str());
+  return error;
+}
+
+asio::awaitable<void> ControlSocket::House::receive_callers() {
+  const auto self = shared_from_this();
+  while (acceptor.is_open()) {
+    auto [error, socket] = co_await acceptor.async_accept(outcome);
+    if (error) co_return;
+    std::erase_if(callers, [](const auto& caller) { return caller.expired(); });
+    if (callers.size() >= most_callers) continue;
+    auto caller = std::make_shared<Local::socket>(std::move(socket));
+    callers.push_back(caller);
+    asio::co_spawn(acceptor.get_executor(), serve(std::move(caller)), asio::detached);
+  }
+}
+
+asio::awaitable<void> ControlSocket::House::serve(std::shared_ptr<Local::socket> caller) {
+  const auto self = shared_from_this();
+  asio::steady_timer silence(caller->get_executor(), patience);
+  close_when_over(silence, caller);
+  std::string request;
+  const auto [error, size] = co_await asio::async_read_until(
+      *caller, asio::dynamic_buffer(request, longest_line), '\n', outcome);
+  if (error || !acceptor.is_open()) co_return;
+  const std::string line = answer(std::string_view(request).substr(0, size - 1)) + "\n";
+  co_await asio::async_write(*caller, asio::buffer(line), outcome);
+}
+
+void ControlSocket::House::close() {
+  boost::system::error_code already_gone;
+  if (acceptor.is_open()) ::unlink(path.c_str());
+  acceptor.close(already_gone);
+  for (const auto& weak : callers)
+    if (const auto caller = weak.lock()) caller->close(already_gone);
+}
+
+boost::system::result<std::unique_ptr<ControlSocket>, std::string> ControlSocket::open(
+    const asio::any_io_executor& executor, const std::string& path, Answer answer) {
+  if (auto why = why_not_ours(fs::path(path).parent_path()); !why.empty()) return why;
+  if (somebody_answers(path)) return "another program answers at " + path;
+  auto house = std::make_shared<House>(executor, path, std::move(answer));
+  if (const auto error = house->listen())
+    return "cannot listen at " + path + ": " + error.message();
+  asio::co_spawn(executor, house->receive_callers(), asio::detached);
+  return std::unique_ptr<ControlSocket>(new ControlSocket(std::move(house)));
+}
+
+ControlSocket::~ControlSocket() { house_->close(); }
+
+boost::system::result<std::string> ask(const std::string& path, const std::string& request) {
+  asio::io_context io;
+  Local::socket socket(io);
+  boost::system::error_code error;
+  socket.connect(Local::endpoint(path), error);
+  if (!error) asio::write(socket, asio::buffer(request + "\n"), error);
+  if (error) return error;
+  std::string answer;
+  asio::read(socket, asio::dynamic_buffer(answer), error);
+  if (error != asio::error::eof) return error;
+  if (answer.empty()) return asio::error::make_error_code(asio::error::eof);
+  answer.pop_back();
+  return answer;
+}
+
+asio::awaitable<boost::system::result<std::string>> ask_soon(std::string path,
+                                                             std::string request) {
+  const auto socket = std::make_shared<Local::socket>(co_await asio::this_coro::executor);
+  asio::steady_timer silence(socket->get_executor(), quick);
+  close_when_over(silence, socket);
+  std::string answer;
+  auto [error] = co_await socket->async_connect(Local::endpoint(path), outcome);
+  if (error) co_return error;
+  request += '\n';
+  const auto [unsent, sent] = co_await asio::async_write(*socket, asio::buffer(request), outcome);
+  if (unsent) co_return unsent;
+  const auto [ended, size] = co_await asio::async_read_until(
+      *socket, asio::dynamic_buffer(answer, ControlSocket::longest_answer), '\n', outcome);
+  if (ended) co_return ended;
+  answer.resize(size - 1);
+  co_return answer;
+}
+
+}  // namespace drydock::cli

@@ -1,0 +1,150 @@
+#include "hil/emulate/can/canopen_device.hpp"
+
+#include <algorithm>
+
+namespace drydock::emulate {
+namespace {
+
+namespace canopen = wire::canopen;
+using canopen::NmtCommand;
+using canopen::NodeState;
+
+constexpr std::uint8_t default_node = 1;
+constexpr canopen::ObjectEntry device_type_entry{0x1000, 0}, error_register_entry{0x1001, 0},
+    heartbeat_entry{0x1017, 0};
+constexpr std::uint16_t identity_index = 0x1018, pdo_index = 0x1800, mapping_index = 0x1A00;
+constexpr std::uint8_t on_each_sync = 1, by_the_profile = 0xFE;  // PDO transmission types
+constexpr std::uint32_t read_only = 0x06010002, no_such_object = 0x06020000,
+                        length_differs = 0x06070010, not_in_this_state = 0x08000022;
+
+void earlier_of(std::optional<Stamp>& first, const std::optional<Stamp>& other) {
+  if (other && (!first || *other < *first)) first = other;
+}
+
+}  // namespace
+
+CanopenDevice::CanopenDevice(const DeviceSetup& setup, std::uint32_t device_type)
+    : SamplingDevice(setup),
+      node_(setup.config.address != 0 ? static_cast<std::uint8_t>(setup.config.address)
+                                      : default_node),
+      device_type_(device_type),
+      on_sync_(setup.config.sync),
+      next_heartbeat_(setup.boot) {}
+
+std::optional<Stamp> CanopenDevice::deadline() const {
+  auto next = on_sync_ ? std::optional<Stamp>{} : SamplingDevice::deadline();
+  if (synced_) earlier_of(next, *synced_ + latency());
+  earlier_of(next, next_heartbeat_);
+  return next;
+}
+
+void CanopenDevice::tick(Stamp now, Wire& out) {
+  if (next_heartbeat_ && *next_heartbeat_ <= now) beat(now, out);
+  if (synced_ && *synced_ + latency() <= now) {
+    take(*synced_, out);
+    synced_.reset();
+  }
+  if (!on_sync_) SamplingDevice::tick(now, out);
+}
+
+void CanopenDevice::sample(Stamp at, Wire& out) {
+  if (state_ == NodeState::operational) report(at, out);
+}
+
+/// The first beat says "boot-up"; the node is then pre-operational until it is started.
+void CanopenDevice::beat(Stamp now, Wire& out) {
+  out.send(canopen::encode(canopen::Heartbeat{node_, state_}));
+  if (state_ == NodeState::boot_up) state_ = NodeState::pre_operational;
+  next_heartbeat_.reset();
+  if (heartbeat_period_.count() > 0) next_heartbeat_ = now + heartbeat_period_;
+}
+
+void CanopenDevice::receive(const wire::CanFrame& frame, Stamp now, Wire& out) {
+  if (state_ == NodeState::boot_up) return;
+  if (const auto order = canopen::decode_nmt(frame)) return obey(*order, now, out);
+  if (on_sync_ && canopen::is_sync(frame)) synced_ = now;
+  if (state_ == NodeState::stopped) return;
+  if (const auto request = canopen::decode_sdo_request(frame)) {
+    if (const auto* read = std::get_if<canopen::SdoRead>(&*request)) return serve(*read, out);
+    serve(std::get<canopen::SdoWrite>(*request), now, out);
+  }
+}
+
+void CanopenDevice::obey(const canopen::Nmt& order, Stamp now, Wire& out) {
+  if (order.node != 0 && order.node != node_) return;
+  switch (order.command) {
+    case NmtCommand::start: state_ = NodeState::operational; break;
+    case NmtCommand::stop: state_ = NodeState::stopped; break;
+    case NmtCommand::enter_pre_operational: state_ = NodeState::pre_operational; break;
+    case NmtCommand::reset_node:
+    case NmtCommand::reset_communication:
+      state_ = NodeState::boot_up;
+      beat(now, out);
+      break;
+  }
+}
+
+std::optional<CanopenDevice::Object> CanopenDevice::find(const canopen::ObjectEntry& entry) const {
+  if (entry == device_type_entry) return Object{device_type_, 4};
+  if (entry == error_register_entry) return Object{error_register_, 1};
+  if (entry == heartbeat_entry) {
+    return Object{static_cast<std::uint32_t>(heartbeat_period_.count()), 2};
+  }
+  if (entry == canopen::ObjectEntry{identity_index, 0}) return Object{1, 1};
+  if (entry == canopen::ObjectEntry{identity_index, 1}) return Object{0, 4};  // nobody's product
+  if (const auto found = pdo_object(entry)) return found;
+  return object(entry);
+}
+
+std::optional<CanopenDevice::Object> CanopenDevice::pdo_object(
+    const canopen::ObjectEntry& entry) const {
+  const unsigned place = entry.index & 0xFF, group = entry.index & 0xFF00;
+  if ((group != pdo_index && group != mapping_index) || place >= pdos().size()) return {};
+  const Mapping mapping = pdos()[place];
+  if (group == mapping_index) {
+    if (entry.subindex == 0) return Object{static_cast<std::uint32_t>(mapping.size()), 1};
+    if (entry.subindex > mapping.size()) return {};
+    return Object{mapping[entry.subindex - 1u], 4};
+  }
+  switch (entry.subindex) {
+    case 0: return Object{2, 1};
+    case 1: return Object{canopen::tpdo_id(place + 1, node_), 4};
+    case 2: return Object{on_sync_ ? on_each_sync : by_the_profile, 1};
+    default: return {};
+  }
+}
+
+void CanopenDevice::serve(const canopen::SdoRead& request, Wire& out) const {
+  if (request.node != node_) return;
+  const auto found = find(request.entry);
+  if (found) {
+    out.send(canopen::encode(canopen::SdoValue{node_, request.entry, found->value, found->size}));
+  } else {
+    out.send(canopen::encode(canopen::SdoAbort{node_, request.entry, no_such_object}));
+  }
+}
+
+void CanopenDevice::serve(const canopen::SdoWrite& request, Stamp now, Wire& out) {
+  if (request.node != node_) return;
+  const auto refuse = [&](std::uint32_t code) {
+    out.send(canopen::encode(canopen::SdoAbort{node_, request.entry, code}));
+  };
+  if (condition().refuses) return refuse(not_in_this_state);
+  if (request.entry != heartbeat_entry) {
+    return refuse(find(request.entry) ? read_only : no_such_object);
+  }
+  if (request.size != 2) return refuse(length_differs);
+  heartbeat_period_ = std::chrono::milliseconds{request.value};
+  next_heartbeat_.reset();
+  if (heartbeat_period_.count() > 0) next_heartbeat_ = now + heartbeat_period_;
+  out.send(canopen::encode(canopen::SdoWritten{node_, request.entry}));
+}
+
+void CanopenDevice::set_fault(std::uint16_t code, std::uint8_t error_register, Wire& out) {
+  if (code == fault_) return;
+  fault_ = code;
+  error_register_ = error_register;
+  out.send(canopen::encode(canopen::Emergency{node_, code, error_register, {}}));
+}
+
+}  // namespace drydock::emulate

@@ -1,0 +1,89 @@
+#include <algorithm>
+#include <cmath>
+
+#include "drivers/wire/nmea2000/nmea2000.hpp"
+#include "hil/emulate/can/j1939_device.hpp"
+#include "hil/emulate/devices.hpp"
+#include "hil/sensor/ideal.hpp"
+
+namespace drydock::emulate {
+namespace {
+
+constexpr std::uint8_t preferred_address = 0x23;
+// NMEA 2000 class "sensor communication interface", function "pressure"; industry group marine.
+constexpr std::uint8_t device_class = 75, pressure_function = 140, marine = 4;
+constexpr double echo_range_m = 200;
+constexpr double temperature_interval_s = 2, depth_interval_s = 1;  // as NMEA 2000 has it
+constexpr unsigned sequences = 253;                                 // SIDs above 252 are reserved
+
+std::uint64_t name_value(const DeviceConfig& config) {
+  auto name = name_for(config, pressure_function, device_class);
+  name.industry_group = marine;
+  return to_value(name);
+}
+
+class Nmea2000Depth final : public J1939Device {
+ public:
+  explicit Nmea2000Depth(const DeviceSetup& setup)
+      : J1939Device(setup, name_value(setup.config), preferred_address),
+        errors_(setup.primary_errors()) {}
+
+ private:
+  void report(Stamp at, std::uint8_t address, Wire& out) override {
+    const auto truth = trajectory().at(at);
+    const auto ideal = sensor::ideal_depth(truth, trajectory().ocean(), mounting());
+    send_pressure(*ideal.pressure_pa, at, address, out);
+    if (each(temperature_interval_s)) send_temperature(*ideal.temperature_k, address, out);
+    if (each(depth_interval_s))
+      send_depth(sensor::altitude_at(truth, trajectory().ocean(), mounting()), address, out);
+    ++reports_;
+  }
+
+  /// Whether so many seconds have gone by, by the count of reports; true for the first.
+  bool each(double interval_s) const {
+    const auto period = std::max<std::uint64_t>(1, std::llround(interval_s * rate_hz()));
+    return reports_ % period == 0;
+  }
+  std::uint8_t sequence() const { return static_cast<std::uint8_t>(samples() % sequences); }
+
+  void send_pressure(double ideal_pa, Stamp at, std::uint8_t address, Wire& out) {
+    wire::nmea2000::Pressure pressure;
+    pressure.source = address;
+    pressure.sequence = sequence();
+    pressure.instance = 0;
+    pressure.kind = wire::nmea2000::Pressure::water;
+    pressure.pressure_pa = errors_.apply(ideal_pa, at);
+    out.send(encode(pressure));
+  }
+
+  void send_temperature(double actual_k, std::uint8_t address, Wire& out) {
+    wire::nmea2000::Temperature temperature;
+    temperature.source = address;
+    temperature.sequence = sequence();
+    temperature.instance = 0;
+    temperature.kind = wire::nmea2000::Temperature::sea;
+    temperature.actual_k = actual_k;
+    out.send(encode(temperature));
+  }
+
+  void send_depth(double altitude, std::uint8_t address, Wire& out) {
+    wire::nmea2000::WaterDepth below;
+    below.source = address;
+    below.sequence = sequence();
+    if (altitude > 0 && altitude <= echo_range_m) below.depth_m = altitude;
+    below.offset_m = 0;
+    below.maximum_range_m = echo_range_m;
+    out.send(encode(below));
+  }
+
+  sensor::ErrorModel errors_;
+  std::uint64_t reports_ = 0;  ///< before the one under way
+};
+
+}  // namespace
+
+DevicePtr make_nmea2000_depth(const DeviceSetup& setup) {
+  return std::make_unique<Nmea2000Depth>(setup);
+}
+
+}  // namespace drydock::emulate

@@ -1,0 +1,108 @@
+#include <algorithm>
+#include <array>
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/redirect_error.hpp>
+#include <boost/asio/use_awaitable.hpp>
+
+#include "hil/emulate/real_time/runner.hpp"
+
+namespace drydock::emulate {
+namespace {
+
+constexpr std::chrono::milliseconds longest_chunk{4};
+
+/// Before a port that could not be made is tried again.
+constexpr std::chrono::milliseconds port_patience{100};
+
+}  // namespace
+
+LineRunner::LineRunner(boost::asio::io_context& io, link::Uri uri,
+                       RealTimeEmulator::OnWritten on_written, std::string name,
+                       std::unique_ptr<EmulatedDevice> device, std::unique_ptr<link::ByteLink> line)
+    : Runner(io, uri.text, std::move(on_written)),
+      uri_(std::move(uri)),
+      name_(std::move(name)),
+      device_(std::move(device)),
+      pacer_(uri_.baud().value_or(without_line_rate), longest_chunk),
+      line_(std::move(line)),
+      port_(io) {}
+
+RealTimeEmulator::Counters LineRunner::counters() const {
+  auto counters = Runner::counters();
+  counters.lost = pacer_.messages_lost();
+  return counters;
+}
+
+void LineRunner::close() {
+  if (line_) line_->close();
+  port_.cancel();
+}
+
+/// What is still on the line when the port goes is lost. Closing ends hear().
+void LineRunner::unplug() {
+  plugged_ = false;
+  pacer_.drop_all();
+  if (line_) line_->close();
+  line_.reset();
+}
+
+void LineRunner::plug() {
+  plugged_ = true;
+  port_.cancel();
+}
+
+Runner::Coroutine LineRunner::listen() {
+  while (!stopped_) {
+    if (line_) {
+      co_await hear();
+    } else {
+      co_await plug_in();
+    }
+  }
+}
+
+Runner::Coroutine LineRunner::hear() {
+  std::array<std::uint8_t, 512> buffer;
+  const auto line = line_;
+  while (const auto received = co_await line->read(buffer)) {
+    wire_time_ = link::steady_now();
+    device_->receive(wire::Bytes{buffer}.first(received->size), wire_time_, *this);
+    wake();
+  }
+  if (line_ == line) line_.reset();  // lost without a fault
+}
+
+Runner::Coroutine LineRunner::plug_in() {
+  port_.expires_at(boost::asio::steady_timer::time_point::max());
+  if (plugged_) {
+    auto opened = link::open_bytes(port_.get_executor(), uri_, link::Side::device);
+    if (opened) {
+      line_ = std::move(*opened);
+      co_return;
+    }
+    port_.expires_after(port_patience);
+  }
+  boost::system::error_code woken;
+  co_await port_.async_wait(boost::asio::redirect_error(boost::asio::use_awaitable, woken));
+}
+
+Runner::Coroutine LineRunner::send_due(Stamp now) {
+  let_act(*device_, now, *this, wire_time_);
+  while (const auto chunk = pacer_.take(now)) {
+    const auto line = line_;
+    if (!line) continue;  // lost, as on a wire that ends nowhere
+    note_time(chunk->at, now);
+    const auto result = co_await line->write(chunk->bytes);
+    note_written(result, name_, chunk->ends_message, chunk->of_message);
+    if (stopped_) co_return;
+  }
+}
+
+std::optional<Stamp> LineRunner::deadline() const {
+  const auto device = device_->deadline();
+  const auto line = pacer_.deadline();
+  if (!device || !line) return device ? device : line;
+  return std::min(*device, *line);
+}
+
+}  // namespace drydock::emulate

@@ -1,0 +1,85 @@
+#include "hil/emulate/real_time/real_time.hpp"
+
+#include <algorithm>
+#include <boost/asio/io_context.hpp>
+
+#include "hil/emulate/real_time/runner.hpp"
+
+namespace drydock::emulate {
+namespace {
+
+EmulateError cannot(const rig_config::DeviceConfig& config, const std::string& why) {
+  return {"device \"" + config.name + "\": " + why};
+}
+
+}  // namespace
+
+RealTimeEmulator::RealTimeEmulator(boost::asio::io_context& io, DeviceMaker& maker)
+    : io_(io), maker_(maker) {}
+
+RealTimeEmulator::~RealTimeEmulator() { stop(); }
+
+void RealTimeEmulator::set_on_written(OnWritten hook) { on_written_ = std::move(hook); }
+
+boost::system::result<void, EmulateError> RealTimeEmulator::start(
+    const std::vector<rig_config::DeviceConfig>& devices) {
+  for (const auto& config : devices) {
+    if (auto added = add(config); !added) {
+      runners_.clear();
+      return added;
+    }
+  }
+  for (const auto& runner : runners_) runner->start();
+  return {};
+}
+
+boost::system::result<void, EmulateError> RealTimeEmulator::add(
+    const rig_config::DeviceConfig& config) {
+  auto device = maker_.device(config);
+  if (!device) return device.error();
+  const auto uri = link::parse_uri(config.link);
+  if (!uri) return cannot(config, uri.error().message);
+
+  if (uri->carries() == link::Carries::bytes) {
+    auto line = link::open_bytes(io_.get_executor(), *uri, link::Side::device);
+    if (!line) return cannot(config, line.error().message);
+    runners_.push_back(std::make_shared<LineRunner>(io_, *uri, on_written_, config.name,
+                                                    std::move(*device), std::move(*line)));
+    return {};
+  }
+
+  const auto same_link = [&](const auto& runner) { return runner->link() == config.link; };
+  auto found = std::find_if(runners_.begin(), runners_.end(), same_link);
+  if (found == runners_.end()) {
+    auto bus = link::open_frames(io_.get_executor(), *uri, link::Side::device);
+    if (!bus) return cannot(config, bus.error().message);
+    runners_.push_back(std::make_shared<BusRunner>(io_, *uri, on_written_, std::move(*bus)));
+    found = runners_.end() - 1;
+  }
+  auto& bus = static_cast<BusRunner&>(**found);
+  bus.add(config.name, std::move(*device));
+  if (auto rogue = maker_.rogue(config, *uri->bitrate())) bus.add(config.name, std::move(rogue));
+  return {};
+}
+
+void RealTimeEmulator::wake() {
+  for (const auto& runner : runners_) runner->wake();
+}
+
+void RealTimeEmulator::stop() {
+  for (const auto& runner : runners_) runner->stop();
+}
+
+RealTimeEmulator::Counters RealTimeEmulator::counters() const {
+  Counters all;
+  for (const auto& runner : runners_) {
+    const Counters one = runner->counters();
+    all.messages += one.messages;
+    all.late += one.late;
+    all.lost += one.lost;
+    all.write_errors += one.write_errors;
+  }
+  return all;
+}
+
+}  // namespace drydock::emulate

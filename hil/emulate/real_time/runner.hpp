@@ -1,0 +1,118 @@
+#pragma once
+
+#include <boost/asio/awaitable.hpp>
+#include <boost/asio/steady_timer.hpp>
+#include <memory>
+#include <string>
+
+#include "drivers/link/clock.hpp"
+#include "drivers/link/link.hpp"
+#include "hil/emulate/can_pacer.hpp"
+#include "hil/emulate/line_pacer.hpp"
+#include "hil/emulate/real_time/real_time.hpp"
+
+namespace drydock::emulate {
+
+/// Serves one link in real time: one coroutine sends what is due, one hears the drivers. Both keep
+/// the runner alive until they have ended.
+class Runner : public std::enable_shared_from_this<Runner> {
+ public:
+  Runner(boost::asio::io_context& io, std::string link, RealTimeEmulator::OnWritten on_written);
+  virtual ~Runner() = default;
+
+  void start();
+  void stop();
+  void wake() { timer_.cancel(); }  ///< the deadline may have come nearer
+  const std::string& link() const { return link_; }
+  virtual RealTimeEmulator::Counters counters() const { return counters_; }
+
+ protected:
+  using Coroutine = boost::asio::awaitable<void>;
+
+  virtual Coroutine listen() = 0;             ///< until the link is closed
+  virtual Coroutine send_due(Stamp now) = 0;  ///< lets devices act and writes what is due
+  virtual std::optional<Stamp> deadline() const = 0;
+  virtual void close() = 0;
+
+  void note_time(Stamp should, Stamp is);
+  void note_written(const boost::system::result<void>& result, const std::string& device,
+                    bool whole_message, const Passage& passage);
+
+  /// Devices act at the time they asked for, so that late wake-ups do not shift what they send.
+  /// After a stall they catch up at once, and the pacer drops what the line could not have carried.
+  void let_act(EmulatedDevice& device, Stamp now, Wire& wire, Stamp& wire_time);
+
+  bool stopped_ = false;
+
+ private:
+  Coroutine keep_pace();
+
+  std::string link_;
+  boost::asio::steady_timer timer_;
+  RealTimeEmulator::OnWritten on_written_;
+  RealTimeEmulator::Counters counters_;
+};
+
+/// A byte device at the end of a paced line, whose port may go and come back.
+class LineRunner final : public Runner, private Wire {
+ public:
+  LineRunner(boost::asio::io_context& io, link::Uri uri, RealTimeEmulator::OnWritten on_written,
+             std::string name, std::unique_ptr<EmulatedDevice> device,
+             std::unique_ptr<link::ByteLink> line);
+
+  RealTimeEmulator::Counters counters() const override;
+
+ private:
+  Coroutine listen() override;
+  Coroutine send_due(Stamp now) override;
+  std::optional<Stamp> deadline() const override;
+  void close() override;
+
+  Coroutine hear();     ///< until the port goes
+  Coroutine plug_in();  ///< when the port may come back
+
+  void send(wire::Bytes bytes) override { pacer_.queue(bytes, wire_time_, device_->sampled_at()); }
+  void send(const wire::CanFrame&) override {}  // frames do not travel on a serial line
+  void unplug() override;
+  void plug() override;
+
+  link::Uri uri_;
+  std::string name_;
+  std::unique_ptr<EmulatedDevice> device_;
+  LinePacer pacer_;
+  std::shared_ptr<link::ByteLink> line_;  ///< empty: the port is gone
+  bool plugged_ = true;
+  boost::asio::steady_timer port_;  ///< cancelled as a signal: plugged_ has changed
+  Stamp wire_time_{};
+};
+
+/// The nodes of one CAN bus, whose interface may be set down and up again.
+class BusRunner final : public Runner {
+ public:
+  BusRunner(boost::asio::io_context& io, link::Uri uri, RealTimeEmulator::OnWritten on_written,
+            std::unique_ptr<link::FrameLink> bus);
+  ~BusRunner() override;
+
+  void add(std::string name, std::unique_ptr<EmulatedDevice> device);
+  RealTimeEmulator::Counters counters() const override;
+
+ private:
+  struct Node;
+
+  Coroutine listen() override;
+  Coroutine send_due(Stamp now) override;
+  std::optional<Stamp> deadline() const override;
+  void close() override;
+
+  Coroutine open_again();
+  void deliver(const wire::CanFrame& frame, Stamp at, int sender);
+
+  link::Uri uri_;
+  CanPacer pacer_;
+  int cut_off_by_ = 0;  ///< nodes, for whose faults the drivers' controller is bus-off
+  std::shared_ptr<link::FrameLink> bus_;  ///< empty: the interface is down or gone
+  boost::asio::steady_timer retry_;
+  std::vector<std::unique_ptr<Node>> nodes_;
+};
+
+}  // namespace drydock::emulate

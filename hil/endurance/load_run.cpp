@@ -1,0 +1,204 @@
+#include "hil/endurance/load_run.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "drivers/link/clock.hpp"
+#include "drivers/terminal/exit_codes.hpp"
+#include "drivers/terminal/progress_bar.hpp"
+#include "hil/bench/run.hpp"
+#include "hil/report/study_report.hpp"
+#include "hil/report/write_file.hpp"
+#include "hil/validity/deadlines.hpp"
+#include "hil/validity/run/host_floor.hpp"
+#include "hil/validity/run/validity.hpp"
+
+namespace drydock::cli {
+namespace {
+
+using validity::Deadlines;
+using validity::Spread;
+
+/// The first sample must be out so long after the begin: power-up is not load.
+constexpr double settles_within_s = 5;
+
+struct LoadResult {
+  Summary summary;
+  std::vector<Deadlines> devices;  ///< in the order of the rig
+  HostTimes floor;
+};
+
+LoadResult measure(const rig_config::Rig& rig, const LoadOptions& options, std::FILE* bar) {
+  std::vector<std::string> names;
+  for (const auto& device : rig.devices) names.push_back(device.name);
+  validity::Listener listener(names);
+  RunOptions run;
+  run.duration_s = options.duration_s;
+  run.on_written = [&](std::string_view device, const emulate::Passage& passage,
+                       measurement::Stamp written) { listener.note(device, passage, written); };
+  run.on_measurement = [&](const measurement::Measurement& m) {
+    listener.note(m, link::steady_now());
+  };
+  const bool terminal = ::isatty(fileno(bar)) == 1;
+  run.on_progress = [&](double done) {
+    if (!terminal) return;
+    fmt::print(bar, "{}load {} {:.0f} of {:.0f} s, Ctrl-C ends", wipe_line, progress_bar(done),
+               std::min(done, 1.0) * options.duration_s, options.duration_s);
+    std::fflush(bar);
+  };
+  LoadResult result;
+  const auto begin = link::steady_now();
+  HostFloor host;
+  result.summary = run_real_time(rig, run);
+  result.floor = host.stop();
+  if (terminal) fmt::print(bar, "{}", wipe_line);
+
+  validity::Floor floor;
+  const HostTimes& seen = result.floor;
+  for (std::size_t i = 0; i < seen.timer_at.size(); ++i)
+    floor.add_timer(seen.timer_at[i], seen.timer_late_us[i]);
+  for (std::size_t i = 0; i < seen.pty_at.size(); ++i)
+    floor.add_link(seen.pty_at[i], seen.pty_hop_us[i]);
+  const auto end = begin + measurement::from_seconds(result.summary.duration_s);
+  const auto figures = listener.figures();
+  for (const auto& device : rig.devices) {
+    const auto first = std::ranges::find(figures, device.name, &validity::Figures::device);
+    const auto last = std::find_if(first, figures.end(),
+                                   [&](const auto& of) { return of.device != device.name; });
+    result.devices.push_back(validity::deadlines_of(device.name, device.rate_hz,
+                                                    listener.sampled_at(device.name), {first, last},
+                                                    floor, {begin, end}));
+  }
+  return result;
+}
+
+/// What a device fails for, in words; empty: it does not.
+std::vector<std::string> troubles_of(const Deadlines& d, const DeviceSummary& device) {
+  if (d.samples == 0) return {"no sample came out of its driver"};
+  std::vector<std::string> all;
+  if (d.missed > 0)
+    all.push_back(fmt::format("{} of {} deadlines missed, by up to {:.1f} ms", d.missed, d.samples,
+                              -d.least_margin_us / 1e3));
+  if (d.lost > 0) all.push_back(fmt::format("{} of {} samples lost", d.lost, d.samples));
+  if (!d.rate_held())
+    all.push_back(fmt::format("{:.3f} Hz instead of {:.3f}", d.sent_hz, d.asked_hz));
+  if (d.first_s > settles_within_s)
+    all.push_back(fmt::format("its first sample was out after {:.1f} s", d.first_s));
+  if (device.bad_checksums > 0)
+    all.push_back(fmt::format("{} bad checksums", device.bad_checksums));
+  if (device.reopens > 0) all.push_back(fmt::format("opened again {} times", device.reopens));
+  return all;
+}
+
+std::string in_ms(double us) { return fmt::format("{:.2f}", us / 1e3); }
+
+study::Table table_of(const LoadResult& result) {
+  study::Table table{"responses [ms]",
+                     {"device", "Hz", "Hz sent", "samples", "lost", "missed", "p50", "p99",
+                      "largest", "period", "least margin"},
+                     {},
+                     "From the sample until its driver has it out. Missed: later than a period "
+                     "and what the bare timer and pty below took in the same second; least margin: "
+                     "what was left of that."};
+  for (const Deadlines& d : result.devices)
+    table.rows.push_back(
+        {d.device, fmt::format("{:g}", d.asked_hz), fmt::format("{:.3f}", d.sent_hz),
+         std::to_string(d.samples), std::to_string(d.lost), std::to_string(d.missed),
+         in_ms(d.response.p50_us), in_ms(d.response.p99_us), in_ms(d.response.largest_us),
+         in_ms(1e6 / d.asked_hz), in_ms(d.least_margin_us)});
+  const auto add_floor = [&](const char* name, const std::vector<double>& values) {
+    const Spread s = validity::spread_of(values);
+    table.rows.push_back({name, "", "", std::to_string(values.size()), "", "", in_ms(s.p50_us),
+                          in_ms(s.p99_us), in_ms(s.largest_us), "", ""});
+  };
+  add_floor("this host's timer", result.floor.timer_late_us);
+  add_floor("a byte through a pty", result.floor.pty_hop_us);
+  return table;
+}
+
+nlohmann::ordered_json spread_json_ms(const Spread& s) {
+  return {
+      {"p50_ms", s.p50_us / 1e3}, {"p99_ms", s.p99_us / 1e3}, {"largest_ms", s.largest_us / 1e3}};
+}
+
+nlohmann::ordered_json json_of(const LoadResult& result, bool passed) {
+  nlohmann::ordered_json json{
+      {"rig", result.summary.rig},
+      {"duration_s", result.summary.duration_s},
+      {"interrupted", result.summary.interrupted},
+      {"passed", passed},
+      {"timer", spread_json_ms(validity::spread_of(result.floor.timer_late_us))},
+      {"pty", spread_json_ms(validity::spread_of(result.floor.pty_hop_us))},
+      {"devices", nlohmann::ordered_json::array()}};
+  for (std::size_t i = 0; i < result.devices.size(); ++i) {
+    const Deadlines& d = result.devices[i];
+    json["devices"].push_back({{"device", d.device},
+                               {"asked_hz", d.asked_hz},
+                               {"sent_hz", d.sent_hz},
+                               {"samples", d.samples},
+                               {"lost", d.lost},
+                               {"stalled", d.stalled},
+                               {"missed", d.missed},
+                               {"response", spread_json_ms(d.response)},
+                               {"period_ms", 1e3 / d.asked_hz},
+                               {"least_margin_ms", d.least_margin_us / 1e3},
+                               {"first_s", d.first_s},
+                               {"troubles", troubles_of(d, result.summary.devices[i])}});
+  }
+  return json;
+}
+
+/// Where the machine alone was later than the quickest device comes again, a FAIL says little.
+std::string host_note(const rig_config::Rig& rig, const HostTimes& floor) {
+  double quickest_hz = 0;
+  for (const auto& device : rig.devices) quickest_hz = std::max(quickest_hz, device.rate_hz);
+  const Spread timer = validity::spread_of(floor.timer_late_us);
+  if (quickest_hz == 0 || timer.p99_us < 1e6 / quickest_hz) return "";
+  return fmt::format(
+      "this machine's bare timer was {} ms late at p99, more than the {} ms of the quickest "
+      "device: "
+      "measure where nothing else runs\n",
+      in_ms(timer.p99_us), in_ms(1e6 / quickest_hz));
+}
+
+}  // namespace
+
+int load_run(const rig_config::Rig& whole, const LoadOptions& options, std::FILE* out,
+             std::FILE* bar) {
+  const LoadResult result = measure(with_truth(whole), options, bar);
+  fmt::print(out, "{}", to_text(table_of(result)));
+  for (const auto& note : result.summary.notes) fmt::print(out, "{}\n", note);
+  std::size_t samples = 0, stalled = 0, failed = 0;
+  for (std::size_t i = 0; i < result.devices.size(); ++i) {
+    samples += result.devices[i].samples;
+    stalled += result.devices[i].stalled;
+    const auto troubles = troubles_of(result.devices[i], result.summary.devices[i]);
+    for (const auto& trouble : troubles)
+      fmt::print(out, "{}: {}\n", result.devices[i].device, trouble);
+    failed += !troubles.empty();
+  }
+  if (stalled > 0)
+    fmt::print(out, "{} samples fell to stalls of this machine longer than their period\n",
+               stalled);
+  const bool passed = failed == 0;
+  if (!options.json.empty()) write_file(options.json, json_of(result, passed).dump(2) + "\n");
+  const Summary& run = result.summary;
+  const std::string ended =
+      run.interrupted ? fmt::format(", ended by Ctrl-C before {:g} s", options.duration_s) : "";
+  if (passed)
+    fmt::print(out,
+               "PASS {} devices, {} samples in {:.0f} s{}: no deadline missed, none lost, every "
+               "rate held\n",
+               result.devices.size(), samples, run.duration_s, ended);
+  else
+    fmt::print(out, "FAIL {} of {} devices in {:.0f} s{}: see the lines above\n", failed,
+               result.devices.size(), run.duration_s, ended);
+  if (!passed) fmt::print(out, "{}", host_note(whole, result.floor));
+  if (run.interrupted) return 130;
+  return passed ? 0 : exit_failed;
+}
+
+}  // namespace drydock::cli

@@ -1,0 +1,100 @@
+#include "hil/endurance/soak_watch.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "drivers/text/measurement_fields.hpp"
+#include "hil/fault/injector.hpp"
+
+namespace drydock::cli {
+
+namespace {
+
+constexpr std::size_t most_troubles = 100;
+
+bool is_number(double value) { return std::isfinite(value); }
+bool is_number(const Eigen::Vector3d& value) { return value.allFinite(); }
+template <class T>
+bool is_number(const std::optional<T>& value) {
+  return !value || is_number(*value);
+}
+template <class T>
+bool is_number(const T&) {  // words, counts and lists hold nothing that could be none
+  return true;
+}
+
+/// A fault of the whole bus is a fault of every device on it.
+bool is_of_the_bus(rig_config::FaultKind kind) {
+  using enum rig_config::FaultKind;
+  return kind == bus_off || kind == babbling || kind == bus_load || kind == error_frames;
+}
+
+}  // namespace
+
+SoakWatch::SoakWatch(const rig_config::Rig& rig, std::uint64_t seed, double fault_interval_s)
+    : rig_(rig),
+      faults_(rig, seed, fault_interval_s),
+      next_(faults_.next()),
+      start_(measurement::stamp_from_ns(rig.start_utc_ns)),
+      trouble_until_(rig.devices.size(), start_ + recovers_within) {}
+
+void SoakWatch::look(const RunView& run) {
+  set_faults(run);
+  for (std::size_t i = 0; i < run.devices.size(); ++i) look_at(i, run);
+  ++looks_;
+}
+
+void SoakWatch::set_faults(const RunView& run) {
+  while (start_ + measurement::from_seconds(next_.start_s) <= run.now) {
+    rig_config::FaultConfig now = next_;
+    now.start_s = 0;
+    if (const auto set = run.faults.set(now, run.now); !set) add(to_string(set.error().front()));
+    ++faults_set_;
+    ++by_word_[std::string(rig_config::word_of(next_.kind).name)];
+    const auto until = run.now + measurement::from_seconds(*next_.for_s) + recovers_within;
+    const auto victim =
+        std::ranges::find(rig_.devices, next_.device, &rig_config::DeviceConfig::name);
+    for (std::size_t i = 0; i < rig_.devices.size(); ++i) {
+      const bool hit = rig_.devices[i].name == next_.device ||
+                       (is_of_the_bus(next_.kind) && rig_.devices[i].link == victim->link);
+      if (hit) trouble_until_[i] = std::max(trouble_until_[i], until);
+    }
+    next_ = faults_.next();
+  }
+}
+
+void SoakWatch::look_at(std::size_t index, const RunView& run) {
+  const device::Device& device = *run.devices[index];
+  const auto health = device.health(run.now);
+  const auto& stream = health.stream;
+  const auto accounted = stream.bytes_good + stream.bytes_skipped + health.held_bytes;
+  const double t = measurement::seconds(run.now - start_);
+  if (stream.bytes_in != accounted)
+    add(fmt::format("{:.0f} s: {} had {} bytes in, {} are accounted for", t, device.name(),
+                    stream.bytes_in, accounted));
+  if (run.now > trouble_until_[index] && health.state != device::State::streaming) {
+    add(fmt::format("{:.0f} s: {} is {}, {} s after its last fault: {}", t, device.name(),
+                    device::to_string(health.state), recovers_within.count(),
+                    health.status.view()));
+    trouble_until_[index] = run.now + recovers_within;  // said once
+  }
+}
+
+void SoakWatch::note(const measurement::Measurement& measurement) {
+  std::visit(
+      [&](const auto& m) {
+        visit_fields(m, [&](std::string_view field, const auto& value) {
+          if (!is_number(value))
+            add(fmt::format("{}: {} is no number", rig_.devices.at(m.origin.device).name, field));
+        });
+      },
+      measurement);
+}
+
+void SoakWatch::add(std::string trouble) {
+  if (troubles_.size() < most_troubles) troubles_.push_back(std::move(trouble));
+}
+
+}  // namespace drydock::cli

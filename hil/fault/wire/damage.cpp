@@ -1,0 +1,107 @@
+#include "hil/fault/wire/damage.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace drydock::fault {
+
+namespace {
+
+std::size_t below(std::size_t bound, RandomStream& random) {
+  return static_cast<std::size_t>(random.next() % bound);
+}
+
+/// The levels of a serial line: idle is high, start bit, data from the lowest bit on, stop bit.
+class LineLevels {
+ public:
+  static constexpr std::size_t bits_per_byte = 10;
+
+  explicit LineLevels(wire::Bytes bytes) : bytes_(bytes) {}
+
+  std::size_t bits() const { return bytes_.size() * bits_per_byte; }
+  bool high(std::size_t bit) const {
+    if (bit >= bits()) return true;
+    const std::size_t place = bit % bits_per_byte;
+    if (place == 0) return false;
+    if (place == bits_per_byte - 1) return true;
+    return (bytes_[bit / bits_per_byte] >> (place - 1) & 1) != 0;
+  }
+
+ private:
+  wire::Bytes bytes_;
+};
+
+}  // namespace
+
+void flip_bit(Message& message, RandomStream& random) {
+  if (message.empty()) return;
+  const std::size_t bit = below(message.size() * 8, random);
+  message[bit / 8] = static_cast<std::uint8_t>(message[bit / 8] ^ (1u << bit % 8));
+}
+
+void flip_bit(wire::CanFrame& frame, RandomStream& random) {
+  if (frame.size == 0) return;
+  const std::size_t bit = below(frame.size * std::size_t{8}, random);
+  auto& byte = frame.data.at(bit / 8);
+  byte = static_cast<std::uint8_t>(byte ^ (1u << bit % 8));
+}
+
+void truncate(Message& message, RandomStream& random) {
+  if (!message.empty()) message.resize(below(message.size(), random));
+}
+
+void truncate(wire::CanFrame& frame, RandomStream& random) {
+  if (frame.size > 0) frame.size = static_cast<std::uint8_t>(below(frame.size, random));
+}
+
+void break_checksum(Message& message) {
+  if (message.empty()) return;
+  const auto star = std::find(message.rbegin(), message.rend(), '*');
+  const auto behind = star - message.rbegin();  // digits, then an end of line at most
+  if (behind >= 2 && behind <= 4) {
+    auto& digit = *(star - 1);
+    digit = digit == '0' ? '1' : '0';
+  } else {
+    message.back() ^= 0xFF;
+  }
+}
+
+Message garbage(std::size_t bytes, RandomStream& random) {
+  Message noise(bytes);
+  for (auto& byte : noise) byte = static_cast<std::uint8_t>(random.next());
+  return noise;
+}
+
+wire::CanFrame garbage_frame(std::size_t bytes, RandomStream& random) {
+  constexpr std::uint32_t extended_identifiers = 1u << 29;
+  wire::CanFrame frame;
+  frame.id = static_cast<std::uint32_t>(random.next() % extended_identifiers);
+  frame.extended = true;
+  frame.size = static_cast<std::uint8_t>(std::min<std::size_t>(bytes, 8));
+  for (std::size_t i = 0; i < frame.size; ++i)
+    frame.data.at(i) = static_cast<std::uint8_t>(random.next());
+  return frame;
+}
+
+Message heard_at(wire::Bytes message, double sent_baud, double heard_baud) {
+  const LineLevels line(message);
+  const double bit = sent_baud / heard_baud;  // of the receiver, in bits of the sender
+  const auto end = static_cast<double>(line.bits());
+  const auto level = [&](double at) { return line.high(static_cast<std::size_t>(at)); };
+  Message heard;
+  for (double at = 0; at < end;) {
+    if (level(at)) {  // idle, or a bit in which no character begins: on to the next edge
+      at = std::floor(at) + 1;
+      continue;
+    }
+    unsigned value = 0;
+    for (int i = 0; i < 8; ++i) value |= (level(at + (1.5 + i) * bit) ? 1u : 0u) << i;
+    const bool framed = level(at + 9.5 * bit);
+    heard.push_back(static_cast<std::uint8_t>(framed ? value : 0));
+    at += 9.5 * bit;  // looks for the next start bit from the middle of the stop bit on
+    while (!framed && at < end && !level(at)) at = std::floor(at) + 1;
+  }
+  return heard;
+}
+
+}  // namespace drydock::fault

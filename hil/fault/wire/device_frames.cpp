@@ -1,0 +1,48 @@
+#include "hil/fault/wire/device_frames.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace drydock::fault {
+
+namespace {
+
+constexpr std::uint32_t source_address = 0xFF;  // SAE J1939-21: the identifier's low byte
+constexpr std::uint32_t node_bits = 0x7F;       // CiA 301: predefined connection set
+constexpr unsigned function_shift = 7;
+
+/// What a CANopen node sends: EMCY, the four TPDOs, SDO answers, heartbeat.
+constexpr std::array<std::uint32_t, 7> sent_by_node{0x1, 0x3, 0x5, 0x7, 0x9, 0xB, 0xE};
+
+}  // namespace
+
+DeviceFrames::DeviceFrames(const rig_config::DeviceConfig& device)
+    : address_(static_cast<std::uint32_t>(device.address)) {
+  if (device.protocol == "aceinna" || device.protocol == "nmea2000")
+    scheme_ = Scheme::j1939;
+  else if (device.protocol.starts_with("cia404") || device.protocol.starts_with("epson"))
+    scheme_ = Scheme::canopen;
+  else if (device.protocol == "xsens")
+    scheme_ = Scheme::xsens;
+  xsens_.extended = device.xsens.extended;
+  for (const auto& identifier : device.xsens.identifiers)
+    xsens_.set(identifier.message, identifier.id);
+}
+
+bool DeviceFrames::has(const wire::CanFrame& frame) const {
+  if (frame.error) return false;  // the controller's word
+  const auto is_addressed = [&](std::uint32_t sender) {
+    return address_ == 0 ? sender != 0 : sender == address_;
+  };
+  switch (scheme_) {
+    case Scheme::none: return true;
+    case Scheme::xsens: return xsens_.message_of(frame).has_value();
+    case Scheme::j1939: return frame.extended && is_addressed(frame.id & source_address);
+    case Scheme::canopen:
+      return !frame.extended && is_addressed(frame.id & node_bits) &&
+             std::ranges::find(sent_by_node, frame.id >> function_shift) != sent_by_node.end();
+  }
+  return false;
+}
+
+}  // namespace drydock::fault

@@ -1,0 +1,51 @@
+#pragma once
+
+#include "hil/fault/wire/held_messages.hpp"
+#include "hil/fault/wire/message_faults.hpp"
+
+namespace drydock::fault {
+
+/// One direction of a wire under faults: what the wire does to messages, then how long it takes.
+template <class Carried>
+class FaultyWire {
+ public:
+  FaultyWire(std::uint64_t seed, const std::string& device, double baud = 0)
+      : faults_(seed, device, baud), held_(seed, device) {}
+
+  void set(const std::vector<InForce>& faults) {
+    faults_.set(faults);
+    held_.set(faults);
+  }
+  void put(Carried message, Stamp now, std::optional<Stamp> sampled_at = {}) {
+    faults_.pass(std::move(message), [&](const Carried& out) { held_.put(out, now, sampled_at); });
+  }
+  /// Bytes between messages: they keep their place and take their time.
+  void put_between(Carried noise, Stamp now) {
+    faults_.pass_between(std::move(noise),
+                         [&](const Carried& out) { held_.put(out, now, {}, false); });
+  }
+  /// What waits for its successor waits no longer.
+  void release(Stamp now) {
+    faults_.release([&](const Carried& out) { held_.put(out, now, {}, false); });
+  }
+  std::optional<Stamp> deadline() const { return held_.deadline(); }
+  std::optional<Carried> take(Stamp now) { return held_.take(now); }
+  std::optional<Stamp> sampled_at() const { return held_.sampled_at(); }
+  bool silent() const { return faults_.silent(); }
+  bool empty() const { return held_.empty(); }  ///< nothing is on its way
+  void drop_all() {
+    faults_.release([](const Carried&) {});
+    held_.drop_all();
+  }
+  FaultHits hits() const {
+    FaultHits all = faults_.hits();
+    all += held_.hits();
+    return all;
+  }
+
+ private:
+  MessageFaults<Carried> faults_;
+  HeldMessages<Carried> held_;
+};
+
+}  // namespace drydock::fault

@@ -1,0 +1,113 @@
+#include "hil/fault/wire/message_faults.hpp"
+
+#include <algorithm>
+#include <type_traits>
+
+namespace drydock::fault {
+
+namespace {
+
+/// A node on a bus does not go at the wrong baud rate, and frames have no checksum of their own:
+/// rig_config::refusal() keeps these from it.
+bool is_of_messages(FaultKind kind) {
+  return rig_config::word_of(kind).layer == rig_config::FaultLayer::message ||
+         kind == FaultKind::wrong_baud;
+}
+
+Message make_garbage(std::size_t bytes, RandomStream& random, const Message*) {
+  return garbage(bytes, random);
+}
+wire::CanFrame make_garbage(std::size_t bytes, RandomStream& random, const wire::CanFrame*) {
+  return garbage_frame(bytes, random);
+}
+
+}  // namespace
+
+template <class Carried>
+void MessageFaults<Carried>::set(const std::vector<InForce>& faults) {
+  silent_ = std::ranges::any_of(
+      faults, [](const InForce& now) { return now.fault->kind == FaultKind::hang; });
+  std::vector<Active> next;
+  for (const InForce& now : faults) {
+    if (!is_of_messages(now.fault->kind)) continue;
+    if (Active* before = find(now.fault->kind); before && before->fault.words == now.fault->words)
+      next.push_back(*before);
+    else
+      next.push_back({*now.fault, RandomStream(seed_ ^ now.fault->seed, device_,
+                                               rig_config::word_of(now.fault->kind).name)});
+  }
+  active_ = std::move(next);
+}
+
+template <class Carried>
+typename MessageFaults<Carried>::Active* MessageFaults<Carried>::find(FaultKind kind) {
+  for (auto active = active_.rbegin(); active != active_.rend(); ++active)
+    if (active->fault.kind == kind) return &*active;
+  return nullptr;
+}
+
+template <class Carried>
+bool MessageFaults<Carried>::strikes(FaultKind kind) {
+  Active* active = find(kind);
+  if (!active || !active->strikes()) return false;
+  ++hits_[kind];
+  return true;
+}
+
+template <class Carried>
+void MessageFaults<Carried>::damage(Carried& message) {
+  if (strikes(FaultKind::flip)) flip_bit(message, find(FaultKind::flip)->random);
+  if (strikes(FaultKind::truncate)) truncate(message, find(FaultKind::truncate)->random);
+  if constexpr (std::is_same_v<Carried, Message>) {
+    if (strikes(FaultKind::bad_checksum)) break_checksum(message);
+    if (find(FaultKind::wrong_baud)) ++hits_[FaultKind::wrong_baud];
+  }
+  hear_at_wrong_baud(message);
+}
+
+template <class Carried>
+void MessageFaults<Carried>::hear_at_wrong_baud(Carried& bytes) {
+  if constexpr (std::is_same_v<Carried, Message>) {
+    if (const Active* baud = find(FaultKind::wrong_baud))
+      bytes = heard_at(bytes, baud->fault.amount[0], baud_);
+  }
+}
+
+template <class Carried>
+void MessageFaults<Carried>::pass(Carried message, const Emit& emit) {
+  if (silent_) {
+    ++hits_[FaultKind::hang];
+    return;
+  }
+  if (strikes(FaultKind::drop)) return;
+  damage(message);
+  if (strikes(FaultKind::garbage)) {
+    Active& noise = *find(FaultKind::garbage);
+    emit(make_garbage(static_cast<std::size_t>(noise.fault.amount[0]), noise.random, &message));
+  }
+  if (!held_ && strikes(FaultKind::reorder)) {
+    held_ = std::move(message);
+    return;
+  }
+  emit(message);
+  if (strikes(FaultKind::duplicate)) emit(message);
+  release(emit);
+}
+
+template <class Carried>
+void MessageFaults<Carried>::pass_between(Carried noise, const Emit& emit) {
+  if (silent_) return;
+  hear_at_wrong_baud(noise);
+  emit(noise);
+}
+
+template <class Carried>
+void MessageFaults<Carried>::release(const Emit& emit) {
+  if (held_) emit(*held_);
+  held_.reset();
+}
+
+template class MessageFaults<Message>;
+template class MessageFaults<wire::CanFrame>;
+
+}  // namespace drydock::fault

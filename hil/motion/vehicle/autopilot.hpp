@@ -1,0 +1,57 @@
+#pragma once
+
+#include "hil/motion/leg_profile.hpp"
+#include "hil/motion/vehicle/actuators.hpp"
+#include "hil/motion/vehicle/vehicle_motion.hpp"
+
+/// Autopilots for heading, depth and speed, on the true state. Equation numbers are those of
+/// docs/vehicle.md.
+namespace drydock::motion {
+
+/// The part of a proportional-integral law that remembers. It stands while the output is at a stop
+/// and the error would push it further.
+class Integral {
+ public:
+  /// `proportional` and what was integrated, within the stops; then integrates on.
+  double act(double proportional, double error_rate, double lower, double upper, double dt);
+
+ private:
+  double value_ = 0;
+};
+
+/// What the autopilots remember from step to step.
+struct AutopilotMemory {
+  Integral heading, pitch, depth, speed;
+  double turned_rad = 0;  ///< by turning circles, beyond what the legs prescribe
+};
+
+/// The gains are those of a vehicle in the prime system, times as lengths over speed: the same for
+/// every speed.
+struct AutopilotGains {
+  double heading = 1, heading_integral = 0.1, rate_of_turn = 0.57;
+  double pitch = 1.5, pitch_integral = 0.25, pitch_rate = 0.35;
+  double depth = 0.08, depth_integral = 0.0016;
+  double speed = 2, speed_integral = 0.1;
+};
+
+class Autopilot {
+ public:
+  explicit Autopilot(const rig_config::VehicleConfig& vehicle, const AutopilotGains& gains = {});
+
+  /// Eq. (6) to (9): what rudder, stern planes and propeller are told for the next dt seconds.
+  Command steer(const Prescribed& wanted, const VehicleState& state, AutopilotMemory& memory,
+                double dt) const;
+
+  static constexpr double steepest_sine = 0.5;  ///< of pitch: 30 deg
+
+ private:
+  double rudder(const Prescribed& wanted, double heading, double rate_of_turn, double lengths_ps,
+                AutopilotMemory& memory, double dt) const;
+  double stern_planes(const Prescribed& wanted, double depth, double pitch, double pitch_rate,
+                      double lengths_ps, AutopilotMemory& memory, double dt) const;
+
+  AutopilotGains gains_;
+  double length_m_, rudder_limit_, planes_limit_, fastest_mps_;
+};
+
+}  // namespace drydock::motion

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "estimators/hydrodynamics/model.hpp"
+#include "hil/motion/vehicle/actuators.hpp"
+
+namespace drydock::motion {
+
+/// A vehicle under command in virtual time: its equations of motion behind its actuators.
+class SimulatedVehicle {
+ public:
+  /// The propeller begins turning for the state's u. Throws std::invalid_argument, see
+  /// hydrodynamics::Model.
+  SimulatedVehicle(const rig_config::VehicleConfig& config, const hydrodynamics::State& state);
+
+  /// Goes on by dt seconds (0.02 or less: the fastest lag is 0.1 s) under a held command. The
+  /// equations see the actuators as they are in the middle of the step.
+  void step(const Command& command, double dt,
+            const hydrodynamics::Surroundings& surroundings = {});
+
+  const hydrodynamics::State& state() const { return state_; }
+  const hydrodynamics::Model& model() const { return model_; }
+  const Actuators& actuators() const { return actuators_; }
+
+ private:
+  hydrodynamics::Model model_;
+  Actuators actuators_;
+  hydrodynamics::State state_;
+};
+
+}  // namespace drydock::motion

@@ -1,0 +1,128 @@
+#include "hil/motion/vehicle/voyage.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "estimators/frame/attitude.hpp"
+#include "estimators/frame/earth.hpp"
+
+namespace drydock::motion {
+
+namespace {
+
+constexpr std::int64_t block_steps = 1024;  // 10.24 s
+constexpr std::size_t kept_blocks = 4;
+
+double seconds_of(std::int64_t step) { return static_cast<double>(step * voyage_step_ns) * 1e-9; }
+
+}  // namespace
+
+Voyage::Voyage(const rig_config::MissionConfig& mission)
+    : motion_(mission), profile_(mission), autopilot_(mission.vehicle.value()) {
+  check_plan(mission);
+  starts_.reserve(static_cast<std::size_t>(lap_s() / seconds_of(block_steps)) + 1);
+  starts_.push_back(first(mission));
+}
+
+/// Throws for legs that ask for more than the propeller gives, or that lead into the bed: along the
+/// track by dead reckoning in steps of a second.
+void Voyage::check_plan(const rig_config::MissionConfig& mission) const {
+  const auto& propeller = mission.vehicle->propeller;
+  const double fastest = propeller.advance_m * propeller.limit_radps;
+  double latitude = mission.latitude_rad, longitude = mission.longitude_rad;
+  for (int second = 0; second <= lap_s(); ++second) {
+    const double t = second;
+    const Prescribed plan = profile_.at(t);
+    if (plan.speed.value > fastest)
+      throw std::invalid_argument(fmt::format(
+          "mission: after {:.0f} s the vehicle would need {:.2f} m/s, its propeller gives {:.2f}",
+          t, plan.speed.value, fastest));
+    const double bed_m = motion_.ocean().bed_depth_m(latitude, longitude);
+    if (plan.depth_m >= bed_m)
+      throw std::invalid_argument(
+          fmt::format("mission: after {:.0f} s the vehicle would be {:.1f} m deep, at or below the "
+                      "sea bed ({:.1f} m there)",
+                      t, plan.depth_m, bed_m));
+    const Eigen::Vector3d current = motion_.ocean().current_ned(plan.depth_m, t);
+    const double level = std::sqrt(
+        std::max(plan.speed.value * plan.speed.value - plan.descent_mps * plan.descent_mps, 0.0));
+    latitude += (level * std::cos(plan.yaw.value) + current.x()) / frame::meridian_radius(latitude);
+    longitude += (level * std::sin(plan.yaw.value) + current.y()) /
+                 (frame::transverse_radius(latitude) * std::cos(latitude));
+  }
+}
+
+VoyageStep Voyage::first(const rig_config::MissionConfig& mission) const {
+  VoyageStep step{.state = {},
+                  .rate = {},
+                  .actuators = {*mission.vehicle, mission.speed_mps},
+                  .memory = {},
+                  .command = {}};
+  step.state.latitude_rad = mission.latitude_rad;
+  step.state.longitude_rad = mission.longitude_rad;
+  step.state.height_m = -mission.depth_m;
+  step.state.body_to_ned = frame::body_to_ned({0, 0, mission.heading_rad});
+  step.state.velocity[0] = mission.speed_mps;
+  complete(step, 0);
+  return step;
+}
+
+VoyageStep Voyage::at(std::int64_t step) const {
+  const std::lock_guard lock(mutex_);
+  const std::int64_t index = step / block_steps;
+  while (static_cast<std::int64_t>(starts_.size()) <= index) {
+    const auto last = static_cast<std::int64_t>(starts_.size()) - 1;
+    extend(block(last), block_steps);
+  }
+  const auto within = static_cast<std::size_t>(step % block_steps);
+  Block& there = block(index);
+  extend(there, within + 1);
+  return there.steps[within];
+}
+
+/// The block, kept from before or begun anew; it has at least its first step.
+Voyage::Block& Voyage::block(std::int64_t index) const {
+  for (auto found = blocks_.begin(); found != blocks_.end(); ++found)
+    if (found->index == index) {
+      blocks_.splice(blocks_.begin(), blocks_, found);
+      return blocks_.front();
+    }
+  if (blocks_.size() < kept_blocks) {
+    blocks_.emplace_front().steps.reserve(block_steps);
+  } else {
+    blocks_.splice(blocks_.begin(), blocks_, std::prev(blocks_.end()));
+  }
+  blocks_.front().index = index;
+  blocks_.front().steps.assign(1, starts_[static_cast<std::size_t>(index)]);
+  return blocks_.front();
+}
+
+void Voyage::extend(Block& block, std::size_t steps) const {
+  const std::int64_t begins = block.index * block_steps;
+  while (block.steps.size() < steps)
+    block.steps.push_back(
+        after(block.steps.back(), begins + static_cast<std::int64_t>(block.steps.size()) - 1));
+  const auto next = static_cast<std::size_t>(block.index + 1);
+  if (steps == block_steps && starts_.size() == next)
+    starts_.push_back(after(block.steps.back(), begins + block_steps - 1));
+}
+
+VoyageStep Voyage::after(const VoyageStep& step, std::int64_t index) const {
+  VoyageStep next = step;
+  next.state = motion_.step(step.state, step.rate, next.actuators, step.command, seconds_of(index),
+                            voyage_step_s);
+  complete(next, index + 1);
+  return next;
+}
+
+/// How it moves and what it is told, from where it and its actuators are.
+void Voyage::complete(VoyageStep& step, std::int64_t index) const {
+  const double t = seconds_of(index);
+  step.rate = motion_.rate(step.state, step.actuators.control(), t);
+  step.command = autopilot_.steer(profile_.at(t), step.state, step.memory, voyage_step_s);
+}
+
+}  // namespace drydock::motion

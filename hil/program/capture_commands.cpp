@@ -1,0 +1,34 @@
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "drivers/decode/decode.hpp"
+#include "hil/program/commands.hpp"
+
+namespace drydock::cli {
+
+namespace {
+
+void add_decode(CLI::App& app, Command& command) {
+  auto options = std::make_shared<DecodeOptions>();
+  auto* sub =
+      app.add_subcommand("decode", "Turn a recording into JSON Lines, one object a message");
+  sub->footer(
+      "Example: drydock decode --protocol pd0 dive.pd0\n"
+      "         drydock decode --protocol can trace.asc\n"
+      "         candump -L can0 | drydock decode --protocol nmea2000");
+  sub->add_option("FILE", options->file, "recording; default standard input");
+  sub->add_option("--protocol", options->protocol, "one of " + decode_protocols())->required();
+  sub->add_option("--format", options->format,
+                  "the file's format, where its content does not tell: one of " + decode_formats());
+  sub->add_flag("--count", options->count, "how many of each type, not the messages");
+  sub->add_flag("--quiet", options->quiet, "no line of counts at the end");
+  sub->callback(
+      [options, &command] { command = [options] { return decode(*options, stdout, stderr); }; });
+}
+
+}  // namespace
+
+void add_capture_commands(CLI::App& app, Command& command) { add_decode(app, command); }
+
+}  // namespace drydock::cli

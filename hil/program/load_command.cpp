@@ -1,0 +1,27 @@
+#include <memory>
+
+#include "hil/endurance/load_run.hpp"
+#include "hil/program/commands.hpp"
+
+namespace drydock::cli {
+
+void add_load_command(CLI::App& app, Command& command) {
+  struct Arguments {
+    std::string rig;
+    LoadOptions options;
+  };
+  auto a = std::make_shared<Arguments>();
+  auto* sub = app.add_subcommand(
+      "load", "Whether this machine keeps every deadline of a rig, beside its own timers");
+  sub->footer("Example: drydock load rig_config/rigs/forty.toml --for 60s --json load.json");
+  sub->add_option("RIG", a->rig, "rig file (TOML); its emulated devices are run")->required();
+  sub->add_option("--for", a->options.duration_s, "real time: 60s, 10min; default 10min")
+      ->transform(duration_text)
+      ->check(CLI::PositiveNumber);
+  sub->add_option("--json", a->options.json, "write figures and verdict to this file");
+  sub->callback([a, &command] {
+    command = [a] { return load_run(load_rig(a->rig), a->options, stdout, stderr); };
+  });
+}
+
+}  // namespace drydock::cli

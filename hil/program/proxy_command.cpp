@@ -1,0 +1,40 @@
+#include <memory>
+
+#include "hil/program/commands.hpp"
+#include "hil/proxy/run_proxy.hpp"
+
+namespace drydock::cli {
+
+void add_proxy_command(CLI::App& app, Command& command) {
+  auto options = std::make_shared<ProxyCommandOptions>();
+  auto* sub = app.add_subcommand(
+      "proxy", "Pass a real device's link on to a virtual one, with faults between");
+  sub->footer(
+      "Example: drydock proxy 'serial:/dev/ttyUSB0?baud=115200' pty:dvl --protocol pd0 --device "
+      "dvl "
+      "--faults F.toml\n"
+      "         drydock proxy socketcan:can0 socketcan:vcan0 --for 10min --json\n"
+      "         drydock proxy tcp:192.168.2.3:16171 tcp:localhost:16171");
+  sub->add_option("REAL", options->real, "link URI of the device, opened as its driver does")
+      ->required();
+  sub->add_option(
+         "VIRTUAL", options->virt,
+         "link URI where drivers find it: pty, tcp, udp; socketcan (vcan), slcan, can:auto")
+      ->required();
+  sub->add_option("--faults", options->faults, "file of blocks [[fault]], docs/faults.md");
+  sub->add_option("--protocol", options->protocol,
+                  "what the device speaks, as in a rig file: faults of messages need it");
+  sub->add_option("--device", options->device, "the name by which the faults call it")
+      ->capture_default_str();
+  sub->add_option("--address", options->address,
+                  "of the device on a bus: only its frames suffer; default those of every one that "
+                  "speaks the protocol");
+  sub->add_option("--seed", options->seed, "of the faults' chances")->capture_default_str();
+  sub->add_option("--for", options->duration_s, "how long: 60s, 10min; default until Ctrl-C")
+      ->transform(duration_text);
+  sub->add_flag("--json", options->json, "the summary as one JSON object");
+  sub->callback(
+      [options, &command] { command = [options] { return proxy(*options, stdout, stderr); }; });
+}
+
+}  // namespace drydock::cli

@@ -1,0 +1,144 @@
+#include <fmt/format.h>
+
+#include <charconv>
+#include <memory>
+
+#include "drivers/decode/decode.hpp"
+#include "drivers/decode/replay.hpp"
+#include "hil/program/part_arguments.hpp"
+#include "hil/replay/replay_rig.hpp"
+
+namespace drydock::cli {
+
+namespace {
+
+struct ReplayArguments {
+  ReplayOptions capture;
+  RigReplayOptions recording;
+  PartArguments part;
+  std::string speed;
+};
+
+void add_recording_options(CLI::App& sub, ReplayArguments& a) {
+  auto& r = a.recording;
+  a.part.add_only_and_from(sub);
+  a.part.add_to(sub);
+  sub.add_option(
+      "--faults", r.faults,
+      "file of blocks [[fault]] that come between recording and drivers: docs/faults.md");
+  sub.add_flag("--step", r.step, "wait for Enter behind each message; q ends");
+  auto* record = sub.add_option("--record", r.record.path, "record the replay to this MCAP file");
+  sub.add_flag("--overwrite", r.record.overwrite, "replace what is there")->needs(record);
+  auto* check = sub.add_option("--check", r.check,
+                               "compare with this reference; exit 1 and the first divergence where "
+                               "something else comes out");
+  sub.add_option("--tolerance", r.tolerance, "of --check, relative; default 0: every byte counts")
+      ->needs(check)
+      ->check(CLI::NonNegativeNumber);
+  auto* update =
+      sub.add_option("--update-refs", r.update_refs, "write the reference")->excludes(check);
+  sub.add_option("--refs-every", r.refs_every,
+                 "values of each so many messages; default all, thinned to 2000 a topic")
+      ->needs(update)
+      ->check(CLI::PositiveNumber);
+  sub.add_option("--onto", r.onto,
+                 "give other programs what the links carried: dvl=pty:dvl, can0=socketcan:vcan0, "
+                 "again for each; or auto for all links; speed 1 unless given")
+      ->allow_extra_args(false)
+      ->take_all();
+  add_serve(sub, r.serve, "; speed 1 unless given");
+}
+
+void add_capture_options(CLI::App& sub, ReplayOptions& c) {
+  const std::string group = "A capture without a rig";
+  sub.add_option("--protocol", c.protocol, "what the sensor speaks, as in a rig file")
+      ->group(group);
+  sub.add_option("--kind", c.kind,
+                 "dvl, emlog, gnss, imu, depth, actuator; where several speak the protocol")
+      ->group(group);
+  sub.add_option("--baud", c.baud, "of the recorded line, where the file holds bytes")
+      ->group(group);
+  sub.add_option("--format", c.format,
+                 "the file's format, where its content does not tell: one of " + decode_formats())
+      ->group(group);
+  sub.add_option("--interface", c.interface, "of a CAN capture; default all")->group(group);
+  sub.add_option("--address", c.address, "on the bus; default the first seen")->group(group);
+}
+
+/// 0: at once. Empty: no speed.
+std::optional<double> speed_of(const std::string& text) {
+  if (text == "max") return 0;
+  double speed = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), speed);
+  if (error != std::errc{} || end != text.data() + text.size() || !(speed > 0)) return {};
+  return speed;
+}
+
+void read_recording(ReplayArguments& a) {
+  auto& r = a.recording;
+  if (!a.capture.protocol.empty())
+    throw CLI::ValidationError("--protocol",
+                               "the recording's rig file says what its sensors speak");
+  const bool shared = !r.onto.empty() || !r.serve.address.empty();
+  if (a.speed.empty()) a.speed = shared ? "1" : "max";
+  const auto speed = speed_of(a.speed);
+  if (!speed) throw CLI::ValidationError("--speed", "allowed: max, 1, or another factor");
+  if (shared && *speed == 0)
+    throw CLI::ValidationError("--speed", "max is virtual time: not with --onto and --serve");
+  if (r.step && *speed > 0)
+    throw CLI::ValidationError("--step", "not with --speed, --onto, --serve");
+  if (r.step && r.quiet) throw CLI::ValidationError("--step", "shows messages: not with --quiet");
+  r.speed = *speed;
+  r.part = a.part.selection();
+}
+
+/// A capture has no rig: one driver, and none of what needs the whole.
+void read_capture(const CLI::App& sub, ReplayArguments& a) {
+  if (a.capture.protocol.empty())
+    throw CLI::RequiredError("--protocol (" + a.capture.capture + " is no MCAP recording)");
+  for (const char* option : {"--only", "--from", "--to", "--faults", "--step", "--record",
+                             "--check", "--update-refs", "--onto", "--serve"})
+    if (sub.count(option) > 0)
+      throw CLI::ValidationError(option, "needs an MCAP recording, with its rig");
+  if (!a.speed.empty()) a.capture.speed = a.speed;
+}
+
+}  // namespace
+
+void add_replay_command(CLI::App& app, Command& command) {
+  auto a = std::make_shared<ReplayArguments>();
+  auto* sub = app.add_subcommand(
+      "replay",
+      "Play a recording through its rig's drivers and estimators, or a capture through one "
+      "driver: JSON Lines");
+  sub->footer(
+      "Example: drydock replay dive.mcap --only dvl,imu --from 10s --to 25s\n"
+      "         drydock replay dive.mcap --quiet --update-refs refs.json\n"
+      "         drydock replay dive.mcap --quiet --check refs.json\n"
+      "         drydock replay dive.mcap --onto dvl=pty:dvl --speed 1\n"
+      "         drydock replay dive.mcap --faults F.toml\n"
+      "         drydock replay dive.pd0 --protocol pd0");
+  sub->add_option("RECORDING", a->capture.capture, "MCAP recording, or capture of one link")
+      ->required()
+      ->check(CLI::ExistingPath);
+  sub->add_option("--speed", a->speed,
+                  "max: at once, in virtual time (default); 1: at the recording's own pace; or a "
+                  "factor");
+  sub->add_flag("--quiet", a->capture.quiet,
+                "of a recording the summary alone; of a capture no states and totals");
+  add_recording_options(*sub, *a);
+  add_capture_options(*sub, a->capture);
+  sub->callback([a, sub, &command] {
+    a->recording.quiet = a->capture.quiet;
+    a->recording.recording = a->capture.capture;
+    if (is_recording(a->capture.capture)) {
+      read_recording(*a);
+      command = [a] { return replay_rig(a->recording, stdin, stdout, stderr); };
+    } else {
+      read_capture(*sub, *a);
+      command = [a] { return replay(a->capture, stdout, stderr); };
+    }
+  });
+}
+
+}  // namespace drydock::cli

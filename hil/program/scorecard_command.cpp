@@ -1,0 +1,58 @@
+#include "hil/program/scorecard_command.hpp"
+
+#include <memory>
+
+#include "hil/scorecard/scorecard.hpp"
+
+namespace drydock::cli {
+
+void add_scorecard_command(CLI::App& app, Command& command) {
+  struct Arguments {
+    std::string rig;
+    std::optional<std::uint64_t> seed;
+    scorecard::Options options;
+  };
+  auto a = std::make_shared<Arguments>();
+  auto& o = a->options;
+  auto* sub = app.add_subcommand(
+      "scorecard", "Every fault on every device of a rig: seen when, over when, what it cost");
+  sub->footer(
+      "Example: drydock scorecard rig_config/rigs/demo.toml --report out\n"
+      "         drydock scorecard rig_config/rigs/demo.toml --devices dvl,imu --faults "
+      "flip,unplug\n"
+      "         drydock scorecard rig_config/rigs/demo.toml --check scorecard.json");
+  sub->add_option("RIG", a->rig, "rig file (TOML)")->required();
+  auto* devices =
+      sub->add_option("--devices", o.devices, "these alone: dvl,imu; default all that are emulated")
+          ->delimiter(',');
+  auto* faults = sub->add_option("--faults", o.faults,
+                                 "these alone: flip,unplug; default all of the vocabulary")
+                     ->delimiter(',');
+  sub->add_option("--warm-up", o.window.warm_up_s, "before the fault; default 75s")
+      ->transform(duration_text);
+  sub->add_option("--fault-for", o.window.fault_s, "how long it lasts; default 30s")
+      ->transform(duration_text);
+  sub->add_option("--after", o.window.after_s, "behind it; default 45s")->transform(duration_text);
+  sub->add_option("--seed", a->seed, "seed of all random errors; default that of the rig file");
+  sub->add_option("--jobs", o.jobs,
+                  "threads; the result does not depend on it; default one a processor")
+      ->check(CLI::Range(1U, 1024U));
+  sub->add_option("--json", o.json, "write the figures to this file");
+  sub->add_option("--report", o.report, "write index.html and heat-map.svg into this folder");
+  auto* check = sub->add_option("--check", o.check,
+                                "compare with this reference; exit 1 and a line for each figure "
+                                "that is not the same");
+  sub->add_option("--update-refs", o.update_refs, "write the reference, of all pairs")
+      ->excludes(check)
+      ->excludes(devices)
+      ->excludes(faults);
+  sub->callback([a, &command] {
+    command = [a] {
+      auto rig = load_rig(a->rig);
+      if (a->seed) rig.seed = *a->seed;
+      return scorecard::run_scorecard(rig, a->options, stdout, stderr);
+    };
+  });
+}
+
+}  // namespace drydock::cli

@@ -1,0 +1,33 @@
+#include <memory>
+
+#include "hil/endurance/soak.hpp"
+#include "hil/program/commands.hpp"
+
+namespace drydock::cli {
+
+void add_soak_command(CLI::App& app, Command& command) {
+  struct Arguments {
+    std::string rig;
+    SoakOptions options;
+  };
+  auto arguments = std::make_shared<Arguments>();
+  auto& options = arguments->options;
+  auto* sub = app.add_subcommand(
+      "soak",
+      "A rig in virtual time for days under random faults: does anything grow, stick, vanish?");
+  sub->footer("Example: drydock soak rig_config/rigs/soak.toml --for 2d --report out");
+  sub->add_option("RIG", arguments->rig, "rig file (TOML), all of it emulated")->required();
+  sub->add_option("--for", options.duration_s, "virtual time: 10min, 5h, 2d; default 30d")
+      ->transform(duration_text);
+  sub->add_option("--seed", options.seed, "of the faults")->capture_default_str();
+  sub->add_option("--interval", options.fault_interval_s,
+                  "mean time between two faults of one device; default 10min")
+      ->transform(duration_text);
+  sub->add_option("--json", options.json, "write summary, faults and troubles to this file");
+  sub->add_option("--report", options.report, "write index.html with the memory plot here");
+  sub->callback([arguments, &command] {
+    command = [arguments] { return soak(load_rig(arguments->rig), arguments->options, stdout); };
+  });
+}
+
+}  // namespace drydock::cli

@@ -1,0 +1,38 @@
+#include "hil/replay/recording_progress.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include "drivers/terminal/progress_bar.hpp"
+
+namespace drydock::cli {
+
+namespace {
+constexpr std::chrono::milliseconds not_worth_a_bar{500}, between_drawings{100};
+}  // namespace
+
+RecordingProgress::RecordingProgress(std::string what, std::FILE* out)
+    : what_(std::move(what)),
+      out_(out),
+      terminal_(::isatty(fileno(out)) == 1),
+      next_drawing_(Clock::now() + not_worth_a_bar) {}
+
+RecordingProgress::~RecordingProgress() {
+  if (!drawn_) return;
+  fmt::print(out_, "{}", wipe_line);
+  std::fflush(out_);
+}
+
+bool RecordingProgress::operator()(double done) {
+  constexpr unsigned between_looks = 64;  // the clock is not for every message
+  if (terminal_ && calls_++ % between_looks == 0 && Clock::now() >= next_drawing_) {
+    fmt::print(out_, "{}{} {} {:.0f} %, Ctrl-C ends", wipe_line, what_, progress_bar(done),
+               100 * done);
+    std::fflush(out_);
+    drawn_ = true;
+    next_drawing_ = Clock::now() + between_drawings;
+  }
+  return !interrupt_.set();
+}
+
+}  // namespace drydock::cli

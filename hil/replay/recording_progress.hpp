@@ -1,0 +1,34 @@
+#pragma once
+
+#include <chrono>
+#include <cstdio>
+#include <string>
+
+#include "drivers/terminal/interrupt_flag.hpp"
+
+namespace drydock::cli {
+
+/// A bar for work on one file where `out` is a terminal and it takes long, nothing elsewhere.
+/// Ctrl-C ends the work cleanly.
+class RecordingProgress {
+ public:
+  RecordingProgress(std::string what, std::FILE* out);
+  ~RecordingProgress();
+  RecordingProgress(const RecordingProgress&) = delete;
+  RecordingProgress& operator=(const RecordingProgress&) = delete;
+
+  /// As record::Watch wants it: false after Ctrl-C.
+  bool operator()(double done);
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  std::string what_;
+  std::FILE* out_;
+  bool terminal_, drawn_ = false;
+  unsigned calls_ = 0;
+  Clock::time_point next_drawing_;
+  InterruptFlag interrupt_;
+};
+
+}  // namespace drydock::cli

@@ -1,0 +1,189 @@
+#include "hil/replay/replay_bench.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "drivers/bus/cdr/cdr_measurements.hpp"
+#include "drivers/host/rig_bus.hpp"
+#include "estimators/setup/rig_pipeline.hpp"
+
+namespace drydock::cli {
+
+namespace {
+
+constexpr std::chrono::seconds health_period{1};  // as in a run
+constexpr std::string_view faults_topic = "/drydock/faults";
+
+pipeline::Pipeline pipeline_of(const rig_config::Rig& rig, pipeline::EstimateListener& listener) {
+  auto made = pipeline::make_pipeline(pipeline_options(rig), listener);
+  if (!made) throw std::runtime_error(made.error().message);
+  return std::move(*made);
+}
+
+std::unique_ptr<record::Player> player_of(const record::Recording& recording,
+                                          const rig_config::Rig& rig, const record::Selection& part,
+                                          device::Listener& listener) {
+  auto made = record::Player::make(recording, rig, part, listener);
+  if (!made) throw std::runtime_error(made.error().line);
+  return std::move(*made);
+}
+
+measurement::Stamp time_of(const record::Event& event) {
+  if (const auto* raw = std::get_if<record::RawEvent>(&event)) return raw->at();
+  return std::get<record::Understood>(event).at;
+}
+
+}  // namespace
+
+ReplayBench::ReplayBench(record::Recording& recording, const rig_config::Rig& rig,
+                         const record::Selection& part, const ReplayOutlets& outlets,
+                         const std::vector<rig_config::FaultConfig>& faults)
+    : recording_(recording),
+      rig_(rig),
+      part_(part),
+      outlets_(outlets),
+      watchers_(rig, nullptr),
+      pipeline_(pipeline_of(rig, *this)),
+      start_(recording.begin().value_or(Stamp{}) + part.from.value_or(Stamp::duration{0})),
+      next_health_(start_ + health_period),
+      player_(player_of(recording, rig, part, *this)),
+      errors_(rig, watchers_.all),
+      estimates_(rig.estimators.size()) {
+  if (!faults.empty()) add_faults(faults);
+}
+
+void ReplayBench::add_faults(const std::vector<rig_config::FaultConfig>& faults) {
+  std::vector<std::string> played;
+  for (const auto& actor : player_->devices()) played.push_back(actor->device().name());
+  faults_ = std::make_unique<ReplayFaults>(
+      recording_, rig_, faults, played,
+      ReplayFaults::Drivers{
+          [this](const record::RawEvent& event) { hear(event); },
+          [this](std::size_t link, bool there) { player_->set_port(link, there); }});
+}
+
+void ReplayBench::play(Pace& pace, const record::Watch& watch) {
+  const Stamp begin = recording_.begin().value_or(Stamp{});
+  Stamp last = start_;
+  while (const auto event = recording_.next()) {
+    if (!watch(recording_.done())) ended_ = true;
+    if (ended_) break;
+    const Stamp at = time_of(*event);
+    if (!part_.holds(at, begin)) continue;
+    last = std::max(last, at);
+    if (const auto* raw = std::get_if<record::RawEvent>(&*event)) {
+      if (!part_.takes(recording_.links()[raw->link])) continue;
+      if (!wait_until(at, pace)) break;
+      play(*raw);
+    } else {
+      hear(std::get<record::Understood>(*event));
+    }
+  }
+  // Not a moment longer than the recording: what a driver still waited for was not said then
+  // either.
+  if (!ended_) wait_until(last, pace);
+  pipeline_.flush();
+  stopping_ = true;
+  player_->finish(player_->now());
+}
+
+/// Time goes on with the drivers' own deadlines, the faults', and the drivers' health each second.
+bool ReplayBench::wait_until(Stamp at, Pace& pace) {
+  if (at - next_health_ > record::Player::longest_pause)
+    next_health_ += (at - next_health_) / health_period * health_period;
+  for (;;) {
+    const Stamp of_faults = faults_ ? faults_->deadline().value_or(Stamp::max()) : Stamp::max();
+    const Stamp next = std::max(std::min(next_health_, of_faults), player_->now());
+    if (next > at) break;
+    if (!pace.wait(next, interrupt_)) ended_ = true;
+    if (ended_) return false;
+    player_->run_until(next);
+    if (next_health_ <= of_faults) {
+      tell_health();
+      next_health_ += health_period;
+    } else {
+      faults_->tick(next);
+    }
+  }
+  if (!pace.wait(at, interrupt_)) ended_ = true;
+  if (ended_) return false;
+  player_->run_until(at);
+  return true;
+}
+
+void ReplayBench::play(const record::RawEvent& event) {
+  if (faults_ && faults_->are_on(event.link) && event.direction() == record::Direction::received)
+    faults_->receive(event);
+  else
+    hear(event);
+}
+
+void ReplayBench::hear(const record::RawEvent& event) {
+  const auto& link = recording_.links()[event.link];
+  if (const auto* read = std::get_if<record::RawBytes>(&event.content))
+    watchers_.all.on_bytes(link.uri, read->direction, read->data, read->at);
+  else
+    watchers_.all.on_frame(link.uri, event.direction(),
+                           std::get<record::RawFrame>(event.content).frame, event.at());
+  if (outlets_.onto != nullptr) outlets_.onto->send(event);
+  player_->play(event);
+}
+
+/// What no driver can say again: the truth, and the faults that were made.
+void ReplayBench::hear(const record::Understood& message) {
+  errors_.hear(message);
+  if (message.channel->topic != faults_topic) return;
+  if (const auto faults = bus::faults_of(message.cdr)) watchers_.all.note(*faults, message.at);
+}
+
+void ReplayBench::tell_health() {
+  if (watchers_.all.empty()) return;
+  std::vector<bus::DeviceStatus> health;
+  for (const auto& actor : player_->devices())
+    health.push_back(status_of(actor->device(), actor->device().health(player_->now())));
+  watchers_.all.note(health, player_->now());
+  watchers_.all.tick(player_->now());
+}
+
+/// A line has been written: for a person it is there at once, and waits for one who steps.
+void ReplayBench::shown() {
+  if (outlets_.steps == nullptr || ended_) return;
+  outlets_.lines->flush();
+  if (!outlets_.steps->next(interrupt_)) ended_ = true;
+}
+
+void ReplayBench::on_measurement(const measurement::Measurement& measurement) {
+  if (ended_) return;
+  ++measurements_;
+  watchers_.all.note(measurement);
+  if (outlets_.lines != nullptr) outlets_.lines->write(measurement), shown();
+  pipeline_.receive(measurement);
+}
+
+void ReplayBench::on_state(const device::Device& device, const device::Transition& change) {
+  if (outlets_.states == nullptr || stopping_) return;
+  fmt::print(outlets_.states, "{:.3f} s {}: {} -> {}: {}\n",
+             measurement::seconds(change.at - start_), device.name(), to_string(change.from),
+             to_string(change.to), change.why.view());
+}
+
+template <class Estimate>
+void ReplayBench::pass_on(const Estimate& estimate) {
+  if (ended_) return;
+  ++estimates_[estimate.estimator];
+  watchers_.note(estimate);
+  errors_.note(estimate);
+  if (outlets_.lines != nullptr) outlets_.lines->write(estimate), shown();
+}
+
+void ReplayBench::on_attitude(const pipeline::AttitudeEstimate& estimate) { pass_on(estimate); }
+
+void ReplayBench::on_navigation(const pipeline::NavigationEstimate& estimate) { pass_on(estimate); }
+
+void ReplayBench::on_innovation(const pipeline::InnovationReport& report) {
+  if (!ended_) watchers_.note(report);
+}
+
+}  // namespace drydock::cli

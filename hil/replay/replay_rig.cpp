@@ -1,0 +1,231 @@
+#include "hil/replay/replay_rig.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+
+#include "estimators/setup/rig_pipeline.hpp"
+#include "hil/replay/recorded_rig.hpp"
+#include "hil/replay/recording_progress.hpp"
+#include "hil/replay/reference_check.hpp"
+#include "hil/replay/replay_bench.hpp"
+#include "hil/replay/topics_watcher.hpp"
+#include "rig_config/load.hpp"
+
+namespace drydock::cli {
+
+namespace {
+
+std::string text_of(const std::string& path) {
+  std::ifstream in(path, std::ios::binary);
+  if (!in) throw std::runtime_error(path + ": " + std::strerror(errno));
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+using Faults = std::vector<rig_config::FaultConfig>;
+
+Faults faults_of(const std::string& path) {
+  return path.empty() ? Faults{} : rig_config::load_faults(path).value();
+}
+
+/// Of a recording, in words, and what is done to it: references hold for that alone.
+std::string part_text(const record::Selection& part, const Faults& faults) {
+  std::string text;
+  for (const auto& name : part.only) text += (text.empty() ? "only " : ",") + name;
+  if (part.from) text += fmt::format(" from {} ns", part.from->count());
+  if (part.to) text += fmt::format(" to {} ns", part.to->count());
+  if (text.empty()) text = "all";
+  for (const auto& fault : faults)
+    text += fmt::format("{} {} from {} s", &fault == &faults.front() ? ", with" : ",", fault.words,
+                        fault.start_s);
+  return text;
+}
+
+/// One replay: what the options ask for beside drivers and estimators. Members in the order in
+/// which they need each other.
+class RigReplay {
+ public:
+  RigReplay(const RigReplayOptions& options, record::Recording recording, std::FILE* in,
+            std::FILE* out, std::FILE* err)
+      : options_(options),
+        out_(out),
+        err_(err),
+        recording_(std::move(recording)),
+        rig_(recording_),
+        faults_(faults_of(options.faults)),
+        lines_(rig_.rig(), out),
+        steps_(in) {
+    if (const auto wrong = misfit(options.part, recording_); !wrong.empty())
+      throw std::runtime_error(wrong);
+    for (const auto& estimator : rig_.rig().estimators)
+      if (std::ranges::find(options.part.only, estimator.name) != options.part.only.end())
+        throw std::runtime_error("--only: " + estimator.name +
+                                 " is an estimator; name the devices that feed it");
+    if (!options.onto.empty()) onto_.emplace(io_, recording_.links(), options.onto);
+    bench_.emplace(
+        recording_, rig_.rig(), options_.part,
+        ReplayOutlets{options.quiet ? nullptr : &lines_, options.step ? &steps_ : nullptr,
+                      onto_ ? &*onto_ : nullptr, options.quiet ? nullptr : err},
+        faults_);
+    add_watchers();
+    if (!rig_.trouble().empty()) fmt::print(err_, "{}\n", rig_.trouble());
+    for (const auto& line : onto_ ? onto_->lines() : std::vector<std::string>{})
+      fmt::print(err_, "onto {}\n", line);
+    if (viewer_) fmt::print(err_, "live: {}\n", viewer_->url());
+    std::fflush(err_);
+  }
+
+  int run() {
+    Pace pace(io_, options_.speed);
+    if (draws_over_lines()) {
+      bench_->play(pace, [](double) { return true; });
+    } else {
+      RecordingProgress progress("replay", err_);
+      bench_->play(pace, std::ref(progress));
+    }
+    close_outlets();
+    if (!lines_.flush()) throw std::runtime_error("cannot write the output");
+    print_summary(options_.quiet ? out_ : err_);
+    const bool sound = compared();
+    return sound && bench_->measurements() > 0 ? 0 : 1;
+  }
+
+ private:
+  using Stamp = measurement::Stamp;
+
+  /// A bar would: lines go to the same terminal.
+  bool draws_over_lines() const { return !options_.quiet && ::isatty(fileno(out_)) == 1; }
+
+  void close_outlets() {
+    io_.restart();
+    io_.poll();  // what has just been queued
+    if (onto_) onto_->close();
+    if (viewer_) viewer_->stop();
+    io_.restart();
+    io_.run();
+  }
+
+  void add_watchers() {
+    const auto& rig = rig_.rig();
+    auto& watchers = bench_->watchers();
+    if (!options_.check.empty()) {
+      auto expected = parse_references(text_of(options_.check));
+      if (!expected) throw std::runtime_error(options_.check + ": " + expected.error().line);
+      if (expected->part != part_text(options_.part, faults_))
+        throw std::runtime_error(fmt::format("{} is of another part of a recording: {}; this is {}",
+                                             options_.check, expected->part,
+                                             part_text(options_.part, faults_)));
+      check_.emplace(std::move(*expected), options_.tolerance);
+      watchers.add(checked_.emplace(*check_, rig));
+    }
+    if (!options_.update_refs.empty()) {
+      maker_.emplace(options_.refs_every);
+      watchers.add(made_.emplace(*maker_, rig));
+    }
+    if (!options_.record.path.empty())
+      watchers.add(recorder_.emplace(
+          rig, options_.record, recording_.begin().value_or(Stamp{}),
+          options_.speed > 0 ? record::WhenBehind::lose : record::WhenBehind::wait));
+    if (!options_.serve.address.empty())
+      watchers.add(viewer_.emplace(io_.get_executor(), rig, options_.serve));
+  }
+
+  /// False: the replay gave something else than the references.
+  bool compared() {
+    if (maker_ && !bench_->interrupted()) {
+      std::ofstream file(options_.update_refs, std::ios::binary);
+      file << to_json_text(maker_->made(part_text(options_.part, faults_)));
+      file.close();
+      if (!file) throw std::runtime_error("cannot write " + options_.update_refs);
+      fmt::print(err_, "references written: {}\n", options_.update_refs);
+    }
+    if (!check_) return true;
+    const auto diverged = check_->finish();
+    if (diverged.empty()) {
+      fmt::print(err_, "as {} has it: {} messages on {} topics\n", options_.check,
+                 check_->messages(), check_->topics());
+      return true;
+    }
+    fmt::print(err_, "first divergence: {}\n", to_string(diverged.front()));
+    for (std::size_t i = 1; i < diverged.size(); ++i)
+      fmt::print(err_, "then: {}\n", to_string(diverged[i]));
+    return false;
+  }
+
+  void print_summary(std::FILE* to) {
+    const auto& rig = rig_.rig();
+    for (const auto& actor : bench_->player().devices()) {
+      const auto& device = actor->device();
+      const auto health = device.health(bench_->player().now());
+      fmt::print(to, "{}: {} measurements, {} frames, {} bad checksums, {} bytes skipped\n",
+                 device.name(), health.messages, health.stream.frames, health.stream.bad_checksums,
+                 health.stream.bytes_skipped);
+    }
+    if (const auto* faults = bench_->faults())
+      for (const auto& line : faults->lines()) fmt::print(to, "{}\n", line);
+    for (std::size_t i = 0; i < rig.estimators.size(); ++i)
+      fmt::print(to, "{}: {} estimates{}\n", rig.estimators[i].name, bench_->estimates()[i],
+                 error_text(bench_->errors().of(i)));
+    for (const auto& note : pipeline_notes(rig, bench_->pipeline())) fmt::print(to, "{}\n", note);
+    if (recorder_) fmt::print(to, "{}\n", recorder_->finish());
+    if (onto_ && onto_->lost() > 0)
+      fmt::print(to, "onto: {} reads or frames were not taken by the other side\n", onto_->lost());
+    if (!recording_.damage().empty())
+      fmt::print(to, "the recording is damaged: {} (drydock recover)\n", recording_.damage());
+    fmt::print(to, "{:.1f} s{}\n", measurement::seconds(bench_->played()),
+               bench_->interrupted() ? ", ended early" : "");
+  }
+
+  static std::string error_text(const TruthErrors::Rms& rms) {
+    if (rms.attitudes == 0) return "";
+    std::string text =
+        fmt::format("; against the recorded truth: roll {:.3f} deg, pitch {:.3f} deg", rms.roll_deg,
+                    rms.pitch_deg);
+    if (rms.positions > 0) text += fmt::format(", horizontal {:.2f} m", rms.horizontal_m);
+    return text + fmt::format(" RMS of {}", rms.attitudes);
+  }
+
+  const RigReplayOptions& options_;
+  std::FILE *out_, *err_;
+  boost::asio::io_context io_{1};
+  record::Recording recording_;
+  RecordedRig rig_;
+  Faults faults_;
+  ReplayLines lines_;
+  Steps steps_;
+  std::optional<Onto> onto_;
+  std::optional<ReferenceCheck> check_;
+  std::optional<ReferenceMaker> maker_;
+  std::optional<TopicsWatcher> checked_, made_;
+  std::optional<RigRecorder> recorder_;
+  std::optional<RigViewer> viewer_;
+  std::optional<ReplayBench> bench_;
+};
+
+}  // namespace
+
+bool is_recording(const std::string& path) {
+  std::array<char, mcap::magic.size()> head{};
+  std::ifstream in(path, std::ios::binary);
+  return in.read(head.data(), head.size()) &&
+         std::memcmp(head.data(), mcap::magic.data(), head.size()) == 0;
+}
+
+int replay_rig(const RigReplayOptions& options, std::FILE* in, std::FILE* out, std::FILE* err) {
+  try {
+    auto recording = record::Recording::open(options.recording);
+    if (!recording) throw std::runtime_error(recording.error().line);
+    return RigReplay(options, std::move(*recording), in, out, err).run();
+  } catch (const std::exception& error) {
+    fmt::print(err, "replay: {}\n", error.what());
+    return 2;
+  }
+}
+
+}  // namespace drydock::cli

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "drivers/bus/cdr/cdr_publisher.hpp"
+#include "drivers/host/rig_bus.hpp"
+#include "drivers/host/watcher.hpp"
+
+namespace drydock::cli {
+
+/// Gives a sink the messages of a rig's run; the truth is not among them.
+class TopicsWatcher final : public Watcher {
+ public:
+  /// The sink must outlive it.
+  TopicsWatcher(bus::CdrSink& sink, const rig_config::Rig& rig)
+      : topics_(sink, bus_devices(rig), estimator_names(rig), navigator_names(rig)) {}
+
+  using Watcher::note;
+  void note(const measurement::Measurement& m) override { topics_.publish(m); }
+  void note(const bus::Attitude& a, std::size_t i) override { topics_.publish(a, i); }
+  void note(const bus::Navigation& n, std::size_t i) override { topics_.publish(n, i); }
+  void note(std::span<const bus::DeviceStatus> health, Stamp now) override {
+    topics_.publish(health, now);
+  }
+  void tick(Stamp) override {}
+
+ private:
+  bus::CdrPublisher topics_;
+};
+
+}  // namespace drydock::cli

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "drivers/host/watcher.hpp"
+#include "drivers/recordings/record/message_layout.hpp"
+#include "drivers/recordings/record/recording.hpp"
+#include "estimators/pipeline/inertial/navigation_estimate.hpp"
+#include "rig_config/rig.hpp"
+
+namespace drydock::cli {
+
+/// Estimates of a replay against the truth in the recording (`/estimate/truth...`, that of an
+/// emulated vehicle). An estimate counts where there is a truth of the very same time.
+class TruthErrors {
+ public:
+  struct Rms {
+    std::uint64_t attitudes = 0, positions = 0;  ///< compared
+    double roll_deg = 0, pitch_deg = 0, horizontal_m = 0;
+  };
+
+  /// The truth goes on to `watchers`, as in the run.
+  TruthErrors(const rig_config::Rig& rig, Watchers& watchers)
+      : watchers_(watchers), truth_index_(rig.estimators.size()), sums_(rig.estimators.size()) {}
+
+  void note(const pipeline::AttitudeEstimate& estimate);
+  void note(const pipeline::NavigationEstimate& estimate);
+  void hear(const record::Understood& message);
+
+  Rms of(std::size_t estimator) const;
+
+ private:
+  using Stamp = measurement::Stamp;
+  struct Waiting {
+    std::size_t estimator = 0;
+    std::optional<frame::Position> position;
+    double roll_rad = 0, pitch_rad = 0;
+  };
+  struct Sums {
+    std::uint64_t attitudes = 0, positions = 0;
+    double roll2 = 0, pitch2 = 0, horizontal2 = 0;
+  };
+
+  std::map<std::string, double> values(const record::Understood& message);
+  void compare_attitude(const bus::Attitude& truth);
+  void compare_position(Stamp at, const frame::Position& truth);
+  void keep(Stamp at, Waiting waiting);
+
+  Watchers& watchers_;
+  std::size_t truth_index_;
+  std::vector<Sums> sums_;
+  std::map<std::string, record::MessageNode> layouts_;  ///< by type
+  std::multimap<Stamp, Waiting> waiting_;               ///< for the truth of their time
+  bus::Navigation navigation_;                          ///< its odometry comes before its fix
+};
+
+}  // namespace drydock::cli

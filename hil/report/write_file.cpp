@@ -1,0 +1,21 @@
+#include "hil/report/write_file.hpp"
+
+#include <fmt/format.h>
+
+#include <fstream>
+#include <stdexcept>
+
+namespace drydock::cli {
+
+void write_file(const std::filesystem::path& path, const std::string& text) {
+  if (path.has_parent_path()) {
+    std::error_code ignored;  // a folder that cannot be made shows as a file that cannot be opened
+    std::filesystem::create_directories(path.parent_path(), ignored);
+  }
+  std::ofstream out(path, std::ios::binary);
+  out << text;
+  out.close();
+  if (!out) throw std::runtime_error(fmt::format("cannot write {}", path.string()));
+}
+
+}  // namespace drydock::cli

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "hil/scorecard/heat_map.hpp"
+#include "hil/scorecard/score.hpp"
+
+/// Figures of a score as cells of a heat map.
+namespace drydock::cli::scorecard {
+
+/// "0.1", "2.4", "31": what fits a cell.
+std::string short_number(double x);
+
+HeatCell detect_cell(const Score& score);
+HeatCell recover_cell(const Score& score);
+HeatCell lost_cell(std::int64_t lost);
+HeatCell wrong_cell(const Score& score);
+HeatCell mistimed_cell(const Score& score);
+HeatCell lies_cell(const Score& score);
+HeatCell growth_cell(const EstimatorScore& estimator);  ///< times the error without a fault
+HeatCell nees_cell(const EstimatorScore& estimator);
+HeatCell recover_cell(const EstimatorScore& estimator);
+
+/// Times the error without a fault, of position where there is one and it grew more.
+double growth_of(const EstimatorScore& estimator);
+
+}  // namespace drydock::cli::scorecard

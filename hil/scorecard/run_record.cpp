@@ -1,0 +1,132 @@
+#include "hil/scorecard/run_record.hpp"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+#include "estimators/frame/geodetic.hpp"
+#include "estimators/setup/degrees.hpp"
+#include "hil/bench/lockstep_bench.hpp"
+#include "hil/bench/truth_of_rig.hpp"
+#include "hil/motion/remembered_trajectory.hpp"
+
+namespace drydock::cli::scorecard {
+namespace {
+
+using measurement::Stamp;
+
+class NobodyListens final : public shell::RawListener {
+  void on_bytes(std::string_view, shell::Direction, wire::Bytes, Stamp) override {}
+  void on_frame(std::string_view, shell::Direction, const wire::CanFrame&, Stamp) override {}
+};
+
+class Recorder final : private device::Listener, private pipeline::EstimateListener {
+ public:
+  explicit Recorder(const rig_config::Rig& rig)
+      : start_(measurement::stamp_from_ns(rig.start_utc_ns)),
+        motion_(motion::make_trajectory(rig.mission, start_)),
+        has_truth_(truth_for_estimators(rig)),
+        bench_(rig, motion_, {*this, *this, raw_}) {
+    record_.devices.resize(rig.devices.size());
+    record_.estimators.resize(rig.estimators.size());
+  }
+
+  RunRecord run(double duration_s) {
+    const auto looks = static_cast<std::size_t>(std::ceil(duration_s / poll_s));
+    for (std::size_t k = 1; k <= looks; ++k) {
+      bench_.run_until(start_ + measurement::from_seconds(static_cast<double>(k) * poll_s));
+      look();
+    }
+    bench_.flush();
+    return std::move(record_);
+  }
+
+ private:
+  double since_start(Stamp at) const { return measurement::seconds(at - start_); }
+
+  void look() {
+    std::uint64_t rejected = 0, not_running = 0;
+    const auto& pipeline = bench_.pipeline();
+    for (std::size_t i = 0; i < pipeline.estimators(); ++i) {
+      rejected += pipeline.status(i).rejected;
+      not_running += pipeline.status(i).state == pipeline::EstimatorState::running ? 0 : 1;
+    }
+    for (std::size_t i = 0; i < bench_.devices(); ++i) {
+      const auto health = bench_.device(i).health(bench_.now());
+      Look look{.at_s = since_start(bench_.now()),
+                .bad_checksums = health.stream.bad_checksums,
+                .skipped = health.stream.bytes_skipped,
+                .error_frames = health.error_frames,
+                .trouble = health.last_error,
+                .rate_hz = health.rate_hz,
+                .rejected = rejected,
+                .not_running = not_running};
+      if (i < pipeline.counters().size()) {
+        look.late = pipeline.counters()[i].late;
+        look.refused = pipeline.counters()[i].refused;
+      }
+      record_.devices[i].looks.push_back(look);
+    }
+  }
+
+  void on_measurement(const measurement::Measurement& m) override {
+    const auto& origin = measurement::origin_of(m);
+    auto& device = record_.devices.at(origin.device);
+    Arrival arrival{since_start(origin.received_at), m.index(), 0};
+    fields_of(m, start_, fields_);
+    for (const Field& field : fields_) {
+      auto& series = device.series[field.series];
+      series.name = field.name;
+      series.role = field.role;
+      series.angle = field.angle;
+      series.samples.push_back(
+          {since_start(origin.valid_at), arrival.received_s, field.value, device.arrivals.size()});
+      if (field.series < 64) arrival.fields |= std::uint64_t{1} << field.series;
+    }
+    device.arrivals.push_back(arrival);
+  }
+
+  void on_state(const device::Device& device, const device::Transition& change) override {
+    record_.devices.at(device.index()).changes.push_back({since_start(change.at), change.to});
+  }
+
+  void on_attitude(const pipeline::AttitudeEstimate& estimate) override { compare(estimate, {}); }
+  void on_navigation(const pipeline::NavigationEstimate& estimate) override {
+    compare(pipeline::attitude_of(estimate), estimate.position);
+  }
+
+  void compare(const pipeline::AttitudeEstimate& estimate,
+               const std::optional<frame::Position>& position) {
+    if (!has_truth_) return;
+    const motion::Truth truth = motion_.at(estimate.valid_at);
+    const Eigen::Vector2d off{
+        std::remainder(estimate.roll_rad - truth.roll_rad, 2 * std::numbers::pi),
+        std::remainder(estimate.pitch_rad - truth.pitch_rad, 2 * std::numbers::pi)};
+    ErrorAt error{since_start(estimate.valid_at),
+                  off.norm() * to_deg,
+                  off.dot(estimate.covariance.inverse() * off) / 2,
+                  {}};
+    if (position)
+      error.horizontal_m =
+          frame::ned_offset({truth.latitude_rad, truth.longitude_rad, truth.height_m}, *position)
+              .head<2>()
+              .norm();
+    record_.estimators.at(estimate.estimator).push_back(error);
+  }
+
+  Stamp start_;
+  motion::RememberedTrajectory motion_;
+  bool has_truth_;
+  NobodyListens raw_;
+  RunRecord record_;
+  std::vector<Field> fields_;
+  LockstepBench bench_;
+};
+
+}  // namespace
+
+RunRecord record_run(const rig_config::Rig& rig, double duration_s) {
+  return Recorder(rig).run(duration_s);
+}
+
+}  // namespace drydock::cli::scorecard

@@ -1,0 +1,112 @@
+#include "hil/scorecard/scorecard.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+#include <thread>
+
+#include "drivers/terminal/exit_codes.hpp"
+#include "hil/scorecard/scorecard_file.hpp"
+#include "hil/scorecard/scorecard_report.hpp"
+#include "hil/study/run/study_progress.hpp"
+
+namespace drydock::cli::scorecard {
+namespace {
+
+namespace fs = std::filesystem;
+
+void write(const fs::path& path, const std::string& text) {
+  std::error_code ignored;  // the stream says whether the folder is there
+  if (path.has_parent_path()) fs::create_directories(path.parent_path(), ignored);
+  std::ofstream file(path);
+  file << text;
+  if (!file.flush()) throw std::runtime_error(fmt::format("{}: cannot be written", path.string()));
+}
+
+std::string read(const fs::path& path) {
+  std::ifstream file(path);
+  std::ostringstream text;
+  text << file.rdbuf();
+  if (!file || text.str().empty())
+    throw std::runtime_error(fmt::format("{}: cannot be read", path.string()));
+  return text.str();
+}
+
+/// Its own run for each pair, with that fault alone; beside them one without any.
+Scorecard play(const rig_config::Rig& asked, const std::vector<Pair>& pairs, const Options& options,
+               study::Options campaign, study::Progress& progress) {
+  rig_config::Rig rig = asked;
+  rig.faults.clear();
+  const Reference reference(record_run(rig, options.window.run_s()));
+  Scorecard card{.rig = rig.name,
+                 .seed = rig.seed,
+                 .window = options.window,
+                 .pairs = pairs.size(),
+                 .whole = options.devices.empty() && options.faults.empty(),
+                 .scores = {}};
+  study::campaign(
+      "scorecard", campaign, progress,
+      [&](std::size_t k) {
+        rig_config::Rig faulty = rig;
+        faulty.faults = {pairs[k].fault};
+        return score_of(rig, options.window, pairs[k], reference,
+                        record_run(faulty, options.window.run_s()));
+      },
+      [&](std::size_t, Score&& score) { card.scores.push_back(std::move(score)); });
+  return card;
+}
+
+/// True where the card is as the file has it; else a line for each pair that is not.
+bool check(const Scorecard& card, const std::string& file, std::FILE* out) {
+  const auto differences = differences_from(read(file), card);
+  for (const auto& line : differences) fmt::print(out, "{}\n", line);
+  if (differences.empty())
+    fmt::print(out, "{} pairs are as {} has them\n", card.scores.size(), file);
+  else
+    fmt::print(out, "{} differences from {}; --update-refs writes it anew\n", differences.size(),
+               file);
+  return differences.empty();
+}
+
+}  // namespace
+
+int run_scorecard(const rig_config::Rig& rig, const Options& options, std::FILE* out,
+                  std::FILE* errors) try {
+  std::vector<Pair> pairs;
+  try {
+    pairs = pairs_of(rig, options.window, options.devices, options.faults);
+  } catch (const std::runtime_error& error) {
+    fmt::print(errors, "scorecard: {}\n", error.what());
+    return exit_usage;
+  }
+  if (pairs.empty()) throw std::runtime_error("no device of the rig can have such a fault");
+
+  study::Options campaign{.runs = pairs.size(), .seed = rig.seed, .jobs = options.jobs};
+  if (campaign.jobs == 0) campaign.jobs = std::max(1U, std::thread::hardware_concurrency());
+  StudyProgress progress(errors);
+  const Scorecard card = play(rig, pairs, options, campaign, progress);
+  progress.finish("scorecard of " + rig.name, card.scores.size(), campaign);
+  if (card.scores.empty()) return exit_failed;
+
+  fmt::print(out, "{}", to_text(card));
+  if (!options.json.empty()) write(options.json, to_json_text(card));
+  if (!options.report.empty()) {
+    write(fs::path(options.report) / "index.html", to_html(card));
+    write(fs::path(options.report) / "heat-map.svg", overview_svg(card));
+  }
+  const bool complete = card.scores.size() == card.pairs;
+  if (!options.update_refs.empty() && complete) write(options.update_refs, to_json_text(card));
+  if (!options.update_refs.empty() && !complete)
+    fmt::print(errors, "{} is left as it is\n", options.update_refs);
+  if (!options.check.empty() && !check(card, options.check, out)) return exit_failed;
+  return complete ? 0 : exit_failed;
+} catch (const std::runtime_error& error) {
+  fmt::print(errors, "scorecard: {}\n", error.what());
+  return exit_failed;
+}
+
+}  // namespace drydock::cli::scorecard

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "hil/study/leveling/leveling_statistics.hpp"
+#include "hil/study/study.hpp"
+
+namespace drydock::study {
+
+/// Hong, Park, Han, Lee, "A Leveling Algorithm for Strapdown INS Using EKF" (2000), chapter 4,
+/// with three filters side by side.
+Result leveling_study(const Options& options, Progress& progress);
+
+std::vector<Table> leveling_tables(const LevelingResults& results);
+std::vector<Figure> leveling_figures(const LevelingResults& results);
+
+}  // namespace drydock::study

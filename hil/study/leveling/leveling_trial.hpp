@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "estimators/leveling/leveling_options.hpp"
+#include "hil/study/leveling/leveling_motion.hpp"
+
+/// One run of the leveling paper's experiment (its chapter 4).
+namespace drydock::study {
+
+inline constexpr double leveling_latitude_rad = 36 * leveling_motions::degree;
+inline constexpr double leveling_rate_hz = 100;
+inline constexpr double leveling_duration_s = 30;
+inline constexpr double leveling_point_spacing_s = 0.1;  ///< of the curves
+inline constexpr std::size_t leveling_points = 301;      ///< 0, 0.1, ... 30 s
+
+/// How the biases of Table 1 come about. The paper's means are only possible with the first.
+enum class LevelingBiases : std::uint8_t { one_sigma, drawn, none };
+
+struct LevelingTrial {
+  LevelingMotion motion;
+  bool stationary = false;  ///< eq. (32) instead of eq. (29)
+  LevelingBiases biases = LevelingBiases::one_sigma;
+  std::uint64_t seed = 1;
+  std::size_t run = 0;
+};
+
+/// The readings of one run with the errors of Table 1: biases and white noise per sample.
+std::vector<LevelingReading> leveling_readings(const LevelingTrial& trial);
+
+/// One filter in one run; degrees.
+struct LevelingOutcome {
+  std::vector<double> roll_error, pitch_error;        ///< estimate - truth, at `leveling_points`
+  std::vector<double> roll_variance, pitch_variance;  ///< the filter's own, deg2
+  double nees = 0;        ///< of roll and pitch at the end, per state: 1 when consistent
+  double settled_s = 0;   ///< from here on both errors are below half a degree
+  bool diverged = false;  ///< an error beyond 5 degrees at the end
+};
+
+/// `options` as options_for(kind) gives them, or changed. The first guess of the attitude, which
+/// only a filter without accelerometer start uses, is wrong by N(0, 45^2) degrees, not clipped.
+LevelingOutcome run_leveling(const LevelingTrial& trial,
+                             const std::vector<LevelingReading>& readings,
+                             leveling::FilterKind kind, leveling::LevelingOptions options);
+
+}  // namespace drydock::study

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <chrono>
+#include <cstdio>
+#include <string_view>
+
+#include "drivers/terminal/interrupt_flag.hpp"
+#include "hil/study/campaign.hpp"
+
+namespace drydock::cli {
+
+/// A bar with the time left where `out` is a terminal, nothing elsewhere; Ctrl-C stops.
+class StudyProgress final : public study::Progress {
+ public:
+  explicit StudyProgress(std::FILE* out);
+
+  void on_run(std::string_view campaign, std::size_t done, std::size_t of) override;
+  bool stopped() const override { return interrupt_.set(); }
+
+  /// Wipes the bar and says in one line what was done.
+  void finish(std::string_view study, std::size_t runs, const study::Options& options);
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  std::FILE* out_;
+  bool terminal_;
+  InterruptFlag interrupt_;
+  Clock::time_point begin_ = Clock::now();
+  Clock::time_point campaign_begin_ = begin_, next_drawing_ = begin_;
+};
+
+}  // namespace drydock::cli

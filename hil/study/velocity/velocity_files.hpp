@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string_view>
+
+#include "hil/study/velocity/velocity_mission.hpp"
+
+/// Files of rig_config that the program carries with it.
+namespace drydock::study {
+
+std::string_view velocity_mission_text();
+std::string_view velocity_vehicle_text(Hull hull);
+
+}  // namespace drydock::study

@@ -1,0 +1,130 @@
+#include "hil/summary/expect_watch.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+
+namespace drydock::cli {
+namespace {
+
+template <class Named>
+std::size_t index_of(const std::vector<Named>& all, const std::string& name) {
+  return static_cast<std::size_t>(std::ranges::find(all, name, &Named::name) - all.begin());
+}
+
+/// What a device counted since `before`; its state and rate are those of now.
+DeviceSummary counted_since(const DeviceSummary& before, DeviceSummary now) {
+  now.bytes_in -= before.bytes_in;
+  now.bytes_good -= before.bytes_good;
+  now.bytes_skipped -= before.bytes_skipped;
+  now.frames -= before.frames;
+  now.bad_checksums -= before.bad_checksums;
+  now.messages -= before.messages;
+  now.reopens -= before.reopens;
+  return now;
+}
+
+}  // namespace
+
+ExpectWatch::ExpectWatch(const rig_config::Rig& rig, const motion::Trajectory* truth,
+                         measurement::Stamp start)
+    : rig_(rig), truth_(truth), start_(start) {
+  windows_.resize(rig.expects.size());
+  for (std::size_t i = 0; i < windows_.size(); ++i) windows_[i].expect = &rig.expects[i];
+}
+
+void ExpectWatch::note(const std::string& device, const device::Transition& change) {
+  const double t = measurement::seconds(change.at - start_);
+  for (Window& w : windows_) {
+    const auto& e = *w.expect;
+    if (e.device != device || e.state.empty() || !(e.after_s > 0) || t <= e.after_s) continue;
+    // Until the first change after after_s, the device was in the state `from` since then.
+    for (const auto& [state, since] :
+         {std::pair{to_string(change.from), e.after_s}, std::pair{to_string(change.to), t}}) {
+      if (w.other_state.empty() && state != e.state)
+        w.other_state = fmt::format("{} at {:.1f} s", state, since);
+    }
+  }
+}
+
+bool ExpectWatch::concerns(const Window& w, std::size_t estimator, measurement::Stamp at) const {
+  return w.expect->after_s > 0 && w.expect->estimator == rig_.estimators[estimator].name &&
+         measurement::seconds(at - start_) >= w.expect->after_s;
+}
+
+void ExpectWatch::note(const pipeline::AttitudeEstimate& estimate) {
+  for (Window& w : windows_) {
+    if (!concerns(w, estimate.estimator, estimate.valid_at)) continue;
+    ++w.estimates;
+    if (truth_) w.attitude.add(estimate, truth_->at(estimate.valid_at));
+  }
+}
+
+void ExpectWatch::note(const pipeline::NavigationEstimate& estimate) {
+  for (Window& w : windows_) {
+    if (!concerns(w, estimate.estimator, estimate.valid_at)) continue;
+    ++w.estimates;
+    if (!truth_) continue;
+    const auto truth = truth_->at(estimate.valid_at);
+    w.attitude.add(pipeline::attitude_of(estimate), truth);
+    w.navigation.note(estimate, &truth, 0, false);
+  }
+}
+
+void ExpectWatch::follow(measurement::Stamp now, const std::function<Devices()>& devices,
+                         const pipeline::Pipeline& pipeline) {
+  const double t = measurement::seconds(now - start_);
+  for (Window& w : windows_) {
+    if (w.begun || !(w.expect->after_s > 0) || t < w.expect->after_s) continue;
+    w.begun = true;
+    if (w.expect->device.empty()) {
+      w.estimator_before = pipeline.status(index_of(rig_.estimators, w.expect->estimator));
+    } else {
+      w.device_before = devices()[index_of(rig_.devices, w.expect->device)];
+    }
+  }
+}
+
+Findings ExpectWatch::of_device(const Window& w, const Summary& summary) const {
+  Findings found;
+  found.device =
+      counted_since(w.device_before, summary.devices[index_of(rig_.devices, w.expect->device)]);
+  found.other_state = w.other_state;
+  return found;
+}
+
+Findings ExpectWatch::of_estimator(const Window& w, const Summary& summary,
+                                   const pipeline::Pipeline& pipeline) const {
+  const std::size_t i = index_of(rig_.estimators, w.expect->estimator);
+  EstimatorSummary seen = summary.estimators[i];
+  if (w.begun) {
+    const auto& now = pipeline.status(i);
+    seen.estimates = w.estimates;
+    seen.rejected = now.rejected - w.estimator_before.rejected;
+    seen.nis = (now.taken - w.estimator_before.taken).mean();
+    seen.whole_run.reset();
+    if (w.attitude.count() > 0) seen.whole_run = w.attitude.result();
+    seen.navigation = w.navigation.error();
+  }
+  Findings found;
+  found.estimator = std::move(seen);
+  return found;
+}
+
+void ExpectWatch::write(Summary& summary, const pipeline::Pipeline& pipeline) const {
+  for (std::size_t i = 0; i < summary.estimators.size(); ++i) {
+    summary.estimators[i].rejected = pipeline.status(i).rejected;
+    summary.estimators[i].nis = pipeline.status(i).taken.mean();
+  }
+  for (const Window& w : windows_) {
+    Findings found;
+    const bool came = w.begun || !(w.expect->after_s > 0);
+    if (came)
+      found = w.expect->device.empty() ? of_estimator(w, summary, pipeline) : of_device(w, summary);
+    found.duration_s = summary.duration_s;
+    std::ranges::move(judge(*w.expect, found), std::back_inserter(summary.verdicts));
+  }
+}
+
+}  // namespace drydock::cli

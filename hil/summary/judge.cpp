@@ -1,0 +1,142 @@
+#include "hil/summary/judge.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string_view>
+
+namespace drydock::cli {
+namespace {
+
+using Value = std::optional<double>;
+using rig_config::Bounds;
+
+struct DeviceFigure {
+  std::string_view name;
+  double (*of)(const DeviceSummary&);
+};
+
+constexpr DeviceFigure device_figures[]{
+    {"rate_hz", [](const DeviceSummary& d) { return d.rate_hz; }},
+    {"messages", [](const DeviceSummary& d) { return static_cast<double>(d.messages); }},
+    {"bad_checksums", [](const DeviceSummary& d) { return static_cast<double>(d.bad_checksums); }},
+    {"skipped_bytes", [](const DeviceSummary& d) { return static_cast<double>(d.bytes_skipped); }},
+    {"reopens", [](const DeviceSummary& d) { return static_cast<double>(d.reopens); }},
+};
+
+/// `missing`: why there may be no value.
+struct EstimatorFigure {
+  std::string_view name;
+  Value (*of)(const EstimatorSummary&);
+  const char* missing = "none: no estimate has a truth to compare with";
+};
+
+Value of_attitude(const EstimatorSummary& e, double AttitudeError::*member) {
+  return e.whole_run ? Value{(*e.whole_run).*member} : Value{};
+}
+Value of_navigation(const EstimatorSummary& e, double NavigationError::*member) {
+  return e.navigation ? Value{(*e.navigation).*member} : Value{};
+}
+
+constexpr EstimatorFigure estimator_figures[]{
+    {"estimates", [](const auto& e) { return Value{static_cast<double>(e.estimates)}; }},
+    {"rejected", [](const auto& e) { return Value{static_cast<double>(e.rejected)}; }},
+    {"roll_rms_deg", [](const auto& e) { return of_attitude(e, &AttitudeError::roll_rms_deg); }},
+    {"pitch_rms_deg", [](const auto& e) { return of_attitude(e, &AttitudeError::pitch_rms_deg); }},
+    {"heading_rms_deg",
+     [](const auto& e) { return of_navigation(e, &NavigationError::heading_rms_deg); }},
+    {"position_rms_m",
+     [](const auto& e) { return of_navigation(e, &NavigationError::horizontal_rms_m); }},
+    {"position_end_m",
+     [](const auto& e) { return of_navigation(e, &NavigationError::horizontal_end_m); }},
+    {"depth_rms_m", [](const auto& e) { return of_navigation(e, &NavigationError::depth_rms_m); }},
+    {"velocity_rms_mps",
+     [](const auto& e) { return of_navigation(e, &NavigationError::velocity_rms_mps); }},
+    {"nees", [](const auto& e) { return of_attitude(e, &AttitudeError::nees_mean); }},
+    {"nees_position",
+     [](const auto& e) { return of_navigation(e, &NavigationError::nees_position); }},
+    {"nis", [](const auto& e) { return e.nis; }, "none: no sensor's value was taken"},
+};
+
+template <class Figures>
+const auto& figure_named(const Figures& figures, const std::string& name) {
+  const auto found =
+      std::ranges::find_if(figures, [&](const auto& figure) { return figure.name == name; });
+  if (found == std::end(figures)) throw std::logic_error("no figure is named " + name);
+  return *found;
+}
+
+std::string in_words(const Bounds& bounds) {
+  if (std::isinf(bounds.low)) return fmt::format("at most {}", bounds.high);
+  if (std::isinf(bounds.high)) return fmt::format("at least {}", bounds.low);
+  return fmt::format("{} to {}", bounds.low, bounds.high);
+}
+
+Verdict judge_state(const rig_config::ExpectConfig& expect, const Findings& found) {
+  std::string state = found.device->state;
+  if (!found.other_state.empty()) state = found.other_state;
+  const bool passed = state == expect.state;
+  if (!passed && !found.device->last_error.empty())
+    state += fmt::format(" ({})", found.device->last_error);
+  return {.subject = expect.device,
+          .what = "state",
+          .measured = std::move(state),
+          .expected = expect.state,
+          .passed = passed,
+          .line = expect.state_line};
+}
+
+Verdict judge_figure(const std::string& subject, const rig_config::ExpectedFigure& figure,
+                     Value value, const std::string& missing) {
+  return {.subject = subject,
+          .what = figure.name,
+          .measured = value ? fmt::format("{:.6g}", *value) : missing,
+          .expected = in_words(figure.allowed),
+          .passed = value && figure.allowed.hold(*value),
+          .line = figure.line};
+}
+
+}  // namespace
+
+std::vector<Verdict> judge(const rig_config::ExpectConfig& expect, const Findings& found) {
+  std::vector<Verdict> verdicts;
+  const auto too_short = fmt::format("none: the run ended at {:.1f} s, before after_s = {}",
+                                     found.duration_s, expect.after_s);
+  const std::string& subject = expect.device.empty() ? expect.estimator : expect.device;
+  if (!expect.state.empty()) {
+    verdicts.push_back(found.device ? judge_state(expect, found)
+                                    : Verdict{subject, "state", too_short, expect.state, false,
+                                              expect.state_line});
+  }
+  for (const auto& figure : expect.figures) {
+    Value value;
+    std::string missing = too_short;
+    if (!expect.device.empty()) {
+      const auto& known = figure_named(device_figures, figure.name);
+      if (found.device) value = known.of(*found.device);
+    } else {
+      const auto& known = figure_named(estimator_figures, figure.name);
+      if (found.estimator) {
+        value = known.of(*found.estimator);
+        missing = known.missing;
+      }
+    }
+    verdicts.push_back(judge_figure(subject, figure, value, missing));
+  }
+  return verdicts;
+}
+
+std::string to_text(const std::vector<Verdict>& verdicts) {
+  if (verdicts.empty()) return {};
+  std::string out;
+  for (const auto& v : verdicts) {
+    out += fmt::format("{} {} {}: {}, expected {}\n", v.passed ? "PASS" : "FAIL", v.subject, v.what,
+                       v.measured, v.expected);
+  }
+  return out + fmt::format("{} of {} expectations met\n",
+                           std::ranges::count(verdicts, true, &Verdict::passed), verdicts.size());
+}
+
+}  // namespace drydock::cli

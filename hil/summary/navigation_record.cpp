@@ -1,0 +1,92 @@
+#include "hil/summary/navigation_record.hpp"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+#include "estimators/frame/attitude.hpp"
+#include "estimators/setup/degrees.hpp"
+
+namespace drydock::cli {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+namespace {
+
+frame::Position true_position(const motion::Truth& truth) {
+  return {truth.latitude_rad, truth.longitude_rad, truth.height_m};
+}
+
+double sigma_of(const pipeline::NavigationEstimate& estimate, Eigen::Index i) {
+  return std::sqrt(std::max(0.0, estimate.covariance(i, i)));
+}
+
+}  // namespace
+
+void NavigationRecord::note(const pipeline::NavigationEstimate& estimate,
+                            const motion::Truth* truth, double t_s, bool draw) {
+  if (!origin_) origin_ = truth ? true_position(*truth) : estimate.position;
+  if (draw) {
+    const Vector3d at = frame::ned_offset(*origin_, estimate.position);
+    trace_.t_s.push_back(t_s);
+    trace_.north_m.push_back(at.x());
+    trace_.east_m.push_back(at.y());
+    trace_.north_sigma_m.push_back(sigma_of(estimate, 0));
+    trace_.east_sigma_m.push_back(sigma_of(estimate, 1));
+    for (std::size_t i = 0; i < 3; ++i)
+      trace_.velocity_sigma_mps[i].push_back(sigma_of(estimate, 3 + static_cast<int>(i)));
+    if (estimate.current) {
+      trace_.current_north_mps.push_back(estimate.current->north_east_mps.x());
+      trace_.current_east_mps.push_back(estimate.current->north_east_mps.y());
+    }
+  }
+  if (truth) compare(estimate, *truth, draw);
+}
+
+void NavigationRecord::compare(const pipeline::NavigationEstimate& estimate,
+                               const motion::Truth& truth, bool draw) {
+  const Vector3d off = frame::ned_offset(true_position(truth), estimate.position);
+  const Vector3d velocity = estimate.velocity_ned - truth.velocity_ned;
+  const frame::Euler angles = frame::euler(estimate.body_to_ned);
+  const Vector3d turned{frame::wrap_pi(angles.roll - truth.roll_rad),
+                        frame::wrap_pi(angles.pitch - truth.pitch_rad),
+                        frame::wrap_pi(angles.yaw - truth.yaw_rad)};
+  const Vector2d horizontal = off.head<2>();
+  ++count_;
+  horizontal_last_ = horizontal.norm();
+  horizontal_square_ += horizontal.squaredNorm();
+  horizontal_max_ = std::max(horizontal_max_, horizontal_last_);
+  down_square_ += off.z() * off.z();
+  speed_square_ += velocity.squaredNorm();
+  speed_max_ = std::max(speed_max_, velocity.norm());
+  angle_square_ += turned.cwiseAbs2();
+  const Eigen::Matrix2d covariance = estimate.covariance.topLeftCorner<2, 2>();
+  nees_ += horizontal.dot(covariance.inverse() * horizontal) / 2;
+  if (!draw) return;
+  const Vector3d at = frame::ned_offset(*origin_, true_position(truth));
+  trace_.true_north_m.push_back(at.x());
+  trace_.true_east_m.push_back(at.y());
+  trace_.north_error_m.push_back(off.x());
+  trace_.east_error_m.push_back(off.y());
+  for (std::size_t i = 0; i < 3; ++i)
+    trace_.velocity_error_mps[i].push_back(velocity(static_cast<int>(i)));
+}
+
+std::optional<NavigationError> NavigationRecord::error() const {
+  if (count_ == 0) return {};
+  const auto n = static_cast<double>(count_);
+  const Vector3d degrees = (angle_square_ / n).cwiseSqrt() * to_deg;
+  return NavigationError{.horizontal_rms_m = std::sqrt(horizontal_square_ / n),
+                         .horizontal_max_m = horizontal_max_,
+                         .horizontal_end_m = horizontal_last_,
+                         .depth_rms_m = std::sqrt(down_square_ / n),
+                         .velocity_rms_mps = std::sqrt(speed_square_ / n),
+                         .velocity_max_mps = speed_max_,
+                         .roll_rms_deg = degrees.x(),
+                         .pitch_rms_deg = degrees.y(),
+                         .heading_rms_deg = degrees.z(),
+                         .nees_position = nees_ / n};
+}
+
+}  // namespace drydock::cli

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <optional>
+
+#include "estimators/pipeline/inertial/navigation_estimate.hpp"
+#include "hil/motion/truth.hpp"
+#include "hil/summary/summary.hpp"
+
+namespace drydock::cli {
+
+/// Follows one navigation estimator: its error against the truth, and thinned curves.
+class NavigationRecord {
+ public:
+  /// `truth`: of the estimate's valid_at, null where there is none. `draw`: a point of the curves.
+  void note(const pipeline::NavigationEstimate& estimate, const motion::Truth* truth, double t_s,
+            bool draw);
+
+  std::optional<NavigationError> error() const;  ///< empty: never compared with a truth
+  const NavigationTrace& trace() const { return trace_; }
+
+ private:
+  void compare(const pipeline::NavigationEstimate& estimate, const motion::Truth& truth, bool draw);
+
+  std::optional<frame::Position> origin_;
+  NavigationTrace trace_;
+  std::uint64_t count_ = 0;
+  double horizontal_square_ = 0, horizontal_max_ = 0, horizontal_last_ = 0, down_square_ = 0;
+  double speed_square_ = 0, speed_max_ = 0, nees_ = 0;
+  Eigen::Vector3d angle_square_ = Eigen::Vector3d::Zero();
+};
+
+}  // namespace drydock::cli

@@ -1,0 +1,70 @@
+#include "hil/summary/navigation_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "hil/report/html.hpp"
+
+namespace drydock::cli {
+namespace {
+
+std::string navigation_table(const NavigationError& e) {
+  return fmt::format(
+      "<div class=scroll><table><tr><th>error against truth<th>RMS<th>max<th>end</tr>\n"
+      "<tr><td>horizontal position<td>{:.2f} m<td>{:.2f} m<td>{:.2f} m</tr>\n"
+      "<tr><td>depth<td>{:.3f} m<td><td></tr>\n"
+      "<tr><td>velocity over ground<td>{:.4f} m/s<td>{:.4f} m/s<td></tr>\n"
+      "<tr><td>roll, pitch, heading<td>{:.5f}°, {:.5f}°, {:.5f}°<td><td></tr>\n"
+      "<tr><td>NEES of the horizontal position, per axis<td>{:.2f}<td><td></tr></table></div>\n",
+      e.horizontal_rms_m, e.horizontal_max_m, e.horizontal_end_m, e.depth_rms_m, e.velocity_rms_mps,
+      e.velocity_max_mps, e.roll_rms_deg, e.pitch_rms_deg, e.heading_rms_deg, e.nees_position);
+}
+
+/// The filter's band, and the error on top of it; what the start brings may leave the axis.
+std::string error_figure(const std::string& title, const char* unit, const NavigationTrace& t,
+                         const std::vector<double>& error, std::vector<double> sigma) {
+  double largest = 0;
+  for (std::size_t i = 0; i < error.size(); ++i) {
+    sigma[i] *= 3;
+    if (i > error.size() / 50) largest = std::max({largest, 1.3 * std::abs(error[i]), sigma[i]});
+  }
+  Plot plot{title, "time [s]", unit, {}};
+  plot.y_limit = largest;
+  plot.curves.push_back({"3 sigma", t.t_s, std::move(sigma), true});
+  plot.curves.push_back({"estimate - truth", t.t_s, error});
+  return html::figure(plot);
+}
+
+}  // namespace
+
+std::string navigation_section(const std::optional<NavigationError>& error,
+                               const NavigationTrace& t) {
+  if (t.t_s.empty()) return {};
+  std::string out = error ? navigation_table(*error) : "<p>No truth to compare with.</p>\n";
+  Plot track{"Track: truth and estimate", "east [m]", "north [m]", {}};
+  track.equal_scales = true;
+  if (error) track.curves.push_back({"truth", t.true_east_m, t.true_north_m});
+  track.curves.push_back({"estimate", t.east_m, t.north_m});
+  out += html::figure(track);
+  if (error) {
+    out += error_figure("Position north: error with the filter's 3-sigma band", "m", t,
+                        t.north_error_m, t.north_sigma_m);
+    out += error_figure("Position east: error with the filter's 3-sigma band", "m", t,
+                        t.east_error_m, t.east_sigma_m);
+    constexpr std::array axes{"north", "east", "down"};
+    for (std::size_t i = 0; i < 3; ++i)
+      out += error_figure(fmt::format("Velocity {}: error with the filter's 3-sigma band", axes[i]),
+                          "m/s", t, t.velocity_error_mps[i], t.velocity_sigma_mps[i]);
+  }
+  if (!t.current_north_mps.empty())
+    out += html::figure(
+        {"Current, as the filter has it",
+         "time [s]",
+         "m/s",
+         {{"north", t.t_s, t.current_north_mps}, {"east", t.t_s, t.current_east_mps}}});
+  return out;
+}
+
+}  // namespace drydock::cli

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string>
+
+#include "hil/summary/summary.hpp"
+
+namespace drydock::cli {
+
+/// Error table and figures of one navigation estimator; empty where the trace is.
+std::string navigation_section(const std::optional<NavigationError>& error,
+                               const NavigationTrace& trace);
+
+}  // namespace drydock::cli

@@ -1,0 +1,219 @@
+#include "hil/summary/scribe.hpp"
+
+#include <unistd.h>
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <numbers>
+
+#include "estimators/setup/degrees.hpp"
+
+namespace drydock::cli {
+
+using namespace measurement;
+
+namespace {
+
+frame::Position position_of(const motion::Truth& truth) {
+  return {truth.latitude_rad, truth.longitude_rad, truth.height_m};
+}
+
+/// Of this process, from the second figure of /proc/self/statm (pages); 0 where there is none.
+double resident_megabytes() {
+  std::ifstream statm("/proc/self/statm");
+  double size = 0, resident = 0;
+  statm >> size >> resident;
+  return resident * static_cast<double>(::sysconf(_SC_PAGESIZE)) / 1e6;
+}
+
+double wrapped(double angle) { return std::remainder(angle, 2 * std::numbers::pi); }
+
+}  // namespace
+
+void ErrorStatistics::add(const pipeline::AttitudeEstimate& estimate, const motion::Truth& truth) {
+  const Eigen::Vector2d error{wrapped(estimate.roll_rad - truth.roll_rad),
+                              wrapped(estimate.pitch_rad - truth.pitch_rad)};
+  ++count_;
+  squares_ += error.cwiseAbs2();
+  largest_ = largest_.cwiseMax(error.cwiseAbs());
+  nees_ += error.dot(estimate.covariance.inverse() * error) / 2;
+}
+
+AttitudeError ErrorStatistics::result() const {
+  const double n = static_cast<double>(count_);
+  return {.roll_rms_deg = std::sqrt(squares_.x() / n) * to_deg,
+          .pitch_rms_deg = std::sqrt(squares_.y() / n) * to_deg,
+          .roll_max_deg = largest_.x() * to_deg,
+          .pitch_max_deg = largest_.y() * to_deg,
+          .nees_mean = nees_ / n};
+}
+
+Scribe::Scribe(const rig_config::Rig& rig, const motion::Trajectory* truth, Stamp start,
+               double expected_duration_s, double points_per_curve)
+    : truth_(truth), start_(start), spacing_s_(expected_duration_s / points_per_curve) {
+  if (truth) origin_ = position_of(truth->at(start));
+  for (const auto& config : rig.estimators) {
+    Estimator estimator;
+    estimator.summary.name = config.name;
+    estimator.summary.kind = config.kind;
+    estimator.has_truth = truth != nullptr;
+    estimators_.push_back(std::move(estimator));
+  }
+  for (const auto& device : rig.devices) add_device(device);
+}
+
+std::size_t Scribe::add_plot(std::string title, std::string unit, std::vector<std::string> labels) {
+  const std::size_t first = curves_.size();
+  for (std::size_t i = 0; i < labels.size(); ++i) curves_.push_back({plots_.size(), i, 0});
+  MeasurementTrace plot{std::move(title), std::move(unit), std::move(labels), {}, {}};
+  plot.t_s.resize(plot.labels.size());
+  plot.value.resize(plot.labels.size());
+  plots_.push_back(std::move(plot));
+  return first;
+}
+
+void Scribe::add_device(const rig_config::DeviceConfig& device) {
+  using rig_config::DeviceKind;
+  std::size_t first = 0;
+  switch (device.kind) {
+    case DeviceKind::dvl:
+      first = add_plot(device.name + ": velocity over the bed", "m/s, body", {"x", "y", "z"});
+      break;
+    case DeviceKind::emlog:
+      first = add_plot(device.name + ": speed through the water", "m/s",
+                       {"longitudinal", "transverse"});
+      break;
+    case DeviceKind::gnss:
+      first = add_plot(device.name + ": velocity", "m/s, NED", {"north", "east", "down"});
+      break;
+    case DeviceKind::imu:
+      first = add_plot(device.name + ": angular rate", "deg/s, body", {"x", "y", "z"});
+      add_plot(device.name + ": specific force", "m/s2, body", {"x", "y", "z"});
+      break;
+    case DeviceKind::depth: first = add_plot(device.name + ": depth", "m", {"depth"}); break;
+    case DeviceKind::actuator:
+      first = add_plot(device.name + ": actuators", "deg", {"rudder", "stern plane", "bow plane"});
+      break;
+  }
+  first_curve_.push_back(first);
+}
+
+void Scribe::point(std::size_t curve, Stamp at, double value) {
+  auto& c = curves_[curve];
+  const double t = since_start(at);
+  if (t < c.next_point_s) return;
+  c.next_point_s = t + spacing_s_;
+  plots_[c.plot].t_s[c.line].push_back(t);
+  plots_[c.plot].value[c.line].push_back(value);
+}
+
+void Scribe::note(const Measurement& m) {
+  const Origin& origin = origin_of(m);
+  if (origin.device >= first_curve_.size()) return;
+  const std::size_t first = first_curve_[origin.device];
+  const auto maybe = [&](std::size_t i, const std::optional<double>& value, double scale = 1) {
+    if (value) point(first + i, origin.valid_at, *value * scale);
+  };
+  const auto vector = [&](std::size_t i, const Eigen::Vector3d& v, double scale = 1) {
+    for (int k = 0; k < 3; ++k)
+      point(first + i + static_cast<std::size_t>(k), origin.valid_at, v[k] * scale);
+  };
+  if (const auto* imu = std::get_if<ImuSample>(&m)) {
+    vector(0, imu->angular_rate, to_deg);
+    vector(3, imu->specific_force);
+  } else if (const auto* dvl = std::get_if<BottomVelocity>(&m)) {
+    if (dvl->velocity) vector(0, *dvl->velocity);
+  } else if (const auto* log = std::get_if<WaterSpeed>(&m)) {
+    maybe(0, log->longitudinal_mps);
+    maybe(1, log->transverse_mps);
+  } else if (const auto* fix = std::get_if<GnssFix>(&m)) {
+    if (fix->velocity_ned) vector(0, *fix->velocity_ned);
+  } else if (const auto* depth = std::get_if<DepthSample>(&m)) {
+    maybe(0, depth->depth_m);
+  } else if (const auto* actuators = std::get_if<ActuatorState>(&m)) {
+    maybe(0, actuators->rudder_rad, to_deg);
+    maybe(1, actuators->stern_plane_rad, to_deg);
+    maybe(2, actuators->bow_plane_rad, to_deg);
+  }
+}
+
+void Scribe::note(const pipeline::AttitudeEstimate& estimate) {
+  auto& e = estimators_[estimate.estimator];
+  std::optional<motion::Truth> truth;
+  if (e.has_truth) truth = truth_->at(estimate.valid_at);
+  compare(e, estimate, truth ? &*truth : nullptr,
+          is_time_to_draw(e, since_start(estimate.valid_at)));
+}
+
+void Scribe::note(const pipeline::NavigationEstimate& estimate) {
+  auto& e = estimators_[estimate.estimator];
+  std::optional<motion::Truth> truth;
+  if (e.has_truth) truth = truth_->at(estimate.valid_at);
+  const double t = since_start(estimate.valid_at);
+  const bool draw = is_time_to_draw(e, t);
+  compare(e, pipeline::attitude_of(estimate), truth ? &*truth : nullptr, draw);
+  e.navigation.note(estimate, truth ? &*truth : nullptr, t, draw);
+}
+
+bool Scribe::is_time_to_draw(Estimator& e, double t_s) const {
+  if (t_s < e.next_point_s) return false;
+  e.next_point_s = t_s + spacing_s_;
+  return true;
+}
+
+void Scribe::compare(Estimator& e, const pipeline::AttitudeEstimate& estimate,
+                     const motion::Truth* truth, bool draw) {
+  ++e.summary.estimates;
+  const double t = since_start(estimate.valid_at);
+  if (draw) {
+    e.trace.t_s.push_back(t);
+    e.trace.roll_deg.push_back(estimate.roll_rad * to_deg);
+    e.trace.pitch_deg.push_back(estimate.pitch_rad * to_deg);
+    e.trace.roll_sigma_deg.push_back(std::sqrt(estimate.covariance(0, 0)) * to_deg);
+    e.trace.pitch_sigma_deg.push_back(std::sqrt(estimate.covariance(1, 1)) * to_deg);
+  }
+  if (!truth) return;
+  e.whole_run.add(estimate, *truth);
+  if (t >= 10) e.after_10_s.add(estimate, *truth);
+  if (draw) {
+    e.trace.true_roll_deg.push_back(truth->roll_rad * to_deg);
+    e.trace.true_pitch_deg.push_back(truth->pitch_rad * to_deg);
+  }
+}
+
+void Scribe::follow(Stamp now) {
+  const double t = since_start(now);
+  if (!resident_.t_s.empty() && t < resident_.t_s.back() + 3 * spacing_s_) return;
+  resident_.t_s.push_back(t);
+  resident_.megabytes.push_back(resident_megabytes());
+  if (truth_) follow_motion(now);
+}
+
+void Scribe::follow_motion(Stamp now) {
+  const auto truth = truth_->at(now);
+  const auto offset = frame::ned_offset(*origin_, position_of(truth));
+  motion_.t_s.push_back(since_start(now));
+  motion_.north_m.push_back(offset.x());
+  motion_.east_m.push_back(offset.y());
+  motion_.depth_m.push_back(-truth.height_m);
+  motion_.speed_mps.push_back(truth.velocity_body.norm());
+  motion_.heading_deg.push_back(truth.yaw_rad * to_deg);
+}
+
+void Scribe::write(Summary& summary) const {
+  for (const auto& e : estimators_) {
+    summary.estimators.push_back(e.summary);
+    if (e.whole_run.count() > 0) summary.estimators.back().whole_run = e.whole_run.result();
+    if (e.after_10_s.count() > 0) summary.estimators.back().after_10_s = e.after_10_s.result();
+    summary.traces.push_back(e.trace);
+    summary.estimators.back().navigation = e.navigation.error();
+    summary.navigation.push_back(e.navigation.trace());
+  }
+  summary.measurements = plots_;
+  summary.motion = motion_;
+  summary.resident = resident_;
+}
+
+}  // namespace drydock::cli

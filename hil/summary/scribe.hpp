@@ -1,0 +1,85 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "drivers/measurement/measurement.hpp"
+#include "estimators/frame/geodetic.hpp"
+#include "estimators/pipeline/estimate.hpp"
+#include "hil/motion/truth.hpp"
+#include "hil/summary/navigation_record.hpp"
+#include "hil/summary/summary.hpp"
+#include "rig_config/rig.hpp"
+
+namespace drydock::cli {
+
+/// Root-mean-square and largest error of one estimator; angles in radians in, degrees out.
+class ErrorStatistics {
+ public:
+  void add(const pipeline::AttitudeEstimate& estimate, const motion::Truth& truth);
+  std::uint64_t count() const { return count_; }
+  AttitudeError result() const;
+
+ private:
+  std::uint64_t count_ = 0;
+  Eigen::Vector2d squares_ = Eigen::Vector2d::Zero();
+  Eigen::Vector2d largest_ = Eigen::Vector2d::Zero();
+  double nees_ = 0;
+};
+
+/// Follows a run: compares estimates with the truth and keeps thinned curves for the report.
+class Scribe {
+ public:
+  /// `truth` may be empty (real sensors only) and must outlive the scribe. `spacing` thins curves.
+  Scribe(const rig_config::Rig& rig, const motion::Trajectory* truth, measurement::Stamp start,
+         double expected_duration_s, double points_per_curve = 1500);
+
+  /// To be called as the run goes on, at least as often as the curves have points: the truth's
+  /// motion and the memory of this process at `now`.
+  void follow(measurement::Stamp now);
+
+  void note(const measurement::Measurement& measurement);
+  void note(const pipeline::AttitudeEstimate& estimate);
+  void note(const pipeline::NavigationEstimate& estimate);
+
+  /// Fills in estimators and all curves of the summary.
+  void write(Summary& summary) const;
+
+ private:
+  struct Estimator {
+    EstimatorSummary summary;
+    ErrorStatistics whole_run, after_10_s;
+    AttitudeTrace trace;
+    NavigationRecord navigation;
+    bool has_truth = false;
+    double next_point_s = 0;
+  };
+  struct Curve {
+    std::size_t plot = 0;
+    std::size_t line = 0;
+    double next_point_s = 0;
+  };
+
+  void compare(Estimator& e, const pipeline::AttitudeEstimate& estimate, const motion::Truth* truth,
+               bool draw);
+  bool is_time_to_draw(Estimator& e, double t_s) const;
+  double since_start(measurement::Stamp at) const { return measurement::seconds(at - start_); }
+  void point(std::size_t curve, measurement::Stamp at, double value);
+  std::size_t add_plot(std::string title, std::string unit, std::vector<std::string> labels);
+  void add_device(const rig_config::DeviceConfig& device);
+
+  void follow_motion(measurement::Stamp now);
+
+  const motion::Trajectory* truth_;
+  measurement::Stamp start_;
+  double spacing_s_;
+  std::vector<Estimator> estimators_;
+  std::vector<MeasurementTrace> plots_;
+  std::vector<Curve> curves_;
+  std::vector<std::size_t> first_curve_;   ///< per device
+  std::optional<frame::Position> origin_;  ///< of the motion's axes
+  MotionTrace motion_;
+  ResidentTrace resident_;
+};
+
+}  // namespace drydock::cli

@@ -1,0 +1,162 @@
+#include "hil/summary/summary.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "hil/summary/judge.hpp"
+
+namespace drydock::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json error_json(const std::optional<AttitudeError>& e) {
+  if (!e) return nullptr;
+  return {{"roll_rms_deg", e->roll_rms_deg},
+          {"pitch_rms_deg", e->pitch_rms_deg},
+          {"roll_max_deg", e->roll_max_deg},
+          {"pitch_max_deg", e->pitch_max_deg},
+          {"nees_mean", e->nees_mean}};
+}
+
+Json navigation_json(const NavigationError& e) {
+  return {{"horizontal_rms_m", e.horizontal_rms_m}, {"horizontal_max_m", e.horizontal_max_m},
+          {"horizontal_end_m", e.horizontal_end_m}, {"depth_rms_m", e.depth_rms_m},
+          {"velocity_rms_mps", e.velocity_rms_mps}, {"velocity_max_mps", e.velocity_max_mps},
+          {"roll_rms_deg", e.roll_rms_deg},         {"pitch_rms_deg", e.pitch_rms_deg},
+          {"heading_rms_deg", e.heading_rms_deg},   {"nees_position", e.nees_position}};
+}
+
+std::string navigation_text(const NavigationError& e) {
+  return fmt::format(
+      ", error against truth: position {:.2f} m RMS, {:.2f} m at most, {:.2f} m at the end, "
+      "velocity {:.4f} m/s RMS, roll {:.4f}, pitch {:.4f}, heading {:.4f} deg RMS, NEES {:.2f}\n",
+      e.horizontal_rms_m, e.horizontal_max_m, e.horizontal_end_m, e.velocity_rms_mps,
+      e.roll_rms_deg, e.pitch_rms_deg, e.heading_rms_deg, e.nees_position);
+}
+
+Json device_json(const DeviceSummary& d) {
+  return {{"name", d.name},
+          {"kind", d.kind},
+          {"protocol", d.protocol},
+          {"link", d.link},
+          {"provenance", d.provenance},
+          {"state", d.state},
+          {"rate_hz", d.rate_hz},
+          {"nominal_rate_hz", d.nominal_rate_hz},
+          {"messages", d.messages},
+          {"frames", d.frames},
+          {"bytes_in", d.bytes_in},
+          {"bytes_good", d.bytes_good},
+          {"bytes_skipped", d.bytes_skipped},
+          {"bytes_held", d.bytes_held},
+          {"bad_checksums", d.bad_checksums},
+          {"reopens", d.reopens},
+          {"last_error", d.last_error.empty() ? Json(nullptr) : Json(d.last_error)}};
+}
+
+Json verdict_json(const Verdict& v) {
+  return {{"of", v.subject},        {"what", v.what},     {"measured", v.measured},
+          {"expected", v.expected}, {"passed", v.passed}, {"line", v.line}};
+}
+
+Json fault_json(const FaultSummary& f) {
+  return {{"device", f.device},
+          {"fault", f.words},
+          {"since_s", f.since_s},
+          {"until_s", f.until_s ? Json(*f.until_s) : Json(nullptr)}};
+}
+
+/// A line each, as many as a person reads.
+std::string faults_text(const std::vector<FaultSummary>& faults) {
+  constexpr std::size_t most_lines = 20;
+  std::string out;
+  for (std::size_t i = 0; i < std::min(faults.size(), most_lines); ++i) {
+    const FaultSummary& f = faults[i];
+    out += fmt::format("fault {:.3f} s to {}: {}\n", f.since_s,
+                       f.until_s ? fmt::format("{:.3f} s", *f.until_s) : "the end", f.words);
+  }
+  if (faults.size() > most_lines)
+    out += fmt::format("and {} faults more (--json has all)\n", faults.size() - most_lines);
+  return out;
+}
+
+Json resident_json(const ResidentTrace& resident) {
+  if (resident.megabytes.empty()) return nullptr;
+  return {{"start_mb", resident.megabytes.front()},
+          {"end_mb", resident.megabytes.back()},
+          {"largest_mb", std::ranges::max(resident.megabytes)}};
+}
+
+}  // namespace
+
+bool Summary::all_streaming() const {
+  return std::all_of(devices.begin(), devices.end(),
+                     [](const auto& d) { return d.state == "streaming"; });
+}
+
+std::string to_json(const Summary& s) {
+  Json root{{"rig", s.rig},
+            {"mode", s.mode},
+            {"seed", s.seed},
+            {"duration_s", s.duration_s},
+            {"wall_s", s.wall_s},
+            {"times_real_time", s.speed()},
+            {"interrupted", s.interrupted},
+            {"resident", resident_json(s.resident)},
+            {"notes", s.notes},
+            {"faults", Json::array()},
+            {"expectations", Json::array()},
+            {"devices", Json::array()},
+            {"estimators", Json::array()}};
+  for (const auto& f : s.faults) root["faults"].push_back(fault_json(f));
+  for (const auto& v : s.verdicts) root["expectations"].push_back(verdict_json(v));
+  for (const auto& d : s.devices) root["devices"].push_back(device_json(d));
+  for (const auto& e : s.estimators) {
+    root["estimators"].push_back({{"name", e.name},
+                                  {"kind", e.kind},
+                                  {"estimates", e.estimates},
+                                  {"rejected", e.rejected},
+                                  {"nis", e.nis ? Json(*e.nis) : Json(nullptr)},
+                                  {"whole_run", error_json(e.whole_run)},
+                                  {"after_10_s", error_json(e.after_10_s)}});
+    if (e.navigation) root["estimators"].back()["navigation"] = navigation_json(*e.navigation);
+  }
+  return root.dump(2) + "\n";
+}
+
+std::string to_text(const Summary& s) {
+  std::string out =
+      fmt::format("{:<10} {:<10} {:<9} {:>9} {:>9} {:>10} {:>8} {:>8} {:>6}\n", "device", "state",
+                  "source", "rate", "nominal", "messages", "skipped B", "bad sums", "reopen");
+  for (const auto& d : s.devices) {
+    out += fmt::format("{:<10} {:<10} {:<9} {:>6.2f} Hz {:>6.2f} Hz {:>10} {:>9} {:>8} {:>6}\n",
+                       d.name, d.state, d.provenance, d.rate_hz, d.nominal_rate_hz, d.messages,
+                       d.bytes_skipped, d.bad_checksums, d.reopens);
+    if (!d.last_error.empty()) out += fmt::format("           last error: {}\n", d.last_error);
+  }
+  for (const auto& e : s.estimators) {
+    out += fmt::format("{} ({}): {} estimates", e.name, e.kind, e.estimates);
+    if (e.nis) out += fmt::format(", NIS {:.2f}", *e.nis);
+    if (e.navigation) {
+      out += navigation_text(*e.navigation);
+      continue;
+    }
+    if (e.whole_run) {
+      out += fmt::format(", error against truth: roll {:.3f} deg RMS, pitch {:.3f} deg RMS",
+                         e.whole_run->roll_rms_deg, e.whole_run->pitch_rms_deg);
+    }
+    if (e.after_10_s) {
+      out += fmt::format(" (after 10 s: {:.3f}, {:.3f})", e.after_10_s->roll_rms_deg,
+                         e.after_10_s->pitch_rms_deg);
+    }
+    out += '\n';
+  }
+  out += faults_text(s.faults);
+  for (const auto& note : s.notes) out += note + '\n';
+  return out + to_text(s.verdicts);
+}
+
+}  // namespace drydock::cli

@@ -1,0 +1,180 @@
+#include "rig_config/checks/checks.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <iterator>
+#include <map>
+
+#include "rig_config/rules/explain.hpp"
+
+namespace drydock::rig_config {
+
+namespace {
+
+using Kind = Node::Kind;
+
+class RigChecks {
+ public:
+  RigChecks(const Node& root, const std::string& file, const LoadOptions& options)
+      : root_(root), file_(file), options_(options) {}
+
+  Problems run() {
+    names_are_unique("device");
+    names_are_unique("estimator");
+    links_are_sound();
+    lines_have_one_device();
+    addresses_are_unique();
+    if (!options_.devices_only) {
+      files_exist();
+      estimator_files_exist();
+    }
+    estimator_devices_exist("imu", "imu");
+    estimator_devices_exist("log", "emlog");
+    estimator_devices_exist("gnss", "gnss");
+    estimator_devices_exist("dvl", "dvl");
+    estimator_devices_exist("depth", "depth");
+    estimator_devices_exist("actuators", "actuator");
+    return std::move(problems_);
+  }
+
+ private:
+  void names_are_unique(const char* group) {
+    std::map<std::string, int> line_of;
+    for_each_table(root_, group, [&](const Node& table, std::size_t i) {
+      const Node* name = table.find_text("name");
+      if (!name) return;
+      const auto [first, fresh] = line_of.emplace(name->text, name->at.line);
+      if (!fresh)
+        add(*name, fmt::format("/{}/{}/name", group, i),
+            fmt::format("\"{}\" is used twice, first in line {}; each {} needs its own", name->text,
+                        first->second, group));
+    });
+  }
+
+  void links_are_sound() {
+    if (!options_.link_check) return;
+    for_each_table(root_, "device", [&](const Node& device, std::size_t i) {
+      const Node* link = device.find_text("link");
+      if (!link) return;
+      if (const auto wrong = options_.link_check(link->text))
+        add(*link, fmt::format("/device/{}/link", i), *wrong);
+    });
+  }
+
+  /// A bus has many devices, a server many clients and a file many readers; a line has one device.
+  static bool is_line(const std::string& link) {
+    return std::ranges::any_of(std::array{"serial:", "pty:", "udp:", "memory:"},
+                               [&](std::string_view scheme) { return link.starts_with(scheme); });
+  }
+
+  void lines_have_one_device() {
+    std::map<std::string, std::string> taken;
+    for_each_table(root_, "device", [&](const Node& device, std::size_t i) {
+      const Node* link = device.find_text("link");
+      const Node* name = device.find_text("name");
+      if (!link || !name || !is_line(link->text)) return;
+      const std::string line = link->text.substr(0, link->text.find('?'));
+      const auto& first = *taken.emplace(line, name->text).first;
+      if (first.second != name->text)  // a block pasted twice has its name twice already
+        add(*link, fmt::format("/device/{}/link", i),
+            fmt::format("{} is already the link of '{}'; each device needs a line of its own", line,
+                        first.second));
+    });
+  }
+
+  void addresses_are_unique() {
+    std::map<std::pair<std::string, std::int64_t>, std::string> taken;
+    for_each_table(root_, "device", [&](const Node& device, std::size_t i) {
+      const Node* link = device.find_text("link");
+      const Node* address = device.find("address");
+      const Node* name = device.find_text("name");
+      if (!link || !name || !address || address->kind != Kind::integer || !address->integer) return;
+      const auto [first, fresh] =
+          taken.emplace(std::pair(link->text, address->integer), name->text);
+      if (!fresh)
+        add(*address, fmt::format("/device/{}/address", i),
+            fmt::format(
+                "{} is already the address of '{}' on {}; each device on a bus needs its own",
+                address->integer, first->second, link->text));
+    });
+  }
+
+  void files_exist() {
+    if (const Node* rig = root_.find("rig")) file_exists(rig->find_text("mission"), "/rig/mission");
+    for_each_table(root_, "device", [&](const Node& device, std::size_t i) {
+      const Node* emulate = device.find("emulate");
+      if (!emulate) return;
+      file_exists(emulate->find_text("errors"), fmt::format("/device/{}/emulate/errors", i));
+      if (const Node* sky = emulate->find("sky"))
+        file_exists(sky->find_text("ephemeris"),
+                    fmt::format("/device/{}/emulate/sky/ephemeris", i));
+    });
+  }
+
+  void estimator_files_exist() {
+    for_each_table(root_, "estimator", [&](const Node& estimator, std::size_t i) {
+      for (const char* key : {"sensors", "vehicle"})
+        file_exists(estimator.find_text(key), fmt::format("/estimator/{}/{}", i, key));
+    });
+  }
+
+  void file_exists(const Node* name, const std::string& path) {
+    if (!name || name->text.empty()) return;
+    const std::string full = beside(file_, name->text);
+    if (!std::filesystem::is_regular_file(full)) add(*name, path, "there is no file " + full);
+  }
+
+  void estimator_devices_exist(const char* key, std::string_view kind) {
+    std::vector<std::string> fitting;
+    std::map<std::string, std::string> kind_of;
+    for_each_table(root_, "device", [&](const Node& device, std::size_t) {
+      const Node* name = device.find_text("name");
+      const Node* device_kind = device.find_text("kind");
+      if (!name || !device_kind) return;
+      kind_of[name->text] = device_kind->text;
+      if (device_kind->text == kind) fitting.push_back(name->text);
+    });
+    const std::string offer = fitting.empty()
+                                  ? fmt::format("this rig has no device of kind {}", kind)
+                                  : "allowed: " + listed(fitting);
+    for_each_table(root_, "estimator", [&](const Node& estimator, std::size_t i) {
+      const Node* wanted = estimator.find_text(key);
+      if (!wanted || std::ranges::find(fitting, wanted->text) != fitting.end()) return;
+      const auto other = kind_of.find(wanted->text);
+      const std::string what =
+          other == kind_of.end()
+              ? fmt::format("no device is named \"{}\"", wanted->text)
+              : fmt::format("device \"{}\" is of kind {}", wanted->text, other->second);
+      add(*wanted, fmt::format("/estimator/{}/{}", i, key),
+          fmt::format("{}{}, {}", what, did_you_mean(wanted->text, fitting), offer));
+    });
+  }
+
+  void add(const Node& at, std::string path, std::string what) {
+    problems_.push_back({file_, at.at.line, at.at.column, std::move(path), std::move(what)});
+  }
+
+  const Node& root_;
+  const std::string& file_;
+  const LoadOptions& options_;
+  Problems problems_;
+};
+
+}  // namespace
+
+std::string beside(const std::string& file, const std::string& relative) {
+  const auto folder = std::filesystem::path(file).parent_path();
+  return (folder / relative).lexically_normal().string();
+}
+
+Problems check_rig(const Node& root, const std::string& file, const LoadOptions& options) {
+  Problems problems = RigChecks(root, file, options).run();
+  std::ranges::move(check_expects(root, file), std::back_inserter(problems));
+  std::ranges::move(check_faults(root, file), std::back_inserter(problems));
+  return problems;
+}
+
+}  // namespace drydock::rig_config

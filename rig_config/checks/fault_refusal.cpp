@@ -1,0 +1,159 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <initializer_list>
+
+#include "rig_config/fault_quantity.hpp"
+#include "rig_config/typed/build.hpp"
+
+namespace drydock::rig_config {
+
+namespace {
+
+using enum FaultKind;
+
+bool speaks(const DeviceConfig& device, std::initializer_list<std::string_view> protocols) {
+  return std::ranges::find(protocols, device.protocol) != protocols.end();
+}
+
+bool on_j1939(const DeviceConfig& device) { return speaks(device, {"aceinna", "nmea2000"}); }
+
+bool on_can(const DeviceConfig& device) {
+  return on_j1939(device) || speaks(device, {"cia404-imu", "cia404-pressure", "epson-g550",
+                                             "epson-g552", "xsens", "can"});
+}
+
+bool on_serial_line(const DeviceConfig& device) {
+  return device.link.starts_with("pty:") || device.link.starts_with("serial:");
+}
+
+bool tells_baud(const DeviceConfig& device) {
+  return device.link.find("?baud=") != std::string::npos ||
+         device.link.find("&baud=") != std::string::npos;
+}
+
+/// PD6 is text without a checksum.
+bool has_checksum(const DeviceConfig& device) {
+  return !on_can(device) && !speaks(device, {"pd6"});
+}
+
+/// Whether the device puts a time of its own clock into its messages.
+bool tells_time(const DeviceConfig& device) {
+  return speaks(device, {"pd0", "pd4", "pd5", "pd6", "water-linked", "nortek", "xsens"}) ||
+         device.kind == DeviceKind::gnss;
+}
+
+bool has_noise(const DeviceConfig& device) {
+  const auto any = [](const SensorErrors& errors) {
+    return std::ranges::any_of(errors.noise, [](double x) { return x != 0; }) ||
+           std::ranges::any_of(errors.noise_density, [](double x) { return x != 0; });
+  };
+  return any(device.emulate.primary) || any(device.emulate.secondary);
+}
+
+/// What only the far end of the wire can do.
+bool needs_emulation(FaultKind kind) {
+  const FaultLayer layer = word_of(kind).layer;
+  return layer == FaultLayer::measurement || layer == FaultLayer::environment || kind == slow ||
+         kind == nak || kind == clock_step || kind == clock_drift || kind == address_stolen ||
+         kind == babbling || kind == bus_load;
+}
+
+std::optional<std::string> of_the_wire(FaultKind kind, const DeviceConfig& device) {
+  switch (kind) {
+    case bad_checksum:
+      if (!has_checksum(device))
+        return "its protocol has no checksum of its own; allowed: flip, truncate";
+      break;
+    case unplug:
+    case eof:
+      if (on_can(device)) return "a node on a bus is not a port; allowed: hang, off, bus-off";
+      if (device.link.starts_with("udp:"))
+        return "datagrams have no connection that could be lost; allowed: hang, off";
+      break;
+    case wrong_baud:
+      if (!on_serial_line(device)) return "only a serial line has a baud rate (pty, serial)";
+      if (!tells_baud(device)) return "its link names no baud rate (?baud=)";
+      break;
+    case bus_off:
+    case error_frames:
+    case babbling:
+    case bus_load:
+      if (!on_can(device)) return "only a CAN bus has that";
+      break;
+    case nak:
+      if (!speaks(device,
+                  {"water-linked", "cia404-imu", "cia404-pressure", "epson-g550", "epson-g552"}))
+        return "nothing is set on it that it could refuse";
+      break;
+    case address_stolen:
+      if (!on_j1939(device)) return "only J1939 and NMEA 2000 nodes claim addresses";
+      break;
+    default: break;
+  }
+  return {};
+}
+
+std::optional<std::string> of_the_sensor(FaultKind kind, const DeviceConfig& device) {
+  switch (kind) {
+    case noise:
+      if (!has_noise(device)) return "it is emulated without noise; give it some under emulate";
+      break;
+    case clock_step:
+      if (!tells_time(device)) return "its messages have no time of its own clock";
+      break;
+    case bottom_lost:
+      if (device.kind != DeviceKind::dvl) return "only a dvl hears the sea bed";
+      break;
+    case hot:
+      if (!speaks(device, {"water-linked"})) return "only a Water Linked dvl tells its heat";
+      break;
+    case satellites_blocked:
+    case antenna_gain:
+      if (device.kind != DeviceKind::gnss) return "only a gnss receiver has satellites";
+      break;
+    default: break;
+  }
+  return {};
+}
+
+/// Of a proxy that was not told which protocol passes through it.
+std::optional<std::string> of_unknown_messages(FaultKind kind, const DeviceConfig& device) {
+  if (!device.protocol.empty() || word_of(kind).layer != FaultLayer::message) return {};
+  return "its messages are not known without a protocol (--protocol)";
+}
+
+/// The key settles the unit; which of the sensor's quantities it is follows from its kind.
+std::optional<std::string> of_the_quantity(const FaultConfig& fault, const DeviceConfig& device) {
+  if (fault.quantity.empty()) return {};
+  std::string measured;
+  for (const FaultQuantity& quantity : fault_quantities) {
+    if (quantity.kind != device.kind) continue;
+    if (quantity.key == fault.quantity) return {};
+    measured += (measured.empty() ? "" : " and ") + std::string(quantity.key);
+  }
+  return fmt::format("a {} measures {}, not {}", name_of(device.kind), measured, fault.quantity);
+}
+
+std::string_view name_of(FaultTarget target) {
+  return target == FaultTarget::replayed ? "a recording" : "a real device";
+}
+
+}  // namespace
+
+std::optional<std::string> refusal(const FaultConfig& fault, const DeviceConfig& device,
+                                   FaultTarget target) {
+  std::optional<std::string> why = of_unknown_messages(fault.kind, device);
+  if (!why) why = of_the_wire(fault.kind, device);
+  if (!why && target != FaultTarget::emulated && needs_emulation(fault.kind))
+    why = fmt::format("behind the wire is {}: only an emulated device can be made to",
+                      name_of(target));
+  if (!why && target == FaultTarget::emulated) why = of_the_sensor(fault.kind, device);
+  if (!why) why = of_the_quantity(fault, device);
+  if (!why) return {};
+  return fmt::format("{} \"{}\" ({}) cannot have the fault \"{}\": {}",
+                     drydock::rig_config::name_of(device.kind), device.name, device.protocol,
+                     word_of(fault.kind).name, *why);
+}
+
+}  // namespace drydock::rig_config

@@ -1,0 +1,93 @@
+#include "rig_config/toml/checked_file.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "rig_config/checks/checks.hpp"
+#include "rig_config/rules/schema_check.hpp"
+#include "rig_config/toml/toml_limits.hpp"
+#include "rig_config/toml/toml_reader.hpp"
+
+namespace drydock::rig_config {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string_view described(FileKind kind) {
+  if (kind == FileKind::rig) return "a rig file, which has a table [rig]";
+  if (kind == FileKind::mission) return "a mission file, which has a table [mission]";
+  if (kind == FileKind::vehicle) return "a vehicle file, which has a table [vehicle]";
+  if (kind == FileKind::fault) return "a fault file, which has blocks [[fault]]";
+  return "a sensor file, which has a table for each kind of sensor: [imu], [dvl], ...";
+}
+
+void sort_by_position(Problems& problems) {
+  std::ranges::stable_sort(problems, [](const Problem& a, const Problem& b) {
+    return std::pair(a.line, a.column) < std::pair(b.line, b.column);
+  });
+}
+
+/// What the caller finds wrong with a link says more than the schema's pattern, which sees only the
+/// scheme.
+void keep_one_for_each_link(Problems& of_schema, const Problems& of_rig) {
+  std::erase_if(of_schema, [&](const Problem& p) {
+    return p.path.ends_with("/link") &&
+           std::ranges::any_of(of_rig, [&](const Problem& q) { return q.path == p.path; });
+  });
+}
+
+}  // namespace
+
+FileKind kind_of(const Node& root) {
+  if (root.find("rig")) return FileKind::rig;
+  if (root.find("vehicle")) return FileKind::vehicle;
+  if (root.find("mission")) return FileKind::mission;
+  return root.find("fault") ? FileKind::fault : FileKind::sensor;
+}
+
+Loaded<std::string> read_file(const std::string& path) {
+  // A device or a pipe may never end, and a file may be larger than the memory.
+  std::error_code error;
+  std::ifstream in;
+  if (fs::is_regular_file(path, error)) in.open(path, std::ios::binary);
+  const auto size = fs::file_size(path, error);
+  if (in.is_open() && size > largest_file)
+    return Problems{
+        {path, 0, 0, "/", fmt::format("has {} bytes, allowed: up to {}", size, largest_file)}};
+  std::ostringstream text;
+  if (!in.is_open() || !(text << in.rdbuf()))
+    return Problems{{path, 0, 0, "/", "cannot be read: it is missing, empty or not a file"}};
+  return std::move(text).str();
+}
+
+Loaded<Node> read_checked(std::string_view text, const std::string& path, FileKind kind,
+                          const LoadOptions& options) {
+  Loaded<Node> root = read_toml(text, path);
+  if (!root) return root;
+  if (kind_of(*root) != kind)
+    return Problems{{path, 1, 1, "/", fmt::format("expected {}", described(kind))}};
+  Problems problems =
+      check_schema(*root, path, kind == FileKind::vehicle ? vehicle_schema_text() : schema_text());
+  if (kind == FileKind::rig) {
+    Problems of_rig = check_rig(*root, path, options);
+    keep_one_for_each_link(problems, of_rig);
+    append(problems, std::move(of_rig));
+  }
+  if (kind == FileKind::mission) append(problems, check_mission(*root, path));
+  if (kind == FileKind::mission || kind == FileKind::fault)
+    append(problems, check_faults(*root, path));
+  sort_by_position(problems);
+  if (!problems.empty()) return problems;
+  return root;
+}
+
+Loaded<Node> read_checked_file(const std::string& path, FileKind kind) {
+  const auto text = read_file(path);
+  return text ? read_checked(*text, path, kind) : Loaded<Node>(text.error());
+}
+
+}  // namespace drydock::rig_config

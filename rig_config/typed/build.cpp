@@ -1,0 +1,194 @@
+#include "rig_config/typed/build.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <span>
+
+#include "rig_config/checks/checks.hpp"
+#include "rig_config/toml/read_keys.hpp"
+
+namespace drydock::rig_config {
+
+namespace {
+
+/// A recording named relative to the rig file stays found wherever the program is started.
+std::string resolved(const std::string& link, const std::string& rig_file) {
+  constexpr std::string_view scheme = "file:";
+  if (!link.starts_with(scheme)) return link;
+  const std::size_t query = std::min(link.find('?'), link.size());
+  const std::filesystem::path target = link.substr(scheme.size(), query - scheme.size());
+  const auto full = std::filesystem::path(rig_file).parent_path() / target;
+  return std::string(scheme) + full.lexically_normal().string() + link.substr(query);
+}
+
+AceinnaConfig build_aceinna(const Node& table) {
+  AceinnaConfig aceinna;
+  read(table, "packet_rate_hz", aceinna.packet_rate_hz);
+  read(table, "slope_message", aceinna.slope_message);
+  read(table, "rate_filter_hz", aceinna.rate_filter_hz);
+  read(table, "acceleration_filter_hz", aceinna.acceleration_filter_hz);
+  read(table, "orientation", aceinna.orientation);
+  return aceinna;
+}
+
+XsensConfig build_xsens(const Node& table) {
+  XsensConfig xsens;
+  read(table, "extended", xsens.extended);
+  if (const Node* identifiers = table.find("identifiers")) {
+    for (const Node::Member& member : identifiers->members)
+      xsens.identifiers.push_back({member.key, static_cast<std::uint32_t>(member.value.integer)});
+  }
+  return xsens;
+}
+
+PressureConfig build_pressure(const Node& table) {
+  PressureConfig pressure;
+  read(table, "format", pressure.format);
+  read(table, "unit", pressure.unit);
+  read(table, "decimals", pressure.decimals);
+  std::string reference;
+  read(table, "reference", reference);
+  pressure.gauge = reference == "gauge";
+  return pressure;
+}
+
+WaterLinkedConfig build_water_linked(const Node& table) {
+  WaterLinkedConfig config;
+  config.sound_speed_mps = read_if(table, "sound_speed_mps");
+  config.mounting_rotation_rad = read_if(table, "mounting_rotation_deg", degree);
+  read(table, "old_sentences", config.old_sentences);
+  return config;
+}
+
+DeviceConfig build_device(const Node& table, const std::string& rig_file) {
+  DeviceConfig device;
+  device.line = table.at.line;
+  read(table, "name", device.name);
+  device.kind = named<DeviceKind>(table, device_kinds);
+  read(table, "protocol", device.protocol);
+  read(table, "link", device.link);
+  device.link = resolved(device.link, rig_file);
+  read(table, "rate_hz", device.rate_hz);
+  read(table, "stale_after_s", device.stale_after_s);
+  read(table, "reopen_after_s", device.reopen_after_s);
+  read(table, "latency_ms", device.latency_s, millisecond);
+  read(table, "lever_arm_m", device.lever_arm_m);
+  read(table, "mounting_deg", device.mounting_rad, degree);
+  read(table, "address", device.address);
+  read(table, "heartbeat_timeout_s", device.heartbeat_timeout_s);
+  read(table, "sync", device.sync);
+  read(table, "surface_pressure_pa", device.surface_pressure_pa);
+  read(table, "water_density_kgm3", device.water_density_kgm3);
+  if (const Node* latitude = table.find("latitude_deg")) {
+    device.unesco_latitude_rad = latitude->number * degree;
+  }
+  if (const Node* output = table.find("output")) device.means = output->text == "mean";
+  if (const Node* aceinna = table.find("aceinna")) device.aceinna = build_aceinna(*aceinna);
+  if (const Node* xsens = table.find("xsens")) device.xsens = build_xsens(*xsens);
+  if (const Node* pressure = table.find("pressure")) device.pressure = build_pressure(*pressure);
+  std::string maker;
+  read(table, "maker", maker);
+  if (maker == "water-linked") device.maker = DvlMaker::water_linked;
+  device.beam_angle_rad = read_if(table, "beam_angle_deg", degree);
+  if (const Node* water_linked = table.find("water_linked")) {
+    device.water_linked = build_water_linked(*water_linked);
+  }
+  if (const Node* emulate = table.find("emulate")) {
+    device.emulate = build_emulate(*emulate, rig_file);
+  }
+  return device;
+}
+
+constexpr std::array mixing_types{"compensated", "type1", "type2", "type3"};
+
+RollConfig build_roll(const Node& table) {
+  constexpr double degree_per_root_hour = degree / 60;
+  RollConfig roll;
+  read_axis(table, "antenna_axis", roll.antenna_axis);
+  read(table, "boresight_cno_dbhz", roll.boresight_cno_dbhz);
+  read(table, "lowest_cno_dbhz", roll.lowest_cno_dbhz);
+  read(table, "cno_resolution_db", roll.cno_resolution_db);
+  read(table, "power_noise", roll.power_noise);
+  read(table, "angular_random_walk_degprth", roll.angular_random_walk, degree_per_root_hour);
+  read(table, "gyro_bias_degps", roll.gyro_bias_radps, degree);
+  read(table, "angle_of_attack_deg", roll.angle_of_attack_rad, degree);
+  return roll;
+}
+
+InertialConfig build_inertial(const Node& table) {
+  InertialConfig inertial;
+  read(table, "dvl", inertial.dvl);
+  read(table, "depth", inertial.depth);
+  read(table, "actuators", inertial.actuators);
+  if (const Node* filter = table.find("filter"); filter && filter->text == "paper")
+    inertial.method = VelocityMethod::paper;
+  read(table, "gate_sigma", inertial.gate_sigma);
+  read(table, "sea_level_m", inertial.sea_level_m);
+  const Node* initial = table.find("initial");
+  if (!initial) return inertial;
+  read(*initial, "latitude_deg", inertial.latitude_rad, degree);
+  read(*initial, "longitude_deg", inertial.longitude_rad, degree);
+  read(*initial, "depth_m", inertial.depth_m);
+  read(*initial, "velocity_ned_mps", inertial.velocity_ned_mps);
+  read(*initial, "roll_deg", inertial.roll_rad, degree);
+  read(*initial, "pitch_deg", inertial.pitch_rad, degree);
+  read(*initial, "heading_deg", inertial.heading_rad, degree);
+  read(*initial, "position_sigma_m", inertial.position_sigma_m);
+  read(*initial, "depth_sigma_m", inertial.depth_sigma_m);
+  read(*initial, "velocity_sigma_mps", inertial.velocity_sigma_mps);
+  read(*initial, "tilt_sigma_deg", inertial.tilt_sigma_rad, degree);
+  read(*initial, "heading_sigma_deg", inertial.heading_sigma_rad, degree);
+  return inertial;
+}
+
+EstimatorConfig build_estimator(const Node& table) {
+  EstimatorConfig estimator;
+  read(table, "name", estimator.name);
+  read(table, "kind", estimator.kind);
+  read(table, "imu", estimator.imu);
+  read(table, "log", estimator.log);
+  read(table, "gnss", estimator.gnss);
+  estimator.inertial = build_inertial(table);
+  if (const Node* roll = table.find("roll")) estimator.roll = build_roll(*roll);
+  std::string filter, model, start;
+  read(table, "filter", filter);
+  if (filter == "augmented") estimator.filter = LevelingFilter::augmented;
+  if (filter == "paper") estimator.filter = LevelingFilter::paper;
+  read(table, "model", model);
+  read(table, "start", start);
+  estimator.stationary = model == "stationary";
+  estimator.accelerometer_start = start != "given";
+  read(table, "initial_roll_deg", estimator.initial_roll_rad, degree);
+  read(table, "initial_pitch_deg", estimator.initial_pitch_rad, degree);
+  read(table, "latitude_deg", estimator.latitude_rad, degree);
+  read(table, "heading_deg", estimator.heading_rad, degree);
+  if (table.find("type")) estimator.mixing_type = named<MixingType>(table, mixing_types, "type");
+  read(table, "pivot_m", estimator.pivot_m);
+  return estimator;
+}
+
+}  // namespace
+
+Rig build_rig(const Node& root, const std::string& file) {
+  Rig rig;
+  rig.file = file;
+  const Node& table = *root.find("rig");
+  read(table, "name", rig.name);
+  if (const Node* seed = table.find("seed")) rig.seed = static_cast<std::uint64_t>(seed->integer);
+  if (const Node* start = table.find("start")) rig.start_utc_ns = start->integer;
+  read(table, "dds_domain", rig.dds_domain);
+  read(table, "dds_interface", rig.dds_interface);
+  read(table, "publish", rig.publish);
+  read(table, "reorder_window_s", rig.reorder_window_s);
+  for_each_table(root, "device", [&](const Node& device, std::size_t) {
+    rig.devices.push_back(build_device(device, file));
+  });
+  for_each_table(root, "estimator", [&](const Node& estimator, std::size_t) {
+    rig.estimators.push_back(build_estimator(estimator));
+  });
+  rig.expects = build_expects(root);
+  rig.faults = build_faults(root, file);
+  return rig;
+}
+
+}  // namespace drydock::rig_config

@@ -1,0 +1,85 @@
+#include "drivers/decode/replay.hpp"
+
+#include <gmock/gmock.h>
+
+#include "tests/drivers/decode/captured.hpp"
+
+namespace drydock::cli {
+namespace replay_test {
+
+using nlohmann::json;
+using testing::HasSubstr;
+
+Decoded run_replay(const ReplayOptions& options) {
+  MemoryFile out, err;
+  Decoded result;
+  result.exit_code = replay(options, out.file(), err.file());
+  result.out = out.text();
+  result.err = err.text();
+  return result;
+}
+
+// NMEA 2000 pressure (130314): source 35, instance 0, water, 1511775 of 0.1 Pa: 5 m under sea water
+// of 1025 kg/m3 at 9.80665 m/s2 and 101325 Pa, by hand (151177.5 Pa - 101325 Pa) / (rho g) = 4.9596
+// m.
+constexpr std::string_view log =
+    "(1700000000.000000) can0 19FD0A23#0100015F111700FF\n"
+    "torn\n"
+    "(1700000000.500000) can0 19FD0A23#0200015F111700FF\n";
+
+ReplayOptions options_for(const TemporaryFile& file) {
+  ReplayOptions options;
+  options.capture = file.path();
+  options.protocol = "nmea2000";
+  options.kind = "depth";
+  return options;
+}
+
+TEST(Replay, ACaptureGoesThroughTheDriverAndKeepsItsTimes) {
+  const TemporaryFile file(log);
+  const Decoded result = run_replay(options_for(file));
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  const auto lines = result.lines();
+  ASSERT_EQ(lines.size(), 2u);
+  EXPECT_EQ(lines[0]["type"], "depth");
+  EXPECT_EQ(lines[0]["received_at_s"], 1700000000.0);
+  EXPECT_EQ(lines[1]["received_at_s"], 1700000000.5);
+  EXPECT_NEAR(lines[0]["pressure_pa"].get<double>(), 151177.5, 1e-6);
+  EXPECT_NEAR(lines[0]["depth_m"].get<double>(), 4.9596, 1e-3);
+  EXPECT_TRUE(lines[0]["temperature_k"].is_null());
+  EXPECT_THAT(result.err, HasSubstr("2 measurements"));
+  EXPECT_THAT(result.err, HasSubstr("1 line or block not understood: 2"));
+}
+
+TEST(Replay, AtItsOwnPaceItGivesTheSameMeasurements) {
+  const TemporaryFile file(log);
+  ReplayOptions options = options_for(file);
+  options.speed = "50";
+  const Decoded result = run_replay(options);
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  ASSERT_EQ(result.lines().size(), 2u);
+  EXPECT_NEAR(result.lines()[1]["pressure_pa"].get<double>(), 151177.5, 1e-6);
+  EXPECT_THAT(result.err, HasSubstr("end of the recording"));
+}
+
+TEST(Replay, WhatCannotBePlayedIsOneLine) {
+  const TemporaryFile file(log);
+  ReplayOptions options = options_for(file);
+  options.kind.clear();
+  EXPECT_EQ(run_replay(options).err,
+            "replay: --kind says which sensor speaks nmea2000; allowed: depth, actuator\n");
+  options.protocol = "morse";
+  EXPECT_EQ(run_replay(options).err, "replay: no driver speaks \"morse\"\n");
+  options = options_for(file);
+  options.capture = "/nowhere.log";
+  EXPECT_EQ(run_replay(options).err,
+            "replay: cannot read /nowhere.log: No such file or directory\n");
+  const TemporaryFile text("hello\n");
+  const Decoded unknown = run_replay(options_for(text));
+  EXPECT_EQ(unknown.exit_code, 2);
+  EXPECT_THAT(unknown.err,
+              HasSubstr("no CAN capture of a known format; known are: pcap, pcapng, candump-log"));
+}
+
+}  // namespace replay_test
+}  // namespace drydock::cli

@@ -1,0 +1,59 @@
+#include "drivers/io/until_stopped.hpp"
+
+#include <gtest/gtest.h>
+
+#include <csignal>
+
+namespace until_stopped_test {
+
+using drydock::cli::UntilStopped;
+
+/// How often it stopped until it had no work left.
+struct Program {
+  boost::asio::io_context io;
+  int stops = 0;
+  UntilStopped until;
+  explicit Program(double duration_s) : until(io, duration_s, [this] { ++stops; }) {}
+};
+
+TEST(UntilStopped, EndsWhenTheTimeIsOver) {
+  Program program(0.001);
+  program.io.run();
+  EXPECT_EQ(program.stops, 1);
+}
+
+TEST(UntilStopped, EndsAtCtrlCWithoutWaitingForTheTime) {
+  Program program(3600);
+  std::raise(SIGINT);
+  program.io.run();
+  EXPECT_EQ(program.stops, 1);
+}
+
+TEST(UntilStopped, WithoutATimeEndsAtTheSignalAlone) {
+  Program program(0);
+  EXPECT_EQ(program.io.poll(), 0u);
+  std::raise(SIGTERM);
+  program.io.run();
+  EXPECT_EQ(program.stops, 1);
+}
+
+TEST(UntilStopped, StopsOnceWhoeverTellsIt) {
+  Program program(0.001);
+  program.until.stop();
+  program.until.stop();
+  program.io.run();
+  EXPECT_EQ(program.stops, 1);
+}
+
+// The default of a signal is back: what a shell does to a program that hangs.
+TEST(UntilStopped, ASecondCtrlCEndsTheProgramAtOnce) {
+  EXPECT_EXIT(
+      {
+        Program program(0);
+        program.until.stop();
+        std::raise(SIGINT);
+      },
+      testing::KilledBySignal(SIGINT), "");
+}
+
+}  // namespace until_stopped_test

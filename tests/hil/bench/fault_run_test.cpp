@@ -1,0 +1,174 @@
+// Every word of the vocabulary, on an emulated rig in lockstep: the run with the fault is the run
+// without it until the fault sets, differs while it holds, and is the same again once it has gone.
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+
+#include "hil/bench/run.hpp"
+#include "hil/replay/replay_lines.hpp"
+#include "rig_config/load.hpp"
+
+namespace fault_run_test {
+namespace {
+
+using namespace drydock;
+
+constexpr double sets_s = 20, clears_s = 26, settled_s = 45, end_s = 60;
+
+struct Case {
+  const char* device;
+  const char* fault;
+  const char* more = "";
+  /// After it the sensor's random numbers or its phase are others: only the count comes back.
+  bool for_good = false;
+};
+
+const Case cases[] = {
+    {"depth", "off", "", true},
+    {"dvl", "stuck"},
+    {"gnss", "bias", "position_m = [10, 0, 0]"},
+    {"depth", "drift", "pressure_pa = 20000\nwithin_s = 5"},
+    {"dvl", "noise", "times = 5"},
+    {"imu", "wrong", "rate_degps = [0, 0, 30]"},
+    {"depth", "spike", "pressure_pa = 50000\nprobability = 0.5"},
+    {"imu", "drop"},
+    {"dvl", "flip"},
+    {"dvl", "truncate"},
+    {"gnss", "bad-checksum"},
+    {"emlog", "duplicate"},
+    {"imu", "reorder"},
+    {"gnss", "garbage", "bytes = 4096"},
+    {"dvl", "unplug"},
+    {"gnss", "hang"},
+    {"emlog", "wrong-baud", "baud = 9600"},
+    {"dvl", "eof"},
+    {"imu", "bus-off"},
+    {"imu", "error-frames"},
+    {"depth", "babbling"},
+    {"depth", "address-stolen", "", true},
+    {"imu", "bus-load", "share = 0.4"},
+    {"gnss", "delay"},
+    {"imu", "jitter"},
+    {"dvl", "slow"},
+    {"emlog", "burst"},
+    {"gnss", "clock-step", "seconds = 3600"},
+    {"imu", "clock-drift", "ppm = 1000", true},
+    {"dvl", "bottom-lost", "", true},
+    {"gnss", "satellites-blocked", "", true},
+    {"gnss", "antenna-gain", "db = -12"},
+};
+
+struct Heard {
+  std::vector<std::string> lines;  ///< of the device's measurements, every digit, with their times
+  std::vector<double> received_s;
+  cli::DeviceSummary device;
+
+  std::vector<std::string> between(double from_s, double to_s) const {
+    std::vector<std::string> part;
+    for (std::size_t i = 0; i < lines.size(); ++i)
+      if (received_s[i] >= from_s && received_s[i] < to_s) part.push_back(lines[i]);
+    return part;
+  }
+};
+
+/// The demo's sensors at the surface, where a receiver has satellites.
+rig_config::Rig rig_at_the_surface() {
+  auto rig = rig_config::load_rig(DRYDOCK_SOURCE_DIR "/rig_config/rigs/demo.toml").value();
+  std::erase_if(rig.mission.legs,
+                [](const auto& leg) { return leg.kind == rig_config::LegKind::dive; });
+  rig.expects.clear();
+  return rig;
+}
+
+std::string text_of(const rig_config::Rig& rig, const measurement::Measurement& m) {
+  char* text = nullptr;
+  std::size_t size = 0;
+  std::FILE* memory = ::open_memstream(&text, &size);
+  {
+    cli::ReplayLines lines(rig, memory);
+    lines.write(m);
+    lines.flush();
+  }
+  std::fclose(memory);
+  std::string line(text, size);
+  std::free(text);
+  return line;
+}
+
+Heard run(const rig_config::Rig& rig, const std::string& device) {
+  Heard result;
+  const auto index = static_cast<std::size_t>(
+      std::ranges::find(rig.devices, device, &rig_config::DeviceConfig::name) -
+      rig.devices.begin());
+  const auto start = measurement::stamp_from_ns(rig.start_utc_ns);
+  cli::RunOptions options;
+  options.duration_s = end_s;
+  options.on_measurement = [&](const measurement::Measurement& m) {
+    const auto& origin = measurement::origin_of(m);
+    if (origin.device != index) return;
+    result.lines.push_back(text_of(rig, m));
+    result.received_s.push_back(measurement::seconds(origin.received_at - start));
+  };
+  testing::internal::CaptureStdout();
+  result.device = cli::run_lockstep(rig, options).devices.at(index);
+  testing::internal::GetCapturedStdout();
+  return result;
+}
+
+Heard run_under(const Case& c) {
+  auto rig = rig_at_the_surface();
+  rig.faults = rig_config::load_faults_text("[[fault]]\ndevice = \"" + std::string(c.device) +
+                                                "\"\nfault = \"" + c.fault +
+                                                "\"\nstart_s = 20\nfor_s = 6\n" + c.more + "\n",
+                                            "test")
+                   .value();
+  EXPECT_THAT(rig_config::check_faults_of(rig), testing::IsEmpty());
+  return run(rig, c.device);
+}
+
+class EachFault : public testing::TestWithParam<Case> {};
+
+TEST_P(EachFault, SetsWhenItStartsAndIsGoneOnceItHasCleared) {
+  const Case& c = GetParam();
+  const Heard sound = run(rig_at_the_surface(), c.device), faulty = run_under(c);
+  ASSERT_GT(sound.between(0, sets_s).size(), 20u);
+  EXPECT_EQ(faulty.between(0, sets_s), sound.between(0, sets_s)) << "before it sets";
+
+  const bool seen = faulty.between(sets_s, clears_s) != sound.between(sets_s, clears_s) ||
+                    (sound.device.last_error.empty() && !faulty.device.last_error.empty());
+  EXPECT_TRUE(seen) << "while it holds";
+
+  const auto after = faulty.between(settled_s, end_s), as_ever = sound.between(settled_s, end_s);
+  if (c.for_good) {
+    EXPECT_NEAR(static_cast<double>(after.size()), static_cast<double>(as_ever.size()), 2);
+  } else {
+    EXPECT_EQ(after, as_ever) << "once it has gone";
+  }
+  EXPECT_EQ(faulty.device.state, "streaming") << faulty.device.last_error;
+}
+
+INSTANTIATE_TEST_SUITE_P(Vocabulary, EachFault, testing::ValuesIn(cases), [](const auto& each) {
+  std::string name = each.param.fault;
+  std::erase(name, '-');
+  return name;
+});
+
+TEST(FaultVocabulary, ACanopenNodeThatWasWithoutPowerIsStartedAgain) {
+  const Heard heard = run_under({"imu", "off"});
+  EXPECT_THAT(heard.between(20.1, 26), testing::IsEmpty());
+  EXPECT_NEAR(static_cast<double>(heard.between(27, 60).size()), 3300, 2);
+  EXPECT_EQ(heard.device.state, "streaming");
+}
+
+TEST(FaultVocabulary, IsTheWholeVocabulary) {
+  std::vector<std::string_view> tried, known;
+  for (const Case& c : cases) tried.emplace_back(c.fault);
+  tried.insert(tried.end(), {"nak", "hot"});  // tests/hil/fault/power_up_test.cpp
+  for (const auto& word : rig_config::fault_vocabulary()) known.push_back(word.name);
+  EXPECT_THAT(tried, testing::UnorderedElementsAreArray(known));
+}
+
+}  // namespace
+}  // namespace fault_run_test

@@ -1,0 +1,92 @@
+// What shells offer behind a half-typed command.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "tests/hil/program/program.hpp"
+
+namespace completion_test {
+
+using program::drydock;
+using program::Folder;
+using testing::HasSubstr;
+
+TEST(Program, BashCompletesCommandsOptionsAndValues) {
+  const Folder folder;
+  std::ofstream(folder / "try.sh")
+      << "source <(drydock completion bash)\n"
+         "complete_at() { COMP_WORDS=(\"$@\"); COMP_CWORD=$(($# - 1)); "
+         "_drydock; echo \"${COMPREPLY[*]}\"; }\n"
+         "complete_at drydock mon\n"
+         "complete_at drydock run --spe\n"
+         "complete_at drydock run --speed m\n"
+         "complete_at drydock decode --protocol pd\n";
+  const auto outcome = drydock("--version; PATH=$(dirname " DRYDOCK_PROGRAM "):$PATH bash " +
+                               (folder / "try.sh").string());
+  EXPECT_THAT(outcome.output, HasSubstr("\nmonitor\n--speed\nmax\npd0 pd4 pd5 pd6\n"));
+}
+
+/// What an interactive zsh offers for the last word of each line, in a folder with two files.
+class Zsh : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (std::system("command -v zsh >/dev/null") != 0) {
+      ASSERT_EQ(std::getenv("CI"), nullptr) << "zsh is missing";
+      GTEST_SKIP() << "zsh is not installed (package zsh)";
+    }
+    std::ofstream(folder_ / "_drydock") << drydock("completion zsh").output;
+    std::filesystem::create_directory(folder_ / "pier");
+    for (const char* name : {"pier/pier.toml", "pier/dive.mcap"}) std::ofstream(folder_ / name);
+  }
+  std::string offers(const std::string& line) const {
+    const auto offered =
+        drydock("--version >/dev/null; cd " + (folder_ / "pier").string() +
+                "; zsh -f " DRYDOCK_SOURCE_DIR "/tests/hil/program/zsh_offers.zsh " +
+                (folder_ / "").string() + " '" + line + "'");
+    EXPECT_EQ(offered.exit_code, 0) << offered.output;
+    return offered.output;
+  }
+
+  Folder folder_;
+};
+
+TEST_F(Zsh, OffersTheCommands) {
+  const auto all = offers("drydock ");
+  for (const char* command : {"probe", "monitor", "record", "replay", "export", "completion"})
+    EXPECT_THAT(all, HasSubstr(std::string{command} + "\n"));
+  EXPECT_EQ(offers("drydock rec"), "record\nrecover\n");
+}
+
+TEST_F(Zsh, OffersTheOptionsOfACommandAndTheirValues) {
+  EXPECT_EQ(offers("drydock record -"),
+            "--for\n--help\n--output\n--overwrite\n--serve\n--token\n-h\n-o\n");
+  EXPECT_EQ(offers("drydock record -o a.mcap --o"), "--overwrite\n");  // one of both names
+  EXPECT_EQ(offers("drydock run --speed "), "1\nmax\n");
+  EXPECT_EQ(offers("drydock decode --protocol pd"), "pd0\npd4\npd5\npd6\n");
+  EXPECT_EQ(offers("drydock record --for "), "");
+}
+
+TEST_F(Zsh, OffersFilesForARigAndForWhatAnOptionWrites) {
+  EXPECT_EQ(offers("drydock record "), "dive.mcap\npier.toml\n");
+  EXPECT_EQ(offers("drydock record p"), "pier.toml\n");
+  EXPECT_EQ(offers("drydock record pier.toml -o "), "dive.mcap\npier.toml\n");
+  const auto behind = offers("drydock record pier.toml ");  // there is one rig
+  EXPECT_THAT(behind, HasSubstr("--output\n"));
+  EXPECT_THAT(behind, testing::Not(HasSubstr("dive.mcap")));
+  EXPECT_EQ(offers("drydock check pier.toml d"), "dive.mcap\n");
+  EXPECT_EQ(offers("drydock replay d"), "dive.mcap\n");
+}
+
+TEST_F(Zsh, TakesTheCompletionFromSourceToo) {
+  const auto outcome = drydock(
+      "--version >/dev/null; PATH=$(dirname " DRYDOCK_PROGRAM
+      "):$PATH zsh -f -c 'autoload -Uz compinit; compinit -D -u; source <(drydock completion zsh); "
+      "print $_comps[drydock]'");
+  EXPECT_EQ(outcome.output, "_drydock\n");
+}
+
+}  // namespace completion_test

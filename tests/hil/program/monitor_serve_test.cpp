@@ -1,0 +1,90 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <string>
+#include <thread>
+
+#include "tests/hil/program/program.hpp"
+#include "tests/npm/node.hpp"
+
+/// What the monitor hears is there for browsers too; the witness is Foxglove's own client.
+namespace monitor_serve_test {
+
+using program::drydock;
+using program::Folder;
+using testing::HasSubstr;
+using namespace std::chrono_literals;
+
+/// `monitor` beside an emulated demo, and what a client at its address sees.
+class ServedMonitor {
+ public:
+  explicit ServedMonitor(const std::string& arguments)
+      : run_([this, arguments] {
+          outcome_ = drydock(
+              "emulate rig_config/rigs/demo.toml --for 60s > /dev/null & e=$!; sleep "
+              "1; " DRYDOCK_PROGRAM " monitor " +
+              arguments + " --for 6s > /dev/null 2> " + (folder_ / "live").string() +
+              "; r=$?; kill -INT $e; wait; exit $r");
+        }) {}
+
+  /// "ws://127.0.0.1:PORT/..." once it is served; probing comes first where it is a link.
+  std::string address() const {
+    for (int i = 0; i < 300; ++i) {
+      const auto said = program::read_file(folder_ / "live");
+      const auto from = said.find("live: http"), to = said.find('\n', from);
+      if (from != std::string::npos && to != std::string::npos)
+        return "ws" + said.substr(from + 10, to - from - 10);
+      std::this_thread::sleep_for(50ms);
+    }
+    return {};
+  }
+  nlohmann::json watch(const std::string& address) const {
+    return drydock::test::run_node("tests/drivers/live/watch.cjs", {address, "400"});
+  }
+  int exit_code() {
+    run_.join();
+    return outcome_.exit_code;
+  }
+
+ private:
+  Folder folder_;
+  program::Outcome outcome_;
+  std::jthread run_;
+};
+
+TEST(MonitorServe, ARigsDevicesAndHealthAreOnTheFoxgloveSocket) {
+  DRYDOCK_NEEDS_NODE();
+  ServedMonitor monitor("rig_config/rigs/demo.toml --serve 0");
+  const auto seen = monitor.watch(monitor.address());
+  EXPECT_EQ(seen["server"], "drydock demo");
+  EXPECT_TRUE(seen["channels"].contains("/dvl/bottom_track"));
+  // The IMU says nothing: a monitor only listens, and nobody starts the node.
+  ASSERT_TRUE(seen["messages"].contains("/dvl/bottom_track")) << seen;
+  EXPECT_EQ(seen["messages"]["/dvl/bottom_track"]["value"]["header"]["frame_id"], "dvl_link_frd");
+  EXPECT_TRUE(seen["messages"].contains("/diagnostics"));
+  monitor.exit_code();
+}
+
+TEST(MonitorServe, ALinksSensorsAreThereUnderTheNamesThatProbingGives) {
+  DRYDOCK_NEEDS_NODE();
+  ServedMonitor monitor("pty:dvl --serve 0 --token mine");
+  const auto address = monitor.address();
+  ASSERT_THAT(address, HasSubstr("?token=mine"));
+  const auto refused = monitor.watch(address.substr(0, address.find('?')));
+  EXPECT_THAT(refused["error"].dump(), HasSubstr("403"));
+  const auto seen = monitor.watch(address);
+  EXPECT_EQ(seen["server"], "drydock pty:dvl");
+  EXPECT_TRUE(seen["messages"].contains("/dvl/bottom_track")) << seen;
+  EXPECT_EQ(monitor.exit_code(), 0);
+}
+
+TEST(MonitorServe, OneTableOrOneProtocolIsNothingToServe) {
+  for (const char* other : {"--once", "--protocol pd6"}) {
+    const auto outcome = drydock(std::string("monitor pty:dvl --serve 0 ") + other);
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_THAT(outcome.output, HasSubstr("excludes"));
+  }
+}
+
+}  // namespace monitor_serve_test

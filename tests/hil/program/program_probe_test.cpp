@@ -1,0 +1,54 @@
+// The command `probe`, on emulated wires and on recordings.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "tests/hil/program/program.hpp"
+
+namespace program_probe_test {
+
+using program::drydock;
+using program::emulated_demo;
+using program::Folder;
+using testing::HasSubstr;
+
+TEST(Program, AProbeFindsAnEmulatedSensorAndItsBlockIsAGoodRig) {
+  const Folder folder;
+  const auto outcome = drydock(std::string(emulated_demo) + "probe pty:dvl --for 8s --json; wait");
+  const auto found = nlohmann::json::parse(outcome.output);
+  EXPECT_EQ(found["confidence"], "certain");
+  EXPECT_EQ(found["attempts"][0]["findings"][0]["protocol"], "pd0");
+  ASSERT_EQ(found["devices"].size(), 1u);
+  EXPECT_EQ(found["devices"][0]["kind"], "dvl");
+  EXPECT_NEAR(found["devices"][0]["rate_hz"], 5, 0.3);
+  std::ofstream(folder / "rig.toml") << "[rig]\nname = \"probed\"\n"
+                                     << found["devices"][0]["block"].get<std::string>();
+  EXPECT_EQ(drydock("check " + (folder / "rig.toml").string()).exit_code, 0);
+}
+
+TEST(Program, AProbeOfAnEmulatedBusFindsDepthAndActuators) {
+  const auto outcome =
+      drydock(std::string(emulated_demo) + "probe 'can:auto?name=drydock0' --for 4s --json; wait");
+  const auto found = nlohmann::json::parse(outcome.output);
+  std::string kinds;
+  for (const auto& device : found["devices"])
+    kinds += device["kind"].get<std::string>() + device["address"].dump() + " ";
+  EXPECT_EQ(kinds, "depth35 actuator36 ");
+}
+
+TEST(Program, AProbeOfARecordingNeedsNoTime) {
+  const auto bytes = drydock("probe 'file:fixtures/pd0/golden.pd0?baud=115200'");
+  EXPECT_EQ(bytes.exit_code, 0);
+  EXPECT_THAT(bytes.output, HasSubstr("protocol = \"pd0\""));
+  const auto frames = drydock("probe file:fixtures/nmea2000/frames.log");
+  EXPECT_EQ(frames.exit_code, 0);
+  EXPECT_THAT(frames.output, HasSubstr("protocol = \"nmea2000\""));
+  EXPECT_EQ(drydock("probe file:/dev/null").exit_code, 1);
+  EXPECT_EQ(drydock("probe serial:/dev/nowhere").exit_code, 2);
+  EXPECT_EQ(drydock("probe").exit_code, 2);
+}
+
+}  // namespace program_probe_test

@@ -1,0 +1,105 @@
+// One process: `run` in real and virtual time, and faults set on it from another.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "tests/hil/program/program.hpp"
+
+namespace program_run_test {
+
+using program::drydock;
+using program::Folder;
+using program::read_file;
+using testing::HasSubstr;
+
+TEST(Program, ALockstepRunWritesAReportAndASummary) {
+  const Folder folder;
+  const auto run = drydock(
+      "run rig_config/rigs/demo.toml --for 30s --speed max --expect-streaming "
+      "--expect-rms 0.5 --json " +
+      (folder / "s.json").string() + " --report " + (folder / "report").string());
+  EXPECT_EQ(run.exit_code, 0) << run.output;
+  const auto summary = nlohmann::json::parse(read_file(folder / "s.json"));
+  EXPECT_EQ(summary["devices"].size(), 6u);
+  EXPECT_DOUBLE_EQ(summary["duration_s"], 30.0);
+  EXPECT_LT(summary["estimators"][0]["whole_run"]["roll_rms_deg"], 0.5);
+  const auto page = read_file(folder / "report/index.html");
+  EXPECT_THAT(page, HasSubstr("<svg"));
+  EXPECT_THAT(page, HasSubstr("Roll: truth and estimate"));
+  EXPECT_THAT(page, HasSubstr("6 of 6 devices streaming"));
+  EXPECT_THAT(page, testing::Not(HasSubstr("src=")));
+  EXPECT_THAT(page, testing::Not(HasSubstr("<link")));
+}
+
+TEST(Program, AnUnmetExpectationExitsWithOneAndSaysWhich) {
+  const auto run =
+      drydock("run rig_config/rigs/demo.toml --for 5s --speed max --expect-rms 0.000001");
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_THAT(run.output, HasSubstr("expected at most 1e-06"));
+}
+
+TEST(Program, ARealTimeRunStreamsFromAllSixDevices) {
+  const auto run = drydock("run rig_config/rigs/demo.toml --for 6s --expect-streaming");
+  EXPECT_EQ(run.exit_code, 0) << run.output;
+  EXPECT_THAT(run.output, HasSubstr("CAN bus can:auto"));
+}
+
+TEST(Program, InterruptEndsARunCleanlyWithTheReport) {
+  const Folder folder;
+  const auto page = folder / "out/index.html";
+  const auto outcome =
+      drydock("run rig_config/rigs/demo.toml --report " + (folder / "out").string() +
+              " > /dev/null & p=$!; sleep 5; kill -INT $p; wait $p");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.output;
+  EXPECT_THAT(read_file(page), HasSubstr("interrupted"));
+}
+
+TEST(Program, AFaultIsSetListedAndClearedWhileTheBenchRuns) {
+  const Folder folder;
+  const std::string rig = "rig_config/rigs/demo.toml",
+                    fault = DRYDOCK_PROGRAM " fault " + rig + " ";
+  const auto outcome =
+      drydock("run " + rig + " --for 8s --json " + (folder / "s.json").string() + " > " +
+              (folder / "run.txt").string() + " & sleep 3; " + fault +
+              "set dvl garbage bytes=32 --for 1s; " + fault + "set emlog unplug; " + fault +
+              "list; " + fault + "set emlog bottom-lost 2>&1; " + fault + "clear emlog; sleep 1; " +
+              fault + "list; wait");
+  EXPECT_THAT(outcome.output, HasSubstr("set: dvl: garbage, bytes = 32, for 1 s"));
+  EXPECT_THAT(outcome.output, HasSubstr("emlog: unplug (since "));
+  EXPECT_THAT(outcome.output, HasSubstr("only a dvl hears the sea bed"));
+  EXPECT_THAT(outcome.output, HasSubstr("cleared: 1"));
+  EXPECT_THAT(outcome.output, HasSubstr("no fault is in force"));
+  EXPECT_THAT(read_file(folder / "run.txt"), HasSubstr(" s fault set: emlog: unplug"));
+  const auto summary = nlohmann::json::parse(read_file(folder / "s.json"));
+  ASSERT_EQ(summary["faults"].size(), 2u) << summary["faults"];
+  EXPECT_NEAR(summary["faults"][0]["until_s"].get<double>(),
+              summary["faults"][0]["since_s"].get<double>() + 1, 0.001);
+}
+
+TEST(Program, AFaultNeedsABenchThatRunsAndSaysHowToStartOne) {
+  const auto set = drydock("fault rig_config/rigs/demo.toml set dvl hang");
+  EXPECT_EQ(set.exit_code, 1);
+  EXPECT_THAT(set.output, HasSubstr("start one: drydock run rig_config/rigs/demo.toml"));
+  const auto words = drydock("fault rig_config/rigs/demo.toml words");
+  EXPECT_EQ(words.exit_code, 0);
+  EXPECT_THAT(words.output, HasSubstr("bottom-lost"));
+}
+
+TEST(Program, AFileOfFaultsIsPutOnALockstepRunAndAWrongOneRefused) {
+  const Folder folder;
+  std::ofstream(folder / "f.toml")
+      << "[[fault]]\ndevice = \"emlog\"\nfault = \"hang\"\nstart_s = 5\nfor_s = 10\n";
+  const std::string run = "run rig_config/rigs/demo.toml --for 20s --speed max --faults ";
+  const auto outcome = drydock(run + (folder / "f.toml").string());
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.output;
+  EXPECT_THAT(outcome.output, HasSubstr("fault 5.000 s to 15.000 s: emlog: hang"));
+  std::ofstream(folder / "bad.toml") << "[[fault]]\ndevice = \"emlog\"\nfault = \"bottom-lost\"\n";
+  const auto refused = drydock(run + (folder / "bad.toml").string());
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_THAT(refused.output, HasSubstr("bad.toml:1:1: /fault: emlog \"emlog\""));
+}
+
+}  // namespace program_run_test

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <fcntl.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <sstream>
+#include <string>
+#include <system_error>
+#include <thread>
+#include <vector>
+
+#include "tests/hil/program/program.hpp"
+
+namespace program {
+
+/// The program beside a test, in the folder that holds its ptys and sockets; ended by SIGTERM.
+class Running {
+ public:
+  Running(const Folder& folder, const std::string& arguments, const std::string& name)
+      : output_(folder / name) {
+    const std::string links = "XDG_RUNTIME_DIR=" + (folder / "").string(),
+                      domain = "ROS_DOMAIN_ID=" + std::to_string(100 + getpid() % 100);
+    std::array environment{const_cast<char*>(links.c_str()), const_cast<char*>(domain.c_str()),
+                           static_cast<char*>(nullptr)};
+    std::istringstream typed(DRYDOCK_PROGRAM " " + arguments);
+    std::vector<std::string> words{std::istream_iterator<std::string>(typed), {}};
+    std::vector<char*> pointers;
+    std::ranges::transform(words, std::back_inserter(pointers), [](auto& w) { return w.data(); });
+    pointers.push_back(nullptr);
+    posix_spawn_file_actions_t actions;
+    posix_spawn_file_actions_init(&actions);
+    posix_spawn_file_actions_addchdir_np(&actions, DRYDOCK_SOURCE_DIR);
+    posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, output_.c_str(),
+                                     O_WRONLY | O_CREAT | O_TRUNC, 0600);
+    posix_spawn_file_actions_adddup2(&actions, STDOUT_FILENO, STDERR_FILENO);
+    const int error =
+        posix_spawn(&pid_, DRYDOCK_PROGRAM, &actions, nullptr, pointers.data(), environment.data());
+    posix_spawn_file_actions_destroy(&actions);
+    if (error != 0) throw std::system_error(error, std::generic_category());
+  }
+  ~Running() {
+    kill(pid_, SIGTERM);
+    waitpid(pid_, nullptr, 0);
+  }
+  Running(const Running&) = delete;
+  Running& operator=(const Running&) = delete;
+
+  std::string output() const { return read_file(output_); }
+
+  /// What stands between `from` and the end of its line, once that has been said; empty after 15 s.
+  std::string line_from(const std::string& from) const {
+    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds{15};
+    while (std::chrono::steady_clock::now() < end) {
+      const auto said = output();
+      const auto begin = said.find(from);
+      const auto line_end = begin == std::string::npos ? begin : said.find('\n', begin);
+      if (line_end != std::string::npos)
+        return said.substr(begin + from.size(), line_end - begin - from.size());
+      std::this_thread::sleep_for(std::chrono::milliseconds{20});
+    }
+    return {};
+  }
+
+ private:
+  std::filesystem::path output_;
+  pid_t pid_ = 0;
+};
+
+}  // namespace program

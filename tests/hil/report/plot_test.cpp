@@ -1,0 +1,41 @@
+#include "hil/report/plot.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+namespace plot_test {
+
+using drydock::cli::Plot;
+using drydock::cli::render_svg;
+using testing::HasSubstr;
+
+class Gnuplot : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (std::system("command -v gnuplot >/dev/null") != 0)
+      GTEST_SKIP() << "gnuplot is not installed";
+    plot_.title = "line";
+    plot_.curves.push_back({"curve", {0, 10}, {0, 1}});
+  }
+  Plot plot_;
+};
+
+TEST_F(Gnuplot, ANameIsWrittenAsItIsAndNothingOfItIsRun) {
+  plot_.title = "rig_config/a^2 `echo ran` {b}";
+  plot_.curves[0].label = "imu_1";
+  const auto svg = render_svg(plot_);
+  EXPECT_THAT(svg, HasSubstr("rig_config/a^2 `echo ran` {b}"));
+  EXPECT_THAT(svg, HasSubstr(">imu_1<"));
+}
+
+TEST_F(Gnuplot, OnEqualScalesAFlatTrackIsAFlatPicture) {
+  plot_.equal_scales = true;
+  const auto flat = render_svg(plot_);
+  EXPECT_THAT(flat, HasSubstr("viewBox=\"0 0 860 240\""));
+  plot_.curves[0].y = {0, 10};
+  EXPECT_THAT(render_svg(plot_), HasSubstr("viewBox=\"0 0 860 600\""));
+}
+
+}  // namespace plot_test

@@ -1,0 +1,78 @@
+// The scorecard of the shipped rig.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "hil/scorecard/scorecard_report.hpp"
+#include "hil/scorecard/wrong_numbers.hpp"
+#include "rig_config/load.hpp"
+
+namespace scorecard_test {
+
+using namespace drydock;
+using namespace drydock::cli::scorecard;
+
+rig_config::Rig demo() {
+  return rig_config::load_rig(DRYDOCK_SOURCE_DIR "/rig_config/rigs/demo.toml").value();
+}
+
+std::string json_of(Options options) {
+  const auto file = std::filesystem::temp_directory_path() /
+                    ("drydock-scorecard-" + std::to_string(::getpid()) + ".json");
+  options.json = file.string();
+  std::FILE* nowhere = std::fopen("/dev/null", "w");
+  EXPECT_EQ(run_scorecard(demo(), options, nowhere, nowhere), 0);
+  std::fclose(nowhere);
+  std::ostringstream text;
+  text << std::ifstream(file).rdbuf();
+  std::filesystem::remove(file);
+  return text.str();
+}
+
+TEST(Scorecard, IsTheSameToTheLastByteWhateverTheNumberOfThreads) {
+  Options options;
+  options.faults = {"flip", "hang"};
+  options.devices = {"dvl", "gnss", "depth"};
+  options.window = {.warm_up_s = 5, .fault_s = 5, .after_s = 5};
+  options.jobs = 1;
+  const auto alone = json_of(options);
+  options.jobs = 3;
+  EXPECT_EQ(alone, json_of(options));
+  EXPECT_EQ(std::ranges::count(alone, '\n'), 2 + 6 + 1);
+}
+
+TEST(Scorecard, PairsThatADeviceCannotHaveAreNotTried) {
+  const auto pairs = pairs_of(demo(), {}, {"imu", "dvl"}, {"unplug", "bias"});
+  std::vector<std::string> names;
+  for (const auto& pair : pairs) names.push_back(pair.fault.device + " " + pair.label);
+  EXPECT_EQ(names, (std::vector<std::string>{"dvl bias", "dvl unplug", "imu bias rate_degps",
+                                             "imu bias specific_force_mps2"}));
+  EXPECT_THROW(pairs_of(demo(), {}, {"sonar"}, {}), std::runtime_error);
+  EXPECT_THROW(pairs_of(demo(), {}, {}, {"gremlin"}), std::runtime_error);
+}
+
+TEST(Scorecard, NoDeviceWithAChecksumGivesAWrongNumberForDamagedBytes) {
+  const auto rig = demo();
+  const Window short_window{.warm_up_s = 20, .fault_s = 20, .after_s = 5};
+  auto sound = rig;
+  sound.faults.clear();
+  const Reference reference(record_run(sound, short_window.run_s()));
+  for (const auto& pair :
+       pairs_of(rig, short_window, {"dvl", "emlog", "gnss"},
+                {"flip", "truncate", "bad-checksum", "garbage", "duplicate", "wrong-baud"})) {
+    auto faulty = rig;
+    faulty.faults = {pair.fault};
+    const Score s =
+        score_of(rig, short_window, pair, reference, record_run(faulty, short_window.run_s()));
+    EXPECT_EQ(s.wrong, 0u) << s.device << " " << s.fault << ": " << s.example;
+    EXPECT_TRUE(s.recover_s) << s.device << " " << s.fault;
+  }
+}
+
+}  // namespace scorecard_test
