@@ -13,7 +13,7 @@ namespace {
 
 constexpr int digits_in_file = 7;
 
-bool any(const Axes& axes) {
+bool any_nonzero(const Axes& axes) {
   return std::ranges::any_of(axes, [](double x) { return x != 0; });
 }
 
@@ -22,13 +22,13 @@ std::string quantity_lines(DeviceKind kind, const EmulateConfig& grade, const Ke
   std::string out;
   for (const ErrorKey& key : error_keys) {
     const Axes& figures = grade.*key.quantity.*key.part;
-    if (key.kind != kind || !any(figures)) continue;
+    if (key.kind != kind || !any_nonzero(figures)) continue;
     const std::string behind = comment ? comment(key) : std::string();
     out += fmt::format("{} = {}{}\n", key.key, figures_text(figures, key.unit, digits_in_file),
                        behind.empty() ? "" : "  # " + behind);
   }
   for (const CorrelationKey& key : correlation_keys)
-    if (key.kind == kind && any((grade.*key.quantity).bias_instability))
+    if (key.kind == kind && any_nonzero((grade.*key.quantity).bias_instability))
       out += fmt::format("{} = {:.{}g}\n", key.key, (grade.*key.quantity).correlation_s,
                          digits_in_file);
   return out;

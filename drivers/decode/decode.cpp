@@ -16,7 +16,7 @@
 #include "drivers/text/json_lines.hpp"
 #include "drivers/wire/registry.hpp"
 
-namespace drydock::cli {
+namespace drydock::decode {
 
 namespace {
 
@@ -32,11 +32,11 @@ class Sink {
 
   template <class Variant>
   void message(const Variant& message) {
-    put(message, [](JsonWriter&) {});
+    put(message, [](text::JsonWriter&) {});
   }
   template <class Variant>
   void message(const Variant& message, const capture::Record& record) {
-    put(message, [&](JsonWriter& json) {
+    put(message, [&](text::JsonWriter& json) {
       using Seconds = std::optional<double>;
       json.field("time_s", record.time ? Seconds(measurement::seconds(*record.time)) : Seconds());
       json.field("interface", record.interface);
@@ -47,7 +47,7 @@ class Sink {
   /// The counts, if they are what was asked for.
   void finish() {
     for (const auto& entry : counts_)
-      lines_.line([&](JsonWriter& json) {
+      lines_.line([&](text::JsonWriter& json) {
         json.field("type", entry.first);
         json.field("count", entry.second);
       });
@@ -64,7 +64,7 @@ class Sink {
             ++counts_[message.type];
             return;
           }
-          lines_.line([&](JsonWriter& json) {
+          lines_.line([&](text::JsonWriter& json) {
             json.field("type", message.type);
             before(json);
             json.fields(message);
@@ -74,7 +74,7 @@ class Sink {
   }
 
   bool count_;
-  JsonLines lines_;
+  text::JsonLines lines_;
   std::map<std::string_view, std::uint64_t> counts_;
   std::uint64_t messages_ = 0;
 };
@@ -208,4 +208,4 @@ int decode(const DecodeOptions& options, std::FILE* out, std::FILE* err) {
   return sink.messages() > 0 ? 0 : 1;
 }
 
-}  // namespace drydock::cli
+}  // namespace drydock::decode

@@ -3,7 +3,7 @@
 #include <cstdio>
 #include <string>
 
-namespace drydock::cli {
+namespace drydock::decode {
 
 struct DecodeOptions {
   std::string protocol;  ///< a name of drivers/wire/registry.hpp
@@ -25,4 +25,4 @@ std::string decode_protocols();
 /// Names for --format.
 std::string decode_formats();
 
-}  // namespace drydock::cli
+}  // namespace drydock::decode

@@ -19,7 +19,7 @@
 #include "drivers/text/json_lines.hpp"
 #include "drivers/text/measurement_fields.hpp"
 
-namespace drydock::cli {
+namespace drydock::decode {
 namespace {
 
 using device::Device;
@@ -35,7 +35,7 @@ class Printer final : public device::Listener, public device::Transmitter {
     ++measurements_;
     std::visit(
         [&](const auto& m) {
-          lines_.line([&](JsonWriter& json) {
+          lines_.line([&](text::JsonWriter& json) {
             json.field("type", type_of(m));
             json.field("valid_at_s", measurement::seconds(m.origin.valid_at.time_since_epoch()));
             json.field("received_at_s",
@@ -64,7 +64,7 @@ class Printer final : public device::Listener, public device::Transmitter {
   std::function<void()> on_closed;
 
  private:
-  JsonLines lines_;
+  text::JsonLines lines_;
   std::FILE* states_;
   std::uint64_t measurements_ = 0;
 };
@@ -244,4 +244,4 @@ int replay(const ReplayOptions& options, std::FILE* out, std::FILE* err) {
   return printer.measurements() > 0 ? 0 : 1;
 }
 
-}  // namespace drydock::cli
+}  // namespace drydock::decode

@@ -8,7 +8,7 @@
 #include "drivers/device/driver_options.hpp"
 #include "drivers/measurement/measurement.hpp"
 
-namespace drydock::cli {
+namespace drydock::decode {
 
 struct ReplayOptions {
   std::string capture;        ///< file
@@ -33,4 +33,4 @@ using MeasurementHook = std::function<void(const measurement::Measurement&)>;
 /// Throws std::exception with one line: no such driver, or the capture cannot be read.
 device::Kind play(const ReplayOptions& options, const MeasurementHook& hook);
 
-}  // namespace drydock::cli
+}  // namespace drydock::decode

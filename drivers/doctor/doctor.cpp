@@ -10,7 +10,7 @@
 #include "drivers/link/uri.hpp"
 #include "drivers/text/json_lines.hpp"
 
-namespace drydock::cli {
+namespace drydock::doctor {
 
 constexpr std::string_view to_string(Fitness fitness) {
   constexpr std::array<std::string_view, 3> names{"ok", "advice", "wrong"};
@@ -83,8 +83,8 @@ int doctor(const Needs& needs, bool json, std::FILE* out) {
   const bool wrong =
       std::ranges::any_of(all, [](const auto& d) { return d.fitness == Fitness::wrong; });
   if (json) {
-    JsonLines lines(out);
-    lines.line([&](JsonWriter& writer) {
+    text::JsonLines lines(out);
+    lines.line([&](text::JsonWriter& writer) {
       writer.field("ok", !wrong);
       writer.field("checks", all);
     });
@@ -99,4 +99,4 @@ int doctor(const Needs& needs, bool json, std::FILE* out) {
   return wrong ? 1 : 0;
 }
 
-}  // namespace drydock::cli
+}  // namespace drydock::doctor

@@ -9,7 +9,7 @@
 
 /// Is this machine fit for a rig? Every check reads files under a root, "/" but in tests, and says
 /// what is wrong and the command that mends it.
-namespace drydock::cli {
+namespace drydock::doctor {
 
 enum class Fitness : std::uint8_t {
   ok,
@@ -51,4 +51,4 @@ std::vector<Diagnosis> diagnose(const std::string& root, const Needs& needs);
 /// `drydock doctor`. Exit code: 0, or 1 when something is wrong.
 int doctor(const Needs& needs, bool json, std::FILE* out);
 
-}  // namespace drydock::cli
+}  // namespace drydock::doctor

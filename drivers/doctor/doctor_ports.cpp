@@ -13,7 +13,7 @@
 #include "drivers/doctor/doctor.hpp"
 #include "drivers/doctor/ports.hpp"
 
-namespace drydock::cli {
+namespace drydock::doctor {
 namespace {
 
 namespace fs = std::filesystem;
@@ -158,4 +158,4 @@ std::vector<Diagnosis> check_latency(const std::string& root, const Needs& needs
   return found;
 }
 
-}  // namespace drydock::cli
+}  // namespace drydock::doctor

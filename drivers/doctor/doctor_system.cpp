@@ -10,7 +10,7 @@
 #include "drivers/doctor/doctor.hpp"
 #include "drivers/doctor/ports.hpp"
 
-namespace drydock::cli {
+namespace drydock::doctor {
 namespace {
 
 namespace fs = std::filesystem;
@@ -140,4 +140,4 @@ std::vector<Diagnosis> check_clock(int code, int status) {
   return {{"clock", Fitness::ok, "the clock is synchronised", ""}};
 }
 
-}  // namespace drydock::cli
+}  // namespace drydock::doctor

@@ -6,7 +6,7 @@
 
 #include "drivers/link/can/can_interface.hpp"
 
-namespace drydock::cli {
+namespace drydock::doctor {
 namespace {
 
 namespace fs = std::filesystem;
@@ -91,4 +91,4 @@ std::vector<CanPort> can_ports(const std::string& root) {
   return ports;
 }
 
-}  // namespace drydock::cli
+}  // namespace drydock::doctor

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace drydock::cli {
+namespace drydock::doctor {
 
 /// A serial port of this machine, as /sys and /dev tell.
 struct SerialPort {
@@ -29,4 +29,4 @@ std::vector<SerialPort> serial_ports(const std::string& root);
 /// Names by /sys; what the kernel says of each by netlink, where root is "/".
 std::vector<CanPort> can_ports(const std::string& root);
 
-}  // namespace drydock::cli
+}  // namespace drydock::doctor

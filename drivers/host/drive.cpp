@@ -14,7 +14,7 @@
 #include "drivers/link/link.hpp"
 #include "drivers/shell/rig_devices.hpp"
 
-namespace drydock::cli {
+namespace drydock::host {
 namespace {
 
 constexpr std::chrono::milliseconds tick_period{200};
@@ -121,4 +121,4 @@ int drive(const rig_config::Rig& rig, const DriveOptions& options) {
   return drive.run();
 }
 
-}  // namespace drydock::cli
+}  // namespace drydock::host

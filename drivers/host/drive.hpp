@@ -7,7 +7,7 @@
 #include "drivers/host/rig_viewer.hpp"
 #include "rig_config/rig.hpp"
 
-namespace drydock::cli {
+namespace drydock::host {
 
 /// What a page can be asked for beside what it shows: gives the viewer its services. What comes
 /// back is called a few times a second.
@@ -26,4 +26,4 @@ struct DriveOptions {
 /// failed.
 int drive(const rig_config::Rig& rig, const DriveOptions& options);
 
-}  // namespace drydock::cli
+}  // namespace drydock::host

@@ -5,7 +5,7 @@
 #include "drivers/host/rig_bus.hpp"
 #include "drivers/link/link.hpp"
 
-namespace drydock::cli {
+namespace drydock::host {
 
 namespace {
 constexpr std::chrono::seconds health_period{1};
@@ -63,4 +63,4 @@ void DriverHost::publish_health() {
   if (on_health_hook) on_health_hook(statuses, now);
 }
 
-}  // namespace drydock::cli
+}  // namespace drydock::host

@@ -12,7 +12,7 @@
 #include "drivers/shell/real_time.hpp"
 #include "rig_config/rig.hpp"
 
-namespace drydock::cli {
+namespace drydock::host {
 
 /// The drivers of a rig on their links in real time, their measurements and health on the bus.
 class DriverHost final : private device::Listener {
@@ -44,4 +44,4 @@ class DriverHost final : private device::Listener {
   bool stopped_ = false;  ///< a timer that has expired can no longer be cancelled
 };
 
-}  // namespace drydock::cli
+}  // namespace drydock::host

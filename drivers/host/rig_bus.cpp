@@ -6,7 +6,7 @@
 
 #include "drivers/link/uri.hpp"
 
-namespace drydock::cli {
+namespace drydock::host {
 namespace {
 
 bus::Level level_of(device::State state) {
@@ -114,4 +114,4 @@ bus::DeviceStatus status_of(const device::Device& device, const device::Health& 
   return status;
 }
 
-}  // namespace drydock::cli
+}  // namespace drydock::host

@@ -8,7 +8,7 @@
 #include "drivers/device/device.hpp"
 #include "rig_config/rig.hpp"
 
-namespace drydock::cli {
+namespace drydock::host {
 
 /// The rig's devices as the bus knows them: name, kind, and where their measurements come from.
 std::vector<bus::Device> bus_devices(const rig_config::Rig& rig);
@@ -26,4 +26,4 @@ measurement::Provenance provenance_of(const std::string& link);
 /// One status of `rt/diagnostics`.
 bus::DeviceStatus status_of(const device::Device& device, const device::Health& health);
 
-}  // namespace drydock::cli
+}  // namespace drydock::host

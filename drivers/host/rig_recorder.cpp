@@ -14,7 +14,7 @@
 #include "drivers/link/uri.hpp"
 #include "drivers/wire/registry.hpp"
 
-namespace drydock::cli {
+namespace drydock::host {
 
 namespace {
 
@@ -117,4 +117,4 @@ std::string RigRecorder::finish() {
                      static_cast<double>(status.bytes) / 1e6, status.lost);
 }
 
-}  // namespace drydock::cli
+}  // namespace drydock::host

@@ -4,7 +4,7 @@
 #include "drivers/recordings/record/recorder.hpp"
 #include "rig_config/rig.hpp"
 
-namespace drydock::cli {
+namespace drydock::host {
 
 struct RecordOptions {
   std::string path;        ///< of the MCAP file; empty: no recording
@@ -54,4 +54,4 @@ class RigRecorder final : public Watcher {
   bool told_ = false;
 };
 
-}  // namespace drydock::cli
+}  // namespace drydock::host

@@ -10,7 +10,7 @@
 #include "drivers/live/foxglove/access.hpp"
 #include "drivers/live/page_files.hpp"
 
-namespace drydock::cli {
+namespace drydock::host {
 
 namespace {
 
@@ -54,8 +54,8 @@ RigViewer::RigViewer(boost::asio::any_io_executor executor, const Viewed& viewed
     : options_(server_options(viewed.name, options)),
       server_(std::move(executor), options_, live::page_files()),
       sink_(server_),
-      topics_(sink_, viewed.devices, with_truth(viewed.estimators), with_truth(viewed.navigators),
-              viewed.innovations),
+      topics_(sink_, viewed.devices, with_truth(viewed.estimators),
+              with_truth(viewed.navigators), viewed.innovations),
       last_sample_(viewed.devices.size()),
       last_attitude_(viewed.estimators.size() + 1),
       last_position_(viewed.estimators.size() + 1) {
@@ -108,4 +108,4 @@ void RigViewer::tick(Stamp now) {
   if (!faults_.empty() && now - faults_told_ >= again) note(std::vector(faults_), now);
 }
 
-}  // namespace drydock::cli
+}  // namespace drydock::host

@@ -8,7 +8,7 @@
 #include "drivers/live/live_topics.hpp"
 #include "rig_config/rig.hpp"
 
-namespace drydock::cli {
+namespace drydock::host {
 
 /// Where a run can be watched: `--serve [ADDRESS:PORT]`, `--token`, `--allow-faults`.
 struct ServeOptions {
@@ -68,4 +68,4 @@ class RigViewer final : public Watcher {
   std::vector<Stamp> last_attitude_, last_position_;  ///< by estimator
 };
 
-}  // namespace drydock::cli
+}  // namespace drydock::host

@@ -6,7 +6,7 @@
 #include "drivers/bus/device.hpp"
 #include "drivers/shell/raw_listener.hpp"
 
-namespace drydock::cli {
+namespace drydock::host {
 
 /// Follows a run beside drivers and bus: a recording, a viewer. Never waits, never throws.
 class Watcher : public shell::RawListener {
@@ -65,4 +65,4 @@ class Watchers final : public Watcher {
   std::vector<Watcher*> all_;
 };
 
-}  // namespace drydock::cli
+}  // namespace drydock::host

@@ -5,26 +5,27 @@
 #include <boost/asio/steady_timer.hpp>
 #include <memory>
 
-#include "drivers/link/opening.hpp"
+#include "drivers/io/as_outcome.hpp"
 
-namespace drydock::link {
+namespace drydock::io {
 
 /// Wakes coroutines that wait for a condition. They look at the condition before they wait and
 /// again when they wake; notify() may come from another thread.
 class Signal : public std::enable_shared_from_this<Signal> {
  public:
-  explicit Signal(const asio::any_io_executor& executor)
-      : timer_(executor, asio::steady_timer::time_point::max()) {}
+  explicit Signal(const boost::asio::any_io_executor& executor)
+      : timer_(executor, boost::asio::steady_timer::time_point::max()) {}
 
-  asio::awaitable<void> wait() { co_await timer_.async_wait(as_outcome); }
+  boost::asio::awaitable<void> wait() { co_await timer_.async_wait(as_outcome); }
 
   /// Posted, so that it comes after a waiter that is just about to suspend.
   void notify() {
-    asio::post(timer_.get_executor(), [self = shared_from_this()] { self->timer_.cancel(); });
+    boost::asio::post(timer_.get_executor(),
+                      [self = shared_from_this()] { self->timer_.cancel(); });
   }
 
  private:
-  asio::steady_timer timer_;
+  boost::asio::steady_timer timer_;
 };
 
-}  // namespace drydock::link
+}  // namespace drydock::io

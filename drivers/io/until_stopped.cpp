@@ -5,7 +5,7 @@
 
 #include "drivers/measurement/stamp.hpp"
 
-namespace drydock::cli {
+namespace drydock::io {
 
 UntilStopped::UntilStopped(boost::asio::io_context& io, double duration_s,
                            std::function<void()> stop)
@@ -28,4 +28,4 @@ void UntilStopped::stop() {
   stop_();
 }
 
-}  // namespace drydock::cli
+}  // namespace drydock::io

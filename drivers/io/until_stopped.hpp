@@ -5,7 +5,7 @@
 #include <boost/asio/steady_timer.hpp>
 #include <functional>
 
-namespace drydock::cli {
+namespace drydock::io {
 
 /// How a program that runs until it is told ends: at Ctrl-C, SIGTERM, or when its time is over. A
 /// second Ctrl-C ends it at once.
@@ -23,4 +23,4 @@ class UntilStopped {
   bool stopped_ = false;  ///< an expired timer can no longer be cancelled
 };
 
-}  // namespace drydock::cli
+}  // namespace drydock::io

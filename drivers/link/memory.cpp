@@ -18,7 +18,7 @@ constexpr std::size_t capacity = 65'536;
 struct End {
   bool open = false;
   boost::circular_buffer<std::uint8_t> inbox{capacity};  ///< bytes for this end
-  std::shared_ptr<Signal> changed;                       ///< wakes this end
+  std::shared_ptr<io::Signal> changed;                   ///< wakes this end
 };
 
 struct Line {
@@ -131,7 +131,7 @@ class Lines {
     End& end = line.end(side);
     end.open = true;
     end.inbox.clear();
-    end.changed = std::make_shared<Signal>(executor);
+    end.changed = std::make_shared<io::Signal>(executor);
   }
 
   std::mutex mutex_;

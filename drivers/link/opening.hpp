@@ -1,10 +1,9 @@
 #pragma once
 
-#include <boost/asio/as_tuple.hpp>
-#include <boost/asio/use_awaitable.hpp>
 #include <memory>
 #include <string>
 
+#include "drivers/io/as_outcome.hpp"
 #include "drivers/link/link.hpp"
 
 /// What the links share among themselves. Internal to drivers/link.
@@ -15,8 +14,7 @@ using OpenedFrames = boost::system::result<std::unique_ptr<FrameLink>, OpenError
 
 using ErrorCode = boost::system::error_code;
 
-/// Completion of every operation: the outcome is a value, never an exception.
-inline constexpr auto as_outcome = asio::as_tuple(asio::use_awaitable);
+using io::as_outcome;
 
 inline ErrorCode system_error(int number) { return {number, boost::system::system_category()}; }
 

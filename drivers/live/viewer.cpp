@@ -12,7 +12,7 @@ namespace {
 namespace asio = boost::asio;
 namespace beast = boost::beast;
 namespace websocket = beast::websocket;
-using link::as_outcome;
+using io::as_outcome;
 
 constexpr std::size_t longest_request = 64 * 1024;
 
@@ -26,7 +26,7 @@ std::string_view chosen_subprotocol(std::string_view offered) {
 }  // namespace
 
 Viewer::Viewer(beast::tcp_stream stream)
-    : socket_(std::move(stream)), queued_(std::make_shared<link::Signal>(socket_.get_executor())) {}
+    : socket_(std::move(stream)), queued_(std::make_shared<io::Signal>(socket_.get_executor())) {}
 
 asio::awaitable<void> Viewer::run(beast::http::request<beast::http::string_body> request,
                                   std::vector<std::string> greeting, Desk desk) {

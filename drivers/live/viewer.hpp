@@ -62,7 +62,7 @@ class Viewer : public std::enable_shared_from_this<Viewer> {
   void make_room(std::size_t size);
 
   boost::beast::websocket::stream<boost::beast::tcp_stream> socket_;
-  std::shared_ptr<link::Signal> queued_;
+  std::shared_ptr<io::Signal> queued_;
   std::deque<Item> queue_;
   std::size_t queued_bytes_ = 0;
   std::map<std::uint32_t, std::uint32_t> subscriptions_;  ///< channel -> the client's number

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cstdio>
 
-namespace drydock::cli {
+namespace drydock::monitor {
 namespace {
 
 constexpr std::size_t events_shown = 5;
@@ -75,4 +75,4 @@ void LiveTable::print_lines(const shell::RealTime& shell, double elapsed_s) cons
 
 void LiveTable::finish() { screen_.finish(); }
 
-}  // namespace drydock::cli
+}  // namespace drydock::monitor

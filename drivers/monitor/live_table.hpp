@@ -8,7 +8,7 @@
 #include "drivers/monitor/monitor_view.hpp"
 #include "drivers/shell/real_time.hpp"
 
-namespace drydock::cli {
+namespace drydock::monitor {
 
 /// Shows a run while it goes on: on a terminal a table that is drawn over itself, otherwise plain
 /// lines, one for a change of state and one for each device every ten seconds.
@@ -32,4 +32,4 @@ class LiveTable {
   std::deque<std::string> events_;
 };
 
-}  // namespace drydock::cli
+}  // namespace drydock::monitor

@@ -17,7 +17,7 @@
 #include "drivers/text/json_lines.hpp"
 #include "drivers/wire/registry.hpp"
 
-namespace drydock::cli {
+namespace drydock::monitor {
 namespace {
 
 namespace asio = boost::asio;
@@ -40,7 +40,7 @@ class Screen {
     ++messages_;
     std::visit(
         [&](const auto& message) {
-          lines_.line([&](JsonWriter& json) {
+          lines_.line([&](text::JsonWriter& json) {
             json.field("type", message.type);
             json.field("received_at_s", measurement::seconds(received_at.time_since_epoch()));
             json.fields(message);
@@ -52,7 +52,7 @@ class Screen {
   }
 
  private:
-  JsonLines lines_{stdout};
+  text::JsonLines lines_{stdout};
   std::uint64_t messages_ = 0;
 };
 
@@ -135,7 +135,7 @@ template <class Link>
 int watch(asio::io_context& io, Link& open_link, Screen& screen, double duration_s) {
   asio::steady_timer every(io);
   bool stopped = false;  // an expired timer can no longer be cancelled
-  UntilStopped until(io, duration_s, [&] {
+  io::UntilStopped until(io, duration_s, [&] {
     stopped = true;
     every.cancel();
     open_link.close();
@@ -172,7 +172,7 @@ int monitor_messages(const MonitorOptions& options) {
   if (!screen) {
     fmt::print(stderr, "monitor: a {} link carries no protocol \"{}\"; allowed: {}\n",
                carries == link::Carries::bytes ? "byte" : "CAN", options.protocol,
-               decode_protocols());
+               decode::decode_protocols());
     return 2;
   }
   asio::io_context io{1};
@@ -186,4 +186,4 @@ int monitor_messages(const MonitorOptions& options) {
              : watch_opened(link::open_frames(io.get_executor(), *uri, link::Side::driver));
 }
 
-}  // namespace drydock::cli
+}  // namespace drydock::monitor

@@ -8,15 +8,15 @@
 #include "drivers/host/rig_viewer.hpp"
 #include "rig_config/rig.hpp"
 
-namespace drydock::cli {
+namespace drydock::monitor {
 
 struct MonitorOptions {
-  std::string link;       ///< URI
-  std::string protocol;   ///< as in a rig file; empty: found by probing
-  double duration_s = 0;  ///< 0: until Ctrl-C
-  bool once = false;      ///< one table, as soon as every device streams, or after 10 s
-  bool json = false;      ///< JSON Lines, one object a device, every second
-  ServeOptions serve;     ///< for browsers too
+  std::string link;          ///< URI
+  std::string protocol;      ///< as in a rig file; empty: found by probing
+  double duration_s = 0;     ///< 0: until Ctrl-C
+  bool once = false;         ///< one table, as soon as every device streams, or after 10 s
+  bool json = false;         ///< JSON Lines, one object a device, every second
+  host::ServeOptions serve;  ///< for browsers too
 };
 
 /// Listens on a link and prints what it says: each message as a JSON line on standard output, a
@@ -36,4 +36,4 @@ int monitor_devices(std::vector<std::unique_ptr<device::Device>> devices, const 
 /// The same from the bus, for a rig whose drivers run in another process.
 int monitor_bus(const rig_config::Rig& rig, const MonitorOptions& options);
 
-}  // namespace drydock::cli
+}  // namespace drydock::monitor

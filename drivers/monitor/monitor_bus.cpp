@@ -7,7 +7,7 @@
 #include "drivers/link/link.hpp"
 #include "drivers/monitor/monitor_loop.hpp"
 
-namespace drydock::cli {
+namespace drydock::monitor {
 namespace {
 
 /// Anybody on the bus may write anything: what is no finite number is none.
@@ -36,7 +36,7 @@ class BusViews final : public bus::Receiver {
     }
   }
 
-  Watchers watchers;
+  host::Watchers watchers;
 
   using bus::Receiver::receive;
   void receive(const bus::Measurement& measurement) override {
@@ -101,11 +101,11 @@ int monitor_bus(const rig_config::Rig& rig, const MonitorOptions& options) {
   const bus::Participant participant(static_cast<std::uint32_t>(rig.dds_domain), rig.dds_interface);
   bus::SubscriberOptions wanted;
   wanted.diagnostics = true;
-  if (!options.serve.address.empty()) wanted.estimators = estimator_names(rig);
-  bus::Subscriber subscriber(participant, bus_devices(rig), wanted);
+  if (!options.serve.address.empty()) wanted.estimators = host::estimator_names(rig);
+  bus::Subscriber subscriber(participant, host::bus_devices(rig), wanted);
   BusViews heard(rig);
   MonitorLoop loop(options, [&] { return heard.current(); });
-  const auto viewer = loop.serve(viewed(rig));
+  const auto viewer = loop.serve(host::viewed(rig));
   if (viewer) heard.watchers.add(*viewer);
   return loop.run(
       [&] {
@@ -117,4 +117,4 @@ int monitor_bus(const rig_config::Rig& rig, const MonitorOptions& options) {
       });
 }
 
-}  // namespace drydock::cli
+}  // namespace drydock::monitor

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace drydock::cli {
+namespace drydock::monitor {
 namespace {
 
 constexpr std::chrono::milliseconds step_period{100};
@@ -26,9 +26,9 @@ MonitorLoop::MonitorLoop(const MonitorOptions& options,
       table_(terminal_ && !options.once),
       screen_(stdout) {}
 
-std::unique_ptr<RigViewer> MonitorLoop::serve(const Viewed& viewed) {
+std::unique_ptr<host::RigViewer> MonitorLoop::serve(const host::Viewed& viewed) {
   if (options_.serve.address.empty()) return nullptr;
-  auto viewer = std::make_unique<RigViewer>(io_.get_executor(), viewed, options_.serve);
+  auto viewer = std::make_unique<host::RigViewer>(io_.get_executor(), viewed, options_.serve);
   fmt::print(stderr, "live: {}\n", viewer->url());
   return viewer;
 }
@@ -83,4 +83,4 @@ int MonitorLoop::run(const std::function<void()>& poll, const std::function<void
   return all_streaming(last) ? 0 : 1;
 }
 
-}  // namespace drydock::cli
+}  // namespace drydock::monitor

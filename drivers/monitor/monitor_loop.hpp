@@ -8,7 +8,7 @@
 #include "drivers/monitor/monitor.hpp"
 #include "drivers/monitor/monitor_view.hpp"
 
-namespace drydock::cli {
+namespace drydock::monitor {
 
 /// Shows views again and again until the duration is over or Ctrl-C; with `once`, a single time.
 class MonitorLoop {
@@ -18,7 +18,7 @@ class MonitorLoop {
   boost::asio::io_context& io() { return io_; }
   /// A page of what is monitored, where the options want one; empty otherwise. Its address goes to
   /// standard error.
-  std::unique_ptr<RigViewer> serve(const Viewed& viewed);
+  std::unique_ptr<host::RigViewer> serve(const host::Viewed& viewed);
   /// `poll` is called 10 times a second; `stop` must let io() run out of work. 0 when all devices
   /// were streaming at the end, else 1.
   int run(const std::function<void()>& poll, const std::function<void()>& stop);
@@ -39,4 +39,4 @@ class MonitorLoop {
   int steps_ = 0;
 };
 
-}  // namespace drydock::cli
+}  // namespace drydock::monitor

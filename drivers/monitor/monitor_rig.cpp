@@ -8,7 +8,7 @@
 #include "drivers/probe/probe_bus.hpp"
 #include "drivers/wire/can/can_bits.hpp"
 
-namespace drydock::cli {
+namespace drydock::monitor {
 namespace {
 
 using link::Stamp;
@@ -68,7 +68,7 @@ class BusMeter final : public shell::RawListener {
 };
 
 /// The devices that were found, as a rig file with their blocks would have them.
-std::vector<std::unique_ptr<device::Device>> devices_of(const ProbeReport& report) {
+std::vector<std::unique_ptr<device::Device>> devices_of(const probe::ProbeReport& report) {
   std::vector<std::unique_ptr<device::Device>> devices;
   for (const auto& found : report.devices) {
     device::DeviceOptions options;
@@ -81,7 +81,7 @@ std::vector<std::unique_ptr<device::Device>> devices_of(const ProbeReport& repor
     const auto uri = link::parse_uri(found.link).value();
     options.driver.baud = uri.baud();
     options.driver.bitrate = uri.bitrate().value_or(options.driver.bitrate);
-    options.nominal_rate_hz = found.rate_hz ? probe::nominal_rate_hz(*found.rate_hz) : 0;
+    options.nominal_rate_hz = found.rate_hz ? survey::nominal_rate_hz(*found.rate_hz) : 0;
     auto made = device::Device::make(std::move(options));
     if (made) devices.push_back(std::move(*made));
   }
@@ -95,7 +95,7 @@ int monitor_devices(std::vector<std::unique_ptr<device::Device>> devices, const 
   for (auto& device : devices) device->listen_only();
   Latest latest;
   BusMeter meter;
-  DriverHost* drivers = nullptr;
+  host::DriverHost* drivers = nullptr;
   MonitorLoop loop(options, [&] {
     std::vector<DeviceView> views;
     const auto& shell = drivers->shell();
@@ -107,10 +107,10 @@ int monitor_devices(std::vector<std::unique_ptr<device::Device>> devices, const 
     }
     return views;
   });
-  Watchers watchers;
-  const auto viewer = loop.serve({name, bus_devices(devices)});
+  host::Watchers watchers;
+  const auto viewer = loop.serve({name, host::bus_devices(devices)});
   if (viewer) watchers.add(*viewer);
-  DriverHost host(loop.io(), std::move(devices), nullptr, &meter);
+  host::DriverHost host(loop.io(), std::move(devices), nullptr, &meter);
   drivers = &host;
   host.on_measurement_hook = [&](const measurement::Measurement& m) {
     latest.note(m);
@@ -126,13 +126,13 @@ int monitor_devices(std::vector<std::unique_ptr<device::Device>> devices, const 
 }
 
 int monitor_link(const MonitorOptions& options) {
-  const ProbeReport report = find_sensors(options.link, 10);
+  const probe::ProbeReport report = probe::find_sensors(options.link, 10);
   if (report.devices.empty()) {
-    print_text(report, stderr);
+    probe::print_text(report, stderr);
     fmt::print(stderr, "monitor: no sensor found; --protocol shows the messages of a protocol\n");
     return 1;
   }
   return monitor_devices(devices_of(report), options.link, options);
 }
 
-}  // namespace drydock::cli
+}  // namespace drydock::monitor

@@ -8,7 +8,7 @@
 #include "drivers/text/json_lines.hpp"
 #include "drivers/text/measurement_fields.hpp"
 
-namespace drydock::cli {
+namespace drydock::monitor {
 
 template <class F>
 void visit_fields(const ShownValue& v, F&& field) {
@@ -254,10 +254,10 @@ void Overdrawn::draw(const std::vector<std::string>& lines) {
 }
 
 void print_json(const std::vector<DeviceView>& views, std::FILE* out) {
-  JsonLines lines(out);
-  for (const auto& view : views) lines.line([&](JsonWriter& json) { json.fields(view); });
+  text::JsonLines lines(out);
+  for (const auto& view : views) lines.line([&](text::JsonWriter& json) { json.fields(view); });
   lines.flush();
   std::fflush(out);
 }
 
-}  // namespace drydock::cli
+}  // namespace drydock::monitor

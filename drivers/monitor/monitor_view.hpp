@@ -9,7 +9,7 @@
 
 #include "drivers/device/device.hpp"
 
-namespace drydock::cli {
+namespace drydock::monitor {
 
 /// A value that a device measured last, as a person reads it: "velocity", "1.2 0.1 0.0 m/s".
 struct ShownValue {
@@ -91,4 +91,4 @@ class Overdrawn {
 /// One JSON object a device, with the fields of DeviceView.
 void print_json(const std::vector<DeviceView>& views, std::FILE* out);
 
-}  // namespace drydock::cli
+}  // namespace drydock::monitor

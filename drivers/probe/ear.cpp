@@ -7,7 +7,7 @@
 #include <boost/asio/steady_timer.hpp>
 #include <vector>
 
-namespace drydock::cli {
+namespace drydock::probe {
 namespace {
 
 namespace asio = boost::asio;
@@ -99,4 +99,4 @@ void Ear::say(link::FrameLink& bus, const wire::CanFrame& frame) {
       asio::detached);
 }
 
-}  // namespace drydock::cli
+}  // namespace drydock::probe

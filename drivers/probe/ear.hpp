@@ -9,7 +9,7 @@
 #include "drivers/link/link.hpp"
 #include "drivers/wire/codec.hpp"
 
-namespace drydock::cli {
+namespace drydock::probe {
 
 /// Listens on one link after another, until Ctrl-C ends it all.
 class Ear {
@@ -43,4 +43,4 @@ class Ear {
   std::string trouble_;
 };
 
-}  // namespace drydock::cli
+}  // namespace drydock::probe

@@ -9,7 +9,7 @@
 #include "drivers/link/can/frame_file.hpp"
 #include "drivers/probe/probe_bus.hpp"
 
-namespace drydock::cli {
+namespace drydock::probe {
 namespace {
 
 using link::Carries;
@@ -30,7 +30,7 @@ boost::system::result<link::Uri, link::UriError> parse_without_baud(const std::s
 /// A CAN capture, in its own time. False: its content is no CAN capture.
 bool read_frames(const link::Uri& uri, ProbeReport& report) {
   auto file = link::capture_of(uri);
-  probe::BusSurvey survey;
+  survey::BusSurvey survey;
   Stamp first{}, last{};
   while (const auto record = file.next()) {
     last = Stamp{record->time.value_or(Stamp::duration{0})};
@@ -47,7 +47,7 @@ bool read_frames(const link::Uri& uri, ProbeReport& report) {
 bool read_bytes(const link::Uri& uri, ProbeReport& report) {
   capture::FileBlocks blocks(uri.target);
   capture::CommentHead head;
-  probe::ByteSurvey survey;
+  survey::ByteSurvey survey;
   Stamp now{};
   constexpr std::size_t step = 64;
   for (wire::Bytes block = blocks.read(); !block.empty(); block = blocks.read()) {
@@ -94,7 +94,7 @@ bool search(const ProbeOptions& options, const link::Uri& uri, std::FILE* err,
 
 /// What silence or noise most often means.
 void note_nothing(const link::Uri& uri, ProbeReport& report) {
-  if (uri.carries() != Carries::bytes || report.confidence() != probe::Confidence::nothing) return;
+  if (uri.carries() != Carries::bytes || report.confidence() != survey::Confidence::nothing) return;
   std::uint64_t bytes = 0;
   for (const auto& attempt : report.attempts) bytes += attempt.bytes;
   if (report.attempts.empty()) return;
@@ -141,7 +141,7 @@ int probe(const ProbeOptions& options, std::FILE* out, std::FILE* err) {
   } else {
     print_text(report, out);
   }
-  return report.confidence() == probe::Confidence::nothing ? 1 : 0;
+  return report.confidence() == survey::Confidence::nothing ? 1 : 0;
 }
 
-}  // namespace drydock::cli
+}  // namespace drydock::probe

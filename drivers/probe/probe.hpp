@@ -3,7 +3,7 @@
 #include <cstdio>
 #include <string>
 
-namespace drydock::cli {
+namespace drydock::probe {
 
 struct ProbeOptions {
   std::string link;  ///< URI, `serial:` without a baud rate; or a bare /dev/... or CAN interface
@@ -20,4 +20,4 @@ int probe(const ProbeOptions& options, std::FILE* out, std::FILE* err);
 /// `drydock probe --all`: serial ports and CAN interfaces under `root`, "/" but in tests.
 int probe_all(const std::string& root, bool json, std::FILE* out);
 
-}  // namespace drydock::cli
+}  // namespace drydock::probe

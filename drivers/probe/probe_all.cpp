@@ -4,7 +4,7 @@
 #include "drivers/probe/probe.hpp"
 #include "drivers/text/json_lines.hpp"
 
-namespace drydock::cli {
+namespace drydock::doctor {
 
 template <class F>
 void visit_fields(const SerialPort& p, F&& field) {
@@ -24,14 +24,18 @@ void visit_fields(const CanPort& p, F&& field) {
   field("bitrate", p.bitrate);
 }
 
+}  // namespace drydock::doctor
+
+namespace drydock::probe {
+
 namespace {
 
-void print(const SerialPort& p, std::FILE* out) {
+void print(const doctor::SerialPort& p, std::FILE* out) {
   fmt::print(out, "  {:<14} {:<12} {:<10} {}\n", p.path, p.driver, p.usb_id, p.product);
   if (!p.by_id.empty()) fmt::print(out, "    drydock probe serial:{}\n", p.by_id);
 }
 
-void print(const CanPort& p, std::FILE* out) {
+void print(const doctor::CanPort& p, std::FILE* out) {
   fmt::print(out, "  {:<14} {}{}{}{}\n", p.name, p.up ? "up" : "down",
              p.is_virtual ? ", virtual" : "",
              p.bitrate ? fmt::format(", {} bit/s", *p.bitrate) : std::string(),
@@ -41,11 +45,11 @@ void print(const CanPort& p, std::FILE* out) {
 }  // namespace
 
 int probe_all(const std::string& root, bool json, std::FILE* out) {
-  const auto serial = serial_ports(root);
-  const auto can = can_ports(root);
+  const auto serial = doctor::serial_ports(root);
+  const auto can = doctor::can_ports(root);
   if (json) {
-    JsonLines lines(out);
-    lines.line([&](JsonWriter& writer) {
+    text::JsonLines lines(out);
+    lines.line([&](text::JsonWriter& writer) {
       writer.field("serial", serial);
       writer.field("can", can);
     });
@@ -59,4 +63,4 @@ int probe_all(const std::string& root, bool json, std::FILE* out) {
   return 0;
 }
 
-}  // namespace drydock::cli
+}  // namespace drydock::probe

@@ -8,18 +8,18 @@
 #include "drivers/link/can/can_interface.hpp"
 #include "drivers/wire/canopen/canopen_sdo.hpp"
 
-namespace drydock::cli {
+namespace drydock::probe {
 namespace {
 
 using link::Stamp;
-using probe::Node;
+using survey::Node;
 
 /// Puts the questions that only read: all NAMEs by PGN 59904, and of each CANopen node that was
 /// heard, what it is (objects 1000h, 1018h). Nothing before the first sound frame: at a wrong bit
 /// rate a question would disturb the bus.
 class Asker {
  public:
-  void ask(link::FrameLink& bus, Ear& ear, const probe::BusSurvey& survey) {
+  void ask(link::FrameLink& bus, Ear& ear, const survey::BusSurvey& survey) {
     if (survey.frames() == 0) return;
     if (!std::exchange(asked_names_, true)) {
       ear.say(bus, wire::j1939::encode(wire::j1939::Request{wire::j1939::null_address,
@@ -27,8 +27,8 @@ class Asker {
                                                             wire::j1939::address_claim_pgn}));
       return;  // one write at a time
     }
-    for (const Node& node : survey.nodes()) {
-      if (node.kind != probe::NodeKind::canopen) continue;
+    for (const survey::Node& node : survey.nodes()) {
+      if (node.kind != survey::NodeKind::canopen) continue;
       for (const auto entry : entries) {
         if (!asked_.insert({node.address, entry.index, entry.subindex}).second) continue;
         ear.say(bus, wire::canopen::encode(wire::canopen::SdoRead{node.address, entry}));
@@ -56,18 +56,18 @@ void note_interface(const link::Uri& uri, ProbeReport& report) {
 
 }  // namespace
 
-void note_bus(const probe::BusSurvey& survey, const std::string& link, ProbeReport& report) {
+void note_bus(const survey::BusSurvey& survey, const std::string& link, ProbeReport& report) {
   report.frames = survey.frames();
   report.nodes = survey.nodes();
   report.complaints = survey.complaints();
   report.bits_per_second = survey.bits_per_second();
-  if (auto hint = probe::bit_rate_hint(report.complaints, report.frames); !hint.empty())
+  if (auto hint = survey::bit_rate_hint(report.complaints, report.frames); !hint.empty())
     report.notes.push_back(std::move(hint));
-  for (const Node& node : report.nodes)
+  for (const survey::Node& node : report.nodes)
     for (const auto& sensor : node.sensors)
       report.devices.push_back(
           {"", sensor.kind, std::string(sensor.protocol), link, sensor.rate_hz, node.address});
-  name_devices(report.devices);
+  survey::name_devices(report.devices);
 }
 
 bool search_bus(const LineSearch& search, Ear& ear, Progress& progress, ProbeReport& report) {
@@ -77,7 +77,7 @@ bool search_bus(const LineSearch& search, Ear& ear, Progress& progress, ProbeRep
     report.notes.push_back(opened.error().message);
     return false;
   }
-  probe::BusSurvey survey;
+  survey::BusSurvey survey;
   Asker asker;
   ear.listen(**opened, search.until, [&](const link::ReceivedFrame* received) {
     if (received != nullptr) {
@@ -96,4 +96,4 @@ bool search_bus(const LineSearch& search, Ear& ear, Progress& progress, ProbeRep
   return true;
 }
 
-}  // namespace drydock::cli
+}  // namespace drydock::probe

@@ -8,12 +8,12 @@
 
 #include "drivers/wire/ubx/ubx_frame.hpp"
 
-namespace drydock::cli {
+namespace drydock::probe {
 namespace {
 
 using link::Stamp;
-using probe::ByteSurvey;
-using probe::Confidence;
+using survey::ByteSurvey;
+using survey::Confidence;
 using std::chrono_literals::operator""ms;
 using std::chrono_literals::operator""s;
 
@@ -42,7 +42,7 @@ std::string with_keys(std::string uri, const Setting& s, int bits) {
 
 /// One line heard in three ways: as it is, and as 7 data bits with even or odd parity.
 struct Hearing {
-  ByteSurvey eight, even, odd;
+  survey::ByteSurvey eight, even, odd;
   /// A burst began in silence and ended: what was whole in it was heard whole.
   bool whole_burst = false;
   bool from_silence = true;
@@ -55,8 +55,8 @@ struct Hearing {
     last_byte = at;
     eight.feed(bytes, at);
     if (!seven_too) return;
-    even.feed(probe::seven_bits(bytes, false), at);
-    odd.feed(probe::seven_bits(bytes, true), at);
+    even.feed(survey::seven_bits(bytes, false), at);
+    odd.feed(survey::seven_bits(bytes, true), at);
   }
   void pause(Stamp now) {
     constexpr std::uint64_t least = 16;
@@ -65,7 +65,7 @@ struct Hearing {
     burst = 0;
   }
   bool settled() const { return eight.settled() || even.settled() || odd.settled(); }
-  Confidence confidence() const {
+  survey::Confidence confidence() const {
     return std::max({eight.best().confidence, even.best().confidence, odd.best().confidence});
   }
   /// More listening at this rate is in vain: a chance frame in noise does not hold us here.
@@ -75,7 +75,7 @@ struct Hearing {
     const double explained =
         std::max({eight.best().explained(), even.best().explained(), odd.best().explained()});
     if (eight.bytes() == 0 || explained >= some) return false;
-    const bool nothing = confidence() == Confidence::nothing;
+    const bool nothing = confidence() == survey::Confidence::nothing;
     return (nothing && whole_burst) || eight.bytes() > many || now - since > 3s;
   }
 };
@@ -92,8 +92,10 @@ std::vector<std::uint8_t> questions() {
 
 std::string found_so_far(const Hearing& hearing) {
   const auto best = hearing.eight.best();
-  if (best.confidence == Confidence::nothing) return fmt::format("{} bytes", hearing.eight.bytes());
-  return fmt::format("{} ({}), {}", best.protocol, to_string(best.confidence), reasons(best));
+  if (best.confidence == survey::Confidence::nothing)
+    return fmt::format("{} bytes", hearing.eight.bytes());
+  return fmt::format("{} ({}), {}", best.protocol, to_string(best.confidence),
+                     survey::reasons(best));
 }
 
 /// One setting; the sharpest of its three readings goes into the report.
@@ -111,7 +113,7 @@ class Attempt {
     ear.listen(**opened, search_.until, [&](wire::Bytes bytes, Stamp at) {
       if (!bytes.empty()) hearing_.feed(bytes, at, serial_ && setting_.parity == 'N');
       hearing_.pause(at);
-      if (!asked && at - since > 500ms && hearing_.confidence() == Confidence::nothing) {
+      if (!asked && at - since > 500ms && hearing_.confidence() == survey::Confidence::nothing) {
         asked = true;
         ear.say(**opened, questions());
       }
@@ -124,7 +126,7 @@ class Attempt {
   const Hearing& hearing() const { return hearing_; }
 
   void report_into(ProbeReport& report) const {
-    const auto strength = [](const ByteSurvey& s) { return s.best().confidence; };
+    const auto strength = [](const survey::ByteSurvey& s) { return s.best().confidence; };
     const bool is_even = strength(hearing_.even) > strength(hearing_.eight);
     const bool is_odd =
         strength(hearing_.odd) > std::max(strength(hearing_.eight), strength(hearing_.even));
@@ -143,8 +145,8 @@ class Attempt {
   std::string progress_text(Stamp now) const {
     const double left = std::max(0.0, measurement::seconds(search_.until - now));
     return fmt::format("{}: {}; {:.0f} s left, Ctrl-C ends with what was found",
-                       serial_ ? in_words(setting_, 8) : search_.link, found_so_far(hearing_),
-                       left);
+                       serial_ ? in_words(setting_, 8) : search_.link,
+                       found_so_far(hearing_), left);
   }
 
   LineSearch search_;
@@ -185,8 +187,8 @@ void Progress::show(const std::string& text) {
   ++shown_;
 }
 
-void note_line(const ByteSurvey& survey, const std::string& setting, const std::string& link,
-               ProbeReport& report) {
+void note_line(const survey::ByteSurvey& survey, const std::string& setting,
+               const std::string& link, ProbeReport& report) {
   LineAttempt attempt{setting, link, survey.bytes(), survey.findings()};
   for (const auto& finding : attempt.findings) {
     if (&finding != &attempt.findings.front()) break;
@@ -196,7 +198,7 @@ void note_line(const ByteSurvey& survey, const std::string& setting, const std::
     if (finding.protocol == "slcan")
       report.notes.push_back("a serial CAN adapter that is open: probe slcan:" + link);
   }
-  name_devices(report.devices);
+  survey::name_devices(report.devices);
   report.attempts.push_back(std::move(attempt));
 }
 
@@ -225,4 +227,4 @@ bool search_line(const LineSearch& search, Ear& ear, Progress& progress, ProbeRe
   return true;
 }
 
-}  // namespace drydock::cli
+}  // namespace drydock::probe

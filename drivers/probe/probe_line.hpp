@@ -5,7 +5,7 @@
 #include "drivers/probe/ear.hpp"
 #include "drivers/probe/probe_report.hpp"
 
-namespace drydock::cli {
+namespace drydock::probe {
 
 /// Where a search says how far it is: one line drawn over itself on a terminal, else nothing.
 class Progress {
@@ -33,7 +33,7 @@ struct LineSearch {
 bool search_line(const LineSearch& search, Ear& ear, Progress& progress, ProbeReport& report);
 
 /// What a survey says about a line with this link.
-void note_line(const probe::ByteSurvey& survey, const std::string& setting, const std::string& link,
-               ProbeReport& report);
+void note_line(const survey::ByteSurvey& survey, const std::string& setting,
+               const std::string& link, ProbeReport& report);
 
-}  // namespace drydock::cli
+}  // namespace drydock::probe

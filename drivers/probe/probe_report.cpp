@@ -7,7 +7,7 @@
 #include "drivers/survey/node_names.hpp"
 #include "drivers/text/json_lines.hpp"
 
-namespace drydock::probe {
+namespace drydock::survey {
 
 // How the report's parts read as JSON; the names are those of the text.
 
@@ -50,14 +50,14 @@ void visit_fields(const FoundDevice& d, F&& field) {
   field("link", d.link);
   field("rate_hz", d.rate_hz);
   field("address", d.address);
-  field("block", rig_block(d));
+  field("block", survey::rig_block(d));
 }
 
-std::string_view to_string(NodeKind kind) {
+std::string_view to_string(survey::NodeKind kind) {
   switch (kind) {
-    case NodeKind::j1939: return "j1939";
-    case NodeKind::canopen: return "canopen";
-    case NodeKind::plain: return "plain";
+    case survey::NodeKind::j1939: return "j1939";
+    case survey::NodeKind::canopen: return "canopen";
+    case survey::NodeKind::plain: return "plain";
   }
   return {};
 }
@@ -69,7 +69,7 @@ void visit_fields(const Node& n, F&& field) {
   field("frames", n.frames);
   field("confidence", to_string(n.confidence));
   field("name", n.name);
-  field("name_in_words", n.name ? std::optional{in_words(*n.name)} : std::nullopt);
+  field("name_in_words", n.name ? std::optional{survey::in_words(*n.name)} : std::nullopt);
   field("state", n.state ? std::optional{wire::canopen::to_string(*n.state)} : std::nullopt);
   field("booted", n.booted);
   field("emergency", n.emergency);
@@ -79,9 +79,9 @@ void visit_fields(const Node& n, F&& field) {
   field("traffic", n.traffic);
 }
 
-}  // namespace drydock::probe
+}  // namespace drydock::survey
 
-namespace drydock::cli {
+namespace drydock::probe {
 
 template <class F>
 void visit_fields(const LineAttempt& a, F&& field) {
@@ -93,9 +93,9 @@ void visit_fields(const LineAttempt& a, F&& field) {
 
 namespace {
 
-using probe::Confidence;
-using probe::Node;
-using probe::NodeKind;
+using survey::Confidence;
+using survey::Node;
+using survey::NodeKind;
 
 std::string rate_text(std::optional<double> rate_hz) {
   return rate_hz ? fmt::format(" at {:.3g} Hz", *rate_hz) : std::string();
@@ -109,19 +109,19 @@ void print_attempt(const LineAttempt& attempt, bool is_best, std::FILE* out) {
   }
   const auto& best = attempt.findings.front();
   fmt::print(out, "  {}: {} ({}): {}\n", setting, best.protocol, to_string(best.confidence),
-             reasons(best));
+             survey::reasons(best));
   if (!is_best) return;
   for (const auto& m : best.messages)
     fmt::print(out, "    {:<10} {:>6}{}\n", m.type, m.count, rate_text(m.rate_hz));
 }
 
-std::string node_title(const Node& n) {
+std::string node_title(const survey::Node& n) {
   switch (n.kind) {
-    case NodeKind::j1939:
+    case survey::NodeKind::j1939:
       return fmt::format(
           "source address {}{}", n.address,
-          n.name ? ": " + probe::in_words(*n.name) : std::string(": no address claim heard"));
-    case NodeKind::canopen: {
+          n.name ? ": " + survey::in_words(*n.name) : std::string(": no address claim heard"));
+    case survey::NodeKind::canopen: {
       std::string title = fmt::format("CANopen node {}", n.address);
       if (n.booted) title += ", booted";
       if (n.state) title += fmt::format(", {}", wire::canopen::to_string(*n.state));
@@ -130,12 +130,12 @@ std::string node_title(const Node& n) {
       if (n.product_code) title += fmt::format(", product {:08X}h", *n.product_code);
       return title;
     }
-    case NodeKind::plain: return "identifiers of no node";
+    case survey::NodeKind::plain: return "identifiers of no node";
   }
   return {};
 }
 
-void print_node(const Node& n, std::FILE* out) {
+void print_node(const survey::Node& n, std::FILE* out) {
   fmt::print(out, "  {}\n", node_title(n));
   if (n.emergency && n.emergency->code != 0)
     fmt::print(out, "    emergency {:04X}h: {}\n", n.emergency->code,
@@ -144,8 +144,8 @@ void print_node(const Node& n, std::FILE* out) {
     fmt::print(out, "    {} ({}, {}): {} measurements{}\n", to_string(sensor.kind), sensor.protocol,
                to_string(n.confidence), sensor.measurements, rate_text(sensor.rate_hz));
   for (const auto& t : n.traffic) {
-    const auto number = n.kind == NodeKind::j1939 ? fmt::format("PGN {}", t.number)
-                                                  : fmt::format("id {:03X}h", t.number);
+    const auto number = n.kind == survey::NodeKind::j1939 ? fmt::format("PGN {}", t.number)
+                                                          : fmt::format("id {:03X}h", t.number);
     fmt::print(out, "    {:<12} {:>6} frames{}\n", number, t.frames, rate_text(t.rate_hz));
   }
 }
@@ -166,12 +166,12 @@ void print_bus(const ProbeReport& report, std::FILE* out) {
 
 }  // namespace
 
-Confidence ProbeReport::confidence() const {
-  Confidence best = Confidence::nothing;
+survey::Confidence ProbeReport::confidence() const {
+  survey::Confidence best = survey::Confidence::nothing;
   for (const auto& attempt : attempts)
     if (!attempt.findings.empty()) best = std::max(best, attempt.findings.front().confidence);
   for (const auto& node : nodes)
-    best = std::max({best, node.confidence, node.frames > 0 ? Confidence::trace : best});
+    best = std::max({best, node.confidence, node.frames > 0 ? survey::Confidence::trace : best});
   return best;
 }
 
@@ -183,12 +183,12 @@ void print_text(const ProbeReport& report, std::FILE* out) {
   print_bus(report, out);
   for (const auto& note : report.notes) fmt::print(out, "  {}\n", note);
   if (!report.devices.empty()) fmt::print(out, "\n# for a rig file:\n");
-  for (const auto& device : report.devices) fmt::print(out, "\n{}", rig_block(device));
+  for (const auto& device : report.devices) fmt::print(out, "\n{}", survey::rig_block(device));
 }
 
 void print_json(const ProbeReport& report, std::FILE* out) {
-  JsonLines lines(out);
-  lines.line([&](JsonWriter& json) {
+  text::JsonLines lines(out);
+  lines.line([&](text::JsonWriter& json) {
     json.field("link", report.link);
     json.field("listened_s", report.listened_s);
     json.field("interrupted", report.interrupted);
@@ -205,4 +205,4 @@ void print_json(const ProbeReport& report, std::FILE* out) {
   lines.flush();
 }
 
-}  // namespace drydock::cli
+}  // namespace drydock::probe

@@ -5,7 +5,7 @@
 
 #include "drivers/measurement/stamp.hpp"
 
-namespace drydock::probe {
+namespace drydock::survey {
 
 /// How often something came: intervals by the time they took.
 struct Arrivals {
@@ -23,4 +23,4 @@ struct Arrivals {
   }
 };
 
-}  // namespace drydock::probe
+}  // namespace drydock::survey

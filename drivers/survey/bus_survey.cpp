@@ -9,7 +9,7 @@
 #include "drivers/wire/j1939/aceinna.hpp"
 #include "drivers/wire/registry.hpp"
 
-namespace drydock::probe {
+namespace drydock::survey {
 namespace {
 
 using wire::CanFrame;
@@ -184,4 +184,4 @@ std::string bit_rate_hint(const std::vector<Complaint>& complaints, std::uint64_
   return {};
 }
 
-}  // namespace drydock::probe
+}  // namespace drydock::survey

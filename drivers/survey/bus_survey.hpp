@@ -11,7 +11,7 @@
 #include "drivers/wire/j1939/j1939.hpp"
 
 /// Who is on a CAN bus, and what do they say? Pure: no socket, no clock.
-namespace drydock::probe {
+namespace drydock::survey {
 
 /// An identifier (CANopen, plain CAN) or a PGN (J1939), and how often it came.
 struct Traffic {
@@ -71,4 +71,4 @@ class BusSurvey {
 /// What "no bits that I understand" on this bus hints at, for a person; empty: nothing is wrong.
 std::string bit_rate_hint(const std::vector<Complaint>& complaints, std::uint64_t frames);
 
-}  // namespace drydock::probe
+}  // namespace drydock::survey

@@ -9,7 +9,7 @@
 #include "drivers/survey/arrivals.hpp"
 #include "drivers/wire/registry.hpp"
 
-namespace drydock::probe {
+namespace drydock::survey {
 namespace {
 
 /// Whether chance hardly makes such a frame. PD6 has no checksum: only a line whose fields are all
@@ -158,4 +158,4 @@ std::vector<std::uint8_t> seven_bits(wire::Bytes eight, bool odd) {
   return seven;
 }
 
-}  // namespace drydock::probe
+}  // namespace drydock::survey

@@ -11,7 +11,7 @@
 
 /// Which protocol is on a line? Every byte protocol of the registry listens at once; what counts is
 /// frames whose checksum is right, and how much of the line they explain. Pure: no port, no clock.
-namespace drydock::probe {
+namespace drydock::survey {
 
 /// How sure an answer is. `certain` ends the search.
 enum class Confidence : std::uint8_t { nothing, trace, likely, certain };
@@ -78,4 +78,4 @@ class ByteSurvey {
 /// 7 bits would give; bytes of wrong parity are dropped, as that port would drop them.
 std::vector<std::uint8_t> seven_bits(wire::Bytes eight, bool odd);
 
-}  // namespace drydock::probe
+}  // namespace drydock::survey

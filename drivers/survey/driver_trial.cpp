@@ -5,7 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
-namespace drydock::probe {
+namespace drydock::survey {
 namespace {
 
 constexpr double standard_gravity = 9.80665;
@@ -109,4 +109,4 @@ const DriverTrial* better_of(const DriverTrial* a, const DriverTrial* b) {
   return same && weighs_better ? b : a;
 }
 
-}  // namespace drydock::probe
+}  // namespace drydock::survey

@@ -7,7 +7,7 @@
 
 #include "drivers/device/device.hpp"
 
-namespace drydock::probe {
+namespace drydock::survey {
 
 using device::Kind;
 using measurement::Stamp;
@@ -65,4 +65,4 @@ std::vector<std::unique_ptr<DriverTrial>> trials_of(std::string_view protocol,
 /// measurements that could be true.
 const DriverTrial* better_of(const DriverTrial* a, const DriverTrial* b);
 
-}  // namespace drydock::probe
+}  // namespace drydock::survey

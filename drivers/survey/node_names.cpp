@@ -5,7 +5,7 @@
 #include <array>
 #include <utility>
 
-namespace drydock::probe {
+namespace drydock::survey {
 namespace {
 
 template <class Number, std::size_t Size>
@@ -70,4 +70,4 @@ std::string in_words(const wire::j1939::Name& name) {
   return text + fmt::format(", function {}, serial {}", name.function, name.identity_number);
 }
 
-}  // namespace drydock::probe
+}  // namespace drydock::survey

@@ -5,7 +5,7 @@
 
 #include "drivers/wire/j1939/j1939.hpp"
 
-namespace drydock::probe {
+namespace drydock::survey {
 
 /// Of the 11-bit code in a NAME, for the makers one meets on boats; empty: not in our list, which
 /// is a part of canboat's.
@@ -17,4 +17,4 @@ std::string_view device_class(std::uint8_t number);
 /// "Airmar, Instrumentation, function 130, serial 12345".
 std::string in_words(const wire::j1939::Name& name);
 
-}  // namespace drydock::probe
+}  // namespace drydock::survey

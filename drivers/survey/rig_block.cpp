@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-namespace drydock::probe {
+namespace drydock::survey {
 namespace {
 
 /// A TOML basic string.
@@ -47,4 +47,4 @@ void name_devices(std::vector<FoundDevice>& devices) {
   }
 }
 
-}  // namespace drydock::probe
+}  // namespace drydock::survey

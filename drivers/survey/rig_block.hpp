@@ -7,7 +7,7 @@
 
 #include "drivers/device/driver_options.hpp"
 
-namespace drydock::probe {
+namespace drydock::survey {
 
 /// A sensor that was found, as a rig file names it (docs/configuration.md).
 struct FoundDevice {
@@ -28,4 +28,4 @@ std::string rig_block(const FoundDevice& device);
 /// Gives each device without a name one: its kind, with a number from the second on.
 void name_devices(std::vector<FoundDevice>& devices);
 
-}  // namespace drydock::probe
+}  // namespace drydock::survey

@@ -4,7 +4,7 @@
 
 #include <charconv>
 
-namespace drydock::cli {
+namespace drydock::terminal {
 namespace {
 
 constexpr double longest_s = 100 * 365.25 * 86400;  // a Stamp counts nanoseconds to the year 2262
@@ -32,4 +32,4 @@ std::string no_duration(std::string_view text) {
   return fmt::format("'{}' is no duration; allowed: 90, 60s, 10min, 5.5h", text);
 }
 
-}  // namespace drydock::cli
+}  // namespace drydock::terminal

@@ -1,9 +1,9 @@
 #pragma once
 
-namespace drydock::cli {
+namespace drydock::terminal {
 
 /// Of every command; 0 is success. docs/run.md
 inline constexpr int exit_failed = 1;  ///< the run or the input failed
 inline constexpr int exit_usage = 2;   ///< wrong usage or configuration
 
-}  // namespace drydock::cli
+}  // namespace drydock::terminal

@@ -3,7 +3,7 @@
 #include <atomic>
 #include <csignal>
 
-namespace drydock::cli {
+namespace drydock::terminal {
 namespace {
 
 std::atomic<bool> ctrl_c = false;
@@ -22,4 +22,4 @@ InterruptFlag::~InterruptFlag() { std::signal(SIGINT, before_); }
 
 bool InterruptFlag::set() const { return ctrl_c; }
 
-}  // namespace drydock::cli
+}  // namespace drydock::terminal

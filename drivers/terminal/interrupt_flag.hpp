@@ -1,6 +1,6 @@
 #pragma once
 
-namespace drydock::cli {
+namespace drydock::terminal {
 
 /// While one of these lives, the first Ctrl-C only sets it; the second ends the program as usual.
 class InterruptFlag {
@@ -16,4 +16,4 @@ class InterruptFlag {
   void (*before_)(int);
 };
 
-}  // namespace drydock::cli
+}  // namespace drydock::terminal

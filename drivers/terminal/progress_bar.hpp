@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <string>
 
-namespace drydock::cli {
+namespace drydock::terminal {
 
 /// To the begin of a terminal's line, which is emptied.
 inline constexpr const char* wipe_line = "\r\033[2K";
@@ -16,4 +16,4 @@ inline std::string progress_bar(double done) {
          "]";
 }
 
-}  // namespace drydock::cli
+}  // namespace drydock::terminal

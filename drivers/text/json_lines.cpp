@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace drydock::cli {
+namespace drydock::text {
 
 char* JsonWriter::put(char* at, std::string_view text) {
   if (text.empty()) return null(at);
@@ -35,4 +35,4 @@ bool JsonLines::flush() {
   return sound_;
 }
 
-}  // namespace drydock::cli
+}  // namespace drydock::text

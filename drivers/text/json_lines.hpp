@@ -11,7 +11,7 @@
 
 #include "drivers/text/json_text.hpp"
 
-namespace drydock::cli {
+namespace drydock::text {
 
 /// Appends JSON values to a text. Doubles have the fewest digits that read back as the same number;
 /// what JSON has no number for (NaN, infinity), empty optionals and empty strings are null.
@@ -138,4 +138,4 @@ class JsonLines {
   bool sound_ = true;
 };
 
-}  // namespace drydock::cli
+}  // namespace drydock::text

@@ -8,7 +8,7 @@
 #include <cstring>
 #include <optional>
 
-namespace drydock::cli {
+namespace drydock::text {
 namespace {
 
 constexpr auto digit_pairs = [] {
@@ -99,4 +99,4 @@ char* write_number(char* at, float number) {
   return std::to_chars(at, at + longest_number, number).ptr;
 }
 
-}  // namespace drydock::cli
+}  // namespace drydock::text

@@ -5,7 +5,7 @@
 #include <memory>
 #include <string_view>
 
-namespace drydock::cli {
+namespace drydock::text {
 
 /// Text that grows at its end. Who writes holds the end and hands it on, so that it can stay in a
 /// register: ask for room from there on, write, say in the end where it ended.
@@ -45,4 +45,4 @@ char* write_number(char* at, float number);
 char* write_number(char* at, std::int64_t number);
 char* write_number(char* at, std::uint64_t number);
 
-}  // namespace drydock::cli
+}  // namespace drydock::text

@@ -1,6 +1,6 @@
 #include "estimators/host/bus_estimates.hpp"
 
-namespace drydock::cli {
+namespace drydock::host {
 
 bus::Attitude bus_attitude(const pipeline::AttitudeEstimate& estimate) {
   return {.valid_at = estimate.valid_at,
@@ -30,4 +30,4 @@ bus::Navigation BusNavigation::operator()(const pipeline::NavigationEstimate& es
           .covariance = estimate.covariance};
 }
 
-}  // namespace drydock::cli
+}  // namespace drydock::host

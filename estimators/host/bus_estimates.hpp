@@ -6,7 +6,7 @@
 #include "drivers/bus/device.hpp"
 #include "estimators/pipeline/listener.hpp"
 
-namespace drydock::cli {
+namespace drydock::host {
 
 /// Estimates as the bus has them.
 bus::Attitude bus_attitude(const pipeline::AttitudeEstimate& estimate);
@@ -21,4 +21,4 @@ class BusNavigation {
   std::vector<std::optional<frame::Position>> origins_;
 };
 
-}  // namespace drydock::cli
+}  // namespace drydock::host

@@ -11,7 +11,7 @@
 #include "estimators/setup/degrees.hpp"
 #include "estimators/setup/rig_pipeline.hpp"
 
-namespace drydock::cli {
+namespace drydock::host {
 namespace {
 
 /// Prints estimates as they come, either all as JSON or one a second for a person.
@@ -22,20 +22,20 @@ class Printer {
   void operator()(const pipeline::AttitudeEstimate& e) {
     ++count;
     const auto& name = rig_.estimators[e.estimator].name;
-    const double roll_sigma = std::sqrt(e.covariance(0, 0)) * to_deg;
-    const double pitch_sigma = std::sqrt(e.covariance(1, 1)) * to_deg;
+    const double roll_sigma = std::sqrt(e.covariance(0, 0)) * setup::to_deg;
+    const double pitch_sigma = std::sqrt(e.covariance(1, 1)) * setup::to_deg;
     if (json_lines_) {
       fmt::print(
           R"({{"estimator":"{}","valid_at_s":{:.9f},"roll_deg":{:.6f},"pitch_deg":{:.6f},"roll_sigma_deg":{:.6f},"pitch_sigma_deg":{:.6f}}})"
           "\n",
-          name, measurement::seconds(e.valid_at.time_since_epoch()), e.roll_rad * to_deg,
-          e.pitch_rad * to_deg, roll_sigma, pitch_sigma);
+          name, measurement::seconds(e.valid_at.time_since_epoch()), e.roll_rad * setup::to_deg,
+          e.pitch_rad * setup::to_deg, roll_sigma, pitch_sigma);
       return;
     }
     if (e.valid_at < next_) return;
     next_ = e.valid_at + std::chrono::seconds{1};
     fmt::print("{}: roll {:8.3f} +- {:.3f} deg, pitch {:8.3f} +- {:.3f} deg (1 sigma)\n", name,
-               e.roll_rad * to_deg, roll_sigma, e.pitch_rad * to_deg, pitch_sigma);
+               e.roll_rad * setup::to_deg, roll_sigma, e.pitch_rad * setup::to_deg, pitch_sigma);
     std::fflush(stdout);
   }
 
@@ -50,16 +50,16 @@ class Printer {
           R"({{"estimator":"{}","valid_at_s":{:.9f},"latitude_deg":{:.9f},"longitude_deg":{:.9f},"height_m":{:.3f},"position_sigma_m":{:.3f},"velocity_ned_mps":[{:.4f},{:.4f},{:.4f}],"roll_deg":{:.6f},"pitch_deg":{:.6f},"heading_deg":{:.6f}}})"
           "\n",
           name, measurement::seconds(e.valid_at.time_since_epoch()),
-          e.position.latitude_rad * to_deg, e.position.longitude_rad * to_deg, e.position.height_m,
-          sigma_m, v.x(), v.y(), v.z(), attitude.roll_rad * to_deg, attitude.pitch_rad * to_deg,
-          *attitude.yaw_rad * to_deg);
+          e.position.latitude_rad * setup::to_deg, e.position.longitude_rad * setup::to_deg,
+          e.position.height_m, sigma_m, v.x(), v.y(), v.z(), attitude.roll_rad * setup::to_deg,
+          attitude.pitch_rad * setup::to_deg, *attitude.yaw_rad * setup::to_deg);
       return;
     }
     if (e.valid_at < next_) return;
     next_ = e.valid_at + std::chrono::seconds{1};
     fmt::print("{}: {:.6f} {:.6f} deg +- {:.2f} m (1 sigma), height {:.2f} m, {:.3f} m/s\n", name,
-               e.position.latitude_rad * to_deg, e.position.longitude_rad * to_deg, sigma_m,
-               e.position.height_m, v.norm());
+               e.position.latitude_rad * setup::to_deg, e.position.longitude_rad * setup::to_deg,
+               sigma_m, e.position.height_m, v.norm());
     std::fflush(stdout);
   }
 
@@ -78,17 +78,18 @@ int estimate(const rig_config::Rig& rig, const EstimateOptions& options) {
   const bus::Participant participant(static_cast<std::uint32_t>(rig.dds_domain), rig.dds_interface);
   bus::Publisher publisher(participant, {}, estimator_names(rig), navigator_names(rig));
   bus::Subscriber subscriber(participant, bus_devices(rig));
-  EstimatorHost host(io, pipeline_options(rig), subscriber, publisher);
+  EstimatorHost host(io, setup::pipeline_options(rig), subscriber, publisher);
   Printer printer(rig, options.json_lines);
   host.on_attitude_hook = [&](const pipeline::AttitudeEstimate& e) { printer(e); };
   host.on_navigation_hook = [&](const pipeline::NavigationEstimate& e) { printer(e); };
 
-  UntilStopped until(io, options.duration_s, [&] { host.stop(); });
+  io::UntilStopped until(io, options.duration_s, [&] { host.stop(); });
   host.start();
   io.run();
-  for (const auto& note : pipeline_notes(rig, host.pipeline())) fmt::print(stderr, "{}\n", note);
+  for (const auto& note : setup::pipeline_notes(rig, host.pipeline()))
+    fmt::print(stderr, "{}\n", note);
   fmt::print(stderr, "{} estimates\n", printer.count);
   return printer.count > 0 ? 0 : 1;
 }
 
-}  // namespace drydock::cli
+}  // namespace drydock::host

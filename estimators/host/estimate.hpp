@@ -2,7 +2,7 @@
 
 #include "rig_config/rig.hpp"
 
-namespace drydock::cli {
+namespace drydock::host {
 
 struct EstimateOptions {
   double duration_s = 0;    ///< 0: until Ctrl-C
@@ -13,4 +13,4 @@ struct EstimateOptions {
 /// Returns 0, or 1 when no estimate was made.
 int estimate(const rig_config::Rig& rig, const EstimateOptions& options);
 
-}  // namespace drydock::cli
+}  // namespace drydock::host

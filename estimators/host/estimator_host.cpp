@@ -6,7 +6,7 @@
 
 #include "drivers/link/link.hpp"
 
-namespace drydock::cli {
+namespace drydock::host {
 namespace {
 
 pipeline::Pipeline made(const pipeline::PipelineOptions& options,
@@ -70,4 +70,4 @@ void EstimatorHost::wait_for_window() {
   });
 }
 
-}  // namespace drydock::cli
+}  // namespace drydock::host

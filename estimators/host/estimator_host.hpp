@@ -10,7 +10,7 @@
 #include "estimators/host/bus_estimates.hpp"
 #include "estimators/pipeline/pipeline.hpp"
 
-namespace drydock::cli {
+namespace drydock::host {
 
 /// The estimators of a rig in real time: measurements from the bus, estimates to the bus.
 class EstimatorHost final : private pipeline::EstimateListener {
@@ -52,4 +52,4 @@ class EstimatorHost final : private pipeline::EstimateListener {
   bool stopped_ = false;  ///< a timer that has expired can no longer be cancelled
 };
 
-}  // namespace drydock::cli
+}  // namespace drydock::host

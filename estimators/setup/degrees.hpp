@@ -2,8 +2,8 @@
 
 #include <numbers>
 
-namespace drydock::cli {
+namespace drydock::setup {
 
 constexpr double to_deg = 180 / std::numbers::pi;  ///< for what people read
 
-}  // namespace drydock::cli
+}  // namespace drydock::setup

@@ -7,7 +7,7 @@
 #include "estimators/frame/attitude.hpp"
 #include "estimators/vehicle/vehicle.hpp"
 
-namespace drydock::cli {
+namespace drydock::setup {
 namespace {
 
 using Eigen::Vector3d;
@@ -115,4 +115,4 @@ pipeline::InertialOptions inertial_options(const rig_config::Rig& rig,
   return options;
 }
 
-}  // namespace drydock::cli
+}  // namespace drydock::setup

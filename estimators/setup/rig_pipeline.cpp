@@ -8,7 +8,7 @@
 #include "drivers/measurement/stamp.hpp"
 #include "estimators/setup/inertial_options.hpp"
 
-namespace drydock::cli {
+namespace drydock::setup {
 namespace {
 
 std::uint16_t index_of(const rig_config::Rig& rig, const std::string& name) {
@@ -111,4 +111,4 @@ std::vector<std::string> pipeline_notes(const rig_config::Rig& rig,
   return notes;
 }
 
-}  // namespace drydock::cli
+}  // namespace drydock::setup

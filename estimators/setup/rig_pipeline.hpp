@@ -7,7 +7,7 @@
 #include "estimators/pipeline/pipeline.hpp"
 #include "rig_config/rig.hpp"
 
-namespace drydock::cli {
+namespace drydock::setup {
 
 /// What the rig file says of its estimators, as the pipeline's options. The loader has checked that
 /// the devices named there exist.
@@ -18,4 +18,4 @@ pipeline::PipelineOptions pipeline_options(const rig_config::Rig& rig);
 std::vector<std::string> pipeline_notes(const rig_config::Rig& rig,
                                         const pipeline::Pipeline& pipeline);
 
-}  // namespace drydock::cli
+}  // namespace drydock::setup

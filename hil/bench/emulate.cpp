@@ -11,7 +11,7 @@
 #include "hil/control/live_faults.hpp"
 #include "hil/emulate/real_time/real_time.hpp"
 
-namespace drydock::cli {
+namespace drydock::bench {
 
 int emulate(const rig_config::Rig& rig, double duration_s) {
   const auto devices = emulated_devices(rig);
@@ -21,7 +21,7 @@ int emulate(const rig_config::Rig& rig, double duration_s) {
   }
   boost::asio::io_context io{1};
   const auto trajectory = motion::make_trajectory(rig.mission, link::steady_now());
-  LiveFaults faults(io, rig, *trajectory, trajectory->start());
+  control::LiveFaults faults(io, rig, *trajectory, trajectory->start());
   emulate::RealTimeEmulator emulator(io, faults.injector());
   if (auto started = emulator.start(devices); !started) {
     throw std::runtime_error(started.error().message);
@@ -37,7 +37,7 @@ int emulate(const rig_config::Rig& rig, double duration_s) {
   faults.start([&] { emulator.wake(); }, print_line);
   std::fflush(stdout);
 
-  UntilStopped until(io, duration_s, [&] {
+  io::UntilStopped until(io, duration_s, [&] {
     faults.stop();
     emulator.stop();
   });
@@ -48,4 +48,4 @@ int emulate(const rig_config::Rig& rig, double duration_s) {
   return counters.lost == 0 ? 0 : 1;
 }
 
-}  // namespace drydock::cli
+}  // namespace drydock::bench

@@ -11,7 +11,7 @@
 #include "drivers/shell/rig_devices.hpp"
 #include "estimators/setup/rig_pipeline.hpp"
 
-namespace drydock::cli {
+namespace drydock::bench {
 namespace {
 
 using measurement::Stamp;
@@ -57,7 +57,8 @@ LockstepBench::LockstepBench(const rig_config::Rig& rig, const motion::Trajector
       start_(motion.start()),
       clock_(start_),
       faults_(rig, motion, start_),
-      pipeline_(or_throw(pipeline::make_pipeline(pipeline_options(rig), listeners.estimates))) {
+      pipeline_(
+          or_throw(pipeline::make_pipeline(setup::pipeline_options(rig), listeners.estimates))) {
   auto drivers = or_throw(shell::make_devices(rig));
   for (std::size_t i = 0; i < drivers.size(); ++i) add(rig.devices[i], std::move(drivers[i]));
   for (auto& bus : buses_) clock_.add(*bus.second.bus);
@@ -72,7 +73,7 @@ void LockstepBench::add(const rig_config::DeviceConfig& config,
   to_lines_.push_back(std::make_unique<ToLine>(clock_, config.link, raw_));
   device::Listener& listener = *this;
   actors_.push_back(std::make_unique<shell::DeviceActor>(
-      std::move(device), listener, *to_lines_.back(), start_, provenance_of(config.link)));
+      std::move(device), listener, *to_lines_.back(), start_, host::provenance_of(config.link)));
   auto& actor = *actors_.back();
   clock_.add(actor);
   if (uri->recorded()) {
@@ -140,4 +141,4 @@ void LockstepBench::on_state(const device::Device& device, const device::Transit
   listener_.on_state(device, change);
 }
 
-}  // namespace drydock::cli
+}  // namespace drydock::bench

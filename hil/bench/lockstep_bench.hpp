@@ -14,7 +14,7 @@
 #include "hil/emulate/real_time/real_time.hpp"
 #include "hil/fault/injector.hpp"
 
-namespace drydock::cli {
+namespace drydock::bench {
 
 /// A rig in virtual time: every link becomes a line of this process with the same baud rate,
 /// measurements go from the drivers to `devices` and then straight to the estimators.
@@ -76,4 +76,4 @@ class LockstepBench final : private device::Listener {
   std::map<std::string, Bus> buses_;
 };
 
-}  // namespace drydock::cli
+}  // namespace drydock::bench

@@ -14,7 +14,7 @@
 #include "hil/bench/truth_of_rig.hpp"
 #include "hil/summary/junit.hpp"
 
-namespace drydock::cli {
+namespace drydock::bench {
 namespace {
 
 /// --expect-streaming and --expect-rms, as blocks [[expect]].
@@ -40,7 +40,7 @@ std::vector<rig_config::ExpectConfig> asked_for(const rig_config::Rig& rig,
   return expects;
 }
 
-void print(const Summary& summary, const RunOptions& options) {
+void print(const summary::Summary& summary, const RunOptions& options) {
   fmt::print("\n{}: {:.1f} s of bench time in {:.1f} s{}{}\n{}", summary.rig, summary.duration_s,
              summary.wall_s,
              options.lockstep ? fmt::format(", {:.0f} times real time", summary.speed()) : "",
@@ -48,18 +48,18 @@ void print(const Summary& summary, const RunOptions& options) {
 }
 
 /// A CI server is told of a run that could not begin as well.
-Summary run_or_report(const rig_config::Rig& rig, const RunOptions& options) try {
+summary::Summary run_or_report(const rig_config::Rig& rig, const RunOptions& options) try {
   return options.lockstep ? run_lockstep(rig, options) : run_real_time(rig, options);
 } catch (const std::exception& error) {
   if (!options.junit.empty())
-    write_file(options.junit, junit_of_failure(rig.name, rig.file, error.what()));
+    report::write_file(options.junit, summary::junit_of_failure(rig.name, rig.file, error.what()));
   throw;
 }
 
 }  // namespace
 
-DeviceSummary summarise(const device::Device& device, const device::Health& health,
-                        measurement::Provenance provenance) {
+summary::DeviceSummary summarise(const device::Device& device, const device::Health& health,
+                                 measurement::Provenance provenance) {
   const auto& options = device.options();
   return {.name = device.name(),
           .kind = std::string{device::to_string(options.driver.kind)},
@@ -83,16 +83,18 @@ DeviceSummary summarise(const device::Device& device, const device::Health& heal
 int run(const rig_config::Rig& rig, const RunOptions& options) {
   rig_config::Rig asked = rig;
   std::ranges::move(asked_for(rig, options), std::back_inserter(asked.expects));
-  const Summary summary = run_or_report(asked, options);
+  const summary::Summary summary = run_or_report(asked, options);
   print(summary, options);
-  if (!options.json.empty()) write_file(options.json, to_json(summary));
-  if (!options.junit.empty()) write_file(options.junit, to_junit(summary, rig.file));
+  if (!options.json.empty()) report::write_file(options.json, summary::to_json(summary));
+  if (!options.junit.empty())
+    report::write_file(options.junit, summary::to_junit(summary, rig.file));
   if (!options.report.empty()) {
     const auto page = std::filesystem::path(options.report) / "index.html";
-    write_file(page, to_html(summary));
+    report::write_file(page, to_html(summary));
     fmt::print("report: {}\n", page.string());
   }
-  return std::ranges::all_of(summary.verdicts, &Verdict::passed) ? 0 : exit_failed;
+  return std::ranges::all_of(summary.verdicts, &summary::Verdict::passed) ? 0
+                                                                          : terminal::exit_failed;
 }
 
-}  // namespace drydock::cli
+}  // namespace drydock::bench

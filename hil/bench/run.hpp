@@ -15,7 +15,7 @@ namespace drydock::fault {
 class Injector;
 }
 
-namespace drydock::cli {
+namespace drydock::bench {
 
 /// A run under way, for who looks at it from outside and puts faults on it.
 struct RunView {
@@ -34,8 +34,8 @@ struct RunOptions {
   double curve_points = 1500;       ///< lockstep: of each curve kept for the report
   bool expect_streaming = false;
   std::optional<double> expect_rms_deg;  ///< of every estimator that has a truth
-  RecordOptions record;
-  ServeOptions serve;                                                   ///< real time only
+  host::RecordOptions record;
+  host::ServeOptions serve;                                             ///< real time only
   std::function<void(const measurement::Measurement&)> on_measurement;  ///< hears all; may be empty
   std::function<void(const RunView&)> each_second;                      ///< lockstep; may be empty
   /// Real time: hears how much is done, of 1, instead of a table and lines; may be empty.
@@ -45,14 +45,14 @@ struct RunOptions {
 
 /// Runs the rig: emulated devices, drivers, estimators, in real time or in lockstep.
 /// Throws std::runtime_error with one line when it cannot begin.
-Summary run_real_time(const rig_config::Rig& rig, const RunOptions& options);
-Summary run_lockstep(const rig_config::Rig& rig, const RunOptions& options);
+summary::Summary run_real_time(const rig_config::Rig& rig, const RunOptions& options);
+summary::Summary run_lockstep(const rig_config::Rig& rig, const RunOptions& options);
 
 /// The command: runs, prints, writes the files. Returns the exit code.
 int run(const rig_config::Rig& rig, const RunOptions& options);
 
 /// The row of a device in the summary; shared by both ways to run.
-DeviceSummary summarise(const device::Device& device, const device::Health& health,
-                        measurement::Provenance provenance);
+summary::DeviceSummary summarise(const device::Device& device, const device::Health& health,
+                                 measurement::Provenance provenance);
 
-}  // namespace drydock::cli
+}  // namespace drydock::bench

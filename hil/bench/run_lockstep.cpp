@@ -16,7 +16,7 @@
 #include "hil/summary/expect_watch.hpp"
 #include "hil/summary/scribe.hpp"
 
-namespace drydock::cli {
+namespace drydock::bench {
 namespace {
 
 using measurement::Stamp;
@@ -40,16 +40,17 @@ class LockstepRun final : private device::Listener, private pipeline::EstimateLi
         bench_(rig, trajectory_, {*this, *this, watchers_.all, options.on_written}),
         chronicle_(bench_.faults(), start_) {
     if (!quiet_ && ::isatty(STDOUT_FILENO) != 1)
-      chronicle_.set_on_change(
-          [this](const fault::Episode& episode) { fmt::print("{}\n", line_of(episode, start_)); });
+      chronicle_.set_on_change([this](const fault::Episode& episode) {
+        fmt::print("{}\n", control::line_of(episode, start_));
+      });
     for (std::size_t i = 0; i < bench_.devices(); ++i) devices_.push_back(&bench_.device(i));
     if (options.record.path.empty()) return;
     recorder_.emplace(rig, options.record, start_, record::WhenBehind::wait);
     watchers_.all.add(*recorder_);
   }
 
-  Summary run() {
-    const InterruptFlag interrupted;
+  summary::Summary run() {
+    const terminal::InterruptFlag interrupted;
     const auto wall_start = std::chrono::steady_clock::now();
     const Stamp end = start_ + measurement::from_seconds(duration_s_);
     scribe_.follow(start_);
@@ -64,7 +65,7 @@ class LockstepRun final : private device::Listener, private pipeline::EstimateLi
       show_progress();
     }
     bench_.flush();
-    Summary s;
+    summary::Summary s;
     s.rig = rig_.name;
     s.mode = "lockstep";
     s.seed = rig_.seed;
@@ -72,21 +73,21 @@ class LockstepRun final : private device::Listener, private pipeline::EstimateLi
     s.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - wall_start).count();
     s.interrupted = interrupted.set();
     s.devices = devices();
-    s.notes = pipeline_notes(rig_, bench_.pipeline());
+    s.notes = setup::pipeline_notes(rig_, bench_.pipeline());
     if (recorder_) s.notes.push_back(recorder_->finish());
     scribe_.write(s);
     expects_.write(s, bench_.pipeline());
-    cli::write(chronicle_, start_, s);
+    control::write(chronicle_, start_, s);
     return s;
   }
 
  private:
-  std::vector<DeviceSummary> devices() const {
-    std::vector<DeviceSummary> all;
+  std::vector<summary::DeviceSummary> devices() const {
+    std::vector<summary::DeviceSummary> all;
     for (std::size_t i = 0; i < bench_.devices(); ++i) {
       const auto& device = bench_.device(i);
-      all.push_back(
-          summarise(device, device.health(bench_.now()), provenance_of(device.options().link)));
+      all.push_back(summarise(device, device.health(bench_.now()),
+                              host::provenance_of(device.options().link)));
     }
     return all;
   }
@@ -122,7 +123,7 @@ class LockstepRun final : private device::Listener, private pipeline::EstimateLi
     tell_faults();
     std::vector<bus::DeviceStatus> health;
     for (std::size_t i = 0; i < bench_.devices(); ++i)
-      health.push_back(status_of(bench_.device(i), bench_.device(i).health(bench_.now())));
+      health.push_back(host::status_of(bench_.device(i), bench_.device(i).health(bench_.now())));
     watchers_.all.note(health, bench_.now());
     watchers_.all.tick(bench_.now());
   }
@@ -148,10 +149,10 @@ class LockstepRun final : private device::Listener, private pipeline::EstimateLi
   Stamp start_;
   motion::RememberedTrajectory trajectory_;
   double duration_s_;
-  Scribe scribe_;
-  ExpectWatch expects_;
+  summary::Scribe scribe_;
+  summary::ExpectWatch expects_;
   RunWatchers watchers_;
-  std::optional<RigRecorder> recorder_;
+  std::optional<host::RigRecorder> recorder_;
   LockstepBench bench_;
   fault::Chronicle chronicle_;
   std::vector<const device::Device*> devices_;
@@ -160,8 +161,8 @@ class LockstepRun final : private device::Listener, private pipeline::EstimateLi
 
 }  // namespace
 
-Summary run_lockstep(const rig_config::Rig& rig, const RunOptions& options) {
+summary::Summary run_lockstep(const rig_config::Rig& rig, const RunOptions& options) {
   return LockstepRun(rig, options).run();
 }
 
-}  // namespace drydock::cli
+}  // namespace drydock::bench

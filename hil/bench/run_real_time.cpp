@@ -28,7 +28,7 @@
 #include "hil/summary/expect_watch.hpp"
 #include "hil/summary/scribe.hpp"
 
-namespace drydock::cli {
+namespace drydock::bench {
 namespace {
 
 namespace asio = boost::asio;
@@ -50,13 +50,14 @@ class Bench {
         start_(link::steady_now()),
         trajectory_(motion::make_trajectory(rig.mission, start_)),
         participant_(static_cast<std::uint32_t>(rig.dds_domain), rig.dds_interface),
-        publisher_(participant_, bus_devices(rig), estimator_names(rig), navigator_names(rig)),
-        subscriber_(participant_, bus_devices(rig)),
+        publisher_(participant_, host::bus_devices(rig), host::estimator_names(rig),
+                   host::navigator_names(rig)),
+        subscriber_(participant_, host::bus_devices(rig)),
         faults_(io_, rig, *trajectory_, start_),
         emulator_(io_, faults_.injector()),
         watchers_(rig, truth_for_estimators(rig) ? trajectory_.get() : nullptr),
         drivers_(io_, or_throw(shell::make_devices(rig)), &publisher_, &watchers_.all),
-        estimators_(io_, pipeline_options(rig), subscriber_, publisher_),
+        estimators_(io_, setup::pipeline_options(rig), subscriber_, publisher_),
         scribe_(rig, truth_for_estimators(rig) ? trajectory_.get() : nullptr, start_,
                 options.duration_s > 0 ? options.duration_s : 600),
         expects_(rig, truth_for_estimators(rig) ? trajectory_.get() : nullptr, start_) {
@@ -68,14 +69,15 @@ class Bench {
       viewer_.emplace(io_.get_executor(), rig, options.serve);
       watchers_.all.add(*viewer_);
       if (options.serve.allow_faults)
-        viewer_->add(fault_services(rig, [this](const std::string& order, const auto& answered) {
-          answered(faults_.answer(order));
-        }));
+        viewer_->add(
+            control::fault_services(rig, [this](const std::string& order, const auto& answered) {
+              answered(faults_.answer(order));
+            }));
       fmt::print("live: {}\n", viewer_->url());
     }
   }
 
-  Summary run() {
+  summary::Summary run() {
     connect();
     if (options_.on_written) emulator_.set_on_written(options_.on_written);
     if (auto started = emulator_.start(emulated_devices(rig_)); !started) {
@@ -149,12 +151,12 @@ class Bench {
     });
   }
 
-  std::vector<DeviceSummary> devices() const {
-    std::vector<DeviceSummary> all;
+  std::vector<summary::DeviceSummary> devices() const {
+    std::vector<summary::DeviceSummary> all;
     for (std::size_t i = 0; i < drivers_.shell().size(); ++i) {
       const auto& device = drivers_.shell().device(i);
-      all.push_back(
-          summarise(device, drivers_.shell().health(i), provenance_of(device.options().link)));
+      all.push_back(summarise(device, drivers_.shell().health(i),
+                              host::provenance_of(device.options().link)));
     }
     return all;
   }
@@ -175,8 +177,8 @@ class Bench {
     if (viewer_) viewer_->stop();
   }
 
-  Summary summary() {
-    Summary s;
+  summary::Summary summary() {
+    summary::Summary s;
     s.rig = rig_.name;
     s.mode = "real time";
     s.seed = rig_.seed;
@@ -190,7 +192,8 @@ class Bench {
                         " messages to overloaded lines, " + std::to_string(counters.write_errors) +
                         " to write errors");
     }
-    std::ranges::move(pipeline_notes(rig_, estimators_.pipeline()), std::back_inserter(s.notes));
+    std::ranges::move(setup::pipeline_notes(rig_, estimators_.pipeline()),
+                      std::back_inserter(s.notes));
     if (recorder_) s.notes.push_back(recorder_->finish());
     scribe_.write(s);
     expects_.write(s, estimators_.pipeline());
@@ -206,28 +209,28 @@ class Bench {
   bus::Participant participant_;
   bus::Publisher publisher_;
   bus::Subscriber subscriber_;
-  LiveFaults faults_;
+  control::LiveFaults faults_;
   emulate::RealTimeEmulator emulator_;
   RunWatchers watchers_;
-  std::optional<RigRecorder> recorder_;
-  std::optional<RigViewer> viewer_;
-  DriverHost drivers_;
-  EstimatorHost estimators_;
-  Scribe scribe_;
-  ExpectWatch expects_;
-  LiveTable live_;
+  std::optional<host::RigRecorder> recorder_;
+  std::optional<host::RigViewer> viewer_;
+  host::DriverHost drivers_;
+  host::EstimatorHost estimators_;
+  summary::Scribe scribe_;
+  summary::ExpectWatch expects_;
+  monitor::LiveTable live_;
   asio::steady_timer timer_{io_};
   asio::signal_set signals_{io_, SIGINT, SIGTERM};
-  std::vector<DeviceSummary> devices_;
+  std::vector<summary::DeviceSummary> devices_;
   bool stopping_ = false;
   bool interrupted_ = false;
 };
 
 }  // namespace
 
-Summary run_real_time(const rig_config::Rig& rig, const RunOptions& options) {
+summary::Summary run_real_time(const rig_config::Rig& rig, const RunOptions& options) {
   Bench bench(rig, options);
   return bench.run();
 }
 
-}  // namespace drydock::cli
+}  // namespace drydock::bench

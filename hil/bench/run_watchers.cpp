@@ -1,6 +1,6 @@
 #include "hil/bench/run_watchers.hpp"
 
-namespace drydock::cli {
+namespace drydock::bench {
 
 namespace {
 
@@ -23,28 +23,28 @@ void RunWatchers::note_truth(measurement::Stamp at) {
   if (truth_ == nullptr || (at >= last_truth_ && at - last_truth_ < truth_interval)) return;
   last_truth_ = at;
   const auto truth = as_estimate(truth_->at(at), truth_index_);
-  all.note(bus_attitude(pipeline::attitude_of(truth)), truth_index_);
+  all.note(host::bus_attitude(pipeline::attitude_of(truth)), truth_index_);
   all.note(to_bus_(truth), truth_index_);
 }
 
 void RunWatchers::note(const pipeline::AttitudeEstimate& estimate) {
   if (all.empty()) return;
   note_truth(estimate.valid_at);
-  all.note(bus_attitude(estimate), estimate.estimator);
+  all.note(host::bus_attitude(estimate), estimate.estimator);
 }
 
 void RunWatchers::note(const pipeline::NavigationEstimate& estimate) {
   if (all.empty()) return;
   note_truth(estimate.valid_at);
-  all.note(bus_attitude(pipeline::attitude_of(estimate)), estimate.estimator);
+  all.note(host::bus_attitude(pipeline::attitude_of(estimate)), estimate.estimator);
   all.note(to_bus_(estimate), estimate.estimator);
 }
 
 void RunWatchers::note(const pipeline::InnovationReport& innovation) {
-  if (!all.empty()) all.note(bus_innovation(innovation));
+  if (!all.empty()) all.note(host::bus_innovation(innovation));
 }
 
-void tell_faults_to(Watchers& all, const std::vector<fault::FaultNow>& faults,
+void tell_faults_to(host::Watchers& all, const std::vector<fault::FaultNow>& faults,
                     measurement::Stamp now) {
   std::vector<bus::Fault> told;
   told.reserve(faults.size());
@@ -53,4 +53,4 @@ void tell_faults_to(Watchers& all, const std::vector<fault::FaultNow>& faults,
   all.note(told, now);
 }
 
-}  // namespace drydock::cli
+}  // namespace drydock::bench

@@ -8,7 +8,7 @@
 #include "hil/fault/injector.hpp"
 #include "hil/motion/truth.hpp"
 
-namespace drydock::cli {
+namespace drydock::bench {
 
 /// What follows a run besides its report: estimates go to them as the bus has them, each with the
 /// truth of the same time before it.
@@ -18,7 +18,7 @@ class RunWatchers {
   RunWatchers(const rig_config::Rig& rig, const motion::Trajectory* truth)
       : truth_(truth), truth_index_(rig.estimators.size()) {}
 
-  Watchers all;
+  host::Watchers all;
 
   void note(const pipeline::AttitudeEstimate& estimate);
   void note(const pipeline::NavigationEstimate& estimate);
@@ -30,11 +30,11 @@ class RunWatchers {
   const motion::Trajectory* truth_;
   std::size_t truth_index_;  ///< after the last estimator
   measurement::Stamp last_truth_{};
-  BusNavigation to_bus_;
+  host::BusNavigation to_bus_;
 };
 
 /// All faults in force at `now`, as pages and recordings have them.
-void tell_faults_to(Watchers& all, const std::vector<fault::FaultNow>& faults,
+void tell_faults_to(host::Watchers& all, const std::vector<fault::FaultNow>& faults,
                     measurement::Stamp now);
 
-}  // namespace drydock::cli
+}  // namespace drydock::bench

@@ -5,7 +5,7 @@
 
 #include "drivers/link/link.hpp"
 
-namespace drydock::cli {
+namespace drydock::bench {
 namespace {
 
 bool emulated(const rig_config::DeviceConfig& device) {
@@ -40,4 +40,4 @@ std::vector<std::string> can_notes(const rig_config::Rig& rig) {
   return notes;
 }
 
-}  // namespace drydock::cli
+}  // namespace drydock::bench

@@ -4,7 +4,7 @@
 
 #include "drivers/link/uri.hpp"
 
-namespace drydock::cli {
+namespace drydock::check {
 
 rig_config::LoadOptions load_options() {
   rig_config::LoadOptions options;
@@ -27,4 +27,4 @@ int check(const std::vector<std::string>& files, std::FILE* out) {
   return sound ? 0 : 1;
 }
 
-}  // namespace drydock::cli
+}  // namespace drydock::check

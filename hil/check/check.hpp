@@ -6,7 +6,7 @@
 
 #include "rig_config/load.hpp"
 
-namespace drydock::cli {
+namespace drydock::check {
 
 /// What every command loads rig files with: link URIs are checked too.
 rig_config::LoadOptions load_options();
@@ -15,4 +15,4 @@ rig_config::LoadOptions load_options();
 /// Exit code: 0 all are sound, 1 not all.
 int check(const std::vector<std::string>& files, std::FILE* out);
 
-}  // namespace drydock::cli
+}  // namespace drydock::check

@@ -20,7 +20,7 @@
 
 #include "drivers/link/link.hpp"
 
-namespace drydock::cli {
+namespace drydock::control {
 
 namespace {
 
@@ -178,4 +178,4 @@ asio::awaitable<boost::system::result<std::string>> ask_soon(std::string path,
   co_return answer;
 }
 
-}  // namespace drydock::cli
+}  // namespace drydock::control

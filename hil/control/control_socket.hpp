@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-namespace drydock::cli {
+namespace drydock::control {
 
 /// Where a running bench of that rig hears the same user's other programs.
 std::string control_path(std::string_view rig_name);
@@ -44,4 +44,4 @@ boost::system::result<std::string> ask(const std::string& path, const std::strin
 boost::asio::awaitable<boost::system::result<std::string>> ask_soon(std::string path,
                                                                     std::string request);
 
-}  // namespace drydock::cli
+}  // namespace drydock::control

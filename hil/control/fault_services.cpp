@@ -10,7 +10,7 @@
 #include "hil/control/request/fault_requests.hpp"
 #include "hil/control/request/order_text.hpp"
 
-namespace drydock::cli {
+namespace drydock::control {
 
 namespace {
 
@@ -55,7 +55,7 @@ live::ServiceAnswer order_of_list_request(std::string_view) { return order_to_li
 }  // namespace
 
 std::vector<Service> fault_services(const rig_config::Rig& rig, const Obey& obey) {
-  const auto devices = emulated_devices(rig);
+  const auto devices = bench::emulated_devices(rig);
   if (devices.empty())
     throw std::runtime_error(
         fmt::format("--allow-faults: no device of {} is emulated, so none can be given a fault; "
@@ -72,4 +72,4 @@ std::vector<Service> fault_services(const rig_config::Rig& rig, const Obey& obey
       {"/drydock/faults/words", "drydock/FaultWords", empty_schema, empty_schema, words}};
 }
 
-}  // namespace drydock::cli
+}  // namespace drydock::control

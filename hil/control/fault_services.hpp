@@ -7,7 +7,7 @@
 #include "drivers/live/foxglove/services.hpp"
 #include "rig_config/rig.hpp"
 
-namespace drydock::cli {
+namespace drydock::control {
 
 /// Obeys one order of order_text.hpp: `answered` gets the line that comes back, at once or later.
 using Obey =
@@ -17,4 +17,4 @@ using Obey =
 /// Throws std::runtime_error with one line where no device of the rig is emulated.
 std::vector<live::Service> fault_services(const rig_config::Rig& rig, const Obey& obey);
 
-}  // namespace drydock::cli
+}  // namespace drydock::control

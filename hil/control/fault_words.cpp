@@ -6,7 +6,7 @@
 #include "rig_config/fault_extra.hpp"
 #include "rig_config/fault_quantity.hpp"
 
-namespace drydock::cli {
+namespace drydock::control {
 
 namespace {
 
@@ -76,4 +76,4 @@ std::string fault_words_json(std::span<const DeviceConfig> devices) {
   return all.dump();
 }
 
-}  // namespace drydock::cli
+}  // namespace drydock::control

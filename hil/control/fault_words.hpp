@@ -7,7 +7,7 @@
 #include "rig_config/rig.hpp"
 
 /// Which faults each device can have, for who chooses one.
-namespace drydock::cli {
+namespace drydock::control {
 
 std::vector<const rig_config::FaultWord*> fault_words_of(const rig_config::DeviceConfig& device);
 
@@ -18,4 +18,4 @@ std::string amount_keys(const rig_config::FaultWord& word, const rig_config::Dev
 /// {"key","usual","lowest","highest"}; usual null: to be given; of a quantity the key alone.
 std::string fault_words_json(std::span<const rig_config::DeviceConfig> devices);
 
-}  // namespace drydock::cli
+}  // namespace drydock::control

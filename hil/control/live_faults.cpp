@@ -5,7 +5,7 @@
 #include "drivers/link/clock.hpp"
 #include "hil/control/orders.hpp"
 
-namespace drydock::cli {
+namespace drydock::control {
 
 LiveFaults::LiveFaults(boost::asio::io_context& io, const rig_config::Rig& rig,
                        const motion::Trajectory& trajectory, measurement::Stamp start)
@@ -65,11 +65,13 @@ std::string LiveFaults::answer(std::string_view request) {
   return line;
 }
 
-void LiveFaults::write(Summary& summary) const { cli::write(chronicle_, start_, summary); }
+void LiveFaults::write(summary::Summary& summary) const {
+  control::write(chronicle_, start_, summary);
+}
 
-void write(const fault::Chronicle& chronicle, measurement::Stamp start, Summary& summary) {
+void write(const fault::Chronicle& chronicle, measurement::Stamp start, summary::Summary& summary) {
   for (const fault::Episode& episode : chronicle.episodes()) {
-    FaultSummary fault{
+    summary::FaultSummary fault{
         episode.device, episode.words, measurement::seconds(episode.since - start), {}};
     if (episode.until) fault.until_s = measurement::seconds(*episode.until - start);
     summary.faults.push_back(std::move(fault));
@@ -85,4 +87,4 @@ std::string line_of(const fault::Episode& episode, measurement::Stamp start) {
                      episode.until ? "cleared" : "set", episode.words);
 }
 
-}  // namespace drydock::cli
+}  // namespace drydock::control

@@ -10,7 +10,7 @@
 #include "hil/fault/schedule/chronicle.hpp"
 #include "hil/summary/summary.hpp"
 
-namespace drydock::cli {
+namespace drydock::control {
 
 /// The faults of a bench in real time: those of its files, and those that `drydock fault` sets
 /// while it runs.
@@ -33,7 +33,7 @@ class LiveFaults {
   /// Hears what the lines tell, as values: for pages.
   void set_on_change(fault::Chronicle::OnChange hook) { on_change_ = std::move(hook); }
 
-  void write(Summary& summary) const;
+  void write(summary::Summary& summary) const;
 
   /// One line of JSON in, one out: docs/faults.md, Live.
   std::string answer(std::string_view request);
@@ -55,9 +55,9 @@ class LiveFaults {
 };
 
 /// What the chronicle knows, for the summary.
-void write(const fault::Chronicle& chronicle, measurement::Stamp start, Summary& summary);
+void write(const fault::Chronicle& chronicle, measurement::Stamp start, summary::Summary& summary);
 
 /// "12.3 s: fault on: dvl: garbage, bytes = 16"
 std::string line_of(const fault::Episode& episode, measurement::Stamp start);
 
-}  // namespace drydock::cli
+}  // namespace drydock::control

@@ -13,7 +13,7 @@
 #include "hil/fault/injector.hpp"
 #include "hil/program/commands.hpp"
 
-namespace drydock::cli {
+namespace drydock::control {
 
 namespace {
 
@@ -46,7 +46,7 @@ int print_answer(const Json& answer, bool json) {
     for (const auto& line : answer.at("lines"))
       fmt::print(ok ? stdout : stderr, "{}\n", line.get<std::string>());
   }
-  return ok ? 0 : exit_usage;
+  return ok ? 0 : terminal::exit_usage;
 }
 
 }  // namespace
@@ -93,7 +93,7 @@ void add_faults(rig_config::Rig& rig, const std::string& path) {
   if (problems.empty()) problems = fault::check_faults(rig);
   if (problems.empty()) return;
   for (const auto& problem : problems) fmt::print(stderr, "{}\n", to_string(problem));
-  throw BadRig{};
+  throw program::BadRig{};
 }
 
-}  // namespace drydock::cli
+}  // namespace drydock::control

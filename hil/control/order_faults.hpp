@@ -5,7 +5,7 @@
 
 #include "rig_config/rig.hpp"
 
-namespace drydock::cli {
+namespace drydock::control {
 
 struct FaultOptions {
   std::string device, fault;       ///< empty: all
@@ -27,4 +27,4 @@ int show_fault_words(const rig_config::Rig& rig, const FaultOptions& options);
 /// file is wrong or this program cannot do what it says. An empty path: those of the rig alone.
 void add_faults(rig_config::Rig& rig, const std::string& path);
 
-}  // namespace drydock::cli
+}  // namespace drydock::control

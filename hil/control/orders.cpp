@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-namespace drydock::cli {
+namespace drydock::control {
 
 namespace {
 
@@ -94,4 +94,4 @@ std::string obey(std::string_view request, const rig_config::Rig& rig, fault::In
   return answer.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-}  // namespace drydock::cli
+}  // namespace drydock::control

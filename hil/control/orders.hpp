@@ -7,7 +7,7 @@
 #include "hil/fault/injector.hpp"
 
 /// What a running bench makes of the orders that it hears.
-namespace drydock::cli {
+namespace drydock::control {
 
 /// Does what a line asks and says what became of it:
 /// {"ok":true,"lines":[...],"now_s","faults":[{"device","fault","words","since_s","until_s"}]}. A
@@ -15,4 +15,4 @@ namespace drydock::cli {
 std::string obey(std::string_view request, const rig_config::Rig& rig, fault::Injector& injector,
                  measurement::Stamp start, measurement::Stamp now);
 
-}  // namespace drydock::cli
+}  // namespace drydock::control

@@ -11,7 +11,7 @@
 #include "hil/control/control_socket.hpp"
 #include "hil/control/request/order_text.hpp"
 
-namespace drydock::cli {
+namespace drydock::control {
 
 namespace {
 
@@ -29,7 +29,7 @@ measurement::Stamp seconds_after(measurement::Stamp start, const json& seconds) 
 }  // namespace
 
 RemoteFaults::RemoteFaults(asio::any_io_executor executor, const rig_config::Rig& rig,
-                           Watchers& watchers)
+                           host::Watchers& watchers)
     : executor_(std::move(executor)),
       path_(control_path(rig.name)),
       nobody_(fmt::format("no bench of rig \"{}\" runs here; start one: drydock emulate {}",
@@ -79,9 +79,9 @@ void RemoteFaults::take(const std::string& answer, measurement::Stamp now) try {
   }
   if (faults == told_) return;
   told_ = std::move(faults);
-  tell_faults_to(watchers_, told_, now);
+  bench::tell_faults_to(watchers_, told_, now);
 } catch (const json::exception&) {
   start_.reset();  // a bench of another version: what is in force there is not known
 }
 
-}  // namespace drydock::cli
+}  // namespace drydock::control

@@ -9,7 +9,7 @@
 #include "hil/control/fault_services.hpp"
 #include "hil/fault/schedule/schedules.hpp"
 
-namespace drydock::cli {
+namespace drydock::control {
 
 /// The faults of a bench that another program plays, `drydock emulate` of the same rig under the
 /// same user, through its control socket: for a page beside the drivers.
@@ -17,7 +17,7 @@ class RemoteFaults : public std::enable_shared_from_this<RemoteFaults> {
  public:
   /// The watchers hear which faults are in force, and outlive the executor's work.
   RemoteFaults(boost::asio::any_io_executor executor, const rig_config::Rig& rig,
-               Watchers& watchers);
+               host::Watchers& watchers);
 
   /// Passes an order on. At most `most_asking` at once; the next is refused.
   void obey(const std::string& order, std::function<void(const std::string&)> answered);
@@ -32,11 +32,11 @@ class RemoteFaults : public std::enable_shared_from_this<RemoteFaults> {
 
   boost::asio::any_io_executor executor_;
   std::string path_, nobody_;
-  Watchers& watchers_;
+  host::Watchers& watchers_;
   int asking_ = 0;
   measurement::Stamp asked_{};
   std::optional<measurement::Stamp> start_;  ///< of the bench, by this program's clock
   std::vector<fault::FaultNow> told_;
 };
 
-}  // namespace drydock::cli
+}  // namespace drydock::control

@@ -16,7 +16,7 @@
 #include "hil/validity/run/host_floor.hpp"
 #include "hil/validity/run/validity.hpp"
 
-namespace drydock::cli {
+namespace drydock::endurance {
 namespace {
 
 using validity::Deadlines;
@@ -26,16 +26,16 @@ using validity::Spread;
 constexpr double settles_within_s = 5;
 
 struct LoadResult {
-  Summary summary;
+  summary::Summary summary;
   std::vector<Deadlines> devices;  ///< in the order of the rig
-  HostTimes floor;
+  validity::HostTimes floor;
 };
 
 LoadResult measure(const rig_config::Rig& rig, const LoadOptions& options, std::FILE* bar) {
   std::vector<std::string> names;
   for (const auto& device : rig.devices) names.push_back(device.name);
   validity::Listener listener(names);
-  RunOptions run;
+  bench::RunOptions run;
   run.duration_s = options.duration_s;
   run.on_written = [&](std::string_view device, const emulate::Passage& passage,
                        measurement::Stamp written) { listener.note(device, passage, written); };
@@ -45,19 +45,20 @@ LoadResult measure(const rig_config::Rig& rig, const LoadOptions& options, std::
   const bool terminal = ::isatty(fileno(bar)) == 1;
   run.on_progress = [&](double done) {
     if (!terminal) return;
-    fmt::print(bar, "{}load {} {:.0f} of {:.0f} s, Ctrl-C ends", wipe_line, progress_bar(done),
-               std::min(done, 1.0) * options.duration_s, options.duration_s);
+    fmt::print(bar, "{}load {} {:.0f} of {:.0f} s, Ctrl-C ends", terminal::wipe_line,
+               terminal::progress_bar(done), std::min(done, 1.0) * options.duration_s,
+               options.duration_s);
     std::fflush(bar);
   };
   LoadResult result;
   const auto begin = link::steady_now();
-  HostFloor host;
-  result.summary = run_real_time(rig, run);
+  validity::HostFloor host;
+  result.summary = bench::run_real_time(rig, run);
   result.floor = host.stop();
-  if (terminal) fmt::print(bar, "{}", wipe_line);
+  if (terminal) fmt::print(bar, "{}", terminal::wipe_line);
 
   validity::Floor floor;
-  const HostTimes& seen = result.floor;
+  const validity::HostTimes& seen = result.floor;
   for (std::size_t i = 0; i < seen.timer_at.size(); ++i)
     floor.add_timer(seen.timer_at[i], seen.timer_late_us[i]);
   for (std::size_t i = 0; i < seen.pty_at.size(); ++i)
@@ -76,7 +77,7 @@ LoadResult measure(const rig_config::Rig& rig, const LoadOptions& options, std::
 }
 
 /// What a device fails for, in words; empty: it does not.
-std::vector<std::string> troubles_of(const Deadlines& d, const DeviceSummary& device) {
+std::vector<std::string> troubles_of(const Deadlines& d, const summary::DeviceSummary& device) {
   if (d.samples == 0) return {"no sample came out of its driver"};
   std::vector<std::string> all;
   if (d.missed > 0)
@@ -152,7 +153,7 @@ nlohmann::ordered_json json_of(const LoadResult& result, bool passed) {
 }
 
 /// Where the machine alone was later than the quickest device comes again, a FAIL says little.
-std::string host_note(const rig_config::Rig& rig, const HostTimes& floor) {
+std::string host_note(const rig_config::Rig& rig, const validity::HostTimes& floor) {
   double quickest_hz = 0;
   for (const auto& device : rig.devices) quickest_hz = std::max(quickest_hz, device.rate_hz);
   const Spread timer = validity::spread_of(floor.timer_late_us);
@@ -168,8 +169,8 @@ std::string host_note(const rig_config::Rig& rig, const HostTimes& floor) {
 
 int load_run(const rig_config::Rig& whole, const LoadOptions& options, std::FILE* out,
              std::FILE* bar) {
-  const LoadResult result = measure(with_truth(whole), options, bar);
-  fmt::print(out, "{}", to_text(table_of(result)));
+  const LoadResult result = measure(validity::with_truth(whole), options, bar);
+  fmt::print(out, "{}", report::to_text(table_of(result)));
   for (const auto& note : result.summary.notes) fmt::print(out, "{}\n", note);
   std::size_t samples = 0, stalled = 0, failed = 0;
   for (std::size_t i = 0; i < result.devices.size(); ++i) {
@@ -184,8 +185,9 @@ int load_run(const rig_config::Rig& whole, const LoadOptions& options, std::FILE
     fmt::print(out, "{} samples fell to stalls of this machine longer than their period\n",
                stalled);
   const bool passed = failed == 0;
-  if (!options.json.empty()) write_file(options.json, json_of(result, passed).dump(2) + "\n");
-  const Summary& run = result.summary;
+  if (!options.json.empty())
+    report::write_file(options.json, json_of(result, passed).dump(2) + "\n");
+  const summary::Summary& run = result.summary;
   const std::string ended =
       run.interrupted ? fmt::format(", ended by Ctrl-C before {:g} s", options.duration_s) : "";
   if (passed)
@@ -198,7 +200,7 @@ int load_run(const rig_config::Rig& whole, const LoadOptions& options, std::FILE
                result.devices.size(), run.duration_s, ended);
   if (!passed) fmt::print(out, "{}", host_note(whole, result.floor));
   if (run.interrupted) return 130;
-  return passed ? 0 : exit_failed;
+  return passed ? 0 : terminal::exit_failed;
 }
 
-}  // namespace drydock::cli
+}  // namespace drydock::endurance

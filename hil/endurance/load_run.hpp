@@ -6,7 +6,7 @@
 #include "rig_config/rig.hpp"
 
 /// `drydock load`: whether this machine keeps every deadline of a rig. docs/time-of-validity.md
-namespace drydock::cli {
+namespace drydock::endurance {
 
 struct LoadOptions {
   double duration_s = 600;
@@ -20,4 +20,4 @@ struct LoadOptions {
 int load_run(const rig_config::Rig& rig, const LoadOptions& options, std::FILE* out,
              std::FILE* bar);
 
-}  // namespace drydock::cli
+}  // namespace drydock::endurance

@@ -9,7 +9,7 @@
 #include "hil/report/html.hpp"
 #include "hil/report/write_file.hpp"
 
-namespace drydock::cli {
+namespace drydock::endurance {
 
 namespace {
 
@@ -17,12 +17,12 @@ namespace {
 constexpr double most_growth_mb = 1;
 
 /// Resident memory at the end over that after a tenth of the run.
-double growth_mb(const ResidentTrace& resident) {
+double growth_mb(const summary::ResidentTrace& resident) {
   const std::size_t count = resident.megabytes.size();
   return count < 10 ? 0 : resident.megabytes.back() - resident.megabytes[count / 10];
 }
 
-std::vector<std::string> troubles_of(const Summary& summary, const SoakWatch& watch) {
+std::vector<std::string> troubles_of(const summary::Summary& summary, const SoakWatch& watch) {
   std::vector<std::string> all = watch.troubles();
   const double grown = growth_mb(summary.resident);
   if (grown > most_growth_mb)
@@ -40,8 +40,8 @@ std::string words_line(const SoakWatch& watch) {
   return line;
 }
 
-void print(const Summary& summary, const SoakWatch& watch, const std::vector<std::string>& troubles,
-           std::FILE* out) {
+void print(const summary::Summary& summary, const SoakWatch& watch,
+           const std::vector<std::string>& troubles, std::FILE* out) {
   fmt::print(out, "{}", to_text(summary));
   fmt::print(out, "{} faults: {}\n", watch.faults_set(), words_line(watch));
   if (!summary.resident.megabytes.empty())
@@ -55,9 +55,9 @@ void print(const Summary& summary, const SoakWatch& watch, const std::vector<std
                watch.looks());
 }
 
-std::string json_of(const Summary& summary, const SoakWatch& watch,
+std::string json_of(const summary::Summary& summary, const SoakWatch& watch,
                     const std::vector<std::string>& troubles) {
-  nlohmann::ordered_json json = nlohmann::ordered_json::parse(to_json(summary));
+  nlohmann::ordered_json json = nlohmann::ordered_json::parse(summary::to_json(summary));
   json["faults"] = watch.faults_set();
   json["faults_by_word"] = watch.set_by_word();
   json["resident_growth_mb"] = growth_mb(summary.resident);
@@ -65,44 +65,44 @@ std::string json_of(const Summary& summary, const SoakWatch& watch,
   return json.dump(2) + "\n";
 }
 
-std::string page_of(const Summary& summary, const SoakWatch& watch,
+std::string page_of(const summary::Summary& summary, const SoakWatch& watch,
                     const std::vector<std::string>& troubles) {
-  Plot memory;
+  report::Plot memory;
   memory.title = "Resident memory of the process";
   memory.x_label = "time, days";
   memory.y_label = "MB";
-  Series curve{"resident", {}, summary.resident.megabytes};
+  report::Series curve{"resident", {}, summary.resident.megabytes};
   for (const double t : summary.resident.t_s) curve.x.push_back(t / 86400);
   memory.curves = {curve};
   std::string body =
       fmt::format("<p>{:.1f} days under {} faults: {}.</p>", summary.duration_s / 86400,
-                  watch.faults_set(), html::escaped(words_line(watch)));
+                  watch.faults_set(), report::html::escaped(words_line(watch)));
   body += troubles.empty() ? "<p class=ok>No trouble.</p>" : "<ul class=bad>";
-  for (const auto& trouble : troubles) body += "<li>" + html::escaped(trouble);
+  for (const auto& trouble : troubles) body += "<li>" + report::html::escaped(trouble);
   if (!troubles.empty()) body += "</ul>";
-  body += html::figure(memory);
-  body += "<pre>" + html::escaped(to_text(summary)) + "</pre>";
-  return html::page("Soak of " + summary.rig, body);
+  body += report::html::figure(memory);
+  body += "<pre>" + report::html::escaped(to_text(summary)) + "</pre>";
+  return report::html::page("Soak of " + summary.rig, body);
 }
 
 }  // namespace
 
 int soak(const rig_config::Rig& rig, const SoakOptions& options, std::FILE* out) {
   SoakWatch watch(rig, options.seed, options.fault_interval_s);
-  RunOptions run;
+  bench::RunOptions run;
   run.duration_s = options.duration_s;
   run.quiet = true;
   run.curve_points = 300;  // what it keeps is not to look like a leak
   run.on_measurement = [&](const measurement::Measurement& m) { watch.note(m); };
-  run.each_second = [&](const RunView& view) { watch.look(view); };
-  const Summary summary = run_lockstep(rig, run);
+  run.each_second = [&](const bench::RunView& view) { watch.look(view); };
+  const summary::Summary summary = bench::run_lockstep(rig, run);
   const auto troubles = troubles_of(summary, watch);
   print(summary, watch, troubles, out);
-  if (!options.json.empty()) write_file(options.json, json_of(summary, watch, troubles));
+  if (!options.json.empty()) report::write_file(options.json, json_of(summary, watch, troubles));
   if (!options.report.empty())
-    write_file(options.report + "/index.html", page_of(summary, watch, troubles));
+    report::write_file(options.report + "/index.html", page_of(summary, watch, troubles));
   if (summary.interrupted) return 130;
   return troubles.empty() ? 0 : 1;
 }
 
-}  // namespace drydock::cli
+}  // namespace drydock::endurance

@@ -5,7 +5,7 @@
 
 #include "rig_config/rig.hpp"
 
-namespace drydock::cli {
+namespace drydock::endurance {
 
 struct SoakOptions {
   double duration_s = 30 * 86400.0;
@@ -19,4 +19,4 @@ struct SoakOptions {
 /// the kind; 1: something.
 int soak(const rig_config::Rig& rig, const SoakOptions& options, std::FILE* out);
 
-}  // namespace drydock::cli
+}  // namespace drydock::endurance

@@ -8,7 +8,7 @@
 #include "drivers/text/measurement_fields.hpp"
 #include "hil/fault/injector.hpp"
 
-namespace drydock::cli {
+namespace drydock::endurance {
 
 namespace {
 
@@ -40,13 +40,13 @@ SoakWatch::SoakWatch(const rig_config::Rig& rig, std::uint64_t seed, double faul
       start_(measurement::stamp_from_ns(rig.start_utc_ns)),
       trouble_until_(rig.devices.size(), start_ + recovers_within) {}
 
-void SoakWatch::look(const RunView& run) {
+void SoakWatch::look(const bench::RunView& run) {
   set_faults(run);
   for (std::size_t i = 0; i < run.devices.size(); ++i) look_at(i, run);
   ++looks_;
 }
 
-void SoakWatch::set_faults(const RunView& run) {
+void SoakWatch::set_faults(const bench::RunView& run) {
   while (start_ + measurement::from_seconds(next_.start_s) <= run.now) {
     rig_config::FaultConfig now = next_;
     now.start_s = 0;
@@ -65,7 +65,7 @@ void SoakWatch::set_faults(const RunView& run) {
   }
 }
 
-void SoakWatch::look_at(std::size_t index, const RunView& run) {
+void SoakWatch::look_at(std::size_t index, const bench::RunView& run) {
   const device::Device& device = *run.devices[index];
   const auto health = device.health(run.now);
   const auto& stream = health.stream;
@@ -97,4 +97,4 @@ void SoakWatch::add(std::string trouble) {
   if (troubles_.size() < most_troubles) troubles_.push_back(std::move(trouble));
 }
 
-}  // namespace drydock::cli
+}  // namespace drydock::endurance

@@ -7,14 +7,14 @@
 #include "hil/bench/run.hpp"
 #include "hil/fault/schedule/random_faults.hpp"
 
-namespace drydock::cli {
+namespace drydock::endurance {
 
 /// Puts random faults on a run and keeps watch over its devices, second by second.
 class SoakWatch {
  public:
   SoakWatch(const rig_config::Rig& rig, std::uint64_t seed, double fault_interval_s);
 
-  void look(const RunView& run);
+  void look(const bench::RunView& run);
   void note(const measurement::Measurement& measurement);
 
   /// Sentences, the first hundred of each kind of trouble; empty: all is well.
@@ -28,8 +28,8 @@ class SoakWatch {
   /// second, a node that was silent is forgotten after 10 s, a receiver looks for its satellites.
   static constexpr std::chrono::seconds recovers_within{120};
 
-  void set_faults(const RunView& run);
-  void look_at(std::size_t index, const RunView& run);
+  void set_faults(const bench::RunView& run);
+  void look_at(std::size_t index, const bench::RunView& run);
   void add(std::string trouble);
 
   const rig_config::Rig& rig_;
@@ -42,4 +42,4 @@ class SoakWatch {
   std::vector<std::string> troubles_;
 };
 
-}  // namespace drydock::cli
+}  // namespace drydock::endurance

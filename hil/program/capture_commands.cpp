@@ -5,12 +5,12 @@
 #include "drivers/decode/decode.hpp"
 #include "hil/program/commands.hpp"
 
-namespace drydock::cli {
+namespace drydock::program {
 
 namespace {
 
 void add_decode(CLI::App& app, Command& command) {
-  auto options = std::make_shared<DecodeOptions>();
+  auto options = std::make_shared<decode::DecodeOptions>();
   auto* sub =
       app.add_subcommand("decode", "Turn a recording into JSON Lines, one object a message");
   sub->footer(
@@ -18,17 +18,20 @@ void add_decode(CLI::App& app, Command& command) {
       "         drydock decode --protocol can trace.asc\n"
       "         candump -L can0 | drydock decode --protocol nmea2000");
   sub->add_option("FILE", options->file, "recording; default standard input");
-  sub->add_option("--protocol", options->protocol, "one of " + decode_protocols())->required();
-  sub->add_option("--format", options->format,
-                  "the file's format, where its content does not tell: one of " + decode_formats());
+  sub->add_option("--protocol", options->protocol, "one of " + decode::decode_protocols())
+      ->required();
+  sub->add_option(
+      "--format", options->format,
+      "the file's format, where its content does not tell: one of " + decode::decode_formats());
   sub->add_flag("--count", options->count, "how many of each type, not the messages");
   sub->add_flag("--quiet", options->quiet, "no line of counts at the end");
-  sub->callback(
-      [options, &command] { command = [options] { return decode(*options, stdout, stderr); }; });
+  sub->callback([options, &command] {
+    command = [options] { return decode::decode(*options, stdout, stderr); };
+  });
 }
 
 }  // namespace
 
 void add_capture_commands(CLI::App& app, Command& command) { add_decode(app, command); }
 
-}  // namespace drydock::cli
+}  // namespace drydock::program

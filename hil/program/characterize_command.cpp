@@ -4,10 +4,10 @@
 #include "hil/characterize/report/characterize.hpp"
 #include "hil/program/commands.hpp"
 
-namespace drydock::cli {
+namespace drydock::program {
 
 void add_characterize_command(CLI::App& app, Command& command) {
-  auto options = std::make_shared<CharacterizeOptions>();
+  auto options = std::make_shared<characterize::CharacterizeOptions>();
   auto* sub = app.add_subcommand(
       "characterize",
       "What a sensor is worth: noise, steps, rate, latency, dropouts, beside its "
@@ -32,16 +32,17 @@ void add_characterize_command(CLI::App& app, Command& command) {
   sub->add_option("--kind", options->capture.kind,
                   "of a capture's sensor, where several speak the protocol");
   sub->add_option("--baud", options->capture.baud, "of a capture's line, where it holds bytes");
-  sub->add_option("--format", options->capture.format,
-                  "of a capture, where its content does not tell: one of " + decode_formats());
+  sub->add_option(
+      "--format", options->capture.format,
+      "of a capture, where its content does not tell: one of " + decode::decode_formats());
   sub->add_option("--interface", options->capture.interface, "of a CAN capture; default all");
   sub->add_option("--address", options->capture.address, "on the bus; default the first seen");
   sub->add_option("--json", options->json, "write the figures to this file");
   sub->add_option("--report", options->report, "write index.html with plots into this folder");
   sub->add_option("-o,--out", options->out, "write a sensor file for the emulator");
   sub->callback([options, &command] {
-    command = [options] { return characterize_source(*options, stdout, stderr); };
+    command = [options] { return characterize::characterize_source(*options, stdout, stderr); };
   });
 }
 
-}  // namespace drydock::cli
+}  // namespace drydock::program

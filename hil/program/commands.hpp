@@ -8,7 +8,7 @@
 #include "rig_config/rig.hpp"
 
 /// The command line of the program: its subcommands with their options.
-namespace drydock::cli {
+namespace drydock::program {
 
 /// What the command line chose: set by exactly one subcommand's callback. Gives the exit code.
 using Command = std::function<int()>;
@@ -42,7 +42,7 @@ void add_soak_command(CLI::App& app, Command& command);
 void add_characterize_command(CLI::App& app, Command& command);
 
 /// --serve and --token. `more` is added to the help of the first.
-void add_serve(CLI::App& sub, ServeOptions& serve, const std::string& more = {});
+void add_serve(CLI::App& sub, host::ServeOptions& serve, const std::string& more = {});
 
 /// validity: how right the times of measurements are.
 void add_validity_command(CLI::App& app, Command& command);
@@ -62,4 +62,4 @@ rig_config::Rig load_rig(const std::string& path);
 /// Takes "60s", "10min", "5.5h" and gives seconds.
 extern const CLI::Validator duration_text;
 
-}  // namespace drydock::cli
+}  // namespace drydock::program

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <sstream>
 
-namespace drydock::cli {
+namespace drydock::program {
 namespace {
 
 std::vector<const CLI::App*> commands_of(const CLI::App& app) {
@@ -175,4 +175,4 @@ if [[ $funcstack[1] == _drydock ]]; then _drydock "$@"; else compdef _drydock dr
                      commands, cases);
 }
 
-}  // namespace drydock::cli
+}  // namespace drydock::program

@@ -5,7 +5,7 @@
 
 /// Shell completion made of the command line's own description: subcommands, their options, the
 /// values that an option allows, files for what takes one.
-namespace drydock::cli {
+namespace drydock::program {
 
 /// To be read by bash: `source <(drydock completion bash)`.
 std::string bash_completion(const CLI::App& app);
@@ -14,4 +14,4 @@ std::string bash_completion(const CLI::App& app);
 /// `source <(drydock completion zsh)`.
 std::string zsh_completion(const CLI::App& app);
 
-}  // namespace drydock::cli
+}  // namespace drydock::program

@@ -3,16 +3,16 @@
 #include "hil/control/order_faults.hpp"
 #include "hil/program/commands.hpp"
 
-namespace drydock::cli {
+namespace drydock::program {
 
 namespace {
 
 struct FaultArguments {
   std::string rig;
-  FaultOptions options;
+  control::FaultOptions options;
 };
 
-using Body = int (*)(const rig_config::Rig&, const FaultOptions&);
+using Body = int (*)(const rig_config::Rig&, const control::FaultOptions&);
 
 CLI::App* add_action(CLI::App* fault, const std::shared_ptr<FaultArguments>& a, Command& command,
                      const std::string& name, const std::string& description, Body body) {
@@ -37,7 +37,8 @@ void add_fault_command(CLI::App& app, Command& command) {
       ->required();
   fault->require_subcommand(1);
 
-  auto* set = add_action(fault, a, command, "set", "from now on a device has a fault", set_fault);
+  auto* set =
+      add_action(fault, a, command, "set", "from now on a device has a fault", control::set_fault);
   set->add_option("DEVICE", a->options.device, "name in the rig file")->required();
   set->add_option("FAULT", a->options.fault, "a word that `words` lists")->required();
   set->add_option("KEY=VALUE", a->options.pairs, "how strong, as in a fault file");
@@ -45,12 +46,13 @@ void add_fault_command(CLI::App& app, Command& command) {
       ->transform(duration_text);
 
   auto* clear = add_action(fault, a, command, "clear", "takes faults away, those of files as well",
-                           clear_faults);
+                           control::clear_faults);
   clear->add_option("DEVICE", a->options.device, "default: all");
   clear->add_option("FAULT", a->options.fault, "default: all of the device");
 
-  add_action(fault, a, command, "list", "what is in force now", list_faults);
-  add_action(fault, a, command, "words", "which faults each device can have", show_fault_words);
+  add_action(fault, a, command, "list", "what is in force now", control::list_faults);
+  add_action(fault, a, command, "words", "which faults each device can have",
+             control::show_fault_words);
 }
 
-}  // namespace drydock::cli
+}  // namespace drydock::program

@@ -13,13 +13,13 @@
 #include "hil/program/completion.hpp"
 #include "hil/program/man_page.hpp"
 
-namespace drydock::cli {
+namespace drydock::program {
 
 namespace {
 
 void add_probe(CLI::App& app, Command& command) {
   struct Arguments {
-    ProbeOptions options;
+    probe::ProbeOptions options;
     bool all = false;
   };
   auto a = std::make_shared<Arguments>();
@@ -41,10 +41,10 @@ void add_probe(CLI::App& app, Command& command) {
   sub->add_flag("--json", a->options.json, "one JSON object instead of text");
   sub->callback([a, &command] {
     command = [a] {
-      if (a->all) return probe_all("/", a->options.json, stdout);
-      if (!a->options.link.empty()) return probe(a->options, stdout, stderr);
+      if (a->all) return probe::probe_all("/", a->options.json, stdout);
+      if (!a->options.link.empty()) return probe::probe(a->options, stdout, stderr);
       fmt::print(stderr, "probe: give a LINK, or --all\n");
-      return exit_usage;
+      return terminal::exit_usage;
     };
   });
 }
@@ -60,7 +60,7 @@ std::vector<std::unique_ptr<device::Device>> devices_of(const rig_config::Rig& r
 
 void add_monitor(CLI::App& app, Command& command) {
   struct Arguments {
-    MonitorOptions options;
+    monitor::MonitorOptions options;
     bool bus = false;
   };
   auto a = std::make_shared<Arguments>();
@@ -74,9 +74,9 @@ void add_monitor(CLI::App& app, Command& command) {
   sub->add_option("SOURCE", a->options.link,
                   "rig file (TOML), or link URI: its sensors are found by probing")
       ->required();
-  auto* protocol =
-      sub->add_option("--protocol", a->options.protocol,
-                      "of a link: each message as a JSON line; one of " + decode_protocols());
+  auto* protocol = sub->add_option(
+      "--protocol", a->options.protocol,
+      "of a link: each message as a JSON line; one of " + decode::decode_protocols());
   auto* once = sub->add_flag("--once", a->options.once,
                              "one table, as soon as all stream; exit 1 when one does not");
   auto* json =
@@ -90,11 +90,11 @@ void add_monitor(CLI::App& app, Command& command) {
       ->transform(duration_text);
   sub->callback([a, &command] {
     command = [a] {
-      if (!a->options.protocol.empty()) return monitor_messages(a->options);
-      if (!is_rig(a->options.link)) return monitor_link(a->options);
+      if (!a->options.protocol.empty()) return monitor::monitor_messages(a->options);
+      if (!is_rig(a->options.link)) return monitor::monitor_link(a->options);
       const auto rig = load_rig(a->options.link);
-      return a->bus ? monitor_bus(rig, a->options)
-                    : monitor_devices(devices_of(rig), rig.name, a->options);
+      return a->bus ? monitor::monitor_bus(rig, a->options)
+                    : monitor::monitor_devices(devices_of(rig), rig.name, a->options);
     };
   });
 }
@@ -112,7 +112,8 @@ void add_doctor(CLI::App& app, Command& command) {
   sub->add_flag("--json", a->json, "one JSON object instead of text");
   sub->callback([a, &command] {
     command = [a] {
-      return doctor(a->rig.empty() ? Needs{} : needs_of(load_rig(a->rig)), a->json, stdout);
+      return doctor::doctor(a->rig.empty() ? doctor::Needs{} : doctor::needs_of(load_rig(a->rig)),
+                            a->json, stdout);
     };
   });
 }
@@ -155,4 +156,4 @@ void add_field_commands(CLI::App& app, Command& command) {
   add_man(app, command);
 }
 
-}  // namespace drydock::cli
+}  // namespace drydock::program

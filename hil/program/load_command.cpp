@@ -3,12 +3,12 @@
 #include "hil/endurance/load_run.hpp"
 #include "hil/program/commands.hpp"
 
-namespace drydock::cli {
+namespace drydock::program {
 
 void add_load_command(CLI::App& app, Command& command) {
   struct Arguments {
     std::string rig;
-    LoadOptions options;
+    endurance::LoadOptions options;
   };
   auto a = std::make_shared<Arguments>();
   auto* sub = app.add_subcommand(
@@ -20,8 +20,8 @@ void add_load_command(CLI::App& app, Command& command) {
       ->check(CLI::PositiveNumber);
   sub->add_option("--json", a->options.json, "write figures and verdict to this file");
   sub->callback([a, &command] {
-    command = [a] { return load_run(load_rig(a->rig), a->options, stdout, stderr); };
+    command = [a] { return endurance::load_run(load_rig(a->rig), a->options, stdout, stderr); };
   });
 }
 
-}  // namespace drydock::cli
+}  // namespace drydock::program

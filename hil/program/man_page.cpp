@@ -4,7 +4,7 @@
 
 #include <sstream>
 
-namespace drydock::cli {
+namespace drydock::program {
 namespace {
 
 /// Text as roff takes it for itself: hyphens that are typed, backslashes, lines that would begin
@@ -98,4 +98,4 @@ std::string man_page(const CLI::App& app, const std::string& version) {
   return text.append(tail);
 }
 
-}  // namespace drydock::cli
+}  // namespace drydock::program

@@ -7,7 +7,7 @@
 #include "drivers/recordings/record/selection.hpp"
 #include "hil/program/commands.hpp"
 
-namespace drydock::cli {
+namespace drydock::program {
 
 /// --only, --from, --to: the same for every command on a recording.
 struct PartArguments {
@@ -32,4 +32,4 @@ struct PartArguments {
   }
 };
 
-}  // namespace drydock::cli
+}  // namespace drydock::program

@@ -3,10 +3,10 @@
 #include "hil/program/commands.hpp"
 #include "hil/proxy/run_proxy.hpp"
 
-namespace drydock::cli {
+namespace drydock::program {
 
 void add_proxy_command(CLI::App& app, Command& command) {
-  auto options = std::make_shared<ProxyCommandOptions>();
+  auto options = std::make_shared<proxy::ProxyCommandOptions>();
   auto* sub = app.add_subcommand(
       "proxy", "Pass a real device's link on to a virtual one, with faults between");
   sub->footer(
@@ -33,8 +33,9 @@ void add_proxy_command(CLI::App& app, Command& command) {
   sub->add_option("--for", options->duration_s, "how long: 60s, 10min; default until Ctrl-C")
       ->transform(duration_text);
   sub->add_flag("--json", options->json, "the summary as one JSON object");
-  sub->callback(
-      [options, &command] { command = [options] { return proxy(*options, stdout, stderr); }; });
+  sub->callback([options, &command] {
+    command = [options] { return proxy::proxy(*options, stdout, stderr); };
+  });
 }
 
-}  // namespace drydock::cli
+}  // namespace drydock::program

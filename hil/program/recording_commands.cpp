@@ -10,7 +10,7 @@
 #include "hil/program/part_arguments.hpp"
 #include "hil/replay/recording_progress.hpp"
 
-namespace drydock::cli {
+namespace drydock::program {
 
 namespace {
 
@@ -19,14 +19,14 @@ constexpr double degree = std::numbers::pi / 180;
 struct ExportArguments {
   PartArguments part;
   std::vector<std::string> to;
-  ExportOptions options;
+  recordings::ExportOptions options;
 };
 
 /// `--to pcapng --to 25s`: a format, and where the part ends.
 void read_to(ExportArguments& a) {
   bool has_format = false;
   for (const auto& word : a.to) {
-    if (const auto seconds = parse_duration(word)) {
+    if (const auto seconds = terminal::parse_duration(word)) {
       a.part.to_s = *seconds;
       continue;
     }
@@ -62,22 +62,24 @@ void add_export(CLI::App& app, Command& command) {
   sub->callback([a, &command] {
     read_to(*a);
     command = [a] {
-      RecordingProgress progress("export", stderr);
+      replay::RecordingProgress progress("export", stderr);
       a->options.part = a->part.selection();
-      return export_recording(a->options, std::ref(progress), stderr);
+      return recordings::export_recording(a->options, std::ref(progress), stderr);
     };
   });
 }
 
 void add_recover(CLI::App& app, Command& command) {
-  auto options = std::make_shared<RecoverOptions>();
+  auto options = std::make_shared<recordings::RecoverOptions>();
   auto* sub = app.add_subcommand("recover", "Make a cut or damaged recording whole again");
   sub->footer("Example: drydock recover dive.mcap -o dive-whole.mcap");
   sub->add_option("RECORDING", options->recording, "recording (MCAP), of whatever program")
       ->required();
   sub->add_option("-o,--output", options->output, "default NAME-recovered.mcap, here");
   sub->add_flag("--overwrite", options->overwrite, "replace what is there");
-  sub->callback([options, &command] { command = [options] { return recover(*options, stderr); }; });
+  sub->callback([options, &command] {
+    command = [options] { return recordings::recover(*options, stderr); };
+  });
 }
 
 struct CutArguments {
@@ -86,7 +88,7 @@ struct CutArguments {
   std::string start_at;
   bool move = false;
   std::vector<double> place_deg{0, -30};  ///< open Atlantic
-  CutOptions options;
+  recordings::CutOptions options;
 };
 
 void add_privacy(CLI::App& sub, CutArguments& a) {
@@ -109,7 +111,7 @@ void read_privacy(CutArguments& a) {
   auto& slice = a.options.slice;
   if (a.shift_s) slice.shift_time = -measurement::from_seconds(*a.shift_s);
   if (!a.start_at.empty()) {
-    slice.start_at = parse_utc(a.start_at);
+    slice.start_at = recordings::parse_utc(a.start_at);
     if (!slice.start_at)
       throw CLI::ValidationError("--start-at",
                                  "'" + a.start_at + "' is no time; allowed: 2020-01-01T00:00:00Z");
@@ -138,15 +140,15 @@ void add_cut(CLI::App& app, Command& command) {
   sub->callback([a, &command] {
     read_privacy(*a);
     command = [a] {
-      RecordingProgress progress("cut", stderr);
+      replay::RecordingProgress progress("cut", stderr);
       a->options.slice.part = a->part.selection();
-      return cut(a->options, std::ref(progress), stderr);
+      return recordings::cut(a->options, std::ref(progress), stderr);
     };
   });
 }
 
 void add_bisect(CLI::App& app, Command& command) {
-  auto options = std::make_shared<BisectOptions>();
+  auto options = std::make_shared<recordings::BisectOptions>();
   auto* sub = app.add_subcommand("bisect", "The smallest part of a recording that still fails");
   sub->footer(
       "Example: drydock bisect dive.mcap --run './my_navigation --input {}' -o smallest.mcap");
@@ -158,8 +160,8 @@ void add_bisect(CLI::App& app, Command& command) {
   sub->add_flag("--overwrite", options->overwrite, "replace what is there");
   sub->callback([options, &command] {
     command = [options] {
-      RecordingProgress progress("bisect", stderr);
-      return bisect(*options, std::ref(progress), stderr);
+      replay::RecordingProgress progress("bisect", stderr);
+      return recordings::bisect(*options, std::ref(progress), stderr);
     };
   });
 }
@@ -173,4 +175,4 @@ void add_recording_commands(CLI::App& app, Command& command) {
   add_bisect(app, command);
 }
 
-}  // namespace drydock::cli
+}  // namespace drydock::program

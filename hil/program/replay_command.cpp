@@ -8,13 +8,13 @@
 #include "hil/program/part_arguments.hpp"
 #include "hil/replay/replay_rig.hpp"
 
-namespace drydock::cli {
+namespace drydock::program {
 
 namespace {
 
 struct ReplayArguments {
-  ReplayOptions capture;
-  RigReplayOptions recording;
+  decode::ReplayOptions capture;
+  replay::RigReplayOptions recording;
   PartArguments part;
   std::string speed;
 };
@@ -49,7 +49,7 @@ void add_recording_options(CLI::App& sub, ReplayArguments& a) {
   add_serve(sub, r.serve, "; speed 1 unless given");
 }
 
-void add_capture_options(CLI::App& sub, ReplayOptions& c) {
+void add_capture_options(CLI::App& sub, decode::ReplayOptions& c) {
   const std::string group = "A capture without a rig";
   sub.add_option("--protocol", c.protocol, "what the sensor speaks, as in a rig file")
       ->group(group);
@@ -58,8 +58,9 @@ void add_capture_options(CLI::App& sub, ReplayOptions& c) {
       ->group(group);
   sub.add_option("--baud", c.baud, "of the recorded line, where the file holds bytes")
       ->group(group);
-  sub.add_option("--format", c.format,
-                 "the file's format, where its content does not tell: one of " + decode_formats())
+  sub.add_option(
+         "--format", c.format,
+         "the file's format, where its content does not tell: one of " + decode::decode_formats())
       ->group(group);
   sub.add_option("--interface", c.interface, "of a CAN capture; default all")->group(group);
   sub.add_option("--address", c.address, "on the bus; default the first seen")->group(group);
@@ -131,14 +132,14 @@ void add_replay_command(CLI::App& app, Command& command) {
   sub->callback([a, sub, &command] {
     a->recording.quiet = a->capture.quiet;
     a->recording.recording = a->capture.capture;
-    if (is_recording(a->capture.capture)) {
+    if (replay::is_recording(a->capture.capture)) {
       read_recording(*a);
-      command = [a] { return replay_rig(a->recording, stdin, stdout, stderr); };
+      command = [a] { return replay::replay_rig(a->recording, stdin, stdout, stderr); };
     } else {
       read_capture(*sub, *a);
-      command = [a] { return replay(a->capture, stdout, stderr); };
+      command = [a] { return decode::replay(a->capture, stdout, stderr); };
     }
   });
 }
 
-}  // namespace drydock::cli
+}  // namespace drydock::program

@@ -15,7 +15,7 @@
 #include "hil/program/commands.hpp"
 #include "rig_config/load.hpp"
 
-namespace drydock::cli {
+namespace drydock::program {
 
 namespace {
 
@@ -37,7 +37,7 @@ void apply_environment(rig_config::Rig& rig) {
 }  // namespace
 
 rig_config::Rig load_rig(const std::string& path) {
-  auto rig = rig_config::load_rig(path, load_options());
+  auto rig = rig_config::load_rig(path, check::load_options());
   if (rig) {
     apply_environment(*rig);
     return std::move(*rig);
@@ -46,7 +46,7 @@ rig_config::Rig load_rig(const std::string& path) {
   throw BadRig{};
 }
 
-void add_serve(CLI::App& sub, ServeOptions& serve, const std::string& more) {
+void add_serve(CLI::App& sub, host::ServeOptions& serve, const std::string& more) {
   sub.add_option("--serve", serve.address,
                  "a page for browsers and the Foxglove protocol at PORT or ADDRESS:PORT; default "
                  "127.0.0.1:8765" +
@@ -63,24 +63,24 @@ void add_faults_option(CLI::App* sub, std::string& file) {
   sub->add_option("--faults", file, "file of blocks [[fault]], beside those of the rig");
 }
 
-void add_allow_faults(CLI::App& sub, ServeOptions& serve) {
+void add_allow_faults(CLI::App& sub, host::ServeOptions& serve) {
   sub.add_flag("--allow-faults", serve.allow_faults,
                "viewers may set and clear faults of the emulated devices: docs/live.md")
       ->needs("--serve");
 }
 
 /// The devices are played by another program, which is asked; for who drives them.
-BehindPage faults_behind_page(const rig_config::Rig& rig) {
-  return
-      [&rig](const boost::asio::any_io_executor& executor, RigViewer& viewer, Watchers& watchers) {
-        const auto remote = std::make_shared<RemoteFaults>(executor, rig, watchers);
-        viewer.add(fault_services(
-            rig, [remote](const auto& order, auto answered) { remote->obey(order, answered); }));
-        return [remote](measurement::Stamp now) { remote->tick(now); };
-      };
+host::BehindPage faults_behind_page(const rig_config::Rig& rig) {
+  return [&rig](const boost::asio::any_io_executor& executor, host::RigViewer& viewer,
+                host::Watchers& watchers) {
+    const auto remote = std::make_shared<control::RemoteFaults>(executor, rig, watchers);
+    viewer.add(control::fault_services(
+        rig, [remote](const auto& order, auto answered) { remote->obey(order, answered); }));
+    return [remote](measurement::Stamp now) { remote->tick(now); };
+  };
 }
 
-void add_overwrite(CLI::App* sub, RecordOptions& record) {
+void add_overwrite(CLI::App* sub, host::RecordOptions& record) {
   sub->add_flag("--overwrite", record.overwrite, "replace what is there");
 }
 
@@ -88,7 +88,7 @@ void add_run(CLI::App& app, Command& command) {
   struct Arguments {
     std::string rig, faults, speed = "1";
     std::optional<std::uint64_t> seed;
-    RunOptions options;
+    bench::RunOptions options;
   };
   auto a = std::make_shared<Arguments>();
   auto* sub =
@@ -123,12 +123,12 @@ void add_run(CLI::App& app, Command& command) {
   sub->callback([a, &command] {
     command = [a] {
       auto rig = load_rig(a->rig);
-      add_faults(rig, a->faults);
+      control::add_faults(rig, a->faults);
       if (a->seed) rig.seed = *a->seed;
       a->options.lockstep = a->speed == "max";
       if (a->options.lockstep && !a->options.serve.address.empty())
         throw CLI::ValidationError("--serve", "shows a run in real time, not with --speed max");
-      return run(rig, a->options);
+      return bench::run(rig, a->options);
     };
   });
 }
@@ -149,8 +149,8 @@ void add_emulate(CLI::App& app, Command& command) {
   sub->callback([a, &command] {
     command = [a] {
       auto rig = load_rig(a->rig);
-      add_faults(rig, a->faults);
-      return emulate(rig, a->duration_s);
+      control::add_faults(rig, a->faults);
+      return bench::emulate(rig, a->duration_s);
     };
   });
 }
@@ -161,7 +161,7 @@ void add_drive_command(CLI::App& app, Command& command, const std::string& name,
                        const std::string& output) {
   struct Arguments {
     std::string rig;
-    DriveOptions options;
+    host::DriveOptions options;
   };
   auto a = std::make_shared<Arguments>();
   auto* sub = app.add_subcommand(name, description);
@@ -178,7 +178,7 @@ void add_drive_command(CLI::App& app, Command& command, const std::string& name,
     command = [a] {
       const auto rig = load_rig(a->rig);
       if (a->options.serve.allow_faults) a->options.behind_page = faults_behind_page(rig);
-      return drive(rig, a->options);
+      return host::drive(rig, a->options);
     };
   });
 }
@@ -186,7 +186,7 @@ void add_drive_command(CLI::App& app, Command& command, const std::string& name,
 void add_estimate(CLI::App& app, Command& command) {
   struct Arguments {
     std::string rig;
-    EstimateOptions options;
+    host::EstimateOptions options;
   };
   auto a = std::make_shared<Arguments>();
   auto* sub = app.add_subcommand("estimate", "Estimators of a rig on the measurements of the bus");
@@ -199,7 +199,7 @@ void add_estimate(CLI::App& app, Command& command) {
       ->transform(duration_text);
   sub->add_flag("--json", a->options.json_lines, "every estimate as a JSON line");
   sub->callback(
-      [a, &command] { command = [a] { return estimate(load_rig(a->rig), a->options); }; });
+      [a, &command] { command = [a] { return host::estimate(load_rig(a->rig), a->options); }; });
 }
 
 void add_check(CLI::App& app, Command& command) {
@@ -207,7 +207,7 @@ void add_check(CLI::App& app, Command& command) {
   auto* sub = app.add_subcommand("check", "Check rig, mission, sensor and vehicle files");
   sub->footer("Example: drydock check rig_config/rigs/*.toml");
   sub->add_option("FILES", *files, "TOML files")->required();
-  sub->callback([files, &command] { command = [files] { return check(*files, stdout); }; });
+  sub->callback([files, &command] { command = [files] { return check::check(*files, stdout); }; });
 }
 
 }  // namespace
@@ -224,4 +224,4 @@ void add_rig_commands(CLI::App& app, Command& command) {
   add_check(app, command);
 }
 
-}  // namespace drydock::cli
+}  // namespace drydock::program

@@ -4,7 +4,7 @@
 
 #include "hil/scorecard/scorecard.hpp"
 
-namespace drydock::cli {
+namespace drydock::program {
 
 void add_scorecard_command(CLI::App& app, Command& command) {
   struct Arguments {
@@ -55,4 +55,4 @@ void add_scorecard_command(CLI::App& app, Command& command) {
   });
 }
 
-}  // namespace drydock::cli
+}  // namespace drydock::program

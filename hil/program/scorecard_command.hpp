@@ -2,9 +2,9 @@
 
 #include "hil/program/commands.hpp"
 
-namespace drydock::cli {
+namespace drydock::program {
 
 /// scorecard: what every fault does to every device.
 void add_scorecard_command(CLI::App& app, Command& command);
 
-}  // namespace drydock::cli
+}  // namespace drydock::program

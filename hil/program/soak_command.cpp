@@ -3,12 +3,12 @@
 #include "hil/endurance/soak.hpp"
 #include "hil/program/commands.hpp"
 
-namespace drydock::cli {
+namespace drydock::program {
 
 void add_soak_command(CLI::App& app, Command& command) {
   struct Arguments {
     std::string rig;
-    SoakOptions options;
+    endurance::SoakOptions options;
   };
   auto arguments = std::make_shared<Arguments>();
   auto& options = arguments->options;
@@ -26,8 +26,10 @@ void add_soak_command(CLI::App& app, Command& command) {
   sub->add_option("--json", options.json, "write summary, faults and troubles to this file");
   sub->add_option("--report", options.report, "write index.html with the memory plot here");
   sub->callback([arguments, &command] {
-    command = [arguments] { return soak(load_rig(arguments->rig), arguments->options, stdout); };
+    command = [arguments] {
+      return endurance::soak(load_rig(arguments->rig), arguments->options, stdout);
+    };
   });
 }
 
-}  // namespace drydock::cli
+}  // namespace drydock::program

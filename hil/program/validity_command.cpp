@@ -3,12 +3,12 @@
 #include "hil/program/commands.hpp"
 #include "hil/validity/run/validity.hpp"
 
-namespace drydock::cli {
+namespace drydock::program {
 
 void add_validity_command(CLI::App& app, Command& command) {
   struct Arguments {
     std::string rig, speed = "1";
-    ValidityOptions options;
+    validity::ValidityOptions options;
   };
   auto a = std::make_shared<Arguments>();
   auto* sub = app.add_subcommand(
@@ -29,9 +29,9 @@ void add_validity_command(CLI::App& app, Command& command) {
   sub->callback([a, &command] {
     command = [a] {
       a->options.lockstep = a->speed == "max";
-      return measure_validity(load_rig(a->rig), a->options);
+      return validity::measure_validity(load_rig(a->rig), a->options);
     };
   });
 }
 
-}  // namespace drydock::cli
+}  // namespace drydock::program

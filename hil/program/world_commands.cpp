@@ -8,13 +8,13 @@
 #include "hil/world/sensor.hpp"
 #include "hil/world/sky.hpp"
 
-namespace drydock::cli {
+namespace drydock::program {
 
 namespace {
 
 const CLI::Validator instant_text(
     [](std::string& text) {
-      if (parse_instant(text)) return std::string{};
+      if (world::parse_instant(text)) return std::string{};
       return fmt::format(
           "'{}' is no instant; allowed: 2010-07-01T12:00:00Z (UTC) or '2010-07-01T12:00:00 GPS'",
           text);
@@ -22,14 +22,14 @@ const CLI::Validator instant_text(
     "TIME");
 const CLI::Validator place_text(
     [](std::string& text) {
-      if (parse_place(text)) return std::string{};
+      if (world::parse_place(text)) return std::string{};
       return fmt::format("'{}' is no place; allowed: latitude,longitude[,height] in deg and m",
                          text);
     },
     "LAT,LON,H");
 
 void add_sky(CLI::App& app, Command& command) {
-  auto options = std::make_shared<SkyOptions>();
+  auto options = std::make_shared<world::SkyOptions>();
   auto* sub = app.add_subcommand("sky", "GPS satellites of a broadcast ephemeris at one instant");
   sub->footer(
       "Example: drydock sky --ephemeris fixtures/rinex/walker.rnx --at 2026-11-21T09:00:00Z \\\n"
@@ -46,12 +46,13 @@ void add_sky(CLI::App& app, Command& command) {
                    ->check(place_text);
   sub->add_flag("--json", options->json, "JSON instead of a table");
   sub->add_option("--plot", options->plot, "write a sky plot to this SVG file")->needs(from);
-  sub->callback(
-      [options, &command] { command = [options] { return show_sky(*options, stdout, stderr); }; });
+  sub->callback([options, &command] {
+    command = [options] { return world::show_sky(*options, stdout, stderr); };
+  });
 }
 
 void add_sensor(CLI::App& app, Command& command) {
-  auto options = std::make_shared<SensorOptions>();
+  auto options = std::make_shared<world::SensorOptions>();
   auto* sub = app.add_subcommand("sensor", "Allan deviation of an inertial unit of a grade");
   sub->footer(
       "Example: drydock sensor rig_config/sensors/xsens-mti-630.toml --for 5h --allan allan.svg");
@@ -64,12 +65,12 @@ void add_sensor(CLI::App& app, Command& command) {
   sub->add_flag("--json", options->json, "JSON instead of a table");
   sub->add_option("--allan", options->allan, "write a plot to this SVG file");
   sub->callback([options, &command] {
-    command = [options] { return show_sensor(*options, stdout, stderr); };
+    command = [options] { return world::show_sensor(*options, stdout, stderr); };
   });
 }
 
 void add_maneuver(CLI::App& app, Command& command) {
-  auto options = std::make_shared<ManeuverOptions>();
+  auto options = std::make_shared<world::ManeuverOptions>();
   auto* sub = app.add_subcommand("maneuver", "Standard manoeuvres of a vehicle, and their figures");
   sub->footer(
       "Example: drydock maneuver rig_config/vehicles/nps-auv-ii.toml turning-circle --plot "
@@ -108,17 +109,17 @@ void add_maneuver(CLI::App& app, Command& command) {
   sub->callback([=, &command] {
     if (kind->empty() && schedule->empty())
       throw CLI::ValidationError("MANEUVER", "a manoeuvre or --schedule is needed");
-    command = [options] { return maneuver(*options, stdout, stderr); };
+    command = [options] { return world::maneuver(*options, stdout, stderr); };
   });
 }
 
 void add_study(CLI::App& app, Command& command) {
-  auto options = std::make_shared<StudyOptions>();
+  auto options = std::make_shared<study::StudyOptions>();
   auto* sub =
       app.add_subcommand("study", "A paper's experiment again: its figures beside ours, many runs");
-  sub->footer("Studies: " + study_names() +
+  sub->footer("Studies: " + study::study_names() +
               "\nExample: drydock study leveling --runs 100 --json leveling.json --report out");
-  sub->add_option("NAME", options->name, "which: " + study_names())->required();
+  sub->add_option("NAME", options->name, "which: " + study::study_names())->required();
   sub->add_option("--runs", options->campaign.runs, "of the Monte Carlo experiment")
       ->check(CLI::Range(std::size_t{1}, std::size_t{1'000'000}))
       ->capture_default_str();
@@ -134,8 +135,9 @@ void add_study(CLI::App& app, Command& command) {
                   "roll: GPS navigation file in place of that of 2010-07-01");
   sub->add_option("--json", options->json, "write the figures to this file");
   sub->add_option("--report", options->report, "write index.html with plots into this folder");
-  sub->callback(
-      [options, &command] { command = [options] { return run_study(*options, stdout, stderr); }; });
+  sub->callback([options, &command] {
+    command = [options] { return study::run_study(*options, stdout, stderr); };
+  });
 }
 
 }  // namespace
@@ -147,4 +149,4 @@ void add_world_commands(CLI::App& app, Command& command) {
   add_study(app, command);
 }
 
-}  // namespace drydock::cli
+}  // namespace drydock::program

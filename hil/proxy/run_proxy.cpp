@@ -15,7 +15,7 @@
 #include "hil/proxy/proxy.hpp"
 #include "rig_config/load.hpp"
 
-namespace drydock::cli {
+namespace drydock::proxy {
 
 namespace {
 
@@ -163,7 +163,7 @@ int run(const ProxyCommandOptions& o, std::FILE* out, std::FILE* err) {
   const Uri real = side_of(o.real, "REAL"), virt = side_of(o.virt, "VIRTUAL");
   check_sides(real, virt);
   auto rig = rig_of(o, real);
-  if (!add_faults(rig, virt, o.faults, err)) return exit_usage;
+  if (!add_faults(rig, virt, o.faults, err)) return terminal::exit_usage;
 
   boost::asio::io_context io{1};
   fault::Schedules schedules(rig, link::now(), rig_config::FaultTarget::proxied);
@@ -174,7 +174,7 @@ int run(const ProxyCommandOptions& o, std::FILE* out, std::FILE* err) {
   const auto proxy = proxy::Proxy::start(
       io, {real, virt, rig.devices.front(), schedules.of(o.device), rig.seed, say});
 
-  UntilStopped until(io, o.duration_s, [&] { proxy->finish(); });
+  io::UntilStopped until(io, o.duration_s, [&] { proxy->finish(); });
   io.run();
   if (o.json)
     print_json(*proxy, out);
@@ -190,8 +190,8 @@ int proxy(const ProxyCommandOptions& options, std::FILE* out, std::FILE* err) {
     return run(options, out, err);
   } catch (const WrongUse& error) {
     fmt::print(err, "proxy: {}\n", error.what());
-    return exit_usage;
+    return terminal::exit_usage;
   }
 }
 
-}  // namespace drydock::cli
+}  // namespace drydock::proxy

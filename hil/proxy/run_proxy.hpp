@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <string>
 
-namespace drydock::cli {
+namespace drydock::proxy {
 
 struct ProxyCommandOptions {
   std::string real, virt;         ///< link URIs
@@ -21,4 +21,4 @@ struct ProxyCommandOptions {
 /// change of either side on `err`, the summary on `out`. Exit code: 0; 2 for what cannot be.
 int proxy(const ProxyCommandOptions& options, std::FILE* out, std::FILE* err);
 
-}  // namespace drydock::cli
+}  // namespace drydock::proxy

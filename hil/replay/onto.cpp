@@ -13,7 +13,7 @@
 
 #include "drivers/link/link.hpp"
 
-namespace drydock::cli {
+namespace drydock::replay {
 
 namespace asio = boost::asio;
 
@@ -234,4 +234,4 @@ std::uint64_t Onto::lost() const {
   return all;
 }
 
-}  // namespace drydock::cli
+}  // namespace drydock::replay

@@ -7,7 +7,7 @@
 
 #include "drivers/recordings/record/recording.hpp"
 
-namespace drydock::cli {
+namespace drydock::replay {
 
 /// The sensors' side of a recording for other programs: what a link once received is written to a
 /// pty, a CAN interface or another link when its time has come. What the programs send is read and
@@ -38,4 +38,4 @@ class Onto {
   std::vector<std::shared_ptr<Line>> lines_;  ///< by link of the recording; empty: not wanted
 };
 
-}  // namespace drydock::cli
+}  // namespace drydock::replay

@@ -6,13 +6,13 @@
 #include <algorithm>
 #include <boost/asio/executor_work_guard.hpp>
 
-namespace drydock::cli {
+namespace drydock::replay {
 
 namespace {
 constexpr std::chrono::milliseconds between_looks{50};  ///< at Ctrl-C
 }
 
-bool Pace::wait(measurement::Stamp at, const InterruptFlag& interrupted) {
+bool Pace::wait(measurement::Stamp at, const terminal::InterruptFlag& interrupted) {
   if (!real_time()) return !interrupted.set();
   if (!begun_) {
     begun_ = true;
@@ -30,7 +30,7 @@ bool Pace::wait(measurement::Stamp at, const InterruptFlag& interrupted) {
   return !interrupted.set();
 }
 
-bool Steps::next(const InterruptFlag& interrupted) {
+bool Steps::next(const terminal::InterruptFlag& interrupted) {
   char first = 0;
   for (bool at_start = true; !interrupted.set();) {
     pollfd ready{fileno(in_), POLLIN, 0};
@@ -43,4 +43,4 @@ bool Steps::next(const InterruptFlag& interrupted) {
   return false;
 }
 
-}  // namespace drydock::cli
+}  // namespace drydock::replay

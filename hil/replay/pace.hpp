@@ -7,7 +7,7 @@
 #include "drivers/measurement/stamp.hpp"
 #include "drivers/terminal/interrupt_flag.hpp"
 
-namespace drydock::cli {
+namespace drydock::replay {
 
 /// When the next of a recording's events has its turn: at once, or `speed` times as fast as it was.
 /// Due times count from the first, so that lateness does not add up. What waits in the io_context,
@@ -19,7 +19,7 @@ class Pace {
 
   bool real_time() const { return speed_ > 0; }
   /// False: `interrupted` became true while waiting.
-  bool wait(measurement::Stamp at, const InterruptFlag& interrupted);
+  bool wait(measurement::Stamp at, const terminal::InterruptFlag& interrupted);
 
  private:
   using Clock = std::chrono::steady_clock;
@@ -35,10 +35,10 @@ class Pace {
 class Steps {
  public:
   explicit Steps(std::FILE* in) : in_(in) {}
-  bool next(const InterruptFlag& interrupted);  ///< false: no more
+  bool next(const terminal::InterruptFlag& interrupted);  ///< false: no more
 
  private:
   std::FILE* in_;
 };
 
-}  // namespace drydock::cli
+}  // namespace drydock::replay

@@ -10,7 +10,7 @@
 #include "drivers/recordings/record/player.hpp"
 #include "rig_config/load.hpp"
 
-namespace drydock::cli {
+namespace drydock::replay {
 
 namespace {
 
@@ -73,4 +73,4 @@ std::filesystem::path RecordedRig::write_out(const std::vector<mcap::Attachment>
   return beside / rig_name;
 }
 
-}  // namespace drydock::cli
+}  // namespace drydock::replay

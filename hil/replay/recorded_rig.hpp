@@ -7,7 +7,7 @@
 #include "drivers/recordings/record/recording.hpp"
 #include "rig_config/rig.hpp"
 
-namespace drydock::cli {
+namespace drydock::replay {
 
 /// The rig file of a recording and the files it names, written out of the attachments into a
 /// temporary folder as they lay beside each other, and read from there. The folder lives as long.
@@ -32,4 +32,4 @@ class RecordedRig {
   std::string trouble_;
 };
 
-}  // namespace drydock::cli
+}  // namespace drydock::replay

@@ -5,7 +5,7 @@
 
 #include "drivers/terminal/progress_bar.hpp"
 
-namespace drydock::cli {
+namespace drydock::replay {
 
 namespace {
 constexpr std::chrono::milliseconds not_worth_a_bar{500}, between_drawings{100};
@@ -19,15 +19,15 @@ RecordingProgress::RecordingProgress(std::string what, std::FILE* out)
 
 RecordingProgress::~RecordingProgress() {
   if (!drawn_) return;
-  fmt::print(out_, "{}", wipe_line);
+  fmt::print(out_, "{}", terminal::wipe_line);
   std::fflush(out_);
 }
 
 bool RecordingProgress::operator()(double done) {
   constexpr unsigned between_looks = 64;  // the clock is not for every message
   if (terminal_ && calls_++ % between_looks == 0 && Clock::now() >= next_drawing_) {
-    fmt::print(out_, "{}{} {} {:.0f} %, Ctrl-C ends", wipe_line, what_, progress_bar(done),
-               100 * done);
+    fmt::print(out_, "{}{} {} {:.0f} %, Ctrl-C ends", terminal::wipe_line, what_,
+               terminal::progress_bar(done), 100 * done);
     std::fflush(out_);
     drawn_ = true;
     next_drawing_ = Clock::now() + between_drawings;
@@ -35,4 +35,4 @@ bool RecordingProgress::operator()(double done) {
   return !interrupt_.set();
 }
 
-}  // namespace drydock::cli
+}  // namespace drydock::replay

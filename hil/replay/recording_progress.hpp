@@ -6,7 +6,7 @@
 
 #include "drivers/terminal/interrupt_flag.hpp"
 
-namespace drydock::cli {
+namespace drydock::replay {
 
 /// A bar for work on one file where `out` is a terminal and it takes long, nothing elsewhere.
 /// Ctrl-C ends the work cleanly.
@@ -28,7 +28,7 @@ class RecordingProgress {
   bool terminal_, drawn_ = false;
   unsigned calls_ = 0;
   Clock::time_point next_drawing_;
-  InterruptFlag interrupt_;
+  terminal::InterruptFlag interrupt_;
 };
 
-}  // namespace drydock::cli
+}  // namespace drydock::replay

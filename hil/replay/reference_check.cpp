@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace drydock::cli {
+namespace drydock::replay {
 
 namespace {
 
@@ -104,4 +104,4 @@ std::vector<Divergence> ReferenceCheck::finish() {
   return found_;
 }
 
-}  // namespace drydock::cli
+}  // namespace drydock::replay

@@ -2,7 +2,7 @@
 
 #include "hil/replay/reference/references.hpp"
 
-namespace drydock::cli {
+namespace drydock::replay {
 
 /// Where a replay first gave something else on a topic.
 struct Divergence {
@@ -55,4 +55,4 @@ class ReferenceCheck final : public bus::CdrSink {
   std::int64_t now_ns_ = 0;  ///< the latest message's
 };
 
-}  // namespace drydock::cli
+}  // namespace drydock::replay

@@ -9,7 +9,7 @@
 #include "drivers/host/rig_bus.hpp"
 #include "estimators/setup/rig_pipeline.hpp"
 
-namespace drydock::cli {
+namespace drydock::replay {
 
 namespace {
 
@@ -17,7 +17,7 @@ constexpr std::chrono::seconds health_period{1};  // as in a run
 constexpr std::string_view faults_topic = "/drydock/faults";
 
 pipeline::Pipeline pipeline_of(const rig_config::Rig& rig, pipeline::EstimateListener& listener) {
-  auto made = pipeline::make_pipeline(pipeline_options(rig), listener);
+  auto made = pipeline::make_pipeline(setup::pipeline_options(rig), listener);
   if (!made) throw std::runtime_error(made.error().message);
   return std::move(*made);
 }
@@ -142,7 +142,7 @@ void ReplayBench::tell_health() {
   if (watchers_.all.empty()) return;
   std::vector<bus::DeviceStatus> health;
   for (const auto& actor : player_->devices())
-    health.push_back(status_of(actor->device(), actor->device().health(player_->now())));
+    health.push_back(host::status_of(actor->device(), actor->device().health(player_->now())));
   watchers_.all.note(health, player_->now());
   watchers_.all.tick(player_->now());
 }
@@ -186,4 +186,4 @@ void ReplayBench::on_innovation(const pipeline::InnovationReport& report) {
   if (!ended_) watchers_.note(report);
 }
 
-}  // namespace drydock::cli
+}  // namespace drydock::replay

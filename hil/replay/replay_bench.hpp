@@ -11,7 +11,7 @@
 #include "hil/replay/replay_lines.hpp"
 #include "hil/replay/truth_errors.hpp"
 
-namespace drydock::cli {
+namespace drydock::replay {
 
 /// What goes on beside drivers and estimators while a recording is played.
 struct ReplayOutlets {
@@ -30,7 +30,7 @@ class ReplayBench final : private device::Listener, private pipeline::EstimateLi
               const record::Selection& part, const ReplayOutlets& outlets,
               const std::vector<rig_config::FaultConfig>& faults = {});
 
-  Watchers& watchers() { return watchers_.all; }
+  host::Watchers& watchers() { return watchers_.all; }
 
   /// To the end of the part, or until Ctrl-C or the last step.
   void play(Pace& pace, const record::Watch& watch);
@@ -67,8 +67,8 @@ class ReplayBench final : private device::Listener, private pipeline::EstimateLi
   const rig_config::Rig& rig_;
   const record::Selection& part_;
   ReplayOutlets outlets_;
-  InterruptFlag interrupt_;
-  RunWatchers watchers_;
+  terminal::InterruptFlag interrupt_;
+  bench::RunWatchers watchers_;
   pipeline::Pipeline pipeline_;
   Stamp start_, next_health_;
   std::unique_ptr<record::Player> player_;
@@ -79,4 +79,4 @@ class ReplayBench final : private device::Listener, private pipeline::EstimateLi
   bool ended_ = false, stopping_ = false;
 };
 
-}  // namespace drydock::cli
+}  // namespace drydock::replay

@@ -9,7 +9,7 @@
 #include "hil/fault/wire/faulty_bus.hpp"
 #include "hil/fault/wire/faulty_stream.hpp"
 
-namespace drydock::cli {
+namespace drydock::replay {
 
 using fault::FaultyBus;
 using fault::FaultyStream;
@@ -157,4 +157,4 @@ std::vector<std::string> ReplayFaults::lines() const {
   return all;
 }
 
-}  // namespace drydock::cli
+}  // namespace drydock::replay

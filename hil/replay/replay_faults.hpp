@@ -9,7 +9,7 @@
 #include "hil/fault/fault_hits.hpp"
 #include "hil/fault/schedule/schedules.hpp"
 
-namespace drydock::cli {
+namespace drydock::replay {
 
 /// Faults between a recording and its drivers, in virtual time: what the links of the named devices
 /// received goes on as the faults let it, frame by frame while one is in force, and as it was read
@@ -55,4 +55,4 @@ class ReplayFaults {
   std::vector<Stage*> first_;  ///< by link; empty: none
 };
 
-}  // namespace drydock::cli
+}  // namespace drydock::replay

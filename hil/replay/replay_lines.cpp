@@ -5,7 +5,7 @@
 #include "drivers/text/measurement_fields.hpp"
 #include "estimators/setup/degrees.hpp"
 
-namespace drydock::cli {
+namespace drydock::replay {
 
 namespace {
 
@@ -13,15 +13,15 @@ double seconds_of(measurement::Stamp at) { return measurement::seconds(at.time_s
 
 /// Nothing where it is not known.
 std::optional<double> in_degrees(std::optional<double> angle) {
-  return angle ? std::optional(*angle * to_deg) : std::nullopt;
+  return angle ? std::optional(*angle * setup::to_deg) : std::nullopt;
 }
 
-void attitude_fields(JsonWriter& json, const pipeline::AttitudeEstimate& e) {
-  json.field("roll_deg", e.roll_rad * to_deg);
-  json.field("pitch_deg", e.pitch_rad * to_deg);
+void attitude_fields(text::JsonWriter& json, const pipeline::AttitudeEstimate& e) {
+  json.field("roll_deg", e.roll_rad * setup::to_deg);
+  json.field("pitch_deg", e.pitch_rad * setup::to_deg);
   json.field("heading_deg", in_degrees(e.yaw_rad));
-  json.field("roll_sigma_deg", std::sqrt(e.covariance(0, 0)) * to_deg);
-  json.field("pitch_sigma_deg", std::sqrt(e.covariance(1, 1)) * to_deg);
+  json.field("roll_sigma_deg", std::sqrt(e.covariance(0, 0)) * setup::to_deg);
+  json.field("pitch_sigma_deg", std::sqrt(e.covariance(1, 1)) * setup::to_deg);
 }
 
 }  // namespace
@@ -29,7 +29,7 @@ void attitude_fields(JsonWriter& json, const pipeline::AttitudeEstimate& e) {
 void ReplayLines::write(const measurement::Measurement& measurement) {
   std::visit(
       [&](const auto& m) {
-        lines_.line([&](JsonWriter& json) {
+        lines_.line([&](text::JsonWriter& json) {
           json.field("device", std::string_view(rig_.devices.at(m.origin.device).name));
           json.field("type", type_of(m));
           json.field("valid_at_s", seconds_of(m.origin.valid_at));
@@ -41,7 +41,7 @@ void ReplayLines::write(const measurement::Measurement& measurement) {
 }
 
 void ReplayLines::write(const pipeline::AttitudeEstimate& e) {
-  lines_.line([&](JsonWriter& json) {
+  lines_.line([&](text::JsonWriter& json) {
     json.field("estimator", std::string_view(rig_.estimators.at(e.estimator).name));
     json.field("valid_at_s", seconds_of(e.valid_at));
     attitude_fields(json, e);
@@ -49,11 +49,11 @@ void ReplayLines::write(const pipeline::AttitudeEstimate& e) {
 }
 
 void ReplayLines::write(const pipeline::NavigationEstimate& e) {
-  lines_.line([&](JsonWriter& json) {
+  lines_.line([&](text::JsonWriter& json) {
     json.field("estimator", std::string_view(rig_.estimators.at(e.estimator).name));
     json.field("valid_at_s", seconds_of(e.valid_at));
-    json.field("latitude_deg", e.position.latitude_rad * to_deg);
-    json.field("longitude_deg", e.position.longitude_rad * to_deg);
+    json.field("latitude_deg", e.position.latitude_rad * setup::to_deg);
+    json.field("longitude_deg", e.position.longitude_rad * setup::to_deg);
     json.field("height_m", e.position.height_m);
     json.field("position_sigma_m", std::sqrt(e.covariance(0, 0) + e.covariance(1, 1)));
     json.field("velocity_ned_mps", e.velocity_ned);
@@ -61,4 +61,4 @@ void ReplayLines::write(const pipeline::NavigationEstimate& e) {
   });
 }
 
-}  // namespace drydock::cli
+}  // namespace drydock::replay

@@ -7,7 +7,7 @@
 #include "estimators/pipeline/inertial/navigation_estimate.hpp"
 #include "rig_config/rig.hpp"
 
-namespace drydock::cli {
+namespace drydock::replay {
 
 /// Measurements and estimates of a rig as JSON Lines; angles in degrees, every digit of a number.
 class ReplayLines {
@@ -21,7 +21,7 @@ class ReplayLines {
 
  private:
   const rig_config::Rig& rig_;
-  JsonLines lines_;
+  text::JsonLines lines_;
 };
 
-}  // namespace drydock::cli
+}  // namespace drydock::replay

@@ -18,7 +18,7 @@
 #include "hil/replay/topics_watcher.hpp"
 #include "rig_config/load.hpp"
 
-namespace drydock::cli {
+namespace drydock::replay {
 
 namespace {
 
@@ -172,7 +172,8 @@ class RigReplay {
     for (std::size_t i = 0; i < rig.estimators.size(); ++i)
       fmt::print(to, "{}: {} estimates{}\n", rig.estimators[i].name, bench_->estimates()[i],
                  error_text(bench_->errors().of(i)));
-    for (const auto& note : pipeline_notes(rig, bench_->pipeline())) fmt::print(to, "{}\n", note);
+    for (const auto& note : setup::pipeline_notes(rig, bench_->pipeline()))
+      fmt::print(to, "{}\n", note);
     if (recorder_) fmt::print(to, "{}\n", recorder_->finish());
     if (onto_ && onto_->lost() > 0)
       fmt::print(to, "onto: {} reads or frames were not taken by the other side\n", onto_->lost());
@@ -203,8 +204,8 @@ class RigReplay {
   std::optional<ReferenceCheck> check_;
   std::optional<ReferenceMaker> maker_;
   std::optional<TopicsWatcher> checked_, made_;
-  std::optional<RigRecorder> recorder_;
-  std::optional<RigViewer> viewer_;
+  std::optional<host::RigRecorder> recorder_;
+  std::optional<host::RigViewer> viewer_;
   std::optional<ReplayBench> bench_;
 };
 
@@ -228,4 +229,4 @@ int replay_rig(const RigReplayOptions& options, std::FILE* in, std::FILE* out, s
   }
 }
 
-}  // namespace drydock::cli
+}  // namespace drydock::replay

@@ -11,7 +11,7 @@
 #include "drivers/host/rig_viewer.hpp"
 #include "drivers/recordings/record/selection.hpp"
 
-namespace drydock::cli {
+namespace drydock::replay {
 
 struct RigReplayOptions {
   std::string recording;  ///< MCAP
@@ -19,8 +19,8 @@ struct RigReplayOptions {
   double speed = 0;  ///< times as fast as it was; 0: at once, in lockstep
   bool step = false, quiet = false;
   std::string faults;  ///< a file of blocks [[fault]]; empty: none
-  RecordOptions record;
-  ServeOptions serve;              ///< in real time only
+  host::RecordOptions record;
+  host::ServeOptions serve;        ///< in real time only
   std::vector<std::string> onto;   ///< NAME=URI or "auto"; in real time only
   std::string check, update_refs;  ///< JSON files
   double tolerance = 0;            ///< of check, relative
@@ -35,4 +35,4 @@ bool is_recording(const std::string& path);
 /// code: 0 there were measurements and none diverged, 1 otherwise, 2 it cannot be played.
 int replay_rig(const RigReplayOptions& options, std::FILE* in, std::FILE* out, std::FILE* err);
 
-}  // namespace drydock::cli
+}  // namespace drydock::replay

@@ -4,16 +4,17 @@
 #include "drivers/host/rig_bus.hpp"
 #include "drivers/host/watcher.hpp"
 
-namespace drydock::cli {
+namespace drydock::replay {
 
 /// Gives a sink the messages of a rig's run; the truth is not among them.
-class TopicsWatcher final : public Watcher {
+class TopicsWatcher final : public host::Watcher {
  public:
   /// The sink must outlive it.
   TopicsWatcher(bus::CdrSink& sink, const rig_config::Rig& rig)
-      : topics_(sink, bus_devices(rig), estimator_names(rig), navigator_names(rig)) {}
+      : topics_(sink, host::bus_devices(rig), host::estimator_names(rig),
+                host::navigator_names(rig)) {}
 
-  using Watcher::note;
+  using host::Watcher::note;
   void note(const measurement::Measurement& m) override { topics_.publish(m); }
   void note(const bus::Attitude& a, std::size_t i) override { topics_.publish(a, i); }
   void note(const bus::Navigation& n, std::size_t i) override { topics_.publish(n, i); }
@@ -26,4 +27,4 @@ class TopicsWatcher final : public Watcher {
   bus::CdrPublisher topics_;
 };
 
-}  // namespace drydock::cli
+}  // namespace drydock::replay

@@ -10,7 +10,7 @@
 #include "estimators/pipeline/inertial/navigation_estimate.hpp"
 #include "rig_config/rig.hpp"
 
-namespace drydock::cli {
+namespace drydock::replay {
 
 /// Estimates of a replay against the truth in the recording (`/estimate/truth...`, that of an
 /// emulated vehicle). An estimate counts where there is a truth of the very same time.
@@ -22,7 +22,7 @@ class TruthErrors {
   };
 
   /// The truth goes on to `watchers`, as in the run.
-  TruthErrors(const rig_config::Rig& rig, Watchers& watchers)
+  TruthErrors(const rig_config::Rig& rig, host::Watchers& watchers)
       : watchers_(watchers), truth_index_(rig.estimators.size()), sums_(rig.estimators.size()) {}
 
   void note(const pipeline::AttitudeEstimate& estimate);
@@ -48,7 +48,7 @@ class TruthErrors {
   void compare_position(Stamp at, const frame::Position& truth);
   void keep(Stamp at, Waiting waiting);
 
-  Watchers& watchers_;
+  host::Watchers& watchers_;
   std::size_t truth_index_;
   std::vector<Sums> sums_;
   std::map<std::string, record::MessageNode> layouts_;  ///< by type
@@ -56,4 +56,4 @@ class TruthErrors {
   bus::Navigation navigation_;                          ///< its odometry comes before its fix
 };
 
-}  // namespace drydock::cli
+}  // namespace drydock::replay

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-namespace drydock::cli::html {
+namespace drydock::report::html {
 namespace {
 
 constexpr const char* style = R"(
@@ -40,7 +40,7 @@ std::string figure(const Plot& plot) {
   const auto svg = render_svg(plot);
   if (svg.empty()) {
     return fmt::format("<p class=soft>{}: no plot (is gnuplot installed?)</p>",
-                       escaped(plot.title));
+                       report::html::escaped(plot.title));
   }
   return "<figure>" + svg + "</figure>\n";
 }
@@ -50,7 +50,7 @@ std::string page(const std::string& title, const std::string& body) {
       "<!doctype html><html lang=en><meta charset=utf-8><meta name=viewport "
       "content='width=device-width,initial-scale=1'><title>Drydock: {0}</title><style>{1}</style>\n"
       "<h1>{0}</h1>{2}</html>\n",
-      escaped(title), style, body);
+      report::html::escaped(title), style, body);
 }
 
-}  // namespace drydock::cli::html
+}  // namespace drydock::report::html

@@ -5,7 +5,7 @@
 #include "hil/report/plot.hpp"
 
 /// Pages that need no script and nothing from elsewhere: readable at phone width, light and dark.
-namespace drydock::cli::html {
+namespace drydock::report::html {
 
 std::string escaped(const std::string& text);
 
@@ -15,4 +15,4 @@ std::string figure(const Plot& plot);
 /// A whole page. `body` is HTML, `title` is text.
 std::string page(const std::string& title, const std::string& body);
 
-}  // namespace drydock::cli::html
+}  // namespace drydock::report::html

@@ -11,7 +11,7 @@
 #include <limits>
 #include <memory>
 
-namespace drydock::cli {
+namespace drydock::report {
 namespace {
 
 // Colours that keep apart on paper, on a dark screen and for colour-blind readers (Okabe-Ito).
@@ -120,4 +120,4 @@ std::string render_svg(const Plot& plot) {
   return begin == std::string::npos ? std::string{} : svg.substr(begin);
 }
 
-}  // namespace drydock::cli
+}  // namespace drydock::report

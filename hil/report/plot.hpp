@@ -4,7 +4,7 @@
 
 #include "hil/study/figure.hpp"
 
-namespace drydock::cli {
+namespace drydock::report {
 
 using Series = study::Curve;
 using Plot = study::Figure;
@@ -12,4 +12,4 @@ using Plot = study::Figure;
 /// The plot as an SVG element, drawn by gnuplot. Empty when gnuplot is not there or fails.
 std::string render_svg(const Plot& plot);
 
-}  // namespace drydock::cli
+}  // namespace drydock::report

@@ -6,7 +6,7 @@
 
 #include "hil/report/html.hpp"
 
-namespace drydock::cli {
+namespace drydock::report {
 namespace {
 
 using html::escaped;
@@ -38,16 +38,18 @@ std::string line(const std::vector<std::string>& cells, const std::vector<std::s
 }  // namespace
 
 std::string to_html(const study::Table& table) {
-  std::string out = fmt::format("<h2>{}</h2>\n<div class=scroll><table><tr>", escaped(table.title));
-  for (const auto& name : table.columns) out += "<th>" + escaped(name);
+  std::string out =
+      fmt::format("<h2>{}</h2>\n<div class=scroll><table><tr>", report::html::escaped(table.title));
+  for (const auto& name : table.columns) out += "<th>" + report::html::escaped(name);
   out += "</tr>\n";
   for (const auto& row : table.rows) {
     out += "<tr>";
-    for (const auto& cell : row) out += "<td>" + escaped(cell);
+    for (const auto& cell : row) out += "<td>" + report::html::escaped(cell);
     out += "</tr>\n";
   }
   out += "</table></div>\n";
-  return table.note.empty() ? out : out + "<p class=soft>" + escaped(table.note) + "</p>\n";
+  return table.note.empty() ? out
+                            : out + "<p class=soft>" + report::html::escaped(table.note) + "</p>\n";
 }
 
 std::string to_text(const study::Table& table) {
@@ -67,4 +69,4 @@ std::string to_html(const study::Study& study, const study::Options& options,
   return html::page(std::string(study.title), body);
 }
 
-}  // namespace drydock::cli
+}  // namespace drydock::report

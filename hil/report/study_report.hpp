@@ -4,7 +4,7 @@
 
 #include "hil/study/study.hpp"
 
-namespace drydock::cli {
+namespace drydock::report {
 
 /// Columns side by side, the first to the left, the others to the right; ends with a line break.
 std::string to_text(const study::Table& table);
@@ -16,4 +16,4 @@ std::string to_html(const study::Table& table);
 std::string to_html(const study::Study& study, const study::Options& options,
                     const study::Result& result);
 
-}  // namespace drydock::cli
+}  // namespace drydock::report

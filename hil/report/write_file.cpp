@@ -5,7 +5,7 @@
 #include <fstream>
 #include <stdexcept>
 
-namespace drydock::cli {
+namespace drydock::report {
 
 void write_file(const std::filesystem::path& path, const std::string& text) {
   if (path.has_parent_path()) {
@@ -18,4 +18,4 @@ void write_file(const std::filesystem::path& path, const std::string& text) {
   if (!out) throw std::runtime_error(fmt::format("cannot write {}", path.string()));
 }
 
-}  // namespace drydock::cli
+}  // namespace drydock::report

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <set>
 
-namespace drydock::cli::scorecard {
+namespace drydock::scorecard {
 namespace {
 
 using Found = std::optional<Sign>;
@@ -103,4 +103,4 @@ std::optional<Sign> first_sign(std::size_t device, const Window& window, const R
   return first;
 }
 
-}  // namespace drydock::cli::scorecard
+}  // namespace drydock::scorecard

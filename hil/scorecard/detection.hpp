@@ -6,7 +6,7 @@
 #include "hil/scorecard/fault_amounts.hpp"
 #include "hil/scorecard/reference.hpp"
 
-namespace drydock::cli::scorecard {
+namespace drydock::scorecard {
 
 /// The first sign of a fault, in words, that the run without faults did not give.
 struct Sign {
@@ -19,4 +19,4 @@ struct Sign {
 std::optional<Sign> first_sign(std::size_t device, const Window& window, const Reference& reference,
                                const RunRecord& run);
 
-}  // namespace drydock::cli::scorecard
+}  // namespace drydock::scorecard

@@ -11,7 +11,7 @@
 #include "rig_config/fault_quantity.hpp"
 #include "rig_config/load.hpp"
 
-namespace drydock::cli::scorecard {
+namespace drydock::scorecard {
 namespace {
 
 using rig_config::DeviceConfig;
@@ -140,4 +140,4 @@ std::vector<Pair> pairs_of(const rig_config::Rig& rig, const Window& window,
   return pairs;
 }
 
-}  // namespace drydock::cli::scorecard
+}  // namespace drydock::scorecard

@@ -7,7 +7,7 @@
 #include "rig_config/rig.hpp"
 
 /// Which faults a scorecard tries, and how strong they are.
-namespace drydock::cli::scorecard {
+namespace drydock::scorecard {
 
 /// When the fault comes and goes, seconds of the run.
 struct Window {
@@ -31,4 +31,4 @@ std::vector<Pair> pairs_of(const rig_config::Rig& rig, const Window& window,
                            const std::vector<std::string>& devices,
                            const std::vector<std::string>& faults);
 
-}  // namespace drydock::cli::scorecard
+}  // namespace drydock::scorecard

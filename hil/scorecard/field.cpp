@@ -2,7 +2,7 @@
 
 #include <array>
 
-namespace drydock::cli::scorecard {
+namespace drydock::scorecard {
 namespace {
 
 using namespace measurement;
@@ -96,4 +96,4 @@ void fields_of(const Measurement& m, Stamp start, std::vector<Field>& out) {
   std::visit(Fields(start, out), m);
 }
 
-}  // namespace drydock::cli::scorecard
+}  // namespace drydock::scorecard

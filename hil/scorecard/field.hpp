@@ -7,7 +7,7 @@
 #include "drivers/measurement/measurement.hpp"
 
 /// Measurements as plain numbers, so that those of two runs can be held against each other.
-namespace drydock::cli::scorecard {
+namespace drydock::scorecard {
 
 /// What kind of number it is: under some faults another one is the truth.
 enum class Role : std::uint8_t {
@@ -29,4 +29,4 @@ struct Field {
 void fields_of(const measurement::Measurement& m, measurement::Stamp start,
                std::vector<Field>& out);
 
-}  // namespace drydock::cli::scorecard
+}  // namespace drydock::scorecard

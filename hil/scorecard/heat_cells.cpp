@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace drydock::cli::scorecard {
+namespace drydock::scorecard {
 namespace {
 
 constexpr double shortest_s = 0.05, longest_s = 40;
@@ -83,4 +83,4 @@ HeatCell nees_cell(const EstimatorScore& e) {
 
 HeatCell recover_cell(const EstimatorScore& e) { return recovery(e.recover_s, e.name); }
 
-}  // namespace drydock::cli::scorecard
+}  // namespace drydock::scorecard

@@ -4,7 +4,7 @@
 #include "hil/scorecard/score.hpp"
 
 /// Figures of a score as cells of a heat map.
-namespace drydock::cli::scorecard {
+namespace drydock::scorecard {
 
 /// "0.1", "2.4", "31": what fits a cell.
 std::string short_number(double x);
@@ -22,4 +22,4 @@ HeatCell recover_cell(const EstimatorScore& estimator);
 /// Times the error without a fault, of position where there is one and it grew more.
 double growth_of(const EstimatorScore& estimator);
 
-}  // namespace drydock::cli::scorecard
+}  // namespace drydock::scorecard

@@ -8,7 +8,7 @@
 
 #include "hil/report/html.hpp"
 
-namespace drydock::cli::scorecard {
+namespace drydock::scorecard {
 namespace {
 
 constexpr double row_px = 20, label_px = 170, panel_gap_px = 12, top_px = 96, font_px = 12;
@@ -46,9 +46,9 @@ std::string cell_svg(const HeatCell& cell, double x, double y, double width) {
                   width - 1, row_px - 1, fill_of(cell));
   if (!cell.text.empty())
     out += fmt::format("<text x='{:.1f}' y='{:.0f}' text-anchor='middle' fill='{}'>{}</text>",
-                       x + (width - 1) / 2, y + 14, ink_on(cell), html::escaped(cell.text));
+                       x + (width - 1) / 2, y + 14, ink_on(cell), report::html::escaped(cell.text));
   if (!cell.tip.empty())
-    out = fmt::format("<g><title>{}</title>{}</g>", html::escaped(cell.tip), out);
+    out = fmt::format("<g><title>{}</title>{}</g>", report::html::escaped(cell.tip), out);
   return out + "\n";
 }
 
@@ -82,12 +82,12 @@ std::string headings(const HeatMap& map, const std::vector<double>& places) {
   std::size_t column = 0;
   for (const auto& panel : map.panels) {
     out += fmt::format("<text x='{:.0f}' y='38' font-weight='600'>{}</text>\n", places[column],
-                       html::escaped(panel.title));
+                       report::html::escaped(panel.title));
     for (const auto& name : panel.columns) {
       const double x = places[column++] + map.column_px / 2;
       out += fmt::format(
           "<text x='{0:.0f}' y='{1:.0f}' transform='rotate(-40 {0:.0f} {1:.0f})'>{2}</text>\n", x,
-          top_px - 6, html::escaped(name));
+          top_px - 6, report::html::escaped(name));
     }
   }
   return out;
@@ -110,14 +110,14 @@ std::string to_svg(const HeatMap& map) {
       "font-family='system-ui,sans-serif' font-size='{2:.0f}' fill='#1b1f24'>\n"
       "<rect width='100%' height='100%' fill='#fff'/>\n"
       "<text x='8' y='16' font-size='14' font-weight='600'>{3}</text>\n",
-      width, height, font_px, html::escaped(map.title));
+      width, height, font_px, report::html::escaped(map.title));
   out += headings(map, layout.columns);
   double y = top_px;
   for (const auto& row : map.rows) {
     const bool heading = row.cells.empty();
-    out +=
-        fmt::format("<text x='8' y='{:.0f}'{}>{}</text>\n", y + 14,
-                    heading ? " font-weight='600' fill='#57606a'" : "", html::escaped(row.label));
+    out += fmt::format("<text x='8' y='{:.0f}'{}>{}</text>\n", y + 14,
+                       heading ? " font-weight='600' fill='#57606a'" : "",
+                       report::html::escaped(row.label));
     for (std::size_t i = 0; i < row.cells.size(); ++i)
       out += cell_svg(row.cells[i], layout.columns[i], y, map.column_px);
     y += row_px;
@@ -125,4 +125,4 @@ std::string to_svg(const HeatMap& map) {
   return out + "</svg>\n";
 }
 
-}  // namespace drydock::cli::scorecard
+}  // namespace drydock::scorecard

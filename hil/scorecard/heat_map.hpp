@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace drydock::cli::scorecard {
+namespace drydock::scorecard {
 
 enum class Tone : std::uint8_t {
   none,    ///< nothing to tell: an empty cell
@@ -45,4 +45,4 @@ std::string to_svg(const HeatMap& map);
 /// Where x stands between low and high by its logarithm, 0 to 1.
 double log_level(double x, double low, double high);
 
-}  // namespace drydock::cli::scorecard
+}  // namespace drydock::scorecard

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace drydock::cli::scorecard {
+namespace drydock::scorecard {
 namespace {
 
 /// A number off the line from `before` to `after`.
@@ -82,4 +82,4 @@ bool Reference::sound(std::size_t device, std::uint32_t key, const Sample& sampl
   return std::abs(difference(series, expected->value, sample.value)) <= expected->tolerance;
 }
 
-}  // namespace drydock::cli::scorecard
+}  // namespace drydock::scorecard

@@ -5,7 +5,7 @@
 
 #include "hil/scorecard/run_record.hpp"
 
-namespace drydock::cli::scorecard {
+namespace drydock::scorecard {
 
 /// The run without faults, and what it leads one to expect of the others. Noise, resolution and
 /// motion put a number off the line between its neighbours: twice the most of a whole run is
@@ -42,4 +42,4 @@ class Reference {
 /// b - a; of angles the short way round.
 double difference(const Series& series, double a, double b);
 
-}  // namespace drydock::cli::scorecard
+}  // namespace drydock::scorecard

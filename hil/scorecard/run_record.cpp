@@ -10,7 +10,7 @@
 #include "hil/bench/truth_of_rig.hpp"
 #include "hil/motion/remembered_trajectory.hpp"
 
-namespace drydock::cli::scorecard {
+namespace drydock::scorecard {
 namespace {
 
 using measurement::Stamp;
@@ -25,7 +25,7 @@ class Recorder final : private device::Listener, private pipeline::EstimateListe
   explicit Recorder(const rig_config::Rig& rig)
       : start_(measurement::stamp_from_ns(rig.start_utc_ns)),
         motion_(motion::make_trajectory(rig.mission, start_)),
-        has_truth_(truth_for_estimators(rig)),
+        has_truth_(bench::truth_for_estimators(rig)),
         bench_(rig, motion_, {*this, *this, raw_}) {
     record_.devices.resize(rig.devices.size());
     record_.estimators.resize(rig.estimators.size());
@@ -103,7 +103,7 @@ class Recorder final : private device::Listener, private pipeline::EstimateListe
         std::remainder(estimate.roll_rad - truth.roll_rad, 2 * std::numbers::pi),
         std::remainder(estimate.pitch_rad - truth.pitch_rad, 2 * std::numbers::pi)};
     ErrorAt error{since_start(estimate.valid_at),
-                  off.norm() * to_deg,
+                  off.norm() * setup::to_deg,
                   off.dot(estimate.covariance.inverse() * off) / 2,
                   {}};
     if (position)
@@ -120,7 +120,7 @@ class Recorder final : private device::Listener, private pipeline::EstimateListe
   NobodyListens raw_;
   RunRecord record_;
   std::vector<Field> fields_;
-  LockstepBench bench_;
+  bench::LockstepBench bench_;
 };
 
 }  // namespace
@@ -129,4 +129,4 @@ RunRecord record_run(const rig_config::Rig& rig, double duration_s) {
   return Recorder(rig).run(duration_s);
 }
 
-}  // namespace drydock::cli::scorecard
+}  // namespace drydock::scorecard

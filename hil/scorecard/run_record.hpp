@@ -11,7 +11,7 @@
 #include "rig_config/rig.hpp"
 
 /// What is kept of one run in lockstep, to be held against another. Times: seconds of the run.
-namespace drydock::cli::scorecard {
+namespace drydock::scorecard {
 
 struct Sample {
   double valid_s = 0, received_s = 0, value = 0;
@@ -74,4 +74,4 @@ inline constexpr double poll_s = 0.1;
 /// Runs the rig with its faults for so long. Throws as LockstepBench does.
 RunRecord record_run(const rig_config::Rig& rig, double duration_s);
 
-}  // namespace drydock::cli::scorecard
+}  // namespace drydock::scorecard

@@ -8,7 +8,7 @@
 #include "hil/scorecard/detection.hpp"
 #include "hil/scorecard/wrong_numbers.hpp"
 
-namespace drydock::cli::scorecard {
+namespace drydock::scorecard {
 namespace {
 
 /// Messages of the last moments are still on their way.
@@ -132,4 +132,4 @@ Score score_of(const rig_config::Rig& rig, const Window& window, const Pair& pai
   return score;
 }
 
-}  // namespace drydock::cli::scorecard
+}  // namespace drydock::scorecard

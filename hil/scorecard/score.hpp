@@ -7,7 +7,7 @@
 #include "hil/scorecard/fault_amounts.hpp"
 #include "hil/scorecard/reference.hpp"
 
-namespace drydock::cli::scorecard {
+namespace drydock::scorecard {
 
 /// What a fault did to one estimator.
 struct EstimatorScore {
@@ -39,4 +39,4 @@ struct Score {
 Score score_of(const rig_config::Rig& rig, const Window& window, const Pair& pair,
                const Reference& reference, const RunRecord& run);
 
-}  // namespace drydock::cli::scorecard
+}  // namespace drydock::scorecard

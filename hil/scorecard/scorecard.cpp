@@ -14,7 +14,7 @@
 #include "hil/scorecard/scorecard_report.hpp"
 #include "hil/study/run/study_progress.hpp"
 
-namespace drydock::cli::scorecard {
+namespace drydock::scorecard {
 namespace {
 
 namespace fs = std::filesystem;
@@ -81,16 +81,16 @@ int run_scorecard(const rig_config::Rig& rig, const Options& options, std::FILE*
     pairs = pairs_of(rig, options.window, options.devices, options.faults);
   } catch (const std::runtime_error& error) {
     fmt::print(errors, "scorecard: {}\n", error.what());
-    return exit_usage;
+    return terminal::exit_usage;
   }
   if (pairs.empty()) throw std::runtime_error("no device of the rig can have such a fault");
 
   study::Options campaign{.runs = pairs.size(), .seed = rig.seed, .jobs = options.jobs};
   if (campaign.jobs == 0) campaign.jobs = std::max(1U, std::thread::hardware_concurrency());
-  StudyProgress progress(errors);
+  study::StudyProgress progress(errors);
   const Scorecard card = play(rig, pairs, options, campaign, progress);
   progress.finish("scorecard of " + rig.name, card.scores.size(), campaign);
-  if (card.scores.empty()) return exit_failed;
+  if (card.scores.empty()) return terminal::exit_failed;
 
   fmt::print(out, "{}", to_text(card));
   if (!options.json.empty()) write(options.json, to_json_text(card));
@@ -99,14 +99,16 @@ int run_scorecard(const rig_config::Rig& rig, const Options& options, std::FILE*
     write(fs::path(options.report) / "heat-map.svg", overview_svg(card));
   }
   const bool complete = card.scores.size() == card.pairs;
-  if (!options.update_refs.empty() && complete) write(options.update_refs, to_json_text(card));
+  if (!options.update_refs.empty() && complete)
+    write(options.update_refs, to_json_text(card));
   if (!options.update_refs.empty() && !complete)
     fmt::print(errors, "{} is left as it is\n", options.update_refs);
-  if (!options.check.empty() && !check(card, options.check, out)) return exit_failed;
-  return complete ? 0 : exit_failed;
+  if (!options.check.empty() && !check(card, options.check, out))
+    return terminal::exit_failed;
+  return complete ? 0 : terminal::exit_failed;
 } catch (const std::runtime_error& error) {
   fmt::print(errors, "scorecard: {}\n", error.what());
-  return exit_failed;
+  return terminal::exit_failed;
 }
 
-}  // namespace drydock::cli::scorecard
+}  // namespace drydock::scorecard

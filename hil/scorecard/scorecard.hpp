@@ -7,7 +7,7 @@
 #include "hil/scorecard/score.hpp"
 
 /// `drydock scorecard`: what every fault does to every device of a rig.
-namespace drydock::cli::scorecard {
+namespace drydock::scorecard {
 
 struct Options {
   Window window;
@@ -30,4 +30,4 @@ struct Scorecard {
 int run_scorecard(const rig_config::Rig& rig, const Options& options, std::FILE* out,
                   std::FILE* errors);
 
-}  // namespace drydock::cli::scorecard
+}  // namespace drydock::scorecard

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-namespace drydock::cli::scorecard {
+namespace drydock::scorecard {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -139,4 +139,4 @@ std::vector<std::string> differences_from(const std::string& reference, const Sc
   return lines;
 }
 
-}  // namespace drydock::cli::scorecard
+}  // namespace drydock::scorecard

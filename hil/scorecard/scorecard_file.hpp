@@ -6,7 +6,7 @@
 #include "hil/scorecard/scorecard.hpp"
 
 /// The scorecard as a file: docs/scorecard.md names its keys.
-namespace drydock::cli::scorecard {
+namespace drydock::scorecard {
 
 /// A line for each pair, so that a change shows in review. Fractions have three digits.
 std::string to_json_text(const Scorecard& card);
@@ -16,4 +16,4 @@ std::string to_json_text(const Scorecard& card);
 /// reference is none, or one of another rig, seed or window.
 std::vector<std::string> differences_from(const std::string& reference, const Scorecard& card);
 
-}  // namespace drydock::cli::scorecard
+}  // namespace drydock::scorecard

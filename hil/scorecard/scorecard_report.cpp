@@ -9,7 +9,7 @@
 #include "hil/report/study_report.hpp"
 #include "hil/scorecard/heat_cells.hpp"
 
-namespace drydock::cli::scorecard {
+namespace drydock::scorecard {
 namespace {
 
 std::string seconds_or(const std::optional<double>& s, const char* otherwise) {
@@ -156,7 +156,7 @@ without faults; <b>NEES</b>: its mean, 1 is consistent.</li>
 }  // namespace
 
 std::string to_text(const Scorecard& card) {
-  std::string out = cli::to_text(table_of(card)) + "\n";
+  std::string out = report::to_text(table_of(card)) + "\n";
   for (const auto& line : totals(card)) out += line + "\n";
   return out;
 }
@@ -169,11 +169,11 @@ std::string to_html(const Scorecard& card) {
       "behind it; seed {}</p>\n<ul>",
       card.scores.size(), card.pairs, card.window.run_s(), card.window.warm_up_s,
       card.window.fault_s, card.window.after_s, card.seed);
-  for (const auto& line : totals(card)) body += "<li>" + html::escaped(line) + "</li>\n";
+  for (const auto& line : totals(card)) body += "<li>" + report::html::escaped(line) + "</li>\n";
   body += "</ul>\n" + figure_of(overview_of(card)) + meaning;
   for (const auto& device : devices_of(card))
-    body += "<h2>" + html::escaped(device) + "</h2>\n" + figure_of(map_of(card, device));
-  return html::page("scorecard of " + card.rig, body + cli::to_html(table_of(card)));
+    body += "<h2>" + report::html::escaped(device) + "</h2>\n" + figure_of(map_of(card, device));
+  return report::html::page("scorecard of " + card.rig, body + report::to_html(table_of(card)));
 }
 
-}  // namespace drydock::cli::scorecard
+}  // namespace drydock::scorecard

@@ -5,7 +5,7 @@
 #include "hil/scorecard/scorecard.hpp"
 
 /// The scorecard for people.
-namespace drydock::cli::scorecard {
+namespace drydock::scorecard {
 
 /// A table for a terminal, and what it comes to.
 std::string to_text(const Scorecard& card);
@@ -17,4 +17,4 @@ std::string to_html(const Scorecard& card);
 /// Faults against devices: the page's first heat map, as a file of its own.
 std::string overview_svg(const Scorecard& card);
 
-}  // namespace drydock::cli::scorecard
+}  // namespace drydock::scorecard

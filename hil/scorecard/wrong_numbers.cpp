@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <map>
 
-namespace drydock::cli::scorecard {
+namespace drydock::scorecard {
 namespace {
 
 using rig_config::FaultKind;
@@ -112,4 +112,4 @@ WrongNumbers wrong_numbers(const rig_config::Rig& rig, const Window& window, con
   return found;
 }
 
-}  // namespace drydock::cli::scorecard
+}  // namespace drydock::scorecard

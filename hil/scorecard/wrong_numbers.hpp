@@ -5,7 +5,7 @@
 #include "hil/scorecard/fault_amounts.hpp"
 #include "hil/scorecard/reference.hpp"
 
-namespace drydock::cli::scorecard {
+namespace drydock::scorecard {
 
 /// Who answers for a number that is not as expected: the driver, the sensor that was made to say
 /// so, or nobody, because it is true or cannot be otherwise.
@@ -24,4 +24,4 @@ struct WrongNumbers {
 WrongNumbers wrong_numbers(const rig_config::Rig& rig, const Window& window, const Pair& pair,
                            const Reference& reference, const RunRecord& run);
 
-}  // namespace drydock::cli::scorecard
+}  // namespace drydock::scorecard

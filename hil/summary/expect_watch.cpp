@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <iterator>
 
-namespace drydock::cli {
+namespace drydock::summary {
 namespace {
 
 template <class Named>
@@ -48,7 +48,8 @@ void ExpectWatch::note(const std::string& device, const device::Transition& chan
   }
 }
 
-bool ExpectWatch::concerns(const Window& w, std::size_t estimator, measurement::Stamp at) const {
+bool ExpectWatch::concerns(const Window& w, std::size_t estimator,
+                           measurement::Stamp at) const {
   return w.expect->after_s > 0 && w.expect->estimator == rig_.estimators[estimator].name &&
          measurement::seconds(at - start_) >= w.expect->after_s;
 }
@@ -127,4 +128,4 @@ void ExpectWatch::write(Summary& summary, const pipeline::Pipeline& pipeline) co
   }
 }
 
-}  // namespace drydock::cli
+}  // namespace drydock::summary

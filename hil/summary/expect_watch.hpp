@@ -8,7 +8,7 @@
 #include "hil/summary/judge.hpp"
 #include "hil/summary/scribe.hpp"
 
-namespace drydock::cli {
+namespace drydock::summary {
 
 /// Follows a run for those [[expect]] of its rig that begin some time after the start: counters
 /// from there on, states that were not expected, errors of the later estimates.
@@ -55,4 +55,4 @@ class ExpectWatch {
   std::vector<Window> windows_;  ///< one a block
 };
 
-}  // namespace drydock::cli
+}  // namespace drydock::summary

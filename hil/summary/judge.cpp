@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <string_view>
 
-namespace drydock::cli {
+namespace drydock::summary {
 namespace {
 
 using Value = std::optional<double>;
@@ -139,4 +139,4 @@ std::string to_text(const std::vector<Verdict>& verdicts) {
                            std::ranges::count(verdicts, true, &Verdict::passed), verdicts.size());
 }
 
-}  // namespace drydock::cli
+}  // namespace drydock::summary

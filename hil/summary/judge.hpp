@@ -8,7 +8,7 @@
 #include "hil/summary/verdict.hpp"
 #include "rig_config/expect.hpp"
 
-namespace drydock::cli {
+namespace drydock::summary {
 
 /// What a run came to on one expectation, from its after_s on.
 struct Findings {
@@ -25,4 +25,4 @@ std::vector<Verdict> judge(const rig_config::ExpectConfig& expect, const Finding
 /// "5 of 6 expectations met", with a line for each before it; empty without verdicts.
 std::string to_text(const std::vector<Verdict>& verdicts);
 
-}  // namespace drydock::cli
+}  // namespace drydock::summary

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace drydock::cli {
+namespace drydock::summary {
 namespace {
 
 /// Text inside an attribute: what XML 1.0 has no character for becomes a question mark.
@@ -69,4 +69,4 @@ std::string junit_of_failure(const std::string& rig, const std::string& rig_file
                            attribute(rig), attribute(rig_file), attribute(why)));
 }
 
-}  // namespace drydock::cli
+}  // namespace drydock::summary

@@ -4,7 +4,7 @@
 
 #include "hil/summary/summary.hpp"
 
-namespace drydock::cli {
+namespace drydock::summary {
 
 /// The verdicts of a run as a JUnit XML file, one testcase each, for a CI server to show.
 /// `rig_file` is named beside the lines.
@@ -14,4 +14,4 @@ std::string to_junit(const Summary& summary, const std::string& rig_file);
 std::string junit_of_failure(const std::string& rig, const std::string& rig_file,
                              const std::string& why);
 
-}  // namespace drydock::cli
+}  // namespace drydock::summary

@@ -7,7 +7,7 @@
 #include "estimators/frame/attitude.hpp"
 #include "estimators/setup/degrees.hpp"
 
-namespace drydock::cli {
+namespace drydock::summary {
 
 using Eigen::Vector2d;
 using Eigen::Vector3d;
@@ -76,7 +76,7 @@ void NavigationRecord::compare(const pipeline::NavigationEstimate& estimate,
 std::optional<NavigationError> NavigationRecord::error() const {
   if (count_ == 0) return {};
   const auto n = static_cast<double>(count_);
-  const Vector3d degrees = (angle_square_ / n).cwiseSqrt() * to_deg;
+  const Vector3d degrees = (angle_square_ / n).cwiseSqrt() * setup::to_deg;
   return NavigationError{.horizontal_rms_m = std::sqrt(horizontal_square_ / n),
                          .horizontal_max_m = horizontal_max_,
                          .horizontal_end_m = horizontal_last_,
@@ -89,4 +89,4 @@ std::optional<NavigationError> NavigationRecord::error() const {
                          .nees_position = nees_ / n};
 }
 
-}  // namespace drydock::cli
+}  // namespace drydock::summary

@@ -6,7 +6,7 @@
 #include "hil/motion/truth.hpp"
 #include "hil/summary/summary.hpp"
 
-namespace drydock::cli {
+namespace drydock::summary {
 
 /// Follows one navigation estimator: its error against the truth, and thinned curves.
 class NavigationRecord {
@@ -29,4 +29,4 @@ class NavigationRecord {
   Eigen::Vector3d angle_square_ = Eigen::Vector3d::Zero();
 };
 
-}  // namespace drydock::cli
+}  // namespace drydock::summary

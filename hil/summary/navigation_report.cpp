@@ -7,7 +7,7 @@
 
 #include "hil/report/html.hpp"
 
-namespace drydock::cli {
+namespace drydock::summary {
 namespace {
 
 std::string navigation_table(const NavigationError& e) {
@@ -30,11 +30,11 @@ std::string error_figure(const std::string& title, const char* unit, const Navig
     sigma[i] *= 3;
     if (i > error.size() / 50) largest = std::max({largest, 1.3 * std::abs(error[i]), sigma[i]});
   }
-  Plot plot{title, "time [s]", unit, {}};
+  report::Plot plot{title, "time [s]", unit, {}};
   plot.y_limit = largest;
   plot.curves.push_back({"3 sigma", t.t_s, std::move(sigma), true});
   plot.curves.push_back({"estimate - truth", t.t_s, error});
-  return html::figure(plot);
+  return report::html::figure(plot);
 }
 
 }  // namespace
@@ -43,11 +43,11 @@ std::string navigation_section(const std::optional<NavigationError>& error,
                                const NavigationTrace& t) {
   if (t.t_s.empty()) return {};
   std::string out = error ? navigation_table(*error) : "<p>No truth to compare with.</p>\n";
-  Plot track{"Track: truth and estimate", "east [m]", "north [m]", {}};
+  report::Plot track{"Track: truth and estimate", "east [m]", "north [m]", {}};
   track.equal_scales = true;
   if (error) track.curves.push_back({"truth", t.true_east_m, t.true_north_m});
   track.curves.push_back({"estimate", t.east_m, t.north_m});
-  out += html::figure(track);
+  out += report::html::figure(track);
   if (error) {
     out += error_figure("Position north: error with the filter's 3-sigma band", "m", t,
                         t.north_error_m, t.north_sigma_m);
@@ -59,7 +59,7 @@ std::string navigation_section(const std::optional<NavigationError>& error,
                           "m/s", t, t.velocity_error_mps[i], t.velocity_sigma_mps[i]);
   }
   if (!t.current_north_mps.empty())
-    out += html::figure(
+    out += report::html::figure(
         {"Current, as the filter has it",
          "time [s]",
          "m/s",
@@ -67,4 +67,4 @@ std::string navigation_section(const std::optional<NavigationError>& error,
   return out;
 }
 
-}  // namespace drydock::cli
+}  // namespace drydock::summary

@@ -4,10 +4,10 @@
 
 #include "hil/summary/summary.hpp"
 
-namespace drydock::cli {
+namespace drydock::summary {
 
 /// Error table and figures of one navigation estimator; empty where the trace is.
 std::string navigation_section(const std::optional<NavigationError>& error,
                                const NavigationTrace& trace);
 
-}  // namespace drydock::cli
+}  // namespace drydock::summary

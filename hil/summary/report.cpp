@@ -8,11 +8,11 @@
 #include "hil/summary/navigation_report.hpp"
 #include "hil/summary/summary.hpp"
 
-namespace drydock::cli {
+namespace drydock::summary {
 namespace {
 
-using html::escaped;
-using html::figure;
+using report::html::escaped;
+using report::html::figure;
 
 std::string health_table(const Summary& s) {
   std::string out =
@@ -24,15 +24,16 @@ std::string health_table(const Summary& s) {
         "<tr><td>{}<td class='left {}'>{}<td class=left>{}<td class=left>{}<td>{:.2f} Hz<td>{:.2f} "
         "Hz"
         "<td>{}<td>{}<td>{}<td>{}<td>{}<td>{}</tr>\n",
-        escaped(d.name), d.state == "streaming" ? "ok" : "bad", d.state, d.provenance,
-        escaped(d.protocol), d.rate_hz, d.nominal_rate_hz, d.messages, d.bytes_in, d.bytes_good,
-        d.bytes_skipped, d.bad_checksums, d.reopens);
+        report::html::escaped(d.name), d.state == "streaming" ? "ok" : "bad", d.state, d.provenance,
+        report::html::escaped(d.protocol), d.rate_hz, d.nominal_rate_hz, d.messages, d.bytes_in,
+        d.bytes_good, d.bytes_skipped, d.bad_checksums, d.reopens);
   }
   out += "</table></div>\n";
   for (const auto& d : s.devices) {
-    out +=
-        fmt::format("<p class=soft>{}: <code>{}</code>{}</p>\n", escaped(d.name), escaped(d.link),
-                    d.last_error.empty() ? "" : " — last error: " + escaped(d.last_error));
+    out += fmt::format(
+        "<p class=soft>{}: <code>{}</code>{}</p>\n", report::html::escaped(d.name),
+        report::html::escaped(d.link),
+        d.last_error.empty() ? "" : " — last error: " + report::html::escaped(d.last_error));
   }
   return out;
 }
@@ -60,8 +61,8 @@ std::string fault_section(const Summary& s) {
   std::string out =
       "<h2>Faults</h2>\n<div class=scroll><table><tr><th>fault<th>from<th>until</tr>\n";
   for (const auto& f : s.faults)
-    out += fmt::format("<tr><td>{}<td>{:.3f} s<td>{}</tr>\n", escaped(f.words), f.since_s,
-                       f.until_s ? fmt::format("{:.3f} s", *f.until_s) : "the end");
+    out += fmt::format("<tr><td>{}<td>{:.3f} s<td>{}</tr>\n", report::html::escaped(f.words),
+                       f.since_s, f.until_s ? fmt::format("{:.3f} s", *f.until_s) : "the end");
   return out + "</table></div>\n";
 }
 
@@ -72,8 +73,9 @@ std::string verdict_section(const Summary& s) {
       "<th class=left>verdict<th>measured<th>expected</tr>\n";
   for (const auto& v : s.verdicts) {
     out += fmt::format("<tr><td>{}<td class=left>{}<td class='left {}'>{}<td>{}<td>{}</tr>\n",
-                       escaped(v.subject), escaped(v.what), v.passed ? "ok" : "bad",
-                       v.passed ? "pass" : "fail", escaped(v.measured), escaped(v.expected));
+                       report::html::escaped(v.subject), report::html::escaped(v.what),
+                       v.passed ? "ok" : "bad", v.passed ? "pass" : "fail",
+                       report::html::escaped(v.measured), report::html::escaped(v.expected));
   }
   return out + "</table></div>\n";
 }
@@ -98,24 +100,26 @@ std::vector<double> scaled(std::vector<double> v, double by) {
 std::string axis_figures(const char* axis, const AttitudeTrace& t,
                          const std::vector<double>& estimate, const std::vector<double>& truth,
                          const std::vector<double>& sigma) {
-  Plot level{fmt::format("{}: truth and estimate", axis), "time [s]", "deg", {}};
+  report::Plot level{fmt::format("{}: truth and estimate", axis), "time [s]", "deg", {}};
   if (!truth.empty()) level.curves.push_back({"truth", t.t_s, truth});
   level.curves.push_back({"estimate", t.t_s, estimate});
-  std::string out = figure(level);
+  std::string out = report::html::figure(level);
   if (truth.empty()) return out;
-  Plot error{fmt::format("{}: error with the filter's 3-sigma band", axis), "time [s]", "deg", {}};
+  report::Plot error{
+      fmt::format("{}: error with the filter's 3-sigma band", axis), "time [s]", "deg", {}};
   // The band begins tens of degrees wide; the axis shows the error.
   error.y_limit = 1.3 * largest(difference(estimate, truth));
   error.curves.push_back({"3 sigma", t.t_s, scaled(sigma, 3), true});
   error.curves.push_back({"estimate - truth", t.t_s, difference(estimate, truth)});
-  return out + figure(error);
+  return out + report::html::figure(error);
 }
 
 std::string estimator_section(const Summary& s, std::size_t i) {
   const auto& e = s.estimators[i];
-  std::string out = fmt::format("<h2>Estimator {} <span class=soft>({})</span></h2>\n{}",
-                                escaped(e.name), escaped(e.kind), error_table(e)) +
-                    navigation_section(e.navigation, s.navigation[i]);
+  std::string out =
+      fmt::format("<h2>Estimator {} <span class=soft>({})</span></h2>\n{}",
+                  report::html::escaped(e.name), report::html::escaped(e.kind), error_table(e)) +
+      navigation_section(e.navigation, s.navigation[i]);
   const auto& t = s.traces[i];
   if (t.t_s.empty()) return out;
   out += axis_figures("Roll", t, t.roll_deg, t.true_roll_deg, t.roll_sigma_deg);
@@ -125,11 +129,11 @@ std::string estimator_section(const Summary& s, std::size_t i) {
 std::string measurement_section(const Summary& s) {
   std::string out = "<h2>Measurements, decoded from the wire</h2>\n";
   for (const auto& m : s.measurements) {
-    Plot plot{m.title, "time [s]", m.unit, {}};
+    report::Plot plot{m.title, "time [s]", m.unit, {}};
     for (std::size_t i = 0; i < m.labels.size(); ++i) {
       if (!m.t_s[i].empty()) plot.curves.push_back({m.labels[i], m.t_s[i], m.value[i]});
     }
-    if (!plot.curves.empty()) out += figure(plot);
+    if (!plot.curves.empty()) out += report::html::figure(plot);
   }
   return out;
 }
@@ -137,20 +141,21 @@ std::string measurement_section(const Summary& s) {
 std::string motion_section(const Summary& s) {
   if (s.motion.t_s.empty()) return {};
   return "<h2>The emulated vehicle</h2>\n" +
-         figure(
+         report::html::figure(
              {"Track", "east [m]", "north [m]", {{"truth", s.motion.east_m, s.motion.north_m}}}) +
-         figure({"Depth",
-                 "time [s]",
-                 "m, negative down",
-                 {{"truth", s.motion.t_s, scaled(s.motion.depth_m, -1)}}});
+         report::html::figure({"Depth",
+                               "time [s]",
+                               "m, negative down",
+                               {{"truth", s.motion.t_s, scaled(s.motion.depth_m, -1)}}});
 }
 
 std::string process_section(const Summary& s) {
   if (s.resident.t_s.size() < 2) return {};
-  return "<h2>This process</h2>\n" + figure({"Resident memory",
-                                             "time [s]",
-                                             "MB",
-                                             {{"resident", s.resident.t_s, s.resident.megabytes}}});
+  return "<h2>This process</h2>\n" +
+         report::html::figure({"Resident memory",
+                               "time [s]",
+                               "MB",
+                               {{"resident", s.resident.t_s, s.resident.megabytes}}});
 }
 
 }  // namespace
@@ -161,13 +166,14 @@ std::string to_html(const Summary& s) {
   std::string out = fmt::format(
       "<p class=soft>{}, {:.1f} s of bench time in {:.1f} s, seed {}{}</p>\n"
       "<p><span class={}>{} of {} devices streaming</span> at the end.</p>\n",
-      escaped(s.mode), s.duration_s, s.wall_s, s.seed, s.interrupted ? ", interrupted" : "",
-      streaming == s.devices.size() ? "ok" : "bad", streaming, s.devices.size());
-  for (const auto& note : s.notes) out += fmt::format("<p>{}</p>\n", escaped(note));
+      report::html::escaped(s.mode), s.duration_s, s.wall_s, s.seed,
+      s.interrupted ? ", interrupted" : "", streaming == s.devices.size() ? "ok" : "bad", streaming,
+      s.devices.size());
+  for (const auto& note : s.notes) out += fmt::format("<p>{}</p>\n", report::html::escaped(note));
   out += verdict_section(s) + fault_section(s) + "<h2>Health</h2>\n" + health_table(s);
   for (std::size_t i = 0; i < s.estimators.size(); ++i) out += estimator_section(s, i);
   out += measurement_section(s) + motion_section(s) + process_section(s);
-  return html::page(s.rig, out);
+  return report::html::page(s.rig, out);
 }
 
-}  // namespace drydock::cli
+}  // namespace drydock::summary

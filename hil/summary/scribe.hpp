@@ -11,7 +11,7 @@
 #include "hil/summary/summary.hpp"
 #include "rig_config/rig.hpp"
 
-namespace drydock::cli {
+namespace drydock::summary {
 
 /// Root-mean-square and largest error of one estimator; angles in radians in, degrees out.
 class ErrorStatistics {
@@ -82,4 +82,4 @@ class Scribe {
   ResidentTrace resident_;
 };
 
-}  // namespace drydock::cli
+}  // namespace drydock::summary

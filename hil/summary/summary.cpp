@@ -7,7 +7,7 @@
 
 #include "hil/summary/judge.hpp"
 
-namespace drydock::cli {
+namespace drydock::summary {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -159,4 +159,4 @@ std::string to_text(const Summary& s) {
   return out + to_text(s.verdicts);
 }
 
-}  // namespace drydock::cli
+}  // namespace drydock::summary

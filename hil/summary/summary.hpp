@@ -8,7 +8,7 @@
 
 #include "hil/summary/verdict.hpp"
 
-namespace drydock::cli {
+namespace drydock::summary {
 
 /// What a run was worth, as the report, the JSON file and the last lines on the terminal show it.
 struct DeviceSummary {
@@ -109,4 +109,4 @@ std::string to_text(const Summary& summary);
 /// One self-contained HTML page with health table and plots.
 std::string to_html(const Summary& summary);
 
-}  // namespace drydock::cli
+}  // namespace drydock::summary

@@ -2,7 +2,7 @@
 
 #include <string>
 
-namespace drydock::cli {
+namespace drydock::summary {
 
 /// What became of one expectation of a run.
 struct Verdict {
@@ -14,4 +14,4 @@ struct Verdict {
   int line = 0;  ///< in the rig file; 0: asked for on the command line
 };
 
-}  // namespace drydock::cli
+}  // namespace drydock::summary

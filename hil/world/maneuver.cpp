@@ -14,7 +14,7 @@
 #include "hil/world/maneuver_plot.hpp"
 #include "rig_config/load.hpp"
 
-namespace drydock::cli {
+namespace drydock::world {
 
 namespace {
 
@@ -128,7 +128,7 @@ void print_table(std::FILE* out, const std::vector<motion::Figure>& figures,
 
 int written(bool done, const std::string& path, std::FILE* errors) {
   if (!done) fmt::print(errors, "maneuver: {}: cannot be written\n", path);
-  return done ? 0 : exit_failed;
+  return done ? 0 : terminal::exit_failed;
 }
 
 }  // namespace
@@ -137,7 +137,7 @@ int maneuver(const ManeuverOptions& options, std::FILE* out, std::FILE* errors) 
   auto loaded = rig_config::load_vehicle(options.vehicle);
   if (!loaded) {
     for (const auto& problem : loaded.error()) fmt::print(errors, "{}\n", to_string(problem));
-    return exit_usage;
+    return terminal::exit_usage;
   }
   const auto kind = motion::maneuver_kind(options.kind);
   motion::Track track;
@@ -146,10 +146,10 @@ int maneuver(const ManeuverOptions& options, std::FILE* out, std::FILE* errors) 
         sail(options, options.ideal_actuators ? motion::with_ideal_actuators(*loaded) : *loaded);
   } catch (const motion::BadSchedule& bad) {
     fmt::print(errors, "{}\n", bad.what());
-    return exit_usage;
+    return terminal::exit_usage;
   } catch (const Refused& refused) {
     fmt::print(errors, "maneuver: {}: {}\n", options.vehicle, refused.what());
-    return exit_usage;
+    return terminal::exit_usage;
   }
   if (motion::too_steep(track.back().state))
     fmt::print(errors, "maneuver: ended after {:.1f} s: pitch came to {:.1f} deg\n", track.back().t,
@@ -169,4 +169,4 @@ int maneuver(const ManeuverOptions& options, std::FILE* out, std::FILE* errors) 
   return failed;
 }
 
-}  // namespace drydock::cli
+}  // namespace drydock::world

@@ -5,7 +5,7 @@
 #include <string>
 
 /// `drydock maneuver`: standard manoeuvres of a vehicle file, with the figures that people compare.
-namespace drydock::cli {
+namespace drydock::world {
 
 struct ManeuverOptions {
   std::string vehicle;   ///< vehicle file (TOML)
@@ -21,4 +21,4 @@ struct ManeuverOptions {
 /// Exit code: 0 sailed, 1 a file cannot be written, 2 vehicle or schedule is wrong.
 int maneuver(const ManeuverOptions& options, std::FILE* out, std::FILE* errors);
 
-}  // namespace drydock::cli
+}  // namespace drydock::world

@@ -6,16 +6,17 @@
 #include "estimators/setup/degrees.hpp"
 #include "hil/report/plot.hpp"
 
-namespace drydock::cli {
+namespace drydock::world {
 
 namespace {
 
 using namespace motion::element;
 
 template <class Across, class Up>
-Series series(const std::string& label, const motion::Track& track, Across&& across, Up&& up) {
+report::Series series(const std::string& label, const motion::Track& track, Across&& across,
+                      Up&& up) {
   constexpr std::size_t enough = 2000;  // for the eye
-  Series made{label, {}, {}};
+  report::Series made{label, {}, {}};
   for (std::size_t i = 0; i < track.size(); i += 1 + track.size() / enough) {
     made.x.push_back(across(track[i]));
     made.y.push_back(up(track[i]));
@@ -30,45 +31,45 @@ auto state(int i, double unit = 1) {
 }
 
 auto surface(double hydrodynamics::Control::*which) {
-  return [=](const motion::TrackPoint& point) { return point.control.*which * to_deg; };
+  return [=](const motion::TrackPoint& point) { return point.control.*which * setup::to_deg; };
 }
 
-Plot path_of(const motion::Track& track) {
-  Plot plot{"Path", "east [m]", "north [m]", {}};
+report::Plot path_of(const motion::Track& track) {
+  report::Plot plot{"Path", "east [m]", "north [m]", {}};
   plot.equal_scales = true;
   plot.curves = {series("path", track, state(y), state(x))};
   return plot;
 }
 
-Plot zigzag_of(const motion::Track& track) {
-  Plot plot{"Zigzag", "time [s]", "[deg]", {}};
-  plot.curves = {series("heading", track, time_of, state(yaw, to_deg)),
+report::Plot zigzag_of(const motion::Track& track) {
+  report::Plot plot{"Zigzag", "time [s]", "[deg]", {}};
+  plot.curves = {series("heading", track, time_of, state(yaw, setup::to_deg)),
                  series("rudder", track, time_of, surface(&hydrodynamics::Control::delta_r))};
   return plot;
 }
 
-Plot spiral_of(const motion::Track& track) {
-  Plot plot{"Direct spiral", "rudder [deg]", "rate of turn [deg/s]", {}};
-  Series there{"there", {}, {}}, back{"back", {}, {}};
+report::Plot spiral_of(const motion::Track& track) {
+  report::Plot plot{"Direct spiral", "rudder [deg]", "rate of turn [deg/s]", {}};
+  report::Series there{"there", {}, {}}, back{"back", {}, {}};
   for (const auto& point : motion::spiral_points(track)) {
-    Series& way = point.returning ? back : there;
-    way.x.push_back(point.rudder_rad * to_deg);
-    way.y.push_back(point.rate_of_turn_radps * to_deg);
+    report::Series& way = point.returning ? back : there;
+    way.x.push_back(point.rudder_rad * setup::to_deg);
+    way.y.push_back(point.rate_of_turn_radps * setup::to_deg);
   }
   plot.curves = {there, back};
   return plot;
 }
 
-Plot dive_of(const motion::Track& track) {
-  Plot plot{"Dive", "time [s]", "[deg], [m]", {}};
+report::Plot dive_of(const motion::Track& track) {
+  report::Plot plot{"Dive", "time [s]", "[deg], [m]", {}};
   plot.curves = {
-      series("pitch [deg]", track, time_of, state(pitch, to_deg)),
+      series("pitch [deg]", track, time_of, state(pitch, setup::to_deg)),
       series("stern planes [deg]", track, time_of, surface(&hydrodynamics::Control::delta_s)),
       series("height over the start [m]", track, time_of, state(z, -1))};
   return plot;
 }
 
-Plot plot_of(std::optional<motion::ManeuverKind> kind, const motion::Track& track) {
+report::Plot plot_of(std::optional<motion::ManeuverKind> kind, const motion::Track& track) {
   if (kind == motion::ManeuverKind::zigzag) return zigzag_of(track);
   if (kind == motion::ManeuverKind::spiral) return spiral_of(track);
   if (kind == motion::ManeuverKind::dive) return dive_of(track);
@@ -79,10 +80,10 @@ Plot plot_of(std::optional<motion::ManeuverKind> kind, const motion::Track& trac
 
 bool write_plot(const std::string& path, std::optional<motion::ManeuverKind> kind,
                 const motion::Track& track) {
-  const std::string svg = render_svg(plot_of(kind, track));
+  const std::string svg = report::render_svg(plot_of(kind, track));
   std::ofstream out(path);
   out << svg;
   return !svg.empty() && out.flush();
 }
 
-}  // namespace drydock::cli
+}  // namespace drydock::world

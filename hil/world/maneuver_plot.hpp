@@ -5,7 +5,7 @@
 
 #include "hil/motion/maneuver/maneuver.hpp"
 
-namespace drydock::cli {
+namespace drydock::world {
 
 /// Writes what people look at of a manoeuvre as an SVG file: the path of a turning circle or
 /// schedule, heading and rudder of a zigzag, rate of turn over rudder of a spiral, pitch and depth
@@ -13,4 +13,4 @@ namespace drydock::cli {
 bool write_plot(const std::string& path, std::optional<motion::ManeuverKind> kind,
                 const motion::Track& track);
 
-}  // namespace drydock::cli
+}  // namespace drydock::world

@@ -11,7 +11,7 @@
 #include "hil/sensor/imu_errors.hpp"
 #include "rig_config/load.hpp"
 
-namespace drydock::cli {
+namespace drydock::world {
 namespace {
 
 constexpr double standard_gravity = 9.80665;
@@ -47,10 +47,11 @@ nlohmann::ordered_json allan_json(const std::vector<AllanRow>& rows) {
 }
 
 std::string allan_svg(const SensorOptions& options, const std::vector<AllanRow>& rows) {
-  Plot plot{"Allan deviation, " + options.grade, "tau [s]", "gyro [deg/h], accelerometer [ug]", {}};
+  report::Plot plot{
+      "Allan deviation, " + options.grade, "tau [s]", "gyro [deg/h], accelerometer [ug]", {}};
   plot.log_x = plot.log_y = true;
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    Series gyro{fmt::format("gyro {}", "xyz"[axis]), {}, {}},
+    report::Series gyro{fmt::format("gyro {}", "xyz"[axis]), {}, {}},
         accelerometer{fmt::format("accelerometer {}", "xyz"[axis]), {}, {}};
     for (const AllanRow& row : rows) {
       gyro.x.push_back(row.tau_s);
@@ -61,7 +62,7 @@ std::string allan_svg(const SensorOptions& options, const std::vector<AllanRow>&
     plot.curves.push_back(std::move(gyro));
     plot.curves.push_back(std::move(accelerometer));
   }
-  return render_svg(plot);
+  return report::render_svg(plot);
 }
 
 }  // namespace
@@ -114,4 +115,4 @@ int show_sensor(const SensorOptions& options, std::FILE* out, std::FILE* errors)
   return 0;
 }
 
-}  // namespace drydock::cli
+}  // namespace drydock::world

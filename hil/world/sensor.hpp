@@ -9,7 +9,7 @@
 #include "rig_config/emulate.hpp"
 
 /// `drydock sensor`: what an inertial unit of a grade says on the bench, level and at rest.
-namespace drydock::cli {
+namespace drydock::world {
 
 struct SensorOptions {
   std::string grade;              ///< sensor file (TOML) with a table [imu]
@@ -34,4 +34,4 @@ std::vector<AllanRow> allan_of(const rig_config::EmulateConfig& grade, double ra
 /// Exit code: 0, 1 a file cannot be written, 2 the grade is wrong.
 int show_sensor(const SensorOptions& options, std::FILE* out, std::FILE* errors);
 
-}  // namespace drydock::cli
+}  // namespace drydock::world

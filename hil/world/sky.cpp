@@ -11,7 +11,7 @@
 #include "hil/sky/ephemeris_file.hpp"
 #include "hil/world/sky_plot.hpp"
 
-namespace drydock::cli {
+namespace drydock::world {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180;
@@ -142,4 +142,4 @@ int show_sky(const SkyOptions& options, std::FILE* out, std::FILE* errors) {
   return 0;
 }
 
-}  // namespace drydock::cli
+}  // namespace drydock::world

@@ -11,7 +11,7 @@
 #include "hil/sky/orbit.hpp"
 
 /// `drydock sky`: where the satellites of a broadcast file stand at one instant.
-namespace drydock::cli {
+namespace drydock::world {
 
 struct SkyOptions {
   std::string ephemeris;            ///< RINEX 2 or 3 GPS navigation file
@@ -47,4 +47,4 @@ SkyListing list_sky(sky::BroadcastOrbits orbits, sky::GpsTime at,
 /// Exit code. 1 with a line on `errors`: the file cannot be read, or says nothing of that time.
 int show_sky(const SkyOptions& options, std::FILE* out, std::FILE* errors);
 
-}  // namespace drydock::cli
+}  // namespace drydock::world

@@ -5,7 +5,7 @@
 
 #include "hil/world/sky.hpp"
 
-namespace drydock::cli {
+namespace drydock::world {
 namespace {
 
 using namespace std::chrono;
@@ -70,4 +70,4 @@ std::optional<frame::Position> parse_place(std::string_view text) {
   return frame::Position{*latitude * degree, *longitude * degree, *height};
 }
 
-}  // namespace drydock::cli
+}  // namespace drydock::world

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace drydock::cli {
+namespace drydock::world {
 namespace {
 
 constexpr double middle = 320, horizon = 270;  // of the drawing, in its units
@@ -87,4 +87,4 @@ std::string sky_plot_svg(const SkyListing& listing) {
              listing.from->longitude_rad / degree, listing.from->height_m, middle);
 }
 
-}  // namespace drydock::cli
+}  // namespace drydock::world

@@ -31,8 +31,8 @@
 namespace {
 
 using namespace drydock;
-using bench::Pty;
-using bench::wait_readable;
+using Pty;
+using wait_readable;
 using Clock = std::chrono::steady_clock;
 using Microseconds = std::chrono::duration<double, std::micro>;
 
@@ -68,7 +68,7 @@ class Arrival {
 void report(benchmark::State& state, std::vector<double> us) {
   if (us.empty()) return state.SkipWithError("nothing came through");
   state.counters["n"] = static_cast<double>(us.size());
-  const auto [p50, p99] = bench::percentiles_of(std::move(us));
+  const auto [p50, p99] = percentiles_of(std::move(us));
   state.counters["p50_us"] = p50;
   state.counters["p99_us"] = p99;
 }
@@ -169,12 +169,12 @@ void wire_to_estimate(benchmark::State& state) {
   const auto rig = imu_rig(pty.name);
   boost::asio::io_context io{1};
   const bus::Participant participant(static_cast<std::uint32_t>(rig.dds_domain));
-  bus::Publisher publisher(participant, cli::bus_devices(rig), cli::estimator_names(rig));
-  bus::Subscriber subscriber(participant, cli::bus_devices(rig));
-  cli::EstimatorHost estimators(io, cli::pipeline_options(rig), subscriber, publisher);
+  bus::Publisher publisher(participant, host::bus_devices(rig), host::estimator_names(rig));
+  bus::Subscriber subscriber(participant, host::bus_devices(rig));
+  host::EstimatorHost estimators(io, setup::pipeline_options(rig), subscriber, publisher);
   auto devices = shell::make_devices(rig);
   if (!devices) return state.SkipWithError(devices.error().message.c_str());
-  cli::DriverHost drivers(io, std::move(*devices), &publisher);
+  host::DriverHost drivers(io, std::move(*devices), &publisher);
   Arrival published;
   estimators.on_attitude_hook = [&](const pipeline::AttitudeEstimate&) { published.note(); };
   estimators.start();

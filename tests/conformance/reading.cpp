@@ -66,8 +66,9 @@ void read_totals(std::string_view totals, Decoded& decoded) {
 
 Decoded decode(std::string_view protocol, const fs::path& capture) {
   Page out, err;
-  const cli::DecodeOptions options{.protocol = std::string(protocol), .file = capture.string()};
-  if (cli::decode(options, out.file(), err.file()) > 1) throw Unreadable(std::string(err.text()));
+  const decode::DecodeOptions options{.protocol = std::string(protocol), .file = capture.string()};
+  if (decode::decode(options, out.file(), err.file()) > 1)
+    throw Unreadable(std::string(err.text()));
   Decoded decoded;
   read_totals(err.text(), decoded);
   std::string_view text = out.text();

@@ -4,14 +4,14 @@
 
 /// Any text is refused with a line, or is references that are the same written and read again.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  using namespace drydock::cli;
-  const auto read = parse_references({reinterpret_cast<const char*>(data), size});
+  using namespace drydock::replay;
+  const auto read = replay::parse_references({reinterpret_cast<const char*>(data), size});
   if (!read) {
     if (read.error().line.empty()) std::abort();
     return 0;
   }
   const std::string written = to_json_text(*read);
-  const auto again = parse_references(written);
+  const auto again = replay::parse_references(written);
   if (!again || to_json_text(*again) != written) std::abort();
   return 0;
 }

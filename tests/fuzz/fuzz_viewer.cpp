@@ -42,8 +42,8 @@ void as_http(const std::uint8_t* data, std::size_t size) {
 
 /// Of a call for a fault; what is an order for the bench must be whole lines of JSON.
 void as_fault(std::string_view request) {
-  for (const auto& asked : {drydock::cli::order_of_set_request(request),
-                            drydock::cli::order_of_clear_request(request)}) {
+  for (const auto& asked : {drydock::control::order_of_set_request(request),
+                            drydock::control::order_of_clear_request(request)}) {
     if (const auto* order = std::get_if<std::string>(&asked)) {
       require(order->starts_with("{") && order->ends_with("}") && order->size() < 65'536);
       require(order->find('\n') == std::string::npos);

@@ -45,7 +45,9 @@ class HubLink final : public FrameLink {
 }  // namespace
 
 FrameHub::Member::Member(std::shared_ptr<FrameHub> hub, const asio::any_io_executor& executor)
-    : hub_(std::move(hub)), changed_(std::make_shared<Signal>(executor)), inbox_(inbox_capacity) {}
+    : hub_(std::move(hub)),
+      changed_(std::make_shared<io::Signal>(executor)),
+      inbox_(inbox_capacity) {}
 
 std::optional<boost::system::result<ReceivedFrame>> FrameHub::Member::take() {
   const std::lock_guard lock(hub_->mutex_);

@@ -22,14 +22,14 @@ class FrameHub : public std::enable_shared_from_this<FrameHub> {
     void leave();
     bool has_left() const;
     std::uint64_t dropped() const;
-    const std::shared_ptr<Signal>& changed() const { return changed_; }
+    const std::shared_ptr<io::Signal>& changed() const { return changed_; }
 
    private:
     friend class FrameHub;
     Member(std::shared_ptr<FrameHub> hub, const asio::any_io_executor& executor);
 
     std::shared_ptr<FrameHub> hub_;
-    std::shared_ptr<Signal> changed_;
+    std::shared_ptr<io::Signal> changed_;
     boost::circular_buffer<ReceivedFrame> inbox_;
     std::uint64_t dropped_ = 0;
     bool left_ = false;

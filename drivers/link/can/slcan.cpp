@@ -32,7 +32,7 @@ class SlcanLink final : public FrameLink {
             unsigned bit_rate)
       : line_(std::move(line)),
         opening_(opening_lines(bit_rate)),
-        changed_(std::make_shared<Signal>(executor)),
+        changed_(std::make_shared<io::Signal>(executor)),
         frames_(most_frames_per_read) {}
 
   Task<ReceivedFrame> read() override;
@@ -53,7 +53,7 @@ class SlcanLink final : public FrameLink {
 
   std::unique_ptr<ByteLink> line_;
   std::string opening_;
-  std::shared_ptr<Signal> changed_;  ///< the channel is no longer opening
+  std::shared_ptr<io::Signal> changed_;  ///< the channel is no longer opening
   Channel channel_ = Channel::closed;
   wire::Framer<wire::Slcan::max_frame> framer_;
   std::array<std::uint8_t, read_size> buffer_{};

@@ -21,7 +21,7 @@ struct Server {
   Server(const asio::any_io_executor& executor, tcp::acceptor listening)
       : acceptor(std::move(listening)),
         client(executor),
-        changed(std::make_shared<Signal>(executor)) {}
+        changed(std::make_shared<io::Signal>(executor)) {}
 
   void drop_client() {
     boost::system::error_code already_gone;
@@ -31,7 +31,7 @@ struct Server {
 
   tcp::acceptor acceptor;
   tcp::socket client;  ///< open while there is one
-  std::shared_ptr<Signal> changed;
+  std::shared_ptr<io::Signal> changed;
 };
 
 asio::awaitable<void> accept_one_at_a_time(std::shared_ptr<Server> server) {

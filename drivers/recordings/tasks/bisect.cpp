@@ -10,7 +10,7 @@
 
 #include "drivers/recordings/tasks/recordings.hpp"
 
-namespace drydock::cli {
+namespace drydock::recordings {
 
 namespace {
 
@@ -121,4 +121,4 @@ int bisect(const BisectOptions& options, const record::Watch& watch, std::FILE* 
   return found.broken_off ? 1 : 0;
 }
 
-}  // namespace drydock::cli
+}  // namespace drydock::recordings

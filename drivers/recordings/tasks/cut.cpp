@@ -9,7 +9,7 @@
 #include "drivers/recordings/tasks/fixture.hpp"
 #include "drivers/recordings/tasks/recordings.hpp"
 
-namespace drydock::cli {
+namespace drydock::recordings {
 
 namespace {
 
@@ -114,4 +114,4 @@ std::optional<measurement::Stamp> parse_utc(std::string_view text) {
                             std::chrono::seconds{number(17, 2)} + std::chrono::nanoseconds{ns}};
 }
 
-}  // namespace drydock::cli
+}  // namespace drydock::recordings

@@ -8,7 +8,7 @@
 #include "drivers/text/json_lines.hpp"
 #include "drivers/text/measurement_fields.hpp"
 
-namespace drydock::cli {
+namespace drydock::recordings {
 
 namespace {
 
@@ -34,7 +34,7 @@ class Account final : public device::Listener, public shell::RawListener {
     std::visit([&](const auto& m) { write(m); }, measurement);
   }
   void on_state(const device::Device& device, const device::Transition& change) override {
-    lines_.line([&](JsonWriter& json) {
+    lines_.line([&](text::JsonWriter& json) {
       json.field("device", std::string_view(device.name()));
       json.field("state", to_string(change.to));
       json.field("at_s", since_begin(change.at));
@@ -64,7 +64,7 @@ class Account final : public device::Listener, public shell::RawListener {
   void write_totals(const record::Player& player) {
     for (const auto& actor : player.devices()) write_totals(actor->device(), player.now());
     for (std::size_t i = 0; i < heard_.size(); ++i) {
-      lines_.line([&](JsonWriter& json) {
+      lines_.line([&](text::JsonWriter& json) {
         json.field("link", std::string_view(recording_.links()[i].uri));
         json.field("received", heard_[i].events);
         json.field("crc32", std::string_view(fmt::format("{:08X}", heard_[i].crc.checksum())));
@@ -84,7 +84,7 @@ class Account final : public device::Listener, public shell::RawListener {
   double since_begin(measurement::Stamp at) const { return measurement::seconds(at - begin_); }
 
   void write(const auto& m) {
-    lines_.line([&](JsonWriter& json) {
+    lines_.line([&](text::JsonWriter& json) {
       json.field("device", std::string_view(rig_.devices[m.origin.device].name));
       json.field("type", type_of(m));
       json.field("valid_at_s", since_begin(m.origin.valid_at));
@@ -93,7 +93,7 @@ class Account final : public device::Listener, public shell::RawListener {
     });
   }
   void write_sent(std::string_view link, const std::string& what, measurement::Stamp at) {
-    lines_.line([&](JsonWriter& json) {
+    lines_.line([&](text::JsonWriter& json) {
       json.field("link", link);
       json.field("sent", std::string_view(what));
       json.field("at_s", since_begin(at));
@@ -101,7 +101,7 @@ class Account final : public device::Listener, public shell::RawListener {
   }
   void write_totals(const device::Device& device, measurement::Stamp now) {
     const auto health = device.health(now);
-    lines_.line([&](JsonWriter& json) {
+    lines_.line([&](text::JsonWriter& json) {
       json.field("device", std::string_view(device.name()));
       json.field("measurements", health.messages);
       json.field("frames", health.stream.frames);
@@ -115,7 +115,7 @@ class Account final : public device::Listener, public shell::RawListener {
   const record::Recording& recording_;
   const rig_config::Rig& rig_;
   measurement::Stamp begin_;
-  JsonLines lines_;
+  text::JsonLines lines_;
   std::vector<Heard> heard_;  ///< by link of the recording
   std::uint64_t measurements_ = 0;
 };
@@ -139,4 +139,4 @@ boost::system::result<std::uint64_t, record::RecordingError> write_reference(
   return account.measurements();
 }
 
-}  // namespace drydock::cli
+}  // namespace drydock::recordings

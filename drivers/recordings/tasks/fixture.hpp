@@ -7,7 +7,7 @@
 #include "drivers/recordings/record/selection.hpp"
 
 /// A recorded dive as a regression test: `dive.mcap`, `expected.jsonl` and a note in a folder.
-namespace drydock::cli {
+namespace drydock::recordings {
 
 inline constexpr const char* fixture_recording = "dive.mcap";
 inline constexpr const char* fixture_reference = "expected.jsonl";
@@ -20,4 +20,4 @@ inline constexpr const char* fixture_reference = "expected.jsonl";
 boost::system::result<std::uint64_t, record::RecordingError> write_reference(
     const std::string& recording, std::FILE* out);
 
-}  // namespace drydock::cli
+}  // namespace drydock::recordings

@@ -9,7 +9,7 @@
 #include "drivers/recordings/mcap/file_sink.hpp"
 #include "drivers/recordings/record/recover.hpp"
 
-namespace drydock::cli {
+namespace drydock::recordings {
 
 namespace {
 
@@ -67,4 +67,4 @@ int recover(const RecoverOptions& options, std::FILE* err) {
   return saved.messages > 0 || saved.attachments > 0 ? 0 : 1;
 }
 
-}  // namespace drydock::cli
+}  // namespace drydock::recordings

@@ -8,7 +8,7 @@
 
 /// What the program does with recordings, beside making and playing them. Each says in lines on
 /// `err` what came out; exit code 0, or 1 where it could not be done.
-namespace drydock::cli {
+namespace drydock::recordings {
 
 struct ExportOptions {
   std::string recording;
@@ -42,4 +42,4 @@ int bisect(const BisectOptions& options, const record::Watch& watch, std::FILE* 
 /// "2023-11-14T22:13:20Z", with or without a fraction of up to nine digits; empty: none.
 std::optional<measurement::Stamp> parse_utc(std::string_view text);
 
-}  // namespace drydock::cli
+}  // namespace drydock::recordings

@@ -14,7 +14,7 @@
 #include "rig_config/load.hpp"
 #include "rig_config/rules/error_keys.hpp"
 
-namespace drydock::cli {
+namespace drydock::characterize {
 namespace {
 
 using characterize::Samples;
@@ -103,12 +103,13 @@ std::vector<Characterized> characterize_all(const CharacterizeOptions& options,
 std::string page_of(const CharacterizeOptions& options, const Gathered& gathered,
                     const std::vector<Characterized>& devices) {
   std::string body;
-  for (const auto& note : gathered.notes) body += "<p class=soft>" + html::escaped(note) + "</p>\n";
+  for (const auto& note : gathered.notes)
+    body += "<p class=soft>" + report::html::escaped(note) + "</p>\n";
   for (const auto& device : devices) {
-    for (const auto& table : tables_of(device)) body += to_html(table);
-    for (const auto& figure : figures_of(device)) body += html::figure(figure);
+    for (const auto& table : tables_of(device)) body += report::to_html(table);
+    for (const auto& figure : figures_of(device)) body += report::html::figure(figure);
   }
-  return html::page("sensors of " + options.source, body);
+  return report::html::page("sensors of " + options.source, body);
 }
 
 void show(const CharacterizeOptions& options, const Gathered& gathered,
@@ -116,17 +117,17 @@ void show(const CharacterizeOptions& options, const Gathered& gathered,
   for (const auto& note : gathered.notes) fmt::print(out, "{}\n", note);
   auto json = nlohmann::ordered_json::array();
   for (const auto& device : devices) {
-    for (const auto& table : tables_of(device)) fmt::print(out, "\n{}", to_text(table));
+    for (const auto& table : tables_of(device)) fmt::print(out, "\n{}", report::to_text(table));
     json.push_back(json_of(device));
   }
-  if (!options.json.empty()) write_file(options.json, json.dump(2) + "\n");
+  if (!options.json.empty()) report::write_file(options.json, json.dump(2) + "\n");
   if (!options.report.empty()) {
     const auto page = std::filesystem::path(options.report) / "index.html";
-    write_file(page, page_of(options, gathered, devices));
+    report::write_file(page, page_of(options, gathered, devices));
     fmt::print(out, "\nreport: {}\n", page.string());
   }
   if (!options.out.empty()) {
-    write_file(options.out, sensor_file_of(devices.front(), options.source));
+    report::write_file(options.out, sensor_file_of(devices.front(), options.source));
     fmt::print(out, "\nsensor file: {}\n", options.out);
   }
 }
@@ -140,7 +141,7 @@ int characterize_source(const CharacterizeOptions& options, std::FILE* out, std:
     if (devices.empty()) {
       fmt::print(errors, "drydock characterize: {}: fewer than ten samples of any device\n",
                  options.source);
-      return exit_failed;
+      return terminal::exit_failed;
     }
     if (!options.out.empty() && devices.size() > 1)
       throw std::invalid_argument("-o writes one device: --device says which");
@@ -148,11 +149,11 @@ int characterize_source(const CharacterizeOptions& options, std::FILE* out, std:
     return 0;
   } catch (const std::invalid_argument& error) {
     fmt::print(errors, "drydock characterize: {}\n", error.what());
-    return exit_usage;
+    return terminal::exit_usage;
   } catch (const std::exception& error) {
     fmt::print(errors, "drydock characterize: {}\n", error.what());
-    return exit_failed;
+    return terminal::exit_failed;
   }
 }
 
-}  // namespace drydock::cli
+}  // namespace drydock::characterize

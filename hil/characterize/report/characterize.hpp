@@ -11,11 +11,11 @@
 #include "hil/study/study.hpp"
 
 /// `drydock characterize`: what a sensor is worth, from what its driver says. docs/characterize.md
-namespace drydock::cli {
+namespace drydock::characterize {
 
 struct CharacterizeOptions {
-  std::string source;     ///< recording (.mcap), rig file (.toml), or a capture of one sensor
-  ReplayOptions capture;  ///< what a capture's driver needs to know
+  std::string source;  ///< recording (.mcap), rig file (.toml), or a capture of one sensor
+  decode::ReplayOptions capture;     ///< what a capture's driver needs to know
   std::optional<double> duration_s;  ///< of a rig's run; default 1 h in lockstep, 60 s in real time
   std::string device;                ///< empty: all
   std::string reference;             ///< device; empty: as the kinds suggest
@@ -50,4 +50,4 @@ std::string sensor_file_of(const Characterized& device, const std::string& sourc
 /// Exit code: 0, 1 nothing to characterize or a file cannot be written, 2 a wrong device or grade.
 int characterize_source(const CharacterizeOptions& options, std::FILE* out, std::FILE* errors);
 
-}  // namespace drydock::cli
+}  // namespace drydock::characterize

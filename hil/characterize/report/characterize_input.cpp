@@ -14,7 +14,7 @@
 #include "hil/sensor/mounting.hpp"
 #include "rig_config/load.hpp"
 
-namespace drydock::cli {
+namespace drydock::characterize {
 namespace {
 
 using characterize::Samples;
@@ -38,7 +38,7 @@ bool virtual_time(const rig_config::DeviceConfig& device) {
 }
 
 Gathered gather_rig(const CharacterizeOptions& options) {
-  auto rig = rig_config::load_rig(options.source, load_options()).value();
+  auto rig = rig_config::load_rig(options.source, check::load_options()).value();
   rig.estimators.clear();
   rig.expects.clear();
   Gathered gathered;
@@ -48,14 +48,15 @@ Gathered gather_rig(const CharacterizeOptions& options) {
         characterize::NamedGrade{config.name + " in the rig file", config.emulate});
   }
   constexpr double default_lockstep_s = 3600, default_real_time_s = 60;
-  RunOptions run;
+  bench::RunOptions run;
   run.lockstep = std::ranges::all_of(rig.devices, virtual_time);
   run.duration_s =
       options.duration_s.value_or(run.lockstep ? default_lockstep_s : default_real_time_s);
   run.on_measurement = [&gathered](const measurement::Measurement& m) {
     gathered.devices.at(measurement::origin_of(m).device).add(m);
   };
-  const Summary summary = run.lockstep ? run_lockstep(rig, run) : run_real_time(rig, run);
+  const summary::Summary summary =
+      run.lockstep ? bench::run_lockstep(rig, run) : bench::run_real_time(rig, run);
   gathered.notes.push_back(fmt::format("rig {}: {:.6g} s in {}", rig.name, summary.duration_s,
                                        run.lockstep ? "virtual time" : "real time"));
   return gathered;
@@ -113,11 +114,12 @@ Gathered gather_capture(const CharacterizeOptions& options) {
     throw std::invalid_argument(
         options.source +
         ": a capture needs --protocol; a recording ends in .mcap, a rig file in .toml");
-  ReplayOptions replay = options.capture;
+  decode::ReplayOptions replay = options.capture;
   replay.capture = options.source;
   Gathered gathered;
   Samples samples{Subject{}};
-  const auto kind = play(replay, [&samples](const measurement::Measurement& m) { samples.add(m); });
+  const auto kind =
+      decode::play(replay, [&samples](const measurement::Measurement& m) { samples.add(m); });
   samples.subject.kind = rig_kind(kind);
   samples.subject.name = to_string(kind);
   gathered.devices.push_back(std::move(samples));
@@ -134,4 +136,4 @@ Gathered gather(const CharacterizeOptions& options) {
   return gathered;
 }
 
-}  // namespace drydock::cli
+}  // namespace drydock::characterize

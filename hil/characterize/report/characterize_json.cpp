@@ -3,7 +3,7 @@
 #include "hil/characterize/report/characterize.hpp"
 #include "rig_config/sensor_file.hpp"
 
-namespace drydock::cli {
+namespace drydock::characterize {
 namespace {
 
 using characterize::Estimate;
@@ -97,4 +97,4 @@ nlohmann::ordered_json json_of(const Characterized& device) {
   return json;
 }
 
-}  // namespace drydock::cli
+}  // namespace drydock::characterize

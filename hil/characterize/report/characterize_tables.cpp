@@ -7,7 +7,7 @@
 #include "hil/characterize/report/characterize.hpp"
 #include "rig_config/sensor_file.hpp"
 
-namespace drydock::cli {
+namespace drydock::characterize {
 namespace {
 
 using characterize::AxisFigures;
@@ -236,4 +236,4 @@ std::string sensor_file_of(const Characterized& device, const std::string& sourc
                                  });
 }
 
-}  // namespace drydock::cli
+}  // namespace drydock::characterize

@@ -11,7 +11,7 @@
 #include "drivers/terminal/duration.hpp"
 #include "hil/control/request/order_text.hpp"
 
-namespace drydock::cli {
+namespace drydock::control {
 
 namespace {
 
@@ -44,8 +44,8 @@ std::vector<std::string> pairs_in(const json& request) {
 double duration_in(const json& request) {
   const std::string text = text_in(request, "for");
   if (text.empty()) return 0;
-  const auto seconds = parse_duration(text);
-  if (!seconds) throw std::runtime_error(no_duration(text));
+  const auto seconds = terminal::parse_duration(text);
+  if (!seconds) throw std::runtime_error(terminal::no_duration(text));
   return *seconds;
 }
 
@@ -80,4 +80,4 @@ live::ServiceAnswer order_of_clear_request(std::string_view text) try {
   return live::Refused{wrong.what()};
 }
 
-}  // namespace drydock::cli
+}  // namespace drydock::control

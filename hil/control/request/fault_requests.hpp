@@ -6,7 +6,7 @@
 
 /// What a client of the page's fault services asks, as the order that `drydock fault` would send
 /// for it: docs/live.md.
-namespace drydock::cli {
+namespace drydock::control {
 
 /// {"device","fault","with":["KEY=VALUE",...],"for":"5s"}; with and for may be absent. Never
 /// throws; fails with one line.
@@ -15,4 +15,4 @@ live::ServiceAnswer order_of_set_request(std::string_view request);
 /// {"device","fault"}, both of which may be absent: all.
 live::ServiceAnswer order_of_clear_request(std::string_view request);
 
-}  // namespace drydock::cli
+}  // namespace drydock::control

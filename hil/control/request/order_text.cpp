@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-namespace drydock::cli {
+namespace drydock::control {
 
 namespace {
 
@@ -54,4 +54,4 @@ std::string order_to_clear(const std::string& device, const std::string& fault) 
 
 std::string order_to_list() { return Json{{"do", "list"}}.dump(); }
 
-}  // namespace drydock::cli
+}  // namespace drydock::control

@@ -5,7 +5,7 @@
 
 /// What `drydock fault`, and a page, ask of a running bench, as one line of JSON: docs/faults.md,
 /// Live.
-namespace drydock::cli {
+namespace drydock::control {
 
 /// `[[fault]]` of a device with what was typed: "probability=0.5", "velocity_mps=0.5,0,0".
 /// Throws std::runtime_error with a line where that is no KEY=VALUE.
@@ -17,4 +17,4 @@ std::string order_to_set(const std::string& table);
 std::string order_to_clear(const std::string& device, const std::string& fault);
 std::string order_to_list();
 
-}  // namespace drydock::cli
+}  // namespace drydock::control

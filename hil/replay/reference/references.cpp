@@ -7,7 +7,7 @@
 
 #include "drivers/bus/device.hpp"
 
-namespace drydock::cli {
+namespace drydock::replay {
 
 namespace {
 
@@ -140,4 +140,4 @@ References ReferenceMaker::made(std::string part) const {
   return references;
 }
 
-}  // namespace drydock::cli
+}  // namespace drydock::replay

@@ -12,7 +12,7 @@
 #include "drivers/recordings/record/message_layout.hpp"
 
 /// What a replay is to give again: the messages of docs/bus.md as a JSON file, docs/replay.md.
-namespace drydock::cli {
+namespace drydock::replay {
 
 using ReferenceValue = nlohmann::json;
 
@@ -97,4 +97,4 @@ class ReferenceMaker final : public bus::CdrSink {
 /// Topics whose messages say how the program fares, not what it found.
 bool is_result(const std::string& topic);
 
-}  // namespace drydock::cli
+}  // namespace drydock::replay

@@ -6,7 +6,7 @@
 
 #include "hil/replay/reference/references.hpp"
 
-namespace drydock::cli {
+namespace drydock::replay {
 
 namespace {
 constexpr int references_version = 1;
@@ -85,4 +85,4 @@ boost::system::result<References, ReferencesError> parse_references(const std::s
   }
 }
 
-}  // namespace drydock::cli
+}  // namespace drydock::replay

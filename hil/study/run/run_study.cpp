@@ -12,7 +12,7 @@
 #include "hil/study/run/study_progress.hpp"
 #include "hil/study/run/study_timing.hpp"
 
-namespace drydock::cli {
+namespace drydock::study {
 namespace {
 
 namespace fs = std::filesystem;
@@ -102,10 +102,11 @@ int run_study(const study::Study& study, const StudyOptions& options, std::FILE*
 
   if (result.runs == 0) return study_failed;
   if (study.workloads) add_step_times(study.workloads(), result);
-  for (const auto& table : result.tables) fmt::print(out, "{}\n", to_text(table));
+  for (const auto& table : result.tables) fmt::print(out, "{}\n", report::to_text(table));
   if (json && !json->write(to_json(study, campaign, result))) return cannot_write(*json);
-  if (report && !report->write(to_html(study, campaign, result))) return cannot_write(*report);
+  if (report && !report->write(report::to_html(study, campaign, result)))
+    return cannot_write(*report);
   return result.runs == campaign.runs ? 0 : study_failed;
 }
 
-}  // namespace drydock::cli
+}  // namespace drydock::study

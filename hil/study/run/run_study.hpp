@@ -6,7 +6,7 @@
 #include "hil/study/study.hpp"
 
 /// `drydock study`: a paper's experiment, its figures beside ours.
-namespace drydock::cli {
+namespace drydock::study {
 
 struct StudyOptions {
   std::string name;
@@ -25,4 +25,4 @@ int run_study(const StudyOptions& options, std::FILE* out, std::FILE* errors);
 int run_study(const study::Study& study, const StudyOptions& options, std::FILE* out,
               std::FILE* errors);
 
-}  // namespace drydock::cli
+}  // namespace drydock::study

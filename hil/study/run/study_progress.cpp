@@ -8,7 +8,7 @@
 
 #include "drivers/terminal/progress_bar.hpp"
 
-namespace drydock::cli {
+namespace drydock::study {
 namespace {
 
 double seconds_between(std::chrono::steady_clock::time_point from,
@@ -36,8 +36,9 @@ void StudyProgress::on_run(std::string_view campaign, std::size_t done, std::siz
   next_drawing_ = now + between_drawings;
   const double left = seconds_between(campaign_begin_, now) * static_cast<double>(of - done) /
                       static_cast<double>(done);
-  fmt::print(out_, "{}{} {} {} of {} runs, {} left, Ctrl-C ends with the runs done", wipe_line,
-             campaign, progress_bar(static_cast<double>(done) / static_cast<double>(of)), done, of,
+  fmt::print(out_, "{}{} {} {} of {} runs, {} left, Ctrl-C ends with the runs done",
+             terminal::wipe_line, campaign,
+             terminal::progress_bar(static_cast<double>(done) / static_cast<double>(of)), done, of,
              spoken(left));
   std::fflush(out_);
   if (done == of) campaign_begin_ = now;
@@ -45,9 +46,9 @@ void StudyProgress::on_run(std::string_view campaign, std::size_t done, std::siz
 
 void StudyProgress::finish(std::string_view study, std::size_t runs,
                            const study::Options& options) {
-  fmt::print(out_, "{}{}: {} of {} runs, seed {}, {:.1f} s{}\n", terminal_ ? wipe_line : "", study,
-             runs, options.runs, options.seed, seconds_between(begin_, Clock::now()),
-             stopped() ? ", ended by Ctrl-C" : "");
+  fmt::print(out_, "{}{}: {} of {} runs, seed {}, {:.1f} s{}\n",
+             terminal_ ? terminal::wipe_line : "", study, runs, options.runs, options.seed,
+             seconds_between(begin_, Clock::now()), stopped() ? ", ended by Ctrl-C" : "");
 }
 
-}  // namespace drydock::cli
+}  // namespace drydock::study

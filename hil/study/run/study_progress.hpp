@@ -7,7 +7,7 @@
 #include "drivers/terminal/interrupt_flag.hpp"
 #include "hil/study/campaign.hpp"
 
-namespace drydock::cli {
+namespace drydock::study {
 
 /// A bar with the time left where `out` is a terminal, nothing elsewhere; Ctrl-C stops.
 class StudyProgress final : public study::Progress {
@@ -25,9 +25,9 @@ class StudyProgress final : public study::Progress {
 
   std::FILE* out_;
   bool terminal_;
-  InterruptFlag interrupt_;
+  terminal::InterruptFlag interrupt_;
   Clock::time_point begin_ = Clock::now();
   Clock::time_point campaign_begin_ = begin_, next_drawing_ = begin_;
 };
 
-}  // namespace drydock::cli
+}  // namespace drydock::study

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <ctime>
 
-namespace drydock::cli {
+namespace drydock::study {
 namespace {
 
 constexpr std::size_t timed_steps = 2000, repetitions = 150;
@@ -53,4 +53,4 @@ void add_step_times(std::vector<study::Workload> workloads, study::Result& resul
   result.tables.push_back(std::move(table));
 }
 
-}  // namespace drydock::cli
+}  // namespace drydock::study

@@ -19,7 +19,7 @@
 
 #include "drivers/link/clock.hpp"
 
-namespace drydock::cli {
+namespace drydock::validity {
 namespace {
 
 namespace asio = boost::asio;
@@ -144,4 +144,4 @@ HostTimes HostFloor::stop() {
   return all;
 }
 
-}  // namespace drydock::cli
+}  // namespace drydock::validity

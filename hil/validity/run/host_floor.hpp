@@ -5,7 +5,7 @@
 
 #include "drivers/measurement/stamp.hpp"
 
-namespace drydock::cli {
+namespace drydock::validity {
 
 /// What this machine does to any program while something else runs: microseconds.
 struct HostTimes {
@@ -29,4 +29,4 @@ class HostFloor {
   std::vector<std::unique_ptr<Probe>> probes_;
 };
 
-}  // namespace drydock::cli
+}  // namespace drydock::validity

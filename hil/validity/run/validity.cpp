@@ -18,7 +18,7 @@
 #include "hil/report/study_report.hpp"
 #include "hil/report/write_file.hpp"
 
-namespace drydock::cli {
+namespace drydock::validity {
 namespace {
 
 using rig_config::DeviceConfig;
@@ -31,7 +31,7 @@ ValidityRun run_once(const Rig& rig, const ValidityOptions& options, unsigned ba
   std::vector<std::string> names;
   for (const auto& device : rig.devices) names.push_back(device.name);
   validity::Listener listener(std::move(names));
-  RunOptions run;
+  bench::RunOptions run;
   run.duration_s = options.duration_s;
   run.lockstep = options.lockstep;
   run.on_written = [&](std::string_view device, const emulate::Passage& passage,
@@ -39,10 +39,10 @@ ValidityRun run_once(const Rig& rig, const ValidityOptions& options, unsigned ba
   run.on_measurement = [&](const measurement::Measurement& m) { listener.note(m); };
   ValidityRun result{baud, {}, {}};
   if (options.lockstep) {
-    run_lockstep(rig, run);
+    bench::run_lockstep(rig, run);
   } else {
     HostFloor floor;
-    run_real_time(rig, run);
+    bench::run_real_time(rig, run);
     result.floor = floor.stop();
   }
   result.figures = listener.figures();
@@ -70,7 +70,7 @@ std::map<std::string, double, std::less<>> bits_of_samples(const Rig& rig) {
     std::optional<measurement::Stamp> last;
   };
   std::map<std::string, Sum, std::less<>> sums;
-  RunOptions run;
+  bench::RunOptions run;
   run.duration_s = 5;
   run.lockstep = true;
   run.on_written = [&](std::string_view device, const emulate::Passage& passage,
@@ -81,7 +81,7 @@ std::map<std::string, double, std::less<>> bits_of_samples(const Rig& rig) {
     sum.last = passage.sampled_at;
     sum.bits += measurement::seconds(passage.ended_at - passage.began_at) * baud_rates.back();
   };
-  run_lockstep(rig, run);
+  bench::run_lockstep(rig, run);
   std::map<std::string, double, std::less<>> bits;
   for (const auto& [device, sum] : sums) bits[device] = sum.bits / sum.samples;
   return bits;
@@ -118,7 +118,7 @@ std::vector<ValidityRun> sweep(const Rig& rig, const ValidityOptions& options) {
 }  // namespace
 
 Rig with_truth(Rig rig) {
-  rig.devices = emulated_devices(rig);
+  rig.devices = bench::emulated_devices(rig);
   rig.estimators.clear();
   rig.expects.clear();
   if (rig.devices.empty()) throw std::runtime_error("no device of the rig is emulated");
@@ -131,24 +131,24 @@ int measure_validity(const Rig& whole, const ValidityOptions& options) {
   std::string body;
   auto json = nlohmann::ordered_json::array();
   const auto show = [&](const study::Table& table) {
-    fmt::print("\n{}", to_text(table));
-    body += to_html(table);
+    fmt::print("\n{}", report::to_text(table));
+    body += report::to_html(table);
   };
   for (const ValidityRun& run : runs) {
     show(table_of(run));
-    for (const auto& figure : figures_of(run)) body += html::figure(figure);
+    for (const auto& figure : figures_of(run)) body += report::html::figure(figure);
     json.push_back(json_of(run));
   }
   if (options.bauds) show(sweep_table(runs));
-  if (!options.json.empty()) write_file(options.json, json.dump(2) + "\n");
+  if (!options.json.empty()) report::write_file(options.json, json.dump(2) + "\n");
   if (!options.report.empty()) {
     const auto page = std::filesystem::path(options.report) / "index.html";
-    write_file(page, html::page("time of validity: " + rig.name, body));
+    report::write_file(page, report::html::page("time of validity: " + rig.name, body));
     fmt::print("\nreport: {}\n", page.string());
   }
   const bool any =
       std::ranges::any_of(runs, [](const ValidityRun& run) { return !run.figures.empty(); });
-  return any ? 0 : exit_failed;
+  return any ? 0 : terminal::exit_failed;
 }
 
-}  // namespace drydock::cli
+}  // namespace drydock::validity

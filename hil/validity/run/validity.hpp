@@ -10,7 +10,7 @@
 #include "rig_config/rig.hpp"
 
 /// `drydock validity`: how right the times of the measurements are. docs/time-of-validity.md
-namespace drydock::cli {
+namespace drydock::validity {
 
 struct ValidityOptions {
   double duration_s = 30;    ///< of each run
@@ -39,4 +39,4 @@ rig_config::Rig with_truth(rig_config::Rig rig);
 /// Exit code. Throws std::runtime_error with one line where the rig cannot run.
 int measure_validity(const rig_config::Rig& rig, const ValidityOptions& options);
 
-}  // namespace drydock::cli
+}  // namespace drydock::validity

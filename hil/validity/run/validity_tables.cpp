@@ -5,7 +5,7 @@
 
 #include "hil/validity/run/validity.hpp"
 
-namespace drydock::cli {
+namespace drydock::validity {
 namespace {
 
 using nlohmann::ordered_json;
@@ -146,4 +146,4 @@ nlohmann::ordered_json json_of(const ValidityRun& run) {
   return json;
 }
 
-}  // namespace drydock::cli
+}  // namespace drydock::validity

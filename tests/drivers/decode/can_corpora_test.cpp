@@ -8,7 +8,7 @@
 
 #include "tests/drivers/decode/corpora.hpp"
 
-namespace drydock::cli {
+namespace drydock::decode {
 namespace can_corpora_test {
 
 using namespace corpora;
@@ -117,4 +117,4 @@ TEST_F(Corpora, AceinnaFramesReadAsTheVendorsFormulaSays) {
 }
 
 }  // namespace can_corpora_test
-}  // namespace drydock::cli
+}  // namespace drydock::decode

@@ -14,7 +14,7 @@
 #include "drivers/decode/decode.hpp"
 
 /// Runs `decode` and keeps what it prints.
-namespace drydock::cli {
+namespace drydock::decode {
 
 /// A file that lives in memory; `text()` is what was written to it.
 class MemoryFile {
@@ -84,4 +84,4 @@ inline std::string read_file(const std::string& path) {
   return std::move(text).str();
 }
 
-}  // namespace drydock::cli
+}  // namespace drydock::decode

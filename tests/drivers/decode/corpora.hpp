@@ -12,7 +12,7 @@
 
 /// `decode` against counts that other, simpler means give: a scanner of a few lines that knows
 /// checksums only, or the output of somebody else's decoder.
-namespace drydock::cli::corpora {
+namespace drydock::decode::corpora {
 
 namespace fs = std::filesystem;
 using Counts = std::map<std::string, int>;
@@ -48,4 +48,4 @@ inline Counts decoded_lines(const std::string& protocol, const fs::path& file) {
   return counts;
 }
 
-}  // namespace drydock::cli::corpora
+}  // namespace drydock::decode::corpora

@@ -10,7 +10,7 @@
 #include "drivers/wire/registry.hpp"
 #include "tests/drivers/decode/captured.hpp"
 
-namespace drydock::cli {
+namespace drydock::decode {
 namespace decode_test {
 
 using nlohmann::json;
@@ -168,4 +168,4 @@ TEST(DecodeManual, ASectionForEachMessageHasJustItsKeys) {
 }
 
 }  // namespace decode_test
-}  // namespace drydock::cli
+}  // namespace drydock::decode

@@ -9,7 +9,7 @@
 
 #include "tests/drivers/decode/corpora.hpp"
 
-namespace drydock::cli {
+namespace drydock::decode {
 namespace gnss_corpora_test {
 
 using namespace corpora;
@@ -108,4 +108,4 @@ TEST_F(Corpora, AMixedPortGivesBothProtocols) {
 }
 
 }  // namespace gnss_corpora_test
-}  // namespace drydock::cli
+}  // namespace drydock::decode

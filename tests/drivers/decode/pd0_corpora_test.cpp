@@ -8,7 +8,7 @@
 
 #include "tests/drivers/decode/corpora.hpp"
 
-namespace drydock::cli {
+namespace drydock::decode {
 namespace pd0_corpora_test {
 
 using namespace corpora;
@@ -79,4 +79,4 @@ TEST_F(Corpora, Pd0BottomVelocityIsMhkitsWithTheOtherSign) {
 }
 
 }  // namespace pd0_corpora_test
-}  // namespace drydock::cli
+}  // namespace drydock::decode

@@ -4,7 +4,7 @@
 
 #include "tests/drivers/decode/captured.hpp"
 
-namespace drydock::cli {
+namespace drydock::decode {
 namespace replay_test {
 
 using nlohmann::json;
@@ -82,4 +82,4 @@ TEST(Replay, WhatCannotBePlayedIsOneLine) {
 }
 
 }  // namespace replay_test
-}  // namespace drydock::cli
+}  // namespace drydock::decode

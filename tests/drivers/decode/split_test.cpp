@@ -18,7 +18,7 @@
 /// Every capture made by others, fed in pieces, gives what it gives fed whole: for each protocol
 /// that it holds messages of, the same messages in the same order and the same counters. No file is
 /// named here.
-namespace drydock::cli {
+namespace drydock::decode {
 namespace split_test {
 
 namespace fs = std::filesystem;
@@ -55,8 +55,8 @@ struct Result {
 
   template <class Variant>
   void note(const Variant& message) {
-    JsonText text;
-    JsonWriter json(text);
+    text::JsonText text;
+    text::JsonWriter json(text);
     std::visit([&](const auto& m) { json.value(m); }, message);
     digest = digest * 31 + std::hash<std::string_view>{}(text.view());
     ++messages;
@@ -160,4 +160,4 @@ TYPED_TEST(CapturesInPieces, GiveTheSameMessagesAndCountersAsWhole) {
 }
 
 }  // namespace split_test
-}  // namespace drydock::cli
+}  // namespace drydock::decode

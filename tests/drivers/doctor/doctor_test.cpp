@@ -14,7 +14,7 @@
 #include "drivers/probe/probe.hpp"
 #include "tests/drivers/decode/captured.hpp"
 
-namespace drydock::cli {
+namespace drydock::doctor {
 namespace doctor_test {
 
 namespace fs = std::filesystem;
@@ -94,7 +94,7 @@ TEST(Ports, CanInterfacesAreToldFromOtherNetworks) {
   EXPECT_EQ(ports[0].name, "can0");
   EXPECT_FALSE(ports[0].up);
   MemoryFile out;
-  EXPECT_EQ(probe_all(machine.root(), true, out.file()), 0);
+  EXPECT_EQ(probe::probe_all(machine.root(), true, out.file()), 0);
   EXPECT_EQ(nlohmann::json::parse(out.text()).at("can").at(0).at("name"), "can0");
 }
 
@@ -194,4 +194,4 @@ TEST(Doctor, ARigNeedsWhatItsLinksName) {
 }
 
 }  // namespace doctor_test
-}  // namespace drydock::cli
+}  // namespace drydock::doctor

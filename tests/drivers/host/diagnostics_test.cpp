@@ -6,7 +6,7 @@
 
 #include "drivers/host/rig_bus.hpp"
 
-namespace drydock::cli::diagnostics_test {
+namespace drydock::host::diagnostics_test {
 namespace {
 
 /// The words between backticks in the first column of the table below "## Diagnostics".
@@ -58,4 +58,4 @@ TEST(Diagnostics, EveryPublishedKeyStandsOnThePageOfTheBusAndNoOther) {
 }
 
 }  // namespace
-}  // namespace drydock::cli::diagnostics_test
+}  // namespace drydock::host::diagnostics_test

@@ -6,7 +6,7 @@
 
 namespace until_stopped_test {
 
-using drydock::cli::UntilStopped;
+using drydock::io::UntilStopped;
 
 /// How often it stopped until it had no work left.
 struct Program {

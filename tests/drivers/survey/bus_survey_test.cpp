@@ -8,7 +8,7 @@
 #include "drivers/wire/can/can_bits.hpp"
 #include "drivers/wire/canopen/canopen.hpp"
 
-namespace drydock::probe {
+namespace drydock::survey {
 namespace bus_survey_test {
 
 using testing::HasSubstr;
@@ -159,4 +159,4 @@ TEST(BusSurvey, TheLoadIsTheBitsOfTheFramesByTheirTime) {
 }
 
 }  // namespace bus_survey_test
-}  // namespace drydock::probe
+}  // namespace drydock::survey

@@ -9,7 +9,7 @@
 #include "tests/drivers/property.hpp"
 #include "tests/drivers/wire/byte_streams.hpp"
 
-namespace drydock::probe {
+namespace drydock::survey {
 namespace byte_survey_test {
 
 using testing::ElementsAre;
@@ -171,4 +171,4 @@ TEST(SevenBits, ALineWithEvenOrOddParityIsReadThroughAPortWithoutIt) {
 }
 
 }  // namespace byte_survey_test
-}  // namespace drydock::probe
+}  // namespace drydock::survey

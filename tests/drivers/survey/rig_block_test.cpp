@@ -7,7 +7,7 @@
 
 #include "rig_config/load.hpp"
 
-namespace drydock::probe {
+namespace drydock::survey {
 namespace rig_block_test {
 
 TEST(RigBlock, ARigOfTheBlocksIsAGoodRig) {
@@ -41,4 +41,4 @@ TEST(RigBlock, AMeasuredRateBecomesTheOneThatWasMeant) {
 }
 
 }  // namespace rig_block_test
-}  // namespace drydock::probe
+}  // namespace drydock::survey

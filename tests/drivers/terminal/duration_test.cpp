@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-using drydock::cli::parse_duration;
+using drydock::terminal::parse_duration;
 
 TEST(Duration, ReadsSecondsMinutesAndHours) {
   EXPECT_EQ(parse_duration("90"), 90.0);

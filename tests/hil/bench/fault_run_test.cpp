@@ -63,7 +63,7 @@ const Case cases[] = {
 struct Heard {
   std::vector<std::string> lines;  ///< of the device's measurements, every digit, with their times
   std::vector<double> received_s;
-  cli::DeviceSummary device;
+  summary::DeviceSummary device;
 
   std::vector<std::string> between(double from_s, double to_s) const {
     std::vector<std::string> part;
@@ -87,7 +87,7 @@ std::string text_of(const rig_config::Rig& rig, const measurement::Measurement& 
   std::size_t size = 0;
   std::FILE* memory = ::open_memstream(&text, &size);
   {
-    cli::ReplayLines lines(rig, memory);
+    replay::ReplayLines lines(rig, memory);
     lines.write(m);
     lines.flush();
   }
@@ -103,7 +103,7 @@ Heard run(const rig_config::Rig& rig, const std::string& device) {
       std::ranges::find(rig.devices, device, &rig_config::DeviceConfig::name) -
       rig.devices.begin());
   const auto start = measurement::stamp_from_ns(rig.start_utc_ns);
-  cli::RunOptions options;
+  RunOptions options;
   options.duration_s = end_s;
   options.on_measurement = [&](const measurement::Measurement& m) {
     const auto& origin = measurement::origin_of(m);
@@ -112,7 +112,7 @@ Heard run(const rig_config::Rig& rig, const std::string& device) {
     result.received_s.push_back(measurement::seconds(origin.received_at - start));
   };
   testing::internal::CaptureStdout();
-  result.device = cli::run_lockstep(rig, options).devices.at(index);
+  result.device = run_lockstep(rig, options).devices.at(index);
   testing::internal::GetCapturedStdout();
   return result;
 }

@@ -104,7 +104,7 @@ std::vector<Attitude> straight_into(leveling::FilterKind kind, const rig_config:
 /// The largest of roll or pitch from `from_s` on, deg. The instants of the log are left out: where
 /// a heartbeat goes before the IMU's frames, their stamps are a quarter of a millisecond late, and
 /// the speed of the same instant is used before them instead of behind.
-double difference(const std::vector<Attitude>& direct, const cli::AttitudeTrace& wire,
+double difference(const std::vector<Attitude>& direct, const summary::AttitudeTrace& wire,
                   double from_s) {
   double largest = 0;
   for (std::size_t i = 1; i < wire.t_s.size(); ++i) {
@@ -121,9 +121,9 @@ double difference(const std::vector<Attitude>& direct, const cli::AttitudeTrace&
 TEST(LevelingOnTheWire, EveryFilterAgreesWithItsMeasurementsToTheWiresResolution) {
   const auto rig = two_sensors();
   testing::internal::CaptureStdout();
-  cli::RunOptions options;
+  RunOptions options;
   options.duration_s = seconds;
-  const auto summary = cli::run_lockstep(rig, options);
+  const auto summary = run_lockstep(rig, options);
   testing::internal::GetCapturedStdout();
   EXPECT_TRUE(summary.all_streaming());
   using leveling::FilterKind;

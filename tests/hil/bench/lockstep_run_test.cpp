@@ -12,17 +12,17 @@ rig_config::Rig demo() {
   return rig_config::load_rig(DRYDOCK_SOURCE_DIR "/rig_config/rigs/demo.toml").value();
 }
 
-cli::Summary run(const rig_config::Rig& rig, double seconds) {
+summary::Summary run(const rig_config::Rig& rig, double seconds) {
   testing::internal::CaptureStdout();
-  cli::RunOptions options;
+  RunOptions options;
   options.duration_s = seconds;
-  auto summary = cli::run_lockstep(rig, options);
+  auto summary = run_lockstep(rig, options);
   testing::internal::GetCapturedStdout();
   return summary;
 }
 
 /// Wall time and memory are the machine's.
-std::string json_of_bench(cli::Summary summary) {
+std::string json_of_bench(summary::Summary summary) {
   summary.wall_s = 0;
   summary.resident = {};
   return to_json(summary);

@@ -20,7 +20,7 @@ std::vector<double> arrivals(const std::string& faults, std::string_view device)
   rig.faults = rig_config::load_faults_text(faults, "test").value();
   EXPECT_THAT(rig_config::check_faults_of(rig), testing::IsEmpty());
   std::vector<double> at_s;
-  cli::RunOptions options;
+  RunOptions options;
   options.duration_s = 60;
   options.quiet = true;
   options.on_measurement = [&](const measurement::Measurement& m) {
@@ -29,7 +29,7 @@ std::vector<double> arrivals(const std::string& faults, std::string_view device)
     if (rig.devices.at(origin.device).name == device)
       at_s.push_back(measurement::seconds(origin.received_at - start));
   };
-  cli::run_lockstep(rig, options);
+  run_lockstep(rig, options);
   return at_s;
 }
 

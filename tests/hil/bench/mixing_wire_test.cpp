@@ -32,11 +32,11 @@ rig_config::Rig without_noise(rig_config::Rig rig) {
   return rig;
 }
 
-cli::Summary run(const rig_config::Rig& rig, double duration_s) {
+summary::Summary run(const rig_config::Rig& rig, double duration_s) {
   testing::internal::CaptureStdout();
-  cli::RunOptions options;
+  RunOptions options;
   options.duration_s = duration_s;
-  auto summary = cli::run_lockstep(rig, options);
+  auto summary = run_lockstep(rig, options);
   testing::internal::GetCapturedStdout();
   return summary;
 }
@@ -94,7 +94,7 @@ TEST(MixingOnTheWire, EveryTypeAgreesWithItsMeasurementsToTheWiresResolution) {
   const auto summary = run(rig, seconds);
   EXPECT_TRUE(summary.all_streaming());
   const auto readings = readings_of(rig);
-  const auto options = cli::pipeline_options(rig);
+  const auto options = setup::pipeline_options(rig);
   for (std::size_t i = 0; i < rig.estimators.size(); ++i) {
     const auto& wire = summary.traces.at(i);
     ASSERT_GT(wire.t_s.size(), 500U);

@@ -39,17 +39,17 @@ Notes notes_after(const std::vector<measurement::Measurement>& measurements,
   Ignore nobody;
   auto pipeline = *pipeline::make_pipeline(options, nobody);
   for (const auto& m : measurements) pipeline.receive(m);
-  return cli::pipeline_notes(still_rig(), pipeline);
+  return setup::pipeline_notes(still_rig(), pipeline);
 }
 
 TEST(PipelineNotes, AreEmptyWhenEveryMeasurementWasUsed) {
-  EXPECT_EQ(notes_after({sample(0), sample(10)}, cli::pipeline_options(still_rig())), Notes{});
+  EXPECT_EQ(notes_after({sample(0), sample(10)}, setup::pipeline_options(still_rig())), Notes{});
 }
 
 TEST(PipelineNotes, NameTheDeviceWithWhatCameLateAndWhatWasRefused) {
   const auto no_number = sample(30, std::numeric_limits<double>::quiet_NaN());
   EXPECT_EQ(notes_after({sample(0), sample(20), sample(10), no_number},
-                        cli::pipeline_options(still_rig())),
+                        setup::pipeline_options(still_rig())),
             Notes{"imu: of 4 measurements 1 too late for the estimators, 1 refused"});
 }
 
@@ -61,7 +61,7 @@ TEST(PipelineNotes, TellWhatAnEstimatorKeptOutsideItsGate) {
   rig.estimators[0].stationary = false;
   rig.estimators[0].log = "log";
   Ignore nobody;
-  auto pipeline = *pipeline::make_pipeline(cli::pipeline_options(rig), nobody);
+  auto pipeline = *pipeline::make_pipeline(setup::pipeline_options(rig), nobody);
   measurement::WaterSpeed speed;
   speed.origin.device = 1;
   for (int ms = 0; ms <= 10'000; ms += 10) {
@@ -70,11 +70,11 @@ TEST(PipelineNotes, TellWhatAnEstimatorKeptOutsideItsGate) {
     if (ms % 500 == 0) pipeline.receive(speed);
     pipeline.receive(sample(ms));
   }
-  EXPECT_EQ(cli::pipeline_notes(rig, pipeline), Notes{"attitude: 2 values outside its gate"});
+  EXPECT_EQ(setup::pipeline_notes(rig, pipeline), Notes{"attitude: 2 values outside its gate"});
 }
 
 TEST(PipelineNotes, TellOfABufferThatIsTooSmallForTheWindow) {
-  auto options = cli::pipeline_options(still_rig());
+  auto options = setup::pipeline_options(still_rig());
   options.reorder_window = milliseconds{200};
   options.reorder_capacity = 2;
   EXPECT_EQ(notes_after({sample(0), sample(10), sample(20)}, options),

@@ -14,7 +14,7 @@
 #include "hil/sensor/ideal.hpp"
 #include "rig_config/load.hpp"
 
-namespace drydock::cli::roll_wire_test {
+namespace drydock::bench::roll_wire_test {
 namespace {
 
 constexpr double degree = 3.14159265358979323846 / 180, seconds_flown = 60;
@@ -23,7 +23,7 @@ rig_config::Rig rocket() {
   return rig_config::load_rig(DRYDOCK_SOURCE_DIR "/rig_config/rigs/sounding-rocket.toml").value();
 }
 
-Summary through_wires(const rig_config::Rig& rig) {
+summary::Summary through_wires(const rig_config::Rig& rig) {
   testing::internal::CaptureStdout();
   RunOptions options;
   options.duration_s = seconds_flown;
@@ -51,7 +51,7 @@ std::vector<pipeline::AttitudeEstimate> straight(const rig_config::Rig& rig) {
   const auto antenna = sensor::mounting_of(receiver), sensor = sensor::mounting_of(inertial);
 
   Kept kept;
-  auto pipeline = *pipeline::make_pipeline(pipeline_options(rig), kept);
+  auto pipeline = *pipeline::make_pipeline(setup::pipeline_options(rig), kept);
   for (int k = 0; k <= static_cast<int>(100 * seconds_flown); ++k) {
     const auto at = start + k * std::chrono::milliseconds{10};
     auto imu = imu_errors.apply(sensor::ideal_imu(*trajectory, at, sensor));
@@ -126,4 +126,4 @@ TEST(RollOnTheWire, Nmea0183DoesItToo) {
 }
 
 }  // namespace
-}  // namespace drydock::cli::roll_wire_test
+}  // namespace drydock::bench::roll_wire_test

@@ -18,7 +18,7 @@
 #include "hil/study/velocity/velocity_methods.hpp"
 #include "rig_config/load.hpp"
 
-namespace drydock::cli::velocity_wire_test {
+namespace drydock::bench::velocity_wire_test {
 namespace {
 
 using measurement::Stamp;
@@ -54,7 +54,7 @@ rig_config::Rig brief_mission() {
   return rig;
 }
 
-Summary through_wires(const rig_config::Rig& rig) {
+summary::Summary through_wires(const rig_config::Rig& rig) {
   testing::internal::CaptureStdout();
   RunOptions options;
   options.duration_s = seconds_sailed;
@@ -68,7 +68,7 @@ const rig_config::DeviceConfig& named(const rig_config::Rig& rig, const char* na
 }
 
 /// Tenths of a second at which the DVL had the bed: its head is not modelled here.
-std::set<int> tenths_with_bed(const Summary& wires) {
+std::set<int> tenths_with_bed(const summary::Summary& wires) {
   const auto track = std::ranges::find_if(wires.measurements,
                                           [](const auto& m) { return m.title.starts_with("dvl"); });
   std::set<int> tenths;
@@ -89,7 +89,7 @@ std::vector<Error> straight_into(study::Method method, const rig_config::Rig& ri
   sensor::ImuErrors imu_errors(unit.emulate, unit.rate_hz, rig.seed, unit.name);
   sensor::ImuSampler imu(truth, {}, unit.rate_hz, true);
   imu_errors.apply(imu.at(start));  // the sample that the emulated unit takes at the start
-  const auto options = inertial_options(rig, rig.estimators.at(0));
+  const auto options = setup::inertial_options(rig, rig.estimators.at(0));
   const auto navigator =
       study::make_navigator(method, options.start, hydrodynamics::Model(options.vehicle));
 
@@ -129,7 +129,7 @@ struct Apart {
   double metres = 0, metres_per_second = 0;
 };
 
-Apart largest_difference(const std::vector<Error>& direct, const NavigationTrace& wire) {
+Apart largest_difference(const std::vector<Error>& direct, const summary::NavigationTrace& wire) {
   Apart apart;
   for (std::size_t i = 0; i < wire.t_s.size(); ++i) {
     const auto tenth = std::lround(10 * wire.t_s[i]);
@@ -169,4 +169,4 @@ TEST(VelocityOnTheWire, BothFiltersAgreeWithTheStudysToTheWiresResolution) {
 }
 
 }  // namespace
-}  // namespace drydock::cli::velocity_wire_test
+}  // namespace drydock::bench::velocity_wire_test

@@ -52,17 +52,17 @@ class Characterize : public testing::Test {
   std::filesystem::path folder_;
 };
 
-cli::Characterized characterized(const cli::Gathered& gathered) {
-  cli::Characterized device{characterize::figures_of(gathered.devices.at(0)).value(), {}, {}};
+Characterized characterized(const Gathered& gathered) {
+  Characterized device{characterize::figures_of(gathered.devices.at(0)).value(), {}, {}};
   device.measured = characterize::grade_of(device.figures);
   return device;
 }
 
 TEST_F(Characterize, AnHourOfAnEmulatedImuGivesItsParametersBackWithinTheirBounds) {
-  cli::CharacterizeOptions options;
+  CharacterizeOptions options;
   options.source = path("rig.toml");
   testing::internal::CaptureStdout();
-  const auto gathered = cli::gather(options);
+  const auto gathered = gather(options);
   testing::internal::GetCapturedStdout();
   const auto device = characterized(gathered);
   const auto& timing = device.figures.timing;
@@ -98,7 +98,7 @@ TEST_F(Characterize, AnHourOfAnEmulatedImuGivesItsParametersBackWithinTheirBound
   EXPECT_GT(high[2], -200 * degph);
 
   // What is written is read as what was measured, and the checker takes it.
-  write("imu.toml", cli::sensor_file_of(device, "rig.toml"));
+  write("imu.toml", sensor_file_of(device, "rig.toml"));
   EXPECT_TRUE(rig_config::check_file(path("imu.toml")).empty());
   const auto grade = rig_config::load_sensor(path("imu.toml"), rig_config::DeviceKind::imu).value();
   EXPECT_NEAR(grade.primary.noise_density[1] / device.measured.value.primary.noise_density[1], 1,
@@ -107,28 +107,28 @@ TEST_F(Characterize, AnHourOfAnEmulatedImuGivesItsParametersBackWithinTheirBound
 }
 
 TEST_F(Characterize, ARecordingGivesTheSameFiguresAsTheRunItWasMadeOf) {
-  cli::CharacterizeOptions options;
+  CharacterizeOptions options;
   options.source = path("rig.toml");
   options.duration_s = 60;
   const auto rig = rig_config::load_rig(options.source).value();
   record::RecorderOptions recorded;
-  recorded.devices = cli::bus_devices(rig);
+  recorded.devices = host::bus_devices(rig);
   recorded.when_behind = record::WhenBehind::wait;
   {
     record::Recorder recorder(mcap::file_sink(path("dive.mcap")).value(), recorded);
-    cli::RunOptions run;
+    bench::RunOptions run;
     run.duration_s = 60;
     run.on_measurement = [&](const measurement::Measurement& m) { recorder.topics().publish(m); };
     testing::internal::CaptureStdout();
-    cli::run_lockstep(rig, run);
+    bench::run_lockstep(rig, run);
     testing::internal::GetCapturedStdout();
     ASSERT_FALSE(recorder.finish());
   }
   testing::internal::CaptureStdout();
-  const auto live = cli::gather(options);
+  const auto live = gather(options);
   testing::internal::GetCapturedStdout();
   options.source = path("dive.mcap");
-  const auto played = cli::gather(options);
+  const auto played = gather(options);
   ASSERT_EQ(played.devices.size(), 1U);
   const auto &a = live.devices[0], &b = played.devices[0];
   EXPECT_EQ(b.subject.name, "imu");
@@ -142,13 +142,13 @@ TEST_F(Characterize, ARecordingGivesTheSameFiguresAsTheRunItWasMadeOf) {
 }
 
 TEST_F(Characterize, AnUnknownDeviceIsRefusedWithTheNamesThereAre) {
-  cli::CharacterizeOptions options;
+  CharacterizeOptions options;
   options.source = path("rig.toml");
   options.duration_s = 1;
   options.device = "dvl";
   std::FILE* errors = std::tmpfile();
   testing::internal::CaptureStdout();
-  EXPECT_EQ(cli::characterize_source(options, stdout, errors), 2);
+  EXPECT_EQ(characterize_source(options, stdout, errors), 2);
   testing::internal::GetCapturedStdout();
   std::rewind(errors);
   char line[200] = {};

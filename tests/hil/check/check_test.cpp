@@ -4,7 +4,7 @@
 
 #include "tests/drivers/decode/captured.hpp"
 
-namespace drydock::cli {
+namespace drydock::check {
 namespace check_test {
 
 using testing::HasSubstr;
@@ -39,4 +39,4 @@ TEST(Check, OneBadFileDoesNotHideTheOthers) {
 }
 
 }  // namespace check_test
-}  // namespace drydock::cli
+}  // namespace drydock::check

@@ -11,7 +11,7 @@
 #include "hil/control/request/fault_requests.hpp"
 #include "hil/motion/kinematic_trajectory.hpp"
 
-namespace drydock::cli {
+namespace drydock::control {
 namespace fault_services_test {
 
 using nlohmann::json;
@@ -166,4 +166,4 @@ TEST_F(FaultServices, OfARigWithoutEmulatedDevicesAreRefusedInOneLine) {
 }
 
 }  // namespace fault_services_test
-}  // namespace drydock::cli
+}  // namespace drydock::control

@@ -16,7 +16,7 @@
 #include "hil/motion/kinematic_trajectory.hpp"
 #include "tests/drivers/link/running.hpp"
 
-namespace drydock::cli {
+namespace drydock::control {
 namespace live_faults_test {
 
 using Json = nlohmann::json;
@@ -230,7 +230,7 @@ TEST(LiveFaults, SetByHandEndByThemselvesAndAreToldOnceEach) {
   EXPECT_THAT(ended, ElementsAre(false, true, false, true));
   faults.stop();
 
-  Summary summary;
+  summary::Summary summary;
   faults.write(summary);
   ASSERT_EQ(summary.faults.size(), 2u);
   EXPECT_NEAR(*summary.faults[0].until_s - summary.faults[0].since_s, 0.2, 1e-6);
@@ -240,4 +240,4 @@ TEST(LiveFaults, SetByHandEndByThemselvesAndAreToldOnceEach) {
 }
 
 }  // namespace live_faults_test
-}  // namespace drydock::cli
+}  // namespace drydock::control

@@ -11,8 +11,8 @@
 
 namespace completion_test {
 
-using program::drydock;
-using program::Folder;
+using drydock;
+using Folder;
 using testing::HasSubstr;
 
 TEST(Program, BashCompletesCommandsOptionsAndValues) {

@@ -11,8 +11,8 @@
 /// What the monitor hears is there for browsers too; the witness is Foxglove's own client.
 namespace monitor_serve_test {
 
-using program::drydock;
-using program::Folder;
+using drydock;
+using Folder;
 using testing::HasSubstr;
 using namespace std::chrono_literals;
 
@@ -31,7 +31,7 @@ class ServedMonitor {
   /// "ws://127.0.0.1:PORT/..." once it is served; probing comes first where it is a link.
   std::string address() const {
     for (int i = 0; i < 300; ++i) {
-      const auto said = program::read_file(folder_ / "live");
+      const auto said = read_file(folder_ / "live");
       const auto from = said.find("live: http"), to = said.find('\n', from);
       if (from != std::string::npos && to != std::string::npos)
         return "ws" + said.substr(from + 10, to - from - 10);
@@ -49,7 +49,7 @@ class ServedMonitor {
 
  private:
   Folder folder_;
-  program::Outcome outcome_;
+  Outcome outcome_;
   std::jthread run_;
 };
 

@@ -10,9 +10,9 @@
 
 namespace program_probe_test {
 
-using program::drydock;
-using program::emulated_demo;
-using program::Folder;
+using drydock;
+using emulated_demo;
+using Folder;
 using testing::HasSubstr;
 
 TEST(Program, AProbeFindsAnEmulatedSensorAndItsBlockIsAGoodRig) {

@@ -22,7 +22,7 @@
 namespace recorded_run {
 
 using namespace drydock;
-using namespace drydock::cli;
+using namespace drydock::replay;
 namespace fs = std::filesystem;
 
 /// Everything understood but truth and health, by topic: the messages' bytes with their times.
@@ -74,15 +74,15 @@ class ReplayOfARun : public testing::Test {
   }
   static void TearDownTestSuite() { fs::remove_all(folder_); }
 
-  static Summary record(const std::string& name, std::uint64_t seed) {
+  static summary::Summary record(const std::string& name, std::uint64_t seed) {
     auto rig = rig_config::load_rig(DRYDOCK_SOURCE_DIR "/rig_config/rigs/demo.toml").value();
     rig.seed = seed;
-    RunOptions options;
+    bench::RunOptions options;
     options.duration_s = 20;
     options.lockstep = true;
     options.record.path = file(name);
     testing::internal::CaptureStdout();
-    auto summary = run_lockstep(rig, options);
+    auto summary = bench::run_lockstep(rig, options);
     testing::internal::GetCapturedStdout();
     return summary;
   }
@@ -95,7 +95,7 @@ class ReplayOfARun : public testing::Test {
   }
 
   static inline fs::path folder_;
-  static inline Summary summary_;
+  static inline summary::Summary summary_;
 };
 
 }  // namespace recorded_run

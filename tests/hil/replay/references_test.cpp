@@ -10,7 +10,7 @@
 namespace references_test {
 
 using namespace drydock;
-using namespace drydock::cli;
+using namespace drydock::replay;
 using measurement::Stamp;
 
 const bus::CdrSink::Topic depth_topic{

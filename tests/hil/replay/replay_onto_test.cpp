@@ -16,7 +16,7 @@
 namespace replay_onto_test {
 
 using namespace drydock;
-using namespace drydock::cli;
+using namespace drydock::replay;
 
 /// The velocities that a DVL's driver gives, and when its link is open.
 class Velocities final : public device::Listener {
@@ -40,12 +40,12 @@ class ReplayOnto : public testing::Test {
   void SetUp() override {
     path_ = std::filesystem::temp_directory_path() /
             ("replay-onto-" + std::to_string(::getpid()) + ".mcap");
-    RunOptions options;
+    bench::RunOptions options;
     options.duration_s = 5;
     options.lockstep = true;
     options.record = {path_, true};
     testing::internal::CaptureStdout();
-    run_lockstep(rig_, options);
+    bench::run_lockstep(rig_, options);
     testing::internal::GetCapturedStdout();
   }
   void TearDown() override { std::filesystem::remove(path_); }

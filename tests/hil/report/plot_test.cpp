@@ -7,8 +7,8 @@
 
 namespace plot_test {
 
-using drydock::cli::Plot;
-using drydock::cli::render_svg;
+using drydock::report::Plot;
+using drydock::report::render_svg;
 using testing::HasSubstr;
 
 class Gnuplot : public testing::Test {

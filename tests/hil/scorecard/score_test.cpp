@@ -10,7 +10,7 @@
 namespace score_test {
 
 using namespace drydock;
-using namespace drydock::cli::scorecard;
+using namespace drydock::scorecard;
 
 constexpr Window window{.warm_up_s = 10, .fault_s = 10, .after_s = 10};
 

@@ -11,7 +11,7 @@
 namespace scorecard_file_test {
 
 using namespace drydock;
-using namespace drydock::cli::scorecard;
+using namespace drydock::scorecard;
 
 Scorecard card_of(Score s) {
   Scorecard card;

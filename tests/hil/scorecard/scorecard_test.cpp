@@ -16,7 +16,7 @@
 namespace scorecard_test {
 
 using namespace drydock;
-using namespace drydock::cli::scorecard;
+using namespace drydock::scorecard;
 
 rig_config::Rig demo() {
   return rig_config::load_rig(DRYDOCK_SOURCE_DIR "/rig_config/rigs/demo.toml").value();

@@ -10,7 +10,7 @@
 #include "hil/report/study_report.hpp"
 #include "hil/study/run/run_study.hpp"
 
-namespace drydock::cli {
+namespace drydock::study {
 namespace {
 
 using testing::HasSubstr;
@@ -168,8 +168,8 @@ TEST_F(StudyCommand, AStudyWithoutCasesSaysSo) {
 
 TEST(StudyTable, ColumnsStandBelowEachOtherWhateverTheAlphabet) {
   const study::Table table{"T", {"filter", "φ [°]"}, {{"a", "1.0000"}, {"bb", "-2"}}, ""};
-  EXPECT_EQ(to_text(table), "T\nfilter   φ [°]\na       1.0000\nbb          -2\n");
+  EXPECT_EQ(report::to_text(table), "T\nfilter   φ [°]\na       1.0000\nbb          -2\n");
 }
 
 }  // namespace
-}  // namespace drydock::cli
+}  // namespace drydock::study

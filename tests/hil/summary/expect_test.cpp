@@ -18,7 +18,7 @@
 #include "hil/summary/junit.hpp"
 #include "rig_config/load.hpp"
 
-namespace drydock::cli::expect_test {
+namespace drydock::summary::expect_test {
 namespace {
 
 using testing::ElementsAre;
@@ -40,9 +40,9 @@ rig_config::Rig shipped(const std::string& name, const std::string& expects) {
 
 Summary run_for(const rig_config::Rig& rig, double duration_s) {
   testing::internal::CaptureStdout();
-  RunOptions options;
+  bench::RunOptions options;
   options.duration_s = duration_s;
-  auto summary = run_lockstep(rig, options);
+  auto summary = bench::run_lockstep(rig, options);
   testing::internal::GetCapturedStdout();
   return summary;
 }
@@ -59,10 +59,10 @@ struct Outcome {
   int exit_code = -1;
   std::string output;
 };
-Outcome command(const rig_config::Rig& rig, RunOptions options) {
+Outcome command(const rig_config::Rig& rig, bench::RunOptions options) {
   options.lockstep = true;
   testing::internal::CaptureStdout();
-  const int code = run(rig, options);
+  const int code = bench::run(rig, options);
   return {code, testing::internal::GetCapturedStdout()};
 }
 
@@ -191,7 +191,7 @@ TEST(Expectations, OfErrorsFailWhereThereIsNoTruth) {
 }
 
 TEST(Expectations, OfTheCommandLineAreJudgedAsThoseOfTheFile) {
-  RunOptions options;
+  bench::RunOptions options;
   options.duration_s = 5;
   options.expect_streaming = true;
   options.expect_rms_deg = 1e-6;
@@ -205,7 +205,7 @@ TEST(Expectations, OfTheCommandLineAreJudgedAsThoseOfTheFile) {
 
 TEST(Expectations, InAJUnitFileAreTestcasesForAnotherParser) {
   const TemporaryFile file;
-  RunOptions options;
+  bench::RunOptions options;
   options.duration_s = 5;
   options.junit = file.path;
   const auto outcome = command(
@@ -227,14 +227,14 @@ TEST(Expectations, AreInAJUnitFileEvenIfTheRunCannotBegin) {
   const TemporaryFile file;
   auto rig = shipped("demo", "");
   rig.devices[0].link = "serial:/dev/<none>\"&?baud=115200";
-  RunOptions options;
+  bench::RunOptions options;
   options.junit = file.path;
   options.lockstep = true;
-  EXPECT_THROW(run(rig, options), std::runtime_error);
+  EXPECT_THROW(bench::run(rig, options), std::runtime_error);
   const auto read = read_by_python(file.path);
   EXPECT_THAT(read, testing::StartsWith("demo 1 0 1\n"));
   EXPECT_THAT(read, HasSubstr("serial:/dev/<none>\"&?baud=115200 is real hardware"));
 }
 
 }  // namespace
-}  // namespace drydock::cli::expect_test
+}  // namespace drydock::summary::expect_test

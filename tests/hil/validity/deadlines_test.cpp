@@ -141,14 +141,14 @@ TEST(Deadlines, TheLinesAndBusesOfFortyDevicesLeaveEveryDeadlineAMargin) {
   std::vector<std::string> names;
   for (const auto& device : rig.devices) names.push_back(device.name);
   validity::Listener listener(names);
-  cli::RunOptions options;
+  bench::RunOptions options;
   options.duration_s = 5;
   options.lockstep = options.quiet = true;
   options.on_written = [&](std::string_view device, const emulate::Passage& passage,
                            Stamp written) { listener.note(device, passage, written); };
   options.on_measurement = [&](const measurement::Measurement& m) { listener.note(m); };
   testing::internal::CaptureStdout();
-  cli::run_lockstep(rig, options);
+  bench::run_lockstep(rig, options);
   testing::internal::GetCapturedStdout();
 
   const Stamp start = measurement::stamp_from_ns(rig.start_utc_ns);

@@ -52,14 +52,14 @@ std::vector<std::string> names_of(const rig_config::Rig& rig) {
 
 std::vector<validity::Figures> measured(const rig_config::Rig& rig, double duration_s) {
   validity::Listener listener(names_of(rig));
-  cli::RunOptions options;
+  bench::RunOptions options;
   options.duration_s = duration_s;
   options.lockstep = true;
   options.on_written = [&](std::string_view device, const emulate::Passage& passage,
                            Stamp written) { listener.note(device, passage, written); };
   options.on_measurement = [&](const measurement::Measurement& m) { listener.note(m); };
   testing::internal::CaptureStdout();
-  cli::run_lockstep(rig, options);
+  bench::run_lockstep(rig, options);
   testing::internal::GetCapturedStdout();
   return listener.figures();
 }

@@ -16,7 +16,7 @@
 
 /// Every dive under fixtures/dives, made by `drydock cut --as-fixture`, goes through the drivers
 /// again; and one byte more or less is seen.
-namespace drydock::cli {
+namespace drydock::recordings {
 namespace dives_test {
 
 namespace fs = std::filesystem;
@@ -137,7 +137,9 @@ class Dive : public testing::TestWithParam<std::string> {
   fs::path folder_ = all_dives / GetParam();
 };
 
-TEST_P(Dive, GoesThroughTheDriversAsItDidWhenItWasKept) { EXPECT_EQ(difference(folder_), ""); }
+TEST_P(Dive, GoesThroughTheDriversAsItDidWhenItWasKept) {
+  EXPECT_EQ(difference(folder_), "");
+}
 
 TEST_P(Dive, OfWhichOneReceivedByteIsChangedIsAnother) {
   const record::test::TestFolder copy;
@@ -148,7 +150,8 @@ TEST_P(Dive, OfWhichOneReceivedByteIsChangedIsAnother) {
   std::size_t seen_by_drivers = 0;
   for (std::size_t i = 0; i < mutations; ++i) {
     mutant.write(copy / fixture_recording, i * received / mutations, 5 * i);
-    EXPECT_NE(difference(copy / ""), "") << "byte " << 5 * i << " of " << i * received / mutations;
+    EXPECT_NE(difference(copy / ""), "")
+        << "byte " << 5 * i << " of " << i * received / mutations;
     seen_by_drivers += !difference(copy / "", false).empty();
   }
   // Of a CAN frame some bytes are reserved, and no checksum guards them.
@@ -195,4 +198,4 @@ INSTANTIATE_TEST_SUITE_P(Fixtures, Dive, testing::ValuesIn(dives()),
                          [](const auto& dive) { return drydock::testing::test_name(dive.param); });
 
 }  // namespace dives_test
-}  // namespace drydock::cli
+}  // namespace drydock::recordings

@@ -9,7 +9,7 @@
 #include "tests/drivers/decode/captured.hpp"
 #include "tests/drivers/recordings/sample_dive/sample_dive.hpp"
 
-namespace drydock::cli {
+namespace drydock::recordings {
 namespace recordings_test {
 
 using record::test::read_all;
@@ -99,4 +99,4 @@ TEST(ParseUtc, TakesATimeOfAllItsDigits) {
 }
 
 }  // namespace recordings_test
-}  // namespace drydock::cli
+}  // namespace drydock::recordings
