@@ -11,18 +11,18 @@
 
 namespace drydock::cli {
 
-/// The faults of a bench that another program plays, `drydock emulate` of the same rig under the
-/// same user, through its control socket: for a page beside the drivers.
+/// The faults of a bench in another program: `drydock emulate` of the same rig and the same user.
+/// Orders go through its control socket. A page beside the drivers uses this.
 class RemoteFaults : public std::enable_shared_from_this<RemoteFaults> {
  public:
-  /// The watchers hear which faults are in force, and outlive the executor's work.
+  /// The watchers hear which faults are in force. They must outlive the work of the executor.
   RemoteFaults(boost::asio::any_io_executor executor, const rig_config::Rig& rig,
                Watchers& watchers);
 
-  /// Passes an order on. At most `most_asking` at once; the next is refused.
+  /// Passes an order on. At most `most_asking` orders wait at once; the next is refused.
   void obey(const std::string& order, std::function<void(const std::string&)> answered);
 
-  /// A few times a second: asks each second what is in force.
+  /// Call it a few times a second. It asks once a second which faults are in force.
   void tick(measurement::Stamp now);
 
  private:

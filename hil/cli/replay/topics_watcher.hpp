@@ -6,10 +6,10 @@
 
 namespace drydock::cli {
 
-/// Gives a sink the messages of a rig's run; the truth is not among them.
+/// Passes the messages of a rig's run to a sink, without the truth.
 class TopicsWatcher final : public Watcher {
  public:
-  /// The sink must outlive it.
+  /// The sink must outlive the watcher.
   TopicsWatcher(bus::CdrSink& sink, const rig_config::Rig& rig)
       : topics_(sink, bus_devices(rig), estimator_names(rig), navigator_names(rig)) {}
 
