@@ -7,8 +7,8 @@
 
 namespace drydock::study {
 
-/// The paper's covariance analysis: what its filter believes of alpha on a known motion, from
-/// P0 = 1, with nothing measured wrong.
+/// The paper's covariance analysis: the covariance of alpha that its filter computes on a known
+/// motion, from P0 = 1, without measurement errors.
 struct LevelingCovariance {
   std::vector<double> t_s;
   std::array<std::vector<double>, 3> variance;  ///< of x4, x5, x6
