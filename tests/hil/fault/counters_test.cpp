@@ -1,5 +1,5 @@
-// Bytes in = bytes in good frames + skipped + held, whatever happens to a line: every byte protocol
-// under random faults, any number of them at once.
+// Bytes in = bytes in good frames + skipped + held, for any faults: every byte protocol under
+// random faults, several at once.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
