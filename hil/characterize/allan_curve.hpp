@@ -13,7 +13,7 @@ namespace drydock::characterize {
 /// m readings is compared with the next one, and a cluster starts at each reading. The longest
 /// cluster fits into the recording at least nine times.
 struct AllanCurve {
-  double period_s = 0;  ///< of the readings
+  double period_s = 0;  ///< time between readings
   std::size_t readings = 0;
   std::vector<std::size_t> samples;  ///< samples per cluster
   std::vector<double> variance;      ///< q^2

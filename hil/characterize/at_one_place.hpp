@@ -9,7 +9,7 @@ namespace drydock::characterize {
 /// A DVL's velocity, and the velocity that a GNSS receiver predicts there, (7): along x and y of
 /// the DVL's own axes, m/s.
 struct VelocityPair {
-  double t_s = 0;  ///< of the fix, without the assumed delay
+  double t_s = 0;  ///< time of the fix, without the assumed delay
   Eigen::Vector2d sensor, reference;
 };
 

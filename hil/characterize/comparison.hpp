@@ -18,7 +18,7 @@ struct Comparison {
   std::string what;  ///< "speed over ground", "x"
   std::size_t blocks = 0;
   std::optional<Estimate> scale;      ///< 1 is right; empty: the reference hardly changed
-  std::optional<Estimate> angle_rad;  ///< of a DVL about its z axis: see VelocityComparison
+  std::optional<Estimate> angle_rad;  ///< a DVL about its z axis: see VelocityComparison
   std::optional<Estimate> delay_s;    ///< after the reference, by both drivers' valid_at
   Estimate bias;                      ///< at zero input if the scale is known; else at the input
                                       ///< that there was

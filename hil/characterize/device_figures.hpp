@@ -32,7 +32,7 @@ struct QuantityFigures {
 
 struct AgainstReference {
   std::string reference;     ///< name of the device
-  int place = 0, axis = -1;  ///< of the compared quantity; axis -1: none
+  int place = 0, axis = -1;  ///< the compared quantity; axis -1: none
   Comparison comparison;
 };
 

@@ -16,7 +16,7 @@ struct NoiseTerms {
 struct NoiseFit {
   NoiseModel model;
   std::optional<Estimate> quantisation, density, instability, correlation_s, walk;
-  std::vector<Estimate> deviation;  ///< of the curve, one per point
+  std::vector<Estimate> deviation;  ///< one per point of the curve
 };
 
 /// The most likely non-negative sum of the terms. Each variance has a chi-square distribution about

@@ -60,7 +60,7 @@ Numbers numbered(const std::vector<double>& times, double period) {
 
 struct Line {
   double slope = 0, sigma = 0;  ///< sigma: standard deviation of the slope
-  double rms = 0, largest = 0;  ///< of the residuals
+  double rms = 0, largest = 0;  ///< residuals
 };
 
 Line fit_line(const std::vector<double>& x, const std::vector<double>& y) {

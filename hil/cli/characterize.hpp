@@ -17,7 +17,7 @@ namespace drydock::cli {
 struct CharacterizeOptions {
   std::string source;     ///< recording (.mcap), rig file (.toml), or capture of one sensor
   ReplayOptions capture;  ///< what the driver of a capture needs to know
-  std::optional<double> duration_s;  ///< of a rig's run; default 1 h in lockstep, 60 s in real time
+  std::optional<double> duration_s;  ///< a rig's run; default 1 h in lockstep, 60 s in real time
   std::string device;                ///< empty: all
   std::string reference;             ///< name of a device; empty: chosen by the sensor's kind
   std::string grade;                 ///< sensor file to compare with

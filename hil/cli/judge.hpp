@@ -15,7 +15,7 @@ struct Findings {
   std::optional<DeviceSummary> device;        ///< set for a block with a device
   std::optional<EstimatorSummary> estimator;  ///< set for a block with an estimator; neither: the
                                               ///< run ended before after_s
-  double duration_s = 0;                      ///< of the run
+  double duration_s = 0;                      ///< the whole run
   std::string other_state;  ///< "stale at 12.3 s": the first unexpected state; empty: none
 };
 

@@ -48,7 +48,7 @@ class LockstepBench final : private device::Listener {
   class ToLine;
   struct Bus {
     std::unique_ptr<emulate::EmulatedBus> bus;
-    std::vector<std::string> names;  ///< of its emulated nodes
+    std::vector<std::string> names;  ///< its emulated nodes
     std::vector<shell::DeviceActor*> drivers;
   };
 

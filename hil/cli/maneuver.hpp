@@ -13,7 +13,7 @@ struct ManeuverOptions {
   std::string schedule;  ///< CSV of motion::parse_schedule; empty: the kind's own commands
   std::optional<double> speed_mps;  ///< commanded; default: the propeller at 1500 rpm
   std::optional<double> deflection_deg, switch_deg;  ///< default: the kind's usual values
-  std::optional<double> duration_s;                  ///< of a schedule
+  std::optional<double> duration_s;                  ///< only for a schedule
   bool ideal_actuators = false, json = false;
   std::string csv, plot;  ///< files to write; empty: none
 };

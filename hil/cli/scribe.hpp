@@ -79,7 +79,7 @@ class Scribe {
   std::vector<MeasurementTrace> plots_;
   std::vector<Curve> curves_;
   std::vector<std::size_t> first_curve_;   ///< per device
-  std::optional<frame::Position> origin_;  ///< of the axes in which the motion is drawn
+  std::optional<frame::Position> origin_;  ///< origin of the axes in which the motion is drawn
   MotionTrace motion_;
   ResidentTrace resident_;
 };

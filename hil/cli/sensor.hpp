@@ -13,7 +13,7 @@ namespace drydock::cli {
 
 struct SensorOptions {
   std::string grade;              ///< sensor file (TOML) with a table [imu]
-  double duration_s = 7200;       ///< of the recording
+  double duration_s = 7200;       ///< length of the recording
   std::optional<double> rate_hz;  ///< default: the grade's rate, else 100
   std::uint64_t seed = 1;
   bool json = false;

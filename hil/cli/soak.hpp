@@ -9,7 +9,7 @@ namespace drydock::cli {
 
 struct SoakOptions {
   double duration_s = 30 * 86400.0;
-  std::uint64_t seed = 1;         ///< of the faults
+  std::uint64_t seed = 1;         ///< for the faults
   double fault_interval_s = 600;  ///< mean, per device
   std::string json, report;       ///< file, folder; empty: none
 };

@@ -28,7 +28,7 @@ struct AttitudeError {
 struct NavigationError {
   double horizontal_rms_m = 0, horizontal_max_m = 0, horizontal_end_m = 0;
   double depth_rms_m = 0;
-  double velocity_rms_mps = 0, velocity_max_mps = 0;  ///< of the velocity vector over ground
+  double velocity_rms_mps = 0, velocity_max_mps = 0;  ///< velocity vector over ground
   double roll_rms_deg = 0, pitch_rms_deg = 0, heading_rms_deg = 0;
   double nees_position = 0;  ///< horizontal, per axis; 1 is consistent
 };
@@ -40,7 +40,7 @@ struct EstimatorSummary {
   std::optional<double> nis;   ///< mean normalised square of accepted innovations; empty: none
   std::optional<AttitudeError> whole_run;  ///< empty if there is no truth
   std::optional<AttitudeError> after_10_s;
-  std::optional<NavigationError> navigation;  ///< of the kinds navigation and velocity
+  std::optional<NavigationError> navigation;  ///< for the kinds navigation and velocity
 };
 
 /// Curves for the report, reduced to at most a few thousand points.

@@ -13,7 +13,7 @@
 namespace drydock::cli {
 
 struct ValidityOptions {
-  double duration_s = 30;    ///< of each run
+  double duration_s = 30;    ///< each run
   bool lockstep = false;     ///< --speed max: without host floor and without lateness
   bool bauds = false;        ///< serial devices only, at each rate from 4800 to 921600
   std::string json, report;  ///< file, folder; empty: none
@@ -21,7 +21,7 @@ struct ValidityOptions {
 
 /// One run of the rig's emulated devices.
 struct ValidityRun {
-  unsigned baud = 0;  ///< of all lines; 0: as in the rig file
+  unsigned baud = 0;  ///< the same for all lines; 0: as in the rig file
   std::vector<validity::Figures> figures;
   HostTimes floor;
 };

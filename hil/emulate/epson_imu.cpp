@@ -13,7 +13,7 @@ constexpr std::uint32_t degree_per_second = 0x00410300, milli_g = 0xFDF10000, ce
 constexpr std::array units{
     degree_per_second, degree_per_second, degree_per_second, milli_g, milli_g, milli_g, celsius};
 constexpr std::uint16_t status_index = 0x2022, unit_index = 0x6131, value_index = 0x7130;
-constexpr std::uint8_t reserved_subindex = 4;  // of 2022h
+constexpr std::uint8_t reserved_subindex = 4;  // in 2022h
 
 // The contents of the TPDOs; 2100h is the counter. The third one of the G550 ends after the
 // temperature.

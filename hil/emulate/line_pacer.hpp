@@ -34,7 +34,7 @@ class LinePacer {
 
   void queue(wire::Bytes message, Stamp now, std::optional<Stamp> sampled_at = {});
   void drop_all();                        ///< waiting and leaving bytes are lost and not counted
-  std::optional<Stamp> deadline() const;  ///< of the next chunk
+  std::optional<Stamp> deadline() const;  ///< time of the next chunk
   std::optional<Chunk> take(Stamp now);   ///< the next chunk that is due
 
   std::uint64_t messages_lost() const { return messages_lost_; }

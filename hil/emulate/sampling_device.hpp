@@ -52,7 +52,7 @@ class SamplingDevice : public EmulatedDevice {
   virtual void sample(Stamp at, Wire& out) = 0;
 
   void take(Stamp at, Wire& out);    ///< calls sample(), with the dropouts of the configuration
-  void sample_at_whole_multiples();  ///< of the period in UTC, as satellite receivers do
+  void sample_at_whole_multiples();  ///< multiples of the period in UTC, as satellite receivers do
   const Trajectory& trajectory() const { return trajectory_; }
   const sensor::Mounting& mounting() const { return mounting_; }
   const Condition& condition() const { return *condition_; }
@@ -74,7 +74,7 @@ class SamplingDevice : public EmulatedDevice {
   sensor::Dropouts dropouts_;
   std::shared_ptr<const Condition> condition_;
   double to_leave_out_ = 0;            ///< fraction of samples, for a slow device
-  std::chrono::nanoseconds ahead_{0};  ///< of a clock that is too fast
+  std::chrono::nanoseconds ahead_{0};  ///< how far a fast clock is ahead
   Stamp first_;
   std::uint64_t samples_ = 0;
   std::optional<Stamp> under_way_;

@@ -42,7 +42,7 @@ class FaultyBus final : private emulate::Wire {
   RogueNode controller_;  ///< the drivers' controller: sees errors, goes bus-off
   bool cut_off_ = false;
   FaultHits hits_;
-  Outlet* drivers_ = nullptr;  ///< of the current call
+  Outlet* drivers_ = nullptr;  ///< valid during a call
   Stamp now_{};
 };
 

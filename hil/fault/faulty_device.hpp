@@ -63,9 +63,9 @@ class FaultyDevice final : public emulate::EmulatedDevice, private emulate::Wire
   std::unique_ptr<emulate::EmulatedDevice> device_;  ///< null: without power
   FaultyWire<Message> bytes_;
   FaultyWire<wire::CanFrame> frames_;
-  emulate::Wire* out_ = nullptr;  ///< of the current call
+  emulate::Wire* out_ = nullptr;  ///< valid during a call
   Stamp now_{};
-  std::optional<Stamp> sampled_at_;  ///< of the message that is being sent
+  std::optional<Stamp> sampled_at_;  ///< sample time of the current message
   PortFaults port_;
 };
 

@@ -22,7 +22,7 @@ class HeldMessages {
   /// `counts`: true if it is a message and counts as a hit.
   void put(const Carried& message, Stamp now, std::optional<Stamp> sampled_at = {},
            bool counts = true);
-  std::optional<Stamp> deadline() const;   ///< of the next message
+  std::optional<Stamp> deadline() const;   ///< time of the next message
   std::optional<Carried> take(Stamp now);  ///< the next message that is due
   /// The value given to put() with the last message that was taken.
   std::optional<Stamp> sampled_at() const { return sampled_at_; }

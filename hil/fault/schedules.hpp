@@ -36,7 +36,7 @@ class Schedules {
   std::size_t clear(const std::string& device, std::optional<FaultKind> kind);
 
   std::vector<FaultNow> in_force(Stamp at) const;
-  std::optional<Stamp> next_change(Stamp after) const;  ///< of any device
+  std::optional<Stamp> next_change(Stamp after) const;  ///< any device
 
  private:
   const rig_config::Rig& rig_;

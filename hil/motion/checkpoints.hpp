@@ -78,7 +78,7 @@ class Checkpoints {
     apart_ *= 2;
   }
 
-  std::vector<State> firsts_;  ///< of every `apart_`-th block
+  std::vector<State> firsts_;  ///< one per `apart_` blocks
   std::size_t apart_ = 1;
   std::array<Whole, 4> recent_;
   std::size_t asked_ = 0;

@@ -49,7 +49,7 @@ class MissionProfile {
   void add(const rig_config::LegConfig& leg);
 
   std::vector<Leg> legs_;
-  Prescribed begin_, end_;  ///< of the first lap
+  Prescribed begin_, end_;  ///< begin and end of the first lap
   double lap_s_ = 0;
 };
 

@@ -24,7 +24,7 @@ struct Truth {
   std::optional<Eigen::Vector3d> angular_acceleration;       ///< if known, rad/s2
   Eigen::Vector3d rate_body = Eigen::Vector3d::Zero();       ///< rad/s, body against NED (p, q, r)
   Eigen::Vector3d current_ned = Eigen::Vector3d::Zero();     ///< m/s, of the water at the vehicle
-  double bed_depth_m = 0;                                    ///< of the sea bed under the vehicle
+  double bed_depth_m = 0;                                    ///< the sea bed under the vehicle
   double rudder_rad = 0, stern_plane_rad = 0, bow_plane_rad = 0, propeller_radps = 0;
 };
 

@@ -21,8 +21,8 @@ struct VehicleState {
 /// The time derivative of a state.
 struct VehicleRate {
   Eigen::Vector3d velocity_ned;      ///< over ground, m/s: eq. (1)
-  Eigen::Vector4d attitude;          ///< of the quaternion's x y z w: eq. (3)
-  hydrodynamics::Velocity velocity;  ///< of u v w p q r: eq. (4)
+  Eigen::Vector4d attitude;          ///< quaternion x y z w: eq. (3)
+  hydrodynamics::Velocity velocity;  ///< u v w p q r: eq. (4)
 };
 
 /// The equations of one vehicle in one sea.

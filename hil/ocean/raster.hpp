@@ -12,7 +12,7 @@ namespace drydock::ocean {
 
 struct Raster {
   std::size_t columns = 0, rows = 0;
-  double x = 0, y = 0;  ///< of the south-western point, the centre of its cell
+  double x = 0, y = 0;  ///< the south-western point, which is the centre of its cell
   double spacing = 0;
   std::vector<float> values;  ///< southernmost row first
 

@@ -21,7 +21,7 @@ struct WaterLayer {
 struct JanusHead {
   double beam_angle_rad = 0.5235987755982988;  ///< between each beam and the head's axis
   double shortest_range_m = 0.3, longest_range_m = 120;
-  double absorption_dbpm = 0.16;  ///< of sound at its frequency in sea water
+  double absorption_dbpm = 0.16;  ///< absorption of sound at its frequency in sea water
   int fewest_beams = 3;           ///< for a velocity; 3: the error velocity is taken as zero
   double fading_db = 0;           ///< 1 sigma of the strength of each echo
   double beam_noise_mps = 0;      ///< 1 sigma of each beam's velocity
@@ -41,8 +41,8 @@ struct PingNoise {
 struct DvlPing : measurement::BottomVelocity {
   struct Beam {
     std::optional<double> range_m;       ///< along the beam; empty: no echo
-    std::optional<double> velocity_mps;  ///< of the head along the beam, over the bed
-    double snr_db = 0;                   ///< of the bed's echo; 0 without an echo
+    std::optional<double> velocity_mps;  ///< head's velocity along the beam, over the bed
+    double snr_db = 0;                   ///< the bed's echo; 0 without an echo
   };
   struct Water {
     std::optional<Eigen::Vector3d> velocity;  ///< m/s, through the water of the layer, sensor's

@@ -14,9 +14,9 @@ struct Ephemeris {
   std::uint8_t prn = 0;  ///< 1 to highest_prn
   int line = 0;          ///< line of the file at which the record begins
 
-  GpsTime toc;                                 ///< of the clock polynomial
+  GpsTime toc;                                 ///< time of the clock polynomial
   double af0_s = 0, af1 = 0, af2_ps = 0;       ///< clock: s, s/s, s/s2
-  GpsTime toe;                                 ///< of the orbit
+  GpsTime toe;                                 ///< time of the orbit
   double sqrt_a = 0;                           ///< root of the semi-major axis, m^(1/2)
   double e = 0;                                ///< eccentricity
   double m0_rad = 0, delta_n_radps = 0;        ///< mean anomaly at toe, correction of the mean

@@ -24,7 +24,7 @@ struct LevelingMotion {
   double slip_m = 0;  ///< sideways speed = -slip times the rate of heading
 
   frame::Euler attitude(double t) const;
-  Eigen::Vector3d euler_rates(double t) const;   ///< of roll, pitch, yaw
+  Eigen::Vector3d euler_rates(double t) const;   ///< roll, pitch, yaw
   Eigen::Vector3d velocity(double t) const;      ///< body axes, m/s
   Eigen::Vector3d acceleration(double t) const;  ///< time derivative of the components of
                                                  ///< `velocity`, m/s2

@@ -51,7 +51,7 @@ struct LevelingStatistics {
   void add(const LevelingOutcome& outcome);
   std::size_t runs() const { return roll.runs(); }
   LevelingFigures at_the_end() const;
-  LevelingFigures kept_at_the_end() const;  ///< of the runs that did not diverge; there must be one
+  LevelingFigures kept_at_the_end() const;  ///< only runs that did not diverge; there must be one
   double roll_rms() const { return roll.rms(leveling_points - 1); }
   double pitch_rms() const { return pitch.rms(leveling_points - 1); }
   double nees_mean() const { return nees_sum / static_cast<double>(runs()); }

@@ -33,7 +33,7 @@ std::vector<LevelingReading> leveling_readings(const LevelingTrial& trial);
 struct LevelingOutcome {
   std::vector<double> roll_error, pitch_error;        ///< estimate - truth, at `leveling_points`
   std::vector<double> roll_variance, pitch_variance;  ///< the filter's own, deg2
-  double nees = 0;        ///< of roll and pitch at the end, per state; 1 is consistent
+  double nees = 0;        ///< roll and pitch at the end, per state; 1 is consistent
   double settled_s = 0;   ///< both errors are below half a degree from this time on
   bool diverged = false;  ///< an error is above 5 degrees at the end
 };

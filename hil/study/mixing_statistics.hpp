@@ -20,8 +20,8 @@ struct MixingStatistics {
   /// Largest absolute value of the mean over the runs, between `from_s` and `to_s`.
   static double mean_peak(const Ensemble& error, double from_s = 0,
                           double to_s = mixing_duration_s);
-  double largest_deviation() const;  ///< of both angles, at any time
-  double acceleration_peak() const { return mean_peak(pitch, 135, 165); }  ///< of pitch
+  double largest_deviation() const;  ///< both angles, at any time
+  double acceleration_peak() const { return mean_peak(pitch, 135, 165); }
 };
 
 using MixingResults = std::array<MixingStatistics, mixing_variants.size()>;

@@ -12,7 +12,7 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr double uniform_turn_variance = pi * pi / 3;  // of a completely unknown angle
+constexpr double uniform_turn_variance = pi * pi / 3;  // the angle is completely unknown
 
 /// Powers at which the rounded dB value changes, -20 to 8 dB relative to boresight.
 std::array<double, 29> rounding_edges() {

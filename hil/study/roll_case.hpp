@@ -23,7 +23,7 @@ struct RollCase {
   std::string_view name;
   double roll_hz = 0.25;
   bool wire = false;  ///< 1 dB, whole degrees, satellites below -20 dB lost, as in UBX and GSV
-  double gain_sigma = 0, satellite_gain_sigma = 0;  ///< of the true gains, about 1
+  double gain_sigma = 0, satellite_gain_sigma = 0;  ///< true gains, about 1
   double gyro_white_degps = 0.1;                    ///< per sample
   double power_noise = 0.1;                         ///< fraction of the boresight power; from the
                                                     ///< paper

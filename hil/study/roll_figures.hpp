@@ -17,7 +17,7 @@ class RollEnsemble {
   Figure figure() const;
 
  private:
-  std::vector<std::vector<double>> squares_;  ///< of each method; the last is the bound
+  std::vector<std::vector<double>> squares_;  ///< one per method; the last is the bound
   double runs_ = 0;
 };
 

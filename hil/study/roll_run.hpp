@@ -37,9 +37,9 @@ struct RollErrors {
 
 struct RollOutcome {
   std::array<RollErrors, roll_methods.size()> errors;
-  std::vector<float> raw;     ///< of single peaks, absolute, from the start
+  std::vector<float> raw;     ///< single peaks, absolute, from the start
   std::vector<double> bound;  ///< smallest variance after each epoch, rad2
-  double witness_rms = 0;     ///< of RollWitness for all_satellites, degrees
+  double witness_rms = 0;     ///< RollWitness for all_satellites, degrees
 };
 
 /// Called after each epoch, for drawing.

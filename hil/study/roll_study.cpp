@@ -73,7 +73,7 @@ class MethodSum {
 struct CaseSum {
   std::array<MethodSum, roll_methods.size()> methods;
   std::vector<float> raw;
-  double variances = 0, instants = 0;  ///< of the bound, after the filters have settled
+  double variances = 0, instants = 0;  ///< the bound, after the filters have settled
   double witness_squares = 0, witness_worst = 0, runs = 0;
 
   void add(const RollOutcome& outcome) {

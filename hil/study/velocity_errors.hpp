@@ -16,7 +16,7 @@ struct VelocityErrors {
   Eigen::Vector3d alignment_rad = navigation::NavigationOptions{}.alignment_rad;
   double accel_bias_mps2 = navigation::NavigationOptions{}.accel_bias_mps2;
   double gyro_bias_radps = navigation::NavigationOptions{}.gyro_bias_radps;
-  double scale = 0.3e-6;  ///< of gyros and accelerometers
+  double scale = 0.3e-6;  ///< gyros and accelerometers
   double angle_noise_rad = navigation::NavigationOptions{}.angle_noise_rad;
   double velocity_noise_mps = navigation::NavigationOptions{}.velocity_noise_mps;
   double depth_m = 0.5, log_mps = 0.03, ground_mps = 0.03;  ///< white, per sample

@@ -60,8 +60,8 @@ class VelocityStatistics {
   Eigen::Vector3d velocity_rmse() const;       ///< over time and runs, m/s
   Eigen::Vector3d velocity_mean() const;
   double stated_sigma_end() const;  ///< m; RMS of the position sigma that the method states
-  double nees_mean() const;         ///< of the horizontal position, over time and runs
-  double growth_nees_mean() const;  ///< of the growth since the initial error
+  double nees_mean() const;         ///< horizontal position, over time and runs
+  double growth_nees_mean() const;  ///< growth since the initial error
 
   const Ensemble& north() const { return north_; }
   const Ensemble& east() const { return east_; }

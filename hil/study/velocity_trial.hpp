@@ -12,12 +12,12 @@ namespace drydock::study {
 struct VelocityTrial {
   static constexpr std::size_t steps_an_instant = 600;
 
-  std::vector<double> north_m, east_m, up_m;  ///< of the position
-  std::vector<double> stated_m2;              ///< trace of the position's covariance
-  std::vector<double> nees;                   ///< of the position, over 2: 1 is consistent
-  std::vector<double> growth_nees;            ///< of the growth since the start; from the second
-                                              ///< instant on
-  std::array<std::vector<double>, 3> mps;     ///< of the velocity, body axes
+  std::vector<double> north_m, east_m, up_m;       ///< position
+  std::vector<double> stated_m2;                   ///< trace of the position's covariance
+  std::vector<double> nees;                        ///< position, over 2: 1 is consistent
+  std::vector<double> growth_nees;                 ///< growth since the start; from the second
+                                                   ///< instant on
+  std::array<std::vector<double>, 3> mps;          ///< velocity, body axes
   Eigen::Vector3d velocity_mean, velocity_square;  ///< over the run, m/s and its square
 };
 

@@ -35,7 +35,7 @@ class RemoteFaults : public std::enable_shared_from_this<RemoteFaults> {
   Watchers& watchers_;
   int asking_ = 0;
   measurement::Stamp asked_{};
-  std::optional<measurement::Stamp> start_;  ///< of the bench, by this program's clock
+  std::optional<measurement::Stamp> start_;  ///< start of the bench by this program's clock
   std::vector<fault::FaultNow> told_;
 };
 

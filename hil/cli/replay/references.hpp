@@ -19,7 +19,7 @@ using ReferenceValue = nlohmann::json;
 /// One message; it is one line of the file.
 struct ReferenceRow {
   std::int64_t at_ns = 0;
-  std::string digest;     ///< of this message and all earlier ones on its topic
+  std::string digest;     ///< covers this message and all earlier ones on its topic
   ReferenceValue values;  ///< all numbers and texts of the message in order; NaN is null
 };
 
@@ -27,7 +27,7 @@ struct ReferenceTopic {
   std::string type;
   std::uint64_t messages = 0;
   std::uint64_t every = 1;  ///< row i is message i * every
-  std::string digest;       ///< of all messages
+  std::string digest;       ///< covers all messages
   std::vector<ReferenceRow> rows;
 };
 

@@ -33,7 +33,7 @@ class ReplayFaults {
   ReplayFaults& operator=(const ReplayFaults&) = delete;
 
   bool are_on(std::size_t link) const { return first_[link] != nullptr; }
-  void receive(const record::RawEvent& event);  ///< of a link for which are_on() is true
+  void receive(const record::RawEvent& event);  ///< only for a link with are_on()
   std::optional<Stamp> deadline() const;
   void tick(Stamp now);
 

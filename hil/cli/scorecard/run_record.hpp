@@ -60,7 +60,7 @@ struct DeviceRecord {
 struct ErrorAt {
   double at_s = 0;
   double tilt_deg = 0;  ///< norm of roll and pitch errors
-  double nees = 0;      ///< of roll and pitch, per axis
+  double nees = 0;      ///< roll and pitch, per axis
   std::optional<double> horizontal_m;
 };
 

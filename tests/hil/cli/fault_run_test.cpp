@@ -63,7 +63,7 @@ const Case cases[] = {
 };
 
 struct Heard {
-  std::vector<std::string> lines;  ///< of the device's measurements with times, every digit
+  std::vector<std::string> lines;  ///< the device's measurements with times, every digit
   std::vector<double> received_s;
   cli::DeviceSummary device;
 

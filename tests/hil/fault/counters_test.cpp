@@ -37,7 +37,7 @@ RC_GTEST_PROP(FaultCounters, EveryByteOfALineIsAccountedForUnderAnyFaults, ()) {
     const auto health = bench.health();
     const auto& stream = health.stream;
     RC_ASSERT(stream.bytes_in == stream.bytes_good + stream.bytes_skipped + health.held_bytes);
-    RC_ASSERT(stream.bytes_in <= bench.bytes_carried());  // less while the port is not open
+    RC_ASSERT(stream.bytes_in <= bench.bytes_carried());  // fewer bytes while the port is not open
   }
 }
 
