@@ -7,7 +7,8 @@
 namespace drydock::terminal {
 namespace {
 
-constexpr double longest_s = 100 * 365.25 * 86400;  // a Stamp counts nanoseconds to the year 2262
+constexpr double longest_s = 100 * 365.25 * 86400;  // a Stamp counts nanoseconds and ends in the
+                                                    // year 2262
 
 std::optional<double> within_a_century(double seconds) {
   if (!(seconds >= 0 && seconds <= longest_s)) return std::nullopt;

@@ -6,9 +6,9 @@
 
 namespace drydock::terminal {
 
-/// Seconds of `90`, `60s`, `10min` or `5.5h`; empty for anything else, for negative times and for
-/// more than a century.
+/// Seconds of `90`, `60s`, `10min` or `5.5h`. Empty for any other text, for negative times and for
+/// times longer than a century.
 std::optional<double> parse_duration(std::string_view text);
-std::string no_duration(std::string_view text);  ///< the line for whoever typed that
+std::string no_duration(std::string_view text);  ///< the error line for a text that is no duration
 
 }  // namespace drydock::terminal

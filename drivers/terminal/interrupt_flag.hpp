@@ -2,7 +2,7 @@
 
 namespace drydock::terminal {
 
-/// While one of these lives, the first Ctrl-C only sets it; the second ends the program as usual.
+/// While one of these lives, the first Ctrl-C only sets the flag. The second ends the program.
 class InterruptFlag {
  public:
   InterruptFlag();

@@ -5,10 +5,10 @@
 
 namespace drydock::terminal {
 
-/// To the begin of a terminal's line, which is emptied.
+/// Moves the cursor to the start of the terminal's line and erases the line.
 inline constexpr const char* wipe_line = "\r\033[2K";
 
-/// `[#####.....]` for a share of work from 0 to 1.
+/// `[#####.....]` for a fraction of work from 0 to 1.
 inline std::string progress_bar(double done) {
   constexpr double width = 30;
   const auto full = static_cast<std::size_t>(width * std::clamp(done, 0.0, 1.0));

@@ -26,7 +26,7 @@ auto or_throw(Result result) {
 
 }  // namespace
 
-/// What a driver sends goes to whatever emulates its other end, and past the watchers.
+/// Passes what a driver sends to the raw listener and to the emulated other end of its link.
 class LockstepBench::ToLine final : public device::Transmitter {
  public:
   ToLine(const shell::Lockstep& clock, std::string link, shell::RawListener& raw)
@@ -127,7 +127,7 @@ void LockstepBench::add_to_bus(const rig_config::DeviceConfig& config, const lin
   bus.bus->add(or_throw(faults_.device(config)));
   bus.names.push_back(config.name);
   bus.bus->add(faults_.rogue(config, uri.bitrate().value_or(default_bit_rate)));
-  bus.names.emplace_back();  // a rogue's frames are no device's
+  bus.names.emplace_back();  // the frames of a rogue node belong to no device
   bus.drivers.push_back(&actor);
   to_lines_.back()->bus = bus.bus.get();
 }

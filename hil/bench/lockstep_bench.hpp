@@ -16,28 +16,28 @@
 
 namespace drydock::bench {
 
-/// A rig in virtual time: every link becomes a line of this process with the same baud rate,
-/// measurements go from the drivers to `devices` and then straight to the estimators.
+/// A rig in virtual time. Every link becomes a line inside this process with the same baud rate.
+/// Measurements go from the drivers to `devices` and then directly to the estimators.
 class LockstepBench final : private device::Listener {
  public:
-  /// Who follows it.
+  /// The listeners of a bench.
   struct Listeners {
     device::Listener& devices;
     pipeline::EstimateListener& estimates;
     shell::RawListener& raw;  ///< sees every byte and frame
     emulate::RealTimeEmulator::OnWritten on_written =
-        {};  ///< hears what emulated devices sent; may be empty
+        {};  ///< gets what emulated devices sent; may be empty
   };
 
-  /// All outlive it. Throws std::runtime_error, one line, where the rig has what has no virtual
-  /// time.
+  /// All arguments must outlive the bench. Throws std::runtime_error with one line if a part of the
+  /// rig cannot run in virtual time.
   LockstepBench(const rig_config::Rig& rig, const motion::Trajectory& motion,
                 const Listeners& listeners);
   ~LockstepBench() override;
 
   measurement::Stamp now() const { return clock_.now(); }
   void run_until(measurement::Stamp end) { clock_.run_until(end); }
-  void flush() { pipeline_.flush(); }  ///< at the end of a run
+  void flush() { pipeline_.flush(); }  ///< call it at the end of a run
 
   std::size_t devices() const { return actors_.size(); }
   const device::Device& device(std::size_t i) const { return actors_[i]->device(); }
@@ -48,7 +48,7 @@ class LockstepBench final : private device::Listener {
   class ToLine;
   struct Bus {
     std::unique_ptr<emulate::EmulatedBus> bus;
-    std::vector<std::string> names;  ///< of its emulated nodes
+    std::vector<std::string> names;  ///< its emulated nodes
     std::vector<shell::DeviceActor*> drivers;
   };
 

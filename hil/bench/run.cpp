@@ -17,7 +17,7 @@
 namespace drydock::bench {
 namespace {
 
-/// --expect-streaming and --expect-rms, as blocks [[expect]].
+/// Turns --expect-streaming and --expect-rms into [[expect]] blocks.
 std::vector<rig_config::ExpectConfig> asked_for(const rig_config::Rig& rig,
                                                 const RunOptions& options) {
   std::vector<rig_config::ExpectConfig> expects;
@@ -47,7 +47,7 @@ void print(const summary::Summary& summary, const RunOptions& options) {
              summary.interrupted ? " (interrupted)" : "", to_text(summary));
 }
 
-/// A CI server is told of a run that could not begin as well.
+/// If a run cannot begin, the JUnit file says so too, for a CI server.
 summary::Summary run_or_report(const rig_config::Rig& rig, const RunOptions& options) try {
   return options.lockstep ? run_lockstep(rig, options) : run_real_time(rig, options);
 } catch (const std::exception& error) {

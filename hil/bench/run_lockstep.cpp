@@ -21,7 +21,7 @@ namespace {
 
 using measurement::Stamp;
 
-/// A run in lockstep with all who follow it: the report's scribe, expectations, recorder.
+/// A run in lockstep with all its listeners: the report's scribe, expectations, recorder.
 class LockstepRun final : private device::Listener, private pipeline::EstimateListener {
  public:
   LockstepRun(const rig_config::Rig& rig, const RunOptions& options)

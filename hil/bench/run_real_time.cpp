@@ -41,7 +41,7 @@ T or_throw(boost::system::result<T, shell::RigDevicesError> result) {
   return std::move(*result);
 }
 
-/// Everything of a rig on one thread. Members in the order in which they need each other.
+/// A whole rig on one thread. Members are in the order in which they need each other.
 class Bench {
  public:
   Bench(const rig_config::Rig& rig, const RunOptions& options)
@@ -137,7 +137,7 @@ class Bench {
   void schedule_redraw() {
     timer_.expires_after(redraw_period);
     timer_.async_wait([this](const boost::system::error_code& ec) {
-      if (ec || stopping_) return;  // an expired timer can no longer be cancelled
+      if (ec || stopping_) return;  // an expired timer cannot be cancelled any more
       scribe_.follow(link::now());
       expects_.follow(
           link::now(), [this] { return devices(); }, estimators_.pipeline());
@@ -161,7 +161,7 @@ class Bench {
     return all;
   }
 
-  // The health that counts is that of the last moment before the links are closed.
+  // Takes the health just before the links are closed, because that state is reported.
   void stop() {
     if (stopping_) return;
     stopping_ = true;

@@ -4,7 +4,7 @@ namespace drydock::bench {
 
 namespace {
 
-/// As fine as a viewer draws; the estimates that have one have it at their own time.
+/// As fine as a viewer draws. An estimate that comes with a truth has the truth of its own time.
 constexpr std::chrono::milliseconds truth_interval{40};
 
 pipeline::NavigationEstimate as_estimate(const motion::Truth& truth, std::size_t index) {

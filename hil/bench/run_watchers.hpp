@@ -10,11 +10,11 @@
 
 namespace drydock::bench {
 
-/// What follows a run besides its report: estimates go to them as the bus has them, each with the
-/// truth of the same time before it.
+/// Passes estimates to the watchers of a run, in the form of the bus. The truth of the same time
+/// goes before an estimate, but at most once in 40 ms.
 class RunWatchers {
  public:
-  /// `truth` may be empty and must outlive the watchers.
+  /// `truth` may be null and must outlive the watchers.
   RunWatchers(const rig_config::Rig& rig, const motion::Trajectory* truth)
       : truth_(truth), truth_index_(rig.estimators.size()) {}
 
@@ -28,12 +28,12 @@ class RunWatchers {
   void note_truth(measurement::Stamp at);
 
   const motion::Trajectory* truth_;
-  std::size_t truth_index_;  ///< after the last estimator
+  std::size_t truth_index_;  ///< the index after the last estimator
   measurement::Stamp last_truth_{};
   host::BusNavigation to_bus_;
 };
 
-/// All faults in force at `now`, as pages and recordings have them.
+/// Tells the watchers all faults in force at `now`, in the form for pages and recordings.
 void tell_faults_to(host::Watchers& all, const std::vector<fault::FaultNow>& faults,
                     measurement::Stamp now);
 

@@ -8,13 +8,13 @@
 
 namespace drydock::bench {
 
-/// The devices of the rig whose other end this program plays.
+/// The devices of the rig that this program emulates.
 std::vector<rig_config::DeviceConfig> emulated_devices(const rig_config::Rig& rig);
 
-/// Whether the estimators' inertial measurements come from the emulated truth.
+/// True if the inertial measurements of the estimators come from the emulated truth.
 bool truth_for_estimators(const rig_config::Rig& rig);
 
-/// One line for each automatic CAN bus: what it became on this machine.
+/// One line per automatic CAN bus: what it became on this machine.
 std::vector<std::string> can_notes(const rig_config::Rig& rig);
 
 }  // namespace drydock::bench

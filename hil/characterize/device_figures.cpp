@@ -16,8 +16,8 @@ std::vector<double> readings_of(const std::vector<Eigen::Vector3d>& samples, Eig
   return readings;
 }
 
-/// The mean, and how far noise alone carries it: half the variance of the difference to as long a
-/// time before, were there one.
+/// The mean and the error that noise alone gives it. Its variance is half the variance of the
+/// difference of the means of two adjacent recordings of this length.
 Estimate mean_of(const std::vector<double>& readings, double period_s,
                  const std::optional<NoiseFit>& noise) {
   double mean = 0;

@@ -13,11 +13,11 @@
 
 namespace drydock::characterize {
 
-/// One axis of a quantity. SI, in the sensor's axes.
+/// The figures of one axis of a quantity. SI, in the sensor's axes.
 struct AxisFigures {
   std::size_t readings = 0;
-  Estimate mean;               ///< bounds by the fitted noise; value alone where there is no fit
-  std::optional<double> step;  ///< quantisation
+  Estimate mean;               ///< bounds from the fitted noise; without a fit only the value
+  std::optional<double> step;  ///< quantisation step
   AllanCurve curve;
   std::optional<NoiseFit> noise;
   Steadiness steadiness;
@@ -25,33 +25,33 @@ struct AxisFigures {
 
 struct QuantityFigures {
   Quantity quantity;
-  std::vector<std::optional<AxisFigures>> axes;  ///< three; empty: the device does not give it
+  std::vector<std::optional<AxisFigures>> axes;  ///< three; empty: the device does not give this
+                                                 ///< axis
   bool steady() const;
 };
 
 struct AgainstReference {
-  std::string reference;     ///< device
-  int place = 0, axis = -1;  ///< of the quantity that was compared; -1: no axis of its own
+  std::string reference;     ///< name of the device
+  int place = 0, axis = -1;  ///< the compared quantity; axis -1: none
   Comparison comparison;
 };
 
-/// What one device is worth.
+/// The measured properties of one device.
 struct DeviceFigures {
   Subject subject;
   TimingFigures timing;
   std::vector<QuantityFigures> quantities;
   std::vector<AgainstReference> against;
-  std::optional<double> utc_latency_s;  ///< GNSS: mean of arrival less stated time
+  std::optional<double> utc_latency_s;  ///< GNSS: mean of arrival time minus stated time
 };
 
-/// Lost samples are left out: readings on either side of a gap count as neighbours. Empty: too few
-/// samples for a rate.
+/// Lost samples are ignored: the readings before and after a gap count as neighbours. Empty if
+/// there are too few samples for a rate.
 std::optional<DeviceFigures> figures_of(const Samples& samples);
 
-/// Same kind against same kind, axis by axis; DVL and EM log against GNSS and each other; an
-/// IMU's turn about its z axis against a GNSS course. Only what both devices give, and moving.
-/// `inertial` (may be null) tells how the vehicle turns, so that lever arms can be taken into
-/// account.
+/// Compares devices of the same kind axis by axis; DVL and EM log with GNSS and with each other; an
+/// IMU's turn about its z axis with a GNSS course. Only quantities that both devices give, while
+/// they move. `inertial` (may be null) gives the vehicle's rotation, for the effect of lever arms.
 std::vector<AgainstReference> against(const Samples& sensor, const Samples& reference,
                                       const Samples* inertial);
 

@@ -5,7 +5,7 @@
 
 namespace drydock::characterize {
 
-/// A figure with the bounds within which it lies with 95 % confidence.
+/// A figure with its 95 % confidence bounds.
 struct Estimate {
   double value = 0;
   double low = 0, high = 0;
@@ -13,15 +13,15 @@ struct Estimate {
   bool holds(double x) const { return low <= x && x <= high; }
 };
 
-inline constexpr double z_95 = 1.959963984540054;  ///< of N(0, 1), two-sided
+inline constexpr double z_95 = 1.959963984540054;  ///< two-sided quantile of N(0, 1)
 
-/// An estimate with normal errors of the deviation sigma.
+/// An estimate with normal errors of standard deviation sigma.
 inline Estimate normal_estimate(double value, double sigma) {
   return {value, value - z_95 * sigma, value + z_95 * sigma};
 }
 
-/// A deviation whose square was estimated as `variance`, with the deviation `sigma` of its own:
-/// distributed as chi-square of 2 (variance / sigma)^2 degrees of freedom.
+/// A standard deviation whose square was estimated as `variance` with the standard deviation
+/// `sigma`: chi-square distributed with 2 (variance / sigma)^2 degrees of freedom.
 Estimate deviation_estimate(double variance, double sigma);
 
 }  // namespace drydock::characterize

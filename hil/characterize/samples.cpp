@@ -14,8 +14,8 @@ constexpr double absent = std::numeric_limits<double>::quiet_NaN();
 
 const Vector3d nothing = Vector3d::Constant(absent);
 
-/// In metres about the first fix, on a sphere of the Earth's mean radius: for scatter, not
-/// distance.
+/// Metres from the first fix, on a sphere of the Earth's mean radius. This is good enough for
+/// scatter, not for distances.
 Vector3d north_east_down(const measurement::Geodetic& here, const measurement::Geodetic& first,
                          double rise_m) {
   constexpr double mean_radius_m = 6'371'009;
@@ -38,7 +38,7 @@ Vector3d attitude_of(const measurement::BottomVelocity& dvl) {
           *dvl.heading_rad};
 }
 
-/// Pressure, or that of the stated depth in the rig's default water.
+/// The measured pressure, or the pressure at the measured depth in the rig's default water.
 double pressure_of(const measurement::DepthSample& sample) {
   if (sample.pressure_pa) return *sample.pressure_pa;
   if (!sample.depth_m) return absent;

@@ -10,7 +10,7 @@
 
 namespace drydock::characterize {
 
-/// One device that is looked at.
+/// The device that is examined.
 struct Subject {
   std::string name;
   rig_config::DeviceKind kind = rig_config::DeviceKind::imu;
@@ -19,10 +19,10 @@ struct Subject {
   Eigen::Vector3d lever_arm_m = Eigen::Vector3d::Zero();  ///< body axes, from the vehicle's origin
 };
 
-/// What a device said, in the quantities and axes of its sensor file: IMU rate and specific force,
-/// rad/s, m/s2; DVL velocity, m/s; EM log speed ahead and across, m/s; depth absolute pressure, Pa;
-/// GNSS position from the first, velocity, north east down, m, m/s; actuator angles and shaft, rad,
-/// rad/s. NaN: the device did not give it.
+/// The output of a device, in the quantities and axes of its sensor file: IMU rate and specific
+/// force, rad/s, m/s2; DVL velocity, m/s; EM log speed ahead and across, m/s; depth absolute
+/// pressure, Pa; GNSS position from the first, velocity, north east down, m, m/s; actuator angles
+/// and shaft, rad, rad/s. NaN: the device did not give it.
 struct Samples {
   explicit Samples(Subject of) : subject(std::move(of)) {}
   void add(const measurement::Measurement& measurement);
@@ -32,7 +32,7 @@ struct Samples {
   std::array<std::vector<Eigen::Vector3d>, 2> quantities;  ///< primary, secondary
   std::vector<Eigen::Vector3d>
       attitude;                       ///< DVL: roll, pitch, heading of its head, rad; else empty
-  std::vector<double> utc_latency_s;  ///< GNSS: arrival less the time the fix itself states
+  std::vector<double> utc_latency_s;  ///< GNSS: arrival time minus the time that the fix states
 
  private:
   std::optional<measurement::Geodetic> first_position_;

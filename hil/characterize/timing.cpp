@@ -17,7 +17,7 @@ std::vector<double> arrivals_of(std::span<const Origin> origins) {
   return times;
 }
 
-/// Empty unless every sample says its time and no time comes again.
+/// Empty unless every sample has a device time and no time repeats.
 std::vector<double> device_times_of(std::span<const Origin> origins) {
   std::vector<double> times;
   for (const Origin& o : origins) {
@@ -42,7 +42,7 @@ struct Numbers {
 };
 
 Numbers numbered(const std::vector<double>& times, double period) {
-  constexpr double longest_regular = 1.5;  // periods
+  constexpr double longest_regular = 1.5;  // in periods
   Numbers numbers;
   numbers.of_samples.assign(times.size(), 0.0);
   for (std::size_t i = 1; i < times.size(); ++i) {
@@ -59,8 +59,8 @@ Numbers numbered(const std::vector<double>& times, double period) {
 }
 
 struct Line {
-  double slope = 0, sigma = 0;  ///< and its deviation
-  double rms = 0, largest = 0;  ///< of what is left
+  double slope = 0, sigma = 0;  ///< sigma: standard deviation of the slope
+  double rms = 0, largest = 0;  ///< residuals
 };
 
 Line fit_line(const std::vector<double>& x, const std::vector<double>& y) {
@@ -90,7 +90,7 @@ Estimate rate_of(const Line& period) {
   return normal_estimate(1 / period.slope, period.sigma / (period.slope * period.slope));
 }
 
-/// Wilson's interval of a share.
+/// Wilson's confidence interval of a share.
 Estimate share(std::size_t cases, std::size_t of) {
   const auto n = static_cast<double>(of);
   const double p = static_cast<double>(cases) / n, zz = z_95 * z_95;
@@ -118,7 +118,7 @@ std::optional<TimingFigures> timing_of(std::span<const Origin> origins) {
   constexpr std::size_t fewest = 10;
   if (origins.size() < fewest) return std::nullopt;
   const auto arrivals = arrivals_of(origins), device_times = device_times_of(origins);
-  // Arrivals in bursts have no gaps to go by; the device's own times do.
+  // Arrivals in bursts have no regular gaps, but the device's own times have.
   const auto& gaps_of = device_times.empty() ? arrivals : device_times;
   const double period = median_gap(gaps_of);
   if (!(period > 0)) return std::nullopt;

@@ -9,22 +9,23 @@
 
 namespace drydock::characterize {
 
-/// When the samples of a device came.
+/// The arrival times of a device's samples.
 struct TimingFigures {
   std::size_t samples = 0;
-  Estimate rate_hz;                           ///< by the host's clock, from all arrivals together
+  Estimate rate_hz;                           ///< by the host's clock, from all arrivals
   std::optional<Estimate> device_rate_hz;     ///< by the device's own clock
-  double jitter_s = 0, largest_jitter_s = 0;  ///< arrivals about the regular grid: rms, extreme
+  double jitter_s = 0, largest_jitter_s = 0;  ///< arrivals relative to the regular grid: rms,
+                                              ///< extreme
   double latency_s = 0, latency_spread_s = 0, largest_latency_s = 0;  ///< received_at - valid_at
 
-  // Arrivals more than 1.5 periods apart.
+  // A gap of more than 1.5 periods is an outage.
   std::size_t outages = 0, lost = 0;
-  Estimate outage_probability;  ///< at each sample that arrived
-  double mean_outage = 0;       ///< samples; 0: there was none
+  Estimate outage_probability;  ///< per sample that arrived
+  double mean_outage = 0;       ///< samples; 0: no outage
 };
 
-/// Line of arrivals over sample numbers by least squares; a number is missing where a sample is.
-/// Empty: fewer than ten samples, or all at one time.
+/// Fits a line of arrival times over sample numbers by least squares. A lost sample keeps its
+/// number. Empty if there are fewer than ten samples, or all have the same time.
 std::optional<TimingFigures> timing_of(std::span<const measurement::Origin> origins);
 
 }  // namespace drydock::characterize

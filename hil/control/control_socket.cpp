@@ -29,11 +29,12 @@ namespace fs = std::filesystem;
 using Local = asio::local::stream_protocol;
 
 constexpr auto outcome = asio::as_tuple(asio::use_awaitable);
-constexpr std::chrono::seconds patience{5};  ///< with one that connects and says nothing
-constexpr std::chrono::seconds quick{1};     ///< an answer where drivers run beside
+constexpr std::chrono::seconds patience{5};  ///< limit for a client that connects and sends nothing
+constexpr std::chrono::seconds quick{1};     ///< limit for an answer when drivers run on the same
+                                             ///< thread
 constexpr std::size_t most_callers = 16;
 
-/// Empty: the folder is there and nobody else may put names into it.
+/// Empty if the folder exists and no other user may create files in it; else the reason.
 std::string why_not_ours(const fs::path& folder) {
   ::mkdir(folder.c_str(), 0700);
   struct stat info {};
@@ -67,7 +68,7 @@ std::string control_path(std::string_view rig_name) {
   return link::pty_path(name + ".control");
 }
 
-/// Shared with the coroutines.
+/// The coroutines share it.
 struct ControlSocket::House : std::enable_shared_from_this<House> {
   House(const asio::any_io_executor& executor, std::string where, Answer answers)
       : acceptor(executor), path(std::move(where)), answer(std::move(answers)) {}
@@ -83,7 +84,8 @@ struct ControlSocket::House : std::enable_shared_from_this<House> {
   std::vector<std::weak_ptr<Local::socket>> callers;
 };
 
-/// Bound under another name and renamed, so that it is never there with a mode that lets others in.
+/// Binds under another name, sets the mode, then renames: the socket never exists with a mode that
+/// lets other users in.
 boost::system::error_code ControlSocket::House::listen() {
   const std::string fresh = path + "." + std::to_string(::getpid()) + ".new";
   ::unlink(fresh.c_str());

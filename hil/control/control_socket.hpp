@@ -10,11 +10,11 @@
 
 namespace drydock::control {
 
-/// Where a running bench of that rig hears the same user's other programs.
+/// The socket on which a running bench of that rig takes orders from the same user's programs.
 std::string control_path(std::string_view rig_name);
 
-/// A unix-domain socket that only its owner may open (mode 0600): each connection brings one line
-/// and takes one line away. It is gone with this object; one that a killed program left is
+/// A unix-domain socket that only its owner may open (mode 0600). Each connection sends one line
+/// and gets one line. The destructor removes the socket; a socket that a killed program left is
 /// replaced.
 class ControlSocket {
  public:
@@ -22,7 +22,8 @@ class ControlSocket {
 
   using Answer = std::function<std::string(std::string_view request)>;
 
-  /// Fails with a sentence: another program answers there, or the folder is not ours alone.
+  /// Fails with a sentence if another program answers there, or if other users may write to the
+  /// folder.
   static boost::system::result<std::unique_ptr<ControlSocket>, std::string> open(
       const boost::asio::any_io_executor& executor, const std::string& path, Answer answer);
   ControlSocket(const ControlSocket&) = delete;
@@ -35,12 +36,12 @@ class ControlSocket {
   std::shared_ptr<House> house_;
 };
 
-/// The other end: asks one line and waits for the answer. Fails with the system's error when
-/// nobody is there.
+/// The client side: sends one line and waits for the answer. Fails with the system's error when no
+/// bench answers.
 boost::system::result<std::string> ask(const std::string& path, const std::string& request);
 
-/// As ask(), without holding up the coroutine's thread; a bench that says nothing for a second
-/// counts as none.
+/// As ask(), but does not block the coroutine's thread. A bench that does not answer within one
+/// second counts as absent.
 boost::asio::awaitable<boost::system::result<std::string>> ask_soon(std::string path,
                                                                     std::string request);
 

@@ -28,7 +28,7 @@ constexpr const char* faults_schema = R"({"type":"object","properties":{"ok":{"t
 "faults":{"type":"array","items":{"type":"object","properties":{"device":{"type":"string"},
 "fault":{"type":"string"},"words":{"type":"string"},"since_s":{"type":"number"},"until_s":{"type":"number"}}}}}})";
 
-/// A bench that refuses says so in lines; a caller has one place for that.
+/// A refusal comes as several lines; a service caller gets them joined into one text.
 live::ServiceAnswer answer_of(const std::string& line) {
   const auto answer = nlohmann::json::parse(line, nullptr, false);
   if (answer.is_object() && answer.value("ok", false)) return line;

@@ -9,12 +9,12 @@
 
 namespace drydock::control {
 
-/// Obeys one order of order_text.hpp: `answered` gets the line that comes back, at once or later.
+/// Obeys one order of order_text.hpp. `answered` gets the answer line, at once or later.
 using Obey =
     std::function<void(const std::string& order, std::function<void(const std::string&)> answered)>;
 
-/// Faults of the emulated devices for viewers of a run: /drydock/faults/set, clear, list and words.
-/// Throws std::runtime_error with one line where no device of the rig is emulated.
+/// Fault services for viewers of a run: /drydock/faults/set, clear, list and words. Throws
+/// std::runtime_error with one line if no device of the rig is emulated.
 std::vector<live::Service> fault_services(const rig_config::Rig& rig, const Obey& obey);
 
 }  // namespace drydock::control

@@ -14,7 +14,7 @@ using OrderedJson = nlohmann::ordered_json;
 using rig_config::DeviceConfig;
 using rig_config::FaultWord;
 
-/// As FaultWord and FaultExtra have it.
+/// The keys are members of FaultWord and FaultExtra.
 template <class Range>
 OrderedJson key_json(std::string_view key, const Range& range) {
   return {{"key", key},

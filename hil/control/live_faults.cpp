@@ -43,7 +43,7 @@ void LiveFaults::changed(const fault::Episode& episode) {
   on_change_(episode);
 }
 
-/// Wakes again at the next start or end.
+/// Sets the timer for the next start or end of a fault.
 void LiveFaults::follow() {
   chronicle_.follow(link::steady_now());
   const auto next = chronicle_.deadline();

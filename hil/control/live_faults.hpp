@@ -12,30 +12,30 @@
 
 namespace drydock::control {
 
-/// The faults of a bench in real time: those of its files, and those that `drydock fault` sets
+/// The faults of a bench in real time: the faults of its files, and those that `drydock fault` sets
 /// while it runs.
 class LiveFaults {
  public:
   using OnLine = std::function<void(const std::string&)>;
 
-  /// Rig and trajectory outlive it.
+  /// Rig and trajectory must outlive this object.
   LiveFaults(boost::asio::io_context& io, const rig_config::Rig& rig,
              const motion::Trajectory& trajectory, measurement::Stamp start);
 
-  /// What makes the emulated devices.
+  /// Makes the emulated devices.
   fault::Injector& injector() { return injector_; }
 
-  /// From now on it hears orders. `wake`: deadlines of devices have changed. `on_line` gets a line
-  /// for each fault that sets in or clears, and one when orders cannot be heard.
+  /// Starts to take orders. `wake` is called when deadlines of devices have changed. `on_line` gets
+  /// one line for each fault that begins or ends, and one if orders cannot be received.
   void start(std::function<void()> wake, OnLine on_line);
   void stop();
 
-  /// Hears what the lines tell, as values: for pages.
+  /// `hook` gets the same changes as `on_line`, as values; pages use it.
   void set_on_change(fault::Chronicle::OnChange hook) { on_change_ = std::move(hook); }
 
   void write(summary::Summary& summary) const;
 
-  /// One line of JSON in, one out: docs/faults.md, Live.
+  /// Takes one line of JSON and returns one: docs/faults.md, Live.
   std::string answer(std::string_view request);
 
  private:
@@ -54,7 +54,7 @@ class LiveFaults {
   fault::Chronicle::OnChange on_change_ = [](const fault::Episode&) {};
 };
 
-/// What the chronicle knows, for the summary.
+/// Adds the faults of the chronicle to the summary.
 void write(const fault::Chronicle& chronicle, measurement::Stamp start, summary::Summary& summary);
 
 /// "12.3 s: fault on: dvl: garbage, bytes = 16"

@@ -14,17 +14,17 @@ struct FaultOptions {
   bool json = false;
 };
 
-/// `drydock fault`: asks the running bench of that rig and prints its answer. Exit code; throws
-/// std::runtime_error with a line when none runs.
+/// `drydock fault`: sends an order to the running bench of that rig and prints its answer. Returns
+/// the exit code; throws std::runtime_error with one line when no bench runs.
 int set_fault(const rig_config::Rig& rig, const FaultOptions& options);
 int clear_faults(const rig_config::Rig& rig, const FaultOptions& options);
 int list_faults(const rig_config::Rig& rig, const FaultOptions& options);
 
-/// Which faults each device can have; no bench need run.
+/// Prints the faults that each device can have. It needs no running bench.
 int show_fault_words(const rig_config::Rig& rig, const FaultOptions& options);
 
-/// Puts the faults of a file beside those of the rig. Throws BadRig, the lines printed, where the
-/// file is wrong or this program cannot do what it says. An empty path: those of the rig alone.
+/// Adds the faults of a file to those of the rig. Prints the problems and throws BadRig if the file
+/// is wrong or asks for a fault that this program cannot make. An empty path adds none.
 void add_faults(rig_config::Rig& rig, const std::string& path);
 
 }  // namespace drydock::control

@@ -12,7 +12,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 using rig_config::FaultKind;
 
-/// What is wrong, without the place in a file that nobody wrote.
+/// The text of a problem without its file position, because no user wrote that file.
 std::string line_of(const rig_config::Problem& problem) {
   constexpr std::string_view of_the_table = "/fault/0/";
   if (!problem.path.starts_with(of_the_table)) return problem.what;
@@ -21,7 +21,7 @@ std::string line_of(const rig_config::Problem& problem) {
 
 Json refused(const std::string& why) { return {{"ok", false}, {"lines", {why}}}; }
 
-/// Two checks may say the same of one key.
+/// Each line appears once: two checks may report the same problem of one key.
 Json refused(const rig_config::Problems& problems) {
   Json lines = Json::array();
   for (const auto& problem : problems)

@@ -59,7 +59,8 @@ void RemoteFaults::tick(measurement::Stamp now) {
        [self = shared_from_this()](const std::string& answer) { self->take(answer, link::now()); });
 }
 
-/// The bench's times count from its start, which is reckoned once: each answer takes its own while.
+/// The bench's times count from its start. The start is computed once, because each answer has a
+/// different delay; a large difference means that the bench was restarted.
 void RemoteFaults::take(const std::string& answer, measurement::Stamp now) try {
   constexpr std::chrono::milliseconds restarted{200};
   const json list = json::parse(answer);
@@ -81,7 +82,7 @@ void RemoteFaults::take(const std::string& answer, measurement::Stamp now) try {
   told_ = std::move(faults);
   bench::tell_faults_to(watchers_, told_, now);
 } catch (const json::exception&) {
-  start_.reset();  // a bench of another version: what is in force there is not known
+  start_.reset();  // The bench has another version, so its faults are not known.
 }
 
 }  // namespace drydock::control

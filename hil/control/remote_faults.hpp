@@ -11,18 +11,18 @@
 
 namespace drydock::control {
 
-/// The faults of a bench that another program plays, `drydock emulate` of the same rig under the
-/// same user, through its control socket: for a page beside the drivers.
+/// The faults of a bench in another program: `drydock emulate` of the same rig and the same user.
+/// Orders go through its control socket. A page beside the drivers uses this.
 class RemoteFaults : public std::enable_shared_from_this<RemoteFaults> {
  public:
-  /// The watchers hear which faults are in force, and outlive the executor's work.
+  /// The watchers hear which faults are in force. They must outlive the work of the executor.
   RemoteFaults(boost::asio::any_io_executor executor, const rig_config::Rig& rig,
                host::Watchers& watchers);
 
-  /// Passes an order on. At most `most_asking` at once; the next is refused.
+  /// Passes an order on. At most `most_asking` orders wait at once; the next is refused.
   void obey(const std::string& order, std::function<void(const std::string&)> answered);
 
-  /// A few times a second: asks each second what is in force.
+  /// Call it a few times a second. It asks once a second which faults are in force.
   void tick(measurement::Stamp now);
 
  private:
@@ -35,7 +35,7 @@ class RemoteFaults : public std::enable_shared_from_this<RemoteFaults> {
   host::Watchers& watchers_;
   int asking_ = 0;
   measurement::Stamp asked_{};
-  std::optional<measurement::Stamp> start_;  ///< of the bench, by this program's clock
+  std::optional<measurement::Stamp> start_;  ///< start of the bench by this program's clock
   std::vector<fault::FaultNow> told_;
 };
 

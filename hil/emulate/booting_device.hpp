@@ -7,8 +7,8 @@
 
 namespace drydock::emulate {
 
-/// A device that takes its time after it got power: until it has booted it hears nothing, then it
-/// says its banner, then what the device behind it says.
+/// A device that boots after it gets power. Until then it ignores all input. Then it sends its
+/// banner, and after that the output of the inner device.
 class BootingDevice final : public EmulatedDevice {
  public:
   BootingDevice(std::unique_ptr<EmulatedDevice> device, Stamp booted, std::string banner)

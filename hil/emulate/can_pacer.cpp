@@ -6,7 +6,8 @@
 namespace drydock::emulate {
 namespace {
 
-/// CRC-15-CAN (polynomial 4599h, from 0) of one more byte; `crc` left-aligned in 16 bits.
+/// CRC-15-CAN (polynomial 4599h, initial value 0) of one more byte; `crc` is left-aligned in 16
+/// bits.
 constexpr auto crc_table = [] {
   std::array<std::uint16_t, 256> table{};
   for (unsigned byte = 0; byte < table.size(); ++byte) {
@@ -17,8 +18,8 @@ constexpr auto crc_table = [] {
   return table;
 }();
 
-/// After five equal bits the sender inserts one of the other value, which itself counts towards
-/// the next five. State: 4 * last bit + length of its run - 1; entry: 8 * inserted bits + state.
+/// After five equal bits the sender inserts a bit of the other value, which counts towards the next
+/// five. State: 4 * last bit + length of its run - 1. Entry: 8 * inserted bits + state.
 constexpr auto stuff_table = [] {
   std::array<std::array<std::uint8_t, 256>, 8> table{};
   for (unsigned state = 0; state < table.size(); ++state) {
@@ -39,7 +40,7 @@ constexpr auto stuff_table = [] {
   return table;
 }();
 
-/// Passes bytes of a frame in the order of sending.
+/// Takes the bytes of a frame in the order of sending.
 class Stuffing {
  public:
   void put(unsigned byte) {
@@ -53,8 +54,8 @@ class Stuffing {
   unsigned state_ = 0, inserted_ = 0;
 };
 
-/// The bits before the data. Bits in front that fill the first byte are 0, which the CRC does not
-/// see; `fill` sets those that the stuffing must see differ from each other.
+/// The bits before the data. Leading bits that fill the first byte are 0, which does not change the
+/// CRC. `fill` sets some of them for the stuffing, which must see alternating bits there.
 struct Header {
   std::uint64_t bits = 0;
   unsigned size = 0, bytes = 0;
@@ -94,12 +95,13 @@ unsigned bits_on_wire(const wire::CanFrame& frame) {
   const auto data = frame.remote ? std::span<const std::uint8_t>{} : frame.payload();
   for (const std::uint8_t byte : data) put(byte, byte);
   stuffing.put(crc >> 8);
-  stuffing.put((crc & 0xFE) | (~crc >> 1 & 1));  // the sixteenth bit ends a run, so inserts nothing
+  stuffing.put((crc & 0xFE) | (~crc >> 1 & 1));  // the sixteenth bit ends a run, so no bit is
+                                                 // inserted
   return header.size + 8 * static_cast<unsigned>(data.size()) + crc_bits + stuffing.inserted() +
          unstuffed_bits;
 }
 
-// Rounded up, so that no frame ends early.
+// Rounds up, so that no frame ends early.
 std::chrono::nanoseconds CanPacer::line_time(unsigned bits) const {
   return std::chrono::nanoseconds{(std::uint64_t{bits} * 1'000'000'000 + bit_rate_ - 1) /
                                   bit_rate_};

@@ -16,16 +16,17 @@ namespace drydock::emulate {
 /// A CAN FD frame is counted with the same layout at the nominal rate.
 unsigned bits_on_wire(const wire::CanFrame& frame);
 
-/// A bus shared by its nodes: one frame at a time, in the order of sending.
+/// A bus shared by its nodes. It carries one frame at a time, in the order of sending.
 class CanPacer {
  public:
-  static constexpr std::size_t bound = 256;  ///< frames that may wait; then the oldest is lost
+  static constexpr std::size_t bound = 256;  ///< frames that may wait; beyond that the oldest is
+                                             ///< lost
 
   explicit CanPacer(unsigned bit_rate) : bit_rate_(bit_rate) {}
 
   struct Sent {
     wire::CanFrame frame;
-    Stamp at{};      ///< end of the frame, before the intermission: when controllers stamp it
+    Stamp at{};      ///< end of the frame before the intermission; controllers stamp this time
     int sender = 0;  ///< as given to queue()
     Passage passage;
   };
@@ -49,9 +50,9 @@ class CanPacer {
   std::chrono::nanoseconds line_time(unsigned bits) const;
 
   unsigned bit_rate_;
-  std::vector<Waiting> waiting_;  ///< the first is on the wire
+  std::vector<Waiting> waiting_;  ///< the first one is on the wire
   Stamp first_begins_{}, first_ends_{};
-  Stamp free_at_{};  ///< the intermission of the frame before has passed
+  Stamp free_at_{};  ///< end of the previous frame's intermission
   std::uint64_t frames_lost_ = 0;
 };
 

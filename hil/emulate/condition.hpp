@@ -9,11 +9,11 @@ namespace drydock::emulate {
 
 using measurement::Stamp;
 
-/// A device's clock against bench time.
+/// A device's clock compared with bench time.
 struct DeviceClock {
   std::chrono::nanoseconds step{0};
-  double rate = 0;  ///< too fast by this share
-  Stamp since{};    ///< from when on
+  double rate = 0;  ///< relative; positive: too fast
+  Stamp since{};    ///< when the drift began
 
   Stamp shows(Stamp at) const {
     return at + step +
@@ -21,21 +21,21 @@ struct DeviceClock {
   }
 };
 
-/// What faults make of an emulated device from within: its sensors, its clock, what is around it.
-/// As it stands here a device is sound. docs/faults.md
+/// The internal effects of faults on an emulated device: its sensors, its clock, its surroundings.
+/// By default the device is sound. docs/faults.md
 struct Condition {
   sensor::Disturbance primary, secondary;
-  std::optional<Stamp> stuck_at;  ///< it goes on measuring this moment
-  double times_fewer = 1;         ///< samples than its rate says
+  std::optional<Stamp> stuck_at;  ///< the device keeps measuring this moment
+  double times_fewer = 1;         ///< factor by which fewer samples are sent
   DeviceClock clock;
   bool bottom_lost = false;
-  double blocked_below_rad = -2;  ///< no satellite is seen under such an elevation
+  double blocked_below_rad = -2;  ///< satellites below this elevation are hidden
   double antenna_gain_db = 0;
-  bool refuses = false;  ///< to be set
+  bool refuses = false;  ///< refuses settings
   struct Heat {
     Stamp shuts_down_at{};
   };
-  std::optional<Heat> hot;  ///< of a DVL out of the water
+  std::optional<Heat> hot;  ///< a DVL out of the water
 };
 
 }  // namespace drydock::emulate

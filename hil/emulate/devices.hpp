@@ -4,26 +4,26 @@
 
 #include "hil/emulate/sampling_device.hpp"
 
-/// One emulated device per kind and protocol. docs/emulation.md says what each sends when, and
-/// what `primary` and `secondary` errors mean for it.
+/// One emulated device per kind and protocol. docs/emulation.md describes what each one sends and
+/// when, and what `primary` and `secondary` errors mean for it.
 namespace drydock::emulate {
 
 using DevicePtr = std::unique_ptr<EmulatedDevice>;
 
-/// Ensemble per sample: ship frame without tilts, that is the head's own axes.
+/// One ensemble per sample, in the ship frame without tilts, which is the head's own axes.
 DevicePtr make_pd0_dvl(const DeviceSetup& setup);
 
-/// Report per sample: ship frame without tilts. PD5 has the head's sensors too.
+/// One report per sample, in the ship frame without tilts. PD5 also has the head's sensors.
 DevicePtr make_pd4_dvl(const DeviceSetup& setup);
 DevicePtr make_pd5_dvl(const DeviceSetup& setup);
 
-/// The ten lines of an ensemble per sample.
+/// One ensemble of ten lines per sample.
 DevicePtr make_pd6_dvl(const DeviceSetup& setup);
 
-/// wrz, then wru of four transducers per sample; obeys the command dialogue.
+/// Sends wrz, then wru for four transducers, per sample. Answers the command dialogue.
 DevicePtr make_water_linked_dvl(const DeviceSetup& setup);
 
-/// PNORBT9 per sample.
+/// One PNORBT9 per sample.
 DevicePtr make_nortek_dvl(const DeviceSetup& setup);
 
 /// VBW (longitudinal and transverse speed), then VHW per sample, VLW once a second; talker VM.
@@ -41,8 +41,8 @@ DevicePtr make_aceinna_imu(const DeviceSetup& setup);
 /// Boot-up message, heartbeat every second; after NMT start three TPDOs back to back per sample.
 DevicePtr make_cia404_imu(const DeviceSetup& setup);
 
-/// As make_cia404_imu with Epson's integers: TPDO1, 2 and 3 of one counter per sample. An emergency
-/// tells when the truth does not fit them.
+/// Like make_cia404_imu, with Epson's integers: TPDO1, 2 and 3 with one counter per sample. Sends
+/// an emergency if the truth does not fit into the integers.
 DevicePtr make_epson_g550(const DeviceSetup& setup);
 DevicePtr make_epson_g552(const DeviceSetup& setup);
 
@@ -50,7 +50,7 @@ DevicePtr make_epson_g552(const DeviceSetup& setup);
 DevicePtr make_xsens_imu(const DeviceSetup& setup);
 
 /// Address claim at boot, then 130314 (water pressure), 130312 (sea temperature) and 128267 (bed
-/// below the transducer) per sample, tied by SID.
+/// below the transducer) per sample, with a common SID.
 DevicePtr make_nmea2000_depth(const DeviceSetup& setup);
 
 /// Boot-up message, heartbeat every second; after NMT start TPDO1 per sample, in the form, unit and

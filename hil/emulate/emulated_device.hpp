@@ -7,21 +7,22 @@
 #include "drivers/wire/can/can_frame.hpp"
 #include "drivers/wire/codec.hpp"
 
-/// The other end of the wire: a device that turns the truth into the bytes a real one would send.
-/// Sans-I/O like the drivers, so the same emulated device runs on a pty, on a CAN bus, in lockstep.
+/// The other end of the wire: a device that turns the truth into the bytes of a real device. It
+/// does no I/O, like the drivers, so the same emulated device runs on a pty, on a CAN bus and in
+/// lockstep.
 namespace drydock::emulate {
 
 using measurement::Stamp;
 
-/// Takes what a device sends. The line behind it paces: bytes leave at the baud rate,
-/// frames at the bus's bit rate, in the order they were sent.
+/// Takes what a device sends. The line after it paces: bytes leave at the baud rate, frames at the
+/// bus's bit rate, in the order in which they were sent.
 class Wire {
  public:
   virtual ~Wire() = default;
   virtual void send(wire::Bytes bytes) = 0;
   virtual void send(const wire::CanFrame& frame) = 0;
 
-  /// The port is gone until plug(), or from a bus's node: the drivers are cut off from the bus.
+  /// Removes the port until plug(). For a node of a bus: cuts the drivers off from the bus.
   virtual void unplug() {}
   virtual void plug() {}
 };
@@ -29,15 +30,16 @@ class Wire {
 class EmulatedDevice {
  public:
   virtual ~EmulatedDevice() = default;
-  virtual std::optional<Stamp> deadline() const = 0;  ///< when it samples or answers next
+  virtual std::optional<Stamp> deadline() const = 0;  ///< the next time at which it samples or
+                                                      ///< answers
   virtual void tick(Stamp now, Wire& out) = 0;
   virtual void receive(wire::Bytes bytes, Stamp now, Wire& out) = 0;  ///< from the driver
   virtual void receive(const wire::CanFrame& frame, Stamp now, Wire& out) = 0;
-  /// While it sends a sample: when that was taken. Empty: what it sends is of no sample.
+  /// While it sends a sample: when the sample was taken. Empty: the message belongs to no sample.
   virtual std::optional<Stamp> sampled_at() const { return {}; }
 };
 
-/// A message or frame on its way over the wire, for who measures what drivers make of its time.
+/// A message or frame on its way over the wire, for a comparison with the drivers' times.
 struct Passage {
   std::optional<Stamp> sampled_at;  ///< EmulatedDevice::sampled_at() when it was sent
   Stamp sent_at{};                  ///< handed to the line, which may be busy

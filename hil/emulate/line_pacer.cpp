@@ -22,7 +22,7 @@ LinePacer::LinePacer(unsigned baud, std::chrono::nanoseconds longest_chunk,
       chunk_bytes_(std::max<std::size_t>(1, bytes_within(longest_chunk, baud))),
       bound_bytes_(bytes_within(bound, baud)) {}
 
-// Rounded up, so that no byte leaves early.
+// Rounds up, so that no byte leaves early.
 std::chrono::nanoseconds LinePacer::line_time(std::size_t bytes) const {
   return std::chrono::nanoseconds{(bytes * bits_per_byte * ns_per_s + baud_ - 1) / baud_};
 }

@@ -11,31 +11,31 @@
 
 namespace drydock::emulate {
 
-/// Stands for the baud rate of a link that has none (tcp, memory): 10 ns a byte.
+/// Used as the baud rate of a link without one (tcp, memory): 10 ns per byte.
 inline constexpr unsigned without_line_rate = 1'000'000'000;
 
-/// Some bytes of one message that have now left the line.
+/// Bytes of one message that have left the line.
 struct Chunk {
   wire::Bytes bytes;  ///< valid until the next take()
-  Stamp at{};         ///< when the last of them has left
+  Stamp at{};         ///< when the last byte has left
   bool ends_message = false;
   Passage of_message;  ///< complete with the last chunk
 };
 
-/// A serial line's transmitter: 10 bits a byte (8N1), messages one after the other. Sans-I/O: it
-/// says what leaves when. A device that says more than the line carries loses its oldest waiting
-/// message, and that is counted.
+/// A serial line's transmitter: 10 bits per byte (8N1), messages one after another. It does no I/O
+/// and only says which bytes leave when. If a device sends more than the line carries, the oldest
+/// waiting message is lost and counted.
 class LinePacer {
  public:
-  /// Chunks last at most `longest_chunk`; duration::max() hands out whole messages.
-  /// `bound` is how much may wait, in line time; one message may always wait.
+  /// A chunk lasts at most `longest_chunk`; duration::max() gives whole messages. `bound` limits
+  /// the waiting bytes, in line time; one message may always wait.
   LinePacer(unsigned baud, std::chrono::nanoseconds longest_chunk,
             std::chrono::nanoseconds bound = std::chrono::seconds{1});
 
   void queue(wire::Bytes message, Stamp now, std::optional<Stamp> sampled_at = {});
-  void drop_all();                        ///< what waits or is leaving is lost, not counted
-  std::optional<Stamp> deadline() const;  ///< of the next chunk
-  std::optional<Chunk> take(Stamp now);   ///< the next chunk whose time has come
+  void drop_all();                        ///< waiting and leaving bytes are lost and not counted
+  std::optional<Stamp> deadline() const;  ///< time of the next chunk
+  std::optional<Chunk> take(Stamp now);   ///< the next chunk that is due
 
   std::uint64_t messages_lost() const { return messages_lost_; }
 
@@ -52,7 +52,7 @@ class LinePacer {
   std::uint64_t baud_;
   std::size_t chunk_bytes_;
   std::size_t bound_bytes_;
-  std::vector<Message> waiting_;                  ///< the first is leaving
+  std::vector<Message> waiting_;                  ///< the first one is leaving
   std::vector<std::vector<std::uint8_t>> spare_;  ///< buffers of messages that have left
   std::vector<std::uint8_t> taken_;               ///< keeps the last chunk's bytes
   std::size_t waiting_bytes_ = 0;

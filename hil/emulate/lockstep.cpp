@@ -35,13 +35,13 @@ void EmulatedLine::act(Stamp now) {
   if (due && *due <= now) device_->tick(now, *this);
 }
 
-/// What is still on the line when the port goes is lost.
+/// Bytes that are still on the line when the port goes are lost.
 void EmulatedLine::set_port(bool there) {
   if (!there) pacer_.drop_all();
   on_port_(there, now_);
 }
 
-// A node's way onto the bus.
+// The bus access of one node.
 struct EmulatedBus::Node final : Wire {
   Node(std::unique_ptr<EmulatedDevice> emulated, EmulatedBus& on, int place)
       : device(std::move(emulated)), bus(on), index(place) {
@@ -71,7 +71,7 @@ struct EmulatedBus::Node final : Wire {
   int index;
   bool cuts_off = false;
   Stamp now{};
-  Stamp due{};  ///< the device's deadline, which moves only when it hears or acts; max: none
+  Stamp due{};  ///< the device's deadline, which changes only when it hears or acts; max: none
 };
 
 namespace {

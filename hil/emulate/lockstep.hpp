@@ -9,16 +9,17 @@
 #include "hil/emulate/emulated_device.hpp"
 #include "hil/emulate/line_pacer.hpp"
 
-/// Emulated devices in the lockstep shell: what they send arrives when it would on a real line.
+/// Emulated devices in the lockstep shell. Their messages arrive at the same times as on a real
+/// line.
 namespace drydock::emulate {
 
 /// A device at the end of a serial line.
 class EmulatedLine final : public shell::Actor, private Wire {
  public:
-  /// Gets each whole message at the time its last byte has left the line.
+  /// Gets each whole message when its last byte has left the line.
   using Deliver = std::function<void(wire::Bytes message, const Passage& passage)>;
 
-  /// Hears when the device's port goes (false) and comes back.
+  /// Called when the device's port goes (false) or comes back (true).
   using OnPort = std::function<void(bool there, Stamp at)>;
 
   EmulatedLine(std::unique_ptr<EmulatedDevice> device, unsigned baud, Deliver deliver);
@@ -45,11 +46,12 @@ class EmulatedLine final : public shell::Actor, private Wire {
   Stamp now_{};
 };
 
-/// A CAN bus with its emulated nodes. Every frame reaches every other node and, when an emulated
-/// node sent it, the drivers.
+/// A CAN bus with its emulated nodes. Every frame reaches every other node. Frames of emulated
+/// nodes also reach the drivers.
 class EmulatedBus final : public shell::Actor {
  public:
-  /// Gets each frame of an emulated node at its end; `sender` counts the nodes as they were added.
+  /// Gets each frame of an emulated node at the frame's end. `sender` is the index of the node in
+  /// the order of add().
   using Deliver =
       std::function<void(const wire::CanFrame& frame, std::size_t sender, const Passage& passage)>;
 
@@ -68,7 +70,7 @@ class EmulatedBus final : public shell::Actor {
 
   CanPacer pacer_;
   Deliver deliver_;
-  int cut_off_by_ = 0;  ///< nodes, for whose faults the drivers' controller is bus-off
+  int cut_off_by_ = 0;  ///< number of nodes whose faults make the drivers' controller bus-off
   std::vector<std::unique_ptr<Node>> nodes_;
 };
 

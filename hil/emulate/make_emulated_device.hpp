@@ -12,46 +12,45 @@
 
 namespace drydock::emulate {
 
-/// One line: what is wrong, what is allowed.
+/// One line: what is wrong and what is allowed.
 struct EmulateError {
   std::string message;
 };
 
-/// Called by result::value() when there is none; throws std::invalid_argument.
+/// Called by result::value() if there is no device; throws std::invalid_argument.
 [[noreturn]] void throw_exception_from_error(const EmulateError& error,
                                              const boost::source_location& where);
 
-/// When a device gets power and what faults make of it.
+/// When a device gets power, and the effects of faults on it.
 struct PowerUp {
   measurement::Stamp boot{};
   std::shared_ptr<const Condition> condition;
 };
 
-/// The emulated device for a kind and protocol. It boots at trajectory.start() and samples every
-/// 1/rate_hz from then on (GNSS: at whole multiples of that in UTC). The trajectory must outlive
-/// it.
+/// The emulated device for a kind and protocol. It boots at trajectory.start() and then samples
+/// every 1/rate_hz (GNSS: at whole multiples of that in UTC). The trajectory must outlive it.
 boost::system::result<std::unique_ptr<EmulatedDevice>, EmulateError> make_emulated_device(
     const rig_config::DeviceConfig& config, const motion::Trajectory& trajectory,
     std::uint64_t seed);
 
-/// The same, booting when it gets power.
+/// The same, but the device boots when it gets power.
 boost::system::result<std::unique_ptr<EmulatedDevice>, EmulateError> make_emulated_device(
     const rig_config::DeviceConfig& config, const motion::Trajectory& trajectory,
     std::uint64_t seed, const PowerUp& power);
 
-/// Makes the devices of a rig for a bench: sound ones, or those of hil/fault.
+/// Makes the devices of a rig for a bench: sound devices, or the faulty ones of hil/fault.
 class DeviceMaker {
  public:
   using Made = boost::system::result<std::unique_ptr<EmulatedDevice>, EmulateError>;
 
   virtual ~DeviceMaker() = default;
   virtual Made device(const rig_config::DeviceConfig& config) = 0;
-  /// What else its bus needs beside a device; nullptr: nothing.
+  /// An extra node that the bus needs because of a device; null: none.
   virtual std::unique_ptr<EmulatedDevice> rogue(const rig_config::DeviceConfig& config,
                                                 unsigned bit_rate) = 0;
 };
 
-/// Devices without a fault. The trajectory must outlive what it makes.
+/// Makes devices without faults. The trajectory must outlive them.
 class SoundDevices final : public DeviceMaker {
  public:
   SoundDevices(const motion::Trajectory& trajectory, std::uint64_t seed)

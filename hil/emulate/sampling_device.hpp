@@ -18,12 +18,12 @@ namespace drydock::emulate {
 using motion::Trajectory;
 using rig_config::DeviceConfig;
 
-/// What an emulated device is made from. The trajectory outlives the device.
+/// The parts from which an emulated device is made. The trajectory must outlive the device.
 struct DeviceSetup {
   const DeviceConfig& config;
   const Trajectory& trajectory;
   std::uint64_t seed = 0;
-  std::shared_ptr<sensor::Sky> sky = nullptr;  ///< kind gnss; this receiver's alone
+  std::shared_ptr<sensor::Sky> sky = nullptr;  ///< kind gnss; used by this receiver only
   Stamp boot = trajectory.start();             ///< when it gets power
   std::shared_ptr<const Condition> condition = std::make_shared<Condition>();
 
@@ -35,8 +35,8 @@ struct DeviceSetup {
 };
 
 /// A device that samples the truth at a constant rate and sends each sample `latency_s` later.
-/// Sample k is at first + k / rate to the nanosecond: the rate has no drift but a fault's. A sample
-/// that drops out is taken, counted and measured as any other, but nothing of it reaches the wire.
+/// Sample k is at first + k / rate to the nanosecond; only a fault makes the rate drift. A sample
+/// that drops out is taken and counted like any other, but nothing of it reaches the wire.
 class SamplingDevice : public EmulatedDevice {
  public:
   std::optional<Stamp> deadline() const override { return send_time(); }
@@ -46,21 +46,21 @@ class SamplingDevice : public EmulatedDevice {
   std::optional<Stamp> sampled_at() const override { return under_way_; }
 
  protected:
-  /// First sample at boot.
+  /// The first sample is at boot.
   explicit SamplingDevice(const DeviceSetup& setup);
 
   virtual void sample(Stamp at, Wire& out) = 0;
 
-  void take(Stamp at, Wire& out);    ///< sample() with the dropouts of the configuration
-  void sample_at_whole_multiples();  ///< of the period in UTC, as satellite receivers do
+  void take(Stamp at, Wire& out);    ///< calls sample(), with the dropouts of the configuration
+  void sample_at_whole_multiples();  ///< multiples of the period in UTC, as satellite receivers do
   const Trajectory& trajectory() const { return trajectory_; }
   const sensor::Mounting& mounting() const { return mounting_; }
   const Condition& condition() const { return *condition_; }
-  /// What the device's own clock shows.
+  /// The time that the device's own clock shows.
   Stamp device_time(Stamp at) const { return condition_->clock.shows(at); }
   double rate_hz() const { return rate_hz_; }
   std::chrono::nanoseconds latency() const { return latency_; }
-  std::uint64_t samples() const { return samples_; }  ///< taken before the one under way
+  std::uint64_t samples() const { return samples_; }  ///< number taken before the current one
 
  private:
   Stamp sample_time() const;
@@ -73,8 +73,8 @@ class SamplingDevice : public EmulatedDevice {
   std::chrono::nanoseconds latency_;
   sensor::Dropouts dropouts_;
   std::shared_ptr<const Condition> condition_;
-  double to_leave_out_ = 0;            ///< samples, of a device that is slow
-  std::chrono::nanoseconds ahead_{0};  ///< of a clock that is too fast
+  double to_leave_out_ = 0;            ///< fraction of samples, for a slow device
+  std::chrono::nanoseconds ahead_{0};  ///< how far a fast clock is ahead
   Stamp first_;
   std::uint64_t samples_ = 0;
   std::optional<Stamp> under_way_;

@@ -22,7 +22,7 @@ namespace {
 using validity::Deadlines;
 using validity::Spread;
 
-/// The first sample must be out so long after the begin: power-up is not load.
+/// Power-up is not load, so the first sample may come this long after the start.
 constexpr double settles_within_s = 5;
 
 struct LoadResult {
@@ -76,7 +76,7 @@ LoadResult measure(const rig_config::Rig& rig, const LoadOptions& options, std::
   return result;
 }
 
-/// What a device fails for, in words; empty: it does not.
+/// Why a device fails, in words; empty if it passes.
 std::vector<std::string> troubles_of(const Deadlines& d, const summary::DeviceSummary& device) {
   if (d.samples == 0) return {"no sample came out of its driver"};
   std::vector<std::string> all;
@@ -152,7 +152,8 @@ nlohmann::ordered_json json_of(const LoadResult& result, bool passed) {
   return json;
 }
 
-/// Where the machine alone was later than the quickest device comes again, a FAIL says little.
+/// A FAIL means little if the bare timer of the machine was later than one period of the fastest
+/// device.
 std::string host_note(const rig_config::Rig& rig, const validity::HostTimes& floor) {
   double quickest_hz = 0;
   for (const auto& device : rig.devices) quickest_hz = std::max(quickest_hz, device.rate_hz);

@@ -5,7 +5,8 @@
 
 #include "rig_config/rig.hpp"
 
-/// `drydock load`: whether this machine keeps every deadline of a rig. docs/time-of-validity.md
+/// `drydock load`: checks whether this machine keeps every deadline of a rig.
+/// docs/time-of-validity.md
 namespace drydock::endurance {
 
 struct LoadOptions {
@@ -13,10 +14,11 @@ struct LoadOptions {
   std::string json;  ///< file; empty: none
 };
 
-/// The rig's emulated devices and their drivers in real time, beside the machine's own timers: a
-/// table, a line for each trouble and one verdict to `out`, a bar to `bar` where it is a terminal.
-/// 0: every deadline kept, nothing lost, every rate held; 130: ended by Ctrl-C; else exit_failed.
-/// Throws std::runtime_error with one line where the rig cannot run.
+/// Runs the rig's emulated devices and their drivers in real time, beside a measurement of the
+/// machine's own timers. Prints a table, a line for each problem and a verdict to `out`; shows a
+/// bar on `bar` if it is a terminal. Returns 0 if every deadline was kept, nothing was lost and
+/// every rate was held; 130 after Ctrl-C; else exit_failed. Throws std::runtime_error with one line
+/// if the rig cannot run.
 int load_run(const rig_config::Rig& rig, const LoadOptions& options, std::FILE* out,
              std::FILE* bar);
 

@@ -13,10 +13,10 @@ namespace drydock::endurance {
 
 namespace {
 
-/// What a process may hold more at the end than after a tenth of the run: pages come in steps.
+/// Allowed growth of memory from a tenth of the run to its end: the system gives memory in pages.
 constexpr double most_growth_mb = 1;
 
-/// Resident memory at the end over that after a tenth of the run.
+/// Resident memory at the end minus that after a tenth of the run.
 double growth_mb(const summary::ResidentTrace& resident) {
   const std::size_t count = resident.megabytes.size();
   return count < 10 ? 0 : resident.megabytes.back() - resident.megabytes[count / 10];
@@ -92,7 +92,7 @@ int soak(const rig_config::Rig& rig, const SoakOptions& options, std::FILE* out)
   bench::RunOptions run;
   run.duration_s = options.duration_s;
   run.quiet = true;
-  run.curve_points = 300;  // what it keeps is not to look like a leak
+  run.curve_points = 300;  // stored curves must not look like a leak
   run.on_measurement = [&](const measurement::Measurement& m) { watch.note(m); };
   run.each_second = [&](const bench::RunView& view) { watch.look(view); };
   const summary::Summary summary = bench::run_lockstep(rig, run);

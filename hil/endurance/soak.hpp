@@ -9,14 +9,14 @@ namespace drydock::endurance {
 
 struct SoakOptions {
   double duration_s = 30 * 86400.0;
-  std::uint64_t seed = 1;         ///< of the faults
-  double fault_interval_s = 600;  ///< mean, of one device
+  std::uint64_t seed = 1;         ///< for the faults
+  double fault_interval_s = 600;  ///< mean, per device
   std::string json, report;       ///< file, folder; empty: none
 };
 
-/// A rig in lockstep for a long time under random faults: whether its memory grows, a device stays
-/// in a state that no fault explains, a byte is not accounted for, a number is none. 0: nothing of
-/// the kind; 1: something.
+/// Runs a rig in lockstep for a long time under random faults. It checks that memory does not grow,
+/// that no device stays in a state without a fault, that every byte is accounted for, and that
+/// every number is finite. Returns 0 if all is well, 1 if not, 130 after Ctrl-C.
 int soak(const rig_config::Rig& rig, const SoakOptions& options, std::FILE* out);
 
 }  // namespace drydock::endurance

@@ -21,11 +21,11 @@ bool is_number(const std::optional<T>& value) {
   return !value || is_number(*value);
 }
 template <class T>
-bool is_number(const T&) {  // words, counts and lists hold nothing that could be none
+bool is_number(const T&) {  // words, counts and lists hold no NaN
   return true;
 }
 
-/// A fault of the whole bus is a fault of every device on it.
+/// A fault of the whole bus affects every device on it.
 bool is_of_the_bus(rig_config::FaultKind kind) {
   using enum rig_config::FaultKind;
   return kind == bus_off || kind == babbling || kind == bus_load || kind == error_frames;
@@ -78,7 +78,7 @@ void SoakWatch::look_at(std::size_t index, const bench::RunView& run) {
     add(fmt::format("{:.0f} s: {} is {}, {} s after its last fault: {}", t, device.name(),
                     device::to_string(health.state), recovers_within.count(),
                     health.status.view()));
-    trouble_until_[index] = run.now + recovers_within;  // said once
+    trouble_until_[index] = run.now + recovers_within;  // reports this only once
   }
 }
 

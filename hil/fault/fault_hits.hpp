@@ -7,7 +7,7 @@
 
 namespace drydock::fault {
 
-/// What each kind of fault has hit: messages; of unplug, eof and bus-off how often it came.
+/// Counts the hits of each kind of fault: messages, or occurrences for unplug, eof and bus-off.
 class FaultHits {
  public:
   std::uint64_t& operator[](rig_config::FaultKind kind) {
@@ -23,7 +23,7 @@ class FaultHits {
   bool none() const { return hits_ == decltype(hits_){}; }
 
  private:
-  std::array<std::uint64_t, 256> hits_{};  ///< as many as FaultKind can have
+  std::array<std::uint64_t, 256> hits_{};  ///< indexed by FaultKind
 };
 
 }  // namespace drydock::fault

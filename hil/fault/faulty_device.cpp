@@ -64,7 +64,7 @@ void FaultyDevice::tick(Stamp now, emulate::Wire& out) {
   release(now);
 }
 
-/// What is in force is asked anew at each change, so that a fault that has gone leaves nothing.
+/// Sets the whole condition again at each change, so that an ended fault leaves no effect.
 void FaultyDevice::follow_schedule(Stamp now) {
   const auto faults = schedule_.changed(now);
   if (!faults) return;
@@ -75,12 +75,12 @@ void FaultyDevice::follow_schedule(Stamp now) {
 
   port_.set(*faults, [&](bool there) {
     if (there) return out_->plug();
-    bytes_.drop_all();  // what was on its way does not arrive
+    bytes_.drop_all();  // data on the wire do not arrive
     out_->unplug();
   });
 }
 
-/// A device that gets power boots: what was set on it is lost.
+/// A device that gets power boots and loses its settings.
 void FaultyDevice::switch_power(bool on, Stamp now) {
   if (on == (device_ != nullptr)) return;
   if (!on) {
@@ -90,7 +90,10 @@ void FaultyDevice::switch_power(bool on, Stamp now) {
     return;
   }
   device_ = std::move(
-      *emulate::make_emulated_device(config_, view_, seed_, {now, condition_}));  // made it before
+      *emulate::make_emulated_device(config_, view_, seed_, {now, condition_}));  // cannot fail:
+                                                                                  // the same call
+                                                                                  // succeeded
+                                                                                  // before
 }
 
 void FaultyDevice::release(Stamp now) {

@@ -12,12 +12,12 @@ namespace drydock::fault {
 
 using rig_config::DeviceConfig;
 
-/// Any emulated device under the faults of a schedule: its sensors and its clock from within, its
-/// power, its port, and the wire that its messages take. Without a fault in force it passes on
-/// what the device says, when it says it.
+/// Any emulated device under the faults of a schedule. Faults act on its sensors and its clock, its
+/// power, its port, and the wire of its messages. Without a fault it passes on every message at
+/// once.
 class FaultyDevice final : public emulate::EmulatedDevice, private emulate::Wire {
  public:
-  /// The trajectory outlives it. Fails as make_emulated_device() does.
+  /// The trajectory must outlive the device. Fails as make_emulated_device() does.
   static boost::system::result<std::unique_ptr<FaultyDevice>, emulate::EmulateError> make(
       const DeviceConfig& config, const motion::Trajectory& trajectory, std::uint64_t seed,
       std::shared_ptr<const Schedule> schedule);
@@ -29,7 +29,7 @@ class FaultyDevice final : public emulate::EmulatedDevice, private emulate::Wire
   void receive(const wire::CanFrame& frame, Stamp now, emulate::Wire& out) override;
 
  private:
-  /// The vehicle's motion as a device sees it that may have stopped looking.
+  /// The vehicle's motion as the device sees it. Under the fault "stuck" it stands still.
   class View final : public motion::Trajectory {
    public:
     View(const motion::Trajectory& motion, std::shared_ptr<const emulate::Condition> condition)
@@ -60,12 +60,12 @@ class FaultyDevice final : public emulate::EmulatedDevice, private emulate::Wire
   ScheduleFollower schedule_;
   std::shared_ptr<emulate::Condition> condition_ = std::make_shared<emulate::Condition>();
   View view_;
-  std::unique_ptr<emulate::EmulatedDevice> device_;  ///< none: without power
+  std::unique_ptr<emulate::EmulatedDevice> device_;  ///< null: without power
   FaultyWire<Message> bytes_;
   FaultyWire<wire::CanFrame> frames_;
-  emulate::Wire* out_ = nullptr;  ///< of the call under way
+  emulate::Wire* out_ = nullptr;  ///< valid during a call
   Stamp now_{};
-  std::optional<Stamp> sampled_at_;  ///< of the message that goes out
+  std::optional<Stamp> sampled_at_;  ///< sample time of the current message
   PortFaults port_;
 };
 

@@ -10,7 +10,7 @@ namespace drydock::fault {
 
 namespace {
 
-/// Nothing where this program plays the device.
+/// Empty if this program emulates the device; else the reason of the refusal.
 std::optional<std::string> not_played(const DeviceConfig& device) {
   const auto uri = link::parse_uri(device.link);
   if (!uri || uri->emulated()) return {};

@@ -6,32 +6,33 @@
 
 namespace drydock::fault {
 
-/// Faults of devices that the rig has not, that cannot have them, or whose other end is not played
-/// by this program.
+/// Problems: the rig does not have the device, the device cannot have the fault, or this program
+/// does not emulate the device.
 rig_config::Problems check_faults(const rig_config::Rig& rig);
 
-/// The faults of a rig: puts them on its emulated devices, by the files or by hand while it runs.
+/// Puts faults on the emulated devices of a rig: those of its files, and those set by hand during
+/// the run.
 class Injector final : public emulate::DeviceMaker {
  public:
-  /// Times of the rig's faults count from `start`. Rig and trajectory outlive it.
+  /// Times of the rig's faults count from `start`. Rig and trajectory must outlive the injector.
   Injector(const rig_config::Rig& rig, const motion::Trajectory& trajectory, Stamp start);
 
-  /// The device with its faults around it.
+  /// The emulated device, wrapped in its faults.
   Made device(const DeviceConfig& config) override;
 
-  /// What the faults of a device on a bus need there beside it.
+  /// The extra node that the faults of a device on a bus need.
   std::unique_ptr<emulate::EmulatedDevice> rogue(const DeviceConfig& config,
                                                  unsigned bit_rate) override;
 
-  /// By hand: its times count from now; it takes the place of one of its kind that was set by hand
-  /// before. Fails with a line where the device cannot have it.
+  /// Sets a fault by hand; its times count from now. It replaces an earlier fault of the same kind
+  /// and quantity that was set by hand. Fails with a line if the device cannot have it.
   boost::system::result<void, rig_config::Problems> set(const FaultConfig& fault, Stamp now);
-  /// How many were taken away; of no device or kind: of all.
+  /// Returns how many faults were removed. An empty device or kind means all.
   std::size_t clear(const std::string& device, std::optional<FaultKind> kind) {
     return schedules_.clear(device, kind);
   }
   std::vector<FaultNow> in_force(Stamp at) const { return schedules_.in_force(at); }
-  /// Of any device.
+  /// The next change of any device.
   std::optional<Stamp> next_change(Stamp after) const { return schedules_.next_change(after); }
 
  private:

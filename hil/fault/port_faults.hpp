@@ -5,7 +5,7 @@
 
 namespace drydock::fault {
 
-/// What faults do to the drivers' port: it is gone, or hangs up once and can be opened again.
+/// Faults of the drivers' port: it is gone, or it hangs up once and can be opened again.
 class PortFaults {
  public:
   /// `set_port(there)` is called for each change.
@@ -19,7 +19,7 @@ class PortFaults {
     if (!eof || eof->since == hung_up_) return;
     hung_up_ = eof->since;
     ++hits_[FaultKind::eof];
-    if (unplugged_) return;  // what is gone has hung up
+    if (unplugged_) return;  // a missing port has hung up already
     set_port(false);
     set_port(true);
   }
@@ -27,7 +27,7 @@ class PortFaults {
   const FaultHits& hits() const { return hits_; }
 
  private:
-  std::optional<Stamp> hung_up_;  ///< the turn of the fault "eof" that was obeyed last
+  std::optional<Stamp> hung_up_;  ///< start of the last "eof" that was carried out
   bool unplugged_ = false;
   FaultHits hits_;
 };

@@ -22,7 +22,7 @@ wire::CanFrame error_frame(std::uint32_t error_class) {
   return frame;
 }
 
-/// Eight bytes of a node that nobody here listens to.
+/// Eight bytes for an identifier that no device here uses.
 wire::CanFrame strange_frame(std::uint32_t id, sensor::RandomStream& random) {
   wire::CanFrame frame;
   frame.id = id;
@@ -32,8 +32,8 @@ wire::CanFrame strange_frame(std::uint32_t id, sensor::RandomStream& random) {
   return frame;
 }
 
-/// ISO 11898-1: standard, eight bytes, three bits of space; without stuff bits, so that a babbling
-/// node always has a frame waiting.
+/// ISO 11898-1: standard frame, eight bytes, three bits of space. Stuff bits are left out, so that
+/// a babbling node always has a frame waiting.
 constexpr double bits_of_frame = 111;
 
 constexpr std::uint32_t highest_priority = 0x000, lowest_priority = 0x7FF;

@@ -10,14 +10,14 @@
 
 namespace drydock::fault {
 
-/// Error class of the error frames it sends while it is not bus-off: linux/can/error.h.
+/// Class of its error frames while it is not bus-off: linux/can/error.h.
 inline constexpr std::uint32_t protocol_violation = 0x008;
 
-/// What else may be on a CAN bus: one more node that babbles, loads the bus or takes a device's
+/// Other disturbances on a CAN bus: one more node that babbles, loads the bus or takes a device's
 /// address, and the drivers' controller that sees errors or goes bus-off. Silent without a fault.
 class RogueNode final : public emulate::EmulatedDevice {
  public:
-  /// Of the faults of one device on the bus.
+  /// Acts on the faults of one device on the bus.
   RogueNode(const rig_config::DeviceConfig& config, unsigned bit_rate, std::uint64_t seed,
             Stamp start, std::shared_ptr<const Schedule> schedule);
 
@@ -27,7 +27,7 @@ class RogueNode final : public emulate::EmulatedDevice {
   void receive(const wire::CanFrame& frame, Stamp now, emulate::Wire& out) override;
 
  private:
-  /// Something that comes again and again while a fault is in force.
+  /// An action that repeats while a fault is in force.
   struct Beat {
     FaultKind kind;
     std::chrono::nanoseconds period{0};  ///< zero: not in force
@@ -42,8 +42,9 @@ class RogueNode final : public emulate::EmulatedDevice {
   void claim_address(bool wanted, Stamp now, emulate::Wire& out);
 
   unsigned bit_rate_;
-  std::uint8_t address_;                            ///< of the device
-  std::optional<wire::j1939::AddressClaim> claim_;  ///< while it holds the device's
+  std::uint8_t address_;                            ///< the device's address
+  std::optional<wire::j1939::AddressClaim> claim_;  ///< set while this node holds the device's
+                                                    ///< address
   sensor::RandomStream random_;
   ScheduleFollower schedule_;
   std::array<Beat, 3> beats_;

@@ -14,11 +14,12 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double flight_step_s = 0.05;  // Runge-Kutta 4: below a micrometre over the whole flight
+constexpr double flight_step_s = 0.05;  // Runge-Kutta 4: error below a micrometre over the whole
+                                        // flight
 constexpr double longest_flight_s = 3600;
-constexpr double highest_m = 500e3;  // the series of normal gravity is 0.2 % off there
+constexpr double highest_m = 500e3;  // the series of normal gravity is wrong by 0.2 % there
 
-// Air of one temperature: sea-level density and scale height of the US Standard Atmosphere 1976.
+// Isothermal air with the sea-level density and scale height of the US Standard Atmosphere 1976.
 constexpr double sea_level_density_kgm3 = 1.225, scale_height_m = 8434.5;
 
 }  // namespace
@@ -45,12 +46,13 @@ BallisticTrajectory::BallisticTrajectory(const rig_config::MissionConfig& missio
   }
   const auto steps_above = static_cast<double>(checkpoints_.size() - 2);
   const double landing_s = flight_step_s * steps_above + landing_within_last_step();
-  landing_s_ = measurement::seconds(measurement::from_seconds(landing_s));  // at(end()) still flies
+  landing_s_ = measurement::seconds(measurement::from_seconds(landing_s));  // at(end()) is still in
+                                                                            // flight
 }
 
 Stamp BallisticTrajectory::end() const { return start_ + measurement::from_seconds(landing_s_); }
 
-/// Bisection to a nanosecond between the last point above the ground and the first below.
+/// Bisection to a nanosecond between the last point above the ground and the first one below.
 double BallisticTrajectory::landing_within_last_step() const {
   const State& above = checkpoints_[checkpoints_.size() - 2];
   double low = 0, high = flight_step_s;
@@ -119,7 +121,7 @@ BallisticTrajectory::State BallisticTrajectory::derivative(const State& s) const
           gravity + drag_ned(s) - turning.cross(v)};
 }
 
-/// Against the velocity through air that turns with the Earth, m/s2.
+/// Opposite to the velocity through air that rotates with the Earth, m/s2.
 Vector3d BallisticTrajectory::drag_ned(const State& s) const {
   if (flight_.ballistic_coefficient_kgm2 == 0) return Vector3d::Zero();
   const double density = sea_level_density_kgm3 * std::exp(-s.height_m / scale_height_m);

@@ -8,20 +8,20 @@
 
 namespace drydock::motion {
 
-/// A rolling airframe in ballistic flight, as a sounding rocket after burn-out: gravity, Coriolis
-/// and drag move it; pitch and yaw follow its velocity but for a small cone of the nose, and the
-/// rate of the roll angle is held. docs/sky.md has the equations. It comes to rest, at once and as
-/// it lies, at the first moment on the ground.
+/// A rolling airframe in ballistic flight, like a sounding rocket after burn-out. Gravity, Coriolis
+/// acceleration and drag move it. Pitch and yaw follow the velocity except for a small cone of the
+/// nose; the rate of the roll angle is constant. docs/sky.md has the equations. At the first
+/// contact with the ground it stops at once and keeps its attitude.
 class BallisticTrajectory final : public Trajectory {
  public:
-  /// `mission.ballistic` must be there; heading and speed are those of the velocity at burn-out.
-  /// Throws std::invalid_argument (one line) for a flight that begins below the ground,
-  /// climbs above 500 km or does not come down within an hour.
+  /// `mission.ballistic` must be set. Heading and speed are those of the velocity at burn-out.
+  /// Throws std::invalid_argument (one line) for a flight that begins below the ground, climbs
+  /// above 500 km or does not come down within an hour.
   BallisticTrajectory(const rig_config::MissionConfig& mission, Stamp start);
 
-  Truth at(Stamp time) const override;  ///< any order, any thread; before start() the first state
+  Truth at(Stamp time) const override;  ///< any order, any thread; before start(): the first state
   Stamp start() const override { return start_; }
-  Stamp end() const override;  ///< on the ground
+  Stamp end() const override;  ///< the time of landing
   const ocean::Ocean& ocean() const override { return ocean_; }
 
  private:
@@ -44,7 +44,7 @@ class BallisticTrajectory final : public Trajectory {
   rig_config::BallisticConfig flight_;
   ocean::Ocean ocean_;
   Stamp start_;
-  std::vector<State> checkpoints_;  ///< equally spaced from start() to beyond the landing
+  std::vector<State> checkpoints_;  ///< equally spaced from start() to after the landing
   double landing_s_ = 0;
 };
 

@@ -13,9 +13,9 @@
 namespace drydock::motion {
 namespace {
 
-// Keeps position and velocity consistent to 2e-6 m/s through the shortest usual ramps.
+// Keeps position and velocity consistent to 2e-6 m/s even in the shortest usual ramps.
 constexpr double spacing_s = 0.5;
-// Of a lag of half a second or more, to 1e-9 of its input; a shorter one takes more steps.
+// For a lag of at least half a second: error 1e-9 of its input. A shorter lag needs shorter steps.
 constexpr double spacing_in_lags = 0.1;
 
 }  // namespace
@@ -97,7 +97,7 @@ KinematicTrajectory::Path KinematicTrajectory::derivative(const Prescribed& p,
                                                           const Path& path) const {
   const double sin_pitch = std::sin(p.pitch.value), cos_pitch = std::cos(p.pitch.value);
   const double sin_yaw = std::sin(p.yaw.value), cos_yaw = std::cos(p.yaw.value);
-  double ahead = p.speed.value * cos_pitch, abeam = 0;  // over ground, by the heading
+  double ahead = p.speed.value * cos_pitch, abeam = 0;  // over ground, relative to the heading
   Path rate;
   if (pivot_m_ > 0) {
     const double sin_roll = std::sin(p.roll.value), cos_roll = std::cos(p.roll.value);

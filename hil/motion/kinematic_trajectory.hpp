@@ -9,30 +9,30 @@
 
 namespace drydock::motion {
 
-/// A vehicle that keeps exactly to its legs: speed, heading, pitch and roll are twice continuously
-/// differentiable functions of time, and the inertial measurements follow from them on the rotating
-/// WGS-84 Earth. The velocity lies along body x; with a pivot ahead of the origin the hull slips
-/// through two equal lags: v follows -pivot r, w follows pivot q, and the depth what comes of it.
-/// The legs repeat for as long as one asks; a lap begins with the heading, depth and speed at which
-/// the one before ended.
+/// A vehicle that follows its legs exactly. Speed, heading, pitch and roll are twice continuously
+/// differentiable functions of time; the inertial measurements follow from them on the rotating
+/// WGS-84 Earth. The velocity is along body x. With a pivot ahead of the origin the hull slips
+/// through two equal lags: v follows -pivot r, w follows pivot q, and the depth includes this slip.
+/// The legs repeat without end; a lap begins with the heading, depth and speed at the end of the
+/// previous lap.
 class KinematicTrajectory final : public Trajectory {
  public:
-  /// Throws std::invalid_argument (one line) for a mission that cannot be flown.
+  /// Throws std::invalid_argument (one line) for a mission that is not possible.
   KinematicTrajectory(const rig_config::MissionConfig& mission, Stamp start);
 
-  Truth at(Stamp time) const override;  ///< any order, any thread; before start() the first state
+  Truth at(Stamp time) const override;  ///< any order, any thread; before start(): the first state
   Stamp start() const override { return start_; }
-  Stamp end() const override;  ///< of the first lap; the motion itself does not end
+  Stamp end() const override;  ///< end of the first lap; the motion itself does not end
   const ocean::Ocean& ocean() const override { return ocean_; }
 
  private:
-  /// What is integrated from the start on; slips are v and w, `lagged` what they follow.
+  /// The integrated values since the start. Slips are v and w; they follow `lagged`.
   struct Path {
     double latitude_rad = 0, longitude_rad = 0, slip_depth_m = 0;
     Eigen::Vector2d lagged = Eigen::Vector2d::Zero(), slip_mps = Eigen::Vector2d::Zero();
   };
 
-  void check_clear_of_bed() const;  ///< throws; through the first lap
+  void check_clear_of_bed() const;  ///< checks the first lap; throws
   Path path_at(double t) const;
   Path integrate(const Path& from, double t, double duration) const;
   Path derivative(const Prescribed& p, const Path& path) const;

@@ -24,7 +24,7 @@ Window window_of(const LegConfig& leg) {
   return {leg.duration_s, std::min(longest_ramp_s, leg.duration_s / 4)};
 }
 
-/// How far a leg is on its way from 0 to 1, and the time derivatives.
+/// The progress of a leg from 0 to 1, and its time derivatives.
 struct Progress {
   double value, rate, acceleration;
 };
@@ -106,7 +106,7 @@ void add_dive(const LegConfig& leg, double t, Prescribed& p) {
   p.depth_m += leg.depth_change_m * progress.value;
   p.descent_mps = sink;
   const double u = p.speed.value;
-  if (u <= 0) return;  // a checked dive at rest changes no depth
+  if (u <= 0) return;  // a checked dive does not change depth at rest
   const double sine = -sink / u;
   const double sine_rate = -(sink_rate * u - sink * p.speed.rate) / (u * u);
   p.pitch = {std::asin(sine), sine_rate / std::sqrt(1 - sine * sine)};
@@ -126,7 +126,7 @@ MissionProfile::MissionProfile(const rig_config::MissionConfig& mission) {
     check(i, leg, end_.speed.value, end_.depth_m, mission);
     add(leg);
   }
-  // From the second lap on, the first leg begins at the last leg's speed.
+  // In later laps, the first leg begins with the last leg's speed.
   if (!legs_.empty()) check(0, legs_[0].config, end_.speed.value, begin_.depth_m, mission);
 }
 

@@ -11,7 +11,7 @@ using rig_config::LegConfig;
 
 constexpr double quintic_steepest = 1.875;  // quintic_rate(1/2)
 
-/// A value that goes from 0 to `step` between `from` and `from` + `duration`, and its integral.
+/// A value that rises from 0 to `step` between `from` and `from` + `duration`, and its integral.
 struct Transition {
   double step, from, duration;
 

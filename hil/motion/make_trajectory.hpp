@@ -7,9 +7,8 @@
 
 namespace drydock::motion {
 
-/// The motion that a mission describes: its legs, kept to exactly or sailed by a
-/// vehicle, or a ballistic flight. Throws
-/// std::invalid_argument (one line) for a mission that cannot be flown.
+/// The motion of a mission: its legs, followed exactly or sailed by a simulated vehicle, or a
+/// ballistic flight. Throws std::invalid_argument (one line) for a mission that is not possible.
 std::unique_ptr<Trajectory> make_trajectory(const rig_config::MissionConfig& mission, Stamp start);
 
 }  // namespace drydock::motion

@@ -9,7 +9,7 @@
 
 namespace drydock::motion {
 
-/// A motion that keeps its last answer: sensors that sample at the same instant ask once.
+/// A motion that keeps its last result, because several sensors may sample at the same instant.
 class RememberedTrajectory final : public Trajectory {
  public:
   explicit RememberedTrajectory(std::unique_ptr<Trajectory> motion) : motion_(std::move(motion)) {}

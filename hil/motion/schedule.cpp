@@ -59,7 +59,7 @@ Schedule parse_schedule(std::string_view text, const std::string& file) {
 }
 
 Command command_at(const Schedule& schedule, double t, double advance_m) {
-  constexpr double rounding_s = 1e-9;  // of times that are multiples of a step
+  constexpr double rounding_s = 1e-9;  // for times that are multiples of a step
   const auto next = std::ranges::upper_bound(schedule, t + rounding_s, {}, &ScheduleEntry::t);
   const ScheduleEntry& now = *std::prev(next);
   return {now.rudder_rad, now.stern_rad, now.bow_rad, now.propeller_radps * advance_m};

@@ -9,25 +9,25 @@
 
 namespace drydock::motion {
 
-/// What is commanded from a time on, until the next entry.
+/// The command from a time until the next entry.
 struct ScheduleEntry {
   double t = 0;
   double rudder_rad = 0, stern_rad = 0, bow_rad = 0;
   double propeller_radps = 0;
 };
 
-using Schedule = std::vector<ScheduleEntry>;  ///< in order of time, the first at 0
+using Schedule = std::vector<ScheduleEntry>;  ///< ordered by time; the first is at 0
 
 /// `FILE:LINE: what is wrong`.
 struct BadSchedule : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// CSV with the header `t,rudder,stern,bow,rpm`: s, deg, deg, deg, revolutions a minute. `file`
-/// names the text in errors. Throws BadSchedule.
+/// CSV with the header `t,rudder,stern,bow,rpm`: s, deg, deg, deg, revolutions per minute. `file`
+/// is the name of the text in errors. Throws BadSchedule.
 Schedule parse_schedule(std::string_view text, const std::string& file);
 
-/// The command that holds at `t`; the propeller drives `advance_m` a radian.
+/// The command at time `t`. `advance_m` is the propeller's advance per radian.
 Command command_at(const Schedule& schedule, double t, double advance_m);
 
 }  // namespace drydock::motion

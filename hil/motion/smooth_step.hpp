@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-/// Polynomials that go from 0 to 1 while x goes from 0 to 1, flat at both ends.
+/// Polynomials that rise from 0 to 1 for x from 0 to 1 and are flat at both ends.
 namespace drydock::motion {
 
 /// Quintic: first and second derivative vanish at both ends.

@@ -10,7 +10,7 @@ namespace drydock::motion {
 
 using measurement::Stamp;
 
-/// The one truth that every emulated sensor is derived from. Body FRD, navigation NED, SI.
+/// The truth from which every emulated sensor is derived. Body FRD, navigation NED, SI.
 struct Truth {
   Stamp at{};
   double latitude_rad = 0, longitude_rad = 0;  ///< WGS-84
@@ -21,14 +21,14 @@ struct Truth {
   Eigen::Vector3d velocity_ned = Eigen::Vector3d::Zero();    ///< m/s
   Eigen::Vector3d specific_force = Eigen::Vector3d::Zero();  ///< m/s2, body
   Eigen::Vector3d angular_rate = Eigen::Vector3d::Zero();    ///< rad/s, body against inertial
-  std::optional<Eigen::Vector3d> angular_acceleration;       ///< its rate, where known, rad/s2
+  std::optional<Eigen::Vector3d> angular_acceleration;       ///< if known, rad/s2
   Eigen::Vector3d rate_body = Eigen::Vector3d::Zero();       ///< rad/s, body against NED (p, q, r)
   Eigen::Vector3d current_ned = Eigen::Vector3d::Zero();     ///< m/s, of the water at the vehicle
-  double bed_depth_m = 0;                                    ///< of the sea bed under the vehicle
+  double bed_depth_m = 0;                                    ///< the sea bed under the vehicle
   double rudder_rad = 0, stern_plane_rad = 0, bow_plane_rad = 0, propeller_radps = 0;
 };
 
-/// A motion that can be asked at any time of the mission, in any order, with the same answer.
+/// A motion that can be evaluated at any time of the mission, in any order, with the same result.
 class Trajectory {
  public:
   virtual ~Trajectory() = default;
@@ -36,8 +36,7 @@ class Trajectory {
   virtual Stamp start() const = 0;
   virtual Stamp end() const = 0;
 
-  /// The water that it goes through, its times counted from start(); where a motion names none it
-  /// is still and 100 m deep.
+  /// The water of the motion; its times count from start(). By default it is still and 100 m deep.
   virtual const ocean::Ocean& ocean() const;
 };
 

@@ -11,8 +11,8 @@ namespace {
 using Eigen::Array2d;
 using Eigen::Vector2d;
 
-/// First zero in (0, 1] of the parabola through (0, y0), (1/2, y1), (1, y2) with y0 < 0. Of both
-/// zeros this form gives the first whichever way the parabola opens.
+/// First zero in (0, 1] of the parabola through (0, y0), (1/2, y1), (1, y2) with y0 < 0. This form
+/// gives the first of both zeros, whichever way the parabola opens.
 std::optional<double> first_rise_through_zero(double y0, double y1, double y2) {
   const double curvature = 2 * (y0 + y2 - 2 * y1), slope = 4 * y1 - 3 * y0 - y2;
   const double discriminant = slope * slope - 4 * curvature * y0;
@@ -22,13 +22,13 @@ std::optional<double> first_rise_through_zero(double y0, double y1, double y2) {
   return -2 * y0 / denominator;
 }
 
-/// The lines of points that a ray crosses along one axis, one after the other.
+/// The grid lines that a ray crosses along one axis, in order.
 class Crossings {
  public:
   Crossings(double from, double step, double last) : from_(from), step_(step), last_(last) {
     line_ = step > 0 ? std::max(std::floor(from) + 1, 0.0) : std::min(std::ceil(from) - 1, last);
   }
-  /// How far along the ray the next one is; infinite beyond the last.
+  /// Distance along the ray to the next grid line; infinite after the last.
   double next() const {
     const bool none = step_ == 0 || line_ < 0 || line_ > last_;
     return none ? HUGE_VAL : (line_ - from_) / step_;
@@ -91,7 +91,7 @@ std::optional<double> RasterBed::range(const Ray& ray, double longest_m) const {
     if (const auto x = first_rise_through_zero(here, below_bed((s + end) / 2), there))
       return s + *x * (end - s);
     s = end;
-    here = std::min(there, -std::numeric_limits<double>::min());  // a root lost to rounding
+    here = std::min(there, -std::numeric_limits<double>::min());  // rounding may hide a root
   }
   return std::nullopt;
 }

@@ -7,11 +7,11 @@
 
 #include "hil/ocean/raster.hpp"
 
-/// Sea beds on a chart: metres north and east of the place where the mission begins.
+/// Sea beds on a chart: metres north and east of the start of the mission.
 namespace drydock::ocean {
 
-/// A straight line into the water: north, east, depth where it begins, and what each metre along
-/// it adds.
+/// A straight line into the water: its first point (north, east, depth) and the change per metre
+/// along it.
 struct Ray {
   Eigen::Vector3d from, along;
 };
@@ -25,16 +25,16 @@ struct PlaneBed {
   std::optional<double> range(const Ray& ray, double longest_m) const;
 };
 
-/// A raster, bilinear between its points. Beyond its edge the bed keeps the depth of the edge's
-/// nearest point.
+/// A raster with bilinear interpolation. Outside the raster the bed has the depth of the nearest
+/// edge point.
 class RasterBed {
  public:
-  /// Columns go east and rows north; `south_west` is the chart place of the first point of both,
-  /// `spacing` the metres north and east from point to point.
+  /// Columns go east and rows go north. `south_west` is the chart place of the first point;
+  /// `spacing` is the distance of two points in metres north and east.
   RasterBed(Raster raster, const Eigen::Vector2d& south_west, const Eigen::Vector2d& spacing);
 
   double depth_at(const Eigen::Vector2d& place) const;
-  /// Cell by cell; within each the bed under a straight line is a parabola.
+  /// Goes cell by cell. Within a cell the bed along a straight line is a parabola.
   std::optional<double> range(const Ray& ray, double longest_m) const;
 
  private:
@@ -48,8 +48,8 @@ using Bed = std::variant<PlaneBed, RasterBed>;
 
 double depth_at(const Bed& bed, const Eigen::Vector2d& place);
 
-/// How far along the ray it meets the bed from above; empty: not within `longest_m`, or it begins
-/// in the bed.
+/// Distance along the ray to the point where it meets the bed from above. Empty if there is none
+/// within `longest_m`, or if the ray begins in the bed.
 std::optional<double> range(const Bed& bed, const Ray& ray, double longest_m);
 
 }  // namespace drydock::ocean

@@ -78,7 +78,8 @@ Bed Ocean::make_bed(const rig_config::BedConfig& config) const {
     return RasterBed(std::move(raster), corner, {spacing, spacing});
   }
   const Vector2d spacing = raster.spacing * radian * metres_per_rad_;
-  // A raster may count longitudes beyond 180: its middle is what is nearest to the origin.
+  // Longitudes of a raster may exceed 180 deg. Its middle is taken as the equivalent longitude
+  // nearest to the origin.
   const double half = static_cast<double>(raster.columns - 1) / 2 * raster.spacing * radian;
   const double middle = frame::wrap_pi(corner.y() * radian + half - origin_.longitude_rad);
   const Vector2d south_west{(corner.x() * radian - origin_.latitude_rad) * metres_per_rad_.x(),

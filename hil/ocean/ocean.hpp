@@ -11,29 +11,29 @@
 
 namespace drydock::ocean {
 
-/// The water of a mission and the bed under it; docs/ocean.md has the equations by number. Depths
-/// are below the ellipsoid, which is the sea surface; times count from the mission's start.
+/// The water of a mission and the bed under it. docs/ocean.md numbers the equations. Depths are
+/// below the ellipsoid, which is the sea surface. Times count from the mission's start.
 class Ocean {
  public:
-  /// `origin`: where the mission begins. Throws std::invalid_argument, one line, for a raster that
-  /// cannot be read.
+  /// `origin`: start of the mission. Throws std::invalid_argument with one line if a raster cannot
+  /// be read.
   Ocean(const rig_config::OceanConfig& config, const frame::Position& origin);
 
-  /// Of the water over ground, m/s.
+  /// Velocity of the water over ground, m/s.
   Eigen::Vector3d current_ned(double depth_m, double t_s) const;
-  /// Its mean over the depths between two, m/s.
+  /// Mean of the current between two depths, m/s.
   Eigen::Vector3d mean_current_ned(double from_m, double to_m, double t_s) const;
-  /// Its rate along the way of one that sinks with `descent_mps`, m/s2.
+  /// Rate of change of the current for a body that sinks at `descent_mps`, m/s2.
   Eigen::Vector3d current_rate_ned(double depth_m, double descent_mps, double t_s) const;
 
   double bed_depth_m(double latitude_rad, double longitude_rad) const;
-  /// Length of the straight line from a place along a unit vector to the bed; empty: none within
+  /// Distance from a place along a unit vector to the bed. Empty if there is none within
   /// `longest_m`.
   std::optional<double> bed_range_m(const frame::Position& from,
                                     const Eigen::Vector3d& direction_ned, double longest_m) const;
 
   double density_kgm3(double depth_m) const;
-  /// Absolute, Pa; above the surface that of the air.
+  /// Absolute pressure, Pa. Above the surface it is the air pressure.
   double pressure_pa(double depth_m, double latitude_rad) const;
   double surface_pressure_pa() const { return water_.surface_pressure_pa; }
   double temperature_k() const { return water_.temperature_k; }

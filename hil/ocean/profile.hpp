@@ -4,9 +4,10 @@
 
 namespace drydock::ocean {
 
-/// A quantity over depth: a cubic between knots, constant above the first and below the last. The
-/// first derivative is continuous everywhere, and between two knots it never leaves their values
-/// (Fritsch and Butland, SIAM J. Sci. Stat. Comput. 5 (1984)). Without knots it is 0.
+/// A quantity over depth: cubic between knots, constant above the first and below the last. The
+/// first derivative is continuous everywhere, and between two knots the value never leaves the
+/// range of their values (Fritsch and Butland, SIAM J. Sci. Stat. Comput. 5 (1984)). Without knots
+/// it is 0.
 class Profile {
  public:
   struct Knot {
@@ -14,7 +15,7 @@ class Profile {
   };
 
   Profile() = default;
-  explicit Profile(std::vector<Knot> knots);  ///< in order of depth, no two alike
+  explicit Profile(std::vector<Knot> knots);  ///< ordered by depth; no two depths are equal
 
   double value(double depth_m) const;
   double slope(double depth_m) const;     ///< per metre
@@ -26,7 +27,8 @@ class Profile {
     double from_first = 0;  ///< integral from the first knot
   };
   double integral_from_first(double depth_m) const;
-  /// The piece that `depth_m` is below and the one it is above; only between first and last.
+  /// The piece whose knot is the last one above `depth_m`. Only between the first and the last
+  /// knot.
   const Piece* above(double depth_m) const;
 
   std::vector<Piece> pieces_;

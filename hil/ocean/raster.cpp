@@ -17,8 +17,8 @@ namespace drydock::ocean {
 namespace {
 
 constexpr double most_points = 1e8;   // 400 MB
-constexpr double farthest = 1e9;      // of anything that a header may say
-constexpr double deepest_m = 12'000;  // no trench is as deep, no mountain as high
+constexpr double farthest = 1e9;      // largest magnitude in a header
+constexpr double deepest_m = 12'000;  // larger than every trench depth and mountain height
 
 enum Key : std::size_t { ncols, nrows, xcorner, xcenter, ycorner, ycenter, cellsize, nodata, keys };
 constexpr std::array<std::string_view, keys> key_names{"ncols",     "nrows",       "xllcorner",
@@ -45,7 +45,7 @@ class RasterReader {
   }
 
  private:
-  /// The next word, empty at the end; `line_` is its line.
+  /// The next word; empty at the end. `line_` is the line of the word.
   std::string_view word() {
     while (at_ < text_.size() && is_blank(text_[at_])) line_ += text_[at_++] == '\n';
     const std::size_t begin = at_;

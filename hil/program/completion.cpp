@@ -14,7 +14,8 @@ std::vector<const CLI::App*> commands_of(const CLI::App& app) {
 
 bool is_flag(const CLI::Option& option) { return option.get_items_expected_max() == 0; }
 
-/// The words of "{1,max}" in a type name or behind "one of " in a description; none when any goes.
+/// The words of "{1,max}" in a type name, or those after "one of " in a description. Empty if any
+/// value is allowed.
 std::vector<std::string> values_of(const CLI::Option& option) {
   std::string list;
   const std::string type = option.get_type_name();
@@ -33,7 +34,7 @@ std::vector<std::string> values_of(const CLI::Option& option) {
   return values;
 }
 
-/// A number or a duration is no file; "TEXT:PATH(existing)" is one.
+/// True for "TEXT:PATH(existing)", false for a number or a duration.
 bool takes_file(const CLI::Option& option) {
   return !is_flag(option) && option.get_type_name().starts_with("TEXT") &&
          values_of(option).empty();
@@ -41,7 +42,7 @@ bool takes_file(const CLI::Option& option) {
 
 std::string long_name(const CLI::Option& option) { return "--" + option.get_lnames().front(); }
 
-/// Options by name, without positional ones.
+/// Named options, without positional ones.
 std::vector<const CLI::Option*> options_of(const CLI::App& command) {
   return command.get_options([](const CLI::Option* o) { return !o->get_lnames().empty(); });
 }
@@ -54,7 +55,7 @@ std::string joined(const std::vector<std::string>& words) {
   return fmt::format("{}", fmt::join(words, " "));
 }
 
-/// One arm of the case over "command previous-word".
+/// The arms of the shell's `case "command previous-word"` for one command.
 std::string bash_values(const CLI::App& command) {
   std::string arms;
   const auto arm = [&](const std::string& key, const CLI::Option& option) {
@@ -71,8 +72,8 @@ std::string bash_values(const CLI::App& command) {
   return arms;
 }
 
-/// A description within single quotes for zsh's `_arguments`: it ends at a bracket or colon, the
-/// quotes at a quote.
+/// Escapes a description for zsh's `_arguments` within single quotes: brackets, colons and quotes
+/// have a meaning there.
 std::string zsh_text(std::string text) {
   text = text.substr(0, text.find('\n'));
   std::string out;
@@ -91,7 +92,8 @@ std::string zsh_action(const CLI::Option& option) {
   return takes_file(option) ? "_files" : " ";
 }
 
-/// `'(-o --output)'{-o,--output}'`: one of both names; else the long one.
+/// `'(-o --output)'{-o,--output}'` if the option has a short name (zsh then offers one of both);
+/// else the long name.
 std::string zsh_names(const CLI::Option& option) {
   const std::string name = long_name(option);
   if (option.get_snames().empty()) return "'" + name;

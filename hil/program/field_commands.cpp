@@ -49,7 +49,7 @@ void add_probe(CLI::App& app, Command& command) {
   });
 }
 
-/// A rig file, or a link.
+/// True for a rig file, false for a link.
 bool is_rig(const std::string& source) { return source.ends_with(".toml"); }
 
 std::vector<std::unique_ptr<device::Device>> devices_of(const rig_config::Rig& rig) {

@@ -7,8 +7,7 @@
 namespace drydock::program {
 namespace {
 
-/// Text as roff takes it for itself: hyphens that are typed, backslashes, lines that would begin
-/// with a request.
+/// Escapes text for roff: typed hyphens, backslashes, and lines that would begin with a request.
 std::string roff(const std::string& text) {
   std::string out;
   bool line_begins = true;

@@ -5,7 +5,7 @@
 
 namespace drydock::program {
 
-/// drydock(1) in roff, made of the command line's own description.
+/// The page drydock(1) in roff, generated from the command line's own description.
 std::string man_page(const CLI::App& app, const std::string& version);
 
 }  // namespace drydock::program

@@ -9,7 +9,7 @@
 
 namespace drydock::program {
 
-/// --only, --from, --to: the same for every command on a recording.
+/// --only, --from, --to: the same for every command that reads a recording.
 struct PartArguments {
   std::vector<std::string> only;
   std::optional<double> from_s, to_s;

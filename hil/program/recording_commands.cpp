@@ -22,7 +22,7 @@ struct ExportArguments {
   recordings::ExportOptions options;
 };
 
-/// `--to pcapng --to 25s`: a format, and where the part ends.
+/// `--to pcapng --to 25s`: one word is the format, the other is the end of the part.
 void read_to(ExportArguments& a) {
   bool has_format = false;
   for (const auto& word : a.to) {
@@ -87,7 +87,7 @@ struct CutArguments {
   std::optional<double> shift_s;
   std::string start_at;
   bool move = false;
-  std::vector<double> place_deg{0, -30};  ///< open Atlantic
+  std::vector<double> place_deg{0, -30};  ///< in the open Atlantic
   recordings::CutOptions options;
 };
 

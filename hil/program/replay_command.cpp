@@ -66,7 +66,7 @@ void add_capture_options(CLI::App& sub, decode::ReplayOptions& c) {
   sub.add_option("--address", c.address, "on the bus; default the first seen")->group(group);
 }
 
-/// 0: at once. Empty: no speed.
+/// The value 0 means as fast as possible. The result is empty if the text is no speed.
 std::optional<double> speed_of(const std::string& text) {
   if (text == "max") return 0;
   double speed = 0;
@@ -93,7 +93,7 @@ void read_recording(ReplayArguments& a) {
   r.part = a.part.selection();
 }
 
-/// A capture has no rig: one driver, and none of what needs the whole.
+/// A capture has no rig: it uses one driver and refuses the options that need a whole rig.
 void read_capture(const CLI::App& sub, ReplayArguments& a) {
   if (a.capture.protocol.empty())
     throw CLI::RequiredError("--protocol (" + a.capture.capture + " is no MCAP recording)");

@@ -19,7 +19,7 @@ namespace drydock::program {
 
 namespace {
 
-/// ROS_DOMAIN_ID chooses the DDS domain, as for every ROS 2 program, and goes before the rig file.
+/// ROS_DOMAIN_ID chooses the DDS domain, as in every ROS 2 program. It overrides the rig file.
 void apply_environment(rig_config::Rig& rig) {
   const char* text = std::getenv("ROS_DOMAIN_ID");
   if (text == nullptr || *text == '\0') return;
@@ -69,7 +69,7 @@ void add_allow_faults(CLI::App& sub, host::ServeOptions& serve) {
       ->needs("--serve");
 }
 
-/// The devices are played by another program, which is asked; for who drives them.
+/// Faults for a page beside the drivers, when another program plays the devices: orders go to it.
 host::BehindPage faults_behind_page(const rig_config::Rig& rig) {
   return [&rig](const boost::asio::any_io_executor& executor, host::RigViewer& viewer,
                 host::Watchers& watchers) {
@@ -155,7 +155,7 @@ void add_emulate(CLI::App& app, Command& command) {
   });
 }
 
-/// drive, record: the drivers of a rig; `output` is the option that names the recording.
+/// drive and record: run the drivers of a rig. `output` is the option that names the recording.
 void add_drive_command(CLI::App& app, Command& command, const std::string& name,
                        const std::string& description, const std::string& example,
                        const std::string& output) {

@@ -4,7 +4,7 @@
 
 namespace drydock::program {
 
-/// scorecard: what every fault does to every device.
+/// scorecard: the effect of every fault on every device.
 void add_scorecard_command(CLI::App& app, Command& command);
 
 }  // namespace drydock::program

@@ -6,14 +6,14 @@
 
 namespace drydock::proxy {
 
-/// How long things took, in buckets that are an eighth of an octave wide from 1 us to an hour: no
-/// memory grows with a proxy's age.
+/// A histogram of durations. Its buckets are an eighth of an octave wide, from 1 us to an hour, so
+/// the memory does not grow with time.
 class Latency {
  public:
   void add(std::chrono::nanoseconds took);
 
   std::uint64_t count() const { return count_; }
-  /// Upper edge of the bucket in which that share of all is reached; 0 of none.
+  /// Upper edge of the bucket that reaches this share of all values; 0 if there are none.
   std::chrono::nanoseconds percentile(double share) const;
 
  private:

@@ -11,15 +11,16 @@ namespace asio = boost::asio;
 
 namespace {
 
-/// As a driver waits for a cable that is plugged in again; how quiet the device is, it leaves open.
+/// Options for a driver-like port that waits until a cable is plugged in again. A silent device is
+/// never reopened.
 device::LifeCycleOptions life_of_a_port() {
   device::LifeCycleOptions options;
-  options.stale_after = std::chrono::hours{24 * 365};  // silence is the drivers' matter
+  options.stale_after = std::chrono::hours{24 * 365};  // silence concerns only the drivers
   options.reopen_when_quiet = false;
   return options;
 }
 
-/// What may wait for a side that does not take it.
+/// Items that may wait for a side that does not read.
 constexpr std::size_t longest_queue = 1 << 16;
 
 link::Task<void> write_all(link::ByteLink& link, const std::vector<std::uint8_t>& bytes,
@@ -33,12 +34,12 @@ link::Task<void> write_all(link::FrameLink& link, const std::vector<wire::CanFra
     const auto written = co_await link.write(frame);
     if (written) continue;
     if (written.error() != asio::error::operation_not_supported) co_return written;
-    ++lost;  // slcan has no words for error frames
+    ++lost;  // slcan cannot carry error frames
   }
   co_return boost::system::result<void>{};
 }
 
-/// A TCP connection is under way when it is opened; this tells what became of it.
+/// open() only begins a TCP connection. This waits for its result.
 link::Task<void> connected(link::ByteLink& link, const link::Uri& uri) {
   if (uri.scheme == link::Scheme::tcp) co_return co_await link.write({});
   co_return boost::system::result<void>{};
@@ -152,7 +153,7 @@ typename Port<Link>::Run Port<Link>::drain() {
   if (lost_) wake_.cancel();
 }
 
-/// Whoever sees the loss first says why; the reading then ends too.
+/// The first caller gives the reason; then reading ends too.
 template <class Link>
 void Port<Link>::lose(std::string_view reason) {
   if (lost_) return;

@@ -13,9 +13,9 @@ namespace drydock::proxy {
 
 using link::Stamp;
 
-/// One end of a proxy: a link that is opened while it is wanted, opened again after a growing pause
-/// when it was lost, read until it goes, and written in order. Everything runs on the thread of
-/// the io_context.
+/// One side of a proxy. The link is opened while it is wanted, and opened again after a growing
+/// pause when it was lost. It is read until it is lost, and written in order. Everything runs on
+/// the thread of the io_context.
 template <class Link>
 class Port {
  public:
@@ -25,26 +25,28 @@ class Port {
 
   struct Events {
     std::function<Run(const Item&, Stamp)> received;
-    std::function<void(const device::Transition&)> changed;  ///< opened, lost, in vain
+    std::function<void(const device::Transition&)> changed;  ///< opened, lost, or failed to open
   };
-  /// Bytes or frames.
+  /// In bytes or frames.
   struct Counters {
     std::uint64_t received = 0, sent = 0;
-    std::uint64_t lost = 0;  ///< to be sent, but the other side takes no more, or cannot be told
+    std::uint64_t lost = 0;  ///< not sent: the other side did not take it, or the link cannot carry
+                             ///< it
   };
 
   Port(boost::asio::io_context& io, link::Uri uri, link::Side side, Events events);
 
-  /// Until finish().
+  /// Runs until finish().
   Run serve();
   void finish();
 
-  /// Not wanted: it closes. Wanted again at once: whoever is on it sees it end, and may come back.
+  /// false closes the link. true right after false makes readers see an end, and they may come
+  /// back.
   void want(bool wanted);
 
-  /// Queued until drain(); while the link is closed it is lost, as on a wire.
+  /// Queues the item until drain(). While the link is closed the item is lost, as on a wire.
   void put(const Item& item);
-  /// Ends when the queue is written, or at once where another coroutine is at it.
+  /// Ends when the queue is written, or at once if another coroutine writes it.
   Run drain();
 
   bool is_open() const { return link_ && !lost_; }
@@ -52,7 +54,7 @@ class Port {
   const Counters& counters() const { return counters_; }
 
  private:
-  Run use(std::unique_ptr<Link> opened);  ///< until it is lost or closed
+  Run use(std::unique_ptr<Link> opened);  ///< until the link is lost or closed
   Run read_until_lost();
   Run wait(std::optional<Stamp> until = {});
   void lose(std::string_view reason);
@@ -65,7 +67,7 @@ class Port {
   link::Side side_;
   Events events_;
   device::LifeCycle life_;
-  boost::asio::steady_timer wake_;  ///< of serve()
+  boost::asio::steady_timer wake_;  ///< for serve()
   std::unique_ptr<Link> link_;
   Queue queued_, writing_;
   device::Reason why_lost_;

@@ -111,7 +111,7 @@ class ProxyOf final : public Proxy, private fault::Outlet {
     virtual_.want(there && real_.is_open());
   }
 
-  /// A side that stays away is told of once.
+  /// A side that stays away is reported once.
   void real_changed(const Transition& change) {
     const bool is_there = change.to == State::waiting;
     if (is_there) {
@@ -141,7 +141,7 @@ class ProxyOf final : public Proxy, private fault::Outlet {
   ProxyOptions options_;
   typename Traffic<Link>::Faults faults_;
   Port<Link> real_, virtual_;
-  asio::steady_timer clock_;  ///< expires when the faults want a tick
+  asio::steady_timer clock_;  ///< expires when the faults need a tick
   std::optional<Stamp> set_for_;
   Latency latency_;
   std::uint64_t passed_on_ = 0;

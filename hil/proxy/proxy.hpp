@@ -14,26 +14,26 @@
 namespace drydock::proxy {
 
 struct ProxyOptions {
-  link::Uri real;                   ///< opened as a driver does
-  link::Uri virt;                   ///< opened as a device does; carries what `real` carries
+  link::Uri real;                   ///< opened like a driver opens it
+  link::Uri virt;                   ///< opened like a device opens it; carries the same as `real`
   rig_config::DeviceConfig device;  ///< name, protocol (may be empty), address, link
-  std::shared_ptr<fault::Schedule> schedule;  ///< may be edited while it runs: then rearm()
+  std::shared_ptr<fault::Schedule> schedule;  ///< after an edit during the run, call rearm()
   std::uint64_t seed = 1;
-  std::function<void(const std::string&)> say;  ///< one line a change of either side
+  std::function<void(const std::string&)> say;  ///< gets one line per change of either side
 };
 
-/// What went through: bytes, of a bus frames.
+/// Amounts that passed: bytes, or frames of a bus.
 struct Passed {
   std::uint64_t from_device = 0, to_drivers = 0, from_drivers = 0, to_device = 0;
-  std::uint64_t lost = 0;  ///< not taken by the other side
+  std::uint64_t lost = 0;  ///< the other side did not take it
 };
 
-/// A real device's link passed on to a virtual one, faults between. Without a fault in force that
-/// is about messages every read is written on at once. The virtual side is there while the real
-/// one is and no fault has unplugged it. Everything runs on the thread of the io_context.
+/// Connects a real device's link to a virtual one, with faults between them. While no fault on
+/// messages is in force, every read is written at once. The virtual side exists while the real one
+/// does and no fault has unplugged it. Everything runs on the thread of the io_context.
 class Proxy {
  public:
-  /// Starts with the io_context; `io` outlives it.
+  /// Starts with the io_context; `io` must outlive the proxy.
   static std::unique_ptr<Proxy> start(boost::asio::io_context& io, ProxyOptions options);
 
   Proxy() = default;
@@ -43,12 +43,12 @@ class Proxy {
 
   /// Closes both sides; the io_context then runs out of work.
   virtual void finish() = 0;
-  /// To be called after the schedule was edited.
+  /// Call it after an edit of the schedule.
   virtual void rearm() = 0;
 
   virtual Passed passed() const = 0;
   virtual fault::FaultHits hits() const = 0;
-  /// From a read's return to the return of the write that passed it on.
+  /// From the return of a read to the return of the write that passed it on.
   virtual const Latency& latency() const = 0;
 };
 

@@ -49,7 +49,7 @@ void check_sides(const Uri& real, const Uri& virt) {
   if (real.text == virt.text) throw WrongUse("both sides are " + real.text);
 }
 
-/// Only for the words of a refusal: of several kinds that speak a protocol the first.
+/// The first kind that speaks the protocol. It is used only in the text of refusals.
 rig_config::DeviceKind kind_of(const std::string& protocol) {
   for (const Kind kind :
        {Kind::dvl, Kind::gnss, Kind::imu, Kind::depth, Kind::emlog, Kind::actuator})
@@ -71,7 +71,7 @@ void check_protocol(const std::string& protocol, Carries carries) {
                     carries == Carries::bytes ? "travels as bytes" : "a CAN bus carries"));
 }
 
-/// A rig of the one device, with the faults of the file; everything wrong with them is told.
+/// A rig with this one device.
 rig_config::Rig rig_of(const ProxyCommandOptions& o, const Uri& real) {
   rig_config::DeviceConfig device;
   device.name = o.device;
@@ -87,7 +87,7 @@ rig_config::Rig rig_of(const ProxyCommandOptions& o, const Uri& real) {
   return rig;
 }
 
-/// slcan has no words for error frames.
+/// slcan cannot carry error frames. The text says so if the fault needs them.
 std::optional<std::string> cannot_tell(const Uri& virt, const rig_config::FaultConfig& fault) {
   const bool is_slcan =
       virt.scheme == Scheme::slcan ||
@@ -101,7 +101,7 @@ std::optional<std::string> cannot_tell(const Uri& virt, const rig_config::FaultC
       fault.file, fault.line, virt.text, word_of(fault.kind).name);
 }
 
-/// False: there are problems, and they have been told.
+/// Returns false after it has printed the problems.
 bool add_faults(rig_config::Rig& rig, const Uri& virt, const std::string& path, std::FILE* err) {
   if (path.empty()) return true;
   auto faults = rig_config::load_faults(path);

@@ -9,16 +9,17 @@ namespace drydock::proxy {
 struct ProxyCommandOptions {
   std::string real, virt;         ///< link URIs
   std::string faults;             ///< a file of blocks [[fault]]; empty: none
-  std::string protocol;           ///< as in a rig file; of a CAN bus "can": every frame
-  std::string device = "device";  ///< the name that the faults have
+  std::string protocol;           ///< as in a rig file; "can" for every frame of a CAN bus
+  std::string device = "device";  ///< the device name in the fault file
   int address = 0;                ///< on a bus; 0: any
   std::uint64_t seed = 1;
   double duration_s = 0;  ///< 0: until Ctrl-C
-  bool json = false;      ///< the summary
+  bool json = false;      ///< prints the summary as JSON
 };
 
-/// `drydock proxy`: passes a real device's link on to a virtual one, faults between. A line a
-/// change of either side on `err`, the summary on `out`. Exit code: 0; 2 for what cannot be.
+/// `drydock proxy`: connects a real device's link to a virtual link and puts faults between them.
+/// Prints a line on `err` when either side changes, and the summary on `out`. Exit code: 0; 2 for
+/// wrong usage.
 int proxy(const ProxyCommandOptions& options, std::FILE* out, std::FILE* err);
 
 }  // namespace drydock::proxy

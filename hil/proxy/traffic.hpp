@@ -7,7 +7,7 @@
 #include "hil/fault/wire/faulty_bus.hpp"
 #include "hil/fault/wire/faulty_stream.hpp"
 
-/// What is different between a byte link and a CAN bus on their way through a proxy.
+/// The differences between a byte link and a CAN bus in a proxy.
 namespace drydock::proxy {
 
 template <class Link>
@@ -15,7 +15,7 @@ struct Traffic;
 
 template <>
 struct Traffic<link::ByteLink> {
-  using Item = wire::Bytes;  ///< what one read gives
+  using Item = wire::Bytes;  ///< the bytes of one read
   using Queue = std::vector<std::uint8_t>;
   using Faults = fault::FaultyStream;
   static constexpr auto open = link::open_bytes;

@@ -17,7 +17,7 @@ namespace drydock::replay {
 
 namespace asio = boost::asio;
 
-/// Two coroutines: one writes what has been queued, one hears. Both keep the line alive.
+/// Has two coroutines: one writes the queue, one reads. Both keep the line alive.
 class Onto::Line : public std::enable_shared_from_this<Line> {
  public:
   explicit Line(asio::io_context& io, std::string shown)
@@ -38,10 +38,10 @@ class Onto::Line : public std::enable_shared_from_this<Line> {
   const std::string& shown() const { return shown_; }
 
  protected:
-  /// More than a reader that lives leaves waiting.
+  /// A longer queue means that the reader no longer reads.
   static constexpr std::size_t longest_queue = 4096;
 
-  virtual asio::awaitable<bool> write_next() = 0;  ///< false: nothing waits
+  virtual asio::awaitable<bool> write_next() = 0;  ///< false: the queue is empty
   virtual asio::awaitable<void> listen() = 0;
   virtual void close() = 0;
 
@@ -111,7 +111,7 @@ class OntoFrames final : public Onto::Line {
   void queue(const record::RawEvent& event) override {
     const auto& frame = std::get<record::RawFrame>(event.content).frame;
     if (!frame.error)
-      push(waiting_, frame);  // an error frame is the controller's word, not a node's
+      push(waiting_, frame);  // the controller makes an error frame, no node sends it
   }
 
  private:

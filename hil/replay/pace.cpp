@@ -9,7 +9,7 @@
 namespace drydock::replay {
 
 namespace {
-constexpr std::chrono::milliseconds between_looks{50};  ///< at Ctrl-C
+constexpr std::chrono::milliseconds between_looks{50};  ///< between two checks for Ctrl-C
 }
 
 bool Pace::wait(measurement::Stamp at, const terminal::InterruptFlag& interrupted) {

@@ -9,16 +9,16 @@
 
 namespace drydock::replay {
 
-/// When the next of a recording's events has its turn: at once, or `speed` times as fast as it was.
-/// Due times count from the first, so that lateness does not add up. What waits in the io_context,
-/// viewers and links, goes on meanwhile.
+/// Decides when the next event of a recording is due: at once, or at `speed` times the original
+/// speed. Due times count from the first event, so lateness does not add up. During a wait the
+/// io_context runs, which serves viewers and links.
 class Pace {
  public:
-  /// `speed` 0: as fast as it goes.
+  /// `speed` 0: as fast as possible.
   Pace(boost::asio::io_context& io, double speed) : io_(io), speed_(speed) {}
 
   bool real_time() const { return speed_ > 0; }
-  /// False: `interrupted` became true while waiting.
+  /// False if `interrupted` became true during the wait.
   bool wait(measurement::Stamp at, const terminal::InterruptFlag& interrupted);
 
  private:
@@ -31,11 +31,11 @@ class Pace {
   Clock::time_point wall_first_;
 };
 
-/// Stops before each message until a line comes from `in`. End of file or "q" ends the replay.
+/// Waits before each message until a line comes from `in`. End of file or "q" ends the replay.
 class Steps {
  public:
   explicit Steps(std::FILE* in) : in_(in) {}
-  bool next(const terminal::InterruptFlag& interrupted);  ///< false: no more
+  bool next(const terminal::InterruptFlag& interrupted);  ///< false: the replay must end
 
  private:
   std::FILE* in_;

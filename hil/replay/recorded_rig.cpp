@@ -25,7 +25,7 @@ fs::path make_folder() {
   return name;
 }
 
-/// How many folders up a relative path leads before it comes down.
+/// The number of folders that a relative path goes up before it goes down.
 int climbs(const fs::path& path) {
   const auto normal = path.lexically_normal();
   return static_cast<int>(std::count(normal.begin(), normal.end(), fs::path("..")));
@@ -53,11 +53,12 @@ RecordedRig::RecordedRig(const record::Recording& recording) : folder_(make_fold
 }
 
 RecordedRig::~RecordedRig() {
-  std::error_code ignored;  // what cannot be removed is left to the system's own clearing
+  std::error_code ignored;  // the system clears temporary files that cannot be removed here
   fs::remove_all(folder_, ignored);
 }
 
-/// Attachments come from elsewhere: none may lie outside the folder, however its path climbs.
+/// Attachments come from other people. None may lie outside the folder, even if its path contains
+/// "..".
 std::filesystem::path RecordedRig::write_out(const std::vector<mcap::Attachment>& attachments) {
   int depth = 0;
   for (const auto& attachment : attachments) depth = std::max(depth, climbs(attachment.name));

@@ -9,19 +9,20 @@
 
 namespace drydock::replay {
 
-/// The rig file of a recording and the files it names, written out of the attachments into a
-/// temporary folder as they lay beside each other, and read from there. The folder lives as long.
+/// The rig of a recording. The constructor writes the attached rig file and the files that it names
+/// into a temporary folder, with their relative paths, and reads them there. The destructor removes
+/// the folder.
 class RecordedRig {
  public:
-  /// Throws std::runtime_error with one line when not even the devices can be read. Where files
-  /// are missing that estimators need, the rig has devices only and `trouble()` says why.
+  /// Throws std::runtime_error with one line if even the devices cannot be read. If files are
+  /// missing that only estimators need, the rig has devices only and `trouble()` says why.
   explicit RecordedRig(const record::Recording& recording);
   ~RecordedRig();
   RecordedRig(const RecordedRig&) = delete;
   RecordedRig& operator=(const RecordedRig&) = delete;
 
   const rig_config::Rig& rig() const { return rig_; }
-  const std::string& trouble() const { return trouble_; }  ///< a line; empty: all is there
+  const std::string& trouble() const { return trouble_; }  ///< one line; empty: nothing is missing
   const std::filesystem::path& folder() const { return folder_; }
 
  private:

@@ -24,7 +24,7 @@ RecordingProgress::~RecordingProgress() {
 }
 
 bool RecordingProgress::operator()(double done) {
-  constexpr unsigned between_looks = 64;  // the clock is not for every message
+  constexpr unsigned between_looks = 64;  // reading the clock for every message would cost too much
   if (terminal_ && calls_++ % between_looks == 0 && Clock::now() >= next_drawing_) {
     fmt::print(out_, "{}{} {} {:.0f} %, Ctrl-C ends", terminal::wipe_line, what_,
                terminal::progress_bar(done), 100 * done);

@@ -8,8 +8,8 @@
 
 namespace drydock::replay {
 
-/// A bar for work on one file where `out` is a terminal and it takes long, nothing elsewhere.
-/// Ctrl-C ends the work cleanly.
+/// Shows a bar for long work on one file if `out` is a terminal; else shows nothing. Ctrl-C ends
+/// the work cleanly.
 class RecordingProgress {
  public:
   RecordingProgress(std::string what, std::FILE* out);
@@ -17,7 +17,7 @@ class RecordingProgress {
   RecordingProgress(const RecordingProgress&) = delete;
   RecordingProgress& operator=(const RecordingProgress&) = delete;
 
-  /// As record::Watch wants it: false after Ctrl-C.
+  /// Matches record::Watch: returns false after Ctrl-C.
   bool operator()(double done);
 
  private:

@@ -4,19 +4,20 @@
 
 namespace drydock::replay {
 
-/// Where a replay first gave something else on a topic.
+/// The first difference of a replay on a topic.
 struct Divergence {
   std::int64_t at_ns = 0;
-  std::uint64_t message = 0;  ///< its place on the topic, from 0
-  std::string topic, field;   ///< field empty: not one value, see `expected` and `got`
+  std::uint64_t message = 0;  ///< its index on the topic, from 0
+  std::string topic, field;   ///< an empty field means the whole message; see `expected` and `got`
   std::string expected, got;
-  /// Time of the replay: an estimate is of an earlier time than the measurement that let it go on.
+  /// Time in the replay. An estimate is valid earlier than the measurement that released it.
   std::int64_t noticed_ns = 0;
 };
 std::string to_string(const Divergence& divergence);
 
-/// Compares what a CdrPublisher puts in with references as it comes. `tolerance` is relative and
-/// for numbers with a fraction alone; 0: every byte counts, also of messages without a row.
+/// Compares the messages of a CdrPublisher with references as they come. `tolerance` is relative
+/// and applies only to floating-point numbers. With tolerance 0 every byte counts, also in messages
+/// without a row.
 class ReferenceCheck final : public bus::CdrSink {
  public:
   ReferenceCheck(References expected, double tolerance)
@@ -26,8 +27,8 @@ class ReferenceCheck final : public bus::CdrSink {
   bool wanted(std::uint32_t topic) const override { return topics_[topic].layout.has_value(); }
   void put(std::uint32_t topic, measurement::Stamp at, std::span<const std::uint8_t> cdr) override;
 
-  /// To be called at the end, once: the first of each topic that diverges, in the order of the
-  /// replay, so that a cause stands before what it does.
+  /// Call it once at the end. Returns the first divergence of each topic in the order of the
+  /// replay, so that a cause comes before its effects.
   std::vector<Divergence> finish();
   std::uint64_t messages() const { return messages_; }
   std::size_t topics() const { return expected_.topics.size(); }
@@ -38,7 +39,7 @@ class ReferenceCheck final : public bus::CdrSink {
     std::optional<record::MessageNode> layout;
     const ReferenceTopic* expected = nullptr;
     std::uint64_t messages = 0;
-    std::int64_t sound_until_ns = 0;  ///< the last row that was the same
+    std::int64_t sound_until_ns = 0;  ///< time of the last row that was equal
     RunningDigest digest;
     bool diverged = false;
   };
@@ -52,7 +53,7 @@ class ReferenceCheck final : public bus::CdrSink {
   std::vector<Entry> topics_;
   std::vector<Divergence> found_;
   std::uint64_t messages_ = 0;
-  std::int64_t now_ns_ = 0;  ///< the latest message's
+  std::int64_t now_ns_ = 0;  ///< time of the latest message
 };
 
 }  // namespace drydock::replay

@@ -81,15 +81,16 @@ void ReplayBench::play(Pace& pace, const record::Watch& watch) {
       hear(std::get<record::Understood>(*event));
     }
   }
-  // Not a moment longer than the recording: what a driver still waited for was not said then
-  // either.
+  // The replay does not run past the end of the recording: the record does not show what drivers
+  // that still waited would have got.
   if (!ended_) wait_until(last, pace);
   pipeline_.flush();
   stopping_ = true;
   player_->finish(player_->now());
 }
 
-/// Time goes on with the drivers' own deadlines, the faults', and the drivers' health each second.
+/// Time goes on from deadline to deadline: those of the drivers, those of the faults, and the
+/// health report each second.
 bool ReplayBench::wait_until(Stamp at, Pace& pace) {
   if (at - next_health_ > record::Player::longest_pause)
     next_health_ += (at - next_health_) / health_period * health_period;
@@ -131,7 +132,7 @@ void ReplayBench::hear(const record::RawEvent& event) {
   player_->play(event);
 }
 
-/// What no driver can say again: the truth, and the faults that were made.
+/// Messages that no driver can reproduce: the truth and the injected faults.
 void ReplayBench::hear(const record::Understood& message) {
   errors_.hear(message);
   if (message.channel->topic != faults_topic) return;
@@ -147,7 +148,8 @@ void ReplayBench::tell_health() {
   watchers_.all.tick(player_->now());
 }
 
-/// A line has been written: for a person it is there at once, and waits for one who steps.
+/// Called after each line. When the user steps, it shows the line at once and waits for the next
+/// step.
 void ReplayBench::shown() {
   if (outlets_.steps == nullptr || ended_) return;
   outlets_.lines->flush();

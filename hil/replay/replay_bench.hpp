@@ -13,26 +13,26 @@
 
 namespace drydock::replay {
 
-/// What goes on beside drivers and estimators while a recording is played.
+/// Outputs of a replay besides drivers and estimators.
 struct ReplayOutlets {
-  ReplayLines* lines = nullptr;  ///< each may be empty
+  ReplayLines* lines = nullptr;  ///< every member may be null
   Steps* steps = nullptr;
   Onto* onto = nullptr;
   std::FILE* states = nullptr;
 };
 
-/// Drivers and estimators of a recorded rig, fed with what the links carried. Virtual time, paced
-/// or not: what comes out does not depend on the pace.
+/// Drivers and estimators of a recorded rig, fed with the recorded bytes. Time is virtual, with or
+/// without a pace: the results do not depend on the pace.
 class ReplayBench final : private device::Listener, private pipeline::EstimateListener {
  public:
-  /// Throws std::runtime_error with one line. All must outlive the bench.
+  /// Throws std::runtime_error with one line. All arguments must outlive the bench.
   ReplayBench(record::Recording& recording, const rig_config::Rig& rig,
               const record::Selection& part, const ReplayOutlets& outlets,
               const std::vector<rig_config::FaultConfig>& faults = {});
 
   host::Watchers& watchers() { return watchers_.all; }
 
-  /// To the end of the part, or until Ctrl-C or the last step.
+  /// Plays to the end of the part, or until Ctrl-C or the last step.
   void play(Pace& pace, const record::Watch& watch);
 
   std::uint64_t measurements() const { return measurements_; }

@@ -14,7 +14,7 @@ namespace drydock::replay {
 using fault::FaultyBus;
 using fault::FaultyStream;
 
-/// Hears what comes from the recording, or from another device's faults on the same bus.
+/// Takes bytes and frames from the recording, or from the faults of another device on the same bus.
 class ReplayFaults::Stage : public fault::Outlet {
  public:
   Stage(std::string device, fault::Outlet& next) : device_(std::move(device)), next_(next) {}
@@ -101,7 +101,7 @@ ReplayFaults::ReplayFaults(const record::Recording& recording, const rig_config:
 
 ReplayFaults::~ReplayFaults() = default;
 
-/// A stage for each device of the link that has faults; the recording speaks to the first.
+/// Adds a stage for each device of the link that has faults. The recording feeds the first stage.
 void ReplayFaults::add(const record::Recording& recording, std::size_t link, Stamp start) {
   const auto& recorded = recording.links()[link];
   const auto uri = link::parse_uri(recorded.uri);

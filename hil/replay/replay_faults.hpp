@@ -11,9 +11,9 @@
 
 namespace drydock::replay {
 
-/// Faults between a recording and its drivers, in virtual time: what the links of the named devices
-/// received goes on as the faults let it, frame by frame while one is in force, and as it was read
-/// while none is. Links without a fault are passed by.
+/// Faults between a recording and its drivers, in virtual time, on the links of the named devices.
+/// While a fault is in force, received data pass frame by frame; otherwise they pass as they were
+/// read. Links without a fault are not touched.
 class ReplayFaults {
  public:
   using Stamp = measurement::Stamp;
@@ -23,8 +23,8 @@ class ReplayFaults {
     std::function<void(std::size_t link, bool there)> set_port;
   };
 
-  /// Times count from the recording's first message. `played` are the devices that have drivers.
-  /// Throws std::runtime_error with a line for each fault that cannot be.
+  /// Times count from the recording's first message. `played` lists the devices that have drivers.
+  /// Throws std::runtime_error with a line for each fault that is not possible.
   ReplayFaults(const record::Recording& recording, const rig_config::Rig& rig,
                const std::vector<rig_config::FaultConfig>& faults,
                const std::vector<std::string>& played, Drivers drivers);
@@ -33,11 +33,11 @@ class ReplayFaults {
   ReplayFaults& operator=(const ReplayFaults&) = delete;
 
   bool are_on(std::size_t link) const { return first_[link] != nullptr; }
-  void receive(const record::RawEvent& event);  ///< of a link that they are on
+  void receive(const record::RawEvent& event);  ///< only for a link with are_on()
   std::optional<Stamp> deadline() const;
   void tick(Stamp now);
 
-  /// "dvl: drop 12", a line a device.
+  /// One line per device, such as "dvl: drop 12".
   std::vector<std::string> lines() const;
 
   class Stage;  ///< one device on its link
@@ -47,12 +47,13 @@ class ReplayFaults {
 
   void add(const record::Recording& recording, std::size_t link, Stamp start);
 
-  rig_config::Rig rig_;  ///< with these faults instead of its own, which are in the recording
+  rig_config::Rig rig_;  ///< with `faults` in place of its own faults, which the recording already
+                         ///< shows
   std::optional<fault::Schedules> schedules_;
   Drivers drivers_;
   std::vector<std::unique_ptr<End>> ends_;
   std::vector<std::unique_ptr<Stage>> stages_;
-  std::vector<Stage*> first_;  ///< by link; empty: none
+  std::vector<Stage*> first_;  ///< by link; null: none
 };
 
 }  // namespace drydock::replay

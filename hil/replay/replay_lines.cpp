@@ -11,7 +11,7 @@ namespace {
 
 double seconds_of(measurement::Stamp at) { return measurement::seconds(at.time_since_epoch()); }
 
-/// Nothing where it is not known.
+/// Empty if the angle is not known.
 std::optional<double> in_degrees(std::optional<double> angle) {
   return angle ? std::optional(*angle * setup::to_deg) : std::nullopt;
 }

@@ -9,7 +9,8 @@
 
 namespace drydock::replay {
 
-/// Measurements and estimates of a rig as JSON Lines; angles in degrees, every digit of a number.
+/// Writes measurements and estimates of a rig as JSON Lines. Angles are in degrees; numbers have
+/// all their digits.
 class ReplayLines {
  public:
   ReplayLines(const rig_config::Rig& rig, std::FILE* out) : rig_(rig), lines_(out) {}
@@ -17,7 +18,7 @@ class ReplayLines {
   void write(const measurement::Measurement& measurement);
   void write(const pipeline::AttitudeEstimate& estimate);
   void write(const pipeline::NavigationEstimate& estimate);
-  bool flush() { return lines_.flush(); }  ///< false once a write failed
+  bool flush() { return lines_.flush(); }  ///< false after a write failed
 
  private:
   const rig_config::Rig& rig_;

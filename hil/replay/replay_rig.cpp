@@ -34,7 +34,7 @@ Faults faults_of(const std::string& path) {
   return path.empty() ? Faults{} : rig_config::load_faults(path).value();
 }
 
-/// Of a recording, in words, and what is done to it: references hold for that alone.
+/// Describes the part of the recording and the faults. References are valid only for the same text.
 std::string part_text(const record::Selection& part, const Faults& faults) {
   std::string text;
   for (const auto& name : part.only) text += (text.empty() ? "only " : ",") + name;
@@ -47,8 +47,8 @@ std::string part_text(const record::Selection& part, const Faults& faults) {
   return text;
 }
 
-/// One replay: what the options ask for beside drivers and estimators. Members in the order in
-/// which they need each other.
+/// One replay with all outputs of its options. Members are in the order in which they need each
+/// other.
 class RigReplay {
  public:
   RigReplay(const RigReplayOptions& options, record::Recording recording, std::FILE* in,
@@ -99,12 +99,12 @@ class RigReplay {
  private:
   using Stamp = measurement::Stamp;
 
-  /// A bar would: lines go to the same terminal.
+  /// True if a progress bar would overwrite the lines, because both go to the same terminal.
   bool draws_over_lines() const { return !options_.quiet && ::isatty(fileno(out_)) == 1; }
 
   void close_outlets() {
     io_.restart();
-    io_.poll();  // what has just been queued
+    io_.poll();  // sends what was queued last
     if (onto_) onto_->close();
     if (viewer_) viewer_->stop();
     io_.restart();
@@ -136,7 +136,7 @@ class RigReplay {
       watchers.add(viewer_.emplace(io_.get_executor(), rig, options_.serve));
   }
 
-  /// False: the replay gave something else than the references.
+  /// Returns false if the replay differs from the references.
   bool compared() {
     if (maker_ && !bench_->interrupted()) {
       std::ofstream file(options_.update_refs, std::ios::binary);

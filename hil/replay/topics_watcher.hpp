@@ -6,10 +6,10 @@
 
 namespace drydock::replay {
 
-/// Gives a sink the messages of a rig's run; the truth is not among them.
+/// Passes the messages of a rig's run to a sink, without the truth.
 class TopicsWatcher final : public host::Watcher {
  public:
-  /// The sink must outlive it.
+  /// The sink must outlive the watcher.
   TopicsWatcher(bus::CdrSink& sink, const rig_config::Rig& rig)
       : topics_(sink, host::bus_devices(rig), host::estimator_names(rig),
                 host::navigator_names(rig)) {}

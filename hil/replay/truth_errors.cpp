@@ -19,7 +19,7 @@ Eigen::Vector3d vector_of(const Values& v, const std::string& name) {
   return {v.at(name + ".x"), v.at(name + ".y"), v.at(name + ".z")};
 }
 
-/// The body's axes (forward, left, up) in east, north, up, as docs/bus.md has orientations.
+/// The body's axes (forward, left, up) in east, north, up, as orientations in docs/bus.md.
 Eigen::Matrix3d axes_of(const Values& v, const std::string& name) {
   return Eigen::Quaterniond(v.at(name + ".w"), v.at(name + ".x"), v.at(name + ".y"),
                             v.at(name + ".z"))
@@ -27,7 +27,7 @@ Eigen::Matrix3d axes_of(const Values& v, const std::string& name) {
       .toRotationMatrix();
 }
 
-/// Between east-north-up and north-east-down, either way.
+/// Converts between east-north-up and north-east-down, in both directions.
 Eigen::Vector3d swapped(const Eigen::Vector3d& v) { return {v.y(), v.x(), -v.z()}; }
 
 bus::Attitude attitude_of(const Values& v, measurement::Stamp at) {
@@ -39,12 +39,13 @@ bus::Attitude attitude_of(const Values& v, measurement::Stamp at) {
           .covariance = Eigen::Matrix2d::Zero()};
 }
 
-/// All but where on Earth that is.
+/// All fields except latitude, longitude and height.
 bus::Navigation navigation_of(const Values& v, measurement::Stamp at) {
   const auto axes = axes_of(v, "pose.pose.orientation");
   Eigen::Matrix3d body_to_ned;
   for (int i = 0; i < 3; ++i)
-    body_to_ned.col(i) = swapped(axes.col(i)) * (i == 0 ? 1 : -1);  // left, up: right, down
+    body_to_ned.col(i) = swapped(axes.col(i)) * (i == 0 ? 1 : -1);  // left and up become right and
+                                                                    // down
   bus::Navigation n;
   n.valid_at = at;
   n.offset_ned = swapped(vector_of(v, "pose.pose.position"));
@@ -84,7 +85,7 @@ std::map<std::string, double> TruthErrors::values(const record::Understood& mess
   return all;
 }
 
-/// The truth comes as attitude, odometry, fix of one time, before the estimates of that time.
+/// For one time the truth comes as attitude, odometry, fix, before the estimates of that time.
 void TruthErrors::hear(const record::Understood& message) {
   const auto& topic = message.channel->topic;
   if (!topic.starts_with("/estimate/truth")) return;

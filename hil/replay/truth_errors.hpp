@@ -12,16 +12,16 @@
 
 namespace drydock::replay {
 
-/// Estimates of a replay against the truth in the recording (`/estimate/truth...`, that of an
-/// emulated vehicle). An estimate counts where there is a truth of the very same time.
+/// Compares estimates of a replay with the truth in the recording (`/estimate/truth...`, written
+/// for an emulated vehicle). An estimate counts only if a truth has exactly the same time.
 class TruthErrors {
  public:
   struct Rms {
-    std::uint64_t attitudes = 0, positions = 0;  ///< compared
+    std::uint64_t attitudes = 0, positions = 0;  ///< number of comparisons
     double roll_deg = 0, pitch_deg = 0, horizontal_m = 0;
   };
 
-  /// The truth goes on to `watchers`, as in the run.
+  /// The truth is also passed to `watchers`, as in the run.
   TruthErrors(const rig_config::Rig& rig, host::Watchers& watchers)
       : watchers_(watchers), truth_index_(rig.estimators.size()), sums_(rig.estimators.size()) {}
 
@@ -52,8 +52,9 @@ class TruthErrors {
   std::size_t truth_index_;
   std::vector<Sums> sums_;
   std::map<std::string, record::MessageNode> layouts_;  ///< by type
-  std::multimap<Stamp, Waiting> waiting_;               ///< for the truth of their time
-  bus::Navigation navigation_;                          ///< its odometry comes before its fix
+  std::multimap<Stamp, Waiting> waiting_;               ///< estimates that wait for the truth of
+                                                        ///< their time
+  bus::Navigation navigation_;                          ///< the odometry comes before the fix
 };
 
 }  // namespace drydock::replay

@@ -4,12 +4,13 @@
 
 #include "hil/report/plot.hpp"
 
-/// Pages that need no script and nothing from elsewhere: readable at phone width, light and dark.
+/// Pages without scripts and without external resources. They are readable at phone width and have
+/// light and dark colours.
 namespace drydock::report::html {
 
 std::string escaped(const std::string& text);
 
-/// The plot as a <figure> with an SVG inside; a line that says so where it cannot be drawn.
+/// The plot as a <figure> with an SVG inside. If it cannot be drawn, the text says so.
 std::string figure(const Plot& plot);
 
 /// A whole page. `body` is HTML, `title` is text.

@@ -14,7 +14,7 @@
 namespace drydock::report {
 namespace {
 
-// Colours that keep apart on paper, on a dark screen and for colour-blind readers (Okabe-Ito).
+// Colours that stay distinct on paper, on a dark screen and for colour-blind readers (Okabe-Ito).
 constexpr std::array<const char*, 6> colours{"#0072b2", "#d55e00", "#009e73",
                                              "#cc79a7", "#e69f00", "#56b4e9"};
 
@@ -29,7 +29,7 @@ struct TemporaryFile {
   TemporaryFile& operator=(const TemporaryFile&) = delete;
 };
 
-/// In single quotes: in double ones gnuplot would run what stands in backquotes.
+/// Quotes a text in single quotes. In double quotes gnuplot would execute text in backquotes.
 std::string quoted(std::string text) {
   std::erase_if(text, [](char c) { return c == '\'' || c == '\n'; });
   return '\'' + text + '\'';
@@ -53,10 +53,10 @@ bool goes_below_zero(const Plot& plot) {
   });
 }
 
-/// On equal scales a picture is as high as its contents ask for.
+/// With equal scales, the data determine the height of the picture.
 int height_px(const Plot& plot) {
   if (!plot.equal_scales) return plot.log_x && plot.log_y ? 600 : 300;
-  constexpr double inner_width = 600, margin = 90;  // of 860 px, less legend and labels
+  constexpr double inner_width = 600, margin = 90;  // 860 px without legend and labels
   constexpr double far = std::numeric_limits<double>::max();
   double left = far, right = -far, low = far, high = -far;
   for (const Series& series : plot.curves)

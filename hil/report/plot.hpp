@@ -9,7 +9,7 @@ namespace drydock::report {
 using Series = study::Curve;
 using Plot = study::Figure;
 
-/// The plot as an SVG element, drawn by gnuplot. Empty when gnuplot is not there or fails.
+/// The plot as an SVG element, drawn by gnuplot. Empty if gnuplot is missing or fails.
 std::string render_svg(const Plot& plot);
 
 }  // namespace drydock::report

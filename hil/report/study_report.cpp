@@ -11,7 +11,7 @@ namespace {
 
 using html::escaped;
 
-/// Characters as they stand on a screen: UTF-8 less its continuation bytes.
+/// The number of characters on a screen: UTF-8 bytes without continuation bytes.
 std::size_t width_of(const std::string& text) {
   return static_cast<std::size_t>(
       std::ranges::count_if(text, [](char c) { return (c & '\xC0') != '\x80'; }));

@@ -6,7 +6,7 @@
 
 namespace drydock::report {
 
-/// Columns side by side, the first to the left, the others to the right; ends with a line break.
+/// Columns side by side. The first is aligned left, the others right. The text ends with a newline.
 std::string to_text(const study::Table& table);
 
 /// A heading, the table and its note.

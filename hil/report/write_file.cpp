@@ -9,7 +9,7 @@ namespace drydock::report {
 
 void write_file(const std::filesystem::path& path, const std::string& text) {
   if (path.has_parent_path()) {
-    std::error_code ignored;  // a folder that cannot be made shows as a file that cannot be opened
+    std::error_code ignored;  // a folder that cannot be made leads to a file that cannot be opened
     std::filesystem::create_directories(path.parent_path(), ignored);
   }
   std::ofstream out(path, std::ios::binary);

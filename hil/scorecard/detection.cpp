@@ -12,7 +12,7 @@ namespace {
 
 using Found = std::optional<Sign>;
 
-/// The earlier one; of two at a time the first.
+/// Keeps the earlier sign; if both have the same time, the first.
 void keep_earlier(Found& first, Found other) {
   if (other && (!first || other->at_s < first->at_s)) first = std::move(other);
 }
@@ -25,7 +25,7 @@ Found of_state(const DeviceRecord& device, const Window& window) {
   return {};
 }
 
-/// What differs between two looks at the same time, the plainest sign first.
+/// The difference of two looks at the same time; the clearest sign counts first.
 std::string difference_of(const Look& usual, const Look& now) {
   constexpr double rate_share = 0.1;
   if (now.bad_checksums > usual.bad_checksums) return "bad checksum";
@@ -57,7 +57,7 @@ bool in_fault(double at_s, const Window& window) {
   return at_s >= window.warm_up_s && at_s < window.fault_end_s();
 }
 
-/// Messages without numbers that they always had: no bottom lock, no fix.
+/// The first message that lacks numbers which its kind always has: no bottom lock, no fix.
 Found of_missing_numbers(const DeviceRecord& usual, const DeviceRecord& now, const Window& window) {
   std::set<std::pair<std::size_t, std::uint64_t>> known;
   for (const Arrival& arrival : usual.arrivals)
@@ -75,7 +75,7 @@ Found of_missing_numbers(const DeviceRecord& usual, const DeviceRecord& now, con
   return {};
 }
 
-/// What the sensor says of its own quality: accuracy, signal strength, number of satellites.
+/// The first unusual quality figure of the sensor: accuracy, signal strength, number of satellites.
 Found of_quality(std::size_t device, const Reference& reference, const DeviceRecord& now,
                  const Window& window) {
   Found first;

@@ -8,14 +8,15 @@
 
 namespace drydock::scorecard {
 
-/// The first sign of a fault, in words, that the run without faults did not give.
+/// The first sign of a fault, in words. The run without faults did not give it.
 struct Sign {
   double at_s = 0;
   std::string what;
 };
 
-/// Of the device's driver, or of the estimators that it feeds; until the end of the fault. Changes
-/// of state and messages are known to the moment, all else to poll_s.
+/// The sign comes from the device's driver, or from the estimators that use it, before the fault
+/// ends. Changes of state and messages have their exact time; other signs have a resolution of
+/// poll_s.
 std::optional<Sign> first_sign(std::size_t device, const Window& window, const Reference& reference,
                                const RunRecord& run);
 

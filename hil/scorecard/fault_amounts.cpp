@@ -19,8 +19,8 @@ using rig_config::FaultKind;
 using rig_config::FaultQuantity;
 using rig_config::FaultWord;
 
-/// How far off a sensor is under measurement faults: well beyond its noise, not beyond belief. A
-/// spike is something that no vehicle does.
+/// The size of the error for each measurement fault: well beyond the noise, but plausible. A spike
+/// is a motion that no vehicle can make.
 struct QuantityAmount {
   rig_config::DeviceKind kind;
   std::string_view key;
@@ -39,7 +39,7 @@ constexpr QuantityAmount quantity_amounts[] = {
     {rig_config::DeviceKind::actuator, "shaft_rpm", 100, 0, 1000},
 };
 
-/// Where a word's usual amount is not what a scorecard needs, or there is none.
+/// Amounts for words whose usual amount does not suit a scorecard, or that have none.
 struct WordAmount {
   FaultKind kind;
   std::string_view text;
@@ -68,7 +68,7 @@ std::string text_of(const FaultQuantity& quantity, FaultKind kind) {
   }
 }
 
-/// Twice the line's baud rate, the usual slip of a wrong configuration.
+/// Twice the line's baud rate, a common mistake in a configuration.
 std::string baud_text(const DeviceConfig& device) {
   const auto uri = link::parse_uri(device.link);
   return fmt::format("baud = {}", 2 * (uri ? uri->baud().value_or(9600) : 9600));
@@ -81,7 +81,7 @@ std::string text_of(const FaultWord& word, const DeviceConfig& device) {
   return {};
 }
 
-/// As a fault file has it, so that what holds there holds here.
+/// Goes through the text of a fault file, so that the same checks apply.
 rig_config::FaultConfig fault_of(const DeviceConfig& device, const FaultWord& word,
                                  const std::string& amount, const Window& window) {
   const auto text =

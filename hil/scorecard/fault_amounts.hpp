@@ -6,10 +6,10 @@
 
 #include "rig_config/rig.hpp"
 
-/// Which faults a scorecard tries, and how strong they are.
+/// Which faults a scorecard tries, and with which amounts.
 namespace drydock::scorecard {
 
-/// When the fault comes and goes, seconds of the run.
+/// When the fault begins and ends, in seconds of the run.
 struct Window {
   double warm_up_s = 75, fault_s = 30, after_s = 45;
 
@@ -19,14 +19,15 @@ struct Window {
 
 /// One device with one fault.
 struct Pair {
-  std::size_t device = 0;  ///< in the rig
-  std::string label;       ///< "bias rate_degps": the word, and the quantity where there are two
+  std::size_t device = 0;  ///< index in the rig
+  std::string label;       ///< "bias rate_degps": the fault word, and the quantity if the device
+                           ///< has two
   rig_config::FaultConfig fault;
 };
 
-/// Every pair that rig_config::refusal() allows, device by device in the order of the rig and of
-/// the vocabulary. Empty selections: all. Throws std::runtime_error, one line, for a name that the
-/// rig or the vocabulary does not have.
+/// Every pair that rig_config::refusal() allows, by device in the order of the rig, then by word in
+/// the order of the vocabulary. An empty selection means all. Throws std::runtime_error with one
+/// line for an unknown name.
 std::vector<Pair> pairs_of(const rig_config::Rig& rig, const Window& window,
                            const std::vector<std::string>& devices,
                            const std::vector<std::string>& faults);

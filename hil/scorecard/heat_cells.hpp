@@ -6,7 +6,7 @@
 /// Figures of a score as cells of a heat map.
 namespace drydock::scorecard {
 
-/// "0.1", "2.4", "31": what fits a cell.
+/// "0.1", "2.4", "31": short enough for a cell.
 std::string short_number(double x);
 
 HeatCell detect_cell(const Score& score);
@@ -15,11 +15,12 @@ HeatCell lost_cell(std::int64_t lost);
 HeatCell wrong_cell(const Score& score);
 HeatCell mistimed_cell(const Score& score);
 HeatCell lies_cell(const Score& score);
-HeatCell growth_cell(const EstimatorScore& estimator);  ///< times the error without a fault
+HeatCell growth_cell(const EstimatorScore& estimator);  ///< factor on the error without a fault
 HeatCell nees_cell(const EstimatorScore& estimator);
 HeatCell recover_cell(const EstimatorScore& estimator);
 
-/// Times the error without a fault, of position where there is one and it grew more.
+/// Factor on the error without a fault: of the position if there is one and it grew more, else of
+/// the attitude.
 double growth_of(const EstimatorScore& estimator);
 
 }  // namespace drydock::scorecard

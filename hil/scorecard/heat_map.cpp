@@ -12,7 +12,7 @@ namespace drydock::scorecard {
 namespace {
 
 constexpr double row_px = 20, label_px = 170, panel_gap_px = 12, top_px = 96, font_px = 12;
-constexpr double title_letter_px = 7.5;  // of a bold letter of 12 px, rather too wide
+constexpr double title_letter_px = 7.5;  // width of a bold 12 px letter, a little too wide
 
 struct Colour {
   std::array<double, 3> rgb;
@@ -59,11 +59,11 @@ std::size_t columns_of(const HeatMap& map) {
 }
 
 struct Layout {
-  std::vector<double> columns;  ///< where each begins
+  std::vector<double> columns;  ///< left edge of each
   double right = label_px;
 };
 
-/// A gap between panels, each as wide as its columns and its title ask for.
+/// Each panel is as wide as its columns and its title need, with a gap before the next one.
 Layout layout_of(const HeatMap& map) {
   Layout layout;
   for (const auto& panel : map.panels) {

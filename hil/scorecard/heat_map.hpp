@@ -7,20 +7,20 @@
 namespace drydock::scorecard {
 
 enum class Tone : std::uint8_t {
-  none,    ///< nothing to tell: an empty cell
+  none,    ///< an empty cell
   shade,   ///< light to dark with `level`
-  unseen,  ///< a value of its own that is no defect
+  unseen,  ///< its own colour; it is not a defect
   alarm
 };
 
 struct HeatCell {
   std::string text;
   Tone tone = Tone::none;
-  double level = 0;  ///< of a shade: 0 light to 1 dark
-  std::string tip;   ///< shown under the pointer
+  double level = 0;  ///< for Tone::shade: 0 light to 1 dark
+  std::string tip;   ///< text under the pointer
 };
 
-/// Columns that belong together, under one heading.
+/// Columns under one common heading.
 struct HeatPanel {
   std::string title;
   std::vector<std::string> columns;
@@ -28,7 +28,7 @@ struct HeatPanel {
 
 struct HeatRow {
   std::string label;
-  std::vector<HeatCell> cells;  ///< as many as all panels have columns; none: a heading
+  std::vector<HeatCell> cells;  ///< one per column of all panels; none: the row is a heading
 };
 
 struct HeatMap {
@@ -38,11 +38,12 @@ struct HeatMap {
   double column_px = 44;
 };
 
-/// An SVG element that stands alone: blue shades, amber, vermilion, which people who confuse red
-/// and green tell apart (Okabe and Ito, Color Universal Design, 2008); every cell has its number.
+/// A self-contained SVG element. Its colours are blue shades, amber and vermilion, which people who
+/// confuse red and green can distinguish (Okabe and Ito, Color Universal Design, 2008). Every cell
+/// has its number.
 std::string to_svg(const HeatMap& map);
 
-/// Where x stands between low and high by its logarithm, 0 to 1.
+/// The position of x between low and high on a logarithmic scale, 0 to 1.
 double log_level(double x, double low, double high);
 
 }  // namespace drydock::scorecard

@@ -7,7 +7,7 @@
 namespace drydock::scorecard {
 namespace {
 
-/// A number off the line from `before` to `after`.
+/// The distance of a number from the straight line between `before` and `after`.
 double off_line(const Series& series, const Sample& before, const Sample& at, const Sample& after) {
   const double span = after.valid_s - before.valid_s;
   const double share = span > 0 ? (at.valid_s - before.valid_s) / span : 0;
@@ -45,7 +45,8 @@ Reference::Scale Reference::scale_of(const Series& series) {
     if (samples[i + 1].valid_s - samples[i - 1].valid_s > 3 * period_s) continue;
     most = std::max(most, off_line(series, samples[i - 1], samples[i], samples[i + 1]));
   }
-  constexpr double arithmetic = 1e-9, clock_s = 0.005;  // time of validity on the wire
+  constexpr double arithmetic = 1e-9, clock_s = 0.005;  // clock_s: resolution of the time of
+                                                        // validity on the wire
   const double least = series.role == Role::clock ? clock_s : arithmetic * largest;
   return {2 * most + least, period_s};
 }

@@ -7,9 +7,9 @@
 
 namespace drydock::scorecard {
 
-/// The run without faults, and what it leads one to expect of the others. Noise, resolution and
-/// motion put a number off the line between its neighbours: twice the most of a whole run is
-/// allowed to a number of another run.
+/// The run without faults, and the numbers that it predicts for other runs. Noise, resolution and
+/// motion move a number off the line between its neighbours. A number of another run may be off by
+/// twice the largest such distance in the whole run.
 class Reference {
  public:
   struct Expected {
@@ -20,13 +20,14 @@ class Reference {
 
   const RunRecord& run() const { return run_; }
 
-  /// The usual time from one sample to the next.
+  /// The median time from one sample to the next.
   double period_s(std::size_t device, std::uint32_t series) const;
 
-  /// Between the samples beside that time; empty where there are none within a period and a half.
+  /// Interpolated between the samples before and after that time. Empty if there is no sample
+  /// within one and a half periods.
   std::optional<Expected> at(std::size_t device, std::uint32_t series, double valid_s) const;
 
-  /// Whether the number is as expected. One without a counterpart is not.
+  /// True if the number is within the tolerance. A number without a counterpart is not sound.
   bool sound(std::size_t device, std::uint32_t series, const Sample& sample) const;
 
  private:
@@ -36,10 +37,10 @@ class Reference {
   static Scale scale_of(const Series& series);
 
   RunRecord run_;
-  std::vector<std::map<std::uint32_t, Scale>> scales_;  ///< by device
+  std::vector<std::map<std::uint32_t, Scale>> scales_;  ///< by device, then by series
 };
 
-/// b - a; of angles the short way round.
+/// b - a; for angles wrapped to +-pi.
 double difference(const Series& series, double a, double b);
 
 }  // namespace drydock::scorecard

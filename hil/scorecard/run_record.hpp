@@ -10,15 +10,15 @@
 #include "hil/scorecard/field.hpp"
 #include "rig_config/rig.hpp"
 
-/// What is kept of one run in lockstep, to be held against another. Times: seconds of the run.
+/// The record of one lockstep run, for comparison with another. Times are seconds of the run.
 namespace drydock::scorecard {
 
 struct Sample {
   double valid_s = 0, received_s = 0, value = 0;
-  std::size_t message = 0;  ///< of the device, from 0
+  std::size_t message = 0;  ///< index of the device's message, from 0
 };
 
-/// One number of a device's measurements, as it came.
+/// One number of a device's measurements, in the order of arrival.
 struct Series {
   std::string_view name;
   Role role = Role::value;
@@ -26,11 +26,11 @@ struct Series {
   std::vector<Sample> samples;
 };
 
-/// Which numbers a message had, of a device's first 64 series.
+/// Which of the first 64 series of a device a message contained.
 struct Arrival {
   double received_s = 0;
-  std::size_t kind = 0;      ///< of measurement
-  std::uint64_t fields = 0;  ///< a bit a series
+  std::size_t kind = 0;      ///< kind of measurement
+  std::uint64_t fields = 0;  ///< one bit per series
 };
 
 struct Change {
@@ -38,15 +38,15 @@ struct Change {
   device::State to = device::State::closed;
 };
 
-/// What the driver tells of itself, and the estimators of what they were given, every poll_s.
+/// Driver status and estimator counters, taken every poll_s.
 struct Look {
   double at_s = 0;
   std::uint64_t bad_checksums = 0, skipped = 0, error_frames = 0;
   device::Reason trouble;
   std::optional<double> rate_hz;
-  std::uint64_t late = 0, refused = 0;  ///< by the pipeline, of this device
-  std::uint64_t rejected = 0;           ///< by the estimators' gates, of all devices
-  std::uint64_t not_running = 0;        ///< estimators that wait or are lost
+  std::uint64_t late = 0, refused = 0;  ///< messages of this device, counted by the pipeline
+  std::uint64_t rejected = 0;           ///< by the estimators' gates, for all devices
+  std::uint64_t not_running = 0;        ///< number of estimators that wait or are lost
 };
 
 struct DeviceRecord {
@@ -56,22 +56,22 @@ struct DeviceRecord {
   std::vector<Look> looks;
 };
 
-/// An estimate against the truth.
+/// The error of an estimate against the truth.
 struct ErrorAt {
   double at_s = 0;
-  double tilt_deg = 0;  ///< roll and pitch together
-  double nees = 0;      ///< of roll and pitch, per axis
+  double tilt_deg = 0;  ///< norm of roll and pitch errors
+  double nees = 0;      ///< roll and pitch, per axis
   std::optional<double> horizontal_m;
 };
 
 struct RunRecord {
   std::vector<DeviceRecord> devices;
-  std::vector<std::vector<ErrorAt>> estimators;  ///< empty where there is no truth
+  std::vector<std::vector<ErrorAt>> estimators;  ///< empty if there is no truth
 };
 
 inline constexpr double poll_s = 0.1;
 
-/// Runs the rig with its faults for so long. Throws as LockstepBench does.
+/// Runs the rig with its faults for this time. Throws like LockstepBench.
 RunRecord record_run(const rig_config::Rig& rig, double duration_s);
 
 }  // namespace drydock::scorecard

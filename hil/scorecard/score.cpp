@@ -11,7 +11,7 @@
 namespace drydock::scorecard {
 namespace {
 
-/// Messages of the last moments are still on their way.
+/// Messages of the last moments may not have arrived yet.
 constexpr double tail_s = 2.5;
 
 std::int64_t arrivals_from(const DeviceRecord& device, double from_s) {
@@ -19,7 +19,7 @@ std::int64_t arrivals_from(const DeviceRecord& device, double from_s) {
       device.arrivals, [&](const Arrival& arrival) { return arrival.received_s >= from_s; });
 }
 
-/// When the last number came that the run without faults had and this one lacks or has wrong.
+/// The time of the last number of the reference run that this run lacks or has wrong.
 double last_unsound_s(std::size_t device, std::uint32_t key, const Series& usual,
                       const Reference& reference, const DeviceRecord& now, const Window& window) {
   std::vector<Sample> got;
@@ -74,7 +74,7 @@ EstimatorScore score_estimator(const std::string& name, const std::vector<ErrorA
     score.usual_deg = std::max(score.usual_deg, error.tilt_deg);
     largest(score.usual_m, error.horizontal_m);
   }
-  // Sound: no further off than half as much again as the run without faults ever was.
+  // An estimate is sound if its error is at most 1.5 times the largest error without faults.
   constexpr double sound_share = 1.5;
   double nees = 0, unsound_s = window.fault_end_s(), last_s = 0;
   for (const ErrorAt& error : now) {
@@ -96,7 +96,7 @@ EstimatorScore score_estimator(const std::string& name, const std::vector<ErrorA
   return score;
 }
 
-/// "probability = 0.2" of "dvl: drop, probability = 0.2".
+/// "probability = 0.2" from "dvl: drop, probability = 0.2".
 std::string amount_of(const rig_config::FaultConfig& fault) {
   const auto comma = fault.words.find(", ");
   return comma == std::string::npos ? "" : fault.words.substr(comma + 2);

@@ -9,29 +9,30 @@
 
 namespace drydock::scorecard {
 
-/// What a fault did to one estimator.
+/// The effect of a fault on one estimator.
 struct EstimatorScore {
   std::string name;
-  double error_deg = 0;        ///< largest of roll and pitch together, from the fault's start on
-  double usual_deg = 0;        ///< the same of the run without faults
-  std::optional<double> nees;  ///< mean over the same time; 1 is consistent. Empty: no estimate
+  double error_deg = 0;        ///< largest norm of roll and pitch errors since the fault's start
+  double usual_deg = 0;        ///< the same in the run without faults
+  std::optional<double> nees;  ///< mean over the same time; 1 is consistent; empty: no estimate
   double usual_nees = 0;
-  std::optional<double> horizontal_m, usual_m;  ///< of those that give positions
-  std::optional<double> recover_s;  ///< behind the fault's end; 0: it stayed sound; empty: not
-  std::int64_t lost = 0;            ///< estimates
+  std::optional<double> horizontal_m, usual_m;  ///< only if the estimator gives positions
+  std::optional<double> recover_s;  ///< after the fault's end; 0: it stayed sound; empty: never
+  std::int64_t lost = 0;            ///< number of estimates
 };
 
-/// What became of one device under one fault: docs/scorecard.md.
+/// The effect of one fault on one device: docs/scorecard.md.
 struct Score {
   std::string device, fault, amount, layer;
-  std::optional<double> detect_s;   ///< behind the fault's start; empty: not detected
-  std::string sign;                 ///< what the driver gave first
-  std::optional<double> recover_s;  ///< behind the fault's end; empty: not within the run
-  std::int64_t lost = 0;            ///< messages; below 0: so many more came
-  std::int64_t others_lost = 0;     ///< of the rig's other devices
-  std::uint64_t wrong = 0;          ///< messages with a number that the driver should have refused
-  std::uint64_t mistimed = 0;       ///< messages true at another time than they say
-  std::uint64_t lies = 0;           ///< messages with a wrong number that the sensor itself said
+  std::optional<double> detect_s;   ///< after the fault's start; empty: not detected
+  std::string sign;                 ///< the driver's first sign
+  std::optional<double> recover_s;  ///< after the fault's end; empty: not within the run
+  std::int64_t lost = 0;            ///< messages; negative if more came than without the fault
+  std::int64_t others_lost = 0;     ///< messages of the rig's other devices
+  std::uint64_t wrong = 0;          ///< messages with a wrong number that the driver should have
+                                    ///< refused
+  std::uint64_t mistimed = 0;       ///< messages that are true, but at another time than they say
+  std::uint64_t lies = 0;           ///< messages with a wrong number that the sensor itself sent
   std::string example;              ///< the first wrong number, in words
   std::vector<EstimatorScore> estimators;
 };

@@ -20,7 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 
 void write(const fs::path& path, const std::string& text) {
-  std::error_code ignored;  // the stream says whether the folder is there
+  std::error_code ignored;  // the stream below reports a missing folder
   if (path.has_parent_path()) fs::create_directories(path.parent_path(), ignored);
   std::ofstream file(path);
   file << text;
@@ -36,7 +36,7 @@ std::string read(const fs::path& path) {
   return text.str();
 }
 
-/// Its own run for each pair, with that fault alone; beside them one without any.
+/// Runs each pair alone, and one run without any fault.
 Scorecard play(const rig_config::Rig& asked, const std::vector<Pair>& pairs, const Options& options,
                study::Options campaign, study::Progress& progress) {
   rig_config::Rig rig = asked;
@@ -60,7 +60,7 @@ Scorecard play(const rig_config::Rig& asked, const std::vector<Pair>& pairs, con
   return card;
 }
 
-/// True where the card is as the file has it; else a line for each pair that is not.
+/// True if the card matches the file. Else it prints a line for each difference.
 bool check(const Scorecard& card, const std::string& file, std::FILE* out) {
   const auto differences = differences_from(read(file), card);
   for (const auto& line : differences) fmt::print(out, "{}\n", line);

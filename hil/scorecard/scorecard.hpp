@@ -6,13 +6,13 @@
 
 #include "hil/scorecard/score.hpp"
 
-/// `drydock scorecard`: what every fault does to every device of a rig.
+/// `drydock scorecard`: the effect of every fault on every device of a rig.
 namespace drydock::scorecard {
 
 struct Options {
   Window window;
   std::vector<std::string> devices, faults;      ///< empty: all
-  unsigned jobs = 0;                             ///< threads; 0: one a processor
+  unsigned jobs = 0;                             ///< threads; 0: one per processor
   std::string json, report, check, update_refs;  ///< file, folder, files; empty: none
 };
 
@@ -20,13 +20,13 @@ struct Scorecard {
   std::string rig;
   std::uint64_t seed = 0;
   Window window;
-  std::size_t pairs = 0;      ///< asked for
-  bool whole = true;          ///< of every device and every fault
-  std::vector<Score> scores;  ///< fewer where Ctrl-C ended it
+  std::size_t pairs = 0;      ///< requested
+  bool whole = true;          ///< covers every device and every fault
+  std::vector<Score> scores;  ///< fewer after Ctrl-C
 };
 
-/// Exit code: 0 done; 1 stopped by Ctrl-C (what was done is printed and written), something is not
-/// as the reference has it, or a file cannot be read or written; 2 a name is not known.
+/// Exit code: 0 done; 1 stopped by Ctrl-C (finished pairs are printed and written), a difference
+/// from the reference, or a file cannot be read or written; 2 an unknown name.
 int run_scorecard(const rig_config::Rig& rig, const Options& options, std::FILE* out,
                   std::FILE* errors);
 

@@ -14,7 +14,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr int version = 1;
 
-/// To three digits: what is beyond is not worth a line in a review.
+/// Rounds to three digits: smaller changes are not worth a line in a review.
 double three_digits(double x) { return std::stod(fmt::format("{:.3g}", x)); }
 
 Json number(const std::optional<double>& x) { return x ? Json(three_digits(*x)) : Json(nullptr); }
@@ -71,7 +71,7 @@ std::string name_of(const Json& pair) {
   return pair.value("device", "") + " " + pair.value("fault", "");
 }
 
-/// Fractions may differ by what another compiler's rounding makes of them in the end.
+/// Fractions may differ by what another compiler's rounding changes in the end.
 bool same(const Json& expected, const Json& got) {
   if (!expected.is_number() || !got.is_number()) return expected == got;
   if (expected.is_number_integer() && got.is_number_integer()) return expected == got;

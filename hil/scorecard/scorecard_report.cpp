@@ -40,7 +40,7 @@ study::Table table_of(const Scorecard& card) {
   return table;
 }
 
-/// What the whole comes to, a line each.
+/// The totals of all pairs, one line each.
 std::vector<std::string> totals(const Scorecard& card) {
   const auto count = [&](auto&& which) { return std::ranges::count_if(card.scores, which); };
   std::vector<std::string> lines{
@@ -65,7 +65,7 @@ std::vector<std::string> devices_of(const Scorecard& card) {
   return names;
 }
 
-/// The worst of two quantities under one word.
+/// True if `a` is worse; one word may cover two quantities.
 bool darker(const HeatCell& a, const HeatCell& b) {
   return std::pair(a.tone, a.level) > std::pair(b.tone, b.level);
 }

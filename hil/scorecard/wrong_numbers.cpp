@@ -18,10 +18,10 @@ struct Part {
   Sample sample;
 };
 
-/// A message of one device with numbers that are not as expected.
+/// A message of one device with at least one unexpected number.
 struct Suspect {
-  std::vector<Part> parts;  ///< all of the message
-  Part wrong;               ///< the first that is not as expected
+  std::vector<Part> parts;  ///< all numbers of the message
+  Part wrong;               ///< the first unexpected number
   bool of_driver = false;
 };
 
@@ -46,7 +46,7 @@ std::map<std::size_t, Suspect> suspects_of(std::size_t device, const Window& win
   return suspects;
 }
 
-/// Whether all numbers of the message are as expected at one time before.
+/// True if all numbers of the message were as expected at one earlier time.
 bool was_true_before(std::size_t device, const Suspect& suspect, const Reference& reference) {
   constexpr double reach_s = 4, slack_s = 0.05;
   const auto& series = reference.run().devices.at(device).series;

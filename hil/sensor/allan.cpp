@@ -2,7 +2,8 @@
 
 namespace drydock::sensor {
 
-/// Each second cluster of an octave closes one of the next, whose mean is that of the two.
+/// Every second cluster of an octave completes one of the next octave, whose mean is the mean of
+/// both.
 void AllanVariance::add(const Eigen::Vector3d& sample) {
   Eigen::Vector3d mean = sample;
   for (std::size_t octave = 0;; ++octave) {

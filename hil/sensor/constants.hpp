@@ -7,27 +7,28 @@
 
 #include "rig_config/sensor_errors.hpp"
 
-/// What does not change during a run: the constants of a sensor's model equation (IEEE Std 952 and
-/// 1293) and what they make of an input.
+/// The parts of a sensor that are constant during a run: the constants of its model equation (IEEE
+/// Std 952 and 1293) and their effect on an input.
 namespace drydock::sensor {
 
 using Eigen::Vector3d;
 
 inline Vector3d vector(const rig_config::Axes& a) { return {a[0], a[1], a[2]}; }
 
-/// (y, z, x) and (z, x, y): for each axis of a triad the next one and the previous one.
+/// (y, z, x) and (z, x, y): the next and the previous axis for each axis of a triad.
 inline Vector3d next_axis(const Vector3d& v) { return {v.y(), v.z(), v.x()}; }
 inline Vector3d previous_axis(const Vector3d& v) { return {v.z(), v.x(), v.y()}; }
 
 struct Disturbance;
 
-/// Whose errors, in which run. A part's random numbers follow from these names and its own.
+/// Identifies the errors of one sensor in one run. The random numbers of a part depend on these
+/// names and its own.
 struct ErrorSource {
   std::uint64_t seed = 1;
-  std::string_view device;                   ///< or any other name of the sensor
+  std::string_view device;                   ///< or another name of the sensor
   std::string_view quantity;                 ///< "primary", "secondary"
-  bool fixed_constants = true;               ///< +1 sigma; else drawn once
-  const Disturbance* disturbance = nullptr;  ///< what faults add; outlives the models
+  bool fixed_constants = true;               ///< true: +1 sigma; false: drawn once
+  const Disturbance* disturbance = nullptr;  ///< effect of faults; must outlive the models
 
   std::string stream(std::string_view part) const {
     return std::string(quantity) + " " + std::string(part);
@@ -47,12 +48,12 @@ class Response {
   bool is_ideal() const;
 
  private:
-  Eigen::Matrix3d linear_;  ///< scale factors on the diagonal, small angles beside it
+  Eigen::Matrix3d linear_;  ///< scale factors on the diagonal, small angles off it
   Vector3d half_asymmetry_, nonlinearity_;
 };
 
-/// docs/sensors.md (6) and (7): what an IMU's triad feels of the other's quantity and of the
-/// specific force, in the sensor's axes.
+/// docs/sensors.md (6) and (7): the effect of the other triad's quantity and of the specific force
+/// on an IMU's triad, in the sensor's axes.
 class Coupling {
  public:
   Coupling(const rig_config::SensorErrors& errors, const ErrorSource& source);

@@ -5,7 +5,8 @@
 
 namespace drydock::sensor {
 
-/// Which samples get lost (docs/sensors.md (15)): outages of geometric length, a Gilbert channel.
+/// Decides which samples are lost (docs/sensors.md (15)): outages of geometric length, a Gilbert
+/// channel.
 class Dropouts {
  public:
   Dropouts(const rig_config::DropoutConfig& config, std::uint64_t seed, std::string_view device);
@@ -13,7 +14,7 @@ class Dropouts {
   bool next_is_lost();
 
  private:
-  double begin_, last_;  ///< probability that an outage begins, and that it goes on
+  double begin_, last_;  ///< probabilities that an outage begins and that it continues
   bool out_ = false;
   RandomStream random_;
 };

@@ -14,9 +14,10 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using BeamVelocities = std::array<std::optional<double>, 4>;
 
-constexpr double farthest_fade = 1.25;  // of the longest range: beyond it no fading brings an echo
+constexpr double farthest_fade = 1.25;  // factor on the longest range; beyond it fading gives no
+                                        // echo
 
-/// Of a head that lies at the surface: rounding must not take it out of the water.
+/// A head at the surface must not leave the water by rounding.
 constexpr double awash_m = 1e-3;
 
 /// docs/ocean.md (12)
@@ -27,10 +28,10 @@ double echo_snr_db(const JanusHead& head, double range_m) {
 
 struct JanusSolution {
   std::optional<Vector3d> velocity;
-  std::optional<double> error_mps;  ///< of four beams
+  std::optional<double> error_mps;  ///< only with four beams
 };
 
-/// docs/ocean.md (13); with three beams (14) gives the fourth.
+/// docs/ocean.md (13). With three beams, (14) gives the fourth.
 JanusSolution solve(BeamVelocities b, const JanusHead& head) {
   const auto bad = std::ranges::count_if(b, [](const auto& beam) { return !beam; });
   if (bad > 4 - head.fewest_beams || bad > 1) return {};
@@ -45,8 +46,8 @@ JanusSolution solve(BeamVelocities b, const JanusHead& head) {
   return solution;
 }
 
-/// docs/ocean.md (15): of every pair of opposite beams that is whole; with one beam lost in each,
-/// of those that are left.
+/// docs/ocean.md (15): uses every complete pair of opposite beams. If each pair has lost one beam,
+/// it uses the remaining beams.
 double altitude(const std::array<std::optional<double>, 4>& range_m, double cosine_of_tilt) {
   double inverse = 0, pairs = 0, sum = 0, beams = 0;
   for (const std::size_t i : {0U, 2U})
@@ -62,7 +63,7 @@ double altitude(const std::array<std::optional<double>, 4>& range_m, double cosi
   return cosine_of_tilt * (pairs > 0 ? 2 * pairs / inverse : sum / beams);
 }
 
-/// One ping under way: where the head is, how it stands, how it moves.
+/// One ping: place, attitude and motion of the head.
 class Sounding {
  public:
   Sounding(const motion::Trajectory& trajectory, const Truth& truth, const Mounting& mounting,
@@ -119,8 +120,8 @@ class Sounding {
   double cosine() const { return std::cos(head_.beam_angle_rad); }
   bool under_air() const { return place_.height_m > awash_m; }
 
-  /// Mean current over the beam's way through the layer; empty where that meets the bed, or is not
-  /// in the water.
+  /// Mean current along the beam's path through the layer. Empty if the path meets the bed or
+  /// leaves the water.
   std::optional<Vector3d> water_along(std::size_t beam) const {
     const double end_m = layer_end_m();
     if (bed_m_[beam] && *bed_m_[beam] <= end_m) return std::nullopt;

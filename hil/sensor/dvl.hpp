@@ -7,43 +7,46 @@
 #include "hil/motion/truth.hpp"
 #include "hil/sensor/mounting.hpp"
 
-/// A Doppler velocity log's ping: four Janus beams traced from the head against the ocean's bed and
-/// through its water. docs/ocean.md has the equations by number.
+/// The ping of a Doppler velocity log: four Janus beams are traced from the head to the bed and
+/// through the water. docs/ocean.md numbers the equations.
 namespace drydock::sensor {
 
-/// Water against which a head measures too, as it counts: along its own axis.
+/// The water layer in which a head also measures. Lengths are along the head's axis.
 struct WaterLayer {
   double start_m = 0, thickness_m = 0;
 };
 
-/// What a head can do. Beams are in PD0's order for one that looks down with beam 3 ahead: port,
-/// starboard, forward, aft. Ranges are along the beam.
+/// The properties of a head. Beams have the order of PD0 for a head that looks down with beam 3
+/// ahead: port, starboard, forward, aft. Ranges are along the beam.
 struct JanusHead {
-  double beam_angle_rad = 0.5235987755982988;  ///< of each beam from the head's axis
+  double beam_angle_rad = 0.5235987755982988;  ///< between each beam and the head's axis
   double shortest_range_m = 0.3, longest_range_m = 120;
-  double absorption_dbpm = 0.16;  ///< of sound of its frequency in sea water
-  int fewest_beams = 3;           ///< for a velocity; 3: error velocity taken as zero
-  double fading_db = 0;           ///< 1 sigma of each echo's strength
+  double absorption_dbpm = 0.16;  ///< absorption of sound at its frequency in sea water
+  int fewest_beams = 3;           ///< for a velocity; 3: the error velocity is taken as zero
+  double fading_db = 0;           ///< 1 sigma of the strength of each echo
   double beam_noise_mps = 0;      ///< 1 sigma of each beam's velocity
   std::optional<WaterLayer> layer = std::nullopt;
 };
 
-/// Signal over noise at which an echo is just found; so strong is it at the longest range.
+/// Signal-to-noise ratio at which an echo is just detected. An echo at the longest range has this
+/// ratio.
 inline constexpr double detection_snr_db = 8;
 
-/// What differs from ping to ping: of each beam, to the bed and through the water.
+/// The random parts of one ping, per beam: echo strength, velocity to the bed and through the
+/// water.
 struct PingNoise {
   std::array<double, 4> fade_db{}, bed_mps{}, water_mps{};
 };
 
 struct DvlPing : measurement::BottomVelocity {
   struct Beam {
-    std::optional<double> range_m;       ///< along it; empty: no echo
-    std::optional<double> velocity_mps;  ///< of the head along it, over the bed
-    double snr_db = 0;                   ///< of the bed's echo; 0 without one
+    std::optional<double> range_m;       ///< along the beam; empty: no echo
+    std::optional<double> velocity_mps;  ///< head's velocity along the beam, over the bed
+    double snr_db = 0;                   ///< the bed's echo; 0 without an echo
   };
   struct Water {
-    std::optional<Eigen::Vector3d> velocity;  ///< m/s, through the layer's water, sensor's axes
+    std::optional<Eigen::Vector3d> velocity;  ///< m/s, through the water of the layer, sensor's
+                                              ///< axes
     std::optional<double> error_velocity_mps;
     std::array<bool, 4> beam_good{};
   };
@@ -52,8 +55,9 @@ struct DvlPing : measurement::BottomVelocity {
   double depth_m = 0, sound_speed = 0;  ///< at the head
 };
 
-/// Vectors are in the head's own axes; range_m is range * cos(beam angle), altitude_m what the head
-/// makes of its ranges: its distance from a plane bed along its axis, times the cosine of its tilt.
+/// Vectors are in the head's own axes. range_m is range * cos(beam angle). altitude_m is computed
+/// by the head from its ranges: distance to a plane bed along its axis, times the cosine of its
+/// tilt.
 DvlPing dvl_ping(const motion::Trajectory& trajectory, measurement::Stamp at,
                  const Mounting& mounting, const JanusHead& head, const PingNoise& noise = {});
 

@@ -7,20 +7,20 @@
 namespace drydock::sensor {
 
 /// All errors of one quantity (docs/sensors.md (1)): a constant bias, the response to the input,
-/// drift, white noise, then the converter. A part that is not configured costs a branch and draws
-/// no random number; one part's numbers do not depend on another's being there.
+/// drift, white noise, then the converter. A part that is not configured costs one branch and draws
+/// no random number. The random numbers of a part do not depend on the other parts.
 class ErrorModel {
  public:
-  /// `rate_hz`: of the samples; white noise given as a density depends on it.
+  /// `rate_hz` is the sample rate. It sets the white noise if that is given as a density.
   ErrorModel(const rig_config::SensorErrors& errors, double rate_hz, const ErrorSource& source);
 
-  /// The reading of `ideal`. `valid_at` never goes back. `induced`: a further error at the input,
-  /// as an IMU's triads have of each other.
+  /// The reading for `ideal`. `valid_at` must not decrease. `induced` is an additional error at the
+  /// input, such as the coupling between the triads of an IMU.
   Vector3d apply(const Vector3d& ideal, Stamp valid_at,
                  const Vector3d& induced = Vector3d::Zero()) {
     return read(ideal, valid_at, induced, 3);
   }
-  double apply(double ideal, Stamp valid_at) {  ///< of a scalar quantity: the first axis
+  double apply(double ideal, Stamp valid_at) {  ///< for a scalar quantity: the first axis
     return read({ideal, 0, 0}, valid_at, Vector3d::Zero(), 1).x();
   }
 

@@ -21,7 +21,7 @@ Vector3d velocity_body_at(const Truth& truth, const Mounting& mounting) {
   return truth.velocity_body + truth.rate_body.cross(mounting.lever_arm_m);
 }
 
-/// d(angular rate)/dt of a motion that does not know it.
+/// d(angular rate)/dt, for a trajectory that does not give it.
 Vector3d differenced_rate(const Trajectory& trajectory, Stamp at) {
   const auto h = std::chrono::milliseconds{1};
   return (trajectory.at(at + h).angular_rate - trajectory.at(at - h).angular_rate) /

@@ -5,9 +5,8 @@
 #include "hil/motion/truth.hpp"
 #include "hil/sensor/mounting.hpp"
 
-/// What a perfect sensor at its place in the vehicle would report of the truth. Vectors are in the
-/// sensor's own axes: turning them into the body frame is the driver's work. Origin holds valid_at
-/// only.
+/// The output of a perfect sensor at its place in the vehicle. Vectors are in the sensor's own
+/// axes; the driver turns them into the body frame. Origin holds valid_at only.
 namespace drydock::sensor {
 
 using motion::Stamp;
@@ -15,32 +14,32 @@ using motion::Trajectory;
 using motion::Truth;
 
 /// Specific force f + w x (w x r) + dw/dt x r and rate w, both against inertial space. dw/dt is
-/// the truth's, or where it has none its central difference over 2 ms; gravity is taken as the same
-/// at both ends of r.
+/// taken from the truth, or as its central difference over 2 ms if the truth has none. Gravity is
+/// taken as equal at both ends of r.
 measurement::ImuSample ideal_imu(const Trajectory& trajectory, Stamp at, const Mounting& mounting);
 
-/// Over-ground velocity v + w x r of the sensor in its own axes. w is against NED: the turn of NED
-/// against the Earth adds less than 1e-6 m/s.
+/// Over-ground velocity v + w x r of the sensor in its own axes. w is relative to NED; the rotation
+/// of NED relative to the Earth adds less than 1e-6 m/s.
 Eigen::Vector3d velocity_at(const Truth& truth, const Mounting& mounting);
 
-/// Speed through the water along the log's x (longitudinal) and y (transverse) axes.
-/// The water is that at the log's depth. distance_m stays empty: the device that counts adds it.
+/// Speed through the water along the log's x (longitudinal) and y (transverse) axes. The current is
+/// taken at the log's depth. distance_m stays empty: the device that counts adds it.
 measurement::WaterSpeed ideal_log(const Trajectory& trajectory, Stamp at, const Mounting& mounting);
 
-/// An antenna deeper than this hears nothing.
+/// An antenna below this depth receives nothing.
 inline constexpr double antenna_awash_depth_m = 0.3;
 
-/// Position, height and velocity of the antenna, the sea surface being the ellipsoid; under water
-/// FixType::none and the time alone.
+/// Position, height and velocity of the antenna. The sea surface is the ellipsoid. Under water:
+/// FixType::none and only the time.
 measurement::GnssFix ideal_gnss(const Truth& truth, const Mounting& mounting);
 
 /// Depth of the sensor and the ocean's pressure and temperature there.
 measurement::DepthSample ideal_depth(const Truth& truth, const ocean::Ocean& ocean,
                                      const Mounting& mounting);
 
-double depth_at(const Truth& truth, const Mounting& mounting);  ///< of the sensor, down, m
+double depth_at(const Truth& truth, const Mounting& mounting);  ///< depth of the sensor, m
 frame::Position place_of(const Truth& truth, const Mounting& mounting);
-/// Of the sensor over the bed straight below it, m.
+/// Height of the sensor above the bed directly below it, m.
 double altitude_at(const Truth& truth, const ocean::Ocean& ocean, const Mounting& mounting);
 
 measurement::ActuatorState ideal_actuators(const Truth& truth);

@@ -6,11 +6,12 @@
 
 namespace drydock::sensor {
 
-/// An inertial unit's errors: a gyro and an accelerometer triad that feel each other's quantity. In
-/// the unit's own axes. Needs no device: a study makes one per run from a grade, a seed and a name.
+/// The errors of an inertial unit: a gyro and an accelerometer triad with coupling between them. In
+/// the unit's own axes. It needs no device: a study makes one per run from a grade, a seed and a
+/// name.
 class ImuErrors {
  public:
-  struct Disturbances {  ///< what faults make of the triads; outlive the errors
+  struct Disturbances {  ///< effects of faults on the triads; must outlive the errors
     const Disturbance *gyro = nullptr, *accelerometer = nullptr;
   };
 
@@ -20,7 +21,7 @@ class ImuErrors {
             std::string_view name)
       : ImuErrors(grade, rate_hz, seed, name, {}) {}
 
-  /// What the unit reports of an ideal sample; samples come in time order.
+  /// The unit's output for an ideal sample. Samples come in time order.
   measurement::ImuSample apply(const measurement::ImuSample& ideal);
 
  private:

@@ -13,7 +13,7 @@ ImuSampler::ImuSampler(const motion::Trajectory& trajectory, const Mounting& mou
 
 measurement::ImuSample ImuSampler::at(motion::Stamp time) {
   const motion::Stamp from = time - period_;
-  // Before its start the trajectory has no motion to integrate.
+  // The trajectory has no motion before its start.
   if (!means_ || from < trajectory_.start()) return ideal_imu(trajectory_, time, mounting_);
   if (!integrator_ || integrated_to_ != from) integrator_.emplace(trajectory_, from, mounting_);
   const Increments sum = integrator_->until(time);

@@ -7,14 +7,14 @@
 
 namespace drydock::sensor {
 
-/// What an ideal inertial unit puts into a sample: the values at its time, or, as one that
-/// integrates does, their means over the sample interval that ends there.
+/// The samples of an ideal inertial unit: the values at the sample time, or, for a unit that
+/// integrates, their means over the sample interval that ends there.
 class ImuSampler {
  public:
   ImuSampler(const motion::Trajectory& trajectory, const Mounting& mounting, double rate_hz,
              bool means);
 
-  /// Times do not go back.
+  /// Times must not decrease.
   measurement::ImuSample at(motion::Stamp time);
 
  private:

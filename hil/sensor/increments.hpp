@@ -7,24 +7,24 @@
 
 namespace drydock::sensor {
 
-/// What an integrating inertial measurement unit gives over an interval, in its own axes: the
-/// integrals of angular rate against inertial space and of specific force, each component for
-/// itself. Coning and sculling are in the mechanization that uses them.
+/// The output of an integrating inertial measurement unit over an interval, in its own axes: the
+/// integrals of angular rate against inertial space and of specific force, for each component
+/// separately. The mechanization that uses them corrects for coning and sculling.
 struct Increments {
   Eigen::Vector3d angle = Eigen::Vector3d::Zero();     ///< rad
   Eigen::Vector3d velocity = Eigen::Vector3d::Zero();  ///< m/s
 };
 
-/// Integrates a trajectory from a time on, interval after interval, by Simpson's rule in pieces of
-/// 10 ms or less. Of the force at the lever arm r, dw/dt x r integrates to the exact change of
-/// w x r. docs/vehicle.md, eq. (10), (11). The trajectory and the start of its steps are best the
-/// same: then no kink of a command lies within a piece.
+/// Integrates a trajectory, one interval after another, by Simpson's rule in pieces of at most 10
+/// ms. In the force at the lever arm r, dw/dt x r integrates to the exact change of w x r.
+/// docs/vehicle.md, eq. (10), (11). The steps should begin at the start of the trajectory: then no
+/// piece contains a kink of a command.
 class IncrementIntegrator {
  public:
   IncrementIntegrator(const motion::Trajectory& trajectory, motion::Stamp from,
                       const Mounting& mounting = {});
 
-  /// From the end of the interval before to `to`, which is not earlier.
+  /// From the end of the previous interval to `to`, which must not be earlier.
   Increments until(motion::Stamp to);
 
  private:

@@ -6,7 +6,7 @@
 
 namespace drydock::sensor {
 
-/// Where a sensor sits: its axes against the body's, and its place in the body frame.
+/// The attitude of a sensor relative to the body, and its place in the body frame.
 struct Mounting {
   Eigen::Matrix3d sensor_to_body = Eigen::Matrix3d::Identity();
   Eigen::Vector3d lever_arm_m = Eigen::Vector3d::Zero();
@@ -16,7 +16,7 @@ struct Mounting {
   }
 };
 
-/// mounting_rad turns the body's axes by yaw, then pitch, then roll into the sensor's.
+/// mounting_rad turns the body's axes by yaw, then pitch, then roll into the sensor's axes.
 Mounting mounting_of(const rig_config::DeviceConfig& config);
 
 }  // namespace drydock::sensor

@@ -7,14 +7,14 @@
 #include "hil/sensor/constants.hpp"
 #include "hil/sensor/random.hpp"
 
-/// What differs from sample to sample. Each process draws from a stream of its own. `axes`: 3, or 1
-/// for a scalar quantity, which draws one number a sample in place of three.
+/// Random errors that change from sample to sample. Each process has its own random stream. `axes`
+/// is 3, or 1 for a scalar quantity, which draws one number per sample instead of three.
 namespace drydock::sensor {
 
 using measurement::Stamp;
 
-/// docs/sensors.md (8): independent from sample to sample. A density N gives a sample, which is the
-/// mean over 1 / rate, the deviation N sqrt(rate): its integral walks by N sqrt(t) at any rate.
+/// docs/sensors.md (8): independent from sample to sample. A sample is the mean over 1 / rate, so a
+/// density N gives the deviation N sqrt(rate), and the integral grows by N sqrt(t) at any rate.
 class WhiteNoise {
  public:
   WhiteNoise(const rig_config::SensorErrors& errors, double rate_hz, const ErrorSource& source);
@@ -28,7 +28,7 @@ class WhiteNoise {
   RandomStream random_;
 };
 
-/// docs/sensors.md (9): Gauss-Markov of first order, stationary from the first sample on.
+/// docs/sensors.md (9): first-order Gauss-Markov process, stationary from the first sample.
 class BiasInstability {
  public:
   BiasInstability(const rig_config::SensorErrors& errors, const ErrorSource& source);
@@ -41,12 +41,12 @@ class BiasInstability {
  private:
   Vector3d sigma_, value_ = Vector3d::Zero();
   double correlation_s_;
-  std::chrono::nanoseconds dt_{0};  ///< for which the next two hold
+  std::chrono::nanoseconds dt_{0};  ///< the interval for which the next two values hold
   double memory_ = 1, renewal_ = 0;
   RandomStream random_;
 };
 
-/// docs/sensors.md (10): zero at the first sample, variance growing with time.
+/// docs/sensors.md (10): zero at the first sample; the variance grows with time.
 class RandomWalk {
  public:
   RandomWalk(const rig_config::SensorErrors& errors, const ErrorSource& source);
@@ -60,7 +60,7 @@ class RandomWalk {
   RandomStream random_;
 };
 
-/// Both slow processes, moved on to the instants of the samples; a gap counts as time.
+/// Both slow processes at the times of the samples. The time of a gap counts too.
 class Drift {
  public:
   Drift(const rig_config::SensorErrors& errors, const ErrorSource& source)

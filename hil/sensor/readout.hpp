@@ -4,7 +4,7 @@
 
 namespace drydock::sensor {
 
-/// What the converter makes of a reading: saturation, then steps (docs/sensors.md (11) to (13)).
+/// The effect of the converter on a reading: saturation, then steps (docs/sensors.md (11) to (13)).
 class Readout {
  public:
   explicit Readout(const rig_config::SensorErrors& errors);
@@ -17,7 +17,7 @@ class Readout {
 
   Vector3d range_, step_;
   bool saturates_, quantises_, carried_;
-  Vector3d rest_ = Vector3d::Zero();  ///< rounded off the last sample, where it is carried
+  Vector3d rest_ = Vector3d::Zero();  ///< rounding remainder of the last sample, if it is carried
 };
 
 }  // namespace drydock::sensor

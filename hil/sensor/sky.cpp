@@ -28,7 +28,8 @@ constexpr std::array<Pass, 10> passes{{{2, 15, 62},
                                        {30, 347, 37}}};
 
 constexpr double orbit_s = 43082;          // half a sidereal day
-constexpr double elevation_swing_deg = 8;  // keeps all ten above the horizon mask of 4 deg
+constexpr double elevation_swing_deg = 8;  // keeps all ten satellites above the horizon mask of 4
+                                           // deg
 
 }  // namespace
 

@@ -5,23 +5,23 @@
 
 namespace drydock::sensor {
 
-/// Where an emulated receiver's satellites come from. May hold noise: one for each receiver, asked
-/// in time order.
+/// The source of an emulated receiver's satellites. It may hold noise, so each receiver has its own
+/// and asks in time order.
 class Sky {
  public:
   virtual ~Sky() = default;
 
-  /// What a receiver whose antenna is out of the water says of the satellites above its mask. One
-  /// it knows of but does not track has no C/N0.
+  /// The satellites above the mask, for a receiver whose antenna is above the water. A satellite
+  /// that is known but not tracked has no C/N0.
   virtual measurement::GnssSatellites at(const motion::Truth& truth) = 0;
 };
 
-/// A synthetic sky of ten GPS satellites whose azimuth and elevation drift slowly, with C/N0 from
-/// elevation. It has the shape of a real sky and the rates of a real one, but it is nobody's
-/// almanac: positions are not solved from it. Empty under water.
+/// A synthetic sky of ten GPS satellites with slowly drifting azimuth and elevation and C/N0 from
+/// elevation. Its shape and rates are realistic, but it follows no almanac: no position can be
+/// solved from it. Empty under water.
 measurement::GnssSatellites ideal_sky(const motion::Truth& truth, bool under_water);
 
-/// `ideal_sky` as a source: what a receiver has when no ephemeris is named.
+/// `ideal_sky` as a source, for a receiver without an ephemeris.
 class InventedSky final : public Sky {
  public:
   measurement::GnssSatellites at(const motion::Truth& truth) override {

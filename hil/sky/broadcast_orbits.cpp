@@ -9,11 +9,12 @@
 namespace drydock::sky {
 namespace {
 
-constexpr std::chrono::hours same_orbit_for{12};  // extrapolated so far, still within kilometres
+constexpr std::chrono::hours same_orbit_for{12};  // an orbit extrapolated so far is still right
+                                                  // within kilometres
 constexpr double same_orbit_m = 500e3;
-constexpr std::ptrdiff_t witnesses = 4;  // records before and as many after
+constexpr std::ptrdiff_t witnesses = 4;  // number of records before, and the same number after
 
-/// Between two records of one number: where they put the satellite half-way in time.
+/// Distance between the satellite positions that two records of one number give half-way in time.
 double disagreement_m(const Ephemeris& a, const Ephemeris& b) {
   const GpsTime middle = a.toe + (b.toe - a.toe) / 2;
   return (satellite_at(a, middle).ecef_m - satellite_at(b, middle).ecef_m).norm();
@@ -21,10 +22,10 @@ double disagreement_m(const Ephemeris& a, const Ephemeris& b) {
 
 struct Vote {
   int against = 0, in_favour = 0;
-  double nearest_m = 0;  ///< least disagreement of those against
+  double nearest_m = 0;  ///< smallest disagreement of the votes against
 };
 
-/// What the neighbours in time say of a record of `sorted`, which is by satellite and toe.
+/// The votes of the neighbours in time on one record. `sorted` is ordered by satellite and toe.
 Vote vote_on(const std::vector<Ephemeris>& sorted, std::ptrdiff_t index) {
   const Ephemeris& record = sorted[static_cast<std::size_t>(index)];
   const auto size = static_cast<std::ptrdiff_t>(sorted.size());

@@ -9,12 +9,13 @@
 
 namespace drydock::sky {
 
-/// The broadcast does not fit further from its time than this.
+/// A broadcast record is valid up to this time before and after toe.
 inline constexpr std::chrono::hours record_holds{2};
 
-/// The records of one or more files, from which one is chosen per satellite and instant. Refused
-/// whatever their health bits say: records with an absurd orbit, and those that put the satellite
-/// elsewhere than most of its records of the time do, as when another's stand under its number.
+/// The records of one or more files; one is chosen per satellite and time. Two kinds of records are
+/// refused whatever their health bits say: records with an absurd orbit, and records that disagree
+/// with most records of the same satellite near that time, for example under a wrong satellite
+/// number.
 class BroadcastOrbits {
  public:
   explicit BroadcastOrbits(const std::vector<Ephemeris>& records);
@@ -27,20 +28,20 @@ class BroadcastOrbits {
 
   enum class Health { healthy, any };
 
-  /// The record of a satellite whose toe is nearest, within 2 h before or after; of two equally
-  /// near the earlier. By default an unhealthy one is as if it were not there. nullptr if none.
+  /// The record of a satellite with the nearest toe, within 2 h before or after; of two equally
+  /// near, the earlier. By default unhealthy records are ignored. Null if there is none.
   const Ephemeris* nearest(int prn, GpsTime time, Health health = Health::healthy) const;
 
-  /// Satellites with a healthy record at that time.
+  /// Number of satellites with a healthy record at that time.
   int usable(GpsTime time) const;
 
-  /// First and last toe of the sound records; equal and zero when there are none.
+  /// First and last toe of the sound records. Equal and zero if there are none.
   std::pair<GpsTime, GpsTime> span() const;
 
  private:
   void refuse_strangers();
 
-  std::vector<Ephemeris> records_;  ///< sound ones, by satellite and toe
+  std::vector<Ephemeris> records_;  ///< sound ones, ordered by satellite and toe
   std::vector<Refused> refused_;
 };
 

@@ -10,13 +10,13 @@
 
 namespace drydock::sky {
 
-/// The satellites of a broadcast ephemeris as one receiver hears them: those above its mask, each
-/// with a C/N0 from the antenna's pattern and the vehicle's attitude, with noise, in whole dB as
-/// receivers report it (docs/sky.md eq. (13) to (16)). Used are the tracked ones.
+/// The satellites of a broadcast ephemeris as one receiver tracks them: all above its mask. Each
+/// C/N0 comes from the antenna's pattern and the vehicle's attitude, with noise, in whole dB as
+/// receivers report it (docs/sky.md eq. (13) to (16)). Tracked satellites are marked as used.
 class BroadcastSky final : public sensor::Sky {
  public:
-  /// `mission_start`: where `config.at_utc_ns` sets the sky to another day, the sky is at that
-  /// instant when the mission begins, and runs on from there.
+  /// If `config.at_utc_ns` sets the sky to another day, the sky has that time at `mission_start`
+  /// and continues from there.
   BroadcastSky(BroadcastOrbits orbits, const rig_config::SkyConfig& config,
                measurement::Stamp mission_start, std::uint64_t seed, std::string_view device);
 

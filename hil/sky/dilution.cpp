@@ -7,7 +7,7 @@ namespace drydock::sky {
 
 namespace {
 
-/// Beyond it the range errors of a receiver become hundreds of metres: no solution.
+/// Above this the position error is hundreds of metres and counts as no solution.
 constexpr double largest_geometric = 100;
 
 Eigen::Vector4d row_of(double elevation, double azimuth) {

@@ -12,7 +12,7 @@
 namespace drydock::sky {
 namespace {
 
-/// As much as a navigation file may have, and a byte more where there is more. Empty: unreadable.
+/// The text of a file, at most one byte more than a navigation file may have. Empty: unreadable.
 std::string beginning_of(const std::string& path) {
   std::error_code missing;
   if (std::filesystem::is_directory(path, missing)) return {};

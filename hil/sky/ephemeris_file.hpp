@@ -7,12 +7,12 @@
 
 namespace drydock::sky {
 
-/// `file:line: what is wrong, what is allowed`; no line for a file that cannot be read.
+/// `file:line: what is wrong, what is allowed`; no line number if the file cannot be read.
 struct FileError {
   std::string message;
 };
 
-/// Called by result::value() when there is none; throws std::runtime_error.
+/// Called by result::value() if there is no file; throws std::runtime_error.
 [[noreturn]] void throw_exception_from_error(const FileError& error,
                                              const boost::source_location& where);
 

@@ -13,7 +13,7 @@ using measurement::Stamp;
 
 constexpr sys_days gps_epoch = 1980y / January / 6;
 
-// IERS Bulletin C: the first UTC day on which GPS time is one second further ahead.
+// IERS Bulletin C: the first UTC day after each leap second.
 constexpr std::array<sys_days, 18> leaps{
     1981y / July / 1,    1982y / July / 1,    1983y / July / 1,    1985y / July / 1,
     1988y / January / 1, 1990y / January / 1, 1991y / January / 1, 1992y / July / 1,
@@ -35,8 +35,8 @@ seconds gps_ahead_of_utc(Stamp utc) {
 GpsTime gps_time(Stamp utc) { return GpsTime{calendar(utc) - gps_epoch + gps_ahead_of_utc(utc)}; }
 
 Stamp utc_time(GpsTime time) {
-  // A first guess without leap seconds is at most 18 s late: it finds the right count but for those
-  // seconds after a leap, which the second look settles.
+  // The first guess ignores leap seconds and is at most 18 s late. It gives the right count except
+  // in the seconds after a leap. The second step corrects these.
   const Stamp guess{gps_epoch.time_since_epoch() + time.time_since_epoch()};
   const Stamp near = guess - gps_ahead_of_utc(guess);
   return guess - gps_ahead_of_utc(near);

@@ -18,14 +18,14 @@ struct GpsClock {
 };
 using GpsTime = GpsClock::time_point;
 
-/// How far GPS time is ahead of UTC at a UTC instant, s: the IERS leap seconds since 1980. Stands
-/// still at the last one that was announced (2017-01-01, 18 s).
+/// GPS time minus UTC at a UTC time, s: the IERS leap seconds since 1980. After the last announced
+/// leap second (2017-01-01) it stays at 18 s.
 std::chrono::seconds gps_ahead_of_utc(measurement::Stamp utc);
 
 GpsTime gps_time(measurement::Stamp utc);
 measurement::Stamp utc_time(GpsTime time);
 
-/// A calendar instant of GPS time, as RINEX and SP3 write it.
+/// A calendar time of GPS time, as RINEX and SP3 write it.
 GpsTime gps_time(std::chrono::sys_days date, std::chrono::nanoseconds of_day);
 
 /// Full weeks since 1980 (not modulo 1024) and the time since the week began (Sunday 00:00).
@@ -35,7 +35,7 @@ struct GpsWeek {
 };
 GpsWeek week_of(GpsTime time);
 
-/// `2010-07-01T12:00:00 GPS`, to the second below.
+/// `2010-07-01T12:00:00 GPS`, rounded down to seconds.
 std::string to_string(GpsTime time);
 
 }  // namespace drydock::sky

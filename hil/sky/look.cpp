@@ -11,7 +11,7 @@ Look look_at(const Ephemeris& record, GpsTime reception, const frame::Position& 
   const Eigen::Vector3d antenna = frame::ecef(place);
   Eigen::Vector3d line = Eigen::Vector3d::Zero();
   double flight_s = 0.075;
-  // 0.075 s is off by less than 0.02 s; each turn brings a factor of 1e-5 (speed over c).
+  // 0.075 s is wrong by less than 0.02 s; each iteration reduces the error by 1e-5 (speed over c).
   for (int turn = 0; turn < 3; ++turn) {
     const auto p = satellite_at(record, reception - measurement::from_seconds(flight_s)).ecef_m;
     const double turned = gps_earth_rate * flight_s, s = std::sin(turned), c = std::cos(turned);

@@ -7,16 +7,16 @@
 
 namespace drydock::sky {
 
-/// A satellite as seen from a place.
+/// The direction and distance of a satellite from a place.
 struct Look {
   double elevation_rad = 0;    ///< above the ellipsoid's horizon
-  double azimuth_rad = 0;      ///< [0, 2 pi), from north over east
+  double azimuth_rad = 0;      ///< [0, 2 pi), from north through east
   double range_m = 0;          ///< geometric, from emission to reception
   Eigen::Vector3d toward_ned;  ///< unit vector to the satellite in the place's NED axes
 };
 
-/// At a reception time: the satellite stands where it was when the signal left, and the Earth has
-/// turned under the signal since (docs/sky.md eq. (11), (12)). The atmosphere does not bend it.
+/// For a reception time. The satellite position is that of the emission time, and the Earth rotates
+/// during the signal's flight (docs/sky.md eq. (11), (12)). The atmosphere is not modelled.
 Look look_at(const Ephemeris& record, GpsTime reception, const frame::Position& place);
 
 }  // namespace drydock::sky

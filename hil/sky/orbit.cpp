@@ -10,7 +10,8 @@ namespace {
 
 constexpr double degree = std::numbers::pi / 180;
 
-/// Kepler's equation (2) by Newton. With e below 0.03 three turns leave rounding alone.
+/// Kepler's equation (2) by Newton's method. For e below 0.03, three iterations reach rounding
+/// error.
 double eccentric_anomaly(double mean, double e) {
   double anomaly = mean;
   for (int turn = 0; turn < 4; ++turn)

@@ -16,18 +16,18 @@ inline constexpr double light_speed = 299792458;            ///< m/s
 inline constexpr double gps_relativity = -4.442807633e-10;  ///< F, s/m^(1/2), eq. (9)
 
 struct SatelliteState {
-  Eigen::Vector3d ecef_m;   ///< antenna, in the ECEF frame of that same instant
-  double clock_s = 0;       ///< the satellite's clock ahead of GPS time, relativity within
-  double relativity_s = 0;  ///< the part of it that e F sqrt(A) sin E makes
+  Eigen::Vector3d ecef_m;   ///< antenna, in the ECEF frame of the same instant
+  double clock_s = 0;       ///< satellite clock minus GPS time, with the relativistic part
+  double relativity_s = 0;  ///< the relativistic part: F e sqrt(A) sin E
 };
 
-/// Holds for records that `absurd` has nothing against; any time, though the broadcast fits only
-/// some two hours around toe.
+/// Valid for records that `absurd` accepts. Any time is allowed, but the broadcast is accurate only
+/// within about two hours of toe.
 SatelliteState satellite_at(const Ephemeris& record, GpsTime time);
 
-/// Why a record cannot be the orbit of a GPS satellite, whatever its health bits say: semi-major
-/// axis, eccentricity, inclination or the radius at toe far from the constellation's (IS-GPS-200,
-/// table 20-III; 26 560 km, 55 deg). Nothing for a sound one.
+/// Why a record cannot be the orbit of a GPS satellite, whatever its health bits say: the
+/// semi-major axis, eccentricity, inclination or radius at toe is far from that of the
+/// constellation (IS-GPS-200, table 20-III; 26 560 km, 55 deg). Empty for a sound record.
 std::optional<std::string> absurd(const Ephemeris& record);
 
 }  // namespace drydock::sky

@@ -15,11 +15,11 @@ namespace {
 
 using namespace std::chrono;
 
-/// Where the two versions put things; columns from 0.
+/// Column positions of the two versions, counted from 0.
 struct Layout {
   std::size_t year, year_width, month, day, hour, minute, second, second_width;
-  std::size_t clock;         ///< first number of a record's first line
-  std::size_t continuation;  ///< and of the others
+  std::size_t clock;         ///< first number in the first line of a record
+  std::size_t continuation;  ///< first number in the other lines
 };
 constexpr Layout version_2{3, 2, 6, 9, 12, 15, 17, 5, 22, 3};
 constexpr Layout version_3{4, 4, 9, 12, 15, 18, 21, 2, 23, 4};
@@ -28,7 +28,7 @@ constexpr std::size_t number_width = 19;
 constexpr std::size_t record_lines = 8;
 constexpr std::size_t label_column = 60;
 
-/// The numbers of a record, one line of the file after the other.
+/// The numbers of a record in file order, one line of the file per line here.
 // clang-format off
 struct At {
   enum : std::size_t {
@@ -45,7 +45,7 @@ struct At {
 };
 // clang-format on
 
-/// The record can be used without these.
+/// A record can be used without these.
 constexpr bool may_be_blank(std::size_t field) {
   return field == At::iode || field == At::codes_l2 || field == At::week || field == At::l2p_flag ||
          field == At::accuracy || field == At::group_delay || field >= At::iodc;
@@ -88,7 +88,7 @@ class Reader {
     return true;
   }
 
-  /// The first mistake counts: what follows it may be its consequence.
+  /// Keeps the first error, because later errors may follow from it.
   void fail(std::string what) {
     if (!error_) error_ = RinexError{number_, std::move(what)};
   }

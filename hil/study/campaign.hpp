@@ -13,42 +13,43 @@
 
 #include "hil/sensor/random.hpp"
 
-/// Many runs of one experiment, on several threads, with a result that does not show how many.
+/// Many runs of one experiment on several threads. The result does not depend on their number.
 namespace drydock::study {
 
 struct Options {
   std::size_t runs = 100;
   std::uint64_t seed = 1;
   unsigned jobs = 1;           ///< threads; the result does not depend on it
-  std::string ephemeris = {};  ///< navigation file of the study that needs one; empty: its own
-  std::vector<std::string> cases = {};  ///< of those that the study has; empty: all
+  std::string ephemeris = {};  ///< navigation file for a study that needs one; empty: its own
+  std::vector<std::string> cases = {};  ///< names of cases of the study; empty: all
 };
 
-/// Who watches a campaign. Calls come one at a time, from any thread.
+/// Observes a campaign. Calls come one at a time, from any thread.
 class Progress {
  public:
   virtual ~Progress() = default;
   virtual void on_run(std::string_view campaign, std::size_t done, std::size_t of) = 0;
-  virtual bool stopped() const = 0;  ///< true: no further run begins
+  virtual bool stopped() const = 0;  ///< true: no more runs begin
 };
 
-/// The random numbers of `stream` in one run: those of (seed, run, stream) and nothing else.
+/// The random numbers of `stream` in one run. They depend only on (seed, run, stream).
 inline sensor::RandomStream stream_of(std::uint64_t seed, std::size_t run,
                                       std::string_view stream) {
   return {seed, "run " + std::to_string(run), stream};
 }
 
-/// Calls `run(k)` for k = 0, 1, ... runs - 1, each independent of the others, and `collect(k, its
-/// outcome)` in the order of k, one at a time. Gives the number of runs collected. When `progress`
-/// stops it, the runs that had begun are finished, so that what was collected is, to the last bit,
-/// a campaign of so many runs. What `run` or `collect` throws ends the campaign and comes out here.
+/// Calls `run(k)` for k = 0, 1, ... runs - 1, independently of each other, and `collect(k,
+/// outcome)` in the order of k, one at a time. Returns the number of collected runs. When
+/// `progress` stops the campaign, the runs that have begun are finished. So the collected result
+/// equals, to the last bit, that of a campaign with this number of runs. An exception of `run` or
+/// `collect` ends the campaign and is thrown again.
 template <class Run, class Collect>
 std::size_t campaign(std::string_view name, const Options& options, Progress& progress, Run&& run,
                      Collect&& collect) {
   using Outcome = decltype(run(std::size_t{}));
-  std::mutex mutex;  // of all that follows
+  std::mutex mutex;  // protects everything below
   std::size_t begun = 0, collected = 0;
-  std::map<std::size_t, Outcome> early;  // done before a run of lower number
+  std::map<std::size_t, Outcome> early;  // finished before a run with a lower number
   std::exception_ptr failure;
 
   const auto next = [&](std::size_t& k) {

@@ -6,13 +6,13 @@
 
 namespace drydock::study {
 
-/// Mean, standard deviation and root mean square of one error over the runs, at each of a row of
-/// instants. Add the runs in their order and the result is the same to the last bit.
+/// Mean, standard deviation and root mean square of one error over the runs, at each of several
+/// instants. If the runs are added in the same order, the result is equal to the last bit.
 class Ensemble {
  public:
   explicit Ensemble(std::size_t instants) : sum_(instants), squares_(instants) {}
 
-  /// The error of one more run at every instant.
+  /// Adds the error of one more run at every instant.
   void add(const std::vector<double>& error) {
     for (std::size_t i = 0; i < sum_.size(); ++i) {
       sum_[i] += error[i];
@@ -26,7 +26,7 @@ class Ensemble {
   double mean(std::size_t i) const { return sum_[i] / static_cast<double>(runs_); }
   double rms(std::size_t i) const { return std::sqrt(squares_[i] / static_cast<double>(runs_)); }
 
-  /// About the ensemble's mean, of n (not n - 1) runs.
+  /// About the ensemble's mean; divides by n, not n - 1.
   double deviation(std::size_t i) const {
     const double variance = squares_[i] / static_cast<double>(runs_) - mean(i) * mean(i);
     return std::sqrt(variance > 0 ? variance : 0);

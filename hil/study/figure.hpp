@@ -10,15 +10,16 @@ struct Curve {
   std::string label;
   std::vector<double> x, y;
   bool band = false;    ///< drawn as +-y around zero (a sigma band)
-  bool points = false;  ///< each on its own, not joined
+  bool points = false;  ///< separate points, not joined
 };
 
 struct Figure {
   std::string title, x_label, y_label;
   std::vector<Curve> curves;
-  double y_limit = 0;  ///< 0: as the data needs; else as far as this, down only where they go
-  bool equal_scales = false;          ///< a metre is as long on both axes
-  bool log_x = false, log_y = false;  ///< a decade is as long everywhere; values are above 0
+  double y_limit = 0;  ///< 0: automatic; else the axis ends here, and at -y_limit if a value is
+                       ///< negative
+  bool equal_scales = false;          ///< a metre has the same length on both axes
+  bool log_x = false, log_y = false;  ///< values must be positive
 };
 
 }  // namespace drydock::study

@@ -10,10 +10,11 @@
 #include "hil/study/campaign.hpp"
 #include "hil/study/figure.hpp"
 
-/// The papers' experiments: each a function from options to tables, figures and numbers.
+/// The papers' experiments. Each is a function from options to tables, figures and numbers.
 namespace drydock::study {
 
-/// Text, ready to print: the paper's figures beside ours. Every row has as many cells as columns.
+/// A printable table: the paper's figures beside ours. Every row has as many cells as there are
+/// columns.
 struct Table {
   std::string title;
   std::vector<std::string> columns;
@@ -21,34 +22,33 @@ struct Table {
   std::string note;  ///< below the table; may be empty
 };
 
-/// Depends on the seed and the number of runs alone: no times, no host, no number of threads.
+/// Depends only on the seed and the number of runs, not on times, host or number of threads.
 struct Result {
-  std::size_t runs = 0;  ///< done; fewer than asked for where it was stopped
+  std::size_t runs = 0;  ///< finished runs; fewer than requested after a stop
   std::vector<Table> tables;
   std::vector<Figure> figures;
-  nlohmann::ordered_json json;  ///< an object; docs/study.md names its keys
+  nlohmann::ordered_json json;  ///< an object; docs/study.md describes its keys
 };
 
-/// What takes time on board. A result has no times, so whoever runs the study measures it.
+/// A computation that takes time on board. A Result contains no times, so the caller measures it.
 struct Workload {
-  std::string key;   ///< of the result's JSON, which gets its `ns_per_step`
+  std::string key;   ///< key in the result's JSON for its `ns_per_step`
   std::string name;  ///< in the table
   std::function<void(std::size_t steps)> run;
 };
 
 struct Study {
-  std::string_view name;   ///< as the command line has it
-  std::string_view title;  ///< what is repeated, and whose
-  /// Stopped before the first run is done, it gives a result of no runs, of which nothing is shown.
-  /// Throws std::runtime_error, one line, where a file that it needs is not there.
+  std::string_view name;   ///< on the command line
+  std::string_view title;  ///< the repeated experiment and its authors
+  /// If it is stopped before the first run is finished, the result has no runs and nothing is
+  /// shown. Throws std::runtime_error with one line if a required file is missing.
   Result (*run)(const Options& options, Progress& progress);
-  std::vector<Workload> (*workloads)() =
-      nullptr;  ///< the first is what the others are compared with
-  /// What Options::cases may name; none: the study is run whole.
+  std::vector<Workload> (*workloads)() = nullptr;  ///< the others are compared with the first
+  /// The allowed names of Options::cases; null: the study has no separate cases.
   std::vector<std::string_view> (*cases)() = nullptr;
 };
 
-/// All of them, in the order of the papers.
+/// All studies in the order of the papers.
 std::span<const Study> studies();
 
 }  // namespace drydock::study

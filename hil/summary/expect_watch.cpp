@@ -13,7 +13,7 @@ std::size_t index_of(const std::vector<Named>& all, const std::string& name) {
   return static_cast<std::size_t>(std::ranges::find(all, name, &Named::name) - all.begin());
 }
 
-/// What a device counted since `before`; its state and rate are those of now.
+/// The device's counts since `before`. State and rate are the present ones.
 DeviceSummary counted_since(const DeviceSummary& before, DeviceSummary now) {
   now.bytes_in -= before.bytes_in;
   now.bytes_good -= before.bytes_good;
@@ -39,7 +39,7 @@ void ExpectWatch::note(const std::string& device, const device::Transition& chan
   for (Window& w : windows_) {
     const auto& e = *w.expect;
     if (e.device != device || e.state.empty() || !(e.after_s > 0) || t <= e.after_s) continue;
-    // Until the first change after after_s, the device was in the state `from` since then.
+    // From after_s until the first change, the device was in the state `from`.
     for (const auto& [state, since] :
          {std::pair{to_string(change.from), e.after_s}, std::pair{to_string(change.to), t}}) {
       if (w.other_state.empty() && state != e.state)

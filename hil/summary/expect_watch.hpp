@@ -10,13 +10,13 @@
 
 namespace drydock::summary {
 
-/// Follows a run for those [[expect]] of its rig that begin some time after the start: counters
-/// from there on, states that were not expected, errors of the later estimates.
+/// Follows a run for the [[expect]] blocks with after_s > 0. From that time on it takes counters,
+/// unexpected states and the errors of estimates.
 class ExpectWatch {
  public:
   using Devices = std::vector<DeviceSummary>;
 
-  /// `truth` may be empty. Rig and truth must outlive the watch.
+  /// `truth` may be null. Rig and truth must outlive the watch.
   ExpectWatch(const rig_config::Rig& rig, const motion::Trajectory* truth,
               measurement::Stamp start);
 
@@ -24,12 +24,12 @@ class ExpectWatch {
   void note(const pipeline::AttitudeEstimate& estimate);
   void note(const pipeline::NavigationEstimate& estimate);
 
-  /// To be called about once a second, in lockstep at each: what had been counted by `now`.
-  /// `devices` is asked only when a block begins.
+  /// Call it about once a second, in lockstep exactly every second. It stores the counts at `now`
+  /// when a block begins, and calls `devices` only then.
   void follow(measurement::Stamp now, const std::function<Devices()>& devices,
               const pipeline::Pipeline& pipeline);
 
-  /// At the end: gives the summary what the pipeline counted, and its verdicts.
+  /// Call it at the end. Adds the pipeline's counts and the verdicts to the summary.
   void write(Summary& summary, const pipeline::Pipeline& pipeline) const;
 
  private:
@@ -52,7 +52,7 @@ class ExpectWatch {
   const rig_config::Rig& rig_;
   const motion::Trajectory* truth_;
   measurement::Stamp start_;
-  std::vector<Window> windows_;  ///< one a block
+  std::vector<Window> windows_;  ///< one per block
 };
 
 }  // namespace drydock::summary

@@ -26,7 +26,7 @@ constexpr DeviceFigure device_figures[]{
     {"reopens", [](const DeviceSummary& d) { return static_cast<double>(d.reopens); }},
 };
 
-/// `missing`: why there may be no value.
+/// `missing` says why there may be no value.
 struct EstimatorFigure {
   std::string_view name;
   Value (*of)(const EstimatorSummary&);

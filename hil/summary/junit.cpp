@@ -7,7 +7,7 @@
 namespace drydock::summary {
 namespace {
 
-/// Text inside an attribute: what XML 1.0 has no character for becomes a question mark.
+/// Text inside an attribute. A character that XML 1.0 does not allow becomes a question mark.
 std::string attribute(std::string_view text) {
   std::string out;
   for (const char c : text) {

@@ -6,11 +6,11 @@
 
 namespace drydock::summary {
 
-/// The verdicts of a run as a JUnit XML file, one testcase each, for a CI server to show.
-/// `rig_file` is named beside the lines.
+/// The verdicts of a run as a JUnit XML file for a CI server, one testcase each. Each testcase
+/// names `rig_file` and the line of its expectation.
 std::string to_junit(const Summary& summary, const std::string& rig_file);
 
-/// The same for a run that could not begin: one testcase, in error.
+/// The same file for a run that could not begin: one testcase with an error.
 std::string junit_of_failure(const std::string& rig, const std::string& rig_file,
                              const std::string& why);
 

@@ -8,14 +8,14 @@
 
 namespace drydock::summary {
 
-/// Follows one navigation estimator: its error against the truth, and thinned curves.
+/// Follows one navigation estimator: its error against the truth, and curves with fewer points.
 class NavigationRecord {
  public:
-  /// `truth`: of the estimate's valid_at, null where there is none. `draw`: a point of the curves.
+  /// `truth` is the truth at the estimate's valid_at, or null. `draw`: add a point to the curves.
   void note(const pipeline::NavigationEstimate& estimate, const motion::Truth* truth, double t_s,
             bool draw);
 
-  std::optional<NavigationError> error() const;  ///< empty: never compared with a truth
+  std::optional<NavigationError> error() const;  ///< empty: no estimate had a truth
   const NavigationTrace& trace() const { return trace_; }
 
  private:

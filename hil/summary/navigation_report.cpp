@@ -22,7 +22,8 @@ std::string navigation_table(const NavigationError& e) {
       e.velocity_max_mps, e.roll_rms_deg, e.pitch_rms_deg, e.heading_rms_deg, e.nees_position);
 }
 
-/// The filter's band, and the error on top of it; what the start brings may leave the axis.
+/// The filter's 3-sigma band and the error over it. The first 2 % of the curve, where the band is
+/// very wide, do not set the limit of the axis.
 std::string error_figure(const std::string& title, const char* unit, const NavigationTrace& t,
                          const std::vector<double>& error, std::vector<double> sigma) {
   double largest = 0;

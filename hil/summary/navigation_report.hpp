@@ -6,7 +6,7 @@
 
 namespace drydock::summary {
 
-/// Error table and figures of one navigation estimator; empty where the trace is.
+/// Error table and figures of one navigation estimator. Empty if the trace is empty.
 std::string navigation_section(const std::optional<NavigationError>& error,
                                const NavigationTrace& trace);
 

@@ -107,7 +107,7 @@ std::string axis_figures(const char* axis, const AttitudeTrace& t,
   if (truth.empty()) return out;
   report::Plot error{
       fmt::format("{}: error with the filter's 3-sigma band", axis), "time [s]", "deg", {}};
-  // The band begins tens of degrees wide; the axis shows the error.
+  // The band begins tens of degrees wide, so the error sets the limit of the axis.
   error.y_limit = 1.3 * largest(difference(estimate, truth));
   error.curves.push_back({"3 sigma", t.t_s, scaled(sigma, 3), true});
   error.curves.push_back({"estimate - truth", t.t_s, difference(estimate, truth)});

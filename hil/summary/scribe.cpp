@@ -20,7 +20,8 @@ frame::Position position_of(const motion::Truth& truth) {
   return {truth.latitude_rad, truth.longitude_rad, truth.height_m};
 }
 
-/// Of this process, from the second figure of /proc/self/statm (pages); 0 where there is none.
+/// Resident memory of this process: the second figure of /proc/self/statm, in pages. 0 if there is
+/// no such file.
 double resident_megabytes() {
   std::ifstream statm("/proc/self/statm");
   double size = 0, resident = 0;

@@ -13,7 +13,7 @@
 
 namespace drydock::summary {
 
-/// Root-mean-square and largest error of one estimator; angles in radians in, degrees out.
+/// Root-mean-square and largest error of one estimator. Input in radians, result in degrees.
 class ErrorStatistics {
  public:
   void add(const pipeline::AttitudeEstimate& estimate, const motion::Truth& truth);
@@ -27,22 +27,24 @@ class ErrorStatistics {
   double nees_ = 0;
 };
 
-/// Follows a run: compares estimates with the truth and keeps thinned curves for the report.
+/// Follows a run: compares estimates with the truth and keeps curves with fewer points for the
+/// report.
 class Scribe {
  public:
-  /// `truth` may be empty (real sensors only) and must outlive the scribe. `spacing` thins curves.
+  /// `truth` may be null (real sensors only) and must outlive the scribe. A curve has at most about
+  /// `points_per_curve` points in the expected duration.
   Scribe(const rig_config::Rig& rig, const motion::Trajectory* truth, measurement::Stamp start,
          double expected_duration_s, double points_per_curve = 1500);
 
-  /// To be called as the run goes on, at least as often as the curves have points: the truth's
-  /// motion and the memory of this process at `now`.
+  /// Call it during the run, at least as often as the curves have points. It stores the true motion
+  /// and the memory of this process at `now`.
   void follow(measurement::Stamp now);
 
   void note(const measurement::Measurement& measurement);
   void note(const pipeline::AttitudeEstimate& estimate);
   void note(const pipeline::NavigationEstimate& estimate);
 
-  /// Fills in estimators and all curves of the summary.
+  /// Fills in the estimators and all curves of the summary.
   void write(Summary& summary) const;
 
  private:
@@ -77,7 +79,7 @@ class Scribe {
   std::vector<MeasurementTrace> plots_;
   std::vector<Curve> curves_;
   std::vector<std::size_t> first_curve_;   ///< per device
-  std::optional<frame::Position> origin_;  ///< of the motion's axes
+  std::optional<frame::Position> origin_;  ///< origin of the axes in which the motion is drawn
   MotionTrace motion_;
   ResidentTrace resident_;
 };

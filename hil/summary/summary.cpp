@@ -69,7 +69,7 @@ Json fault_json(const FaultSummary& f) {
           {"until_s", f.until_s ? Json(*f.until_s) : Json(nullptr)}};
 }
 
-/// A line each, as many as a person reads.
+/// One line per fault, up to a number that a person can read.
 std::string faults_text(const std::vector<FaultSummary>& faults) {
   constexpr std::size_t most_lines = 20;
   std::string out;

@@ -10,7 +10,7 @@
 
 namespace drydock::summary {
 
-/// What a run was worth, as the report, the JSON file and the last lines on the terminal show it.
+/// The results of a run, as shown in the report, in the JSON file and on the terminal.
 struct DeviceSummary {
   std::string name, kind, protocol, link, provenance, state, last_error;
   double nominal_rate_hz = 0, rate_hz = 0;
@@ -28,7 +28,7 @@ struct AttitudeError {
 struct NavigationError {
   double horizontal_rms_m = 0, horizontal_max_m = 0, horizontal_end_m = 0;
   double depth_rms_m = 0;
-  double velocity_rms_mps = 0, velocity_max_mps = 0;  ///< of the vector, over ground
+  double velocity_rms_mps = 0, velocity_max_mps = 0;  ///< velocity vector over ground
   double roll_rms_deg = 0, pitch_rms_deg = 0, heading_rms_deg = 0;
   double nees_position = 0;  ///< horizontal, per axis; 1 is consistent
 };
@@ -36,21 +36,21 @@ struct NavigationError {
 struct EstimatorSummary {
   std::string name, kind;
   std::uint64_t estimates = 0;
-  std::uint64_t rejected = 0;  ///< sensors' values outside its gate
-  std::optional<double> nis;   ///< mean normalised square of innovations taken; empty: none
-  std::optional<AttitudeError> whole_run;  ///< empty where there is no truth
+  std::uint64_t rejected = 0;  ///< sensor values outside the estimator's gate
+  std::optional<double> nis;   ///< mean normalised square of accepted innovations; empty: none
+  std::optional<AttitudeError> whole_run;  ///< empty if there is no truth
   std::optional<AttitudeError> after_10_s;
-  std::optional<NavigationError> navigation;  ///< of kinds navigation and velocity
+  std::optional<NavigationError> navigation;  ///< for the kinds navigation and velocity
 };
 
-/// Curves for the report, thinned to at most a few thousand points.
+/// Curves for the report, reduced to at most a few thousand points.
 struct AttitudeTrace {
   std::vector<double> t_s, roll_deg, pitch_deg, true_roll_deg, true_pitch_deg;
   std::vector<double> roll_sigma_deg, pitch_sigma_deg;
 };
 
-/// Where a navigation was, in metres from its first estimate, and how far off; what has no truth is
-/// empty. Sigma: one standard deviation, as the filter has it.
+/// Positions in metres from the first estimate, and their errors. Vectors that need a truth are
+/// empty without one. Sigma is one standard deviation of the filter.
 struct NavigationTrace {
   std::vector<double> t_s, north_m, east_m, true_north_m, true_east_m;
   std::vector<double> north_error_m, east_error_m, north_sigma_m, east_sigma_m;
@@ -62,14 +62,14 @@ struct MotionTrace {
   std::vector<double> t_s, north_m, east_m, depth_m, speed_mps, heading_deg;
 };
 
-/// A fault that was in force, times from the start of the run.
+/// A fault that was in force. Times count from the start of the run.
 struct FaultSummary {
   std::string device, words;
   double since_s = 0;
-  std::optional<double> until_s;  ///< empty: to the end
+  std::optional<double> until_s;  ///< empty: until the end
 };
 
-/// What the process held in memory as the run went on.
+/// Memory of the process during the run.
 struct ResidentTrace {
   std::vector<double> t_s, megabytes;
 };
@@ -77,7 +77,7 @@ struct ResidentTrace {
 struct MeasurementTrace {
   std::string title, unit;
   std::vector<std::string> labels;
-  std::vector<std::vector<double>> t_s, value;  ///< one vector a label
+  std::vector<std::vector<double>> t_s, value;  ///< one vector per label
 };
 
 struct Summary {
@@ -85,28 +85,28 @@ struct Summary {
   std::uint64_t seed = 0;
   double duration_s = 0, wall_s = 0;
   bool interrupted = false;
-  std::vector<std::string> notes;  ///< for a person: which CAN level, what was left out
+  std::vector<std::string> notes;  ///< for a person: which level of CAN is used, what was left out
   std::vector<DeviceSummary> devices;
   std::vector<EstimatorSummary> estimators;
   std::vector<FaultSummary> faults;
   std::vector<Verdict> verdicts;            ///< on the rig's [[expect]]
-  std::vector<AttitudeTrace> traces;        ///< one an estimator
-  std::vector<NavigationTrace> navigation;  ///< one an estimator; empty of other kinds
-  MotionTrace motion;                       ///< empty where there is no truth
+  std::vector<AttitudeTrace> traces;        ///< one per estimator
+  std::vector<NavigationTrace> navigation;  ///< one per estimator; empty for other kinds
+  MotionTrace motion;                       ///< empty if there is no truth
   ResidentTrace resident;
   std::vector<MeasurementTrace> measurements;
 
   bool all_streaming() const;
-  double speed() const { return wall_s > 0 ? duration_s / wall_s : 0; }  ///< times real time
+  double speed() const { return wall_s > 0 ? duration_s / wall_s : 0; }  ///< factor on real time
 };
 
-/// The summary as JSON (without the curves), keys as in docs/run.md.
+/// The summary as JSON, without the curves; docs/run.md describes the keys.
 std::string to_json(const Summary& summary);
 
 /// A table for a terminal.
 std::string to_text(const Summary& summary);
 
-/// One self-contained HTML page with health table and plots.
+/// One self-contained HTML page with a health table and plots.
 std::string to_html(const Summary& summary);
 
 }  // namespace drydock::summary

@@ -12,7 +12,7 @@ std::int64_t second_of(Stamp at) {
 
 double microseconds_of(Stamp::duration d) { return static_cast<double>(d.count()) / 1e3; }
 
-/// By sample: when the last of what it says was out.
+/// For each sample: when the last measurement from it was out.
 std::map<Stamp, Stamp> answers(std::span<const Figures> figures) {
   std::map<Stamp, Stamp> out_at;
   for (const Figures& of : figures)

@@ -9,7 +9,7 @@
 namespace drydock::validity {
 namespace {
 
-/// Parts of a sample that come by messages of their own, each with its own time.
+/// Names the measurements that come from separate messages, each with its own time.
 struct WhatItSays {
   std::string_view operator()(const measurement::ImuSample&) const { return "sample"; }
   std::string_view operator()(const measurement::BottomVelocity&) const { return "velocity"; }

@@ -6,35 +6,35 @@
 #include "drivers/measurement/measurement.hpp"
 #include "hil/emulate/emulated_device.hpp"
 
-/// How far `valid_at` of measurements is from when the emulated sensor took them.
-/// docs/time-of-validity.md
+/// The difference between `valid_at` of measurements and the time at which the emulated sensor took
+/// them. docs/time-of-validity.md
 namespace drydock::validity {
 
 using measurement::Stamp;
 
-/// Order statistics of values, |value| but for the median, microseconds.
+/// Order statistics in microseconds: of |value|, but the median of the signed value.
 struct Spread {
   double median_us = 0, p50_us = 0, p95_us = 0, p99_us = 0, largest_us = 0;
 };
 
-/// Empty values: all zero.
+/// For no values all results are zero.
 Spread spread_of(std::vector<double> values_us);
 
-/// One thing that a device says, such as a log's speed.
+/// One kind of measurement of a device, such as a log's speed.
 struct Figures {
   std::string device, what;
-  std::size_t lost = 0;           ///< samples of which nothing came, between first and last
+  std::size_t lost = 0;           ///< samples without a measurement, between the first and the last
   std::size_t unpaired = 0;       ///< measurements without a sample
-  std::vector<double> errors_us;  ///< valid_at less the sample's time, in order
-  /// What an error is made of, beside what the driver could not know or did late: `waited` for a
-  /// line or bus that was busy, `late`: written to the host after its last bit was due.
+  std::vector<double> errors_us;  ///< valid_at minus the sample's time, in order
+  /// Known parts of an error. `waited`: the line or bus was busy. `late`: the write to the host
+  /// came after the last bit was due.
   std::vector<double> waited_us, late_us;
-  std::vector<double> rest_us;  ///< errors less these two: the driver's
-  /// When each was taken, and when its driver had it out.
+  std::vector<double> rest_us;  ///< errors minus these two parts: the driver's share
+  /// When each sample was taken, and when its driver had the measurement out.
   std::vector<Stamp> sampled_at, out_at;
 };
 
-/// Hears what was sent and what was made of it, and pairs them in the end.
+/// Collects sent messages and measurements, and pairs them at the end.
 class Listener {
  public:
   explicit Listener(std::vector<std::string> devices) : devices_(devices.size()) {
@@ -43,16 +43,16 @@ class Listener {
 
   /// A message or frame that reached the host at `written`.
   void note(std::string_view device, const emulate::Passage& passage, Stamp written);
-  /// `out_at`: when the driver had it out.
+  /// `out_at`: when the driver had the measurement out.
   void note(const measurement::Measurement& measurement, Stamp out_at);
   void note(const measurement::Measurement& m) { note(m, measurement::origin_of(m).received_at); }
 
-  std::vector<Figures> figures() const;  ///< by device, then in the order in which they first came
-  /// When the samples of a device were taken of which a message left, in order.
+  std::vector<Figures> figures() const;  ///< by device, then in the order of first arrival
+  /// The times of a device's samples of which a message was sent, in order.
   std::vector<Stamp> sampled_at(std::string_view device) const;
 
  private:
-  /// Of a sample, the first message.
+  /// The first message of a sample.
   struct Sent {
     Stamp sampled_at, sent_at, began_at, ended_at, written;
   };

@@ -8,19 +8,19 @@
 namespace drydock::validity {
 namespace {
 
-/// Samples looked at on either side of the nearest.
+/// Number of samples to consider on each side of the nearest.
 constexpr std::ptrdiff_t reach = 12;
 constexpr std::size_t width = 2 * reach + 1;
-/// More than any error, so that a measurement is left alone only where it must be.
+/// Cost of a measurement without a sample. It is larger than any error, so this is the last choice.
 constexpr double alone_ns = 1e12;
 constexpr double never = std::numeric_limits<double>::infinity();
 
-/// The cheapest ways to assign all measurements up to one, by the sample that it takes (or, being
-/// left alone, the last one taken before).
+/// The cheapest assignments of all measurements up to one, by the sample that this measurement
+/// takes. If it takes none, by the last sample taken before.
 struct Row {
-  std::ptrdiff_t first = 0;  ///< the sample of place 0
+  std::ptrdiff_t first = 0;  ///< index of the sample at place 0
   std::array<double, width> cost{};
-  std::array<std::int8_t, width> before{};  ///< place in the row before
+  std::array<std::int8_t, width> before{};  ///< place in the previous row
   std::array<bool, width> alone{};
 };
 
@@ -38,7 +38,7 @@ Row next_row(const Row* last, std::span<const Stamp> samples, Stamp valid_at) {
   row.first = nearest(samples, valid_at) - reach;
   if (last) row.first = std::max(row.first, last->first);
   row.cost.fill(never);
-  double least = last ? never : 0;  // of all that took an earlier sample
+  double least = last ? never : 0;  // least cost of those that took an earlier sample
   std::int8_t place = -1;
   std::ptrdiff_t seen = 0;
   for (std::size_t k = 0; k < width; ++k) {

@@ -32,7 +32,7 @@ motion::Schedule read_schedule(const std::string& path) {
   return motion::parse_schedule(text, path);
 }
 
-/// What was asked for cannot be sailed by this vehicle.
+/// The vehicle cannot sail the requested manoeuvre.
 struct Refused : std::runtime_error {
   using runtime_error::runtime_error;
 };
@@ -67,7 +67,7 @@ motion::Track sail(const ManeuverOptions& options, const rig_config::VehicleConf
 bool write_csv(const std::string& path, const motion::Track& track) {
   std::ofstream out(path);
   out << "t,u,v,w,p,q,r,x,y,z,phi,theta,psi,delta_r,delta_s,delta_b\n";
-  constexpr std::size_t each = 5;  // of 50 Hz: 10 Hz
+  constexpr std::size_t each = 5;  // one of 5 points: 50 Hz becomes 10 Hz
   for (std::size_t i = 0; i < track.size(); i += each) {
     const auto& point = track[i];
     out << fmt::format("{:.10g}", point.t);

@@ -15,7 +15,7 @@ using namespace motion::element;
 template <class Across, class Up>
 report::Series series(const std::string& label, const motion::Track& track, Across&& across,
                       Up&& up) {
-  constexpr std::size_t enough = 2000;  // for the eye
+  constexpr std::size_t enough = 2000;  // enough points for a smooth curve on a screen
   report::Series made{label, {}, {}};
   for (std::size_t i = 0; i < track.size(); i += 1 + track.size() / enough) {
     made.x.push_back(across(track[i]));

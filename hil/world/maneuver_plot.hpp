@@ -7,9 +7,9 @@
 
 namespace drydock::world {
 
-/// Writes what people look at of a manoeuvre as an SVG file: the path of a turning circle or
-/// schedule, heading and rudder of a zigzag, rate of turn over rudder of a spiral, pitch and depth
-/// of a dive. False when gnuplot is not there or the file cannot be written.
+/// Draws the usual picture of a manoeuvre as an SVG file: the path of a turning circle or schedule,
+/// heading and rudder of a zigzag, rate of turn over rudder of a spiral, pitch and depth of a dive.
+/// False if gnuplot is missing or the file cannot be written.
 bool write_plot(const std::string& path, std::optional<motion::ManeuverKind> kind,
                 const motion::Track& track);
 

@@ -10,7 +10,7 @@ namespace {
 
 using namespace std::chrono;
 
-/// Takes digits and then the separator from the front of a text.
+/// Removes digits and the separator after them from the front of the text.
 std::optional<int> take(std::string_view& text, std::size_t digits, char separator) {
   int value = 0;
   if (text.size() < digits) return std::nullopt;
@@ -24,7 +24,7 @@ std::optional<int> take(std::string_view& text, std::size_t digits, char separat
   return value;
 }
 
-/// A number up to the separator or the end, which it takes too.
+/// Removes a number and the separator after it, if there is one, from the front of the text.
 std::optional<double> take_number(std::string_view& text) {
   double value = 0;
   const auto [rest, error] = std::from_chars(text.data(), text.data() + text.size(), value);

@@ -8,7 +8,7 @@
 namespace drydock::world {
 namespace {
 
-constexpr double middle = 320, horizon = 270;  // of the drawing, in its units
+constexpr double middle = 320, horizon = 270;  // in units of the drawing
 constexpr double right_angle = std::numbers::pi / 2;
 
 struct Point {
@@ -41,7 +41,7 @@ std::string grid() {
   return svg;
 }
 
-/// The way of the last hour, as far as it was above the horizon.
+/// The track of the last hour, as far as it was above the horizon.
 std::string way(const SkyListing& listing, const SkyRow& row) {
   std::string points;
   for (int minute = 60; minute >= 0; minute -= 5) {

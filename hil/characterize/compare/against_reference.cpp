@@ -9,7 +9,7 @@ namespace {
 
 using rig_config::DeviceKind;
 
-/// `value_of(i)` of each sample that has one, at its valid_at.
+/// `value_of(i)` of each sample that has this value, at its valid_at.
 template <class ValueOf>
 Signal signal_of(const Samples& samples, ValueOf value_of) {
   Signal signal;
@@ -32,14 +32,14 @@ Signal sensor_axis(const Samples& samples, std::size_t place, Eigen::Index axis)
   return signal_of(samples, [&](std::size_t i) { return samples.quantities[place][i][axis]; });
 }
 
-/// Horizontal, of a GNSS velocity.
+/// Horizontal speed from a GNSS velocity.
 Signal speed(const Samples& gnss) {
   return signal_of(gnss, [&](std::size_t i) {
     return std::hypot(gnss.quantities[1][i].x(), gnss.quantities[1][i].y());
   });
 }
 
-/// A DVL's velocity where a log sits, in body axes: v + w x r.
+/// A DVL's velocity at the place of a log, in body axes: v + w x r.
 Signal velocity_at_log(const Samples& dvl, const Samples& log, const Samples* imu,
                        Eigen::Index axis) {
   const Eigen::Vector3d arm = log.subject.lever_arm_m - dvl.subject.lever_arm_m;
@@ -55,7 +55,7 @@ Signal velocity_at_log(const Samples& dvl, const Samples& log, const Samples* im
   });
 }
 
-/// Whole turns kept; only where the way has a direction.
+/// The course without jumps at whole turns. It is given only where the vehicle moves.
 Signal course(const Samples& gnss) {
   constexpr double slowest_mps = 0.5;
   double last = 0;
@@ -69,7 +69,7 @@ Signal course(const Samples& gnss) {
   });
 }
 
-/// Integral of the rate about the body's z axis.
+/// The integral of the rate about the body's z axis.
 Signal turn(const Samples& imu) {
   Signal angle = body_axis(imu, 0, 2);
   double sum = 0, rate = angle.value.empty() ? 0 : angle.value[0];
@@ -112,7 +112,8 @@ class Comparisons {
   std::string reference_;
 };
 
-/// Each axis of the sensor's own frame against the same axis of the other, turned into that frame.
+/// Compares each axis of the sensor's own frame with the same axis of the reference, turned into
+/// that frame.
 void add_axes(Comparisons& to, const Samples& sensor, const Samples& reference) {
   Samples turned = reference;
   const Eigen::Matrix3d turn_back =

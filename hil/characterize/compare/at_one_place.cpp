@@ -10,10 +10,10 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double slowest_mps = 0.5;  ///< below it a course is none
+constexpr double slowest_mps = 0.5;  ///< below this speed the course is undefined
 constexpr double straight_within_radps = 0.5 * std::numbers::pi / 180;
 
-/// Of the vehicle, in body axes.
+/// Angular rate of the vehicle, in body axes.
 Track rate_of(const Samples* imu, measurement::Stamp zero) {
   if (imu == nullptr) return {};
   std::vector<Vector3d> rates;
@@ -23,7 +23,7 @@ Track rate_of(const Samples* imu, measurement::Stamp zero) {
   return {*imu, rates, zero};
 }
 
-/// Heading is unwrapped, so that there are lines between its values.
+/// Unwraps the heading, so that it can be interpolated.
 std::vector<Vector3d> unwrapped(std::vector<Vector3d> attitude) {
   double last = 0;
   for (auto& angles : attitude) {

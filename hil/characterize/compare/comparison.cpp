@@ -13,14 +13,14 @@ using Eigen::VectorXd;
 
 struct Block {
   double t_s = 0, sensor = 0, reference = 0;
-  double of_reference = 0;  ///< how many of its values
+  double of_reference = 0;  ///< number of values of the reference
 };
 
 double period_of(const Signal& signal) {
   return (signal.t_s.back() - signal.t_s.front()) / static_cast<double>(signal.t_s.size() - 1);
 }
 
-/// Sum and number of the values in each block of time, counted from `from`.
+/// Sum and number of the values in each block of time. Blocks count from `from`.
 std::vector<std::pair<double, double>> sums(const Signal& signal, double from, double length,
                                             std::size_t blocks) {
   std::vector<std::pair<double, double>> all(blocks);
@@ -41,7 +41,7 @@ std::vector<Block> common_blocks(const Signal& sensor, const Signal& reference, 
   const auto places = static_cast<std::size_t>((to - from) / length);
   const auto of_sensor = sums(sensor, from, length, places);
   const auto of_reference = sums(reference, from, length, places);
-  // A block that one of them fills only in part would be centred elsewhere.
+  // A block that a signal fills only in part would have its centre elsewhere.
   const double full_sensor = 0.75 * length / period_of(sensor);
   const double full_reference = 0.75 * length / period_of(reference);
   std::vector<Block> blocks;
@@ -54,8 +54,8 @@ std::vector<Block> common_blocks(const Signal& sensor, const Signal& reference, 
   return blocks;
 }
 
-/// Variance of a signal's noise: a second difference of it has six times that, of smooth motion
-/// nearly nothing.
+/// Variance of a signal's noise: a second difference of noise has six times its variance, and one
+/// of smooth motion is nearly zero.
 double noise_variance(const Signal& signal) {
   double squares = 0;
   const auto& v = signal.value;
@@ -67,7 +67,7 @@ double noise_variance(const Signal& signal) {
   return squares / (6 * static_cast<double>(v.size() - 2));
 }
 
-/// Change of the reference in a second at each block, from its neighbours.
+/// The reference's change per second at each block, from the neighbouring blocks.
 VectorXd slopes(const std::vector<Block>& blocks) {
   VectorXd slope(static_cast<Index>(blocks.size()));
   for (std::size_t i = 0; i < blocks.size(); ++i) {
@@ -78,7 +78,7 @@ VectorXd slopes(const std::vector<Block>& blocks) {
   return slope;
 }
 
-/// Mean variance that serially correlated values have more than independent ones.
+/// The factor by which serial correlation increases the variance of a mean.
 double inflation(const VectorXd& rest) {
   const Index n = rest.size();
   const double lag = rest.head(n - 1).dot(rest.tail(n - 1)) / rest.squaredNorm();
@@ -89,7 +89,7 @@ double inflation(const VectorXd& rest) {
 struct Columns {
   MatrixXd design;
   VectorXd sensor;
-  Index scale = -1, delay = -1, drift = -1;  ///< bias is column 0
+  Index scale = -1, delay = -1, drift = -1;  ///< column numbers; the bias is column 0
 };
 
 Columns columns_of(const std::vector<Block>& blocks, bool moves, bool with_drift) {

@@ -8,15 +8,15 @@
 
 namespace drydock::characterize {
 
-/// Values between which lines are drawn, over seconds since `zero`.
+/// Values over seconds since `zero`, with linear interpolation.
 class Track {
  public:
   Track() = default;
-  /// Empty or unfinished (NaN) values are left out.
+  /// Missing values (NaN) are left out.
   Track(const Samples& samples, const std::vector<Eigen::Vector3d>& values,
         measurement::Stamp zero);
 
-  /// Empty: outside, or in a gap of more than 1.5 periods.
+  /// Empty outside the track, or in a gap of more than 1.5 periods.
   std::optional<Eigen::Vector3d> at(double t_s) const;
 
   bool empty() const { return t_s_.size() < 2; }

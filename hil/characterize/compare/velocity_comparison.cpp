@@ -15,26 +15,27 @@ using Matrix5d = Eigen::Matrix<double, 5, 5>;
 using Vector5d = Eigen::Matrix<double, 5, 1>;
 
 constexpr double block_s = 1, delay_step_s = 0.25;
-constexpr int delay_steps = 8;  ///< either way
+constexpr int delay_steps = 8;  ///< in each direction
 constexpr double longest_delay_s = delay_steps * delay_step_s;
 
 struct PairedBlock {
   Vector2d sensor = Vector2d::Zero(), reference = Vector2d::Zero();
-  Vector2d slope = Vector2d::Zero();  ///< of reference less turned sensor, a second of delay
+  Vector2d slope = Vector2d::Zero();  ///< of the reference minus the turned sensor, per second of
+                                      ///< delay
   double fixes = 0;
 };
 
-/// The DVL's part of (7) the other way round: there = M reading + offset, M = [a -c; c a].
+/// The DVL's part of (7), inverted: there = M reading + offset, M = [a -c; c a].
 struct Fit {
-  Vector5d x = (Vector5d() << 1, 0, 0, 0, 0).finished();  ///< a, c, offset, further delay
+  Vector5d x = (Vector5d() << 1, 0, 0, 0, 0).finished();  ///< a, c, offset, additional delay
   Matrix5d covariance;
-  double squares = std::numeric_limits<double>::infinity();  ///< of what is left, mean of one axis
+  double squares = std::numeric_limits<double>::infinity();  ///< mean residual square of one axis
   std::vector<Vector2d> rest;
 
   Matrix2d turn() const { return (Matrix2d() << x[0], -x[1], x[1], x[0]).finished(); }
 };
 
-/// Variance of one axis of a reading: a second difference of it has six times that.
+/// Variance of the noise of one axis: a second difference has six times that.
 double noise_of_axis(const Track& track) {
   const auto& v = track.values();
   double squares = 0;
@@ -45,7 +46,8 @@ double noise_of_axis(const Track& track) {
 
 std::vector<PairedBlock> blocks_at(const AtOnePlace& velocities, double delay_s,
                                    const Matrix2d& turn) {
-  // So far apart that they share no reading with the one between: their noise is its own.
+  // The probes are so far apart that they share no reading with the middle one, so their noise is
+  // independent.
   const double probe_s = 2.5 * velocities.sensor().period_s();
   std::vector<PairedBlock> blocks;
   double place = -1;
@@ -107,12 +109,12 @@ Fit fit(const std::vector<PairedBlock>& blocks, double noise, bool delay) {
   }
   const double freedom = 2 * n - (delay ? 5 : 4);
   found.squares = squares / freedom;
-  // Along and across the way the noise may differ (H. White, Econometrica 48, 1980).
+  // The noise may differ along and across the track (H. White, Econometrica 48, 1980).
   found.covariance = 2 * n / freedom * inverse * scores * inverse;
   return found;
 }
 
-/// Mean variance that serially correlated values have more than independent ones.
+/// The factor by which serial correlation increases the variance of a mean.
 double inflation_of_pairs(const std::vector<Vector2d>& rest) {
   double lag = 0, all = rest.front().squaredNorm();
   for (std::size_t i = 1; i < rest.size(); ++i) {
@@ -159,7 +161,7 @@ VelocityComparison bias_alone(const std::vector<PairedBlock>& blocks) {
           std::sqrt(squares / (2 * n))};
 }
 
-/// Coarse: where a fit without a delay of its own leaves least.
+/// Coarse search: the delay for which a fit without a delay has the smallest residual.
 double likeliest_delay(const AtOnePlace& velocities) {
   double best = 0, least = std::numeric_limits<double>::infinity();
   for (int step = -delay_steps; step <= delay_steps; ++step) {
@@ -172,7 +174,7 @@ double likeliest_delay(const AtOnePlace& velocities) {
   return best;
 }
 
-/// From there = M reading + offset back to reading = scale R(angle) there + bias.
+/// Converts there = M reading + offset back to reading = scale R(angle) there + bias.
 VelocityComparison solved(const Fit& fit, double delay_s, std::size_t blocks) {
   const Matrix5d covariance = fit.covariance * inflation_of_pairs(fit.rest);
   const Matrix2d turn = fit.turn();

@@ -8,18 +8,19 @@
 
 namespace drydock::characterize {
 
-/// A DVL against GNSS: reading = scale R(angle) there(t - delay) + bias, (7).
+/// A DVL compared with GNSS: reading = scale R(angle) there(t - delay) + bias, (7).
 struct VelocityComparison {
   std::size_t blocks = 0;
-  /// Empty, all three: the speed hardly changed, or nothing told the delay.
+  /// All three are empty if the speed hardly changed, or if the delay could not be found.
   std::optional<Estimate> scale, angle_rad, delay_s;  ///< angle about the DVL's z
-  std::array<Estimate, 2> bias;  ///< m/s, x and y; where there is no scale, at the speed there was
-  double residual = 0;           ///< m/s, rms of block means, of one axis
+  std::array<Estimate, 2> bias;  ///< m/s, x and y; without a scale, the bias at the speed that
+                                 ///< there was
+  double residual = 0;           ///< m/s, rms over the means of blocks, one axis
 };
 
-/// Least squares over means of blocks of 1 s, delay by Gauss-Newton from the best of a coarse
-/// search. The DVL, the quieter of both, is the regressor; its noise, told from second differences,
-/// is taken out of the normal equations. Empty: fewer than ten blocks.
+/// Least squares over the means of blocks of 1 s. The delay comes from Gauss-Newton steps after a
+/// coarse search. The DVL has less noise and is the regressor; its noise is estimated from second
+/// differences and removed from the normal equations. Empty if there are fewer than ten blocks.
 std::optional<VelocityComparison> compare(const AtOnePlace& velocities);
 
 }  // namespace drydock::characterize

@@ -14,7 +14,7 @@ using rig_config::SensorErrors;
 
 constexpr double earth_rate_radps = 7.292115e-5;
 
-/// One figure of one axis, with its bounds.
+/// One figure of one axis with its bounds.
 class Place {
  public:
   Place(MeasuredGrade& grade, SensorErrors EmulateConfig::*quantity, std::size_t axis)
@@ -36,9 +36,9 @@ Estimate scaled(const Estimate& e, double factor) {
   return {e.value * factor, e.low * factor, e.high * factor};
 }
 
-/// A step that the file states too adds its own q^2 / 12 to each sample, so the rest alone is the
-/// noise, (8). Where noise is finer than half a step, rounding is no such noise and nothing is
-/// taken off.
+/// The file states the step separately, and the step adds q^2 / 12 to each sample. So this part is
+/// removed from the noise, (8). If the noise is finer than half a step, rounding is not such noise
+/// and nothing is removed.
 Estimate without_step(const Estimate& density, std::optional<double> step, double rate_hz) {
   if (!step) return density;
   const double variance = density.value * density.value * rate_hz, of_step = *step * *step / 12;
@@ -60,7 +60,7 @@ void put_noise(const Place& place, const AxisFigures& axis, const Quantity& quan
   if (axis.noise->walk) place.put(&SensorErrors::random_walk, *axis.noise->walk);
 }
 
-/// A sensor whose rounded-off rest is carried shows its step in the Allan deviation alone.
+/// If a sensor carries its rounding remainder, only the Allan deviation shows its step.
 void put_step(const Place& place, const AxisFigures& axis, double rate_hz, SensorErrors& errors) {
   const double of_step = std::sqrt(12.0) * rate_hz;  // Q = q dt / sqrt(12)
   if (axis.noise && axis.noise->quantisation) {
@@ -71,7 +71,7 @@ void put_step(const Place& place, const AxisFigures& axis, double rate_hz, Senso
   }
 }
 
-/// One for all axes: their geometric mean.
+/// One correlation time for all axes: their geometric mean.
 double correlation_of(const QuantityFigures& quantity) {
   double sum = 0;
   int axes = 0;
@@ -96,7 +96,7 @@ void put_reference(MeasuredGrade& grade, const DeviceFigures& figures,
     if (quantity.place != against.place) continue;
     const Place place(grade, quantity.errors, static_cast<std::size_t>(against.axis));
     const auto& [scale, drift] = std::pair(against.comparison.scale, against.comparison.drift);
-    // Where an angle was compared, its drift is the rate's bias.
+    // If an angle was compared, its drift is the bias of the rate.
     place.put(&SensorErrors::bias, drift ? *drift : against.comparison.bias);
     if (scale)
       place.put(&SensorErrors::scale_factor, {scale->value - 1, scale->low - 1, scale->high - 1});

@@ -11,7 +11,7 @@ namespace {
 using rig_config::Axes;
 using rig_config::SensorErrors;
 
-/// Ratios of the figures that both have, as logarithms.
+/// Sum of the logarithms of ratios, over the figures that both have.
 struct Distance {
   double sum = 0;
   int figures = 0;
@@ -46,7 +46,7 @@ std::optional<NamedGrade> nearest_shipped(const MeasuredGrade& measured,
   double least = 0;
   for (const ShippedFile& file : shipped_files()) {
     const auto grade = rig_config::load_sensor_text(file.text, std::string(file.name), kind);
-    if (!grade) continue;  // it has no such sensor
+    if (!grade) continue;  // the file has no sensor of this kind
     const auto comparable = in_measured_form(*grade, kind, measured.value.rate_hz.value_or(1));
     const auto here = distance(measured.value, comparable, kind);
     if (!here || (nearest && *here >= least)) continue;

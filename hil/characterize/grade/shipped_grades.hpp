@@ -5,7 +5,7 @@
 
 namespace drydock::characterize {
 
-/// `rig_config/sensors` as the program was built.
+/// The files of `rig_config/sensors` at the time of the build.
 struct ShippedFile {
   std::string_view name, text;
 };

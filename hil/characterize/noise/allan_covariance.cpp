@@ -10,9 +10,9 @@ namespace {
 
 using std::int64_t;
 
-/// Covariance of the clusters' differences d_j(t), d_k(t + lag), docs/characterize.md (4): a second
-/// difference of the integral each, so a fourth of its generalised autocovariance s, (5). One
-/// sample is the unit of time.
+/// Covariance of the differences of clusters d_j(t), d_k(t + lag), docs/characterize.md (4). Each
+/// is a second difference of the integral, so the covariance is a fourth difference of the
+/// integral's generalised autocovariance s, (5). The unit of time is one sample.
 class DifferenceCovariance {
  public:
   DifferenceCovariance(const NoiseModel& model, double period_s)
@@ -22,8 +22,9 @@ class DifferenceCovariance {
         markov_(model.instability * model.instability),
         correlation_(markov_ > 0 ? model.correlation_s / period_s : 1) {}
 
-  /// `stride`: of the lags that will be summed over. A white integral is correlated at single lags
-  /// only, which then stand for `stride` of them.
+  /// `stride` is the step of the sum over lags. A white integral is correlated at single lags only.
+  /// The sum of squares counts such a lag `stride` times, so its covariance is divided by
+  /// sqrt(stride).
   double at(int64_t lag, int64_t j, int64_t k, double stride) const {
     constexpr std::array<int64_t, 3> difference{1, -2, 1};
     int64_t linear = 0, hits = 0;
@@ -50,7 +51,7 @@ class DifferenceCovariance {
     return sum / (2 * static_cast<double>(j) * static_cast<double>(k));
   }
 
-  /// Lags beyond which it vanishes, or nearly.
+  /// The covariance is zero, or nearly zero, beyond this lag.
   int64_t reach(int64_t j, int64_t k) const {
     constexpr double memories = 4;
     return j + k + (markov_ > 0 ? static_cast<int64_t>(memories * correlation_) : 0);
@@ -60,14 +61,14 @@ class DifferenceCovariance {
   double white_, walk_, phase_, markov_, correlation_;
 };
 
-/// Pairs of places t, t + lag at which both differences exist.
+/// Number of places t for which both differences exist, at t and at t + lag.
 double pairs(int64_t n, int64_t j, int64_t k, int64_t lag) {
   return static_cast<double>(
       std::max<int64_t>(0, std::min(n - j, n - k - lag) - std::max(j, k - lag) + 1));
 }
 
 double element(const DifferenceCovariance& differences, int64_t n, int64_t j, int64_t k) {
-  // Between its kinks at multiples of j the covariance is smooth.
+  // The covariance is smooth between its kinks, which are at multiples of j.
   constexpr int64_t steps_per_cluster = 16;
   const int64_t stride = std::max<int64_t>(1, j / steps_per_cluster);
   const int64_t reach = std::min(n, differences.reach(j, k)) / stride * stride;

@@ -9,7 +9,7 @@ constexpr std::size_t fewest_clusters = 9;
 AllanCurve allan_curve(std::span<const double> readings, double period_s) {
   AllanCurve curve{period_s, readings.size(), {}, {}};
   if (readings.empty()) return curve;
-  // About the first reading: the integral stays small, and so do the rounding errors.
+  // Subtracts the first reading, so that the integral and its rounding errors stay small.
   std::vector<double> integral(readings.size() + 1, 0.0);
   for (std::size_t i = 0; i < readings.size(); ++i)
     integral[i + 1] = integral[i] + (readings[i] - readings[0]);

@@ -10,12 +10,12 @@
 namespace drydock::characterize {
 
 /// Overlapping Allan variances of evenly spaced readings at 1, 2, 4, ... samples: every cluster of
-/// m readings against the one behind it, starting at each reading. At least nine clusters would fit
-/// side by side into the longest.
+/// m readings is compared with the next one, and a cluster starts at each reading. The longest
+/// cluster fits into the recording at least nine times.
 struct AllanCurve {
-  double period_s = 0;  ///< of the readings
+  double period_s = 0;  ///< time between readings
   std::size_t readings = 0;
-  std::vector<std::size_t> samples;  ///< in a cluster
+  std::vector<std::size_t> samples;  ///< samples per cluster
   std::vector<double> variance;      ///< q^2
 
   double tau_s(std::size_t i) const { return static_cast<double>(samples[i]) * period_s; }
@@ -23,10 +23,11 @@ struct AllanCurve {
 
 AllanCurve allan_curve(std::span<const double> readings, double period_s);
 
-/// How the variances of such a curve scatter about those of `model`, and together with each other:
-/// overlapping estimates share their readings. From the generalised autocovariance of the integral
-/// (C. Greenhall, W. Riley, Uncertainty of Stability Variances Based on Finite Differences, PTTI
-/// 2003), for Gaussian noise. Element (i, i) / variance^2 is 2 / (degrees of freedom).
+/// The covariance of the variances of such a curve if `model` is true. The variances are
+/// correlated, because overlapping estimates share their readings. It is computed from the
+/// generalised autocovariance of the integral (C. Greenhall, W. Riley, Uncertainty of Stability
+/// Variances Based on Finite Differences, PTTI 2003), for Gaussian noise. Element (i, i) /
+/// variance^2 is 2 / (degrees of freedom).
 Eigen::MatrixXd covariance(const AllanCurve& curve, const NoiseModel& model);
 
 }  // namespace drydock::characterize

@@ -17,7 +17,7 @@ using Eigen::VectorXd;
 enum Term : std::uint8_t { quantisation, white, instability, walk };
 constexpr std::size_t terms_in_all = 4;
 
-/// The terms of one candidate, in the order of the enumeration, and T where it matters.
+/// The terms of one candidate in the order of the enumeration, and T if a term needs it.
 struct Candidate {
   std::vector<Term> terms;
   double correlation_s = 0;
@@ -45,17 +45,18 @@ MatrixXd design_of(const Candidate& candidate, const AllanCurve& curve) {
 
 struct Solution {
   Candidate candidate;
-  VectorXd squares;  ///< Q^2, N^2, B^2, K^2, as far as they are in it
+  VectorXd squares;  ///< Q^2, N^2, B^2, K^2, as far as the candidate has them
   double deviance = std::numeric_limits<double>::infinity();
 };
 
-/// Of chi-square distributed variances about those of a model, -2 ln likelihood but for a constant.
+/// -2 ln likelihood, without a constant, for variances with a chi-square distribution about those
+/// of a model.
 double deviance(const ArrayXd& measured, const ArrayXd& model, const ArrayXd& freedom) {
   return (freedom * (model.log() + measured / model - measured.log() - 1)).sum();
 }
 
-/// Fisher's scoring: for chi-square errors it is least squares weighted by freedom / model^2.
-/// Infinite deviance where a square would have to be negative.
+/// Fisher's scoring. For chi-square errors it is least squares weighted by freedom / model^2. The
+/// deviance is infinite if a square would be negative.
 Solution solve(const Candidate& candidate, const AllanCurve& curve, const ArrayXd& measured,
                const ArrayXd& freedom) {
   constexpr int most_steps = 60;
@@ -104,7 +105,7 @@ Solution with_best_correlation(Candidate candidate, const AllanCurve& curve,
   return best;
 }
 
-/// Of all sums of terms the one of least deviance, each free figure counting against it.
+/// The sum of terms with the least deviance. Each free figure adds a penalty.
 Solution best_of(const NoiseTerms& allowed, const AllanCurve& curve, const ArrayXd& measured,
                  const ArrayXd& freedom) {
   constexpr double price_of_figure = 9;  // three sigma: neighbouring points are not independent
@@ -148,8 +149,8 @@ NoiseModel model_of(const Solution& solution) {
   return model;
 }
 
-/// Covariance of the logarithms of the squares, and of T behind them where there is one: that of
-/// weighted least squares whose data are correlated.
+/// Covariance of the logarithms of the squares, and of T after them if there is one. It is that of
+/// weighted least squares with correlated data.
 MatrixXd scatter(const Solution& solution, const AllanCurve& curve, const MatrixXd& covariance) {
   MatrixXd design = design_of(solution.candidate, curve);
   const ArrayXd model = (design * solution.squares).array();
@@ -161,7 +162,7 @@ MatrixXd scatter(const Solution& solution, const AllanCurve& curve, const Matrix
     design.conservativeResize(Eigen::NoChange, design.cols() + 1);
     design.rightCols<1>() = slope;
   }
-  // Relative to the model and to the figures themselves, since both span decades.
+  // Everything is relative to the model and to the figures, because both span decades.
   design.leftCols(solution.squares.size()) *= solution.squares.asDiagonal();
   const MatrixXd relative = design.array().colwise() / model;
   const MatrixXd together = (covariance.array().colwise() / model).rowwise() / model.transpose();
@@ -209,7 +210,8 @@ std::optional<NoiseFit> fit_noise(const AllanCurve& curve, const NoiseTerms& ter
   const ArrayXd measured =
       Eigen::Map<const ArrayXd>(curve.variance.data(), static_cast<Index>(curve.variance.size()));
   if (!(measured.minCoeff() > 0)) return std::nullopt;
-  // Degrees of freedom depend on the noise, and the fit on them: that of white noise to begin with.
+  // The degrees of freedom depend on the noise, and the fit depends on them. The first round uses
+  // those of white noise.
   MatrixXd together = covariance(curve, NoiseModel{.density = 1});
   ArrayXd shape(measured.size());
   for (Index i = 0; i < shape.size(); ++i) shape[i] = 1 / curve.tau_s(static_cast<std::size_t>(i));

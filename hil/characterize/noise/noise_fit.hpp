@@ -7,23 +7,23 @@
 
 namespace drydock::characterize {
 
-/// Which processes a fit may use. White noise always.
+/// The processes that a fit may use. White noise is always used.
 struct NoiseTerms {
   bool quantisation = true, instability = true, walk = true;
 };
 
-/// The processes that an Allan curve shows. An empty one is not needed to explain it.
+/// The processes that an Allan curve shows. An empty process is not needed to explain the curve.
 struct NoiseFit {
   NoiseModel model;
   std::optional<Estimate> quantisation, density, instability, correlation_s, walk;
-  std::vector<Estimate> deviation;  ///< of the curve, by its points
+  std::vector<Estimate> deviation;  ///< one per point of the curve
 };
 
-/// Likeliest non-negative sum of the terms: each variance is chi-square distributed about the
-/// model's with the degrees of freedom of covariance(), which makes it weighted least squares of
-/// the curve's relative error, weights found by iteration. A term has to earn its place. Bounds
-/// from the covariance of all points together. Empty: fewer than four points, or all readings
-/// equal.
+/// The most likely non-negative sum of the terms. Each variance has a chi-square distribution about
+/// the model's, with the degrees of freedom of covariance(). This is weighted least squares of the
+/// curve's relative error, with weights found by iteration. A term is used only if it improves the
+/// fit enough. Bounds come from the joint covariance of all points. Empty if there are fewer than
+/// four points, or all readings are equal.
 std::optional<NoiseFit> fit_noise(const AllanCurve& curve, const NoiseTerms& terms = {});
 
 }  // namespace drydock::characterize

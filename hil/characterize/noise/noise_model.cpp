@@ -6,7 +6,7 @@ namespace drydock::characterize {
 
 double allan_of_gauss_markov(double tau_s, double correlation_s) {
   const double x = tau_s / correlation_s;
-  // The brackets cancel to x^2 / 3 where x is small; the next terms of the series then suffice.
+  // For small x the brackets cancel to x^2 / 3. Then the next terms of the series are enough.
   if (x < 1e-3) return x / 3 * (1 - 0.75 * x);
   return 2 / x * (1 - (3 - 4 * std::exp(-x) + std::exp(-2 * x)) / (2 * x));
 }

@@ -6,9 +6,9 @@ namespace drydock::characterize {
 
 struct NoiseModel {
   double quantisation =
-      0;  ///< Q: of the integral, q s; a carried step of q over dt is Q = step dt / sqrt(12)
+      0;  ///< Q: of the integral, q s; a carried step q at interval dt gives Q = q dt / sqrt(12)
   double density = 0;        ///< N: white, q/sqrt(Hz)
-  double instability = 0;    ///< B: Gauss-Markov of first order, 1 sigma, q
+  double instability = 0;    ///< B: first-order Gauss-Markov process, 1 sigma, q
   double correlation_s = 0;  ///< T: of that process
   double walk = 0;           ///< K: random walk of the reading, q/sqrt(s)
 

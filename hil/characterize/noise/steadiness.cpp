@@ -31,7 +31,8 @@ Steadiness steadiness_of(std::span<const double> readings, double period_s, doub
   if (means.size() < 2) return {};
   std::vector<double> steps;
   for (std::size_t i = 1; i < means.size(); ++i) steps.push_back(std::abs(means[i] - means[i - 1]));
-  constexpr double sigma_of_median = 1.4826 / 1.4142135623730951;  // of differences of two normals
+  constexpr double sigma_of_median = 1.4826 / 1.4142135623730951;  // for the differences of two
+                                                                   // normal variables
   constexpr double sigmas = 6, share = 0.01;
   const double bound = std::max(change, sigmas * sigma_of_median * median(std::move(steps)));
   const double middle = median(means);

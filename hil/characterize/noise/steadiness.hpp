@@ -4,14 +4,15 @@
 
 namespace drydock::characterize {
 
-/// Whether readings were of one unchanging input, which an Allan deviation takes for granted.
+/// Whether the input was constant. An Allan deviation is only meaningful for a constant input.
 struct Steadiness {
   bool steady = true;
-  double change = 0;  ///< largest departure of a second's mean from the median of all of them
+  double change = 0;  ///< largest difference between a second's mean and the median of all
 };
 
-/// Seconds move when more than 1 % of them lie further from their median than `change` and than six
-/// times the scatter from each second to the next. A steady turn or constant speed is one input.
+/// The input moved if more than 1 % of the seconds are further from the median than `change` and
+/// than six times the scatter from one second to the next. A steady turn or a constant speed is a
+/// constant input.
 Steadiness steadiness_of(std::span<const double> readings, double period_s, double change);
 
 }  // namespace drydock::characterize

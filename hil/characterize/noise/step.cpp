@@ -7,7 +7,7 @@
 namespace drydock::characterize {
 namespace {
 
-/// The values that occur. Conversions round in the last digits, which makes no value of its own.
+/// The distinct values. Values that differ only by the rounding of conversions count as one.
 std::vector<double> values_of(std::span<const double> readings) {
   std::vector<double> values(readings.begin(), readings.end());
   std::ranges::sort(values);
@@ -28,14 +28,15 @@ std::optional<double> quantisation_step(std::span<const double> readings) {
     return std::nullopt;
   double step = values[1] - values[0];
   for (std::size_t i = 1; i < values.size(); ++i) step = std::min(step, values[i] - values[i - 1]);
-  // Counted from value to value, and each count makes the step better known for the next.
+  // Counts steps from value to value. Each count improves the step for the next one.
   double steps = 0;
   for (std::size_t i = 1; i < values.size(); ++i) {
     const double gap = values[i] - values[i - 1];
     steps += std::round(gap / step);
     step = (values[i] - values[0]) / steps;
   }
-  constexpr double largest_misfit = 0.1;  // of a step; values of no grid would have 0.29 rms
+  constexpr double largest_misfit = 0.1;  // fraction of a step, rms; values without a grid would
+                                          // have 0.29
   double squares = 0;
   for (const double value : values) {
     const double place = (value - values[0]) / step;

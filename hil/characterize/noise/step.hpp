@@ -5,8 +5,8 @@
 
 namespace drydock::characterize {
 
-/// The step in which readings come, from the gaps between the values that occur: each is a whole
-/// number of steps. Empty: they fill no grid (values seldom repeat, or one alone occurs).
+/// The quantisation step of readings, from the gaps between distinct values: each gap is a whole
+/// number of steps. Empty if the values form no grid (they seldom repeat, or there is only one).
 std::optional<double> quantisation_step(std::span<const double> readings);
 
 }  // namespace drydock::characterize

@@ -20,7 +20,7 @@ namespace {
 using characterize::Samples;
 using rig_config::DeviceKind;
 
-/// What serves a kind as reference: the first that the rig has.
+/// The kinds that can serve as reference for `kind`, best first. The first kind in the rig is used.
 std::vector<DeviceKind> reference_kinds(DeviceKind kind) {
   using enum DeviceKind;
   switch (kind) {
@@ -37,7 +37,7 @@ const Samples* named(const std::vector<Samples>& devices, const std::string& nam
   return found == devices.end() ? nullptr : &*found;
 }
 
-/// Throws std::invalid_argument that says which there are.
+/// Throws std::invalid_argument; its text lists the known devices.
 const Samples& must_be_named(const std::vector<Samples>& devices, const std::string& name) {
   if (const Samples* found = named(devices, name)) return *found;
   std::string all;
@@ -63,7 +63,8 @@ const Samples* reference_for(const Samples& sensor, const std::vector<Samples>& 
   return nullptr;
 }
 
-/// The file that was named, else what a rig file says of the device, else the nearest shipped.
+/// The grade from the file of the options; else the grade that the rig file gives the device; else
+/// the nearest shipped grade.
 std::optional<characterize::NamedGrade> grade_beside(
     const CharacterizeOptions& options, const Characterized& device,
     const std::optional<characterize::NamedGrade>& of_rig) {

@@ -20,7 +20,7 @@ namespace {
 using characterize::Samples;
 using characterize::Subject;
 
-/// Kinds have the same order in a rig file, a driver and on the bus.
+/// The device kinds have the same order in a rig file, in a driver and on the bus.
 template <class Kind>
 rig_config::DeviceKind rig_kind(Kind kind) {
   return static_cast<rig_config::DeviceKind>(kind);
@@ -31,7 +31,7 @@ Subject subject_of(const rig_config::DeviceConfig& config) {
   return {config.name, config.kind, config.rate_hz, mounting.sensor_to_body, mounting.lever_arm_m};
 }
 
-/// A link whose other end needs no time of the wall's.
+/// True if the other end of the link can run in virtual time.
 bool virtual_time(const rig_config::DeviceConfig& device) {
   const auto uri = link::parse_uri(device.link);
   return uri && (uri->emulated() || uri->recorded());

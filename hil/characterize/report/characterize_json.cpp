@@ -63,7 +63,7 @@ ordered_json comparison_json(const characterize::AgainstReference& against) {
           {"blocks", c.blocks}};
 }
 
-/// By the keys of a sensor file, in their units.
+/// Keys and units are those of a sensor file.
 ordered_json grade_json(const Characterized& device) {
   ordered_json json = ordered_json::object();
   for (const auto& key : rig_config::error_keys) {

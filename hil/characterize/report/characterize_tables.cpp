@@ -52,8 +52,8 @@ study::Table timing_table(const Characterized& device) {
   return table;
 }
 
-/// "better", "worse" where the data sheet lies outside the bounds. Biases and scales are as good as
-/// they are small.
+/// "better" or "worse" if the data sheet value lies outside the bounds. Small biases and scale
+/// errors count as good.
 std::string verdict(double low, double high, double stated) {
   if (stated == 0) return "";
   const double smallest = low <= 0 && high >= 0 ? 0 : std::min(std::abs(low), std::abs(high));
@@ -145,7 +145,7 @@ study::Table reference_table(const Characterized& device) {
   return table;
 }
 
-/// The Allan deviation that a grade promises on an axis.
+/// The Allan deviation of an axis that the grade promises.
 double promised(const rig_config::SensorErrors& errors, std::size_t axis, double rate_hz,
                 double tau) {
   const characterize::NoiseModel model{

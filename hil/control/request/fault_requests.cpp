@@ -49,7 +49,7 @@ double duration_in(const json& request) {
   return *seconds;
 }
 
-/// Throws std::runtime_error with a line.
+/// Throws std::runtime_error with one line.
 json parsed(std::string_view text, std::initializer_list<std::string_view> keys) {
   json request = json::parse(text, nullptr, false);
   if (!request.is_object())

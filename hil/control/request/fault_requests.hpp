@@ -4,15 +4,15 @@
 
 #include "drivers/live/foxglove/services.hpp"
 
-/// What a client of the page's fault services asks, as the order that `drydock fault` would send
-/// for it: docs/live.md.
+/// Turns a request to the page's fault services into the order that `drydock fault` would send:
+/// docs/live.md.
 namespace drydock::control {
 
-/// {"device","fault","with":["KEY=VALUE",...],"for":"5s"}; with and for may be absent. Never
-/// throws; fails with one line.
+/// Request: {"device","fault","with":["KEY=VALUE",...],"for":"5s"}; `with` and `for` are optional.
+/// Never throws; fails with one line.
 live::ServiceAnswer order_of_set_request(std::string_view request);
 
-/// {"device","fault"}, both of which may be absent: all.
+/// Request: {"device","fault"}; both are optional. A missing key means all.
 live::ServiceAnswer order_of_clear_request(std::string_view request);
 
 }  // namespace drydock::control

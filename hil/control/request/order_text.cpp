@@ -12,7 +12,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// A number, an array or a truth value stays as it is, "1,2,3" becomes an array, the rest is text.
+/// A number, an array or a boolean stays as it is. "1,2,3" becomes an array. Other text is quoted.
 std::string toml_value(const std::string& typed) {
   constexpr std::string_view of_numbers = "0123456789+-.eE, []";
   const bool number = !typed.empty() && typed.find_first_of("0123456789") != std::string::npos &&

@@ -3,17 +3,17 @@
 #include <string>
 #include <vector>
 
-/// What `drydock fault`, and a page, ask of a running bench, as one line of JSON: docs/faults.md,
-/// Live.
+/// Orders that `drydock fault` and a page send to a running bench, as one line of JSON:
+/// docs/faults.md, Live.
 namespace drydock::control {
 
-/// `[[fault]]` of a device with what was typed: "probability=0.5", "velocity_mps=0.5,0,0".
-/// Throws std::runtime_error with a line where that is no KEY=VALUE.
+/// The `[[fault]]` table of a device from typed pairs: "probability=0.5", "velocity_mps=0.5,0,0".
+/// Throws std::runtime_error with one line if a pair is not KEY=VALUE.
 std::string fault_table(const std::string& device, const std::string& fault,
                         const std::vector<std::string>& pairs, double for_s);
 
 std::string order_to_set(const std::string& table);
-/// Of all devices, or all faults, where the text is empty.
+/// An empty device or fault means all.
 std::string order_to_clear(const std::string& device, const std::string& fault);
 std::string order_to_list();
 

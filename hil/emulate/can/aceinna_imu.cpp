@@ -16,16 +16,16 @@ namespace j1939 = wire::j1939;
 constexpr std::uint8_t preferred_address = 0x80;
 constexpr std::uint16_t manufacturer = 823;
 constexpr std::uint8_t inertial_function = 131;
-constexpr double full_rate_hz = 100;  // of which the packet rate is a part
+constexpr double full_rate_hz = 100;  // the packet rate is a fraction of this
 
-// A frame of 8 bytes with a 29-bit identifier at 250 kbit/s.
+// Duration of a frame of 8 bytes with a 29-bit identifier at 250 kbit/s.
 constexpr double frame_time_s = 0.54e-3;
 
 std::uint64_t name_value(const DeviceConfig& config) {
   auto name = name_for(config, inertial_function, 0);
   name.manufacturer_code = manufacturer;
-  // In this vendor's reversed layout bit 63 is the top of the identity number; who reads the NAME
-  // as SAE has it finds "arbitrary address capable" there. Set, both readings agree.
+  // In this vendor's reversed layout, bit 63 is the top bit of the identity number. In the SAE
+  // layout it means "arbitrary address capable". With this bit set, both layouts agree.
   name.identity_number |= 1U << 20;
   return aceinna::to_value(name);
 }
@@ -83,7 +83,7 @@ class AceinnaImu final : public J1939Device {
     out.send(encode(slope));
   }
 
-  /// Until a divider is set every sample goes out, at the rate of the rig file.
+  /// Until a divider is set, every sample is sent, at the rate of the rig file.
   bool due() const {
     if (!divider_) return true;
     if (*divider_ == 0) return false;
@@ -146,7 +146,7 @@ class AceinnaImu final : public J1939Device {
   wire::Aceinna::Decoder decoder_;
   std::optional<std::uint8_t> divider_;
   std::uint8_t packets_ = aceinna::PacketType{}.packets;
-  aceinna::DigitalFilter filter_;  ///< stored and told; the truth is not filtered
+  aceinna::DigitalFilter filter_;  ///< stored and reported; the truth is not filtered
   aceinna::Axes axes_;
   Eigen::Matrix3d to_output_ = Eigen::Matrix3d::Identity();
   sensor::ImuSampler ideal_;

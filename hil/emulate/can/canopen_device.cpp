@@ -51,7 +51,7 @@ void CanopenDevice::sample(Stamp at, Wire& out) {
   if (state_ == NodeState::operational) report(at, out);
 }
 
-/// The first beat says "boot-up"; the node is then pre-operational until it is started.
+/// The first beat is the boot-up message. The node is then pre-operational until NMT starts it.
 void CanopenDevice::beat(Stamp now, Wire& out) {
   out.send(canopen::encode(canopen::Heartbeat{node_, state_}));
   if (state_ == NodeState::boot_up) state_ = NodeState::pre_operational;
@@ -91,7 +91,7 @@ std::optional<CanopenDevice::Object> CanopenDevice::find(const canopen::ObjectEn
     return Object{static_cast<std::uint32_t>(heartbeat_period_.count()), 2};
   }
   if (entry == canopen::ObjectEntry{identity_index, 0}) return Object{1, 1};
-  if (entry == canopen::ObjectEntry{identity_index, 1}) return Object{0, 4};  // nobody's product
+  if (entry == canopen::ObjectEntry{identity_index, 1}) return Object{0, 4};  // no real product
   if (const auto found = pdo_object(entry)) return found;
   return object(entry);
 }

@@ -7,8 +7,8 @@
 namespace drydock::emulate {
 
 /// A sampling device that is a CANopen node (CiA 301): boot-up message, heartbeat each second
-/// (1017h changes it), obedience to NMT, expedited SDO server, emergencies. Operational, it samples
-/// at its rate or, where the configuration says so, on each SYNC.
+/// (1017h changes it), NMT, expedited SDO server, emergencies. In the operational state it samples
+/// at its rate, or on each SYNC if the configuration says so.
 class CanopenDevice : public SamplingDevice {
  public:
   std::optional<Stamp> deadline() const final;
@@ -22,21 +22,21 @@ class CanopenDevice : public SamplingDevice {
     std::uint8_t size = 4;
   };
 
-  /// Node 1 unless the configuration names another. `device_type`: object 1000h.
+  /// The node number is 1 unless the configuration gives another. `device_type`: object 1000h.
   CanopenDevice(const DeviceSetup& setup, std::uint32_t device_type);
 
-  /// Sends the process data of the truth at `at`; called only while the node is operational.
+  /// Sends the process data of the truth at `at`. Called only in the operational state.
   virtual void report(Stamp at, Wire& out) = 0;
 
-  /// What stands in an entry of the profile or the maker; 1000h, 1001h, 1017h, 1018h and what
-  /// follows from pdos() are known here.
+  /// An object of the profile or the manufacturer. This class handles 1000h, 1001h, 1017h, 1018h
+  /// and the objects that follow from pdos().
   virtual std::optional<Object> object(const wire::canopen::ObjectEntry&) const { return {}; }
 
-  /// What each transmit PDO holds, as 1A00h writes it: index << 16 | subindex << 8 | bits.
+  /// The contents of each transmit PDO in the form of 1A00h: index << 16 | subindex << 8 | bits.
   using Mapping = std::span<const std::uint32_t>;
   virtual std::span<const Mapping> pdos() const { return {}; }
 
-  /// Sends an emergency where the fault is another than before; code 0 says that it is gone.
+  /// Sends an emergency if the fault has changed. Code 0 means that the fault is over.
   void set_fault(std::uint16_t code, std::uint8_t error_register, Wire& out);
 
   std::uint8_t node() const { return node_; }
@@ -56,7 +56,7 @@ class CanopenDevice : public SamplingDevice {
   wire::canopen::NodeState state_ = wire::canopen::NodeState::boot_up;
   std::chrono::milliseconds heartbeat_period_{1000};  ///< zero: none
   std::optional<Stamp> next_heartbeat_;
-  std::optional<Stamp> synced_;  ///< a sample taken on SYNC that has not left yet
+  std::optional<Stamp> synced_;  ///< a sample taken on SYNC that is not sent yet
   std::uint16_t fault_ = 0;
   std::uint8_t error_register_ = 0;
 };

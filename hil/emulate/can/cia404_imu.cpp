@@ -50,7 +50,8 @@ class Cia404Imu final : public CanopenDevice {
 
   std::span<const Mapping> pdos() const override { return mappings; }
 
-  std::array<wire::CanFrame, 3> last_ = encode(wire::cia404_imu::ImuSet{});  ///< first no numbers
+  std::array<wire::CanFrame, 3> last_ = encode(wire::cia404_imu::ImuSet{});  ///< at first not a
+                                                                             ///< number
   sensor::ImuSampler ideal_;
   sensor::ImuErrors errors_;
 };

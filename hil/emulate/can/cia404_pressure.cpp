@@ -19,7 +19,7 @@ bool is_known(std::uint16_t index) {
          index == status_index || index == integer_index;
 }
 
-// TPDO1 in each form.
+// The mapping of TPDO1 for each form.
 constexpr std::array<std::uint32_t, 2> integer_and_status{0x91300120, 0x61500108};
 constexpr std::array<std::uint32_t, 1> real{0x61300120};
 using Mappings = std::array<std::span<const std::uint32_t>, 1>;
@@ -71,7 +71,7 @@ class Cia404Pressure final : public CanopenDevice {
     return {wire::load_le<std::uint32_t>(in_form(form).data, 0), 4};
   }
 
-  std::optional<double> reading_pa_;  ///< the last; none before the node was started
+  std::optional<double> reading_pa_;  ///< the last one; empty before the node is started
   sensor::ErrorModel errors_;
   pressure::Scale scale_;
   double zero_pa_;

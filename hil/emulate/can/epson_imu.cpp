@@ -7,15 +7,16 @@
 namespace drydock::emulate {
 namespace {
 
-// Objects 1000h, 1001h and the unit of each process value, as Epson's dictionaries hold them.
+// Objects 1000h, 1001h and the unit of each process value, from Epson's dictionaries.
 constexpr std::uint32_t measuring_device = 0x00020194;
 constexpr std::uint32_t degree_per_second = 0x00410300, milli_g = 0xFDF10000, celsius = 0x002D0000;
 constexpr std::array units{
     degree_per_second, degree_per_second, degree_per_second, milli_g, milli_g, milli_g, celsius};
 constexpr std::uint16_t status_index = 0x2022, unit_index = 0x6131, value_index = 0x7130;
-constexpr std::uint8_t reserved_subindex = 4;  // of 2022h
+constexpr std::uint8_t reserved_subindex = 4;  // in 2022h
 
-// What the TPDOs hold, 2100h being the counter; the G550's third ends with the temperature.
+// The contents of the TPDOs; 2100h is the counter. The third one of the G550 ends after the
+// temperature.
 constexpr std::array<std::uint32_t, 4> rates{0x21000010, 0x71300110, 0x71300210, 0x71300310};
 constexpr std::array<std::uint32_t, 4> forces{0x21000010, 0x71300410, 0x71300510, 0x71300610};
 constexpr std::array<std::uint32_t, 4> temperature_and_status{0x21000010, 0x71300710, 0x20220410,
@@ -67,7 +68,7 @@ class EpsonImu final : public CanopenDevice {
     return as_last_sent(entry);
   }
 
-  /// All that is mapped has 16 bits.
+  /// All mapped objects have 16 bits.
   std::optional<Object> as_last_sent(const wire::canopen::ObjectEntry& entry) const {
     const std::uint32_t wanted = std::uint32_t{entry.index} << 8 | entry.subindex;
     for (std::size_t pdo = 0; pdo < last_.size(); ++pdo) {
@@ -86,7 +87,7 @@ class EpsonImu final : public CanopenDevice {
 
   wire::epson::Model model_;
   std::uint16_t counter_ = 0;
-  std::array<wire::CanFrame, 3> last_{};  ///< first all zero
+  std::array<wire::CanFrame, 3> last_{};  ///< at first all zero
   sensor::ImuSampler ideal_;
   sensor::ImuErrors errors_;
 };

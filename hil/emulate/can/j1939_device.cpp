@@ -14,7 +14,7 @@ void send(const std::optional<wire::CanFrame>& frame, Wire& out) {
 wire::j1939::Name name_for(const DeviceConfig& config, std::uint8_t function,
                            std::uint8_t device_class) {
   constexpr std::uint32_t identity_bits = 0x1FFFFF;
-  constexpr std::uint64_t serial_numbers = 0;  // a unit keeps its number whatever the run's seed
+  constexpr std::uint64_t serial_numbers = 0;  // a unit keeps its number for every seed of a run
   wire::j1939::Name name;
   name.identity_number = static_cast<std::uint32_t>(
       sensor::RandomStream(serial_numbers, config.name, "NAME").next() & identity_bits);

@@ -7,12 +7,12 @@
 
 namespace drydock::emulate {
 
-/// A NAME whose identity number follows from the device's name in the rig.
+/// A NAME whose identity number depends on the device's name in the rig.
 wire::j1939::Name name_for(const DeviceConfig& config, std::uint8_t function,
                            std::uint8_t device_class);
 
-/// A sampling device on a J1939 or NMEA 2000 bus: it claims an address at boot, defends it, answers
-/// requests for it, takes another on command (PGN 65240), and samples only while it holds one.
+/// A sampling device on a J1939 or NMEA 2000 bus. It claims an address at boot, defends it, answers
+/// requests for it, takes another on command (PGN 65240), and samples only while it has one.
 class J1939Device : public SamplingDevice {
  public:
   std::optional<Stamp> deadline() const final;
@@ -21,13 +21,14 @@ class J1939Device : public SamplingDevice {
   void receive(const wire::CanFrame& frame, Stamp now, Wire& out) final;
 
  protected:
-  /// `name` as compared in contention. Takes `preferred` unless the configuration names an address.
+  /// `name` is the value that decides a contention. Takes `preferred` unless the configuration
+  /// gives an address.
   J1939Device(const DeviceSetup& setup, std::uint64_t name, std::uint8_t preferred);
 
-  /// Hears a frame of the bus while it holds an address.
+  /// Receives a frame of the bus while the device has an address.
   virtual void hear(const wire::CanFrame&, std::uint8_t /*address*/, Wire&) {}
 
-  /// Sends a sample of the truth at `at` from the address held.
+  /// Sends a sample of the truth at `at` from the device's address.
   virtual void report(Stamp at, std::uint8_t address, Wire& out) = 0;
 
  private:
@@ -36,7 +37,7 @@ class J1939Device : public SamplingDevice {
 
   wire::j1939::TransportReceiver transport_;
   wire::j1939::AddressClaim claim_;
-  std::optional<Stamp> boot_;  ///< empty once booted
+  std::optional<Stamp> boot_;  ///< empty after booting
 };
 
 }  // namespace drydock::emulate

@@ -28,7 +28,8 @@ class Nmea2000Actuators final : public J1939Device {
     const auto ideal = sensor::ideal_actuators(trajectory().at(at));
     const Eigen::Vector3d angles =
         angle_errors_.apply({*ideal.rudder_rad, *ideal.stern_plane_rad, *ideal.bow_plane_rad}, at);
-    // On the wire an angle that turns to starboard is positive, with us one that turns to port.
+    // On the wire an angle that turns to starboard is positive; here one that turns to port is
+    // positive.
     send_angle(0, -angles.x(), address, out);
     send_angle(1, angles.y(), address, out);
     send_angle(2, angles.z(), address, out);

@@ -13,7 +13,7 @@ constexpr std::uint8_t preferred_address = 0x23;
 // NMEA 2000 class "sensor communication interface", function "pressure"; industry group marine.
 constexpr std::uint8_t device_class = 75, pressure_function = 140, marine = 4;
 constexpr double echo_range_m = 200;
-constexpr double temperature_interval_s = 2, depth_interval_s = 1;  // as NMEA 2000 has it
+constexpr double temperature_interval_s = 2, depth_interval_s = 1;  // from NMEA 2000
 constexpr unsigned sequences = 253;                                 // SIDs above 252 are reserved
 
 std::uint64_t name_value(const DeviceConfig& config) {
@@ -39,7 +39,7 @@ class Nmea2000Depth final : public J1939Device {
     ++reports_;
   }
 
-  /// Whether so many seconds have gone by, by the count of reports; true for the first.
+  /// True for the first report and then every `interval_s`, by the count of reports.
   bool each(double interval_s) const {
     const auto period = std::max<std::uint64_t>(1, std::llround(interval_s * rate_hz()));
     return reports_ % period == 0;
@@ -77,7 +77,7 @@ class Nmea2000Depth final : public J1939Device {
   }
 
   sensor::ErrorModel errors_;
-  std::uint64_t reports_ = 0;  ///< before the one under way
+  std::uint64_t reports_ = 0;  ///< before the current one
 };
 
 }  // namespace

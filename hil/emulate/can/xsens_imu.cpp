@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::chrono::microseconds tick_length{100};
 
-// Bits of the status word: self-test passed, filter valid; then clipping, axis by axis.
+// Bits of the status word: self-test passed, filter valid, and clipping of each axis.
 constexpr std::uint32_t sound = 0x3, acceleration_clipped = 0x700, rate_clipped = 0x3800;
 // Ranges of the MTi-600 (MT1603P).
 constexpr double acceleration_range_mps2 = 10 * 9.80665;

@@ -30,7 +30,7 @@ sensor::PingNoise DvlDevice::next_noise() {
   return noise;
 }
 
-/// A stuck head draws its noise too, so that it goes on as if it had never been stuck.
+/// A stuck head still draws its noise, so that it later continues as if it had never been stuck.
 sensor::DvlPing DvlDevice::ping(Stamp at) {
   const sensor::PingNoise noise = next_noise();
   if (!condition().stuck_at) last_noise_ = noise;

@@ -6,13 +6,13 @@
 
 namespace drydock::emulate {
 
-/// A head of four Janus beams that pings once a sample. What the rig file says of it goes before
-/// what its maker built.
+/// A head of four Janus beams that pings once per sample. Values of the rig file override those of
+/// the maker.
 class DvlDevice : public SamplingDevice {
  protected:
   DvlDevice(const DeviceSetup& setup, const sensor::JanusHead& made);
 
-  /// Fading and the noise of the beams come from (seed, device).
+  /// Fading and beam noise depend on (seed, device).
   sensor::DvlPing ping(Stamp at);
   const sensor::JanusHead& head() const { return head_; }
 
@@ -21,7 +21,7 @@ class DvlDevice : public SamplingDevice {
 
   sensor::JanusHead head_;
   sensor::RandomStream noise_;
-  sensor::PingNoise last_noise_;  ///< which a stuck head repeats
+  sensor::PingNoise last_noise_;  ///< repeated by a stuck head
 };
 
 }  // namespace drydock::emulate

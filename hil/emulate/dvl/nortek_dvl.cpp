@@ -7,7 +7,7 @@
 namespace drydock::emulate {
 namespace {
 
-/// 1 MHz.
+/// The DVL1000 works at 1 MHz.
 constexpr sensor::JanusHead dvl1000{.beam_angle_rad = 25 * std::numbers::pi / 180,
                                     .shortest_range_m = 0.2,
                                     .longest_range_m = 75,

@@ -7,8 +7,8 @@
 namespace drydock::emulate {
 namespace {
 
-/// One PD4 or PD5 report a sample: ship axes without tilts, which are the head's own. A Water
-/// Linked head says "ship axes with tilts" and sends forward, starboard, down, as that maker
+/// One PD4 or PD5 report per sample, in ship axes without tilts, which are the head's own. A Water
+/// Linked head reports "ship axes with tilts" and sends forward, starboard, down, as its maker
 /// documents.
 template <class Protocol>
 class Pd4Dvl final : public DvlDevice {

@@ -8,8 +8,8 @@
 namespace drydock::emulate {
 namespace {
 
-/// The ten lines of an ensemble a sample. A Water Linked head sends forward, starboard, down in
-/// :BI, has no compass and fills :TS, :BI, :BS and :BD alone.
+/// One ensemble of ten lines per sample. A Water Linked head sends forward, starboard, down in :BI,
+/// has no compass and fills only :TS, :BI, :BS and :BD.
 class Pd6Dvl final : public DvlDevice {
  public:
   explicit Pd6Dvl(const DeviceSetup& setup)
@@ -43,7 +43,7 @@ class Pd6Dvl final : public DvlDevice {
     write(timing);
   }
 
-  /// What was made good since boot, and how long ago the last good velocity was.
+  /// Distance made good since boot, and the time since the last good velocity.
   struct Way {
     Eigen::Vector3d ned_m = Eigen::Vector3d::Zero();
     double since_good_s = 0;

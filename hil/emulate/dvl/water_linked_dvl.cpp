@@ -13,19 +13,19 @@ namespace {
 namespace water_linked = wire::water_linked;
 using water_linked::Verdict;
 
-/// 1 MHz.
+/// The A50 works at 1 MHz.
 constexpr sensor::JanusHead a50{.beam_angle_rad = 22.5 * std::numbers::pi / 180,
                                 .shortest_range_m = 0.05,
                                 .longest_range_m = 50,
                                 .absorption_dbpm = 0.35};
-/// The transducers in the order of JanusHead's beams, as the A50 numbers them (from 0) in its PD4
-/// output.
+/// The transducers in the order of JanusHead's beams, with the numbers (from 0) that the A50 uses
+/// in its PD4 output.
 constexpr std::array<int, 4> transducer_of_beam{2, 0, 3, 1};
 constexpr double noise_dbm = -95;
 constexpr int most_queued_pings = 15;
 constexpr double slowest_sound_mps = 1000, fastest_sound_mps = 2000;
 
-/// `protocol` of the command wcp.
+/// Values of `protocol` in the command wcp.
 constexpr int output_off = 0, output_all = 1, output_new = 3;
 
 class WaterLinkedDvl final : public DvlDevice {
@@ -59,7 +59,8 @@ class WaterLinkedDvl final : public DvlDevice {
     }
     const auto measured = ping(at);
     if (output_ == output_off || (condition().hot && at >= condition().hot->shuts_down_at)) return;
-    send_velocity(measured, at, out);  // first: the report's own times do not know of a queue
+    send_velocity(measured, at, out);  // first, because the times in the report do not include a
+                                       // queue
     send_transducers(measured, out);
   }
 

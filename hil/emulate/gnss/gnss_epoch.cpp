@@ -13,7 +13,7 @@ namespace {
 
 using namespace std::chrono;
 
-// No receiver claims to be perfect.
+// A receiver never reports perfect accuracy.
 constexpr double best_accuracy_m = 0.01;
 constexpr double best_accuracy_mps = 0.001;
 
@@ -57,7 +57,7 @@ void GnssSensor::add_errors(measurement::GnssFix& fix) {
   fix.speed_accuracy_mps = speed_accuracy_mps_;
 }
 
-/// Satellites that faults hide: behind what stands around, or too weak for the antenna.
+/// Removes satellites that faults hide: they are behind obstacles, or too weak for the antenna.
 void GnssSensor::hide(measurement::GnssSatellites& sky) const {
   auto& all = sky.satellites;
   const auto hidden = std::remove_if(all.begin(), all.end(), [&](const auto& satellite) {

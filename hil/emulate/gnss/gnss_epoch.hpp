@@ -8,15 +8,15 @@
 
 namespace drydock::emulate {
 
-/// What a receiver knows at one epoch. A cold start finds the strongest satellite first, one after
-/// the other; it knows the time from half of the way on and uses satellites when it has its fix.
-/// Under water: no fix, no satellites; its clock runs on. No fix either where the satellites in use
-/// do not give one (sky::dilution).
+/// The knowledge of a receiver at one epoch. In a cold start it finds one satellite after another,
+/// the strongest first. It knows the time after half of this search, and uses satellites once it
+/// has a fix. Under water it has no fix and no satellites, but its clock runs on. It also has no
+/// fix if the satellites in use do not determine one (sky::dilution).
 struct GnssEpoch {
   measurement::GnssFix fix;
   measurement::GnssSatellites sky;
-  std::optional<sky::Dilution> dilution;     ///< with a fix
-  bool time_is_known = true;                 ///< not before a cold start has heard it
+  std::optional<sky::Dilution> dilution;     ///< only with a fix
+  bool time_is_known = true;                 ///< false in a cold start until the time is received
   std::chrono::year_month_day date;          ///< UTC
   std::chrono::nanoseconds time_of_day{};    ///< UTC
   std::chrono::milliseconds time_of_week{};  ///< GPS time
@@ -25,8 +25,8 @@ struct GnssEpoch {
 /// Course over ground, [0, 2 pi).
 double course_rad(const Eigen::Vector3d& velocity_ned);
 
-/// The receiver's measuring side, the same for every protocol. Primary errors are the position's
-/// (m: north, east, down), secondary the velocity's.
+/// The measuring part of a receiver, common to all protocols. Primary errors are those of the
+/// position (m: north, east, down), secondary errors those of the velocity.
 class GnssSensor {
  public:
   explicit GnssSensor(const DeviceSetup& setup);

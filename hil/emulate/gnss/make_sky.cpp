@@ -8,7 +8,8 @@
 namespace drydock::emulate {
 namespace {
 
-/// The satellites would only be missing, without a word; so the mission does not begin.
+/// Without this error the satellites would be missing without any message, so the mission must not
+/// begin.
 EmulateError out_of_date(const rig_config::DeviceConfig& config, const sky::BroadcastOrbits& orbits,
                          sky::GpsTime time) {
   const auto [first, last] = orbits.span();

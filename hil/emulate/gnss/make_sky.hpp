@@ -8,9 +8,9 @@
 
 namespace drydock::emulate {
 
-/// The satellites of one receiver: those of the ephemeris file that its configuration names, or ten
-/// invented ones. An error: a file that cannot be used, or whose records do not hold when the
-/// mission begins.
+/// The satellites of one receiver: those of the ephemeris file in its configuration, or ten
+/// invented ones. It is an error if the file cannot be used, or if its records are not valid when
+/// the mission begins.
 boost::system::result<std::shared_ptr<sensor::Sky>, EmulateError> make_sky(
     const rig_config::DeviceConfig& config, measurement::Stamp mission_start, std::uint64_t seed);
 

@@ -11,7 +11,7 @@ namespace {
 
 constexpr int a_driver = -1;
 
-/// Before an interface that is down is tried again.
+/// Pause before an interface that is down is tried again.
 constexpr std::chrono::milliseconds bus_patience{200};
 
 }  // namespace

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::chrono::milliseconds longest_chunk{4};
 
-/// Before a port that could not be made is tried again.
+/// Pause before a port that could not be opened is tried again.
 constexpr std::chrono::milliseconds port_patience{100};
 
 }  // namespace
@@ -38,7 +38,7 @@ void LineRunner::close() {
   port_.cancel();
 }
 
-/// What is still on the line when the port goes is lost. Closing ends hear().
+/// Bytes that are still on the line are lost. Closing the line ends hear().
 void LineRunner::unplug() {
   plugged_ = false;
   pacer_.drop_all();
@@ -90,7 +90,7 @@ Runner::Coroutine LineRunner::send_due(Stamp now) {
   let_act(*device_, now, *this, wire_time_);
   while (const auto chunk = pacer_.take(now)) {
     const auto line = line_;
-    if (!line) continue;  // lost, as on a wire that ends nowhere
+    if (!line) continue;  // lost, as on a wire without a receiver
     note_time(chunk->at, now);
     const auto result = co_await line->write(chunk->bytes);
     note_written(result, name_, chunk->ends_message, chunk->of_message);

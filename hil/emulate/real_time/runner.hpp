@@ -13,8 +13,8 @@
 
 namespace drydock::emulate {
 
-/// Serves one link in real time: one coroutine sends what is due, one hears the drivers. Both keep
-/// the runner alive until they have ended.
+/// Serves one link in real time. One coroutine sends what is due, another listens to the drivers.
+/// Both keep the runner alive until they end.
 class Runner : public std::enable_shared_from_this<Runner> {
  public:
   Runner(boost::asio::io_context& io, std::string link, RealTimeEmulator::OnWritten on_written);
@@ -22,14 +22,14 @@ class Runner : public std::enable_shared_from_this<Runner> {
 
   void start();
   void stop();
-  void wake() { timer_.cancel(); }  ///< the deadline may have come nearer
+  void wake() { timer_.cancel(); }  ///< call it when the deadline may be earlier
   const std::string& link() const { return link_; }
   virtual RealTimeEmulator::Counters counters() const { return counters_; }
 
  protected:
   using Coroutine = boost::asio::awaitable<void>;
 
-  virtual Coroutine listen() = 0;             ///< until the link is closed
+  virtual Coroutine listen() = 0;             ///< runs until the link is closed
   virtual Coroutine send_due(Stamp now) = 0;  ///< lets devices act and writes what is due
   virtual std::optional<Stamp> deadline() const = 0;
   virtual void close() = 0;
@@ -38,7 +38,7 @@ class Runner : public std::enable_shared_from_this<Runner> {
   void note_written(const boost::system::result<void>& result, const std::string& device,
                     bool whole_message, const Passage& passage);
 
-  /// Devices act at the time they asked for, so that late wake-ups do not shift what they send.
+  /// Devices act at the time that they asked for, so late wake-ups do not shift their messages.
   /// After a stall they catch up at once, and the pacer drops what the line could not have carried.
   void let_act(EmulatedDevice& device, Stamp now, Wire& wire, Stamp& wire_time);
 
@@ -53,7 +53,7 @@ class Runner : public std::enable_shared_from_this<Runner> {
   RealTimeEmulator::Counters counters_;
 };
 
-/// A byte device at the end of a paced line, whose port may go and come back.
+/// A byte device at the end of a paced line. Its port may go and come back.
 class LineRunner final : public Runner, private Wire {
  public:
   LineRunner(boost::asio::io_context& io, link::Uri uri, RealTimeEmulator::OnWritten on_written,
@@ -68,11 +68,11 @@ class LineRunner final : public Runner, private Wire {
   std::optional<Stamp> deadline() const override;
   void close() override;
 
-  Coroutine hear();     ///< until the port goes
-  Coroutine plug_in();  ///< when the port may come back
+  Coroutine hear();     ///< runs until the port goes
+  Coroutine plug_in();  ///< runs when the port may come back
 
   void send(wire::Bytes bytes) override { pacer_.queue(bytes, wire_time_, device_->sampled_at()); }
-  void send(const wire::CanFrame&) override {}  // frames do not travel on a serial line
+  void send(const wire::CanFrame&) override {}  // a serial line carries no frames
   void unplug() override;
   void plug() override;
 
@@ -80,13 +80,13 @@ class LineRunner final : public Runner, private Wire {
   std::string name_;
   std::unique_ptr<EmulatedDevice> device_;
   LinePacer pacer_;
-  std::shared_ptr<link::ByteLink> line_;  ///< empty: the port is gone
+  std::shared_ptr<link::ByteLink> line_;  ///< null: the port is gone
   bool plugged_ = true;
-  boost::asio::steady_timer port_;  ///< cancelled as a signal: plugged_ has changed
+  boost::asio::steady_timer port_;  ///< cancelled to signal that plugged_ has changed
   Stamp wire_time_{};
 };
 
-/// The nodes of one CAN bus, whose interface may be set down and up again.
+/// The nodes of one CAN bus. Its interface may be set down and up again.
 class BusRunner final : public Runner {
  public:
   BusRunner(boost::asio::io_context& io, link::Uri uri, RealTimeEmulator::OnWritten on_written,
@@ -109,8 +109,8 @@ class BusRunner final : public Runner {
 
   link::Uri uri_;
   CanPacer pacer_;
-  int cut_off_by_ = 0;  ///< nodes, for whose faults the drivers' controller is bus-off
-  std::shared_ptr<link::FrameLink> bus_;  ///< empty: the interface is down or gone
+  int cut_off_by_ = 0;  ///< number of nodes whose faults make the drivers' controller bus-off
+  std::shared_ptr<link::FrameLink> bus_;  ///< null: the interface is down or gone
   boost::asio::steady_timer retry_;
   std::vector<std::unique_ptr<Node>> nodes_;
 };

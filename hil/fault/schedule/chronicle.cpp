@@ -45,7 +45,7 @@ void Chronicle::compare(Stamp at) {
   in_force_ = std::move(now);
 }
 
-/// One that ends closes the entry of its beginning.
+/// An episode that ends closes the entry of its beginning.
 void Chronicle::keep(const Episode& episode) {
   if (episode.until) {
     const auto open = std::ranges::find_if(episodes_, [&](const Episode& kept) {

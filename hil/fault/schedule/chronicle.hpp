@@ -7,28 +7,28 @@
 
 namespace drydock::fault {
 
-/// A fault as it was: from when to when.
+/// A past or present fault with its times.
 struct Episode {
   std::string device, words;
   Stamp since{};
-  std::optional<Stamp> until;  ///< empty: in force still
+  std::optional<Stamp> until;  ///< empty: still in force
 };
 
-/// Which faults set in and cleared, when, as time goes on: for a terminal, a page, a report.
+/// Records when faults begin and end: for a terminal, a page, a report.
 class Chronicle {
  public:
-  static constexpr std::size_t most_kept = 1000;  ///< episodes; the first ones, then a count
+  static constexpr std::size_t most_kept = 1000;  ///< episodes; later ones are only counted
 
-  /// Hears each fault that sets in (until is empty) and each that clears.
+  /// Called for each fault that begins (`until` is empty) and each that ends.
   using OnChange = std::function<void(const Episode&)>;
 
-  /// The injector outlives it.
+  /// The injector must outlive the chronicle.
   Chronicle(const Injector& injector, Stamp start);
 
   void set_on_change(OnChange hook) { on_change_ = std::move(hook); }
 
-  /// Takes in all changes up to `now`. To be called before and after a fault is set or cleared by
-  /// hand, which is a change at once.
+  /// Records all changes up to `now`. Call it before and after a fault is set or cleared by hand,
+  /// because that is an immediate change.
   void follow(Stamp now);
 
   std::optional<Stamp> deadline() const { return injector_.next_change(followed_); }

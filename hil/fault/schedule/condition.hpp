@@ -8,8 +8,8 @@
 
 namespace drydock::fault {
 
-/// What the faults in force make of a device of a kind from within; with none of them it is sound.
-/// Of two of a kind the later one in the list holds.
+/// The internal condition of a device of this kind under the faults in force. Without a fault it is
+/// sound. If two faults set the same value, the later one in the list counts.
 emulate::Condition condition_under(const std::vector<InForce>& faults, rig_config::DeviceKind kind);
 
 }  // namespace drydock::fault

@@ -17,7 +17,7 @@ using rig_config::FaultWord;
 
 constexpr double shortest_s = 1, longest_s = 60;
 
-/// A rough size of what a sensor measures, in the unit of its key.
+/// A typical size of the quantity, in the unit of its key.
 double typical(std::string_view quantity) {
   if (quantity == "position_m") return 50;
   if (quantity == "pressure_pa") return 2e4;
@@ -26,7 +26,7 @@ double typical(std::string_view quantity) {
   return 2;  // m/s, m/s2
 }
 
-/// One for each word that the device can have and, of words of a quantity, each quantity.
+/// One fault per word that the device can have, or one per quantity if the word has quantities.
 std::vector<FaultConfig> possible_for(const DeviceConfig& device) {
   std::vector<FaultConfig> all;
   const auto add = [&](const FaultWord& word, std::string quantity, double size) {
@@ -44,7 +44,8 @@ std::vector<FaultConfig> possible_for(const DeviceConfig& device) {
         if (quantity.kind == device.kind)
           add(word, std::string(quantity.key), typical(quantity.key) * quantity.unit);
     } else {
-      const bool given = std::isnan(word.usual);  // baud, seconds of a clock
+      const bool given = std::isnan(word.usual);  // the word has no usual value: baud, seconds of a
+                                                  // clock
       add(word, "", given ? (word.amount == "baud" ? 19200 : 3600) : word.usual);
     }
   }

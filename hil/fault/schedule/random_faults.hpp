@@ -7,14 +7,14 @@
 
 namespace drydock::fault {
 
-/// Faults that come by chance, as a soak wants them: any that the device can have, of a random
-/// amount, for a random time, at exponential intervals. The same seed gives the same ones.
+/// Random faults for a soak: any fault that the device can have, with a random amount and duration,
+/// at exponential intervals. The same seed gives the same faults.
 class RandomFaults {
  public:
-  /// `mean_interval_s`: between the starts of two faults of one device.
+  /// `mean_interval_s`: mean time between two faults of one device.
   RandomFaults(const rig_config::Rig& rig, std::uint64_t seed, double mean_interval_s);
 
-  /// The next fault of any device; start_s counts from the start of the run and never falls.
+  /// The next fault of any device. start_s counts from the start of the run and never decreases.
   rig_config::FaultConfig next();
 
  private:

@@ -19,7 +19,7 @@ std::optional<nanoseconds> length(const std::optional<double>& seconds) {
   return seconds ? std::optional(measurement::from_seconds(*seconds)) : std::nullopt;
 }
 
-/// The turn that has begun last at `at`; nothing before the first.
+/// The last turn that began at or before `at`; empty before the first.
 std::optional<Turn> last_turn(const FaultConfig& fault, Stamp start, Stamp at) {
   const Stamp first = start + measurement::from_seconds(fault.start_s);
   if (at < first) return {};

@@ -7,7 +7,7 @@
 
 namespace drydock::fault {
 
-/// Sees when a schedule comes to a change, by its times or by hand.
+/// Detects the changes of a schedule, by time or by hand.
 class ScheduleFollower {
  public:
   ScheduleFollower(std::shared_ptr<const Schedule> schedule, Stamp start)
@@ -17,8 +17,8 @@ class ScheduleFollower {
     return edited() ? std::optional(followed_) : next_change_;
   }
 
-  /// What is in force, where it may be something else than at the last call. What it points to
-  /// holds until the schedule is edited.
+  /// The faults in force if they may have changed since the last call; else empty. The pointers are
+  /// valid until the schedule is edited.
   std::optional<std::vector<InForce>> changed(Stamp now) {
     const auto due = deadline();
     if (!due || *due > now) return {};
@@ -34,7 +34,8 @@ class ScheduleFollower {
   std::shared_ptr<const Schedule> schedule_;
   Stamp followed_{};
   std::optional<Stamp> next_change_;
-  std::optional<std::uint64_t> edits_;  ///< none: not looked yet, and a fault may hold already
+  std::optional<std::uint64_t> edits_;  ///< empty: not asked yet, so a fault may be in force
+                                        ///< already
 };
 
 }  // namespace drydock::fault

@@ -11,7 +11,8 @@ std::size_t below(std::size_t bound, RandomStream& random) {
   return static_cast<std::size_t>(random.next() % bound);
 }
 
-/// The levels of a serial line: idle is high, start bit, data from the lowest bit on, stop bit.
+/// The levels of a serial line: idle is high; then a start bit, data from the lowest bit, a stop
+/// bit.
 class LineLevels {
  public:
   static constexpr std::size_t bits_per_byte = 10;
@@ -57,7 +58,7 @@ void truncate(wire::CanFrame& frame, RandomStream& random) {
 void break_checksum(Message& message) {
   if (message.empty()) return;
   const auto star = std::find(message.rbegin(), message.rend(), '*');
-  const auto behind = star - message.rbegin();  // digits, then an end of line at most
+  const auto behind = star - message.rbegin();  // two digits, then at most an end of line
   if (behind >= 2 && behind <= 4) {
     auto& digit = *(star - 1);
     digit = digit == '0' ? '1' : '0';
@@ -85,12 +86,12 @@ wire::CanFrame garbage_frame(std::size_t bytes, RandomStream& random) {
 
 Message heard_at(wire::Bytes message, double sent_baud, double heard_baud) {
   const LineLevels line(message);
-  const double bit = sent_baud / heard_baud;  // of the receiver, in bits of the sender
+  const double bit = sent_baud / heard_baud;  // length of a receiver's bit, in bits of the sender
   const auto end = static_cast<double>(line.bits());
   const auto level = [&](double at) { return line.high(static_cast<std::size_t>(at)); };
   Message heard;
   for (double at = 0; at < end;) {
-    if (level(at)) {  // idle, or a bit in which no character begins: on to the next edge
+    if (level(at)) {  // idle, or a high bit: go to the next edge
       at = std::floor(at) + 1;
       continue;
     }
@@ -98,7 +99,7 @@ Message heard_at(wire::Bytes message, double sent_baud, double heard_baud) {
     for (int i = 0; i < 8; ++i) value |= (level(at + (1.5 + i) * bit) ? 1u : 0u) << i;
     const bool framed = level(at + 9.5 * bit);
     heard.push_back(static_cast<std::uint8_t>(framed ? value : 0));
-    at += 9.5 * bit;  // looks for the next start bit from the middle of the stop bit on
+    at += 9.5 * bit;  // search for the next start bit from the middle of the stop bit
     while (!framed && at < end && !level(at)) at = std::floor(at) + 1;
   }
   return heard;

@@ -8,29 +8,30 @@
 #include "drivers/wire/codec.hpp"
 #include "hil/sensor/random.hpp"
 
-/// What happens to single messages on a wire. A message of a serial line is its bytes.
+/// Damage to single messages on a wire. A message of a serial line is a vector of bytes.
 namespace drydock::fault {
 
 using Message = std::vector<std::uint8_t>;
 using sensor::RandomStream;
 
 void flip_bit(Message& message, RandomStream& random);
-void flip_bit(wire::CanFrame& frame, RandomStream& random);  ///< of its data
+void flip_bit(wire::CanFrame& frame, RandomStream& random);  ///< flips a data bit
 
-/// Cuts a random part off the end, at least one byte; of one byte everything.
+/// Cuts a random part off the end, at least one byte.
 void truncate(Message& message, RandomStream& random);
 void truncate(wire::CanFrame& frame, RandomStream& random);
 
-/// Makes a checksum wrong and leaves what it protects alone: the digits behind the asterisk of a
-/// sentence (NMEA 0183 and its like), the last byte of anything else.
+/// Makes a checksum wrong and does not change the protected data: it changes the digits after the
+/// asterisk of a sentence (NMEA 0183 and similar), or the last byte of any other message.
 void break_checksum(Message& message);
 
 Message garbage(std::size_t bytes, RandomStream& random);
 wire::CanFrame garbage_frame(std::size_t bytes, RandomStream& random);  ///< extended, at most 8
+                                                                        ///< bytes
 
-/// What a receiver at one baud rate makes of a message sent at another: every bit of 8N1 is sampled
-/// in the middle of where the receiver expects it. A character whose stop bit is not there is read
-/// as 0, as Linux does by default (termios(3): IGNPAR and PARMRK off).
+/// What a receiver at one baud rate reads from a message sent at another. The receiver samples
+/// every bit of 8N1 in the middle of its own bit time. A character without a valid stop bit is read
+/// as 0, the default of Linux (termios(3): IGNPAR and PARMRK off).
 Message heard_at(wire::Bytes message, double sent_baud, double heard_baud);
 
 }  // namespace drydock::fault

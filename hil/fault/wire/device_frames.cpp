@@ -7,11 +7,11 @@ namespace drydock::fault {
 
 namespace {
 
-constexpr std::uint32_t source_address = 0xFF;  // SAE J1939-21: the identifier's low byte
+constexpr std::uint32_t source_address = 0xFF;  // SAE J1939-21: the low byte of the identifier
 constexpr std::uint32_t node_bits = 0x7F;       // CiA 301: predefined connection set
 constexpr unsigned function_shift = 7;
 
-/// What a CANopen node sends: EMCY, the four TPDOs, SDO answers, heartbeat.
+/// Messages that a CANopen node sends: EMCY, the four TPDOs, SDO answers, heartbeat.
 constexpr std::array<std::uint32_t, 7> sent_by_node{0x1, 0x3, 0x5, 0x7, 0x9, 0xB, 0xE};
 
 }  // namespace
@@ -30,7 +30,7 @@ DeviceFrames::DeviceFrames(const rig_config::DeviceConfig& device)
 }
 
 bool DeviceFrames::has(const wire::CanFrame& frame) const {
-  if (frame.error) return false;  // the controller's word
+  if (frame.error) return false;  // the controller makes it, not a device
   const auto is_addressed = [&](std::uint32_t sender) {
     return address_ == 0 ? sender != 0 : sender == address_;
   };

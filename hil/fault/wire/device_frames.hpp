@@ -8,14 +8,15 @@
 
 namespace drydock::fault {
 
-/// Which frames on a bus one device sends: by its address, for an Xsens by their identifiers. Of
-/// no address those of every such device; of a protocol without addresses every frame.
+/// Selects the frames that one device sends on a bus: by its address, or by the identifiers of an
+/// Xsens. Address 0 selects every device of the protocol. A protocol without addresses selects
+/// every frame.
 class DeviceFrames {
  public:
   explicit DeviceFrames(const rig_config::DeviceConfig& device);
 
   bool has(const wire::CanFrame& frame) const;
-  bool are_all() const { return scheme_ == Scheme::none; }  ///< of the bus
+  bool are_all() const { return scheme_ == Scheme::none; }  ///< every frame of the bus
 
  private:
   enum class Scheme : std::uint8_t { none, j1939, canopen, xsens };

@@ -10,8 +10,8 @@ namespace drydock::fault {
 
 using rig_config::DeviceConfig;
 
-/// A real or recorded CAN bus on its way to the drivers, with one of its devices under faults: that
-/// device's frames suffer, the others pass. Bus-off and error frames meet all drivers.
+/// A real or recorded CAN bus on its way to the drivers, with faults on one of its devices. Only
+/// the frames of that device suffer. Bus-off and error frames reach all drivers.
 class FaultyBus final : private emulate::Wire {
  public:
   FaultyBus(const DeviceConfig& device, unsigned bit_rate, std::uint64_t seed,
@@ -21,9 +21,9 @@ class FaultyBus final : private emulate::Wire {
   std::optional<Stamp> deadline() const;
   void tick(Stamp now, Outlet& drivers);
 
-  /// Whether what drivers send reaches the bus.
+  /// True if frames from the drivers reach the bus.
   bool hears() const { return !cut_off_ && !(wire_.silent() && device_.are_all()); }
-  bool has_port() const { return true; }  ///< a bus has none
+  bool has_port() const { return true; }  ///< a bus cannot be unplugged
   void drop_all() { wire_.drop_all(); }
   FaultHits hits() const;
 
@@ -39,10 +39,10 @@ class FaultyBus final : private emulate::Wire {
   DeviceFrames device_;
   ScheduleFollower schedule_;
   FaultyWire<wire::CanFrame> wire_;
-  RogueNode controller_;  ///< of the drivers: sees errors, goes bus-off
+  RogueNode controller_;  ///< the drivers' controller: sees errors, goes bus-off
   bool cut_off_ = false;
   FaultHits hits_;
-  Outlet* drivers_ = nullptr;  ///< of the call under way
+  Outlet* drivers_ = nullptr;  ///< valid during a call
   Stamp now_{};
 };
 

@@ -13,14 +13,14 @@ namespace drydock::fault {
 
 using rig_config::DeviceConfig;
 
-/// The bytes of a real or recorded device under faults. While none is in force that is about
-/// messages, bytes go on at once, as they came. While one is, they go on frame by frame of the
-/// device's protocol; bytes between frames keep their place, and what is not whole waits until the
-/// line has been silent for 20 ms and two characters. (A USB adapter hands on what it has every
-/// 16 ms: shorter silence is none.) Without a protocol every read is taken for a message.
+/// The bytes of a real or recorded device under faults. While no fault on messages is in force,
+/// bytes pass at once and unchanged. While one is, they pass frame by frame of the device's
+/// protocol. Bytes between frames keep their place. An incomplete frame waits until the line has
+/// been silent for 20 ms plus two characters, because a USB adapter may deliver its bytes only
+/// every 16 ms. Without a protocol every read counts as a message.
 class FaultyStream {
  public:
-  /// Random numbers follow from the seed, the device's name and the kind of fault.
+  /// Random numbers depend on the seed, the device's name and the kind of fault.
   FaultyStream(const DeviceConfig& device, std::uint64_t seed,
                const std::shared_ptr<const Schedule>& schedule, Stamp start);
 
@@ -28,13 +28,15 @@ class FaultyStream {
   std::optional<Stamp> deadline() const;
   void tick(Stamp now, Outlet& drivers);
 
-  bool hears() const { return !port_.unplugged() && !wire_.silent(); }  ///< what drivers send
+  /// True if the device hears the drivers.
+  bool hears() const { return !port_.unplugged() && !wire_.silent(); }
   bool has_port() const { return !port_.unplugged(); }
-  void drop_all();  ///< the device's end is gone, and what was on its way
+  void drop_all();  ///< the device is gone: drops all bytes on their way
   FaultHits hits() const;
 
  private:
-  static constexpr std::chrono::milliseconds longest_pause{20};  ///< within a frame, of an adapter
+  static constexpr std::chrono::milliseconds longest_pause{20};  ///< longest pause that an adapter
+                                                                 ///< makes within a frame
 
   std::chrono::nanoseconds line_time(std::size_t bytes) const;
   Stamp silent_at() const { return last_read_ + longest_pause + line_time(2); }

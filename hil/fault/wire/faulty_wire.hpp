@@ -5,7 +5,7 @@
 
 namespace drydock::fault {
 
-/// One direction of a wire under faults: what the wire does to messages, then how long it takes.
+/// One direction of a wire under faults: first the damage to messages, then the delay.
 template <class Carried>
 class FaultyWire {
  public:
@@ -19,12 +19,12 @@ class FaultyWire {
   void put(Carried message, Stamp now, std::optional<Stamp> sampled_at = {}) {
     faults_.pass(std::move(message), [&](const Carried& out) { held_.put(out, now, sampled_at); });
   }
-  /// Bytes between messages: they keep their place and take their time.
+  /// Bytes between messages keep their place and get the same delay.
   void put_between(Carried noise, Stamp now) {
     faults_.pass_between(std::move(noise),
                          [&](const Carried& out) { held_.put(out, now, {}, false); });
   }
-  /// What waits for its successor waits no longer.
+  /// Releases a message that waits for its successor.
   void release(Stamp now) {
     faults_.release([&](const Carried& out) { held_.put(out, now, {}, false); });
   }
@@ -32,7 +32,7 @@ class FaultyWire {
   std::optional<Carried> take(Stamp now) { return held_.take(now); }
   std::optional<Stamp> sampled_at() const { return held_.sampled_at(); }
   bool silent() const { return faults_.silent(); }
-  bool empty() const { return held_.empty(); }  ///< nothing is on its way
+  bool empty() const { return held_.empty(); }  ///< no message is on its way
   void drop_all() {
     faults_.release([](const Carried&) {});
     held_.drop_all();

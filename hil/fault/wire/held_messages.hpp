@@ -11,20 +11,20 @@
 
 namespace drydock::fault {
 
-/// A wire that takes its time: messages come later by a constant, by a random time, or together.
-/// They come in order, and what waits when a fault ends still comes at its time.
+/// A wire with a delay: messages come later by a constant or random time, or together in bursts.
+/// Their order stays. A message that waits when a fault ends still comes at its own time.
 template <class Carried>
 class HeldMessages {
  public:
   HeldMessages(std::uint64_t seed, std::string device) : seed_(seed), device_(std::move(device)) {}
 
   void set(const std::vector<InForce>& faults);
-  /// `counts`: as a message, among the hits.
+  /// `counts`: true if it is a message and counts as a hit.
   void put(const Carried& message, Stamp now, std::optional<Stamp> sampled_at = {},
            bool counts = true);
-  std::optional<Stamp> deadline() const;   ///< of the next one
-  std::optional<Carried> take(Stamp now);  ///< the next one whose time has come
-  /// Of the one taken last, as it was put.
+  std::optional<Stamp> deadline() const;   ///< time of the next message
+  std::optional<Carried> take(Stamp now);  ///< the next message that is due
+  /// The value given to put() with the last message that was taken.
   std::optional<Stamp> sampled_at() const { return sampled_at_; }
   void drop_all() { waiting_.clear(); }
   bool empty() const { return waiting_.empty(); }

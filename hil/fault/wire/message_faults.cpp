@@ -7,8 +7,8 @@ namespace drydock::fault {
 
 namespace {
 
-/// A node on a bus does not go at the wrong baud rate, and frames have no checksum of their own:
-/// rig_config::refusal() keeps these from it.
+/// rig_config::refusal() keeps wrong_baud and bad checksums away from buses: a node with a wrong
+/// baud rate does not work on a bus, and frames have no checksum of their own.
 bool is_of_messages(FaultKind kind) {
   return rig_config::word_of(kind).layer == rig_config::FaultLayer::message ||
          kind == FaultKind::wrong_baud;

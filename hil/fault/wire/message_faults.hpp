@@ -11,28 +11,29 @@
 
 namespace drydock::fault {
 
-/// What a wire does to the messages that go over it, one after the other: they come through sound,
-/// damaged, twice, later than their successor or not at all. `Carried` is Message or CanFrame.
+/// Damages messages on a wire, one after the other. A message passes unchanged, damaged, twice,
+/// after its successor, or not at all. `Carried` is Message or CanFrame.
 template <class Carried>
 class MessageFaults {
  public:
   using Emit = std::function<void(const Carried&)>;
 
-  /// Random numbers follow from seed, device and kind of fault. `baud`: of the receiver; 0: none.
+  /// Random numbers depend on seed, device and kind of fault. `baud` is the receiver's rate; 0:
+  /// none.
   MessageFaults(std::uint64_t seed, std::string device, double baud = 0)
       : seed_(seed), device_(std::move(device)), baud_(baud) {}
 
-  /// From now on these are in force.
+  /// Sets the faults in force.
   void set(const std::vector<InForce>& faults);
 
   void pass(Carried message, const Emit& emit);
-  /// What is no message of the device's: only what the whole line suffers happens to it.
+  /// Bytes that are no message: only faults of the whole line affect them.
   void pass_between(Carried noise, const Emit& emit);
-  /// Nothing waits for its successor any more.
+  /// Emits a message that still waits for its successor.
   void release(const Emit& emit);
 
   const FaultHits& hits() const { return hits_; }
-  bool silent() const { return silent_; }  ///< nothing comes through
+  bool silent() const { return silent_; }  ///< no message passes
 
  private:
   struct Active {
@@ -50,7 +51,7 @@ class MessageFaults {
   std::string device_;
   double baud_;
   std::vector<Active> active_;
-  std::optional<Carried> held_;  ///< until its successor has gone
+  std::optional<Carried> held_;  ///< waits until its successor has gone
   FaultHits hits_;
   bool silent_ = false;
 };

@@ -34,7 +34,7 @@ void MessageSplitter::release(const OnPiece& on_piece) {
 
 std::size_t MessageSplitter::split(bool gives_up, const OnPiece& on_piece) {
   const wire::Bytes all(held_);
-  std::size_t between = 0, at = 0;  // bytes from `between` to `at` are of no frame
+  std::size_t between = 0, at = 0;  // bytes from `between` to `at` belong to no frame
   const auto pass_between = [&] {
     if (at > between) on_piece({all.subspan(between, at - between), false, all.size() - at});
   };
@@ -48,7 +48,7 @@ std::size_t MessageSplitter::split(bool gives_up, const OnPiece& on_piece) {
     } else if (found.kind != wire::Scan::Kind::need_more) {
       at += found.size;
     } else if (gives_up || rest.size() >= protocol_.longest_frame) {
-      ++at;  // a frame that claims more than it may have is none
+      ++at;  // too long for a frame, so it is none
     } else {
       break;
     }

@@ -10,8 +10,8 @@
 
 namespace drydock::fault {
 
-/// Splits a line's bytes into a protocol's whole frames and what is between them. All bytes come
-/// out again, in order; of a frame that is not whole yet they wait.
+/// Splits the bytes of a line into whole frames of a protocol and the bytes between them. All bytes
+/// come out again in order. The bytes of an incomplete frame wait.
 class MessageSplitter {
  public:
   using Scan = wire::Scan (*)(wire::Bytes);
@@ -19,30 +19,31 @@ class MessageSplitter {
     Scan scan = nullptr;
     std::size_t longest_frame = 0;
   };
-  /// A byte protocol of the registry; nothing where none has that name.
+  /// A byte protocol of the registry; empty if the name is unknown.
   static std::optional<Protocol> protocol(std::string_view name);
 
   struct Piece {
     wire::Bytes bytes;
     bool message = false;
-    std::size_t after = 0;  ///< so many bytes of the input came after it
+    std::size_t after = 0;  ///< number of input bytes after this piece
   };
   using OnPiece = std::function<void(const Piece&)>;
 
   explicit MessageSplitter(const Protocol& protocol);
 
   void feed(wire::Bytes bytes, const OnPiece& on_piece);
-  /// The line fell silent: what waits is no frame, but what stands behind its first byte may be.
+  /// The line is silent: the waiting bytes are no frame, but a frame may begin after their first
+  /// byte.
   void finish(const OnPiece& on_piece);
-  /// What waits goes as it is.
+  /// Emits the waiting bytes unchanged.
   void release(const OnPiece& on_piece);
   void drop_all() { held_.clear(); }
 
   bool empty() const { return held_.empty(); }
 
  private:
-  /// How many bytes are settled; what comes before the first frame or is left by `gives_up` is
-  /// between frames.
+  /// Returns the number of bytes that are settled. With `gives_up`, an incomplete frame counts as
+  /// bytes between frames.
   std::size_t split(bool gives_up, const OnPiece& on_piece);
 
   Protocol protocol_;

@@ -14,14 +14,14 @@ using namespace element;
 using Value = std::optional<double>;
 using Points = std::vector<Track::const_iterator>;
 
-/// The first point at which the rudder or the stern planes are commanded away from amidships.
+/// The first point at which the command moves the rudder or the stern planes away from amidships.
 Track::const_iterator execute(const Track& track) {
   return std::ranges::find_if(track, [](const TrackPoint& point) {
     return point.command.delta_r != 0 || point.command.delta_s != 0;
   });
 }
 
-/// The points at which a surface is commanded to the other side.
+/// The points at which the command moves a surface to the other side.
 Points reversals(const Track& track, double Command::*surface) {
   Points found;
   for (auto at = std::next(track.begin()); at < track.end(); ++at)
@@ -29,14 +29,14 @@ Points reversals(const Track& track, double Command::*surface) {
   return found;
 }
 
-/// Where the rudder is next commanded to another angle than at `start`.
+/// The next point at which the commanded rudder differs from that at `start`.
 Track::const_iterator rudder_moved(Track::const_iterator start, const Track& track) {
   return std::find_if(start, track.end(), [&](const TrackPoint& point) {
     return point.command.delta_r != start->command.delta_r;
   });
 }
 
-/// Time and state where element i of the state first passes a value.
+/// Time and state at which element i of the state first passes a value.
 struct Passing {
   double t;
   hydrodynamics::State state;
@@ -57,7 +57,8 @@ double rate_of_turn(const hydrodynamics::State& s) {
   return (s[q] * std::sin(s[roll]) + s[r] * std::cos(s[roll])) / std::cos(s[pitch]);
 }
 
-/// Of the part with the rudder as at the execute: what a schedule does later is no such circle.
+/// Uses the track while the rudder is as at the execute. Later parts of a schedule are not this
+/// circle.
 std::vector<Figure> of_turning_circle(const Track& track, Track::const_iterator start) {
   const auto moved = rudder_moved(start, track);
   const auto& end = std::prev(moved)->state;
@@ -89,7 +90,7 @@ std::vector<Figure> of_turning_circle(const Track& track, Track::const_iterator 
   };
 }
 
-/// How far element i goes on beyond where it was at `at`, up to `until`.
+/// The largest further change of element i after `at`, until `until`.
 double overshoot(Track::const_iterator at, Track::const_iterator until, int i) {
   const double side = at->state[i] < 0 ? -1 : 1;
   double most = 0;

@@ -11,7 +11,8 @@ Actuator::Actuator(const ActuatorLimits& limits, double value)
 void Actuator::step(double command, double dt) {
   const double target = std::clamp(command, limits_.lower, limits_.upper);
   const double way = target - value_;
-  // Further off than this the lag asks for more than the rate: first straight, then exponentially.
+  // Beyond `near` the lag asks for more than the rate allows. So the motion is first linear, then
+  // exponential.
   const double near = limits_.lag_s > 0 ? limits_.rate * limits_.lag_s : 0;
   double left = std::abs(way);
   if (left > near) {

@@ -6,16 +6,16 @@
 
 namespace drydock::motion {
 
-/// What an autopilot or a schedule asks for. rad, m/s.
+/// The output of an autopilot or a schedule. rad, m/s.
 struct Command {
   double delta_r = 0, delta_s = 0, delta_b = 0;  ///< rudder, stern planes, bow planes
-  double speed_mps = 0;                          ///< the propeller turns for it
+  double speed_mps = 0;                          ///< for the propeller
 };
 
 /// Rudder, stern planes, bow planes and propeller of a vehicle, each with its own limits.
 class Actuators {
  public:
-  /// Surfaces amidships, the propeller turning for `speed_mps`.
+  /// The surfaces start amidships. The propeller starts at the rate for `speed_mps`.
   Actuators(const rig_config::VehicleConfig& config, double speed_mps);
 
   void step(const Command& command, double dt);
@@ -28,7 +28,7 @@ class Actuators {
   double advance_m_;
 };
 
-/// The same vehicle with actuators that have stops but neither lag nor rate limits.
+/// The same vehicle with actuators that have stops, but no lag and no rate limits.
 rig_config::VehicleConfig with_ideal_actuators(rig_config::VehicleConfig config);
 
 }  // namespace drydock::motion

@@ -9,7 +9,7 @@ namespace drydock::motion {
 
 namespace {
 
-constexpr double slowest_flow_mps = 0.5;  // below it the surfaces have next to no effect
+constexpr double slowest_flow_mps = 0.5;  // below this the surfaces have almost no effect
 
 }  // namespace
 
@@ -64,7 +64,7 @@ double Autopilot::rudder(const Prescribed& wanted, double heading, double rate_o
                              rudder_limit_, dt);
 }
 
-// Depth asks for a pitch, pitch for the planes. Positive planes push the bow down.
+// The depth law sets a pitch, and the pitch law sets the planes. Positive planes push the bow down.
 double Autopilot::stern_planes(const Prescribed& wanted, double depth, double pitch,
                                double pitch_rate, double lengths_ps, AutopilotMemory& memory,
                                double dt) const {

@@ -4,29 +4,29 @@
 #include "hil/motion/vehicle/actuators.hpp"
 #include "hil/motion/vehicle/vehicle_motion.hpp"
 
-/// Autopilots for heading, depth and speed, on the true state. Equation numbers are those of
+/// Autopilots for heading, depth and speed. They use the true state. Equation numbers are those of
 /// docs/vehicle.md.
 namespace drydock::motion {
 
-/// The part of a proportional-integral law that remembers. It stands while the output is at a stop
-/// and the error would push it further.
+/// The integral part of a proportional-integral law. It is held while the output is at a stop and
+/// the error would push it further.
 class Integral {
  public:
-  /// `proportional` and what was integrated, within the stops; then integrates on.
+  /// Returns `proportional` plus the integral, within the stops, and then updates the integral.
   double act(double proportional, double error_rate, double lower, double upper, double dt);
 
  private:
   double value_ = 0;
 };
 
-/// What the autopilots remember from step to step.
+/// The memory of the autopilots from step to step.
 struct AutopilotMemory {
   Integral heading, pitch, depth, speed;
-  double turned_rad = 0;  ///< by turning circles, beyond what the legs prescribe
+  double turned_rad = 0;  ///< by turning circles, in addition to the headings of the legs
 };
 
-/// The gains are those of a vehicle in the prime system, times as lengths over speed: the same for
-/// every speed.
+/// The gains apply to the prime system, in which time is measured in lengths over speed. They are
+/// the same for every speed.
 struct AutopilotGains {
   double heading = 1, heading_integral = 0.1, rate_of_turn = 0.57;
   double pitch = 1.5, pitch_integral = 0.25, pitch_rate = 0.35;
@@ -38,11 +38,11 @@ class Autopilot {
  public:
   explicit Autopilot(const rig_config::VehicleConfig& vehicle, const AutopilotGains& gains = {});
 
-  /// Eq. (6) to (9): what rudder, stern planes and propeller are told for the next dt seconds.
+  /// Eq. (6) to (9): the commands to rudder, stern planes and propeller for the next dt seconds.
   Command steer(const Prescribed& wanted, const VehicleState& state, AutopilotMemory& memory,
                 double dt) const;
 
-  static constexpr double steepest_sine = 0.5;  ///< of pitch: 30 deg
+  static constexpr double steepest_sine = 0.5;  ///< sine of the steepest pitch: 30 deg
 
  private:
   double rudder(const Prescribed& wanted, double heading, double rate_of_turn, double lengths_ps,

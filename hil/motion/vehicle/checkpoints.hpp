@@ -7,10 +7,10 @@
 
 namespace drydock::motion {
 
-/// States of something that is integrated in equal steps, found again at any index in any order.
-/// Blocks of steps are kept whole as long as they are among the last ones asked for, and of all
-/// blocks the first state of every so many: a motion of any length costs the same little memory,
-/// and a block integrated again is the same to the last bit.
+/// The states of an integration in equal steps, available at any index in any order. The blocks of
+/// steps that were used last are kept whole. Of all other blocks, only the first state of every
+/// `apart_`-th one is kept. So a motion of any length needs the same small memory. A block that is
+/// integrated again is equal to the last bit.
 template <class State>
 class Checkpoints {
  public:
@@ -18,7 +18,7 @@ class Checkpoints {
 
   explicit Checkpoints(const State& first) : firsts_{first} {}
 
-  /// `step(state, index)`: the state one step after that of `index`.
+  /// `step(state, index)` returns the state one step after that of `index`.
   template <class Step>
   const State& at(std::size_t index, Step&& step) {
     return whole(index / block, step)[index % block];
@@ -28,7 +28,7 @@ class Checkpoints {
 
  private:
   struct Whole {
-    std::size_t number = 0, asked = 0;  ///< `asked` 0: empty
+    std::size_t number = 0, asked = 0;  ///< `asked` 0: unused
     std::vector<State> states;
   };
 
@@ -51,7 +51,7 @@ class Checkpoints {
     return oldest->states;
   }
 
-  /// From the block before where that is whole, else from the last first that is kept.
+  /// Starts from the previous block if that is whole, else from the last first state that is kept.
   template <class Step>
   State first_of(std::size_t number, Step& step) {
     for (const Whole& kept : recent_) {
@@ -78,7 +78,7 @@ class Checkpoints {
     apart_ *= 2;
   }
 
-  std::vector<State> firsts_;  ///< of each `apart_`-th block
+  std::vector<State> firsts_;  ///< one per `apart_` blocks
   std::size_t apart_ = 1;
   std::array<Whole, 4> recent_;
   std::size_t asked_ = 0;

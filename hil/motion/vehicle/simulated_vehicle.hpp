@@ -5,15 +5,15 @@
 
 namespace drydock::motion {
 
-/// A vehicle under command in virtual time: its equations of motion behind its actuators.
+/// A vehicle under command in virtual time: its actuators and its equations of motion.
 class SimulatedVehicle {
  public:
-  /// The propeller begins turning for the state's u. Throws std::invalid_argument, see
+  /// The propeller starts at the rate for the state's u. Throws std::invalid_argument, see
   /// hydrodynamics::Model.
   SimulatedVehicle(const rig_config::VehicleConfig& config, const hydrodynamics::State& state);
 
-  /// Goes on by dt seconds (0.02 or less: the fastest lag is 0.1 s) under a held command. The
-  /// equations see the actuators as they are in the middle of the step.
+  /// Advances by dt seconds (0.02 or less, because the fastest lag is 0.1 s) with a held command.
+  /// The equations use the actuators in the middle of the step.
   void step(const Command& command, double dt,
             const hydrodynamics::Surroundings& surroundings = {});
 

@@ -11,7 +11,7 @@ using Eigen::Matrix3d;
 using Eigen::Quaterniond;
 using Eigen::Vector3d;
 
-/// What of the Earth hardly changes within a step: 5e-9 of each a step at 3 m/s.
+/// Values of the Earth that hardly change within a step: 5e-9 relative per step at 3 m/s.
 struct VehicleMotion::Earth {
   double sin_latitude, cos_latitude, north_radius_m, east_radius_m, height_m;
   Vector3d rate_ned;
@@ -24,13 +24,13 @@ struct VehicleMotion::Earth {
         height_m(s.height_m),
         rate_ned(frame::wgs84::earth_rate_radps * Vector3d{cos_latitude, 0, -sin_latitude}) {}
 
-  /// Of NED against the Earth, eq. (2).
+  /// The rotation of NED relative to the Earth, eq. (2).
   Vector3d transport_rate(const Vector3d& velocity_ned) const {
     const double east = velocity_ned.y() / east_radius_m;
     return {east, -velocity_ned.x() / north_radius_m, -east * sin_latitude / cos_latitude};
   }
 
-  /// Eq. (1) over a displacement; its middle gives the cosine and the height.
+  /// Eq. (1) for a displacement. Its middle gives the cosine and the height.
   void move(VehicleState& s, const Vector3d& north_east_down) const {
     const double sinking = north_east_down.z() / 2;
     const double north = north_east_down.x() / (north_radius_m - sinking);
@@ -59,7 +59,7 @@ VehicleRate VehicleMotion::rate(const VehicleState& s, const hydrodynamics::Cont
   rate.velocity_ned = ocean_.current_ned(-s.height_m, t);
   rate.velocity_ned.noalias() += body_to_ned * through_water;
   rate.attitude = (s.body_to_ned * Quaterniond{0, omega.x(), omega.y(), omega.z()}).coeffs() / 2;
-  // Eq. (4) of the vehicle has 2 w_IE x V, here it is (2 w_IE + w_EN) x V.
+  // Eq. (4) of the vehicle has 2 w_IE x V; here it must be (2 w_IE + w_EN) x V.
   const Vector3d turning = earth.rate_ned + earth.transport_rate(rate.velocity_ned) / 2;
   rate.velocity = model_.acceleration(s.velocity, body_to_ned.transpose(), control, turning);
   return rate;

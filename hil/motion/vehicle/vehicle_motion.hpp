@@ -11,36 +11,36 @@
 /// numbers are those of docs/vehicle.md.
 namespace drydock::motion {
 
-/// Where it is and how it moves, at one instant.
+/// The place and motion of a vehicle at one instant.
 struct VehicleState {
   double latitude_rad = 0, longitude_rad = 0, height_m = 0;
   Eigen::Quaterniond body_to_ned = Eigen::Quaterniond::Identity();
   hydrodynamics::Velocity velocity = hydrodynamics::Velocity::Zero();  ///< through the water
 };
 
-/// How a state changes.
+/// The time derivative of a state.
 struct VehicleRate {
   Eigen::Vector3d velocity_ned;      ///< over ground, m/s: eq. (1)
-  Eigen::Vector4d attitude;          ///< of the quaternion's x y z w: eq. (3)
-  hydrodynamics::Velocity velocity;  ///< of u v w p q r: eq. (4)
+  Eigen::Vector4d attitude;          ///< quaternion x y z w: eq. (3)
+  hydrodynamics::Velocity velocity;  ///< u v w p q r: eq. (4)
 };
 
 /// The equations of one vehicle in one sea.
 class VehicleMotion {
  public:
-  /// `mission.vehicle` must be there. Throws std::invalid_argument, see hydrodynamics::Model and
+  /// `mission.vehicle` must be set. Throws std::invalid_argument, see hydrodynamics::Model and
   /// ocean::Ocean.
   explicit VehicleMotion(const rig_config::MissionConfig& mission);
 
   VehicleRate rate(const VehicleState& state, const hydrodynamics::Control& control,
                    double t) const;
 
-  /// dV^n/dt of eq. (5): what an accelerometer's reading follows from, m/s2.
+  /// dV^n/dt of eq. (5), from which an accelerometer's reading follows, m/s2.
   Eigen::Vector3d acceleration_ned(const VehicleState& state, const VehicleRate& rate,
                                    double t) const;
 
-  /// The state h seconds after t by Runge-Kutta 4, `rate` being that at t; the actuators move on
-  /// under a held command. For any h up to that of the truth's steps it is one smooth curve.
+  /// The state h seconds after t by Runge-Kutta 4. `rate` is the rate at t. The actuators move on
+  /// with a held command. The result is a smooth function of h up to the step of the truth.
   VehicleState step(const VehicleState& state, const VehicleRate& rate, Actuators& actuators,
                     const Command& command, double t, double h) const;
 

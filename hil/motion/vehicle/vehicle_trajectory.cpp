@@ -42,7 +42,7 @@ Truth VehicleTrajectory::at(Stamp time) const {
   truth.velocity_body = truth.body_to_ned.conjugate() * rate.velocity_ned;
   truth.rate_body = s.velocity.tail<3>();
   set_inertial(voyage_.motion().acceleration_ned(s, rate, t), truth);
-  // But for the transport rate's own rate, below 1e-7 rad/s2 for 0.6 m/s2.
+  // Leaves out the derivative of the transport rate, which is below 1e-7 rad/s2 at 0.6 m/s2.
   truth.angular_acceleration = rate.velocity.tail<3>() - truth.rate_body.cross(truth.angular_rate);
   truth.current_ned = ocean().current_ned(-s.height_m, t);
   truth.bed_depth_m = ocean().bed_depth_m(truth.latitude_rad, truth.longitude_rad);

@@ -27,8 +27,8 @@ Voyage::Voyage(const rig_config::MissionConfig& mission)
   starts_.push_back(first(mission));
 }
 
-/// Throws for legs that ask for more than the propeller gives, or that lead into the bed: along the
-/// track by dead reckoning in steps of a second.
+/// Throws for legs that need more speed than the propeller gives, or that lead into the bed. It
+/// follows the track by dead reckoning in steps of a second.
 void Voyage::check_plan(const rig_config::MissionConfig& mission) const {
   const auto& propeller = mission.vehicle->propeller;
   const double fastest = propeller.advance_m * propeller.limit_radps;
@@ -83,7 +83,7 @@ VoyageStep Voyage::at(std::int64_t step) const {
   return there.steps[within];
 }
 
-/// The block, kept from before or begun anew; it has at least its first step.
+/// Returns the block, which may be in memory already, with at least its first step.
 Voyage::Block& Voyage::block(std::int64_t index) const {
   for (auto found = blocks_.begin(); found != blocks_.end(); ++found)
     if (found->index == index) {
@@ -118,7 +118,7 @@ VoyageStep Voyage::after(const VoyageStep& step, std::int64_t index) const {
   return next;
 }
 
-/// How it moves and what it is told, from where it and its actuators are.
+/// Computes the rate and the command of a step from its state and actuators.
 void Voyage::complete(VoyageStep& step, std::int64_t index) const {
   const double t = seconds_of(index);
   step.rate = motion_.rate(step.state, step.actuators.control(), t);

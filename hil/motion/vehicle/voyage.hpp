@@ -14,7 +14,7 @@ namespace drydock::motion {
 inline constexpr std::int64_t voyage_step_ns = 10'000'000;
 inline constexpr double voyage_step_s = 0.01;
 
-/// A vehicle at a step, and what it is told until the next.
+/// A vehicle at one step, with the command until the next step.
 struct VoyageStep {
   VehicleState state;
   VehicleRate rate;
@@ -23,12 +23,12 @@ struct VoyageStep {
   Command command;
 };
 
-/// The steps of a vehicle that sails a mission under its autopilots. Any step can be asked for, in
-/// any order and from any thread, with the same bits each time: a start of every block of steps is
-/// kept, and all steps of the few blocks asked for last.
+/// The steps of a vehicle that sails a mission with its autopilots. Any step can be requested, in
+/// any order and from any thread, with the same bits each time. The first step of every block is
+/// kept, and all steps of the few blocks that were used last.
 class Voyage {
  public:
-  /// Throws std::invalid_argument (one line) for a mission that cannot be sailed.
+  /// Throws std::invalid_argument (one line) for a mission that the vehicle cannot sail.
   explicit Voyage(const rig_config::MissionConfig& mission);
 
   VoyageStep at(std::int64_t step) const;  ///< from 0 on
@@ -53,8 +53,9 @@ class Voyage {
   MissionProfile profile_;
   Autopilot autopilot_;
   mutable std::mutex mutex_;
-  mutable std::vector<VoyageStep> starts_;  ///< of blocks, as far as one has asked
-  mutable std::list<Block> blocks_;         ///< the last asked for first
+  mutable std::vector<VoyageStep> starts_;  ///< first steps of the blocks that were requested so
+                                            ///< far
+  mutable std::list<Block> blocks_;         ///< the most recently used first
 };
 
 }  // namespace drydock::motion

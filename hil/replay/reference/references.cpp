@@ -41,7 +41,7 @@ ReferenceValue scalar_value(Scalar scalar, mcap::Bytes bytes) {
   return nullptr;
 }
 
-/// Names values by the fields that they lie in, elements by their place.
+/// Names each value by its path of fields; array elements have their index.
 class Namer {
  public:
   explicit Namer(std::vector<NamedValue>& out) : out_(out) {}
@@ -59,7 +59,7 @@ class Namer {
  private:
   struct Level {
     std::string name;
-    const MessageNode* last;  ///< whose elements are being counted
+    const MessageNode* last;  ///< the node whose elements are counted
     std::size_t next;
   };
 

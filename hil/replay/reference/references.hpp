@@ -11,32 +11,32 @@
 #include "drivers/bus/cdr/cdr_sink.hpp"
 #include "drivers/recordings/record/message_layout.hpp"
 
-/// What a replay is to give again: the messages of docs/bus.md as a JSON file, docs/replay.md.
+/// The messages (docs/bus.md) that a replay must reproduce, stored as a JSON file: docs/replay.md.
 namespace drydock::replay {
 
 using ReferenceValue = nlohmann::json;
 
-/// A message as the file has it, on a line.
+/// One message; it is one line of the file.
 struct ReferenceRow {
   std::int64_t at_ns = 0;
-  std::string digest;     ///< of this message and all before it on its topic
-  ReferenceValue values;  ///< every number and text of the message in order; NaN is null
+  std::string digest;     ///< covers this message and all earlier ones on its topic
+  ReferenceValue values;  ///< all numbers and texts of the message in order; NaN is null
 };
 
 struct ReferenceTopic {
   std::string type;
   std::uint64_t messages = 0;
   std::uint64_t every = 1;  ///< row i is message i * every
-  std::string digest;       ///< of all
+  std::string digest;       ///< covers all messages
   std::vector<ReferenceRow> rows;
 };
 
 struct References {
-  std::string part;  ///< of the recording, in words
+  std::string part;  ///< which part of the recording, in words
   std::map<std::string, ReferenceTopic> topics;
 };
 
-/// The file's text; a row is a line, so that versions can be compared by eye.
+/// The text of the file. Each row is one line, so that a person can compare versions.
 std::string to_json_text(const References& references);
 /// One line that says what is wrong with the file.
 struct ReferencesError {
@@ -46,16 +46,16 @@ struct ReferencesError {
                                              const boost::source_location& where);
 boost::system::result<References, ReferencesError> parse_references(const std::string& text);
 
-/// A value of a message and its name, as "pose.pose.position.x" or "range[2]".
+/// A value of a message with its name, such as "pose.pose.position.x" or "range[2]".
 struct NamedValue {
   std::string name;
   ReferenceValue value;
 };
-/// Empty where the message is not as its definition says.
+/// Empty if the message does not match its definition.
 std::vector<NamedValue> values_of(const record::MessageNode& layout,
                                   std::span<const std::uint8_t> cdr);
 
-/// Over the bytes of messages, FNV-1a of 64 bits: tells whether, not what.
+/// 64-bit FNV-1a hash over the bytes of messages. It shows that messages differ, not where.
 class RunningDigest {
  public:
   void add(std::span<const std::uint8_t> bytes);
@@ -65,10 +65,11 @@ class RunningDigest {
   std::uint64_t state_ = 0xCBF29CE484222325U;
 };
 
-/// Makes references of what a CdrPublisher puts in. Health is no result and is left out.
+/// Makes references from the messages of a CdrPublisher. Health messages are not results and are
+/// left out.
 class ReferenceMaker final : public bus::CdrSink {
  public:
-  static constexpr std::size_t most_rows = 2000;  ///< a topic, where `every` is not given
+  static constexpr std::size_t most_rows = 2000;  ///< per topic, if `every` is not given
 
   explicit ReferenceMaker(std::optional<std::uint64_t> every) : every_(every) {}
   std::uint32_t add_topic(const Topic& topic) override;
@@ -94,7 +95,7 @@ class ReferenceMaker final : public bus::CdrSink {
   std::vector<Entry> topics_;
 };
 
-/// Topics whose messages say how the program fares, not what it found.
+/// False for topics with the health of the program. Their messages are not results.
 bool is_result(const std::string& topic);
 
 }  // namespace drydock::replay

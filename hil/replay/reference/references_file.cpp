@@ -39,7 +39,7 @@ std::string to_json_text(const References& references) {
 
 namespace {
 
-/// Whole numbers alone: a conversion of 1e300 would give any.
+/// Accepts only whole numbers: the conversion of 1e300 to an integer has no defined value.
 template <class Integer>
 Integer integer_at(const ReferenceValue& object, const ReferenceValue& value, const char* what) {
   if (!value.is_number_integer() || (std::is_unsigned_v<Integer> && !value.is_number_unsigned()))

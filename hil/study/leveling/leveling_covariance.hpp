@@ -7,11 +7,11 @@
 
 namespace drydock::study {
 
-/// The paper's covariance analysis: what its filter believes of alpha on a known motion, from
-/// P0 = 1, with nothing measured wrong.
+/// The paper's covariance analysis: the covariance of alpha that its filter computes on a known
+/// motion, from P0 = 1, without measurement errors.
 struct LevelingCovariance {
   std::vector<double> t_s;
-  std::array<std::vector<double>, 3> variance;  ///< of x4, x5, x6
+  std::array<std::vector<double>, 3> variance;  ///< x4, x5, x6
 };
 
 LevelingCovariance analyse_leveling(const LevelingMotion& motion, bool stationary);

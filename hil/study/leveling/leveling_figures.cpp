@@ -9,7 +9,7 @@
 namespace drydock::study {
 namespace {
 
-constexpr double zoomed_limit_deg = 0.2;  // four times what is left of a bias of 1 mg
+constexpr double zoomed_limit_deg = 0.2;  // four times the error that a bias of 1 mg leaves
 constexpr std::size_t s_path_case = 0, stationary_case = 1, augmented_filter = 2;
 static_assert(leveling_cases[s_path_case].name == "moving_s" &&
               leveling_cases[stationary_case].name == "stationary" &&
@@ -32,7 +32,8 @@ Curve over_time(std::string label, Value&& value) {
 using AxisOf = Ensemble LevelingStatistics::*;
 using FigureOf = double (Ensemble::*)(std::size_t) const;
 
-/// One of Figures 6 to 9 for one axis, all filters; whole and what is left at the end.
+/// One of Figures 6 to 9 for one axis with all filters: the whole time, and a zoom on the final
+/// errors.
 void add_ensemble_figures(std::vector<Figure>& figures, const std::string& title,
                           const std::string& y_label, const ByFilter<LevelingStatistics>& results,
                           FigureOf what) {
@@ -59,7 +60,7 @@ void add_ensemble_figures(std::vector<Figure>& figures, const std::string& title
   }
 }
 
-/// As the paper draws it, and with a scale on which the end can be read.
+/// As the paper draws it, and with a scale that shows the end.
 void add_covariance_figures(std::vector<Figure>& figures, const std::string& title,
                             const LevelingMotion& motion, bool stationary) {
   const auto analysis = analyse_leveling(motion, stationary);
@@ -87,7 +88,8 @@ Figure path_figure(std::string title, const LevelingMotion& motion) {
   return {std::move(title), "north [m]", "east [m]", {curve}, half_width_m, true};
 }
 
-/// RMS error beside the filter's own standard deviation: one above the other is overconfidence.
+/// RMS error and the filter's own standard deviation. If the error is larger, the filter is
+/// overconfident.
 Figure belief_figure(const char* axis, const LevelingStatistics& s, AxisOf error, AxisOf variance) {
   return {fmt::format("Not in the paper: augmented filter, S path, drawn biases: {}", axis),
           "time [s]",

@@ -7,15 +7,15 @@
 
 namespace drydock::study {
 
-/// What the sensors of the leveling study say over one interval of `dt`: specific force (m/s2) and
-/// rate (rad/s) at its middle, in body axes, and the speed ahead through the water at its end.
+/// The sensor readings of the leveling study over one interval of `dt`: specific force (m/s2) and
+/// rate (rad/s) in its middle, in body axes, and the speed ahead through the water at its end.
 struct LevelingReading {
   Eigen::Vector3d specific_force, angular_rate;
   double speed_mps;
 };
 
-/// Truth in closed form: heading, roll and pitch swing as sines, the vehicle slips as it turns.
-/// Angles in rad, periods in s.
+/// Truth in closed form: heading, roll and pitch are sines, and the vehicle slips in turns. Angles
+/// in rad, periods in s.
 struct LevelingMotion {
   double speed_mps = 10, surge_mps = 0;  ///< speed ahead: speed + surge sin(2 pi t / yaw_period)
   double yaw = 0, yaw_period = 30;       ///< amplitude; 0: straight
@@ -24,15 +24,16 @@ struct LevelingMotion {
   double slip_m = 0;  ///< sideways speed = -slip times the rate of heading
 
   frame::Euler attitude(double t) const;
-  Eigen::Vector3d euler_rates(double t) const;   ///< of roll, pitch, yaw
+  Eigen::Vector3d euler_rates(double t) const;   ///< roll, pitch, yaw
   Eigen::Vector3d velocity(double t) const;      ///< body axes, m/s
-  Eigen::Vector3d acceleration(double t) const;  ///< of `velocity`'s components, m/s2
+  Eigen::Vector3d acceleration(double t) const;  ///< time derivative of the components of
+                                                 ///< `velocity`, m/s2
 
-  /// Perfect sensors over [t, t + dt] on the turning Earth, by the paper's eq. (12)-(17).
+  /// Perfect sensors over [t, t + dt] on the rotating Earth, by the paper's eq. (12)-(17).
   LevelingReading reading(double t, double dt, double latitude_rad) const;
 };
 
-/// The paper's three motions, and one that it does not have. The S path is a choice: the paper's
+/// The paper's three motions and an additional one. The S path is our choice, because the paper's
 /// figure of it is lost.
 namespace leveling_motions {
 inline constexpr double degree = std::numbers::pi / 180;

@@ -7,7 +7,7 @@
 #include "hil/study/ensemble.hpp"
 #include "hil/study/leveling/leveling_trial.hpp"
 
-/// What the leveling study compares: filters by motions by biases, each over all runs.
+/// The comparison of the leveling study: filters by motions by biases, each over all runs.
 namespace drydock::study {
 
 struct LevelingFilterName {
@@ -42,7 +42,7 @@ inline constexpr std::array leveling_biases{LevelingBiases::one_sigma, LevelingB
 /// One filter in one case over the runs.
 struct LevelingStatistics {
   Ensemble roll{leveling_points}, pitch{leveling_points};            ///< errors, deg
-  Ensemble kept_roll{leveling_points}, kept_pitch{leveling_points};  ///< without the lost runs
+  Ensemble kept_roll{leveling_points}, kept_pitch{leveling_points};  ///< without the diverged runs
   Ensemble roll_variance{leveling_points}, pitch_variance{leveling_points};
   std::vector<double> settled_s;
   double nees_sum = 0;
@@ -51,11 +51,11 @@ struct LevelingStatistics {
   void add(const LevelingOutcome& outcome);
   std::size_t runs() const { return roll.runs(); }
   LevelingFigures at_the_end() const;
-  LevelingFigures kept_at_the_end() const;  ///< of the runs not lost; there must be one
+  LevelingFigures kept_at_the_end() const;  ///< only runs that did not diverge; there must be one
   double roll_rms() const { return roll.rms(leveling_points - 1); }
   double pitch_rms() const { return pitch.rms(leveling_points - 1); }
   double nees_mean() const { return nees_sum / static_cast<double>(runs()); }
-  double settled_p95_s() const;  ///< 95 % of the runs stay below half a degree from here on
+  double settled_p95_s() const;  ///< 95 % of the runs stay below half a degree from this time on
 };
 
 template <class T>
@@ -67,7 +67,7 @@ using ByBiases = std::array<ByCase<T>, leveling_biases.size()>;  ///< [biases][c
 
 using LevelingResults = ByBiases<LevelingStatistics>;
 
-/// Every filter in every case with the random numbers of one run.
+/// Runs every filter in every case with the random numbers of one run.
 ByBiases<LevelingOutcome> run_leveling_cases(std::uint64_t seed, std::size_t run);
 
 }  // namespace drydock::study

@@ -39,7 +39,7 @@ Json published() {
   return json;
 }
 
-/// Beginning of a row: mean and deviation with so many decimals.
+/// The first cells of a row: mean and deviation with this number of decimals.
 std::vector<std::string> figures_row(const LevelingCase& which, std::string filter,
                                      const LevelingFigures& figures, int decimals) {
   const auto cell = [&](double deg) { return fmt::format("{:.{}f}", deg, decimals); };

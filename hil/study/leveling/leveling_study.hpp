@@ -5,8 +5,8 @@
 
 namespace drydock::study {
 
-/// Hong, Park, Han, Lee, "A Leveling Algorithm for Strapdown INS Using EKF" (2000), chapter 4,
-/// with three filters side by side.
+/// Hong, Park, Han, Lee, "A Leveling Algorithm for Strapdown INS Using EKF" (2000), chapter 4, with
+/// three filters.
 Result leveling_study(const Options& options, Progress& progress);
 
 std::vector<Table> leveling_tables(const LevelingResults& results);

@@ -23,7 +23,7 @@ constexpr auto steps = static_cast<std::size_t>(leveling_duration_s * leveling_r
 constexpr auto steps_a_point =
     static_cast<std::size_t>(leveling_point_spacing_s * leveling_rate_hz);
 
-/// Table 1, with the biases switched off where there are none.
+/// The errors of Table 1, without biases for LevelingBiases::none.
 rig_config::SensorErrors table_1(double bias, double noise, LevelingBiases biases) {
   if (biases == LevelingBiases::none) bias = 0;
   rig_config::SensorErrors errors;

@@ -12,10 +12,10 @@ namespace drydock::study {
 inline constexpr double leveling_latitude_rad = 36 * leveling_motions::degree;
 inline constexpr double leveling_rate_hz = 100;
 inline constexpr double leveling_duration_s = 30;
-inline constexpr double leveling_point_spacing_s = 0.1;  ///< of the curves
+inline constexpr double leveling_point_spacing_s = 0.1;  ///< between points of the curves
 inline constexpr std::size_t leveling_points = 301;      ///< 0, 0.1, ... 30 s
 
-/// How the biases of Table 1 come about. The paper's means are only possible with the first.
+/// The origin of the biases of Table 1. The paper's means are possible only with one_sigma.
 enum class LevelingBiases : std::uint8_t { one_sigma, drawn, none };
 
 struct LevelingTrial {
@@ -33,13 +33,13 @@ std::vector<LevelingReading> leveling_readings(const LevelingTrial& trial);
 struct LevelingOutcome {
   std::vector<double> roll_error, pitch_error;        ///< estimate - truth, at `leveling_points`
   std::vector<double> roll_variance, pitch_variance;  ///< the filter's own, deg2
-  double nees = 0;        ///< of roll and pitch at the end, per state: 1 when consistent
-  double settled_s = 0;   ///< from here on both errors are below half a degree
-  bool diverged = false;  ///< an error beyond 5 degrees at the end
+  double nees = 0;        ///< roll and pitch at the end, per state; 1 is consistent
+  double settled_s = 0;   ///< both errors are below half a degree from this time on
+  bool diverged = false;  ///< an error is above 5 degrees at the end
 };
 
-/// `options` as options_for(kind) gives them, or changed. The first guess of the attitude, which
-/// only a filter without accelerometer start uses, is wrong by N(0, 45^2) degrees, not clipped.
+/// `options` are those of options_for(kind), possibly changed. The first guess of the attitude,
+/// which is used only without accelerometer start, has an error of N(0, 45^2) degrees, not clipped.
 LevelingOutcome run_leveling(const LevelingTrial& trial,
                              const std::vector<LevelingReading>& readings,
                              leveling::FilterKind kind, leveling::LevelingOptions options);

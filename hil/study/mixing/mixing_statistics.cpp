@@ -6,7 +6,7 @@
 namespace drydock::study {
 namespace {
 
-/// Calls `take(i)` for every point in [from_s, to_s]; point i is at the end of its spacing.
+/// Calls `take(i)` for every point in [from_s, to_s]. Point i is at the end of its interval.
 template <class Take>
 void for_points(double from_s, double to_s, Take&& take) {
   for (std::size_t i = 0; i < mixing_points; ++i) {

@@ -20,7 +20,7 @@ MixingJson mixing_json(const MixingStatistics& s) {
           {"nees_mean", s.nees_mean()}};
 }
 
-/// Where a variant's figures stand within those of its type; empty: they are the type's own.
+/// The JSON key of a variant's figures inside those of its type; empty: directly in the type.
 std::string_view mixing_place(const MixingVariant& variant) {
   if (variant.as_printed) return "as_printed";
   if (variant.noisy_log) return "noisy_log";
@@ -126,7 +126,7 @@ std::vector<Workload> mixing_workloads() {
   auto all = mixing_readings(*experiment, 1, 0);
   const auto readings = std::make_shared<const std::vector<MixingReading>>(
       all.begin() + first, all.begin() + first + kept);
-  // Each goes on from where it was; the readings begin again when they end.
+  // Each filter continues from its last state. After the last reading the first one follows again.
   const auto stepping = [&](const MixingVariant& variant, auto&& besides) {
     auto filter = std::make_shared<mixing::MixingFilter>(mixing_options(variant, *experiment));
     return [=, k = std::size_t{0}](std::size_t steps) mutable {
@@ -142,7 +142,7 @@ std::vector<Workload> mixing_workloads() {
   for (std::size_t i = 0; i < mixing_types.size(); ++i)
     workloads.push_back({std::string(mixing_types[i]), std::string(mixing_types[i]),
                          stepping(mixing_variants[i], nothing)});
-  // The look-up alone, as the paper counts type 3: it takes eq. (6) and (7) for given.
+  // Only the look-up, as the paper counts type 3: the inputs of eq. (6) and (7) are taken as given.
   const auto look_up = [sum = std::make_shared<double>(0)](const auto&, const MixingReading& r) {
     const int level = mixing::scheduled_level(std::abs(r.rate.x()), std::abs(r.force.x()));
     *sum += mixing::gains_of_level(level).k1;

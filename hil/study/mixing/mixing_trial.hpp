@@ -24,20 +24,20 @@ inline constexpr double mixing_point_spacing_s = mixing_step_s * mixing_point_sp
 std::string_view mixing_mission_text();
 std::string_view mixing_sensors_text();
 
-/// What the sensors say of one step: specific force and rate at its middle, speed ahead there too.
+/// The sensor readings of one step: specific force, rate and speed ahead, all in its middle.
 struct MixingReading {
   Eigen::Vector3d force, rate;
   double speed_mps, noisy_speed_mps;  ///< the second with 0.02 m/s of white noise
 };
 
-/// The truth, the same in every run, and the sensors' table.
+/// The truth, which is the same in every run, and the errors of the sensors.
 struct MixingExperiment {
   MixingExperiment();
 
   struct Point {
     double north_m, east_m, depth_m, roll_rad, pitch_rad;
   };
-  std::vector<MixingReading> ideal;  ///< of every step
+  std::vector<MixingReading> ideal;  ///< one per step
   std::vector<Point> points;         ///< at the end of every `mixing_point_spacing`th step
   double latitude_rad, heading_rad, pivot_m;
   rig_config::EmulateConfig imu, log;
@@ -47,18 +47,18 @@ struct MixingExperiment {
 std::vector<MixingReading> mixing_readings(const MixingExperiment& experiment, std::uint64_t seed,
                                            std::size_t run);
 
-/// What is compared. `key`: of the JSON.
+/// A variant to compare. `key` is its name in the JSON.
 struct MixingVariant {
   std::string_view key;
   mixing::MixingType type;
   mixing::IntegralGain integral_gain = mixing::IntegralGain::k1_k2;
-  bool as_printed = false;  ///< inputs of the inference without low-pass, sets without plateau
+  bool as_printed = false;  ///< no low-pass on the inputs of the inference, sets without plateau
   bool noisy_log = false;
 };
 
 inline constexpr std::array<std::string_view, 4> mixing_types{"type1", "type2", "type3",
                                                               "compensated"};
-/// The types in both readings of the integral gain, then what the types are besides.
+/// The types with both readings of the integral gain, then further variants of the types.
 inline constexpr std::array mixing_variants = [] {
   using enum mixing::MixingType;
   constexpr auto k2 = mixing::IntegralGain::k2_alone;
@@ -79,8 +79,8 @@ inline constexpr std::array mixing_variants = [] {
 mixing::MixingOptions mixing_options(const MixingVariant& variant,
                                      const MixingExperiment& experiment);
 
-/// Errors of roll and pitch at every point, degrees, and their squares over the variance that
-/// mixing::MixingAccuracy states, averaged over the points and the two angles.
+/// Errors of roll and pitch at every point, in degrees. `nees` is the mean, over points and both
+/// angles, of their squares divided by the variance that mixing::MixingAccuracy states.
 struct MixingOutcome {
   std::vector<double> roll_deg, pitch_deg;
   double nees = 0;

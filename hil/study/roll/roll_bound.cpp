@@ -12,9 +12,9 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr double uniform_turn_variance = pi * pi / 3;  // of an angle of which nothing is known
+constexpr double uniform_turn_variance = pi * pi / 3;  // the angle is completely unknown
 
-/// Powers at which a wire's whole dB changes, -20 to 8 dB of boresight.
+/// Powers at which the rounded dB value changes, -20 to 8 dB relative to boresight.
 std::array<double, 29> rounding_edges() {
   constexpr int weakest_db = -20;
   std::array<double, 29> edges{};
@@ -27,7 +27,7 @@ std::array<double, 29> rounding_edges() {
 
 double rounded_information(double expected, double sigma) {
   struct Edge {
-    double below, density;  // of the standard normal up to the edge
+    double below, density;  // standard normal: probability below the edge, density at it
   };
   const auto edge = [&](double power) {
     const double z = (power - expected) / sigma;
@@ -44,7 +44,7 @@ double rounded_information(double expected, double sigma) {
   };
   add_up_to(edge(roll_tracking_limit));
   static const auto edges = rounding_edges();
-  constexpr double never = 7;  // sigmas
+  constexpr double never = 7;  // in sigmas; edges further off have no effect
   for (const double at : edges) {
     if (at > expected + never * sigma) break;
     if (at > expected - never * sigma) add_up_to(edge(at));
@@ -59,8 +59,7 @@ std::vector<double> roll_bound(const RollCase& the_case, const RollFlight& fligh
   const auto satellites = static_cast<Eigen::Index>(toward.size());
   const roll::AntennaOptions antenna;
 
-  // State: roll, gyro bias, common gain, gain of each satellite; those that are known have no
-  // share.
+  // State: roll, gyro bias, common gain, gain of each satellite. A known gain has variance 0.
   Eigen::MatrixXd p = Eigen::MatrixXd::Zero(3 + satellites, 3 + satellites);
   p(0, 0) = uniform_turn_variance;
   p(1, 1) = bias_sigma_radps * bias_sigma_radps;

@@ -19,8 +19,9 @@ using std::numbers::pi;
 constexpr double degree = pi / 180;
 constexpr std::size_t skies_wanted = 7, satellites_wanted = 10;
 constexpr double least_elevation = 5 * degree;
-constexpr double nose_over = 45 * degree;                      // pitch: from + to - this
-constexpr double rate_swing = 0.05, rate_swing_period_s = 20;  // the roll rate is not quite steady
+constexpr double nose_over = 45 * degree;                      // the pitch is from + to - this
+                                                               // angle
+constexpr double rate_swing = 0.05, rate_swing_period_s = 20;  // the roll rate varies slightly
 constexpr frame::Position launch_site{37 * degree, 127 * degree, 0};
 constexpr double reference_distance_m = 100e3;
 

@@ -13,10 +13,10 @@ namespace drydock::study {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180;
-constexpr double paper_power = 664;  // of eq. (23), at boresight
+constexpr double paper_power = 664;  // in eq. (23), at boresight
 constexpr double epoch_s = roll_gyro_per_epoch / roll_gyro_hz;
 
-/// For a legend, where an underscore would set the next letter lower.
+/// The method's name for a legend. An underscore would make the next letter a subscript.
 std::string label_of(const RollMethod& method) {
   std::string label(method.name);
   std::ranges::replace(label, '_', ' ');
@@ -40,7 +40,7 @@ Figure pattern() {
   return figure;
 }
 
-/// Fig. 5 and 6: one satellite at the zenith, the antenna rolling at a steady rate.
+/// Fig. 5 and 6: one satellite at the zenith, while the antenna rolls at a steady rate.
 Figure sampled(int number, double roll_hz, bool in_decibels) {
   Figure figure{fmt::format("Fig. {}: sampled signal power, roll rate {} Hz", number, roll_hz),
                 "time [s]",
@@ -71,7 +71,7 @@ Figure sampled(int number, double roll_hz, bool in_decibels) {
   return figure;
 }
 
-/// Gathers Fig. 7 (one satellite) and Fig. 8.
+/// Collects the data of Fig. 7 (one satellite) and Fig. 8.
 class Gatherer final : public RollObserver {
  public:
   Gatherer(const RollFlight& flight, std::uint16_t shown) : flight_(flight), shown_(shown) {}
@@ -106,7 +106,7 @@ class Gatherer final : public RollObserver {
   std::uint16_t shown_;
 };
 
-/// The first `seconds`: more would not be seen.
+/// The first `seconds` of a curve; a longer curve would not be readable.
 Curve beginning(Curve curve, double seconds) {
   std::size_t n = 0;
   while (n < curve.x.size() && curve.x[n] <= seconds) ++n;
@@ -129,7 +129,7 @@ Curve error_curve(std::size_t method, const RollOutcome& outcome) {
 }  // namespace
 
 std::vector<Figure> roll_figures(const RollCase& the_case, const RollSky& sky, std::uint64_t seed) {
-  constexpr std::uint16_t shown = 3;  // of the satellites, highest first
+  constexpr std::uint16_t shown = 3;  // index of the satellite, highest first
   constexpr double shown_s = 40;
   const RollFlight flight(the_case, sky, seed, 0);
   Gatherer seen(flight, shown);
@@ -169,7 +169,8 @@ void RollEnsemble::add(const RollOutcome& outcome) {
   ++runs_;
   for (std::size_t i = 0; i < outcome.bound.size(); ++i) {
     for (std::size_t m = 0; m < roll_methods.size(); ++m)
-      squares_[m][i] += std::pow(outcome.errors[m].at_epochs[i], 2);  // NaN: not all run yet
+      squares_[m][i] += std::pow(outcome.errors[m].at_epochs[i], 2);  // NaN until every run has an
+                                                                      // estimate
     squares_.back()[i] += outcome.bound[i] / (degree * degree);
   }
 }

@@ -7,17 +7,17 @@
 
 namespace drydock::study {
 
-/// The paper's Fig. 4 to 9 again, with the first flight of a case.
+/// The paper's Fig. 4 to 9, with the first flight of a case.
 std::vector<Figure> roll_figures(const RollCase& the_case, const RollSky& sky, std::uint64_t seed);
 
-/// Error over time, root mean square over the runs, of every method, beside the bound.
+/// The root mean square error over the runs against time, for every method, with the bound.
 class RollEnsemble {
  public:
   void add(const RollOutcome& outcome);
   Figure figure() const;
 
  private:
-  std::vector<std::vector<double>> squares_;  ///< of each method, and last the bound's
+  std::vector<std::vector<double>> squares_;  ///< one per method; the last is the bound
   double runs_ = 0;
 };
 

@@ -13,9 +13,10 @@ namespace {
 
 constexpr double to_deg = 180 / std::numbers::pi;
 constexpr double converged_deg = 5, converged_for_s = 2;
-constexpr int kept_each = 7;  // shares no factor with an epoch: errors of every age are kept
+constexpr int kept_each = 7;  // no common factor with an epoch, so that errors of every age are
+                              // kept
 
-/// Follows one method's error.
+/// Follows the error of one method.
 class Errors {
  public:
   void add(double t, double error_deg, double variance_rad2) {
@@ -86,7 +87,7 @@ void keep_raw(std::vector<float>& raw, const roll::PeakFilter& filter, const Rol
 roll::PeakFilterOptions peak_options(bool with_bias) {
   roll::PeakFilterOptions options;
   options.with_bias = with_bias;
-  // What the scalar filter's w must cover besides the gyro's noise is a state here.
+  // The scalar filter's w must also cover the gyro bias. Here the bias is a state.
   if (with_bias) options.roll_noise = 0.5 / to_deg;
   return options;
 }
@@ -112,7 +113,7 @@ RollOutcome roll_run(const RollCase& the_case, const RollSky& sky, std::uint64_t
   Follower ours{roll::AllSatellites(options), roll_methods[3]};
   RollWitness witness(the_case, flight, options, roll_methods[3].gyro_bias_degps / to_deg);
   double witness_squares = 0, witnessed = 0;
-  // The paper's filters are told the azimuth of a reference point, ours the course.
+  // The paper's filters get the azimuth of a reference point; ours gets the course.
   const double azimuth =
       roll::azimuth_of_point(sky.place.latitude_rad, sky.place.longitude_rad,
                              flight.reference().latitude_rad, flight.reference().longitude_rad);

@@ -15,32 +15,34 @@ struct RollMethod {
   double gyro_bias_degps;
 };
 
-/// The paper's two with the biases they are asked to bear; and the first with the larger one.
+/// The paper's two methods with their own gyro biases, the first also with the larger bias, and our
+/// method.
 inline constexpr std::array roll_methods{
     RollMethod{"paper", 0.1}, RollMethod{"paper_bias_0.5", 0.5}, RollMethod{"paper_with_bias", 0.5},
     RollMethod{"all_satellites", 0.5}};
 
-/// The filters as the study has them: what a data sheet says of the case's sensors, no more.
+/// The filter options of the study. They use only what a data sheet says about the sensors.
 roll::PeakFilterOptions peak_options(bool with_bias);
 roll::AllSatellitesOptions all_satellites_options(const RollCase& the_case);
 
-/// Of one method in one flight, degrees; from roll_settled_s on unless it says otherwise.
+/// The errors of one method in one flight, degrees. They count from roll_settled_s on, unless
+/// noted.
 struct RollErrors {
   double rms = 0;
   double nees = 0;               ///< mean
   double convergence_s = 0;      ///< from the start: first time within 5 deg for 2 s
   std::vector<float> absolute;   ///< some of the errors at 100 Hz
-  std::vector<float> at_epochs;  ///< with sign, from the start; NaN before the first estimate
+  std::vector<float> at_epochs;  ///< signed, from the start; NaN before the first estimate
 };
 
 struct RollOutcome {
   std::array<RollErrors, roll_methods.size()> errors;
-  std::vector<float> raw;     ///< of single peaks, absolute, from the start
-  std::vector<double> bound;  ///< least variance after each epoch, rad2
-  double witness_rms = 0;     ///< of RollWitness beside all_satellites, degrees
+  std::vector<float> raw;     ///< single peaks, absolute, from the start
+  std::vector<double> bound;  ///< smallest variance after each epoch, rad2
+  double witness_rms = 0;     ///< RollWitness for all_satellites, degrees
 };
 
-/// One more epoch has been worked in; for who draws it.
+/// Called after each epoch, for drawing.
 class RollObserver {
  public:
   virtual ~RollObserver() = default;

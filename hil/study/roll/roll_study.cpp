@@ -16,8 +16,8 @@ namespace {
 
 constexpr double to_deg = 180 / std::numbers::pi;
 
-/// The paper's day, 2013-12-05, is in no archive that we have; this one has the same constellation
-/// less two satellites.
+/// No archive at hand has the paper's day, 2013-12-05. This day has the same constellation without
+/// two satellites.
 constexpr const char* default_ephemeris = "../shared/corpora/gnss/brdc1820.10n";
 
 constexpr std::array cases{RollCase{.name = "ideal"},
@@ -46,7 +46,7 @@ double percentile_95(std::vector<T> values) {
   return static_cast<double>(*at);
 }
 
-/// Over the runs of one case and method.
+/// Sums over the runs of one case and method.
 class MethodSum {
  public:
   void add(const RollErrors& errors) {
@@ -69,11 +69,11 @@ class MethodSum {
   std::vector<double> convergence_;
 };
 
-/// Over the runs of one case.
+/// Sums over the runs of one case.
 struct CaseSum {
   std::array<MethodSum, roll_methods.size()> methods;
   std::vector<float> raw;
-  double variances = 0, instants = 0;  ///< of the bound, after the filters have settled
+  double variances = 0, instants = 0;  ///< the bound, after the filters have settled
   double witness_squares = 0, witness_worst = 0, runs = 0;
 
   void add(const RollOutcome& outcome) {

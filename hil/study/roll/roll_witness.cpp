@@ -25,7 +25,7 @@ RollWitness::RollWitness(const RollCase& the_case, const RollFlight& flight,
   p_(2, 2) = squared(the_case.gain_sigma);
   p_.diagonal().tail(satellites).setConstant(squared(the_case.satellite_gain_sigma));
 
-  // It begins at the priors' means: no bias, all gains 1. Gains that do not differ it knows.
+  // It begins at the means of the priors: no bias, all gains 1. Gains without variation are known.
   error_ = Eigen::VectorXd::Zero(3 + satellites);
   error_(1) = -bias_radps;
   double mean = 0;

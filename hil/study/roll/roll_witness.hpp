@@ -8,16 +8,16 @@
 
 namespace drydock::study {
 
-/// No estimator, for it knows the truth: the all-satellite filter's measurement update linearised
-/// there, on the same noises. What it makes of a run, an efficient estimator makes of it; a run in
-/// which it is bad had bad luck. docs/estimators/roll.md, The bound.
+/// Not an estimator, because it knows the truth: the measurement update of the all-satellite
+/// filter, linearised at the truth, with the same noises. An efficient estimator has the same error
+/// in a run. If this error is large, the run was unlucky. docs/estimators/roll.md, The bound.
 class RollWitness {
  public:
-  /// `options` and `bias_radps`: of the filter that it stands beside, and of its gyro.
+  /// `options` are those of the compared filter, and `bias_radps` is the bias of its gyro.
   RollWitness(const RollCase& the_case, const RollFlight& flight,
               const roll::AllSatellitesOptions& options, double bias_radps);
 
-  /// By how much the gyro's rate is wrong beside its bias, over dt.
+  /// `rate_noise_radps` is the error of the gyro's rate without its bias, over dt.
   void predict(double rate_noise_radps, double dt);
   void update(double t, std::span<const roll::Signal> signals);
 
@@ -26,7 +26,7 @@ class RollWitness {
  private:
   const RollFlight* flight_;
   roll::AllSatellitesOptions options_;
-  Eigen::VectorXd error_;  ///< estimate less truth: roll, gyro bias, common gain, gains
+  Eigen::VectorXd error_;  ///< estimate minus truth: roll, gyro bias, common gain, gains
   Eigen::MatrixXd p_;
 };
 

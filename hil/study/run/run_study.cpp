@@ -19,11 +19,11 @@ namespace fs = std::filesystem;
 
 constexpr int study_failed = 1, study_usage = 2;
 
-/// A file of the result, opened before the work so that a wrong path does not cost it.
+/// A result file. It is opened before the work, so that a wrong path is found early.
 class Output {
  public:
   explicit Output(fs::path path) : path_(std::move(path)) {
-    std::error_code ignored;  // the stream says whether the folder is there
+    std::error_code ignored;  // the stream below reports a missing folder
     if (path_.has_parent_path()) fs::create_directories(path_.parent_path(), ignored);
     stream_.open(path_);
   }
@@ -50,7 +50,7 @@ std::string to_json(const study::Study& study, const study::Options& options,
   return json.dump(2) + "\n";
 }
 
-/// One line on the first of `asked` that the study does not have.
+/// One line on the first name in `asked` that the study does not have.
 std::optional<std::string> unknown_case(const study::Study& study,
                                         const std::vector<std::string>& asked) {
   if (asked.empty()) return {};

@@ -5,23 +5,23 @@
 
 #include "hil/study/study.hpp"
 
-/// `drydock study`: a paper's experiment, its figures beside ours.
+/// `drydock study`: repeats the experiment of a paper and shows its figures beside ours.
 namespace drydock::study {
 
 struct StudyOptions {
   std::string name;
-  study::Options campaign{.jobs = 0};  ///< jobs 0: one a processor
+  study::Options campaign{.jobs = 0};  ///< jobs 0: one per processor
   std::string json, report;            ///< file and folder to write; empty: none
 };
 
-/// "leveling, mixing": what `name` may be.
+/// The allowed names, such as "leveling, mixing".
 std::string study_names();
 
-/// Exit code: 0 done; 1 stopped by Ctrl-C (what was done is printed and written), or a file cannot
+/// Exit code: 0 done; 1 stopped by Ctrl-C (finished work is printed and written), or a file cannot
 /// be written; 2 no study has that name.
 int run_study(const StudyOptions& options, std::FILE* out, std::FILE* errors);
 
-/// The same for a study at hand.
+/// The same for a given study.
 int run_study(const study::Study& study, const StudyOptions& options, std::FILE* out,
               std::FILE* errors);
 

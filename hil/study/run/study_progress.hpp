@@ -9,7 +9,7 @@
 
 namespace drydock::study {
 
-/// A bar with the time left where `out` is a terminal, nothing elsewhere; Ctrl-C stops.
+/// A bar with the remaining time if `out` is a terminal; else nothing. Ctrl-C stops the study.
 class StudyProgress final : public study::Progress {
  public:
   explicit StudyProgress(std::FILE* out);
@@ -17,7 +17,7 @@ class StudyProgress final : public study::Progress {
   void on_run(std::string_view campaign, std::size_t done, std::size_t of) override;
   bool stopped() const override { return interrupt_.set(); }
 
-  /// Wipes the bar and says in one line what was done.
+  /// Erases the bar and prints one line about the finished work.
   void finish(std::string_view study, std::size_t runs, const study::Options& options);
 
  private:

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t timed_steps = 2000, repetitions = 150;
 
-/// Time that this thread has had a processor, ns: what others run beside it does not count.
+/// Processor time of this thread, ns. It excludes the work of other programs.
 double processor_time() {
   timespec time{};
   ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
@@ -32,7 +32,7 @@ double median(std::vector<double>& times) {
 }  // namespace
 
 void add_step_times(std::vector<study::Workload> workloads, study::Result& result) {
-  // In turns: whatever else the machine does meets all of them.
+  // The workloads alternate, so that other load on the machine affects all of them equally.
   std::vector<std::vector<double>> times(workloads.size());
   for (std::size_t i = 0; i < repetitions; ++i)
     for (std::size_t w = 0; w < workloads.size(); ++w)

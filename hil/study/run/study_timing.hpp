@@ -6,8 +6,8 @@
 
 namespace drydock::study {
 
-/// Measures a study's workloads on this machine, in turns, and adds a table of their times and the
-/// first one's multiples to the result, and `ns_per_step` to its JSON.
+/// Measures a study's workloads on this machine, one after another in turns. Adds a table of their
+/// times, with ratios to the first, to the result, and `ns_per_step` to its JSON.
 void add_step_times(std::vector<study::Workload> workloads, study::Result& result);
 
 }  // namespace drydock::study

@@ -29,7 +29,7 @@ navigation::NavigationState wrong_start(const MissionInstant& truth, const Veloc
   return start.state();
 }
 
-/// A random stream as Boost.Random wants it.
+/// A random stream with the interface that Boost.Random needs.
 struct Bits {
   using result_type = std::uint64_t;
   static constexpr result_type min() { return 0; }
@@ -88,7 +88,8 @@ void MeasuredMission::measure(std::size_t step, MeasuredStep& out) {
 }
 
 double MeasuredMission::normal() {
-  // A ziggurat: fourteen million numbers a run are a tenth of the study's time by logarithms.
+  // A ziggurat. A run draws fourteen million numbers; logarithms would take a tenth of the study's
+  // time.
   Bits bits{random_};
   return boost::random::normal_distribution<double>{}(bits);
 }

@@ -58,7 +58,7 @@ void add_truth_figures(const std::vector<MissionInstant>& track, std::vector<Fig
 
 using EnsembleValue = double (Ensemble::*)(std::size_t) const;
 
-/// Figures 10 and 12: one axis, all methods but the pure one.
+/// Figures 10 and 12: one axis, all methods except `pure`.
 void add_velocity_figures(const CaseResult& result, const std::string& title,
                           std::vector<Figure>& figures) {
   constexpr std::array axes{"u", "v", "w"};

@@ -4,7 +4,7 @@
 
 #include "hil/study/velocity/velocity_mission.hpp"
 
-/// Files of rig_config that the program carries with it.
+/// Files of rig_config that are compiled into the program.
 namespace drydock::study {
 
 std::string_view velocity_mission_text();

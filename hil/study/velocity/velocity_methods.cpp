@@ -12,11 +12,12 @@ using navigation::AidedNavigation;
 using navigation::NavigationState;
 
 constexpr double dt = RecordedMission::sample_s;
-constexpr double height_sigma_m = 0.05;  ///< of the mean of ten depths and the velocity filter's
+constexpr double height_sigma_m = 0.05;      ///< of the mean of ten depths, and of the velocity
+                                             ///< filter's depth
 constexpr double velocity_floor_mps = 0.01;  ///< added to P^v: R of eq. (16)
 
-/// What pure and the two methods of the paper have in common: SDINS with height loop and 15-state
-/// covariance, and the rate against the Earth that the SDINS gives a vehicle model.
+/// The common parts of `pure` and the two methods of the paper: SDINS with height loop and 15-state
+/// covariance, and the rate relative to the Earth that the SDINS gives to a vehicle model.
 class AidedNavigator : public Navigator {
  public:
   explicit AidedNavigator(const NavigationState& start) : aided_(start, {}) {}
@@ -29,7 +30,7 @@ class AidedNavigator : public Navigator {
   velocity::Setting setting() const {
     return {aided_.body_to_ned().toRotationMatrix().transpose(), earth_rate_};
   }
-  /// Against the Earth, with the bias found so far.
+  /// Relative to the Earth, with the bias estimated so far.
   Vector3d rate(const Vector3d& angle, const velocity::Setting& setting) const {
     return angle / dt - aided_.gyro_bias() - setting.ned_to_body * setting.earth_rate_ned;
   }
@@ -43,7 +44,7 @@ class AidedNavigator : public Navigator {
   Vector3d earth_rate_ = frame::earth_rate_ned(aided_.state().position.latitude_rad);
 };
 
-/// Nothing aids it: its covariance is the linear covariance analysis of the SDINS.
+/// Nothing aids it. Its covariance is the linear covariance analysis of the SDINS.
 class PureNavigator final : public AidedNavigator {
  public:
   using AidedNavigator::AidedNavigator;
@@ -54,7 +55,7 @@ class PureNavigator final : public AidedNavigator {
   }
 };
 
-/// Koifman and Bar-Itzhack: where the DVL is out, an open-loop simulator stands in for it.
+/// Koifman and Bar-Itzhack: while the DVL is missing, an open-loop simulator replaces it.
 class EarlierNavigator final : public AidedNavigator {
  public:
   EarlierNavigator(const NavigationState& start, const hydrodynamics::Model& model)
@@ -92,7 +93,7 @@ class EarlierNavigator final : public AidedNavigator {
   int steps_without_ground_ = 0;
 };
 
-/// The paper's: what the velocity filter makes of simulator and sensors aids the SDINS.
+/// The paper's method: the velocity filter combines simulator and sensors and aids the SDINS.
 class PaperNavigator final : public AidedNavigator {
  public:
   PaperNavigator(const NavigationState& start, const hydrodynamics::Model& model)

@@ -5,7 +5,7 @@
 #include "estimators/hydrodynamics/model.hpp"
 #include "hil/study/velocity/velocity_errors.hpp"
 
-/// The four ways to navigate that the velocity study compares.
+/// The four navigation methods that the velocity study compares.
 namespace drydock::study {
 
 enum class Method { pure, earlier, paper, ours };
@@ -15,14 +15,14 @@ class Navigator {
   virtual ~Navigator() = default;
   virtual void step(const MeasuredStep& measured) = 0;
   virtual const navigation::NavigationState& state() const = 0;
-  /// The velocity that it trusts, body axes: what the paper's figures 10 and 12 are of.
+  /// The velocity that the method trusts, body axes. The paper's figures 10 and 12 show it.
   virtual Eigen::Vector3d velocity_body() const {
     return state().body_to_ned.conjugate() * state().velocity_ned;
   }
   virtual Eigen::Matrix2d horizontal_covariance() const = 0;  ///< latitude, longitude; rad2
 };
 
-/// `model`: the vehicle as the method knows it.
+/// `model` is the vehicle model of the method.
 std::unique_ptr<Navigator> make_navigator(Method method, const navigation::NavigationState& start,
                                           const hydrodynamics::Model& model);
 

@@ -20,7 +20,7 @@ rig_config::VehicleConfig vehicle_config(Hull hull) {
   return rig_config::load_vehicle_text(velocity_vehicle_text(hull), "vehicle").value();
 }
 
-/// The mission names a vehicle file, which is not there to be read: the vehicle is put in here.
+/// The mission names a vehicle file, which cannot be read here. This sets the vehicle instead.
 rig_config::MissionConfig mission_config(Hull hull, const Eigen::Vector2d& current) {
   std::string text(velocity_mission_text());
   const auto line = text.find("\nvehicle = ");

@@ -6,8 +6,8 @@
 #include "estimators/frame/geodetic.hpp"
 #include "estimators/hydrodynamics/vehicle.hpp"
 
-/// One truth of the velocity study, sailed once and kept: what sensors without errors give at their
-/// rates, for all the runs.
+/// One truth of the velocity study, sailed once and kept for all runs: the output of error-free
+/// sensors at their rates.
 namespace drydock::study {
 
 enum class Hull { symmetric, asymmetric };
@@ -33,17 +33,17 @@ struct RecordedMission {
   static constexpr double sample_s = 0.01;
   static constexpr std::size_t samples_a_step = 10;
 
-  std::vector<MissionSample> samples;    ///< samples_a_step to each step
+  std::vector<MissionSample> samples;    ///< samples_a_step for each step
   std::vector<MissionInstant> instants;  ///< the start, then the end of each step
 
   std::size_t steps() const { return instants.size() - 1; }
 };
 
-/// The vehicle that sails it, and that the estimators know up to the errors of its coefficients.
+/// The vehicle that sails the mission. The estimators know it with errors of its coefficients.
 hydrodynamics::Vehicle mission_vehicle(Hull hull);
 
-/// The paper's 5.5 h (rig_config/missions/velocity-paper.toml), or its first `duration_s`, in a
-/// steady current north and east, m/s.
+/// The paper's 5.5 h (rig_config/missions/velocity-paper.toml), or the first `duration_s`, in a
+/// steady current (north, east), m/s.
 RecordedMission record_velocity_mission(Hull hull, const Eigen::Vector2d& current,
                                         double duration_s = 1e9);
 

@@ -36,7 +36,7 @@ const std::vector<VelocityGroup>& velocity_groups() {
 }
 
 Band nees_band(std::size_t runs) {
-  // chi-square of two states a run, by Wilson and Hilferty: good to 1e-3 from ten runs on.
+  // Chi-square with two states per run, by Wilson and Hilferty: accurate to 1e-3 from ten runs on.
   const double freedom = 2 * static_cast<double>(runs), spread = 2 / (9 * freedom);
   const auto bound = [&](double sigma) {
     return std::pow(1 - spread + sigma * std::sqrt(spread), 3);

@@ -12,11 +12,11 @@ namespace drydock::study {
 /// One experiment of the velocity study.
 struct VelocityCase {
   std::string_view name;
-  double coefficient_sigma;  ///< of the vehicle as the methods know it, relative
-  std::string_view what;     ///< in a few words
+  double coefficient_sigma;  ///< relative, of the vehicle that the methods know
+  std::string_view what;     ///< short description
 };
 
-/// Cases that share truth and sensors, and so are run together.
+/// Cases that share truth and sensors and are therefore run together.
 struct VelocityGroup {
   std::string_view name;
   Hull hull = Hull::symmetric;
@@ -35,8 +35,9 @@ inline constexpr std::array velocity_methods{
     MethodName{Method::pure, "pure"}, MethodName{Method::earlier, "earlier"},
     MethodName{Method::paper, "paper"}, MethodName{Method::ours, "ours"}};
 
-/// 95 % of the mean NEES of so many runs lie between, if the filter is consistent: of one instant,
-/// and so, errors of a run being alike at all times, of their mean over time at most.
+/// The bounds that hold 95 % of the mean NEES of this number of runs, if the filter is consistent.
+/// They apply to one instant. The mean over time varies at most as much, because the errors of a
+/// run are similar at all times.
 struct Band {
   double low, high;
 };
@@ -54,13 +55,13 @@ class VelocityStatistics {
   double horizontal_rmse(std::size_t instant) const;  ///< m
   double horizontal_rmse_max() const;
   double horizontal_rmse_end() const { return horizontal_rmse(instants() - 1); }
-  double growth_rmse_end() const;              ///< m: what has been added to the initial error
+  double growth_rmse_end() const;              ///< m; growth since the initial error
   double worst_run() const { return worst_; }  ///< m, at the end
   Eigen::Vector3d velocity_rmse() const;       ///< over time and runs, m/s
   Eigen::Vector3d velocity_mean() const;
-  double stated_sigma_end() const;  ///< m: of the position as the method itself states it, RMS
-  double nees_mean() const;         ///< of the horizontal position, over time and runs
-  double growth_nees_mean() const;  ///< of what was added to the initial error
+  double stated_sigma_end() const;  ///< m; RMS of the position sigma that the method states
+  double nees_mean() const;         ///< horizontal position, over time and runs
+  double growth_nees_mean() const;  ///< growth since the initial error
 
   const Ensemble& north() const { return north_; }
   const Ensemble& east() const { return east_; }
@@ -75,13 +76,13 @@ class VelocityStatistics {
   double worst_ = 0;
 };
 
-/// A case's methods in the order of velocity_methods; empty: no run was done.
+/// A case's methods in the order of velocity_methods; empty: no run was finished.
 struct CaseResult {
   VelocityCase which;
   std::vector<VelocityStatistics> methods;
 };
 
-/// What is left of `ours` in case 2 when one source of error is alone.
+/// The error of `ours` in case 2 with only one source of error.
 struct BudgetLine {
   std::string_view source;
   double rmse_end_m;
@@ -91,7 +92,7 @@ struct VelocityResults {
   std::vector<CaseResult> cases;
   std::vector<BudgetLine> budget;
   std::size_t budget_runs = 0;
-  std::vector<MissionInstant> track;  ///< of case 1's truth, once a minute
+  std::vector<MissionInstant> track;  ///< the truth of case 1, once a minute
 };
 
 }  // namespace drydock::study

@@ -10,7 +10,7 @@
 namespace drydock::study {
 namespace {
 
-/// The vehicle as the methods of one run and case know it.
+/// The vehicle model that the methods use in one run and case.
 hydrodynamics::Model known_model(const hydrodynamics::Vehicle& vehicle, double sigma,
                                  std::uint64_t seed, std::size_t run) {
   const std::uint64_t of_run = stream_of(seed, run, "coefficients").next();
@@ -32,7 +32,8 @@ RecordedMission mission_of(const VelocityGroup& group) {
       group.hull, group.current_mps * Eigen::Vector2d{std::cos(towards), std::sin(towards)});
 }
 
-/// Every method in every case of a group on the same sensors; `pure`, which knows no vehicle, once.
+/// Runs every method in every case of a group on the same sensors. `pure` uses no vehicle model and
+/// runs only once.
 std::vector<VelocityTrial> run_group(const VelocityGroup& group, const RecordedMission& mission,
                                      const hydrodynamics::Vehicle& vehicle, std::uint64_t seed,
                                      std::size_t run) {
@@ -119,7 +120,7 @@ VelocityErrors no_errors() {
   return none;
 }
 
-/// `ours` in case 2 with one source of error at a time, on a tenth of the runs.
+/// `ours` in case 2 with one source of error at a time, with a tenth of the runs.
 std::size_t study_budget(const Options& options, Progress& progress, VelocityResults& results) {
   Options fewer = options;
   fewer.runs = std::max<std::size_t>(options.runs / 10, 1);
@@ -189,7 +190,7 @@ Result velocity_study(const Options& options, Progress& progress) {
 
   Result result;
   if (results.cases.empty() && results.budget.empty()) return result;
-  // Stopped early, the last cases have fewer runs or none: on an average over all of them.
+  // After a stop the last cases have fewer runs or none. This is the average over all cases.
   result.runs = std::max<std::size_t>(done / parts, 1);
   result.tables = velocity_tables(results);
   result.figures = velocity_figures(results);

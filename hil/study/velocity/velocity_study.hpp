@@ -6,11 +6,11 @@
 namespace drydock::study {
 
 /// Lee, Ra, Kim, Ahn, Lee, "Gertler-Hagen Hydrodynamic Model Based Velocity Estimation Filter for
-/// Long-term Underwater Navigation Without External Position Fix" (2016), chapter 4, and stresses
-/// that it leaves out, with four methods side by side.
+/// Long-term Underwater Navigation Without External Position Fix" (2016), chapter 4, and stress
+/// cases that the paper does not have, with four methods.
 Result velocity_study(const Options& options, Progress& progress);
 
-/// The experiments' names and `error_budget`.
+/// The names of the cases, and `error_budget`.
 std::vector<std::string_view> velocity_case_names();
 
 std::vector<Table> velocity_tables(const VelocityResults& results);

@@ -16,7 +16,7 @@ std::string three_mmps(const Eigen::Vector3d& mps) {
   return fmt::format("{:.1f} {:.1f} {:.1f}", 1e3 * mps.x(), 1e3 * mps.y(), 1e3 * mps.z());
 }
 
-/// What the paper's text says of its figures 9, 11 and 13.
+/// The paper's text about its figures 9, 11 and 13.
 std::string_view published(std::string_view which, std::string_view method) {
   static const std::map<std::pair<std::string_view, std::string_view>, std::string_view> said{
       {{"case1", "pure"}, "1.4 km"},          {{"case2", "pure"}, "1.4 km"},

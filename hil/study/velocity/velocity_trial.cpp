@@ -13,7 +13,7 @@ using Eigen::Vector3d;
 
 namespace {
 
-/// Latitude and longitude, estimate less truth, rad.
+/// Latitude and longitude, estimate minus truth, rad.
 Vector2d angles_off(const MissionInstant& truth, const Navigator& navigator) {
   const auto& at = navigator.state().position;
   return {at.latitude_rad - truth.position.latitude_rad,
@@ -40,8 +40,8 @@ void note_instant(const MissionInstant& truth, const Navigator& navigator, Veloc
   for (std::size_t i = 0; i < 3; ++i) trial.mps[i].push_back(mps(static_cast<int>(i)));
 }
 
-/// What a navigator began with. No method can find it, and it stays as it is in latitude and
-/// longitude: its covariance is that much of any later one.
+/// The initial error of a navigator. No method can observe it, and it stays constant in latitude
+/// and longitude. Its covariance is a constant part of every later covariance.
 struct Beginning {
   Vector2d off;
   Matrix2d covariance;

@@ -83,7 +83,7 @@ struct HostFloor::Probe {
       if (error) return;
       times.timer_late_us.push_back(us_since(due));
       times.timer_at.push_back(link::steady_now());
-      due = std::max(due, Clock::now() - period);  // a stall counts once
+      due = std::max(due, Clock::now() - period);  // a stall counts only once
       const char byte = 0;
       written = Clock::now();
       boost::system::error_code lost;

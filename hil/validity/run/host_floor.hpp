@@ -7,19 +7,22 @@
 
 namespace drydock::validity {
 
-/// What this machine does to any program while something else runs: microseconds.
+/// Delays that this machine causes in any program, microseconds.
 struct HostTimes {
-  std::vector<double> timer_late_us;  ///< a bare steady_timer, each 5 ms, behind its time
-  std::vector<double> pty_hop_us;     ///< a byte written to a bare pty until the other end has it
-  std::vector<measurement::Stamp> timer_at, pty_at;  ///< when each was seen, link::steady_now()
+  std::vector<double> timer_late_us;  ///< lateness of a bare steady_timer that expires every 5 ms
+  std::vector<double> pty_hop_us;     ///< from the write of one byte to a bare pty until the other
+                                      ///< end reads it
+  std::vector<measurement::Stamp> timer_at, pty_at;  ///< when each value was taken,
+                                                     ///< link::steady_now()
 };
 
-/// Measures them from making to stop(), through Asio as everything here, on a thread a processor:
-/// a virtual machine's host may hold up one of them alone. Where this program runs under SCHED_FIFO
-/// the threads are one step ahead, so that what it does itself is not taken for the machine's.
+/// Measures from construction to stop(), with Asio as all of this program. One thread runs on each
+/// processor, because the host of a virtual machine may delay one processor alone. If this program
+/// runs under SCHED_FIFO, the threads have the next higher priority, so that the load of this
+/// program does not count as a delay of the machine.
 class HostFloor {
  public:
-  /// Throws std::system_error where there is no pty.
+  /// Throws std::system_error if no pty can be made.
   HostFloor();
   ~HostFloor();
   HostTimes stop();

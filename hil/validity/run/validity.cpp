@@ -63,7 +63,8 @@ bool is_serial(const DeviceConfig& device) {
   return uri && uri->carries() == link::Carries::bytes && uri->baud();
 }
 
-/// How long a device's samples keep a line of one baud, in virtual time: their bits.
+/// The number of bits that one sample of each device takes on its serial line. A short run in
+/// virtual time measures it.
 std::map<std::string, double, std::less<>> bits_of_samples(const Rig& rig) {
   struct Sum {
     double bits = 0, samples = 0;
@@ -87,7 +88,8 @@ std::map<std::string, double, std::less<>> bits_of_samples(const Rig& rig) {
   return bits;
 }
 
-/// The rig's serial devices at this baud rate, slower where the line would be more than half full.
+/// The rig's serial devices at this baud rate. A device gets a lower rate if the line would be more
+/// than half full.
 Rig at_baud(Rig rig, unsigned baud, const std::map<std::string, double, std::less<>>& bits) {
   std::erase_if(rig.devices, [](const DeviceConfig& device) { return !is_serial(device); });
   for (DeviceConfig& device : rig.devices) {

@@ -34,7 +34,8 @@ std::string label(const Figures& of) {
   return of.device == of.what ? of.device : of.device + " " + of.what;
 }
 
-/// Shares of |values| in bins of a fifth of a decade from 0.1 us on; what is less is in the first.
+/// Shares of |values| in bins of a fifth of a decade from 0.1 us. The first bin includes smaller
+/// values.
 study::Curve histogram(std::string name, const std::vector<double>& values) {
   constexpr double first_us = 0.1, bins_a_decade = 5;
   constexpr std::size_t bins = 36;

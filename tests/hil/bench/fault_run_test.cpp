@@ -1,5 +1,6 @@
-// Every word of the vocabulary, on an emulated rig in lockstep: the run with the fault is the run
-// without it until the fault sets, differs while it holds, and is the same again once it has gone.
+// Every word of the vocabulary on an emulated rig in lockstep. The run with a fault equals the run
+// without it until the fault begins, differs while it is in force, and is equal again after its
+// end.
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -21,7 +22,8 @@ struct Case {
   const char* device;
   const char* fault;
   const char* more = "";
-  /// After it the sensor's random numbers or its phase are others: only the count comes back.
+  /// The fault changes the sensor's random numbers or phase for good, so only the count of messages
+  /// returns to normal.
   bool for_good = false;
 };
 
@@ -61,7 +63,7 @@ const Case cases[] = {
 };
 
 struct Heard {
-  std::vector<std::string> lines;  ///< of the device's measurements, every digit, with their times
+  std::vector<std::string> lines;  ///< the device's measurements with times, every digit
   std::vector<double> received_s;
   summary::DeviceSummary device;
 
@@ -73,7 +75,7 @@ struct Heard {
   }
 };
 
-/// The demo's sensors at the surface, where a receiver has satellites.
+/// The demo's sensors at the surface, where a GNSS receiver has satellites.
 rig_config::Rig rig_at_the_surface() {
   auto rig = rig_config::load_rig(DRYDOCK_SOURCE_DIR "/rig_config/rigs/demo.toml").value();
   std::erase_if(rig.mission.legs,

@@ -1,5 +1,5 @@
-// One mission twice: measurements straight into the filters as the leveling study does it, and the
-// same measurements through emulated devices, wire bytes, drivers and the pipeline in lockstep.
+// One mission twice: measurements go directly into the filters as in the leveling study, and the
+// same measurements go through emulated devices, wire bytes, drivers and the pipeline in lockstep.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -25,8 +25,8 @@ constexpr double degree = std::numbers::pi / 180;
 constexpr double seconds = 60;
 constexpr int imu_hz = 100, samples_per_speed = 50, first_sample = 1;
 
-/// The demo's IMU (CiA 404, REAL32, CAN) and log (NMEA 0183, 4800 baud), with the biases of Table 1
-/// and without noise: all that is left between the two ways is the wire.
+/// The demo's IMU (CiA 404, REAL32, CAN) and log (NMEA 0183, 4800 baud) with the biases of Table 1
+/// and without noise. The two ways then differ only by the wire.
 rig_config::Rig two_sensors() {
   auto rig = rig_config::load_rig(DRYDOCK_SOURCE_DIR "/rig_config/rigs/demo.toml").value();
   rig.expects.clear();
@@ -60,7 +60,7 @@ struct Attitude {
   double t_s, roll_deg, pitch_deg;
 };
 
-/// Without a wire: the filter on the sensors' values.
+/// Without a wire: the filter gets the sensors' values directly.
 std::vector<Attitude> straight_into(leveling::FilterKind kind, const rig_config::Rig& rig) {
   const Stamp start = measurement::stamp_from_ns(rig.start_utc_ns);
   const auto trajectory = motion::make_trajectory(rig.mission, start);
@@ -101,9 +101,9 @@ std::vector<Attitude> straight_into(leveling::FilterKind kind, const rig_config:
   return attitudes;
 }
 
-/// The largest of roll or pitch from `from_s` on, deg. The instants of the log are left out: where
-/// a heartbeat goes before the IMU's frames, their stamps are a quarter of a millisecond late, and
-/// the speed of the same instant is used before them instead of behind.
+/// The largest difference of roll or pitch since `from_s`, deg. The instants of log samples are
+/// left out: when a heartbeat precedes the IMU's frames, their stamps are 0.25 ms late, and the
+/// filter uses the speed of that instant before them instead of after them.
 double difference(const std::vector<Attitude>& direct, const summary::AttitudeTrace& wire,
                   double from_s) {
   double largest = 0;
@@ -111,7 +111,7 @@ double difference(const std::vector<Attitude>& direct, const summary::AttitudeTr
     const auto k = static_cast<int>(std::lround(wire.t_s[i] * imu_hz));
     if (k % samples_per_speed == 0 || wire.t_s[i] < from_s) continue;
     const auto& same = direct.at(static_cast<std::size_t>(k - first_sample - 1));
-    EXPECT_NEAR(same.t_s, wire.t_s[i], 1e-4);  // stuff bits
+    EXPECT_NEAR(same.t_s, wire.t_s[i], 1e-4);  // stuff bits shift the stamps a little
     largest = std::max({largest, std::abs(same.roll_deg - wire.roll_deg[i]),
                         std::abs(same.pitch_deg - wire.pitch_deg[i])});
   }
@@ -131,10 +131,10 @@ TEST(LevelingOnTheWire, EveryFilterAgreesWithItsMeasurementsToTheWiresResolution
   for (std::size_t i = 0; i < kinds.size(); ++i) {
     const auto& wire = summary.traces.at(i);
     ASSERT_GT(wire.t_s.size(), 500U);
-    // The IMU is started when its bus is up: its second sample is the first.
+    // The IMU starts when its bus is up, so its second sample is the first that arrives.
     EXPECT_EQ(std::lround(wire.t_s.front() * imu_hz), first_sample);
-    // Speeds are rounded to .001 knot, rates and forces to 24 bits, times to 0.03 ms.
-    // The paper's filter, which sees no roll before the first turn, magnifies the wire until then.
+    // Speeds are rounded to .001 knot, rates and forces to 24 bits, times to 0.03 ms. The paper's
+    // filter cannot observe roll before the first turn and magnifies these roundings until then.
     const double from_s = kinds[i] == FilterKind::paper ? 20 : 0;
     EXPECT_LT(difference(straight_into(kinds[i], rig), wire, from_s), 0.001) << i;
   }

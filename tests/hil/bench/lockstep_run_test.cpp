@@ -1,4 +1,4 @@
-// The demo rig in virtual time: from truth over wire bytes to an estimate, in milliseconds.
+// The demo rig in virtual time: from the truth over wire bytes to an estimate, in milliseconds.
 #include <gtest/gtest.h>
 
 #include "hil/bench/run.hpp"
@@ -21,7 +21,7 @@ summary::Summary run(const rig_config::Rig& rig, double seconds) {
   return summary;
 }
 
-/// Wall time and memory are the machine's.
+/// Removes wall time and memory, which depend on the machine.
 std::string json_of_bench(summary::Summary summary) {
   summary.wall_s = 0;
   summary.resident = {};

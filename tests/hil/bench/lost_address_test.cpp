@@ -1,5 +1,5 @@
-// A J1939 sensor loses its address while its driver hears nothing: once the bus is back, it is
-// found at its new address by its NAME.
+// A J1939 sensor loses its address while its driver hears nothing. When the bus is back, the driver
+// finds the sensor by its NAME at the new address.
 #include <gmock/gmock.h>
 
 #include <utility>
@@ -14,7 +14,7 @@ namespace {
 
 using namespace drydock;
 
-/// When messages of a device arrived, seconds from the start.
+/// The times at which messages of a device arrived, seconds from the start.
 std::vector<double> arrivals(const std::string& faults, std::string_view device) {
   auto rig = rig_config::load_rig(DRYDOCK_SOURCE_DIR "/rig_config/rigs/soak.toml").value();
   rig.faults = rig_config::load_faults_text(faults, "test").value();
@@ -33,7 +33,7 @@ std::vector<double> arrivals(const std::string& faults, std::string_view device)
   return at_s;
 }
 
-/// The longest silence between two messages: its beginning and its end.
+/// The longest silence between two messages: the times of its beginning and end.
 std::pair<double, double> longest_silence(const std::vector<double>& at_s) {
   std::pair<double, double> longest{0, 0};
   for (std::size_t i = 1; i < at_s.size(); ++i)

@@ -1,5 +1,5 @@
-// The mixing paper's mission twice: measurements straight into the filters, and the same
-// measurements through emulated devices, wire bytes, drivers and the pipeline in lockstep.
+// The mixing paper's mission twice: measurements go directly into the filters, and the same
+// measurements go through emulated devices, wire bytes, drivers and the pipeline in lockstep.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -25,7 +25,7 @@ rig_config::Rig mixing_rig() {
   return rig_config::load_rig(DRYDOCK_SOURCE_DIR "/rig_config/rigs/mixing-paper.toml").value();
 }
 
-/// With the constants of Table 5 and without noise: all that is left between the ways is the wire.
+/// The sensors have the constants of Table 5 and no noise, so the two ways differ only by the wire.
 rig_config::Rig without_noise(rig_config::Rig rig) {
   for (auto& device : rig.devices)
     device.emulate.primary.noise = device.emulate.secondary.noise = {};
@@ -41,10 +41,10 @@ summary::Summary run(const rig_config::Rig& rig, double duration_s) {
   return summary;
 }
 
-/// What the sensors say at the k-th hundredth of a second.
+/// The sensors' values at each hundredth of a second.
 struct Readings {
   std::vector<measurement::ImuSample> imu;
-  std::vector<double> speed_mps;  ///< every tenth
+  std::vector<double> speed_mps;  ///< one for every tenth IMU sample
 };
 
 Readings readings_of(const rig_config::Rig& rig) {
@@ -70,7 +70,7 @@ struct Attitude {
   double roll_deg, pitch_deg;
 };
 
-/// After every IMU sample from `first` on.
+/// The attitude after every IMU sample from `first` on.
 std::vector<Attitude> straight_into(const mixing::MixingOptions& options, const Readings& readings,
                                     std::size_t first) {
   mixing::MixingFilter filter(options);
@@ -107,7 +107,7 @@ TEST(MixingOnTheWire, EveryTypeAgreesWithItsMeasurementsToTheWiresResolution) {
       roll_deg = std::max(roll_deg, std::abs(there.roll_deg - wire.roll_deg[k]));
       pitch_deg = std::max(pitch_deg, std::abs(there.pitch_deg - wire.pitch_deg[k]));
     }
-    // The log says hundredths of a knot: in a turn of 0.13 rad/s that is 0.004 deg of roll.
+    // The log has a resolution of .01 knot: in a turn of 0.13 rad/s that is 0.004 deg of roll.
     EXPECT_LT(roll_deg, 0.01) << rig.estimators[i].name;
     EXPECT_LT(pitch_deg, 0.01) << rig.estimators[i].name;
   }
@@ -119,7 +119,8 @@ TEST(MixingOnTheWire, TheWholeMissionStaysWithinThePapersErrors) {
   ASSERT_EQ(summary.estimators.size(), 4U);
   const auto& compensated = *summary.estimators[0].whole_run;
   const auto& type1 = *summary.estimators[1].whole_run;
-  EXPECT_LT(compensated.roll_rms_deg, 0.5);  // one run: three of the 0.14 deg and the turn's log
+  EXPECT_LT(compensated.roll_rms_deg, 0.5);  // one run: three times 0.14 deg, plus the log's
+                                             // rounding in the turn
   EXPECT_LT(compensated.pitch_rms_deg, 0.5);
   EXPECT_LT(compensated.nees_mean, 9);
   EXPECT_GT(type1.pitch_max_deg, 0.5);

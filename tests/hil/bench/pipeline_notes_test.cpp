@@ -1,4 +1,4 @@
-// What the estimators could not use is told to whoever runs the rig.
+// The user of a rig is told which measurements the estimators could not use.
 #include <gtest/gtest.h>
 
 #include <limits>

@@ -1,4 +1,5 @@
-// The sounding rocket in lockstep: its roll through wire bytes, and the same measurements without.
+// The sounding rocket in lockstep: its roll estimate through wire bytes, and from the same
+// measurements without a wire.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -37,7 +38,7 @@ struct Kept final : pipeline::EstimateListener {
   std::vector<pipeline::AttitudeEstimate> all;
 };
 
-/// What the emulated devices measure, at 100 Hz and 10 Hz, straight into the pipeline.
+/// Puts the measurements of the emulated devices, at 100 Hz and 10 Hz, directly into the pipeline.
 std::vector<pipeline::AttitudeEstimate> straight(const rig_config::Rig& rig) {
   const auto start = measurement::stamp_from_ns(rig.start_utc_ns);
   const auto trajectory = motion::make_trajectory(rig.mission, start);
@@ -68,7 +69,7 @@ std::vector<pipeline::AttitudeEstimate> straight(const rig_config::Rig& rig) {
   return kept.all;
 }
 
-/// Between the two estimates around `t`, by the shorter way.
+/// Interpolates between the two estimates around `t`, by the shorter way round.
 double roll_at(const std::vector<pipeline::AttitudeEstimate>& estimates, measurement::Stamp t) {
   const auto after =
       std::ranges::find_if(estimates, [&](const auto& e) { return e.valid_at >= t; });
@@ -97,8 +98,8 @@ TEST(RollOnTheWire, AgreesWithTheSameFlightWithoutWiresToTheWiresResolution) {
     ++n;
   }
   ASSERT_GT(n, 500);
-  // Directions in whole degrees: .29 deg RMS each, some ten of them; powers are whole dB on both
-  // sides, rates a float.
+  // Directions are in whole degrees: .29 deg RMS each, about ten of them. Powers are in whole dB on
+  // both sides, and rates are floats.
   const double rms_deg = std::sqrt(squares / n) / degree;
   RecordProperty("rms_deg", std::to_string(rms_deg));
   EXPECT_LT(rms_deg, 0.3);

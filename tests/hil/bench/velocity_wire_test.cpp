@@ -1,5 +1,6 @@
-// The velocity filters on one mission twice: measurements straight into the study's navigators, and
-// the same measurements through emulated devices, wire bytes, drivers and the pipeline in lockstep.
+// The velocity filters on one mission twice: measurements go directly into the study's navigators,
+// and the same measurements go through emulated devices, wire bytes, drivers and the pipeline in
+// lockstep.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -27,8 +28,9 @@ using rig_config::LegKind;
 constexpr double seconds_sailed = 600;
 constexpr int step_ms = 100;
 
-/// The paper's rig on its mission in brief: ten minutes with a dive, a spiral and a zigzag, the bed
-/// lost on the way. Biases as drawn, no noise: all that is left between the two ways is the wire.
+/// The paper's rig on a short mission: ten minutes with a dive, a spiral and a zigzag; the bed is
+/// out of range for a part. Biases are as drawn and there is no noise, so the two ways differ only
+/// by the wire.
 rig_config::Rig brief_mission() {
   auto rig =
       rig_config::load_rig(DRYDOCK_SOURCE_DIR "/rig_config/rigs/velocity-paper.toml").value();
@@ -67,7 +69,7 @@ const rig_config::DeviceConfig& named(const rig_config::Rig& rig, const char* na
   return *std::ranges::find(rig.devices, name, &rig_config::DeviceConfig::name);
 }
 
-/// Tenths of a second at which the DVL had the bed: its head is not modelled here.
+/// The tenths of a second at which the DVL had the bed. The test does not model the DVL's head.
 std::set<int> tenths_with_bed(const summary::Summary& wires) {
   const auto track = std::ranges::find_if(wires.measurements,
                                           [](const auto& m) { return m.title.starts_with("dvl"); });
@@ -80,7 +82,7 @@ struct Error {
   double north_m, east_m, north_mps, east_mps;
 };
 
-/// Errors of a study's navigator after each tenth of a second, without a wire.
+/// The errors of a study's navigator after each tenth of a second, without a wire.
 std::vector<Error> straight_into(study::Method method, const rig_config::Rig& rig,
                                  const std::set<int>& bed) {
   const Stamp start = measurement::stamp_from_ns(rig.start_utc_ns);
@@ -88,7 +90,7 @@ std::vector<Error> straight_into(study::Method method, const rig_config::Rig& ri
   const auto& unit = named(rig, "imu");
   sensor::ImuErrors imu_errors(unit.emulate, unit.rate_hz, rig.seed, unit.name);
   sensor::ImuSampler imu(truth, {}, unit.rate_hz, true);
-  imu_errors.apply(imu.at(start));  // the sample that the emulated unit takes at the start
+  imu_errors.apply(imu.at(start));  // the emulated unit takes this sample at the start
   const auto options = setup::inertial_options(rig, rig.estimators.at(0));
   const auto navigator =
       study::make_navigator(method, options.start, hydrodynamics::Model(options.vehicle));
@@ -154,8 +156,8 @@ TEST(VelocityOnTheWire, BothFiltersAgreeWithTheStudysToTheWiresResolution) {
   EXPECT_LT(bed.size(), 500u);  // the bed goes out of range on the way
   constexpr std::array methods{study::Method::ours, study::Method::paper};
   // Speeds are rounded to .001 knot (log) and 1 mm/s (DVL), rates and forces to 24 bits. The study
-  // has the actuators every 10 ms in the middle of the sample, the wire every 100 ms and held:
-  // the paper's simulator lives on them, ours leans on them for sway alone.
+  // has the actuators every 10 ms, in the middle of the sample; the wire has them every 100 ms and
+  // holds them. The paper's simulator depends on them for everything, our filter only for sway.
   constexpr std::array limits{Apart{0.05, 0.0005}, Apart{0.15, 0.004}};
   for (std::size_t i = 0; i < methods.size(); ++i) {
     const auto direct = straight_into(methods[i], rig, bed);

@@ -15,7 +15,7 @@ TEST(AllanModel, IsTheClosedFormOfEachProcess) {
   EXPECT_NEAR(std::sqrt(NoiseModel{.walk = 3}.allan_variance(tau)), 3 * std::sqrt(tau / 3), 1e-12);
   EXPECT_NEAR(std::sqrt(NoiseModel{.quantisation = 3}.allan_variance(tau)),
               3 * std::sqrt(3.0) / tau, 1e-12);
-  // IEEE 952: the Gauss-Markov hump is 0.617 sigma high, at 1.89 T.
+  // IEEE 952: the maximum of a Gauss-Markov process is 0.617 sigma, at 1.89 T.
   const NoiseModel markov{.instability = 2, .correlation_s = 10};
   EXPECT_NEAR(std::sqrt(markov.allan_variance(18.9)), 2 * 0.617, 0.002);
   EXPECT_LT(markov.allan_variance(16), markov.allan_variance(18.9));
@@ -29,7 +29,7 @@ TEST(AllanCurve, OfARampAndOfAnAlternationIsExact) {
     alternation.push_back(k % 2 == 0 ? 1 : -1);
   }
   const auto of_ramp = allan_curve(ramp, 0.1), of_alternation = allan_curve(alternation, 0.1);
-  ASSERT_EQ(of_ramp.samples.size(), 7U);  // 1 to 64: nine clusters of 100 at most
+  ASSERT_EQ(of_ramp.samples.size(), 7U);  // 1 to 64; nine clusters of at most 100 samples
   for (std::size_t i = 0; i < of_ramp.samples.size(); ++i) {
     const auto m = static_cast<double>(of_ramp.samples[i]);
     EXPECT_NEAR(of_ramp.variance[i], m * m / 8, 1e-9 * m * m);
@@ -39,8 +39,8 @@ TEST(AllanCurve, OfARampAndOfAnAlternationIsExact) {
 }
 
 /// NIST Special Publication 1065 (Riley, Handbook of Frequency Stability Analysis), table 5, after
-/// Howe, Allan and Barnes 1981: degrees of freedom of the overlapping estimate from `points` of the
-/// integral. Approximations to a few per cent.
+/// Howe, Allan and Barnes 1981: degrees of freedom of the overlapping estimate from `points` points
+/// of the integral. These approximations are accurate to a few per cent.
 double published_white(double points, double m) {
   return (3 * (points - 1) / (2 * m) - 2 * (points - 2) / points) * 4 * m * m / (4 * m * m + 5);
 }
@@ -59,7 +59,7 @@ TEST(AllanCovariance, HasThePublishedDegreesOfFreedom) {
     const double v = white.allan_variance(m), w = walk.allan_variance(m);
     const double expected = published_white(1025, m);
     EXPECT_NEAR(2 * v * v / of_white(k, k), expected, 0.08 * expected) << m;
-    if (m < 4) continue;  // the closed form of a walk is that of a continuous one
+    if (m < 4) continue;  // the closed form is for a continuous random walk
     EXPECT_NEAR(2 * w * w / of_walk(k, k), published_walk(1025, m), 0.12 * published_walk(1025, m))
         << m;
   }

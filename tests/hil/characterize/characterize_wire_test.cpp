@@ -1,5 +1,5 @@
-// What an emulated sensor was given comes back: through its wire, its driver and an hour of virtual
-// time, and from a recording.
+// The known errors of an emulated sensor are found again: through its wire, its driver and an hour
+// of virtual time, and from a recording.
 #include <gtest/gtest.h>
 #include <stdlib.h>
 
@@ -88,7 +88,7 @@ TEST_F(Characterize, AnHourOfAnEmulatedImuGivesItsParametersBackWithinTheirBound
     EXPECT_TRUE(force.density->holds(60 * micro_g)) << i;
     EXPECT_TRUE(force.walk->holds(600 * micro_g / 60)) << i << ' ' << force.walk->value / micro_g;
   }
-  // In the unit's own axes, whatever way it is bolted in; the Earth's turn is within the bounds.
+  // In the unit's own axes, for any mounting. The Earth's rotation is within the bounds.
   using rig_config::SensorErrors;
   const auto& low = device.measured.low.primary.bias;
   const auto& high = device.measured.high.primary.bias;
@@ -97,7 +97,7 @@ TEST_F(Characterize, AnHourOfAnEmulatedImuGivesItsParametersBackWithinTheirBound
   EXPECT_LT(low[2], -200 * degph);
   EXPECT_GT(high[2], -200 * degph);
 
-  // What is written is read as what was measured, and the checker takes it.
+  // The written file contains the measured values, and the checker accepts it.
   write("imu.toml", sensor_file_of(device, "rig.toml"));
   EXPECT_TRUE(rig_config::check_file(path("imu.toml")).empty());
   const auto grade = rig_config::load_sensor(path("imu.toml"), rig_config::DeviceKind::imu).value();

@@ -9,7 +9,7 @@
 namespace drydock::characterize {
 namespace comparison_test {
 
-/// A speed that swings, as a vehicle's does on its legs.
+/// A speed that varies like that of a vehicle on its legs.
 double speed(double t) { return 2 + 0.8 * std::sin(t / 20) + 0.3 * std::sin(t / 7); }
 
 TEST(Comparison, ScaleBiasAndDelayComeBackThroughBothSensorsNoise) {

@@ -9,7 +9,7 @@
 namespace drydock::characterize {
 namespace noise_fit_test {
 
-/// Readings of the processes, each stepped exactly.
+/// Readings with the given processes. Each process is stepped exactly.
 std::vector<double> readings_of(const NoiseModel& model, double period_s, std::size_t count,
                                 std::uint64_t seed) {
   sensor::RandomStream random(seed, "sensor", "test");
@@ -27,7 +27,7 @@ std::vector<double> readings_of(const NoiseModel& model, double period_s, std::s
   return readings;
 }
 
-/// How many of forty recordings have the figure within its bounds: 38 on average.
+/// The number of forty recordings whose bounds hold the true figure: 38 on average.
 template <class Holds>
 int within(const NoiseModel& model, Holds holds) {
   int count = 0;

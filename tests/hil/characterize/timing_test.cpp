@@ -40,7 +40,7 @@ TEST(Timing, MissingSamplesAreCountedAndDoNotSlowTheRate) {
   for (int k = 0; k < 1000; ++k)
     if (k % 100 != 50 && k != 351) origins.push_back(at(k * 0.1, 0));
   const auto timing = timing_of(origins).value();
-  EXPECT_EQ(timing.outages, 10U);  // 350 and 351 are one
+  EXPECT_EQ(timing.outages, 10U);  // 350 and 351 are one outage
   EXPECT_EQ(timing.lost, 11U);
   EXPECT_NEAR(timing.rate_hz.value, 10, 1e-9);
   EXPECT_NEAR(timing.mean_outage, 1.1, 1e-12);

@@ -13,7 +13,8 @@ namespace {
 using namespace drydock;
 using characterize::Samples;
 
-/// The demonstration's DVL, receiver and IMU where they sit there, on a mission of changing speed.
+/// The demonstration's DVL, receiver and IMU in their places there, on a mission with changing
+/// speed.
 class DvlAgainstGnss : public testing::Test {
  protected:
   DvlAgainstGnss() {
@@ -50,7 +51,7 @@ class DvlAgainstGnss : public testing::Test {
                "[[device]]\nname = \"imu\"\nkind = \"imu\"\nprotocol = \"cia404-imu\"\n"
                "link = \"memory-can:bus?bitrate=250000\"\nrate_hz = 100\naddress = 1\n"
                "mounting_deg = [180, 0, 0]\n"
-               // What a run of the rig would be judged by is not looked at.
+               // The [[expect]] block of the rig must not matter here.
                "[[estimator]]\nname = \"leveling\"\nkind = \"leveling\"\nimu = \"imu\"\nmodel = "
                "\"stationary\"\nlatitude_deg = 36\n[[expect]]\nestimator = "
                "\"leveling\"\nroll_rms_deg_max = 2\n";
@@ -117,7 +118,7 @@ TEST_F(DvlAgainstGnss, ADvlWithoutACompassIsComparedAlongTheCourse) {
   EXPECT_TRUE(found->scale->holds(1.005)) << found->scale->value << ' ' << found->scale->low;
 }
 
-/// 95 %: of 40, fewer than 34 come about once in a thousand.
+/// 95 %: fewer than 34 of 40 happen about once in a thousand.
 TEST_F(DvlAgainstGnss, BoundsHoldAsOftenAsTheySay) {
   duration_s_ = 400;
   int held = 0;

@@ -40,7 +40,7 @@ rig_config::Rig rig() {
   return rig;
 }
 
-/// A bench whose services are called as a viewer's calls are.
+/// A bench whose services the test calls as a viewer does.
 class FaultServices : public ::testing::Test {
  protected:
   std::string ordered(const std::string& order) {
@@ -120,7 +120,7 @@ TEST_F(FaultServices, RefuseWhatIsNoRequestAndWhatIsTooLong) {
   EXPECT_TRUE(injector_.in_force(start + 10s).empty());
 }
 
-/// With its usual amounts, a number where there is none.
+/// Uses the usual amounts, and a fixed number where there is none.
 json set_request(const std::string& name, const json& word) {
   json request{{"device", name}, {"fault", word["fault"]}, {"with", json::array()}};
   for (const char* part : {"amounts", "more"}) {
@@ -134,7 +134,7 @@ json set_request(const std::string& name, const json& word) {
 
 TEST_F(FaultServices, OfferTheWordsThatCanBeSetAndNoOthers) {
   const json words = done("words", json::object());
-  EXPECT_FALSE(words.contains("gnss"));  // a real one
+  EXPECT_FALSE(words.contains("gnss"));  // a real device
   for (const char* name : {"dvl", "imu"}) {
     std::set<std::string> offered;
     for (const json& word : words[name]) {
@@ -143,7 +143,8 @@ TEST_F(FaultServices, OfferTheWordsThatCanBeSetAndNoOthers) {
     }
     for (const auto& word : rig_config::fault_vocabulary()) {
       if (offered.contains(std::string(word.name))) continue;
-      json with = json::array();  // what it needs, so that the device is what is in the way
+      json with = json::array();  // all required keys, so that only the device is a reason to
+                                  // refuse
       if (std::isnan(word.usual)) with.push_back(fmt::format("{}=1200", word.amount));
       EXPECT_THAT(why("set", {{"device", name}, {"fault", word.name}, {"with", with}}),
                   HasSubstr("cannot have the fault"))

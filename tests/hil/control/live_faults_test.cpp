@@ -129,7 +129,7 @@ class Socket : public ::testing::Test {
     EXPECT_TRUE(opened) << (opened ? "" : opened.error());
     return opened ? std::move(*opened) : nullptr;
   }
-  /// From another thread, as another program would.
+  /// Asks from another thread, as another program does.
   boost::system::result<std::string> ask_it(const std::string& request) {
     boost::system::result<std::string> answer = std::string();
     bool done = false;

@@ -12,18 +12,18 @@ namespace drydock::emulate {
 
 inline constexpr double degree = std::numbers::pi / 180;
 
-/// 2023-11-14 22:13:20 UTC, GPS time of week 252818 s.
+/// 2023-11-14 22:13:20 UTC; GPS time of week 252818 s.
 inline const Stamp start = measurement::stamp_from_ns(1'700'000'000'000'000'000);
 inline Stamp at_s(double t) { return start + measurement::from_seconds(t); }
 
-/// The same truth at all times from `start` on.
+/// The same truth at all times since `start`.
 struct Frozen final : motion::test::Frozen {
   explicit Frozen(const motion::Truth& truth) : motion::test::Frozen(truth, emulate::start) {}
   Frozen(const motion::Truth& truth, const rig_config::OceanConfig& ocean)
       : motion::test::Frozen(truth, ocean, emulate::start) {}
 };
 
-/// Under way at 20 m, 30 m above the bed, every value different from every other.
+/// Under way at 20 m depth, 30 m above the bed. All values are different.
 inline motion::Truth under_way() {
   motion::Truth truth;
   truth.latitude_rad = 47.123456 * degree;
@@ -61,7 +61,7 @@ inline rig_config::DeviceConfig device(rig_config::DeviceKind kind, std::string 
   return config;
 }
 
-/// What a device sent and when; no line between.
+/// Records what a device sent and when, without a line between.
 class Recorder final : public Wire {
  public:
   struct Message {

@@ -1,4 +1,4 @@
-// What drivers on a CAN bus make of emulated devices: force and rate, depth, actuators.
+// The output of CAN drivers for emulated devices: force and rate, depth, actuators.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -22,7 +22,8 @@ TEST_F(ThroughDrivers, EveryImusForceAndRate) {
     const auto samples = all<measurement::ImuSample>();
     EXPECT_GE(samples.size(), 8970) << protocol;
     for (const auto& sample : samples) {
-      // The driver's time is within a frame of the truth's; motion in 1 ms stays below the margin.
+      // The driver's time differs from the truth's by less than a frame. The motion in 1 ms is
+      // below the margin.
       const auto truth = trajectory_.at(sample.origin.valid_at);
       ASSERT_LT((sample.specific_force - truth.specific_force).norm(), force_step + 5e-4);
       ASSERT_LT((sample.angular_rate - truth.angular_rate).norm(), rate_step + 5e-5);
@@ -38,7 +39,8 @@ TEST_F(ThroughDrivers, DepthIsWrongByTheDensityThatTheDriverDoesNotKnow) {
   for (const auto& sample : all<measurement::DepthSample>()) {
     if (!sample.depth_m) continue;
     const double truth = -trajectory_.at(sample.origin.valid_at).height_m;
-    EXPECT_NEAR(*sample.depth_m, truth * 1.025, 0.02);  // standard against local gravity: 3 mm
+    EXPECT_NEAR(*sample.depth_m, truth * 1.025, 0.02);  // standard gravity instead of local
+                                                        // gravity: 3 mm
     compared += truth > 10;
   }
   EXPECT_GT(compared, 100);
@@ -52,9 +54,10 @@ TEST_F(ThroughDrivers, DepthAndSounderAgreeAboutTheBed) {
     if (sample.depth_m) depth = sample.depth_m;
     if (!sample.altitude_m || !depth) continue;
     ++compared;
-    EXPECT_NEAR(*depth + *sample.altitude_m, 60, 0.02);  // standard against local gravity: 3 mm
+    EXPECT_NEAR(*depth + *sample.altitude_m, 60, 0.02);  // standard gravity instead of local
+                                                         // gravity: 3 mm
   }
-  EXPECT_GT(compared, 80);  // one a second
+  EXPECT_GT(compared, 80);  // one per second
 }
 
 TEST_F(ThroughDrivers, ActuatorsComeBackWithTheirSigns) {

@@ -10,7 +10,7 @@ namespace {
 namespace canopen = wire::canopen;
 using rig_config::DeviceKind;
 
-/// An emulated node 1 that has booted.
+/// An emulated node 1 after its boot.
 struct Booted {
   explicit Booted(const rig_config::DeviceConfig& config)
       : node(make_emulated_device(config, trajectory, 1).value()) {
@@ -46,7 +46,7 @@ TEST(EmulatedCanopenNode, OnSyncItSamplesWhenSyncComesAndAnswersLaterByItsLatenc
   EXPECT_EQ(bench.sent.frames[0].at, at_s(0.502));
 }
 
-// Device type: CiA 404 with analogue inputs, as real measuring devices state it in 1000h.
+// Device type: CiA 404 with analogue inputs, as in object 1000h of real measuring devices.
 TEST(EmulatedCanopenNode, AnswersExpeditedReads) {
   Booted bench(device(DeviceKind::imu, "cia404-imu", 100));
   const auto type = bench.answer_to(canopen::encode(canopen::SdoRead{1, {0x1000, 0}}));

@@ -17,7 +17,7 @@ wire::Pd0Ensemble decoded(const Recorder::Message& message) {
   return std::get<wire::Pd0Ensemble>(wire::Pd0::decode(message.bytes).value());
 }
 
-// The data type with this id, found by the ensemble's own table.
+// Finds the data type with this id by the table in the ensemble.
 wire::Bytes data_type(wire::Bytes ensemble, std::uint16_t id) {
   for (std::size_t i = 0; i < ensemble[5]; ++i) {
     const auto offset = load_le<std::uint16_t>(ensemble, 6 + 2 * i);
@@ -81,7 +81,7 @@ TEST(EmulatedDvl, TheHeadsVelocityIsThatOfItsLeverArmInItsTurnedAxes) {
   config.lever_arm_m = {5, 0, 0};
   config.mounting_rad = {0, 0, 90 * degree};
   const auto ensemble = decoded(record(config, trajectory, 0).messages.at(0));
-  // v + w x r = (2, 0.5, 0); the head's x looks to starboard, its y astern.
+  // v + w x r = (2, 0.5, 0). The head's x points to starboard, its y astern.
   EXPECT_NEAR(*ensemble.bottom_track->velocity_mps[1], 0.5, 5e-4);
   EXPECT_NEAR(*ensemble.bottom_track->velocity_mps[0], -2, 5e-4);
 }
@@ -104,7 +104,7 @@ TEST(EmulatedDvl, InPd4AndPd5TheVehicleMoves) {
     const auto sent = record(device(DeviceKind::dvl, protocol), trajectory, 0);
     const wire::Bytes report = sent.messages.at(0).bytes;
     ASSERT_EQ(report.size(), size);
-    // Table 48 of the Pathfinder guide, bytes 5 to 13: ship axes, three beams will do, 600 kHz;
+    // Table 48 of the Pathfinder guide, bytes 5 to 13: ship axes, three beams suffice, 600 kHz;
     // starboard, forward, mast.
     EXPECT_EQ(report[4], 0b1001'0011);
     EXPECT_EQ(load_le<std::int16_t>(report, 5), 123);
@@ -122,7 +122,7 @@ TEST(EmulatedDvl, AWaterLinkedPd4HasThatMakersAxesAndConfiguration) {
   config.maker = rig_config::DvlMaker::water_linked;
   const auto sent = record(config, trajectory, 0);
   const wire::Bytes report = sent.messages.at(0).bytes;
-  EXPECT_EQ(report[4], 0b1010'0011);  // as that maker documents
+  EXPECT_EQ(report[4], 0b1010'0011);  // from the maker's documentation
   EXPECT_EQ(load_le<std::int16_t>(report, 5), 2000);
   EXPECT_EQ(load_le<std::int16_t>(report, 7), 123);
   EXPECT_EQ(load_le<std::int16_t>(report, 9), -45);
@@ -148,7 +148,7 @@ TEST(EmulatedDvl, APd6EnsembleIsTenLines) {
             ":BD,       +0.12,       +2.00,       +0.05,  30.00,  0.00\r\n");
 }
 
-/// Nearly level in a current of 0.5 m/s to the north, with a water layer from 2 to 6 m.
+/// Level in a current of 0.5 m/s to the north, with a water layer from 2 to 6 m.
 Recorder with_water_layer(std::string protocol, motion::Truth truth = under_way()) {
   truth.body_to_ned.setIdentity();
   truth.current_ned = {0.5, 0, 0};
@@ -162,8 +162,8 @@ Recorder with_water_layer(std::string protocol, motion::Truth truth = under_way(
 TEST(EmulatedDvl, InPd0TheWaterLayerStandsInTheBottomTrack) {
   const auto sent = with_water_layer("pd0");
   const auto track = data_type(sent.messages.at(0).bytes, 0x0600);
-  // Table 40 of the Pathfinder guide: near and far in dm at 46 and 48, velocities at 50, good
-  // at 66.
+  // Table 40 of the Pathfinder guide: near and far in dm at 46 and 48, velocities at 50, per cent
+  // good at 66.
   EXPECT_EQ(load_le<std::uint16_t>(track, 46), 20);
   EXPECT_EQ(load_le<std::uint16_t>(track, 48), 60);
   EXPECT_EQ(load_le<std::int16_t>(track, 50), -123);
@@ -207,21 +207,21 @@ TEST(EmulatedDvl, NortekSendsASecondSentenceForTheWater) {
 TEST(EmulatedDvl, EchoesFadeTowardsTheLongestRange) {
   motion::Truth truth = under_way();
   truth.body_to_ned.setIdentity();
-  truth.bed_depth_m = 20 + 120 * std::cos(30 * degree);  // at the very limit
+  truth.bed_depth_m = 20 + 120 * std::cos(30 * degree);  // exactly at the limit
   auto config = device(DeviceKind::dvl, "pd0", 10);
   const Frozen at_the_limit(truth);
   int locked = 0;
   for (const auto& message : record(config, at_the_limit, 100).messages) {
     const auto track = *decoded(message).bottom_track;
     for (std::size_t i = 0; i < 4; ++i) {
-      // 8 dB or more: 255 x / (1 + x) with x = 6.3.
+      // At least 8 dB: 255 x / (1 + x) with x = 6.3.
       if (track.range_m[i]) {
         EXPECT_GE(track.correlation[i], 220);
       }
     }
     locked += track.velocity_mps[0].has_value();
   }
-  // Each beam is found in half of the pings; three or four of four in 5 of 16.
+  // Each beam is found in half of the pings. Three or four beams are found in 5 of 16 pings.
   EXPECT_NEAR(locked / 1001.0, 5 / 16.0, 0.05);
   truth.bed_depth_m = 30;
   const Frozen near(truth);
@@ -243,7 +243,7 @@ TEST(EmulatedDvl, BeamNoiseShowsInTheErrorVelocity) {
     return std::sqrt(sum / static_cast<double>(sent.messages.size()));
   };
   const double four_sigma = 4 * 0.0283 / std::sqrt(2.0 * 2001);
-  // Both are differences that are scaled alike: sigma / (sqrt2 sin 30 deg).
+  // Both are differences with the same scale: sigma / (sqrt2 sin 30 deg).
   EXPECT_NEAR(sigma(across), 0.02 * std::numbers::sqrt2, four_sigma);
   EXPECT_NEAR(sigma(error), 0.02 * std::numbers::sqrt2, four_sigma);
 }

@@ -8,7 +8,7 @@
 #include "tests/hil/emulate/bench.hpp"
 #include "tests/test_name.hpp"
 
-/// The electronic data sheets (CiA 306) say what the emulated nodes answer.
+/// The emulated nodes answer as their electronic data sheets (CiA 306) say.
 namespace drydock::emulate {
 namespace {
 
@@ -34,7 +34,7 @@ std::map<std::string, Section> sections_of(const std::string& name) {
 struct Variable {
   canopen::ObjectEntry entry;
   unsigned bits = 0;
-  std::optional<std::uint32_t> value;  ///< by default
+  std::optional<std::uint32_t> value;  ///< the default
   bool mappable = false;
 };
 
@@ -79,13 +79,13 @@ bool is_mapping(const Variable& v) {
   return (v.entry.index & 0xFF00) == 0x1A00 && v.entry.subindex != 0;
 }
 
-/// The entry that a mapping parameter names, and its bits.
+/// The entry in a mapping parameter, and its number of bits.
 canopen::ObjectEntry mapped_entry(std::uint32_t mapping) {
   return {static_cast<std::uint16_t>(mapping >> 16), static_cast<std::uint8_t>(mapping >> 8)};
 }
 unsigned mapped_bits(std::uint32_t mapping) { return mapping & 0xFF; }
 
-/// What the device answers when asked for an entry; empty: nothing, or a refusal.
+/// The device's answer to a read of an entry; empty: none, or a refusal.
 std::optional<canopen::SdoValue> ask(EmulatedDevice& device, Recorder& sent,
                                      const canopen::ObjectEntry& entry) {
   sent.frames.clear();

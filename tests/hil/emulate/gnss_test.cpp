@@ -112,7 +112,7 @@ TEST(EmulatedGnss, PositionErrorsAreMetresNorthEastDown) {
   EXPECT_NEAR(*pvt.horizontal_accuracy_m, 5, 1e-3);
 }
 
-// The reports of gpsdecode (Debian package gpsd-clients) about a stream, one JSON object each.
+// The reports of gpsdecode (Debian package gpsd-clients) for a stream, one JSON object each.
 std::vector<nlohmann::json> by_gpsdecode(const std::vector<std::uint8_t>& bytes) {
   const auto path = std::filesystem::path(testing::TempDir()) / "drydock-emulated-gnss.bin";
   std::ofstream(path, std::ios::binary)

@@ -25,7 +25,7 @@ TEST(EmulatedAceinnaImu, ClaimsItsAddressBeforeItSaysAnythingElse) {
   const auto sent = record(device(DeviceKind::imu, "aceinna", 100), trajectory, 1);
   EXPECT_EQ(sent.frames.at(0).frame.id, 0x18EEFF80);
   EXPECT_EQ(sent.frames.at(0).at, start);
-  // J1939-81: 250 ms without contradiction make the address its own.
+  // J1939-81: after 250 ms without a contending claim the address is its own.
   EXPECT_GE(sent.frames.at(1).at, at_s(0.25));
   EXPECT_LE(sent.frames.at(1).at, at_s(0.26));
 }
@@ -71,7 +71,7 @@ TEST(EmulatedImu, WhatIsSampledIsSentLaterByTheLatency) {
   config.emulate.latency_s = 0.003;
   const auto ari = with_id(record(config, trajectory, 1), 0x0CF02A80).at(0);
   EXPECT_EQ((ari.at - start) % std::chrono::milliseconds{10}, std::chrono::milliseconds{3});
-  // Byte 7 is the age in half milliseconds: 3 ms and two frames of 0.54 ms before it.
+  // Byte 7 is the age in half milliseconds: 3 ms, plus two earlier frames of 0.54 ms.
   EXPECT_NEAR(ari.frame.data[7] * 0.5e-3, 0.003 + 2 * 0.54e-3, 0.25e-3 + 1e-9);
 }
 
@@ -122,10 +122,10 @@ TEST(EmulatedCia404Imu, ThreeProcessDataObjectsHoldTheSixValuesAsReal32) {
   }
 }
 
-/// An emulated Aceinna IMU that holds address 80h.
+/// An emulated Aceinna IMU with address 80h.
 struct HeldAceinna {
   HeldAceinna() { sent.run(*imu, at_s(0.5)); }
-  /// What it sends in the second after it heard this.
+  /// Its frames in the second after it received `frame`.
   Recorder after(const wire::CanFrame& frame) {
     sent.frames.clear();
     imu->receive(frame, sent.now, sent);
@@ -145,7 +145,7 @@ TEST(EmulatedAceinnaImu, ObeysPacketRateAndTypeSentToItsAddress) {
   HeldAceinna bench;
   EXPECT_EQ(with_id(bench.after(encode(PacketRate{0, 0x81, 10})), ari_id).size(), 100);
   EXPECT_EQ(with_id(bench.after(encode(PacketRate{0, 0x80, 3})), ari_id).size(),
-            100);  // no divider
+            100);  // 3 is not a valid divider
   EXPECT_EQ(with_id(bench.after(encode(PacketRate{0, 0x80, 10})), ari_id).size(), 10);
   const auto without_slope = bench.after(encode(PacketType{0, 0x80, 6}));
   EXPECT_EQ(with_id(without_slope, ssi2_id).size(), 0);
@@ -173,7 +173,7 @@ TEST(EmulatedAceinnaImu, OrientationTurnsItsOutput) {
   const auto axes = wire::aceinna::Axes::of_text("-Y+X+Z");
   const auto turned = bench.after(encode(wire::aceinna::Orientation{0, 0x80, axes->code()}));
   const auto accs = with_id(turned, accs_id).at(0).frame;
-  // The output's x is the housing's -y, its y the housing's x.
+  // The output's x is the housing's -y, and its y is the housing's x.
   EXPECT_NEAR(load_le<std::uint16_t>(accs.payload(), 0) * 0.01 - 320, 0.5, 0.005 + 1e-9);
   EXPECT_NEAR(load_le<std::uint16_t>(accs.payload(), 2) * 0.01 - 320, 0.7, 0.005 + 1e-9);
 }
@@ -210,14 +210,14 @@ TEST(EmulatedEpsonImu, SendsIntegersOfOneCounterAndAnEmergencyWhenTheyOverflow) 
   EXPECT_EQ(load_le<std::int16_t>(force.payload(), 6), -2493);  // -9.78 m/s2 / 0.4 mg
   EXPECT_TRUE(with_id(sent, 0x081).empty());
 
-  truth.specific_force.x() = 200;  // 20 g; the integers end at 13.1 g
+  truth.specific_force.x() = 200;  // 20 g; the range of the integers ends at 13.1 g
   const Frozen shaken(truth);
   const auto other = make_emulated_device(config, shaken, 1).value();
   Recorder loud;
   loud.run(*other, start);
   other->receive(canopen::encode(canopen::Nmt{canopen::NmtCommand::start, 1}), start, loud);
   loud.run(*other, at_s(0.05));
-  ASSERT_EQ(with_id(loud, 0x081).size(), 1);  // told once
+  ASSERT_EQ(with_id(loud, 0x081).size(), 1);  // only once
   EXPECT_EQ(load_le<std::uint16_t>(with_id(loud, 0x081)[0].frame.payload(), 0), 0xFF00);
 }
 
@@ -231,7 +231,7 @@ TEST(EmulatedImu, BiasIsAddedInTheSensorsAxes) {
   sent.run(*imu, start);  // boots
   imu->receive(canopen::encode(canopen::Nmt{canopen::NmtCommand::start, 1}), start, sent);
   sent.run(*imu, at_s(0.01));
-  // The sensor's x is the vehicle's y, its y the vehicle's -x.
+  // The sensor's x is the vehicle's y, and its y is the vehicle's -x.
   EXPECT_FLOAT_EQ(load_le<float>(sent.frames.at(1).frame.payload(), 0), -0.02f + 0.001f);
   EXPECT_FLOAT_EQ(load_le<float>(sent.frames.at(1).frame.payload(), 4), -0.01f);
 }

@@ -1,4 +1,4 @@
-// What drivers on serial lines make of emulated devices: velocity, speed, position.
+// The output of serial drivers for emulated devices: velocity, speed, position.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -54,14 +54,14 @@ TEST_F(ThroughDrivers, WaterLinkedAndNortekDvlsKnowTheirOwnLatency) {
   for (const char* protocol : {"water-linked", "nortek"}) {
     measurements_.clear();
     auto config = device(DeviceKind::dvl, protocol, 5);
-    config.emulate.latency_s = 0.075;  // not told to the driver
+    config.emulate.latency_s = 0.075;  // the driver does not know this latency
     run_line(device::Kind::dvl, config, 115200);
     int locked = 0;
     const auto samples = all<measurement::BottomVelocity>();
     EXPECT_EQ(samples.size(), 450);
     for (const auto& sample : samples) {
       const auto truth = trajectory_.at(sample.origin.valid_at);
-      if (!sample.velocity) continue;  // the bed is further than the beams reach
+      if (!sample.velocity) continue;  // the bed is out of range
       ++locked;
       EXPECT_LT((*sample.velocity - truth.velocity_body).norm(), 1.5e-3);
       if (sample.altitude_m) {
@@ -84,7 +84,7 @@ TEST_F(ThroughDrivers, AWaterLinkedDvlIsSetUpAndItsRotationTurnsBothWays) {
   ASSERT_TRUE(made);
   const auto& driver = *made;
   auto config = device(DeviceKind::dvl, "water-linked", 5);
-  config.mounting_rad = {0, 0, 30 * degree};  // the DVL is told, the driver is not
+  config.mounting_rad = {0, 0, 30 * degree};  // the DVL knows this angle, the driver does not
   EmulatedLine line(make_emulated_device(config, trajectory_, 1).value(), 115200,
                     [&](wire::Bytes bytes, const Passage& passage) {
                       now_ = passage.ended_at;
@@ -113,7 +113,7 @@ TEST_F(ThroughDrivers, TheLogsSpeedAtTheTimeItWasTrue) {
     ++speeds;
     const auto truth = trajectory_.at(sample.origin.valid_at);
     EXPECT_NEAR(*sample.longitudinal_mps, truth.velocity_body.x(), 4e-4);
-    // VBW leaves first: what the line takes is known to the last byte.
+    // VBW leaves first, so its time on the line is known exactly.
     EXPECT_LT(std::abs(measurement::seconds((sample.origin.valid_at - start) %
                                             std::chrono::milliseconds{500})),
               1e-6);

@@ -25,7 +25,7 @@ motion::KinematicTrajectory surfaced_turn() {
   return {mission, start};
 }
 
-// Everything one line says in `seconds`, with its times.
+// All messages of one line in `seconds`, with their times.
 std::vector<Recorder::Message> listen_to(const rig_config::DeviceConfig& config, unsigned baud,
                                          double seconds, std::uint64_t seed = 1) {
   const auto trajectory = surfaced_turn();
@@ -126,7 +126,7 @@ TEST(EmulatedBus, TwoNodesThatWantOneAddressSettleItByTheirNames) {
   }
   ASSERT_EQ(names.size(), 2);
   EXPECT_EQ(holder.at(0x80), *names.begin());  // the lower NAME keeps the address
-  ASSERT_EQ(samples.size(), 2);                // and both have one to send from
+  ASSERT_EQ(samples.size(), 2);                // each has an address to send from
   for (const auto& [address, count] : samples) EXPECT_NEAR(count, 50, 1) << int{address};
 }
 

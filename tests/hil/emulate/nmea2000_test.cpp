@@ -10,7 +10,7 @@ namespace {
 using rig_config::DeviceKind;
 using wire::load_le;
 
-// Payloads of one PGN. Layouts and scales: canboat's database.
+// Frames of one PGN. Layouts and scales are from canboat's database.
 std::vector<wire::CanFrame> of_pgn(const Recorder& sent, std::uint32_t pgn) {
   std::vector<wire::CanFrame> found;
   for (const auto& f : sent.frames) {
@@ -83,7 +83,7 @@ TEST(EmulatedNmea2000Device, AnswersARequestForItsAddressClaim) {
   EXPECT_EQ(of_pgn(sent, 0x0EEFF).size(), before + 1);
 }
 
-// PGN 65240 by the transport protocol: 9 bytes in two packets, NAME and address.
+// PGN 65240 by the transport protocol: 9 bytes in two packets, with NAME and address.
 TEST(EmulatedNmea2000Device, TakesTheAddressThatABroadcastCommandsIt) {
   const Frozen trajectory(under_way());
   const auto depth =

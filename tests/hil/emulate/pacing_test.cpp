@@ -61,12 +61,12 @@ TEST(LinePacer, ChunksAreShortAndTheLastEndsWithTheMessage) {
 }
 
 TEST(LinePacer, ALineThatIsOverloadedLosesWholeOldMessagesAndCountsThem) {
-  LinePacer line(4800, whole_messages);  // 480 bytes a second, as many may wait
+  LinePacer line(4800, whole_messages);  // 480 bytes per second; as many may wait
   for (std::uint8_t i = 0; i < 20; ++i) line.queue(message(60, i), at_ns(0));
   EXPECT_EQ(line.messages_lost(), 12);
   std::vector<std::uint8_t> firsts;
   while (line.deadline()) firsts.push_back(line.take(*line.deadline())->bytes[0]);
-  // The first was on the line already; the seven youngest follow.
+  // The first message was on the line already. The seven latest follow.
   EXPECT_EQ(firsts, (std::vector<std::uint8_t>{0, 13, 14, 15, 16, 17, 18, 19}));
 }
 
@@ -117,13 +117,13 @@ wire::CanFrame frame(std::uint32_t id, bool extended, std::vector<std::uint8_t> 
 }
 
 TEST(CanPacer, AFrameOfZerosIsStuffedEveryFifthBit) {
-  // SOF, identifier, control and CRC of this frame are 34 zeros: 6 stuff bits after every fifth.
+  // SOF, identifier, control and CRC of this frame are 34 zeros: one stuff bit after every five, 6
+  // in total.
   EXPECT_EQ(bits_on_wire(frame(0, false, {})), 47 + 6);
 }
 
-/// ISO 11898-1 to the letter, bit after bit. Bits that are subject to stuffing: after five equal
-/// bits the sender inserts one of the
-// other value, which itself counts towards the next five.
+/// ISO 11898-1 bit by bit, for the bits that are subject to stuffing. After five equal bits the
+/// sender inserts one of the other value, which counts towards the next five.
 class StuffedBits {
  public:
   void put(std::uint32_t value, unsigned width) {
@@ -148,7 +148,7 @@ class StuffedBits {
   }
 
   std::uint32_t crc_ = 0;
-  std::uint32_t last_ = 2;  // neither 0 nor 1: the first bit begins a run
+  std::uint32_t last_ = 2;  // neither 0 nor 1, because the first bit begins a run
   unsigned run_ = 0, count_ = 0;
 };
 
@@ -179,11 +179,11 @@ RC_GTEST_PROP(CanPacer, AFramesLengthIsThatOfItsBitsOneByOne, ()) {
   f.remote = *rc::gen::arbitrary<bool>();
   f.id = *rc::gen::inRange<std::uint32_t>(0, f.extended ? 1u << 29 : 1u << 11);
   f.size = *rc::gen::inRange<std::uint8_t>(0, 9);
-  for (std::uint8_t& byte : f.data)  // runs of equal bits are what matters
+  for (std::uint8_t& byte : f.data)  // runs of equal bits matter most
     byte = *rc::gen::oneOf(rc::gen::arbitrary<std::uint8_t>(),
                            rc::gen::element<std::uint8_t>(0x00, 0xFF, 0xF0, 0x0F, 0x1F, 0xF8));
   RC_ASSERT(bits_on_wire(f) == bits_one_by_one(f));
-  RC_ASSERT(wire::wire_bits(f) == bits_one_by_one(f));  // what drivers reckon with
+  RC_ASSERT(wire::wire_bits(f) == bits_one_by_one(f));  // the number that drivers use
 }
 
 RC_GTEST_PROP(CanPacer, AFramesLengthLiesBetweenNoStuffingAndTheWorstCase, ()) {
@@ -208,7 +208,7 @@ TEST(CanPacer, FramesFollowEachOtherAtTheBitRate) {
   const std::int64_t frame_ns = bits_on_wire(f) * 4000;
   EXPECT_GE(frame_ns, 524'000);                   // 131 bits without stuffing
   EXPECT_LE(frame_ns, 640'000);                   // 160 bits at worst
-  const std::int64_t intermission_ns = 3 * 4000;  // of the bus's time, but behind the frame
+  const std::int64_t intermission_ns = 3 * 4000;  // counts as bus time, but comes after the frame
   EXPECT_FALSE(bus.take(at_ns(1000 + frame_ns - intermission_ns - 1)));
   EXPECT_EQ(bus.take(at_ns(1'000'000'000))->at, at_ns(1000 + frame_ns - intermission_ns));
   const auto second = bus.take(at_ns(1'000'000'000));

@@ -9,7 +9,7 @@ namespace {
 
 using rig_config::DeviceKind;
 
-/// What a transmitter sends in TPDO1 once it has been started.
+/// The TPDO1 frames of a transmitter after it is started.
 std::vector<wire::CanFrame> values_of(const rig_config::DeviceConfig& config,
                                       const motion::Trajectory& trajectory) {
   const auto made = make_emulated_device(config, trajectory, 1).value();
@@ -25,7 +25,7 @@ std::vector<wire::CanFrame> values_of(const rig_config::DeviceConfig& config,
   return values;
 }
 
-// 20 m down at 47.123456 deg; Somigliana: 9.808118 m/s2.
+// 20 m depth at 47.123456 deg; Somigliana: 9.808118 m/s2.
 constexpr double column_pa = 1025 * 9.808118 * 20;
 
 TEST(EmulatedPressure, SaysTheWaterColumnAsIntegerWithStatus) {

@@ -26,8 +26,8 @@ constexpr double most_busy = 1;
 constexpr double most_busy = 0.1;
 #endif
 
-// The subject is the host's clock: these tests take the time that they say. How late the host wakes
-// is not asserted, only what must hold however late.
+// These tests need the host's clock and take the time that they state. They do not test how late
+// the host wakes, only what must hold for any lateness.
 class RealTime : public testing::Test {
  protected:
   rig_config::DeviceConfig on(const std::string& link, rig_config::DeviceConfig config) {
@@ -35,7 +35,7 @@ class RealTime : public testing::Test {
     return config;
   }
 
-  // Opens the driver's side and collects what arrives until the emulator stops.
+  // Opens the driver's side and collects all input until the emulator stops.
   void listen_bytes(const std::string& uri) {
     bytes_link_ =
         link::open_bytes(io_.get_executor(), link::parse_uri(uri).value(), link::Side::driver)
@@ -72,7 +72,7 @@ class RealTime : public testing::Test {
         asio::detached);
   }
 
-  // Runs for this long, then stops everything; the loop must end by itself.
+  // Runs for this time, then stops everything. The loop must end by itself.
   void run(RealTimeEmulator& emulator, std::chrono::milliseconds duration) {
     asio::steady_timer timer(io_, duration);
     timer.async_wait([&](const boost::system::error_code&) {
@@ -105,7 +105,7 @@ TEST_F(RealTime, ALineOf4800BaudCarriesNoMoreThanItsRate) {
   const double elapsed = measurement::seconds(link::now() - begin);
   EXPECT_LE(heard_.size(), elapsed * 480 + 2);
   EXPECT_GT(heard_.size(), 300);
-  EXPECT_GT(emulator.counters().lost, 0u);  // twenty samples a second are too many for this line
+  EXPECT_GT(emulator.counters().lost, 0u);  // the line cannot carry twenty samples a second
   EXPECT_EQ(static_cast<std::uint64_t>(hooks), emulator.counters().messages);
 }
 

@@ -10,7 +10,7 @@
 #include "rig_config/load.hpp"
 #include "tests/hil/emulate/bench.hpp"
 
-/// The error models of docs/sensors.md as the wire shows them.
+/// The error models of docs/sensors.md, seen on the wire.
 namespace drydock::emulate {
 namespace sensor_errors_test {
 
@@ -37,7 +37,7 @@ TEST(SensorErrors, AGradeNamedInARigReachesTheWire) {
                        sensors + "r.toml")
                        .value();
   const auto& config = rig.devices.at(0);
-  EXPECT_EQ(config.rate_hz, 100);  // the grade's
+  EXPECT_EQ(config.rate_hz, 100);  // from the grade
   const Frozen trajectory(under_way());
   const auto sent = record_started(config, trajectory, 0.1);
 
@@ -83,7 +83,7 @@ TEST(Dropouts, WhatArrivesIsWhatWouldHaveArrived) {
     const auto all = record(config, trajectory, 100);
     config.emulate.dropout = {0.1, 3};
     const auto some = record(config, trajectory, 100);
-    // Three in thirteen are lost: p L / (1 + p L); their number varies in bursts.
+    // Three of thirteen are lost: p L / (1 + p L). Their number varies because they come in bursts.
     const double share =
         static_cast<double>(some.messages.size()) / static_cast<double>(all.messages.size());
     EXPECT_NEAR(share, 1 / 1.3, 0.06) << protocol;
@@ -107,13 +107,13 @@ TEST(Dropouts, OfABusNodeLoseSamplesNotHeartbeats) {
     return std::ranges::count_if(sent.frames, [&](const auto& f) { return f.frame.id == id; });
   };
   EXPECT_EQ(count(0x701), 21);                                // boot-up, then one a second
-  EXPECT_EQ(count(0x181), count(0x381));                      // whole samples
-  EXPECT_NEAR(static_cast<double>(count(0x181)), 1000, 120);  // every second one
+  EXPECT_EQ(count(0x181), count(0x381));                      // only whole samples
+  EXPECT_NEAR(static_cast<double>(count(0x181)), 1000, 120);  // every second sample
   std::uint16_t counter = 0;
   for (const auto& [at, frame] : sent.frames) {
     if (frame.id != 0x181) continue;
     const auto now = wire::load_le<std::uint16_t>(frame.payload(), 0);
-    EXPECT_EQ(now, (at - start) / std::chrono::milliseconds{10} - 1);  // a gap shows
+    EXPECT_EQ(now, (at - start) / std::chrono::milliseconds{10} - 1);  // a gap is visible
     counter = now;
   }
   EXPECT_GT(counter, 1900);
@@ -124,7 +124,8 @@ TEST(Dropouts, CountForSamplesTakenOnSyncToo) {
   const Frozen trajectory(under_way());
   auto config = device(DeviceKind::imu, "cia404-imu", 100);
   config.sync = true;
-  config.emulate.dropout = {1, 1};  // every second sample: an outage of one, then another begins
+  config.emulate.dropout = {1, 1};  // every second sample: an outage of one sample, then the next
+                                    // outage begins
   const auto made = make_emulated_device(config, trajectory, 1).value();
   Recorder sent;
   sent.run(*made, start);

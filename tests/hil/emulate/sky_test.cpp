@@ -1,4 +1,4 @@
-// The satellites of a broadcast file, read back from the wire of an emulated receiver.
+// The satellites of a broadcast file, read from the wire of an emulated receiver.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -103,7 +103,8 @@ TEST(EmulatedSky, RollingTurnsTheSignalByTheAntennasPattern) {
   const auto upright = sent_by<wire::NavSat>(receiver("ubx"), Surfaced(0)).at(0).satellites;
   const auto heeled = sent_by<wire::NavSat>(receiver("ubx"), Surfaced(90)).at(0).satellites;
   ASSERT_EQ(upright.size(), heeled.size());
-  // Rolled by +90 deg the antenna, on top, looks to starboard: east. What stands in the west fades.
+  // After a roll of +90 deg the antenna points to starboard, which is east. Satellites in the west
+  // become weak.
   for (std::size_t i = 0; i < upright.size(); ++i) {
     const double east = std::sin(*upright[i].azimuth_rad) * std::cos(*upright[i].elevation_rad);
     const double up = std::sin(*upright[i].elevation_rad);
@@ -118,7 +119,7 @@ TEST(EmulatedSky, RollingTurnsTheSignalByTheAntennasPattern) {
 
 TEST(EmulatedSky, WithFewerThanFourSatellitesThereIsNoFix) {
   auto config = receiver("ubx");
-  config.emulate.sky->lowest_cno_dbhz = 47.5;  // hardly anything is so near to boresight
+  config.emulate.sky->lowest_cno_dbhz = 47.5;  // hardly any satellite is so close to boresight
   const Surfaced trajectory;
   const auto pvt = sent_by<wire::NavPvt>(config, trajectory).at(0);
   EXPECT_EQ(pvt.fix_type, wire::UbxFixType::none);

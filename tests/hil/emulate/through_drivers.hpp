@@ -13,8 +13,8 @@
 
 namespace drydock::emulate {
 
-/// All devices of one vehicle that turns and dives, through real drivers: what comes out is the
-/// truth at the time for which the driver vouches.
+/// All devices of a vehicle that turns and dives, through real drivers. The measurements must equal
+/// the truth at their valid_at.
 class ThroughDrivers : public testing::Test, protected device::Output {
  protected:
   ThroughDrivers() : trajectory_(mission(), start) {}
@@ -44,7 +44,7 @@ class ThroughDrivers : public testing::Test, protected device::Output {
     return options;
   }
 
-  // Runs for the two legs and gathers the measurements.
+  // Runs through both legs and collects the measurements.
   void run_line(device::Kind kind, const rig_config::DeviceConfig& config, unsigned baud) {
     auto with_baud = options(kind, config);
     with_baud.baud = baud;

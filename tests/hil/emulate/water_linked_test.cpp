@@ -16,7 +16,7 @@ class WaterLinkedDvl : public testing::Test {
     dvl_ = make_emulated_device(config_, trajectory_, 1).value();
   }
 
-  /// The names of what it sends until `seconds` after its boot.
+  /// The letters of the messages until `seconds` after its boot.
   std::string sent_until(double seconds) {
     recorder_.messages.clear();
     recorder_.run(*dvl_, at_s(seconds));
@@ -63,7 +63,7 @@ TEST_F(WaterLinkedDvl, AnswersAsTheVendorDescribes) {
 TEST_F(WaterLinkedDvl, TurnsItsVelocityByTheMountingRotation) {
   EXPECT_EQ(answer_to("wcs,,90,,,,"), "wra*d9\r\n");
   EXPECT_EQ(sent_until(0.1), "zuuuu");
-  // The DVL looks to starboard: its forward is the vehicle's starboard, its starboard astern.
+  // The DVL points to starboard: its forward is the vehicle's starboard, its starboard is astern.
   EXPECT_EQ(text(recorder_.messages.front()).substr(0, 24), "wrz,-0.123,2.000,-0.045,");
 }
 

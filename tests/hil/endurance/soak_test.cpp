@@ -1,5 +1,5 @@
-// The short form of ./rig soak: hours instead of days. A watch that saw nothing would pass
-// everything, so it is shown a stuck device and a growing process too.
+// The short form of ./rig soak: hours instead of days. A watch that detects nothing would pass
+// everything, so the tests also give it a stuck device and a growing process.
 #include "hil/endurance/soak.hpp"
 
 #include <gmock/gmock.h>
@@ -35,7 +35,7 @@ TEST(Soak, HoursOfRandomFaultsLeaveNothingStuckLostOrGrown) {
 
   const auto json = nlohmann::json::parse(std::ifstream(file));
   EXPECT_EQ(json["troubles"].size(), 0u);
-  // 17 devices, one fault in 300 s and its half minute each: Poisson.
+  // 17 devices; each has a fault after 300 s on average, which lasts half a minute: Poisson.
   EXPECT_NEAR(json["faults"].get<double>(), 17 * 4 * 3600 / 330.0, 4 * 27);
   EXPECT_GE(json["faults_by_word"].size(), 30u) << "nearly every word of the vocabulary";
   for (const auto& device : json["devices"]) {

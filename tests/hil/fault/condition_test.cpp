@@ -1,4 +1,4 @@
-// What faults make of a device from within. With none of them it is sound.
+// The internal effects of faults on a device. Without a fault it is sound.
 #include "hil/fault/schedule/condition.hpp"
 
 #include <gtest/gtest.h>
@@ -30,7 +30,7 @@ TEST(FaultCondition, ABiasIsOnTheQuantityThatItsKeyNames) {
   EXPECT_EQ(imu.primary.bias.x(), 2);
   EXPECT_EQ(imu.secondary.bias.x(), 3);
 
-  // A DVL's velocity is what it measures first, a GNSS receiver's comes after its position.
+  // Velocity is the first quantity of a DVL, but the second of a GNSS receiver, after the position.
   FaultConfig velocity = fault_of(FaultKind::bias, 5);
   velocity.quantity = "velocity_mps";
   const std::vector<FaultConfig> faults{velocity};

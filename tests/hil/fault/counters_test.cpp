@@ -1,5 +1,5 @@
-// Bytes in = bytes in good frames + skipped + held, whatever happens to a line: every byte protocol
-// under random faults, any number of them at once.
+// Bytes in = bytes in good frames + skipped + held, for any faults: every byte protocol under
+// random faults, several at once.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -37,7 +37,7 @@ RC_GTEST_PROP(FaultCounters, EveryByteOfALineIsAccountedForUnderAnyFaults, ()) {
     const auto health = bench.health();
     const auto& stream = health.stream;
     RC_ASSERT(stream.bytes_in == stream.bytes_good + stream.bytes_skipped + health.held_bytes);
-    RC_ASSERT(stream.bytes_in <= bench.bytes_carried());  // less while the port is not open
+    RC_ASSERT(stream.bytes_in <= bench.bytes_carried());  // fewer bytes while the port is not open
   }
 }
 

@@ -1,5 +1,5 @@
-// Single messages damaged. What a receiver at the wrong baud rate makes of a character was worked
-// out by hand from the levels of 8N1, least significant bit first.
+// Damage to single messages. The characters that a receiver reads at the wrong baud rate are
+// computed by hand from the levels of 8N1, least significant bit first.
 #include "hil/fault/wire/damage.hpp"
 
 #include <gmock/gmock.h>
@@ -32,7 +32,7 @@ TEST(Damage, AFlipTurnsOverExactlyOneBitAnywhere) {
     for (std::size_t bit = 0; bit < hits.size(); ++bit)
       hits[bit] += (message[bit / 8] ^ sound[bit / 8]) >> bit % 8 & 1;
   }
-  // 100 expected at each place, standard deviation 10.
+  // Expected: 100 at each place, standard deviation 10.
   EXPECT_GT(*std::ranges::min_element(hits), 55);
   EXPECT_LT(*std::ranges::max_element(hits), 145);
 }
@@ -60,7 +60,7 @@ TEST(Damage, OneByteIsCutToNothingAndNothingStaysNothing) {
 }
 
 TEST(Damage, ABrokenChecksumLeavesWhatItProtectsAlone) {
-  // The sentence of the standard's example of ZDA; its sum is 60 hexadecimal.
+  // The ZDA example of the standard; its checksum is 60 hexadecimal.
   Message sentence = bytes("$GPZDA,201530.00,04,07,2002,00,00*60\r\n");
   const Message sound = sentence;
   break_checksum(sentence);
@@ -78,17 +78,20 @@ TEST(Damage, AtTheSameBaudEveryByteIsHeardAsItWasSent) {
   Message all(256);
   for (std::size_t i = 0; i < all.size(); ++i) all[i] = static_cast<std::uint8_t>(i);
   EXPECT_THAT(heard_at(all, 38400, 38400), ElementsAreArray(all));
-  // 2.5 % is what a UART stands: half a bit in the ten of a character is 5 % of both together.
+  // A UART tolerates 2.5 %: both sides together may differ by 5 %, half a bit in the ten of a
+  // character.
   EXPECT_THAT(heard_at(all, 38400 * 1.025, 38400), ElementsAreArray(all));
 }
 
 TEST(Damage, AtHalfTheBaudTwoCharactersAreHeardAsOne) {
-  // "UU" is 0 10101010 1, twice: samples at bits 3, 5, ... 17 are all high, the stop bit at 19 is.
+  // "UU" is 0 10101010 1, twice. The samples at bits 3, 5, ... 17 are all high, and so is the stop
+  // bit at 19.
   EXPECT_THAT(heard_at(bytes("UU"), 9600, 4800), ElementsAre(0xFF));
 }
 
 TEST(Damage, ACharacterWithoutItsStopBitIsReadAsZero) {
-  // "U" heard twice as fast: the sample for the stop bit falls on the sender's fourth bit, a 0.
+  // A receiver at twice the rate samples its stop bit on the sender's fourth bit, which is 0 in
+  // "U".
   EXPECT_EQ(heard_at(bytes("U"), 4800, 9600).front(), 0);
   // A long break (all low) is one framing error, not hundreds.
   EXPECT_THAT(heard_at(Message{0}, 300, 115200), ElementsAre(0));

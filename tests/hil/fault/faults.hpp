@@ -8,7 +8,7 @@ using namespace std::chrono_literals;
 
 inline const Stamp start = measurement::stamp_from_ns(1'700'000'000'000'000'000);
 
-/// What the loader makes of a fault.
+/// A fault as the loader creates it.
 inline FaultConfig fault_of(FaultKind kind, double amount = 0, double probability = 1) {
   FaultConfig fault;
   fault.device = "dvl";
@@ -19,7 +19,7 @@ inline FaultConfig fault_of(FaultKind kind, double amount = 0, double probabilit
   return fault;
 }
 
-/// In force from `start` on, for as long as the faults live.
+/// In force since `start`, while `faults` lives.
 inline std::vector<InForce> in_force(const std::vector<FaultConfig>& faults) {
   std::vector<InForce> all;
   for (const FaultConfig& fault : faults) all.push_back({&fault, start, {}});

@@ -1,4 +1,5 @@
-// Messages that come later: by a constant, by chance, together. Always in order, none lost.
+// Messages that come later: by a constant or random time, or together. The order stays and none is
+// lost.
 #include "hil/fault/wire/held_messages.hpp"
 
 #include <gtest/gtest.h>
@@ -13,7 +14,7 @@ struct Arrival {
   Stamp at;
 };
 
-/// Message i is sent at start + i x 100 ms; when each of them comes.
+/// Message i is sent at start + i x 100 ms. Returns the arrival of each.
 std::vector<Arrival> arrivals(const std::vector<FaultConfig>& faults, int count = 100) {
   HeldMessages<Message> held(1, "dvl");
   held.set(in_force(faults));
@@ -53,7 +54,7 @@ TEST(HeldMessages, JitterIsBetweenNothingAndItsBoundAndKeepsTheOrder) {
     ASSERT_LT(late, 50ms);
     sum_ms += measurement::seconds(late) * 1e3;
   }
-  // Uniform: mean 25 ms, of 100 a standard deviation of 1.44 ms.
+  // Uniform: mean 25 ms; the mean of 100 has a standard deviation of 1.44 ms.
   EXPECT_NEAR(sum_ms / 100, 25, 6);
 }
 

@@ -1,4 +1,4 @@
-// What a wire does to a stream of numbered messages: how many come, which, in which order.
+// Faults of a wire on a stream of numbered messages: how many come, which ones, in which order.
 #include "hil/fault/wire/message_faults.hpp"
 
 #include <gmock/gmock.h>

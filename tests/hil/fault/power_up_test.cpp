@@ -1,5 +1,5 @@
-// Devices that get power, that refuse to be set, that are hot, against their real drivers: in
-// lockstep, the wire between them.
+// Devices that get power, refuse settings or are hot, with their real drivers and the wire between
+// them, in lockstep.
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -20,7 +20,7 @@ std::string dvl(const std::string& more) {
          more;
 }
 
-/// The DVL is told to turn its velocities by 90 degrees; when it boots it turns them by none.
+/// The driver sets the DVL to turn its velocities by 90 degrees. After a boot it turns them by 0.
 const std::string turned = dvl("water_linked = { mounting_rotation_deg = 90 }\n");
 
 std::string fault(const std::string& word, double start_s, double for_s) {
@@ -30,7 +30,7 @@ std::string fault(const std::string& word, double start_s, double for_s) {
 
 using measurement::BottomVelocity;
 
-/// The mission goes straight ahead: turned by 90 degrees that is along y.
+/// The mission goes straight ahead. Turned by 90 degrees, this is along y.
 void expect_turned(const std::vector<BottomVelocity>& all) {
   for (const auto& m : all) {
     if (!m.velocity) continue;

@@ -1,5 +1,5 @@
-// What else may be on a bus. Error classes are those of linux/can/error.h, the address claim that
-// of SAE J1939-81: the lower NAME wins.
+// Other disturbances on a bus. Error classes are from linux/can/error.h, the address claim from SAE
+// J1939-81: the lower NAME wins.
 #include "hil/fault/rogue_node.hpp"
 
 #include <gtest/gtest.h>
@@ -61,7 +61,7 @@ TEST(RogueNode, IsSilentBeforeAndAfterItsFault) {
 TEST(RogueNode, AsLoadItTakesItsShareOfTheBus) {
   Bench bench(second_to_second(FaultKind::bus_load, 0.3));
   bench.run(0s, 3s);
-  // 111 bits a frame without stuff bits: 0.3 s of 250 kbit/s.
+  // A frame has 111 bits without stuff bits; 0.3 of 250 kbit/s.
   EXPECT_NEAR(static_cast<double>(bench.bus.frames.size()), 0.3 * bit_rate / 111, 2);
 }
 

@@ -1,4 +1,5 @@
-// When a fault holds: from its start to just before its end, and again in each of its turns.
+// When a fault is in force: from its start until just before its end, and again in each of its
+// turns.
 #include <gtest/gtest.h>
 
 #include "tests/hil/fault/faults.hpp"

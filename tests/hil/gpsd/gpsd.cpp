@@ -29,13 +29,13 @@ using namespace std::chrono_literals;
 
 constexpr auto at_most = 30s;
 
-/// A port of the loopback that nobody uses now.
+/// A port on the loopback interface that is free now.
 unsigned short free_port(asio::io_context& io) {
   return tcp::acceptor(io, {asio::ip::address_v4::loopback(), 0}).local_endpoint().port();
 }
 
-/// gpsd opens the pty at once (-n), while it still is root, and gives up its rights then. `timeout`
-/// ends it even where this test is killed.
+/// gpsd opens the pty at once (-n) while it is root, and drops its rights after that. `timeout`
+/// ends it even if this test is killed.
 std::vector<std::string> command(unsigned short port, const std::string& pty) {
   return {"timeout", "100", "gpsd", "-N", "-n", "-S", std::to_string(port), pty};
 }
@@ -76,7 +76,7 @@ class Session {
       std::string line;
       std::getline(lines, line);
       reports_.push_back(nlohmann::json::parse(line));
-      if (!fed && reports_.back()["class"] == "WATCH") {  // the device is open by now
+      if (!fed && reports_.back()["class"] == "WATCH") {  // the device is open now
         fed = true;
         if (!co_await line_->write(stream_)) break;
       }
@@ -97,7 +97,8 @@ class Session {
     co_return false;
   }
 
-  /// What gpsd says to the receiver: probes and settings, which an emulated one ignores.
+  /// Reads what gpsd sends to the receiver: probes and settings, which an emulated receiver
+  /// ignores.
   asio::awaitable<void> drain() {
     std::array<std::uint8_t, 256> said;
     while (co_await line_->read(said)) continue;

@@ -12,7 +12,7 @@
 #include "tests/hil/emulate/bench.hpp"
 #include "tests/test_name.hpp"
 
-/// gpsd reads our emulated receiver: what it reports is the truth from which the receiver speaks.
+/// gpsd reads the emulated receiver. Its reports must equal the receiver's truth.
 namespace drydock::peer {
 namespace {
 
@@ -21,10 +21,10 @@ using emulate::degree;
 using measurement::Stamp;
 
 constexpr int seconds = 60;
-// gpsd learns which sentence ends an epoch, and keeps the last one back.
+// gpsd needs some epochs to learn which sentence ends an epoch, and holds the last epoch back.
 constexpr int to_learn = 8;
 
-/// North-east along the surface, faster every second: a value of another epoch is another value.
+/// Moves north-east on the surface and accelerates, so that values of different epochs differ.
 class Speeding final : public motion::Trajectory {
  public:
   motion::Truth at(Stamp time) const override {
@@ -43,7 +43,7 @@ class Speeding final : public motion::Trajectory {
   Stamp end() const override { return at_s(seconds + to_learn); }
 };
 
-/// Half a digit of what is on the wire, and gpsd's own digits.
+/// Half a digit of the wire format, plus gpsd's own rounding.
 struct Resolution {
   double position_deg, height_m, speed_mps, course_deg, direction_deg, cno_dbhz;
 };
@@ -72,7 +72,7 @@ void expect_truth(const nlohmann::json& tpv, const motion::Truth& truth, const R
   near("track", std::atan2(v.y(), v.x()) / degree, r.course_deg);
 }
 
-/// Number, elevation, azimuth and C/N0 of each satellite that gpsd reports, as the truth has them.
+/// gpsd's satellites must have the number, elevation, azimuth and C/N0 of the truth.
 void expect_sky(const nlohmann::json& sky, const motion::Truth& truth, const Resolution& r) {
   const auto expected = sensor::ideal_sky(truth, false).satellites;
   ASSERT_EQ(sky["satellites"].size(), expected.size()) << sky;
@@ -138,7 +138,7 @@ INSTANTIATE_TEST_SUITE_P(Protocols, Gpsd,
                            return drydock::testing::test_name(one.param.protocol);
                          });
 
-/// gpsd leaves out what is not valid, and a carrier phase whose accuracy is unknown.
+/// gpsd leaves out invalid values, and a carrier phase with unknown accuracy.
 void expect_same(const nlohmann::json& row, const char* key, const std::optional<double>& ours) {
   if (!row.contains(key)) return;
   ASSERT_TRUE(ours.has_value()) << row;

@@ -24,7 +24,7 @@ TEST(Actuator, ARateAloneIsARamp) {
 
 TEST(Actuator, ARateWithALagIsARampThatEndsAsAnExponential) {
   Actuator rudder({.lower = -1, .upper = 1, .rate = 0.2, .lag_s = 0.5});
-  rudder.step(0.5, 2);  // ramp until the lag asks for 0.2 / s, at a distance of 0.1
+  rudder.step(0.5, 2);  // a ramp until the lag asks for 0.2 / s, at a distance of 0.1
   EXPECT_NEAR(rudder.value(), 0.4, 1e-15);
   rudder.step(0.5, 0.5);
   EXPECT_NEAR(rudder.value(), 0.5 - 0.1 * std::exp(-1), 1e-15);
@@ -41,11 +41,11 @@ TEST(Actuator, StopsHoldAndAreLeftAtOnce) {
   EXPECT_EQ(rudder.value(), 0.35);
   rudder.step(100, 60);
   EXPECT_EQ(rudder.value(), 0.35);
-  rudder.step(-100, 1);  // no wind-up beyond the stop
+  rudder.step(-100, 1);  // no wind-up at the stop
   EXPECT_NEAR(rudder.value(), 0.25, 1e-15);
 }
 
-/// A number of (-size, size).
+/// A number in (-size, size).
 rc::Gen<double> number(double size) {
   return rc::gen::map(rc::gen::inRange(-1000, 1000), [size](int i) { return i * size / 1000; });
 }
@@ -82,7 +82,7 @@ TEST(Actuators, CommandedSpeedIsWhatThePropellerTurnsFor) {
   EXPECT_EQ(actuators.control().delta_r, 0.1);
   EXPECT_EQ(actuators.control().delta_s, 0.35);
   EXPECT_EQ(actuators.control().delta_b, -0.2);
-  actuators.step({0, 0, 0, -1}, 0.01);  // it does not turn astern
+  actuators.step({0, 0, 0, -1}, 0.01);  // the propeller does not turn astern
   EXPECT_EQ(actuators.control().u_c, 0);
   actuators.step({0, 0, 0, 9}, 0.01);
   EXPECT_NEAR(actuators.control().u_c, 3, 1e-12);

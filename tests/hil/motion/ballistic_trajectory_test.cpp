@@ -15,7 +15,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// The roll paper's flight: 0.25 Hz of roll, pitch from +45 to -45 deg in some 100 s.
+/// The roll paper's flight: roll rate 0.25 Hz, pitch from +45 to -45 deg in about 100 s.
 rig_config::MissionConfig rocket() {
   rig_config::MissionConfig mission;
   mission.latitude_rad = 36 * degree;
@@ -33,7 +33,7 @@ rig_config::MissionConfig rocket() {
   return mission;
 }
 
-/// The same without air, roll and cone, from the sea.
+/// The same without air, roll and cone, launched at sea level.
 rig_config::MissionConfig thrown() {
   auto mission = rocket();
   mission.ballistic = rig_config::BallisticConfig{.elevation_rad = 45 * degree};
@@ -120,7 +120,7 @@ TEST(BallisticTrajectory, TheRollRateIsHeldOnceItIsSpunUp) {
                  later = trajectory.at(at_s(t + 1)).roll_rad;
     EXPECT_NEAR(frame::wrap_pi(later - here), 90 * degree, 1e-9) << t;
   }
-  // Half the rate on the mean while it spins up: 180 deg in 4 s.
+  // The mean rate during the spin-up is half the final rate: 180 deg in 4 s.
   EXPECT_NEAR(frame::wrap_pi(trajectory.at(at_s(4)).roll_rad), -150 * degree, 1e-9);
 }
 
@@ -164,7 +164,7 @@ TEST(MakeTrajectory, TheMissionChoosesTheMotion) {
 
 TEST(MakeTrajectory, RefusesAFlightThatTheModelDoesNotHold) {
   auto mission = thrown();
-  mission.speed_mps = 5000;  // to 600 km
+  mission.speed_mps = 5000;  // reaches 600 km
   EXPECT_THROW(make_trajectory(mission, start), std::invalid_argument);
   mission = thrown();
   mission.ballistic->ground_height_m = 1;

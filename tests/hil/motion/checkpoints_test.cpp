@@ -1,4 +1,4 @@
-// States found again at any index in any order, with little kept.
+// States at any index in any order, with little memory.
 #include "hil/motion/vehicle/checkpoints.hpp"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@ namespace {
 
 using drydock::motion::Checkpoints;
 
-/// A chain whose states have no closed form in the index: only the same steps lead there.
+/// A chain of states without a closed form: a state can be found only step by step.
 std::uint64_t next(std::uint64_t state) {
   return state * 6364136223846793005u + 1442695040888963407u;
 }

@@ -31,8 +31,8 @@ TEST(KinematicTrajectory, AtRestAnImuFeelsGravityAndTheEarthTurning) {
   mission.heading_rad = 90 * degree;
   const KinematicTrajectory trajectory(mission, start);
   const Truth truth = trajectory.at(at_s(1234.5));
-  // Somigliana at 60 deg: 9.819177 m/s2 (NIMA TR8350.2 constants). Heading east: x is east, y
-  // south.
+  // Somigliana at 60 deg: 9.819177 m/s2 (NIMA TR8350.2 constants). The heading is east, so x is
+  // east and y is south.
   EXPECT_NEAR((truth.specific_force - Vector3d{0, 0, -9.819177}).norm(), 0, 2e-6);
   const double omega = 7.292115e-5;
   EXPECT_NEAR((truth.angular_rate - omega * Vector3d{0, -0.5, -0.8660254}).norm(), 0, 1e-11);
@@ -61,13 +61,14 @@ TEST(KinematicTrajectory, InALevelTurnTheCentripetalForceIsSpeedTimesYawRate) {
       {.kind = LegKind::turn, .duration_s = 100, .turn_rad = 180 * degree, .speed_mps = 3}};
   const KinematicTrajectory trajectory(mission, start);
   const Truth truth = trajectory.at(at_s(50));
-  const double yaw_rate = 180 * degree / 90;  // ramps of 10 s: the rate is held for 80 s
+  const double yaw_rate = 180 * degree / 90;  // ramps of 10 s, so the rate is held for 80 s
   EXPECT_NEAR(truth.rate_body.z(), yaw_rate, 1e-12);
   EXPECT_NEAR(truth.yaw_rad, 90 * degree, 1e-12);
   // Coriolis at 3 m/s is below 5e-4 m/s2.
   EXPECT_NEAR(truth.specific_force.y(), 3 * yaw_rate, 5e-4);
   EXPECT_NEAR(truth.specific_force.x(), 0, 5e-4);
-  EXPECT_LT(truth.rudder_rad, 0);  // to starboard: a rudder angle that is negative by convention
+  EXPECT_LT(truth.rudder_rad, 0);  // a turn to starboard: the rudder angle is negative by
+                                   // convention
 }
 
 TEST(KinematicTrajectory, ADiveReachesItsDepthWithPitchAlongThePath) {
@@ -81,12 +82,12 @@ TEST(KinematicTrajectory, ADiveReachesItsDepthWithPitchAlongThePath) {
   const Truth steepest = trajectory.at(at_s(50));
   EXPECT_NEAR(std::sin(steepest.pitch_rad), -30 * 2.1875 / 100 / 2, 1e-12);
   EXPECT_NEAR(steepest.velocity_ned.z(), 2 * std::sin(-steepest.pitch_rad), 1e-12);
-  EXPECT_GT(trajectory.at(at_s(25)).stern_plane_rad, 0);  // nosing down
+  EXPECT_GT(trajectory.at(at_s(25)).stern_plane_rad, 0);  // nose goes down
 }
 
 TEST(KinematicTrajectory, AStraightRunNorthCoversTheMeridianArc) {
-  // Vincenty: one minute of latitude from 45 deg north is 1852.2 m; here by the radius at its
-  // middle.
+  // Vincenty: one minute of latitude from 45 deg north is 1852.2 m. Here the radius at its middle
+  // is used.
   rig_config::MissionConfig mission;
   mission.latitude_rad = 45 * degree;
   mission.speed_mps = 2;

@@ -7,8 +7,8 @@
 
 #include "tests/estimators/hydrodynamics/support.hpp"
 
-/// Standard manoeuvres of the NPS AUV II at 1500 rpm. Figures from outside: another program's model
-/// of the same vehicle (npsauv.m of the Marine Systems Simulator, corrected).
+/// Standard manoeuvres of the NPS AUV II at 1500 rpm. The expected figures come from another
+/// program's model of the same vehicle (npsauv.m of the Marine Systems Simulator, corrected).
 namespace drydock::motion {
 namespace maneuver_test {
 
@@ -49,7 +49,7 @@ TEST(TurningCircle, OfTenDegreesIsAsWideAsAnotherProgramsOne) {
 
 TEST(TurningCircle, IsSoSteadyThatItsDiameterIsThatOfItsPath) {
   const auto circle = sailed(ManeuverKind::turning_circle, 10);
-  double west = 0, east = -1e9;  // of the last full turn
+  double west = 0, east = -1e9;  // the last full turn
   for (const auto& point : circle.track) {
     if (point.state[11] > -180 * degree) continue;
     west = std::min(west, point.state[7]);
@@ -75,7 +75,7 @@ TEST(Zigzag, OfTenTenSwingsAsFarAsInAnotherProgramsRun) {
   }
   EXPECT_NEAR(most, 12.45, 0.01);
   EXPECT_NEAR(least, -12.44, 0.01);
-  // A reversal comes up to one step of 0.02 s after its heading: 0.07 deg.
+  // A reversal comes up to one step of 0.02 s late: 0.07 deg.
   EXPECT_NEAR(zigzag.value("second overshoot"), 2.45, 0.07);
   EXPECT_NEAR(zigzag.value("third overshoot"), 2.44, 0.07);
 }
@@ -124,7 +124,7 @@ TEST(Maneuver, ASlowRudderWidensTheTurnAtItsBegin) {
   const auto slow = figures(m.kind, sail(nps_file(), m));
   const auto fast = figures(m.kind, sail(with_ideal_actuators(nps_file()), m));
   ASSERT_EQ(slow[0].name, "advance");
-  // The rudder takes 8 s at 2.5 deg/s: half of it is lost, less what it steers on the way.
+  // The rudder takes 8 s at 2.5 deg/s. Half of this time is lost, minus its effect on the way.
   EXPECT_NEAR(*slow[0].value - *fast[0].value, 4 * cruise_mps, 2);
 }
 

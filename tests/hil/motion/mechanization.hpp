@@ -7,11 +7,11 @@
 #include "estimators/frame/geodetic.hpp"
 #include "hil/motion/truth.hpp"
 
-/// An independent witness of inertial truth: it integrates specific force and angular rate back to
+/// An independent check of inertial truth: it integrates specific force and angular rate back to
 /// position, velocity and attitude.
 namespace drydock::motion {
 
-// A strapdown mechanization in ECEF: other states and other equations than the trajectory's own.
+// A strapdown mechanization in ECEF. Its states and equations differ from those of the trajectory.
 inline const Eigen::Vector3d earth_rate{0, 0, frame::wgs84::earth_rate_radps};
 
 struct Mechanization {
@@ -43,7 +43,7 @@ inline Mechanization from_truth(const Truth& truth) {
           ned_to_ecef * truth.velocity_ned, ned_to_ecef * truth.body_to_ned.toRotationMatrix()};
 }
 
-/// How far the integration of a trajectory's IMU (Runge-Kutta 4) ends from its truth.
+/// The final difference between the integrated IMU of a trajectory (Runge-Kutta 4) and its truth.
 struct MechanizationError {
   double position_m, velocity_mps, attitude_rad;
 };

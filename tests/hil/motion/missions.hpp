@@ -11,7 +11,7 @@ inline const Stamp start = measurement::stamp_from_ns(1'700'000'000'000'000'000)
 
 inline Stamp at_s(double t) { return start + measurement::from_seconds(t); }
 
-/// Straight, turn, dive, s path, climb, at 47 deg north: 600 s a lap.
+/// Straight, turn, dive, S path, climb, at 47 deg north: 600 s per lap.
 inline rig_config::MissionConfig varied_mission() {
   using enum rig_config::LegKind;
   rig_config::MissionConfig mission;

@@ -44,7 +44,7 @@ TEST_F(MixingMission, EndsThereOnAFlatChartToo) {
 
 TEST_F(MixingMission, DoesWhatThePaperTellsOfIt) {
   for (const double t : {45.0, 70.0, 100.0, 300.0, 569.0}) EXPECT_NEAR(-at(t).height_m, 40, 1.5);
-  EXPECT_NEAR(std::abs(at(72.5).yaw_rad), degree * 180, 1e-9);  // half round
+  EXPECT_NEAR(std::abs(at(72.5).yaw_rad), degree * 180, 1e-9);  // half a circle
   EXPECT_NEAR(at(134).velocity_body.x(), 6, 1e-9);
   EXPECT_GT(at(156).velocity_body.x(), 26);
   EXPECT_GT(at(590).pitch_rad, 0);
@@ -67,7 +67,7 @@ TEST_F(MixingMission, ASteadyTurnSlipsAboutThePivot) {
 }
 
 TEST_F(MixingMission, SlipFollowsTheTurnThroughTwoLags) {
-  // Two lags of 0.5 s pass the middle of a slow ramp 1 s late.
+  // After two lags of 0.5 s, the middle of a slow ramp is 1 s late.
   const double middle = 45 + 2.5, full = at(80).velocity_body.y();
   EXPECT_NEAR(at(middle + 1).velocity_body.y() / full, 0.5, 0.02);
   EXPECT_LT(at(middle).velocity_body.y() / full, 0.25);
@@ -81,11 +81,11 @@ TEST_F(MixingMission, RatesAndVelocityAreTheDerivativesOfAttitudeAndPosition) {
         frame::ned_offset({before.latitude_rad, before.longitude_rad, before.height_m},
                           {after.latitude_rad, after.longitude_rad, after.height_m});
     EXPECT_LT((moved / (2 * h) - now.velocity_ned).norm(), 2e-4)
-        << "at " << t;  // over 20 ms, where the jerk is 8 m/s3
+        << "at " << t;  // over 20 ms, with a jerk of 8 m/s3
     const Vector3d change = (after.velocity_body - before.velocity_body) / (2 * h);
     const Vector3d felt = now.body_to_ned.conjugate() * Vector3d{0, 0, 9.78} + now.specific_force -
                           now.rate_body.cross(now.velocity_body);
-    EXPECT_LT((change - felt).norm(), 0.01) << "at " << t;  // but for Coriolis, 4e-3 m/s2
+    EXPECT_LT((change - felt).norm(), 0.01) << "at " << t;  // without Coriolis, 4e-3 m/s2
   }
 }
 
@@ -110,7 +110,7 @@ TEST(RampedLegs, AccelerationTurnAndSinkAreConstantBetweenTheRamps) {
        .speed_mps = 7,
        .ramp_s = 10}};
   const KinematicTrajectory trajectory(mission, start);
-  for (const double t : {2.5, 6.0, 9.5}) {  // 5 m/s in 12 s less one ramp
+  for (const double t : {2.5, 6.0, 9.5}) {  // 5 m/s in 12 s minus one ramp
     EXPECT_NEAR(trajectory.at(at_s(t + 0.5)).velocity_body.x() -
                     trajectory.at(at_s(t - 0.5)).velocity_body.x(),
                 0.5, 1e-12);

@@ -9,7 +9,7 @@
 #include "tests/estimators/hydrodynamics/support.hpp"
 #include "tests/test_name.hpp"
 
-/// Commands from a CSV file, one row until the next.
+/// Commands from a CSV file. Each row holds until the next.
 namespace drydock::motion {
 namespace schedule_test {
 
@@ -82,7 +82,7 @@ TEST_P(Tables, OfAnotherProgramAreFollowedByTheScheduleThatMadeThem) {
       sail(vehicle, advance * schedule.front().propeller_radps, table.at(table.rows() - 1, "t"),
            [&](double t, const auto&) { return std::optional(command_at(schedule, t, advance)); });
   for (std::size_t row = 0; row < table.rows(); ++row) {
-    const TrackPoint& point = track.at(10 * row);  // their rows are 0.2 s apart
+    const TrackPoint& point = track.at(10 * row);  // the rows of the table are 0.2 s apart
     ASSERT_NEAR(point.t, table.at(row, "t"), 1e-9);
     for (int i = 0; i < 6; ++i) EXPECT_NEAR(point.state[i], table.velocity(row)[i], 1e-5);
     for (const auto& [column, i] : {std::pair{"x", 6}, {"y", 7}, {"z", 8}, {"psi", 11}})

@@ -7,7 +7,7 @@
 #include "tests/estimators/hydrodynamics/support.hpp"
 #include "tests/test_name.hpp"
 
-/// The NPS AUV II behind its actuators.
+/// The NPS AUV II with its actuators.
 namespace drydock::motion {
 namespace simulated_vehicle_test {
 
@@ -18,7 +18,7 @@ using hydrodynamics::test::Table;
 constexpr double rad = std::numbers::pi / 180;
 constexpr double cruise_mps = 0.012 * 1500 * 2 * std::numbers::pi / 60;
 
-/// The program of the tables was run without rate limits.
+/// The program that made the tables had no rate limits.
 rig_config::VehicleConfig without_rate_limits() {
   auto config = nps_file();
   for (auto* surface : {&config.rudder, &config.stern_planes, &config.bow_planes})
@@ -27,7 +27,7 @@ rig_config::VehicleConfig without_rate_limits() {
 }
 
 /// Another program (MSS npsauv.m, four corrections) with the cross-flow integrals that the
-/// quadratic coefficients stand for: the bounds are how far those two descriptions differ.
+/// quadratic coefficients approximate. The bounds are the differences of these two descriptions.
 struct Manoeuvre {
   const char* file;
   double delta_r, delta_s, until_s;  ///< from 10 s on
@@ -89,7 +89,7 @@ TEST(SimulatedVehicle, AsymmetryMakesItDriftOnAStraightCourse) {
   const auto drift_after_a_minute = [](const std::string& file) {
     SimulatedVehicle vehicle(nps_file(file), cruise_mps * State::Unit(0));
     for (int i = 0; i < 3000; ++i) vehicle.step({0, 0, 0, cruise_mps}, 0.02);
-    return vehicle.state().segment<2>(1).cwiseAbs().minCoeff();  // of v and w
+    return vehicle.state().segment<2>(1).cwiseAbs().minCoeff();  // v and w
   };
   EXPECT_EQ(drift_after_a_minute("nps-auv-ii"), 0);
   EXPECT_GT(drift_after_a_minute("nps-auv-ii-asymmetric"), 1e-3);

@@ -13,7 +13,7 @@
 #include "rig_config/load.hpp"
 #include "tests/hil/motion/missions.hpp"
 
-/// The NPS AUV II under autopilots.
+/// The NPS AUV II with autopilots.
 namespace drydock::motion {
 namespace vehicle_trajectory_test {
 
@@ -35,7 +35,7 @@ rig_config::MissionConfig mission_of(std::vector<rig_config::LegConfig> legs, do
   return mission;
 }
 
-/// 400 s that keep every autopilot busy, in a current that turns with depth and time.
+/// 400 s that use every autopilot, in a current that changes with depth and time.
 rig_config::MissionConfig busy_mission() {
   auto mission = mission_of(
       {{.kind = turn, .duration_s = 80, .turn_rad = 120 * degree, .speed_mps = 3},
@@ -74,7 +74,7 @@ TEST(VehicleTrajectory, DriftingWithTheCurrentItFeelsCoriolisButNoDrag) {
   const VehicleTrajectory trajectory(mission, start);
   const Truth truth = trajectory.at(at_s(10));
   EXPECT_LT((truth.velocity_ned - Vector3d{0, 0.5, 0}).norm(), 1e-4);
-  // Eastward at v, an object at rest against the water needs 2 w v sin(L) towards north.
+  // A body at rest in water that moves east at v needs 2 w v sin(L) to the north.
   EXPECT_NEAR(truth.specific_force.x(), 2 * 7.292115e-5 * 0.5 * std::sin(36 * degree), 1e-6);
 }
 
@@ -138,7 +138,8 @@ std::vector<double> bits(const Truth& t) {
 }
 
 RC_GTEST_PROP(VehicleTrajectory, AnswersWithTheSameBitsInAnyOrder, ()) {
-  // A quarter more than it keeps in memory. One has been asked all sorts of things before.
+  // A quarter more times than the trajectory keeps in memory. One of the two has had many other
+  // requests.
   const auto times = *rc::gen::container<std::vector<int>>(8, rc::gen::inRange(-1000, 52'000));
   static const VehicleTrajectory one(busy_mission(), start);
   const VehicleTrajectory other(busy_mission(), start);
@@ -174,7 +175,7 @@ TEST(VehicleTrajectory, ATurningCircleHasTheRadiusOfTheManeuverAndItsHeadingIsKe
                   {.kind = straight, .duration_s = 100, .speed_mps = 1.885}},
                  1.885),
       start);
-  // docs/maneuver.md and models.md: rudder 10 deg makes a circle of 29.4 m radius, to port.
+  // docs/maneuver.md and models.md: a rudder of 10 deg gives a circle of 29.4 m radius, to port.
   const Truth circling = trajectory.at(at_s(290));
   EXPECT_NEAR(circling.rudder_rad, 10 * degree, 1e-9);
   const double rate_of_turn = circling.rate_body.z() / std::cos(circling.pitch_rad);
@@ -202,7 +203,7 @@ TEST(VehicleTrajectory, TheActuatorsKeepToTheirStopsAndRates) {
     EXPECT_LT(std::abs(now.pitch_rad), 35 * degree);
     before = now;
   }
-  EXPECT_NEAR(largest_rudder, 20 * degree, 1e-6);  // the sharp turn takes all of it
+  EXPECT_NEAR(largest_rudder, 20 * degree, 1e-6);  // the sharp turn needs the full rudder
   EXPECT_NEAR(fastest_rudder, 2.5 * degree, 1e-6);
 }
 

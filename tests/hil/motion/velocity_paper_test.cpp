@@ -24,7 +24,7 @@ const rig_config::MissionConfig& mission() {
   return loaded;
 }
 
-/// Sailed as far as a test asks, and once for all of them.
+/// Sailed only as far as the tests ask, and once for all of them.
 const Trajectory& trajectory() {
   static const auto sailed = make_trajectory(mission(), start);
   return *sailed;
@@ -50,7 +50,7 @@ TEST(VelocityPaper, EachLegEndsAtThePapersTimeDepthAndHeading) {
 TEST(VelocityPaper, GoesAtThreeMetresASecondThroughSpiralAndIntoTheZigzag) {
   double way_m = 0, steepest = 0;
   Truth before = trajectory().at(start);
-  constexpr int end_s = 7800;  // of the zigzag's second leg
+  constexpr int end_s = 7800;  // end of the zigzag's second leg
   for (int s = 1; s <= end_s; ++s) {
     const Truth now = trajectory().at(at_s(s));
     way_m += frame::ned_offset({before.latitude_rad, before.longitude_rad, before.height_m},

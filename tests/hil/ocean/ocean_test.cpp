@@ -46,7 +46,7 @@ TEST(Ocean, ABeamMeetsASlopeWhereTrigonometrySays) {
   const double gradient = std::tan(20 * degree);
   const Ocean ocean(slope(gradient, 0), origin);
   const auto from = offset(0, 0, 10);
-  // 50 m over the bed; a beam 30 deg off the vertical, downhill and uphill: sine rule in the
+  // 50 m above the bed, a beam 30 deg off the vertical, downhill and uphill: sine rule in the
   // triangle of plumb line, beam and bed.
   const double s30 = std::sin(30 * degree), c30 = std::cos(30 * degree);
   EXPECT_NEAR(*ocean.bed_range_m(from, {s30, 0, c30}, 500),
@@ -100,7 +100,7 @@ TEST(Ocean, PressureIsTheIntegralOfDensity) {
   config.water.density = {{10, 1000}, {30, 1030}};
   const Ocean ocean(config, origin);
   const double gravity = 9.798191;  // Somigliana at 36 deg
-  // By symmetry the 20 m of the step weigh as much as water of 1015.
+  // By symmetry the 20 m of the step weigh as much as water of 1015 kg/m3.
   const double column = 10 * 1000 + 20 * 1015 + 70 * 1030;
   EXPECT_NEAR(ocean.pressure_pa(100, 36 * degree), 101'325 + gravity * column, 1);
   EXPECT_EQ(ocean.pressure_pa(-2, 36 * degree), 101'325);
@@ -113,7 +113,8 @@ TEST(Ocean, TheStandardOceanHasTheDensityOfTheUnescoReport) {
   OceanConfig config;
   config.water.kind = WaterKind::standard;
   const Ocean ocean(config, {30 * degree, 0, 0});
-  // UNESCO 44: at S = 35, 0 deg C the surface has 1028.106 kg/m3, 10000 dbar are 9712.653 m deep.
+  // UNESCO 44: at S = 35 and 0 deg C the surface density is 1028.106 kg/m3, and 10000 dbar is at a
+  // depth of 9712.653 m.
   EXPECT_NEAR(ocean.density_kgm3(0), 1028.106, 0.01);
   EXPECT_NEAR(ocean.pressure_pa(9712.653, 30 * degree), 101'325 + 1e8, 10);
 }

@@ -9,7 +9,7 @@
 namespace drydock::ocean {
 namespace profile_test {
 
-/// Knots from numbers that rapidcheck draws: depths rise by 1 m to 100 m.
+/// Knots from numbers that rapidcheck draws. Each depth is 1 m to 100 m below the last.
 std::vector<Profile::Knot> drawn() {
   const auto count = *rc::gen::inRange(1, 7);
   std::vector<Profile::Knot> knots;
@@ -35,7 +35,7 @@ TEST(OceanProfile, BetweenTwoKnotsItIsTheCubicStep) {
   for (const double x : {0.1, 0.5, 0.8}) {
     EXPECT_NEAR(profile.value(10 + 20 * x), 1 + x * x * (3 - 2 * x), 1e-15);
     EXPECT_NEAR(profile.slope(10 + 20 * x), 6 * x * (1 - x) / 20, 1e-15);
-    // The integral of 1 + 3 x^2 - 2 x^3 over 20 m, and 10 m of 1 above.
+    // The integral of 1 + 3 x^2 - 2 x^3 over 20 m, plus 10 m of the value 1 above.
     EXPECT_NEAR(profile.integral(10 + 20 * x), 10 + 20 * (x + x * x * x - x * x * x * x / 2),
                 1e-12);
   }

@@ -14,7 +14,7 @@ namespace raster_test {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-// As in the example of ESRI's own description: upper and lower case, corner of the cell.
+// Like the example in ESRI's own description: upper and lower case, corner of the cell.
 const std::string small =
     "NCOLS 3\nNROWS 2\nXLLCORNER 100\nYLLCORNER -20\nCELLSIZE 10\nNODATA_VALUE -9999\n"
     "1 2 3\n4 5 6\n";
@@ -78,7 +78,7 @@ RC_GTEST_PROP(Raster, WhatIsWrittenIsRead, ()) {
   }
 }
 
-/// depth(north, east) at whole multiples of 10 m, 21 x 21 points about the origin.
+/// depth(north, east) at whole multiples of 10 m, 21 x 21 points around the origin.
 template <class Depth>
 RasterBed sampled(Depth depth) {
   Raster raster{21, 21, -100, -100, 10, {}};
@@ -91,7 +91,7 @@ RasterBed sampled(Depth depth) {
 TEST(RasterBed, IsBilinearBetweenPointsAndKeepsItsEdgesDepthBeyond) {
   const auto depth = [](double n, double e) { return 50 + n / 10 + e / 20 + n * e / 1000; };
   const RasterBed bed = sampled(depth);
-  // One bilinear function over all cells comes out exactly, between the points too.
+  // A bilinear function over all cells is reproduced exactly, also between the points.
   EXPECT_NEAR(bed.depth_at({3.7, -44.1}), depth(3.7, -44.1), 1e-5);
   EXPECT_NEAR(bed.depth_at({500, -44.1}), depth(100, -44.1), 1e-5);
   EXPECT_NEAR(bed.depth_at({500, 700}), depth(100, 100), 1e-5);

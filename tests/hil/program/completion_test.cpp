@@ -1,4 +1,4 @@
-// What shells offer behind a half-typed command.
+// The completions that shells offer for an incomplete command line.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -30,7 +30,8 @@ TEST(Program, BashCompletesCommandsOptionsAndValues) {
   EXPECT_THAT(outcome.output, HasSubstr("\nmonitor\n--speed\nmax\npd0 pd4 pd5 pd6\n"));
 }
 
-/// What an interactive zsh offers for the last word of each line, in a folder with two files.
+/// Runs an interactive zsh on each line, in a folder with two files, and returns its completions
+/// for the last word.
 class Zsh : public testing::Test {
  protected:
   void SetUp() override {
@@ -64,7 +65,8 @@ TEST_F(Zsh, OffersTheCommands) {
 TEST_F(Zsh, OffersTheOptionsOfACommandAndTheirValues) {
   EXPECT_EQ(offers("drydock record -"),
             "--for\n--help\n--output\n--overwrite\n--serve\n--token\n-h\n-o\n");
-  EXPECT_EQ(offers("drydock record -o a.mcap --o"), "--overwrite\n");  // one of both names
+  EXPECT_EQ(offers("drydock record -o a.mcap --o"), "--overwrite\n");  // "-o" is given, so zsh does
+                                                                       // not offer "--output"
   EXPECT_EQ(offers("drydock run --speed "), "1\nmax\n");
   EXPECT_EQ(offers("drydock decode --protocol pd"), "pd0\npd4\npd5\npd6\n");
   EXPECT_EQ(offers("drydock record --for "), "");
@@ -74,7 +76,8 @@ TEST_F(Zsh, OffersFilesForARigAndForWhatAnOptionWrites) {
   EXPECT_EQ(offers("drydock record "), "dive.mcap\npier.toml\n");
   EXPECT_EQ(offers("drydock record p"), "pier.toml\n");
   EXPECT_EQ(offers("drydock record pier.toml -o "), "dive.mcap\npier.toml\n");
-  const auto behind = offers("drydock record pier.toml ");  // there is one rig
+  const auto behind = offers("drydock record pier.toml ");  // the command takes one rig file, and
+                                                            // it is there already
   EXPECT_THAT(behind, HasSubstr("--output\n"));
   EXPECT_THAT(behind, testing::Not(HasSubstr("dive.mcap")));
   EXPECT_EQ(offers("drydock check pier.toml d"), "dive.mcap\n");

@@ -1,11 +1,11 @@
-// The page of a run in a real browser, by hand: node fault_page.cjs BROWSER URL FOLDER. Has a fault refused, sets one, clears
-// it; prints what the page said, and of screenshots at both widths in both lights what is to be seen.
+// Drives the page of a run in a real browser: node fault_page.cjs BROWSER URL FOLDER. It tries a fault that is refused, sets
+// one and clears it. It prints the answers of the page and measures screenshots at two widths, light and dark.
 const puppeteer = require('puppeteer-core');
 const path = require('path');
 const [browserPath, url, folder] = process.argv.slice(2);
 const looks = [[1280, 'light'], [1280, 'dark'], [400, 'light'], [400, 'dark']];
 
-// In the page: where the controls are.
+// Runs in the page: returns the positions of the controls.
 function layout() {
   const rectOf = (element) => { const { x, y, width, height } = element.getBoundingClientRect(); return { x: x + scrollX, y: y + scrollY, width, height }; };
   const meet = (a, b) => a.x < b.x + b.width - 1 && b.x < a.x + a.width - 1 && a.y < b.y + b.height - 1 && b.y < a.y + a.height - 1;
@@ -22,7 +22,7 @@ function layout() {
   };
 }
 
-// In another page, of the screenshot: pixels of the button's colour, of its text, of the banner.
+// Runs in another page, on the screenshot: counts pixels of the button's colour, of its text and of the banner.
 async function measure({ image, rects, colours }) {
   const picture = new Image();
   picture.src = `data:image/png;base64,${image}`;
@@ -68,7 +68,7 @@ async function measure({ image, rects, colours }) {
 
   await page.select('#orders [name=fault]', 'hang');
   await type('#orders [name=for]', '');
-  await page.keyboard.press('Enter'); // as good as the button
+  await page.keyboard.press('Enter'); // Enter has the same effect as the button
   seen.set = await answers('set');
   await stateIs('fault');
   await stateIs('stale');

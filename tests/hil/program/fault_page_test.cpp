@@ -1,4 +1,4 @@
-// Faults set by who looks on: in a browser by clicking, and by Foxglove's own client.
+// A viewer sets faults: in a browser by clicks, and through Foxglove's own client.
 #include <gmock/gmock.h>
 
 #include <nlohmann/json.hpp>
@@ -20,11 +20,12 @@ using testing::Not;
 const std::string demo = "rig_config/rigs/demo.toml";
 
 void see_look(const json& look) {
-  EXPECT_LE(look["overflow"], 0) << look["look"];  // nothing to scroll sideways
+  EXPECT_LE(look["overflow"], 0) << look["look"];  // no horizontal scrolling
   EXPECT_TRUE(look["overlaps"].empty()) << look["look"] << look["overlaps"];
   EXPECT_TRUE(look["outside"].empty()) << look["look"] << look["outside"];
-  EXPECT_GE(look["lowest"], 30) << look["look"];   // a finger's height
-  EXPECT_GT(look["button"], 500) << look["look"];  // pixels of its colour, with a text on it
+  EXPECT_GE(look["lowest"], 30) << look["look"];   // high enough for a finger
+  EXPECT_GT(look["button"], 500) << look["look"];  // pixels of the button's colour; text covers
+                                                   // some
   EXPECT_GT(look["written"], 25) << look["look"];
   EXPECT_GT(look["banner"], 3000) << look["look"];
 }

@@ -1,4 +1,4 @@
-// `drydock load` as a script meets it: its last line and its exit code say the same.
+// `drydock load` in a script: its last line and its exit code agree.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -21,7 +21,7 @@ std::filesystem::path rig_in(const Folder& folder, const std::string& faults) {
   return folder / "rig.toml";
 }
 
-// Whether this machine is on time is not this test's matter.
+// The test does not require that this machine is on time.
 TEST(Load, ItsLastLineItsJsonAndItsExitCodeSayTheSame) {
   const Folder folder;
   const auto json = folder / "load.json";

@@ -8,7 +8,7 @@
 #include "tests/hil/program/program.hpp"
 #include "tests/npm/node.hpp"
 
-/// What the monitor hears is there for browsers too; the witness is Foxglove's own client.
+/// The monitor serves to browsers what it receives. Foxglove's own client checks this.
 namespace monitor_serve_test {
 
 using drydock;
@@ -16,7 +16,7 @@ using Folder;
 using testing::HasSubstr;
 using namespace std::chrono_literals;
 
-/// `monitor` beside an emulated demo, and what a client at its address sees.
+/// `monitor` beside an emulated demo, and what a client at its address receives.
 class ServedMonitor {
  public:
   explicit ServedMonitor(const std::string& arguments)
@@ -28,7 +28,7 @@ class ServedMonitor {
               "; r=$?; kill -INT $e; wait; exit $r");
         }) {}
 
-  /// "ws://127.0.0.1:PORT/..." once it is served; probing comes first where it is a link.
+  /// "ws://127.0.0.1:PORT/..." as soon as it is served. The monitor of a link probes first.
   std::string address() const {
     for (int i = 0; i < 300; ++i) {
       const auto said = read_file(folder_ / "live");
@@ -59,7 +59,7 @@ TEST(MonitorServe, ARigsDevicesAndHealthAreOnTheFoxgloveSocket) {
   const auto seen = monitor.watch(monitor.address());
   EXPECT_EQ(seen["server"], "drydock demo");
   EXPECT_TRUE(seen["channels"].contains("/dvl/bottom_track"));
-  // The IMU says nothing: a monitor only listens, and nobody starts the node.
+  // The IMU is silent: a monitor only listens, and no program starts the node.
   ASSERT_TRUE(seen["messages"].contains("/dvl/bottom_track")) << seen;
   EXPECT_EQ(seen["messages"]["/dvl/bottom_track"]["value"]["header"]["frame_id"], "dvl_link_frd");
   EXPECT_TRUE(seen["messages"].contains("/diagnostics"));

@@ -10,7 +10,7 @@
 #include <iterator>
 #include <string>
 
-/// The program as a person or a script starts it.
+/// Runs the program as a person or a script does.
 namespace program {
 
 struct Outcome {
@@ -18,7 +18,7 @@ struct Outcome {
   std::string output;  ///< standard output and standard error
 };
 
-/// A folder of the test that goes with it.
+/// A temporary folder; the destructor removes it.
 class Folder {
  public:
   Folder() {
@@ -35,7 +35,7 @@ class Folder {
 };
 
 inline Outcome drydock(const std::string& arguments) {
-  const Folder links;  // ptys of its own: another run on this machine must not matter
+  const Folder links;  // its own ptys, so that another run on this machine does not matter
   const std::string command =
       "cd " DRYDOCK_SOURCE_DIR "; export XDG_RUNTIME_DIR=" + (links / "").string() +
       " ROS_DOMAIN_ID=" + std::to_string(100 + getpid() % 100) + "; " DRYDOCK_PROGRAM " " +
@@ -56,7 +56,7 @@ inline std::string read_file(const std::filesystem::path& path) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-/// Begins a command line: the demo rig's sensors, emulated, and the program beside them.
+/// Begins a command line: emulates the demo rig's sensors and starts the program beside them.
 inline constexpr auto emulated_demo =
     "emulate rig_config/rigs/demo.toml --for 12s > /dev/null & sleep 1; " DRYDOCK_PROGRAM " ";
 

@@ -1,4 +1,4 @@
-// Commands that need no wire: studies, the sky, grades of sensors, manoeuvres.
+// Commands that need no link: studies, the sky, sensor grades, manoeuvres.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -54,7 +54,7 @@ TEST(Program, TheSkyIsATableJsonAndAPlot) {
   ASSERT_EQ(json.exit_code, 0) << json.output;
   const auto sky = nlohmann::json::parse(json.output);
   ASSERT_EQ(sky["satellites"].size(), 25u);
-  // Satellite 1 stands over the Gulf of Guinea at toe: (a, 0, 0).
+  // Satellite 1 is over the Gulf of Guinea at toe: (a, 0, 0).
   EXPECT_EQ(sky["satellites"][0]["prn"], 1);
   EXPECT_NEAR(sky["satellites"][0]["elevation_deg"], 90, 0.01);
   EXPECT_NEAR(sky["satellites"][0]["ecef_m"][0], 26'559'710, 1e-3);

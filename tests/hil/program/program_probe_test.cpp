@@ -1,4 +1,4 @@
-// The command `probe`, on emulated wires and on recordings.
+// The command `probe` on emulated links and on recordings.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -25,12 +25,12 @@ TEST(Program, DriveAndEstimateAsTwoProcessesDoWhatRunDoesInOne) {
       " --for 6s --json > " + log + "; r=$?; wait; exit $r");
   EXPECT_EQ(outcome.exit_code, 0) << outcome.output << read_file(folder / "drive.txt");
   const auto text = read_file(log);
-  // 100 Hz for the seconds in which all three run, less discovery and the filter's start.
+  // 100 Hz for the seconds in which all three run, minus discovery and the filter's start.
   EXPECT_GT(std::count(text.begin(), text.end(), '\n'), 200) << read_file(folder / "drive.txt");
 }
 
-// Each process in its turn is killed without a word and started again. What the second drive
-// printed is of a process that met ptys and buses as the first had left them.
+// Each process in turn is killed with SIGKILL and started again. The second `drive` finds the ptys
+// and buses as the first one left them.
 TEST(Program, EitherProcessKilledAndStartedAgainStreamsFromAllDevices) {
   const Folder folder;
   const std::string rig = "rig_config/rigs/demo.toml";

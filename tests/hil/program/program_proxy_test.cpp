@@ -1,4 +1,4 @@
-// The command `proxy`: what it refuses, and a whole way through it.
+// The command `proxy`: what it refuses, and one complete connection through it.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -40,7 +40,7 @@ TEST(Program, AProxyRefusesLinksThatDoNotFitEachOther) {
   EXPECT_EQ(slcan.exit_code, 2);
 }
 
-// The whole way as three programs: emulated log, proxy, and what a driver would read.
+// Three programs: an emulated log, the proxy, and a reader in place of a driver.
 TEST(Program, AProxyPassesAnEmulatedDeviceOnAndSumsUp) {
   const Folder folder;
   std::ofstream(folder / "rig.toml")

@@ -1,4 +1,4 @@
-// One process: `run` in real and virtual time, and faults set on it from another.
+// `run` in one process, in real and virtual time, with faults set from another process.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

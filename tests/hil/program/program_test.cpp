@@ -1,4 +1,4 @@
-// The program as a person or a script meets it: help, wrong usage, what is wrong with a rig file.
+// The program for a person or a script: help, wrong usage, errors in a rig file.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -18,7 +18,7 @@
 
 namespace program {
 
-/// The program beside a test, in the folder that holds its ptys and sockets; ended by SIGTERM.
+/// The program runs beside a test in the folder of its ptys and sockets. SIGTERM ends it.
 class Running {
  public:
   Running(const Folder& folder, const std::string& arguments, const std::string& name)
@@ -52,7 +52,7 @@ class Running {
 
   std::string output() const { return read_file(output_); }
 
-  /// What stands between `from` and the end of its line, once that has been said; empty after 15 s.
+  /// The text between `from` and the end of its line, as soon as it is printed. Empty after 15 s.
   std::string line_from(const std::string& from) const {
     const auto end = std::chrono::steady_clock::now() + std::chrono::seconds{15};
     while (std::chrono::steady_clock::now() < end) {

@@ -1,4 +1,4 @@
-// Which sockets of a running program the network can reach.
+// Which sockets of a running program can be reached from the network.
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <net/if.h>
@@ -23,7 +23,7 @@
 
 namespace sockets_test {
 
-/// The demo rig in real time with its live page, until the end of the test.
+/// The demo rig in real time with its live page. It runs until the end of the test.
 class RunningDemo {
  public:
   RunningDemo() {
@@ -58,7 +58,7 @@ class RunningDemo {
   RunningDemo& operator=(const RunningDemo&) = delete;
 
   std::filesystem::path descriptors() const { return "/proc/" + std::to_string(pid_) + "/fd"; }
-  /// The program's own descriptor, seen from here; below 0: not allowed, or gone.
+  /// A copy of the program's descriptor; below 0: not allowed, or closed.
   int borrow(int descriptor) const {
     return static_cast<int>(syscall(SYS_pidfd_getfd, pidfd_, descriptor, 0));
   }
@@ -84,7 +84,7 @@ struct Found {
   int streams = 0, datagrams = 0, beyond_loopback = 0;
 };
 
-/// Internet sockets that are bound to a port; packet and raw sockets count as beyond loopback.
+/// Internet sockets that are bound to a port. Packet and raw sockets count as reachable.
 Found sockets_of(const RunningDemo& demo) {
   Found found;
   std::error_code gone;
@@ -114,7 +114,7 @@ TEST(Sockets, OfARunningDemoRigAreAllOnTheLoopbackInterface) {
   close(own);
   Found found;
   const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(20);
-  // The page, two of DDS to receive on, one to send by.
+  // The page has one socket. DDS receives on two and sends on one.
   while ((found.streams < 1 || found.datagrams < 3) && std::chrono::steady_clock::now() < end) {
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
     found = sockets_of(demo);

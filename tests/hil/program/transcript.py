@@ -1,9 +1,10 @@
-"""Runs the commands of a transcript in a page of docs and finds its output again, so that the page does not rot.
+"""Runs the commands of a transcript in a page of docs and checks their output, so that the page stays correct.
 Usage: transcript.py PAGE HEADING DRYDOCK SOURCE_FOLDER
 
-Below the heading, in blocks that begin with ```console: `$ ` is a command, `> ` goes on with it, the lines behind it are output. Every
-one of them must come, in whatever order, numbers and paths aside; `...` stands for what is not shown. A number is one that no letter
-stands before (pd0 is a name), bytes in hex are numbers too; that 0 are bad or lost is meant so. A command must succeed unless the line behind its output is `(exit code N)`."""
+The transcript is below the heading, in blocks that begin with ```console. `$ ` begins a command, `> ` continues it, and the next lines
+are its output. Every output line must come, in any order; numbers and paths may differ. `...` stands for lines that are not shown.
+Digits after a letter are no number (pd0 is a name). Bytes in hex are numbers. "0 bad" and "0 lost" must match exactly. A command must
+succeed unless the line after its output is `(exit code N)`."""
 
 import itertools
 import os
@@ -45,7 +46,7 @@ def steps_of(text):
 
 
 def code_aside(text):
-    """The same length, without what looks like headings in code."""
+    """Replaces "#" in code blocks, so that code does not look like headings. The length stays the same."""
     return re.sub(r"^```.*?^```", lambda block: block[0].replace("#", " "), text, flags=re.M | re.S)
 
 
@@ -67,7 +68,7 @@ def pattern_of(line):
 
 
 def script_of(steps):
-    """A person takes a second to type on."""
+    """Waits a second after a background command, like a person who types the next one."""
     lines = ["set -m"]
     for number, step in enumerate(steps):
         lines += [f"echo {mark} {number}", step.command]
@@ -88,7 +89,7 @@ def run(steps):
 
 
 def check(steps, output):
-    """What a command in the background says may come at any time after it."""
+    """The output of a background command may come at any time after its start."""
     parts = re.split(rf"^{mark} (?:\d+|end)\n", output, flags=re.M)[1:]
     assert len(parts) == len(steps) + 1, output
     failures = []

@@ -1,6 +1,6 @@
-# What zsh offers for the last word of a command line: zsh -f zsh_offers.zsh FOLDER LINE
-# FOLDER holds the completion as _drydock. An interactive zsh with compinit runs in a pseudo-terminal of zsh/zpty; a line and
-# a Tab are typed there, and each word that a completion function adds is written down.
+# Prints the completions of zsh for the last word of a command line: zsh -f zsh_offers.zsh FOLDER LINE
+# FOLDER holds the completion as _drydock. An interactive zsh with compinit runs in a pseudo-terminal of zsh/zpty. The script
+# types the line and a Tab there and records each word that a completion function adds.
 zmodload zsh/zpty zsh/zselect
 folder=$1 line=$2
 offered=$(mktemp)
@@ -9,7 +9,7 @@ trap 'zpty -d shell 2>/dev/null; rm -f $offered $offered.setup' EXIT
 cat >$offered.setup <<SETUP
 fpath=($folder \$fpath)
 autoload -Uz compinit && compinit -D -u  # a folder in /tmp is not secure
-# With -O, -A or -D a function asks compadd what would match and adds nothing.
+# With -O, -A or -D, compadd only tells a function what would match. It adds no completions.
 compadd() {
   if [[ -z \${(M)@:#-[OAD]} ]]; then
     local -a words
@@ -27,7 +27,7 @@ TERM=dumb zpty shell zsh -f -i
 zpty -w shell "source $offered.setup"
 zpty -n -w shell "$line"$'\t\C-x'
 for ((tenths = 0; tenths < 300; ++tenths)); do
-  while zpty -r -t shell screen; do :; done  # read, or the shell would wait for it
+  while zpty -r -t shell screen; do :; done  # reads the screen, because otherwise the shell would block
   grep -q '^\[completed\]' $offered && break
   zselect -t 10
 done

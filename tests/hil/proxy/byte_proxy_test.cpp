@@ -1,4 +1,4 @@
-// A proxy between two ptys: bytes, faults, and ends that go and come back.
+// A proxy between two ptys: bytes, faults, and sides that go and come back.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -14,7 +14,7 @@ using namespace drydock::proxy::testing;
 using fault::FaultKind;
 using link::Side;
 
-/// The device on a pty, the drivers on another.
+/// The device is on one pty, the drivers on another.
 class ByteProxy : public ::testing::Test {
  protected:
   ByteProxy() {
@@ -122,7 +122,7 @@ TEST_F(ByteProxy, ARealSideThatGoesIsToldOfOnceTakesTheVirtualOneAlongAndComesBa
   EXPECT_FALSE(run(between_.io, drivers_->read(buffer)));
   drivers_->close();
   between_.io.restart();
-  between_.io.run_for(900ms);  // it tries in vain
+  between_.io.run_for(900ms);  // its attempts fail
   const auto lines = between_.said.size();
   EXPECT_EQ(lines, 3u) << between_.said.back();
   device_ = open(between_.io, real_, Side::device);

@@ -1,4 +1,4 @@
-// A CAN bus on its way to the drivers, one of its devices under faults, in virtual time.
+// A CAN bus on its way to the drivers, with faults on one of its devices, in virtual time.
 #include "hil/fault/wire/faulty_bus.hpp"
 
 #include <gmock/gmock.h>
@@ -74,7 +74,7 @@ TEST(DeviceFrames, OfAnXsensAreThoseOfItsIdentifiers) {
   device.xsens.identifiers.push_back({"rate_of_turn", 0x123});
   const DeviceFrames frames(device);
   EXPECT_TRUE(frames.has(frame(0x123, false)));
-  EXPECT_TRUE(frames.has(frame(0x34, false)));  // acceleration, as delivered
+  EXPECT_TRUE(frames.has(frame(0x34, false)));  // acceleration, default identifier
   EXPECT_FALSE(frames.has(frame(0x32, false)));
 }
 

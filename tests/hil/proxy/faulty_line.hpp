@@ -8,7 +8,7 @@
 #include "hil/fault/wire/faulty_stream.hpp"
 #include "tests/hil/proxy/outlet.hpp"
 
-/// A receiver whose bytes pass through its faults, in virtual time.
+/// A receiver whose bytes pass through faults, in virtual time.
 namespace drydock::fault::testing {
 
 inline DeviceConfig receiver(const std::string& protocol = "nmea0183") {
@@ -20,7 +20,7 @@ inline DeviceConfig receiver(const std::string& protocol = "nmea0183") {
   return device;
 }
 
-/// A device's line with its faults and the drivers behind it; time goes from deadline to deadline.
+/// A device's line with its faults and the drivers' end. Time goes from deadline to deadline.
 struct FaultyLine {
   explicit FaultyLine(const DeviceConfig& device = receiver())
       : schedule(std::make_shared<Schedule>(start)), stream(device, 7, schedule, start) {}

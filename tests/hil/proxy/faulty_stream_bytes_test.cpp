@@ -1,4 +1,5 @@
-// What a faulty line loses, turns or moves, for any bytes in any split: nothing but its faults'.
+// Which bytes a faulty line loses, changes or moves, for any bytes in any pieces: only those that
+// its faults explain.
 #include <gtest/gtest.h>
 
 #include <bit>
@@ -16,7 +17,7 @@ using namespace drydock::fault::testing;
 TEST(FaultyStream, WithoutAFaultPassesEachReadOnAsItCame) {
   EXPECT_TRUE(holds([] {
     FaultyLine bench;
-    // One that is still to come must not matter either.
+    // A fault that is still to come must not matter either.
     if (*rc::gen::arbitrary<bool>())
       bench.schedule->add(fault_of("device='gnss'\nfault='drop'\nstart_s=100"));
     std::vector<Heard::Read> said;
@@ -58,7 +59,7 @@ TEST(FaultyStream, WithFaultsThatNeverStrikeLosesAndMovesNoByte) {
   }));
 }
 
-/// Sentences and noise between them, in any split; the noise holds no start of a sentence.
+/// Sentences with noise between them, in any pieces. The noise holds no start of a sentence.
 struct Line {
   std::vector<std::string> pieces;
   std::string all;
@@ -104,7 +105,7 @@ TEST(FaultyStream, DropTakesWholeMessagesAndNothingElse) {
         ++missing;
       }
     }
-    // Of two equal neighbours either may be the one that is missing; how many are is the same.
+    // If two neighbours are equal, either may be missing; the number of missing ones is the same.
     RC_ASSERT(rest.empty());
     RC_ASSERT(missing == bench.stream.hits()[FaultKind::drop]);
   }));

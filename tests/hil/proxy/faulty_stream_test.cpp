@@ -1,4 +1,4 @@
-// The bytes of a real or recorded device under faults, in virtual time: when they go on.
+// When the bytes of a real or recorded device pass its faults, in virtual time.
 #include <gtest/gtest.h>
 
 #include "tests/hil/proxy/faulty_line.hpp"
@@ -49,7 +49,8 @@ TEST(FaultyStream, OneSeedGivesOneOutputAndAnotherAnother) {
 TEST(FaultyStream, WhenAFaultEndsWhatItHeldComesInItsPlace) {
   FaultyLine bench;
   bench.schedule->add(fault_of("device='gnss'\nfault='reorder'\nprobability=1.0\nfor_s=1"));
-  bench.say(gga + "$GPR", start + 990ms);  // the first waits for its successor, the second is cut
+  bench.say(gga + "$GPR", start + 990ms);  // the first waits for its successor, the second is
+                                           // incomplete
   EXPECT_EQ(bench.heard.all(), "");
   bench.say(rmc.substr(4), start + 1010ms);
   EXPECT_EQ(bench.heard.all(), gga + rmc);

@@ -1,4 +1,5 @@
-// Every fault of the vocabulary on a real receiver's line: refused with a line, or it strikes.
+// Every fault of the vocabulary on a real receiver's line: it is refused with a line, or it takes
+// effect.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -15,8 +16,8 @@ using namespace drydock::fault;
 using namespace drydock::fault::testing;
 using rig_config::FaultTarget;
 
-// Every word of the vocabulary, as it meets a real receiver: refused with a line, or it sets, hits
-// what it says, and clears.
+// Every fault of the vocabulary on a real receiver's line is refused with a line, or it begins,
+// hits what it says, and clears.
 TEST(FaultyStream, EachFaultOfTheVocabularyIsRefusedOrSetsAndClears) {
   using namespace std::string_literals;
   const std::map<std::string_view, std::string> with_amount{{"wrong-baud", "baud=4800"}};
@@ -57,7 +58,7 @@ TEST(FaultyStream, EachFaultOfTheVocabularyIsRefusedOrSetsAndClears) {
     EXPECT_GT(bench.stream.hits()[word.kind], 0u) << word.name;
 
     EXPECT_EQ(bench.schedule->clear(word.kind), 1u);
-    bench.run_until(start + 5s);  // what it held comes
+    bench.run_until(start + 5s);  // messages that it held come now
     bench.heard = {};
     said.clear();
     const auto hits = bench.stream.hits()[word.kind];

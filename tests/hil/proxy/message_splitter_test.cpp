@@ -53,7 +53,7 @@ TEST(MessageSplitter, TellsHowManyBytesOfTheReadCameAfterAFrame) {
 
 TEST(MessageSplitter, OfAFrameThatNeverEndsFindsTheOneBehindItsStart) {
   auto split = splitter("ubx");
-  // A header that announces 200 bytes, then ACK-ACK of CFG-MSG.
+  // A header that announces 200 bytes, then an ACK-ACK for CFG-MSG.
   const std::string cut("\xB5\x62\x01\x07\xC8\x00", 6);
   const std::string ack("\xB5\x62\x05\x01\x02\x00\x06\x01\x0F\x38", 10);
   Pieces pieces;

@@ -9,12 +9,12 @@
 #include "hil/fault/wire/outlet.hpp"
 #include "rig_config/load.hpp"
 
-/// What drivers hear behind faults, and lines that none of our encoders made.
+/// What drivers receive after faults, and example lines that no encoder of this program made.
 namespace drydock::fault::testing {
 
 using namespace std::chrono_literals;
 
-/// What came out, when.
+/// The output with its times.
 struct Heard final : Outlet {
   struct Read {
     std::string bytes;
@@ -53,13 +53,13 @@ inline wire::Bytes bytes_of(std::string_view text) {
   return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
 }
 
-// The sentences that manuals of GPS receivers show.
+// Example sentences from manuals of GPS receivers.
 inline const std::string gga =
     "$GPGGA,123519,4807.038,N,01131.000,E,1,08,0.9,545.4,M,46.9,M,,*47\r\n";
 inline const std::string rmc =
     "$GPRMC,123519,A,4807.038,N,01131.000,E,022.4,084.4,230394,003.1,W*6A\r\n";
 
-/// A fault as a file would have it.
+/// A fault from the text of a fault file.
 inline FaultConfig fault_of(const std::string& keys) {
   return rig_config::load_faults_text("[[fault]]\n" + keys, "faults.toml").value().front();
 }

@@ -12,13 +12,13 @@
 #include "tests/drivers/link/running.hpp"
 #include "tests/hil/proxy/outlet.hpp"
 
-/// Real links, real time: what is tested with it is a proxy's meeting with the operating system.
-/// What faults do to what passes is tested in virtual time.
+/// Real links in real time: these tests check a proxy's use of the operating system. Other tests
+/// check the effects of faults in virtual time.
 namespace drydock::proxy::testing {
 
 using namespace link::testing;
 
-/// A proxy between two ends that the test holds, each a URI.
+/// A proxy between two URIs. The test holds both other ends.
 class ProxyBetween {
  public:
   ProxyBetween(const std::string& real, const std::string& virt,

@@ -78,7 +78,7 @@ struct Measurements final : device::Listener {
   int count = 0;
 };
 
-// Emulated DVL, pty, proxy, pty, driver.
+// The chain is emulated DVL, pty, proxy, pty, driver.
 TEST(Proxy, ADvlBehindItIsSoundToItsDriverAndEachOfItsReportsSurvives) {
   const std::string real = "pty:" + unique("proxied-dvl") + "?baud=115200";
   const std::string virt = "pty:" + unique("dvl") + "?baud=115200";

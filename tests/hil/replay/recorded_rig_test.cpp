@@ -1,4 +1,4 @@
-// The rig file that a recording carries, unpacked.
+// The rig file inside a recording, unpacked.
 #include <gtest/gtest.h>
 
 #include <fstream>

@@ -18,14 +18,15 @@
 #include "rig_config/load.hpp"
 #include "tests/drivers/decode/captured.hpp"
 
-/// The demo rig in virtual time, recorded, and its recording played through drivers and estimators.
+/// The demo rig runs in virtual time and is recorded. The recording is played through drivers and
+/// estimators.
 namespace recorded_run {
 
 using namespace drydock;
 using namespace drydock::replay;
 namespace fs = std::filesystem;
 
-/// Everything understood but truth and health, by topic: the messages' bytes with their times.
+/// All understood messages except truth and health, by topic: their bytes with their times.
 inline std::map<std::string, std::vector<std::string>> results_of(const std::string& path) {
   std::map<std::string, std::vector<std::string>> topics;
   auto recording = record::Recording::open(path).value();

@@ -1,4 +1,4 @@
-// References on a message of two fields, with bytes written by hand.
+// References on a message of two fields. The bytes are written by hand.
 #include <gtest/gtest.h>
 
 #include <bit>
@@ -34,7 +34,7 @@ References references(std::optional<std::uint64_t> every, int count = 10) {
   return parse_references(to_json_text(maker.made("all"))).value();
 }
 
-/// The tenth message with another depth, and how many there are.
+/// Checks `count` messages; the message number `other` has another depth.
 std::vector<Divergence> checked(References expected, double tolerance, int other, double depth,
                                 int count = 10) {
   ReferenceCheck check(std::move(expected), tolerance);

@@ -1,4 +1,4 @@
-// A replay against the references of another.
+// A replay is checked against the references of another replay.
 #include <gtest/gtest.h>
 
 #include "tests/hil/replay/recorded_run.hpp"

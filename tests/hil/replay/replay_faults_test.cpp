@@ -1,4 +1,4 @@
-// Faults put on a recording, as if its devices had had them.
+// Faults are applied to a recording, as if its devices had had them.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -10,7 +10,7 @@ namespace replay_faults_test {
 
 using namespace recorded_run;
 
-/// Times of a device's measurements of one type.
+/// The times of a device's measurements of one type.
 std::vector<double> times_of(const std::string& text, const std::string& device,
                              const std::string& type) {
   std::vector<double> times;

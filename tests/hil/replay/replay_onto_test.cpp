@@ -1,4 +1,4 @@
-// A recording onto a pty, and a driver in real time at its other end.
+// A recording is written to a pty, and a driver reads its other end in real time.
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -18,7 +18,7 @@ namespace replay_onto_test {
 using namespace drydock;
 using namespace drydock::replay;
 
-/// The velocities that a DVL's driver gives, and when its link is open.
+/// Collects the velocities of a DVL's driver and notes when its link is open.
 class Velocities final : public device::Listener {
  public:
   std::vector<Eigen::Vector3d> all;

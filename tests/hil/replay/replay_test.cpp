@@ -1,4 +1,4 @@
-// A recorded run played again: all of it or a part, at once, at a pace or a message a line.
+// A recorded run is played again: whole or in part, at once, at a pace, or one message per line.
 #include <gtest/gtest.h>
 
 #include <chrono>

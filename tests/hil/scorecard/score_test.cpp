@@ -1,4 +1,4 @@
-// What the scorecard makes of two runs, on runs made by hand.
+// The scorecard's results for two runs that were made by hand.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -14,7 +14,7 @@ using namespace drydock::scorecard;
 
 constexpr Window window{.warm_up_s = 10, .fault_s = 10, .after_s = 10};
 
-/// A depth sensor at 10 Hz that sinks at 0.5 m/s and is read to 1 cm.
+/// A depth sensor at 10 Hz that sinks at 0.5 m/s. Its resolution is 1 cm.
 double depth_at(double t_s) { return std::round(50 * t_s) / 100; }
 
 void say(DeviceRecord& device, double valid_s, double received_s, double depth) {
@@ -56,7 +56,7 @@ Score score(const RunRecord& run, rig_config::FaultKind kind) {
 }
 
 TEST(Reference, AllowsTwiceWhatResolutionPutsANumberOffItsNeighboursLine) {
-  // 5.3 cm a sample, read to 1 cm: up to 1 cm off the line of its neighbours.
+  // 5.3 cm per sample, resolution 1 cm: up to 1 cm off the line between the neighbours.
   RunRecord run = sound_run();
   for (Sample& sample : run.devices[0].series[0].samples)
     sample.value = std::round(53 * sample.valid_s) / 100;

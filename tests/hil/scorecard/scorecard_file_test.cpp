@@ -1,4 +1,4 @@
-// A scorecard as a file that is its own reference, and as a picture.
+// A scorecard as a file that serves as its own reference, and as a picture.
 #include <gtest/gtest.h>
 
 #include <stdexcept>

@@ -13,7 +13,7 @@ TEST(AllanVariance, OfARampIsHalfTauSquaredAndOfAnAlternationOneSampleLong) {
   AllanVariance allan;
   for (int k = 0; k < 1024; ++k) allan.add({0.5 * k, k % 2 == 0 ? 1.0 : -1.0, 7});
   const auto points = allan.points();
-  ASSERT_EQ(points.size(), 7);  // 1 to 64 samples: of 128 there are but eight clusters
+  ASSERT_EQ(points.size(), 7);  // 1 to 64 samples; of 128 there are only eight clusters
   for (const auto& point : points) {
     const auto m = static_cast<double>(point.samples);
     EXPECT_EQ(point.clusters, 1024 / point.samples);

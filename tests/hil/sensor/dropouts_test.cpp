@@ -24,7 +24,8 @@ TEST(Dropouts, ComeInBurstsOfTheGivenMeanLength) {
     outages += now && !out;
     out = now;
   }
-  // Two-state chain: p L / (1 + p L) of the samples; lengths are geometric, variance L (L - 1).
+  // Two-state chain: a share p L / (1 + p L) of the samples is lost. Lengths are geometric with
+  // variance L (L - 1).
   const double expected = begin * mean / (1 + begin * mean);
   EXPECT_NEAR(static_cast<double>(outages) / (n - lost), begin, 4 * std::sqrt(begin / n));
   EXPECT_NEAR(static_cast<double>(lost) / outages, mean,
@@ -37,7 +38,7 @@ TEST(Dropouts, OfMeanLengthOneNeverLastLonger) {
   bool last = false;
   for (int i = 0; i < 1000; ++i) {
     const bool now = dropouts.next_is_lost();
-    EXPECT_FALSE(now && last);  // an outage of one sample is over at the next
+    EXPECT_FALSE(now && last);  // an outage of one sample ends at the next
     last = now;
   }
 }

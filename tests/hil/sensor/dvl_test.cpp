@@ -35,7 +35,7 @@ Truth tilted(Truth truth, double roll_deg, double pitch_deg, double yaw_deg = 0)
   return truth;
 }
 
-/// A bed that goes down by 20 degrees towards the north, 60 m deep at the vehicle.
+/// A bed that descends by 20 degrees to the north and is 60 m deep at the vehicle.
 OceanConfig slope() {
   OceanConfig ocean;
   ocean.bed = {
@@ -58,7 +58,7 @@ TEST(DvlPing, LevelOverAPlaneAllBeamsReadTheAltitudesVerticalRange) {
 
 TEST(DvlPing, NosedUpTheForwardBeamIsTheLongestAndTheAfterBeamTheShortest) {
   const auto sample = ping(tilted(level(), 0, 10));
-  // Beams 3 and 4 stand 30 deg before and behind the axis, which leans 10 deg ahead.
+  // Beams 3 and 4 are 30 deg before and behind the axis, which points 10 deg forward.
   EXPECT_NEAR(*sample.range_m[2], 50 / std::cos(40 * degree) * c30, 1e-9);
   EXPECT_NEAR(*sample.range_m[3], 50 / std::cos(20 * degree) * c30, 1e-9);
   EXPECT_NEAR(*sample.range_m[0], 50 / (c30 * std::cos(10 * degree)) * c30, 1e-9);
@@ -68,31 +68,33 @@ TEST(DvlPing, NosedUpTheForwardBeamIsTheLongestAndTheAfterBeamTheShortest) {
 
 TEST(DvlPing, HeeledToStarboardTheStarboardBeamIsTheShortest) {
   const auto sample = ping(tilted(level(), 5, 0));
-  // PD0: beam 1 looks to port, beam 2 to starboard.
+  // PD0: beam 1 points to port, beam 2 to starboard.
   EXPECT_NEAR(*sample.range_m[1], 50 / std::cos(25 * degree) * c30, 1e-9);
   EXPECT_NEAR(*sample.range_m[0], 50 / std::cos(35 * degree) * c30, 1e-9);
 }
 
 TEST(DvlPing, OverASlopeTheDownhillBeamIsTheLongestAndTheAltitudeStaysTheHeads) {
   const auto sample = dvl_ping(Frozen(level(), slope()), {}, {}, {});
-  // Sine rule: heading north, beam 3 looks downhill.
+  // Sine rule. The heading is north, so beam 3 points downhill.
   EXPECT_NEAR(*sample.beams[2].range_m, 50 * std::cos(20 * degree) / std::cos(50 * degree), 1e-6);
   EXPECT_NEAR(*sample.beams[3].range_m, 50 * std::cos(20 * degree) / std::cos(10 * degree), 1e-6);
   EXPECT_NEAR(*sample.beams[0].range_m, 50 / c30, 1e-6);
-  // Each pair's harmonic mean is the way along the head's axis to the plane: here the plumb line.
+  // Each pair's harmonic mean gives the distance to the plane along the head's axis, here the plumb
+  // line.
   EXPECT_NEAR(*sample.altitude_m, 50, 1e-6);
   EXPECT_NEAR((*sample.velocity - Vector3d(2, 0.3, -0.1)).norm(), 0, 1e-12);
 }
 
 TEST(DvlPing, NosedDownSlopeParallelToTheBedAllBeamsReadAlike) {
-  // Axis square to the bed: its distance is 50 cos 20, and that times cos 20 is what the head says.
+  // The axis is perpendicular to the bed at a distance of 50 cos 20. The head reports this times
+  // cos 20.
   const auto sample = dvl_ping(Frozen(tilted(level(), 0, -20), slope()), {}, {}, {});
   for (const auto& range : sample.range_m) EXPECT_NEAR(*range, 50 * std::cos(20 * degree), 1e-6);
   EXPECT_NEAR(*sample.altitude_m, 50 * std::pow(std::cos(20 * degree), 2), 1e-6);
 }
 
 TEST(DvlPing, AMountedHeadSeesTheSlopeFromItsOwnPlaceAndBeams) {
-  // Turned a quarter to starboard, 6 m ahead: beam 1 (port) now looks north, downhill.
+  // Turned by 90 deg to starboard, 6 m ahead: beam 1 (port) now points north, downhill.
   rig_config::DeviceConfig config;
   config.mounting_rad = {0, 0, 90 * degree};
   config.lever_arm_m = {6, 0, 0};
@@ -104,7 +106,7 @@ TEST(DvlPing, AMountedHeadSeesTheSlopeFromItsOwnPlaceAndBeams) {
 }
 
 TEST(DvlPing, LosesTheBedAtItsLongestAndItsShortestRange) {
-  // Level, the range is altitude / cos 30 deg: 120 m of it is 103.92 m of altitude.
+  // When level, the range is altitude / cos 30 deg: a range of 120 m is an altitude of 103.92 m.
   EXPECT_TRUE(ping(level(10, 10 + 103.9)).velocity);
   const auto lost = ping(level(10, 10 + 104));
   EXPECT_FALSE(lost.velocity || lost.altitude_m || lost.range_m[0] || lost.error_velocity_mps);
@@ -150,7 +152,7 @@ TEST(DvlPing, ErrorVelocityIsTheDisagreementOfThePairs) {
   PingNoise noise;
   noise.bed_mps = {0.01, 0.01, -0.01, -0.01};
   const auto sample = ping(level(), {}, noise);
-  // 0.04 / (2 sqrt2 sin 30): the pairs differ, their sums and differences agree with the truth.
+  // 0.04 / (2 sqrt2 sin 30): the two pairs differ, and the velocity still equals the truth.
   EXPECT_NEAR(*sample.error_velocity_mps, -0.04 / std::numbers::sqrt2, 1e-12);
   EXPECT_NEAR((*sample.velocity - Vector3d(2, 0.3, -0.1)).norm(), 0, 1e-12);
 }
@@ -162,7 +164,7 @@ TEST(WaterTrack, MeasuresAgainstTheMeanCurrentOfItsLayer) {
   const JanusHead head{.layer = WaterLayer{2, 10}};
   const auto water = dvl_ping(Frozen(tilted(level(), 0, 0, 90), ocean), {}, {}, head).water;
   ASSERT_TRUE(water.velocity);
-  // The cubic step's mean is half its height; heading east, north is to port.
+  // The mean of the cubic step is half its height. The heading is east, so north is to port.
   EXPECT_NEAR((*water.velocity - Vector3d(2 - 0.25, 0.3 + 0.5, -0.1)).norm(), 0, 1e-12);
   EXPECT_NEAR(*water.error_velocity_mps, 0, 1e-12);
 }
@@ -180,17 +182,17 @@ TEST(WaterTrack, IsLostWhereTheLayerMeetsTheBedOrTheSurface) {
   const JanusHead head{.layer = WaterLayer{10, 10}};
   EXPECT_TRUE(ping(level(10, 30.1), head).water.velocity);
   EXPECT_FALSE(ping(level(10, 29.9), head).water.velocity);
-  EXPECT_TRUE(ping(level(10, 500), head).water.velocity);  // no bed in sight
-  EXPECT_FALSE(ping(level(10, 500)).water.velocity);       // no layer set up
+  EXPECT_TRUE(ping(level(10, 500), head).water.velocity);  // the bed is out of range
+  EXPECT_FALSE(ping(level(10, 500)).water.velocity);       // no layer is configured
   EXPECT_FALSE(ping(level(-1, 500), head).water.velocity);
-  // Upside down it would look out of the water.
+  // Upside down, the layer would be above the surface.
   EXPECT_FALSE(ping(tilted(level(10, 500), 180, 0), head).water.velocity);
 }
 
 TEST(WaterTrack, OverASlopeTheUphillBeamIsLostFirst) {
   const JanusHead head{.layer = WaterLayer{10, 32}};
   const auto water = dvl_ping(Frozen(level(), slope()), {}, {}, head).water;
-  // 42 m along the axis are 48.5 m along a beam; uphill the bed is met after 47.7 m.
+  // 42 m along the axis are 48.5 m along a beam. The uphill beam meets the bed after 47.7 m.
   EXPECT_EQ(water.beam_good, (std::array{true, true, true, false}));
   EXPECT_TRUE(water.velocity);
   EXPECT_FALSE(water.error_velocity_mps);

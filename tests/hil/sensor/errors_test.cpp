@@ -63,7 +63,7 @@ TEST(Errors, WithoutErrorsNothingChanges) {
   EXPECT_EQ(model.apply(1.25, sample_time(0)), 1.25);
 }
 
-// 200 deg/s of the mixing paper's gyro, in deg/s: 600 ppm, 100 ppm between the signs, 2 ppm per
+// The mixing paper's gyro at 200 deg/s, in deg/s: 600 ppm, 100 ppm between the signs, 2 ppm per
 // deg/s.
 TEST(Errors, ScaleFactorItsAsymmetryAndItsNonlinearityByHand) {
   SensorErrors errors;

@@ -18,8 +18,8 @@ using measurement::stamp_from_ns;
 
 constexpr double degree = std::numbers::pi / 180;
 
-// Spins about z with a rate that grows linearly: rate = w0 + acceleration * t. No gravity, no
-// Earth.
+// Spins about z at a rate that grows linearly: rate = w0 + acceleration * t. Without gravity and
+// Earth rate.
 class Spin final : public Trajectory {
  public:
   Spin(double rate, double acceleration) : rate_(rate), acceleration_(acceleration) {}
@@ -82,7 +82,7 @@ TEST(LeverArm, TurningAboutZTheSensorAheadMovesToStarboard) {
 TEST(IdealLog, ReadsTheSpeedThroughTheWaterNotOverTheGround) {
   Truth truth = level();
   set_attitude(truth, 0, 0, 90 * degree);  // heading east at 2 m/s over ground
-  truth.current_ned = {0.3, 0.5, 0};       // sets along the course and to port
+  truth.current_ned = {0.3, 0.5, 0};       // a current along the course and to port
   const auto sample = ideal_log(motion::test::Frozen(truth), {}, {});
   EXPECT_NEAR(*sample.longitudinal_mps, 1.5, 1e-12);
   EXPECT_NEAR(*sample.transverse_mps, 0.3, 1e-12);
@@ -113,14 +113,14 @@ TEST(IdealGnss, UnderWaterItHasNoFixAndSeesNoSatellites) {
   EXPECT_EQ(ideal_gnss(deep, {}).type, measurement::FixType::none);
   EXPECT_TRUE(ideal_sky(deep, true).satellites.empty());
   EXPECT_TRUE(ideal_gnss(level(0.29), {}).position);
-  // A mast of 1 m reaches out of the water.
+  // A mast of 1 m is above the water.
   EXPECT_TRUE(ideal_gnss(level(1.2), {Eigen::Matrix3d::Identity(), {0, 0, -1}}).position);
 }
 
 TEST(IdealDepth, PressureIsThatOfTheWaterColumnAboveTheSensor) {
   Truth truth = level(50);
   set_attitude(truth, 0, 30 * degree, 0);
-  // 2 m ahead of the origin, nosed up by 30 deg: 1 m higher.
+  // 2 m ahead of the origin at a pitch of 30 deg: 1 m higher.
   const auto sample =
       ideal_depth(truth, ocean::Ocean({}, {}), {Eigen::Matrix3d::Identity(), {2, 0, 0}});
   EXPECT_NEAR(*sample.depth_m, 49, 1e-12);

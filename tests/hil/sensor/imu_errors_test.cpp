@@ -28,7 +28,7 @@ ImuSample ideal(const Vector3d& rate, const Vector3d& force) {
   return sample;
 }
 
-/// The mixing paper's Table 5 with every constant at +1 sigma, and without its white noise.
+/// The mixing paper's Table 5 with every constant at +1 sigma and without white noise.
 rig_config::EmulateConfig table_5() {
   auto config = grade("mixing-paper.toml");
   config.fixed_bias = true;
@@ -39,10 +39,10 @@ rig_config::EmulateConfig table_5() {
 TEST(ImuErrors, OfTable5AtRestLevelByHand) {
   ImuErrors errors(table_5(), 100, 1, "imu");
   const auto reading = errors.apply(ideal(Vector3d::Zero(), {0, 0, -g}));
-  // Gyro, deg/h: bias 10; x feels its spin axis, z: -5; z feels its input axis: -5; no product of
-  // two axes.
+  // Gyro, deg/h: bias 10; x is sensitive along its spin axis, z: -5; z along its input axis: -5; no
+  // product of two axes.
   EXPECT_NEAR((reading.angular_rate / degph - Vector3d(5, 10, 5)).norm(), 0, 1e-9);
-  // Accelerometer, g: bias 2e-3; x and y feel 1e-3 of z; z: -1 (1 + 6e-4) + 0.5e-4 + 7.5e-6.
+  // Accelerometer, g: bias 2e-3; x and y pick up 1e-3 of z; z: -1 (1 + 6e-4) + 0.5e-4 + 7.5e-6.
   EXPECT_NEAR((reading.specific_force / g -
                Vector3d(2e-3 - 1e-3, 2e-3 - 1e-3, -1 + 2e-3 - 6e-4 + 0.5e-4 + 7.5e-6))
                   .norm(),
@@ -61,8 +61,8 @@ TEST(ImuErrors, OfTable5TurningUnderLoadByHand) {
   // asymmetry 0.5e-4 * 0.5; non-linearity 7.5e-6 * 0.25; misalignment 1e-3 (0 - 1).
   EXPECT_NEAR(reading.specific_force.x() / g - 0.5, 2e-3 - 1.5e-5 + 3e-4 + 2.5e-5 + 1.875e-6 - 1e-3,
               1e-12);
-  // Accelerometer y: bias 2e-3; turns about z, its output axis: 1e-4 * -30; misalignment
-  // 1e-3 (0.5 - 1).
+  // Accelerometer y: bias 2e-3; rotation about z, its output axis: 1e-4 * -30; misalignment 1e-3
+  // (0.5 - 1).
   EXPECT_NEAR(reading.specific_force.y() / g, 2e-3 - 3e-3 - 5e-4, 1e-12);
 }
 

@@ -17,7 +17,7 @@ using std::chrono::milliseconds;
 
 const Stamp start = measurement::stamp_from_ns(0);
 
-/// Turns about z at a rate that grows linearly and feels a constant force along x.
+/// Turns about z at a rate that grows linearly, with a constant force along x.
 class Spin final : public motion::Trajectory {
  public:
   Truth at(Stamp time) const override {
@@ -61,12 +61,12 @@ TEST(Increments, AreInTheSensorsAxes) {
   EXPECT_NEAR(one.velocity.x(), 0.02, 1e-15);
 }
 
-// A thousandth of the paper's noise (0.4 mdeg/sqrt(h), 4 ug/sqrt(Hz)) in 10 ms.
+// In 10 ms, a thousandth of the paper's noise (0.4 mdeg/sqrt(h), 4 ug/sqrt(Hz)).
 TEST(Increments, OfATurningDivingVehicleAreExactToAThousandthOfTheNoiseEach) {
   auto mission =
       rig_config::load_mission(DRYDOCK_SOURCE_DIR "/rig_config/missions/velocity-paper.toml")
           .value();
-  mission.legs.erase(mission.legs.begin());  // the dive at once
+  mission.legs.erase(mission.legs.begin());  // begins with the dive
   const auto trajectory = motion::make_trajectory(mission, start);
   const double noise_rad = 0.4e-3 * std::numbers::pi / 180 / 60 * 0.1;
   const double noise_mps = 4e-6 * 9.80665 * 0.1;

@@ -8,8 +8,8 @@
 #include "hil/motion/truth.hpp"
 #include "hil/sensor/increments.hpp"
 
-/// A strapdown mechanization in ECEF that has only an IMU's increments and, for its height, the
-/// true one: other states and other equations than those of the trajectory.
+/// A strapdown mechanization in ECEF that uses only an IMU's increments and, for its height, the
+/// true height. Its states and equations differ from those of the trajectory.
 namespace drydock::sensor::test {
 
 using Eigen::Matrix3d;
@@ -25,8 +25,9 @@ class InertialNavigation {
  public:
   explicit InertialNavigation(const motion::Truth& truth) { set(truth); }
 
-  /// Two intervals of dt seconds each (coning and sculling for rates linear in time: Savage,
-  /// "Strapdown Inertial Navigation Integration Algorithm Design", J. Guidance 21(1-2), 1998).
+  /// Advances by two intervals of dt seconds each (coning and sculling for rates linear in time:
+  /// Savage, "Strapdown Inertial Navigation Integration Algorithm Design", J. Guidance 21(1-2),
+  /// 1998).
   void advance(const Increments& a, const Increments& b, double dt) {
     const double h = 2 * dt;
     const Vector3d angle = a.angle + b.angle, sum = a.velocity + b.velocity;
@@ -48,8 +49,8 @@ class InertialNavigation {
     body_to_ecef = turn(-h * earth) * body_to_ecef * turn(coned);
   }
 
-  /// Second-order loop on the true height: without it height errors grow by e in ten minutes, to
-  /// 1e14 times in 5.5 h. What it adds to the vertical acceleration, m/s2, comes back.
+  /// Second-order loop on the true height. Without it height errors grow by a factor e in ten
+  /// minutes, and 1e14 in 5.5 h. Returns the correction of the vertical acceleration, m/s2.
   double hold_height(double height_m, double dt) {
     constexpr double time_s = 30, stiffness = 1 / (time_s * time_s), damping = 2 / time_s;
     const auto place = frame::geodetic(position);

@@ -8,11 +8,11 @@
 #include "hil/motion/make_trajectory.hpp"
 #include "rig_config/load.hpp"
 
-/// The truth of 5.5 h, found again from the increments of a perfect IMU alone.
+/// The truth of 5.5 h, reproduced from the increments of a perfect IMU.
 namespace drydock::sensor {
 namespace inertial_navigation_test {
 
-// The paper's Table 2, as it grows in 5.5 h.
+// The growth of the paper's Table 2 in 5.5 h.
 const double hours = 5.5;
 const double angle_noise_rad = 0.4e-3 * std::numbers::pi / 180 * std::sqrt(hours);
 const double velocity_noise_mps = 4e-6 * 9.80665 * std::sqrt(3600 * hours);
@@ -42,7 +42,7 @@ TEST(InertialNavigation, FindsTheVelocityPapersMissionAgainFromIncrements) {
   EXPECT_LT(worst.position_m, 0.01);
   EXPECT_LT(worst.velocity_mps, 1e-3 * velocity_noise_mps);
   EXPECT_LT(worst.attitude_rad, 1e-3 * angle_noise_rad);
-  EXPECT_LT(height_loop_mps2, 1e-8);  // 1 ng: the loop steadies the height, it does not make it
+  EXPECT_LT(height_loop_mps2, 1e-8);  // 1 ng: the loop only stabilises the height
 }
 
 }  // namespace inertial_navigation_test

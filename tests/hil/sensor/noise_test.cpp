@@ -7,8 +7,8 @@
 
 #include "hil/sensor/readout.hpp"
 
-/// Against the closed forms of IEEE Std 952, annex C. Bounds are four standard errors of the
-/// estimate unless said otherwise.
+/// Compared with the closed forms of IEEE Std 952, annex C. Bounds are four standard errors of the
+/// estimate unless a comment says otherwise.
 namespace drydock::sensor {
 namespace noise_test {
 
@@ -30,8 +30,8 @@ double allan_variance(const std::vector<double>& readings, std::size_t m) {
   return sum / (2 * static_cast<double>(clusters - 1));
 }
 
-/// Relative standard error of that estimate: clusters' differences are taken for independent, a
-/// little more is allowed for that they are not.
+/// Relative standard error of that estimate. It treats the differences of clusters as independent
+/// and adds a small allowance, because they are not.
 double allan_error(std::size_t readings, std::size_t m) {
   return std::sqrt(3 / static_cast<double>(readings / m));
 }
@@ -73,7 +73,7 @@ TEST(AllanVariance, OfARateRandomWalkGrowsAsAThirdOfTauAtAnyRate) {
   for (const double rate_hz : {100.0, 10.0}) {
     const auto readings = drift(errors, rate_hz, 400'000);
     for (const std::size_t m : {20U, 200U, 2000U}) {
-      // K^2 tau / 3 is the continuous walk's; sampled it is larger by (1 + 1 / (2 m^2)).
+      // K^2 tau / 3 is for a continuous walk. A sampled walk has (1 + 1 / (2 m^2)) times that.
       const double expected = 0.04 * static_cast<double>(m) / rate_hz / 3;
       EXPECT_NEAR(allan_variance(readings, m), expected,
                   4 * expected * allan_error(readings.size(), m))
@@ -110,8 +110,8 @@ TEST(AllanVariance, OfCarriedQuantisationFallsAsOneOverTauSquared) {
     const double ideal = 20 * input.uniform();
     reading = readout.of({ideal, 0, 0}).x() - ideal;
   }
-  // Each cluster's sum is off by the difference of two rests, uniform within half a step:
-  // sigma^2(tau) = 3 Q^2 / tau^2 with Q^2 = q^2 / 12 in steps of samples.
+  // The error of each cluster's sum is the difference of two remainders, uniform within half a
+  // step: sigma^2(tau) = 3 Q^2 / tau^2 with Q^2 = q^2 / 12 in steps of samples.
   for (const std::size_t m : {1U, 10U, 100U}) {
     const double expected = 3 / 12.0 / static_cast<double>(m * m);
     EXPECT_NEAR(allan_variance(readings, m), expected,
@@ -120,7 +120,7 @@ TEST(AllanVariance, OfCarriedQuantisationFallsAsOneOverTauSquared) {
 }
 
 struct Ensemble {
-  double variance = 0, covariance = 0;  ///< at the end, and with a moment before
+  double variance = 0, covariance = 0;  ///< at the end, and with an earlier time
 };
 
 /// Over 20 000 runs: after 4 s in steps of 1 / rate, and `lag_s` later.
@@ -156,7 +156,7 @@ TEST(RandomWalk, VarianceGrowsWithTimeWhateverTheRate) {
   for (const double rate_hz : {5.0, 1.0}) {
     const auto found = ensemble(errors, rate_hz, 10);
     EXPECT_NEAR(found.variance, 0.25 * 4, 4 * std::sqrt(2 / 20'000.0)) << rate_hz;
-    // Increments are independent: 10 s later the covariance is still the variance before.
+    // Increments are independent, so 10 s later the covariance equals the earlier variance.
     EXPECT_NEAR(found.covariance, 1, 4 * std::sqrt((3.5 + 1) / 20'000.0)) << rate_hz;
   }
 }

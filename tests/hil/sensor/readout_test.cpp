@@ -60,7 +60,7 @@ TEST(Readout, CarryingTheRestNoSumIsOffByMoreThanHalfAStep) {
     ideal += rate;
     ASSERT_LE((kept - ideal).cwiseAbs().maxCoeff(), 0.5 + 1e-9);
   }
-  EXPECT_EQ(lost, Vector3d::Zero());  // a third of a step a sample never shows
+  EXPECT_EQ(lost, Vector3d::Zero());  // a third of a step per sample is always rounded to zero
 }
 
 TEST(Readout, ASaturatedAxisCarriesNothingOver) {

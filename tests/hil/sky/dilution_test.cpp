@@ -24,7 +24,7 @@ std::vector<measurement::Satellite> zenith_and_three_at(double elevation_deg) {
           satellite(elevation_deg, 250)};
 }
 
-// H'H falls apart into north, east and [down, time], whose inverses are written out by hand.
+// H'H separates into north, east and [down, time]. Their inverses are written by hand.
 TEST(Dilution, OfOneAtTheZenithAndThreeOnTheHorizonIsKnown) {
   const auto d = dilution(zenith_and_three_at(0)).value();
   EXPECT_NEAR(d.horizontal, std::sqrt(4.0 / 3), 1e-12);
@@ -34,7 +34,7 @@ TEST(Dilution, OfOneAtTheZenithAndThreeOnTheHorizonIsKnown) {
   EXPECT_NEAR(d.geometric, std::sqrt(3.0), 1e-12);
 }
 
-// The least that four satellites can give: a regular tetrahedron, sqrt(5/2).
+// The minimum for four satellites is a regular tetrahedron, sqrt(5/2).
 TEST(Dilution, OfARegularTetrahedronIsTheLeastOfFour) {
   const double below = -std::asin(1.0 / 3) / degree;
   EXPECT_NEAR(dilution(zenith_and_three_at(below))->geometric, std::sqrt(2.5), 1e-12);

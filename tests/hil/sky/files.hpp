@@ -19,13 +19,13 @@ inline std::filesystem::path walker(const std::string& ending = "rnx") {
   return DRYDOCK_SOURCE_DIR "/fixtures/rinex/walker." + ending;
 }
 
-/// Folder of the files made by others; may not exist.
+/// Folder with files of other producers. It may be missing.
 inline std::filesystem::path gnss_corpus() {
   const char* folder = std::getenv("DRYDOCK_CORPORA");
   return std::filesystem::path(folder ? folder : DRYDOCK_SOURCE_DIR "/../shared/corpora") / "gnss";
 }
 
-/// toe of walker.rnx.
+/// The toe of walker.rnx.
 inline const GpsTime walker_toe =
     gps_time(std::chrono::sys_days{std::chrono::year{2026} / 11 / 21}, std::chrono::hours{10});
 

@@ -16,7 +16,7 @@ TEST(GpsTime, BeganOnTheSixthOfJanuary1980) {
 }
 
 TEST(GpsTime, IsAheadOfUtcByTheLeapSecondsOfTheDay) {
-  // The headers of broadcast files of those days say 13, 15 and 16.
+  // The headers of broadcast files of these days have 13, 15 and 16.
   EXPECT_EQ(gps_ahead_of_utc(utc(2005y / April / 2)), 13s);
   EXPECT_EQ(gps_ahead_of_utc(utc(2010y / July / 1)), 15s);
   EXPECT_EQ(gps_ahead_of_utc(utc(2012y / October / 31)), 16s);

@@ -1,4 +1,4 @@
-// Broadcast orbits and clocks against the final orbits of the International GNSS Service.
+// Broadcast orbits and clocks compared with the final orbits of the International GNSS Service.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -20,7 +20,7 @@ struct Precise {
   GpsTime at;
   int prn;
   Eigen::Vector3d ecef_m;
-  double clock_s;  ///< without the periodic part of relativity, as IGS has it
+  double clock_s;  ///< without the periodic part of relativity, as in IGS files
 };
 
 /// SP3-c: lines "*  year month day hour minute second" and "PG01 x y z [km] clock [us]".
@@ -91,7 +91,7 @@ TEST_F(Igs, ClocksAgreeToSomeNanosecondsOnceTheTimeScalesDo) {
   double squares = 0;
   int count = 0;
   for (auto& [at, differences] : by_epoch) {
-    // The two time scales differ by what all satellites have in common.
+    // The two time scales differ by an offset that all satellites share.
     std::ranges::nth_element(differences, differences.begin() + differences.size() / 2);
     const double common = differences[differences.size() / 2];
     for (const double d : differences) squares += (d - common) * (d - common), ++count;
@@ -103,7 +103,7 @@ TEST_F(Igs, ClocksAgreeToSomeNanosecondsOnceTheTimeScalesDo) {
 }
 
 TEST_F(Igs, TheBogusRecordOfSatelliteOneIsRefused) {
-  // It is word for word that of satellite 23 of the same hour: healthy, sound, and 40 000 km off.
+  // Its content is that of satellite 23 at the same hour: healthy, sound, and 40 000 km wrong.
   ASSERT_EQ(orbits_.refused().size(), 1);
   const Ephemeris& bogus = orbits_.refused()[0].record;
   EXPECT_EQ(bogus.prn, 1);

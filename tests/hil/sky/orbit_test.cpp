@@ -19,10 +19,10 @@ using Eigen::Vector3d;
 
 constexpr double pi = M_PI, degree = M_PI / 180;
 constexpr double axis_m = 26'560'000;
-const GpsTime toe{weeks{2000}};  // second 0 of a week: the node is where omega0 says
+const GpsTime toe{weeks{2000}};  // second 0 of a week, when the longitude of the node is omega0
 GpsTime after(double s) { return toe + measurement::from_seconds(s); }
 
-/// A circle whose node turns with the Earth: in ECEF it is an orbit in a resting plane.
+/// A circle whose node turns with the Earth. In ECEF its plane is fixed.
 Ephemeris circle(double radius_m = axis_m) {
   Ephemeris r;
   r.prn = 1;
@@ -33,12 +33,12 @@ Ephemeris circle(double radius_m = axis_m) {
   return r;
 }
 
-/// The same orbit as broadcast later.
+/// The same orbit in a later broadcast.
 Ephemeris circle_at(nanoseconds later) {
   Ephemeris r = circle();
   r.toe += later;
   r.m0_rad = std::sqrt(gps_mu / std::pow(axis_m, 3)) * measurement::seconds(later);
-  r.omega0_rad = gps_earth_rate * measurement::seconds(later);  // counted from the week's start
+  r.omega0_rad = gps_earth_rate * measurement::seconds(later);  // counts from the week's start
   return r;
 }
 
@@ -57,7 +57,8 @@ TEST(Orbit, ACircleIsFlownAtKeplersRate) {
     const auto at = satellite_at(circle(), after(period * i / 12)).ecef_m;
     const Vector3d expected = axis_m * Vector3d{std::cos(u), std::sin(u) * std::cos(55 * degree),
                                                 std::sin(u) * std::sin(55 * degree)};
-    EXPECT_LT((at - expected).norm(), 1e-4) << i;  // 1 ns of the period is 4 um of the way
+    EXPECT_LT((at - expected).norm(), 1e-4) << i;  // an error of 1 ns in the period is 4 um along
+                                                   // the orbit
   }
 }
 
@@ -105,7 +106,7 @@ TEST(Orbit, HarmonicsMoveItAlongOutAndAcross) {
   EXPECT_NEAR(moved([](auto& x) { x.crc_m = 10; }).dot(out), 10 * half, 1e-6);
   EXPECT_NEAR(moved([](auto& x) { x.cus_rad = 1e-6; }).dot(along), 26.56 * half, 1e-4);
   EXPECT_NEAR(moved([](auto& x) { x.cuc_rad = 1e-6; }).dot(along), 26.56 * half, 1e-4);
-  const double lever = 26.56 * std::sin(pi / 8);  // the turn is about the line of nodes
+  const double lever = 26.56 * std::sin(pi / 8);  // the rotation is about the line of nodes
   EXPECT_NEAR(moved([](auto& x) { x.cis_rad = 1e-6; }).dot(across), lever * half, 1e-4);
   EXPECT_NEAR(moved([](auto& x) { x.cic_rad = 1e-6; }).dot(across), lever * half, 1e-4);
 }
@@ -129,21 +130,23 @@ TEST(Clock, IsThePolynomialOfTheTimeSinceToc) {
 }
 
 TEST(Look, GeometryIsThatOfARightTriangleInTheEquatorsPlane) {
-  // Over the point it stands above; seen from 60 deg of longitude to the east, in the west.
+  // Directly above the point; from 60 deg further east, it is in the west.
   Ephemeris r = circle();
   const Look above = look_at(r, toe, {0, 0, 0});
   EXPECT_NEAR(above.elevation_rad, 90 * degree, 1e-4);
   EXPECT_NEAR(above.range_m, axis_m - 6378137, 50);
   const Look west = look_at(r, toe, {0, 60 * degree, 0});
   const double elevation = std::atan2(0.5 - 6378137 / axis_m, std::sin(60 * degree));
-  EXPECT_NEAR(west.elevation_rad, elevation, 2e-5);  // it flew 260 m while the signal was under way
+  EXPECT_NEAR(west.elevation_rad, elevation, 2e-5);  // the satellite flew 260 m during the signal's
+                                                     // flight
   EXPECT_NEAR(west.azimuth_rad, 270 * degree, 2e-5);
   EXPECT_NEAR(look_at(r, toe, {0, -60 * degree, 0}).azimuth_rad, 90 * degree, 2e-5);
   EXPECT_LT(look_at(r, toe, {0, pi, 0}).elevation_rad, -80 * degree);
 }
 
 TEST(Look, TheEarthTurnsUnderTheSignal) {
-  // A satellite that rests in ECEF is further away by omega (x_s y_r - y_s x_r) / c (Sagnac).
+  // A satellite that is fixed in ECEF appears further away by omega (x_s y_r - y_s x_r) / c
+  // (Sagnac).
   const double resting_m = std::cbrt(gps_mu / (gps_earth_rate * gps_earth_rate));
   Ephemeris r = circle(resting_m);
   r.i0_rad = 0;
@@ -183,7 +186,7 @@ TEST(Choice, IsTheNearestHealthyToeWithinTwoHours) {
   const BroadcastOrbits orbits({late, ill, early});
   const auto toe_at = [&](nanoseconds t) { return orbits.nearest(1, toe + t)->toe - toe; };
   EXPECT_EQ(toe_at(-2h), 0s);
-  EXPECT_EQ(toe_at(1h), 0s);  // as near to both: the earlier
+  EXPECT_EQ(toe_at(1h), 0s);  // both are equally near: the earlier
   EXPECT_EQ(toe_at(1h + 1ns), 2h);
   EXPECT_EQ(toe_at(4h), 2h);
   EXPECT_EQ(orbits.nearest(1, toe + 4h + 1ns), nullptr);

@@ -21,7 +21,7 @@ double decibels(double power) { return 10 * std::log10(power); }
 TEST(Antenna, ThePatternIsThatOfTheRollPaperCorrected) {
   EXPECT_DOUBLE_EQ(antenna_power(90 * degree), 1);
   EXPECT_NEAR(decibels(antenna_power(0)), -8.4, 0.05);
-  // Off boresight by the paper's 64.58 deg: down by a factor of e.
+  // The paper's 64.58 deg off boresight: lower by a factor of e.
   EXPECT_NEAR(antenna_power((90 - 64.58) * degree), std::exp(-1), 1e-12);
   EXPECT_NEAR(664 * antenna_power(-90 * degree), 664 * std::exp(-std::pow(180 / 64.58, 2)), 1e-9);
 }
@@ -95,7 +95,7 @@ TEST(BroadcastSky, SignalFollowsTheAttitudeByTheAntennasPattern) {
 
 TEST(BroadcastSky, WhatIsTooWeakIsKnownButNotTracked) {
   auto truth = standing_at(36, 129);
-  truth.body_to_ned = Eigen::Quaterniond{0, 1, 0, 0};  // keel up, the antenna looks down
+  truth.body_to_ned = Eigen::Quaterniond{0, 1, 0, 0};  // upside down, the antenna points down
   rig_config::SkyConfig config;
   config.lowest_cno_dbhz = 30;
   auto sky = sky_of(config);

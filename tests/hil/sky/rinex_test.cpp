@@ -17,7 +17,7 @@ namespace rinex_test {
 using namespace std::chrono;
 using testing::HasSubstr;
 
-/// The records of a text that must be sound.
+/// Reads a text that must be valid.
 Navigation read(const std::string& text) { return read_navigation(text).value(); }
 
 std::string error_of(const std::string& text) {
@@ -66,7 +66,7 @@ TEST(Rinex, VersionTwoSaysTheSameWithFortransExponents) {
 }
 
 TEST(Rinex, AnExponentOfThreeDigitsHasNoLetter) {
-  // As Fortran writes it and broadcast files of 2012 have it.
+  // Fortran writes it so, and broadcast files of 2012 contain it.
   const auto text = changed(version_2, "0.000000000000D+00\n    3", "0.499063314480-269\n    3");
   EXPECT_DOUBLE_EQ(read(text).records.at(0).af2_ps, 0.499063314480e-269);
 }
@@ -78,7 +78,7 @@ TEST(Rinex, LinesMayEndWithCarriageReturns) {
 }
 
 TEST(Rinex, ToeIsTheSecondOfTheWeekNearestToTheClocksTime) {
-  // A clock set just before midnight on Saturday with the orbit's time in the week that follows.
+  // A clock time just before midnight on Saturday, and an orbit time in the following week.
   auto text = changed(version_2, " 3 26 11 21 10  0  0.0", " 3 26 11 21 23 59 44.0");
   text = changed(text, "5.544000000000D+05", "0.000000000000D+00");
   const Ephemeris record = read(text).records.at(0);
@@ -131,7 +131,7 @@ TEST(Rinex, AMistakeIsToldWithItsLine) {
   EXPECT_EQ(error_of(changed(version_3, "\nG02 ", "\n    ")), "12: expected a satellite, as G05");
 }
 
-/// What can be said of any records that came out: they can be chosen from and asked.
+/// Properties of all records of a file: they can be selected and evaluated.
 void use(const Navigation& file) {
   const BroadcastOrbits orbits(file.records);
   for (int prn = 1; prn <= highest_prn; ++prn) {

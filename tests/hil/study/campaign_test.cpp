@@ -17,7 +17,7 @@ namespace {
 
 using testing::ElementsAre;
 
-/// Stops after so many runs are done.
+/// Stops after this number of runs.
 class Watcher final : public Progress {
  public:
   explicit Watcher(std::size_t stop_after = SIZE_MAX) : stop_after_(stop_after) {}
@@ -34,7 +34,7 @@ class Watcher final : public Progress {
   std::size_t stop_after_;
 };
 
-/// A run whose time depends on its number in no simple way, so that threads overtake each other.
+/// A run whose duration depends on its number irregularly, so that threads overtake each other.
 double uneven_run(std::uint64_t seed, std::size_t k) {
   auto random = stream_of(seed, k, "noise");
   double sum = 0;
@@ -42,7 +42,7 @@ double uneven_run(std::uint64_t seed, std::size_t k) {
   return sum;
 }
 
-/// The floating-point sum of all runs: one order of adding gives one result.
+/// The floating-point sum of all runs. It is the same only if the order of addition is the same.
 struct Total {
   double sum = 0;
   std::vector<std::size_t> order;
@@ -83,7 +83,7 @@ TEST(Campaign, StoppedItIsAWholeCampaignOfTheRunsDone) {
     Watcher watcher(10);
     const auto stopped = total_of({1000, 5, jobs}, watcher);
     EXPECT_GE(stopped.runs, 10U);
-    EXPECT_LT(stopped.runs, 1000U);  // those that had begun, which may be ahead of a slow one
+    EXPECT_LT(stopped.runs, 1000U);  // may include runs after a slow one
     EXPECT_EQ(stopped.sum, total_of({stopped.runs, 5, 1}).sum);
   }
 }
@@ -105,7 +105,7 @@ TEST(Campaign, UsesSeveralThreads) {
         int before = most;
         while (before < now && !most.compare_exchange_weak(before, now)) {
         }
-        // All four meet here, unless they run one after the other.
+        // All four threads meet here, unless they run one after another.
         for (int i = 0; most < 4 && i < 20'000'000; ++i) std::this_thread::yield();
         --inside;
         return 0;

@@ -20,8 +20,8 @@ Matrix3d to_ned(const LevelingMotion& motion, double t) {
   return frame::ned_to_body(motion.attitude(t)).transpose();
 }
 
-/// What an accelerometer and a gyro measure, from positions of the axes and of the vehicle alone:
-/// differences of the velocity over ground and of the attitude, in NED on a turning Earth.
+/// The expected accelerometer and gyro values, only from positions of the axes and of the vehicle:
+/// differences of the velocity over ground and of the attitude, in NED on a rotating Earth.
 struct FromDifferences {
   Vector3d specific_force, angular_rate;
 };
@@ -68,7 +68,7 @@ TEST(LevelingMotion, TheRollingPathReachesItsAmplitudes) {
   EXPECT_NEAR(fastest, 12, 0.01);
 }
 
-/// Readings with errors less the same without: what Table 1 adds.
+/// Readings with errors minus readings without: the errors of Table 1.
 std::vector<Vector3d> gyro_errors_degph(LevelingBiases biases, std::size_t run) {
   const LevelingTrial trial{leveling_motions::straight, false, biases, 1, run};
   std::vector<Vector3d> errors;

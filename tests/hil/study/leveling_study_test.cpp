@@ -8,8 +8,8 @@
 #include "estimators/frame/earth.hpp"
 #include "hil/study/leveling/leveling_covariance.hpp"
 
-/// The paper's chapter 4 in small: fewer runs than the study's, the same claims. The full counts
-/// stand in docs/estimators/leveling.md with the command that prints them.
+/// The paper's chapter 4 with fewer runs than the study, but the same claims. The full numbers are
+/// in docs/estimators/leveling.md with the command that prints them.
 namespace drydock::study {
 namespace {
 
@@ -35,7 +35,7 @@ LevelingStatistics over_runs(std::size_t runs, const LevelingTrial& trial, Filte
   return over_runs(runs, trial, kind, options_for(kind));
 }
 
-constexpr double floor_deg = 0.0573;  // 1 mg of accelerometer bias over gravity
+constexpr double floor_deg = 0.0573;  // 1 mg of accelerometer bias divided by gravity
 
 TEST(LevelingStudy, RobustIsNeverUpsideDownAndBetterThanThePaperOnTheMove) {
   const auto s = over_runs(40, {s_path}, FilterKind::robust);
@@ -66,7 +66,7 @@ TEST(LevelingStudy, AtRestTheErrorIsTheAccelerometerBiasOverGravity) {
 }
 
 TEST(LevelingStudy, ThePapersFilterLosesTheRunsThatBeginUpsideDown) {
-  // alpha_3 < 0 where just one of two N(0, 45^2) angles is beyond 90 degrees, two sigma: 8.7 %.
+  // alpha_3 < 0 if exactly one of two N(0, 45^2) angles is beyond 90 degrees, two sigma: 8.7 %.
   const double beyond = std::erfc(2 / std::sqrt(2.0)), share = 2 * beyond * (1 - beyond);
   constexpr double runs = 150;
   const auto lost = over_runs(150, {s_path}, FilterKind::paper).diverged;
@@ -127,8 +127,8 @@ TEST(LevelingStudy, SixStatesDoNotKnowTheirErrorOnceThereAreBiases) {
 }
 
 TEST(LevelingCovariance, AtRestATiltIsTheSlopeOfTheVelocity) {
-  // V = g alpha t + V0 measured n times with sigma, on a random walk of q per sqrt(s): the slope's
-  // variance is 12 sigma^2 / (n T^2) + 6/5 q^2 / T.
+  // V = g alpha t + V0 is measured n times with sigma, on a random walk of q per sqrt(s). The
+  // variance of the slope is 12 sigma^2 / (n T^2) + 6/5 q^2 / T.
   const auto analysis = analyse_leveling(stationary, true);
   const double t = 1, n = 100, sigma = 0.01, q = 1e-3, g = frame::gravity(leveling_latitude_rad);
   const double slope = 12 * sigma * sigma / (n * t * t) + 1.2 * q * q / t;
@@ -144,7 +144,7 @@ TEST(LevelingCovariance, IsOrderedAsThePaperSays) {
   const auto turning = analyse_leveling(s_path, false);
   const std::size_t end = at_rest.t_s.size() - 1, second = 100;
   EXPECT_EQ(at_rest.t_s[end], 30);
-  // "The covariance decreases very fast" at rest; moving, roll is seen in turns alone.
+  // "The covariance decreases very fast" at rest. While moving, roll can be observed only in turns.
   EXPECT_LT(at_rest.variance[1][second], 1e-4 * on_a_line.variance[1][second]);
   EXPECT_LT(turning.variance[1][end], 1e-3 * on_a_line.variance[1][end]);
   EXPECT_GT(on_a_line.variance[1][end], 0.002);  // 2.6 degrees

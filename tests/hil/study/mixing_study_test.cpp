@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-/// The mixing study on a few runs: enough for what it promises with a wide margin.
+/// The mixing study on a few runs. These are enough to check its claims with a wide margin.
 namespace drydock::study::mixing_study_test {
 namespace {
 

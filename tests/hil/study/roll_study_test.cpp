@@ -39,11 +39,11 @@ TEST(RollStudy, SaysInOneLineWhichFileIsMissing) {
 TEST(RollStudy, ReachesItsGoalsInSevenRuns) {
   if (!std::filesystem::exists(broadcast_file())) GTEST_SKIP() << "no " << broadcast_file();
   Nobody nobody;
-  // One under each sky.
+  // One run under each sky.
   const Options options{.runs = 7, .jobs = 2, .ephemeris = broadcast_file()};
   const auto result = run_roll_study(options, nobody);
   EXPECT_EQ(result.runs, 7u);
-  // A hundred runs know a root mean square to 7 %, seven to 27 %.
+  // With a hundred runs the root mean square is known to 7 %, with seven runs to 27 %.
   const auto& ours = result.json["all_satellites"];
   EXPECT_LT(ours["ideal"]["rms_deg"], 0.60 * 1.3);
   EXPECT_LT(ours["wire"]["rms_deg"], 0.65 * 1.3);
@@ -73,11 +73,11 @@ TEST(RollStudy, IsTheSameToTheLastBitWithAnyNumberOfJobs) {
 }
 
 TEST(RoundedInformation, IsAllOfItWhenTheStepsAreSmallAgainstTheNoiseAndNoneBelowTheLimit) {
-  // Fisher information of grouped data falls by about step^2 / (12 sigma^2) (Sheppard).
+  // The Fisher information of grouped data is smaller by about step^2 / (12 sigma^2) (Sheppard).
   const double sigma = 0.1, step = 0.6 * std::log(10) / 10;
   EXPECT_NEAR(rounded_information(0.6, sigma) * sigma * sigma,
               1 - step * step / (12 * sigma * sigma), 0.03);
-  // Far below the limit nothing is ever heard.
+  // Far below the limit nothing is ever received.
   EXPECT_LT(rounded_information(-0.6, sigma) * sigma * sigma, 1e-3);
 }
 
@@ -89,11 +89,11 @@ TEST(RollBound, IsNoMoreThanThePriorAndFallsWithTheNumberOfEpochs) {
   const double degree = 3.14159265358979323846 / 180;
   const auto bound = roll_bound(the_case, flight, degree, 1e-4 * degree);
   ASSERT_EQ(bound.size(), 1000u);
-  // One epoch, one angle: eight satellites of at best 1 / (8.8 / 66.4)^2 deg^-2 each, from the
+  // One epoch, one angle: eight satellites with at best 1 / (8.8 / 66.4)^2 deg^-2 each, from the
   // notes.
   EXPECT_GT(std::sqrt(bound[0]) / degree, 7.5 / std::sqrt(8));
   EXPECT_LT(bound[999], bound[99]);
-  // With the bias known to begin with it could only be less.
+  // If the bias were known at the start, the bound could only be smaller.
   EXPECT_LT(roll_bound(the_case, flight, 0, 0).back(), bound.back());
 }
 

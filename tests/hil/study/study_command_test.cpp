@@ -16,7 +16,7 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-/// The mean of so many standard normal draws.
+/// The mean of standard normal draws, one per run.
 study::Result mean_of_normals(const study::Options& options, study::Progress& progress) {
   study::Result result;
   double sum = 0;
@@ -33,7 +33,7 @@ study::Result mean_of_normals(const study::Options& options, study::Progress& pr
 
 constexpr study::Study normals{"normals", "Normal draws", mean_of_normals};
 
-/// Presses Ctrl-C in its third run.
+/// A study that presses Ctrl-C in its third run.
 study::Result interrupted_study(const study::Options& options, study::Progress& progress) {
   study::Result result;
   result.runs = study::campaign(
@@ -81,7 +81,7 @@ TEST_F(StudyCommand, PrintsTheTableAndWritesJsonAndReport) {
   options.report = folder_ / "report";
   EXPECT_EQ(run_study(normals, options, out_, errors_), 0);
   EXPECT_THAT(text_of(out_), HasSubstr("Means\nσ  paper"));
-  // No terminal: one line and no bar.
+  // Not a terminal: one line and no bar.
   EXPECT_THAT(text_of(errors_), testing::MatchesRegex("normals: 30 of 30 runs, seed 4, .* s\n"));
   const auto json = nlohmann::json::parse(text_of(folder_ / "deep" / "out.json"));
   EXPECT_EQ(json["study"]["runs_done"], 30);

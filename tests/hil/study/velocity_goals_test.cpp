@@ -5,15 +5,15 @@
 #include "hil/study/perturbation.hpp"
 #include "hil/study/velocity/velocity_study.hpp"
 
-/// What `drydock study velocity` is to show, on few runs of the mission's first 20 minutes with a
-/// DVL that is lost after ten.
+/// The results that `drydock study velocity` must show, on few runs of the mission's first 20
+/// minutes. The DVL is lost after ten minutes.
 namespace drydock::study {
 namespace velocity_goals_test {
 
 constexpr double lost_s = 600, end_s = 1200;
 constexpr std::size_t runs = 3;
 
-/// Case 2: coefficients 10 % off.
+/// Case 2: coefficients with errors of 10 %.
 CaseResult case2() {
   const auto mission = record_velocity_mission(Hull::symmetric, Eigen::Vector2d::Zero(), end_s);
   CaseResult result{
@@ -38,7 +38,7 @@ TEST(VelocityGoals, WithoutDvlOursHoldsItsPositionWhereTheOthersDoNot) {
   EXPECT_LT(ours.horizontal_rmse_max(), 18);
   EXPECT_LT(ours.growth_rmse_end(), paper.growth_rmse_end());
   EXPECT_LT(paper.horizontal_rmse_end(), 0.3 * pure.horizontal_rmse_end());
-  // u is u_c times the root of thrust over drag, each 10 % off: metres for each second.
+  // u is u_c times the square root of thrust over drag, each wrong by 10 %: metres for each second.
   EXPECT_GT(earlier.growth_rmse_end(), 0.02 * (end_s - lost_s));
   EXPECT_LT(ours.velocity_rmse().x(), 0.01);
 }

@@ -43,7 +43,7 @@ TEST(VelocityTrial, TheSdinsAloneErrsAsItsLinearCovarianceSays) {
   const Contender alone{Method::pure, &exact_model()};
   for (std::size_t run = 0; run < runs; ++run)
     pure.add(velocity_trial(beginning(), {}, false, 1, run, {&alone, 1}).front());
-  // Three standard errors of an RMSE of 60 runs, two axes each.
+  // Three standard errors of an RMSE of 60 runs with two axes each.
   EXPECT_NEAR(pure.horizontal_rmse_end() / pure.stated_sigma_end(), 1, 3 / std::sqrt(4.0 * runs));
   EXPECT_GT(pure.growth_rmse_end(), 20);  // 0.1 m/s for four minutes
   EXPECT_NEAR(pure.nees_mean(), 1, 3 / std::sqrt(runs));
@@ -51,8 +51,8 @@ TEST(VelocityTrial, TheSdinsAloneErrsAsItsLinearCovarianceSays) {
 }
 
 TEST(VelocityStatistics, TheBandOfTheNeesIsThatOfChiSquare) {
-  // Tables of chi-square, 2.5 % and 97.5 %: 20 degrees of freedom 9.591, 34.170; 200: 162.728,
-  // 241.058.
+  // Tables of chi-square at 2.5 % and 97.5 %: 9.591 and 34.170 for 20 degrees of freedom, 162.728
+  // and 241.058 for 200.
   EXPECT_NEAR(nees_band(10).low, 9.591 / 20, 1e-3);
   EXPECT_NEAR(nees_band(10).high, 34.170 / 20, 1e-3);
   EXPECT_NEAR(nees_band(100).low, 162.728 / 200, 1e-4);

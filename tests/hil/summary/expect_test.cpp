@@ -1,4 +1,4 @@
-// A rig's [[expect]] in lockstep: what passes, what fails and why, and the file for a CI server as
+// A rig's [[expect]] blocks in lockstep: what passes, what fails and why, and the JUnit file as
 // another program's XML parser reads it.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -31,7 +31,7 @@ std::string text_of(const std::string& path) {
   return text.str();
 }
 
-/// A shipped rig with other expectations than its own.
+/// A shipped rig with `expects` in place of its own [[expect]] blocks.
 rig_config::Rig shipped(const std::string& name, const std::string& expects) {
   const std::string path = DRYDOCK_SOURCE_DIR "/rig_config/rigs/" + name + ".toml";
   const std::string text = text_of(path);
@@ -54,7 +54,7 @@ std::vector<std::string> lines_of(const Summary& summary) {
   return lines;
 }
 
-/// The command with --speed max: exit code and what it printed.
+/// The exit code and the output of the command with --speed max.
 struct Outcome {
   int exit_code = -1;
   std::string output;
@@ -66,7 +66,7 @@ Outcome command(const rig_config::Rig& rig, bench::RunOptions options) {
   return {code, testing::internal::GetCapturedStdout()};
 }
 
-/// What Python's parser reads of a JUnit file: a line a testcase.
+/// What Python's parser reads from a JUnit file, one line per testcase.
 std::string read_by_python(const std::string& path) {
   const std::string command =
       "python3 -c \"import sys, xml.etree.ElementTree as E\n"
@@ -161,7 +161,7 @@ TEST(Expectations, ThatBeginAfterTheRunFail) {
                         "expected streaming"));
 }
 
-/// Three seconds of sentences, then nothing.
+/// The recording has three seconds of sentences and then nothing.
 TEST(Expectations, OfARecordingThatEndsFailWithTheTimeOfItsSilence) {
   auto rig = shipped("demo",
                      "[[expect]]\ndevice = \"emlog\"\nafter_s = 2.5\nstate = \"streaming\"\n"

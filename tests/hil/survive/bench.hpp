@@ -16,7 +16,7 @@
 #include "hil/motion/kinematic_trajectory.hpp"
 #include "tests/drivers/link/running.hpp"
 
-/// Drivers against emulated devices over real links, whose faults are set by hand.
+/// Drivers and emulated devices over real links. Tests set the faults by hand.
 namespace drydock::fault::testing {
 
 using device::State;
@@ -88,7 +88,7 @@ class Bench : private device::Listener {
     link::testing::run_until(
         io, [] { return false; }, time);
   }
-  /// A new measurement, not one that was under way.
+  /// True after new measurements, not one that was already on its way.
   bool hears_again() {
     const auto before = messages;
     return until([&] { return messages >= before + 2; });
@@ -127,7 +127,7 @@ class Bench : private device::Listener {
   emulate::RealTimeEmulator emulator_;
 };
 
-/// On a CAN link of any kind: the drivers hear of a controller that goes bus-off, and again when it
+/// On a CAN link of any kind: the drivers are told when the controller goes bus-off, and when it
 /// restarts a second later.
 inline void expect_bus_off_told(const std::string& link) {
   Bench bench(bus_depth(link));

@@ -2,7 +2,7 @@
 #include "drivers/wire/can/slcan_report.hpp"
 #include "tests/hil/survive/bench.hpp"
 
-/// A CAN controller that goes bus-off and restarts, in real time.
+/// A CAN controller goes bus-off and restarts, in real time.
 namespace drydock::fault::testing {
 namespace bus_test {
 
@@ -18,7 +18,7 @@ TEST(BusOff, CutsTheDriversOffAndTheyStreamAfterTheRestart) {
       << bench.health().last_error.view();
   ASSERT_TRUE(bench.reaches(State::streaming));
   EXPECT_TRUE(bench.until([&] { return bench.health().error_frames == 2; }));  // restarted
-  EXPECT_EQ(bench.health().reopened, 0u);  // the bus itself never went
+  EXPECT_EQ(bench.health().reopened, 0u);  // the bus itself never disappeared
 }
 
 TEST(BusOff, ErrorFramesAreCountedAndMakeNoLine) {
@@ -38,11 +38,12 @@ TEST(BusOff, ErrorFramesAreCountedAndMakeNoLine) {
   EXPECT_EQ(bench.health().error_frames, counted);
 }
 
-// An automatic bus without vcan is slcan on a pty: the adapter tells the controller's state there.
+// An automatic bus without vcan is slcan on a pty. There the adapter reports the controller's
+// state.
 TEST(BusOff, IsToldOverASerialAdapterAsWell) { expect_bus_off_told("can:auto?name=survive0"); }
 
-// The examples of the Linux driver's comments: bus-off with both counters at 256, active with 57
-// and 33; no acknowledge; bit 0, CRC and transmit overrun together.
+// The examples in the comments of the Linux driver: bus-off with both counters at 256; active with
+// 57 and 33; no acknowledge; bit 0, CRC and transmit overrun together.
 TEST(SlcanReport, IsReadAsTheLinuxDriverReadsIt) {
   using wire::slcan::error_frame_of;
   EXPECT_EQ(error_frame_of("sb256256")->id, 0x040u);

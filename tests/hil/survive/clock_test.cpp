@@ -16,7 +16,7 @@ TEST(ClockWatch, TellsAStepOnceAndNoSlewing) {
   EXPECT_EQ(watch.step(noon + 2s + 500us, 12s), 0s);
   EXPECT_EQ(watch.step(noon - 3597s, 13s), -3600s - 500us);
   EXPECT_EQ(watch.step(noon - 3596s, 14s), 0s);
-  for (int i = 1; i <= 100; ++i)  // 50 ms at a time are no step, nor are they one together
+  for (int i = 1; i <= 100; ++i)  // changes of 50 ms are no step, even all together
     EXPECT_EQ(watch.step(noon - 3596s + i * 1050ms, 14s + i * 1s), 0s);
 }
 
@@ -43,7 +43,7 @@ TEST(LifeCycleAcrossAStep, SilenceAndBackOffLastAsLongAsTheyWouldHave) {
   }
 }
 
-/// A speed log that says the same at chosen times.
+/// A speed log sends the same message at chosen times.
 TEST(DeviceAcrossAStep, StampsFollowTheNewTimeAndTheRateIsMeteredAnew) {
   struct Heard final : device::Listener {
     void on_measurement(const measurement::Measurement& m) override {

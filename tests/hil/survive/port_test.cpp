@@ -7,7 +7,7 @@
 
 #include "tests/hil/survive/bench.hpp"
 
-/// A serial port that goes and comes back, in real time.
+/// A serial port disappears and comes back, in real time.
 namespace drydock::fault::testing {
 namespace port_test {
 
@@ -30,7 +30,7 @@ TEST_P(Port, UnpluggedAndPluggedInAgainItStreamsWithoutHelp) {
   ASSERT_TRUE(bench.reaches(State::backing_off));
   ASSERT_TRUE(bench.reaches(State::streaming));
   ASSERT_TRUE(bench.hears_again());
-  EXPECT_GE(bench.health().reopened, 1u);  // a TCP connection is opened before it is refused
+  EXPECT_GE(bench.health().reopened, 1u);  // a TCP connection opens before it is refused
 }
 
 TEST_P(Port, UnpluggedUntilClearedStaysAway) {
@@ -76,8 +76,8 @@ TEST(Pty, GoesFromItsFolderWhileUnpluggedAndComesBackAsAnotherNode) {
   ASSERT_TRUE(bench.reaches(State::streaming));
 }
 
-// A vanished port is asked for at the back-off's pace: 0.25, 0.5, 1 s. A spin would open it, or
-// read its end of file, many thousand times and keep a processor busy.
+// The driver tries a missing port at the back-off's pace: 0.25, 0.5, 1 s. A busy loop would open
+// it, or read its end of file, many thousand times and use a whole processor.
 TEST(Pty, ThatVanishedCostsAlmostNothing) {
   Bench bench(speed_log("pty:survive-gone?baud=38400"));
   ASSERT_TRUE(bench.reaches(State::streaming));
@@ -136,7 +136,8 @@ TEST(ById, TheNameIsFollowedToAnotherNodeAtTheNextOpening) {
   EXPECT_TRUE(io.stopped());
 }
 
-// The kernel knows at which rate the driver has opened the line: at any other the device is noise.
+// The kernel knows the rate at which the driver opened the line. At any other rate the device sends
+// only noise.
 TEST(Baud, WrittenAsAutoIsFoundAndFoundAgainWhenTheDeviceChangesIt) {
   const link::testing::Folder folder;
   boost::asio::io_context io;
@@ -173,7 +174,7 @@ TEST(Baud, WrittenAsAutoIsFoundAndFoundAgainWhenTheDeviceChangesIt) {
   };
   ASSERT_TRUE(hear(3));
   EXPECT_EQ(link::line_baud(line.get()).value(), 9600u);
-  // 25 bytes of ten bits: the time on the line is that of the rate found.
+  // 25 bytes of ten bits: the time on the line must fit the rate that was found.
   EXPECT_NEAR(measurement::seconds(listener.last.received_at - listener.last.valid_at),
               250.0 / 9600, 1e-6);
   device_baud = 4800;

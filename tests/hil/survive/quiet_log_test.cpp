@@ -3,7 +3,7 @@
 #include "hil/emulate/lockstep.hpp"
 #include "tests/hil/survive/bench.hpp"
 
-/// What a person reads while a fault comes and goes, in virtual time.
+/// The lines that a person reads while a fault comes and goes, in virtual time.
 namespace drydock::fault::testing {
 namespace quiet_log_test {
 
@@ -72,8 +72,9 @@ class Watch {
                               }};
 };
 
-// A minute in which the fault is there for two seconds of every four: a line for each change of
-// state, none that says the same again, and the device streams two seconds after its last end.
+// For a minute the fault is in force for two seconds of every four. There is one line for each
+// change of state, no line repeats the one before, and the device streams two seconds after the
+// last end.
 TEST_P(QuietLog, HasOneLineForEachChangeOfState) {
   FaultConfig fault = fault_of("log", GetParam(), 2.0);
   fault.start_s = 1;
@@ -87,8 +88,8 @@ TEST_P(QuietLog, HasOneLineForEachChangeOfState) {
     EXPECT_NE(changes[i].from, changes[i].to);
     EXPECT_EQ(changes[i].from, changes[i - 1].to);
   }
-  constexpr std::size_t toggles = 15, most_changes = 5;  // to backing off, for two reasons, to
-                                                         // opening, waiting, streaming
+  constexpr std::size_t toggles = 15, most_changes = 5;  // backing off for two reasons, opening,
+                                                         // waiting, streaming
   EXPECT_LE(changes.size(), 3 + toggles * most_changes);
   EXPECT_EQ(watch.state(), State::streaming);
   EXPECT_GT(watch.log.last_message, watch.start + 60s);
@@ -114,11 +115,11 @@ TEST_P(LongAbsence, OfTenMinutesTakesAFewLinesAndEndsWithinTwoSeconds) {
   EXPECT_EQ(changes.back().to, State::streaming);
   EXPECT_LE(changes.back().at, watch.start + 607s);
   // Opening, waiting, streaming; then once each: stale, backing off for two reasons, opening,
-  // waiting; streaming.
+  // waiting, streaming.
   EXPECT_LE(changes.size(), 9U);
 }
 
-// Ports that open and are closed at once by the other end, such as a TCP server with no room.
+// For example a TCP server without room: the port opens, and the other end closes it at once.
 TEST(QuietDevice, ThatIsHungUpOnForTenMinutesSaysItOnce) {
   Log log;
   ToDevice nowhere;

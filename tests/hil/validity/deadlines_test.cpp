@@ -15,7 +15,7 @@ using validity::Floor;
 
 const Stamp begin = measurement::stamp_from_ns(1'000'000'000'000);
 
-/// A device of 10 Hz whose sample k is taken at 100 k ms.
+/// A device of 10 Hz. Sample k is taken at 100 k ms.
 class Device {
  public:
   void sends(int sample) {

@@ -18,17 +18,18 @@ namespace {
 using namespace drydock;
 using measurement::Stamp;
 
-/// From the least to the greatest error that the documents explain, nanoseconds:
+/// The smallest and the largest error that the documents explain, nanoseconds:
 /// docs/time-of-validity.md.
 struct Budget {
   double least_ns, greatest_ns;
 };
 
-/// The line's time is rounded up to nanoseconds when sent, down when taken off, once a sentence.
+/// The line's time is rounded up to nanoseconds when a sentence is sent and rounded down when it is
+/// subtracted, once per sentence.
 constexpr Budget of_a_line{0, 12};
 constexpr Budget of_a_bus{0, 1};
-/// ARI's latency in steps of 0.5 ms; the sensor counts two frames of 0.54 ms, which take 0.52 to
-/// 0.64 ms each.
+/// ARI's latency has steps of 0.5 ms. The sensor counts two frames of 0.54 ms, which really take
+/// 0.52 to 0.64 ms each.
 constexpr Budget of_aceinna{-250e3 - 2 * 16e3, 250e3 + 2 * 100e3};
 
 Budget budget_of(const std::string& device, bool on_bus) {
@@ -90,14 +91,14 @@ TEST(LockstepValidity, EveryBaudRateIsWithinTheSameBudget) {
     std::erase_if(rig.devices, on_bus);
     for (auto& device : rig.devices) {
       device.link = "pty:" + device.name + "?baud=" + std::to_string(baud);
-      device.rate_hz = baud < 20'000 ? 0.25 : 2;  // what the longest ensemble needs
+      device.rate_hz = baud < 20'000 ? 0.25 : 2;  // the longest ensemble needs this
     }
     SCOPED_TRACE(baud);
     expect_within_budget(rig, measured(rig, baud < 20'000 ? 60 : 20));
   }
 }
 
-/// How the bytes of a line are handed to its driver.
+/// How a driver gets the bytes of a line.
 enum class Reads { in_chunks, whole_bursts };
 
 /// A serial device whose bytes reach its driver in other pieces than whole messages.

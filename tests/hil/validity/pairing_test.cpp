@@ -25,7 +25,7 @@ TEST(Pairing, SamplesThatWereLostAreTakenByNone) {
 }
 
 TEST(Pairing, TwoThatAStallBroughtAtOnceAreTwoSamplesWithTheirErrors) {
-  // The host slept from 195 to 309: the sample of 200 looks like that of 300.
+  // The host slept from 195 to 309, so the sample of 200 looks like that of 300.
   EXPECT_EQ(pair(at_ms({101, 299, 301, 401}), at_ms({100, 200, 300, 400})), (Pairs{0, 1, 2, 3}));
 }
 
@@ -40,7 +40,7 @@ TEST(Pairing, OfNothingThereIsNothing) {
   EXPECT_EQ(pair(at_ms({1}), at_ms({})), Pairs{std::nullopt});
 }
 
-/// Far from every sample on both sides, and gaps longer than the search reaches.
+/// Measurements far from every sample on both sides, and gaps longer than the search reaches.
 TEST(Pairing, LongGapsOnEitherSideAreCrossed) {
   std::vector<int> all, heard;
   for (int i = 0; i < 1000; ++i) all.push_back(10 * i);
