@@ -10,9 +10,9 @@ namespace {
 
 using std::int64_t;
 
-/// Covariance of the clusters' differences d_j(t), d_k(t + lag), docs/characterize.md (4): a second
-/// difference of the integral each, so a fourth of its generalised autocovariance s, (5). One
-/// sample is the unit of time.
+/// Covariance of the clusters' differences d_j(t), d_k(t + lag), docs/sensors/characterize.md (4):
+/// a second difference of the integral each, so a fourth of its generalised autocovariance s, (5).
+/// One sample is the unit of time.
 class DifferenceCovariance {
  public:
   DifferenceCovariance(const NoiseModel& model, double period_s)

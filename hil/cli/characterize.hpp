@@ -10,7 +10,8 @@
 #include "hil/characterize/grade.hpp"
 #include "hil/study/study.hpp"
 
-/// `drydock characterize`: what a sensor is worth, from what its driver says. docs/characterize.md
+/// `drydock characterize`: what a sensor is worth, from what its driver says.
+/// docs/sensors/characterize.md
 namespace drydock::cli {
 
 struct CharacterizeOptions {

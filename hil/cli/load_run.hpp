@@ -5,7 +5,8 @@
 
 #include "rig_config/rig.hpp"
 
-/// `drydock load`: whether this machine keeps every deadline of a rig. docs/time-of-validity.md
+/// `drydock load`: whether this machine keeps every deadline of a rig.
+/// docs/sensors/time-of-validity.md
 namespace drydock::cli {
 
 struct LoadOptions {

@@ -100,7 +100,7 @@ struct Summary {
   double speed() const { return wall_s > 0 ? duration_s / wall_s : 0; }  ///< times real time
 };
 
-/// The summary as JSON (without the curves), keys as in docs/run.md.
+/// The summary as JSON (without the curves), keys as in docs/use/run.md.
 std::string to_json(const Summary& summary);
 
 /// A table for a terminal.

@@ -9,7 +9,8 @@
 #include "hil/validity/figures.hpp"
 #include "rig_config/rig.hpp"
 
-/// `drydock validity`: how right the times of the measurements are. docs/time-of-validity.md
+/// `drydock validity`: how right the times of the measurements are.
+/// docs/sensors/time-of-validity.md
 namespace drydock::cli {
 
 struct ValidityOptions {

@@ -22,7 +22,7 @@ struct DeviceClock {
 };
 
 /// What faults make of an emulated device from within: its sensors, its clock, what is around it.
-/// As it stands here a device is sound. docs/faults.md
+/// As it stands here a device is sound. docs/use/faults.md
 struct Condition {
   sensor::Disturbance primary, secondary;
   std::optional<Stamp> stuck_at;  ///< it goes on measuring this moment

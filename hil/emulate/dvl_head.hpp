@@ -13,7 +13,7 @@ wire::DvlAttitude head_attitude(const measurement::BottomVelocity& measured);
 /// The head's own velocity as starboard, bow, mast, error.
 wire::DvlComponents along_head_axes(const Eigen::Vector3d& frd, std::optional<double> error_mps);
 
-/// Strength of an echo as Teledyne's heads count it, 0 without one; docs/ocean.md (17), (18).
+/// Strength of an echo as Teledyne's heads count it, 0 without one; docs/world/ocean.md (17), (18).
 std::uint8_t correlation_counts(double snr_db);
 std::uint8_t amplitude_counts(double snr_db);
 

@@ -5,7 +5,7 @@
 #include "hil/motion/vehicle_motion.hpp"
 
 /// Autopilots for heading, depth and speed, on the true state. Equation numbers are those of
-/// docs/vehicle.md.
+/// docs/world/vehicle.md.
 namespace drydock::motion {
 
 /// The part of a proportional-integral law that remembers. It stands while the output is at a stop

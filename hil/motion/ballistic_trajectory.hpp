@@ -10,8 +10,8 @@ namespace drydock::motion {
 
 /// A rolling airframe in ballistic flight, as a sounding rocket after burn-out: gravity, Coriolis
 /// and drag move it; pitch and yaw follow its velocity but for a small cone of the nose, and the
-/// rate of the roll angle is held. docs/sky.md has the equations. It comes to rest, at once and as
-/// it lies, at the first moment on the ground.
+/// rate of the roll angle is held. docs/world/sky.md has the equations. It comes to rest, at once
+/// and as it lies, at the first moment on the ground.
 class BallisticTrajectory final : public Trajectory {
  public:
   /// `mission.ballistic` must be there; heading and speed are those of the velocity at burn-out.

@@ -6,7 +6,7 @@
 namespace drydock::motion {
 
 /// The truth of a vehicle that sails a mission by the Gertler-Hagen equations under autopilots, on
-/// the rotating Earth, in a current: docs/vehicle.md. Between two steps of 10 ms it is one
+/// the rotating Earth, in a current: docs/world/vehicle.md. Between two steps of 10 ms it is one
 /// Runge-Kutta step of that part, so velocity, attitude and specific force are continuous and the
 /// inertial measurements are the derivatives of the path. The legs repeat as in
 /// KinematicTrajectory.

@@ -11,8 +11,8 @@
 
 namespace drydock::ocean {
 
-/// The water of a mission and the bed under it; docs/ocean.md has the equations by number. Depths
-/// are below the ellipsoid, which is the sea surface; times count from the mission's start.
+/// The water of a mission and the bed under it; docs/world/ocean.md has the equations by number.
+/// Depths are below the ellipsoid, which is the sea surface; times count from the mission's start.
 class Ocean {
  public:
   /// `origin`: where the mission begins. Throws std::invalid_argument, one line, for a raster that

@@ -35,7 +35,7 @@ struct ErrorSource {
   Vector3d constant(const rig_config::Axes& sigma, std::string_view part) const;
 };
 
-/// docs/sensors.md (2) to (5): scale factor, asymmetry, non-linearity and misalignment.
+/// docs/sensors/errors.md (2) to (5): scale factor, asymmetry, non-linearity and misalignment.
 class Response {
  public:
   Response(const rig_config::SensorErrors& errors, const ErrorSource& source);
@@ -51,7 +51,7 @@ class Response {
   Vector3d half_asymmetry_, nonlinearity_;
 };
 
-/// docs/sensors.md (6) and (7): what an IMU's triad feels of the other's quantity and of the
+/// docs/sensors/errors.md (6) and (7): what an IMU's triad feels of the other's quantity and of the
 /// specific force, in the sensor's axes.
 class Coupling {
  public:

@@ -7,7 +7,7 @@
 
 namespace drydock::sensor {
 
-/// What faults make of one quantity of a sensor: docs/faults.md. Changes while the sensor runs.
+/// What faults make of one quantity of a sensor: docs/use/faults.md. Changes while the sensor runs.
 struct Disturbance {
   Eigen::Vector3d bias = Eigen::Vector3d::Zero();
   struct Drift {

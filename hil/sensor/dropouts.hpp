@@ -5,7 +5,8 @@
 
 namespace drydock::sensor {
 
-/// Which samples get lost (docs/sensors.md (15)): outages of geometric length, a Gilbert channel.
+/// Which samples get lost (docs/sensors/errors.md (15)): outages of geometric length, a Gilbert
+/// channel.
 class Dropouts {
  public:
   Dropouts(const rig_config::DropoutConfig& config, std::uint64_t seed, std::string_view device);

@@ -19,7 +19,7 @@ constexpr double farthest_fade = 1.25;  // of the longest range: beyond it no fa
 /// Of a head that lies at the surface: rounding must not take it out of the water.
 constexpr double awash_m = 1e-3;
 
-/// docs/ocean.md (12)
+/// docs/world/ocean.md (12)
 double echo_snr_db(const JanusHead& head, double range_m) {
   return detection_snr_db + 20 * std::log10(head.longest_range_m / range_m) +
          2 * head.absorption_dbpm * (head.longest_range_m - range_m);
@@ -30,7 +30,7 @@ struct JanusSolution {
   std::optional<double> error_mps;  ///< of four beams
 };
 
-/// docs/ocean.md (13); with three beams (14) gives the fourth.
+/// docs/world/ocean.md (13); with three beams (14) gives the fourth.
 JanusSolution solve(BeamVelocities b, const JanusHead& head) {
   const auto bad = std::ranges::count_if(b, [](const auto& beam) { return !beam; });
   if (bad > 4 - head.fewest_beams || bad > 1) return {};
@@ -45,8 +45,8 @@ JanusSolution solve(BeamVelocities b, const JanusHead& head) {
   return solution;
 }
 
-/// docs/ocean.md (15): of every pair of opposite beams that is whole; with one beam lost in each,
-/// of those that are left.
+/// docs/world/ocean.md (15): of every pair of opposite beams that is whole; with one beam lost in
+/// each, of those that are left.
 double altitude(const std::array<std::optional<double>, 4>& range_m, double cosine_of_tilt) {
   double inverse = 0, pairs = 0, sum = 0, beams = 0;
   for (const std::size_t i : {0U, 2U})

@@ -8,7 +8,7 @@
 #include "hil/sensor/mounting.hpp"
 
 /// A Doppler velocity log's ping: four Janus beams traced from the head against the ocean's bed and
-/// through its water. docs/ocean.md has the equations by number.
+/// through its water. docs/world/ocean.md has the equations by number.
 namespace drydock::sensor {
 
 /// Water against which a head measures too, as it counts: along its own axis.

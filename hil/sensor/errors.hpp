@@ -6,9 +6,9 @@
 
 namespace drydock::sensor {
 
-/// All errors of one quantity (docs/sensors.md (1)): a constant bias, the response to the input,
-/// drift, white noise, then the converter. A part that is not configured costs a branch and draws
-/// no random number; one part's numbers do not depend on another's being there.
+/// All errors of one quantity (docs/sensors/errors.md (1)): a constant bias, the response to the
+/// input, drift, white noise, then the converter. A part that is not configured costs a branch and
+/// draws no random number; one part's numbers do not depend on another's being there.
 class ErrorModel {
  public:
   /// `rate_hz`: of the samples; white noise given as a density depends on it.

@@ -17,8 +17,8 @@ struct Increments {
 
 /// Integrates a trajectory from a time on, interval after interval, by Simpson's rule in pieces of
 /// 10 ms or less. Of the force at the lever arm r, dw/dt x r integrates to the exact change of
-/// w x r. docs/vehicle.md, eq. (10), (11). The trajectory and the start of its steps are best the
-/// same: then no kink of a command lies within a piece.
+/// w x r. docs/world/vehicle.md, eq. (10), (11). The trajectory and the start of its steps are best
+/// the same: then no kink of a command lies within a piece.
 class IncrementIntegrator {
  public:
   IncrementIntegrator(const motion::Trajectory& trajectory, motion::Stamp from,

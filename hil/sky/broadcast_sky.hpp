@@ -12,7 +12,7 @@ namespace drydock::sky {
 
 /// The satellites of a broadcast ephemeris as one receiver hears them: those above its mask, each
 /// with a C/N0 from the antenna's pattern and the vehicle's attitude, with noise, in whole dB as
-/// receivers report it (docs/sky.md eq. (13) to (16)). Used are the tracked ones.
+/// receivers report it (docs/world/sky.md eq. (13) to (16)). Used are the tracked ones.
 class BroadcastSky final : public sensor::Sky {
  public:
   /// `mission_start`: where `config.at_utc_ns` sets the sky to another day, the sky is at that

@@ -8,7 +8,7 @@
 namespace drydock::sky {
 
 /// Dilution of precision: error of the solution over that of one range, by the satellites' places
-/// alone (docs/sky.md eq. (17)).
+/// alone (docs/world/sky.md eq. (17)).
 struct Dilution {
   double geometric = 0, position = 0, horizontal = 0, vertical = 0, time = 0;
 };

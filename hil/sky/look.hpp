@@ -16,7 +16,8 @@ struct Look {
 };
 
 /// At a reception time: the satellite stands where it was when the signal left, and the Earth has
-/// turned under the signal since (docs/sky.md eq. (11), (12)). The atmosphere does not bend it.
+/// turned under the signal since (docs/world/sky.md eq. (11), (12)). The atmosphere does not bend
+/// it.
 Look look_at(const Ephemeris& record, GpsTime reception, const frame::Position& place);
 
 }  // namespace drydock::sky

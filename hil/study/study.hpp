@@ -26,7 +26,7 @@ struct Result {
   std::size_t runs = 0;  ///< done; fewer than asked for where it was stopped
   std::vector<Table> tables;
   std::vector<Figure> figures;
-  nlohmann::ordered_json json;  ///< an object; docs/study.md names its keys
+  nlohmann::ordered_json json;  ///< an object; docs/estimators/study.md names its keys
 };
 
 /// What takes time on board. A result has no times, so whoever runs the study measures it.

@@ -7,7 +7,7 @@
 
 #include "hil/validity/figures.hpp"
 
-/// Whether periodic samples were out of their drivers in time. docs/time-of-validity.md
+/// Whether periodic samples were out of their drivers in time. docs/sensors/time-of-validity.md
 namespace drydock::validity {
 
 /// How late the machine made a bare timer and a bare link in each second of a run.

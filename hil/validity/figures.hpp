@@ -7,7 +7,7 @@
 #include "hil/emulate/emulated_device.hpp"
 
 /// How far `valid_at` of measurements is from when the emulated sensor took them.
-/// docs/time-of-validity.md
+/// docs/sensors/time-of-validity.md
 namespace drydock::validity {
 
 using measurement::Stamp;

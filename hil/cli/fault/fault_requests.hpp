@@ -5,7 +5,7 @@
 #include "drivers/live/services.hpp"
 
 /// What a client of the page's fault services asks, as the order that `drydock fault` would send
-/// for it: docs/live.md.
+/// for it: docs/use/live.md.
 namespace drydock::cli {
 
 /// {"device","fault","with":["KEY=VALUE",...],"for":"5s"}; with and for may be absent. Never

@@ -35,7 +35,7 @@ class LiveFaults {
 
   void write(Summary& summary) const;
 
-  /// One line of JSON in, one out: docs/faults.md, Live.
+  /// One line of JSON in, one out: docs/use/faults.md, Live.
   std::string answer(std::string_view request);
 
  private:

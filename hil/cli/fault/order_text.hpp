@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-/// What `drydock fault`, and a page, ask of a running bench, as one line of JSON: docs/faults.md,
-/// Live.
+/// What `drydock fault`, and a page, ask of a running bench, as one line of JSON:
+/// docs/use/faults.md, Live.
 namespace drydock::cli {
 
 /// `[[fault]]` of a device with what was typed: "probability=0.5", "velocity_mps=0.5,0,0".

@@ -11,7 +11,8 @@
 #include "drivers/bus/cdr_sink.hpp"
 #include "drivers/record/message_layout.hpp"
 
-/// What a replay is to give again: the messages of docs/bus.md as a JSON file, docs/replay.md.
+/// What a replay is to give again: the messages of docs/build/bus.md as a JSON file,
+/// docs/use/replay.md.
 namespace drydock::cli {
 
 using ReferenceValue = nlohmann::json;

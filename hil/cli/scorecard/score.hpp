@@ -21,7 +21,7 @@ struct EstimatorScore {
   std::int64_t lost = 0;            ///< estimates
 };
 
-/// What became of one device under one fault: docs/scorecard.md.
+/// What became of one device under one fault: docs/use/scorecard.md.
 struct Score {
   std::string device, fault, amount, layer;
   std::optional<double> detect_s;   ///< behind the fault's start; empty: not detected

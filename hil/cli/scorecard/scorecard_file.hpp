@@ -5,7 +5,7 @@
 
 #include "hil/cli/scorecard/scorecard.hpp"
 
-/// The scorecard as a file: docs/scorecard.md names its keys.
+/// The scorecard as a file: docs/use/scorecard.md names its keys.
 namespace drydock::cli::scorecard {
 
 /// A line for each pair, so that a change shows in review. Fractions have three digits.

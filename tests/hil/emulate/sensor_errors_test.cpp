@@ -10,7 +10,7 @@
 #include "rig_config/load.hpp"
 #include "tests/hil/emulate/bench.hpp"
 
-/// The error models of docs/sensors.md as the wire shows them.
+/// The error models of docs/sensors/errors.md as the wire shows them.
 namespace drydock::emulate {
 namespace sensor_errors_test {
 

@@ -19,7 +19,7 @@ using namespace drydock;
 using measurement::Stamp;
 
 /// From the least to the greatest error that the documents explain, nanoseconds:
-/// docs/time-of-validity.md.
+/// docs/sensors/time-of-validity.md.
 struct Budget {
   double least_ns, greatest_ns;
 };
