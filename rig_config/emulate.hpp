@@ -22,7 +22,7 @@ struct SkyConfig {
   double elevation_mask_rad = 0.0872664625997165;  ///< 5 deg
 };
 
-/// Samples that never leave the device, in bursts (docs/sensors.md, (15)).
+/// Samples that never leave the device, in bursts (docs/sensors/errors.md, (15)).
 struct DropoutConfig {
   double probability = 0;   ///< that an outage begins, at each sample that is not in one
   double mean_samples = 1;  ///< length of an outage

@@ -22,7 +22,7 @@ struct ExpectedFigure {
   int line = 0;  ///< in the rig file; 0: asked for on the command line
 };
 
-/// A block [[expect]]: what a run must come to, of one device or one estimator. docs/ci.md
+/// A block [[expect]]: what a run must come to, of one device or one estimator. docs/use/ci.md
 struct ExpectConfig {
   std::string device, estimator;  ///< name; the other one is empty
   double after_s = 0;             ///< only what comes so long after the start counts

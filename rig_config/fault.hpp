@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-/// The one vocabulary of faults, for emulated, replayed and real links alike: docs/faults.md.
+/// The one vocabulary of faults, for emulated, replayed and real links alike: docs/use/faults.md.
 namespace drydock::rig_config {
 
 struct DeviceConfig;

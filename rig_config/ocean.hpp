@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-/// The table [ocean] of a mission file as typed values; docs/ocean.md has the equations.
+/// The table [ocean] of a mission file as typed values; docs/world/ocean.md has the equations.
 namespace drydock::rig_config {
 
 enum class BedKind : std::uint8_t { plane, slope, raster };

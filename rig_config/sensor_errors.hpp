@@ -3,7 +3,7 @@
 #include <array>
 
 /// How a sensor errs, as its data sheet or a paper's table says: values of a sensor file in SI.
-/// docs/sensors.md numbers the equations; hil/sensor/errors.hpp applies them.
+/// docs/sensors/errors.md numbers the equations; hil/sensor/errors.hpp applies them.
 namespace drydock::rig_config {
 
 /// One figure per axis; of a scalar quantity the first alone counts.

@@ -10,7 +10,8 @@
 
 #include "drivers/measurement/measurement.hpp"
 
-/// What travels on the bus, as the rest of the program sees it. See docs/bus.md for the topics.
+/// What travels on the bus, as the rest of the program sees it. See docs/build/bus.md for the
+/// topics.
 namespace drydock::bus {
 
 using measurement::Measurement;
@@ -56,7 +57,7 @@ struct Navigation {
 enum class Level : std::uint8_t { ok, warn, error, stale };
 
 /// One measurement against what an estimator expected of it: `/drydock/<estimator>/innovation/
-/// <device>`. Rows as docs/live.md names them: measured minus expected, and its sigma.
+/// <device>`. Rows as docs/use/live.md names them: measured minus expected, and its sigma.
 struct Innovation {
   struct Row {
     double value = 0, sigma = 0;

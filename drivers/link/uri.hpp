@@ -21,7 +21,7 @@ enum class Carries : std::uint8_t { bytes, frames };
 
 /// A link's address: `scheme:target?key=value&key=value`. The URI alone decides whether a device is
 /// emulated (pty, memory, memory-can, can:auto, socketcan of a vcan interface, anything that says
-/// `emulated=1`), recorded (file) or real (the rest). docs/links.md lists the schemes and their
+/// `emulated=1`), recorded (file) or real (the rest). docs/use/links.md lists the schemes and their
 /// keys.
 struct Uri {
   Scheme scheme = Scheme::memory;

@@ -8,7 +8,7 @@ namespace drydock::probe {
 struct ProbeOptions {
   std::string link;  ///< URI, `serial:` without a baud rate; or a bare /dev/... or CAN interface
   double duration_s = 30;
-  bool ask = false;   ///< may write to the wire: docs/probe.md lists what
+  bool ask = false;   ///< may write to the wire: docs/pier/probe.md lists what
   bool json = false;  ///< one JSON object
 };
 

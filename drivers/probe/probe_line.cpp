@@ -80,7 +80,7 @@ struct Hearing {
   }
 };
 
-/// Questions that only ask: UBX-MON-VER, and Water Linked's version. docs/probe.md
+/// Questions that only ask: UBX-MON-VER, and Water Linked's version. docs/pier/probe.md
 std::vector<std::uint8_t> questions() {
   std::array<std::uint8_t, wire::ubx::overhead> poll;
   constexpr std::uint16_t mon_ver = 0x0A04;

@@ -9,7 +9,7 @@
 
 namespace drydock::survey {
 
-/// A sensor that was found, as a rig file names it (docs/configuration.md).
+/// A sensor that was found, as a rig file names it (docs/use/configuration.md).
 struct FoundDevice {
   std::string name;  ///< unique among what was found
   device::Kind kind = device::Kind::dvl;

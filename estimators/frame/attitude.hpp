@@ -3,8 +3,8 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
-/// Attitude conventions of the whole house, written out in docs/frames.md: navigation frame n is
-/// NED, body frame b is FRD, Euler angles turn n into b in the order yaw, pitch, roll (3-2-1).
+/// Attitude conventions of the whole house, written out in docs/world/frames.md: navigation frame n
+/// is NED, body frame b is FRD, Euler angles turn n into b in the order yaw, pitch, roll (3-2-1).
 namespace drydock::frame {
 
 /// Radians. Canonical ranges: roll and yaw (-pi, pi], pitch [-pi/2, pi/2].

@@ -20,7 +20,7 @@ class MixingEstimator final : public ImuDrivenEstimator {
   void step(const Eigen::Vector3d& force, const Eigen::Vector3d& rate, double dt) override;
   Correction correct(double speed_mps) override {
     speed_mps_ = speed_mps;
-    return {};  // it has no innovation: mixing.md, Outliers
+    return {};  // it has no innovation: docs/estimators/mixing.md, Outliers
   }
   void fill(AttitudeEstimate& estimate) const override;
 

@@ -31,7 +31,7 @@ Vector3d velocity_of(const measurement::GnssFix& fix) {
           *fix.ground_speed_mps * std::sin(*fix.course_rad), absent};
 }
 
-/// Teledyne's tilt sensors give the pitch of a gimbal: docs/protocols/pd0.md.
+/// Teledyne's tilt sensors give the pitch of a gimbal: docs/sensors/protocols/pd0.md.
 Vector3d attitude_of(const measurement::BottomVelocity& dvl) {
   if (!dvl.heading_rad || !dvl.pitch_rad || !dvl.roll_rad) return nothing;
   return {*dvl.roll_rad, std::atan(std::tan(*dvl.pitch_rad) * std::cos(*dvl.roll_rad)),

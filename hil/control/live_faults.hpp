@@ -35,7 +35,7 @@ class LiveFaults {
 
   void write(summary::Summary& summary) const;
 
-  /// Takes one line of JSON and returns one: docs/faults.md, Live.
+  /// Takes one line of JSON and returns one: docs/use/faults.md, Live.
   std::string answer(std::string_view request);
 
  private:

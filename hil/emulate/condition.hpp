@@ -22,7 +22,7 @@ struct DeviceClock {
 };
 
 /// The internal effects of faults on an emulated device: its sensors, its clock, its surroundings.
-/// By default the device is sound. docs/faults.md
+/// By default the device is sound. docs/use/faults.md
 struct Condition {
   sensor::Disturbance primary, secondary;
   std::optional<Stamp> stuck_at;  ///< the device keeps measuring this moment

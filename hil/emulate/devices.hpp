@@ -4,8 +4,8 @@
 
 #include "hil/emulate/sampling_device.hpp"
 
-/// One emulated device per kind and protocol. docs/emulation.md describes what each one sends and
-/// when, and what `primary` and `secondary` errors mean for it.
+/// One emulated device per kind and protocol. docs/world/emulation.md describes what each one sends
+/// and when, and what `primary` and `secondary` errors mean for it.
 namespace drydock::emulate {
 
 using DevicePtr = std::unique_ptr<EmulatedDevice>;

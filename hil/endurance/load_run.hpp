@@ -6,7 +6,7 @@
 #include "rig_config/rig.hpp"
 
 /// `drydock load`: checks whether this machine keeps every deadline of a rig.
-/// docs/time-of-validity.md
+/// docs/sensors/time-of-validity.md
 namespace drydock::endurance {
 
 struct LoadOptions {

@@ -10,7 +10,7 @@ namespace drydock::motion {
 
 /// A rolling airframe in ballistic flight, like a sounding rocket after burn-out. Gravity, Coriolis
 /// acceleration and drag move it. Pitch and yaw follow the velocity except for a small cone of the
-/// nose; the rate of the roll angle is constant. docs/sky.md has the equations. At the first
+/// nose; the rate of the roll angle is constant. docs/world/sky.md has the equations. At the first
 /// contact with the ground it stops at once and keeps its attitude.
 class BallisticTrajectory final : public Trajectory {
  public:

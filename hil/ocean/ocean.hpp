@@ -11,8 +11,8 @@
 
 namespace drydock::ocean {
 
-/// The water of a mission and the bed under it. docs/ocean.md numbers the equations. Depths are
-/// below the ellipsoid, which is the sea surface. Times count from the mission's start.
+/// The water of a mission and the bed under it. docs/world/ocean.md numbers the equations. Depths
+/// are below the ellipsoid, which is the sea surface. Times count from the mission's start.
 class Ocean {
  public:
   /// `origin`: start of the mission. Throws std::invalid_argument with one line if a raster cannot

@@ -5,7 +5,7 @@
 namespace drydock::ocean {
 namespace {
 
-/// docs/ocean.md (5): Brodlie's weighted harmonic mean; 0 at an extremum.
+/// docs/world/ocean.md (5): Brodlie's weighted harmonic mean; 0 at an extremum.
 double slope_at_knot(double width_above, double secant_above, double width_below,
                      double secant_below) {
   if (secant_above * secant_below <= 0) return 0;

@@ -37,7 +37,7 @@ void add_probe(CLI::App& app, Command& command) {
          "at most how long: 10s, 1min; default 30s. A byte line that is certain ends sooner")
       ->transform(duration_text);
   sub->add_flag("--ask", a->options.ask,
-                "may write: the questions that only read, listed in docs/probe.md");
+                "may write: the questions that only read, listed in docs/pier/probe.md");
   sub->add_flag("--json", a->options.json, "one JSON object instead of text");
   sub->callback([a, &command] {
     command = [a] {

@@ -21,7 +21,7 @@ void add_proxy_command(CLI::App& app, Command& command) {
          "VIRTUAL", options->virt,
          "link URI where drivers find it: pty, tcp, udp; socketcan (vcan), slcan, can:auto")
       ->required();
-  sub->add_option("--faults", options->faults, "file of blocks [[fault]], docs/faults.md");
+  sub->add_option("--faults", options->faults, "file of blocks [[fault]], docs/use/faults.md");
   sub->add_option("--protocol", options->protocol,
                   "what the device speaks, as in a rig file: faults of messages need it");
   sub->add_option("--device", options->device, "the name by which the faults call it")

@@ -25,7 +25,7 @@ void add_recording_options(CLI::App& sub, ReplayArguments& a) {
   a.part.add_to(sub);
   sub.add_option(
       "--faults", r.faults,
-      "file of blocks [[fault]] that come between recording and drivers: docs/faults.md");
+      "file of blocks [[fault]] that come between recording and drivers: docs/use/faults.md");
   sub.add_flag("--step", r.step, "wait for Enter behind each message; q ends");
   auto* record = sub.add_option("--record", r.record.path, "record the replay to this MCAP file");
   sub.add_flag("--overwrite", r.record.overwrite, "replace what is there")->needs(record);

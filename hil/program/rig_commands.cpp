@@ -65,7 +65,7 @@ void add_faults_option(CLI::App* sub, std::string& file) {
 
 void add_allow_faults(CLI::App& sub, host::ServeOptions& serve) {
   sub.add_flag("--allow-faults", serve.allow_faults,
-               "viewers may set and clear faults of the emulated devices: docs/live.md")
+               "viewers may set and clear faults of the emulated devices: docs/use/live.md")
       ->needs("--serve");
 }
 

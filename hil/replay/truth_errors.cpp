@@ -19,7 +19,7 @@ Eigen::Vector3d vector_of(const Values& v, const std::string& name) {
   return {v.at(name + ".x"), v.at(name + ".y"), v.at(name + ".z")};
 }
 
-/// The body's axes (forward, left, up) in east, north, up, as orientations in docs/bus.md.
+/// The body's axes (forward, left, up) in east, north, up, as orientations in docs/build/bus.md.
 Eigen::Matrix3d axes_of(const Values& v, const std::string& name) {
   return Eigen::Quaterniond(v.at(name + ".w"), v.at(name + ".x"), v.at(name + ".y"),
                             v.at(name + ".z"))

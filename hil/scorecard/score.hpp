@@ -21,7 +21,7 @@ struct EstimatorScore {
   std::int64_t lost = 0;            ///< number of estimates
 };
 
-/// The effect of one fault on one device: docs/scorecard.md.
+/// The effect of one fault on one device: docs/use/scorecard.md.
 struct Score {
   std::string device, fault, amount, layer;
   std::optional<double> detect_s;   ///< after the fault's start; empty: not detected

@@ -5,7 +5,7 @@
 
 #include "hil/scorecard/scorecard.hpp"
 
-/// The scorecard as a file; docs/scorecard.md describes its keys.
+/// The scorecard as a file; docs/use/scorecard.md describes its keys.
 namespace drydock::scorecard {
 
 /// Each pair is one line, so that a review shows changes. Fractions have three digits.

@@ -36,7 +36,7 @@ struct ErrorSource {
   Vector3d constant(const rig_config::Axes& sigma, std::string_view part) const;
 };
 
-/// docs/sensors.md (2) to (5): scale factor, asymmetry, non-linearity and misalignment.
+/// docs/sensors/errors.md (2) to (5): scale factor, asymmetry, non-linearity and misalignment.
 class Response {
  public:
   Response(const rig_config::SensorErrors& errors, const ErrorSource& source);
@@ -52,8 +52,8 @@ class Response {
   Vector3d half_asymmetry_, nonlinearity_;
 };
 
-/// docs/sensors.md (6) and (7): the effect of the other triad's quantity and of the specific force
-/// on an IMU's triad, in the sensor's axes.
+/// docs/sensors/errors.md (6) and (7): the effect of the other triad's quantity and of the specific
+/// force on an IMU's triad, in the sensor's axes.
 class Coupling {
  public:
   Coupling(const rig_config::SensorErrors& errors, const ErrorSource& source);

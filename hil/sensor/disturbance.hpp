@@ -7,8 +7,8 @@
 
 namespace drydock::sensor {
 
-/// The effect of faults on one quantity of a sensor: docs/faults.md. It changes while the sensor
-/// runs.
+/// The effect of faults on one quantity of a sensor: docs/use/faults.md. It changes while the
+/// sensor runs.
 struct Disturbance {
   Eigen::Vector3d bias = Eigen::Vector3d::Zero();
   struct Drift {

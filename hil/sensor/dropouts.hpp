@@ -5,8 +5,8 @@
 
 namespace drydock::sensor {
 
-/// Decides which samples are lost (docs/sensors.md (15)): outages of geometric length, a Gilbert
-/// channel.
+/// Decides which samples are lost (docs/sensors/errors.md (15)): outages of geometric length, a
+/// Gilbert channel.
 class Dropouts {
  public:
   Dropouts(const rig_config::DropoutConfig& config, std::uint64_t seed, std::string_view device);

@@ -20,7 +20,7 @@ constexpr double farthest_fade = 1.25;  // factor on the longest range; beyond i
 /// A head at the surface must not leave the water by rounding.
 constexpr double awash_m = 1e-3;
 
-/// docs/ocean.md (12)
+/// docs/world/ocean.md (12)
 double echo_snr_db(const JanusHead& head, double range_m) {
   return detection_snr_db + 20 * std::log10(head.longest_range_m / range_m) +
          2 * head.absorption_dbpm * (head.longest_range_m - range_m);
@@ -31,7 +31,7 @@ struct JanusSolution {
   std::optional<double> error_mps;  ///< only with four beams
 };
 
-/// docs/ocean.md (13). With three beams, (14) gives the fourth.
+/// docs/world/ocean.md (13). With three beams, (14) gives the fourth.
 JanusSolution solve(BeamVelocities b, const JanusHead& head) {
   const auto bad = std::ranges::count_if(b, [](const auto& beam) { return !beam; });
   if (bad > 4 - head.fewest_beams || bad > 1) return {};
@@ -46,8 +46,8 @@ JanusSolution solve(BeamVelocities b, const JanusHead& head) {
   return solution;
 }
 
-/// docs/ocean.md (15): uses every complete pair of opposite beams. If each pair has lost one beam,
-/// it uses the remaining beams.
+/// docs/world/ocean.md (15): uses every complete pair of opposite beams. If each pair has lost one
+/// beam, it uses the remaining beams.
 double altitude(const std::array<std::optional<double>, 4>& range_m, double cosine_of_tilt) {
   double inverse = 0, pairs = 0, sum = 0, beams = 0;
   for (const std::size_t i : {0U, 2U})

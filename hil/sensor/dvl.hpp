@@ -8,7 +8,7 @@
 #include "hil/sensor/mounting.hpp"
 
 /// The ping of a Doppler velocity log: four Janus beams are traced from the head to the bed and
-/// through the water. docs/ocean.md numbers the equations.
+/// through the water. docs/world/ocean.md numbers the equations.
 namespace drydock::sensor {
 
 /// The water layer in which a head also measures. Lengths are along the head's axis.

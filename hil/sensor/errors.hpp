@@ -6,9 +6,9 @@
 
 namespace drydock::sensor {
 
-/// All errors of one quantity (docs/sensors.md (1)): a constant bias, the response to the input,
-/// drift, white noise, then the converter. A part that is not configured costs one branch and draws
-/// no random number. The random numbers of a part do not depend on the other parts.
+/// All errors of one quantity (docs/sensors/errors.md (1)): a constant bias, the response to the
+/// input, drift, white noise, then the converter. A part that is not configured costs one branch
+/// and draws no random number. The random numbers of a part do not depend on the other parts.
 class ErrorModel {
  public:
   /// `rate_hz` is the sample rate. It sets the white noise if that is given as a density.

@@ -17,8 +17,8 @@ struct Increments {
 
 /// Integrates a trajectory, one interval after another, by Simpson's rule in pieces of at most 10
 /// ms. In the force at the lever arm r, dw/dt x r integrates to the exact change of w x r.
-/// docs/vehicle.md, eq. (10), (11). The steps should begin at the start of the trajectory: then no
-/// piece contains a kink of a command.
+/// docs/world/vehicle.md, eq. (10), (11). The steps should begin at the start of the trajectory:
+/// then no piece contains a kink of a command.
 class IncrementIntegrator {
  public:
   IncrementIntegrator(const motion::Trajectory& trajectory, motion::Stamp from,

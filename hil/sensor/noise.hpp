@@ -13,8 +13,9 @@ namespace drydock::sensor {
 
 using measurement::Stamp;
 
-/// docs/sensors.md (8): independent from sample to sample. A sample is the mean over 1 / rate, so a
-/// density N gives the deviation N sqrt(rate), and the integral grows by N sqrt(t) at any rate.
+/// docs/sensors/errors.md (8): independent from sample to sample. A sample is the mean over 1 /
+/// rate, so a density N gives the deviation N sqrt(rate), and the integral grows by N sqrt(t) at
+/// any rate.
 class WhiteNoise {
  public:
   WhiteNoise(const rig_config::SensorErrors& errors, double rate_hz, const ErrorSource& source);
@@ -28,7 +29,7 @@ class WhiteNoise {
   RandomStream random_;
 };
 
-/// docs/sensors.md (9): first-order Gauss-Markov process, stationary from the first sample.
+/// docs/sensors/errors.md (9): first-order Gauss-Markov process, stationary from the first sample.
 class BiasInstability {
  public:
   BiasInstability(const rig_config::SensorErrors& errors, const ErrorSource& source);
@@ -46,7 +47,7 @@ class BiasInstability {
   RandomStream random_;
 };
 
-/// docs/sensors.md (10): zero at the first sample; the variance grows with time.
+/// docs/sensors/errors.md (10): zero at the first sample; the variance grows with time.
 class RandomWalk {
  public:
   RandomWalk(const rig_config::SensorErrors& errors, const ErrorSource& source);

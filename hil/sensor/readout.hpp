@@ -4,7 +4,8 @@
 
 namespace drydock::sensor {
 
-/// The effect of the converter on a reading: saturation, then steps (docs/sensors.md (11) to (13)).
+/// The effect of the converter on a reading: saturation, then steps (docs/sensors/errors.md (11) to
+/// (13)).
 class Readout {
  public:
   explicit Readout(const rig_config::SensorErrors& errors);

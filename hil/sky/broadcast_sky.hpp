@@ -12,7 +12,7 @@ namespace drydock::sky {
 
 /// The satellites of a broadcast ephemeris as one receiver tracks them: all above its mask. Each
 /// C/N0 comes from the antenna's pattern and the vehicle's attitude, with noise, in whole dB as
-/// receivers report it (docs/sky.md eq. (13) to (16)). Tracked satellites are marked as used.
+/// receivers report it (docs/world/sky.md eq. (13) to (16)). Tracked satellites are marked as used.
 class BroadcastSky final : public sensor::Sky {
  public:
   /// If `config.at_utc_ns` sets the sky to another day, the sky has that time at `mission_start`

@@ -8,7 +8,7 @@
 namespace drydock::sky {
 
 /// Dilution of precision: error of the solution divided by the error of one range. It depends only
-/// on the satellites' directions (docs/sky.md eq. (17)).
+/// on the satellites' directions (docs/world/sky.md eq. (17)).
 struct Dilution {
   double geometric = 0, position = 0, horizontal = 0, vertical = 0, time = 0;
 };

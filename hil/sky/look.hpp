@@ -16,7 +16,7 @@ struct Look {
 };
 
 /// For a reception time. The satellite position is that of the emission time, and the Earth rotates
-/// during the signal's flight (docs/sky.md eq. (11), (12)). The atmosphere is not modelled.
+/// during the signal's flight (docs/world/sky.md eq. (11), (12)). The atmosphere is not modelled.
 Look look_at(const Ephemeris& record, GpsTime reception, const frame::Position& place);
 
 }  // namespace drydock::sky

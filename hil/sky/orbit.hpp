@@ -7,7 +7,7 @@
 #include "hil/sky/ephemeris.hpp"
 
 /// The user's algorithm of IS-GPS-200 for a broadcast record: orbit 20.3.3.4.3.1 (table 20-IV),
-/// clock 20.3.3.3.3.1. docs/sky.md numbers the equations.
+/// clock 20.3.3.3.3.1. docs/world/sky.md numbers the equations.
 namespace drydock::sky {
 
 inline constexpr double gps_mu = 3.986005e14;               ///< m3/s2, eq. (1)

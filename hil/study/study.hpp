@@ -27,7 +27,7 @@ struct Result {
   std::size_t runs = 0;  ///< finished runs; fewer than requested after a stop
   std::vector<Table> tables;
   std::vector<Figure> figures;
-  nlohmann::ordered_json json;  ///< an object; docs/study.md describes its keys
+  nlohmann::ordered_json json;  ///< an object; docs/estimators/study.md describes its keys
 };
 
 /// A computation that takes time on board. A Result contains no times, so the caller measures it.

@@ -100,7 +100,7 @@ struct Summary {
   double speed() const { return wall_s > 0 ? duration_s / wall_s : 0; }  ///< factor on real time
 };
 
-/// The summary as JSON, without the curves; docs/run.md describes the keys.
+/// The summary as JSON, without the curves; docs/use/run.md describes the keys.
 std::string to_json(const Summary& summary);
 
 /// A table for a terminal.

@@ -7,7 +7,8 @@
 
 #include "hil/validity/figures.hpp"
 
-/// Checks whether periodic samples came out of their drivers in time. docs/time-of-validity.md
+/// Checks whether periodic samples came out of their drivers in time.
+/// docs/sensors/time-of-validity.md
 namespace drydock::validity {
 
 /// Delays of a bare timer and a bare link on this machine, for each second of a run.

@@ -7,7 +7,7 @@
 #include "hil/emulate/emulated_device.hpp"
 
 /// The difference between `valid_at` of measurements and the time at which the emulated sensor took
-/// them. docs/time-of-validity.md
+/// them. docs/sensors/time-of-validity.md
 namespace drydock::validity {
 
 using measurement::Stamp;

@@ -5,7 +5,7 @@
 #include "rig_config/emulate.hpp"
 #include "rig_config/rig.hpp"
 
-/// Which key of a sensor file is which figure of docs/sensors.md, in which unit.
+/// Which key of a sensor file is which figure of docs/sensors/errors.md, in which unit.
 namespace drydock::rig_config {
 
 struct ErrorKey {

@@ -27,7 +27,7 @@ int main(int argc, char** argv) {
   CLI::App app{
       "Decodes captures made by others and compares with the values that other programs read.\n"
       "Exit codes: 0 nothing is wrong, 1 something is, 2 wrong usage or nothing to compare."};
-  app.footer("Example: conformance ../shared/corpora --verbose\nSee docs/conformance.md.");
+  app.footer("Example: conformance ../shared/corpora --verbose\nSee docs/build/conformance.md.");
   std::string folder;
   bool as_json = false, verbose = false;
   app.add_option("DIR", folder, "folder with the corpora: dvl/, eml/, gps/, n2k/, can_imu/, ...")

@@ -153,7 +153,7 @@ TEST(Fault, BehindARecordingOrAProxyOnlyTheWireCanHaveFaults) {
 TEST(Fault, SchemaAndPageNameEveryWordInTheVocabulary) {
   const auto schema = nlohmann::json::parse(schema_text());
   const auto& names = schema["definitions"]["fault"]["properties"]["fault"]["enum"];
-  std::ifstream in(DRYDOCK_SOURCE_DIR "/docs/faults.md");
+  std::ifstream in(DRYDOCK_SOURCE_DIR "/docs/use/faults.md");
   std::ostringstream page;
   page << in.rdbuf();
   ASSERT_EQ(names.size(), fault_vocabulary().size());

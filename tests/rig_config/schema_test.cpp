@@ -102,7 +102,7 @@ TEST(Schema, AnEmulatedSensorTakesTheSameErrorKeysInlineAndFromAFile) {
 }
 
 TEST(Schema, EveryKeyIsInTheManual) {
-  const std::string manual = read("docs/configuration.md");
+  const std::string manual = read("docs/use/configuration.md");
   for (const std::string& key : keys_of_schemas())
     EXPECT_NE(manual.find("`" + key + "`"), std::string::npos) << key;
 }

@@ -15,7 +15,7 @@ struct MeasurementTopic {
   Kind kind = Kind::imu;
 };
 
-/// Of the topics of docs/bus.md, without `rt`, the one of each device that loses no field:
+/// Of the topics of docs/build/bus.md, without `rt`, the one of each device that loses no field:
 /// "/imu/data", "/dvl/bottom_track". Empty: another topic.
 std::optional<MeasurementTopic> measurement_topic(std::string_view topic, std::string_view type);
 

@@ -8,8 +8,8 @@
 
 namespace drydock::bus {
 
-/// Makes the messages of docs/bus.md for a sink: the same bytes as DDS would carry, on the same
-/// topics without `rt`. What no device of the list gave is passed over. One thread at a time.
+/// Makes the messages of docs/build/bus.md for a sink: the same bytes as DDS would carry, on the
+/// same topics without `rt`. What no device of the list gave is passed over. One thread at a time.
 class CdrPublisher {
  public:
   /// The sink must outlive it.

@@ -17,7 +17,7 @@ struct RecordedLink {
   std::vector<std::string> devices;  ///< on it
 };
 
-/// What a recording holds. Topics are those of docs/bus.md, without `rt`.
+/// What a recording holds. Topics are those of docs/build/bus.md, without `rt`.
 struct RecorderOptions {
   std::vector<RecordedLink> links;
   std::vector<bus::Device> devices;                 ///< by `Origin::device`

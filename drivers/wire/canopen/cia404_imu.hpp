@@ -13,7 +13,7 @@
 /// CANopen measuring device (CiA 404) profile of a navigation-grade IMU: process values as REAL32
 /// in three transmit PDOs, because 16-bit rates are too coarse to find north with.
 /// TPDO1 = (gx, gy), TPDO2 = (gz, ax), TPDO3 = (ay, az), little-endian, rad/s and m/s2, sent back
-/// to back in this order once per sample. docs/protocols/cia404-imu.md is its definition.
+/// to back in this order once per sample. docs/sensors/protocols/cia404-imu.md is its definition.
 namespace drydock::wire::cia404_imu {
 
 /// One sample along the sensor's own axes. A component that is not a number is empty.

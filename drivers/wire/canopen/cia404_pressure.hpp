@@ -12,7 +12,7 @@
 /// Pressure transmitters after CiA 404. TPDO1 begins with the process value, as INTEGER32 (9130h,
 /// WIKA 2090h) or as REAL32 (6130h); makers put the status of 6150h behind it, other objects, or
 /// nothing. Which form and unit it has stands in the node's objects, not in the frame: the rig file
-/// says it. docs/protocols/cia404-pressure.md lists the makers.
+/// says it. docs/sensors/protocols/cia404-pressure.md lists the makers.
 namespace drydock::wire::cia404_pressure {
 
 enum class Form : std::uint8_t {

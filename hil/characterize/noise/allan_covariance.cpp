@@ -10,9 +10,9 @@ namespace {
 
 using std::int64_t;
 
-/// Covariance of the differences of clusters d_j(t), d_k(t + lag), docs/characterize.md (4). Each
-/// is a second difference of the integral, so the covariance is a fourth difference of the
-/// integral's generalised autocovariance s, (5). The unit of time is one sample.
+/// Covariance of the differences of clusters d_j(t), d_k(t + lag), docs/sensors/characterize.md
+/// (4). Each is a second difference of the integral, so the covariance is a fourth difference of
+/// the integral's generalised autocovariance s, (5). The unit of time is one sample.
 class DifferenceCovariance {
  public:
   DifferenceCovariance(const NoiseModel& model, double period_s)

@@ -1,7 +1,7 @@
 #pragma once
 
 /// The noise of a sensor at rest as sums of independent processes, IEEE Std 952, annex C, in units
-/// of the quantity q. docs/characterize.md numbers the equations.
+/// of the quantity q. docs/sensors/characterize.md numbers the equations.
 namespace drydock::characterize {
 
 struct NoiseModel {

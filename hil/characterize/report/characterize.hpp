@@ -11,7 +11,7 @@
 #include "hil/study/study.hpp"
 
 /// `drydock characterize` measures the quality of a sensor from its driver's output:
-/// docs/characterize.md
+/// docs/sensors/characterize.md
 namespace drydock::characterize {
 
 struct CharacterizeOptions {

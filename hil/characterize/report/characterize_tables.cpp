@@ -220,7 +220,7 @@ std::string sensor_file_of(const Characterized& device, const std::string& sourc
   const auto& figures = device.figures;
   std::string head = fmt::format(
       "{} of {}, measured by drydock characterize: {} samples, {:.6g} s. 95 % bounds behind each\n"
-      "figure, axis by axis. Correlation times and dropouts: docs/characterize.md.\n",
+      "figure, axis by axis. Correlation times and dropouts: docs/sensors/characterize.md.\n",
       figures.subject.name, source, figures.timing.samples,
       static_cast<double>(figures.timing.samples) / figures.timing.rate_hz.value);
   for (const QuantityFigures& of : figures.quantities)

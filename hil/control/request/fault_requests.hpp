@@ -5,7 +5,7 @@
 #include "drivers/live/foxglove/services.hpp"
 
 /// Turns a request to the page's fault services into the order that `drydock fault` would send:
-/// docs/live.md.
+/// docs/use/live.md.
 namespace drydock::control {
 
 /// Request: {"device","fault","with":["KEY=VALUE",...],"for":"5s"}; `with` and `for` are optional.

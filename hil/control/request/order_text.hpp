@@ -4,7 +4,7 @@
 #include <vector>
 
 /// Orders that `drydock fault` and a page send to a running bench, as one line of JSON:
-/// docs/faults.md, Live.
+/// docs/use/faults.md, Live.
 namespace drydock::control {
 
 /// The `[[fault]]` table of a device from typed pairs: "probability=0.5", "velocity_mps=0.5,0,0".

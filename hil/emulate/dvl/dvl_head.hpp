@@ -13,7 +13,8 @@ wire::DvlAttitude head_attitude(const measurement::BottomVelocity& measured);
 /// The head's own velocity as starboard, bow, mast, error.
 wire::DvlComponents along_head_axes(const Eigen::Vector3d& frd, std::optional<double> error_mps);
 
-/// Echo strength in the counts of Teledyne's heads, 0 without an echo; docs/ocean.md (17), (18).
+/// Echo strength in the counts of Teledyne's heads, 0 without an echo; docs/world/ocean.md (17),
+/// (18).
 std::uint8_t correlation_counts(double snr_db);
 std::uint8_t amplitude_counts(double snr_db);
 

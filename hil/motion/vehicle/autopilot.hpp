@@ -5,7 +5,7 @@
 #include "hil/motion/vehicle/vehicle_motion.hpp"
 
 /// Autopilots for heading, depth and speed. They use the true state. Equation numbers are those of
-/// docs/vehicle.md.
+/// docs/world/vehicle.md.
 namespace drydock::motion {
 
 /// The integral part of a proportional-integral law. It is held while the output is at a stop and

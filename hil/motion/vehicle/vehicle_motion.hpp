@@ -8,7 +8,7 @@
 #include "rig_config/mission.hpp"
 
 /// An underwater vehicle on the rotating WGS-84 Earth, in water that moves over ground. Equation
-/// numbers are those of docs/vehicle.md.
+/// numbers are those of docs/world/vehicle.md.
 namespace drydock::motion {
 
 /// The place and motion of a vehicle at one instant.

@@ -6,9 +6,10 @@
 namespace drydock::motion {
 
 /// The truth of a vehicle that sails a mission with the Gertler-Hagen equations and autopilots, on
-/// the rotating Earth, in a current: docs/vehicle.md. Between two steps of 10 ms it is one shorter
-/// Runge-Kutta step, so velocity, attitude and specific force are continuous, and the inertial
-/// measurements are the derivatives of the path. The legs repeat as in KinematicTrajectory.
+/// the rotating Earth, in a current: docs/world/vehicle.md. Between two steps of 10 ms it is one
+/// shorter Runge-Kutta step, so velocity, attitude and specific force are continuous, and the
+/// inertial measurements are the derivatives of the path. The legs repeat as in
+/// KinematicTrajectory.
 class VehicleTrajectory final : public Trajectory {
  public:
   /// `mission.vehicle` must be set. Throws std::invalid_argument (one line) for a mission that the

@@ -11,7 +11,8 @@
 #include "drivers/bus/cdr/cdr_sink.hpp"
 #include "drivers/recordings/record/message_layout.hpp"
 
-/// The messages (docs/bus.md) that a replay must reproduce, stored as a JSON file: docs/replay.md.
+/// The messages (docs/build/bus.md) that a replay must reproduce, stored as a JSON file:
+/// docs/use/replay.md.
 namespace drydock::replay {
 
 using ReferenceValue = nlohmann::json;

@@ -9,7 +9,7 @@
 #include "hil/validity/run/host_floor.hpp"
 #include "rig_config/rig.hpp"
 
-/// `drydock validity`: the accuracy of measurement times. docs/time-of-validity.md
+/// `drydock validity`: the accuracy of measurement times. docs/sensors/time-of-validity.md
 namespace drydock::validity {
 
 struct ValidityOptions {

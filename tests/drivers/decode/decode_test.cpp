@@ -158,10 +158,10 @@ TEST(DecodeManual, ASectionForEachMessageHasJustItsKeys) {
   table.add(wire::FrameProtocols{});
   table.add(wire::FramesAsTheyAre{});
   table.add(wire::FrameCarriers{});
-  const std::string manual = read_file(DRYDOCK_SOURCE_DIR "/docs/decode.md");
+  const std::string manual = read_file(DRYDOCK_SOURCE_DIR "/docs/sensors/decode.md");
   for (const auto& [type, keys] : table.keys) {
     const auto begin = manual.find("\n### " + type + "\n");
-    ASSERT_NE(begin, std::string::npos) << "docs/decode.md has no section ### " << type;
+    ASSERT_NE(begin, std::string::npos) << "docs/sensors/decode.md has no section ### " << type;
     const std::string section = manual.substr(begin, manual.find("\n##", begin + 4) - begin);
     for (const std::string& key : keys) EXPECT_THAT(section, HasSubstr("`" + key + "`")) << type;
   }

@@ -11,7 +11,7 @@ namespace {
 
 /// The words between backticks in the first column of the table below "## Diagnostics".
 std::set<std::string> keys_of_the_page() {
-  std::ifstream in(DRYDOCK_SOURCE_DIR "/docs/bus.md");
+  std::ifstream in(DRYDOCK_SOURCE_DIR "/docs/build/bus.md");
   std::string text{std::istreambuf_iterator<char>(in), {}};
   text.erase(0, text.find("## Diagnostics"));
   text.resize(text.find("\n## ", 1));

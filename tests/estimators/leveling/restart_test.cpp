@@ -72,7 +72,8 @@ Outcome through_an_outage(FilterKind kind, bool biased) {
   return outcome;
 }
 
-// A start's figure on this path: .5 degrees within 3.4 s in 95 % of the runs (leveling.md).
+// A start's figure on this path: .5 degrees within 3.4 s in 95 % of the runs
+// (docs/estimators/leveling.md).
 constexpr double start_settles_in_s = 3.4;
 
 TEST(LevelingAfterAnOutage, TheAugmentedFilterSettlesAsAtAStartAndItsCovarianceIsHonest) {

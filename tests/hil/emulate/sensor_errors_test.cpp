@@ -10,7 +10,7 @@
 #include "rig_config/load.hpp"
 #include "tests/hil/emulate/bench.hpp"
 
-/// The error models of docs/sensors.md, seen on the wire.
+/// The error models of docs/sensors/errors.md, seen on the wire.
 namespace drydock::emulate {
 namespace sensor_errors_test {
 

@@ -175,7 +175,8 @@ TEST(VehicleTrajectory, ATurningCircleHasTheRadiusOfTheManeuverAndItsHeadingIsKe
                   {.kind = straight, .duration_s = 100, .speed_mps = 1.885}},
                  1.885),
       start);
-  // docs/maneuver.md and models.md: a rudder of 10 deg gives a circle of 29.4 m radius, to port.
+  // docs/world/maneuver.md and models.md: a rudder of 10 deg gives a circle of 29.4 m radius, to
+  // port.
   const Truth circling = trajectory.at(at_s(290));
   EXPECT_NEAR(circling.rudder_rad, 10 * degree, 1e-9);
   const double rate_of_turn = circling.rate_body.z() / std::cos(circling.pitch_rad);

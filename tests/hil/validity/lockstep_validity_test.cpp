@@ -19,7 +19,7 @@ using namespace drydock;
 using measurement::Stamp;
 
 /// The smallest and the largest error that the documents explain, nanoseconds:
-/// docs/time-of-validity.md.
+/// docs/sensors/time-of-validity.md.
 struct Budget {
   double least_ns, greatest_ns;
 };
