@@ -7,10 +7,10 @@
 namespace drydock::capture {
 
 /// The output of candump on the screen, with or without its time (-t a, A, d, z) and flags (-x):
-///     (1436509052.249713)  can0  RX - -  18EEFF01   [8]  05 A0 BE 1C 00 A0 A0 C0
-///     can0  123   [4]  remote request
+///    (1436509052.249713)  can0  RX - -  18EEFF01   [8]  05 A0 BE 1C 00 A0 A0 C0
+///    can0  123   [4]  remote request
 /// and its older form, which names the interface once in the head (`interface = can0, ...`):
-///     <0x18eeff01> [8] 05 a0 be 1c 00 a0 a0 c0
+///    <0x18eeff01> [8] 05 a0 be 1c 00 a0 a0 c0
 /// A length of two digits means CAN FD.
 class CandumpScreen final : public LineReader {
  public:

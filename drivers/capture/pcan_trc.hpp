@@ -8,8 +8,8 @@
 namespace drydock::capture {
 
 /// PEAK's trace (.trc), versions 1.0 to 1.3 and 2.0, 2.1 (PEAK CAN TRC File Format):
-///          3)     17700.3  Tx     00000100  8  00 00 00 00 00 00 00 00
-///          1      1059.900 DT 1      0300 Rx -  7    00 00 00 00 04 00 00
+///         3)     17700.3  Tx     00000100  8  00 00 00 00 00 00 00 00
+///         1      1059.900 DT 1      0300 Rx -  7    00 00 00 00 04 00 00
 /// Each version is a list of columns by PEAK's letters: N number, O offset in ms, T type, B bus, I
 /// identifier, d direction, R reserved, l bytes of data, L length code, D data. An identifier of
 /// more than four digits has 29 bits. Bus n is interface can(n-1). Lines of hardware status, error

@@ -9,10 +9,10 @@
 namespace drydock::capture {
 
 /// Vector's ASCII log (.asc):
-///     base hex  timestamps absolute
-///        3.098426 1  18EBFF00x       Rx   d 8 01 A0 0F A6 60 3B D1 40    Length = ...
-///       30.005021 CANFD   1 Rx  300   1 0 8  8 11 c2 03 04 05 06 07 08   102203  133   303000 ...
-///        2.501000 1 ErrorFrame
+///    base hex  timestamps absolute
+///       3.098426 1  18EBFF00x       Rx   d 8 01 A0 0F A6 60 3B D1 40    Length = ...
+///      30.005021 CANFD   1 Rx  300   1 0 8  8 11 c2 03 04 05 06 07 08   102203  133   303000 ...
+///       2.501000 1 ErrorFrame
 /// The head gives the base of identifiers and data (hex or dec). It also says whether a time counts
 /// from the start or from the previous line. Channel n is interface can(n-1), as in can-utils'
 /// asc2log. Lines of statistics, bus states and transport protocols contain no frame.

@@ -7,7 +7,7 @@
 
 #include "drivers/link/link.hpp"
 
-/// What the links share among themselves. Internal to drivers/link.
+/// Common parts of the links. Internal to drivers/link.
 namespace drydock::link {
 
 using OpenedBytes = boost::system::result<std::unique_ptr<ByteLink>, OpenError>;
@@ -15,12 +15,12 @@ using OpenedFrames = boost::system::result<std::unique_ptr<FrameLink>, OpenError
 
 using ErrorCode = boost::system::error_code;
 
-/// Completion of every operation: the outcome is a value, never an exception.
+/// Completion token of every operation: the outcome is a value, never an exception.
 inline constexpr auto as_outcome = asio::as_tuple(asio::use_awaitable);
 
 inline ErrorCode system_error(int number) { return {number, boost::system::system_category()}; }
 
-/// `message` with the system's own words for `number` (an errno) behind it.
+/// `message`, followed by the system's own words for `number` (an errno).
 inline OpenError open_error(int number, const std::string& message) {
   return {system_error(number), message + ": " + system_error(number).message()};
 }
