@@ -24,8 +24,7 @@ const Format* find_format(std::string_view name);
 std::string format_names();
 
 constexpr std::size_t head_to_recognise = 64 * 1024;
-constexpr std::size_t longest_magic = 24;  ///< fewer bytes are not searched, unless the file is
-                                           ///< shorter
+constexpr std::size_t longest_magic = 24;  ///< fewer bytes are searched only in a shorter file
 
 /// The format whose sign comes first in the head of a file. Null if there is no sign. When the head
 /// grows, the old part need not be searched again: `from` is past_whole_lines() of that part.

@@ -15,8 +15,7 @@ struct Tally {
   std::uint64_t frames = 0;
   std::uint64_t damaged = 0;        ///< units that were not understood, completely or in part
   std::uint64_t bytes_skipped = 0;  ///< inside damaged units
-  boost::container::static_vector<std::uint64_t, 8> where;  ///< numbers of the first damaged units,
-                                                            ///< counted from 1
+  boost::container::static_vector<std::uint64_t, 8> where;  ///< numbers of the first ones, from 1
 };
 
 /// "2 lines not understood: 4, 17". Empty if every unit was understood.

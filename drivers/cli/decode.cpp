@@ -89,9 +89,7 @@ bool decode_bytes(FileBlocks& blocks, bool raw, Sink& sink, wire::StreamCounters
   };
   for (wire::Bytes block = blocks.read(); !block.empty(); block = blocks.read()) {
     framer->feed(raw ? block : head.without(block), P::scan, on_frame);
-    if (!blocks.likely_more(block) && !sink.flush())
-      return false;  // a live input: show the line
-                     // now
+    if (!blocks.likely_more(block) && !sink.flush()) return false;  // a live input: show it now
   }
   const auto [total, frames] = std::pair(framer->counters().bytes_in, framer->counters().frames);
   constexpr std::uint8_t line_end[] = {'\n'};  // the last line of a capture may have no end
@@ -108,8 +106,7 @@ bool decode_bytes(FileBlocks& blocks, bool raw, Sink& sink, wire::StreamCounters
 template <wire::FrameProtocol P>
 bool decode_frames(FileBlocks& blocks, FrameCapture& frames, Sink& sink,
                    wire::StreamCounters& counters) {
-  std::map<std::string, typename P::Decoder, std::less<>> buses;  // each bus assembles its own
-                                                                  // messages
+  std::map<std::string, typename P::Decoder, std::less<>> buses;  // each assembles its own
   const auto drain = [&] {
     while (const auto record = frames.next()) {
       auto bus = buses.find(record->interface);

@@ -26,8 +26,7 @@ struct Diagnosis {
 
 /// What a rig needs from the machine.
 struct Needs {
-  bool whole_machine = true;       ///< no rig was named: check everything, but report little as
-                                   ///< wrong
+  bool whole_machine = true;       ///< no rig was named: check all, report little as wrong
   std::vector<std::string> ports;  ///< device paths of serial and slcan links
   std::vector<std::string> buses;  ///< CAN interfaces of socketcan links
   bool kernel_can = false;         ///< SocketCAN, for socketcan and vcan links

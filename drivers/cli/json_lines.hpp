@@ -52,8 +52,7 @@ class JsonWriter {
   template <std::integral T>
   char* put(char* at, T number) {
     using Wide = std::conditional_t<std::signed_integral<T>, std::int64_t, std::uint64_t>;
-    return write_number(out_.room(at, longest_number), Wide{number});  // prints a byte as a number,
-                                                                       // not as a character
+    return write_number(out_.room(at, longest_number), Wide{number});  // prints a byte as a number
   }
   template <class T>
   char* put(char* at, const std::optional<T>& maybe) {
@@ -85,8 +84,7 @@ class JsonWriter {
   [[gnu::noinline, gnu::flatten]] char* put_fields(char* at, const Struct& s) {
     visit_fields(
         s, [&](std::string_view key, const auto& content) __attribute__((always_inline)) {
-          at = this->put_field(at, key, content);  // without its name clang warns that `this` is
-                                                   // unused
+          at = this->put_field(at, key, content);  // otherwise clang calls `this` unused
         });
     return at;
   }

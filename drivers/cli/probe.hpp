@@ -6,8 +6,7 @@
 namespace drydock::cli {
 
 struct ProbeOptions {
-  std::string link;  ///< URI, where `serial:` needs no baud rate; or only /dev/... or a CAN
-                     ///< interface
+  std::string link;  ///< URI, `serial:` without a baud rate; or only /dev/... or a CAN interface
   double duration_s = 30;
   bool ask = false;   ///< may write to the wire: docs/probe.md lists the questions
   bool json = false;  ///< one JSON object

@@ -13,8 +13,7 @@ namespace drydock::cli {
 struct ExportOptions {
   std::string recording;
   exporting::Format format = exporting::Format::candump;
-  exporting::Target target;  ///< empty path: the recording's name with another ending, in the
-                             ///< current folder
+  exporting::Target target;  ///< empty path: the recording's name with another ending, here
   record::Selection part;
 };
 int export_recording(ExportOptions options, const record::Watch& watch, std::FILE* err);

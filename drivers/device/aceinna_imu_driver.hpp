@@ -49,8 +49,7 @@ class AceinnaImuDriver final : public BusDriver<wire::Aceinna> {
   AceinnaConfigurator configurator_;
   std::optional<Half> rate_, force_;
   std::optional<Stamp> stated_valid_at_;  ///< from ARI's latency field
-  std::array<std::string_view, 3> told_;  ///< reported errors of hardware BIT, software BIT and
-                                          ///< status
+  std::array<std::string_view, 3> told_;  ///< errors that were reported
 };
 
 }  // namespace drydock::device

@@ -37,8 +37,7 @@ class CanopenNode {
   SourceFilter source_;
   CanopenOptions options_;
   std::optional<wire::canopen::NodeState> state_;  ///< from the last heartbeat
-  std::optional<Stamp> lost_at_;                   ///< the node counts as lost then, without
-                                                   ///< another heartbeat
+  std::optional<Stamp> lost_at_;                   ///< the node is then lost
   std::optional<Stamp> next_sync_;
 };
 

@@ -13,10 +13,8 @@ constexpr milliseconds shortest_pause{50};
 constexpr milliseconds pause_without_baud{100};
 constexpr std::size_t block_bytes = 128;
 
-constexpr milliseconds late_within{500};       ///< a sentence with the time of the closed epoch
-                                               ///< came late
-constexpr std::chrono::seconds counts_for{5};  ///< for this long a better message replaces others
-                                               ///< with the same content
+constexpr milliseconds late_within{500};       ///< it came late, after its epoch
+constexpr std::chrono::seconds counts_for{5};  ///< a better message replaces others
 
 bool recent(const std::optional<Stamp>& last, Stamp now) {
   return last && now - *last < counts_for;

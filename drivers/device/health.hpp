@@ -22,8 +22,7 @@ struct Health {
   std::optional<Jitter> jitter;   ///< of the intervals of that kind
   double nominal_rate_hz = 0;
   std::optional<Stamp> last_message_at;
-  std::optional<std::chrono::nanoseconds> age;  ///< age of the last message, at the time of the
-                                                ///< call
+  std::optional<std::chrono::nanoseconds> age;  ///< of the last message, at the time of the call
   Reason last_error;                            ///< empty: none so far
   std::uint32_t reopened = 0;                   ///< how often the link was opened again
   std::uint64_t can_dropped = 0;                ///< frames that the kernel lost on this bus

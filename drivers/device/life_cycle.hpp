@@ -28,13 +28,11 @@ constexpr std::string_view to_string(State state) {
 
 struct LifeCycleOptions {
   std::chrono::nanoseconds stale_after = std::chrono::seconds{2};    ///< streaming -> stale
-  std::chrono::nanoseconds reopen_after = std::chrono::seconds{10};  ///< waiting, stale -> open
-                                                                     ///< again
+  std::chrono::nanoseconds reopen_after = std::chrono::seconds{10};  ///< waiting, stale: open again
   /// A serial line that went quiet may need opening again. A bus is shared, and a silent device is
   /// no fault of the bus: false keeps it open.
   bool reopen_when_quiet = true;
-  std::string_view quiet_but_up = " on a bus that is up";  ///< added to the text about silence if
-                                                           ///< the link stays open
+  std::string_view quiet_but_up = " on a bus that is up";  ///< for silence on an open link
   std::chrono::nanoseconds first_back_off = std::chrono::milliseconds{250};  ///< doubles each time
   /// It costs almost nothing to try a port that is missing. With a short limit a port that is back
   /// is found at once.

@@ -109,8 +109,7 @@ void NmeaSatellites::merge(const Satellite& satellite) {
     return s.constellation == satellite.constellation && s.number == satellite.number;
   });
   if (same != satellites_.end()) {
-    same->cno_dbhz = std::max(same->cno_dbhz, satellite.cno_dbhz);  // an empty value is less than
-                                                                    // any other
+    same->cno_dbhz = std::max(same->cno_dbhz, satellite.cno_dbhz);  // empty is the least value
     if (!same->elevation_rad) same->elevation_rad = satellite.elevation_rad;
     if (!same->azimuth_rad) same->azimuth_rad = satellite.azimuth_rad;
   } else if (satellites_.size() < satellites_.capacity()) {

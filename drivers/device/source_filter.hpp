@@ -52,8 +52,7 @@ class SourceFilter {
   }
 
   std::uint8_t configured_;
-  std::optional<std::uint8_t> ours_;  ///< present address of the sensor; empty: not heard, or
-                                      ///< another node took it
+  std::optional<std::uint8_t> ours_;  ///< its present address; empty: not heard, or lost
   std::optional<std::uint64_t> name_;
   bool name_stands_ = false;  ///< the sensor has spoken since it claimed
   std::optional<measurement::Stamp> heard_at_;

@@ -62,8 +62,7 @@ class TcpClient final : public ByteLink {
   tcp::socket socket_;
   Provenance provenance_;
   bool connected_ = false;
-  boost::system::error_code failure_;  ///< the kernel reports it once, but read and write both need
-                                       ///< it
+  boost::system::error_code failure_;  ///< the kernel reports it once; read and write need it
 };
 
 Task<void> TcpClient::connected() {

@@ -24,11 +24,9 @@ constexpr std::string_view to_string(Provenance provenance) {
 
 /// Source and time of a measurement. Drivers fill it; no later code changes it.
 struct Origin {
-  Stamp valid_at{};     ///< time at which the value was true, corrected for wire time and stated
-                        ///< latency
+  Stamp valid_at{};     ///< when the value was true, corrected for wire time and stated latency
   Stamp received_at{};  ///< arrival of its last byte or frame
-  std::optional<std::chrono::nanoseconds> device_time;  ///< the device's own time, with its own
-                                                        ///< epoch
+  std::optional<std::chrono::nanoseconds> device_time;  ///< the device's own time and epoch
   Provenance provenance = Provenance::real;
   std::uint16_t device = 0;  ///< index of the device in the rig
 };
@@ -106,9 +104,8 @@ struct GnssSatellites {
 /// Feedback of the actuators. Each device reports the values that it has.
 struct ActuatorState {
   Origin origin;
-  std::optional<double> rudder_rad;       ///< positive turns the vehicle to port (N < 0), as in the
-                                          ///< paper
-  std::optional<double> stern_plane_rad;  ///< positive turns the nose down (M < 0)
+  std::optional<double> rudder_rad;       ///< turns to port if positive (N < 0), as in the paper
+  std::optional<double> stern_plane_rad;  ///< nose down if positive (M < 0)
   std::optional<double> bow_plane_rad;
   std::optional<double> propeller_radps;
 };

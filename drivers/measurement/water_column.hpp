@@ -41,8 +41,7 @@ inline double unesco_depth_m(double sea_pressure_pa, double latitude_rad) {
 
 inline double unesco_pressure_pa(double depth_m, double latitude_rad) {
   const double g = ocean::surface_gravity(latitude_rad);
-  double p = depth_m;  // a metre is nearly a decibar, so each Newton step doubles the correct
-                       // digits
+  double p = depth_m;  // a metre is nearly a decibar; each Newton step doubles the digits
   for (int step = 0; step < 4; ++step) {
     const double excess =
         ocean::volume_integral(p) - depth_m * (g + ocean::gravity_per_decibar * p);

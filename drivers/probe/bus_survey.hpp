@@ -29,8 +29,7 @@ struct Node {
   std::uint64_t frames = 0;
   std::optional<wire::j1939::Name> name;              ///< from its address claim
   std::optional<wire::canopen::NodeState> state;      ///< from its last heartbeat
-  bool booted = false;                                ///< it sent a boot-up message during the
-                                                      ///< survey
+  bool booted = false;                                ///< its boot-up message was heard
   std::optional<wire::canopen::Emergency> emergency;  ///< the last one
   std::optional<std::uint32_t> device_type, vendor_id, product_code;  ///< answers to questions
   std::vector<Traffic> traffic;

@@ -73,8 +73,7 @@ class CandidateOf final : public ByteCandidate {
     return [this](wire::Bytes frame, std::size_t) {
       const auto message = P::decode(frame);
       if (proves<P>(frame, message) && proofs_++ == 0)
-        skipped_before_ = framer_->counters().bytes_skipped;  // bytes before the first understood
-                                                              // frame
+        skipped_before_ = framer_->counters().bytes_skipped;  // bytes before the first good frame
       if (message) std::visit([this](const auto& m) { note(m.type); }, *message);
     };
   }

@@ -29,8 +29,7 @@ struct MessageCount {
 struct ByteFinding {
   std::string_view protocol;
   Confidence confidence = Confidence::nothing;
-  std::uint64_t proofs = 0;  ///< frames that noise hardly ever gives: checksum right, or fields
-                             ///< known
+  std::uint64_t proofs = 0;  ///< frames that noise hardly gives: checksum right, or fields known
   std::uint64_t frames = 0, bad_checksums = 0;
   std::uint64_t bytes = 0;       ///< since the first proof; all bytes if there is none
   std::uint64_t bytes_good = 0;  ///< those within frames

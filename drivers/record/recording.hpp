@@ -74,10 +74,7 @@ class Recording {
 
   /// Use it after the end. Empty, or one line that says where the file is truncated or damaged.
   const std::string& damage() const { return damage_.empty() ? reader_.damage() : damage_; }
-  std::uint64_t unreadable() const {
-    return unreadable_;
-  }  ///< raw messages that could not be
-     ///< decoded
+  std::uint64_t unreadable() const { return unreadable_; }  ///< raw, not decoded
 
  private:
   explicit Recording(mcap::Reader reader) : reader_(std::move(reader)) {}

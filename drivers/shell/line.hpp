@@ -32,8 +32,7 @@ class Line : protected device::Transmitter {
 
   virtual boost::system::result<Provenance, link::OpenError> open_link() = 0;
   virtual Run read_until_lost() = 0;   ///< calls lost() with the reason
-  virtual Run write_until_lost() = 0;  ///< sends the data that the drivers queue; ends when the
-                                       ///< reading ends
+  virtual Run write_until_lost() = 0;  ///< sends what drivers queue; ends with the reading
   virtual void close_link() = 0;       ///< pending reads and writes end
   virtual void destroy_link() = 0;     ///< no read or write is pending any more
 

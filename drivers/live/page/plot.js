@@ -52,8 +52,7 @@ export class Plot {
       });
       if (!band) return;
       const edge = { stroke: stroke + '66', width: 1, spanGaps: true, points: { show: false } };
-      if (this.lines.length < 3) bands.push({ series: [series.length + 1, series.length], fill: stroke + translucent }); // with three lines
-                                                                                                                         // only the edges
+      if (this.lines.length < 3) bands.push({ series: [series.length + 1, series.length], fill: stroke + translucent }); // three: only edges
       series.push(edge, edge);
     });
     const axis = { stroke: css('--soft'), font, labelFont: font, grid: { stroke: css('--line'), width: 1 }, ticks: { stroke: css('--line'), size: 4 }, gap: 3 };
