@@ -32,7 +32,7 @@ class FrameCapture {
   explicit FrameCapture(const Format* format = nullptr);
 
   void feed(Bytes block);
-  void finish();  ///< no more blocks will come
+  void finish();  ///< no more blocks follow
   /// The next frame of the bytes that were fed. Empty if it needs more bytes or the capture is at
   /// its end.
   std::optional<Record> next();

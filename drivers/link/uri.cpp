@@ -11,7 +11,7 @@
 namespace drydock::link {
 namespace {
 
-/// `"text": what`, the one line of every failure.
+/// The one line of every failure: `"text": what`.
 UriError wrong(std::string_view text, const std::string& what) {
   return {"\"" + std::string(text) + "\": " + what};
 }

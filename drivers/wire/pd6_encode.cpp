@@ -8,7 +8,7 @@ namespace {
 
 constexpr double bad_mmps = -32768;
 
-/// One line; numbers are padded with blanks to the widths of the document.
+/// Writes one line. Numbers are padded with blanks to the widths of the document.
 class Line {
  public:
   explicit Line(std::span<std::uint8_t> out) : out_(out) {}

@@ -57,7 +57,7 @@ using FrameProtocols =
 
 static_assert(requires { all_are_frame_protocols(FrameProtocols{}); });
 
-/// Frames without decoding. It is used where FrameProtocols are used.
+/// Frames without decoding, for the places that use FrameProtocols.
 using FramesAsTheyAre = ProtocolList<RawCan>;
 
 static_assert(requires { all_are_frame_protocols(FramesAsTheyAre{}); });

@@ -107,7 +107,7 @@ struct VelocityLayout : InSi {
 using EulerAngles = Vector<EulerLayout>;
 using RateOfTurn = Vector<RateLayout>;
 using RateOfTurnHr = Vector<RateHrLayout>;
-using Acceleration = Vector<AccelerationLayout>;  ///< specific force, with gravity's reaction
+using Acceleration = Vector<AccelerationLayout>;  ///< specific force: includes gravity's reaction
 using AccelerationHr = Vector<AccelerationHrLayout>;
 using FreeAcceleration = Vector<FreeAccelerationLayout>;
 using Velocity = Vector<VelocityLayout>;
