@@ -17,8 +17,7 @@ repeated() { # FILE BYTES: repeats a capture to at least that size, a multiple o
   mv "$all" "$work/input"
 }
 
-seconds_of() { # COMMAND...: the least processor time of five runs on the input, almost independent
-               # of load
+seconds_of() { # COMMAND...: the least processor time of five runs, which other load hardly changes
   local TIMEFORMAT='%U %S' run
   for run in 1 2 3 4 5; do
     { time "$@" <"$work/input" >/dev/null 2>&1; } 2>&1
