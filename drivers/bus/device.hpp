@@ -79,7 +79,7 @@ struct InnovationSource {
 struct Fault {
   std::string device;  ///< empty: the fault is not of one device
   std::string name;    ///< a word of docs/faults.md: "hang", "flip"
-  std::string text;    ///< words for a person: "hang, for 5 s"
+  std::string text;    ///< words for a person: "dvl: hang"
   Stamp since{};
   std::optional<Stamp> until;  ///< may be in the past or planned; empty: not known
 
