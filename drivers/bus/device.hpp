@@ -10,8 +10,7 @@
 
 #include "drivers/measurement/measurement.hpp"
 
-/// What travels on the bus, as the rest of the program sees it. See docs/build/bus.md for the
-/// topics.
+/// The data on the bus, as the rest of the program sees them. See docs/build/bus.md for the topics.
 namespace drydock::bus {
 
 using measurement::Measurement;
@@ -20,33 +19,35 @@ using measurement::Stamp;
 
 enum class Kind : std::uint8_t { dvl, emlog, gnss, imu, depth, actuator };
 
-/// Which messages a subscriber takes for a device. `complete`: Drydock's own where a standard one
-/// would lose a field. `standard`: only ROS 2's, for a device that a ROS 2 node drives.
+/// Which messages a subscriber takes for a device. `complete`: Drydock's own message where a
+/// standard message would lose a field. `standard`: only messages of ROS 2, for a device that a ROS
+/// 2 node drives.
 enum class Form : std::uint8_t { complete, standard };
 
-/// One device of the rig; its place in the list is `Origin::device`.
+/// One device of the rig. Its index in the list is `Origin::device`.
 struct Device {
   std::string name;
   Kind kind = Kind::imu;
-  /// Publishing: declared to every subscriber at discovery, and fixed for the publisher's life.
-  /// Subscribing: what to assume of a writer that declares nothing, such as a ROS 2 node.
+  /// For a publisher: every subscriber learns it at discovery, and it is fixed for the publisher's
+  /// life. For a subscriber: the value to assume for a writer that declares nothing, such as a ROS
+  /// 2 node.
   Provenance provenance = Provenance::real;
-  Form form = Form::complete;  ///< subscribing only; a publisher always writes both
+  Form form = Form::complete;  ///< for subscribers only: a publisher always writes both
 };
 
-/// Attitude against NED as an estimator gives it: `rt/estimate/<name>`.
+/// Attitude relative to NED from an estimator: `rt/estimate/<name>`.
 struct Attitude {
   Stamp valid_at{};
   double roll_rad = 0, pitch_rad = 0;
-  std::optional<double> yaw_rad;                         ///< from north, clockwise seen from above
+  std::optional<double> yaw_rad;                         ///< clockwise from north, seen from above
   Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();  ///< rad2, roll and pitch
 };
 
-/// Position, velocity and attitude as an estimator gives them: nav_msgs/Odometry on
+/// Position, velocity and attitude from an estimator: nav_msgs/Odometry on
 /// `rt/estimate/<name>/odometry`, sensor_msgs/NavSatFix on `rt/estimate/<name>/fix`.
 struct Navigation {
   Stamp valid_at{};
-  double latitude_rad = 0, longitude_rad = 0, height_m = 0;  ///< WGS-84, up
+  double latitude_rad = 0, longitude_rad = 0, height_m = 0;  ///< WGS-84, height is up
   Eigen::Vector3d offset_ned = Eigen::Vector3d::Zero();      ///< m, from the first estimate
   Eigen::Vector3d velocity_ned = Eigen::Vector3d::Zero();    ///< m/s over ground
   Eigen::Quaterniond body_to_ned = Eigen::Quaterniond::Identity();
@@ -56,8 +57,9 @@ struct Navigation {
 
 enum class Level : std::uint8_t { ok, warn, error, stale };
 
-/// One measurement against what an estimator expected of it: `/drydock/<estimator>/innovation/
-/// <device>`. Rows as docs/use/live.md names them: measured minus expected, and its sigma.
+/// Compares one measurement with the estimator's prediction of it:
+/// `/drydock/<estimator>/innovation/<device>`. docs/use/live.md names the rows. `value` is measured
+/// minus expected; `sigma` is its standard deviation.
 struct Innovation {
   struct Row {
     double value = 0, sigma = 0;
@@ -68,23 +70,23 @@ struct Innovation {
   boost::container::static_vector<Row, 3> rows;
 };
 
-/// Whose innovations there will be.
+/// A pair of estimator and device that gives innovations.
 struct InnovationSource {
   std::uint16_t estimator = 0, device = 0;
 };
 
-/// A fault made on purpose, on `/drydock/faults`.
+/// A fault that somebody made on purpose, on `/drydock/faults`.
 struct Fault {
-  std::string device;  ///< empty: none alone
-  std::string name;    ///< in the vocabulary of faults: "bit-errors"
-  std::string text;    ///< for a person: "one bit in 10000 is wrong"
+  std::string device;  ///< empty: the fault is not of one device
+  std::string name;    ///< a word of docs/faults.md: "hang", "flip"
+  std::string text;    ///< words for a person: "dvl: hang"
   Stamp since{};
-  std::optional<Stamp> until;  ///< past or planned; empty: not known
+  std::optional<Stamp> until;  ///< may be in the past or planned; empty: not known
 
   bool in_force(Stamp now) const { return since <= now && (!until || now < *until); }
 };
 
-/// Health of one device: one status of the diagnostic_msgs/DiagnosticArray on `rt/diagnostics`.
+/// Health of one device: one status in the diagnostic_msgs/DiagnosticArray on `rt/diagnostics`.
 struct DeviceStatus {
   Level level = Level::ok;
   std::string name, message, hardware_id;

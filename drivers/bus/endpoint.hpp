@@ -6,7 +6,7 @@
 #include "drivers/bus/entity.hpp"
 #include "drivers/bus/message_types.hpp"
 
-/// Topics and the USER_DATA of their readers and writers.
+/// Topics, and the USER_DATA of their readers and writers.
 namespace drydock::bus {
 
 template <class Message>
@@ -16,7 +16,7 @@ Entity make_topic(std::int32_t participant, const std::string& name) {
                 "topic " + name);
 }
 
-/// `typehash=RIHS01_...;` as ROS 2 wants it, then `provenance=...;` which ROS 2 passes over.
+/// First `typehash=RIHS01_...;`, which ROS 2 needs, then `provenance=...;`, which ROS 2 ignores.
 template <class Message>
 std::string user_data(std::string_view provenance = {}) {
   std::string text;

@@ -8,18 +8,18 @@
 
 struct dds_qos;
 
-/// The little of Cyclone DDS that the rest of the bus is built on: handles that delete themselves.
-/// Public headers of the bus show no DDS header; `dds_entity_t` is an int32.
+/// The few parts of Cyclone DDS on which the rest of the bus is built: handles that delete
+/// themselves. Public headers of the bus include no DDS header; `dds_entity_t` is an int32.
 namespace drydock::bus {
 
-/// Start-up failed; the text says what could not be made and why. Nothing throws once running.
+/// Start-up failed. The text says what could not be made and why. Nothing throws after start-up.
 class Error : public std::runtime_error {
  public:
   Error(std::string_view what, std::int32_t return_code);
 };
 
-/// Owner of one DDS entity. Deleting an entity deletes its children, so members are declared
-/// parent first and destroyed child first.
+/// Owns one DDS entity. Deleting an entity deletes its children, so declare the parent member
+/// first: members are destroyed in reverse order, children first.
 class Entity {
  public:
   Entity() = default;
@@ -43,7 +43,7 @@ struct QosDelete {
 using Qos = std::unique_ptr<dds_qos, QosDelete>;
 
 /// Quality of service of a ROS 2 publisher or subscription: reliable, volatile, keep last `depth`,
-/// XCDR1, no autodispose. `max_blocking_time_ns` is how long a write may wait for a slow reader.
+/// XCDR1, no autodispose. A write waits at most `max_blocking_time_ns` for a slow reader.
 /// `user_data` is a list of `key=value;`.
 Qos make_qos(std::int32_t depth, std::int64_t max_blocking_time_ns, std::string_view user_data);
 

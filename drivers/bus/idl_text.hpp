@@ -4,7 +4,7 @@
 
 namespace drydock::bus {
 
-/// The IDL files of the bus, one after the other.
+/// The text of all IDL files of the bus, one after the other.
 std::string_view idl_text();
 
 }  // namespace drydock::bus

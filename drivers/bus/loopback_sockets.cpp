@@ -23,7 +23,7 @@ bool receives_from_everywhere(int descriptor) {
          IN6_IS_ADDR_UNSPECIFIED(&reinterpret_cast<const sockaddr_in6&>(address).sin6_addr);
 }
 
-/// Sockets of this process that every interface reaches.
+/// Sockets of this process that are bound to all interfaces.
 std::set<int> open_sockets() {
   std::set<int> sockets;
   for (const auto& entry : std::filesystem::directory_iterator("/proc/self/fd")) {

@@ -7,7 +7,7 @@
 #include "drydock_messages.h"
 #include "ros2_messages.h"
 
-/// Short names for the generated C types, and what DDS and ROS 2 want to know of each.
+/// Short names for the generated C types, and the facts about each type that DDS and ROS 2 need.
 /// Only .cpp files of the bus and its tests include this.
 namespace drydock::bus {
 
@@ -31,8 +31,8 @@ using ActuatorStateMessage = drydock_msg_dds__ActuatorState_;
 using InnovationMessage = drydock_msg_dds__Innovation_;
 using FaultsMessage = drydock_msg_dds__Faults_;
 
-/// `hash` is the REP-2016 type hash that ROS 2 (Iron and later) expects in an endpoint's USER_DATA;
-/// empty for Drydock's own types, which ROS 2 reads as "not set".
+/// `hash` is the REP-2016 type hash that ROS 2 (Iron and later) expects in the USER_DATA of an
+/// endpoint. It is empty for Drydock's own types; ROS 2 reads that as "not set".
 struct MessageType {
   const dds_topic_descriptor_t* descriptor;
   std::string_view hash;

@@ -10,11 +10,12 @@
 #include "drivers/bus/convert/convert.hpp"
 #include "drivers/bus/topic.hpp"
 
-/// Which messages are made of a device's measurements, whatever takes them: DDS, a recording.
-/// An `Outlet<Message>` takes one topic: `message()` is what write(Stamp) sends.
+/// Selects the messages that are made from the measurements of a device. The receiver may be DDS or
+/// a recording. An `Outlet<Message>` feeds one topic: write(Stamp) sends the content of
+/// `message()`.
 namespace drydock::bus {
 
-/// Everything that one kind of sample becomes.
+/// All messages that are made from one kind of sample.
 template <template <class> class Outlet, class Sample, class... Messages>
 class SampleOutlets {
  public:
@@ -23,7 +24,7 @@ class SampleOutlets {
   SampleOutlets(const std::string& device, const Open& open)
       : outlets_(make<Messages>(device, open)...) {}
 
-  /// The time that goes with each message is `received_at`; `valid_at` is in its header.
+  /// Each message is sent with the time `received_at`; its header holds `valid_at`.
   void publish(const Sample& sample) {
     for_each([&sample](auto& outlet) {
       if (fill(outlet.message(), sample)) outlet.write(sample.origin.received_at);
@@ -79,7 +80,7 @@ class DeviceOutlets {
   DeviceOutlets(const Device& device, const Open& open)
       : outlets_(make(device.kind, device.name, open)) {}
 
-  /// False when this kind of device does not give such a measurement.
+  /// False if this kind of device does not give such a measurement.
   bool publish(const Measurement& measurement) {
     return std::visit(
         [](auto& device, const auto& sample) {
@@ -121,7 +122,7 @@ class DeviceOutlets {
   Any outlets_;
 };
 
-/// Attitude of an estimator, and where it is if it is one that navigates.
+/// Attitude of an estimator, and also its position if the estimator navigates.
 template <template <class> class Outlet>
 class EstimateOutlets {
  public:
@@ -137,7 +138,7 @@ class EstimateOutlets {
   }
 
   void publish(const Attitude& attitude) { write(attitude_, attitude); }
-  /// False: it does not navigate.
+  /// False if the estimator does not navigate.
   bool publish(const Navigation& navigation) {
     if (!odometry_) return false;
     write(*odometry_, navigation);
@@ -164,7 +165,7 @@ class EstimateOutlets {
   std::optional<Outlet<NavSatFixMessage>> fix_;
 };
 
-/// One for each of `names`; those that are among `navigators` too give Navigation.
+/// One for each of `names`. Those that are also in `navigators` give Navigation.
 template <template <class> class Outlet, class Open>
 std::vector<EstimateOutlets<Outlet>> open_estimates(const std::vector<std::string>& names,
                                                     const std::vector<std::string>& navigators,

@@ -7,12 +7,12 @@
 
 #include "drivers/bus/message_types.hpp"
 
-/// Strings and sequences inside messages: Cyclone's memory, which dds_sample_free releases.
+/// Strings and sequences inside messages. Cyclone owns their memory; dds_sample_free releases it.
 namespace drydock::bus {
 
 inline char* copy_of(const std::string& text) { return dds_string_dup(text.c_str()); }
 
-/// Its elements hold nothing yet.
+/// The elements are empty at first.
 template <class Sequence>
 auto* allocate(Sequence& sequence, std::size_t count) {
   using Element = std::remove_pointer_t<decltype(sequence._buffer)>;
@@ -22,7 +22,7 @@ auto* allocate(Sequence& sequence, std::size_t count) {
   return sequence._buffer;
 }
 
-/// Empties a message for the next content.
+/// Empties a message for the next content, but keeps its frame name.
 template <class Message>
 void release_but_frame(Message& message) {
   char* const frame = std::exchange(message.header.frame_id, nullptr);

@@ -13,7 +13,7 @@
 namespace drydock::bus {
 namespace {
 
-/// Discovery by unicast among the first hundred participants of this host; nothing leaves it.
+/// Discovers by unicast among the first hundred participants of this host. Nothing leaves the host.
 constexpr const char* loopback_only = R"(
 <CycloneDDS><Domain Id="any">
   <General>
@@ -27,7 +27,7 @@ constexpr const char* loopback_only = R"(
   </Discovery>
 </Domain></CycloneDDS>)";
 
-/// As any Cyclone program on that interface; others find it by multicast.
+/// The default of every Cyclone program on that interface: others find it by multicast.
 std::string on_interface(const std::string& name) {
   return "<CycloneDDS><Domain Id=\"any\"><General><Interfaces><NetworkInterface name=\"" + name +
          "\"/></Interfaces></General></Domain></CycloneDDS>";
@@ -43,7 +43,7 @@ Entity make_domain(std::uint32_t id, const std::string& interface) {
   return domain;
 }
 
-/// A domain can be configured once per process, and deleting it deletes all that is in it.
+/// A domain can be configured only once per process. Deleting it deletes everything in it.
 std::shared_ptr<Entity> domain_on(std::uint32_t id, const std::string& interface) {
   static std::mutex mutex;
   static std::map<std::pair<std::uint32_t, std::string>, std::weak_ptr<Entity>> domains;

@@ -8,13 +8,13 @@
 
 namespace drydock::bus {
 
-/// The interface that nothing leaves the machine by, and nothing enters.
+/// Nothing leaves or enters the machine through this interface.
 inline constexpr const char* loopback_interface = "lo";
 
-/// Membership in a DDS domain (ROS_DOMAIN_ID of the ROS 2 nodes to talk with, 0 to 232), on one
-/// network interface: on loopback by unicast, on any other with multicast as Cyclone does by
-/// default. A configuration in CYCLONEDDS_URI takes the place of all this. A process can be in a
-/// domain by one interface only.
+/// Membership in a DDS domain on one network interface. The domain is the ROS_DOMAIN_ID of the ROS
+/// 2 nodes to talk with, 0 to 232. On loopback it uses unicast, on any other interface multicast,
+/// which is Cyclone's default. A configuration in CYCLONEDDS_URI replaces all this. A process can
+/// use a domain through one interface only.
 class Participant {
  public:
   explicit Participant(std::uint32_t domain, const std::string& interface = loopback_interface);

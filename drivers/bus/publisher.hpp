@@ -14,11 +14,11 @@ namespace drydock::bus {
 struct TopicCounters {
   std::string topic;
   std::uint64_t written = 0;
-  /// Written while some reader owed more acknowledgements than the writer keeps samples: that
-  /// reader stalls, and may have lost as many. Readers that keep up lose nothing.
+  /// Samples written while a reader still owed more acknowledgements than the writer keeps samples.
+  /// Such a reader stalls and may have lost that many samples. Readers that keep up lose nothing.
   std::uint64_t overrun = 0;
-  std::uint64_t dropped = 0;  ///< written for nobody: a stalled reader filled the queue (time-out)
-  std::uint64_t failed = 0;   ///< any other refusal of DDS
+  std::uint64_t dropped = 0;  ///< not sent: a stalled reader filled the queue (time-out)
+  std::uint64_t failed = 0;   ///< DDS refused them for any other reason
 };
 
 /// Puts measurements, estimates and health on the bus. Never waits for a reader and never throws
@@ -27,24 +27,26 @@ class Publisher {
  public:
   Publisher(const Participant& participant, const std::vector<Device>& devices,
             const std::vector<std::string>& estimators = {},
-            const std::vector<std::string>& navigators = {});  ///< those that give Navigation
+            const std::vector<std::string>& navigators = {});  ///< they give Navigation too
   Publisher(Publisher&&) noexcept;
   Publisher& operator=(Publisher&&) noexcept;
   ~Publisher();
 
-  /// To the topics of device `origin.device`. Counted in misrouted() when there is no such device,
-  /// its kind does not give such a measurement, or its provenance is not the declared one.
+  /// Writes to the topics of device `origin.device`. Counts in misrouted() if there is no such
+  /// device, if its kind does not give such a measurement, or if its provenance is not the declared
+  /// one.
   void publish(const Measurement& measurement);
 
   /// To `rt/estimate/<estimators[estimator]>`; an unknown index counts in misrouted().
   void publish(const Attitude& attitude, std::size_t estimator);
 
-  /// To `rt/estimate/<name>/odometry` and `/fix`; one that is no navigator counts in misrouted().
+  /// To `rt/estimate/<name>/odometry` and `/fix`. An estimator that is no navigator counts in
+  /// misrouted().
   void publish(const Navigation& navigation, std::size_t estimator);
 
   void publish(std::span<const DeviceStatus> health, Stamp now);
 
-  /// Connections with readers, over all topics: 0 means nobody listens yet.
+  /// Connections with readers, summed over all topics. 0 means that nobody listens yet.
   std::size_t matched_readers() const;
 
   std::vector<TopicCounters> counters() const;

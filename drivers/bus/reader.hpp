@@ -12,13 +12,13 @@
 #include "drivers/bus/subscriber.hpp"
 #include "drivers/bus/topic.hpp"
 
-/// What a subscriber is made of. Included by subscriber.cpp only.
+/// The parts of a subscriber. Only subscriber.cpp includes this file.
 namespace drydock::bus {
 
-/// An estimator that is late by seconds still gets every sample.
+/// With this depth an estimator that is seconds late still gets every sample.
 inline constexpr std::int32_t reader_depth = 2000;
 
-/// An eventfd that DDS threads raise and the subscriber's thread waits on.
+/// An eventfd. DDS threads raise it and the subscriber's thread waits on it.
 class Doorbell {
  public:
   Doorbell() : fd_(::eventfd(0, EFD_NONBLOCK | EFD_CLOEXEC)) {
@@ -39,7 +39,7 @@ class Doorbell {
   int fd_;
 };
 
-/// One topic and its reader. Rings `doorbell`, which must outlive it, whenever data arrives.
+/// One topic and its reader. It rings `doorbell` whenever data arrive; `doorbell` must outlive it.
 template <class Message>
 class Reader {
  public:
@@ -47,11 +47,11 @@ class Reader {
       : topic_(make_topic<Message>(participant.handle(), topic)),
         reader_(create(participant, topic_, doorbell), "reader of " + topic) {}
   Reader(Reader&&) noexcept = default;
-  ~Reader() {  // returns when no callback is running any more
+  ~Reader() {  // returns when no callback runs any more
     if (reader_.handle() > 0) dds_set_listener(reader_.handle(), nullptr);
   }
 
-  /// Hands every waiting message with its information to `f`.
+  /// Calls `f` with every waiting message and its information.
   template <class F>
   void drain(F f) {
     std::array<void*, batch> messages{};
@@ -90,7 +90,7 @@ class Reader {
   Entity topic_, reader_;
 };
 
-/// What the writers that a reader has heard declared in their USER_DATA.
+/// The provenance that each known writer declared in its USER_DATA.
 class DeclaredProvenance {
  public:
   explicit DeclaredProvenance(Provenance undeclared) : undeclared_(undeclared) {}
@@ -98,13 +98,13 @@ class DeclaredProvenance {
   Provenance of(dds_entity_t reader, dds_instance_handle_t writer);
 
  private:
-  static constexpr std::size_t most_known = 64;  ///< writers may come and go for ever
+  static constexpr std::size_t most_known = 64;  ///< writers may come and go without end
 
   Provenance undeclared_;
   std::vector<std::pair<dds_instance_handle_t, Provenance>> known_;
 };
 
-/// Something a subscriber drains.
+/// A source of samples that a subscriber empties.
 class Source {
  public:
   virtual ~Source() = default;

@@ -16,7 +16,7 @@ namespace drydock::bus {
 namespace {
 
 struct Field {
-  std::string type;  ///< of .msg files; "package/Type" for another message
+  std::string type;  ///< as in .msg files; "package/Type" for another message
   std::string rest;  ///< "[]", "[9]" or nothing, a space and the name
 };
 using Fields = std::vector<Field>;
@@ -33,7 +33,8 @@ std::string without(std::string text, std::string_view part) {
   return text;
 }
 
-/// "std_msgs::msg::dds_::Header_" -> "std_msgs/Header"; a name alone is of `package`.
+/// "std_msgs::msg::dds_::Header_" -> "std_msgs/Header". A name without a scope belongs to
+/// `package`.
 std::string message_name(std::string idl, const std::string& package) {
   constexpr std::string_view scope = "::msg::dds_::";
   idl.pop_back();
@@ -48,7 +49,7 @@ std::string msg_type(const std::string& idl, const std::string& package) {
   return idl.back() == '_' ? message_name(idl, package) : idl;
 }
 
-/// A line of a struct: `type name;`, `type name[9];` or `sequence<type> name;`.
+/// Parses a line of a struct: `type name;`, `type name[9];` or `sequence<type> name;`.
 Field field_of(std::string type, std::string name, const std::string& package) {
   name.pop_back();
   std::string array;
@@ -62,7 +63,7 @@ Field field_of(std::string type, std::string name, const std::string& package) {
   return {msg_type(type, package), array + " " + name};
 }
 
-/// Every struct of the IDL files, which are written one field a line.
+/// Every struct of the IDL files. The files have one field on each line.
 std::map<std::string, Fields> read_idl() {
   std::map<std::string, Fields> messages;
   std::istringstream lines{std::string(idl_text())};

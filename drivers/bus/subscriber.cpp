@@ -114,7 +114,7 @@ Provenance DeclaredProvenance::of(dds_entity_t reader, dds_instance_handle_t wri
 
 struct Subscriber::Readers {
   Doorbell doorbell;
-  Sources sources;  ///< declared after the doorbell: their callbacks end before it is closed
+  Sources sources;  ///< declared after the doorbell: their callbacks must end before it closes
 };
 
 Subscriber::Subscriber(const Participant& participant, const std::vector<Device>& devices,

@@ -10,7 +10,7 @@
 
 namespace drydock::bus {
 
-/// Receives what a subscriber takes. Nothing is kept after the call.
+/// Receives the samples that a subscriber takes. A sample is valid only during the call.
 class Receiver {
  public:
   virtual ~Receiver() = default;
@@ -20,7 +20,7 @@ class Receiver {
 };
 
 struct SubscriberOptions {
-  std::vector<std::string> estimators;  ///< take `rt/estimate/<name>` of these
+  std::vector<std::string> estimators;  ///< take `rt/estimate/<name>` of each
   bool diagnostics = false;             ///< take `rt/diagnostics`
 };
 
@@ -33,14 +33,15 @@ class Subscriber {
   Subscriber& operator=(Subscriber&&) noexcept;
   ~Subscriber();
 
-  /// Readable when something arrived since the last take. Owned by the subscriber: do not close it
+  /// Readable if something has arrived since the last take. The subscriber owns it: do not close it
   /// (an asio::posix::stream_descriptor on it must release() before it is destroyed).
   int fd() const;
 
-  /// Drains every reader; in order per topic. Returns how many samples were handed over.
+  /// Empties every reader; samples of one topic come in order. Returns the number of samples given
+  /// to the receiver.
   std::size_t take(Receiver& receiver);
 
-  /// The same for measurements only.
+  /// Does the same for measurements only.
   template <class OnMeasurement>
   std::size_t take_measurements(OnMeasurement on_measurement) {
     struct Adapter final : Receiver {
@@ -52,7 +53,7 @@ class Subscriber {
     return take(adapter);
   }
 
-  /// Connections with writers, over all topics: 0 means nobody publishes yet.
+  /// Connections with writers, summed over all topics. 0 means that nobody publishes yet.
   std::size_t matched_writers() const;
 
   std::uint64_t unusable() const;  ///< samples whose content cannot be a measurement

@@ -6,8 +6,8 @@
 #include "drivers/bus/device.hpp"
 #include "drivers/bus/message_types.hpp"
 
-/// Which message carries what on which topic: `rt/<device>/<suffix>`, in frame `<device><frame>`.
-/// Frames: `_link` forward-left-up (REP-103), `_link_frd` forward-right-down, `_enu` east-north-up.
+/// Which topic carries which message: `rt/<device>/<suffix>`, in frame `<device><frame>`. Frames:
+/// `_link` forward-left-up (REP-103), `_link_frd` forward-right-down, `_enu` east-north-up.
 namespace drydock::bus {
 
 struct Route {
@@ -56,7 +56,7 @@ inline constexpr Route route<measurement::ActuatorState, ActuatorStateMessage>{"
 
 inline constexpr std::string_view diagnostics_topic = "rt/diagnostics";
 
-/// Of recordings and viewers only.
+/// Only in recordings and viewers, not on DDS.
 inline constexpr std::string_view faults_topic = "rt/drydock/faults";
 
 inline std::string innovation_topic(std::string_view estimator, std::string_view device) {

@@ -5,14 +5,15 @@
 #include "drivers/bus/endpoint.hpp"
 #include "drivers/bus/publisher.hpp"
 
-/// What a publisher is made of. Included by publisher.cpp only.
+/// The parts of a publisher. Only publisher.cpp includes this file.
 namespace drydock::bus {
 
-/// Readers acknowledge about every 100 ms and can ask again only for what is still kept, so this is
-/// deeper than ROS 2's ten: one second of a 200 Hz IMU. DDS does not match by depth.
+/// Readers acknowledge about every 100 ms. They can ask again only for samples that the writer
+/// still keeps. Therefore this is deeper than ROS 2's ten: one second of a 200 Hz IMU. DDS does not
+/// require equal depths.
 inline constexpr std::int32_t writer_depth = 200;
 
-/// One topic, its writer, and one message that is used again for every sample.
+/// One topic, its writer, and one message that is reused for every sample.
 template <class Message>
 class Writer {
  public:
@@ -30,7 +31,8 @@ class Writer {
 
   Message& message() { return *message_; }
 
-  /// The DDS source timestamp is `received_at`, so that it reaches subscribers of any message.
+  /// `source_time` is `received_at` and becomes the DDS source timestamp. Thus it reaches
+  /// subscribers of any message type.
   void write(Stamp source_time) {
     const auto code =
         dds_write_ts(writer_.handle(), message_.get(), source_time.time_since_epoch().count());
@@ -63,7 +65,7 @@ class Writer {
   Entity topic_, writer_;
   std::unique_ptr<Message, Release> message_;
   TopicCounters counters_;
-  std::uint64_t acknowledged_ = 0;  ///< of counters_.written, by all readers
+  std::uint64_t acknowledged_ = 0;  ///< of counters_.written: all readers acknowledged these
 };
 
 }  // namespace drydock::bus

@@ -5,15 +5,15 @@
 
 namespace drydock::capture {
 
-/// The frames of a CAN capture in a file, read block by block as they are asked for.
+/// The frames of a CAN capture in a file. It reads the file block by block, on demand.
 class CaptureFile {
  public:
-  /// `format` empty: recognised by content. `interface` empty: all of them.
+  /// An empty `format`: recognised by content. An empty `interface`: all interfaces.
   CaptureFile(const std::string& file, std::string_view format, std::string interface);
 
-  std::optional<Record> next();  ///< empty at the end, or when it cannot be read
-  /// Why there is no frame to be had: the file cannot be read, or is in no format that we know.
-  /// Empty when there is no such reason; settled by the first next().
+  std::optional<Record> next();  ///< empty at the end, or if the file cannot be read
+  /// Why there are no frames: the file cannot be read, or its format is not known. Empty if there
+  /// is no such reason. The first next() decides it.
   std::string trouble() const;
   const FrameCapture& frames() const { return frames_; }
 

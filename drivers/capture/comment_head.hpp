@@ -4,11 +4,11 @@
 
 namespace drydock::capture {
 
-/// Drops the lines of a byte capture's head that begin with '#', as gpsd's test logs have them; a
-/// '#' further on is data. Feed the capture's blocks in order.
+/// Removes the lines that begin with '#' from the head of a byte capture; gpsd's test logs have
+/// them. A '#' behind the head is data. Feed the blocks of the capture in order.
 class CommentHead {
  public:
-  /// The rest of the block, behind the comments.
+  /// The part of the block behind the comments.
   wire::Bytes without(wire::Bytes block);
 
  private:

@@ -7,7 +7,7 @@
 
 namespace drydock::capture {
 
-/// A file, pipe or standard input as blocks of bytes, never more than one at a time.
+/// Reads a file, pipe or standard input as blocks of bytes. It holds at most one block at a time.
 class FileBlocks {
  public:
   explicit FileBlocks(const std::string& file);  ///< empty or "-": standard input
@@ -15,9 +15,9 @@ class FileBlocks {
   FileBlocks(const FileBlocks&) = delete;
   FileBlocks& operator=(const FileBlocks&) = delete;
 
-  /// The next bytes, none at the end or after an error.
+  /// The next bytes. Empty at the end or after an error.
   wire::Bytes read();
-  /// Whether the last read gave all that a read can give: more is likely to wait.
+  /// True if the last read filled the block: more data are probably waiting.
   bool likely_more(wire::Bytes last) const { return last.size() == block_.size(); }
   int error() const { return error_; }  ///< errno; 0: none
 

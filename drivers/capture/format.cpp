@@ -46,7 +46,7 @@ constexpr Format text_format() {
   return {R::name, make<R>, first_good_line<R>};
 }
 
-// A magic goes before lines: what a binary file holds may look like one from its first byte on.
+// Formats with a magic come first: a binary file may look like lines from its first byte on.
 constexpr std::array all{binary_format<Pcap>(),      binary_format<Pcapng>(),
                          text_format<CandumpLog>(),  text_format<CandumpScreen>(),
                          text_format<VectorAsc>(),   text_format<PcanTrc>(),

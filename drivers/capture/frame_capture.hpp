@@ -9,35 +9,36 @@
 
 namespace drydock::capture {
 
-/// What was read, and what could not be.
+/// Counts the parts of a capture that were read, and those that could not be read.
 struct Tally {
   std::uint64_t units = 0;  ///< lines of a text, blocks of a binary file
   std::uint64_t frames = 0;
-  std::uint64_t damaged = 0;        ///< units that were not understood, in whole or in part
-  std::uint64_t bytes_skipped = 0;  ///< within them
-  boost::container::static_vector<std::uint64_t, 8> where;  ///< the first of them, counted from 1
+  std::uint64_t damaged = 0;        ///< units that were not understood, completely or in part
+  std::uint64_t bytes_skipped = 0;  ///< inside damaged units
+  boost::container::static_vector<std::uint64_t, 8> where;  ///< numbers of the first ones, from 1
 };
 
-/// "2 lines not understood: 4, 17"; empty where all was.
+/// "2 lines not understood: 4, 17". Empty if every unit was understood.
 std::string damage_text(const Tally& tally);
 
 /// "dive.log: no CAN capture of a known format; known are: ...".
 std::string unknown_format_text(std::string_view file);
 
-/// The frames of a CAN capture that comes in blocks, of a format that is given or recognised by
-/// its content. Sans-I/O; keeps no more than the last block and a line.
+/// Extracts the frames of a CAN capture that comes in blocks. The format is given or recognised by
+/// content. Sans-I/O. It keeps no more than the last block and one line.
 class FrameCapture {
  public:
-  /// `format` null: recognised.
+  /// A null `format`: recognised by content.
   explicit FrameCapture(const Format* format = nullptr);
 
   void feed(Bytes block);
-  void finish();  ///< no more blocks will come
-  /// The next frame of what was fed; empty when it needs more or the capture is at its end.
+  void finish();  ///< no more blocks follow
+  /// The next frame of the bytes that were fed. Empty if it needs more bytes or the capture is at
+  /// its end.
   std::optional<Record> next();
 
   const Format* format() const { return format_; }  ///< null: not recognised (yet)
-  /// The head shows no format that we know: there will be no frames.
+  /// The head has no known format, so there will be no frames.
   bool unknown() const { return unknown_; }
   const Tally& tally() const { return tally_; }
 
@@ -53,7 +54,7 @@ class FrameCapture {
   bool finished_ = false;
   bool unknown_ = false;
   std::size_t searched_ = 0;      ///< bytes of the head in which no format was recognised
-  bool may_show_format_ = false;  ///< there are bytes since the last try to recognise it
+  bool may_show_format_ = false;  ///< bytes came since the last attempt to recognise the format
   bool more_in_unit_ = false;
   Tally tally_;
 };

@@ -10,16 +10,16 @@ namespace drydock::capture {
 using wire::Bytes;
 using wire::Scan;
 
-/// Reads one capture from its first byte on, keeping what its head said. Sans-I/O: FrameCapture
-/// brings the bytes.
+/// Reads one capture from its first byte on and keeps the content of its head. Sans-I/O:
+/// FrameCapture gives it the bytes.
 class Reader {
  public:
   virtual ~Reader() = default;
-  /// What stands at the front: a line or block, need more, skip n. At the end of the file
-  /// (`at_end`) "need more" means that the last one is cut short.
+  /// Classifies the first bytes: a line or block, need more, skip n. At the end of the file
+  /// (`at_end`) "need more" means that the last line or block is incomplete.
   virtual Scan scan(Bytes bytes, bool at_end) = 0;
   virtual Reading read(Bytes unit) = 0;
-  /// Further frames of the unit last read, where a format packs several into one.
+  /// More frames of the unit that was read last, for formats that put several frames into one unit.
   virtual std::optional<Record> more() { return std::nullopt; }
 };
 
@@ -36,11 +36,11 @@ class LineReader : public Reader {
   virtual Reading read_line(std::string_view line) = 0;
 };
 
-/// The line at the front with its end; the same rule for every text format. A line that is longer
-/// than any of ours is skipped in parts.
+/// The first line with its end. Every text format uses this rule. A line that is longer than in any
+/// known format is skipped in parts.
 Scan scan_line(Bytes bytes, bool at_end);
 
-/// Without the end of line.
+/// The line without its end.
 std::string_view text_of(Bytes line);
 
 }  // namespace drydock::capture

@@ -47,7 +47,7 @@ std::optional<nanoseconds> parse_time(std::string_view text, int exponent) {
   std::int64_t fraction = 0, worth = unit;
   for (const char digit : decimals) {
     if (digit < '0' || digit > '9') return std::nullopt;
-    worth /= 10;  // digits below the nanosecond add nothing
+    worth /= 10;  // ignores digits below one nanosecond
     fraction += (digit - '0') * worth;
   }
   return nanoseconds{whole * unit + fraction};

@@ -8,10 +8,10 @@
 
 #include "drivers/wire/can/can_frame.hpp"
 
-/// Words of a capture's text line, and the numbers in them.
+/// The words of a text line in a capture, and the numbers in them.
 namespace drydock::capture {
 
-/// Walks over words parted by blanks.
+/// Goes through words that are separated by blanks.
 class Words {
  public:
   explicit Words(std::string_view line) : rest_(line) {}
@@ -24,35 +24,35 @@ class Words {
   std::string_view rest_;
 };
 
-/// In the year 2096. No date, time of day or offset that is read here is later, so that two of them
-/// may be added.
+/// A time in the year 2096. Every date, time of day or offset that is read here is earlier, so the
+/// sum of two does not overflow.
 constexpr std::chrono::nanoseconds latest_time{4'000'000'000'000'000'000};
 
-/// `digits[.digits]` of a unit that is 10^exponent ns (9: seconds, 6: milliseconds), to the
-/// nanosecond.
+/// `digits[.digits]` in a unit of 10^exponent ns (9: seconds, 6: milliseconds), to the nanosecond.
 std::optional<std::chrono::nanoseconds> parse_time(std::string_view text, int exponent);
 
-/// Days of the Gregorian calendar since 1970, as time; empty for a date that there is not.
+/// Days of the Gregorian calendar since 1970, as time. Empty for a date that does not exist.
 std::optional<std::chrono::nanoseconds> date_time(int year, unsigned month, unsigned day);
 
-/// `hh:mm:ss[.decimals]` since midnight.
+/// `hh:mm:ss[.decimals]`, time since midnight.
 std::optional<std::chrono::nanoseconds> parse_clock(std::string_view text);
 
 /// `YYYY-MM-DD`.
 std::optional<std::chrono::nanoseconds> parse_date(std::string_view text);
 
-/// A number of the base, nothing else.
+/// A number in the base and nothing else.
 std::optional<std::uint32_t> parse_number(std::string_view text, int base);
 
-/// `count` bytes of the base (hex ones of two digits) into the frame; false where one is none.
+/// Reads `count` bytes in the base (hex bytes have two digits) into the frame. False if a word is
+/// not a byte.
 bool read_data(Words& words, std::size_t count, int base, wire::CanFrame& frame);
 
-/// Sizes that CAN FD has, and its length codes.
+/// The data sizes of CAN FD, and its length codes.
 bool is_fd_size(std::size_t size);
 std::optional<std::uint8_t> size_of_length_code(std::uint32_t code);
 
-/// An error frame of which the file says no more: class CAN_ERR_BUSERROR with eight zeros, as
-/// can-utils' asc2log writes it.
+/// An error frame without details, for a file that gives none: class CAN_ERR_BUSERROR with eight
+/// zeros, as can-utils' asc2log writes it.
 wire::CanFrame unspecified_error();
 
 }  // namespace drydock::capture

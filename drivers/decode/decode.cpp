@@ -25,7 +25,7 @@ using capture::FrameCapture;
 
 constexpr std::string_view raw_format = "raw";
 
-/// Where messages go: to lines, or to a count for each type.
+/// Receives the messages: prints them as lines, or counts them by type.
 class Sink {
  public:
   Sink(const DecodeOptions& options, std::FILE* out) : count_(options.count), lines_(out) {}
@@ -44,7 +44,7 @@ class Sink {
   }
   bool flush() { return lines_.flush(); }
 
-  /// The counts, if they are what was asked for.
+  /// Prints the counts if counts were asked for.
   void finish() {
     for (const auto& entry : counts_)
       lines_.line([&](text::JsonWriter& json) {
@@ -79,7 +79,7 @@ class Sink {
   std::uint64_t messages_ = 0;
 };
 
-/// A byte capture to its end; false when the output cannot be written.
+/// Decodes a byte capture to its end. False if the output cannot be written.
 template <wire::ByteProtocol P>
 bool decode_bytes(FileBlocks& blocks, bool raw, Sink& sink, wire::StreamCounters& counters) {
   const auto framer = std::make_unique<wire::Framer<P::max_frame>>();
@@ -89,10 +89,10 @@ bool decode_bytes(FileBlocks& blocks, bool raw, Sink& sink, wire::StreamCounters
   };
   for (wire::Bytes block = blocks.read(); !block.empty(); block = blocks.read()) {
     framer->feed(raw ? block : head.without(block), P::scan, on_frame);
-    if (!blocks.likely_more(block) && !sink.flush()) return false;  // a live line: show it now
+    if (!blocks.likely_more(block) && !sink.flush()) return false;  // a live input: show it now
   }
   const auto [total, frames] = std::pair(framer->counters().bytes_in, framer->counters().frames);
-  constexpr std::uint8_t line_end[] = {'\n'};  // which the last line of a capture may lack
+  constexpr std::uint8_t line_end[] = {'\n'};  // the last line of a capture may have no end
   if (framer->held() > 0) framer->feed(line_end, P::scan, on_frame);
   const bool lent = framer->counters().bytes_in > total && framer->counters().frames == frames;
   framer->finish(P::scan, on_frame);
@@ -102,11 +102,11 @@ bool decode_bytes(FileBlocks& blocks, bool raw, Sink& sink, wire::StreamCounters
   return sink.flush();
 }
 
-/// A CAN capture to its end; false when the output cannot be written.
+/// Decodes a CAN capture to its end. False if the output cannot be written.
 template <wire::FrameProtocol P>
 bool decode_frames(FileBlocks& blocks, FrameCapture& frames, Sink& sink,
                    wire::StreamCounters& counters) {
-  std::map<std::string, typename P::Decoder, std::less<>> buses;  // each assembles on its own
+  std::map<std::string, typename P::Decoder, std::less<>> buses;  // each assembles its own
   const auto drain = [&] {
     while (const auto record = frames.next()) {
       auto bus = buses.find(record->interface);
@@ -135,7 +135,7 @@ void append_names(wire::ProtocolList<P...>, std::string& names) {
   ((names += fmt::format("{}{}", names.empty() ? "" : ", ", P::name)), ...);
 }
 
-/// Whether the list has a protocol of that name.
+/// True if the list has a protocol of that name.
 template <class List>
 bool knows(List list, std::string_view name) {
   return wire::with_protocol(list, name, []<class P>() {});

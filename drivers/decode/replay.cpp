@@ -26,7 +26,7 @@ using device::Device;
 using device::Kind;
 using measurement::Stamp;
 
-/// What the driver says goes to lines; what it sends goes nowhere.
+/// Prints the driver's measurements and states as lines. It discards data that the driver sends.
 class Printer final : public device::Listener, public device::Transmitter {
  public:
   Printer(std::FILE* out, std::FILE* states) : lines_(out), states_(states) {}
@@ -110,7 +110,7 @@ std::unique_ptr<Device> make_device(const ReplayOptions& options, const link::Ur
   wanted.driver.address = options.address;
   wanted.name = to_string(wanted.driver.kind);
   wanted.link = uri.text;
-  wanted.life_cycle.reopen_when_quiet = false;  // opening it again would start it over
+  wanted.life_cycle.reopen_when_quiet = false;  // opening it again would restart the capture
   wanted.life_cycle.quiet_but_up = " in the recording";
   auto made = Device::make(std::move(wanted));
   if (!made) throw std::invalid_argument(made.error().message);
@@ -128,8 +128,8 @@ void print_totals(std::FILE* err, const device::Health& health, const capture::T
   if (!damage.empty()) fmt::print(err, "{}\n", damage);
 }
 
-/// Where virtual time begins, so that the stamps are the capture's own: at the first frame of a CAN
-/// capture, else at zero. Throws when the file cannot be read.
+/// The start of virtual time. It makes the stamps equal to those of the capture: the first frame of
+/// a CAN capture, otherwise zero. Throws if the file cannot be read.
 Stamp start_of(const link::Uri& uri, bool on_bus) {
   if (!on_bus) {
     capture::FileBlocks blocks(uri.target);
@@ -196,7 +196,7 @@ void play_in_real_time(std::unique_ptr<Device> device, Printer& printer, std::FI
   io.run();
 }
 
-/// Hands measurements on; what the driver sends goes nowhere.
+/// Passes measurements to the hook. It discards data that the driver sends.
 class Hearer final : public device::Listener, public device::Transmitter {
  public:
   explicit Hearer(const MeasurementHook& hook) : hook_(hook) {}

@@ -11,26 +11,27 @@
 namespace drydock::decode {
 
 struct ReplayOptions {
-  std::string capture;        ///< file
-  std::string protocol;       ///< of the sensor to listen for
-  std::string kind;           ///< of the sensor; empty where only one kind speaks the protocol
-  std::string speed = "max";  ///< max: at once, in virtual time; 1: as it was; or another factor
+  std::string capture;        ///< file name
+  std::string protocol;       ///< protocol of the sensor
+  std::string kind;           ///< kind of the sensor; empty if only one kind speaks the protocol
+  std::string speed = "max";  ///< max: at once, in virtual time; 1: real time; or another factor
   std::string format;         ///< empty: recognised by content
-  std::string interface;      ///< of a CAN capture; empty: all
-  unsigned baud = 0;          ///< of a byte capture's line; 0: not known
+  std::string interface;      ///< interface in a CAN capture; empty: all
+  unsigned baud = 0;          ///< rate of a byte capture's line; 0: not known
   std::uint8_t address = 0;   ///< on a CAN bus; 0: the first seen
   bool quiet = false;         ///< no states and totals on `err`
 };
 
-/// `drydock replay`: a capture through a driver; its measurements on `out` as JSON Lines. Exit
-/// code: 0 there were some, 1 there were none, 2 there is no such driver or the capture cannot be
-/// read.
+/// `drydock replay`: plays a capture through a driver and writes its measurements on `out` as JSON
+/// Lines. Exit code: 0 there were measurements, 1 there were none, 2 there is no such driver or the
+/// capture cannot be read.
 int replay(const ReplayOptions& options, std::FILE* out, std::FILE* err);
 
 using MeasurementHook = std::function<void(const measurement::Measurement&)>;
 
-/// The same for a program: in virtual time, each measurement to `hook`. Gives the kind of sensor.
-/// Throws std::exception with one line: no such driver, or the capture cannot be read.
+/// Does the same for a program: in virtual time, with each measurement to `hook`. Returns the kind
+/// of sensor. Throws std::exception with one line if there is no such driver or the capture cannot
+/// be read.
 device::Kind play(const ReplayOptions& options, const MeasurementHook& hook);
 
 }  // namespace drydock::decode

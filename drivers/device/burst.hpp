@@ -10,16 +10,17 @@ namespace drydock::device {
 
 using measurement::Origin;
 
-/// Messages of one sensor that follow each other without a pause waited for the line, not for the
-/// sensor: all were true before the first left. A kind of message that comes again, or a pause,
-/// begins a burst anew.
+/// Messages that follow each other without a pause waited for the line, not for the sensor. Thus
+/// all of them were true before the first was sent. A new burst begins after a pause, or when a
+/// kind of message repeats.
 class Burst {
  public:
   static constexpr std::size_t kinds = 64;
 
   explicit Burst(std::chrono::nanoseconds shortest_pause) : shortest_pause_(shortest_pause) {}
 
-  /// The origin that a message would have alone, `on_wire` long -> with the burst's valid_at.
+  /// Takes the origin of a single message that needs `on_wire` to send. Returns it with the burst's
+  /// valid_at.
   Origin of(Origin origin, std::chrono::nanoseconds on_wire, std::size_t kind) {
     const std::uint64_t bit = std::uint64_t{1} << kind % kinds;
     const auto pause = origin.received_at - on_wire - ended_at_;
@@ -37,7 +38,7 @@ class Burst {
 
  private:
   std::chrono::nanoseconds shortest_pause_;
-  std::uint64_t seen_ = 0;  ///< a bit for each kind
+  std::uint64_t seen_ = 0;  ///< one bit for each kind
   measurement::Stamp ended_at_{}, valid_at_{};
 };
 

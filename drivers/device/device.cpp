@@ -9,7 +9,7 @@ namespace drydock::device {
 
 namespace {
 
-/// Measurements that come at rates of their own are metered apart.
+/// Measurements that have different rates are metered separately.
 struct RateChannel {
   std::size_t operator()(const measurement::GnssSatellites&) const { return 1; }
   std::size_t operator()(const measurement::DepthSample& m) const { return m.altitude_m ? 1 : 0; }
@@ -66,7 +66,7 @@ void Device::start(Stamp now) { tell(life_cycle_.start(now)); }
 void Device::opened(Stamp now, measurement::Provenance provenance) {
   now_ = now;
   tell(life_cycle_.opened(now));
-  if (!life_cycle_.uses_link()) return;  // stopped meanwhile
+  if (!life_cycle_.uses_link()) return;  // it was stopped in the meantime
   driver().set_provenance(provenance);
   driver().restart(now, *this);
 }

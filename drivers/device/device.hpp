@@ -16,16 +16,17 @@ namespace drydock::device {
 
 class Device;
 
-/// Hears what the devices have to say. Called from the shell that runs them.
+/// Receives the measurements and states of the devices. The shell that runs the devices makes the
+/// calls.
 class Listener {
  public:
   virtual ~Listener() = default;
   virtual void on_measurement(const Measurement& measurement) = 0;
-  /// A change of state that is news: `change.from` is the state that was told before.
+  /// Called for a change of state that is news. `change.from` is the last state that was reported.
   virtual void on_state(const Device& device, const Transition& change) = 0;
 };
 
-/// Takes what a driver sends to its sensor.
+/// Takes the data that a driver sends to its sensor.
 class Transmitter {
  public:
   virtual ~Transmitter() = default;
@@ -35,28 +36,28 @@ class Transmitter {
 
 struct DeviceOptions {
   std::string name;
-  std::string link;  ///< URI, for the shell
+  std::string link;  ///< URI; the shell uses it
   DriverOptions driver;
   LifeCycleOptions life_cycle;
   double nominal_rate_hz = 0;
 };
 
-/// A sensor as the rig sees it: its driver, its life cycle, its health. Sans-I/O: a shell opens the
-/// link when wants_open(), passes on what arrives, and calls tick() at deadline().
+/// One sensor of the rig: its driver, its life cycle, its health. Sans-I/O: a shell opens the link
+/// if wants_open(), passes on the data that arrive, and calls tick() at deadline().
 class Device final : private Output {
  public:
-  /// Fails when no driver speaks the protocol for this kind of sensor.
+  /// Fails if no driver speaks the protocol for this kind of sensor.
   static boost::system::result<std::unique_ptr<Device>, DriverError> make(DeviceOptions options);
 
-  /// Both must outlive the device; to be called once, before start().
+  /// Both must outlive the device. Call it once, before start().
   void connect(Listener& listener, Transmitter& transmitter);
 
-  /// What its driver would send to the sensor goes nowhere.
+  /// From now on it discards all data that its driver wants to send.
   void listen_only() { listens_only_ = true; }
 
   void start(Stamp now);
   void opened(Stamp now, measurement::Provenance provenance);
-  void set_baud(unsigned baud);  ///< before opened(), where the shell searches it
+  void set_baud(unsigned baud);  ///< call it before opened() if the shell searches the rate
   void open_failed(Stamp now, std::string_view reason);
   void link_lost(Stamp now, std::string_view reason);
   void stop(Stamp now, std::string_view reason = "stopped");
@@ -64,8 +65,8 @@ class Device final : private Output {
   void receive(wire::Bytes bytes, Stamp at);  ///< `at`: arrival of the last byte
   void receive(const wire::CanFrame& frame, Stamp at);
   void tick(Stamp now);
-  /// The host's clock was set by so much and shows `now`. The driver begins anew, as after opening:
-  /// what it knows of the device's clock, and what it waits for, was told by the old one.
+  /// The host's clock was changed by `step` and now shows `now`. The driver begins anew, as after
+  /// opening: its knowledge of the device's clock and its time limits refer to the old time.
   void clock_stepped(std::chrono::nanoseconds step, Stamp now);
   std::optional<Stamp> deadline() const;
 
@@ -101,7 +102,7 @@ class Device final : private Output {
   Listener* listener_ = nullptr;
   Transmitter* transmitter_ = nullptr;
   bool listens_only_ = false;
-  Stamp now_{};  ///< of the call under way
+  Stamp now_{};  ///< time of the current call
   std::array<RateMeter, 4> rates_;
   std::uint64_t messages_ = 0;
   std::optional<Stamp> last_message_at_;

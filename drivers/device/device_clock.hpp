@@ -11,22 +11,22 @@ namespace drydock::device {
 
 using measurement::Stamp;
 
-/// Maps the wrapping 32-bit tick counter of a device to the host's clock. A message can only come
-/// late, by what the bus and the host add, never early: the offset between the clocks is the least
-/// that was seen, raised by 100 ppm of the time since so that it follows crystals that part.
-/// A counter that jumps (the device restarted) begins anew.
+/// Maps the wrapping 32-bit tick counter of a device to the host's clock. Bus and host can only
+/// delay a message; it never comes early. Therefore the offset between the clocks is the least that
+/// was seen. The offset rises by 100 ppm of the elapsed time, so that it follows crystals that
+/// drift apart. A counter that jumps (the device restarted) begins anew.
 class DeviceClock {
  public:
   explicit DeviceClock(std::chrono::nanoseconds tick) : tick_(tick) {}
 
   struct Time {
-    std::chrono::nanoseconds device;  ///< since the device's zero, or since it was first heard
-    Stamp host;                       ///< never after what the arrival alone says
+    std::chrono::nanoseconds device;  ///< since the device's zero, or since the first message
+    Stamp host;                       ///< never later than the time by arrival
   };
 
-  /// `by_arrival`: when the value was true by its frame's arrival.
+  /// `by_arrival` is the time at which the value was true according to its frame's arrival.
   Time map(std::uint32_t ticks, Stamp by_arrival) {
-    const auto step = static_cast<std::int32_t>(ticks - last_ticks_);  // right across the wrap
+    const auto step = static_cast<std::int32_t>(ticks - last_ticks_);  // correct across the wrap
     elapsed_ = offset_ ? elapsed_ + step * tick_ : ticks * tick_;
     last_ticks_ = ticks;
     const auto offset = by_arrival - Stamp{elapsed_};

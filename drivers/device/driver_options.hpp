@@ -23,18 +23,18 @@ constexpr std::string_view to_string(Kind kind) {
   return names[static_cast<std::size_t>(kind)];
 }
 
-/// How a driver looks after its CANopen node.
+/// How a driver controls its CANopen node.
 struct CanopenOptions {
   std::chrono::nanoseconds heartbeat_timeout = std::chrono::seconds{3};
-  std::chrono::nanoseconds sync_period{0};  ///< the driver sends SYNC this often; 0: never
+  std::chrono::nanoseconds sync_period{0};  ///< the driver sends SYNC with this period; 0: never
 };
 
-/// What an Aceinna IMU is set to; empty: left as it is.
+/// Settings for an Aceinna IMU. An empty one is left unchanged.
 struct AceinnaSettings {
   struct Filter {
     std::uint8_t rate_hz = 0, acceleration_hz = 0;  ///< cut-off frequencies
   };
-  std::optional<std::uint8_t> rate_divider;  ///< of 100 Hz
+  std::optional<std::uint8_t> rate_divider;  ///< divides 100 Hz
   std::optional<std::uint8_t> packets;       ///< wire::aceinna::PacketType
   std::optional<Filter> filter;
   std::optional<std::uint16_t> orientation;  ///< wire::aceinna::Axes::code
@@ -42,38 +42,38 @@ struct AceinnaSettings {
   bool any() const { return rate_divider || packets || filter || orientation; }
 };
 
-/// How a pressure transmitter's numbers are meant.
+/// How to read the numbers of a pressure transmitter.
 struct PressureOptions {
   wire::cia404_pressure::Scale scale;
-  bool gauge = false;  ///< it says 0 at the surface, not in vacuum
+  bool gauge = false;  ///< it reads 0 at the surface, not in vacuum
 };
 
-/// Whose axes a DVL's PD4 or PD6 has: Teledyne's are starboard, bow, mast (or those of the frame
-/// that the report names), Water Linked's forward, starboard, down whatever the report names.
+/// Axes of a DVL's PD4 or PD6. Teledyne's are starboard, bow, mast, or those of the frame that the
+/// report names. Water Linked's are always forward, starboard, down.
 enum class DvlMaker : std::uint8_t { teledyne, water_linked };
 
-/// What is set on a Water Linked DVL when its link opens; an empty value leaves the DVL's.
+/// Settings for a Water Linked DVL, sent when its link opens. An empty one is left unchanged.
 struct WaterLinkedSettings {
   std::optional<double> sound_speed_mps;
-  std::optional<double> mounting_rotation_rad;  ///< the DVL itself turns by it, about z
-  bool old_sentences = false;                   ///< wrx and wrt too
+  std::optional<double> mounting_rotation_rad;  ///< the DVL itself applies it, about z
+  bool old_sentences = false;                   ///< also wrx and wrt
 };
 
 struct DvlOptions {
   DvlMaker maker = DvlMaker::teledyne;
-  std::optional<double> beam_angle_rad;  ///< from the vertical, where the protocol does not tell it
+  std::optional<double> beam_angle_rad;  ///< from the vertical; for protocols that do not give it
   std::optional<WaterLinkedSettings> water_linked;  ///< empty: the driver only listens
 };
 
-/// All that a driver is told about its sensor.
+/// Everything that a driver needs to know about its sensor.
 struct DriverOptions {
   Kind kind = Kind::imu;
   std::string protocol;      ///< one of protocols_of(kind)
-  std::uint16_t device = 0;  ///< index in the rig, goes into every Origin
+  std::uint16_t device = 0;  ///< index in the rig, part of every Origin
   Mounting mounting;
-  std::chrono::nanoseconds latency{0};  ///< from being true to the first bit on the wire
-  std::optional<unsigned> baud;         ///< byte links; empty where there is no line rate
-  unsigned bitrate = 250'000;           ///< CAN
+  std::chrono::nanoseconds latency{0};  ///< from the time of validity to the first bit on the wire
+  std::optional<unsigned> baud;         ///< byte links; empty if there is no line rate
+  unsigned bitrate = 250'000;           ///< rate of a CAN bus, bit/s
   std::uint8_t address = 0;             ///< J1939 source address, CANopen node; 0: the first seen
   AceinnaSettings aceinna;
   CanopenOptions canopen;

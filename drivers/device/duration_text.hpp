@@ -7,7 +7,7 @@
 
 namespace drydock::device {
 
-/// A duration for a person: "2 s", "0.25 s"; to the nearest 10 ms.
+/// A duration for a person, to the nearest 10 ms: "2 s", "0.25 s".
 inline FixedText<24> in_words(std::chrono::nanoseconds duration) {
   const auto centiseconds =
       std::chrono::round<std::chrono::duration<long long, std::centi>>(duration).count();

@@ -7,8 +7,9 @@
 
 namespace drydock::device {
 
-/// Text of at most `Capacity` characters, kept in place; what does not fit is cut off. People read
-/// it on terminals and sensors may have written it: control characters become '?'.
+/// Text of at most `Capacity` characters, stored in place; longer text is cut off. Control
+/// characters become '?', because people read the text on terminals and sensors may have written
+/// it.
 template <std::size_t Capacity>
 class FixedText {
  public:

@@ -43,8 +43,8 @@ LifeCycle::Change LifeCycle::opened(Stamp now) {
     ++opened_count_;
     return {};
   }
-  // A shared bus may come up before this device's own back-off ends. Closed: stopped meanwhile, and
-  // wants_close() says so.
+  // A shared bus may open before this device's own back-off ends. In state closed the device was
+  // stopped in the meantime, and wants_close() is true.
   if (state_ != State::opening && state_ != State::backing_off) return {};
   ++opened_count_;
   return enter(State::waiting, now,

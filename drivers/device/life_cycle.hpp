@@ -28,20 +28,20 @@ constexpr std::string_view to_string(State state) {
 
 struct LifeCycleOptions {
   std::chrono::nanoseconds stale_after = std::chrono::seconds{2};    ///< streaming -> stale
-  std::chrono::nanoseconds reopen_after = std::chrono::seconds{10};  ///< waiting, stale -> again
-  /// A serial line that went quiet may need opening again. A bus is shared, and a device that says
-  /// nothing on it is no fault of the bus: false keeps it open.
+  std::chrono::nanoseconds reopen_after = std::chrono::seconds{10};  ///< waiting, stale: open again
+  /// A serial line that went quiet may need opening again. A bus is shared, and a silent device is
+  /// no fault of the bus: false keeps it open.
   bool reopen_when_quiet = true;
-  std::string_view quiet_but_up = " on a bus that is up";  ///< said of silence on what stays open
+  std::string_view quiet_but_up = " on a bus that is up";  ///< for silence on an open link
   std::chrono::nanoseconds first_back_off = std::chrono::milliseconds{250};  ///< doubles each time
-  /// To ask for a port that is away costs next to nothing: one that is back is found at once.
+  /// It costs almost nothing to try a port that is missing. With a short limit a port that is back
+  /// is found at once.
   std::chrono::nanoseconds back_off_cap = std::chrono::seconds{1};
-  /// A line whose rate is searched: that it is opened again, at the next rate, is no change of
-  /// state.
+  /// For a line whose rate is searched: opening it again at the next rate is no change of state.
   bool reopen_in_place = false;
 };
 
-/// One change of state, in words: what happened and what happens next.
+/// One change of state, in words: what happened and what comes next.
 struct Transition {
   State from = State::closed;
   State to = State::closed;
@@ -49,8 +49,9 @@ struct Transition {
   Reason why;
 };
 
-/// When a device is opened, believed, doubted and given up. It is told what happened and asked what
-/// to do; it never touches a link. Every event answers with the change of state it made, if any.
+/// Decides when a device is opened, believed, doubted and given up. It receives events and answers
+/// questions; it never touches a link. Every event returns the change of state that it made, if
+/// any.
 class LifeCycle {
  public:
   using Change = std::optional<Transition>;
@@ -64,13 +65,13 @@ class LifeCycle {
   Change link_lost(Stamp now, std::string_view reason);
   Change stop(Stamp now, std::string_view reason = "stopped");
   Change tick(Stamp now);  ///< at or after deadline()
-  /// The clock that gives the stamps was set: what has lasted so long goes on lasting.
+  /// The clock that gives the stamps was changed. Durations go on as if it had not been.
   void clock_stepped(std::chrono::nanoseconds step);
 
   State state() const { return state_; }
   Stamp since() const { return since_; }
   bool wants_open() const { return state_ == State::opening || (reopening_ && !link_open_); }
-  /// The link is open and should not be. Closing it is told by link_lost().
+  /// The link is open and should not be. Report with link_lost() that it is closed.
   bool wants_close() const { return link_open_ && (reopening_ || !uses_link()); }
   std::optional<Stamp> deadline() const;
   std::uint32_t opened_count() const { return opened_count_; }
@@ -90,11 +91,11 @@ class LifeCycle {
   Stamp last_message_{};
   Reason why_;
   bool link_open_ = false;
-  bool reopening_ = false;  ///< in place, and not open yet
-  Stamp listens_since_{};   ///< of a line that is opened again in place
+  bool reopening_ = false;  ///< in place, and not yet open
+  Stamp listens_since_{};   ///< for a line that is opened again in place
   std::uint32_t opened_count_ = 0;
-  std::chrono::nanoseconds next_back_off_{0};  ///< zero: the first
-  std::chrono::nanoseconds waits_{0};          ///< of the back-off under way
+  std::chrono::nanoseconds next_back_off_{0};  ///< zero: the first back-off
+  std::chrono::nanoseconds waits_{0};          ///< length of the current back-off
 };
 
 inline std::optional<Stamp> LifeCycle::deadline() const {

@@ -28,7 +28,7 @@ std::unique_ptr<Interface> make(const DriverOptions& options) {
   return std::make_unique<Implementation>(options);
 }
 
-/// The registry of drivers: one row for each way a sensor may speak.
+/// The registry of drivers: one row for each pair of sensor kind and protocol.
 struct Row {
   Kind kind;
   ProtocolEntry protocol;

@@ -11,7 +11,7 @@
 
 namespace drydock::device {
 
-/// One line: what is wrong, what is allowed.
+/// One line: the error and the permitted values.
 struct DriverError {
   std::string message;
 };
@@ -23,7 +23,7 @@ struct ProtocolEntry {
   Travels travels;
 };
 
-/// The protocols in which a kind of sensor is understood.
+/// The protocols that the drivers understand for a kind of sensor.
 boost::container::static_vector<ProtocolEntry, 8> protocols_of(Kind kind);
 
 boost::system::result<std::unique_ptr<ByteDriver>, DriverError> make_byte_driver(

@@ -4,10 +4,10 @@
 
 namespace drydock::device {
 
-/// How a sensor sits in the vehicle: body axes turned by yaw, then pitch, then roll are the
-/// sensor's axes. The one place where vectors of a sensor become vectors of the body (FRD). The
-/// lever arm is not applied here: its correction w x r needs the angular rate, which the estimator
-/// has.
+/// Orientation of a sensor in the vehicle: body axes rotated by yaw, then pitch, then roll are the
+/// sensor's axes. This is the only place where vectors of a sensor become vectors of the body
+/// (FRD). It does not apply the lever arm: the correction w x r needs the angular rate, which the
+/// estimator has.
 class Mounting {
  public:
   Mounting() = default;

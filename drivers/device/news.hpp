@@ -9,12 +9,13 @@
 
 namespace drydock::device {
 
-/// Which changes of state are told. From one time of streaming to the next each state is told once,
-/// and once more for each new kind of reason: a device that is away for a day says it once, however
-/// often its link is tried. Figures ("for 12 s", "retry in 1 s") make no new kind.
+/// Decides which changes of state are reported. Between two periods of streaming each state is
+/// reported once, and once more for each new kind of reason. Thus a device that is away for a day
+/// is reported once, however often its link is tried. Different figures ("for 12 s", "retry in 1
+/// s") do not make a new kind.
 class News {
  public:
-  /// Empty: said already. Else the change, from the state that was told last.
+  /// Empty if it was reported already. Otherwise the change, from the state that was reported last.
   LifeCycle::Change tell(LifeCycle::Change change) {
     if (!change) return {};
     if (change->to == State::streaming || change->to == State::closed) {
@@ -28,10 +29,10 @@ class News {
   }
 
  private:
-  /// More kinds than a port has ways to fail; what comes on top is not told.
+  /// A port fails in fewer ways. More kinds than this are not reported.
   static constexpr std::size_t most_kinds = 16;
 
-  /// FNV-1a over state and reason without its figures.
+  /// FNV-1a over the state and the reason without its figures.
   static std::uint64_t kind_of(const Transition& change) {
     std::uint64_t hash = 0xCBF29CE484222325;
     const auto add = [&](unsigned char byte) { hash = (hash ^ byte) * 0x100000001B3; };

@@ -12,14 +12,14 @@ namespace drydock::device {
 
 using measurement::Stamp;
 
-/// How regularly something arrives.
+/// Regularity of arrivals.
 struct Jitter {
   double deviation_s = 0;         ///< standard deviation of the intervals
-  double longest_interval_s = 0;  ///< the widest gap
+  double longest_interval_s = 0;  ///< the longest gap
 };
 
-/// Rate of arrivals over the last 64 of them: intervals by the time they took. So jitter and
-/// several messages in one read cancel, where a mean or median of 1/interval would not.
+/// Rate of the last 64 arrivals: the number of intervals divided by their total time. Thus jitter
+/// and several messages in one read cancel; in a mean or median of 1/interval they would not.
 class RateMeter {
  public:
   void add(Stamp at) {
@@ -30,7 +30,7 @@ class RateMeter {
 
   void reset() { next_ = count_ = 0; }
 
-  /// Empty until two arrivals at different times.
+  /// Empty until there are two arrivals at different times.
   std::optional<double> rate_hz() const {
     if (count_ < 2) return {};
     const auto span = arrival(count_ - 1) - arrival(0);
@@ -38,7 +38,7 @@ class RateMeter {
     return static_cast<double>(count_ - 1) / measurement::seconds(span);
   }
 
-  /// Of the same intervals; empty until there are two.
+  /// Of the same intervals. Empty until there are two intervals.
   std::optional<Jitter> jitter() const {
     if (count_ < 3) return {};
     const auto intervals = static_cast<double>(count_ - 1);
@@ -53,7 +53,7 @@ class RateMeter {
   }
 
  private:
-  /// From the oldest one kept.
+  /// Counts from the oldest arrival that is kept.
   Stamp arrival(std::size_t i) const {
     return arrivals_[(next_ + arrivals_.size() - count_ + i) % arrivals_.size()];
   }

@@ -5,7 +5,7 @@
 
 namespace drydock::device {
 
-/// What the drivers on byte links share: the framer and the timing.
+/// The common parts of drivers on byte links: the framer and the timing.
 template <std::size_t Capacity>
 class StreamDriver : public ByteDriver {
  public:

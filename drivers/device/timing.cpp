@@ -9,7 +9,7 @@ namespace {
 constexpr std::int64_t bits_per_byte = 10;  // 8N1
 constexpr std::int64_t ns_per_second = 1'000'000'000;
 
-/// Start of frame to end of frame, ISO 11898-1.
+/// From start of frame to end of frame, ISO 11898-1.
 std::int64_t bits_of(const wire::CanFrame& frame) {
   constexpr unsigned intermission_bits = 3;
   return std::int64_t{wire::wire_bits(frame)} - intermission_bits;

@@ -13,21 +13,22 @@ namespace drydock::device {
 using measurement::Origin;
 using measurement::Stamp;
 
-/// From arrival back to when a value was true. A sensor's value ages by the protocol's latency
-/// until its first bit leaves, then by the time its frame takes on the wire.
+/// Computes from an arrival the time at which a value was true. The value ages by the protocol's
+/// latency until its first bit is sent, and then by the time of its frame on the wire.
 class Timing {
  public:
   explicit Timing(const DriverOptions& options);
 
-  /// `after` bytes of the read that ended at `read_at` follow the frame. Where the line has a baud
-  /// rate, 10 bits a byte (8N1): received_at = read_at - after bytes,
+  /// `after` is the number of bytes behind the frame in the read that ended at `read_at`. If the
+  /// line has a baud rate, a byte takes 10 bits (8N1): received_at = read_at - after bytes,
   /// valid_at = received_at - frame_bytes - latency.
   Origin of_bytes(Stamp read_at, std::size_t frame_bytes, std::size_t after) const;
-  /// Where the frame itself says how old its values are, that counts instead of the option.
+  /// If the frame gives the age of its values, `latency` replaces the option.
   Origin of_bytes(Stamp read_at, std::size_t frame_bytes, std::size_t after,
                   std::chrono::nanoseconds latency) const;
 
-  /// `stamp` is the end of the frame, which took its bits on the wire, stuff bits with them.
+  /// `stamp` is the end of the frame. The frame took all its bits on the wire, including stuff
+  /// bits.
   Origin of_frame(Stamp stamp, const wire::CanFrame& frame) const;
   Origin of_frame(Stamp stamp, const wire::CanFrame& frame, std::chrono::nanoseconds latency) const;
 

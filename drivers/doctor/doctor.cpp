@@ -40,7 +40,7 @@ void add_link(const link::Uri& uri, Needs& needs) {
   needs.can_auto |= uri.scheme == link::Scheme::can_auto;
 }
 
-/// Several devices share a bus or a port.
+/// Removes repeated names: several devices may share a bus or a port.
 void make_unique(std::vector<std::string>& names) {
   std::ranges::sort(names);
   const auto rest = std::ranges::unique(names);
@@ -73,7 +73,7 @@ std::vector<Diagnosis> diagnose(const std::string& root, const Needs& needs) {
   add(check_limits(root));
   add(check_disk("."));
   timex clock{};
-  const int code = ::adjtimex(&clock);  // modes 0: it only reads
+  const int code = ::adjtimex(&clock);  // modes 0: the call only reads
   add(check_clock(code, clock.status));
   return all;
 }

@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Who we are, by /proc/self/status.
+/// The user and groups of this process, from /proc/self/status.
 struct Identity {
   unsigned user = 0;
   std::set<unsigned> groups;
@@ -40,7 +40,7 @@ Identity identity(const std::string& root) {
   return who;
 }
 
-/// The name in /etc/group; the number where it has none.
+/// The name in /etc/group, or the number if the group has no name.
 std::string group_name(const std::string& root, unsigned number) {
   std::ifstream in(fs::path(root) / "etc/group");
   for (std::string line; std::getline(in, line);) {
@@ -51,7 +51,7 @@ std::string group_name(const std::string& root, unsigned number) {
   return std::to_string(number);
 }
 
-/// The ports a rig names, else all with hardware.
+/// The ports that a rig names, otherwise all ports with hardware.
 std::vector<std::string> ports_of(const std::string& root, const Needs& needs) {
   if (!needs.whole_machine) return needs.ports;
   std::vector<std::string> paths;
@@ -76,7 +76,7 @@ Diagnosis check_port(const std::string& root, const std::string& path, const Ide
           fmt::format("sudo usermod -aG {} $USER  # then log in again", group)};
 }
 
-/// Every process with what it is called.
+/// The name of every process, by its number.
 std::map<std::string, std::string> processes(const std::string& root) {
   std::map<std::string, std::string> names;
   std::error_code gone;
@@ -90,7 +90,7 @@ std::map<std::string, std::string> processes(const std::string& root) {
   return names;
 }
 
-/// Real name of a port: rigs use links of /dev/serial/by-id.
+/// The real path of a port: rigs use links in /dev/serial/by-id.
 std::string resolved(const std::string& root, const std::string& path) {
   std::error_code gone;
   const auto target = fs::read_symlink(root + path, gone);
@@ -127,7 +127,7 @@ std::vector<Diagnosis> check_holders(const std::string& root, const Needs& needs
             {"other programs", Fitness::wrong,
              fmt::format("{} (process {}) has {} open", name, process, port),
              name == "gpsd" ? "sudo systemctl stop gpsd.socket gpsd" : "kill " + process});
-    // It opens every new serial port and sends it modem commands.
+    // ModemManager opens every new serial port and sends modem commands to it.
     if (name == "ModemManager" && !ports.empty())
       found.push_back({"other programs", Fitness::advice,
                        "ModemManager runs: it tries new serial ports for modems",
@@ -145,7 +145,7 @@ std::vector<Diagnosis> check_latency(const std::string& root, const Needs& needs
     const std::string file = "/sys/bus/usb-serial/devices/" + tty + "/latency_timer";
     std::ifstream in(root + file);
     int ms = 0;
-    if (!(in >> ms)) continue;  // only FTDI chips have one
+    if (!(in >> ms)) continue;  // only FTDI chips have this setting
     if (ms <= 1)
       found.push_back({"latency", Fitness::ok, port + " hands bytes over within 1 ms", ""});
     else

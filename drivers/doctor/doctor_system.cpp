@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Loaded, or built into the kernel.
+/// True if the module is loaded or built into the kernel.
 bool has_module(const std::string& root, const std::string& name) {
   if (fs::exists(fs::path(root) / "sys/module" / name)) return true;
   std::ifstream release_file(fs::path(root) / "proc/sys/kernel/osrelease");
@@ -23,7 +23,7 @@ bool has_module(const std::string& root, const std::string& name) {
   std::getline(release_file, release);
   std::ifstream builtin(fs::path(root) / "lib/modules" / release / "modules.builtin");
   std::string file = name;
-  std::ranges::replace(file, '_', '-');  // can_raw is the module of can-raw.ko
+  std::ranges::replace(file, '_', '-');  // can-raw.ko holds the module can_raw
   for (std::string line; std::getline(builtin, line);)
     if (line.ends_with("/" + file + ".ko") || line.ends_with("/" + name + ".ko")) return true;
   return false;

@@ -18,7 +18,7 @@ std::string first_line(const fs::path& file) {
   return line;
 }
 
-/// The names of what is in a folder, sorted; none when it cannot be read.
+/// The names of the entries in a folder, sorted. Empty if it cannot be read.
 std::vector<std::string> names_in(const fs::path& folder) {
   std::vector<std::string> names;
   std::error_code gone;
@@ -28,7 +28,7 @@ std::vector<std::string> names_in(const fs::path& folder) {
   return names;
 }
 
-/// The USB device above a port: the nearest folder upwards that has an idVendor.
+/// Reads the USB device of a port: the nearest folder above it that has an idVendor.
 void read_usb(const fs::path& device, const fs::path& top, SerialPort& port) {
   for (auto folder = device; folder.has_relative_path() && folder != top;
        folder = folder.parent_path()) {
@@ -57,11 +57,11 @@ std::vector<SerialPort> serial_ports(const std::string& root) {
   for (const auto& tty : names_in(top / "sys/class/tty")) {
     std::error_code gone;
     const auto device = fs::canonical(top / "sys/class/tty" / tty / "device", gone);
-    if (gone) continue;  // a console or a pty: no hardware
+    if (gone) continue;  // a console or a pty: it has no hardware
     SerialPort port;
     port.path = "/dev/" + tty;
     port.driver = fs::canonical(device / "driver", gone).filename().string();
-    // The 8250 driver shows four ports whether there are any: type 0 has no chip.
+    // The 8250 driver always shows four ports. A port of type 0 has no chip.
     if (first_line(top / "sys/class/tty" / tty / "type") == "0") continue;
     port.by_id = by_id_of(top, tty);
     read_usb(device, top, port);

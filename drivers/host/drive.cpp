@@ -34,7 +34,7 @@ void print_health(const shell::RealTime& shell) {
   }
 }
 
-/// The drivers and what follows them, until the time is over or Ctrl-C.
+/// Runs the drivers and their watchers until the time is over or Ctrl-C.
 class Drive {
  public:
   Drive(const rig_config::Rig& rig, const DriveOptions& options,

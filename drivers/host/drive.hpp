@@ -9,8 +9,8 @@
 
 namespace drydock::host {
 
-/// What a page can be asked for beside what it shows: gives the viewer its services. What comes
-/// back is called a few times a second.
+/// Gives the viewer its services: requests that a page can make. The returned function is called a
+/// few times a second.
 using BehindPage = std::function<std::function<void(measurement::Stamp now)>(
     boost::asio::any_io_executor, RigViewer&, Watchers&)>;
 
@@ -21,9 +21,9 @@ struct DriveOptions {
   BehindPage behind_page;  ///< may be empty
 };
 
-/// Runs the drivers of a rig: links in, measurements and health on the bus, all of it into a
-/// recording if wanted. Returns 0, or 1 when a device was not streaming at the end or the recording
-/// failed.
+/// Runs the drivers of a rig. They read the links and publish measurements and health on the bus;
+/// on request everything is recorded. Returns 0, or 1 if a device was not streaming at the end or
+/// the recording failed.
 int drive(const rig_config::Rig& rig, const DriveOptions& options);
 
 }  // namespace drydock::host

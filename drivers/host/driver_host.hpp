@@ -14,15 +14,16 @@
 
 namespace drydock::host {
 
-/// The drivers of a rig on their links in real time, their measurements and health on the bus.
+/// Runs the drivers of a rig on their links in real time. It publishes measurements and health on
+/// the bus.
 class DriverHost final : private device::Listener {
  public:
-  /// `bus` may be empty: then nothing is published. Its publisher, and the listener to raw bytes
-  /// and frames, must outlive the host.
+  /// `bus` may be null: then nothing is published. The publisher and the listener for raw bytes and
+  /// frames must outlive the host.
   DriverHost(boost::asio::io_context& io, std::vector<std::unique_ptr<device::Device>> devices,
              bus::Publisher* bus, shell::RawListener* raw = nullptr);
 
-  /// Called for every measurement and state change, beside the bus.
+  /// Called for every measurement and state change, in addition to the bus.
   std::function<void(const measurement::Measurement&)> on_measurement_hook;
   std::function<void(const device::Device&, const device::Transition&)> on_state_hook;
   std::function<void(std::span<const bus::DeviceStatus>, measurement::Stamp)> on_health_hook;
@@ -41,7 +42,7 @@ class DriverHost final : private device::Listener {
   bus::Publisher* bus_;
   shell::RealTime shell_;
   boost::asio::steady_timer health_timer_;
-  bool stopped_ = false;  ///< a timer that has expired can no longer be cancelled
+  bool stopped_ = false;  ///< an expired timer can no longer be cancelled
 };
 
 }  // namespace drydock::host

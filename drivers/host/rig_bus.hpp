@@ -10,17 +10,17 @@
 
 namespace drydock::host {
 
-/// The rig's devices as the bus knows them: name, kind, and where their measurements come from.
+/// The rig's devices in the form of the bus: name, kind, and the provenance of their measurements.
 std::vector<bus::Device> bus_devices(const rig_config::Rig& rig);
 std::vector<bus::Device> bus_devices(std::span<const std::unique_ptr<device::Device>> devices);
 
 std::vector<std::string> estimator_names(const rig_config::Rig& rig);
-std::vector<std::string> navigator_names(const rig_config::Rig& rig);  ///< that give positions
+std::vector<std::string> navigator_names(const rig_config::Rig& rig);  ///< they give positions
 
-/// Which sensors are compared with what an estimator expects of them.
+/// The sensors that are compared with an estimator's predictions.
 std::vector<bus::InnovationSource> innovation_sources(const rig_config::Rig& rig);
 
-/// Where the measurements of a device with this link come from, told by the URI alone.
+/// The provenance of a device's measurements. Only the URI of its link decides it.
 measurement::Provenance provenance_of(const std::string& link);
 
 /// One status of `rt/diagnostics`.

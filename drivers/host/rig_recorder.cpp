@@ -54,7 +54,8 @@ std::vector<record::RecordedLink> links_of(const rig_config::Rig& rig) {
   return links;
 }
 
-/// The rig's files under the paths by which they name each other, the rig's own as "rig.toml".
+/// The rig's files as attachments. Each has the path by which the files refer to it; the rig's own
+/// file is "rig.toml".
 std::vector<mcap::Attachment> attachments_of(const rig_config::Rig& rig, std::uint64_t time) {
   std::vector<mcap::Attachment> attachments;
   for (const auto& path : rig.files) {

@@ -7,15 +7,15 @@
 namespace drydock::host {
 
 struct RecordOptions {
-  std::string path;        ///< of the MCAP file; empty: no recording
-  bool overwrite = false;  ///< a file that is there
+  std::string path;        ///< the MCAP file; empty: no recording
+  bool overwrite = false;  ///< replace an existing file
 };
 
-/// The recording of a rig's run: everything that its links carry and its drivers and estimators
-/// make of it, the rig's files attached.
+/// Records the run of a rig: all data on its links, all results of its drivers and estimators, and
+/// the rig's files as attachments.
 class RigRecorder final : public Watcher {
  public:
-  /// Throws std::runtime_error with one line when the file cannot be made.
+  /// Throws std::runtime_error with one line if the file cannot be made.
   RigRecorder(const rig_config::Rig& rig, const RecordOptions& options, Stamp start,
               record::WhenBehind when_behind);
 
@@ -42,9 +42,9 @@ class RigRecorder final : public Watcher {
   void note(std::span<const bus::Fault> faults, Stamp now) override {
     recorder_.topics().publish(faults, now);
   }
-  void tick(Stamp now) override;  ///< says on standard error, once, when the file fails
+  void tick(Stamp now) override;  ///< reports once on standard error if the file fails
 
-  /// Ends the file. One line of what is in it, or of what went wrong.
+  /// Ends the file. Returns one line about its content, or about the failure.
   std::string finish();
   bool failed() const { return recorder_.status().error.failed(); }
 

@@ -10,29 +10,29 @@
 
 namespace drydock::host {
 
-/// Where a run can be watched: `--serve [ADDRESS:PORT]`, `--token`, `--allow-faults`.
+/// The address where a run can be watched: `--serve [ADDRESS:PORT]`, `--token`, `--allow-faults`.
 struct ServeOptions {
-  std::string address;  ///< "127.0.0.1:8765", ":8765", "8765"; empty: nowhere
+  std::string address;  ///< "127.0.0.1:8765", ":8765", "8765"; empty: not served
   std::string token;
   bool allow_faults = false;  ///< viewers may set and clear faults
 };
 
-/// What a viewer may see.
+/// The content that a viewer may see.
 struct Viewed {
   std::string name;
   std::vector<bus::Device> devices;                     ///< by `Origin::device`
-  std::vector<std::string> estimators{}, navigators{};  ///< those that give Navigation too
+  std::vector<std::string> estimators{}, navigators{};  ///< navigators give Navigation too
   std::vector<bus::InnovationSource> innovations{};
 };
 Viewed viewed(const rig_config::Rig& rig);
 
-/// A run for browsers and Foxglove. Fast topics are thinned to what an eye can follow.
+/// Shows a run in browsers and Foxglove. It thins fast topics to a rate that an eye can follow.
 class RigViewer final : public Watcher {
  public:
   static constexpr std::chrono::milliseconds shortest_interval{40};
 
-  /// Throws std::runtime_error with one line when the address cannot be served. An address beyond
-  /// this host gets a token of its own when none is given.
+  /// Throws std::runtime_error with one line if the address cannot be served. An address that other
+  /// hosts can reach gets a random token if none is given.
   RigViewer(boost::asio::any_io_executor executor, const Viewed& viewed,
             const ServeOptions& options);
   RigViewer(boost::asio::any_io_executor executor, const rig_config::Rig& rig,
@@ -41,7 +41,7 @@ class RigViewer final : public Watcher {
 
   void add(std::vector<live::Service> services);
 
-  std::string url() const;  ///< to open in a browser, with the token where there is one
+  std::string url() const;  ///< for a browser; includes the token if there is one
 
   void note(const measurement::Measurement& measurement) override;
   void note(const bus::Attitude& attitude, std::size_t estimator) override;
@@ -51,7 +51,7 @@ class RigViewer final : public Watcher {
   }
   void note(const bus::Innovation& innovation) override { topics_.publish(innovation); }
   void note(std::span<const bus::Fault> faults, Stamp now) override;
-  void tick(Stamp now) override;  ///< says the faults in force again, for who came later
+  void tick(Stamp now) override;  ///< repeats the faults in force, for viewers that connected later
   void stop() { server_.stop(); }
   live::ServerCounters counters() const { return server_.counters(); }
 
@@ -64,7 +64,7 @@ class RigViewer final : public Watcher {
   bus::CdrPublisher topics_;
   std::vector<bus::Fault> faults_;  ///< in force
   Stamp faults_told_{};
-  std::vector<Stamp> last_sample_;                    ///< by device; of IMUs
+  std::vector<Stamp> last_sample_;                    ///< by device; only for IMUs
   std::vector<Stamp> last_attitude_, last_position_;  ///< by estimator
 };
 

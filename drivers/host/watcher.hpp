@@ -8,7 +8,7 @@
 
 namespace drydock::host {
 
-/// Follows a run beside drivers and bus: a recording, a viewer. Never waits, never throws.
+/// Follows a run, in addition to the bus: a recording, a viewer. It never waits and never throws.
 class Watcher : public shell::RawListener {
  public:
   using Stamp = measurement::Stamp;
@@ -16,17 +16,18 @@ class Watcher : public shell::RawListener {
   void on_bytes(std::string_view, shell::Direction, wire::Bytes, Stamp) override {}
   void on_frame(std::string_view, shell::Direction, const wire::CanFrame&, Stamp) override {}
   virtual void note(const measurement::Measurement& measurement) = 0;
-  /// `estimator` counts as the rig does; the one after the last is the truth.
+  /// `estimator` is the index in the rig; the index after the last estimator is the truth.
   virtual void note(const bus::Attitude& attitude, std::size_t estimator) = 0;
   virtual void note(const bus::Navigation& navigation, std::size_t estimator) = 0;
   virtual void note(std::span<const bus::DeviceStatus> health, Stamp now) = 0;
   virtual void note(const bus::Innovation&) {}
-  /// Whenever the faults in force change: all that are in force now, none that have ended.
+  /// Called whenever the faults in force change. `faults` holds all faults in force now; ended
+  /// faults are not in it.
   virtual void note(std::span<const bus::Fault> /*faults*/, Stamp /*now*/) {}
   virtual void tick(Stamp now) = 0;  ///< a few times a second
 };
 
-/// All that follow one run.
+/// All watchers of one run.
 class Watchers final : public Watcher {
  public:
   void add(Watcher& watcher) { all_.push_back(&watcher); }

@@ -9,8 +9,8 @@
 
 namespace drydock::io {
 
-/// Wakes coroutines that wait for a condition. They look at the condition before they wait and
-/// again when they wake; notify() may come from another thread.
+/// Wakes coroutines that wait for a condition. They check the condition before they wait and again
+/// when they wake. Another thread may call notify().
 class Signal : public std::enable_shared_from_this<Signal> {
  public:
   explicit Signal(const boost::asio::any_io_executor& executor)
@@ -18,7 +18,7 @@ class Signal : public std::enable_shared_from_this<Signal> {
 
   boost::asio::awaitable<void> wait() { co_await timer_.async_wait(as_outcome); }
 
-  /// Posted, so that it comes after a waiter that is just about to suspend.
+  /// Posts the wake-up, so that it comes after a waiter that is about to suspend.
   void notify() {
     boost::asio::post(timer_.get_executor(),
                       [self = shared_from_this()] { self->timer_.cancel(); });

@@ -7,14 +7,15 @@
 
 namespace drydock::io {
 
-/// How a program that runs until it is told ends: at Ctrl-C, SIGTERM, or when its time is over. A
-/// second Ctrl-C ends it at once.
+/// Ends a program that runs until it is told to end: at Ctrl-C, at SIGTERM, or when its time is
+/// over. A second Ctrl-C ends it at once.
 class UntilStopped {
  public:
-  /// `stop` is called once and lets `io` run out of work. A duration of 0 never ends.
+  /// Calls `stop` once; `stop` must let `io` run out of work. With a duration of 0 there is no time
+  /// limit.
   UntilStopped(boost::asio::io_context& io, double duration_s, std::function<void()> stop);
 
-  void stop();  ///< as if the time were over
+  void stop();  ///< does the same as the end of the time
 
  private:
   std::function<void()> stop_;

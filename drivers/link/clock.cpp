@@ -22,7 +22,7 @@ Stamp steady_now() {
 
 std::chrono::nanoseconds ClockWatch::step() { return step(now(), steady()); }
 
-/// What is slewed away bit by bit never adds up to a step.
+/// Slow corrections (slewing) never add up to a step.
 std::chrono::nanoseconds ClockWatch::step(Stamp utc, std::chrono::nanoseconds steady) {
   const auto offset = utc - Stamp{steady};
   const auto moved = begun_ ? offset - offset_ : std::chrono::nanoseconds{0};

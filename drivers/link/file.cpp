@@ -18,11 +18,11 @@ namespace {
 using SteadyClock = std::chrono::steady_clock;
 
 constexpr double bits_per_byte = 10;     // start, eight data, stop
-constexpr double chunk_seconds = 0.004;  // as a UART's FIFO hands bytes over
+constexpr double chunk_seconds = 0.004;  // a UART's FIFO delivers bytes in such blocks
 
 class FileLink final : public ByteLink {
  public:
-  /// `bytes_per_second` 0: no pacing.
+  /// `bytes_per_second` 0 means no pacing.
   FileLink(const asio::any_io_executor& executor, Descriptor file, const Uri& uri,
            double bytes_per_second)
       : executor_(executor),
@@ -46,13 +46,13 @@ class FileLink final : public ByteLink {
   Provenance provenance() const override { return Provenance::replayed; }
 
  private:
-  /// When the line would have carried the last of `bytes` bytes.
+  /// The time at which the line would have delivered the last of `bytes` bytes.
   SteadyClock::time_point due(std::size_t bytes) const {
     const std::chrono::duration<double> after(static_cast<double>(bytes) / bytes_per_second_);
     return start_ + std::chrono::duration_cast<SteadyClock::duration>(after);
   }
 
-  /// Bytes behind the head's comments, at the front of `into`; as ::read.
+  /// Reads the bytes behind the comments of the head. Like ::read.
   ssize_t read_file(std::span<std::uint8_t> into);
 
   asio::any_io_executor executor_;
@@ -78,7 +78,7 @@ ssize_t FileLink::read_file(std::span<std::uint8_t> into) {
 }
 
 Task<ReceivedBytes> FileLink::read(std::span<std::uint8_t> into) {
-  // Others get their turn even when the file is faster than everything.
+  // Other coroutines get their turn even if the file is never slow.
   co_await asio::post(executor_, asio::use_awaitable);
   if (closed_) co_return ErrorCode(asio::error::operation_aborted);
   const bool paced = bytes_per_second_ > 0;

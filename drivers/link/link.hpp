@@ -14,8 +14,8 @@
 #include "drivers/measurement/measurement.hpp"
 #include "drivers/wire/can/can_frame.hpp"
 
-/// How bytes and CAN frames travel. A link never throws for what the other side does:
-/// every operation ends in a result whose error says what happened.
+/// Transport of bytes and CAN frames. A link never throws because of the other side: every
+/// operation ends in a result, and its error says what happened.
 namespace drydock::link {
 
 namespace asio = boost::asio;
@@ -25,8 +25,8 @@ using measurement::Stamp;
 template <class T>
 using Task = asio::awaitable<boost::system::result<T>>;
 
-/// Which end of a virtual line is opened: `device` makes the pty, bus or socket that `driver`
-/// joins.
+/// The end of a virtual line that is opened: `device` makes the pty, bus or socket, and `driver`
+/// joins it.
 enum class Side : std::uint8_t { driver, device };
 
 struct ReceivedBytes {
@@ -34,11 +34,12 @@ struct ReceivedBytes {
   Stamp at{};            ///< when the read returned
 };
 
-/// A serial line, a socket, a file: bytes in order. Closing ends pending reads with
-/// operation_aborted. The `device` side outlives its drivers: it waits when one leaves, and what it
-/// writes while nobody listens is lost, as on a wire. The `driver` side reads an error when the
-/// device is gone; it then closes and opens again. One read and one write at a time, all on the
-/// thread of the executor; a pending read or write must have ended before the link is destroyed.
+/// A serial line, a socket, a file: bytes in order. close() ends pending reads with
+/// operation_aborted. The `device` side outlives its drivers: it waits when one leaves, and bytes
+/// that it writes while nobody listens are lost, as on a wire. The `driver` side reads an error
+/// when the device is gone; it then closes and opens again. There is at most one read and one write
+/// at a time, all on the thread of the executor. A pending read or write must have ended before the
+/// link is destroyed.
 class ByteLink {
  public:
   ByteLink() = default;
@@ -53,7 +54,7 @@ class ByteLink {
 
 struct ReceivedFrame {
   wire::CanFrame frame;
-  Stamp at{};        ///< of the kernel where it gives one
+  Stamp at{};        ///< from the kernel, if it gives one
   bool own = false;  ///< echo of a frame that this socket sent
 };
 
@@ -71,30 +72,31 @@ class FrameLink {
   virtual std::uint64_t dropped() const { return 0; }  ///< frames lost in the receive queue
 };
 
-/// Why a link could not be opened. `message` is a sentence for a person: what failed, what to do.
+/// Why a link could not be opened. `message` is a sentence for a person: the failure and the
+/// remedy.
 struct OpenError {
   boost::system::error_code code;
   std::string message;
 };
 
-/// Called by result::value() when there is none; throws std::runtime_error.
+/// result::value() calls it if there is no value; throws std::runtime_error.
 [[noreturn]] void throw_exception_from_error(const OpenError& error,
                                              const boost::source_location& where);
 
-/// Opens the link that the URI names (Uri::carries tells which kind it is).
+/// Opens the link that the URI names. Uri::carries gives its kind.
 boost::system::result<std::unique_ptr<ByteLink>, OpenError> open_bytes(
     const asio::any_io_executor& executor, const Uri& uri, Side side);
 boost::system::result<std::unique_ptr<FrameLink>, OpenError> open_frames(
     const asio::any_io_executor& executor, const Uri& uri, Side side);
 
-/// Which bus a can:auto URI stands for now, in words: "vcan0 of the kernel" or "slcan on the pty
-/// /tmp/drydock-0/bus0". Settled once the device side is open.
+/// The bus that a can:auto URI means now, in words: "vcan0 of the kernel" or "slcan on the pty
+/// /tmp/drydock-0/bus0". It is fixed once the device side is open.
 std::string can_auto_level(const Uri& uri);
 
-/// Where the symlink of a pty with this name stands; an absolute path stands for itself.
+/// The path of the symlink of a pty with this name. An absolute path is returned unchanged.
 std::string pty_path(std::string_view name);
 
-/// Bench time now: UTC of the host.
+/// The present bench time: UTC of the host.
 Stamp now();
 
 }  // namespace drydock::link

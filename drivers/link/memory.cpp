@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t capacity = 65'536;
 
-/// One end of the line as the other sees it.
+/// The state of one end of the line that the other end uses.
 struct End {
   bool open = false;
   boost::circular_buffer<std::uint8_t> inbox{capacity};  ///< bytes for this end
@@ -28,7 +28,7 @@ struct Line {
     if (opposite(side).open) opposite(side).changed->notify();
   }
 
-  std::mutex mutex;  ///< held for everything below
+  std::mutex mutex;  ///< protects everything below
   std::array<End, 2> ends;
 };
 

@@ -6,7 +6,7 @@
 #include "drivers/io/as_outcome.hpp"
 #include "drivers/link/link.hpp"
 
-/// What the links share among themselves. Internal to drivers/link.
+/// Common parts of the links. Internal to drivers/link.
 namespace drydock::link {
 
 using OpenedBytes = boost::system::result<std::unique_ptr<ByteLink>, OpenError>;
@@ -18,7 +18,7 @@ using io::as_outcome;
 
 inline ErrorCode system_error(int number) { return {number, boost::system::system_category()}; }
 
-/// `message` with the system's own words for `number` (an errno) behind it.
+/// `message`, followed by the system's own words for `number` (an errno).
 inline OpenError open_error(int number, const std::string& message) {
   return {system_error(number), message + ": " + system_error(number).message()};
 }

@@ -11,7 +11,7 @@
 namespace drydock::link {
 namespace {
 
-/// `"text": what`, the one line of every failure.
+/// The one line of every failure: `"text": what`.
 UriError wrong(std::string_view text, const std::string& what) {
   return {"\"" + std::string(text) + "\": " + what};
 }
@@ -25,7 +25,7 @@ std::string key_names(const Form& form) {
   return names;
 }
 
-/// What is wrong with one `key=value` of the query; empty when nothing.
+/// The error in one `key=value` of the query. Empty if there is none.
 std::string check_parameter(const Form& form, std::string_view parameter) {
   const std::size_t equals = parameter.find('=');
   const std::string_view name = parameter.substr(0, equals);
@@ -57,7 +57,7 @@ std::string parse_query(const Form& form, std::string_view query, Uri& uri) {
   return {};
 }
 
-/// Text of the link under an slcan bus, with the keys that belong to that link.
+/// Text of the link below an slcan bus, with the keys of that link.
 std::string line_text(const Uri& slcan) {
   const bool is_device = slcan.target.starts_with('/');
   std::string text = is_device ? "serial:" + slcan.target : slcan.target;
@@ -74,7 +74,7 @@ std::string check_slcan(const Uri& uri) {
          std::string(form_of(Scheme::slcan).example);
 }
 
-/// What the query must hold beyond sound values.
+/// Checks the query as a whole, after its single values.
 std::string check_whole(const Uri& uri) {
   if (uri.scheme == Scheme::serial && uri.text_of("baud").empty())
     return "serial needs a baud rate, for example " + std::string(form_of(uri.scheme).example);

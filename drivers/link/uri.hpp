@@ -19,49 +19,49 @@ enum class Scheme : std::uint8_t {
 
 enum class Carries : std::uint8_t { bytes, frames };
 
-/// A link's address: `scheme:target?key=value&key=value`. The URI alone decides whether a device is
-/// emulated (pty, memory, memory-can, can:auto, socketcan of a vcan interface, anything that says
-/// `emulated=1`), recorded (file) or real (the rest). docs/use/links.md lists the schemes and their
-/// keys.
+/// A link's address: `scheme:target?key=value&key=value`. The URI alone decides the provenance of a
+/// device. It is emulated for pty, memory, memory-can, can:auto, socketcan of a vcan interface, and
+/// every URI with `emulated=1`. It is recorded for file. All others are real. docs/use/links.md
+/// lists the schemes and their keys.
 struct Uri {
   Scheme scheme = Scheme::memory;
-  std::string target;  ///< device path, name, host:port, interface; of can:auto the bus's name
+  std::string target;  ///< device path, name, host:port, interface; for can:auto the bus's name
   std::map<std::string, std::string> query;
   std::string text;  ///< as written
 
-  Carries carries() const;  ///< of a file: bytes
+  Carries carries() const;  ///< for a file: bytes
   bool may_carry(Carries what) const { return recorded() || carries() == what; }
   bool emulated() const;  ///< its other end is an emulated device of this rig
   bool recorded() const { return scheme == Scheme::file; }
-  /// Bit/s of the serial line, if written; parse_uri insists on `baud` for `serial`. Empty for
-  /// `baud=auto`: whoever opens the line finds the rate and puts it there.
+  /// Bit/s of the serial line, if the URI gives it; parse_uri requires `baud` for `serial`. Empty
+  /// for `baud=auto`: the code that opens the line finds the rate and sets it.
   std::optional<unsigned> baud() const;
-  /// How many times as fast as it was a recording is played; 0: as fast as it can be read. Empty
-  /// where not written.
+  /// Speed of playback relative to real time. 0: as fast as possible. Empty if the URI does not
+  /// give it.
   std::optional<double> speed() const;
-  /// Bit/s of a CAN bus (nominal phase); 250000, that of NMEA 2000 and J1939, where not written.
-  /// Empty for byte links.
+  /// Bit/s of a CAN bus (nominal phase). Default 250000, the rate of NMEA 2000 and J1939. Empty for
+  /// byte links.
   std::optional<unsigned> bitrate() const;
-  std::string_view text_of(std::string_view key) const;  ///< empty where not written
+  std::string_view text_of(std::string_view key) const;  ///< empty if the URI does not give it
   bool flag(std::string_view key) const;                 ///< true for `key=1`
 };
 
-/// The failure to read a URI: one line that says what is wrong and what is allowed.
+/// A URI could not be parsed: one line with the error and the permitted values.
 struct UriError {
   std::string message;
 };
-/// Called by result::value() when there is none; throws std::invalid_argument.
+/// result::value() calls it if there is no value; throws std::invalid_argument.
 [[noreturn]] void throw_exception_from_error(const UriError& error,
                                              const boost::source_location& where);
 
 /// Parses and checks a URI.
 boost::system::result<Uri, UriError> parse_uri(std::string_view text);
 
-/// What is wrong with a recording's keys for what it is to carry; empty: nothing.
+/// The error in a recording's keys for this kind of data. Empty if there is none.
 std::string recording_misfit(const Uri& file, Carries what);
 
-/// The byte link under an slcan bus: `slcan:/dev/ttyACM0` runs over a serial port,
-/// `slcan:tcp:host:port` over TCP. Precondition: parse_uri made it.
+/// The byte link below an slcan bus: `slcan:/dev/ttyACM0` uses a serial port, `slcan:tcp:host:port`
+/// uses TCP. Precondition: parse_uri made the URI.
 Uri line_under_slcan(const Uri& slcan);
 
 /// "serial pty tcp ... can:auto", for messages and help.

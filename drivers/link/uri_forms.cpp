@@ -10,7 +10,7 @@
 namespace drydock::link {
 namespace {
 
-/// Whole decimal number within [low, high].
+/// True for a decimal number within [low, high] and nothing else.
 template <unsigned low, unsigned high>
 bool is_within(std::string_view text) {
   unsigned value = 0;
@@ -29,14 +29,14 @@ bool is_speed(std::string_view text) {
   return text == "max" || (number && value > 0 && value <= 1e6);
 }
 
-/// The bit rates that slcan has a command for (S0 to S8).
+/// True for the bit rates with an slcan command (S0 to S8).
 bool is_slcan_bitrate(std::string_view text) {
   constexpr std::array<std::string_view, 9> rates{"10000",  "20000",  "50000",  "100000", "125000",
                                                   "250000", "500000", "800000", "1000000"};
   return std::find(rates.begin(), rates.end(), text) != rates.end();
 }
 
-/// Name of a network interface, which also serves as the name of a pty.
+/// True for a valid name of a network interface. A pty may have the same name.
 bool is_interface(std::string_view text) {
   constexpr std::size_t longest = 15;  // IFNAMSIZ - 1
   return !text.empty() && text.size() <= longest &&

@@ -8,16 +8,16 @@
 /// The grammar of link URIs: each scheme's target and query keys. Internal to drivers/link.
 namespace drydock::link {
 
-/// True for a sound text.
+/// True for a valid text.
 using Check = bool (*)(std::string_view);
 
-/// A query key; `allowed` is how a message lists its values.
+/// A query key. Messages show `allowed` as the list of its values.
 struct Key {
   std::string_view name, allowed;
   Check valid;
 };
 
-/// What a URI of one scheme may say; `target` and `example` are parts of sentences.
+/// The permitted content of a URI of one scheme. `target` and `example` are parts of sentences.
 struct Form {
   Scheme scheme;
   std::string_view name, target, example;

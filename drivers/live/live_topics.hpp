@@ -5,7 +5,7 @@
 
 namespace drydock::live {
 
-/// The bus's topics on a server: each a channel with its ros2msg definition.
+/// The bus's topics on a server. Each is a channel with its ros2msg definition.
 class LiveTopics final : public bus::CdrSink {
  public:
   /// The server must outlive it.

@@ -6,7 +6,7 @@
 
 namespace drydock::live {
 
-/// The page that a browser gets: what stands in drivers/live/page, inside the program.
+/// The files of the page in drivers/live/page. The program contains them.
 std::vector<PageFile> page_files();
 
 }  // namespace drydock::live

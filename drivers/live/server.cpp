@@ -47,7 +47,7 @@ HttpResponse answer(const HttpRequest& request, http::status status, std::string
 
 }  // namespace
 
-/// What the coroutines of all clients share.
+/// State that the coroutines of all clients share.
 struct Server::House : std::enable_shared_from_this<House> {
   House(asio::any_io_executor on, ServerOptions with, std::vector<PageFile> files)
       : executor(std::move(on)), options(std::move(with)), page(std::move(files)), door(executor) {}
@@ -70,7 +70,7 @@ struct Server::House : std::enable_shared_from_this<House> {
   std::vector<Service> services;
   std::vector<std::shared_ptr<Viewer>> viewers;
   std::size_t clients = 0;
-  ServerCounters past;  ///< of viewers that have left
+  ServerCounters past;  ///< counts of viewers that have left
 };
 
 boost::system::error_code Server::House::open() {
@@ -94,7 +94,7 @@ asio::awaitable<void> Server::House::let_in() {
   while (door.is_open()) {
     auto [error, socket] = co_await door.async_accept(as_outcome);
     if (error == asio::error::operation_aborted || !door.is_open()) co_return;
-    if (error || clients >= most_clients) {  // beyond that a client is closed at once
+    if (error || clients >= most_clients) {  // closes a client at once if there are too many
       asio::steady_timer pause(executor, accept_pause);
       co_await pause.async_wait(as_outcome);
       continue;
@@ -142,7 +142,7 @@ std::optional<std::string> Server::House::refusal_of(const HttpRequest& request)
   return refused;
 }
 
-/// A script or style: nothing of the run is in it, and a browser asks for it without the token.
+/// A script or style. It contains no data of the run, and a browser requests it without the token.
 bool Server::House::is_part_of_page(const HttpRequest& request) const {
   const std::string target = text_of(request.target());
   const auto path = path_of(target);

@@ -11,12 +11,12 @@
 
 namespace drydock::live {
 
-/// Who may look. On a loopback address everyone of this host who is no foreign web page; on any
-/// other only who knows the token.
+/// Who may look. On a loopback address: everybody on this host, except foreign web pages. On any
+/// other address: only clients with the token.
 struct ServerOptions {
   std::string address = "127.0.0.1";
-  std::uint16_t port = 8765;  ///< 0: any that is free
-  std::string token = {};     ///< `?token=...` of every request; empty: none is needed
+  std::uint16_t port = 8765;  ///< 0: any free port
+  std::string token = {};     ///< `?token=...` in every request; empty: not needed
   std::string name = "drydock";
 };
 
@@ -26,32 +26,32 @@ struct PageFile {
 };
 
 struct ServerCounters {
-  std::uint64_t viewers = 0;  ///< now
-  std::uint64_t sent = 0;     ///< data messages, over all viewers
-  std::uint64_t dropped = 0;  ///< for viewers that did not keep up
-  std::uint64_t refused = 0;  ///< requests without the right to be here
+  std::uint64_t viewers = 0;  ///< present number
+  std::uint64_t sent = 0;     ///< data messages to all viewers
+  std::uint64_t dropped = 0;  ///< for viewers that were too slow
+  std::uint64_t refused = 0;  ///< requests without permission
 };
 
-/// One port: the page by HTTP, data by the Foxglove WebSocket protocol. Runs on its executor, which
-/// must be one thread; publish() never waits for a viewer.
+/// One port: the page through HTTP, data through the Foxglove WebSocket protocol. It runs on its
+/// executor, which must be one thread. publish() never waits for a viewer.
 class Server {
  public:
   Server(boost::asio::any_io_executor executor, ServerOptions options,
          std::vector<PageFile> page = {});
   ~Server();
 
-  /// Fails when the address is none or the port is taken; on any but a loopback address also
-  /// without a token (errc::permission_denied).
+  /// Fails if the address is invalid or the port is in use. On an address other than loopback it
+  /// also fails without a token (errc::permission_denied).
   boost::system::error_code listen();
   std::uint16_t port() const;  ///< after listen()
 
-  /// Gives the channel its id and tells the viewers that are there.
+  /// Gives the channel its id and announces it to the connected viewers.
   std::uint32_t add_channel(Channel channel);
-  /// Someone is subscribed: without, there is no need to encode.
+  /// True if a viewer is subscribed. Otherwise there is no need to encode.
   bool wanted(std::uint32_t channel) const;
   void publish(std::uint32_t channel, measurement::Stamp at, std::span<const std::uint8_t> data);
 
-  /// Of viewers that come from now on. Without any, a viewer can change nothing.
+  /// For viewers that connect later. Without any service a viewer can change nothing.
   void add_service(Service service);
 
   ServerCounters counters() const;

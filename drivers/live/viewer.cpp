@@ -16,7 +16,7 @@ using io::as_outcome;
 
 constexpr std::size_t longest_request = 64 * 1024;
 
-/// The first of ours that the client offers; empty: none.
+/// The first of the server's subprotocols that the client offers. Empty if there is none.
 std::string_view chosen_subprotocol(std::string_view offered) {
   for (const auto ours : subprotocols)
     if (offered.find(ours) != std::string_view::npos) return ours;
@@ -93,7 +93,7 @@ void Viewer::obey(const std::variant<ServiceCall, Refused>& call, const Desk& de
 void Viewer::queue(Kind kind, const std::string& message) {
   if (!open_) return;
   if (queue_.size() >= most_queued + most_texts || queued_bytes_ > 2 * most_queued_bytes) {
-    close();  // asks and asks, and takes no answer
+    close();  // the client sends requests but reads no answers
     return;
   }
   queue_.push_back(

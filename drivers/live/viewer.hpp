@@ -17,13 +17,13 @@ namespace drydock::live {
 
 class Viewer;
 
-/// What a viewer may ask for.
+/// The functions that serve a viewer's requests.
 struct Desk {
   std::function<bool(std::uint32_t channel)> has;
   std::function<void(const ServiceCall&, const std::shared_ptr<Viewer>&)> call;
 };
 
-/// One client of the protocol. What it does not take in time is dropped, oldest first.
+/// One client of the protocol. Data that it does not read in time are dropped, the oldest first.
 class Viewer : public std::enable_shared_from_this<Viewer> {
  public:
   using Body = std::shared_ptr<const std::vector<std::uint8_t>>;
@@ -32,14 +32,14 @@ class Viewer : public std::enable_shared_from_this<Viewer> {
 
   explicit Viewer(boost::beast::tcp_stream stream);
 
-  /// Ends when the client is gone. `greeting` are texts that come first.
+  /// Ends when the client has gone. The texts of `greeting` are sent first.
   boost::asio::awaitable<void> run(
       boost::beast::http::request<boost::beast::http::string_body> request,
       std::vector<std::string> greeting, Desk desk);
 
-  /// Control: never dropped. A client that lets too many of them wait is disconnected.
+  /// Control messages are never dropped. A client with too many unread ones is disconnected.
   void tell(const std::string& text) { queue(Kind::text, text); }
-  void answer(const std::string& message) { queue(Kind::answer, message); }  ///< as binary
+  void answer(const std::string& message) { queue(Kind::answer, message); }  ///< sent as binary
   bool wants(std::uint32_t channel) const { return subscriptions_.contains(channel); }
   void publish(std::uint32_t channel, std::uint64_t time_ns, const Body& body);
   void close();
@@ -51,7 +51,7 @@ class Viewer : public std::enable_shared_from_this<Viewer> {
   enum class Kind : std::uint8_t { text, answer, data };
   struct Item {
     Kind kind = Kind::data;
-    DataHead head{};  ///< of data
+    DataHead head{};  ///< for data
     Body body;
   };
   boost::asio::awaitable<void> write_all();

@@ -11,8 +11,8 @@
 
 #include "drivers/measurement/stamp.hpp"
 
-/// What the sensors measured, in SI units and radians, body frame FRD (x forward, y starboard,
-/// z down), navigation frame NED. A value that the device did not give is an empty optional.
+/// Measurements of the sensors, in SI units and radians, body frame FRD (x forward, y starboard, z
+/// down), navigation frame NED. A value that the device did not give is an empty optional.
 namespace drydock::measurement {
 
 enum class Provenance : std::uint8_t { real, emulated, replayed };
@@ -22,16 +22,16 @@ constexpr std::string_view to_string(Provenance provenance) {
   return names[static_cast<std::size_t>(provenance)];
 }
 
-/// Where and when a measurement comes from. Drivers fill it; nothing later changes it.
+/// Source and time of a measurement. Drivers fill it; no later code changes it.
 struct Origin {
   Stamp valid_at{};     ///< when the value was true, corrected for wire time and stated latency
-  Stamp received_at{};  ///< when the last byte or frame of it arrived
-  std::optional<std::chrono::nanoseconds> device_time;  ///< the device's own time, its own epoch
+  Stamp received_at{};  ///< arrival of its last byte or frame
+  std::optional<std::chrono::nanoseconds> device_time;  ///< the device's own time and epoch
   Provenance provenance = Provenance::real;
   std::uint16_t device = 0;  ///< index of the device in the rig
 };
 
-/// Inertial measurement of one instant, already turned into the body frame by the mounting.
+/// Inertial measurement of one instant. The mounting has already rotated it into the body frame.
 struct ImuSample {
   Origin origin;
   Eigen::Vector3d specific_force = Eigen::Vector3d::Zero();  ///< m/s2, body
@@ -40,10 +40,10 @@ struct ImuSample {
 
 struct DepthSample {
   Origin origin;
-  std::optional<double> depth_m;        ///< of the sensor below the surface, positive down
+  std::optional<double> depth_m;        ///< depth of the sensor below the surface, positive down
   std::optional<double> pressure_pa;    ///< absolute
   std::optional<double> temperature_k;  ///< of the water
-  std::optional<double> altitude_m;     ///< of the transducer above the bed (echo sounder)
+  std::optional<double> altitude_m;     ///< height of the transducer above the bed (echo sounder)
 };
 
 /// DVL: velocity of the vehicle over the bed (bottom track).
@@ -57,7 +57,7 @@ struct BottomVelocity {
   std::optional<double> sound_speed_mps;
 };
 
-/// EM log: speed through the water. Speed over ground never comes out here.
+/// EM log: speed through the water. It never contains speed over ground.
 struct WaterSpeed {
   Origin origin;
   std::optional<double> longitudinal_mps;  ///< body x, positive ahead
@@ -76,13 +76,13 @@ struct GnssFix {
   Origin origin;
   FixType type = FixType::none;
   std::optional<Stamp> utc;
-  std::optional<Geodetic> position;  ///< WGS-84; empty unless the receiver vouches for it
+  std::optional<Geodetic> position;  ///< WGS-84; empty unless the receiver calls it valid
   std::optional<double> ellipsoidal_height_m, mean_sea_level_height_m;
   std::optional<Eigen::Vector3d> velocity_ned;  ///< m/s
   std::optional<double> horizontal_accuracy_m, vertical_accuracy_m, speed_accuracy_mps;
   std::optional<double> position_dop;
   std::optional<int> satellites_used;
-  /// Over ground; all that receivers without a vertical velocity (NMEA 0183) can say.
+  /// Over ground. Receivers without a vertical velocity (NMEA 0183) give only these.
   std::optional<double> ground_speed_mps, course_rad;
 };
 
@@ -101,11 +101,11 @@ struct GnssSatellites {
   boost::container::static_vector<Satellite, 96> satellites;
 };
 
-/// Feedback of the actuators; each device reports what it has.
+/// Feedback of the actuators. Each device reports the values that it has.
 struct ActuatorState {
   Origin origin;
-  std::optional<double> rudder_rad;       ///< positive turns to port (N < 0), as in the paper
-  std::optional<double> stern_plane_rad;  ///< positive noses down (M < 0)
+  std::optional<double> rudder_rad;       ///< turns to port if positive (N < 0), as in the paper
+  std::optional<double> stern_plane_rad;  ///< nose down if positive (M < 0)
   std::optional<double> bow_plane_rad;
   std::optional<double> propeller_radps;
 };

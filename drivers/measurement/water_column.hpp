@@ -9,16 +9,16 @@ namespace ocean {
 inline constexpr double standard_gravity_mps2 = 9.80665;
 inline constexpr double decibar_pa = 1e4;
 
-/// Gravity at the surface, m/s2 (Anon. 1970, as the report quotes it).
+/// Gravity at the surface, m/s2 (Anon. 1970, as the report cites it).
 inline double surface_gravity(double latitude_rad) {
   const double x = std::sin(latitude_rad) * std::sin(latitude_rad);
   return 9.780318 * (1 + (5.2788e-3 + 2.36e-5 * x) * x);
 }
 
 inline constexpr double gravity_per_decibar =
-    1.092e-6;  // half the increase with depth: the column's mean
+    1.092e-6;  // half the increase with depth: the mean of the column
 
-/// Specific volume of the standard ocean summed over pressure, m2/s2, and its derivative.
+/// Integral of the specific volume of the standard ocean over pressure, m2/s2, and its derivative.
 inline double volume_integral(double p) {
   return (((-1.82e-15 * p + 2.279e-10) * p - 2.2512e-5) * p + 9.72659) * p;
 }
@@ -28,10 +28,11 @@ inline double volume_slope(double p) {
 
 }  // namespace ocean
 
-/// Depth of a sea pressure (above the surface's) and its inverse. N. P. Fofonoff and R. C. Millard,
-/// Algorithms for computation of fundamental properties of seawater, UNESCO Technical Papers in
-/// Marine Science 44 (1983), after Saunders and Fofonoff (1976): within 0.1 m of the integral of
-/// the equation of state, to 10 000 dbar. Above the surface depth and pressure are negative.
+/// Depth from sea pressure (relative to the surface) and its inverse. N. P. Fofonoff and R. C.
+/// Millard, Algorithms for computation of fundamental properties of seawater, UNESCO Technical
+/// Papers in Marine Science 44 (1983), after Saunders and Fofonoff (1976). It agrees with the
+/// integral of the equation of state within 0.1 m, to 10 000 dbar. Above the surface, depth and
+/// pressure are negative.
 inline double unesco_depth_m(double sea_pressure_pa, double latitude_rad) {
   const double p = sea_pressure_pa / ocean::decibar_pa;
   return ocean::volume_integral(p) /
@@ -40,7 +41,7 @@ inline double unesco_depth_m(double sea_pressure_pa, double latitude_rad) {
 
 inline double unesco_pressure_pa(double depth_m, double latitude_rad) {
   const double g = ocean::surface_gravity(latitude_rad);
-  double p = depth_m;  // a metre is nearly a decibar: Newton's steps then double the digits
+  double p = depth_m;  // a metre is nearly a decibar; each Newton step doubles the digits
   for (int step = 0; step < 4; ++step) {
     const double excess =
         ocean::volume_integral(p) - depth_m * (g + ocean::gravity_per_decibar * p);
@@ -49,9 +50,9 @@ inline double unesco_pressure_pa(double depth_m, double latitude_rad) {
   return p * ocean::decibar_pa;
 }
 
-/// The water above a pressure sensor: of one density under standard gravity,
-///   depth = (p - p_surface) / (density g),  g = 9.80665 m/s2,
-/// or, where a latitude is given, of standard ocean water (salinity 35, 0 deg C) as in EOS-80.
+/// The water above a pressure sensor. With one density under standard gravity
+///  depth = (p - p_surface) / (density g),  g = 9.80665 m/s2,
+/// or, if a latitude is given, standard ocean water (salinity 35, 0 deg C) as in EOS-80.
 struct WaterColumn {
   double surface_pressure_pa = 101'325;
   double density_kgm3 = 1025;

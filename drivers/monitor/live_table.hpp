@@ -10,8 +10,8 @@
 
 namespace drydock::monitor {
 
-/// Shows a run while it goes on: on a terminal a table that is drawn over itself, otherwise plain
-/// lines, one for a change of state and one for each device every ten seconds.
+/// Shows a run while it goes on. On a terminal it draws a table over itself. Elsewhere it prints
+/// plain lines: one for each change of state, and one for each device every ten seconds.
 class LiveTable {
  public:
   LiveTable();

@@ -25,7 +25,7 @@ using measurement::Stamp;
 
 constexpr std::chrono::seconds counters_period{2};
 
-/// Understands what comes from the link and prints it.
+/// Decodes the data from the link and prints them.
 class Screen {
  public:
   virtual ~Screen() = default;
@@ -130,7 +130,7 @@ void print_counters(const Screen& screen) {
              screen.messages(), c.bytes_in, c.bytes_good, c.bytes_skipped, c.bad_checksums);
 }
 
-/// Listens until the duration is over, Ctrl-C, or the link's end.
+/// Listens until the duration is over, Ctrl-C, or the end of the link.
 template <class Link>
 int watch(asio::io_context& io, Link& open_link, Screen& screen, double duration_s) {
   asio::steady_timer every(io);

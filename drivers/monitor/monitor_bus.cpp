@@ -10,7 +10,7 @@
 namespace drydock::monitor {
 namespace {
 
-/// Anybody on the bus may write anything: what is no finite number is none.
+/// Anybody can write anything to the bus. Text that is not a finite number gives no value.
 template <class Number>
 std::optional<Number> number_of(std::string_view text) {
   Number number = 0;
@@ -19,7 +19,7 @@ std::optional<Number> number_of(std::string_view text) {
   return whole && std::isfinite(static_cast<double>(number)) ? std::optional(number) : std::nullopt;
 }
 
-/// Diagnostics and measurements of the bus as views, and to whom watches besides.
+/// Turns diagnostics and measurements from the bus into views, and forwards them to the watchers.
 class BusViews final : public bus::Receiver {
  public:
   explicit BusViews(const rig_config::Rig& rig) {
@@ -57,7 +57,7 @@ class BusViews final : public bus::Receiver {
     for (const auto& [key, value] : status.values) set(*view, key, value);
   }
 
-  /// What diagnostics have come since the last time go to the watchers.
+  /// Gives the watchers the diagnostics that came since the last call.
   void tell_health() {
     if (!health_.empty()) watchers.note(health_, link::now());
     health_.clear();

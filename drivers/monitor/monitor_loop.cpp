@@ -33,7 +33,7 @@ std::unique_ptr<host::RigViewer> MonitorLoop::serve(const host::Viewed& viewed) 
   return viewer;
 }
 
-/// A rate needs a few messages: a table is not taken before each device has its own.
+/// A rate needs a few messages. The loop takes no table before each device has its rate.
 bool MonitorLoop::over(const std::vector<DeviceView>& views) const {
   const double elapsed_s = static_cast<double>(steps_) / steps_a_second;
   const double limit_s = options_.duration_s > 0 ? options_.duration_s
@@ -60,7 +60,7 @@ int MonitorLoop::run(const std::function<void()>& poll, const std::function<void
     signals_.clear();  // a second Ctrl-C ends the program at once
   });
   std::vector<DeviceView> last;
-  bool due = false;  // outlives the timer's last handler
+  bool due = false;  // outlives the last handler of the timer
   for (bool ended = false; !ended;) {
     timer_.expires_after(step_period);
     due = false;

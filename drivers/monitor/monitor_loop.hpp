@@ -10,16 +10,17 @@
 
 namespace drydock::monitor {
 
-/// Shows views again and again until the duration is over or Ctrl-C; with `once`, a single time.
+/// Shows views repeatedly until the duration is over or Ctrl-C. With `once` it shows them a single
+/// time.
 class MonitorLoop {
  public:
   MonitorLoop(const MonitorOptions& options, std::function<std::vector<DeviceView>()> views);
 
   boost::asio::io_context& io() { return io_; }
-  /// A page of what is monitored, where the options want one; empty otherwise. Its address goes to
-  /// standard error.
+  /// Serves a page of the monitored devices if the options ask for it; otherwise gives null. Prints
+  /// its address on standard error.
   std::unique_ptr<host::RigViewer> serve(const host::Viewed& viewed);
-  /// `poll` is called 10 times a second; `stop` must let io() run out of work. 0 when all devices
+  /// Calls `poll` 10 times a second. `stop` must let io() run out of work. Returns 0 if all devices
   /// were streaming at the end, else 1.
   int run(const std::function<void()>& poll, const std::function<void()>& stop);
 

@@ -13,7 +13,7 @@ namespace {
 
 using link::Stamp;
 
-/// Bits on each CAN bus, and what its controller says, by the URI of its link.
+/// Counts the bits on each CAN bus and keeps the state of its controller, by the URI of its link.
 class BusMeter final : public shell::RawListener {
  public:
   void on_bytes(std::string_view, shell::Direction, wire::Bytes, Stamp) override {}
@@ -24,7 +24,8 @@ class BusMeter final : public shell::RawListener {
     if (frame.error) bus.state = device::can_error_text(frame);
   }
 
-  /// Puts a bus's load into the view of a device on it. Over at least a second, so it is steady.
+  /// Puts the load of a bus into the view of a device on it. The load is a mean over at least a
+  /// second, so it is steady.
   void show(Stamp now, DeviceView& view) {
     const auto found = buses_.find(view.link);
     if (found == buses_.end()) return;
@@ -67,7 +68,7 @@ class BusMeter final : public shell::RawListener {
   std::map<std::string, Bus, std::less<>> buses_;
 };
 
-/// The devices that were found, as a rig file with their blocks would have them.
+/// Makes devices from the blocks that a rig file would contain for the sensors found.
 std::vector<std::unique_ptr<device::Device>> devices_of(const probe::ProbeReport& report) {
   std::vector<std::unique_ptr<device::Device>> devices;
   for (const auto& found : report.devices) {

@@ -50,7 +50,7 @@ void visit_fields(const DeviceView& v, F&& field) {
 
 namespace {
 
-/// "velocity_mps" is a velocity in m/s: the name and its unit. Longer endings first.
+/// "velocity_mps" is a velocity in m/s: gives the name and its unit. Longer endings come first.
 std::pair<std::string_view, std::string_view> split_unit(std::string_view field) {
   constexpr std::array<std::pair<std::string_view, std::string_view>, 10> units{{
       {"_mps2", "m/s2"},
@@ -69,7 +69,7 @@ std::pair<std::string_view, std::string_view> split_unit(std::string_view field)
   return {field, ""};
 }
 
-/// The values of a measurement's fields as text; what is not available is left out.
+/// Lists the values of a measurement's fields as text. It omits values that are not available.
 class Lister {
  public:
   explicit Lister(std::vector<ShownValue>& values) : values_(values) {}
@@ -97,7 +97,7 @@ class Lister {
   static std::string in_text(const Range& range) {
     using Item = std::decay_t<decltype(*range.begin())>;
     if constexpr (std::is_class_v<Item> && !std::is_same_v<Item, std::optional<double>>) {
-      return fmt::format("{}", range.size());  // of satellites, how many
+      return fmt::format("{}", range.size());  // for satellites: their number
     } else {
       std::string text;
       for (const auto& item : range) {
@@ -243,7 +243,7 @@ std::vector<std::string> DeviceTable::lines(const std::vector<DeviceView>& views
 }
 
 void Overdrawn::draw(const std::vector<std::string>& lines) {
-  std::string out = "\033[?7l";  // a long line is cut, not wrapped: each is one row
+  std::string out = "\033[?7l";  // cuts a long line, does not wrap it: each line is one row
   if (drawn_ > 0) out += fmt::format("\033[{}A", drawn_);
   for (const auto& line : lines) out += "\r\033[2K" + line + "\n";
   for (std::size_t i = lines.size(); i < drawn_; ++i) out += "\r\033[2K\n";

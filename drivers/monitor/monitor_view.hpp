@@ -11,45 +11,45 @@
 
 namespace drydock::monitor {
 
-/// A value that a device measured last, as a person reads it: "velocity", "1.2 0.1 0.0 m/s".
+/// The last measured value of one field, as text for a person: "velocity", "1.2 0.1 0.0 m/s".
 struct ShownValue {
   std::string name, text;
 };
 
-/// One device as a monitor or a run shows it.
+/// One device in the display of a monitor or a run.
 struct DeviceView {
   std::string name, kind, protocol, link;
   std::string state;       ///< "streaming", ...
-  std::string status;      ///< the state in words, and what happens next
+  std::string status;      ///< the state in words, and the next step
   std::string last_error;  ///< empty: none so far
   bool streaming = false;
   std::optional<double> rate_hz, jitter_s, longest_interval_s, age_s;
   double nominal_rate_hz = 0;
   std::uint64_t messages = 0, frames = 0, bad_frames = 0, bytes = 0, bytes_skipped = 0;
   std::uint64_t error_frames = 0, can_dropped = 0, reopened = 0;
-  std::optional<double> bus_load;  ///< of a CAN bus: share of its bit rate, 0 to 1
+  std::optional<double> bus_load;  ///< on a CAN bus: share of its bit rate, 0 to 1
   std::optional<double> bits_per_second;
-  std::string can_state;  ///< of the controller; empty: not told
-  /// Source time and arrival are kept apart; their difference is the latency.
+  std::string can_state;  ///< state of the CAN controller; empty: not known
+  /// Time of validity and arrival are separate; their difference is the latency.
   std::optional<double> valid_at_s, received_at_s, device_time_s, latency_s;
   std::vector<ShownValue> values;
 };
 
-/// What health says; `values` and times are left.
+/// Fills a view from health. `values` and times stay empty.
 DeviceView view_of(const device::Device& device, const device::Health& health);
 
-/// What each device measured last, of every type it gives.
+/// The last measurement of each device, for every type that it gives.
 class Latest {
  public:
   void note(const measurement::Measurement& measurement);
-  /// Puts the values into a view, and the times of the newest.
+  /// Puts the values and the times of the newest measurement into a view.
   void show(std::uint16_t device, DeviceView& view) const;
 
  private:
   std::map<std::pair<std::uint16_t, std::size_t>, measurement::Measurement> measurements_;
 };
 
-/// Colours and weight on a terminal; nothing where the output is none, or NO_COLOR is set.
+/// Colours and bold text on a terminal. Nothing if the output is no terminal or NO_COLOR is set.
 class Palette {
  public:
   explicit Palette(bool terminal);
@@ -60,10 +60,10 @@ class Palette {
   bool colour_;
 };
 
-/// The line of a device that a run's table has too.
+/// The line of a device. The table of a run uses it too.
 std::string headline(const DeviceView& view, const Palette& palette);
 
-/// All lines of devices. Values that differ from those of the call before stand out.
+/// All lines of the devices. Values that changed since the previous call are highlighted.
 class DeviceTable {
  public:
   explicit DeviceTable(bool terminal) : palette_(terminal) {}
@@ -76,7 +76,7 @@ class DeviceTable {
   std::map<std::string, std::string, std::less<>> before_;
 };
 
-/// Lines drawn over those of the time before.
+/// Draws lines over the previous ones.
 class Overdrawn {
  public:
   explicit Overdrawn(std::FILE* out) : out_(out) {}
@@ -88,7 +88,7 @@ class Overdrawn {
   std::size_t drawn_ = 0;
 };
 
-/// One JSON object a device, with the fields of DeviceView.
+/// Prints one JSON object for each device, with the fields of DeviceView.
 void print_json(const std::vector<DeviceView>& views, std::FILE* out);
 
 }  // namespace drydock::monitor

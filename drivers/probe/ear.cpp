@@ -24,7 +24,7 @@ Ear::Ear() {
   });
 }
 
-/// `read() -> awaitable<bool>` takes one reading: false ends the listening.
+/// `read() -> awaitable<bool>` takes one reading. False ends the listening.
 template <class Link, class Read, class Idle>
 void Ear::run(Link& link, link::Stamp until, Read read, const Idle& idle) {
   trouble_.clear();
@@ -52,7 +52,7 @@ void Ear::run(Link& link, link::Stamp until, Read read, const Idle& idle) {
   timer.cancel();
   wait = [] {};
   link.close();
-  while (!ended || talking_ > 0) io_.run_one();  // the reader and writers let go of the link
+  while (!ended || talking_ > 0) io_.run_one();  // the reader and the writers must release the link
   io_.poll();
 }
 

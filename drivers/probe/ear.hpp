@@ -11,26 +11,27 @@
 
 namespace drydock::probe {
 
-/// Listens on one link after another, until Ctrl-C ends it all.
+/// Listens on one link after another. Ctrl-C ends everything.
 class Ear {
  public:
   Ear();
 
-  /// Called with what came; and, every 100 ms, with nothing. True: that is enough.
+  /// Called with the received data, and every 100 ms without data. True: enough was heard.
   using OnBytes = std::function<bool(wire::Bytes, link::Stamp)>;
   using OnFrame = std::function<bool(const link::ReceivedFrame*)>;
 
-  /// Until enough was heard, `until`, Ctrl-C or the link's end; closes the link.
+  /// Listens until the callback has enough, until `until`, Ctrl-C or the end of the link. Then
+  /// closes the link.
   void listen(link::ByteLink& line, link::Stamp until, const OnBytes& on_bytes);
   void listen(link::FrameLink& bus, link::Stamp until, const OnFrame& on_frame);
 
-  /// Puts something on the wire while it listens; what fails is left to the link.
+  /// Writes to the wire while it listens. It ignores a failed write; the link reports the failure.
   void say(link::ByteLink& line, std::vector<std::uint8_t> bytes);
   void say(link::FrameLink& bus, const wire::CanFrame& frame);
 
   boost::asio::any_io_executor executor() { return io_.get_executor(); }
   bool interrupted() const { return interrupted_; }
-  const std::string& trouble() const { return trouble_; }  ///< why the last link ended; or empty
+  const std::string& trouble() const { return trouble_; }  ///< why the last link ended, or empty
 
  private:
   template <class Link, class Read, class Idle>
@@ -39,7 +40,7 @@ class Ear {
   boost::asio::io_context io_{1};
   boost::asio::signal_set signals_{io_, SIGINT, SIGTERM};
   bool interrupted_ = false;
-  int talking_ = 0;  ///< writes under way
+  int talking_ = 0;  ///< writes in progress
   std::string trouble_;
 };
 

@@ -15,19 +15,19 @@ namespace {
 using link::Carries;
 using link::Stamp;
 
-/// What a person types on a pier, as a URI: /dev/ttyUSB0 is a serial port.
+/// Turns the text that a person types into a URI: /dev/ttyUSB0 is a serial port.
 std::string as_uri(const std::string& text) {
   return text.starts_with("/dev/") ? "serial:" + text : text;
 }
 
-/// The URI's parse, with a rate put in where one is missing: it is what we look for.
+/// Parses the URI. If the rate is missing it puts one in: the probe searches for the rate.
 boost::system::result<link::Uri, link::UriError> parse_without_baud(const std::string& text) {
   const bool missing = text.starts_with("serial:") && text.find("baud=") == std::string::npos;
   if (!missing) return link::parse_uri(text);
   return link::parse_uri(text + (text.find('?') == std::string::npos ? "?" : "&") + "baud=9600");
 }
 
-/// A CAN capture, in its own time. False: its content is no CAN capture.
+/// Surveys a CAN capture, in its own time. False if the content is no CAN capture.
 bool read_frames(const link::Uri& uri, ProbeReport& report) {
   auto file = link::capture_of(uri);
   survey::BusSurvey survey;
@@ -43,7 +43,8 @@ bool read_frames(const link::Uri& uri, ProbeReport& report) {
   return true;
 }
 
-/// Bytes have no times of their own: those of the line's rate, where the URI says it.
+/// Surveys a byte capture. Bytes have no times of their own: the times follow from the line's rate,
+/// if the URI gives it.
 bool read_bytes(const link::Uri& uri, ProbeReport& report) {
   capture::FileBlocks blocks(uri.target);
   capture::CommentHead head;
@@ -92,7 +93,7 @@ bool search(const ProbeOptions& options, const link::Uri& uri, std::FILE* err,
   return opened;
 }
 
-/// What silence or noise most often means.
+/// Adds the most frequent cause of silence or noise.
 void note_nothing(const link::Uri& uri, ProbeReport& report) {
   if (uri.carries() != Carries::bytes || report.confidence() != survey::Confidence::nothing) return;
   std::uint64_t bytes = 0;

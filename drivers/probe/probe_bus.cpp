@@ -14,9 +14,9 @@ namespace {
 using link::Stamp;
 using survey::Node;
 
-/// Puts the questions that only read: all NAMEs by PGN 59904, and of each CANopen node that was
-/// heard, what it is (objects 1000h, 1018h). Nothing before the first sound frame: at a wrong bit
-/// rate a question would disturb the bus.
+/// Sends only questions that read. It asks for all NAMEs by PGN 59904. It asks each CANopen node
+/// that it heard for its identity (objects 1000h, 1018h). It sends nothing before the first good
+/// frame: at a wrong bit rate a question would disturb the bus.
 class Asker {
  public:
   void ask(link::FrameLink& bus, Ear& ear, const survey::BusSurvey& survey) {

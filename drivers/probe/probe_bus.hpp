@@ -4,10 +4,10 @@
 
 namespace drydock::probe {
 
-/// Listens on a CAN bus until `until` or Ctrl-C, or until every node's sensors are certain.
+/// Listens on a CAN bus until `until` or Ctrl-C, or until the sensors of every node are certain.
 bool search_bus(const LineSearch& search, Ear& ear, Progress& progress, ProbeReport& report);
 
-/// What a survey says about a bus with this link.
+/// Adds the results of a survey of the bus on this link.
 void note_bus(const survey::BusSurvey& survey, const std::string& link, ProbeReport& report);
 
 }  // namespace drydock::probe

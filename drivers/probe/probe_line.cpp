@@ -17,10 +17,10 @@ using survey::Confidence;
 using std::chrono_literals::operator""ms;
 using std::chrono_literals::operator""s;
 
-/// The likelier first: what DVLs, EM logs and receivers are delivered with.
+/// The most likely rates first: the factory settings of DVLs, EM logs and receivers.
 constexpr std::array bauds{115200, 9600, 4800, 38400, 57600, 19200, 230400, 460800, 921600};
 
-/// A line as it may be set. 7 data bits are told from the bytes of 8N1: no port needs setting.
+/// A possible setting of a line. The bytes of 8N1 show 7 data bits too: no port needs that setting.
 struct Setting {
   int baud;
   char parity;  ///< N, E, O
@@ -40,10 +40,10 @@ std::string with_keys(std::string uri, const Setting& s, int bits) {
   return uri;
 }
 
-/// One line heard in three ways: as it is, and as 7 data bits with even or odd parity.
+/// One line, decoded in three ways: as it is, and as 7 data bits with even or odd parity.
 struct Hearing {
   survey::ByteSurvey eight, even, odd;
-  /// A burst began in silence and ended: what was whole in it was heard whole.
+  /// A burst began after silence and has ended: its messages were heard completely.
   bool whole_burst = false;
   bool from_silence = true;
   std::uint64_t burst = 0;
@@ -68,7 +68,7 @@ struct Hearing {
   survey::Confidence confidence() const {
     return std::max({eight.best().confidence, even.best().confidence, odd.best().confidence});
   }
-  /// More listening at this rate is in vain: a chance frame in noise does not hold us here.
+  /// True if more listening at this rate is useless. One accidental frame in noise does not count.
   bool hopeless(Stamp now, Stamp since) const {
     constexpr std::uint64_t many = 8192;
     constexpr double some = 0.5;
@@ -80,7 +80,7 @@ struct Hearing {
   }
 };
 
-/// Questions that only ask: UBX-MON-VER, and Water Linked's version. docs/pier/probe.md
+/// Questions that change nothing: UBX-MON-VER, and Water Linked's version. docs/pier/probe.md
 std::vector<std::uint8_t> questions() {
   std::array<std::uint8_t, wire::ubx::overhead> poll;
   constexpr std::uint16_t mon_ver = 0x0A04;
@@ -98,7 +98,7 @@ std::string found_so_far(const Hearing& hearing) {
                      survey::reasons(best));
 }
 
-/// One setting; the sharpest of its three readings goes into the report.
+/// Listens with one setting. The best of its three decodings goes into the report.
 class Attempt {
  public:
   Attempt(const LineSearch& search, Setting setting, bool serial)
@@ -145,8 +145,8 @@ class Attempt {
   std::string progress_text(Stamp now) const {
     const double left = std::max(0.0, measurement::seconds(search_.until - now));
     return fmt::format("{}: {}; {:.0f} s left, Ctrl-C ends with what was found",
-                       serial_ ? in_words(setting_, 8) : search_.link,
-                       found_so_far(hearing_), left);
+                       serial_ ? in_words(setting_, 8) : search_.link, found_so_far(hearing_),
+                       left);
   }
 
   LineSearch search_;
@@ -155,7 +155,8 @@ class Attempt {
   Hearing hearing_;
 };
 
-/// 8N1 at every rate before any parity: nearly all sensors, and all with 7 data bits, show there.
+/// First 8N1 at every rate, then parity. Nearly all sensors show with 8N1, and so do all with 7
+/// data bits.
 std::vector<Setting> settings_of(const std::string& uri) {
   const auto parsed = link::parse_uri(uri);
   const bool fixed_baud = uri.find("baud=") != std::string::npos;
@@ -213,13 +214,13 @@ bool search_line(const LineSearch& search, Ear& ear, Progress& progress, ProbeRe
       report.notes.push_back(failure->message);
       return false;
     }
-    if (failure) continue;  // a rate that this port cannot do
+    if (failure) continue;  // the port does not support this rate
     attempts.push_back(std::move(attempt));
     if (attempts.back()->hearing().settled() || ear.interrupted() || link::now() >= search.until)
       break;
   }
   std::ranges::stable_sort(attempts, {}, [](const auto& a) { return a->hearing().confidence(); });
-  // Only the best one's devices are devices: the same sensor at another rate is noise.
+  // Only the devices of the best attempt are real: the same sensor at another rate is noise.
   for (const auto& attempt : attempts) {
     report.devices.clear();
     attempt->report_into(report);

@@ -7,7 +7,7 @@
 
 namespace drydock::probe {
 
-/// Where a search says how far it is: one line drawn over itself on a terminal, else nothing.
+/// Shows the progress of a search: one line drawn over itself on a terminal, otherwise nothing.
 class Progress {
  public:
   explicit Progress(std::FILE* err);
@@ -23,16 +23,17 @@ class Progress {
 };
 
 struct LineSearch {
-  std::string link;  ///< URI; of a serial port `baud`, `parity` and `bits` may be missing
+  std::string link;  ///< URI; for a serial port `baud`, `parity` and `bits` may be missing
   link::Stamp until{};
   bool ask = false;
 };
 
-/// Listens on a byte line: at the settings that its URI names, or at one after another until a
-/// protocol is certain. False: it cannot be opened, and the report's last note says why.
+/// Listens on a byte line. It uses the settings of the URI; without them it tries one setting after
+/// another until a protocol is certain. False if the line cannot be opened; then the report's last
+/// note says why.
 bool search_line(const LineSearch& search, Ear& ear, Progress& progress, ProbeReport& report);
 
-/// What a survey says about a line with this link.
+/// Adds the results of a survey of the line on this link.
 void note_line(const survey::ByteSurvey& survey, const std::string& setting,
                const std::string& link, ProbeReport& report);
 

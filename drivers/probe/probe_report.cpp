@@ -9,7 +9,7 @@
 
 namespace drydock::survey {
 
-// How the report's parts read as JSON; the names are those of the text.
+// The parts of the report as JSON. The names are those of the text.
 
 template <class F>
 void visit_fields(const MessageCount& m, F&& field) {

@@ -10,32 +10,33 @@
 
 namespace drydock::probe {
 
-/// What one setting of a byte line gave.
+/// The result for one setting of a byte line.
 struct LineAttempt {
-  std::string setting;  ///< "115200 8N1"; empty where a line has none
-  std::string link;     ///< URI with which a driver can open it
+  std::string setting;  ///< "115200 8N1"; empty for a line without settings
+  std::string link;     ///< a driver can open the link with this URI
   std::uint64_t bytes = 0;
   std::vector<survey::ByteFinding> findings;  ///< the best first
 };
 
-/// All that a probe found, on one link.
+/// The complete result of a probe of one link.
 struct ProbeReport {
   std::string link;
   double listened_s = 0;
   bool interrupted = false;
   std::vector<LineAttempt> attempts;  ///< byte lines; the best last
-  std::uint64_t frames = 0;           ///< CAN
+  std::uint64_t frames = 0;           ///< number of CAN frames
   std::vector<survey::Node> nodes;
   std::vector<survey::Complaint> complaints;
   std::optional<double> bits_per_second;
-  std::optional<unsigned> bitrate;  ///< that the kernel says
+  std::optional<unsigned> bitrate;  ///< as the kernel reports it
   std::vector<std::string> notes;   ///< sentences for a person
   std::vector<survey::FoundDevice> devices;
 
   survey::Confidence confidence() const;
 };
 
-/// Probes a link for at most so long, without asking; a note says why it could not be opened.
+/// Probes a link for at most `duration_s`, without questions. A note says why it could not be
+/// opened.
 ProbeReport find_sensors(const std::string& link, double duration_s);
 
 void print_text(const ProbeReport& report, std::FILE* out);

@@ -25,7 +25,7 @@ Line::Run BusLine::read_until_lost() {
       lost(received.error());
       co_return;
     }
-    if (received->own) continue;  // was tapped when it was written
+    if (received->own) continue;  // it was tapped when it was written
     follow_clock();
     tap(Direction::received, received->frame, received->at);
     const std::uint64_t dropped = link_->dropped();

@@ -7,7 +7,7 @@
 
 namespace drydock::shell {
 
-/// A CAN bus with all devices on it: every frame goes to every driver, each picks its own.
+/// A CAN bus with all its devices. Every frame goes to every driver; each driver selects its own.
 class BusLine final : public Line {
  public:
   using Line::Line;

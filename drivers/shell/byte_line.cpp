@@ -7,7 +7,8 @@
 namespace drydock::shell {
 
 namespace {
-/// More than any driver says at once; a line that takes nothing any more must not collect for ever.
+/// No driver sends this much at once. The limit keeps the queue finite if the line accepts no more
+/// bytes.
 constexpr std::size_t most_bytes_queued = 4096;
 }  // namespace
 
@@ -19,7 +20,7 @@ boost::system::result<measurement::Provenance, link::OpenError> ByteLine::open_l
   return link_->provenance();
 }
 
-/// What the line is opened as: with the rate that the search has come to.
+/// The URI for the next opening, with the rate that the search has reached.
 link::Uri ByteLine::next_uri() {
   link::Uri next = uri();
   if (!searches_baud(next)) return next;

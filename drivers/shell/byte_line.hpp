@@ -9,7 +9,7 @@
 
 namespace drydock::shell {
 
-/// A serial line, socket or file with the one device behind it.
+/// A serial line, socket or file with its one device.
 class ByteLine final : public Line {
  public:
   using Line::Line;
@@ -26,7 +26,7 @@ class ByteLine final : public Line {
   link::Uri next_uri();
 
   BaudSearch search_;
-  std::uint64_t heard_before_ = 0;  ///< messages, when the line was opened last
+  std::uint64_t heard_before_ = 0;  ///< messages at the time of the last opening
   std::unique_ptr<link::ByteLink> link_;
   std::array<std::uint8_t, 4096> read_buffer_{};
   std::vector<std::uint8_t> queued_, writing_;

@@ -8,8 +8,8 @@
 
 namespace drydock::shell {
 
-/// A device in the lockstep shell. Its link is a line of the same process: it opens at once and
-/// provenance is that of the line's other end. The emulated line calls receive() when the bytes
+/// A device in the lockstep shell. Its link is a line in the same process: it opens at once, and
+/// its provenance is that of the line's other end. The emulated line calls receive() when the bytes
 /// have arrived.
 class DeviceActor final : public Actor {
  public:
@@ -18,8 +18,8 @@ class DeviceActor final : public Actor {
               device::Transmitter& transmitter, Stamp start,
               measurement::Provenance provenance = measurement::Provenance::emulated);
 
-  /// Where the link is this device's alone: what comes over it goes past `raw`, which must outlive
-  /// the actor.
+  /// For a link that only this device uses: `raw` sees all its traffic. `raw` must outlive the
+  /// actor.
   void tap(RawListener& raw) { raw_ = &raw; }
 
   void receive(wire::Bytes bytes, Stamp at) {
@@ -33,7 +33,7 @@ class DeviceActor final : public Actor {
     woken();
   }
 
-  /// The port behind the link goes, or comes back and can be opened again.
+  /// The port behind the link disappears, or comes back and can be opened again.
   void set_port(bool there, Stamp at);
 
   std::optional<Stamp> deadline() const override;

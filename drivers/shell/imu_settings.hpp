@@ -8,16 +8,16 @@
 
 namespace drydock::shell {
 
-/// What is wrong and what is allowed.
+/// One line: the error and the permitted values.
 struct SettingsError {
   std::string message;
 };
 
-/// What the rig file says of an Aceinna IMU, in the numbers that its setup messages hold.
+/// The rig file's settings of an Aceinna IMU, in the numbers of its setup messages.
 boost::system::result<device::AceinnaSettings, SettingsError> aceinna_settings(
     const rig_config::AceinnaConfig& config);
 
-/// The identifiers of an Xsens IMU: as delivered, but for those named.
+/// The identifiers of an Xsens IMU: the factory values, except those that the rig file names.
 boost::system::result<wire::xsens::Identifiers, SettingsError> xsens_identifiers(
     const rig_config::XsensConfig& config);
 

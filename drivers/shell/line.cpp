@@ -75,7 +75,7 @@ Line::Run Line::serve(Provenance provenance) {
 }
 
 void Line::lost(const boost::system::error_code& reason) {
-  if (!open_) return;  // the reading or the writing was first to see it
+  if (!open_) return;  // the reading or the writing has already seen the loss
   open_ = false;
   lost_reason_ = "link lost: " + reason.message();
   recording_ended_ = uri_.recorded() && reason == asio::error::eof;

@@ -13,8 +13,8 @@
 
 namespace drydock::shell {
 
-/// Serves one link for its devices in real time: opens it when one wants it, reads until it is
-/// lost, and ticks the devices at their deadlines. What the link carries is the subclass's matter.
+/// Serves one link for its devices in real time: opens it when a device wants it, reads until it is
+/// lost, and ticks the devices at their deadlines. Subclasses handle the content of the link.
 class Line : protected device::Transmitter {
  public:
   Line(boost::asio::io_context& io, link::Uri uri, RawListener* raw);
@@ -32,17 +32,18 @@ class Line : protected device::Transmitter {
 
   virtual boost::system::result<Provenance, link::OpenError> open_link() = 0;
   virtual Run read_until_lost() = 0;   ///< calls lost() with the reason
-  virtual Run write_until_lost() = 0;  ///< sends what the drivers queue; ends with the reading
+  virtual Run write_until_lost() = 0;  ///< sends what drivers queue; ends with the reading
   virtual void close_link() = 0;       ///< pending reads and writes end
-  virtual void destroy_link() = 0;     ///< none is pending any more
+  virtual void destroy_link() = 0;     ///< no read or write is pending any more
 
   bool is_open() const { return open_; }
   void lost(const boost::system::error_code& reason);
   void wake_writer() { to_write_.cancel(); }
   Run writer_woken() { return wait(to_write_); }
-  /// A driver may want its tick() earlier after what it received.
+  /// Sets the timer again: a driver may want its tick() earlier after it received data.
   void rearm();
-  /// The devices hear when the host's clock was set, before they are given a stamp of the new time.
+  /// Tells the devices about a change of the host's clock before they receive a stamp of the new
+  /// time.
   void follow_clock();
   void tap(Direction direction, wire::Bytes bytes, Stamp at) const;
   void tap(Direction direction, const wire::CanFrame& frame, Stamp at) const;
@@ -64,7 +65,7 @@ class Line : protected device::Transmitter {
   boost::asio::steady_timer clock_;  ///< expires at the earliest deadline
   std::optional<Stamp> clock_set_for_;
   link::ClockWatch host_clock_;
-  boost::asio::steady_timer to_open_;  ///< never expire: cancelled as a signal
+  boost::asio::steady_timer to_open_;  ///< it never expires; its cancellation is a signal
   boost::asio::steady_timer to_write_;
   bool open_ = false;
   bool stopped_ = false;

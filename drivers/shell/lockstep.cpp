@@ -6,7 +6,7 @@
 namespace drydock::shell {
 
 namespace {
-/// Far more than a rig does at one instant; past it an actor never moves its deadline.
+/// A rig does far less at one instant. Beyond this number an actor never moves its deadline.
 constexpr int most_acts_at_one_instant = 1'000'000;
 }  // namespace
 
@@ -29,7 +29,7 @@ Actor* Lockstep::first_due(Stamp end) {
 }
 
 void Lockstep::run_until(Stamp end) {
-  for (Actor* actor : actors_) actor->asked_ = false;  // the caller may have changed them
+  for (Actor* actor : actors_) actor->asked_ = false;  // the caller may have changed the actors
   int acts_at_this_instant = 0;
   while (Actor* actor = first_due(end)) {
     acts_at_this_instant = *actor->due_ > now_ ? 0 : acts_at_this_instant + 1;

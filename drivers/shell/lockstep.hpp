@@ -5,13 +5,13 @@
 
 #include "drivers/measurement/stamp.hpp"
 
-/// The lockstep shell: a virtual clock that jumps from event to event. No thread, no sleep, and
-/// for one seed the same output to the last bit.
+/// The lockstep shell: a virtual clock that jumps from event to event. It has no thread and no
+/// sleep. The same seed gives the same output, bit for bit.
 namespace drydock::shell {
 
 using measurement::Stamp;
 
-/// Something that acts at times of its own: a driver, an emulated device, a line between them.
+/// Acts at its own times: a driver, an emulated device, a line between them.
 class Actor {
  public:
   virtual ~Actor() = default;
@@ -19,12 +19,12 @@ class Actor {
   virtual void act(Stamp now) = 0;                    ///< called at its deadline
 
  protected:
-  /// To be called where the deadline moves for another reason than an act() of its own.
+  /// Call it if the deadline moves for a reason other than the actor's own act().
   void woken() { asked_ = false; }
 
  private:
   friend class Lockstep;
-  bool asked_ = false;  ///< `due_` is what deadline() says
+  bool asked_ = false;  ///< `due_` equals deadline()
   std::optional<Stamp> due_;
 };
 
@@ -37,10 +37,11 @@ class Lockstep {
 
   Stamp now() const { return now_; }
 
-  /// Lets every actor act that is due until `end`, then sets the clock to `end`.
+  /// Lets every actor act whose deadline is not later than `end`, then sets the clock to `end`.
   void run_until(Stamp end);
 
-  /// Sets the clock on without letting anyone act: what was due acts once, when time next runs.
+  /// Moves the clock forward without any action. An actor that was due meanwhile acts once, when
+  /// time next runs.
   void skip_to(Stamp at) { now_ = at > now_ ? at : now_; }
 
  private:

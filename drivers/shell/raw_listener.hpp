@@ -13,8 +13,8 @@ using measurement::Stamp;
 
 enum class Direction : std::uint8_t { received, sent };
 
-/// Sees every byte and frame below the drivers, both directions, before anything is understood.
-/// `link` is the URI as the rig file has it.
+/// Receives every byte and frame below the drivers, in both directions, before any decoding. `link`
+/// is the URI as it is in the rig file.
 class RawListener {
  public:
   virtual ~RawListener() = default;

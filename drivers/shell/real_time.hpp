@@ -11,26 +11,26 @@ namespace drydock::shell {
 
 class Line;
 
-/// Runs devices over real links and the host's clock: for each serial line or bus one coroutine
-/// that opens it, reads until it is lost, backs off and opens again, and one that keeps the
-/// devices' deadlines. All on the thread that runs the io_context. Devices that name the same CAN
-/// link share one bus.
+/// Runs devices on real links with the host's clock. Each serial line or bus has two coroutines:
+/// one opens it, reads until it is lost, backs off and opens it again; the other serves the
+/// deadlines of the devices. Everything runs on the thread of the io_context. Devices that name the
+/// same CAN link share one bus.
 class RealTime {
  public:
-  /// The listeners must outlive the shell. Throws std::invalid_argument for a bad link URI, which
-  /// make_devices() would have refused.
+  /// The listeners must outlive the shell. Throws std::invalid_argument for a bad link URI;
+  /// make_devices() refuses such a URI earlier.
   RealTime(boost::asio::io_context& io, std::vector<std::unique_ptr<device::Device>> devices,
            device::Listener& listener, RawListener* raw = nullptr);
-  /// The io_context must not run any more, or have ended everything since stop().
+  /// The io_context must have stopped, or must have finished all work since stop().
   ~RealTime();
 
   void start();
-  /// Closes every link; the coroutines end, and io_context::run() returns when nothing else waits.
+  /// Closes every link. The coroutines end, and io_context::run() returns if nothing else waits.
   void stop();
 
   std::size_t size() const { return devices_.size(); }
   const device::Device& device(std::size_t i) const { return *devices_[i]; }
-  device::Health health(std::size_t i) const;  ///< now
+  device::Health health(std::size_t i) const;  ///< at the time of the call
 
  private:
   std::vector<std::unique_ptr<device::Device>> devices_;

@@ -7,7 +7,7 @@
 namespace drydock::shell {
 
 namespace {
-/// 8 bytes with a 29-bit identifier, stuffed as most are, at 250 kbit/s.
+/// 8 bytes with a 29-bit identifier and a typical number of stuff bits, at 250 kbit/s.
 constexpr std::chrono::microseconds frame_on_a_full_bus{560};
 }  // namespace
 

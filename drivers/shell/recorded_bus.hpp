@@ -6,12 +6,12 @@
 
 namespace drydock::shell {
 
-/// A capture of a CAN bus (`file:` link) in the lockstep shell: its frames reach the driver at the
-/// capture's own times, counted from `start` on. Frames without a time follow each other as on a
-/// bus of 250 kbit/s that is never idle. At the end of the file the bus falls silent.
+/// A capture of a CAN bus (`file:` link) in the lockstep shell. Its frames reach the driver at the
+/// capture's own times, counted from `start`. Frames without a time follow each other as on a bus
+/// of 250 kbit/s that is never idle. At the end of the file the bus falls silent.
 class RecordedBus final : public Actor {
  public:
-  /// Throws std::runtime_error with one line when the file cannot be read or is no capture.
+  /// Throws std::runtime_error with one line if the file cannot be read or is no capture.
   RecordedBus(const link::Uri& uri, DeviceActor& driver, Stamp start);
 
   std::optional<Stamp> deadline() const override;
@@ -23,7 +23,7 @@ class RecordedBus final : public Actor {
 
   capture::CaptureFile file_;
   DeviceActor& driver_;
-  std::optional<wire::CanFrame> frame_;  ///< the next; empty at the end
+  std::optional<wire::CanFrame> frame_;  ///< the next frame; empty at the end
   std::optional<std::chrono::nanoseconds> first_time_;
   Stamp start_, due_;
 };

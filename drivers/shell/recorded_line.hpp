@@ -9,12 +9,12 @@
 
 namespace drydock::shell {
 
-/// A recording of raw bytes (`file:` link) in the lockstep shell: its bytes arrive at the driver at
-/// the line's baud rate, in virtual time, behind the head's comments. At the end of the file the
-/// line falls silent.
+/// A recording of raw bytes (`file:` link) in the lockstep shell. It omits the comments of the
+/// head. The bytes reach the driver at the line's baud rate, in virtual time. At the end of the
+/// file the line falls silent.
 class RecordedLine final : public Actor {
  public:
-  /// Throws std::runtime_error with one line when the file cannot be opened.
+  /// Throws std::runtime_error with one line if the file cannot be opened.
   RecordedLine(const link::Uri& uri, DeviceActor& driver, Stamp start);
 
   std::optional<Stamp> deadline() const override { return next_; }

@@ -61,7 +61,7 @@ device::DriverOptions driver_options(const DeviceConfig& config, std::size_t ind
   return options;
 }
 
-/// How long a line that searches its rate listens at each.
+/// A line that searches its rate listens at least this long at each rate.
 constexpr std::chrono::nanoseconds shortest_trial = std::chrono::seconds{2};
 
 device::LifeCycleOptions life_cycle_options(const DeviceConfig& config, const link::Uri& uri) {
@@ -69,13 +69,13 @@ device::LifeCycleOptions life_cycle_options(const DeviceConfig& config, const li
   options.stale_after = measurement::from_seconds(config.stale_after_s);
   options.reopen_after = measurement::from_seconds(config.reopen_after_s);
   if (searches_baud(uri)) {
-    constexpr double messages = 4;  // that would have come at the right rate
+    constexpr double messages = 4;  // as many as would come at the right rate
     options.reopen_after =
         std::max(shortest_trial, measurement::from_seconds(messages / config.rate_hz));
     options.reopen_in_place = true;
   }
   if (uri.recorded()) {
-    options.reopen_when_quiet = false;  // opening a recording again would start it over
+    options.reopen_when_quiet = false;  // opening a recording again would restart it
     options.quiet_but_up = " in the recording";
   } else if (uri.carries() == link::Carries::frames) {
     options.reopen_when_quiet = false;

@@ -10,13 +10,13 @@
 
 namespace drydock::shell {
 
-/// One line: `file:line: device "name": what is wrong, what is allowed`.
+/// One line: `file:line: device "name": ` and then the error and the permitted values.
 struct RigDevicesError {
   std::string message;
 };
 
-/// What the rig file says of a device, as the driver layer's options. `index` is its place in the
-/// rig.
+/// Converts the rig file's entry for a device to the options of the driver layer. `index` is its
+/// place in the rig.
 boost::system::result<device::DeviceOptions, RigDevicesError> device_options(
     const rig_config::Rig& rig, std::size_t index);
 

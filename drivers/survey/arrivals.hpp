@@ -7,7 +7,7 @@
 
 namespace drydock::survey {
 
-/// How often something came: intervals by the time they took.
+/// Rate of arrivals: the number of intervals divided by their total time.
 struct Arrivals {
   std::uint64_t count = 0;
   measurement::Stamp first{}, last{};
@@ -16,7 +16,7 @@ struct Arrivals {
     if (count++ == 0) first = at;
     last = at;
   }
-  /// Empty for a single one, or without times.
+  /// Empty for a single arrival, or without times.
   std::optional<double> rate_hz() const {
     if (count < 2 || last <= first) return {};
     return static_cast<double>(count - 1) / measurement::seconds(last - first);

@@ -17,7 +17,7 @@ using wire::CanFrame;
 constexpr std::uint32_t last_canopen_id = 0x77F, node_bits = 0x7F;
 
 /// The predefined connection set of CiA 301 gives every node identifiers function << 7 | node.
-/// Below them stand broadcasts, and Xsens's messages.
+/// Lower identifiers are broadcasts and Xsens's messages.
 bool is_canopen(const CanFrame& frame) {
   return !frame.extended && frame.id > wire::canopen::sync_id && frame.id <= last_canopen_id &&
          (frame.id & node_bits) != 0;
@@ -43,7 +43,7 @@ std::vector<std::string_view> protocols_on(NodeKind kind) {
 
 }  // namespace
 
-/// One sender: its traffic, what it says of itself, and every driver tried on it.
+/// One sender: its traffic, its reports about itself, and every driver tried on it.
 class BusSurvey::Listener {
  public:
   Listener(NodeKind kind, std::uint8_t address) {
@@ -97,9 +97,9 @@ class BusSurvey::Listener {
     if (value->entry == wire::canopen::ObjectEntry{0x1018, 2}) node_.product_code = value->value;
   }
 
-  /// Layouts overlap on 11-bit identifiers: of an IMU's and a transmitter's reading of the same
-  /// TPDO1 only one is meant. A pressure stands in 4 or 5 bytes, or alone; an IMU fills 8 and more
-  /// than one PDO. So an IMU that reads true goes first.
+  /// Layouts overlap on 11-bit identifiers: if both an IMU and a transmitter can decode the same
+  /// TPDO1, only one is right. A pressure occupies 4 or 5 bytes, or is alone; an IMU fills 8 bytes
+  /// and more than one PDO. Therefore an IMU with plausible values comes first.
   void choose_sensors(Node& node) const {
     std::vector<const DriverTrial*> good;
     for (const auto kind : {Kind::imu, Kind::depth, Kind::actuator}) {
@@ -152,7 +152,7 @@ void BusSurvey::receive(const CanFrame& frame, Stamp at) {
   }
   ++frames_;
   if (!first_) first_ = at;
-  if (at > *first_) bits_ += wire::wire_bits(frame);  // the first frame begins the time
+  if (at > *first_) bits_ += wire::wire_bits(frame);  // the time begins with the first frame
   last_ = at;
   listener_of(frame).receive(frame, at);
 }

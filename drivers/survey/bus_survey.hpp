@@ -10,10 +10,10 @@
 #include "drivers/wire/canopen/canopen.hpp"
 #include "drivers/wire/j1939/j1939.hpp"
 
-/// Who is on a CAN bus, and what do they say? Pure: no socket, no clock.
+/// Finds the nodes on a CAN bus and their messages. Pure: no socket, no clock.
 namespace drydock::survey {
 
-/// An identifier (CANopen, plain CAN) or a PGN (J1939), and how often it came.
+/// An identifier (CANopen, plain CAN) or a PGN (J1939), and its number of frames.
 struct Traffic {
   std::uint32_t number = 0;
   std::uint64_t frames = 0;
@@ -25,20 +25,21 @@ enum class NodeKind : std::uint8_t { j1939, canopen, plain };
 /// One sender.
 struct Node {
   NodeKind kind = NodeKind::plain;
-  std::uint8_t address = 0;  ///< source address or node number; 0 for what has none
+  std::uint8_t address = 0;  ///< source address or node number; 0: it has none
   std::uint64_t frames = 0;
-  std::optional<wire::j1939::Name> name;              ///< by its address claim
-  std::optional<wire::canopen::NodeState> state;      ///< by its last heartbeat
-  bool booted = false;                                ///< it said so while we listened
-  std::optional<wire::canopen::Emergency> emergency;  ///< the last
-  std::optional<std::uint32_t> device_type, vendor_id, product_code;  ///< where it was asked
+  std::optional<wire::j1939::Name> name;              ///< from its address claim
+  std::optional<wire::canopen::NodeState> state;      ///< from its last heartbeat
+  bool booted = false;                                ///< its boot-up message was heard
+  std::optional<wire::canopen::Emergency> emergency;  ///< the last one
+  std::optional<std::uint32_t> device_type, vendor_id, product_code;  ///< answers to questions
   std::vector<Traffic> traffic;
-  /// Drivers that got measurements out of its frames that could be true, one a kind of sensor.
+  /// Drivers that decode plausible measurements from its frames, at most one for each kind of
+  /// sensor.
   std::vector<SensorHeard> sensors;
-  Confidence confidence = Confidence::nothing;  ///< that it is those sensors
+  Confidence confidence = Confidence::nothing;  ///< in the choice of those sensors
 };
 
-/// What the controller complains of, in words, and how often.
+/// An error that the controller reports, in words, and its count.
 struct Complaint {
   std::string text;
   std::uint64_t frames = 0;
@@ -68,7 +69,7 @@ class BusSurvey {
   Stamp last_{};
 };
 
-/// What "no bits that I understand" on this bus hints at, for a person; empty: nothing is wrong.
+/// Explains to a person why this bus may have no readable frames. Empty if nothing is wrong.
 std::string bit_rate_hint(const std::vector<Complaint>& complaints, std::uint64_t frames);
 
 }  // namespace drydock::survey

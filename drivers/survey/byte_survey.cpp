@@ -12,9 +12,9 @@
 namespace drydock::survey {
 namespace {
 
-/// Whether chance hardly makes such a frame. PD6 has no checksum: only a line whose fields are all
-/// known proves anything. Of slcan's lines, an answer is a single CR; of Water Linked's, a command
-/// may lack its checksum.
+/// True if noise hardly ever gives such a frame. PD6 has no checksum: there only a line with all
+/// known fields is proof. An answer of slcan may be a single CR, and a command of Water Linked may
+/// lack its checksum; neither is proof.
 template <class P>
 bool proves(wire::Bytes frame, const std::optional<typename P::Message>& message) {
   if constexpr (std::is_same_v<P, wire::Pd6>) return message.has_value();
@@ -73,7 +73,7 @@ class CandidateOf final : public ByteCandidate {
     return [this](wire::Bytes frame, std::size_t) {
       const auto message = P::decode(frame);
       if (proves<P>(frame, message) && proofs_++ == 0)
-        skipped_before_ = framer_->counters().bytes_skipped;  // the line before we understood it
+        skipped_before_ = framer_->counters().bytes_skipped;  // bytes before the first good frame
       if (message) std::visit([this](const auto& m) { note(m.type); }, *message);
     };
   }
@@ -86,7 +86,7 @@ class CandidateOf final : public ByteCandidate {
 
   std::unique_ptr<wire::Framer<P::max_frame>> framer_;
   std::vector<std::unique_ptr<DriverTrial>> trials_;
-  std::vector<std::pair<std::string_view, Arrivals>> heard_;  ///< in the order of their first
+  std::vector<std::pair<std::string_view, Arrivals>> heard_;  ///< in order of first arrival
   Stamp at_{};
   std::uint64_t proofs_ = 0, skipped_before_ = 0;
 };

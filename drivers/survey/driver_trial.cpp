@@ -12,12 +12,12 @@ constexpr double standard_gravity = 9.80665;
 constexpr double least_plausible_share = 0.9;
 
 bool plausible(const measurement::ImuSample& m) {
-  constexpr double fastest_radps = 35;  // 2000 deg/s, the widest range that such units have
+  constexpr double fastest_radps = 35;  // 2000 deg/s, the widest range of such units
   const double g = m.specific_force.norm() / standard_gravity;
   return g > 0.3 && g < 3 && m.angular_rate.norm() < fastest_radps;
 }
 
-/// Empty: a reading without a pressure can be anything.
+/// Empty: without a pressure there is nothing to judge.
 std::optional<bool> plausible(const measurement::DepthSample& m) {
   if (!m.pressure_pa) return {};
   return *m.pressure_pa > 0.2e5 && *m.pressure_pa < 1.2e8;
@@ -71,7 +71,7 @@ void DriverTrial::on_measurement(const measurement::Measurement& measurement) {
 }
 
 SensorHeard DriverTrial::heard() const {
-  // Registry names have static storage; the device's own copy goes with the trial.
+  // Names in the registry have static storage; the device's own copy ends with the trial.
   const auto known = device::protocols_of(kind());
   const auto name = std::ranges::find(known, protocol(), &device::ProtocolEntry::name)->name;
   return {kind(), name, measurements_, device_->health(now_).rate_hz};
@@ -102,7 +102,7 @@ std::vector<std::unique_ptr<DriverTrial>> trials_of(std::string_view protocol,
 const DriverTrial* better_of(const DriverTrial* a, const DriverTrial* b) {
   if (b->measurements() == 0 || b->plausible_share() < least_plausible_share) return a;
   if (a == nullptr || b->measurements() > a->measurements()) return b;
-  // Two scales of one layout: the sensor that weighs its own gravity right is the one.
+  // Two scales of one layout: the right sensor measures its own gravity better.
   const bool same = b->measurements() == a->measurements();
   const bool weighs_better =
       a->gravity_error() && b->gravity_error() && *b->gravity_error() < *a->gravity_error();

@@ -12,17 +12,17 @@ namespace drydock::survey {
 using device::Kind;
 using measurement::Stamp;
 
-/// A driver that got measurements out of a wire.
+/// A driver that decoded measurements from a wire.
 struct SensorHeard {
   Kind kind = Kind::dvl;
   std::string_view protocol;
   std::uint64_t measurements = 0;
-  /// Of its fastest kind of measurement; empty while there are too few, or without times.
+  /// Rate of its fastest kind of measurement. Empty if there are too few, or without times.
   std::optional<double> rate_hz;
 };
 
-/// A sensor's driver tried on what a wire says: does it give measurements, and could they be true?
-/// What the driver would send goes nowhere.
+/// Tries a sensor's driver on the data of a wire: does it give measurements, and are they
+/// plausible? Data that the driver sends are discarded.
 class DriverTrial final : private device::Listener, private device::Transmitter {
  public:
   /// `address` 0: any. The protocol must be one of protocols_of(kind).
@@ -37,10 +37,10 @@ class DriverTrial final : private device::Listener, private device::Transmitter 
   SensorHeard heard() const;
   wire::StreamCounters counters() const { return device_->health(now_).stream; }
 
-  /// Share of the measurements that a vehicle's sensor could give: specific forces within 0.3 to
-  /// 3 g, rates below 2000 deg/s, pressures from 0.2 bar to 1200 bar. 1 where nothing can be said.
+  /// Share of plausible measurements for a vehicle: specific forces within 0.3 to 3 g, rates below
+  /// 2000 deg/s, pressures from 0.2 bar to 1200 bar. 1 if nothing can be judged.
   double plausible_share() const;
-  /// |mean specific force / g - 1|: tells scale factors apart. Empty without an IMU's samples.
+  /// |mean specific force / g - 1|: distinguishes scale factors. Empty without samples of an IMU.
   std::optional<double> gravity_error() const;
 
  private:
@@ -61,8 +61,8 @@ class DriverTrial final : private device::Listener, private device::Transmitter 
 std::vector<std::unique_ptr<DriverTrial>> trials_of(std::string_view protocol,
                                                     std::uint8_t address = 0);
 
-/// Which of two understood more of the same wire; `a` may be null. Null where neither has
-/// measurements that could be true.
+/// The one of two that understood more of the same wire; `a` may be null. Null if neither has
+/// plausible measurements.
 const DriverTrial* better_of(const DriverTrial* a, const DriverTrial* b);
 
 }  // namespace drydock::survey

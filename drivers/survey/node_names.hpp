@@ -7,11 +7,11 @@
 
 namespace drydock::survey {
 
-/// Of the 11-bit code in a NAME, for the makers one meets on boats; empty: not in our list, which
-/// is a part of canboat's.
+/// Name for the 11-bit manufacturer code in a NAME. The list is a part of canboat's, with makers
+/// that are common on boats. Empty if the code is not in the list.
 std::string_view manufacturer(std::uint16_t code);
 
-/// NMEA 2000's device classes; empty: none has that number.
+/// NMEA 2000's device classes. Empty if no class has this number.
 std::string_view device_class(std::uint8_t number);
 
 /// "Airmar, Instrumentation, function 130, serial 12345".

@@ -9,23 +9,24 @@
 
 namespace drydock::survey {
 
-/// A sensor that was found, as a rig file names it (docs/use/configuration.md).
+/// A sensor that was found, in the terms of a rig file (docs/use/configuration.md).
 struct FoundDevice {
-  std::string name;  ///< unique among what was found
+  std::string name;  ///< unique among the devices found
   device::Kind kind = device::Kind::dvl;
   std::string protocol;
-  std::string link;               ///< URI with which a driver can open it
+  std::string link;               ///< a driver can open the link with this URI
   std::optional<double> rate_hz;  ///< as measured
-  std::uint8_t address = 0;       ///< 0: none, or any
+  std::uint8_t address = 0;       ///< 0: the device has none, or any
 };
 
-/// Measured rates scatter by a few percent: the whole number nearby, else three digits.
+/// Measured rates scatter by a few percent. Gives the nearest integer if it is close enough,
+/// otherwise three digits.
 double nominal_rate_hz(double measured_hz);
 
-/// The `[[device]]` block to paste; passes `drydock check`.
+/// The `[[device]]` block to paste. It passes `drydock check`.
 std::string rig_block(const FoundDevice& device);
 
-/// Gives each device without a name one: its kind, with a number from the second on.
+/// Names each device without a name after its kind. From the second on it adds a number.
 void name_devices(std::vector<FoundDevice>& devices);
 
 }  // namespace drydock::survey

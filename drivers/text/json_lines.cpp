@@ -15,8 +15,8 @@ char* JsonWriter::put(char* at, std::string_view text) {
       *at++ = '\\';
       *at++ = c;
     } else if (byte < 0x20 || byte >= 0x7F) {
-      // Wire text is ASCII; any other byte is shown as its Latin-1 character, so the line stays
-      // JSON.
+      // Text on the wire is ASCII. Any other byte becomes its Latin-1 character, so that the line
+      // stays valid JSON.
       at = std::ranges::copy(std::string_view{"\\u00"}, at).out;
       *at++ = hex[byte >> 4];
       *at++ = hex[byte & 0xF];

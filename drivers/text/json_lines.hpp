@@ -13,13 +13,14 @@
 
 namespace drydock::text {
 
-/// Appends JSON values to a text. Doubles have the fewest digits that read back as the same number;
-/// what JSON has no number for (NaN, infinity), empty optionals and empty strings are null.
+/// Appends JSON values to a text. A double has the fewest digits that read back as the same number.
+/// Values that JSON cannot express (NaN, infinity), empty optionals and empty strings become null.
 class JsonWriter {
  public:
   explicit JsonWriter(JsonText& out) : out_(out) {}
 
-  /// A truth, number, string; an optional, array or span of values; a struct with visit_fields.
+  /// Accepts a bool, number or string; an optional, array or span of values; a struct with
+  /// visit_fields.
   template <class T>
   void value(const T& content) {
     out_.end(put(out_.end(), content));
@@ -37,8 +38,8 @@ class JsonWriter {
   }
 
  private:
-  // Each writes from `at` on and returns where it ended: the text's end then stays in a register,
-  // which it could not as a member, as what is written might be the member.
+  // Each function writes from `at` on and returns the new end. Thus the end stays in a register. As
+  // a member it could not: the compiler must assume that a write may change the member.
 
   char* put(char* at, bool truth) {
     return truth ? put_literal(at, "true") : put_literal(at, "false");
@@ -51,7 +52,7 @@ class JsonWriter {
   template <std::integral T>
   char* put(char* at, T number) {
     using Wide = std::conditional_t<std::signed_integral<T>, std::int64_t, std::uint64_t>;
-    return write_number(out_.room(at, longest_number), Wide{number});  // a byte is a number too
+    return write_number(out_.room(at, longest_number), Wide{number});  // prints a byte as a number
   }
   template <class T>
   char* put(char* at, const std::optional<T>& maybe) {
@@ -73,7 +74,7 @@ class JsonWriter {
     return put_end(put_fields(put_character(at, '{'), s), '}');
   }
 
-  /// Leaves a comma behind it.
+  /// Writes a comma behind the field.
   template <class T>
   [[gnu::always_inline]] char* put_field(char* at, std::string_view key, const T& content) {
     at = put_literal(put_literal(put_character(at, '"'), key), "\":");
@@ -83,7 +84,7 @@ class JsonWriter {
   [[gnu::noinline, gnu::flatten]] char* put_fields(char* at, const Struct& s) {
     visit_fields(
         s, [&](std::string_view key, const auto& content) __attribute__((always_inline)) {
-          at = this->put_field(at, key, content);  // clang calls `this` unused without its name
+          at = this->put_field(at, key, content);  // otherwise clang calls `this` unused
         });
     return at;
   }
@@ -93,7 +94,7 @@ class JsonWriter {
     *at = c;
     return at + 1;
   }
-  /// Ends an object or array; the comma behind its last member goes.
+  /// Ends an object or array and removes the comma behind its last member.
   char* put_end(char* at, char bracket) {
     at = out_.room(at, 1);
     if (at[-1] == ',') --at;
@@ -102,7 +103,7 @@ class JsonWriter {
   }
   char* null(char* at) { return put_literal(at, "null"); }
 
-  /// Inlined, so that a literal is written by moves of its length.
+  /// Inlined, so that a literal is copied with a constant length.
   [[gnu::always_inline]] char* put_literal(char* at, std::string_view text) {
     at = out_.room(at, text.size());
     std::memcpy(at, text.data(), text.size());
@@ -112,7 +113,7 @@ class JsonWriter {
   JsonText& out_;
 };
 
-/// JSON Lines into a file, handed over in blocks.
+/// Writes JSON Lines to a file, in blocks.
 class JsonLines {
  public:
   explicit JsonLines(std::FILE* file) : file_(file) {}
@@ -128,7 +129,7 @@ class JsonLines {
     if (text_.size() >= block) flush();
   }
 
-  /// False once a write failed, as to a closed pipe.
+  /// False if a write has failed, for example to a closed pipe.
   bool flush();
 
  private:

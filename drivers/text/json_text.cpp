@@ -20,7 +20,7 @@ constexpr auto digit_pairs = [] {
   return pairs;
 }();
 
-/// `Digits` digits, zeros first.
+/// Writes `Digits` digits, with leading zeros.
 template <int Digits>
 void write_digits(char* at, std::uint64_t whole) {
   if constexpr (Digits == 1) {
@@ -38,7 +38,7 @@ char* write_whole(char* at, std::uint64_t whole) {
   return at;
 }
 
-/// `whole` / 10^`Decimals`, which is no whole number, without zeros at the end.
+/// Writes `whole` / 10^`Decimals`, which is not an integer, without zeros at the end.
 template <int Decimals, std::uint64_t Unit>
 char* write_decimal(char* at, std::uint64_t whole) {
   at = write_whole(at, whole / Unit);
@@ -49,9 +49,9 @@ char* write_decimal(char* at, std::uint64_t whole) {
   return at;
 }
 
-/// The whole number of 1/`Unit` that `magnitude` is. Such a decimal of up to 15 digits reads back
-/// as `whole` / `Unit`, both exact and the quotient rounded once, and no other decimal as short
-/// does: if that is the number, these are its fewest digits.
+/// Gives n if `magnitude` is n / `Unit`. A decimal of up to 15 digits reads back as n / `Unit`:
+/// both are exact and the quotient is rounded once. No other decimal that short reads back so.
+/// Therefore its digits are the fewest for this number.
 template <std::uint64_t Unit>
 std::optional<std::uint64_t> whole_number(double magnitude) {
   constexpr double unit = Unit;
@@ -78,7 +78,7 @@ char* write_number(char* at, double number) {
   const double magnitude = std::abs(number);
   *at = '-';
   at += std::signbit(number);
-  // What came over a wire mostly is a whole number of some power of ten.
+  // Most values from a wire are an integer divided by some power of ten.
   if (const auto whole = whole_number<1>(magnitude)) return write_whole(at, *whole);
   if (const auto milli = whole_number<1'000>(magnitude)) return write_decimal<3, 1'000>(at, *milli);
   if (const auto ten_millionth = whole_number<10'000'000>(magnitude))

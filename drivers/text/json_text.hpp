@@ -7,8 +7,8 @@
 
 namespace drydock::text {
 
-/// Text that grows at its end. Who writes holds the end and hands it on, so that it can stay in a
-/// register: ask for room from there on, write, say in the end where it ended.
+/// Text that grows at its end. The writer holds the end and passes it on, so that it stays in a
+/// register. Call room() with the end, write, and report the new end when all is written.
 class JsonText {
  public:
   explicit JsonText(std::size_t capacity = 256)
@@ -17,7 +17,8 @@ class JsonText {
   char* end() const { return end_; }
   void end(char* at) { end_ = at; }
 
-  /// Where what was written up to `at` stands, with room for `size` characters more.
+  /// Makes room for `size` more characters behind `at`. Gives the new position of `at`, since the
+  /// text may move.
   [[gnu::always_inline]] char* room(char* at, std::size_t size) {
     return static_cast<std::size_t>(limit_ - at) < size ? grow(at, size) : at;
   }
@@ -37,8 +38,8 @@ class JsonText {
   char *end_, *limit_;
 };
 
-/// A finite number as JSON has it, with the fewest digits that read back as the same. Writes at
-/// most `longest_number` characters; the end of what was written.
+/// Writes a finite number as JSON, with the fewest digits that read back as the same number. Writes
+/// at most `longest_number` characters. Returns the end of the written text.
 inline constexpr std::size_t longest_number = 32;
 char* write_number(char* at, double number);
 char* write_number(char* at, float number);

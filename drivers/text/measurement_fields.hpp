@@ -3,7 +3,7 @@
 #include "drivers/measurement/measurement.hpp"
 #include "drivers/wire/fields.hpp"
 
-/// Names of the measurements and of their fields, for JSON; angles in degrees.
+/// Names of the measurements and of their fields, for JSON. Angles are in degrees.
 namespace drydock::measurement {
 
 constexpr std::string_view type_of(const ImuSample&) { return "imu"; }

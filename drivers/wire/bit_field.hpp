@@ -6,9 +6,9 @@
 #include <limits>
 #include <optional>
 
-/// Scaled integers of CAN messages. The highest values of a field mean something else than a
-/// number: NMEA 2000 reserves three ("not available", "out of range", "reserved"), J1939 everything
-/// from 0xFB.. up; neither may ever come out as a number.
+/// Scaled integers of CAN messages. The highest values of a field are not numbers. NMEA 2000
+/// reserves three ("not available", "out of range", "reserved"), J1939 everything from 0xFB.. up.
+/// No function here returns them as a number.
 namespace drydock::wire {
 
 template <std::integral Raw>
@@ -25,7 +25,7 @@ std::optional<Raw> number_field(Raw raw) {
   return raw;
 }
 
-/// Value of one step as a fraction, so that decimal steps come out rounded correctly.
+/// Size of one step as a fraction, so that decimal steps are rounded correctly.
 struct Resolution {
   double numerator = 1, denominator = 1;
 };
@@ -37,7 +37,7 @@ std::optional<double> scaled_field(Raw raw, Resolution step) {
   return static_cast<double>(raw) * step.numerator / step.denominator;
 }
 
-/// NMEA 2000: empty is "not available", what does not fit "out of range".
+/// NMEA 2000: an empty value becomes "not available", a value that does not fit "out of range".
 template <std::integral Raw>
 Raw to_scaled_field(const std::optional<double>& value, Resolution step) {
   if (!value || !std::isfinite(*value)) return Sentinels<Raw>::not_available;
@@ -47,7 +47,7 @@ Raw to_scaled_field(const std::optional<double>& value, Resolution step) {
   return fits ? static_cast<Raw>(raw) : Sentinels<Raw>::out_of_range;
 }
 
-/// J1939, unsigned field of 8, 16 or 24 bits: its zero stands at `zero` steps.
+/// J1939, unsigned field of 8, 16 or 24 bits. Its zero is at `zero` steps.
 template <unsigned Bits>
 std::optional<double> j1939_field(std::uint32_t raw, double zero, double steps_per_unit) {
   constexpr std::uint32_t first_reserved = 0xFBu << (Bits - 8);
@@ -55,7 +55,8 @@ std::optional<double> j1939_field(std::uint32_t raw, double zero, double steps_p
   return (raw - zero) / steps_per_unit;
 }
 
-/// J1939: empty is "not available" (all ones), what does not fit "error" (0xFE..).
+/// J1939: an empty value becomes "not available" (all ones), a value that does not fit "error"
+/// (0xFE..).
 template <unsigned Bits>
 std::uint32_t to_j1939_field(const std::optional<double>& value, double zero,
                              double steps_per_unit) {

@@ -9,7 +9,7 @@
 #include <type_traits>
 #include <utility>
 
-/// Numbers in byte sequences. Callers check the length first; nothing here does.
+/// Numbers in byte sequences. Callers must check the length first.
 namespace drydock::wire {
 
 template <class T>

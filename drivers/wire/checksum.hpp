@@ -5,10 +5,11 @@
 #include "drivers/wire/bytes.hpp"
 #include "drivers/wire/codec.hpp"
 
-/// Sums over bytes, eight at a time: they decide how fast a scanner is.
+/// Sums over bytes, eight at a time: they determine the speed of a scanner.
 namespace drydock::wire {
 
-/// Even and odd bytes of a word in lanes of 16 bits, where small products and sums do not overflow.
+/// The even and odd bytes of a word in lanes of 16 bits. Small products and sums do not overflow
+/// there.
 struct ByteLanes {
   std::uint64_t even, odd;
   constexpr explicit ByteLanes(std::uint64_t word)
@@ -31,12 +32,12 @@ inline std::uint16_t byte_sum(Bytes bytes) {
   return static_cast<std::uint16_t>(total);
 }
 
-/// 8-bit Fletcher sum (RFC 1145): the sum of the bytes in the low byte, the sum of that sum's
-/// values in the high byte.
+/// 8-bit Fletcher sum (RFC 1145). The low byte is the sum of the bytes; the high byte is the sum of
+/// all intermediate sums.
 inline std::uint16_t fletcher8(Bytes bytes) {
   std::uint32_t a = 0, b = 0;
   for (; bytes.size() >= 8; bytes = bytes.subspan(8)) {
-    // The first byte of eight enters the second sum eight times, the last one once.
+    // Of eight bytes, the first counts eight times in the second sum and the last counts once.
     const ByteLanes lanes{load_le<std::uint64_t>(bytes, 0)};
     const std::uint64_t weighted =
         lanes.even * 0x0008'0006'0004'0002 + lanes.odd * 0x0007'0005'0003'0001;

@@ -10,18 +10,18 @@
 #include <string_view>
 
 /// The contract of every byte protocol. A protocol is a struct `P` with
-///   P::name                                   how rig files and the command line call it
-///   P::max_frame                              bytes of its longest frame
-///   P::Message                                std::variant of its messages (SI units, optionals)
-///   P::scan(bytes)   -> Scan                  what stands at the front of the bytes
-///   P::decode(frame) -> optional<Message>     empty: a sound frame that holds none of our messages
-/// and beside it free functions `encode(message, out) -> size` for what we also send.
+///  P::name                                   its name in rig files and on the command line
+///  P::max_frame                              bytes of its longest frame
+///  P::Message                                std::variant of its messages (SI units, optionals)
+///  P::scan(bytes)   -> Scan                  classifies the first bytes
+///  P::decode(frame) -> optional<Message>     empty: a valid frame with another kind of content
+/// and, for messages that Drydock also sends, free functions `encode(message, out) -> size`.
 namespace drydock::wire {
 
 using Bytes = std::span<const std::uint8_t>;
 
-/// Three-valued answer about the front of a byte stream. After a bad checksum the answer is
-/// "skip 1": the search goes on one byte past the sync, so the next good frame is never lost.
+/// Answer about the front of a byte stream. After a bad checksum the answer is "skip 1": the search
+/// continues one byte after the sync, so the next good frame is never lost.
 struct Scan {
   enum class Kind : std::uint8_t { frame, need_more, skip, bad_checksum };
   Kind kind = Kind::need_more;
@@ -35,10 +35,10 @@ struct Scan {
   friend constexpr bool operator==(const Scan&, const Scan&) = default;
 };
 
-/// bytes_in = bytes_good + bytes_skipped + what still waits in the buffer.
+/// bytes_in = bytes_good + bytes_skipped + bytes that still wait in the buffer.
 struct StreamCounters {
   std::uint64_t bytes_in = 0;
-  std::uint64_t bytes_good = 0;     ///< inside sound frames
+  std::uint64_t bytes_good = 0;     ///< inside valid frames
   std::uint64_t bytes_skipped = 0;  ///< noise, damaged frames
   std::uint64_t frames = 0;
   std::uint64_t bad_checksums = 0;
@@ -49,14 +49,14 @@ struct StreamCounters {
 template <std::size_t Capacity>
 class Framer {
  public:
-  /// Feeds bytes; calls `scan(Bytes) -> Scan` and, for each sound frame,
-  /// `on_frame(Bytes frame, std::size_t after)`: `after` bytes of this call's input follow the
+  /// Feeds bytes. It calls `scan(Bytes) -> Scan` and, for each valid frame, `on_frame(Bytes frame,
+  /// std::size_t after)`, where `after` is the number of bytes of this call's input behind the
   /// frame.
   template <class ScanFn, class OnFrame>
   void feed(Bytes bytes, ScanFn&& scan, OnFrame&& on_frame) {
     counters_.bytes_in += bytes.size();
     while (!bytes.empty()) {
-      // What is already complete in the input needs no copy; only a cut frame is kept.
+      // A frame that is complete in the input needs no copy. Only an incomplete frame is kept.
       if (held_ == 0) {
         const std::size_t used = consume(bytes, bytes.size(), scan, on_frame);
         bytes = bytes.subspan(used);
@@ -69,15 +69,15 @@ class Framer {
       const std::size_t used =
           consume(Bytes{buffer_.data(), held_}, held_ + bytes.size(), scan, on_frame);
       discard(used);
-      if (held_ == Capacity) {  // a frame that claims more than fits is no frame
+      if (held_ == Capacity) {  // a frame that does not fit is not a frame
         ++counters_.bytes_skipped;
         discard(1);
       }
     }
   }
 
-  /// The stream has ended: a frame that still waits for bytes is none, and the search goes on one
-  /// byte past its sync.
+  /// The stream has ended. A frame that still waits for bytes is not a frame, so the search
+  /// continues one byte after its sync.
   template <class ScanFn, class OnFrame>
   void finish(ScanFn&& scan, OnFrame&& on_frame) {
     while (held_ > 0) {

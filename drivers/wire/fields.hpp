@@ -9,12 +9,12 @@
 #include <string_view>
 #include <type_traits>
 
-/// What a message tells a printer. Each message has `type`, the protocol's name for it, and beside
-/// it `visit_fields(message, field)` that calls `field(key, value)` for every field in order. Keys
-/// carry their unit (`latitude_deg`, `speed_mps`). A value is a scalar (integer, double, bool,
-/// std::string_view), an optional of one, or a std::array or std::span of scalars, of optionals, or
-/// of structs that have visit_fields themselves. An empty optional prints as null. Structs hold SI
-/// units and radians; only the visit turns to degrees.
+/// The fields of a message for printing. Each message has `type`, the protocol's name for it, and a
+/// function `visit_fields(message, field)`. That function calls `field(key, value)` for every field
+/// in order. Keys contain their unit (`latitude_deg`, `speed_mps`). A value is a scalar (integer,
+/// double, bool, std::string_view), an optional of one, or a std::array or std::span of scalars, of
+/// optionals, or of structs that also have visit_fields. An empty optional prints as null. Structs
+/// hold SI units and radians; only the visit converts to degrees.
 namespace drydock::wire {
 
 template <class T>
@@ -27,14 +27,14 @@ constexpr double zero_celsius_k = 273.15;
 
 constexpr double radians(double degrees) { return degrees * (std::numbers::pi / 180.0); }
 
-/// The nearest whole number of 1/`unit`.
+/// `value` rounded to a multiple of 1/`unit`.
 constexpr double nearest(double value, double unit) {
   const double scaled = value * unit;
   return static_cast<double>(static_cast<std::int64_t>(scaled + (scaled < 0 ? -0.5 : 0.5))) / unit;
 }
 
-/// Where a decimal of up to seven places makes just these radians, that one: a device that sent 3
-/// degrees is shown with 3, not with what is left of it after two conversions.
+/// Converts to degrees. If a decimal of up to seven places gives exactly these radians, it returns
+/// this decimal. Thus 3 degrees from a device print as 3, without the error of two conversions.
 constexpr double degrees(double angle_rad) {
   const double nearly = angle_rad * (180.0 / std::numbers::pi);
   if (!(nearly > -1e8 && nearly < 1e8)) return nearly;
@@ -61,7 +61,7 @@ constexpr std::optional<double> seconds(const std::optional<Duration>& duration)
   return duration ? std::optional{seconds(*duration)} : std::nullopt;
 }
 
-/// Dilution of precision; receivers say 0, 99.9 or 99.99 when there is none.
+/// Dilution of precision. Receivers send 0, 99.9 or 99.99 if there is none.
 constexpr std::optional<double> dilution(std::optional<double> sent) {
   return sent && *sent > 0 && *sent < 99.9 ? sent : std::nullopt;
 }

@@ -8,10 +8,10 @@
 #include <span>
 #include <string_view>
 
-/// Hex text of CAN identifiers and data, as candump and slcan lines carry it.
+/// Hex text of CAN identifiers and data in candump and slcan lines.
 namespace drydock::wire {
 
-/// 1 to 8 hex digits of either case, nothing else.
+/// Parses 1 to 8 hex digits of either case, and nothing else.
 inline std::optional<std::uint32_t> parse_hex(std::string_view digits) {
   std::uint32_t value = 0;
   const char* const end = digits.data() + digits.size();
@@ -21,7 +21,7 @@ inline std::optional<std::uint32_t> parse_hex(std::string_view digits) {
   return value;
 }
 
-/// Pairs of digits into the front of `out`; false if one is none or they do not fit.
+/// Parses pairs of digits into the front of `out`. False if one is invalid or they do not fit.
 inline bool parse_hex_bytes(std::string_view digits, std::span<std::uint8_t> out) {
   if (digits.size() % 2 != 0 || digits.size() / 2 > out.size()) return false;
   for (std::size_t i = 0; i < digits.size() / 2; ++i) {
@@ -49,7 +49,8 @@ class HexText {
   std::size_t size_ = 0;
 };
 
-/// Writes text into a caller's buffer. What does not fit leaves size() 0: no half line is sent.
+/// Writes text into a caller's buffer. If the text does not fit, size() is 0: half a line is never
+/// sent.
 class TextWriter {
  public:
   explicit TextWriter(std::span<std::uint8_t> out) : out_(out) {}

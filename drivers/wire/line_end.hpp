@@ -6,7 +6,7 @@
 
 namespace drydock::wire {
 
-/// A line sound up to `end`, and the CR, LF or CR LF that may follow, which are part of its frame.
+/// A line that is valid up to `end`. A CR, LF or CR LF that follows is part of its frame.
 inline Scan with_line_end(Bytes bytes, std::size_t end) {
   if (end == bytes.size()) return Scan::need_more();
   if (bytes[end] == '\n') return Scan::frame(end + 1);

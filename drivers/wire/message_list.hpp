@@ -16,14 +16,14 @@ struct MessageList {
 template <class... A, class... B>
 MessageList<A..., B...> joined(MessageList<A...>, MessageList<B...>);
 
-/// For an aggregate the compiler would clear the whole variant first: a copy is cheaper.
+/// For an aggregate the compiler would first clear the whole variant, so a copy is cheaper.
 template <class Variant, class M, class Input>
 requires std::is_aggregate_v<M> std::optional<Variant> read_as(Input& input) {
   M m;
   return read(input, m) ? std::optional<Variant>{std::in_place, m} : std::nullopt;
 }
 
-/// A message with its own constructor is large and is read where it stays.
+/// A message with its own constructor is large; it is read in place.
 template <class Variant, class M, class Input>
 std::optional<Variant> read_as(Input& input) {
   std::optional<Variant> message{std::in_place, std::in_place_type<M>};
@@ -31,8 +31,8 @@ std::optional<Variant> read_as(Input& input) {
   return message;
 }
 
-/// Reads the message of the list for which `is_it.operator()<M>()` holds: `read(input, m)` says
-/// whether the input is a sound one.
+/// Reads the message of the list for which `is_it.operator()<M>()` is true. `read(input, m)` is
+/// true if the input is valid.
 template <class Variant, class M, class... Rest, class IsIt, class Input>
 std::optional<Variant> read_one_of(MessageList<M, Rest...>, IsIt is_it, Input& input) {
   if (is_it.template operator()<M>()) return read_as<Variant, M>(input);

@@ -7,7 +7,8 @@
 
 namespace drydock::wire {
 
-/// `value` in whole `unit`s as a wire integer sends it: nearest, held at the ends of its range.
+/// `value` as a wire integer in steps of `unit`: the nearest step, limited to the range of the
+/// integer.
 template <std::integral T>
 T quantize(double value, double unit) {
   constexpr double lowest = static_cast<double>(std::numeric_limits<T>::min());

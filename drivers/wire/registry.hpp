@@ -25,7 +25,8 @@
 #include "drivers/wire/ubx/ubx.hpp"
 #include "drivers/wire/ubx/ubx_nmea.hpp"
 
-/// Every protocol by its name. A new one adds its include and its entry in one of the lists.
+/// Every protocol by its name. For a new protocol, add its include and its entry in one of the
+/// lists.
 namespace drydock::wire {
 
 template <class... P>
@@ -56,7 +57,7 @@ using FrameProtocols =
 
 static_assert(requires { all_are_frame_protocols(FrameProtocols{}); });
 
-/// The frames themselves, where FrameProtocols are heard.
+/// Frames without decoding, for the places that use FrameProtocols.
 using FramesAsTheyAre = ProtocolList<RawCan>;
 
 static_assert(requires { all_are_frame_protocols(FramesAsTheyAre{}); });
@@ -66,7 +67,8 @@ using FrameCarriers = ProtocolList<Slcan>;
 
 static_assert(requires { all_are_byte_protocols(FrameCarriers{}); });
 
-/// Calls `visit.operator()<P>()` for the protocol of that name; false when no list entry has it.
+/// Calls `visit.operator()<P>()` for the protocol with that name. False if the list does not have
+/// it.
 template <class... P, class Visit>
 constexpr bool with_protocol(ProtocolList<P...>, std::string_view name, Visit&& visit) {
   return ((P::name == name && (visit.template operator()<P>(), true)) || ...);

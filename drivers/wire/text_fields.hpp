@@ -7,11 +7,11 @@
 
 #include "drivers/wire/codec.hpp"
 
-/// Fields of a line of text, parted by one character, of protocols other than NMEA 0183's own.
+/// Fields of a line of text, separated by one character. For protocols other than NMEA 0183.
 namespace drydock::wire {
 
-/// Reads fields from left to right. One that is empty, missing or malformed reads as empty and
-/// never spoils the others. Blanks around a field and a leading plus do not count.
+/// Reads fields from left to right. A field that is empty, missing or malformed reads as empty and
+/// never affects the others. Blanks around a field and a leading plus are ignored.
 class TextFields {
  public:
   explicit TextFields(std::string_view text, char separator = ',')
@@ -38,7 +38,7 @@ class FieldWriter {
   explicit FieldWriter(std::span<std::uint8_t> out) : out_(out) {}
 
   void text(std::string_view text);
-  void number(double value, int decimals);  ///< digits alone, without a separator
+  void number(double value, int decimals);  ///< only the digits, without a separator
   Bytes written() const { return {out_.data(), size()}; }
   std::size_t size() const { return overflow_ ? 0 : size_; }  ///< 0: the buffer was too small
 

@@ -8,11 +8,11 @@
 
 namespace drydock::check {
 
-/// What every command loads rig files with: link URIs are checked too.
+/// Every command loads rig files with these options: link URIs are checked too.
 rig_config::LoadOptions load_options();
 
-/// `drydock check`: for each rig, mission, sensor or vehicle file its problems, or `FILE: ok`.
-/// Exit code: 0 all are sound, 1 not all.
+/// `drydock check`: for each rig, mission, sensor or vehicle file it prints the problems, or `FILE:
+/// ok`. Exit code: 0 all files are good, 1 at least one is not.
 int check(const std::vector<std::string>& files, std::FILE* out);
 
 }  // namespace drydock::check

@@ -9,7 +9,8 @@ namespace {
 
 using namespace drydock::wire;
 
-/// A bus with one message of each kind that the decoder knows and as many that it does not.
+/// A bus with one message of each kind that the decoder knows, and as many messages that it does
+/// not know.
 std::vector<CanFrame> nmea2000_traffic() {
   std::vector<CanFrame> frames{
       encode(nmea2000::Pressure{7, 5, 0, nmea2000::Pressure::water, 301325.0}),

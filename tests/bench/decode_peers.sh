@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# drydock decode beside gpsdecode (Debian's gpsd-clients): the same bytes in, JSON Lines to /dev/null, in turn.
+# Compares drydock decode with gpsdecode (Debian's gpsd-clients) in turn: the same input bytes, JSON
+# Lines to /dev/null.
 # usage: decode_peers.sh DRYDOCK
 set -euo pipefail
 drydock=$1
@@ -7,7 +8,7 @@ fixtures=$(dirname "$(readlink -f "$0")")/../../fixtures
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
-repeated() { # FILE BYTES: a capture as often as makes that many, a multiple of eight times
+repeated() { # FILE BYTES: repeats a capture to at least that size, a multiple of eight times
   local all=$work/all times=1
   cp "$1" "$all"
   for (( ; times < 8 || $(stat -c %s "$all") < $2; times *= 2)); do
@@ -16,7 +17,7 @@ repeated() { # FILE BYTES: a capture as often as makes that many, a multiple of 
   mv "$all" "$work/input"
 }
 
-seconds_of() { # COMMAND...: the least processor time of five runs on the input, which other load hardly changes
+seconds_of() { # COMMAND...: the least processor time of five runs, which other load hardly changes
   local TIMEFORMAT='%U %S' run
   for run in 1 2 3 4 5; do
     { time "$@" <"$work/input" >/dev/null 2>&1; } 2>&1

@@ -15,7 +15,7 @@
 #include "estimators/vehicle/vehicle.hpp"
 #include "rig_config/load.hpp"
 
-/// Cost of the leveling estimator, the filter alone and a sample's way through the pipeline, of the
+/// Cost of the leveling estimator (the filter alone, and a sample through the pipeline), of the
 /// mixing and roll filters, and of the vehicle's equations of motion.
 namespace {
 
@@ -89,7 +89,7 @@ void leveling_output(benchmark::State& state) {
 }
 BENCHMARK(leveling_output)->Name("leveling: roll, pitch and their covariance");
 
-/// Gentle motion with the gyro noise of a low-grade unit: every level of manoeuvring comes up.
+/// Gentle motion with the gyro noise of a low-grade unit. It reaches every level of manoeuvring.
 std::vector<Vector3d> noisy_rates() {
   std::vector<Vector3d> rates;
   std::mt19937_64 random(1);
@@ -113,7 +113,7 @@ double ns_of_mixing_step(mixing::MixingType type, const std::vector<Vector3d>& r
   return taken.count() / static_cast<double>(rates.size());
 }
 
-/// `of_type1`: how many times a step of type 1 takes, measured in turns with it.
+/// `of_type1` is the cost relative to a step of type 1. Both are measured in turn.
 void mixing_step(benchmark::State& state, mixing::MixingType type) {
   const auto rates = noisy_rates();
   double sum = 0, of_type1 = 0;
@@ -144,7 +144,7 @@ struct Discard final : pipeline::EstimateListener {
   }
 };
 
-/// One IMU sample of 100 Hz per step, every fiftieth with a speed: 2 Hz.
+/// One IMU sample of 100 Hz per step. Every fiftieth step has a speed: 2 Hz.
 void pipeline_step(benchmark::State& state) {
   pipeline::PipelineOptions options;
   auto& estimator = options.estimators.emplace_back();
@@ -177,8 +177,8 @@ BENCHMARK(pipeline_step)
     ->Arg(0)
     ->Arg(200);
 
-/// Ten satellites around the sky; `state.range(0)` epochs have gone before, so that one hypothesis
-/// is left or, with none, all 24 begin.
+/// Ten satellites around the sky, after `state.range(0)` epochs. After these one hypothesis is
+/// left; with 0 epochs all 24 begin.
 roll::AllSatellites rolling(std::array<roll::Signal, 10>& signals, std::int64_t epochs) {
   for (std::size_t i = 0; i < signals.size(); ++i) {
     const auto k = static_cast<double>(i);

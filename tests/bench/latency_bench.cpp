@@ -1,5 +1,5 @@
-// Wire-to-estimate latency at the rate of a real IMU, beside what the host itself costs in the same
-// run: a bare pty round trip and a bare DDS hop.
+// Latency from wire to estimate at the rate of a real IMU. The same run measures the cost of the
+// host itself: a bare pty round trip and a bare DDS hop.
 #include <benchmark/benchmark.h>
 #include <sys/eventfd.h>
 #include <unistd.h>
@@ -40,7 +40,8 @@ constexpr int samples = 1000;
 constexpr auto period = std::chrono::milliseconds{10};  // 100 Hz, so that the CPU idles in between
 constexpr int domain = 77;
 
-/// When something arrived on another thread; waiting blocks as a program would, and does not spin.
+/// The time at which something arrived on another thread. Waiting blocks, as in a program, and does
+/// not spin.
 class Arrival {
  public:
   Arrival() : fd_(eventfd(0, EFD_CLOEXEC)) {}
@@ -53,7 +54,7 @@ class Arrival {
     const std::uint64_t one = 1;
     if (write(fd_, &one, sizeof one) != sizeof one) std::abort();
   }
-  /// Microseconds from `start`; empty after a second of nothing.
+  /// Microseconds since `start`. Empty after a second without an arrival.
   std::optional<double> wait_since(Clock::time_point start) {
     std::uint64_t count = 0;
     if (!wait_readable(fd_, 1000) || read(fd_, &count, sizeof count) != sizeof count) return {};
@@ -182,7 +183,7 @@ void wire_to_estimate(benchmark::State& state) {
   std::jthread shell([&] { io.run(); });
 
   const std::string text = imu_sample_text();
-  const auto drain = [&] {  // what the slcan link says to its adapter
+  const auto drain = [&] {  // commands of the slcan link to its adapter
     char heard[512];
     while (wait_readable(pty.master, 0) && read(pty.master, heard, sizeof heard) > 0) {
     }

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# The 5.5 h mission in lockstep: every byte generated, sent at its line's rate, decoded; its speed and its memory.
+# The 5.5 h mission in lockstep: every byte is generated, sent at the rate of its line, and decoded.
+# Reports speed and memory.
 # usage: lockstep.sh DRYDOCK REPORT_FOLDER
 set -euo pipefail
 drydock=$1 folder=$2

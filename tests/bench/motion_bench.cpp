@@ -7,7 +7,7 @@
 #include "hil/motion/vehicle/vehicle_trajectory.hpp"
 #include "rig_config/load.hpp"
 
-/// Cost of the truth of the velocity-filter paper's 5.5 h mission at 100 Hz.
+/// Cost of the truth for the velocity-filter paper's 5.5 h mission at 100 Hz.
 namespace {
 
 using namespace drydock;
@@ -20,7 +20,7 @@ const rig_config::MissionConfig& paper_mission() {
   return mission;
 }
 
-/// Seconds of one Runge-Kutta step of the bare equations.
+/// Seconds for one Runge-Kutta step of the bare equations.
 double bare_step_s() {
   const hydrodynamics::Model model{vehicle::dimensional(paper_mission().vehicle.value())};
   constexpr int steps = 200'000;

@@ -8,9 +8,8 @@
 #include "estimators/velocity/velocity_filter.hpp"
 #include "rig_config/load.hpp"
 
-/// Cost of inertial navigation, of its aiding and of the velocity filter. The floor to compare
-/// with, in the same run on the same machine: one propagation of a 15-state covariance by full
-/// matrices.
+/// Cost of inertial navigation, of its aiding and of the velocity filter. The reference, in the
+/// same run on the same machine: one propagation of a 15-state covariance with full matrices.
 namespace {
 
 using namespace drydock;
@@ -81,7 +80,7 @@ velocity::Simulated cruising() {
   return at;
 }
 
-/// A step at 100 Hz: prediction, gyro and depth; a log at 2 Hz, a DVL at 1 Hz.
+/// A step at 100 Hz: prediction, gyro and depth; a log at 2 Hz and a DVL at 1 Hz.
 void velocity_filter(benchmark::State& state) {
   velocity::VelocityFilter filter(hydrodynamics::Model{nps_vehicle()}, cruising());
   const velocity::Setting setting{frame::ned_to_body({0.02, -0.01, 0.8}),

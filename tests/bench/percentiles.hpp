@@ -10,7 +10,7 @@ struct Percentiles {
   double p50 = 0, p99 = 0;
 };
 
-/// Of no values: zero.
+/// Zero if there are no values.
 inline Percentiles percentiles_of(std::vector<double> values) {
   std::ranges::sort(values);
   if (values.empty()) return {};

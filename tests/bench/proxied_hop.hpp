@@ -16,17 +16,18 @@
 #include "tests/bench/percentiles.hpp"
 #include "tests/bench/raw_pty.hpp"
 
-/// A message's way through a proxy beside its way over one bare hop, at the same time of the same
-/// run, both ends blocked in poll() as a program would be.
+/// Compares a message through a proxy with a message over one bare hop, in the same run at the same
+/// time. Both ends block in poll(), as in a program.
 namespace drydock::bench {
 
 using Clock = std::chrono::steady_clock;
 
 inline constexpr int rounds = 1500;
-/// So that the processor idles in between.
+/// The pause lets the processor idle in between.
 inline constexpr auto period = std::chrono::milliseconds{5};
 
-/// Waits for whole messages on a descriptor, on a thread of its own, and notes when each was whole.
+/// Waits for complete messages on a descriptor in its own thread, and records when each was
+/// complete.
 class Listener {
  public:
   Listener(int fd, std::size_t size) : fd_(fd), size_(size), thread_([this] { listen(); }) {}
@@ -37,7 +38,7 @@ class Listener {
   Listener(const Listener&) = delete;
   Listener& operator=(const Listener&) = delete;
 
-  /// Microseconds from `sent` until the message was whole; below 0: it never was.
+  /// Microseconds from `sent` until the message was complete. Below 0: it was never complete.
   double wait(Clock::time_point sent) {
     const auto give_up = Clock::now() + std::chrono::seconds{1};
     while (at_ns_ == 0)
@@ -70,7 +71,7 @@ class Listener {
   std::thread thread_;
 };
 
-/// A proxy on a thread of its own, as the program runs it.
+/// A proxy in its own thread, run as the program runs it.
 class Running {
  public:
   Running(const std::string& real, const std::string& virt) {
@@ -90,7 +91,8 @@ class Running {
   Running(const Running&) = delete;
   Running& operator=(const Running&) = delete;
 
-  /// Ends it; what it measured itself, from a read's return to the write's.
+  /// Ends the proxy. Returns its own measurement, from the return of a read to the return of the
+  /// write.
   const proxy::Latency& finish() {
     if (thread_.joinable()) {
       boost::asio::post(io_, [this] { proxy_->finish(); });
@@ -111,7 +113,7 @@ inline void say(int fd, const std::string& message) {
     std::abort();
 }
 
-/// One by one over the bare line and through the proxy, in turns.
+/// Sends messages one by one, alternately over the bare line and through the proxy.
 inline void compare(const char* what, int bare_in, int bare_out, int device, int drivers,
                     const std::string& message) {
   Listener bare(bare_out, message.size()), behind(drivers, message.size());

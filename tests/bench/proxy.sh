@@ -1,6 +1,7 @@
 #!/bin/sh
-# What an inline proxy adds: between ptys, between slcan adapters, and between two CAN interfaces (in user-mode Linux where this kernel
-# has no vcan). Each beside a bare hop in the same run.
+# The latency that an inline proxy adds: between ptys, between slcan adapters, and between two CAN
+# interfaces (in user-mode Linux if this kernel has no vcan). Each case is compared with a bare hop
+# in the same run.
 # usage: proxy.sh FOLDER_OF_PROGRAMS
 set -eu
 bin=$(realpath "$1")

@@ -1,4 +1,5 @@
-// What an inline proxy adds between ptys, and between slcan adapters on them, to one bare pty.
+// The latency that an inline proxy adds between ptys, and between slcan adapters on them, compared
+// with one bare pty.
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/resource.h>
@@ -31,7 +32,7 @@ void bytes_over_ptys(std::size_t size) {
   close(drivers);
 }
 
-/// The bare line carries the same text: an slcan adapter is one.
+/// The bare line carries the same text: an slcan adapter is a pty too.
 void frames_over_slcan() {
   const Pty bare, device;
   const std::string virt = "/tmp/drydock-proxy-bench-can-" + std::to_string(getpid());

@@ -1,5 +1,7 @@
-// What an inline proxy adds between two CAN interfaces to one bare interface.
-// usage: proxy_can_bench REAL VIRTUAL BARE     three interfaces that are up, as vcan0 vcan1 vcan2
+// The latency that an inline proxy adds between two CAN interfaces, compared with one bare
+// interface.
+// usage: proxy_can_bench REAL VIRTUAL BARE     three interfaces that are up, such as vcan0 vcan1
+// vcan2
 #include <linux/can.h>
 #include <linux/can/raw.h>
 #include <net/if.h>
@@ -14,7 +16,7 @@ namespace {
 
 using namespace drydock::bench;
 
-/// A raw CAN socket, as any program on the interface has one; not this program's link.
+/// A raw CAN socket, as other programs use it; it is not this program's link.
 class Socket {
  public:
   explicit Socket(const char* interface) : fd(socket(PF_CAN, SOCK_RAW, CAN_RAW)) {
@@ -34,7 +36,7 @@ class Socket {
   const int fd;
 };
 
-/// Eight bytes with an extended identifier, as the kernel takes it.
+/// Eight bytes with an extended identifier, in the kernel's layout.
 std::string frame_in_memory() {
   can_frame frame{};
   frame.can_id = 0x0CF02A80 | CAN_EFF_FLAG;
@@ -43,8 +45,8 @@ std::string frame_in_memory() {
   return {reinterpret_cast<const char*>(&frame), sizeof frame};
 }
 
-/// How late a thread wakes that sleeps, as the sender of each frame does: what the machine's timers
-/// are worth.
+/// Measures how late a sleeping thread wakes, like the thread that sends each frame. That is the
+/// precision of the machine's timers.
 void print_timer() {
   std::vector<double> late;
   for (int i = 0; i < 500; ++i) {

@@ -3,8 +3,8 @@
 #include "hil/sensor/imu_errors.hpp"
 #include "rig_config/load.hpp"
 
-/// Cost of one sample's errors. A 5.5 h mission at 2000 times real time has 5 us for each of the
-/// 100 samples a second of an inertial unit, emulation, wire and driver included.
+/// Cost of the errors of one sample. A 5.5 h mission at 2000 times real time leaves 5 us for each
+/// of the 100 samples a second of an inertial unit, including emulation, wire and driver.
 namespace {
 
 using namespace drydock;

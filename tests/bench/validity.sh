@@ -1,13 +1,13 @@
 #!/bin/sh
-# How right the times of measurements are on this machine, in real time: every protocol on ptys, each
-# baud rate, and an IMU on vcan (in user-mode Linux where this kernel has none). Each table ends with
-# what a bare timer and a bare pty took in the same run: judge the figures by these.
+# Accuracy of the times of measurements on this machine, in real time: every protocol on ptys, each
+# baud rate, and an IMU on vcan (in user-mode Linux if this kernel has none). Each table ends with
+# the results of a bare timer and a bare pty in the same run; compare the figures with these.
 # usage: validity.sh DRYDOCK [SECONDS]
 set -eu
 drydock=$(realpath "$1")
 here=$(cd "$(dirname "$0")" && pwd)
 seconds=${2:-20}
-# Ahead of whatever else runs, where we may.
+# Takes priority over other programs if the user may.
 ahead=
 chrt -f 20 true 2>/dev/null && ahead="chrt -f 20"
 

@@ -8,7 +8,7 @@
 
 #include "drivers/wire/registry.hpp"
 
-/// Decoding speed over the golden bytes again and again, as they come from a link in pieces.
+/// Decoding speed. It repeats the golden bytes, in pieces as from a link.
 namespace drydock::wire {
 namespace {
 
@@ -61,7 +61,7 @@ BENCHMARK(ubx_and_nmea0183);
 void pd0(benchmark::State& state) { scan_and_decode<Pd0>(state, {"pd0/golden.pd0"}); }
 BENCHMARK(pd0);
 
-/// A line at the wrong baud rate: nothing but noise.
+/// A line at the wrong baud rate: only noise.
 template <class P>
 void skip_noise(benchmark::State& state) {
   Buffer stream(stream_size);

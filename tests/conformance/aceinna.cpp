@@ -3,7 +3,7 @@
 #include "tests/conformance/comparers.hpp"
 #include "tests/conformance/reading.hpp"
 
-/// Frames of an Aceinna IMU against the vendor's formula: one row a frame.
+/// Compares frames of an Aceinna IMU with the vendor's formula: one row for each frame.
 namespace drydock::conformance {
 
 namespace {

@@ -4,8 +4,8 @@
 #include "tests/conformance/reading.hpp"
 #include "tests/conformance/scan.hpp"
 
-/// CAN traces of other tools: every data frame must be read, with its identifier and bytes as the
-/// text or the packet shows them.
+/// CAN traces of other tools. Every data frame must be read, with the identifier and bytes in the
+/// text or packet.
 namespace drydock::conformance {
 
 namespace {
@@ -37,7 +37,7 @@ std::vector<Frame> scan_asc(const std::string& text) {
 /// pcap, little-endian, link type 227 (SocketCAN): identifier big-endian, size, bytes.
 std::vector<Frame> scan_pcap(std::string_view bytes) {
   constexpr std::size_t file_head = 24, packet_head = 16, frame_head = 8;
-  constexpr unsigned not_data = 0x60;  // remote or error, of the identifier's first byte
+  constexpr unsigned not_data = 0x60;  // remote or error, in the identifier's first byte
   std::vector<Frame> frames;
   std::size_t number = 0;
   for (std::size_t at = file_head; at + packet_head + frame_head <= bytes.size();) {

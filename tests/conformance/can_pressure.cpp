@@ -3,8 +3,8 @@
 #include "tests/conformance/comparers.hpp"
 #include "tests/conformance/frame_vectors.hpp"
 
-/// CiA 404 pressure transmitters: frames out of the makers' manuals, and in words what they say,
-/// "= 100000" for the process value and "status = 0".
+/// CiA 404 pressure transmitters. The frames come from the makers' manuals; words give their
+/// meaning, "= 100000" for the process value and "status = 0".
 namespace drydock::conformance {
 
 namespace {
@@ -26,7 +26,7 @@ void compare_can_pressure(const Case& one, Score& score) {
   for (const FrameVector& vector : read_frame_vectors(one.capture)) {
     const auto integer = number_behind(vector.words, R"(i32 = (-?\d+))");
     const auto status = number_behind(vector.words, R"(status = (\d+))");
-    if (!integer) continue;  // a mapping or a length in words, no frame
+    if (!integer) continue;  // a mapping or a length in words, not a frame
     const auto decoded = decode_bytes("cia404-pressure", candump_line(vector)).messages;
     if (decoded.empty()) {
       score.missed(name, vector.line, vector.words);

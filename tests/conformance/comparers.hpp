@@ -2,7 +2,7 @@
 
 #include "tests/conformance/corpus.hpp"
 
-/// A discovery and a comparer for each kind of corpus.
+/// One discovery and one comparer for each kind of corpus.
 namespace drydock::conformance {
 
 std::vector<Case> discover_pd0(const fs::path& folder);  ///< raw/*, expected/STEM.jsonl of MHKiT
@@ -20,7 +20,7 @@ void compare_nortek(const Case& one, Score& score);
 std::vector<Case> discover_speed_log(const fs::path& folder);  ///< *.tsv
 void compare_speed_log(const Case& one, Score& score);
 
-/// daemon/LOG.log with what gpsd reports in LOG.log.chk
+/// daemon/LOG.log with gpsd's reports in LOG.log.chk
 std::vector<Case> discover_gpsd_satellites(const fs::path& folder);
 void compare_gpsd_satellites(const Case& one, Score& score);
 std::vector<Case> discover_gpsd_positions(const fs::path& folder);

@@ -10,14 +10,14 @@
 
 #include "tests/conformance/score.hpp"
 
-/// The contract of every corpus: discover its captures by pattern, decode each through the
-/// product's own way, compare with what stands beside it, into one score.
+/// The contract of every corpus: discover its captures by pattern, decode each with drydock's own
+/// code, compare with the reference beside it, and add everything to one score.
 namespace drydock::conformance {
 
 namespace fs = std::filesystem;
 
-/// A capture and the file with what another program read in it. Without `expected` a comparer can
-/// only count; without `capture` the expected values are an orphan, which is an error.
+/// A capture, and the file with the values that another program read in it. Without `expected` a
+/// comparer can only count. Without `capture` the expected values are an orphan, which is an error.
 struct Case {
   fs::path capture, expected;
 };
@@ -31,16 +31,16 @@ struct Corpus {
 
 std::span<const Corpus> corpora();
 
-/// Reads what cannot be read as a reference: file, line, reason.
+/// A reference cannot be read: file, line, reason.
 struct Unreadable : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Files of a folder, sorted; none when there is no such folder.
+/// Files of a folder, sorted. Empty if there is no such folder.
 std::vector<fs::path> files_of(const fs::path& folder, std::string_view extension = {});
 
-/// Each capture with the file that `expected_of` names, where there is one, and each of `expected`
-/// that no capture claimed.
+/// Each capture with the file that `expected_of` names, if there is one, and each file of
+/// `expected` that belongs to no capture.
 template <class ExpectedOf>
 std::vector<Case> paired(const std::vector<fs::path>& captures, std::vector<fs::path> expected,
                          ExpectedOf&& expected_of) {
@@ -54,12 +54,12 @@ std::vector<Case> paired(const std::vector<fs::path>& captures, std::vector<fs::
   return cases;
 }
 
-/// Captures that hold their own expected values: vectors, one a line.
+/// Captures that contain their own expected values: vectors, one on each line.
 std::vector<Case> vectors(const std::vector<fs::path>& files);
 
 using Progress = std::function<void(const Corpus&, const fs::path& capture)>;
 
-/// One corpus below `root`; `progress` is called before each capture.
+/// Scores one corpus below `root`. It calls `progress` before each capture.
 Score score(const Corpus& corpus, const fs::path& root, const Progress& progress = {});
 
 struct Result {
@@ -67,10 +67,10 @@ struct Result {
   Score score;
 };
 
-/// Every corpus that `root` has something of.
+/// Scores every corpus with a file below `root`.
 std::vector<Result> score_all(const fs::path& root, const Progress& progress = {});
 
-/// Whether nothing is wrong.
+/// True if nothing is wrong.
 bool clean(const std::vector<Result>& results);
 
 }  // namespace drydock::conformance

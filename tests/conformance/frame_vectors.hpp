@@ -9,7 +9,7 @@
 
 namespace drydock::conformance {
 
-/// A CAN frame of a table with the columns id, payload, meaning: in words what it should say.
+/// A CAN frame of a table with the columns id, payload, meaning. The meaning is in words.
 struct FrameVector {
   std::size_t line = 0;
   unsigned id = 0;
@@ -20,10 +20,10 @@ struct FrameVector {
 /// Tables (*.tsv) of such frames.
 std::vector<Case> frame_vector_files(const fs::path& folder);
 
-/// The lines that hold a frame; an identifier `180h+node` is that of node 1.
+/// The lines with a frame. An identifier `180h+node` is that of node 1.
 std::vector<FrameVector> read_frame_vectors(const fs::path& table);
 
-/// As `candump -L` writes it.
+/// In the form of `candump -L`.
 std::string candump_line(const FrameVector& vector);
 
 }  // namespace drydock::conformance

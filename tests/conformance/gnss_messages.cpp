@@ -6,8 +6,8 @@
 #include "tests/conformance/gpsd_log.hpp"
 #include "tests/conformance/scan.hpp"
 
-/// Every sound frame of a message that we read must be decoded, counted against a scan of
-/// checksums; nothing more may come out. For logs without values beside them.
+/// For logs without reference values. A scan of checksums counts the valid frames of messages that
+/// Drydock reads. Each must be decoded, and no more.
 namespace drydock::conformance {
 
 namespace {

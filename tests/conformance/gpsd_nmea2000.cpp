@@ -6,20 +6,20 @@
 #include "tests/conformance/comparers.hpp"
 #include "tests/conformance/gpsd_log.hpp"
 
-/// NMEA 2000 logs against gpsd: depth report by depth report, and each GNSS position (PGN 129029)
-/// against the reports (TPV) of its time.
+/// Compares NMEA 2000 logs with gpsd: each depth report, and each GNSS position (PGN 129029) with
+/// the reports (TPV) of its time.
 namespace drydock::conformance {
 
 namespace {
 
-using Milliseconds = std::int64_t;  // of day
+using Milliseconds = std::int64_t;  // time of day
 
 Milliseconds time_of(const json& position) {
   constexpr std::int64_t day_ms = 86'400'000, ms_ns = 1'000'000;
   return position["utc_ns"].get<std::int64_t>() / ms_ns % day_ms;
 }
 
-/// Sender as gpsd names it, `nmea2000://vcan0:17`; -1 where it does not.
+/// The sender that gpsd names in `nmea2000://vcan0:17`; -1 if it names none.
 int source_of(const json& report) {
   const std::string device = report.value("device", "");
   const auto colon = device.rfind(':');

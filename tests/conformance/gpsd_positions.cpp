@@ -9,8 +9,8 @@
 #include "tests/conformance/gpsd_log.hpp"
 #include "tests/conformance/scan_positions.hpp"
 
-/// Each position that the GNSS driver publishes must be one that gpsd reports (TPV), and each that
-/// stands on the wire and that gpsd reports must be one of the driver's.
+/// Each position that the GNSS driver publishes must be one that gpsd reports (TPV). Each position
+/// that is on the wire and in gpsd's reports must be one of the driver's.
 namespace drydock::conformance {
 
 namespace {
@@ -37,7 +37,7 @@ constexpr Rule doubt_rule{
     "the receiver does not vouch for it: gnssFixOK clear or a time-only fix, quality 0, 7 or 8, "
     "status V, or a GSA beside it says that there is no fix"};
 
-/// Less is noise on the line.
+/// Anything shorter is noise on the line.
 constexpr std::size_t shortest_foreign_frame = 8;
 
 using std::chrono::milliseconds;
@@ -47,11 +47,11 @@ struct Fix {
   std::optional<milliseconds> time_of_day;
 };
 
-/// The three witnesses of one log.
+/// The positions of one log from three sources: the driver, the wire, and gpsd.
 struct Positions {
   std::vector<Fix> ours;
   std::vector<Position> our_places, theirs;
-  std::set<milliseconds> their_times;  ///< of day
+  std::set<milliseconds> their_times;  ///< times of day
   std::vector<WirePosition> wire;
 };
 
@@ -66,7 +66,7 @@ const Position& nearest(const std::vector<Position>& places, const Position& pla
   });
 }
 
-/// Whether another sentence of an epoch in which this place stands says one of `others`.
+/// True if another sentence of an epoch with this place has one of `others`.
 bool has_sibling(const std::vector<WirePosition>& wire, const Position& place,
                  const std::vector<Position>& others) {
   for (const WirePosition& here : wire) {
@@ -81,7 +81,7 @@ bool on_wire(const std::vector<WirePosition>& wire, const Position& place) {
   return std::ranges::any_of(wire, [&](const auto& w) { return same_place(w.place, place); });
 }
 
-/// Whether a sentence of an epoch with this place does not vouch for it.
+/// True if a sentence of an epoch with this place marks it as invalid.
 bool doubted(const std::vector<WirePosition>& wire, const Position& place) {
   for (const WirePosition& here : wire) {
     if (!same_place(here.place, place)) continue;
@@ -117,7 +117,7 @@ Positions read_positions(const Case& one, const GnssLog& log) {
   return p;
 }
 
-/// Why gpsd may not report a position that stands on the wire as we read it.
+/// The reason why gpsd may not report a position that our scan finds on the wire.
 const Rule* reason(const Positions& p, std::size_t i, const GnssLog& log) {
   const Fix& fix = p.ours[i];
   if (!on_wire(p.wire, fix.place)) return nullptr;
@@ -130,7 +130,7 @@ const Rule* reason(const Positions& p, std::size_t i, const GnssLog& log) {
   return log.mixed() ? &mixed_rule : nullptr;
 }
 
-/// Ours in theirs.
+/// Our positions must be in theirs.
 void compare_ours(const std::string& name, const Positions& p, const GnssLog& log, Score& score) {
   for (std::size_t i = 0; i < p.ours.size(); ++i) {
     const Position& ours = p.ours[i].place;
@@ -153,7 +153,7 @@ void compare_ours(const std::string& name, const Positions& p, const GnssLog& lo
   }
 }
 
-/// Theirs in ours, of those that stand on the wire: gpsd reads more protocols than these.
+/// Their positions must be in ours, if they are on the wire: gpsd reads more protocols than these.
 void compare_theirs(const std::string& name, const Positions& p, bool mixed, Score& score) {
   std::vector<Position> seen;
   for (std::size_t i = 0; i < p.theirs.size(); ++i) {

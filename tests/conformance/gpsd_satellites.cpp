@@ -6,18 +6,18 @@
 #include "tests/conformance/comparers.hpp"
 #include "tests/conformance/gpsd_log.hpp"
 
-/// Each NAV-SAT that the GNSS driver publishes must be one of the skies that gpsd reports.
+/// Each NAV-SAT that the GNSS driver publishes must be one of the skies in gpsd's reports.
 namespace drydock::conformance {
 
 namespace {
 
-/// gnssid, svid, C/N0, elevation, azimuth, used: as gpsd prints them.
+/// gnssid, svid, C/N0, elevation, azimuth, used, as gpsd prints them.
 using Satellite = std::tuple<int, int, int, int, int, bool>;
 using Sky = std::set<Satellite>;
 
 int whole(double value) { return static_cast<int>(std::lround(value)); }
 
-/// gpsd leaves out satellites without a direction, and prints 0 where nothing is tracked.
+/// gpsd omits satellites without a direction, and prints 0 if nothing is tracked.
 Sky sky_of(const measurement::GnssSatellites& heard) {
   Sky sky;
   for (const measurement::Satellite& s : heard.satellites) {
@@ -38,7 +38,7 @@ Sky sky_of(const json& report) {
   return sky;
 }
 
-/// The report with most of our satellites.
+/// The report with the most of our satellites.
 const Sky& nearest(const std::set<Sky>& known, const Sky& ours) {
   return *std::ranges::max_element(known, {}, [&](const Sky& sky) {
     return std::ranges::count_if(ours, [&](const Satellite& s) { return sky.contains(s); });

@@ -11,7 +11,7 @@ using namespace drydock::conformance;
 
 constexpr int exit_wrong = 1, exit_usage = 2;
 
-/// The capture under way, on one line of a terminal.
+/// Shows the current capture on one line of a terminal.
 void show(const Corpus& corpus, const fs::path& capture) {
   if (::isatty(STDERR_FILENO))
     fmt::print(stderr, "\r\033[K{}: {}", corpus.name, capture.filename().string());

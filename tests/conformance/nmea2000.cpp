@@ -8,8 +8,8 @@
 #include "tests/conformance/comparers.hpp"
 #include "tests/conformance/reading.hpp"
 
-/// NMEA 2000 against canboat's analyzer (-json -si -nv): the messages of the PGNs that we read, in
-/// the order of each sender.
+/// Compares NMEA 2000 with canboat's analyzer (-json -si -nv): the messages of the PGNs that
+/// Drydock reads, in the order of each sender.
 namespace drydock::conformance {
 
 namespace {
@@ -21,7 +21,7 @@ constexpr Rule dilution_rule{
     "canboat prints a negative dilution",
     "0xFFFF in the signed field of a dilution of precision, which cannot be below zero"};
 
-/// Ours turned to canboat's unit: ours * scale.
+/// Our value in canboat's unit is ours * scale.
 struct Column {
   const char* theirs;
   const char* ours;
@@ -66,7 +66,7 @@ constexpr std::array address_claim{
     Column{"Arbitrary address capable", "arbitrary_address_capable", 1}};
 constexpr std::array request{Column{"PGN", "requested_pgn", 1}};
 
-/// The PGNs that we read.
+/// A PGN that Drydock reads.
 struct Message {
   std::uint32_t pgn;
   std::string_view type;
@@ -88,8 +88,8 @@ const Message* message_of(const json& row) {
   return found == messages.end() ? nullptr : &*found;
 }
 
-/// canboat's value: plain, or beside its name or its bytes; absent where there is none. What it
-/// gives by name alone is not compared.
+/// canboat's value: plain, or beside its name or its bytes. Null if there is none. A value with
+/// only a name is not compared.
 json value_of(const json& fields, const char* key) {
   if (!fields.contains(key)) return nullptr;
   const json& field = fields[key];
@@ -170,8 +170,8 @@ void compare_rows(const std::string& name, std::vector<json> decoded, const std:
     for (const json& left : queue) score.unexpected(name, 0, left.dump());
 }
 
-/// STEM.in and the golden output that gives values in numbers: of STEM*.out the one that says nv,
-/// else STEM.out when it is JSON.
+/// STEM.in and its golden output with values in numbers: the STEM*.out with nv in its name,
+/// otherwise STEM.out if it is JSON.
 fs::path golden_beside(const fs::path& input) {
   const std::string stem = (input.parent_path() / input.stem()).string();
   for (const char* end : {"-json-nv.out", "-nv.out", ".out"})

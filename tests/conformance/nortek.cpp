@@ -3,8 +3,8 @@
 #include "tests/conformance/comparers.hpp"
 #include "tests/conformance/sentence.hpp"
 
-/// Nortek's NMEA sentences, one a line: ok or what is wrong, sentence. Columns: the parser of
-/// pynmea2, whose test suite they come from.
+/// Nortek's NMEA sentences, one on each line: "ok" or the error, then the sentence. The columns are
+/// those of the parser in pynmea2; the sentences come from its test suite.
 namespace drydock::conformance {
 
 namespace {

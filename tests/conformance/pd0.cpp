@@ -6,8 +6,8 @@
 #include "tests/conformance/reading.hpp"
 #include "tests/conformance/scan.hpp"
 
-/// Teledyne PD0 against MHKiT-Python: one row an ensemble, float32, for the first ensembles of each
-/// file or all. The others are counted against a scan of checksums.
+/// Compares Teledyne PD0 with MHKiT-Python: one row for each ensemble, float32, for the first
+/// ensembles of each file or all. A scan of checksums counts the others.
 namespace drydock::conformance {
 
 namespace {
@@ -24,7 +24,7 @@ constexpr Rule pressure_rule{
     "MHKiT unsigned pressure",
     "MHKiT reads the pressure unsigned, so one just below zero comes out as 4294967 dbar"};
 
-/// A scalar of a row, and ours turned to its unit: ours * scale + offset.
+/// A scalar of a row. Our value in its unit is ours * scale + offset.
 struct Column {
   const char* theirs;
   const char* ours;
@@ -40,7 +40,7 @@ constexpr std::array ensemble_columns{
     Column{"salinity", "salinity_ppt", 1, 0, 1},
 };
 
-/// One value a beam; `bad` is what MHKiT keeps where there is none.
+/// One value for each beam. MHKiT uses `bad` for a missing value.
 struct BeamColumn {
   const char* theirs;
   const char* ours;
@@ -65,10 +65,10 @@ json marked(const json& value, double bad) {
 
 Step float32(double resolution) { return {resolution, float32_rounding}; }
 
-/// Steps of a float32 of this size.
+/// The step of a float32 of this size.
 Step float32_of(double value) { return {value * float32_rounding}; }
 
-/// The MSB of our 24-bit ensemble number is what MHKiT counts too little.
+/// MHKiT's number is too small by the MSB of the 24-bit ensemble number.
 bool same_ensemble(const json& ours, const json& theirs) {
   const auto number = ours["ensemble"].get<std::uint32_t>();
   return theirs == number || theirs == number - (number >> 16);
@@ -96,7 +96,7 @@ void compare_pressure(const json& ours, const json& row, Comparison& c) {
   c.number("pressure", pressure, row["pressure"], float32(0.001));
 }
 
-/// The codec's message against the row.
+/// Compares the codec's message with the row.
 void compare_message(const json& ours, const json& row, double declination, Comparison& c) {
   if (row["number"] != ours["ensemble"]) c.by_rule(number_rule);
   if (row.contains("heading")) compare_heading(ours, row, declination, c);
@@ -116,7 +116,8 @@ void compare_message(const json& ours, const json& row, double declination, Comp
   }
 }
 
-/// The driver's measurement against the row: ranges, and the speed, which no axes change.
+/// Compares the driver's measurement with the row: ranges, and the speed, which is equal in all
+/// axes.
 void compare_measurement(const BottomVelocity& driven, const json& ours, const json& row,
                          Comparison& c) {
   if (ours["faces_up"] == true || !row.contains("vel_bt")) return;

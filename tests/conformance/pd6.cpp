@@ -4,8 +4,8 @@
 #include "tests/conformance/comparers.hpp"
 #include "tests/conformance/sentence.hpp"
 
-/// PD6 lines, which have no checksum: each known line must give one message with the values of its
-/// columns (Pathfinder DVL Guide, table 50). mm/s, m, degrees.
+/// PD6 lines have no checksum. Each known line must give one message with the values of its columns
+/// (Pathfinder DVL Guide, table 50). mm/s, m, degrees.
 namespace drydock::conformance {
 
 namespace {

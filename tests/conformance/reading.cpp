@@ -22,7 +22,7 @@ struct Close {
 };
 using File = std::unique_ptr<std::FILE, Close>;
 
-/// A file that lives in memory.
+/// A file in memory.
 class Page {
  public:
   Page() : file_(open_memstream(&text_, &size_)) {}
@@ -44,7 +44,7 @@ class Page {
   File file_;
 };
 
-/// Hears what a driver publishes.
+/// Receives the measurements of a driver.
 struct Ear final : device::Output {
   void publish(const measurement::Measurement& m) override { heard.push_back(m); }
   void send(wire::Bytes) override {}
@@ -52,7 +52,7 @@ struct Ear final : device::Output {
   std::vector<measurement::Measurement> heard;
 };
 
-/// "... 12 frames, 9 messages, 1 bad checksums, ...", perhaps behind the format.
+/// Reads "... 12 frames, 9 messages, 1 bad checksums, ...". The format may come before it.
 void read_totals(std::string_view totals, Decoded& decoded) {
   const std::string text(totals);
   static const std::regex line(R"((\d+) frames, \d+ messages, (\d+) bad checksums)");
@@ -102,7 +102,7 @@ std::vector<measurement::Measurement> drive(device::Kind kind, std::string_view 
     now += std::chrono::milliseconds{1};
     (*driver)->receive(as_bytes(bytes.substr(0, block)), now, ear);
   }
-  (*driver)->tick(now + std::chrono::seconds{10}, ear);  // the line has gone quiet
+  (*driver)->tick(now + std::chrono::seconds{10}, ear);  // the line is quiet now
   return std::move(ear.heard);
 }
 

@@ -8,7 +8,7 @@ namespace drydock::conformance {
 
 namespace {
 
-/// The field that comes nearest to its resolution, or goes furthest beyond.
+/// The field with the largest error relative to its resolution.
 std::string worst_field(const Score& score) {
   const auto worst = std::ranges::max_element(score.fields(), {}, [](const auto& entry) {
     return entry.second.largest / entry.second.resolution;

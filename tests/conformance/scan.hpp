@@ -4,17 +4,17 @@
 #include <string_view>
 #include <vector>
 
-/// What stands in a capture, told by sync, length and checksum alone: simpler than the decoders
-/// and apart from them, so that neither hides the other's loss.
+/// Finds the frames in a capture by sync, length and checksum alone. These scanners are simpler
+/// than the decoders and independent of them, so that neither can hide losses of the other.
 namespace drydock::conformance {
 
-/// Frames 7F 7F with their length and a good sum.
+/// Frames 7F 7F with their length and a right sum.
 std::vector<std::string_view> scan_pd0(std::string_view bytes);
 
-/// Payload position B5 62 class id, good Fletcher sums; whole frames.
+/// Frames B5 62 class id with right Fletcher sums, complete.
 std::vector<std::string_view> scan_ubx(std::string_view bytes);
 
-/// `$....*hh` of printable characters with a good XOR, without the checksum.
+/// `$....*hh` of printable characters with a right XOR, without the checksum.
 std::vector<std::string_view> scan_nmea(std::string_view bytes);
 
 constexpr unsigned octet(std::string_view bytes, std::size_t at) {

@@ -16,7 +16,7 @@ namespace {
 constexpr double position_step_deg = 1e-7;
 
 /// Columns of a sentence: time, latitude (its hemisphere, longitude and hemisphere follow), and the
-/// one that vouches, with the letters that do.
+/// column for validity with the letters that mean valid.
 struct Columns {
   std::string_view formatter;
   std::size_t time, latitude, vouch;
@@ -29,7 +29,7 @@ constexpr std::array sentences{
     Columns{"GLL", 5, 1, 6, "A"},
 };
 
-/// ddmm.mmmm and a hemisphere, south and west negative.
+/// ddmm.mmmm and a hemisphere. South and west are negative.
 std::optional<double> angle_deg(std::string_view text, std::string_view hemisphere) {
   double sent = 0;
   const auto end = std::from_chars(text.data(), text.data() + text.size(), sent).ptr;
@@ -53,7 +53,7 @@ std::optional<WirePosition> read_sentence(std::string_view sentence) {
   return {};
 }
 
-/// A GSA without a fix. It carries no time: its epoch is that of the sentence before or behind it.
+/// A GSA without a fix. It has no time: its epoch is that of the sentence before or after it.
 bool says_no_fix(std::string_view sentence) {
   const auto fields = split(sentence, ',');
   return fields.size() > 2 && fields[0].size() == 6 && fields[0].ends_with("GSA") &&

@@ -7,12 +7,13 @@
 #include <string_view>
 #include <vector>
 
-/// How a corpus was read: counts, errors against the wire's resolution, every difference.
+/// The result of reading a corpus: counts, errors relative to the wire's resolution, every
+/// difference.
 namespace drydock::conformance {
 
 using nlohmann::json;
 
-/// How near is right: half a step of the wire's field, and what the reference itself rounds away,
+/// The permitted error: half a step of the wire's field, and the rounding of the reference itself,
 /// relative to its value.
 struct Step {
   double resolution = 1;
@@ -20,14 +21,14 @@ struct Step {
 };
 constexpr double float32_rounding = 1.2e-7;
 
-/// A known defect or convention of a reference: a condition on the data, never a file.
+/// A known defect or convention of a reference. It is a condition on the data, never on a file.
 struct Rule {
   std::string_view name, reason;
 };
 
 struct Difference {
   std::string file;
-  std::size_t message = 0;  ///< from 1, as the reference counts
+  std::size_t message = 0;  ///< from 1, as in the reference
   std::string field, ours, theirs;
 };
 
@@ -36,8 +37,8 @@ struct FieldError {
   double resolution = 1;
 };
 
-/// One message of a capture against what another program read in it. null is "no value", and only
-/// null equals it.
+/// Compares one message of a capture with the values of another program. null means "no value", and
+/// only null equals it.
 class Comparison {
  public:
   Comparison(std::string file, std::size_t message) : file_(std::move(file)), message_(message) {}
@@ -58,21 +59,21 @@ class Comparison {
   std::vector<Rule> rules_;
 };
 
-/// One corpus. expected = matched + missed + wrong, less the messages that nobody expected, which
-/// are wrong too.
+/// The score of one corpus. expected = matched + missed + wrong, without the messages that nobody
+/// expected; these count as wrong too.
 class Score {
  public:
   struct Counts {
     std::uint64_t captures = 0, expected = 0, matched = 0, missed = 0, wrong = 0;
-    std::uint64_t by_value = 0;  ///< of the matched: compared field by field, not only counted
-    std::uint64_t by_rule = 0;   ///< of the matched: a rule explains where the reference differs
+    std::uint64_t by_value = 0;  ///< part of matched: compared field by field, not only counted
+    std::uint64_t by_rule = 0;   ///< part of matched: a rule explains the difference
   };
 
   void add(const Comparison& comparison);  ///< one expected message that was decoded
-  void matched(std::uint64_t count);       ///< decoded, and the reference has no values for them
+  void matched(std::uint64_t count);       ///< they were decoded, but the reference has no values
   void missed(const std::string& file, std::size_t message, std::string_view theirs);
   void unexpected(const std::string& file, std::size_t message, std::string_view ours);
-  void excused(const Rule& rule);  ///< expected, and not to be had for a reason of the reference
+  void excused(const Rule& rule);  ///< expected, but impossible for a reason in the reference
 
   void capture() { ++counts_.captures; }
   void note(std::string text) { notes_.push_back(std::move(text)); }

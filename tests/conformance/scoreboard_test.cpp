@@ -7,7 +7,7 @@
 
 #include "tests/conformance/report.hpp"
 
-/// The scoreboard must be able to fail: small made-up folders, each with one thing wrong.
+/// The scoreboard must be able to fail. The tests make small folders, each with one error.
 namespace drydock::conformance {
 namespace {
 
@@ -39,7 +39,7 @@ class Scoreboard : public testing::Test {
   fs::path root_;
 };
 
-// From canboat's candumpSample3 and what its analyzer reads in them.
+// From canboat's candumpSample3, with the values of its analyzer.
 const std::string depth_frames =
     "(1502984866.422) can0 0DF50B74#00D0000000FFFFFF\n"
     "(1502984867.422) can0 0DF50B74#01D1000000FFFFFF\n";

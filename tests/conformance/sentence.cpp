@@ -8,7 +8,7 @@ namespace drydock::conformance {
 
 namespace {
 
-/// The number, and the weight of its last digit; hexadecimal with 0x.
+/// A number, and the weight of its last digit. Hexadecimal if it begins with 0x.
 struct Number {
   double value = 0, last_digit = 1;
 };

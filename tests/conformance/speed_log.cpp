@@ -3,8 +3,8 @@
 #include "tests/conformance/comparers.hpp"
 #include "tests/conformance/sentence.hpp"
 
-/// Speed log sentences, a table with the columns checksum (ok, BAD), sentence and others. Columns
-/// of the sentences: NMEA 0183.
+/// Speed log sentences in a table with the columns checksum (ok, BAD), sentence and others. The
+/// columns of the sentences follow NMEA 0183.
 namespace drydock::conformance {
 
 namespace {
@@ -39,7 +39,7 @@ constexpr std::array water_stern{Slot{"water_stern_transverse_mps", -1, 7, knot_
 constexpr std::array ground_stern{
     Slot{"ground_stern_transverse_mps", -1, 9, knot_mps, 0, "", true}};
 
-/// What a VBW says in four parts, each with its own status.
+/// A VBW has four parts, each with its own status.
 constexpr std::array parts_of_vbw{
     Layout{"VBW", water_axes, 3, "A"},
     Layout{"VBW", ground_axes, 6, "A"},
@@ -47,7 +47,7 @@ constexpr std::array parts_of_vbw{
     Layout{"VBW", ground_stern, 10, "A"},
 };
 
-/// Knots count before km/h: a common electromagnetic log sends a constant 0 km/h.
+/// Knots take precedence over km/h: a common electromagnetic log always sends 0 km/h.
 std::vector<Layout> layouts_of(const std::vector<std::string>& fields) {
   const std::string_view formatter = std::string_view(fields[0]).substr(2);
   const bool knots = fields.size() > 5 && !fields[5].empty();
@@ -58,7 +58,7 @@ std::vector<Layout> layouts_of(const std::vector<std::string>& fields) {
   return {};
 }
 
-/// What the driver makes of the sentence: speed through the water, from no other field.
+/// The driver's measurement from the sentence: speed through the water, from no other field.
 void compare_measurement(const std::string& sentence, const json& message, Comparison& c) {
   const auto heard =
       all_of<measurement::WaterSpeed>(drive(device::Kind::emlog, "nmea0183", sentence + "\r\n"));

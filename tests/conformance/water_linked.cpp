@@ -3,8 +3,8 @@
 #include "tests/conformance/comparers.hpp"
 #include "tests/conformance/sentence.hpp"
 
-/// Water Linked serial sentences, one a line: crc_ok or crc_bad, source, sentence, note. Columns:
-/// Water Linked, DVL serial protocol 2.7.
+/// Water Linked serial sentences, one on each line: crc_ok or crc_bad, source, sentence, note. The
+/// columns follow Water Linked, DVL serial protocol 2.7.
 namespace drydock::conformance {
 
 namespace {

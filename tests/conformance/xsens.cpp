@@ -4,8 +4,8 @@
 #include "tests/conformance/comparers.hpp"
 #include "tests/conformance/frame_vectors.hpp"
 
-/// Xsens frames as vectors: identifier, payload, and in words what the manual says they mean. The
-/// values are the payload by the manual's layout, and beside it the numbers of the words.
+/// Xsens frames as vectors: identifier, payload, and the meaning from the manual in words. Our
+/// values must equal those of the payload by the manual's layout, and the numbers in the words.
 namespace drydock::conformance {
 
 namespace {
@@ -42,7 +42,7 @@ const std::array data_layouts{
                1},
 };
 
-/// Two's complement where there are several; a lone number is unsigned.
+/// Several numbers are in two's complement; a single number is unsigned.
 double number_at(const std::vector<std::uint8_t>& data, const DataLayout& layout, std::size_t i) {
   std::int64_t value = 0;
   for (std::size_t b = 0; b < layout.size; ++b) value = value << 8 | data.at(i * layout.size + b);

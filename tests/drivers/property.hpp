@@ -7,7 +7,7 @@
 namespace drydock {
 
 /// A property that draws its values inside. RapidCheck builds some thirty templates for each type
-/// it is given; typed suites hand it this one.
+/// of property. All typed suites use this one type.
 inline bool holds(const std::function<void()>& property) { return rc::check(property); }
 
 }  // namespace drydock

@@ -5,7 +5,7 @@
 
 using namespace drydock::wire;
 
-/// Whatever is read prints to a line that reads as the same frame.
+/// Every line that can be parsed prints to a line with the same frame.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const auto line = candump::parse_line({reinterpret_cast<const char*>(data), size});
   if (!line) return 0;

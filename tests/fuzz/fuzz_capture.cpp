@@ -39,8 +39,8 @@ Outcome read(wire::Bytes bytes, std::size_t piece) {
 
 }  // namespace
 
-/// A capture of whatever format its content shows gives only frames that there can be, and the same
-/// whole and in pieces; the last byte says how long those are.
+/// A capture of any recognised format gives only valid frames. It gives the same frames as a whole
+/// and in pieces. The last byte is the length of the pieces.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const wire::Bytes bytes{data, size};
   if (bytes.empty()) return 0;

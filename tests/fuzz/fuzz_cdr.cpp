@@ -34,8 +34,8 @@ class OneTopic final : public bus::CdrSink {
 
 }  // namespace
 
-/// Any bytes as the message of a kind of device: nothing, or a measurement that goes out and comes
-/// back as the same bytes, so nothing in it was made up.
+/// Decodes any bytes as the message of a kind of device. The result is nothing, or a measurement.
+/// Encoding that measurement gives the same bytes, so no part of it was invented.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   if (size == 0) return 0;
   const auto kind = static_cast<bus::Kind>(data[0] % 6);

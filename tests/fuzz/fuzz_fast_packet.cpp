@@ -5,7 +5,7 @@
 
 using namespace drydock::wire;
 
-/// Every 10 bytes are a frame: source, length, data. All of them belong to fast packets.
+/// Every 10 bytes are a frame: source, length, data. All frames belong to fast packets.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   constexpr std::size_t step = 10;
   FastPacketAssembler assembler;

@@ -13,7 +13,7 @@
 namespace drydock::wire::fuzz {
 
 /// Every 14 bytes are a frame: identifier (its top bit: 29 bits), length, flags, data. Feeds them
-/// to a decoder, every field of every message is no number or a finite one; the counters agree.
+/// to a decoder. Every number in the messages must be finite, and the counters must agree.
 template <class P>
 void feed_frames(Bytes input) {
   constexpr std::size_t step = 14;

@@ -6,8 +6,8 @@
 
 using namespace drydock::wire;
 
-/// Every 11 bytes are a packet of the transport protocol heard by a node at address 1 that both
-/// listens and sends: kind and node, length, 8 bytes of data, time since the last.
+/// Every 11 bytes are a packet of the transport protocol: kind and node, length, 8 bytes of data,
+/// time since the last packet. A node at address 1 receives them, and also sends.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   constexpr std::size_t step = 11;
   static const std::array<std::uint8_t, 100> message{};

@@ -8,7 +8,7 @@ using namespace drydock;
 
 namespace {
 
-/// Counts, and checks that every value lies inside the message.
+/// Counts the values, and checks that each lies inside the message.
 struct Inside {
   std::size_t size, values = 0;
   int depth = 0;
@@ -25,7 +25,7 @@ struct Inside {
 
 }  // namespace
 
-/// Any text as the definition of any bytes, which come behind the text's first 0.
+/// Any text as the definition of any bytes. The bytes follow the text's first 0.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const auto* end = std::find(data, data + size, 0);
   const std::string_view definition{reinterpret_cast<const char*>(data),

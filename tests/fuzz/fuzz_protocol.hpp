@@ -13,8 +13,8 @@ inline void require(bool holds) {
   if (!holds) std::abort();
 }
 
-/// Feeds the input as pieces (its first byte says how long they are) and decodes what comes out;
-/// every field of every message is no number or a finite one.
+/// Feeds the input in pieces (its first byte is their length) and decodes the frames. Every number
+/// in the messages must be finite.
 template <class P>
 void feed(Bytes input) {
   if (input.empty()) return;

@@ -7,7 +7,7 @@
 
 using namespace drydock;
 
-/// Any text is refused with a line or gives a bed: with a depth everywhere, and beams that end on
+/// Any text is refused with a line or gives a bed. The bed has a depth everywhere, and beams end on
 /// it.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   auto raster = ocean::read_raster({reinterpret_cast<const char*>(data), size});

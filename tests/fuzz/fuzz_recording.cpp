@@ -31,8 +31,8 @@ struct Ignore {
 
 }  // namespace
 
-/// Any bytes as a recording: its rig's drivers hear what is in it, messages are read by their
-/// definitions, and it ends.
+/// Any bytes as a recording: the drivers of its rig receive its data, its messages are read by
+/// their definitions, and the reading ends.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   auto recording = record::Recording::open(
       std::make_unique<std::istringstream>(std::string(reinterpret_cast<const char*>(data), size)),

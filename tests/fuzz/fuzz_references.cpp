@@ -2,7 +2,8 @@
 
 #include "hil/replay/reference/references.hpp"
 
-/// Any text is refused with a line, or is references that are the same written and read again.
+/// Any text is refused with a line, or gives references. Writing and reading them again gives the
+/// same.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace drydock::replay;
   const auto read = replay::parse_references({reinterpret_cast<const char*>(data), size});

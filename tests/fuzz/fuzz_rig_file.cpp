@@ -12,7 +12,7 @@ void require(bool holds) {
   if (!holds) std::abort();
 }
 
-/// Refused with lines that say where and what.
+/// True if it is refused, with lines that say where and what.
 template <class Value>
 bool refused_in_words(const Loaded<Value>& loaded) {
   if (loaded) return false;
@@ -24,7 +24,7 @@ bool refused_in_words(const Loaded<Value>& loaded) {
 
 }  // namespace
 
-/// Any text as each kind of configuration file: values that can be worked with, or problems.
+/// Any text as each kind of configuration file gives usable values, or problems.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view text{reinterpret_cast<const char*>(data), size};
   const std::string path = "/nowhere/file.toml";

@@ -9,7 +9,8 @@
 
 using namespace drydock;
 
-/// Any text is refused with a line or gives records; those that are chosen have a place in space.
+/// Any text is refused with a line or gives records. Every selected record gives a position in
+/// space.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const auto file = sky::read_navigation({reinterpret_cast<const char*>(data), size});
   if (!file) {

@@ -4,7 +4,7 @@
 
 using namespace drydock::wire;
 
-/// Whatever scan calls a frame, decode understands.
+/// decode understands every frame that scan finds.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   Framer<Slcan::max_frame> framer;
   framer.feed({data, size}, Slcan::scan, [](Bytes frame, std::size_t) {

@@ -7,7 +7,7 @@
 
 namespace drydock::wire::fuzz {
 
-/// A field may be empty, but NaN and infinity never come out of a codec as a value.
+/// A field may be empty, but a codec never returns NaN or infinity as a value.
 template <class Value>
 void require_finite(const Value& value) {
   if constexpr (std::floating_point<Value>) {

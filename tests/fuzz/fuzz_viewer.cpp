@@ -18,7 +18,7 @@ void require(bool holds) {
 
 std::string text_of(boost::beast::string_view view) { return {view.data(), view.size()}; }
 
-/// As the server reads a request; who may not look must not be let in.
+/// Reads a request as the server does. A client without permission must be refused.
 void as_http(const std::uint8_t* data, std::size_t size) {
   http::request_parser<http::string_body> parser;
   boost::system::error_code error;
@@ -40,7 +40,7 @@ void as_http(const std::uint8_t* data, std::size_t size) {
   require(path_of(target).size() <= target.size());
 }
 
-/// Of a call for a fault; what is an order for the bench must be whole lines of JSON.
+/// A request for a fault. An order for the bench must consist of complete lines of JSON.
 void as_fault(std::string_view request) {
   for (const auto& asked : {drydock::control::order_of_set_request(request),
                             drydock::control::order_of_clear_request(request)}) {
@@ -64,8 +64,8 @@ void as_call(std::string_view message) {
 
 }  // namespace
 
-/// What comes through the port of a live page: the text of a viewer, its call of a service, the
-/// head of an HTTP request.
+/// Input on the port of a live page: the text of a viewer, its call of a service, the head of an
+/// HTTP request.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const auto request = parse_request({reinterpret_cast<const char*>(data), size});
   if (const auto* refused = std::get_if<Refused>(&request)) {

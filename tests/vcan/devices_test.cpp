@@ -1,4 +1,4 @@
-// Drivers and emulated devices on a real SocketCAN interface, with can-utils as the other party.
+// Drivers and emulated devices on a real SocketCAN interface, with can-utils at the other end.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -41,7 +41,7 @@ class Bench : public ::testing::Test, public device::Listener {
     drivers_->start();
   }
 
-  /// Runs until that many measurements of the kind came, five seconds at most.
+  /// Runs until `count` measurements of the kind have come, at most five seconds.
   template <class Kind>
   std::vector<Kind> take(std::size_t count) {
     std::vector<Kind> taken;
@@ -102,7 +102,8 @@ TEST_F(Bench, CandumpSeesTheEmulatedDevicesAndTheDriversGetTheTruth) {
   // At rest at latitude 0.6 rad, 20 m down: Somigliana gravity 9.7968 m/s2.
   EXPECT_NEAR(samples.back().specific_force.z(), -9.7968, 0.001);
   EXPECT_NEAR(samples.back().angular_rate.norm(), 7.2921e-5, 1e-6);
-  // Echo sounder messages carry only the height over the bed; the pressure ones the depth.
+  // Echo sounder messages contain only the height over the bed; pressure messages contain the
+  // depth.
   const auto depth_of = std::find_if(depths.begin(), depths.end(),
                                      [](const DepthSample& d) { return d.depth_m.has_value(); });
   ASSERT_NE(depth_of, depths.end());
@@ -121,7 +122,7 @@ TEST_F(Bench, TheDriverReadsWhatCanplayerPlaysBackFromARealSensor) {
                          interface() + "=can0"}),
             0);
   const auto samples = take<ImuSample>(1);
-  // Values as the vendor's own script decodes these frames (fixtures/aceinna/NOTE.md).
+  // The vendor's own script decodes these frames to the same values (fixtures/aceinna/NOTE.md).
   ASSERT_EQ(samples.size(), 1u);
   EXPECT_NEAR(samples[0].specific_force.norm(), std::sqrt(9.75 * 9.75 + 0.85 * 0.85 + 0.01), 1e-9);
   EXPECT_NEAR(samples[0].angular_rate.x() * 180 / M_PI, 9.5703125, 1e-9);

@@ -15,7 +15,7 @@
 #include "drivers/wire/j1939/j1939_transport_sender.hpp"
 #include "tests/vcan/process.hpp"
 
-/// Peer: Linux's own J1939 stack (can-j1939) and can-utils' j1939acd on the same bus.
+/// Tests against Linux's own J1939 stack (can-j1939) and can-utils' j1939acd on the same bus.
 namespace drydock::wire::j1939 {
 namespace {
 
@@ -34,7 +34,7 @@ Data counting(std::size_t size) {
   return data;
 }
 
-/// A socket bound to the interface; closed when it goes.
+/// A socket that is bound to the interface. The destructor closes it.
 struct Socket {
   Socket(int type, int protocol) : fd(::socket(PF_CAN, type | SOCK_NONBLOCK, protocol)) {}
   Socket(const Socket&) = delete;
@@ -48,7 +48,7 @@ struct Socket {
   const int fd;
 };
 
-/// Our end of the bus: bare frames.
+/// Our end of the bus: raw frames.
 struct OurBus {
   Socket socket{SOCK_RAW, CAN_RAW};
 
@@ -66,7 +66,7 @@ struct OurBus {
   }
 };
 
-/// Hands on frames and time until `done`, at most ten seconds.
+/// Passes on frames and time until `done` is true, at most ten seconds.
 void run(const OurBus& bus, const std::function<void(const CanFrame&)>& hear,
          const std::function<void()>& tick, const std::function<bool()>& done) {
   for (const Time end = now() + 10s; !done() && now() < end;) {
@@ -90,7 +90,7 @@ class KernelJ1939 : public ::testing::Test {
     ASSERT_EQ(::setsockopt(kernel.fd, SOL_SOCKET, SO_BROADCAST, &yes, sizeof yes), 0);
   }
 
-  /// The kernel sends `data` to that address; our receiver's whole message.
+  /// The kernel sends `data` to that address. Returns the message that our receiver assembles.
   Data from_kernel(std::uint8_t to, const Data& data) {
     sockaddr_can address{};
     address.can_family = AF_CAN;
@@ -117,7 +117,8 @@ class KernelJ1939 : public ::testing::Test {
     return got;
   }
 
-  /// Our sender sends `data` to that address; what the kernel's socket then holds.
+  /// Our sender sends `data` to that address. Returns the message that the kernel's socket
+  /// receives.
   Data to_kernel(std::uint8_t to, const Data& data) {
     TransportSender sender;
     bus.send(sender.send({6, test_pgn, to, our_address}, data, now()));
@@ -165,7 +166,7 @@ TEST_F(KernelJ1939, TheKernelPutsOurConnectionsTogetherUpToTheLongest) {
   }
 }
 
-/// j1939acd holds 0x80 with a NAME that may move; then we want that address.
+/// j1939acd holds 0x80 with a NAME that may move; then our node claims that address.
 std::optional<std::uint8_t> contend(const OurBus& bus, std::uint64_t our_name) {
   constexpr std::uint64_t its_name = 0x8000000000001000;
   vcan::Process daemon(

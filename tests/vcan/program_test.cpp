@@ -16,7 +16,8 @@ using ::testing::HasSubstr;
 
 const std::string dives = DRYDOCK_SOURCE_DIR "/fixtures/dives/";
 
-/// `ID#DATA` of the lines of a candump log, in order; only those that end with `way`, if not "".
+/// `ID#DATA` from the lines of a candump log, in order. If `way` is not "", only lines that end
+/// with it.
 std::vector<std::string> frames_of(std::istream&& log, const std::string& way = "") {
   std::vector<std::string> frames;
   for (std::string line; std::getline(log, line);) {
@@ -38,7 +39,7 @@ class ProgramOnVcan : public ::testing::Test {
 
   std::string file(const std::string& name) const { return folder_ / name; }
 
-  /// What the links of a recording received, as `drydock export` has it.
+  /// The data that the links of a recording received, from `drydock export`.
   std::vector<std::string> received_in(const std::string& recording) const {
     EXPECT_EQ(run_program({DRYDOCK_PROGRAM, "export", recording, "--to", "candump", "--overwrite",
                            "-o", file("export.log")}),
@@ -71,7 +72,7 @@ TEST_F(ProgramOnVcan, ReplayOntoItIsHeardByCandumpFrameByFrame) {
 TEST_F(ProgramOnVcan, ProbeNamesTheSensorOfAReplay) {
   Process replay(replay_onto_the_bus("rudder-swings", "2"));
   Process probe({DRYDOCK_PROGRAM, "probe", "socketcan:" + interface(), "--for", "8s", "--json"});
-  // Everything it has to say is one object, at its end.
+  // Its whole output is one object, at its end.
   std::string said;
   for (int tries = 0; tries < 6 && said.find("\n") == std::string::npos; ++tries)
     said = probe.output_until("\n");

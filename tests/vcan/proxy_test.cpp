@@ -1,4 +1,4 @@
-// A proxied bus whose drivers' side is an interface of the kernel: error frames that a fault makes
+// A proxied bus whose drivers' side is an interface of the kernel. The error frames of a fault
 // reach every socket that asked for them.
 #include "hil/proxy/proxy.hpp"
 

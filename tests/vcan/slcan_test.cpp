@@ -4,7 +4,7 @@
 #include "tests/drivers/link/running.hpp"
 #include "tests/vcan/process.hpp"
 
-/// Our emulated slcan adapter as slcand of can-utils and the kernel's slcan driver see it.
+/// Our emulated slcan adapter with slcand of can-utils and the kernel's slcan driver.
 namespace drydock::link::testing {
 namespace {
 

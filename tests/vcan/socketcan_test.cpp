@@ -13,7 +13,7 @@
 #include "tests/drivers/link/running.hpp"
 #include "tests/vcan/process.hpp"
 
-/// Our SocketCAN link beside the kernel and can-utils.
+/// Our SocketCAN link with the kernel and can-utils.
 namespace drydock::link::testing {
 namespace {
 
@@ -80,7 +80,7 @@ TEST_F(SocketCan, CansendArrivesWithTheKernelsStamp) {
   ASSERT_TRUE(first);
   EXPECT_EQ(first->frame, frame(0x09F11201, true, {1, 2, 3, 4, 5, 6, 7, 8}));
   EXPECT_FALSE(first->own);
-  // Read after cansend had ended: a stamp before that is the kernel's, not ours.
+  // The frame is read after cansend has ended. A stamp before that time is the kernel's, not ours.
   EXPECT_GE(first->at, before);
   EXPECT_LE(first->at, after);
   const auto second = run(io, bus->read());
@@ -107,8 +107,8 @@ TEST_F(SocketCan, CanplayerReplaysALogIntoTheLink) {
   EXPECT_EQ(player.wait(), 0);
 }
 
-/// What canerrsim of can-utils sends: a frame with the error flag, which every socket with an
-/// error filter receives as if the controller had reported it.
+/// Sends the same as canerrsim of can-utils: a frame with the error flag. Every socket with an
+/// error filter receives it as if the controller had reported it.
 void send_error(const std::string& interface, canid_t error_class, std::uint8_t controller) {
   const Descriptor socket(::socket(PF_CAN, SOCK_RAW, CAN_RAW));
   sockaddr_can address{};
@@ -180,7 +180,7 @@ TEST_F(SocketCan, FramesLostInTheQueueAreCounted) {
   }
   ASSERT_LT(received, sent) << "the queue was never full";
 
-  // The kernel tells the count with the next frame that found room.
+  // The kernel reports the count with the next frame that fits into the queue.
   ASSERT_TRUE(run(io, sender->write(frame(0x7FF, false, {}))));
   ASSERT_TRUE(run_until(io, [&] { return reading->outcome.has_value(); }));
   EXPECT_EQ(reading->outcome->value().frame.id, 0x7FFU);

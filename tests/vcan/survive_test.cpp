@@ -1,5 +1,5 @@
-// What drivers meet on an interface of the kernel: bus-off, an interface that goes down, a clock
-// set.
+// Events for drivers on an interface of the kernel: bus-off, an interface that goes down, a change
+// of the clock.
 #include <sys/time.h>
 
 #include <fstream>
@@ -53,8 +53,8 @@ void step_the_clock(long seconds) {
   ASSERT_EQ(::settimeofday(&now, nullptr), 0);
 }
 
-// Only where the clock is nobody else's: in user-mode Linux. An hour back would leave every
-// deadline an hour away; an hour on would end every wait at once.
+// It runs only in user-mode Linux, where nobody else uses the clock. Without a correction, an hour
+// back would move every deadline an hour away, and an hour forward would end every wait at once.
 TEST_F(OnVcan, AClockSetBackOrOnLeavesSilenceAndBackOffAsLongAsTheyAre) {
   if (!may_set_the_clock()) GTEST_SKIP() << "the clock of this machine is left alone";
   Bench bench(bus_depth(link_));

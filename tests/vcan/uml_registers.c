@@ -1,8 +1,8 @@
-/* user-mode Linux 6.1 gives the extended registers of a guest process back to the host as the 2696
- * bytes that they have up to AVX-512. A host whose processor knows more (AMX: 11008 bytes) takes
- * only the whole of its own state and answers EFAULT, at which the guest's first process dies.
- * Preloaded into linux.uml, this fills the rest with zeros: the state of registers that were never
- * used. */
+/* user-mode Linux 6.1 gives the extended registers of a guest process back to the host as 2696
+ * bytes, their size up to AVX-512. A host whose processor has more (AMX: 11008 bytes) accepts only
+ * its own complete state and otherwise answers EFAULT. Then the guest's first process dies. This
+ * library is preloaded into linux.uml and fills the rest with zeros: the state of registers that
+ * were never used. */
 #include <cpuid.h>
 #include <dlfcn.h>
 #include <elf.h>

@@ -1,14 +1,15 @@
 #!/bin/sh
-# Runs a command where a CAN interface is, and names that interface to it in DRYDOCK_CAN:
-#   1. the interface that DRYDOCK_CAN names already (real hardware, two nodes on a terminated bus);
-#   2. vcan0 of this machine's kernel, made if we may;
-#   3. vcan0 of a user-mode Linux kernel, booted around the command with this machine's files as its
-#      root (Debian: user-mode-linux, busybox-static, iproute2);
-#   4. nowhere: exit status 77 (skipped), or 1 where CI=true.
+# Runs a command with a CAN interface and gives it the interface's name in DRYDOCK_CAN:
+#  1. the interface that DRYDOCK_CAN names already (real hardware, two nodes on a terminated bus);
+#  2. vcan0 of this machine's kernel, made if the process may;
+#  3. vcan0 of a user-mode Linux kernel that is booted around the command, with this machine's
+#     files as its root (Debian: user-mode-linux, busybox-static, iproute2);
+#  4. none: exit status 77 (skipped), or 1 if CI=true.
 # usage: with-vcan.sh COMMAND [ARGUMENT...]     exit status of the command
-#        with-vcan.sh --level                   says which of the four it would be
-# DRYDOCK_VCAN_TIMEOUT: seconds that user-mode Linux and the command may take together (110).
-# DRYDOCK_UML_REGISTERS: the library made of uml_registers.c, which newer processors need (that of build/release).
+#        with-vcan.sh --level                   prints which of the four it would use
+# DRYDOCK_VCAN_TIMEOUT: time limit of user-mode Linux and the command together, seconds (110).
+# DRYDOCK_UML_REGISTERS: the library built from uml_registers.c, for newer processors (default: that
+# of build/release).
 set -eu
 
 can_type=280 # ARPHRD_CAN
@@ -44,10 +45,11 @@ find_place() {
   fi
 }
 
-# One word that a shell reads back as the argument.
+# Quotes an argument as one word of a shell.
 quoted() { printf "'%s' " "$(printf %s "$1" | sed "s/'/'\\\\''/g")"; }
 
-# The guest's first process: sets up the machine, runs the command, leaves its exit status in a file.
+# The guest's first process: sets up the machine, runs the command, and writes its exit status to a
+# file.
 write_init() {
   modules=$(uml_modules)
   cat >"$work/init" <<INIT
@@ -81,7 +83,8 @@ INIT
   chmod +x "$work/init"
 }
 
-# The guest's memory is a sparse file: in /dev/shm where that has room, else beside the rest.
+# The guest's memory is a sparse file. It is in /dev/shm if there is room, otherwise in the work
+# folder.
 memory_folder() {
   free_kib=$(df -Pk /dev/shm 2>/dev/null | awk 'NR == 2 { print $4 }')
   if [ "${free_kib:-0}" -gt 1500000 ] && [ -w /dev/shm ]; then echo /dev/shm; else echo "$work"; fi

@@ -11,8 +11,9 @@
 
 namespace drydock::bus {
 
-/// Messages as the bytes that DDS would send: encapsulation header 00 01 00 00 (plain CDR, little
-/// endian), then XCDR1. Keeps its memory: allocates no more once it has seen the largest message.
+/// Encodes messages as the bytes that DDS would send: encapsulation header 00 01 00 00 (plain CDR,
+/// little endian), then XCDR1. It keeps its memory: it allocates no more once it has seen the
+/// largest message.
 class CdrEncoder {
  public:
   CdrEncoder() { dds_ostreamLE_init(&stream_, 0, xcdr1); }
@@ -20,10 +21,10 @@ class CdrEncoder {
   CdrEncoder& operator=(const CdrEncoder&) = delete;
   ~CdrEncoder() { dds_ostreamLE_fini(&stream_); }
 
-  /// Holds until the next call.
+  /// The bytes are valid until the next call.
   template <class Message>
   std::span<const std::uint8_t> encode(const Message& message) {
-    // Alignment counts from behind the header, which has 4 bytes where doubles align to 8.
+    // Alignment counts from the end of the header: the header has 4 bytes, and doubles align to 8.
     stream_.x.m_index = 0;
     dds_stream_writeLE(&stream_, reinterpret_cast<const char*>(&message),
                        message_type<Message>.descriptor->m_ops);
@@ -39,7 +40,8 @@ class CdrEncoder {
   std::vector<std::uint8_t> bytes_;
 };
 
-/// The other way: messages of such bytes, from anywhere. Keeps its memory for the next.
+/// Decodes messages from such bytes, wherever the bytes come from. It keeps its memory for the next
+/// message.
 template <class Message>
 class CdrDecoder {
  public:
@@ -48,7 +50,7 @@ class CdrDecoder {
   CdrDecoder& operator=(const CdrDecoder&) = delete;
   ~CdrDecoder() { dds_sample_free(&message_, message_type<Message>.descriptor, DDS_FREE_CONTENTS); }
 
-  /// Null: not plain CDR, little endian, of this type. Holds until the next call.
+  /// Null if the bytes are not plain CDR, little endian, of this type. Valid until the next call.
   const Message* decode(std::span<const std::uint8_t> cdr) {
     constexpr std::uint32_t xcdr1 = 1;
     constexpr std::size_t header = 4;
@@ -57,7 +59,7 @@ class CdrDecoder {
     const auto size = static_cast<std::uint32_t>(bytes_.size());
     const auto* operations = message_type<Message>.descriptor->m_ops;
     std::uint32_t checked = 0;
-    // Cyclone reads only what it has checked: lengths, strings' ends, enumerators.
+    // Cyclone reads only what this call has checked: lengths, ends of strings, enumerators.
     if (dds_stream_normalize_data(reinterpret_cast<char*>(bytes_.data()), &checked, size, false,
                                   xcdr1, operations) == nullptr)
       return nullptr;

@@ -41,7 +41,7 @@ std::optional<MeasurementTopic> measurement_topic(std::string_view topic, std::s
     const std::string ending = "/" + std::string(known.suffix);
     if (!full.ends_with(ending) || type != ros2_type(known.type->m_typename)) continue;
     const std::string device = full.substr(3, full.size() - 3 - ending.size());
-    // What estimators say has the form of an IMU's data.
+    // Attitude estimates have the same message type as the data of an IMU, but are no measurements.
     if (full != topic_name(device, known.suffix) ||
         full == estimate_topic(std::string(known.suffix)))
       continue;

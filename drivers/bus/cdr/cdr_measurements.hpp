@@ -9,20 +9,20 @@
 
 namespace drydock::bus {
 
-/// Whose measurements stand on a topic.
+/// The device whose measurements a topic carries.
 struct MeasurementTopic {
   std::string device;
   Kind kind = Kind::imu;
 };
 
-/// Of the topics of docs/build/bus.md, without `rt`, the one of each device that loses no field:
-/// "/imu/data", "/dvl/bottom_track". Empty: another topic.
+/// docs/build/bus.md lists the topics. For each device this accepts the one topic that loses no
+/// field, without `rt`: "/imu/data", "/dvl/bottom_track". Empty for any other topic.
 std::optional<MeasurementTopic> measurement_topic(std::string_view topic, std::string_view type);
 
-/// What stands on "/drydock/faults". Empty: no such message.
+/// Decodes a message of "/drydock/faults". Empty if the bytes are no such message.
 std::optional<std::vector<Fault>> faults_of(std::span<const std::uint8_t> cdr);
 
-/// The way back from CdrPublisher: bytes of a recording to measurements.
+/// The reverse of CdrPublisher: turns the bytes of a recording into measurements.
 class CdrMeasurements {
  public:
   CdrMeasurements();
@@ -30,8 +30,8 @@ class CdrMeasurements {
   CdrMeasurements& operator=(CdrMeasurements&&) noexcept;
   ~CdrMeasurements();
 
-  /// `received_at`: the time that went with the message. Provenance and device are the caller's to
-  /// fill in. Empty: not such a message, or no such measurement.
+  /// `received_at` is the time that was stored with the message. The caller fills in provenance and
+  /// device. Empty if the bytes are no such message, or hold no such measurement.
   std::optional<Measurement> read(Kind kind, std::span<const std::uint8_t> cdr, Stamp received_at);
 
  private:

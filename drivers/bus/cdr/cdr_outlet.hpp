@@ -7,14 +7,14 @@
 #include "drivers/bus/cdr/cdr_sink.hpp"
 #include "drivers/bus/schema.hpp"
 
-/// What a CdrPublisher is made of. Included by cdr_publisher.cpp only.
+/// The parts of a CdrPublisher. Only cdr_publisher.cpp includes this file.
 namespace drydock::bus {
 
-/// As rosbag2 writes it: keep the last ten, reliable, volatile.
+/// In the form that rosbag2 writes: keep the last ten, reliable, volatile.
 inline constexpr const char* offered_qos =
     "- history: 1\n  depth: 10\n  reliability: 1\n  durability: 2\n";
 
-/// One topic of a sink: an outlet as outlets.hpp wants it.
+/// One topic of a sink. It is an outlet in the sense of outlets.hpp.
 template <class Message>
 class CdrOutlet {
  public:

@@ -8,14 +8,14 @@
 
 namespace drydock::bus {
 
-/// Makes the messages of docs/build/bus.md for a sink: the same bytes as DDS would carry, on the
-/// same topics without `rt`. What no device of the list gave is passed over. One thread at a time.
+/// Makes the messages of docs/build/bus.md for a sink: the bytes that DDS would carry, on the same
+/// topics without `rt`. It ignores data of devices that are not in the list. One thread at a time.
 class CdrPublisher {
  public:
   /// The sink must outlive it.
   CdrPublisher(CdrSink& sink, const std::vector<Device>& devices,
                const std::vector<std::string>& estimators,
-               const std::vector<std::string>& navigators = {},  ///< those that give Navigation
+               const std::vector<std::string>& navigators = {},  ///< they give Navigation too
                const std::vector<InnovationSource>& innovations = {});
   CdrPublisher(CdrPublisher&&) noexcept;
   CdrPublisher& operator=(CdrPublisher&&) noexcept;
@@ -26,7 +26,7 @@ class CdrPublisher {
   void publish(const Navigation& navigation, std::size_t estimator);
   void publish(std::span<const DeviceStatus> health, Stamp now);
   void publish(const Innovation& innovation);
-  /// All that are in force; what was among them before and is no longer has ended.
+  /// `faults` are all faults in force now. A fault of the previous call that is missing has ended.
   void publish(std::span<const Fault> faults, Stamp now);
 
  private:

@@ -10,17 +10,17 @@
 #include "drivers/bus/device.hpp"
 #include "drivers/bus/message_types.hpp"
 
-/// Measurements to messages and back.
-/// `fill` sets everything but the frame name; false: this message has nothing to say of the sample.
-/// `read` sets everything but received_at, provenance and device; false: the content cannot be such
-/// a measurement (an unknown enumerator, no value where one is needed).
+/// Converts measurements to messages and back.
+/// `fill` sets everything but the frame name. It returns false if the message type cannot express
+/// the sample. `read` sets everything but received_at, provenance and device. It returns false if
+/// the content cannot be such a measurement: an unknown enumerator, or a required value is missing.
 namespace drydock::bus {
 
 using namespace measurement;
 
 inline constexpr double not_available = std::numeric_limits<double>::quiet_NaN();
 
-/// Yaw variance, rad2, that says "yaw is not known": ROS messages have no flag for it.
+/// This yaw variance, rad2, means "yaw is not known": ROS messages have no flag for it.
 inline constexpr double unknown_yaw_variance = 1e6;
 
 TimeMessage to_time(Stamp stamp);
@@ -36,11 +36,11 @@ inline std::optional<double> to_optional(double value) {
   return std::isfinite(value) ? std::optional(value) : std::nullopt;
 }
 
-/// FRD <-> FLU is a half turn about x: exact, and its own inverse.
+/// FRD <-> FLU: a half turn about x. It is exact and its own inverse.
 inline Eigen::Vector3d half_turn_about_x(const Eigen::Vector3d& v) {
   return {v.x(), -v.y(), -v.z()};
 }
-/// NED <-> ENU: exact, and its own inverse.
+/// NED <-> ENU: exact and its own inverse.
 inline Eigen::Vector3d swap_ned_enu(const Eigen::Vector3d& v) { return {v.y(), v.x(), -v.z()}; }
 
 bool fill(ImuMessage& message, const ImuSample& sample);
@@ -75,21 +75,22 @@ bool read(ActuatorState& sample, const ActuatorStateMessage& message);
 bool fill(ImuMessage& message, const Attitude& attitude);
 bool read(Attitude& attitude, const ImuMessage& message);
 
-/// Pose in the ENU axes of the first estimate, velocity in the body (FLU). Angular velocity is not
-/// given: variance -1.
+/// Pose in the ENU axes of the first estimate, velocity in the body frame (FLU). Angular velocity
+/// is not given: its variance is -1.
 bool fill(OdometryMessage& message, const Navigation& navigation);
 bool fill(NavSatFixMessage& message, const Navigation& navigation);
 
-/// What stays the same of a topic: source, axes, unit.
+/// Sets the fields that are constant for a topic: source, axes, unit.
 void describe(InnovationMessage& message, const Device& source);
-/// The rest; allocates nothing.
+/// Sets the other fields. Allocates nothing.
 void fill(InnovationMessage& message, const Innovation& innovation);
 
-/// As for diagnostics below.
+/// Treats strings as `fill` for diagnostics below does.
 void fill(FaultsMessage& message, std::span<const Fault> faults, Stamp now);
 std::vector<Fault> read(const FaultsMessage& message);
 
-/// Replaces all but the frame name; the strings are Cyclone's (dds_sample_free releases them).
+/// Replaces everything but the frame name. Cyclone owns the strings (dds_sample_free releases
+/// them).
 void fill(DiagnosticsMessage& message, std::span<const DeviceStatus> health, Stamp now);
 DeviceStatus read(const diagnostic_msgs_msg_dds__DiagnosticStatus_& status);
 

@@ -8,8 +8,8 @@
 namespace drydock::bus {
 namespace {
 
-/// REP-103 measures yaw from east and counter-clockwise, we from north and clockwise; a half turn
-/// of the body about x keeps roll and reverses pitch.
+/// REP-103 measures yaw counter-clockwise from east; Drydock measures it clockwise from north. A
+/// half turn of the body about x keeps roll and reverses pitch.
 constexpr double quarter_turn = std::numbers::pi / 2;
 
 Eigen::Quaterniond from_euler(double roll, double pitch, double yaw) {

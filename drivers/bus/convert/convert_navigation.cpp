@@ -9,7 +9,7 @@ namespace {
 constexpr std::int8_t has_fix = 0, dead_reckoned_service = 0;
 constexpr std::uint8_t covariance_known = 3;
 
-/// Of vectors and of rotations alike: a proper rotation.
+/// Converts vectors as well as rotations: it is a proper rotation.
 Eigen::Matrix3d ned_to_enu() {
   Eigen::Matrix3d m;
   m << 0, 1, 0, 1, 0, 0, 0, 0, -1;

@@ -5,7 +5,7 @@
 namespace drydock::bus {
 namespace {
 
-/// Header and device time, which every message of our own begins with.
+/// Sets the header and the device time. Every message type of Drydock begins with them.
 template <class Message>
 void fill_origin(Message& message, const Origin& origin) {
   message.header.stamp = to_time(origin.valid_at);

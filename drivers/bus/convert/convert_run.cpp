@@ -4,7 +4,7 @@
 #include "drivers/bus/convert/convert.hpp"
 #include "drivers/bus/owned.hpp"
 
-/// What is told of a run beside measurements and estimates: innovations, faults.
+/// Messages about a run that are neither measurements nor estimates: innovations, faults.
 namespace drydock::bus {
 
 namespace {
@@ -13,7 +13,7 @@ struct Axes {
   const char *names, *unit;
 };
 
-/// Of the rows of pipeline::InnovationReport.
+/// Axes and unit of the rows of pipeline::InnovationReport.
 Axes axes_of(Kind kind) {
   switch (kind) {
     case Kind::dvl: return {"forward, starboard, down", "m/s"};
@@ -21,7 +21,7 @@ Axes axes_of(Kind kind) {
     case Kind::depth: return {"down", "m"};
     case Kind::gnss: return {"north, east, down", "m"};
     case Kind::imu:
-    case Kind::actuator: break;  // drive estimators, are not compared
+    case Kind::actuator: break;  // actuators drive estimators, nothing is compared with them
   }
   return {"", ""};
 }

@@ -14,10 +14,10 @@ enum CovarianceType : std::uint8_t { unknown = 0, approximated = 1 };
 constexpr std::uint8_t mode_bottom = 1;
 constexpr std::ptrdiff_t fewest_beams_for_velocity = 3;
 
-constexpr double not_measured = -1;  ///< as a variance, in every message that has one
+constexpr double not_measured = -1;  ///< variance that means so in every message that has one
 
-/// A component that was not measured is 0 with variance -1: robot_localization rotates the whole
-/// vector before it picks components, so a NaN would spoil the measured ones.
+/// A component that was not measured is 0 with variance -1. robot_localization rotates the whole
+/// vector before it selects components, so a NaN would destroy the measured components.
 void set_twist(TwistMessage& message, const std::array<std::optional<double>, 3>& linear,
                double variance) {
   std::ranges::fill(message.twist.covariance, 0.0);
@@ -40,7 +40,7 @@ std::optional<double> negated(std::optional<double> value) {
   return value ? std::optional(-*value) : std::nullopt;
 }
 
-/// East, north, up; without up where the receiver gave speed and course only.
+/// East, north, up. Up is missing if the receiver gave only speed and course.
 std::array<std::optional<double>, 3> velocity_enu(const GnssFix& fix) {
   if (fix.velocity_ned) return components(swap_ned_enu(*fix.velocity_ned));
   if (!fix.ground_speed_mps || !fix.course_rad) return {};
@@ -83,7 +83,7 @@ bool fill(DvlMessage& message, const BottomVelocity& sample) {
   message.num_good_beams = static_cast<std::uint8_t>(
       sample.velocity ? std::max<std::ptrdiff_t>(ranges, fewest_beams_for_velocity) : ranges);
   message.sound_speed = static_cast<float>(or_nan(sample.sound_speed_mps));
-  // Ranges along the beams need the angle of the beams, which a measurement does not carry.
+  // Ranges along the beams need the angle of the beams. A measurement does not carry that angle.
   message.beam_ranges_valid = false;
   message.beam_velocities_valid = false;
   std::ranges::fill(message.beam_unit_vec,

@@ -20,7 +20,7 @@ std::optional<std::chrono::nanoseconds> parse_stamp(std::string_view text) {
   return *date + *clock;
 }
 
-/// The next five fields; false where one is out of its range.
+/// Reads the next five fields. False if one is out of its range.
 bool read_address(wire::TextFields& fields, wire::j1939::Identifier& id, std::size_t& size) {
   const auto within = [&](std::uint32_t largest) -> std::optional<std::uint32_t> {
     const auto number = parse_number(fields.text(), 10);

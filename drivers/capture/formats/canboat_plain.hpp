@@ -8,10 +8,10 @@
 namespace drydock::capture {
 
 /// canboat's plain text of NMEA 2000: time, priority, PGN, source, destination, length, data.
-///   2022-09-28-11:36:59.668,5,130311,35,255,8,c5,c0,1c,6e,ff,7f,ff,ff
-///   2011-04-25-06:25:03.603,3,129029,36,255,43,e6,f1,3a,...
-/// A line of up to 8 bytes is a frame. A longer one ("fast") is a message that canboat has put
-/// together: it becomes the fast packet's frames again, all at one time.
+///    2022-09-28-11:36:59.668,5,130311,35,255,8,c5,c0,1c,6e,ff,7f,ff,ff
+///    2011-04-25-06:25:03.603,3,129029,36,255,43,e6,f1,3a,...
+/// A line of up to 8 bytes is a frame. A longer line ("fast") is a message that canboat has
+/// assembled. The reader splits it into the frames of a fast packet again, all with one time.
 class CanboatPlain final : public LineReader {
  public:
   static constexpr std::string_view name = "canboat";

@@ -18,7 +18,7 @@ bool CandumpLog::recognises(std::string_view line) { return parse(line).has_valu
 
 Reading CandumpLog::read_line(std::string_view line) {
   if (auto record = parse(line)) return {record, false};
-  // A sound line may be glued behind one that was torn, by a lost line end.
+  // A lost line end can put a good line directly behind a torn one.
   const auto last = line.rfind('(');
   if (last == line.npos) return line[0] == '#' ? Reading::nothing() : Reading::damage();
   return {parse(line.substr(last)), true};

@@ -4,8 +4,8 @@
 
 namespace drydock::capture {
 
-/// Lines of `candump -L` and `candump -l` (drivers/wire/can/candump.hpp). Those that begin with '#'
-/// are comments.
+/// Lines of `candump -L` and `candump -l` (drivers/wire/can/candump.hpp). A line that begins with
+/// '#' is a comment.
 class CandumpLog final : public LineReader {
  public:
   static constexpr std::string_view name = "candump-log";

@@ -9,7 +9,7 @@ namespace {
 
 using wire::CanFrame;
 
-/// `1436509052.249713)`, or `2015-07-10 08:17:32.249713)` whose date ends at the blank.
+/// `1436509052.249713)`, or `2015-07-10 08:17:32.249713)`, where a blank follows the date.
 std::optional<std::chrono::nanoseconds> read_time(std::string_view first, Words& words) {
   if (first.ends_with(')')) return parse_time(first.substr(0, first.size() - 1), 9);
   const auto date = parse_date(first);
@@ -21,7 +21,7 @@ std::optional<std::chrono::nanoseconds> read_time(std::string_view first, Words&
   return *date + *since_midnight;
 }
 
-/// `RX - -`: direction, B for the faster data phase, E for the sender's error state.
+/// `RX - -`: the direction, B for the faster data phase, E for the sender's error state.
 void read_flags(Words& words, CanFrame& frame) {
   if (words.peek() != "RX" && words.peek() != "TX") return;
   words.next();
@@ -29,7 +29,7 @@ void read_flags(Words& words, CanFrame& frame) {
   words.next();
 }
 
-/// `<0x18eeff01>`: 29 bits when it says more than 11.
+/// `<0x18eeff01>`: the identifier has 29 bits if the value needs more than 11.
 bool read_angled_identifier(std::string_view word, CanFrame& frame) {
   if (!word.starts_with("<0x") || !word.ends_with('>')) return false;
   const auto id = parse_number(word.substr(3, word.size() - 4), 16);

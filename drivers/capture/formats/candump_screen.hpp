@@ -6,12 +6,12 @@
 
 namespace drydock::capture {
 
-/// What candump prints on the screen, with or without its time (-t a, A, d, z) and flags (-x):
-///   (1436509052.249713)  can0  RX - -  18EEFF01   [8]  05 A0 BE 1C 00 A0 A0 C0
-///   can0  123   [4]  remote request
-/// and its older form, whose interface stands once in the head (`interface = can0, ...`):
-///   <0x18eeff01> [8] 05 a0 be 1c 00 a0 a0 c0
-/// A length of two digits says CAN FD.
+/// The output of candump on the screen, with or without its time (-t a, A, d, z) and flags (-x):
+///    (1436509052.249713)  can0  RX - -  18EEFF01   [8]  05 A0 BE 1C 00 A0 A0 C0
+///    can0  123   [4]  remote request
+/// and its older form, which names the interface once in the head (`interface = can0, ...`):
+///    <0x18eeff01> [8] 05 a0 be 1c 00 a0 a0 c0
+/// A length of two digits means CAN FD.
 class CandumpScreen final : public LineReader {
  public:
   static constexpr std::string_view name = "candump-screen";

@@ -17,7 +17,7 @@ using wire::CanFrame;
 struct Version {
   std::string_view number, columns;
 };
-/// Versions 2 bring their columns themselves.
+/// Files of version 2 list their columns themselves.
 constexpr std::array<Version, 4> versions{
     {{"1.0", "NOILD"}, {"1.1", "NOTILD"}, {"1.2", "NOBTILD"}, {"1.3", "NOBTIRLD"}}};
 
@@ -61,14 +61,14 @@ bool read_content(Words& words, std::uint32_t size, CanFrame& frame) {
   return true;
 }
 
-/// A line under way: what its columns so far have said.
+/// A line that is being read: the content of its columns so far.
 struct Row {
   Record record;
   Kind kind = Kind::data;
   std::uint32_t bus = 1, size = 0;
 };
 
-/// False for a word that the column cannot hold.
+/// False if the word is not valid in this column.
 bool read_column(char column, std::string_view word, Row& row) {
   CanFrame& frame = row.record.frame;
   const auto number = parse_number(word, 10);

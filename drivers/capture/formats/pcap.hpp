@@ -4,9 +4,9 @@
 
 namespace drydock::capture {
 
-/// libpcap's file of SocketCAN packets (`tcpdump -i can0 -w`): a head of 24 bytes whose magic tells
-/// byte order and microseconds or nanoseconds, then packets with a head of 16 each. It has one
-/// interface and no name for it: can0.
+/// libpcap's file of SocketCAN packets (`tcpdump -i can0 -w`). The file head has 24 bytes; its
+/// magic tells the byte order and the unit of time, microseconds or nanoseconds. Each packet has a
+/// head of 16 bytes. The file has one interface without a name; the reader calls it can0.
 class Pcap final : public Reader {
  public:
   static constexpr std::string_view name = "pcap";
@@ -21,7 +21,7 @@ class Pcap final : public Reader {
   bool head_read_ = false;
   bool big_endian_ = false;
   bool nanoseconds_ = false;
-  std::size_t to_skip_ = 0;  ///< of a packet larger than any of CAN
+  std::size_t to_skip_ = 0;  ///< bytes left of a packet larger than any CAN packet
 };
 
 }  // namespace drydock::capture

@@ -14,7 +14,8 @@ constexpr std::uint32_t section_block = 0x0A0D0D0A, interface_block = 1, packet_
 constexpr std::size_t block_head = 8, smallest_block = 12, largest_block = 8192;
 constexpr std::size_t most_interfaces = 64;
 
-/// The byte order of a section: its magic stands behind type and length. Empty if there is none.
+/// The byte order of a section. Its magic stands behind type and length. Empty if there is no
+/// magic.
 std::optional<bool> is_big_endian(Bytes section) {
   constexpr std::uint32_t magic = 0x1A2B3C4D;
   if (section.size() < 12) return std::nullopt;
@@ -23,7 +24,7 @@ std::optional<bool> is_big_endian(Bytes section) {
   return std::nullopt;
 }
 
-/// Since 1970; empty past the year 2096, as a damaged time is.
+/// Time since 1970. Empty after the year 2096: such a time is damaged.
 std::optional<std::chrono::nanoseconds> time_of(std::uint64_t ticks, std::uint8_t resolution) {
   const int exponent = resolution & 0x7F;
   if (exponent > 62 || ((resolution & 0x80) == 0 && exponent > 18)) return std::nullopt;
@@ -67,7 +68,7 @@ Scan Pcapng::scan(Bytes bytes, bool) {
   }
   const std::size_t size = number(bytes, 4);
   if (size < smallest_block || size % 4 != 0) return Scan::bad_checksum();
-  if (size > largest_block) {  // secrets, name tables: nothing of ours
+  if (size > largest_block) {  // secrets, name tables: blocks without frames
     to_skip_ = size - block_head;
     return Scan::skip(block_head);
   }

@@ -7,10 +7,10 @@
 
 namespace drydock::capture {
 
-/// The pcapng file of SocketCAN packets that Wireshark writes: blocks of type, length, body and
-/// length again. A section head tells the byte order, interface blocks the link type, the name and
-/// the resolution of times, enhanced packet blocks hold the frames. Packets of other link types and
-/// other blocks are passed over.
+/// The pcapng file of SocketCAN packets that Wireshark writes. A block has a type, a length, a body
+/// and the length again. A section head gives the byte order. An interface block gives the link
+/// type, the name and the resolution of times. An enhanced packet block holds a frame. The reader
+/// ignores other blocks and packets of other link types.
 class Pcapng final : public Reader {
  public:
   static constexpr std::string_view name = "pcapng";
@@ -23,7 +23,7 @@ class Pcapng final : public Reader {
   struct Interface {
     bool is_can = false;
     std::string name;
-    std::uint8_t resolution = 6;  ///< if_tsresol: 10^-n s, with the top bit set 2^-n s
+    std::uint8_t resolution = 6;  ///< if_tsresol: 10^-n s, or 2^-n s if the top bit is set
   };
 
   std::uint32_t number(Bytes bytes, std::size_t offset) const;

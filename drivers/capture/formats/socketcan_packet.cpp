@@ -19,8 +19,8 @@ std::optional<wire::CanFrame> parse_socketcan_packet(wire::Bytes packet) {
   frame.remote = (id & remote) != 0;
   frame.extended = (id & extended) != 0 && !frame.error;
   frame.id = id & (frame.extended || frame.error ? 0x1FFFFFFFu : 0x7FFu);
-  // Older kernels neither set the CAN FD flag, there the packet's size tells, nor clear the byte of
-  // a classic frame, there other bits stand beside it.
+  // Older kernels do not set the CAN FD flag; there the size of the packet tells it. They also do
+  // not clear this byte of a classic frame, so other bits may be set in it.
   frame.fd = ((flags & fd_format) != 0 && (flags & ~fd_flags) == 0) || packet.size() == fd_packet;
   frame.bit_rate_switch = frame.fd && (flags & bit_rate_switch) != 0;
   if (!(frame.fd ? is_fd_size(size) : size <= 8)) return std::nullopt;

@@ -11,7 +11,7 @@ namespace {
 using std::chrono::nanoseconds;
 using wire::CanFrame;
 
-/// English month names, and the German ones that differ.
+/// English month names, and those German names that differ.
 std::optional<unsigned> month_of(std::string_view word) {
   constexpr std::array<std::string_view, 16> names{"Jan", "Feb", "Mar", "Apr", "May", "Jun",
                                                    "Jul", "Aug", "Sep", "Oct", "Nov", "Dec",
@@ -23,7 +23,7 @@ std::optional<unsigned> month_of(std::string_view word) {
   return index < 12 ? static_cast<unsigned>(index) + 1 : german[index - 12];
 }
 
-/// `Sat Sep 30 03:06:13.191 pm 2017`; zero, "no date", where the language is another.
+/// `Sat Sep 30 03:06:13.191 pm 2017`. Zero, "no date", if the language is another.
 nanoseconds parse_start(Words words) {
   words.next();
   const auto month = month_of(words.next());
@@ -116,7 +116,7 @@ Reading VectorAsc::fast(Words words) {
   if (id == "ErrorFrame") return in_channel(channel, unspecified_error());
   if (!read_identifier(id, frame)) return Reading::damage();
   std::string_view word = words.next();
-  if (word != "0" && word != "1") word = words.next();  // that was the message's name
+  if (word != "0" && word != "1") word = words.next();  // the first word was the message's name
   frame.bit_rate_switch = word == "1";
   words.next();  // the sender's error state
   const auto code = parse_number(words.next(), 16);

@@ -9,13 +9,13 @@
 namespace drydock::capture {
 
 /// Vector's ASCII log (.asc):
-///   base hex  timestamps absolute
-///      3.098426 1  18EBFF00x       Rx   d 8 01 A0 0F A6 60 3B D1 40    Length = ...
-///     30.005021 CANFD   1 Rx  300   1 0 8  8 11 c2 03 04 05 06 07 08   102203  133   303000 ...
-///      2.501000 1 ErrorFrame
-/// The head says the base of identifiers and data (hex or dec), and whether a time counts from the
-/// start or from the line before. Channel n is interface can(n-1), as in can-utils' asc2log.
-/// Statistics, bus states and transport protocols are lines without a frame.
+///    base hex  timestamps absolute
+///       3.098426 1  18EBFF00x       Rx   d 8 01 A0 0F A6 60 3B D1 40    Length = ...
+///      30.005021 CANFD   1 Rx  300   1 0 8  8 11 c2 03 04 05 06 07 08   102203  133   303000 ...
+///       2.501000 1 ErrorFrame
+/// The head gives the base of identifiers and data (hex or dec). It also says whether a time counts
+/// from the start or from the previous line. Channel n is interface can(n-1), as in can-utils'
+/// asc2log. Lines of statistics, bus states and transport protocols contain no frame.
 class VectorAsc final : public LineReader {
  public:
   static constexpr std::string_view name = "asc";
@@ -31,8 +31,8 @@ class VectorAsc final : public LineReader {
 
   int base_ = 16;
   bool relative_ = false;
-  std::chrono::nanoseconds start_{};  ///< the head's date; since 1970
-  std::chrono::nanoseconds since_{};  ///< of the line last read, from the start
+  std::chrono::nanoseconds start_{};  ///< date in the head, since 1970
+  std::chrono::nanoseconds since_{};  ///< time of the last line, from the start
   std::string interface_;
 };
 

@@ -7,7 +7,7 @@
 
 namespace drydock::device {
 
-/// What the drivers on a CAN bus share: the protocol's decoder and the timing.
+/// The common parts of drivers on a CAN bus: the protocol's decoder and the timing.
 template <class Protocol>
 class BusDriver : public FrameDriver {
  public:

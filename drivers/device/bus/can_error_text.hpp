@@ -8,8 +8,8 @@
 
 namespace drydock::device {
 
-/// What an error frame of the controller means, for a person; the worst of its classes
-/// (linux/can/error.h).
+/// The meaning of an error frame of the controller, for a person. A frame may have several classes
+/// (linux/can/error.h); the text names the worst.
 inline std::string_view can_error_text(const wire::CanFrame& error_frame) {
   using Class = std::pair<std::uint32_t, std::string_view>;
   constexpr std::array<Class, 9> worst_first{{

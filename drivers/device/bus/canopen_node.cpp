@@ -54,7 +54,7 @@ std::optional<Stamp> CanopenNode::deadline() const {
 void CanopenNode::tick(Stamp now, Output& out) {
   if (next_sync_ && *next_sync_ <= now) {
     out.send(canopen::sync_frame());
-    // A late host leaves a SYNC out; two in a row would ask for one instant twice.
+    // A late host omits a SYNC. Two without a pause would ask for one instant twice.
     const auto missed = (now - *next_sync_) / options_.sync_period;
     *next_sync_ += (missed + 1) * options_.sync_period;
   }
@@ -74,7 +74,7 @@ void CanopenNode::on(const canopen::Heartbeat& heartbeat, Stamp at, Output& out)
   if (source_.source()) watch(heartbeat, at, out);
 }
 
-/// A boot-up message alone promises no heartbeat; what comes after it does.
+/// A boot-up message does not promise a heartbeat. A message after it does.
 void CanopenNode::watch(const canopen::Heartbeat& heartbeat, Stamp at, Output& out) {
   if (heartbeat.state == NodeState::boot_up) {
     lost_at_.reset();

@@ -7,13 +7,13 @@
 
 namespace drydock::device {
 
-/// What a driver does for its CANopen node beside reading its process data (CiA 301):
-///   NMT        starts it when the bus opens, and whenever it boots up or is pre-operational
-///   heartbeat  reports when it falls silent, restarts or was stopped by somebody else
-///   EMCY       reports what the node complains of, in words
-///   SYNC       sends it where the rig file says that the node samples on it
-/// A node that sends no heartbeat is not watched. With address 0 every node is started and the
-/// first whose process data is accepted is ours.
+/// The duties of a driver for its CANopen node, other than reading process data (CiA 301):
+///    NMT        starts the node when the bus opens, when it boots up and when it is
+///    pre-operational heartbeat  reports when the node falls silent, restarts or was stopped by
+///    somebody else EMCY       reports the node's errors, in words SYNC       sends it if the rig
+///    file says that the node samples on SYNC
+/// It does not watch a node that sends no heartbeat. With address 0 it starts every node; the first
+/// node whose process data it accepts is our sensor.
 class CanopenNode {
  public:
   explicit CanopenNode(const DriverOptions& options);
@@ -22,10 +22,10 @@ class CanopenNode {
   void tick(Stamp now, Output& out);
   std::optional<Stamp> deadline() const;
 
-  /// A frame of the predefined connection set (CiA 301) that is a node's which is not our sensor.
+  /// True for a frame of the predefined connection set (CiA 301) that belongs to another node.
   bool is_of_another(const wire::CanFrame& frame) const;
 
-  /// Whether process data of `node` are our sensor's.
+  /// True if process data of `node` are our sensor's.
   bool accepts(std::uint8_t node, Stamp now) { return source_.accepts(node, now); }
   void on(const wire::canopen::Heartbeat& heartbeat, Stamp at, Output& out);
   void on(const wire::canopen::Emergency& emergency, Output& out) const;
@@ -36,8 +36,8 @@ class CanopenNode {
 
   SourceFilter source_;
   CanopenOptions options_;
-  std::optional<wire::canopen::NodeState> state_;  ///< by the last heartbeat
-  std::optional<Stamp> lost_at_;                   ///< unless a heartbeat comes before
+  std::optional<wire::canopen::NodeState> state_;  ///< from the last heartbeat
+  std::optional<Stamp> lost_at_;                   ///< the node is then lost
   std::optional<Stamp> next_sync_;
 };
 

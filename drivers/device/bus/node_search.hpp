@@ -8,9 +8,9 @@
 
 namespace drydock::device {
 
-/// Asks the nodes of a bus for their NAMEs (PGN 59904 for 60928, SAE J1939-81): when the bus opens,
-/// and every 10 s while our sensor is silent, for it may have taken another address while nobody
-/// heard its claim. From the null address, which a node that holds none may do.
+/// Asks the nodes of a bus for their NAMEs (PGN 59904 for 60928, SAE J1939-81). It asks when the
+/// bus opens, and every 10 s while our sensor is silent: the sensor may have claimed another
+/// address while nobody listened. It asks from the null address, as a node without an address may.
 class NodeSearch {
  public:
   static constexpr std::chrono::seconds patience{10};
@@ -28,7 +28,7 @@ class NodeSearch {
     next_ = now + patience;
   }
 
-  std::optional<Stamp> next_;  ///< empty: the bus was never open
+  std::optional<Stamp> next_;  ///< empty: the bus has not been open yet
 };
 
 }  // namespace drydock::device

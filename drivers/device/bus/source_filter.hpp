@@ -8,11 +8,11 @@
 
 namespace drydock::device {
 
-/// Which sender on a bus is our sensor: the configured address or, without one, the first heard.
-/// That one stays ours until silent for 10 s, so two sensors are never mixed. A sensor whose NAME
-/// was heard is followed to whatever address it claims, and not mistaken for the node that took its
-/// address from it (SAE J1939-81); where such a one is silent for 30 s, another unit may come in
-/// its place.
+/// Decides which sender on a bus is our sensor: the configured address or, without one, the first
+/// that is heard. It stays our sensor until it is silent for 10 s, so two sensors are never mixed.
+/// If the NAME of the sensor is known, the filter follows it to every address that it claims. It
+/// does not accept a node that took the sensor's address (SAE J1939-81). If such a sensor is silent
+/// for 30 s, another unit may replace it.
 class SourceFilter {
  public:
   static constexpr std::chrono::seconds lost_after{10}, replaced_after{30};
@@ -33,7 +33,7 @@ class SourceFilter {
     return true;
   }
 
-  /// PGN 60928. The last NAME claimed at our sensor's address before it speaks is its own.
+  /// PGN 60928. Before our sensor speaks, the last NAME claimed at its address is its own.
   void claimed(std::uint8_t source, std::uint64_t name, measurement::Stamp now) {
     if (!name_stands_ && ours_ == source) name_ = name;
     if (name_ == name) {
@@ -52,9 +52,9 @@ class SourceFilter {
   }
 
   std::uint8_t configured_;
-  std::optional<std::uint8_t> ours_;  ///< its address now; empty: not heard, or robbed of it
+  std::optional<std::uint8_t> ours_;  ///< its present address; empty: not heard, or lost
   std::optional<std::uint64_t> name_;
-  bool name_stands_ = false;  ///< it has spoken since it claimed
+  bool name_stands_ = false;  ///< the sensor has spoken since it claimed
   std::optional<measurement::Stamp> heard_at_;
 };
 

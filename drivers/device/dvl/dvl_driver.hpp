@@ -6,11 +6,12 @@
 
 namespace drydock::device {
 
-/// DVL speaking PD0: bottom track of each ensemble -> BottomVelocity in the body frame. The way
-/// from beam, instrument, ship or earth axes to the body is dvl_solution.hpp. High-resolution
-/// velocity and vertical range count before bottom track's where an ensemble has them, and the age
-/// of the bottom echoes before the configured latency. An ensemble without bottom track gives no
-/// measurement, one without bottom lock a measurement without velocity.
+/// DVL that speaks PD0: bottom track of each ensemble becomes BottomVelocity in the body frame.
+/// dvl_solution.hpp converts from beam, instrument, ship or earth axes to the body. If an ensemble
+/// has high-resolution velocity or vertical range, the driver prefers them to those of bottom
+/// track. It prefers the age of the bottom echoes to the configured latency. An ensemble without
+/// bottom track gives no measurement. An ensemble without bottom lock gives a measurement without
+/// velocity.
 class DvlDriver final : public StreamDriver<wire::Pd0::max_frame> {
  public:
   explicit DvlDriver(const DriverOptions& options) : StreamDriver(options), solution_(options) {}

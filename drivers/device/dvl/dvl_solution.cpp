@@ -7,7 +7,7 @@ namespace drydock::device {
 
 namespace {
 
-/// What the way to the body needs and does not have, in words.
+/// Names the missing data that the conversion to the body needs, in words.
 std::string_view missing_for(const wire::DvlGeometry& geometry, const wire::DvlAttitude& attitude) {
   using enum wire::DvlFrame;
   if (geometry.frame == beam) {
@@ -50,15 +50,15 @@ void DvlSolution::heed(std::string_view missing, Output& out) {
   missing_ = missing;
 }
 
-/// With u the slant of a beam, its vertical component is d = h cos(b) / (n.u), n the down vector in
-/// instrument axes. In a Janus pair the tilt terms of 1/d cancel: 1/d1 + 1/d2 = 2 n_z / h, so h is
-/// n_z = cos(pitch) cos(roll) times the harmonic mean.
+/// The vertical component of a beam's range is d = h cos(b) / (n.u). Here u is the slant of the
+/// beam and n the down vector in instrument axes. In a Janus pair the tilt terms of 1/d cancel:
+/// 1/d1 + 1/d2 = 2 n_z / h. Thus h is n_z = cos(pitch) cos(roll) times the harmonic mean.
 std::optional<double> altitude_over_bed(const std::array<std::optional<double>, 4>& range_m,
                                         const wire::DvlAttitude& tilt) {
   if (!tilt.pitch_rad || !tilt.roll_rad) return {};
   double inverse_sum = 0;
   int beams = 0;
-  for (const std::size_t first : {0U, 2U}) {  // beams 1 and 2 face each other, 3 and 4 too
+  for (const std::size_t first : {0U, 2U}) {  // opposite beams: 1 and 2, 3 and 4
     if (!range_m[first] || !range_m[first + 1]) continue;
     inverse_sum += 1 / *range_m[first] + 1 / *range_m[first + 1];
     beams += 2;

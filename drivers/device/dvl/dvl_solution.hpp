@@ -11,15 +11,15 @@
 
 namespace drydock::device {
 
-/// The way from a DVL's four components to the velocity of the body: by wire/dvl_frame.hpp from the
-/// frame that it sends to its own axes, by the mounting from there to the body. What is missing on
-/// that way is reported, once until it changes.
+/// Converts a DVL's four components to the velocity of the body. wire/dvl_frame.hpp goes from the
+/// frame on the wire to the sensor's axes, the mounting from there to the body. Missing data are
+/// reported once, until something else is missing.
 class DvlSolution {
  public:
   explicit DvlSolution(const DriverOptions& options)
       : mounting_(options.mounting), dvl_(options.dvl) {}
 
-  /// m/s, body; empty without lock or without what the frame needs.
+  /// m/s, body. Empty without lock, or if data that the frame needs are missing.
   std::optional<Eigen::Vector3d> velocity(const wire::DvlComponents& sent,
                                           wire::DvlGeometry geometry,
                                           const wire::DvlAttitude& attitude, Output& out);
@@ -32,8 +32,8 @@ class DvlSolution {
   std::string_view missing_;
 };
 
-/// Height over a flat bed from the vertical components of the four ranges; empty where no pair of
-/// opposite beams is whole or the tilt is not known.
+/// Height over a flat bed from the vertical components of the four ranges. Empty if no pair of
+/// opposite beams is complete, or if the tilt is not known.
 std::optional<double> altitude_over_bed(const std::array<std::optional<double>, 4>& range_m,
                                         const wire::DvlAttitude& tilt);
 

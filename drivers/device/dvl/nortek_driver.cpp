@@ -6,7 +6,7 @@ namespace {
 
 std::chrono::nanoseconds in_ns(double seconds) { return measurement::from_seconds(seconds); }
 
-/// How long before the sentence's first byte the bottom echo came.
+/// Time between the bottom echo and the sentence's first byte.
 std::optional<std::chrono::nanoseconds> age_of(const wire::NortekTimes& times) {
   constexpr double oldest_echo_s = 2;
   if (!times.after_sentence_s) return {};

@@ -5,9 +5,10 @@
 
 namespace drydock::device {
 
-/// Nortek DVL: PNORBT6 to 9 -> BottomVelocity; `valid_at` by the sentence's own age, else by the
-/// configured latency. Sentences of one beam, or of speed and direction alone, give no velocity of
-/// the body. No altitude: the distances do not know how the DVL is tilted.
+/// Nortek DVL: PNORBT6 to 9 become BottomVelocity. `valid_at` follows from the age in the sentence,
+/// otherwise from the configured latency. Sentences of one beam, or with only speed and direction,
+/// give no velocity of the body. There is no altitude: the distances are not corrected for the tilt
+/// of the DVL.
 class NortekDriver final : public StreamDriver<wire::Nortek::max_frame> {
  public:
   explicit NortekDriver(const DriverOptions& options)

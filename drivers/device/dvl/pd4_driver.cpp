@@ -28,7 +28,7 @@ void Pd4Driver<Protocol>::publish(const typename Protocol::Report& report, const
   measurement::BottomVelocity result;
   result.origin = origin;
   result.origin.device_time = report.first_ping;
-  // Makers differ in what they send without lock; without any range there is none.
+  // Makers send different values without lock. Without any range there is no lock.
   if (std::ranges::any_of(report.bottom_range_m, [](const auto& range) { return !!range; })) {
     result.velocity = solution_.velocity(report.bottom_velocity_mps, report, attitude, out);
   }

@@ -6,8 +6,9 @@
 
 namespace drydock::device {
 
-/// DVL speaking PD4 or PD5: each report -> BottomVelocity in the body frame. PD4 tells no attitude:
-/// earth and levelled ship velocities give none of the body, and the ranges no altitude.
+/// DVL that speaks PD4 or PD5: each report becomes BottomVelocity in the body frame. PD4 has no
+/// attitude. Thus earth and levelled ship velocities give no body velocity, and the ranges give no
+/// altitude.
 template <class Protocol>
 class Pd4Driver final : public StreamDriver<Protocol::max_frame> {
  public:

@@ -6,10 +6,10 @@
 
 namespace drydock::device {
 
-/// DVL speaking PD6: each whole ensemble -> one BottomVelocity. :BI counts, else :BE turned back
-/// with the attitude of :SA; :BS does not say whether it is levelled. The range of :BD is the
-/// altitude while there is a velocity. An ensemble with a lost or damaged line is left out and
-/// reported.
+/// DVL that speaks PD6: each complete ensemble becomes one BottomVelocity. The driver uses :BI,
+/// otherwise :BE rotated back with the attitude of :SA. It does not use :BS, which does not say
+/// whether it is levelled. The range of :BD is the altitude if there is a velocity. An ensemble
+/// with a lost or damaged line gives no measurement and is reported.
 class Pd6Driver final : public StreamDriver<wire::Pd6::max_frame> {
  public:
   explicit Pd6Driver(const DriverOptions& options) : StreamDriver(options), solution_(options) {}

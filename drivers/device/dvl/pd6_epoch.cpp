@@ -6,7 +6,7 @@ namespace {
 
 constexpr std::chrono::milliseconds longest_pause{100};
 
-/// Places in Pd6::Message, which are those in an ensemble.
+/// Indices in Pd6::Message. They are in the order of the lines in an ensemble.
 constexpr std::size_t attitude = 0, timing = 1, bottom_instrument = 6, bottom_ship = 7,
                       bottom_earth = 8, bottom_distance = 9;
 constexpr unsigned needed = 1u << timing | 1u << bottom_instrument | 1u << bottom_ship |

@@ -8,10 +8,10 @@
 
 namespace drydock::device {
 
-/// Puts the lines of one PD6 ensemble together. They carry neither number nor checksum, so an epoch
-/// counts only when it came in one piece: begun by :SA (or :TS, where no :SA comes), each line
-/// behind the one before as the document orders them, :TS and all four of bottom track there, no
-/// damaged line since its begin, and no longer on the way than its bytes take and 0.1 s. :BD
+/// Joins the lines of one PD6 ensemble. The lines have neither number nor checksum, so an ensemble
+/// must meet all these conditions. It begins with :SA (or with :TS, if no :SA comes). The lines are
+/// in the document's order. :TS and all four lines of bottom track are there. No line since the
+/// begin was damaged. The lines took no longer than their bytes need on the wire plus 0.1 s. :BD
 /// completes it.
 class Pd6Epoch {
  public:
@@ -25,15 +25,16 @@ class Pd6Epoch {
     wire::Pd6BottomDistance distance;
   };
 
-  /// A line that came as `origin` says, `on_wire` long; `damaged` counts the damaged ones so far.
-  /// `broken`: the epoch before the line was lost by it; the line may have begun the next.
+  /// `origin` and `on_wire` are the origin and the duration of the line; `damaged` counts the
+  /// damaged lines so far. The result `broken` means that this line ended an incomplete epoch; the
+  /// line may have begun the next.
   Step take(const wire::Pd6::Message& line, const Origin& origin, std::chrono::nanoseconds on_wire,
             std::uint64_t damaged);
 
-  const Lines& lines() const { return lines_; }  ///< of the epoch just completed
+  const Lines& lines() const { return lines_; }  ///< of the last complete epoch
   const Origin& origin() const {
     return origin_;
-  }  ///< valid as its first line, received as its last
+  }  ///< valid_at of the first line, received_at of the last
   void forget() { under_way_ = false; }
 
  private:
@@ -43,9 +44,9 @@ class Pd6Epoch {
   Lines lines_;
   Origin origin_;
   Stamp began_{};
-  std::chrono::nanoseconds on_wire_{0};  ///< of the lines so far, but for the first
-  std::uint64_t damaged_ = 0;            ///< when it began
-  unsigned seen_ = 0;                    ///< a bit for each kind of line
+  std::chrono::nanoseconds on_wire_{0};  ///< sum for the lines so far, without the first
+  std::uint64_t damaged_ = 0;            ///< count when the epoch began
+  unsigned seen_ = 0;                    ///< one bit for each kind of line
   std::size_t last_ = 0;
   bool under_way_ = false;
 };

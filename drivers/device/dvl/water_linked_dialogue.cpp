@@ -15,7 +15,7 @@ constexpr std::chrono::seconds answer_within{1}, start_again_after{30};
 constexpr int most_tries = 3;
 constexpr int known_major_version = 2;
 
-/// Of the two decimals with which parameters travel.
+/// Parameters are sent with two decimals.
 constexpr double same_sound_speed_mps = 0.01, same_rotation_rad = 0.01 * std::numbers::pi / 180;
 
 Reason with_number(std::string_view before, double value, std::string_view behind) {

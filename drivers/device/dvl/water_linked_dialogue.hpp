@@ -10,18 +10,19 @@
 
 namespace drydock::device {
 
-/// Sets a Water Linked DVL up when its link opens: asks for the protocol's version (wcv), sets the
-/// parameters that the rig names (wcs), reads all back and compares (wcc), chooses the output
-/// (wcp). One command at a time; one without an answer in 1 s, one that arrived damaged (wr!) or
-/// was not understood (wr?) is sent again, three times in all. A refusal (wrn), a value that does
-/// not hold and a silent DVL are reported; a silent one is tried again after 30 s.
+/// Sets up a Water Linked DVL when its link opens. It asks for the protocol's version (wcv), sets
+/// the parameters that the rig names (wcs), reads them all back and compares (wcc), and selects the
+/// output (wcp). It sends one command at a time. It sends a command again if there is no answer in
+/// 1 s, if it arrived damaged (wr!) or if it was not understood (wr?), three times in all. It
+/// reports a refusal (wrn), a value that does not hold and a silent DVL. It tries a silent DVL
+/// again after 30 s.
 class WaterLinkedDialogue {
  public:
   explicit WaterLinkedDialogue(const std::optional<WaterLinkedSettings>& wanted)
       : wanted_(wanted) {}
 
-  void start(Stamp now, Output& out);  ///< nothing to do without settings
-  /// A recording that has no answers is not a DVL that gives none.
+  void start(Stamp now, Output& out);  ///< without settings it does nothing
+  /// A recording has no answers to new questions. That is not the fault of the DVL.
   void expect_no_answers(bool replayed) { replayed_ = replayed; }
   void stop() { step_ = Step::idle, due_.reset(); }
   void receive(const wire::WaterLinked::Message& message, Stamp now, Output& out);
@@ -29,11 +30,11 @@ class WaterLinkedDialogue {
   std::optional<Stamp> deadline() const { return due_; }
   bool finished() const { return step_ == Step::idle; }
 
-  /// It asked and heard nothing; it waits to ask again.
+  /// True if it asked without an answer and waits to ask again.
   bool unanswered() const { return finished() && due_; }
 
-  /// Whether velocities are what the rig file says: nothing is to be set, what was read back
-  /// agrees, or the DVL answers nothing at all, which was reported.
+  /// True if velocities are as the rig file says: nothing is to be set, the values read back agree,
+  /// or the DVL never answers (which was reported).
   bool settings_hold() const { return settings_hold_; }
 
  private:
@@ -57,9 +58,9 @@ class WaterLinkedDialogue {
   Step step_ = Step::idle;
   bool settings_hold_ = true;
   bool replayed_ = false;
-  int tries_ = 0;             ///< of the command under way
-  std::optional<Stamp> due_;  ///< of its answer, or of the next start
-  FixedText<64> command_;     ///< without checksum, for the reports
+  int tries_ = 0;             ///< attempts of the current command
+  std::optional<Stamp> due_;  ///< time limit of its answer, or time of the next start
+  FixedText<64> command_;     ///< without checksum, for reports
 };
 
 }  // namespace drydock::device

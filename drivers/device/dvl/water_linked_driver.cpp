@@ -6,10 +6,11 @@ namespace {
 
 namespace water_linked = wire::water_linked;
 
-/// A DVL on says something twice a second or more; one that boots takes longer than that.
+/// A DVL that has power sends at least twice a second. A DVL that boots is silent for longer.
 constexpr std::chrono::seconds silence_of_a_boot{2};
-constexpr std::chrono::seconds new_form_counts_for{3};  // at least two reports a second
-/// An older report is none of this ping: the DVL's clock was set between its two times.
+constexpr std::chrono::seconds new_form_counts_for{3};  // there are at least two reports a second
+/// No report is older than this. A larger age means that the DVL's clock was set between the
+/// report's two times.
 constexpr std::chrono::seconds oldest_report{2};
 
 std::optional<std::chrono::nanoseconds> age_of(const water_linked::ReportTimes& times) {
@@ -39,7 +40,7 @@ void WaterLinkedDriver::receive(wire::Bytes bytes, Stamp received_at, Output& ou
 void WaterLinkedDriver::restart(Stamp now, Output& out) {
   StreamDriver::restart(now, out);
   heard_at_.reset();
-  // The answers are in the recording, at the times at which they came: it goes as it went.
+  // The recording contains the answers at their own times, so it plays as it was recorded.
   dialogue_.expect_no_answers(timing_.provenance() == measurement::Provenance::replayed);
   dialogue_.start(now, out);
 }

@@ -6,14 +6,15 @@
 
 namespace drydock::device {
 
-/// Water Linked DVL: wrz -> BottomVelocity; `valid_at` by the difference of the report's own times
-/// of transmission and validity, else by the configured latency. wrx counts while no wrz comes: a
-/// DVL that sends both says the same twice. Water track (wrs) is no bottom velocity. Distances
-/// along the beams (wru, wrt) do not say of which ping they are, so none go into a measurement.
-/// Sets the DVL up when the link opens and after a silence, in which it may have lost its power and
-/// with it what was set (WaterLinkedDialogue). While that differs from the rig file, or is not
-/// known to agree yet, there are no velocities: they would be those of other axes or another sound
-/// speed.
+/// Water Linked DVL: wrz becomes BottomVelocity. `valid_at` follows from the difference between the
+/// report's own times of transmission and validity, otherwise from the configured latency. The
+/// driver uses wrx only while no wrz comes: a DVL that sends both gives the same data twice. Water
+/// track (wrs) is no bottom velocity. Distances along the beams (wru, wrt) do not name their ping,
+/// so no measurement uses them.
+/// The driver sets up the DVL when the link opens and after a silence, because the DVL may have
+/// lost its power and its settings (WaterLinkedDialogue). It publishes no velocities while the
+/// settings differ from the rig file or are not confirmed: they could have other axes or another
+/// sound speed.
 class WaterLinkedDriver final : public StreamDriver<wire::WaterLinked::max_frame> {
  public:
   explicit WaterLinkedDriver(const DriverOptions& options)

@@ -11,8 +11,8 @@ constexpr double eccentricity_squared = flattening * (2 - flattening);
 
 EllipsoidalPosition from_ecef(const Eigen::Vector3d& position_m) {
   const double from_axis_m = std::hypot(position_m.x(), position_m.y());
-  // Fixed point of tan(latitude) = (z + e2 N sin(latitude)) / p; each turn gains a factor of e2
-  // h/N.
+  // Fixed point of tan(latitude) = (z + e2 N sin(latitude)) / p. Each iteration reduces the error
+  // by a factor of about e2 h/N.
   double latitude = std::atan2(position_m.z(), from_axis_m * (1 - eccentricity_squared));
   double normal_m = semi_major_m;
   for (int turn = 0; turn < 6; ++turn) {

@@ -4,8 +4,8 @@
 
 #include "drivers/measurement/measurement.hpp"
 
-/// Earth-centred axes, in which receivers before NAV-PVT say position and velocity, and the WGS-84
-/// ellipsoid.
+/// Earth-centred axes and the WGS-84 ellipsoid. Receivers without NAV-PVT give position and
+/// velocity in these axes.
 namespace drydock::device {
 
 struct EllipsoidalPosition {
@@ -13,15 +13,15 @@ struct EllipsoidalPosition {
   double height_m = 0;
 };
 
-/// Below 1e-9 m of error within 10 km of the surface.
+/// The error is below 1e-9 m within 10 km of the surface.
 EllipsoidalPosition from_ecef(const Eigen::Vector3d& position_m);
 
 Eigen::Vector3d to_ecef(const EllipsoidalPosition& position);
 
-/// Turns a vector from Earth-centred axes to north, east, down at a place.
+/// Converts a vector from Earth-centred axes to north, east, down at a place.
 Eigen::Vector3d ned_of_ecef(const Eigen::Vector3d& vector, const measurement::Geodetic& at);
 
-/// And back.
+/// The reverse of ned_of_ecef.
 Eigen::Vector3d ecef_of_ned(const Eigen::Vector3d& vector, const measurement::Geodetic& at);
 
 }  // namespace drydock::device

@@ -7,14 +7,14 @@ using std::chrono::milliseconds;
 
 namespace {
 
-/// USB adapters and schedulers hold bytes back for some tens of milliseconds, readers pass them on
-/// in blocks: neither is the end of an epoch.
+/// USB adapters and schedulers delay bytes by some tens of milliseconds, and readers pass bytes on
+/// in blocks. Neither delay is the end of an epoch.
 constexpr milliseconds shortest_pause{50};
 constexpr milliseconds pause_without_baud{100};
 constexpr std::size_t block_bytes = 128;
 
-constexpr milliseconds late_within{500};       ///< a closed epoch's time again: a straggler
-constexpr std::chrono::seconds counts_for{5};  ///< a message that says the same better
+constexpr milliseconds late_within{500};       ///< it came late, after its epoch
+constexpr std::chrono::seconds counts_for{5};  ///< a better message replaces others
 
 bool recent(const std::optional<Stamp>& last, Stamp now) {
   return last && now - *last < counts_for;
@@ -28,7 +28,7 @@ GnssDriver::GnssDriver(const DriverOptions& options)
       pause_(options.baud ? shortest_pause + timing_.line_time(block_bytes) : pause_without_baud) {}
 
 void GnssDriver::receive(wire::Bytes bytes, Stamp received_at, Output& out) {
-  tick(received_at, out);  // a pause before these bytes has ended the epoch, even if nobody ticked
+  tick(received_at, out);  // a pause before these bytes has ended the epoch, even without a tick
   last_bytes_ = received_at;
   framer_.feed(bytes, scan_, [&](wire::Bytes frame, std::size_t after) {
     const auto message = wire::UbxNmea::decode(frame);
@@ -107,7 +107,7 @@ template <class Part>
 requires requires(UbxEpoch& epoch, const Part& part, const Origin& o) { epoch.add(part, o); }
 void GnssDriver::on(const Part& part, const Origin& origin, Output& out) {
   const Origin of_epoch = enter_epoch(part.itow, origin, out);
-  if (closed_itow_ != part.itow) ubx_.add(part, of_epoch);  // else a straggler
+  if (closed_itow_ != part.itow) ubx_.add(part, of_epoch);  // otherwise the part came too late
 }
 
 void GnssDriver::on(const wire::NavEoe& eoe, const Origin& origin, Output& out) {
@@ -137,7 +137,7 @@ void GnssDriver::on(const wire::NavPvt& pvt, const Origin& origin, Output& out) 
   GnssFix fix;
   fix.origin = enter_epoch(pvt.itow, origin, out);
   pvt_at_ = ubx_fix_at_ = origin.received_at;
-  if (fix_itow_ == pvt.itow) return;  // polled or sent twice
+  if (fix_itow_ == pvt.itow) return;  // it was polled or sent twice
   fix_itow_ = pvt.itow;
 
   fix.type = fix_type(pvt.fix_type, pvt.fix_ok);

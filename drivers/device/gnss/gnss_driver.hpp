@@ -7,16 +7,16 @@
 
 namespace drydock::device {
 
-/// Satellite receiver speaking UBX, NMEA 0183, or both on one port: one GnssFix per epoch, and
-/// GnssSatellites where the receiver sends them.
-///   UBX   NAV-PVT is a whole fix and NAV-SAT a whole sky: published at once. Older receivers say
-///         both in parts of one iTOW; that epoch ends with NAV-EOE, when another iTOW begins or
-///         when the line pauses. valid_at counts from the first navigation message of its iTOW, as
-///         the ones before it on the line delayed it.
-///   NMEA  sentences of one time of day; the epoch ends when another time begins or the line
-///         pauses.
-/// What says the same as another message of its epoch is left out: parts beside NAV-PVT (NAV-SAT),
-/// NMEA beside UBX.
+/// Satellite receiver that speaks UBX, NMEA 0183, or both on one port. It gives one GnssFix per
+/// epoch, and GnssSatellites if the receiver sends them.
+///    UBX   NAV-PVT is a complete fix and NAV-SAT a complete sky: published at once. Older
+///          receivers send both in parts with one iTOW. That epoch ends with NAV-EOE, when another
+///          iTOW begins, or when the line pauses. valid_at follows from the first navigation
+///          message of the iTOW, because earlier messages on the line delay the later ones.
+///    NMEA  the sentences of an epoch have one time of day. The epoch ends when another time
+///          begins or the line pauses.
+/// A message is ignored if a better one of its epoch has the same content: parts beside NAV-PVT
+/// (NAV-SAT), NMEA beside UBX.
 class GnssDriver final : public StreamDriver<wire::UbxNmea::max_frame> {
  public:
   explicit GnssDriver(const DriverOptions& options);
@@ -47,13 +47,13 @@ class GnssDriver final : public StreamDriver<wire::UbxNmea::max_frame> {
   void on(const wire::Gsa& s, const Origin& o, Output& out) { on_untimed(s, o, out); }
   void on(const wire::Gsv& s, const Origin& o, Output& out) { on_untimed(s, o, out); }
 
-  /// Enters the epoch of a UBX message, ending the one before.
+  /// Starts the epoch of a UBX message and ends the previous one.
   Origin enter_epoch(std::chrono::milliseconds itow, const Origin& origin, Output& out);
   void close_ubx_epoch(Output& out);
   void close_nmea_epoch(Output& out);
 
   wire::Scan (*scan_)(wire::Bytes);
-  std::chrono::nanoseconds pause_;  ///< of the line that ends an epoch
+  std::chrono::nanoseconds pause_;  ///< a pause this long on the line ends an epoch
   Stamp last_bytes_{};
 
   NmeaEpoch nmea_;
@@ -61,12 +61,12 @@ class GnssDriver final : public StreamDriver<wire::UbxNmea::max_frame> {
   Stamp closed_at_{};
 
   UbxEpoch ubx_;
-  std::optional<std::chrono::milliseconds> itow_;  ///< of the UBX epoch
+  std::optional<std::chrono::milliseconds> itow_;  ///< iTOW of the current UBX epoch
   Stamp itow_valid_at_{};
-  std::optional<std::chrono::milliseconds> fix_itow_, satellites_itow_;  ///< last told
-  std::optional<std::chrono::milliseconds> closed_itow_;  ///< whose parts are no longer waited for
-  std::optional<Stamp> pvt_at_, sat_at_;                  ///< last whole messages
-  std::optional<Stamp> ubx_fix_at_, ubx_satellites_at_;   ///< last told by UBX, whole or in parts
+  std::optional<std::chrono::milliseconds> fix_itow_, satellites_itow_;  ///< last published
+  std::optional<std::chrono::milliseconds> closed_itow_;  ///< parts with this iTOW come too late
+  std::optional<Stamp> pvt_at_, sat_at_;                  ///< last complete messages
+  std::optional<Stamp> ubx_fix_at_, ubx_satellites_at_;   ///< last published from UBX
 };
 
 }  // namespace drydock::device

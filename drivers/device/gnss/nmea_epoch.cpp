@@ -9,10 +9,10 @@ using measurement::FixType;
 using measurement::GnssFix;
 
 namespace {
-constexpr int quality_estimated = 6;  // 7 is typed in by hand, 8 simulated: no measurements
+constexpr int quality_estimated = 6;  // 7 is manual input, 8 simulation: no measurements
 
-/// What the constellations of a GNS agree on at best; empty: a measured position. Typed in (M) and
-/// simulated (S) ones are no measurements.
+/// The best fix type of all constellations in a GNS, if none of them measured. Empty if the
+/// position was measured. Manual input (M) and simulation (S) are no measurements.
 std::optional<FixType> other_than_measured(const wire::Gns& gns) {
   const auto has = [&](std::string_view letters) {
     return std::ranges::any_of(gns.modes, [=](char c) { return letters.find(c) != letters.npos; });
@@ -48,13 +48,15 @@ bool NmeaEpoch::differs(const TimeOfDay& time_of_day, bool have_one) const {
 
 void NmeaEpoch::add(const wire::Gns& s, const Origin& origin) {
   begin(origin, s.time_of_day);
-  // Behind the GN sentence some receivers send one for each constellation, without a position.
+  // After the GN sentence some receivers send one sentence for each constellation, without a
+  // position.
   if (!gns_ || s.latitude_rad) gns_ = s;
 }
 
 void NmeaEpoch::add(const wire::Gsa& s, const Origin& origin) {
   begin(origin, {});
-  // One per constellation; they agree on the fix, and a constellation without satellites may not.
+  // There is one per constellation. They agree on the fix, except that one without satellites may
+  // show none.
   if (s.fix_type) gsa_fix_type_ = std::max(gsa_fix_type_.value_or(0), *s.fix_type);
   if (s.position_dop) position_dop_ = s.position_dop;
   satellites_.add(s);

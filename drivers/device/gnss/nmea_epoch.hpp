@@ -10,16 +10,16 @@ namespace drydock::device {
 
 using measurement::Origin;
 
-/// The NMEA sentences of one epoch on their way to one fix. The time of day in GGA, GNS, RMC,
-/// GLL, GST and ZDA says which belong together; GSA, GSV and VTG carry none and belong to the epoch
-/// that is open, until one comes that the epoch already has.
+/// Joins the NMEA sentences of one epoch into one fix. GGA, GNS, RMC, GLL, GST and ZDA carry a time
+/// of day, which shows the sentences that belong together. GSA, GSV and VTG carry none. They belong
+/// to the open epoch, until a sentence comes that the epoch already has.
 class NmeaEpoch {
  public:
   using TimeOfDay = std::optional<std::chrono::nanoseconds>;
 
   bool empty() const { return !began_; }
-  /// A sentence with this time starts another epoch. Without times, a second sentence of a kind
-  /// does.
+  /// True if the sentence starts another epoch because its time differs. Without times, a second
+  /// sentence of the same kind starts one.
   bool ends_before(const wire::Gga& s) const { return differs(s.time_of_day, gga_.has_value()); }
   bool ends_before(const wire::Rmc& s) const { return differs(s.time_of_day, rmc_.has_value()); }
   bool ends_before(const wire::Gns& s) const { return differs(s.time_of_day, gns_.has_value()); }
@@ -41,11 +41,11 @@ class NmeaEpoch {
   void add(const wire::Gsa& s, const Origin& o);
   void add(const wire::Gsv& s, const Origin& o) { begin(o, {}), satellites_.add(s); }
 
-  /// valid_at is that of the epoch's first sentence, received_at that of its last. The position is
-  /// there when the receiver vouches for it: GGA of quality 1 to 6, else GNS, RMC, GLL, not
-  /// contradicted by an RMC without valid status. Empty without any of the four.
+  /// valid_at is that of the epoch's first sentence, received_at that of its last. The fix has a
+  /// position if the receiver calls it valid: GGA of quality 1 to 6, otherwise GNS, RMC, GLL,
+  /// unless an RMC without valid status contradicts. Empty without any of the four.
   std::optional<measurement::GnssFix> fix() const;
-  /// Empty without a complete GSV group.
+  /// Empty if no GSV group is complete.
   std::optional<measurement::GnssSatellites> satellites() const;
 
   void clear();

@@ -10,14 +10,15 @@ namespace {
 using measurement::Constellation;
 using measurement::Satellite;
 
-/// NMEA numbers first..last of a constellation are its satellites first - offset and on.
+/// The NMEA numbers first..last mean the satellites (first - offset)..(last - offset) of a
+/// constellation.
 struct NumberRange {
   Constellation constellation;
   int first, last, offset;
 };
 
-// NMEA 0183 4.10 and the extended numbering of u-blox. A named constellation is sought first in its
-// own rows, so that 201 from a BeiDou talker is not QZSS.
+// NMEA 0183 4.10 and the extended numbering of u-blox. If the constellation is named, its own rows
+// are searched first, so that 201 from a BeiDou talker is not QZSS.
 constexpr std::array<NumberRange, 14> ranges{{
     {Constellation::gps, 1, 32, 0},
     {Constellation::sbas, 33, 64, -87},
@@ -26,7 +27,7 @@ constexpr std::array<NumberRange, 14> ranges{{
     {Constellation::qzss, 193, 202, 192},
     {Constellation::galileo, 301, 336, 300},
     {Constellation::beidou, 401, 463, 400},
-    // Only where talker or system names the constellation:
+    // These apply only if talker or system names the constellation:
     {Constellation::glonass, 1, 32, 0},
     {Constellation::galileo, 1, 36, 0},
     {Constellation::beidou, 1, 63, 0},
@@ -85,7 +86,7 @@ void NmeaSatellites::add(const wire::Gsv& gsv) {
     next_sentence_ = 1;
     if (begun_.size() < begun_.capacity()) begun_.push_back({gsv.talker, gsv.signal});
   }
-  if (number != next_sentence_) {  // one was lost: the group is not whole
+  if (number != next_sentence_) {  // a sentence was lost: the group is not complete
     next_sentence_ = 0;
     return;
   }
@@ -108,7 +109,7 @@ void NmeaSatellites::merge(const Satellite& satellite) {
     return s.constellation == satellite.constellation && s.number == satellite.number;
   });
   if (same != satellites_.end()) {
-    same->cno_dbhz = std::max(same->cno_dbhz, satellite.cno_dbhz);  // empty is less than any
+    same->cno_dbhz = std::max(same->cno_dbhz, satellite.cno_dbhz);  // empty is the least value
     if (!same->elevation_rad) same->elevation_rad = satellite.elevation_rad;
     if (!same->azimuth_rad) same->azimuth_rad = satellite.azimuth_rad;
   } else if (satellites_.size() < satellites_.capacity()) {

@@ -14,15 +14,15 @@ struct SatelliteId {
   friend bool operator==(const SatelliteId&, const SatelliteId&) = default;
 };
 
-/// Which satellite an NMEA number means. Talkers GL, GA, GB/BD, GQ and GI, or GSA's system field,
-/// name the constellation; otherwise the number does: 1-32 GPS, 33-64 SBAS (PRN 120 and on), 65-99
-/// GLONASS, 193-202 QZSS, 301-336 Galileo, 401-463 BeiDou. Empty: no known satellite.
+/// Finds the satellite that an NMEA number means. Talkers GL, GA, GB/BD, GQ and GI, or GSA's system
+/// field, name the constellation. Otherwise the number does: 1-32 GPS, 33-64 SBAS (from PRN 120),
+/// 65-99 GLONASS, 193-202 QZSS, 301-336 Galileo, 401-463 BeiDou. Empty for an unknown satellite.
 std::optional<SatelliteId> identify_satellite(wire::Talker talker, std::optional<int> system,
                                               int number);
 
-/// Collects the GSV and GSA sentences of one epoch. A group of GSV sentences counts when all of it
-/// came; a satellite heard on several signals (since NMEA 4.10 a group for each) keeps its
-/// strongest C/N0.
+/// Collects the GSV and GSA sentences of one epoch. It uses a group of GSV sentences only if the
+/// group is complete. Since NMEA 4.10 each signal has a group; a satellite with several signals
+/// keeps its strongest C/N0.
 class NmeaSatellites {
  public:
   using List = decltype(measurement::GnssSatellites::satellites);
@@ -31,16 +31,17 @@ class NmeaSatellites {
   void add(const wire::Gsa& gsa);
   void clear();
 
-  /// The first sentence of a group that has already begun: of another epoch.
+  /// True for the first sentence of a group that has already begun: it belongs to another epoch.
   bool has_again(const wire::Gsv& gsv) const;
-  /// Uses a satellite that is already used: of another epoch, unless its GSAs are still coming.
+  /// True if it uses a satellite that is already used: it belongs to another epoch, unless the GSAs
+  /// of this epoch are still coming.
   bool has_again(const wire::Gsa& gsa) const;
 
   bool complete_group() const { return complete_group_; }
-  List list() const;  ///< with `used` from the GSA sentences
+  List list() const;  ///< `used` comes from the GSA sentences
 
  private:
-  /// Of one talker and one signal.
+  /// The sentences of one talker and one signal.
   struct Group {
     wire::Talker talker;
     std::optional<int> signal;
@@ -49,7 +50,7 @@ class NmeaSatellites {
   void merge(const measurement::Satellite& satellite);
 
   boost::container::static_vector<Group, 32> begun_;
-  boost::container::static_vector<measurement::Satellite, 64> group_;  ///< not yet complete
+  boost::container::static_vector<measurement::Satellite, 64> group_;  ///< of the incomplete group
   int next_sentence_ = 1;
   List satellites_;
   boost::container::static_vector<SatelliteId, 96> used_;

@@ -87,7 +87,7 @@ void UbxEpoch::fill_position(GnssFix& fix) const {
     fix.mean_sea_level_height_m = posllh_->mean_sea_level_height_m;
     fix.horizontal_accuracy_m = posllh_->horizontal_accuracy_m;
     fix.vertical_accuracy_m = posllh_->vertical_accuracy_m;
-  } else if (ecef) {  // its accuracy is that of all three axes together
+  } else if (ecef) {  // its accuracy is for all three axes together
     const EllipsoidalPosition position = from_ecef(*ecef);
     fix.position = position.horizontal;
     fix.ellipsoidal_height_m = position.height_m;
@@ -110,8 +110,8 @@ void UbxEpoch::fill_velocity(GnssFix& fix) const {
   }
 }
 
-/// UTC as the receiver says it, else GPS time less the leap seconds that it has heard. GPS time
-/// alone is no UTC.
+/// UTC as the receiver gives it. Otherwise GPS time minus the leap seconds, if the receiver knows
+/// them. GPS time without leap seconds is not UTC.
 std::optional<Stamp> UbxEpoch::utc() const {
   if (time_utc_ && time_utc_->date && time_utc_->time_of_day) {
     return Stamp{std::chrono::sys_days{*time_utc_->date}.time_since_epoch() +

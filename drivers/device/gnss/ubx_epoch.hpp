@@ -10,12 +10,12 @@
 
 namespace drydock::device {
 
-/// What a receiver's fix type and its gnssFixOK amount to.
+/// The fix type that follows from a receiver's fix type and its gnssFixOK.
 measurement::FixType fix_type(wire::UbxFixType type, bool fix_ok);
 
-/// The parts of one epoch of a receiver without NAV-PVT or NAV-SAT on their way to one fix and one
-/// list of satellites: NAV-SOL, STATUS, POSLLH, VELNED, DOP, TIMEGPS and TIMEUTC; SVINFO or SIG.
-/// One iTOW ties them together; the driver sees to it that only parts of one iTOW come here.
+/// Joins the parts of one epoch of a receiver without NAV-PVT or NAV-SAT into one fix and one list
+/// of satellites. The parts are NAV-SOL, STATUS, POSLLH, VELNED, DOP, TIMEGPS and TIMEUTC; SVINFO
+/// or SIG. They share one iTOW; the driver passes only parts of one iTOW.
 class UbxEpoch {
  public:
   bool empty() const { return !began_; }
@@ -28,11 +28,11 @@ class UbxEpoch {
   void add(const wire::NavTimeGps& m, const Origin& o) { begin(o), time_gps_ = m; }
   void add(const wire::NavTimeUtc& m, const Origin& o) { begin(o), time_utc_ = m; }
   void add(const wire::NavSvinfo& m, const Origin& o);
-  void add(const wire::NavSig& m, const Origin& o);  ///< SVINFO knows more and takes its place
+  void add(const wire::NavSig& m, const Origin& o);  ///< SVINFO has more data and replaces it
 
   /// valid_at is that of the epoch's first message, received_at that of its last. A position or
-  /// velocity needs NAV-SOL or NAV-STATUS to vouch for it; POSLLH and VELNED count before the ECEF
-  /// values of NAV-SOL. Empty without any of these four.
+  /// velocity is published only if NAV-SOL or NAV-STATUS calls the fix valid. POSLLH and VELNED
+  /// take precedence over the ECEF values of NAV-SOL. Empty without any of these four messages.
   std::optional<measurement::GnssFix> fix() const;
   std::optional<measurement::GnssSatellites> satellites() const;
 

@@ -43,7 +43,7 @@ SatelliteList satellite_list(std::span<const wire::UbxSignal> signals) {
       }
       continue;
     }
-    same->cno_dbhz = std::max(same->cno_dbhz, s.cno_dbhz);  // empty is less than any
+    same->cno_dbhz = std::max(same->cno_dbhz, s.cno_dbhz);  // empty is the least value
     same->used = same->used || used;
   }
   return list;

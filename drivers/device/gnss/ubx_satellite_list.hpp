@@ -7,11 +7,11 @@ namespace drydock::device {
 
 using SatelliteList = decltype(measurement::GnssSatellites::satellites);
 
-/// Of NAV-SAT or NAV-SVINFO. Satellites that the receiver cannot name yet are left out.
+/// From NAV-SAT or NAV-SVINFO. It omits satellites that the receiver cannot identify yet.
 SatelliteList satellite_list(std::span<const wire::UbxSatellite> satellites);
 
-/// Of NAV-SIG: a satellite's C/N0 is that of its strongest signal, and it is used when any of its
-/// signals is. Signals have no direction.
+/// From NAV-SIG. A satellite has the C/N0 of its strongest signal, and it is used if any of its
+/// signals is used. Signals have no direction.
 SatelliteList satellite_list(std::span<const wire::UbxSignal> signals);
 
 }  // namespace drydock::device

@@ -13,7 +13,8 @@ constexpr std::chrono::milliseconds answer_within{200};
 constexpr std::chrono::seconds status_period{1};
 constexpr unsigned tries = 3;
 
-/// Top of the range that J1939-81 leaves to nodes that configure themselves; each driver its own.
+/// The upper part of the range that J1939-81 reserves for nodes that configure themselves. Each
+/// driver has its own address.
 std::uint8_t preferred_address(const DriverOptions& options) {
   return static_cast<std::uint8_t>(247 - options.device % 64);
 }

@@ -8,17 +8,17 @@
 
 namespace drydock::device {
 
-/// Sets an Aceinna IMU up as the rig file says and sees that it obeyed. Claims an address of its
-/// own, as whoever commands a J1939 device must; then for each setting: the command, a request for
-/// what is in force, the answer compared. An answer that differs, or none, is tried three times and
-/// then reported. Afterwards it asks for hardware BIT and status in turn, which no device sends by
-/// itself. Without settings it sends nothing at all.
+/// Sets up an Aceinna IMU as the rig file says, and checks the result. It claims an address of its
+/// own: J1939 requires one from a node that sends commands. For each setting it sends the command,
+/// requests the value in force and compares the answer. It tries three times if the answer differs
+/// or does not come, and then reports it. Afterwards it asks for hardware BIT and status in turn;
+/// no device sends them by itself. Without settings it sends nothing at all.
 class AceinnaConfigurator {
  public:
   explicit AceinnaConfigurator(const DriverOptions& options);
 
   void restart(Stamp now, Output& out);
-  /// The device was heard at this address; after `begin_anew` all is set again.
+  /// The device was heard at this address. `begin_anew` sets everything again.
   void found(std::uint8_t address, Stamp now);
   void begin_anew(Stamp now);
 
@@ -36,7 +36,7 @@ class AceinnaConfigurator {
   void command(Output& out, std::uint8_t own) const;
   void request(std::uint32_t pgn, Output& out, std::uint8_t own) const;
   void give_up(Output& out) const;
-  /// Empty: the message answers another question.
+  /// Empty if the message answers another question.
   std::optional<bool> confirms(const wire::Aceinna::Message& message) const;
 
   AceinnaSettings settings_;
@@ -44,9 +44,9 @@ class AceinnaConfigurator {
   std::optional<std::uint8_t> device_;
   Step step_ = Step::rate;
   unsigned tries_ = 0;
-  bool answered_ = false;  ///< with another value than was set
+  bool answered_ = false;  ///< the answer had another value
   std::optional<Stamp> next_;
-  bool ask_status_ = false;  ///< else hardware BIT
+  bool ask_status_ = false;  ///< asks for status next, otherwise for hardware BIT
 };
 
 }  // namespace drydock::device

@@ -10,7 +10,8 @@ namespace {
 
 namespace aceinna = wire::aceinna;
 
-/// The device sends its messages within 0.8 ms; half the period of 100 Hz still tells two apart.
+/// The device sends its messages within 0.8 ms. Half a period at 100 Hz still separates two
+/// samples.
 constexpr std::chrono::milliseconds pairing_window{5};
 
 constexpr std::size_t place_of(const aceinna::HardwareBit&) { return 0; }
@@ -86,7 +87,7 @@ void AceinnaImuDriver::on(const aceinna::Acceleration& m, const wire::CanFrame& 
   pair(out);
 }
 
-/// A claim is the first that a device says after its boot: it has lost its settings.
+/// The claim is the first message after a boot: the device has lost its settings.
 void AceinnaImuDriver::on(const aceinna::AddressClaimed& m, const wire::CanFrame&, Stamp at,
                           Output&) {
   source_.claimed(m.source, aceinna::to_value(m.name), at);
@@ -110,8 +111,8 @@ void AceinnaImuDriver::on(const aceinna::Flags<Layout>& m, const wire::CanFrame&
 void AceinnaImuDriver::pair(Output& out) {
   if (!rate_ || !force_) return;
   const auto apart = rate_->origin.received_at - force_->origin.received_at;
-  if (std::chrono::abs(apart) > pairing_window) return;  // the older one waits in vain
-  // Sampled together, before the first of the two left.
+  if (std::chrono::abs(apart) > pairing_window) return;  // the older message has no partner
+  // Both were sampled together, before the first of the two was sent.
   Origin origin = rate_->origin;
   origin.received_at = std::max(origin.received_at, force_->origin.received_at);
   origin.valid_at = stated_valid_at_.value_or(std::min(origin.valid_at, force_->origin.valid_at));

@@ -8,12 +8,13 @@
 
 namespace drydock::device {
 
-/// Aceinna IMU on J1939: ACCS and ARI of one instant -> one ImuSample. The two are sent back to
-/// back, in either order; what finds no partner in time gives no sample, as does a set with a
-/// component that the device marks as error or not available. The wire's X, Y, Z are taken as the
-/// sensor's right-handed axes and ACCS as specific force; the mounting turns them into the body.
-/// SSI2 (the device's own attitude) is no measurement of ours. What BIT and status messages
-/// complain of is reported when it begins; AceinnaConfigurator sets the device up.
+/// Aceinna IMU on J1939: joins ACCS and ARI of one instant into one ImuSample. The device sends the
+/// two directly one after the other, in either order. A message without a partner in time gives no
+/// sample. A set gives no sample if the device marks a component as error or not available. The
+/// driver takes X, Y, Z on the wire as the sensor's right-handed axes and ACCS as specific force;
+/// the mounting converts them to the body. It ignores SSI2, the device's own attitude. It reports
+/// an error in BIT and status messages when the error begins. AceinnaConfigurator sets up the
+/// device.
 class AceinnaImuDriver final : public BusDriver<wire::Aceinna> {
  public:
   explicit AceinnaImuDriver(const DriverOptions& options);
@@ -47,8 +48,8 @@ class AceinnaImuDriver final : public BusDriver<wire::Aceinna> {
   NodeSearch search_;
   AceinnaConfigurator configurator_;
   std::optional<Half> rate_, force_;
-  std::optional<Stamp> stated_valid_at_;  ///< by ARI's latency field
-  std::array<std::string_view, 3> told_;  ///< trouble of hardware BIT, software BIT and status
+  std::optional<Stamp> stated_valid_at_;  ///< from ARI's latency field
+  std::array<std::string_view, 3> told_;  ///< errors that were reported
 };
 
 }  // namespace drydock::device

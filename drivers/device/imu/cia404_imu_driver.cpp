@@ -8,8 +8,8 @@ namespace {
 
 namespace canopen = wire::canopen;
 
-/// Three frames take 1.5 ms at 250 kbit/s; traffic of higher priority may come between. Frames
-/// further apart are of two samples with others lost between them.
+/// Three frames take 1.5 ms at 250 kbit/s, and traffic of higher priority may come between. If
+/// frames are further apart they belong to two samples, and frames between them were lost.
 constexpr std::chrono::milliseconds longest_set{5};
 
 }  // namespace
@@ -36,7 +36,7 @@ template <class Protocol>
 void Cia404ImuDriver<Protocol>::on(const wire::cia404_imu::ImuSet& set, const Origin& end,
                                    Output& out) {
   if (!node_.accepts(set.node, end.received_at)) return;
-  // The values were true together, before the first frame left.
+  // All values were true together, before the first frame was sent.
   Origin origin = first_frame_[set.node];
   if (end.received_at - origin.received_at > longest_set) {
     out.report("frames of one sample came over 5 ms apart: some were lost, or the host was late");

@@ -7,8 +7,9 @@
 
 namespace drydock::device {
 
-/// CANopen IMU whose protocol gives whole sets, as REAL32 or as Epson's integers: each set -> one
-/// ImuSample, true before its first frame left. CanopenNode starts the node and watches it.
+/// CANopen IMU whose protocol gives complete sets, as REAL32 or as Epson's integers. Each set
+/// becomes one ImuSample. The sample was true before its first frame was sent. CanopenNode starts
+/// and watches the node.
 template <class Protocol>
 class Cia404ImuDriver final : public BusDriver<Protocol> {
  public:
@@ -27,7 +28,7 @@ class Cia404ImuDriver final : public BusDriver<Protocol> {
 
   Mounting mounting_;
   CanopenNode node_;
-  std::array<Origin, 128> first_frame_{};  ///< of each node's set under way
+  std::array<Origin, 128> first_frame_{};  ///< for each node, of its incomplete set
 };
 
 extern template class Cia404ImuDriver<wire::Cia404Imu>;

@@ -9,8 +9,8 @@
 
 namespace drydock::device {
 
-/// Beyond what IMUs of vehicles and rockets measure (about 2000 deg/s and 100 g): a bit of a float
-/// turned over, in frames that have no checksum of their own.
+/// No IMU of a vehicle or rocket measures more (they reach about 2000 deg/s and 100 g). Such a
+/// value means that a bit of a float was flipped in a frame without a checksum.
 inline constexpr double most_rate_radps = 100, most_force_mps2 = 2000;
 
 inline bool believable(const std::array<std::optional<double>, 3>& values, double most) {
@@ -19,7 +19,7 @@ inline bool believable(const std::array<std::optional<double>, 3>& values, doubl
   return true;
 }
 
-/// A sample in body axes; empty unless all six components are there and believable.
+/// A sample in body axes. Empty unless all six components are there and plausible.
 inline std::optional<measurement::ImuSample> make_imu_sample(
     const measurement::Origin& origin, const std::array<std::optional<double>, 3>& rate_radps,
     const std::array<std::optional<double>, 3>& specific_force_mps2, const Mounting& mounting) {

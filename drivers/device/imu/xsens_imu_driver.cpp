@@ -99,7 +99,7 @@ void XsensImuDriver::add(std::optional<Axes> Group::*which, const Axes& axes, co
   const bool late = group_.first && origin.received_at - group_.first->received_at > longest_group;
   const bool repeated = (group_.*which).has_value();
   if (marked_) {
-    // What comes twice, or so late, is of a group whose beginning was lost.
+    // A repeated or late message belongs to a group whose beginning was lost.
     if (late || repeated) group_.whole = true;
     if (group_.whole) return;
   } else if (!group_.first || late || repeated || group_.whole) {
@@ -125,7 +125,7 @@ void XsensImuDriver::publish(const Origin& last, Output& out) {
   if (sample) out.publish(*sample);
 }
 
-/// Each trouble is told once, when it begins.
+/// Reports each error once, when it begins.
 void XsensImuDriver::tell(bool trouble, bool& told, std::string_view words, Output& out) const {
   if (trouble && !told) out.report(words);
   told = trouble;

@@ -6,12 +6,12 @@
 
 namespace drydock::device {
 
-/// Xsens IMU on CAN: RateOfTurn and Acceleration of one group -> one ImuSample; the HR pair counts
-/// while the plain one does not come. SampleTime and GroupCounter stand before the data of their
-/// group: once one was heard, only data between one and the next are joined, and only within 5 ms.
-/// valid_at follows the device's ticks where SampleTime is sent. A group whose status word says
-/// that a sensor was clipped gives no sample; clipping, a failed self-test and dropped messages are
-/// reported when they begin.
+/// Xsens IMU on CAN: joins RateOfTurn and Acceleration of one group into one ImuSample. It uses the
+/// HR pair only while the plain pair does not come. SampleTime and GroupCounter come before the
+/// data of their group. Once one of them was heard, only data between it and the next are joined,
+/// and only within 5 ms. If the device sends SampleTime, valid_at follows the device's ticks. A
+/// group whose status word reports clipping gives no sample. Clipping, a failed self-test and
+/// dropped messages are reported when they begin.
 class XsensImuDriver final : public BusDriver<wire::Xsens> {
  public:
   explicit XsensImuDriver(const DriverOptions& options);
@@ -25,9 +25,9 @@ class XsensImuDriver final : public BusDriver<wire::Xsens> {
     std::optional<std::uint32_t> ticks;
     std::optional<std::uint16_t> counter;
     std::optional<Axes> rate, force;
-    std::optional<Origin> first;  ///< of its first frame
+    std::optional<Origin> first;  ///< of the group's first frame
     bool clipped = false;
-    bool whole = false;  ///< its sample was published, or it is known to be mixed
+    bool whole = false;  ///< the sample was published, or the group is known to be mixed
 
     bool has_data() const { return rate || force; }
   };

@@ -6,7 +6,7 @@
 namespace drydock::device {
 
 namespace {
-/// A frame takes 0.6 ms at 250 kbit/s: between these two no other had room.
+/// A frame takes 0.6 ms at 250 kbit/s: no other frame fits into this pause.
 constexpr std::chrono::microseconds shortest_pause{500};
 }  // namespace
 

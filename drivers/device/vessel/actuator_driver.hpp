@@ -8,10 +8,10 @@
 namespace drydock::device {
 
 /// Feedback of the actuators on NMEA 2000, one measurement per frame. PGN 127245: instance 0 is the
-/// rudder, 1 the stern plane, 2 the bow plane. NMEA 2000 counts a rudder to starboard as positive,
-/// ActuatorState one that turns to port: the rudder changes sign here, the planes do not.
-/// PGN 127488: shaft speed, any instance. Frames of one source in a row were true together, before
-/// the first left.
+/// rudder, 1 the stern plane, 2 the bow plane. NMEA 2000 counts a rudder angle to starboard as
+/// positive, ActuatorState an angle that turns the vehicle to port. Therefore this driver changes
+/// the sign of the rudder, but not of the planes. PGN 127488: shaft speed, any instance.
+/// Consecutive frames of one source were all true before the first was sent.
 class ActuatorDriver final : public Nmea2000Driver {
  public:
   explicit ActuatorDriver(const DriverOptions& options);

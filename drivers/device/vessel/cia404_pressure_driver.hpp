@@ -6,8 +6,8 @@
 
 namespace drydock::device {
 
-/// CANopen pressure transmitter: TPDO1 -> pressure, and depth by the configured water column. The
-/// pressure of a gauge transmitter counts from the surface's.
+/// CANopen pressure transmitter. TPDO1 gives the pressure; the configured water column gives the
+/// depth. A gauge transmitter measures relative to the pressure at the surface.
 class Cia404PressureDriver final : public BusDriver<wire::Cia404Pressure> {
  public:
   explicit Cia404PressureDriver(const DriverOptions& options);
@@ -22,7 +22,7 @@ class Cia404PressureDriver final : public BusDriver<wire::Cia404Pressure> {
 
   CanopenNode node_;
   wire::cia404_pressure::Scale scale_;
-  double zero_pa_;  ///< absolute pressure at which the transmitter says 0
+  double zero_pa_;  ///< absolute pressure at which the transmitter reads 0
   measurement::WaterColumn water_;
 };
 

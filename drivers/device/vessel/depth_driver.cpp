@@ -4,7 +4,7 @@ namespace drydock::device {
 
 namespace {
 constexpr std::chrono::seconds temperature_counts_for{10};  // PGN 130312 comes every 2 s
-constexpr std::chrono::milliseconds tied_for{100};          // a SID comes again after 253 samples
+constexpr std::chrono::milliseconds tied_for{100};          // a SID repeats after 253 samples
 }  // namespace
 
 DepthDriver::DepthDriver(const DriverOptions& options)

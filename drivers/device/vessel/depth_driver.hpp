@@ -4,10 +4,10 @@
 
 namespace drydock::device {
 
-/// Depth on NMEA 2000. PGN 130314 with source water -> pressure and
-/// depth by the configured water column, with the last sea temperature of PGN 130312. PGN 128267,
-/// an echo sounder's depth below its transducer, is the altitude, a measurement of its own, true
-/// when the pressure of the same source and SID was.
+/// Depth on NMEA 2000. PGN 130314 with source "water" gives the pressure; the configured water
+/// column gives the depth. The sample also has the last sea temperature of PGN 130312. PGN 128267,
+/// an echo sounder's depth below its transducer, gives the altitude as a separate measurement. The
+/// altitude was true at the same time as the pressure with the same source and SID.
 class DepthDriver final : public Nmea2000Driver {
  public:
   explicit DepthDriver(const DriverOptions& options);

@@ -3,7 +3,7 @@
 namespace drydock::device {
 
 namespace {
-constexpr std::chrono::seconds vbw_counts_for{3};  // logs send once or more a second
+constexpr std::chrono::seconds vbw_counts_for{3};  // logs send at least once a second
 }
 
 void EmLogDriver::receive(wire::Bytes bytes, Stamp received_at, Output& out) {

@@ -6,10 +6,10 @@
 
 namespace drydock::device {
 
-/// EM log speaking NMEA 0183: VHW, VBW, VLW -> WaterSpeed, one measurement per sentence. Only what
-/// is measured against the water comes out; VBW's and VLW's ground values never do. A log that
-/// sends VBW and VHW says the same speed twice, so VHW is left out while VBW comes. Sentences in a
-/// row were true together, before the first left.
+/// EM log that speaks NMEA 0183: VHW, VBW, VLW become WaterSpeed, one measurement per sentence.
+/// Only values against the water are published, never the ground values of VBW and VLW. A log that
+/// sends VBW and VHW gives the same speed twice, so the driver ignores VHW while VBW comes.
+/// Consecutive sentences were all true before the first was sent.
 class EmLogDriver final : public StreamDriver<wire::Nmea0183::max_frame> {
  public:
   explicit EmLogDriver(const DriverOptions& options)
@@ -18,7 +18,7 @@ class EmLogDriver final : public StreamDriver<wire::Nmea0183::max_frame> {
   void receive(wire::Bytes bytes, Stamp received_at, Output& out) override;
 
  private:
-  /// Logs send once to ten times a second; hosts hold bytes back for some milliseconds.
+  /// Logs send once to ten times a second; hosts delay bytes by some milliseconds.
   static constexpr std::chrono::milliseconds shortest_pause{10};
 
   void on(const wire::Vhw& vhw, const Origin& origin, Output& out);

@@ -7,8 +7,8 @@
 
 namespace drydock::device {
 
-/// What the drivers on NMEA 2000 share: they claim no address, and send nothing but a request for
-/// the NAMEs on the bus when it opens or their sensor is silent.
+/// The common parts of drivers on NMEA 2000. They claim no address. The only message that they send
+/// is a request for the NAMEs on the bus, when it opens or their sensor is silent.
 class Nmea2000Driver : public BusDriver<wire::Nmea2000> {
  public:
   void restart(Stamp now, Output& out) final { search_.restart(now, out); }

@@ -17,7 +17,7 @@ bool is_ready(const boost::system::result<CanInterface>& found) {
   return found && found->is_vcan && found->up;
 }
 
-/// A vcan interface of that name that is up, made or brought up if we may.
+/// True if a vcan interface of that name is up. Makes it or brings it up if the process may.
 bool make_ready(const std::string& name) {
   auto found = find_can_interface(name);
   if (!found && !create_vcan(name)) found = find_can_interface(name);

@@ -1,6 +1,6 @@
 #include "drivers/link/can/can_interface.hpp"
 
-// Before the kernel's headers, which then leave out what it defines.
+// This must come before the kernel's headers: they then omit its definitions.
 #include <net/if.h>
 
 #include <linux/can.h>
@@ -19,7 +19,7 @@
 namespace drydock::link {
 namespace {
 
-/// One rtnetlink request about one link, and the place for its answer.
+/// One rtnetlink request about one link, and the buffer for its answer.
 class LinkRequest {
  public:
   LinkRequest(std::uint16_t type, std::uint16_t flags, int index) {
@@ -35,7 +35,7 @@ class LinkRequest {
     info().ifi_change = IFF_UP;
   }
 
-  /// Returns where the attribute begins; end_nested() closes one that holds others.
+  /// Returns the position of the attribute. end_nested() closes an attribute that holds others.
   std::size_t add(std::uint16_t type, const void* data, std::size_t size) {
     const std::size_t at = NLMSG_ALIGN(header().nlmsg_len);
     rtattr attribute{static_cast<std::uint16_t>(RTA_LENGTH(size)), type};
@@ -50,7 +50,7 @@ class LinkRequest {
     attribute->rta_len = static_cast<std::uint16_t>(header().nlmsg_len - at);
   }
 
-  /// Sends it and reads one answer: an acknowledgement, an error or the link asked for.
+  /// Sends the request and reads one answer: an acknowledgement, an error or the requested link.
   ErrorCode exchange();
 
   const nlmsghdr& answer() const { return *reinterpret_cast<const nlmsghdr*>(buffer_.data()); }
@@ -102,7 +102,7 @@ std::string_view state_name(std::uint32_t state) {
   return state < names.size() ? names[state] : std::string_view{};
 }
 
-/// What the controller's driver says of itself (IFLA_CAN_*).
+/// Reads the values that the controller's driver reports (IFLA_CAN_*).
 void read_controller(std::string_view details, CanInterface& found) {
   for_each_attribute(details, [&](std::uint16_t type, std::string_view data) {
     if (type == IFLA_CAN_BITTIMING) {

@@ -6,7 +6,7 @@
 
 #include "drivers/link/opening.hpp"
 
-/// CAN network interfaces of the kernel, by rtnetlink.
+/// CAN network interfaces of the kernel, through rtnetlink.
 namespace drydock::link {
 
 struct CanInterface {
@@ -14,16 +14,17 @@ struct CanInterface {
   bool up = false;
   bool is_vcan = false;
   unsigned mtu = 0;                 ///< 16: classic CAN; 72: CAN FD
-  std::optional<unsigned> bitrate;  ///< nominal phase, bit/s; empty where the driver has none
-  /// Of the controller, in the kernel's words: "ERROR-ACTIVE" ... "BUS-OFF"; empty: none is told.
+  std::optional<unsigned> bitrate;  ///< nominal phase, bit/s; empty if the driver has no rate
+  /// State of the controller, in the kernel's words: "ERROR-ACTIVE" ... "BUS-OFF". Empty if it is
+  /// not known.
   std::string_view state;
 };
 
-/// The kernel's name for the interface; fails with ENODEV when there is none or it is not CAN.
+/// The kernel's data of the interface. Fails with ENODEV if it does not exist or is not CAN.
 boost::system::result<CanInterface> find_can_interface(const std::string& name);
 
 /// Makes a vcan interface that carries CAN FD and brings it up. EPERM without CAP_NET_ADMIN,
-/// EOPNOTSUPP where the kernel has no vcan.
+/// EOPNOTSUPP if the kernel has no vcan.
 ErrorCode create_vcan(const std::string& name);
 
 /// Sets an interface up or down. EPERM without CAP_NET_ADMIN.

@@ -14,7 +14,7 @@ using SteadyClock = std::chrono::steady_clock;
 
 class FrameFileLink final : public FrameLink {
  public:
-  /// `speed` 0: no pacing.
+  /// `speed` 0 means no pacing.
   FrameFileLink(const asio::any_io_executor& executor, const Uri& uri, double speed)
       : executor_(executor),
         file_(capture_of(uri)),
@@ -39,7 +39,7 @@ class FrameFileLink final : public FrameLink {
   Provenance provenance() const override { return Provenance::replayed; }
 
  private:
-  /// When a frame of this time in the capture is due now.
+  /// The present time at which a frame with this time in the capture is due.
   SteadyClock::time_point due(std::chrono::nanoseconds time) {
     if (!first_) {
       first_ = time;
@@ -60,7 +60,7 @@ class FrameFileLink final : public FrameLink {
 };
 
 Task<ReceivedFrame> FrameFileLink::read() {
-  // Others get their turn even when the file is faster than everything.
+  // Other coroutines get their turn even if the file is never slow.
   co_await asio::post(executor_, asio::use_awaitable);
   if (closed_) co_return ErrorCode(asio::error::operation_aborted);
   if (!next_) co_return ErrorCode(asio::error::eof);

@@ -10,13 +10,14 @@
 
 namespace drydock::link {
 
-/// A CAN bus inside this process: each member hears all others, not itself. A member that does
-/// not read loses the newest frames and counts them. Members may live on different threads.
+/// A CAN bus inside this process: each member hears all others, but not itself. A member that does
+/// not read loses the newest frames and counts them. Members may be on different threads.
 class FrameHub : public std::enable_shared_from_this<FrameHub> {
  public:
   class Member {
    public:
-    /// The oldest frame waiting, the end of the bus or of this member as an error, or nothing yet.
+    /// The oldest waiting frame, or the end of the bus or of this member as an error. Empty if
+    /// nothing waits.
     std::optional<boost::system::result<ReceivedFrame>> take();
     void send(const wire::CanFrame& frame, Stamp at);
     void leave();
@@ -38,15 +39,15 @@ class FrameHub : public std::enable_shared_from_this<FrameHub> {
   std::shared_ptr<Member> join(const asio::any_io_executor& executor);
 
  private:
-  mutable std::mutex mutex_;  ///< of the list and of every member's state
+  mutable std::mutex mutex_;  ///< protects the list and the state of every member
   std::vector<std::weak_ptr<Member>> members_;
 };
 
-/// A member of a hub as a link. `keep_alive` is held until it is closed (ports of the bus).
+/// A member of a hub as a link. The link holds `keep_alive` (ports of the bus) until it is closed.
 std::unique_ptr<FrameLink> make_hub_link(std::shared_ptr<FrameHub::Member> member,
                                          std::shared_ptr<void> keep_alive);
 
-/// `memory-can:NAME`: all who open the name in this process are on one bus.
+/// `memory-can:NAME`: everybody who opens this name in the process is on one bus.
 OpenedFrames open_memory_can(const asio::any_io_executor& executor, const Uri& uri);
 
 }  // namespace drydock::link

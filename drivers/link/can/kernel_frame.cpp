@@ -5,7 +5,7 @@
 
 namespace drydock::link {
 
-// canfd_frame was laid out so that a classic frame can be read through it.
+// By design a classic frame can be read through canfd_frame.
 static_assert(offsetof(can_frame, can_id) == offsetof(canfd_frame, can_id));
 static_assert(offsetof(can_frame, len) == offsetof(canfd_frame, len));
 static_assert(offsetof(can_frame, data) == offsetof(canfd_frame, data));

@@ -6,7 +6,7 @@
 
 namespace drydock::link {
 
-/// A frame as the kernel carries it. Classic frames are the first CAN_MTU bytes of the structure.
+/// A frame in the kernel's layout. A classic frame is the first CAN_MTU bytes of the structure.
 struct KernelFrame {
   canfd_frame frame{};
   std::size_t size = CAN_MTU;  ///< CAN_MTU or CANFD_MTU

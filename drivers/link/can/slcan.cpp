@@ -53,7 +53,7 @@ class SlcanLink final : public FrameLink {
 
   std::unique_ptr<ByteLink> line_;
   std::string opening_;
-  std::shared_ptr<io::Signal> changed_;  ///< the channel is no longer opening
+  std::shared_ptr<io::Signal> changed_;  ///< signalled when the channel is no longer opening
   Channel channel_ = Channel::closed;
   wire::Framer<wire::Slcan::max_frame> framer_;
   std::array<std::uint8_t, read_size> buffer_{};
@@ -61,7 +61,8 @@ class SlcanLink final : public FrameLink {
   std::uint64_t dropped_ = 0;
 };
 
-/// A read and a write may both come first: one opens, the other waits, so that lines never mix.
+/// A read and a write may both be first: one opens the channel and the other waits, so that their
+/// lines never mix.
 Task<void> SlcanLink::opened() {
   while (channel_ == Channel::opening) co_await changed_->wait();
   if (channel_ == Channel::open) co_return boost::system::result<void>{};

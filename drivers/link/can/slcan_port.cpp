@@ -13,8 +13,8 @@ namespace drydock::link {
 
 namespace slcan = wire::slcan;
 
-/// One adapter: a byte link on one side, a member of the bus on the other. Answers as a LAWICEL
-/// adapter does and passes frames on only while its channel is open.
+/// One adapter: a byte link on one side, a member of the bus on the other. It answers like a
+/// LAWICEL adapter and forwards frames only while its channel is open.
 class SlcanBus::Port {
  public:
   Port(std::unique_ptr<ByteLink> line, std::shared_ptr<FrameHub::Member> member)
@@ -34,11 +34,11 @@ class SlcanBus::Port {
   void on_frame(const wire::CanFrame& frame, Stamp at);
   void on_command(const slcan::Command& command);
   void answer(std::string_view text) {
-    // A program that sends and never reads its answers loses them.
+    // A program that sends but never reads its answers loses them.
     if (outgoing_.size() < 4 * batch_size) outgoing_.append(text);
     member_->changed()->notify();
   }
-  /// Answers and as many frames as fit into one write. False: the bus has ended.
+  /// Collects answers and as many frames as fit into one write. False if the bus has ended.
   bool collect();
 
   static constexpr std::size_t batch_size = 1024;
@@ -97,7 +97,7 @@ bool SlcanBus::Port::collect() {
 void SlcanBus::Port::take_in(wire::Bytes bytes, Stamp at) {
   const auto scan = [&](wire::Bytes front) {
     const wire::Scan found = wire::Slcan::scan(front);
-    if (found.kind == wire::Scan::Kind::bad_checksum) answer("\a");  // a line that says nothing
+    if (found.kind == wire::Scan::Kind::bad_checksum) answer("\a");  // a line that is no command
     return found;
   };
   framer_.feed(bytes, scan, [&](wire::Bytes line, std::size_t) { handle(line, at); });

@@ -7,8 +7,8 @@
 
 namespace drydock::link {
 
-/// An emulated CAN bus with slcan adapters on it, one per byte link: what any member or any
-/// program behind an adapter sends reaches all others. Ends when the last member has closed.
+/// An emulated CAN bus with slcan adapters, one for each byte link. A frame from any member or from
+/// any program behind an adapter reaches all others. The bus ends when the last member has closed.
 class SlcanBus : public std::enable_shared_from_this<SlcanBus> {
  public:
   static std::shared_ptr<SlcanBus> open(const asio::any_io_executor& executor,
@@ -17,7 +17,7 @@ class SlcanBus : public std::enable_shared_from_this<SlcanBus> {
   SlcanBus& operator=(const SlcanBus&) = delete;
   ~SlcanBus();
 
-  /// A further member in this process, on the bus's executor.
+  /// Adds a member in this process, on the bus's executor.
   std::unique_ptr<FrameLink> join();
 
  private:

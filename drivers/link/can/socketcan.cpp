@@ -20,8 +20,9 @@ namespace {
 using namespace std::chrono_literals;
 using Descriptors = asio::posix::stream_descriptor;
 
-/// How long a full transmit queue may stay full: nobody on the bus acknowledges, or the controller
-/// is bus-off. poll() does not report a full queue (ENOBUFS), so we look again at each step.
+/// Limit for a full transmit queue. It stays full if nobody on the bus acknowledges or if the
+/// controller is bus-off. poll() does not report a full queue (ENOBUFS), so the link tries again at
+/// each step.
 constexpr auto patience = 250ms;
 constexpr auto patience_step = 1ms;
 
@@ -45,7 +46,7 @@ class SocketCan final : public FrameLink {
   std::uint64_t dropped() const override { return dropped_; }
 
  private:
-  /// EAGAIN: nothing waits.
+  /// EAGAIN means that nothing waits.
   boost::system::result<ReceivedFrame> receive();
   void note_drops(std::uint32_t total);
   void take_control(const cmsghdr& control, ReceivedFrame& received);
@@ -124,7 +125,7 @@ Task<void> SocketCan::write(const wire::CanFrame& frame) {
   co_return boost::system::result<void>{};
 }
 
-/// Stamps, drop counts, error frames, and what the URI asks for. False: errno says why not.
+/// Sets stamps, drop counts, error frames, and the URI's options. False on failure; errno says why.
 bool set_options(int socket, const Uri& uri) {
   const auto set = [&](int level, int name, int value) {
     return ::setsockopt(socket, level, name, &value, sizeof value) == 0;

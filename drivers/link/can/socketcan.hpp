@@ -4,9 +4,9 @@
 
 namespace drydock::link {
 
-/// A CAN interface of the kernel (CAN_RAW): receive stamps of the kernel, all error frames, the
-/// kernel's count of frames lost in the queue. `fd=1` lets CAN FD frames through; `echo=1` also
-/// returns our own frames once they were on the bus, marked `own`.
+/// A CAN interface of the kernel (CAN_RAW): the kernel's receive stamps, all error frames, the
+/// kernel's count of frames lost in the queue. `fd=1` permits CAN FD frames. `echo=1` also returns
+/// the frames that this socket sent, once they were on the bus, marked `own`.
 OpenedFrames open_socketcan(const asio::any_io_executor& executor, const Uri& uri);
 
 }  // namespace drydock::link

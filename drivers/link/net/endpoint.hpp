@@ -11,10 +11,11 @@ struct HostAndPort {
   std::string host, port;
 };
 
-/// "192.168.2.3:16171", "localhost:4001", "[::1]:4001".
+/// Splits "192.168.2.3:16171", "localhost:4001", "[::1]:4001".
 HostAndPort host_and_port(const std::string& target);
 
-/// First address of the URI's host. A name is looked up here and now; numbers take no time.
+/// First address of the URI's host. The call waits for the look-up of a name; a numeric address
+/// needs none.
 boost::system::result<asio::ip::tcp::endpoint, OpenError> tcp_endpoint(const Uri& uri);
 boost::system::result<asio::ip::udp::endpoint, OpenError> udp_endpoint(const Uri& uri);
 

@@ -12,7 +12,7 @@ namespace {
 
 using asio::ip::tcp;
 
-/// A device that answers nothing for this long is gone (cable pulled, power off).
+/// A device that does not answer for this long is gone (cable pulled, power off).
 constexpr unsigned gone_after_ms = 5000;
 
 void set_option(tcp::socket& socket, int level, int name, int value) {
@@ -62,7 +62,7 @@ class TcpClient final : public ByteLink {
   tcp::socket socket_;
   Provenance provenance_;
   bool connected_ = false;
-  boost::system::error_code failure_;  ///< the kernel tells it once; read and write both ask
+  boost::system::error_code failure_;  ///< the kernel reports it once; read and write need it
 };
 
 Task<void> TcpClient::connected() {

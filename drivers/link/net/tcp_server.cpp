@@ -16,7 +16,7 @@ using asio::ip::tcp;
 
 constexpr auto accept_pause = std::chrono::milliseconds{100};
 
-/// Shared with the coroutine that accepts clients.
+/// The coroutine that accepts clients shares this state.
 struct Server {
   Server(const asio::any_io_executor& executor, tcp::acceptor listening)
       : acceptor(std::move(listening)),
@@ -30,7 +30,7 @@ struct Server {
   }
 
   tcp::acceptor acceptor;
-  tcp::socket client;  ///< open while there is one
+  tcp::socket client;  ///< open while a client is connected
   std::shared_ptr<io::Signal> changed;
 };
 
@@ -42,7 +42,7 @@ asio::awaitable<void> accept_one_at_a_time(std::shared_ptr<Server> server) {
     }
     auto [error, client] = co_await server->acceptor.async_accept(as_outcome);
     if (error == asio::error::operation_aborted || !server->acceptor.is_open()) co_return;
-    if (error) {  // the client left before we took it, or no descriptor is free just now
+    if (error) {  // the client left too early, or no descriptor is free now
       asio::steady_timer pause(server->acceptor.get_executor(), accept_pause);
       co_await pause.async_wait(as_outcome);
       continue;

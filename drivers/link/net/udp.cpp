@@ -16,7 +16,7 @@ constexpr std::size_t longest_datagram = 65'535;
 
 class UdpLink final : public ByteLink {
  public:
-  /// `peer` is where the other end is, or unspecified until it has sent something.
+  /// `peer` is the address of the other end. It is empty until the other end has sent something.
   UdpLink(udp::socket socket, std::optional<udp::endpoint> peer, Side side, Provenance provenance)
       : socket_(std::move(socket)),
         peer_(std::move(peer)),
@@ -35,7 +35,7 @@ class UdpLink final : public ByteLink {
   Provenance provenance() const override { return provenance_; }
 
  private:
-  /// The network's word that nobody listens there: news for a driver, not for a device.
+  /// The network reports that nobody listens there: news for a driver, but not for a device.
   bool is_absence(const boost::system::error_code& error) const {
     return side_ == Side::device && error == asio::error::connection_refused;
   }
@@ -45,7 +45,7 @@ class UdpLink final : public ByteLink {
   Side side_;
   Provenance provenance_;
   std::vector<std::uint8_t> datagram_;
-  std::size_t begin_ = 0, end_ = 0;  ///< what read() has not handed out yet
+  std::size_t begin_ = 0, end_ = 0;  ///< received bytes that read() has not yet returned
   Stamp received_at_{};
 };
 
@@ -77,7 +77,7 @@ Task<void> UdpLink::write(std::span<const std::uint8_t> bytes) {
   co_return boost::system::result<void>{};
 }
 
-/// Connected, so that the kernel tells us when nobody is there.
+/// Connects the socket, so that the kernel reports when nobody is there.
 boost::system::error_code aim(udp::socket& socket, const udp::endpoint& endpoint) {
   boost::system::error_code error;
   socket.connect(endpoint, error);

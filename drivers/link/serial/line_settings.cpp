@@ -27,7 +27,7 @@ void set_parity(termios2& t, LineSettings::Parity parity) {
   if (parity == LineSettings::Parity::none) return;
   t.c_cflag |= PARENB;
   if (parity == LineSettings::Parity::odd) t.c_cflag |= PARODD;
-  t.c_iflag |= INPCK | IGNPAR;  // a byte with wrong parity is dropped, not passed on as sound
+  t.c_iflag |= INPCK | IGNPAR;  // drops a byte with wrong parity
 }
 
 }  // namespace
@@ -56,7 +56,7 @@ boost::system::error_code configure_line(int fd, const LineSettings& settings) {
   set_parity(t, settings.parity);
   t.c_ispeed = t.c_ospeed = settings.baud;
   if (::ioctl(fd, TCSETS2, &t) != 0) return last_error();
-  ::ioctl(fd, TCFLSH, TCIFLUSH);  // what came before we listened has no time
+  ::ioctl(fd, TCFLSH, TCIFLUSH);  // bytes from before the start have no time
 
   const auto actual = line_baud(fd);
   if (!actual) return actual.error();

@@ -5,7 +5,7 @@
 
 #include "drivers/link/uri.hpp"
 
-/// How a terminal device of the kernel carries raw bytes.
+/// Settings of a terminal device of the kernel for raw bytes.
 namespace drydock::link {
 
 struct LineSettings {
@@ -16,22 +16,22 @@ struct LineSettings {
   unsigned data_bits = 8;
 };
 
-/// The settings a serial or pty URI names.
+/// The settings that a serial or pty URI names.
 LineSettings line_settings(const Uri& uri);
 
-/// Raw bytes at any baud (termios2, BOTHER), no flow control, a read waits for one byte.
-/// Fails with ERANGE when the port can only do a rate more than 2.5 % away: such a line would
-/// carry nothing but framing errors.
+/// Raw bytes at any baud (termios2, BOTHER), no flow control; a read waits for one byte. Fails with
+/// ERANGE if the nearest rate of the port is more than 2.5 % away: such a line would give nothing
+/// but framing errors.
 boost::system::error_code configure_line(int fd, const LineSettings& settings);
 
-/// Raw bits and no echo, the rest as it is: for the kept end of a pty.
+/// Raw bits and no echo; all else is unchanged. For the end of a pty that the process keeps open.
 boost::system::error_code make_raw(int fd);
 
-/// The rate that the kernel says the line has, bit/s.
+/// The rate of the line according to the kernel, bit/s.
 boost::system::result<unsigned> line_baud(int fd);
 
-/// Asks the driver to hand over bytes at once (an FTDI chip otherwise keeps them for 16 ms).
-/// Drivers that know no such flag are fast already.
+/// Asks the driver to deliver bytes at once (otherwise an FTDI chip keeps them for 16 ms). Drivers
+/// without this flag are already fast.
 void request_low_latency(int fd);
 
 }  // namespace drydock::link

@@ -10,14 +10,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The directory is where others open devices by name: nobody else may put names there.
+/// Other programs open devices by name in this directory, so nobody else may put names there.
 boost::system::error_code make_private_directory(const fs::path& directory) {
   if (::mkdir(directory.c_str(), 0700) == 0) return {};
   if (errno != EEXIST) return system_error(errno);
   struct stat info {};
   if (::stat(directory.c_str(), &info) != 0) return system_error(errno);
   if (!S_ISDIR(info.st_mode)) return system_error(ENOTDIR);
-  // Under /tmp anybody may have made it before us.
+  // Under /tmp another user may have made the directory before.
   const bool trusted = info.st_uid == ::geteuid() || info.st_uid == 0;
   const bool open_to_all = (info.st_mode & S_IWOTH) != 0 && (info.st_mode & S_ISVTX) == 0;
   return trusted && !open_to_all ? boost::system::error_code{} : system_error(EPERM);

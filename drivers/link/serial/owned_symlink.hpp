@@ -6,11 +6,11 @@
 
 namespace drydock::link {
 
-/// A symbolic link that is removed with this object, unless somebody has replaced it meanwhile.
+/// A symbolic link that is removed with this object, unless somebody has replaced it.
 class OwnedSymlink {
  public:
-  /// Makes (or atomically replaces) the link. Refuses a path where something else than a link
-  /// stands. Missing parent: created for its owner alone.
+  /// Makes the link, or replaces it atomically. Refuses a path that is something other than a link.
+  /// A missing parent is created for its owner alone.
   static boost::system::result<OwnedSymlink, OpenError> place(const std::string& path,
                                                               const std::string& target);
   OwnedSymlink(OwnedSymlink&& other) noexcept;

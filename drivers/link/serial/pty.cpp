@@ -22,7 +22,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// How long a listener may leave the line full (about 64 KiB) before its bytes are lost.
+/// A listener may leave the line full (about 64 KiB) for this long before its bytes are lost.
 constexpr auto listener_patience = 200ms;
 constexpr auto listener_step = 2ms;
 
@@ -55,7 +55,7 @@ class PtyDevice final : public ByteLink {
   Provenance provenance() const override { return Provenance::emulated; }
 
  private:
-  /// What waits unread is stale for whoever opens the line next.
+  /// Discards unread bytes: they are old for the next program that opens the line.
   void discard_unread() {
     ::ioctl(master_.native_handle(), TCFLSH, TCOFLUSH);
     ::ioctl(slave_.get(), TCFLSH, TCIFLUSH);
@@ -66,7 +66,7 @@ class PtyDevice final : public ByteLink {
   PtyListeners listeners_;
   OwnedSymlink symlink_;
   asio::steady_timer room_;
-  bool overrun_ = false;  ///< the listener does not read: lose bytes at once
+  bool overrun_ = false;  ///< the listener does not read: discard bytes at once
 };
 
 Task<void> PtyDevice::write(std::span<const std::uint8_t> bytes) {

@@ -22,7 +22,7 @@ bool PtyListeners::opened_since() {
   for (;;) {
     const ssize_t size = ::read(events_.get(), buffer.data(), buffer.size());
     if (size <= 0) return opened;
-    // A watch on a file, not a directory: events carry no name and have one size.
+    // The watch is on a file, not on a directory: events have no name and all have one size.
     for (ssize_t at = 0; at < size; at += static_cast<ssize_t>(sizeof(inotify_event))) {
       inotify_event event;
       std::memcpy(&event, buffer.data() + at, sizeof event);

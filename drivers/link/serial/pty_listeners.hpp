@@ -7,17 +7,17 @@
 
 namespace drydock::link {
 
-/// Knows whether another program has a terminal device open (inotify).
+/// Tells whether another program has a terminal device open (inotify).
 class PtyListeners {
  public:
-  /// Openings before this call do not count.
+  /// It ignores openings before this call.
   static boost::system::result<PtyListeners> watch(const std::string& device);
 
-  /// Takes in what happened since the last call. True when somebody has opened the device since.
+  /// Processes the events since the last call. True if somebody has opened the device since then.
   bool opened_since();
 
-  /// Somebody opened it and nobody has left since. With several programs on it the first that
-  /// leaves makes this false, until the next one comes.
+  /// True if somebody opened it and nobody has left since. With several programs, the first that
+  /// leaves makes it false until another one opens the device.
   bool present() const { return present_; }
 
  private:

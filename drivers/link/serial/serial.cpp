@@ -19,7 +19,7 @@ class SerialLink final : public ByteLink {
   SerialLink(const asio::any_io_executor& executor, Descriptor port, Provenance provenance)
       : port_(executor, port.release()), provenance_(provenance) {}
 
-  /// A line that is gone (unplugged, its pty closed) reads as end of file or EIO.
+  /// A line that has disappeared (unplugged, or its pty is closed) gives end of file or EIO.
   Task<ReceivedBytes> read(std::span<std::uint8_t> into) override {
     const auto [error, size] =
         co_await port_.async_read_some(asio::buffer(into.data(), into.size()), as_outcome);

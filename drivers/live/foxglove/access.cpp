@@ -12,7 +12,7 @@ std::string_view without_port(std::string_view host) {
   return host.substr(0, host.rfind(':'));
 }
 
-/// Takes as long whatever the first wrong character is.
+/// Takes the same time wherever the first wrong character is.
 bool same(std::string_view a, std::string_view b) {
   if (a.size() != b.size()) return false;
   unsigned char different = 0;
@@ -20,14 +20,14 @@ bool same(std::string_view a, std::string_view b) {
   return different == 0;
 }
 
-/// "null" is what a browser says for a page that hides its origin, as any page can make one do.
+/// A browser sends "null" for a page that hides its origin; any page can do that.
 bool foreign(std::string_view origin) {
   for (const std::string_view scheme : {"http://", "https://"})
     if (origin.starts_with(scheme)) return !is_loopback(without_port(origin.substr(scheme.size())));
-  return origin == "null";  // all others are programs, not pages of the web
+  return origin == "null";  // all others are programs, not web pages
 }
 
-/// Four numbers, the first 127. A name may begin so too: 127.example.org.
+/// Four numbers, the first 127. Some names begin in the same way: 127.example.org.
 bool is_loopback_v4(std::string_view address) {
   if (!address.starts_with("127.") || address.ends_with('.')) return false;
   if (address.find_first_not_of("0123456789.") != std::string_view::npos) return false;
@@ -42,7 +42,7 @@ std::string_view token_of(std::string_view target) {
   constexpr std::string_view key = "token=";
   auto query = target.substr(path_of(target).size());
   while (!query.empty()) {
-    query.remove_prefix(1);  // ? or &
+    query.remove_prefix(1);  // removes ? or &
     const auto pair = query.substr(0, query.find('&'));
     if (pair.starts_with(key)) return pair.substr(key.size());
     query.remove_prefix(pair.size());

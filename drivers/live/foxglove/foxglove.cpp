@@ -10,14 +10,14 @@ namespace {
 
 using nlohmann::json;
 
-/// Empty unless it is a whole number that fits.
+/// Empty unless the value is an integer that fits.
 std::optional<std::uint32_t> number_of(const json& value) {
   if (!value.is_number_unsigned() || value > UINT32_MAX) return {};
   return value.get<std::uint32_t>();
 }
 
-/// Null where there is none. Never a copy: copying what a client nested deeply would take the
-/// stack.
+/// Null if there is no such member. It returns a reference: copying a deeply nested value from a
+/// client would exhaust the stack.
 const json& member(const json& object, const char* key) {
   static const json none;
   const auto found = object.find(key);

@@ -8,11 +8,12 @@
 #include <variant>
 #include <vector>
 
-/// The Foxglove WebSocket protocol, version 1: JSON texts for control, binary messages for data.
-/// Specification: github.com/foxglove/ws-protocol, docs/spec.md. The server's side.
+/// The Foxglove WebSocket protocol, version 1, server side: JSON texts for control, binary messages
+/// for data. Specification: github.com/foxglove/ws-protocol, docs/spec.md.
 namespace drydock::live {
 
-/// Identical on the wire: the first is the protocol's old name, the second that of Foxglove's SDK.
+/// Both are identical on the wire. The first is the name in Foxglove's SDK, the second the
+/// protocol's old name.
 inline constexpr std::array<std::string_view, 2> subprotocols{"foxglove.sdk.v1",
                                                               "foxglove.websocket.v1"};
 
@@ -21,13 +22,13 @@ struct Channel {
   std::string topic, encoding, schema_name, schema, schema_encoding;
 };
 
-/// `obeys`: it has services, with JSON (services.hpp).
+/// `obeys` means that the server has services, with JSON (services.hpp).
 std::string server_info(std::string_view name, std::string_view session, bool obeys);
 std::string advertise(std::span<const Channel> channels);
-/// `level` 0 information, 1 warning, 2 error.
+/// `level`: 0 information, 1 warning, 2 error.
 std::string status(int level, std::string_view text);
 
-/// Before the payload of a data message: opcode 1, the client's subscription, time in ns.
+/// Precedes the payload of a data message: opcode 1, the client's subscription, time in ns.
 using DataHead = std::array<std::uint8_t, 13>;
 DataHead data_head(std::uint32_t subscription, std::uint64_t time_ns);
 
@@ -40,13 +41,13 @@ struct Subscribe {
 struct Unsubscribe {
   std::vector<std::uint32_t> ids;
 };
-/// What is not understood; `why` is for the client.
+/// A request that was not understood. `why` is for the client.
 struct Refused {
   std::string why;
 };
 using Request = std::variant<Subscribe, Unsubscribe, Refused>;
 
-/// A text from a client. Never throws.
+/// Parses a text from a client. Never throws.
 Request parse_request(std::string_view text);
 
 }  // namespace drydock::live

@@ -7,7 +7,7 @@ const readers = {
   uint64: (v, o) => Number(v.getBigUint64(o, true)), int64: (v, o) => Number(v.getBigInt64(o, true)),
 };
 
-// "type[n] name" lines, then "MSG: package/Type" blocks behind rules of 80 '='.
+// Parses "type[n] name" lines, then "MSG: package/Type" blocks. A line of 80 '=' precedes each block.
 function parseDefinition(schema) {
   const blocks = schema.split(/^={80}\n/m);
   const fields = (lines) => lines.filter(Boolean).map((line) => {

@@ -1,4 +1,5 @@
-// The Foxglove WebSocket protocol, as any of its viewers speaks it: subscribes to everything, calls services, connects again when lost.
+// A client of the Foxglove WebSocket protocol. It subscribes to everything, calls services, and reconnects if the connection is
+// lost.
 import { makeDecoder } from './cdr.js';
 
 const retryMs = 1000;
@@ -23,7 +24,7 @@ export function connect(on) {
     socket.send(JSON.stringify({ op: 'subscribe', subscriptions: list.map(({ id }) => ({ id, channelId: id })) }));
   }
 
-  // An object to a service; its answer is one too. Fails with the server's line.
+  // Sends an object to a service. The answer is an object too. Fails with the server's line.
   function call(service, request) {
     const body = new TextEncoder().encode(JSON.stringify(request)), head = 13, encoding = new TextEncoder().encode('json');
     const message = new Uint8Array(head + encoding.length + body.length), view = new DataView(message.buffer);

@@ -1,4 +1,4 @@
-// What all parts of the page need of it.
+// Helpers for the DOM that all parts of the page use.
 export const by = (id) => document.getElementById(id);
 export const css = (name) => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
 export const colours = ['--c1', '--c2', '--c3', '--c4', '--c5', '--c6'];
@@ -11,14 +11,14 @@ export function make(tag, properties = {}, ...children) {
   return element;
 }
 
-// A place for figures; its section is hidden while there are none.
+// Gives a place for figures and shows its section, which is hidden as long as it has none.
 export function place(id) {
   const parent = by(id);
   parent.closest('section').hidden = false;
   return parent;
 }
 
-// By title, so that a figure is where it was the last time.
+// Inserts by title, so that a figure has the same place every time.
 export function insert(parent, figure) {
   parent.insertBefore(figure, [...parent.children].find(({ ariaLabel }) => ariaLabel.localeCompare(figure.ariaLabel) > 0) ?? null);
 }

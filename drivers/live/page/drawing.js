@@ -1,4 +1,4 @@
-// A canvas that is drawn when something has changed, with a legend under it.
+// A canvas with a legend below it. It is drawn again after a change.
 import { css, insert, make, onTheme } from './dom.js';
 
 export class Drawing {

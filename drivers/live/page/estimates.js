@@ -1,16 +1,16 @@
-// Each estimate beside the truth of the same time, or its error, with the band of three sigma that the estimator claims.
+// Shows each estimate beside the truth at the same time, or its error, with the three-sigma band that the estimator claims.
 import { degree, seconds } from './dom.js';
 import { plot } from './plot.js';
 import { depthProfile, trackPoint } from './where.js';
 
-const earthRadius = 6371000, patience = 2; // s: a truth that comes comes at once
+const earthRadius = 6371000, patience = 2; // s: if there is a truth, it comes within this time
 const truths = { attitude: new Map(), fix: new Map(), odometry: new Map() }; // stamp -> message of /estimate/truth
-const first = new Map(); // when a first estimate came without truth
+const first = new Map(); // when the first estimate without truth came
 
 const key = ({ header: { stamp: { sec, nanosec } } }) => `${sec}.${nanosec}`;
 const truthOf = (kind, message) => truths[kind].get(key(message));
 
-// Undefined while a truth may still come: one without is drawn as it is.
+// Undefined while a truth may still come. An estimate without truth is drawn alone.
 function hasTruth(kind, t) {
   if (truths[kind].size) return true;
   if (!first.has(kind)) first.set(kind, t);
@@ -19,7 +19,8 @@ function hasTruth(kind, t) {
 const around = (value, sigma) => [value, value - 3 * sigma, value + 3 * sigma];
 const error = (value, sigma) => [value, -3 * sigma, 3 * sigma];
 
-// Body forward-left-up against east-north-up, as ROS has it: pitch changes sign to become nose up, yaw runs from east.
+// ROS gives the attitude of forward-left-up axes against east-north-up. Pitch changes sign so that nose up is positive; yaw
+// counts from east.
 function eulerOf({ x, y, z, w }) {
   const north = Math.PI / 2 - Math.atan2(2 * (w * z + x * y), 1 - 2 * (y * y + z * z));
   return { roll: Math.atan2(2 * (w * x + y * z), 1 - 2 * (x * x + y * y)), pitch: -Math.asin(Math.max(-1, Math.min(1, 2 * (w * y - z * x)))), heading: north };
@@ -51,7 +52,7 @@ function position(name, t, fix) {
   }
 }
 
-// In body axes, forward and to port; heading with the pose's covariance.
+// In body axes: forward and to port. The heading uses the pose's covariance.
 function odometry(name, t, { pose, twist, ...message }) {
   const truth = truthOf('odometry', message), is = twist.twist.linear;
   const [x, y] = [0, 7].map((i) => Math.sqrt(twist.covariance[i])), turned = Math.sqrt(pose.covariance[35]) / degree;

@@ -1,4 +1,4 @@
-// Sets and clears faults by the services of /drydock/faults; hidden where the server has none.
+// Sets and clears faults through the services of /drydock/faults. Hidden if the server has no such services.
 import { by, clock, make } from './dom.js';
 import { inForce } from './faults.js';
 
@@ -16,7 +16,7 @@ function nameOf(key) {
   return unit === undefined ? key : `${parts.slice(0, -1).join(' ')}, ${unit}`;
 }
 
-// A quantity is one number, or one for each axis; other amounts have bounds and mostly a usual value.
+// A quantity is one number, or one for each axis. Other amounts have bounds, and most have a usual value.
 function field({ key, usual, lowest, highest }) {
   const bound = (x) => (Math.abs(x) < 1e5 ? x : x.toExponential().replace('+', ''));
   const input = make('input', { name: 'amount', size: 11, value: usual ?? '', placeholder: lowest === undefined ? 'x or x,y,z' : '' });
@@ -26,7 +26,7 @@ function field({ key, usual, lowest, highest }) {
 
 const wordNow = () => words[form.elements.device.value]?.find(({ fault }) => fault === form.elements.fault.value);
 
-// What the chosen fault can be told; of several quantities one is chosen by its name.
+// Shows the amounts of the chosen fault. If there are several quantities, the user selects one by its name.
 function showAmounts() {
   const word = wordNow();
   by('meaning').textContent = word?.meaning ?? '';
@@ -61,7 +61,7 @@ async function obeyed(name, request) {
   }
 }
 
-// As `drydock fault RIG set DEVICE FAULT KEY=VALUE ... --for TIME` takes them.
+// Sends the same values as `drydock fault RIG set DEVICE FAULT KEY=VALUE ... --for TIME`.
 function set(event) {
   event.preventDefault();
   const { device, fault, for: time } = form.elements;
@@ -69,7 +69,7 @@ function set(event) {
   obeyed('set', { device: device.value, fault: fault.value, with: pairs, for: time.value.trim() });
 }
 
-// Only when another fault is in force: who has the focus keeps it.
+// Redraws only if the faults in force have changed, so that the focus stays.
 export function showOrders() {
   if (section.hidden) return;
   const current = inForce(), key = current.map(({ device, text, since, until }) => `${device} ${text} ${since} ${until}`).join('\n');

@@ -1,4 +1,4 @@
-// The faults of /drydock/faults: named in the banner while they are in force, shaded in the plots over all of that time.
+// The faults of /drydock/faults. The banner names them while they are in force; the plots shade their whole duration.
 import { by, clock, make, seconds } from './dom.js';
 
 const bands = new Map(); // device, fault and since -> { device, name, text, since, until: null while open }
@@ -11,7 +11,7 @@ function end(at, but = new Set()) {
   for (const [key, band] of bands) if (!but.has(key) && (band.until === null || band.until > at)) band.until = Math.max(at, band.since);
 }
 
-// All that are in force are in each message.
+// Each message contains all faults in force.
 export function takeFaults({ header, faults }) {
   now = seconds(header.stamp);
   const told = new Set();
@@ -25,13 +25,13 @@ export function takeFaults({ header, faults }) {
   showFaults(now);
 }
 
-// The connection is lost: what goes on there is not known.
+// The connection is lost, so the present faults are not known.
 export function forgetFaults() {
   end(now);
   showFaults(now);
 }
 
-// "dvl: drop" and ", probability = 0.2"; a bench may say it all in the text.
+// "dvl: drop" and ", probability = 0.2". Some benches put everything into the text.
 function partsOf({ device, name, text }) {
   const title = [device, name].filter(Boolean).join(': ');
   return [make('strong', {}, title), text.startsWith(title) ? text.slice(title.length) : text && ` ${text}`];

@@ -1,4 +1,4 @@
-// The devices of /diagnostics as a table; a narrow page has their numbers under what they say.
+// The devices of /diagnostics as a table. On a narrow page the numbers are below the status text.
 import { by, make } from './dom.js';
 import { inForce } from './faults.js';
 

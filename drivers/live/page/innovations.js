@@ -1,9 +1,9 @@
-// What each measurement told an estimator that it had not expected, against what it may be where the estimator knows its errors.
+// Innovations: measured minus expected, with the bounds that hold if the estimator knows its errors.
 import { seconds } from './dom.js';
 import { plot } from './plot.js';
 
 // Quantiles of 95 %: chi-square of 1, 2, 3 degrees of freedom, standard normal (two-sided). NIST/SEMATECH e-Handbook of
-// Statistical Methods, tables 1.3.6.7.4 and 1.3.6.7.1; the test: Bar-Shalom, Li, Kirubarajan (2001), section 5.4.2.
+// Statistical Methods, tables 1.3.6.7.4 and 1.3.6.7.1. The test: Bar-Shalom, Li, Kirubarajan (2001), section 5.4.2.
 const chiSquare95 = [0, 3.841, 5.991, 7.815];
 const normal95 = 1.96;
 const keptSeconds = 120;

@@ -1,4 +1,4 @@
-// Every topic to its place on the page.
+// Sends every topic to its place on the page.
 import { connect } from './client.js';
 import { by, clock } from './dom.js';
 import { takeEstimate } from './estimates.js';

@@ -1,4 +1,4 @@
-// What the sensors say, each kind in its own units and axes.
+// The measurements of the sensors. Each kind has its own units and axes.
 import { degree, seconds } from './dom.js';
 import { plot } from './plot.js';
 import { depthProfile, satellites, trackPoint } from './where.js';

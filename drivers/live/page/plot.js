@@ -1,4 +1,4 @@
-// Curves over time on a uPlot, each with its band; the last two minutes.
+// Curves over time with uPlot, each with its band. Shows the last two minutes.
 import { clock, colours, css, insert, make, number, onTheme, place } from './dom.js';
 import { faultBands } from './faults.js';
 
@@ -6,7 +6,7 @@ const keptSeconds = 120, height = 210;
 const font = '11px system-ui, sans-serif';
 const translucent = '26'; // alpha of bands, hexadecimal
 
-// Of the numbers beside the axis, CSS pixels.
+// Width of the numbers beside the axis, CSS pixels.
 function widthOf({ ctx }, texts) {
   ctx.save();
   ctx.font = font;
@@ -15,8 +15,8 @@ function widthOf({ ctx }, texts) {
   return Math.ceil(width);
 }
 
-// lines: [{ label, colour, band, dash, marks }]. One with a band is given [value, low, high]; `marks` are points without a line.
-// options: down: y grows downwards; bound: { at, text }: a level to stay below, y from 0 to four times it.
+// lines: [{ label, colour, band, dash, marks }]. A line with a band takes [value, low, high]; `marks` are points without a line.
+// options: down: y grows downwards; bound: { at, text }: a level to stay below; y then goes from 0 to four times that level.
 export class Plot {
   constructor(parent, title, unit, lines, { down = false, bound } = {}) {
     Object.assign(this, { unit, lines, down, bound, changed: false, shown: null });
@@ -52,7 +52,7 @@ export class Plot {
       });
       if (!band) return;
       const edge = { stroke: stroke + '66', width: 1, spanGaps: true, points: { show: false } };
-      if (this.lines.length < 3) bands.push({ series: [series.length + 1, series.length], fill: stroke + translucent }); // of three only the edges
+      if (this.lines.length < 3) bands.push({ series: [series.length + 1, series.length], fill: stroke + translucent }); // three: only edges
       series.push(edge, edge);
     });
     const axis = { stroke: css('--soft'), font, labelFont: font, grid: { stroke: css('--line'), width: 1 }, ticks: { stroke: css('--line'), size: 4 }, gap: 3 };
@@ -71,7 +71,7 @@ export class Plot {
     return at ? { range: (_, low, high) => [0, Math.max(1.3 * at, Math.min(high * 1.05, 4 * at))] } : { dir: this.down ? -1 : 1 };
   }
 
-  // What is in force behind everything else.
+  // Shades the times of faults behind everything else.
   shade(u) {
     const { ctx, bbox: { left, top, width, height: tall } } = u, ratio = devicePixelRatio || 1;
     ctx.save();
@@ -87,7 +87,7 @@ export class Plot {
     }
     ctx.restore();
   }
-  // The bound with its name; what lies beyond the plot stands as a mark at its upper edge.
+  // Draws the bound with its name. A value beyond the plot becomes a mark at the upper edge.
   drawBound(u) {
     if (!this.bound) return;
     const { ctx, bbox: { left, top, width, height: tall } } = u, ratio = devicePixelRatio || 1, y = u.valToPos(this.bound.at, 'y', true);
@@ -114,7 +114,7 @@ export class Plot {
     ctx.restore();
   }
 
-  // Values by line; undefined where there is none.
+  // One value for each line; undefined if it has none.
   add(seconds, values) {
     const [times] = this.data;
     if (times.length && seconds < times[times.length - 1] - 5) this.clear(); // another run
@@ -139,7 +139,7 @@ export class Plot {
     for (const column of columns) column.splice(at, 0, null);
     return at;
   }
-  // A line that has not been there before.
+  // Adds the line if it is not there yet.
   ensure(label, properties = {}) {
     let index = this.lines.findIndex((line) => line.label === label);
     if (index >= 0) return index;
@@ -151,7 +151,7 @@ export class Plot {
     return this.lines.length - 1;
   }
 
-  // Those under the cursor, else the newest.
+  // Shows the values under the cursor, otherwise the newest.
   showValues() {
     let column = 1;
     this.lines.forEach(({ band }, i) => {

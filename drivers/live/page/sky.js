@@ -1,8 +1,8 @@
-// Satellites by azimuth and elevation, as seen from the vehicle looking up with north at the top.
+// Satellites by azimuth and elevation: the view from the vehicle upwards, with north at the top.
 import { css } from './dom.js';
 import { Drawing } from './drawing.js';
 
-const letters = ['G', 'S', 'E', 'C', 'I', 'J', 'R', 'N']; // RINEX's, in the order of the message's numbers
+const letters = ['G', 'S', 'E', 'C', 'I', 'J', 'R', 'N']; // RINEX's letters, in the order of the message's numbers
 
 export class Sky extends Drawing {
   constructor(parent) {

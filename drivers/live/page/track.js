@@ -1,10 +1,10 @@
-// The way over ground from above, equal axes, metres from where it began.
+// The track over ground from above. Both axes have the same scale, in metres from the start.
 import { css, degree } from './dom.js';
 import { Drawing } from './drawing.js';
 
 const earthRadius = 6371000, left = 46, bottom = 24, rim = 8;
 
-// 1, 2 or 5 times a power of ten, so that there are about `count` of them.
+// 1, 2 or 5 times a power of ten, so that there are about `count` steps.
 function stepOf(span, count) {
   const raw = span / count, power = 10 ** Math.floor(Math.log10(raw));
   return power * [1, 2, 5, 10].find((m) => m * power >= raw);
@@ -15,7 +15,7 @@ export class Track extends Drawing {
     super(parent, 'Track', 'track of truth and estimates, metres east and north');
     this.paths = new Map(); // name -> { colour, points: [[north, east]] }
   }
-  // Degrees.
+  // Latitude and longitude in degrees.
   add(name, colour, latitude, longitude) {
     this.origin ??= { latitude, longitude };
     const north = (latitude - this.origin.latitude) * degree * earthRadius;

@@ -1,4 +1,4 @@
-// Where the vehicle is: its track, its depth, its satellites.
+// The position of the vehicle: its track, its depth, its satellites.
 import { colours, place } from './dom.js';
 import { plot } from './plot.js';
 import { Sky } from './sky.js';
@@ -13,13 +13,13 @@ function colour(name) {
   return colourOf.get(name);
 }
 
-// Degrees.
+// Latitude and longitude in degrees.
 export function trackPoint(name, { latitude, longitude }) {
   track ??= new Track(place('where'));
   track.add(name, colours[colour(name)], latitude, longitude);
 }
 
-// A number, or [value, low, high].
+// `value` is a number or [value, low, high].
 export function depthProfile(name, t, value) {
   const band = Array.isArray(value);
   const profile = plot('where', 'Depth', 'm', [], { down: true });

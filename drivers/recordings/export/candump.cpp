@@ -7,7 +7,8 @@ namespace drydock::exporting {
 
 namespace {
 
-/// `candump -L`, all buses in one log, ` R` or ` T` at the end as `candump -x` writes it.
+/// The format of `candump -L`: all buses in one log, with ` R` or ` T` at the end as in `candump
+/// -x`.
 class Candump final : public Exporter {
  public:
   Candump(const std::vector<RecordedLink>& links, const Target& to) : file_(to.path, to.overwrite) {

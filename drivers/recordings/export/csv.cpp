@@ -24,7 +24,7 @@ std::string quoted(std::string_view text) {
   return cell + '"';
 }
 
-/// Names of the values of a message, flattened: `velocity.x`, `range[3]`; a sequence is one.
+/// Names of the values of a message, flattened: `velocity.x`, `range[3]`. A sequence is one value.
 void put_columns(const MessageNode& node, const std::string& path, std::string_view type,
                  std::string& header) {
   const bool is_array = node.repeat == MessageNode::Repeat::array;
@@ -71,8 +71,8 @@ void put_value(std::string& text, Scalar scalar, mcap::Bytes bytes) {
   }
 }
 
-/// The cells of a row. A sequence is one cell: its values with blanks between them, a `;` behind
-/// each element that has several.
+/// The cells of a row. A sequence is one cell: its values are separated by blanks, and an element
+/// with several values ends with a `;`.
 class Row {
  public:
   explicit Row(std::string& line) : line_(line) {}
@@ -108,8 +108,9 @@ std::string file_name(std::string topic) {
   return topic.substr(topic.starts_with('_') ? 1 : 0) + ".csv";
 }
 
-/// A file a topic, a row a message, a column a value. Made of the messages' own definitions: so it
-/// is what was understood at the time, and serves the recordings of other programs too.
+/// One file for each topic, one row for each message, one column for each value. The columns come
+/// from the message definitions in the recording. Thus the values are those that were decoded at
+/// the time, and recordings of other programs work too.
 class Csv final : public Exporter {
  public:
   explicit Csv(const Target& to) : folder_(to.path, to.overwrite) {}

@@ -7,7 +7,7 @@
 
 #include "drivers/recordings/record/selection.hpp"
 
-/// Recordings in the formats of other programs.
+/// Converts recordings to the formats of other programs.
 namespace drydock::exporting {
 
 using record::RawBytes;
@@ -19,7 +19,7 @@ enum class Format : std::uint8_t { candump, pcapng, raw, csv, nmea };
 struct FormatEntry {
   const char* name;
   Format format;
-  const char* suffix;  ///< of the file or folder it makes
+  const char* suffix;  ///< of the file or folder that it makes
   bool folder;
 };
 inline constexpr std::array formats{FormatEntry{"candump", Format::candump, ".log", false},
@@ -31,10 +31,10 @@ inline constexpr std::array formats{FormatEntry{"candump", Format::candump, ".lo
 struct Target {
   std::string path;  ///< file or folder
   bool overwrite = false;
-  bool plain = false;  ///< nmea: sentences without their time
+  bool plain = false;  ///< format nmea: sentences without their time
 };
 
-/// Takes what its format can hold and leaves the rest alone.
+/// Takes the records that its format can hold and ignores the others.
 class Exporter {
  public:
   virtual ~Exporter() = default;
@@ -58,11 +58,11 @@ std::unique_ptr<Exporter> make_nmea(const std::vector<RecordedLink>& links, cons
 
 struct Exported {
   std::uint64_t written = 0;
-  bool ended_early = false;  ///< by the watch
-  std::string damage;        ///< of the recording; empty: whole
+  bool ended_early = false;  ///< the watch ended it
+  std::string damage;        ///< of the recording; empty: none
 };
 
-/// The selected part of a recording.
+/// Exports the selected part of a recording.
 boost::system::result<Exported, record::RecordingError> export_recording(
     const std::string& recording, const record::Selection& selection, Format format,
     const Target& to, const record::Watch& watch);

@@ -10,8 +10,8 @@ namespace {
 
 constexpr std::int64_t ns_a_second = 1'000'000'000;
 
-/// The sound NMEA 0183 sentences that the ports received, `time sentence` a line. The time is that
-/// of the read in which the sentence ended.
+/// The valid NMEA 0183 sentences that the ports received, one `time sentence` on each line. The
+/// time is that of the read in which the sentence ended.
 class Nmea final : public Exporter {
  public:
   Nmea(const std::vector<RecordedLink>& links, const Target& to)

@@ -33,7 +33,7 @@ void OutputFile::close() {
 OutputFile& OutputFolder::file(const std::string& name) {
   const auto known = files_.find(name);
   if (known != files_.end()) return known->second;
-  std::error_code ignored;  // the file's own error says more
+  std::error_code ignored;  // the error from opening the file says more
   std::filesystem::create_directories(folder_, ignored);
   return files_.try_emplace(name, (std::filesystem::path(folder_) / name).string(), overwrite_)
       .first->second;

@@ -9,10 +9,10 @@
 
 namespace drydock::exporting {
 
-/// A new file that is written in blocks. The first error stays; what comes later is dropped.
+/// A new file that is written in blocks. It keeps the first error and ignores all later writes.
 class OutputFile {
  public:
-  /// `path` must not exist, unless `overwrite`. "-": standard output.
+  /// `path` must not exist, unless `overwrite`. "-" means standard output.
   OutputFile(std::string path, bool overwrite);
 
   void write(std::string_view text);
@@ -34,7 +34,7 @@ class OutputFile {
   std::unique_ptr<std::FILE, Close> file_;
 };
 
-/// Files of one folder by name, each made when it is first asked for.
+/// Files of one folder by name. Each is made when it is first requested.
 class OutputFolder {
  public:
   OutputFolder(std::string folder, bool overwrite)

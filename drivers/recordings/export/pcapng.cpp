@@ -63,8 +63,8 @@ void put_serial(Block& packet, const RawBytes& raw) {
   put(packet, raw.data);
 }
 
-/// Wireshark's format (IETF draft-ietf-opsawg-pcapng): one interface a link, buses and serial lines
-/// in one file, times in nanoseconds.
+/// Wireshark's format (IETF draft-ietf-opsawg-pcapng). Each link is one interface; buses and serial
+/// lines are in one file; times are in nanoseconds.
 class Pcapng final : public Exporter {
  public:
   Pcapng(const std::vector<RecordedLink>& links, const Target& to) : file_(to.path, to.overwrite) {
@@ -114,7 +114,7 @@ class Pcapng final : public Exporter {
     write(interface_block, [&](Block& body) {
       put_le(body, link.frames ? can_socketcan : rtac_serial);
       put_le<std::uint16_t>(body, 0);
-      put_le<std::uint32_t>(body, 0);  // no packet is cut
+      put_le<std::uint32_t>(body, 0);  // no packet is shortened
       put_option(body, name, bytes_of(link.name));
       put_option(body, description, bytes_of(link.uri));
       put_option(body, time_resolution, nanoseconds);

@@ -5,7 +5,7 @@ namespace drydock::exporting {
 
 namespace {
 
-/// `<link>.bin`: what a port received, byte for byte; `<link>.sent.bin`: what went out.
+/// `<link>.bin`: the bytes that a port received; `<link>.sent.bin`: the bytes that it sent.
 class Raw final : public Exporter {
  public:
   Raw(const std::vector<RecordedLink>& links, const Target& to)

@@ -7,7 +7,7 @@ namespace drydock::exporting {
 namespace {
 
 struct Entry {
-  std::string_view type, field, unit;  ///< of all below `field`
+  std::string_view type, field, unit;  ///< for everything below `field`
 };
 
 constexpr std::string_view rate = "rad/s", speed = "m/s", acceleration = "m/s2";

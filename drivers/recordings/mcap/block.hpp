@@ -4,10 +4,10 @@
 
 namespace drydock::mcap {
 
-/// Schemas, channels and messages that become one chunk, not yet compressed.
+/// Schemas, channels and messages that become one chunk. They are not yet compressed.
 class Block {
  public:
-  /// Of one channel: log time and place of each message in the block.
+  /// For one channel: log time and position in the block of each message.
   struct Index {
     std::uint16_t channel = 0;
     std::vector<std::pair<std::uint64_t, std::uint64_t>> entries;
@@ -22,11 +22,11 @@ class Block {
   const std::vector<Index>& indexes() const { return indexes_; }
   const std::vector<Schema>& schemas() const { return schemas_; }
   const std::vector<Channel>& channels() const { return channels_; }
-  std::uint64_t first_time() const { return first_time_; }  ///< least; 0 without messages
+  std::uint64_t first_time() const { return first_time_; }  ///< the earliest; 0 without messages
   std::uint64_t last_time() const { return last_time_; }
   std::uint64_t messages() const { return messages_; }
 
-  /// Empty again, with the memory it had: a block that goes round allocates no more.
+  /// Empties the block but keeps its memory, so a reused block allocates no more.
   void clear();
 
  private:

@@ -57,7 +57,7 @@ Record metadata(Decoder& fields) {
   return metadata;
 }
 
-/// The last field; 0 says that there is none.
+/// The CRC is the last field; 0 means that there is none.
 bool attachment_crc_is_right(Bytes content) {
   if (content.size() < sizeof(std::uint32_t)) return false;
   const Bytes covered = content.first(content.size() - sizeof(std::uint32_t));

@@ -8,8 +8,8 @@
 
 namespace drydock::mcap {
 
-/// Reads fields from a record's content. Once something does not fit, everything is empty and
-/// `good()` is false.
+/// Reads fields from a record's content. After the first field that does not fit, every result is
+/// empty and `good()` is false.
 class Decoder {
  public:
   explicit Decoder(Bytes bytes) : rest_(bytes) {}
@@ -54,8 +54,8 @@ class Decoder {
   bool good_ = true;
 };
 
-/// The content of a record. Empty: not such a record (too short, or an attachment's wrong CRC), or
-/// an opcode that is none of those in `Record`.
+/// The content of a record. Empty if the content is too short, if an attachment's CRC is wrong, or
+/// if `Record` has no type for the opcode.
 std::optional<Record> decode(Opcode opcode, Bytes content);
 
 }  // namespace drydock::mcap

@@ -33,7 +33,7 @@ class Encoder {
       for (const auto& [key, value] : entries) text(key).text(value);
     });
   }
-  /// What `body` writes, behind its length.
+  /// Writes the length and then the output of `body`.
   template <class Length, class Body>
   Encoder& sized(Body body) {
     const auto at = out_.size();
@@ -63,6 +63,6 @@ void encode(Buffer& out, const Message& message);
 void encode(Buffer& out, const Attachment& attachment);  ///< with its CRC
 void encode(Buffer& out, const Metadata& metadata);
 
-std::uint32_t crc32(Bytes bytes);  ///< of zlib, as MCAP has it everywhere
+std::uint32_t crc32(Bytes bytes);  ///< CRC of zlib; MCAP uses it everywhere
 
 }  // namespace drydock::mcap

@@ -7,11 +7,13 @@
 
 namespace drydock::mcap {
 
-/// A new file, as the sink of a writer. `path` must not exist, unless `overwrite`. Beside what
-/// write() reports, a file that was deleted meanwhile is an error: nobody would ever find it.
+/// A new file as the sink of a writer. `path` must not exist, unless `overwrite`. The sink reports
+/// the errors of write(). It also reports an error if the file was deleted in the meantime, because
+/// nobody could ever find it.
 boost::system::result<Sink> file_sink(const std::string& path, bool overwrite = false);
 
-/// Why there is no such sink, in a line: "dive.mcap: File exists; --overwrite replaces it".
+/// One line that says why the sink could not be made: "dive.mcap: File exists; --overwrite replaces
+/// it".
 std::string refused(const std::string& path, const boost::system::error_code& error);
 
 }  // namespace drydock::mcap

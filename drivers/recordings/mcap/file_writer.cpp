@@ -116,7 +116,7 @@ void FileWriter::encode(const ChunkIndex& index) {
   });
 }
 
-/// Into out_: groups of one opcode each, then where each group stands.
+/// Writes into out_: groups of records with one opcode each, then the position of each group.
 Buffer FileWriter::summary() {
   out_.clear();
   Buffer offsets;
@@ -151,7 +151,7 @@ Buffer FileWriter::summary() {
 boost::system::error_code FileWriter::finish() {
   out_.clear();
   Encoder encoder(out_);
-  // 0: no CRC over the whole data section; each chunk and attachment has its own.
+  // 0: no CRC of the whole data section. Each chunk and attachment has its own.
   encoder.record(Opcode::data_end, [&] { encoder.number(std::uint32_t{0}); });
   if (put_out()) return error_;
   const std::uint64_t summary_start = size_;
@@ -161,7 +161,7 @@ boost::system::error_code FileWriter::finish() {
   encoder.record(Opcode::footer, [&] {
     encoder.number(summary_start).number(offsets_start).number(std::uint32_t{0});
   });
-  out_.resize(out_.size() - sizeof(std::uint32_t));  // the CRC covers all up to itself
+  out_.resize(out_.size() - sizeof(std::uint32_t));  // the CRC covers everything before it
   encoder.number(crc32(out_)).raw(magic);
   return put_out();
 }

@@ -11,12 +11,13 @@ struct ZSTD_CCtx_s;
 
 namespace drydock::mcap {
 
-/// Takes the file's bytes in order. An error is final: nothing more is offered.
+/// Takes the bytes of the file in order. An error is final: the writer does not call the sink
+/// again.
 using Sink = std::function<boost::system::error_code(Bytes)>;
 
 /// Writes a file: header, chunks with their message indexes, attachments, metadata, and at the end
-/// the summary (schemas, channels, statistics, indexes, summary offsets, footer with its CRC).
-/// What a call has given to the sink can be read back even if the file ends there.
+/// the summary (schemas, channels, statistics, indexes, summary offsets, footer with its CRC). The
+/// bytes of each call are readable even if the file ends after them.
 class FileWriter {
  public:
   FileWriter(Sink sink, const Header& header);
@@ -27,7 +28,7 @@ class FileWriter {
   boost::system::error_code finish();
 
   boost::system::error_code error() const { return error_; }
-  std::uint64_t size() const { return size_; }  ///< bytes that the sink has taken
+  std::uint64_t size() const { return size_; }  ///< bytes given to the sink
 
  private:
   struct ChunkIndex {

@@ -9,7 +9,8 @@
 #include <vector>
 
 /// MCAP, the container for recordings (specification: mcap.dev/spec, version 0). A file is a
-/// sequence of records: one byte of opcode, 64 bits of length, content. All numbers little-endian.
+/// sequence of records. A record has one byte of opcode, 64 bits of length, and its content. All
+/// numbers are little-endian.
 namespace drydock::mcap {
 
 using Bytes = std::span<const std::uint8_t>;
@@ -53,7 +54,7 @@ struct Channel {
   Map metadata;
 };
 
-/// Times in ns since 1970. `data` is the caller's.
+/// Times are in ns since 1970. The caller owns `data`.
 struct Message {
   std::uint16_t channel = 0;
   std::uint32_t sequence = 0;
@@ -71,7 +72,7 @@ struct Metadata {
   Map values;
 };
 
-/// The end of the data; what follows are indexes.
+/// Ends the data; after it come only indexes.
 struct DataEnd {};
 
 using Record = std::variant<Header, Schema, Channel, Message, Attachment, Metadata, DataEnd>;

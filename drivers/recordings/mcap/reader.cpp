@@ -25,7 +25,7 @@ Head head_of(Bytes bytes) {
   return {opcode, fields.number<std::uint64_t>()};
 }
 
-/// What comes between the data's records and is of no use to who reads from front to back.
+/// True for records between the data that a sequential reader does not need.
 bool passed_over(Opcode opcode) {
   switch (opcode) {
     case Opcode::header:

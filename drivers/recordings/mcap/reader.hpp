@@ -10,22 +10,22 @@ struct ZSTD_DCtx_s;
 
 namespace drydock::mcap {
 
-/// Reads a file from front to back, record by record, chunks opened. Needs no index, so a file
-/// that was cut reads up to the cut. Every chunk's and attachment's CRC is checked.
+/// Reads a file from start to end, record by record, and opens chunks. It needs no index, so it
+/// reads a truncated file up to its end. It checks the CRC of every chunk and attachment.
 class Reader {
  public:
-  /// A record, or a chunk's content, that says it is larger than this is damage.
+  /// A larger record or chunk content counts as damage.
   static constexpr std::uint64_t largest_record = 64u << 20;
 
   explicit Reader(std::unique_ptr<std::istream> file);
 
-  /// Empty at the end of the data, or where the file is damaged. A message's data holds until the
-  /// next call.
+  /// Empty at the end of the data, or if the file is damaged. The data of a message are valid until
+  /// the next call.
   std::optional<Record> next();
 
-  /// Empty: all is well. Otherwise one line: what is wrong at which byte.
+  /// Empty if there is no damage. Otherwise one line: the problem and its byte position.
   const std::string& damage() const { return damage_; }
-  /// Where the record that came last, or the chunk that held it, ends.
+  /// The end of the last record, or of the chunk that contained it.
   std::uint64_t position() const { return position_; }
   std::uint64_t size() const { return size_; }  ///< of the file
 
@@ -38,7 +38,7 @@ class Reader {
   std::optional<Record> next_in_file();
   std::optional<Record> next_in_chunk();
   bool open_chunk(Bytes content);
-  bool fail(std::string_view what);  ///< false
+  bool fail(std::string_view what);  ///< always returns false
   std::optional<Record> damaged(std::string_view what);
 
   std::unique_ptr<std::istream> file_;

@@ -6,7 +6,8 @@
 
 namespace drydock::mcap {
 
-/// When a block is full: so much content, or so much time between its first and last message.
+/// A block is full when it has this much content, or this much time between its first and last
+/// message.
 inline constexpr std::size_t block_size = 768 * 1024;
 inline constexpr std::chrono::nanoseconds block_time = std::chrono::seconds{1};
 
@@ -15,7 +16,7 @@ inline bool is_full(const Block& block) {
          block.last_time() - block.first_time() >= static_cast<std::uint64_t>(block_time.count());
 }
 
-/// A file written in one thread, for tools: cut, recover, tests.
+/// Writes a file in one thread, for tools: cut, recover, tests.
 class Writer {
  public:
   Writer(Sink sink, const Header& header) : file_(std::move(sink), header) {}

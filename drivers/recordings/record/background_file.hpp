@@ -10,29 +10,29 @@
 
 namespace drydock::record {
 
-/// Compresses and writes in a thread of its own, so that a slow disk never holds up a driver.
+/// Compresses and writes in its own thread, so that a slow disk never delays a driver.
 class BackgroundFile {
  public:
-  /// As many blocks may wait: 16 s at a block a second.
+  /// Limit of waiting blocks: 16 s at one block a second.
   static constexpr std::size_t most_waiting = 16;
 
   explicit BackgroundFile(mcap::FileWriter file);
-  /// Without finish(): the file has no summary, as after a crash.
+  /// Without finish() the file has no summary, as after a crash.
   ~BackgroundFile();
 
-  /// Takes the block and leaves an empty one. False: too many wait, or the file failed; the block
-  /// is as it was.
+  /// Takes the block and leaves an empty one in its place. False if too many wait or the file
+  /// failed; the block is then unchanged.
   bool put(mcap::Block& block);
-  /// Waits for room; false: the file failed.
+  /// Waits for room. False if the file failed.
   bool put_when_there_is_room(mcap::Block& block);
 
-  /// Everything that waits is written, then `last`, then the summary. Nothing can be put later.
+  /// Writes all waiting blocks, then `last`, then the summary. Nothing can be put afterwards.
   boost::system::error_code finish(const mcap::Metadata& last);
 
   struct Progress {
     boost::system::error_code error;
     std::uint64_t size = 0;                ///< bytes in the file
-    std::uint64_t messages = 0, lost = 0;  ///< of the blocks taken: written, given up
+    std::uint64_t messages = 0, lost = 0;  ///< in the blocks taken: written, discarded
   };
   Progress progress() const;
 
@@ -40,7 +40,7 @@ class BackgroundFile {
   void work();
   bool take(mcap::Block& block);
 
-  mcap::FileWriter file_;  ///< of the thread, until it has ended
+  mcap::FileWriter file_;  ///< the thread owns it until the thread has ended
   mutable std::mutex mutex_;
   std::condition_variable changed_;
   std::vector<mcap::Block> waiting_, empty_;

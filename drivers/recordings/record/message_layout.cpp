@@ -32,7 +32,7 @@ Scalar scalar_of(std::string_view type) {
   return Scalar::nested;
 }
 
-/// `type`, `type[]`, `type[<=9]`, `type[9]`, `string<=32`.
+/// Parses `type`, `type[]`, `type[<=9]`, `type[9]`, `string<=32`.
 MessageNode field_of(std::string type, std::string name) {
   MessageNode field;
   field.name = std::move(name);
@@ -51,7 +51,7 @@ MessageNode field_of(std::string type, std::string name) {
 
 using Fields = std::vector<MessageNode>;
 
-/// The fields of every message in the definition; "" is the first.
+/// The fields of every message in the definition. The name of the first message is "".
 std::map<std::string, Fields> fields_of(std::string_view definition) {
   std::map<std::string, Fields> messages;
   Fields* fields = &messages[""];
@@ -64,16 +64,16 @@ std::map<std::string, Fields> fields_of(std::string_view definition) {
     if (type == "MSG:") {
       fields = &messages[name];
     } else if (line.find('=') == std::string::npos || line.find("<=") != std::string::npos) {
-      fields->push_back(field_of(std::move(type), std::move(name)));  // else a constant
+      fields->push_back(field_of(std::move(type), std::move(name)));  // otherwise it is a constant
     }
   }
   return messages;
 }
 
-/// Fills in the members of nested messages; false: one is not defined, or holds itself.
-/// Messages that hold each other twice double at every level, so there may be only so many fields
-/// (a nav_msgs/Odometry has 30). No element may be without a byte: a message is its only bound on
-/// how many there are.
+/// Fills in the members of nested messages. False if one is not defined or contains itself. Nested
+/// messages can double the number of fields at every level, so this number has a limit (a
+/// nav_msgs/Odometry has 30). Every element must have at least one byte: only the size of the
+/// message limits their number.
 class Resolver {
  public:
   explicit Resolver(const std::map<std::string, Fields>& messages) : messages_(messages) {}

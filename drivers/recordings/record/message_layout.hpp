@@ -7,8 +7,8 @@
 
 #include "drivers/recordings/mcap/format.hpp"
 
-/// What a message's own definition says of its bytes: reads any ROS 2 message of a recording, ours
-/// or another program's, without its type being built in.
+/// Decodes any ROS 2 message of a recording by the definition in the recording. It may come from
+/// Drydock or another program; the type need not be compiled in.
 namespace drydock::record {
 
 enum class Scalar : std::uint8_t {
@@ -35,19 +35,19 @@ struct MessageNode {
   std::string type;  ///< as in the definition: "float64", "std_msgs/Header"
   Scalar scalar = Scalar::nested;
   Repeat repeat = Repeat::once;
-  std::size_t count = 1;             ///< of an array
-  std::vector<MessageNode> members;  ///< of a nested message
+  std::size_t count = 1;             ///< for an array
+  std::vector<MessageNode> members;  ///< for a nested message
 };
 
-/// `definition` is a schema of encoding "ros2msg". Empty: not understood.
+/// `definition` is a schema with encoding "ros2msg". Empty if it was not understood.
 std::optional<MessageNode> parse_definition(std::string_view definition);
 
 /// Visits the values of a message in CDR (XCDR1, little endian) in the order of its fields:
-///   visitor.value(node, offset, bytes)   a scalar, or a text without its end, at an offset in
-///   `cdr` visitor.begin(node, count)           before a sequence's elements; visitor.end(node)
-///   behind visitor.enter(node, offset)          before the members of each nested message;
-///   leave(node)
-/// False: the message is shorter than its definition, or in another encoding.
+///  visitor.value(node, offset, bytes)  for a scalar or a text without its end, at an offset in
+///  `cdr` visitor.begin(node, count)          before the elements of a sequence visitor.end(node)
+///  after the elements of a sequence visitor.enter(node, offset)         before the members of each
+///  nested message visitor.leave(node)                 after the members of each nested message
+/// False if the message is shorter than its definition, or has another encoding.
 template <class Visitor>
 bool visit_message(const MessageNode& message, mcap::Bytes cdr, Visitor&& visitor);
 

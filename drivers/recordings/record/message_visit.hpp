@@ -5,7 +5,7 @@
 
 namespace drydock::record {
 
-/// Bytes of a scalar, and what it is aligned to; 0 for what has no size of its own.
+/// Size of a scalar in bytes, which is also its alignment. 0 for types without a fixed size.
 constexpr std::size_t size_of(Scalar scalar) {
   switch (scalar) {
     case Scalar::boolean:
@@ -46,7 +46,7 @@ class MessageWalk {
   }
 
  private:
-  static constexpr std::size_t head = 4;  ///< alignment counts from behind it
+  static constexpr std::size_t head = 4;  ///< alignment counts from the end of the header
 
   bool element(const MessageNode& node) {
     if (node.scalar == Scalar::nested) {

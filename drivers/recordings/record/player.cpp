@@ -10,16 +10,16 @@ namespace drydock::record {
 namespace {
 
 constexpr const char* rig_file = "rig.toml";
-/// Longer than any driver waits for the rest of an epoch.
+/// No driver waits this long for the rest of an epoch.
 constexpr std::chrono::seconds last_wait{1};
 
-/// Nothing to open again in a recording.
+/// A recording has no link to open again.
 void stay_open(device::DeviceOptions& options) {
   options.life_cycle.reopen_when_quiet = false;
   options.life_cycle.quiet_but_up = " in the recording";
 }
 
-/// Passes on that a driver would have sent, and to which link.
+/// Discards the data that a driver sends, but reports them and their link to `sent`.
 class Silenced final : public device::Transmitter {
  public:
   Silenced(const shell::Lockstep& clock, std::string link, shell::RawListener* sent)

@@ -12,31 +12,32 @@
 
 namespace drydock::record {
 
-/// What the attached rig file says of the drivers. Mission and sensor files are not needed.
+/// The drivers' part of the attached rig file. Mission and sensor files are not needed.
 boost::system::result<rig_config::Rig, RecordingError> rig_of(const Recording& recording);
 
-/// The drivers of a recorded rig in the lockstep shell, fed with the bytes and frames that they
-/// once received: the same measurements again, at the same times, to the last bit. What they send
-/// reaches nobody; what was answered then is in the recording.
+/// Runs the drivers of a recorded rig in the lockstep shell. They receive the recorded bytes and
+/// frames and give the same measurements at the same times, bit for bit. Data that they send reach
+/// nobody: the recording already contains the answers.
 class Player final {
  public:
-  /// Drivers of the selected devices on links of the recording. What they send is told to `sent`,
-  /// where given. Both must outlive the player.
+  /// Makes drivers for the selected devices on links of the recording. `sent` is told what they
+  /// send, unless it is null. Both listeners must outlive the player.
   static boost::system::result<std::unique_ptr<Player>, RecordingError> make(
       const Recording& recording, const rig_config::Rig& rig, const Selection& selection,
       device::Listener& listener, shell::RawListener* sent = nullptr);
 
-  /// A host's clock that was set leaves decades without a message. Past this pause every driver has
-  /// given up what it waited for, and the rest of it is skipped.
+  /// A change of the host's clock can leave decades without a message. After a pause this long
+  /// every driver has reached its time limits, so the rest of the pause is skipped.
   static constexpr std::chrono::hours longest_pause{1};
 
-  /// Time goes on, and drivers that waited for it act.
+  /// Advances the time; drivers that waited for it act.
   void run_until(Stamp at);
-  /// Time goes on to the event's, then its devices hear it. Sent bytes only let time go on.
+  /// Advances the time to that of the event, and then gives the event to its devices. A sent event
+  /// only advances the time.
   void play(const RawEvent& event);
-  /// The port of a link goes, or comes back and can be opened again.
+  /// The port of a link disappears, or comes back and can be opened again.
   void set_port(std::size_t link, bool there);
-  /// Lets timers run out until `end`, then stops the devices.
+  /// Lets timers expire until `end`, then stops the devices.
   void finish(Stamp end);
 
   Stamp now() const { return clock_.now(); }
@@ -51,11 +52,12 @@ class Player final {
   std::vector<std::vector<shell::DeviceActor*>> on_link_;  ///< by link of the recording
 };
 
-/// Plays the selected part of a recording to its end. `on_event` is told first.
+/// Plays the selected part of a recording to its end. `on_event` is called before the devices
+/// receive an event.
 void play(Recording& recording, const Selection& selection, Player& player,
           const std::function<void(const RawEvent&)>& on_event = {});
 
-/// The same of a file.
+/// Does the same for a file.
 boost::system::result<void, RecordingError> play(const std::string& path,
                                                  const Selection& selection,
                                                  device::Listener& listener);

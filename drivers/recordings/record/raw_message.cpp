@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::int64_t ns_a_second = 1'000'000'000;
 
-/// Where the fields stand, from the first byte of the encapsulation header 00 01 00 00.
+/// Positions of the fields, from the first byte of the encapsulation header 00 01 00 00.
 enum Offset : std::size_t { sec = 4, nanosec = 8, direction = 12 };
 constexpr std::size_t bytes_length = 16, bytes_data = 20;
 constexpr std::size_t frame_id = 16, frame_flags = 20, frame_length = 28, frame_data = 32;

@@ -7,7 +7,7 @@
 #include "drivers/shell/raw_listener.hpp"
 
 /// The raw stream of a recording: drydock/RawBytes and drydock/CanFrame of the IDL in plain CDR,
-/// little endian, by hand since a recording is full of them.
+/// little endian. This code is written by hand for speed: most messages of a recording are raw.
 namespace drydock::record {
 
 using measurement::Stamp;
@@ -29,11 +29,11 @@ struct RawFrame {
   wire::CanFrame frame;
 };
 
-/// Replaces what is in `out`.
+/// Replaces the content of `out`.
 void encode(std::vector<std::uint8_t>& out, const RawBytes& raw);
 void encode(std::vector<std::uint8_t>& out, const RawFrame& raw);
 
-/// Empty: not such a message. `data` is that of the argument.
+/// Empty if the bytes are no such message. `data` points into the argument.
 std::optional<RawBytes> decode_bytes(Bytes cdr);
 std::optional<RawFrame> decode_frame(Bytes cdr);
 

@@ -11,25 +11,25 @@ namespace drydock::record {
 
 /// A link whose bytes or frames are recorded: `/raw/serial/<name>` or `/raw/can/<name>`.
 struct RecordedLink {
-  std::string uri;  ///< as the rig file has it
+  std::string uri;  ///< as in the rig file
   std::string name;
   bool frames = false;               ///< a CAN bus
-  std::vector<std::string> devices;  ///< on it
+  std::vector<std::string> devices;  ///< names of the devices on the link
 };
 
-/// What a recording holds. Topics are those of docs/build/bus.md, without `rt`.
+/// The content of a recording. Topics are those of docs/build/bus.md, without `rt`.
 struct RecorderOptions {
   std::vector<RecordedLink> links;
   std::vector<bus::Device> devices;                 ///< by `Origin::device`
-  std::vector<std::string> estimators, navigators;  ///< those that give Navigation too
+  std::vector<std::string> estimators, navigators;  ///< navigators give Navigation too
   std::vector<bus::InnovationSource> innovations;
   mcap::Map versions;                         ///< of the programs, as metadata
-  std::vector<mcap::Attachment> attachments;  ///< the rig file and what it names
+  std::vector<mcap::Attachment> attachments;  ///< the rig file and the files that it names
   WhenBehind when_behind = WhenBehind::lose;
 };
 
-/// Records every byte and frame in both directions, and what was understood of them. Never waits
-/// (unless told), never throws after construction. One thread at a time.
+/// Records every byte and frame in both directions, and the decoded messages. It never waits
+/// (unless told to) and never throws after construction. One thread at a time.
 class Recorder final : public shell::RawListener {
  public:
   Recorder(mcap::Sink sink, const RecorderOptions& options);
@@ -38,7 +38,7 @@ class Recorder final : public shell::RawListener {
                 Stamp at) override;
   void on_frame(std::string_view link, shell::Direction direction, const wire::CanFrame& frame,
                 Stamp at) override;
-  /// What was understood, and what was made of it.
+  /// Receives decoded measurements and the results from them.
   bus::CdrPublisher& topics() { return topics_; }
 
   void tick(Stamp now);
@@ -54,7 +54,7 @@ class Recorder final : public shell::RawListener {
 
   Tape tape_;
   std::vector<Link> links_;
-  std::vector<std::uint8_t> raw_;  ///< used again for each
+  std::vector<std::uint8_t> raw_;  ///< reused for each message
   bus::CdrPublisher topics_;
 };
 

@@ -20,13 +20,13 @@ std::string value_of(const mcap::Map& map, std::string_view key) {
   return {};
 }
 
-/// Differences of two times must fit too.
+/// Limits the time, so that the difference of two times fits too.
 Stamp stamp_of(const mcap::Message& message) {
   constexpr std::uint64_t latest = std::uint64_t{INT64_MAX} / 2;  // the year 2116
   return measurement::stamp_from_ns(static_cast<std::int64_t>(std::min(message.log_time, latest)));
 }
 
-/// Bytes that a record takes while the file is read: a small packed file may unpack to any size.
+/// Memory of a record while the file is read: a small compressed file may unpack to any size.
 std::size_t kept_size(const mcap::Map& map) {
   std::size_t size = 0;
   for (const auto& [name, value] : map) size += sizeof map.front() + name.size() + value.size();
@@ -81,8 +81,7 @@ boost::system::result<Recording, RecordingError> Recording::open(std::unique_ptr
   return recording;
 }
 
-/// Programs repeat schemas and channels in every chunk: what takes the place of another counts
-/// once.
+/// Programs repeat schemas and channels in every chunk. A record that replaces another counts once.
 template <class Kept>
 void Recording::keep(Kept& place, std::type_identity_t<Kept>&& record) {
   const bool was_empty = kept_size(place) == sizeof place;

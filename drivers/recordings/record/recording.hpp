@@ -12,14 +12,14 @@
 
 namespace drydock::record {
 
-/// One line that says what is wrong with which file.
+/// One line that names the file and the problem.
 struct RecordingError {
   std::string line;
 };
 [[noreturn]] void throw_exception_from_error(const RecordingError& error,
                                              const boost::source_location& where);
 
-/// Bytes or a frame as they went over a link, and which of `links()` that was.
+/// Bytes or a frame on a link. `link` is the index in `links()`.
 struct RawEvent {
   std::size_t link = 0;
   std::variant<RawBytes, RawFrame> content;
@@ -32,7 +32,7 @@ struct RawEvent {
   }
 };
 
-/// What was understood: a ROS 2 message of `channel`.
+/// A decoded ROS 2 message of `channel`.
 struct Understood {
   const mcap::Channel* channel = nullptr;
   const mcap::Schema* schema = nullptr;
@@ -42,39 +42,39 @@ struct Understood {
 
 using Event = std::variant<RawEvent, Understood>;
 
-/// Reads a recording that Recorder wrote from front to back, a cut one up to the cut.
+/// Reads a recording of Recorder from start to end. It reads a truncated recording up to its end.
 class Recording {
  public:
-  /// What is not messages and is therefore kept may not come to more than this.
+  /// Limit of the memory for records that are kept; messages are not kept.
   static constexpr std::size_t most_kept = 256u << 20;
 
   static boost::system::result<Recording, RecordingError> open(const std::string& path);
-  /// From a stream; `name` is for the error.
+  /// Reads from a stream. Errors show `name`.
   static boost::system::result<Recording, RecordingError> open(std::unique_ptr<std::istream> file,
                                                                const std::string& name);
 
-  /// Known from the start, as long as the file was not cut before its first message.
+  /// Known from the start, unless the file ends before its first message.
   const std::vector<RecordedLink>& links() const { return links_; }
   const std::vector<mcap::Attachment>& attachments() const { return attachments_; }
   const std::vector<mcap::Metadata>& metadata() const { return metadata_; }
-  /// Text of an attachment; empty where there is none of that name.
+  /// Text of an attachment. Empty if there is none of that name.
   std::string attachment(std::string_view name) const;
 
-  /// Which of links() a raw channel is of; empty: not one of them.
+  /// The index in links() for a raw channel. Empty if it belongs to no link.
   std::optional<std::size_t> link_of(std::uint16_t channel) const;
-  /// Topics of what was understood, as channels.
+  /// The channels of decoded messages.
   std::vector<const mcap::Channel*> understood() const;
-  /// Time of the first message; empty where there is none.
+  /// Time of the first message. Empty if there is none.
   std::optional<Stamp> begin() const { return begin_; }
-  /// How much of the file has been read, 0 to 1.
+  /// The share of the file that has been read, 0 to 1.
   double done() const;
 
-  /// Empty at the end. What the event points to holds until the next call.
+  /// Empty at the end. The event's pointers and views are valid until the next call.
   std::optional<Event> next();
 
-  /// After the end: empty, or one line that says where the file is cut or damaged.
+  /// Use it after the end. Empty, or one line that says where the file is truncated or damaged.
   const std::string& damage() const { return damage_.empty() ? reader_.damage() : damage_; }
-  std::uint64_t unreadable() const { return unreadable_; }  ///< raw messages that are not ours
+  std::uint64_t unreadable() const { return unreadable_; }  ///< raw, not decoded
 
  private:
   explicit Recording(mcap::Reader reader) : reader_(std::move(reader)) {}
@@ -90,7 +90,7 @@ class Recording {
   std::vector<mcap::Metadata> metadata_;
   std::map<std::uint16_t, mcap::Schema> schemas_;
   std::map<std::uint16_t, mcap::Channel> channels_;
-  std::map<std::uint16_t, std::size_t> link_of_;  ///< raw channels
+  std::map<std::uint16_t, std::size_t> link_of_;  ///< by raw channel
   std::optional<mcap::Message> first_;
   std::optional<Stamp> begin_;
   std::uint64_t unreadable_ = 0;

@@ -14,7 +14,7 @@ bool names(const std::vector<std::string>& only, const std::string& name) {
   return only.empty() || std::ranges::find(only, name) != only.end();
 }
 
-/// "/imu/data" is of imu, "/estimate/leveling" of leveling, "/diagnostics" of diagnostics.
+/// "/imu/data" belongs to imu, "/estimate/leveling" to leveling, "/diagnostics" to diagnostics.
 std::string owner_of(const std::string& topic) {
   constexpr std::string_view estimate = "/estimate/";
   const std::size_t begin = topic.starts_with(estimate) ? estimate.size() : 1;

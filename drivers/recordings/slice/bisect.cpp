@@ -9,14 +9,14 @@ namespace {
 using record::Selection;
 using record::Stamp;
 
-/// A question that was broken off counts as "does not fail", and no other is asked.
+/// A test that was interrupted counts as "does not fail", and no other test follows.
 class Search {
  public:
   Search(const std::vector<Stamp>& times, const std::vector<std::string>& links,
          const StillFails& still_fails)
       : times_(times), links_(links), still_fails_(still_fails) {}
 
-  /// Events `first` to before `last`.
+  /// Tests the events from `first` up to, but without, `last`.
   bool fails(std::size_t first, std::size_t last, const std::vector<std::string>& only) {
     if (done_.broken_off) return false;
     Selection part;
@@ -48,7 +48,7 @@ class Search {
   }
 
  private:
-  /// The least value that fails, where `high` does.
+  /// The least value that fails. `high` fails.
   template <class Fails>
   static std::size_t least(std::size_t low, std::size_t high, Fails fails) {
     while (low < high) {
@@ -60,7 +60,7 @@ class Search {
     }
     return high;
   }
-  /// The most that fails, where `low` does.
+  /// The greatest value that fails. `low` fails.
   template <class Fails>
   static std::size_t most(std::size_t low, std::size_t high, Fails fails) {
     while (low < high) {

@@ -8,19 +8,20 @@
 
 namespace drydock::slice {
 
-/// Whether a slice still shows the failure; empty: the question was broken off.
+/// True if a slice still shows the failure. Empty if the test was interrupted.
 using StillFails = std::function<std::optional<bool>(const record::Selection& part)>;
 
 struct Bisected {
-  record::Selection part;  ///< the smallest found that fails
-  std::size_t events = 0;  ///< reads and frames in it
+  record::Selection part;  ///< the smallest failing part found
+  std::size_t events = 0;  ///< reads and frames in the part
   int runs = 0;
   bool fails_at_all = true;
   bool broken_off = false;
 };
 
-/// Cuts the end of a failing recording by bisection, then its start, then link by link: what is
-/// left failed when it was tried. Smallest for a failure that more of the recording does not undo.
+/// Shortens a failing recording: first its end by bisection, then its start, then link by link. The
+/// result failed in its own test. It is the smallest part, if adding more of the recording never
+/// removes the failure.
 Bisected bisect(const std::vector<record::Stamp>& times, const std::vector<std::string>& links,
                 const StillFails& still_fails);
 

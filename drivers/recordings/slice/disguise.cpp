@@ -20,7 +20,7 @@ bool is_one_of(const Names& names, std::string_view name) {
   return std::ranges::find(names, name) != names.end();
 }
 
-/// Degrees to a tenth of a millimetre.
+/// Rounds degrees to a tenth of a millimetre.
 double written(double deg) {
   constexpr double steps = 1e9;
   return std::round(deg * steps) / steps;
@@ -42,7 +42,7 @@ Disguise::Line Disguise::line_of(const record::RecordedLink& link,
   Line line = link.frames ? Line::bus : Line::unknown;
   for (const auto& device : rig->devices) {
     if (!is_one_of(link.devices, device.name)) continue;
-    // An Xsens IMU may be set to send positions under any identifier.
+    // An Xsens IMU may be configured to send positions under any identifier.
     if (device.protocol == "xsens") return Line::unknown;
     if (link.frames) continue;
     if (is_one_of(know_no_place, device.protocol)) line = Line::passes;
@@ -102,7 +102,7 @@ bool Disguise::apply_raw(Track& track, mcap::Message& message) {
 }
 
 bool Disguise::move_bytes(Track& track, record::RawBytes& raw) {
-  if (raw.direction == record::Direction::sent) {  // a receiver may be told where it is
+  if (raw.direction == record::Direction::sent) {  // a host may send a receiver its position
     ++dropped_["writes to a receiver"];
     return false;
   }

@@ -12,32 +12,33 @@ namespace drydock::slice {
 
 using measurement::Stamp;
 
-/// What does not tell when and where a recording was made. Time is shifted in every stamp that the
-/// bench made (log times, raw stamps, headers); what devices themselves said of the time stays.
-/// Positions are moved in understood messages and in the bytes of receivers; what cannot be moved
-/// is dropped and counted.
+/// Removes from records when and where a recording was made. It shifts the time in every stamp of
+/// the bench (log times, raw stamps, headers); times in the devices' own data stay. It moves
+/// positions in decoded messages and in the bytes of receivers. It drops and counts data with a
+/// position that it cannot move.
 class Disguise {
  public:
   struct Options {
     std::chrono::nanoseconds shift{};
-    std::optional<measurement::Geodetic> move_to;  ///< where the first position goes
-    std::optional<measurement::Geodetic> first;    ///< that position, where it is known already
+    std::optional<measurement::Geodetic> move_to;  ///< new place of the first position
+    std::optional<measurement::Geodetic> first;    ///< the first position, if it is already known
   };
 
-  /// `rig` tells what a link's devices speak; without one, or for a protocol that is not known to
-  /// hold no position, a link's bytes are dropped where positions are to be moved.
+  /// `rig` gives the protocols of a link's devices. If positions are to be moved, all bytes of a
+  /// link are dropped if there is no rig, or if the protocol may contain a position.
   Disguise(const Options& options, const std::vector<record::RecordedLink>& links,
            const std::optional<rig_config::Rig>& rig);
 
-  /// The channel's messages follow. `link`: which of the links, of a raw channel.
+  /// Announces a channel before its messages. `link` is the index of the link of a raw channel.
   void note(const mcap::Channel& channel, const mcap::Schema& schema,
             std::optional<std::size_t> link);
-  /// In place; the data is then the disguise's, until the next call. False: dropped.
+  /// Changes the message in place. The disguise then owns its data, until the next call. False if
+  /// the message is dropped.
   bool apply(mcap::Message& message);
-  /// False: dropped.
+  /// False if the attachment is dropped.
   bool apply(mcap::Attachment& attachment);
 
-  /// The first position so far, of those that were moved.
+  /// The first of the positions moved so far.
   std::optional<measurement::Geodetic> first_position() const;
   std::uint64_t moved() const;
   const Dropped& dropped() const { return dropped_; }
@@ -45,7 +46,7 @@ class Disguise {
  private:
   enum class Line : std::uint8_t { passes, receiver, bus, unknown };
   struct Track {
-    std::optional<Line> line;  ///< of a raw channel
+    std::optional<Line> line;  ///< for a raw channel
     bool frames = false;
     std::string type;
     std::optional<record::MessageNode> layout;

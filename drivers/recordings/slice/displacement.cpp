@@ -7,7 +7,7 @@ namespace drydock::slice {
 
 namespace {
 
-/// Metres of a radian north and of one east (WGS-84), but for the semi-major axis.
+/// Metres per radian north and east (WGS-84), divided by the semi-major axis.
 struct Radii {
   double meridian, parallel;
 };

@@ -8,13 +8,13 @@
 
 namespace drydock::slice {
 
-/// Puts a track somewhere else on the WGS-84 ellipsoid: metres north and east between its points
-/// stay what they were there. Latitudes and longitudes move independently of each other.
+/// Moves a track to another place on the WGS-84 ellipsoid. The distances north and east between its
+/// points stay the same, in metres. Latitudes and longitudes move independently of each other.
 class Displacement {
  public:
   explicit Displacement(const measurement::Geodetic& to);
 
-  /// The point that will become `to`: the first that is seen. Later calls change nothing.
+  /// `from` is the point that moves to `to`: the first point. Later calls change nothing.
   void start_at(const measurement::Geodetic& from);
   const std::optional<measurement::Geodetic>& start() const { return from_; }
 
@@ -28,10 +28,10 @@ class Displacement {
  private:
   measurement::Geodetic to_;
   std::optional<measurement::Geodetic> from_;
-  double north_scale_ = 1, east_scale_ = 1;  ///< radians there for a radian here
+  double north_scale_ = 1, east_scale_ = 1;  ///< radians at the new place for one radian at the old
 };
 
-/// How many of what were given up since they tell the place.
+/// Counts by name the data that were dropped because they show the place.
 using Dropped = std::map<std::string, std::uint64_t>;
 
 }  // namespace drydock::slice

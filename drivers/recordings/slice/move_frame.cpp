@@ -16,7 +16,8 @@ namespace {
 constexpr std::uint32_t rapid_position = 129025;
 
 /// NMEA 2000's groups of navigation, AIS and GNSS, weather stations, Loran, waypoints and magnetic
-/// variation; J1939's vehicle position. Course and speed (129026) and dilutions (129539) are none.
+/// variation; J1939's vehicle position. Course and speed (129026) and dilutions (129539) do not
+/// show the place.
 constexpr bool tells_place(std::uint32_t pgn) {
   constexpr std::uint32_t course_and_speed = 129026, dilutions = 129539;
   if (pgn == course_and_speed || pgn == dilutions) return false;
@@ -24,7 +25,7 @@ constexpr bool tells_place(std::uint32_t pgn) {
          (pgn >= 130320 && pgn <= 130324) || pgn == 127258 || pgn == 65267;
 }
 
-/// Latitude and longitude in 1e-7 degree; the highest value is "not available".
+/// Latitude and longitude are in 1e-7 degree; the highest value means "not available".
 void move_rapid_position(wire::CanFrame& frame, Displacement& place) {
   const double step = wire::radians(1) / 1e7;
   const auto latitude = wire::load_le<std::int32_t>(frame.payload(), 0);

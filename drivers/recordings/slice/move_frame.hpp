@@ -7,14 +7,14 @@
 
 namespace drydock::slice {
 
-/// Frames of a CAN bus at another place. Of NMEA 2000 the rapid position update (129025) is moved;
-/// what else tells a place (fixes, satellites, routes, other vessels) is dropped and counted, also
-/// inside the transport protocol.
+/// Moves frames of a CAN bus to another place. In NMEA 2000 it moves the rapid position update
+/// (129025). It drops and counts all other frames that show a place (fixes, satellites, routes,
+/// other vessels), also inside the transport protocol.
 class BusPlace {
  public:
   BusPlace(Displacement& place, Dropped& dropped) : place_(place), dropped_(dropped) {}
 
-  /// False: dropped.
+  /// False if the frame is dropped.
   bool move(wire::CanFrame& frame);
   std::uint64_t moved() const { return moved_; }
 
@@ -23,7 +23,7 @@ class BusPlace {
 
   Displacement& place_;
   Dropped& dropped_;
-  std::set<std::uint8_t> hidden_transport_;  ///< sources in the middle of such a message
+  std::set<std::uint8_t> hidden_transport_;  ///< sources that are sending such a message in parts
   std::uint64_t moved_ = 0;
 };
 

@@ -9,12 +9,12 @@ namespace drydock::slice {
 
 enum class Fate : std::uint8_t { as_it_is, moved, dropped };
 
-/// A sound sentence at another place, into `out`, which it does not outgrow by more than 80
-/// characters; `size` bytes.
+/// Writes a valid sentence at another place into `out` and its length into `size`. The sentence
+/// grows by at most 80 characters.
 Fate move_sentence(wire::Bytes sentence, Displacement& place, std::span<std::uint8_t> out,
                    std::size_t& size);
 
-/// The same of a UBX frame, in place.
+/// Does the same for a UBX frame, in place.
 Fate move_ubx(std::span<std::uint8_t> frame, Displacement& place);
 
 }  // namespace drydock::slice

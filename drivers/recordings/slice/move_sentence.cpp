@@ -8,8 +8,9 @@ namespace drydock::slice {
 
 namespace {
 
-/// A sentence that tells the place: fields before latitude and longitude, and fields behind them
-/// (counted from there) that tell it as well: geoid, reference station, magnetic declination.
+/// A sentence that shows the place. `before` counts the fields before latitude and longitude. Some
+/// fields behind them (counted from there) show the place too: geoid, reference station, magnetic
+/// declination.
 struct Layout {
   std::string_view formatter;
   std::size_t before;
@@ -22,11 +23,11 @@ constexpr std::array layouts{
     Layout{"GLL", 0, true, {-1, -1, -1}}, Layout{"GNS", 1, true, {4, 6, -1}},
     Layout{"VTG", 2, false, {0, -1, -1}}, Layout{"VHW", 2, false, {0, -1, -1}}};
 
-/// Neither a position nor what only one place has.
+/// These contain neither a position nor data that only one place has.
 constexpr std::array<std::string_view, 9> harmless{"ZDA", "GST", "HDT", "THS", "VBW",
                                                    "VLW", "DPT", "DBT", "MTW"};
 
-/// Digits after the point of the number that comes next.
+/// Number of decimals in the next field.
 int decimals_of_next(wire::SentenceReader fields) {
   const std::string_view text = fields.text();
   const auto point = text.find('.');

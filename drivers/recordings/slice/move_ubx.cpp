@@ -13,7 +13,8 @@ namespace {
 
 using Payload = std::span<std::uint8_t>;
 
-/// Neither a position nor satellites: times, velocity, accuracy, status, acknowledgements, version.
+/// These contain neither a position nor satellites: times, velocity, accuracy, status,
+/// acknowledgements, version.
 constexpr std::array<std::uint16_t, 9> harmless_ubx{
     wire::NavVelned::class_and_id,
     wire::NavDop::class_and_id,
@@ -26,7 +27,8 @@ constexpr std::array<std::uint16_t, 9> harmless_ubx{
     0x0A04   // MON-VER
 };
 
-/// Longitude and latitude in 1e-7 degree, then the height, which becomes that above mean sea level.
+/// Longitude and latitude are in 1e-7 degree. The height behind them is replaced by the height
+/// above mean sea level.
 void move_geodetic(Payload payload, std::size_t offset, Displacement& place) {
   const double step = wire::radians(1) / 1e7;
   const measurement::Geodetic old{wire::load_le<std::int32_t>(payload, offset + 4) * step,
@@ -54,10 +56,11 @@ void store_vector(Payload payload, std::size_t offset, const Eigen::Vector3d& ve
         static_cast<std::int32_t>(std::lround(vector[static_cast<Eigen::Index>(i)] * 100)));
 }
 
-/// Position and velocity in Earth-centred axes, cm; the new place is at the ellipsoid's height.
+/// Position and velocity are in Earth-centred axes, cm. The new place is at the height of the
+/// ellipsoid.
 void move_ecef(Payload payload, std::size_t position, std::size_t velocity, Displacement& place) {
   const auto ecef = vector_at(payload, position);
-  if (ecef.isZero()) return;  // no fix yet
+  if (ecef.isZero()) return;  // there is no fix yet
   const auto old = device::from_ecef(ecef).horizontal;
   place.start_at(old);
   const auto moved = place(old);

@@ -9,16 +9,17 @@
 
 namespace drydock::slice {
 
-/// Whether a ROS 2 type holds no position, or one that move_position() knows. Satellites seen do
-/// tell the place, to some 100 km with their time.
+/// True if a ROS 2 type contains no position, or one that move_position() can move. Visible
+/// satellites and their time show the place within some 100 km.
 bool may_be_kept(std::string_view type);
 
-/// Every builtin_interfaces/Time of a message.
+/// Shifts every builtin_interfaces/Time of a message.
 void shift_stamps(const record::MessageNode& layout, std::span<std::uint8_t> cdr,
                   std::chrono::nanoseconds shift);
 
-/// Latitude and longitude of sensor_msgs/NavSatFix and drydock/GnssFix; the heights above the
-/// ellipsoid, which tell the geoid's, become "not available". False: the message has none.
+/// Moves latitude and longitude of sensor_msgs/NavSatFix and drydock/GnssFix. Heights above the
+/// ellipsoid become "not available", because they show the geoid height. False if the message has
+/// no position.
 bool move_position(std::string_view type, const record::MessageNode& layout,
                    std::span<std::uint8_t> cdr, Displacement& place);
 

@@ -7,16 +7,16 @@
 
 namespace drydock::slice {
 
-/// What a satellite receiver, or whoever speaks NMEA 0183 or UBX, sent, at another place. Only
-/// messages are kept that hold no position, or whose position was moved; satellites, raw
-/// measurements, unknown messages and bytes outside of messages are dropped and counted. Heights
-/// become those above mean sea level, geoid and magnetic declination are left out: they too are a
-/// map of the Earth.
+/// Moves the data of a satellite receiver, or of any device that speaks NMEA 0183 or UBX, to
+/// another place. It keeps only messages without a position and messages whose position it moved.
+/// It drops and counts satellites, raw measurements, unknown messages and bytes outside of
+/// messages. It replaces heights by those above mean sea level, and omits geoid and magnetic
+/// declination: these values also show the place.
 class ReceiverLine {
  public:
   ReceiverLine(Displacement& place, Dropped& dropped) : place_(place), dropped_(dropped) {}
 
-  /// What becomes of these bytes: the messages that end in them.
+  /// Returns the messages that end in these bytes, after the move.
   wire::Bytes move(wire::Bytes bytes);
   std::uint64_t moved() const { return moved_; }
 

@@ -17,7 +17,7 @@ Stamp log_time(const mcap::Message& message) {
   return measurement::stamp_from_ns(static_cast<std::int64_t>(message.log_time));
 }
 
-/// Takes the records of a recording in their order.
+/// Processes the records of a recording in their order.
 class Slicer {
  public:
   Slicer(const SliceOptions& options, const record::Recording& recording,
@@ -27,7 +27,7 @@ class Slicer {
         begin_(recording.begin().value_or(Stamp{})),
         disguise_(disguise, recording.links(), rig) {}
 
-  /// Empty: not of the slice. What stands in the record holds until the next call.
+  /// Empty if the record is not in the slice. The record's views are valid until the next call.
   std::optional<mcap::Record> operator()(mcap::Record record) {
     bool taken = true;
     if (auto* schema = std::get_if<mcap::Schema>(&record)) schemas_[schema->id] = *schema;
@@ -94,7 +94,7 @@ mcap::Reader reader_of(const std::string& path) {
   return mcap::Reader(std::make_unique<std::ifstream>(path, std::ios::binary));
 }
 
-/// Attachments stand before the first position of the slice, and need to know it.
+/// Attachments come before the slice's first position in the file, but need to know it.
 std::optional<measurement::Geodetic> first_position(const std::string& path, Slicer slicer) {
   mcap::Reader reader = reader_of(path);
   while (auto record = reader.next()) {

@@ -3,14 +3,14 @@
 #include "drivers/recordings/record/selection.hpp"
 #include "drivers/recordings/slice/disguise.hpp"
 
-/// Parts of recordings, to send to others.
+/// Cuts parts from recordings, to send to others.
 namespace drydock::slice {
 
 struct SliceOptions {
   record::Selection part;
   std::chrono::nanoseconds shift_time{};
-  std::optional<Stamp> start_at;                 ///< shifts so that the slice begins then
-  std::optional<measurement::Geodetic> move_to;  ///< where the slice's first position goes
+  std::optional<Stamp> start_at;                 ///< shifts the time so that the slice begins then
+  std::optional<measurement::Geodetic> move_to;  ///< new place of the slice's first position
   bool overwrite = false;
 };
 
@@ -19,8 +19,8 @@ struct Sliced {
   std::optional<Stamp> first, last;  ///< log times in the slice
   Dropped dropped;
   std::chrono::nanoseconds shift{};
-  bool ended_early = false;  ///< by the watch
-  std::string damage;        ///< of the recording; empty: whole
+  bool ended_early = false;  ///< the watch ended it
+  std::string damage;        ///< of the recording; empty: none
 };
 
 /// Copies a part of a recording into a new file, with all channels, attachments and metadata.

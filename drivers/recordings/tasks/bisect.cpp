@@ -16,9 +16,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int not_executable = 126, not_found = 127;  ///< of the shell
+constexpr int not_executable = 126, not_found = 127;  ///< exit codes of the shell
 
-/// For a POSIX shell.
+/// Quotes a word for a POSIX shell.
 std::string quoted_word(const std::string& text) {
   std::string word = "'";
   for (const char c : text) word += c == '\'' ? std::string("'\\''") : std::string(1, c);
@@ -32,7 +32,7 @@ std::string with_slice(std::string command, const std::string& slice) {
   return command;
 }
 
-/// The times at which something went over a link, each once, in order.
+/// The times at which a link carried something, each once, in order.
 std::vector<measurement::Stamp> times_in(record::Recording& recording) {
   std::vector<measurement::Stamp> times;
   if (recording.begin()) times.push_back(*recording.begin());
@@ -43,7 +43,7 @@ std::vector<measurement::Stamp> times_in(record::Recording& recording) {
   return times;
 }
 
-/// Tries slices with the command; the last that failed stays under the output's name.
+/// Tests slices with the command. The last slice that failed stays under the name of the output.
 class Trial {
  public:
   Trial(const BisectOptions& options, std::string output, const record::Watch& watch)

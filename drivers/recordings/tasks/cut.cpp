@@ -15,7 +15,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What was moved, dropped and left, a line each: nothing about the place is done in silence.
+/// Lists what was moved, dropped and left, one line each: the user must see every change of
+/// position.
 std::string account_of(const slice::Sliced& done, bool moved) {
   std::string lines;
   if (done.shift.count() != 0)

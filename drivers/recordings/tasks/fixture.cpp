@@ -14,12 +14,12 @@ namespace {
 
 std::string hex_of(wire::Bytes bytes) { return fmt::format("{:02X}", fmt::join(bytes, "")); }
 
-/// As candump has them: a 29-bit identifier has eight digits.
+/// The form of candump: a 29-bit identifier has eight digits.
 std::string text_of(const wire::CanFrame& frame) {
   return fmt::format("{:0{}X}#{}", frame.id, frame.extended ? 8 : 3, hex_of(frame.payload()));
 }
 
-/// The lines of one replay.
+/// Writes the lines of one replay.
 class Account final : public device::Listener, public shell::RawListener {
  public:
   Account(const record::Recording& recording, const rig_config::Rig& rig, std::FILE* out)
@@ -116,7 +116,7 @@ class Account final : public device::Listener, public shell::RawListener {
   const rig_config::Rig& rig_;
   measurement::Stamp begin_;
   text::JsonLines lines_;
-  std::vector<Heard> heard_;  ///< by link of the recording
+  std::vector<Heard> heard_;  ///< one for each link of the recording
   std::uint64_t measurements_ = 0;
 };
 

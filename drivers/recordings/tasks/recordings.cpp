@@ -18,7 +18,8 @@ int refuse(std::FILE* err, std::string_view command, std::string_view why) {
   return 1;
 }
 
-/// "dives/one.mcap" -> "one" and an ending: beside the caller, not beside the recording.
+/// "dives/one.mcap" -> "one" and an ending. The result is in the current folder, not beside the
+/// recording.
 std::string named_after(const std::string& recording, std::string_view ending) {
   return std::filesystem::path(recording).stem().string().append(ending);
 }

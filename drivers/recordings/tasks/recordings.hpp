@@ -6,14 +6,14 @@
 #include "drivers/recordings/export/exporter.hpp"
 #include "drivers/recordings/slice/slice.hpp"
 
-/// What the program does with recordings, beside making and playing them. Each says in lines on
-/// `err` what came out; exit code 0, or 1 where it could not be done.
+/// Commands on recordings, other than recording and replay. Each prints its result as lines on
+/// `err`. Exit code: 0, or 1 if the command failed.
 namespace drydock::recordings {
 
 struct ExportOptions {
   std::string recording;
   exporting::Format format = exporting::Format::candump;
-  exporting::Target target;  ///< path empty: the recording's name with another ending, here
+  exporting::Target target;  ///< empty path: the recording's name with another ending, here
   record::Selection part;
 };
 int export_recording(ExportOptions options, const record::Watch& watch, std::FILE* err);
@@ -27,19 +27,20 @@ int recover(const RecoverOptions& options, std::FILE* err);
 struct CutOptions {
   std::string recording, output;  ///< output empty: `<name>-cut.mcap`
   slice::SliceOptions slice;
-  std::string fixture;  ///< name; then `output` is its folder's
+  std::string fixture;  ///< name of a fixture; then its folder gives `output`
   std::string fixtures_folder = "fixtures/dives";
 };
 int cut(CutOptions options, const record::Watch& watch, std::FILE* err);
 
 struct BisectOptions {
   std::string recording, output;  ///< output empty: `<name>-smallest.mcap`
-  std::string command;            ///< for the shell; {} is the slice
+  std::string command;            ///< for the shell; {} stands for the slice
   bool overwrite = false;
 };
 int bisect(const BisectOptions& options, const record::Watch& watch, std::FILE* err);
 
-/// "2023-11-14T22:13:20Z", with or without a fraction of up to nine digits; empty: none.
+/// "2023-11-14T22:13:20Z", with or without a fraction of up to nine digits. Empty if the text is no
+/// such time.
 std::optional<measurement::Stamp> parse_utc(std::string_view text);
 
 }  // namespace drydock::recordings

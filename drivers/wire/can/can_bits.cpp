@@ -8,8 +8,8 @@ namespace {
 
 __extension__ using Word = unsigned __int128;
 
-/// The part of a classic frame that is stuffed, start of frame to CRC: at most 118 bits, the last
-/// one sent in bit 0.
+/// The stuffed part of a classic frame, from start of frame to CRC: at most 118 bits. Bit 0 is the
+/// last that is sent.
 class StuffedBits {
  public:
   void put(std::uint64_t value, unsigned bits) {
@@ -17,8 +17,8 @@ class StuffedBits {
     count_ += bits;
   }
 
-  /// CRC-15, polynomial 4599h, over all bits before it. It starts at 0, so that the bits that fill
-  /// the first byte change nothing.
+  /// CRC-15, polynomial 4599h, over all bits before it. It starts at 0, so the bits that fill the
+  /// first byte have no effect.
   void put_crc() {
     boost::crc_optimal<15, 0x4599> crc;
     for (unsigned bytes = (count_ + 7) / 8; bytes-- > 0;)
@@ -35,7 +35,7 @@ class StuffedBits {
                       : static_cast<unsigned>(std::bit_width(static_cast<std::uint64_t>(word))) - 1;
   }
 
-  /// After five equal bits comes one of the other value, which counts towards the next five.
+  /// After five equal bits comes a bit of the other value. This bit counts towards the next five.
   unsigned stuff_bits() const {
     Word same = ~(word_ ^ word_ >> 1) & ((Word{1} << (count_ - 1)) - 1);  // as the bit before
     unsigned inserted = 0;
@@ -74,8 +74,8 @@ unsigned classic_bits(const CanFrame& frame) {
   return bits.count() + behind_the_crc;
 }
 
-/// One stuff bit for every four behind the first in the stuffed part; the CRC of 17 or 21 bits has
-/// its stuff count and fixed stuff bits.
+/// After the first bit, the stuffed part has one stuff bit for every four bits. The CRC has 17 or
+/// 21 bits, and in addition its stuff count and fixed stuff bits.
 unsigned longest_fd_bits(const CanFrame& frame) {
   const unsigned head = frame.extended ? 41 : 22;
   const unsigned stuffed = head + 8u * frame.size;

@@ -7,7 +7,7 @@
 
 namespace drydock::wire {
 
-/// One CAN or CAN FD frame as software sees it, independent of the adapter.
+/// One CAN or CAN FD frame in the view of software, for every adapter.
 struct CanFrame {
   std::uint32_t id = 0;   ///< 11 or 29 bits, without flags; for an error frame the error class
   bool extended = false;  ///< 29-bit identifier

@@ -14,7 +14,7 @@ using candump::Line;
 
 constexpr std::uint32_t error_flag = 0x20000000;
 constexpr std::uint32_t max_standard_id = 0x7FF, max_extended_id = 0x1FFFFFFF;
-constexpr std::size_t longest_interface = 21;  // what canplayer takes; Linux itself 15
+constexpr std::size_t longest_interface = 21;  // the limit of canplayer; Linux itself has 15
 
 std::optional<std::uint64_t> parse_decimal(std::string_view digits) {
   std::uint64_t value = 0;
@@ -36,7 +36,7 @@ std::optional<std::chrono::nanoseconds> parse_time(std::string_view text) {
   return std::chrono::nanoseconds{static_cast<std::int64_t>(*seconds * 1000000000 + *fraction)};
 }
 
-/// Pairs of hex digits, dots between the bytes allowed.
+/// Pairs of hex digits. There may be dots between the bytes.
 std::optional<std::uint8_t> parse_data(std::string_view text, std::span<std::uint8_t> out) {
   std::size_t size = 0;
   while (!text.empty()) {
@@ -75,7 +75,7 @@ bool parse_remote(std::string_view length, CanFrame& frame) {
   return true;
 }
 
-/// What follows the first '#'. An `_` after 8 bytes gives a raw length code of 9..F.
+/// Parses the text behind the first '#'. An `_` after 8 bytes gives a raw length code of 9..F.
 bool parse_content(std::string_view text, CanFrame& frame) {
   if (!text.empty() && text[0] == '#') return parse_fd(text.substr(1), frame);
   if (!text.empty() && text[0] == 'R') return parse_remote(text.substr(1), frame);
@@ -86,7 +86,7 @@ bool parse_content(std::string_view text, CanFrame& frame) {
   return true;
 }
 
-/// Cuts the text up to `separator` off the front of `rest`.
+/// Removes the text up to `separator` from the front of `rest` and returns it.
 std::optional<std::string_view> cut(std::string_view& rest, char separator) {
   const std::size_t at = rest.find(separator);
   if (at == std::string_view::npos) return std::nullopt;
@@ -152,7 +152,7 @@ namespace {
 void put_content(TextWriter& text, const CanFrame& frame) {
   if (frame.fd) {
     text.put('#');
-    text.put_hex(frame.bit_rate_switch ? 5 : 4, 1);  // 4 says CAN FD, 1 faster data phase
+    text.put_hex(frame.bit_rate_switch ? 5 : 4, 1);  // 4 means CAN FD, 1 faster data phase
   }
   if (frame.remote) {
     text.put('R');

@@ -11,13 +11,13 @@
 namespace drydock::wire {
 
 /// The contract of every CAN protocol. A protocol is a struct `P` with
-///   P::name      how rig files and the command line call it
-///   P::Message   std::variant of its messages (SI units, radians, optionals)
-///   P::Decoder   receive(frame) -> optional<Message>; it picks its own frames out of all traffic
-/// and beside it free functions `encode(message, ...)` that give frames.
-/// Counters: bytes are payload bytes of the protocol's own frames, `frames` counts messages,
-/// `bad_checksums` frames too short and messages broken by a lost frame. Foreign traffic is not
-/// counted.
+///  P::name      its name in rig files and on the command line
+///  P::Message   std::variant of its messages (SI units, radians, optionals)
+///  P::Decoder   receive(frame) -> optional<Message>; it selects its own frames from all traffic
+/// and free functions `encode(message, ...)` that give frames.
+/// Counters: bytes are payload bytes of the protocol's own frames. `frames` counts messages.
+/// `bad_checksums` counts frames that are too short and messages with a lost frame. Foreign traffic
+/// is not counted.
 template <class P>
 concept FrameProtocol = requires(typename P::Decoder decoder, const typename P::Decoder& seen,
                                  const CanFrame& frame) {
@@ -26,7 +26,7 @@ concept FrameProtocol = requires(typename P::Decoder decoder, const typename P::
   { seen.counters() } -> std::same_as<const StreamCounters&>;
 };
 
-/// Counts one frame of a protocol whose messages are single frames.
+/// Counts one frame, for a protocol in which every message is a single frame.
 template <class Message>
 const std::optional<Message>& count_frame(StreamCounters& counters, const CanFrame& frame,
                                           const std::optional<Message>& decoded) {

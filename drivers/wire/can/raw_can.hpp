@@ -9,7 +9,7 @@
 
 namespace drydock::wire {
 
-/// A frame as it is, whatever protocol it belongs to.
+/// A frame without decoding, for every protocol.
 struct RawCanFrame {
   static constexpr std::string_view type = "can_frame";
   CanFrame frame;
@@ -27,7 +27,8 @@ void visit_fields(const RawCanFrame& m, Field&& field) {
   field("data", HexText(m.frame.remote ? Bytes{} : m.frame.payload()).view());
 }
 
-/// Of the form of a CAN protocol (frame_protocol.hpp), but every frame is its own and a message.
+/// It has the form of a CAN protocol (frame_protocol.hpp), but it accepts every frame, and each is
+/// a message.
 struct RawCan {
   static constexpr std::string_view name = "can";
   using Message = std::variant<RawCanFrame>;

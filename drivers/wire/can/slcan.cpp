@@ -26,8 +26,8 @@ std::string_view as_text(Bytes bytes) {
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
-/// After the identifier: an optional length digit (some adapters leave it out of remote frames),
-/// the data, an optional time stamp of four digits.
+/// Parses the text after the identifier: an optional length digit (some adapters omit it in remote
+/// frames), the data, an optional time stamp of four digits.
 std::optional<Frame> parse_frame(std::string_view line) {
   Frame message;
   CanFrame& frame = message.frame;
@@ -63,8 +63,8 @@ std::optional<Frame> parse_frame(std::string_view line) {
   return message;
 }
 
-/// Commands of the LAWICEL manual and of slcanpty, the adapters' answers to V, v, N and F, and what
-/// they report of the bus.
+/// Parses commands of the LAWICEL manual and of slcanpty, the adapters' answers to V, v, N and F,
+/// and their reports about the bus.
 std::optional<Command> parse_command(std::string_view line) {
   const std::string_view argument = line.substr(1);
   const auto hex_of = [&](std::size_t digits) {
@@ -98,7 +98,7 @@ std::optional<Command> parse_command(std::string_view line) {
   return Command{line};
 }
 
-/// A line without its CR.
+/// Parses a line without its CR.
 std::optional<Slcan::Message> parse_line(std::string_view line) {
   if (line.empty()) return Reply{Answer::done};
   if (line == "z") return Reply{Answer::queued_standard};
@@ -111,7 +111,7 @@ std::optional<Slcan::Message> parse_line(std::string_view line) {
   return std::nullopt;
 }
 
-/// Gives up a damaged line of `size` bytes, end included, but not a frame glued behind it.
+/// Skips a damaged line of `size` bytes including its end, but keeps a frame directly behind it.
 Scan give_up(Bytes line) {
   const auto next = std::find_if(line.begin() + 1, line.end(), [](std::uint8_t byte) {
     return frame_letters.find(static_cast<char>(byte)) != std::string_view::npos;
@@ -133,7 +133,7 @@ Scan Slcan::scan(Bytes bytes) {
     return window.size() < max_frame ? Scan::need_more() : give_up(window);
   }
   const auto length = static_cast<std::size_t>(end - window.begin());
-  if (*end == bell) return give_up(window.first(length));  // refused amid a line: BEL stands alone
+  if (*end == bell) return give_up(window.first(length));  // refused inside a line: BEL is alone
   if (!parse_line(as_text(window.first(length)))) return give_up(window.first(length + 1));
   return Scan::frame(length + 1);
 }

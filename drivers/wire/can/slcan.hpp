@@ -9,13 +9,13 @@
 #include "drivers/wire/can/can_frame.hpp"
 #include "drivers/wire/codec.hpp"
 
-/// The serial line protocol of LAWICEL adapters ("slcan"): ASCII lines ended by CR.
-/// `t1233AABBCC` 11-bit data frame, `T` 29-bit, `r` `R` remote; S0..S8 bit rate, O open, L listen
-/// only, C close; V v N F ask version, serial number, status; Z0 Z1 time stamps off, on. The
-/// adapter answers CR (done), BEL (refused), `z` CR and `Z` CR (frame queued).
+/// The serial line protocol of LAWICEL adapters ("slcan"): ASCII lines that end with CR.
+/// `t1233AABBCC` is an 11-bit data frame, `T` 29-bit, `r` `R` remote. S0..S8 bit rate, O open, L
+/// listen only, C close; V v N F ask for version, serial number, status; Z0 Z1 time stamps off, on.
+/// The adapter answers CR (done), BEL (refused), `z` CR and `Z` CR (frame queued).
 namespace drydock::wire::slcan {
 
-/// A CAN frame on the line, either way. `time_ms` counts modulo 60000.
+/// A CAN frame on the line, in either direction. `time_ms` counts modulo 60000.
 struct Frame {
   static constexpr std::string_view type = "can_frame";
   CanFrame frame;
@@ -23,7 +23,7 @@ struct Frame {
 };
 
 /// Any other line: a command with its argument, or the adapter's answer to a question, which has
-/// the same form (`V1013`). Both point into the bytes given to decode.
+/// the same form (`V1013`). Both point into the bytes that decode received.
 struct Command {
   static constexpr std::string_view type = "command";
   std::string_view text;  ///< letter and argument without the CR
@@ -40,12 +40,12 @@ struct Reply {
 
 std::string_view to_string(Answer answer);
 
-/// Each writes one line and returns its size. CAN FD and error frames have no form: size 0.
+/// Each writes one line and returns its size. CAN FD and error frames cannot be expressed: size 0.
 std::size_t encode(const Frame& frame, std::span<std::uint8_t> out);
 std::size_t encode(const Command& command, std::span<std::uint8_t> out);
 std::size_t encode(const Reply& reply, std::span<std::uint8_t> out);
 
-/// "S5" for 250000; empty if the adapters know no such rate.
+/// "S5" for 250000. Empty if the adapters have no command for the rate.
 std::optional<std::string_view> bit_rate_command(std::uint32_t bits_per_second);
 std::optional<std::uint32_t> bit_rate_of(std::string_view command);
 
@@ -72,8 +72,9 @@ void visit_fields(const Reply& m, Field&& field) {
 
 namespace drydock::wire {
 
-/// A byte protocol. A damaged line is skipped up to the next frame letter (t T r R occur in no hex
-/// field), else to its end: its tail may look like a command ("...C" CR would close the channel).
+/// A byte protocol. A damaged line is skipped up to the next frame letter (t T r R never occur in a
+/// hex field), otherwise to its end. The reason: its tail may look like a command ("...C" CR would
+/// close the channel).
 struct Slcan {
   static constexpr std::string_view name = "slcan";
   static constexpr std::size_t max_frame = 64;

@@ -13,7 +13,7 @@ constexpr std::uint32_t controller = 0x004, protocol = 0x008, no_acknowledge = 0
 constexpr std::size_t of_controller = 1, of_protocol = 2, of_place = 3;
 constexpr std::uint8_t crc_sequence = 0x08;
 
-/// A letter of an `e` line: class, the byte that says more, and what it says.
+/// A letter of an `e` line: its error class, the byte with details, and the value of that byte.
 struct Kind {
   char letter;
   std::uint32_t error_class;
@@ -71,7 +71,7 @@ std::string report_of(const CanFrame& frame) {
     const bool told = kind.bits == 0 || (frame.data.at(kind.byte) & kind.bits) == kind.bits;
     if ((frame.id & kind.error_class) && told) letters += kind.letter;
   }
-  if (letters.empty() && (frame.id & protocol)) letters = "b";  // a bit, without saying which
+  if (letters.empty() && (frame.id & protocol)) letters = "b";  // a bit error of unknown kind
   return letters.empty() ? letters : "e" + std::to_string(letters.size()) + letters + "\r";
 }
 

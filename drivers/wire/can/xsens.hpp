@@ -10,27 +10,27 @@
 #include "drivers/wire/can/xsens_messages.hpp"
 #include "drivers/wire/codec.hpp"
 
-/// Xsens MTi 600, Avior and Sirius on CAN: one message a frame, told by its identifier alone. The
-/// user of the device may give each message another identifier, of 11 or 29 bits.
+/// Xsens MTi 600, Avior and Sirius on CAN: one message per frame; only the identifier tells which.
+/// The user may give each message another identifier, of 11 or 29 bits.
 namespace drydock::wire::xsens {
 
 using Message = std::variant<Error, SampleTime, GroupCounter, StatusWord, Quaternion, EulerAngles,
                              DeltaV, RateOfTurn, DeltaQ, Acceleration, FreeAcceleration,
                              RateOfTurnHr, AccelerationHr, Velocity>;
 
-/// Where each message stands on the bus, in the order of `Message`.
+/// The identifier of each message, in the order of `Message`.
 struct Identifiers {
   static constexpr std::size_t count = std::variant_size_v<Message>;
-  /// As delivered. MT1604P exchanges 061h and 062h; the SDK's enumeration has them as here.
+  /// Factory settings. MT1604P exchanges 061h and 062h; the SDK's enumeration has them as here.
   std::array<std::uint32_t, count> ids{0x01, 0x05, 0x06, 0x11, 0x21, 0x22, 0x31,
                                        0x32, 0x33, 0x34, 0x35, 0x61, 0x62, 0x76};
   bool extended = false;  ///< 29 bits
 
-  /// Gives the message of that `type` another identifier; false when there is no such message.
+  /// Gives the message with that `type` another identifier. False if there is no such message.
   bool set(std::string_view type, std::uint32_t id);
-  /// Whether no two are the same and none is longer than its format.
+  /// True if all are different and none is too long for its format.
   bool sound() const;
-  /// The place in `Message` of what a frame holds.
+  /// The index in `Message` for the content of a frame.
   std::optional<std::size_t> message_of(const CanFrame& frame) const;
 };
 
@@ -44,7 +44,7 @@ struct Xsens {
   static constexpr std::string_view name = "xsens";
   using Message = xsens::Message;
 
-  /// Bytes beyond a message's length are left unread, as adapters that pad to 8 send them.
+  /// It ignores bytes behind a message's length: some adapters pad to 8 bytes.
   class Decoder {
    public:
     explicit Decoder(const xsens::Identifiers& identifiers = {}) : identifiers_(identifiers) {}

@@ -6,18 +6,17 @@
 
 #include "drivers/wire/fields.hpp"
 
-/// What an Xsens MTi says on CAN, as far as a bench has use for it. Layouts and steps: Xsens
-/// MT1604P revision A, section 6. Big-endian; no raw value means "not available": what is wrong the
-/// status word tells.
+/// Messages of an Xsens MTi on CAN that a bench needs. Layouts and steps: Xsens MT1604P revision A,
+/// section 6. Big-endian. No raw value means "not available"; the status word reports errors.
 namespace drydock::wire::xsens {
 
 struct Error {
   static constexpr std::string_view type = "error";
-  std::uint8_t code = 0;  ///< 1: the output buffer was full, a message was dropped
+  std::uint8_t code = 0;  ///< 1: the output buffer was full and a message was dropped
 };
 
-/// Ticks of 100 us of the device's clock; they wrap after 119.3 h. (The SDK's comment and one table
-/// of MT1604P say microseconds; Movella's page of the CAN messages says 10 kHz.)
+/// Ticks of 100 us of the device's clock. They wrap after 119.3 h. (The SDK's comment and one table
+/// of MT1604P have microseconds; Movella's page of the CAN messages has 10 kHz.)
 struct SampleTime {
   static constexpr std::string_view type = "sample_time";
   std::uint32_t ticks = 0;
@@ -39,7 +38,7 @@ struct StatusWord {
   bool rate_clipped() const { return (bits >> 11 & 7u) != 0; }
 };
 
-/// Turns the sensor's axes into those of the configured local frame (by default east, north, up).
+/// Rotates the sensor's axes to those of the configured local frame (by default east, north, up).
 struct Quaternion {
   static constexpr std::string_view type = "quaternion";
   std::array<double, 4> wxyz{};
@@ -51,14 +50,14 @@ struct DeltaQ {
   std::array<double, 4> wxyz{};
 };
 
-/// Integral of the acceleration over one sample interval; the message states its own step.
+/// Integral of the acceleration over one sample interval. The message contains its own step.
 struct DeltaV {
   static constexpr std::string_view type = "delta_v";
   std::array<double, 3> velocity_mps{};
   std::uint8_t exponent = 0;  ///< the step is 2^-exponent m/s
 };
 
-/// Three int16 of one step. A `Layout` says type, keys, step and, for the keys, the shown unit.
+/// Three int16 with one step. `Layout` gives type, keys, step and the unit in the keys.
 template <class Layout>
 struct Vector {
   static constexpr std::string_view type = Layout::type;
@@ -99,7 +98,7 @@ struct FreeAccelerationLayout : AccelerationLayout {
   static constexpr std::string_view type = "free_acceleration";  ///< without gravity, local frame
 };
 struct VelocityLayout : InSi {
-  static constexpr std::string_view type = "velocity";  ///< of the local frame
+  static constexpr std::string_view type = "velocity";  ///< in the local frame
   static constexpr double step = 1.0 / 64;
   static constexpr std::array<std::string_view, 3> keys{"velocity_x_mps", "velocity_y_mps",
                                                         "velocity_z_mps"};
@@ -108,7 +107,7 @@ struct VelocityLayout : InSi {
 using EulerAngles = Vector<EulerLayout>;
 using RateOfTurn = Vector<RateLayout>;
 using RateOfTurnHr = Vector<RateHrLayout>;
-using Acceleration = Vector<AccelerationLayout>;  ///< specific force: gravity's reaction included
+using Acceleration = Vector<AccelerationLayout>;  ///< specific force: includes gravity's reaction
 using AccelerationHr = Vector<AccelerationHrLayout>;
 using FreeAcceleration = Vector<FreeAccelerationLayout>;
 using Velocity = Vector<VelocityLayout>;

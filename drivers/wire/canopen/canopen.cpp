@@ -8,7 +8,7 @@ namespace drydock::wire::canopen {
 
 namespace {
 
-/// CANopen runs on 11-bit data frames of classical CAN.
+/// CANopen uses 11-bit data frames of classical CAN.
 bool is_data(const CanFrame& frame) {
   return !frame.extended && !frame.remote && !frame.error && !frame.fd;
 }

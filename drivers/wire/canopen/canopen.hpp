@@ -7,8 +7,8 @@
 
 #include "drivers/wire/can/can_frame.hpp"
 
-/// CANopen services (CiA 301) that a sensor needs around its process data: network management,
-/// boot-up and heartbeat, emergency, SYNC. Node numbers are 1..127.
+/// Services of CANopen (CiA 301) that a sensor needs in addition to its process data: network
+/// management, boot-up and heartbeat, emergency, SYNC. Node numbers are 1..127.
 namespace drydock::wire::canopen {
 
 constexpr std::uint32_t nmt_id = 0x000;
@@ -32,7 +32,7 @@ enum class NmtCommand : std::uint8_t {
 struct Nmt {
   static constexpr std::string_view type = "nmt";
   NmtCommand command = NmtCommand::start;
-  std::uint8_t node = 0;  ///< 0: all
+  std::uint8_t node = 0;  ///< 0: all nodes
 };
 
 enum class NodeState : std::uint8_t {
@@ -44,14 +44,14 @@ enum class NodeState : std::uint8_t {
 
 std::string_view to_string(NodeState state);
 
-/// A node's heartbeat; its first, with state boot_up, says that it has started.
+/// A node's heartbeat. Its first one, with state boot_up, means that the node has started.
 struct Heartbeat {
   static constexpr std::string_view type = "heartbeat";
   std::uint8_t node = 0;
   NodeState state = NodeState::boot_up;
 };
 
-/// A node's fault report; code 0 says that the fault is gone.
+/// A node's fault report. Code 0 means that the fault has ended.
 struct Emergency {
   static constexpr std::string_view type = "emergency";
   std::uint8_t node = 0;
@@ -60,11 +60,11 @@ struct Emergency {
   std::array<std::uint8_t, 5> vendor{};
 };
 
-/// CiA 301's words for an emergency's code: of the code itself where it has a name, else of its
-/// class.
+/// CiA 301's words for an emergency code. If the code has no name of its own, the words are those
+/// of its class.
 std::string_view error_text(std::uint16_t code);
 
-/// The node of an 11-bit data frame with identifier base + 1 to base + 127, else empty.
+/// The node of an 11-bit data frame with identifier base + 1 to base + 127. Empty for other frames.
 std::optional<std::uint8_t> node_above(const CanFrame& frame, std::uint32_t base);
 
 bool is_sync(const CanFrame& frame);

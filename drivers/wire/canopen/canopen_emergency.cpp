@@ -6,7 +6,8 @@ namespace drydock::wire::canopen {
 
 namespace {
 
-/// CiA 301, 7.2.7.1, table of emergency error codes: the first row that matches under its mask.
+/// CiA 301, 7.2.7.1, table of emergency error codes. The first row that matches under its mask
+/// applies.
 struct ErrorCode {
   std::uint16_t code, mask;
   std::string_view text;

@@ -7,7 +7,7 @@ namespace drydock::wire::canopen {
 
 namespace {
 
-// Command specifiers, bits 5 to 7 of byte 0; each direction counts its own.
+// Command specifiers, bits 5 to 7 of byte 0. Each direction has its own numbers.
 constexpr unsigned client_download = 1, client_upload = 2;
 constexpr unsigned server_upload = 2, server_download = 3;
 constexpr unsigned abort_transfer = 4;
@@ -24,7 +24,7 @@ struct Data {
   std::uint8_t size;
 };
 
-/// Bytes behind the size are undefined and may hold anything.
+/// Bytes after the size are undefined and may have any value.
 std::optional<Data> expedited_data(const CanFrame& frame) {
   const unsigned command = frame.data[0];
   if ((command & expedited) == 0) return std::nullopt;

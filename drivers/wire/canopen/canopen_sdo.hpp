@@ -6,9 +6,9 @@
 
 #include "drivers/wire/can/can_frame.hpp"
 
-/// Expedited SDO transfers of CANopen (CiA 301, 7.2.4): up to 4 bytes of a node's object dictionary
-/// read or written in one exchange. The client asks on 600h + node, the node answers on
-/// 580h + node. Longer objects need segments, which no sensor here asks for.
+/// Expedited SDO transfers of CANopen (CiA 301, 7.2.4): one exchange reads or writes up to 4 bytes
+/// of a node's object dictionary. The client asks on 600h + node; the node answers on 580h + node.
+/// Longer objects need segments; no sensor here needs them.
 namespace drydock::wire::canopen {
 
 constexpr std::uint32_t sdo_request_base = 0x600;
@@ -20,13 +20,13 @@ struct ObjectEntry {
   friend bool operator==(const ObjectEntry&, const ObjectEntry&) = default;
 };
 
-/// The client asks what stands in an entry (CiA 301: upload).
+/// The client reads an entry (CiA 301: upload).
 struct SdoRead {
   std::uint8_t node = 0;
   ObjectEntry entry;
 };
 
-/// The client sets an entry (download). `value` holds `size` bytes, 1 to 4, lowest first.
+/// The client writes an entry (download). `value` holds `size` bytes, 1 to 4, lowest first.
 struct SdoWrite {
   std::uint8_t node = 0;
   ObjectEntry entry;
@@ -34,7 +34,7 @@ struct SdoWrite {
   std::uint8_t size = 4;
 };
 
-/// Answer to a read. Size 4 also where the node does not say one.
+/// Answer to a read. The size is also 4 if the node does not give one.
 struct SdoValue {
   std::uint8_t node = 0;
   ObjectEntry entry;
@@ -48,7 +48,7 @@ struct SdoWritten {
   ObjectEntry entry;
 };
 
-/// Refusal of either.
+/// Refusal of a read or write.
 struct SdoAbort {
   std::uint8_t node = 0;
   ObjectEntry entry;

@@ -101,7 +101,7 @@ std::optional<Cia404Imu::Message> Cia404Imu::Decoder::receive_pdo(std::uint8_t p
   return complete;
 }
 
-/// Counts a set's loss once, however many of its frames still arrive.
+/// Counts the loss of a set once, even if more of its frames arrive.
 void Cia404Imu::Decoder::drop(Set& set) {
   if (set.broken) return;
   counters_.bytes_skipped += set.bytes;

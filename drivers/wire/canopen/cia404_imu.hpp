@@ -10,10 +10,11 @@
 #include "drivers/wire/codec.hpp"
 #include "drivers/wire/fields.hpp"
 
-/// CANopen measuring device (CiA 404) profile of a navigation-grade IMU: process values as REAL32
-/// in three transmit PDOs, because 16-bit rates are too coarse to find north with.
-/// TPDO1 = (gx, gy), TPDO2 = (gz, ax), TPDO3 = (ay, az), little-endian, rad/s and m/s2, sent back
-/// to back in this order once per sample. docs/sensors/protocols/cia404-imu.md is its definition.
+/// CANopen measuring device (CiA 404) profile of a navigation-grade IMU. The process values are
+/// REAL32 in three transmit PDOs, because 16-bit rates are too coarse for north finding. TPDO1 =
+/// (gx, gy), TPDO2 = (gz, ax), TPDO3 = (ay, az), little-endian, rad/s and m/s2. For each sample
+/// they are sent in this order without a pause. docs/sensors/protocols/cia404-imu.md is the
+/// definition.
 namespace drydock::wire::cia404_imu {
 
 /// One sample along the sensor's own axes. A component that is not a number is empty.
@@ -24,7 +25,7 @@ struct ImuSet {
   std::array<std::optional<double>, 3> specific_force_mps2;
 };
 
-/// The three frames in the order in which they are sent; empty components go out as NaN.
+/// The three frames in the order of sending. Empty components become NaN.
 std::array<CanFrame, 3> encode(const ImuSet& set);
 
 template <class Field>
@@ -46,9 +47,10 @@ struct Cia404Imu {
   static constexpr std::string_view name = "cia404-imu";
   using Message = std::variant<cia404_imu::ImuSet, canopen::Heartbeat, canopen::Emergency>;
 
-  /// Gives only whole sets, of any number of nodes. A lost frame drops its set, counted once in
-  /// `bad_checksums`. Three lost in a row across two sets leave no trace in the frames; only time
-  /// shows it, so the driver checks that a set's frames come within one sample period.
+  /// Gives only complete sets, of any number of nodes. A lost frame drops its set, and
+  /// `bad_checksums` counts it once. If three frames in a row are lost across two sets, the frames
+  /// do not show it. Only time shows it, so the driver checks that the frames of a set come within
+  /// one sample period.
   class Decoder {
    public:
     std::optional<Message> receive(const CanFrame& frame);
@@ -56,8 +58,8 @@ struct Cia404Imu {
 
    private:
     struct Set {
-      std::uint8_t next = 1;  ///< PDO expected
-      bool broken = false;    ///< a frame of the set was lost, and counted
+      std::uint8_t next = 1;  ///< the next PDO expected
+      bool broken = false;    ///< a frame of the set was lost and the loss is counted
       std::uint8_t bytes = 0;
       std::array<float, 6> values{};
     };

@@ -26,7 +26,7 @@ std::optional<ProcessValue> decode_value(std::uint8_t node, const CanFrame& fram
 
 double steps_per_unit(const Scale& scale) { return std::pow(10.0, scale.decimals); }
 
-/// The integer and the status that goes with it.
+/// The integer and its status.
 std::pair<std::int32_t, std::uint8_t> quantized(const std::optional<double>& number) {
   constexpr auto lowest = std::numeric_limits<std::int32_t>::min();
   constexpr auto highest = std::numeric_limits<std::int32_t>::max();

@@ -12,7 +12,8 @@ namespace {
 
 constexpr std::uint8_t full_bytes = 8, bytes_without_status = 4;
 
-// Raw 2634 is 25 deg C; the figures of Epson's IMUs, and what its tool prints agrees with them.
+// Raw 2634 is 25 deg C. These are the figures of Epson's IMUs; the output of Epson's tool agrees
+// with them.
 constexpr double reference_k = zero_celsius_k + 25;
 constexpr double reference_raw = 2634, kelvin_per_step = -0.0037918;
 
@@ -120,7 +121,7 @@ std::optional<Message> Decoder::receive_half(std::optional<Half> Node::*which, s
     return std::nullopt;
   }
   Node& held = nodes_[node];
-  drop(held.*which);  // its partner did not come
+  drop(held.*which);  // the other half of the sample did not come
   Half half;
   half.counter = load_le<std::uint16_t>(frame.data, 0);
   for (unsigned i = 0; i < 3; ++i) half.axes[i] = load_le<std::int16_t>(frame.data, 2 + 2 * i);

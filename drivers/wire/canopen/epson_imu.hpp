@@ -8,23 +8,24 @@
 
 #include "drivers/wire/canopen/cia404_imu.hpp"
 
-/// Epson's CANopen IMUs (M-G550PC2, M-G552PC1 and PC7): CiA 404 with 16-bit integer process
-/// values. TPDO1 = counter, gyro X, Y, Z; TPDO2 = counter, accelerometer X, Y, Z; TPDO3 = counter,
-/// temperature, and reserved and status of the G552; TPDO4 = counter, time of the device's clock;
-/// little-endian. Equal counters make a sample. Mapping and steps: object dictionaries, data sheets
-/// (.eds) and README of Epson's own evaluation tool.
+/// Epson's CANopen IMUs (M-G550PC2, M-G552PC1 and PC7): CiA 404 with 16-bit integer process values.
+/// TPDO1 = counter, gyro X, Y, Z; TPDO2 = counter, accelerometer X, Y, Z; TPDO3 = counter,
+/// temperature, and for the G552 reserved and status; TPDO4 = counter, time of the device's clock;
+/// little-endian. PDOs with equal counters are one sample. Mapping and steps: object dictionaries,
+/// data sheets (.eds) and README of Epson's own evaluation tool.
 namespace drydock::wire::epson {
 
-/// What the frames do not say of themselves, so each model is a protocol of its own.
+/// Properties that the frames do not show. Therefore each model is a separate protocol.
 struct Model {
   double rate_radps, force_mps2;  ///< one step of the integers
-  bool has_status;                ///< behind TPDO3's temperature
-  bool day_first;                 ///< of TPDO4's two parts
+  bool has_status;                ///< TPDO3 has a status behind the temperature
+  bool day_first;                 ///< order of TPDO4's two parts
 };
 
 constexpr double standard_gravity_mps2 = 9.80665;
 
-/// 0.008 deg/s and 0.2 mg, stated in Epson's tool; what it prints for a G550 are multiples of them.
+/// 0.008 deg/s and 0.2 mg, stated in Epson's tool. The values that it prints for a G550 are
+/// multiples of them.
 constexpr Model g550{.rate_radps = radians(0.008),
                      .force_mps2 = 0.2e-3 * standard_gravity_mps2,
                      .has_status = false,
@@ -35,37 +36,38 @@ constexpr Model g552{.rate_radps = radians(0.01515),
                      .has_status = true,
                      .day_first = false};
 
-/// What TPDO1 and TPDO2 of one counter say, along the sensor's own axes.
+/// TPDO1 and TPDO2 with one counter, along the sensor's own axes.
 struct Sample {
   std::uint8_t node = 0;
   std::uint16_t counter = 0;
   std::array<double, 3> rate_radps{}, specific_force_mps2{};
 };
 
-/// TPDO3: 8 bytes with a status, else 4.
+/// TPDO3: 8 bytes with a status, otherwise 4.
 struct Condition {
   static constexpr std::string_view type = "condition";
   std::uint8_t node = 0;
   std::uint16_t counter = 0;
   double temperature_k = 0;
-  std::optional<std::uint16_t> status;  ///< bits of the maker
+  std::optional<std::uint16_t> status;  ///< bits defined by the maker
 };
 
-/// TPDO4: what the device's clock, set by CANopen's TIME message, showed at the sample. Object
-/// 2101h:2 and so its PDO hold the milliseconds in bits 31 to 4 (CiA 301 has them in 27 to 0).
+/// TPDO4: the reading of the device's clock at the sample. CANopen's TIME message sets this clock.
+/// Object 2101h:2, and therefore its PDO, has the milliseconds in bits 31 to 4 (CiA 301 has them in
+/// 27 to 0).
 struct DeviceTime {
   static constexpr std::string_view type = "device_time";
   std::uint8_t node = 0;
   std::uint16_t counter = 0;
   std::uint16_t day = 0;                ///< since 1 January 1984
-  std::optional<double> time_of_day_s;  ///< empty: more than a day has
+  std::optional<double> time_of_day_s;  ///< empty: longer than a day
 };
 
-/// The frames of TPDO1 and TPDO2; what does not fit is held at the ends of the range.
+/// The frames of TPDO1 and TPDO2. A value that does not fit becomes the nearest end of the range.
 std::array<CanFrame, 2> encode(const Sample& sample, const Model& model);
 CanFrame encode(const Condition& condition);
 
-/// Whether a sample fits the integers.
+/// True if the sample fits the integers.
 bool fits(const Sample& sample, const Model& model);
 
 template <class Field>
@@ -87,9 +89,10 @@ void visit_fields(const DeviceTime& m, Field&& field) {
 using Message =
     std::variant<cia404_imu::ImuSet, Condition, DeviceTime, canopen::Heartbeat, canopen::Emergency>;
 
-/// Gives samples of any number of nodes, each half joined with the other of its counter. A half
-/// whose partner did not come is counted in `bad_checksums`. Partners exactly 65,536 samples apart
-/// only time tells apart, so the driver checks that a set's frames come within one sample period.
+/// Joins the two halves of each sample by their counter, for any number of nodes. `bad_checksums`
+/// counts a half without a partner. Two halves that are exactly 65,536 samples apart have the same
+/// counter. Only time shows it, so the driver checks that the frames of a set come within one
+/// sample period.
 class Decoder {
  public:
   explicit Decoder(const Model& model) : model_(model) {}

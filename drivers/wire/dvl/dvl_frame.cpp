@@ -6,10 +6,10 @@
 namespace drydock::wire {
 namespace {
 
-using Vector = std::array<double, 3>;  // instrument axes X starboard, Y bow, Z mast unless said
+using Vector = std::array<double, 3>;  // instrument axes X starboard, Y bow, Z mast, unless stated
 
-/// The matrix of the coordinate transformation booklet (its eq. 18), transposed: from earth (or,
-/// with heading 0, from levelled ship axes) to the instrument.
+/// The transposed matrix of the coordinate transformation booklet (its eq. 18). It goes to the
+/// instrument from earth or, with heading 0, from levelled ship axes.
 Vector levelled_to_instrument(const Vector& v, double heading, double pitch, double roll) {
   const double sh = std::sin(heading), ch = std::cos(heading);
   const double sp = std::sin(pitch), cp = std::cos(pitch);
@@ -19,18 +19,19 @@ Vector levelled_to_instrument(const Vector& v, double heading, double pitch, dou
           v[0] * (ch * sr - sh * sp * cr) - v[1] * (sh * sr + ch * sp * cr) + v[2] * cp * cr};
 }
 
-/// Turns instrument axes about the mast so that Y is the ship's bow; beam 3 stands clockwise of it.
+/// Rotates instrument axes about the mast so that Y is the ship's bow. Beam 3 is clockwise of the
+/// bow.
 Vector aligned(const Vector& v, double alignment) {
   const double s = std::sin(alignment), c = std::cos(alignment);
   return {v[0] * c + v[1] * s, v[1] * c - v[0] * s, v[2]};
 }
 
-/// Janus geometry: beams 1 and 2 to port and starboard, 3 and 4 to bow and stern.
+/// Janus geometry: beams 1 and 2 point to port and starboard, 3 and 4 to bow and stern.
 std::optional<Vector> from_beams(const DvlGeometry& set_up, const DvlComponents& beam) {
   if (!set_up.beam_angle_rad) return std::nullopt;
   const auto bad = std::ranges::count_if(beam, [](const auto& b) { return !b; });
   if (bad > 1 || (bad == 1 && !set_up.three_beam)) return std::nullopt;
-  // b1 + b2 = b3 + b4 where the error velocity is zero; that gives the one bad beam.
+  // If the error velocity is zero, b1 + b2 = b3 + b4. That gives the single bad beam.
   std::array<double, 4> b;
   for (std::size_t i = 0; i < 4; ++i) {
     const std::size_t pair = i ^ 1, cross = i ^ 2;
@@ -47,7 +48,7 @@ std::optional<Vector> first_three(const DvlComponents& v) {
   return Vector{*v[0], *v[1], *v[2]};
 }
 
-/// Undoes what the instrument did with its sensors; `heading` is of its beam 3.
+/// Undoes the levelling that the instrument did with its sensors. `heading` is that of its beam 3.
 std::optional<Vector> unlevelled(const std::optional<Vector>& v, const DvlAttitude& sensors,
                                  double heading) {
   if (!v || !sensors.pitch_rad || !sensors.roll_rad) return std::nullopt;
@@ -55,7 +56,7 @@ std::optional<Vector> unlevelled(const std::optional<Vector>& v, const DvlAttitu
                                 *sensors.roll_rad);
 }
 
-/// Ship axes: X starboard, Y bow, Z mast, tilting with the hull.
+/// Ship axes: X starboard, Y bow, Z mast. They tilt with the hull.
 std::optional<Vector> in_ship_axes(const DvlComponents& sent, const DvlGeometry& set_up,
                                    const DvlAttitude& sensors) {
   const double alignment = set_up.heading_alignment_rad;

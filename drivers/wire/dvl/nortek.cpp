@@ -11,7 +11,7 @@ namespace {
 
 constexpr double bad_velocity = -32.768, bad_distance = 0, bad_merit = 10;
 
-/// Values of a sentence, with or without their names before them.
+/// The values of a sentence, with or without names before them.
 class NortekFields {
  public:
   explicit NortekFields(std::string_view text) : fields_(text) {}
@@ -44,7 +44,7 @@ class NortekFields {
   TextFields fields_;
 };
 
-/// hhmmss.s of a day.
+/// hhmmss.s, a time of day.
 std::optional<std::chrono::nanoseconds> time_of_day(std::string_view text) {
   if (text.size() < 6) return std::nullopt;
   const auto hour = parse_integer(text.substr(0, 2)), minute = parse_integer(text.substr(2, 2));
@@ -101,7 +101,7 @@ std::optional<Nortek::Message> read_velocity(NortekFields fields) {
   if (count == 11) return m;
   m.battery_v = fields.number();
   m.sound_speed_mps = fields.number();
-  fields.text();  // pressure, in a unit on which the public descriptions do not agree
+  fields.text();  // pressure; public descriptions disagree on its unit
   if (const auto celsius = fields.number()) m.temperature_k = *celsius + zero_celsius_k;
   m.status = fields.status();
   return m;

@@ -11,10 +11,10 @@
 
 namespace drydock::wire {
 
-/// What all of Nortek's bottom track sentences share.
+/// Common part of all bottom track sentences of Nortek.
 struct NortekTimes {
-  /// From the trigger, and from the sentence's first byte, to the centre of the bottom echo: the
-  /// second is negative, since the echo came before.
+  /// Time from the trigger, and from the sentence's first byte, to the centre of the bottom echo.
+  /// The second is negative, because the echo came earlier.
   std::optional<double> after_trigger_s, after_sentence_s;
 };
 
@@ -24,7 +24,7 @@ struct NortekBeam : NortekTimes {
   std::optional<int> beam;  ///< from 1
   std::string_view date;    ///< six digits, as sent
   std::optional<std::chrono::nanoseconds> time_of_day;
-  std::optional<double> velocity_mps, distance_m;  ///< along the beam; vertical
+  std::optional<double> velocity_mps, distance_m;  ///< along the beam; the distance is vertical
   std::optional<double> figure_of_merit_mps;
   std::optional<unsigned> status;
 };
@@ -35,20 +35,20 @@ struct NortekSpeed : NortekTimes {
   std::optional<double> speed_mps, direction_rad, figure_of_merit_mps, distance_m;
 };
 
-/// PNORBT6 and PNORBT7, and with the state of the instrument PNORBT8 and PNORBT9: the vehicle's
-/// velocity along the DVL's axes.
+/// The vehicle's velocity along the DVL's axes: PNORBT6 and PNORBT7, and with the state of the
+/// instrument PNORBT8 and PNORBT9.
 struct NortekVelocity : NortekTimes {
   static constexpr std::string_view type = "PNORBT6";
   std::optional<double> ping_time_s;                  ///< Unix time
   std::array<std::optional<double>, 3> velocity_mps;  ///< x forward, y starboard, z down
   std::optional<double> figure_of_merit_mps;
-  std::array<std::optional<double>, 4> distance_m;  ///< vertical, of each beam
+  std::array<std::optional<double>, 4> distance_m;  ///< vertical, for each beam
   std::optional<double> battery_v, sound_speed_mps, temperature_k;
   std::optional<unsigned> status;
 };
 
-/// The same fields against the water: PNORWT3 and PNORWT4, PNORWT6 to PNORWT9. Distances are to the
-/// water layer.
+/// The same fields relative to the water: PNORWT3 and PNORWT4, PNORWT6 to PNORWT9. Distances are to
+/// the water layer.
 struct NortekWaterSpeed : NortekSpeed {
   static constexpr std::string_view type = "PNORWT3";
 };
@@ -57,8 +57,9 @@ struct NortekWaterVelocity : NortekVelocity {
 };
 
 /// Bottom and water track sentences of Nortek DVLs, in the line format of NMEA 0183. Formats 1, 3,
-/// 6 and 8 write NAME=value, formats 0, 4, 7 and 9 the value alone; either is read under any
-/// number. No value is -32.768 for a velocity, 0 for a distance, 10 for a figure of merit.
+/// 6 and 8 write NAME=value; formats 0, 4, 7 and 9 write only the value. The decoder accepts both
+/// under every number. A missing value is -32.768 for a velocity, 0 for a distance, 10 for a figure
+/// of merit.
 struct Nortek {
   static constexpr std::string_view name = "nortek";
   static constexpr std::size_t max_frame = 1024;
@@ -69,8 +70,8 @@ struct Nortek {
   static std::optional<Message> decode(Bytes frame);
 };
 
-/// Writes PNORBT9 (PNORWT9) if the state of the instrument is known, else PNORBT7 (PNORWT7). Bytes
-/// written, 0 when `out` is too small.
+/// Writes PNORBT9 (PNORWT9) if the state of the instrument is known, otherwise PNORBT7 (PNORWT7).
+/// Returns the bytes written, 0 if `out` is too small.
 std::size_t encode(const NortekVelocity& m, std::span<std::uint8_t> out);
 std::size_t encode(const NortekWaterVelocity& m, std::span<std::uint8_t> out);
 

@@ -13,7 +13,7 @@ namespace {
 constexpr std::uint8_t sync = 0x7F;
 constexpr std::size_t header_size = 6, checksum_size = 2;
 
-/// Bytes before the next 7F 7F, counting a 7F at the very end as its possible start.
+/// Number of bytes before the next 7F 7F. A 7F at the very end counts as a possible start.
 std::size_t distance_to_sync(Bytes bytes) {
   const std::uint8_t* at = bytes.data();
   const std::uint8_t* const end = at + bytes.size();
@@ -27,7 +27,7 @@ std::size_t distance_to_sync(Bytes bytes) {
   return static_cast<std::size_t>(at - bytes.data());
 }
 
-/// The offsets of the data types, checked against the frame when asked for a block.
+/// The offsets of the data types. Each is checked against the frame when its block is requested.
 class OffsetTable {
  public:
   explicit OffsetTable(Bytes frame)
@@ -36,7 +36,8 @@ class OffsetTable {
 
   std::size_t size() const { return count_; }
 
-  /// A block ends where the next one in the frame begins, wherever that stands in the table.
+  /// A block ends where the next block in the frame begins. That block may have any place in the
+  /// table.
   Bytes block(std::size_t index) const {
     const std::size_t begin = offset(index);
     if (begin + 2 > data_.size()) return {};
@@ -47,7 +48,7 @@ class OffsetTable {
     return data_.subspan(begin, end - begin);
   }
 
-  /// Id of a data type, 0xFFFF when its offset points outside.
+  /// Id of a data type. 0xFFFF if its offset points outside.
   std::uint16_t id(std::size_t index) const {
     const std::size_t begin = offset(index);
     return begin + 2 <= data_.size() ? load_le<std::uint16_t>(data_, begin) : 0xFFFF;
@@ -99,7 +100,7 @@ std::optional<Pd0::Message> Pd0::decode(Bytes frame) {
       default: break;
     }
   }
-  // Without both leaders nothing says in which frame or when: the numbers mean nothing.
+  // Without both leaders the frame of the velocities and their time are not known.
   if (!has_fixed || !has_variable) return std::nullopt;
   if ((m.fixed.sensors_available & pd0::has_depth_sensor) == 0) m.variable.pressure_pa.reset();
   return m;

@@ -10,10 +10,10 @@
 namespace drydock::wire {
 
 /// Teledyne RDI PD0 ensembles: 7F 7F, length, table of offsets, data types in any order, sum of all
-/// bytes modulo 65536. Data types that are not decoded here are passed over.
+/// bytes modulo 65536. It skips data types that are not decoded here.
 struct Pd0 {
   static constexpr std::string_view name = "pd0";
-  /// A longer claim is a false sync. 255 cells of four beams and four profiles need 8.3 kB.
+  /// A greater length means a false sync. 255 cells of four beams and four profiles need 8.3 kB.
   static constexpr std::size_t max_frame = 16384;
   using Message = std::variant<Pd0Ensemble>;
 

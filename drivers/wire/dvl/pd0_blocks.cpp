@@ -14,7 +14,7 @@ double centidegrees(Bytes block, std::size_t offset) {
   return radians(load_le<std::int16_t>(block, offset) / 100.0);
 }
 
-/// Angle within +-limit, empty where the sensor gives none.
+/// Angle within +-limit. Empty if the sensor gives no angle.
 std::optional<double> tilt(Bytes block, std::size_t offset, int limit_cdeg) {
   const int raw = load_le<std::int16_t>(block, offset);
   return std::abs(raw) <= limit_cdeg ? std::optional{radians(raw / 100.0)} : std::nullopt;
@@ -30,7 +30,7 @@ void read_system_configuration(unsigned word, Pd0FixedLeader& m) {
   m.faces_up = bit(word, 7);
 }
 
-/// Steps of 0.01 mm/s (0.01 mm); a number not above `bad` is none.
+/// Steps of 0.01 mm/s (0.01 mm). A number not greater than `bad` is not valid.
 void read_hundredths_of_mm(Bytes block, std::size_t offset, std::int32_t bad, DvlComponents& m) {
   for (std::size_t i = 0; i < m.size(); ++i) {
     const auto raw = load_le<std::int32_t>(block, offset + 4 * i);
@@ -38,13 +38,13 @@ void read_hundredths_of_mm(Bytes block, std::size_t offset, std::int32_t bad, Dv
   }
 }
 
-/// Steps of 0.1 mm, 0 where there is none.
+/// Steps of 0.1 mm. 0 means no value.
 std::optional<double> tenths_of_mm(Bytes block, std::size_t offset) {
   const auto raw = load_le<std::int32_t>(block, offset);
   return raw == 0 ? std::nullopt : std::optional{raw / 1e4};
 }
 
-/// The clock with its century where the block has one (real-time clock of year 2000 firmware).
+/// The clock, with its century if the block has one (real-time clock of year 2000 firmware).
 std::optional<std::chrono::local_time<std::chrono::milliseconds>> read_clock(Bytes block) {
   using namespace std::chrono;
   const bool has_century = block.size() >= 65 && block[57] != 0;
@@ -63,7 +63,7 @@ bool read_block(Bytes block, Pd0FixedLeader& m) {
   m.firmware_version = block[2];
   m.firmware_revision = block[3];
   read_system_configuration(load_le<std::uint16_t>(block, 4), m);
-  // An angle that the two bits have no name for stands in the last byte, in degrees.
+  // An angle that the two bits cannot express is in the last byte, in degrees.
   if (!m.beam_angle_rad && block.size() > 58 && block[58] > 0 && block[58] < 90) {
     m.beam_angle_rad = radians(block[58]);
   }
@@ -104,7 +104,7 @@ bool read_block(Bytes block, Pd0VariableLeader& m) {
   return true;
 }
 
-/// Without water track both its distances are 0.
+/// Without water track both distances are 0.
 static void read_water_layer(Bytes block, Pd0BottomTrack& m) {
   const auto near_dm = load_le<std::uint16_t>(block, 46),
              far_dm = load_le<std::uint16_t>(block, 48);
@@ -137,7 +137,7 @@ bool read_block(Bytes block, Pd0BottomTrack& m) {
 }
 
 bool read_block(Bytes block, Pd0HighResolution& m) {
-  // The velocity that bottom track calls bad, and what no distance can be.
+  // The value for a bad velocity of bottom track, and a value that no distance can have.
   constexpr std::int32_t bad_velocity = 100 * pd0::bad;
   constexpr std::int32_t bad_distance = std::numeric_limits<std::int32_t>::min();
   if (block.size() < 18) return false;

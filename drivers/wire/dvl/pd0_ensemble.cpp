@@ -22,7 +22,7 @@ std::optional<unsigned> index_of(const Table& table, double value) {
   return static_cast<unsigned>(at - table.begin());
 }
 
-/// Numbers outside the tables are "reserved" (frequency) and "other" (beam angle).
+/// Numbers outside of the tables become "reserved" (frequency) and "other" (beam angle).
 std::uint16_t system_configuration(const Pd0FixedLeader& m) {
   const unsigned frequency = index_of(pd0::frequency_hz, m.frequency_hz.value_or(0)).value_or(7);
   const unsigned angle =
@@ -53,7 +53,7 @@ void write(Out block, const Pd0FixedLeader& m) {
   }
 }
 
-/// Year (of the century), month, day, hour, minute, second, hundredths.
+/// Writes year (of the century), month, day, hour, minute, second, hundredths.
 void write_clock(Out at, std::chrono::local_time<std::chrono::milliseconds> clock) {
   using namespace std::chrono;
   const auto midnight = floor<days>(clock);
@@ -100,7 +100,7 @@ void write(Out block, const Pd0VariableLeader& m) {
 }
 
 std::int16_t reversed(const std::optional<double>& vehicle_mps) {
-  // A velocity beyond the range of the wire must not turn into the mark of a bad one.
+  // A velocity beyond the range of the wire must not become the mark of a bad velocity.
   return vehicle_mps ? std::max<std::int16_t>(quantize<std::int16_t>(-*vehicle_mps, 1e-3), -32767)
                      : pd0::bad;
 }

@@ -10,10 +10,11 @@
 #include "drivers/wire/dvl/dvl_frame.hpp"
 #include "drivers/wire/fields.hpp"
 
-/// What one PD0 ensemble says (Teledyne Pathfinder DVL Guide, P/N 95B-6116-00, tables 32 to 47).
+/// The content of one PD0 ensemble (Teledyne Pathfinder DVL Guide, P/N 95B-6116-00, tables 32 to
+/// 47).
 namespace drydock::wire {
 
-/// How the instrument is built and set up.
+/// Properties and settings of the instrument.
 struct Pd0FixedLeader : DvlGeometry {
   std::uint8_t firmware_version = 0, firmware_revision = 0;
   std::optional<double> frequency_hz;  ///< nominal
@@ -24,49 +25,50 @@ struct Pd0FixedLeader : DvlGeometry {
   std::uint8_t sensor_source = 0, sensors_available = 0;  ///< bits c d h p r s t, see EZ
 };
 
-/// When, and what the instrument's own sensors read.
+/// Time, and readings of the instrument's own sensors.
 struct Pd0VariableLeader : DvlAttitude {
   std::uint32_t ensemble = 0;
   std::optional<std::chrono::local_time<std::chrono::milliseconds>> clock;  ///< at the first ping
   std::uint16_t built_in_test = 0;                                          ///< 0: passed
   std::optional<double> sound_speed_mps;
-  double depth_m = 0;       ///< by the instrument's sensor, else as set
+  double depth_m = 0;       ///< from the instrument's sensor, otherwise as set
   double salinity_ppt = 0;  ///< as set
   std::optional<double> temperature_k;
   std::optional<double> pressure_pa;  ///< gauge; empty without a depth sensor
 };
 
-/// Motion over the bed. On the wire the instrument stands still and the bed moves; here the sign is
-/// turned, so velocities are the vehicle's.
+/// Motion over the bed. On the wire the bed moves and the instrument stands still. Here the sign is
+/// reversed, so velocities are those of the vehicle.
 struct Pd0BottomTrack {
   std::uint16_t pings_per_ensemble = 0;
   DvlComponents velocity_mps;  ///< in the frame of the fixed leader
-  /// Vertical component of each beam's range, not corrected for tilt; empty: no bottom found.
+  /// Vertical component of each beam's range, not corrected for tilt. Empty if no bottom was found.
   std::array<std::optional<double>, 4> range_m;
   std::array<std::uint8_t, 4> correlation{}, amplitude{}, percent_good{};
   std::optional<double> max_depth_m;  ///< tracking limit
-  /// Against the water layer, with the bed's sign and frame; empty without water track.
+  /// Relative to the water layer, with the sign and frame of the bed velocities. Empty without
+  /// water track.
   DvlComponents water_velocity_mps;
   std::optional<double> layer_near_m, layer_far_m;  ///< vertical distance from the head
   std::array<std::uint8_t, 4> water_percent_good{};
 };
 
-/// Motion of the vehicle in steps of 0.01 mm/s, in the frame of the fixed leader: on the wire too
-/// it is the vehicle that moves.
+/// Motion of the vehicle in steps of 0.01 mm/s, in the frame of the fixed leader. On the wire too
+/// these velocities are those of the vehicle.
 struct Pd0HighResolution {
   DvlComponents bottom_velocity_mps, bottom_distance_m;  ///< distance made good
-  DvlComponents water_velocity_mps, water_distance_m;    ///< against the water layer
+  DvlComponents water_velocity_mps, water_distance_m;    ///< relative to the water layer
 };
 
 /// Distance to the bed in steps of 0.1 mm.
 struct Pd0BottomRange {
-  std::optional<double> slant_range_m, vertical_range_m;  ///< of all beams together
+  std::optional<double> slant_range_m, vertical_range_m;  ///< for all beams together
   std::optional<double> axis_difference_m;                ///< between the two planes of beams
   std::array<std::optional<double>, 4> beam_range_m;      ///< raw
 };
 
-/// How old the bottom echo of each beam was (its centre) when the ensemble's first byte left; empty
-/// for a bad beam.
+/// Age of the centre of each beam's bottom echo when the ensemble's first byte is sent. Empty for a
+/// bad beam.
 struct Pd0Navigation {
   std::array<std::optional<std::chrono::microseconds>, 4> echo_age;
 };
@@ -81,11 +83,11 @@ struct Pd0Ensemble {
   std::optional<Pd0Navigation> navigation;
 };
 
-/// How old the velocity is when the first byte leaves: the mean of the good beams.
+/// Age of the velocity when the first byte is sent: the mean of the good beams.
 std::optional<std::chrono::microseconds> age_of(const Pd0Navigation& navigation);
 
-/// Writes header, fixed leader (59 bytes), variable leader (65), bottom track (81) and checksum;
-/// nothing of the other data types. Bytes written, 0 when `out` is too small.
+/// Writes header, fixed leader (59 bytes), variable leader (65), bottom track (81) and checksum,
+/// but no other data types. Returns the bytes written, 0 if `out` is too small.
 std::size_t encode(const Pd0Ensemble& m, std::span<std::uint8_t> out);
 
 template <class F>
@@ -163,7 +165,7 @@ void visit_fields(const Pd0Navigation& m, F&& field) {
   field("echo_age_s", age_s);
 }
 
-/// A data type that the ensemble does not have shows the same keys, all empty.
+/// If the ensemble does not have a data type, the visit shows the same keys with empty values.
 template <class F>
 void visit_fields(const Pd0Ensemble& m, F&& field) {
   visit_fields(m.variable, field);

@@ -17,10 +17,10 @@ constexpr std::uint8_t sync = 0x7D;
 constexpr std::size_t checksum_size = 2;
 constexpr std::int16_t bad = -32768;
 constexpr std::uint16_t no_heading = 0xFFFF;
-/// Low three bits of the system configuration, from 1.
+/// Low three bits of the system configuration, counted from 1.
 constexpr std::array<double, 4> frequency_hz{150e3, 300e3, 600e3, 1200e3};
 
-/// Every byte before the length is known: a frame's front is compared as it comes.
+/// Compares the front of a frame byte by byte, before the length is known.
 template <class P>
 Scan scan_structure(Bytes bytes) {
   constexpr std::size_t checked = P::max_frame - checksum_size;
@@ -65,7 +65,7 @@ std::optional<std::chrono::milliseconds> read_time(Bytes at) {
          std::chrono::milliseconds{10 * at[3]};
 }
 
-/// Angle within +-limit, empty where the sensor gives none.
+/// Angle within +-limit. Empty if the sensor gives no angle.
 std::optional<double> tilt(Bytes frame, std::size_t offset, int limit_cdeg) {
   const int raw = load_le<std::int16_t>(frame, offset);
   return std::abs(raw) <= limit_cdeg ? std::optional{radians(raw / 100.0)} : std::nullopt;
@@ -114,7 +114,7 @@ std::optional<typename P::Message> decode_structure(Bytes frame) {
   return m;
 }
 
-/// A value beyond the range of the wire must not turn into the mark of a bad one.
+/// A value beyond the range of the wire must not become the mark of a bad value.
 std::int16_t signed_field(const std::optional<double>& value, double unit) {
   if (!value) return bad;
   return std::max<std::int16_t>(quantize<std::int16_t>(*value, unit), bad + 1);

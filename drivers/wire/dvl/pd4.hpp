@@ -11,27 +11,28 @@
 #include "drivers/wire/dvl/dvl_frame.hpp"
 #include "drivers/wire/fields.hpp"
 
-/// Teledyne RDI PD4 and PD5: 7D, which of the two, length, fields at fixed places, sum of all bytes
-/// modulo 65536; little-endian. Source: Teledyne Pathfinder DVL Guide, P/N 95B-6116-00, tables 48
-/// and 49. Unlike in PD0 it is the vehicle that moves on the wire: no sign is turned.
+/// Teledyne RDI PD4 and PD5: 7D, a byte that says which of the two, length, fields at fixed places,
+/// sum of all bytes modulo 65536; little-endian. Source: Teledyne Pathfinder DVL Guide, P/N
+/// 95B-6116-00, tables 48 and 49. Unlike PD0, the velocities on the wire are those of the vehicle:
+/// no sign is reversed.
 namespace drydock::wire {
 
-struct Pd4Report : DvlGeometry {  ///< the beam angle is not told, nor convex, upward or alignment
+struct Pd4Report : DvlGeometry {  ///< without beam angle, convex, upward and alignment
   static constexpr std::string_view type = "PD4";
   std::optional<double> frequency_hz;  ///< nominal
   DvlComponents bottom_velocity_mps;   ///< in `frame`
-  /// Vertical component of each beam's range, not corrected for tilt; empty: no bottom found.
+  /// Vertical component of each beam's range, not corrected for tilt. Empty if no bottom was found.
   std::array<std::optional<double>, 4> bottom_range_m;
   std::uint8_t bottom_status = 0;  ///< bit 2k: low correlation of beam k + 1, bit 2k + 1: low echo
-  DvlComponents water_velocity_mps;           ///< against the water layer, in `frame`
+  DvlComponents water_velocity_mps;           ///< relative to the water layer, in `frame`
   double layer_start_m = 0, layer_end_m = 0;  ///< vertical distance
   std::uint8_t water_status = 0;
-  std::optional<std::chrono::milliseconds> first_ping;  ///< time of day on the instrument's clock
+  std::optional<std::chrono::milliseconds> first_ping;  ///< time of day of the instrument's clock
   std::uint16_t built_in_test = 0;
   std::optional<double> sound_speed_mps, temperature_k;
 };
 
-/// A PD4 report and what the instrument's sensors read.
+/// A PD4 report and the readings of the instrument's sensors.
 struct Pd5Report : Pd4Report, DvlAttitude {
   static constexpr std::string_view type = "PD5";
   double salinity_ppt = 0, depth_m = 0;
@@ -61,7 +62,7 @@ struct Pd5 {
   static std::optional<Message> decode(Bytes frame);
 };
 
-/// Bytes written, 0 when `out` is too small.
+/// Returns the bytes written, 0 if `out` is too small.
 std::size_t encode(const Pd4Report& m, std::span<std::uint8_t> out);
 std::size_t encode(const Pd5Report& m, std::span<std::uint8_t> out);
 

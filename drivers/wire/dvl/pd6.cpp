@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t head_size = 4;  // ":BI,"
 
-/// Numbers of a line; one that is none, or beyond what its field can hold, spoils the line.
+/// Reads the numbers of a line. The line is invalid if a field is no number or is out of range.
 class CheckedFields {
  public:
   explicit CheckedFields(std::string_view text) : fields_(text) {}
@@ -35,7 +35,7 @@ std::optional<double> unless_zero(double value) {
   return value != 0 ? std::optional{value} : std::nullopt;
 }
 
-/// YYMMDDHHmmsshh of this century; a clock that was never set shows no date.
+/// YYMMDDHHmmsshh of this century. A clock that was never set shows no date.
 std::optional<std::chrono::local_time<std::chrono::milliseconds>> clock(std::string_view digits) {
   using namespace std::chrono;
   std::array<int, 7> pair{};
@@ -133,7 +133,7 @@ bool is_head(Bytes bytes) {
 
 bool is_text(std::uint8_t c) { return c >= 0x20 && c <= 0x7e && c != ':'; }
 
-/// Bytes of the line with its end; 0: it goes on, empty: it never ends.
+/// Bytes of the line with its end. 0: the line is incomplete. Empty: it has no valid end.
 std::optional<std::size_t> line_size(Bytes bytes) {
   const auto* const stop = std::find_if_not(
       bytes.data() + head_size, bytes.data() + std::min(bytes.size(), Pd6::max_frame), is_text);

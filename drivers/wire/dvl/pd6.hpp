@@ -14,7 +14,7 @@
 
 /// Teledyne RDI PD6: lines of text `:XX,field,field` CR LF (or LF), numbers padded with blanks, no
 /// checksum. Sources: Teledyne Pathfinder DVL Guide, P/N 95B-6116-00, table 50; Water Linked, PD
-/// formats. The vehicle moves on the wire: no sign is turned.
+/// formats. Velocities on the wire are those of the vehicle: no sign is reversed.
 namespace drydock::wire {
 
 /// :SA
@@ -31,8 +31,8 @@ struct Pd6Timing {
   unsigned built_in_test = 0;
 };
 
-/// :WI :WS :WE against the water layer, :BI :BS :BE over the bed. Instrument X, Y, Z, error; ship
-/// starboard (transverse comes first), forward, mast; earth east, north, up.
+/// :WI :WS :WE relative to the water layer, :BI :BS :BE over the bed. Instrument: X, Y, Z, error.
+/// Ship: starboard (transverse comes first), forward, mast. Earth: east, north, up.
 template <char Reference, char Axes>
 struct Pd6Velocity {
   static constexpr std::array<char, 2> letters{Reference, Axes};
@@ -47,7 +47,7 @@ template <char Reference>
 struct Pd6Distance {
   static constexpr std::array<char, 2> letters{Reference, 'D'};
   static constexpr std::string_view type{letters.data(), letters.size()};
-  std::array<double, 3> distance_m{};  ///< made good: east, north, up
+  std::array<double, 3> distance_m{};  ///< distance made good: east, north, up
   std::optional<double> range_m;       ///< to the bed, or to the middle of the layer
   double since_good_s = 0;             ///< since the last good velocity
 };
@@ -57,10 +57,10 @@ using Pd6BottomShip = Pd6Velocity<'B', 'S'>;
 using Pd6BottomEarth = Pd6Velocity<'B', 'E'>;
 using Pd6BottomDistance = Pd6Distance<'B'>;
 
-/// What makes a line good without a checksum: its head, no character that text does not have, no
-/// second colon, its end, and of a line that is known here the number of its fields, each a number
-/// in the range of the document, and a status A or V. A known line that is not so counts as one
-/// with a bad checksum. Unknown lines are no messages.
+/// There is no checksum, so other conditions make a line valid: its head, only text characters, no
+/// second colon, and its end. A known line must also have the right number of fields. Each must be
+/// a number in the range of the document, or a status A or V. A known line without these counts as
+/// one with a bad checksum. Unknown lines are not messages.
 struct Pd6 {
   static constexpr std::string_view name = "pd6";
   static constexpr std::size_t max_frame = 96;
@@ -73,7 +73,7 @@ struct Pd6 {
   static std::optional<Message> decode(Bytes frame);
 };
 
-/// One line with CR LF. Bytes written, 0 when `out` is too small.
+/// Writes one line with CR LF. Returns the bytes written, 0 if `out` is too small.
 std::size_t encode(const Pd6::Message& m, std::span<std::uint8_t> out);
 
 template <class F>

@@ -8,7 +8,7 @@ namespace {
 
 constexpr double bad_mmps = -32768;
 
-/// One line; numbers are padded with blanks to the widths of the document.
+/// Writes one line. Numbers are padded with blanks to the widths of the document.
 class Line {
  public:
   explicit Line(std::span<std::uint8_t> out) : out_(out) {}
@@ -88,7 +88,7 @@ void write(Line& line, const Pd6Timing& m) {
   line.number(m.built_in_test, 3, 0);
 }
 
-/// A velocity beyond the range of the wire must not turn into the mark of a bad one.
+/// A velocity beyond the range of the wire must not become the mark of a bad velocity.
 template <char Reference, char Axes>
 void write(Line& line, const Pd6Velocity<Reference, Axes>& m) {
   for (std::size_t i = 0; i < m.components; ++i) {

@@ -24,7 +24,8 @@ Scan with_checksum(Bytes bytes, std::size_t star) {
                                                    : Scan::bad_checksum();
 }
 
-/// `w`, direction, name; behind them options, checksum or (of a command) the line's end.
+/// True if the bytes may begin a frame: `w`, direction, name. Then follow options, a checksum or,
+/// for a command, the line's end.
 bool may_begin(Bytes bytes) {
   const bool command = bytes.size() > 1 && bytes[1] == 'c';
   if (bytes.size() > 1 && !command && bytes[1] != 'r') return false;
@@ -33,7 +34,8 @@ bool may_begin(Bytes bytes) {
   return bytes[3] == ',' || bytes[3] == '*' || (command && ends_line(bytes[3]));
 }
 
-/// A response inside a line: the one before it was torn. One glued line of 256 has a sound CRC-8.
+/// A response inside a line means that the line before it was torn. Without this check, one joined
+/// line of 256 has a valid CRC-8.
 bool begins_response(Bytes bytes) {
   return bytes.size() > head_size && bytes[1] == 'r' && may_begin(bytes);
 }

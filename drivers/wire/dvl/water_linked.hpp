@@ -10,9 +10,9 @@
 
 namespace drydock::wire {
 
-/// Serial protocol of Water Linked DVLs, versions 2.1 to 2.7: `w`, `c` (to the DVL) or `r` (from
-/// it), a letter, options, `*` and CRC-8 (polynomial 07h) of all before it in two hex digits, then
-/// LF, CR LF or CR. Only a command may lack the checksum.
+/// Serial protocol of Water Linked DVLs, versions 2.1 to 2.7. A line is `w`, `c` (to the DVL) or
+/// `r` (from it), a letter, options, `*`, and a CRC-8 (polynomial 07h) of everything before it in
+/// two hex digits. It ends with LF, CR LF or CR. Only a command may omit the checksum.
 struct WaterLinked {
   static constexpr std::string_view name = "water-linked";
   static constexpr std::size_t max_frame = 512;

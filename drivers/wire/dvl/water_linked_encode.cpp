@@ -6,7 +6,7 @@
 namespace drydock::wire::water_linked {
 namespace {
 
-/// One sentence; a number without a value is written as the one that stands for none.
+/// Writes one sentence. A missing number is written as the value that means "none".
 class Line {
  public:
   Line(std::span<std::uint8_t> out, std::string_view head) : out_(out) { out_.text(head); }

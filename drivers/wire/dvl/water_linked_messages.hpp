@@ -9,51 +9,51 @@
 
 #include "drivers/wire/fields.hpp"
 
-/// What a Water Linked DVL and its user say to each other (Water Linked, DVL serial protocol 2.7).
-/// Axes: x forward, y starboard, z down; the velocities are the DVL's. Texts point into the bytes
-/// given to decode.
+/// Messages between a Water Linked DVL and its user (Water Linked, DVL serial protocol 2.7). Axes:
+/// x forward, y starboard, z down. The velocities are those of the DVL. Texts point into the bytes
+/// that decode received.
 namespace drydock::wire::water_linked {
 
 using Velocity = std::array<std::optional<double>, 3>;
 
-/// What the velocity reports share. Without `valid` velocities and altitude are empty.
+/// Common part of the velocity reports. Without `valid`, velocities and altitude are empty.
 struct Report {
   Velocity velocity_mps;
   bool valid = false;
   std::optional<double> figure_of_merit_mps;  ///< accuracy of the velocities
 };
 
-/// The DVL's clock in Unix time (not set: since boot). Their difference is the report's age when it
-/// leaves: acoustic travel and processing.
+/// Times of the DVL's clock: Unix time, or time since boot if it was not set. Their difference is
+/// the age of the report when it is sent: acoustic travel and processing.
 struct ReportTimes {
   std::optional<std::chrono::microseconds> validity, transmission;
-  /// Since the report before: an interval, no clock.
+  /// Time since the previous report: an interval, not a clock.
   std::optional<double> interval_s;
   bool hot = false;  ///< thermal shutdown is near
 };
 
-/// wrz: over the bed. Firmware sends fewer than nine covariances when the velocity is not valid.
+/// wrz: over the bed. Firmware sends fewer than nine covariances if the velocity is not valid.
 struct BottomVelocity : Report, ReportTimes {
   static constexpr std::string_view type = "wrz";
   std::optional<double> altitude_m;
   std::array<std::optional<double>, 9> covariance;  ///< (m/s)2, by rows
 };
 
-/// wrs: through the water. Another sentence of this name, a time status, has other fields and is no
-/// message.
+/// wrs: through the water. Another sentence has this name too: a time status. It has other fields
+/// and gives no message.
 struct WaterVelocity : Report, ReportTimes {
   static constexpr std::string_view type = "wrs";
   std::array<std::optional<double>, 9> covariance;
 };
 
-/// wrx: over the bed, of old firmware; the oldest sends no status.
+/// wrx: over the bed, from old firmware. The oldest firmware sends no status.
 struct OldVelocity : Report {
   static constexpr std::string_view type = "wrx";
   std::optional<double> interval_s, altitude_m;
   std::optional<bool> hot;
 };
 
-/// wru: one transducer. Without an echo distance and velocity are empty.
+/// wru: one transducer. Without an echo, distance and velocity are empty.
 struct Transducer {
   static constexpr std::string_view type = "wru";
   int id = 0;                          ///< from 0
@@ -62,13 +62,13 @@ struct Transducer {
   std::optional<double> rssi_dbm, noise_dbm;
 };
 
-/// wrt: distances along the beams, of old firmware.
+/// wrt: distances along the beams, from old firmware.
 struct OldRanges {
   static constexpr std::string_view type = "wrt";
   std::array<std::optional<double>, 4> distance_m;
 };
 
-/// wrp: way since the last reset in the DVL's axes at that time.
+/// wrp: the distance since the last reset, in the DVL's axes at that time.
 struct DeadReckoning {
   static constexpr std::string_view type = "wrp";
   std::optional<double> time_s;
@@ -78,7 +78,7 @@ struct DeadReckoning {
   bool trouble = false;
 };
 
-/// wrv, wrw: of the protocol, and of the DVL.
+/// wrv, wrw: version of the protocol, and of the DVL.
 struct Version {
   static constexpr std::string_view type = "wrv";
   int major = 0, minor = 0, patch = 0;
@@ -88,7 +88,7 @@ struct Product {
   std::string_view name, version, chip_id, ip_address;
 };
 
-/// wrc. An empty value leaves the DVL's as it is when it stands in a command wcs.
+/// wrc. In a command wcs an empty value leaves the DVL's setting unchanged.
 struct Configuration {
   static constexpr std::string_view type = "wrc";
   std::optional<double> sound_speed_mps, mounting_rotation_rad;
@@ -111,14 +111,14 @@ struct Answer {
 struct Command {
   static constexpr std::string_view type = "wc";
   char letter = 'v';
-  std::string_view options;  ///< behind the first comma
+  std::string_view options;  ///< after the first comma
   std::string_view name() const { return {&letter, 1}; }
 };
 
-/// What wcs asks for; empty when its fields are too few, too many or malformed.
+/// Reads the options of wcs. Empty if there are too few or too many fields, or if one is malformed.
 std::optional<Configuration> read_configuration(std::string_view options);
 
-/// Each writes one line with CR LF and returns its size, 0 when `out` is too small.
+/// Each writes one line with CR LF and returns its size, 0 if `out` is too small.
 std::size_t encode(const BottomVelocity& m, std::span<std::uint8_t> out);
 std::size_t encode(const OldVelocity& m, std::span<std::uint8_t> out);
 std::size_t encode(const Transducer& m, std::span<std::uint8_t> out);
@@ -128,7 +128,7 @@ std::size_t encode(const Product& m, std::span<std::uint8_t> out);
 std::size_t encode(const Configuration& m, std::span<std::uint8_t> out);
 std::size_t encode(const Answer& m, std::span<std::uint8_t> out);
 std::size_t encode(const Command& m, std::span<std::uint8_t> out);
-/// wcs: an empty value leaves the DVL's as it is.
+/// wcs: an empty value leaves the DVL's setting unchanged.
 std::size_t encode_settings(const Configuration& m, std::span<std::uint8_t> out);
 
 template <class F>

@@ -3,7 +3,7 @@
 #include "drivers/wire/dvl/water_linked.hpp"
 #include "drivers/wire/text_fields.hpp"
 
-/// Sound frames to messages; where frames begin and end is in water_linked.cpp.
+/// Decodes valid frames to messages. water_linked.cpp finds the frames.
 namespace drydock::wire {
 namespace {
 
@@ -11,7 +11,7 @@ using namespace water_linked;
 
 constexpr std::size_t head_size = 3;
 
-/// Name and fields of a sound frame, without checksum and line end.
+/// Name and fields of a valid frame, without checksum and line end.
 std::string_view body_of(Bytes frame) {
   std::string_view text = as_text(frame);
   while (!text.empty() && (text.back() == '\r' || text.back() == '\n')) text.remove_suffix(1);

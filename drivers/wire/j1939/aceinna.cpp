@@ -13,7 +13,8 @@ constexpr std::uint32_t rate_pgn = 61482;
 constexpr std::uint32_t acceleration_pgn = 61485;
 constexpr std::uint32_t magnetic_pgn = 65386;
 
-// Zero in steps, then steps per degree, degree per second, m/s2 and second.
+// For each quantity: the zero point in steps, then steps per degree, degree per second, m/s2 or
+// second.
 constexpr double slope_zero = 250.0 * 32768, slope_steps = 32768;
 constexpr double rate_zero = 250.0 * 128, rate_steps = 128;
 constexpr double acceleration_zero = 320.0 * 100, acceleration_steps = 100;
@@ -36,7 +37,7 @@ FigureOfMerit merit_of(std::uint8_t byte, unsigned at) {
   return static_cast<FigureOfMerit>(two_bits(byte, at));
 }
 
-/// The value as far as the device vouches for it.
+/// The value if the device calls it valid, otherwise empty.
 std::optional<double> vouched(std::optional<double> value, FigureOfMerit merit) {
   const bool vouches = merit == FigureOfMerit::ok || merit == FigureOfMerit::degraded;
   return vouches ? value : std::nullopt;
@@ -195,7 +196,8 @@ CanFrame encode(const AddressClaimed& m) {
   return j1939::encode(j1939::AddressClaimed{m.source, aceinna::to_value(m.name)});
 }
 
-// The fields run from the lowest bit in the order in which SAE's run from the highest.
+// The fields run from the lowest bit upwards, in the order in which SAE's run from the highest bit
+// downwards.
 std::uint64_t to_value(const j1939::Name& n) {
   return std::uint64_t{n.arbitrary_address_capable} | std::uint64_t{n.industry_group & 0x7u} << 1 |
          std::uint64_t{n.vehicle_system_instance & 0xFu} << 4 |

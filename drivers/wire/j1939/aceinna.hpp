@@ -13,16 +13,16 @@
 #include "drivers/wire/j1939/j1939.hpp"
 
 /// Aceinna MTLT305D / OpenIMU300RI inertial sensors on J1939. Layouts: the vendor's DBC 19.1.51 and
-/// DMU380 manual. The axes are those of the wire and stay so here.
+/// DMU380 manual. These messages keep the axes of the wire.
 ///
-/// Axis trap: the DBC calls the axes X, Y, Z, SAE J1939-71 calls the same fields pitch rate about
-/// the lateral axis, roll rate, yaw rate, and lateral, longitudinal, vertical acceleration; the
-/// devices' orientation is a setting, and the vendor's own script takes x = Y, y = -X, z = -Z to
-/// get NED. That is a reflection, which no mounting rotation can undo, so a driver that needs it
-/// offers it as an option of its own, before the mounting.
+/// A trap: names differ for the axes. The DBC calls them X, Y, Z. SAE J1939-71 calls the same
+/// fields pitch rate about the lateral axis, roll rate, yaw rate, and lateral, longitudinal,
+/// vertical acceleration. The orientation of the device is a setting, and the vendor's own script
+/// uses x = Y, y = -X, z = -Z to get NED. That is a reflection, and no mounting rotation can undo
+/// it. A driver that needs it must offer it as a separate option, before the mounting.
 namespace drydock::wire::aceinna {
 
-/// How far the device vouches for a value. Values marked error or not_available come out empty.
+/// How far the device trusts a value. Values marked error or not_available are empty.
 enum class FigureOfMerit : std::uint8_t { ok, degraded, error, not_available };
 
 constexpr std::string_view to_string(FigureOfMerit merit) {
@@ -30,7 +30,7 @@ constexpr std::string_view to_string(FigureOfMerit merit) {
   return names[static_cast<std::size_t>(merit)];
 }
 
-/// SSI2, PGN 61481: attitude by the device's own filter.
+/// SSI2, PGN 61481: attitude from the device's own filter.
 struct SlopeSensor {
   static constexpr std::string_view type = "slope_sensor";
   std::uint8_t source = j1939::null_address;
@@ -65,7 +65,7 @@ struct MagneticField {
   std::array<std::optional<double>, 3> field_t;  ///< tesla
 };
 
-/// PGN 60928 as Aceinna fills it in: the NAME's fields stand in reverse order.
+/// PGN 60928 as Aceinna encodes it: the fields of the NAME are in reverse order.
 struct AddressClaimed {
   static constexpr std::string_view type = "address_claimed";
   std::uint8_t source = j1939::null_address;
@@ -78,7 +78,7 @@ CanFrame encode(const Acceleration& message);
 CanFrame encode(const MagneticField& message);
 CanFrame encode(const AddressClaimed& message);
 
-/// The number contended with on the bus, in Aceinna's field order.
+/// The number that is compared in contention on the bus, in Aceinna's field order.
 std::uint64_t to_value(const j1939::Name& name);
 j1939::Name to_name(std::uint64_t value);
 

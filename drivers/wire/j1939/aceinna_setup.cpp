@@ -35,7 +35,7 @@ bool read_flags(std::uint8_t source, Bytes p, Flags<Layout>& m) {
   return true;
 }
 
-/// Source and addressed device of a setting of `size` bytes.
+/// Reads the source and the addressed device of a setting with `size` bytes.
 template <class Setting>
 bool read_addresses(std::uint8_t source, Bytes p, std::size_t size, Setting& m) {
   if (p.size() < size) return false;
@@ -44,7 +44,7 @@ bool read_addresses(std::uint8_t source, Bytes p, std::size_t size, Setting& m) 
   return true;
 }
 
-// An axis of the code has three bits: sign, then two for the axis, counted from its own.
+// Each axis has three bits in the code: the sign, then two bits that count from the axis itself.
 constexpr unsigned bits_per_axis = 3, axes = 3;
 
 }  // namespace
@@ -101,7 +101,7 @@ bool read(std::uint8_t source, Bytes p, Orientation& m) {
 bool Axes::right_handed() const {
   const auto [x, y, z] = output;
   if (x.index == y.index || y.index == z.index || x.index == z.index) return false;
-  const bool even = (x.index + 1) % axes == y.index;  // else two axes are exchanged
+  const bool even = (x.index + 1) % axes == y.index;  // otherwise two axes are exchanged
   return even != ((x.negative != y.negative) != z.negative);
 }
 

@@ -10,22 +10,22 @@
 #include "drivers/wire/codec.hpp"
 #include "drivers/wire/j1939/j1939.hpp"
 
-/// How an Aceinna IMU is set up and what it says of itself, PGNs FF52h to FF58h (vendor's DBC
-/// 19.1.51). A setting is sent as [address of the device, value]; the device answers a request
-/// (PGN 59904) for the same PGN with the setting in force.
+/// Settings and status reports of an Aceinna IMU, PGNs FF52h to FF58h (vendor's DBC 19.1.51). A
+/// setting is sent as [address of the device, value]. The device answers a request (PGN 59904) for
+/// the same PGN with the setting in force.
 namespace drydock::wire::aceinna {
 
 constexpr std::uint32_t hardware_bit_pgn = 0xFF52, software_bit_pgn = 0xFF53, status_pgn = 0xFF54;
 constexpr std::uint32_t packet_rate_pgn = 0xFF55, packet_type_pgn = 0xFF56, filter_pgn = 0xFF57,
                         orientation_pgn = 0xFF58;
 
-/// One bit of a status message. Without words it is a state, no trouble.
+/// One bit of a status message. Without words it is a normal state, not an error.
 struct Flag {
   unsigned bit;
   std::string_view key, words;
 };
 
-/// A status message of 16 flags at most.
+/// A status message of at most 16 flags.
 template <class Layout>
 struct Flags {
   static constexpr std::string_view type = Layout::type;
@@ -33,7 +33,7 @@ struct Flags {
   std::uint16_t bits = 0;
 
   bool has(const Flag& flag) const { return (bits >> flag.bit & 1) != 0; }
-  /// The first flag set that is trouble, in words; empty where there is none.
+  /// The first error flag that is set, in words. Empty if there is none.
   std::string_view trouble() const {
     for (const Flag& flag : Layout::flags) {
       if (has(flag) && !flag.words.empty()) return flag.words;
@@ -104,7 +104,7 @@ struct DigitalFilter {
   std::uint8_t rate_hz = 25, acceleration_hz = 25;
 };
 
-/// Which axes of the housing the reported X, Y, Z are; see Axes.
+/// The axes of the housing that are reported as X, Y, Z; see Axes.
 struct Orientation {
   static constexpr std::string_view type = "orientation";
   static constexpr std::uint32_t pgn = orientation_pgn;
@@ -112,10 +112,10 @@ struct Orientation {
   std::uint16_t code = 0;
 };
 
-/// X, Y, Z of the output as axes of the housing.
+/// The axes of the housing for the output X, Y, Z.
 struct Axes {
   struct Axis {
-    std::uint8_t index = 0;  ///< of the housing: 0 X, 1 Y, 2 Z
+    std::uint8_t index = 0;  ///< axis of the housing: 0 X, 1 Y, 2 Z
     bool negative = false;
     friend bool operator==(const Axis&, const Axis&) = default;
   };
@@ -123,9 +123,9 @@ struct Axes {
 
   bool right_handed() const;
   std::uint16_t code() const;
-  /// Empty for a code that is none of the 24 right-handed orientations.
+  /// Empty if the code is not one of the 24 right-handed orientations.
   static std::optional<Axes> of_code(std::uint16_t code);
-  /// Of "+X+Y+Z" and the like; empty for other text and left-handed orientations.
+  /// Parses "+X+Y+Z" and the like. Empty for other text and left-handed orientations.
   static std::optional<Axes> of_text(std::string_view text);
 };
 
@@ -137,7 +137,7 @@ CanFrame encode(const PacketType& message);
 CanFrame encode(const DigitalFilter& message);
 CanFrame encode(const Orientation& message);
 
-// False when the payload is too short.
+// False if the payload is too short.
 bool read(std::uint8_t source, Bytes payload, HardwareBit& message);
 bool read(std::uint8_t source, Bytes payload, SoftwareBit& message);
 bool read(std::uint8_t source, Bytes payload, SensorStatus& message);

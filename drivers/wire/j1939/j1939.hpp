@@ -9,16 +9,17 @@
 #include "drivers/wire/codec.hpp"
 
 /// SAE J1939 and NMEA 2000 addressing: 29-bit identifiers (J1939-21), device NAMEs, address claim
-/// and request messages (J1939-81). The claim procedure itself stands in j1939_address_claim.hpp.
+/// and request messages (J1939-81). j1939_address_claim.hpp has the claim procedure.
 namespace drydock::wire::j1939 {
 
 constexpr std::uint8_t global_address = 0xFF;
-constexpr std::uint8_t null_address = 0xFE;  ///< of a node that could not claim one
+constexpr std::uint8_t null_address = 0xFE;  ///< address of a node that could not claim one
 constexpr std::uint32_t request_pgn = 59904;
 constexpr std::uint32_t address_claim_pgn = 60928;
 constexpr std::uint32_t commanded_address_pgn = 65240;
 
-/// priority<<26 | PGN<<8 | source. Below PDU format 240 the PGN's low byte is the destination.
+/// priority<<26 | PGN<<8 | source. If the PDU format is below 240, the PGN's low byte is the
+/// destination.
 struct Identifier {
   std::uint8_t priority = 6;  ///< 0 wins the bus, 7 yields
   std::uint32_t pgn = 0;
@@ -44,7 +45,7 @@ constexpr std::uint32_t make_identifier(const Identifier& id) {
   return std::uint32_t{id.priority} << 26 | (pgn & 0x3FFFF) << 8 | id.source;
 }
 
-/// Empty for what cannot be J1939: 11-bit, remote, error and CAN FD frames.
+/// Empty for frames that cannot be J1939: 11-bit, remote, error and CAN FD frames.
 inline std::optional<Identifier> identify(const CanFrame& frame) {
   if (!frame.extended || frame.remote || frame.error || frame.fd) return std::nullopt;
   return parse_identifier(frame.id);
@@ -70,11 +71,11 @@ struct Name {
 std::uint64_t to_value(const Name& name);
 Name to_name(std::uint64_t value);
 
-/// PGN 60928. From the null address it says "cannot claim an address".
+/// PGN 60928. From the null address it means "cannot claim an address".
 struct AddressClaimed {
   static constexpr std::string_view type = "address_claimed";
   std::uint8_t source = null_address;
-  std::uint64_t name = 0;  ///< as compared in contention: the lowest wins
+  std::uint64_t name = 0;  ///< the number compared in contention: the lowest wins
 };
 
 /// PGN 59904: asks one node, or all, to send a PGN.
@@ -85,7 +86,7 @@ struct Request {
   std::uint32_t pgn = 0;
 };
 
-/// PGN 65240, by the transport protocol: the node with this NAME shall claim this address.
+/// PGN 65240, through the transport protocol: the node with this NAME must claim this address.
 struct CommandedAddress {
   static constexpr std::string_view type = "commanded_address";
   static constexpr std::size_t bytes = 9;

@@ -4,8 +4,9 @@ namespace drydock::wire::j1939 {
 
 namespace {
 
-/// Nodes without an address all send from the null address; J1939-81 spreads their answers over
-/// 0..153 ms so that they do not collide. Taken from the NAME, which differs between nodes.
+/// All nodes without an address send from the null address. J1939-81 spreads their answers over
+/// 0..153 ms so that they do not collide. The delay follows from the NAME, which differs between
+/// nodes.
 AddressClaim::Time null_address_delay(std::uint64_t name) {
   std::uint64_t sum = 0;
   for (int byte = 0; byte < 8; ++byte) sum += name >> 8 * byte & 0xFF;
@@ -54,7 +55,7 @@ std::optional<std::uint8_t> AddressClaim::address() const {
 }
 
 std::optional<CanFrame> AddressClaim::on_claim(const AddressClaimed& other, Time now) {
-  if (other.name == name_) return std::nullopt;  // our own frame, looped back by the adapter
+  if (other.name == name_) return std::nullopt;  // our own frame, which the adapter sent back
   remember(other);
   if (state_ == State::cannot_claim || other.source != address_) return std::nullopt;
   if (name_ < other.name) return encode(AddressClaimed{address_, name_});

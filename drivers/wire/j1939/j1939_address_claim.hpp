@@ -9,15 +9,15 @@
 
 namespace drydock::wire::j1939 {
 
-/// Where a node may look for another address; the default is J1939-81's self-configurable range.
+/// The addresses that a node may try. The default is J1939-81's self-configurable range.
 struct AddressRange {
   std::uint8_t first = 128, last = 247;
 };
 
 /// The address claim procedure of SAE J1939-81 for one node, sans-I/O: each call returns at most
-/// one frame to send. The lowest NAME wins an address; the loser takes the next free one of its
-/// range if its NAME says it can, else it sends "cannot claim" from the null address and stays
-/// silent until started again or commanded to an address.
+/// one frame to send. The lowest NAME wins an address. The loser takes the next free address of its
+/// range, if its NAME permits that. Otherwise it sends "cannot claim" from the null address and
+/// stays silent until it is started again or commanded to an address.
 class AddressClaim {
  public:
   using Time = std::chrono::nanoseconds;
@@ -28,12 +28,12 @@ class AddressClaim {
 
   std::optional<CanFrame> start(Time now);
   std::optional<CanFrame> receive(const CanFrame& frame, Time now);
-  /// Claims the address it is told to take; empty where the command is for another NAME.
+  /// Claims the commanded address. Empty if the command is for another NAME.
   std::optional<CanFrame> obey(const CommandedAddress& command, Time now);
-  std::optional<CanFrame> tick(Time now);  ///< to be called at or after deadline()
+  std::optional<CanFrame> tick(Time now);  ///< call it at or after deadline()
   std::optional<Time> deadline() const { return deadline_; }
 
-  /// Empty while it is contended and after "cannot claim".
+  /// Empty during contention and after "cannot claim".
   std::optional<std::uint8_t> address() const;
   bool cannot_claim() const { return state_ == State::cannot_claim; }
 
@@ -52,7 +52,7 @@ class AddressClaim {
   State state_ = State::idle;
   std::uint8_t address_ = null_address;
   std::optional<Time> deadline_;
-  std::array<std::optional<std::uint64_t>, 254> holders_{};  ///< NAMEs heard at each address
+  std::array<std::optional<std::uint64_t>, 254> holders_{};  ///< the NAME heard at each address
 };
 
 }  // namespace drydock::wire::j1939

@@ -9,7 +9,7 @@
 
 namespace drydock::wire {
 
-/// Network management alone, for `decode --protocol j1939` and for watching a bus.
+/// Only network management, for `decode --protocol j1939` and for watching a bus.
 struct J1939 {
   static constexpr std::string_view name = "j1939";
   using Message = std::variant<j1939::AddressClaimed, j1939::Request, j1939::CommandedAddress>;
@@ -25,7 +25,7 @@ struct J1939 {
   };
 };
 
-/// Gives one packet to a listener, which has no clock, and counts its bytes: TP.CM and TP.DT.
+/// Gives one packet to a listener without a clock, and counts the bytes of TP.CM and TP.DT.
 std::optional<j1939::TransportMessage> receive_transport(j1939::TransportReceiver& transport,
                                                          StreamCounters& counters,
                                                          const j1939::Identifier& id,

@@ -8,7 +8,7 @@ namespace {
 
 using Kind = TransportControl::Kind;
 
-/// What the receiving end says to the sending one.
+/// A message from the receiving end to the sending end.
 template <class Session>
 TransportControl reply_to(const Session& s, Kind kind) {
   TransportControl reply;
@@ -67,15 +67,15 @@ std::optional<TransportReceiver::Time> TransportReceiver::deadline() const {
 
 std::optional<CanFrame> TransportReceiver::control(const TransportControl& c, std::uint8_t priority,
                                                    Time now) {
-  Session* sent = find(c.source, c.destination);      // the speaker sends
-  Session* answered = find(c.destination, c.source);  // the speaker receives
+  Session* sent = find(c.source, c.destination);      // the source of this frame sends the data
+  Session* answered = find(c.destination, c.source);  // the source of this frame receives the data
   switch (c.kind) {
     case Kind::request_to_send:
     case Kind::broadcast: return begin(c, priority, now);
     case Kind::clear_to_send:
       if (answered) wait(*answered, now, transport_timeout::first_packet);
       break;
-    case Kind::end_of_message:  // of a session that we have not got whole
+    case Kind::end_of_message:  // the session is not complete here
       if (answered) drop(*answered);
       break;
     case Kind::abort:
@@ -132,8 +132,8 @@ TransportReceiver::Result TransportReceiver::packet(Session& s, Bytes payload, T
   return {};
 }
 
-/// A broadcast is never repeated. In a connection the receiver asks again, after the last packet
-/// that it granted: an earlier word would break into the sending.
+/// A broadcast is never repeated. In a connection the receiver asks again only after the last
+/// packet that it granted: an earlier message would disturb the sending.
 std::optional<CanFrame> TransportReceiver::gap(Session& s, unsigned number, Time now) {
   if (s.destination == global_address) {
     drop(s);

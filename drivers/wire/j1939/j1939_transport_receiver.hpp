@@ -6,22 +6,22 @@
 
 namespace drydock::wire::j1939 {
 
-/// One whole message; `data` points into the receiver and stays good until its next call.
+/// One complete message. `data` points into the receiver and is valid until its next call.
 struct TransportMessage {
   Identifier id;
   std::span<const std::uint8_t> data;
 };
 
-/// The receiving end, sans-I/O. It listens to broadcasts and to the connections of others, and
-/// answers those to its own address where it has one: clear to send, end of message, abort. Any
-/// two nodes may have one session at a time, so the key is (source, destination).
+/// The receiving end, sans-I/O. It listens to broadcasts and to connections of other nodes. If it
+/// has an address, it answers connections to that address: clear to send, end of message, abort.
+/// Two nodes have at most one session at a time, so the key is (source, destination).
 class TransportReceiver {
  public:
   using Time = std::chrono::nanoseconds;
 
-  static constexpr std::size_t max_concurrent = 8;  ///< then the one idle longest is dropped
+  static constexpr std::size_t max_concurrent = 8;  ///< then drops the longest idle session
   static constexpr unsigned window = 16;            ///< packets granted at once
-  static constexpr unsigned max_repeats = 2;        ///< of packets asked for again
+  static constexpr unsigned max_repeats = 2;        ///< requests to repeat packets
 
   struct Result {
     std::optional<TransportMessage> message;
@@ -29,17 +29,17 @@ class TransportReceiver {
   };
   struct Counters {
     std::uint64_t messages = 0;
-    std::uint64_t dropped = 0;  ///< begun and never completed
-    std::uint64_t stray = 0;    ///< frames of no session, or not to be understood
+    std::uint64_t dropped = 0;  ///< began but never completed
+    std::uint64_t stray = 0;    ///< frames without a session, or not understood
   };
 
-  /// Without an address of its own it only listens.
+  /// Without an own address it only listens.
   void set_address(std::optional<std::uint8_t> own) { own_ = own; }
 
-  /// A listener that has no clock gives the same `now` always; then only the numbers of the
-  /// packets tell that one was lost.
+  /// A listener without a clock always passes the same `now`; then only the packet numbers show a
+  /// lost packet.
   Result receive(const Identifier& id, Bytes payload, Time now);
-  std::optional<CanFrame> tick(Time now);  ///< to be called at or after deadline()
+  std::optional<CanFrame> tick(Time now);  ///< call it at or after deadline()
   std::optional<Time> deadline() const;
   const Counters& counters() const { return counters_; }
 
@@ -50,7 +50,7 @@ class TransportReceiver {
     std::uint32_t pgn = 0;
     std::uint16_t size = 0;
     unsigned packets = 0, next = 1;
-    unsigned granted = 0;  ///< the last packet that may come
+    unsigned granted = 0;  ///< number of the last packet that may come
     unsigned limit = 0, repeats = 0;
     Time deadline{};
     std::uint64_t last_used = 0;

@@ -7,22 +7,22 @@
 namespace drydock::wire::j1939 {
 
 /// The sending end for one message at a time, sans-I/O: each call returns at most one frame. To the
-/// global address it broadcasts (BAM, a packet every 50 ms), to one node it opens a connection.
+/// global address it broadcasts (BAM, a packet every 50 ms); to one node it opens a connection.
 class TransportSender {
  public:
   using Time = std::chrono::nanoseconds;
   enum class Outcome : std::uint8_t { none, sent, aborted, timed_out };
 
-  /// `id`: PGN, source and destination of the whole message. Empty, and nothing begun, where the
-  /// message is not of 9 to 1785 bytes or another is under way.
+  /// `id` has PGN, source and destination of the message. If the message does not have 9 to 1785
+  /// bytes, or another message is not finished, it begins nothing and returns nothing.
   std::optional<CanFrame> send(const Identifier& id, Bytes message, Time now);
 
   std::optional<CanFrame> receive(const Identifier& id, Bytes payload, Time now);
-  std::optional<CanFrame> tick(Time now);  ///< to be called at or after deadline()
+  std::optional<CanFrame> tick(Time now);  ///< call it at or after deadline()
   std::optional<Time> deadline() const { return deadline_; }
 
   bool busy() const { return deadline_.has_value(); }
-  Outcome outcome() const { return outcome_; }  ///< of the last message
+  Outcome outcome() const { return outcome_; }  ///< result of the last message
 
  private:
   enum class State : std::uint8_t { broadcasting, sending, waiting };

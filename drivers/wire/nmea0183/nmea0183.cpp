@@ -19,8 +19,9 @@ constexpr int hex_value(std::uint8_t c) {
 
 constexpr std::uint64_t every_byte(std::uint8_t value) { return value * 0x0101'0101'0101'0101u; }
 
-/// One of the eight characters is `*`, `$`, or none that a sentence may hold. High bits mark them:
-/// a byte minus a larger one borrows, DEL and beyond plus one reach 0x80.
+/// True if one of the eight characters is `*`, `$`, or not permitted in a sentence. The high bit
+/// marks such a character: a byte minus a larger one borrows; DEL or a larger byte plus one reaches
+/// 0x80.
 constexpr bool ends_text(std::uint64_t word) {
   const auto below = [](std::uint64_t bytes, std::uint8_t limit) {
     return (bytes - every_byte(limit)) & ~bytes;
@@ -30,7 +31,7 @@ constexpr bool ends_text(std::uint64_t word) {
           every_byte(0x80)) != 0;
 }
 
-/// `star` is where the checksum begins. Nothing before it can start another sentence.
+/// `star` is the position of the checksum. Nothing before it can start another sentence.
 Scan with_checksum(Bytes bytes, std::size_t star, std::uint8_t checksum) {
   int sent = 0;
   for (std::size_t i = star + 1; i < star + 3; ++i) {

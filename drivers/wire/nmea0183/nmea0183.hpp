@@ -15,11 +15,11 @@ namespace drydock::wire {
 using Nmea0183Messages =
     MessageList<Gga, Rmc, Gsv, Gsa, Vtg, Zda, Gns, Gll, Gst, Hdt, Ths, Vhw, Vbw, Vlw>;
 
-/// NMEA 0183, all talkers. A frame runs from `$` through the checksum and its line end (CR LF, LF
-/// or CR). A sentence without a checksum is no frame; a `$` inside one starts over.
+/// NMEA 0183, all talkers. A frame goes from `$` to the checksum and its line end (CR LF, LF or
+/// CR). A sentence without a checksum is not a frame. A `$` inside a sentence starts a new one.
 struct Nmea0183 {
   static constexpr std::string_view name = "nmea0183";
-  /// The standard says 82; receivers with many satellites and vendors' sentences exceed it.
+  /// The standard has 82. Receivers with many satellites and sentences of vendors exceed it.
   static constexpr std::size_t max_frame = 1024;
   using Message = Nmea0183Messages::Variant;
 

@@ -6,7 +6,7 @@
 
 namespace drydock::wire {
 
-/// Decodes a sentence into a variant that holds at least the messages of Nmea0183.
+/// Decodes a sentence into a variant with at least the messages of Nmea0183.
 template <class Variant>
 std::optional<Variant> decode_nmea0183(Bytes frame) {
   SentenceReader fields{frame};

@@ -15,7 +15,7 @@ std::optional<year_month_day> checked(year_month_day date) {
   return date.ok() ? std::optional{date} : std::nullopt;
 }
 
-/// ddmmyy; GPS time began in 1980.
+/// ddmmyy. GPS time began in 1980.
 std::optional<year_month_day> read_short_date(SentenceReader& fields) {
   const std::string_view text = fields.text();
   if (text.size() != 6) return std::nullopt;
@@ -36,7 +36,7 @@ std::optional<year_month_day> read_long_date(SentenceReader& fields) {
   return checked({year{*y}, month{static_cast<unsigned>(*m)}, day{static_cast<unsigned>(*d)}});
 }
 
-/// Speed in knots and km/h with their letters; four fields.
+/// Speed in knots and km/h with their letters: four fields.
 std::optional<double> read_speed(SentenceReader& fields) {
   const auto knots = fields.number();
   fields.skip(1);
@@ -45,7 +45,7 @@ std::optional<double> read_speed(SentenceReader& fields) {
   return knots ? scaled(knots, knot_mps) : scaled(kilometres_per_hour, kilometre_per_hour_mps);
 }
 
-/// Magnitude and E or W; two fields.
+/// Magnitude and E or W: two fields.
 std::optional<double> read_variation(SentenceReader& fields) {
   const auto magnitude = fields.angle();
   const char side = fields.letter().value;

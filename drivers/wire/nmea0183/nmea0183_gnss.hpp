@@ -10,9 +10,8 @@
 #include "drivers/wire/fields.hpp"
 #include "drivers/wire/nmea0183/nmea0183_sentence.hpp"
 
-/// NMEA 0183 sentences of a satellite receiver. A position, speed or course that the receiver
-/// itself marks as invalid (quality 0, status V, mode N) is empty, whatever digits stand in its
-/// field.
+/// NMEA 0183 sentences of a satellite receiver. A position, speed or course is empty if the
+/// receiver marks it as invalid (quality 0, status V, mode N), even if its field has digits.
 namespace drydock::wire {
 
 /// Position fix.
@@ -54,13 +53,13 @@ struct GsvSatellite {
 struct Gsv {
   static constexpr std::string_view type = "GSV";
   Talker talker{"GP"};
-  std::optional<int> sentences, sentence_number;  ///< of this group, from 1
+  std::optional<int> sentences, sentence_number;  ///< count in this group, and number from 1
   std::optional<int> satellites_in_view;
   boost::container::static_vector<GsvSatellite, 4> satellites;
   std::optional<int> signal;  ///< since NMEA 4.1; hexadecimal digit on the wire
 };
 
-/// Satellites used and dilution of precision.
+/// Satellites used, and dilution of precision.
 struct Gsa {
   static constexpr std::string_view type = "GSA";
   Talker talker{"GP"};
@@ -89,7 +88,7 @@ struct Zda {
   std::optional<int> zone_hours, zone_minutes;
 };
 
-/// Each reads the fields behind the address.
+/// Each reads the fields after the address.
 bool read(SentenceReader& fields, Gga& m);
 bool read(SentenceReader& fields, Rmc& m);
 bool read(SentenceReader& fields, Gsv& m);
@@ -97,7 +96,7 @@ bool read(SentenceReader& fields, Gsa& m);
 bool read(SentenceReader& fields, Vtg& m);
 bool read(SentenceReader& fields, Zda& m);
 
-/// Bytes written, 0 when `out` is too small.
+/// Returns the bytes written, 0 if `out` is too small.
 std::size_t encode(const Gga& m, std::span<std::uint8_t> out, const NmeaDecimals& decimals = {});
 std::size_t encode(const Rmc& m, std::span<std::uint8_t> out, const NmeaDecimals& decimals = {});
 std::size_t encode(const Gsv& m, std::span<std::uint8_t> out);

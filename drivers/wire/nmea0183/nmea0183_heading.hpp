@@ -16,7 +16,7 @@ struct Hdt {
   std::optional<double> heading_rad;
 };
 
-/// Heading and how far to believe it.
+/// Heading and its reliability.
 struct Ths {
   static constexpr std::string_view type = "THS";
   Talker talker{"GP"};
@@ -24,11 +24,11 @@ struct Ths {
   Letter mode;  ///< A autonomous, E estimated, M manual, S simulated, V not valid
 };
 
-/// Each reads the fields behind the address.
+/// Each reads the fields after the address.
 bool read(SentenceReader& fields, Hdt& m);
 bool read(SentenceReader& fields, Ths& m);
 
-/// Bytes written, 0 when `out` is too small.
+/// Returns the bytes written, 0 if `out` is too small.
 std::size_t encode(const Hdt& m, std::span<std::uint8_t> out, const NmeaDecimals& decimals = {});
 std::size_t encode(const Ths& m, std::span<std::uint8_t> out, const NmeaDecimals& decimals = {});
 

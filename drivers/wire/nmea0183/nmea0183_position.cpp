@@ -18,7 +18,8 @@ bool read(SentenceReader& fields, Gns& m) {
   m.differential_age_s = fields.number();
   m.differential_station = fields.integer();
   m.nav_status = fields.letter();
-  // A constellation that is only heard of says N; without modes the sentence vouches for nothing.
+  // Mode N means that a constellation gave no fix. Without any other mode the position is not
+  // valid.
   if (modes.find_first_not_of("N ") == std::string_view::npos) {
     m.latitude_rad = m.longitude_rad = m.mean_sea_level_height_m = std::nullopt;
   }

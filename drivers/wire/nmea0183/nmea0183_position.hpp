@@ -9,8 +9,8 @@
 #include "drivers/wire/fields.hpp"
 #include "drivers/wire/nmea0183/nmea0183_sentence.hpp"
 
-/// NMEA 0183 sentences that give a position, or its accuracy, beside GGA and RMC. What the receiver
-/// itself marks as invalid is empty.
+/// NMEA 0183 sentences with a position or its accuracy, other than GGA and RMC. Values that the
+/// receiver marks as invalid are empty.
 namespace drydock::wire {
 
 /// Position fix of several constellations.
@@ -31,7 +31,7 @@ struct Gns {
   Letter nav_status;  ///< S C U V, since NMEA 4.1
 };
 
-/// Position of any receiver, satellite or not.
+/// Position of any receiver, not only of satellites.
 struct Gll {
   static constexpr std::string_view type = "GLL";
   Talker talker{"GP"};
@@ -51,12 +51,12 @@ struct Gst {
   std::optional<double> latitude_sigma_m, longitude_sigma_m, height_sigma_m;
 };
 
-/// Each reads the fields behind the address.
+/// Each reads the fields after the address.
 bool read(SentenceReader& fields, Gns& m);
 bool read(SentenceReader& fields, Gll& m);
 bool read(SentenceReader& fields, Gst& m);
 
-/// Bytes written, 0 when `out` is too small.
+/// Returns the bytes written, 0 if `out` is too small.
 std::size_t encode(const Gns& m, std::span<std::uint8_t> out, const NmeaDecimals& decimals = {});
 std::size_t encode(const Gll& m, std::span<std::uint8_t> out, const NmeaDecimals& decimals = {});
 std::size_t encode(const Gst& m, std::span<std::uint8_t> out, const NmeaDecimals& decimals = {});

@@ -21,15 +21,15 @@ std::string_view trimmed(std::string_view text) {
 constexpr std::array<double, 16> powers_of_ten{1e0, 1e1, 1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
                                                1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
 
-/// A number as nearly all stand in sentences: a minus perhaps, digits, a point among them.
+/// The usual form of a number in a sentence: an optional minus, digits, at most one point.
 struct PlainNumber {
   std::int64_t mantissa = 0;
   int digits = 0, decimals = 0;
-  bool whole = true;          ///< without a point
-  const char* end = nullptr;  ///< what stands here decides whether the field was one
+  bool whole = true;          ///< no point
+  const char* end = nullptr;  ///< the character here decides whether the field is such a number
 
   bool is_int() const { return whole && digits > 0 && digits < 10; }
-  /// Up to 15 digits the quotient of two exact doubles is the correctly rounded value.
+  /// With up to 15 digits, the quotient of two exact doubles is the correctly rounded value.
   bool is_exact() const { return digits > 0 && digits < 16; }
   double value() const {
     const auto exact = static_cast<double>(mantissa);
@@ -56,14 +56,14 @@ inline PlainNumber plain_number(const char* at, const char* const stop) {
     number.decimals = take_digits();
     number.digits += number.decimals;
   }
-  // Unsigned, since digits past the 19th may wrap to any value; is_exact() tells that it has no
-  // use.
+  // The mantissa is unsigned, since digits after the 19th may wrap to any value. is_exact() then
+  // excludes it.
   number.mantissa = static_cast<std::int64_t>(negative ? 0 - mantissa : mantissa);
   number.end = at;
   return number;
 }
 
-/// Any number in decimal digits, exponents excluded.
+/// Any number in decimal digits, without an exponent.
 std::optional<double> decimal(std::string_view text) {
   text = trimmed(text);
   const bool negative = !text.empty() && text.front() == '-';
@@ -85,10 +85,10 @@ std::optional<int> whole(std::string_view text, int base) {
   return value;
 }
 
-/// Number of two digits at the front of `text`.
+/// The number of two digits at the front of `text`.
 int two_digits(std::string_view text) { return (text[0] - '0') * 10 + (text[1] - '0'); }
 
-/// Nanoseconds of ".123", or of the point alone; digits beyond the ninth are dropped.
+/// Nanoseconds of ".123", or of the point alone. It ignores digits after the ninth.
 std::optional<std::int64_t> fraction_of_second(std::string_view text) {
   if (text.front() != '.') return std::nullopt;
   std::int64_t fraction_ns = 0, unit_ns = 100'000'000;

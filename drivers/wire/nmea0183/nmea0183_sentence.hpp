@@ -10,11 +10,11 @@
 #include "drivers/wire/codec.hpp"
 #include "drivers/wire/fields.hpp"
 
-/// The line format of NMEA 0183 (IEC 61162-1): `$ttsss,field,field*hh` and a line end; hh is the
-/// XOR of the characters between `$` and `*`. Any field may be empty: empty is "not available".
+/// The line format of NMEA 0183 (IEC 61162-1): `$ttsss,field,field*hh` and a line end. hh is the
+/// XOR of the characters between `$` and `*`. Any field may be empty; empty means "not available".
 namespace drydock::wire {
 
-/// Who speaks: GP, GN, VD, VM, ... Any two characters are a talker.
+/// The talker: GP, GN, VD, VM, ... Any two characters are valid.
 struct Talker {
   std::array<char, 2> letters{};
   constexpr Talker() = default;
@@ -23,7 +23,7 @@ struct Talker {
   friend bool operator==(const Talker&, const Talker&) = default;
 };
 
-/// One letter that says a status or mode; '\0' when the field is empty or absent.
+/// One letter for a status or mode. '\0' if the field is empty or absent.
 struct Letter {
   char value = '\0';
   constexpr Letter() = default;
@@ -34,11 +34,12 @@ struct Letter {
   friend bool operator==(const Letter&, const Letter&) = default;
 };
 
-/// Reads the fields of a sound sentence from left to right. A field that is empty, missing at the
-/// end or malformed reads as empty and never spoils the others.
+/// Reads the fields of a valid sentence from left to right. A field that is empty, missing at the
+/// end or malformed reads as empty and never affects the others.
 class SentenceReader {
  public:
-  /// `frame` as the scan gave it. A proprietary or malformed address leaves `formatter()` empty.
+  /// `frame` is a frame of the scan. A proprietary or malformed address gives an empty
+  /// `formatter()`.
   explicit SentenceReader(Bytes frame);
 
   Talker talker() const { return talker_; }
@@ -53,14 +54,14 @@ class SentenceReader {
   std::optional<int> hexadecimal();
   std::optional<double> angle() {
     return scaled(number(), radians(1));
-  }                                                ///< degrees sent, rad here
+  }                                                ///< degrees on the wire, rad here
   std::optional<double> latitude();                ///< ddmm.m,N|S; two fields; rad
   std::optional<double> longitude();               ///< dddmm.m,E|W; two fields; rad
-  std::optional<std::chrono::nanoseconds> time();  ///< hhmmss.s of the UTC day, 23:59:60 too
+  std::optional<std::chrono::nanoseconds> time();  ///< hhmmss.s of the UTC day, also 23:59:60
 
  private:
-  /// Inline, so that no optional has to be packed into a return value: its flag, written as one
-  /// byte and read back as eight, would stall every field.
+  /// Inline, so that no optional is packed into a return value. Its flag would be written as one
+  /// byte and read as eight, which stalls the processor at every field.
   template <class T>
   std::optional<T> optional_of(bool (SentenceReader::*take)(T&)) {
     T value{};
@@ -77,13 +78,13 @@ class SentenceReader {
   void pass(const char* stop) { at_ = stop == end_ ? nullptr : stop + 1; }
   std::optional<double> coordinate(double limit_deg, char positive, char negative);
 
-  const char* at_ = nullptr;  ///< start of the next field, nullptr when there is none
+  const char* at_ = nullptr;  ///< start of the next field; nullptr: no more fields
   const char* end_ = nullptr;
   Talker talker_;
   std::string_view formatter_;
 };
 
-/// Digits after the point that a device sends. The defaults suit a good receiver and log.
+/// Digits after the point that a device sends. The defaults are those of a good receiver and log.
 struct NmeaDecimals {
   int time = 2, minutes = 5, height = 2, dop = 2, angle = 2, speed = 3, distance = 3;
 };
@@ -103,7 +104,7 @@ class SentenceWriter {
   void longitude(const std::optional<double>& radians, int decimals_of_minute);
   void time(const std::optional<std::chrono::nanoseconds>& time_of_day, int decimals);
 
-  std::size_t finish();  ///< bytes written, 0 when the buffer was too small
+  std::size_t finish();  ///< bytes written, 0 if the buffer was too small
 
  private:
   void put(char c);

@@ -71,7 +71,7 @@ void SentenceWriter::longitude(const std::optional<double>& radians, int decimal
 void SentenceWriter::coordinate(const std::optional<double>& radians, int degree_width,
                                 int decimals, std::string_view hemispheres) {
   if (!radians) return put(",,");
-  // In whole units of the last digit, so that 59.999... minutes carry into the degrees.
+  // Integers in units of the last digit, so that 59.999... minutes carry into the degrees.
   const std::int64_t unit = power_of_ten(decimals);
   const std::int64_t units =
       std::llround(std::abs(degrees(*radians)) * 60.0 * static_cast<double>(unit));

@@ -5,7 +5,7 @@ namespace {
 
 using Value = std::optional<double>;
 
-/// Along, across and status, or only one of them and status.
+/// Reads the speeds (along and across, or one of them) and their status.
 template <class... V>
 void read_speeds(SentenceReader& fields, V&... speeds) {
   ((speeds = scaled(fields.number(), knot_mps)), ...);

@@ -10,8 +10,8 @@
 /// NMEA 0183 sentences of a speed log. Talkers: VM electromagnetic, VD Doppler, VW mechanical.
 namespace drydock::wire {
 
-/// Water speed and heading. Speed is taken from the knots; km/h counts only where the knots are
-/// empty, because a common electromagnetic log sends a constant 0 there.
+/// Water speed and heading. The speed is that in knots. km/h is used only if knots are empty,
+/// because a common electromagnetic log always sends 0 km/h.
 struct Vhw {
   static constexpr std::string_view type = "VHW";
   Talker talker{"VM"};
@@ -19,7 +19,7 @@ struct Vhw {
   std::optional<double> speed_mps;  ///< through the water, negative astern
 };
 
-/// Dual water and ground speed. Values whose status is not A are empty.
+/// Dual water and ground speed. Values with a status other than A are empty.
 struct Vbw {
   static constexpr std::string_view type = "VBW";
   Talker talker{"VM"};
@@ -40,7 +40,7 @@ bool read(SentenceReader& fields, Vhw& m);
 bool read(SentenceReader& fields, Vbw& m);
 bool read(SentenceReader& fields, Vlw& m);
 
-/// Bytes written, 0 when `out` is too small.
+/// Returns the bytes written, 0 if `out` is too small.
 std::size_t encode(const Vhw& m, std::span<std::uint8_t> out, const NmeaDecimals& decimals = {});
 std::size_t encode(const Vbw& m, std::span<std::uint8_t> out, const NmeaDecimals& decimals = {});
 std::size_t encode(const Vlw& m, std::span<std::uint8_t> out, const NmeaDecimals& decimals = {});

@@ -7,29 +7,29 @@
 
 #include "drivers/wire/j1939/j1939.hpp"
 
-/// NMEA 2000 fast packet: up to 223 bytes in at most 32 frames. Byte 0 is sequence<<5 | index;
-/// frame 0 carries the length and 6 bytes, each further frame 7.
+/// NMEA 2000 fast packet: up to 223 bytes in at most 32 frames. Byte 0 is sequence<<5 | index.
+/// Frame 0 carries the length and 6 bytes, each further frame 7 bytes.
 namespace drydock::wire {
 
 constexpr std::size_t fast_packet_max_bytes = 223;
 
-/// One whole message; `data` points into the assembler and stays good until its next call.
+/// One complete message. `data` points into the assembler and is valid until its next call.
 struct FastPacket {
   j1939::Identifier id;
   std::span<const std::uint8_t> data;
 };
 
-/// Puts messages together, keyed by (PGN, source, sequence). Frames of one message must come in
-/// order: a lost or misplaced frame drops the message. Frame 0 always starts afresh, so it is
-/// never glued onto the body of an earlier message.
+/// Assembles messages by (PGN, source, sequence). Frames of one message must come in order: a lost
+/// or misplaced frame drops the message. Frame 0 always starts a new message, so it is never joined
+/// to an earlier one.
 class FastPacketAssembler {
  public:
-  static constexpr std::size_t max_concurrent = 16;  ///< then the message idle longest is dropped
+  static constexpr std::size_t max_concurrent = 16;  ///< then drops the longest idle message
 
   struct Counters {
     std::uint64_t messages = 0;
-    std::uint64_t dropped = 0;  ///< messages begun and never completed
-    std::uint64_t stray = 0;    ///< frames of no message begun, or too short, or too long a length
+    std::uint64_t dropped = 0;  ///< messages that began but were never completed
+    std::uint64_t stray = 0;    ///< frames without a message or too short; invalid lengths
   };
 
   std::optional<FastPacket> receive(const j1939::Identifier& id, Bytes payload);
@@ -61,7 +61,7 @@ class FastPacketAssembler {
   Counters counters_;
 };
 
-/// Frames that a message of `size` bytes takes.
+/// Number of frames for a message of `size` bytes.
 constexpr std::size_t fast_packet_frames(std::size_t size) { return 1 + size / 7; }
 
 /// Frame `index` of a message of at most 223 bytes; unused bytes are 0xFF.

@@ -54,7 +54,8 @@ std::optional<Nmea2000::Message> Nmea2000::Decoder::receive_part(const j1939::Id
   return whole ? receive_whole(whole->id, whole->data) : std::nullopt;
 }
 
-/// Any message may come by the transport protocol; of ours only those too long for one frame do.
+/// Any message may come through the transport protocol. Of the messages known here, only those too
+/// long for one frame do.
 std::optional<Nmea2000::Message> Nmea2000::Decoder::receive_packet(const j1939::Identifier& id,
                                                                    const CanFrame& frame) {
   const auto whole = receive_transport(transport_, counters_, id, frame.payload());

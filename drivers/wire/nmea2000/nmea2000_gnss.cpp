@@ -35,7 +35,8 @@ std::optional<double> angle(std::int64_t raw, double limit_deg) {
   return radians(*deg);
 }
 
-/// Receivers without a fix send 0xFFFF, "not available" of the unsigned field this once was.
+/// Receivers without a fix send 0xFFFF. In earlier versions the field was unsigned and this was
+/// "not available".
 std::optional<double> dilution(std::int16_t raw) {
   if (raw < 0) return std::nullopt;
   return scaled_field(raw, centi_step);

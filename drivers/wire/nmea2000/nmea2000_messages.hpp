@@ -8,7 +8,7 @@
 #include "drivers/wire/codec.hpp"
 #include "drivers/wire/j1939/j1939.hpp"
 
-/// Messages of NMEA 2000 that an underwater vehicle's bus carries. Layouts: canboat's public PGN
+/// Messages of NMEA 2000 on the bus of an underwater vehicle. Layouts: canboat's public PGN
 /// database. A field that is "not available", "out of range" or "reserved" is an empty optional.
 namespace drydock::wire::nmea2000 {
 
@@ -19,10 +19,10 @@ constexpr std::uint32_t gnss_position_pgn = 129029;
 constexpr std::uint32_t temperature_pgn = 130312;
 constexpr std::uint32_t pressure_pgn = 130314;
 
-/// `sequence` (SID) ties together what a device measured at one instant.
+/// `sequence` (SID) is equal for all values that a device measured at one instant.
 struct Pressure {
   static constexpr std::string_view type = "pressure";
-  static constexpr std::uint8_t water = 1;  ///< of `kind`
+  static constexpr std::uint8_t water = 1;  ///< value of `kind`
   std::uint8_t source = j1939::null_address;
   std::optional<std::uint8_t> sequence, instance;
   std::optional<std::uint8_t> kind;  ///< 0 atmospheric, 1 water, 2 steam, 3 compressed air, ...
@@ -31,19 +31,19 @@ struct Pressure {
 
 struct Temperature {
   static constexpr std::string_view type = "temperature";
-  static constexpr std::uint8_t sea = 0;  ///< of `kind`
+  static constexpr std::uint8_t sea = 0;  ///< value of `kind`
   std::uint8_t source = j1939::null_address;
   std::optional<std::uint8_t> sequence, instance;
   std::optional<std::uint8_t> kind;  ///< 0 sea, 1 outside, 2 inside, 3 engine room, ...
   std::optional<double> actual_k, set_k;
 };
 
-/// An echo sounder's depth of water; a vehicle's own depth comes from `Pressure`.
+/// Depth of water from an echo sounder. A vehicle's own depth comes from `Pressure`.
 struct WaterDepth {
   static constexpr std::string_view type = "water_depth";
   std::uint8_t source = j1939::null_address;
   std::optional<std::uint8_t> sequence;
-  std::optional<double> depth_m;   ///< of the bed below the transducer
+  std::optional<double> depth_m;   ///< from the transducer down to the bed
   std::optional<double> offset_m;  ///< transducer to waterline (+) or keel (-)
   std::optional<double> maximum_range_m;
 };
@@ -54,10 +54,10 @@ struct Rudder {
   std::optional<std::uint8_t> instance;
   std::optional<std::uint8_t> direction_order;  ///< 0 none, 1 to starboard, 2 to port
   std::optional<double> angle_order_rad;
-  std::optional<double> position_rad;  ///< positive turns to starboard
+  std::optional<double> position_rad;  ///< positive turns the vehicle to starboard
 };
 
-/// Engine parameters, rapid update: here the propeller's shaft.
+/// Engine parameters, rapid update. Here they are those of the propeller shaft.
 struct Engine {
   static constexpr std::string_view type = "engine";
   std::uint8_t source = j1939::null_address;
@@ -67,7 +67,7 @@ struct Engine {
   std::optional<double> tilt_percent;
 };
 
-/// Position fix, a fast packet of 43 bytes and more.
+/// Position fix: a fast packet of at least 43 bytes.
 struct GnssPosition {
   static constexpr std::string_view type = "gnss_position";
   std::uint8_t source = j1939::null_address;
@@ -89,7 +89,8 @@ std::optional<Rudder> decode_rudder(std::uint8_t source, Bytes payload);
 std::optional<Engine> decode_engine(std::uint8_t source, Bytes payload);
 std::optional<GnssPosition> decode_gnss_position(std::uint8_t source, Bytes payload);
 
-/// Values beyond the wire's range go out as "out of range", empty ones as "not available".
+/// A value beyond the range of the wire is sent as "out of range", an empty value as "not
+/// available".
 CanFrame encode(const Pressure& message);
 CanFrame encode(const Temperature& message);
 CanFrame encode(const WaterDepth& message);

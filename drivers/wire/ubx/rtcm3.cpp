@@ -30,8 +30,8 @@ Scan scan(Bytes bytes) {
   if (bytes.size() < header_size) return Scan::need_more();
   const std::size_t size = (load_be<std::uint16_t>(bytes, 1) & 0x3FFu) + header_size + crc_size;
   if (bytes.size() < size) return Scan::need_more();
-  // The remainder of a message with its own CRC behind it is zero. So short a sync stands in noise
-  // every now and then: not counted as a damaged frame.
+  // A message followed by its own CRC has remainder zero. Noise often contains such a short sync,
+  // so a mismatch does not count as a damaged frame.
   return crc24q(bytes.first(size)) == 0 ? Scan::frame(size) : Scan::skip(1);
 }
 

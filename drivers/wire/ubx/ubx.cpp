@@ -7,7 +7,7 @@
 namespace drydock::wire {
 namespace {
 
-/// Bytes before the next B5 that is, or may become, a sync.
+/// Number of bytes before the next B5 that is a sync or may become one.
 std::size_t distance_to_sync(Bytes bytes) {
   const std::uint8_t* at = bytes.data();
   const std::uint8_t* const end = at + bytes.size();

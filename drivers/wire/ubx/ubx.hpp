@@ -19,10 +19,10 @@ using UbxMessages = MessageList<NavPvt, NavSat, NavEoe, NavSig, RxmRawx, RxmSfrb
 /// u-blox binary: B5 62, class, id, length (u16), payload, Fletcher-8 over class to payload.
 struct Ubx {
   static constexpr std::string_view name = "ubx";
-  /// RXM-RAWX of 255 measurements. Of another message more than `longest_payload` is a damaged
-  /// length, which must not make the stream wait for bytes that never come.
+  /// RXM-RAWX with 255 measurements. In any other message a payload longer than `longest_payload`
+  /// means a damaged length. The stream must not wait for bytes that never come.
   static constexpr std::size_t max_frame = 16 + 255 * 32 + 8;
-  static constexpr std::size_t longest_payload = 4096;  ///< NAV-SIG of 255 signals: 4088
+  static constexpr std::size_t longest_payload = 4096;  ///< NAV-SIG with 255 signals: 4088
   using Message = UbxMessages::Variant;
 
   static Scan scan(Bytes bytes);

@@ -7,7 +7,7 @@
 
 namespace drydock::wire {
 
-/// Decodes a UBX frame into a variant that holds at least the messages of Ubx.
+/// Decodes a UBX frame into a variant with at least the messages of Ubx.
 template <class Variant>
 std::optional<Variant> decode_ubx(Bytes frame) {
   if (frame.size() < ubx::overhead) return std::nullopt;

@@ -7,16 +7,17 @@
 #include "drivers/wire/checksum.hpp"
 #include "drivers/wire/codec.hpp"
 
-/// How UBX wraps a payload.
+/// The UBX frame around a payload.
 namespace drydock::wire::ubx {
 
 constexpr std::uint8_t sync_1 = 0xB5, sync_2 = 0x62;
 constexpr std::size_t header_size = 6, checksum_size = 2, overhead = header_size + checksum_size;
 
-/// Class to end of payload. Of its Fletcher sum CK_A comes first on the wire: little-endian.
+/// From class to the end of the payload. CK_A of its Fletcher sum comes first on the wire:
+/// little-endian.
 inline Bytes checked_part(Bytes frame) { return frame.subspan(2, frame.size() - 4); }
 
-/// Puts header and checksum around a payload that stands at `header_size`. Gives the frame's size.
+/// Writes header and checksum around a payload at `header_size`. Returns the size of the frame.
 inline std::size_t wrap(std::span<std::uint8_t> out, std::uint16_t class_and_id,
                         std::size_t payload_size) {
   const auto frame = out.first(payload_size + overhead);

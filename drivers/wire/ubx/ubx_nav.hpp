@@ -22,24 +22,24 @@ enum class UbxFixType : std::uint8_t {
   time_only
 };
 
-/// Whether a receiver stands in for the position and velocity that it sends: gnssFixOK and a fix
-/// type from 2D to GNSS with dead reckoning.
+/// True if the receiver calls its position and velocity valid: gnssFixOK, and a fix type from 2D to
+/// GNSS with dead reckoning.
 constexpr bool vouched_for(UbxFixType type, bool fix_ok) {
   return fix_ok && type >= UbxFixType::two_d && type <= UbxFixType::gnss_and_dr;
 }
 
-/// Position, velocity, time. What the receiver does not vouch for is empty; the position also with
-/// invalidLlh.
+/// Position, velocity, time. Values that the receiver does not call valid are empty; invalidLlh
+/// also makes the position empty.
 struct NavPvt {
   static constexpr std::string_view type = "NAV-PVT";
   static constexpr std::uint16_t class_and_id = 0x0107;
   NavPvt() {}                        // read in place, see message_list.hpp
   std::chrono::milliseconds itow{};  ///< GPS time of week
   std::optional<std::chrono::year_month_day> date;
-  /// UTC since midnight of `date`; the receiver rounds to seconds and corrects by a signed
-  /// fraction, so it may be slightly negative.
+  /// UTC since midnight of `date`. The receiver rounds to seconds and adds a signed fraction, so
+  /// the value may be slightly negative.
   std::optional<std::chrono::nanoseconds> time_of_day;
-  bool time_resolved = false;  ///< no whole-second ambiguity left
+  bool time_resolved = false;  ///< whole seconds are no longer ambiguous
   std::optional<double> time_accuracy_s;
 
   UbxFixType fix_type = UbxFixType::none;
@@ -62,7 +62,7 @@ struct NavPvt {
 };
 
 enum class UbxGnss : std::uint8_t { gps, sbas, galileo, beidou, imes, qzss, glonass, navic };
-std::string_view to_string(UbxGnss gnss);  ///< "unknown" for numbers beyond the list
+std::string_view to_string(UbxGnss gnss);  ///< "unknown" for numbers outside of the list
 
 struct UbxSatellite {
   UbxGnss gnss = UbxGnss::gps;
@@ -73,11 +73,11 @@ struct UbxSatellite {
   std::uint8_t quality = 0;  ///< 0 no signal .. 4 code .. 7 code and carrier
   bool used = false;         ///< in the navigation solution
   std::optional<bool> healthy;
-  std::uint8_t orbit_source = 0;  ///< 0 none, 1 ephemeris, 2 almanac, 3 and on: assistance
+  std::uint8_t orbit_source = 0;  ///< 0 none, 1 ephemeris, 2 almanac, from 3 assistance
   bool has_ephemeris = false, has_almanac = false;
 };
 
-/// Satellites the receiver knows of.
+/// Satellites that the receiver knows.
 struct NavSat {
   static constexpr std::string_view type = "NAV-SAT";
   static constexpr std::uint16_t class_and_id = 0x0135;
@@ -93,14 +93,13 @@ struct NavEoe {
   std::chrono::milliseconds itow{};
 };
 
-/// Each reads a payload into a fresh message; false when the length is not one of the message's.
+/// Each reads a payload into a fresh message. False if the message cannot have this length.
 bool read(Bytes payload, NavPvt& m);  ///< 92 bytes, 84 from old receivers
 bool read(Bytes payload, NavSat& m);
 bool read(Bytes payload, NavEoe& m);
 
-/// Bytes of the whole frame written, 0 when `out` is too small.
-/// NAV-PVT is sent in its 92-byte form. The wire cannot say "fix without velocity": gnssFixOK is
-/// then cleared.
+/// Returns the bytes of the whole frame, 0 if `out` is too small. NAV-PVT has its 92-byte form. The
+/// wire cannot express "fix without velocity"; gnssFixOK is then cleared.
 std::size_t encode(const NavPvt& m, std::span<std::uint8_t> out);
 std::size_t encode(const NavSat& m, std::span<std::uint8_t> out);
 std::size_t encode(const NavEoe& m, std::span<std::uint8_t> out);

@@ -23,7 +23,7 @@ void put_accuracy(Payload payload, std::size_t offset, const std::optional<doubl
 
 constexpr unsigned bit(bool set, unsigned number) { return unsigned{set} << number; }
 
-/// Whole seconds to the nearest, the rest as signed nanoseconds, as receivers send it.
+/// Writes the nearest whole second and the rest as signed nanoseconds, as receivers do.
 void put_time(Payload payload, const NavPvt& m) {
   using namespace std::chrono;
   auto date = m.date;
@@ -85,7 +85,7 @@ void put_satellite(Payload block, const UbxSatellite& s) {
                               bit(s.has_almanac, 12));
 }
 
-/// The payload part of a frame in `out`, zeroed; empty when it does not fit.
+/// The payload part of a frame in `out`, filled with zeros. Empty if it does not fit.
 Payload payload_in(std::span<std::uint8_t> out, std::size_t size) {
   if (out.size() < size + ubx::overhead) return {};
   const Payload payload = out.subspan(ubx::header_size, size);

@@ -9,7 +9,7 @@
 namespace drydock::wire {
 namespace {
 
-/// Bytes before the next `$`, B5 or D3, or all.
+/// Number of bytes before the next `$`, B5 or D3; all bytes if there is none.
 std::size_t noise_in(Bytes bytes) {
   const auto find = [](Bytes part, int byte) {
     const auto* at = static_cast<const std::uint8_t*>(std::memchr(part.data(), byte, part.size()));

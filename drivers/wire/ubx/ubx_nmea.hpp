@@ -9,8 +9,8 @@
 
 namespace drydock::wire {
 
-/// Cuts a line that carries UBX and NMEA 0183 in turn. An RTCM 3 frame is one without a message;
-/// anything else is skipped.
+/// Cuts a line with alternating UBX and NMEA 0183 into frames. An RTCM 3 frame is a frame without a
+/// message. All other bytes are skipped.
 Scan scan_ubx_or_nmea(Bytes bytes);
 
 /// A receiver's port that carries both protocols.

@@ -9,9 +9,9 @@
 #include "drivers/wire/codec.hpp"
 #include "drivers/wire/fields.hpp"
 
-/// What the fields of UBX payloads have in common, and how each says "unknown" (u-blox interface
-/// descriptions, M8 to F9). Offsets in bytes; the wire's integers count `steps_per_unit`, by which
-/// they are divided: a decimal comes out as the double nearest to it.
+/// Common field types of UBX payloads, and the value of each that means "unknown" (u-blox interface
+/// descriptions, M8 to F9). Offsets are in bytes. An integer of the wire is divided by
+/// `steps_per_unit`, so that a decimal gives the double nearest to it.
 namespace drydock::wire::ubx {
 
 template <class T>
@@ -19,23 +19,23 @@ double value(Bytes payload, std::size_t offset, double steps_per_unit) {
   return load_le<T>(payload, offset) / steps_per_unit;
 }
 
-/// FFFFFFFF says that the receiver has no estimate.
+/// FFFFFFFF means that the receiver has no estimate.
 inline std::optional<double> accuracy(Bytes payload, std::size_t offset, double steps_per_unit) {
   const auto raw = load_le<std::uint32_t>(payload, offset);
   return raw == 0xFFFF'FFFF ? std::nullopt : std::optional{raw / steps_per_unit};
 }
 
-/// 0 dBHz says that the signal is not tracked.
+/// 0 dBHz means that the signal is not tracked.
 inline std::optional<double> carrier_to_noise(Bytes payload, std::size_t offset) {
   return payload[offset] > 0 ? std::optional<double>{payload[offset]} : std::nullopt;
 }
 
-/// Hundredths; 99.99 is none.
+/// In hundredths; 99.99 means no value.
 inline std::optional<double> dop(Bytes payload, std::size_t offset) {
   return dilution(value<std::uint16_t>(payload, offset, 1e2));
 }
 
-/// Two bits: 0 unknown, 1 healthy, 2 not.
+/// Two bits: 0 unknown, 1 healthy, 2 not healthy.
 inline std::optional<bool> health(unsigned two_bits) {
   if (two_bits != 1 && two_bits != 2) return {};
   return two_bits == 1;
@@ -62,8 +62,8 @@ inline std::chrono::nanoseconds time_of_day(Bytes payload, std::size_t offset,
          std::chrono::nanoseconds{load_le<std::int32_t>(payload, fraction)};
 }
 
-/// Longitude and latitude as two integers of 1e-7 degree; false outside the globe. Division by an
-/// exact 1e7 keeps the degrees correctly rounded.
+/// Longitude and latitude as two integers of 1e-7 degree. False if they are outside of the globe.
+/// Division by an exact 1e7 keeps the degrees correctly rounded.
 inline bool read_position(Bytes payload, std::size_t offset, std::optional<double>& latitude_rad,
                           std::optional<double>& longitude_rad) {
   const auto longitude = load_le<std::int32_t>(payload, offset);
@@ -77,7 +77,7 @@ inline bool read_position(Bytes payload, std::size_t offset, std::optional<doubl
   return true;
 }
 
-/// Degrees in one and two bytes; an elevation beyond 90 degrees makes both unknown.
+/// Degrees in one and two bytes. An elevation beyond 90 degrees makes both values unknown.
 inline void read_direction(Bytes payload, std::size_t offset, std::optional<double>& elevation_rad,
                            std::optional<double>& azimuth_rad) {
   const int elevation_deg = load_le<std::int8_t>(payload, offset);

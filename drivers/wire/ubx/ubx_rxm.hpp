@@ -20,25 +20,25 @@ struct RawMeasurement {
   std::optional<double> cno_dbhz;
   std::optional<double> pseudorange_m, pseudorange_sigma_m;          ///< empty: not valid
   std::optional<double> carrier_phase_cycles, carrier_sigma_cycles;  ///< empty: not valid
-  std::optional<double> doppler_hz, doppler_sigma_hz;  ///< positive: the satellite comes nearer
+  std::optional<double> doppler_hz, doppler_sigma_hz;  ///< positive: the satellite approaches
   std::chrono::milliseconds lock_time{};               ///< of the carrier, at most 64.5 s
   bool half_cycle_resolved = false;
 };
 
-/// What a RINEX observation file needs: one epoch of raw measurements.
+/// One epoch of raw measurements, with everything that a RINEX observation file needs.
 struct RxmRawx {
   static constexpr std::string_view type = "RXM-RAWX";
   static constexpr std::uint16_t class_and_id = 0x0215;
   RxmRawx() {}                      // read in place, see message_list.hpp
-  double receiver_time_s = 0;       ///< of the GPS week, by the receiver's clock
-  int gps_week = 0;                 ///< likewise
-  std::optional<int> leap_seconds;  ///< GPS - UTC, empty until the receiver has heard it
-  bool clock_reset = false;         ///< since the epoch before
+  double receiver_time_s = 0;       ///< time of the GPS week, by the receiver's clock
+  int gps_week = 0;                 ///< by the receiver's clock
+  std::optional<int> leap_seconds;  ///< GPS - UTC; empty until the receiver knows it
+  bool clock_reset = false;         ///< since the previous epoch
   boost::container::static_vector<RawMeasurement, 255> measurements;
 };
 
-/// A piece of a broadcast navigation message, in the words of its signal (GPS L1 C/A: ten words of
-/// 30 bits, parity included, one subframe).
+/// A part of a broadcast navigation message, in the words of its signal. For GPS L1 C/A that is one
+/// subframe: ten words of 30 bits, parity included.
 struct RxmSfrbx {
   static constexpr std::string_view type = "RXM-SFRBX";
   static constexpr std::uint16_t class_and_id = 0x0213;

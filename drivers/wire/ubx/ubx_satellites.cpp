@@ -9,14 +9,15 @@ namespace {
 
 using ubx::bit;
 
-/// Numbers first..last stand for the satellites first - offset and on of a constellation.
+/// The numbers first..last mean the satellites (first - offset)..(last - offset) of a
+/// constellation.
 struct NumberRange {
   UbxGnss gnss;
   int first, last, offset;
 };
 
 // u-blox 8 / M8 Receiver Description, appendix "Satellite Numbering", single svid. 255 is a GLONASS
-// satellite whose number is not known yet, and stays 255 as in NAV-SAT.
+// satellite whose number is not known yet; it stays 255 as in NAV-SAT.
 constexpr std::array<NumberRange, 9> ranges{{
     {UbxGnss::gps, 1, 32, 0},
     {UbxGnss::beidou, 33, 64, 27},
@@ -49,7 +50,7 @@ bool read_channel(Bytes block, UbxSatellite& s) {
   if (bit(flags, 2)) {
     s.orbit_source = s.has_ephemeris ? ephemeris : s.has_almanac ? almanac : assistance;
   }
-  if (bit(flags, 4)) s.healthy = false;  // the wire has no word for "known to be healthy"
+  if (bit(flags, 4)) s.healthy = false;  // the wire cannot express "known to be healthy"
   s.quality = block[3] & 0xF;
   s.cno_dbhz = ubx::carrier_to_noise(block, 4);
   ubx::read_direction(block, 5, s.elevation_rad, s.azimuth_rad);

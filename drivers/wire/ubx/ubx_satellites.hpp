@@ -9,12 +9,12 @@
 
 #include "drivers/wire/ubx/ubx_nav.hpp"
 
-/// Satellites beside NAV-SAT: by channel, as receivers before it send them, and by signal, as those
-/// with several frequencies do (u-blox interface descriptions, M8 to F9).
+/// Messages about satellites other than NAV-SAT. Receivers before NAV-SAT list channels; receivers
+/// with several frequencies list signals (u-blox interface descriptions, M8 to F9).
 namespace drydock::wire {
 
-/// Satellites by channel. Constellation and number come of the one number that stands for both;
-/// numbers of no known constellation are left out.
+/// Satellites by channel. One number on the wire gives both constellation and number. Numbers of
+/// unknown constellations are omitted.
 struct NavSvinfo {
   static constexpr std::string_view type = "NAV-SVINFO";
   static constexpr std::uint16_t class_and_id = 0x0130;
@@ -37,7 +37,7 @@ struct UbxSignal {
   bool pseudorange_used = false, carrier_used = false, doppler_used = false;
 };
 
-/// Signals, several of one satellite. It says nothing of directions.
+/// Signals; one satellite may have several. The message has no directions.
 struct NavSig {
   static constexpr std::string_view type = "NAV-SIG";
   static constexpr std::uint16_t class_and_id = 0x0143;

@@ -9,7 +9,7 @@ using ubx::accuracy;
 using ubx::bit;
 using ubx::value;
 
-/// Three integers of 1e-2.
+/// Reads three integers in steps of 1e-2.
 Ecef read_ecef(Bytes payload, std::size_t offset) {
   Ecef ecef;
   for (std::size_t i = 0; i < ecef.size(); ++i) {

@@ -8,30 +8,30 @@
 
 #include "drivers/wire/ubx/ubx_nav.hpp"
 
-/// The navigation solution in the parts that receivers before NAV-PVT send (u-blox 5 to 7
-/// interface descriptions). One iTOW ties the parts of an epoch together.
+/// The navigation solution in parts, from receivers before NAV-PVT (u-blox 5 to 7 interface
+/// descriptions). The parts of an epoch have the same iTOW.
 namespace drydock::wire {
 
-using Ecef = std::array<std::optional<double>, 3>;  ///< x, y, z; all or none
+using Ecef = std::array<std::optional<double>, 3>;  ///< x, y, z; all three or none
 
-/// Fix type and solution in ECEF, and the only part that names the GPS week.
+/// Fix type and solution in ECEF. It is the only part with the GPS week.
 struct NavSol {
   static constexpr std::string_view type = "NAV-SOL";
   static constexpr std::uint16_t class_and_id = 0x0106;
   std::chrono::milliseconds itow{};
   std::chrono::nanoseconds itow_fraction{};  ///< signed, to be added to iTOW
-  std::optional<int> gps_week;  ///< as the receiver counts it; old firmware restarts after 1024
+  std::optional<int> gps_week;  ///< as the receiver counts it; old firmware wraps at 1024
   bool time_known = false;      ///< iTOW is GPS time, not time since power-up
   UbxFixType fix_type = UbxFixType::none;
   bool fix_ok = false;
   bool differential = false;
-  Ecef position_ecef_m, velocity_ecef_mps;  ///< empty unless vouched for, as in NAV-PVT
+  Ecef position_ecef_m, velocity_ecef_mps;  ///< empty unless valid, as in NAV-PVT
   std::optional<double> position_accuracy_m, speed_accuracy_mps;
   std::optional<double> position_dop;
   std::uint8_t satellites_used = 0;
 };
 
-/// Fix type without a solution; timing receivers send it in place of NAV-SOL.
+/// Fix type without a solution. Timing receivers send it instead of NAV-SOL.
 struct NavStatus {
   static constexpr std::string_view type = "NAV-STATUS";
   static constexpr std::uint16_t class_and_id = 0x0103;
@@ -44,8 +44,8 @@ struct NavStatus {
   double uptime_s = 0;
 };
 
-/// Says nothing of its own about whether there is a fix: NAV-SOL or NAV-STATUS of the same epoch
-/// does. A position of unknown accuracy is empty.
+/// It does not say whether there is a fix: NAV-SOL or NAV-STATUS of the same epoch does. A position
+/// of unknown accuracy is empty.
 struct NavPosllh {
   static constexpr std::string_view type = "NAV-POSLLH";
   static constexpr std::uint16_t class_and_id = 0x0102;
@@ -55,7 +55,7 @@ struct NavPosllh {
   std::optional<double> horizontal_accuracy_m, vertical_accuracy_m;
 };
 
-/// As NAV-POSLLH, of the velocity.
+/// The velocity, with the same rules as NAV-POSLLH.
 struct NavVelned {
   static constexpr std::string_view type = "NAV-VELNED";
   static constexpr std::uint16_t class_and_id = 0x0112;
@@ -65,7 +65,7 @@ struct NavVelned {
   std::optional<double> speed_accuracy_mps, course_accuracy_rad;
 };
 
-/// Dilutions of precision; the only part that has all of them.
+/// Dilutions of precision. It is the only part that has all of them.
 struct NavDop {
   static constexpr std::string_view type = "NAV-DOP";
   static constexpr std::uint16_t class_and_id = 0x0104;

@@ -18,7 +18,7 @@ bool read(Bytes payload, NavTimeGps& m) {
 
 bool read(Bytes payload, NavTimeUtc& m) {
   if (payload.size() != 20) return false;
-  constexpr unsigned all_known = 0b111;  // time of week, week, leap seconds
+  constexpr unsigned all_known = 0b111;  // bits for time of week, week, leap seconds
   m.itow = ubx::itow(payload);
   m.time_accuracy_s = ubx::accuracy(payload, 4, 1e9);
   if ((payload[19] & all_known) != all_known) return true;

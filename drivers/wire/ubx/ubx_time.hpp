@@ -8,7 +8,7 @@
 #include "drivers/wire/codec.hpp"
 #include "drivers/wire/fields.hpp"
 
-/// What a u-blox receiver knows of the time: GPS weeks, leap seconds, UTC (u-blox interface
+/// The time as a u-blox receiver knows it: GPS weeks, leap seconds, UTC (u-blox interface
 /// descriptions, class 0x01).
 namespace drydock::wire {
 
@@ -19,7 +19,7 @@ struct NavTimeGps {
   std::chrono::nanoseconds itow_fraction{};  ///< signed, to be added to iTOW
   bool time_known = false;
   std::optional<int> gps_week;
-  std::optional<int> leap_seconds;  ///< GPS - UTC, empty until the receiver has heard it
+  std::optional<int> leap_seconds;  ///< GPS - UTC; empty until the receiver knows it
   std::optional<double> time_accuracy_s;
 };
 

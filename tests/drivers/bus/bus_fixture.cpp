@@ -5,7 +5,7 @@
 namespace drydock::bus::test {
 
 std::uint32_t test_domain() {
-  // Ports of domains 10 to 99 lie below the ephemeral range.
+  // The ports of domains 10 to 99 are below the ephemeral range.
   return 10 + static_cast<std::uint32_t>(::getpid()) % 90;
 }
 

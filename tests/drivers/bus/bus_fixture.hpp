@@ -12,10 +12,10 @@ namespace drydock::bus::test {
 
 using measurement::stamp_from_ns;
 
-/// A domain of this process's own, so that tests which run side by side do not meet.
+/// A domain that only this process uses, so that parallel tests do not meet.
 std::uint32_t test_domain();
 
-/// True as soon as `condition` holds; false after five seconds.
+/// True as soon as `condition` is true. False after five seconds.
 template <class Condition>
 bool eventually(Condition condition) {
   const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(5);
@@ -26,7 +26,7 @@ bool eventually(Condition condition) {
   return true;
 }
 
-/// Waits on fd() until `count` measurements came, or five seconds passed without one.
+/// Waits on fd() until `count` measurements have come, or until five seconds pass without one.
 std::vector<Measurement> take(Subscriber& subscriber, std::size_t count);
 
 /// The rig of these tests: one device of every kind, in this order.
@@ -34,10 +34,10 @@ enum Index : std::uint16_t { dvl, log, gnss, imu, depth, actuator };
 std::vector<Device> all_devices(Provenance provenance = Provenance::emulated,
                                 Form form = Form::complete);
 
-/// An origin with odd nanoseconds in every place.
+/// An origin whose times use every digit of the nanoseconds.
 measurement::Origin origin(Index device);
 
-/// A sample of which the device gave nothing.
+/// A sample without any value from the device.
 template <class Sample>
 Sample only_origin(Index device) {
   Sample sample;

@@ -7,9 +7,9 @@
 
 namespace drydock::bus::test {
 
-/// Plain CDR, little endian, written from the OMG rules: a primitive is aligned to its own size,
-/// counted from after the four bytes of encapsulation; a string is its length with the NUL, then
-/// its bytes. The tests' own witness of what our messages look like on the wire.
+/// Plain CDR, little endian, written from the OMG rules. A primitive is aligned to its own size,
+/// counted from the end of the four bytes of encapsulation. A string is its length including the
+/// NUL, then its bytes. It checks independently how our messages look on the wire.
 class CdrReader {
  public:
   explicit CdrReader(std::vector<std::uint8_t> bytes) : bytes_(std::move(bytes)) {}

@@ -24,7 +24,7 @@ void say(const std::string& line) {
   std::fflush(stdout);
 }
 
-/// Samples whose x tells their number, a millisecond apart as from a fast IMU.
+/// Publishes samples whose x is their number, one each millisecond, as a fast IMU does.
 void publish_numbered(std::uint32_t domain, int count) {
   const Participant participant(domain);
   Publisher publisher(participant, all_devices(Provenance::replayed));

@@ -7,7 +7,7 @@
 
 namespace drydock::bus::test {
 
-/// This test program once more, in another process and with other arguments. Killed at the end.
+/// Runs this test program in another process with other arguments. The destructor kills it.
 class ChildProcess {
  public:
   explicit ChildProcess(std::vector<std::string> arguments);
@@ -24,10 +24,10 @@ class ChildProcess {
   int output_ = -1;
 };
 
-/// The subscribing process stops at a sample with this number and says how many it took.
+/// The subscribing process stops at a sample with this number and prints how many it received.
 inline constexpr double end_of_numbers = 1e9;
 
-/// What the other process does; true when `arguments` ask for it.
+/// The work of the other process. True if `arguments` ask for it.
 bool run_as_child(const std::vector<std::string>& arguments);
 
 }  // namespace drydock::bus::test

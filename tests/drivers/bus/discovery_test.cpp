@@ -32,7 +32,7 @@ std::string user_data_of(const dds_qos_t* qos) {
   return text;
 }
 
-/// What discovery tells every participant of the domain about its writers, by topic.
+/// The data of its writers that discovery gives to every participant of the domain, by topic.
 std::map<std::string, Endpoint> discovered_writers(const Participant& participant) {
   const Entity reader(
       dds_create_reader(participant.handle(), DDS_BUILTIN_TOPIC_DCPSPUBLICATION, nullptr, nullptr),
@@ -101,7 +101,7 @@ TEST(BusOnTheWire, UserDataHoldsTheTypeHashOfRos2AndTheProvenance) {
   EXPECT_EQ(user_data_of(qos.get()), "enclave=/;");
 }
 
-/// What tshark makes of the packets, one value a line.
+/// The values that tshark finds in the packets, one on each line.
 std::set<std::string> dissected(const std::string& capture, const std::string& field) {
   const std::string command = "tshark -r " + capture + " -Y rtps -T fields -e " + field +
                               " -E occurrence=a -E aggregator='|' 2>/dev/null | tr '|' '\\n'";
@@ -117,7 +117,7 @@ std::set<std::string> dissected(const std::string& capture, const std::string& f
   return values;
 }
 
-/// The hexadecimal digits by which tshark shows user data.
+/// User data as hexadecimal digits, in the form of tshark.
 std::string hex(const std::string& text) {
   std::string digits;
   for (const unsigned char c : text) {
@@ -143,7 +143,7 @@ TEST(BusOnTheWire, WiresharkSeesTheNamesTypesAndUserData) {
   const std::string capture = testing::TempDir() + "drydock-bus.pcap";
   const ChildProcess other({"--child", "subscribe", std::to_string(test_domain())});
   EXPECT_EQ(other.read_line(), "subscribed");
-  // Cyclone itself keeps the packets: nobody needs the right to listen on the interface.
+  // Cyclone itself writes the capture, so the test needs no right to listen on the interface.
   const std::string configuration =
       "<General><Interfaces><NetworkInterface name=\"lo\" multicast=\"false\"/></Interfaces>"
       "<AllowMulticast>false</AllowMulticast></General>"
@@ -157,7 +157,7 @@ TEST(BusOnTheWire, WiresharkSeesTheNamesTypesAndUserData) {
     const Participant participant(test_domain());
     const Publisher publisher(participant, all_devices());
     EXPECT_TRUE(eventually([&] { return publisher.matched_readers() == 7; }));
-    // That we know the other's readers does not say that it has been told of our writers.
+    // This side knows the other's readers, but the other may not yet know our writers.
     eventually([&] { return file_holds(capture, imu_user_data); });
   }
   ::unsetenv("CYCLONEDDS_URI");

@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t raw_size = 28, frame_length = 8, frame_text = 12, list_length = 24;
 using Raw = std::array<std::uint8_t, raw_size>;
 
-/// Bytes as they are, under the name of the type that a subscriber wants.
+/// Sends the bytes unchanged, under the type name that a subscriber wants.
 const dds_topic_descriptor_t& raw_type() {
   static constexpr std::uint32_t bytes = static_cast<std::uint32_t>(DDS_OP_ADR) |
                                          static_cast<std::uint32_t>(DDS_OP_TYPE_ARR) |
@@ -74,7 +74,7 @@ void write_garbage(std::uint32_t domain, const std::function<void()>& then) {
     write(with(frame_length, length));
     write(with(list_length, length));
   }
-  write(with(frame_text, 0xFFFFFFFF));  // no 0 where the text ends
+  write(with(frame_text, 0xFFFFFFFF));  // the text has no 0 at its end
   std::mt19937 random(1);
   for (int i = 0; i < 500; ++i) {
     Raw raw;

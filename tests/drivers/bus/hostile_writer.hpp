@@ -5,12 +5,12 @@
 
 namespace drydock::bus::test {
 
-/// Stamp of the one message among the garbage that is one.
+/// Stamp of the only valid message among the garbage.
 inline constexpr std::int64_t good_sample_ns = 7'000'000'000;
 
-/// Writes on `rt/gnss/satellites` what says to be a GnssSatellites and is any bytes: sequences
-/// longer than the message, strings without an end. Then a good one, empty of satellites. `then` is
-/// called while the writer still is there.
+/// Writes garbage on `rt/gnss/satellites` that claims to be a GnssSatellites: sequences longer than
+/// the message, strings without an end. Then it writes a valid message without satellites. It calls
+/// `then` while the writer still exists.
 void write_garbage(std::uint32_t domain, const std::function<void()>& then);
 
 }  // namespace drydock::bus::test

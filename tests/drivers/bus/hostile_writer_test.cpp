@@ -1,4 +1,4 @@
-// What anybody on the bus may write: the subscriber counts it and goes on.
+// Anybody on the bus may write such data. The subscriber counts them and goes on.
 #include <dds/dds.h>
 #include <gtest/gtest.h>
 
@@ -18,7 +18,7 @@ namespace hostile_writer_test {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-/// A writer that sends what it is given, and a subscriber that takes all measurements.
+/// A writer that sends any message, and a subscriber that takes all measurements.
 template <class Message>
 class Foreign {
  public:
@@ -32,7 +32,7 @@ class Foreign {
     EXPECT_TRUE(eventually([this] { return subscriber_.matched_writers() == 1; }));
   }
 
-  /// What came of one message; nothing came: `unusable()` has risen by one.
+  /// The measurements from one message. If there are none, `unusable()` has risen by one.
   std::vector<Measurement> write(Message& message) {
     if (message.header.frame_id == nullptr) message.header.frame_id = frame_.data();
     const auto before = subscriber_.unusable();
@@ -119,7 +119,8 @@ TEST(HostileBytes, AHeaderAloneIsNoMessage) {
 TEST(HostileWriter, BytesThatAreNotTheTypeNeverReachTheSubscriberAndItGoesOn) {
   const Participant participant(test_domain());
   Subscriber subscriber(participant, all_devices());
-  // Another process: inside one, Cyclone hands messages over without a look at their bytes.
+  // It is another process, because inside one process Cyclone passes messages on without a check of
+  // their bytes.
   const ChildProcess other({"--child", "garbage", std::to_string(test_domain())});
   EXPECT_EQ(other.read_line(), "written");
   const auto taken = take(subscriber, 1);

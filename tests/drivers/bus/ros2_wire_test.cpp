@@ -41,7 +41,7 @@ TEST(BusOnTheWire, DvlKeepsItsForwardStarboardDownAxes) {
   sample.sound_speed_mps = 1500;
   auto cdr = wire.publish(Measurement{sample});
   EXPECT_EQ(cdr.size(),
-            364u);  // 356 with frame "base_link": three letters more cross one alignment
+            364u);  // 356 with frame "base_link"; three more letters cross one alignment
   expect_header(cdr, "dvl_link_frd");
   EXPECT_EQ(cdr.next<std::uint8_t>(), 1);  // DVL_MODE_BOTTOM
   EXPECT_EQ(cdr.next<std::uint8_t>(), 0);
@@ -150,7 +150,7 @@ TEST(BusOnTheWire, AttitudeIsAgainstEastNorthUp) {
   };
   EXPECT_THAT(orientation(0, 0, 90 * degree), near(0, 0, 0, 1));  // bow east: x is east
   EXPECT_THAT(orientation(0, 0, 0), near(0, 0, half, half));      // bow north
-  EXPECT_THAT(orientation(0, 30 * degree, 90 * degree),           // bow up: about left, negative
+  EXPECT_THAT(orientation(0, 30 * degree, 90 * degree),           // bow up: negative about left
               near(0, -std::sin(15 * degree), 0, std::cos(15 * degree)));
   EXPECT_THAT(orientation(20 * degree, 0, 90 * degree),  // starboard down
               near(std::sin(10 * degree), 0, 0, std::cos(10 * degree)));

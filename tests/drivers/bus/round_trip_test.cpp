@@ -10,7 +10,7 @@ namespace {
 
 using namespace measurement;
 
-/// Publisher and subscriber of all devices, connected.
+/// Connected publisher and subscriber of all devices.
 struct Loop {
   explicit Loop(Provenance declared = Provenance::emulated, SubscriberOptions options = {})
       : participant(test_domain()),

@@ -5,7 +5,7 @@
 #include "drivers/bus/cdr/cdr_publisher.hpp"
 #include "tests/drivers/bus/wire_reader.hpp"
 
-/// Recordings and viewers get the bytes that DDS itself sends.
+/// Recordings and viewers get the same bytes as DDS sends.
 namespace drydock::bus::test {
 namespace {
 
@@ -34,7 +34,8 @@ void expect_the_same(const std::string& topic, const Arguments&... published) {
   CdrPublisher publisher(kept, ros_devices(), {"leveling"});
   publisher.publish(published...);
   auto sent = Wire<Message>("rt" + topic).publish(published...).bytes();
-  // A DDS packet is filled up to four bytes, and the fourth byte of its head says by how many.
+  // A DDS packet is padded to four bytes. The fourth byte of its head gives the number of padding
+  // bytes.
   sent.resize(sent.size() - sent[3]);
   sent[3] = 0;
   EXPECT_EQ(kept.last[topic], sent) << topic;

@@ -38,7 +38,7 @@ TEST(Schema, HashesToTheTypeHashesThatRos2Publishes) {
     const std::string name = ros2_type(type.descriptor->m_typename);
     definitions[name] = ros2_schema(name);
   }
-  // From the ROS 2 Jazzy packages: a witness of the hash itself.
+  // From the ROS 2 Jazzy packages: an independent value of the hash.
   definitions["nav_msgs/msg/Odometry"] = ros2_schema("nav_msgs/msg/Odometry");
   definitions["std_msgs/msg/Header"] = ros2_schema("std_msgs/msg/Header");
   DRYDOCK_NEEDS_NODE();

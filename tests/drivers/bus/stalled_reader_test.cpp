@@ -20,7 +20,7 @@ Measurement numbered(double number) {
 
 double number_of(const Measurement& m) { return std::get<ImuSample>(m).specific_force.x(); }
 
-/// Writes as fast as it goes; returns the median time of one write.
+/// Writes as fast as possible. Returns the median time of one write.
 microseconds median_write(Publisher& publisher, int count) {
   std::vector<microseconds> times;
   for (int i = 0; i < count; ++i) {
@@ -49,7 +49,7 @@ TEST(BusReaders, SubscriberThatNeverTakesDoesNotSlowTheWriter) {
   ASSERT_TRUE(eventually([&] { return publisher.matched_readers() == 7; }));
   EXPECT_LT(median_write(publisher, 5000), microseconds(1000));
   EXPECT_EQ(counters_of(publisher, "rt/imu/data").written, 5000u);
-  const auto kept = take(subscriber, 1);  // the newest of a bounded queue, in order
+  const auto kept = take(subscriber, 1);  // the newest samples of a bounded queue, in order
   ASSERT_EQ(kept.size(), 2000u);
   EXPECT_EQ(number_of(kept.front()), 3000);
   EXPECT_EQ(number_of(kept.back()), 4999);

@@ -10,7 +10,7 @@ namespace {
 
 using namespace measurement;
 
-/// A subscriber that takes only ROS 2's messages, as when a ROS 2 node drives the device.
+/// A subscriber that takes only ROS 2's messages, as for a device that a ROS 2 node drives.
 struct StandardLoop {
   StandardLoop()
       : participant(test_domain()),
@@ -129,7 +129,7 @@ TEST(BusConversion, OrientationWithoutRatesIsNotAnImuSample) {
 TEST(BusConversion, ANavigationBecomesOdometryInEnuAndFlu) {
   Navigation navigation;
   navigation.offset_ned = {100, 20, 5};
-  navigation.velocity_ned = {0, 3, 0.5};  // east and down, heading east: ahead and down
+  navigation.velocity_ned = {0, 3, 0.5};  // north, east, down; the heading is east
   navigation.body_to_ned =
       Eigen::Quaterniond{Eigen::AngleAxisd{std::numbers::pi / 2, Eigen::Vector3d::UnitZ()}};
   navigation.covariance.diagonal() << 1, 4, 9, 0.01, 0.04, 0.09, 1e-6, 2e-6, 3e-6;

@@ -1,4 +1,5 @@
-// Type hashes of ROS 2 (REP-2016, "RIHS01") recomputed from definitions: node type_hashes.cjs < {"pkg/msg/Type": text} as JSON.
+// Recomputes type hashes of ROS 2 (REP-2016, "RIHS01") from definitions: node type_hashes.cjs <
+// {"pkg/msg/Type": text} as JSON.
 const crypto = require('crypto');
 const ids = { int8: 2, uint8: 3, int16: 4, uint16: 5, int32: 6, uint32: 7, int64: 8, uint64: 9, float32: 10, float64: 11,
   bool: 15, byte: 16, string: 17 };
@@ -12,7 +13,7 @@ function field(line) {
   return { name, type: { type_id: (ids[type] ?? 1) + kind, capacity: Number(size || 0), string_capacity: 0, nested_type_name: nested } };
 }
 
-// Python's json.dumps with its default separators is what the hash is taken of.
+// The hash is taken of the text that Python's json.dumps writes with its default separators.
 const spaced = (value) =>
   Array.isArray(value) ? `[${value.map(spaced).join(', ')}]` :
   typeof value === 'object' ? `{${Object.entries(value).map(([k, v]) => `"${k}": ${spaced(v)}`).join(', ')}}` :

@@ -10,7 +10,7 @@
 
 namespace drydock::bus::test {
 
-/// Names that make frame ids as long as those of the experiment whose sizes are expected below.
+/// These names make frame ids as long as in the experiment that gave the expected sizes.
 inline std::vector<Device> ros_devices() {
   return {{"dvl", Kind::dvl, Provenance::emulated, Form::complete},
           {"log", Kind::emlog, Provenance::emulated, Form::complete},
@@ -20,7 +20,7 @@ inline std::vector<Device> ros_devices() {
           {"rudder", Kind::actuator, Provenance::replayed, Form::complete}};
 }
 
-/// A publisher of the rig, and the bytes of what it writes on one topic.
+/// A publisher of the rig, and the bytes that it writes on one topic.
 template <class Message>
 class Wire {
  public:

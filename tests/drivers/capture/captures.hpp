@@ -8,7 +8,7 @@
 #include "drivers/capture/frame_capture.hpp"
 #include "tests/drivers/wire/byte_streams.hpp"
 
-/// Captures read to their end.
+/// Reads captures to their end.
 namespace drydock::capture::testing {
 
 using wire::testing::Buffer;
@@ -31,7 +31,7 @@ struct Outcome {
   friend bool operator==(const Outcome&, const Outcome&) = default;
 };
 
-/// Feeds the capture in pieces of the given sizes, the last size over and over.
+/// Feeds the capture in pieces of the given sizes. The last size is repeated.
 inline Outcome read_capture(Bytes bytes, const std::vector<std::size_t>& pieces = {1u << 16},
                             const Format* format = nullptr) {
   FrameCapture capture(format);

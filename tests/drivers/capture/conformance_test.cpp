@@ -9,7 +9,7 @@
 #include "tests/drivers/capture/captures.hpp"
 #include "tests/drivers/property.hpp"
 
-/// What every format must hold to, on the files of fixtures/capture: the same frames in each.
+/// Rules for every format, checked with the files of fixtures/capture: each holds the same frames.
 namespace drydock::capture::testing {
 namespace conformance_test {
 
@@ -17,13 +17,13 @@ using std::chrono::nanoseconds;
 using wire::testing::fixture;
 using namespace std::chrono_literals;
 
-/// What a file can say of the eight frames of expected.jsonl.
+/// The parts of the eight frames in expected.jsonl that a file can express.
 struct Sample {
   const char* file;
   const char* format;
   std::vector<std::size_t> frames;
   bool names_bus = true;
-  bool says_switched = true;  ///< that a CAN FD frame's data phase was faster
+  bool says_switched = true;  ///< it can mark the faster data phase of a CAN FD frame
   enum Times { absolute, from_start, none } times = absolute;
   nanoseconds resolution = 0ns;
 };
@@ -137,7 +137,7 @@ TEST_P(EachFormat, CutShortAnywhereGivesTheFramesBeforeTheCut) {
   for (std::size_t size = 0; size < bytes.size(); size += 1 + bytes.size() / 200) {
     const Outcome cut = read_capture(Bytes(bytes).first(size), {1u << 16}, format);
     ASSERT_LE(cut.records.size(), whole.records.size());
-    // The last line of a text may have been cut where it still reads as a frame, of fewer bytes.
+    // If the last line of a text is cut, it may still be a valid frame with fewer bytes.
     const std::size_t sure = cut.records.size() - (is_text(GetParam()) && !cut.records.empty());
     for (std::size_t i = 0; i < sure; ++i) ASSERT_EQ(cut.records[i], whole.records[i]);
     ASSERT_LE(cut.damaged, 1u);

@@ -9,7 +9,7 @@
 #include "drivers/wire/can/candump.hpp"
 #include "tests/drivers/capture/captures.hpp"
 
-/// Other people's CAN captures, against scanners of a few lines and can-utils' asc2log.
+/// Compares CAN captures made by others with scanners of a few lines and with can-utils' asc2log.
 namespace drydock::capture::testing {
 namespace corpora_test {
 
@@ -20,7 +20,7 @@ class Corpora : public ::testing::Test {
   void SetUp() override {
     if (!fs::exists(wire::testing::corpora())) GTEST_SKIP() << "no captures";
   }
-  /// Every file below the corpora that our own recognition takes for this format.
+  /// Every file in the corpora that Drydock recognises as this format.
   static std::vector<fs::path> files_of(std::string_view format) {
     std::vector<fs::path> found;
     for (const auto& entry : fs::recursive_directory_iterator(wire::testing::corpora())) {
@@ -86,7 +86,7 @@ TEST_F(Corpora, EveryPacketOfAPcapIsAFrame) {
   EXPECT_GT(all, 10'000u);
 }
 
-/// Lines that a program prints; none where it cannot be run.
+/// The lines that a program prints. Empty if it cannot run.
 std::vector<std::string> lines_of_program(const std::string& command) {
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> pipe(popen(command.c_str(), "r"), pclose);
   std::vector<std::string> lines;
@@ -102,7 +102,8 @@ TEST_F(Corpora, Asc2logReadsTheSameFrames) {
     const auto lines = lines_of_program("asc2log -I '" + file.string() + "' 2>/dev/null");
     if (lines.empty()) GTEST_SKIP() << "asc2log of can-utils is absent";
     const auto ours = read_capture(wire::testing::read_file(file)).records;
-    // asc2log passes over the error frames of CAN FD lines: ours may be more, in the same order.
+    // asc2log skips the error frames of CAN FD lines. Thus our list may be longer, but in the same
+    // order.
     auto next = ours.begin();
     for (const std::string& line : lines) {
       const auto theirs = wire::candump::parse_line(line);

@@ -5,7 +5,7 @@
 #include "drivers/wire/nmea2000/fast_packet.hpp"
 #include "tests/drivers/capture/captures.hpp"
 
-/// What the formats' rarer lines say, and how a file is refused.
+/// Rare lines of the formats, and the refusal of files.
 namespace drydock::capture::testing {
 namespace formats_test {
 
@@ -152,7 +152,7 @@ TEST(PcapFile, APacketTooLargeForCanIsPassedOver) {
 
 TEST(PcapFile, WhatAnOldKernelLeftInTheFlagsMakesNoCanFd) {
   Buffer file = wire::testing::fixture("capture/le_us.pcap");
-  file[24 + 16 + 5] = 0x2E;  // as canboat's can0-1.pcap has it
+  file[24 + 16 + 5] = 0x2E;  // as in canboat's can0-1.pcap
   const auto records = read_capture(file).records;
   ASSERT_EQ(records.size(), 8u);
   EXPECT_FALSE(records[0].frame.fd);
@@ -187,7 +187,7 @@ TEST(Recognition, WaitsForTheFirstWholeLine) {
 TEST(Recognition, TheMagicCountsWhateverThePacketsBehindItLookLike) {
   Buffer file = wire::testing::fixture("capture/le_us.pcap");
   const Buffer line = as_bytes("\n7FF [0]\n");
-  std::ranges::copy(line, file.begin() + 8);  // time zone and snap length, which nobody reads
+  std::ranges::copy(line, file.begin() + 8);  // time zone and snap length; the reader ignores them
   const Buffer lines = file + line + line;
   for (std::size_t piece = 1; piece <= lines.size(); ++piece) {
     FrameCapture capture;

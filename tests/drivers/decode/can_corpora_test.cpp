@@ -1,4 +1,4 @@
-// CAN logs against canboat's analyzer, a scanner of identifiers, and a vendor's formula.
+// Compares CAN logs with canboat's analyzer, a scanner of identifiers, and a vendor's formula.
 #include <gmock/gmock.h>
 
 #include <map>
@@ -13,7 +13,7 @@ namespace can_corpora_test {
 
 using namespace corpora;
 
-/// What canboat's analyzer calls our NMEA 2000 messages.
+/// Our names for the NMEA 2000 messages, by the PGN that canboat's analyzer prints.
 const std::map<int, std::string> pgns{{128267, "water_depth"},    {130314, "pressure"},
                                       {130312, "temperature"},    {127245, "rudder"},
                                       {127488, "engine"},         {129029, "gnss_position"},
@@ -38,7 +38,8 @@ TEST_F(Corpora, Nmea2000MessagesAreThoseThatCanboatFinds) {
   EXPECT_EQ(depths.size(), 17u);
 }
 
-/// Single frames by their identifier; fast packets by parts that come in order from one source.
+/// Counts single frames by their identifier, and fast packets by parts that come in order from one
+/// source.
 Counts scan_nmea2000(const std::string& log) {
   struct Assembly {
     int next = 0, missing = 0;

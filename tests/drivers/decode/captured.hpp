@@ -13,10 +13,10 @@
 
 #include "drivers/decode/decode.hpp"
 
-/// Runs `decode` and keeps what it prints.
+/// Runs `decode` and keeps its output.
 namespace drydock::decode {
 
-/// A file that lives in memory; `text()` is what was written to it.
+/// A file in memory. `text()` is the text written to it.
 class MemoryFile {
  public:
   MemoryFile() : file_(open_memstream(&data_, &size_)) {}
@@ -42,7 +42,7 @@ struct Decoded {
   int exit_code = 0;
   std::string out, err;
 
-  /// Each line parsed by another JSON library.
+  /// Each line, parsed by another JSON library.
   std::vector<nlohmann::json> lines() const {
     std::vector<nlohmann::json> parsed;
     std::istringstream in(out);
@@ -60,7 +60,7 @@ inline Decoded run_decode(const DecodeOptions& options) {
   return result;
 }
 
-/// A file with these bytes that is gone after the test.
+/// A file with these bytes. It is deleted after the test.
 class TemporaryFile {
  public:
   explicit TemporaryFile(std::string_view bytes) {

@@ -10,8 +10,8 @@
 
 #include "tests/drivers/decode/captured.hpp"
 
-/// `decode` against counts that other, simpler means give: a scanner of a few lines that knows
-/// checksums only, or the output of somebody else's decoder.
+/// Compares `decode` with counts from simpler means: a scanner of a few lines that knows only
+/// checksums, or the output of another decoder.
 namespace drydock::decode::corpora {
 
 namespace fs = std::filesystem;

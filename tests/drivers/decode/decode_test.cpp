@@ -17,7 +17,7 @@ using nlohmann::json;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-// The example that the gpsd project's page on NMEA sentences gives for GGA.
+// The example for GGA on the gpsd project's page on NMEA sentences.
 constexpr std::string_view gga =
     "$GPGGA,123519,4807.038,N,01131.324,E,1,08,0.9,545.4,M,46.9,M,,*42\r\n";
 
@@ -53,7 +53,8 @@ TEST(Decode, TheLastLineMayLackItsEnd) {
 }
 
 TEST(Decode, AGoodFrameBehindAFalseSyncAtTheEndIsNotLost) {
-  // A sync that claims 2048 bytes, then NAV-EOE of 10.000 s: sum of 01 61 04 00 10 27 00 00.
+  // A sync that claims 2048 bytes, then NAV-EOE of 10.000 s. The sum is over 01 61 04 00 10 27 00
+  // 00.
   const std::string bytes(
       "\xB5\x62\x01\x07\x00\x08"
       "\xB5\x62\x01\x61\x04\x00\x10\x27\x00\x00\x9d\x7c",
@@ -73,7 +74,7 @@ TEST(Decode, ADamagedSentenceIsNoMessage) {
 }
 
 TEST(Decode, CanProtocolsReadCandumpAndKeepItsTimeAndInterface) {
-  // NMEA 2000 water depth as canboat's candumpSample3 has it: 2.08 m, offset -1 mm.
+  // NMEA 2000 water depth from canboat's candumpSample3: 2.08 m, offset -1 mm.
   const Decoded decoded =
       decode_text("nmea2000", "(1436509052.249713) can1 0DF50B74#00D0000000FFFFFF\n");
   const auto lines = decoded.lines();
@@ -120,7 +121,7 @@ TEST(Decode, AnOutputThatCannotBeWrittenExitsWithTwo) {
   std::fclose(full);
 }
 
-/// The keys of each message of a protocol as its visit_fields gives them.
+/// The keys of each message of a protocol, from its visit_fields.
 class KeyTable {
  public:
   template <class... P>

@@ -1,4 +1,4 @@
-// Receivers' logs of gpsd and pyubx2 against scanners that know checksums only.
+// Compares receiver logs of gpsd and pyubx2 with scanners that know only checksums.
 #include <gtest/gtest.h>
 
 #include <cctype>
@@ -14,14 +14,14 @@ namespace gnss_corpora_test {
 
 using namespace corpora;
 
-/// What the receiver said: gpsd's logs begin with lines of '#', some with sentences in them.
+/// The receiver's output. gpsd's logs begin with lines of '#', and some of these contain sentences.
 std::string recorded_by(const fs::path& log) {
   std::string text = read_file(log);
   while (text.starts_with('#')) text.erase(0, text.find('\n') + 1);
   return text;
 }
 
-/// Every `$ttsss,...*hh` with a good XOR and one of our formatters.
+/// Counts every `$ttsss,...*hh` with a right XOR and a formatter that Drydock decodes.
 Counts scan_nmea(const std::string& text) {
   static const std::set<std::string> ours{"GGA", "RMC", "GSV", "GSA", "VTG", "ZDA", "GNS",
                                           "GLL", "GST", "HDT", "THS", "VHW", "VBW", "VLW"};
@@ -43,7 +43,7 @@ Counts scan_nmea(const std::string& text) {
   return counts;
 }
 
-/// Every message of ours with a good Fletcher checksum.
+/// Counts every message that Drydock decodes, with a right Fletcher checksum.
 Counts scan_ubx(const std::string& text) {
   static const std::map<int, std::string> ours{
       {0x0102, "NAV-POSLLH"},  {0x0103, "NAV-STATUS"},  {0x0104, "NAV-DOP"},

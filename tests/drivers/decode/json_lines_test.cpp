@@ -67,7 +67,7 @@ RC_GTEST_PROP(text::JsonWriter, AnyBytesAreOneJsonString, (const std::string& by
     RC_ASSERT(parsed.is_null());
     return;
   }
-  std::string latin1;  // the parser gives UTF-8
+  std::string latin1;  // the parser returns UTF-8
   const auto utf8 = parsed.get<std::string>();
   for (std::size_t i = 0; i < utf8.size(); ++i) {
     const auto lead = static_cast<unsigned char>(utf8[i]);
@@ -91,7 +91,7 @@ RC_GTEST_PROP(text::JsonWriter, DecimalsOfAWireHaveTheFewestDigits, ()) {
     }
     return kept.substr(0, kept.find_last_not_of('0') + 1);
   };
-  std::array<char, 32> shortest;  // of the standard library, which guarantees it
+  std::array<char, 32> shortest;  // from the standard library, which guarantees it
   const char* end = std::to_chars(shortest.begin(), shortest.end(), number).ptr;
   const std::string ours = written(number);
   RC_ASSERT(digits(ours) == digits({shortest.data(), end}));

@@ -1,4 +1,4 @@
-// PD0 files against a scanner that knows checksums only, and against MHKiT-Python.
+// Compares PD0 files with a scanner that knows only checksums, and with MHKiT-Python.
 #include <gtest/gtest.h>
 
 #include <cstdint>
@@ -13,7 +13,7 @@ namespace pd0_corpora_test {
 
 using namespace corpora;
 
-/// Every 7F 7F with a length and a good sum.
+/// Counts every 7F 7F with a length and a right sum.
 int scan_pd0(const std::string& text) {
   const auto byte = [&](std::size_t i) { return static_cast<std::uint8_t>(text[i]); };
   int count = 0;
@@ -31,7 +31,7 @@ int scan_pd0(const std::string& text) {
 }
 
 TEST_F(Corpora, EveryGoodPd0EnsembleIsDecoded) {
-  // Ensembles that MHKiT-Python finds in the whole of each file.
+  // The number of ensembles that MHKiT-Python finds in each complete file.
   const std::map<std::string, int> mhkit{
       {"RDI_withBT.000", 1721}, {"winriver01.PD0", 262}, {"winriver02.PD0", 75}};
   for (const auto& entry : fs::directory_iterator(root_ / "dvl/pd0/raw")) {
@@ -66,7 +66,7 @@ TEST_F(Corpora, Pd0BottomVelocityIsMhkitsWithTheOtherSign) {
   std::size_t row = 0, with_lock = 0;
   for (std::string text; std::getline(rows, text); ++row) {
     ASSERT_LT(row, lines.size());
-    const json theirs = json::parse(text)["vel_bt"];  // of the bed, -32.768 where there is none
+    const json theirs = json::parse(text)["vel_bt"];  // of the bed; -32.768: none
     for (std::size_t beam = 0; beam < 4; ++beam) {
       const json& velocity = lines[row]["bottom_velocity_mps"][beam];
       ASSERT_EQ(velocity.is_null(), theirs[beam].get<double>() < -32) << row;

@@ -19,9 +19,9 @@ Decoded run_replay(const ReplayOptions& options) {
   return result;
 }
 
-// NMEA 2000 pressure (130314): source 35, instance 0, water, 1511775 of 0.1 Pa: 5 m under sea water
-// of 1025 kg/m3 at 9.80665 m/s2 and 101325 Pa, by hand (151177.5 Pa - 101325 Pa) / (rho g) = 4.9596
-// m.
+// NMEA 2000 pressure (130314): source 35, instance 0, water, 1511775 of 0.1 Pa. That is 5 m below
+// the surface of sea water with 1025 kg/m3 at 9.80665 m/s2 and 101325 Pa. By hand: (151177.5 Pa -
+// 101325 Pa) / (rho g) = 4.9596 m.
 constexpr std::string_view log =
     "(1700000000.000000) can0 19FD0A23#0100015F111700FF\n"
     "torn\n"

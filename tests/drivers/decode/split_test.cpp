@@ -15,16 +15,15 @@
 #include "drivers/wire/registry.hpp"
 #include "tests/drivers/decode/captured.hpp"
 
-/// Every capture made by others, fed in pieces, gives what it gives fed whole: for each protocol
-/// that it holds messages of, the same messages in the same order and the same counters. No file is
-/// named here.
+/// Feeds every capture made by others in pieces and as a whole. For each protocol with messages in
+/// it, both give the same messages in the same order and the same counters. The test names no file.
 namespace drydock::decode {
 namespace split_test {
 
 namespace fs = std::filesystem;
 using wire::Bytes;
 
-/// Pieces of 1, 2 and 3 bytes see no more of a file than this, for the test's time.
+/// Pieces of 1, 2 and 3 bytes use only this much of a file, to limit the test's time.
 constexpr std::size_t most_in_small_pieces = 128 * 1024;
 
 fs::path corpora() {
@@ -32,7 +31,7 @@ fs::path corpora() {
   return named ? named : DRYDOCK_SOURCE_DIR "/../shared/corpora";
 }
 
-/// Every file but those that hold the values expected of another, and tables.
+/// Every file, except tables and files with the values expected of another.
 std::vector<fs::path> captures() {
   const std::set<std::string> others{".chk", ".json", ".jsonl", ".plain", ".out", ".err",
                                      ".md",  ".csv",  ".sp3",   ".dbc",   ""};
@@ -45,10 +44,10 @@ std::vector<fs::path> captures() {
   return found;
 }
 
-/// What was read, in a form that is quick to compare.
+/// The result of reading, in a form that is quick to compare.
 struct Result {
   std::uint64_t messages = 0;
-  std::size_t digest = 0;  ///< of every field of every message, in order
+  std::size_t digest = 0;  ///< over every field of every message, in order
   wire::StreamCounters counters;
   std::uint64_t damaged = 0, units = 0;
   friend bool operator==(const Result&, const Result&) = default;
@@ -63,7 +62,7 @@ struct Result {
   }
 };
 
-/// Hands out the bytes in pieces of `size`, or of random sizes where it is 0.
+/// Feeds the bytes in pieces of `size`, or of random sizes if it is 0.
 template <class Feed>
 void feed_in_pieces(Bytes bytes, std::size_t size, Feed&& feed) {
   std::minstd_rand random(static_cast<unsigned>(bytes.size()));
@@ -145,7 +144,7 @@ TYPED_TEST(CapturesInPieces, GiveTheSameMessagesAndCountersAsWhole) {
     const std::string content = read_file(file);
     const Bytes bytes{reinterpret_cast<const std::uint8_t*>(content.data()), content.size()};
     const Result whole = read_in_pieces<TypeParam>(bytes, bytes.size());
-    if (whole.messages == 0) continue;  // another protocol's
+    if (whole.messages == 0) continue;  // another protocol
     ++files;
     EXPECT_EQ(read_in_pieces<TypeParam>(bytes, 7), whole) << file;
     EXPECT_EQ(read_in_pieces<TypeParam>(bytes, 0), whole) << file;

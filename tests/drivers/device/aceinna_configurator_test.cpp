@@ -2,7 +2,7 @@
 
 #include "tests/drivers/device/support.hpp"
 
-/// Frames by the vendor's DBC: settings 18FF55 to 18FF58, BIT and status 18FF52 to 18FF54.
+/// Frames follow the vendor's DBC: settings 18FF55 to 18FF58, BIT and status 18FF52 to 18FF54.
 namespace drydock::device::test {
 namespace aceinna_configurator_test {
 
@@ -54,9 +54,9 @@ TEST(AceinnaConfigurator, ClaimsAnAddressThenSetsAndAsks) {
   ASSERT_EQ(bus.ear.sent_frames.size(), 2U);
   EXPECT_EQ(bus.ear.sent_frames[0], ask_names);
   EXPECT_EQ(bus.ear.sent_frames[1].id, 0x18EEFF00u | own);
-  bus.says(accs, 0.1);  // here is the device
+  bus.says(accs, 0.1);  // the device is heard
   bus.run(0.2);
-  EXPECT_EQ(bus.ear.sent_frames.size(), 2U);  // J1939-81: the address is ours after 250 ms
+  EXPECT_EQ(bus.ear.sent_frames.size(), 2U);  // J1939-81: the address is valid after 250 ms
   bus.run(0.3);
   ASSERT_EQ(bus.ear.sent_frames.size(), 4U);
   EXPECT_EQ(bus.ear.sent_frames[2], set_50_hz);
@@ -126,7 +126,7 @@ TEST(AceinnaImuDriver, WhatBitAndStatusComplainOfIsReportedOnce) {
   bus.says(gyro_error, 1.1);
   bus.says(gyro_error, 1.2);
   bus.says(can_frame(0x18FF5380, true, {0x00, 0x04, 0x00, 0x04, 0xAA, 0xAA, 0xAA, 0xAA}), 1.3);
-  bus.says(can_frame(0x18FF5281, true, {0x08, 0x00}), 1.4);  // another device's
+  bus.says(can_frame(0x18FF5281, true, {0x08, 0x00}), 1.4);  // from another device
   EXPECT_EQ(bus.ear.reports, std::vector<std::string>{"the IMU reports: internal gyro error"});
 }
 

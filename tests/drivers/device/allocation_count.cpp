@@ -8,8 +8,8 @@ namespace {
 std::atomic<std::size_t> allocations{0};
 }
 
-// Replaces the allocation functions of the whole test program. In a file of its own, so that the
-// compiler cannot see malloc through new and warn of the pair.
+// Replaces the allocation functions of the whole test program. It is a separate file: otherwise the
+// compiler could see malloc through new and would warn about the pair.
 void* operator new(std::size_t size) {
   ++allocations;
   if (void* memory = std::malloc(size ? size : 1)) return memory;

@@ -4,7 +4,7 @@
 
 namespace drydock::device::test {
 
-/// Counts the program's calls of operator new from its construction on.
+/// Counts the program's calls of operator new since its construction.
 class AllocationCount {
  public:
   AllocationCount();

@@ -12,7 +12,7 @@ struct Deaf final : Listener, Transmitter {
   int heard = 0;
 };
 
-/// Allocations of the device while `feed(device, stamp)` runs 1000 times, after 10 to settle.
+/// Allocations of the device during 1000 calls of `feed(device, stamp)`, after 10 calls to settle.
 template <class Feed>
 std::size_t allocations_of(Kind kind, const std::string& protocol, Feed feed) {
   Deaf ears;

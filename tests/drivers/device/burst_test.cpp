@@ -12,7 +12,7 @@ constexpr milliseconds on_wire{4}, shortest_pause{10};
 
 Stamp at_ms(int t) { return Stamp{milliseconds{t}}; }
 
-/// Ends at `end`; alone it would have been true when its first bit left.
+/// The message ends at `end`. Alone, it would have been true when its first bit was sent.
 Stamp valid(Burst& burst, int end, std::size_t kind) {
   Origin origin;
   origin.received_at = at_ms(end);

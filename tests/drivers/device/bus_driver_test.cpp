@@ -1,6 +1,7 @@
 #include "tests/drivers/device/support.hpp"
 
-/// Depth and actuators: frames written out by the field tables of canboat's public PGN database.
+/// Depth and actuators. The frames are written by hand from the field tables of canboat's public
+/// PGN database.
 namespace drydock::device::test {
 namespace bus_driver_test {
 
@@ -59,7 +60,7 @@ TEST(DepthDriver, OtherPressuresAreNoDepth) {
 
 TEST(DepthDriver, APressureBelowZeroIsDamagedAndNoDepth) {
   Bus bus(options(Kind::depth, "nmea2000"));
-  bus.says(pressure_id, {0, 0, 1, 0x42, 0xB8, 0x1E, 0x80, 0xFF});  // its highest bit turned over
+  bus.says(pressure_id, {0, 0, 1, 0x42, 0xB8, 0x1E, 0x80, 0xFF});  // its highest bit is flipped
   EXPECT_TRUE(bus.ear.heard.empty());
   ASSERT_EQ(bus.ear.reports.size(), 1U);
   EXPECT_EQ(bus.ear.reports[0], "an absolute pressure below zero was dropped: damaged on its way");
@@ -79,7 +80,7 @@ TEST(DepthDriver, SeaTemperatureComesWithTheNextPressure) {
   Bus bus(options(Kind::depth, "nmea2000"));
   bus.says(temperature_id, {0, 0, 0, 0x4B, 0x6F, 0xFF, 0xFF, 0xFF}, 1);  // 28491 -> 284.91 K
   bus.says(pressure_id, water_pressure, 2);
-  bus.says(pressure_id, water_pressure, 20);  // too old by now
+  bus.says(pressure_id, water_pressure, 20);  // too old now
   const auto all = bus.ear.all<DepthSample>();
   EXPECT_NEAR(all.at(0).temperature_k.value(), 284.91, 1e-9);
   EXPECT_FALSE(all.at(1).temperature_k);
@@ -87,7 +88,7 @@ TEST(DepthDriver, SeaTemperatureComesWithTheNextPressure) {
 
 TEST(DepthDriver, EchoSounderGivesTheAltitude) {
   Bus bus(options(Kind::depth, "nmea2000"));
-  bus.says(0x0DF50B74, {0x00, 0xD0, 0x00, 0x00, 0x00, 0xFF, 0xFF, 0xFF});  // a real one: 2.08 m
+  bus.says(0x0DF50B74, {0x00, 0xD0, 0x00, 0x00, 0x00, 0xFF, 0xFF, 0xFF});  // recorded: 2.08 m
   const auto all = bus.ear.all<DepthSample>();
   EXPECT_NEAR(all.at(0).altitude_m.value(), 2.08, 1e-9);
   EXPECT_FALSE(all.at(0).depth_m);
@@ -122,7 +123,7 @@ TEST(ActuatorDriver, InstancesOneAndTwoAreThePlanes) {
   Bus bus(options(Kind::actuator, "nmea2000"));
   bus.says(rudder_id, {0x01, 0xF8, 0xFF, 0x7F, 0xD0, 0x07, 0xFF, 0xFF});
   bus.says(rudder_id, {0x02, 0xF8, 0xFF, 0x7F, 0x30, 0xF8, 0xFF, 0xFF});  // -2000
-  bus.says(rudder_id, {0x03, 0xF8, 0xFF, 0x7F, 0x30, 0xF8, 0xFF, 0xFF});  // nobody's
+  bus.says(rudder_id, {0x03, 0xF8, 0xFF, 0x7F, 0x30, 0xF8, 0xFF, 0xFF});  // belongs to no actuator
   const auto all = bus.ear.all<ActuatorState>();
   ASSERT_EQ(all.size(), 2U);
   EXPECT_NEAR(all[0].stern_plane_rad.value(), 0.2, 1e-12);

@@ -35,7 +35,7 @@ TEST(CanopenNode, IsStartedWhenTheBusOpensAtBootUpAndWhilePreOperational) {
   w.node.on(Heartbeat{5, boot_up}, at_s(1), w.ear);
   w.node.on(Heartbeat{5, pre_operational}, at_s(2), w.ear);
   w.node.on(Heartbeat{5, operational}, at_s(3), w.ear);
-  w.node.on(Heartbeat{6, boot_up}, at_s(3), w.ear);  // somebody else's
+  w.node.on(Heartbeat{6, boot_up}, at_s(3), w.ear);  // another node
   EXPECT_EQ(w.ear.sent_frames, (std::vector{start_5, start_5, start_5}));
   EXPECT_TRUE(w.ear.reports.empty());
 }
@@ -50,7 +50,7 @@ TEST(CanopenNode, SilenceAfterAHeartbeatIsReportedOnce) {
   EXPECT_TRUE(w.ear.reports.empty());
   w.run(100);
   EXPECT_EQ(w.ear.reports, std::vector<std::string>{"node 5 lost: no heartbeat for 1.5 s"});
-  w.node.on(Heartbeat{5, operational}, at_s(101), w.ear);  // and watched again
+  w.node.on(Heartbeat{5, operational}, at_s(101), w.ear);  // it is watched again
   w.run(200);
   EXPECT_EQ(w.ear.reports.size(), 2U);
 }
@@ -75,7 +75,7 @@ TEST(CanopenNode, EmergenciesOfOursAreReportedInTheWordsOfCia301) {
   Watched w(node_5());
   w.node.on(Emergency{5, 0x4210, 0x09, {}}, w.ear);
   w.node.on(Emergency{6, 0x4210, 0x09, {}}, w.ear);
-  w.node.on(Emergency{5, 0x0000, 0x00, {}}, w.ear);  // the fault is gone
+  w.node.on(Emergency{5, 0x0000, 0x00, {}}, w.ear);  // the fault has ended
   EXPECT_EQ(w.ear.reports,
             std::vector<std::string>{"node 5: emergency 0x4210, device temperature"});
 }

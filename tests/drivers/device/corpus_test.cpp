@@ -4,7 +4,7 @@
 
 #include "tests/drivers/device/support.hpp"
 
-/// Real captures through whole drivers, against what other programs made of them.
+/// Feeds real captures through whole drivers and compares with the results of other programs.
 namespace drydock::device::test {
 namespace corpus_test {
 
@@ -12,7 +12,7 @@ using measurement::BottomVelocity;
 using measurement::GnssFix;
 using measurement::GnssSatellites;
 
-/// Feeds a capture in blocks of 64 bytes, as a port would give them.
+/// Feeds a capture in blocks of 64 bytes, as a port does.
 Ear ear_after(Kind kind, const std::string& protocol, const Octets& capture) {
   Ear ear;
   const auto driver = byte_driver(options(kind, protocol));
@@ -46,7 +46,8 @@ TEST(Corpus, DvlDriverAgreesWithMhkitOnARiverTransect) {
   ASSERT_EQ(rows.size(), 74U);
   ASSERT_GE(heard.size(), rows.size());
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    // Ship axes without tilts: starboard, forward. The bed moves against the vehicle.
+    // Ship axes without tilts: starboard, forward. The velocity is that of the bed, so its sign is
+    // opposite.
     const double starboard = rows[i]["vel_bt"][0], forward = rows[i]["vel_bt"][1];
     if (starboard < -32 || forward < -32) continue;
     ASSERT_TRUE(heard[i].velocity) << i;
@@ -86,7 +87,7 @@ void agrees_with_gpsd(const std::string& name, const std::string& protocol, doub
     });
   }
   EXPECT_GT(positions, 0U);
-  // gpsd leaves out the last epoch of a capture and merges others.
+  // gpsd omits the last epoch of a capture and merges others.
   EXPECT_GE(static_cast<double>(known), share * static_cast<double>(positions)) << positions;
 }
 

@@ -130,7 +130,7 @@ TEST(Device, UnknownProtocolIsRefused) {
       "water-linked (bytes) nortek (bytes)");
 }
 
-/// Whatever comes in whatever pieces, every byte is accounted for and nothing breaks.
+/// For any input in any pieces, every byte is counted and nothing breaks.
 void counters_add_up(Kind kind, const std::string& protocol) {
   Desk desk;
   const auto d = device(kind, protocol, desk);

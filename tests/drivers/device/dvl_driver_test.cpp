@@ -2,8 +2,7 @@
 
 #include "tests/drivers/device/support.hpp"
 
-/// Ensembles are put together here by the offsets of Teledyne's Pathfinder DVL Guide (tables
-/// 32-47).
+/// The test builds ensembles from the offsets in Teledyne's Pathfinder DVL Guide (tables 32-47).
 namespace drydock::device::test {
 namespace dvl_driver_test {
 
@@ -61,7 +60,7 @@ BottomVelocity heard(const Bed& bed, DriverOptions o = options(Kind::dvl, "pd0")
 }
 
 TEST(DvlDriver, VehicleMovesAgainstTheBedsMotion) {
-  // Ship axes: starboard, forward, mast. The bed goes 1.5 m/s astern, 0.2 to port, 0.1 up.
+  // Ship axes: starboard, forward, mast. The bed moves 1.5 m/s astern, 0.2 to port, 0.1 up.
   const auto v = heard({.velocity_mmps = {-200, -1500, 100, 4}}).velocity;
   ASSERT_TRUE(v);
   EXPECT_NEAR(v->x(), 1.5, 1e-12);
@@ -71,7 +70,7 @@ TEST(DvlDriver, VehicleMovesAgainstTheBedsMotion) {
 
 TEST(DvlDriver, MountingTurnsTheSensorIntoTheBody) {
   DriverOptions o = options(Kind::dvl, "pd0");
-  o.mounting = {0, 0, 45 * degree};  // its bow axis looks 45 degrees to starboard
+  o.mounting = {0, 0, 45 * degree};  // its bow axis points 45 degrees to starboard
   const auto v = heard({.velocity_mmps = {0, -1000, 0, 0}}, o).velocity;
   EXPECT_NEAR(v->x(), std::sqrt(0.5), 1e-12);
   EXPECT_NEAR(v->y(), std::sqrt(0.5), 1e-12);
@@ -91,7 +90,8 @@ TEST(DvlDriver, AltitudeOfALevelVehicleIsTheRange) {
 
 TEST(DvlDriver, AltitudeOverAFlatBedIsTrueUnderTilt) {
   // Closed form: 20 m above the bed, pitch 10 degrees, beams 30 degrees fore and aft. A beam at
-  // angle b +- 10 degrees from the vertical has the slant 20 / cos and the component cos(30) of it.
+  // angle b +- 10 degrees from the vertical has the slant 20 / cos. Its component is cos(30) times
+  // that.
   const auto component = [](double from_vertical_deg) {
     return 20 / std::cos(from_vertical_deg * degree) * std::cos(30 * degree);
   };
@@ -116,7 +116,8 @@ TEST(DvlDriver, KeepsTheDevicesOwnClockAttitudeAndSoundSpeed) {
   EXPECT_EQ(m.sound_speed_mps, 1500);
 }
 
-/// Ensemble 5 of fixtures/pd0/NOTE.md: 0.25012 m/s to starboard, 1.5 ahead (fine: bad), 152 ms old.
+/// Ensemble 5 of fixtures/pd0/NOTE.md: 0.25012 m/s to starboard (high resolution), 1.5 ahead (high
+/// resolution is bad), 152 ms old.
 Octets pathfinder() {
   constexpr std::size_t size = 12 + 6 + 59 + 65 + 81 + 66 + 33 + 87 + 2;
   const Octets all = read_all(DRYDOCK_SOURCE_DIR "/fixtures/pd0/golden.pd0");

@@ -19,8 +19,8 @@ TEST(Ecef, PointsOnTheAxesAreKnownWithoutIteration) {
   EXPECT_NEAR(pole.height_m, -30, 1e-8);
 }
 
-/// The closed form of the way there: x = (N + h) cos(lat) cos(lon), ..., z = (N (1 - e2) + h)
-/// sin(lat).
+/// The closed form of the forward conversion: x = (N + h) cos(lat) cos(lon), ..., z = (N (1 - e2) +
+/// h) sin(lat).
 TEST(Ecef, TheWayBackFindsEveryPlaceAgain) {
   const double e2 = f * (2 - f);
   for (double latitude = -90; latitude <= 90; latitude += 7.5) {

@@ -1,6 +1,6 @@
 #include "tests/drivers/device/support.hpp"
 
-/// Sentences and what they mean: real logs and other programs' test suites, as named.
+/// Sentences and their meaning, from real logs and test suites of other programs, as named.
 namespace drydock::device::test {
 namespace emlog_driver_test {
 
@@ -46,7 +46,7 @@ TEST(EmLogDriver, TransverseSpeedIsPositiveToStarboard) {
 }
 
 TEST(EmLogDriver, GroundSpeedNeverComesOutAsWaterSpeed) {
-  const auto speeds = speeds_of("$VDVBW,55.42,,V,424.33,2321.22,V*49\r\n");  // all void
+  const auto speeds = speeds_of("$VDVBW,55.42,,V,424.33,2321.22,V*49\r\n");  // all values are void
   ASSERT_EQ(speeds.size(), 1U);
   EXPECT_FALSE(speeds[0].longitudinal_mps);
 
@@ -81,7 +81,7 @@ TEST(EmLogDriver, BadChecksumGivesNothing) {
 
 TEST(EmLogDriver, TurnedLogNeedsBothAxes) {
   DriverOptions turned = options(Kind::emlog, "nmea0183");
-  turned.mounting = {0, 0, 90 * degree};  // its x axis looks to starboard
+  turned.mounting = {0, 0, 90 * degree};  // its x axis points to starboard
   const auto speeds = speeds_of("$VMVBW,-7.1,0.1,A,,,V,,V,,V*65\r\n", turned);
   EXPECT_NEAR(speeds.at(0).longitudinal_mps.value(), -0.1 * knot, 1e-12);
   EXPECT_NEAR(speeds.at(0).transverse_mps.value(), -7.1 * knot, 1e-12);

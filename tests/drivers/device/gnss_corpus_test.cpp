@@ -6,8 +6,8 @@
 
 #include "tests/drivers/device/gnss_receiver.hpp"
 
-/// Every log of gpsd through the whole driver: each epoch once, and the satellites of gpsd's
-/// report.
+/// Feeds every log of gpsd through the whole driver. It checks that each epoch comes once, and
+/// compares the satellites with gpsd's report.
 namespace drydock::device::test {
 namespace gnss_corpus_test {
 
@@ -21,7 +21,7 @@ Octets behind_head(Octets bytes) {
   return bytes;
 }
 
-/// The log in blocks of 64 bytes a millisecond apart: a line without any pause.
+/// Feeds the log in blocks of 64 bytes, one each millisecond: a line without any pause.
 Ear heard(const std::filesystem::path& log) {
   const Octets capture = behind_head(read_all(log));
   Ear ear;
@@ -70,8 +70,8 @@ TEST_F(GnssCorpus, NoEpochComesTwice) {
   EXPECT_GT(fixes, 2000U);
 }
 
-/// Of each satellite C/N0, elevation, azimuth, used. gpsd lists every signal, the driver the
-/// strongest of a satellite; satellites without a direction are left out on both sides.
+/// For each satellite: C/N0, elevation, azimuth, used. gpsd lists every signal; the driver lists
+/// the strongest of a satellite. Both sides omit satellites without a direction.
 using Sky = std::map<std::pair<int, int>, std::tuple<int, int, int, bool>>;
 
 int whole(const std::optional<double>& value) {
@@ -129,15 +129,15 @@ TEST_F(GnssCorpus, SatellitesAreThoseThatGpsdReports) {
     const Agreement found = agreement(log);
     if (found.skies == 0) continue;
     const bool speaks_ubx = carries(log, "\xB5\x62");
-    if (speaks_ubx && carries(log, "GSV,")) continue;  // gpsd merges the two
+    if (speaks_ubx && carries(log, "GSV,")) continue;  // gpsd merges both protocols
     Agreement& sum = speaks_ubx ? ubx : nmea;
     sum.skies += found.skies;
     sum.reported += found.reported;
   }
   EXPECT_EQ(ubx.reported, ubx.skies);
   EXPECT_GT(ubx.skies, 400U);
-  // In the others gpsd keeps the used satellites of an earlier epoch, calls none used that has no
-  // C/N0, or reports before all constellations have spoken.
+  // In the others gpsd keeps the used satellites of an earlier epoch, does not call a satellite
+  // without C/N0 used, or reports before all constellations have come.
   EXPECT_GE(nmea.reported, 737U) << "of " << nmea.skies;
 }
 

@@ -93,7 +93,7 @@ TEST(GnssDriver, NmeaSentencesOfOneTimeAreOneFix) {
   EXPECT_NEAR(fix.ellipsoidal_height_m.value(), 592.3, 1e-9);
   EXPECT_NEAR(fix.ground_speed_mps.value(), 22.4 * knot, 1e-12);
   EXPECT_NEAR(fix.course_rad.value(), 84.4 * degree, 1e-12);
-  EXPECT_FALSE(fix.velocity_ned);  // nobody measured the vertical part
+  EXPECT_FALSE(fix.velocity_ned);  // the receiver did not measure the vertical part
   EXPECT_EQ(fix.satellites_used, 8);
   EXPECT_EQ(fix.position_dop, 2.5);
   const auto utc = sys_days{1994y / March / 23} + 12h + 35min + 19s;
@@ -120,10 +120,10 @@ TEST(GnssDriver, StragglerOfAClosedEpochIsNoSecondFix) {
 
 TEST(GnssDriver, NmeaWithoutFixHasNoPosition) {
   Receiver r("nmea0183");
-  r.says(nmea("GPGGA,123519,4807.038,N,01131.000,E,0,00,,,M,,M,,"), 1);  // digits, quality 0
+  r.says(nmea("GPGGA,123519,4807.038,N,01131.000,E,0,00,,,M,,M,,"), 1);  // digits, but quality 0
   r.says(nmea("GPGGA,123520,4807.038,N,01131.000,E,1,03,,,M,,M,,") +
              nmea("GPRMC,123520,V,4807.038,N,01131.000,E,,,230394,,"),
-         2);                                                             // RMC contradicts
+         2);                                                             // the RMC contradicts
   r.says(nmea("GPGGA,123521,4807.038,N,01131.000,E,8,03,,,M,,M,,"), 3);  // simulator
   r.driver->tick(at_s(4), r.ear);
   ASSERT_EQ(r.fixes().size(), 3U);
@@ -187,7 +187,7 @@ TEST(GnssDriver, GsvGroupsOfAnEpochAreOneList) {
   EXPECT_FALSE(s[1].used);
   EXPECT_TRUE(s[3].used);
   EXPECT_EQ(s[4].constellation, Constellation::sbas);
-  EXPECT_EQ(s[4].number, 120);  // NMEA 33 is PRN 120
+  EXPECT_EQ(s[4].number, 120);  // NMEA 33 means PRN 120
   EXPECT_FALSE(s[4].cno_dbhz);
   EXPECT_EQ(s[5].constellation, Constellation::glonass);
   EXPECT_EQ(s[5].number, 1);
@@ -248,7 +248,8 @@ TEST(GnssDriver, ALeapSecondBelongsToItsDay) {
   r.says(nmea("GPRMC,000000,A,4807.038,N,01131.000,E,022.4,084.4,010117,,"), 2);
   r.driver->tick(at_s(3), r.ear);
   ASSERT_EQ(r.fixes().size(), 2U);
-  // A count of seconds since 1970 has no place for it: both are the first second of 2017.
+  // A count of seconds since 1970 cannot express the leap second: both are the first second of
+  // 2017.
   const auto new_year = Stamp{sys_days{2017y / January / 1}.time_since_epoch()};
   EXPECT_EQ(r.fixes()[0].utc, new_year);
   EXPECT_EQ(r.fixes()[1].utc, new_year);

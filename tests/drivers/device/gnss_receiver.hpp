@@ -2,8 +2,8 @@
 
 #include "tests/drivers/device/support.hpp"
 
-/// A receiver that says what the test writes, and the messages of its protocols by the offsets of
-/// the u-blox interface descriptions.
+/// A receiver that sends the test's text, and messages built from the offsets in the u-blox
+/// interface descriptions.
 namespace drydock::device::test {
 
 struct Pvt {
@@ -18,7 +18,7 @@ inline Octets nav_pvt(const Pvt& p) {
   put(m, 4, 2, 2026);
   m[6] = 3, m[7] = 4, m[8] = 5, m[9] = 6, m[10] = 7;
   m[11] = 0x07;             // date, time valid, fully resolved
-  put(m, 16, 4, -250'000);  // ns: just before the second
+  put(m, 16, 4, -250'000);  // ns: just before the full second
   m[20] = p.fix_type;
   m[21] = p.flags;
   m[23] = 11;

@@ -9,7 +9,7 @@ using measurement::ImuSample;
 
 constexpr std::uint32_t accs_id = 0x08F02D80, ari_id = 0x0CF02A80, ssi2_id = 0x0CF02980;
 
-// A real MTLT305's frames and what its maker's DBC makes of them.
+// Frames of a real MTLT305. Its maker's DBC gives the expected values.
 const auto accs = can_frame(accs_id, true, {0x31, 0x79, 0x55, 0x7D, 0x0A, 0x7D, 0x80, 0x06});
 const auto ari = can_frame(ari_id, true, {0xC9, 0x81, 0xEB, 0x7C, 0x79, 0x79, 0x00, 0x06});
 const auto ssi2 = can_frame(ssi2_id, true, {0xC7, 0xAA, 0x7E, 0x5C, 0x82, 0x6B, 0x44, 0x06});
@@ -38,7 +38,7 @@ TEST(AceinnaImuDriver, PairsAccelerationAndRateIntoOneSample) {
   EXPECT_NEAR(s.angular_rate.y(), -0.1640625 * degree, 1e-9);
   EXPECT_NEAR(s.angular_rate.z(), -7.0546875 * degree, 1e-9);
   EXPECT_EQ(s.origin.received_at, at_s(1));
-  // ARI states 3 ms; its frame takes 128 bits at 250 kbit/s and 6 of stuffing (timing_test).
+  // ARI states 3 ms. Its frame takes 128 bits at 250 kbit/s and 6 stuff bits (timing_test).
   EXPECT_EQ(s.origin.valid_at, at_s(1) - std::chrono::microseconds{3000 + 536});
 }
 
@@ -124,7 +124,7 @@ TEST(Cia404ImuDriver, ThreeFramesAreOneSampleTrueBeforeTheFirst) {
   EXPECT_EQ(s.angular_rate, Eigen::Vector3d(0.125, 0.25, 0.5));
   EXPECT_EQ(s.specific_force, Eigen::Vector3d(1, 2, -9.75));
   EXPECT_EQ(s.origin.valid_at,
-            at_s(1) - std::chrono::microseconds{480});  // 108 bits and 12 of stuffing
+            at_s(1) - std::chrono::microseconds{480});  // 108 bits and 12 stuff bits
   EXPECT_EQ(s.origin.received_at, at_s(1.001));
 }
 
@@ -160,7 +160,7 @@ TEST(Cia404ImuDriver, StartsItsNodeWhenTheBusOpensAndAfterABootUp) {
   Bus bus(o);
   bus.driver->restart(at_s(0), bus.ear);
   bus.says(can_frame(0x705, false, {0x00}), 1);  // our node boots
-  bus.says(can_frame(0x706, false, {0x00}), 1);  // somebody else's
+  bus.says(can_frame(0x706, false, {0x00}), 1);  // another node
   bus.says(can_frame(0x705, false, {0x05}), 2);  // heartbeat, operational
   const auto start_5 = can_frame(0x000, false, {0x01, 0x05});
   EXPECT_EQ(bus.ear.sent_frames, (std::vector{start_5, start_5}));

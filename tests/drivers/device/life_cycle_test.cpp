@@ -20,7 +20,7 @@ LifeCycleOptions bus_options() {
   return options;
 }
 
-/// Given a device in a state; its link has been open since 0 s.
+/// A device in state waiting; its link has been open since 0 s.
 LifeCycle waiting(const LifeCycleOptions& options = line_options()) {
   LifeCycle life(options);
   life.start(at_s(0));
@@ -66,7 +66,7 @@ TEST(LifeCycle, FirstMessageMakesItStreamAndFurtherOnesAreNoNews) {
   LifeCycle life = waiting();
   EXPECT_EQ(life.message(at_s(1))->to, State::streaming);
   EXPECT_FALSE(life.message(at_s(1.1)));
-  EXPECT_EQ(life.deadline(), at_s(3.1));  // stale 2 s after the last
+  EXPECT_EQ(life.deadline(), at_s(3.1));  // stale 2 s after the last message
 }
 
 TEST(LifeCycle, SilenceMakesItStaleAndAMessageMakesItStreamAgain) {
@@ -120,7 +120,7 @@ TEST(LifeCycle, OnlyStreamingForgivesEarlierFailures) {
   life.tick(at_s(0.25));
   life.opened(at_s(0.25));
   life.link_lost(at_s(1), "unplugged");
-  EXPECT_EQ(life.deadline(), at_s(1.5));  // opened, but never streamed: the second wait
+  EXPECT_EQ(life.deadline(), at_s(1.5));  // it opened but never streamed: the second back-off
   life.tick(at_s(1.5));
   life.opened(at_s(1.5));
   life.message(at_s(2));

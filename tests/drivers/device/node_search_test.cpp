@@ -1,5 +1,5 @@
-// Who asks for the NAMEs on a bus, and when. The request's bytes are written out by SAE J1939-21:
-// PGN 59904 (EA00h), priority 6, to all (FFh) from the null address (FEh), asking for EE00h.
+// Tests who asks for the NAMEs on a bus, and when. The request's bytes follow SAE J1939-21: PGN
+// 59904 (EA00h), priority 6, to all (FFh) from the null address (FEh), for EE00h.
 #include "tests/drivers/device/support.hpp"
 
 namespace drydock::device::test {
@@ -77,7 +77,7 @@ TEST(NodeSearch, TheAnswerLeadsToASensorWhoseNewClaimWasNotHeard) {
   bus.says(0x15FD0A23, {0, 0, 1, 0x42, 0xB8, 0x1E, 0x00, 0xFF}, 0.4);
   ASSERT_EQ(bus.ear.heard.size(), 1U);
 
-  bus.says(0x15FD0A80, {0, 0, 1, 0x42, 0xB8, 0x1E, 0x00, 0xFF}, 9);  // from 128 now
+  bus.says(0x15FD0A80, {0, 0, 1, 0x42, 0xB8, 0x1E, 0x00, 0xFF}, 9);  // now from 128
   bus.run_to(10.4);
   EXPECT_EQ(bus.ear.heard.size(), 1U);
   EXPECT_EQ(bus.ear.sent_frames.size(), 2U) << "ten seconds after it was last heard";

@@ -1,6 +1,6 @@
 #include "tests/drivers/device/support.hpp"
 
-/// Sentences are written out here by the public description of their fields.
+/// The sentences are written by hand from the public description of their fields.
 namespace drydock::device::test {
 namespace nortek_driver_test {
 
@@ -20,14 +20,14 @@ std::vector<BottomVelocity> heard_nortek(const Octets& bytes, DriverOptions o) {
 
 TEST(NortekDriver, VelocityInTheBodyRangesAndNoAltitude) {
   DriverOptions o = options(Kind::dvl, "nortek");
-  o.mounting = {0, 0, 90 * degree};  // its x axis looks to starboard
+  o.mounting = {0, 0, 90 * degree};  // its x axis points to starboard
   const auto m = heard_nortek(pnorbt7("1.2345,-0.0560,0.0780"), o).at(0);
   EXPECT_NEAR(m.velocity->x(), 0.056, 1e-12);
   EXPECT_NEAR(m.velocity->y(), 1.2345, 1e-12);
   EXPECT_NEAR(m.velocity->z(), 0.078, 1e-12);
   EXPECT_EQ(m.range_m[1], 7.02);
   EXPECT_FALSE(m.range_m[2] || m.altitude_m);
-  // 100 us on the wire; a Unix time in a double keeps it within 1 us.
+  // 100 us on the wire. A Unix time in a double has an error below 1 us.
   EXPECT_LT(std::chrono::abs(*m.origin.device_time - (1795262400s + 250ms)), 1us);
 }
 

@@ -2,7 +2,7 @@
 
 #include "tests/drivers/device/support.hpp"
 
-/// Reports are put together here by tables 48 and 49 of Teledyne's Pathfinder DVL Guide.
+/// The test builds reports from tables 48 and 49 of Teledyne's Pathfinder DVL Guide.
 namespace drydock::device::test {
 namespace pd4_driver_test {
 
@@ -71,7 +71,7 @@ void expect_velocity(const BottomVelocity& m, double x, double y, double z, doub
 }
 
 TEST(Pd4Driver, InstrumentAxesAreTheHeadsAndTheVehicleMoves) {
-  // Starboard, bow, mast: unlike in PD0 no sign is turned, but for z, which is down here.
+  // Starboard, bow, mast. Unlike PD0, no sign is reversed, except z, which points down here.
   for (const int which : {4, 5}) {
     const auto m = heard(which, {.velocity_mmps = {200, 1500, -100, 4}});
     expect_velocity(m, 1.5, 0.2, 0.1);
@@ -83,13 +83,14 @@ TEST(Pd4Driver, InstrumentAxesAreTheHeadsAndTheVehicleMoves) {
 
 TEST(Pd4Driver, TheMountingTurnsTheHeadIntoTheBody) {
   DriverOptions o = dvl(4);
-  o.mounting = {0, 0, 90 * degree};  // its bow looks to starboard
+  o.mounting = {0, 0, 90 * degree};  // its bow points to starboard
   expect_velocity(heard(4, {.velocity_mmps = {200, 1500, -100, 4}}, o).measurement, -0.2, 1.5, 0.1);
 }
 
 TEST(Pd4Driver, BeamVelocitiesNeedTheBeamAngle) {
-  // A vehicle at 2 m/s ahead, 0.5 to starboard, 0.1 down; beams 30 degrees from the vertical, to
-  // port, starboard, bow and stern. A beam reads minus the motion along its outward direction.
+  // The vehicle moves at 2 m/s ahead, 0.5 to starboard, 0.1 down. The beams are 30 degrees from the
+  // vertical, to port, starboard, bow and stern. A beam reads minus the velocity along its outward
+  // direction.
   const double s = 0.5, c = std::sqrt(0.75);
   const auto mmps = [](double mps) { return static_cast<int>(std::lround(mps * 1000)); };
   Report report{.configuration = beam,
@@ -112,7 +113,7 @@ TEST(Pd4Driver, BeamVelocitiesNeedTheBeamAngle) {
 }
 
 TEST(Pd4Driver, LevelledVelocitiesNeedTheAttitudeThatOnlyPd5Tells) {
-  // Bow 30 degrees up: 2 m/s along the bow are 1.732 ahead and 1 up on levelled axes.
+  // Bow 30 degrees up: 2 m/s along the bow are 1.732 ahead and 1 up in levelled axes.
   const Report levelled{
       .configuration = ship | tilts, .velocity_mmps = {0, 1732, 1000, 0}, .pitch_cdeg = 3000};
   expect_velocity(heard(5, levelled), 2, 0, 0, 1e-3);
@@ -153,7 +154,7 @@ TEST(Pd4Driver, NoBottomIsNoVelocityButALivingDvl) {
 }
 
 TEST(Pd4Driver, OnlyPd5SaysEnoughForTheAltitude) {
-  // 10 degrees of roll over a flat bed: beams 1 and 2 see 20 m at 30 - 10 and 30 + 10 degrees.
+  // 10 degrees of roll over a flat bed: beams 1 and 2 measure 20 m at 30 - 10 and 30 + 10 degrees.
   const auto component = [](double from_vertical_deg) {
     return static_cast<int>(
         std::lround(2000 / std::cos(from_vertical_deg * degree) * std::cos(30 * degree)));

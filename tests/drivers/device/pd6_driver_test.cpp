@@ -1,6 +1,6 @@
 #include "tests/drivers/device/support.hpp"
 
-/// Lines are written out here by table 50 of Teledyne's Pathfinder DVL Guide.
+/// The lines are written by hand from table 50 of Teledyne's Pathfinder DVL Guide.
 namespace drydock::device::test {
 namespace pd6_driver_test {
 
@@ -68,7 +68,7 @@ TEST(Pd6Driver, NoHalfEnsembleIsPublished) {
   for (std::size_t lost : {1U, 6U, 7U, 8U, 9U}) {
     Ensemble lines = whole;
     lines.erase(lines.begin() + static_cast<long>(lost));
-    // The next ensemble comes through.
+    // The next ensemble is complete.
     EXPECT_EQ(heard(bytes_of(lines) + bytes_of(whole)).size(), 1U) << whole[lost];
   }
   for (std::size_t cut = 1; cut < bytes_of(whole).size(); ++cut) {
@@ -86,7 +86,7 @@ TEST(Pd6Driver, TheEndOfOneAndTheBeginOfAnotherAreNoEnsemble) {
   Ear ear;
   const auto driver = byte_driver(options(Kind::dvl, "pd6"));
   driver->receive(end + begin, at_s(1), ear);
-  driver->receive(end, at_s(1.2), ear);  // all that is needed, but 0.2 s later
+  driver->receive(end, at_s(1.2), ear);  // all required lines, but 0.2 s later
   EXPECT_TRUE(ear.all<BottomVelocity>().empty());
   EXPECT_EQ(ear.reports.size(), 1U);
   driver->receive(begin, at_s(2), ear);

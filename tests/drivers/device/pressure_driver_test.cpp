@@ -1,6 +1,6 @@
 #include "tests/drivers/device/support.hpp"
 
-/// CiA 404 pressure transmitters: frames written out by the makers' manuals.
+/// CiA 404 pressure transmitters. The frames are written by hand from the makers' manuals.
 namespace drydock::device::test {
 namespace pressure_driver_test {
 
@@ -30,7 +30,7 @@ DriverOptions transmitter(const char* unit, unsigned decimals,
 }
 
 TEST(PressureDriver, TheExampleOfDanfossInBarIsTenMetresOfWater) {
-  Bus bus(transmitter("bar", 5));  // 100000 is 1 bar
+  Bus bus(transmitter("bar", 5));  // 100000 means 1 bar
   bus.says(0x181, {0xA0, 0x86, 0x01, 0x00, 0x00});
   EXPECT_NEAR(bus.only().pressure_pa.value(), 1e5, 1e-9);
   EXPECT_NEAR(bus.only().depth_m.value(), (1e5 - 101'325) / (1025 * 9.80665), 1e-12);

@@ -1,4 +1,5 @@
-// Whose frames are our sensor's: by address, by NAME once it was heard (SAE J1939-81).
+// Decides which frames come from our sensor: by address, or by NAME once it was heard (SAE
+// J1939-81).
 #include "drivers/device/bus/source_filter.hpp"
 
 #include <gtest/gtest.h>
@@ -27,7 +28,7 @@ TEST(SourceFilter, ASensorThatLostItsAddressIsFollowedToItsNextOne) {
   for (const std::uint8_t configured : {0, 35}) {
     SourceFilter filter(configured);
     filter.accepts(35, now);
-    filter.claimed(35, 0xABC, now);  // our sensor's boot
+    filter.claimed(35, 0xABC, now);  // our sensor boots
     filter.accepts(35, now);
     filter.claimed(35, 0x001, now);  // a stronger NAME takes its address
     EXPECT_FALSE(filter.accepts(35, now)) << "the thief is not our sensor";
@@ -51,7 +52,7 @@ TEST(SourceFilter, AnotherUnitAtTheConfiguredAddressIsTakenWhenTheFirstIsSilentF
   SourceFilter filter(35);
   filter.claimed(35, 0xABC, now);
   filter.accepts(35, now);
-  filter.claimed(35, 0xDEF, now + 5s);  // a spare part, or a thief
+  filter.claimed(35, 0xDEF, now + 5s);  // a spare part, or a node that steals the address
   EXPECT_FALSE(filter.accepts(35, now + 30s));
   EXPECT_FALSE(filter.accepts(36, now + 31s));
   EXPECT_TRUE(filter.accepts(35, now + 31s));

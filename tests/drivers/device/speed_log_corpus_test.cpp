@@ -2,8 +2,9 @@
 
 #include "tests/drivers/device/support.hpp"
 
-/// Sentences of real speed logs and of other programs' tests, through the whole driver, against
-/// their own text: fields counted here once more, knots of 1852 m in 3600 s.
+/// Feeds sentences of real speed logs and of other programs' tests through the whole driver. The
+/// expected values come from their text: the test counts the fields again, with knots of 1852 m in
+/// 3600 s.
 namespace drydock::device::test {
 namespace speed_log_corpus_test {
 
@@ -12,7 +13,7 @@ using measurement::WaterSpeed;
 struct Row {
   bool sound = false;
   std::string sentence;
-  std::vector<std::string> fields;  ///< of the sentence, behind its address
+  std::vector<std::string> fields;  ///< fields of the sentence after its address
   std::string formatter() const { return sentence.substr(3, 3); }
 };
 
@@ -40,7 +41,7 @@ std::optional<double> number(const Row& row, std::size_t field, double unit) {
 }
 
 /// VHW: knots in the fifth field. VBW: along and across in the first two, if A follows. VLW: total
-/// through the water in the first.
+/// distance through the water in the first.
 WaterSpeed expected_of(const Row& row) {
   WaterSpeed expected;
   if (row.formatter() == "VHW") expected.longitudinal_mps = number(row, 4, knot);

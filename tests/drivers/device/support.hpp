@@ -15,8 +15,8 @@
 
 #include "drivers/device/device.hpp"
 
-/// What the driver tests share: ears, clocks, and bytes written out by hand from the protocols'
-/// documents (never by our own encoders).
+/// Common parts of the driver tests: listeners, clocks, and bytes written by hand from the
+/// protocols' documents (never by our own encoders).
 namespace drydock::device::test {
 
 using measurement::from_seconds;
@@ -27,7 +27,7 @@ constexpr double knot = 1852.0 / 3600.0;
 
 inline Stamp at_s(double s) { return Stamp{from_seconds(s)}; }
 
-/// Hears what a driver says.
+/// Receives the output of a driver.
 struct Ear final : Output {
   void publish(const Measurement& m) override { heard.push_back(m); }
   void send(wire::Bytes bytes) override { sent_bytes.emplace_back(bytes.begin(), bytes.end()); }
@@ -66,7 +66,7 @@ inline std::unique_ptr<FrameDriver> frame_driver(const DriverOptions& o) {
 
 inline Octets octets(std::string_view text) { return {text.begin(), text.end()}; }
 
-/// `$body*hh CR LF`, hh the XOR of the body.
+/// `$body*hh CR LF`, where hh is the XOR of the body.
 inline Octets nmea(std::string_view body) {
   unsigned sum = 0;
   for (const char c : body) sum ^= static_cast<unsigned char>(c);
@@ -80,7 +80,7 @@ inline Octets operator+(Octets a, const Octets& b) {
   return a;
 }
 
-/// Little-endian number of `size` bytes at `offset`.
+/// Writes a little-endian number of `size` bytes at `offset`.
 inline void put(Octets& out, std::size_t offset, std::size_t size, std::int64_t value) {
   for (std::size_t i = 0; i < size; ++i) {
     out.at(offset + i) = static_cast<std::uint8_t>(static_cast<std::uint64_t>(value) >> (8 * i));

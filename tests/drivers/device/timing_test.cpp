@@ -70,7 +70,7 @@ TEST(Timing, LineWithoutABaudRateCostsOnlyTheLatency) {
   EXPECT_EQ(origin.valid_at, at_s(0.98));
 }
 
-// Lengths from start to end of frame by a bit-by-bit model in Python of ISO 11898-1.
+// The lengths from start to end of frame come from a bit-by-bit model of ISO 11898-1 in Python.
 Stamp begin_of(const wire::CanFrame& frame) {
   const Origin origin = Timing(options(Kind::imu, "aceinna")).of_frame(at_s(1), frame);
   EXPECT_EQ(origin.received_at, at_s(1));

@@ -1,6 +1,7 @@
 #include "tests/drivers/device/gnss_receiver.hpp"
 
-/// Receivers that say an epoch in parts: each part by hand from the u-blox 7 Receiver Description.
+/// Receivers that send an epoch in parts. Each part is written by hand from the u-blox 7 Receiver
+/// Description.
 namespace drydock::device::test {
 namespace ubx_epoch_test {
 
@@ -9,10 +10,10 @@ using measurement::FixType;
 using measurement::GnssFix;
 using namespace std::chrono;
 
-constexpr int fix_ok = 0x0D;  // within the masks; week and time of week known
+constexpr int fix_ok = 0x0D;  // inside the masks; week and time of week known
 
-/// 46.404648618 N, 117.020462010 W, 232.9577 m: what gpsd makes of these centimetres (the first fix
-/// of its log navisys-gr701w).
+/// 46.404648618 N, 117.020462010 W, 232.9577 m: gpsd computes them from these centimetres (the
+/// first fix of its log navisys-gr701w).
 Octets sol(std::uint32_t itow_ms, int fix_type = 3, int flags = fix_ok) {
   Octets m(52, 0);
   put(m, 0, 4, itow_ms);
@@ -68,7 +69,7 @@ Octets time_gps(std::uint32_t itow_ms, int valid) {
   return ubx(0x01, 0x20, m);
 }
 
-/// GPS 17, used at 43 dBHz, in the south-west; GLONASS 1 in view.
+/// GPS 17, used at 43 dBHz, in the south-west; GLONASS 1 is in view.
 Octets svinfo(std::uint32_t itow_ms) {
   Octets m(8 + 2 * 12, 0);
   put(m, 0, 4, itow_ms);
@@ -79,7 +80,7 @@ Octets svinfo(std::uint32_t itow_ms) {
   return ubx(0x01, 0x30, m);
 }
 
-/// GPS 5 on L1 (38 dBHz, used) and L2 (41 dBHz), Galileo 11 in view.
+/// GPS 5 on L1 (38 dBHz, used) and L2 (41 dBHz); Galileo 11 is in view.
 Octets sig(std::uint32_t itow_ms) {
   Octets m(8 + 3 * 16, 0);
   put(m, 0, 4, itow_ms);
@@ -154,10 +155,10 @@ TEST(UbxEpoch, FixBehindOtherPartsIsAsOldAsTheFirstOfThem) {
 TEST(UbxEpoch, WithoutAReceiverThatVouchesDigitsAreNoPosition) {
   Receiver r("ubx");
   r.says(sol(1000, 0, 0) + posllh(1000) + velned(1000), 1);     // no fix
-  r.says(sol(2000, 3, 0x0C) + posllh(2000) + velned(2000), 2);  // outside its own masks
+  r.says(sol(2000, 3, 0x0C) + posllh(2000) + velned(2000), 2);  // outside the receiver's own masks
   r.says(sol(3000, 5) + posllh(3000), 3);                       // time only
   r.says(status(4000, 0, 0) + posllh(4000), 4);
-  r.says(posllh(5000) + velned(5000), 5);  // nobody says whether there is a fix
+  r.says(posllh(5000) + velned(5000), 5);  // no message says whether there is a fix
   r.driver->tick(at_s(6), r.ear);
   ASSERT_EQ(r.fixes().size(), 5U);
   for (const GnssFix& fix : r.fixes()) EXPECT_FALSE(fix.position || fix.velocity_ned);
@@ -179,7 +180,7 @@ TEST(UbxEpoch, UtcNeedsLeapSecondsThatTheReceiverHasHeard) {
   r.says(sol(116'018'000) + time_gps(116'018'000, 0x07) + nav_eoe(116'018'000), 2);
   ASSERT_EQ(r.fixes().size(), 2U);
   EXPECT_FALSE(r.fixes()[0].utc);
-  // 2016-09-26, GPS 17 s ahead of UTC: what gpsd prints of the same time, see fixtures/ubx.
+  // 2016-09-26, GPS 17 s ahead of UTC: gpsd prints the same time, see fixtures/ubx.
   const auto utc = sys_days{2016y / September / 26} + 8h + 13min + 21s - 123'456ns;
   EXPECT_EQ(r.fixes()[1].utc, Stamp{utc.time_since_epoch()});
 }

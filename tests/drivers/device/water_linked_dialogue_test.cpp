@@ -2,7 +2,7 @@
 
 #include "tests/drivers/device/support.hpp"
 
-/// Both sides of the dialogue are written out here by Water Linked's description.
+/// Both sides of the dialogue are written by hand from Water Linked's description.
 namespace drydock::device::test {
 namespace water_linked_dialogue_test {
 
@@ -17,7 +17,7 @@ class Dialogue : public testing::Test {
     dialogue_->start(now_, ear_);
   }
 
-  /// The command sent last, without checksum.
+  /// The last command that was sent, without checksum.
   std::string asked() const {
     if (ear_.sent_bytes.empty()) return "";
     const Octets& bytes = ear_.sent_bytes.back();

@@ -1,6 +1,6 @@
 #include "tests/drivers/device/support.hpp"
 
-/// Sentences are written out here by Water Linked's description, with its CRC-8.
+/// The sentences are written by hand from Water Linked's description, with its CRC-8.
 namespace drydock::device::test {
 namespace water_linked_driver_test {
 
@@ -36,7 +36,7 @@ std::vector<BottomVelocity> heard(const Octets& bytes,
 
 TEST(WaterLinkedDriver, VelocityInTheBodyAndAltitude) {
   DriverOptions o = options(Kind::dvl, "water-linked");
-  o.mounting = {0, 0, 90 * degree};  // its x axis looks to starboard
+  o.mounting = {0, 0, 90 * degree};  // its x axis points to starboard
   const auto m = heard(wrz(locked, times), o).at(0);
   EXPECT_NEAR(m.velocity->x(), 0.056, 1e-12);
   EXPECT_NEAR(m.velocity->y(), 1.234, 1e-12);

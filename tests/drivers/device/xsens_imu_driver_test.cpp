@@ -3,7 +3,7 @@
 #include "drivers/wire/can/can_bits.hpp"
 #include "tests/drivers/device/support.hpp"
 
-/// Frames written out by MT1604P's tables.
+/// The frames are written by hand from the tables of MT1604P.
 namespace drydock::device::test {
 namespace xsens_imu_driver_test {
 
@@ -30,8 +30,7 @@ wire::CanFrame status(std::uint32_t s) {
 struct Bus {
   explicit Bus(const DriverOptions& o = options(Kind::imu, "xsens")) : driver(frame_driver(o)) {}
   void says(const wire::CanFrame& frame, Stamp at) { driver->receive(frame, at, ear); }
-  /// Frames 0.4 ms apart, the first on the wire from 304 us before `at` on, whatever its stuff
-  /// bits.
+  /// Sends frames 0.4 ms apart. The first frame starts 304 us before `at`, whatever its stuff bits.
   void says(std::initializer_list<wire::CanFrame> frames, double at) {
     constexpr unsigned intermission_bits = 3;
     Stamp end = at_s(at) - 304us + 4us * (wire::wire_bits(*frames.begin()) - intermission_bits);
@@ -66,7 +65,7 @@ TEST(XsensImuDriver, AGroupOfWhichAFrameIsLostNeverMixesWithTheNext) {
       if (i == lost) continue;
       auto frame = group[i % 4];
       const auto g = static_cast<std::uint8_t>(i / 4);
-      // Both vectors of a group carry its number.
+      // Both vectors of a group contain its number.
       frame.data[frame.id == sample_time ? 3 : 1] = g;
       bus.says(frame, at_s(1 + 0.01 * g + 0.0004 * static_cast<double>(i % 4)));
     }
@@ -79,7 +78,7 @@ TEST(XsensImuDriver, AGroupOfWhichAFrameIsLostNeverMixesWithTheNext) {
 
 TEST(XsensImuDriver, TheLastOfOneGroupAndTheFirstOfALaterOneAreNotJoined) {
   Bus bus;
-  bus.says({ticks(0), counter(0), rate}, 1);  // then a second of nothing arrives
+  bus.says({ticks(0), counter(0), rate}, 1);  // then nothing arrives for a second
   bus.says(force, at_s(2));
   EXPECT_TRUE(bus.samples().empty());
   bus.says({ticks(10'000), counter(100), rate, force}, 2.01);
@@ -100,7 +99,7 @@ TEST(XsensImuDriver, WithoutSampleTimeAndCounterOnlyTimeJoins) {
 TEST(XsensImuDriver, TheDevicesTicksTakeTheJitterOfTheBusOut) {
   Bus bus;
   for (unsigned i = 0; i < 100; ++i) {
-    const double late = i % 3 == 0 ? 0 : 0.0007 * (i % 3);  // frames of other nodes before ours
+    const double late = i % 3 == 0 ? 0 : 0.0007 * (i % 3);  // frames of other nodes come first
     bus.says({ticks(100 * i), rate, force}, 1 + 0.01 * i + late);
   }
   ASSERT_EQ(bus.samples().size(), 100U);
@@ -131,7 +130,7 @@ TEST(XsensImuDriver, ADeviceThatRestartsIsTimedAnew) {
 
 TEST(XsensImuDriver, AClippedGroupGivesNoSampleAndIsReportedOnce) {
   Bus bus;
-  bus.says({ticks(0), status(0x103), rate, force}, 1);  // acceleration x
+  bus.says({ticks(0), status(0x103), rate, force}, 1);  // clipped acceleration x
   bus.says({ticks(100), status(0x103), rate, force}, 1.01);
   EXPECT_TRUE(bus.samples().empty());
   bus.says({ticks(200), status(0x003), rate, force}, 1.02);

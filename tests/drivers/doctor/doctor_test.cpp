@@ -20,7 +20,7 @@ namespace doctor_test {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 
-/// A machine of files: its /sys, /proc, /dev, /etc.
+/// A machine that consists of files: its /sys, /proc, /dev, /etc.
 class Machine {
  public:
   Machine() {

@@ -8,7 +8,7 @@ namespace until_stopped_test {
 
 using drydock::io::UntilStopped;
 
-/// How often it stopped until it had no work left.
+/// Counts the calls of `stop` until there is no work left.
 struct Program {
   boost::asio::io_context io;
   int stops = 0;
@@ -45,7 +45,7 @@ TEST(UntilStopped, StopsOnceWhoeverTellsIt) {
   EXPECT_EQ(program.stops, 1);
 }
 
-// The default of a signal is back: what a shell does to a program that hangs.
+// The default action of the signal is back, so Ctrl-C can end a program that hangs.
 TEST(UntilStopped, ASecondCtrlCEndsTheProgramAtOnce) {
   EXPECT_EXIT(
       {

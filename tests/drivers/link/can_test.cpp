@@ -73,7 +73,7 @@ class Slcan : public ::testing::TestWithParam<const char*> {
   asio::io_context io;
 };
 
-// The lines are those of the slcan protocol (LAWICEL manual, can-utils slcanpty.c).
+// The lines follow the slcan protocol (LAWICEL manual, can-utils slcanpty.c).
 TEST_P(Slcan, OpensTheChannelAndThenSendsLines) {
   const auto adapter = open(io, line(), Side::device);
   const auto bus = open_bus(io, "slcan:" + line() + "?bitrate=250000", Side::driver);

@@ -6,7 +6,7 @@
 
 #include "tests/drivers/link/running.hpp"
 
-/// What every byte link promises, whatever carries it.
+/// The rules for every byte link, whatever its transport.
 namespace drydock::link::testing {
 namespace {
 
@@ -41,7 +41,7 @@ class EveryByteLink : public ::testing::TestWithParam<Kind> {
     meet();
   }
 
-  /// One byte from the driver, after which a socket knows where its peer is.
+  /// Sends one byte from the driver. After it a socket knows its peer.
   void meet() {
     ASSERT_TRUE(run(io, driver->write(bytes("?"))));
     ASSERT_EQ(run(io, read_bytes(*device, 1)).value(), bytes("?"));
@@ -98,7 +98,7 @@ TEST_P(EveryByteLink, TellsTheDriverThatTheDeviceIsGone) {
   device->close();
   device.reset();
   settle(io);
-  (void)run(io, driver->write(bytes("anybody?")));  // a datagram tells only who asks
+  (void)run(io, driver->write(bytes("anybody?")));  // a socket learns its peer from a datagram
   const auto first = run(io, driver->read(buffer));
   ASSERT_FALSE(first) << "read " << first->size << " bytes of nobody";
   EXPECT_NE(first.error(), asio::error::timed_out);

@@ -55,7 +55,7 @@ TEST_F(Pty, ItsNameStandsInNoFolderThatOthersMayWriteTo) {
   const auto refused = open_bytes(io.get_executor(), parse_uri(inside).value(), Side::device);
   ASSERT_FALSE(refused);
   EXPECT_THAT(refused.error().message, HasSubstr("which others may write to"));
-  ASSERT_EQ(::chmod(open_to_all.c_str(), 01777), 0);  // as /tmp: a name is its owner's
+  ASSERT_EQ(::chmod(open_to_all.c_str(), 01777), 0);  // as /tmp: only its owner may change a name
   EXPECT_TRUE(open_bytes(io.get_executor(), parse_uri(inside).value(), Side::device));
   if (::getuid() != 0) return;
   constexpr uid_t somebody_else = 12345;

@@ -14,12 +14,12 @@
 
 #include "drivers/link/link.hpp"
 
-/// Running links to an end in a test: a real io_context, and a bound on every wait.
+/// Runs links to an end in a test: a real io_context, and a limit on every wait.
 namespace drydock::link::testing {
 
 using namespace std::chrono_literals;
 
-/// A task under way; `outcome` stays empty until it has ended.
+/// A running task. `outcome` is empty until it has ended.
 template <class T>
 struct Running {
   std::optional<boost::system::result<T>> outcome;
@@ -35,7 +35,7 @@ std::shared_ptr<Running<T>> start(asio::io_context& io, Task<T> task) {
   return running;
 }
 
-/// Runs the context until `done()` holds; false when the bound came first.
+/// Runs the context until `done()` is true. False if the time limit came first.
 template <class Done>
 bool run_until(asio::io_context& io, Done&& done, std::chrono::milliseconds bound = 5s) {
   const auto end = std::chrono::steady_clock::now() + bound;
@@ -45,7 +45,7 @@ bool run_until(asio::io_context& io, Done&& done, std::chrono::milliseconds boun
   return true;
 }
 
-/// Everything that is ready now, and what that makes ready.
+/// Runs everything that is ready now, and all work that follows from it.
 inline void settle(asio::io_context& io) {
   io.restart();
   while (io.run_for(10ms) > 0) io.restart();
@@ -63,7 +63,7 @@ using Buffer = std::vector<std::uint8_t>;
 
 inline Buffer bytes(std::string_view text) { return {text.begin(), text.end()}; }
 
-/// Reads exactly `size` bytes, or as many as came before an error.
+/// Reads exactly `size` bytes. After an error, returns the bytes that came before it.
 inline Task<Buffer> read_bytes(ByteLink& link, std::size_t size) {
   Buffer all(size);
   std::size_t held = 0;
@@ -89,7 +89,7 @@ inline std::unique_ptr<FrameLink> open_bus(asio::io_context& io, const std::stri
   return link ? std::move(*link) : nullptr;
 }
 
-/// A folder of one test, gone with it.
+/// A folder for one test. The destructor removes it.
 class Folder {
  public:
   Folder() {

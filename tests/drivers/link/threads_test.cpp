@@ -2,7 +2,7 @@
 
 #include "tests/drivers/link/running.hpp"
 
-/// Links inside the process may have their two ends on two threads.
+/// The two ends of a link inside the process may be on two threads.
 namespace drydock::link::testing {
 namespace {
 
@@ -43,7 +43,7 @@ Task<void> send_many(FrameLink& bus, unsigned count) {
 }
 
 TEST(Threads, AMemoryBusCarriesFramesBetweenThem) {
-  constexpr unsigned count = 1000;  // fewer than a member's queue holds
+  constexpr unsigned count = 1000;  // fewer than the queue of a member holds
   asio::io_context here, there;
   const auto device = open_bus(there, "memory-can:threads", Side::device);
   const auto driver = open_bus(here, "memory-can:threads", Side::driver);

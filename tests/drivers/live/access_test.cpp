@@ -12,13 +12,13 @@ TEST(Access, WithoutATokenOnlyLoopbackNamesAndNoForeignPage) {
   EXPECT_TRUE(may({"/", "127.0.0.1:8765", "http://127.0.0.1:8765"}));
   EXPECT_TRUE(may({"/", "[::1]:8765", "http://localhost:8765"}));
   EXPECT_TRUE(may({"/", "localhost:8765", "file://"}));
-  // A page of the web that had its own name resolve to this machine (DNS rebinding).
+  // A web page that made its own name resolve to this machine (DNS rebinding).
   EXPECT_FALSE(may({"/", "evil.example:8765", "http://evil.example:8765"}));
-  // A page of the web that opens a WebSocket to this machine.
+  // A web page that opens a WebSocket to this machine.
   EXPECT_FALSE(may({"/", "localhost:8765", "https://evil.example"}));
   EXPECT_FALSE(may({"/", "localhost:8765", "https://localhost.evil.example"}));
   EXPECT_FALSE(may({"/", "", ""}));
-  // A name that begins as an address does, and a page in a frame that hides where it is from.
+  // A name that begins like an address, and a page in a frame that hides its origin.
   EXPECT_FALSE(may({"/", "127.evil.example:8765", ""}));
   EXPECT_FALSE(may({"/", "localhost:8765", "http://127.0.0.1.evil.example"}));
   EXPECT_FALSE(may({"/", "localhost:8765", "null"}));

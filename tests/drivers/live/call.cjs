@@ -1,5 +1,6 @@
-// Foxglove's own client calls services: node call.cjs URL CALLS, CALLS being JSON: [[name or number, request], ...], each
-// after the answer to the one before. Prints what is advertised and how each call ended.
+// Foxglove's own client calls services: node call.cjs URL CALLS. CALLS is JSON: [[name or number,
+// request], ...]. Each call follows the answer to the previous one. Prints the advertised services
+// and the outcome of each call.
 const { FoxgloveClient } = require('@foxglove/ws-protocol');
 const WebSocket = require('ws');
 const [url, calls] = process.argv.slice(2);

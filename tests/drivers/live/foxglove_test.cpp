@@ -40,7 +40,7 @@ TEST(Foxglove, WhatIsNotARequestIsRefusedWithAReason) {
 }
 
 TEST(Foxglove, BracketsInBracketsTakeNoStack) {
-  // As many as the longest message that a viewer may send holds.
+  // The longest message that a viewer may send holds this many.
   const std::string deep = std::string(30'000, '[') + std::string(30'000, ']');
   const auto request = parse_request(R"({"op":"subscribe","subscriptions":)" + deep + "}");
   EXPECT_EQ(std::get<Refused>(request).why, "subscriptions: objects with id and channelId");

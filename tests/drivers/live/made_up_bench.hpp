@@ -9,9 +9,9 @@ namespace drydock::live::test {
 
 using namespace measurement;
 
-/// One of every kind of sensor and an estimator, 20 times a second from a start in the past. Once
-/// someone looks: from 0.4 s to 0.9 s the receiver is silent, and from 1.5 s on the DVL has bit
-/// errors.
+/// One device of every kind and an estimator, 20 times a second from a start in the past. When a
+/// viewer has come, faults begin: from 0.4 s to 0.9 s the receiver is silent, and from 1.5 s on the
+/// DVL has bit errors.
 class MadeUpBench {
  public:
   explicit MadeUpBench(Server& server)
@@ -59,7 +59,7 @@ class MadeUpBench {
     return origin;
   }
 
-  /// The estimate is 2 m north of the truth, and knows it to 1 m.
+  /// The estimate is 2 m north of the truth, with a sigma of 1 m.
   void publish_estimates(double wave) {
     publisher_.publish(bus::Attitude{at(now_s_), 0.11 * wave, 0.05, {}, {}}, 1);
     publisher_.publish(bus::Attitude{at(now_s_), 0.1 * wave, 0.05, {}, attitude_covariance}, 0);
@@ -75,7 +75,8 @@ class MadeUpBench {
     publisher_.publish(where, 0);
   }
 
-  /// Of the log every tenth is refused, six sigma out; those of the DVL are small.
+  /// Every tenth innovation of the log is refused, at six sigma. The innovations of the DVL are
+  /// small.
   void publish_innovations(double wave) {
     const bool outlier = steps_ % 10 == 0;
     bus::Innovation log{at(now_s_), 0, 1, {}};

@@ -1,10 +1,11 @@
-// The page in a real browser: node page.cjs BROWSER URL FOLDER WIDTH light|dark. Waits until it has drawn, keeps a
-// screenshot, prints what can be read on it and what the screenshot's pixels show.
+// Opens the page in a real browser: node page.cjs BROWSER URL FOLDER WIDTH light|dark. Waits until
+// it is drawn and saves a screenshot. Prints the texts on the page and the measurements of the
+// screenshot's pixels.
 const puppeteer = require('puppeteer-core');
 const path = require('path');
 const [browserPath, url, folder, width, theme] = process.argv.slice(2);
 
-// In the page: texts, and where the figures are.
+// Runs in the page: reads texts and the positions of the figures.
 function read() {
   const css = (name) => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
   const rectOf = (element) => { const { x, y, width, height } = element.getBoundingClientRect(); return { x: x + scrollX, y: y + scrollY, width, height }; };
@@ -30,8 +31,8 @@ function read() {
   };
 }
 
-// In another page, of the screenshot: by figure how many pixels have each colour, how many those of a line's band and of a
-// fault's shade have, and how much is written beside and under the plot.
+// Runs in another page and measures the screenshot. For each figure it counts the pixels of each
+// colour, of a line's band and of a fault's shade, and the text pixels beside and below the plot.
 async function measure({ image, colours, figures }) {
   const picture = new Image();
   picture.src = `data:image/png;base64,${image}`;
@@ -49,7 +50,7 @@ async function measure({ image, colours, figures }) {
   };
   const panel = rgb(colours['--panel']), over = (under, name) => rgb(colours[name]).map((part, i) => under[i] + (part - under[i]) * (0x26 / 255));
   const shade = over(panel, '--error');
-  const bands = [panel, shade].map((under) => over(under, '--c1')).flatMap((one) => [one, over(one, '--c2')]); // the second line's may lie over it
+  const bands = [panel, shade].map((under) => over(under, '--c1')).flatMap((one) => [one, over(one, '--c2')]); // overlaps
   const ink = (rect) => Math.round(rect.width) * Math.round(rect.height) - count(rect, panel, 120);
   return Object.fromEntries(figures.map(({ title, rect, canvas: { x, y, width, height } }) => [title, {
     ...Object.fromEntries(['--c1', '--c2', '--c3', '--c6', '--ok'].map((name) => [name, count(rect, rgb(colours[name]), 24)])),
@@ -68,7 +69,7 @@ async function measure({ image, colours, figures }) {
   await page.emulateMediaFeatures([{ name: 'prefers-color-scheme', value: theme }]);
   await page.goto(url, { waitUntil: 'load' });
   await page.waitForFunction(() => document.querySelectorAll('#devices tbody tr').length > 0 && document.querySelectorAll('figure canvas').length > 3, { timeout: 20000 });
-  await new Promise((resolve) => setTimeout(resolve, Number(process.argv[7] ?? 4000))); // redraws, so that there are curves to see
+  await new Promise((resolve) => setTimeout(resolve, Number(process.argv[7] ?? 4000))); // redraws
   const image = Buffer.from(await page.screenshot({ path: path.join(folder, `page-${width}-${theme}.png`), fullPage: true })).toString('base64');
   const seen = await page.evaluate(read);
   const bench = await browser.newPage();

@@ -18,7 +18,7 @@
 #include "tests/drivers/live/made_up_bench.hpp"
 #include "tests/npm/node.hpp"
 
-/// The page in headless Chromium, on a bench that is made up here.
+/// The page in headless Chromium, with a simulated bench.
 namespace drydock::live {
 namespace page_test {
 
@@ -35,7 +35,7 @@ struct Look {
   const char* token = "";
 };
 
-/// Pixels of the screenshot inside a figure.
+/// Number of pixels in a figure of the screenshot.
 int drawn(const json& figures, const std::string& title, const char* what) {
   return figures.contains(title) ? figures[title].value(what, 0) : -1;
 }
@@ -45,12 +45,12 @@ void see_devices(const json& devices, int width) {
   const auto imu = devices[0].get<std::vector<std::string>>();
   const auto dvl = devices[1].get<std::vector<std::string>>();
   EXPECT_EQ(imu[1], "streaming");
-  EXPECT_THAT(imu[width > 1000 ? 3 : 2], HasSubstr("100 of 100"));  // 99.98 to three digits
+  EXPECT_THAT(imu[width > 1000 ? 3 : 2], HasSubstr("100 of 100"));  // 99.98 with three digits
   EXPECT_EQ(dvl[1], "degraded fault");
   EXPECT_THAT(dvl[2], HasSubstr("no bottom lock for 3 s"));
 }
 
-/// Only what is in force is named; the plots are shaded for what has ended too.
+/// The banner names only the faults in force. The plots also shade faults that have ended.
 void see_faults(const json& seen) {
   EXPECT_THAT(seen["faults"].get<std::string>(),
               MatchesRegex("dvl: bit-errors one bit in 1000 is wrong in force since "
@@ -76,7 +76,7 @@ void see_curves(const json& figures) {
   EXPECT_GT(drawn(figures, "dvl: velocity over the bed", "--c1"), 50);
   EXPECT_GT(drawn(figures, "dvl: velocity over the bed", "--c2"), 50);
   EXPECT_GT(drawn(figures, "imu: specific force", "--c3"), 50);
-  EXPECT_GT(drawn(figures, "Depth", "--c2"), 20);  // the truth; over it the estimate
+  EXPECT_GT(drawn(figures, "Depth", "--c2"), 20);  // the truth; the estimate is drawn over it
   EXPECT_THAT(figures["Depth"]["legend"].get<std::string>(), HasSubstr("leveling ± 3σ 5"));
   EXPECT_GT(drawn(figures, "Track", "--c1"), 20);
   EXPECT_GT(drawn(figures, "Satellites", "--ok"), 50);
@@ -87,7 +87,7 @@ void see_curves(const json& figures) {
   }
 }
 
-/// Nine in ten inside of what 95 % should be; the bound stands in the colour of a second line.
+/// Nine in ten are inside the bound for 95 %. The bound has the colour of a second line.
 void see_innovations(const json& figures) {
   EXPECT_GT(drawn(figures, "leveling, log: innovation", "--c1"), 50);
   EXPECT_GT(drawn(figures, "leveling, log: innovation", "band"), 500);
@@ -98,7 +98,7 @@ void see_innovations(const json& figures) {
     EXPECT_GT(drawn(figures, title, "--c1"), 50) << title;
     EXPECT_GT(drawn(figures, title, "--c2"), 30) << title;
   }
-  EXPECT_GT(drawn(figures, "leveling, log: NIS", "--c6"), 20);  // what the gate refused
+  EXPECT_GT(drawn(figures, "leveling, log: NIS", "--c6"), 20);  // refused by the gate
   EXPECT_THAT(figures["leveling, log: NIS"]["caption"].get<std::string>(),
               MatchesRegex(".*(89|90|91) % of [0-9]+ inside"));
   EXPECT_THAT(figures["leveling, dvl: NIS"]["caption"].get<std::string>(), HasSubstr("100 % of"));
@@ -161,8 +161,8 @@ TEST_P(LivePage, ShowsHealthFaultsEstimatesInnovationsAndMeasurementsAtThisWidth
   EXPECT_TRUE(seen["errors"].empty()) << seen["errors"];
   EXPECT_EQ(seen["rig"], "demo");
   EXPECT_EQ(seen["link"], "live");
-  EXPECT_EQ(seen["orders"], false);  // this server only shows
-  EXPECT_LE(seen["overflow"], 0);    // nothing to scroll sideways
+  EXPECT_EQ(seen["orders"], false);  // this server accepts no orders
+  EXPECT_LE(seen["overflow"], 0);    // no horizontal scrolling
   EXPECT_TRUE(seen["overlaps"].empty()) << seen["overlaps"];
   EXPECT_TRUE(seen["cut"].empty()) << seen["cut"];
   EXPECT_EQ(seen["background"],

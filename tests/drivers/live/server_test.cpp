@@ -27,14 +27,14 @@ namespace asio = boost::asio;
 
 constexpr auto at = measurement::stamp_from_ns(1'700'000'000'123'456'789);
 
-/// A server on a free port, and other people's client on it.
+/// A server on a free port with a client of another project.
 class LiveServer : public testing::Test {
  protected:
   void SetUp() override { DRYDOCK_NEEDS_NODE(); }
 
   std::string url() const { return "ws://127.0.0.1:" + std::to_string(server_.port()) + "/"; }
 
-  /// What the client found, while `serve` runs every millisecond in the server's thread.
+  /// The result of the client, while `serve` runs every millisecond in the server's thread.
   nlohmann::json watch(int count, const std::string& subprotocol, std::function<void()> serve) {
     std::function<void()> again = [&] {
       timer_.expires_after(std::chrono::milliseconds{1});
@@ -125,7 +125,7 @@ TEST_F(LiveServer, AViewerThatDoesNotReadLosesMessagesAndHoldsUpNobody) {
             R"({"op":"subscribe","subscriptions":[{"id":0,"channelId":1}]})";
         co_await viewer.async_write(asio::buffer(subscribe), asio::use_awaitable);
         while (!server_.wanted(channel)) co_await asio::post(asio::use_awaitable);
-        // It reads nothing from here on; the kernel's buffers hold a few megabytes.
+        // The client stops reading; the kernel's buffers hold a few megabytes.
         for (int i = 0; i < 100; ++i) {
           server_.publish(channel, at, megabyte);
           co_await asio::post(asio::use_awaitable);
@@ -153,7 +153,7 @@ TEST(LiveServerQueue, AViewerThatAsksAndTakesNoAnswerIsDisconnected) {
     boost::system::error_code error;
     socket.next_layer().connect({asio::ip::address_v4::loopback(), port}, error);
     socket.handshake("127.0.0.1", "/", error);
-    // Each is answered with a line; the sockets' buffers hold some thousands of them.
+    // The server answers each with a line; the sockets' buffers hold some thousands of lines.
     for (int i = 0; i < 2'000'000 && !error; ++i) socket.write(asio::buffer("x", 1), error);
     ended = static_cast<bool>(error);
     asio::post(io, [&] { server.stop(); });

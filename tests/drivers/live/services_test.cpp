@@ -14,8 +14,8 @@
 #include "drivers/live/server.hpp"
 #include "tests/npm/node.hpp"
 
-/// What a viewer may ask a server to do; witnesses are the specification's layout and Foxglove's
-/// own client.
+/// The requests that a viewer may send to a server. The checks use the layout of the specification
+/// and Foxglove's own client.
 namespace drydock::live {
 namespace services_test {
 
@@ -58,7 +58,7 @@ RC_GTEST_PROP(ServiceCalls, HoldNoMoreThanTheirMessage, (const std::string& rest
     RC_ASSERT(13 + good->encoding.size() + good->request.size() == message.size());
 }
 
-/// A server whose one value is set by a whole number below 10.
+/// A server with one value. A viewer may set it to an integer below 10.
 class LiveServices : public testing::Test {
  protected:
   void add_services() {
@@ -72,14 +72,14 @@ class LiveServices : public testing::Test {
                          }});
     server_.add_service(
         {"/clear", "test/Clear", schema, schema, [this](auto, const auto& answered) {
-           asio::post(io_, [this, answered] {  // later
+           asio::post(io_, [this, answered] {  // answers later
              value_.reset();
              answered("{}");
            });
          }});
   }
 
-  /// `talk` runs beside the server.
+  /// Runs `talk` in parallel with the server.
   template <class Talk>
   void beside(Talk talk) {
     ASSERT_FALSE(server_.listen());

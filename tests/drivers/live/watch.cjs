@@ -1,4 +1,5 @@
-// Foxglove's own client on a server: node watch.cjs URL COUNT: subscribes to every channel, prints what COUNT messages held.
+// Foxglove's own client connects to a server: node watch.cjs URL COUNT. It subscribes to every
+// channel and prints the content of COUNT messages.
 const { FoxgloveClient } = require('@foxglove/ws-protocol');
 const { parse } = require('@foxglove/rosmsg');
 const { MessageReader } = require('@foxglove/rosmsg2-serialization');

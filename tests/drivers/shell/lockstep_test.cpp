@@ -18,7 +18,7 @@ Stamp at_s(double s) { return Stamp{from_seconds(s)}; }
 
 using Diary = std::vector<std::pair<std::string, Stamp>>;
 
-/// Acts at given times and writes it down.
+/// Acts at given times and records each action.
 class Diarist final : public Actor {
  public:
   Diarist(std::string name, std::vector<Stamp> times, Diary& diary)
@@ -66,7 +66,7 @@ TEST(Lockstep, DueAtTheSameTimeTheFirstAddedActsFirst) {
   Diarist a("a", {at_s(1)}, diary), b("b", {at_s(1)}, diary), c("c", {at_s(0.5), at_s(1)}, diary);
   Lockstep shell(at_s(0));
   for (Diarist* actor : {&b, &a, &c}) shell.add(*actor);
-  shell.run_until(at_s(1));  // the end belongs to it
+  shell.run_until(at_s(1));  // includes the end
   EXPECT_EQ(diary, (Diary{{"c", at_s(0.5)}, {"b", at_s(1)}, {"a", at_s(1)}, {"c", at_s(1)}}));
 }
 

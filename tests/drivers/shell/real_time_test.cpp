@@ -4,7 +4,7 @@
 
 #include "tests/drivers/link/running.hpp"
 
-/// Real links, real time: what is tested here is the meeting with the operating system.
+/// Real links in real time: these tests check the interaction with the operating system.
 namespace drydock::shell {
 namespace {
 
@@ -89,7 +89,7 @@ class RealTimeOnALine : public testing::TestWithParam<std::string> {
   void end(RealTime& shell) {
     shell.stop();
     io.restart();
-    io.run_for(5s);  // returns at once when every coroutine has ended
+    io.run_for(5s);  // returns as soon as every coroutine has ended
     EXPECT_TRUE(io.stopped()) << "a coroutine is still waiting";
   }
 

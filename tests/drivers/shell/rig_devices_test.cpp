@@ -157,7 +157,7 @@ TEST(RigDevices, IdentifiersOfAnXsensImuDifferAndFitTheirFormat) {
                    device_options(rig_of({config}), 0)->driver.xsens_identifiers)
                 .id,
             0x132U);
-  config.xsens.identifiers = {{"rate_of_turn", 0x034}};  // the acceleration's
+  config.xsens.identifiers = {{"rate_of_turn", 0x034}};  // identifier of the acceleration
   EXPECT_THAT(error_of(config), HasSubstr("two are the same"));
 }
 

@@ -14,7 +14,7 @@ namespace bus_survey_test {
 using testing::HasSubstr;
 using wire::CanFrame;
 
-/// The survey of a fixture's frames, at their own times.
+/// Surveys the frames of a fixture, at their own times.
 std::unique_ptr<BusSurvey> hear(const std::string& file) {
   capture::CaptureFile capture(DRYDOCK_SOURCE_DIR "/fixtures/" + file, "", "");
   auto survey = std::make_unique<BusSurvey>();
@@ -90,9 +90,8 @@ TEST(BusSurvey, AnXsensIsFoundByItsIdentifiers) {
 }
 
 TEST(BusSurvey, AnAddressClaimNamesItsSender) {
-  // Made of
-  // the fields' places in J1939-81: identity 12345, manufacturer 135, function 130, class 60 in
-  // bits 49 to 55, industry group 4 (marine), arbitrary address.
+  // By the positions of the fields in J1939-81: identity 12345, manufacturer 135, function 130,
+  // class 60 in bits 49 to 55, industry group 4 (marine), arbitrary address.
   const std::uint64_t name =
       12345ull | 135ull << 21 | 130ull << 40 | 60ull << 49 | 4ull << 60 | 1ull << 63;
   CanFrame claim = frame(0x18EEFF23, {0, 0, 0, 0, 0, 0, 0, 0}, true);
@@ -135,7 +134,7 @@ TEST(BusSurvey, ErrorFramesAloneHintAtTheBitRate) {
 }
 
 TEST(WireBits, OfAFrameOfZerosEveryFifthBitIsFollowedByAStuffBit) {
-  // 34 zero bits from the start of frame through the CRC, which is 0: 6 stuff bits; 13 behind.
+  // 34 zero bits from the start of frame to the CRC, which is 0: 6 stuff bits. 13 bits follow.
   EXPECT_EQ(wire::wire_bits(frame(0, {})), 34u + 6 + 13);
 }
 
@@ -145,7 +144,7 @@ TEST(WireBits, StayWithinWhatTheFormatCanBe) {
     EXPECT_GE(bits, unstuffed);
     EXPECT_LE(bits, unstuffed + (stuffable - 1) / 4);
   };
-  // 8 bytes: 111 bits and 131 bits with the intermission, 98 and 118 of them stuffed.
+  // 8 bytes: 111 and 131 bits with the intermission; 98 and 118 of them are subject to stuffing.
   inside(frame(0x555, {0x55, 0x55, 0x55, 0x55, 0x55, 0x55, 0x55, 0x55}), 111, 98);
   inside(frame(0x7FF, {255, 255, 255, 255, 255, 255, 255, 255}), 111, 98);
   inside(frame(0x15555555, {1, 2, 3, 4, 5, 6, 7, 8}, true), 131, 118);

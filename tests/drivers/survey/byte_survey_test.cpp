@@ -18,7 +18,7 @@ using wire::testing::Buffer;
 using wire::testing::fixture;
 using wire::testing::operator+;
 
-/// What a survey thinks of a line at 115200 baud.
+/// Surveys a line at 115200 baud.
 ByteSurvey hear(const Buffer& line) {
   ByteSurvey survey;
   Stamp now{};
@@ -44,7 +44,7 @@ struct Golden {
   std::string protocol, file;
 };
 
-/// Bytes that other software made, three times over, so that each protocol has frames enough.
+/// Bytes from other software, three times, so that each protocol has enough frames.
 Buffer line_of(const std::string& file) {
   const Buffer once = fixture(file);
   return once + once + once;
@@ -65,7 +65,7 @@ TEST_P(GoldenLine, IsFoundBehindGarbage) {
 }
 
 TEST_P(GoldenLine, IsNothingWithItsBitsTurned) {
-  // As at a wrong baud rate: bits of neighbouring bytes fall into one another.
+  // Simulates a wrong baud rate: bits of neighbouring bytes mix.
   Buffer line = line_of(GetParam().file);
   std::uint8_t carry = 0;
   for (auto& byte : line) {
@@ -152,7 +152,7 @@ TEST(ByteSurvey, RandomPrintableLinesNeverGiveAConfidentAnswer) {
   }));
 }
 
-/// What a port without parity reads from a line of seven bits with it.
+/// The bytes that a port without parity reads from a line with seven bits and parity.
 Buffer with_parity(const Buffer& seven, bool odd) {
   Buffer eight = seven;
   for (auto& byte : eight)

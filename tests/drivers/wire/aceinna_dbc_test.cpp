@@ -10,14 +10,14 @@
 #include "tests/drivers/wire/can_fixture.hpp"
 #include "tests/drivers/wire/dbc_reader.hpp"
 
-/// Our layouts against every SG_ line of the vendor's DBC 19.1.51.
+/// Compares our layouts with every SG_ line of the vendor's DBC 19.1.51.
 namespace drydock::wire::aceinna {
 namespace aceinna_dbc_test {
 
 using Message = Aceinna::Message;
 using Number = std::optional<double>;
 
-/// How our decoder shows a signal of the DBC, in the DBC's unit.
+/// Our decoder's value for a signal of the DBC, in the DBC's unit.
 using Reading = std::function<Number(const Message&)>;
 
 template <class M, class Get>
@@ -25,7 +25,7 @@ Reading reads(Get get) {
   return [get](const Message& m) { return Number(get(std::get<M>(m))); };
 }
 
-/// A bit of a status message, by our key.
+/// A bit of a status message, by its key in our decoder.
 template <class Layout>
 Reading flag(std::string key) {
   return [key](const Message& m) -> Number {
@@ -137,8 +137,8 @@ std::map<std::string, Reading> readings() {
   return r;
 }
 
-/// Messages for which a bench has no use: they store settings for good, restart the device's own
-/// filter, move its PGNs or name its firmware; and the claim once more as an answer.
+/// A bench does not need these messages. They store settings permanently, restart the device's own
+/// filter, move its PGNs or name its firmware; one repeats the claim as an answer.
 const std::set<std::string> unread{"Set_Configuration_Save",    "Feedback_Configuration_Save",
                                    "Set_Algorithm_Reset",       "Feedback_ECU_ID",
                                    "Feedback_Firmware_Version", "Set_Bank0_PS_Num",
@@ -170,7 +170,7 @@ TEST(AceinnaDbc, EverySignalOfTheVendorIsReadWhereItStands) {
         const auto message = decoder.receive(frame);
         ASSERT_TRUE(message) << sent.name;
         const auto shown = reading->second(*message);
-        if (!shown) continue;  // reserved by J1939-71, or not vouched for
+        if (!shown) continue;  // reserved by J1939-71, or not valid
         const double raw = static_cast<double>(s.raw(frame.payload()));
         EXPECT_NEAR(*shown, raw * s.factor + s.offset, 1e-9) << sent.name << "." << name;
       }

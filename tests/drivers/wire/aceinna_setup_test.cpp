@@ -41,7 +41,7 @@ struct Known {
   const char* text;
 };
 
-// Codes of the vendor's manual (DMU380, orientation field), X, Y, Z in turn.
+// Codes from the vendor's manual (DMU380, orientation field), for X, Y, Z.
 TEST(AceinnaSetup, OrientationCodesAreTheManuals) {
   constexpr std::array<Known, 24> table{
       {{0x0000, "+X+Y+Z"}, {0x0009, "-X-Y+Z"}, {0x0023, "-Y+X+Z"}, {0x002A, "+Y-X+Z"},
@@ -69,7 +69,7 @@ TEST(AceinnaSetup, OrientationCodesAreTheManuals) {
 }
 
 TEST(AceinnaSetup, MagneticFieldInTesla) {
-  // 32000 is 0 G, 34000 is 0.5 G (4000 a gauss from -8 G); FFFFh is not available.
+  // 32000 means 0 G, 34000 means 0.5 G (4000 per gauss from -8 G); FFFFh means not available.
   const auto m = test::only<MagneticField, Aceinna>({frame("18FF6A80#007DD084FFFFFFFF")});
   EXPECT_NEAR(m.field_t[0].value(), 0, 1e-15);
   EXPECT_NEAR(m.field_t[1].value(), 0.5e-4, 1e-15);
@@ -77,8 +77,8 @@ TEST(AceinnaSetup, MagneticFieldInTesla) {
   EXPECT_EQ(text_of(encode(m)), "18FF6A80#007DD084FFFFFFFF");
 }
 
-// The trap of the reversed NAME: SAE looks for "arbitrary address capable" in bit 63, the vendor
-// puts it into bit 0 and the top of the identity number into bit 63.
+// The trap of the reversed NAME. SAE has "arbitrary address capable" in bit 63. The vendor has it
+// in bit 0, and the top of the identity number in bit 63.
 TEST(AceinnaSetup, TheArbitraryAddressBitStandsAtTheOtherEndOfTheName) {
   j1939::Name movable;
   movable.arbitrary_address_capable = true;

@@ -34,7 +34,7 @@ TEST(Aceinna, AddressClaimHoldsTheNameInTheVendorsOrder) {
 }
 
 TEST(Aceinna, EveryReservedRawValueIsEmpty) {
-  // J1939-71: from FB00h up nothing is a measurement; FAFFh is the last that is.
+  // J1939-71: values from FB00h up are not measurements; FAFFh is the last measurement.
   for (unsigned raw = 0xFB00; raw <= 0xFFFF; ++raw) {
     CanFrame rates = frame("0CF02A80#0000000000000000");
     rates.data[0] = raw & 0xFF;

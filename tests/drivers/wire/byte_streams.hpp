@@ -12,7 +12,7 @@
 
 #include "drivers/wire/codec.hpp"
 
-/// Bytes of fixtures and captures, and what a protocol finds in them.
+/// Bytes of fixtures and captures, and the messages that a protocol finds in them.
 namespace drydock::wire::testing {
 
 using Buffer = std::vector<std::uint8_t>;
@@ -26,7 +26,7 @@ inline Buffer fixture(const std::string& name) {
   return read_file(std::filesystem::path{DRYDOCK_SOURCE_DIR} / "fixtures" / name);
 }
 
-/// Folder of the captures made by others; may not exist.
+/// Folder of the captures made by others. It may be missing.
 inline std::filesystem::path corpora() {
   const char* folder = std::getenv("DRYDOCK_CORPORA");
   return folder ? folder : DRYDOCK_SOURCE_DIR "/../shared/corpora";
@@ -43,7 +43,7 @@ inline Buffer operator+(Buffer left, const Buffer& right) {
   return left;
 }
 
-/// A stream after it went through a protocol.
+/// The result of feeding a stream through a protocol.
 template <class P>
 struct Reading {
   std::vector<Buffer> frames;
@@ -61,7 +61,7 @@ struct Reading {
   }
 };
 
-/// Feeds the stream in pieces of the given sizes, the last size over and over.
+/// Feeds the stream in pieces of the given sizes. The last size is repeated.
 template <class P>
 Reading<P> read_stream(Bytes stream, const std::vector<std::size_t>& pieces = {1u << 20}) {
   Reading<P> reading;

@@ -6,7 +6,7 @@
 #include "tests/drivers/property.hpp"
 #include "tests/drivers/wire/can_fixture.hpp"
 
-/// What every CAN protocol of the registry must hold to.
+/// Rules for every CAN protocol of the registry.
 namespace drydock::wire {
 namespace can_conformance_test {
 
@@ -27,7 +27,7 @@ struct TestedProtocols<ProtocolList<P...>> {
 };
 TYPED_TEST_SUITE(CanConformance, TestedProtocols<FrameProtocols>::Types);
 
-/// Identifiers near those of our protocols, so that content is what varies.
+/// Identifiers close to those of our protocols, so that mainly the content varies.
 CanFrame random_frame() {
   constexpr std::array<std::uint32_t, 12> pgns{61481,  61482,  61485,  127245, 127488, 128267,
                                                129029, 130312, 130314, 59904,  60928,  65280};
@@ -53,7 +53,7 @@ std::vector<CanFrame> random_traffic(std::size_t most) {
   return frames;
 }
 
-/// Every number that a message shows is one.
+/// True if every number in a message is finite.
 bool shows_only_numbers(const nlohmann::json& message) {
   for (const auto& value : message) {
     if (value.is_number_float() && !std::isfinite(value.get<double>())) return false;
@@ -75,7 +75,7 @@ TYPED_TEST(CanConformance, GoldenFramesDecodeToTheNumbersOfTheirSources) {
 TYPED_TEST(CanConformance, MessagesNameTheirFieldsOnceBesideThoseOfTheirFrame) {
   for (const auto& message :
        decode_all<TypeParam>(test::frames_of_log(fixture(this->folder() + "/frames.log")))) {
-    std::vector<std::string> keys{"type", "time_s", "interface"};  // decode writes these itself
+    std::vector<std::string> keys{"type", "time_s", "interface"};  // decode adds these itself
     std::visit(
         [&](const auto& m) {
           visit_fields(m, [&](std::string_view key, const auto&) { keys.emplace_back(key); });

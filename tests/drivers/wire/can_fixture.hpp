@@ -17,7 +17,7 @@
 #include "drivers/wire/can/candump.hpp"
 #include "drivers/wire/codec.hpp"
 
-/// Reads frames and what they say from fixtures and from the corpora.
+/// Reads frames and their meaning from fixtures and from the corpora.
 namespace drydock::wire::test {
 
 inline std::string fixture(const std::string& path) {
@@ -40,7 +40,7 @@ inline Bytes as_bytes(std::string_view text) {
   return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
 }
 
-/// The frame of `18EEFF01#05A0...`.
+/// Parses a frame such as `18EEFF01#05A0...`.
 inline CanFrame frame(const std::string& id_and_data) {
   const std::string text = "(0.0) can0 " + id_and_data;
   const auto line = candump::parse_line(text);
@@ -52,7 +52,7 @@ inline std::string text_of(const CanFrame& frame) {
   std::array<std::uint8_t, 288> out;
   const auto size = candump::encode({{}, "-", frame, {}}, out);
   const std::string line(out.begin(), out.begin() + size);
-  return line.substr(22, line.size() - 23);  // behind "(0000000000.000000) - "
+  return line.substr(22, line.size() - 23);  // after "(0000000000.000000) - "
 }
 
 inline std::vector<CanFrame> frames_of_log(const std::string& path) {
@@ -85,7 +85,7 @@ nlohmann::json to_json(const Variant& message) {
       message);
 }
 
-/// Every key of `expected` stands in `actual` with that value; numbers within 1e-9 of it.
+/// Expects every key of `expected` in `actual` with the same value; numbers may differ by 1e-9.
 inline void expect_fields(const nlohmann::json& expected, const nlohmann::json& actual) {
   for (const auto& [key, value] : expected.items()) {
     ASSERT_TRUE(actual.contains(key)) << key << " not in " << actual;
@@ -100,7 +100,7 @@ inline void expect_fields(const nlohmann::json& expected, const nlohmann::json& 
   }
 }
 
-/// What a fresh decoder makes of these frames.
+/// The messages that a new decoder finds in these frames.
 template <class P>
 std::vector<typename P::Message> decode_all(const std::vector<CanFrame>& frames) {
   typename P::Decoder decoder;

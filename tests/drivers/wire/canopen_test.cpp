@@ -50,13 +50,13 @@ TEST(CanOpen, PutsEmergencyCodesIntoWords) {
   EXPECT_EQ(error_text(0x0000), "error reset or no error");
   EXPECT_EQ(error_text(0x1000), "generic error");
   EXPECT_EQ(error_text(0x8130), "life guard or heartbeat error");
-  EXPECT_EQ(error_text(0x8199), "communication");  // its class
-  EXPECT_EQ(error_text(0x4310), "temperature");    // its group
+  EXPECT_EQ(error_text(0x8199), "communication");  // from its class
+  EXPECT_EQ(error_text(0x4310), "temperature");    // from its group
   EXPECT_EQ(error_text(0xFF42), "device specific");
   EXPECT_EQ(error_text(0xA000), "error class not in CiA 301");
 }
 
-// Command bytes 40h, 23h, 2Bh, 2Fh, 43h, 4Bh, 60h, 80h: CiA 301, SDO protocols.
+// The command bytes 40h, 23h, 2Bh, 2Fh, 43h, 4Bh, 60h, 80h are from CiA 301, SDO protocols.
 TEST(CanOpen, EncodesExpeditedTransfersAsCia301Says) {
   EXPECT_EQ(text_of(encode(SdoRead{5, {0x6131, 1}})), "605#4031610100000000");
   EXPECT_EQ(text_of(encode(SdoWrite{5, {0x1017, 0}, 1000, 2})), "605#2B171000E8030000");
@@ -71,7 +71,7 @@ TEST(CanOpen, DecodesTheRequestsOfAClient) {
   const auto read = decode_sdo_request(frame("605#4031610100000000"));
   ASSERT_TRUE(read);
   EXPECT_EQ(std::get<SdoRead>(*read).entry, (ObjectEntry{0x6131, 1}));
-  const auto write = decode_sdo_request(frame("605#2B171000E803FFFF"));  // two bytes mean nothing
+  const auto write = decode_sdo_request(frame("605#2B171000E803FFFF"));  // two bytes are unused
   ASSERT_TRUE(write);
   EXPECT_EQ(std::get<SdoWrite>(*write).value, 1000u);
   EXPECT_EQ(std::get<SdoWrite>(*write).size, 2);
@@ -88,7 +88,7 @@ TEST(CanOpen, DecodesTheAnswersOfANode) {
   const auto refused = decode_sdo_response(frame("585#8017100002000106"));
   ASSERT_TRUE(refused);
   EXPECT_EQ(std::get<SdoAbort>(*refused).code, 0x06010002u);  // CiA 301: the object is read-only
-  EXPECT_FALSE(decode_sdo_response(frame("585#410810000B000000")));  // segmented: no value in it
+  EXPECT_FALSE(decode_sdo_response(frame("585#410810000B000000")));  // segmented: it has no value
   EXPECT_FALSE(decode_sdo_response(frame("585#4331610100004E")));
   EXPECT_FALSE(decode_sdo_response(frame("580#4331610100004E00")));
 }

@@ -14,7 +14,7 @@ namespace checksum_test {
 
 TEST(Checksum, FletcherOfThePublishedExamples) {
   EXPECT_EQ(fletcher8(as_bytes("")), 0);
-  // UBX-MON-VER as polled: class 0A, id 04, length 0, then CK_A 0E and CK_B 34.
+  // A poll of UBX-MON-VER: class 0A, id 04, length 0, then CK_A 0E and CK_B 34.
   EXPECT_EQ(fletcher8(Buffer{0x0A, 0x04, 0x00, 0x00}), 0x340E);
 }
 

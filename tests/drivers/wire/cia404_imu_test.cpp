@@ -69,7 +69,7 @@ TEST(Cia404Imu, EachSingleLostFrameCostsItsSetAndIsCountedOnce) {
   for (std::size_t lost = 0; lost < 9; ++lost) {
     auto frames = stream(3);
     frames.erase(frames.begin() + static_cast<std::ptrdiff_t>(lost));
-    frames.push_back(encode(marked(9))[0]);  // so that a lost last frame shows
+    frames.push_back(encode(marked(9))[0]);  // shows a lost last frame
     Cia404Imu::Decoder decoder;
     int sets = 0;
     for (const CanFrame& f : frames) {

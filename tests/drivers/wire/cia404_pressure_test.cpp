@@ -19,7 +19,7 @@ Scale scale(Form form, const char* unit, unsigned decimals) {
   return {form, *find_unit(unit), decimals};
 }
 
-// Danfoss DST P92C, IC.PS.P21.1B.02 section 3.5: A0 86 01 00 00 is 100000, valid.
+// Danfoss DST P92C, IC.PS.P21.1B.02 section 3.5: A0 86 01 00 00 means 100000, valid.
 TEST(Cia404Pressure, ReadsTheExampleOfDanfoss) {
   const auto value = value_of("181#A086010000");
   EXPECT_EQ(as_integer(value), 100000);
@@ -37,7 +37,7 @@ TEST(Cia404Pressure, ReadsTheVectorsOfTheMakers) {
   for (const auto& line : lines) {
     const auto payload_at = line.find('\t') + 1;
     const auto payload = line.substr(payload_at, line.find('\t', payload_at) - payload_at);
-    const auto stated = line.find("i32 = ");  // a vector with bytes and its value
+    const auto stated = line.find("i32 = ");  // a line with bytes and their value
     if (stated == std::string::npos) continue;
     const auto value = value_of("181#" + payload);
     EXPECT_EQ(as_integer(value), std::stol(line.substr(stated + 6))) << line;
@@ -63,7 +63,7 @@ TEST(Cia404Pressure, RealNumbersStandAloneOrBeforeAnotherObject) {
   EXPECT_EQ(text_of(encode(1, 10.25e5, in_bar)), "181#00002441");
 }
 
-// CiA 303-2: prefix, unit. bar and Pa also stand in the makers' dictionaries.
+// CiA 303-2: prefix, unit. bar and Pa are also in the makers' dictionaries.
 TEST(Cia404Pressure, UnitsAreTheirCodesAndSizes) {
   EXPECT_EQ(find_unit("bar")->code, 0x004E0000U);
   EXPECT_EQ(find_unit("Pa")->code, 0x00220000U);

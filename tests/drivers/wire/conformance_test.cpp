@@ -6,11 +6,11 @@
 #include "tests/drivers/property.hpp"
 #include "tests/drivers/wire/byte_streams.hpp"
 
-/// What every byte protocol owes its driver, tried on golden bytes of other software.
+/// Rules for every byte protocol, checked with golden bytes from other software.
 namespace drydock::wire::testing {
 namespace conformance_test {
 
-/// Golden stream of a protocol, its frames and messages, and how its sync looks.
+/// The golden stream of a protocol, its frames and messages, and the form of its sync.
 template <class P>
 struct Golden;
 
@@ -67,7 +67,7 @@ struct Golden<Pd6> {
   static Buffer stream() { return fixture("pd6/golden.pd6"); }
   static constexpr std::size_t frames = 18, messages = 17;
   static Buffer false_sync() { return as_bytes(":BI,  +12"); }
-  static constexpr std::size_t inside = 7;  ///< the point of a number: no checksum covers digits
+  static constexpr std::size_t inside = 7;  ///< the point: no checksum covers the digits
 };
 
 template <>
@@ -86,7 +86,7 @@ struct Golden<Nortek> {
   static constexpr std::size_t inside = 9;
 };
 
-/// The checksums once more, written from the documents and not from the scanners.
+/// The checksums again, written from the documents and not from the scanners.
 bool sound_sentence(Bytes frame) {
   const std::string_view text = as_text(frame);
   const std::size_t star = text.rfind('*');
@@ -102,7 +102,7 @@ bool sound_ubx(Bytes frame) {
   return frame[0] == 0xB5 && frame[1] == 0x62 && frame[frame.size() - 2] == a && frame.back() == b;
 }
 
-/// A command may lack the checksum: the line's end follows no star then.
+/// A command may omit the checksum: then there is no star before the line's end.
 bool sound_water_linked(Bytes frame) {
   const std::string_view text = as_text(frame);
   const std::size_t star = text.find('*');
@@ -117,8 +117,8 @@ bool sound_water_linked(Bytes frame) {
   return std::stoul(std::string{text.substr(star + 1, 2)}, nullptr, 16) == crc;
 }
 
-/// No checksum: a head, fields without a second colon, a line end, and of known lines the number of
-/// fields.
+/// There is no checksum. A line has a head, fields without a second colon and a line end. A known
+/// line also has the right number of fields.
 bool sound_pd6(Bytes frame) {
   const std::string_view text = as_text(frame);
   if (text.size() < 5 || text[0] != ':' || text.rfind(':') != 0 || text[3] != ',') return false;
@@ -156,7 +156,8 @@ void expect_counters_add_up(const Reading<P>& reading, std::size_t bytes) {
   EXPECT_EQ(reading.counters.frames, reading.frames.size());
 }
 
-/// Good frames in order, then enough quiet noise to end any wait for a false length.
+/// Expects all golden frames in order. The stream gets enough quiet noise to end any wait for a
+/// false length.
 template <class P>
 void expect_all_golden_frames_in(const Buffer& stream, const Buffer& golden) {
   const auto expected = read_stream<P>(golden).frames;
@@ -167,7 +168,7 @@ void expect_all_golden_frames_in(const Buffer& stream, const Buffer& golden) {
   expect_counters_add_up(reading, stream.size() + P::max_frame);
 }
 
-/// Random bytes and torn pieces of real frames.
+/// Random bytes and parts of real frames.
 Buffer noise(const Buffer& golden) {
   const auto begin = *rc::gen::inRange<std::size_t>(0, golden.size());
   const auto end = *rc::gen::inRange<std::size_t>(begin, golden.size());

@@ -12,7 +12,7 @@
 #include "drivers/wire/can/can_frame.hpp"
 #include "drivers/wire/codec.hpp"
 
-/// As much of the DBC format as our files use: messages, signals of either byte order, value
+/// The part of the DBC format that our files use: messages, signals of either byte order, value
 /// tables, and the types of floating-point signals.
 namespace drydock::wire::test {
 

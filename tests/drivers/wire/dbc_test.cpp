@@ -8,7 +8,7 @@
 #include "tests/drivers/property.hpp"
 #include "tests/drivers/wire/can_fixture.hpp"
 
-/// The DBC files that other tools open our bus with say what our codecs do.
+/// Our DBC files, with which other tools open our bus, agree with our codecs.
 namespace drydock::wire {
 namespace dbc_test {
 
@@ -21,12 +21,12 @@ Dbc dbc(const std::string& name) {
   return DbcReader::read(DRYDOCK_SOURCE_DIR "/rig_config/dbc/" + name + ".dbc");
 }
 
-/// A message of several frames stands as type_1, type_2, ...
+/// A message of several frames appears as type_1, type_2, ...
 bool is_of(const DbcMessage& message, const std::string& type) {
   return std::regex_match(message.name, std::regex(type + "(_[0-9])?"));
 }
 
-/// The message of that type whose identifier the frame has: J1939 by its PGN, CANopen by its
+/// Finds the message of that type with the frame's identifier: for J1939 by PGN, for CANopen by
 /// function code.
 const DbcMessage* find(const Dbc& dbc, const std::string& type, const CanFrame& frame) {
   for (const DbcMessage& m : dbc) {
@@ -38,7 +38,7 @@ const DbcMessage* find(const Dbc& dbc, const std::string& type, const CanFrame& 
   return nullptr;
 }
 
-/// Checks every signal that bears the name of a JSON key against that key.
+/// Compares every signal with the JSON key of the same name.
 void expect_same(const DbcMessage& message, const CanFrame& frame, const nlohmann::json& json) {
   for (const auto& [name, signal] : message.signals) {
     if (!json.contains(name) || json[name].is_null()) continue;
@@ -55,7 +55,7 @@ void expect_same(const DbcMessage& message, const CanFrame& frame, const nlohman
   }
 }
 
-/// Decodes the frame with a fresh decoder of P and compares the message with the file's reading.
+/// Decodes the frame with a new decoder of P and compares the message with the reading by the file.
 template <class P>
 unsigned compare(const Dbc& file, const CanFrame& frame) {
   const auto messages = test::decode_all<P>({frame});

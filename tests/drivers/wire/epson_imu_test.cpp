@@ -24,7 +24,7 @@ CanFrame accelerometer(unsigned counter) {
   return f;
 }
 
-// The tool's dump of a real G552 holds 7130h:4 = 07B5h; its next line prints 789.2 mg.
+// The tool's dump of a real G552 contains 7130h:4 = 07B5h; its next line prints 789.2 mg.
 TEST(EpsonImu, ScalesAsItsMakersToolDoes) {
   const auto set =
       test::only<ImuSet, EpsonG552>({frame("189#46010000FFFFFEFF"), frame("289#4601B507B4FEE105")});
@@ -54,13 +54,13 @@ TEST(EpsonImu, AConditionHasTheStatusOnlyWhereThePdoHoldsIt) {
   EXPECT_TRUE(test::decode_all<EpsonG552>({frame("381#7A51F10A0000")}).empty());
 }
 
-// The tool's dump of a real G552 holds 2101h:1 = 35E6h and 2101h:2 = 0CE87340h; a moment later it
-// prints 20:45:35.175 of 10 October 2021, in a zone 7 h behind UTC.
+// The tool's dump of a real G552 contains 2101h:1 = 35E6h and 2101h:2 = 0CE87340h. A moment later
+// it prints 20:45:35.175 of 10 October 2021, in a zone 7 h behind UTC.
 TEST(EpsonImu, ReadsTheTimeOfTheDeviceInTheOrderOfItsModel) {
   const auto g552 = test::only<DeviceTime, EpsonG552>({frame("489#38014073E80CE635")});
   EXPECT_EQ(g552.node, 9);
   EXPECT_EQ(g552.counter, 0x138);
-  EXPECT_EQ(g552.day, 13797 + 1);  // 37 years of 365 days, 10 leap days, 282; and past midnight
+  EXPECT_EQ(g552.day, 13797 + 1);  // 37 years of 365 days, 10 leap days, 282; midnight passed
   EXPECT_NEAR(*g552.time_of_day_s, (20 + 7 - 24) * 3600 + 45 * 60 + 35.028, 1e-9);
   const auto g550 = test::only<DeviceTime, EpsonG550>({frame("489#3801E6354073E80C")});
   EXPECT_EQ(g550.day, g552.day);
@@ -90,7 +90,7 @@ TEST(EpsonImu, OnlyHalvesOfOneCounterAreJoinedWhicheverIsLost) {
   for (std::size_t lost = 0; lost < stream.size(); ++lost) {
     auto frames = stream;
     frames.erase(frames.begin() + static_cast<std::ptrdiff_t>(lost));
-    frames.push_back(gyro(4));  // so that a lost last frame shows
+    frames.push_back(gyro(4));  // shows a lost last frame
     EpsonG550::Decoder decoder;
     int sets = 0;
     for (const CanFrame& f : frames) sets += decoder.receive(f).has_value();

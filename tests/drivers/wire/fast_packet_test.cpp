@@ -24,7 +24,7 @@ struct Assembled {
   bool operator==(const Assembled&) const = default;
 };
 
-/// Feeds frames to an assembler and keeps what comes out.
+/// Feeds frames to an assembler and keeps the messages.
 struct Bench {
   FastPacketAssembler assembler;
   std::vector<Assembled> messages;
@@ -46,7 +46,7 @@ std::vector<CanFrame> frames_for(const j1939::Identifier& id, std::uint8_t seque
   return frames;
 }
 
-/// `2022-09-28-11:36:59.668,3,129029,0,255,8,00,2f,...`: canboat's plain format.
+/// Parses canboat's plain format: `2022-09-28-11:36:59.668,3,129029,0,255,8,00,2f,...`.
 std::optional<CanFrame> frame_of_plain(const std::string& line) {
   unsigned priority, pgn, source, destination, size;
   int at = 0;
@@ -89,7 +89,7 @@ TEST(FastPacket, EncodesTheFramesOfARealMessage) {
 }
 
 RC_GTEST_PROP(FastPacket, InterleavedMessagesComeOutWhole, ()) {
-  // Up to four talkers, each sending in order, merged at random.
+  // Up to four talkers. Each sends in order; the order between talkers is random.
   std::vector<std::vector<CanFrame>> queues;
   std::vector<Assembled> sent;
   const auto talkers = *rc::gen::inRange(1, 5);
@@ -135,7 +135,7 @@ TEST(FastPacket, FrameZeroIsNeverGluedOntoAStaleBody) {
   bench.receive(old_frames[0]);
   bench.receive(old_frames[1]);
   bench.receive(new_frames[0]);
-  bench.receive(old_frames[2]);  // the stale body's last frame completes nothing
+  bench.receive(old_frames[2]);  // the last frame of the old message completes nothing
   EXPECT_TRUE(bench.messages.empty());
   EXPECT_EQ(bench.assembler.counters().dropped, 2u);
 }
@@ -174,7 +174,7 @@ TEST(FastPacket, RecombinesTheOrderedMessagesOfCanboatsTest) {
     const auto pgn = frame ? j1939::parse_identifier(frame->id).pgn : 0;
     if (pgn == 129029 || pgn == 126720 || pgn == 130823) bench.receive(*frame);
   }
-  // Of canboat's seven fast packets two arrive out of order: dropped here, by design.
+  // Two of canboat's seven fast packets arrive out of order. The assembler drops them by design.
   ASSERT_EQ(bench.messages.size(), 5u);
   const std::vector<std::uint32_t> pgns{129029, 129029, 126720, 130823, 129029};
   const std::vector<std::size_t> sizes{47, 47, 62, 223, 47};
@@ -182,7 +182,8 @@ TEST(FastPacket, RecombinesTheOrderedMessagesOfCanboatsTest) {
     EXPECT_EQ(bench.messages[i].pgn, pgns[i]);
     EXPECT_EQ(bench.messages[i].data.size(), sizes[i]);
   }
-  // The last is the retransmission, not its first frame on the stale body (E5, not E6).
+  // The last message is the retransmission. Its first frame was not joined to the old message (E5,
+  // not E6).
   EXPECT_EQ(bench.messages.back().data[13], 0xE5);
   const auto fix = nmea2000::decode_gnss_position(0, bench.messages[0].data).value();
   EXPECT_NEAR(degrees(*fix.latitude_rad), 42.4967684, 1e-7);

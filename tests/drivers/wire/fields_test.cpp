@@ -6,7 +6,8 @@
 #include <cmath>
 #include <limits>
 
-/// Angles are radians inside and degrees for the reader: what a device sent is what is shown.
+/// Angles are radians inside and degrees for the reader. The shown value is the one that the device
+/// sent.
 namespace drydock::wire {
 namespace fields_test {
 

@@ -8,7 +8,7 @@
 
 #include "tests/drivers/wire/byte_streams.hpp"
 
-/// The regression logs of gpsd and the reports that gpsd makes of them.
+/// The regression logs of gpsd, and gpsd's reports for them.
 namespace drydock::wire::testing {
 
 inline std::filesystem::path gpsd_folder() { return corpora() / "gps/gpsd/daemon"; }
@@ -22,7 +22,7 @@ inline std::vector<std::filesystem::path> gpsd_logs() {
   return logs;
 }
 
-/// Bytes of a log behind its head of `#` lines.
+/// The bytes of a log after its head of `#` lines.
 inline Buffer gpsd_log(const std::filesystem::path& path) {
   Buffer bytes = read_file(path);
   auto at = bytes.begin();
@@ -31,7 +31,7 @@ inline Buffer gpsd_log(const std::filesystem::path& path) {
   return bytes;
 }
 
-/// gpsd's reports of one class for a log; none where the folder has no report file.
+/// gpsd's reports of one class for a log. Empty if the folder has no report file.
 inline std::vector<nlohmann::json> gpsd_reports(const std::filesystem::path& log,
                                                 const std::string& report_class) {
   std::vector<nlohmann::json> reports;

@@ -9,7 +9,8 @@
 #include "drivers/wire/ubx/ubx.hpp"
 #include "tests/drivers/wire/byte_streams.hpp"
 
-/// Another program reads what we encode: gpsd's gpsdecode, a filter from a stream to JSON.
+/// Another program decodes the output of our encoders: gpsd's gpsdecode, which converts a stream to
+/// JSON.
 namespace drydock::wire::testing {
 namespace gpsdecode_test {
 

@@ -3,7 +3,8 @@
 
 #include "tests/drivers/wire/j1939_transport.hpp"
 
-/// Frames written out by the layouts of canboat's PGN database (60416, 60160); times of J1939-21.
+/// The frames are written by hand from the layouts of canboat's PGN database (60416, 60160); the
+/// times are those of J1939-21.
 namespace drydock::wire::j1939 {
 namespace j1939_broadcast_test {
 
@@ -86,7 +87,7 @@ TEST(Transport, AnAnnouncementIsForgotten750MsAfterItsLastPacket) {
   EXPECT_TRUE(ear.messages.empty());
   EXPECT_EQ(ear.receiver.counters().dropped, 1U);
   EXPECT_EQ(ear.receiver.counters().stray, 2U);
-  EXPECT_TRUE(ear.said.empty());  // nobody is told of a broadcast lost
+  EXPECT_TRUE(ear.said.empty());  // a lost broadcast is not reported to anybody
 }
 
 TEST(Transport, ANewAnnouncementIsNeverGluedOntoAStaleBody) {

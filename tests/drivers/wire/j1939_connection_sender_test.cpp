@@ -3,8 +3,8 @@
 
 #include "tests/drivers/wire/j1939_transport.hpp"
 
-/// The sending end of a connection, then both. Frames written out by the layout of canboat's PGN
-/// database (60416); times of J1939-21.
+/// The sending end of a connection, then both ends. The frames are written by hand from the layout
+/// of canboat's PGN database (60416); the times are those of J1939-21.
 namespace drydock::wire::j1939 {
 namespace j1939_connection_sender_test {
 
@@ -17,7 +17,7 @@ TEST(Connection, TheSenderSendsWhatItIsGranted) {
   EXPECT_EQ(talker.tick(10ms), "1CEB8001#0101020304050607");
   EXPECT_EQ(talker.tick(10ms), "1CEB8001#0208090A0B0C0D0E");
   EXPECT_EQ(talker.tick(10ms), "");
-  talker.hear("1CEC0180#110302FFFFD8FE00", 20ms);  // the second again, and the rest
+  talker.hear("1CEC0180#110302FFFFD8FE00", 20ms);  // the second packet again, and the rest
   EXPECT_EQ(talker.tick(20ms), "1CEB8001#0208090A0B0C0D0E");
   EXPECT_EQ(talker.tick(20ms), "1CEB8001#030F101112131415");
   EXPECT_EQ(talker.tick(20ms), "1CEB8001#041617FFFFFFFFFF");
@@ -70,7 +70,7 @@ RC_GTEST_PROP(Connection, GetsAnyMessageAcrossABusThatLosesAPacket, ()) {
     if (!on_bus) on_bus = sender.tick(0ms);
     const auto id = *identify(*on_bus);
     const bool is_packet = id.pgn == transport_data_pgn;
-    // The last packet of a grant is not repeated: the time-out tells of it.
+    // The last packet of a grant is not repeated: the time-out reports its loss.
     const bool drop = is_packet && sent++ == lost && sender.deadline() == Time{};
     if (drop) {
       on_bus.reset();

@@ -2,8 +2,8 @@
 
 #include "tests/drivers/wire/j1939_transport.hpp"
 
-/// The receiving end of a connection. Frames written out by the layout of canboat's PGN database
-/// (60416); times of J1939-21.
+/// The receiving end of a connection. The frames are written by hand from the layout of canboat's
+/// PGN database (60416); the times are those of J1939-21.
 namespace drydock::wire::j1939 {
 namespace j1939_connection_test {
 
@@ -43,7 +43,7 @@ TEST(Connection, AsksForALostPacketAgainWhenTheGrantIsOver) {
   ear.hear(request);
   ear.hear("1CEB8001#0101020304050607");
   ear.hear("1CEB8001#030F101112131415");
-  EXPECT_EQ(ear.said.size(), 1U);  // an earlier word would break into the sending
+  EXPECT_EQ(ear.said.size(), 1U);  // an earlier message would disturb the sending
   ear.hear("1CEB8001#041617FFFFFFFFFF");
   ASSERT_EQ(ear.said.size(), 2U);
   EXPECT_EQ(ear.said[1], "1CEC0180#110302FFFFD8FE00");
@@ -85,7 +85,7 @@ TEST(Connection, OneOfTheSameSenderForAnotherMessageIsRefused) {
   ASSERT_EQ(ear.said.size(), 2U);
   EXPECT_EQ(ear.said[1], "1CEC0180#FF01FFFFFF45FF01");
   for (int i = 1; i <= 4; ++i) ear.hear(encode_transport_packet(1, 0x80, counting(23), i));
-  EXPECT_EQ(ear.messages.size(), 1U);  // the first goes on
+  EXPECT_EQ(ear.messages.size(), 1U);  // the first session goes on
 }
 
 TEST(Connection, OfTwoOthersIsPutTogetherWithoutAWord) {

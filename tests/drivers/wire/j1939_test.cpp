@@ -19,7 +19,7 @@ constexpr std::uint64_t movable = std::uint64_t{1} << 63;  // arbitrary address 
 constexpr std::uint64_t low_name = 0x1000, high_name = 0x2000;
 
 TEST(J1939, IdentifierSplitsAsTheStandardSays) {
-  // 60928 addressed to all, 126720 to node 0, 128267 broadcast; split by canboat.
+  // 60928 to all, 126720 to node 0, 128267 broadcast. canboat split these identifiers.
   EXPECT_EQ(parse_identifier(0x18EEFF01), (Identifier{6, 60928, 255, 1}));
   EXPECT_EQ(parse_identifier(0x1DEF0023), (Identifier{7, 126720, 0, 35}));
   EXPECT_EQ(parse_identifier(0x0DF50B74), (Identifier{3, 128267, 255, 116}));
@@ -153,7 +153,8 @@ TEST(AddressClaim, AnswersRequestsAddressedToItOrToAll) {
   node.start(0ms);
   node.tick(250ms);
   const std::string claim = "18EEFF80#0010000000000000";
-  // From a node without an address yet (255, as some devices do, and 254), to all and to us.
+  // From a node that has no address yet (255, as some devices do, and 254), to all and to this
+  // node.
   for (const char* request : {"18EAFFFF#00EE00", "18EAFFFE#00EE00", "18EA8001#00EE00"}) {
     const auto answer = node.receive(frame(request), 300ms);
     ASSERT_TRUE(answer) << request;
@@ -194,8 +195,8 @@ TEST(AddressClaim, TakesTheAddressThatItIsCommandedTo) {
   node.start(0ms);
   node.tick(250ms);
   EXPECT_FALSE(node.obey({1, high_name, 0x90}, 1s));  // for another NAME
-  EXPECT_FALSE(node.obey({1, low_name, 0x80}, 1s));   // it has it
-  EXPECT_FALSE(node.obey({1, low_name, 0xFE}, 1s));   // none may hold it
+  EXPECT_FALSE(node.obey({1, low_name, 0x80}, 1s));   // it already has the address
+  EXPECT_FALSE(node.obey({1, low_name, 0xFE}, 1s));   // no node may have this address
   const auto claim = node.obey({1, low_name, 0x90}, 1s);
   ASSERT_TRUE(claim);
   EXPECT_EQ(text_of(*claim), "18EEFF90#0010000000000000");
@@ -214,7 +215,7 @@ TEST(AddressClaim, ACommandEndsCannotClaim) {
   EXPECT_EQ(node.address(), 0x90);
 }
 
-/// Any number of nodes on one bus: what one sends reaches all others, in order.
+/// Any number of nodes on one bus: every frame from one reaches all others, in order.
 struct Crowd {
   std::vector<AddressClaim> nodes;
   AddressClaim::Time now{};

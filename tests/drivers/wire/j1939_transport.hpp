@@ -11,7 +11,7 @@
 #include "drivers/wire/j1939/j1939_transport_sender.hpp"
 #include "tests/drivers/wire/can_fixture.hpp"
 
-/// The two ends of J1939-21's transport, and the messages that go between them.
+/// The two ends of J1939-21's transport, and the messages between them.
 namespace drydock::wire::j1939::transport_ends {
 
 using namespace std::chrono_literals;
@@ -26,7 +26,7 @@ struct Heard {
   Data data;
 };
 
-/// A receiver, what it put together and what it said.
+/// A receiver, the messages that it assembled, and the frames that it sent.
 struct Listener {
   TransportReceiver receiver;
   std::vector<Heard> messages;
@@ -64,7 +64,7 @@ inline std::vector<CanFrame> broadcast(std::uint8_t source, std::uint32_t pgn, c
 /// A connection: node 1 sends 23 bytes (4 packets) of PGN 65240 to node 128.
 inline constexpr const char* request = "1CEC8001#10170004FFD8FE00";
 
-/// The sending end against what a receiver at 128 says.
+/// The sending end, with the frames of a receiver at 128.
 struct Talker {
   TransportSender sender;
   std::optional<CanFrame> said;

@@ -10,7 +10,7 @@
 
 namespace drydock::wire::test {
 
-/// Frames cut out of a stream, as text, and the counters at the end.
+/// The frames of a stream as text, and the counters at the end.
 struct CutStream {
   std::vector<std::string> frames;
   StreamCounters counters;

@@ -6,8 +6,8 @@
 #include "drivers/wire/ubx/ubx_nmea.hpp"
 #include "tests/drivers/wire/gpsd_logs.hpp"
 
-/// Lines that carry UBX, NMEA 0183 and RTCM 3 in turn, counted once more by a scanner that tries
-/// every byte, written from the documents and not from the product's.
+/// Lines with UBX, NMEA 0183 and RTCM 3 in turn. The test counts the frames again with a scanner
+/// that tries every byte. It is written from the documents and not from our scanners.
 namespace drydock::wire::testing {
 namespace mixed_line_test {
 
@@ -79,7 +79,7 @@ Count count_of(const Reading<UbxNmea>& reading) {
   return count;
 }
 
-/// A capture ends in the middle of anything: what follows lets a cut frame be given up.
+/// A capture may end inside a frame. The added bytes let the framer give up an incomplete frame.
 Buffer with_quiet_end(Buffer bytes) { return bytes + Buffer(UbxNmea::max_frame, 0x00); }
 
 class MixedLine : public ::testing::Test {

@@ -28,7 +28,7 @@ TEST_F(Nmea0183Corpus, EverySoundSentenceOfGpsdsLogsIsDecoded) {
     total.frames += reading.counters.frames;
     total.bad_checksums += reading.counters.bad_checksums;
   }
-  // Counted by a regular expression and an XOR in another language.
+  // These counts come from a regular expression and an XOR in another language.
   const std::map<std::string_view, std::size_t> expected{
       {"GGA", 1228}, {"RMC", 1462}, {"GSV", 4431}, {"GSA", 2000}, {"VTG", 794},
       {"ZDA", 535},  {"GNS", 112},  {"GLL", 860},  {"GST", 171},  {"HDT", 9},
@@ -40,12 +40,12 @@ TEST_F(Nmea0183Corpus, EverySoundSentenceOfGpsdsLogsIsDecoded) {
 
 using Cell = std::pair<long, long>;  // degrees / 1e-7
 
-/// gpsd merges the sentences of an epoch and drops the last one, so sets are compared.
+/// gpsd merges the sentences of an epoch and drops the last epoch, so the test compares sets.
 TEST_F(Nmea0183Corpus, PositionsAreThoseThatGpsdReports) {
   std::size_t positions = 0, reported = 0;
   for (const auto& log : gpsd_logs()) {
     const Buffer bytes = gpsd_log(log);
-    if (as_text(bytes).find("\xB5\x62") != std::string_view::npos) continue;  // mixed: see UBX
+    if (as_text(bytes).find("\xB5\x62") != std::string_view::npos) continue;  // see the UBX test
     std::set<Cell> known;
     for (const auto& tpv : gpsd_reports(log, "TPV")) {
       if (!tpv.contains("lat") || !tpv.contains("lon")) continue;
@@ -92,7 +92,7 @@ TEST_F(Nmea0183Corpus, SpeedLogSentencesAreReadAndWrongChecksumsRefused) {
 }
 
 TEST_F(Nmea0183Corpus, ARealSpeedLogAgreesWithItself) {
-  // Its knots and km/h are both rounded to 0.1: within half a digit they must say the same.
+  // Its knots and km/h are both rounded to 0.1, so they must agree within half a digit.
   const auto log = gpsd_log(gpsd_folder() / "bundg_zeus_9.log");
   const auto speeds = read_stream<Nmea0183>(log).all<Vhw>();
   ASSERT_EQ(speeds.size(), 150u);

@@ -16,7 +16,8 @@ std::string encoded(const M& m, const Decimals&... decimals) {
   return std::string{as_text(Bytes{out}.first(size))};
 }
 
-// The expected sentences are the public examples of fixtures/nmea0183, their values typed in here.
+// The expected sentences are the public examples of fixtures/nmea0183. Their values are typed in
+// here.
 
 TEST(Nmea0183Encoder, Gga) {
   Gga m;

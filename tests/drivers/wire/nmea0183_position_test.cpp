@@ -92,7 +92,7 @@ TEST(Nmea0183, HeadingFromTrueNorth) {
   const auto m = only<Hdt>(hdt);
   EXPECT_NEAR(degrees(*m.heading_rad), 75.5664, 1e-12);
   EXPECT_EQ(written(m, {.angle = 4}), hdt);
-  // As a SkyTraq PX1172RH sent it.
+  // A sentence from a SkyTraq PX1172RH.
   constexpr auto ths = "$GNTHS,244.17,A*1D\r\n";
   const auto with_mode = only<Ths>(ths);
   EXPECT_NEAR(degrees(*with_mode.heading_rad), 244.17, 1e-12);

@@ -12,7 +12,7 @@
 namespace drydock::wire::testing {
 namespace nmea0183_sentence_test {
 
-/// The one field of a sentence, and another behind it that must not be touched.
+/// Reads the only field of a sentence. The field after it must not change.
 std::optional<double> number_in(const std::string& field) {
   const Buffer frame = as_bytes("$GPXXX," + field + ",7*00\r\n");
   SentenceReader fields{frame};
@@ -47,7 +47,7 @@ TEST(NmeaSentence, WhatIsNoPlainNumberIsReadOrRefusedAsAWhole) {
 }
 
 RC_GTEST_PROP(NmeaSentence, TheTextEndsAtTheFirstCharacterThatIsNone, ()) {
-  // Eight at a time or one by one: the same place.
+  // The search by eight bytes and the search byte by byte find the same position.
   const auto length = *rc::gen::inRange<std::size_t>(0, 40);
   const auto breaker = *rc::gen::arbitrary<std::uint8_t>();
   RC_PRE(breaker == '$' || breaker < 0x20 || breaker > 0x7E);

@@ -10,7 +10,7 @@ namespace nmea0183_test {
 
 using namespace std::chrono_literals;
 
-/// What the only sentence in the text says.
+/// The content of the only sentence in the text.
 template <class M>
 M read(std::string_view text) {
   const auto messages = read_stream<Nmea0183>(as_bytes(text)).template all<M>();

@@ -42,7 +42,7 @@ TEST(Nmea2000, AnOffsetOfMinusOneMillimetreIsANumber) {
   EXPECT_DOUBLE_EQ(*depth.offset_m, -0.001);
 }
 
-/// The three highest values of a field are no numbers, the one below is the largest number.
+/// The three highest values of a field are not numbers; the value below them is the largest number.
 template <class Raw>
 void expect_three_sentinels(const std::string& id, std::size_t offset, const std::string& key) {
   for (int below = 0; below <= 3; ++below) {
@@ -115,7 +115,7 @@ struct AgreesWithCanboat {
       const double seconds = *number(fields, "Date") * 86400 + *number(fields, "Time") * 1e-4;
       EXPECT_NEAR(static_cast<double>(*m.utc_ns) * 1e-9, seconds, 1e-5);
     }
-    if (m.method == 0) {  // canboat prints what a receiver without a fix sends; we do not
+    if (m.method == 0) {  // canboat prints the values of a receiver without a fix; Drydock does not
       EXPECT_FALSE(m.latitude_rad || m.longitude_rad || m.altitude_m);
       return;
     }
@@ -141,7 +141,7 @@ struct AgreesWithCanboat {
   }
 };
 
-/// `<0x18eeff01> [8] 05 a0 ...` of old candumps, else a line of `candump -l`.
+/// Reads `<0x18eeff01> [8] 05 a0 ...` of old candumps, otherwise a line of `candump -l`.
 std::vector<CanFrame> canboat_sample(const std::string& path) {
   std::vector<CanFrame> frames;
   for (std::string line : test::lines_of(path)) {
@@ -156,7 +156,7 @@ std::vector<CanFrame> canboat_sample(const std::string& path) {
   return frames;
 }
 
-/// Messages of our PGNs, in order, against canboat's reading of the same bus; how many there are.
+/// Compares our messages, in order, with canboat's for the same bus. Returns their number.
 std::size_t compare_with_canboat(const std::string& sample) {
   const std::string folder = test::corpus("n2k/canboat/");
   const auto messages =

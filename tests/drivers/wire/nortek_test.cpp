@@ -107,7 +107,7 @@ TEST(Nortek, WhatIsNotKnownIsWrittenAsAnEmptyField) {
   EXPECT_FALSE(read.battery_v || read.sound_speed_mps || read.temperature_k);
 }
 
-/// Sentences of pynmea2's tests: verdict on the checksum, sentence.
+/// Sentences of pynmea2's tests. Columns: verdict on the checksum, sentence.
 TEST(Nortek, SentencesOfAnotherProgramAreRead) {
   const auto file = corpora() / "dvl/nortek/pnor_sentences.txt";
   if (!std::filesystem::exists(file)) GTEST_SKIP() << "no captures at " << corpora();

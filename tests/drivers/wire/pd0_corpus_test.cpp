@@ -6,7 +6,7 @@
 #include "drivers/wire/dvl/pd0.hpp"
 #include "tests/drivers/wire/byte_streams.hpp"
 
-/// Real instruments' files, and what the MHKiT library (float32) reads in them.
+/// Files of real instruments, and the values that the MHKiT library (float32) reads in them.
 namespace drydock::wire::testing {
 namespace pd0_corpus_test {
 
@@ -15,7 +15,7 @@ constexpr double float32_relative = 1.2e-7;
 struct Capture {
   std::string file, expected;
   std::size_t ensembles, with_bottom_track;
-  double heading_offset_deg = 0;  ///< declination that MHKiT added from the recording's set-up
+  double heading_offset_deg = 0;  ///< declination from the set-up, which MHKiT added
 };
 
 void PrintTo(const Capture& capture, std::ostream* out) { *out << capture.file; }
@@ -42,7 +42,7 @@ void expect_float(const std::optional<double>& value, double expected, const cha
   EXPECT_NEAR(*value, expected, std::abs(expected) * float32_relative + 1e-6) << what;
 }
 
-/// MHKiT keeps the bed's velocity and the marks of bad beams as they stand on the wire.
+/// MHKiT keeps the velocity of the bed and the marks of bad beams as they are on the wire.
 void expect_bottom_track(const Pd0BottomTrack& m, const nlohmann::json& row) {
   for (std::size_t i = 0; i < 4; ++i) {
     const double velocity = row["vel_bt"][i], range = row["dist_bt"][i];

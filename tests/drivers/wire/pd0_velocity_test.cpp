@@ -16,7 +16,7 @@ using Vector = std::array<double, 3>;
 constexpr double heading = 0.7, pitch = 0.12, roll = -0.2;  // Euler angles of the hull, rad
 constexpr Vector body{1.6, -0.3, 0.15};                     // FRD, m/s
 
-/// Yaw, pitch, roll (3-2-1) rotation of a body vector into north, east, down.
+/// Rotates a body vector into north, east, down by yaw, pitch, roll (3-2-1).
 Vector to_ned(const Vector& v, double yaw_rad, double pitch_rad, double roll_rad) {
   const auto [x, y, z] = v;
   const double y1 = y * std::cos(roll_rad) - z * std::sin(roll_rad);
@@ -27,7 +27,7 @@ Vector to_ned(const Vector& v, double yaw_rad, double pitch_rad, double roll_rad
           x2 * std::sin(yaw_rad) + y1 * std::cos(yaw_rad), z2};
 }
 
-/// An ensemble whose pitch sensor reads the tilt of the bow axis as the instrument's does.
+/// An ensemble whose pitch sensor reads the tilt of the bow axis, like that of the instrument.
 Pd0Ensemble ensemble(DvlFrame frame, std::array<std::optional<double>, 4> velocity) {
   Pd0Ensemble e;
   e.fixed.frame = frame;
@@ -46,9 +46,9 @@ void expect_body(const Pd0Ensemble& e, const Vector& expected = body) {
   for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR((*v)[i], expected[i], 1e-12) << "axis " << i;
 }
 
-/// Velocities along the beams (towards the transducer, of the bed, sign turned) by the directions
-/// of the beams: down and outwards, 1 to port, 2 to starboard, 3 to the bow, 4 to the stern.
-/// The beams of a concave head cross: each looks to the other side.
+/// Velocities of the bed along the beams (towards the transducer), with reversed sign. The beams
+/// point down and outwards: 1 to port, 2 to starboard, 3 to the bow, 4 to the stern. The beams of a
+/// concave head cross: each points to the other side.
 std::array<std::optional<double>, 4> along_beams(const Vector& frd, double angle_deg = 30,
                                                  bool convex = true) {
   const double s = std::sin(radians(angle_deg)) * (convex ? 1 : -1);
@@ -56,8 +56,8 @@ std::array<std::optional<double>, 4> along_beams(const Vector& frd, double angle
   const std::array<Vector, 4> outwards{Vector{0, -s, c}, {0, s, c}, {s, 0, c}, {-s, 0, c}};
   std::array<std::optional<double>, 4> along;
   for (std::size_t i = 0; i < 4; ++i) {
-    // The vehicle's motion towards the bed along a beam moves the bed towards the transducer; with
-    // the sign turned it is negative.
+    // If the vehicle moves towards the bed along a beam, the bed moves towards the transducer. With
+    // the reversed sign the value is negative.
     along[i] = -(frd[0] * outwards[i][0] + frd[1] * outwards[i][1] + frd[2] * outwards[i][2]);
   }
   return along;
@@ -71,7 +71,7 @@ TEST(Pd0Velocity, ShipAxesWithoutTiltsAreTheHulls) {
   auto e = ensemble(DvlFrame::ship, {-0.3, 1.6, -0.15, {}});
   e.fixed.tilts_used = false;
   expect_body(e);
-  e.fixed.heading_alignment_rad = radians(45);  // wherever beam 3 stands
+  e.fixed.heading_alignment_rad = radians(45);  // whatever the direction of beam 3
   expect_body(e);
 }
 
@@ -81,7 +81,7 @@ TEST(Pd0Velocity, ShipAxesWithTiltsAreTurnedBackToTheHull) {
 }
 
 TEST(Pd0Velocity, TiltsAreThoseOfTheHeadWhereverItStands) {
-  // Beam 3 to starboard: its X axis looks astern, so the hull's pitch is its roll.
+  // Beam 3 points to starboard. Its X axis points astern, so the hull's pitch is its roll.
   const Vector level = to_ned(body, 0, pitch, 0);
   auto e = ensemble(DvlFrame::ship, {level[1], level[0], -level[2], 0.0});
   e.fixed.heading_alignment_rad = radians(90);
@@ -121,7 +121,7 @@ TEST(Pd0Velocity, AnyBeamAngleThatTheInstrumentTells) {
 }
 
 TEST(Pd0Velocity, BeamsAreTurnedToTheBowByTheAlignment) {
-  // Beam 3 stands 45 degrees to starboard of the bow, as most heads are mounted.
+  // Beam 3 is 45 degrees to starboard of the bow, the usual mounting of a head.
   const double q = std::sqrt(0.5);
   const Vector in_head{q * (body[0] + body[1]), q * (body[1] - body[0]), body[2]};
   auto e = ensemble(DvlFrame::beam, along_beams(in_head));
@@ -144,14 +144,14 @@ TEST(Pd0Velocity, OneBadBeamIsBridgedWhereThreeAreAllowed) {
 }
 
 TEST(Pd0Velocity, AlignmentTurnsTheInstrumentToTheBow) {
-  // Beam 3 stands 90 degrees to starboard: its X axis looks astern, its Y axis to starboard.
+  // Beam 3 is 90 degrees to starboard: its X axis points astern, its Y axis to starboard.
   auto e = ensemble(DvlFrame::instrument, {-1.6, -0.3, -0.15, 0.0});
   e.fixed.heading_alignment_rad = radians(90);
   expect_body(e);
 }
 
 TEST(Pd0Velocity, LevelAlignedEarthVelocityNeedsOnlyTheShipsHeading) {
-  // The heading output refers to the ship, wherever beam 3 stands.
+  // The heading output refers to the ship, whatever the direction of beam 3.
   const Vector ned = to_ned(body, heading, 0, 0);
   auto e = ensemble(DvlFrame::earth, {ned[1], ned[0], -ned[2], 0.0});
   e.variable.pitch_rad = e.variable.roll_rad = 0.0;

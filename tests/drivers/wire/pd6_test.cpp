@@ -70,16 +70,16 @@ TEST(Pd6, ALineThatIsNotAsDocumentedIsDamaged) {
   for (const char* line :
        {":BI,  +123,  -420, +2000,    +0\r\n",                  // no status
         ":BI,  +123,  -420, +2000,    +0,X\r\n",                // no such status
-        ":BI,  +123,  -420, +2000,A\r\n",                       // a field lost
+        ":BI,  +123,  -420, +2000,A\r\n",                       // a field is missing
         ":BI,  +123,  -420, +2000,    +0,A,A\r\n",              // one too many
-        ":BI,  +123,  -42o, +2000,    +0,A\r\n",                // no number
-        ":BI,  +123,      , +2000,    +0,A\r\n",                // nothing
+        ":BI,  +123,  -42o, +2000,    +0,A\r\n",                // not a number
+        ":BI,  +123,      , +2000,    +0,A\r\n",                // empty
         ":BI,+99123,  -420, +2000,    +0,A\r\n",                // beyond 16 bits
-        ":BI,  +123,  -420, +2000,    +0,A\rX",                 // no end
-        ":SA, +3.25,-10.15,370.50\r\n",                         // no heading
-        ":SA, +93.2,-10.15,270.50\r\n",                         // no pitch
-        ":TS,2611211234567,35.0,+12.3, 123.4,1500.0,  0\r\n",   // a digit lost
-        ":TS,261121123456.8,35.0,+12.3, 123.4,1500.0,  0\r\n",  // a digit damaged
+        ":BI,  +123,  -420, +2000,    +0,A\rX",                 // no line end
+        ":SA, +3.25,-10.15,370.50\r\n",                         // not a heading
+        ":SA, +93.2,-10.15,270.50\r\n",                         // not a pitch
+        ":TS,2611211234567,35.0,+12.3, 123.4,1500.0,  0\r\n",   // a digit is missing
+        ":TS,261121123456.8,35.0,+12.3, 123.4,1500.0,  0\r\n",  // a digit is damaged
         ":BD,  +1,  -6,  +9, -12.80,  0.00\r\n",                // below the bed
         ":BI,  +123,  -4:SA, +0.00, +0.00,  0.00\r\n"}) {       // torn
     const auto reading = read_stream<Pd6>(as_bytes(line));
@@ -113,8 +113,8 @@ TEST(Pd6, WhatRoundsToZeroHasNoMinus) {
   EXPECT_EQ(as_text(Bytes{out.data(), encode(m, out)}), ":BE,    +0,    +0,    +0,A\r\n");
 }
 
-/// The example of Water Linked's documentation: read, and written again character by character
-/// where it shows values (its "bad" is a zero, Teledyne's is -32768).
+/// The example of Water Linked's documentation. The test reads it and, for valid values, writes it
+/// again character by character (its "bad" is a zero, Teledyne's is -32768).
 TEST(Pd6, TheExampleOfWaterLinkedIsReadAndRebuilt) {
   const auto file = corpora() / "dvl/waterlinked/pd6_example.txt";
   if (!std::filesystem::exists(file)) GTEST_SKIP() << "no captures at " << corpora();

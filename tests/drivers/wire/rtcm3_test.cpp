@@ -37,7 +37,7 @@ TEST(Rtcm3, ADamagedFrameIsLeftByteByByte) {
 
 TEST(Rtcm3, WhatLooksLikeAnotherProtocolInsideIsPassedOver) {
   const Buffer ubx = fixture("ubx/golden.ubx"), nmea = fixture("nmea0183/golden.nmea");
-  // A head that claims 4000 bytes, and a whole sentence.
+  // A head that claims 4000 bytes, and a complete sentence.
   const Buffer inside = frame_around(Buffer{0xB5, 0x62, 0x01, 0x07, 0xA0, 0x0F} +
                                      as_bytes("$HCVHW,,,,,0.2,N,0,K*5B\r\n"));
   const auto plain = read_stream<UbxNmea>(ubx + nmea);

@@ -30,7 +30,7 @@ std::string encoded(const Slcan::Message& message) {
   return {out.begin(), out.begin() + size};
 }
 
-/// A message in the words of the second column of the fixture.
+/// Describes a message in the words of the fixture's second column.
 std::string described(const Slcan::Message& message) {
   if (const auto* command = std::get_if<Command>(&message)) {
     return "command " + std::string{command->text};
@@ -148,8 +148,8 @@ RC_GTEST_PROP(Slcan, AnySplitGivesTheSameFrames, ()) {
 }
 
 RC_GTEST_PROP(Slcan, AGoodFrameSurvivesAnyNoiseBeforeIt, ()) {
-  // Noise of hex digits and letters of other lines; a frame letter of its own could only spoil it
-  // by taking the good frame for its data, which letters t T r R cannot be.
+  // Noise of hex digits and letters of other lines. It contains no frame letter (t T r R): such a
+  // letter could take the good frame as its data.
   const auto noise = *rc::gen::container<std::string>(
       rc::gen::elementOf(std::string("0123456789ABCDEFabcdefOCLSVvNFZzMm\r\n\a")));
   const std::string good = "t1232AABB\r";

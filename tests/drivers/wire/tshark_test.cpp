@@ -10,7 +10,8 @@
 #include "drivers/wire/nmea2000/nmea2000.hpp"
 #include "tests/drivers/wire/can_fixture.hpp"
 
-/// Another program reads what we encode: Wireshark's J1939 and CANopen dissectors, by tshark.
+/// Another program decodes the output of our encoders: Wireshark's J1939 and CANopen dissectors,
+/// through tshark.
 namespace drydock::wire {
 namespace tshark_test {
 
@@ -53,7 +54,8 @@ class Tshark : public testing::Test {
     }
   }
 
-  /// One row a frame: the named fields as the dissector prints them, empty where it has none.
+  /// One row for each frame: the named fields as the dissector prints them. A missing field is
+  /// empty.
   static std::vector<std::vector<std::string>> fields(const std::vector<CanFrame>& frames,
                                                       const std::string& dissector,
                                                       const std::vector<std::string>& names) {
@@ -130,7 +132,7 @@ TEST_F(Tshark, ReadsPriorityPgnAndAddressesOfOurJ1939Frames) {
   }
 }
 
-/// A function code or node as tshark prints it.
+/// A function code or node in the form that tshark prints.
 std::string code(unsigned value) {
   std::array<char, 11> text{};
   std::snprintf(text.data(), text.size(), "0x%08x", value);

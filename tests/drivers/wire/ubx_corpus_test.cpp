@@ -28,7 +28,7 @@ TEST_F(UbxCorpus, EverySoundMessageOfGpsdsLogsIsDecoded) {
       ++count[std::visit([](const auto& m) { return m.type; }, message)];
     }
   }
-  // Counted by a scanner in another language.
+  // These counts come from a scanner in another language.
   const std::map<std::string_view, std::size_t> expected{
       {"NAV-PVT", 436},     {"NAV-SAT", 524},     {"NAV-EOE", 335},    {"NAV-SIG", 300},
       {"NAV-DOP", 670},     {"NAV-SOL", 119},     {"NAV-STATUS", 153}, {"NAV-POSLLH", 151},
@@ -66,7 +66,7 @@ TEST_F(UbxCorpus, EveryMessageOfPyubx2sLogsIsDecoded) {
   EXPECT_EQ(count, expected);
 }
 
-/// gnssid, svid, C/N0, elevation, azimuth, used: as gpsd prints them.
+/// gnssid, svid, C/N0, elevation, azimuth, used, as gpsd prints them.
 using Sky = std::set<std::tuple<int, int, int, int, int, bool>>;
 
 constexpr int unknown = -999;
@@ -75,7 +75,7 @@ int rounded(const std::optional<double>& value) {
   return value ? static_cast<int>(std::lround(*value)) : unknown;
 }
 
-/// gpsd leaves out satellites without a direction, and prints 0 where nothing is tracked.
+/// gpsd omits satellites without a direction, and prints 0 if nothing is tracked.
 template <class SkyMessage>
 Sky sky_of(const SkyMessage& m) {
   Sky sky;
@@ -97,7 +97,8 @@ Sky sky_of(const nlohmann::json& report) {
   return sky;
 }
 
-/// Messages of this kind in gpsd's logs, and how many of them gpsd reports in every satellite.
+/// The number of messages of this kind in gpsd's logs, and of those whose satellites gpsd all
+/// reports.
 template <class SkyMessage>
 std::pair<std::size_t, std::size_t> epochs_and_reported() {
   std::size_t epochs = 0, reported = 0;
@@ -121,8 +122,8 @@ TEST_F(UbxCorpus, SatellitesByChannelAreThoseThatGpsdReports) {
   EXPECT_EQ(epochs_and_reported<NavSvinfo>(), std::pair(std::size_t{93}, std::size_t{93}));
 }
 
-/// Satellite, GLONASS frequency, C/N0, quality. Not "used": of a signal gpsd reports its quality
-/// there (4 and better), not the receiver's flags.
+/// Satellite, GLONASS frequency, C/N0, quality. "used" is missing: for a signal gpsd derives it
+/// from the quality (4 and better), not from the receiver's flags.
 using Signals = std::set<std::tuple<int, int, int, int, int>>;
 
 TEST_F(UbxCorpus, SignalsAreThoseThatGpsdReports) {
@@ -167,8 +168,8 @@ TEST_F(UbxCorpus, AReceiversSignalsAndSatellitesAgreeOnWhatIsUsed) {
   }
 }
 
-/// The second word of a GPS subframe counts six seconds and numbers the subframe (IS-GPS-200,
-/// 20.3.3.2); words are sent with their parity in the low six bits.
+/// The second word of a GPS subframe has a count in units of six seconds and the number of the
+/// subframe (IS-GPS-200, 20.3.3.2). Words include their parity in the low six bits.
 TEST_F(UbxCorpus, SubframesAreThoseThatGpsdReports) {
   const auto log = gpsd_folder() / "ublox-ned-m8t-sbfrx3.log";
   std::vector<std::tuple<int, int, int>> expected, found;  // satellite, time of week, subframe
@@ -213,7 +214,7 @@ TEST_F(UbxCorpus, PositionsOfATimingReceiverAreThoseThatGpsdReports) {
   const auto messages = read_stream<Ubx>(gpsd_log(gpsd_folder() / "u-blox-m8t-time.log"));
   ASSERT_EQ(messages.all<NavPosllh>().size(), 151u);
   for (const NavPosllh& m : messages.all<NavPosllh>()) {
-    EXPECT_NEAR(degrees(*m.latitude_rad), 44.7654405, 1e-9);  // of every TPV in the report
+    EXPECT_NEAR(degrees(*m.latitude_rad), 44.7654405, 1e-9);  // every TPV of the report has it
     EXPECT_NEAR(degrees(*m.longitude_rad), -68.8066651, 1e-9);
     EXPECT_DOUBLE_EQ(*m.ellipsoidal_height_m, 13.684);
   }

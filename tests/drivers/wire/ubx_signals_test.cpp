@@ -105,7 +105,7 @@ TEST(UbxSignals, ACountThatContradictsTheLengthIsRefused) {
   NavSig signals;
   RxmRawx raw;
   RxmSfrbx words;
-  const Buffer payload(16, 1);  // each count says 1
+  const Buffer payload(16, 1);  // each count is 1
   EXPECT_FALSE(read(payload, channels) || read(payload, signals) || read(payload, raw) ||
                read(payload, words));
   EXPECT_FALSE(read(Buffer(3, 0), channels) || read(Buffer(3, 0), signals) ||
@@ -121,7 +121,7 @@ TEST(UbxSignals, TheLongestRawMessageFitsAndALongerClaimOfAnotherIsDamage) {
   EXPECT_EQ(Ubx::scan(other), Scan::skip(1));
 }
 
-/// gpsd 3.22 reads the same of it, see the gpsd test.
+/// gpsd 3.22 reads the same values, see the gpsd test.
 TEST(UbxSignals, EveryRawMeasurementOfACaptureIsRead) {
   const auto log = corpora() / "gps/pyubx2/pygpsdata-RXMRAWX.log";
   if (!std::filesystem::exists(log)) GTEST_SKIP() << "no capture " << log;

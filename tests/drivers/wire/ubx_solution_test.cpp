@@ -37,7 +37,7 @@ TEST(UbxSolution, NavSolGivesThePositionThatGpsdReads) {
 
 TEST(UbxSolution, AFixTypeAloneVouchesForNothing) {
   Buffer payload(52, 0x11);
-  payload[10] = 3, payload[11] = 0x0C;  // 3D, but not within the masks
+  payload[10] = 3, payload[11] = 0x0C;  // 3D, but outside the masks
   NavSol m;
   ASSERT_TRUE(read(payload, m));
   EXPECT_FALSE(m.position_ecef_m[0] || m.velocity_ecef_mps[0]);
@@ -104,7 +104,7 @@ TEST(UbxSolution, TimeIsKnownOnlyAsFarAsTheReceiverSays) {
   EXPECT_EQ(*utc.time_of_day, 8h + 13min + 20s - 123456ns);
 
   Buffer payload(16, 0x10);
-  payload[11] = 0x03;  // time and week, leap seconds not yet heard: firmware's default stands there
+  payload[11] = 0x03;  // time and week, but not yet leap seconds: the value is firmware's default
   NavTimeGps before;
   ASSERT_TRUE(read(payload, before));
   EXPECT_TRUE(before.gps_week && !before.leap_seconds);

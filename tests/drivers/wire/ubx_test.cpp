@@ -115,8 +115,8 @@ TEST(Ubx, EndOfEpochNamesItsTimeOfWeek) {
 
 TEST(Ubx, EncodersRebuildTheGoldenFrames) {
   std::array<std::uint8_t, Ubx::max_frame> out;
-  // Not among them: the fix-less frame with stale digits (3), the old form (5), and the position
-  // that was marked invalid (4): what cannot be believed is not kept.
+  // Three frames are missing here: the frame without a fix that has old digits (3), the old form
+  // (5), and the position marked as invalid (4). The decoder does not keep invalid values.
   const auto rebuilt = [&](std::size_t frame) {
     const auto message = *Ubx::decode(golden().frames.at(frame));
     std::size_t size = 0;

@@ -16,7 +16,7 @@ namespace wl = water_linked;
 template <class M>
 M golden(std::size_t index = 0) {
   static const Buffer stream = fixture("water-linked/golden.txt");
-  // Texts point into the stream, so it is decoded from where it stays.
+  // Texts point into the stream, so the test decodes the stream in place.
   std::vector<M> found;
   Framer<WaterLinked::max_frame> framer;
   framer.feed(stream, WaterLinked::scan, [&](Bytes frame, std::size_t) {
@@ -152,7 +152,7 @@ TEST(WaterLinked, AWrittenVelocityReadsAsItWas) {
   EXPECT_EQ(again.covariance, m.covariance);
 }
 
-/// Sentences that the vendor's documents and programs quote: verdict, source, sentence, comment.
+/// Sentences from the vendor's documents and programs. Columns: verdict, source, sentence, comment.
 TEST(WaterLinked, VectorsOfTheVendorAreReadAndTheBadOnesRefused) {
   const auto file = corpora() / "dvl/waterlinked/wl_serial_vectors.txt";
   if (!std::filesystem::exists(file)) GTEST_SKIP() << "no captures at " << corpora();

@@ -15,7 +15,7 @@ std::array<double, 3> axes_of(const std::string& text) {
   return test::only<Acceleration, Xsens>({frame(text)}).value;
 }
 
-// Vectors of MT1604P, made by hand from its tables by other people (corpora, xsens_vectors.tsv).
+// Vectors that others made by hand from the tables of MT1604P (corpora, xsens_vectors.tsv).
 TEST(Xsens, DecodesThePublishedVectors) {
   const auto rows = test::lines_of(test::corpus("can_imu/xsens_vectors.tsv"));
   if (rows.empty()) GTEST_SKIP() << "corpora absent: can_imu";
@@ -65,7 +65,7 @@ TEST(Xsens, AShortFrameIsRefusedAndPaddingUnread) {
   EXPECT_EQ(decoder.counters().bad_checksums, 2u);
   EXPECT_EQ(axes_of("034#0000000009CFDEAD")[2], 9.80859375);
   EXPECT_FALSE(decoder.receive(frame("100#000000000000")));
-  EXPECT_FALSE(decoder.receive(frame("00000034#000000000000")));  // 29 bits were not set up
+  EXPECT_FALSE(decoder.receive(frame("00000034#000000000000")));  // 29 bits were not configured
   EXPECT_EQ(decoder.counters().bad_checksums, 2u);
 }
 

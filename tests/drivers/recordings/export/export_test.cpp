@@ -56,7 +56,7 @@ TEST_F(Export, TsharkReadsBusAndSerialLinesFromOneFile) {
   EXPECT_EQ(on("dvl\t"), counts_.dvl_reads + 1);
   EXPECT_EQ(on("can0\t"), counts_.frames);
   EXPECT_THAT(packets.front(), HasSubstr("\t1700000000.000000000\t1700000000.000000000\t0x02"));
-  // 128267 water depth is the first frame of fixtures/nmea2000/frames.log.
+  // The first frame of fixtures/nmea2000/frames.log is 128267, water depth.
   EXPECT_THAT(packets, testing::Contains(testing::AllOf(HasSubstr("can0\t"), HasSubstr("128267"))));
   EXPECT_THAT(packets.back(), HasSubstr("0x01"));  // the command that was sent
 }

@@ -22,7 +22,7 @@ using testing::HasSubstr;
 constexpr std::uint64_t second = 1'000'000'000;
 constexpr std::uint64_t start = 1'790'000'000 * second;
 
-/// Two channels, ten messages a second on each, for `seconds`.
+/// Writes two channels with ten messages a second each, for `seconds`.
 void fill(Writer& writer, int seconds) {
   const std::string attached = "[rig]\n";
   writer.add(Attachment{start, start, "rig.toml", "application/toml", attached});
@@ -38,7 +38,7 @@ void fill(Writer& writer, int seconds) {
   }
 }
 
-/// A path in a folder of the test's own.
+/// A path in a folder of this test.
 class McapFile : public testing::Test {
  protected:
   McapFile() {
@@ -66,7 +66,7 @@ TEST_F(McapFile, IsReadByTheFormatsOwnReaderWithEveryChecksumChecked) {
   EXPECT_EQ(file["statistics"]["messageStartTime"], std::to_string(start));
   EXPECT_EQ(file["statistics"]["messageEndTime"], std::to_string(start + 119 * second / 10 + 1));
   EXPECT_EQ(file["statistics"]["chunkCount"], file["chunks"]);
-  EXPECT_GE(file["chunks"], 10);  // each second, or sooner
+  EXPECT_GE(file["chunks"], 10);  // one each second, or more
   EXPECT_EQ(file["topics"]["/a"]["count"], 120);
   EXPECT_EQ(file["topics"]["/b"]["count"], 120);
   EXPECT_EQ(file["topics"]["/a"]["metadata"]["link"], "pty:a");
@@ -76,7 +76,7 @@ TEST_F(McapFile, IsReadByTheFormatsOwnReaderWithEveryChecksumChecked) {
   EXPECT_TRUE(found["streamed"]["done"]);
 }
 
-/// What comes out of a reader, counted.
+/// Counts the records from a reader.
 struct Tally {
   int schemas = 0, channels = 0, messages = 0, attachments = 0, metadata = 0;
   bool complete = false;
@@ -181,7 +181,7 @@ TEST_F(McapFile, AFileDeletedMeanwhileIsAnError) {
 }
 
 TEST_F(McapFile, AFullDiskIsAnErrorAndWhatWasWrittenBeforeReads) {
-  // The limit of file size stands for the disk: write() then gives EFBIG in place of ENOSPC.
+  // The limit of file size simulates a full disk: write() then gives EFBIG instead of ENOSPC.
   std::signal(SIGXFSZ, SIG_IGN);
   rlimit before{};
   getrlimit(RLIMIT_FSIZE, &before);
@@ -198,7 +198,7 @@ TEST_F(McapFile, AFullDiskIsAnErrorAndWhatWasWrittenBeforeReads) {
 }
 
 TEST(McapEncoder, ChecksumIsThatOfZlib) {
-  const std::string check = "123456789";  // the CRC catalogue's check value of CRC-32/ISO-HDLC
+  const std::string check = "123456789";  // the check value of CRC-32/ISO-HDLC in the CRC catalogue
   EXPECT_EQ(crc32(Bytes{reinterpret_cast<const std::uint8_t*>(check.data()), check.size()}),
             0xCBF43926U);
 }

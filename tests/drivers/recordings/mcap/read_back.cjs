@@ -1,11 +1,12 @@
-// What the format's own reader finds in a file, as JSON: node read_back.cjs FILE (NODE_PATH names the packages).
+// Prints as JSON the content that the format's own reader finds in a file: node read_back.cjs FILE
+// (NODE_PATH names the packages).
 const { McapIndexedReader, McapStreamReader } = require('@mcap/core');
 const { loadDecompressHandlers } = require('@mcap/support');
 const { parse } = require('@foxglove/rosmsg');
 const { MessageReader } = require('@foxglove/rosmsg2-serialization');
 const fs = require('fs');
 
-// Doubles that JSON has no word for, and 64-bit numbers.
+// Converts doubles that JSON cannot express, and 64-bit numbers.
 const plain = (_, value) =>
   typeof value === 'bigint' ? value.toString() :
   typeof value === 'number' && !Number.isFinite(value) ? String(value) :
@@ -43,7 +44,7 @@ async function indexed(data, decompressHandlers) {
   return found;
 }
 
-// Front to back without the index, as after a crash.
+// Reads from start to end without the index, as after a crash.
 function streamed(data, decompressHandlers) {
   const reader = new McapStreamReader({ validateCrcs: true, decompressHandlers });
   reader.append(data);

@@ -4,7 +4,8 @@
 
 namespace drydock::mcap::test {
 
-/// What the MCAP project's own reader and Foxglove's decoder of ROS 2 messages find in a file.
+/// The content of a file according to the MCAP project's own reader and Foxglove's decoder of ROS 2
+/// messages.
 inline nlohmann::json read_back(const std::string& file) {
   return drydock::test::run_node("tests/drivers/recordings/mcap/read_back.cjs", {file});
 }

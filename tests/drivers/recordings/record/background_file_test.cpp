@@ -10,7 +10,7 @@
 namespace drydock::record {
 namespace background_file_test {
 
-/// A disk that takes nothing until it is told to, then everything.
+/// A disk that accepts nothing until release(), then everything.
 class Disk {
  public:
   mcap::Sink sink() {
@@ -49,7 +49,7 @@ TEST(BackgroundFile, NeverWaitsForAStalledDiskAndLosesNothingThatItTook) {
     auto block = block_of_one(i);
     if (file.put(block)) ++taken;
   }
-  // One more than may wait: the one that the thread is busy with.
+  // One more than the limit: the thread is writing one block.
   EXPECT_GE(taken, BackgroundFile::most_waiting);
   EXPECT_LE(taken, BackgroundFile::most_waiting + 1);
   disk.release();

@@ -1,4 +1,4 @@
-// Recordings made to take all memory or all time of who reads them.
+// Recordings that try to use all memory or all time of their reader.
 #include <gtest/gtest.h>
 #include <zstd.h>
 
@@ -19,7 +19,7 @@ struct Nothing {
   void leave(const MessageNode&) {}
 };
 
-/// A definition in which each of `levels` messages holds ten of the next.
+/// A definition in which each of `levels` messages contains ten of the next.
 std::string ten_of_ten(int levels) {
   std::string text;
   for (int level = 0; level < levels; ++level) {
@@ -49,7 +49,7 @@ TEST(HostileDefinition, ElementsWithoutABytecannotBeCountedForEver) {
   EXPECT_FALSE(visit_message(*layout, cdr, Nothing{}));
 }
 
-/// A chunk that unpacks to one schema of `size` zeros.
+/// A chunk that decompresses to one schema of `size` zeros.
 void append_packed_schema(mcap::Buffer& file, std::uint16_t id, std::size_t size) {
   mcap::Buffer records;
   mcap::encode(records, mcap::Schema{id, "t", "ros2msg", std::string(size, '\0')});

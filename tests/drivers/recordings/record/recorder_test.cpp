@@ -15,7 +15,7 @@ using namespace measurement;
 
 constexpr Stamp start = stamp_from_ns(1'700'000'000'000'000'000);
 
-/// A recorder on a file in a folder of the test's own.
+/// A recorder with a file in a folder of this test.
 class RecorderTest : public testing::Test {
  protected:
   RecorderTest() {
@@ -105,7 +105,7 @@ TEST_F(RecorderTest, InnovationsAndFaultsAreReadByOtherPeoplesDecoders) {
   bus::Innovation innovation{start, 0, 0, {}};
   innovation.rows = {{0.3, 0.1, false}, {-0.2, 0.1, true}};
   recorder.topics().publish(innovation);
-  innovation.device = 1;  // an IMU is compared with nothing
+  innovation.device = 1;  // nothing is compared with an IMU
   recorder.topics().publish(innovation);
   const auto later = start + std::chrono::seconds{9};
   const std::vector<bus::Fault> faults{
@@ -146,7 +146,7 @@ TEST_F(RecorderTest, WhatIsOlderThanASecondSurvivesAKilledProcess) {
     killed->on_bytes("pty:dvl?baud=115200", shell::Direction::received, byte,
                      start + std::chrono::milliseconds{ms});
   while (killed->status().bytes < 1000) std::this_thread::yield();
-  // Never finished, never deleted: the file as it is now is what a killed process leaves.
+  // It is never finished and never deleted. The present file is what a killed process leaves.
   DRYDOCK_NEEDS_NODE();
   auto found = mcap::test::read_back(path_);
   EXPECT_TRUE(found.contains("indexedError"));

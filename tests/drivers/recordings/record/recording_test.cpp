@@ -15,7 +15,8 @@ namespace recording_test {
 
 constexpr Stamp start = measurement::stamp_from_ns(1'700'000'000'000'000'000);
 
-/// A recording of `seconds`: ten reads a second of a serial line, ten frames of a bus.
+/// A recording of `seconds`, with ten reads a second of a serial line and ten frames a second of a
+/// bus.
 std::string recorded(int seconds) {
   RecorderOptions options;
   options.links = {{"pty:dvl?baud=115200", "dvl", false, {"dvl"}},

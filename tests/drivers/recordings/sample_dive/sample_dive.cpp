@@ -66,7 +66,7 @@ std::string fixture(const std::string& name) {
   return read_all(std::string(DRYDOCK_SOURCE_DIR) + "/fixtures/" + name);
 }
 
-/// The bytes in reads of `size`, equally spaced over twenty seconds.
+/// Adds the bytes in reads of `size`, equally spaced over twenty seconds.
 std::size_t record_bytes(std::vector<std::pair<Stamp, std::string>>& reads,
                          const std::string& bytes, std::size_t size) {
   const std::size_t count = (bytes.size() + size - 1) / size;
@@ -87,7 +87,7 @@ std::vector<wire::CanFrame> frames() {
   wire::store_le<std::int32_t>(position.data, 0, 472852332);
   wire::store_le<std::int32_t>(position.data, 4, 85652650);
   all.push_back(position);
-  position.id = 0x0DF80523;  // a part of 129029, the same in eight bytes each
+  position.id = 0x0DF80523;  // a part of 129029: the same position, eight bytes each
   wire::store_le<std::int32_t>(position.data, 4, 472852332);
   all.push_back(position);
   return all;

@@ -3,11 +3,11 @@
 #include <filesystem>
 #include <string>
 
-/// A recording whose bytes are those of fixtures/: a receiver's line (UBX and NMEA 0183), a DVL's
-/// (PD0) and a bus with NMEA 2000 sensors, twenty seconds.
+/// A recording of twenty seconds with bytes from fixtures/: a receiver's line (UBX and NMEA 0183),
+/// a DVL's (PD0) and a bus with NMEA 2000 sensors.
 namespace drydock::record::test {
 
-/// A folder of the test's own that is gone after it.
+/// A folder for one test. The destructor removes it.
 class TestFolder {
  public:
   TestFolder();
@@ -20,7 +20,7 @@ class TestFolder {
   std::filesystem::path folder_;
 };
 
-/// Where the golden bytes say that the receiver was at first (fixtures/ubx/NOTE.md, NAV-PVT 1).
+/// The receiver's first position in the golden bytes (fixtures/ubx/NOTE.md, NAV-PVT 1).
 inline constexpr double sample_latitude_deg = 47.2852332, sample_longitude_deg = 8.565265;
 
 /// Number of reads on the two lines and frames on the bus that write_sample_dive() records.
@@ -30,7 +30,7 @@ struct SampleCounts {
 SampleCounts write_sample_dive(const std::string& path);
 
 std::string read_all(const std::string& path);
-/// What a command prints; "" and a failed test where it does not end well.
+/// The output of a command. If the command fails, "" and a failed test.
 std::string output_of(const std::string& command);
 
 }  // namespace drydock::record::test

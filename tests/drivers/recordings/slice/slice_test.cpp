@@ -19,7 +19,7 @@ namespace slice_test {
 
 constexpr double degree = std::numbers::pi / 180;
 
-/// Every place that the sample's bytes tell, degrees (the notes of fixtures/ubx and nmea0183).
+/// Every place in the sample's bytes, degrees (from the notes of fixtures/ubx and nmea0183).
 constexpr std::array latitudes_deg{47.2852332, -33.9456789, 41.5, 47.285233, 48.1173, 51.2418626};
 constexpr std::array longitudes_deg{8.565265, -179.9999999, -71.0, 11.5166667, -0.2048967};
 
@@ -37,7 +37,7 @@ bool holds_text(mcap::Bytes bytes, std::string_view text) {
   return std::search(bytes.begin(), bytes.end(), text.begin(), text.end()) != bytes.end();
 }
 
-/// In which form bytes tell one of the places; empty: in none.
+/// The form in which the bytes show one of the places. Empty if they do not.
 std::string tells_place(mcap::Bytes bytes) {
   for (const auto* text : {"4717.11", "00833.9", "4807.03", "01131.0", "5114.51", "00012.2",
                            "4332.69", "17235.4", "47.28", "8.565", "Zurich", "lake"})
@@ -56,7 +56,7 @@ std::string tells_place(mcap::Bytes bytes) {
   return {};
 }
 
-/// Where in a file's messages and attachments one of the places is told.
+/// The messages and attachments of a file that show one of the places.
 std::vector<std::string> places_in(const std::string& path) {
   mcap::Reader reader(std::make_unique<std::ifstream>(path, std::ios::binary));
   std::vector<std::string> found;
@@ -121,13 +121,13 @@ TEST_F(Slice, ItsTimeIsShiftedInEveryStampOfTheBench) {
 
 TEST_F(Slice, NothingInItTellsThePlaceAnyMore) {
   ASSERT_THAT(places_in(dive_),
-              testing::SizeIs(testing::Gt(20)));  // the search finds what is there
+              testing::SizeIs(testing::Gt(20)));  // the search finds places that are there
   SliceOptions options;
   options.move_to = {0, -30 * degree};
   const auto done = cut(options);
   ASSERT_TRUE(done) << done.error().line;
   EXPECT_THAT(places_in(cut_), testing::IsEmpty());
-  EXPECT_GT(done->moved, 40U);  // of NavSatFix and GnssFix alone
+  EXPECT_GT(done->moved, 40U);  // only from NavSatFix and GnssFix
   EXPECT_EQ(done->dropped.at("PGN 129029"), 1U);
   EXPECT_EQ(done->dropped.at("NMEA GSV"), 3U);
   EXPECT_EQ(done->dropped.at("UBX 02 15"), 1U);  // RXM-RAWX

@@ -14,15 +14,15 @@
 #include "tests/drivers/recordings/sample_dive/sample_dive.hpp"
 #include "tests/test_name.hpp"
 
-/// Every dive under fixtures/dives, made by `drydock cut --as-fixture`, goes through the drivers
-/// again; and one byte more or less is seen.
+/// Plays every dive in fixtures/dives, made by `drydock cut --as-fixture`, through the drivers
+/// again. The test must notice a single changed byte.
 namespace drydock::recordings {
 namespace dives_test {
 
 namespace fs = std::filesystem;
 
 const fs::path all_dives = DRYDOCK_SOURCE_DIR "/fixtures/dives";
-constexpr std::size_t mutations = 24;  ///< of each dive, spread over it
+constexpr std::size_t mutations = 24;  ///< for each dive, spread over its length
 
 std::vector<std::string> dives() {
   std::vector<std::string> names;
@@ -40,7 +40,7 @@ std::string played(const std::string& recording) {
   return now.text();
 }
 
-/// A recording copied record by record, with one received byte changed.
+/// Copies a recording record by record and changes one received byte.
 class Mutant {
  public:
   explicit Mutant(const std::string& path)
@@ -87,14 +87,14 @@ class Mutant {
     out->add(record);
   }
 
-  /// Empty data is nothing to change.
+  /// Null for other messages, and for empty data: they have no byte to change.
   const mcap::Message* received_data(const mcap::Record& record) const {
     const auto* message = std::get_if<mcap::Message>(&record);
     if (message == nullptr || !recording_.link_of(message->channel)) return nullptr;
     const bool received = message->data[12] == 0;  // drydock/RawBytes, drydock/CanFrame: direction
     return received && message->data.size() > data_begin(*message) ? message : nullptr;
   }
-  /// Where the bytes of a read or frame begin in its CDR: the last sequence.
+  /// Position of the data of a read or frame in its CDR: the last sequence.
   std::size_t data_begin(const mcap::Message& message) const {
     return recording_.links()[*recording_.link_of(message.channel)].frames ? 32 : 20;
   }
@@ -103,7 +103,7 @@ class Mutant {
   record::Recording recording_;
 };
 
-/// Without the sums over the links: what the drivers alone see.
+/// Removes the sums over the links. The rest shows what the drivers alone notice.
 std::string without_sums(const std::string& account) {
   std::string kept;
   std::istringstream in(account);
@@ -112,8 +112,8 @@ std::string without_sums(const std::string& account) {
   return kept;
 }
 
-/// Plays the dive of a folder and compares with its reference. Empty: the same, byte for byte;
-/// else the first line that is not.
+/// Plays the dive of a folder and compares it with its reference. Empty if they are equal byte for
+/// byte, otherwise the first different line.
 std::string difference(const fs::path& folder, bool with_sums = true) {
   const auto lines = [&](const std::string& text) { return with_sums ? text : without_sums(text); };
   std::istringstream expected(lines(record::test::read_all(folder / fixture_reference)));
@@ -154,7 +154,7 @@ TEST_P(Dive, OfWhichOneReceivedByteIsChangedIsAnother) {
         << "byte " << 5 * i << " of " << i * received / mutations;
     seen_by_drivers += !difference(copy / "", false).empty();
   }
-  // Of a CAN frame some bytes are reserved, and no checksum guards them.
+  // In a CAN frame some bytes are reserved, and no checksum protects them.
   EXPECT_GE(4 * seen_by_drivers, mutations) << seen_by_drivers << " of " << mutations;
 }
 
@@ -182,7 +182,7 @@ TEST_P(Dive, IsSoundToTheFormatsOwnReader) {
   EXPECT_EQ(found["streamed"]["done"], true);
 }
 
-/// The kinds of device that the dives have, by their rig files.
+/// The kinds of device in the dives, from their rig files.
 TEST(Dives, AreSevenOrMoreAndHaveEveryKindOfDevice) {
   EXPECT_GE(dives().size(), 7U);
   std::set<rig_config::DeviceKind> kinds;
