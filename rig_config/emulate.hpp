@@ -7,51 +7,51 @@
 
 #include "rig_config/sensor_errors.hpp"
 
-/// Emulated devices: what their sensors get wrong, and the sky over a receiver. Values of a rig
-/// file or a sensor file.
+/// Emulated devices: errors of their sensors, and the sky over a receiver. The values come from a
+/// rig file or a sensor file.
 namespace drydock::rig_config {
 
-/// The satellites of an emulated receiver, where a broadcast ephemeris gives them.
+/// The satellites of an emulated receiver from a broadcast ephemeris.
 struct SkyConfig {
   std::string ephemeris;                         ///< RINEX 2 or 3 GPS navigation file
-  std::optional<std::int64_t> at_utc_ns;         ///< the sky of then, from the mission's start on
+  std::optional<std::int64_t> at_utc_ns;         ///< time of the sky at the start of the mission
   std::array<double, 3> antenna_axis{0, 0, -1};  ///< boresight, unit vector in the body frame
   double boresight_cno_dbhz = 48;
-  double power_noise = 0;       ///< 1 sigma of the power at each epoch, share of that at boresight
-  double lowest_cno_dbhz = 20;  ///< below it nothing is tracked
+  double power_noise = 0;       ///< 1 sigma of the power at each epoch, relative to boresight
+  double lowest_cno_dbhz = 20;  ///< weaker signals are not tracked
   double elevation_mask_rad = 0.0872664625997165;  ///< 5 deg
 };
 
-/// Samples that never leave the device, in bursts (docs/sensors/errors.md, (15)).
+/// Outages: bursts of samples that the device does not send (docs/sensors/errors.md, (15)).
 struct DropoutConfig {
-  double probability = 0;   ///< that an outage begins, at each sample that is not in one
+  double probability = 0;   ///< of the begin of an outage, at each sample outside an outage
   double mean_samples = 1;  ///< length of an outage
 };
 
-/// The head of an emulated DVL; what is empty is as its maker built it. Ranges are along the beams.
+/// The head of an emulated DVL. Empty: the value of the maker. Ranges are along the beams.
 struct DvlHeadConfig {
   std::optional<double> shortest_range_m, longest_range_m;
-  std::optional<bool> three_beams;                  ///< are enough for a velocity
+  std::optional<bool> three_beams;                  ///< three beams are enough for a velocity
   double fading_db = 1.5;                           ///< 1 sigma of each echo's strength
   double beam_noise_mps = 0;                        ///< 1 sigma of each beam's velocity
   double layer_start_m = 0, layer_thickness_m = 0;  ///< water track; thickness 0: none
 };
 
 struct EmulateConfig {
-  bool fixed_bias = true;  ///< constants are +1 sigma as given; false: drawn N(0, 1 sigma) per seed
+  bool fixed_bias = true;  ///< true: constants are +1 sigma; false: drawn N(0, 1 sigma) per seed
   double latency_s = 0;    ///< from sampling to the first byte on the wire
-  double boot_s = 0;       ///< from power to the first word
-  std::string banner;      ///< said then; byte links
-  double first_fix_s = 0;  ///< kind gnss: a cold start, from power
+  double boot_s = 0;       ///< from power-on to the first message
+  std::string banner;      ///< sent after the boot; byte links
+  double first_fix_s = 0;  ///< kind gnss: from power-on to the first fix, a cold start
   DropoutConfig dropout;
 
   /// Gyro rad/s, velocity or speed m/s, position m, pressure Pa, angle rad.
   SensorErrors primary;
   SensorErrors secondary;  ///< accelerometer m/s2, GNSS velocity m/s, shaft rad/s
 
-  // What a sensor file says for rigs that say nothing themselves.
+  // Values of a sensor file for rigs that do not set them.
   std::optional<double> rate_hz;
-  std::optional<double> power_noise;  ///< kind gnss: of the sky
+  std::optional<double> power_noise;  ///< kind gnss: see SkyConfig
 
   std::optional<SkyConfig> sky;  ///< kind gnss; empty: ten invented satellites
   DvlHeadConfig head;            ///< kind dvl

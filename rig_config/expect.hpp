@@ -6,7 +6,7 @@
 
 namespace drydock::rig_config {
 
-/// Values that are allowed, both ends with them. NaN is not.
+/// The range of allowed values, including both ends. NaN is not allowed.
 struct Bounds {
   double low = -std::numeric_limits<double>::infinity();
   double high = std::numeric_limits<double>::infinity();
@@ -14,18 +14,19 @@ struct Bounds {
   bool hold(double value) const { return value >= low && value <= high; }
 };
 
-/// A figure of a run's summary, as its key in the rig file without `_min` and `_max`: rate_hz,
-/// reopens, roll_rms_deg, ...
+/// A figure of the summary of a run. `name` is its key in the rig file without `_min` and `_max`:
+/// rate_hz, reopens, roll_rms_deg, ...
 struct ExpectedFigure {
   std::string name;
   Bounds allowed;
-  int line = 0;  ///< in the rig file; 0: asked for on the command line
+  int line = 0;  ///< in the rig file; 0: from the command line
 };
 
-/// A block [[expect]]: what a run must come to, of one device or one estimator. docs/use/ci.md
+/// A block [[expect]]: the required results of a run for one device or one estimator.
+/// docs/use/ci.md
 struct ExpectConfig {
   std::string device, estimator;  ///< name; the other one is empty
-  double after_s = 0;             ///< only what comes so long after the start counts
+  double after_s = 0;             ///< data before this time from the start do not count
   std::string state;              ///< of the device; empty: any
   int state_line = 0;
   std::vector<ExpectedFigure> figures;

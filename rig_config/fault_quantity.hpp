@@ -6,14 +6,15 @@
 
 #include "rig_config/rig.hpp"
 
-/// What the sensors of each kind measure: the key by which a fault names it, and its unit.
+/// The quantities that the sensors of each kind measure, with their keys in a fault and their
+/// units.
 namespace drydock::rig_config {
 
-/// A key means the same unit wherever it stands.
+/// A key has the same unit for all kinds.
 struct FaultQuantity {
   DeviceKind kind;
   std::string_view key;
-  double unit;  ///< one of the key in SI
+  double unit;  ///< one unit of the key in SI
   bool secondary = false;
 };
 
@@ -29,7 +30,7 @@ inline constexpr auto fault_quantities = std::to_array<FaultQuantity>({
     {DeviceKind::actuator, "shaft_rpm", 2 * std::numbers::pi / 60, true},
 });
 
-/// Whether the key names a sensor's second quantity: specific force, GNSS velocity, shaft.
+/// True if the key names the second quantity of a sensor: specific force, GNSS velocity, shaft.
 constexpr bool is_secondary(DeviceKind kind, std::string_view key) {
   for (const FaultQuantity& quantity : fault_quantities)
     if (quantity.kind == kind && quantity.key == key) return quantity.secondary;

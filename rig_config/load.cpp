@@ -13,7 +13,7 @@ namespace drydock::rig_config {
 
 namespace {
 
-/// The mission of a checked document with its vehicle file read in.
+/// The mission of a checked document, with the content of its vehicle file.
 Loaded<MissionConfig> build_with_vehicle(const Node& root, const std::string& path) {
   MissionConfig mission = build_mission(root, path);
   if (const Node* reference = root.find("mission")->find("vehicle")) {
@@ -34,7 +34,7 @@ std::string no_table(const std::string& path, DeviceKind kind) {
   return fmt::format("{} has no table [{}]", path, name_of(kind));
 }
 
-/// What the sensor file says of the emulated sensor, then the device's own keys on top.
+/// Reads the sensor file of the emulated sensor, then the keys of the device, which override it.
 Problems read_emulated_errors(const Node& table, std::size_t index, DeviceConfig& device,
                               const std::string& file) {
   const Node* emulate = table.find("emulate");
@@ -57,7 +57,7 @@ Problems read_emulated_errors(const Node& table, std::size_t index, DeviceConfig
   return {};
 }
 
-/// What the sensor file of an inertial navigation says of those of its sensors that it names.
+/// Reads the sensor file of an inertial navigation for those sensors that the estimator uses.
 Problems read_grades(const Node& table, std::size_t index, InertialConfig& inertial,
                      const std::string& file) {
   const Node* reference = table.find("sensors");
@@ -101,7 +101,7 @@ Problems read_estimator_files(const Node& table, std::size_t index, EstimatorCon
   return problems;
 }
 
-/// Its own file, then those that it and its mission name, each once.
+/// The rig file, then the files that it and its mission name, each once.
 std::vector<std::string> files_of(const Node& root, const std::string& path,
                                   const MissionConfig& mission) {
   std::vector<std::string> files{path};

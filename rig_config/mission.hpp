@@ -8,7 +8,7 @@
 #include "rig_config/ocean.hpp"
 #include "rig_config/vehicle.hpp"
 
-/// A mission file as typed values: where the emulated vehicle goes.
+/// A mission file as typed values: the motion of the emulated vehicle.
 namespace drydock::rig_config {
 
 enum class LegKind : std::uint8_t {
@@ -22,8 +22,8 @@ enum class LegKind : std::uint8_t {
   surface
 };
 
-/// One leg of a mission, entered and left smoothly: kept to exactly, or what a vehicle's autopilots
-/// follow.
+/// One leg of a mission, with smooth transitions. Without a vehicle the motion follows it exactly;
+/// with a vehicle the autopilots follow it.
 struct LegConfig {
   LegKind kind = LegKind::straight;
   double duration_s = 0;
@@ -31,36 +31,36 @@ struct LegConfig {
   double depth_change_m = 0;               ///< dive: positive down
   double speed_mps = 0;                    ///< speed at the end of the leg
   double amplitude_rad = 0, period_s = 0;  ///< s_path, zigzag: of the heading
-  double roll_rad = 0;                     ///< turn, kinematic: heel held
-  double rate_radps = 0;                   ///< spiral: rate of turn at first; zigzag: highest
-  double end_rate_radps = 0;               ///< spiral: rate of turn in the end
-  double rudder_rad = 0;                   ///< turning_circle: held, positive to port
-  double ramp_s = 0;  ///< to and from a constant rate (dv/dt, turn, sink); 0: as smooth as can be
+  double roll_rad = 0;                     ///< turn without a vehicle: constant heel
+  double rate_radps = 0;                   ///< spiral: first rate of turn; zigzag: highest
+  double end_rate_radps = 0;               ///< spiral: last rate of turn
+  double rudder_rad = 0;                   ///< turning_circle: constant, positive to port
+  double ramp_s = 0;  ///< to and from a constant rate (dv/dt, turn, sink); 0: smoothest possible
 };
 
-/// A rolling airframe from burn-out to where it comes down.
+/// The flight of a rolling airframe from burn-out to the ground.
 struct BallisticConfig {
   double height_m = 0;                    ///< at burn-out, above the ellipsoid
-  double ground_height_m = 0;             ///< of where it comes down
+  double ground_height_m = 0;             ///< of the point of impact
   double elevation_rad = 0;               ///< of the velocity at burn-out, above the horizon
   double ballistic_coefficient_kgm2 = 0;  ///< mass / (drag coefficient x area); 0: no air
-  double roll_rate_radps = 0;             ///< held once spun up
+  double roll_rate_radps = 0;             ///< constant after the spin-up
   double roll_rad = 0;                    ///< at burn-out
-  double spin_up_s = 0;                   ///< from no roll rate to the one held
-  double angle_of_attack_rad = 0;         ///< of the nose's cone about the velocity
-  double coning_radps = 0;                ///< rate at which the nose goes around it
+  double spin_up_s = 0;                   ///< from roll rate 0 to roll_rate_radps
+  double angle_of_attack_rad = 0;         ///< half angle of the nose's cone about the velocity
+  double coning_radps = 0;                ///< rate of the nose around this cone
 };
 
 struct MissionConfig {
-  std::vector<std::string> files;  ///< that it names: its vehicle
+  std::vector<std::string> files;  ///< files that it names: the vehicle file
   double latitude_rad = 0, longitude_rad = 0, depth_m = 0, heading_rad = 0, speed_mps = 0;
   OceanConfig ocean;
-  double pivot_m = 0;           ///< ahead of the origin, where a turning hull has no side slip
-  double sideslip_lag_s = 0.5;  ///< of each of the two lags between turning and slipping
-  std::vector<LegConfig> legs;  ///< repeated from the first when the run lasts longer
+  double pivot_m = 0;           ///< point without side slip in a turn, ahead of the origin
+  double sideslip_lag_s = 0.5;  ///< of each of the two lags from turn to side slip
+  std::vector<LegConfig> legs;  ///< repeated from the first one if the run lasts longer
   std::vector<FaultConfig> faults;
-  std::optional<BallisticConfig> ballistic;  ///< in place of legs
-  std::optional<VehicleConfig> vehicle;      ///< sails the legs under autopilots; none: kinematic
+  std::optional<BallisticConfig> ballistic;  ///< instead of legs
+  std::optional<VehicleConfig> vehicle;      ///< follows the legs with autopilots; empty: kinematic
 };
 
 }  // namespace drydock::rig_config

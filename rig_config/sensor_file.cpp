@@ -17,7 +17,7 @@ bool any_nonzero(const Axes& axes) {
   return std::ranges::any_of(axes, [](double x) { return x != 0; });
 }
 
-/// Lines of one quantity, its correlation time with its instability.
+/// The lines of the keys of a kind. A correlation time appears only with a bias instability.
 std::string quantity_lines(DeviceKind kind, const EmulateConfig& grade, const KeyComment& comment) {
   std::string out;
   for (const ErrorKey& key : error_keys) {

@@ -7,15 +7,15 @@
 
 namespace drydock::rig_config {
 
-/// What stands behind a key's line, without '#'; empty: nothing.
+/// The comment at the end of the line of a key, without '#'. Empty: no comment.
 using KeyComment = std::function<std::string(const ErrorKey&)>;
 
-/// A sensor file of one table that load_sensor() reads as `grade`, but for rounding to seven
-/// digits: what is zero is left out. `head`: comment lines at the top, each without '#'.
+/// A sensor file with one table. load_sensor() reads it as `grade`, rounded to seven digits. Keys
+/// with the value zero are left out. `head`: comment lines at the top, each without '#'.
 std::string sensor_text(DeviceKind kind, const EmulateConfig& grade, const std::string& head,
                         const KeyComment& comment);
 
-/// Three figures in the key's unit: "0.5", or "[0.5, 0.4, 0.6]" where they differ.
+/// Three figures in the unit of the key: "0.5", or "[0.5, 0.4, 0.6]" if they differ.
 std::string figures_text(const Axes& si, double unit, int digits);
 
 }  // namespace drydock::rig_config

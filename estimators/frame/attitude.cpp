@@ -36,7 +36,7 @@ Euler euler(const Quaterniond& body_to_ned) {
 }
 
 Euler euler(const Matrix3d& c) {
-  // Below this cosine of pitch, roll and yaw are rounding noise of each other.
+  // Below this cosine of pitch, rounding decides how the rotation splits into roll and yaw.
   constexpr double vertical = 1e-9;
   const double cos_pitch = std::hypot(c(1, 2), c(2, 2));
   const double pitch = std::atan2(-c(0, 2), cos_pitch);

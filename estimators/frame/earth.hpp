@@ -2,7 +2,7 @@
 
 #include <Eigen/Core>
 
-/// The Earth as WGS-84 has it (NIMA TR8350.2, third edition): ellipsoid, rotation, gravity.
+/// The Earth of WGS-84 (NIMA TR8350.2, third edition): ellipsoid, rotation, gravity.
 /// Latitudes are geodetic, radians; heights are above the ellipsoid, metres, up.
 namespace drydock::frame {
 
@@ -26,13 +26,13 @@ double transverse_radius(double latitude_rad);
 /// Rotation of the Earth against inertial space in NED, rad/s.
 Eigen::Vector3d earth_rate_ned(double latitude_rad);
 
-/// Rotation of the NED frame against the Earth when moving with `velocity_ned`, in NED, rad/s.
+/// Rotation of the NED frame against the Earth at the velocity `velocity_ned`, in NED, rad/s.
 /// Not defined at the poles.
 Eigen::Vector3d transport_rate_ned(double latitude_rad, double height_m,
                                    const Eigen::Vector3d& velocity_ned);
 
-/// Normal gravity (plumb-bob: attraction and centrifugal), m/s2, along the ellipsoid's normal:
-/// Somigliana's closed form on the ellipsoid, second-order Taylor series in height above it.
+/// Normal gravity (attraction and centrifugal acceleration), m/s2, along the normal of the
+/// ellipsoid. Somigliana's closed form on the ellipsoid, a second-order Taylor series in height.
 double gravity(double latitude_rad, double height_m = 0);
 
 }  // namespace drydock::frame

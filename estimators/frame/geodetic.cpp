@@ -23,8 +23,9 @@ Position geodetic(const Vector3d& ecef) {
   constexpr double e2 = wgs84::eccentricity_squared, second_e2 = e2 / (1 - e2);
   const double from_axis = std::hypot(ecef.x(), ecef.y()), z = ecef.z();
   double latitude = 0;
-  // Bowring: the reduced latitude gives the latitude, which gives a better reduced latitude. Each
-  // turn gains about three digits near the Earth and more far out; four leave rounding alone.
+  // Bowring: the reduced latitude gives the latitude, and the latitude gives a better reduced
+  // latitude. Each turn gains about three digits near the Earth and more at a greater height. After
+  // four turns only rounding is left.
   double sin_reduced = z * a, cos_reduced = from_axis * b;
   for (int turn = 0; turn < 4; ++turn) {
     const double norm = std::hypot(sin_reduced, cos_reduced);
@@ -34,7 +35,7 @@ Position geodetic(const Vector3d& ecef) {
     cos_reduced = a * std::cos(latitude);
   }
   const double s = std::sin(latitude), c = std::cos(latitude);
-  // Projection on the normal: sound at the equator and at the poles alike.
+  // The projection on the normal is accurate both at the equator and at the poles.
   const double height = from_axis * c + z * s - a * std::sqrt(1 - e2 * s * s);
   return {latitude, std::atan2(ecef.y(), ecef.x()), height};
 }

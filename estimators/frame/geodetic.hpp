@@ -13,11 +13,11 @@ struct Position {
 /// Earth-centred Earth-fixed coordinates, m.
 Eigen::Vector3d ecef(const Position& position);
 
-/// The inverse, by Bowring's formula iterated until it stands: below 1e-9 m from the Earth's crust
-/// to satellite orbits. On the polar axis the longitude comes out as 0.
+/// The inverse: Bowring's formula, iterated until it converges. The error is below 1e-9 m from the
+/// Earth's crust up to satellite orbits. On the polar axis the longitude is 0.
 Position geodetic(const Eigen::Vector3d& ecef);
 
-/// Takes the coordinates of a vector from ECEF to the NED axes of a place.
+/// Converts the coordinates of a vector from ECEF to the NED axes of a place.
 Eigen::Matrix3d ecef_to_ned(double latitude_rad, double longitude_rad);
 
 /// The straight line from `origin` to `point`, in the NED axes of `origin`, m.

@@ -2,8 +2,8 @@
 
 namespace drydock::frame {
 
-/// The Earth of earth.hpp at one place, everything that a navigation step needs at the price of one
-/// sine and cosine, with the derivatives that its error model needs.
+/// The Earth of earth.hpp at one place. It holds all values that a navigation step and its error
+/// model need, and costs one sine and one cosine.
 struct LocalEarth {
   double sin_latitude, cos_latitude, tan_latitude;
   double meridian_radius_m, transverse_radius_m;  ///< R_N, R_E

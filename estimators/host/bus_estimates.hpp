@@ -8,11 +8,12 @@
 
 namespace drydock::host {
 
-/// Estimates as the bus has them.
+/// Converts estimates to the types of the bus.
 bus::Attitude bus_attitude(const pipeline::AttitudeEstimate& estimate);
 bus::Innovation bus_innovation(const pipeline::InnovationReport& report);
 
-/// Positions besides as offsets, each estimator's from its first.
+/// Converts navigation estimates to the type of the bus. Adds the offset of each position from the
+/// first position of the same estimator.
 class BusNavigation {
  public:
   bus::Navigation operator()(const pipeline::NavigationEstimate& estimate);

@@ -14,7 +14,7 @@
 namespace drydock::host {
 namespace {
 
-/// Prints estimates as they come, either all as JSON or one a second for a person.
+/// Prints estimates as they arrive: each one as JSON, or one a second as text for a person.
 class Printer {
  public:
   Printer(const rig_config::Rig& rig, bool json_lines) : rig_(rig), json_lines_(json_lines) {}

@@ -31,7 +31,7 @@ EstimatorHost::~EstimatorHost() { readable_.release(); }  // the subscriber owns
 
 void EstimatorHost::start() {
   wait_for_measurements();
-  // With no window nothing ever waits, so nothing needs a clock to go on.
+  // Without a window no measurement waits in the pipeline, so no timer is needed.
   if (window_ > std::chrono::nanoseconds{0}) wait_for_window();
 }
 

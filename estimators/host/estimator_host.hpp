@@ -23,7 +23,7 @@ class EstimatorHost final : private pipeline::EstimateListener {
   EstimatorHost(const EstimatorHost&) = delete;
   EstimatorHost& operator=(const EstimatorHost&) = delete;
 
-  /// Called for every estimate, beside the bus.
+  /// Called for every estimate after it was published.
   std::function<void(const pipeline::AttitudeEstimate&)> on_attitude_hook;
 
   std::function<void(const pipeline::NavigationEstimate&)> on_navigation_hook;

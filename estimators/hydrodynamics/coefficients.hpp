@@ -4,9 +4,9 @@
 /// 1967) in the form of eq. (3) of docs/estimators/hydrodynamics.md.
 namespace drydock::hydrodynamics {
 
-/// Named as there: `Y_v_abs_r` is Y_{v|r|}, `M_abs_w_q` is M_{|w|q}, `Z_star` is Z_*. Dimensional,
-/// SI: the prime value times rho/2 L^n, n being that of the table in coefficient_table.hpp. What is
-/// not given is 0.
+/// The names follow the report: `Y_v_abs_r` is Y_{v|r|}, `M_abs_w_q` is M_{|w|q}, `Z_star` is Z_*.
+/// Dimensional, SI: the prime value times rho/2 L^n; coefficient_table.hpp gives n. A coefficient
+/// that is not given is 0.
 struct Coefficients {
   // surge force: added mass; static; control and thrust; damping
   double X_udot = 0;

@@ -6,7 +6,7 @@ namespace drydock::hydrodynamics {
 
 namespace {
 
-/// Eq. (A5): each function is one row of it, the derivatives of that force by u v w p q r.
+/// Eq. (A5). Each function returns one row: the derivatives of one force by u v w p q r.
 class HullPartials {
  public:
   using Row = Eigen::Matrix<double, 1, 6>;

@@ -6,7 +6,7 @@ namespace drydock::hydrodynamics {
 
 namespace {
 
-/// F^s, M^s: drift without rotation.
+/// F^s, M^s: forces of a drift without rotation.
 Wrench static_forces(const Coefficients& c, const Velocity& velocity) {
   const double u = velocity[0], v = velocity[1], w = velocity[2];
   const double abs_w = std::abs(w), v_h = cross_flow_speed(v, w);
@@ -20,7 +20,7 @@ Wrench static_forces(const Coefficients& c, const Velocity& velocity) {
           c.N_star * u * u + (c.N_v * u + c.N_vw * w + c.N_v_abs_v * v_h) * v};
 }
 
-/// F^c, M^c: rudder, planes, thrust.
+/// F^c, M^c: forces of rudder, planes and thrust.
 Wrench control_forces(const Coefficients& c, const Velocity& velocity, const Control& control) {
   const double u = velocity[0], abs_q = std::abs(velocity[4]), abs_r = std::abs(velocity[5]);
   const auto& [delta_r, delta_s, delta_b, u_c] = control;
@@ -36,7 +36,7 @@ Wrench control_forces(const Coefficients& c, const Velocity& velocity, const Con
       (c.N_abs_r_delta_r * abs_r + c.N_delta_r * u) * u * delta_r};
 }
 
-/// F^d, M^d: rotation.
+/// F^d, M^d: forces of the rotation.
 Wrench damping_forces(const Coefficients& c, const Velocity& velocity) {
   const double u = velocity[0], v = velocity[1], w = velocity[2];
   const double p = velocity[3], q = velocity[4], r = velocity[5];

@@ -15,7 +15,7 @@ using Eigen::Vector3d;
 
 namespace {
 
-/// [M_A E_A; D_A J_A] of eq. (3): F^a and M^a by the accelerations.
+/// [M_A E_A; D_A J_A] of eq. (3): derivative of F^a and M^a by the accelerations.
 Matrix6 added_mass(const Coefficients& c) {
   Matrix6 a;
   a << c.X_udot, 0, 0, 0, 0, 0,               //

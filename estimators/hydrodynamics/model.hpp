@@ -6,36 +6,37 @@
 /// (Gertler and Hagen, NSRDC Report 2510, 1967), in the form of Lee, Ra, Kim, Ahn and Lee,
 /// "Gertler-Hagen Hydrodynamic Model Based Velocity Estimation Filter for Long-term Underwater
 /// Navigation Without External Position Fix" (2016). Equation numbers are those of
-/// docs/estimators/hydrodynamics.md, which lists what was put right.
+/// docs/estimators/hydrodynamics.md, which lists the corrections.
 namespace drydock::hydrodynamics {
 
 /// u v w p q r (body: m/s through the water, rad/s), x y z (NED: m over ground, z is the depth),
 /// phi theta psi (rad).
 using State = Eigen::Matrix<double, 12, 1>;
 
-/// Where the vehicle moves. NED.
+/// The surroundings of the vehicle, in NED.
 struct Surroundings {
   Eigen::Vector3d current = Eigen::Vector3d::Zero();     ///< steady, water over ground, m/s
-  Eigen::Vector3d earth_rate = Eigen::Vector3d::Zero();  ///< rad/s; 0: an Earth at rest
+  Eigen::Vector3d earth_rate = Eigen::Vector3d::Zero();  ///< rad/s; 0: no rotation
 };
 
 /// Derivatives of the accelerations of eq. (4).
 struct Partials {
   Matrix6 by_velocity;  ///< A of eq. (7) without its first row and column, u v w p q r
-  /// By a small rotation of the body about its own axes, C_n^b <- (I - sigma x) C_n^b, rad.
+  /// The derivative by a small rotation sigma of the body about its own axes, in rad:
+  /// C_n^b <- (I - sigma x) C_n^b.
   Eigen::Matrix<double, 6, 3> by_attitude;
 };
 
-/// [M - M_A, E - E_A; D - D_A, J - J_A]: what multiplies the accelerations in eq. (2), (3).
+/// [M - M_A, E - E_A; D - D_A, J - J_A]: the factor of the accelerations in eq. (2) and (3).
 Matrix6 mass_matrix(const Vehicle& vehicle);
 
-/// Whether its symmetric part is positive definite: then no motion has negative kinetic energy.
+/// True if the symmetric part is positive definite: then no motion has negative kinetic energy.
 bool is_mass(const Matrix6& mass_matrix);
 
-/// The equations of one vehicle. Allocates nothing once made.
+/// The equations of one vehicle. Allocates no memory after construction.
 class Model {
  public:
-  /// Throws std::invalid_argument (one line) if the mass matrix is none, see is_mass().
+  /// Throws std::invalid_argument (one line) if is_mass() refuses the mass matrix.
   explicit Model(const Vehicle& vehicle);
 
   /// Eq. (4): d/dt of u v w p q r. `ned_to_body`: C_n^b.
@@ -48,7 +49,7 @@ class Model {
                     const Control& control,
                     const Eigen::Vector3d& earth_rate_ned = Eigen::Vector3d::Zero()) const;
 
-  /// Its part by u v w p q r alone.
+  /// Only the derivative by u v w p q r.
   Matrix6 velocity_partials(const Velocity& velocity, const Eigen::Matrix3d& ned_to_body,
                             const Control& control,
                             const Eigen::Vector3d& earth_rate_ned = Eigen::Vector3d::Zero()) const;
@@ -57,7 +58,7 @@ class Model {
   State derivative(const State& state, const Control& control,
                    const Surroundings& surroundings = {}) const;
 
-  /// The state `dt` seconds later by the classical Runge-Kutta method, control held.
+  /// The state `dt` seconds later, by the classical Runge-Kutta method with constant control.
   State step(const State& state, const Control& control, double dt,
              const Surroundings& surroundings = {}) const;
 

@@ -18,7 +18,7 @@ Vector3d d_bar(const RigidBody& body, const Vector3d& a) {
   return {-m_z * a.y(), m_z * a.x(), 0};
 }
 
-/// z_G W - z_B B: what rights the vehicle.
+/// z_G W - z_B B: the righting moment per sine of the tilt.
 double righting(const RigidBody& body) { return body.z_G * body.weight - body.z_B * body.buoyancy; }
 
 }  // namespace

@@ -6,7 +6,7 @@
 
 namespace drydock::hydrodynamics {
 
-/// Mass properties about the origin of the body axes, in which the coefficients hold too. Both
+/// Mass properties about the origin of the body axes. The coefficients hold in the same axes. Both
 /// centres lie on the z axis: r_G = [0 0 z_G], r_B = [0 0 z_B]. SI.
 struct RigidBody {
   double mass = 0;
@@ -20,10 +20,11 @@ struct Vehicle {
   Coefficients coefficients{};
 };
 
-/// What is steered. rad, m/s. Positive rudder turns to port, positive stern planes nose down.
+/// The controls, rad and m/s. Positive rudder turns to port; positive stern planes turn the nose
+/// down.
 struct Control {
   double delta_r = 0, delta_s = 0, delta_b = 0;  ///< rudder, stern planes, bow planes
-  double u_c = 0;                                ///< commanded speed: what the propeller turns for
+  double u_c = 0;                                ///< commanded speed, set by the propeller
 };
 
 using Velocity = Eigen::Matrix<double, 6, 1>;  ///< u v w p q r, body axes, m/s and rad/s

@@ -7,7 +7,7 @@
 
 namespace drydock::leveling {
 
-/// One of the filters; their calls are the same.
+/// One of the filters. All filters have the same member functions.
 using AnyLevelingFilter = std::variant<LevelingFilter, AugmentedLevelingFilter>;
 
 inline AnyLevelingFilter make_filter(FilterKind kind, const LevelingOptions& options) {

@@ -16,7 +16,8 @@ namespace {
 
 constexpr int alpha_at = 3, accelerometer_at = 6, gyro_at = 9, log_at = 12;
 
-/// What six biases do to V and alpha, d(x')/d(b) of eq. (A2); the log's bias does nothing.
+/// d(x')/d(b) of eq. (A2): the effect of the six inertial biases on V and alpha. The bias of the
+/// log has no effect.
 Matrix6 bias_matrix(const Vector3d& velocity, const Vector3d& alpha) {
   Matrix6 g = Matrix6::Zero();
   g.topLeftCorner<3, 3>() = -Eigen::Matrix3d::Identity();
@@ -75,7 +76,8 @@ void AugmentedLevelingFilter::start_motion(const FirstAlpha& first, double turn_
 void AugmentedLevelingFilter::widen_gyro_bias() {
   const double open = earth_rate_.variance();
   p_.diagonal().segment<3>(gyro_at).array() += open;
-  // However often the heading is lost: a gyro and the Earth's rate together are no worse.
+  // The variance is limited to that of a new gyro plus that of the Earth's rate. Repeated losses of
+  // the heading cannot make it larger.
   const double most = squared(options_.gyro_bias_sigma_radps) + open;
   for (int axis = gyro_at; axis < log_at; ++axis) {
     const double scale = std::sqrt(std::min(1.0, most / p_(axis, axis)));
@@ -103,7 +105,7 @@ void AugmentedLevelingFilter::predict(const Vector3d& specific_force, const Vect
   x_.head<6>() =
       (transition.step * x_.head<6>() + transition.mean.leftCols<3>() * (force * dt)).eval();
 
-  // Eq. (A3) by its blocks: motion, motion with biases, biases. The biases stay as they are.
+  // Eq. (A3) in blocks: motion, motion with biases, biases. The block of the biases is constant.
   const Matrix6& s = transition.step;
   const Matrix6 b = transition.mean * bias_matrix(velocity, alpha) * dt;
   const Eigen::Matrix<double, 6, 7> cross = p_.topRightCorner<6, 7>();
@@ -115,7 +117,7 @@ void AugmentedLevelingFilter::predict(const Vector3d& specific_force, const Vect
   p_.bottomLeftCorner<7, 6>() = carried.transpose();
   p_.diagonal().head<3>().array() += squared(options_.velocity_noise) * dt;
   p_.diagonal().segment<3>(alpha_at).array() += squared(options_.alpha_noise) * dt;
-  // Eq. (A9): fixed to the Earth, that part turns in the body.
+  // Eq. (A9): this part of the bias is fixed to the Earth, so it rotates in the body.
   p_.diagonal().segment<3>(gyro_at).array() += earth_rate_.variance() * std::abs(turn_) * dt;
 }
 
@@ -157,7 +159,8 @@ void AugmentedLevelingFilter::update(double residual, const State& row, double v
   const State gain = seen / expected;  // eq. (25)
   x_ += gain * residual;               // eq. (23)
 
-  // Joseph's form of eq. (24), (I - K h) P (I - K h)^T + K r K^T, one factor after the other.
+  // Joseph's form of eq. (24), (I - K h) P (I - K h)^T + K r K^T: first the left factor, then the
+  // right one.
   Covariance kept = p_ - gain * seen.transpose();
   const State still_seen = kept * row;
   kept += (variance * gain - still_seen) * gain.transpose();

@@ -10,14 +10,14 @@
 namespace drydock::leveling {
 
 /// The leveling filter with the biases of its sensors as states: eq. (A1)-(A6) of
-/// docs/estimators/leveling.md. A turn carries a bias, which is fixed to the body, round against
-/// the horizon, so that the two come apart; its covariance is consistent where that of the six
-/// states is not. The calls are those of LevelingFilter. Allocates nothing, throws nothing; inputs
-/// must be finite.
+/// docs/estimators/leveling.md. A bias is fixed to the body, so a turn rotates it against the
+/// horizon and the filter can tell bias from tilt. Its covariance is consistent; that of the six
+/// states is not. It has the same member functions as LevelingFilter. Allocates nothing, throws
+/// nothing; inputs must be finite.
 class AugmentedLevelingFilter {
  public:
-  /// [V (3) alpha (3) accelerometer bias (3) gyro bias (3) log bias]: m/s, -, m/s2, rad/s, m/s;
-  /// a bias is what the sensor says too much.
+  /// [V (3) alpha (3) accelerometer bias (3) gyro bias (3) log bias]: m/s, -, m/s2, rad/s, m/s.
+  /// A bias is the sensor's value minus the true value.
   static constexpr int states = 13;
   using State = Eigen::Matrix<double, states, 1>;
   using Covariance = Eigen::Matrix<double, states, states>;
@@ -28,26 +28,28 @@ class AugmentedLevelingFilter {
   void start(const Eigen::Vector3d& specific_force, const Eigen::Vector3d& angular_rate,
              double speed_mps);
 
-  /// As LevelingFilter's; what is known of the biases is kept. What the heading leaves open of the
-  /// Earth's rate goes to the gyros', (A8).
+  /// As in LevelingFilter, but the bias estimates are kept. The heading is uncertain, so the
+  /// Earth's rate is too; this uncertainty is added to that of the gyro biases, (A8).
   void start_again(const Eigen::Vector3d& specific_force, const Eigen::Vector3d& angular_rate,
                    double speed_mps, double silent_s);
 
-  /// V and alpha are less certain by so much, per axis: samples are missing.
+  /// Adds these standard deviations to V and alpha, per axis, because samples are missing.
   void loosen(double velocity_sigma_mps, double angle_sigma_rad);
 
-  /// Eq. (A2), (A3) over dt seconds, in which the inputs (m/s2 and rad/s, body) are constant.
+  /// Eq. (A2), (A3) over dt seconds with constant inputs (m/s2 and rad/s, body).
   void predict(const Eigen::Vector3d& specific_force, const Eigen::Vector3d& angular_rate,
                double dt);
 
   /// Eq. (A4): the log with its bias, and |alpha|^2 = 1. A speed outside the gate is not used.
   void update_moving(double speed_mps);
-  void update_stationary();             ///< eq. (32): V = 0, which no log measures, and |alpha|^2
-  void update_nonholonomic(double dt);  ///< as LevelingFilter's
+  void update_stationary();             ///< eq. (32): V = 0, without the log, and |alpha|^2 = 1
+  void update_nonholonomic(double dt);  ///< as in LevelingFilter
 
-  double roll() const;                         ///< eq. (28), (-pi, pi]
-  double pitch() const;                        ///< eq. (28), [-pi/2, pi/2]
-  double heading() const { return heading_; }  ///< the given one carried on by the gyro, (-pi, pi]
+  double roll() const;   ///< eq. (28), (-pi, pi]
+  double pitch() const;  ///< eq. (28), [-pi/2, pi/2]
+  double heading() const {
+    return heading_;
+  }  ///< the given heading plus the gyro's turn, (-pi, pi]
   Eigen::Matrix2d roll_pitch_covariance() const;  ///< rad2
 
   Eigen::Vector3d accelerometer_bias() const { return x_.segment<3>(6); }
@@ -57,7 +59,9 @@ class AugmentedLevelingFilter {
   const State& state() const { return x_; }
   const Covariance& covariance() const { return p_; }
   const Innovation& innovation() const { return innovation_; }
-  std::uint64_t rejected() const { return gate_.rejected(); }  ///< speeds, since it was made
+  std::uint64_t rejected() const {
+    return gate_.rejected();
+  }  ///< number of speeds outside the gate
   const LevelingOptions& options() const { return options_; }
 
  private:

@@ -4,18 +4,18 @@
 
 namespace drydock::leveling {
 
-/// The Earth's rate as far as a filter that does not measure its heading knows it: eq. (16), (A7)
-/// of docs/estimators/leveling.md.
+/// The Earth's rate and its uncertainty for a filter that does not measure the heading: eq. (16),
+/// (A7) of docs/estimators/leveling.md.
 class EarthRate {
  public:
   explicit EarthRate(double latitude_rad);
 
-  /// The vehicle turned unseen, by an angle of this standard deviation.
+  /// The vehicle turned while no gyro measured it, by an angle of this standard deviation.
   void forget_heading(double sigma_rad);
 
-  /// What to expect, rad/s; north is that of the carried heading.
+  /// The expected rate, rad/s. North is given by the heading that the filter carries.
   const Eigen::Vector3d& ned() const { return expected_; }
-  /// Of each horizontal component, rad2/s2: what the heading leaves open.
+  /// Variance of each horizontal component, rad2/s2, from the uncertain heading.
   double variance() const { return variance_; }
 
  private:

@@ -12,7 +12,7 @@ using frame::skew;
 
 namespace {
 
-/// Below this cosine of pitch, roll and heading are not defined and are left as they were.
+/// Below this cosine of pitch, roll and heading are not defined and keep their values.
 constexpr double vertical = 1e-6;
 
 }  // namespace
@@ -63,7 +63,7 @@ Transition::Transition(const Matrix6& f, double dt) {
 }
 
 double carried_heading(double heading, const Vector3d& alpha, const Vector3d& rate_nb, double dt) {
-  // In terms of alpha: (q sin(roll) + r cos(roll)) / cos(pitch).
+  // The rate is (q sin(roll) + r cos(roll)) / cos(pitch), written with alpha.
   const Vector3d unit = alpha.normalized();
   const double across_squared = unit.y() * unit.y() + unit.z() * unit.z();
   if (across_squared < vertical) return heading;

@@ -4,7 +4,7 @@
 
 #include "estimators/leveling/leveling_options.hpp"
 
-/// What the leveling filters have in common: eq. (5)-(28) of docs/estimators/leveling.md, pure.
+/// Pure functions that both leveling filters use: eq. (5)-(28) of docs/estimators/leveling.md.
 namespace drydock::leveling {
 
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
@@ -16,13 +16,13 @@ Eigen::Vector3d alpha_of(double roll_rad, double pitch_rad);
 double roll_of(const Eigen::Vector3d& alpha);   ///< eq. (28), (-pi, pi]
 double pitch_of(const Eigen::Vector3d& alpha);  ///< eq. (28) of alpha / |alpha|, [-pi/2, pi/2]
 
-/// Covariance of [roll pitch], rad2, from that of alpha: through the Jacobian of eq. (28).
+/// Covariance of [roll pitch], rad2, from that of alpha, with the Jacobian of eq. (28).
 Eigen::Matrix2d roll_pitch_covariance(const Eigen::Vector3d& alpha,
                                       const Eigen::Matrix3d& covariance);
 
-/// alpha to begin with, and its uncertainty per component: by the accelerometers, eq. (A6), which
-/// are good to `sigma`, or as the options give it; so also in free fall, where a specific force
-/// tells no direction.
+/// The first alpha and its standard deviation per component. The accelerometers give it, eq. (A6),
+/// with the standard deviation `sigma`, or the options give it. In free fall the specific force has
+/// no direction, so then the options give it too.
 struct FirstAlpha {
   Eigen::Vector3d alpha;
   double sigma;
@@ -35,18 +35,19 @@ FirstAlpha first_alpha(const LevelingOptions& options, const Eigen::Vector3d& sp
 Matrix6 system_matrix(const Eigen::Vector3d& rate_nb, const Eigen::Vector3d& rate_coriolis,
                       double gravity_mps2);
 
-/// F constant over dt, to the third order in A = F dt: x <- step x + dt mean b, with
-/// step = e^A and mean = I + A/2 + A^2/6.
+/// The transition over dt with a constant F, to the third order in A = F dt:
+/// x <- step x + dt mean b, with step = e^A and mean = I + A/2 + A^2/6.
 struct Transition {
   Transition(const Matrix6& f, double dt);
   Matrix6 mean, step;
 };
 
-/// The heading after dt, (-pi, pi]: third row of eq. (3). At pitch +-90 degrees it stands still.
+/// The heading after dt, (-pi, pi]: third row of eq. (3). At pitch +-90 degrees it does not change.
 double carried_heading(double heading_rad, const Eigen::Vector3d& alpha,
                        const Eigen::Vector3d& rate_nb, double dt);
 
-/// Variances of V_y = 0 and V_z = 0 over dt at this rate of turn, eq. (A5); empty: not used.
+/// Variances of the measurements V_y = 0 and V_z = 0 over dt at this rate of turn, eq. (A5). An
+/// empty variance means that the constraint is not used.
 struct Nonholonomic {
   Nonholonomic(const LevelingOptions& options, double turn_radps, double dt);
   std::optional<double> transverse, vertical;

@@ -12,7 +12,7 @@ using Eigen::Vector3d;
 
 namespace {
 
-/// Noise of alpha per rad/s of a lasting error of the rate, so that it is covered: chosen.
+/// A constant error of the rate is covered by noise of alpha: this much noise per rad/s. Chosen.
 constexpr double noise_over_rate = 4;  // sqrt(s)
 
 }  // namespace
@@ -79,7 +79,7 @@ void LevelingFilter::update_moving(double speed_mps) {
   Eigen::Matrix<double, 2, 6> h = Eigen::Matrix<double, 2, 6>::Zero();  // eq. (30)
   h(0, 0) = 1;
   h.row(1).tail<3>() = 2 * alpha.transpose();
-  const Eigen::Vector2d residual{speed_mps - x_(0), 1 - alpha.squaredNorm()};  // put right
+  const Eigen::Vector2d residual{speed_mps - x_(0), 1 - alpha.squaredNorm()};  // sign corrected
   const Eigen::Vector2d variance{std::pow(options_.speed_sigma_mps, 2),
                                  std::pow(options_.norm_sigma, 2)};
   const double expected = p_(0, 0) + variance(0);
@@ -124,7 +124,7 @@ void LevelingFilter::update(const Eigen::Matrix<double, Rows, 1>& residual,
   const Eigen::Matrix<double, 6, Rows> gain = p_ * h.transpose() * inverse;  // eq. (25)
   x_ += gain * residual;                                                     // eq. (23)
 
-  // Joseph's form of eq. (24): stays symmetric and positive whatever the rounding.
+  // Joseph's form of eq. (24) stays symmetric and positive in spite of rounding.
   const Matrix6 kept = Matrix6::Identity() - gain * h;
   p_ = (kept * p_ * kept.transpose() + gain * r * gain.transpose()).eval();
 

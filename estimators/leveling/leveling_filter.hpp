@@ -7,14 +7,14 @@
 #include "estimators/leveling/leveling_options.hpp"
 #include "estimators/leveling/speed_gate.hpp"
 
-/// Roll and pitch from an inertial measurement unit and a speed log, without knowing either to
-/// begin with: the extended Kalman filter of Hong, Park, Han and Lee, "A Leveling Algorithm for
-/// Strapdown INS Using EKF" (2000). Equation numbers are those of docs/estimators/leveling.md.
+/// Roll and pitch from an inertial measurement unit and a speed log, without an initial attitude:
+/// the extended Kalman filter of Hong, Park, Han and Lee, "A Leveling Algorithm for Strapdown INS
+/// Using EKF" (2000). Equation numbers are those of docs/estimators/leveling.md.
 namespace drydock::leveling {
 
 /// State x = [V_x V_y V_z alpha_1 alpha_2 alpha_3]: velocity over the Earth in body axes, m/s, and
-/// alpha = third column of C_n^b, "down" seen from the body. Allocates nothing, throws nothing;
-/// inputs must be finite (the pipeline sees to that).
+/// alpha = third column of C_n^b, "down" in body axes. Allocates nothing, throws nothing; inputs
+/// must be finite (the pipeline checks them).
 class LevelingFilter {
  public:
   using State = Vector6;
@@ -22,19 +22,19 @@ class LevelingFilter {
 
   explicit LevelingFilter(const LevelingOptions& options);
 
-  /// Begins, or begins again: attitude as the options say, V = [speed 0 0]. The heading is kept.
+  /// Starts or restarts: the attitude as the options say, V = [speed 0 0]. The heading is kept.
   void start(const Eigen::Vector3d& specific_force, const Eigen::Vector3d& angular_rate,
              double speed_mps);
 
-  /// After an IMU's silence of a vehicle under way: as `start`, with an attitude that is better
-  /// known and a heading that is not, (A7).
+  /// Restarts after the IMU of a moving vehicle was silent for `silent_s`. As `start`, but the
+  /// first attitude is more certain and the heading is less certain, (A7).
   void start_again(const Eigen::Vector3d& specific_force, const Eigen::Vector3d& angular_rate,
                    double speed_mps, double silent_s);
 
-  /// V and alpha are less certain by so much, per axis: samples are missing.
+  /// Adds these standard deviations to V and alpha, per axis, because samples are missing.
   void loosen(double velocity_sigma_mps, double angle_sigma_rad);
 
-  /// Eq. (21), (22) over dt seconds, in which the inputs (m/s2 and rad/s, body) are constant.
+  /// Eq. (21), (22) over dt seconds with constant inputs (m/s2 and rad/s, body).
   void predict(const Eigen::Vector3d& specific_force, const Eigen::Vector3d& angular_rate,
                double dt);
 
@@ -44,20 +44,24 @@ class LevelingFilter {
   /// Eq. (32)-(34): all three velocities are zero, and |alpha|^2 = 1.
   void update_stationary();
 
-  /// The constraints that the options switch on, for `dt` seconds of motion; none: does nothing.
+  /// Applies the constraints that the options enable, for `dt` seconds of motion.
   void update_nonholonomic(double dt);
 
-  double roll() const;                         ///< eq. (28), (-pi, pi]
-  double pitch() const;                        ///< eq. (28), [-pi/2, pi/2]
-  double heading() const { return heading_; }  ///< the given one carried on by the gyro, (-pi, pi]
+  double roll() const;   ///< eq. (28), (-pi, pi]
+  double pitch() const;  ///< eq. (28), [-pi/2, pi/2]
+  double heading() const {
+    return heading_;
+  }  ///< the given heading plus the gyro's turn, (-pi, pi]
 
-  /// Covariance of [roll pitch], rad2: that of alpha through the Jacobian of eq. (28).
+  /// Covariance of [roll pitch], rad2: from that of alpha, with the Jacobian of eq. (28).
   Eigen::Matrix2d roll_pitch_covariance() const;
 
   const State& state() const { return x_; }
   const Covariance& covariance() const { return p_; }
   const Innovation& innovation() const { return innovation_; }
-  std::uint64_t rejected() const { return gate_.rejected(); }  ///< speeds, since it was made
+  std::uint64_t rejected() const {
+    return gate_.rejected();
+  }  ///< number of speeds outside the gate
   const LevelingOptions& options() const { return options_; }
   double gravity_mps2() const { return gravity_; }
 

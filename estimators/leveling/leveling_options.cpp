@@ -7,8 +7,8 @@ namespace drydock::leveling {
 LevelingOptions options_for(FilterKind kind) {
   LevelingOptions options;
   if (kind == FilterKind::robust) return options;
-  // Neither has to pass biases off as noise: the paper does not think of them, the augmented filter
-  // estimates them.
+  // The noise of these filters does not cover biases: the paper's filter ignores them, the
+  // augmented filter estimates them.
   options.velocity_noise = 1e-3;
   options.alpha_noise = 1e-6;
   if (kind == FilterKind::paper) {

@@ -9,21 +9,22 @@
 
 namespace drydock::leveling {
 
-/// Which of the filters; docs/estimators/leveling.md compares them.
+/// The kinds of filter; docs/estimators/leveling.md compares them.
 enum class FilterKind : std::uint8_t {
-  paper,     ///< as printed, errata corrected: starts from a given attitude, may stay upside down
+  paper,     ///< as printed, errors corrected: starts from a given attitude, may stay upside down
   robust,    ///< the same six states, never upside down
   augmented  ///< thirteen states: the biases of accelerometers, gyros and log as well
 };
 
-/// One standard deviation everywhere. "Paper": stated there; "chosen": see the docs page for why.
-/// The defaults are those of FilterKind::robust.
+/// All sigmas are one standard deviation. "Paper": the paper states it; "chosen": the docs page
+/// says why. The defaults are those of FilterKind::robust.
 struct LevelingOptions {
-  double latitude_rad = 0;  ///< earth rate and gravity, eq. (16); needed to about a degree
-  double height_m = 0;      ///< gravity
-  double heading_rad = 0;   ///< at the start; eq. (16) needs it, the gyro carries it on
+  double latitude_rad = 0;  ///< for Earth rate and gravity, eq. (16); within about a degree
+  double height_m = 0;      ///< for gravity
+  double heading_rad = 0;   ///< at the start, for eq. (16); later the gyro updates it
 
-  /// First attitude from the first specific force; false: from initial_roll and initial_pitch.
+  /// True: the first specific force gives the first attitude. False: initial_roll and
+  /// initial_pitch.
   bool accelerometer_start = true;
   double initial_roll_rad = 0, initial_pitch_rad = 0;
 
@@ -31,8 +32,8 @@ struct LevelingOptions {
   double initial_alpha_sigma = 1;                ///< P0 of alpha without attitude knowledge; paper
   double accelerometer_start_alpha_sigma = 0.1;  ///< P0 of alpha with accelerometer start; chosen
 
-  /// After an IMU's silence: P0 of alpha, an acceleration of .3 m/s2 over gravity; and the rate of
-  /// turn of a vehicle that nobody sees, that of the paper's S path. Chosen.
+  /// For a restart after the IMU was silent: P0 of alpha, an acceleration of .3 m/s2 divided by
+  /// gravity; and the assumed rate of turn in the silence, that of the paper's S path. Chosen.
   double restart_alpha_sigma = 0.03;
   double unseen_turn_radps = 0.12;
 
@@ -42,32 +43,34 @@ struct LevelingOptions {
   double speed_sigma_mps = 0.1;        ///< R of V_x moving; paper, Table 1
   double stationary_sigma_mps = 0.01;  ///< R of V stationary; chosen
   double norm_sigma = 0.1;             ///< R of |alpha|^2 = 1; chosen
-  /// With an accelerometer start: a speed further off, in its sigmas, is not used; paper: infinite.
+  /// With an accelerometer start, a speed with an innovation above this many sigmas is not used.
+  /// The paper has no gate: infinite.
   double speed_gate = 6;
 
-  /// Nonholonomic constraints, eq. (A5): V_z and V_y are zero to this much, m/s sqrt(s); empty: not
-  /// used. The first decides the sign of alpha_3, the second holds roll on a straight course: the
-  /// paper's measurements leave both open while p = q = 0. A vehicle slips sideways as it turns:
-  /// `slip_density`, m sqrt(s), times the rate of turn is added to the second, squared.
+  /// Nonholonomic constraints, eq. (A5): standard deviation of V_z = 0 and V_y = 0, m/s sqrt(s);
+  /// empty: not used. V_z = 0 decides the sign of alpha_3. V_y = 0 holds roll on a straight course.
+  /// The paper's measurements observe neither while p = q = 0. A vehicle slips sideways in a turn:
+  /// the variance of V_y = 0 grows by the square of `slip_density`, m sqrt(s), times the rate of
+  /// turn.
   std::optional<double> vertical_speed_density = 0.3;
   std::optional<double> transverse_speed_density = 0.2;
   double slip_density = 8;
 
-  /// P0 of the biases, per axis; FilterKind::augmented alone. Paper, Table 1.
+  /// P0 of the biases, per axis, for FilterKind::augmented only. Paper, Table 1.
   double accelerometer_bias_sigma_mps2 = 9.80665e-3;        ///< 1 mg
   double gyro_bias_sigma_radps = std::numbers::pi / 648e3;  ///< 1 deg/h
   double speed_bias_sigma_mps = 0.1;
 };
 
-/// What each filter differs in from the others; latitude, heading and attitude are for the caller.
+/// The options of this kind of filter. The caller sets latitude, heading and attitude.
 LevelingOptions options_for(FilterKind kind);
 
-/// What the last update saw: z - h(x), its normalised square (NIS) and the degrees of freedom.
+/// The innovation of the last update: z - h(x), its normalised square (NIS), degrees of freedom.
 struct Innovation {
   Eigen::Vector4d residual = Eigen::Vector4d::Zero();  ///< first `size` entries
   int size = 0;
   double normalised_square = 0;
-  std::optional<navigation::Innovation> log;  ///< that of the speed log alone, used or not, m/s
+  std::optional<navigation::Innovation> log;  ///< of the speed log alone, used or not, m/s
 };
 
 }  // namespace drydock::leveling

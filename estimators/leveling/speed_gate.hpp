@@ -7,10 +7,11 @@
 
 namespace drydock::leveling {
 
-/// Innovation gate of the log's speed. A value further off than `speed_gate` of its sigmas is left
-/// out; after so many in a row that they are no outliers it is the estimate that is wrong, and the
-/// next one counts, against a velocity that is as uncertain as it differs. Open where the first
-/// attitude is given: a filter that begins upside down must hear so from the log.
+/// Innovation gate of the speed of the log. It rejects a value with an innovation above
+/// `speed_gate` sigmas. After `believed_after` rejections in a row it assumes that the estimate is
+/// wrong: it uses the next value and adds the squared innovation to the variance of the velocity.
+/// The gate is open if the options give the first attitude, because such a filter may start upside
+/// down and only the log can correct it.
 class SpeedGate {
  public:
   static constexpr int believed_after = 5;
@@ -21,8 +22,8 @@ class SpeedGate {
 
   void start() { in_a_row_ = 0; }
 
-  /// Whether the speed is to be used. `velocity_variance` is that of V_x, and grows when the log is
-  /// believed against it; `sigma_squared` of the innovation.
+  /// True if the filter must use the speed. `sigma_squared` is the variance of the innovation.
+  /// `velocity_variance` is the variance of V_x; it grows if the gate uses a value far outside.
   bool passes(double residual, double sigma_squared, double& velocity_variance) {
     if (residual * residual <= gate_ * gate_ * sigma_squared) {
       in_a_row_ = 0;

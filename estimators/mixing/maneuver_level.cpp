@@ -22,7 +22,7 @@ constexpr std::array<std::array<Set, 5>, 5> rules{
 
 constexpr double row_step = 0.01, column_step = 1;  // Table 3, rad/s and m/s2
 
-/// An input as its two neighbouring sets see it; all others are 0.
+/// Memberships of an input in its two neighbouring sets; all other memberships are 0.
 struct Fuzzified {
   std::size_t lower;
   std::array<double, 2> membership;  ///< of `lower` and of the set above it
@@ -36,15 +36,15 @@ Fuzzified fuzzify(double input, const Peaks& peaks) {
   return {lower, {1 - above, above}};
 }
 
-// The output's sets have their peaks 15 points apart, -30 to 30, and memberships here are counted
-// in fifteenths: whole numbers at every point.
+// The sets of the output have their peaks 15 points apart, from -30 to 30. Memberships are counted
+// in fifteenths here, so they are whole numbers at every point.
 constexpr int points = 15;
 
-/// A sum over the points of one flank of a set, by how far the set is filled. Its bends are at
-/// whole fifteenths, so that between them a straight line is exact.
+/// A sum over the points of one flank of a set, as a function of the fill of the set. The function
+/// has its bends at whole fifteenths, so linear interpolation between them is exact.
 class Filled {
  public:
-  /// Of `weight(k) * min(fill, height(k))` for k = 1 ... 15 points from the peak.
+  /// Sums `weight(k) * min(fill, height(k))` for k = 1 ... 15 points from the peak.
   constexpr Filled(auto height, auto weight) {
     for (int fill = 0; fill <= points; ++fill)
       for (int k = 1; k <= points; ++k)
@@ -64,11 +64,12 @@ constexpr auto one = [](int) { return 1; };
 constexpr auto slope = [](int k) { return points - k; };
 constexpr Filled flank_area(slope, one);
 constexpr Filled flank_moment(slope, [](int k) { return k; });  // about the peak
-/// What two neighbours, both filled so far, have in common.
+/// The common area of two neighbours with the same fill.
 constexpr Filled common_area([](int k) { return std::min(k, points - k); }, one);
 
-/// How far up each set of the output is filled, in fifteenths: the rules of Table 1, min of their
-/// two inputs, max over those with the same conclusion. At most four rules are active.
+/// The fill of each set of the output, in fifteenths, by the rules of Table 1: the min of the two
+/// inputs of a rule, the max over the rules with the same conclusion. At most four rules are
+/// active.
 std::array<double, 5> composed(const Fuzzified& rate, const Fuzzified& acceleration) {
   std::array<double, 5> fill{};
   for (std::size_t i = 0; i < 2; ++i) {
@@ -86,7 +87,7 @@ std::array<double, 5> composed(const Fuzzified& rate, const Fuzzified& accelerat
 double inferred_maneuver(double attitude_rate, double velocity_rate, const FuzzySets& sets) {
   const auto fill = composed(fuzzify(attitude_rate, sets.attitude_rate),
                              fuzzify(velocity_rate, sets.velocity_rate));
-  double area = 0, moment = 0;  // of all points, and about the middle one
+  double area = 0, moment = 0;  // of all points; the moment is about the middle point
   for (std::size_t set = vs; set <= vb; ++set) {
     const int flanks = set == vs || set == vb ? 1 : 2;
     const double own = fill[set] + flanks * flank_area(fill[set]);
@@ -94,7 +95,7 @@ double inferred_maneuver(double attitude_rate, double velocity_rate, const Fuzzy
     moment += own * (points * static_cast<double>(set) - 30);
   }
   moment += flank_moment(fill[vs]) - flank_moment(fill[vb]);
-  // max(a, b) = a + b - min(a, b); the last lies about the middle between both peaks.
+  // max(a, b) = a + b - min(a, b). The area of the min has its centre midway between both peaks.
   for (std::size_t set = vs; set < vb; ++set) {
     const double common = common_area(std::min(fill[set], fill[set + 1]));
     area -= common;
@@ -104,7 +105,7 @@ double inferred_maneuver(double attitude_rate, double velocity_rate, const Fuzzy
 }
 
 int inferred_level(double attitude_rate, double velocity_rate, const FuzzySets& sets) {
-  constexpr double rounding = 1e-9;  // a centre of area on a border must not depend on it
+  constexpr double rounding = 1e-9;  // keeps rounding from deciding a centre of area on a border
   const double maneuver = inferred_maneuver(attitude_rate, velocity_rate, sets);
   return static_cast<int>((maneuver + 30) / 5 + rounding) + 1;
 }

@@ -16,7 +16,7 @@ void MixingAccuracy::start(bool by_accelerometer) {
 
 void MixingAccuracy::step(double proportional, double integral, double leak, double dt) {
   // Eq. (13): d(error) = bias + K1 (vertical - error) + correction, d(correction) = KI (vertical -
-  // error) - leak correction; the two constants stay.
+  // error) - leak correction. The vertical error and the bias are constant.
   Eigen::Matrix4d transition = Eigen::Matrix4d::Identity();
   transition.row(0) += dt * Eigen::RowVector4d{-proportional, 1, proportional, 1};
   transition.row(1) += dt * Eigen::RowVector4d{-integral, -leak, integral, 0};

@@ -14,14 +14,14 @@ using Eigen::Vector3d;
 
 namespace {
 
-// Euler angles fail at a pitch of 90 deg; the estimate stays this side of it.
+// Euler angles fail at a pitch of 90 deg. The estimate stays below this limit.
 constexpr double steepest = std::numbers::pi / 2 - 1e-3;
 
 double arcsine(double x) { return std::asin(std::clamp(x, -1.0, 1.0)); }
 
 }  // namespace
 
-/// What a step's inputs say at the attitude estimated so far.
+/// The motion that the inputs of a step give at the estimated attitude.
 struct MixingFilter::Motion {
   Vector3d force;
   Vector3d rate;        ///< p, q, r against NED, eq. (1)
@@ -87,9 +87,8 @@ void MixingFilter::step(const Vector3d& force, const Vector3d& rate, double spee
   const Vector2d error = compensated ? compensated_error(m) : accelerometer_error(m);
   if (options_.type != MixingType::fixed_gain) choose_gains(m);
 
-  // Fig. 2.
-  integral_ = integral_kept_ * integral_ +
-              integral_gain() * dt * error;  // the gain of the time when the error was there
+  // Fig. 2. The integral holds each error with the gain at the time of that error.
+  integral_ = integral_kept_ * integral_ + integral_gain() * dt * error;
   const Vector2d correction = gains_.k1 * error + integral_;
   roll_.add((m.roll_rate + correction.x()) * dt);
   pitch_.add((m.pitch_rate + correction.y()) * dt);
@@ -113,15 +112,16 @@ void MixingFilter::discretise(double dt) {
   integral_kept_ = std::exp(-dt * integral_leak());
 }
 
-// Eq. (5): all that is known of the motion is the speed ahead.
+// Eq. (5): only the speed ahead is known of the motion.
 Vector2d MixingFilter::accelerometer_error(const Motion& m) const {
   const double across = m.rate.z() * m.speed - m.force.y();
   return {arcsine(across * (per_gravity_ * m.per_cos_pitch)) - roll(),
           arcsine(m.force.x() * per_gravity_) - pitch()};
 }
 
-// Eq. (10) to (12). The residual is low-passed with everything at the same instant, so that the
-// attitude does not lag; the log's derivative is that of its speed through the same low-pass.
+// Eq. (10) to (12). All terms of the residual are of the same instant before the low-pass, so the
+// attitude does not lag. The acceleration of the log is the derivative of its speed after the same
+// low-pass.
 Vector2d MixingFilter::compensated_error(const Motion& m) {
   slow_turn_ += low_pass_ * (m.rate.tail<2>() - slow_turn_);
   const double v = -options_.pivot_m * slow_turn_.y(), w = options_.pivot_m * slow_turn_.x();
@@ -138,7 +138,8 @@ Vector2d MixingFilter::compensated_error(const Motion& m) {
 }
 
 void MixingFilter::choose_gains(const Motion& m) {
-  // Eq. (8): the Earth turns the frame once against inertial space, once more by Coriolis.
+  // Eq. (8). The Earth's rate counts twice: once for the rotation of the frame against inertial
+  // space, once for the Coriolis acceleration.
   const Vector3d velocity{m.speed, drift_.x(), drift_.y()};
   const Vector3d turning = m.rate + 2 * m.earth_rate;
   const Vector3d change = m.force + gravity_ * m.down - turning.cross(velocity);

@@ -6,65 +6,66 @@
 #include "estimators/mixing/maneuver_level.hpp"
 #include "estimators/mixing/stepped_angle.hpp"
 
-/// Roll and pitch from gyroscopes, held by accelerometers and a speed log: the mixing loop of Kim,
-/// Lee and Han, "Mixing Algorithm for Attitude Computation of Underwater Vehicle Using Fuzzy
+/// Roll and pitch from gyroscopes, corrected by accelerometers and a speed log: the mixing loop of
+/// Kim, Lee and Han, "Mixing Algorithm for Attitude Computation of Underwater Vehicle Using Fuzzy
 /// Theory" (1996). Equation numbers are those of docs/estimators/mixing.md.
 namespace drydock::mixing {
 
-/// Table 4 of the paper, and ours.
+/// The types of Table 4 of the paper, and one type of this project.
 enum class MixingType : std::uint8_t {
-  fixed_gain,       ///< type 1: the loop as it was before
+  fixed_gain,       ///< type 1: the older loop with constant gains
   fuzzy_inference,  ///< type 2: gains by fuzzy inference
   gain_schedule,    ///< type 3: gains by Table 3
-  compensated       ///< type 2 that knows the vehicle's acceleration and side slip
+  compensated       ///< type 2 with compensation of acceleration and side slip
 };
 
-/// The paper's text can be read both ways.
+/// The text of the paper allows both readings.
 enum class IntegralGain : std::uint8_t { k1_k2, k2_alone };
 
-/// "Paper": stated there; "chosen": the docs page says why.
+/// "Paper": the paper states it; "chosen": the docs page says why.
 struct MixingOptions {
   MixingType type = MixingType::compensated;
   IntegralGain integral_gain = IntegralGain::k1_k2;  ///< chosen
   Gains fixed{0.008, 0.00125};                       ///< type 1; paper, Table 4
   FuzzySets sets;                                    ///< chosen, within Table 3
 
-  double latitude_rad = 0;  ///< Earth rate and gravity; needed to about a degree
-  double heading_rad = 0;   ///< at the start; the gyro carries it on
+  double latitude_rad = 0;  ///< for Earth rate and gravity; within about a degree
+  double heading_rad = 0;   ///< at the start; later the gyro updates it
 
-  /// First attitude from the first specific force; false: from initial_roll and initial_pitch.
+  /// True: the first specific force gives the first attitude. False: initial_roll and
+  /// initial_pitch.
   bool accelerometer_start = true;
   double initial_roll_rad = 0, initial_pitch_rad = 0;
-  /// After an accelerometer start the gains are those of level 1 for so long: a wrong first
-  /// attitude looks like a manoeuvre and would stay. Chosen.
+  /// After an accelerometer start the gains are those of level 1 for this time. Without it a wrong
+  /// first attitude looks like a manoeuvre and stays. Chosen.
   double settling_s = 60;
 
-  double low_pass_s = 0.5;      ///< of the components of (6) and (7); 0: none; chosen
-  double velocity_leak_s = 20;  ///< of v and w, eq. (8); chosen
+  double low_pass_s = 0.5;      ///< time constant for (6) and (7); 0: no low-pass; chosen
+  double velocity_leak_s = 20;  ///< decay time of v and w, eq. (8); chosen
 
-  double pivot_m = 0;  ///< compensated: v = -pivot r, w = pivot q; of the vehicle, 0: not known
-  double integral_leak_s = 50;  ///< compensated: the integral forgets; chosen
+  double pivot_m = 0;           ///< compensated: v = -pivot r, w = pivot q; 0: not known
+  double integral_leak_s = 50;  ///< compensated: decay time of the integral; chosen
 };
 
-/// Allocates nothing, throws nothing; inputs must be finite (the pipeline sees to that).
+/// Allocates nothing, throws nothing; inputs must be finite (the pipeline checks them).
 class MixingFilter {
  public:
   explicit MixingFilter(const MixingOptions& options);
 
-  /// Begins, or begins again: attitude as the options say. The heading is kept.
+  /// Starts or restarts with the attitude that the options say. The heading is kept.
   void start(const Eigen::Vector3d& specific_force, const Eigen::Vector3d& angular_rate,
              double speed_mps);
 
-  /// One step of `dt` seconds in which the inputs (m/s2 and rad/s, body; m/s ahead) are constant.
+  /// One step of `dt` seconds with constant inputs (m/s2 and rad/s, body; m/s ahead).
   void step(const Eigen::Vector3d& specific_force, const Eigen::Vector3d& angular_rate,
             double speed_mps, double dt);
 
-  double roll() const { return roll_.angle(); }        ///< [-pi, pi]; beyond pi/2 it does not hold
+  double roll() const { return roll_.angle(); }        ///< [-pi, pi]; not valid beyond +-pi/2
   double pitch() const { return pitch_.angle(); }      ///< [-pi/2, pi/2]
-  double heading() const { return heading_.angle(); }  ///< the given one carried on by the gyro
-  int level() const { return level_; }    ///< of manoeuvring, 1 to 12; type 1 stays at 1
+  double heading() const { return heading_.angle(); }  ///< the given heading plus the gyro's turn
+  int level() const { return level_; }    ///< manoeuvre level, 1 to 12; always 1 for type 1
   Gains gains() const { return gains_; }  ///< of the last step
-  double integral_gain() const;           ///< 1/s2, as those gains are read
+  double integral_gain() const;           ///< 1/s2, see IntegralGain
   double integral_leak() const;           ///< 1/s
   const MixingOptions& options() const { return options_; }
 
@@ -88,17 +89,17 @@ class MixingFilter {
   Gains gains_;
   double settling_left_s_ = 0;
 
-  // Of the manoeuvre's two inputs, eq. (6) and (7).
+  // State of the two inputs of the manoeuvre level, eq. (6) and (7).
   Eigen::Vector2d slow_rate_ = Eigen::Vector2d::Zero();
   Eigen::Vector2d slow_force_ = Eigen::Vector2d::Zero();
   Eigen::Vector2d drift_ = Eigen::Vector2d::Zero();  ///< v and w integrated from (8)
 
-  // Of the compensation.
+  // State of the compensation.
   Eigen::Vector2d slow_turn_ = Eigen::Vector2d::Zero();  ///< q and r
   double slow_residual_ = 0, slow_speed_ = 0, unexplained_x_ = 0;
 
-  double dt_ = 0;        ///< for which the rest is
-  double low_pass_ = 1;  ///< share of a new input
+  double dt_ = 0;        ///< the next three values belong to this step length
+  double low_pass_ = 1;  ///< weight of a new input
   double drift_kept_ = 1, integral_kept_ = 1;
 };
 

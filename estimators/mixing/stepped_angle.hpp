@@ -5,9 +5,9 @@
 
 namespace drydock::mixing {
 
-/// An angle in [-pi, pi] that goes on by small steps, and its sine and cosine. They follow by the
-/// addition theorem, at a fifth of the cost of computing them anew; that is done now and then, so
-/// that they stay within 1e-13 of it.
+/// An angle in [-pi, pi] that changes by small steps, with its sine and cosine. The addition
+/// theorem updates both at a fifth of the cost of std::sin and std::cos. From time to time they are
+/// computed again, so their error stays below 1e-13.
 class SteppedAngle {
  public:
   explicit SteppedAngle(double angle) { set(angle); }
@@ -26,11 +26,11 @@ class SteppedAngle {
 
   void add(double step) {
     const double sum = angle_ + step;
-    // A comparison that NaN fails as well.
+    // This comparison is false for NaN too.
     if (--steps_left_ == 0 || !(std::abs(step) <= largest_step) || std::abs(sum) > std::numbers::pi)
       return set(sum);
     angle_ = sum;
-    // Taylor: what is left out is below step^7 / 7!, 2e-18 at the largest step.
+    // Taylor series. The omitted terms are below step^7 / 7!, 2e-18 at the largest step.
     const double square = step * step;
     const double bend = step * square * (1. / 6 - square * (1. / 120));  // step - sin(step)
     const double lost =

@@ -110,7 +110,7 @@ int AidedNavigation::update_position(const frame::Position& position, const Vect
                                      const Vector3d& lever) {
   const frame::Position& now = sdins_.state().position;
   const frame::LocalEarth earth = frame::local_earth(now.latitude_rad, now.height_m);
-  // Radians and metres up per metre north, east, down.
+  // Factors from metres north, east, down to rad, rad, metres up.
   const Vector3d unit{1 / (earth.meridian_radius_m + now.height_m),
                       1 / ((earth.transverse_radius_m + now.height_m) * earth.cos_latitude), -1};
   const Vector3d arm = sdins_.state().body_to_ned * lever;

@@ -19,14 +19,14 @@ struct NavigationOptions {
   double angle_noise_rad = 1.16355e-7;                             ///< .4 mdeg per sqrt(h)
   double velocity_noise_mps = 3.92266e-5;                          ///< 4 ug sqrt(s)
   double gyro_bias_walk_radps = 0, accel_bias_walk_mps2 = 0;
-  double height_noise_m = 0.01;   ///< what the height loop lets through of its sensor; chosen
+  double height_noise_m = 0.01;   ///< sensor noise that passes the height loop; chosen
   double height_loop_tau_s = 30;  ///< 0: no height loop; chosen
-  double gate_sigma = 0;          ///< rows whose innovation is further out are refused; 0: none are
+  double gate_sigma = 0;          ///< rows with a larger innovation are refused; 0: no gate
 };
 
 using Vector15 = Eigen::Matrix<double, 15, 1>;
 
-/// Of the errors at the start, in the order of eq. (14).
+/// Standard deviations of the errors at the start, in the order of eq. (14).
 Vector15 initial_sigma(const NavigationOptions& options, const frame::Position& at);
 
 /// Diagonal of Q, eq. (15), per second.
@@ -45,15 +45,15 @@ class AidedNavigation {
   /// An IMU sample: integrals of angular rate (rad) and specific force (m/s) over `dt`.
   void add_imu(const Eigen::Vector3d& angle, const Eigen::Vector3d& velocity, double dt);
 
-  /// The navigation step over the samples since the last one, and eq. (15).
+  /// The navigation step over the samples since the last step, and eq. (15).
   void step(std::optional<double> reference_height_m = {});
 
-  /// What a sample since the last step may miss beyond the options' noise: one standard deviation
-  /// each of its angle (rad) and velocity (m/s), body axes.
+  /// Adds noise beyond that of the options to the samples since the last step: one standard
+  /// deviation of the angle (rad) and of the velocity (m/s), body axes.
   void add_noise(const Eigen::Vector3d& angle, const Eigen::Vector3d& velocity);
 
-  /// Eq. (16). Give the number of rows that passed the gate; errors found are taken out at once.
-  /// Standard deviations in body axes m/s, m, and m north, east, up.
+  /// Eq. (16). These functions correct the state at once and return the number of rows inside the
+  /// gate. Standard deviations in body axes m/s; in m; in m north, east, up.
   /// `lever`: from the IMU to the sensor, body axes, m, eq. (N8).
   int update_velocity(const Eigen::Vector3d& velocity_body, const Eigen::Vector3d& sigma,
                       const Eigen::Vector3d& lever = Eigen::Vector3d::Zero());
@@ -62,14 +62,14 @@ class AidedNavigation {
   int update_position(const frame::Position& position, const Eigen::Vector3d& sigma,
                       const Eigen::Vector3d& lever = Eigen::Vector3d::Zero());
 
-  /// Whether a single height, so much above the state's, is inside the gate; counted if not.
+  /// True if a height that is `residual_m` above the state's is inside the gate. Counts it if not.
   bool passes_height(double residual_m, double sigma);
 
-  /// Velocity and attitude have become less certain by so much, each axis.
+  /// Adds these standard deviations to velocity and attitude, each axis.
   void loosen(double velocity_sigma_mps, double angle_sigma_rad);
 
   const NavigationState& state() const { return sdins_.state(); }
-  /// With the samples that wait for their step.
+  /// The attitude including the samples since the last step.
   Eigen::Quaterniond body_to_ned() const {
     return sdins_.state().body_to_ned * quaternion_of(sum_.angle());
   }
@@ -77,15 +77,15 @@ class AidedNavigation {
   const Eigen::Vector3d& accel_bias() const { return accel_bias_; }
   const ErrorFilter<0>::Covariance& covariance() const { return filter_.covariance(); }
 
-  /// Of the last update or passes_height(): body axes m/s; up m; north, east, down m.
+  /// Innovations of the last update or passes_height(): body axes m/s; up m; north, east, down m.
   const Innovations& innovations() const { return innovations_; }
-  double innovation_square() const;                        ///< normalised, of all of them
-  std::uint64_t rejected() const { return rejected_; }     ///< rows outside the gate, ever
-  const InnovationTally& taken() const { return taken_; }  ///< rows inside it, ever
+  double innovation_square() const;                        ///< sum of the normalised squares
+  std::uint64_t rejected() const { return rejected_; }     ///< all rows outside the gate
+  const InnovationTally& taken() const { return taken_; }  ///< all rows inside the gate
 
  private:
   using Vector = ErrorFilter<0>::Vector;
-  /// `unit`: what the row has where its innovation has 1.
+  /// `unit`: the row's unit per unit of the reported innovation.
   int update_row(const Vector& row, double residual, double variance, Vector& errors,
                  double unit = 1);
   void feed_back(const Vector& errors);

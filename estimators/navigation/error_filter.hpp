@@ -7,19 +7,19 @@
 
 namespace drydock::navigation {
 
-/// Whether a normalised squared innovation lies further out than `gate_sigma`; 0: nothing does.
+/// True if a normalised squared innovation is outside `gate_sigma`. 0: there is no gate.
 inline bool outside_gate(double normalised_square, double gate_sigma) {
   return gate_sigma > 0 && normalised_square > gate_sigma * gate_sigma;
 }
 
-/// Kalman filter of the 15 errors of eq. (14) and of `Further` states that do not grow by
-/// themselves. Numbers without units: who owns it knows what the further states are. Errors that
-/// have been found are fed back, so that the state is zero between updates and not kept.
+/// Kalman filter of the 15 errors of eq. (14) and of `Further` constant states. The owner defines
+/// the meaning and the units of the further states. The owner feeds estimated errors back, so the
+/// state is zero between updates and this class does not store it.
 template <int Further>
 class ErrorFilter {
  public:
   static constexpr int size = 15 + Further;
-  /// One more, always zero, where `size` is odd: then every column is a whole number of SIMD words.
+  /// An odd `size` gets one more state, always zero, so that each column fills whole SIMD words.
   static constexpr int stored = size + size % 2;
   using Vector = Eigen::Matrix<double, stored, 1>;
   using Covariance = Eigen::Matrix<double, stored, stored>;
@@ -45,7 +45,7 @@ class ErrorFilter {
     p_.diagonal() += noise * dt;
   }
 
-  /// What a measurement z = h x + noise would do.
+  /// P h' and the innovation's variance for a measurement z = h x + noise.
   struct Row {
     Vector cross;     ///< P h'
     double variance;  ///< of the innovation, h P h' + r
@@ -55,16 +55,16 @@ class ErrorFilter {
     return {cross, h.dot(cross) + noise_variance};
   }
 
-  /// Takes it, gives the correction of the errors, which is to be fed back. With K = P h' / s, s
-  /// the innovation's variance, Joseph's form (I - K h) P (I - K h)' + K r K' is P - P h' (P h')' /
-  /// s: less a square, and so symmetric to the last bit.
+  /// Updates with the measurement and returns the correction of the errors, for feedback. With
+  /// K = P h' / s and s the variance of the innovation, Joseph's form (I - K h) P (I - K h)' + K r
+  /// K' equals P - P h' (P h')' / s. This subtracts a square, so P stays symmetric to the last bit.
   Vector update(const Row& row, double innovation) {
     const Vector root = row.cross / std::sqrt(row.variance);
     for (int j = 0; j < stored; ++j) p_.col(j) -= root(j) * root;
     return innovation / row.variance * row.cross;
   }
 
-  /// Velocity and attitude have become less certain by so much, each axis.
+  /// Adds these standard deviations to velocity and attitude, each axis.
   void loosen(double velocity_sigma_mps, double angle_sigma_rad) {
     p_.diagonal().template segment<3>(velocity_error).array() +=
         velocity_sigma_mps * velocity_sigma_mps;
@@ -75,7 +75,7 @@ class ErrorFilter {
   Covariance& covariance() { return p_; }
 
  private:
-  /// to += from G', column by column, each as one sum over the entries that are not zero.
+  /// to += from G', column by column. Each column is one sum over the nonzero entries of G.
   template <class To, class From, std::size_t... Row>
   static void add_products(To& to, const ErrorDynamics& g, const From& from,
                            std::index_sequence<Row...>) {

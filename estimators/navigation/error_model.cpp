@@ -22,7 +22,7 @@ ErrorDynamics error_dynamics(const NavigationState& state, const Vector3d& force
   const double meridian_slope = earth.meridian_slope_m * north_arc;     // R_NN / (R_N + h)
   const double transverse_slope = earth.transverse_slope_m * east_arc;  // R_EE / (R_E + h)
 
-  // omega_EN by latitude, by height and by velocity; omega_IE by latitude.
+  // Derivatives of omega_EN by latitude, height and velocity, and of omega_IE by latitude.
   const Vector3d rho_latitude{-rho.x() * transverse_slope, -rho.y() * meridian_slope,
                               -rho.x() * sec * sec - rho.z() * transverse_slope};
   const Vector3d rho_height{-rho.x() * east_arc, -rho.y() * north_arc, -rho.z() * east_arc};

@@ -5,23 +5,22 @@
 
 #include "estimators/navigation/sdins.hpp"
 
-/// Eq. (14): how the errors of an SDINS grow. State, IN minus truth: latitude, longitude (rad) and
-/// height (m); V^N (m/s); phi (rad), C_IN = (I - phi x) C; biases of gyros (rad/s) and
-/// accelerometers (m/s2) in body axes, which add to what the sensors measure.
+/// Eq. (14): the dynamics of the errors of an SDINS. The states are IN minus truth: latitude,
+/// longitude (rad) and height (m); V^N (m/s); phi (rad), C_IN = (I - phi x) C; biases of gyros
+/// (rad/s) and accelerometers (m/s2) in body axes. A bias adds to the measured value.
 namespace drydock::navigation {
 
-/// First entries of the five blocks of three.
+/// First index of each of the five blocks of three.
 enum ErrorBlock { position_error = 0, velocity_error = 3, phi = 6, gyro_bias = 9, accel_bias = 12 };
 
-/// The rows of F that are not zero: d/dt of position, velocity and attitude by all 15.
+/// The nonzero rows of F: d/dt of position, velocity and attitude by all 15 states.
 using ErrorDynamics = Eigen::Matrix<double, 9, 15>;
 
-/// F at a state that feels `force_ned` (m/s2), with the gains of its height loop.
+/// F at a state with the specific force `force_ned` (m/s2) and the gains of the height loop.
 ErrorDynamics error_dynamics(const NavigationState& state, const Eigen::Vector3d& force_ned,
                              const HeightLoop& loop = {});
 
-/// The columns of each row of F that may differ from zero. What is built on F does no work
-/// elsewhere.
+/// The columns of each row of F that may differ from zero. Code that uses F skips the others.
 struct ErrorDynamicsRow {
   int entries;
   std::array<int, 10> columns;

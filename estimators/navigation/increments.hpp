@@ -2,29 +2,30 @@
 
 #include <Eigen/Core>
 
-/// What an inertial measurement unit gives, summed over a navigation step with the corrections for
-/// coning and sculling. Equation numbers: docs/estimators/navigation.md.
+/// Sums the samples of an inertial measurement unit over a navigation step and corrects for coning
+/// and sculling. Equation numbers: docs/estimators/navigation.md.
 namespace drydock::navigation {
 
-/// Over `dt` seconds that begin at some instant, in the body axes of that instant.
+/// Increments over `dt` seconds, in the body axes at the begin of this interval.
 struct Increments {
   Eigen::Vector3d rotation = Eigen::Vector3d::Zero();  ///< rotation vector against inertial, rad
   Eigen::Vector3d velocity = Eigen::Vector3d::Zero();  ///< integral of specific force, m/s
   double dt = 0;
 };
 
-/// Savage's two-speed algorithm: as many samples a step as one likes, one among them.
+/// Savage's two-speed algorithm, for any number of samples per step from one on.
 class IncrementSum {
  public:
   /// The next sample: integrals of angular rate (rad) and specific force (m/s) over `dt`.
   void add(const Eigen::Vector3d& angle, const Eigen::Vector3d& velocity, double dt);
 
-  /// The rotation since the step began, without the coning term: good to 1e-9 rad under way.
+  /// The rotation since the start of the step without the coning term. The error of a moving
+  /// vehicle is below 1e-9 rad.
   const Eigen::Vector3d& angle() const { return angle_; }
   double dt() const { return dt_; }
   int samples() const { return samples_; }
 
-  /// Eq. (N3), (N4); the next step begins.
+  /// Eq. (N3), (N4). Starts the next step.
   Increments take();
 
  private:

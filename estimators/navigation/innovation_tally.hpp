@@ -5,8 +5,8 @@
 
 namespace drydock::navigation {
 
-/// Squares of a filter's innovations over their own variances, of those that it took, one a row.
-/// Their mean (NIS) is 1 for a filter that knows its errors, and needs no truth.
+/// Sum of the normalised squares of the innovations that a filter used, one for each row. Their
+/// mean (NIS) is 1 for a consistent filter. It needs no truth.
 struct InnovationTally {
   double squares = 0;
   std::uint64_t count = 0;
@@ -21,7 +21,7 @@ struct InnovationTally {
   friend InnovationTally operator+(const InnovationTally& a, const InnovationTally& b) {
     return {a.squares + b.squares, a.count + b.count};
   }
-  /// Of what came after `earlier`.
+  /// The tally of the innovations after `earlier`.
   friend InnovationTally operator-(const InnovationTally& later, const InnovationTally& earlier) {
     return {later.squares - earlier.squares, later.count - earlier.count};
   }

@@ -25,7 +25,7 @@ void Sdins::step(const Increments& increments, std::optional<double> reference_h
   if (!(dt > 0)) return;
   frame::Position& at = state_.position;
 
-  // Rates and gravity are those of the middle of the step.
+  // Rates and gravity are taken in the middle of the step.
   const Vector3d v_mid = state_.velocity_ned + dt / 2 * acceleration_;
   const double height_mid = at.height_m - dt / 2 * v_mid.z();
   const frame::LocalEarth earth = frame::local_earth(
@@ -38,7 +38,7 @@ void Sdins::step(const Increments& increments, std::optional<double> reference_h
                                 -v_mid.y() * east_arc * earth.tan_latitude};
   const Vector3d frame_turn = (earth_rate + transport_rate) * dt;
 
-  // Eq. (N6): the specific force, in the navigation axes of the middle of the step.
+  // Eq. (N6): the specific force in the navigation axes at the middle of the step.
   Vector3d gained = state_.body_to_ned * increments.velocity;
   gained -= 0.5 * frame_turn.cross(gained);
   force_ned_ = gained / dt;

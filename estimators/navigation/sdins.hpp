@@ -15,7 +15,7 @@ struct NavigationState {
   Eigen::Quaterniond body_to_ned = Eigen::Quaterniond::Identity();
 };
 
-/// Gains of the third-order loop that ties the height to a reference, eq. (N5).
+/// Gains of the third-order loop that corrects the height to a reference, eq. (N5).
 struct HeightLoop {
   double k1 = 0, k2 = 0, k3 = 0;  ///< 1/s, 1/s2, 1/s3; all 0: free inertial height, which diverges
 
@@ -25,18 +25,18 @@ struct HeightLoop {
   }
 };
 
-/// Allocates nothing, throws nothing. Not for the poles.
+/// Allocates nothing, throws nothing. Not usable at the poles.
 class Sdins {
  public:
   explicit Sdins(const NavigationState& start, const HeightLoop& loop = {})
       : state_(start), loop_(loop) {}
 
   /// One step of eq. (13). `reference_height_m` (above the ellipsoid, up) drives the height loop;
-  /// without it the loop only keeps its correction.
+  /// without it the loop keeps its last correction.
   void step(const Increments& increments, std::optional<double> reference_height_m = {});
 
-  /// Takes estimated errors out: what was estimated is IN minus truth. Position [rad rad m],
-  /// velocity m/s, attitude by C_IN = (I - phi x) C.
+  /// Removes estimated errors from the state. An error is IN minus truth: position [rad rad m],
+  /// velocity m/s, attitude phi with C_IN = (I - phi x) C.
   void correct(const Eigen::Vector3d& position, const Eigen::Vector3d& velocity,
                const Eigen::Vector3d& phi);
 
@@ -54,7 +54,7 @@ class Sdins {
   double loop_acceleration_ = 0;  ///< a of eq. (N5), m/s2 down
 };
 
-/// The unit quaternion of a rotation vector, to 1e-15.
+/// The unit quaternion of a rotation vector. The error is below 1e-15.
 Eigen::Quaterniond quaternion_of(const Eigen::Vector3d& rotation);
 
 }  // namespace drydock::navigation

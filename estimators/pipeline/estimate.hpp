@@ -11,12 +11,12 @@ namespace drydock::pipeline {
 
 using measurement::Stamp;
 
-/// Attitude as an estimator gives it, with what it knows of its own error.
+/// Attitude estimate with its covariance.
 struct AttitudeEstimate {
   Stamp valid_at{};
   std::uint16_t estimator = 0;  ///< index in the rig
   double roll_rad = 0, pitch_rad = 0;
-  std::optional<double> yaw_rad;                         ///< empty where not estimated
+  std::optional<double> yaw_rad;                         ///< empty if not estimated
   Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();  ///< rad2, roll and pitch
   std::uint32_t fed_by = 0;                              ///< bit i: device i of the rig contributed
 };

@@ -11,13 +11,13 @@
 
 namespace drydock::pipeline {
 
-/// What an estimator did with a measurement, best first.
+/// What an estimator did with a measurement. The best outcome comes first.
 enum class Outcome : std::uint8_t {
-  accepted,  ///< used, in its turn
-  delayed,   ///< a speed older than the estimator's time: used on the present state
+  accepted,  ///< used in the order of valid_at
+  delayed,   ///< older than the estimator's time, but used on the present state
   late,      ///< too old to be used
-  refused,   ///< not finite, or beyond what a vehicle can do
-  unused     ///< not this estimator's device, or without the value that it needs
+  refused,   ///< not finite, or too large for a vehicle
+  unused     ///< not from this estimator's device, or without the value that it needs
 };
 
 enum class EstimatorState : std::uint8_t {
@@ -25,7 +25,7 @@ enum class EstimatorState : std::uint8_t {
   waiting_for_speed,
   waiting_for_satellites,
   running,
-  lost  ///< of an inertial navigation: the IMU was silent for too long, it needs a new start
+  lost  ///< inertial navigation only: the IMU was silent for too long, a new start is needed
 };
 
 constexpr std::string_view to_string(EstimatorState state) {
@@ -37,17 +37,17 @@ constexpr std::string_view to_string(EstimatorState state) {
 struct EstimatorStatus {
   EstimatorState state = EstimatorState::waiting_for_imu;
   std::uint64_t estimates = 0;
-  std::uint64_t restarts = 0;          ///< after a gap in the IMU's samples, or a clock set back
+  std::uint64_t restarts = 0;          ///< after a gap in the IMU samples or a clock set back
   measurement::Stamp last_estimate{};  ///< valid_at
   measurement::Stamp last_speed{};     ///< valid_at
   std::uint64_t rejected = 0;          ///< values outside the estimator's innovation gate
   navigation::InnovationTally
-      taken;  ///< of the sensors' values inside it; kinds mixing, roll: none
-  std::optional<measurement::Stamp> lost_at;  ///< valid_at of the last IMU sample in use
+      taken;  ///< sensor values inside the gate; none for the kinds mixing and roll
+  std::optional<measurement::Stamp> lost_at;  ///< valid_at of the last used IMU sample
 };
 
-/// One system of the papers at work in the pipeline. Measurements come in the order of valid_at as
-/// far as the reorder window allows; the estimator judges those that come behind its own time.
+/// One estimator in the pipeline. Measurements arrive in the order of valid_at as far as the
+/// reorder window allows. The estimator decides on measurements that are older than its own time.
 class Estimator {
  public:
   virtual ~Estimator() = default;

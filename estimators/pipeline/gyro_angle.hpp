@@ -7,20 +7,21 @@
 
 namespace drydock::pipeline {
 
-/// What a gyro has counted, rad, with its last hundred samples, so that a measurement that comes
-/// late can be taken for its own time.
+/// The integral of a gyro's rate, rad. It keeps the last samples, so that a late measurement can
+/// use the angle at its own time.
 class GyroAngle {
  public:
   void clear() { count_ = 0; }
   bool empty() const { return count_ == 0; }
 
-  /// The next sample: the rate at its instant. The mean of two stands for the time between them.
+  /// Adds the next sample, the rate at an instant. Between two samples the rate is their mean.
   void add(measurement::Stamp at, double rate_radps);
 
   double now() const { return newest().angle; }
   double rate() const { return newest().rate; }
   measurement::Stamp oldest() const;
-  /// Interpolated; after the newest sample, carried on with its rate. Not before oldest().
+  /// The angle at `time`, interpolated; after the newest sample extrapolated with its rate. `time`
+  /// must not be before oldest().
   double at(measurement::Stamp time) const;
 
  private:
@@ -34,7 +35,7 @@ class GyroAngle {
   const Sample& newest() const { return sample(count_ - 1); }
 
   std::array<Sample, capacity> samples_{};
-  std::size_t count_ = 0;  ///< sample i stands at i % capacity
+  std::size_t count_ = 0;  ///< sample i is stored at i % capacity
 };
 
 }  // namespace drydock::pipeline

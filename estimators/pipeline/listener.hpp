@@ -6,16 +6,15 @@
 
 namespace drydock::pipeline {
 
-/// What a measurement told an estimator that it had not expected, used or not. Rows: of a velocity
-/// body axes, m/s; of a speed log ahead, m/s; of a depth down, m; of a position north, east, down,
-/// m.
+/// The innovations of a measurement, used or not. The rows of a velocity are body axes, m/s; of a
+/// speed log ahead, m/s; of a depth down, m; of a position north, east, down, m.
 struct InnovationReport {
   Stamp valid_at{};  ///< of the measurement
   std::uint16_t estimator = 0, device = 0;
   navigation::Innovations rows;
 };
 
-/// Takes what the estimators give, in the call that made it. Must outlive the pipeline.
+/// Receives the estimates in the call that produced them. Must outlive the pipeline.
 class EstimateListener {
  public:
   virtual ~EstimateListener() = default;

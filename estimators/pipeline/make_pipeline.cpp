@@ -16,13 +16,13 @@ namespace drydock::pipeline {
 
 namespace {
 
-/// Bits of AttitudeEstimate::fed_by.
+/// The number of bits of AttitudeEstimate::fed_by.
 constexpr int max_devices = 32;
 
 constexpr std::array<std::string_view, 5> kinds{"leveling", "mixing", "roll", "navigation",
                                                 "velocity"};
 
-/// Of the kinds "navigation" and "velocity".
+/// Checks options of the kinds "navigation" and "velocity". Empty: no fault.
 std::string inertial_fault(const EstimatorOptions& options) {
   const InertialOptions& inertial = options.inertial;
   const auto index = [](const auto& sensor) { return sensor ? sensor->device : 0; };
@@ -41,7 +41,7 @@ std::string inertial_fault(const EstimatorOptions& options) {
              : "velocity needs log, depth and actuators, allowed: = devices";
 }
 
-/// Empty: nothing is wrong.
+/// Empty: no fault.
 std::string fault_of(const EstimatorOptions& options) {
   if (std::ranges::find(kinds, options.kind) == kinds.end()) {
     return fmt::format("kind '{}' is not known, allowed: {}", options.kind, fmt::join(kinds, ", "));

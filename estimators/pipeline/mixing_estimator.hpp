@@ -6,8 +6,8 @@
 
 namespace drydock::pipeline {
 
-/// The mixing filter on one IMU and one speed log, whose last speed holds until the next. The
-/// covariance is that of mixing::MixingAccuracy: what the loop makes of known sensors' errors.
+/// The mixing filter on one IMU and one speed log. Each speed holds until the next one. The
+/// covariance is that of mixing::MixingAccuracy.
 class MixingEstimator final : public ImuDrivenEstimator {
  public:
   MixingEstimator(std::uint16_t index, const EstimatorOptions& options,
@@ -20,7 +20,7 @@ class MixingEstimator final : public ImuDrivenEstimator {
   void step(const Eigen::Vector3d& force, const Eigen::Vector3d& rate, double dt) override;
   Correction correct(double speed_mps) override {
     speed_mps_ = speed_mps;
-    return {};  // it has no innovation: docs/estimators/mixing.md, Outliers
+    return {};  // the filter has no innovation: mixing.md, Outliers
   }
   void fill(AttitudeEstimate& estimate) const override;
 

@@ -15,13 +15,13 @@
 
 namespace drydock::pipeline {
 
-/// Of kind "roll".
+/// Options of kind "roll".
 struct RollOptions {
-  roll::AllSatellitesOptions filter;  ///< antenna.tracking_limit is made of the next two
-  double boresight_cno_dbhz = 48;     ///< C/N0 of a satellite straight ahead of the antenna
-  double lowest_cno_dbhz = 20;        ///< the receiver does not report less
+  roll::AllSatellitesOptions filter;  ///< the next two give antenna.tracking_limit
+  double boresight_cno_dbhz = 48;     ///< C/N0 of a satellite on the boresight of the antenna
+  double lowest_cno_dbhz = 20;        ///< the lowest C/N0 that the receiver reports
   double axis_sigma_rad = 0.01;       ///< between body x and the velocity: angle of attack
-  double least_speed_mps = 20;        ///< below it the velocity says nothing of the axis
+  double least_speed_mps = 20;        ///< below it the velocity does not give the axis
 };
 
 /// One estimator of the rig. Its index in `PipelineOptions::estimators` names its estimates.
@@ -43,13 +43,13 @@ struct EstimatorOptions {
 struct PipelineOptions {
   std::vector<EstimatorOptions> estimators;
 
-  /// How long a measurement may wait for an older one. 0: nothing waits.
+  /// How long a measurement waits for older ones. 0: no measurement waits.
   std::chrono::nanoseconds reorder_window = std::chrono::milliseconds{200};
-  /// Most measurements that wait at once; when full, the oldest goes on early.
+  /// Number of measurements that can wait at once. When it is full, the oldest is used early.
   std::size_t reorder_capacity = 1024;
-  /// A longer gap between two samples of an IMU starts its estimator again.
+  /// A longer gap between two samples of an IMU restarts its estimator.
   std::chrono::nanoseconds max_imu_gap = std::chrono::milliseconds{500};
-  /// A speed is used while it is at most this far, either way, from its estimator's time.
+  /// The largest difference, older or newer, between a used speed and the time of the estimator.
   std::chrono::nanoseconds max_speed_age = std::chrono::milliseconds{500};
 };
 

@@ -51,7 +51,7 @@ void Pipeline::order(const Sample& sample) {
 }
 
 void Pipeline::release() {
-  // Strictly older: what is exactly `window_` late still finds its place.
+  // Strictly older: a measurement that is exactly `window_` late still gets its place.
   while (!buffer_.empty() && newest_ - buffer_.oldest() > window_) run(buffer_.pop());
 }
 

@@ -12,12 +12,12 @@
 #include "estimators/pipeline/options.hpp"
 #include "estimators/pipeline/reorder_buffer.hpp"
 
-/// From measurements in any order to estimates in order. No clock, no I/O, no thread: the same
-/// measurements and the same calls of advance() give the same estimates to the last bit.
+/// Turns measurements in any order into estimates in order. It has no clock, no I/O and no thread:
+/// the same measurements and the same calls of advance() give the same estimates to the last bit.
 namespace drydock::pipeline {
 
-/// received = waiting + accepted + delayed + late + refused + unused. A device that feeds several
-/// estimators counts by the best outcome.
+/// received = waiting + accepted + delayed + late + refused + unused. If a device feeds several
+/// estimators, the best outcome counts.
 struct DeviceCounters {
   std::uint64_t received = 0;
   std::uint64_t accepted = 0, delayed = 0, late = 0, refused = 0, unused = 0;
@@ -25,24 +25,23 @@ struct DeviceCounters {
 
 class Pipeline {
  public:
-  /// `make_pipeline` is the usual way; this one takes ready estimators.
+  /// Takes finished estimators. Use `make_pipeline` to build them from options.
   Pipeline(const PipelineOptions& options, EstimateListener& listener,
            std::vector<std::unique_ptr<Estimator>> estimators);
 
-  /// Takes one measurement and lets go on what has waited long enough: everything at least
-  /// `reorder_window` older than the newest valid_at seen.
+  /// Takes one measurement. Then runs all waiting measurements that are more than `reorder_window`
+  /// older than the newest valid_at.
   void receive(const measurement::Measurement& measurement);
 
-  /// Says that it is `now`: what is `reorder_window` older goes on, even if all sensors fell
-  /// silent.
+  /// Sets the time to `now`, so that waiting measurements run even if all sensors are silent.
   void advance(measurement::Stamp now);
 
-  /// Lets everything go on that waits: the end of a run.
+  /// Runs all waiting measurements, for the end of a run.
   void flush();
 
-  /// Indexed by device; devices that never spoke may be missing at the end.
+  /// Indexed by device. Devices without any measurement may be missing at the end.
   const std::vector<DeviceCounters>& counters() const { return counters_; }
-  /// Measurements that went on early because the buffer was full.
+  /// Number of measurements that ran early because the buffer was full.
   std::uint64_t overflows() const { return overflows_; }
 
   std::size_t estimators() const { return estimators_.size(); }

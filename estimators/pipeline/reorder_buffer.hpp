@@ -8,16 +8,16 @@
 
 namespace drydock::pipeline {
 
-/// The kinds of measurement that some estimator takes.
+/// The kinds of measurement that at least one estimator uses.
 using Sample = std::variant<measurement::ImuSample, measurement::WaterSpeed, measurement::GnssFix,
                             measurement::GnssSatellites, measurement::DepthSample,
                             measurement::BottomVelocity, measurement::ActuatorState>;
 
 const measurement::Origin& origin_of(const Sample& sample);
 
-/// Fixed-capacity priority queue by valid_at. Of equal stamps the order is that of `Sample`: IMU
-/// samples come first; then the lower device index, then the first to arrive: the order of arrival
-/// plays no part unless one device gives two samples of the same instant.
+/// Fixed-capacity priority queue by valid_at. Equal stamps are ordered by the kind as in `Sample`
+/// (IMU samples first), then by device index, then by arrival. So the order of arrival matters only
+/// if one device gives two samples of the same instant.
 class ReorderBuffer {
  public:
   explicit ReorderBuffer(std::size_t capacity);
@@ -29,10 +29,10 @@ class ReorderBuffer {
   /// Must not be full.
   void push(const Sample& sample);
 
-  /// valid_at of the oldest; must not be empty.
+  /// valid_at of the oldest. Must not be empty.
   measurement::Stamp oldest() const;
 
-  /// Takes the oldest out; must not be empty.
+  /// Removes the oldest and returns it. Must not be empty.
   Sample pop();
 
  private:
@@ -47,8 +47,8 @@ class ReorderBuffer {
   std::size_t put(const Sample& sample);
 
   std::size_t capacity_;
-  std::vector<Waiting> waiting_;   ///< a heap, reserved once as the next two
-  std::vector<Sample> samples_;    ///< do not move: a sky of satellites is large
+  std::vector<Waiting> waiting_;   ///< a heap; memory is reserved once, also for the next two
+  std::vector<Sample> samples_;    ///< the heap moves only indices, because a sample is large
   std::vector<std::size_t> free_;  ///< places in samples_
   std::uint64_t arrivals_ = 0;
 };

@@ -12,20 +12,22 @@ using measurement::Stamp;
 
 namespace {
 
-/// As many samples in a row from the past are no stragglers: the clock was set back.
+/// After this many samples in a row from the past, the clock was set back. Fewer are late samples.
 constexpr int imu_set_back_after = 10;
 
-/// Lower ones may be hidden by the ground: that they are not heard says nothing of the roll.
+/// The ground may hide satellites below this elevation. That such a satellite is not received says
+/// nothing about the roll.
 constexpr double surely_in_sight_rad = 0.1;
 
-/// Between two heights that give a vertical speed, at least; and what it does to the pitch: half of
-/// the span and the time until the next one late, and the heights' noise.
+/// The least time between two heights that give a vertical speed, and the resulting sigma of the
+/// pitch: the speed is late by half of the span plus the time until the next one, and the heights
+/// have noise.
 constexpr std::chrono::milliseconds climb_span{500};
 constexpr double climb_sigma_rad = 0.015;
 
 std::uint32_t mask_of(std::uint16_t device) { return std::uint32_t{1} << device; }
 
-/// What the antenna is taken for, with the weakest power that the receiver still reports.
+/// The options of the filter, with the weakest power that the receiver still reports.
 roll::AllSatellitesOptions filter_options(const RollOptions& options) {
   roll::AllSatellitesOptions filter = options.filter;
   const double weakest_db =
@@ -49,7 +51,7 @@ RollEstimator::RollEstimator(std::uint16_t index, const EstimatorOptions& option
 Outcome RollEstimator::take(const ImuSample& sample, EstimateListener& listener) {
   if (sample.origin.device != imu_) return Outcome::unused;
   const double rate = sample.angular_rate.x();
-  // A comparison that NaN fails as well.
+  // This comparison is false for NaN too.
   if (!(std::abs(rate) <= max_angular_rate_radps)) return Outcome::refused;
   const Stamp at = sample.origin.valid_at;
   if (!gyro_.empty() && at <= last_) {
@@ -131,7 +133,7 @@ Outcome RollEstimator::take(const GnssSatellites& sky, EstimateListener&) {
     signal.power = std::pow(10, (*satellite.cno_dbhz - options_.boresight_cno_dbhz) / 10);
     ++heard;
   }
-  if (heard == 0) return Outcome::unused;  // the antenna is cut off, not every satellite behind it
+  if (heard == 0) return Outcome::unused;  // the antenna has no signal at all, so this is no epoch
 
   filter_.update({.signals = std::span(signals).first(n),
                   .path = axis_->path,
@@ -167,7 +169,7 @@ void RollEstimator::emit(EstimateListener& listener) {
   estimate.roll_rad = filter_.roll();
   estimate.pitch_rad = axis_->path.pitch_rad;
   estimate.yaw_rad = axis_->path.azimuth_rad;
-  // An axis that lies beside the velocity by d turns the roll angle about it by d sin(pitch).
+  // An angle d between the axis and the velocity changes the roll angle by d sin(pitch).
   const double by_axis = axis_->sigma_rad * std::sin(estimate.pitch_rad);
   estimate.covariance(0, 0) = filter_.roll_variance() + by_axis * by_axis;
   estimate.covariance(1, 1) = axis_->sigma_rad * axis_->sigma_rad;

@@ -9,16 +9,16 @@
 
 namespace drydock::pipeline {
 
-/// The roll filter on one IMU, of which it takes the roll gyro, and one satellite receiver: its
-/// velocity for the axis, its satellites' C/N0 for the roll. Gives an estimate for every IMU sample
-/// once it runs; pitch and yaw are those of the velocity.
+/// The roll filter on the roll gyro of one IMU and one satellite receiver. The velocity of the
+/// receiver gives the axis, the C/N0 of the satellites gives the roll. While it runs it gives an
+/// estimate for every IMU sample; pitch and yaw are those of the velocity.
 class RollEstimator final : public Estimator {
  public:
   static constexpr double max_angular_rate_radps = 50;
   static constexpr double max_speed_mps = 1e4;
 
-  /// `index` names the estimates; of `pipeline` the two time limits are used, the one for speeds
-  /// for fixes.
+  /// `index` identifies the estimates. From `pipeline` it uses only the two time limits; the one
+  /// for speeds applies to fixes.
   RollEstimator(std::uint16_t index, const EstimatorOptions& options,
                 const PipelineOptions& pipeline);
 
@@ -39,7 +39,7 @@ class RollEstimator final : public Estimator {
   struct Height {
     measurement::Stamp valid_at;
     double metres = 0;
-    std::optional<double> down_mps;  ///< since the height before
+    std::optional<double> down_mps;  ///< since the previous height
   };
 
   bool clock_was_set_back(const measurement::ImuSample& sample);
@@ -53,11 +53,11 @@ class RollEstimator final : public Estimator {
   std::chrono::nanoseconds max_imu_gap_, max_fix_age_;
   roll::AllSatellites filter_;
   GyroAngle gyro_;
-  measurement::Stamp last_{};     ///< IMU sample: the filter's time, once gyro_ has one
-  std::optional<Axis> axis_;      ///< of the newest fix
-  std::optional<Height> height_;  ///< of the last climb; where there is no vertical velocity
-  int far_behind_ = 0;            ///< IMU samples in a row
-  std::uint32_t fed_by_ = 0;      ///< since the last start
+  measurement::Stamp last_{};  ///< last IMU sample and time of the filter; valid if gyro_ has one
+  std::optional<Axis> axis_;   ///< from the newest fix
+  std::optional<Height> height_;  ///< for fixes without a vertical velocity
+  int far_behind_ = 0;            ///< IMU samples in a row from the past
+  std::uint32_t fed_by_ = 0;      ///< devices since the last start
   EstimatorStatus status_;
 };
 

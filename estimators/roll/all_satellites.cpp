@@ -8,7 +8,8 @@
 namespace drydock::roll {
 namespace {
 
-/// Log likelihoods behind the best at which a start is given up: odds of 1 to 3 million.
+/// A hypothesis is dropped if its log likelihood is this much below the best: odds of 1 to 3
+/// million.
 constexpr double hopeless = 15;
 constexpr double same_rad = 3 * std::numbers::pi / 180;
 

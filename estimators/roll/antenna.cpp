@@ -6,7 +6,7 @@
 namespace drydock::roll {
 
 Power power_of(const AntennaOptions& antenna, const SightLine& line, double roll_rad) {
-  constexpr double least_sine = 1e-6;  // straight ahead of the antenna and behind it: no slope
+  constexpr double least_sine = 1e-6;  // avoids 0 / 0 on the boresight and opposite to it
   const double off = std::acos(std::clamp(line.sin_elevation(roll_rad), -1.0, 1.0));
   const double width_squared = antenna.width_rad * antenna.width_rad;
   const double value = std::exp(-off * off / width_squared);

@@ -8,13 +8,14 @@
 
 namespace drydock::roll {
 
-/// What is known of antenna and receiver. Powers are shares of that at boresight.
+/// Properties of antenna and receiver. Powers are relative to the power at boresight.
 struct AntennaOptions {
   Eigen::Vector3d boresight_body{0, 0, 1};            ///< unit vector; paper: +z
   double width_rad = 64.58 * std::numbers::pi / 180;  ///< of eq. (23); paper
   double noise = 0.1;        ///< 1 sigma of a power; paper: 10 % of that at boresight
   double resolution_db = 0;  ///< of C/N0 on the wire; 0: not rounded
-  /// A weaker signal is not tracked, and that says so much of it; empty: no signal is too weak.
+  /// The receiver does not track a weaker signal, so the power of an untracked signal is below this
+  /// limit. Empty: the limit is unknown, and a missing signal says nothing.
   std::optional<double> tracking_limit;
 };
 
@@ -23,7 +24,7 @@ struct Power {
   double slope = 0;  ///< per radian of roll
 };
 
-/// Eq. (23) put right.
+/// Eq. (23), corrected.
 Power power_of(const AntennaOptions& antenna, const SightLine& line, double roll_rad);
 
 }  // namespace drydock::roll

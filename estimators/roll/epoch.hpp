@@ -8,21 +8,21 @@
 
 namespace drydock::roll {
 
-/// Most satellites that a filter follows at once; further ones of an epoch are passed over.
+/// The number of satellites that a filter can follow at once. It ignores further ones of an epoch.
 inline constexpr std::size_t most_satellites = 16;
 
 struct Signal {
-  std::uint16_t satellite = 0;  ///< the same number for the same satellite, at all epochs
+  std::uint16_t satellite = 0;                           ///< identifies the satellite at all epochs
   Eigen::Vector3d toward_ned = Eigen::Vector3d::Zero();  ///< unit vector
-  std::optional<double> power;  ///< share of that at boresight; empty: known of, but not tracked
+  std::optional<double> power;  ///< relative to boresight; empty: known, but not tracked
 };
 
-/// What the receiver says of one instant.
+/// The signals of one instant.
 struct Epoch {
   std::span<const Signal> signals;  ///< each satellite once
   FlightPath path;
-  double age_s = 0;       ///< how long before the filter's time it was true
-  double turned_rad = 0;  ///< what the gyro has counted since
+  double age_s = 0;       ///< time from the epoch to the time of the filter
+  double turned_rad = 0;  ///< integral of the gyro over this time
 };
 
 }  // namespace drydock::roll

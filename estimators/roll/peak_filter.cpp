@@ -47,7 +47,7 @@ void PeakFilter::use(const Peak& peak) {
     if (options_.with_bias) p_(1, 1) = options_.bias_sigma_radps * options_.bias_sigma_radps;
     return;
   }
-  // The peak was `age` ago: roll then was x_0 - (turned - x_1 age).
+  // The peak was `age` seconds ago. The roll at that time was x_0 - (turned - x_1 age).
   const Eigen::RowVector2d h{1, age};
   const double residual = frame::wrap_pi(peak.roll_rad - (h * x_ - turned));
   const Eigen::Vector2d gain = p_ * h.transpose() / (h * p_ * h.transpose() + variance);

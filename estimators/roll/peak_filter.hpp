@@ -7,7 +7,7 @@
 
 namespace drydock::roll {
 
-/// One standard deviation everywhere.
+/// All sigmas are one standard deviation.
 struct PeakFilterOptions {
   AntennaOptions antenna;
   PeakOptions peak;
@@ -18,9 +18,9 @@ struct PeakFilterOptions {
   double bias_sigma_radps = std::numbers::pi / 180;   ///< at the start
 };
 
-/// The paper's filter: roll carried by the gyro, eq. (21), corrected by peaks, eq. (22); with a
-/// bias state, if wanted. The first peak starts it. Allocates nothing, throws nothing; inputs must
-/// be finite.
+/// The filter of the paper: the gyro predicts the roll, eq. (21), and peaks correct it, eq. (22). A
+/// bias state is optional. The first peak starts the filter. Allocates nothing, throws nothing;
+/// inputs must be finite.
 class PeakFilter {
  public:
   explicit PeakFilter(const PeakFilterOptions& options) : options_(options) {}
@@ -33,7 +33,7 @@ class PeakFilter {
   double roll_variance() const { return p_(0, 0); }
   double bias() const { return x_(1); }
 
-  /// Those that the last epoch brought, dated on this filter's own time: `time_s()`, `gyro_rad()`.
+  /// The peaks of the last epoch. Their times and angles are those of `time_s()` and `gyro_rad()`.
   std::span<const Peak> peaks() const { return {peaks_.data(), peaks_.size()}; }
   double time_s() const { return time_s_; }
   double gyro_rad() const { return gyro_rad_; }

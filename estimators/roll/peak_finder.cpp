@@ -8,8 +8,8 @@
 namespace drydock::roll {
 namespace {
 
-/// Over so many epochs at most the rate of turn is taken; slower turns than their double have no
-/// peaks that the memory could hold.
+/// The rate of turn is the mean over at most `rate_epochs`. Slower turns than
+/// `slowest_epochs_per_turn` have no peaks, because the memory is too short for them.
 constexpr std::size_t rate_epochs = 8;
 constexpr double slowest_epochs_per_turn = 64;
 

@@ -10,27 +10,28 @@
 namespace drydock::roll {
 
 struct PeakOptions {
-  /// Epochs of the moving average: about a third of a turn, odd, from 3 to this.
+  /// Largest length of the moving average, epochs. The length is odd, about a third of a turn, and
+  /// at least 3.
   int longest_average = 13;
-  /// A peak stands so far above the lowest average of its half turn, as a share of boresight.
+  /// Least height of a peak above the lowest average of its half turn, relative to boresight.
   double least_height = 0.1;
 };
 
-/// The paper's measurement: a satellite's signal was strongest, so the roll was that of eq. (17).
+/// The measurement of the paper: at the strongest signal of a satellite, eq. (17) gives the roll.
 struct Peak {
   std::uint16_t satellite = 0;
-  double time_s = 0;    ///< when it was
-  double gyro_rad = 0;  ///< what the gyro had counted by then
+  double time_s = 0;    ///< time of the peak
+  double gyro_rad = 0;  ///< integral of the gyro at that time
   double roll_rad = 0;  ///< eq. (17), (-pi, pi]
 };
 
-/// Finds the peaks of one satellite's power: a moving average against the noise, and of the
-/// averages one that none within a quarter turn surpasses. The delay of both is compensated: a peak
-/// is dated by the middle of its average, and to a fraction of an epoch by the parabola through it
-/// and its neighbours.
+/// Finds the peaks of the power of one satellite. A moving average reduces the noise. A peak is an
+/// average that no other average within a quarter turn exceeds. The delay is compensated: the time
+/// of a peak is the middle of its average, refined to a fraction of an epoch by the parabola
+/// through the peak and its neighbours.
 class PeakFinder {
  public:
-  /// One more epoch of the satellite. Times and gyro angles count on from any beginning.
+  /// Adds one epoch of the satellite. Times and gyro angles may start at any value.
   std::optional<Peak> add(const PeakOptions& options, double power, double time_s, double gyro_rad,
                           double strongest_roll_rad);
   void clear() { count_ = 0; }
@@ -49,7 +50,7 @@ class PeakFinder {
   Peak dated(std::size_t middle) const;
 
   std::array<Sample, capacity> samples_{};
-  std::size_t count_ = 0;  ///< sample i stands at i % capacity
+  std::size_t count_ = 0;  ///< sample i is stored at i % capacity
 };
 
 }  // namespace drydock::roll

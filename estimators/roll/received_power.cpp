@@ -24,7 +24,7 @@ std::optional<Interval> interval_of(const AntennaOptions& antenna, const Signal&
 
 Moments within(const Interval& z) {
   if (z.low == z.high) return {-0.5 * z.low * z.low, z.low, 1};  // eq. (30)
-  // Differences of small tails, not of numbers near 1.
+  // A difference of small tails has less rounding error than a difference of numbers near 1.
   const double probability =
       z.low > 0 ? above(z.low) - above(z.high) : above(-z.high) - above(-z.low);
   const double low = density(z.low), high = density(z.high);

@@ -8,20 +8,20 @@
 
 namespace drydock::roll {
 
-/// A place of its own for each satellite, kept while it is spoken of; a new one takes that of one
-/// that has been silent for a while.
+/// Gives each satellite a slot of its own. A satellite keeps its slot while it is in the epochs. A
+/// new satellite takes the slot of one that was missing for more than `silent_epochs`.
 class SatelliteSlots {
  public:
   static constexpr int silent_epochs = 100;
 
   struct Place {
     std::size_t slot = 0;
-    bool fresh = false;  ///< was another's, or nobody's
+    bool fresh = false;  ///< new for this satellite
   };
 
   void begin_epoch() { ++epoch_; }
 
-  /// Empty: all places are taken by satellites spoken of lately.
+  /// Empty: recent satellites hold all slots.
   std::optional<Place> place_of(std::uint16_t satellite) {
     std::size_t oldest = 0;
     for (std::size_t i = 0; i < slots_.size(); ++i) {

@@ -2,29 +2,29 @@
 
 #include <Eigen/Core>
 
-/// Roll of a rolling airframe from the strength of satellite signals and a roll gyro: after Hong,
+/// Roll of a rolling airframe from the strength of satellite signals and a roll gyro. Source: Hong,
 /// Kim, Ryoo and Lee, "Roll Angle Estimation of a Rolling Airframe Using a GPS and a Roll Rate
 /// Gyro", J. KSAS 43(2), 2015. Equation numbers are those of docs/estimators/roll.md.
 namespace drydock::roll {
 
-/// Where the airframe's x axis points: it is taken to lie along the velocity.
+/// Direction of the x axis of the airframe. It is assumed to lie along the velocity.
 struct FlightPath {
   double azimuth_rad = 0;  ///< from north over east
   double pitch_rad = 0;    ///< above the horizon
 };
 
-/// Eq. (9) put right, with the course for azimuth. The velocity must not be zero.
+/// Eq. (9), corrected, with the course as azimuth. The velocity must not be zero.
 FlightPath flight_path(const Eigen::Vector3d& velocity_ned);
 
-/// Eq. (4) put right: azimuth, at a place, of the great circle to a point.
+/// Eq. (4), corrected: the azimuth, at a place, of the great circle to a point.
 double azimuth_of_point(double latitude_rad, double longitude_rad, double point_latitude_rad,
                         double point_longitude_rad);
 
 /// Unit vector to a satellite in NED axes.
 Eigen::Vector3d toward_ned(double elevation_rad, double azimuth_rad);
 
-/// How high one satellite stands above the antenna's own horizon as the airframe rolls: eq. (11),
-/// (12) and (24) in one, sin El = c_0 + c_1 cos(roll) + c_2 sin(roll).
+/// The elevation of one satellite above the horizon plane of the antenna, as a function of the
+/// roll: eq. (11), (12) and (24) combined, sin El = c_0 + c_1 cos(roll) + c_2 sin(roll).
 class SightLine {
  public:
   /// Unit vectors; the paper has the boresight on body +z.
@@ -34,7 +34,7 @@ class SightLine {
   double sin_elevation(double roll_rad) const;
   double slope(double roll_rad) const;  ///< d sin_elevation / d roll
 
-  /// Eq. (17): the roll at which the satellite stands highest, (-pi, pi].
+  /// Eq. (17): the roll with the largest elevation of the satellite, (-pi, pi].
   double strongest_roll() const;
 
  private:

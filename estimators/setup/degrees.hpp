@@ -4,6 +4,6 @@
 
 namespace drydock::setup {
 
-constexpr double to_deg = 180 / std::numbers::pi;  ///< for what people read
+constexpr double to_deg = 180 / std::numbers::pi;  ///< for printed output
 
 }  // namespace drydock::setup

@@ -30,18 +30,18 @@ std::optional<pipeline::AidingSensor> aiding(const rig_config::Rig& rig, const s
 
 double worst(const rig_config::Axes& axes) { return *std::ranges::max_element(axes); }
 
-/// White noise as a density: per sample and per root Hz together.
+/// White noise as a density. Adds the noise per sample and the noise density.
 double density(const SensorErrors& errors, double period_s) {
   return std::hypot(worst(errors.noise) * std::sqrt(period_s), worst(errors.noise_density));
 }
 
-/// Of one sample: what is white, and the steps of the output.
+/// Standard deviation of one sample: white noise and quantisation.
 double sample_sigma(const SensorErrors& errors, double rate_hz) {
   return std::hypot(worst(errors.noise), worst(errors.noise_density) * std::sqrt(rate_hz),
                     worst(errors.quantisation) / std::sqrt(12));
 }
 
-/// A sensor file that says nothing of a sensor's noise leaves the paper's figure.
+/// If the sensor file does not give the noise of a sensor, the figure of the paper stays.
 void replace_if_known(double& sigma, double known) {
   if (known > 0) sigma = known;
 }
@@ -62,7 +62,7 @@ navigation::NavigationOptions navigation_options(const rig_config::InertialConfi
   options.velocity_mps = c.velocity_sigma_mps;
   options.alignment_rad = {c.tilt_sigma_rad, c.tilt_sigma_rad, c.heading_sigma_rad};
   const SensorErrors &gyro = c.imu_grade.primary, &accelerometer = c.imu_grade.secondary;
-  // What an instability does between two looks at it, the filter's constant bias must cover.
+  // The filter models a constant bias. Its sigma must also cover the bias instability.
   options.gyro_bias_radps = std::hypot(worst(gyro.bias), worst(gyro.bias_instability));
   options.accel_bias_mps2 =
       std::hypot(worst(accelerometer.bias), worst(accelerometer.bias_instability));

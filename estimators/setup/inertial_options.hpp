@@ -5,8 +5,8 @@
 
 namespace drydock::setup {
 
-/// Of an estimator of kind "navigation" or "velocity": its start, its sensors' places and grades,
-/// its vehicle. The loader has checked that the devices named there exist.
+/// The options of an estimator of kind "navigation" or "velocity": its start, the positions and
+/// grades of its sensors, and its vehicle. The loader has checked that the named devices exist.
 pipeline::InertialOptions inertial_options(const rig_config::Rig& rig,
                                            const rig_config::EstimatorConfig& config);
 

@@ -9,12 +9,12 @@
 
 namespace drydock::setup {
 
-/// What the rig file says of its estimators, as the pipeline's options. The loader has checked that
-/// the devices named there exist.
+/// Converts the estimators of the rig file to the options of the pipeline. The loader has checked
+/// that the named devices exist.
 pipeline::PipelineOptions pipeline_options(const rig_config::Rig& rig);
 
-/// A line for each device whose measurements came too late for the estimators or were refused, and
-/// one if the reorder buffer was too small; none when all is well.
+/// One line for each device with late or refused measurements, for each estimator that rejected
+/// values or was lost, and for a reorder buffer that was too small. Empty if there was no problem.
 std::vector<std::string> pipeline_notes(const rig_config::Rig& rig,
                                         const pipeline::Pipeline& pipeline);
 

@@ -3,11 +3,11 @@
 #include "estimators/hydrodynamics/vehicle.hpp"
 #include "rig_config/vehicle.hpp"
 
-/// From a vehicle file's values to the equations of motion.
+/// Converts the values of a vehicle file for the equations of motion.
 namespace drydock::vehicle {
 
-/// Prime values times rho/2 L^n. Throws std::invalid_argument (one line) for a coefficient that the
-/// equations do not have; the loader lets none through.
+/// Multiplies prime values by rho/2 L^n. Throws std::invalid_argument (one line) for an unknown
+/// coefficient; the loader refuses such a file before.
 hydrodynamics::Vehicle dimensional(const rig_config::VehicleConfig& config);
 
 }  // namespace drydock::vehicle

@@ -31,7 +31,7 @@ CoupledNavigation::Filter::Vector coupled_sigma(const CoupledOptions& o,
 CoupledNavigation::Filter::Vector coupled_noise(const CoupledOptions& o) {
   CoupledNavigation::Filter::Vector noise = CoupledNavigation::Filter::Vector::Zero();
   noise.head<15>() = navigation::noise_density(o.navigation);
-  noise(position_error + 2) = 0;  // that of a height loop
+  noise(position_error + 2) = 0;  // this is the noise of a height loop, which is not used here
   return noise;
 }
 
@@ -88,7 +88,7 @@ void CoupledNavigation::update_height(double sinking_m) {
 
 void CoupledNavigation::update_log(double speed_mps) {
   innovations_.clear();
-  constexpr double slowest = 1e-3;  // below it the speed says nothing of a direction
+  constexpr double slowest = 1e-3;  // below it the direction of the velocity is undefined
   const Vector3d velocity = velocity_through_water();
   const double speed = velocity.norm();
   if (speed < slowest) return;
@@ -180,7 +180,8 @@ void CoupledNavigation::weigh_hypotheses() {
   since_ground_s_ = -1;
 }
 
-/// What an hour of DVL has told of current and log must not be lost when the bed comes and goes.
+/// Restores the estimates from before the weighing, so that a short loss of the DVL does not lose
+/// the knowledge of current and log.
 void CoupledNavigation::reopen_hypotheses() {
   if (!open_) return;
   auto& covariance = filter_.covariance();

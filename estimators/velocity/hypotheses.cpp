@@ -12,12 +12,13 @@ using Filter = navigation::ErrorFilter<7>;
 
 /// The filter under the condition that some of its states are zero.
 struct Conditioned {
-  double log_weight = 0;  ///< against no condition at all, eq. (V8)
+  double log_weight = 0;  ///< relative to no condition, eq. (V8)
   Filter::Vector errors = Filter::Vector::Zero();
   Filter::Covariance covariance;
 };
 
-/// One state after the other: the density of a zero given the zeros before it, over its prior's.
+/// Conditions on one zero after the other. The weight is the product of the ratios of two densities
+/// at zero: the posterior, given the zeros before, over the prior.
 Conditioned with_zeros(Filter filter, int first, const Eigen::Vector4d& values,
                        const Eigen::Vector4d& prior_sigma, const std::array<bool, 2>& absent) {
   Conditioned result;
@@ -26,7 +27,7 @@ Conditioned with_zeros(Filter filter, int first, const Eigen::Vector4d& values,
     const auto row = filter.row(Filter::Vector::Unit(first + i), 0);
     const double value = values(i) - result.errors(first + i);
     const double prior = prior_sigma(i) * prior_sigma(i);
-    if (!(row.variance > 1e-12 * prior)) continue;  // held at zero already
+    if (!(row.variance > 1e-12 * prior)) continue;  // already known to be zero
     result.log_weight += 0.5 * (std::log(prior / row.variance) - value * value / row.variance);
     result.errors += filter.update(row, value);
   }

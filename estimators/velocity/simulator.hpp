@@ -3,7 +3,7 @@
 #include "estimators/hydrodynamics/model.hpp"
 
 /// The vehicle simulator inside an estimator: the equations of motion without attitude and
-/// position, which the inertial navigation knows better. docs/estimators/velocity.md.
+/// position. The inertial navigation gives these more accurately. docs/estimators/velocity.md.
 namespace drydock::velocity {
 
 /// xi of eq. (5): height (m, up), velocity through the water (m/s) and rate against the Earth
@@ -13,14 +13,14 @@ struct Simulated {
   hydrodynamics::Velocity velocity = hydrodynamics::Velocity::Zero();
 };
 
-/// What the equations need besides: C_n^b and the rotation of the Earth in NED.
+/// Further inputs of the equations: C_n^b, and the rotation of the Earth in NED, rad/s.
 struct Setting {
   Eigen::Matrix3d ned_to_body = Eigen::Matrix3d::Identity();
   Eigen::Vector3d earth_rate_ned = Eigen::Vector3d::Zero();
 };
 
-/// Eq. (1), (4) by Euler's method: steps of 10 ms or so. Used open loop it is the virtual sensor of
-/// the earlier method (Koifman and Bar-Itzhack 1999).
+/// Eq. (1), (4) by Euler's method, for steps of about 10 ms. Without feedback it is the virtual
+/// sensor of the earlier method (Koifman and Bar-Itzhack 1999).
 class Simulator {
  public:
   Simulator(const hydrodynamics::Model& model, const Simulated& start)

@@ -22,7 +22,8 @@ void SwayModel::step(const Motion& motion, const hydrodynamics::Control& control
   const double with_turn = hydrodynamics::hull_forces(c, turning, control)[1];
   const PerCause force{alone, with_drift - alone, with_turn - with_drift};
 
-  // Eq. (V4). u-dot and w-dot do not enter: that row of the mass matrix has zeros there.
+  // Eq. (V4). u-dot and w-dot have no influence, because this row of the mass matrix has zeros
+  // there.
   const double mass = mass_row_(1);
   const double rigid =
       hydrodynamics::rigid_body_forces(vehicle_.body, turning, motion.earth_rate)[1] +
@@ -30,7 +31,7 @@ void SwayModel::step(const Motion& motion, const hydrodynamics::Control& control
       mass_row_.tail<3>().dot(motion.rate_change);
   const double acceleration = (rigid + force.sum() + force.dot(factors_)) / mass;
 
-  // Linearly implicit: half of what the step does to the slope is in the step.
+  // Linearly implicit: the step contains half of its own change of the slope.
   const double damping =
       (hydrodynamics::hull_force_partials(c, turning, control)(1, 1) +
        hydrodynamics::rigid_body_partials(vehicle_.body, turning, motion.earth_rate)(1, 1)) /

@@ -18,7 +18,7 @@ VelocityFilter::VelocityFilter(const hydrodynamics::Model& model, const Simulate
 
 void VelocityFilter::predict(const Setting& setting, const hydrodynamics::Control& control,
                              double dt) {
-  // A_k = I + T A, eq. (7): what a small error of V and omega becomes within the step.
+  // A_k = I + T A, eq. (7): the transition of a small error of V and omega over the step.
   Matrix6 a =
       dt * simulator_.model().velocity_partials(simulator_.state().velocity, setting.ned_to_body,
                                                 control, setting.earth_rate_ned);
@@ -26,7 +26,7 @@ void VelocityFilter::predict(const Setting& setting, const hydrodynamics::Contro
   const Vector3d climb = -dt * setting.ned_to_body.col(2);
   simulator_.step(setting, control, dt);
 
-  // The blocks of h and of x = [V, omega] apart: h <- h + climb' V, x <- a x.
+  // The blocks of h and of x = [V, omega] separately: h <- h + climb' V, x <- a x.
   const Matrix6 x = p_.block<6, 6>(1, 1);
   const hydrodynamics::Velocity by_h = p_.col(0).segment<6>(1), climbed = x.leftCols<3>() * climb;
   const hydrodynamics::Velocity cross = a * (by_h + climbed);
@@ -49,7 +49,7 @@ bool VelocityFilter::update_height(double height_m) {
 
 void VelocityFilter::update_rate(const Vector3d& rate) {
   const double variance = options_.gyro_sigma_radps * options_.gyro_sigma_radps;
-  for (int i = 4; i < 7; ++i)  // no gate: the navigation believes its gyros as well
+  for (int i = 4; i < 7; ++i)  // no gate: the navigation uses the gyros without a gate too
     apply(p_.col(i), p_(i, i) + variance, rate(i - 4) - simulator_.state().velocity(i - 1));
 }
 
@@ -61,7 +61,7 @@ void VelocityFilter::update_velocity(const Vector3d& velocity) {
 
 void VelocityFilter::update_log(double speed_mps) {
   innovations_.clear();
-  constexpr double slowest = 1e-3;  // below it the speed says nothing of a direction
+  constexpr double slowest = 1e-3;  // below it the direction of the velocity is undefined
   const double speed = velocity().norm();
   if (speed < slowest) return;
   const Vector3d direction = velocity() / speed;  // row 2 of C_k

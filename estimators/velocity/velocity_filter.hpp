@@ -6,25 +6,26 @@
 #include "estimators/navigation/innovation_tally.hpp"
 #include "estimators/velocity/simulator.hpp"
 
-/// Velocity through the water of Lee, Ra, Kim, Ahn and Lee (2016): a vehicle simulator whose errors
-/// a Kalman filter finds. Equation numbers are those of docs/estimators/velocity.md.
+/// Velocity through the water by Lee, Ra, Kim, Ahn and Lee (2016): a vehicle simulator, and a
+/// Kalman filter that estimates its errors. Equation numbers are those of
+/// docs/estimators/velocity.md.
 namespace drydock::velocity {
 
-/// One standard deviation each. Defaults: the paper's Tables 2 and 3.
+/// All sigmas are one standard deviation. Defaults: Tables 2 and 3 of the paper.
 struct VelocityFilterOptions {
   double height_sigma_m = 1, velocity_sigma_mps = 1, rate_sigma_radps = 0.0174532925;  ///< P0
-  /// Q: of the change over one step, divided by its length.
+  /// Q: standard deviation of the change over one step, divided by the length of the step.
   double height_noise_mps = 0.1;
   Eigen::Vector3d velocity_noise_mps2{0.2, 0.5e-3, 0.125e-3};
   double rate_noise_radps2 = 0.00174532925;
   double depth_sigma_m = 0.5, log_sigma_mps = 0.03, ground_sigma_mps = 0.03;
   double gyro_sigma_radps = 1.16e-6;  ///< angle random walk at 100 Hz
-  double gate_sigma = 0;  ///< values of depth, log and DVL further out are refused; 0: none are
+  double gate_sigma = 0;  ///< depth, log and DVL values with more sigmas are refused; 0: no gate
 };
 
-/// The 7-state filter (8)-(12) in the form that feeds its corrections into the simulator: with a()
-/// taken exactly that is, number for number, the paper's. Each sensor has its own rows and comes
-/// when it comes. Allocates nothing, throws nothing; inputs must be finite.
+/// The 7-state filter (8)-(12) in a form that feeds its corrections into the simulator. If a() is
+/// evaluated exactly, its numbers are those of the paper. Each sensor has its own rows and may
+/// arrive at any time. Allocates nothing, throws nothing; inputs must be finite.
 class VelocityFilter {
  public:
   VelocityFilter(const hydrodynamics::Model& model, const Simulated& start,
@@ -32,21 +33,21 @@ class VelocityFilter {
 
   void predict(const Setting& setting, const hydrodynamics::Control& control, double dt);  ///< (12)
 
-  bool update_height(double height_m);                    ///< rows of (10), (11); inside the gate?
-  void update_log(double speed_mps);                      ///< |V| through the water
-  void update_longitudinal(double mps);                   ///< u through the water
-  void update_rate(const Eigen::Vector3d& rate);          ///< against the Earth, body, rad/s
-  void update_velocity(const Eigen::Vector3d& velocity);  ///< a DVL's, body, m/s
+  bool update_height(double height_m);            ///< rows of (10), (11); true: inside the gate
+  void update_log(double speed_mps);              ///< |V| through the water
+  void update_longitudinal(double mps);           ///< u through the water
+  void update_rate(const Eigen::Vector3d& rate);  ///< against the Earth, body, rad/s
+  void update_velocity(const Eigen::Vector3d& velocity);  ///< of a DVL, body, m/s
 
   Eigen::Vector3d velocity() const { return simulator_.state().velocity.head<3>(); }
   const Simulated& state() const { return simulator_.state(); }
 
   std::uint64_t rejected() const { return rejected_; }                 ///< values outside the gate
-  const navigation::InnovationTally& taken() const { return taken_; }  ///< those inside
-  /// Of the last value of depth, log or DVL: up m; m/s; body axes m/s.
+  const navigation::InnovationTally& taken() const { return taken_; }  ///< values inside it
+  /// Innovations of the last value of depth (up, m), log (m/s) or DVL (body axes, m/s).
   const navigation::Innovations& innovations() const { return innovations_; }
 
-  /// Of h, u v w, p q r; the eighth row and column are zero: a whole number of SIMD words.
+  /// Covariance of h, u v w, p q r. The eighth row and column are zero and fill the SIMD words.
   using Covariance = Eigen::Matrix<double, 8, 8>;
   const Covariance& covariance() const { return p_; }
   Eigen::Vector3d velocity_sigma() const { return p_.diagonal().segment<3>(1).cwiseSqrt(); }
@@ -54,7 +55,7 @@ class VelocityFilter {
  private:
   using Vector = Eigen::Matrix<double, 8, 1>;
   bool passes(double residual, double innovation_variance);
-  bool update_state(int index, double residual, double sigma);  ///< inside the gate?
+  bool update_state(int index, double residual, double sigma);  ///< true: inside the gate
   void apply(const Vector& cross, double innovation_variance, double residual);
 
   Simulator simulator_;

@@ -9,7 +9,7 @@ namespace drydock::rig_config {
 
 namespace {
 
-/// Figures that not every estimator has, and which kinds do.
+/// A figure that only some kinds of estimator have, and these kinds.
 struct OfKinds {
   const char* key;
   std::vector<std::string> kinds;

@@ -12,7 +12,7 @@ namespace drydock::rig_config {
 
 namespace {
 
-/// Keys that a fault of any kind may have; the others depend on the word.
+/// Keys that every fault may have. Other keys depend on the kind of fault.
 constexpr std::array common_keys{"device", "fault", "start_s", "for_s", "every_s", "seed"};
 
 bool is_quantity(std::string_view key) {

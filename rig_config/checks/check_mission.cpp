@@ -37,7 +37,7 @@ class MissionChecks {
   }
 
  private:
-  /// Over a bed that is no plane the motion itself finds out.
+  /// For other beds than a plane the motion itself checks this.
   void legs_stay_in_the_water() {
     double depth_m = number_at(root_.find("mission"), "depth_m", 0);
     const bool plane = bed_kind_ == "plane";
@@ -54,8 +54,8 @@ class MissionChecks {
     });
   }
 
-  /// Its file is there; a turning circle needs one, a prescribed heel or slip leaves no room for
-  /// it.
+  /// The file of the vehicle must exist. A turning circle needs a vehicle; a prescribed heel is not
+  /// allowed with a vehicle.
   void vehicle_fits(const Node* vehicle) {
     if (vehicle) exists(*vehicle, "/mission/vehicle");
     for_each_table(root_, "leg", [&](const Node& leg, std::size_t i) {

@@ -64,7 +64,7 @@ class RigChecks {
     });
   }
 
-  /// A bus has many devices, a server many clients and a file many readers; a line has one device.
+  /// A bus has many devices, a server many clients and a file many readers. A line has one device.
   static bool is_line(const std::string& link) {
     return std::ranges::any_of(std::array{"serial:", "pty:", "udp:", "memory:"},
                                [&](std::string_view scheme) { return link.starts_with(scheme); });
@@ -78,7 +78,7 @@ class RigChecks {
       if (!link || !name || !is_line(link->text)) return;
       const std::string line = link->text.substr(0, link->text.find('?'));
       const auto& first = *taken.emplace(line, name->text).first;
-      if (first.second != name->text)  // a block pasted twice has its name twice already
+      if (first.second != name->text)  // equal names are another problem, already reported
         add(*link, fmt::format("/device/{}/link", i),
             fmt::format("{} is already the link of '{}'; each device needs a line of its own", line,
                         first.second));

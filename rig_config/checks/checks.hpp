@@ -5,23 +5,24 @@
 
 namespace drydock::rig_config {
 
-/// Path of a file that `file` names relative to its own folder.
+/// The path of a file that `file` names relative to the folder of `file`.
 std::string beside(const std::string& file, const std::string& relative);
 
-/// What a schema cannot say of a rig: names used twice, an estimator's devices, link URIs,
-/// addresses taken twice on one bus, files that are not there. Holds for incomplete documents too.
+/// Checks of a rig that a schema cannot express: names used twice, devices of an estimator, link
+/// URIs, addresses used twice on one bus, missing files. Works for incomplete documents too.
 Problems check_rig(const Node& root, const std::string& file, const LoadOptions& options);
 
-/// Of blocks [[expect]]: names that exist, bounds in order, figures that the kind of estimator has.
+/// Checks of the blocks [[expect]]: names must exist, bounds must be in order, and the kind of
+/// estimator must have the figures.
 Problems check_expects(const Node& root, const std::string& file);
 
-/// Of blocks [[fault]]: keys that the fault has, amounts in range. Whether the device can have it:
-/// check_faults_of().
+/// Checks of the blocks [[fault]]: the fault must have the keys, and amounts must be in range.
+/// check_faults_of() checks whether the device can have the fault.
 Problems check_faults(const Node& root, const std::string& file);
 
-/// What a schema cannot say of a mission: it stays in the water, depths of profiles rise, raster
-/// and vehicle file are there, only a vehicle is steered by its rudder, only a kinematic one heels
-/// as told.
+/// Checks of a mission that a schema cannot express: it stays in the water; depths of profiles
+/// increase; raster and vehicle file exist; a rudder needs a vehicle; a prescribed heel needs a
+/// mission without one.
 Problems check_mission(const Node& root, const std::string& file);
 
 }  // namespace drydock::rig_config

@@ -37,7 +37,7 @@ bool has_checksum(const DeviceConfig& device) {
   return !on_can(device) && !speaks(device, {"pd6"});
 }
 
-/// Whether the device puts a time of its own clock into its messages.
+/// True if the messages of the device contain a time of its own clock.
 bool tells_time(const DeviceConfig& device) {
   return speaks(device, {"pd0", "pd4", "pd5", "pd6", "water-linked", "nortek", "xsens"}) ||
          device.kind == DeviceKind::gnss;
@@ -51,7 +51,7 @@ bool has_noise(const DeviceConfig& device) {
   return any(device.emulate.primary) || any(device.emulate.secondary);
 }
 
-/// What only the far end of the wire can do.
+/// True for faults that only the device at the far end of the wire can produce.
 bool needs_emulation(FaultKind kind) {
   const FaultLayer layer = word_of(kind).layer;
   return layer == FaultLayer::measurement || layer == FaultLayer::environment || kind == slow ||
@@ -117,13 +117,13 @@ std::optional<std::string> of_the_sensor(FaultKind kind, const DeviceConfig& dev
   return {};
 }
 
-/// Of a proxy that was not told which protocol passes through it.
+/// A proxy may not know which protocol passes through it. Then it has no message faults.
 std::optional<std::string> of_unknown_messages(FaultKind kind, const DeviceConfig& device) {
   if (!device.protocol.empty() || word_of(kind).layer != FaultLayer::message) return {};
   return "its messages are not known without a protocol (--protocol)";
 }
 
-/// The key settles the unit; which of the sensor's quantities it is follows from its kind.
+/// The kind of sensor must measure the quantity that the fault names.
 std::optional<std::string> of_the_quantity(const FaultConfig& fault, const DeviceConfig& device) {
   if (fault.quantity.empty()) return {};
   std::string measured;

@@ -5,7 +5,7 @@
 #include "rig_config/emulate.hpp"
 #include "rig_config/rig.hpp"
 
-/// Which key of a sensor file is which figure of docs/sensors/errors.md, in which unit.
+/// Maps each key of a sensor file to a figure of docs/sensors/errors.md and its unit.
 namespace drydock::rig_config {
 
 struct ErrorKey {
@@ -13,7 +13,7 @@ struct ErrorKey {
   const char* key;
   SensorErrors EmulateConfig::*quantity;
   Axes SensorErrors::*part;
-  double unit;  ///< one of the key in SI
+  double unit;  ///< one unit of the key in SI
 };
 
 struct CorrelationKey {

@@ -9,10 +9,10 @@
 
 namespace drydock::rig_config {
 
-/// Which of the rules the value at `path` breaks, in words. What its members break is not told.
+/// The rules that the value at `path` breaks, in words. It does not check the members of the value.
 Problems explain(const Ruled& ruled, const std::string& file, const std::string& path);
 
-/// " (did you mean 'x'?)" for a likely slip of the pen, else nothing.
+/// " (did you mean 'x'?)" for a likely typing error, else an empty text.
 std::string did_you_mean(const std::string& word, std::span<const std::string> known);
 
 /// "a, b, c"

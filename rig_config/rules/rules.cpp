@@ -10,14 +10,14 @@ namespace {
 using Json = nlohmann::json;
 using Schemas = std::vector<const Json*>;
 
-/// The object or array at `key`, an empty value where there is none.
+/// The object or array at `key`, or an empty object if the key is absent.
 const Json& part(const Json& schema, const char* key) {
   static const Json nothing = Json::object();
   const auto found = schema.find(key);
   return found == schema.end() ? nothing : *found;
 }
 
-/// The conditions that the rig schema uses: keys that must be there, texts that they must have.
+/// Evaluates the conditions that the rig schema uses: required keys and their texts.
 bool holds(const Json& condition, const Node& node) {
   for (const Json& key : part(condition, "required"))
     if (!node.find(key.get<std::string>())) return false;
@@ -32,7 +32,7 @@ bool holds(const Json& condition, const Node& node) {
   return true;
 }
 
-/// Adds `schema` and all that it draws in for `node`.
+/// Adds `schema` and the schemas that it includes for `node` by `$ref`, `allOf` and `if`.
 void flatten(const Json& root, const Json& schema, const Node& node, Schemas& out) {
   if (const auto ref = schema.find("$ref"); ref != schema.end()) {
     const std::string pointer = ref->get<std::string>().substr(1);  // after '#'
@@ -54,7 +54,7 @@ const Node* child(const Node& node, const std::string& step) {
   return index < node.items.size() ? &node.items[index] : nullptr;
 }
 
-/// What the schemas of a value say of one of its members or items.
+/// The schemas of one member or item of a value.
 Schemas descend(const Json& root, const Schemas& schemas, const std::string& step, const Node& to,
                 bool into_array) {
   Schemas below;

@@ -17,15 +17,15 @@ struct Bound {
 };
 
 struct Pattern {
-  std::string expression, meaning;  ///< meaning: the schema's description, what a match is
+  std::string expression, meaning;  ///< meaning: the schema's description of a match
 };
 
-/// All that the schema says about one place of a document, merged from its `$ref`, `allOf` and the
-/// branches of `if` that the document takes. Only the words of the rig schema are understood.
+/// All rules of the schema for one place of a document. They are merged from `$ref`, `allOf` and
+/// those branches of `if` that apply to the document. It knows only the keywords of the rig schema.
 struct Rules {
   std::vector<std::string> types;  ///< JSON type names, empty: any
   bool date_time = false;
-  std::vector<std::string> choices;  ///< of an enum, the narrowest one
+  std::vector<std::string> choices;  ///< of the enum with the fewest values
   std::optional<Bound> lower, upper;
   std::vector<Pattern> patterns;
   std::size_t min_length = 0;
@@ -33,13 +33,13 @@ struct Rules {
   std::size_t min_members = 0;
   std::vector<std::string> required;     ///< keys
   std::vector<std::string> known;        ///< keys that the schema names here
-  std::vector<std::string> allowed;      ///< of them, those that no other value forbids
-  bool closed = false;                   ///< no other keys than `known`
-  std::optional<std::string> forbidden;  ///< the value may not stand here: when it may
+  std::vector<std::string> allowed;      ///< known keys that no other value forbids
+  bool closed = false;                   ///< true: only `known` keys are valid
+  std::optional<std::string> forbidden;  ///< set: not allowed here; says when it is allowed
 };
 
-/// The rules for the value at `place` (keys and indices from the root) and the value itself;
-/// nothing where the document has no such place.
+/// The value at `place` (keys and indices from the root) and its rules. Empty if the document has
+/// no such place.
 struct Ruled {
   const Node* node = nullptr;
   Rules rules;

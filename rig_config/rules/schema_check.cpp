@@ -21,8 +21,8 @@ namespace {
 using Json = nlohmann::json;
 using Kind = Node::Kind;
 
-/// JSON knows no date-time, TOML tells it from a string: where one stands for the other the value
-/// becomes null, which the schema refuses.
+/// TOML has date-times and strings, JSON has only strings. If the file has one instead of the
+/// other, the value becomes null, and the schema refuses null.
 Json to_json(const Node& node, const std::string& path = "") {
   const bool date_wanted = path == "/rig/start" || path == "/device//emulate/sky/at";
   switch (node.kind) {
@@ -47,8 +47,8 @@ struct Complaint {
   std::string path, words;
 };
 
-/// valijson 1.0 takes every value with a "format" for a string and aborts on a list or a table.
-/// Ours says that TOML wants a date-time there, which the reader has settled before.
+/// valijson 1.0 expects a string for every value with a "format" and aborts on a list or a table.
+/// This schema uses "format" only for date-times, and the reader has checked these before.
 Json without_formats(Json schema) {
   if (schema.is_object() && schema.contains("format") && schema["format"].is_string())
     schema.erase("format");
@@ -57,7 +57,7 @@ Json without_formats(Json schema) {
   return schema;
 }
 
-/// valijson's verdict: nothing, or its deepest complaint (it repeats each for the parents).
+/// The result of valijson: nothing, or the deepest error. It repeats each error for the parents.
 std::optional<Complaint> verdict(const Json& schema_json, const Json& document) {
   valijson::Schema schema;
   valijson::SchemaParser parser(valijson::SchemaParser::kDraft7);
@@ -76,8 +76,8 @@ std::optional<Complaint> verdict(const Json& schema_json, const Json& document) 
   return complaint;
 }
 
-/// Puts the broken rules of every place into words, parents before their members. valijson alone
-/// would stop at the first failing branch of an allOf and has no words for what is allowed.
+/// Describes the broken rules of every place, parents before their members. valijson alone stops at
+/// the first failing branch of an allOf and does not say what is allowed.
 class Walk {
  public:
   Walk(const Json& schema, const Node& root, const std::string& file)
@@ -119,7 +119,7 @@ Problems check_schema(const Node& root, const std::string& file, std::string_vie
   const auto complaint = verdict(schema, to_json(root));
   if (!complaint) return {};
   Problems problems = Walk(schema, root, file).run();
-  // A rule of the schema that explain() has no words for must not pass for that.
+  // A document can break a rule that explain() does not know. It must be refused all the same.
   if (problems.empty()) problems.push_back({file, 1, 1, complaint->path, complaint->words});
   return problems;
 }

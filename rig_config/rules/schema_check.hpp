@@ -5,7 +5,7 @@
 
 namespace drydock::rig_config {
 
-/// What a JSON Schema (its text) does not allow in a document, in no particular order.
+/// The problems of a document against a JSON Schema (given as text), in no particular order.
 Problems check_schema(const Node& root, const std::string& file, std::string_view schema_text);
 
 }  // namespace drydock::rig_config

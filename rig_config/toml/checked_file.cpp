@@ -31,8 +31,8 @@ void sort_by_position(Problems& problems) {
   });
 }
 
-/// What the caller finds wrong with a link says more than the schema's pattern, which sees only the
-/// scheme.
+/// The caller's check of a link gives a better message than the pattern of the schema, which sees
+/// only the scheme. So it replaces the schema's problem.
 void keep_one_for_each_link(Problems& of_schema, const Problems& of_rig) {
   std::erase_if(of_schema, [&](const Problem& p) {
     return p.path.ends_with("/link") &&
@@ -50,7 +50,7 @@ FileKind kind_of(const Node& root) {
 }
 
 Loaded<std::string> read_file(const std::string& path) {
-  // A device or a pipe may never end, and a file may be larger than the memory.
+  // A device file or a pipe may never end, and a file may be larger than the memory.
   std::error_code error;
   std::ifstream in;
   if (fs::is_regular_file(path, error)) in.open(path, std::ios::binary);

@@ -9,7 +9,7 @@
 #include "rig_config/load.hpp"
 #include "rig_config/toml/node.hpp"
 
-/// Files that are read and checked, not yet typed values.
+/// Reads and checks files. The result is not yet typed values.
 namespace drydock::rig_config {
 
 enum class FileKind : std::uint8_t { rig, mission, sensor, vehicle, fault };
@@ -18,7 +18,7 @@ FileKind kind_of(const Node& root);  ///< by its top-level tables
 
 Loaded<std::string> read_file(const std::string& path);
 
-/// A document that the schema and the checks of its kind have nothing against.
+/// A document that passed the schema and the checks of its kind.
 Loaded<Node> read_checked(std::string_view text, const std::string& path, FileKind kind,
                           const LoadOptions& options = {});
 Loaded<Node> read_checked_file(const std::string& path, FileKind kind);

@@ -12,24 +12,24 @@ struct Position {
   int line = 0, column = 0;
 };
 
-/// One value of a TOML file together with where it stands, free of the parser's own types.
+/// One value of a TOML file with its position, without types of the parser.
 struct Node {
   struct Member;
   enum class Kind : std::uint8_t { boolean, integer, number, text, date_time, array, table };
   Kind kind = Kind::table;
   Position at;      ///< of the value
-  Position key_at;  ///< of its key; of the value inside an array
+  Position key_at;  ///< of its key; inside an array: of the value
 
   bool boolean = false;
   std::int64_t integer = 0;  ///< date_time: nanoseconds of UTC since 1970
-  double number = 0;         ///< also of an integer
-  std::string text;          ///< also of a date_time, as RFC 3339
+  double number = 0;         ///< set for an integer too
+  std::string text;          ///< set for a date_time too, as RFC 3339
   std::vector<Node> items;
   std::vector<Member> members;
 
   const Node* find(std::string_view key) const;
 
-  /// The text at `key`, or nullptr if there is none or it is no text.
+  /// The text at `key`, or nullptr if the key is absent or its value is not a text.
   const Node* find_text(std::string_view key) const {
     const Node* value = find(key);
     return value && value->kind == Kind::text ? value : nullptr;

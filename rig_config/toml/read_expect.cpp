@@ -10,7 +10,8 @@ namespace {
 
 constexpr std::string_view at_least = "_min", at_most = "_max";
 
-/// `rate_hz = [4.9, 5.1]`, `reopens_max = 0`, `messages_min = 100`: the key says which end it is.
+/// `rate_hz = [4.9, 5.1]`, `reopens_max = 0`, `messages_min = 100`: for a single number the key
+/// says which bound it is.
 ExpectedFigure expected_figure(const std::string& key, const Node& value) {
   ExpectedFigure figure{.name = key, .allowed = {}, .line = value.at.line};
   if (value.kind == Node::Kind::array) {
@@ -38,7 +39,7 @@ ExpectConfig build_expect(const Node& table) {
       expect.figures.push_back(expected_figure(key, value));
     }
   }
-  std::ranges::stable_sort(expect.figures, {}, &ExpectedFigure::line);  // as the file has them
+  std::ranges::stable_sort(expect.figures, {}, &ExpectedFigure::line);  // in file order
   return expect;
 }
 

@@ -14,8 +14,7 @@ std::string number_text(const Node& value) {
                      value.items[2].number);
 }
 
-/// A single number is the first axis,
-/// not all of them: a fault pushes one way.
+/// A single number is the value of the first axis only, not of all axes.
 void read_quantity(const Node& table, FaultConfig& fault) {
   for (const FaultQuantity& quantity : fault_quantities) {
     const Node* value = table.find(quantity.key);

@@ -8,8 +8,8 @@
 
 #include "rig_config/toml/node.hpp"
 
-/// Values of keys in a checked table; an absent key changes nothing. `unit`: what a number is
-/// multiplied by to become SI.
+/// Reads the values of keys in a checked table. An absent key changes nothing. `unit`: the factor
+/// from the unit of the key to SI.
 namespace drydock::rig_config {
 
 inline constexpr double degree = std::numbers::pi / 180;
@@ -27,7 +27,7 @@ inline void read(const Node& table, const char* key, std::string& into) {
 inline void read(const Node& table, const char* key, int& into) {
   if (const Node* value = table.find(key)) into = static_cast<int>(value->integer);
 }
-/// Three numbers, or one for all axes.
+/// Three numbers, or one number for all axes.
 inline void read(const Node& table, const char* key, std::array<double, 3>& into, double unit = 1) {
   const Node* value = table.find(key);
   if (!value) return;
@@ -48,7 +48,8 @@ inline std::optional<double> read_if(const Node& table, const char* key, double 
   return value ? std::optional{value->number * unit} : std::nullopt;
 }
 
-/// The enumerator of the text at `key`: the schema holds the same names in the same order.
+/// The enumerator of the text at `key`. `names` are those of the schema, in the order of the
+/// enumerators.
 template <class Enum, std::size_t N>
 Enum named(const Node& table, const std::array<const char*, N>& names, const char* key = "kind") {
   const auto found = std::ranges::find(names, table.find(key)->text);

@@ -18,7 +18,8 @@ void rewrite_array(toml::array& array, const Rewriting& rewriting) {
   }
 }
 
-/// A whole number stays one where it does not change: an address is no address with a point.
+/// An unchanged integer stays an integer, because a key such as an address refuses a number with a
+/// decimal point.
 void rewrite_numbers(toml::table& table, const Rewriting& rewriting) {
   std::vector<std::pair<std::string, double>> changed;
   for (auto&& [key, value] : table) {

@@ -10,7 +10,7 @@ namespace {
 
 constexpr int deepest_brackets = 32, most_key_parts = 16;
 
-/// Walks over a text as TOML is split into strings, comments and the rest, no further.
+/// Scans a text. Of TOML it knows only strings, comments and the rest.
 class DepthScan {
  public:
   DepthScan(std::string_view text, const std::string& path) : text_(text), path_(path) {}
@@ -47,7 +47,7 @@ class DepthScan {
     if (c == '\n') ++line_;
   }
 
-  /// To behind the closing quotes, or to the end of the line of a string that has none.
+  /// Moves behind the closing quotes. A string without closing quotes ends with its line.
   void skip_string(char quote) {
     const bool long_one = text_.substr(at_, 3) == std::string(3, quote);
     at_ += long_one ? 3 : 1;
@@ -62,7 +62,7 @@ class DepthScan {
         if (at_ < text_.size() && text_[at_] == '\n') ++line_;
       } else if (c == quote && (!long_one || text_.substr(at_, 3) == std::string(3, quote))) {
         at_ += long_one ? 3 : 1;
-        // Up to two quotes may stand before the three that end it.
+        // A long string may end with up to two quotes before its three closing quotes.
         for (int more = 0; long_one && more < 2 && at_ < text_.size() && text_[at_] == quote;
              ++more)
           ++at_;

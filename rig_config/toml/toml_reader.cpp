@@ -11,17 +11,17 @@ namespace drydock::rig_config {
 
 namespace {
 
-/// Of a key and of a text: patterns are matched by a recursion, a step a character.
+/// Longest key and text. Patterns are matched by a recursion with one step for each character.
 constexpr std::size_t longest_key = 128, longest_text = 4096;
-/// Keeps what is made of a number by its unit finite.
+/// With this limit a number stays finite after the conversion of its unit.
 constexpr double largest_number = 1e18;
-constexpr int last_year = 2200;  ///< nanoseconds since 1970 end in 2262
+constexpr int last_year = 2200;  ///< nanoseconds since 1970 overflow in 2262
 
 Position position(const toml::source_region& region) {
   return {static_cast<int>(region.begin.line), static_cast<int>(region.begin.column)};
 }
 
-/// Nanoseconds since 1970; the days by the usual count of the proleptic Gregorian calendar.
+/// Nanoseconds since 1970, in the proleptic Gregorian calendar.
 std::int64_t utc_ns(const toml::date_time& when) {
   const std::chrono::sys_days days{std::chrono::year{when.date.year} / when.date.month /
                                    when.date.day};
@@ -39,7 +39,7 @@ class Converter {
   Node convert(const toml::node& value, Position key_at, const std::string& path) {
     Node node;
     node.at = position(value.source());
-    if (node.at.line == 0) node.at = key_at;  // a table that only dotted keys imply
+    if (node.at.line == 0) node.at = key_at;  // a table that exists only by dotted keys
     node.key_at = key_at.line ? key_at : node.at;
     value.visit([&](const auto& v) { fill(node, v, path); });
     return node;

@@ -7,7 +7,8 @@
 
 namespace drydock::rig_config {
 
-/// Parses TOML. Problems: bad syntax, a local date-time (no offset), nan and inf.
+/// Parses TOML. It refuses bad syntax, date-times without an offset, nan and inf, and values beyond
+/// the limits of toml_limits.hpp.
 Loaded<Node> read_toml(std::string_view text, const std::string& path);
 
 }  // namespace drydock::rig_config

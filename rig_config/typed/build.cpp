@@ -11,7 +11,8 @@ namespace drydock::rig_config {
 
 namespace {
 
-/// A recording named relative to the rig file stays found wherever the program is started.
+/// Makes the path of a recording relative to the rig file, so that the program finds it from any
+/// working directory.
 std::string resolved(const std::string& link, const std::string& rig_file) {
   constexpr std::string_view scheme = "file:";
   if (!link.starts_with(scheme)) return link;

@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
-# The arrows of docs/architecture.md, read from the #include lines: each folder may see only those named here.
+# Checks the arrows of docs/architecture.md on the #include lines: each folder may include only the folders named here.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 failed=0
 
-allow() { # FOLDER ALLOWED-REGEX: what files of FOLDER may include from this tree
+allow() { # FOLDER ALLOWED-REGEX: the folders of this tree that files of FOLDER may include
   local line
   [ -d "$1" ] || { echo "no folder $1"; failed=1; }
   while IFS= read -r line; do
@@ -14,7 +14,7 @@ allow() { # FOLDER ALLOWED-REGEX: what files of FOLDER may include from this tre
     grep -vE "#include \"($2)/" || true)
 }
 
-never() { # FOLDER REGEX: system headers that FOLDER keeps out
+never() { # FOLDER REGEX: system headers that files of FOLDER must not include
   local line
   while IFS= read -r line; do
     echo "kept out of $1: $line"

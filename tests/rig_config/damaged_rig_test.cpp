@@ -6,7 +6,7 @@
 #include <fstream>
 #include <iterator>
 
-/// Rig files that are none, or damaged.
+/// Damaged rig files, and files that are not rig files.
 namespace drydock::rig_config::test {
 namespace damaged_rig_test {
 
@@ -59,7 +59,8 @@ RC_GTEST_PROP(DamagedRig, NoTextMakesTheLoaderThrow, (const std::string& text)) 
   RC_ASSERT(!rig.error().empty());
 }
 
-/// The demo with one line gone, or with one line's value exchanged: sound, or told why not.
+/// The demo rig with one line removed or with one value exchanged. It must load or give its
+/// problems.
 RC_GTEST_PROP(DamagedRig, ADamagedDemoIsLoadedOrToldWhyNot, ()) {
   const std::string path = DRYDOCK_SOURCE_DIR "/rig_config/rigs/demo.toml";
   std::vector<std::string> lines;

@@ -1,6 +1,6 @@
 #include "tests/rig_config/problems.hpp"
 
-/// Rig files: what estimators need and may have.
+/// Rig files: required and allowed keys of estimators.
 namespace drydock::rig_config::test {
 namespace estimator_problems_test {
 

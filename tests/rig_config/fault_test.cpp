@@ -7,7 +7,7 @@
 
 #include "tests/rig_config/problems.hpp"
 
-/// Blocks [[fault]]: words, keys, amounts, and what a device cannot have.
+/// Blocks [[fault]]: words, keys, amounts, and faults that a device cannot have.
 namespace drydock::rig_config::test {
 namespace fault_test {
 
@@ -121,7 +121,7 @@ TEST(Fault, WhatADeviceCannotHaveIsRefusedWithTheReason) {
   EXPECT_THAT(of_imu("bottom-lost"), ElementsAre(HasSubstr("only a dvl hears the sea bed")));
 }
 
-/// A quantity that the device does not measure would be accepted and do nothing.
+/// Without this check a quantity that the device does not measure would be accepted and do nothing.
 TEST(Fault, AQuantityOfAnotherKindOfSensorIsRefused) {
   EXPECT_THAT(problems_of_dvl("fault = \"bias\"\nrate_degps = 1\n"),
               ElementsAre(HasSubstr("a dvl measures velocity_mps, not rate_degps")));

@@ -6,7 +6,7 @@
 #include <fstream>
 #include <numbers>
 
-/// Missions, and files that name one another.
+/// Missions, and files that name other files.
 namespace drydock::rig_config::test {
 namespace files_test {
 
@@ -155,7 +155,7 @@ TEST(Sky, AMissingEphemerisIsToldWithItsPlace) {
                           HasSubstr("/device/0/emulate/sky/antenna_axis: \"up\" is not allowed")));
 }
 
-/// A folder of files that is gone after the test.
+/// A folder of files that is removed after the test.
 class Folder {
  public:
   Folder() : path_(testing::TempDir() + "rig_config_problems") {

@@ -1,4 +1,4 @@
-// Configuration files that nobody meant: they are refused with a line, in bounded time and memory.
+// Hostile configuration files: the loader refuses them with one line, in bounded time and memory.
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
@@ -114,7 +114,7 @@ TEST_F(HostileFile, OneThatNamesItselfIsOfTheWrongKind) {
 
 TEST_F(HostileFile, ALargeOneIsNotRead) {
   const auto path = write("large.toml", "");
-  std::filesystem::resize_file(path, std::uintmax_t{1} << 40);  // sparse: no disk is taken
+  std::filesystem::resize_file(path, std::uintmax_t{1} << 40);  // sparse: uses no disk space
   const auto rig = load_rig(path);
   ASSERT_FALSE(rig);
   EXPECT_THAT(first_problem(rig.error()), HasSubstr("has 1099511627776 bytes, allowed: up to"));

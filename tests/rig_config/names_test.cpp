@@ -1,6 +1,6 @@
 #include "tests/rig_config/problems.hpp"
 
-/// What rig files name: devices, links, addresses.
+/// Names in rig files: devices, links, addresses.
 namespace drydock::rig_config::test {
 namespace names_test {
 
@@ -39,7 +39,7 @@ TEST(RigNames, ANameIsUsedOnce) {
                   "device needs its own"));
 }
 
-// DDS refuses a topic with any other character, and ROS 2 one that begins with a digit.
+// DDS refuses a topic with any other character. ROS 2 refuses a topic that begins with a digit.
 TEST(RigNames, ANameIsOneThatATopicCanHave) {
   const auto named = [](const std::string& name) {
     return problems_of("[[device]]\nname = \"" + name +

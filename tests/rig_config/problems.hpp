@@ -8,7 +8,7 @@
 
 #include "rig_config/load.hpp"
 
-/// What the loader says of rigs written as text.
+/// The loader's problems of rigs that are given as text.
 namespace drydock::rig_config::test {
 
 inline constexpr std::string_view rig_table = "[rig]\nname = \"bench\"\n";  // lines 1, 2
@@ -21,7 +21,7 @@ inline std::vector<std::string> lines_of(const Problems& problems) {
   return lines;
 }
 
-/// Lines for a rig of the two tables above and what follows them, from line 8.
+/// The problems of a rig that has the two tables above and `more` from line 8 on.
 inline std::vector<std::string> problems_of(std::string_view more,
                                             const LoadOptions& options = {}) {
   const auto rig = load_rig_text(

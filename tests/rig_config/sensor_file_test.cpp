@@ -4,7 +4,7 @@
 
 #include "rig_config/load.hpp"
 
-/// Sensor files: each figure in SI, by hand from the tables they copy.
+/// Sensor files: each figure in SI, calculated by hand from the tables of their sources.
 namespace drydock::rig_config {
 namespace sensor_file_test {
 

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-/// Two devices on one link: a fault of the file on a line, the usual thing elsewhere.
+/// Two devices on one link: an error on a line, normal on other links.
 namespace drydock::rig_config::test {
 namespace shared_lines_test {
 
@@ -15,7 +15,7 @@ std::string log_on(const std::string& link, const std::string& name = "log") {
 }
 
 TEST(RigProblems, ALineHasOneDevice) {
-  EXPECT_THAT(problems_of(log_on("pty:dvl?baud=4800")),  // the first has no baud rate
+  EXPECT_THAT(problems_of(log_on("pty:dvl?baud=4800")),  // the first link has no baud rate
               ElementsAre("r.toml:12:8: /device/1/link: pty:dvl is already the link of 'dvl'; each "
                           "device needs a line of its own"));
   for (const std::string link : {"serial:/dev/ttyUSB0?baud=4800", "udp:0.0.0.0:5000", "memory:a"})

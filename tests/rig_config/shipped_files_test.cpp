@@ -97,7 +97,7 @@ TEST_F(DemoRig, ALegWithoutASpeedKeepsTheOneBefore) {
 }
 
 TEST_F(DemoRig, TheLinesCarryWhatTheDevicesSay) {
-  // 10 bits a byte: a UBX NAV-PVT (100 bytes) and NAV-SAT of ten satellites (136) and NAV-EOE (12).
+  // 10 bits per byte: UBX NAV-PVT (100 bytes), NAV-SAT of ten satellites (136) and NAV-EOE (12).
   EXPECT_LT((100 + 136 + 12) * 10 * device("gnss").rate_hz, 38400);
   // Two NMEA 0183 sentences of at most 82 characters.
   EXPECT_LT(2 * 82 * 10 * device("emlog").rate_hz, 4800);

@@ -4,8 +4,9 @@
 
 namespace drydock::pipeline {
 
-/// Missing samples are taken from the line between their neighbours, which is wrong by the second
-/// derivative times T^3 / 12: of rate .5 rad/s3, of specific force 5 m/s4, one sigma; chosen.
+/// Missing samples are interpolated on a line between their neighbours. The error of the integral
+/// is the second derivative times T^3 / 12. One sigma of the second derivative: rate .5 rad/s3,
+/// specific force 5 m/s4; chosen.
 struct BridgedGap {
   explicit BridgedGap(double seconds)
       : velocity_sigma_mps(5 * std::pow(seconds, 3) / 12),

@@ -5,7 +5,7 @@
 
 namespace drydock::pipeline {
 
-/// Our velocity filter: navigation, water and vehicle in one.
+/// The velocity filter of this project: navigation, water and vehicle in one filter.
 class CoupledInertial final : public AidedInertial {
  public:
   explicit CoupledInertial(const InertialOptions& options)

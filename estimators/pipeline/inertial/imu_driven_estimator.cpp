@@ -11,7 +11,7 @@ using measurement::WaterSpeed;
 
 namespace {
 
-/// As many samples in a row from the past are no stragglers: the clock was set back.
+/// After this many samples in a row from the past, the clock was set back. Fewer are late samples.
 constexpr int set_back_after_samples = 10;
 
 std::uint32_t bit(std::uint16_t device) { return std::uint32_t{1} << device; }
@@ -55,14 +55,14 @@ Outcome ImuDrivenEstimator::take(const ImuSample& sample, EstimateListener& list
 
 Outcome ImuDrivenEstimator::take(const WaterSpeed& speed, EstimateListener& listener) {
   if (!log_ || speed.origin.device != log_ || !speed.longitudinal_mps) return Outcome::unused;
-  // A comparison that NaN fails as well.
+  // This comparison is false for NaN too.
   if (!(std::abs(*speed.longitudinal_mps) <= max_speed_mps)) return Outcome::refused;
 
   speed_ = Speed{speed.origin.valid_at, *speed.longitudinal_mps};
   if (!running()) return Outcome::accepted;
   const auto behind = last_->origin.valid_at - speed.origin.valid_at;
   if (behind > max_speed_age_) return Outcome::late;
-  if (behind < -max_speed_age_) return Outcome::unused;  // the IMU is silent: kept for its return
+  if (behind < -max_speed_age_) return Outcome::unused;  // the IMU is silent; speed_ keeps it
 
   const Correction correction = correct(*speed.longitudinal_mps);
   if (correction.innovation) tell(speed, *correction.innovation, listener);
@@ -102,7 +102,7 @@ bool ImuDrivenEstimator::try_start(const ImuSample& sample) {
   if (log_ && !fresh) return false;
   const double speed_mps = log_ ? speed_->mps : 0.0;
   if (stopped_at_) {
-    // Below 0 where a clock was set back: then the IMU was not silent.
+    // Negative after a clock was set back. Then the IMU was not silent.
     const double silent_s = measurement::seconds(sample.origin.valid_at - *stopped_at_);
     start_again(sample, speed_mps, std::max(silent_s, 0.0));
   } else {
@@ -116,7 +116,8 @@ bool ImuDrivenEstimator::try_start(const ImuSample& sample) {
 }
 
 void ImuDrivenEstimator::go_on(const ImuSample& sample) {
-  // Samples are instants: their mean stands for the interval between them to the second order.
+  // A sample is valid at an instant. The mean of two samples is right for the interval between them
+  // to the second order.
   const double dt = measurement::seconds(sample.origin.valid_at - last_->origin.valid_at);
   if (interval_s_ > 0 && dt > 1.5 * interval_s_) bridge(BridgedGap(dt));
   interval_s_ = dt;

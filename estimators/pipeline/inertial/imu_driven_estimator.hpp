@@ -11,12 +11,12 @@
 
 namespace drydock::pipeline {
 
-/// What estimators on one IMU and one speed log have in common: when they start, which samples they
-/// refuse or find late, what a gap or a clock set back does. Gives an estimate for every IMU sample
-/// once it runs; a speed is taken when it comes, and the next IMU sample shows it.
+/// Base of the estimators with one IMU and one speed log. It handles the start, refused and late
+/// samples, gaps, and a clock that was set back. While it runs it gives an estimate for every IMU
+/// sample. It uses a speed at once; the next estimate shows the effect.
 class ImuDrivenEstimator : public Estimator {
  public:
-  /// Beyond these no underwater vehicle goes: such a sample is refused.
+  /// No underwater vehicle exceeds these limits. A sample beyond them is refused.
   static constexpr double max_specific_force_mps2 = 500;
   static constexpr double max_angular_rate_radps = 50;
   static constexpr double max_speed_mps = 100;
@@ -29,31 +29,31 @@ class ImuDrivenEstimator : public Estimator {
  protected:
   struct Correction {
     bool used = true;                                  ///< false: the speed is outside the gate
-    std::optional<navigation::Innovation> innovation;  ///< where the estimator has one
+    std::optional<navigation::Innovation> innovation;  ///< if the estimator has one
   };
 
-  /// `index` names the estimates; of `pipeline` the two time limits are used.
+  /// `index` identifies the estimates. From `pipeline` it uses only the two time limits.
   ImuDrivenEstimator(std::uint16_t index, const EstimatorOptions& options,
                      const PipelineOptions& pipeline);
 
  private:
-  /// Begins at a sample; the speed is 0 where no log is used.
+  /// Starts at a sample. The speed is 0 if no log is used.
   virtual void start(const measurement::ImuSample& sample, double speed_mps) = 0;
-  /// The same after an IMU's silence.
+  /// Starts again after the IMU was silent for `silent_s`.
   virtual void start_again(const measurement::ImuSample& sample, double speed_mps,
                            double silent_s) {
     static_cast<void>(silent_s);
     start(sample, speed_mps);
   }
-  /// Samples are missing, the line between their neighbours stands for them; none: nothing to do.
+  /// Samples are missing and were interpolated. A filter with a covariance enlarges it here.
   virtual void bridge(const BridgedGap&) {}
-  /// Goes on by `dt` seconds with the mean force and rate of them.
+  /// One step of `dt` seconds with the mean force and rate over it.
   virtual void step(const Eigen::Vector3d& force, const Eigen::Vector3d& rate, double dt) = 0;
   void tell(const measurement::WaterSpeed& speed, const navigation::Innovation& innovation,
             EstimateListener& listener);
-  /// A speed corrects the present state.
+  /// Corrects the present state with a speed.
   virtual Correction correct(double speed_mps) = 0;
-  /// Roll, pitch and covariance.
+  /// Fills in roll, pitch and covariance.
   virtual void fill(AttitudeEstimate& estimate) const = 0;
 
   struct Speed {
@@ -69,14 +69,14 @@ class ImuDrivenEstimator : public Estimator {
   void emit(EstimateListener& listener);
 
   std::uint16_t index_, imu_;
-  std::optional<std::uint16_t> log_;  ///< empty: not used, the vehicle does not move
+  std::optional<std::uint16_t> log_;  ///< empty: not used, the vehicle is stationary
   std::chrono::nanoseconds max_imu_gap_, max_speed_age_;
-  std::optional<measurement::ImuSample> last_;  ///< its valid_at is the estimator's time
-  std::optional<Stamp> stopped_at_;             ///< valid_at of the last sample in use before it
+  std::optional<measurement::ImuSample> last_;  ///< its valid_at is the time of the estimator
+  std::optional<Stamp> stopped_at_;             ///< valid_at of the last sample before the stop
   double interval_s_ = 0;                       ///< between the last two samples; 0: none
-  std::optional<Speed> speed_;                  ///< the newest, for the next start
-  int far_behind_ = 0;                          ///< samples in a row
-  std::uint32_t fed_by_ = 0;                    ///< since the last start
+  std::optional<Speed> speed_;                  ///< the newest speed, for the next start
+  int far_behind_ = 0;                          ///< samples in a row from the past
+  std::uint32_t fed_by_ = 0;                    ///< devices since the last start
   EstimatorStatus status_;
 };
 

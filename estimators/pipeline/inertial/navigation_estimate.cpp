@@ -12,7 +12,7 @@ using Eigen::Vector3d;
 
 Matrix3d euler_covariance(const NavigationEstimate& estimate) {
   const double yaw = frame::euler(estimate.body_to_ned).yaw;
-  // The axes about which roll, pitch and yaw turn, in NED: small angles add up along them.
+  // The axes of roll, pitch and yaw, in NED. Small angles about them add up to a rotation vector.
   Matrix3d axes;
   axes << estimate.body_to_ned * Vector3d::UnitX(),
       AngleAxisd{yaw, Vector3d::UnitZ()} * Vector3d::UnitY(), Vector3d::UnitZ();

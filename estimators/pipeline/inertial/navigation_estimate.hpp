@@ -9,12 +9,12 @@
 
 namespace drydock::pipeline {
 
-/// A steady current as a filter has found it, with one standard deviation of each component.
+/// The steady current that a filter estimates, with one standard deviation of each component.
 struct CurrentEstimate {
   Eigen::Vector2d north_east_mps = Eigen::Vector2d::Zero(), sigma_mps = Eigen::Vector2d::Zero();
 };
 
-/// Where the vehicle's origin is, how fast and which way, and what is known of the error.
+/// Position, velocity and attitude of the origin of the vehicle, with their covariance.
 struct NavigationEstimate {
   using Covariance = Eigen::Matrix<double, 9, 9>;
 
@@ -23,16 +23,18 @@ struct NavigationEstimate {
   frame::Position position;
   Eigen::Vector3d velocity_ned = Eigen::Vector3d::Zero();  ///< m/s over ground
   Eigen::Quaterniond body_to_ned = Eigen::Quaterniond::Identity();
-  /// Of position (north, east, down, m), velocity (NED, m/s) and rotation about N, E, D (rad).
+  /// Covariance of position (north, east, down, m), velocity (NED, m/s) and rotation about N, E, D
+  /// (rad).
   Covariance covariance = Covariance::Zero();
-  std::optional<CurrentEstimate> current;  ///< empty where not estimated
+  std::optional<CurrentEstimate> current;  ///< empty if not estimated
   std::uint32_t fed_by = 0;                ///< bit i: device i of the rig has contributed
 };
 
-/// Of roll, pitch and yaw, rad2, from that of the rotation about N, E, D. Not at pitch +-pi/2.
+/// Covariance of roll, pitch and yaw, rad2, from that of the rotation about N, E, D. Not defined at
+/// pitch +-pi/2.
 Eigen::Matrix3d euler_covariance(const NavigationEstimate& estimate);
 
-/// Its roll, pitch and yaw alone.
+/// Only the attitude of the estimate.
 AttitudeEstimate attitude_of(const NavigationEstimate& estimate);
 
 }  // namespace drydock::pipeline

@@ -13,7 +13,7 @@ using measurement::Stamp;
 
 namespace {
 
-/// As many samples in a row from the past are no stragglers: the clock was set back.
+/// After this many samples in a row from the past, the clock was set back. Fewer are late samples.
 constexpr int clock_back_after = 10;
 
 std::uint32_t sensor_bit(std::uint16_t device) { return std::uint32_t{1} << device; }
@@ -33,7 +33,7 @@ NavigationEstimator::NavigationEstimator(std::uint16_t index, const EstimatorOpt
       max_imu_gap_(pipeline.max_imu_gap),
       max_age_(pipeline.max_speed_age),
       filter_(make_aided_inertial(options.inertial)) {
-  // Until the actuators speak: amidships, and turning for the speed of the start.
+  // Until the first actuator state: rudder and planes at zero, propeller at the speed of the start.
   control_.u_c = (options_.start.body_to_ned.conjugate() * options_.start.velocity_ned).x();
   filter_->control(control_);
 }
@@ -97,7 +97,8 @@ void NavigationEstimator::go_on(const ImuSample& sample, EstimateListener& liste
 
 void NavigationEstimator::add(const Vector3d& rate, const Vector3d& force,
                               const Vector3d& rate_change, double dt) {
-  // From the unit's place to the vehicle's origin; changes of rate add up to no error.
+  // Moves the specific force from the IMU to the origin of the vehicle. The sum of the terms with
+  // the change of the rate has no error.
   const Vector3d& arm = options_.imu_lever;
   const Vector3d by_lever = rate_change.cross(arm) + dt * rate.cross(rate.cross(arm));
   filter_->add_imu(dt * rate, dt * force - by_lever, dt);
@@ -143,7 +144,7 @@ Innovations NavigationEstimator::update(const Aiding& aiding) {
 Outcome NavigationEstimator::take(const measurement::WaterSpeed& speed, EstimateListener&) {
   const auto& log = options_.log;
   if (!log || speed.origin.device != log->device || !speed.longitudinal_mps) return Outcome::unused;
-  // A comparison that NaN fails as well.
+  // This comparison is false for NaN too.
   if (!(std::abs(*speed.longitudinal_mps) <= max_speed_mps)) return Outcome::refused;
   return wait_for_step({.kind = Aiding::Kind::log,
                         .sensor = &*log,
@@ -211,7 +212,7 @@ Outcome NavigationEstimator::take(const measurement::DepthSample& sample,
   const double arm_down = (state.body_to_ned * depth->lever).z();
   const double height = options_.sea_level_m - *sample.depth_m + arm_down;
   Innovations rows = filter_->add_height(height - state.velocity_ned.z() * seconds(behind));
-  for (auto& row : rows) row.value = -row.value;  // of the depth
+  for (auto& row : rows) row.value = -row.value;  // depth is down, the height is up
   tell(sample.origin.valid_at, depth->device, rows, listener);
   fed_by_ |= sensor_bit(depth->device);
   return behind > period_ ? Outcome::delayed : Outcome::accepted;

@@ -10,16 +10,17 @@
 
 namespace drydock::pipeline {
 
-/// An inertial navigation on one IMU and what aids it. Gives an estimate for every step, `step_s`
-/// long or less: a step ends at the IMU sample nearest to an aiding sensor's valid_at, and is done
-/// when the next sample shows that everything of its time has come.
+/// An inertial navigation with one IMU and its aiding sensors. It gives an estimate for every step.
+/// A step lasts `step_s` or less: it ends at the IMU sample nearest to the valid_at of an aiding
+/// sensor. It is computed when the next IMU sample arrives, because then all its measurements are
+/// there.
 class NavigationEstimator final : public Estimator {
  public:
   static constexpr double step_s = 0.1;
   static constexpr double max_specific_force_mps2 = 500, max_angular_rate_radps = 50;
   static constexpr double max_speed_mps = 100;
 
-  /// `index` names the estimates; of `pipeline` the two time limits are used.
+  /// `index` identifies the estimates. From `pipeline` it uses only the two time limits.
   NavigationEstimator(std::uint16_t index, const EstimatorOptions& options,
                       const PipelineOptions& pipeline);
 
@@ -33,7 +34,7 @@ class NavigationEstimator final : public Estimator {
   const EstimatorStatus& status() const override { return status_; }
 
  private:
-  /// A measurement that waits for the end of its step.
+  /// A measurement that waits for the end of the step.
   struct Aiding {
     enum class Kind : std::uint8_t { log, ground, position } kind;
     const AidingSensor* sensor;
@@ -56,7 +57,7 @@ class NavigationEstimator final : public Estimator {
   void lose();
   bool clock_was_set_back(measurement::Stamp at);
   void emit(EstimateListener& listener);
-  /// Velocity of a point of the body against that of the origin, m/s, body axes.
+  /// Velocity of a point of the body minus that of the origin, m/s, body axes.
   Eigen::Vector3d turning_speed(const Eigen::Vector3d& lever) const {
     return (rate_ - filter_->gyro_bias()).cross(lever);
   }
@@ -67,11 +68,11 @@ class NavigationEstimator final : public Estimator {
   std::unique_ptr<AidedInertial> filter_;
   hydrodynamics::Control control_;
   std::optional<measurement::ImuSample> last_;
-  measurement::Stamp now_{};                        ///< of the last sample in the filter
-  measurement::Stamp step_began_{};                 ///< the filter's state is of then
+  measurement::Stamp now_{};                        ///< valid_at of the last sample in the filter
+  measurement::Stamp step_began_{};                 ///< the time of the filter's state
   Eigen::Vector3d rate_ = Eigen::Vector3d::Zero();  ///< newest, rad/s
   boost::container::static_vector<Aiding, 16> waiting_;
-  int far_behind_ = 0;  ///< IMU samples in a row
+  int far_behind_ = 0;  ///< IMU samples in a row from the past
   std::uint32_t fed_by_ = 0;
   EstimatorStatus status_;
 };

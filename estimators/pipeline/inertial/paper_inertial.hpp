@@ -5,8 +5,8 @@
 
 namespace drydock::pipeline {
 
-/// The velocity filter of Lee et al. (2016): what its vehicle simulator and the sensors make of the
-/// velocity through the water aids the inertial navigation, as if it were over ground.
+/// The velocity filter of Lee et al. (2016). Its vehicle simulator and the sensors give a velocity
+/// through the water. This velocity aids the inertial navigation as if it were over ground.
 class PaperInertial final : public AidedInertial {
  public:
   explicit PaperInertial(const InertialOptions& options);
@@ -15,7 +15,7 @@ class PaperInertial final : public AidedInertial {
   void add_imu(const Eigen::Vector3d& angle, const Eigen::Vector3d& velocity, double dt) override;
   Innovations add_height(double height_m) override;
   void step() override {}
-  void settle() override;  ///< the navigation steps when its velocity sensor is done
+  void settle() override;  ///< steps the navigation, after the velocity filter is up to date
   Innovations update_ground(const Eigen::Vector3d& velocity_body) override {
     filter_.update_velocity(velocity_body);
     return filter_.innovations();
@@ -31,7 +31,8 @@ class PaperInertial final : public AidedInertial {
   const navigation::NavigationState& state() const override { return aided_.state(); }
   const Eigen::Vector3d& gyro_bias() const override { return aided_.gyro_bias(); }
   std::uint64_t rejected() const override { return filter_.rejected() + aided_.rejected(); }
-  /// Those of the sensors alone: the navigation's come from the velocity filter, not from outside.
+  /// Innovations of the sensors only. Those of the navigation come from the velocity filter, not
+  /// from a sensor.
   navigation::InnovationTally taken() const override { return filter_.taken(); }
   void fill(NavigationEstimate& estimate) const override {
     fill_navigation(state(), aided_.covariance().topLeftCorner<9, 9>(), estimate);

@@ -6,8 +6,8 @@
 
 namespace drydock::pipeline {
 
-/// Inertial navigation and its 15-state filter, aided by whatever sensors there are. A depth sensor
-/// also drives the height loop: without one there is none.
+/// Inertial navigation with its 15-state filter, aided by the available sensors. A depth sensor
+/// also drives the height loop. Without a depth sensor there is no height loop.
 class SensorInertial final : public AidedInertial {
  public:
   explicit SensorInertial(const InertialOptions& options)

@@ -28,7 +28,7 @@ std::vector<Euler> attitudes() {
   return all;
 }
 
-/// Three elementary rotations, as Eigen turns them: the definition of 3-2-1.
+/// The definition of 3-2-1: three elementary rotations by Eigen.
 Quaterniond yaw_then_pitch_then_roll(const Euler& e) {
   return AngleAxisd{e.yaw, Vector3d::UnitZ()} * AngleAxisd{e.pitch, Vector3d::UnitY()} *
          AngleAxisd{e.roll, Vector3d::UnitX()};
@@ -80,7 +80,7 @@ TEST(Attitude, StraightUpAndDownKeepTheRotationAndGiveRollZero) {
     const Euler given{20 * degree, pitch, 50 * degree};
     const Euler back = euler(body_to_ned(given));
     EXPECT_EQ(back.roll, 0);
-    // The angle from the quaternion's matrix is good to the root of the rounding error.
+    // The error of the angle from the quaternion's matrix is the square root of the rounding error.
     EXPECT_NEAR(back.pitch, pitch, 1e-7);
     EXPECT_LT((ned_to_body(back) - ned_to_body(given)).norm(), 1e-7);
   }

@@ -53,7 +53,7 @@ TEST(Earth, TransportRateIsHowTheNedAxesTurnAlongTheWay) {
   const Vector3d velocity{7, -12, 3};
   const double dlat = velocity.x() / (meridian_radius(latitude) + height);
   const double dlon = velocity.y() / (transverse_radius(latitude) + height) / std::cos(latitude);
-  // C' = -[w]x C, by central difference
+  // C' = -[w]x C, by a central difference
   const Matrix3d ahead = ecef_to_ned(latitude + dlat * dt, longitude + dlon * dt);
   const Matrix3d behind = ecef_to_ned(latitude - dlat * dt, longitude - dlon * dt);
   const Matrix3d turn = -(ahead - behind) / (2 * dt) * ecef_to_ned(latitude, longitude).transpose();
@@ -65,7 +65,7 @@ TEST(Earth, GravityHasThePublishedValuesOnTheEllipsoid) {
   EXPECT_NEAR(gravity(0), 9.7803253359, 1e-12);
   EXPECT_NEAR(gravity(90 * arc_degree), 9.8321849378, 1e-12);
   EXPECT_NEAR(gravity(-90 * arc_degree), 9.8321849378, 1e-12);
-  // Somigliana's own form, in the two axes
+  // Somigliana's original form with the two axes
   constexpr double a = 6378137.0, b = 6356752.3142, equator = 9.7803253359, pole = 9.8321849378;
   EXPECT_NEAR(gravity(45 * arc_degree), (a * equator + b * pole) / std::sqrt(2 * (a * a + b * b)),
               1e-10);

@@ -27,7 +27,7 @@ TEST(Geodetic, AxesOfTheEllipsoidAreKnownPoints) {
 }
 
 TEST(Geodetic, APointThatAnotherProgramConverted) {
-  // PROJ manual, conversion "cart": on GRS80, which differs from WGS-84 by .1 mm here
+  // PROJ manual, conversion "cart". It is on GRS80, which differs from WGS-84 by .1 mm here.
   const Position geographic{45.3935192042 * deg, 17.7562015132 * deg, 133.12};
   const Vector3d geocentric{4272922.1553, 1368283.0597, 4518261.3501};
   EXPECT_LT((ecef(geographic) - geocentric).norm(), 5e-4);

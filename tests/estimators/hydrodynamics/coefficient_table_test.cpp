@@ -21,8 +21,8 @@ TEST(CoefficientTable, NamesEveryMemberOnce) {
   EXPECT_EQ(names.size(), coefficient_table().size());
 }
 
-/// Dimension of a prime value's unit from the name alone: each angular rate and rate of change in
-/// it, and being a moment, brings one more power of L.
+/// The power of L in the unit of a prime value, from the name alone. Each angular rate and each
+/// rate of change in the name adds one power; a moment adds one too.
 int length_power_by_dimension(const NamedCoefficient& entry) {
   const bool moment = entry.axis == "K" || entry.axis == "M" || entry.axis == "N";
   std::string name(entry.name);

@@ -3,7 +3,7 @@
 #include "estimators/frame/attitude.hpp"
 #include "tests/estimators/hydrodynamics/support.hpp"
 
-/// What must not change: closed forms of mechanics, free of any table.
+/// Conserved quantities of mechanics in closed form, without any table.
 namespace drydock::hydrodynamics::test {
 namespace {
 
@@ -26,7 +26,7 @@ Matrix3d body_to_ned(const State& state) {
   return frame::ned_to_body({state[9], state[10], state[11]}).transpose();
 }
 
-/// Impulse of body and water: what d/dt of the kinetic energy by the velocities gives, in NED.
+/// Impulse of body and water: the derivative of the kinetic energy by the velocities, in NED.
 Vector3d impulse_ned(const Vehicle& vehicle, const State& state) {
   const Velocity impulse = mass_matrix(vehicle) * state.head<6>();
   return body_to_ned(state) * impulse.head<3>();
@@ -43,7 +43,7 @@ double kinetic_energy(const Vehicle& vehicle, const State& state) {
   return 0.5 * state.head<6>().dot(mass_matrix(vehicle) * state.head<6>());
 }
 
-/// Of weight and buoyancy; z down.
+/// Potential energy of weight and buoyancy; z is down.
 double potential_energy(const RigidBody& body, const State& state) {
   const double down_z = body_to_ned(state)(2, 2), depth = state[8];
   return -body.weight * (depth + body.z_G * down_z) + body.buoyancy * (depth + body.z_B * down_z);
@@ -57,7 +57,7 @@ State after(const Model& model, State state, double seconds) {
 
 void expect_free_motion(const Vehicle& vehicle) {
   const State begin = tumbling(), end = after(Model{vehicle}, begin, 20);
-  EXPECT_GT((end - begin).head<6>().norm(), 0.1);  // it did move about
+  EXPECT_GT((end - begin).head<6>().norm(), 0.1);  // it really moved
   EXPECT_NEAR(kinetic_energy(vehicle, end) / kinetic_energy(vehicle, begin), 1, 1e-10);
   const Vector3d p0 = impulse_ned(vehicle, begin), p1 = impulse_ned(vehicle, end);
   EXPECT_LT((p1 - p0).norm(), 1e-9 * p0.norm());
@@ -84,7 +84,8 @@ TEST(RigidBody, WeightAndBuoyancyTradeKineticForPotentialEnergy) {
 }
 
 /// A hull in an ideal fluid (Kirchhoff): F = -omega x P, M = -omega x L - v x P, where P and L are
-/// the fluid's impulse. Written out, every product of two velocities has its coefficient.
+/// the impulse of the fluid. These equations give a coefficient for every product of two
+/// velocities.
 Coefficients ideal_fluid() {
   Coefficients c = nps_auv().vehicle().coefficients;
   Coefficients k;
@@ -137,7 +138,7 @@ TEST(Surroundings, TheTurningEarthPushesToStarboardInTheNorth) {
 }
 
 TEST(Symmetry, TheMirrorImageOfAMotionIsAMotion) {
-  // NPS AUV II is symmetric to its vertical plane: rudder, v, p, r, y, phi and psi change sign.
+  // NPS AUV II is symmetric about its vertical plane: rudder, v, p, r, y, phi and psi change sign.
   const Model model = nps_auv();
   State mirror = State::Ones();
   for (const int odd : {1, 3, 5, 7, 9, 11}) mirror[odd] = -1;

@@ -83,7 +83,7 @@ INSTANTIATE_TEST_SUITE_P(Manoeuvres, NpsAuvSeries,
 TEST(NpsAuv, CruisePartialsAreThoseOfTheTable) {
   const Table table("gh_cruise_jacobian.csv");
   if (table.empty()) GTEST_SKIP() << "corpora absent: vehicle";
-  // The table is a central difference of step 1e-5, which sees v|v| as 1e-5 v at rest.
+  // The table is a central difference with the step 1e-5. At rest it gives 1e-5 v for v|v|.
   const Model model = nps_auv();
   const Matrix6 analytic = cruise_partials();
   const auto at = [&](const Velocity& change) {

@@ -6,7 +6,7 @@
 #include "estimators/hydrodynamics/hull_forces.hpp"
 #include "tests/estimators/hydrodynamics/support.hpp"
 
-/// Eq. (7) and the appendix against differences of eq. (4).
+/// Compares eq. (7) and the appendix with differences of eq. (4).
 namespace drydock::hydrodynamics::test {
 namespace {
 
@@ -21,7 +21,8 @@ struct Situation {
   Vector3d earth_rate;
 };
 
-/// Speeds and rates of both signs that keep `distance` from zero, where some forces have kinks.
+/// Speeds and rates of both signs, at least `distance` away from zero, where some forces have
+/// kinks.
 Situation random_situation(std::mt19937_64& random, double distance) {
   std::uniform_real_distribution<double> any(-1, 1);
   const auto off_zero = [&](double size) {
@@ -95,7 +96,7 @@ TEST(Partials, ByAttitudeBecomeThoseByEulerAnglesThroughTheBodyRates) {
   for (int i = 0; i < 200; ++i) {
     const Model model{vehicle_of_all_coefficients(random)};
     Situation s = random_situation(random, 0.05);
-    s.earth_rate *= 1000;  // else lost beside weight
+    s.earth_rate *= 1000;  // the true rate is too small beside the weight
     Eigen::Matrix<double, 6, 3> numeric, analytic;
     const Partials partials =
         model.partials(s.velocity, frame::ned_to_body(s.attitude), s.control, s.earth_rate);
@@ -129,7 +130,7 @@ TEST(Partials, HoldWhereTheGuardRules) {
   Coefficients c;
   c.Y_v_abs_v = c.Z_w_abs_w = c.K_v_abs_v = c.M_w_abs_w = c.N_v_abs_v = -1000;
   Velocity drift = Velocity::Zero();
-  drift.segment<2>(1) << 5e-9, -8e-9;  // of the guard's own size: a hundredth of it is a small step
+  drift.segment<2>(1) << 5e-9, -8e-9;  // as large as the guard; the step is a hundredth of it
   Matrix6 numeric;
   for (int i = 0; i < 6; ++i)
     numeric.col(i) = difference(

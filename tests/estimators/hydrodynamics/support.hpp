@@ -25,7 +25,7 @@ inline rig_config::VehicleConfig nps_file(const std::string& name = "nps-auv-ii"
 
 inline Model nps_auv() { return Model{vehicle::dimensional(nps_file())}; }
 
-/// One of the tables in the vehicle folder of the corpora; empty if that is not there.
+/// One of the tables in the vehicle folder of the corpora. Empty if the folder does not exist.
 class Table {
  public:
   explicit Table(const std::string& file) {
@@ -46,7 +46,7 @@ class Table {
   double at(std::size_t row, const std::string& column) const {
     return std::stod(text(row, column));
   }
-  double cell(std::size_t line, std::size_t column) const {  ///< of a table without header
+  double cell(std::size_t line, std::size_t column) const {  ///< for a table without a header
     return std::stod(rows_.at(line).at(column));
   }
   Velocity velocity(std::size_t row) const {
@@ -65,7 +65,7 @@ class Table {
   std::map<std::string, std::size_t> columns_;
 };
 
-/// A vehicle of the NPS AUV II's mass with every coefficient at random, none of them zero; weight,
+/// A vehicle with the mass of the NPS AUV II. All coefficients are random and not zero; weight,
 /// buoyancy and both centres differ too.
 inline Vehicle vehicle_of_all_coefficients(std::mt19937_64& random) {
   std::uniform_real_distribution<double> factor(0.5, 1.5), sign(-1, 1);

@@ -46,8 +46,8 @@ TEST(AugmentedLevelingFilter, SureOfItsSensorsItIsTheFilterOfSixStates) {
   test::Table1Sensors sensors{3}, the_same{3};
   sail(thirteen, SPath{}, sensors, 20);
   sail(six, SPath{}, the_same, 20);
-  // The 13 states take the measurements one after the other: |alpha|^2 is linearised a little
-  // later.
+  // The filter with 13 states uses the measurements one after the other, so it linearises |alpha|^2
+  // at a slightly different state.
   EXPECT_NEAR(thirteen.roll(), six.roll(), 1e-6);
   EXPECT_NEAR(thirteen.pitch(), six.pitch(), 1e-6);
   EXPECT_LT((thirteen.covariance().topLeftCorner<6, 6>() - six.covariance()).norm(),
@@ -56,9 +56,9 @@ TEST(AugmentedLevelingFilter, SureOfItsSensorsItIsTheFilterOfSixStates) {
 }
 
 TEST(AugmentedLevelingFilter, BiasesMoveTheStateAsWrongInputsDo) {
-  // A bias b in the state and inputs that say b too much are the same: eq. (A1). So the covariance
-  // of motion with bias after one step is the bias' variance times d x / d b, by differences of
-  // inputs.
+  // A bias b in the state has the same effect as inputs that are too large by b: eq. (A1). So after
+  // one step the covariance of motion with bias is the variance of the bias times d x / d b. Here
+  // differences of the inputs give d x / d b.
   const Vector3d force{0.3, -0.4, -9.7}, rate{0.1, -0.2, 0.15};
   const auto moved = [&](const Vector3d& f, const Vector3d& w) -> Vector6 {
     AugmentedLevelingFilter filter{augmented_options()};
@@ -98,7 +98,7 @@ TEST(AugmentedLevelingFilter, ATurningVehicleTellsTheBiasesOfAccelerometersAndLo
 }
 
 TEST(AugmentedLevelingFilter, AtRestATiltAndABiasLookTheSameAndItKnows) {
-  // Nothing tells -b_y / g from roll: both keep the uncertainty of the bias, 1 mg.
+  // At rest -b_y / g and roll have the same effect: both keep the uncertainty of the bias, 1 mg.
   AugmentedLevelingFilter filter{augmented_options()};
   const Reading rest = SPath{0, 0, 30}.at(0);
   filter.start(rest.specific_force, rest.angular_rate, 0);
@@ -120,7 +120,7 @@ TEST(AugmentedLevelingFilter, CovarianceStaysSymmetricAndPositiveForFiveMinutes)
     sail(filter, SPath{}, sensors, 30);
     const auto& p = filter.covariance();
     EXPECT_EQ(p, p.transpose());
-    // Scaled to one sigma each: m/s beside rad/s says nothing.
+    // Scaled by the sigmas, because the states have different units.
     const AugmentedLevelingFilter::State scale = p.diagonal().cwiseSqrt().cwiseInverse();
     const AugmentedLevelingFilter::Covariance correlation =
         scale.asDiagonal() * p * scale.asDiagonal();

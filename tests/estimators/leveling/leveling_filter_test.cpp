@@ -26,7 +26,7 @@ LevelingOptions at_36_degrees(double heading = 0) {
   return options;
 }
 
-/// Runs the stationary model on perfect sensors of a vehicle at rest.
+/// Runs the stationary model with perfect sensors on a vehicle at rest.
 LevelingFilter settle(LevelingOptions options, const Euler& truth, double seconds) {
   SPath rest{0, 0, 30, truth.roll, truth.pitch, truth.yaw};
   options.heading_rad = truth.yaw;
@@ -65,7 +65,7 @@ TEST(LevelingFilter, AccelerometerStartTakesTheTurnOutOfTheSpecificForce) {
   const Reading reading = turning.at(0);  // r V / g = 9.6 degrees of apparent heel
   LevelingFilter filter{at_36_degrees()};
   filter.start(reading.specific_force, reading.angular_rate, reading.speed);
-  // What is left is the Coriolis acceleration, eq. (15): 2 Omega V / g.
+  // Only the Coriolis acceleration remains, eq. (15): 2 Omega V / g.
   EXPECT_NEAR(filter.roll(), 4 * degree, 0.01 * degree);
   EXPECT_NEAR(filter.pitch(), -3 * degree, 0.01 * degree);
 }
@@ -78,7 +78,7 @@ TEST(LevelingFilter, FreeFallStartsFromTheGivenAttitude) {
   EXPECT_NEAR(filter.roll(), 0.1, 1e-15);
 }
 
-/// Eq. (26) from the equations it came from: the paper's (4) for the angles, (12) for the velocity.
+/// Eq. (26) from its original equations: the paper's (4) for the angles, (12) for the velocity.
 LevelingFilter::State derivative(const LevelingFilter::State& x, const Vector3d& force,
                                  const Vector3d& rate_nb, const Vector3d& rate_coriolis,
                                  double gravity) {
@@ -103,7 +103,7 @@ TEST(LevelingFilter, SystemMatrixIsTheDerivativeOfTheEquationsOfMotion) {
 }
 
 TEST(LevelingFilter, AlphaFollowsTheEulerAnglesOfEquation4) {
-  // d(alpha)/dt of eq. (7) against alpha of eq. (5) carried by the Euler rates
+  // d(alpha)/dt of eq. (7) against alpha of eq. (5) with angles integrated from the Euler rates
   const Euler e{0.3, -0.5, 1.0};
   const Vector3d rate_nb{0.1, -0.4, 0.2}, rates = frame::euler_rates(e, rate_nb);
   const double h = 1e-6;
@@ -119,7 +119,7 @@ TEST(LevelingFilter, PredictionAloneKeepsTheNormOfAlphaForAnHour) {
   LevelingFilter filter{at_36_degrees()};
   filter.start({0, 0, -9.8}, Vector3d::Zero(), 0);
   for (int i = 0; i < 360000; ++i) filter.predict({0, 0, -9.8}, {0.1, -0.2, 0.3}, dt);
-  // Third order: |e^A| errs by (w dt)^4 / 24 a step.
+  // Third order: the error of |e^A| is (w dt)^4 / 24 per step.
   EXPECT_NEAR(filter.state().tail<3>().norm(), 1, 1e-5);
 }
 
@@ -161,7 +161,7 @@ TEST(LevelingFilter, CovarianceStaysSymmetricAndPositive) {
 TEST(LevelingFilter, RollPitchCovarianceIsThatOfAlphaThroughTheAngles) {
   const LevelingFilter filter = settle(at_36_degrees(), {0.4, -0.3, 0.2}, 0.5);
   const Vector3d alpha = filter.state().tail<3>();
-  const auto angles = [](const Vector3d& a) {  // eq. (28), as printed, of the normalised vector
+  const auto angles = [](const Vector3d& a) {  // eq. (28) as printed, with the normalised vector
     return Eigen::Vector2d{std::atan2(a.y(), a.z()), std::asin(-a.normalized().x())};
   };
   Eigen::Matrix<double, 2, 3> jacobian;

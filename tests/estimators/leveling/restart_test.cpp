@@ -1,4 +1,5 @@
-// Both filters after an IMU's silence: as good as at a start, and as their covariance says.
+// Both filters after the IMU was silent: as good as after a first start, with a consistent
+// covariance.
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
@@ -23,7 +24,7 @@ constexpr double sailed_s = 45, silent_s = 30, watched_s = 20;
 constexpr int runs = 24;
 
 struct Outcome {
-  double settled_95_s = 0;  ///< below .5 degrees from then on, in 95 % of the runs
+  double settled_95_s = 0;  ///< from this time on below .5 degrees, in 95 % of the runs
   double nees = 0;          ///< of roll and pitch per axis, over the runs and the time watched
   double nees_at_end = 0;
 };
@@ -35,8 +36,8 @@ void sail_on(Filter& filter, const Reading& r) {
   filter.update_moving(r.speed);
 }
 
-/// The paper's S path for a while; then nothing for half a minute; then `watched_s`. The heading
-/// that the filter holds is wrong by then: the S path is at another place.
+/// Runs the paper's S path for `sailed_s`, then no samples for `silent_s`, then `watched_s`. After
+/// the silence the heading of the filter is wrong, because the S path is at another phase.
 template <class Filter>
 Outcome through_an_outage(FilterKind kind, bool biased) {
   auto options = options_for(kind);
@@ -72,8 +73,8 @@ Outcome through_an_outage(FilterKind kind, bool biased) {
   return outcome;
 }
 
-// A start's figure on this path: .5 degrees within 3.4 s in 95 % of the runs
-// (docs/estimators/leveling.md).
+// The figure of a first start on this path: .5 degrees within 3.4 s in 95 % of the runs
+// (leveling.md).
 constexpr double start_settles_in_s = 3.4;
 
 TEST(LevelingAfterAnOutage, TheAugmentedFilterSettlesAsAtAStartAndItsCovarianceIsHonest) {
@@ -111,12 +112,12 @@ TEST(LevelingAfterAnOutage, WhatTheAugmentedFilterLearnedOfTheBiasesIsKept) {
   EXPECT_EQ(filter.state().tail<7>(), state.tail<7>());
   const auto kept = filter.covariance();
   for (const int i : {6, 7, 8, 12}) EXPECT_EQ(kept(i, i), covariance(i, i)) << i;
-  // A heading of which nothing is known leaves half the square of the Earth's horizontal rate open.
+  // With an unknown heading the variance is half the square of the Earth's horizontal rate.
   const double north = frame::earth_rate_ned(test::latitude).x();
   EXPECT_NEAR(filter.covariance()(9, 9) - covariance(9, 9), north * north / 2,
               0.01 * north * north);
   EXPECT_EQ((kept.topRightCorner<6, 7>().norm()), 0);
-  // The accelerometers' bias, which would tilt the first attitude by .057 degrees, is out of it.
+  // The bias of the accelerometers would tilt the first attitude by .057 degrees; it is subtracted.
   EXPECT_NEAR(filter.roll(), 0, 0.02 * degree);
 }
 
@@ -141,7 +142,7 @@ TEST(LevelingAfterAnOutage, WithoutSilenceTheHeadingIsAsGoodAsItWas) {
 }
 
 TEST(LevelingAfterAnOutage, WhatIsExpectedAndWhatIsOpenAddUpToTheEarthsRate) {
-  // E |e|^2 = |E e|^2 + trace: true of every distribution of the heading.
+  // E |e|^2 = |E e|^2 + trace holds for every distribution of the heading.
   const double north = frame::earth_rate_ned(test::latitude).x();
   for (const double sigma : {0.1, 0.5, 1.0, 3.0}) {
     EarthRate rate{test::latitude};

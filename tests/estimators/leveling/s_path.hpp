@@ -8,8 +8,8 @@
 #include "estimators/frame/attitude.hpp"
 #include "estimators/frame/earth.hpp"
 
-/// Motion, sensor errors and initial errors of the paper's simulations, Table 1 and chapter 4,
-/// written from its equations (12)-(17) without anything of the filter.
+/// Motion, sensor errors and initial errors of the paper's simulations, Table 1 and chapter 4. The
+/// code comes from the paper's equations (12)-(17) and uses nothing of the filter.
 namespace drydock::leveling::test {
 
 using Eigen::Vector3d;
@@ -29,7 +29,7 @@ struct SPath {
   double speed = 10, amplitude = 45 * degree, period = 30;
   double roll = 0, pitch = 0, heading = 0;
 
-  /// What perfect sensors say over [t, t + dt]: the values at mid-interval.
+  /// The readings of perfect sensors over [t, t + dt]: the values in the middle of the interval.
   Reading at(double t) const {
     const double w = 2 * std::numbers::pi / period, middle = t + dt / 2;
     const frame::Euler attitude{roll, pitch, heading + amplitude * std::sin(w * middle)};
@@ -43,7 +43,7 @@ struct SPath {
   }
 };
 
-/// Table 1. Biases as given, white noise per sample.
+/// The errors of Table 1: biases as given, white noise per sample.
 class Table1Sensors {
  public:
   explicit Table1Sensors(unsigned seed) : engine_(seed) {}

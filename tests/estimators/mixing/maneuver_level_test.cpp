@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-/// The fuzzy inference against the paper's own Table 3 and against a plain one, written out.
+/// Compares the fuzzy inference with Table 3 of the paper and with a simple implementation.
 namespace drydock::mixing::maneuver_level_test {
 namespace {
 
@@ -20,7 +20,7 @@ enum { VS, S, M, B, VB };
 constexpr int table_1[5][5] = {
     {VS, VS, S, M, B}, {S, S, S, M, B}, {M, M, M, B, B}, {B, B, B, B, B}, {VB, VB, VB, VB, VB}};
 
-/// A triangle on its neighbours' peaks; the first and the last set have a shoulder.
+/// A triangle that ends at the peaks of its neighbours. The first and the last set have a shoulder.
 double membership(const Peaks& peaks, int set, double x) {
   const auto i = static_cast<std::size_t>(set);
   if (x == peaks[i] || (set == VS && x < peaks[0]) || (set == VB && x > peaks[4])) return 1;
@@ -83,7 +83,7 @@ TEST(ManeuverLevel, CentresOfAreaOfSingleSetsAreThoseOfTheirPoints) {
   const FuzzySets sets;
   // VS alone: weights 15, 14, ... 1 at -30, -29, ... -16: mean -30 + 14/3.
   EXPECT_NEAR(inferred_maneuver(0, 0, sets), -30 + 14.0 / 3, 1e-12);
-  EXPECT_EQ(inferred_maneuver(0.0175, 0, sets), 0);  // M alone: symmetrical, exactly
+  EXPECT_EQ(inferred_maneuver(0.0175, 0, sets), 0);  // M alone is exactly symmetrical
   EXPECT_NEAR(inferred_maneuver(0.0225, 0, sets), 15, 1e-12);
   EXPECT_NEAR(inferred_maneuver(1, 100, sets), 30 - 14.0 / 3, 1e-12);
 }

@@ -21,14 +21,14 @@ TEST(MixingAccuracy, AConstantVerticalErrorComesThroughWhole) {
 }
 
 TEST(MixingAccuracy, WhiteNoiseOfTheGyroEndsAtItsClosedForm) {
-  // d(e) = -K1 e + n: sigma = q / sqrt(2 K1); the discrete loop's is sqrt(1 - K1 dt / 2) below.
+  // d(e) = -K1 e + n: sigma = q / sqrt(2 K1). For the discrete loop divide by sqrt(1 - K1 dt / 2).
   EXPECT_NEAR(after({0, 0, 1e-3, 0}, 0.1, 0, 0, 400), 1e-3 / std::sqrt(0.2), 2e-6);
 }
 
 TEST(MixingAccuracy, AGyroBiasIsTakenOutByAnIntegralThatForgetsNothing) {
   EXPECT_NEAR(after({0, 1e-4, 0, 0}, 0.1, 0, 0, 400), 1e-3, 1e-9);  // bias / K1
   EXPECT_NEAR(after({0, 1e-4, 0, 0}, 0.1, 0.001, 0, 4000), 0, 1e-8);
-  // Forgetting at c: bias c / (K1 c + KI).
+  // With a decay at the rate c: bias c / (K1 c + KI).
   EXPECT_NEAR(after({0, 1e-4, 0, 0}, 0.1, 0.001, 0.02, 4000), 1e-4 * 0.02 / 0.003, 1e-9);
 }
 

@@ -91,8 +91,8 @@ TEST(MixingFilter, AnAccelerometerBiasIsATiltAndAGyroBiasFades) {
   EXPECT_NEAR(filter.roll(), -0.03 / g, 2e-6);
 }
 
-// s2 + K1 s + K1 K2 from Table 4: two real poles, 0.00155 and 0.00645 1/s; with K2 alone a natural
-// frequency of 0.0354 rad/s.
+// s2 + K1 s + K1 K2 from Table 4 has two real poles, 0.00155 and 0.00645 1/s. With K2 alone it has
+// a natural frequency of 0.0354 rad/s.
 TEST(MixingFilter, TypeOneIsTheSecondOrderLoopOfItsGains) {
   const auto [force, rate] = steady({});
   for (const auto reading : {IntegralGain::k1_k2, IntegralGain::k2_alone}) {
@@ -131,7 +131,7 @@ TEST(MixingFilter, ASteadyTurnWithoutSlipIsNoTilt) {
   }
 }
 
-/// 1 m/s2 ahead for 20 s.
+/// The pitch after 1 m/s2 ahead for 20 s.
 double pitch_after_acceleration(MixingType type, int* highest_level = nullptr) {
   auto [force, rate] = steady({});
   auto options = options_of(type);
@@ -150,7 +150,7 @@ double pitch_after_acceleration(MixingType type, int* highest_level = nullptr) {
 }
 
 TEST(MixingFilter, AnAccelerationTiltsTypeOneMostAndTheCompensatedNotAtAll) {
-  // K1 dv / g, 0.93 deg, and the integral's share; at level 5 an eighth of it.
+  // K1 dv / g, 0.93 deg, plus the part of the integral; at level 5 an eighth of it.
   EXPECT_NEAR(pitch_after_acceleration(MixingType::fixed_gain), 0.93 * degree, 0.1 * degree);
   int level = 0;
   EXPECT_LT(pitch_after_acceleration(MixingType::fuzzy_inference, &level), 0.15 * degree);

@@ -10,7 +10,7 @@ namespace {
 
 TEST(SteppedAngle, ItsSineAndCosineAreThoseOfTheAngleAfterAMillionSteps) {
   std::mt19937_64 random(3);
-  // Mostly small ones, on the whole a slow turn; now and then one that no series is meant for.
+  // Most steps are small and give a slow turn. Some steps are too large for the series.
   std::normal_distribution<double> small(0.001, 0.003);
   std::uniform_real_distribution<double> large(-3, 3);
   SteppedAngle angle(0.3);
@@ -25,7 +25,7 @@ TEST(SteppedAngle, ItsSineAndCosineAreThoseOfTheAngleAfterAMillionSteps) {
   EXPECT_LT(worst, 1e-13);
   EXPECT_GE(least, -std::numbers::pi);
   EXPECT_LE(most, std::numbers::pi);
-  EXPECT_GT(most - least, 6.28);  // it went round
+  EXPECT_GT(most - least, 6.28);  // at least a full turn
 }
 
 TEST(SteppedAngle, GoesOnAcrossTheBorder) {

@@ -15,7 +15,7 @@ namespace {
 using Eigen::Vector3d;
 using test::AnalyticVoyage;
 
-/// A tactical-grade IMU, errors drawn from `options`, on the analytic voyage.
+/// A tactical-grade IMU on the analytic voyage, with errors drawn from `options`.
 struct Bench {
   std::mt19937_64 random{7};
   NavigationOptions options;
@@ -102,7 +102,8 @@ TEST(AidedNavigation, FindsPositionVelocityAttitudeAndBiasesFromPositions) {
   EXPECT_LT(test::horizontal_distance(truth.position, navigation.state().position), 0.05);
   EXPECT_LT((truth.velocity_ned - navigation.state().velocity_ned).norm(), 0.02);
 
-  // Attitude and biases: as far off as the covariance says (99.9 % of chi-square, 9 degrees).
+  // The errors of attitude and biases agree with the covariance (99.9 % of chi-square, 9 degrees of
+  // freedom).
   Eigen::Matrix<double, 9, 1> error;
   const Eigen::AngleAxisd turn(navigation.state().body_to_ned * truth.body_to_ned.conjugate());
   error << -turn.angle() * turn.axis(), bench.gyro_bias - navigation.gyro_bias(),
@@ -113,7 +114,7 @@ TEST(AidedNavigation, FindsPositionVelocityAttitudeAndBiasesFromPositions) {
 }
 
 TEST(AidedNavigation, VelocityAndHeightErrorsAreAsLargeAsItsCovarianceSays) {
-  // 3 axes and 12 voyages: the mean normalised square is 3 within 1.4 in 95 of 100 such tests.
+  // 3 axes and 12 voyages: in 95 % of such tests the mean normalised square is 3 +- 1.4.
   double square = 0;
   constexpr int voyages = 12;
   for (int run = 0; run < voyages; ++run) {
@@ -128,7 +129,8 @@ TEST(AidedNavigation, VelocityAndHeightErrorsAreAsLargeAsItsCovarianceSays) {
 }
 
 TEST(AidedNavigation, ItsInnovationsAreAsLargeAsItExpects) {
-  // 12 voyages of 20 times 3 + 1 rows: the mean of 960 squares is 1 within 0.14 in 997 of 1000.
+  // 12 voyages with 20 times 3 + 1 rows: in 99.7 % of such tests the mean of the 960 squares is
+  // 1 +- 0.14.
   InnovationTally taken;
   for (int run = 0; run < 12; ++run) {
     Bench bench(200 + run);

@@ -4,11 +4,11 @@
 
 #include "estimators/navigation/sdins.hpp"
 
-/// A motion over the Earth in closed form, and what inertial sensors sum up on it: the witness of
-/// the mechanization. Its only common ground with it is the Earth of estimators/frame.
+/// A motion over the Earth in closed form with the integrals of its inertial sensors: an
+/// independent check of the mechanization. Both share only the Earth of estimators/frame.
 namespace drydock::navigation::test {
 
-/// Climbs, dives, turns and rolls without pause, in sines of one to forty minutes.
+/// It climbs, dives, turns and rolls all the time, by sines with periods of one to forty minutes.
 class AnalyticVoyage {
  public:
   NavigationState at(double t) const;
@@ -21,7 +21,7 @@ class AnalyticVoyage {
   struct Sample {
     Eigen::Vector3d angle, velocity;
   };
-  /// Integrals over [t, t + dt] by Gauss and Legendre's two points.
+  /// Integrals over [t, t + dt] by Gauss-Legendre with two points.
   Sample sample(double t, double dt) const;
 };
 

@@ -14,8 +14,8 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using Vector15 = Eigen::Matrix<double, 15, 1>;
 
-/// Eq. (13) with its height loop, written out once more from the functions of earth.hpp; `attitude`
-/// is d/dt of C_B^N as a rotation in navigation axes.
+/// A second implementation of eq. (13) with the height loop, from the functions of earth.hpp.
+/// `attitude` is d/dt of C_B^N as a rotation in navigation axes.
 struct Rates {
   Vector3d position, velocity, attitude;
 };
@@ -35,8 +35,8 @@ Rates mechanization(const NavigationState& s, const Vector3d& rate, const Vector
           c * rate - earth_rate - transport};
 }
 
-/// The same with errors x: IN is truth plus x, C_IN = (I - phi x) C, biases add to what is
-/// measured.
+/// The same with errors x: IN is truth plus x, C_IN = (I - phi x) C, biases add to the measured
+/// values.
 struct Erroneous {
   NavigationState truth;
   Vector3d rate, force;
@@ -69,7 +69,7 @@ Erroneous random_case(std::mt19937_64& random) {
           {0.1, 3e-3, 0}};
 }
 
-/// What the numbers are to be compared with: an error of so much in each state.
+/// The scale for comparisons: an error of this size in each state.
 Vector15 scale() {
   Vector15 s;
   s << 1e-6, 1e-6, 6, 1, 1, 1, 1e-2, 1e-2, 1e-2, 1e-3, 1e-3, 1e-3, 0.1, 0.1, 0.1;
@@ -86,13 +86,13 @@ TEST(ErrorModel, AgreesWithTheNumericallyDifferentiatedMechanization) {
     const Rates at_rest = model.at(Vector15::Zero());
     const Vector3d turn_of_frame = at_rest.attitude;
     for (int j = 0; j < 15; ++j) {
-      // Central differences of two widths, the error of their square taken out.
+      // Central differences of two widths, combined so that the error of second order cancels.
       const auto slope = [&](double width) {
         const Vector15 x = Vector15::Unit(j) * width * scale()(j);
         const Rates up = model.at(x), down = model.at(-x);
         Eigen::Matrix<double, 9, 1> rise;
         rise << up.position - down.position, up.velocity - down.velocity,
-            // C_IN = (I - phi x) C: phi' = omega x phi - d(omega), omega the turn of C seen in n.
+            // C_IN = (I - phi x) C: phi' = omega x phi - d(omega), with omega the turn of C in n.
             -(up.attitude - down.attitude);
         return Eigen::Matrix<double, 9, 1>{rise / (2 * width)};
       };

@@ -3,8 +3,8 @@
 #include "estimators/frame/attitude.hpp"
 #include "estimators/navigation/aided_navigation.hpp"
 
-// A sensor on a lever sees what the IMU's place alone does not show: one exact measurement must
-// take the attitude, or the gyro bias, to where the lever's end is where it was measured.
+// A sensor on a lever also measures attitude or gyro bias, which a sensor at the IMU does not. One
+// exact measurement must correct them, so that the end of the lever agrees with the measurement.
 namespace drydock::navigation::lever_arm_test {
 namespace {
 

@@ -51,7 +51,7 @@ class RealDrive : public testing::Test {
 };
 
 TEST_F(RealDrive, TheLoggerReadsSomeSamplesTwiceAndOthersNever) {
-  // Of 54 860 rows 1138 bring nothing new; an IMU at 100.5 Hz explains all but a handful.
+  // 1138 of the 54 860 rows repeat the row before. An IMU at 100.5 Hz explains almost all of them.
   std::printf("| period %.4f ms | repeated %zu | lost %zu |\n", drive.period_s * 1e3,
               drive.repeated, drive.lost);
   EXPECT_EQ(drive.repeated, 1138U);
@@ -71,7 +71,7 @@ TEST_F(RealDrive, ACarComesThroughFifteenSecondsWithoutFixes) {
   EXPECT_LT(aided.aided_rms_m, 0.04);
   EXPECT_LT(rms(gaps.gap_end_m), 2.5);
   EXPECT_LT(worst, 4);
-  // 95 % of chi-square with 16 degrees of freedom, over 16.
+  // The 95 % range of chi-square with 16 degrees of freedom, divided by 16.
   EXPECT_GT(mean(gaps.gap_nees), 6.91 / 16);
   EXPECT_LT(mean(gaps.gap_nees), 28.8 / 16);
 }
@@ -88,7 +88,7 @@ TEST_F(RealDrive, TheEightGapsAreNotBetterThanOthers) {
               rms(ends), *std::max_element(ends.begin(), ends.end()), rms(expected), mean(nees));
   EXPECT_GE(ends.size(), 48U);
   EXPECT_LT(rms(ends), 2.5);
-  EXPECT_GT(mean(nees), 6.91 / 16);  // they overlap: no more independent than eight
+  EXPECT_GT(mean(nees), 6.91 / 16);  // the gaps overlap, so they count as eight independent ones
   EXPECT_LT(mean(nees), 28.8 / 16);
 }
 
@@ -118,12 +118,13 @@ TEST(RealData, AnAuvInAPoolComesBackToWhereItBegan) {
                 result->gap_sigma_m, result->turned_rad / degree,
                 result->magnetic_turned_rad / degree, result->velocity_nis, result->depth_nis);
     EXPECT_GT(result->travelled_m, 15);
-    // The crew stops before the round is whole, as the magnetometer tells, which does not aid: the
-    // gap is that chord, within 95 % of what the filter expects on two equal axes.
+    // The magnetometer, which does not aid, shows that the crew stopped before the end of the full
+    // round. The gap is the chord of the missing part, within the 95 % range that the filter
+    // expects on two equal axes.
     const double turned = std::abs(result->magnetic_turned_rad);
     const double chord = 2 * result->travelled_m / turned * std::sin(M_PI - turned / 2);
     EXPECT_NEAR(result->gap_m, chord, 1.73 * result->gap_sigma_m);
-    // Sigmas are ours and round: right within the root of two.
+    // The sigmas are our own round numbers, right within a factor of the square root of two.
     EXPECT_GT(result->velocity_nis, 0.5);
     EXPECT_LT(result->velocity_nis, 2);
     EXPECT_GT(result->depth_nis, 0.5);
@@ -131,7 +132,8 @@ TEST(RealData, AnAuvInAPoolComesBackToWhereItBegan) {
   }
 }
 
-// A shaken IMU of another rate at rest, polled every 10 ms, in a folder with other names.
+// An IMU at rest under vibration, with another rate, polled every 10 ms, in a folder with other
+// names.
 TEST(RealData, AnotherDriveOfTheSameLayoutIsReadWithoutItsLostSamples) {
   const fs::path folder = fs::path{testing::TempDir()} / "drydock_drive_recording";
   fs::create_directories(folder);
@@ -165,7 +167,7 @@ TEST(RealData, AnotherDriveOfTheSameLayoutIsReadWithoutItsLostSamples) {
 
   const auto drive = read_drive(folder);
   ASSERT_TRUE(drive.has_value()) << drive.error().line;
-  EXPECT_NEAR(drive->fixes[1].t - drive->fixes[0].t, 0.25, 1e-9);  // over midnight
+  EXPECT_NEAR(drive->fixes[1].t - drive->fixes[0].t, 0.25, 1e-9);  // across midnight
   EXPECT_EQ(drive->fixes[1].quality, 2);
   EXPECT_EQ(drive->fixes[0].velocity_ned, Eigen::Vector3d(1, 2, -3));
   EXPECT_NEAR(drive->period_s, period, 1e-7);
@@ -185,9 +187,10 @@ TEST(RealData, AnotherDriveOfTheSameLayoutIsReadWithoutItsLostSamples) {
     else
       square += off * off / static_cast<double>(drive->lost);
   }
-  // A loss is known to a row or two: some neighbours of lost samples change places with them.
+  // The place of a lost sample is known within one or two rows, so it may be swapped with a
+  // neighbour.
   EXPECT_LT(misplaced, static_cast<int>(drive->imu.size() / 50));
-  EXPECT_LT(std::sqrt(square), 2.5);  // the shaking is 3.6
+  EXPECT_LT(std::sqrt(square), 2.5);  // the vibration is 3.6
   fs::remove_all(folder);
 }
 

@@ -17,7 +17,7 @@ struct Largest {
   double position_m = 0, height_m = 0, velocity_mps = 0, attitude_rad = 0;
 };
 
-/// The worst error on `voyage`, seen once a minute.
+/// The largest error on the voyage, checked once a minute.
 Largest navigate(double duration_s, int samples_a_step, bool with_loop) {
   const AnalyticVoyage voyage;
   constexpr double dt = 0.01;
@@ -96,8 +96,8 @@ TEST(Quaternion, OfARotationVectorIsThatOfAxisAndAngle) {
 }
 
 TEST(Increments, ConingIsRectified) {
-  // A body whose x axis is carried about a cone of angle a at frequency w, without turning: each
-  // sample's angle is exact, their plain product is not.
+  // The x axis of a body moves on a cone of angle a at frequency w, without a net turn. The angle
+  // of each sample is exact; the plain product of the samples is not.
   const double a = 0.02, w = 20, dt = 0.01;
   const auto attitude = [&](double t) {
     return Quaterniond{std::cos(a / 2), 0, std::sin(a / 2) * std::cos(w * t),
@@ -120,8 +120,8 @@ TEST(Increments, ConingIsRectified) {
 }
 
 TEST(Increments, ScullingIsRectified) {
-  // Rolling by a sin(w t) while pushed by b sin(w t) across: the mean of what is felt, turned into
-  // fixed axes, is a b / 2.
+  // A roll of a sin(w t) together with a lateral specific force of b sin(w t): in fixed axes the
+  // mean force is a b / 2.
   const double a = 0.01, b = 5, w = 20, dt = 0.01;
   IncrementSum sum;
   Quaterniond attitude = Quaterniond::Identity();

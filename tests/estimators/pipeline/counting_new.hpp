@@ -4,7 +4,7 @@
 
 namespace drydock::pipeline::test {
 
-/// Calls of operator new so far, anywhere in this test program.
+/// Number of calls of operator new so far in this test program.
 std::size_t allocations();
 
 }  // namespace drydock::pipeline::test

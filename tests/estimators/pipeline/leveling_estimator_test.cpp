@@ -29,7 +29,7 @@ class LevelingEstimatorTest : public testing::Test {
     return {7, options.estimators[0], options};
   }
 
-  /// A second of samples from `ms` on, every 10 ms.
+  /// Feeds one second of samples from `ms` on, one every 10 ms.
   void feed(LevelingEstimator& estimator, int ms) {
     estimator.take(water_speed(ms), estimates_);
     for (int t = ms; t < ms + 1000; t += 10) estimator.take(imu(t), estimates_);
@@ -191,7 +191,7 @@ TEST_F(LevelingEstimatorTest, AGapStartsItAgainWithTheNextSpeed) {
   feed(estimator, 1500);
   EXPECT_EQ(estimator.status().state, EstimatorState::running);
   EXPECT_EQ(estimator.status().restarts, 1u);
-  // An acceleration of .3 m/s2 that nobody knows of, over gravity: 1.7 degrees.
+  // An unknown acceleration of .3 m/s2 divided by gravity: 1.7 degrees.
   EXPECT_NEAR(std::sqrt(estimates_.all[100].covariance(0, 0)), 0.3 / 9.8, 1e-3);
   EXPECT_NEAR(std::sqrt(estimates_.all[100].covariance(1, 1)), 0.3 / 9.8, 1e-3);
 }
@@ -215,7 +215,7 @@ TEST_F(LevelingEstimatorTest, AGapUpToTheLimitIsBridged) {
 }
 
 TEST_F(LevelingEstimatorTest, ABridgedGapCostsWhatTheLineMayBeWrongBy) {
-  // T^3 / 12 times .5 rad/s3; what the filter knew before is small beside it.
+  // T^3 / 12 times .5 rad/s3. The variance before the gap is small beside it.
   for (const auto kind : {leveling::FilterKind::robust, leveling::FilterKind::augmented}) {
     PipelineOptions options = test::moving(std::chrono::milliseconds{0});
     options.estimators[0].filter = kind;

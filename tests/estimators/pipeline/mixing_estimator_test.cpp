@@ -56,8 +56,8 @@ TEST(MixingEstimator, ItsCovarianceIsTheLoopsAnswerToKnownSensors) {
   auto pipeline = make_pipeline(options, estimates);
   pipeline->receive(test::water_speed(0));
   for (int t = 0; t <= 600'000; t += 10) pipeline->receive(test::imu(t));
-  // At level 1, K1 = 0.1: the vertical's error, and the gyro's noise q / sqrt(2 K1) but for the
-  // integral's share.
+  // At level 1, K1 = 0.1: the error of the vertical, and the noise of the gyro q / sqrt(2 K1),
+  // without the part of the integral.
   const mixing::SensorAccuracy sensors;
   const double expected = std::hypot(sensors.vertical_rad, sensors.gyro_noise / std::sqrt(0.2));
   EXPECT_NEAR(std::sqrt(estimates.all.back().covariance(1, 1)), expected, 0.05 * expected);
@@ -65,7 +65,7 @@ TEST(MixingEstimator, ItsCovarianceIsTheLoopsAnswerToKnownSensors) {
   EXPECT_EQ(estimates.all.back().covariance(0, 1), 0);
 }
 
-/// How far one speed of 20 m/s among those of 2 m/s, in a turn, turns roll and pitch at most.
+/// The largest change of roll and pitch by one speed of 20 m/s among speeds of 2 m/s in a turn.
 double pulled_by_an_outlier_deg(mixing::MixingType type) {
   test::Estimates spoilt, clean;
   for (auto* estimates : {&spoilt, &clean}) {

@@ -32,7 +32,7 @@ TEST_P(EveryInertialMethod, StaysWhereTheVehicleRests) {
   EXPECT_LT(bench.last().velocity_ned.norm(), 0.002);
   EXPECT_LT(bench.last().body_to_ned.angularDistance(bench.attitude()), 1e-5);
   EXPECT_EQ(bench.pipeline->status(0).rejected, 0u);
-  EXPECT_EQ(bench.listener.all.size(), 599u);  // one a tenth of a second; the last is open
+  EXPECT_EQ(bench.listener.all.size(), 599u);  // one every 0.1 s; the last step is not complete
 }
 
 TEST_P(EveryInertialMethod, RefusesOutliersCountsThemAndStaysRight) {
@@ -65,7 +65,8 @@ TEST_P(EveryInertialMethod, TellsWhatEachMeasurementHadOfTheUnexpected) {
   EXPECT_EQ(dvl.last.valid_at, test::at_ms(30'000));
   EXPECT_NEAR(dvl.last.rows[0].value, 3, 0.01);  // measured minus expected, forward
   EXPECT_FALSE(dvl.last.rows[0].used);
-  EXPECT_GT(dvl.last.rows[0].sigma, bench.options.ground_sigma_mps);  // and what the state adds
+  EXPECT_GT(dvl.last.rows[0].sigma,
+            bench.options.ground_sigma_mps);  // plus the uncertainty of the state
   EXPECT_LT(dvl.last.rows[0].sigma, 2 * bench.options.ground_sigma_mps);
   EXPECT_LT(dvl.squares, 20);  // sensors without noise
   const auto& depth = bench.listener.innovations[7];
@@ -113,8 +114,8 @@ TEST_P(EveryInertialMethod, IsLostAfterALongOneAndSaysNothingMore) {
 }
 
 TEST_P(EveryInertialMethod, TakesLeversOutOfATurningVehiclesSensors) {
-  // Turning about the origin, every sensor a metre or two from it feels a speed that is not the
-  // vehicle's.
+  // The vehicle turns about its origin. A sensor one or two metres away moves, although the origin
+  // does not.
   RestingVehicle bench(GetParam(), [](InertialOptions& o) {
     o.imu_lever = {1, 0.5, -0.3};
     o.ground->lever = {-2, 0.4, 0.5};
@@ -122,7 +123,8 @@ TEST_P(EveryInertialMethod, TakesLeversOutOfATurningVehiclesSensors) {
     if (o.log) o.log->lever = {1.5, -0.5, 0};
   });
   bench.turn_radps = 0.05;
-  if (GetParam() == InertialMethod::paper) bench.turn_radps = 0;  // its simulator would not turn so
+  if (GetParam() == InertialMethod::paper)
+    bench.turn_radps = 0;  // its simulator cannot turn like this
   bench.run(60);
   EXPECT_EQ(bench.pipeline->status(0).rejected, 0u);
   EXPECT_LT(bench.offset().norm(), 0.05);

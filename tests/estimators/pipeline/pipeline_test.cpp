@@ -54,7 +54,7 @@ RC_GTEST_PROP(Pipeline, AnyDelaysWithinTheWindowGiveBitIdenticalEstimates, ()) {
   const auto expected = estimates_of(in_order, moving(milliseconds{100}));
   RC_ASSERT(expected.size() == 200u);
 
-  // Each measurement arrives up to one window after it was true.
+  // Each measurement arrives up to one window after its valid_at.
   std::vector<std::pair<test::Stamp, Measurement>> arrivals;
   for (const Measurement& m : in_order) {
     arrivals.emplace_back(origin_of(m).valid_at + milliseconds{*rc::gen::inRange(0, 101)}, m);
@@ -93,7 +93,7 @@ TEST(Pipeline, MeasurementsLeaveOnceSomethingNewerThanTheWindowIsKnown) {
   EXPECT_TRUE(estimates.all.empty());
   pipeline->receive(imu(51));
   ASSERT_EQ(estimates.all.size(), 1u);
-  pipeline->advance(at_ms(101));  // all sensors fell silent, time goes on
+  pipeline->advance(at_ms(101));  // all sensors are silent, but time passes
   ASSERT_EQ(estimates.all.size(), 2u);
   EXPECT_EQ(estimates.all.back().valid_at, at_ms(50));
   pipeline->flush();
@@ -106,8 +106,8 @@ TEST(Pipeline, WhatComesBehindTheWindowIsCountedLate) {
   pipeline->receive(water_speed(0));
   for (int t = 0; t <= 1000; t += 10) pipeline->receive(imu(t));
   const auto before = estimates.all.size();
-  pipeline->receive(imu(905));          // behind the IMU's last one that left
-  pipeline->receive(water_speed(400));  // more than half a second behind
+  pipeline->receive(imu(905));          // older than the last IMU sample that left
+  pipeline->receive(water_speed(400));  // more than half a second late
   pipeline->receive(water_speed(600));
   EXPECT_EQ(estimates.all.size(), before);
   EXPECT_EQ(pipeline->counters()[imu_device].late, 1u);
@@ -162,7 +162,7 @@ TEST(Pipeline, EstimatorsOfDifferentDevicesDoNotDisturbEachOther) {
   pipeline->receive(water_speed(0));
   for (int t = 0; t < 200; t += 10) {
     pipeline->receive(imu(t));
-    pipeline->receive(imu(t - 40, 0, 4));  // a slower wire, in order in itself
+    pipeline->receive(imu(t - 40, 0, 4));  // a slower wire, with its own samples in order
   }
   EXPECT_EQ(pipeline->counters()[4].late, 0u);
   EXPECT_EQ(pipeline->status(0).estimates, 20u);

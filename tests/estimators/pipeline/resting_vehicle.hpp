@@ -29,16 +29,16 @@ struct Navigated final : EstimateListener {
   }
   struct InnovationCount {
     std::uint64_t reports = 0, used = 0, refused = 0;  ///< rows
-    double squares = 0;                                ///< of the used, normalised
+    double squares = 0;                                ///< of the used rows, normalised
     InnovationReport last;
   };
   std::vector<NavigationEstimate> all;
   std::array<InnovationCount, 10> innovations{};  ///< by device
 };
 
-/// A vehicle level in still water, at rest or turning about the vertical, and its sensors without
-/// noise: IMU 100 Hz (device 3), log 2 Hz (5), DVL 1 Hz (6), depth 10 Hz (7), actuators (8),
-/// GNSS 9.
+/// A level vehicle in still water, at rest or turning about the vertical, with sensors without
+/// noise: IMU 100 Hz (device 3), log 2 Hz (5), DVL 1 Hz (6), depth 10 Hz (7), actuators (8), GNSS
+/// (9).
 class RestingVehicle {
  public:
   explicit RestingVehicle(

@@ -29,7 +29,7 @@ PipelineOptions rolling(milliseconds window = milliseconds{0}) {
   return options;
 }
 
-/// A steady roll under eight satellites, with a receiver that rounds to whole dB.
+/// A steady roll under eight satellites. The receiver rounds to whole dB.
 struct Rocket {
   roll::test::Flight flight;
   double speed_mps = 300;
@@ -71,7 +71,7 @@ struct Rocket {
   }
 };
 
-/// All that happens until `end_ms`, epochs handed over `late_ms` after their time.
+/// Feeds all samples until `end_ms`. Epochs arrive `late_ms` after their time.
 void fly(Pipeline& pipeline, Rocket& rocket, int end_ms, int late_ms = 0) {
   for (int t = 0; t <= end_ms; t += 10) {
     pipeline.receive(rocket.imu(t));
@@ -128,7 +128,7 @@ TEST(RollEstimator, EpochsThatComeLateCountForTheirOwnTime) {
     test::Estimates estimates;
     auto pipeline = *make_pipeline(rolling(), estimates);
     Rocket rocket;
-    rocket.flight.rate_radps = 731 * degree;  // 0.1 s are 73 deg
+    rocket.flight.rate_radps = 731 * degree;  // 73 deg in 0.1 s
     fly(pipeline, rocket, 20000, late_ms);
     EXPECT_LT(std::abs(last_error_deg(estimates, rocket)), 2) << late_ms;
     EXPECT_GT(pipeline.counters()[gnss_device].delayed, 150u);

@@ -16,7 +16,7 @@ double error_deg(const AllSatellites& filter, const Flight& flight, double t) {
   return frame::wrap_pi(filter.roll() - flight.roll(t)) * to_deg;
 }
 
-/// 10 Hz epochs, `change` may alter what the receiver says of one.
+/// Feeds epochs at 10 Hz. `change` may alter the signals of an epoch.
 template <class Change>
 void fly(AllSatellites& filter, Flight& flight, double seconds, double bias_radps,
          Change&& change) {

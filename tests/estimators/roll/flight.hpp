@@ -12,16 +12,16 @@ namespace drydock::roll::test {
 
 inline constexpr double degree = std::numbers::pi / 180;
 
-/// Directions all around above the horizon: elevation, azimuth in degrees.
+/// Directions of satellites in all parts of the sky: elevation, azimuth in degrees.
 inline constexpr std::array<std::array<double, 2>, 8> directions{
     {{70, 10}, {55, 130}, {45, 250}, {35, 330}, {30, 60}, {20, 180}, {15, 290}, {10, 110}}};
 
-/// Eq. (23) put right.
+/// Eq. (23), corrected.
 inline double pattern(double off_boresight_deg) {
   return std::exp(-std::pow(off_boresight_deg / 64.58, 2));
 }
 
-/// A steady roll at a steady pitch, antenna on body +z.
+/// A steady roll at a constant pitch, with the antenna on body +z.
 struct Flight {
   double rate_radps = 90 * degree, first_roll = 1.3, pitch = 20 * degree, azimuth = 70 * degree;
   double gain = 1, noise = 0;

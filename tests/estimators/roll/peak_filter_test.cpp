@@ -12,7 +12,8 @@ using test::Flight;
 
 constexpr double gyro_dt = 0.01, to_deg = 1 / degree;
 
-/// Flies with a gyro of this bias; gives the error at the end, degrees, and each peak's in `raw`.
+/// Flies with a gyro of this bias. Returns the error at the end, degrees; `raw` gets the error of
+/// each peak.
 double fly(PeakFilter& filter, Flight flight, double seconds, double bias_radps,
            std::vector<double>* raw = nullptr) {
   const int samples = static_cast<int>(seconds / gyro_dt);
@@ -35,7 +36,8 @@ TEST(PeakFilter, WithoutNoiseEveryPeakIsDatedToAFractionOfAnEpoch) {
     Flight flight;
     flight.rate_radps = rate_hz * 360 * degree;
     fly(filter, flight, 60, 0, &raw);
-    // A peak in every turn but the first or two, of all but the one that stands nearly ahead.
+    // Each satellite gives a peak in every turn after the first one or two. Only the satellite that
+    // is nearly ahead gives no peaks.
     EXPECT_GT(raw.size(), 7 * (60 * std::abs(rate_hz) - 3));
     for (const double error : raw) EXPECT_LT(std::abs(error), 1.0) << rate_hz;
   }

@@ -21,8 +21,8 @@ TEST(AzimuthOfPoint, IsThatOfTheGreatCircleOnBothSides) {
   EXPECT_NEAR(azimuth_of_point(0, 0, 0, 0.1), 90 * degree, 1e-12);
   EXPECT_NEAR(azimuth_of_point(0, 0, 0, -0.1), -90 * degree, 1e-12);
   EXPECT_NEAR(azimuth_of_point(0, 0, 0.1, 0), 0, 1e-12);
-  // Napier: in a right spherical triangle with legs a (along the equator) and b, tan A = tan b /
-  // sin a.
+  // Napier's rule: in a right spherical triangle with legs a (along the equator) and b,
+  // tan A = tan b / sin a.
   const double a = 0.4, b = 0.3;
   EXPECT_NEAR(azimuth_of_point(0, 0, b, a), 90 * degree - std::atan(std::tan(b) / std::sin(a)),
               1e-12);
@@ -36,8 +36,8 @@ TEST(SightLine, OverheadOnALevelFlightIsStrongestUpsideDown) {
 }
 
 TEST(SightLine, ASatelliteAbeamToStarboardIsStrongestWithTheAntennaTurnedToIt) {
-  // Heading north, antenna down at roll 0. Rolling to port (negative) by 90 deg turns it to
-  // starboard.
+  // The heading is north, and at roll 0 the antenna points down. A roll to port (negative) by 90
+  // deg turns the antenna to starboard.
   const SightLine east({0, 1, 0}, {0, 0}, {0, 0, 1});
   EXPECT_NEAR(east.strongest_roll(), -90 * degree, 1e-12);
   EXPECT_NEAR(east.sin_elevation(-90 * degree), 1, 1e-12);

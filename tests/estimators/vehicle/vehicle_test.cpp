@@ -26,7 +26,7 @@ TEST(VehicleFiles, TheSchemaKnowsTheCoefficientsOfTheEquationsAndNoOthers) {
   EXPECT_EQ(of_schema, of_equations);
 }
 
-/// Names in the table of the corpora: an `a` marks what stands between bars.
+/// Names in the table of the corpora. There an `a` marks an absolute value.
 std::string name_in_corpora(std::string_view name) {
   static const std::map<std::string_view, std::string> others{{"*", "star"},
                                                               {"|r|delta_r", "ardr"},

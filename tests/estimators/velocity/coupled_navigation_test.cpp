@@ -15,8 +15,7 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-/// A steady straight run at 3 m/s through water that moves, level, seen by sensors with white
-/// noise.
+/// A steady, straight and level run at 3 m/s through moving water. The sensors have white noise.
 class StraightRun {
  public:
   StraightRun(const Vector2d& current, double log_scale)
@@ -74,7 +73,7 @@ class StraightRun {
 };
 
 TEST(CoupledNavigation, LearnsACurrentFromTheDvlAndKeepsIt) {
-  // Across: the sway equation tells the current from the vehicle's own motion.
+  // The current is across, so the sway equation can separate it from the vehicle's own motion.
   const Vector2d across = 0.3 * Vector2d{-std::sin(0.7), std::cos(0.7)};
   StraightRun run(across, 0);
   run.sail(3000, true);
@@ -100,7 +99,7 @@ TEST(CoupledNavigation, OpensTheQuestionAgainWhenTheDvlIsBack) {
 }
 
 TEST(CoupledNavigation, ForgetsNothingWhenTheBedComesAndGoes) {
-  // At the edge of its range a DVL is silent for some seconds, gives a fix, and is silent again.
+  // At the edge of its range a DVL is silent for some seconds, gives one value and is silent again.
   StraightRun run(Vector2d::Zero(), 0);
   run.sail(3000, true);
   const Eigen::Vector4d known =

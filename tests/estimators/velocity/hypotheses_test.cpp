@@ -20,7 +20,7 @@ struct Seen {
   double value, sigma;
 };
 
-/// Linear measurements of a truth whose four states are `true_values`.
+/// Linear measurements of a true state with `true_values` as its four states.
 std::vector<Seen> measurements(const Vector4d& true_values, double sigma, std::uint64_t seed) {
   std::mt19937_64 random(seed);
   std::normal_distribution<double> normal;
@@ -43,7 +43,7 @@ struct Learnt {
   double log_evidence = 0;
 };
 
-/// A Kalman filter over them, of which the densities of its innovations are the evidence.
+/// A Kalman filter over these measurements. The densities of its innovations give the evidence.
 Learnt learn(const std::vector<Seen>& seen, const Vector4d& sigma) {
   Vector start = 0.1 * Vector::Ones();
   start.segment<4>(first) = sigma;

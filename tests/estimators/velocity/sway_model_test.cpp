@@ -10,7 +10,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// A sway model beside the full equations, for a minute of hard rudder; 0.1 s a step.
+/// Runs a sway model and the full equations side by side under hard rudder, in steps of 0.1 s.
 struct Beside {
   hydrodynamics::Vehicle vehicle;
   SwayModel sway{vehicle};

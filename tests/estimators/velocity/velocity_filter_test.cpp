@@ -26,8 +26,8 @@ Simulated cruising() {
   return start;
 }
 
-/// The paper's filter as printed (once put right): an open-loop simulator and beside it the errors
-/// of eq. (8)-(12), by full matrices and the plain form of the update.
+/// The filter as in the paper (with the corrections): an open-loop simulator, and separately the
+/// errors of eq. (8)-(12), with full matrices and the plain form of the update.
 class AsPrinted {
  public:
   AsPrinted(const hydrodynamics::Model& model, const Simulated& start,
@@ -46,14 +46,14 @@ class AsPrinted {
     a.bottomRightCorner<6, 6>() +=
         dt * model_.partials(hat.tail<6>(), turning.ned_to_body, control, turning.earth_rate_ned)
                  .by_velocity;
-    error_ += dt * (rate(bar_, control) - rate(hat, control));  // a() taken exactly
+    error_ += dt * (rate(bar_, control) - rate(hat, control));  // a() without linearisation
     bar_ += dt * rate(bar_, control);
     VectorXd noise(7);
     noise << o_.height_noise_mps, o_.velocity_noise_mps2, Vector3d::Constant(o_.rate_noise_radps2);
     p_ = a * p_ * a.transpose() + MatrixXd((dt * noise).array().square().matrix().asDiagonal());
   }
 
-  /// Eq. (9)-(11) with the rows that are there.
+  /// Eq. (9)-(11) with the given rows.
   void update(const MatrixXd& c, const VectorXd& difference, const VectorXd& sigma) {
     const MatrixXd r = sigma.array().square().matrix().asDiagonal();
     const MatrixXd gain = p_ * c.transpose() * (c * p_ * c.transpose() + r).inverse();
@@ -88,7 +88,7 @@ class AsPrinted {
 TEST(VelocityFilter, IsTheIndirectFilterAsPrinted) {
   const hydrodynamics::Model model{test::nps_vehicle()};
   VelocityFilterOptions options;
-  options.gyro_sigma_radps = 1e-4;  // the plain form below is not good for 1e-6
+  options.gyro_sigma_radps = 1e-4;  // the plain form is numerically too bad for 1e-6
   VelocityFilter filter(model, cruising(), options);
   AsPrinted printed(model, cruising(), options);
   const Control control{0.05, -0.02, 0, 3};
@@ -145,7 +145,7 @@ TEST(VelocityFilter, FindsTheVelocityOfAVehicleThatItKnows) {
     filter.predict(level, control, dt);
     filter.update_rate(truth.state().velocity.tail<3>());
     filter.update_height(truth.state().height_m + normal(0.5));
-    if (k % 100 == 1 && k < 1000)  // as the mission begins; the log alone leaves the sign open
+    if (k % 100 == 1 && k < 1000)  // only at first; the log alone does not give the sign
       filter.update_velocity(truth.state().velocity.head<3>() +
                              Vector3d{normal(0.03), normal(0.03), normal(0.03)});
     if (k % 50 == 0) filter.update_log(truth.state().velocity.head<3>().norm() + normal(0.03));

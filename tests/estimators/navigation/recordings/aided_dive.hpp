@@ -5,7 +5,7 @@
 
 namespace drydock::navigation::test {
 
-/// What the recording does not say of the vehicle that made it. Levers from the IMU, body axes, m.
+/// Properties of the vehicle that are not in the recording. Levers from the IMU, body axes, m.
 struct DiveSetup {
   Eigen::Matrix3d imu_to_body, dvl_to_body;
   Eigen::Vector3d dvl_lever, pressure_lever;
@@ -15,17 +15,17 @@ struct DiveSetup {
 };
 
 struct DiveResult {
-  double travelled_m = 0, gap_m = 0;  ///< path, and horizontal distance of its end from its start
-  double gap_sigma_m = 0;             ///< what the filter expects of the end, root of two variances
+  double travelled_m = 0, gap_m = 0;  ///< length of the path; horizontal distance of its ends
+  double gap_sigma_m = 0;             ///< sigma of the gap by the filter, root of two variances
   double turned_rad = 0;              ///< by the filter's heading, over the whole dive
-  double magnetic_turned_rad = 0;     ///< by the magnetometer, which the filter does not use
+  double magnetic_turned_rad = 0;     ///< by the magnetometer; the filter does not use it
   double velocity_nis = 0, depth_nis = 0;  ///< per degree of freedom
   double velocity_rms_mps = 0, depth_rms_m = 0;
   int refused = 0;  ///< rows beyond the gate
 };
 
-/// Levels over the first 2 s (the vehicle never rests), takes the heading from the magnetometer and
-/// the velocity from the first DVL line. Refused when the recording is shorter than that.
+/// Levels over the first 2 s, because the vehicle never rests. Takes the heading from the
+/// magnetometer and the velocity from the first DVL line. Refuses a shorter recording.
 Read<DiveResult> navigate(const PoolRecording& dive, const DiveSetup& setup);
 
 }  // namespace drydock::navigation::test

@@ -13,9 +13,9 @@ using Eigen::Vector3d;
 namespace {
 
 constexpr double resting_mps = 0.05, moving_mps = 2, needed_rest_s = 5;
-constexpr int rtk_fixed = 1;  // of RTKLIB; a float solution is off by more than it says
+constexpr int rtk_fixed = 1;  // in RTKLIB; the error of a float solution exceeds its stated sigma
 
-/// The IMU in body axes, in the time of the fixes, without the rate it shows at rest.
+/// The IMU in body axes, in the time of the fixes, without its rate at rest.
 struct Imu {
   const DriveRecording& drive;
   const DriveSetup& setup;
@@ -89,7 +89,7 @@ Read<DriveResult> navigate(const DriveRecording& drive, const DriveSetup& setup,
   bool after_gap = false;
   double now = begin, square = 0, nis = 0;
   std::size_t aids = 0, rows = 0, sample = start->sample;
-  const auto go_to = [&](double t) {  // part of a sample where a fix lies inside it
+  const auto go_to = [&](double t) {  // uses part of a sample if a fix lies inside it
     const double dt = t - now;
     aided.add_imu(imu.rate(sample) * dt, imu.force(sample) * dt, dt);
     aided.step();

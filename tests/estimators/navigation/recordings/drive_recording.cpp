@@ -14,15 +14,14 @@
 
 namespace drydock::navigation::test {
 
-static_assert(std::endian::native == std::endian::little);  // as the tags are
+static_assert(std::endian::native == std::endian::little);  // the tags are little-endian
 
 namespace {
 
 constexpr double in_radians = std::numbers::pi / 180, standard_gravity = 9.80665;
 constexpr double day = 86400;
-constexpr double logger_loop_s =
-    2.048e-3;                           // polls fall on its turns, of which the rows tell the ms
-constexpr std::size_t tag_header = 64;  // then time_t and fraction of a second, then pairs
+constexpr double logger_loop_s = 2.048e-3;  // polls occur at its turns; the rows have only whole ms
+constexpr std::size_t tag_header = 64;      // then time_t and fraction of a second, then pairs
 
 Read<std::filesystem::path> only_file(const std::filesystem::path& folder, const std::string& end) {
   std::vector<std::filesystem::path> found;
@@ -71,7 +70,7 @@ struct Line {
   double at(double x) const { return offset + slope * (x - origin); }
 };
 
-/// The logger's time of day by the IMU's clock.
+/// The logger's time of day as a line over the IMU's clock.
 Read<Line> read_clock(const std::filesystem::path& tags, const std::string& csv,
                       const std::vector<std::vector<double>>& rows) {
   const Read<std::string> text = read_text(tags);
@@ -84,7 +83,7 @@ Read<Line> read_clock(const std::filesystem::path& tags, const std::string& csv,
     return Refusal{tags, "not a file of RTKLIB time tags"};
   std::memcpy(&start, bytes.data() + tag_header, sizeof start);
   std::memcpy(&fraction, bytes.data() + tag_header + sizeof start, sizeof fraction);
-  // Tags count the bytes that were logged; a file whose line ends were converted since is shorter.
+  // Tags count the logged bytes. A file with converted line ends is shorter.
   const std::size_t last = first + (bytes.size() - first) / sizeof pair * sizeof pair - sizeof pair;
   std::memcpy(pair, bytes.data() + last, sizeof pair);
   const std::size_t lost = pair[1] > csv.size() ? 1 : 0;
@@ -110,7 +109,8 @@ Read<Line> read_clock(const std::filesystem::path& tags, const std::string& csv,
   return Line{mean.x(), std::fmod(start, day) + fraction + mean.y(), xy / xx};
 }
 
-/// The rows by the IMU's count, finer than its ms where they fall on the turns of the loop.
+/// The times of the rows by the IMU's count. They are finer than its ms if they fit the turns of
+/// the logger's loop.
 std::vector<Poll> read_polls(const std::vector<std::vector<double>>& rows) {
   std::complex<double> turn = 0;
   const auto angle = [](double t) { return 2 * std::numbers::pi * t / logger_loop_s; };

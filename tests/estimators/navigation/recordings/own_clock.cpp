@@ -9,19 +9,20 @@ namespace drydock::navigation::test {
 
 namespace {
 
-constexpr double furthest = 0.03, nearest = 5e-4;  // of the two rates from each other
-constexpr double coarse_s = 100;                   // a line through this much leads the rest
-constexpr std::size_t window = 500;                // polls that give one point of the stray
-constexpr double fine_s = 5e-5;                    // between strays that are tried
-constexpr int tried = 30;                          // of them, early and late
+constexpr double furthest = 0.03, nearest = 5e-4;  // relative difference of the two rates
+constexpr double coarse_s = 100;     // length of the first line, which guides the rest
+constexpr std::size_t window = 500;  // polls for one point of the stray
+constexpr double fine_s = 5e-5;      // step between the strays that are tried
+constexpr int tried = 30;            // number of steps, early and late
 
-/// Eq. (R1): a repeat says that a sample came between it and one period after the poll before.
+/// Eq. (R1): after a repeat, the next sample came between the repeat and one period after the poll
+/// before.
 struct Repeat {
   double poll, before;
   double arrival(double period) const { return (poll + before + period) / 2; }
 };
 
-/// The period whose phase the arrivals share, by the length of their resultant.
+/// The period for which the phases of the arrivals agree best, by the length of their resultant.
 double coarse_period(const std::vector<Repeat>& repeats, double polled, bool faster) {
   const double span = std::min(coarse_s, repeats.back().poll - repeats.front().poll);
   const double step = polled * polled / span / 10;
@@ -45,7 +46,7 @@ OwnClock line_near(const std::vector<Repeat>& repeats, double period) {
   OwnClock clock{repeats.front().arrival(period), period, {}, {}};
   for (const double reach : {coarse_s, repeats.back().poll}) {
     double n = 0, j1 = 0, j2 = 0, e1 = 0, je = 0;
-    double led = 0;  // the stray so far, lest a sample be miscounted
+    double led = 0;  // the stray so far, so that no sample is miscounted
     for (const Repeat& r : repeats) {
       if (r.poll - repeats.front().poll > reach) break;
       const double arrival = r.arrival(clock.period);
@@ -61,7 +62,7 @@ OwnClock line_near(const std::vector<Repeat>& repeats, double period) {
   return clock;
 }
 
-/// Polls of a window whose news, or want of it, the clock does not explain when `stray` s late.
+/// Number of polls in a window where a clock that is `stray` s late disagrees with `repeats`.
 int unexplained(std::span<const Poll> polls, const std::vector<bool>& repeats, std::size_t from,
                 const OwnClock& clock, double stray) {
   int count = 0;
@@ -77,7 +78,7 @@ int unexplained(std::span<const Poll> polls, const std::vector<bool>& repeats, s
   return count;
 }
 
-/// The stray, window by window: the middle of those that leave fewest polls unexplained.
+/// The stray for each window: the mean of those strays with the fewest unexplained polls.
 void add_stray(std::span<const Poll> polls, const std::vector<bool>& repeats, OwnClock& clock) {
   for (std::size_t from = 0; from == 0 || from + window <= polls.size(); from += window / 2) {
     int fewest = static_cast<int>(window);

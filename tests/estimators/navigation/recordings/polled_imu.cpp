@@ -9,13 +9,14 @@ namespace drydock::navigation::test {
 
 namespace {
 
-constexpr std::size_t few = 20;  // repeats: too few to see a clock in them
+constexpr std::size_t few = 20;  // fewer repeats are too few to estimate a clock
 constexpr int reach = 6;         // samples on each side that fill in a lost one, all six axes
-constexpr int around = 12;       // samples on each side that say how well
+constexpr int around = 12;       // samples on each side that give its sigma
 constexpr int inputs = 6 * 2 * reach;
 using Samples = std::vector<OwnSample>;
 
-/// One entry per sample of the IMU's own; `lost` where no poll brought it, interpolated for now.
+/// Makes one entry for each of the IMU's own samples. A sample that no poll read is marked in
+/// `lost` and interpolated for now.
 void place(std::span<const Poll> polls, const std::vector<bool>& repeats, const OwnClock& clock,
            Samples& samples, std::vector<bool>& lost) {
   const long begin = clock.newest(polls[0].t);
@@ -35,7 +36,7 @@ void place(std::span<const Poll> polls, const std::vector<bool>& repeats, const 
   }
 }
 
-/// Eq. (R2): all axes of the neighbours, in units of each axis' deviation.
+/// Eq. (R2): all axes of the neighbours, each divided by its standard deviation.
 Eigen::Matrix<double, inputs, 1> neighbours(const Samples& samples, std::size_t i,
                                             const Vector6& mean, const Vector6& deviation) {
   Eigen::Matrix<double, inputs, 1> x;
@@ -47,7 +48,7 @@ Eigen::Matrix<double, inputs, 1> neighbours(const Samples& samples, std::size_t 
   return x;
 }
 
-/// Eq. (R2), (R3). False when there are too few whole stretches to learn from.
+/// Eq. (R2), (R3). False if there are too few complete stretches to learn from.
 bool fill(Samples& samples, const std::vector<bool>& lost) {
   const auto size = samples.size();
   const std::size_t edge = reach;

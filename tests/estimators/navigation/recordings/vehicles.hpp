@@ -6,7 +6,7 @@
 #include "tests/estimators/navigation/recordings/aided_dive.hpp"
 #include "tests/estimators/navigation/recordings/aided_drive.hpp"
 
-/// The two vehicles, as their owners describe them, and what we chose:
+/// The two vehicles by the descriptions of their owners, and our chosen values:
 /// docs/estimators/real-data.md.
 namespace drydock::navigation::test {
 
@@ -19,13 +19,13 @@ inline DriveSetup car() {
   o.alignment_rad = Eigen::Vector3d{1, 1, 10} * degree;
   o.gyro_bias_radps = 0.02 * degree;
   o.accel_bias_mps2 = 0.1;
-  // Where each comes from: docs/estimators/real-data.md.
+  // The source of each value: docs/estimators/real-data.md.
   o.angle_noise_rad = 0.005 * degree;
   o.velocity_noise_mps = 0.009;
   o.gyro_bias_walk_radps = 4e-4 * degree;
   o.accel_bias_walk_mps2 = 7e-6 * 9.80665;
   o.height_noise_m = o.height_loop_tau_s = 0;
-  // Groves' Euler angles of the IMU against the car: what turns body axes into the IMU's.
+  // Euler angles by Groves from the body axes of the car to the axes of the IMU.
   const frame::Euler imu{180 * degree, -6.79 * degree, 185.35 * degree};
   return {frame::ned_to_body(imu), {0, -0.05, 0}, 0.26, 0.015, o};
 }
