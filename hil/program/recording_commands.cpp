@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <numbers>
 
+#include "drivers/measurement/units.hpp"
 #include "drivers/recordings/tasks/recordings.hpp"
 #include "drivers/terminal/duration.hpp"
 #include "hil/program/part_arguments.hpp"
@@ -13,8 +13,6 @@
 namespace drydock::program {
 
 namespace {
-
-constexpr double degree = std::numbers::pi / 180;
 
 struct ExportArguments {
   PartArguments part;
@@ -118,7 +116,7 @@ void read_privacy(CutArguments& a) {
   }
   if (std::abs(a.place_deg[0]) > 89 || std::abs(a.place_deg[1]) > 180)
     throw CLI::ValidationError("--place", "allowed: -89 to 89, -180 to 180");
-  if (a.move) slice.move_to = {a.place_deg[0] * degree, a.place_deg[1] * degree};
+  if (a.move) slice.move_to = {a.place_deg[0] * units::degree, a.place_deg[1] * units::degree};
 }
 
 void add_cut(CLI::App& app, Command& command) {

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "drivers/measurement/units.hpp"
 #include "drivers/recordings/slice/move_understood.hpp"
 #include "rig_config/toml/rewrite.hpp"
 
@@ -131,10 +132,11 @@ bool Disguise::apply(mcap::Attachment& attachment) {
   rig_config::Rewriting rewriting;
   rewriting.without_dates = shift != 0;
   rewriting.number = [this](std::string_view key, double value) {
-    constexpr double degree = wire::radians(1);
     if (!place_) return value;
-    if (key == "latitude_deg") return written(place_->latitude(value * degree) / degree);
-    if (key == "longitude_deg") return written(place_->longitude(value * degree) / degree);
+    if (key == "latitude_deg")
+      return written(place_->latitude(value * units::degree) / units::degree);
+    if (key == "longitude_deg")
+      return written(place_->longitude(value * units::degree) / units::degree);
     return value;
   };
   const auto text = attachment.name.ends_with(".toml")
