@@ -31,9 +31,8 @@ measurement::Provenance provenance_of(const std::string& link) {
 std::vector<bus::Device> bus_devices(const rig_config::Rig& rig) {
   std::vector<bus::Device> devices;
   for (const auto& config : rig.devices) {
-    // Both enumerations follow the order of the rig file's `kind`.
     devices.push_back({.name = config.name,
-                       .kind = static_cast<bus::Kind>(config.kind),
+                       .kind = config.kind,
                        .provenance = provenance_of(config.link)});
   }
   return devices;
@@ -43,7 +42,7 @@ std::vector<bus::Device> bus_devices(std::span<const std::unique_ptr<device::Dev
   std::vector<bus::Device> all;
   for (const auto& device : devices) {
     all.push_back({.name = std::string(device->name()),
-                   .kind = static_cast<bus::Kind>(device->options().driver.kind),
+                   .kind = device->options().driver.kind,
                    .provenance = provenance_of(device->options().link)});
   }
   return all;
@@ -90,7 +89,7 @@ bus::DeviceStatus status_of(const device::Device& device, const device::Health& 
                            .hardware_id = options.link,
                            .values = {}};
   status.values = {
-      {"kind", std::string{device::to_string(options.driver.kind)}},
+      {"kind", std::string{to_string(options.driver.kind)}},
       {"protocol", options.driver.protocol},
       {"provenance", std::string{measurement::to_string(provenance_of(options.link))}},
       {"rate_hz", fmt::format("{:.3f}", health.rate_hz.value_or(0))},

@@ -28,7 +28,7 @@ class BusViews final : public bus::Receiver {
       view.name = device.name;
       view.link = device.link;
       view.protocol = device.protocol;
-      view.kind = to_string(static_cast<device::Kind>(device.kind));
+      view.kind = to_string(device.kind);
       view.nominal_rate_hz = device.rate_hz;
       view.state = "not heard";
       view.status = "no diagnostics on the bus: do its drivers run, in this DDS domain?";

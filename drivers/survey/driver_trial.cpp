@@ -90,12 +90,10 @@ std::optional<double> DriverTrial::gravity_error() const {
 std::vector<std::unique_ptr<DriverTrial>> trials_of(std::string_view protocol,
                                                     std::uint8_t address) {
   std::vector<std::unique_ptr<DriverTrial>> trials;
-  for (const Kind kind :
-       {Kind::dvl, Kind::emlog, Kind::gnss, Kind::imu, Kind::depth, Kind::actuator}) {
-    for (const auto& entry : device::protocols_of(kind)) {
-      if (entry.name == protocol)
-        trials.push_back(std::make_unique<DriverTrial>(kind, protocol, address));
-    }
+  const wire::Protocol* known = wire::find_protocol(protocol);
+  for (const Kind kind : measurement::kinds) {
+    if (known && known->kinds.has(kind))
+      trials.push_back(std::make_unique<DriverTrial>(kind, protocol, address));
   }
   return trials;
 }

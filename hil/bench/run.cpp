@@ -62,7 +62,7 @@ summary::DeviceSummary summarise(const device::Device& device, const device::Hea
                                  measurement::Provenance provenance) {
   const auto& options = device.options();
   return {.name = device.name(),
-          .kind = std::string{device::to_string(options.driver.kind)},
+          .kind = std::string{to_string(options.driver.kind)},
           .protocol = options.driver.protocol,
           .link = options.link,
           .provenance = std::string{measurement::to_string(provenance)},

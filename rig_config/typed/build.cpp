@@ -66,7 +66,7 @@ DeviceConfig build_device(const Node& table, const std::string& rig_file) {
   DeviceConfig device;
   device.line = table.at.line;
   read(table, "name", device.name);
-  device.kind = named<DeviceKind>(table, device_kinds);
+  device.kind = measurement::kind_of(table.find("kind")->text).value();
   read(table, "protocol", device.protocol);
   read(table, "link", device.link);
   device.link = resolved(device.link, rig_file);
