@@ -103,7 +103,7 @@ TEST(Protocols, ThePageNamesThoseThatCannotBeEmulated) {
   for (const Protocol& protocol : protocols())
     if (!protocol.kinds.empty() && !protocol.emulated)
       names += (names.empty() ? "`" : ", `") + std::string(protocol.name) + "`";
-  EXPECT_THAT(page(), testing::HasSubstr("Every protocol with a kind can be emulated, except " +
+  EXPECT_THAT(page(), ::testing::HasSubstr("Every protocol with a kind can be emulated, except " +
                                          names + "."));
 }
 
