@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <string>
 #include <string_view>
 
 #include "rig_config/rig.hpp"
@@ -14,6 +15,11 @@ namespace drydock::rig_config {
 inline constexpr std::array device_kinds{"dvl", "emlog", "gnss", "imu", "depth", "actuator"};
 inline std::string_view name_of(DeviceKind kind) {
   return device_kinds.at(static_cast<std::size_t>(kind));
+}
+
+/// In words: the sensor file at `path` says nothing of this kind.
+inline std::string no_table(const std::string& path, DeviceKind kind) {
+  return path + " has no table [" + std::string(name_of(kind)) + "]";
 }
 
 /// The blocks [[expect]] of a rig, in their order.
