@@ -10,8 +10,6 @@
 #include "hil/control/control_socket.hpp"
 #include "hil/control/fault_words.hpp"
 #include "hil/control/request/order_text.hpp"
-#include "hil/fault/injector.hpp"
-#include "hil/program/commands.hpp"
 
 namespace drydock::control {
 
@@ -79,21 +77,6 @@ int show_fault_words(const rig_config::Rig& rig, const FaultOptions& o) {
       fmt::print("  {:<19}{:<35}{}\n", word->name, amount_keys(*word, device), word->meaning);
   }
   return 0;
-}
-
-void add_faults(rig_config::Rig& rig, const std::string& path) {
-  rig_config::Problems problems;
-  if (!path.empty()) {
-    auto faults = rig_config::load_faults(path);
-    if (faults)
-      std::ranges::move(*faults, std::back_inserter(rig.faults));
-    else
-      problems = faults.error();
-  }
-  if (problems.empty()) problems = fault::check_faults(rig);
-  if (problems.empty()) return;
-  for (const auto& problem : problems) fmt::print(stderr, "{}\n", to_string(problem));
-  throw program::BadRig{};
 }
 
 }  // namespace drydock::control

@@ -23,8 +23,4 @@ int list_faults(const rig_config::Rig& rig, const FaultOptions& options);
 /// Prints the faults that each device can have. It needs no running bench.
 int show_fault_words(const rig_config::Rig& rig, const FaultOptions& options);
 
-/// Adds the faults of a file to those of the rig. Prints the problems and throws BadRig if the file
-/// is wrong or asks for a fault that this program cannot make. An empty path adds none.
-void add_faults(rig_config::Rig& rig, const std::string& path);
-
 }  // namespace drydock::control

@@ -1,11 +1,12 @@
 #include <memory>
 
 #include "hil/program/commands.hpp"
+#include "hil/program/options.hpp"
 #include "hil/proxy/run_proxy.hpp"
 
 namespace drydock::program {
 
-void add_proxy_command(CLI::App& app, Command& command) {
+void add_proxy(CLI::App& app, Command& command) {
   auto options = std::make_shared<proxy::ProxyCommandOptions>();
   auto* sub = app.add_subcommand(
       "proxy", "Pass a real device's link on to a virtual one, with faults between");

@@ -3,10 +3,11 @@
 #include "drivers/decode/decode.hpp"
 #include "hil/characterize/report/characterize.hpp"
 #include "hil/program/commands.hpp"
+#include "hil/program/options.hpp"
 
 namespace drydock::program {
 
-void add_characterize_command(CLI::App& app, Command& command) {
+void add_characterize(CLI::App& app, Command& command) {
   auto options = std::make_shared<characterize::CharacterizeOptions>();
   auto* sub = app.add_subcommand(
       "characterize",

@@ -2,10 +2,12 @@
 
 #include "hil/endurance/load_run.hpp"
 #include "hil/program/commands.hpp"
+#include "hil/program/load_rig.hpp"
+#include "hil/program/options.hpp"
 
 namespace drydock::program {
 
-void add_load_command(CLI::App& app, Command& command) {
+void add_load(CLI::App& app, Command& command) {
   struct Arguments {
     std::string rig;
     endurance::LoadOptions options;

@@ -1,13 +1,9 @@
-#include <fmt/format.h>
-
 #include <memory>
 
 #include "drivers/decode/decode.hpp"
 #include "hil/program/commands.hpp"
 
 namespace drydock::program {
-
-namespace {
 
 void add_decode(CLI::App& app, Command& command) {
   auto options = std::make_shared<decode::DecodeOptions>();
@@ -29,9 +25,5 @@ void add_decode(CLI::App& app, Command& command) {
     command = [options] { return decode::decode(*options, stdout, stderr); };
   });
 }
-
-}  // namespace
-
-void add_capture_commands(CLI::App& app, Command& command) { add_decode(app, command); }
 
 }  // namespace drydock::program

@@ -2,6 +2,8 @@
 
 #include "hil/control/order_faults.hpp"
 #include "hil/program/commands.hpp"
+#include "hil/program/load_rig.hpp"
+#include "hil/program/options.hpp"
 
 namespace drydock::program {
 
@@ -25,7 +27,7 @@ CLI::App* add_action(CLI::App* fault, const std::shared_ptr<FaultArguments>& a, 
 
 }  // namespace
 
-void add_fault_command(CLI::App& app, Command& command) {
+void add_fault(CLI::App& app, Command& command) {
   auto a = std::make_shared<FaultArguments>();
   auto* fault = app.add_subcommand("fault", "Break a running bench on purpose, and mend it again");
   fault->footer(

@@ -1,11 +1,13 @@
 #include <memory>
 
 #include "hil/program/commands.hpp"
+#include "hil/program/load_rig.hpp"
+#include "hil/program/options.hpp"
 #include "hil/validity/run/validity.hpp"
 
 namespace drydock::program {
 
-void add_validity_command(CLI::App& app, Command& command) {
+void add_validity(CLI::App& app, Command& command) {
   struct Arguments {
     std::string rig, speed = "1";
     validity::ValidityOptions options;

@@ -5,6 +5,8 @@
 
 #include "drivers/decode/decode.hpp"
 #include "drivers/decode/replay.hpp"
+#include "hil/program/commands.hpp"
+#include "hil/program/options.hpp"
 #include "hil/program/part_arguments.hpp"
 #include "hil/replay/replay_rig.hpp"
 
@@ -106,7 +108,7 @@ void read_capture(const CLI::App& sub, ReplayArguments& a) {
 
 }  // namespace
 
-void add_replay_command(CLI::App& app, Command& command) {
+void add_replay(CLI::App& app, Command& command) {
   auto a = std::make_shared<ReplayArguments>();
   auto* sub = app.add_subcommand(
       "replay",

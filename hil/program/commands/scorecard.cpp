@@ -1,4 +1,6 @@
-#include "hil/program/scorecard_command.hpp"
+#include "hil/program/commands.hpp"
+#include "hil/program/load_rig.hpp"
+#include "hil/program/options.hpp"
 
 #include <memory>
 
@@ -6,7 +8,7 @@
 
 namespace drydock::program {
 
-void add_scorecard_command(CLI::App& app, Command& command) {
+void add_scorecard(CLI::App& app, Command& command) {
   struct Arguments {
     std::string rig;
     std::optional<std::uint64_t> seed;

@@ -1,0 +1,67 @@
+#include <memory>
+#include <stdexcept>
+
+#include "drivers/decode/decode.hpp"
+#include "drivers/monitor/monitor.hpp"
+#include "drivers/shell/rig_devices.hpp"
+#include "hil/program/commands.hpp"
+#include "hil/program/load_rig.hpp"
+#include "hil/program/options.hpp"
+
+namespace drydock::program {
+
+namespace {
+
+/// True for a rig file, false for a link.
+bool is_rig(const std::string& source) { return source.ends_with(".toml"); }
+
+std::vector<std::unique_ptr<device::Device>> devices_of(const rig_config::Rig& rig) {
+  auto devices = shell::make_devices(rig);
+  if (!devices) throw std::runtime_error(devices.error().message);
+  return std::move(*devices);
+}
+
+}  // namespace
+
+void add_monitor(CLI::App& app, Command& command) {
+  struct Arguments {
+    monitor::MonitorOptions options;
+    bool bus = false;
+  };
+  auto a = std::make_shared<Arguments>();
+  auto* sub = app.add_subcommand(
+      "monitor", "Show what a rig's devices, or a link, say now; never writes to the wire");
+  sub->footer(
+      "Example: drydock monitor rig_config/rigs/bench-serial.toml\n"
+      "         drydock monitor serial:/dev/ttyUSB0 --once\n"
+      "         drydock monitor serial:/dev/ttyUSB0 --serve\n"
+      "         drydock monitor 'serial:/dev/ttyUSB0?baud=38400' --protocol ubx");
+  sub->add_option("SOURCE", a->options.link,
+                  "rig file (TOML), or link URI: its sensors are found by probing")
+      ->required();
+  auto* protocol = sub->add_option(
+      "--protocol", a->options.protocol,
+      "of a link: each message as a JSON line; one of " + decode::decode_protocols());
+  auto* once = sub->add_flag("--once", a->options.once,
+                             "one table, as soon as all stream; exit 1 when one does not");
+  auto* json =
+      sub->add_flag("--json", a->options.json, "an object a device each second, JSON Lines");
+  auto* bus = sub->add_flag("--bus", a->bus,
+                            "of a rig whose drivers run elsewhere: from DDS, not from the ports");
+  add_serve(*sub, a->options.serve);
+  auto* serve = sub->get_option("--serve")->excludes(once);
+  protocol->excludes(once)->excludes(json)->excludes(bus)->excludes(serve);
+  sub->add_option("--for", a->options.duration_s, "how long: 60s, 10min; default until Ctrl-C")
+      ->transform(duration_text);
+  sub->callback([a, &command] {
+    command = [a] {
+      if (!a->options.protocol.empty()) return monitor::monitor_messages(a->options);
+      if (!is_rig(a->options.link)) return monitor::monitor_link(a->options);
+      const auto rig = load_rig(a->options.link);
+      return a->bus ? monitor::monitor_bus(rig, a->options)
+                    : monitor::monitor_devices(devices_of(rig), rig.name, a->options);
+    };
+  });
+}
+
+}  // namespace drydock::program

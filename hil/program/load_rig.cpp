@@ -1,0 +1,63 @@
+#include "hil/program/load_rig.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cstdlib>
+#include <iterator>
+#include <stdexcept>
+
+#include "hil/check/check.hpp"
+#include "hil/fault/injector.hpp"
+#include "rig_config/load.hpp"
+
+namespace drydock::program {
+
+namespace {
+
+/// ROS_DOMAIN_ID chooses the DDS domain, as in every ROS 2 program. It overrides the rig file.
+void apply_environment(rig_config::Rig& rig) {
+  const char* text = std::getenv("ROS_DOMAIN_ID");
+  if (text == nullptr || *text == '\0') return;
+  constexpr int highest_domain = 232;
+  const std::string_view digits(text);
+  const auto [end, error] =
+      std::from_chars(digits.data(), digits.data() + digits.size(), rig.dds_domain);
+  if (error != std::errc{} || end != digits.data() + digits.size() || rig.dds_domain < 0 ||
+      rig.dds_domain > highest_domain) {
+    throw std::runtime_error(
+        fmt::format("ROS_DOMAIN_ID is '{}'; allowed: 0 to {}", digits, highest_domain));
+  }
+}
+
+[[noreturn]] void refuse(const rig_config::Problems& problems) {
+  for (const auto& problem : problems) fmt::print(stderr, "{}\n", to_string(problem));
+  throw BadRig{};
+}
+
+}  // namespace
+
+rig_config::Rig load_rig(const std::string& path) {
+  auto rig = rig_config::load_rig(path, check::load_options());
+  if (rig) {
+    apply_environment(*rig);
+    return std::move(*rig);
+  }
+  refuse(rig.error());
+}
+
+void add_faults(rig_config::Rig& rig, const std::string& path) {
+  rig_config::Problems problems;
+  if (!path.empty()) {
+    auto faults = rig_config::load_faults(path);
+    if (faults)
+      std::ranges::move(*faults, std::back_inserter(rig.faults));
+    else
+      problems = faults.error();
+  }
+  if (problems.empty()) problems = fault::check_faults(rig);
+  if (!problems.empty()) refuse(problems);
+}
+
+}  // namespace drydock::program

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+
+#include "rig_config/rig.hpp"
+
+namespace drydock::program {
+
+/// Thrown when a rig file cannot be used, after the lines that say why have been printed.
+struct BadRig {};
+
+/// Reads a rig file, with the environment's DDS domain. Throws BadRig.
+rig_config::Rig load_rig(const std::string& path);
+
+/// Puts the faults of a file beside those of the rig and checks all of them. An empty path: those
+/// of the rig alone. Throws BadRig where the file is wrong or the rig cannot have such a fault.
+void add_faults(rig_config::Rig& rig, const std::string& path);
+
+}  // namespace drydock::program

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+#include "drivers/host/rig_recorder.hpp"
+#include "drivers/host/rig_viewer.hpp"
+
+/// Options that several commands have.
+namespace drydock::program {
+
+/// Takes "60s", "10min", "5.5h" and gives seconds.
+extern const CLI::Validator duration_text;
+
+/// --serve and --token. `more` is added to the help of --serve.
+void add_serve(CLI::App& sub, host::ServeOptions& serve, const std::string& more = {});
+
+/// --allow-faults, beside --serve.
+void add_allow_faults(CLI::App& sub, host::ServeOptions& serve);
+
+/// --faults: a file of blocks [[fault]].
+void add_faults_option(CLI::App& sub, std::string& file);
+
+/// --overwrite, for a recording.
+void add_overwrite(CLI::App& sub, host::RecordOptions& record);
+
+}  // namespace drydock::program
