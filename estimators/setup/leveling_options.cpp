@@ -1,5 +1,3 @@
-#include "estimators/leveling/leveling_options.hpp"
-
 #include "estimators/setup/options_of.hpp"
 
 namespace drydock::setup {
