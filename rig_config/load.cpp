@@ -40,7 +40,7 @@ Problems read_emulated_errors(const Node& table, std::size_t index, DeviceConfig
     const std::string path = beside(file, errors->text);
     const auto sensors = read_checked_file(path, FileKind::sensor);
     if (!sensors) return sensors.error();
-    const Node* grade = sensors->find(name_of(device.kind));
+    const Node* grade = sensors->find(to_string(device.kind));
     if (!grade)
       return {{file, errors->at.line, errors->at.column,
                fmt::format("/device/{}/emulate/errors", index), no_table(path, device.kind)}};
@@ -139,7 +139,7 @@ Loaded<EmulateConfig> load_sensor_text(std::string_view text, const std::string&
                                        DeviceKind kind) {
   const auto root = read_checked(text, path, FileKind::sensor);
   if (!root) return root.error();
-  const Node* table = root->find(name_of(kind));
+  const Node* table = root->find(to_string(kind));
   if (!table) return Problems{{path, 1, 1, "/", no_table(path, kind)}};
   EmulateConfig sensor;
   read_errors(*table, kind, sensor);

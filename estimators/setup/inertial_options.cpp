@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "drivers/measurement/units.hpp"
 #include "drivers/measurement/water_column.hpp"
 #include "estimators/frame/attitude.hpp"
 #include "estimators/setup/options_of.hpp"
@@ -82,8 +83,7 @@ pipeline::InertialOptions inertial_options(const rig_config::InertialConfig& c,
   if (const auto* dvl = find_device(rig, c.dvl))
     replace_if_known(options.ground_sigma_mps, sample_sigma(c.dvl_grade.primary, dvl->rate_hz));
   if (const auto* depth = find_device(rig, c.depth)) {
-    const double pascal_per_metre =
-        depth->water_density_kgm3 * measurement::ocean::standard_gravity_mps2;
+    const double pascal_per_metre = depth->water_density_kgm3 * units::standard_gravity;
     replace_if_known(options.depth_sigma_m,
                      sample_sigma(c.depth_grade.primary, depth->rate_hz) / pascal_per_metre);
   }

@@ -130,7 +130,7 @@ class RigChecks {
       for (const auto& [key, kind] : facts.devices) {
         if (std::ranges::find(checked, key) != checked.end()) continue;
         checked.push_back(key);
-        estimator_devices_exist(key, kind);
+        estimator_devices_exist(key, to_string(kind));
       }
   }
 

@@ -9,10 +9,10 @@ AttitudeStart read_attitude_start(const Node& table) {
   std::string from;
   read(table, "start", from);
   start.accelerometer = from != "given";
-  read(table, "initial_roll_deg", start.initial_roll_rad, degree);
-  read(table, "initial_pitch_deg", start.initial_pitch_rad, degree);
-  read(table, "latitude_deg", start.latitude_rad, degree);
-  read(table, "heading_deg", start.heading_rad, degree);
+  read(table, "initial_roll_deg", start.initial_roll_rad, units::degree);
+  read(table, "initial_pitch_deg", start.initial_pitch_rad, units::degree);
+  read(table, "latitude_deg", start.latitude_rad, units::degree);
+  read(table, "heading_deg", start.heading_rad, units::degree);
   return start;
 }
 

@@ -3,11 +3,14 @@
 #include <span>
 #include <string_view>
 
+#include "drivers/measurement/kind.hpp"
+
 namespace drydock::rig_config {
 
 /// A key of `[[estimator]]` that names a device, and the kind that this device must have.
 struct DeviceKey {
-  std::string_view key, kind;
+  std::string_view key;
+  measurement::Kind kind;
 };
 
 /// What the rest of the program knows about a kind of estimator. Every estimator has an IMU and

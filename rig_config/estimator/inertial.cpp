@@ -17,18 +17,18 @@ InertialConfig read_inertial(const Node& table) {
   read(table, "sea_level_m", inertial.sea_level_m);
   const Node* initial = table.find("initial");
   if (!initial) return inertial;
-  read(*initial, "latitude_deg", inertial.latitude_rad, degree);
-  read(*initial, "longitude_deg", inertial.longitude_rad, degree);
+  read(*initial, "latitude_deg", inertial.latitude_rad, units::degree);
+  read(*initial, "longitude_deg", inertial.longitude_rad, units::degree);
   read(*initial, "depth_m", inertial.depth_m);
   read(*initial, "velocity_ned_mps", inertial.velocity_ned_mps);
-  read(*initial, "roll_deg", inertial.roll_rad, degree);
-  read(*initial, "pitch_deg", inertial.pitch_rad, degree);
-  read(*initial, "heading_deg", inertial.heading_rad, degree);
+  read(*initial, "roll_deg", inertial.roll_rad, units::degree);
+  read(*initial, "pitch_deg", inertial.pitch_rad, units::degree);
+  read(*initial, "heading_deg", inertial.heading_rad, units::degree);
   read(*initial, "position_sigma_m", inertial.position_sigma_m);
   read(*initial, "depth_sigma_m", inertial.depth_sigma_m);
   read(*initial, "velocity_sigma_mps", inertial.velocity_sigma_mps);
-  read(*initial, "tilt_sigma_deg", inertial.tilt_sigma_rad, degree);
-  read(*initial, "heading_sigma_deg", inertial.heading_sigma_rad, degree);
+  read(*initial, "tilt_sigma_deg", inertial.tilt_sigma_rad, units::degree);
+  read(*initial, "heading_sigma_deg", inertial.heading_sigma_rad, units::degree);
   return inertial;
 }
 
@@ -41,7 +41,7 @@ Problems read_grades(const EstimatorBlock& block, std::initializer_list<WantedGr
   Problems problems;
   for (const WantedGrade& grade : wanted) {
     if (!block.table.find(grade.key)) continue;
-    if (const Node* found = sensors->find(name_of(grade.kind))) {
+    if (const Node* found = sensors->find(to_string(grade.kind))) {
       read_errors(*found, grade.kind, grade.into);
     } else {
       problems.push_back({block.file, reference->at.line, reference->at.column,

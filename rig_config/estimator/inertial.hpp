@@ -1,19 +1,18 @@
 #pragma once
 
 #include <array>
-#include <cstdint>
 #include <initializer_list>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "drivers/measurement/kind.hpp"
 #include "rig_config/emulate.hpp"
 #include "rig_config/estimator/block.hpp"
 
 namespace drydock::rig_config {
 
 struct Problem;
-enum class DeviceKind : std::uint8_t;
 
 /// What both kinds of inertial navigation have: aiding sensors, the start, and the errors of the
 /// sensors. 1 sigma.
@@ -35,7 +34,7 @@ InertialConfig read_inertial(const Node& table);
 /// The table of the sensor file for the device of a key, and where its errors go.
 struct WantedGrade {
   std::string_view key;
-  DeviceKind kind;
+  measurement::Kind kind;
   EmulateConfig& into;
 };
 

@@ -14,7 +14,7 @@ enum class LevelingFilter : std::uint8_t { robust, augmented, paper };
 
 /// Roll and pitch from an IMU and a speed log. docs/estimators/leveling.md
 struct LevelingConfig {
-  static constexpr std::array devices{DeviceKey{"log", "emlog"}};
+  static constexpr std::array devices{DeviceKey{"log", measurement::Kind::emlog}};
   static constexpr EstimatorFacts facts{
       .name = "leveling", .devices = devices, .has_gate = true, .has_innovations = true};
 

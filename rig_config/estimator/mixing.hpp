@@ -14,7 +14,7 @@ enum class MixingType : std::uint8_t { compensated, type1, type2, type3 };
 
 /// Roll and pitch from an IMU and a speed log. docs/estimators/mixing.md
 struct MixingConfig {
-  static constexpr std::array devices{DeviceKey{"log", "emlog"}};
+  static constexpr std::array devices{DeviceKey{"log", measurement::Kind::emlog}};
   static constexpr EstimatorFacts facts{.name = "mixing", .devices = devices};
 
   MixingType type = MixingType::compensated;

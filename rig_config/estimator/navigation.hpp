@@ -7,8 +7,9 @@ namespace drydock::rig_config {
 
 /// Position, velocity and attitude from an IMU and aiding sensors. docs/estimators/navigation.md
 struct NavigationConfig {
-  static constexpr std::array devices{DeviceKey{"gnss", "gnss"}, DeviceKey{"dvl", "dvl"},
-                                      DeviceKey{"depth", "depth"}};
+  static constexpr std::array devices{DeviceKey{"gnss", measurement::Kind::gnss},
+                                      DeviceKey{"dvl", measurement::Kind::dvl},
+                                      DeviceKey{"depth", measurement::Kind::depth}};
   static constexpr EstimatorFacts facts{.name = "navigation",
                                         .devices = devices,
                                         .gives_positions = true,

@@ -5,7 +5,7 @@
 namespace drydock::rig_config {
 
 void read_kind(const Node& table, RollConfig& into) {
-  constexpr double degree_per_root_hour = degree / 60;
+  constexpr double degree_per_root_hour = units::degree / 60;
   read(table, "gnss", into.gnss);
   const Node* roll = table.find("roll");
   if (!roll) return;
@@ -15,8 +15,8 @@ void read_kind(const Node& table, RollConfig& into) {
   read(*roll, "cno_resolution_db", into.cno_resolution_db);
   read(*roll, "power_noise", into.power_noise);
   read(*roll, "angular_random_walk_degprth", into.angular_random_walk, degree_per_root_hour);
-  read(*roll, "gyro_bias_degps", into.gyro_bias_radps, degree);
-  read(*roll, "angle_of_attack_deg", into.angle_of_attack_rad, degree);
+  read(*roll, "gyro_bias_degps", into.gyro_bias_radps, units::degree);
+  read(*roll, "angle_of_attack_deg", into.angle_of_attack_rad, units::degree);
 }
 
 std::vector<std::string> compared_devices(const RollConfig&) { return {}; }

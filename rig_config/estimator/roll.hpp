@@ -13,7 +13,7 @@ struct Node;
 /// The antenna, receiver and gyro of a roll estimator. All sigmas are one standard deviation.
 /// docs/estimators/roll.md
 struct RollConfig {
-  static constexpr std::array devices{DeviceKey{"gnss", "gnss"}};
+  static constexpr std::array devices{DeviceKey{"gnss", measurement::Kind::gnss}};
   static constexpr EstimatorFacts facts{.name = "roll", .devices = devices, .has_gate = true};
 
   std::string gnss;                             ///< device name

@@ -13,9 +13,10 @@ enum class VelocityMethod : std::uint8_t { coupled, paper };
 
 /// An inertial navigation with a model of the vehicle. docs/estimators/velocity.md
 struct VelocityConfig {
-  static constexpr std::array devices{DeviceKey{"log", "emlog"}, DeviceKey{"dvl", "dvl"},
-                                      DeviceKey{"depth", "depth"},
-                                      DeviceKey{"actuators", "actuator"}};
+  static constexpr std::array devices{DeviceKey{"log", measurement::Kind::emlog},
+                                      DeviceKey{"dvl", measurement::Kind::dvl},
+                                      DeviceKey{"depth", measurement::Kind::depth},
+                                      DeviceKey{"actuators", measurement::Kind::actuator}};
   static constexpr EstimatorFacts facts{.name = "velocity",
                                         .devices = devices,
                                         .gives_positions = true,

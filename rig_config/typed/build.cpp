@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <span>
 
+#include "drivers/measurement/units.hpp"
 #include "rig_config/checks/checks.hpp"
 #include "rig_config/toml/read_keys.hpp"
 
@@ -56,7 +57,7 @@ PressureConfig build_pressure(const Node& table) {
 WaterLinkedConfig build_water_linked(const Node& table) {
   WaterLinkedConfig config;
   config.sound_speed_mps = read_if(table, "sound_speed_mps");
-  config.mounting_rotation_rad = read_if(table, "mounting_rotation_deg", degree);
+  config.mounting_rotation_rad = read_if(table, "mounting_rotation_deg", units::degree);
   read(table, "old_sentences", config.old_sentences);
   return config;
 }
@@ -65,7 +66,7 @@ DeviceConfig build_device(const Node& table, const std::string& rig_file) {
   DeviceConfig device;
   device.line = table.at.line;
   read(table, "name", device.name);
-  device.kind = named<DeviceKind>(table, device_kinds);
+  device.kind = measurement::kind_of(table.find("kind")->text).value();
   read(table, "protocol", device.protocol);
   read(table, "link", device.link);
   device.link = resolved(device.link, rig_file);
@@ -74,14 +75,14 @@ DeviceConfig build_device(const Node& table, const std::string& rig_file) {
   read(table, "reopen_after_s", device.reopen_after_s);
   read(table, "latency_ms", device.latency_s, millisecond);
   read(table, "lever_arm_m", device.lever_arm_m);
-  read(table, "mounting_deg", device.mounting_rad, degree);
+  read(table, "mounting_deg", device.mounting_rad, units::degree);
   read(table, "address", device.address);
   read(table, "heartbeat_timeout_s", device.heartbeat_timeout_s);
   read(table, "sync", device.sync);
   read(table, "surface_pressure_pa", device.surface_pressure_pa);
   read(table, "water_density_kgm3", device.water_density_kgm3);
   if (const Node* latitude = table.find("latitude_deg")) {
-    device.unesco_latitude_rad = latitude->number * degree;
+    device.unesco_latitude_rad = latitude->number * units::degree;
   }
   if (const Node* output = table.find("output")) device.means = output->text == "mean";
   if (const Node* aceinna = table.find("aceinna")) device.aceinna = build_aceinna(*aceinna);
@@ -90,7 +91,7 @@ DeviceConfig build_device(const Node& table, const std::string& rig_file) {
   std::string maker;
   read(table, "maker", maker);
   if (maker == "water-linked") device.maker = DvlMaker::water_linked;
-  device.beam_angle_rad = read_if(table, "beam_angle_deg", degree);
+  device.beam_angle_rad = read_if(table, "beam_angle_deg", units::degree);
   if (const Node* water_linked = table.find("water_linked")) {
     device.water_linked = build_water_linked(*water_linked);
   }

@@ -1,8 +1,6 @@
 #pragma once
 
-#include <array>
 #include <string>
-#include <string_view>
 
 #include "rig_config/rig.hpp"
 #include "rig_config/toml/node.hpp"
@@ -11,15 +9,9 @@
 /// Converts checked documents to typed values. Units become SI; absent keys keep their defaults.
 namespace drydock::rig_config {
 
-/// The names in rig and sensor files, in the order of DeviceKind.
-inline constexpr std::array device_kinds{"dvl", "emlog", "gnss", "imu", "depth", "actuator"};
-inline std::string_view name_of(DeviceKind kind) {
-  return device_kinds.at(static_cast<std::size_t>(kind));
-}
-
 /// In words: the sensor file at `path` says nothing of this kind.
 inline std::string no_table(const std::string& path, DeviceKind kind) {
-  return path + " has no table [" + std::string(name_of(kind)) + "]";
+  return path + " has no table [" + std::string(to_string(kind)) + "]";
 }
 
 /// The blocks [[expect]] of a rig, in their order.
