@@ -15,8 +15,8 @@ namespace drydock::host {
 /// The estimators of a rig in real time: measurements from the bus, estimates to the bus.
 class EstimatorHost final : private pipeline::EstimateListener {
  public:
-  /// Throws std::invalid_argument with one line when the options name an estimator that does not
-  /// exist. Subscriber and publisher must outlive the host.
+  /// Throws std::invalid_argument with one line when an estimator lacks a device that it needs.
+  /// Subscriber and publisher must outlive the host.
   EstimatorHost(boost::asio::io_context& io, const pipeline::PipelineOptions& options,
                 bus::Subscriber& from, bus::Publisher& to);
   ~EstimatorHost() override;

@@ -117,4 +117,9 @@ if grep -nE '(system_clock|steady_clock)::now|\brandom_device\b|\brand\(\)' -r d
   echo "a clock or global randomness in a pure room"
   failed=1
 fi
+kinds=$(sed -nE 's/.*\.name = "([a-z_-]+)".*/\1/p' rig_config/estimator/*.hpp | paste -sd'|')
+if [ -z "$kinds" ] || grep -rnE "(==|!=) *\"($kinds)\"" drivers estimators hil rig_config --include='*.hpp' --include='*.cpp'; then
+  echo "a kind of estimator is compared by its name; ask its row in rig_config/estimator/kinds.hpp"
+  failed=1
+fi
 exit $failed
