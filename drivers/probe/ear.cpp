@@ -16,14 +16,6 @@ constexpr std::chrono::milliseconds idle_period{100};
 
 }  // namespace
 
-Ear::Ear() {
-  signals_.async_wait([this](const boost::system::error_code& ec, int) {
-    if (ec) return;
-    interrupted_ = true;
-    signals_.clear();  // a second Ctrl-C ends the program at once
-  });
-}
-
 /// `read() -> awaitable<bool>` takes one reading. False ends the listening.
 template <class Link, class Read, class Idle>
 void Ear::run(Link& link, link::Stamp until, Read read, const Idle& idle) {
@@ -48,7 +40,7 @@ void Ear::run(Link& link, link::Stamp until, Read read, const Idle& idle) {
     });
   };
   wait();
-  while (!enough && !ended && !interrupted_ && link::now() < until) io_.run_one();
+  while (!enough && !ended && !interrupted() && link::now() < until) io_.run_one();
   timer.cancel();
   wait = [] {};
   link.close();

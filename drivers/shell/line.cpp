@@ -7,6 +7,8 @@
 #include <boost/asio/use_awaitable.hpp>
 #include <utility>
 
+#include "drivers/measurement/earlier.hpp"
+
 namespace drydock::shell {
 
 namespace asio = boost::asio;
@@ -132,10 +134,8 @@ bool Line::open_wanted() const {
 
 std::optional<Stamp> Line::earliest_deadline() const {
   std::optional<Stamp> earliest;
-  for (const Device* device : devices_) {
-    const auto due = device->deadline();
-    if (due && (!earliest || *due < *earliest)) earliest = due;
-  }
+  for (const Device* device : devices_)
+    earliest = measurement::earlier(earliest, device->deadline());
   return earliest;
 }
 

@@ -1,9 +1,9 @@
-#include <algorithm>
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/redirect_error.hpp>
 #include <boost/asio/use_awaitable.hpp>
 #include <utility>
 
+#include "drivers/measurement/earlier.hpp"
 #include "hil/emulate/real_time/runner.hpp"
 
 namespace drydock::emulate {
@@ -114,10 +114,7 @@ Runner::Coroutine BusRunner::send_due(Stamp now) {
 
 std::optional<Stamp> BusRunner::deadline() const {
   auto next = pacer_.deadline();
-  for (const auto& node : nodes_) {
-    const auto due = node->device->deadline();
-    if (due && (!next || *due < *next)) next = due;
-  }
+  for (const auto& node : nodes_) next = measurement::earlier(next, node->device->deadline());
   return next;
 }
 

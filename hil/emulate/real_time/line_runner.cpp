@@ -1,9 +1,9 @@
-#include <algorithm>
 #include <array>
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/redirect_error.hpp>
 #include <boost/asio/use_awaitable.hpp>
 
+#include "drivers/measurement/earlier.hpp"
 #include "hil/emulate/real_time/runner.hpp"
 
 namespace drydock::emulate {
@@ -99,10 +99,7 @@ Runner::Coroutine LineRunner::send_due(Stamp now) {
 }
 
 std::optional<Stamp> LineRunner::deadline() const {
-  const auto device = device_->deadline();
-  const auto line = pacer_.deadline();
-  if (!device || !line) return device ? device : line;
-  return std::min(*device, *line);
+  return measurement::earlier(device_->deadline(), pacer_.deadline());
 }
 
 }  // namespace drydock::emulate
