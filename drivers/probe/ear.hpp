@@ -16,7 +16,7 @@ class Ear {
  public:
   /// Called with the received data, and every 100 ms without data. True: enough was heard.
   using OnBytes = std::function<bool(wire::Bytes, link::Stamp)>;
-  using OnFrame = std::function<bool(const link::ReceivedFrame*)>;
+  using OnFrame = std::function<bool(const wire::CanFrame*, link::Stamp)>;
 
   /// Listens until the callback has enough, until `until`, Ctrl-C or the end of the link. Then
   /// closes the link.
@@ -32,8 +32,10 @@ class Ear {
   const std::string& trouble() const { return trouble_; }  ///< why the last link ended, or empty
 
  private:
-  template <class Link, class Read, class Idle>
-  void run(Link& link, link::Stamp until, Read read, const Idle& idle);
+  template <class Link, class OnRead, class OnIdle>
+  void run(Link& link, link::Stamp until, const OnRead& on_read, const OnIdle& on_idle);
+  template <class Link, class Content>
+  void write(Link& link, Content content);
 
   boost::asio::io_context io_{1};
   io::UntilStopped until_{io_, 0, [] {}};
