@@ -1,6 +1,7 @@
 #include "drivers/shell/linked_line.hpp"
 
 #include <boost/asio/experimental/awaitable_operators.hpp>
+#include <functional>
 #include <utility>
 
 #include "drivers/link/reading.hpp"
@@ -25,10 +26,7 @@ boost::system::result<measurement::Provenance, link::OpenError> LinkedLine<Link>
   auto opened = link::Traffic<Link>::open(executor(), next_uri(), link::Side::driver);
   if (!opened) return opened.error();
   link_ = std::move(*opened);
-  pump_.emplace(executor(), *link_, most_queued<Link>,
-                [this](const Item& item, const boost::system::error_code& failure) {
-                  return written(item, failure);
-                });
+  pump_.emplace(executor(), *link_, most_queued<Link>, std::bind_front(&LinkedLine::written, this));
   return link_->provenance();
 }
 
@@ -40,12 +38,15 @@ Line::Run LinkedLine<Link>::serve_link() {
 
 template <class Link>
 Line::Run LinkedLine<Link>::read_until_lost() {
-  lost(co_await link::read_until_lost<Link>(*link_, [this](const Item& item, Stamp at) {
-    follow_clock();
-    tap(Direction::received, item, at);
-    receive(item, at);
-    rearm();
-  }));
+  lost(co_await link::read_until_lost<Link>(*link_, std::bind_front(&LinkedLine::heard, this)));
+}
+
+template <class Link>
+void LinkedLine<Link>::heard(const Item& item, Stamp at) {
+  follow_clock();
+  tap(Direction::received, item, at);
+  receive(item, at);
+  rearm();
 }
 
 template <class Link>

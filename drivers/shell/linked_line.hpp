@@ -27,6 +27,7 @@ class LinkedLine : public Line {
   boost::system::result<Provenance, link::OpenError> open_link() override;
   Run serve_link() override;
   Run read_until_lost();
+  void heard(const Item& item, Stamp at);
   void close_link() override { pump_->close(); }
   void destroy_link() override;
   bool written(const Item& item, const boost::system::error_code& failure);

@@ -1,6 +1,7 @@
 #include "hil/proxy/port.hpp"
 
 #include <boost/asio/error.hpp>
+#include <functional>
 
 #include "drivers/link/reading.hpp"
 
@@ -65,16 +66,13 @@ typename Port<Link>::Run Port<Link>::serve() {
 
 template <class Link>
 typename Port<Link>::Run Port<Link>::use(std::unique_ptr<Link> opened) {
-  pump_.emplace(io_.get_executor(), *opened, longest_queue,
-                [this](const Item& item, const boost::system::error_code& failure) {
-                  return written(item, failure);
-                });
+  pump_.emplace(io_.get_executor(), *opened, longest_queue, std::bind_front(&Port::written, this));
   closed_ = false;
   const auto ready = co_await connected(*opened, uri_);
   if (ready && is_open()) {
     tell(life_.opened(link::now()));
-    const auto end = co_await link::relay_until_lost<Link>(
-        *opened, [this](const Item& item, Stamp at) { return receive(item, at); });
+    const auto end =
+        co_await link::relay_until_lost<Link>(*opened, std::bind_front(&Port::receive, this));
     lose(end.message());
   }
   while (pump_->is_writing()) co_await wake_->wait();

@@ -1,4 +1,5 @@
 #include <boost/asio/io_context.hpp>
+#include <functional>
 #include <utility>
 
 #include "drivers/link/reading.hpp"
@@ -75,13 +76,15 @@ Runner::Coroutine BusRunner::listen() {
 
 Runner::Coroutine BusRunner::hear() {
   const auto bus = bus_;
-  co_await link::read_until_lost<link::FrameLink>(*bus, [this](const wire::CanFrame& frame, Stamp) {
-    if (cut_off_by_ > 0 || frame.error) return;
-    deliver(frame, link::steady_now(), a_driver);
-    wake();
-  });
+  co_await link::read_until_lost<link::FrameLink>(*bus, std::bind_front(&BusRunner::receive, this));
   bus->close();
   bus_.reset();
+}
+
+void BusRunner::receive(const wire::CanFrame& frame, Stamp) {
+  if (cut_off_by_ > 0 || frame.error) return;
+  deliver(frame, link::steady_now(), a_driver);
+  wake();
 }
 
 void BusRunner::close() {

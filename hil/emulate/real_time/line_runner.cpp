@@ -1,4 +1,5 @@
 #include <boost/asio/io_context.hpp>
+#include <functional>
 
 #include "drivers/link/reading.hpp"
 #include "drivers/measurement/earlier.hpp"
@@ -61,12 +62,15 @@ Runner::Coroutine LineRunner::listen() {
 
 Runner::Coroutine LineRunner::hear() {
   const auto line = line_;
-  co_await link::read_until_lost<link::ByteLink>(*line, [this](const wire::Bytes& bytes, Stamp) {
-    wire_time_ = link::steady_now();
-    device_->receive(bytes, wire_time_, *this);
-    wake();
-  });
+  co_await link::read_until_lost<link::ByteLink>(*line,
+                                                 std::bind_front(&LineRunner::receive, this));
   if (line_ == line) line_.reset();  // lost without a fault
+}
+
+void LineRunner::receive(wire::Bytes bytes, Stamp) {
+  wire_time_ = link::steady_now();
+  device_->receive(bytes, wire_time_, *this);
+  wake();
 }
 
 Runner::Coroutine LineRunner::plug_in() {

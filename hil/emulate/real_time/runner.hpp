@@ -67,7 +67,8 @@ class LineRunner final : public Runner, private Wire {
   std::optional<Stamp> deadline() const override;
   void close() override;
 
-  Coroutine hear();     ///< runs until the port goes
+  Coroutine hear();  ///< runs until the port goes
+  void receive(wire::Bytes bytes, Stamp at);
   Coroutine plug_in();  ///< runs when the port may come back
 
   void send(wire::Bytes bytes) override { pacer_.queue(bytes, wire_time_, device_->sampled_at()); }
@@ -103,7 +104,8 @@ class BusRunner final : public Runner {
   std::optional<Stamp> deadline() const override;
   void close() override;
 
-  Coroutine hear();        ///< runs until the interface goes
+  Coroutine hear();  ///< runs until the interface goes
+  void receive(const wire::CanFrame& frame, Stamp at);
   Coroutine open_again();  ///< tries it once
   void deliver(const wire::CanFrame& frame, Stamp at, int sender);
 
