@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <boost/asio/io_context.hpp>
-#include <boost/asio/signal_set.hpp>
 #include <boost/asio/steady_timer.hpp>
 #include <iterator>
 #include <optional>
@@ -13,6 +12,7 @@
 #include "drivers/bus/subscriber.hpp"
 #include "drivers/host/driver_host.hpp"
 #include "drivers/host/rig_bus.hpp"
+#include "drivers/io/until_stopped.hpp"
 #include "drivers/link/clock.hpp"
 #include "drivers/link/link.hpp"
 #include "drivers/monitor/live_table.hpp"
@@ -91,13 +91,13 @@ class Bench {
                   [this](const std::string& line) { live_.note(line); });
     estimators_.start();
     drivers_.start();
-    signals_.async_wait([this](const boost::system::error_code& ec, int) {
-      if (ec) return;
-      interrupted_ = true;
+    io::UntilStopped until(io_, time_left(), [this] {
+      follow();
       stop();
     });
     schedule_redraw();
     io_.run();
+    interrupted_ = until.interrupted();
     live_.finish();
     return summary();
   }
@@ -134,21 +134,30 @@ class Bench {
 
   double elapsed() const { return measurement::seconds(link::steady_now() - start_); }
 
+  /// 0: no limit.
+  double time_left() const {
+    constexpr double least_s = 1e-3;
+    return options_.duration_s > 0 ? std::max(options_.duration_s - elapsed(), least_s) : 0;
+  }
+
   void schedule_redraw() {
     timer_.expires_after(redraw_period);
     timer_.async_wait([this](const boost::system::error_code& ec) {
       if (ec || stopping_) return;  // an expired timer cannot be cancelled any more
-      scribe_.follow(link::now());
-      expects_.follow(
-          link::now(), [this] { return devices(); }, estimators_.pipeline());
-      watchers_.all.tick(link::now());
-      if (options_.on_progress)
-        options_.on_progress(elapsed() / options_.duration_s);
-      else
-        live_.draw(drivers_.shell(), elapsed(), options_.duration_s);
-      if (options_.duration_s > 0 && elapsed() >= options_.duration_s) return stop();
+      follow();
       schedule_redraw();
     });
+  }
+
+  void follow() {
+    scribe_.follow(link::now());
+    expects_.follow(
+        link::now(), [this] { return devices(); }, estimators_.pipeline());
+    watchers_.all.tick(link::now());
+    if (options_.on_progress)
+      options_.on_progress(elapsed() / options_.duration_s);
+    else
+      live_.draw(drivers_.shell(), elapsed(), options_.duration_s);
   }
 
   std::vector<summary::DeviceSummary> devices() const {
@@ -163,12 +172,9 @@ class Bench {
 
   // Takes the health just before the links are closed, because that state is reported.
   void stop() {
-    if (stopping_) return;
     stopping_ = true;
     end_ = link::steady_now();
     devices_ = devices();
-    signals_.cancel();
-    signals_.clear();  // a second Ctrl-C ends the program at once
     timer_.cancel();
     drivers_.stop();
     estimators_.stop();
@@ -220,7 +226,6 @@ class Bench {
   summary::ExpectWatch expects_;
   monitor::LiveTable live_;
   asio::steady_timer timer_{io_};
-  asio::signal_set signals_{io_, SIGINT, SIGTERM};
   std::vector<summary::DeviceSummary> devices_;
   bool stopping_ = false;
   bool interrupted_ = false;

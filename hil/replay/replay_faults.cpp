@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "drivers/link/uri.hpp"
+#include "drivers/measurement/earlier.hpp"
 #include "hil/fault/wire/faulty_bus.hpp"
 #include "hil/fault/wire/faulty_stream.hpp"
 
@@ -134,8 +135,7 @@ void ReplayFaults::receive(const record::RawEvent& event) {
 
 std::optional<measurement::Stamp> ReplayFaults::deadline() const {
   std::optional<Stamp> next;
-  for (const auto& stage : stages_)
-    if (const auto due = stage->deadline(); due && (!next || *due < *next)) next = due;
+  for (const auto& stage : stages_) next = measurement::earlier(next, stage->deadline());
   return next;
 }
 

@@ -1,6 +1,6 @@
 #include "hil/fault/wire/faulty_bus.hpp"
 
-#include <algorithm>
+#include "drivers/measurement/earlier.hpp"
 
 namespace drydock::fault {
 
@@ -24,7 +24,7 @@ void FaultyBus::receive(const wire::CanFrame& frame, Stamp now, Outlet& drivers)
 std::optional<Stamp> FaultyBus::deadline() const {
   std::optional<Stamp> next;
   for (const auto& due : {schedule_.deadline(), wire_.deadline(), controller_.deadline()})
-    if (due && (!next || *due < *next)) next = due;
+    next = measurement::earlier(next, due);
   return next;
 }
 
