@@ -11,6 +11,7 @@
 #include "rig_config/expect.hpp"
 #include "rig_config/fault.hpp"
 #include "rig_config/mission.hpp"
+#include "rig_config/places.hpp"
 #include "rig_config/vehicle.hpp"
 
 /// A rig file as typed values. The names are those of the TOML keys. The JSON Schema
@@ -148,6 +149,7 @@ struct Rig {
   std::vector<EstimatorConfig> estimators;
   std::vector<ExpectConfig> expects;
   std::vector<FaultConfig> faults;  ///< of the rig file, then of its mission
+  PlacesPtr places;                 ///< of the rig file; empty for a rig that no file describes
 };
 
 }  // namespace drydock::rig_config

@@ -7,9 +7,8 @@
 int main(int argc, char** argv) {
   namespace program = drydock::program;
   namespace terminal = drydock::terminal;
-  CLI::App app{
-      "Drydock: a test rig for underwater navigation.\n"
-      "Exit codes: 0 success, 1 the run or the input failed, 2 wrong usage or configuration."};
+  CLI::App app{std::string("Drydock: a test rig for underwater navigation.\n") +
+               terminal::exit_codes_help};
   app.name("drydock");
   app.set_version_flag("--version", DRYDOCK_VERSION);
   app.require_subcommand(1);
@@ -20,7 +19,7 @@ int main(int argc, char** argv) {
     app.parse(argc, argv);
     return command();
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : terminal::exit_usage;
+    return app.exit(error) == 0 ? terminal::exit_success : terminal::exit_usage;
   } catch (const program::BadRig&) {
     return terminal::exit_usage;
   } catch (const std::exception& error) {
