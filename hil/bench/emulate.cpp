@@ -7,14 +7,14 @@
 
 #include "drivers/io/until_stopped.hpp"
 #include "drivers/link/clock.hpp"
-#include "hil/bench/truth_of_rig.hpp"
 #include "hil/control/live_faults.hpp"
 #include "hil/emulate/real_time/real_time.hpp"
+#include "hil/summary/truth_of_rig.hpp"
 
 namespace drydock::bench {
 
 int emulate(const rig_config::Rig& rig, double duration_s) {
-  const auto devices = emulated_devices(rig);
+  const auto devices = summary::emulated_devices(rig);
   if (devices.empty()) {
     throw std::runtime_error(
         rig.file + ": no device has an emulated link (pty, memory, memory-can, can:auto)");
@@ -29,7 +29,7 @@ int emulate(const rig_config::Rig& rig, double duration_s) {
   for (const auto& device : devices) {
     fmt::print("{}: {} on {}\n", device.name, device.protocol, device.link);
   }
-  for (const auto& note : can_notes(rig)) fmt::print("{}\n", note);
+  for (const auto& note : summary::can_notes(rig)) fmt::print("{}\n", note);
   const auto print_line = [](const std::string& line) {
     fmt::print("{}\n", line);
     std::fflush(stdout);

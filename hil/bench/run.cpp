@@ -11,8 +11,8 @@
 #include <stdexcept>
 
 #include "drivers/terminal/exit_codes.hpp"
-#include "hil/bench/truth_of_rig.hpp"
 #include "hil/summary/junit.hpp"
+#include "hil/summary/truth_of_rig.hpp"
 
 namespace drydock::bench {
 namespace {
@@ -33,7 +33,7 @@ std::vector<rig_config::ExpectConfig> asked_for(const rig_config::Rig& rig,
     expects.emplace_back();
     expects.back().estimator = e.name;
     expects.back().figures.push_back({"estimates", {.low = 1}});
-    if (!truth_for_estimators(rig)) continue;
+    if (!summary::truth_for_estimators(rig)) continue;
     for (const char* figure : {"roll_rms_deg", "pitch_rms_deg"})
       expects.back().figures.push_back({figure, {.high = *options.expect_rms_deg}});
   }

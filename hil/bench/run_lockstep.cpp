@@ -9,12 +9,12 @@
 #include "hil/bench/lockstep_bench.hpp"
 #include "hil/bench/run.hpp"
 #include "hil/bench/run_watchers.hpp"
-#include "hil/bench/truth_of_rig.hpp"
 #include "hil/control/live_faults.hpp"
 #include "hil/fault/schedule/chronicle.hpp"
 #include "hil/motion/remembered_trajectory.hpp"
 #include "hil/summary/expect_watch.hpp"
 #include "hil/summary/scribe.hpp"
+#include "hil/summary/truth_of_rig.hpp"
 
 namespace drydock::bench {
 namespace {
@@ -33,10 +33,10 @@ class LockstepRun final : private device::Listener, private pipeline::EstimateLi
         trajectory_(motion::make_trajectory(rig.mission, start_)),
         duration_s_(options.duration_s > 0 ? options.duration_s
                                            : measurement::seconds(trajectory_.end() - start_)),
-        scribe_(rig, truth_for_estimators(rig) ? &trajectory_ : nullptr, start_, duration_s_,
-                options.curve_points),
-        expects_(rig, truth_for_estimators(rig) ? &trajectory_ : nullptr, start_),
-        watchers_(rig, truth_for_estimators(rig) ? &trajectory_ : nullptr),
+        scribe_(rig, summary::truth_for_estimators(rig) ? &trajectory_ : nullptr, start_,
+                duration_s_, options.curve_points),
+        expects_(rig, summary::truth_for_estimators(rig) ? &trajectory_ : nullptr, start_),
+        watchers_(rig, summary::truth_for_estimators(rig) ? &trajectory_ : nullptr),
         bench_(rig, trajectory_, {*this, *this, watchers_.all, options.on_written}),
         chronicle_(bench_.faults(), start_) {
     if (!quiet_ && ::isatty(STDOUT_FILENO) != 1)

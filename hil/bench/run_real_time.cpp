@@ -21,12 +21,12 @@
 #include "estimators/setup/rig_pipeline.hpp"
 #include "hil/bench/run.hpp"
 #include "hil/bench/run_watchers.hpp"
-#include "hil/bench/truth_of_rig.hpp"
 #include "hil/control/fault_services.hpp"
 #include "hil/control/live_faults.hpp"
 #include "hil/emulate/real_time/real_time.hpp"
 #include "hil/summary/expect_watch.hpp"
 #include "hil/summary/scribe.hpp"
+#include "hil/summary/truth_of_rig.hpp"
 
 namespace drydock::bench {
 namespace {
@@ -55,12 +55,12 @@ class Bench {
         subscriber_(participant_, host::bus_devices(rig)),
         faults_(io_, rig, *trajectory_, start_),
         emulator_(io_, faults_.injector()),
-        watchers_(rig, truth_for_estimators(rig) ? trajectory_.get() : nullptr),
+        watchers_(rig, summary::truth_for_estimators(rig) ? trajectory_.get() : nullptr),
         drivers_(io_, or_throw(shell::make_devices(rig)), &publisher_, &watchers_.all),
         estimators_(io_, setup::pipeline_options(rig), subscriber_, publisher_),
-        scribe_(rig, truth_for_estimators(rig) ? trajectory_.get() : nullptr, start_,
+        scribe_(rig, summary::truth_for_estimators(rig) ? trajectory_.get() : nullptr, start_,
                 options.duration_s > 0 ? options.duration_s : 600),
-        expects_(rig, truth_for_estimators(rig) ? trajectory_.get() : nullptr, start_) {
+        expects_(rig, summary::truth_for_estimators(rig) ? trajectory_.get() : nullptr, start_) {
     if (!options.record.path.empty()) {
       recorder_.emplace(rig, options.record, start_, record::WhenBehind::lose);
       watchers_.all.add(*recorder_);
@@ -80,7 +80,7 @@ class Bench {
   summary::Summary run() {
     connect();
     if (options_.on_written) emulator_.set_on_written(options_.on_written);
-    if (auto started = emulator_.start(emulated_devices(rig_)); !started) {
+    if (auto started = emulator_.start(summary::emulated_devices(rig_)); !started) {
       throw std::runtime_error(started.error().message);
     }
     faults_.set_on_change([this](const fault::Episode&) {
@@ -185,7 +185,7 @@ class Bench {
     s.duration_s = s.wall_s = measurement::seconds(end_ - start_);
     s.interrupted = interrupted_;
     s.devices = devices_;
-    s.notes = can_notes(rig_);
+    s.notes = summary::can_notes(rig_);
     if (const auto counters = emulator_.counters();
         counters.lost > 0 || counters.write_errors > 0) {
       s.notes.push_back("emulated devices lost " + std::to_string(counters.lost) +

@@ -5,10 +5,10 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "hil/bench/truth_of_rig.hpp"
 #include "hil/control/fault_words.hpp"
 #include "hil/control/request/fault_requests.hpp"
 #include "hil/control/request/order_text.hpp"
+#include "hil/summary/truth_of_rig.hpp"
 
 namespace drydock::control {
 
@@ -55,7 +55,7 @@ live::ServiceAnswer order_of_list_request(std::string_view) { return order_to_li
 }  // namespace
 
 std::vector<Service> fault_services(const rig_config::Rig& rig, const Obey& obey) {
-  const auto devices = bench::emulated_devices(rig);
+  const auto devices = summary::emulated_devices(rig);
   if (devices.empty())
     throw std::runtime_error(
         fmt::format("--allow-faults: no device of {} is emulated, so none can be given a fault; "

@@ -10,7 +10,7 @@
 #include "drivers/terminal/exit_codes.hpp"
 #include "drivers/terminal/progress_bar.hpp"
 #include "hil/bench/run.hpp"
-#include "hil/report/study_report.hpp"
+#include "hil/report/table.hpp"
 #include "hil/report/write_file.hpp"
 #include "hil/validity/deadlines.hpp"
 #include "hil/validity/run/host_floor.hpp"
@@ -96,14 +96,15 @@ std::vector<std::string> troubles_of(const Deadlines& d, const summary::DeviceSu
 
 std::string in_ms(double us) { return fmt::format("{:.2f}", us / 1e3); }
 
-study::Table table_of(const LoadResult& result) {
-  study::Table table{"responses [ms]",
-                     {"device", "Hz", "Hz sent", "samples", "lost", "missed", "p50", "p99",
-                      "largest", "period", "least margin"},
-                     {},
-                     "From the sample until its driver has it out. Missed: later than a period "
-                     "and what the bare timer and pty below took in the same second; least margin: "
-                     "what was left of that."};
+report::Table table_of(const LoadResult& result) {
+  report::Table table{
+      "responses [ms]",
+      {"device", "Hz", "Hz sent", "samples", "lost", "missed", "p50", "p99", "largest", "period",
+       "least margin"},
+      {},
+      "From the sample until its driver has it out. Missed: later than a period "
+      "and what the bare timer and pty below took in the same second; least margin: "
+      "what was left of that."};
   for (const Deadlines& d : result.devices)
     table.rows.push_back(
         {d.device, fmt::format("{:g}", d.asked_hz), fmt::format("{:.3f}", d.sent_hz),

@@ -67,11 +67,11 @@ std::string json_of(const summary::Summary& summary, const SoakWatch& watch,
 
 std::string page_of(const summary::Summary& summary, const SoakWatch& watch,
                     const std::vector<std::string>& troubles) {
-  report::Plot memory;
+  report::Figure memory;
   memory.title = "Resident memory of the process";
   memory.x_label = "time, days";
   memory.y_label = "MB";
-  report::Series curve{"resident", {}, summary.resident.megabytes};
+  report::Curve curve{"resident", {}, summary.resident.megabytes};
   for (const double t : summary.resident.t_s) curve.x.push_back(t / 86400);
   memory.curves = {curve};
   std::string body =

@@ -36,7 +36,7 @@ std::string escaped(const std::string& text) {
   return out;
 }
 
-std::string figure(const Plot& plot) {
+std::string figure(const Figure& plot) {
   const auto svg = render_svg(plot);
   if (svg.empty()) {
     return fmt::format("<p class=soft>{}: no plot (is gnuplot installed?)</p>",

@@ -11,7 +11,7 @@ namespace drydock::report::html {
 std::string escaped(const std::string& text);
 
 /// The plot as a <figure> with an SVG inside. If it cannot be drawn, the text says so.
-std::string figure(const Plot& plot);
+std::string figure(const Figure& plot);
 
 /// A whole page. `body` is HTML, `title` is text.
 std::string page(const std::string& title, const std::string& body);

@@ -35,7 +35,7 @@ std::string quoted(std::string text) {
   return '\'' + text + '\'';
 }
 
-std::string curve(const Series& series, std::size_t index) {
+std::string curve(const Curve& series, std::size_t index) {
   if (series.band) {
     return fmt::format(
         "$data{0} using 1:(-$2):2 with filledcurves fc rgb '#999999' fs transparent "
@@ -47,19 +47,19 @@ std::string curve(const Series& series, std::size_t index) {
                      series.points ? "points pt 7 ps 0.35" : "lines lw 1.4");
 }
 
-bool goes_below_zero(const Plot& plot) {
-  return std::ranges::any_of(plot.curves, [](const Series& series) {
+bool goes_below_zero(const Figure& plot) {
+  return std::ranges::any_of(plot.curves, [](const Curve& series) {
     return series.band || std::ranges::any_of(series.y, [](double y) { return y < 0; });
   });
 }
 
 /// With equal scales, the data determine the height of the picture.
-int height_px(const Plot& plot) {
+int height_px(const Figure& plot) {
   if (!plot.equal_scales) return plot.log_x && plot.log_y ? 600 : 300;
   constexpr double inner_width = 600, margin = 90;  // 860 px without legend and labels
   constexpr double far = std::numeric_limits<double>::max();
   double left = far, right = -far, low = far, high = -far;
-  for (const Series& series : plot.curves)
+  for (const Curve& series : plot.curves)
     for (std::size_t i = 0; i < series.x.size(); ++i) {
       left = std::min(left, series.x[i]), right = std::max(right, series.x[i]);
       low = std::min(low, series.y[i]), high = std::max(high, series.y[i]);
@@ -68,7 +68,7 @@ int height_px(const Plot& plot) {
   return static_cast<int>(std::clamp(margin + inner_width * ratio, 240.0, 600.0));
 }
 
-std::string script(const Plot& plot) {
+std::string script(const Figure& plot) {
   fmt::memory_buffer out;
   auto to = std::back_inserter(out);
   fmt::format_to(to,
@@ -99,7 +99,7 @@ std::string script(const Plot& plot) {
 
 }  // namespace
 
-std::string render_svg(const Plot& plot) {
+std::string render_svg(const Figure& plot) {
   const TemporaryFile file;
   {
     const std::unique_ptr<std::FILE, int (*)(std::FILE*)> out{std::fopen(file.path.c_str(), "w"),

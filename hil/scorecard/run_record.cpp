@@ -7,8 +7,8 @@
 #include "estimators/frame/geodetic.hpp"
 #include "estimators/setup/degrees.hpp"
 #include "hil/bench/lockstep_bench.hpp"
-#include "hil/bench/truth_of_rig.hpp"
 #include "hil/motion/remembered_trajectory.hpp"
+#include "hil/summary/truth_of_rig.hpp"
 
 namespace drydock::scorecard {
 namespace {
@@ -25,7 +25,7 @@ class Recorder final : private device::Listener, private pipeline::EstimateListe
   explicit Recorder(const rig_config::Rig& rig)
       : start_(measurement::stamp_from_ns(rig.start_utc_ns)),
         motion_(motion::make_trajectory(rig.mission, start_)),
-        has_truth_(bench::truth_for_estimators(rig)),
+        has_truth_(summary::truth_for_estimators(rig)),
         bench_(rig, motion_, {*this, *this, raw_}) {
     record_.devices.resize(rig.devices.size());
     record_.estimators.resize(rig.estimators.size());

@@ -6,7 +6,7 @@
 #include <set>
 
 #include "hil/report/html.hpp"
-#include "hil/report/study_report.hpp"
+#include "hil/report/table.hpp"
 #include "hil/scorecard/heat_cells.hpp"
 
 namespace drydock::scorecard {
@@ -16,8 +16,8 @@ std::string seconds_or(const std::optional<double>& s, const char* otherwise) {
   return s ? fmt::format("{:.2f}", *s) : otherwise;
 }
 
-study::Table table_of(const Scorecard& card) {
-  study::Table table;
+report::Table table_of(const Scorecard& card) {
+  report::Table table;
   table.title =
       fmt::format("{}: {:.0f} s sound, {:.0f} s of one fault, {:.0f} s behind it", card.rig,
                   card.window.warm_up_s, card.window.fault_s, card.window.after_s);

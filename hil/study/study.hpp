@@ -7,26 +7,18 @@
 #include <string_view>
 #include <vector>
 
+#include "hil/report/figure.hpp"
+#include "hil/report/table.hpp"
 #include "hil/study/campaign.hpp"
-#include "hil/study/figure.hpp"
 
 /// The papers' experiments. Each is a function from options to tables, figures and numbers.
 namespace drydock::study {
 
-/// A printable table: the paper's figures beside ours. Every row has as many cells as there are
-/// columns.
-struct Table {
-  std::string title;
-  std::vector<std::string> columns;
-  std::vector<std::vector<std::string>> rows;
-  std::string note;  ///< below the table; may be empty
-};
-
 /// Depends only on the seed and the number of runs, not on times, host or number of threads.
 struct Result {
   std::size_t runs = 0;  ///< finished runs; fewer than requested after a stop
-  std::vector<Table> tables;
-  std::vector<Figure> figures;
+  std::vector<report::Table> tables;
+  std::vector<report::Figure> figures;
   nlohmann::ordered_json json;  ///< an object; docs/estimators/study.md describes its keys
 };
 

@@ -31,7 +31,7 @@ std::string error_figure(const std::string& title, const char* unit, const Navig
     sigma[i] *= 3;
     if (i > error.size() / 50) largest = std::max({largest, 1.3 * std::abs(error[i]), sigma[i]});
   }
-  report::Plot plot{title, "time [s]", unit, {}};
+  report::Figure plot{title, "time [s]", unit, {}};
   plot.y_limit = largest;
   plot.curves.push_back({"3 sigma", t.t_s, std::move(sigma), true});
   plot.curves.push_back({"estimate - truth", t.t_s, error});
@@ -44,7 +44,7 @@ std::string navigation_section(const std::optional<NavigationError>& error,
                                const NavigationTrace& t) {
   if (t.t_s.empty()) return {};
   std::string out = error ? navigation_table(*error) : "<p>No truth to compare with.</p>\n";
-  report::Plot track{"Track: truth and estimate", "east [m]", "north [m]", {}};
+  report::Figure track{"Track: truth and estimate", "east [m]", "north [m]", {}};
   track.equal_scales = true;
   if (error) track.curves.push_back({"truth", t.true_east_m, t.true_north_m});
   track.curves.push_back({"estimate", t.east_m, t.north_m});

@@ -100,12 +100,12 @@ std::vector<double> scaled(std::vector<double> v, double by) {
 std::string axis_figures(const char* axis, const AttitudeTrace& t,
                          const std::vector<double>& estimate, const std::vector<double>& truth,
                          const std::vector<double>& sigma) {
-  report::Plot level{fmt::format("{}: truth and estimate", axis), "time [s]", "deg", {}};
+  report::Figure level{fmt::format("{}: truth and estimate", axis), "time [s]", "deg", {}};
   if (!truth.empty()) level.curves.push_back({"truth", t.t_s, truth});
   level.curves.push_back({"estimate", t.t_s, estimate});
   std::string out = report::html::figure(level);
   if (truth.empty()) return out;
-  report::Plot error{
+  report::Figure error{
       fmt::format("{}: error with the filter's 3-sigma band", axis), "time [s]", "deg", {}};
   // The band begins tens of degrees wide, so the error sets the limit of the axis.
   error.y_limit = 1.3 * largest(difference(estimate, truth));
@@ -129,7 +129,7 @@ std::string estimator_section(const Summary& s, std::size_t i) {
 std::string measurement_section(const Summary& s) {
   std::string out = "<h2>Measurements, decoded from the wire</h2>\n";
   for (const auto& m : s.measurements) {
-    report::Plot plot{m.title, "time [s]", m.unit, {}};
+    report::Figure plot{m.title, "time [s]", m.unit, {}};
     for (std::size_t i = 0; i < m.labels.size(); ++i) {
       if (!m.t_s[i].empty()) plot.curves.push_back({m.labels[i], m.t_s[i], m.value[i]});
     }

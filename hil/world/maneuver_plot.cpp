@@ -13,10 +13,10 @@ namespace {
 using namespace motion::element;
 
 template <class Across, class Up>
-report::Series series(const std::string& label, const motion::Track& track, Across&& across,
-                      Up&& up) {
+report::Curve series(const std::string& label, const motion::Track& track, Across&& across,
+                     Up&& up) {
   constexpr std::size_t enough = 2000;  // enough points for a smooth curve on a screen
-  report::Series made{label, {}, {}};
+  report::Curve made{label, {}, {}};
   for (std::size_t i = 0; i < track.size(); i += 1 + track.size() / enough) {
     made.x.push_back(across(track[i]));
     made.y.push_back(up(track[i]));
@@ -34,25 +34,25 @@ auto surface(double hydrodynamics::Control::*which) {
   return [=](const motion::TrackPoint& point) { return point.control.*which * setup::to_deg; };
 }
 
-report::Plot path_of(const motion::Track& track) {
-  report::Plot plot{"Path", "east [m]", "north [m]", {}};
+report::Figure path_of(const motion::Track& track) {
+  report::Figure plot{"Path", "east [m]", "north [m]", {}};
   plot.equal_scales = true;
   plot.curves = {series("path", track, state(y), state(x))};
   return plot;
 }
 
-report::Plot zigzag_of(const motion::Track& track) {
-  report::Plot plot{"Zigzag", "time [s]", "[deg]", {}};
+report::Figure zigzag_of(const motion::Track& track) {
+  report::Figure plot{"Zigzag", "time [s]", "[deg]", {}};
   plot.curves = {series("heading", track, time_of, state(yaw, setup::to_deg)),
                  series("rudder", track, time_of, surface(&hydrodynamics::Control::delta_r))};
   return plot;
 }
 
-report::Plot spiral_of(const motion::Track& track) {
-  report::Plot plot{"Direct spiral", "rudder [deg]", "rate of turn [deg/s]", {}};
-  report::Series there{"there", {}, {}}, back{"back", {}, {}};
+report::Figure spiral_of(const motion::Track& track) {
+  report::Figure plot{"Direct spiral", "rudder [deg]", "rate of turn [deg/s]", {}};
+  report::Curve there{"there", {}, {}}, back{"back", {}, {}};
   for (const auto& point : motion::spiral_points(track)) {
-    report::Series& way = point.returning ? back : there;
+    report::Curve& way = point.returning ? back : there;
     way.x.push_back(point.rudder_rad * setup::to_deg);
     way.y.push_back(point.rate_of_turn_radps * setup::to_deg);
   }
@@ -60,8 +60,8 @@ report::Plot spiral_of(const motion::Track& track) {
   return plot;
 }
 
-report::Plot dive_of(const motion::Track& track) {
-  report::Plot plot{"Dive", "time [s]", "[deg], [m]", {}};
+report::Figure dive_of(const motion::Track& track) {
+  report::Figure plot{"Dive", "time [s]", "[deg], [m]", {}};
   plot.curves = {
       series("pitch [deg]", track, time_of, state(pitch, setup::to_deg)),
       series("stern planes [deg]", track, time_of, surface(&hydrodynamics::Control::delta_s)),
@@ -69,7 +69,7 @@ report::Plot dive_of(const motion::Track& track) {
   return plot;
 }
 
-report::Plot plot_of(std::optional<motion::ManeuverKind> kind, const motion::Track& track) {
+report::Figure plot_of(std::optional<motion::ManeuverKind> kind, const motion::Track& track) {
   if (kind == motion::ManeuverKind::zigzag) return zigzag_of(track);
   if (kind == motion::ManeuverKind::spiral) return spiral_of(track);
   if (kind == motion::ManeuverKind::dive) return dive_of(track);

@@ -47,11 +47,11 @@ nlohmann::ordered_json allan_json(const std::vector<AllanRow>& rows) {
 }
 
 std::string allan_svg(const SensorOptions& options, const std::vector<AllanRow>& rows) {
-  report::Plot plot{
+  report::Figure plot{
       "Allan deviation, " + options.grade, "tau [s]", "gyro [deg/h], accelerometer [ug]", {}};
   plot.log_x = plot.log_y = true;
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    report::Series gyro{fmt::format("gyro {}", "xyz"[axis]), {}, {}},
+    report::Curve gyro{fmt::format("gyro {}", "xyz"[axis]), {}, {}},
         accelerometer{fmt::format("accelerometer {}", "xyz"[axis]), {}, {}};
     for (const AllanRow& row : rows) {
       gyro.x.push_back(row.tau_s);

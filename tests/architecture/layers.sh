@@ -1,20 +1,105 @@
 #!/usr/bin/env bash
-# Checks the arrows of docs/architecture.md on the #include lines: each folder may include only the folders named here.
+# The arrows of docs/architecture.md, read from the #include lines: each room may include only the rooms named here.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 failed=0
 
-allow() { # FOLDER ALLOWED-REGEX: the folders of this tree that files of FOLDER may include
-  local line
-  [ -d "$1" ] || { echo "no folder $1"; failed=1; }
-  while IFS= read -r line; do
-    echo "not allowed: $line"
-    failed=1
-  done < <(grep -rHnE '#include "(drivers|estimators|hil|rig_config|tests)/' "$1" --include='*.hpp' --include='*.cpp' 2>/dev/null |
-    grep -vE "#include \"($2)/" || true)
+# A room, then the rooms that it may include besides itself. A room inside a room (hil/study/run) has a line of its own.
+arrows='
+drivers/measurement
+drivers/wire
+drivers/io                 drivers/measurement
+drivers/terminal
+drivers/capture            drivers/wire
+drivers/device             drivers/wire drivers/measurement
+drivers/survey             drivers/device drivers/wire drivers/measurement
+drivers/link               drivers/io drivers/capture drivers/wire drivers/measurement
+drivers/shell              drivers/device drivers/link drivers/io drivers/capture drivers/wire drivers/measurement rig_config
+drivers/bus                drivers/measurement
+drivers/live               drivers/bus drivers/io drivers/measurement
+drivers/recordings/mcap
+drivers/recordings/record  drivers/recordings/mcap drivers/bus drivers/shell drivers/wire drivers/measurement rig_config
+drivers/recordings/export  drivers/recordings/record drivers/wire drivers/measurement
+drivers/recordings/slice   drivers/recordings/record drivers/recordings/mcap drivers/device drivers/wire drivers/measurement rig_config
+drivers/recordings/tasks   drivers/recordings/record drivers/recordings/mcap drivers/recordings/export drivers/recordings/slice drivers/text
+drivers/text               drivers/wire drivers/measurement
+drivers/decode             drivers/text drivers/shell drivers/device drivers/link drivers/io drivers/capture drivers/wire drivers/measurement
+drivers/doctor             drivers/text drivers/link drivers/wire rig_config
+drivers/host               drivers/shell drivers/device drivers/bus drivers/live drivers/recordings/record drivers/link drivers/io drivers/wire drivers/measurement rig_config
+drivers/probe              drivers/survey drivers/doctor drivers/text drivers/link drivers/io drivers/capture drivers/wire drivers/measurement
+drivers/monitor            drivers/host drivers/probe drivers/decode drivers/text drivers/shell drivers/device drivers/bus drivers/link drivers/io drivers/wire drivers/measurement rig_config
+estimators/frame           drivers/measurement
+estimators/navigation      estimators/frame
+estimators/leveling        estimators/navigation estimators/frame drivers/measurement
+estimators/mixing          estimators/frame
+estimators/roll            estimators/frame drivers/measurement
+estimators/hydrodynamics   estimators/frame
+estimators/vehicle         estimators/hydrodynamics rig_config
+estimators/velocity        estimators/navigation estimators/hydrodynamics estimators/frame
+estimators/pipeline        estimators/leveling estimators/mixing estimators/roll estimators/velocity estimators/navigation estimators/hydrodynamics estimators/frame drivers/measurement
+estimators/setup           estimators/pipeline estimators/vehicle estimators/frame drivers/measurement rig_config
+estimators/host            estimators/setup estimators/pipeline drivers/host drivers/bus drivers/link drivers/io drivers/measurement rig_config
+rig_config
+hil/report
+hil/ocean                  estimators/frame drivers/measurement rig_config
+hil/motion                 hil/ocean estimators/frame estimators/hydrodynamics estimators/vehicle drivers/measurement rig_config
+hil/sensor                 hil/motion estimators/frame drivers/measurement rig_config
+hil/sky                    hil/sensor estimators/frame drivers/measurement rig_config
+hil/study                  hil/report hil/sky hil/sensor hil/motion estimators/[a-z]* drivers/measurement rig_config
+hil/study/run              hil/study hil/report drivers/terminal
+hil/emulate                hil/sky hil/sensor hil/motion estimators/frame drivers/shell drivers/wire drivers/measurement rig_config
+hil/emulate/real_time      hil/emulate drivers/link drivers/io drivers/wire drivers/measurement
+hil/fault                  hil/emulate hil/sensor hil/motion drivers/link drivers/wire drivers/measurement rig_config
+hil/proxy                  hil/fault drivers/device drivers/link drivers/io drivers/terminal drivers/wire drivers/measurement rig_config
+hil/characterize           estimators/frame drivers/measurement rig_config
+hil/characterize/report    hil/characterize hil/bench hil/check hil/report hil/study hil/sensor drivers/decode drivers/recordings/record drivers/bus drivers/link drivers/terminal drivers/measurement rig_config
+hil/validity               hil/emulate drivers/measurement
+hil/validity/run           hil/validity hil/bench hil/summary hil/report hil/emulate drivers/link drivers/io drivers/terminal drivers/measurement rig_config
+hil/summary                hil/report hil/motion estimators/setup estimators/pipeline estimators/frame drivers/device drivers/link drivers/measurement rig_config
+hil/control/request        drivers/live drivers/terminal
+hil/control                hil/control/request hil/fault hil/summary drivers/host drivers/live drivers/link drivers/io drivers/terminal rig_config
+hil/bench                  hil/control hil/summary hil/report hil/fault hil/emulate hil/emulate/real_time hil/motion estimators/host estimators/setup estimators/pipeline drivers/host drivers/monitor drivers/bus drivers/shell drivers/device drivers/link drivers/io drivers/terminal drivers/measurement rig_config
+hil/check                  drivers/link rig_config
+hil/replay/reference       drivers/recordings/record drivers/bus
+hil/replay                 hil/replay/reference hil/bench hil/summary hil/fault estimators/setup estimators/pipeline drivers/host drivers/recordings/record drivers/text drivers/bus drivers/link drivers/io drivers/terminal drivers/measurement rig_config
+hil/scorecard              hil/bench hil/summary hil/study/run hil/report hil/motion estimators/setup estimators/pipeline estimators/frame drivers/device drivers/link drivers/terminal drivers/measurement rig_config
+hil/endurance              hil/bench hil/summary hil/validity hil/validity/run hil/report hil/fault drivers/text drivers/link drivers/terminal rig_config
+hil/world                  hil/report hil/sky hil/sensor hil/motion estimators/setup estimators/frame drivers/terminal rig_config
+hil/program                hil/[a-z/_]* estimators/[a-z]* drivers/[a-z/]* rig_config
+'
+
+rooms=$(awk '{print $1}' <<<"$arrows")
+
+# The room of a folder: the longest of the rooms that the folder's path begins with.
+room_of() { # FOLDER
+  local folder=$1
+  while [ "$folder" != . ] && ! grep -qx "$folder" <<<"$rooms"; do folder=$(dirname "$folder"); done
+  echo "$folder"
 }
 
-never() { # FOLDER REGEX: system headers that files of FOLDER must not include
+declare -A in_room may
+while read -r room allowed; do [ -z "$room" ] || may[$room]=$allowed; done <<<"$arrows"
+while read -r folder; do in_room[$folder]=$(room_of "$folder"); done \
+  < <(git ls-files --cached --others --exclude-standard 'drivers/*pp' 'estimators/*pp' 'hil/*pp' 'rig_config/*pp' | xargs -n1 dirname | sort -u)
+for folder in "${!in_room[@]}"; do
+  [ "${in_room[$folder]}" != . ] || { echo "no room for $folder"; failed=1; }
+done
+
+while IFS=: read -r file include; do
+  from=${in_room[${file%/*}]:-.}
+  to=${in_room[${include%/*}]:-${include%/*}}
+  [ "$from" != "$to" ] || continue
+  for room in ${may[$from]:-}; do
+    # shellcheck disable=SC2053
+    [[ $to == $room ]] && continue 2
+  done
+  echo "not allowed: $from includes $to: $file includes $include"
+  failed=1
+done < <(
+  git grep --untracked -o -E '^#include "(drivers|estimators|hil|rig_config|tests)/[^"]+"' -- 'drivers/*pp' 'estimators/*pp' 'hil/*pp' 'rig_config/*pp' |
+    sed -E 's/:#include "/:/; s/"$//' | sort -u)
+
+never() { # FOLDER REGEX: system headers that FOLDER keeps out
   local line
   while IFS= read -r line; do
     echo "kept out of $1: $line"
@@ -22,50 +107,13 @@ never() { # FOLDER REGEX: system headers that files of FOLDER must not include
   done < <(grep -rHnE "#include <($2)" "$1" --include='*.hpp' --include='*.cpp' 2>/dev/null || true)
 }
 
-allow drivers/measurement 'drivers/measurement'
-allow drivers/wire 'drivers/wire'
-allow drivers/capture 'drivers/(capture|wire)'
-allow drivers/mcap 'drivers/mcap'
-allow drivers/link 'drivers/(link|capture|wire|measurement)'
-allow drivers/device 'drivers/(device|wire|measurement)'
-allow drivers/probe 'drivers/(probe|device|wire|measurement)'
-allow drivers/shell 'drivers/(shell|device|link|capture|wire|measurement)|rig_config'
-allow drivers/bus 'drivers/(bus|measurement)'
-allow drivers/record 'drivers/(record|mcap|bus|shell|device|link|wire|measurement)|rig_config'
-allow drivers/live 'drivers/(live|bus|link|measurement)'
-allow drivers/export 'drivers/(export|record|mcap|shell|wire|measurement)'
-allow drivers/slice 'drivers/(slice|record|mcap|device|wire|measurement)|rig_config'
-allow drivers/cli 'drivers/[a-z]*|rig_config'
-allow estimators/frame 'estimators/frame|drivers/measurement'
-allow estimators/leveling 'estimators/(leveling|navigation|frame)|drivers/measurement'
-allow estimators/roll 'estimators/(roll|frame)|drivers/measurement'
-allow estimators/mixing 'estimators/(mixing|frame)'
-allow estimators/navigation 'estimators/(navigation|frame)'
-allow estimators/hydrodynamics 'estimators/(hydrodynamics|frame)'
-allow estimators/velocity 'estimators/(velocity|navigation|hydrodynamics|frame)'
-allow estimators/vehicle 'estimators/(vehicle|hydrodynamics)|rig_config'
-allow estimators/pipeline 'estimators/(pipeline|leveling|mixing|roll|velocity|navigation|hydrodynamics|frame)|drivers/measurement'
-allow estimators/cli 'estimators/[a-z]*|drivers/[a-z]*|rig_config'
-allow rig_config 'rig_config'
-allow hil/ocean 'hil/ocean|estimators/frame|drivers/measurement|rig_config'
-allow hil/motion 'hil/(motion|ocean)|estimators/(frame|hydrodynamics|vehicle)|drivers/measurement|rig_config'
-allow hil/sensor 'hil/(sensor|motion|ocean)|estimators/frame|drivers/measurement|rig_config'
-allow hil/study 'hil/(study|sky|sensor|motion|ocean)|estimators/[a-z]*|drivers/measurement|rig_config'
-allow hil/sky 'hil/(sky|sensor|motion|ocean)|estimators/frame|drivers/measurement|rig_config'
-allow hil/emulate 'hil/(emulate|sky|sensor|motion|ocean)|estimators/frame|drivers/(device|link|shell|wire|measurement)|rig_config'
-allow hil/fault 'hil/(fault|emulate|sensor|motion|ocean)|drivers/(link|wire|measurement)|rig_config'
-allow hil/proxy 'hil/(proxy|fault)|drivers/(device|link|wire|measurement)|rig_config'
-allow hil/characterize 'hil/characterize|estimators/frame|drivers/measurement|rig_config'
-allow hil/validity 'hil/(validity|emulate)|drivers/measurement|rig_config'
-allow hil/cli 'hil/[a-z]*|estimators/[a-z]*|drivers/[a-z]*|rig_config'
-
 io='boost/asio|dds/|fstream|iostream|filesystem|thread|mutex|sys/|unistd|toml'
-for folder in drivers/measurement drivers/wire drivers/device drivers/probe estimators/frame estimators/hydrodynamics estimators/leveling estimators/mixing estimators/navigation estimators/roll estimators/vehicle estimators/velocity \
-  estimators/pipeline; do
+for folder in drivers/{measurement,wire,device,survey} estimators/{frame,hydrodynamics,leveling,mixing,navigation,roll,vehicle,velocity,pipeline}; do
   never "$folder" "$io"
 done
-if grep -rnE '(system_clock|steady_clock)::now|\brandom_device\b|\brand\(\)' drivers/wire drivers/device drivers/probe drivers/measurement estimators hil/ocean hil/motion hil/sensor hil/sky hil/study hil/characterize hil/validity; then
-  echo "a clock or global randomness in a pure layer"
+if grep -nE '(system_clock|steady_clock)::now|\brandom_device\b|\brand\(\)' -r drivers/{wire,device,survey,measurement} estimators \
+  hil/{ocean,motion,sensor,sky} hil/study/{leveling,mixing,roll,velocity} hil/{study,characterize,validity}/*pp hil/characterize/{noise,grade,compare}; then
+  echo "a clock or global randomness in a pure room"
   failed=1
 fi
 exit $failed

@@ -9,7 +9,7 @@
 
 #include "drivers/terminal/exit_codes.hpp"
 #include "hil/report/html.hpp"
-#include "hil/report/study_report.hpp"
+#include "hil/report/table.hpp"
 #include "hil/report/write_file.hpp"
 #include "rig_config/load.hpp"
 #include "rig_config/rules/error_keys.hpp"

@@ -42,8 +42,8 @@ struct Characterized {
   std::optional<characterize::NamedGrade> beside;
 };
 
-std::vector<study::Table> tables_of(const Characterized& device);
-std::vector<study::Figure> figures_of(const Characterized& device);
+std::vector<report::Table> tables_of(const Characterized& device);
+std::vector<report::Figure> figures_of(const Characterized& device);
 nlohmann::ordered_json json_of(const Characterized& device);
 
 /// The text of a sensor file for the device, ready for `emulate = { errors = ... }`.

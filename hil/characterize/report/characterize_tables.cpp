@@ -22,9 +22,9 @@ std::string bounds(const Estimate& e, double unit = 1) {
   return fmt::format("{:.5g} to {:.5g}", e.low / unit, e.high / unit);
 }
 
-study::Table timing_table(const Characterized& device) {
+report::Table timing_table(const Characterized& device) {
   const auto& t = device.figures.timing;
-  study::Table table{
+  report::Table table{
       device.figures.subject.name + ": time", {"", "measured", "95 %", "stated"}, {}, {}};
   const double nominal = device.figures.subject.nominal_rate_hz;
   const auto row = [&](std::string name, std::string value, std::string range = "",
@@ -62,13 +62,13 @@ std::string verdict(double low, double high, double stated) {
   return largest < std::abs(stated) ? "better" : "as stated";
 }
 
-study::Table grade_table(const Characterized& device) {
+report::Table grade_table(const Characterized& device) {
   const auto kind = device.figures.subject.kind;
   const auto stated = device.beside
                           ? characterize::in_measured_form(device.beside->grade, kind,
                                                            device.figures.timing.rate_hz.value)
                           : rig_config::EmulateConfig{};
-  study::Table table{
+  report::Table table{
       device.figures.subject.name + ": errors, 1 sigma",
       {"", "axis", "measured", "95 %", device.beside ? device.beside->name : "data sheet", ""},
       {},
@@ -97,8 +97,8 @@ study::Table grade_table(const Characterized& device) {
   return table;
 }
 
-study::Table process_table(const Characterized& device, const QuantityFigures& of) {
-  study::Table table{
+report::Table process_table(const Characterized& device, const QuantityFigures& of) {
+  report::Table table{
       fmt::format("{}: {} [{}]", device.figures.subject.name, of.quantity.name, of.quantity.unit),
       {"axis", "mean", "95 %", "step", "correlation [s]", "95 %", "instability from Allan minimum",
        "at tau [s]"},
@@ -124,12 +124,12 @@ study::Table process_table(const Characterized& device, const QuantityFigures& o
   return table;
 }
 
-study::Table reference_table(const Characterized& device) {
-  study::Table table{device.figures.subject.name + ": against a reference",
-                     {"", "reference", "scale", "95 %", "angle [deg]", "95 %", "bias", "95 %",
-                      "delay [ms]", "95 %", "residual", "blocks"},
-                     {},
-                     "SI. Bounds are of the comparison; the reference's own errors are in it."};
+report::Table reference_table(const Characterized& device) {
+  report::Table table{device.figures.subject.name + ": against a reference",
+                      {"", "reference", "scale", "95 %", "angle [deg]", "95 %", "bias", "95 %",
+                       "delay [ms]", "95 %", "residual", "blocks"},
+                      {},
+                      "SI. Bounds are of the comparison; the reference's own errors are in it."};
   for (const auto& against : device.figures.against) {
     const auto& c = against.comparison;
     const auto bias = c.drift.value_or(c.bias);
@@ -158,13 +158,13 @@ double promised(const rig_config::SensorErrors& errors, std::size_t axis, double
   return std::sqrt(model.allan_variance(tau));
 }
 
-study::Figure allan_figure(const Characterized& device, const QuantityFigures& of) {
+report::Figure allan_figure(const Characterized& device, const QuantityFigures& of) {
   const double unit = of.quantity.in_si;
-  study::Figure figure{fmt::format("{}: Allan deviation, {}{}", device.figures.subject.name,
-                                   of.quantity.name, of.steady() ? "" : " (moving)"),
-                       "tau [s]",
-                       std::string(of.quantity.unit),
-                       {}};
+  report::Figure figure{fmt::format("{}: Allan deviation, {}{}", device.figures.subject.name,
+                                    of.quantity.name, of.steady() ? "" : " (moving)"),
+                        "tau [s]",
+                        std::string(of.quantity.unit),
+                        {}};
   figure.log_x = figure.log_y = true;
   const auto name = [&](std::size_t i) {
     const auto axis = of.quantity.axes[i];
@@ -173,7 +173,7 @@ study::Figure allan_figure(const Characterized& device, const QuantityFigures& o
   for (std::size_t i = 0; i < of.axes.size(); ++i) {
     const auto& axis = of.axes[i];
     if (!axis) continue;
-    study::Curve measured{name(i), {}, {}, false, true}, fitted{name(i) + ", fit", {}, {}};
+    report::Curve measured{name(i), {}, {}, false, true}, fitted{name(i) + ", fit", {}, {}};
     for (std::size_t k = 0; k < axis->curve.samples.size(); ++k) {
       const double tau = axis->curve.tau_s(k);
       if (!(axis->curve.variance[k] > 0)) continue;
@@ -187,7 +187,7 @@ study::Figure allan_figure(const Characterized& device, const QuantityFigures& o
     if (!fitted.x.empty()) figure.curves.push_back(std::move(fitted));
   }
   if (!device.beside || figure.curves.empty()) return figure;
-  study::Curve stated{device.beside->name, {}, {}};
+  report::Curve stated{device.beside->name, {}, {}};
   const auto& errors = device.beside->grade.*of.quantity.errors;
   for (const double tau : figure.curves.front().x) {
     const double y = promised(errors, 0, device.figures.timing.rate_hz.value, tau) / unit;
@@ -201,15 +201,15 @@ study::Figure allan_figure(const Characterized& device, const QuantityFigures& o
 
 }  // namespace
 
-std::vector<study::Table> tables_of(const Characterized& device) {
-  std::vector<study::Table> tables{timing_table(device), grade_table(device)};
+std::vector<report::Table> tables_of(const Characterized& device) {
+  std::vector<report::Table> tables{timing_table(device), grade_table(device)};
   for (const auto& of : device.figures.quantities) tables.push_back(process_table(device, of));
   if (!device.figures.against.empty()) tables.push_back(reference_table(device));
   return tables;
 }
 
-std::vector<study::Figure> figures_of(const Characterized& device) {
-  std::vector<study::Figure> figures;
+std::vector<report::Figure> figures_of(const Characterized& device) {
+  std::vector<report::Figure> figures;
   for (const auto& of : device.figures.quantities)
     if (auto figure = allan_figure(device, of); !figure.curves.empty())
       figures.push_back(std::move(figure));

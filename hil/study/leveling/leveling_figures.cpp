@@ -23,8 +23,8 @@ std::vector<double> point_times() {
 }
 
 template <class Value>
-Curve over_time(std::string label, Value&& value) {
-  Curve curve{std::move(label), point_times(), {}};
+report::Curve over_time(std::string label, Value&& value) {
+  report::Curve curve{std::move(label), point_times(), {}};
   for (std::size_t i = 0; i < leveling_points; ++i) curve.y.push_back(value(i));
   return curve;
 }
@@ -34,7 +34,7 @@ using FigureOf = double (Ensemble::*)(std::size_t) const;
 
 /// One of Figures 6 to 9 for one axis with all filters: the whole time, and a zoom on the final
 /// errors.
-void add_ensemble_figures(std::vector<Figure>& figures, const std::string& title,
+void add_ensemble_figures(std::vector<report::Figure>& figures, const std::string& title,
                           const std::string& y_label, const ByFilter<LevelingStatistics>& results,
                           FigureOf what) {
   using S = LevelingStatistics;
@@ -44,7 +44,7 @@ void add_ensemble_figures(std::vector<Figure>& figures, const std::string& title
   };
   for (const Axis axis :
        {Axis{"roll", &S::roll, &S::kept_roll}, Axis{"pitch", &S::pitch, &S::kept_pitch}}) {
-    Figure figure{fmt::format("{}: {}", title, axis.name), "time [s]", y_label, {}};
+    report::Figure figure{fmt::format("{}: {}", title, axis.name), "time [s]", y_label, {}};
     for (std::size_t f = 0; f < leveling_filters.size(); ++f) {
       const Ensemble& errors = results[f].*axis.error;
       figure.curves.push_back(over_time(std::string(leveling_filters[f].name),
@@ -61,10 +61,10 @@ void add_ensemble_figures(std::vector<Figure>& figures, const std::string& title
 }
 
 /// As the paper draws it, and with a scale that shows the end.
-void add_covariance_figures(std::vector<Figure>& figures, const std::string& title,
+void add_covariance_figures(std::vector<report::Figure>& figures, const std::string& title,
                             const LevelingMotion& motion, bool stationary) {
   const auto analysis = analyse_leveling(motion, stationary);
-  Figure figure{title, "time [s]", "error covariance", {}};
+  report::Figure figure{title, "time [s]", "error covariance", {}};
   constexpr std::array labels{"x4 = -sin(pitch)", "x5 = sin(roll) cos(pitch)",
                               "x6 = cos(roll) cos(pitch)"};
   for (std::size_t k = 0; k < labels.size(); ++k)
@@ -75,8 +75,8 @@ void add_covariance_figures(std::vector<Figure>& figures, const std::string& tit
   figures.push_back(figure);
 }
 
-Figure path_figure(std::string title, const LevelingMotion& motion) {
-  Curve curve{"path", {0}, {0}};
+report::Figure path_figure(std::string title, const LevelingMotion& motion) {
+  report::Curve curve{"path", {0}, {0}};
   constexpr double step = 0.01, half_width_m = 100;
   const auto steps = std::lround(leveling_duration_s / step);
   for (long i = 0; i < steps; ++i) {
@@ -90,7 +90,8 @@ Figure path_figure(std::string title, const LevelingMotion& motion) {
 
 /// RMS error and the filter's own standard deviation. If the error is larger, the filter is
 /// overconfident.
-Figure belief_figure(const char* axis, const LevelingStatistics& s, AxisOf error, AxisOf variance) {
+report::Figure belief_figure(const char* axis, const LevelingStatistics& s, AxisOf error,
+                             AxisOf variance) {
   return {fmt::format("Not in the paper: augmented filter, S path, drawn biases: {}", axis),
           "time [s]",
           "deg",
@@ -102,9 +103,9 @@ Figure belief_figure(const char* axis, const LevelingStatistics& s, AxisOf error
 
 }  // namespace
 
-std::vector<Figure> leveling_figures(const LevelingResults& results) {
+std::vector<report::Figure> leveling_figures(const LevelingResults& results) {
   using namespace leveling_motions;
-  std::vector<Figure> figures;
+  std::vector<report::Figure> figures;
   add_covariance_figures(figures, "Fig. 3: error covariance, stationary", stationary, true);
   add_covariance_figures(figures, "Fig. 4 (a): error covariance, moving straight", straight, false);
   add_covariance_figures(figures, "Fig. 4 (b): error covariance, moving on the S path", s_path,

@@ -72,12 +72,13 @@ std::vector<std::string> kept_row(const LevelingCase& which, std::string_view fi
   return row;
 }
 
-Table table_of(const ByCase<LevelingStatistics>& results, std::string title, std::string note) {
-  Table table{std::move(title),
-              {"motion", "filter", "roll mean", "pitch mean", "roll std", "pitch std", "roll RMS",
-               "pitch RMS", "lost", "NEES", "< 0.5 deg [s]"},
-              {},
-              std::move(note)};
+report::Table table_of(const ByCase<LevelingStatistics>& results, std::string title,
+                       std::string note) {
+  report::Table table{std::move(title),
+                      {"motion", "filter", "roll mean", "pitch mean", "roll std", "pitch std",
+                       "roll RMS", "pitch RMS", "lost", "NEES", "< 0.5 deg [s]"},
+                      {},
+                      std::move(note)};
   for (std::size_t c = 0; c < leveling_cases.size(); ++c) {
     const auto& which = leveling_cases[c];
     if (which.published) table.rows.push_back(published_row(which));
@@ -93,7 +94,7 @@ Table table_of(const ByCase<LevelingStatistics>& results, std::string title, std
 
 }  // namespace
 
-std::vector<Table> leveling_tables(const LevelingResults& results) {
+std::vector<report::Table> leveling_tables(const LevelingResults& results) {
   return {table_of(results[0], "Errors at 30 s [deg], every bias of Table 1 at +1 sigma",
                    "lost: an error beyond 5 deg at 30 s; kept: not lost. NEES: of roll and pitch, "
                    "per state; 1 is "

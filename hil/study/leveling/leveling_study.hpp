@@ -9,7 +9,7 @@ namespace drydock::study {
 /// three filters.
 Result leveling_study(const Options& options, Progress& progress);
 
-std::vector<Table> leveling_tables(const LevelingResults& results);
-std::vector<Figure> leveling_figures(const LevelingResults& results);
+std::vector<report::Table> leveling_tables(const LevelingResults& results);
+std::vector<report::Figure> leveling_figures(const LevelingResults& results);
 
 }  // namespace drydock::study

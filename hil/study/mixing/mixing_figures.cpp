@@ -10,8 +10,8 @@ constexpr std::array<const char*, 4> mixing_curve_names{"type 1", "type 2", "typ
                                                         "compensated"};
 
 template <class Value>
-Curve mixing_curve(std::string label, Value&& value) {
-  Curve curve{std::move(label), {}, {}};
+report::Curve mixing_curve(std::string label, Value&& value) {
+  report::Curve curve{std::move(label), {}, {}};
   for (std::size_t i = mixing_drawn_every - 1; i < mixing_points; i += mixing_drawn_every) {
     curve.x.push_back(static_cast<double>(i + 1) * mixing_point_spacing_s);
     curve.y.push_back(value(i));
@@ -19,9 +19,9 @@ Curve mixing_curve(std::string label, Value&& value) {
   return curve;
 }
 
-Figure trajectory_plan(const MixingExperiment& experiment) {
-  Figure figure{"Figure 9: trajectory", "east [m]", "north [m]", {}, 0, true};
-  Curve& path = figure.curves.emplace_back(Curve{"path", {}, {}});
+report::Figure trajectory_plan(const MixingExperiment& experiment) {
+  report::Figure figure{"Figure 9: trajectory", "east [m]", "north [m]", {}, 0, true};
+  report::Curve& path = figure.curves.emplace_back(report::Curve{"path", {}, {}});
   for (std::size_t i = 0; i < mixing_points; i += mixing_drawn_every) {
     path.x.push_back(experiment.points[i].east_m);
     path.y.push_back(experiment.points[i].north_m);
@@ -29,7 +29,7 @@ Figure trajectory_plan(const MixingExperiment& experiment) {
   return figure;
 }
 
-Figure trajectory_depth(const MixingExperiment& experiment) {
+report::Figure trajectory_depth(const MixingExperiment& experiment) {
   return {"Figure 9: trajectory, height",
           "time [s]",
           "height [m]",
@@ -37,11 +37,11 @@ Figure trajectory_depth(const MixingExperiment& experiment) {
 }
 
 /// Figure 8: the levels of Table 3, and the inference between its boundaries.
-Figure mixing_levels() {
-  Figure figure{"Figure 8: level of manoeuvring", "velocity rate [m/s2]", "level", {}};
+report::Figure mixing_levels() {
+  report::Figure figure{"Figure 8: level of manoeuvring", "velocity rate [m/s2]", "level", {}};
   for (int row = 0; row < 4; ++row) {
     const double rate = 0.01 * row;
-    Curve curve{fmt::format("{:.2f} rad/s", rate), {}, {}};
+    report::Curve curve{fmt::format("{:.2f} rad/s", rate), {}, {}};
     for (int i = 0; i <= 250; ++i) {
       curve.x.push_back(0.02 * i);
       curve.y.push_back(mixing::inferred_level(rate, 0.02 * i, mixing::pointed_sets));
@@ -52,7 +52,7 @@ Figure mixing_levels() {
 }
 
 /// Figures 10 to 13 for one reading of the integral gain.
-void add_mixing_errors(std::vector<Figure>& figures, const MixingResults& results,
+void add_mixing_errors(std::vector<report::Figure>& figures, const MixingResults& results,
                        mixing::IntegralGain reading) {
   struct Drawn {
     const char* title;
@@ -67,10 +67,11 @@ void add_mixing_errors(std::vector<Figure>& figures, const MixingResults& result
         Drawn{"Figure 12: mean of pitch angle error", &MixingStatistics::pitch, &Ensemble::mean},
         Drawn{"Figure 13: standard deviation of pitch angle error", &MixingStatistics::pitch,
               &Ensemble::deviation}}) {
-    Figure figure{fmt::format("{}, integral gain {}", drawn.title, printed ? "K1 K2" : "K2"),
-                  "time [s]",
-                  "error [deg]",
-                  {}};
+    report::Figure figure{
+        fmt::format("{}, integral gain {}", drawn.title, printed ? "K1 K2" : "K2"),
+        "time [s]",
+        "error [deg]",
+        {}};
     for (std::size_t type = 0; type < mixing_types.size(); ++type) {
       const auto& error = results[printed ? type : mixing_types.size() + type].*drawn.error;
       figure.curves.push_back(mixing_curve(mixing_curve_names[type],
@@ -82,10 +83,10 @@ void add_mixing_errors(std::vector<Figure>& figures, const MixingResults& result
 
 }  // namespace
 
-std::vector<Figure> mixing_figures(const MixingExperiment& experiment,
-                                   const MixingResults& results) {
-  std::vector<Figure> figures{mixing_levels(), trajectory_plan(experiment),
-                              trajectory_depth(experiment)};
+std::vector<report::Figure> mixing_figures(const MixingExperiment& experiment,
+                                           const MixingResults& results) {
+  std::vector<report::Figure> figures{mixing_levels(), trajectory_plan(experiment),
+                                      trajectory_depth(experiment)};
   add_mixing_errors(figures, results, mixing::IntegralGain::k1_k2);
   add_mixing_errors(figures, results, mixing::IntegralGain::k2_alone);
   return figures;

@@ -45,8 +45,8 @@ std::string mixing_name(const MixingVariant& variant) {
   return std::string(variant.key);
 }
 
-Table mixing_error_table(const MixingResults& results) {
-  Table table{
+report::Table mixing_error_table(const MixingResults& results) {
+  report::Table table{
       "Errors over 600 s [deg]",
       {"algorithm", "integral gain", "roll std", "pitch std", "roll peak", "pitch peak",
        "135-165 s", "max std", "NEES"},
@@ -71,12 +71,13 @@ Table mixing_error_table(const MixingResults& results) {
   return table;
 }
 
-Table mixing_level_table() {
-  Table table{fmt::format("Table 3: level of manoeuvring by inference, {} of 36 cells as published",
-                          mixing_table3_cells()),
-              {"rad/s \\ m/s2", "0", "1", "2", "3", "4", "5"},
-              {},
-              ""};
+report::Table mixing_level_table() {
+  report::Table table{
+      fmt::format("Table 3: level of manoeuvring by inference, {} of 36 cells as published",
+                  mixing_table3_cells()),
+      {"rad/s \\ m/s2", "0", "1", "2", "3", "4", "5"},
+      {},
+      ""};
   for (int i = 0; i < 6; ++i) {
     auto& row = table.rows.emplace_back(1, fmt::format("{:.2f}", 0.01 * i));
     for (int j = 0; j < 6; ++j)

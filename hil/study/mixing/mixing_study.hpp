@@ -15,7 +15,7 @@ std::vector<Workload> mixing_workloads();
 /// Number of cells of the paper's Table 3, of 36, that the inference reproduces.
 int mixing_table3_cells();
 
-std::vector<Figure> mixing_figures(const MixingExperiment& experiment,
-                                   const MixingResults& results);
+std::vector<report::Figure> mixing_figures(const MixingExperiment& experiment,
+                                           const MixingResults& results);
 
 }  // namespace drydock::study

@@ -26,12 +26,12 @@ std::string label_of(const RollMethod& method) {
 double decibels(double power) { return 10 * std::log10(power); }
 
 /// Fig. 4.
-Figure pattern() {
-  Figure figure{"Fig. 4: gain pattern of the antenna",
-                "elevation above the antenna's horizon [deg]",
-                "[dB]",
-                {}};
-  Curve curve{"P / P at boresight", {}, {}};
+report::Figure pattern() {
+  report::Figure figure{"Fig. 4: gain pattern of the antenna",
+                        "elevation above the antenna's horizon [deg]",
+                        "[dB]",
+                        {}};
+  report::Curve curve{"P / P at boresight", {}, {}};
   for (int elevation = -90; elevation <= 90; ++elevation) {
     curve.x.push_back(elevation);
     curve.y.push_back(decibels(sky::antenna_power(elevation * degree)));
@@ -41,11 +41,12 @@ Figure pattern() {
 }
 
 /// Fig. 5 and 6: one satellite at the zenith, while the antenna rolls at a steady rate.
-Figure sampled(int number, double roll_hz, bool in_decibels) {
-  Figure figure{fmt::format("Fig. {}: sampled signal power, roll rate {} Hz", number, roll_hz),
-                "time [s]",
-                in_decibels ? "P [dB]" : "P",
-                {}};
+report::Figure sampled(int number, double roll_hz, bool in_decibels) {
+  report::Figure figure{
+      fmt::format("Fig. {}: sampled signal power, roll rate {} Hz", number, roll_hz),
+      "time [s]",
+      in_decibels ? "P [dB]" : "P",
+      {}};
   for (const double pitch_deg : {0.0, 45.0}) {
     const roll::SightLine line({0, 0, -1}, {0, pitch_deg * degree}, {0, 0, 1});
     const auto power = [&](double t) {
@@ -54,12 +55,12 @@ Figure sampled(int number, double roll_hz, bool in_decibels) {
       return in_decibels ? decibels(p) : p;
     };
     const double span_s = 2 / roll_hz;
-    Curve smooth{fmt::format("pitch {} deg", pitch_deg), {}, {}};
+    report::Curve smooth{fmt::format("pitch {} deg", pitch_deg), {}, {}};
     for (int i = 0; i <= 400; ++i) {
       smooth.x.push_back(span_s * i / 400);
       smooth.y.push_back(power(smooth.x.back()));
     }
-    Curve epochs{fmt::format("at 10 Hz, pitch {} deg", pitch_deg), {}, {}, false, true};
+    report::Curve epochs{fmt::format("at 10 Hz, pitch {} deg", pitch_deg), {}, {}, false, true};
     for (int epoch = 0; epoch * epoch_s < span_s; ++epoch) {
       const double t = epoch * epoch_s;
       epochs.x.push_back(t);
@@ -92,13 +93,13 @@ class Gatherer final : public RollObserver {
     }
   }
 
-  Curve elevation{"elevation", {}, {}}, expected{"without noise", {}, {}},
+  report::Curve elevation{"elevation", {}, {}}, expected{"without noise", {}, {}},
       power{"received", {}, {}, false, true}, found{"peak found", {}, {}, false, true},
       roll{"true roll", {}, {}}, measured{"from one peak", {}, {}, false, true},
       measured_error{"from one peak", {}, {}, false, true};
 
  private:
-  static void add(Curve& curve, double x, double y) {
+  static void add(report::Curve& curve, double x, double y) {
     curve.x.push_back(x);
     curve.y.push_back(y);
   }
@@ -107,7 +108,7 @@ class Gatherer final : public RollObserver {
 };
 
 /// The first `seconds` of a curve; a longer curve would not be readable.
-Curve beginning(Curve curve, double seconds) {
+report::Curve beginning(report::Curve curve, double seconds) {
   std::size_t n = 0;
   while (n < curve.x.size() && curve.x[n] <= seconds) ++n;
   curve.x.resize(n);
@@ -115,8 +116,8 @@ Curve beginning(Curve curve, double seconds) {
   return curve;
 }
 
-Curve error_curve(std::size_t method, const RollOutcome& outcome) {
-  Curve curve{label_of(roll_methods[method]), {}, {}};
+report::Curve error_curve(std::size_t method, const RollOutcome& outcome) {
+  report::Curve curve{label_of(roll_methods[method]), {}, {}};
   const auto& errors = outcome.errors[method].at_epochs;
   for (std::size_t i = 0; i < errors.size(); ++i) {
     if (std::isnan(errors[i])) continue;
@@ -128,22 +129,24 @@ Curve error_curve(std::size_t method, const RollOutcome& outcome) {
 
 }  // namespace
 
-std::vector<Figure> roll_figures(const RollCase& the_case, const RollSky& sky, std::uint64_t seed) {
+std::vector<report::Figure> roll_figures(const RollCase& the_case, const RollSky& sky,
+                                         std::uint64_t seed) {
   constexpr std::uint16_t shown = 3;  // index of the satellite, highest first
   constexpr double shown_s = 40;
   const RollFlight flight(the_case, sky, seed, 0);
   Gatherer seen(flight, shown);
   const auto outcome = roll_run(the_case, sky, seed, 0, &seen);
 
-  Figure signal{"Fig. 7: signal power of one satellite and its peaks, 0.25 Hz",
-                "time [s]",
-                "P",
-                {beginning(seen.expected, shown_s), beginning(seen.power, shown_s),
-                 beginning(seen.found, shown_s)}};
-  Figure errors{"Fig. 9: roll error of the filters",
-                "time [s]",
-                "deg",
-                {error_curve(0, outcome), error_curve(2, outcome), error_curve(3, outcome)}};
+  report::Figure signal{"Fig. 7: signal power of one satellite and its peaks, 0.25 Hz",
+                        "time [s]",
+                        "P",
+                        {beginning(seen.expected, shown_s), beginning(seen.power, shown_s),
+                         beginning(seen.found, shown_s)}};
+  report::Figure errors{
+      "Fig. 9: roll error of the filters",
+      "time [s]",
+      "deg",
+      {error_curve(0, outcome), error_curve(2, outcome), error_curve(3, outcome)}};
   errors.y_limit = 20;
   return {pattern(),
           sampled(5, 2, false),
@@ -175,10 +178,11 @@ void RollEnsemble::add(const RollOutcome& outcome) {
   }
 }
 
-Figure RollEnsemble::figure() const {
-  Figure figure{"Roll error over the runs, ideal signals", "time [s]", "RMS [deg]", {}};
+report::Figure RollEnsemble::figure() const {
+  report::Figure figure{"Roll error over the runs, ideal signals", "time [s]", "RMS [deg]", {}};
   for (std::size_t m = 0; m < squares_.size(); ++m) {
-    Curve curve{m < roll_methods.size() ? label_of(roll_methods[m]) : "Cramer-Rao bound", {}, {}};
+    report::Curve curve{
+        m < roll_methods.size() ? label_of(roll_methods[m]) : "Cramer-Rao bound", {}, {}};
     for (std::size_t i = 0; i < squares_[m].size(); ++i) {
       const double rms = std::sqrt(squares_[m][i] / runs_);
       if (!(rms <= 12)) continue;

@@ -116,8 +116,8 @@ nlohmann::ordered_json figures_of(const CaseSum& sum, std::size_t m) {
           {"efficient_worst_run_rms_deg", sum.witness_worst}};
 }
 
-Table table_of(const std::array<CaseSum, cases.size()>& sums) {
-  Table table;
+report::Table table_of(const std::array<CaseSum, cases.size()>& sums) {
+  report::Table table;
   table.title = "Roll error after 20 s, degrees (convergence in s)";
   table.columns = {"case, method",   "gyro bias", "raw p95", "RMS",       "p95",       "worst run",
                    "converged 95 %", "NEES",      "bound",   "RMS/bound", "efficient", "its worst"};

@@ -8,7 +8,8 @@
 #include <optional>
 #include <thread>
 
-#include "hil/report/study_report.hpp"
+#include "hil/report/table.hpp"
+#include "hil/study/run/study_page.hpp"
 #include "hil/study/run/study_progress.hpp"
 #include "hil/study/run/study_timing.hpp"
 
@@ -104,8 +105,7 @@ int run_study(const study::Study& study, const StudyOptions& options, std::FILE*
   if (study.workloads) add_step_times(study.workloads(), result);
   for (const auto& table : result.tables) fmt::print(out, "{}\n", report::to_text(table));
   if (json && !json->write(to_json(study, campaign, result))) return cannot_write(*json);
-  if (report && !report->write(report::to_html(study, campaign, result)))
-    return cannot_write(*report);
+  if (report && !report->write(page_of(study, campaign, result))) return cannot_write(*report);
   return result.runs == campaign.runs ? 0 : study_failed;
 }
 

@@ -38,10 +38,10 @@ void add_step_times(std::vector<study::Workload> workloads, study::Result& resul
     for (std::size_t w = 0; w < workloads.size(); ++w)
       times[w].push_back(ns_per_step(workloads[w]));
 
-  study::Table table{"Time per step on this machine",
-                     {"algorithm", "ns", "multiple of the first"},
-                     {},
-                     fmt::format("median of {} times {} steps", repetitions, timed_steps)};
+  report::Table table{"Time per step on this machine",
+                      {"algorithm", "ns", "multiple of the first"},
+                      {},
+                      fmt::format("median of {} times {} steps", repetitions, timed_steps)};
   double first = 0;
   for (std::size_t w = 0; w < workloads.size(); ++w) {
     const double ns = median(times[w]);

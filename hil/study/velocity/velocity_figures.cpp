@@ -13,9 +13,9 @@ namespace {
 constexpr double hours_an_instant = 60.0 / 3600;
 constexpr double in_degrees = 180 / std::numbers::pi;
 
-Curve over_hours(std::string label, std::size_t instants,
-                 const std::function<double(std::size_t)>& value) {
-  Curve curve{std::move(label), {}, {}};
+report::Curve over_hours(std::string label, std::size_t instants,
+                         const std::function<double(std::size_t)>& value) {
+  report::Curve curve{std::move(label), {}, {}};
   for (std::size_t i = 0; i < instants; ++i) {
     curve.x.push_back(static_cast<double>(i) * hours_an_instant);
     curve.y.push_back(value(i));
@@ -24,8 +24,9 @@ Curve over_hours(std::string label, std::size_t instants,
 }
 
 /// Figures 5 to 8: the truth.
-void add_truth_figures(const std::vector<MissionInstant>& track, std::vector<Figure>& figures) {
-  Curve path{"track", {}, {}};
+void add_truth_figures(const std::vector<MissionInstant>& track,
+                       std::vector<report::Figure>& figures) {
+  report::Curve path{"track", {}, {}};
   for (const auto& at : track) {
     const Eigen::Vector3d ned = frame::ned_offset(track.front().position, at.position);
     path.x.push_back(ned.y() / 1000);
@@ -60,13 +61,14 @@ using EnsembleValue = double (Ensemble::*)(std::size_t) const;
 
 /// Figures 10 and 12: one axis, all methods except `pure`.
 void add_velocity_figures(const CaseResult& result, const std::string& title,
-                          std::vector<Figure>& figures) {
+                          std::vector<report::Figure>& figures) {
   constexpr std::array axes{"u", "v", "w"};
   const std::pair<const char*, EnsembleValue> parts[]{{"mean", &Ensemble::mean},
                                                       {"standard deviation", &Ensemble::deviation}};
   for (const auto& [part, value] : parts) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      Figure figure{fmt::format("{}, {} of {}", title, part, axes[axis]), "time [h]", "m/s", {}};
+      report::Figure figure{
+          fmt::format("{}, {} of {}", title, part, axes[axis]), "time [h]", "m/s", {}};
       for (std::size_t m = 1; m < velocity_methods.size(); ++m) {
         const Ensemble& error = result.methods[m].velocity(axis);
         figure.curves.push_back(over_hours(std::string(velocity_methods[m].name), error.instants(),
@@ -77,8 +79,9 @@ void add_velocity_figures(const CaseResult& result, const std::string& title,
   }
 }
 
-Figure position_figure(const CaseResult& result, std::string title, std::size_t first_method) {
-  Figure figure{std::move(title), "time [h]", "RMS of the horizontal distance [m]", {}};
+report::Figure position_figure(const CaseResult& result, std::string title,
+                               std::size_t first_method) {
+  report::Figure figure{std::move(title), "time [h]", "RMS of the horizontal distance [m]", {}};
   for (std::size_t m = first_method; m < velocity_methods.size(); ++m) {
     const auto& s = result.methods[m];
     figure.curves.push_back(over_hours(std::string(velocity_methods[m].name), s.instants(),
@@ -87,7 +90,7 @@ Figure position_figure(const CaseResult& result, std::string title, std::size_t 
   return figure;
 }
 
-Figure pure_figure(const CaseResult& result) {
+report::Figure pure_figure(const CaseResult& result) {
   const auto& s = result.methods[0];
   return {"Fig. 9: RMS position error of the SDINS alone",
           "time [h]",
@@ -100,8 +103,8 @@ Figure pure_figure(const CaseResult& result) {
 
 }  // namespace
 
-std::vector<Figure> velocity_figures(const VelocityResults& results) {
-  std::vector<Figure> figures;
+std::vector<report::Figure> velocity_figures(const VelocityResults& results) {
+  std::vector<report::Figure> figures;
   if (!results.track.empty()) add_truth_figures(results.track, figures);
   for (const auto& result : results.cases) {
     const std::string name(result.which.name);

@@ -13,8 +13,8 @@ Result velocity_study(const Options& options, Progress& progress);
 /// The names of the cases, and `error_budget`.
 std::vector<std::string_view> velocity_case_names();
 
-std::vector<Table> velocity_tables(const VelocityResults& results);
-std::vector<Figure> velocity_figures(const VelocityResults& results);
+std::vector<report::Table> velocity_tables(const VelocityResults& results);
+std::vector<report::Figure> velocity_figures(const VelocityResults& results);
 nlohmann::ordered_json velocity_json(const VelocityResults& results);
 
 }  // namespace drydock::study

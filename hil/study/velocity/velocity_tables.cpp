@@ -26,10 +26,10 @@ std::string_view published(std::string_view which, std::string_view method) {
   return found == said.end() ? "" : found->second;
 }
 
-Table main_table(const VelocityResults& results) {
+report::Table main_table(const VelocityResults& results) {
   const std::size_t runs = results.cases.front().methods.front().runs();
   const Band band = nees_band(runs);
-  Table table{
+  report::Table table{
       "Horizontal position error after 5.5 h without a position fix, DVL for 1 h [m]",
       {"case", "method", "RMSE max", "RMSE end", "growth", "worst run", "velocity RMSE [mm/s]",
        "stated", "NEES", "of growth", "paper"},
@@ -58,11 +58,11 @@ Table main_table(const VelocityResults& results) {
   return table;
 }
 
-Table budget_table(const VelocityResults& results) {
-  Table table{"Error budget of `ours` in case 2: one source at a time",
-              {"source", "RMSE at 5.5 h [m]"},
-              {},
-              fmt::format("{} runs", results.budget_runs)};
+report::Table budget_table(const VelocityResults& results) {
+  report::Table table{"Error budget of `ours` in case 2: one source at a time",
+                      {"source", "RMSE at 5.5 h [m]"},
+                      {},
+                      fmt::format("{} runs", results.budget_runs)};
   for (const auto& [source, m] : results.budget)
     table.rows.push_back({std::string(source), fmt::format("{:.2f}", m)});
   return table;
@@ -86,8 +86,8 @@ Json json_of(const VelocityStatistics& s) {
 
 }  // namespace
 
-std::vector<Table> velocity_tables(const VelocityResults& results) {
-  std::vector<Table> tables;
+std::vector<report::Table> velocity_tables(const VelocityResults& results) {
+  std::vector<report::Table> tables;
   if (!results.cases.empty()) tables.push_back(main_table(results));
   if (!results.budget.empty()) tables.push_back(budget_table(results));
   return tables;

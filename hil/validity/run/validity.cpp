@@ -13,10 +13,10 @@
 #include "drivers/link/uri.hpp"
 #include "drivers/terminal/exit_codes.hpp"
 #include "hil/bench/run.hpp"
-#include "hil/bench/truth_of_rig.hpp"
 #include "hil/report/html.hpp"
-#include "hil/report/study_report.hpp"
+#include "hil/report/table.hpp"
 #include "hil/report/write_file.hpp"
+#include "hil/summary/truth_of_rig.hpp"
 
 namespace drydock::validity {
 namespace {
@@ -120,7 +120,7 @@ std::vector<ValidityRun> sweep(const Rig& rig, const ValidityOptions& options) {
 }  // namespace
 
 Rig with_truth(Rig rig) {
-  rig.devices = bench::emulated_devices(rig);
+  rig.devices = summary::emulated_devices(rig);
   rig.estimators.clear();
   rig.expects.clear();
   if (rig.devices.empty()) throw std::runtime_error("no device of the rig is emulated");
@@ -132,7 +132,7 @@ int measure_validity(const Rig& whole, const ValidityOptions& options) {
   const auto runs = options.bauds ? sweep(rig, options) : std::vector{run_once(rig, options, 0)};
   std::string body;
   auto json = nlohmann::ordered_json::array();
-  const auto show = [&](const study::Table& table) {
+  const auto show = [&](const report::Table& table) {
     fmt::print("\n{}", report::to_text(table));
     body += report::to_html(table);
   };

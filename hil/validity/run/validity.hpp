@@ -4,7 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "hil/study/study.hpp"
+#include "hil/report/figure.hpp"
+#include "hil/report/table.hpp"
 #include "hil/validity/figures.hpp"
 #include "hil/validity/run/host_floor.hpp"
 #include "rig_config/rig.hpp"
@@ -26,10 +27,10 @@ struct ValidityRun {
   HostTimes floor;
 };
 
-study::Table table_of(const ValidityRun& run);
+report::Table table_of(const ValidityRun& run);
 /// The 99th percentile of the error, by device and baud rate.
-study::Table sweep_table(const std::vector<ValidityRun>& runs);
-std::vector<study::Figure> figures_of(const ValidityRun& run);
+report::Table sweep_table(const std::vector<ValidityRun>& runs);
+std::vector<report::Figure> figures_of(const ValidityRun& run);
 nlohmann::ordered_json json_of(const ValidityRun& run);
 
 /// The rig with its emulated devices only, because the true time of a sample is known only for

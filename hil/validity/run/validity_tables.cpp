@@ -36,7 +36,7 @@ std::string label(const Figures& of) {
 
 /// Shares of |values| in bins of a fifth of a decade from 0.1 us. The first bin includes smaller
 /// values.
-study::Curve histogram(std::string name, const std::vector<double>& values) {
+report::Curve histogram(std::string name, const std::vector<double>& values) {
   constexpr double first_us = 0.1, bins_a_decade = 5;
   constexpr std::size_t bins = 36;
   std::array<double, bins> shares{};
@@ -44,7 +44,7 @@ study::Curve histogram(std::string name, const std::vector<double>& values) {
     const double place = bins_a_decade * std::log10(std::max(std::abs(value), first_us) / first_us);
     shares[std::min(bins - 1, static_cast<std::size_t>(place))] += 1;
   }
-  study::Curve curve{std::move(name), {}, {}, false, true};
+  report::Curve curve{std::move(name), {}, {}, false, true};
   for (std::size_t i = 0; i < bins; ++i) {
     if (shares[i] == 0) continue;
     curve.x.push_back(first_us * std::pow(10, (static_cast<double>(i) + 0.5) / bins_a_decade));
@@ -64,8 +64,8 @@ ordered_json spread_json(const std::vector<double>& values) {
 
 }  // namespace
 
-study::Table table_of(const ValidityRun& run) {
-  study::Table table{
+report::Table table_of(const ValidityRun& run) {
+  report::Table table{
       run.baud > 0 ? fmt::format("time of validity at {} baud [us]", run.baud)
                    : "time of validity [us]",
       {"device", "", "n", "median", "p50", "p95", "p99", "largest", "p99 waited", "p99 late",
@@ -87,8 +87,8 @@ study::Table table_of(const ValidityRun& run) {
   return table;
 }
 
-study::Table sweep_table(const std::vector<ValidityRun>& runs) {
-  study::Table table{"p99 of the error by baud rate [us]", {"device", ""}, {}, {}};
+report::Table sweep_table(const std::vector<ValidityRun>& runs) {
+  report::Table table{"p99 of the error by baud rate [us]", {"device", ""}, {}, {}};
   for (const ValidityRun& run : runs) table.columns.push_back(std::to_string(run.baud));
   const auto add = [&](const std::string& device, const std::string& what, auto p99_in) {
     std::vector<std::string> row{device, what};
@@ -111,15 +111,15 @@ study::Table sweep_table(const std::vector<ValidityRun>& runs) {
   return table;
 }
 
-std::vector<study::Figure> figures_of(const ValidityRun& run) {
-  std::vector<study::Figure> figures;
+std::vector<report::Figure> figures_of(const ValidityRun& run) {
+  std::vector<report::Figure> figures;
   constexpr std::size_t in_one = 6;
   for (std::size_t i = 0; i < run.figures.size(); i += in_one) {
-    study::Figure figure{run.baud > 0 ? fmt::format("Histogram of errors at {} baud", run.baud)
-                                      : "Histogram of errors",
-                         "error [us]",
-                         "share",
-                         {}};
+    report::Figure figure{run.baud > 0 ? fmt::format("Histogram of errors at {} baud", run.baud)
+                                       : "Histogram of errors",
+                          "error [us]",
+                          "share",
+                          {}};
     figure.log_x = figure.log_y = true;
     for (std::size_t k = i; k < std::min(i + in_one, run.figures.size()); ++k)
       figure.curves.push_back(histogram(label(run.figures[k]), run.figures[k].errors_us));

@@ -7,7 +7,7 @@
 
 namespace plot_test {
 
-using drydock::report::Plot;
+using drydock::report::Figure;
 using drydock::report::render_svg;
 using testing::HasSubstr;
 
@@ -19,7 +19,7 @@ class Gnuplot : public testing::Test {
     plot_.title = "line";
     plot_.curves.push_back({"curve", {0, 10}, {0, 1}});
   }
-  Plot plot_;
+  Figure plot_;
 };
 
 TEST_F(Gnuplot, ANameIsWrittenAsItIsAndNothingOfItIsRun) {

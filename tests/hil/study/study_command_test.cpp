@@ -7,7 +7,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "hil/report/study_report.hpp"
+#include "hil/report/table.hpp"
 #include "hil/study/run/run_study.hpp"
 
 namespace drydock::study {
@@ -167,7 +167,7 @@ TEST_F(StudyCommand, AStudyWithoutCasesSaysSo) {
 }
 
 TEST(StudyTable, ColumnsStandBelowEachOtherWhateverTheAlphabet) {
-  const study::Table table{"T", {"filter", "φ [°]"}, {{"a", "1.0000"}, {"bb", "-2"}}, ""};
+  const report::Table table{"T", {"filter", "φ [°]"}, {{"a", "1.0000"}, {"bb", "-2"}}, ""};
   EXPECT_EQ(report::to_text(table), "T\nfilter   φ [°]\na       1.0000\nbb          -2\n");
 }
 

@@ -1,4 +1,4 @@
-#include "hil/report/study_report.hpp"
+#include "hil/report/table.hpp"
 
 #include <fmt/format.h>
 
@@ -17,7 +17,7 @@ std::size_t width_of(const std::string& text) {
       std::ranges::count_if(text, [](char c) { return (c & '\xC0') != '\x80'; }));
 }
 
-std::vector<std::size_t> widths_of(const study::Table& table) {
+std::vector<std::size_t> widths_of(const Table& table) {
   std::vector<std::size_t> widths;
   for (const auto& name : table.columns) widths.push_back(width_of(name));
   for (const auto& row : table.rows)
@@ -37,36 +37,24 @@ std::string line(const std::vector<std::string>& cells, const std::vector<std::s
 
 }  // namespace
 
-std::string to_html(const study::Table& table) {
-  std::string out =
-      fmt::format("<h2>{}</h2>\n<div class=scroll><table><tr>", report::html::escaped(table.title));
-  for (const auto& name : table.columns) out += "<th>" + report::html::escaped(name);
+std::string to_html(const Table& table) {
+  std::string out = fmt::format("<h2>{}</h2>\n<div class=scroll><table><tr>", escaped(table.title));
+  for (const auto& name : table.columns) out += "<th>" + escaped(name);
   out += "</tr>\n";
   for (const auto& row : table.rows) {
     out += "<tr>";
-    for (const auto& cell : row) out += "<td>" + report::html::escaped(cell);
+    for (const auto& cell : row) out += "<td>" + escaped(cell);
     out += "</tr>\n";
   }
   out += "</table></div>\n";
-  return table.note.empty() ? out
-                            : out + "<p class=soft>" + report::html::escaped(table.note) + "</p>\n";
+  return table.note.empty() ? out : out + "<p class=soft>" + escaped(table.note) + "</p>\n";
 }
 
-std::string to_text(const study::Table& table) {
+std::string to_text(const Table& table) {
   const auto widths = widths_of(table);
   std::string out = table.title + "\n" + line(table.columns, widths);
   for (const auto& row : table.rows) out += line(row, widths);
   return table.note.empty() ? out : out + table.note + "\n";
-}
-
-std::string to_html(const study::Study& study, const study::Options& options,
-                    const study::Result& result) {
-  std::string body = fmt::format("<p class=soft>{} of {} runs, seed {}</p>\n", result.runs,
-                                 options.runs, options.seed);
-  for (const auto& table : result.tables) body += to_html(table);
-  if (!result.figures.empty()) body += "<h2>Figures</h2>\n";
-  for (const auto& figure : result.figures) body += html::figure(figure);
-  return html::page(std::string(study.title), body);
 }
 
 }  // namespace drydock::report

@@ -6,7 +6,7 @@
 #include "hil/motion/make_trajectory.hpp"
 #include "rig_config/rig.hpp"
 
-namespace drydock::bench {
+namespace drydock::summary {
 
 /// The devices of the rig that this program emulates.
 std::vector<rig_config::DeviceConfig> emulated_devices(const rig_config::Rig& rig);
@@ -17,4 +17,4 @@ bool truth_for_estimators(const rig_config::Rig& rig);
 /// One line per automatic CAN bus: what it became on this machine.
 std::vector<std::string> can_notes(const rig_config::Rig& rig);
 
-}  // namespace drydock::bench
+}  // namespace drydock::summary

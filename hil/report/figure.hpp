@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-namespace drydock::study {
+namespace drydock::report {
 
 /// One curve: equal numbers of x and y.
 struct Curve {
@@ -22,4 +22,4 @@ struct Figure {
   bool log_x = false, log_y = false;  ///< values must be positive
 };
 
-}  // namespace drydock::study
+}  // namespace drydock::report

@@ -1,11 +1,11 @@
-#include "hil/bench/truth_of_rig.hpp"
+#include "hil/summary/truth_of_rig.hpp"
 
 #include <algorithm>
 #include <set>
 
 #include "drivers/link/link.hpp"
 
-namespace drydock::bench {
+namespace drydock::summary {
 namespace {
 
 bool emulated(const rig_config::DeviceConfig& device) {
@@ -40,4 +40,4 @@ std::vector<std::string> can_notes(const rig_config::Rig& rig) {
   return notes;
 }
 
-}  // namespace drydock::bench
+}  // namespace drydock::summary
