@@ -14,6 +14,7 @@
 #include "drivers/decode/decode.hpp"
 #include "drivers/io/until_stopped.hpp"
 #include "drivers/link/link.hpp"
+#include "drivers/terminal/exit_codes.hpp"
 #include "drivers/text/json_lines.hpp"
 #include "drivers/wire/registry.hpp"
 
@@ -152,7 +153,7 @@ int watch(asio::io_context& io, Link& open_link, Screen& screen, double duration
   asio::co_spawn(io, listen(open_link, screen, [&] { until.stop(); }), asio::detached);
   io.run();
   print_counters(screen);
-  return screen.messages() > 0 ? 0 : 1;
+  return terminal::exit_of(screen.messages() > 0);
 }
 
 }  // namespace
@@ -161,7 +162,7 @@ int monitor_messages(const MonitorOptions& options) {
   const auto uri = link::parse_uri(options.link);
   if (!uri) {
     fmt::print(stderr, "monitor: {}\n", uri.error().message);
-    return 2;
+    return terminal::exit_usage;
   }
   auto carries = uri->carries();
   auto screen = make_screen(options.protocol, carries);
@@ -173,13 +174,13 @@ int monitor_messages(const MonitorOptions& options) {
     fmt::print(stderr, "monitor: a {} link carries no protocol \"{}\"; allowed: {}\n",
                carries == link::Carries::bytes ? "byte" : "CAN", options.protocol,
                decode::decode_protocols());
-    return 2;
+    return terminal::exit_usage;
   }
   asio::io_context io{1};
   const auto watch_opened = [&](auto opened) {
     if (opened) return watch(io, **opened, *screen, options.duration_s);
     fmt::print(stderr, "monitor: {}\n", opened.error().message);
-    return 2;
+    return terminal::exit_usage;
   };
   return carries == link::Carries::bytes
              ? watch_opened(link::open_bytes(io.get_executor(), *uri, link::Side::driver))
