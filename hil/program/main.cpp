@@ -4,11 +4,21 @@
 #include "hil/program/commands.hpp"
 #include "hil/program/load_rig.hpp"
 
+namespace {
+
+std::string description() {
+  std::string codes;
+  for (const auto& [code, meaning] : drydock::terminal::exit_codes)
+    codes += fmt::format("{} {} {}", codes.empty() ? "Exit codes:" : ",", code, meaning);
+  return "Drydock: a test rig for underwater navigation.\n" + codes + ".";
+}
+
+}  // namespace
+
 int main(int argc, char** argv) {
   namespace program = drydock::program;
   namespace terminal = drydock::terminal;
-  CLI::App app{std::string("Drydock: a test rig for underwater navigation.\n") +
-               terminal::exit_codes_help};
+  CLI::App app{description()};
   app.name("drydock");
   app.set_version_flag("--version", DRYDOCK_VERSION);
   app.require_subcommand(1);
