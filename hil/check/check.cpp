@@ -45,6 +45,13 @@ rig_config::LoadOptions load_options() {
   return options;
 }
 
+rig_config::Loaded<rig_config::Rig> load_sound_rig(const std::string& path, Use use) {
+  auto rig = rig_config::load_rig(path, load_options());
+  if (!rig) return rig;
+  if (auto problems = check_rig(*rig, use); !problems.empty()) return problems;
+  return rig;
+}
+
 int check(const std::vector<std::string>& files, std::FILE* out) {
   bool sound = true;
   for (const std::string& file : files) {

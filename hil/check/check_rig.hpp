@@ -16,6 +16,10 @@ enum class Use : std::uint8_t {
 /// starting. Opens no port and no bus.
 rig_config::Problems check_rig(const rig_config::Rig& rig, Use use = Use::any);
 
+/// A rig that can be used so, or everything that stands against it. All commands that take a rig
+/// load it here.
+rig_config::Loaded<rig_config::Rig> load_sound_rig(const std::string& path, Use use = Use::any);
+
 /// Everything in a mission that stops its vehicle from moving.
 rig_config::Problems check_mission(const rig_config::MissionConfig& mission);
 

@@ -8,7 +8,7 @@
 #include <iterator>
 
 #include "drivers/bus/domain.hpp"
-#include "hil/check/check.hpp"
+#include "hil/check/check_rig.hpp"
 #include "hil/fault/injector.hpp"
 #include "rig_config/load.hpp"
 
@@ -39,10 +39,9 @@ void apply_environment(rig_config::Rig& rig) {
 }  // namespace
 
 rig_config::Rig load_rig(const std::string& path, check::Use use) {
-  auto rig = rig_config::load_rig(path, check::load_options());
+  auto rig = check::load_sound_rig(path, use);
   if (!rig) refuse(rig.error());
   apply_environment(*rig);
-  if (const auto problems = check::check_rig(*rig, use); !problems.empty()) refuse(problems);
   return std::move(*rig);
 }
 

@@ -1,3 +1,4 @@
+#include <gmock/gmock.h>
 #include <rapidcheck/gtest.h>
 
 #include <algorithm>
@@ -58,7 +59,7 @@ void accepted_starts_and_refused_says_where(const std::vector<std::string>& rigs
   RC_LOG() << decode::read_file(path);
   if (verdict.exit_code == 0) {
     const auto rig = rig_config::load_rig(path, load_options());
-    RC_ASSERT(rig);
+    RC_ASSERT(rig.has_value());
     const std::string refused = why_it_does_not_start(*rig);
     RC_LOG() << "check says ok, the start says " << refused << "\n";
     RC_ASSERT(refused.empty());
