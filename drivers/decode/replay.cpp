@@ -16,6 +16,7 @@
 #include "drivers/shell/real_time.hpp"
 #include "drivers/shell/recorded_bus.hpp"
 #include "drivers/shell/recorded_line.hpp"
+#include "drivers/terminal/exit_codes.hpp"
 #include "drivers/text/json_lines.hpp"
 #include "drivers/text/measurement_fields.hpp"
 
@@ -222,13 +223,13 @@ int replay(const ReplayOptions& options, std::FILE* out, std::FILE* err) {
     }
   } catch (const std::exception& error) {
     fmt::print(err, "replay: {}\n", error.what());
-    return 2;
+    return terminal::exit_usage;
   }
   if (!printer.flush()) {
     fmt::print(err, "replay: cannot write the output\n");
-    return 2;
+    return terminal::exit_usage;
   }
-  return printer.measurements() > 0 ? 0 : 1;
+  return terminal::exit_of(printer.measurements() > 0);
 }
 
 }  // namespace drydock::decode

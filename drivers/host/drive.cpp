@@ -13,6 +13,7 @@
 #include "drivers/io/until_stopped.hpp"
 #include "drivers/link/link.hpp"
 #include "drivers/shell/rig_devices.hpp"
+#include "drivers/terminal/exit_codes.hpp"
 
 namespace drydock::host {
 namespace {
@@ -67,7 +68,7 @@ class Drive {
     host_.start();
     io_.run();
     if (recorder_) fmt::print("{}\n", recorder_->finish());
-    return all_streaming_ && !(recorder_ && recorder_->failed()) ? 0 : 1;
+    return terminal::exit_of(all_streaming_ && !(recorder_ && recorder_->failed()));
   }
 
  private:

@@ -12,6 +12,7 @@
 #include "drivers/decode/decode.hpp"
 #include "drivers/io/until_stopped.hpp"
 #include "drivers/link/reading.hpp"
+#include "drivers/terminal/exit_codes.hpp"
 #include "drivers/text/json_lines.hpp"
 #include "drivers/wire/registry.hpp"
 
@@ -132,7 +133,7 @@ int watch(asio::io_context& io, Link& open_link, Screen& screen, double duration
                  });
   io.run();
   print_counters(screen);
-  return screen.messages() > 0 ? 0 : 1;
+  return terminal::exit_of(screen.messages() > 0);
 }
 
 }  // namespace
@@ -141,7 +142,7 @@ int monitor_messages(const MonitorOptions& options) {
   const auto uri = link::parse_uri(options.link);
   if (!uri) {
     fmt::print(stderr, "monitor: {}\n", uri.error().message);
-    return 2;
+    return terminal::exit_usage;
   }
   auto carries = uri->carries();
   auto screen = make_screen(options.protocol, carries);
@@ -153,13 +154,13 @@ int monitor_messages(const MonitorOptions& options) {
     fmt::print(stderr, "monitor: a {} link carries no protocol \"{}\"; allowed: {}\n",
                carries == link::Carries::bytes ? "byte" : "CAN", options.protocol,
                decode::decode_protocols());
-    return 2;
+    return terminal::exit_usage;
   }
   asio::io_context io{1};
   const auto watch_opened = [&](auto opened) {
     if (opened) return watch(io, **opened, *screen, options.duration_s);
     fmt::print(stderr, "monitor: {}\n", opened.error().message);
-    return 2;
+    return terminal::exit_usage;
   };
   return carries == link::Carries::bytes
              ? watch_opened(link::open_bytes(io.get_executor(), *uri, link::Side::driver))

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "drivers/io/until_stopped.hpp"
+#include "drivers/terminal/exit_codes.hpp"
 
 namespace drydock::monitor {
 namespace {
@@ -78,7 +79,7 @@ int MonitorLoop::run(const std::function<void()>& poll, const std::function<void
   if (options_.json && options_.once) print_json(last, stdout);
   if (!options_.json && (options_.once || !terminal_))
     for (const auto& line : table_.lines(last)) fmt::print("{}\n", line);
-  return all_streaming(last) ? 0 : 1;
+  return terminal::exit_of(all_streaming(last));
 }
 
 }  // namespace drydock::monitor

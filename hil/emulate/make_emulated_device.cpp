@@ -47,7 +47,8 @@ EmulateError unknown_protocol(const DeviceConfig& config) {
     allowed += (allowed.empty() ? "" : ", ") + std::string(entry.protocol);
   }
   return {"device \"" + config.name + "\": no emulated " + std::string(to_string(config.kind)) +
-          " speaks \"" + config.protocol + "\"; allowed: " + allowed};
+              " speaks \"" + config.protocol + "\"; allowed: " + allowed,
+          "protocol"};
 }
 
 }  // namespace
@@ -68,7 +69,7 @@ boost::system::result<DevicePtr, EmulateError> make_emulated_device(const Device
                                                                     std::uint64_t seed,
                                                                     const PowerUp& power) {
   if (!(config.rate_hz > 0)) {
-    return EmulateError{"device \"" + config.name + "\": rate_hz must be above 0"};
+    return EmulateError{"device \"" + config.name + "\": rate_hz must be above 0", "rate_hz"};
   }
   for (const Entry& entry : catalogue) {
     if (entry.kind == config.kind && entry.protocol == config.protocol) {

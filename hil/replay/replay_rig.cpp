@@ -10,6 +10,7 @@
 #include <iterator>
 #include <stdexcept>
 
+#include "drivers/terminal/exit_codes.hpp"
 #include "estimators/setup/rig_pipeline.hpp"
 #include "hil/replay/recorded_rig.hpp"
 #include "hil/replay/recording_progress.hpp"
@@ -93,7 +94,7 @@ class RigReplay {
     if (!lines_.flush()) throw std::runtime_error("cannot write the output");
     print_summary(options_.quiet ? out_ : err_);
     const bool sound = compared();
-    return sound && bench_->measurements() > 0 ? 0 : 1;
+    return terminal::exit_of(sound && bench_->measurements() > 0);
   }
 
  private:
@@ -225,7 +226,7 @@ int replay_rig(const RigReplayOptions& options, std::FILE* in, std::FILE* out, s
     return RigReplay(options, std::move(*recording), in, out, err).run();
   } catch (const std::exception& error) {
     fmt::print(err, "replay: {}\n", error.what());
-    return 2;
+    return terminal::exit_usage;
   }
 }
 

@@ -112,8 +112,8 @@ TEST(RigDevices, MistakesAreOneLineThatNamesThePlace) {
   wrong.link = "pty:depth";
   EXPECT_THAT(error_of(wrong), HasSubstr("protocol \"nmea2000\" needs a CAN link"));
   wrong = depth();
-  wrong.address = 256;
-  EXPECT_THAT(error_of(wrong), HasSubstr("address 256"));
+  wrong.address = 254;  // the null address of J1939
+  EXPECT_THAT(error_of(wrong), HasSubstr("address 254 is no bus address; allowed: 0 (any) to 253"));
 }
 
 DeviceConfig imu(std::string protocol) {
