@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "drivers/device/device.hpp"
+#include "drivers/host/follower.hpp"
 
 namespace drydock::monitor {
 
@@ -39,9 +39,9 @@ struct DeviceView {
 DeviceView view_of(const device::Device& device, const device::Health& health);
 
 /// The last measurement of each device, for every type that it gives.
-class Latest {
+class Latest final : public host::Follower {
  public:
-  void note(const measurement::Measurement& measurement);
+  void on_measurement(const measurement::Measurement& measurement) override;
   /// Puts the values and the times of the newest measurement into a view.
   void show(std::uint16_t device, DeviceView& view) const;
 

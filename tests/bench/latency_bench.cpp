@@ -19,6 +19,7 @@
 #include "drivers/bus/subscriber.hpp"
 #include "drivers/host/driver_host.hpp"
 #include "drivers/host/rig_bus.hpp"
+#include "drivers/host/rig_publisher.hpp"
 #include "drivers/link/link.hpp"
 #include "drivers/shell/rig_devices.hpp"
 #include "drivers/wire/can/slcan.hpp"
@@ -64,6 +65,16 @@ class Arrival {
  private:
   int fd_;
   std::atomic<std::int64_t> at_ns_{0};
+};
+
+/// Notes the arrival of each estimate.
+class EachEstimate final : public host::Follower {
+ public:
+  explicit EachEstimate(Arrival& arrival) : arrival_(arrival) {}
+  void on_estimate(const host::Estimate&) override { arrival_.note(); }
+
+ private:
+  Arrival& arrival_;
 };
 
 void report(benchmark::State& state, std::vector<double> us) {
@@ -172,12 +183,16 @@ void wire_to_estimate(benchmark::State& state) {
   const bus::Participant participant(static_cast<std::uint32_t>(rig.dds_domain));
   bus::Publisher publisher(participant, host::bus_devices(rig), host::estimator_names(rig));
   bus::Subscriber subscriber(participant, host::bus_devices(rig));
-  host::EstimatorHost estimators(io, setup::pipeline_options(rig), subscriber, publisher);
+  host::RigPublisher on_bus(publisher);
+  Arrival published;
+  EachEstimate each_estimate(published);
+  host::Followers followers;
+  followers.add(on_bus);
+  followers.add(each_estimate);
+  host::EstimatorHost estimators(io, setup::pipeline_options(rig), subscriber, followers);
   auto devices = shell::make_devices(rig);
   if (!devices) return state.SkipWithError(devices.error().message.c_str());
-  host::DriverHost drivers(io, std::move(*devices), &publisher);
-  Arrival published;
-  estimators.on_attitude_hook = [&](const pipeline::AttitudeEstimate&) { published.note(); };
+  host::DriverHost drivers(io, std::move(*devices), followers);
   estimators.start();
   drivers.start();
   std::jthread shell([&] { io.run(); });

@@ -7,6 +7,7 @@
 
 #include "hil/bench/run.hpp"
 #include "rig_config/load.hpp"
+#include "tests/hil/bench/each_measurement.hpp"
 #include "tests/test_name.hpp"
 
 namespace lost_address_test {
@@ -23,12 +24,13 @@ std::vector<double> arrivals(const std::string& faults, std::string_view device)
   RunOptions options;
   options.duration_s = 60;
   options.quiet = true;
-  options.on_measurement = [&](const measurement::Measurement& m) {
+  bench::EachMeasurement each([&](const measurement::Measurement& m) {
     const auto& origin = measurement::origin_of(m);
     const auto start = measurement::stamp_from_ns(rig.start_utc_ns);
     if (rig.devices.at(origin.device).name == device)
       at_s.push_back(measurement::seconds(origin.received_at - start));
-  };
+  });
+  options.followers = {&each};
   run_lockstep(rig, options);
   return at_s;
 }
