@@ -78,7 +78,7 @@ struct InnovationSource {
 /// A fault that somebody made on purpose, on `/drydock/faults`.
 struct Fault {
   std::string device;  ///< empty: the fault is not of one device
-  std::string name;    ///< a word of docs/faults.md: "hang", "flip"
+  std::string name;    ///< a word of docs/use/faults.md: "hang", "flip"
   std::string text;    ///< words for a person: "dvl: hang"
   Stamp since{};
   std::optional<Stamp> until;  ///< may be in the past or planned; empty: not known
