@@ -39,7 +39,7 @@ class Drive {
         participant_(static_cast<std::uint32_t>(rig.dds_domain), rig.dds_interface),
         publisher_(participant_, bus_devices(rig)),
         host_(io_, std::move(devices), followers_) {
-    followers_.add(on_bus_);
+    followers_.add(publisher_);
     followers_.add(state_lines_);
     if (!options.record.path.empty())
       followers_.add(recorder_.emplace(rig, options.record, link::now(), record::WhenBehind::lose));
@@ -90,8 +90,7 @@ class Drive {
   const DriveOptions& options_;
   boost::asio::io_context io_{1};
   bus::Participant participant_;
-  bus::Publisher publisher_;
-  RigPublisher on_bus_{publisher_};
+  RigPublisher publisher_;
   StateLines state_lines_{stdout};
   Followers followers_;
   std::optional<RigRecorder> recorder_;

@@ -27,6 +27,12 @@ void DriverHost::stop() {
   shell_.stop();
 }
 
+std::vector<const device::Device*> DriverHost::devices() const {
+  std::vector<const device::Device*> all;
+  for (std::size_t i = 0; i < shell_.size(); ++i) all.push_back(&shell_.device(i));
+  return all;
+}
+
 bool DriverHost::all_streaming() const {
   for (std::size_t i = 0; i < shell_.size(); ++i) {
     if (shell_.device(i).state() != device::State::streaming) return false;

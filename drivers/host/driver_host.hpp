@@ -22,6 +22,7 @@ class DriverHost final : private device::Listener {
   void start();
   void stop();  ///< closes the links; the follower does not hear that the devices close
   const shell::RealTime& shell() const { return shell_; }
+  std::vector<const device::Device*> devices() const;
   bool all_streaming() const;
 
  private:

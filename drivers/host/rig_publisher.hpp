@@ -8,8 +8,10 @@ namespace drydock::host {
 /// Puts measurements, estimates and health of a run on the bus. The truth is not on the bus.
 class RigPublisher final : public Follower {
  public:
-  /// The publisher must outlive it.
-  explicit RigPublisher(bus::Publisher& to) : to_(to) {}
+  RigPublisher(const bus::Participant& participant, const std::vector<bus::Device>& devices,
+               const std::vector<std::string>& estimators = {},
+               const std::vector<std::string>& navigators = {})
+      : to_(participant, devices, estimators, navigators) {}
 
   void on_measurement(const measurement::Measurement& m) override { to_.publish(m); }
   void on_estimate(const Estimate& estimate) override {
@@ -21,7 +23,7 @@ class RigPublisher final : public Follower {
   }
 
  private:
-  bus::Publisher& to_;
+  bus::Publisher to_;
 };
 
 }  // namespace drydock::host

@@ -81,12 +81,11 @@ class Printer final : public Follower {
 int estimate(const rig_config::Rig& rig, const EstimateOptions& options) {
   boost::asio::io_context io{1};
   const bus::Participant participant(static_cast<std::uint32_t>(rig.dds_domain), rig.dds_interface);
-  bus::Publisher publisher(participant, {}, estimator_names(rig), navigator_names(rig));
+  RigPublisher publisher(participant, {}, estimator_names(rig), navigator_names(rig));
   bus::Subscriber subscriber(participant, bus_devices(rig));
-  RigPublisher on_bus(publisher);
   Printer printer(rig, options.json_lines);
   Followers followers;
-  followers.add(on_bus);
+  followers.add(publisher);
   followers.add(printer);
   EstimatorHost host(io, setup::pipeline_options(rig), subscriber, followers);
 

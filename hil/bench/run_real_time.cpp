@@ -1,15 +1,16 @@
+#include <fmt/format.h>
+
 #include <boost/asio/io_context.hpp>
-#include <boost/asio/signal_set.hpp>
 #include <boost/asio/steady_timer.hpp>
 #include <optional>
 #include <stdexcept>
 
 #include "drivers/bus/participant.hpp"
-#include "drivers/bus/publisher.hpp"
 #include "drivers/bus/subscriber.hpp"
 #include "drivers/host/driver_host.hpp"
 #include "drivers/host/rig_bus.hpp"
 #include "drivers/host/rig_publisher.hpp"
+#include "drivers/io/until_stopped.hpp"
 #include "drivers/link/clock.hpp"
 #include "drivers/monitor/live_table.hpp"
 #include "drivers/shell/rig_devices.hpp"
@@ -25,15 +26,13 @@
 namespace drydock::bench {
 namespace {
 
-namespace asio = boost::asio;
-
 constexpr std::chrono::milliseconds tick_period{500};
 constexpr double usual_s = 600;  ///< for a run without an end
 
-template <class T>
-T or_throw(boost::system::result<T, shell::RigDevicesError> result) {
-  if (!result) throw std::runtime_error(result.error().message);
-  return std::move(*result);
+std::vector<std::unique_ptr<device::Device>> devices_of(const rig_config::Rig& rig) {
+  auto devices = shell::make_devices(rig);
+  if (!devices) throw std::runtime_error(devices.error().message);
+  return std::move(*devices);
 }
 
 /// A whole rig on one thread. Measurements go from the drivers over DDS to the estimators. Members
@@ -50,10 +49,11 @@ class RealTimeRun {
                    host::navigator_names(rig)),
         subscriber_(participant_, host::bus_devices(rig)),
         run_(rig, options, *trajectory_,
-             {start_, duration_s_ > 0 ? duration_s_ : usual_s, record::WhenBehind::lose, &on_bus_}),
+             {start_, duration_s_ > 0 ? duration_s_ : usual_s, record::WhenBehind::lose,
+              &publisher_}),
         faults_(io_, rig, *trajectory_, start_),
         emulator_(io_, faults_.injector()),
-        drivers_(io_, or_throw(shell::make_devices(rig)), run_.followers()),
+        drivers_(io_, devices_of(rig), run_.followers()),
         estimators_(io_, setup::pipeline_options(rig), subscriber_, run_.followers()),
         table_(drivers_.shell(), start_, duration_s_) {
     if (!options.quiet) run_.followers().add(table_);
@@ -61,7 +61,7 @@ class RealTimeRun {
   }
 
   summary::Summary run() {
-    run_.begin({start_, devices(), estimators_.pipeline(), faults_.injector()});
+    run_.begin({start_, drivers_.devices(), estimators_.pipeline(), faults_.injector()});
     emulator_.set_on_written(run_.on_written());
     if (auto started = emulator_.start(summary::emulated_devices(rig_)); !started)
       throw std::runtime_error(started.error().message);
@@ -70,33 +70,23 @@ class RealTimeRun {
                   [this](const std::string& line) { table_.note(line); });
     estimators_.start();
     drivers_.start();
-    signals_.async_wait([this](const boost::system::error_code& ec, int) {
-      if (ec) return;
-      summary_.interrupted = true;
-      stop();
-    });
+    io::UntilStopped until(io_, duration_s_, [this] { stop(); });
     keep_ticking();
     io_.run();
     table_.finish();
-    return finished();
+    summary_.mode = "real time";
+    summary_.notes = summary::can_notes(rig_);
+    note_losses();
+    run_.write(summary_);
+    faults_.write(summary_);
+    return std::move(summary_);
   }
 
  private:
   void serve(const host::ServeOptions& options) {
     run_.followers().add(viewer_.emplace(io_.get_executor(), rig_, options));
-    if (options.allow_faults)
-      viewer_->add(
-          control::fault_services(rig_, [this](const std::string& order, const auto& answered) {
-            answered(faults_.answer(order));
-          }));
+    if (options.allow_faults) viewer_->add(control::fault_services(rig_, faults_));
     fmt::print("live: {}\n", viewer_->url());
-  }
-
-  std::vector<const device::Device*> devices() const {
-    std::vector<const device::Device*> all;
-    for (std::size_t i = 0; i < drivers_.shell().size(); ++i)
-      all.push_back(&drivers_.shell().device(i));
-    return all;
   }
 
   void keep_ticking() {
@@ -104,19 +94,18 @@ class RealTimeRun {
     timer_.async_wait([this](const boost::system::error_code& ec) {
       if (ec || stopping_) return;  // an expired timer cannot be cancelled any more
       run_.followers().tick(link::now());
-      if (duration_s_ > 0 && measurement::seconds(link::steady_now() - start_) >= duration_s_)
-        return stop();
       keep_ticking();
     });
   }
 
   // Takes the health just before the links are closed, because that state is reported.
   void stop() {
-    if (std::exchange(stopping_, true)) return;
-    summary_.duration_s = summary_.wall_s = measurement::seconds(link::steady_now() - start_);
+    stopping_ = true;
+    run_.followers().tick(link::now());
+    const double elapsed_s = measurement::seconds(link::steady_now() - start_);
+    summary_.duration_s = summary_.wall_s = elapsed_s;
+    summary_.interrupted = duration_s_ <= 0 || elapsed_s < duration_s_;
     summary_.devices = run_.devices(link::now());
-    signals_.cancel();
-    signals_.clear();  // a second Ctrl-C ends the program at once
     timer_.cancel();
     drivers_.stop();
     estimators_.stop();
@@ -125,28 +114,22 @@ class RealTimeRun {
     if (viewer_) viewer_->stop();
   }
 
-  summary::Summary finished() {
-    summary_.mode = "real time";
-    summary_.notes = summary::can_notes(rig_);
-    const auto counters = emulator_.counters();
-    if (counters.lost > 0 || counters.write_errors > 0)
-      summary_.notes.push_back("emulated devices lost " + std::to_string(counters.lost) +
-                               " messages to overloaded lines, " +
-                               std::to_string(counters.write_errors) + " to write errors");
-    run_.write(summary_);
-    faults_.write(summary_);
-    return std::move(summary_);
+  void note_losses() {
+    const auto lost = emulator_.counters();
+    if (lost.lost == 0 && lost.write_errors == 0) return;
+    summary_.notes.push_back(
+        fmt::format("emulated devices lost {} messages to overloaded lines, {} to write errors",
+                    lost.lost, lost.write_errors));
   }
 
   const rig_config::Rig& rig_;
   double duration_s_;
-  asio::io_context io_{1};
+  boost::asio::io_context io_{1};
   measurement::Stamp start_;
   std::unique_ptr<motion::Trajectory> trajectory_;
   bus::Participant participant_;
-  bus::Publisher publisher_;
+  host::RigPublisher publisher_;
   bus::Subscriber subscriber_;
-  host::RigPublisher on_bus_{publisher_};
   RigRun run_;
   control::LiveFaults faults_;
   emulate::RealTimeEmulator emulator_;
@@ -154,8 +137,7 @@ class RealTimeRun {
   host::DriverHost drivers_;
   host::EstimatorHost estimators_;
   monitor::LiveTable table_;
-  asio::steady_timer timer_{io_};
-  asio::signal_set signals_{io_, SIGINT, SIGTERM};
+  boost::asio::steady_timer timer_{io_};
   summary::Summary summary_;
   bool stopping_ = false;
 };

@@ -117,7 +117,7 @@ void bare_pty_round_trip(benchmark::State& state) {
 void bare_dds_hop(benchmark::State& state) {
   const bus::Participant participant(domain);
   const std::vector<bus::Device> devices{{.name = "imu", .kind = bus::Kind::imu}};
-  bus::Publisher publisher(participant, devices);
+  host::RigPublisher publisher(participant, devices);
   bus::Subscriber subscriber(participant, devices);
   Arrival arrival;
   std::atomic<bool> done{false};
@@ -181,13 +181,12 @@ void wire_to_estimate(benchmark::State& state) {
   const auto rig = imu_rig(pty.name);
   boost::asio::io_context io{1};
   const bus::Participant participant(static_cast<std::uint32_t>(rig.dds_domain));
-  bus::Publisher publisher(participant, host::bus_devices(rig), host::estimator_names(rig));
+  host::RigPublisher publisher(participant, host::bus_devices(rig), host::estimator_names(rig));
   bus::Subscriber subscriber(participant, host::bus_devices(rig));
-  host::RigPublisher on_bus(publisher);
   Arrival published;
   EachEstimate each_estimate(published);
   host::Followers followers;
-  followers.add(on_bus);
+  followers.add(publisher);
   followers.add(each_estimate);
   host::EstimatorHost estimators(io, setup::pipeline_options(rig), subscriber, followers);
   auto devices = shell::make_devices(rig);
