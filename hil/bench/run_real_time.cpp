@@ -12,6 +12,7 @@
 #include "drivers/host/rig_publisher.hpp"
 #include "drivers/io/until_stopped.hpp"
 #include "drivers/link/clock.hpp"
+#include "drivers/link/link.hpp"
 #include "drivers/monitor/live_table.hpp"
 #include "drivers/shell/rig_devices.hpp"
 #include "estimators/host/estimator_host.hpp"

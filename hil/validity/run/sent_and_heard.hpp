@@ -9,7 +9,7 @@ namespace drydock::validity {
 class SentAndHeard : public bench::Follower {
  public:
   /// The listener must outlive it.
-  explicit SentAndHeard(Listener& listener) : listener_(listener) {}
+  explicit SentAndHeard(validity::Listener& listener) : listener_(listener) {}
 
   void on_written(std::string_view device, const emulate::Passage& passage,
                   Stamp written) override {
@@ -18,7 +18,7 @@ class SentAndHeard : public bench::Follower {
   void on_measurement(const measurement::Measurement& m) override { listener_.note(m); }
 
  protected:
-  Listener& listener_;
+  validity::Listener& listener_;
 };
 
 }  // namespace drydock::validity
