@@ -63,8 +63,8 @@ void RigRun::tell_health(Stamp now) {
 std::vector<summary::DeviceSummary> RigRun::devices(Stamp now) const {
   std::vector<summary::DeviceSummary> all;
   for (const auto* device : bench_->devices)
-    all.push_back(
-        summarise(*device, device->health(now), host::provenance_of(device->options().link)));
+    all.push_back(device::account_of(*device, device->health(now),
+                                     host::provenance_of(device->options().link)));
   return all;
 }
 

@@ -4,7 +4,7 @@
 #include <numbers>
 #include <utility>
 
-#include "estimators/setup/degrees.hpp"
+#include "drivers/measurement/units.hpp"
 #include "hil/replay/reference/references.hpp"
 
 namespace drydock::replay {
@@ -78,8 +78,8 @@ void RecordedTruth::hear(const record::Understood& message) {
   } else if (topic == "/estimate/truth/odometry") {
     navigation_ = navigation_of(v, message.at);
   } else if (topic == "/estimate/truth/fix" && message.at == navigation_.valid_at && truth_) {
-    navigation_.latitude_rad = v.at("latitude") / setup::to_deg;
-    navigation_.longitude_rad = v.at("longitude") / setup::to_deg;
+    navigation_.latitude_rad = v.at("latitude") / units::degrees_per_radian;
+    navigation_.longitude_rad = v.at("longitude") / units::degrees_per_radian;
     navigation_.height_m = v.at("altitude");
     truth_->navigation = navigation_;
     tell();

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
+#include "drivers/measurement/units.hpp"
 #include "drivers/text/measurement_fields.hpp"
-#include "estimators/setup/degrees.hpp"
 
 namespace drydock::replay {
 
@@ -13,20 +13,20 @@ double seconds_of(measurement::Stamp at) { return measurement::seconds(at.time_s
 
 /// Empty if the angle is not known.
 std::optional<double> in_degrees(std::optional<double> angle) {
-  return angle ? std::optional(*angle * setup::to_deg) : std::nullopt;
+  return angle ? std::optional(*angle * units::degrees_per_radian) : std::nullopt;
 }
 
 void attitude_fields(text::JsonWriter& json, const bus::Attitude& e) {
-  json.field("roll_deg", e.roll_rad * setup::to_deg);
-  json.field("pitch_deg", e.pitch_rad * setup::to_deg);
+  json.field("roll_deg", e.roll_rad * units::degrees_per_radian);
+  json.field("pitch_deg", e.pitch_rad * units::degrees_per_radian);
   json.field("heading_deg", in_degrees(e.yaw_rad));
-  json.field("roll_sigma_deg", std::sqrt(e.covariance(0, 0)) * setup::to_deg);
-  json.field("pitch_sigma_deg", std::sqrt(e.covariance(1, 1)) * setup::to_deg);
+  json.field("roll_sigma_deg", std::sqrt(e.covariance(0, 0)) * units::degrees_per_radian);
+  json.field("pitch_sigma_deg", std::sqrt(e.covariance(1, 1)) * units::degrees_per_radian);
 }
 
 void navigation_fields(text::JsonWriter& json, const bus::Navigation& n) {
-  json.field("latitude_deg", n.latitude_rad * setup::to_deg);
-  json.field("longitude_deg", n.longitude_rad * setup::to_deg);
+  json.field("latitude_deg", n.latitude_rad * units::degrees_per_radian);
+  json.field("longitude_deg", n.longitude_rad * units::degrees_per_radian);
   json.field("height_m", n.height_m);
   json.field("position_sigma_m", std::sqrt(n.covariance(0, 0) + n.covariance(1, 1)));
   json.field("velocity_ned_mps", n.velocity_ned);

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "estimators/setup/degrees.hpp"
+#include "drivers/measurement/units.hpp"
 
 namespace drydock::replay {
 
@@ -57,8 +57,8 @@ void TruthErrors::compare_position(Stamp at, const frame::Position& truth) {
 
 TruthErrors::Rms TruthErrors::of(std::size_t estimator) const {
   const auto& s = sums_.at(estimator);
-  return {s.attitudes, s.positions, rms(s.roll2, s.attitudes) * setup::to_deg,
-          rms(s.pitch2, s.attitudes) * setup::to_deg, rms(s.horizontal2, s.positions)};
+  return {s.attitudes, s.positions, rms(s.roll2, s.attitudes) * units::degrees_per_radian,
+          rms(s.pitch2, s.attitudes) * units::degrees_per_radian, rms(s.horizontal2, s.positions)};
 }
 
 }  // namespace drydock::replay

@@ -91,7 +91,7 @@ std::string text_of(const rig_config::Rig& rig, const measurement::Measurement& 
   std::FILE* memory = ::open_memstream(&text, &size);
   {
     replay::ReplayLines lines(rig, memory);
-    lines.write(m);
+    lines.on_measurement(m);
     lines.flush();
   }
   std::fclose(memory);
@@ -106,7 +106,7 @@ Heard run(const rig_config::Rig& rig, const std::string& device) {
       std::ranges::find(rig.devices, device, &rig_config::DeviceConfig::name) -
       rig.devices.begin());
   const auto start = measurement::stamp_from_ns(rig.start_utc_ns);
-  RunOptions options;
+  bench::RunOptions options;
   options.duration_s = end_s;
   bench::EachMeasurement each([&](const measurement::Measurement& m) {
     const auto& origin = measurement::origin_of(m);
@@ -116,7 +116,7 @@ Heard run(const rig_config::Rig& rig, const std::string& device) {
   });
   options.followers = {&each};
   testing::internal::CaptureStdout();
-  result.device = run_lockstep(rig, options).devices.at(index);
+  result.device = bench::run_lockstep(rig, options).devices.at(index);
   testing::internal::GetCapturedStdout();
   return result;
 }

@@ -18,9 +18,9 @@ rig_config::Rig demo() {
 
 summary::Summary run(const rig_config::Rig& rig, double seconds) {
   testing::internal::CaptureStdout();
-  RunOptions options;
+  bench::RunOptions options;
   options.duration_s = seconds;
-  auto summary = run_lockstep(rig, options);
+  auto summary = bench::run_lockstep(rig, options);
   testing::internal::GetCapturedStdout();
   return summary;
 }

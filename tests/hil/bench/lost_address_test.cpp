@@ -19,9 +19,9 @@ using namespace drydock;
 std::vector<double> arrivals(const std::string& faults, std::string_view device) {
   auto rig = rig_config::load_rig(DRYDOCK_SOURCE_DIR "/rig_config/rigs/soak.toml").value();
   rig.faults = rig_config::load_faults_text(faults, "test").value();
-  EXPECT_THAT(rig_config::check_faults_of(rig), testing::IsEmpty());
+  EXPECT_THAT(rig_config::check_faults_of(rig), ::testing::IsEmpty());
   std::vector<double> at_s;
-  RunOptions options;
+  bench::RunOptions options;
   options.duration_s = 60;
   options.quiet = true;
   bench::EachMeasurement each([&](const measurement::Measurement& m) {
@@ -31,7 +31,7 @@ std::vector<double> arrivals(const std::string& faults, std::string_view device)
       at_s.push_back(measurement::seconds(origin.received_at - start));
   });
   options.followers = {&each};
-  run_lockstep(rig, options);
+  bench::run_lockstep(rig, options);
   return at_s;
 }
 
@@ -43,7 +43,7 @@ std::pair<double, double> longest_silence(const std::vector<double>& at_s) {
   return longest;
 }
 
-class EachSensor : public testing::TestWithParam<const char*> {};
+class EachSensor : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(EachSensor, IsFoundAgainWhoseAddressWasTakenWhileTheDriverWasBusOff) {
   const std::string name = GetParam();
@@ -60,7 +60,7 @@ TEST_P(EachSensor, IsFoundAgainWhoseAddressWasTakenWhileTheDriverWasBusOff) {
   EXPECT_GT(at_s.back(), 59);
 }
 
-INSTANTIATE_TEST_SUITE_P(J1939, EachSensor, testing::Values("depth", "actuators", "openimu"),
+INSTANTIATE_TEST_SUITE_P(J1939, EachSensor, ::testing::Values("depth", "actuators", "openimu"),
                          [](const auto& one) { return drydock::testing::test_name(one.param); });
 
 TEST(BusOff, EndsWhenTheLastFaultThatKeepsTheControllerOffHasCleared) {
