@@ -15,9 +15,8 @@ namespace {
 using link::Stamp;
 
 /// Counts the bits on each CAN bus and keeps the state of its controller, by the URI of its link.
-class BusMeter final : public shell::RawListener {
+class BusMeter final : public host::Follower {
  public:
-  void on_bytes(std::string_view, shell::Direction, wire::Bytes, Stamp) override {}
   void on_frame(std::string_view link, shell::Direction, const wire::CanFrame& frame,
                 Stamp) override {
     Bus& bus = bus_of(link);
@@ -109,16 +108,13 @@ int monitor_devices(std::vector<std::unique_ptr<device::Device>> devices, const 
     }
     return views;
   });
-  host::Watchers watchers;
+  host::Followers followers;
+  followers.add(latest);
+  followers.add(meter);
   const auto viewer = loop.serve({name, host::bus_devices(devices)});
-  if (viewer) watchers.add(*viewer);
-  host::DriverHost host(loop.io(), std::move(devices), nullptr, &meter);
+  if (viewer) followers.add(*viewer);
+  host::DriverHost host(loop.io(), std::move(devices), followers);
   drivers = &host;
-  host.on_measurement_hook = [&](const measurement::Measurement& m) {
-    latest.note(m);
-    watchers.note(m);
-  };
-  host.on_health_hook = [&](auto health, Stamp now) { watchers.note(health, now); };
   host.start();
   return loop.run([] {},
                   [&] {

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "drivers/terminal/exit_codes.hpp"
+#include "hil/bench/run.hpp"
 #include "hil/endurance/soak_watch.hpp"
 #include "hil/report/html.hpp"
 #include "hil/report/write_file.hpp"
@@ -94,8 +95,7 @@ int soak(const rig_config::Rig& rig, const SoakOptions& options, std::FILE* out)
   run.duration_s = options.duration_s;
   run.quiet = true;
   run.curve_points = 300;  // stored curves must not look like a leak
-  run.on_measurement = [&](const measurement::Measurement& m) { watch.note(m); };
-  run.each_second = [&](const bench::RunView& view) { watch.look(view); };
+  run.followers = {&watch};
   const summary::Summary summary = bench::run_lockstep(rig, run);
   const auto troubles = troubles_of(summary, watch);
   print(summary, watch, troubles, out);

@@ -56,13 +56,13 @@ hil/characterize           estimators/frame drivers/measurement rig_config
 hil/characterize/report    hil/characterize hil/bench hil/check hil/report hil/study hil/sensor drivers/decode drivers/recordings/record drivers/bus drivers/link drivers/terminal drivers/measurement rig_config
 hil/validity               hil/emulate drivers/measurement
 hil/validity/run           hil/validity hil/bench hil/summary hil/report hil/emulate drivers/link drivers/io drivers/terminal drivers/measurement rig_config
-hil/summary                hil/report hil/motion estimators/pipeline estimators/frame drivers/device drivers/link drivers/measurement rig_config
+hil/summary                hil/report hil/motion estimators/pipeline estimators/frame drivers/host drivers/device drivers/link drivers/measurement rig_config
 hil/control/request        drivers/live drivers/terminal
-hil/control                hil/control/request hil/fault hil/summary drivers/host drivers/live drivers/link drivers/io drivers/terminal rig_config
-hil/bench                  hil/control hil/summary hil/report hil/fault hil/emulate hil/emulate/real_time hil/motion estimators/host estimators/setup estimators/pipeline drivers/host drivers/monitor drivers/bus drivers/shell drivers/device drivers/link drivers/io drivers/terminal drivers/measurement rig_config
+hil/control                hil/control/request hil/fault hil/summary drivers/host drivers/bus drivers/live drivers/link drivers/io drivers/terminal rig_config
+hil/bench                  hil/control hil/summary hil/report hil/fault hil/emulate hil/emulate/real_time hil/motion estimators/host estimators/setup estimators/pipeline estimators/frame drivers/host drivers/monitor drivers/bus drivers/shell drivers/device drivers/link drivers/io drivers/terminal drivers/measurement rig_config
 hil/check                  hil/fault hil/motion hil/ocean estimators/setup estimators/pipeline estimators/vehicle estimators/hydrodynamics drivers/shell drivers/link drivers/terminal drivers/measurement rig_config
 hil/replay/reference       drivers/recordings/record drivers/bus
-hil/replay                 hil/replay/reference hil/bench hil/summary hil/fault estimators/setup estimators/pipeline drivers/host drivers/recordings/record drivers/text drivers/bus drivers/link drivers/io drivers/terminal drivers/measurement rig_config
+hil/replay                 hil/replay/reference hil/bench hil/summary hil/fault estimators/host estimators/setup estimators/pipeline estimators/frame drivers/host drivers/recordings/record drivers/text drivers/bus drivers/link drivers/io drivers/terminal drivers/measurement rig_config
 hil/scorecard              hil/bench hil/summary hil/study/run hil/report hil/motion estimators/pipeline estimators/frame drivers/device drivers/link drivers/terminal drivers/measurement rig_config
 hil/endurance              hil/bench hil/summary hil/validity hil/validity/run hil/report hil/fault drivers/text drivers/link drivers/terminal rig_config
 hil/world                  hil/report hil/sky hil/sensor hil/motion estimators/frame drivers/measurement drivers/terminal rig_config

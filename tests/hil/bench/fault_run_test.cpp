@@ -10,6 +10,7 @@
 #include "hil/bench/run.hpp"
 #include "hil/replay/replay_lines.hpp"
 #include "rig_config/load.hpp"
+#include "tests/hil/bench/each_measurement.hpp"
 
 namespace fault_run_test {
 namespace {
@@ -90,7 +91,7 @@ std::string text_of(const rig_config::Rig& rig, const measurement::Measurement& 
   std::FILE* memory = ::open_memstream(&text, &size);
   {
     replay::ReplayLines lines(rig, memory);
-    lines.write(m);
+    lines.on_measurement(m);
     lines.flush();
   }
   std::fclose(memory);
@@ -105,16 +106,17 @@ Heard run(const rig_config::Rig& rig, const std::string& device) {
       std::ranges::find(rig.devices, device, &rig_config::DeviceConfig::name) -
       rig.devices.begin());
   const auto start = measurement::stamp_from_ns(rig.start_utc_ns);
-  RunOptions options;
+  bench::RunOptions options;
   options.duration_s = end_s;
-  options.on_measurement = [&](const measurement::Measurement& m) {
+  bench::EachMeasurement each([&](const measurement::Measurement& m) {
     const auto& origin = measurement::origin_of(m);
     if (origin.device != index) return;
     result.lines.push_back(text_of(rig, m));
     result.received_s.push_back(measurement::seconds(origin.received_at - start));
-  };
+  });
+  options.followers = {&each};
   testing::internal::CaptureStdout();
-  result.device = run_lockstep(rig, options).devices.at(index);
+  result.device = bench::run_lockstep(rig, options).devices.at(index);
   testing::internal::GetCapturedStdout();
   return result;
 }
