@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "rig_config/fault_vocabulary.hpp"
+
 namespace drydock::fault {
 
 namespace {

@@ -8,6 +8,7 @@
 #include "drivers/link/uri.hpp"
 #include "hil/fault/wire/faulty_bus.hpp"
 #include "hil/fault/wire/faulty_stream.hpp"
+#include "rig_config/fault_vocabulary.hpp"
 
 namespace drydock::replay {
 

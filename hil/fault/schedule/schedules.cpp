@@ -1,5 +1,7 @@
 #include "hil/fault/schedule/schedules.hpp"
 
+#include "rig_config/fault_vocabulary.hpp"
+
 namespace drydock::fault {
 
 Schedules::Schedules(const rig_config::Rig& rig, Stamp start, rig_config::FaultTarget target)
