@@ -1,9 +1,9 @@
 #pragma once
 
 #include <array>
-#include <numbers>
 #include <string_view>
 
+#include "drivers/measurement/units.hpp"
 #include "rig_config/rig.hpp"
 
 /// The quantities that the sensors of each kind measure, with their keys in a fault and their
@@ -23,11 +23,11 @@ inline constexpr auto fault_quantities = std::to_array<FaultQuantity>({
     {DeviceKind::emlog, "speed_mps", 1},
     {DeviceKind::gnss, "position_m", 1},
     {DeviceKind::gnss, "velocity_mps", 1, true},
-    {DeviceKind::imu, "rate_degps", std::numbers::pi / 180},
+    {DeviceKind::imu, "rate_degps", units::degree},
     {DeviceKind::imu, "specific_force_mps2", 1, true},
     {DeviceKind::depth, "pressure_pa", 1},
-    {DeviceKind::actuator, "angle_deg", std::numbers::pi / 180},
-    {DeviceKind::actuator, "shaft_rpm", 2 * std::numbers::pi / 60, true},
+    {DeviceKind::actuator, "angle_deg", units::degree},
+    {DeviceKind::actuator, "shaft_rpm", units::revolution_per_minute, true},
 });
 
 /// True if the key names the second quantity of a sensor: specific force, GNSS velocity, shaft.

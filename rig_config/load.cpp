@@ -31,7 +31,7 @@ Loaded<MissionConfig> read_mission(const std::string& path) {
 }
 
 std::string no_table(const std::string& path, DeviceKind kind) {
-  return fmt::format("{} has no table [{}]", path, name_of(kind));
+  return fmt::format("{} has no table [{}]", path, to_string(kind));
 }
 
 /// Reads the sensor file of the emulated sensor, then the keys of the device, which override it.
@@ -44,7 +44,7 @@ Problems read_emulated_errors(const Node& table, std::size_t index, DeviceConfig
     const std::string path = beside(file, errors->text);
     const auto sensors = read_checked_file(path, FileKind::sensor);
     if (!sensors) return sensors.error();
-    const Node* grade = sensors->find(name_of(device.kind));
+    const Node* grade = sensors->find(to_string(device.kind));
     if (!grade)
       return {{file, errors->at.line, errors->at.column,
                fmt::format("/device/{}/emulate/errors", index), no_table(path, device.kind)}};
@@ -77,7 +77,7 @@ Problems read_grades(const Node& table, std::size_t index, InertialConfig& inert
         Wanted{"log", DeviceKind::emlog, &InertialConfig::log_grade},
         Wanted{"depth", DeviceKind::depth, &InertialConfig::depth_grade}}) {
     if (!table.find(key)) continue;
-    if (const Node* found = sensors->find(name_of(kind))) {
+    if (const Node* found = sensors->find(to_string(kind))) {
       read_errors(*found, kind, inertial.*grade);
     } else {
       problems.push_back({file, reference->at.line, reference->at.column,
@@ -177,7 +177,7 @@ Loaded<EmulateConfig> load_sensor_text(std::string_view text, const std::string&
                                        DeviceKind kind) {
   const auto root = read_checked(text, path, FileKind::sensor);
   if (!root) return root.error();
-  const Node* table = root->find(name_of(kind));
+  const Node* table = root->find(to_string(kind));
   if (!table) return Problems{{path, 1, 1, "/", no_table(path, kind)}};
   EmulateConfig sensor;
   read_errors(*table, kind, sensor);

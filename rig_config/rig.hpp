@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "drivers/measurement/kind.hpp"
 #include "rig_config/emulate.hpp"
 #include "rig_config/expect.hpp"
 #include "rig_config/fault.hpp"
@@ -18,10 +19,8 @@
 /// defaults.
 namespace drydock::rig_config {
 
-enum class DeviceKind : std::uint8_t { dvl, emlog, gnss, imu, depth, actuator };
-
-/// The maker whose axes PD4 and PD6 have.
-enum class DvlMaker : std::uint8_t { teledyne, water_linked };
+using DeviceKind = measurement::Kind;
+using measurement::DvlMaker;
 
 /// The settings that a Water Linked DVL gets when its link opens.
 struct WaterLinkedConfig {
@@ -57,11 +56,9 @@ struct PressureConfig {
 struct DeviceConfig {
   std::string name;
   DeviceKind kind = DeviceKind::imu;
-  /// nmea0183 ubx ubx+nmea0183 pd0 pd4 pd5 pd6 water-linked nortek aceinna cia404-imu epson-g550
-  /// epson-g552 xsens nmea2000 cia404-pressure
-  std::string protocol;
-  std::string link;    ///< URI, see drivers/link/uri.hpp
-  double rate_hz = 1;  ///< nominal: the rate of the emulated device, and the reference for health
+  std::string protocol;  ///< a name of drivers/wire/registry.hpp with this kind
+  std::string link;      ///< URI, see drivers/link/uri.hpp
+  double rate_hz = 1;    ///< nominal: the rate of the emulated device, and the reference for health
   double stale_after_s = 2;              ///< streaming -> stale
   double reopen_after_s = 10;            ///< stale -> backing off and opening again
   double latency_s = 0;                  ///< from protocol or maker; it is subtracted from valid_at

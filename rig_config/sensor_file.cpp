@@ -48,7 +48,7 @@ std::string sensor_text(DeviceKind kind, const EmulateConfig& grade, const std::
   std::istringstream lines(head);
   for (std::string line; std::getline(lines, line);)
     out += line.empty() ? "#\n" : "# " + line + "\n";
-  out += fmt::format("\n[{}]\nfixed_bias = {}\n", name_of(kind), grade.fixed_bias);
+  out += fmt::format("\n[{}]\nfixed_bias = {}\n", to_string(kind), grade.fixed_bias);
   if (grade.rate_hz) out += fmt::format("rate_hz = {:.{}g}\n", *grade.rate_hz, digits_in_file);
   if (grade.latency_s > 0) out += fmt::format("latency_ms = {:.4g}\n", grade.latency_s * 1e3);
   if (grade.dropout.probability > 0)

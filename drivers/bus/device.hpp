@@ -8,16 +8,16 @@
 #include <utility>
 #include <vector>
 
+#include "drivers/measurement/kind.hpp"
 #include "drivers/measurement/measurement.hpp"
 
 /// The data on the bus, as the rest of the program sees them. See docs/build/bus.md for the topics.
 namespace drydock::bus {
 
+using measurement::Kind;
 using measurement::Measurement;
 using measurement::Provenance;
 using measurement::Stamp;
-
-enum class Kind : std::uint8_t { dvl, emlog, gnss, imu, depth, actuator };
 
 /// Which messages a subscriber takes for a device. `complete`: Drydock's own message where a
 /// standard message would lose a field. `standard`: only messages of ROS 2, for a device that a ROS
@@ -78,7 +78,7 @@ struct InnovationSource {
 /// A fault that somebody made on purpose, on `/drydock/faults`.
 struct Fault {
   std::string device;  ///< empty: the fault is not of one device
-  std::string name;    ///< a word of docs/faults.md: "hang", "flip"
+  std::string name;    ///< a word of docs/use/faults.md: "hang", "flip"
   std::string text;    ///< words for a person: "dvl: hang"
   Stamp since{};
   std::optional<Stamp> until;  ///< may be in the past or planned; empty: not known

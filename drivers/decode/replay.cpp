@@ -72,12 +72,9 @@ class Printer final : public device::Listener, public device::Transmitter {
 /// The kinds of sensor that speak the protocol.
 std::vector<Kind> kinds_with(std::string_view protocol) {
   std::vector<Kind> kinds;
-  for (const Kind kind :
-       {Kind::dvl, Kind::emlog, Kind::gnss, Kind::imu, Kind::depth, Kind::actuator}) {
-    for (const auto& entry : device::protocols_of(kind)) {
-      if (entry.name == protocol) kinds.push_back(kind);
-    }
-  }
+  const wire::Protocol* known = wire::find_protocol(protocol);
+  for (const Kind kind : measurement::kinds)
+    if (known && known->kinds.has(kind)) kinds.push_back(kind);
   return kinds;
 }
 

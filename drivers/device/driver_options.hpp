@@ -1,13 +1,12 @@
 #pragma once
 
-#include <array>
 #include <chrono>
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <string_view>
 
 #include "drivers/device/mounting.hpp"
+#include "drivers/measurement/kind.hpp"
 #include "drivers/measurement/water_column.hpp"
 #include "drivers/wire/can/xsens.hpp"
 #include "drivers/wire/canopen/cia404_pressure.hpp"
@@ -15,13 +14,8 @@
 
 namespace drydock::device {
 
-enum class Kind : std::uint8_t { dvl, emlog, gnss, imu, depth, actuator };
-
-constexpr std::string_view to_string(Kind kind) {
-  constexpr std::array<std::string_view, 6> names{"dvl", "emlog", "gnss",
-                                                  "imu", "depth", "actuator"};
-  return names[static_cast<std::size_t>(kind)];
-}
+using measurement::DvlMaker;
+using measurement::Kind;
 
 /// How a driver controls its CANopen node.
 struct CanopenOptions {
@@ -47,10 +41,6 @@ struct PressureOptions {
   wire::cia404_pressure::Scale scale;
   bool gauge = false;  ///< it reads 0 at the surface, not in vacuum
 };
-
-/// Axes of a DVL's PD4 or PD6. Teledyne's are starboard, bow, mast, or those of the frame that the
-/// report names. Water Linked's are always forward, starboard, down.
-enum class DvlMaker : std::uint8_t { teledyne, water_linked };
 
 /// Settings for a Water Linked DVL, sent when its link opens. An empty one is left unchanged.
 struct WaterLinkedSettings {

@@ -8,6 +8,7 @@
 
 #include "drivers/device/driver.hpp"
 #include "drivers/device/driver_options.hpp"
+#include "drivers/wire/protocols.hpp"
 
 namespace drydock::device {
 
@@ -16,7 +17,7 @@ struct DriverError {
   std::string message;
 };
 
-enum class Travels : std::uint8_t { as_bytes, as_frames };
+using wire::Travels;
 
 struct ProtocolEntry {
   std::string_view name;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "drivers/device/health_account.hpp"
 #include "drivers/link/uri.hpp"
 
 namespace drydock::host {
@@ -16,6 +17,13 @@ bus::Level level_of(device::State state) {
     case device::State::backing_off: return bus::Level::error;
     default: return bus::Level::warn;
   }
+}
+
+std::string in_text(const std::string& text) { return text; }
+std::string in_text(std::uint64_t count) { return std::to_string(count); }
+std::string in_text(double rate_hz) { return fmt::format("{:.3f}", rate_hz); }
+std::string in_text(const std::optional<double>& time_s) {
+  return time_s ? fmt::format("{:.6f}", *time_s) : "";
 }
 
 }  // namespace
@@ -31,10 +39,8 @@ measurement::Provenance provenance_of(const std::string& link) {
 std::vector<bus::Device> bus_devices(const rig_config::Rig& rig) {
   std::vector<bus::Device> devices;
   for (const auto& config : rig.devices) {
-    // Both enumerations follow the order of the rig file's `kind`.
-    devices.push_back({.name = config.name,
-                       .kind = static_cast<bus::Kind>(config.kind),
-                       .provenance = provenance_of(config.link)});
+    devices.push_back(
+        {.name = config.name, .kind = config.kind, .provenance = provenance_of(config.link)});
   }
   return devices;
 }
@@ -43,7 +49,7 @@ std::vector<bus::Device> bus_devices(std::span<const std::unique_ptr<device::Dev
   std::vector<bus::Device> all;
   for (const auto& device : devices) {
     all.push_back({.name = std::string(device->name()),
-                   .kind = static_cast<bus::Kind>(device->options().driver.kind),
+                   .kind = device->options().driver.kind,
                    .provenance = provenance_of(device->options().link)});
   }
   return all;
@@ -82,35 +88,16 @@ std::vector<bus::InnovationSource> innovation_sources(const rig_config::Rig& rig
 }
 
 bus::DeviceStatus status_of(const device::Device& device, const device::Health& health) {
-  const auto count = [](std::uint64_t n) { return std::to_string(n); };
-  const auto& options = device.options();
+  const auto account = device::account_of(device, health, provenance_of(device.options().link));
   bus::DeviceStatus status{.level = level_of(health.state),
-                           .name = device.name(),
-                           .message = std::string{to_string(health.state)},
-                           .hardware_id = options.link,
+                           .name = account.name,
+                           .message = account.state,
+                           .hardware_id = account.link,
                            .values = {}};
-  status.values = {
-      {"kind", std::string{device::to_string(options.driver.kind)}},
-      {"protocol", options.driver.protocol},
-      {"provenance", std::string{measurement::to_string(provenance_of(options.link))}},
-      {"rate_hz", fmt::format("{:.3f}", health.rate_hz.value_or(0))},
-      {"nominal_rate_hz", fmt::format("{:.3f}", health.nominal_rate_hz)},
-      {"jitter_s", health.jitter ? fmt::format("{:.6f}", health.jitter->deviation_s) : ""},
-      {"longest_interval_s",
-       health.jitter ? fmt::format("{:.6f}", health.jitter->longest_interval_s) : ""},
-      {"age_s", health.age ? fmt::format("{:.3f}", measurement::seconds(*health.age)) : ""},
-      {"status", std::string{health.status.view()}},
-      {"messages", count(health.messages)},
-      {"frames", count(health.stream.frames)},
-      {"bytes_in", count(health.stream.bytes_in)},
-      {"bytes_good", count(health.stream.bytes_good)},
-      {"bytes_skipped", count(health.stream.bytes_skipped)},
-      {"bad_checksums", count(health.stream.bad_checksums)},
-      {"reopened", count(health.reopened)},
-      {"can_dropped", count(health.can_dropped)},
-      {"error_frames", count(health.error_frames)},
-      {"last_error", std::string{health.last_error.view()}},
-  };
+  visit_fields(account, [&](std::string_view key, const auto& value) {
+    if (key == "name" || key == "state" || key == "link") return;  // they are in the status itself
+    status.values.emplace_back(key, in_text(value));
+  });
   return status;
 }
 

@@ -12,7 +12,7 @@
 
 #include "drivers/host/rig_bus.hpp"
 #include "drivers/link/uri.hpp"
-#include "drivers/wire/registry.hpp"
+#include "drivers/wire/protocols.hpp"
 
 namespace drydock::host {
 
@@ -29,9 +29,8 @@ std::string short_name(const link::Uri& uri) {
 }
 
 bool speaks_frames(const std::string& protocol) {
-  bool frames = false;
-  wire::with_protocol(wire::FrameProtocols{}, protocol, [&]<class>() { frames = true; });
-  return frames;
+  const wire::Protocol* known = wire::find_protocol(protocol);
+  return known && known->travels == wire::Travels::as_frames;
 }
 
 std::vector<record::RecordedLink> links_of(const rig_config::Rig& rig) {

@@ -3,10 +3,11 @@
 #include <cmath>
 #include <optional>
 
+#include "drivers/measurement/units.hpp"
+
 namespace drydock::measurement {
 namespace ocean {
 
-inline constexpr double standard_gravity_mps2 = 9.80665;
 inline constexpr double decibar_pa = 1e4;
 
 /// Gravity at the surface, m/s2 (Anon. 1970, as the report cites it).
@@ -64,7 +65,7 @@ struct WaterColumn {
 inline double WaterColumn::depth_m(double pressure_pa) const {
   const double sea_pressure = pressure_pa - surface_pressure_pa;
   if (unesco_latitude_rad) return unesco_depth_m(sea_pressure, *unesco_latitude_rad);
-  return sea_pressure / (density_kgm3 * ocean::standard_gravity_mps2);
+  return sea_pressure / (density_kgm3 * units::standard_gravity);
 }
 
 }  // namespace drydock::measurement

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 
@@ -11,13 +12,24 @@ namespace drydock::monitor {
 namespace {
 
 /// Anybody can write anything to the bus. Text that is not a finite number gives no value.
+void put(const std::string& text, std::string& into) { into = text; }
 template <class Number>
-std::optional<Number> number_of(std::string_view text) {
+void put(const std::string& text, std::optional<Number>& into) {
   Number number = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
   const bool whole = error == std::errc{} && end == text.data() + text.size();
-  return whole && std::isfinite(static_cast<double>(number)) ? std::optional(number) : std::nullopt;
+  into = whole && std::isfinite(static_cast<double>(number)) ? std::optional(number) : std::nullopt;
 }
+template <class Number>
+void put(const std::string& text, Number& into) {
+  std::optional<Number> number;
+  put(text, number);
+  into = number.value_or(0);
+}
+
+/// What a device is, the rig file says, not the bus.
+constexpr std::array<std::string_view, 6> of_the_rig{"name", "kind",       "protocol",
+                                                     "link", "provenance", "nominal_rate_hz"};
 
 /// Turns diagnostics and measurements from the bus into views, and forwards them to the watchers.
 class BusViews final : public bus::Receiver {
@@ -28,7 +40,8 @@ class BusViews final : public bus::Receiver {
       view.name = device.name;
       view.link = device.link;
       view.protocol = device.protocol;
-      view.kind = to_string(static_cast<device::Kind>(device.kind));
+      view.kind = to_string(device.kind);
+      view.provenance = to_string(host::provenance_of(device.link));
       view.nominal_rate_hz = device.rate_hz;
       view.state = "not heard";
       view.status = "no diagnostics on the bus: do its drivers run, in this DDS domain?";
@@ -75,23 +88,10 @@ class BusViews final : public bus::Receiver {
   Latest latest_;
   std::vector<bus::DeviceStatus> health_;
 
-  static void set(DeviceView& view, std::string_view key, const std::string& value) {
-    const auto maybe = number_of<double>(value);
-    const auto count = number_of<std::uint64_t>(value).value_or(0);
-    if (key == "rate_hz") view.rate_hz = maybe;
-    if (key == "jitter_s") view.jitter_s = maybe;
-    if (key == "longest_interval_s") view.longest_interval_s = maybe;
-    if (key == "age_s") view.age_s = maybe;
-    if (key == "messages") view.messages = count;
-    if (key == "frames") view.frames = count;
-    if (key == "bytes_in") view.bytes = count;
-    if (key == "bytes_skipped") view.bytes_skipped = count;
-    if (key == "bad_checksums") view.bad_frames = count;
-    if (key == "reopened") view.reopened = count;
-    if (key == "can_dropped") view.can_dropped = count;
-    if (key == "error_frames") view.error_frames = count;
-    if (key == "last_error") view.last_error = value;
-    if (key == "status") view.status = value;
+  static void set(device::HealthAccount& account, std::string_view key, const std::string& text) {
+    visit_fields(account, [&](std::string_view name, auto& into) {
+      if (name == key && std::ranges::find(of_the_rig, name) == of_the_rig.end()) put(text, into);
+    });
   }
 };
 

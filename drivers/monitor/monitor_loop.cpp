@@ -41,7 +41,7 @@ bool MonitorLoop::over(const std::vector<DeviceView>& views) const {
                                                  : 0;
   if (interrupted_ || (limit_s > 0 && elapsed_s >= limit_s)) return true;
   return options_.once && all_streaming(views) &&
-         std::ranges::all_of(views, [](const auto& v) { return v.rate_hz && v.jitter_s; });
+         std::ranges::all_of(views, [](const auto& v) { return v.rate_hz > 0 && v.jitter_s; });
 }
 
 void MonitorLoop::show(const std::vector<DeviceView>& views) {

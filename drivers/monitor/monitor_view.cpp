@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "drivers/host/rig_bus.hpp"
 #include "drivers/text/json_lines.hpp"
 #include "drivers/text/measurement_fields.hpp"
 
@@ -18,33 +19,14 @@ void visit_fields(const ShownValue& v, F&& field) {
 
 template <class F>
 void visit_fields(const DeviceView& v, F&& field) {
-  field("name", v.name);
-  field("kind", v.kind);
-  field("protocol", v.protocol);
-  field("link", v.link);
-  field("state", v.state);
-  field("status", v.status);
-  field("last_error", v.last_error);
-  field("rate_hz", v.rate_hz);
-  field("nominal_rate_hz", v.nominal_rate_hz);
-  field("jitter_s", v.jitter_s);
-  field("longest_interval_s", v.longest_interval_s);
-  field("age_s", v.age_s);
+  visit_fields(static_cast<const device::HealthAccount&>(v), field);
   field("valid_at_s", v.valid_at_s);
   field("received_at_s", v.received_at_s);
   field("device_time_s", v.device_time_s);
   field("latency_s", v.latency_s);
-  field("messages", v.messages);
-  field("good_frames", v.frames);
-  field("bad_frames", v.bad_frames);
-  field("bytes", v.bytes);
-  field("bytes_skipped", v.bytes_skipped);
-  field("error_frames", v.error_frames);
-  field("can_dropped", v.can_dropped);
   field("can_state", v.can_state);
   field("bits_per_second", v.bits_per_second);
   field("bus_load", v.bus_load);
-  field("reopened", v.reopened);
   field("values", v.values);
 }
 
@@ -135,32 +117,12 @@ std::string bus_text(const DeviceView& v) {
 
 }  // namespace
 
-DeviceView view_of(const device::Device& device, const device::Health& h) {
-  DeviceView v;
-  v.name = device.name();
-  v.kind = to_string(device.options().driver.kind);
-  v.protocol = device.options().driver.protocol;
-  v.link = device.options().link;
-  v.state = to_string(h.state);
-  v.status = h.status.view();
-  v.last_error = h.last_error.view();
-  v.streaming = h.state == device::State::streaming;
-  v.rate_hz = h.rate_hz;
-  if (h.jitter) {
-    v.jitter_s = h.jitter->deviation_s;
-    v.longest_interval_s = h.jitter->longest_interval_s;
-  }
-  if (h.age) v.age_s = measurement::seconds(*h.age);
-  v.nominal_rate_hz = h.nominal_rate_hz;
-  v.messages = h.messages;
-  v.frames = h.stream.frames;
-  v.bad_frames = h.stream.bad_checksums;
-  v.bytes = h.stream.bytes_in;
-  v.bytes_skipped = h.stream.bytes_skipped;
-  v.error_frames = h.error_frames;
-  v.can_dropped = h.can_dropped;
-  v.reopened = h.reopened;
-  return v;
+DeviceView view_of(const device::Device& device, const device::Health& health) {
+  DeviceView view;
+  static_cast<device::HealthAccount&>(view) =
+      device::account_of(device, health, host::provenance_of(device.options().link));
+  view.streaming = health.state == device::State::streaming;
+  return view;
 }
 
 void Latest::note(const measurement::Measurement& measurement) {
@@ -210,8 +172,8 @@ std::string headline(const DeviceView& v, const Palette& palette) {
   return fmt::format(
       "{:<10} {} {:>8.2f} Hz of {:>6.1f}  jitter {:>8}  {:>9} messages  {:>8} B skipped  {:>5} bad"
       "  age {:>6}",
-      v.name, palette.state(v.state, fmt::format("{:<11}", v.state)), v.rate_hz.value_or(0),
-      v.nominal_rate_hz, milliseconds(v.jitter_s), v.messages, v.bytes_skipped, v.bad_frames,
+      v.name, palette.state(v.state, fmt::format("{:<11}", v.state)), v.rate_hz, v.nominal_rate_hz,
+      milliseconds(v.jitter_s), v.messages, v.bytes_skipped, v.bad_checksums,
       v.age_s ? fmt::format("{:.3f} s", *v.age_s) : std::string("-"));
 }
 
@@ -227,7 +189,7 @@ std::vector<std::string> DeviceTable::lines(const std::vector<DeviceView>& views
   for (const DeviceView& v : views) {
     all.push_back(headline(v, palette_));
     all.push_back(fmt::format("  {} {} on {}: {} good frames, {} bad, {} B; longest gap {}", v.kind,
-                              v.protocol, v.link, v.frames, v.bad_frames, v.bytes,
+                              v.protocol, v.link, v.frames, v.bad_checksums, v.bytes_in,
                               milliseconds(v.longest_interval_s)));
     if (auto line = bus_text(v); !line.empty()) all.push_back(std::move(line));
     if (auto line = times(v); !line.empty()) all.push_back(std::move(line));

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "drivers/device/device.hpp"
+#include "drivers/device/health_account.hpp"
 
 namespace drydock::monitor {
 
@@ -17,16 +17,8 @@ struct ShownValue {
 };
 
 /// One device in the display of a monitor or a run.
-struct DeviceView {
-  std::string name, kind, protocol, link;
-  std::string state;       ///< "streaming", ...
-  std::string status;      ///< the state in words, and the next step
-  std::string last_error;  ///< empty: none so far
+struct DeviceView : device::HealthAccount {
   bool streaming = false;
-  std::optional<double> rate_hz, jitter_s, longest_interval_s, age_s;
-  double nominal_rate_hz = 0;
-  std::uint64_t messages = 0, frames = 0, bad_frames = 0, bytes = 0, bytes_skipped = 0;
-  std::uint64_t error_frames = 0, can_dropped = 0, reopened = 0;
   std::optional<double> bus_load;  ///< on a CAN bus: share of its bit rate, 0 to 1
   std::optional<double> bits_per_second;
   std::string can_state;  ///< state of the CAN controller; empty: not known
@@ -88,7 +80,7 @@ class Overdrawn {
   std::size_t drawn_ = 0;
 };
 
-/// Prints one JSON object for each device, with the fields of DeviceView.
+/// Prints one JSON object for each device: its health account, then the other fields of DeviceView.
 void print_json(const std::vector<DeviceView>& views, std::FILE* out);
 
 }  // namespace drydock::monitor

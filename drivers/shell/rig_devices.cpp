@@ -13,19 +13,6 @@ namespace {
 
 using device::DeviceOptions;
 using rig_config::DeviceConfig;
-using rig_config::DeviceKind;
-
-device::Kind kind_of(DeviceKind kind) {
-  switch (kind) {
-    case DeviceKind::dvl: return device::Kind::dvl;
-    case DeviceKind::emlog: return device::Kind::emlog;
-    case DeviceKind::gnss: return device::Kind::gnss;
-    case DeviceKind::imu: return device::Kind::imu;
-    case DeviceKind::depth: return device::Kind::depth;
-    case DeviceKind::actuator: return device::Kind::actuator;
-  }
-  return device::Kind::imu;
-}
 
 RigDevicesError error_in(const rig_config::Rig& rig, const DeviceConfig& config,
                          std::string_view what) {
@@ -38,7 +25,7 @@ RigDevicesError error_in(const rig_config::Rig& rig, const DeviceConfig& config,
 device::DriverOptions driver_options(const DeviceConfig& config, std::size_t index,
                                      const link::Uri& uri) {
   device::DriverOptions options;
-  options.kind = kind_of(config.kind);
+  options.kind = config.kind;
   options.protocol = config.protocol;
   options.device = static_cast<std::uint16_t>(index);
   options.mounting = {config.mounting_rad[0], config.mounting_rad[1], config.mounting_rad[2]};
@@ -50,9 +37,7 @@ device::DriverOptions driver_options(const DeviceConfig& config, std::size_t ind
   if (config.sync) options.canopen.sync_period = measurement::from_seconds(1 / config.rate_hz);
   options.water = {config.surface_pressure_pa, config.water_density_kgm3,
                    config.unesco_latitude_rad};
-  options.dvl.maker = config.maker == rig_config::DvlMaker::water_linked
-                          ? device::DvlMaker::water_linked
-                          : device::DvlMaker::teledyne;
+  options.dvl.maker = config.maker;
   options.dvl.beam_angle_rad = config.beam_angle_rad;
   if (const auto& water_linked = config.water_linked) {
     options.dvl.water_linked = {water_linked->sound_speed_mps, water_linked->mounting_rotation_rad,

@@ -5,15 +5,16 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "drivers/measurement/units.hpp"
+
 namespace drydock::survey {
 namespace {
 
-constexpr double standard_gravity = 9.80665;
 constexpr double least_plausible_share = 0.9;
 
 bool plausible(const measurement::ImuSample& m) {
   constexpr double fastest_radps = 35;  // 2000 deg/s, the widest range of such units
-  const double g = m.specific_force.norm() / standard_gravity;
+  const double g = m.specific_force.norm() / units::standard_gravity;
   return g > 0.3 && g < 3 && m.angular_rate.norm() < fastest_radps;
 }
 
@@ -83,18 +84,16 @@ double DriverTrial::plausible_share() const {
 
 std::optional<double> DriverTrial::gravity_error() const {
   if (forces_ == 0) return {};
-  return std::abs(force_sum_mps2_ / static_cast<double>(forces_) / standard_gravity - 1);
+  return std::abs(force_sum_mps2_ / static_cast<double>(forces_) / units::standard_gravity - 1);
 }
 
 std::vector<std::unique_ptr<DriverTrial>> trials_of(std::string_view protocol,
                                                     std::uint8_t address) {
   std::vector<std::unique_ptr<DriverTrial>> trials;
-  for (const Kind kind :
-       {Kind::dvl, Kind::emlog, Kind::gnss, Kind::imu, Kind::depth, Kind::actuator}) {
-    for (const auto& entry : device::protocols_of(kind)) {
-      if (entry.name == protocol)
-        trials.push_back(std::make_unique<DriverTrial>(kind, protocol, address));
-    }
+  const wire::Protocol* known = wire::find_protocol(protocol);
+  for (const Kind kind : measurement::kinds) {
+    if (known && known->kinds.has(kind))
+      trials.push_back(std::make_unique<DriverTrial>(kind, protocol, address));
   }
   return trials;
 }

@@ -4,10 +4,11 @@
 #include <chrono>
 #include <concepts>
 #include <cstdint>
-#include <numbers>
 #include <optional>
 #include <string_view>
 #include <type_traits>
+
+#include "drivers/measurement/units.hpp"
 
 /// The fields of a message for printing. Each message has `type`, the protocol's name for it, and a
 /// function `visit_fields(message, field)`. That function calls `field(key, value)` for every field
@@ -20,12 +21,9 @@ namespace drydock::wire {
 template <class T>
 concept ScalarField = std::is_arithmetic_v<T> || std::same_as<T, std::string_view>;
 
-constexpr double knot_mps = 1852.0 / 3600.0;
-constexpr double kilometre_per_hour_mps = 1.0 / 3.6;
-constexpr double nautical_mile_m = 1852.0;
 constexpr double zero_celsius_k = 273.15;
 
-constexpr double radians(double degrees) { return degrees * (std::numbers::pi / 180.0); }
+constexpr double radians(double degrees) { return degrees * units::degree; }
 
 /// `value` rounded to a multiple of 1/`unit`.
 constexpr double nearest(double value, double unit) {
@@ -36,7 +34,7 @@ constexpr double nearest(double value, double unit) {
 /// Converts to degrees. If a decimal of up to seven places gives exactly these radians, it returns
 /// this decimal. Thus 3 degrees from a device print as 3, without the error of two conversions.
 constexpr double degrees(double angle_rad) {
-  const double nearly = angle_rad * (180.0 / std::numbers::pi);
+  const double nearly = angle_rad * units::degrees_per_radian;
   if (!(nearly > -1e8 && nearly < 1e8)) return nearly;
   if (const double whole = nearest(nearly, 1); radians(whole) == angle_rad) return whole;
   const double decimal = nearest(nearly, 1e7);

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <optional>
 #include <string_view>
+#include <tuple>
 
 #include "drivers/wire/can/frame_protocol.hpp"
 #include "drivers/wire/can/raw_can.hpp"
@@ -22,11 +23,12 @@
 #include "drivers/wire/j1939/j1939_protocol.hpp"
 #include "drivers/wire/nmea0183/nmea0183.hpp"
 #include "drivers/wire/nmea2000/nmea2000.hpp"
+#include "drivers/wire/protocols.hpp"
 #include "drivers/wire/ubx/ubx.hpp"
 #include "drivers/wire/ubx/ubx_nmea.hpp"
 
-/// Every protocol by its name. For a new protocol, add its include and its entry in one of the
-/// lists.
+/// The table of protocols: the codec of each with its facts. For a new protocol, add its include
+/// and its row.
 namespace drydock::wire {
 
 template <class... P>
@@ -41,31 +43,81 @@ concept ByteProtocol = requires(Bytes bytes) {
   { P::decode(bytes) } -> std::same_as<std::optional<typename P::Message>>;
 };
 
-template <ByteProtocol... P>
-constexpr void all_are_byte_protocols(ProtocolList<P...>) {}
+template <class Codec>
+struct Row {
+  Protocol facts;
+};
 
-using BytesProtocols =
-    ProtocolList<Nmea0183, Ubx, UbxNmea, Pd0, Pd4, Pd5, Pd6, WaterLinked, Nortek>;
+template <ByteProtocol Codec>
+constexpr Row<Codec> bytes(Protocol facts) {
+  facts.name = Codec::name;
+  facts.travels = Travels::as_bytes;
+  return {facts};
+}
 
-static_assert(requires { all_are_byte_protocols(BytesProtocols{}); });
+template <FrameProtocol Codec>
+constexpr Row<Codec> frames(Protocol facts) {
+  facts.name = Codec::name;
+  facts.travels = Travels::as_frames;
+  if (facts.place == Place::no) facts.place = Place::of_bus;
+  return {facts};
+}
 
-template <FrameProtocol... P>
-constexpr void all_are_frame_protocols(ProtocolList<P...>) {}
+inline constexpr std::tuple byte_protocols{
+    bytes<Ubx>({.kinds = Kind::gnss,
+                .checksum = "Fletcher-8",
+                .clock = DeviceClock::yes,
+                .place = Place::yes}),
+    bytes<Nmea0183>({.kinds = {Kind::gnss, Kind::emlog},
+                     .checksum = "XOR",
+                     .clock = DeviceClock::of_receiver,
+                     .place = Place::of_receiver}),
+    bytes<UbxNmea>({.kinds = Kind::gnss,
+                    .checksum = "of each",
+                    .clock = DeviceClock::yes,
+                    .place = Place::yes,
+                    .emulated = false}),
+    bytes<Pd0>({.kinds = Kind::dvl, .checksum = "16-bit sum", .clock = DeviceClock::yes}),
+    bytes<Pd4>({.kinds = Kind::dvl, .checksum = "16-bit sum", .clock = DeviceClock::yes}),
+    bytes<Pd5>({.kinds = Kind::dvl, .checksum = "16-bit sum", .clock = DeviceClock::yes}),
+    bytes<Pd6>({.kinds = Kind::dvl, .clock = DeviceClock::yes}),
+    bytes<WaterLinked>({.kinds = Kind::dvl,
+                        .checksum = "CRC-8",
+                        .clock = DeviceClock::yes,
+                        .settings = Settings::refusable,
+                        .tells_heat = true}),
+    bytes<Nortek>({.kinds = Kind::dvl, .checksum = "XOR", .clock = DeviceClock::yes}),
+};
 
-using FrameProtocols =
-    ProtocolList<Nmea2000, Aceinna, Cia404Imu, Cia404Pressure, EpsonG550, EpsonG552, Xsens, J1939>;
-
-static_assert(requires { all_are_frame_protocols(FrameProtocols{}); });
+inline constexpr std::tuple frame_protocols{
+    frames<Nmea2000>({.kinds = {Kind::depth, Kind::actuator}, .network = Network::j1939}),
+    frames<Aceinna>({.kinds = Kind::imu, .settings = Settings::obeyed, .network = Network::j1939}),
+    frames<Cia404Imu>(
+        {.kinds = Kind::imu, .settings = Settings::refusable, .network = Network::canopen}),
+    frames<Cia404Pressure>(
+        {.kinds = Kind::depth, .settings = Settings::refusable, .network = Network::canopen}),
+    frames<EpsonG550>(
+        {.kinds = Kind::imu, .settings = Settings::refusable, .network = Network::canopen}),
+    frames<EpsonG552>(
+        {.kinds = Kind::imu, .settings = Settings::refusable, .network = Network::canopen}),
+    frames<Xsens>(
+        {.kinds = Kind::imu, .clock = DeviceClock::yes, .place = Place::under_any_identifier}),
+    frames<J1939>({.network = Network::j1939}),
+};
 
 /// Frames without decoding, for the places that use FrameProtocols.
-using FramesAsTheyAre = ProtocolList<RawCan>;
-
-static_assert(requires { all_are_frame_protocols(FramesAsTheyAre{}); });
+inline constexpr std::tuple frames_as_they_are{frames<RawCan>({})};
 
 /// A byte protocol that carries CAN frames: a serial adapter's line.
-using FrameCarriers = ProtocolList<Slcan>;
+inline constexpr std::tuple frame_carriers{bytes<Slcan>({})};
 
-static_assert(requires { all_are_byte_protocols(FrameCarriers{}); });
+template <class... Codec>
+ProtocolList<Codec...> codecs_of(const std::tuple<Row<Codec>...>& rows);
+
+using BytesProtocols = decltype(codecs_of(byte_protocols));
+using FrameProtocols = decltype(codecs_of(frame_protocols));
+using FramesAsTheyAre = decltype(codecs_of(frames_as_they_are));
+using FrameCarriers = decltype(codecs_of(frame_carriers));
 
 /// Calls `visit.operator()<P>()` for the protocol with that name. False if the list does not have
 /// it.

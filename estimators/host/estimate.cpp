@@ -7,8 +7,8 @@
 #include "drivers/bus/participant.hpp"
 #include "drivers/host/rig_bus.hpp"
 #include "drivers/io/until_stopped.hpp"
+#include "drivers/measurement/units.hpp"
 #include "estimators/host/estimator_host.hpp"
-#include "estimators/setup/degrees.hpp"
 #include "estimators/setup/rig_pipeline.hpp"
 
 namespace drydock::host {
@@ -22,20 +22,22 @@ class Printer {
   void operator()(const pipeline::AttitudeEstimate& e) {
     ++count;
     const auto& name = rig_.estimators[e.estimator].name;
-    const double roll_sigma = std::sqrt(e.covariance(0, 0)) * setup::to_deg;
-    const double pitch_sigma = std::sqrt(e.covariance(1, 1)) * setup::to_deg;
+    const double roll_sigma = std::sqrt(e.covariance(0, 0)) * units::degrees_per_radian;
+    const double pitch_sigma = std::sqrt(e.covariance(1, 1)) * units::degrees_per_radian;
     if (json_lines_) {
       fmt::print(
           R"({{"estimator":"{}","valid_at_s":{:.9f},"roll_deg":{:.6f},"pitch_deg":{:.6f},"roll_sigma_deg":{:.6f},"pitch_sigma_deg":{:.6f}}})"
           "\n",
-          name, measurement::seconds(e.valid_at.time_since_epoch()), e.roll_rad * setup::to_deg,
-          e.pitch_rad * setup::to_deg, roll_sigma, pitch_sigma);
+          name, measurement::seconds(e.valid_at.time_since_epoch()),
+          e.roll_rad * units::degrees_per_radian, e.pitch_rad * units::degrees_per_radian,
+          roll_sigma, pitch_sigma);
       return;
     }
     if (e.valid_at < next_) return;
     next_ = e.valid_at + std::chrono::seconds{1};
     fmt::print("{}: roll {:8.3f} +- {:.3f} deg, pitch {:8.3f} +- {:.3f} deg (1 sigma)\n", name,
-               e.roll_rad * setup::to_deg, roll_sigma, e.pitch_rad * setup::to_deg, pitch_sigma);
+               e.roll_rad * units::degrees_per_radian, roll_sigma,
+               e.pitch_rad * units::degrees_per_radian, pitch_sigma);
     std::fflush(stdout);
   }
 
@@ -50,16 +52,19 @@ class Printer {
           R"({{"estimator":"{}","valid_at_s":{:.9f},"latitude_deg":{:.9f},"longitude_deg":{:.9f},"height_m":{:.3f},"position_sigma_m":{:.3f},"velocity_ned_mps":[{:.4f},{:.4f},{:.4f}],"roll_deg":{:.6f},"pitch_deg":{:.6f},"heading_deg":{:.6f}}})"
           "\n",
           name, measurement::seconds(e.valid_at.time_since_epoch()),
-          e.position.latitude_rad * setup::to_deg, e.position.longitude_rad * setup::to_deg,
-          e.position.height_m, sigma_m, v.x(), v.y(), v.z(), attitude.roll_rad * setup::to_deg,
-          attitude.pitch_rad * setup::to_deg, *attitude.yaw_rad * setup::to_deg);
+          e.position.latitude_rad * units::degrees_per_radian,
+          e.position.longitude_rad * units::degrees_per_radian, e.position.height_m, sigma_m, v.x(),
+          v.y(), v.z(), attitude.roll_rad * units::degrees_per_radian,
+          attitude.pitch_rad * units::degrees_per_radian,
+          *attitude.yaw_rad * units::degrees_per_radian);
       return;
     }
     if (e.valid_at < next_) return;
     next_ = e.valid_at + std::chrono::seconds{1};
     fmt::print("{}: {:.6f} {:.6f} deg +- {:.2f} m (1 sigma), height {:.2f} m, {:.3f} m/s\n", name,
-               e.position.latitude_rad * setup::to_deg, e.position.longitude_rad * setup::to_deg,
-               sigma_m, e.position.height_m, v.norm());
+               e.position.latitude_rad * units::degrees_per_radian,
+               e.position.longitude_rad * units::degrees_per_radian, sigma_m, e.position.height_m,
+               v.norm());
     std::fflush(stdout);
   }
 

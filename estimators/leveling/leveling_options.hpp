@@ -2,9 +2,9 @@
 
 #include <Eigen/Core>
 #include <cstdint>
-#include <numbers>
 #include <optional>
 
+#include "drivers/measurement/units.hpp"
 #include "estimators/navigation/innovation.hpp"
 
 namespace drydock::leveling {
@@ -57,8 +57,8 @@ struct LevelingOptions {
   double slip_density = 8;
 
   /// P0 of the biases, per axis, for FilterKind::augmented only. Paper, Table 1.
-  double accelerometer_bias_sigma_mps2 = 9.80665e-3;        ///< 1 mg
-  double gyro_bias_sigma_radps = std::numbers::pi / 648e3;  ///< 1 deg/h
+  double accelerometer_bias_sigma_mps2 = units::milli_g;  ///< 1 mg
+  double gyro_bias_sigma_radps = units::degree_per_hour;  ///< 1 deg/h
   double speed_bias_sigma_mps = 0.1;
 };
 

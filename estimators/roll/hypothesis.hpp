@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <numbers>
 
+#include "drivers/measurement/units.hpp"
 #include "estimators/roll/antenna.hpp"
 #include "estimators/roll/epoch.hpp"
 
@@ -11,9 +12,9 @@ namespace drydock::roll {
 /// All sigmas are one standard deviation.
 struct AllSatellitesOptions {
   AntennaOptions antenna;
-  double gyro_noise = 0.01 * std::numbers::pi / 180;  ///< rad per sqrt(s)
+  double gyro_noise = 0.01 * units::degree;           ///< rad per sqrt(s)
   double bias_noise = 1e-4 * std::numbers::pi / 180;  ///< rad/s per sqrt(s)
-  double bias_sigma_radps = std::numbers::pi / 180;   ///< at the start
+  double bias_sigma_radps = units::degree;            ///< at the start
   double gain_sigma = 0.3;             ///< of the common gain of all signals, about 1
   double satellite_gain_sigma = 0.12;  ///< of the gain of each satellite, about the common gain
   double gate = 5;                     ///< a signal off by more sigmas is not used

@@ -3,6 +3,7 @@
 #include <array>
 #include <boost/container/static_vector.hpp>
 
+#include "drivers/measurement/units.hpp"
 #include "estimators/roll/peak_finder.hpp"
 
 namespace drydock::roll {
@@ -12,10 +13,10 @@ struct PeakFilterOptions {
   AntennaOptions antenna;
   PeakOptions peak;
   bool with_bias = false;  ///< the gyro's bias as a second state
-  double peak_sigma_rad = 10 * std::numbers::pi / 180;
-  double roll_noise = std::numbers::pi / 180;         ///< w of eq. (21), rad per sqrt(s)
+  double peak_sigma_rad = 10 * units::degree;
+  double roll_noise = units::degree;                  ///< w of eq. (21), rad per sqrt(s)
   double bias_noise = 1e-4 * std::numbers::pi / 180;  ///< rad/s per sqrt(s)
-  double bias_sigma_radps = std::numbers::pi / 180;   ///< at the start
+  double bias_sigma_radps = units::degree;            ///< at the start
 };
 
 /// The filter of the paper: the gyro predicts the roll, eq. (21), and peaks correct it, eq. (22). A

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "drivers/measurement/units.hpp"
 #include "drivers/measurement/water_column.hpp"
 #include "estimators/frame/attitude.hpp"
 #include "estimators/vehicle/vehicle.hpp"
@@ -101,8 +102,7 @@ pipeline::InertialOptions inertial_options(const rig_config::Rig& rig,
   if (const auto* log = find_device(rig, config.log))
     replace_if_known(options.log_sigma_mps, sample_sigma(c.log_grade.primary, log->rate_hz));
   if (const auto* depth = find_device(rig, c.depth)) {
-    const double pascal_per_metre =
-        depth->water_density_kgm3 * measurement::ocean::standard_gravity_mps2;
+    const double pascal_per_metre = depth->water_density_kgm3 * units::standard_gravity;
     replace_if_known(options.depth_sigma_m,
                      sample_sigma(c.depth_grade.primary, depth->rate_hz) / pascal_per_metre);
   }

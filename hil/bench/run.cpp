@@ -58,28 +58,6 @@ summary::Summary run_or_report(const rig_config::Rig& rig, const RunOptions& opt
 
 }  // namespace
 
-summary::DeviceSummary summarise(const device::Device& device, const device::Health& health,
-                                 measurement::Provenance provenance) {
-  const auto& options = device.options();
-  return {.name = device.name(),
-          .kind = std::string{device::to_string(options.driver.kind)},
-          .protocol = options.driver.protocol,
-          .link = options.link,
-          .provenance = std::string{measurement::to_string(provenance)},
-          .state = std::string{device::to_string(health.state)},
-          .last_error = std::string{health.last_error.view()},
-          .nominal_rate_hz = health.nominal_rate_hz,
-          .rate_hz = health.rate_hz.value_or(0),
-          .bytes_in = health.stream.bytes_in,
-          .bytes_good = health.stream.bytes_good,
-          .bytes_skipped = health.stream.bytes_skipped,
-          .bytes_held = health.held_bytes,
-          .frames = health.stream.frames,
-          .bad_checksums = health.stream.bad_checksums,
-          .messages = health.messages,
-          .reopens = health.reopened};
-}
-
 int run(const rig_config::Rig& rig, const RunOptions& options) {
   rig_config::Rig asked = rig;
   std::ranges::move(asked_for(rig, options), std::back_inserter(asked.expects));

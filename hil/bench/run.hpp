@@ -52,8 +52,4 @@ summary::Summary run_lockstep(const rig_config::Rig& rig, const RunOptions& opti
 /// The command `drydock run`: runs, prints, writes the files. Returns the exit code.
 int run(const rig_config::Rig& rig, const RunOptions& options);
 
-/// The row of a device in the summary; both kinds of run use it.
-summary::DeviceSummary summarise(const device::Device& device, const device::Health& health,
-                                 measurement::Provenance provenance);
-
 }  // namespace drydock::bench

@@ -86,8 +86,8 @@ class LockstepRun final : private device::Listener, private pipeline::EstimateLi
     std::vector<summary::DeviceSummary> all;
     for (std::size_t i = 0; i < bench_.devices(); ++i) {
       const auto& device = bench_.device(i);
-      all.push_back(summarise(device, device.health(bench_.now()),
-                              host::provenance_of(device.options().link)));
+      all.push_back(device::account_of(device, device.health(bench_.now()),
+                                       host::provenance_of(device.options().link)));
     }
     return all;
   }

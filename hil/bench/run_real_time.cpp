@@ -155,8 +155,8 @@ class Bench {
     std::vector<summary::DeviceSummary> all;
     for (std::size_t i = 0; i < drivers_.shell().size(); ++i) {
       const auto& device = drivers_.shell().device(i);
-      all.push_back(summarise(device, drivers_.shell().health(i),
-                              host::provenance_of(device.options().link)));
+      all.push_back(device::account_of(device, drivers_.shell().health(i),
+                                       host::provenance_of(device.options().link)));
     }
     return all;
   }

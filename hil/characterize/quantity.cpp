@@ -1,6 +1,6 @@
 #include "hil/characterize/quantity.hpp"
 
-#include <numbers>
+#include "drivers/measurement/units.hpp"
 
 namespace drydock::characterize {
 
@@ -8,11 +8,11 @@ std::vector<Quantity> quantities_of(rig_config::DeviceKind kind) {
   using enum rig_config::DeviceKind;
   using rig_config::EmulateConfig;
   constexpr auto primary = &EmulateConfig::primary, secondary = &EmulateConfig::secondary;
-  constexpr double degree = std::numbers::pi / 180, micro_g = 9.80665e-6;
+  using units::degree, units::micro_g;
   constexpr std::array<std::string_view, 3> xyz{"x", "y", "z"}, ned{"north", "east", "down"};
   switch (kind) {
     case imu:
-      return {{"gyro", primary, 0, xyz, "deg/h", degree / 3600, 0.1 * degree, true, true},
+      return {{"gyro", primary, 0, xyz, "deg/h", units::degree_per_hour, 0.1 * degree, true, true},
               {"accelerometer", secondary, 1, xyz, "ug", micro_g, 5e3 * micro_g, true, true}};
     case dvl: return {{"velocity", primary, 0, xyz, "m/s", 1, 0.05}};
     case emlog: return {{"speed", primary, 0, {"ahead", "across", ""}, "m/s", 1, 0.05}};
@@ -22,7 +22,7 @@ std::vector<Quantity> quantities_of(rig_config::DeviceKind kind) {
               {"velocity", secondary, 1, ned, "m/s", 1, 0.2}};
     case actuator:
       return {{"angle", primary, 0, {"rudder", "stern", "bow"}, "deg", degree, 0.5 * degree},
-              {"shaft", secondary, 1, {"", "", ""}, "rpm", std::numbers::pi / 30, 1}};
+              {"shaft", secondary, 1, {"", "", ""}, "rpm", units::revolution_per_minute, 1}};
   }
   return {};
 }

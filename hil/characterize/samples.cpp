@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "drivers/measurement/units.hpp"
 #include "drivers/measurement/water_column.hpp"
 
 namespace drydock::characterize {
@@ -43,8 +44,7 @@ double pressure_of(const measurement::DepthSample& sample) {
   if (sample.pressure_pa) return *sample.pressure_pa;
   if (!sample.depth_m) return absent;
   const measurement::WaterColumn water;
-  return water.surface_pressure_pa +
-         *sample.depth_m * water.density_kgm3 * measurement::ocean::standard_gravity_mps2;
+  return water.surface_pressure_pa + *sample.depth_m * water.density_kgm3 * units::standard_gravity;
 }
 
 }  // namespace

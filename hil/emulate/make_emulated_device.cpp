@@ -16,39 +16,38 @@ using rig_config::DeviceKind;
 
 struct Entry {
   DeviceKind kind;
-  std::string_view kind_name, protocol;
+  std::string_view protocol;
   DevicePtr (*make)(const DeviceSetup&);
 };
 
 constexpr auto catalogue = std::to_array<Entry>({
-    {DeviceKind::dvl, "dvl", "pd0", make_pd0_dvl},
-    {DeviceKind::dvl, "dvl", "pd4", make_pd4_dvl},
-    {DeviceKind::dvl, "dvl", "pd5", make_pd5_dvl},
-    {DeviceKind::dvl, "dvl", "pd6", make_pd6_dvl},
-    {DeviceKind::dvl, "dvl", "water-linked", make_water_linked_dvl},
-    {DeviceKind::dvl, "dvl", "nortek", make_nortek_dvl},
-    {DeviceKind::emlog, "emlog", "nmea0183", make_nmea0183_em_log},
-    {DeviceKind::gnss, "gnss", "ubx", make_ubx_gnss},
-    {DeviceKind::gnss, "gnss", "nmea0183", make_nmea0183_gnss},
-    {DeviceKind::imu, "imu", "aceinna", make_aceinna_imu},
-    {DeviceKind::imu, "imu", "cia404-imu", make_cia404_imu},
-    {DeviceKind::imu, "imu", "epson-g550", make_epson_g550},
-    {DeviceKind::imu, "imu", "epson-g552", make_epson_g552},
-    {DeviceKind::imu, "imu", "xsens", make_xsens_imu},
-    {DeviceKind::depth, "depth", "nmea2000", make_nmea2000_depth},
-    {DeviceKind::depth, "depth", "cia404-pressure", make_cia404_pressure},
-    {DeviceKind::actuator, "actuator", "nmea2000", make_nmea2000_actuators},
+    {DeviceKind::dvl, "pd0", make_pd0_dvl},
+    {DeviceKind::dvl, "pd4", make_pd4_dvl},
+    {DeviceKind::dvl, "pd5", make_pd5_dvl},
+    {DeviceKind::dvl, "pd6", make_pd6_dvl},
+    {DeviceKind::dvl, "water-linked", make_water_linked_dvl},
+    {DeviceKind::dvl, "nortek", make_nortek_dvl},
+    {DeviceKind::emlog, "nmea0183", make_nmea0183_em_log},
+    {DeviceKind::gnss, "ubx", make_ubx_gnss},
+    {DeviceKind::gnss, "nmea0183", make_nmea0183_gnss},
+    {DeviceKind::imu, "aceinna", make_aceinna_imu},
+    {DeviceKind::imu, "cia404-imu", make_cia404_imu},
+    {DeviceKind::imu, "epson-g550", make_epson_g550},
+    {DeviceKind::imu, "epson-g552", make_epson_g552},
+    {DeviceKind::imu, "xsens", make_xsens_imu},
+    {DeviceKind::depth, "nmea2000", make_nmea2000_depth},
+    {DeviceKind::depth, "cia404-pressure", make_cia404_pressure},
+    {DeviceKind::actuator, "nmea2000", make_nmea2000_actuators},
 });
 
 EmulateError unknown_protocol(const DeviceConfig& config) {
-  std::string kind, allowed;
+  std::string allowed;
   for (const Entry& entry : catalogue) {
     if (entry.kind != config.kind) continue;
-    kind = entry.kind_name;
     allowed += (allowed.empty() ? "" : ", ") + std::string(entry.protocol);
   }
-  return {"device \"" + config.name + "\": no emulated " + kind + " speaks \"" + config.protocol +
-          "\"; allowed: " + allowed};
+  return {"device \"" + config.name + "\": no emulated " + std::string(to_string(config.kind)) +
+          " speaks \"" + config.protocol + "\"; allowed: " + allowed};
 }
 
 }  // namespace

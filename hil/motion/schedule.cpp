@@ -4,7 +4,8 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <numbers>
+
+#include "drivers/measurement/units.hpp"
 
 namespace drydock::motion {
 
@@ -36,7 +37,6 @@ std::array<double, columns> numbers(std::string_view line, const std::string& pl
 }  // namespace
 
 Schedule parse_schedule(std::string_view text, const std::string& file) {
-  constexpr double one_degree = std::numbers::pi / 180, one_rpm = 2 * std::numbers::pi / 60;
   Schedule schedule;
   for (int number = 1; !text.empty(); ++number) {
     const auto end = text.find('\n');
@@ -51,8 +51,8 @@ Schedule parse_schedule(std::string_view text, const std::string& file) {
     const auto [t, rudder, stern, bow, turns] = numbers(line, place);
     if (schedule.empty() ? t != 0 : t <= schedule.back().t)
       throw BadSchedule(place + "times must begin with 0 and increase");
-    schedule.push_back(
-        {t, rudder * one_degree, stern * one_degree, bow * one_degree, turns * one_rpm});
+    schedule.push_back({t, rudder * units::degree, stern * units::degree, bow * units::degree,
+                        turns * units::revolution_per_minute});
   }
   if (schedule.empty()) throw BadSchedule(file + ": no row; the first must be at t = 0");
   return schedule;

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "drivers/measurement/units.hpp"
 #include "drivers/measurement/water_column.hpp"
 #include "estimators/frame/attitude.hpp"
 #include "estimators/frame/earth.hpp"
@@ -18,7 +19,6 @@ using Eigen::Vector3d;
 using rig_config::BedKind;
 using rig_config::WaterKind;
 
-constexpr double radian = std::numbers::pi / 180;
 constexpr double melting_point_k = 273.15;
 
 Profile component(const std::vector<rig_config::CurrentConfig>& current, std::size_t axis) {
@@ -77,13 +77,14 @@ Bed Ocean::make_bed(const rig_config::BedConfig& config) const {
     const double spacing = raster.spacing;
     return RasterBed(std::move(raster), corner, {spacing, spacing});
   }
-  const Vector2d spacing = raster.spacing * radian * metres_per_rad_;
+  const Vector2d spacing = raster.spacing * units::degree * metres_per_rad_;
   // Longitudes of a raster may exceed 180 deg. Its middle is taken as the equivalent longitude
   // nearest to the origin.
-  const double half = static_cast<double>(raster.columns - 1) / 2 * raster.spacing * radian;
-  const double middle = frame::wrap_pi(corner.y() * radian + half - origin_.longitude_rad);
-  const Vector2d south_west{(corner.x() * radian - origin_.latitude_rad) * metres_per_rad_.x(),
-                            (middle - half) * metres_per_rad_.y()};
+  const double half = static_cast<double>(raster.columns - 1) / 2 * raster.spacing * units::degree;
+  const double middle = frame::wrap_pi(corner.y() * units::degree + half - origin_.longitude_rad);
+  const Vector2d south_west{
+      (corner.x() * units::degree - origin_.latitude_rad) * metres_per_rad_.x(),
+      (middle - half) * metres_per_rad_.y()};
   return RasterBed(std::move(raster), south_west, spacing);
 }
 

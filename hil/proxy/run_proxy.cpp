@@ -6,11 +6,10 @@
 #include <optional>
 #include <stdexcept>
 
-#include "drivers/device/make_driver.hpp"
 #include "drivers/io/until_stopped.hpp"
 #include "drivers/link/link.hpp"
 #include "drivers/terminal/exit_codes.hpp"
-#include "drivers/wire/registry.hpp"
+#include "drivers/wire/protocols.hpp"
 #include "hil/fault/schedule/schedules.hpp"
 #include "hil/proxy/proxy.hpp"
 #include "rig_config/fault_vocabulary.hpp"
@@ -20,7 +19,6 @@ namespace drydock::proxy {
 
 namespace {
 
-using device::Kind;
 using link::Carries;
 using link::Scheme;
 using link::Uri;
@@ -52,21 +50,17 @@ void check_sides(const Uri& real, const Uri& virt) {
 
 /// The first kind that speaks the protocol. It is used only in the text of refusals.
 rig_config::DeviceKind kind_of(const std::string& protocol) {
-  for (const Kind kind :
-       {Kind::dvl, Kind::gnss, Kind::imu, Kind::depth, Kind::emlog, Kind::actuator})
-    for (const auto& entry : device::protocols_of(kind))
-      if (entry.name == protocol) return static_cast<rig_config::DeviceKind>(kind);
-  return rig_config::DeviceKind::imu;
+  const wire::Protocol* known = wire::find_protocol(protocol);
+  return known && !known->kinds.empty() ? *known->kinds.begin() : rig_config::DeviceKind::imu;
 }
 
 void check_protocol(const std::string& protocol, Carries carries) {
-  const auto nothing = []<class P>() {};
-  const bool known =
-      carries == Carries::bytes
-          ? protocol.empty() || wire::with_protocol(wire::BytesProtocols{}, protocol, nothing)
-          : wire::with_protocol(wire::FrameProtocols{}, protocol, nothing) ||
-                wire::with_protocol(wire::FramesAsTheyAre{}, protocol, nothing);
-  if (!known)
+  const wire::Protocol* known = wire::find_protocol(protocol);
+  const bool fits = carries == Carries::bytes
+                        ? protocol.empty() || (known && known->travels == wire::Travels::as_bytes &&
+                                               !known->kinds.empty())
+                        : known && known->travels == wire::Travels::as_frames;
+  if (!fits)
     throw WrongUse(
         fmt::format("--protocol {}: not one that {}", protocol,
                     carries == Carries::bytes ? "travels as bytes" : "a CAN bus carries"));

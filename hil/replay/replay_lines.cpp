@@ -2,8 +2,8 @@
 
 #include <cmath>
 
+#include "drivers/measurement/units.hpp"
 #include "drivers/text/measurement_fields.hpp"
-#include "estimators/setup/degrees.hpp"
 
 namespace drydock::replay {
 
@@ -13,15 +13,15 @@ double seconds_of(measurement::Stamp at) { return measurement::seconds(at.time_s
 
 /// Empty if the angle is not known.
 std::optional<double> in_degrees(std::optional<double> angle) {
-  return angle ? std::optional(*angle * setup::to_deg) : std::nullopt;
+  return angle ? std::optional(*angle * units::degrees_per_radian) : std::nullopt;
 }
 
 void attitude_fields(text::JsonWriter& json, const pipeline::AttitudeEstimate& e) {
-  json.field("roll_deg", e.roll_rad * setup::to_deg);
-  json.field("pitch_deg", e.pitch_rad * setup::to_deg);
+  json.field("roll_deg", e.roll_rad * units::degrees_per_radian);
+  json.field("pitch_deg", e.pitch_rad * units::degrees_per_radian);
   json.field("heading_deg", in_degrees(e.yaw_rad));
-  json.field("roll_sigma_deg", std::sqrt(e.covariance(0, 0)) * setup::to_deg);
-  json.field("pitch_sigma_deg", std::sqrt(e.covariance(1, 1)) * setup::to_deg);
+  json.field("roll_sigma_deg", std::sqrt(e.covariance(0, 0)) * units::degrees_per_radian);
+  json.field("pitch_sigma_deg", std::sqrt(e.covariance(1, 1)) * units::degrees_per_radian);
 }
 
 }  // namespace
@@ -52,8 +52,8 @@ void ReplayLines::write(const pipeline::NavigationEstimate& e) {
   lines_.line([&](text::JsonWriter& json) {
     json.field("estimator", std::string_view(rig_.estimators.at(e.estimator).name));
     json.field("valid_at_s", seconds_of(e.valid_at));
-    json.field("latitude_deg", e.position.latitude_rad * setup::to_deg);
-    json.field("longitude_deg", e.position.longitude_rad * setup::to_deg);
+    json.field("latitude_deg", e.position.latitude_rad * units::degrees_per_radian);
+    json.field("longitude_deg", e.position.longitude_rad * units::degrees_per_radian);
     json.field("height_m", e.position.height_m);
     json.field("position_sigma_m", std::sqrt(e.covariance(0, 0) + e.covariance(1, 1)));
     json.field("velocity_ned_mps", e.velocity_ned);

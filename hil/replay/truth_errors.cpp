@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "estimators/setup/degrees.hpp"
+#include "drivers/measurement/units.hpp"
 #include "hil/replay/reference/references.hpp"
 
 namespace drydock::replay {
@@ -98,8 +98,8 @@ void TruthErrors::hear(const record::Understood& message) {
   } else if (topic == "/estimate/truth/odometry") {
     navigation_ = navigation_of(v, message.at);
   } else if (topic == "/estimate/truth/fix" && message.at == navigation_.valid_at) {
-    navigation_.latitude_rad = v.at("latitude") / setup::to_deg;
-    navigation_.longitude_rad = v.at("longitude") / setup::to_deg;
+    navigation_.latitude_rad = v.at("latitude") / units::degrees_per_radian;
+    navigation_.longitude_rad = v.at("longitude") / units::degrees_per_radian;
     navigation_.height_m = v.at("altitude");
     watchers_.note(navigation_, truth_index_);
     compare_position(message.at,
@@ -130,8 +130,8 @@ void TruthErrors::compare_position(Stamp at, const frame::Position& truth) {
 
 TruthErrors::Rms TruthErrors::of(std::size_t estimator) const {
   const auto& s = sums_.at(estimator);
-  return {s.attitudes, s.positions, rms(s.roll2, s.attitudes) * setup::to_deg,
-          rms(s.pitch2, s.attitudes) * setup::to_deg, rms(s.horizontal2, s.positions)};
+  return {s.attitudes, s.positions, rms(s.roll2, s.attitudes) * units::degrees_per_radian,
+          rms(s.pitch2, s.attitudes) * units::degrees_per_radian, rms(s.horizontal2, s.positions)};
 }
 
 }  // namespace drydock::replay

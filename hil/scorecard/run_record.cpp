@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "drivers/measurement/units.hpp"
 #include "estimators/frame/geodetic.hpp"
-#include "estimators/setup/degrees.hpp"
 #include "hil/bench/lockstep_bench.hpp"
 #include "hil/motion/remembered_trajectory.hpp"
 #include "hil/summary/truth_of_rig.hpp"
@@ -103,7 +103,7 @@ class Recorder final : private device::Listener, private pipeline::EstimateListe
         std::remainder(estimate.roll_rad - truth.roll_rad, 2 * std::numbers::pi),
         std::remainder(estimate.pitch_rad - truth.pitch_rad, 2 * std::numbers::pi)};
     ErrorAt error{since_start(estimate.valid_at),
-                  off.norm() * setup::to_deg,
+                  off.norm() * units::degrees_per_radian,
                   off.dot(estimate.covariance.inverse() * off) / 2,
                   {}};
     if (position)

@@ -4,12 +4,11 @@
 #include <cmath>
 #include <numbers>
 
+#include "drivers/measurement/units.hpp"
 #include "estimators/frame/attitude.hpp"
 
 namespace drydock::sensor {
 namespace {
-
-constexpr double degree = std::numbers::pi / 180;
 
 struct Pass {
   std::uint8_t number;
@@ -41,15 +40,15 @@ measurement::GnssSatellites ideal_sky(const motion::Truth& truth, bool under_wat
                       std::fmod(measurement::seconds(truth.at.time_since_epoch()), orbit_s) /
                       orbit_s;
   for (const Pass& pass : passes) {
-    const double azimuth = frame::wrap_pi(pass.azimuth_deg * degree + turn);
+    const double azimuth = frame::wrap_pi(pass.azimuth_deg * units::degree + turn);
     const double elevation =
-        degree * (pass.elevation_deg + elevation_swing_deg * std::sin(turn + pass.number));
+        units::degree * (pass.elevation_deg + elevation_swing_deg * std::sin(turn + pass.number));
     measurement::Satellite satellite;
     satellite.number = pass.number;
     satellite.azimuth_rad = azimuth < 0 ? azimuth + 2 * std::numbers::pi : azimuth;
     satellite.elevation_rad = elevation;
     satellite.cno_dbhz = 34 + 14 * std::sin(elevation);
-    satellite.used = elevation > 10 * degree;
+    satellite.used = elevation > 10 * units::degree;
     sky.satellites.push_back(satellite);
   }
   return sky;

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "drivers/measurement/units.hpp"
+
 namespace drydock::sky {
 
 double antenna_elevation(const Eigen::Vector3d& toward_body,
@@ -12,7 +14,7 @@ double antenna_elevation(const Eigen::Vector3d& toward_body,
 }
 
 double antenna_power(double elevation_rad) {
-  constexpr double width_rad = 64.58 * std::numbers::pi / 180;
+  constexpr double width_rad = 64.58 * units::degree;
   const double off_boresight = (std::numbers::pi / 2 - elevation_rad) / width_rad;
   return std::exp(-off_boresight * off_boresight);
 }

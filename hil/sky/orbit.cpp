@@ -3,12 +3,11 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <numbers>
+
+#include "drivers/measurement/units.hpp"
 
 namespace drydock::sky {
 namespace {
-
-constexpr double degree = std::numbers::pi / 180;
 
 /// Kepler's equation (2) by Newton's method. For e below 0.03, three iterations reach rounding
 /// error.
@@ -50,7 +49,7 @@ SatelliteState satellite_at(const Ephemeris& r, GpsTime time) {
 
 std::optional<std::string> absurd(const Ephemeris& record) {
   constexpr double nominal_km = 26560, axis_slack_km = 500, radius_slack_km = 1500;
-  constexpr double highest_e = 0.03, lowest_i = 48 * degree, highest_i = 62 * degree;
+  constexpr double highest_e = 0.03, lowest_i = 48 * units::degree, highest_i = 62 * units::degree;
   const double axis_km = record.sqrt_a * record.sqrt_a / 1000;
   if (!(std::abs(axis_km - nominal_km) <= axis_slack_km))
     return fmt::format("semi-major axis {:.0f} km, expected {:.0f} +- {:.0f} km", axis_km,
@@ -59,7 +58,8 @@ std::optional<std::string> absurd(const Ephemeris& record) {
     return fmt::format("eccentricity {:.4g}, expected 0 to {}", record.e, highest_e);
   if (!(record.i0_rad >= lowest_i && record.i0_rad <= highest_i))
     return fmt::format("inclination {:.1f} deg, expected {:.0f} to {:.0f} deg",
-                       record.i0_rad / degree, lowest_i / degree, highest_i / degree);
+                       record.i0_rad / units::degree, lowest_i / units::degree,
+                       highest_i / units::degree);
   const double radius_km = satellite_at(record, record.toe).ecef_m.norm() / 1000;
   if (!(std::abs(radius_km - nominal_km) <= radius_slack_km))
     return fmt::format("{:.0f} km from the Earth's centre at toe, expected {:.0f} +- {:.0f} km",

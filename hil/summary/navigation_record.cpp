@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "drivers/measurement/units.hpp"
 #include "estimators/frame/attitude.hpp"
-#include "estimators/setup/degrees.hpp"
 
 namespace drydock::summary {
 
@@ -76,7 +76,7 @@ void NavigationRecord::compare(const pipeline::NavigationEstimate& estimate,
 std::optional<NavigationError> NavigationRecord::error() const {
   if (count_ == 0) return {};
   const auto n = static_cast<double>(count_);
-  const Vector3d degrees = (angle_square_ / n).cwiseSqrt() * setup::to_deg;
+  const Vector3d degrees = (angle_square_ / n).cwiseSqrt() * units::degrees_per_radian;
   return NavigationError{.horizontal_rms_m = std::sqrt(horizontal_square_ / n),
                          .horizontal_max_m = horizontal_max_,
                          .horizontal_end_m = horizontal_last_,

@@ -8,7 +8,7 @@
 #include <fstream>
 #include <numbers>
 
-#include "estimators/setup/degrees.hpp"
+#include "drivers/measurement/units.hpp"
 
 namespace drydock::summary {
 
@@ -44,10 +44,10 @@ void ErrorStatistics::add(const pipeline::AttitudeEstimate& estimate, const moti
 
 AttitudeError ErrorStatistics::result() const {
   const double n = static_cast<double>(count_);
-  return {.roll_rms_deg = std::sqrt(squares_.x() / n) * setup::to_deg,
-          .pitch_rms_deg = std::sqrt(squares_.y() / n) * setup::to_deg,
-          .roll_max_deg = largest_.x() * setup::to_deg,
-          .pitch_max_deg = largest_.y() * setup::to_deg,
+  return {.roll_rms_deg = std::sqrt(squares_.x() / n) * units::degrees_per_radian,
+          .pitch_rms_deg = std::sqrt(squares_.y() / n) * units::degrees_per_radian,
+          .roll_max_deg = largest_.x() * units::degrees_per_radian,
+          .pitch_max_deg = largest_.y() * units::degrees_per_radian,
           .nees_mean = nees_ / n};
 }
 
@@ -122,7 +122,7 @@ void Scribe::note(const Measurement& m) {
       point(first + i + static_cast<std::size_t>(k), origin.valid_at, v[k] * scale);
   };
   if (const auto* imu = std::get_if<ImuSample>(&m)) {
-    vector(0, imu->angular_rate, setup::to_deg);
+    vector(0, imu->angular_rate, units::degrees_per_radian);
     vector(3, imu->specific_force);
   } else if (const auto* dvl = std::get_if<BottomVelocity>(&m)) {
     if (dvl->velocity) vector(0, *dvl->velocity);
@@ -134,9 +134,9 @@ void Scribe::note(const Measurement& m) {
   } else if (const auto* depth = std::get_if<DepthSample>(&m)) {
     maybe(0, depth->depth_m);
   } else if (const auto* actuators = std::get_if<ActuatorState>(&m)) {
-    maybe(0, actuators->rudder_rad, setup::to_deg);
-    maybe(1, actuators->stern_plane_rad, setup::to_deg);
-    maybe(2, actuators->bow_plane_rad, setup::to_deg);
+    maybe(0, actuators->rudder_rad, units::degrees_per_radian);
+    maybe(1, actuators->stern_plane_rad, units::degrees_per_radian);
+    maybe(2, actuators->bow_plane_rad, units::degrees_per_radian);
   }
 }
 
@@ -170,17 +170,19 @@ void Scribe::compare(Estimator& e, const pipeline::AttitudeEstimate& estimate,
   const double t = since_start(estimate.valid_at);
   if (draw) {
     e.trace.t_s.push_back(t);
-    e.trace.roll_deg.push_back(estimate.roll_rad * setup::to_deg);
-    e.trace.pitch_deg.push_back(estimate.pitch_rad * setup::to_deg);
-    e.trace.roll_sigma_deg.push_back(std::sqrt(estimate.covariance(0, 0)) * setup::to_deg);
-    e.trace.pitch_sigma_deg.push_back(std::sqrt(estimate.covariance(1, 1)) * setup::to_deg);
+    e.trace.roll_deg.push_back(estimate.roll_rad * units::degrees_per_radian);
+    e.trace.pitch_deg.push_back(estimate.pitch_rad * units::degrees_per_radian);
+    e.trace.roll_sigma_deg.push_back(std::sqrt(estimate.covariance(0, 0)) *
+                                     units::degrees_per_radian);
+    e.trace.pitch_sigma_deg.push_back(std::sqrt(estimate.covariance(1, 1)) *
+                                      units::degrees_per_radian);
   }
   if (!truth) return;
   e.whole_run.add(estimate, *truth);
   if (t >= 10) e.after_10_s.add(estimate, *truth);
   if (draw) {
-    e.trace.true_roll_deg.push_back(truth->roll_rad * setup::to_deg);
-    e.trace.true_pitch_deg.push_back(truth->pitch_rad * setup::to_deg);
+    e.trace.true_roll_deg.push_back(truth->roll_rad * units::degrees_per_radian);
+    e.trace.true_pitch_deg.push_back(truth->pitch_rad * units::degrees_per_radian);
   }
 }
 
@@ -200,7 +202,7 @@ void Scribe::follow_motion(Stamp now) {
   motion_.east_m.push_back(offset.y());
   motion_.depth_m.push_back(-truth.height_m);
   motion_.speed_mps.push_back(truth.velocity_body.norm());
-  motion_.heading_deg.push_back(truth.yaw_rad * setup::to_deg);
+  motion_.heading_deg.push_back(truth.yaw_rad * units::degrees_per_radian);
 }
 
 void Scribe::write(Summary& summary) const {

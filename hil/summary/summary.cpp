@@ -37,24 +37,15 @@ std::string navigation_text(const NavigationError& e) {
       e.roll_rms_deg, e.pitch_rms_deg, e.heading_rms_deg, e.nees_position);
 }
 
-Json device_json(const DeviceSummary& d) {
-  return {{"name", d.name},
-          {"kind", d.kind},
-          {"protocol", d.protocol},
-          {"link", d.link},
-          {"provenance", d.provenance},
-          {"state", d.state},
-          {"rate_hz", d.rate_hz},
-          {"nominal_rate_hz", d.nominal_rate_hz},
-          {"messages", d.messages},
-          {"frames", d.frames},
-          {"bytes_in", d.bytes_in},
-          {"bytes_good", d.bytes_good},
-          {"bytes_skipped", d.bytes_skipped},
-          {"bytes_held", d.bytes_held},
-          {"bad_checksums", d.bad_checksums},
-          {"reopens", d.reopens},
-          {"last_error", d.last_error.empty() ? Json(nullptr) : Json(d.last_error)}};
+Json in_json(std::uint64_t count) { return count; }
+Json in_json(double number) { return number; }
+Json in_json(const std::optional<double>& number) { return number ? Json(*number) : Json(nullptr); }
+Json in_json(const std::string& text) { return text.empty() ? Json(nullptr) : Json(text); }
+
+Json device_json(const DeviceSummary& device) {
+  Json json;
+  visit_fields(device, [&](const char* key, const auto& value) { json[key] = in_json(value); });
+  return json;
 }
 
 Json verdict_json(const Verdict& v) {

@@ -6,17 +6,13 @@
 #include <string>
 #include <vector>
 
+#include "drivers/device/health_account.hpp"
 #include "hil/summary/verdict.hpp"
 
 namespace drydock::summary {
 
 /// The results of a run, as shown in the report, in the JSON file and on the terminal.
-struct DeviceSummary {
-  std::string name, kind, protocol, link, provenance, state, last_error;
-  double nominal_rate_hz = 0, rate_hz = 0;
-  std::uint64_t bytes_in = 0, bytes_good = 0, bytes_skipped = 0, bytes_held = 0;
-  std::uint64_t frames = 0, bad_checksums = 0, messages = 0, reopens = 0;
-};
+using DeviceSummary = device::HealthAccount;
 
 /// Error of an attitude estimate against the truth, degrees.
 struct AttitudeError {

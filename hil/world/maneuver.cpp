@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "drivers/measurement/units.hpp"
 #include "drivers/terminal/exit_codes.hpp"
 #include "hil/motion/maneuver/maneuver.hpp"
 #include "hil/motion/schedule.hpp"
@@ -18,11 +19,10 @@ namespace drydock::world {
 
 namespace {
 
-constexpr double degree = std::numbers::pi / 180;
 constexpr double usual_propeller_radps = 1500 * 2 * std::numbers::pi / 60;
 
 std::optional<double> radians(const std::optional<double>& angle_deg) {
-  return angle_deg ? std::optional(*angle_deg * degree) : std::nullopt;
+  return angle_deg ? std::optional(*angle_deg * units::degree) : std::nullopt;
 }
 
 motion::Schedule read_schedule(const std::string& path) {
@@ -44,7 +44,7 @@ motion::Maneuver maneuver_of(const ManeuverOptions& options,
   m.kind = *motion::maneuver_kind(options.kind);
   m.speed_mps = options.speed_mps.value_or(std::min(usual_mps, motion::fastest_mps(vehicle)));
   m.deflection_rad = radians(options.deflection_deg);
-  if (options.switch_deg) m.switch_rad = *options.switch_deg * degree;
+  if (options.switch_deg) m.switch_rad = *options.switch_deg * units::degree;
   return m;
 }
 
@@ -99,8 +99,8 @@ nlohmann::ordered_json to_json(const std::vector<motion::Figure>& figures,
   for (const auto& figure : figures)
     json[key_of(figure)] = figure.value ? nlohmann::ordered_json(*figure.value) : nullptr;
   for (const auto& point : points)
-    json["spiral"].push_back({{"rudder_deg", point.rudder_rad / degree},
-                              {"rate_of_turn_degps", point.rate_of_turn_radps / degree},
+    json["spiral"].push_back({{"rudder_deg", point.rudder_rad / units::degree},
+                              {"rate_of_turn_degps", point.rate_of_turn_radps / units::degree},
                               {"returning", point.returning}});
   return json;
 }
@@ -115,8 +115,8 @@ void print_table(std::FILE* out, const std::vector<motion::Figure>& figures,
     line(f.name, f.value ? fmt::format("{:.3f}", *f.value) : "not reached", f.value ? f.unit : "");
   if (!points.empty()) fmt::print(out, "{:>14} {:>22}\n", "rudder [deg]", "rate of turn [deg/s]");
   for (const auto& p : points)
-    fmt::print(out, "{:>+14.2f} {:>+22.4f}{}\n", p.rudder_rad / degree,
-               p.rate_of_turn_radps / degree, p.returning ? "  returning" : "");
+    fmt::print(out, "{:>+14.2f} {:>+22.4f}{}\n", p.rudder_rad / units::degree,
+               p.rate_of_turn_radps / units::degree, p.returning ? "  returning" : "");
   line("duration", fmt::format("{:.1f}", track.back().t), "s");
   line("deepest",
        fmt::format("{:.3f}",
@@ -153,7 +153,7 @@ int maneuver(const ManeuverOptions& options, std::FILE* out, std::FILE* errors) 
   }
   if (motion::too_steep(track.back().state))
     fmt::print(errors, "maneuver: ended after {:.1f} s: pitch came to {:.1f} deg\n", track.back().t,
-               track.back().state[motion::element::pitch] / degree);
+               track.back().state[motion::element::pitch] / units::degree);
   const auto figures = kind ? motion::figures(*kind, track) : std::vector<motion::Figure>{};
   const auto points = kind == motion::ManeuverKind::spiral ? motion::spiral_points(track)
                                                            : std::vector<motion::SpiralPoint>{};

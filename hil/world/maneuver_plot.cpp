@@ -1,9 +1,8 @@
 #include "hil/world/maneuver_plot.hpp"
 
 #include <fstream>
-#include <numbers>
 
-#include "estimators/setup/degrees.hpp"
+#include "drivers/measurement/units.hpp"
 #include "hil/report/plot.hpp"
 
 namespace drydock::world {
@@ -31,7 +30,9 @@ auto state(int i, double unit = 1) {
 }
 
 auto surface(double hydrodynamics::Control::*which) {
-  return [=](const motion::TrackPoint& point) { return point.control.*which * setup::to_deg; };
+  return [=](const motion::TrackPoint& point) {
+    return point.control.*which * units::degrees_per_radian;
+  };
 }
 
 report::Figure path_of(const motion::Track& track) {
@@ -43,7 +44,7 @@ report::Figure path_of(const motion::Track& track) {
 
 report::Figure zigzag_of(const motion::Track& track) {
   report::Figure plot{"Zigzag", "time [s]", "[deg]", {}};
-  plot.curves = {series("heading", track, time_of, state(yaw, setup::to_deg)),
+  plot.curves = {series("heading", track, time_of, state(yaw, units::degrees_per_radian)),
                  series("rudder", track, time_of, surface(&hydrodynamics::Control::delta_r))};
   return plot;
 }
@@ -53,8 +54,8 @@ report::Figure spiral_of(const motion::Track& track) {
   report::Curve there{"there", {}, {}}, back{"back", {}, {}};
   for (const auto& point : motion::spiral_points(track)) {
     report::Curve& way = point.returning ? back : there;
-    way.x.push_back(point.rudder_rad * setup::to_deg);
-    way.y.push_back(point.rate_of_turn_radps * setup::to_deg);
+    way.x.push_back(point.rudder_rad * units::degrees_per_radian);
+    way.y.push_back(point.rate_of_turn_radps * units::degrees_per_radian);
   }
   plot.curves = {there, back};
   return plot;
@@ -63,7 +64,7 @@ report::Figure spiral_of(const motion::Track& track) {
 report::Figure dive_of(const motion::Track& track) {
   report::Figure plot{"Dive", "time [s]", "[deg], [m]", {}};
   plot.curves = {
-      series("pitch [deg]", track, time_of, state(pitch, setup::to_deg)),
+      series("pitch [deg]", track, time_of, state(pitch, units::degrees_per_radian)),
       series("stern planes [deg]", track, time_of, surface(&hydrodynamics::Control::delta_s)),
       series("height over the start [m]", track, time_of, state(z, -1))};
   return plot;

@@ -4,8 +4,8 @@
 
 #include <fstream>
 #include <nlohmann/json.hpp>
-#include <numbers>
 
+#include "drivers/measurement/units.hpp"
 #include "hil/report/plot.hpp"
 #include "hil/sensor/allan.hpp"
 #include "hil/sensor/imu_errors.hpp"
@@ -14,8 +14,6 @@
 namespace drydock::world {
 namespace {
 
-constexpr double standard_gravity = 9.80665;
-constexpr double degph = std::numbers::pi / 180 / 3600, ug = 1e-6 * standard_gravity;
 constexpr double usual_imu_rate_hz = 100;
 
 rig_config::Axes deviations(const Eigen::Vector3d& variance, double unit) {
@@ -72,7 +70,7 @@ std::vector<AllanRow> allan_of(const rig_config::EmulateConfig& grade, double ra
   sensor::ImuErrors errors(grade, rate_hz, seed, "bench");
   measurement::ImuSample ideal;
   ideal.angular_rate = Eigen::Vector3d::Zero();
-  ideal.specific_force = {0, 0, -standard_gravity};
+  ideal.specific_force = {0, 0, -units::standard_gravity};
   sensor::AllanVariance gyro, accelerometer;
   const auto samples = static_cast<std::uint64_t>(duration_s * rate_hz);
   for (std::uint64_t k = 0; k < samples; ++k) {
@@ -86,8 +84,8 @@ std::vector<AllanRow> allan_of(const rig_config::EmulateConfig& grade, double ra
   const auto of_accelerometer = accelerometer.points();
   for (const auto& point : gyro.points())
     rows.push_back({static_cast<double>(point.samples) / rate_hz, point.clusters,
-                    deviations(point.variance, degph),
-                    deviations(of_accelerometer[rows.size()].variance, ug)});
+                    deviations(point.variance, units::degree_per_hour),
+                    deviations(of_accelerometer[rows.size()].variance, units::micro_g)});
   return rows;
 }
 

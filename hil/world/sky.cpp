@@ -6,15 +6,13 @@
 #include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <numbers>
 
+#include "drivers/measurement/units.hpp"
 #include "hil/sky/ephemeris_file.hpp"
 #include "hil/world/sky_plot.hpp"
 
 namespace drydock::world {
 namespace {
-
-constexpr double degree = std::numbers::pi / 180;
 
 double toe_age_s(const SkyListing& listing, const SkyRow& row) {
   return measurement::seconds(listing.at - row.record.toe);
@@ -31,7 +29,8 @@ std::string heading(const SkyListing& listing) {
                           sky::gps_ahead_of_utc(sky::utc_time(listing.at)).count());
   if (const auto& from = listing.from)
     text += fmt::format("from latitude {:.6f} deg, longitude {:.6f} deg, height {:.1f} m\n",
-                        from->latitude_rad / degree, from->longitude_rad / degree, from->height_m);
+                        from->latitude_rad / units::degree, from->longitude_rad / units::degree,
+                        from->height_m);
   return text;
 }
 
@@ -45,8 +44,8 @@ void print_table(const SkyListing& listing, std::FILE* out) {
   for (const SkyRow& row : listing.rows) {
     fmt::print(out, "G{:02}  ", row.record.prn);
     if (row.look)
-      fmt::print(out, "{:15.3f}  {:13.3f}  {:12.1f}  ", row.look->elevation_rad / degree,
-                 row.look->azimuth_rad / degree, row.look->range_m);
+      fmt::print(out, "{:15.3f}  {:13.3f}  {:12.1f}  ", row.look->elevation_rad / units::degree,
+                 row.look->azimuth_rad / units::degree, row.look->range_m);
     const auto& p = row.state.ecef_m;
     fmt::print(out, "{:6} {:13.0f} {:15.3f} {:15.3f} {:15.3f} {:15.6f}\n", health_of(row),
                toe_age_s(listing, row), p.x(), p.y(), p.z(), row.state.clock_s * 1e6);
@@ -64,15 +63,15 @@ nlohmann::ordered_json to_json(const SkyListing& listing) {
       {"time_of_week_s", measurement::seconds(week.of_week)},
       {"gps_ahead_of_utc_s", sky::gps_ahead_of_utc(sky::utc_time(listing.at)).count()}};
   if (const auto& from = listing.from)
-    json["from"] = {{"latitude_deg", from->latitude_rad / degree},
-                    {"longitude_deg", from->longitude_rad / degree},
+    json["from"] = {{"latitude_deg", from->latitude_rad / units::degree},
+                    {"longitude_deg", from->longitude_rad / units::degree},
                     {"height_m", from->height_m}};
   json["satellites"] = nlohmann::ordered_json::array();
   for (const SkyRow& row : listing.rows) {
     nlohmann::ordered_json satellite{{"prn", row.record.prn}};
     if (row.look) {
-      satellite["elevation_deg"] = row.look->elevation_rad / degree;
-      satellite["azimuth_deg"] = row.look->azimuth_rad / degree;
+      satellite["elevation_deg"] = row.look->elevation_rad / units::degree;
+      satellite["azimuth_deg"] = row.look->azimuth_rad / units::degree;
       satellite["range_m"] = row.look->range_m;
     }
     satellite["healthy"] = row.record.healthy();

@@ -1,8 +1,8 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <numbers>
 
+#include "drivers/measurement/units.hpp"
 #include "hil/world/sky.hpp"
 
 namespace drydock::world {
@@ -59,7 +59,6 @@ std::optional<sky::GpsTime> parse_instant(std::string_view text) {
 }
 
 std::optional<frame::Position> parse_place(std::string_view text) {
-  constexpr double degree = std::numbers::pi / 180;
   const auto latitude = take_number(text);
   const auto longitude = latitude && !text.empty() ? take_number(text) : std::nullopt;
   if (!longitude) return std::nullopt;
@@ -67,7 +66,7 @@ std::optional<frame::Position> parse_place(std::string_view text) {
   if (!height || !text.empty() || std::abs(*latitude) > 90 || std::abs(*longitude) > 360 ||
       std::abs(*height) > 1e6)
     return std::nullopt;
-  return frame::Position{*latitude * degree, *longitude * degree, *height};
+  return frame::Position{*latitude * units::degree, *longitude * units::degree, *height};
 }
 
 }  // namespace drydock::world

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "drivers/measurement/units.hpp"
+
 namespace drydock::world {
 namespace {
 
@@ -66,7 +68,6 @@ std::string satellite(const SkyRow& row) {
 }  // namespace
 
 std::string sky_plot_svg(const SkyListing& listing) {
-  constexpr double degree = right_angle / 90;
   std::string svg =
       "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 640 680' font-family='sans-serif' "
       "font-size='14'>\n<rect width='640' height='680' fill='#ffffff'/>\n";
@@ -83,8 +84,8 @@ std::string sky_plot_svg(const SkyListing& listing) {
              "{:.0f} m</text>\n<text x='{}' y='662' text-anchor='middle' fill='#777777' "
              "font-size='12'>blue: healthy, red: unhealthy; lines: the last hour</text>\n"
              "</svg>\n",
-             middle, to_string(listing.at), listing.from->latitude_rad / degree,
-             listing.from->longitude_rad / degree, listing.from->height_m, middle);
+             middle, to_string(listing.at), listing.from->latitude_rad / units::degree,
+             listing.from->longitude_rad / units::degree, listing.from->height_m, middle);
 }
 
 }  // namespace drydock::world

@@ -1,8 +1,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <initializer_list>
 
+#include "drivers/wire/protocols.hpp"
 #include "rig_config/fault_quantity.hpp"
 #include "rig_config/fault_vocabulary.hpp"
 #include "rig_config/typed/build.hpp"
@@ -13,15 +13,15 @@ namespace {
 
 using enum FaultNeed;
 
-bool speaks(const DeviceConfig& device, std::initializer_list<std::string_view> protocols) {
-  return std::ranges::find(protocols, device.protocol) != protocols.end();
+/// A proxy may not know which protocol passes through it: then the device can do nothing special.
+const wire::Protocol& protocol_of(const DeviceConfig& device) {
+  static constexpr wire::Protocol unknown;
+  const wire::Protocol* known = wire::find_protocol(device.protocol);
+  return known ? *known : unknown;
 }
 
-bool on_j1939(const DeviceConfig& device) { return speaks(device, {"aceinna", "nmea2000"}); }
-
 bool on_can(const DeviceConfig& device) {
-  return on_j1939(device) || speaks(device, {"cia404-imu", "cia404-pressure", "epson-g550",
-                                             "epson-g552", "xsens", "can"});
+  return protocol_of(device).travels == wire::Travels::as_frames;
 }
 
 bool on_serial_line(const DeviceConfig& device) {
@@ -33,15 +33,11 @@ bool tells_baud(const DeviceConfig& device) {
          device.link.find("&baud=") != std::string::npos;
 }
 
-/// PD6 is text without a checksum.
-bool has_checksum(const DeviceConfig& device) {
-  return !on_can(device) && !speaks(device, {"pd6"});
-}
-
 /// True if the messages of the device contain a time of its own clock.
 bool tells_time(const DeviceConfig& device) {
-  return speaks(device, {"pd0", "pd4", "pd5", "pd6", "water-linked", "nortek", "xsens"}) ||
-         device.kind == DeviceKind::gnss;
+  const wire::DeviceClock clock = protocol_of(device).clock;
+  return clock == wire::DeviceClock::yes ||
+         (clock == wire::DeviceClock::of_receiver && device.kind == DeviceKind::gnss);
 }
 
 bool has_noise(const DeviceConfig& device) {
@@ -61,7 +57,7 @@ bool needs_emulation(const FaultWord& word) {
 std::optional<std::string> of_the_wire(FaultNeed need, const DeviceConfig& device) {
   switch (need) {
     case checksum:
-      if (!has_checksum(device))
+      if (protocol_of(device).checksum.empty())
         return "its protocol has no checksum of its own; allowed: flip, truncate";
       break;
     case port:
@@ -77,12 +73,12 @@ std::optional<std::string> of_the_wire(FaultNeed need, const DeviceConfig& devic
       if (!on_can(device)) return "only a CAN bus has that";
       break;
     case settings:
-      if (!speaks(device,
-                  {"water-linked", "cia404-imu", "cia404-pressure", "epson-g550", "epson-g552"}))
+      if (protocol_of(device).settings != wire::Settings::refusable)
         return "nothing is set on it that it could refuse";
       break;
     case j1939:
-      if (!on_j1939(device)) return "only J1939 and NMEA 2000 nodes claim addresses";
+      if (protocol_of(device).network != wire::Network::j1939)
+        return "only J1939 and NMEA 2000 nodes claim addresses";
       break;
     default: break;
   }
@@ -101,7 +97,7 @@ std::optional<std::string> of_the_sensor(FaultNeed need, const DeviceConfig& dev
       if (device.kind != DeviceKind::dvl) return "only a dvl hears the sea bed";
       break;
     case heat:
-      if (!speaks(device, {"water-linked"})) return "only a Water Linked dvl tells its heat";
+      if (!protocol_of(device).tells_heat) return "only a Water Linked dvl tells its heat";
       break;
     case satellites:
       if (device.kind != DeviceKind::gnss) return "only a gnss receiver has satellites";
@@ -126,7 +122,7 @@ std::optional<std::string> of_the_quantity(const FaultConfig& fault, const Devic
     if (quantity.key == fault.quantity) return {};
     measured += (measured.empty() ? "" : " and ") + std::string(quantity.key);
   }
-  return fmt::format("a {} measures {}, not {}", name_of(device.kind), measured, fault.quantity);
+  return fmt::format("a {} measures {}, not {}", to_string(device.kind), measured, fault.quantity);
 }
 
 std::string_view name_of(FaultTarget target) {
@@ -146,9 +142,8 @@ std::optional<std::string> refusal(const FaultConfig& fault, const DeviceConfig&
   if (!why && target == FaultTarget::emulated) why = of_the_sensor(word.facts.needs, device);
   if (!why) why = of_the_quantity(fault, device);
   if (!why) return {};
-  return fmt::format("{} \"{}\" ({}) cannot have the fault \"{}\": {}",
-                     drydock::rig_config::name_of(device.kind), device.name, device.protocol,
-                     word.name, *why);
+  return fmt::format("{} \"{}\" ({}) cannot have the fault \"{}\": {}", to_string(device.kind),
+                     device.name, device.protocol, word.name, *why);
 }
 
 }  // namespace drydock::rig_config

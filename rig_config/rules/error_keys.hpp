@@ -1,7 +1,6 @@
 #pragma once
 
-#include <numbers>
-
+#include "drivers/measurement/units.hpp"
 #include "rig_config/emulate.hpp"
 #include "rig_config/rig.hpp"
 
@@ -24,12 +23,10 @@ struct CorrelationKey {
 
 namespace keys {
 
-inline constexpr double degree = std::numbers::pi / 180;
-inline constexpr double gravity = 9.80665;  // standard, ISO 80000-3
-inline constexpr double milli_g = 1e-3 * gravity, micro_g = 1e-6 * gravity;
-inline constexpr double degree_per_hour = degree / 3600;
+using units::degree, units::degree_per_hour, units::milli_g, units::micro_g;
+using units::revolution_per_minute, units::standard_gravity;
 inline constexpr double root_hour = 60;  // in s^(1/2)
-inline constexpr double ppm = 1e-6, milliradian = 1e-3, rpm = 2 * std::numbers::pi / 60;
+inline constexpr double ppm = 1e-6, milliradian = 1e-3;
 using enum DeviceKind;
 using S = SensorErrors;
 inline constexpr auto primary = &EmulateConfig::primary, secondary = &EmulateConfig::secondary;
@@ -40,9 +37,10 @@ inline constexpr ErrorKey error_keys[] = {
     {imu, "gyro_asymmetry_ppm", primary, &S::asymmetry, ppm},
     {imu, "gyro_nonlinearity_ppmpdegps", primary, &S::nonlinearity, ppm / degree},
     {imu, "gyro_misalignment_mrad", primary, &S::misalignment, milliradian},
-    {imu, "gyro_mass_unbalance_degphpg", primary, &S::sensitivity, degree_per_hour / gravity},
+    {imu, "gyro_mass_unbalance_degphpg", primary, &S::sensitivity,
+     degree_per_hour / standard_gravity},
     {imu, "gyro_anisoelasticity_degphpg2", primary, &S::anisoelasticity,
-     degree_per_hour / (gravity * gravity)},
+     degree_per_hour / (standard_gravity * standard_gravity)},
     {imu, "gyro_noise_degph", primary, &S::noise, degree_per_hour},
     {imu, "gyro_angle_random_walk_degprth", primary, &S::noise_density, degree / root_hour},
     {imu, "gyro_bias_instability_degph", primary, &S::bias_instability, degree_per_hour},
@@ -53,15 +51,16 @@ inline constexpr ErrorKey error_keys[] = {
     {imu, "accelerometer_bias_mg", secondary, &S::bias, milli_g},
     {imu, "accelerometer_scale_factor_ppm", secondary, &S::scale_factor, ppm},
     {imu, "accelerometer_asymmetry_ppm", secondary, &S::asymmetry, ppm},
-    {imu, "accelerometer_nonlinearity_ugpg2", secondary, &S::nonlinearity, 1e-6 / gravity},
+    {imu, "accelerometer_nonlinearity_ugpg2", secondary, &S::nonlinearity, 1e-6 / standard_gravity},
     {imu, "accelerometer_misalignment_mrad", secondary, &S::misalignment, milliradian},
     {imu, "accelerometer_rate_sensitivity_ugpdegps", secondary, &S::sensitivity, micro_g / degree},
-    {imu, "accelerometer_anisoelasticity_ugpg2", secondary, &S::anisoelasticity, 1e-6 / gravity},
+    {imu, "accelerometer_anisoelasticity_ugpg2", secondary, &S::anisoelasticity,
+     1e-6 / standard_gravity},
     {imu, "accelerometer_noise_ug", secondary, &S::noise, micro_g},
     {imu, "accelerometer_velocity_random_walk_ugprthz", secondary, &S::noise_density, micro_g},
     {imu, "accelerometer_bias_instability_ug", secondary, &S::bias_instability, micro_g},
     {imu, "accelerometer_random_walk_ugprth", secondary, &S::random_walk, micro_g / root_hour},
-    {imu, "accelerometer_range_g", secondary, &S::range, gravity},
+    {imu, "accelerometer_range_g", secondary, &S::range, standard_gravity},
     {imu, "accelerometer_quantisation_ug", secondary, &S::quantisation, micro_g},
 
     {dvl, "velocity_bias_mps", primary, &S::bias, 1},
@@ -99,10 +98,10 @@ inline constexpr ErrorKey error_keys[] = {
     {actuator, "angle_scale_factor_ppm", primary, &S::scale_factor, ppm},
     {actuator, "angle_noise_deg", primary, &S::noise, degree},
     {actuator, "angle_quantisation_deg", primary, &S::quantisation, degree},
-    {actuator, "shaft_bias_rpm", secondary, &S::bias, rpm},
+    {actuator, "shaft_bias_rpm", secondary, &S::bias, revolution_per_minute},
     {actuator, "shaft_scale_factor_ppm", secondary, &S::scale_factor, ppm},
-    {actuator, "shaft_noise_rpm", secondary, &S::noise, rpm},
-    {actuator, "shaft_quantisation_rpm", secondary, &S::quantisation, rpm},
+    {actuator, "shaft_noise_rpm", secondary, &S::noise, revolution_per_minute},
+    {actuator, "shaft_quantisation_rpm", secondary, &S::quantisation, revolution_per_minute},
 };
 
 inline constexpr CorrelationKey correlation_keys[] = {

@@ -13,6 +13,7 @@
 #include <valijson/validator.hpp>
 
 #include "rig_config/rules/explain.hpp"
+#include "rig_config/rules/protocol_lists.hpp"
 
 namespace drydock::rig_config {
 
@@ -115,7 +116,7 @@ class Walk {
 }  // namespace
 
 Problems check_schema(const Node& root, const std::string& file, std::string_view schema_text) {
-  const Json schema = Json::parse(schema_text);
+  const Json schema = with_protocol_lists(Json::parse(schema_text));
   const auto complaint = verdict(schema, to_json(root));
   if (!complaint) return {};
   Problems problems = Walk(schema, root, file).run();

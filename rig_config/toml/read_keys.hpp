@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <numbers>
 #include <optional>
 #include <string>
 
@@ -12,7 +11,6 @@
 /// from the unit of the key to SI.
 namespace drydock::rig_config {
 
-inline constexpr double degree = std::numbers::pi / 180;
 inline constexpr double millisecond = 1e-3;
 
 inline void read(const Node& table, const char* key, double& into, double unit = 1) {

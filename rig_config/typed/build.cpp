@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <span>
 
+#include "drivers/measurement/units.hpp"
 #include "rig_config/checks/checks.hpp"
 #include "rig_config/toml/read_keys.hpp"
 
@@ -56,7 +57,7 @@ PressureConfig build_pressure(const Node& table) {
 WaterLinkedConfig build_water_linked(const Node& table) {
   WaterLinkedConfig config;
   config.sound_speed_mps = read_if(table, "sound_speed_mps");
-  config.mounting_rotation_rad = read_if(table, "mounting_rotation_deg", degree);
+  config.mounting_rotation_rad = read_if(table, "mounting_rotation_deg", units::degree);
   read(table, "old_sentences", config.old_sentences);
   return config;
 }
@@ -65,7 +66,7 @@ DeviceConfig build_device(const Node& table, const std::string& rig_file) {
   DeviceConfig device;
   device.line = table.at.line;
   read(table, "name", device.name);
-  device.kind = named<DeviceKind>(table, device_kinds);
+  device.kind = measurement::kind_of(table.find("kind")->text).value();
   read(table, "protocol", device.protocol);
   read(table, "link", device.link);
   device.link = resolved(device.link, rig_file);
@@ -74,14 +75,14 @@ DeviceConfig build_device(const Node& table, const std::string& rig_file) {
   read(table, "reopen_after_s", device.reopen_after_s);
   read(table, "latency_ms", device.latency_s, millisecond);
   read(table, "lever_arm_m", device.lever_arm_m);
-  read(table, "mounting_deg", device.mounting_rad, degree);
+  read(table, "mounting_deg", device.mounting_rad, units::degree);
   read(table, "address", device.address);
   read(table, "heartbeat_timeout_s", device.heartbeat_timeout_s);
   read(table, "sync", device.sync);
   read(table, "surface_pressure_pa", device.surface_pressure_pa);
   read(table, "water_density_kgm3", device.water_density_kgm3);
   if (const Node* latitude = table.find("latitude_deg")) {
-    device.unesco_latitude_rad = latitude->number * degree;
+    device.unesco_latitude_rad = latitude->number * units::degree;
   }
   if (const Node* output = table.find("output")) device.means = output->text == "mean";
   if (const Node* aceinna = table.find("aceinna")) device.aceinna = build_aceinna(*aceinna);
@@ -90,7 +91,7 @@ DeviceConfig build_device(const Node& table, const std::string& rig_file) {
   std::string maker;
   read(table, "maker", maker);
   if (maker == "water-linked") device.maker = DvlMaker::water_linked;
-  device.beam_angle_rad = read_if(table, "beam_angle_deg", degree);
+  device.beam_angle_rad = read_if(table, "beam_angle_deg", units::degree);
   if (const Node* water_linked = table.find("water_linked")) {
     device.water_linked = build_water_linked(*water_linked);
   }
@@ -103,7 +104,7 @@ DeviceConfig build_device(const Node& table, const std::string& rig_file) {
 constexpr std::array mixing_types{"compensated", "type1", "type2", "type3"};
 
 RollConfig build_roll(const Node& table) {
-  constexpr double degree_per_root_hour = degree / 60;
+  constexpr double degree_per_root_hour = units::degree / 60;
   RollConfig roll;
   read_axis(table, "antenna_axis", roll.antenna_axis);
   read(table, "boresight_cno_dbhz", roll.boresight_cno_dbhz);
@@ -111,8 +112,8 @@ RollConfig build_roll(const Node& table) {
   read(table, "cno_resolution_db", roll.cno_resolution_db);
   read(table, "power_noise", roll.power_noise);
   read(table, "angular_random_walk_degprth", roll.angular_random_walk, degree_per_root_hour);
-  read(table, "gyro_bias_degps", roll.gyro_bias_radps, degree);
-  read(table, "angle_of_attack_deg", roll.angle_of_attack_rad, degree);
+  read(table, "gyro_bias_degps", roll.gyro_bias_radps, units::degree);
+  read(table, "angle_of_attack_deg", roll.angle_of_attack_rad, units::degree);
   return roll;
 }
 
@@ -127,18 +128,18 @@ InertialConfig build_inertial(const Node& table) {
   read(table, "sea_level_m", inertial.sea_level_m);
   const Node* initial = table.find("initial");
   if (!initial) return inertial;
-  read(*initial, "latitude_deg", inertial.latitude_rad, degree);
-  read(*initial, "longitude_deg", inertial.longitude_rad, degree);
+  read(*initial, "latitude_deg", inertial.latitude_rad, units::degree);
+  read(*initial, "longitude_deg", inertial.longitude_rad, units::degree);
   read(*initial, "depth_m", inertial.depth_m);
   read(*initial, "velocity_ned_mps", inertial.velocity_ned_mps);
-  read(*initial, "roll_deg", inertial.roll_rad, degree);
-  read(*initial, "pitch_deg", inertial.pitch_rad, degree);
-  read(*initial, "heading_deg", inertial.heading_rad, degree);
+  read(*initial, "roll_deg", inertial.roll_rad, units::degree);
+  read(*initial, "pitch_deg", inertial.pitch_rad, units::degree);
+  read(*initial, "heading_deg", inertial.heading_rad, units::degree);
   read(*initial, "position_sigma_m", inertial.position_sigma_m);
   read(*initial, "depth_sigma_m", inertial.depth_sigma_m);
   read(*initial, "velocity_sigma_mps", inertial.velocity_sigma_mps);
-  read(*initial, "tilt_sigma_deg", inertial.tilt_sigma_rad, degree);
-  read(*initial, "heading_sigma_deg", inertial.heading_sigma_rad, degree);
+  read(*initial, "tilt_sigma_deg", inertial.tilt_sigma_rad, units::degree);
+  read(*initial, "heading_sigma_deg", inertial.heading_sigma_rad, units::degree);
   return inertial;
 }
 
@@ -159,10 +160,10 @@ EstimatorConfig build_estimator(const Node& table) {
   read(table, "start", start);
   estimator.stationary = model == "stationary";
   estimator.accelerometer_start = start != "given";
-  read(table, "initial_roll_deg", estimator.initial_roll_rad, degree);
-  read(table, "initial_pitch_deg", estimator.initial_pitch_rad, degree);
-  read(table, "latitude_deg", estimator.latitude_rad, degree);
-  read(table, "heading_deg", estimator.heading_rad, degree);
+  read(table, "initial_roll_deg", estimator.initial_roll_rad, units::degree);
+  read(table, "initial_pitch_deg", estimator.initial_pitch_rad, units::degree);
+  read(table, "latitude_deg", estimator.latitude_rad, units::degree);
+  read(table, "heading_deg", estimator.heading_rad, units::degree);
   if (table.find("type")) estimator.mixing_type = named<MixingType>(table, mixing_types, "type");
   read(table, "pivot_m", estimator.pivot_m);
   return estimator;

@@ -1,20 +1,11 @@
 #pragma once
 
-#include <array>
-#include <string_view>
-
 #include "rig_config/rig.hpp"
 #include "rig_config/toml/node.hpp"
 #include "rig_config/vehicle.hpp"
 
 /// Converts checked documents to typed values. Units become SI; absent keys keep their defaults.
 namespace drydock::rig_config {
-
-/// The names in rig and sensor files, in the order of DeviceKind.
-inline constexpr std::array device_kinds{"dvl", "emlog", "gnss", "imu", "depth", "actuator"};
-inline std::string_view name_of(DeviceKind kind) {
-  return device_kinds.at(static_cast<std::size_t>(kind));
-}
 
 /// The blocks [[expect]] of a rig, in their order.
 std::vector<ExpectConfig> build_expects(const Node& root);

@@ -1,3 +1,4 @@
+#include "drivers/measurement/units.hpp"
 #include "rig_config/checks/checks.hpp"
 #include "rig_config/toml/read_keys.hpp"
 #include "rig_config/typed/build.hpp"
@@ -14,7 +15,7 @@ SkyConfig build_sky(const Node& table, const std::string& rig_file) {
   read(table, "boresight_cno_dbhz", sky.boresight_cno_dbhz);
   read(table, "power_noise", sky.power_noise);
   read(table, "lowest_cno_dbhz", sky.lowest_cno_dbhz);
-  read(table, "elevation_mask_deg", sky.elevation_mask_rad, degree);
+  read(table, "elevation_mask_deg", sky.elevation_mask_rad, units::degree);
   return sky;
 }
 

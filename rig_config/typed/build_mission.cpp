@@ -1,3 +1,4 @@
+#include "drivers/measurement/units.hpp"
 #include "rig_config/checks/checks.hpp"
 #include "rig_config/toml/read_keys.hpp"
 #include "rig_config/typed/build.hpp"
@@ -15,14 +16,14 @@ LegConfig build_leg(const Node& table, double speed_before) {
   leg.speed_mps = speed_before;
   read(table, "duration_s", leg.duration_s);
   read(table, "speed_mps", leg.speed_mps);
-  read(table, "turn_deg", leg.turn_rad, degree);
-  read(table, "roll_deg", leg.roll_rad, degree);
+  read(table, "turn_deg", leg.turn_rad, units::degree);
+  read(table, "roll_deg", leg.roll_rad, units::degree);
   read(table, "depth_change_m", leg.depth_change_m);
-  read(table, "amplitude_deg", leg.amplitude_rad, degree);
+  read(table, "amplitude_deg", leg.amplitude_rad, units::degree);
   read(table, "period_s", leg.period_s);
-  read(table, "rate_degps", leg.rate_radps, degree);
-  read(table, "end_rate_degps", leg.end_rate_radps, degree);
-  read(table, "rudder_deg", leg.rudder_rad, degree);
+  read(table, "rate_degps", leg.rate_radps, units::degree);
+  read(table, "end_rate_degps", leg.end_rate_radps, units::degree);
+  read(table, "rudder_deg", leg.rudder_rad, units::degree);
   read(table, "ramp_s", leg.ramp_s);
   return leg;
 }
@@ -31,12 +32,12 @@ BallisticConfig build_ballistic(const Node& table) {
   BallisticConfig flight;
   read(table, "height_m", flight.height_m);
   read(table, "ground_height_m", flight.ground_height_m);
-  read(table, "elevation_deg", flight.elevation_rad, degree);
+  read(table, "elevation_deg", flight.elevation_rad, units::degree);
   read(table, "ballistic_coefficient_kgm2", flight.ballistic_coefficient_kgm2);
-  read(table, "roll_rate_degps", flight.roll_rate_radps, degree);
-  read(table, "roll_deg", flight.roll_rad, degree);
+  read(table, "roll_rate_degps", flight.roll_rate_radps, units::degree);
+  read(table, "roll_deg", flight.roll_rad, units::degree);
   read(table, "spin_up_s", flight.spin_up_s);
-  read(table, "angle_of_attack_deg", flight.angle_of_attack_rad, degree);
+  read(table, "angle_of_attack_deg", flight.angle_of_attack_rad, units::degree);
   read(table, "coning_hz", flight.coning_radps, 2 * std::numbers::pi);
   return flight;
 }
@@ -46,10 +47,10 @@ BallisticConfig build_ballistic(const Node& table) {
 MissionConfig build_mission(const Node& root, const std::string& file) {
   MissionConfig mission;
   const Node& table = *root.find("mission");
-  read(table, "latitude_deg", mission.latitude_rad, degree);
-  read(table, "longitude_deg", mission.longitude_rad, degree);
+  read(table, "latitude_deg", mission.latitude_rad, units::degree);
+  read(table, "longitude_deg", mission.longitude_rad, units::degree);
   read(table, "depth_m", mission.depth_m);
-  read(table, "heading_deg", mission.heading_rad, degree);
+  read(table, "heading_deg", mission.heading_rad, units::degree);
   read(table, "speed_mps", mission.speed_mps);
   read(table, "pivot_m", mission.pivot_m);
   read(table, "sideslip_lag_s", mission.sideslip_lag_s);

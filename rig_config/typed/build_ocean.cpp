@@ -1,3 +1,4 @@
+#include "drivers/measurement/units.hpp"
 #include "rig_config/checks/checks.hpp"
 #include "rig_config/toml/read_keys.hpp"
 #include "rig_config/typed/build.hpp"
@@ -15,7 +16,7 @@ BedConfig build_bed(const Node& table, const std::string& mission_file) {
   bed.kind = named<BedKind>(table, bed_kinds);
   read(table, "depth_m", bed.depth_m);
   read(table, "gradient", bed.gradient);
-  read(table, "downhill_deg", bed.downhill_rad, degree);
+  read(table, "downhill_deg", bed.downhill_rad, units::degree);
   if (const Node* file = table.find("file")) bed.file = beside(mission_file, file->text);
   if (const Node* unit = table.find("coordinates")) bed.in_metres = unit->text == "metres";
   if (const Node* values = table.find("values")) bed.elevations = values->text == "elevation";
@@ -25,7 +26,7 @@ BedConfig build_bed(const Node& table, const std::string& mission_file) {
 TideConfig build_tide(const Node& table) {
   TideConfig tide;
   read(table, "period_s", tide.period_s);
-  read(table, "phase_deg", tide.phase_rad, degree);
+  read(table, "phase_deg", tide.phase_rad, units::degree);
   read(table, "velocity_ned_mps", tide.velocity_ned_mps);
   return tide;
 }

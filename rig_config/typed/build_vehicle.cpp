@@ -1,3 +1,4 @@
+#include "drivers/measurement/units.hpp"
 #include "rig_config/toml/read_keys.hpp"
 #include "rig_config/typed/build.hpp"
 
@@ -5,12 +6,10 @@ namespace drydock::rig_config {
 
 namespace {
 
-constexpr double revolution_per_minute = 2 * std::numbers::pi / 60;
-
 SurfaceConfig build_surface(const Node& table) {
   SurfaceConfig surface;
-  read(table, "limit_deg", surface.limit_rad, degree);
-  surface.rate_limit_radps = read_if(table, "rate_limit_degps", degree);
+  read(table, "limit_deg", surface.limit_rad, units::degree);
+  surface.rate_limit_radps = read_if(table, "rate_limit_degps", units::degree);
   read(table, "lag_s", surface.lag_s);
   return surface;
 }
@@ -18,8 +17,8 @@ SurfaceConfig build_surface(const Node& table) {
 PropellerConfig build_propeller(const Node& table) {
   PropellerConfig propeller;
   read(table, "advance_m", propeller.advance_m);
-  read(table, "limit_rpm", propeller.limit_radps, revolution_per_minute);
-  propeller.rate_limit_radps2 = read_if(table, "rate_limit_rpmps", revolution_per_minute);
+  read(table, "limit_rpm", propeller.limit_radps, units::revolution_per_minute);
+  propeller.rate_limit_radps2 = read_if(table, "rate_limit_rpmps", units::revolution_per_minute);
   read(table, "lag_s", propeller.lag_s);
   return propeller;
 }

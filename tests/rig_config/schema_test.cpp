@@ -2,10 +2,13 @@
 
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <regex>
 #include <set>
 #include <sstream>
 
+#include "drivers/wire/protocols.hpp"
 #include "rig_config/load.hpp"
+#include "rig_config/rules/protocol_lists.hpp"
 
 namespace drydock::rig_config {
 namespace {
@@ -50,6 +53,7 @@ TEST(Schema, TheProgramHoldsTheFilesThatEditorsRead) {
 TEST(Schema, EveryWordIsOneOfDraft07AndOfItsType) {
   const std::map<std::string, std::vector<Json::value_t>> words{
       {"$schema", {Json::value_t::string}},
+      {"$comment", {Json::value_t::string}},
       {"$ref", {Json::value_t::string}},
       {"title", {Json::value_t::string}},
       {"description", {Json::value_t::string}},
@@ -67,7 +71,8 @@ TEST(Schema, EveryWordIsOneOfDraft07AndOfItsType) {
       {"else", {Json::value_t::object}},
       {"not", {Json::value_t::object}},
       {"additionalProperties", {Json::value_t::boolean}},
-      {"const", {Json::value_t::string}}};
+      {"const", {Json::value_t::string}},
+      {"protocols", {Json::value_t::string}}};
   const std::set<std::string> numbers{"minimum",  "maximum",   "exclusiveMinimum", "minItems",
                                       "maxItems", "minLength", "minProperties"};
   for (const auto text : {schema_text(), vehicle_schema_text()}) {
@@ -87,6 +92,42 @@ TEST(Schema, EveryWordIsOneOfDraft07AndOfItsType) {
       }
     });
   }
+}
+
+/// The lists of protocols by their name in the schema, as the program fills them.
+std::map<std::string, std::vector<std::string>> lists_of_protocols() {
+  std::map<std::string, std::vector<std::string>> lists;
+  const Json before = Json::parse(schema_text()).flatten();
+  const Json after = with_protocol_lists(Json::parse(schema_text()));
+  for (const auto& [pointer, word] : before.items())
+    if (pointer.ends_with("/protocols"))
+      lists[word] = after.at(Json::json_pointer(pointer.substr(0, pointer.rfind('/'))))
+                        .at("enum")
+                        .get<std::vector<std::string>>();
+  return lists;
+}
+
+TEST(Schema, TheListsOfProtocolsAreFilledFromTheTable) {
+  using testing::Contains, testing::ElementsAre, testing::Not;
+  auto lists = lists_of_protocols();
+  EXPECT_EQ(lists.size(), measurement::kinds.size() + 4);
+  EXPECT_THAT(lists["dvl"], ElementsAre("pd0", "pd4", "pd5", "pd6", "water-linked", "nortek"));
+  EXPECT_THAT(lists["gnss"], ElementsAre("ubx", "nmea0183", "ubx+nmea0183"));
+  EXPECT_THAT(lists["depth"], ElementsAre("nmea2000", "cia404-pressure"));
+  EXPECT_THAT(lists["canopen"],
+              ElementsAre("cia404-imu", "cia404-pressure", "epson-g550", "epson-g552"));
+  EXPECT_EQ(lists["bytes"].size() + lists["frames"].size(), lists["all"].size());
+  EXPECT_THAT(lists["all"], Not(Contains("slcan"))) << "only protocols with a kind";
+}
+
+TEST(Schema, AnEditorSeesTheSameCanopenProtocolsAsTheProgram) {
+  const std::regex pattern("^(cia404|epson)-");
+  EXPECT_NE(schema_text().find("{\"pattern\": \"^(cia404|epson)-\", \"protocols\": \"canopen\"}"),
+            std::string_view::npos);
+  for (const wire::Protocol& protocol : wire::protocols())
+    EXPECT_EQ(std::regex_search(std::string(protocol.name), pattern),
+              protocol.network == wire::Network::canopen)
+        << protocol.name;
 }
 
 TEST(Schema, AnEmulatedSensorTakesTheSameErrorKeysInlineAndFromAFile) {

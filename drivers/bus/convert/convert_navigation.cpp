@@ -1,7 +1,7 @@
 #include <algorithm>
-#include <numbers>
 
 #include "drivers/bus/convert/convert.hpp"
+#include "drivers/measurement/units.hpp"
 
 namespace drydock::bus {
 namespace {
@@ -55,11 +55,10 @@ bool fill(OdometryMessage& message, const Navigation& navigation) {
 }
 
 bool fill(NavSatFixMessage& message, const Navigation& navigation) {
-  constexpr double degrees = 180 / std::numbers::pi;
   message.header.stamp = to_time(navigation.valid_at);
   message.status = {has_fix, dead_reckoned_service};
-  message.latitude = navigation.latitude_rad * degrees;
-  message.longitude = navigation.longitude_rad * degrees;
+  message.latitude = navigation.latitude_rad * units::degrees_per_radian;
+  message.longitude = navigation.longitude_rad * units::degrees_per_radian;
   message.altitude = navigation.height_m;
   const Eigen::Matrix3d enu = ned_to_enu() * block(navigation, 0, 0) * ned_to_enu();
   for (int i = 0; i < 9; ++i) message.position_covariance[i] = enu(i / 3, i % 3);

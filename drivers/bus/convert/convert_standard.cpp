@@ -1,12 +1,11 @@
 #include <algorithm>
-#include <numbers>
 
 #include "drivers/bus/convert/convert.hpp"
+#include "drivers/measurement/units.hpp"
 
 namespace drydock::bus {
 namespace {
 
-constexpr double degrees_per_radian = 180.0 / std::numbers::pi;
 constexpr double celsius_zero_k = 273.15;
 
 enum NavSatStatus : std::int8_t { no_fix = -1, fix = 0 };
@@ -142,8 +141,8 @@ bool fill(NavSatFixMessage& message, const GnssFix& sample) {
   message.status = {sample.position ? fix : no_fix, 0};
   message.latitude = message.longitude = not_available;
   if (sample.position) {
-    message.latitude = sample.position->latitude_rad * degrees_per_radian;
-    message.longitude = sample.position->longitude_rad * degrees_per_radian;
+    message.latitude = sample.position->latitude_rad * units::degrees_per_radian;
+    message.longitude = sample.position->longitude_rad * units::degrees_per_radian;
   }
   message.altitude = or_nan(sample.position ? sample.ellipsoidal_height_m : std::nullopt);
   std::ranges::fill(message.position_covariance, 0.0);
@@ -161,7 +160,7 @@ bool read(GnssFix& sample, const NavSatFixMessage& message) {
   sample.origin.valid_at = to_stamp(message.header.stamp);
   const auto latitude = to_optional(message.latitude), longitude = to_optional(message.longitude);
   if (message.status.status < fix || !latitude || !longitude) return true;
-  sample.position = {*latitude / degrees_per_radian, *longitude / degrees_per_radian};
+  sample.position = {*latitude / units::degrees_per_radian, *longitude / units::degrees_per_radian};
   sample.ellipsoidal_height_m = to_optional(message.altitude);
   sample.type = sample.ellipsoidal_height_m ? FixType::three_d : FixType::two_d;
   if (message.position_covariance_type != unknown) {

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "drivers/measurement/units.hpp"
 #include "drivers/wire/text_fields.hpp"
 
 namespace drydock::device {
@@ -16,7 +17,7 @@ constexpr int most_tries = 3;
 constexpr int known_major_version = 2;
 
 /// Parameters are sent with two decimals.
-constexpr double same_sound_speed_mps = 0.01, same_rotation_rad = 0.01 * std::numbers::pi / 180;
+constexpr double same_sound_speed_mps = 0.01, same_rotation_rad = 0.01 * units::degree;
 
 Reason with_number(std::string_view before, double value, std::string_view behind) {
   std::array<std::uint8_t, 32> digits;

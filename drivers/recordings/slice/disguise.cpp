@@ -1,24 +1,16 @@
 #include "drivers/recordings/slice/disguise.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
+#include "drivers/measurement/units.hpp"
 #include "drivers/recordings/slice/move_understood.hpp"
+#include "drivers/wire/protocols.hpp"
 #include "rig_config/toml/rewrite.hpp"
 
 namespace drydock::slice {
 
 namespace {
-
-constexpr std::array<std::string_view, 3> receivers{"nmea0183", "ubx", "ubx+nmea0183"};
-constexpr std::array<std::string_view, 6> know_no_place{"pd0", "pd4",          "pd5",
-                                                        "pd6", "water-linked", "nortek"};
-
-template <class Names>
-bool is_one_of(const Names& names, std::string_view name) {
-  return std::ranges::find(names, name) != names.end();
-}
 
 /// Rounds degrees to a tenth of a millimetre.
 double written(double deg) {
@@ -41,12 +33,19 @@ Disguise::Line Disguise::line_of(const record::RecordedLink& link,
   if (!rig) return Line::unknown;
   Line line = link.frames ? Line::bus : Line::unknown;
   for (const auto& device : rig->devices) {
-    if (!is_one_of(link.devices, device.name)) continue;
-    // An Xsens IMU may be configured to send positions under any identifier.
-    if (device.protocol == "xsens") return Line::unknown;
-    if (link.frames) continue;
-    if (is_one_of(know_no_place, device.protocol)) line = Line::passes;
-    if (is_one_of(receivers, device.protocol)) line = Line::receiver;
+    const wire::Protocol* known = wire::find_protocol(device.protocol);
+    if (!known || std::ranges::find(link.devices, device.name) == link.devices.end()) continue;
+    switch (known->place) {
+      case wire::Place::under_any_identifier: return Line::unknown;
+      case wire::Place::of_bus: break;
+      case wire::Place::no:
+        if (!link.frames) line = Line::passes;
+        break;
+      case wire::Place::yes:
+      case wire::Place::of_receiver:
+        if (!link.frames) line = Line::receiver;
+        break;
+    }
   }
   return line;
 }
@@ -131,10 +130,11 @@ bool Disguise::apply(mcap::Attachment& attachment) {
   rig_config::Rewriting rewriting;
   rewriting.without_dates = shift != 0;
   rewriting.number = [this](std::string_view key, double value) {
-    constexpr double degree = wire::radians(1);
     if (!place_) return value;
-    if (key == "latitude_deg") return written(place_->latitude(value * degree) / degree);
-    if (key == "longitude_deg") return written(place_->longitude(value * degree) / degree);
+    if (key == "latitude_deg")
+      return written(place_->latitude(value * units::degree) / units::degree);
+    if (key == "longitude_deg")
+      return written(place_->longitude(value * units::degree) / units::degree);
     return value;
   };
   const auto text = attachment.name.ends_with(".toml")

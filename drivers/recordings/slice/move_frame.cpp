@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "drivers/measurement/units.hpp"
 #include "drivers/wire/bytes.hpp"
 #include "drivers/wire/fields.hpp"
 #include "drivers/wire/j1939/j1939.hpp"
@@ -27,7 +28,7 @@ constexpr bool tells_place(std::uint32_t pgn) {
 
 /// Latitude and longitude are in 1e-7 degree; the highest value means "not available".
 void move_rapid_position(wire::CanFrame& frame, Displacement& place) {
-  const double step = wire::radians(1) / 1e7;
+  const double step = units::degree / 1e7;
   const auto latitude = wire::load_le<std::int32_t>(frame.payload(), 0);
   const auto longitude = wire::load_le<std::int32_t>(frame.payload(), 4);
   constexpr std::int32_t no_value = 0x7FFFFFFF;

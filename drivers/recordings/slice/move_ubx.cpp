@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "drivers/device/gnss/ecef.hpp"
+#include "drivers/measurement/units.hpp"
 #include "drivers/recordings/slice/move_message.hpp"
 #include "drivers/wire/ubx/ubx.hpp"
 #include "drivers/wire/ubx/ubx_frame.hpp"
@@ -30,7 +31,7 @@ constexpr std::array<std::uint16_t, 9> harmless_ubx{
 /// Longitude and latitude are in 1e-7 degree. The height behind them is replaced by the height
 /// above mean sea level.
 void move_geodetic(Payload payload, std::size_t offset, Displacement& place) {
-  const double step = wire::radians(1) / 1e7;
+  const double step = units::degree / 1e7;
   const measurement::Geodetic old{wire::load_le<std::int32_t>(payload, offset + 4) * step,
                                   wire::load_le<std::int32_t>(payload, offset) * step};
   place.start_at(old);

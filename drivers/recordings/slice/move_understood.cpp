@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "drivers/measurement/units.hpp"
 #include "drivers/wire/bytes.hpp"
 #include "drivers/wire/fields.hpp"
 
@@ -82,7 +83,7 @@ bool move_position(std::string_view type, const record::MessageNode& layout,
     return false;
   if (found.height)
     wire::store_le<double>(cdr, *found.height, std::numeric_limits<double>::quiet_NaN());
-  const double unit = type == nav_sat_fix ? wire::radians(1) : 1;
+  const double unit = type == nav_sat_fix ? units::degree : 1;
   const measurement::Geodetic old{wire::load_le<double>(cdr, *found.latitude) * unit,
                                   wire::load_le<double>(cdr, *found.longitude) * unit};
   if (!std::isfinite(old.latitude_rad) || !std::isfinite(old.longitude_rad)) return false;

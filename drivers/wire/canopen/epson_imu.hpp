@@ -6,6 +6,7 @@
 #include <string_view>
 #include <variant>
 
+#include "drivers/measurement/units.hpp"
 #include "drivers/wire/canopen/cia404_imu.hpp"
 
 /// Epson's CANopen IMUs (M-G550PC2, M-G552PC1 and PC7): CiA 404 with 16-bit integer process values.
@@ -22,17 +23,15 @@ struct Model {
   bool day_first;                 ///< order of TPDO4's two parts
 };
 
-constexpr double standard_gravity_mps2 = 9.80665;
-
 /// 0.008 deg/s and 0.2 mg, stated in Epson's tool. The values that it prints for a G550 are
 /// multiples of them.
 constexpr Model g550{.rate_radps = radians(0.008),
-                     .force_mps2 = 0.2e-3 * standard_gravity_mps2,
+                     .force_mps2 = 0.2e-3 * units::standard_gravity,
                      .has_status = false,
                      .day_first = true};
 /// 0.01515 deg/s and 0.4 mg, stated in the G552's object dictionary.
 constexpr Model g552{.rate_radps = radians(0.01515),
-                     .force_mps2 = 0.4e-3 * standard_gravity_mps2,
+                     .force_mps2 = 0.4e-3 * units::standard_gravity,
                      .has_status = true,
                      .day_first = false};
 

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "drivers/measurement/units.hpp"
+
 namespace drydock::wire {
 namespace {
 
@@ -42,7 +44,8 @@ std::optional<double> read_speed(SentenceReader& fields) {
   fields.skip(1);
   const auto kilometres_per_hour = fields.number();
   fields.skip(1);
-  return knots ? scaled(knots, knot_mps) : scaled(kilometres_per_hour, kilometre_per_hour_mps);
+  return knots ? scaled(knots, units::knot)
+               : scaled(kilometres_per_hour, units::kilometre_per_hour);
 }
 
 /// Magnitude and E or W: two fields.
@@ -81,7 +84,7 @@ bool read(SentenceReader& fields, Rmc& m) {
   m.valid = fields.letter().value == 'A';
   m.latitude_rad = fields.latitude();
   m.longitude_rad = fields.longitude();
-  m.speed_mps = scaled(fields.number(), knot_mps);
+  m.speed_mps = scaled(fields.number(), units::knot);
   m.course_rad = fields.angle();
   m.date = read_short_date(fields);
   m.magnetic_variation_rad = read_variation(fields);

@@ -1,5 +1,7 @@
 #include <cmath>
 
+#include "drivers/measurement/units.hpp"
+
 #include "drivers/wire/nmea0183/nmea0183_gnss.hpp"
 
 namespace drydock::wire {
@@ -49,7 +51,7 @@ std::size_t encode(const Rmc& m, std::span<std::uint8_t> out, const NmeaDecimals
   w.letter(m.valid ? 'A' : 'V');
   w.latitude(m.latitude_rad, decimals.minutes);
   w.longitude(m.longitude_rad, decimals.minutes);
-  w.number(scaled(m.speed_mps, 1 / knot_mps), decimals.speed);
+  w.number(scaled(m.speed_mps, 1 / units::knot), decimals.speed);
   w.angle(m.course_rad, decimals.angle);
   write_short_date(w, m.date);
   write_variation(w, m.magnetic_variation_rad, decimals.angle);
@@ -93,9 +95,9 @@ std::size_t encode(const Vtg& m, std::span<std::uint8_t> out, const NmeaDecimals
   w.letter('T');
   w.angle(m.course_magnetic_rad, decimals.angle);
   w.letter('M');
-  w.number(scaled(m.speed_mps, 1 / knot_mps), decimals.speed);
+  w.number(scaled(m.speed_mps, 1 / units::knot), decimals.speed);
   w.letter('N');
-  w.number(scaled(m.speed_mps, 1 / kilometre_per_hour_mps), decimals.speed);
+  w.number(scaled(m.speed_mps, 1 / units::kilometre_per_hour), decimals.speed);
   w.letter('K');
   if (m.mode.value) w.letter(m.mode);
   return w.finish();

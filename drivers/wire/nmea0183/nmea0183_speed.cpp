@@ -1,5 +1,7 @@
 #include "drivers/wire/nmea0183/nmea0183_speed.hpp"
 
+#include "drivers/measurement/units.hpp"
+
 namespace drydock::wire {
 namespace {
 
@@ -8,24 +10,24 @@ using Value = std::optional<double>;
 /// Reads the speeds (along and across, or one of them) and their status.
 template <class... V>
 void read_speeds(SentenceReader& fields, V&... speeds) {
-  ((speeds = scaled(fields.number(), knot_mps)), ...);
+  ((speeds = scaled(fields.number(), units::knot)), ...);
   if (fields.letter().value != 'A') ((speeds = std::nullopt), ...);
 }
 
 template <class... V>
 void write_speeds(SentenceWriter& out, int decimals, const V&... speeds) {
-  (out.number(scaled(speeds, 1 / knot_mps), decimals), ...);
+  (out.number(scaled(speeds, 1 / units::knot), decimals), ...);
   out.letter((speeds || ...) ? 'A' : 'V');
 }
 
 Value read_distance(SentenceReader& fields) {
   const Value miles = fields.number();
   fields.skip(1);
-  return scaled(miles, nautical_mile_m);
+  return scaled(miles, units::nautical_mile);
 }
 
 void write_distance(SentenceWriter& out, const Value& distance_m, int decimals) {
-  out.number(scaled(distance_m, 1 / nautical_mile_m), decimals);
+  out.number(scaled(distance_m, 1 / units::nautical_mile), decimals);
   out.letter('N');
 }
 
@@ -41,7 +43,7 @@ bool read(SentenceReader& fields, Vhw& m) {
   fields.skip(1);
   const Value kilometres_per_hour = fields.number();
   m.speed_mps =
-      knots ? scaled(knots, knot_mps) : scaled(kilometres_per_hour, kilometre_per_hour_mps);
+      knots ? scaled(knots, units::knot) : scaled(kilometres_per_hour, units::kilometre_per_hour);
   return true;
 }
 
@@ -69,9 +71,9 @@ std::size_t encode(const Vhw& m, std::span<std::uint8_t> out, const NmeaDecimals
   w.letter('T');
   w.angle(m.heading_magnetic_rad, decimals.angle);
   w.letter('M');
-  w.number(scaled(m.speed_mps, 1 / knot_mps), decimals.speed);
+  w.number(scaled(m.speed_mps, 1 / units::knot), decimals.speed);
   w.letter('N');
-  w.number(scaled(m.speed_mps, 1 / kilometre_per_hour_mps), decimals.speed);
+  w.number(scaled(m.speed_mps, 1 / units::kilometre_per_hour), decimals.speed);
   w.letter('K');
   return w.finish();
 }

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "drivers/measurement/units.hpp"
 #include "estimators/frame/attitude.hpp"
 
 namespace drydock::characterize {
@@ -11,7 +12,7 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double slowest_mps = 0.5;  ///< below this speed the course is undefined
-constexpr double straight_within_radps = 0.5 * std::numbers::pi / 180;
+constexpr double straight_within_radps = 0.5 * units::degree;
 
 /// Angular rate of the vehicle, in body axes.
 Track rate_of(const Samples* imu, measurement::Stamp zero) {

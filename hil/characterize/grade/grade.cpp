@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
+
+#include "estimators/frame/earth.hpp"
 
 namespace drydock::characterize {
 namespace {
@@ -11,8 +12,6 @@ namespace {
 using rig_config::Axes;
 using rig_config::EmulateConfig;
 using rig_config::SensorErrors;
-
-constexpr double earth_rate_radps = 7.292115e-5;
 
 /// One figure of one axis with its bounds.
 class Place {
@@ -84,9 +83,9 @@ double correlation_of(const QuantityFigures& quantity) {
 }
 
 void put_bias_at_rest(const Place& place, const AxisFigures& axis) {
-  if (std::abs(axis.mean.value) <= earth_rate_radps) return;
-  place.put(&SensorErrors::bias,
-            {axis.mean.value, axis.mean.low - earth_rate_radps, axis.mean.high + earth_rate_radps});
+  if (std::abs(axis.mean.value) <= frame::earth_rate_radps) return;
+  place.put(&SensorErrors::bias, {axis.mean.value, axis.mean.low - frame::earth_rate_radps,
+                                  axis.mean.high + frame::earth_rate_radps});
 }
 
 void put_reference(MeasuredGrade& grade, const DeviceFigures& figures,

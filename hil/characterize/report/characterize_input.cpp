@@ -20,12 +20,6 @@ namespace {
 using characterize::Samples;
 using characterize::Subject;
 
-/// The device kinds have the same order in a rig file, in a driver and on the bus.
-template <class Kind>
-rig_config::DeviceKind rig_kind(Kind kind) {
-  return static_cast<rig_config::DeviceKind>(kind);
-}
-
 Subject subject_of(const rig_config::DeviceConfig& config) {
   const auto mounting = sensor::mounting_of(config);
   return {config.name, config.kind, config.rate_hz, mounting.sensor_to_body, mounting.lever_arm_m};
@@ -87,9 +81,8 @@ Gathered gather_recording(const CharacterizeOptions& options) {
               bus::measurement_topic(understood->channel->topic, understood->schema->name)) {
         known->second = Channel{gathered.devices.size(), topic->kind};
         const auto* config = rig ? device_of(*rig, topic->device) : nullptr;
-        gathered.devices.emplace_back(config != nullptr
-                                          ? subject_of(*config)
-                                          : Subject{topic->device, rig_kind(topic->kind)});
+        gathered.devices.emplace_back(config != nullptr ? subject_of(*config)
+                                                        : Subject{topic->device, topic->kind});
       }
     }
     if (!known->second) continue;
@@ -120,7 +113,7 @@ Gathered gather_capture(const CharacterizeOptions& options) {
   Samples samples{Subject{}};
   const auto kind =
       decode::play(replay, [&samples](const measurement::Measurement& m) { samples.add(m); });
-  samples.subject.kind = rig_kind(kind);
+  samples.subject.kind = kind;
   samples.subject.name = to_string(kind);
   gathered.devices.push_back(std::move(samples));
   return gathered;

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "drivers/measurement/units.hpp"
 #include "hil/characterize/report/characterize.hpp"
 #include "rig_config/sensor_file.hpp"
 
@@ -15,8 +15,6 @@ using characterize::Estimate;
 using characterize::QuantityFigures;
 using rig_config::Axes;
 using rig_config::ErrorKey;
-
-constexpr double one_degree = std::numbers::pi / 180;
 
 std::string bounds(const Estimate& e, double unit = 1) {
   return fmt::format("{:.5g} to {:.5g}", e.low / unit, e.high / unit);
@@ -136,8 +134,8 @@ report::Table reference_table(const Characterized& device) {
     table.rows.push_back(
         {c.what, against.reference, c.scale ? fmt::format("{:.6f}", c.scale->value) : "",
          c.scale ? bounds(*c.scale) : "",
-         c.angle_rad ? fmt::format("{:.3f}", c.angle_rad->value / one_degree) : "",
-         c.angle_rad ? bounds(*c.angle_rad, one_degree) : "", fmt::format("{:.5g}", bias.value),
+         c.angle_rad ? fmt::format("{:.3f}", c.angle_rad->value / units::degree) : "",
+         c.angle_rad ? bounds(*c.angle_rad, units::degree) : "", fmt::format("{:.5g}", bias.value),
          bounds(bias), c.delay_s ? fmt::format("{:.2f}", c.delay_s->value * 1e3) : "",
          c.delay_s ? bounds(*c.delay_s, 1e-3) : "", fmt::format("{:.4g}", c.residual),
          std::to_string(c.blocks)});

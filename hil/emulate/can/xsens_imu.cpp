@@ -1,7 +1,6 @@
 #include "drivers/wire/can/xsens.hpp"
 
-#include <numbers>
-
+#include "drivers/measurement/units.hpp"
 #include "hil/emulate/devices.hpp"
 
 namespace drydock::emulate {
@@ -12,8 +11,8 @@ constexpr std::chrono::microseconds tick_length{100};
 // Bits of the status word: self-test passed, filter valid, and clipping of each axis.
 constexpr std::uint32_t sound = 0x3, acceleration_clipped = 0x700, rate_clipped = 0x3800;
 // Ranges of the MTi-600 (MT1603P).
-constexpr double acceleration_range_mps2 = 10 * 9.80665;
-constexpr double rate_range_radps = 2000 * (std::numbers::pi / 180);
+constexpr double acceleration_range_mps2 = 10 * units::standard_gravity;
+constexpr double rate_range_radps = 2000 * units::degree;
 
 wire::xsens::Identifiers identifiers_of(const rig_config::XsensConfig& config) {
   wire::xsens::Identifiers identifiers;

@@ -1,5 +1,5 @@
-#include <numbers>
 
+#include "drivers/measurement/units.hpp"
 #include "drivers/wire/dvl/nortek.hpp"
 #include "hil/emulate/devices.hpp"
 #include "hil/emulate/dvl/dvl_device.hpp"
@@ -8,7 +8,7 @@ namespace drydock::emulate {
 namespace {
 
 /// The DVL1000 works at 1 MHz.
-constexpr sensor::JanusHead dvl1000{.beam_angle_rad = 25 * std::numbers::pi / 180,
+constexpr sensor::JanusHead dvl1000{.beam_angle_rad = 25 * units::degree,
                                     .shortest_range_m = 0.2,
                                     .longest_range_m = 75,
                                     .absorption_dbpm = 0.35};

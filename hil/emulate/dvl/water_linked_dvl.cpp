@@ -2,6 +2,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "drivers/measurement/units.hpp"
 #include "drivers/wire/dvl/water_linked.hpp"
 #include "drivers/wire/text_fields.hpp"
 #include "hil/emulate/devices.hpp"
@@ -15,7 +16,7 @@ namespace water_linked = wire::water_linked;
 using water_linked::Verdict;
 
 /// The A50 works at 1 MHz.
-constexpr sensor::JanusHead a50{.beam_angle_rad = 22.5 * std::numbers::pi / 180,
+constexpr sensor::JanusHead a50{.beam_angle_rad = 22.5 * units::degree,
                                 .shortest_range_m = 0.05,
                                 .longest_range_m = 50,
                                 .absorption_dbpm = 0.35};

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "drivers/wire/protocols.hpp"
+
 namespace drydock::fault {
 
 namespace {
@@ -18,11 +20,13 @@ constexpr std::array<std::uint32_t, 7> sent_by_node{0x1, 0x3, 0x5, 0x7, 0x9, 0xB
 
 DeviceFrames::DeviceFrames(const rig_config::DeviceConfig& device)
     : address_(static_cast<std::uint32_t>(device.address)) {
-  if (device.protocol == "aceinna" || device.protocol == "nmea2000")
+  const wire::Protocol* known = wire::find_protocol(device.protocol);
+  const bool one_node = known && !known->kinds.empty();  // not all of a bus, as with `j1939`
+  if (one_node && known->network == wire::Network::j1939)
     scheme_ = Scheme::j1939;
-  else if (device.protocol.starts_with("cia404") || device.protocol.starts_with("epson"))
+  else if (one_node && known->network == wire::Network::canopen)
     scheme_ = Scheme::canopen;
-  else if (device.protocol == "xsens")
+  else if (device.protocol == wire::Xsens::name)
     scheme_ = Scheme::xsens;
   xsens_.extended = device.xsens.extended;
   for (const auto& identifier : device.xsens.identifiers)

@@ -5,13 +5,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
+
+#include "drivers/measurement/units.hpp"
 
 namespace drydock::motion {
 
 namespace {
 
-constexpr double degree = std::numbers::pi / 180;
 using namespace element;
 
 constexpr std::array<std::string_view, 4> names{"turning-circle", "zigzag", "spiral", "dive"};
@@ -20,7 +20,7 @@ Command ahead(double speed_mps) { return {0, 0, 0, speed_mps}; }
 
 Steering turning_circle(double speed, double rudder) {
   return [=](double t, const hydrodynamics::State& state) -> std::optional<Command> {
-    if (std::abs(state[yaw]) > 540 * degree) return {};
+    if (std::abs(state[yaw]) > 540 * units::degree) return {};
     Command command = ahead(speed);
     if (t >= execute_s) command.delta_r = rudder;
     return command;
@@ -55,7 +55,7 @@ std::vector<double> spiral_steps(double limit) {
 }
 
 Steering spiral(double speed, double limit) {
-  constexpr double look_each_s = 30, longest_s = 600, settled_radps = 2e-4 * degree;
+  constexpr double look_each_s = 30, longest_s = 600, settled_radps = 2e-4 * units::degree;
   return [=, steps = spiral_steps(limit), step = std::size_t{0}, since = execute_s,
           looked_at = execute_s, before_r = 0.0](
              double t, const hydrodynamics::State& state) mutable -> std::optional<Command> {
@@ -110,8 +110,8 @@ std::optional<std::string> refusal(const rig_config::VehicleConfig& vehicle, con
   const double angle = dives ? *m.deflection_rad : std::abs(*m.deflection_rad);
   if (angle > 0 && angle <= stop) return {};
   return fmt::format("a deflection of {:.4g} deg; allowed: {}, up to the stop at {:.4g} deg",
-                     *m.deflection_rad / degree,
-                     dives ? "above 0 (nose down)" : "to either side, not 0", stop / degree);
+                     *m.deflection_rad / units::degree,
+                     dives ? "above 0 (nose down)" : "to either side, not 0", stop / units::degree);
 }
 
 double fastest_mps(const rig_config::VehicleConfig& vehicle) {
@@ -119,7 +119,7 @@ double fastest_mps(const rig_config::VehicleConfig& vehicle) {
 }
 
 Track sail(const rig_config::VehicleConfig& vehicle, const Maneuver& m) {
-  constexpr double usual_zigzag = 10 * degree, usual_dive = 5 * degree;
+  constexpr double usual_zigzag = 10 * units::degree, usual_dive = 5 * units::degree;
   constexpr double limit_s = 3600, spiral_limit_s = 4 * 3600;
   switch (m.kind) {
     case ManeuverKind::turning_circle:

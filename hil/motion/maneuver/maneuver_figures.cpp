@@ -1,14 +1,13 @@
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "drivers/measurement/units.hpp"
 #include "hil/motion/maneuver/maneuver.hpp"
 
 namespace drydock::motion {
 
 namespace {
 
-constexpr double to_deg = 180 / std::numbers::pi;
 using namespace element;
 
 using Value = std::optional<double>;
@@ -64,7 +63,8 @@ std::vector<Figure> of_turning_circle(const Track& track, Track::const_iterator 
   const auto& end = std::prev(moved)->state;
   const double side = end[yaw] < start->state[yaw] ? -1 : 1;
   const auto turned = [&](double angle_deg) {
-    return passing(start, moved, yaw, start->state[yaw] + side * angle_deg / to_deg);
+    return passing(start, moved, yaw,
+                   start->state[yaw] + side * angle_deg / units::degrees_per_radian);
   };
   const auto quarter = turned(90), half = turned(180), full = turned(360);
   const auto distance = [&](const auto& at, int i) {
@@ -82,11 +82,12 @@ std::vector<Figure> of_turning_circle(const Track& track, Track::const_iterator 
       {"time to 90 deg", "s", after(quarter)},
       {"time to 180 deg", "s", after(half)},
       {"time to 360 deg", "s", after(full)},
-      {"steady rate of turn", "deg/s", steady(rate_of_turn(end) * to_deg)},
+      {"steady rate of turn", "deg/s", steady(rate_of_turn(end) * units::degrees_per_radian)},
       {"steady speed", "m/s", steady(speed)},
       {"speed lost", "%", before > 0 ? steady(100 * (1 - speed / before)) : Value()},
-      {"steady drift angle", "deg", steady(-std::atan2(end[v], end[u]) * to_deg)},
-      {"steady roll", "deg", steady(end[roll] * to_deg)},
+      {"steady drift angle", "deg",
+       steady(-std::atan2(end[v], end[u]) * units::degrees_per_radian)},
+      {"steady roll", "deg", steady(end[roll] * units::degrees_per_radian)},
   };
 }
 
@@ -113,7 +114,9 @@ std::vector<Figure> of_zigzag(const Track& track, Track::const_iterator start) {
   for (std::size_t i = 0; i < std::size(ordinals); ++i) {
     const bool seen = i + 1 < turns.size();
     found.push_back({std::string(ordinals[i]) + " overshoot", "deg",
-                     seen ? Value(overshoot(turns[i], turns[i + 1], yaw) * to_deg) : Value()});
+                     seen
+                         ? Value(overshoot(turns[i], turns[i + 1], yaw) * units::degrees_per_radian)
+                         : Value()});
   }
   return found;
 }
@@ -123,12 +126,13 @@ std::vector<Figure> of_spiral(const Track& track) {
   Value amidships, loop;
   for (const SpiralPoint& there : points) {
     if (there.returning) continue;
-    if (there.rudder_rad == 0) amidships = there.rate_of_turn_radps * to_deg;
+    if (there.rudder_rad == 0) amidships = there.rate_of_turn_radps * units::degrees_per_radian;
     const auto back = std::ranges::find_if(points, [&](const SpiralPoint& point) {
       return point.returning && point.rudder_rad == there.rudder_rad;
     });
     if (back == points.end()) continue;
-    const double height = std::abs(back->rate_of_turn_radps - there.rate_of_turn_radps) * to_deg;
+    const double height =
+        std::abs(back->rate_of_turn_radps - there.rate_of_turn_radps) * units::degrees_per_radian;
     loop = std::max(loop.value_or(0), height);
   }
   return {{"rate of turn, rudder amidships", "deg/s", amidships},
@@ -150,8 +154,9 @@ std::vector<Figure> of_dive(const Track& track, Track::const_iterator start) {
       {"time to reversal", "s", of_reversal([&](auto at) { return at->t - start->t; })},
       {"depth gained to reversal", "m",
        of_reversal([&](auto at) { return at->state[z] - start->state[z]; })},
-      {"pitch overshoot", "deg",
-       of_level([&] { return overshoot(turns.front(), level, pitch) * to_deg; })},
+      {"pitch overshoot", "deg", of_level([&] {
+         return overshoot(turns.front(), level, pitch) * units::degrees_per_radian;
+       })},
       {"depth overshoot", "m",
        of_level([&] { return overshoot(turns.front(), std::next(level), z); })},
       {"time from reversal to level", "s", of_level([&] { return level->t - turns.front()->t; })},

@@ -2,13 +2,14 @@
 
 #include <algorithm>
 
+#include "drivers/measurement/units.hpp"
+
 namespace drydock::motion {
 namespace {
 
-constexpr double degree = 0.017453292519943295;
-constexpr double rudder_per_curvature_m = 10 * degree * 29.4;
+constexpr double rudder_per_curvature_m = 10 * units::degree * 29.4;
 constexpr double advance_per_radian_m = 0.012;
-constexpr double stop_rad = 20 * degree;
+constexpr double stop_rad = 20 * units::degree;
 constexpr double slowest_mps = 0.5;  // below this speed the surfaces have no effect
 
 double within_stops(double angle) { return std::clamp(angle, -stop_rad, stop_rad); }

@@ -1,7 +1,7 @@
 #include <cmath>
 #include <memory>
-#include <numbers>
 
+#include "drivers/measurement/units.hpp"
 #include "drivers/recordings/tasks/recordings.hpp"
 #include "hil/program/commands.hpp"
 #include "hil/program/options.hpp"
@@ -11,8 +11,6 @@
 namespace drydock::program {
 
 namespace {
-
-constexpr double degree = std::numbers::pi / 180;
 
 struct CutArguments {
   PartArguments part;
@@ -50,7 +48,7 @@ void read_privacy(CutArguments& a) {
   }
   if (std::abs(a.place_deg[0]) > 89 || std::abs(a.place_deg[1]) > 180)
     throw CLI::ValidationError("--place", "allowed: -89 to 89, -180 to 180");
-  if (a.move) slice.move_to = {a.place_deg[0] * degree, a.place_deg[1] * degree};
+  if (a.move) slice.move_to = {a.place_deg[0] * units::degree, a.place_deg[1] * units::degree};
 }
 
 }  // namespace

@@ -23,7 +23,7 @@ void add_emulate(CLI::App& app, Command& command) {
   sub->callback([a, &command] {
     command = [a] {
       auto rig = load_rig(a->rig);
-      control::add_faults(rig, a->faults);
+      add_faults(rig, a->faults);
       return bench::emulate(rig, a->duration_s);
     };
   });

@@ -46,7 +46,7 @@ void add_run(CLI::App& app, Command& command) {
   sub->callback([a, &command] {
     command = [a] {
       auto rig = load_rig(a->rig);
-      control::add_faults(rig, a->faults);
+      add_faults(rig, a->faults);
       if (a->seed) rig.seed = *a->seed;
       a->options.lockstep = a->speed == "max";
       if (a->options.lockstep && !a->options.serve.address.empty())

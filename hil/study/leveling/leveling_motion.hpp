@@ -1,8 +1,8 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <numbers>
 
+#include "drivers/measurement/units.hpp"
 #include "estimators/frame/attitude.hpp"
 
 namespace drydock::study {
@@ -36,12 +36,14 @@ struct LevelingMotion {
 /// The paper's three motions and an additional one. The S path is our choice, because the paper's
 /// figure of it is lost.
 namespace leveling_motions {
-inline constexpr double degree = std::numbers::pi / 180;
 inline constexpr LevelingMotion stationary{.speed_mps = 0};
 inline constexpr LevelingMotion straight{};
-inline constexpr LevelingMotion s_path{.yaw = 45 * degree};
-inline constexpr LevelingMotion rolling_s_path{
-    .surge_mps = 2, .yaw = 45 * degree, .roll = 10 * degree, .pitch = 5 * degree, .slip_m = 2.5};
+inline constexpr LevelingMotion s_path{.yaw = 45 * units::degree};
+inline constexpr LevelingMotion rolling_s_path{.surge_mps = 2,
+                                               .yaw = 45 * units::degree,
+                                               .roll = 10 * units::degree,
+                                               .pitch = 5 * units::degree,
+                                               .slip_m = 2.5};
 }  // namespace leveling_motions
 
 }  // namespace drydock::study

@@ -6,6 +6,7 @@
 #include <string>
 #include <variant>
 
+#include "drivers/measurement/units.hpp"
 #include "estimators/leveling/any_leveling_filter.hpp"
 #include "hil/sensor/errors.hpp"
 #include "hil/study/campaign.hpp"
@@ -14,7 +15,6 @@ namespace drydock::study {
 
 using Eigen::Vector2d;
 using Eigen::Vector3d;
-using leveling_motions::degree;
 
 namespace {
 
@@ -41,11 +41,11 @@ class LevelingScore {
   void note(const Filter& filter, std::size_t step) {
     const double t = static_cast<double>(step) * dt;
     const auto truth = motion_.attitude(t);
-    error_ = {frame::wrap_pi(filter.roll() - truth.roll) / degree,
-              frame::wrap_pi(filter.pitch() - truth.pitch) / degree};
+    error_ = {frame::wrap_pi(filter.roll() - truth.roll) / units::degree,
+              frame::wrap_pi(filter.pitch() - truth.pitch) / units::degree};
     if (error_.cwiseAbs().maxCoeff() >= 0.5) outcome_.settled_s = t;
     if (step % steps_a_point != 0) return;
-    covariance_ = filter.roll_pitch_covariance() / (degree * degree);
+    covariance_ = filter.roll_pitch_covariance() / (units::degree * units::degree);
     outcome_.roll_error.push_back(error_.x());
     outcome_.pitch_error.push_back(error_.y());
     outcome_.roll_variance.push_back(covariance_(0, 0));
@@ -91,13 +91,14 @@ LevelingOutcome follow(const LevelingTrial& trial, const std::vector<LevelingRea
 std::vector<LevelingReading> leveling_readings(const LevelingTrial& trial) {
   const std::string run = "run " + std::to_string(trial.run);
   const bool fixed = trial.biases == LevelingBiases::one_sigma;
-  const double hour = 3600, standard_gravity = 9.80665;
+  const double hour = 3600;
   const auto model = [&](double bias, double noise, std::string_view quantity) {
     return sensor::ErrorModel(table_1(bias, noise, trial.biases), 1 / dt,
                               {trial.seed, run, quantity, fixed});
   };
-  auto gyro = model(degree / hour, 0.3 * degree / hour, "gyro");
-  auto accelerometer = model(1e-3 * standard_gravity, 50e-6 * standard_gravity, "accelerometer");
+  auto gyro = model(units::degree / hour, 0.3 * units::degree / hour, "gyro");
+  auto accelerometer =
+      model(1e-3 * units::standard_gravity, 50e-6 * units::standard_gravity, "accelerometer");
   auto log = model(0.1, 0.1, "log");
 
   std::vector<LevelingReading> readings;
@@ -116,7 +117,7 @@ LevelingOutcome run_leveling(const LevelingTrial& trial,
                              const std::vector<LevelingReading>& readings,
                              leveling::FilterKind kind, leveling::LevelingOptions options) {
   const auto guess_error = [&](std::string_view angle) {
-    return 45 * degree * stream_of(trial.seed, trial.run, angle).normal();
+    return 45 * units::degree * stream_of(trial.seed, trial.run, angle).normal();
   };
   const auto truth = trial.motion.attitude(0);
   options.latitude_rad = leveling_latitude_rad;

@@ -3,13 +3,14 @@
 #include <cstdint>
 #include <vector>
 
+#include "drivers/measurement/units.hpp"
 #include "estimators/leveling/leveling_options.hpp"
 #include "hil/study/leveling/leveling_motion.hpp"
 
 /// One run of the leveling paper's experiment (its chapter 4).
 namespace drydock::study {
 
-inline constexpr double leveling_latitude_rad = 36 * leveling_motions::degree;
+inline constexpr double leveling_latitude_rad = 36 * units::degree;
 inline constexpr double leveling_rate_hz = 100;
 inline constexpr double leveling_duration_s = 30;
 inline constexpr double leveling_point_spacing_s = 0.1;  ///< between points of the curves

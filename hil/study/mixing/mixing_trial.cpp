@@ -1,9 +1,9 @@
 #include "hil/study/mixing/mixing_trial.hpp"
 
 #include <cmath>
-#include <numbers>
 #include <string>
 
+#include "drivers/measurement/units.hpp"
 #include "estimators/mixing/mixing_accuracy.hpp"
 #include "hil/motion/kinematic_trajectory.hpp"
 #include "hil/sensor/imu_errors.hpp"
@@ -92,7 +92,6 @@ mixing::MixingOptions mixing_options(const MixingVariant& variant,
 
 MixingOutcome mixing_run(const MixingVariant& variant, const MixingExperiment& experiment,
                          const std::vector<MixingReading>& readings) {
-  constexpr double degree = std::numbers::pi / 180;
   mixing::MixingFilter filter(mixing_options(variant, experiment));
   mixing::MixingAccuracy accuracy({.initial_attitude_rad = 0});
   filter.start(readings[0].force, readings[0].rate, readings[0].speed_mps);
@@ -109,8 +108,8 @@ MixingOutcome mixing_run(const MixingVariant& variant, const MixingExperiment& e
     if ((k + 1) % mixing_point_spacing != 0) continue;
     const auto& truth = experiment.points[outcome.roll_deg.size()];
     const double roll = filter.roll() - truth.roll_rad, pitch = filter.pitch() - truth.pitch_rad;
-    outcome.roll_deg.push_back(roll / degree);
-    outcome.pitch_deg.push_back(pitch / degree);
+    outcome.roll_deg.push_back(roll / units::degree);
+    outcome.pitch_deg.push_back(pitch / units::degree);
     outcome.nees += (std::pow(roll * std::cos(truth.pitch_rad), 2) + pitch * pitch) /
                     accuracy.variance() / 2 / static_cast<double>(mixing_points);
   }

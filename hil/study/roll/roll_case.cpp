@@ -5,6 +5,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "drivers/measurement/units.hpp"
 #include "estimators/frame/attitude.hpp"
 #include "hil/sky/antenna.hpp"
 #include "hil/sky/broadcast_orbits.hpp"
@@ -16,13 +17,12 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr double degree = pi / 180;
 constexpr std::size_t skies_wanted = 7, satellites_wanted = 10;
-constexpr double least_elevation = 5 * degree;
-constexpr double nose_over = 45 * degree;                      // the pitch is from + to - this
+constexpr double least_elevation = 5 * units::degree;
+constexpr double nose_over = 45 * units::degree;               // the pitch is from + to - this
                                                                // angle
 constexpr double rate_swing = 0.05, rate_swing_period_s = 20;  // the roll rate varies slightly
-constexpr frame::Position launch_site{37 * degree, 127 * degree, 0};
+constexpr frame::Position launch_site{37 * units::degree, 127 * units::degree, 0};
 constexpr double reference_distance_m = 100e3;
 
 RollSky sky_at(const sky::BroadcastOrbits& orbits, sky::GpsTime time) {
@@ -40,7 +40,9 @@ RollSky sky_at(const sky::BroadcastOrbits& orbits, sky::GpsTime time) {
   return found;
 }
 
-double rounded_to_degrees(double angle) { return std::round(angle / degree) * degree; }
+double rounded_to_degrees(double angle) {
+  return std::round(angle / units::degree) * units::degree;
+}
 
 }  // namespace
 
@@ -102,7 +104,7 @@ roll::FlightPath RollFlight::path(double t) const {
 double RollFlight::gyro(double t) {
   constexpr double interval = 1 / roll_gyro_hz;
   return (true_roll(t) - true_roll(t - interval)) / interval +
-         case_->gyro_white_degps * degree * gyro_noise_.normal();
+         case_->gyro_white_degps * units::degree * gyro_noise_.normal();
 }
 
 std::span<const roll::Signal> RollFlight::signals(double t) {

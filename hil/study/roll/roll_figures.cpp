@@ -6,13 +6,13 @@
 #include <cmath>
 #include <numbers>
 
+#include "drivers/measurement/units.hpp"
 #include "estimators/frame/attitude.hpp"
 #include "hil/sky/antenna.hpp"
 
 namespace drydock::study {
 namespace {
 
-constexpr double degree = std::numbers::pi / 180;
 constexpr double paper_power = 664;  // in eq. (23), at boresight
 constexpr double epoch_s = roll_gyro_per_epoch / roll_gyro_hz;
 
@@ -34,7 +34,7 @@ report::Figure pattern() {
   report::Curve curve{"P / P at boresight", {}, {}};
   for (int elevation = -90; elevation <= 90; ++elevation) {
     curve.x.push_back(elevation);
-    curve.y.push_back(decibels(sky::antenna_power(elevation * degree)));
+    curve.y.push_back(decibels(sky::antenna_power(elevation * units::degree)));
   }
   figure.curves = {curve};
   return figure;
@@ -48,7 +48,7 @@ report::Figure sampled(int number, double roll_hz, bool in_decibels) {
       in_decibels ? "P [dB]" : "P",
       {}};
   for (const double pitch_deg : {0.0, 45.0}) {
-    const roll::SightLine line({0, 0, -1}, {0, pitch_deg * degree}, {0, 0, 1});
+    const roll::SightLine line({0, 0, -1}, {0, pitch_deg * units::degree}, {0, 0, 1});
     const auto power = [&](double t) {
       const double sine = line.sin_elevation(2 * std::numbers::pi * roll_hz * t);
       const double p = paper_power * sky::antenna_power(std::asin(std::clamp(sine, -1.0, 1.0)));
@@ -81,14 +81,14 @@ class Gatherer final : public RollObserver {
                 double true_roll) override {
     const roll::SightLine line(signals[shown_].toward_ned, flight_.path(t), {0, 0, 1});
     const double sine = std::clamp(line.sin_elevation(true_roll), -1.0, 1.0);
-    add(elevation, t, std::asin(sine) / degree);
+    add(elevation, t, std::asin(sine) / units::degree);
     add(power, t, paper_power * signals[shown_].power.value_or(0));
     add(expected, t, paper_power * sky::antenna_power(std::asin(sine)));
-    add(roll, t, frame::wrap_pi(true_roll) / degree);
+    add(roll, t, frame::wrap_pi(true_roll) / units::degree);
     for (const auto& peak : paper.peaks()) {
-      add(measured, peak.time_s, peak.roll_rad / degree);
+      add(measured, peak.time_s, peak.roll_rad / units::degree);
       const double truth = flight_.true_roll(peak.time_s);
-      add(measured_error, peak.time_s, frame::wrap_pi(peak.roll_rad - truth) / degree);
+      add(measured_error, peak.time_s, frame::wrap_pi(peak.roll_rad - truth) / units::degree);
       if (peak.satellite == shown_) add(found, peak.time_s, paper_power);
     }
   }
@@ -174,7 +174,7 @@ void RollEnsemble::add(const RollOutcome& outcome) {
     for (std::size_t m = 0; m < roll_methods.size(); ++m)
       squares_[m][i] += std::pow(outcome.errors[m].at_epochs[i], 2);  // NaN until every run has an
                                                                       // estimate
-    squares_.back()[i] += outcome.bound[i] / (degree * degree);
+    squares_.back()[i] += outcome.bound[i] / (units::degree * units::degree);
   }
 }
 

@@ -2,8 +2,8 @@
 
 #include <cmath>
 #include <limits>
-#include <numbers>
 
+#include "drivers/measurement/units.hpp"
 #include "estimators/frame/attitude.hpp"
 #include "hil/study/roll/roll_bound.hpp"
 #include "hil/study/roll/roll_witness.hpp"
@@ -11,7 +11,6 @@
 namespace drydock::study {
 namespace {
 
-constexpr double to_deg = 180 / std::numbers::pi;
 constexpr double converged_deg = 5, converged_for_s = 2;
 constexpr int kept_each = 7;  // no common factor with an epoch, so that errors of every age are
                               // kept
@@ -27,7 +26,8 @@ class Errors {
     }
     if (t <= roll_settled_s) return;
     squares_ += error_deg * error_deg;
-    nees_ += error_deg * error_deg / (variance_rad2 * to_deg * to_deg);
+    nees_ += error_deg * error_deg /
+             (variance_rad2 * units::degrees_per_radian * units::degrees_per_radian);
     if (count_++ % kept_each == 0)
       result_.absolute.push_back(static_cast<float>(std::abs(error_deg)));
   }
@@ -53,13 +53,14 @@ template <class Filter>
 class Follower {
  public:
   Follower(const Filter& filter, const RollMethod& method)
-      : filter_(filter), bias_(method.gyro_bias_degps / to_deg) {}
+      : filter_(filter), bias_(method.gyro_bias_degps / units::degrees_per_radian) {}
 
   void predict(double rate) { filter_.predict(rate + bias_, 1 / roll_gyro_hz); }
   void judge(double t, double true_roll, bool epoch) {
     const bool known = filter_.running();
-    const double error = known ? frame::wrap_pi(filter_.roll() - true_roll) * to_deg
-                               : std::numeric_limits<double>::quiet_NaN();
+    const double error =
+        known ? frame::wrap_pi(filter_.roll() - true_roll) * units::degrees_per_radian
+              : std::numeric_limits<double>::quiet_NaN();
     if (known) {
       errors_.add(t, error, filter_.roll_variance());
     } else {
@@ -78,8 +79,9 @@ class Follower {
 
 void keep_raw(std::vector<float>& raw, const roll::PeakFilter& filter, const RollFlight& flight) {
   for (const auto& peak : filter.peaks())
-    raw.push_back(static_cast<float>(
-        std::abs(frame::wrap_pi(peak.roll_rad - flight.true_roll(peak.time_s))) * to_deg));
+    raw.push_back(
+        static_cast<float>(std::abs(frame::wrap_pi(peak.roll_rad - flight.true_roll(peak.time_s))) *
+                           units::degrees_per_radian));
 }
 
 }  // namespace
@@ -88,14 +90,15 @@ roll::PeakFilterOptions peak_options(bool with_bias) {
   roll::PeakFilterOptions options;
   options.with_bias = with_bias;
   // The scalar filter's w must also cover the gyro bias. Here the bias is a state.
-  if (with_bias) options.roll_noise = 0.5 / to_deg;
+  if (with_bias) options.roll_noise = 0.5 / units::degrees_per_radian;
   return options;
 }
 
 roll::AllSatellitesOptions all_satellites_options(const RollCase& the_case) {
   roll::AllSatellitesOptions options;
   options.antenna.noise = the_case.power_noise;
-  options.gyro_noise = the_case.gyro_white_degps / to_deg / std::sqrt(roll_gyro_hz);
+  options.gyro_noise =
+      the_case.gyro_white_degps / units::degrees_per_radian / std::sqrt(roll_gyro_hz);
   if (the_case.wire) {
     options.antenna.resolution_db = 1;
     options.antenna.tracking_limit = roll_tracking_limit;
@@ -111,7 +114,8 @@ RollOutcome roll_run(const RollCase& the_case, const RollSky& sky, std::uint64_t
                    Follower{roll::PeakFilter(peak_options(true)), roll_methods[2]}};
   const auto options = all_satellites_options(the_case);
   Follower ours{roll::AllSatellites(options), roll_methods[3]};
-  RollWitness witness(the_case, flight, options, roll_methods[3].gyro_bias_degps / to_deg);
+  RollWitness witness(the_case, flight, options,
+                      roll_methods[3].gyro_bias_degps / units::degrees_per_radian);
   double witness_squares = 0, witnessed = 0;
   // The paper's filters get the azimuth of a reference point; ours gets the course.
   const double azimuth =
@@ -140,7 +144,7 @@ RollOutcome roll_run(const RollCase& the_case, const RollSky& sky, std::uint64_t
     for (auto& follower : peaks) follower.judge(t, truth, epoch);
     ours.judge(t, truth, epoch);
     if (t > roll_settled_s) {
-      witness_squares += std::pow(witness.roll_error() * to_deg, 2);
+      witness_squares += std::pow(witness.roll_error() * units::degrees_per_radian, 2);
       ++witnessed;
     }
   }

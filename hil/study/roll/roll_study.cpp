@@ -5,16 +5,14 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <numbers>
 #include <stdexcept>
 
+#include "drivers/measurement/units.hpp"
 #include "hil/study/roll/roll_figures.hpp"
 #include "hil/study/roll/roll_run.hpp"
 
 namespace drydock::study {
 namespace {
-
-constexpr double to_deg = 180 / std::numbers::pi;
 
 /// No archive at hand has the paper's day, 2013-12-05. This day has the same constellation without
 /// two satellites.
@@ -87,7 +85,7 @@ struct CaseSum {
       ++instants;
     }
   }
-  double bound_deg() const { return std::sqrt(variances / instants) * to_deg; }
+  double bound_deg() const { return std::sqrt(variances / instants) * units::degrees_per_radian; }
   double witness_rms() const { return std::sqrt(witness_squares / runs); }
 };
 static_assert(5 * roll_settled_s == roll_run_s, "CaseSum::add begins at a fifth");

@@ -2,8 +2,8 @@
 
 #include <cmath>
 #include <functional>
-#include <numbers>
 
+#include "drivers/measurement/units.hpp"
 #include "estimators/frame/attitude.hpp"
 #include "hil/study/velocity/velocity_study.hpp"
 
@@ -11,7 +11,6 @@ namespace drydock::study {
 namespace {
 
 constexpr double hours_an_instant = 60.0 / 3600;
-constexpr double in_degrees = 180 / std::numbers::pi;
 
 report::Curve over_hours(std::string label, std::size_t instants,
                          const std::function<double(std::size_t)>& value) {
@@ -46,9 +45,11 @@ void add_truth_figures(const std::vector<MissionInstant>& track,
       {"Fig. 7: attitude",
        "time [h]",
        "deg",
-       {over_hours("roll", n, [&](auto i) { return attitude(i).roll * in_degrees; }),
-        over_hours("pitch", n, [&](auto i) { return attitude(i).pitch * in_degrees; }),
-        over_hours("yaw", n, [&](auto i) { return attitude(i).yaw * in_degrees; })}});
+       {over_hours("roll", n, [&](auto i) { return attitude(i).roll * units::degrees_per_radian; }),
+        over_hours("pitch", n,
+                   [&](auto i) { return attitude(i).pitch * units::degrees_per_radian; }),
+        over_hours("yaw", n,
+                   [&](auto i) { return attitude(i).yaw * units::degrees_per_radian; })}});
   figures.push_back({"Fig. 8: velocity in body axes",
                      "time [h]",
                      "m/s",

@@ -97,12 +97,12 @@ struct TypesOf<std::variant<M...>> {
 };
 
 template <class P>
-class DbcFile : public testing::Test {};
+class DbcFile : public ::testing::Test {};
 template <class List>
 struct Tested;
 template <class... P>
 struct Tested<ProtocolList<P...>> {
-  using Types = testing::Types<P...>;
+  using Types = ::testing::Types<P...>;
 };
 TYPED_TEST_SUITE(DbcFile, Tested<FrameProtocols>::Types);
 

@@ -12,7 +12,7 @@ namespace {
 
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
-using leveling_motions::degree;
+constexpr double degree = std::numbers::pi / 180;
 
 constexpr double latitude = 36 * degree, dt = 0.01;
 
