@@ -5,6 +5,7 @@
 #include "drivers/link/uri.hpp"
 #include "drivers/measurement/earlier.hpp"
 #include "hil/fault/schedule/condition.hpp"
+#include "rig_config/fault_vocabulary.hpp"
 
 namespace drydock::fault {
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "drivers/measurement/earlier.hpp"
+#include "rig_config/fault_vocabulary.hpp"
 
 namespace drydock::fault {
 

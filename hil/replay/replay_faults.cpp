@@ -9,6 +9,7 @@
 #include "drivers/measurement/earlier.hpp"
 #include "hil/fault/wire/faulty_bus.hpp"
 #include "hil/fault/wire/faulty_stream.hpp"
+#include "rig_config/fault_vocabulary.hpp"
 
 namespace drydock::replay {
 

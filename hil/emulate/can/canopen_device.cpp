@@ -2,6 +2,8 @@
 
 #include "drivers/measurement/earlier.hpp"
 
+#include "rig_config/fault_vocabulary.hpp"
+
 namespace drydock::emulate {
 namespace {
 
@@ -124,7 +126,7 @@ void CanopenDevice::serve(const canopen::SdoWrite& request, Stamp now, Wire& out
   const auto refuse = [&](std::uint32_t code) {
     out.send(canopen::encode(canopen::SdoAbort{node_, request.entry, code}));
   };
-  if (condition().refuses) return refuse(not_in_this_state);
+  if (condition().under(FaultKind::nak)) return refuse(not_in_this_state);
   if (request.entry != heartbeat_entry) {
     return refuse(find(request.entry) ? read_only : no_such_object);
   }

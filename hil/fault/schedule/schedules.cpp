@@ -1,6 +1,7 @@
 #include "hil/fault/schedule/schedules.hpp"
 
 #include "drivers/measurement/earlier.hpp"
+#include "rig_config/fault_vocabulary.hpp"
 
 namespace drydock::fault {
 

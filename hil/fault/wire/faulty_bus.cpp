@@ -2,6 +2,8 @@
 
 #include "drivers/measurement/earlier.hpp"
 
+#include "rig_config/fault_vocabulary.hpp"
+
 namespace drydock::fault {
 
 FaultyBus::FaultyBus(const DeviceConfig& device, unsigned bit_rate, std::uint64_t seed,

@@ -4,6 +4,7 @@
 
 #include "drivers/link/uri.hpp"
 #include "drivers/measurement/earlier.hpp"
+#include "rig_config/fault_vocabulary.hpp"
 
 namespace drydock::fault {
 
