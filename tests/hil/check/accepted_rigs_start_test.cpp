@@ -75,10 +75,10 @@ void accepted_starts_and_refused_says_where(const std::vector<std::string>& rigs
 }
 
 RC_GTEST_PROP(AcceptedRigsStart, AShippedRigWithOneOrTwoChanges, ()) {
-  accepted_starts_and_refused_says_where(
-      {"demo.toml", "every-protocol.toml", "every-protocol.toml", "bench-serial.toml", "forty.toml",
-       "mixing-paper.toml", "shelf.toml", "soak.toml", "sounding-rocket.toml",
-       "velocity-paper.toml"});
+  accepted_starts_and_refused_says_where({"demo.toml", "every-protocol.toml", "every-protocol.toml",
+                                          "bench-serial.toml", "forty.toml", "mixing-paper.toml",
+                                          "shelf.toml", "soak.toml", "sounding-rocket.toml",
+                                          "velocity-paper.toml"});
 }
 
 }  // namespace accepted_rigs_start_test
