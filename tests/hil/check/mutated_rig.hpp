@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "rig_config/fault.hpp"
@@ -56,6 +57,15 @@ class Draft {
   void erase(std::size_t line) { lines_.erase(lines_.begin() + static_cast<std::ptrdiff_t>(line)); }
   void append(const std::string& block) { lines_.push_back(block); }
 
+  /// The value of a key in the table in which the line stands; empty if it has none.
+  std::string beside(std::size_t line, const std::string& key) const {
+    std::size_t i = line;
+    while (i > 0 && !lines_[i - 1].starts_with('[')) --i;
+    for (; i < lines_.size() && !lines_[i].starts_with('['); ++i)
+      if (lines_[i].starts_with(key + " = ")) return value_of(i);
+    return {};
+  }
+
   /// Gives the table in which the line stands this key.
   void set_beside(std::size_t line, const std::string& key, const std::string& value) {
     std::size_t begin = line, end = line;
@@ -83,68 +93,116 @@ inline std::string some_number() {
 
 inline std::string quoted(const std::string& text) { return "\"" + text + "\""; }
 
-inline std::string some_link() {
-  const std::string number = some_number();
-  return quoted(*rc::gen::element<std::string>(
-      "pty:line", "pty:other?baud=9600", "memory:line", "memory-can:bus",
-      "memory-can:bus?bitrate=" + number, "can:auto?name=bus", "socketcan:vcan7", "socketcan:can7",
-      "serial:/dev/ttyUSB7?baud=9600", "serial:/dev/ttyUSB7?baud=9600&emulated=1",
-      "tcp:127.0.0.1:4711?emulated=1", "tcp:127.0.0.1:4711", "udp:127.0.0.1:4711?listen=1",
-      "slcan:memory:below?emulated=1", "slcan:/dev/ttyACM7", "file:missing.log",
-      "file:demo.toml?speed=1", "file:demo.toml?format=candump-log", "file:../missions",
-      "pty:line?baud=" + number));
-}
-
-inline std::string some_protocol() {
-  return quoted(*rc::gen::element<std::string>(
-      "nmea0183", "ubx", "ubx+nmea0183", "pd0", "pd4", "pd5", "pd6", "water-linked", "nortek",
-      "aceinna", "cia404-imu", "epson-g550", "epson-g552", "xsens", "nmea2000", "cia404-pressure"));
-}
-
-/// A key that a device may have, with a value.
-inline std::pair<std::string, std::string> some_device_key() {
-  const std::string n = some_number(), m = some_number();
-  using Pair = std::pair<std::string, std::string>;
-  return *rc::gen::element<Pair>(
-      Pair{"protocol", some_protocol()}, Pair{"link", some_link()}, Pair{"address", n},
-      Pair{"rate_hz", n}, Pair{"sync", "true"}, Pair{"heartbeat_timeout_s", n},
-      Pair{"stale_after_s", n}, Pair{"latency_ms", n}, Pair{"output", "\"mean\""},
-      Pair{"maker", "\"water-linked\""}, Pair{"beam_angle_deg", n},
-      Pair{"aceinna", "{ packet_rate_hz = " + n + " }"},
-      Pair{"aceinna", "{ rate_filter_hz = " + n + ", acceleration_filter_hz = " + m + " }"},
-      Pair{"aceinna", "{ orientation = \"+X+Y-Z\" }"},
-      Pair{"xsens", "{ identifiers = { rate_of_turn = " + n + " } }"},
-      Pair{"xsens", "{ extended = true, identifiers = { status_word = " + n + " } }"},
-      Pair{"pressure", "{ format = \"real32\", unit = \"psi\", decimals = " + n + " }"},
-      Pair{"water_linked", "{ sound_speed_mps = " + n + " }"},
-      Pair{"emulate", "{ boot_s = " + n + ", latency_ms = " + m + " }"},
-      Pair{"emulate", "{ dropout_probability = " + n + ", dropout_mean_samples = " + m + " }"},
-      Pair{"emulate", "{ errors = \"../sensors/leveling-paper.toml\" }"},
-      Pair{"emulate", "{ head = { longest_range_m = " + n + ", shortest_range_m = " + m + " } }"},
-      Pair{"emulate", "{ sky = { ephemeris = \"demo.toml\" } }"},
-      Pair{"kind", quoted(*rc::gen::element<std::string>("dvl", "emlog", "gnss", "imu", "depth",
-                                                         "actuator"))});
-}
-
 template <class T>
 T one_of(const std::vector<T>& all) {
   return all[*rc::gen::inRange<std::size_t>(0, all.size())];
 }
 
+/// Mostly a number that a key may well have.
+inline std::string likely_number() {
+  return *rc::gen::inRange(0, 4) == 0 ? some_number() : std::to_string(*rc::gen::inRange(1, 101));
+}
+
+using Texts = std::vector<std::string>;
+
+inline std::string some_link(bool frames) {
+  const std::string n = some_number();
+  if (*rc::gen::inRange(0, 8) == 0) frames = !frames;
+  return quoted(one_of(
+      frames ? Texts{"memory-can:bus", "memory-can:bus?bitrate=" + n, "can:auto?name=bus",
+                     "socketcan:vcan7", "socketcan:can7", "slcan:memory:below?emulated=1",
+                     "slcan:/dev/ttyACM7", "file:missing.log", "file:demo.toml",
+                     "file:demo.toml?format=candump-log"}
+             : Texts{"pty:line", "pty:line?baud=" + n, "memory:line", "serial:/dev/tty7?baud=9600",
+                     "serial:/dev/tty7?baud=9600&emulated=1", "tcp:127.0.0.1:4711?emulated=1",
+                     "tcp:127.0.0.1:4711", "udp:127.0.0.1:4711?listen=1", "file:missing.log",
+                     "file:demo.toml?speed=1&baud=9600", "file:demo.toml?format=candump-log"}));
+}
+
+inline const std::vector<std::pair<std::string, Texts>>& kinds() {
+  static const std::vector<std::pair<std::string, Texts>> all{
+      {"dvl", {"pd0", "pd4", "pd5", "pd6", "water-linked", "nortek"}},
+      {"emlog", {"nmea0183"}},
+      {"gnss", {"ubx", "nmea0183", "ubx+nmea0183"}},
+      {"imu", {"aceinna", "cia404-imu", "epson-g550", "epson-g552", "xsens"}},
+      {"depth", {"nmea2000", "cia404-pressure"}},
+      {"actuator", {"nmea2000"}}};
+  return all;
+}
+
+using Key = std::pair<std::string, std::string>;
+
+/// A key that a device with this protocol may have, with a value.
+inline Key some_device_key(const std::string& kind, const std::string& protocol) {
+  const std::string n = likely_number(), m = likely_number();
+  std::vector<Key> keys{
+      {"rate_hz", n},
+      {"stale_after_s", n},
+      {"latency_ms", n},
+      {"address", n},
+      {"emulate", "{ boot_s = " + n + ", latency_ms = " + m + " }"},
+      {"emulate", "{ dropout_probability = 0." + n + ", dropout_mean_samples = " + m + " }"},
+      {"emulate", "{ errors = \"../sensors/leveling-paper.toml\" }"}};
+  const auto often = [&](const std::string& key, const std::string& value) {
+    keys.insert(keys.end(), 3, Key{key, value});
+  };
+  if (protocol == "\"aceinna\"") {
+    often("aceinna", "{ packet_rate_hz = " + n + " }");
+    often("aceinna", "{ rate_filter_hz = " + n + ", acceleration_filter_hz = 50 }");
+    often("aceinna", "{ orientation = " + quoted(one_of(Texts{"+X+Y+Z", "+X+Y-Z"})) + " }");
+  }
+  if (protocol == "\"xsens\"") {
+    often("xsens", "{ identifiers = { rate_of_turn = " + n + ", acceleration = " + m + " } }");
+    often("xsens", "{ extended = true, identifiers = { status_word = " + n + " } }");
+  }
+  if (protocol == "\"cia404-pressure\"")
+    often("pressure", "{ format = \"real32\", unit = \"psi\", decimals = " + n + " }");
+  if (protocol == "\"water-linked\"") often("water_linked", "{ sound_speed_mps = 15" + n + " }");
+  if (protocol == "\"pd4\"") often("beam_angle_deg", n);
+  if (protocol == "\"cia404-imu\"") often("sync", "true"), often("heartbeat_timeout_s", n);
+  if (kind == "\"imu\"") keys.emplace_back("output", "\"mean\"");
+  if (kind == "\"dvl\"")
+    often("emulate", "{ head = { longest_range_m = " + n + ", shortest_range_m = " + m + " } }");
+  if (kind == "\"gnss\"")
+    often("emulate",
+          "{ sky = { ephemeris = " + quoted(one_of(Texts{"demo.toml", "none"})) + " } }");
+  return one_of(keys);
+}
+
+inline bool speaks_frames(const std::string& protocol) {
+  return (protocol.find("404") != std::string::npos || protocol.find("epson") == 1 ||
+          protocol == "\"aceinna\"" || protocol == "\"xsens\"" || protocol == "\"nmea2000\"");
+}
+
+/// Another protocol, another link or another key of a device.
+inline void change_device(Draft& draft) {
+  const auto line = one_of(draft.lines_of("protocol"));
+  const std::string kind = draft.beside(line, "kind"), protocol = draft.value_of(line);
+  switch (*rc::gen::inRange(0, 4)) {
+    case 0:
+      for (const auto& [name, protocols] : kinds())
+        if (quoted(name) == kind) draft.set(line, quoted(one_of(protocols)));
+      return;
+    case 1: return draft.set_beside(line, "link", some_link(speaks_frames(protocol)));
+    default: {
+      const auto [key, value] = some_device_key(kind, protocol);
+      draft.set_beside(line, key, value);
+    }
+  }
+}
+
 inline void change_value(Draft& draft) {
   const auto line = one_of(draft.lines_of());
   const std::string key = draft.key_of(line), value = draft.value_of(line);
-  if (key == "protocol") return draft.set(line, some_protocol());
-  if (key == "link") return draft.set(line, some_link());
   if (key == "mission")
-    return draft.set(line, quoted(*rc::gen::element<std::string>(
-                               "../missions/shelf.toml", "../missions/velocity-paper.toml",
-                               "../missions/none.toml", "../missions/sounding-rocket.toml")));
+    return draft.set(
+        line, quoted(one_of(Texts{"../missions/shelf.toml", "../missions/velocity-paper.toml",
+                                  "../missions/none.toml", "../missions/sounding-rocket.toml"})));
   if (value.starts_with('"')) {
     const auto other = one_of(draft.lines_of(key));  // another device's, another estimator's
     return draft.set(line, draft.value_of(other));
   }
-  draft.set(line, some_number());
+  if (!value.starts_with('{') && !value.starts_with('[')) draft.set(line, likely_number());
 }
 
 inline void add_fault(Draft& draft) {
@@ -155,7 +213,7 @@ inline void add_fault(Draft& draft) {
                       "\nfault = " + quoted(std::string(word.name)) + "\nfor_s = 0.1\n";
   if (!word.amount.empty())
     block += (word.amount == "quantity" ? std::string("rate_degps") : std::string(word.amount)) +
-             " = " + some_number() + "\n";
+             " = " + likely_number() + "\n";
   draft.append(block);
 }
 
@@ -179,12 +237,9 @@ inline void change_estimator(Draft& draft) {
 }
 
 inline void change(Draft& draft) {
-  switch (*rc::gen::weightedElement<int>({{6, 0}, {6, 1}, {1, 2}, {2, 3}, {1, 4}})) {
+  switch (*rc::gen::weightedElement<int>({{2, 0}, {8, 1}, {1, 2}, {1, 3}, {1, 4}})) {
     case 0: return change_value(draft);
-    case 1: {
-      const auto [key, value] = some_device_key();
-      return draft.set_beside(one_of(draft.lines_of("protocol")), key, value);
-    }
+    case 1: return change_device(draft);
     case 2: return draft.erase(one_of(draft.lines_of()));
     case 3: return add_fault(draft);
     default: return change_estimator(draft);
@@ -211,7 +266,7 @@ inline std::string write_mutated(const RigFolder& folder, const std::vector<std:
     folder.write("missions/mutated.toml", changed.text());
     rig.set(rig.lines_of("mission").front(), "\"../missions/mutated.toml\"");
   }
-  const int changes = *rc::gen::inRange(1, 4);
+  const int changes = *rc::gen::inRange(1, 3);
   for (int i = 0; i < changes; ++i) change(rig);
   return folder.write("rigs/mutated.toml", rig.text());
 }
