@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <boost/asio/signal_set.hpp>
 #include <boost/asio/steady_timer.hpp>
 #include <optional>
 #include <stdexcept>
@@ -13,8 +12,10 @@
 #include "drivers/host/rig_bus.hpp"
 #include "drivers/host/rig_publisher.hpp"
 #include "drivers/host/state_lines.hpp"
+#include "drivers/io/until_stopped.hpp"
 #include "drivers/link/link.hpp"
 #include "drivers/shell/rig_devices.hpp"
+#include "drivers/terminal/exit_codes.hpp"
 
 namespace drydock::host {
 namespace {
@@ -53,35 +54,29 @@ class Drive {
   }
 
   int run() {
-    signals_.async_wait([this](const boost::system::error_code& ec, int) {
-      if (!ec) stop();
-    });
-    keep_ticking(link::now());
+    io::UntilStopped until(io_, options_.duration_s, [this] { stop(); });
+    keep_ticking();
     host_.start();
     io_.run();
     if (recorder_) fmt::print("{}\n", recorder_->finish());
-    return all_streaming_ && !(recorder_ && recorder_->failed()) ? 0 : 1;
+    return terminal::exit_of(all_streaming_ && !(recorder_ && recorder_->failed()));
   }
 
  private:
-  void keep_ticking(measurement::Stamp start) {
+  void keep_ticking() {
     timer_.expires_after(tick_period);
-    timer_.async_wait([this, start](const boost::system::error_code& ec) {
+    timer_.async_wait([this](const boost::system::error_code& ec) {
       if (ec || stopped_) return;  // an expired timer can no longer be cancelled
       const auto now = link::now();
       followers_.tick(now);
-      if (options_.duration_s > 0 && measurement::seconds(now - start) >= options_.duration_s)
-        return stop();
-      keep_ticking(start);
+      keep_ticking();
     });
   }
 
   void stop() {
-    if (std::exchange(stopped_, true)) return;
+    stopped_ = true;
     all_streaming_ = host_.all_streaming();
     print_health(host_.shell());
-    signals_.cancel();
-    signals_.clear();  // a second Ctrl-C ends the program at once
     timer_.cancel();
     host_.stop();
     if (viewer_) viewer_->stop();
@@ -97,7 +92,6 @@ class Drive {
   std::optional<RigViewer> viewer_;
   std::shared_ptr<Follower> behind_page_;
   DriverHost host_;
-  boost::asio::signal_set signals_{io_, SIGINT, SIGTERM};
   boost::asio::steady_timer timer_{io_};
   bool stopped_ = false, all_streaming_ = false;
 };

@@ -6,6 +6,7 @@
 #include "drivers/link/can/can_interface.hpp"
 #include "drivers/monitor/monitor_loop.hpp"
 #include "drivers/probe/probe_bus.hpp"
+#include "drivers/terminal/exit_codes.hpp"
 #include "drivers/wire/can/can_bits.hpp"
 
 namespace drydock::monitor {
@@ -127,7 +128,7 @@ int monitor_link(const MonitorOptions& options) {
   if (report.devices.empty()) {
     probe::print_text(report, stderr);
     fmt::print(stderr, "monitor: no sensor found; --protocol shows the messages of a protocol\n");
-    return 1;
+    return terminal::exit_failed;
   }
   return monitor_devices(devices_of(report), options.link, options);
 }

@@ -9,6 +9,7 @@
 #include "drivers/host/rig_publisher.hpp"
 #include "drivers/io/until_stopped.hpp"
 #include "drivers/measurement/units.hpp"
+#include "drivers/terminal/exit_codes.hpp"
 #include "estimators/host/estimator_host.hpp"
 #include "estimators/setup/rig_pipeline.hpp"
 
@@ -98,7 +99,7 @@ int estimate(const rig_config::Rig& rig, const EstimateOptions& options) {
   for (const auto& note : setup::pipeline_notes(rig, host.pipeline()))
     fmt::print(stderr, "{}\n", note);
   fmt::print(stderr, "{} estimates\n", printer.count);
-  return printer.count > 0 ? 0 : 1;
+  return terminal::exit_of(printer.count > 0);
 }
 
 }  // namespace drydock::host

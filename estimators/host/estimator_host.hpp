@@ -14,8 +14,8 @@ namespace drydock::host {
 /// follower.
 class EstimatorHost final {
  public:
-  /// Throws std::invalid_argument with one line when the options name an estimator that does not
-  /// exist. Subscriber and follower must outlive the host.
+  /// Throws std::invalid_argument with one line when an estimator lacks a device that it needs.
+  /// Subscriber and follower must outlive the host.
   EstimatorHost(boost::asio::io_context& io, const pipeline::PipelineOptions& options,
                 bus::Subscriber& from, Follower& to);
   ~EstimatorHost();

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/steady_timer.hpp>
 #include <optional>
@@ -71,10 +72,11 @@ class RealTimeRun {
                   [this](const std::string& line) { table_.note(line); });
     estimators_.start();
     drivers_.start();
-    io::UntilStopped until(io_, duration_s_, [this] { stop(); });
+    io::UntilStopped until(io_, time_left(), [this] { stop(); });
     keep_ticking();
     io_.run();
     table_.finish();
+    summary_.interrupted = until.interrupted();
     summary_.mode = "real time";
     summary_.notes = summary::can_notes(rig_);
     note_losses();
@@ -88,6 +90,13 @@ class RealTimeRun {
     run_.followers().add(viewer_.emplace(io_.get_executor(), rig_, options));
     if (options.allow_faults) viewer_->add(control::fault_services(rig_, faults_));
     fmt::print("live: {}\n", viewer_->url());
+  }
+
+  /// 0: no limit.
+  double time_left() const {
+    constexpr double least_s = 1e-3;
+    const double elapsed_s = measurement::seconds(link::steady_now() - start_);
+    return duration_s_ > 0 ? std::max(duration_s_ - elapsed_s, least_s) : 0;
   }
 
   void keep_ticking() {
@@ -105,7 +114,6 @@ class RealTimeRun {
     run_.followers().tick(link::now());
     const double elapsed_s = measurement::seconds(link::steady_now() - start_);
     summary_.duration_s = summary_.wall_s = elapsed_s;
-    summary_.interrupted = duration_s_ <= 0 || elapsed_s < duration_s_;
     summary_.devices = run_.devices(link::now());
     timer_.cancel();
     drivers_.stop();

@@ -222,8 +222,8 @@ int load_run(const rig_config::Rig& whole, const LoadOptions& options, std::FILE
     fmt::print(out, "FAIL {} of {} devices in {:.0f} s{}: see the lines above\n", failed,
                result.devices.size(), run.duration_s, ended);
   if (!passed) fmt::print(out, "{}", host_note(whole, result.floor));
-  if (run.interrupted) return 130;
-  return passed ? 0 : terminal::exit_failed;
+  if (run.interrupted) return terminal::exit_interrupted;
+  return terminal::exit_of(passed);
 }
 
 }  // namespace drydock::endurance

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "drivers/terminal/exit_codes.hpp"
 #include "hil/bench/run.hpp"
 #include "hil/endurance/soak_watch.hpp"
 #include "hil/report/html.hpp"
@@ -101,8 +102,8 @@ int soak(const rig_config::Rig& rig, const SoakOptions& options, std::FILE* out)
   if (!options.json.empty()) report::write_file(options.json, json_of(summary, watch, troubles));
   if (!options.report.empty())
     report::write_file(options.report + "/index.html", page_of(summary, watch, troubles));
-  if (summary.interrupted) return 130;
-  return troubles.empty() ? 0 : 1;
+  if (summary.interrupted) return terminal::exit_interrupted;
+  return terminal::exit_of(troubles.empty());
 }
 
 }  // namespace drydock::endurance

@@ -7,6 +7,7 @@
 
 #include "drivers/text/measurement_fields.hpp"
 #include "hil/fault/injector.hpp"
+#include "rig_config/fault_vocabulary.hpp"
 
 namespace drydock::endurance {
 
@@ -27,8 +28,7 @@ bool is_number(const T&) {  // words, counts and lists hold no NaN
 
 /// A fault of the whole bus affects every device on it.
 bool is_of_the_bus(rig_config::FaultKind kind) {
-  using enum rig_config::FaultKind;
-  return kind == bus_off || kind == babbling || kind == bus_load || kind == error_frames;
+  return rig_config::word_of(kind).facts.needs == rig_config::FaultNeed::can_bus;
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include <stdexcept>
 
 #include "drivers/host/state_lines.hpp"
+#include "drivers/terminal/exit_codes.hpp"
 #include "estimators/setup/rig_pipeline.hpp"
 #include "hil/replay/recorded_rig.hpp"
 #include "hil/replay/recording_progress.hpp"
@@ -92,7 +93,7 @@ class RigReplay {
     if (!lines_.flush()) throw std::runtime_error("cannot write the output");
     print_summary(options_.quiet ? out_ : err_);
     const bool sound = compared();
-    return sound && bench_->measurements() > 0 ? 0 : 1;
+    return terminal::exit_of(sound && bench_->measurements() > 0);
   }
 
  private:
@@ -237,7 +238,7 @@ int replay_rig(const RigReplayOptions& options, std::FILE* in, std::FILE* out, s
     return RigReplay(options, std::move(*recording), in, out, err).run();
   } catch (const std::exception& error) {
     fmt::print(err, "replay: {}\n", error.what());
-    return 2;
+    return terminal::exit_usage;
   }
 }
 

@@ -58,7 +58,7 @@ Scribe::Scribe(const rig_config::Rig& rig, const motion::Trajectory* truth, Stam
   for (const auto& config : rig.estimators) {
     Estimator estimator;
     estimator.summary.name = config.name;
-    estimator.summary.kind = config.kind;
+    estimator.summary.kind = rig_config::facts_of(config.kind).name;
     estimator.has_truth = truth != nullptr;
     estimators_.push_back(std::move(estimator));
   }

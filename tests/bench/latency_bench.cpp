@@ -169,9 +169,9 @@ rig_config::Rig imu_rig(const std::string& tty) {
   imu.rate_hz = 100;
   rig.devices.push_back(imu);
   rig_config::EstimatorConfig leveling;
-  leveling.name = leveling.kind = "leveling";
+  leveling.name = "leveling";
   leveling.imu = "imu";
-  leveling.stationary = true;
+  leveling.kind = rig_config::LevelingConfig{.stationary = true, .log = {}, .start = {}};
   rig.estimators.push_back(leveling);
   return rig;
 }

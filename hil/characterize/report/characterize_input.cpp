@@ -10,7 +10,7 @@
 #include "drivers/recordings/record/recording.hpp"
 #include "hil/bench/run.hpp"
 #include "hil/characterize/report/characterize.hpp"
-#include "hil/check/check.hpp"
+#include "hil/check/check_rig.hpp"
 #include "hil/sensor/mounting.hpp"
 #include "rig_config/load.hpp"
 
@@ -31,6 +31,15 @@ bool virtual_time(const rig_config::DeviceConfig& device) {
   return uri && (uri->emulated() || uri->recorded());
 }
 
+/// Throws std::invalid_argument with the lines of `drydock check`.
+rig_config::Rig sound_rig(const std::string& path) {
+  auto rig = check::load_sound_rig(path);
+  if (rig) return std::move(*rig);
+  std::string lines;
+  for (const auto& problem : rig.error()) lines += (lines.empty() ? "" : "\n") + to_string(problem);
+  throw std::invalid_argument(lines);
+}
+
 /// Adds the measurements of a run to those of their devices.
 class Gatherer final : public bench::Follower {
  public:
@@ -44,7 +53,7 @@ class Gatherer final : public bench::Follower {
 };
 
 Gathered gather_rig(const CharacterizeOptions& options) {
-  auto rig = rig_config::load_rig(options.source, check::load_options()).value();
+  auto rig = sound_rig(options.source);
   rig.estimators.clear();
   rig.expects.clear();
   Gathered gathered;

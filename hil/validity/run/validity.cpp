@@ -157,7 +157,7 @@ int measure_validity(const Rig& whole, const ValidityOptions& options) {
   }
   const bool any =
       std::ranges::any_of(runs, [](const ValidityRun& run) { return !run.figures.empty(); });
-  return any ? 0 : terminal::exit_failed;
+  return terminal::exit_of(any);
 }
 
 }  // namespace drydock::validity

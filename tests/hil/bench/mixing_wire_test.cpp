@@ -100,7 +100,8 @@ TEST(MixingOnTheWire, EveryTypeAgreesWithItsMeasurementsToTheWiresResolution) {
     ASSERT_GT(wire.t_s.size(), 500U);
     const auto sample = [&](double t) { return static_cast<std::size_t>(std::lround(t * imu_hz)); };
     const std::size_t first = sample(wire.t_s.front());
-    const auto direct = straight_into(options.estimators[i].mixing, readings, first);
+    const auto direct = straight_into(
+        std::get<pipeline::MixingOptions>(options.estimators[i].kind).filter, readings, first);
     double roll_deg = 0, pitch_deg = 0;
     for (std::size_t k = 0; k < wire.t_s.size(); ++k) {
       const Attitude& there = direct.at(sample(wire.t_s[k]) - first);
