@@ -48,7 +48,9 @@ TEST(HealthReport, MakesItsTextOnceAndOnlyForThoseWhoAsk) {
   int made = 0;
   const HealthReport health([&made] {
     ++made;
-    return HealthReport::Statuses{{.name = "dvl"}};
+    HealthReport::Statuses statuses(1);
+    statuses.front().name = "dvl";
+    return statuses;
   });
   EXPECT_EQ(made, 0);
   EXPECT_EQ(health.statuses().front().name, "dvl");
