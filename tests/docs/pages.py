@@ -85,6 +85,8 @@ def expanded(path):
 def missing_paths(root, pages):
     for name, page in pages.items():
         for line, code in page.code:
+            if "(new)" in code:  # a file of an example, as git diff --compact-summary marks it
+                continue
             for path in PATH.findall(code):
                 path = path.rstrip(".")
                 if path in PLACEHOLDERS or path in OF_OTHERS:
