@@ -30,10 +30,6 @@ Loaded<MissionConfig> read_mission(const std::string& path) {
   return root ? build_with_vehicle(*root, path) : Loaded<MissionConfig>(root.error());
 }
 
-std::string no_table(const std::string& path, DeviceKind kind) {
-  return fmt::format("{} has no table [{}]", path, to_string(kind));
-}
-
 /// Reads the sensor file of the emulated sensor, then the keys of the device, which override it.
 Problems read_emulated_errors(const Node& table, std::size_t index, DeviceConfig& device,
                               const std::string& file) {
@@ -57,48 +53,14 @@ Problems read_emulated_errors(const Node& table, std::size_t index, DeviceConfig
   return {};
 }
 
-/// Reads the sensor file of an inertial navigation for those sensors that the estimator uses.
-Problems read_grades(const Node& table, std::size_t index, InertialConfig& inertial,
-                     const std::string& file) {
-  const Node* reference = table.find("sensors");
-  if (!reference) return {};
-  const std::string path = beside(file, reference->text);
-  const auto sensors = read_checked_file(path, FileKind::sensor);
-  if (!sensors) return sensors.error();
-  struct Wanted {
-    const char* key;
-    DeviceKind kind;
-    EmulateConfig InertialConfig::*grade;
-  };
-  Problems problems;
-  for (const auto& [key, kind, grade] :
-       {Wanted{"imu", DeviceKind::imu, &InertialConfig::imu_grade},
-        Wanted{"dvl", DeviceKind::dvl, &InertialConfig::dvl_grade},
-        Wanted{"log", DeviceKind::emlog, &InertialConfig::log_grade},
-        Wanted{"depth", DeviceKind::depth, &InertialConfig::depth_grade}}) {
-    if (!table.find(key)) continue;
-    if (const Node* found = sensors->find(to_string(kind))) {
-      read_errors(*found, kind, inertial.*grade);
-    } else {
-      problems.push_back({file, reference->at.line, reference->at.column,
-                          fmt::format("/estimator/{}/sensors", index), no_table(path, kind)});
-    }
-  }
-  return problems;
+/// Kinds of estimators whose blocks name no files take this one.
+template <class Kind>
+Problems read_kind_files(const EstimatorBlock&, const Kind&) {
+  return {};
 }
 
-Problems read_estimator_files(const Node& table, std::size_t index, EstimatorConfig& estimator,
-                              const std::string& file) {
-  Problems problems = read_grades(table, index, estimator.inertial, file);
-  if (const Node* reference = table.find("vehicle")) {
-    const auto vehicle = read_checked_file(beside(file, reference->text), FileKind::vehicle);
-    if (!vehicle) {
-      append(problems, vehicle.error());
-    } else {
-      estimator.inertial.vehicle = build_vehicle(*vehicle);
-    }
-  }
-  return problems;
+Problems read_estimator_files(const EstimatorBlock& block, EstimatorConfig& estimator) {
+  return std::visit([&](auto& kind) { return read_kind_files(block, kind); }, estimator.kind);
 }
 
 /// The rig file, then the files that it and its mission name, each once.
@@ -144,7 +106,7 @@ Loaded<Rig> load_rig_text(std::string_view text, const std::string& path,
     append(problems, read_emulated_errors(table, i, rig.devices[i], path));
   });
   for_each_table(*root, "estimator", [&](const Node& table, std::size_t i) {
-    append(problems, read_estimator_files(table, i, rig.estimators[i], path));
+    append(problems, read_estimator_files({table, i, path}, rig.estimators[i]));
   });
   append(rig.faults, rig.mission.faults);
   append(problems, check_faults_of(rig));

@@ -9,10 +9,11 @@
 
 #include "drivers/measurement/kind.hpp"
 #include "rig_config/emulate.hpp"
+#include "rig_config/estimator/kinds.hpp"
 #include "rig_config/expect.hpp"
 #include "rig_config/fault.hpp"
 #include "rig_config/mission.hpp"
-#include "rig_config/vehicle.hpp"
+#include "rig_config/places.hpp"
 
 /// A rig file as typed values. The names are those of the TOML keys. The JSON Schema
 /// `rig_config/schema/rig.schema.json` defines the allowed values; the loader fills in the
@@ -81,54 +82,10 @@ struct DeviceConfig {
   int line = 0;  ///< of the [[device]] block in the file
 };
 
-enum class LevelingFilter : std::uint8_t { robust, augmented, paper };
-
-enum class MixingType : std::uint8_t { compensated, type1, type2, type3 };
-
-/// The antenna, receiver and gyro of a roll estimator. All sigmas are one standard deviation.
-struct RollConfig {
-  std::array<double, 3> antenna_axis{0, 0, 1};  ///< boresight, unit vector in the body frame
-  double boresight_cno_dbhz = 48;
-  double lowest_cno_dbhz = 20;            ///< the lowest C/N0 that the receiver reports
-  double cno_resolution_db = 1;           ///< on the wire
-  double power_noise = 0.1;               ///< of the power at each epoch, relative to boresight
-  double angular_random_walk = 1.745e-4;  ///< of the roll gyro, rad per sqrt(s): 0.6 deg/sqrt(h)
-  double gyro_bias_radps = 0.0174532925199433;
-  double angle_of_attack_rad = 0.00872664625997165;  ///< between body x and the velocity
-};
-
-enum class VelocityMethod : std::uint8_t { coupled, paper };
-
-/// An inertial navigation: its start, and the errors of its sensors and its vehicle. 1 sigma.
-struct InertialConfig {
-  std::string dvl, depth, actuators;  ///< device names
-  VelocityMethod method = VelocityMethod::coupled;
-  double gate_sigma = 5, sea_level_m = 0;
-
-  double latitude_rad = 0, longitude_rad = 0, depth_m = 0;
-  std::array<double, 3> velocity_ned_mps{};
-  double roll_rad = 0, pitch_rad = 0, heading_rad = 0;
-  double position_sigma_m = 10, depth_sigma_m = 1, velocity_sigma_mps = 0.1;
-  double tilt_sigma_rad = 0, heading_sigma_rad = 0;
-
-  EmulateConfig imu_grade, dvl_grade, log_grade, depth_grade;  ///< from the sensor file
-  std::optional<VehicleConfig> vehicle;                        ///< kind velocity
-};
-
 struct EstimatorConfig {
   std::string name;
-  std::string kind;  ///< leveling, mixing, roll, navigation, velocity
-  LevelingFilter filter = LevelingFilter::robust;
-  std::string imu, log, gnss;  ///< device names
-  RollConfig roll;
-  bool stationary = false;  ///< measurement model: all three velocities zero
-  bool accelerometer_start =
-      true;  ///< true: first attitude from the first specific force; false: from `initial_*`
-  double initial_roll_rad = 0, initial_pitch_rad = 0;
-  double latitude_rad = 0, heading_rad = 0;
-  MixingType mixing_type = MixingType::compensated;
-  InertialConfig inertial;  ///< navigation, velocity
-  double pivot_m = 0;       ///< mixing: point without side slip, ahead of the origin; 0: unknown
+  std::string imu;  ///< device name
+  EstimatorKind kind;
 };
 
 struct Rig {
@@ -145,6 +102,7 @@ struct Rig {
   std::vector<EstimatorConfig> estimators;
   std::vector<ExpectConfig> expects;
   std::vector<FaultConfig> faults;  ///< of the rig file, then of its mission
+  PlacesPtr places;                 ///< of the rig file; empty for a rig that no file describes
 };
 
 }  // namespace drydock::rig_config

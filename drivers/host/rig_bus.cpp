@@ -64,25 +64,19 @@ std::vector<std::string> estimator_names(const rig_config::Rig& rig) {
 std::vector<std::string> navigator_names(const rig_config::Rig& rig) {
   std::vector<std::string> names;
   for (const auto& estimator : rig.estimators)
-    if (estimator.kind == "navigation" || estimator.kind == "velocity")
-      names.push_back(estimator.name);
+    if (rig_config::facts_of(estimator.kind).gives_positions) names.push_back(estimator.name);
   return names;
 }
 
 std::vector<bus::InnovationSource> innovation_sources(const rig_config::Rig& rig) {
   std::vector<bus::InnovationSource> sources;
   for (std::size_t i = 0; i < rig.estimators.size(); ++i) {
-    const auto& e = rig.estimators[i];
-    const auto add = [&](const std::string& name) {
+    for (const std::string& name : rig_config::devices_compared_by(rig.estimators[i].kind)) {
       const auto device = std::ranges::find(rig.devices, name, &rig_config::DeviceConfig::name);
-      if (device == rig.devices.end()) return;
+      if (device == rig.devices.end()) continue;
       sources.push_back({static_cast<std::uint16_t>(i),
                          static_cast<std::uint16_t>(device - rig.devices.begin())});
-    };
-    const bool inertial = e.kind == "navigation" || e.kind == "velocity";
-    if ((e.kind == "leveling" && !e.stationary) || e.kind == "velocity") add(e.log);
-    if (inertial) add(e.inertial.dvl), add(e.inertial.depth);
-    if (e.kind == "navigation") add(e.gnss);
+    }
   }
   return sources;
 }

@@ -41,8 +41,7 @@ struct EstimatorStatus {
   measurement::Stamp last_estimate{};  ///< valid_at
   measurement::Stamp last_speed{};     ///< valid_at
   std::uint64_t rejected = 0;          ///< values outside the estimator's innovation gate
-  navigation::InnovationTally
-      taken;  ///< sensor values inside the gate; none for the kinds mixing and roll
+  navigation::InnovationTally taken;   ///< sensor values inside the gate; none without innovations
   std::optional<measurement::Stamp> lost_at;  ///< valid_at of the last used IMU sample
 };
 

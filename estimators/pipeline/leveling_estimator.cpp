@@ -4,11 +4,22 @@
 
 namespace drydock::pipeline {
 
-LevelingEstimator::LevelingEstimator(std::uint16_t index, const EstimatorOptions& options,
+std::string fault_of(const LevelingOptions& options) {
+  if (!options.stationary && !options.log)
+    return "a moving vehicle needs a speed log, allowed: log = a device, or stationary = true";
+  return fault_of_devices({options.log});
+}
+
+std::unique_ptr<Estimator> make_estimator(Seat seat, const LevelingOptions& options,
+                                          const PipelineOptions& pipeline) {
+  return std::make_unique<LevelingEstimator>(seat, options, pipeline);
+}
+
+LevelingEstimator::LevelingEstimator(Seat seat, const LevelingOptions& options,
                                      const PipelineOptions& pipeline)
-    : ImuDrivenEstimator(index, options, pipeline),
+    : ImuDrivenEstimator(seat, options.stationary ? std::nullopt : options.log, pipeline),
       stationary_(options.stationary),
-      filter_(leveling::make_filter(options.filter, options.leveling)) {}
+      filter_(leveling::make_filter(options.kind, options.filter)) {}
 
 void LevelingEstimator::start(const measurement::ImuSample& sample, double speed_mps) {
   std::visit(

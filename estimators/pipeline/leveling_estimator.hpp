@@ -8,8 +8,7 @@ namespace drydock::pipeline {
 /// A leveling filter on one IMU and one speed log.
 class LevelingEstimator final : public ImuDrivenEstimator {
  public:
-  LevelingEstimator(std::uint16_t index, const EstimatorOptions& options,
-                    const PipelineOptions& pipeline);
+  LevelingEstimator(Seat seat, const LevelingOptions& options, const PipelineOptions& pipeline);
 
   const leveling::AnyLevelingFilter& filter() const { return filter_; }
 

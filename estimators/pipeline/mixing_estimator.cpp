@@ -4,11 +4,21 @@
 
 namespace drydock::pipeline {
 
-MixingEstimator::MixingEstimator(std::uint16_t index, const EstimatorOptions& options,
+std::string fault_of(const MixingOptions& options) {
+  if (!options.log) return "mixing needs a speed log, allowed: log = a device";
+  return fault_of_devices({options.log});
+}
+
+std::unique_ptr<Estimator> make_estimator(Seat seat, const MixingOptions& options,
+                                          const PipelineOptions& pipeline) {
+  return std::make_unique<MixingEstimator>(seat, options, pipeline);
+}
+
+MixingEstimator::MixingEstimator(Seat seat, const MixingOptions& options,
                                  const PipelineOptions& pipeline)
-    : ImuDrivenEstimator(index, options, pipeline),
-      filter_(options.mixing),
-      accuracy_(options.mixing_sensors) {}
+    : ImuDrivenEstimator(seat, options.log, pipeline),
+      filter_(options.filter),
+      accuracy_(options.sensors) {}
 
 void MixingEstimator::start(const measurement::ImuSample& sample, double speed_mps) {
   filter_.start(sample.specific_force, sample.angular_rate, speed_mps);

@@ -1,7 +1,5 @@
 #pragma once
 
-#include "estimators/mixing/mixing_accuracy.hpp"
-#include "estimators/mixing/mixing_filter.hpp"
 #include "estimators/pipeline/inertial/imu_driven_estimator.hpp"
 
 namespace drydock::pipeline {
@@ -10,8 +8,7 @@ namespace drydock::pipeline {
 /// covariance is that of mixing::MixingAccuracy.
 class MixingEstimator final : public ImuDrivenEstimator {
  public:
-  MixingEstimator(std::uint16_t index, const EstimatorOptions& options,
-                  const PipelineOptions& pipeline);
+  MixingEstimator(Seat seat, const MixingOptions& options, const PipelineOptions& pipeline);
 
   const mixing::MixingFilter& filter() const { return filter_; }
 

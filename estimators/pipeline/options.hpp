@@ -3,41 +3,25 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
-#include "estimators/leveling/leveling_filter.hpp"
-#include "estimators/mixing/mixing_accuracy.hpp"
-#include "estimators/mixing/mixing_filter.hpp"
 #include "estimators/pipeline/inertial/inertial_options.hpp"
-#include "estimators/roll/hypothesis.hpp"
+#include "estimators/pipeline/leveling_options.hpp"
+#include "estimators/pipeline/mixing_options.hpp"
+#include "estimators/pipeline/roll_options.hpp"
 
 namespace drydock::pipeline {
 
-/// Options of kind "roll".
-struct RollOptions {
-  roll::AllSatellitesOptions filter;  ///< the next two give antenna.tracking_limit
-  double boresight_cno_dbhz = 48;     ///< C/N0 of a satellite on the boresight of the antenna
-  double lowest_cno_dbhz = 20;        ///< the lowest C/N0 that the receiver reports
-  double axis_sigma_rad = 0.01;       ///< between body x and the velocity: angle of attack
-  double least_speed_mps = 20;        ///< below it the velocity does not give the axis
-};
+/// The options of every kind of estimator. Checks and makers: maker.hpp.
+using EstimatorKind = std::variant<LevelingOptions, MixingOptions, RollOptions, InertialOptions>;
 
 /// One estimator of the rig. Its index in `PipelineOptions::estimators` names its estimates.
 struct EstimatorOptions {
   std::string name;
-  std::string kind = "leveling";     ///< or "mixing", "roll", "navigation", "velocity"
-  std::uint16_t imu = 0;             ///< device index, as in Origin::device
-  std::optional<std::uint16_t> log;  ///< device index; needed unless stationary
-  bool stationary = false;           ///< all velocities are zero; the log is not used
-  leveling::FilterKind filter = leveling::FilterKind::robust;
-  leveling::LevelingOptions leveling;
-  mixing::MixingOptions mixing;
-  mixing::SensorAccuracy mixing_sensors;
-  std::optional<std::uint16_t> gnss;  ///< device index; kind "roll" needs it
-  RollOptions roll;
-  InertialOptions inertial;  ///< kinds "navigation" and "velocity"
+  std::uint16_t imu = 0;  ///< device index, as in Origin::device
+  EstimatorKind kind;
 };
 
 struct PipelineOptions {

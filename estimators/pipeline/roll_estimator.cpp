@@ -38,15 +38,24 @@ roll::AllSatellitesOptions filter_options(const RollOptions& options) {
 
 }  // namespace
 
-RollEstimator::RollEstimator(std::uint16_t index, const EstimatorOptions& options,
-                             const PipelineOptions& pipeline)
-    : index_(index),
-      imu_(options.imu),
+std::string fault_of(const RollOptions& options) {
+  if (!options.gnss) return "roll needs a satellite receiver, allowed: gnss = a device";
+  return fault_of_devices({options.gnss});
+}
+
+std::unique_ptr<Estimator> make_estimator(Seat seat, const RollOptions& options,
+                                          const PipelineOptions& pipeline) {
+  return std::make_unique<RollEstimator>(seat, options, pipeline);
+}
+
+RollEstimator::RollEstimator(Seat seat, const RollOptions& options, const PipelineOptions& pipeline)
+    : index_(seat.index),
+      imu_(seat.imu),
       gnss_(options.gnss.value()),
-      options_(options.roll),
+      options_(options),
       max_imu_gap_(pipeline.max_imu_gap),
       max_fix_age_(pipeline.max_speed_age),
-      filter_(filter_options(options.roll)) {}
+      filter_(filter_options(options)) {}
 
 Outcome RollEstimator::take(const ImuSample& sample, EstimateListener& listener) {
   if (sample.origin.device != imu_) return Outcome::unused;

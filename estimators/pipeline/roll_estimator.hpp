@@ -17,10 +17,8 @@ class RollEstimator final : public Estimator {
   static constexpr double max_angular_rate_radps = 50;
   static constexpr double max_speed_mps = 1e4;
 
-  /// `index` identifies the estimates. From `pipeline` it uses only the two time limits; the one
-  /// for speeds applies to fixes.
-  RollEstimator(std::uint16_t index, const EstimatorOptions& options,
-                const PipelineOptions& pipeline);
+  /// From `pipeline` it uses only the two time limits; the one for speeds applies to fixes.
+  RollEstimator(Seat seat, const RollOptions& options, const PipelineOptions& pipeline);
 
   using Estimator::take;
   Outcome take(const measurement::ImuSample& sample, EstimateListener& listener) override;

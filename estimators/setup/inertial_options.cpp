@@ -1,11 +1,10 @@
-#include "estimators/setup/inertial_options.hpp"
-
 #include <algorithm>
 #include <cmath>
 
 #include "drivers/measurement/units.hpp"
 #include "drivers/measurement/water_column.hpp"
 #include "estimators/frame/attitude.hpp"
+#include "estimators/setup/options_of.hpp"
 #include "estimators/vehicle/vehicle.hpp"
 
 namespace drydock::setup {
@@ -14,19 +13,10 @@ namespace {
 using Eigen::Vector3d;
 using rig_config::SensorErrors;
 
-const rig_config::DeviceConfig* find_device(const rig_config::Rig& rig, const std::string& name) {
-  const auto found = std::ranges::find(rig.devices, name, &rig_config::DeviceConfig::name);
-  return found == rig.devices.end() ? nullptr : &*found;
-}
-
-std::uint16_t index_in(const rig_config::Rig& rig, const rig_config::DeviceConfig* device) {
-  return static_cast<std::uint16_t>(device - rig.devices.data());
-}
-
 std::optional<pipeline::AidingSensor> aiding(const rig_config::Rig& rig, const std::string& name) {
   const auto* device = find_device(rig, name);
   if (!device) return {};
-  return pipeline::AidingSensor{index_in(rig, device), Vector3d{device->lever_arm_m.data()}};
+  return pipeline::AidingSensor{index_of(rig, name).value(), Vector3d{device->lever_arm_m.data()}};
 }
 
 double worst(const rig_config::Axes& axes) { return *std::ranges::max_element(axes); }
@@ -75,17 +65,12 @@ navigation::NavigationOptions navigation_options(const rig_config::InertialConfi
   return options;
 }
 
-}  // namespace
-
-pipeline::InertialOptions inertial_options(const rig_config::Rig& rig,
-                                           const rig_config::EstimatorConfig& config) {
-  using pipeline::InertialMethod;
-  const auto& c = config.inertial;
+/// What both kinds have: IMU, start, DVL and depth sensor.
+pipeline::InertialOptions inertial_options(const rig_config::InertialConfig& c,
+                                           const EstimatorInRig& place) {
+  const rig_config::Rig& rig = place.rig;
   pipeline::InertialOptions options;
-  if (config.kind == "velocity")
-    options.method = c.method == rig_config::VelocityMethod::paper ? InertialMethod::paper
-                                                                   : InertialMethod::coupled;
-  if (const auto* imu = find_device(rig, config.imu)) {
+  if (const auto* imu = find_device(rig, place.estimator.imu)) {
     options.imu_period_s = 1 / imu->rate_hz;
     options.imu_means = imu->means;
     options.imu_lever = Vector3d{imu->lever_arm_m.data()};
@@ -94,23 +79,39 @@ pipeline::InertialOptions inertial_options(const rig_config::Rig& rig,
   options.navigation = navigation_options(c, options.imu_period_s);
   options.sea_level_m = c.sea_level_m;
   options.ground = aiding(rig, c.dvl);
-  options.log = aiding(rig, config.log);
   options.depth = aiding(rig, c.depth);
-  options.gnss = aiding(rig, config.gnss);
   if (const auto* dvl = find_device(rig, c.dvl))
     replace_if_known(options.ground_sigma_mps, sample_sigma(c.dvl_grade.primary, dvl->rate_hz));
-  if (const auto* log = find_device(rig, config.log))
-    replace_if_known(options.log_sigma_mps, sample_sigma(c.log_grade.primary, log->rate_hz));
   if (const auto* depth = find_device(rig, c.depth)) {
     const double pascal_per_metre = depth->water_density_kgm3 * units::standard_gravity;
     replace_if_known(options.depth_sigma_m,
                      sample_sigma(c.depth_grade.primary, depth->rate_hz) / pascal_per_metre);
   }
-  if (const auto* actuators = find_device(rig, c.actuators))
-    options.actuators = index_in(rig, actuators);
-  if (c.vehicle) {
-    options.vehicle = vehicle::dimensional(*c.vehicle);
-    options.advance_m = c.vehicle->propeller.advance_m;
+  return options;
+}
+
+}  // namespace
+
+pipeline::InertialOptions options_of(const rig_config::NavigationConfig& config,
+                                     const EstimatorInRig& place) {
+  pipeline::InertialOptions options = inertial_options(config.inertial, place);
+  options.gnss = aiding(place.rig, config.gnss);
+  return options;
+}
+
+pipeline::InertialOptions options_of(const rig_config::VelocityConfig& config,
+                                     const EstimatorInRig& place) {
+  using pipeline::InertialMethod;
+  pipeline::InertialOptions options = inertial_options(config.inertial, place);
+  options.method = config.method == rig_config::VelocityMethod::paper ? InertialMethod::paper
+                                                                      : InertialMethod::coupled;
+  options.log = aiding(place.rig, config.log);
+  if (const auto* log = find_device(place.rig, config.log))
+    replace_if_known(options.log_sigma_mps, sample_sigma(config.log_grade.primary, log->rate_hz));
+  options.actuators = index_of(place.rig, config.actuators);
+  if (config.vehicle) {
+    options.vehicle = vehicle::dimensional(*config.vehicle);
+    options.advance_m = config.vehicle->propeller.advance_m;
   }
   return options;
 }

@@ -3,30 +3,34 @@
 #include <algorithm>
 
 #include "rig_config/checks/checks.hpp"
+#include "rig_config/estimator/kinds.hpp"
 #include "rig_config/rules/explain.hpp"
 
 namespace drydock::rig_config {
 
 namespace {
 
-/// A figure that only some kinds of estimator have, and these kinds.
-struct OfKinds {
-  const char* key;
-  std::vector<std::string> kinds;
+/// A figure that only some kinds of estimators have, and the fact that gives it to them.
+struct FigureOfSome {
+  std::string_view key;
+  bool EstimatorFacts::*has;
 };
 
-const std::vector<OfKinds>& figures_of_kinds() {
-  static const std::vector<std::string> positions{"navigation", "velocity"};
-  static const std::vector<OfKinds> figures{
-      {"heading_rms_deg_max", positions},
-      {"position_rms_m_max", positions},
-      {"position_end_m_max", positions},
-      {"depth_rms_m_max", positions},
-      {"velocity_rms_mps_max", positions},
-      {"nees_position", positions},
-      {"rejected_max", {"leveling", "roll", "navigation", "velocity"}},
-      {"nis", {"leveling", "navigation", "velocity"}}};
-  return figures;
+constexpr auto figures_of_some =
+    std::to_array<FigureOfSome>({{"heading_rms_deg_max", &EstimatorFacts::gives_positions},
+                                 {"position_rms_m_max", &EstimatorFacts::gives_positions},
+                                 {"position_end_m_max", &EstimatorFacts::gives_positions},
+                                 {"depth_rms_m_max", &EstimatorFacts::gives_positions},
+                                 {"velocity_rms_mps_max", &EstimatorFacts::gives_positions},
+                                 {"nees_position", &EstimatorFacts::gives_positions},
+                                 {"rejected_max", &EstimatorFacts::has_gate},
+                                 {"nis", &EstimatorFacts::has_innovations}});
+
+std::vector<std::string> kinds_with(bool EstimatorFacts::*has) {
+  std::vector<std::string> kinds;
+  for (const EstimatorFacts& facts : estimator_facts)
+    if (facts.*has) kinds.emplace_back(facts.name);
+  return kinds;
 }
 
 class ExpectChecks {
@@ -86,12 +90,13 @@ class ExpectChecks {
       const Node* name = table.find_text("name");
       const Node* kind = table.find_text("kind");
       if (!name || !kind || name->text != wanted->text) return;
-      for (const OfKinds& figure : figures_of_kinds()) {
-        const Node* value = expect.find(figure.key);
-        if (!value || std::ranges::find(figure.kinds, kind->text) != figure.kinds.end()) continue;
-        add(value->key_at, figure.key,
+      const EstimatorFacts* facts = facts_named(kind->text);
+      for (const auto& [key, has] : figures_of_some) {
+        const Node* value = expect.find(key);
+        if (!value || (facts && facts->*has)) continue;
+        add(value->key_at, std::string(key),
             fmt::format("estimator \"{}\" is of kind {}, allowed: {}", name->text, kind->text,
-                        listed(figure.kinds)));
+                        listed(kinds_with(has))));
       }
     });
   }

@@ -8,6 +8,7 @@
 #include <iterator>
 #include <map>
 
+#include "rig_config/estimator/kinds.hpp"
 #include "rig_config/rules/explain.hpp"
 
 namespace drydock::rig_config {
@@ -31,12 +32,7 @@ class RigChecks {
       files_exist();
       estimator_files_exist();
     }
-    estimator_devices_exist("imu", "imu");
-    estimator_devices_exist("log", "emlog");
-    estimator_devices_exist("gnss", "gnss");
-    estimator_devices_exist("dvl", "dvl");
-    estimator_devices_exist("depth", "depth");
-    estimator_devices_exist("actuators", "actuator");
+    estimators_devices_exist();
     return std::move(problems_);
   }
 
@@ -127,7 +123,18 @@ class RigChecks {
     if (!std::filesystem::is_regular_file(full)) add(*name, path, "there is no file " + full);
   }
 
-  void estimator_devices_exist(const char* key, std::string_view kind) {
+  void estimators_devices_exist() {
+    std::vector<std::string_view> checked{"imu"};
+    estimator_devices_exist("imu", "imu");
+    for (const EstimatorFacts& facts : estimator_facts)
+      for (const auto& [key, kind] : facts.devices) {
+        if (std::ranges::find(checked, key) != checked.end()) continue;
+        checked.push_back(key);
+        estimator_devices_exist(key, to_string(kind));
+      }
+  }
+
+  void estimator_devices_exist(std::string_view key, std::string_view kind) {
     std::vector<std::string> fitting;
     std::map<std::string, std::string> kind_of;
     for_each_table(root_, "device", [&](const Node& device, std::size_t) {

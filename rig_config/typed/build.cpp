@@ -6,6 +6,7 @@
 
 #include "drivers/measurement/units.hpp"
 #include "rig_config/checks/checks.hpp"
+#include "rig_config/toml/places_of.hpp"
 #include "rig_config/toml/read_keys.hpp"
 
 namespace drydock::rig_config {
@@ -101,71 +102,11 @@ DeviceConfig build_device(const Node& table, const std::string& rig_file) {
   return device;
 }
 
-constexpr std::array mixing_types{"compensated", "type1", "type2", "type3"};
-
-RollConfig build_roll(const Node& table) {
-  constexpr double degree_per_root_hour = units::degree / 60;
-  RollConfig roll;
-  read_axis(table, "antenna_axis", roll.antenna_axis);
-  read(table, "boresight_cno_dbhz", roll.boresight_cno_dbhz);
-  read(table, "lowest_cno_dbhz", roll.lowest_cno_dbhz);
-  read(table, "cno_resolution_db", roll.cno_resolution_db);
-  read(table, "power_noise", roll.power_noise);
-  read(table, "angular_random_walk_degprth", roll.angular_random_walk, degree_per_root_hour);
-  read(table, "gyro_bias_degps", roll.gyro_bias_radps, units::degree);
-  read(table, "angle_of_attack_deg", roll.angle_of_attack_rad, units::degree);
-  return roll;
-}
-
-InertialConfig build_inertial(const Node& table) {
-  InertialConfig inertial;
-  read(table, "dvl", inertial.dvl);
-  read(table, "depth", inertial.depth);
-  read(table, "actuators", inertial.actuators);
-  if (const Node* filter = table.find("filter"); filter && filter->text == "paper")
-    inertial.method = VelocityMethod::paper;
-  read(table, "gate_sigma", inertial.gate_sigma);
-  read(table, "sea_level_m", inertial.sea_level_m);
-  const Node* initial = table.find("initial");
-  if (!initial) return inertial;
-  read(*initial, "latitude_deg", inertial.latitude_rad, units::degree);
-  read(*initial, "longitude_deg", inertial.longitude_rad, units::degree);
-  read(*initial, "depth_m", inertial.depth_m);
-  read(*initial, "velocity_ned_mps", inertial.velocity_ned_mps);
-  read(*initial, "roll_deg", inertial.roll_rad, units::degree);
-  read(*initial, "pitch_deg", inertial.pitch_rad, units::degree);
-  read(*initial, "heading_deg", inertial.heading_rad, units::degree);
-  read(*initial, "position_sigma_m", inertial.position_sigma_m);
-  read(*initial, "depth_sigma_m", inertial.depth_sigma_m);
-  read(*initial, "velocity_sigma_mps", inertial.velocity_sigma_mps);
-  read(*initial, "tilt_sigma_deg", inertial.tilt_sigma_rad, units::degree);
-  read(*initial, "heading_sigma_deg", inertial.heading_sigma_rad, units::degree);
-  return inertial;
-}
-
 EstimatorConfig build_estimator(const Node& table) {
   EstimatorConfig estimator;
   read(table, "name", estimator.name);
-  read(table, "kind", estimator.kind);
   read(table, "imu", estimator.imu);
-  read(table, "log", estimator.log);
-  read(table, "gnss", estimator.gnss);
-  estimator.inertial = build_inertial(table);
-  if (const Node* roll = table.find("roll")) estimator.roll = build_roll(*roll);
-  std::string filter, model, start;
-  read(table, "filter", filter);
-  if (filter == "augmented") estimator.filter = LevelingFilter::augmented;
-  if (filter == "paper") estimator.filter = LevelingFilter::paper;
-  read(table, "model", model);
-  read(table, "start", start);
-  estimator.stationary = model == "stationary";
-  estimator.accelerometer_start = start != "given";
-  read(table, "initial_roll_deg", estimator.initial_roll_rad, units::degree);
-  read(table, "initial_pitch_deg", estimator.initial_pitch_rad, units::degree);
-  read(table, "latitude_deg", estimator.latitude_rad, units::degree);
-  read(table, "heading_deg", estimator.heading_rad, units::degree);
-  if (table.find("type")) estimator.mixing_type = named<MixingType>(table, mixing_types, "type");
-  read(table, "pivot_m", estimator.pivot_m);
+  estimator.kind = read_estimator_kind(table);
   return estimator;
 }
 
@@ -174,6 +115,7 @@ EstimatorConfig build_estimator(const Node& table) {
 Rig build_rig(const Node& root, const std::string& file) {
   Rig rig;
   rig.file = file;
+  rig.places = places_of(root, file);
   const Node& table = *root.find("rig");
   read(table, "name", rig.name);
   if (const Node* seed = table.find("seed")) rig.seed = static_cast<std::uint64_t>(seed->integer);

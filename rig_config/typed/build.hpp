@@ -1,11 +1,18 @@
 #pragma once
 
+#include <string>
+
 #include "rig_config/rig.hpp"
 #include "rig_config/toml/node.hpp"
 #include "rig_config/vehicle.hpp"
 
 /// Converts checked documents to typed values. Units become SI; absent keys keep their defaults.
 namespace drydock::rig_config {
+
+/// In words: the sensor file at `path` says nothing of this kind.
+inline std::string no_table(const std::string& path, DeviceKind kind) {
+  return path + " has no table [" + std::string(to_string(kind)) + "]";
+}
 
 /// The blocks [[expect]] of a rig, in their order.
 std::vector<ExpectConfig> build_expects(const Node& root);

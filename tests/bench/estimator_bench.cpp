@@ -148,7 +148,7 @@ struct Discard final : pipeline::EstimateListener {
 void pipeline_step(benchmark::State& state) {
   pipeline::PipelineOptions options;
   auto& estimator = options.estimators.emplace_back();
-  estimator.log = 1;
+  estimator.kind.emplace<pipeline::LevelingOptions>().log = 1;
   options.reorder_window = std::chrono::milliseconds{state.range(0)};
   Discard listener;
   auto made = pipeline::make_pipeline(options, listener);

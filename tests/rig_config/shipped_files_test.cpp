@@ -72,7 +72,7 @@ TEST_F(DemoRig, AnglesAreRadiansAndMillisecondsSeconds) {
   EXPECT_DOUBLE_EQ(device("gnss").emulate.latency_s, 0.04);
   EXPECT_DOUBLE_EQ(rig_.mission.latitude_rad, pi / 5);
   EXPECT_DOUBLE_EQ(rig_.mission.longitude_rad, 129 * pi / 180);
-  EXPECT_DOUBLE_EQ(rig_.estimators.at(0).latitude_rad, pi / 5);
+  EXPECT_DOUBLE_EQ(std::get<LevelingConfig>(rig_.estimators.at(0).kind).start.latitude_rad, pi / 5);
 }
 
 TEST_F(DemoRig, MissionCoversEveryKindOfLegAndEndsAtTheDepthItBeganAt) {

@@ -22,11 +22,11 @@ bool within(const Eigen::Vector3d& v, double limit) {
 
 }  // namespace
 
-ImuDrivenEstimator::ImuDrivenEstimator(std::uint16_t index, const EstimatorOptions& options,
+ImuDrivenEstimator::ImuDrivenEstimator(Seat seat, std::optional<std::uint16_t> log,
                                        const PipelineOptions& pipeline)
-    : index_(index),
-      imu_(options.imu),
-      log_(options.stationary ? std::nullopt : options.log),
+    : index_(seat.index),
+      imu_(seat.imu),
+      log_(log),
       max_imu_gap_(pipeline.max_imu_gap),
       max_speed_age_(pipeline.max_speed_age) {}
 

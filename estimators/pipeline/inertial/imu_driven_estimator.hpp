@@ -32,9 +32,9 @@ class ImuDrivenEstimator : public Estimator {
     std::optional<navigation::Innovation> innovation;  ///< if the estimator has one
   };
 
-  /// `index` identifies the estimates. From `pipeline` it uses only the two time limits.
-  ImuDrivenEstimator(std::uint16_t index, const EstimatorOptions& options,
-                     const PipelineOptions& pipeline);
+  /// `log`: device index; empty: not used, the vehicle is stationary. From `pipeline` it uses only
+  /// the two time limits.
+  ImuDrivenEstimator(Seat seat, std::optional<std::uint16_t> log, const PipelineOptions& pipeline);
 
  private:
   /// Starts at a sample. The speed is 0 if no log is used.

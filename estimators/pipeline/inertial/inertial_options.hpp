@@ -6,11 +6,12 @@
 
 #include "estimators/hydrodynamics/vehicle.hpp"
 #include "estimators/navigation/aided_navigation.hpp"
+#include "estimators/pipeline/maker.hpp"
 
 namespace drydock::pipeline {
 
-/// The aiding of the inertial navigation: sensors alone (kind "navigation"), or with a model of the
-/// vehicle (kind "velocity"), either all in one filter (`coupled`) or as in the paper (`paper`).
+/// The aiding of the inertial navigation: sensors alone, or with a model of the vehicle, either all
+/// in one filter (`coupled`) or as in the paper (`paper`).
 enum class InertialMethod : std::uint8_t { sensors, coupled, paper };
 
 /// An aiding sensor: its device index, and its position in the body frame from the origin of the
@@ -20,7 +21,7 @@ struct AidingSensor {
   Eigen::Vector3d lever = Eigen::Vector3d::Zero();
 };
 
-/// Options of the kinds "navigation" and "velocity". All sigmas are one standard deviation.
+/// An inertial navigation with its aiding sensors. All sigmas are one standard deviation.
 struct InertialOptions {
   InertialMethod method = InertialMethod::sensors;
 
@@ -39,10 +40,14 @@ struct InertialOptions {
 
   double sea_level_m = 0;  ///< height of the sea surface above the ellipsoid
 
-  // The vehicle, for kind "velocity".
+  // The vehicle, for the methods with a model of it.
   std::optional<std::uint16_t> actuators;  ///< device index
   hydrodynamics::Vehicle vehicle;
   double advance_m = 0;  ///< commanded speed = advance x propeller rate in rad/s
 };
+
+std::string fault_of(const InertialOptions& options);
+std::unique_ptr<Estimator> make_estimator(Seat seat, const InertialOptions& options,
+                                          const PipelineOptions& pipeline);
 
 }  // namespace drydock::pipeline

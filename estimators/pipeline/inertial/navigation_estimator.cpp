@@ -24,15 +24,40 @@ bool is_within(const Vector3d& v, double limit) {
 
 }  // namespace
 
-NavigationEstimator::NavigationEstimator(std::uint16_t index, const EstimatorOptions& options,
+std::string fault_of(const InertialOptions& options) {
+  const auto index = [](const std::optional<AidingSensor>& sensor) {
+    return sensor ? std::optional{sensor->device} : std::nullopt;
+  };
+  if (std::string fault =
+          fault_of_devices({index(options.ground), index(options.log), index(options.depth),
+                            index(options.gnss), options.actuators});
+      !fault.empty())
+    return fault;
+  if (!(options.imu_period_s > 0)) return "IMU period not above 0, allowed: seconds";
+  if (options.method == InertialMethod::sensors) {
+    return options.ground || options.depth || options.gnss
+               ? ""
+               : "nothing aids it, allowed: dvl, depth, gnss = devices, one at least";
+  }
+  return options.log && options.depth && options.actuators
+             ? ""
+             : "velocity needs log, depth and actuators, allowed: = devices";
+}
+
+std::unique_ptr<Estimator> make_estimator(Seat seat, const InertialOptions& options,
+                                          const PipelineOptions& pipeline) {
+  return std::make_unique<NavigationEstimator>(seat, options, pipeline);
+}
+
+NavigationEstimator::NavigationEstimator(Seat seat, const InertialOptions& options,
                                          const PipelineOptions& pipeline)
-    : index_(index),
-      imu_(options.imu),
-      options_(options.inertial),
-      period_(measurement::from_seconds(options.inertial.imu_period_s)),
+    : index_(seat.index),
+      imu_(seat.imu),
+      options_(options),
+      period_(measurement::from_seconds(options.imu_period_s)),
       max_imu_gap_(pipeline.max_imu_gap),
       max_age_(pipeline.max_speed_age),
-      filter_(make_aided_inertial(options.inertial)) {
+      filter_(make_aided_inertial(options)) {
   // Until the first actuator state: rudder and planes at zero, propeller at the speed of the start.
   control_.u_c = (options_.start.body_to_ned.conjugate() * options_.start.velocity_ned).x();
   filter_->control(control_);

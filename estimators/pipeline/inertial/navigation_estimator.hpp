@@ -20,9 +20,8 @@ class NavigationEstimator final : public Estimator {
   static constexpr double max_specific_force_mps2 = 500, max_angular_rate_radps = 50;
   static constexpr double max_speed_mps = 100;
 
-  /// `index` identifies the estimates. From `pipeline` it uses only the two time limits.
-  NavigationEstimator(std::uint16_t index, const EstimatorOptions& options,
-                      const PipelineOptions& pipeline);
+  /// From `pipeline` it uses only the two time limits.
+  NavigationEstimator(Seat seat, const InertialOptions& options, const PipelineOptions& pipeline);
 
   using Estimator::take;
   Outcome take(const measurement::ImuSample& sample, EstimateListener& listener) override;

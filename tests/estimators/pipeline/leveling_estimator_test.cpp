@@ -15,6 +15,7 @@ using test::at_ms;
 using test::Estimates;
 using test::imu;
 using test::imu_device;
+using test::leveling_of;
 using test::log_device;
 using test::water_speed;
 
@@ -25,8 +26,8 @@ class LevelingEstimatorTest : public testing::Test {
  protected:
   LevelingEstimator make(bool stationary = false) {
     PipelineOptions options = test::moving(std::chrono::milliseconds{0});
-    options.estimators[0].stationary = stationary;
-    return {7, options.estimators[0], options};
+    leveling_of(options).stationary = stationary;
+    return {{7, imu_device}, leveling_of(options), options};
   }
 
   /// Feeds one second of samples from `ms` on, one every 10 ms.
@@ -151,10 +152,10 @@ TEST_F(LevelingEstimatorTest, RefusesWhatIsNotFiniteOrAbsurdAndGoesOnAsIfItHadNo
 TEST_F(LevelingEstimatorTest, AWrongSpeedIsOutsideTheGateCountedAndWithoutEffect) {
   for (const auto kind : {leveling::FilterKind::robust, leveling::FilterKind::augmented}) {
     PipelineOptions options = test::moving(std::chrono::milliseconds{0});
-    options.estimators[0].filter = kind;
-    options.estimators[0].leveling = leveling::options_for(kind);
+    leveling_of(options).kind = kind;
+    leveling_of(options).filter = leveling::options_for(kind);
     const auto fly = [&](bool spoilt) {
-      LevelingEstimator estimator(7, options.estimators[0], options);
+      LevelingEstimator estimator({7, imu_device}, leveling_of(options), options);
       Estimates estimates;
       for (int t = 0; t <= 30000; t += 10) {
         const bool outlier = spoilt && t == 20000;
@@ -218,9 +219,9 @@ TEST_F(LevelingEstimatorTest, ABridgedGapCostsWhatTheLineMayBeWrongBy) {
   // T^3 / 12 times .5 rad/s3. The variance before the gap is small beside it.
   for (const auto kind : {leveling::FilterKind::robust, leveling::FilterKind::augmented}) {
     PipelineOptions options = test::moving(std::chrono::milliseconds{0});
-    options.estimators[0].filter = kind;
-    options.estimators[0].leveling = leveling::options_for(kind);
-    LevelingEstimator estimator(7, options.estimators[0], options);
+    leveling_of(options).kind = kind;
+    leveling_of(options).filter = leveling::options_for(kind);
+    LevelingEstimator estimator({7, imu_device}, leveling_of(options), options);
     for (int s = 0; s < 120; ++s) feed(estimator, 1000 * s);
     const double before = estimates_.all.back().covariance(0, 0);
     estimator.take(imu(119990 + 500), estimates_);

@@ -13,8 +13,9 @@ namespace {
 
 PipelineOptions mixing_on(mixing::MixingType type) {
   auto options = test::moving(std::chrono::milliseconds{0});
-  options.estimators[0].kind = "mixing";
-  options.estimators[0].mixing.type = type;
+  auto& mixing = options.estimators[0].kind.emplace<MixingOptions>();
+  mixing.log = test::log_device;
+  mixing.filter.type = type;
   return options;
 }
 
@@ -36,7 +37,7 @@ TEST(MixingEstimator, IsTheFilterOnTheMeansBetweenSamples) {
   test::Estimates estimates;
   const auto options = mixing_on(mixing::MixingType::fuzzy_inference);
   auto pipeline = make_pipeline(options, estimates);
-  mixing::MixingFilter filter(options.estimators[0].mixing);
+  mixing::MixingFilter filter(std::get<MixingOptions>(options.estimators[0].kind).filter);
   pipeline->receive(test::water_speed(0, 3));
   const auto at = [](int k) { return test::imu(10 * k, 0.1 * std::sin(0.05 * k)); };
   pipeline->receive(at(0));
@@ -91,12 +92,12 @@ TEST(MixingEstimator, HasNoGateButASingleWrongSpeedIsSmallAgainstItsErrors) {
   EXPECT_LT(pulled_by_an_outlier_deg(mixing::MixingType::compensated), 0.1);
 }
 
-TEST(MixingEstimator, AStationaryOneIsRefusedInOneLine) {
+TEST(MixingEstimator, WithoutASpeedLogItIsRefusedInOneLine) {
   test::Estimates estimates;
   auto options = mixing_on(mixing::MixingType::compensated);
-  options.estimators[0].stationary = true;
+  std::get<MixingOptions>(options.estimators[0].kind).log.reset();
   EXPECT_EQ(make_pipeline(options, estimates).error().message,
-            "estimator 'attitude': mixing knows no stationary vehicle, allowed: log = a device");
+            "estimator 'attitude': mixing needs a speed log, allowed: log = a device");
 }
 
 }  // namespace

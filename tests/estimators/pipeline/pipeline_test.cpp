@@ -17,6 +17,7 @@ using test::at_ms;
 using test::Estimates;
 using test::imu;
 using test::imu_device;
+using test::leveling_of;
 using test::log_device;
 using test::Measurement;
 using test::moving;
@@ -179,17 +180,11 @@ std::string error_of(const PipelineOptions& options) {
 TEST(MakePipeline, SaysInOneLineWhatIsWrongAndWhatIsAllowed) {
   PipelineOptions options = moving(milliseconds{0});
   EXPECT_EQ(error_of(options), "no error");
-  options.estimators[0].kind = "levelling";
-  EXPECT_EQ(error_of(options),
-            "estimator 'attitude': kind 'levelling' is not known, allowed: leveling, mixing, roll, "
-            "navigation, velocity");
-
-  options = moving(milliseconds{0});
-  options.estimators[0].log.reset();
+  leveling_of(options).log.reset();
   EXPECT_EQ(error_of(options),
             "estimator 'attitude': a moving vehicle needs a speed log, allowed: log = a device, or "
             "stationary = true");
-  options.estimators[0].stationary = true;
+  leveling_of(options).stationary = true;
   EXPECT_EQ(error_of(options), "no error");
   options.estimators[0].imu = 32;
   EXPECT_EQ(error_of(options), "estimator 'attitude': device index out of range, allowed: 0 to 31");

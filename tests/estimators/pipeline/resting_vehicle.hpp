@@ -47,7 +47,6 @@ class RestingVehicle {
     PipelineOptions all;
     EstimatorOptions& estimator = all.estimators.emplace_back();
     estimator.name = "n";
-    estimator.kind = method == InertialMethod::sensors ? "navigation" : "velocity";
     estimator.imu = imu_device;
     options.method = method;
     options.start = {position(), Eigen::Vector3d::Zero(), attitude()};
@@ -64,7 +63,7 @@ class RestingVehicle {
               .value());
     }
     change(options);
-    estimator.inertial = options;
+    estimator.kind = options;
     all.reorder_window = window;
     pipeline.emplace(*make_pipeline(all, listener));
   }

@@ -22,9 +22,8 @@ PipelineOptions rolling(milliseconds window = milliseconds{0}) {
   PipelineOptions options;
   EstimatorOptions& estimator = options.estimators.emplace_back();
   estimator.name = "roll";
-  estimator.kind = "roll";
   estimator.imu = test::imu_device;
-  estimator.gnss = gnss_device;
+  estimator.kind.emplace<RollOptions>().gnss = gnss_device;
   options.reorder_window = window;
   return options;
 }
@@ -204,7 +203,7 @@ TEST(RollEstimator, ASilentImuStartsItAsFromNew) {
 TEST(RollEstimator, NeedsAReceiver) {
   test::Estimates estimates;
   auto options = rolling();
-  options.estimators[0].gnss.reset();
+  std::get<RollOptions>(options.estimators[0].kind).gnss.reset();
   const auto made = make_pipeline(options, estimates);
   ASSERT_FALSE(made);
   EXPECT_THAT(made.error().message, testing::HasSubstr("gnss = a device"));

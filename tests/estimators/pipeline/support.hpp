@@ -44,14 +44,19 @@ struct Estimates final : EstimateListener {
   std::vector<InnovationReport> innovations;
 };
 
+inline LevelingOptions& leveling_of(PipelineOptions& options) {
+  return std::get<LevelingOptions>(options.estimators[0].kind);
+}
+
 /// One leveling estimator on `imu_device` and `log_device`.
 inline PipelineOptions moving(milliseconds window) {
   PipelineOptions options;
   EstimatorOptions& estimator = options.estimators.emplace_back();
   estimator.name = "attitude";
   estimator.imu = imu_device;
-  estimator.log = log_device;
-  estimator.leveling.latitude_rad = 0.6;
+  auto& leveling = estimator.kind.emplace<LevelingOptions>();
+  leveling.log = log_device;
+  leveling.filter.latitude_rad = 0.6;
   options.reorder_window = window;
   return options;
 }

@@ -27,6 +27,10 @@ constexpr int imu_hz = 100, samples_per_speed = 50, first_sample = 1;
 
 /// The demo's IMU (CiA 404, REAL32, CAN) and log (NMEA 0183, 4800 baud) with the biases of Table 1
 /// and without noise. The two ways then differ only by the wire.
+rig_config::LevelingConfig& leveling_of(rig_config::EstimatorConfig& estimator) {
+  return std::get<rig_config::LevelingConfig>(estimator.kind);
+}
+
 rig_config::Rig two_sensors() {
   auto rig = rig_config::load_rig(DRYDOCK_SOURCE_DIR "/rig_config/rigs/demo.toml").value();
   rig.expects.clear();
@@ -39,14 +43,14 @@ rig_config::Rig two_sensors() {
     device.emulate.primary.noise = device.emulate.secondary.noise = {};
   }
   auto& robust = rig.estimators.at(0);
-  robust.filter = rig_config::LevelingFilter::robust;
-  robust.heading_rad = 0;
+  leveling_of(robust).filter = rig_config::LevelingFilter::robust;
+  leveling_of(robust).start.heading_rad = 0;
   auto augmented = robust, paper = robust;
   augmented.name = "augmented";
-  augmented.filter = rig_config::LevelingFilter::augmented;
+  leveling_of(augmented).filter = rig_config::LevelingFilter::augmented;
   paper.name = "paper";
-  paper.filter = rig_config::LevelingFilter::paper;
-  paper.accelerometer_start = false;
+  leveling_of(paper).filter = rig_config::LevelingFilter::paper;
+  leveling_of(paper).start.accelerometer = false;
   rig.estimators.push_back(augmented);
   rig.estimators.push_back(paper);
   return rig;
@@ -78,8 +82,9 @@ std::vector<Attitude> straight_into(leveling::FilterKind kind, const rig_config:
   };
 
   auto options = leveling::options_for(kind);
-  options.latitude_rad = rig.estimators.at(0).latitude_rad;
-  options.heading_rad = rig.estimators.at(0).heading_rad;
+  const auto& start = std::get<rig_config::LevelingConfig>(rig.estimators.at(0).kind).start;
+  options.latitude_rad = start.latitude_rad;
+  options.heading_rad = start.heading_rad;
   auto any = leveling::make_filter(kind, options);
   std::vector<Attitude> attitudes;
   std::visit(
@@ -121,9 +126,9 @@ double difference(const std::vector<Attitude>& direct, const summary::AttitudeTr
 TEST(LevelingOnTheWire, EveryFilterAgreesWithItsMeasurementsToTheWiresResolution) {
   const auto rig = two_sensors();
   testing::internal::CaptureStdout();
-  RunOptions options;
+  bench::RunOptions options;
   options.duration_s = seconds;
-  const auto summary = run_lockstep(rig, options);
+  const auto summary = bench::run_lockstep(rig, options);
   testing::internal::GetCapturedStdout();
   EXPECT_TRUE(summary.all_streaming());
   using leveling::FilterKind;

@@ -34,9 +34,9 @@ rig_config::Rig without_noise(rig_config::Rig rig) {
 
 summary::Summary run(const rig_config::Rig& rig, double duration_s) {
   testing::internal::CaptureStdout();
-  RunOptions options;
+  bench::RunOptions options;
   options.duration_s = duration_s;
-  auto summary = run_lockstep(rig, options);
+  auto summary = bench::run_lockstep(rig, options);
   testing::internal::GetCapturedStdout();
   return summary;
 }
@@ -100,7 +100,8 @@ TEST(MixingOnTheWire, EveryTypeAgreesWithItsMeasurementsToTheWiresResolution) {
     ASSERT_GT(wire.t_s.size(), 500U);
     const auto sample = [&](double t) { return static_cast<std::size_t>(std::lround(t * imu_hz)); };
     const std::size_t first = sample(wire.t_s.front());
-    const auto direct = straight_into(options.estimators[i].mixing, readings, first);
+    const auto direct = straight_into(
+        std::get<pipeline::MixingOptions>(options.estimators[i].kind).filter, readings, first);
     double roll_deg = 0, pitch_deg = 0;
     for (std::size_t k = 0; k < wire.t_s.size(); ++k) {
       const Attitude& there = direct.at(sample(wire.t_s[k]) - first);

@@ -20,9 +20,8 @@ rig_config::Rig still_rig() {
   rig.devices.resize(1);
   rig.devices[0].name = "imu";
   rig.estimators.resize(1);
-  rig.estimators[0].kind = "leveling";
   rig.estimators[0].imu = "imu";
-  rig.estimators[0].stationary = true;
+  rig.estimators[0].kind = rig_config::LevelingConfig{.stationary = true, .log = {}, .start = {}};
   rig.reorder_window_s = 0;
   return rig;
 }
@@ -58,8 +57,7 @@ TEST(PipelineNotes, TellWhatAnEstimatorKeptOutsideItsGate) {
   rig.devices.resize(2);
   rig.devices[1].name = "log";
   rig.estimators[0].name = "attitude";
-  rig.estimators[0].stationary = false;
-  rig.estimators[0].log = "log";
+  rig.estimators[0].kind = rig_config::LevelingConfig{.log = "log", .start = {}};
   Ignore nobody;
   auto pipeline = *pipeline::make_pipeline(setup::pipeline_options(rig), nobody);
   measurement::WaterSpeed speed;

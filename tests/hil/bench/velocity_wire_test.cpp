@@ -8,7 +8,7 @@
 #include <set>
 
 #include "estimators/hydrodynamics/model.hpp"
-#include "estimators/setup/inertial_options.hpp"
+#include "estimators/setup/options_of.hpp"
 #include "estimators/setup/rig_pipeline.hpp"
 #include "hil/bench/run.hpp"
 #include "hil/motion/make_trajectory.hpp"
@@ -91,7 +91,9 @@ std::vector<Error> straight_into(study::Method method, const rig_config::Rig& ri
   sensor::ImuErrors imu_errors(unit.emulate, unit.rate_hz, rig.seed, unit.name);
   sensor::ImuSampler imu(truth, {}, unit.rate_hz, true);
   imu_errors.apply(imu.at(start));  // the emulated unit takes this sample at the start
-  const auto options = setup::inertial_options(rig, rig.estimators.at(0));
+  const auto& estimator = rig.estimators.at(0);
+  const auto options =
+      setup::options_of(std::get<rig_config::VelocityConfig>(estimator.kind), {rig, estimator});
   const auto navigator =
       study::make_navigator(method, options.start, hydrodynamics::Model(options.vehicle));
 

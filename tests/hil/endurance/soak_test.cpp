@@ -59,7 +59,7 @@ TEST(Soak, TheWatchSeesADeviceThatNoFaultExplains) {
   bench::RunOptions options;
   options.duration_s = 300;
   options.quiet = true;
-  options.each_second = [&](const bench::RunView& view) { watch.look(view); };
+  options.followers = {&watch};
   bench::run_lockstep(bench, options);
   EXPECT_EQ(watch.faults_set(), 0u);
   EXPECT_THAT(watch.troubles(), testing::Contains(testing::HasSubstr("log is ")));

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "estimators/leveling/leveling_filter.hpp"
+#include "estimators/pipeline/maker.hpp"
+
+namespace drydock::pipeline {
+
+/// A leveling filter on one IMU and one speed log.
+struct LevelingOptions {
+  std::optional<std::uint16_t> log;  ///< device index; needed unless stationary
+  bool stationary = false;           ///< all velocities are zero; the log is not used
+  leveling::FilterKind kind = leveling::FilterKind::robust;
+  leveling::LevelingOptions filter;
+};
+
+std::string fault_of(const LevelingOptions& options);
+std::unique_ptr<Estimator> make_estimator(Seat seat, const LevelingOptions& options,
+                                          const PipelineOptions& pipeline);
+
+}  // namespace drydock::pipeline

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "estimators/mixing/mixing_accuracy.hpp"
+#include "estimators/mixing/mixing_filter.hpp"
+#include "estimators/pipeline/maker.hpp"
+
+namespace drydock::pipeline {
+
+/// The mixing filter on one IMU and one speed log.
+struct MixingOptions {
+  std::optional<std::uint16_t> log;  ///< device index; needed
+  mixing::MixingOptions filter;
+  mixing::SensorAccuracy sensors;
+};
+
+std::string fault_of(const MixingOptions& options);
+std::unique_ptr<Estimator> make_estimator(Seat seat, const MixingOptions& options,
+                                          const PipelineOptions& pipeline);
+
+}  // namespace drydock::pipeline

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "estimators/pipeline/options.hpp"
+#include "rig_config/rig.hpp"
+
+namespace drydock::setup {
+
+/// An estimator and its rig, which has the devices that it names.
+struct EstimatorInRig {
+  const rig_config::Rig& rig;
+  const rig_config::EstimatorConfig& estimator;
+};
+
+/// The options of each kind of estimator. `pipeline_options` visits them: a kind without its line
+/// here does not compile. The loader has checked that the named devices exist.
+pipeline::LevelingOptions options_of(const rig_config::LevelingConfig&, const EstimatorInRig&);
+pipeline::MixingOptions options_of(const rig_config::MixingConfig&, const EstimatorInRig&);
+pipeline::RollOptions options_of(const rig_config::RollConfig&, const EstimatorInRig&);
+pipeline::InertialOptions options_of(const rig_config::NavigationConfig&, const EstimatorInRig&);
+pipeline::InertialOptions options_of(const rig_config::VelocityConfig&, const EstimatorInRig&);
+
+const rig_config::DeviceConfig* find_device(const rig_config::Rig& rig, const std::string& name);
+
+/// Device index; empty if the name is empty.
+std::optional<std::uint16_t> index_of(const rig_config::Rig& rig, const std::string& name);
+
+}  // namespace drydock::setup
