@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-namespace drydock::testing {
+namespace drydock::test {
 
 /// The name of a parameterised test: `text` with an underscore for what GoogleTest does not allow.
 inline std::string test_name(std::string_view text) {
@@ -14,4 +14,4 @@ inline std::string test_name(std::string_view text) {
   return name;
 }
 
-}  // namespace drydock::testing
+}  // namespace drydock::test

@@ -32,8 +32,8 @@
 namespace {
 
 using namespace drydock;
-using Pty;
-using wait_readable;
+using bench::Pty;
+using bench::wait_readable;
 using Clock = std::chrono::steady_clock;
 using Microseconds = std::chrono::duration<double, std::micro>;
 
@@ -80,7 +80,7 @@ class EachEstimate final : public host::Follower {
 void report(benchmark::State& state, std::vector<double> us) {
   if (us.empty()) return state.SkipWithError("nothing came through");
   state.counters["n"] = static_cast<double>(us.size());
-  const auto [p50, p99] = percentiles_of(std::move(us));
+  const auto [p50, p99] = bench::percentiles_of(std::move(us));
   state.counters["p50_us"] = p50;
   state.counters["p99_us"] = p99;
 }

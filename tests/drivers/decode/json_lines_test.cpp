@@ -26,14 +26,14 @@ void visit_fields(const Point& p, F&& field) {
   field("label", p.label);
 }
 
-TEST(text::JsonWriter, NotANumberAndInfinityAreNull) {
+TEST(JsonWriter, NotANumberAndInfinityAreNull) {
   EXPECT_EQ(written(std::numeric_limits<double>::quiet_NaN()), "null");
   EXPECT_EQ(written(std::numeric_limits<double>::infinity()), "null");
   EXPECT_EQ(written(std::optional<double>{}), "null");
   EXPECT_EQ(written(std::string_view{}), "null");
 }
 
-TEST(text::JsonWriter, DoublesHaveTheFewestDigits) {
+TEST(JsonWriter, DoublesHaveTheFewestDigits) {
   EXPECT_EQ(written(0.1), "0.1");
   EXPECT_EQ(written(-2.0), "-2");
   EXPECT_EQ(written(1436509052.249713), "1436509052.249713");
@@ -44,24 +44,24 @@ TEST(text::JsonWriter, DoublesHaveTheFewestDigits) {
   EXPECT_EQ(written(0.1F), "0.1");
 }
 
-TEST(text::JsonWriter, BytesAreNumbers) {
+TEST(JsonWriter, BytesAreNumbers) {
   EXPECT_EQ(written(std::uint8_t{65}), "65");
   EXPECT_EQ(written(std::array<std::uint8_t, 3>{1, 2, 255}), "[1,2,255]");
   EXPECT_EQ(written(true), "true");
 }
 
-TEST(text::JsonWriter, WholeNumbersAreWholeToTheirLimits) {
+TEST(JsonWriter, WholeNumbersAreWholeToTheirLimits) {
   EXPECT_EQ(written(std::numeric_limits<std::int64_t>::min()), "-9223372036854775808");
   EXPECT_EQ(written(std::numeric_limits<std::int64_t>::max()), "9223372036854775807");
   EXPECT_EQ(written(std::numeric_limits<std::uint64_t>::max()), "18446744073709551615");
 }
 
-TEST(text::JsonWriter, StructsNest) {
+TEST(JsonWriter, StructsNest) {
   EXPECT_EQ(written(std::array<Point, 2>{Point{1.5, 7}, Point{}}),
             R"([{"x_m":1.5,"label":7},{"x_m":0,"label":null}])");
 }
 
-RC_GTEST_PROP(text::JsonWriter, AnyBytesAreOneJsonString, (const std::string& bytes)) {
+RC_GTEST_PROP(JsonWriter, AnyBytesAreOneJsonString, (const std::string& bytes)) {
   const nlohmann::json parsed = nlohmann::json::parse(written(std::string_view(bytes)));
   if (bytes.empty()) {
     RC_ASSERT(parsed.is_null());
@@ -76,11 +76,11 @@ RC_GTEST_PROP(text::JsonWriter, AnyBytesAreOneJsonString, (const std::string& by
   RC_ASSERT(latin1 == bytes);
 }
 
-RC_GTEST_PROP(text::JsonWriter, DoublesReadBackTheSame, (double number)) {
+RC_GTEST_PROP(JsonWriter, DoublesReadBackTheSame, (double number)) {
   RC_ASSERT(nlohmann::json::parse(written(number)).get<double>() == number);
 }
 
-RC_GTEST_PROP(text::JsonWriter, DecimalsOfAWireHaveTheFewestDigits, ()) {
+RC_GTEST_PROP(JsonWriter, DecimalsOfAWireHaveTheFewestDigits, ()) {
   const auto whole = *rc::gen::inRange<std::int64_t>(-1'000'000'000'000'000, 1'000'000'000'000'000);
   const double unit = *rc::gen::element(1.0, 10.0, 100.0, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8);
   const double number = static_cast<double>(whole) / unit;

@@ -93,7 +93,7 @@ TEST(Ports, CanInterfacesAreToldFromOtherNetworks) {
   ASSERT_EQ(ports.size(), 1u);
   EXPECT_EQ(ports[0].name, "can0");
   EXPECT_FALSE(ports[0].up);
-  MemoryFile out;
+  decode::MemoryFile out;
   EXPECT_EQ(probe::probe_all(machine.root(), true, out.file()), 0);
   EXPECT_EQ(nlohmann::json::parse(out.text()).at("can").at(0).at("name"), "can0");
 }

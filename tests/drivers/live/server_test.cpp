@@ -108,7 +108,7 @@ TEST_P(LiveServerByName, SpeaksToFoxglovesOwnClient) {
 
 INSTANTIATE_TEST_SUITE_P(BothNames, LiveServerByName,
                          testing::Values("foxglove.websocket.v1", "foxglove.sdk.v1"),
-                         [](const auto& one) { return drydock::testing::test_name(one.param); });
+                         [](const auto& one) { return drydock::test::test_name(one.param); });
 
 TEST_F(LiveServer, AViewerThatDoesNotReadLosesMessagesAndHoldsUpNobody) {
   ASSERT_FALSE(server_.listen());

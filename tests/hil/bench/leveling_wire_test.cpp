@@ -82,9 +82,9 @@ std::vector<Attitude> straight_into(leveling::FilterKind kind, const rig_config:
   };
 
   auto options = leveling::options_for(kind);
-  const auto& start = std::get<rig_config::LevelingConfig>(rig.estimators.at(0).kind).start;
-  options.latitude_rad = start.latitude_rad;
-  options.heading_rad = start.heading_rad;
+  const auto& attitude = std::get<rig_config::LevelingConfig>(rig.estimators.at(0).kind).start;
+  options.latitude_rad = attitude.latitude_rad;
+  options.heading_rad = attitude.heading_rad;
   auto any = leveling::make_filter(kind, options);
   std::vector<Attitude> attitudes;
   std::visit(

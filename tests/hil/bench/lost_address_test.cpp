@@ -61,7 +61,7 @@ TEST_P(EachSensor, IsFoundAgainWhoseAddressWasTakenWhileTheDriverWasBusOff) {
 }
 
 INSTANTIATE_TEST_SUITE_P(J1939, EachSensor, ::testing::Values("depth", "actuators", "openimu"),
-                         [](const auto& one) { return drydock::testing::test_name(one.param); });
+                         [](const auto& one) { return drydock::test::test_name(one.param); });
 
 TEST(BusOff, EndsWhenTheLastFaultThatKeepsTheControllerOffHasCleared) {
   const auto at_s = arrivals(

@@ -53,17 +53,17 @@ class Characterize : public testing::Test {
   std::filesystem::path folder_;
 };
 
-Characterized characterized(const Gathered& gathered) {
-  Characterized device{characterize::figures_of(gathered.devices.at(0)).value(), {}, {}};
+characterize::Characterized characterized(const characterize::Gathered& gathered) {
+  characterize::Characterized device{characterize::figures_of(gathered.devices.at(0)).value(), {}, {}};
   device.measured = characterize::grade_of(device.figures);
   return device;
 }
 
 TEST_F(Characterize, AnHourOfAnEmulatedImuGivesItsParametersBackWithinTheirBounds) {
-  CharacterizeOptions options;
+  characterize::CharacterizeOptions options;
   options.source = path("rig.toml");
   testing::internal::CaptureStdout();
-  const auto gathered = gather(options);
+  const auto gathered = characterize::gather(options);
   testing::internal::GetCapturedStdout();
   const auto device = characterized(gathered);
   const auto& timing = device.figures.timing;
@@ -99,7 +99,7 @@ TEST_F(Characterize, AnHourOfAnEmulatedImuGivesItsParametersBackWithinTheirBound
   EXPECT_GT(high[2], -200 * degph);
 
   // The written file contains the measured values, and the checker accepts it.
-  write("imu.toml", sensor_file_of(device, "rig.toml"));
+  write("imu.toml", characterize::sensor_file_of(device, "rig.toml"));
   EXPECT_TRUE(rig_config::check_file(path("imu.toml")).empty());
   const auto grade = rig_config::load_sensor(path("imu.toml"), rig_config::DeviceKind::imu).value();
   EXPECT_NEAR(grade.primary.noise_density[1] / device.measured.value.primary.noise_density[1], 1,
@@ -108,7 +108,7 @@ TEST_F(Characterize, AnHourOfAnEmulatedImuGivesItsParametersBackWithinTheirBound
 }
 
 TEST_F(Characterize, ARecordingGivesTheSameFiguresAsTheRunItWasMadeOf) {
-  CharacterizeOptions options;
+  characterize::CharacterizeOptions options;
   options.source = path("rig.toml");
   options.duration_s = 60;
   const auto rig = rig_config::load_rig(options.source).value();
@@ -128,10 +128,10 @@ TEST_F(Characterize, ARecordingGivesTheSameFiguresAsTheRunItWasMadeOf) {
     ASSERT_FALSE(recorder.finish());
   }
   testing::internal::CaptureStdout();
-  const auto live = gather(options);
+  const auto live = characterize::gather(options);
   testing::internal::GetCapturedStdout();
   options.source = path("dive.mcap");
-  const auto played = gather(options);
+  const auto played = characterize::gather(options);
   ASSERT_EQ(played.devices.size(), 1U);
   const auto &a = live.devices[0], &b = played.devices[0];
   EXPECT_EQ(b.subject.name, "imu");
@@ -145,13 +145,13 @@ TEST_F(Characterize, ARecordingGivesTheSameFiguresAsTheRunItWasMadeOf) {
 }
 
 TEST_F(Characterize, AnUnknownDeviceIsRefusedWithTheNamesThereAre) {
-  CharacterizeOptions options;
+  characterize::CharacterizeOptions options;
   options.source = path("rig.toml");
   options.duration_s = 1;
   options.device = "dvl";
   std::FILE* errors = std::tmpfile();
   testing::internal::CaptureStdout();
-  EXPECT_EQ(characterize_source(options, stdout, errors), 2);
+  EXPECT_EQ(characterize::characterize_source(options, stdout, errors), 2);
   testing::internal::GetCapturedStdout();
   std::rewind(errors);
   char line[200] = {};

@@ -55,11 +55,11 @@ class DvlAgainstGnss : public testing::Test {
                "[[estimator]]\nname = \"leveling\"\nkind = \"leveling\"\nimu = \"imu\"\nmodel = "
                "\"stationary\"\nlatitude_deg = 36\n[[expect]]\nestimator = "
                "\"leveling\"\nroll_rms_deg_max = 2\n";
-    CharacterizeOptions options;
+    characterize::CharacterizeOptions options;
     options.source = (folder_ / "rig.toml").string();
     options.duration_s = duration_s_;
     testing::internal::CaptureStdout();
-    auto gathered = gather(options);
+    auto gathered = characterize::gather(options);
     testing::internal::GetCapturedStdout();
     return std::move(gathered.devices);
   }

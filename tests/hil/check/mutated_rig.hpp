@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "rig_config/fault.hpp"
+#include "rig_config/fault_vocabulary.hpp"
 #include "tests/hil/check/rig_folder.hpp"
 
 /// Rig and mission files that are shipped ones with a few changes.

@@ -171,7 +171,7 @@ INSTANTIATE_TEST_SUITE_P(Eds, EdsOf,
                                          std::tuple{"epson-g552", DeviceKind::imu},
                                          std::tuple{"cia404-pressure", DeviceKind::depth}),
                          [](const auto& one) {
-                           return drydock::testing::test_name(std::get<0>(one.param));
+                           return drydock::test::test_name(std::get<0>(one.param));
                          });
 
 }  // namespace

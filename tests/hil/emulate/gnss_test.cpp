@@ -157,7 +157,7 @@ TEST_P(GnssWitness, GpsdReadsTheSamePositionSpeedAndSatellites) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Protocols, GnssWitness, testing::Values("ubx", "nmea0183"),
-                         [](const auto& one) { return drydock::testing::test_name(one.param); });
+                         [](const auto& one) { return drydock::test::test_name(one.param); });
 
 }  // namespace
 }  // namespace drydock::emulate

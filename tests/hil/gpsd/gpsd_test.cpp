@@ -135,7 +135,7 @@ INSTANTIATE_TEST_SUITE_P(Protocols, Gpsd,
                          testing::Values(Case{"ubx", ubx_resolution},
                                          Case{"nmea0183", nmea_resolution}),
                          [](const auto& one) {
-                           return drydock::testing::test_name(one.param.protocol);
+                           return drydock::test::test_name(one.param.protocol);
                          });
 
 /// gpsd leaves out invalid values, and a carrier phase with unknown accuracy.

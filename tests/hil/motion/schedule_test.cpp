@@ -98,7 +98,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{"gh_rudder_m10.csv", "0,0,0,0,1500\n10,-10,0,0,1500\n"},
                     Case{"gh_stern_p3.csv", "0,0,0,0,1500\n10,0,3,0,1500\n"},
                     Case{"gh_stern_pulse_m5.csv", "0,0,0,0,1500\n10,0,-5,0,1500\n20,0,0,0,1500\n"}),
-    [](const auto& one) { return drydock::testing::test_name(one.param.file); });
+    [](const auto& one) { return drydock::test::test_name(one.param.file); });
 
 }  // namespace schedule_test
 }  // namespace drydock::motion

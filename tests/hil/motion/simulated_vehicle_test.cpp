@@ -67,7 +67,7 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(Manoeuvre{"npsauv_corrected_rudder_p10.csv", 10 * rad, 0, 1e9},
                     Manoeuvre{"npsauv_corrected_stern_p3.csv", 0, 3 * rad, 1e9},
                     Manoeuvre{"npsauv_corrected_stern_pulse_m5.csv", 0, -5 * rad, 20}),
-    [](const auto& one) { return drydock::testing::test_name(one.param.file); });
+    [](const auto& one) { return drydock::test::test_name(one.param.file); });
 
 TEST(SimulatedVehicle, TurnsToPortOnARadiusOf29Metres) {
   SimulatedVehicle vehicle(nps_file(), cruise_mps * State::Unit(0));

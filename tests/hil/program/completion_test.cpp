@@ -11,8 +11,8 @@
 
 namespace completion_test {
 
-using drydock;
-using Folder;
+using program::drydock;
+using program::Folder;
 using testing::HasSubstr;
 
 TEST(Program, BashCompletesCommandsOptionsAndValues) {

@@ -9,9 +9,9 @@
 namespace fault_page_test {
 
 using nlohmann::json;
-using drydock;
-using Folder;
-using Running;
+using program::drydock;
+using program::Folder;
+using program::Running;
 using testing::Contains;
 using testing::HasSubstr;
 using testing::MatchesRegex;

@@ -9,8 +9,8 @@
 
 namespace load_program_test {
 
-using drydock;
-using Folder;
+using program::drydock;
+using program::Folder;
 using testing::HasSubstr;
 
 std::filesystem::path rig_in(const Folder& folder, const std::string& faults) {
@@ -27,7 +27,7 @@ TEST(Load, ItsLastLineItsJsonAndItsExitCodeSayTheSame) {
   const auto json = folder / "load.json";
   const auto load =
       drydock("load " + rig_in(folder, "").string() + " --for 2s --json " + json.string());
-  const auto figures = nlohmann::json::parse(read_file(json));
+  const auto figures = nlohmann::json::parse(program::read_file(json));
   const bool passed = figures["passed"];
   EXPECT_EQ(load.exit_code, passed ? 0 : 1) << load.output;
   EXPECT_THAT(load.output, HasSubstr(passed ? "PASS 1 devices" : "FAIL 1 of 1 devices"));

@@ -11,8 +11,8 @@
 /// The monitor serves to browsers what it receives. Foxglove's own client checks this.
 namespace monitor_serve_test {
 
-using drydock;
-using Folder;
+using program::drydock;
+using program::Folder;
 using testing::HasSubstr;
 using namespace std::chrono_literals;
 
@@ -31,7 +31,7 @@ class ServedMonitor {
   /// "ws://127.0.0.1:PORT/..." as soon as it is served. The monitor of a link probes first.
   std::string address() const {
     for (int i = 0; i < 300; ++i) {
-      const auto said = read_file(folder_ / "live");
+      const auto said = program::read_file(folder_ / "live");
       const auto from = said.find("live: http"), to = said.find('\n', from);
       if (from != std::string::npos && to != std::string::npos)
         return "ws" + said.substr(from + 10, to - from - 10);
@@ -49,7 +49,7 @@ class ServedMonitor {
 
  private:
   Folder folder_;
-  Outcome outcome_;
+  program::Outcome outcome_;
   std::jthread run_;
 };
 

@@ -10,9 +10,9 @@
 
 namespace program_models_test {
 
-using drydock;
-using Folder;
-using read_file;
+using program::drydock;
+using program::Folder;
+using program::read_file;
 using testing::HasSubstr;
 
 TEST(Program, AStudyGivesTheSameFilesOnOneThreadAndOnThree) {

@@ -10,9 +10,9 @@
 
 namespace program_probe_test {
 
-using drydock;
-using emulated_demo;
-using Folder;
+using program::drydock;
+using program::emulated_demo;
+using program::Folder;
 using testing::HasSubstr;
 
 TEST(Program, AProbeFindsAnEmulatedSensorAndItsBlockIsAGoodRig) {

@@ -9,10 +9,10 @@
 
 namespace program_processes_test {
 
-using drydock;
-using emulated_demo;
-using Folder;
-using read_file;
+using program::drydock;
+using program::emulated_demo;
+using program::Folder;
+using program::read_file;
 using testing::HasSubstr;
 
 TEST(Program, DriveAndEstimateAsTwoProcessesDoWhatRunDoesInOne) {

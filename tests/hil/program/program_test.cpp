@@ -10,8 +10,8 @@
 
 namespace program_test {
 
-using drydock;
-using Folder;
+using program::drydock;
+using program::Folder;
 using testing::HasSubstr;
 
 TEST(Program, HelpOfEveryCommandShowsAnExample) {

@@ -33,7 +33,7 @@ std::vector<std::string> dives() {
 }
 
 std::string played(const std::string& recording) {
-  MemoryFile now;
+  decode::MemoryFile now;
   const auto measurements = write_reference(recording, now.file());
   if (!measurements) return measurements.error().line;
   EXPECT_GT(*measurements, 0U);
@@ -195,7 +195,7 @@ TEST(Dives, AreSevenOrMoreAndHaveEveryKindOfDevice) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Fixtures, Dive, testing::ValuesIn(dives()),
-                         [](const auto& dive) { return drydock::testing::test_name(dive.param); });
+                         [](const auto& dive) { return drydock::test::test_name(dive.param); });
 
 }  // namespace dives_test
 }  // namespace drydock::recordings

@@ -22,7 +22,7 @@ class RecordingCommand : public testing::Test {
   record::test::TestFolder folder_;
   std::string dive_ = folder_ / "dive.mcap";
   record::test::SampleCounts counts_ = record::test::write_sample_dive(dive_);
-  MemoryFile err_;
+  decode::MemoryFile err_;
 };
 
 TEST_F(RecordingCommand, ExportSaysInALineWhatItWroteOrWhyNot) {
@@ -63,7 +63,7 @@ TEST_F(RecordingCommand, AFixtureHoldsWhatBecameOfTheBytes) {
   EXPECT_THAT(reference, HasSubstr(R"({"device":"dvl","type":"bottom_velocity")"));
   EXPECT_THAT(reference, HasSubstr(R"({"device":"depth","type":"depth")"));
   EXPECT_THAT(read_all(folder_ / "dives/lost-lock/NOTES.md"), HasSubstr("# lost-lock"));
-  MemoryFile again;
+  decode::MemoryFile again;
   EXPECT_TRUE(write_reference(folder_ / "dives/lost-lock/dive.mcap", again.file()));
   EXPECT_EQ(again.text(), reference);
 }
