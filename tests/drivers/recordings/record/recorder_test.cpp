@@ -86,8 +86,9 @@ TEST_F(RecorderTest, RawAndUnderstoodAreReadByOtherPeoplesDecoders) {
   EXPECT_EQ(imu["type"], "sensor_msgs/msg/Imu");
   EXPECT_EQ(imu["last"]["linear_acceleration"]["z"], 9.81);  // forward-left-up
   EXPECT_EQ(imu["last"]["header"]["frame_id"], "imu_link");
-  EXPECT_EQ(imu["last"]["header"]["stamp"]["nanosec"], 10'000'000);  // valid_at
-  EXPECT_EQ(imu["logTimes"][0], "1700000000013000000");              // received_at
+  EXPECT_EQ(imu["last"]["header"]["stamp"]["nsec"],
+            10'000'000);                                 // valid_at; nsec is that reader's word
+  EXPECT_EQ(imu["logTimes"][0], "1700000000013000000");  // received_at
   EXPECT_EQ(imu["metadata"]["topic_type_hash"],
             "RIHS01_7d9a00ff131080897a5ec7e26e315954b8eae3353c3f995c55faf71574000b5b");
   EXPECT_EQ(topics["/dvl/data"]["type"], "marine_acoustic_msgs/msg/Dvl");
