@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "drivers/measurement/units.hpp"
 #include "rig_config/checks/checks.hpp"
 #include "rig_config/toml/checked_file.hpp"
 #include "rig_config/toml/read_keys.hpp"

@@ -1,5 +1,6 @@
 #include "rig_config/estimator/roll.hpp"
 
+#include "drivers/measurement/units.hpp"
 #include "rig_config/toml/read_keys.hpp"
 
 namespace drydock::rig_config {
