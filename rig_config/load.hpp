@@ -30,6 +30,10 @@ std::string to_string(const Problem& problem);
 
 using Problems = std::vector<Problem>;
 
+/// A problem at this path of a file. If the file does not have the key, the problem stands at the
+/// table of the key.
+Problem problem_at(const PlacesPtr& places, std::string path, std::string what);
+
 /// Values, or every problem of the file in file order.
 template <class T>
 using Loaded = boost::system::result<T, Problems>;

@@ -6,6 +6,7 @@
 
 #include "rig_config/fault.hpp"
 #include "rig_config/ocean.hpp"
+#include "rig_config/places.hpp"
 #include "rig_config/vehicle.hpp"
 
 /// A mission file as typed values: the motion of the emulated vehicle.
@@ -61,6 +62,7 @@ struct MissionConfig {
   std::vector<FaultConfig> faults;
   std::optional<BallisticConfig> ballistic;  ///< instead of legs
   std::optional<VehicleConfig> vehicle;      ///< follows the legs with autopilots; empty: kinematic
+  PlacesPtr places;                          ///< of the mission file
 };
 
 }  // namespace drydock::rig_config

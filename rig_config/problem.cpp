@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <stdexcept>
+#include <tuple>
 
 #include "rig_config/load.hpp"
 
@@ -9,6 +10,19 @@ namespace drydock::rig_config {
 std::string to_string(const Problem& problem) {
   return fmt::format("{}:{}:{}: {}: {}", problem.file, problem.line, problem.column, problem.path,
                      problem.what);
+}
+
+Problem problem_at(const PlacesPtr& places, std::string path, std::string what) {
+  Problem problem{.file = places ? places->file : "", .path = path, .what = std::move(what)};
+  if (!places) return problem;
+  problem.line = problem.column = 1;
+  for (; !path.empty(); path.erase(path.rfind('/'))) {
+    const auto found = places->at.find(path);
+    if (found == places->at.end()) continue;
+    std::tie(problem.line, problem.column) = found->second;
+    break;
+  }
+  return problem;
 }
 
 void throw_exception_from_error(const Problems& problems, const boost::source_location&) {

@@ -13,6 +13,7 @@
 #include "rig_config/expect.hpp"
 #include "rig_config/fault.hpp"
 #include "rig_config/mission.hpp"
+#include "rig_config/places.hpp"
 
 /// A rig file as typed values. The names are those of the TOML keys. The JSON Schema
 /// `rig_config/schema/rig.schema.json` defines the allowed values; the loader fills in the
@@ -101,6 +102,7 @@ struct Rig {
   std::vector<EstimatorConfig> estimators;
   std::vector<ExpectConfig> expects;
   std::vector<FaultConfig> faults;  ///< of the rig file, then of its mission
+  PlacesPtr places;                 ///< of the rig file; empty for a rig that no file describes
 };
 
 }  // namespace drydock::rig_config

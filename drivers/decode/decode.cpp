@@ -13,6 +13,7 @@
 #include "drivers/capture/file_blocks.hpp"
 #include "drivers/capture/frame_capture.hpp"
 #include "drivers/measurement/stamp.hpp"
+#include "drivers/terminal/exit_codes.hpp"
 #include "drivers/text/json_lines.hpp"
 #include "drivers/wire/registry.hpp"
 
@@ -143,7 +144,7 @@ bool knows(List list, std::string_view name) {
 
 int refuse(std::FILE* err, const std::string& why) {
   fmt::print(err, "decode: {}\n", why);
-  return 2;
+  return terminal::exit_usage;
 }
 
 void print_totals(std::FILE* err, const wire::StreamCounters& counters, std::uint64_t messages,
@@ -205,7 +206,7 @@ int decode(const DecodeOptions& options, std::FILE* out, std::FILE* err) {
   if (capture.unknown()) return refuse(err, capture::unknown_format_text(file));
   if (!written) return refuse(err, "cannot write the output");
   if (!options.quiet) print_totals(err, counters, sink.messages(), capture);
-  return sink.messages() > 0 ? 0 : 1;
+  return terminal::exit_of(sink.messages() > 0);
 }
 
 }  // namespace drydock::decode

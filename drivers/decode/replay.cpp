@@ -4,18 +4,19 @@
 
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/post.hpp>
-#include <boost/asio/signal_set.hpp>
 #include <cstring>
 #include <functional>
 #include <memory>
 #include <stdexcept>
 #include <utility>
 
+#include "drivers/io/until_stopped.hpp"
 #include "drivers/link/can/frame_file.hpp"
 #include "drivers/shell/device_actor.hpp"
 #include "drivers/shell/real_time.hpp"
 #include "drivers/shell/recorded_bus.hpp"
 #include "drivers/shell/recorded_line.hpp"
+#include "drivers/terminal/exit_codes.hpp"
 #include "drivers/text/json_lines.hpp"
 #include "drivers/text/measurement_fields.hpp"
 
@@ -169,26 +170,16 @@ void play_in_virtual_time(const link::Uri& uri, std::unique_ptr<Device> device, 
 
 void play_in_real_time(std::unique_ptr<Device> device, Printer& printer, std::FILE* totals) {
   boost::asio::io_context io{1};
-  boost::asio::signal_set signals(io, SIGINT, SIGTERM);
   std::vector<std::unique_ptr<Device>> devices;
   devices.push_back(std::move(device));
   shell::RealTime shell(io, std::move(devices), printer);
-  const auto stop = [&] {
+  io::UntilStopped until(io, 0, [&] {
     printer.on_closed = nullptr;
-    signals.cancel();
-    signals.clear();  // a second Ctrl-C ends the program at once
     if (totals != nullptr) print_totals(totals, shell.health(0), nullptr);
     shell.stop();
-  };
-  signals.async_wait([&](const boost::system::error_code& ec, int) {
-    if (!ec) stop();
   });
   printer.live = true;
-  printer.on_closed = [&] {
-    boost::asio::post(io, [&] {
-      if (printer.on_closed) stop();
-    });
-  };
+  printer.on_closed = [&] { boost::asio::post(io, [&] { until.stop(); }); };
   shell.start();
   io.run();
 }
@@ -232,13 +223,13 @@ int replay(const ReplayOptions& options, std::FILE* out, std::FILE* err) {
     }
   } catch (const std::exception& error) {
     fmt::print(err, "replay: {}\n", error.what());
-    return 2;
+    return terminal::exit_usage;
   }
   if (!printer.flush()) {
     fmt::print(err, "replay: cannot write the output\n");
-    return 2;
+    return terminal::exit_usage;
   }
-  return printer.measurements() > 0 ? 0 : 1;
+  return terminal::exit_of(printer.measurements() > 0);
 }
 
 }  // namespace drydock::decode

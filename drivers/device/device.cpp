@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "drivers/device/bus/can_error_text.hpp"
+#include "drivers/measurement/earlier.hpp"
 
 namespace drydock::device {
 
@@ -122,8 +123,7 @@ void Device::clock_stepped(std::chrono::nanoseconds step, Stamp now) {
 std::optional<Stamp> Device::deadline() const {
   const auto of_life = life_cycle_.deadline();
   const auto of_driver = life_cycle_.uses_link() ? driver().deadline() : std::nullopt;
-  if (!of_life || !of_driver) return of_life ? of_life : of_driver;
-  return std::min(*of_life, *of_driver);
+  return measurement::earlier(of_life, of_driver);
 }
 
 void Device::publish(const Measurement& measurement) {

@@ -8,6 +8,7 @@
 #include <iterator>
 
 #include "drivers/link/uri.hpp"
+#include "drivers/terminal/exit_codes.hpp"
 #include "drivers/text/json_lines.hpp"
 
 namespace drydock::doctor {
@@ -96,7 +97,7 @@ int doctor(const Needs& needs, bool json, std::FILE* out) {
         fmt::print(out, "{:<24}{}\n", "", d.command);
     }
   }
-  return wrong ? 1 : 0;
+  return terminal::exit_of(!wrong);
 }
 
 }  // namespace drydock::doctor

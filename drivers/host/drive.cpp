@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <boost/asio/signal_set.hpp>
 #include <boost/asio/steady_timer.hpp>
 #include <optional>
 #include <stdexcept>
@@ -11,19 +10,17 @@
 #include "drivers/bus/participant.hpp"
 #include "drivers/host/driver_host.hpp"
 #include "drivers/host/rig_bus.hpp"
+#include "drivers/host/rig_publisher.hpp"
+#include "drivers/host/state_lines.hpp"
+#include "drivers/io/until_stopped.hpp"
 #include "drivers/link/link.hpp"
 #include "drivers/shell/rig_devices.hpp"
+#include "drivers/terminal/exit_codes.hpp"
 
 namespace drydock::host {
 namespace {
 
 constexpr std::chrono::milliseconds tick_period{200};
-
-void print_state(const device::Device& device, const device::Transition& change) {
-  fmt::print("{}: {} -> {}: {}\n", device.name(), to_string(change.from), to_string(change.to),
-             change.why.view());
-  std::fflush(stdout);
-}
 
 void print_health(const shell::RealTime& shell) {
   for (std::size_t i = 0; i < shell.size(); ++i) {
@@ -34,7 +31,7 @@ void print_health(const shell::RealTime& shell) {
   }
 }
 
-/// Runs the drivers and their watchers until the time is over or Ctrl-C.
+/// Runs the drivers and their followers until the time is over or Ctrl-C.
 class Drive {
  public:
   Drive(const rig_config::Rig& rig, const DriveOptions& options,
@@ -42,57 +39,44 @@ class Drive {
       : options_(options),
         participant_(static_cast<std::uint32_t>(rig.dds_domain), rig.dds_interface),
         publisher_(participant_, bus_devices(rig)),
-        host_(io_, std::move(devices), &publisher_, &watchers_) {
-    if (!options.record.path.empty()) {
-      recorder_.emplace(rig, options.record, link::now(), record::WhenBehind::lose);
-      watchers_.add(*recorder_);
+        host_(io_, std::move(devices), followers_) {
+    followers_.add(publisher_);
+    followers_.add(state_lines_);
+    if (!options.record.path.empty())
+      followers_.add(recorder_.emplace(rig, options.record, link::now(), record::WhenBehind::lose));
+    if (options.serve.address.empty()) return;
+    followers_.add(viewer_.emplace(io_.get_executor(), rig, options.serve));
+    if (options.behind_page) {
+      behind_page_ = options.behind_page(io_.get_executor(), *viewer_, followers_);
+      followers_.add(*behind_page_);
     }
-    if (!options.serve.address.empty()) {
-      viewer_.emplace(io_.get_executor(), rig, options.serve);
-      watchers_.add(*viewer_);
-      if (options.behind_page)
-        behind_page_ = options.behind_page(io_.get_executor(), *viewer_, watchers_);
-      fmt::print("live: {}\n", viewer_->url());
-    }
-    host_.on_state_hook = print_state;
-    host_.on_measurement_hook = [this](const measurement::Measurement& m) { watchers_.note(m); };
-    host_.on_health_hook = [this](auto health, measurement::Stamp now) {
-      watchers_.note(health, now);
-    };
+    fmt::print("live: {}\n", viewer_->url());
   }
 
   int run() {
-    signals_.async_wait([this](const boost::system::error_code& ec, int) {
-      if (!ec) stop();
-    });
-    keep_ticking(link::now());
+    io::UntilStopped until(io_, options_.duration_s, [this] { stop(); });
+    keep_ticking();
     host_.start();
     io_.run();
     if (recorder_) fmt::print("{}\n", recorder_->finish());
-    return all_streaming_ && !(recorder_ && recorder_->failed()) ? 0 : 1;
+    return terminal::exit_of(all_streaming_ && !(recorder_ && recorder_->failed()));
   }
 
  private:
-  void keep_ticking(measurement::Stamp start) {
+  void keep_ticking() {
     timer_.expires_after(tick_period);
-    timer_.async_wait([this, start](const boost::system::error_code& ec) {
+    timer_.async_wait([this](const boost::system::error_code& ec) {
       if (ec || stopped_) return;  // an expired timer can no longer be cancelled
       const auto now = link::now();
-      watchers_.tick(now);
-      if (behind_page_) behind_page_(now);
-      if (options_.duration_s > 0 && measurement::seconds(now - start) >= options_.duration_s)
-        return stop();
-      keep_ticking(start);
+      followers_.tick(now);
+      keep_ticking();
     });
   }
 
   void stop() {
-    if (std::exchange(stopped_, true)) return;
+    stopped_ = true;
     all_streaming_ = host_.all_streaming();
     print_health(host_.shell());
-    host_.on_state_hook = nullptr;
-    signals_.cancel();
-    signals_.clear();  // a second Ctrl-C ends the program at once
     timer_.cancel();
     host_.stop();
     if (viewer_) viewer_->stop();
@@ -101,13 +85,13 @@ class Drive {
   const DriveOptions& options_;
   boost::asio::io_context io_{1};
   bus::Participant participant_;
-  bus::Publisher publisher_;
-  Watchers watchers_;
+  RigPublisher publisher_;
+  StateLines state_lines_{stdout};
+  Followers followers_;
   std::optional<RigRecorder> recorder_;
   std::optional<RigViewer> viewer_;
-  std::function<void(measurement::Stamp)> behind_page_;
+  std::shared_ptr<Follower> behind_page_;
   DriverHost host_;
-  boost::asio::signal_set signals_{io_, SIGINT, SIGTERM};
   boost::asio::steady_timer timer_{io_};
   bool stopped_ = false, all_streaming_ = false;
 };

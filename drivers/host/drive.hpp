@@ -2,6 +2,7 @@
 
 #include <boost/asio/any_io_executor.hpp>
 #include <functional>
+#include <memory>
 
 #include "drivers/host/rig_recorder.hpp"
 #include "drivers/host/rig_viewer.hpp"
@@ -9,10 +10,10 @@
 
 namespace drydock::host {
 
-/// Gives the viewer its services: requests that a page can make. The returned function is called a
-/// few times a second.
-using BehindPage = std::function<std::function<void(measurement::Stamp now)>(
-    boost::asio::any_io_executor, RigViewer&, Watchers&)>;
+/// Gives the page its services: requests that a viewer can make. Returns a follower of the run,
+/// which may tell the other followers what it learns.
+using BehindPage = std::function<std::shared_ptr<Follower>(boost::asio::any_io_executor, RigViewer&,
+                                                           Follower& others)>;
 
 struct DriveOptions {
   double duration_s = 0;  ///< 0: until Ctrl-C

@@ -12,9 +12,8 @@ constexpr std::chrono::seconds health_period{1};
 }
 
 DriverHost::DriverHost(boost::asio::io_context& io,
-                       std::vector<std::unique_ptr<device::Device>> devices, bus::Publisher* bus,
-                       shell::RawListener* raw)
-    : bus_(bus), shell_(io, std::move(devices), *this, raw), health_timer_(io) {}
+                       std::vector<std::unique_ptr<device::Device>> devices, Follower& follower)
+    : follower_(follower), shell_(io, std::move(devices), *this, &follower), health_timer_(io) {}
 
 void DriverHost::start() {
   shell_.start();
@@ -28,6 +27,12 @@ void DriverHost::stop() {
   shell_.stop();
 }
 
+std::vector<const device::Device*> DriverHost::devices() const {
+  std::vector<const device::Device*> all;
+  for (std::size_t i = 0; i < shell_.size(); ++i) all.push_back(&shell_.device(i));
+  return all;
+}
+
 bool DriverHost::all_streaming() const {
   for (std::size_t i = 0; i < shell_.size(); ++i) {
     if (shell_.device(i).state() != device::State::streaming) return false;
@@ -35,32 +40,24 @@ bool DriverHost::all_streaming() const {
   return true;
 }
 
-void DriverHost::on_measurement(const measurement::Measurement& measurement) {
-  if (bus_ != nullptr) bus_->publish(measurement);
-  if (on_measurement_hook) on_measurement_hook(measurement);
-}
-
-void DriverHost::on_state(const device::Device& device, const device::Transition& change) {
-  if (on_state_hook) on_state_hook(device, change);
-}
-
 void DriverHost::schedule_health() {
   health_timer_.async_wait([this](const boost::system::error_code& ec) {
     if (ec || stopped_) return;
-    publish_health();
+    tell_health();
     health_timer_.expires_at(health_timer_.expiry() + health_period);
     schedule_health();
   });
 }
 
-void DriverHost::publish_health() {
-  std::vector<bus::DeviceStatus> statuses;
-  for (std::size_t i = 0; i < shell_.size(); ++i) {
-    statuses.push_back(status_of(shell_.device(i), shell_.health(i)));
-  }
+void DriverHost::tell_health() {
   const auto now = link::now();
-  if (bus_ != nullptr) bus_->publish(statuses, now);
-  if (on_health_hook) on_health_hook(statuses, now);
+  const HealthReport health([this, now] {
+    HealthReport::Statuses statuses;
+    for (std::size_t i = 0; i < shell_.size(); ++i)
+      statuses.push_back(status_of(shell_.device(i), shell_.device(i).health(now)));
+    return statuses;
+  });
+  follower_.on_health(health, now);
 }
 
 }  // namespace drydock::host

@@ -97,7 +97,13 @@ mcap::Sink open_file(const RecordOptions& options) {
 RigRecorder::RigRecorder(const rig_config::Rig& rig, const RecordOptions& options, Stamp start,
                          record::WhenBehind when_behind)
     : path_(options.path),
-      recorder_(open_file(options), recorder_options(rig, start, when_behind)) {}
+      recorder_(open_file(options), recorder_options(rig, start, when_behind)),
+      truth_(rig.estimators.size()) {}
+
+void RigRecorder::record(const Estimate& estimate, std::size_t index) {
+  recorder_.topics().publish(estimate.attitude, index);
+  if (estimate.navigation) recorder_.topics().publish(*estimate.navigation, index);
+}
 
 void RigRecorder::tick(Stamp now) {
   recorder_.tick(now);

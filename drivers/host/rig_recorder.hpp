@@ -1,6 +1,6 @@
 #pragma once
 
-#include "drivers/host/watcher.hpp"
+#include "drivers/host/follower.hpp"
 #include "drivers/recordings/record/recorder.hpp"
 #include "rig_config/rig.hpp"
 
@@ -13,7 +13,7 @@ struct RecordOptions {
 
 /// Records the run of a rig: all data on its links, all results of its drivers and estimators, and
 /// the rig's files as attachments.
-class RigRecorder final : public Watcher {
+class RigRecorder final : public Follower {
  public:
   /// Throws std::runtime_error with one line if the file cannot be made.
   RigRecorder(const rig_config::Rig& rig, const RecordOptions& options, Stamp start,
@@ -26,20 +26,18 @@ class RigRecorder final : public Watcher {
                 Stamp at) override {
     recorder_.on_frame(link, way, frame, at);
   }
-  void note(const measurement::Measurement& measurement) override {
+  void on_measurement(const measurement::Measurement& measurement) override {
     recorder_.topics().publish(measurement);
   }
-  void note(const bus::Attitude& attitude, std::size_t estimator) override {
-    recorder_.topics().publish(attitude, estimator);
+  void on_estimate(const Estimate& estimate) override { record(estimate, estimate.estimator); }
+  void on_truth(const Estimate& truth) override { record(truth, truth_); }
+  void on_innovation(const bus::Innovation& innovation) override {
+    recorder_.topics().publish(innovation);
   }
-  void note(const bus::Navigation& navigation, std::size_t estimator) override {
-    recorder_.topics().publish(navigation, estimator);
+  void on_health(const HealthReport& health, Stamp now) override {
+    recorder_.topics().publish(health.statuses(), now);
   }
-  void note(std::span<const bus::DeviceStatus> health, Stamp now) override {
-    recorder_.topics().publish(health, now);
-  }
-  void note(const bus::Innovation& innovation) override { recorder_.topics().publish(innovation); }
-  void note(std::span<const bus::Fault> faults, Stamp now) override {
+  void on_faults(std::span<const bus::Fault> faults, Stamp now) override {
     recorder_.topics().publish(faults, now);
   }
   void tick(Stamp now) override;  ///< reports once on standard error if the file fails
@@ -49,8 +47,11 @@ class RigRecorder final : public Watcher {
   bool failed() const { return recorder_.status().error.failed(); }
 
  private:
+  void record(const Estimate& estimate, std::size_t index);
+
   std::string path_;
   record::Recorder recorder_;
+  std::size_t truth_;  ///< the truth is recorded as one more estimator
   bool told_ = false;
 };
 

@@ -54,8 +54,9 @@ RigViewer::RigViewer(boost::asio::any_io_executor executor, const Viewed& viewed
     : options_(server_options(viewed.name, options)),
       server_(std::move(executor), options_, live::page_files()),
       sink_(server_),
-      topics_(sink_, viewed.devices, with_truth(viewed.estimators),
-              with_truth(viewed.navigators), viewed.innovations),
+      topics_(sink_, viewed.devices, with_truth(viewed.estimators), with_truth(viewed.navigators),
+              viewed.innovations),
+      truth_(viewed.estimators.size()),
       last_sample_(viewed.devices.size()),
       last_attitude_(viewed.estimators.size() + 1),
       last_position_(viewed.estimators.size() + 1) {
@@ -79,7 +80,7 @@ bool RigViewer::due(Stamp& last, Stamp now) const {
   return true;
 }
 
-void RigViewer::note(const measurement::Measurement& measurement) {
+void RigViewer::on_measurement(const measurement::Measurement& measurement) {
   if (const auto* imu = std::get_if<measurement::ImuSample>(&measurement)) {
     const auto& origin = imu->origin;
     if (origin.device < last_sample_.size() && !due(last_sample_[origin.device], origin.valid_at))
@@ -88,16 +89,14 @@ void RigViewer::note(const measurement::Measurement& measurement) {
   topics_.publish(measurement);
 }
 
-void RigViewer::note(const bus::Attitude& attitude, std::size_t estimator) {
-  if (due(last_attitude_.at(estimator), attitude.valid_at)) topics_.publish(attitude, estimator);
+void RigViewer::show(const Estimate& estimate, std::size_t index) {
+  if (due(last_attitude_.at(index), estimate.attitude.valid_at))
+    topics_.publish(estimate.attitude, index);
+  if (estimate.navigation && due(last_position_.at(index), estimate.navigation->valid_at))
+    topics_.publish(*estimate.navigation, index);
 }
 
-void RigViewer::note(const bus::Navigation& navigation, std::size_t estimator) {
-  if (due(last_position_.at(estimator), navigation.valid_at))
-    topics_.publish(navigation, estimator);
-}
-
-void RigViewer::note(std::span<const bus::Fault> faults, Stamp now) {
+void RigViewer::on_faults(std::span<const bus::Fault> faults, Stamp now) {
   faults_.assign(faults.begin(), faults.end());
   faults_told_ = now;
   topics_.publish(faults_, now);
@@ -105,7 +104,7 @@ void RigViewer::note(std::span<const bus::Fault> faults, Stamp now) {
 
 void RigViewer::tick(Stamp now) {
   constexpr std::chrono::seconds again{1};
-  if (!faults_.empty() && now - faults_told_ >= again) note(std::vector(faults_), now);
+  if (!faults_.empty() && now - faults_told_ >= again) on_faults(std::vector(faults_), now);
 }
 
 }  // namespace drydock::host

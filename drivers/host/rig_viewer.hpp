@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "drivers/bus/cdr/cdr_publisher.hpp"
-#include "drivers/host/watcher.hpp"
+#include "drivers/host/follower.hpp"
 #include "drivers/live/live_topics.hpp"
 #include "rig_config/rig.hpp"
 
@@ -27,7 +27,7 @@ struct Viewed {
 Viewed viewed(const rig_config::Rig& rig);
 
 /// Shows a run in browsers and Foxglove. It thins fast topics to a rate that an eye can follow.
-class RigViewer final : public Watcher {
+class RigViewer final : public Follower {
  public:
   static constexpr std::chrono::milliseconds shortest_interval{40};
 
@@ -43,25 +43,27 @@ class RigViewer final : public Watcher {
 
   std::string url() const;  ///< for a browser; includes the token if there is one
 
-  void note(const measurement::Measurement& measurement) override;
-  void note(const bus::Attitude& attitude, std::size_t estimator) override;
-  void note(const bus::Navigation& navigation, std::size_t estimator) override;
-  void note(std::span<const bus::DeviceStatus> health, Stamp now) override {
-    topics_.publish(health, now);
+  void on_measurement(const measurement::Measurement& measurement) override;
+  void on_estimate(const Estimate& estimate) override { show(estimate, estimate.estimator); }
+  void on_truth(const Estimate& truth) override { show(truth, truth_); }
+  void on_innovation(const bus::Innovation& innovation) override { topics_.publish(innovation); }
+  void on_health(const HealthReport& health, Stamp now) override {
+    topics_.publish(health.statuses(), now);
   }
-  void note(const bus::Innovation& innovation) override { topics_.publish(innovation); }
-  void note(std::span<const bus::Fault> faults, Stamp now) override;
+  void on_faults(std::span<const bus::Fault> faults, Stamp now) override;
   void tick(Stamp now) override;  ///< repeats the faults in force, for viewers that connected later
   void stop() { server_.stop(); }
   live::ServerCounters counters() const { return server_.counters(); }
 
  private:
+  void show(const Estimate& estimate, std::size_t index);
   bool due(Stamp& last, Stamp now) const;
 
   live::ServerOptions options_;
   live::Server server_;
   live::LiveTopics sink_;
   bus::CdrPublisher topics_;
+  std::size_t truth_;               ///< the truth is shown as one more estimator
   std::vector<bus::Fault> faults_;  ///< in force
   Stamp faults_told_{};
   std::vector<Stamp> last_sample_;                    ///< by device; only for IMUs

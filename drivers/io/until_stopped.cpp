@@ -11,7 +11,9 @@ UntilStopped::UntilStopped(boost::asio::io_context& io, double duration_s,
                            std::function<void()> stop)
     : stop_(std::move(stop)), signals_(io, SIGINT, SIGTERM), timer_(io) {
   signals_.async_wait([this](const boost::system::error_code& ec, int) {
-    if (!ec) this->stop();
+    if (ec || stopped_) return;
+    interrupted_ = true;
+    this->stop();
   });
   if (duration_s <= 0) return;
   timer_.expires_after(measurement::from_seconds(duration_s));

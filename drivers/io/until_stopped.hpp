@@ -17,10 +17,13 @@ class UntilStopped {
 
   void stop();  ///< does the same as the end of the time
 
+  bool interrupted() const { return interrupted_; }  ///< Ctrl-C or SIGTERM ended it
+
  private:
   std::function<void()> stop_;
   boost::asio::signal_set signals_;
   boost::asio::steady_timer timer_;
+  bool interrupted_ = false;
   bool stopped_ = false;  ///< an expired timer can no longer be cancelled
 };
 

@@ -9,6 +9,7 @@
 #include <chrono>
 #include <utility>
 
+#include "drivers/io/as_outcome.hpp"
 #include "drivers/live/foxglove/access.hpp"
 #include "drivers/live/viewer.hpp"
 

@@ -5,6 +5,8 @@
 #include <boost/beast/core/buffers_to_string.hpp>
 #include <optional>
 
+#include "drivers/io/as_outcome.hpp"
+
 namespace drydock::live {
 
 namespace {

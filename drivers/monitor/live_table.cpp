@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "drivers/link/clock.hpp"
+
 namespace drydock::monitor {
 namespace {
 
@@ -20,11 +22,16 @@ std::string bar(double part) {
 
 }  // namespace
 
-LiveTable::LiveTable()
-    : terminal_(::isatty(STDOUT_FILENO) == 1), palette_(terminal_), screen_(stdout) {}
+LiveTable::LiveTable(const shell::RealTime& shell, Stamp start, double duration_s)
+    : shell_(shell),
+      start_(start),
+      duration_s_(duration_s),
+      terminal_(::isatty(STDOUT_FILENO) == 1),
+      palette_(terminal_),
+      screen_(stdout) {}
 
-void LiveTable::note(std::string_view device, const device::Transition& change) {
-  note(fmt::format("{}: {} -> {}: {}", device, to_string(change.from), to_string(change.to),
+void LiveTable::on_state(const device::Device& device, const device::Transition& change) {
+  note(fmt::format("{}: {} -> {}: {}", device.name(), to_string(change.from), to_string(change.to),
                    change.why.view()));
 }
 
@@ -38,37 +45,39 @@ void LiveTable::note(std::string line) {
   if (events_.size() > events_shown) events_.pop_front();
 }
 
-void LiveTable::draw(const shell::RealTime& shell, double elapsed_s, double duration_s) {
+void LiveTable::tick(Stamp) {
+  const double elapsed_s = measurement::seconds(link::steady_now() - start_);
   if (terminal_) {
-    draw_table(shell, elapsed_s, duration_s);
+    draw_table(elapsed_s);
   } else if (elapsed_s >= next_lines_s_) {
     next_lines_s_ += 10;
-    print_lines(shell, elapsed_s);
+    print_lines(elapsed_s);
   }
 }
 
-void LiveTable::draw_table(const shell::RealTime& shell, double elapsed_s, double duration_s) {
+void LiveTable::draw_table(double elapsed_s) {
   std::vector<std::string> lines;
-  if (duration_s > 0) {
-    lines.push_back(fmt::format(
-        "[{}] {:.0f} s of {:.0f} s, {:.0f} s left, Ctrl-C ends with the "
-        "report",
-        bar(elapsed_s / duration_s), elapsed_s, duration_s, std::max(0.0, duration_s - elapsed_s)));
+  if (duration_s_ > 0) {
+    lines.push_back(
+        fmt::format("[{}] {:.0f} s of {:.0f} s, {:.0f} s left, Ctrl-C ends with the "
+                    "report",
+                    bar(elapsed_s / duration_s_), elapsed_s, duration_s_,
+                    std::max(0.0, duration_s_ - elapsed_s)));
   } else {
     lines.push_back(fmt::format("{:.0f} s, Ctrl-C ends with the report", elapsed_s));
   }
-  for (std::size_t i = 0; i < shell.size(); ++i)
-    lines.push_back(headline(view_of(shell.device(i), shell.health(i)), palette_));
+  for (std::size_t i = 0; i < shell_.size(); ++i)
+    lines.push_back(headline(view_of(shell_.device(i), shell_.health(i)), palette_));
   for (const auto& event : events_) lines.push_back("  " + event);
   screen_.draw(lines);
 }
 
-void LiveTable::print_lines(const shell::RealTime& shell, double elapsed_s) const {
-  for (std::size_t i = 0; i < shell.size(); ++i) {
-    const auto h = shell.health(i);
+void LiveTable::print_lines(double elapsed_s) const {
+  for (std::size_t i = 0; i < shell_.size(); ++i) {
+    const auto h = shell_.health(i);
     fmt::print("{:.0f} s {}: {}, {:.2f} Hz of {:.1f}, {} messages, {} bad checksums\n", elapsed_s,
-               shell.device(i).name(), to_string(h.state), h.rate_hz.value_or(0), h.nominal_rate_hz,
-               h.messages, h.stream.bad_checksums);
+               shell_.device(i).name(), to_string(h.state), h.rate_hz.value_or(0),
+               h.nominal_rate_hz, h.messages, h.stream.bad_checksums);
   }
   std::fflush(stdout);
 }

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "drivers/device/life_cycle.hpp"
+#include "drivers/host/follower.hpp"
 #include "drivers/monitor/monitor_view.hpp"
 #include "drivers/shell/real_time.hpp"
 
@@ -12,19 +12,23 @@ namespace drydock::monitor {
 
 /// Shows a run while it goes on. On a terminal it draws a table over itself. Elsewhere it prints
 /// plain lines: one for each change of state, and one for each device every ten seconds.
-class LiveTable {
+class LiveTable final : public host::Follower {
  public:
-  LiveTable();
+  /// `start` is of link::steady_now(). `duration_s` 0: until Ctrl-C.
+  LiveTable(const shell::RealTime& shell, Stamp start, double duration_s);
 
-  void note(std::string_view device, const device::Transition& change);
+  void on_state(const device::Device& device, const device::Transition& change) override;
+  void tick(Stamp now) override;  ///< draws the table
   void note(std::string line);
-  void draw(const shell::RealTime& shell, double elapsed_s, double duration_s);
   void finish();
 
  private:
-  void draw_table(const shell::RealTime& shell, double elapsed_s, double duration_s);
-  void print_lines(const shell::RealTime& shell, double elapsed_s) const;
+  void draw_table(double elapsed_s);
+  void print_lines(double elapsed_s) const;
 
+  const shell::RealTime& shell_;
+  Stamp start_;
+  double duration_s_;
   bool terminal_;
   Palette palette_;
   Overdrawn screen_;

@@ -2,9 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <boost/asio/co_spawn.hpp>
-#include <boost/asio/detached.hpp>
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/steady_timer.hpp>
 #include <cstdio>
@@ -13,7 +11,8 @@
 
 #include "drivers/decode/decode.hpp"
 #include "drivers/io/until_stopped.hpp"
-#include "drivers/link/link.hpp"
+#include "drivers/link/reading.hpp"
+#include "drivers/terminal/exit_codes.hpp"
 #include "drivers/text/json_lines.hpp"
 #include "drivers/wire/registry.hpp"
 
@@ -29,8 +28,8 @@ constexpr std::chrono::seconds counters_period{2};
 class Screen {
  public:
   virtual ~Screen() = default;
-  virtual void bytes(wire::Bytes, Stamp) {}
-  virtual void frame(const wire::CanFrame&, Stamp) {}
+  virtual void receive(wire::Bytes, Stamp) {}
+  virtual void receive(const wire::CanFrame&, Stamp) {}
   virtual const wire::StreamCounters& counters() const = 0;
   std::uint64_t messages() const { return messages_; }
 
@@ -59,7 +58,8 @@ class Screen {
 template <wire::ByteProtocol P>
 class ByteScreen final : public Screen {
  public:
-  void bytes(wire::Bytes bytes, Stamp at) override {
+  using Screen::receive;
+  void receive(wire::Bytes bytes, Stamp at) override {
     framer_.feed(bytes, P::scan, [&](wire::Bytes frame, std::size_t) {
       if (const auto message = P::decode(frame)) print(*message, at);
     });
@@ -73,7 +73,8 @@ class ByteScreen final : public Screen {
 template <wire::FrameProtocol P>
 class FrameScreen final : public Screen {
  public:
-  void frame(const wire::CanFrame& frame, Stamp at) override {
+  using Screen::receive;
+  void receive(const wire::CanFrame& frame, Stamp at) override {
     if (const auto message = decoder_.receive(frame)) print(*message, at);
   }
   const wire::StreamCounters& counters() const override { return decoder_.counters(); }
@@ -93,35 +94,6 @@ std::unique_ptr<Screen> make_screen(const std::string& protocol, link::Carries c
     wire::with_protocol(wire::FramesAsTheyAre{}, protocol, make);
   }
   return screen;
-}
-
-asio::awaitable<void> listen(link::ByteLink& line, Screen& screen, std::function<void()> ended) {
-  std::array<std::uint8_t, 4096> buffer;
-  for (;;) {
-    const auto got = co_await line.read(buffer);
-    if (!got) {
-      if (got.error() != asio::error::operation_aborted) {
-        fmt::print(stderr, "the link ended: {}\n", got.error().message());
-      }
-      break;
-    }
-    screen.bytes({buffer.data(), got->size}, got->at);
-  }
-  ended();
-}
-
-asio::awaitable<void> listen(link::FrameLink& bus, Screen& screen, std::function<void()> ended) {
-  for (;;) {
-    const auto got = co_await bus.read();
-    if (!got) {
-      if (got.error() != asio::error::operation_aborted) {
-        fmt::print(stderr, "the bus ended: {}\n", got.error().message());
-      }
-      break;
-    }
-    screen.frame(got->frame, got->at);
-  }
-  ended();
 }
 
 void print_counters(const Screen& screen) {
@@ -149,10 +121,19 @@ int watch(asio::io_context& io, Link& open_link, Screen& screen, double duration
     });
   };
   tell();
-  asio::co_spawn(io, listen(open_link, screen, [&] { until.stop(); }), asio::detached);
+  asio::co_spawn(io,
+                 link::read_until_lost<Link>(
+                     open_link, [&](const auto& item, Stamp at) { screen.receive(item, at); }),
+                 [&](const std::exception_ptr&, const boost::system::error_code& why) {
+                   if (why != asio::error::operation_aborted)
+                     fmt::print(stderr, "the {} ended: {}\n",
+                                std::is_same_v<Link, link::ByteLink> ? "link" : "bus",
+                                why.message());
+                   until.stop();
+                 });
   io.run();
   print_counters(screen);
-  return screen.messages() > 0 ? 0 : 1;
+  return terminal::exit_of(screen.messages() > 0);
 }
 
 }  // namespace
@@ -161,7 +142,7 @@ int monitor_messages(const MonitorOptions& options) {
   const auto uri = link::parse_uri(options.link);
   if (!uri) {
     fmt::print(stderr, "monitor: {}\n", uri.error().message);
-    return 2;
+    return terminal::exit_usage;
   }
   auto carries = uri->carries();
   auto screen = make_screen(options.protocol, carries);
@@ -173,13 +154,13 @@ int monitor_messages(const MonitorOptions& options) {
     fmt::print(stderr, "monitor: a {} link carries no protocol \"{}\"; allowed: {}\n",
                carries == link::Carries::bytes ? "byte" : "CAN", options.protocol,
                decode::decode_protocols());
-    return 2;
+    return terminal::exit_usage;
   }
   asio::io_context io{1};
   const auto watch_opened = [&](auto opened) {
     if (opened) return watch(io, **opened, *screen, options.duration_s);
     fmt::print(stderr, "monitor: {}\n", opened.error().message);
-    return 2;
+    return terminal::exit_usage;
   };
   return carries == link::Carries::bytes
              ? watch_opened(link::open_bytes(io.get_executor(), *uri, link::Side::driver))

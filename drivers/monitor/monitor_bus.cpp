@@ -31,10 +31,11 @@ void put(const std::string& text, Number& into) {
 constexpr std::array<std::string_view, 6> of_the_rig{"name", "kind",       "protocol",
                                                      "link", "provenance", "nominal_rate_hz"};
 
-/// Turns diagnostics and measurements from the bus into views, and forwards them to the watchers.
+/// Turns diagnostics and measurements from the bus into views, and passes them on to the followers.
 class BusViews final : public bus::Receiver {
  public:
   explicit BusViews(const rig_config::Rig& rig) {
+    followers.add(latest_);
     for (const auto& device : rig.devices) {
       DeviceView view;
       view.name = device.name;
@@ -49,15 +50,14 @@ class BusViews final : public bus::Receiver {
     }
   }
 
-  host::Watchers watchers;
+  host::Followers followers;
 
   using bus::Receiver::receive;
   void receive(const bus::Measurement& measurement) override {
-    latest_.note(measurement);
-    watchers.note(measurement);
+    followers.on_measurement(measurement);
   }
   void receive(const bus::Attitude& attitude, std::size_t estimator) override {
-    watchers.note(attitude, estimator);
+    followers.on_estimate({.estimator = estimator, .attitude = attitude});
   }
 
   void receive(const bus::DeviceStatus& status) override {
@@ -70,9 +70,10 @@ class BusViews final : public bus::Receiver {
     for (const auto& [key, value] : status.values) set(*view, key, value);
   }
 
-  /// Gives the watchers the diagnostics that came since the last call.
+  /// Tells the followers the diagnostics that came since the last call.
   void tell_health() {
-    if (!health_.empty()) watchers.note(health_, link::now());
+    if (health_.empty()) return;
+    followers.on_health(host::HealthReport([this] { return health_; }), link::now());
     health_.clear();
   }
 
@@ -106,7 +107,7 @@ int monitor_bus(const rig_config::Rig& rig, const MonitorOptions& options) {
   BusViews heard(rig);
   MonitorLoop loop(options, [&] { return heard.current(); });
   const auto viewer = loop.serve(host::viewed(rig));
-  if (viewer) heard.watchers.add(*viewer);
+  if (viewer) heard.followers.add(*viewer);
   return loop.run(
       [&] {
         subscriber.take(heard);

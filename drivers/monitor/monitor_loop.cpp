@@ -5,6 +5,9 @@
 
 #include <algorithm>
 
+#include "drivers/io/until_stopped.hpp"
+#include "drivers/terminal/exit_codes.hpp"
+
 namespace drydock::monitor {
 namespace {
 
@@ -33,13 +36,13 @@ std::unique_ptr<host::RigViewer> MonitorLoop::serve(const host::Viewed& viewed) 
   return viewer;
 }
 
+double MonitorLoop::longest_s() const {
+  if (options_.duration_s > 0) return options_.duration_s;
+  return options_.once ? longest_once_s : 0;
+}
+
 /// A rate needs a few messages. The loop takes no table before each device has its rate.
 bool MonitorLoop::over(const std::vector<DeviceView>& views) const {
-  const double elapsed_s = static_cast<double>(steps_) / steps_a_second;
-  const double limit_s = options_.duration_s > 0 ? options_.duration_s
-                         : options_.once         ? longest_once_s
-                                                 : 0;
-  if (interrupted_ || (limit_s > 0 && elapsed_s >= limit_s)) return true;
   return options_.once && all_streaming(views) &&
          std::ranges::all_of(views, [](const auto& v) { return v.rate_hz > 0 && v.jitter_s; });
 }
@@ -54,33 +57,29 @@ void MonitorLoop::show(const std::vector<DeviceView>& views) {
 }
 
 int MonitorLoop::run(const std::function<void()>& poll, const std::function<void()>& stop) {
-  signals_.async_wait([this](const boost::system::error_code& ec, int) {
-    if (ec) return;
-    interrupted_ = true;
-    signals_.clear();  // a second Ctrl-C ends the program at once
-  });
   std::vector<DeviceView> last;
-  bool due = false;  // outlives the last handler of the timer
-  for (bool ended = false; !ended;) {
+  bool due = false, ended = false;  // they outlive the last handler of the timers
+  io::UntilStopped until(io_, longest_s(), [&] { ended = true; });
+  while (!ended) {
     timer_.expires_after(step_period);
     due = false;
     timer_.async_wait([&](const boost::system::error_code&) { due = true; });
-    while (!due && !interrupted_) io_.run_one();
+    while (!due && !ended) io_.run_one();
     timer_.cancel();
     ++steps_;
     poll();
     last = views_();
     show(last);
-    ended = over(last);
+    ended = ended || over(last);
   }
   screen_.finish();
-  signals_.cancel();
+  until.stop();
   stop();
   io_.run();
   if (options_.json && options_.once) print_json(last, stdout);
   if (!options_.json && (options_.once || !terminal_))
     for (const auto& line : table_.lines(last)) fmt::print("{}\n", line);
-  return all_streaming(last) ? 0 : 1;
+  return terminal::exit_of(all_streaming(last));
 }
 
 }  // namespace drydock::monitor

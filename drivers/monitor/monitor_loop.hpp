@@ -1,7 +1,6 @@
 #pragma once
 
 #include <boost/asio/io_context.hpp>
-#include <boost/asio/signal_set.hpp>
 #include <boost/asio/steady_timer.hpp>
 #include <functional>
 
@@ -25,6 +24,7 @@ class MonitorLoop {
   int run(const std::function<void()>& poll, const std::function<void()>& stop);
 
  private:
+  double longest_s() const;  ///< 0: until Ctrl-C
   bool over(const std::vector<DeviceView>& views) const;
   void show(const std::vector<DeviceView>& views);
 
@@ -32,11 +32,9 @@ class MonitorLoop {
   std::function<std::vector<DeviceView>()> views_;
   boost::asio::io_context io_{1};
   boost::asio::steady_timer timer_{io_};
-  boost::asio::signal_set signals_{io_, SIGINT, SIGTERM};
   bool terminal_;
   DeviceTable table_;
   Overdrawn screen_;
-  bool interrupted_ = false;
   int steps_ = 0;
 };
 

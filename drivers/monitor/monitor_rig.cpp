@@ -6,6 +6,7 @@
 #include "drivers/link/can/can_interface.hpp"
 #include "drivers/monitor/monitor_loop.hpp"
 #include "drivers/probe/probe_bus.hpp"
+#include "drivers/terminal/exit_codes.hpp"
 #include "drivers/wire/can/can_bits.hpp"
 
 namespace drydock::monitor {
@@ -14,9 +15,8 @@ namespace {
 using link::Stamp;
 
 /// Counts the bits on each CAN bus and keeps the state of its controller, by the URI of its link.
-class BusMeter final : public shell::RawListener {
+class BusMeter final : public host::Follower {
  public:
-  void on_bytes(std::string_view, shell::Direction, wire::Bytes, Stamp) override {}
   void on_frame(std::string_view link, shell::Direction, const wire::CanFrame& frame,
                 Stamp) override {
     Bus& bus = bus_of(link);
@@ -108,16 +108,13 @@ int monitor_devices(std::vector<std::unique_ptr<device::Device>> devices, const 
     }
     return views;
   });
-  host::Watchers watchers;
+  host::Followers followers;
+  followers.add(latest);
+  followers.add(meter);
   const auto viewer = loop.serve({name, host::bus_devices(devices)});
-  if (viewer) watchers.add(*viewer);
-  host::DriverHost host(loop.io(), std::move(devices), nullptr, &meter);
+  if (viewer) followers.add(*viewer);
+  host::DriverHost host(loop.io(), std::move(devices), followers);
   drivers = &host;
-  host.on_measurement_hook = [&](const measurement::Measurement& m) {
-    latest.note(m);
-    watchers.note(m);
-  };
-  host.on_health_hook = [&](auto health, Stamp now) { watchers.note(health, now); };
   host.start();
   return loop.run([] {},
                   [&] {
@@ -131,7 +128,7 @@ int monitor_link(const MonitorOptions& options) {
   if (report.devices.empty()) {
     probe::print_text(report, stderr);
     fmt::print(stderr, "monitor: no sensor found; --protocol shows the messages of a protocol\n");
-    return 1;
+    return terminal::exit_failed;
   }
   return monitor_devices(devices_of(report), options.link, options);
 }

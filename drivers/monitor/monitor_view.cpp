@@ -125,7 +125,7 @@ DeviceView view_of(const device::Device& device, const device::Health& health) {
   return view;
 }
 
-void Latest::note(const measurement::Measurement& measurement) {
+void Latest::on_measurement(const measurement::Measurement& measurement) {
   const auto device = std::visit([](const auto& m) { return m.origin.device; }, measurement);
   measurements_.insert_or_assign({device, measurement.index()}, measurement);
 }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "drivers/device/health_account.hpp"
+#include "drivers/host/follower.hpp"
 
 namespace drydock::monitor {
 
@@ -31,9 +32,9 @@ struct DeviceView : device::HealthAccount {
 DeviceView view_of(const device::Device& device, const device::Health& health);
 
 /// The last measurement of each device, for every type that it gives.
-class Latest {
+class Latest final : public host::Follower {
  public:
-  void note(const measurement::Measurement& measurement);
+  void on_measurement(const measurement::Measurement& measurement) override;
   /// Puts the values and the times of the newest measurement into a view.
   void show(std::uint16_t device, DeviceView& view) const;
 

@@ -1,11 +1,12 @@
 #include "drivers/probe/ear.hpp"
 
-#include <array>
 #include <boost/asio/co_spawn.hpp>
 #include <boost/asio/detached.hpp>
 #include <boost/asio/error.hpp>
 #include <boost/asio/steady_timer.hpp>
-#include <vector>
+#include <functional>
+
+#include "drivers/link/reading.hpp"
 
 namespace drydock::probe {
 namespace {
@@ -16,39 +17,32 @@ constexpr std::chrono::milliseconds idle_period{100};
 
 }  // namespace
 
-Ear::Ear() {
-  signals_.async_wait([this](const boost::system::error_code& ec, int) {
-    if (ec) return;
-    interrupted_ = true;
-    signals_.clear();  // a second Ctrl-C ends the program at once
-  });
-}
-
-/// `read() -> awaitable<bool>` takes one reading. False ends the listening.
-template <class Link, class Read, class Idle>
-void Ear::run(Link& link, link::Stamp until, Read read, const Idle& idle) {
+/// `on_read(item, at) -> bool` and `on_idle() -> bool`: true if enough was heard.
+template <class Link, class OnRead, class OnIdle>
+void Ear::run(Link& link, link::Stamp until, const OnRead& on_read, const OnIdle& on_idle) {
   trouble_.clear();
   io_.restart();
   bool enough = false, ended = false;
-  asio::co_spawn(
-      io_,
-      [&]() -> asio::awaitable<void> {
-        while (co_await read()) {
-        }
-        ended = true;
-      },
-      asio::detached);
+  asio::co_spawn(io_,
+                 link::read_until_lost<Link>(link,
+                                             [&](const auto& item, link::Stamp at) {
+                                               if (!enough) enough = on_read(item, at);
+                                             }),
+                 [&](const std::exception_ptr&, const boost::system::error_code& why) {
+                   ended = true;
+                   if (why != asio::error::operation_aborted) trouble_ = why.message();
+                 });
   asio::steady_timer timer(io_);
   std::function<void()> wait = [&] {
     timer.expires_after(idle_period);
     timer.async_wait([&](const boost::system::error_code& ec) {
       if (ec) return;
-      enough = idle();
+      enough = enough || on_idle();
       wait();
     });
   };
   wait();
-  while (!enough && !ended && !interrupted_ && link::now() < until) io_.run_one();
+  while (!enough && !ended && !interrupted() && link::now() < until) io_.run_one();
   timer.cancel();
   wait = [] {};
   link.close();
@@ -57,46 +51,32 @@ void Ear::run(Link& link, link::Stamp until, Read read, const Idle& idle) {
 }
 
 void Ear::listen(link::ByteLink& line, link::Stamp until, const OnBytes& on_bytes) {
-  std::array<std::uint8_t, 4096> buffer;
-  const auto read = [&]() -> asio::awaitable<bool> {
-    const auto got = co_await line.read(buffer);
-    if (got) co_return !on_bytes({buffer.data(), got->size}, got->at);
-    if (got.error() != asio::error::operation_aborted) trouble_ = got.error().message();
-    co_return false;
-  };
-  run(line, until, read, [&] { return on_bytes({}, link::now()); });
+  run(line, until, on_bytes, [&] { return on_bytes({}, link::now()); });
 }
 
 void Ear::listen(link::FrameLink& bus, link::Stamp until, const OnFrame& on_frame) {
-  const auto read = [&]() -> asio::awaitable<bool> {
-    const auto got = co_await bus.read();
-    if (got) co_return !on_frame(&*got);
-    if (got.error() != asio::error::operation_aborted) trouble_ = got.error().message();
-    co_return false;
+  const auto on_read = [&](const wire::CanFrame& frame, link::Stamp at) {
+    return on_frame(&frame, at);
   };
-  run(bus, until, read, [&] { return on_frame(nullptr); });
+  run(bus, until, on_read, [&] { return on_frame(nullptr, link::now()); });
+}
+
+template <class Link, class Content>
+void Ear::write(Link& link, Content content) {
+  ++talking_;
+  asio::co_spawn(
+      io_,
+      [this, &link, content = std::move(content)]() -> asio::awaitable<void> {
+        (void)co_await link.write(content);
+        --talking_;
+      },
+      asio::detached);
 }
 
 void Ear::say(link::ByteLink& line, std::vector<std::uint8_t> bytes) {
-  ++talking_;
-  asio::co_spawn(
-      io_,
-      [this, &line, bytes = std::move(bytes)]() -> asio::awaitable<void> {
-        (void)co_await line.write(bytes);
-        --talking_;
-      },
-      asio::detached);
+  write(line, std::move(bytes));
 }
 
-void Ear::say(link::FrameLink& bus, const wire::CanFrame& frame) {
-  ++talking_;
-  asio::co_spawn(
-      io_,
-      [this, &bus, frame]() -> asio::awaitable<void> {
-        (void)co_await bus.write(frame);
-        --talking_;
-      },
-      asio::detached);
-}
+void Ear::say(link::FrameLink& bus, const wire::CanFrame& frame) { write(bus, frame); }
 
 }  // namespace drydock::probe

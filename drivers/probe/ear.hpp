@@ -1,11 +1,11 @@
 #pragma once
 
 #include <boost/asio/io_context.hpp>
-#include <boost/asio/signal_set.hpp>
 #include <functional>
 #include <string>
 #include <vector>
 
+#include "drivers/io/until_stopped.hpp"
 #include "drivers/link/link.hpp"
 #include "drivers/wire/codec.hpp"
 
@@ -14,11 +14,9 @@ namespace drydock::probe {
 /// Listens on one link after another. Ctrl-C ends everything.
 class Ear {
  public:
-  Ear();
-
   /// Called with the received data, and every 100 ms without data. True: enough was heard.
   using OnBytes = std::function<bool(wire::Bytes, link::Stamp)>;
-  using OnFrame = std::function<bool(const link::ReceivedFrame*)>;
+  using OnFrame = std::function<bool(const wire::CanFrame*, link::Stamp)>;
 
   /// Listens until the callback has enough, until `until`, Ctrl-C or the end of the link. Then
   /// closes the link.
@@ -30,16 +28,17 @@ class Ear {
   void say(link::FrameLink& bus, const wire::CanFrame& frame);
 
   boost::asio::any_io_executor executor() { return io_.get_executor(); }
-  bool interrupted() const { return interrupted_; }
+  bool interrupted() const { return until_.interrupted(); }
   const std::string& trouble() const { return trouble_; }  ///< why the last link ended, or empty
 
  private:
-  template <class Link, class Read, class Idle>
-  void run(Link& link, link::Stamp until, Read read, const Idle& idle);
+  template <class Link, class OnRead, class OnIdle>
+  void run(Link& link, link::Stamp until, const OnRead& on_read, const OnIdle& on_idle);
+  template <class Link, class Content>
+  void write(Link& link, Content content);
 
   boost::asio::io_context io_{1};
-  boost::asio::signal_set signals_{io_, SIGINT, SIGTERM};
-  bool interrupted_ = false;
+  io::UntilStopped until_{io_, 0, [] {}};
   int talking_ = 0;  ///< writes in progress
   std::string trouble_;
 };

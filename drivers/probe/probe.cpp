@@ -8,6 +8,7 @@
 #include "drivers/capture/comment_head.hpp"
 #include "drivers/link/can/frame_file.hpp"
 #include "drivers/probe/probe_bus.hpp"
+#include "drivers/terminal/exit_codes.hpp"
 
 namespace drydock::probe {
 namespace {
@@ -130,11 +131,11 @@ int probe(const ProbeOptions& options, std::FILE* out, std::FILE* err) {
   const auto uri = parse_without_baud(report.link);
   if (!uri) {
     fmt::print(err, "probe: {}\n", uri.error().message);
-    return 2;
+    return terminal::exit_usage;
   }
   if (!search(options, *uri, err, report)) {
     fmt::print(err, "probe: {}\n", report.notes.empty() ? "cannot open it" : report.notes.back());
-    return 2;
+    return terminal::exit_usage;
   }
   note_nothing(*uri, report);
   if (options.json) {

@@ -79,9 +79,9 @@ bool search_bus(const LineSearch& search, Ear& ear, Progress& progress, ProbeRep
   }
   survey::BusSurvey survey;
   Asker asker;
-  ear.listen(**opened, search.until, [&](const link::ReceivedFrame* received) {
-    if (received != nullptr) {
-      if (!received->own) survey.receive(received->frame, received->at);
+  ear.listen(**opened, search.until, [&](const wire::CanFrame* frame, Stamp at) {
+    if (frame != nullptr) {
+      survey.receive(*frame, at);
       return false;
     }
     if (search.ask) asker.ask(**opened, ear, survey);

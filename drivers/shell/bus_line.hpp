@@ -1,28 +1,18 @@
 #pragma once
 
-#include <memory>
-#include <vector>
-
-#include "drivers/shell/line.hpp"
+#include "drivers/shell/linked_line.hpp"
 
 namespace drydock::shell {
 
 /// A CAN bus with all its devices. Every frame goes to every driver; each driver selects its own.
-class BusLine final : public Line {
+class BusLine final : public LinkedLine<link::FrameLink> {
  public:
-  using Line::Line;
+  using LinkedLine::LinkedLine;
 
  private:
-  boost::system::result<Provenance, link::OpenError> open_link() override;
-  Run read_until_lost() override;
-  Run write_until_lost() override;
-  void close_link() override { link_->close(); }
-  void destroy_link() override { link_.reset(); }
+  void receive(const wire::CanFrame& frame, Stamp at) override;
   void send(wire::Bytes) override {}  // no driver of a bus sends bytes
-  void send(const wire::CanFrame& frame) override;
-
-  std::unique_ptr<link::FrameLink> link_;
-  std::vector<wire::CanFrame> queued_, writing_;
+  void send(const wire::CanFrame& frame) override { put(frame); }
 };
 
 }  // namespace drydock::shell

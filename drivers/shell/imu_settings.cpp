@@ -26,8 +26,9 @@ boost::system::result<device::AceinnaSettings, SettingsError> aceinna_settings(
   device::AceinnaSettings settings;
   if (const int rate_hz = config.packet_rate_hz; rate_hz != 0) {
     if (full_rate_hz % rate_hz != 0 || !is_divider(full_rate_hz / rate_hz)) {
-      return SettingsError{"aceinna.packet_rate_hz: " + std::to_string(rate_hz) +
-                           " is none of its rates; allowed: 100 50 25 20 10 5 4 2"};
+      return SettingsError{"aceinna/packet_rate_hz",
+                           "aceinna.packet_rate_hz: " + std::to_string(rate_hz) +
+                               " is none of its rates; allowed: 100 50 25 20 10 5 4 2"};
     }
     settings.rate_divider = static_cast<std::uint8_t>(full_rate_hz / rate_hz);
   }
@@ -40,6 +41,7 @@ boost::system::result<device::AceinnaSettings, SettingsError> aceinna_settings(
   if (rate_hz >= 0 || acceleration_hz >= 0) {
     if (!is_cut_off(rate_hz) || !is_cut_off(acceleration_hz)) {
       return SettingsError{
+          is_cut_off(rate_hz) ? "aceinna/acceleration_filter_hz" : "aceinna/rate_filter_hz",
           "aceinna: rate_filter_hz and acceleration_filter_hz go together, each "
           "one of 0 2 5 10 20 25 40 50"};
     }
@@ -49,8 +51,10 @@ boost::system::result<device::AceinnaSettings, SettingsError> aceinna_settings(
   if (!config.orientation.empty()) {
     const auto axes = aceinna::Axes::of_text(config.orientation);
     if (!axes) {
-      return SettingsError{"aceinna.orientation: \"" + config.orientation +
-                           "\" is no right-handed set of axes; allowed: \"+X+Y+Z\" and its turns"};
+      return SettingsError{
+          "aceinna/orientation",
+          "aceinna.orientation: \"" + config.orientation +
+              "\" is no right-handed set of axes; allowed: \"+X+Y+Z\" and its turns"};
     }
     settings.orientation = axes->code();
   }
@@ -63,13 +67,14 @@ boost::system::result<wire::xsens::Identifiers, SettingsError> xsens_identifiers
   identifiers.extended = config.extended;
   for (const auto& [message, id] : config.identifiers) {
     if (!identifiers.set(message, id)) {
-      return SettingsError{"xsens.identifiers: there is no message \"" + message + "\""};
+      return SettingsError{"xsens/identifiers/" + message,
+                           "xsens.identifiers: there is no message \"" + message + "\""};
     }
   }
   if (!identifiers.sound()) {
-    return SettingsError{
-        "xsens.identifiers: two are the same, or one is longer than its format; "
-        "allowed: to 0x7FF, with extended = true to 0x1FFFFFFF"};
+    return SettingsError{"xsens/identifiers",
+                         "xsens.identifiers: two are the same, or one is longer than its format; "
+                         "allowed: to 0x7FF, with extended = true to 0x1FFFFFFF"};
   }
   return identifiers;
 }

@@ -8,9 +8,10 @@
 
 namespace drydock::shell {
 
-/// One line: the error and the permitted values.
+/// A key of the device in the rig file, such as `aceinna/orientation`; one line with the error and
+/// the permitted values.
 struct SettingsError {
-  std::string message;
+  std::string key, message;
 };
 
 /// The rig file's settings of an Aceinna IMU, in the numbers of its setup messages.

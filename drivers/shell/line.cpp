@@ -1,11 +1,11 @@
 #include "drivers/shell/line.hpp"
 
-#include <boost/asio/as_tuple.hpp>
 #include <boost/asio/co_spawn.hpp>
 #include <boost/asio/detached.hpp>
-#include <boost/asio/experimental/awaitable_operators.hpp>
-#include <boost/asio/use_awaitable.hpp>
+#include <boost/asio/error.hpp>
 #include <utility>
+
+#include "drivers/measurement/earlier.hpp"
 
 namespace drydock::shell {
 
@@ -13,7 +13,11 @@ namespace asio = boost::asio;
 using device::Device;
 
 Line::Line(asio::io_context& io, link::Uri uri, RawListener* raw)
-    : io_(io), uri_(std::move(uri)), raw_(raw), clock_(io), to_open_(io), to_write_(io) {}
+    : io_(io),
+      uri_(std::move(uri)),
+      raw_(raw),
+      clock_(std::make_shared<io::Signal>(io.get_executor())),
+      to_open_(std::make_shared<io::Signal>(io.get_executor())) {}
 
 void Line::add(Device& device, device::Listener& listener) {
   device.connect(listener, *this);
@@ -32,15 +36,14 @@ void Line::stop() {
   const Stamp now = link::now();
   for (Device* device : devices_) device->stop(now);
   if (open_) close_link();
-  clock_.cancel();
-  to_open_.cancel();
-  to_write_.cancel();
+  clock_->notify();
+  to_open_->notify();
 }
 
 Line::Run Line::run() {
   while (!stopped_) {
     if (!open_wanted()) {
-      co_await wait(to_open_);
+      co_await to_open_->wait();
       continue;
     }
     const auto opened = open_link();
@@ -55,7 +58,6 @@ Line::Run Line::run() {
 }
 
 Line::Run Line::serve(Provenance provenance) {
-  using namespace asio::experimental::awaitable_operators;
   open_ = true;
   lost_reason_.clear();
   recording_ended_ = false;
@@ -63,7 +65,7 @@ Line::Run Line::serve(Provenance provenance) {
   const Stamp now = link::now();
   for (Device* device : devices_) device->opened(now, provenance);
   rearm();
-  co_await (read_until_lost() && write_until_lost());
+  co_await serve_link();
   destroy_link();
 
   const Stamp end = link::now();
@@ -80,18 +82,12 @@ void Line::lost(const boost::system::error_code& reason) {
   lost_reason_ = "link lost: " + reason.message();
   recording_ended_ = uri_.recorded() && reason == asio::error::eof;
   close_link();
-  wake_writer();
 }
 
 Line::Run Line::keep_time() {
   while (!stopped_) {
     clock_set_for_ = earliest_deadline();
-    if (clock_set_for_) {
-      clock_.expires_after(*clock_set_for_ - link::now());
-    } else {
-      clock_.expires_at(asio::steady_timer::time_point::max());
-    }
-    co_await clock_.async_wait(asio::as_tuple(asio::use_awaitable));
+    co_await clock_->wait_until(clock_set_for_, link::now());
     follow_clock();
     const Stamp now = link::now();
     bool close_wanted = false;
@@ -101,13 +97,13 @@ Line::Run Line::keep_time() {
       close_wanted = close_wanted || device->wants_close();
     }
     if (close_wanted && open_) close_link();
-    if (open_wanted()) to_open_.cancel();
+    if (open_wanted()) to_open_->notify();
   }
 }
 
 void Line::rearm() {
   const auto earliest = earliest_deadline();
-  if (earliest && (!clock_set_for_ || *earliest < *clock_set_for_)) clock_.cancel();
+  if (earliest && (!clock_set_for_ || *earliest < *clock_set_for_)) clock_->notify();
 }
 
 void Line::follow_clock() {
@@ -115,12 +111,7 @@ void Line::follow_clock() {
   if (step.count() == 0) return;
   const Stamp now = link::now();
   for (Device* device : devices_) device->clock_stepped(step, now);
-  clock_.cancel();
-}
-
-Line::Run Line::wait(asio::steady_timer& signal) {
-  signal.expires_at(asio::steady_timer::time_point::max());
-  co_await signal.async_wait(asio::as_tuple(asio::use_awaitable));
+  clock_->notify();
 }
 
 bool Line::open_wanted() const {
@@ -132,10 +123,8 @@ bool Line::open_wanted() const {
 
 std::optional<Stamp> Line::earliest_deadline() const {
   std::optional<Stamp> earliest;
-  for (const Device* device : devices_) {
-    const auto due = device->deadline();
-    if (due && (!earliest || *due < *earliest)) earliest = due;
-  }
+  for (const Device* device : devices_)
+    earliest = measurement::earlier(earliest, device->deadline());
   return earliest;
 }
 

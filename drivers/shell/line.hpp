@@ -1,12 +1,12 @@
 #pragma once
 
 #include <boost/asio/io_context.hpp>
-#include <boost/asio/steady_timer.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "drivers/device/device.hpp"
+#include "drivers/io/signal.hpp"
 #include "drivers/link/clock.hpp"
 #include "drivers/link/link.hpp"
 #include "drivers/shell/raw_listener.hpp"
@@ -31,15 +31,12 @@ class Line : protected device::Transmitter {
   using Run = boost::asio::awaitable<void>;
 
   virtual boost::system::result<Provenance, link::OpenError> open_link() = 0;
-  virtual Run read_until_lost() = 0;   ///< calls lost() with the reason
-  virtual Run write_until_lost() = 0;  ///< sends what drivers queue; ends with the reading
-  virtual void close_link() = 0;       ///< pending reads and writes end
-  virtual void destroy_link() = 0;     ///< no read or write is pending any more
+  virtual Run serve_link() = 0;     ///< reads and writes; calls lost() with the reason of the end
+  virtual void close_link() = 0;    ///< pending reads and writes end
+  virtual void destroy_link() = 0;  ///< no read or write is pending any more
 
   bool is_open() const { return open_; }
   void lost(const boost::system::error_code& reason);
-  void wake_writer() { to_write_.cancel(); }
-  Run writer_woken() { return wait(to_write_); }
   /// Sets the timer again: a driver may want its tick() earlier after it received data.
   void rearm();
   /// Tells the devices about a change of the host's clock before they receive a stamp of the new
@@ -54,7 +51,6 @@ class Line : protected device::Transmitter {
   Run run();
   Run serve(Provenance provenance);
   Run keep_time();
-  Run wait(boost::asio::steady_timer& signal);
   bool open_wanted() const;
   std::optional<Stamp> earliest_deadline() const;
 
@@ -62,11 +58,10 @@ class Line : protected device::Transmitter {
   link::Uri uri_;
   RawListener* raw_;
   std::vector<device::Device*> devices_;
-  boost::asio::steady_timer clock_;  ///< expires at the earliest deadline
+  std::shared_ptr<io::Signal> clock_;  ///< wakes at the earliest deadline
   std::optional<Stamp> clock_set_for_;
   link::ClockWatch host_clock_;
-  boost::asio::steady_timer to_open_;  ///< it never expires; its cancellation is a signal
-  boost::asio::steady_timer to_write_;
+  std::shared_ptr<io::Signal> to_open_;  ///< notified when a device wants the link
   bool open_ = false;
   bool stopped_ = false;
   std::string lost_reason_;

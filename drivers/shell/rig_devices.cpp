@@ -6,6 +6,7 @@
 #include "drivers/link/uri.hpp"
 #include "drivers/shell/baud_search.hpp"
 #include "drivers/shell/imu_settings.hpp"
+#include "drivers/wire/j1939/j1939.hpp"
 
 namespace drydock::shell {
 
@@ -68,63 +69,77 @@ device::LifeCycleOptions life_cycle_options(const DeviceConfig& config, const li
   return options;
 }
 
-}  // namespace
-
-boost::system::result<DeviceOptions, RigDevicesError> device_options(const rig_config::Rig& rig,
-                                                                     std::size_t index) {
-  const DeviceConfig& config = rig.devices.at(index);
+boost::system::result<DeviceOptions, DeviceRefusal> options_of(const DeviceConfig& config,
+                                                               std::size_t index) {
   const auto uri = link::parse_uri(config.link);
-  if (!uri) return error_in(rig, config, uri.error().message);
-  if (config.address < 0 || config.address > 255) {
-    return error_in(rig, config,
-                    "address " + std::to_string(config.address) +
-                        " is no bus address; allowed: 0 (any) to 255");
+  if (!uri) return DeviceRefusal{"link", uri.error().message};
+  if (config.address < 0 || config.address >= wire::j1939::null_address) {
+    return DeviceRefusal{"address", "address " + std::to_string(config.address) +
+                                        " is no bus address; allowed: 0 (any) to " +
+                                        std::to_string(wire::j1939::null_address - 1)};
   }
   DeviceOptions options;
   options.name = config.name;
   options.link = config.link;
   options.driver = driver_options(config, index, *uri);
   const auto aceinna = aceinna_settings(config.aceinna);
-  if (!aceinna) return error_in(rig, config, aceinna.error().message);
+  if (!aceinna) return DeviceRefusal{aceinna.error().key, aceinna.error().message};
   options.driver.aceinna = *aceinna;
   const auto xsens = xsens_identifiers(config.xsens);
-  if (!xsens) return error_in(rig, config, xsens.error().message);
+  if (!xsens) return DeviceRefusal{xsens.error().key, xsens.error().message};
   options.driver.xsens_identifiers = *xsens;
   const auto& pressure = config.pressure;
   const auto scale = wire::cia404_pressure::find_scale(pressure.format, pressure.unit,
                                                        static_cast<unsigned>(pressure.decimals));
   if (!scale)
-    return error_in(rig, config, "no pressure in " + pressure.format + " " + pressure.unit);
+    return DeviceRefusal{"pressure", "no pressure in " + pressure.format + " " + pressure.unit};
   options.driver.pressure = {*scale, pressure.gauge};
   options.life_cycle = life_cycle_options(config, *uri);
   options.nominal_rate_hz = config.rate_hz;
   return options;
 }
 
+std::string wrong_carrier(const DeviceConfig& config, bool on_bus) {
+  return on_bus ? "protocol \"" + config.protocol + "\" needs a CAN link, \"" + config.link +
+                      "\" carries bytes; allowed: socketcan slcan memory-can can:auto file"
+                : "protocol \"" + config.protocol + "\" needs a byte link, \"" + config.link +
+                      "\" carries CAN frames; allowed: serial pty tcp udp file memory";
+}
+
+}  // namespace
+
+boost::system::result<DeviceOptions, RigDevicesError> device_options(const rig_config::Rig& rig,
+                                                                     std::size_t index) {
+  const DeviceConfig& config = rig.devices.at(index);
+  auto options = options_of(config, index);
+  if (!options) return error_in(rig, config, options.error().message);
+  return std::move(*options);
+}
+
+boost::system::result<std::unique_ptr<device::Device>, DeviceRefusal> make_device(
+    const rig_config::Rig& rig, std::size_t index) {
+  const DeviceConfig& config = rig.devices.at(index);
+  auto options = options_of(config, index);
+  if (!options) return options.error();
+  const auto uri = link::parse_uri(config.link);
+  auto made = device::Device::make(std::move(*options));
+  if (!made) return DeviceRefusal{"protocol", made.error().message};
+  const bool on_bus = (*made)->on_bus();
+  const auto needed = on_bus ? link::Carries::frames : link::Carries::bytes;
+  if (!uri->may_carry(needed)) return DeviceRefusal{"link", wrong_carrier(config, on_bus)};
+  if (uri->recorded()) {
+    const std::string misfit = link::recording_misfit(*uri, needed);
+    if (!misfit.empty()) return DeviceRefusal{"link", misfit};
+  }
+  return std::move(*made);
+}
+
 boost::system::result<std::vector<std::unique_ptr<device::Device>>, RigDevicesError> make_devices(
     const rig_config::Rig& rig) {
   std::vector<std::unique_ptr<device::Device>> devices;
   for (std::size_t i = 0; i < rig.devices.size(); ++i) {
-    const DeviceConfig& config = rig.devices[i];
-    auto options = device_options(rig, i);
-    if (!options) return options.error();
-    const auto uri = link::parse_uri(config.link);
-    auto made = device::Device::make(std::move(*options));
-    if (!made) return error_in(rig, config, made.error().message);
-    const auto needed = (*made)->on_bus() ? link::Carries::frames : link::Carries::bytes;
-    if (!uri->may_carry(needed)) {
-      return error_in(
-          rig, config,
-          (*made)->on_bus()
-              ? "protocol \"" + config.protocol + "\" needs a CAN link, \"" + config.link +
-                    "\" carries bytes; allowed: socketcan slcan memory-can can:auto file"
-              : "protocol \"" + config.protocol + "\" needs a byte link, \"" + config.link +
-                    "\" carries CAN frames; allowed: serial pty tcp udp file memory");
-    }
-    if (uri->recorded()) {
-      const std::string misfit = link::recording_misfit(*uri, needed);
-      if (!misfit.empty()) return error_in(rig, config, misfit);
-    }
+    auto made = make_device(rig, i);
+    if (!made) return error_in(rig, rig.devices[i], made.error().message);
     devices.push_back(std::move(*made));
   }
   return devices;

@@ -7,7 +7,7 @@
 #include "drivers/wire/can/can_bits.hpp"
 #include "drivers/wire/canopen/canopen_sdo.hpp"
 #include "drivers/wire/j1939/aceinna.hpp"
-#include "drivers/wire/registry.hpp"
+#include "drivers/wire/protocols.hpp"
 
 namespace drydock::survey {
 namespace {
@@ -30,15 +30,23 @@ std::pair<NodeKind, std::uint8_t> sender(const CanFrame& frame) {
   return {NodeKind::plain, 0};
 }
 
-std::vector<std::string_view> protocols_on(NodeKind kind) {
+wire::Network network_of(NodeKind kind) {
   switch (kind) {
-    case NodeKind::j1939: return {wire::Nmea2000::name, wire::Aceinna::name};
-    case NodeKind::canopen:
-      return {wire::Cia404Imu::name, wire::EpsonG550::name, wire::EpsonG552::name,
-              wire::Cia404Pressure::name};
-    case NodeKind::plain: return {wire::Xsens::name};
+    case NodeKind::j1939: return wire::Network::j1939;
+    case NodeKind::canopen: return wire::Network::canopen;
+    case NodeKind::plain: break;
   }
-  return {};
+  return wire::Network::none;
+}
+
+/// The protocols with a driver that such a node can speak, in the order of the table.
+std::vector<std::string_view> protocols_on(NodeKind kind) {
+  std::vector<std::string_view> names;
+  for (const wire::Protocol& protocol : wire::protocols())
+    if (protocol.travels == wire::Travels::as_frames && protocol.network == network_of(kind) &&
+        !protocol.kinds.empty())
+      names.push_back(protocol.name);
+  return names;
 }
 
 }  // namespace
@@ -102,7 +110,7 @@ class BusSurvey::Listener {
   /// and more than one PDO. Therefore an IMU with plausible values comes first.
   void choose_sensors(Node& node) const {
     std::vector<const DriverTrial*> good;
-    for (const auto kind : {Kind::imu, Kind::depth, Kind::actuator}) {
+    for (const auto kind : measurement::kinds) {
       const DriverTrial* best = best_of(kind);
       if (best == nullptr) continue;
       const bool second_reading = node.kind == NodeKind::canopen && !good.empty();

@@ -2,7 +2,8 @@
 
 namespace drydock::terminal {
 
-/// While one of these lives, the first Ctrl-C only sets the flag. The second ends the program.
+/// While one of these lives, the first Ctrl-C only sets the flag. The second ends the program. This
+/// is for a loop that does not wait in io_context::run(); there io::UntilStopped ends the program.
 class InterruptFlag {
  public:
   InterruptFlag();

@@ -2,12 +2,28 @@
 
 namespace drydock::host {
 
-bus::Attitude bus_attitude(const pipeline::AttitudeEstimate& estimate) {
-  return {.valid_at = estimate.valid_at,
-          .roll_rad = estimate.roll_rad,
-          .pitch_rad = estimate.pitch_rad,
-          .yaw_rad = estimate.yaw_rad,
-          .covariance = estimate.covariance};
+Estimate bus_estimate(const pipeline::AttitudeEstimate& estimate) {
+  return {.estimator = estimate.estimator,
+          .attitude = {.valid_at = estimate.valid_at,
+                       .roll_rad = estimate.roll_rad,
+                       .pitch_rad = estimate.pitch_rad,
+                       .yaw_rad = estimate.yaw_rad,
+                       .covariance = estimate.covariance}};
+}
+
+Estimate bus_estimate(const pipeline::NavigationEstimate& estimate, const frame::Position& origin) {
+  Estimate told = bus_estimate(pipeline::attitude_of(estimate));
+  told.navigation = {.valid_at = estimate.valid_at,
+                     .latitude_rad = estimate.position.latitude_rad,
+                     .longitude_rad = estimate.position.longitude_rad,
+                     .height_m = estimate.position.height_m,
+                     .offset_ned = frame::ned_offset(origin, estimate.position),
+                     .velocity_ned = estimate.velocity_ned,
+                     .body_to_ned = estimate.body_to_ned,
+                     .covariance = estimate.covariance};
+  if (estimate.current)
+    told.current = {estimate.current->north_east_mps, estimate.current->sigma_mps};
+  return told;
 }
 
 bus::Innovation bus_innovation(const pipeline::InnovationReport& report) {
@@ -16,18 +32,19 @@ bus::Innovation bus_innovation(const pipeline::InnovationReport& report) {
   return innovation;
 }
 
-bus::Navigation BusNavigation::operator()(const pipeline::NavigationEstimate& estimate) {
+void EstimateTeller::on_attitude(const pipeline::AttitudeEstimate& estimate) {
+  to_.on_estimate(bus_estimate(estimate));
+}
+
+void EstimateTeller::on_navigation(const pipeline::NavigationEstimate& estimate) {
   if (origins_.size() <= estimate.estimator) origins_.resize(estimate.estimator + 1U);
   auto& origin = origins_[estimate.estimator];
   if (!origin) origin = estimate.position;
-  return {.valid_at = estimate.valid_at,
-          .latitude_rad = estimate.position.latitude_rad,
-          .longitude_rad = estimate.position.longitude_rad,
-          .height_m = estimate.position.height_m,
-          .offset_ned = frame::ned_offset(*origin, estimate.position),
-          .velocity_ned = estimate.velocity_ned,
-          .body_to_ned = estimate.body_to_ned,
-          .covariance = estimate.covariance};
+  to_.on_estimate(bus_estimate(estimate, *origin));
+}
+
+void EstimateTeller::on_innovation(const pipeline::InnovationReport& report) {
+  to_.on_innovation(bus_innovation(report));
 }
 
 }  // namespace drydock::host

@@ -3,23 +3,31 @@
 #include <optional>
 #include <vector>
 
-#include "drivers/bus/device.hpp"
+#include "drivers/host/follower.hpp"
 #include "estimators/pipeline/listener.hpp"
 
 namespace drydock::host {
 
-/// Converts estimates to the types of the bus.
-bus::Attitude bus_attitude(const pipeline::AttitudeEstimate& estimate);
+/// Converts estimates to the types of the bus. `origin` is the first position of the same
+/// estimator, from which the offset counts.
+Estimate bus_estimate(const pipeline::AttitudeEstimate& estimate);
+Estimate bus_estimate(const pipeline::NavigationEstimate& estimate, const frame::Position& origin);
 bus::Innovation bus_innovation(const pipeline::InnovationReport& report);
 
-/// Converts navigation estimates to the type of the bus. Adds the offset of each position from the
-/// first position of the same estimator.
-class BusNavigation {
+/// Tells a follower the estimates and innovations of a pipeline. It is the only place that converts
+/// them.
+class EstimateTeller final : public pipeline::EstimateListener {
  public:
-  bus::Navigation operator()(const pipeline::NavigationEstimate& estimate);
+  /// The follower must outlive the teller.
+  explicit EstimateTeller(Follower& to) : to_(to) {}
+
+  void on_attitude(const pipeline::AttitudeEstimate& estimate) override;
+  void on_navigation(const pipeline::NavigationEstimate& estimate) override;
+  void on_innovation(const pipeline::InnovationReport& report) override;
 
  private:
-  std::vector<std::optional<frame::Position>> origins_;
+  Follower& to_;
+  std::vector<std::optional<frame::Position>> origins_;  ///< by estimator
 };
 
 }  // namespace drydock::host

@@ -6,8 +6,10 @@
 
 #include "drivers/bus/participant.hpp"
 #include "drivers/host/rig_bus.hpp"
+#include "drivers/host/rig_publisher.hpp"
 #include "drivers/io/until_stopped.hpp"
 #include "drivers/measurement/units.hpp"
+#include "drivers/terminal/exit_codes.hpp"
 #include "estimators/host/estimator_host.hpp"
 #include "estimators/setup/rig_pipeline.hpp"
 
@@ -15,13 +17,23 @@ namespace drydock::host {
 namespace {
 
 /// Prints estimates as they arrive: each one as JSON, or one a second as text for a person.
-class Printer {
+class Printer final : public Follower {
  public:
   Printer(const rig_config::Rig& rig, bool json_lines) : rig_(rig), json_lines_(json_lines) {}
 
-  void operator()(const pipeline::AttitudeEstimate& e) {
+  void on_estimate(const Estimate& estimate) override {
     ++count;
-    const auto& name = rig_.estimators[e.estimator].name;
+    const auto& name = rig_.estimators[estimate.estimator].name;
+    if (estimate.navigation)
+      print(name, estimate.attitude, *estimate.navigation);
+    else
+      print(name, estimate.attitude);
+  }
+
+  std::uint64_t count = 0;
+
+ private:
+  void print(const std::string& name, const bus::Attitude& e) {
     const double roll_sigma = std::sqrt(e.covariance(0, 0)) * units::degrees_per_radian;
     const double pitch_sigma = std::sqrt(e.covariance(1, 1)) * units::degrees_per_radian;
     if (json_lines_) {
@@ -41,20 +53,16 @@ class Printer {
     std::fflush(stdout);
   }
 
-  void operator()(const pipeline::NavigationEstimate& e) {
-    ++count;
-    const auto& name = rig_.estimators[e.estimator].name;
+  void print(const std::string& name, const bus::Attitude& attitude, const bus::Navigation& e) {
     const auto& v = e.velocity_ned;
-    const auto attitude = pipeline::attitude_of(e);
     const double sigma_m = std::sqrt(e.covariance(0, 0) + e.covariance(1, 1));
     if (json_lines_) {
       fmt::print(
           R"({{"estimator":"{}","valid_at_s":{:.9f},"latitude_deg":{:.9f},"longitude_deg":{:.9f},"height_m":{:.3f},"position_sigma_m":{:.3f},"velocity_ned_mps":[{:.4f},{:.4f},{:.4f}],"roll_deg":{:.6f},"pitch_deg":{:.6f},"heading_deg":{:.6f}}})"
           "\n",
           name, measurement::seconds(e.valid_at.time_since_epoch()),
-          e.position.latitude_rad * units::degrees_per_radian,
-          e.position.longitude_rad * units::degrees_per_radian, e.position.height_m, sigma_m, v.x(),
-          v.y(), v.z(), attitude.roll_rad * units::degrees_per_radian,
+          e.latitude_rad * units::degrees_per_radian, e.longitude_rad * units::degrees_per_radian,
+          e.height_m, sigma_m, v.x(), v.y(), v.z(), attitude.roll_rad * units::degrees_per_radian,
           attitude.pitch_rad * units::degrees_per_radian,
           *attitude.yaw_rad * units::degrees_per_radian);
       return;
@@ -62,15 +70,11 @@ class Printer {
     if (e.valid_at < next_) return;
     next_ = e.valid_at + std::chrono::seconds{1};
     fmt::print("{}: {:.6f} {:.6f} deg +- {:.2f} m (1 sigma), height {:.2f} m, {:.3f} m/s\n", name,
-               e.position.latitude_rad * units::degrees_per_radian,
-               e.position.longitude_rad * units::degrees_per_radian, sigma_m, e.position.height_m,
-               v.norm());
+               e.latitude_rad * units::degrees_per_radian,
+               e.longitude_rad * units::degrees_per_radian, sigma_m, e.height_m, v.norm());
     std::fflush(stdout);
   }
 
-  std::uint64_t count = 0;
-
- private:
   const rig_config::Rig& rig_;
   bool json_lines_;
   measurement::Stamp next_{};
@@ -81,12 +85,13 @@ class Printer {
 int estimate(const rig_config::Rig& rig, const EstimateOptions& options) {
   boost::asio::io_context io{1};
   const bus::Participant participant(static_cast<std::uint32_t>(rig.dds_domain), rig.dds_interface);
-  bus::Publisher publisher(participant, {}, estimator_names(rig), navigator_names(rig));
+  RigPublisher publisher(participant, {}, estimator_names(rig), navigator_names(rig));
   bus::Subscriber subscriber(participant, bus_devices(rig));
-  EstimatorHost host(io, setup::pipeline_options(rig), subscriber, publisher);
   Printer printer(rig, options.json_lines);
-  host.on_attitude_hook = [&](const pipeline::AttitudeEstimate& e) { printer(e); };
-  host.on_navigation_hook = [&](const pipeline::NavigationEstimate& e) { printer(e); };
+  Followers followers;
+  followers.add(publisher);
+  followers.add(printer);
+  EstimatorHost host(io, setup::pipeline_options(rig), subscriber, followers);
 
   io::UntilStopped until(io, options.duration_s, [&] { host.stop(); });
   host.start();
@@ -94,7 +99,7 @@ int estimate(const rig_config::Rig& rig, const EstimateOptions& options) {
   for (const auto& note : setup::pipeline_notes(rig, host.pipeline()))
     fmt::print(stderr, "{}\n", note);
   fmt::print(stderr, "{} estimates\n", printer.count);
-  return printer.count > 0 ? 0 : 1;
+  return terminal::exit_of(printer.count > 0);
 }
 
 }  // namespace drydock::host

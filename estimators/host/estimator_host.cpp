@@ -19,10 +19,10 @@ pipeline::Pipeline made(const pipeline::PipelineOptions& options,
 }  // namespace
 
 EstimatorHost::EstimatorHost(boost::asio::io_context& io, const pipeline::PipelineOptions& options,
-                             bus::Subscriber& from, bus::Publisher& to)
+                             bus::Subscriber& from, Follower& to)
     : from_(from),
-      to_(to),
-      pipeline_(made(options, *this)),
+      teller_(to),
+      pipeline_(made(options, teller_)),
       readable_(io, from.fd()),
       window_timer_(io),
       window_(options.reorder_window) {}
@@ -40,17 +40,6 @@ void EstimatorHost::stop() {
   readable_.cancel();
   window_timer_.cancel();
   pipeline_.flush();
-}
-
-void EstimatorHost::on_attitude(const pipeline::AttitudeEstimate& estimate) {
-  to_.publish(bus_attitude(estimate), estimate.estimator);
-  if (on_attitude_hook) on_attitude_hook(estimate);
-}
-
-void EstimatorHost::on_navigation(const pipeline::NavigationEstimate& estimate) {
-  to_.publish(bus_attitude(pipeline::attitude_of(estimate)), estimate.estimator);
-  to_.publish(to_bus_(estimate), estimate.estimator);
-  if (on_navigation_hook) on_navigation_hook(estimate);
 }
 
 void EstimatorHost::wait_for_measurements() {

@@ -7,6 +7,7 @@
 
 #include "drivers/io/until_stopped.hpp"
 #include "drivers/link/clock.hpp"
+#include "drivers/terminal/exit_codes.hpp"
 #include "hil/control/live_faults.hpp"
 #include "hil/emulate/real_time/real_time.hpp"
 #include "hil/summary/truth_of_rig.hpp"
@@ -45,7 +46,7 @@ int emulate(const rig_config::Rig& rig, double duration_s) {
   const auto counters = emulator.counters();
   fmt::print("{} messages written, {} late, {} lost to overloaded lines, {} write errors\n",
              counters.messages, counters.late, counters.lost, counters.write_errors);
-  return counters.lost == 0 ? 0 : 1;
+  return terminal::exit_of(counters.lost == 0);
 }
 
 }  // namespace drydock::bench

@@ -49,16 +49,16 @@ class LockstepBench::ToLine final : public device::Transmitter {
 };
 
 LockstepBench::LockstepBench(const rig_config::Rig& rig, const motion::Trajectory& motion,
-                             const Listeners& listeners)
+                             host::Follower& follower,
+                             emulate::RealTimeEmulator::OnWritten on_written)
     : rig_(rig),
-      listener_(listeners.devices),
-      raw_(listeners.raw),
-      on_written_(listeners.on_written),
+      follower_(follower),
+      on_written_(std::move(on_written)),
       start_(motion.start()),
       clock_(start_),
       faults_(rig, motion, start_),
-      pipeline_(
-          or_throw(pipeline::make_pipeline(setup::pipeline_options(rig), listeners.estimates))) {
+      teller_(follower),
+      pipeline_(or_throw(pipeline::make_pipeline(setup::pipeline_options(rig), teller_))) {
   auto drivers = or_throw(shell::make_devices(rig));
   for (std::size_t i = 0; i < drivers.size(); ++i) add(rig.devices[i], std::move(drivers[i]));
   for (auto& bus : buses_) clock_.add(*bus.second.bus);
@@ -70,14 +70,14 @@ void LockstepBench::add(const rig_config::DeviceConfig& config,
                         std::unique_ptr<device::Device> device) {
   const auto uri = link::parse_uri(config.link);
   if (!uri) throw std::runtime_error(uri.error().message);
-  to_lines_.push_back(std::make_unique<ToLine>(clock_, config.link, raw_));
+  to_lines_.push_back(std::make_unique<ToLine>(clock_, config.link, follower_));
   device::Listener& listener = *this;
   actors_.push_back(std::make_unique<shell::DeviceActor>(
       std::move(device), listener, *to_lines_.back(), start_, host::provenance_of(config.link)));
   auto& actor = *actors_.back();
   clock_.add(actor);
   if (uri->recorded()) {
-    actor.tap(raw_);
+    actor.tap(follower_);
     if (actor.device().on_bus()) {
       recordings_.push_back(std::make_unique<shell::RecordedBus>(*uri, actor, start_));
     } else {
@@ -105,7 +105,7 @@ void LockstepBench::add_line(const rig_config::DeviceConfig& config, const link:
         actor.receive(bytes, passage.ended_at);
       }));
   lines_.back()->set_on_port([&actor](bool there, Stamp at) { actor.set_port(there, at); });
-  actor.tap(raw_);
+  actor.tap(follower_);
   to_lines_.back()->line = lines_.back().get();
   clock_.add(*lines_.back());
 }
@@ -120,7 +120,7 @@ void LockstepBench::add_to_bus(const rig_config::DeviceConfig& config, const lin
                                          const emulate::Passage& passage) {
           const Stamp at = passage.ended_at;
           if (on_written_) on_written_(bus.names.at(sender), passage, at);
-          raw_.on_frame(link, shell::Direction::received, frame, at);
+          follower_.on_frame(link, shell::Direction::received, frame, at);
           for (auto* driver : bus.drivers) driver->receive(frame, at);
         });
   }
@@ -130,15 +130,6 @@ void LockstepBench::add_to_bus(const rig_config::DeviceConfig& config, const lin
   bus.names.emplace_back();  // the frames of a rogue node belong to no device
   bus.drivers.push_back(&actor);
   to_lines_.back()->bus = bus.bus.get();
-}
-
-void LockstepBench::on_measurement(const measurement::Measurement& m) {
-  listener_.on_measurement(m);
-  pipeline_.receive(m);
-}
-
-void LockstepBench::on_state(const device::Device& device, const device::Transition& change) {
-  listener_.on_state(device, change);
 }
 
 }  // namespace drydock::bench

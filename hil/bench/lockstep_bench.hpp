@@ -8,7 +8,7 @@
 #include "drivers/link/uri.hpp"
 #include "drivers/shell/device_actor.hpp"
 #include "drivers/shell/lockstep.hpp"
-#include "drivers/shell/raw_listener.hpp"
+#include "estimators/host/bus_estimates.hpp"
 #include "estimators/pipeline/pipeline.hpp"
 #include "hil/emulate/lockstep.hpp"
 #include "hil/emulate/real_time/real_time.hpp"
@@ -17,22 +17,14 @@
 namespace drydock::bench {
 
 /// A rig in virtual time. Every link becomes a line inside this process with the same baud rate.
-/// Measurements go from the drivers to `devices` and then directly to the estimators.
+/// Measurements go from the drivers to the follower and then directly to the estimators.
 class LockstepBench final : private device::Listener {
  public:
-  /// The listeners of a bench.
-  struct Listeners {
-    device::Listener& devices;
-    pipeline::EstimateListener& estimates;
-    shell::RawListener& raw;  ///< sees every byte and frame
-    emulate::RealTimeEmulator::OnWritten on_written =
-        {};  ///< gets what emulated devices sent; may be empty
-  };
-
-  /// All arguments must outlive the bench. Throws std::runtime_error with one line if a part of the
-  /// rig cannot run in virtual time.
+  /// Rig, motion and follower must outlive the bench. `on_written` gets what emulated devices send;
+  /// may be empty. Throws std::runtime_error with one line if a part of the rig cannot run in
+  /// virtual time.
   LockstepBench(const rig_config::Rig& rig, const motion::Trajectory& motion,
-                const Listeners& listeners);
+                host::Follower& follower, emulate::RealTimeEmulator::OnWritten on_written = {});
   ~LockstepBench() override;
 
   measurement::Stamp now() const { return clock_.now(); }
@@ -58,16 +50,21 @@ class LockstepBench final : private device::Listener {
   void add_to_bus(const rig_config::DeviceConfig& config, const link::Uri& uri,
                   shell::DeviceActor& actor);
 
-  void on_measurement(const measurement::Measurement& m) override;
-  void on_state(const device::Device& device, const device::Transition& change) override;
+  void on_measurement(const measurement::Measurement& m) override {
+    follower_.on_measurement(m);
+    pipeline_.receive(m);
+  }
+  void on_state(const device::Device& device, const device::Transition& change) override {
+    follower_.on_state(device, change);
+  }
 
   const rig_config::Rig& rig_;
-  device::Listener& listener_;
-  shell::RawListener& raw_;
+  host::Follower& follower_;
   emulate::RealTimeEmulator::OnWritten on_written_;
   measurement::Stamp start_;
   shell::Lockstep clock_;
   fault::Injector faults_;
+  host::EstimateTeller teller_;
   pipeline::Pipeline pipeline_;
   std::vector<std::unique_ptr<ToLine>> to_lines_;
   std::vector<std::unique_ptr<shell::DeviceActor>> actors_;

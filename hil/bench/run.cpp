@@ -71,8 +71,7 @@ int run(const rig_config::Rig& rig, const RunOptions& options) {
     report::write_file(page, to_html(summary));
     fmt::print("report: {}\n", page.string());
   }
-  return std::ranges::all_of(summary.verdicts, &summary::Verdict::passed) ? 0
-                                                                          : terminal::exit_failed;
+  return terminal::exit_of(std::ranges::all_of(summary.verdicts, &summary::Verdict::passed));
 }
 
 }  // namespace drydock::bench

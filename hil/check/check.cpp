@@ -2,9 +2,38 @@
 
 #include <fmt/format.h>
 
+#include <stdexcept>
+
 #include "drivers/link/uri.hpp"
+#include "drivers/terminal/exit_codes.hpp"
+#include "estimators/hydrodynamics/model.hpp"
+#include "estimators/vehicle/vehicle.hpp"
+#include "hil/check/check_rig.hpp"
 
 namespace drydock::check {
+
+namespace {
+
+using rig_config::Problems;
+
+Problems check_vehicle(const rig_config::VehicleConfig& config, const std::string& file) try {
+  hydrodynamics::Model{vehicle::dimensional(config)};
+  return {};
+} catch (const std::invalid_argument& error) {
+  return {{file, 1, 1, "/vehicle", error.what()}};
+}
+
+/// First the problems of the file as such, then those of what it describes.
+Problems problems_of(const std::string& file) {
+  Problems problems = rig_config::check_file(file, load_options());
+  if (!problems.empty()) return problems;
+  if (const auto rig = rig_config::load_rig(file, load_options())) return check_rig(*rig);
+  if (const auto mission = rig_config::load_mission(file)) return check_mission(*mission);
+  if (const auto vehicle = rig_config::load_vehicle(file)) return check_vehicle(*vehicle, file);
+  return {};
+}
+
+}  // namespace
 
 rig_config::LoadOptions load_options() {
   rig_config::LoadOptions options;
@@ -16,15 +45,22 @@ rig_config::LoadOptions load_options() {
   return options;
 }
 
+rig_config::Loaded<rig_config::Rig> load_sound_rig(const std::string& path, Use use) {
+  auto rig = rig_config::load_rig(path, load_options());
+  if (!rig) return rig;
+  if (auto problems = check_rig(*rig, use); !problems.empty()) return problems;
+  return rig;
+}
+
 int check(const std::vector<std::string>& files, std::FILE* out) {
   bool sound = true;
   for (const std::string& file : files) {
-    const rig_config::Problems problems = rig_config::check_file(file, load_options());
-    for (const rig_config::Problem& problem : problems) fmt::print(out, "{}\n", to_string(problem));
+    const Problems problems = problems_of(file);
+    for (const auto& problem : problems) fmt::print(out, "{}\n", to_string(problem));
     if (problems.empty()) fmt::print(out, "{}: ok\n", file);
     sound = sound && problems.empty();
   }
-  return sound ? 0 : 1;
+  return sound ? terminal::exit_success : terminal::exit_usage;
 }
 
 }  // namespace drydock::check

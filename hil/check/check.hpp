@@ -12,7 +12,7 @@ namespace drydock::check {
 rig_config::LoadOptions load_options();
 
 /// `drydock check`: for each rig, mission, sensor or vehicle file it prints the problems, or `FILE:
-/// ok`. Exit code: 0 all files are good, 1 at least one is not.
+/// ok`. Exit code: exit_success, or exit_usage if at least one file is not good.
 int check(const std::vector<std::string>& files, std::FILE* out);
 
 }  // namespace drydock::check

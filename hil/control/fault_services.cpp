@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "hil/control/fault_words.hpp"
+#include "hil/control/live_faults.hpp"
 #include "hil/control/request/fault_requests.hpp"
 #include "hil/control/request/order_text.hpp"
 #include "hil/summary/truth_of_rig.hpp"
@@ -70,6 +71,12 @@ std::vector<Service> fault_services(const rig_config::Rig& rig, const Obey& obey
       ordering("/drydock/faults/list", "drydock/ListFaults", empty_schema, order_of_list_request,
                obey),
       {"/drydock/faults/words", "drydock/FaultWords", empty_schema, empty_schema, words}};
+}
+
+std::vector<Service> fault_services(const rig_config::Rig& rig, LiveFaults& faults) {
+  return fault_services(rig, [&faults](const std::string& order, const auto& answered) {
+    answered(faults.answer(order));
+  });
 }
 
 }  // namespace drydock::control

@@ -3,7 +3,6 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "rig_config/fault_extra.hpp"
 #include "rig_config/fault_quantity.hpp"
 
 namespace drydock::control {
@@ -37,8 +36,7 @@ OrderedJson amounts_json(const FaultWord& word, const DeviceConfig& device) {
 
 OrderedJson word_json(const FaultWord& word, const DeviceConfig& device) {
   OrderedJson more = OrderedJson::array();
-  for (const auto& extra : rig_config::extras_of(word.kind))
-    more.push_back(key_json(extra.key, extra));
+  if (const auto& extra = word.facts.extra) more.push_back(key_json(extra->key, *extra));
   return {{"fault", word.name},
           {"layer", rig_config::name_of(word.layer)},
           {"amount", amount_keys(word, device)},

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "rig_config/fault_vocabulary.hpp"
 #include "rig_config/rig.hpp"
 
 /// The faults that each device can have, for a user who chooses one.

@@ -44,7 +44,7 @@ int print_answer(const Json& answer, bool json) {
     for (const auto& line : answer.at("lines"))
       fmt::print(ok ? stdout : stderr, "{}\n", line.get<std::string>());
   }
-  return ok ? 0 : terminal::exit_usage;
+  return ok ? terminal::exit_success : terminal::exit_usage;
 }
 
 }  // namespace

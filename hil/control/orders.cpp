@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "rig_config/fault_vocabulary.hpp"
+
 namespace drydock::control {
 
 namespace {

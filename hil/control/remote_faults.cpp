@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "drivers/link/link.hpp"
-#include "hil/bench/run_watchers.hpp"
+#include "hil/control/bus_faults.hpp"
 #include "hil/control/control_socket.hpp"
 #include "hil/control/request/order_text.hpp"
 
@@ -29,12 +29,12 @@ measurement::Stamp seconds_after(measurement::Stamp start, const json& seconds) 
 }  // namespace
 
 RemoteFaults::RemoteFaults(asio::any_io_executor executor, const rig_config::Rig& rig,
-                           host::Watchers& watchers)
+                           host::Follower& to)
     : executor_(std::move(executor)),
       path_(control_path(rig.name)),
       nobody_(fmt::format("no bench of rig \"{}\" runs here; start one: drydock emulate {}",
                           rig.name, rig.file)),
-      watchers_(watchers) {}
+      to_(to) {}
 
 void RemoteFaults::obey(const std::string& order,
                         std::function<void(const std::string&)> answered) {
@@ -80,7 +80,7 @@ void RemoteFaults::take(const std::string& answer, measurement::Stamp now) try {
   }
   if (faults == told_) return;
   told_ = std::move(faults);
-  bench::tell_faults_to(watchers_, told_, now);
+  to_.on_faults(bus_faults(told_), now);
 } catch (const json::exception&) {
   start_.reset();  // The bench has another version, so its faults are not known.
 }

@@ -1,13 +1,17 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
+#include <vector>
 
 #include "hil/sensor/disturbance.hpp"
+#include "rig_config/fault.hpp"
 
 namespace drydock::emulate {
 
 using measurement::Stamp;
+using rig_config::FaultKind;
 
 /// A device's clock compared with bench time.
 struct DeviceClock {
@@ -21,6 +25,13 @@ struct DeviceClock {
   }
 };
 
+/// A fault that is in force.
+struct Trouble {
+  FaultKind kind{};
+  Stamp since{};
+  double amount = 0;  ///< in the unit of the word's key
+};
+
 /// The internal effects of faults on an emulated device: its sensors, its clock, its surroundings.
 /// By default the device is sound. docs/use/faults.md
 struct Condition {
@@ -28,14 +39,14 @@ struct Condition {
   std::optional<Stamp> stuck_at;  ///< the device keeps measuring this moment
   double times_fewer = 1;         ///< factor by which fewer samples are sent
   DeviceClock clock;
-  bool bottom_lost = false;
-  double blocked_below_rad = -2;  ///< satellites below this elevation are hidden
-  double antenna_gain_db = 0;
-  bool refuses = false;  ///< refuses settings
-  struct Heat {
-    Stamp shuts_down_at{};
-  };
-  std::optional<Heat> hot;  ///< a DVL out of the water
+  std::vector<Trouble> troubles;  ///< every fault of the device; the later one of a kind counts
+
+  /// For a fault that only some devices know: bottom_lost, hot, nak, ... Null: not in force.
+  const Trouble* under(FaultKind kind) const {
+    const auto found = std::find_if(troubles.rbegin(), troubles.rend(),
+                                    [&](const Trouble& each) { return each.kind == kind; });
+    return found == troubles.rend() ? nullptr : &*found;
+  }
 };
 
 }  // namespace drydock::emulate

@@ -1,13 +1,17 @@
 #pragma once
 
+#include <array>
 #include <memory>
+#include <string_view>
 
 #include "hil/emulate/sampling_device.hpp"
 
 /// One emulated device per kind and protocol. docs/world/emulation.md describes what each one sends
-/// and when, and what `primary` and `secondary` errors mean for it.
+/// and when, and what `primary` and `secondary` errors mean for it. For a new device, add its
+/// function and its row in the table below.
 namespace drydock::emulate {
 
+using rig_config::DeviceKind;
 using DevicePtr = std::unique_ptr<EmulatedDevice>;
 
 /// One ensemble per sample, in the ship frame without tilts, which is the head's own axes.
@@ -60,5 +64,32 @@ DevicePtr make_cia404_pressure(const DeviceSetup& setup);
 /// Address claim at boot, then 127245 for rudder (instance 0), stern plane (1), bow plane (2) and
 /// 127488 for the propeller per sample.
 DevicePtr make_nmea2000_actuators(const DeviceSetup& setup);
+
+struct DeviceRow {
+  DeviceKind kind;
+  std::string_view protocol;
+  DevicePtr (*make)(const DeviceSetup&);
+};
+
+/// The table of emulated devices: one row for each pair of kind and protocol.
+inline constexpr auto device_rows = std::to_array<DeviceRow>({
+    {DeviceKind::dvl, "pd0", make_pd0_dvl},
+    {DeviceKind::dvl, "pd4", make_pd4_dvl},
+    {DeviceKind::dvl, "pd5", make_pd5_dvl},
+    {DeviceKind::dvl, "pd6", make_pd6_dvl},
+    {DeviceKind::dvl, "water-linked", make_water_linked_dvl},
+    {DeviceKind::dvl, "nortek", make_nortek_dvl},
+    {DeviceKind::emlog, "nmea0183", make_nmea0183_em_log},
+    {DeviceKind::gnss, "ubx", make_ubx_gnss},
+    {DeviceKind::gnss, "nmea0183", make_nmea0183_gnss},
+    {DeviceKind::imu, "aceinna", make_aceinna_imu},
+    {DeviceKind::imu, "cia404-imu", make_cia404_imu},
+    {DeviceKind::imu, "epson-g550", make_epson_g550},
+    {DeviceKind::imu, "epson-g552", make_epson_g552},
+    {DeviceKind::imu, "xsens", make_xsens_imu},
+    {DeviceKind::depth, "nmea2000", make_nmea2000_depth},
+    {DeviceKind::depth, "cia404-pressure", make_cia404_pressure},
+    {DeviceKind::actuator, "nmea2000", make_nmea2000_actuators},
+});
 
 }  // namespace drydock::emulate

@@ -3,15 +3,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "drivers/measurement/earlier.hpp"
+
 namespace drydock::emulate {
-namespace {
-
-std::optional<Stamp> earlier(std::optional<Stamp> a, std::optional<Stamp> b) {
-  if (!a || !b) return a ? a : b;
-  return std::min(*a, *b);
-}
-
-}  // namespace
 
 EmulatedLine::EmulatedLine(std::unique_ptr<EmulatedDevice> device, unsigned baud, Deliver deliver)
     : device_(std::move(device)),
@@ -25,7 +19,7 @@ void EmulatedLine::receive(wire::Bytes bytes, Stamp now) {
 }
 
 std::optional<Stamp> EmulatedLine::deadline() const {
-  return earlier(device_->deadline(), pacer_.deadline());
+  return measurement::earlier(device_->deadline(), pacer_.deadline());
 }
 
 void EmulatedLine::act(Stamp now) {

@@ -15,6 +15,7 @@ namespace drydock::emulate {
 /// One line: what is wrong and what is allowed.
 struct EmulateError {
   std::string message;
+  std::string key = {};  ///< of the device in the rig file, such as `emulate/sky/at`; may be empty
 };
 
 /// Called by result::value() if there is no device; throws std::invalid_argument.

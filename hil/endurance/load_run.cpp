@@ -14,6 +14,7 @@
 #include "hil/report/write_file.hpp"
 #include "hil/validity/deadlines.hpp"
 #include "hil/validity/run/host_floor.hpp"
+#include "hil/validity/run/sent_and_heard.hpp"
 #include "hil/validity/run/validity.hpp"
 
 namespace drydock::endurance {
@@ -31,31 +32,51 @@ struct LoadResult {
   validity::HostTimes floor;
 };
 
+/// Notes when each measurement was out of its driver, and draws a progress bar on a terminal.
+class LoadWatch final : public validity::SentAndHeard {
+ public:
+  LoadWatch(validity::Listener& listener, double duration_s, std::FILE* bar)
+      : SentAndHeard(listener),
+        duration_s_(duration_s),
+        bar_(bar),
+        terminal_(::isatty(fileno(bar)) == 1) {}
+  ~LoadWatch() override {
+    if (terminal_) fmt::print(bar_, "{}", terminal::wipe_line);
+  }
+
+  void on_start(const bench::BenchView& bench) override { start_ = bench.start; }
+  void on_measurement(const measurement::Measurement& m) override {
+    listener_.note(m, link::steady_now());
+  }
+  void tick(Stamp) override {
+    if (!terminal_) return;
+    const double done = measurement::seconds(link::steady_now() - start_) / duration_s_;
+    fmt::print(bar_, "{}load {} {:.0f} of {:.0f} s, Ctrl-C ends", terminal::wipe_line,
+               terminal::progress_bar(done), std::min(done, 1.0) * duration_s_, duration_s_);
+    std::fflush(bar_);
+  }
+
+ private:
+  double duration_s_;
+  std::FILE* bar_;
+  bool terminal_;
+  Stamp start_{};
+};
+
 LoadResult measure(const rig_config::Rig& rig, const LoadOptions& options, std::FILE* bar) {
   std::vector<std::string> names;
   for (const auto& device : rig.devices) names.push_back(device.name);
   validity::Listener listener(names);
   bench::RunOptions run;
   run.duration_s = options.duration_s;
-  run.on_written = [&](std::string_view device, const emulate::Passage& passage,
-                       measurement::Stamp written) { listener.note(device, passage, written); };
-  run.on_measurement = [&](const measurement::Measurement& m) {
-    listener.note(m, link::steady_now());
-  };
-  const bool terminal = ::isatty(fileno(bar)) == 1;
-  run.on_progress = [&](double done) {
-    if (!terminal) return;
-    fmt::print(bar, "{}load {} {:.0f} of {:.0f} s, Ctrl-C ends", terminal::wipe_line,
-               terminal::progress_bar(done), std::min(done, 1.0) * options.duration_s,
-               options.duration_s);
-    std::fflush(bar);
-  };
+  run.quiet = true;
+  LoadWatch watch(listener, options.duration_s, bar);
+  run.followers = {&watch};
   LoadResult result;
   const auto begin = link::steady_now();
   validity::HostFloor host;
   result.summary = bench::run_real_time(rig, run);
   result.floor = host.stop();
-  if (terminal) fmt::print(bar, "{}", terminal::wipe_line);
 
   validity::Floor floor;
   const validity::HostTimes& seen = result.floor;
@@ -201,8 +222,8 @@ int load_run(const rig_config::Rig& whole, const LoadOptions& options, std::FILE
     fmt::print(out, "FAIL {} of {} devices in {:.0f} s{}: see the lines above\n", failed,
                result.devices.size(), run.duration_s, ended);
   if (!passed) fmt::print(out, "{}", host_note(whole, result.floor));
-  if (run.interrupted) return 130;
-  return passed ? 0 : terminal::exit_failed;
+  if (run.interrupted) return terminal::exit_interrupted;
+  return terminal::exit_of(passed);
 }
 
 }  // namespace drydock::endurance

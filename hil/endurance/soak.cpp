@@ -5,6 +5,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "drivers/terminal/exit_codes.hpp"
+#include "hil/bench/run.hpp"
 #include "hil/endurance/soak_watch.hpp"
 #include "hil/report/html.hpp"
 #include "hil/report/write_file.hpp"
@@ -93,16 +95,15 @@ int soak(const rig_config::Rig& rig, const SoakOptions& options, std::FILE* out)
   run.duration_s = options.duration_s;
   run.quiet = true;
   run.curve_points = 300;  // stored curves must not look like a leak
-  run.on_measurement = [&](const measurement::Measurement& m) { watch.note(m); };
-  run.each_second = [&](const bench::RunView& view) { watch.look(view); };
+  run.followers = {&watch};
   const summary::Summary summary = bench::run_lockstep(rig, run);
   const auto troubles = troubles_of(summary, watch);
   print(summary, watch, troubles, out);
   if (!options.json.empty()) report::write_file(options.json, json_of(summary, watch, troubles));
   if (!options.report.empty())
     report::write_file(options.report + "/index.html", page_of(summary, watch, troubles));
-  if (summary.interrupted) return 130;
-  return troubles.empty() ? 0 : 1;
+  if (summary.interrupted) return terminal::exit_interrupted;
+  return terminal::exit_of(troubles.empty());
 }
 
 }  // namespace drydock::endurance

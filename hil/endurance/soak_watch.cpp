@@ -7,6 +7,7 @@
 
 #include "drivers/text/measurement_fields.hpp"
 #include "hil/fault/injector.hpp"
+#include "rig_config/fault_vocabulary.hpp"
 
 namespace drydock::endurance {
 
@@ -27,8 +28,7 @@ bool is_number(const T&) {  // words, counts and lists hold no NaN
 
 /// A fault of the whole bus affects every device on it.
 bool is_of_the_bus(rig_config::FaultKind kind) {
-  using enum rig_config::FaultKind;
-  return kind == bus_off || kind == babbling || kind == bus_load || kind == error_frames;
+  return rig_config::word_of(kind).facts.needs == rig_config::FaultNeed::can_bus;
 }
 
 }  // namespace
@@ -40,20 +40,20 @@ SoakWatch::SoakWatch(const rig_config::Rig& rig, std::uint64_t seed, double faul
       start_(measurement::stamp_from_ns(rig.start_utc_ns)),
       trouble_until_(rig.devices.size(), start_ + recovers_within) {}
 
-void SoakWatch::look(const bench::RunView& run) {
-  set_faults(run);
-  for (std::size_t i = 0; i < run.devices.size(); ++i) look_at(i, run);
+void SoakWatch::tick(Stamp now) {
+  set_faults(now);
+  for (std::size_t i = 0; i < bench_->devices.size(); ++i) look_at(i, now);
   ++looks_;
 }
 
-void SoakWatch::set_faults(const bench::RunView& run) {
-  while (start_ + measurement::from_seconds(next_.start_s) <= run.now) {
-    rig_config::FaultConfig now = next_;
-    now.start_s = 0;
-    if (const auto set = run.faults.set(now, run.now); !set) add(to_string(set.error().front()));
+void SoakWatch::set_faults(Stamp now) {
+  while (start_ + measurement::from_seconds(next_.start_s) <= now) {
+    rig_config::FaultConfig fault = next_;
+    fault.start_s = 0;
+    if (const auto set = bench_->faults.set(fault, now); !set) add(to_string(set.error().front()));
     ++faults_set_;
     ++by_word_[std::string(rig_config::word_of(next_.kind).name)];
-    const auto until = run.now + measurement::from_seconds(*next_.for_s) + recovers_within;
+    const auto until = now + measurement::from_seconds(*next_.for_s) + recovers_within;
     const auto victim =
         std::ranges::find(rig_.devices, next_.device, &rig_config::DeviceConfig::name);
     for (std::size_t i = 0; i < rig_.devices.size(); ++i) {
@@ -65,24 +65,24 @@ void SoakWatch::set_faults(const bench::RunView& run) {
   }
 }
 
-void SoakWatch::look_at(std::size_t index, const bench::RunView& run) {
-  const device::Device& device = *run.devices[index];
-  const auto health = device.health(run.now);
+void SoakWatch::look_at(std::size_t index, Stamp now) {
+  const device::Device& device = *bench_->devices[index];
+  const auto health = device.health(now);
   const auto& stream = health.stream;
   const auto accounted = stream.bytes_good + stream.bytes_skipped + health.held_bytes;
-  const double t = measurement::seconds(run.now - start_);
+  const double t = measurement::seconds(now - start_);
   if (stream.bytes_in != accounted)
     add(fmt::format("{:.0f} s: {} had {} bytes in, {} are accounted for", t, device.name(),
                     stream.bytes_in, accounted));
-  if (run.now > trouble_until_[index] && health.state != device::State::streaming) {
+  if (now > trouble_until_[index] && health.state != device::State::streaming) {
     add(fmt::format("{:.0f} s: {} is {}, {} s after its last fault: {}", t, device.name(),
                     device::to_string(health.state), recovers_within.count(),
                     health.status.view()));
-    trouble_until_[index] = run.now + recovers_within;  // reports this only once
+    trouble_until_[index] = now + recovers_within;  // reports this only once
   }
 }
 
-void SoakWatch::note(const measurement::Measurement& measurement) {
+void SoakWatch::on_measurement(const measurement::Measurement& measurement) {
   std::visit(
       [&](const auto& m) {
         visit_fields(m, [&](std::string_view field, const auto& value) {

@@ -4,18 +4,19 @@
 #include <string>
 #include <vector>
 
-#include "hil/bench/run.hpp"
+#include "hil/bench/follower.hpp"
 #include "hil/fault/schedule/random_faults.hpp"
 
 namespace drydock::endurance {
 
 /// Sets random faults in a run and checks its devices every second.
-class SoakWatch {
+class SoakWatch final : public bench::Follower {
  public:
   SoakWatch(const rig_config::Rig& rig, std::uint64_t seed, double fault_interval_s);
 
-  void look(const bench::RunView& run);
-  void note(const measurement::Measurement& measurement);
+  void on_start(const bench::BenchView& bench) override { bench_ = &bench; }
+  void on_measurement(const measurement::Measurement& measurement) override;
+  void tick(Stamp now) override;
 
   /// Sentences, at most a hundred. Empty if all is well.
   const std::vector<std::string>& troubles() const { return troubles_; }
@@ -28,11 +29,12 @@ class SoakWatch {
   /// silent node is forgotten after 10 s, and a receiver searches for its satellites.
   static constexpr std::chrono::seconds recovers_within{120};
 
-  void set_faults(const bench::RunView& run);
-  void look_at(std::size_t index, const bench::RunView& run);
+  void set_faults(Stamp now);
+  void look_at(std::size_t index, Stamp now);
   void add(std::string trouble);
 
   const rig_config::Rig& rig_;
+  const bench::BenchView* bench_ = nullptr;
   fault::RandomFaults faults_;
   rig_config::FaultConfig next_;
   measurement::Stamp start_;

@@ -3,7 +3,9 @@
 #include <algorithm>
 
 #include "drivers/link/uri.hpp"
+#include "drivers/measurement/earlier.hpp"
 #include "hil/fault/schedule/condition.hpp"
+#include "rig_config/fault_vocabulary.hpp"
 
 namespace drydock::fault {
 
@@ -12,10 +14,6 @@ namespace {
 double baud_of(const DeviceConfig& config) {
   const auto uri = link::parse_uri(config.link);
   return uri ? uri->baud().value_or(0) : 0;
-}
-
-void keep_earlier(std::optional<Stamp>& first, const std::optional<Stamp>& other) {
-  if (other && (!first || *other < *first)) first = other;
 }
 
 }  // namespace
@@ -50,9 +48,8 @@ FaultyDevice::FaultyDevice(const DeviceConfig& config, const motion::Trajectory&
 
 std::optional<Stamp> FaultyDevice::deadline() const {
   auto next = device_ ? device_->deadline() : std::nullopt;
-  keep_earlier(next, schedule_.deadline());
-  keep_earlier(next, bytes_.deadline());
-  keep_earlier(next, frames_.deadline());
+  for (const auto& due : {schedule_.deadline(), bytes_.deadline(), frames_.deadline()})
+    next = measurement::earlier(next, due);
   return next;
 }
 

@@ -2,6 +2,7 @@
 
 #include "hil/fault/fault_hits.hpp"
 #include "hil/fault/schedule/schedule.hpp"
+#include "rig_config/fault_vocabulary.hpp"
 
 namespace drydock::fault {
 

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 
+#include "drivers/measurement/earlier.hpp"
+#include "rig_config/fault_vocabulary.hpp"
+
 namespace drydock::fault {
 
 namespace {
@@ -50,10 +53,9 @@ RogueNode::RogueNode(const rig_config::DeviceConfig& config, unsigned bit_rate, 
 
 std::optional<Stamp> RogueNode::deadline() const {
   auto next = schedule_.deadline();
-  const auto keep_earlier = [&](Stamp at) { next = next ? std::min(*next, at) : at; };
   for (const Beat& beat : beats_)
-    if (beat.period.count() > 0) keep_earlier(beat.next);
-  if (claim_ && claim_->deadline()) keep_earlier(Stamp{*claim_->deadline()});
+    if (beat.period.count() > 0) next = measurement::earlier(next, beat.next);
+  if (claim_) next = measurement::earlier(next, std::optional<Stamp>(claim_->deadline()));
   return next;
 }
 

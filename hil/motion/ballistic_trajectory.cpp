@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 #include "estimators/frame/attitude.hpp"
 #include "estimators/frame/earth.hpp"
+#include "hil/motion/bad_mission.hpp"
 #include "hil/motion/inertial.hpp"
 #include "hil/motion/smooth_step.hpp"
 
@@ -29,7 +29,8 @@ BallisticTrajectory::BallisticTrajectory(const rig_config::MissionConfig& missio
       ocean_(mission.ocean, {mission.latitude_rad, mission.longitude_rad, 0}),
       start_(start) {
   if (flight_.height_m < flight_.ground_height_m)
-    throw std::invalid_argument("mission: the ballistic flight begins below the ground");
+    throw BadMission("/ballistic/height_m",
+                     "mission: the ballistic flight begins below the ground");
   const double across = mission.speed_mps * std::cos(flight_.elevation_rad);
   State s{mission.latitude_rad,
           mission.longitude_rad,
@@ -39,9 +40,9 @@ BallisticTrajectory::BallisticTrajectory(const rig_config::MissionConfig& missio
   checkpoints_.push_back(s);
   while (s.height_m >= flight_.ground_height_m) {
     if (s.height_m > highest_m)
-      throw std::invalid_argument("mission: the ballistic flight climbs above 500 km");
+      throw BadMission("/ballistic", "mission: the ballistic flight climbs above 500 km");
     if (flight_step_s * static_cast<double>(checkpoints_.size()) > longest_flight_s)
-      throw std::invalid_argument("mission: the ballistic flight does not end within an hour");
+      throw BadMission("/ballistic", "mission: the ballistic flight does not end within an hour");
     checkpoints_.push_back(s = step(s, flight_step_s));
   }
   const auto steps_above = static_cast<double>(checkpoints_.size() - 2);

@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <stdexcept>
 
 #include "estimators/frame/attitude.hpp"
 #include "estimators/frame/earth.hpp"
+#include "hil/motion/bad_mission.hpp"
 #include "hil/motion/inertial.hpp"
 #include "hil/motion/vehicle/actuator_law.hpp"
 
@@ -39,7 +39,8 @@ void KinematicTrajectory::check_clear_of_bed() const {
     const double bed_m = ocean_.bed_depth_m(place.latitude_rad, place.longitude_rad);
     const double depth_m = profile_.at(t).depth_m + place.slip_depth_m;
     if (depth_m >= bed_m)
-      throw std::invalid_argument(
+      throw BadMission(
+          profile_.path_at(t),
           fmt::format("mission: after {:.0f} s the vehicle would be {:.1f} m deep, at or below the "
                       "sea bed ({:.1f} m there)",
                       t, depth_m, bed_m));

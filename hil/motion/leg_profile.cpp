@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <stdexcept>
 #include <string>
 
+#include "hil/motion/bad_mission.hpp"
 #include "hil/motion/leg_shapes.hpp"
 #include "hil/motion/smooth_step.hpp"
 
@@ -47,34 +47,39 @@ Progress of_depth(const LegConfig& leg, double t) {
           septic_acceleration(x) * over_duration * over_duration};
 }
 
-[[noreturn]] void refuse(std::size_t leg, const std::string& why) {
-  throw std::invalid_argument("mission leg " + std::to_string(leg + 1) + ": " + why);
+[[noreturn]] void refuse(std::size_t leg, const std::string& key, const std::string& why) {
+  throw BadMission("/leg/" + std::to_string(leg) + "/" + key,
+                   "mission leg " + std::to_string(leg + 1) + ": " + why);
 }
 
 void check(std::size_t number, const LegConfig& leg, double speed_before, double depth_before,
            const rig_config::MissionConfig& mission) {
-  if (!(leg.duration_s > 0)) refuse(number, "duration_s must be above 0");
-  if (leg.speed_mps < 0) refuse(number, "speed_mps must not be negative");
-  if (2 * leg.ramp_s > leg.duration_s) refuse(number, "two ramps last longer than the leg");
+  if (!(leg.duration_s > 0)) refuse(number, "duration_s", "duration_s must be above 0");
+  if (leg.speed_mps < 0) refuse(number, "speed_mps", "speed_mps must not be negative");
+  if (2 * leg.ramp_s > leg.duration_s)
+    refuse(number, "ramp_s", "two ramps last longer than the leg");
   if (leg.kind == LegKind::s_path && !(leg.period_s > 0)) {
-    refuse(number, "an s_path needs a period_s above 0");
+    refuse(number, "period_s", "an s_path needs a period_s above 0");
   }
   if (leg.kind == LegKind::zigzag && !turns_fit(leg)) {
-    refuse(number,
+    refuse(number, "rate_degps",
            "this zigzag needs a rate_degps that turns it in half a period_s, and two of these");
   }
   if (leg.kind == LegKind::turning_circle && !mission.vehicle) {
-    refuse(number, "a turning_circle needs a vehicle with a rudder");
+    refuse(number, "kind", "a turning_circle needs a vehicle with a rudder");
   }
   if (leg.kind != LegKind::dive && leg.kind != LegKind::surface) return;
+  const char* const depth_key = leg.kind == LegKind::dive ? "depth_change_m" : "kind";
   const double steepest = mission.vehicle ? steepest_sailed_sine : steepest_sine;
   const double steepest_sink =
       std::abs(leg.depth_change_m) * of_depth(leg, leg.duration_s / 2).rate;
   if (steepest_sink > steepest * std::min(speed_before, leg.speed_mps)) {
-    refuse(number, std::string("this dive needs a pitch above ") + (mission.vehicle ? "30" : "60") +
-                       " deg; allow more time, speed or less depth");
+    refuse(number, depth_key,
+           std::string("this dive needs a pitch above ") + (mission.vehicle ? "30" : "60") +
+               " deg; allow more time, speed or less depth");
   }
-  if (depth_before + leg.depth_change_m < 0) refuse(number, "the dive ends above the surface");
+  if (depth_before + leg.depth_change_m < 0)
+    refuse(number, depth_key, "the dive ends above the surface");
 }
 
 void add_turn(const LegConfig& leg, double t, Prescribed& p) {
@@ -118,7 +123,8 @@ MissionProfile::MissionProfile(const rig_config::MissionConfig& mission) {
   begin_.speed.value = mission.speed_mps;
   begin_.yaw.value = mission.heading_rad;
   begin_.depth_m = mission.depth_m;
-  if (mission.speed_mps < 0) throw std::invalid_argument("mission: speed_mps must not be negative");
+  if (mission.speed_mps < 0)
+    throw BadMission("/mission/speed_mps", "mission: speed_mps must not be negative");
   end_ = begin_;
   for (std::size_t i = 0; i < mission.legs.size(); ++i) {
     LegConfig leg = mission.legs[i];
@@ -138,6 +144,13 @@ void MissionProfile::add(const LegConfig& leg) {
   if (leg.kind == LegKind::spiral)
     end_.yaw.value += spiral(leg, window_of(leg), leg.duration_s).value;
   end_.depth_m += leg.depth_change_m;
+}
+
+std::string MissionProfile::path_at(double t) const {
+  if (legs_.empty()) return "/mission/depth_m";
+  const auto after = std::upper_bound(legs_.begin() + 1, legs_.end(), t,
+                                      [](double x, const Leg& leg) { return x < leg.begins_s; });
+  return "/leg/" + std::to_string(after - legs_.begin() - 1);
 }
 
 Prescribed MissionProfile::at(double t) const {

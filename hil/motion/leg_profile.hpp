@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "rig_config/rig.hpp"
@@ -34,11 +35,12 @@ struct Prescribed {
 /// depth at which it begins.
 class MissionProfile {
  public:
-  /// Throws std::invalid_argument (one line) for legs that are not possible.
+  /// Throws BadMission for legs that are not possible.
   explicit MissionProfile(const rig_config::MissionConfig& mission);
 
   Prescribed at(double t) const;
   double lap_s() const { return lap_s_; }
+  std::string path_at(double t) const;  ///< in the mission file, of what decides about this time
 
  private:
   struct Leg {

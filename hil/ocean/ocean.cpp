@@ -4,7 +4,6 @@
 
 #include <cmath>
 #include <numbers>
-#include <stdexcept>
 
 #include "drivers/measurement/units.hpp"
 #include "drivers/measurement/water_column.hpp"
@@ -45,8 +44,8 @@ Raster depths_of(const rig_config::BedConfig& config) {
   auto raster = read_raster_file(config.file);
   if (!raster) {
     const auto& [line, what] = raster.error();
-    throw std::invalid_argument(line > 0 ? fmt::format("{}:{}: {}", config.file, line, what)
-                                         : fmt::format("{}: {}", config.file, what));
+    throw BadRaster(line > 0 ? fmt::format("{}:{}: {}", config.file, line, what)
+                             : fmt::format("{}: {}", config.file, what));
   }
   if (config.elevations)
     for (float& value : raster->values) value = -value;

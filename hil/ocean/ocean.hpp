@@ -15,8 +15,7 @@ namespace drydock::ocean {
 /// are below the ellipsoid, which is the sea surface. Times count from the mission's start.
 class Ocean {
  public:
-  /// `origin`: start of the mission. Throws std::invalid_argument with one line if a raster cannot
-  /// be read.
+  /// `origin`: start of the mission. Throws BadRaster if a raster cannot be read.
   Ocean(const rig_config::OceanConfig& config, const frame::Position& origin);
 
   /// Velocity of the water over ground, m/s.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <boost/system/result.hpp>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -22,6 +23,12 @@ struct Raster {
 struct RasterError {
   int line = 0;      ///< from 1; 0 for a file that cannot be read
   std::string what;  ///< what is wrong and what is allowed
+};
+
+/// A sea bed whose file is no raster. what() is `file:line: what is wrong, what is allowed`.
+class BadRaster : public std::invalid_argument {
+ public:
+  using std::invalid_argument::invalid_argument;
 };
 
 /// Called by result::value() if there is no raster; throws std::invalid_argument.

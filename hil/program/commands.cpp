@@ -39,12 +39,12 @@ void add_load(CLI::App&, Command&);
 void add_scorecard(CLI::App&, Command&);
 
 std::span<const AddCommand> commands() {
-  static constexpr std::array<AddCommand, 28> all{
-      add_run,   add_emulate,  add_drive,   add_record,   add_estimate, add_check,
-      add_fault, add_decode,   add_probe,   add_monitor,  add_doctor,   add_completion,
-      add_man,   add_export,   add_recover, add_cut,      add_bisect,   add_replay,
-      add_proxy, add_sensor,   add_sky,     add_maneuver, add_study,    add_characterize,
-      add_soak,  add_validity, add_load,    add_scorecard};
+  static constexpr auto all = std::to_array<AddCommand>(
+      {add_run,   add_emulate,  add_drive,   add_record,   add_estimate, add_check,
+       add_fault, add_decode,   add_probe,   add_monitor,  add_doctor,   add_completion,
+       add_man,   add_export,   add_recover, add_cut,      add_bisect,   add_replay,
+       add_proxy, add_sensor,   add_sky,     add_maneuver, add_study,    add_characterize,
+       add_soak,  add_validity, add_load,    add_scorecard});
   return all;
 }
 

@@ -6,9 +6,9 @@
 #include <charconv>
 #include <cstdlib>
 #include <iterator>
-#include <stdexcept>
 
-#include "hil/check/check.hpp"
+#include "drivers/bus/domain.hpp"
+#include "hil/check/check_rig.hpp"
 #include "hil/fault/injector.hpp"
 #include "rig_config/load.hpp"
 
@@ -20,14 +20,14 @@ namespace {
 void apply_environment(rig_config::Rig& rig) {
   const char* text = std::getenv("ROS_DOMAIN_ID");
   if (text == nullptr || *text == '\0') return;
-  constexpr int highest_domain = 232;
   const std::string_view digits(text);
   const auto [end, error] =
       std::from_chars(digits.data(), digits.data() + digits.size(), rig.dds_domain);
   if (error != std::errc{} || end != digits.data() + digits.size() || rig.dds_domain < 0 ||
-      rig.dds_domain > highest_domain) {
-    throw std::runtime_error(
-        fmt::format("ROS_DOMAIN_ID is '{}'; allowed: 0 to {}", digits, highest_domain));
+      rig.dds_domain > bus::highest_domain) {
+    fmt::print(stderr, "drydock: ROS_DOMAIN_ID is '{}'; allowed: 0 to {}\n", digits,
+               bus::highest_domain);
+    throw BadRig{};
   }
 }
 
@@ -38,13 +38,11 @@ void apply_environment(rig_config::Rig& rig) {
 
 }  // namespace
 
-rig_config::Rig load_rig(const std::string& path) {
-  auto rig = rig_config::load_rig(path, check::load_options());
-  if (rig) {
-    apply_environment(*rig);
-    return std::move(*rig);
-  }
-  refuse(rig.error());
+rig_config::Rig load_rig(const std::string& path, check::Use use) {
+  auto rig = check::load_sound_rig(path, use);
+  if (!rig) refuse(rig.error());
+  apply_environment(*rig);
+  return std::move(*rig);
 }
 
 void add_faults(rig_config::Rig& rig, const std::string& path) {

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "hil/check/check_rig.hpp"
 #include "rig_config/rig.hpp"
 
 namespace drydock::program {
@@ -9,8 +10,9 @@ namespace drydock::program {
 /// Thrown when a rig file cannot be used, after the lines that say why have been printed.
 struct BadRig {};
 
-/// Reads a rig file, with the environment's DDS domain. Throws BadRig.
-rig_config::Rig load_rig(const std::string& path);
+/// Reads a rig file, with the environment's DDS domain. Throws BadRig for a rig that cannot be used
+/// so, with the lines of `drydock check`.
+rig_config::Rig load_rig(const std::string& path, check::Use use = check::Use::any);
 
 /// Puts the faults of a file beside those of the rig and checks all of them. An empty path: those
 /// of the rig alone. Throws BadRig where the file is wrong or the rig cannot have such a fault.

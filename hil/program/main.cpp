@@ -4,12 +4,21 @@
 #include "hil/program/commands.hpp"
 #include "hil/program/load_rig.hpp"
 
+namespace {
+
+std::string description() {
+  std::string codes;
+  for (const auto& [code, meaning] : drydock::terminal::exit_codes)
+    codes += fmt::format("{} {} {}", codes.empty() ? "Exit codes:" : ",", code, meaning);
+  return "Drydock: a test rig for underwater navigation.\n" + codes + ".";
+}
+
+}  // namespace
+
 int main(int argc, char** argv) {
   namespace program = drydock::program;
   namespace terminal = drydock::terminal;
-  CLI::App app{
-      "Drydock: a test rig for underwater navigation.\n"
-      "Exit codes: 0 success, 1 the run or the input failed, 2 wrong usage or configuration."};
+  CLI::App app{description()};
   app.name("drydock");
   app.set_version_flag("--version", DRYDOCK_VERSION);
   app.require_subcommand(1);
@@ -20,7 +29,7 @@ int main(int argc, char** argv) {
     app.parse(argc, argv);
     return command();
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : terminal::exit_usage;
+    return app.exit(error) == 0 ? terminal::exit_success : terminal::exit_usage;
   } catch (const program::BadRig&) {
     return terminal::exit_usage;
   } catch (const std::exception& error) {

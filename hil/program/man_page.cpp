@@ -4,6 +4,8 @@
 
 #include <sstream>
 
+#include "drivers/terminal/exit_codes.hpp"
+
 namespace drydock::program {
 namespace {
 
@@ -56,7 +58,7 @@ std::string section(const CLI::App& command) {
   return text + example(command);
 }
 
-constexpr std::string_view tail = R"(.SH ENVIRONMENT
+constexpr std::string_view environment = R"(.SH ENVIRONMENT
 .TP
 .B ROS_DOMAIN_ID
 DDS domain, before the rig file's
@@ -69,17 +71,14 @@ set and not empty: no colours on a terminal
 .TP
 .B XDG_RUNTIME_DIR
 where the links to ptys stand
-.SH EXIT STATUS
-.TP
-.B 0
-success
-.TP
-.B 1
-the run or the input failed, nothing was found, a device does not stream
-.TP
-.B 2
-wrong usage or configuration
 )";
+
+std::string exit_status() {
+  std::string text = ".SH EXIT STATUS\n";
+  for (const auto& [code, meaning] : terminal::exit_codes)
+    text += fmt::format(".TP\n.B {}\n{}\n", code, roff(std::string(meaning)));
+  return text;
+}
 
 }  // namespace
 
@@ -94,7 +93,7 @@ std::string man_page(const CLI::App& app, const std::string& version) {
       roff(version));
   for (const auto* command : app.get_subcommands([](const CLI::App*) { return true; }))
     text += section(*command);
-  return text.append(tail);
+  return text.append(environment) + exit_status();
 }
 
 }  // namespace drydock::program

@@ -1,9 +1,9 @@
 #include "hil/proxy/port.hpp"
 
-#include <array>
-#include <boost/asio/as_tuple.hpp>
 #include <boost/asio/error.hpp>
-#include <boost/asio/use_awaitable.hpp>
+#include <functional>
+
+#include "drivers/link/reading.hpp"
 
 namespace drydock::proxy {
 
@@ -23,22 +23,6 @@ device::LifeCycleOptions life_of_a_port() {
 /// Items that may wait for a side that does not read.
 constexpr std::size_t longest_queue = 1 << 16;
 
-link::Task<void> write_all(link::ByteLink& link, const std::vector<std::uint8_t>& bytes,
-                           std::uint64_t&) {
-  return link.write(bytes);
-}
-
-link::Task<void> write_all(link::FrameLink& link, const std::vector<wire::CanFrame>& frames,
-                           std::uint64_t& lost) {
-  for (const auto& frame : frames) {
-    const auto written = co_await link.write(frame);
-    if (written) continue;
-    if (written.error() != asio::error::operation_not_supported) co_return written;
-    ++lost;  // slcan cannot carry error frames
-  }
-  co_return boost::system::result<void>{};
-}
-
 /// open() only begins a TCP connection. This waits for its result.
 link::Task<void> connected(link::ByteLink& link, const link::Uri& uri) {
   if (uri.scheme == link::Scheme::tcp) co_return co_await link.write({});
@@ -49,9 +33,6 @@ link::Task<void> connected(link::FrameLink&, const link::Uri&) {
   co_return boost::system::result<void>{};
 }
 
-std::size_t size_of(wire::Bytes bytes) { return bytes.size(); }
-std::size_t size_of(const wire::CanFrame&) { return 1; }
-
 }  // namespace
 
 template <class Link>
@@ -61,40 +42,42 @@ Port<Link>::Port(asio::io_context& io, link::Uri uri, link::Side side, Events ev
       side_(side),
       events_(std::move(events)),
       life_(life_of_a_port()),
-      wake_(io) {}
+      wake_(std::make_shared<io::Signal>(io.get_executor())) {}
 
 template <class Link>
 typename Port<Link>::Run Port<Link>::serve() {
   while (!finished_) {
     if (!wanted_) {
       tell(life_.stop(link::now()));
-      co_await wait();
+      co_await wake_->wait();
       continue;
     }
     life_.start(link::now());
-    auto opened = Traffic<Link>::open(io_.get_executor(), uri_, side_);
+    auto opened = link::Traffic<Link>::open(io_.get_executor(), uri_, side_);
     if (opened)
       co_await use(std::move(*opened));
     else
       tell(life_.open_failed(link::now(), opened.error().message));
     while (wanted_ && life_.deadline() && link::now() < *life_.deadline())
-      co_await wait(life_.deadline());
+      co_await wake_->wait_until(life_.deadline(), link::now());
     life_.tick(link::now());
   }
 }
 
 template <class Link>
 typename Port<Link>::Run Port<Link>::use(std::unique_ptr<Link> opened) {
-  link_ = std::move(opened);
-  lost_ = closed_ = false;
-  const auto ready = co_await connected(*link_, uri_);
-  if (ready && !lost_) {
+  pump_.emplace(io_.get_executor(), *opened, longest_queue, std::bind_front(&Port::written, this));
+  closed_ = false;
+  const auto ready = co_await connected(*opened, uri_);
+  if (ready && is_open()) {
     tell(life_.opened(link::now()));
-    co_await read_until_lost();
+    const auto end =
+        co_await link::relay_until_lost<Link>(*opened, std::bind_front(&Port::receive, this));
+    lose(end.message());
   }
-  while (is_writing_) co_await wait();
-  link_.reset();
-  queued_.clear();
+  while (pump_->is_writing()) co_await wake_->wait();
+  pump_.reset();
+  opened.reset();
   if (closed_) {
     tell(life_.stop(link::now()));
   } else if (!ready) {
@@ -104,62 +87,42 @@ typename Port<Link>::Run Port<Link>::use(std::unique_ptr<Link> opened) {
 }
 
 template <class Link>
-typename Port<Link>::Run Port<Link>::read_until_lost() {
-  if constexpr (std::is_same_v<Link, link::ByteLink>) {
-    std::array<std::uint8_t, 4096> buffer;
-    for (;;) {
-      const auto received = co_await link_->read(buffer);
-      if (!received) co_return lose(received.error().message());
-      life_.message(received->at);
-      counters_.received += received->size;
-      const wire::Bytes bytes{buffer.data(), received->size};
-      co_await events_.received(bytes, received->at);
-    }
-  } else {
-    for (;;) {
-      const auto received = co_await link_->read();
-      if (!received) co_return lose(received.error().message());
-      if (received->own) continue;
-      life_.message(received->at);
-      ++counters_.received;
-      co_await events_.received(received->frame, received->at);
-    }
-  }
+typename Port<Link>::Run Port<Link>::receive(const Item& item, Stamp at) {
+  life_.message(at);
+  counters_.received += link::Traffic<Link>::size_of(item);
+  return events_.received(item, at);
 }
 
 template <class Link>
 void Port<Link>::put(const Item& item) {
-  if (!is_open()) return;
-  if (queued_.size() >= longest_queue)
-    counters_.lost += size_of(item);
-  else
-    Traffic<Link>::append(queued_, item);
+  if (is_open() && !pump_->put(item)) counters_.lost += link::Traffic<Link>::size_of(item);
 }
 
 template <class Link>
 typename Port<Link>::Run Port<Link>::drain() {
-  if (is_writing_) co_return;
-  is_writing_ = true;
-  while (is_open() && !queued_.empty()) {
-    std::swap(queued_, writing_);
-    const auto written = co_await write_all(*link_, writing_, counters_.lost);
-    if (written)
-      counters_.sent += writing_.size();
-    else
-      lose(written.error().message());
-    writing_.clear();
-  }
-  is_writing_ = false;
-  if (lost_) wake_.cancel();
+  if (!pump_) co_return;
+  co_await pump_->drain();
+  if (!is_open()) wake_->notify();
+}
+
+template <class Link>
+bool Port<Link>::written(const Item& item, const boost::system::error_code& failure) {
+  constexpr bool is_bus = std::is_same_v<Link, link::FrameLink>;
+  if (!failure)
+    counters_.sent += link::Traffic<Link>::size_of(item);
+  else if (is_bus && failure == asio::error::operation_not_supported)
+    ++counters_.lost;  // slcan cannot carry error frames
+  else
+    lose(failure.message());
+  return is_open();
 }
 
 /// The first caller gives the reason; then reading ends too.
 template <class Link>
 void Port<Link>::lose(std::string_view reason) {
-  if (lost_) return;
-  lost_ = true;
+  if (!is_open()) return;
   why_lost_ = device::Reason{reason};
-  link_->close();
+  pump_->close();
 }
 
 template <class Link>
@@ -169,22 +132,13 @@ void Port<Link>::want(bool wanted) {
     closed_ = true;
     lose("closed");
   }
-  wake_.cancel();
+  wake_->notify();
 }
 
 template <class Link>
 void Port<Link>::finish() {
   finished_ = true;
   want(false);
-}
-
-template <class Link>
-typename Port<Link>::Run Port<Link>::wait(std::optional<Stamp> until) {
-  if (until)
-    wake_.expires_after(*until - link::now());
-  else
-    wake_.expires_at(asio::steady_timer::time_point::max());
-  co_await wake_.async_wait(asio::as_tuple(asio::use_awaitable));
 }
 
 template class Port<link::ByteLink>;

@@ -1,13 +1,12 @@
 #pragma once
 
 #include <boost/asio/io_context.hpp>
-#include <boost/asio/steady_timer.hpp>
 #include <functional>
 #include <memory>
 #include <optional>
 
 #include "drivers/device/life_cycle.hpp"
-#include "hil/proxy/traffic.hpp"
+#include "drivers/link/pump.hpp"
 
 namespace drydock::proxy {
 
@@ -20,8 +19,7 @@ template <class Link>
 class Port {
  public:
   using Run = boost::asio::awaitable<void>;
-  using Item = typename Traffic<Link>::Item;
-  using Queue = typename Traffic<Link>::Queue;
+  using Item = typename link::Traffic<Link>::Item;
 
   struct Events {
     std::function<Run(const Item&, Stamp)> received;
@@ -49,14 +47,14 @@ class Port {
   /// Ends when the queue is written, or at once if another coroutine writes it.
   Run drain();
 
-  bool is_open() const { return link_ && !lost_; }
+  bool is_open() const { return pump_ && pump_->is_open(); }
   const link::Uri& uri() const { return uri_; }
   const Counters& counters() const { return counters_; }
 
  private:
   Run use(std::unique_ptr<Link> opened);  ///< until the link is lost or closed
-  Run read_until_lost();
-  Run wait(std::optional<Stamp> until = {});
+  Run receive(const Item& item, Stamp at);
+  bool written(const Item& item, const boost::system::error_code& failure);
   void lose(std::string_view reason);
   void tell(const device::LifeCycle::Change& change) {
     if (change && events_.changed) events_.changed(*change);
@@ -67,12 +65,11 @@ class Port {
   link::Side side_;
   Events events_;
   device::LifeCycle life_;
-  boost::asio::steady_timer wake_;  ///< for serve()
-  std::unique_ptr<Link> link_;
-  Queue queued_, writing_;
+  std::shared_ptr<io::Signal> wake_;  ///< for serve()
+  std::optional<link::Pump<Link>> pump_;
   device::Reason why_lost_;
   Counters counters_;
-  bool wanted_ = false, finished_ = false, lost_ = false, closed_ = false, is_writing_ = false;
+  bool wanted_ = false, finished_ = false, closed_ = false;
 };
 
 extern template class Port<link::ByteLink>;

@@ -1,10 +1,10 @@
 #include "hil/proxy/proxy.hpp"
 
-#include <boost/asio/as_tuple.hpp>
 #include <boost/asio/co_spawn.hpp>
 #include <boost/asio/detached.hpp>
-#include <boost/asio/use_awaitable.hpp>
 
+#include "hil/fault/wire/faulty_bus.hpp"
+#include "hil/fault/wire/faulty_stream.hpp"
 #include "hil/proxy/port.hpp"
 
 namespace drydock::proxy {
@@ -38,7 +38,7 @@ class ProxyOf final : public Proxy, private fault::Outlet {
         virtual_(io, options_.virt, link::Side::device,
                  {[this](const Item& item, Stamp at) { return from_drivers(item, at); },
                   [this](const Transition& change) { virtual_changed(change); }}),
-        clock_(io) {
+        clock_(std::make_shared<io::Signal>(io.get_executor())) {
     real_.want(true);
     asio::co_spawn(io, real_.serve(), asio::detached);
     asio::co_spawn(io, virtual_.serve(), asio::detached);
@@ -49,9 +49,9 @@ class ProxyOf final : public Proxy, private fault::Outlet {
     finished_ = true;
     real_.finish();
     virtual_.finish();
-    clock_.cancel();
+    clock_->notify();
   }
-  void rearm() override { clock_.cancel(); }
+  void rearm() override { clock_->notify(); }
 
   Passed passed() const override {
     const auto& [from_device, to_device, not_taken] = real_.counters();
@@ -79,11 +79,7 @@ class ProxyOf final : public Proxy, private fault::Outlet {
   Run keep_time() {
     while (!finished_) {
       set_for_ = faults_.deadline();
-      if (set_for_)
-        clock_.expires_after(*set_for_ - link::now());
-      else
-        clock_.expires_at(asio::steady_timer::time_point::max());
-      co_await clock_.async_wait(asio::as_tuple(asio::use_awaitable));
+      co_await clock_->wait_until(set_for_, link::now());
       if (finished_) co_return;
       const Stamp now = link::now();
       if (const auto due = faults_.deadline(); due && *due <= now) faults_.tick(now, *this);
@@ -93,7 +89,7 @@ class ProxyOf final : public Proxy, private fault::Outlet {
 
   void rearm_if_earlier() {
     const auto due = faults_.deadline();
-    if (due && (!set_for_ || *due < *set_for_)) clock_.cancel();
+    if (due && (!set_for_ || *due < *set_for_)) clock_->notify();
   }
 
   void pass(wire::Bytes bytes, Stamp) override {
@@ -139,9 +135,10 @@ class ProxyOf final : public Proxy, private fault::Outlet {
   }
 
   ProxyOptions options_;
-  typename Traffic<Link>::Faults faults_;
+  std::conditional_t<std::is_same_v<Link, link::ByteLink>, fault::FaultyStream, fault::FaultyBus>
+      faults_;
   Port<Link> real_, virtual_;
-  asio::steady_timer clock_;  ///< expires when the faults need a tick
+  std::shared_ptr<io::Signal> clock_;  ///< wakes when the faults need a tick
   std::optional<Stamp> set_for_;
   Latency latency_;
   std::uint64_t passed_on_ = 0;

@@ -12,6 +12,7 @@
 #include "drivers/wire/protocols.hpp"
 #include "hil/fault/schedule/schedules.hpp"
 #include "hil/proxy/proxy.hpp"
+#include "rig_config/fault_vocabulary.hpp"
 #include "rig_config/load.hpp"
 
 namespace drydock::proxy {

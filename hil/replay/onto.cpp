@@ -6,132 +6,80 @@
 #include <algorithm>
 #include <boost/asio/co_spawn.hpp>
 #include <boost/asio/detached.hpp>
-#include <boost/asio/redirect_error.hpp>
-#include <boost/asio/steady_timer.hpp>
-#include <deque>
 #include <stdexcept>
 
-#include "drivers/link/link.hpp"
+#include "drivers/link/pump.hpp"
+#include "drivers/link/reading.hpp"
 
 namespace drydock::replay {
 
 namespace asio = boost::asio;
 
-/// Has two coroutines: one writes the queue, one reads. Both keep the line alive.
-class Onto::Line : public std::enable_shared_from_this<Line> {
+/// One link that is played to other programs.
+class Onto::Line {
  public:
-  explicit Line(asio::io_context& io, std::string shown)
-      : shown_(std::move(shown)), wake_(io, asio::steady_timer::time_point::max()) {}
+  explicit Line(std::string shown) : shown_(std::move(shown)) {}
   virtual ~Line() = default;
-
-  void start() {
-    asio::co_spawn(wake_.get_executor(), write(), asio::detached);
-    asio::co_spawn(wake_.get_executor(), listen(), asio::detached);
-  }
-  void stop() {
-    stopped_ = true;
-    wake_.cancel();
-    close();
-  }
+  virtual void start() = 0;
+  virtual void stop() = 0;
   virtual void queue(const record::RawEvent& event) = 0;
   std::uint64_t lost() const { return lost_; }
   const std::string& shown() const { return shown_; }
 
  protected:
-  /// A longer queue means that the reader no longer reads.
-  static constexpr std::size_t longest_queue = 4096;
-
-  virtual asio::awaitable<bool> write_next() = 0;  ///< false: the queue is empty
-  virtual asio::awaitable<void> listen() = 0;
-  virtual void close() = 0;
-
-  template <class Queue, class Item>
-  void push(Queue& queue, Item&& item) {
-    if (queue.size() >= longest_queue) {
-      ++lost_;
-      return;
-    }
-    queue.push_back(std::forward<Item>(item));
-    wake_.cancel();
-  }
   void note(bool written) { lost_ += written ? 0 : 1; }
-  bool stopped() const { return stopped_; }
 
  private:
-  asio::awaitable<void> write() {
-    const auto self = shared_from_this();
-    while (!stopped_) {
-      if (co_await write_next()) continue;
-      boost::system::error_code woken;
-      co_await wake_.async_wait(asio::redirect_error(asio::use_awaitable, woken));
-    }
-  }
-
   std::string shown_;
-  asio::steady_timer wake_;
   std::uint64_t lost_ = 0;
-  bool stopped_ = false;
 };
 
 namespace {
 
-class OntoBytes final : public Onto::Line {
+/// A longer queue means that the reader no longer reads.
+constexpr std::size_t longest_queue = 4096;
+
+/// Has two coroutines: one writes the queue, one reads. Both keep the line alive.
+template <class Link, class Queue>
+class OntoLink final : public Onto::Line,
+                       public std::enable_shared_from_this<OntoLink<Link, Queue>> {
  public:
-  OntoBytes(asio::io_context& io, std::string shown, std::unique_ptr<link::ByteLink> link)
-      : Line(io, std::move(shown)), link_(std::move(link)) {}
+  OntoLink(asio::io_context& io, std::string shown, std::unique_ptr<Link> link)
+      : Line(std::move(shown)),
+        link_(std::move(link)),
+        pump_(io.get_executor(), *link_, longest_queue,
+              [this](const Item&, const boost::system::error_code& failure) {
+                note(!failure);
+                return pump_.is_open();
+              }),
+        executor_(io.get_executor()) {}
+
+  void start() override {
+    const auto ended = [self = this->shared_from_this()](const auto&...) {};
+    asio::co_spawn(executor_, pump_.drain_until_closed(), ended);
+    asio::co_spawn(executor_, link::read_until_lost<Link>(*link_, drop), ended);
+  }
+  void stop() override { pump_.close(); }
   void queue(const record::RawEvent& event) override {
-    const auto& read = std::get<record::RawBytes>(event.content);
-    push(waiting_, std::vector<std::uint8_t>(read.data.begin(), read.data.end()));
+    if constexpr (std::is_same_v<Link, link::ByteLink>) {
+      note(pump_.put(std::get<record::RawBytes>(event.content).data));
+    } else {
+      const auto& frame = std::get<record::RawFrame>(event.content).frame;
+      if (!frame.error) note(pump_.put(frame));  // the controller makes an error frame, no node
+    }
   }
 
  private:
-  asio::awaitable<bool> write_next() override {
-    if (waiting_.empty()) co_return false;
-    const auto bytes = std::move(waiting_.front());
-    waiting_.pop_front();
-    note((co_await link_->write(bytes)).has_value());
-    co_return true;
-  }
-  asio::awaitable<void> listen() override {
-    const auto self = shared_from_this();
-    std::array<std::uint8_t, 256> dropped{};
-    while (!stopped())
-      if (!co_await link_->read(dropped)) co_return;
-  }
-  void close() override { link_->close(); }
+  using Item = typename link::Traffic<Link>::Item;
+  static void drop(const Item&, link::Stamp) {}
 
-  std::unique_ptr<link::ByteLink> link_;
-  std::deque<std::vector<std::uint8_t>> waiting_;
+  std::unique_ptr<Link> link_;
+  link::Pump<Link, Queue> pump_;
+  asio::any_io_executor executor_;
 };
 
-class OntoFrames final : public Onto::Line {
- public:
-  OntoFrames(asio::io_context& io, std::string shown, std::unique_ptr<link::FrameLink> link)
-      : Line(io, std::move(shown)), link_(std::move(link)) {}
-  void queue(const record::RawEvent& event) override {
-    const auto& frame = std::get<record::RawFrame>(event.content).frame;
-    if (!frame.error)
-      push(waiting_, frame);  // the controller makes an error frame, no node sends it
-  }
-
- private:
-  asio::awaitable<bool> write_next() override {
-    if (waiting_.empty()) co_return false;
-    const auto frame = waiting_.front();
-    waiting_.pop_front();
-    note((co_await link_->write(frame)).has_value());
-    co_return true;
-  }
-  asio::awaitable<void> listen() override {
-    const auto self = shared_from_this();
-    while (!stopped())
-      if (!co_await link_->read()) co_return;
-  }
-  void close() override { link_->close(); }
-
-  std::unique_ptr<link::FrameLink> link_;
-  std::deque<wire::CanFrame> waiting_;
-};
+using OntoBytes = OntoLink<link::ByteLink, link::MessageQueue>;
+using OntoFrames = OntoLink<link::FrameLink, link::Traffic<link::FrameLink>::Queue>;
 
 bool is_of(const record::RecordedLink& link, const std::string& name) {
   return link.name == name || std::ranges::find(link.devices, name) != link.devices.end();

@@ -1,7 +1,5 @@
 #include "hil/replay/replay_bench.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <stdexcept>
 
@@ -44,13 +42,14 @@ ReplayBench::ReplayBench(record::Recording& recording, const rig_config::Rig& ri
       rig_(rig),
       part_(part),
       outlets_(outlets),
-      watchers_(rig, nullptr),
-      pipeline_(pipeline_of(rig, *this)),
+      gate_(*this, rig.estimators.size()),
+      teller_(gate_),
+      pipeline_(pipeline_of(rig, teller_)),
       start_(recording.begin().value_or(Stamp{}) + part.from.value_or(Stamp::duration{0})),
       next_health_(start_ + health_period),
-      player_(player_of(recording, rig, part, *this)),
-      errors_(rig, watchers_.all),
-      estimates_(rig.estimators.size()) {
+      player_(player_of(recording, rig, part, gate_)),
+      errors_(rig) {
+  followers_.add(errors_);
   if (!faults.empty()) add_faults(faults);
 }
 
@@ -68,8 +67,8 @@ void ReplayBench::play(Pace& pace, const record::Watch& watch) {
   const Stamp begin = recording_.begin().value_or(Stamp{});
   Stamp last = start_;
   while (const auto event = recording_.next()) {
-    if (!watch(recording_.done())) ended_ = true;
-    if (ended_) break;
+    if (!watch(recording_.done())) gate_.ended = true;
+    if (gate_.ended) break;
     const Stamp at = time_of(*event);
     if (!part_.holds(at, begin)) continue;
     last = std::max(last, at);
@@ -83,9 +82,10 @@ void ReplayBench::play(Pace& pace, const record::Watch& watch) {
   }
   // The replay does not run past the end of the recording: the record does not show what drivers
   // that still waited would have got.
-  if (!ended_) wait_until(last, pace);
+  if (!gate_.ended) wait_until(last, pace);
   pipeline_.flush();
-  stopping_ = true;
+  truth_.tell();
+  gate_.stopping = true;
   player_->finish(player_->now());
 }
 
@@ -98,8 +98,8 @@ bool ReplayBench::wait_until(Stamp at, Pace& pace) {
     const Stamp of_faults = faults_ ? faults_->deadline().value_or(Stamp::max()) : Stamp::max();
     const Stamp next = std::max(std::min(next_health_, of_faults), player_->now());
     if (next > at) break;
-    if (!pace.wait(next, interrupt_)) ended_ = true;
-    if (ended_) return false;
+    if (!pace.wait(next, interrupt_)) gate_.ended = true;
+    if (gate_.ended) return false;
     player_->run_until(next);
     if (next_health_ <= of_faults) {
       tell_health();
@@ -108,8 +108,8 @@ bool ReplayBench::wait_until(Stamp at, Pace& pace) {
       faults_->tick(next);
     }
   }
-  if (!pace.wait(at, interrupt_)) ended_ = true;
-  if (ended_) return false;
+  if (!pace.wait(at, interrupt_)) gate_.ended = true;
+  if (gate_.ended) return false;
   player_->run_until(at);
   return true;
 }
@@ -124,68 +124,58 @@ void ReplayBench::play(const record::RawEvent& event) {
 void ReplayBench::hear(const record::RawEvent& event) {
   const auto& link = recording_.links()[event.link];
   if (const auto* read = std::get_if<record::RawBytes>(&event.content))
-    watchers_.all.on_bytes(link.uri, read->direction, read->data, read->at);
+    followers_.on_bytes(link.uri, read->direction, read->data, read->at);
   else
-    watchers_.all.on_frame(link.uri, event.direction(),
-                           std::get<record::RawFrame>(event.content).frame, event.at());
+    followers_.on_frame(link.uri, event.direction(),
+                        std::get<record::RawFrame>(event.content).frame, event.at());
   if (outlets_.onto != nullptr) outlets_.onto->send(event);
   player_->play(event);
 }
 
 /// Messages that no driver can reproduce: the truth and the injected faults.
 void ReplayBench::hear(const record::Understood& message) {
-  errors_.hear(message);
+  truth_.hear(message);
   if (message.channel->topic != faults_topic) return;
-  if (const auto faults = bus::faults_of(message.cdr)) watchers_.all.note(*faults, message.at);
+  if (const auto faults = bus::faults_of(message.cdr)) followers_.on_faults(*faults, message.at);
 }
 
 void ReplayBench::tell_health() {
-  if (watchers_.all.empty()) return;
-  std::vector<bus::DeviceStatus> health;
-  for (const auto& actor : player_->devices())
-    health.push_back(host::status_of(actor->device(), actor->device().health(player_->now())));
-  watchers_.all.note(health, player_->now());
-  watchers_.all.tick(player_->now());
+  const Stamp now = player_->now();
+  const host::HealthReport health([this, now] {
+    host::HealthReport::Statuses statuses;
+    for (const auto& actor : player_->devices())
+      statuses.push_back(host::status_of(actor->device(), actor->device().health(now)));
+    return statuses;
+  });
+  followers_.on_health(health, now);
+  followers_.tick(now);
 }
 
-/// Called after each line. When the user steps, it shows the line at once and waits for the next
-/// step.
-void ReplayBench::shown() {
-  if (outlets_.steps == nullptr || ended_) return;
-  outlets_.lines->flush();
-  if (!outlets_.steps->next(interrupt_)) ended_ = true;
+void ReplayBench::Gate::step() {
+  if (bench_.outlets_.step && !ended && !bench_.outlets_.step(bench_.interrupt_)) ended = true;
 }
 
-void ReplayBench::on_measurement(const measurement::Measurement& measurement) {
-  if (ended_) return;
-  ++measurements_;
-  watchers_.all.note(measurement);
-  if (outlets_.lines != nullptr) outlets_.lines->write(measurement), shown();
-  pipeline_.receive(measurement);
+void ReplayBench::Gate::on_measurement(const measurement::Measurement& measurement) {
+  if (ended) return;
+  ++measurements;
+  bench_.followers_.on_measurement(measurement);
+  step();
+  bench_.pipeline_.receive(measurement);
 }
 
-void ReplayBench::on_state(const device::Device& device, const device::Transition& change) {
-  if (outlets_.states == nullptr || stopping_) return;
-  fmt::print(outlets_.states, "{:.3f} s {}: {} -> {}: {}\n",
-             measurement::seconds(change.at - start_), device.name(), to_string(change.from),
-             to_string(change.to), change.why.view());
+void ReplayBench::Gate::on_state(const device::Device& device, const device::Transition& change) {
+  if (!stopping) bench_.followers_.on_state(device, change);
 }
 
-template <class Estimate>
-void ReplayBench::pass_on(const Estimate& estimate) {
-  if (ended_) return;
-  ++estimates_[estimate.estimator];
-  watchers_.note(estimate);
-  errors_.note(estimate);
-  if (outlets_.lines != nullptr) outlets_.lines->write(estimate), shown();
+void ReplayBench::Gate::on_estimate(const host::Estimate& estimate) {
+  if (ended) return;
+  ++estimates[estimate.estimator];
+  bench_.followers_.on_estimate(estimate);
+  step();
 }
 
-void ReplayBench::on_attitude(const pipeline::AttitudeEstimate& estimate) { pass_on(estimate); }
-
-void ReplayBench::on_navigation(const pipeline::NavigationEstimate& estimate) { pass_on(estimate); }
-
-void ReplayBench::on_innovation(const pipeline::InnovationReport& report) {
-  if (!ended_) watchers_.note(report);
+void ReplayBench::Gate::on_innovation(const bus::Innovation& innovation) {
+  if (!ended) bench_.followers_.on_innovation(innovation);
 }
 
 }  // namespace drydock::replay

@@ -1,43 +1,44 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 
 #include "drivers/recordings/record/player.hpp"
+#include "estimators/host/bus_estimates.hpp"
 #include "estimators/pipeline/pipeline.hpp"
-#include "hil/bench/run_watchers.hpp"
 #include "hil/replay/onto.hpp"
 #include "hil/replay/pace.hpp"
+#include "hil/replay/recorded_truth.hpp"
 #include "hil/replay/replay_faults.hpp"
-#include "hil/replay/replay_lines.hpp"
 #include "hil/replay/truth_errors.hpp"
 
 namespace drydock::replay {
 
-/// Outputs of a replay besides drivers and estimators.
+/// What a replay moves besides drivers and estimators.
 struct ReplayOutlets {
-  ReplayLines* lines = nullptr;  ///< every member may be null
-  Steps* steps = nullptr;
-  Onto* onto = nullptr;
-  std::FILE* states = nullptr;
+  /// Called after each measurement and estimate; false ends the replay. May be empty.
+  std::function<bool(const terminal::InterruptFlag&)> step = {};
+  Onto* onto = nullptr;  ///< may be null
 };
 
 /// Drivers and estimators of a recorded rig, fed with the recorded bytes. Time is virtual, with or
 /// without a pace: the results do not depend on the pace.
-class ReplayBench final : private device::Listener, private pipeline::EstimateListener {
+class ReplayBench {
  public:
   /// Throws std::runtime_error with one line. All arguments must outlive the bench.
   ReplayBench(record::Recording& recording, const rig_config::Rig& rig,
               const record::Selection& part, const ReplayOutlets& outlets,
               const std::vector<rig_config::FaultConfig>& faults = {});
 
-  host::Watchers& watchers() { return watchers_.all; }
+  host::Followers& followers() { return followers_; }
+  measurement::Stamp start() const { return start_; }
 
   /// Plays to the end of the part, or until Ctrl-C or the last step.
   void play(Pace& pace, const record::Watch& watch);
 
-  std::uint64_t measurements() const { return measurements_; }
-  bool interrupted() const { return ended_; }
-  const std::vector<std::uint64_t>& estimates() const { return estimates_; }  ///< by estimator
+  std::uint64_t measurements() const { return gate_.measurements; }
+  bool interrupted() const { return gate_.ended; }
+  const std::vector<std::uint64_t>& estimates() const { return gate_.estimates; }  ///< by estimator
   const TruthErrors& errors() const { return errors_; }
   const record::Player& player() const { return *player_; }
   const ReplayFaults* faults() const { return faults_.get(); }  ///< nullptr: none
@@ -53,30 +54,42 @@ class ReplayBench final : private device::Listener, private pipeline::EstimateLi
   void hear(const record::Understood& message);
   void hear(const record::RawEvent& event);
   void tell_health();
-  void shown();
-  template <class Estimate>
-  void pass_on(const Estimate& estimate);
 
-  void on_measurement(const measurement::Measurement& measurement) override;
-  void on_state(const device::Device& device, const device::Transition& change) override;
-  void on_attitude(const pipeline::AttitudeEstimate& estimate) override;
-  void on_navigation(const pipeline::NavigationEstimate& estimate) override;
-  void on_innovation(const pipeline::InnovationReport& report) override;
+  /// Counts results and passes them on until the replay ends.
+  class Gate final : public host::Follower {
+   public:
+    Gate(ReplayBench& bench, std::size_t estimators) : estimates(estimators), bench_(bench) {}
+
+    std::uint64_t measurements = 0;
+    std::vector<std::uint64_t> estimates;
+    bool ended = false;     ///< by the user: nothing is told any more
+    bool stopping = false;  ///< the recording has ended: devices close
+
+    void on_measurement(const measurement::Measurement& measurement) override;
+    void on_state(const device::Device& device, const device::Transition& change) override;
+    void on_estimate(const host::Estimate& estimate) override;
+    void on_innovation(const bus::Innovation& innovation) override;
+
+   private:
+    void step();
+
+    ReplayBench& bench_;
+  };
 
   record::Recording& recording_;
   const rig_config::Rig& rig_;
   const record::Selection& part_;
   ReplayOutlets outlets_;
   terminal::InterruptFlag interrupt_;
-  bench::RunWatchers watchers_;
+  host::Followers followers_;
+  Gate gate_;
+  host::EstimateTeller teller_;
   pipeline::Pipeline pipeline_;
   Stamp start_, next_health_;
   std::unique_ptr<record::Player> player_;
   std::unique_ptr<ReplayFaults> faults_;
   TruthErrors errors_;
-  std::uint64_t measurements_ = 0;
-  std::vector<std::uint64_t> estimates_;
-  bool ended_ = false, stopping_ = false;
+  RecordedTruth truth_{followers_};
 };
 
 }  // namespace drydock::replay

@@ -6,8 +6,10 @@
 #include <stdexcept>
 
 #include "drivers/link/uri.hpp"
+#include "drivers/measurement/earlier.hpp"
 #include "hil/fault/wire/faulty_bus.hpp"
 #include "hil/fault/wire/faulty_stream.hpp"
+#include "rig_config/fault_vocabulary.hpp"
 
 namespace drydock::replay {
 
@@ -134,8 +136,7 @@ void ReplayFaults::receive(const record::RawEvent& event) {
 
 std::optional<measurement::Stamp> ReplayFaults::deadline() const {
   std::optional<Stamp> next;
-  for (const auto& stage : stages_)
-    if (const auto due = stage->deadline(); due && (!next || *due < *next)) next = due;
+  for (const auto& stage : stages_) next = measurement::earlier(next, stage->deadline());
   return next;
 }
 

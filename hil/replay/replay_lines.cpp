@@ -16,7 +16,7 @@ std::optional<double> in_degrees(std::optional<double> angle) {
   return angle ? std::optional(*angle * units::degrees_per_radian) : std::nullopt;
 }
 
-void attitude_fields(text::JsonWriter& json, const pipeline::AttitudeEstimate& e) {
+void attitude_fields(text::JsonWriter& json, const bus::Attitude& e) {
   json.field("roll_deg", e.roll_rad * units::degrees_per_radian);
   json.field("pitch_deg", e.pitch_rad * units::degrees_per_radian);
   json.field("heading_deg", in_degrees(e.yaw_rad));
@@ -24,9 +24,17 @@ void attitude_fields(text::JsonWriter& json, const pipeline::AttitudeEstimate& e
   json.field("pitch_sigma_deg", std::sqrt(e.covariance(1, 1)) * units::degrees_per_radian);
 }
 
+void navigation_fields(text::JsonWriter& json, const bus::Navigation& n) {
+  json.field("latitude_deg", n.latitude_rad * units::degrees_per_radian);
+  json.field("longitude_deg", n.longitude_rad * units::degrees_per_radian);
+  json.field("height_m", n.height_m);
+  json.field("position_sigma_m", std::sqrt(n.covariance(0, 0) + n.covariance(1, 1)));
+  json.field("velocity_ned_mps", n.velocity_ned);
+}
+
 }  // namespace
 
-void ReplayLines::write(const measurement::Measurement& measurement) {
+void ReplayLines::on_measurement(const measurement::Measurement& measurement) {
   std::visit(
       [&](const auto& m) {
         lines_.line([&](text::JsonWriter& json) {
@@ -40,24 +48,12 @@ void ReplayLines::write(const measurement::Measurement& measurement) {
       measurement);
 }
 
-void ReplayLines::write(const pipeline::AttitudeEstimate& e) {
+void ReplayLines::on_estimate(const host::Estimate& e) {
   lines_.line([&](text::JsonWriter& json) {
     json.field("estimator", std::string_view(rig_.estimators.at(e.estimator).name));
-    json.field("valid_at_s", seconds_of(e.valid_at));
-    attitude_fields(json, e);
-  });
-}
-
-void ReplayLines::write(const pipeline::NavigationEstimate& e) {
-  lines_.line([&](text::JsonWriter& json) {
-    json.field("estimator", std::string_view(rig_.estimators.at(e.estimator).name));
-    json.field("valid_at_s", seconds_of(e.valid_at));
-    json.field("latitude_deg", e.position.latitude_rad * units::degrees_per_radian);
-    json.field("longitude_deg", e.position.longitude_rad * units::degrees_per_radian);
-    json.field("height_m", e.position.height_m);
-    json.field("position_sigma_m", std::sqrt(e.covariance(0, 0) + e.covariance(1, 1)));
-    json.field("velocity_ned_mps", e.velocity_ned);
-    attitude_fields(json, pipeline::attitude_of(e));
+    json.field("valid_at_s", seconds_of(e.attitude.valid_at));
+    if (e.navigation) navigation_fields(json, *e.navigation);
+    attitude_fields(json, e.attitude);
   });
 }
 

@@ -2,22 +2,20 @@
 
 #include <cstdio>
 
-#include "drivers/measurement/measurement.hpp"
+#include "drivers/host/follower.hpp"
 #include "drivers/text/json_lines.hpp"
-#include "estimators/pipeline/inertial/navigation_estimate.hpp"
 #include "rig_config/rig.hpp"
 
 namespace drydock::replay {
 
 /// Writes measurements and estimates of a rig as JSON Lines. Angles are in degrees; numbers have
 /// all their digits.
-class ReplayLines {
+class ReplayLines final : public host::Follower {
  public:
   ReplayLines(const rig_config::Rig& rig, std::FILE* out) : rig_(rig), lines_(out) {}
 
-  void write(const measurement::Measurement& measurement);
-  void write(const pipeline::AttitudeEstimate& estimate);
-  void write(const pipeline::NavigationEstimate& estimate);
+  void on_measurement(const measurement::Measurement& measurement) override;
+  void on_estimate(const host::Estimate& estimate) override;
   bool flush() { return lines_.flush(); }  ///< false after a write failed
 
  private:

@@ -10,12 +10,15 @@
 #include <iterator>
 #include <stdexcept>
 
+#include "drivers/host/state_lines.hpp"
+#include "drivers/terminal/exit_codes.hpp"
 #include "estimators/setup/rig_pipeline.hpp"
 #include "hil/replay/recorded_rig.hpp"
 #include "hil/replay/recording_progress.hpp"
 #include "hil/replay/reference_check.hpp"
 #include "hil/replay/replay_bench.hpp"
-#include "hil/replay/topics_watcher.hpp"
+#include "hil/replay/replay_lines.hpp"
+#include "hil/replay/topics_follower.hpp"
 #include "rig_config/load.hpp"
 
 namespace drydock::replay {
@@ -68,12 +71,9 @@ class RigReplay {
         throw std::runtime_error("--only: " + estimator.name +
                                  " is an estimator; name the devices that feed it");
     if (!options.onto.empty()) onto_.emplace(io_, recording_.links(), options.onto);
-    bench_.emplace(
-        recording_, rig_.rig(), options_.part,
-        ReplayOutlets{options.quiet ? nullptr : &lines_, options.step ? &steps_ : nullptr,
-                      onto_ ? &*onto_ : nullptr, options.quiet ? nullptr : err},
-        faults_);
-    add_watchers();
+    bench_.emplace(recording_, rig_.rig(), options_.part,
+                   ReplayOutlets{step(), onto_ ? &*onto_ : nullptr}, faults_);
+    add_followers();
     if (!rig_.trouble().empty()) fmt::print(err_, "{}\n", rig_.trouble());
     for (const auto& line : onto_ ? onto_->lines() : std::vector<std::string>{})
       fmt::print(err_, "onto {}\n", line);
@@ -93,7 +93,7 @@ class RigReplay {
     if (!lines_.flush()) throw std::runtime_error("cannot write the output");
     print_summary(options_.quiet ? out_ : err_);
     const bool sound = compared();
-    return sound && bench_->measurements() > 0 ? 0 : 1;
+    return terminal::exit_of(sound && bench_->measurements() > 0);
   }
 
  private:
@@ -111,9 +111,18 @@ class RigReplay {
     io_.run();
   }
 
-  void add_watchers() {
+  /// When the user steps, each line is shown at once, and then the next step is awaited.
+  std::function<bool(const terminal::InterruptFlag&)> step() {
+    if (!options_.step || options_.quiet) return {};
+    return [this](const terminal::InterruptFlag& interrupt) {
+      lines_.flush();
+      return steps_.next(interrupt);
+    };
+  }
+
+  void add_followers() {
     const auto& rig = rig_.rig();
-    auto& watchers = bench_->watchers();
+    auto& followers = bench_->followers();
     if (!options_.check.empty()) {
       auto expected = parse_references(text_of(options_.check));
       if (!expected) throw std::runtime_error(options_.check + ": " + expected.error().line);
@@ -122,18 +131,21 @@ class RigReplay {
                                              options_.check, expected->part,
                                              part_text(options_.part, faults_)));
       check_.emplace(std::move(*expected), options_.tolerance);
-      watchers.add(checked_.emplace(*check_, rig));
+      followers.add(checked_.emplace(*check_, rig));
     }
     if (!options_.update_refs.empty()) {
       maker_.emplace(options_.refs_every);
-      watchers.add(made_.emplace(*maker_, rig));
+      followers.add(made_.emplace(*maker_, rig));
     }
     if (!options_.record.path.empty())
-      watchers.add(recorder_.emplace(
+      followers.add(recorder_.emplace(
           rig, options_.record, recording_.begin().value_or(Stamp{}),
           options_.speed > 0 ? record::WhenBehind::lose : record::WhenBehind::wait));
     if (!options_.serve.address.empty())
-      watchers.add(viewer_.emplace(io_.get_executor(), rig, options_.serve));
+      followers.add(viewer_.emplace(io_.get_executor(), rig, options_.serve));
+    if (options_.quiet) return;
+    followers.add(lines_);
+    followers.add(states_.emplace(err_, bench_->start()));
   }
 
   /// Returns false if the replay differs from the references.
@@ -199,11 +211,12 @@ class RigReplay {
   RecordedRig rig_;
   Faults faults_;
   ReplayLines lines_;
+  std::optional<host::StateLines> states_;
   Steps steps_;
   std::optional<Onto> onto_;
   std::optional<ReferenceCheck> check_;
   std::optional<ReferenceMaker> maker_;
-  std::optional<TopicsWatcher> checked_, made_;
+  std::optional<TopicsFollower> checked_, made_;
   std::optional<host::RigRecorder> recorder_;
   std::optional<host::RigViewer> viewer_;
   std::optional<ReplayBench> bench_;
@@ -225,7 +238,7 @@ int replay_rig(const RigReplayOptions& options, std::FILE* in, std::FILE* out, s
     return RigReplay(options, std::move(*recording), in, out, err).run();
   } catch (const std::exception& error) {
     fmt::print(err, "replay: {}\n", error.what());
-    return 2;
+    return terminal::exit_usage;
   }
 }
 

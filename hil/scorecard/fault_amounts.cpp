@@ -9,6 +9,7 @@
 
 #include "drivers/link/uri.hpp"
 #include "rig_config/fault_quantity.hpp"
+#include "rig_config/fault_vocabulary.hpp"
 #include "rig_config/load.hpp"
 
 namespace drydock::scorecard {
@@ -39,18 +40,6 @@ constexpr QuantityAmount quantity_amounts[] = {
     {rig_config::DeviceKind::actuator, "shaft_rpm", 100, 0, 1000},
 };
 
-/// Amounts for words whose usual amount does not suit a scorecard, or that have none.
-struct WordAmount {
-  FaultKind kind;
-  std::string_view text;
-};
-constexpr WordAmount word_amounts[] = {
-    {FaultKind::garbage, "probability = 0.2"},
-    {FaultKind::clock_step, "seconds = 10"},
-    {FaultKind::bus_load, "share = 0.9"},
-    {FaultKind::jitter, "seconds = 0.2"},
-};
-
 const QuantityAmount& amount_of(const FaultQuantity& quantity) {
   for (const auto& amount : quantity_amounts)
     if (amount.kind == quantity.kind && amount.key == quantity.key) return amount;
@@ -76,9 +65,7 @@ std::string baud_text(const DeviceConfig& device) {
 
 std::string text_of(const FaultWord& word, const DeviceConfig& device) {
   if (word.kind == FaultKind::wrong_baud) return baud_text(device);
-  for (const auto& amount : word_amounts)
-    if (amount.kind == word.kind) return std::string(amount.text);
-  return {};
+  return std::string(word.facts.scorecard);
 }
 
 /// Goes through the text of a fault file, so that the same checks apply.

@@ -15,18 +15,13 @@ namespace {
 
 using measurement::Stamp;
 
-class NobodyListens final : public shell::RawListener {
-  void on_bytes(std::string_view, shell::Direction, wire::Bytes, Stamp) override {}
-  void on_frame(std::string_view, shell::Direction, const wire::CanFrame&, Stamp) override {}
-};
-
-class Recorder final : private device::Listener, private pipeline::EstimateListener {
+class Recorder final : private host::Follower {
  public:
   explicit Recorder(const rig_config::Rig& rig)
       : start_(measurement::stamp_from_ns(rig.start_utc_ns)),
         motion_(motion::make_trajectory(rig.mission, start_)),
         has_truth_(summary::truth_for_estimators(rig)),
-        bench_(rig, motion_, {*this, *this, raw_}) {
+        bench_(rig, motion_, *this) {
     record_.devices.resize(rig.devices.size());
     record_.estimators.resize(rig.estimators.size());
   }
@@ -90,14 +85,9 @@ class Recorder final : private device::Listener, private pipeline::EstimateListe
     record_.devices.at(device.index()).changes.push_back({since_start(change.at), change.to});
   }
 
-  void on_attitude(const pipeline::AttitudeEstimate& estimate) override { compare(estimate, {}); }
-  void on_navigation(const pipeline::NavigationEstimate& estimate) override {
-    compare(pipeline::attitude_of(estimate), estimate.position);
-  }
-
-  void compare(const pipeline::AttitudeEstimate& estimate,
-               const std::optional<frame::Position>& position) {
+  void on_estimate(const host::Estimate& told) override {
     if (!has_truth_) return;
+    const bus::Attitude& estimate = told.attitude;
     const motion::Truth truth = motion_.at(estimate.valid_at);
     const Eigen::Vector2d off{
         std::remainder(estimate.roll_rad - truth.roll_rad, 2 * std::numbers::pi),
@@ -106,18 +96,18 @@ class Recorder final : private device::Listener, private pipeline::EstimateListe
                   off.norm() * units::degrees_per_radian,
                   off.dot(estimate.covariance.inverse() * off) / 2,
                   {}};
-    if (position)
+    if (const auto& n = told.navigation)
       error.horizontal_m =
-          frame::ned_offset({truth.latitude_rad, truth.longitude_rad, truth.height_m}, *position)
+          frame::ned_offset({truth.latitude_rad, truth.longitude_rad, truth.height_m},
+                            {n->latitude_rad, n->longitude_rad, n->height_m})
               .head<2>()
               .norm();
-    record_.estimators.at(estimate.estimator).push_back(error);
+    record_.estimators.at(told.estimator).push_back(error);
   }
 
   Stamp start_;
   motion::RememberedTrajectory motion_;
   bool has_truth_;
-  NobodyListens raw_;
   RunRecord record_;
   std::vector<Field> fields_;
   bench::LockstepBench bench_;

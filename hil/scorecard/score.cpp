@@ -7,6 +7,7 @@
 
 #include "hil/scorecard/detection.hpp"
 #include "hil/scorecard/wrong_numbers.hpp"
+#include "rig_config/fault_vocabulary.hpp"
 
 namespace drydock::scorecard {
 namespace {

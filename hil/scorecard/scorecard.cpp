@@ -99,13 +99,11 @@ int run_scorecard(const rig_config::Rig& rig, const Options& options, std::FILE*
     write(fs::path(options.report) / "heat-map.svg", overview_svg(card));
   }
   const bool complete = card.scores.size() == card.pairs;
-  if (!options.update_refs.empty() && complete)
-    write(options.update_refs, to_json_text(card));
+  if (!options.update_refs.empty() && complete) write(options.update_refs, to_json_text(card));
   if (!options.update_refs.empty() && !complete)
     fmt::print(errors, "{} is left as it is\n", options.update_refs);
-  if (!options.check.empty() && !check(card, options.check, out))
-    return terminal::exit_failed;
-  return complete ? 0 : terminal::exit_failed;
+  if (!options.check.empty() && !check(card, options.check, out)) return terminal::exit_failed;
+  return terminal::exit_of(complete);
 } catch (const std::runtime_error& error) {
   fmt::print(errors, "scorecard: {}\n", error.what());
   return terminal::exit_failed;

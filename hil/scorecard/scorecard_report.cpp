@@ -8,6 +8,7 @@
 #include "hil/report/html.hpp"
 #include "hil/report/table.hpp"
 #include "hil/scorecard/heat_cells.hpp"
+#include "rig_config/fault_vocabulary.hpp"
 
 namespace drydock::scorecard {
 namespace {

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <map>
 
+#include "rig_config/fault_vocabulary.hpp"
+
 namespace drydock::scorecard {
 namespace {
 

@@ -28,17 +28,18 @@ DeviceSummary counted_since(const DeviceSummary& before, DeviceSummary now) {
 }  // namespace
 
 ExpectWatch::ExpectWatch(const rig_config::Rig& rig, const motion::Trajectory* truth,
-                         measurement::Stamp start)
-    : rig_(rig), truth_(truth), start_(start) {
+                         measurement::Stamp start, std::function<Counts(measurement::Stamp)> counts)
+    : rig_(rig), truth_(truth), start_(start), counts_(std::move(counts)) {
   windows_.resize(rig.expects.size());
   for (std::size_t i = 0; i < windows_.size(); ++i) windows_[i].expect = &rig.expects[i];
 }
 
-void ExpectWatch::note(const std::string& device, const device::Transition& change) {
+void ExpectWatch::on_state(const device::Device& device, const device::Transition& change) {
   const double t = measurement::seconds(change.at - start_);
   for (Window& w : windows_) {
     const auto& e = *w.expect;
-    if (e.device != device || e.state.empty() || !(e.after_s > 0) || t <= e.after_s) continue;
+    if (e.device != device.name() || e.state.empty() || !(e.after_s > 0) || t <= e.after_s)
+      continue;
     // From after_s until the first change, the device was in the state `from`.
     for (const auto& [state, since] :
          {std::pair{to_string(change.from), e.after_s}, std::pair{to_string(change.to), t}}) {
@@ -48,41 +49,35 @@ void ExpectWatch::note(const std::string& device, const device::Transition& chan
   }
 }
 
-bool ExpectWatch::concerns(const Window& w, std::size_t estimator,
-                           measurement::Stamp at) const {
+bool ExpectWatch::concerns(const Window& w, std::size_t estimator, measurement::Stamp at) const {
   return w.expect->after_s > 0 && w.expect->estimator == rig_.estimators[estimator].name &&
          measurement::seconds(at - start_) >= w.expect->after_s;
 }
 
-void ExpectWatch::note(const pipeline::AttitudeEstimate& estimate) {
+void ExpectWatch::on_estimate(const host::Estimate& estimate) {
+  const auto at = estimate.attitude.valid_at;
   for (Window& w : windows_) {
-    if (!concerns(w, estimate.estimator, estimate.valid_at)) continue;
-    ++w.estimates;
-    if (truth_) w.attitude.add(estimate, truth_->at(estimate.valid_at));
-  }
-}
-
-void ExpectWatch::note(const pipeline::NavigationEstimate& estimate) {
-  for (Window& w : windows_) {
-    if (!concerns(w, estimate.estimator, estimate.valid_at)) continue;
+    if (!concerns(w, estimate.estimator, at)) continue;
     ++w.estimates;
     if (!truth_) continue;
-    const auto truth = truth_->at(estimate.valid_at);
-    w.attitude.add(pipeline::attitude_of(estimate), truth);
-    w.navigation.note(estimate, &truth, 0, false);
+    const auto truth = truth_->at(at);
+    w.attitude.add(estimate.attitude, truth);
+    if (estimate.navigation)
+      w.navigation.note(*estimate.navigation, estimate.current, &truth, 0, false);
   }
 }
 
-void ExpectWatch::follow(measurement::Stamp now, const std::function<Devices()>& devices,
-                         const pipeline::Pipeline& pipeline) {
+void ExpectWatch::tick(measurement::Stamp now) {
   const double t = measurement::seconds(now - start_);
+  std::optional<Counts> counts;
   for (Window& w : windows_) {
     if (w.begun || !(w.expect->after_s > 0) || t < w.expect->after_s) continue;
     w.begun = true;
+    if (!counts) counts = counts_(now);
     if (w.expect->device.empty()) {
-      w.estimator_before = pipeline.status(index_of(rig_.estimators, w.expect->estimator));
+      w.estimator_before = counts->estimators[index_of(rig_.estimators, w.expect->estimator)];
     } else {
-      w.device_before = devices()[index_of(rig_.devices, w.expect->device)];
+      w.device_before = counts->devices[index_of(rig_.devices, w.expect->device)];
     }
   }
 }
@@ -96,11 +91,11 @@ Findings ExpectWatch::of_device(const Window& w, const Summary& summary) const {
 }
 
 Findings ExpectWatch::of_estimator(const Window& w, const Summary& summary,
-                                   const pipeline::Pipeline& pipeline) const {
+                                   const std::vector<pipeline::EstimatorStatus>& at_end) const {
   const std::size_t i = index_of(rig_.estimators, w.expect->estimator);
   EstimatorSummary seen = summary.estimators[i];
   if (w.begun) {
-    const auto& now = pipeline.status(i);
+    const auto& now = at_end[i];
     seen.estimates = w.estimates;
     seen.rejected = now.rejected - w.estimator_before.rejected;
     seen.nis = (now.taken - w.estimator_before.taken).mean();
@@ -113,16 +108,17 @@ Findings ExpectWatch::of_estimator(const Window& w, const Summary& summary,
   return found;
 }
 
-void ExpectWatch::write(Summary& summary, const pipeline::Pipeline& pipeline) const {
+void ExpectWatch::write(Summary& summary,
+                        const std::vector<pipeline::EstimatorStatus>& at_end) const {
   for (std::size_t i = 0; i < summary.estimators.size(); ++i) {
-    summary.estimators[i].rejected = pipeline.status(i).rejected;
-    summary.estimators[i].nis = pipeline.status(i).taken.mean();
+    summary.estimators[i].rejected = at_end[i].rejected;
+    summary.estimators[i].nis = at_end[i].taken.mean();
   }
   for (const Window& w : windows_) {
     Findings found;
     const bool came = w.begun || !(w.expect->after_s > 0);
     if (came)
-      found = w.expect->device.empty() ? of_estimator(w, summary, pipeline) : of_device(w, summary);
+      found = w.expect->device.empty() ? of_estimator(w, summary, at_end) : of_device(w, summary);
     found.duration_s = summary.duration_s;
     std::ranges::move(judge(*w.expect, found), std::back_inserter(summary.verdicts));
   }

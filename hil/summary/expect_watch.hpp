@@ -3,8 +3,8 @@
 #include <functional>
 #include <vector>
 
-#include "drivers/device/device.hpp"
-#include "estimators/pipeline/pipeline.hpp"
+#include "drivers/host/follower.hpp"
+#include "estimators/pipeline/estimator.hpp"
 #include "hil/summary/judge.hpp"
 #include "hil/summary/scribe.hpp"
 
@@ -12,25 +12,25 @@ namespace drydock::summary {
 
 /// Follows a run for the [[expect]] blocks with after_s > 0. From that time on it takes counters,
 /// unexpected states and the errors of estimates.
-class ExpectWatch {
+class ExpectWatch final : public host::Follower {
  public:
-  using Devices = std::vector<DeviceSummary>;
+  /// The counts of devices and estimators, in the order of the rig.
+  struct Counts {
+    std::vector<DeviceSummary> devices;
+    std::vector<pipeline::EstimatorStatus> estimators;
+  };
 
-  /// `truth` may be null. Rig and truth must outlive the watch.
-  ExpectWatch(const rig_config::Rig& rig, const motion::Trajectory* truth,
-              measurement::Stamp start);
+  /// `truth` may be null. Rig and truth must outlive the watch. `counts` is called when a block
+  /// begins.
+  ExpectWatch(const rig_config::Rig& rig, const motion::Trajectory* truth, measurement::Stamp start,
+              std::function<Counts(measurement::Stamp now)> counts);
 
-  void note(const std::string& device, const device::Transition& change);
-  void note(const pipeline::AttitudeEstimate& estimate);
-  void note(const pipeline::NavigationEstimate& estimate);
+  void on_state(const device::Device& device, const device::Transition& change) override;
+  void on_estimate(const host::Estimate& estimate) override;
+  void tick(measurement::Stamp now) override;
 
-  /// Call it about once a second, in lockstep exactly every second. It stores the counts at `now`
-  /// when a block begins, and calls `devices` only then.
-  void follow(measurement::Stamp now, const std::function<Devices()>& devices,
-              const pipeline::Pipeline& pipeline);
-
-  /// Call it at the end. Adds the pipeline's counts and the verdicts to the summary.
-  void write(Summary& summary, const pipeline::Pipeline& pipeline) const;
+  /// Call it at the end. Adds the estimators' counts and the verdicts to the summary.
+  void write(Summary& summary, const std::vector<pipeline::EstimatorStatus>& at_end) const;
 
  private:
   struct Window {
@@ -47,11 +47,12 @@ class ExpectWatch {
   bool concerns(const Window& w, std::size_t estimator, measurement::Stamp at) const;
   Findings of_device(const Window& w, const Summary& summary) const;
   Findings of_estimator(const Window& w, const Summary& summary,
-                        const pipeline::Pipeline& pipeline) const;
+                        const std::vector<pipeline::EstimatorStatus>& at_end) const;
 
   const rig_config::Rig& rig_;
   const motion::Trajectory* truth_;
   measurement::Stamp start_;
+  std::function<Counts(measurement::Stamp)> counts_;
   std::vector<Window> windows_;  ///< one per block
 };
 

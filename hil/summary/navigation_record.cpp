@@ -18,17 +18,22 @@ frame::Position true_position(const motion::Truth& truth) {
   return {truth.latitude_rad, truth.longitude_rad, truth.height_m};
 }
 
-double sigma_of(const pipeline::NavigationEstimate& estimate, Eigen::Index i) {
+frame::Position position_of(const bus::Navigation& estimate) {
+  return {estimate.latitude_rad, estimate.longitude_rad, estimate.height_m};
+}
+
+double sigma_of(const bus::Navigation& estimate, Eigen::Index i) {
   return std::sqrt(std::max(0.0, estimate.covariance(i, i)));
 }
 
 }  // namespace
 
-void NavigationRecord::note(const pipeline::NavigationEstimate& estimate,
-                            const motion::Truth* truth, double t_s, bool draw) {
-  if (!origin_) origin_ = truth ? true_position(*truth) : estimate.position;
+void NavigationRecord::note(const bus::Navigation& estimate,
+                            const std::optional<host::Current>& current, const motion::Truth* truth,
+                            double t_s, bool draw) {
+  if (!origin_) origin_ = truth ? true_position(*truth) : position_of(estimate);
   if (draw) {
-    const Vector3d at = frame::ned_offset(*origin_, estimate.position);
+    const Vector3d at = frame::ned_offset(*origin_, position_of(estimate));
     trace_.t_s.push_back(t_s);
     trace_.north_m.push_back(at.x());
     trace_.east_m.push_back(at.y());
@@ -36,17 +41,17 @@ void NavigationRecord::note(const pipeline::NavigationEstimate& estimate,
     trace_.east_sigma_m.push_back(sigma_of(estimate, 1));
     for (std::size_t i = 0; i < 3; ++i)
       trace_.velocity_sigma_mps[i].push_back(sigma_of(estimate, 3 + static_cast<int>(i)));
-    if (estimate.current) {
-      trace_.current_north_mps.push_back(estimate.current->north_east_mps.x());
-      trace_.current_east_mps.push_back(estimate.current->north_east_mps.y());
+    if (current) {
+      trace_.current_north_mps.push_back(current->north_east_mps.x());
+      trace_.current_east_mps.push_back(current->north_east_mps.y());
     }
   }
   if (truth) compare(estimate, *truth, draw);
 }
 
-void NavigationRecord::compare(const pipeline::NavigationEstimate& estimate,
-                               const motion::Truth& truth, bool draw) {
-  const Vector3d off = frame::ned_offset(true_position(truth), estimate.position);
+void NavigationRecord::compare(const bus::Navigation& estimate, const motion::Truth& truth,
+                               bool draw) {
+  const Vector3d off = frame::ned_offset(true_position(truth), position_of(estimate));
   const Vector3d velocity = estimate.velocity_ned - truth.velocity_ned;
   const frame::Euler angles = frame::euler(estimate.body_to_ned);
   const Vector3d turned{frame::wrap_pi(angles.roll - truth.roll_rad),

@@ -2,7 +2,8 @@
 
 #include <optional>
 
-#include "estimators/pipeline/inertial/navigation_estimate.hpp"
+#include "drivers/host/follower.hpp"
+#include "estimators/frame/geodetic.hpp"
 #include "hil/motion/truth.hpp"
 #include "hil/summary/summary.hpp"
 
@@ -12,14 +13,14 @@ namespace drydock::summary {
 class NavigationRecord {
  public:
   /// `truth` is the truth at the estimate's valid_at, or null. `draw`: add a point to the curves.
-  void note(const pipeline::NavigationEstimate& estimate, const motion::Truth* truth, double t_s,
-            bool draw);
+  void note(const bus::Navigation& estimate, const std::optional<host::Current>& current,
+            const motion::Truth* truth, double t_s, bool draw);
 
   std::optional<NavigationError> error() const;  ///< empty: no estimate had a truth
   const NavigationTrace& trace() const { return trace_; }
 
  private:
-  void compare(const pipeline::NavigationEstimate& estimate, const motion::Truth& truth, bool draw);
+  void compare(const bus::Navigation& estimate, const motion::Truth& truth, bool draw);
 
   std::optional<frame::Position> origin_;
   NavigationTrace trace_;

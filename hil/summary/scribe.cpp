@@ -33,7 +33,7 @@ double wrapped(double angle) { return std::remainder(angle, 2 * std::numbers::pi
 
 }  // namespace
 
-void ErrorStatistics::add(const pipeline::AttitudeEstimate& estimate, const motion::Truth& truth) {
+void ErrorStatistics::add(const bus::Attitude& estimate, const motion::Truth& truth) {
   const Eigen::Vector2d error{wrapped(estimate.roll_rad - truth.roll_rad),
                               wrapped(estimate.pitch_rad - truth.pitch_rad)};
   ++count_;
@@ -110,7 +110,7 @@ void Scribe::point(std::size_t curve, Stamp at, double value) {
   plots_[c.plot].value[c.line].push_back(value);
 }
 
-void Scribe::note(const Measurement& m) {
+void Scribe::on_measurement(const Measurement& m) {
   const Origin& origin = origin_of(m);
   if (origin.device >= first_curve_.size()) return;
   const std::size_t first = first_curve_[origin.device];
@@ -140,22 +140,16 @@ void Scribe::note(const Measurement& m) {
   }
 }
 
-void Scribe::note(const pipeline::AttitudeEstimate& estimate) {
+void Scribe::on_estimate(const host::Estimate& estimate) {
   auto& e = estimators_[estimate.estimator];
   std::optional<motion::Truth> truth;
-  if (e.has_truth) truth = truth_->at(estimate.valid_at);
-  compare(e, estimate, truth ? &*truth : nullptr,
-          is_time_to_draw(e, since_start(estimate.valid_at)));
-}
-
-void Scribe::note(const pipeline::NavigationEstimate& estimate) {
-  auto& e = estimators_[estimate.estimator];
-  std::optional<motion::Truth> truth;
-  if (e.has_truth) truth = truth_->at(estimate.valid_at);
-  const double t = since_start(estimate.valid_at);
+  if (e.has_truth) truth = truth_->at(estimate.attitude.valid_at);
+  const motion::Truth* known = truth ? &*truth : nullptr;
+  const double t = since_start(estimate.attitude.valid_at);
   const bool draw = is_time_to_draw(e, t);
-  compare(e, pipeline::attitude_of(estimate), truth ? &*truth : nullptr, draw);
-  e.navigation.note(estimate, truth ? &*truth : nullptr, t, draw);
+  compare(e, estimate.attitude, known, draw);
+  if (estimate.navigation)
+    e.navigation.note(*estimate.navigation, estimate.current, known, t, draw);
 }
 
 bool Scribe::is_time_to_draw(Estimator& e, double t_s) const {
@@ -164,8 +158,8 @@ bool Scribe::is_time_to_draw(Estimator& e, double t_s) const {
   return true;
 }
 
-void Scribe::compare(Estimator& e, const pipeline::AttitudeEstimate& estimate,
-                     const motion::Truth* truth, bool draw) {
+void Scribe::compare(Estimator& e, const bus::Attitude& estimate, const motion::Truth* truth,
+                     bool draw) {
   ++e.summary.estimates;
   const double t = since_start(estimate.valid_at);
   if (draw) {
@@ -186,7 +180,7 @@ void Scribe::compare(Estimator& e, const pipeline::AttitudeEstimate& estimate,
   }
 }
 
-void Scribe::follow(Stamp now) {
+void Scribe::tick(Stamp now) {
   const double t = since_start(now);
   if (!resident_.t_s.empty() && t < resident_.t_s.back() + 3 * spacing_s_) return;
   resident_.t_s.push_back(t);

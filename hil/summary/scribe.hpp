@@ -3,9 +3,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "drivers/measurement/measurement.hpp"
+#include "drivers/host/follower.hpp"
 #include "estimators/frame/geodetic.hpp"
-#include "estimators/pipeline/estimate.hpp"
 #include "hil/motion/truth.hpp"
 #include "hil/summary/navigation_record.hpp"
 #include "hil/summary/summary.hpp"
@@ -16,7 +15,7 @@ namespace drydock::summary {
 /// Root-mean-square and largest error of one estimator. Input in radians, result in degrees.
 class ErrorStatistics {
  public:
-  void add(const pipeline::AttitudeEstimate& estimate, const motion::Truth& truth);
+  void add(const bus::Attitude& estimate, const motion::Truth& truth);
   std::uint64_t count() const { return count_; }
   AttitudeError result() const;
 
@@ -29,20 +28,18 @@ class ErrorStatistics {
 
 /// Follows a run: compares estimates with the truth and keeps curves with fewer points for the
 /// report.
-class Scribe {
+class Scribe final : public host::Follower {
  public:
   /// `truth` may be null (real sensors only) and must outlive the scribe. A curve has at most about
   /// `points_per_curve` points in the expected duration.
   Scribe(const rig_config::Rig& rig, const motion::Trajectory* truth, measurement::Stamp start,
          double expected_duration_s, double points_per_curve = 1500);
 
-  /// Call it during the run, at least as often as the curves have points. It stores the true motion
-  /// and the memory of this process at `now`.
-  void follow(measurement::Stamp now);
-
-  void note(const measurement::Measurement& measurement);
-  void note(const pipeline::AttitudeEstimate& estimate);
-  void note(const pipeline::NavigationEstimate& estimate);
+  void on_measurement(const measurement::Measurement& measurement) override;
+  void on_estimate(const host::Estimate& estimate) override;
+  /// Stores the true motion and the memory of this process. Call it at least as often as the curves
+  /// have points.
+  void tick(measurement::Stamp now) override;
 
   /// Fills in the estimators and all curves of the summary.
   void write(Summary& summary) const;
@@ -62,8 +59,7 @@ class Scribe {
     double next_point_s = 0;
   };
 
-  void compare(Estimator& e, const pipeline::AttitudeEstimate& estimate, const motion::Truth* truth,
-               bool draw);
+  void compare(Estimator& e, const bus::Attitude& estimate, const motion::Truth* truth, bool draw);
   bool is_time_to_draw(Estimator& e, double t_s) const;
   double since_start(measurement::Stamp at) const { return measurement::seconds(at - start_); }
   void point(std::size_t curve, measurement::Stamp at, double value);

@@ -128,7 +128,7 @@ void print_table(std::FILE* out, const std::vector<motion::Figure>& figures,
 
 int written(bool done, const std::string& path, std::FILE* errors) {
   if (!done) fmt::print(errors, "maneuver: {}: cannot be written\n", path);
-  return done ? 0 : terminal::exit_failed;
+  return terminal::exit_of(done);
 }
 
 }  // namespace

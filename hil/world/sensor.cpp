@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "drivers/measurement/units.hpp"
+#include "drivers/terminal/exit_codes.hpp"
 #include "hil/report/plot.hpp"
 #include "hil/sensor/allan.hpp"
 #include "hil/sensor/imu_errors.hpp"
@@ -93,7 +94,7 @@ int show_sensor(const SensorOptions& options, std::FILE* out, std::FILE* errors)
   const auto grade = rig_config::load_sensor(options.grade, rig_config::DeviceKind::imu);
   if (!grade) {
     for (const auto& problem : grade.error()) fmt::print(errors, "{}\n", to_string(problem));
-    return 2;
+    return terminal::exit_usage;
   }
   const double rate_hz = options.rate_hz.value_or(grade->rate_hz.value_or(usual_imu_rate_hz));
   const auto rows = allan_of(*grade, rate_hz, options.duration_s, options.seed);
@@ -103,14 +104,14 @@ int show_sensor(const SensorOptions& options, std::FILE* out, std::FILE* errors)
     if (svg.empty() || !(file << svg) || !file.flush()) {
       fmt::print(errors, "drydock sensor: {}: cannot be written{}\n", options.allan,
                  svg.empty() ? ", gnuplot is needed" : "");
-      return 1;
+      return terminal::exit_failed;
     }
   }
   if (options.json)
     fmt::print(out, "{}\n", allan_json(rows).dump(2));
   else
     print_allan(rows, out);
-  return 0;
+  return terminal::exit_success;
 }
 
 }  // namespace drydock::world

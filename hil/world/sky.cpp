@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "drivers/measurement/units.hpp"
+#include "drivers/terminal/exit_codes.hpp"
 #include "hil/sky/ephemeris_file.hpp"
 #include "hil/world/sky_plot.hpp"
 
@@ -94,7 +95,7 @@ nlohmann::ordered_json to_json(const SkyListing& listing) {
 
 int fail(std::FILE* errors, const std::string& why) {
   fmt::print(errors, "drydock sky: {}\n", why);
-  return 1;
+  return terminal::exit_failed;
 }
 
 }  // namespace
@@ -138,7 +139,7 @@ int show_sky(const SkyOptions& options, std::FILE* out, std::FILE* errors) {
     fmt::print(out, "{}\n", to_json(listing).dump(2));
   else
     print_table(listing, out);
-  return 0;
+  return terminal::exit_success;
 }
 
 }  // namespace drydock::world

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "rig_config/checks/checks.hpp"
-#include "rig_config/fault_extra.hpp"
 #include "rig_config/fault_quantity.hpp"
+#include "rig_config/fault_vocabulary.hpp"
 #include "rig_config/rules/explain.hpp"
 
 namespace drydock::rig_config {
@@ -40,8 +40,7 @@ class FaultChecks {
   static bool fits(const std::string& key, const FaultWord& word) {
     if (std::ranges::find(common_keys, key) != common_keys.end()) return true;
     if (key == word.amount) return true;
-    const auto extras = extras_of(word.kind);
-    if (std::ranges::find(extras, key, &FaultExtra::key) != extras.end()) return true;
+    if (word.facts.extra && key == word.facts.extra->key) return true;
     return word.amount == "quantity" && is_quantity(key);
   }
 
@@ -53,7 +52,7 @@ class FaultChecks {
     } else if (!word.amount.empty()) {
       keys.emplace_back(word.amount);
     }
-    for (const FaultExtra& extra : extras_of(word.kind)) keys.emplace_back(extra.key);
+    if (word.facts.extra) keys.emplace_back(word.facts.extra->key);
     return keys;
   }
 

@@ -4,13 +4,14 @@
 
 #include "drivers/wire/protocols.hpp"
 #include "rig_config/fault_quantity.hpp"
+#include "rig_config/fault_vocabulary.hpp"
 #include "rig_config/typed/build.hpp"
 
 namespace drydock::rig_config {
 
 namespace {
 
-using enum FaultKind;
+using enum FaultNeed;
 
 /// A proxy may not know which protocol passes through it: then the device can do nothing special.
 const wire::Protocol& protocol_of(const DeviceConfig& device) {
@@ -48,40 +49,34 @@ bool has_noise(const DeviceConfig& device) {
 }
 
 /// True for faults that only the device at the far end of the wire can produce.
-bool needs_emulation(FaultKind kind) {
-  const FaultLayer layer = word_of(kind).layer;
-  return layer == FaultLayer::measurement || layer == FaultLayer::environment || kind == slow ||
-         kind == nak || kind == clock_step || kind == clock_drift || kind == address_stolen ||
-         kind == babbling || kind == bus_load;
+bool needs_emulation(const FaultWord& word) {
+  return word.layer == FaultLayer::measurement || word.layer == FaultLayer::environment ||
+         word.facts.emulated_only;
 }
 
-std::optional<std::string> of_the_wire(FaultKind kind, const DeviceConfig& device) {
-  switch (kind) {
-    case bad_checksum:
+std::optional<std::string> of_the_wire(FaultNeed need, const DeviceConfig& device) {
+  switch (need) {
+    case checksum:
       if (protocol_of(device).checksum.empty())
         return "its protocol has no checksum of its own; allowed: flip, truncate";
       break;
-    case unplug:
-    case eof:
+    case port:
       if (on_can(device)) return "a node on a bus is not a port; allowed: hang, off, bus-off";
       if (device.link.starts_with("udp:"))
         return "datagrams have no connection that could be lost; allowed: hang, off";
       break;
-    case wrong_baud:
+    case baud_rate:
       if (!on_serial_line(device)) return "only a serial line has a baud rate (pty, serial)";
       if (!tells_baud(device)) return "its link names no baud rate (?baud=)";
       break;
-    case bus_off:
-    case error_frames:
-    case babbling:
-    case bus_load:
+    case can_bus:
       if (!on_can(device)) return "only a CAN bus has that";
       break;
-    case nak:
+    case settings:
       if (protocol_of(device).settings != wire::Settings::refusable)
         return "nothing is set on it that it could refuse";
       break;
-    case address_stolen:
+    case j1939:
       if (protocol_of(device).network != wire::Network::j1939)
         return "only J1939 and NMEA 2000 nodes claim addresses";
       break;
@@ -90,22 +85,21 @@ std::optional<std::string> of_the_wire(FaultKind kind, const DeviceConfig& devic
   return {};
 }
 
-std::optional<std::string> of_the_sensor(FaultKind kind, const DeviceConfig& device) {
-  switch (kind) {
+std::optional<std::string> of_the_sensor(FaultNeed need, const DeviceConfig& device) {
+  switch (need) {
     case noise:
       if (!has_noise(device)) return "it is emulated without noise; give it some under emulate";
       break;
-    case clock_step:
+    case own_clock:
       if (!tells_time(device)) return "its messages have no time of its own clock";
       break;
-    case bottom_lost:
+    case sea_bed:
       if (device.kind != DeviceKind::dvl) return "only a dvl hears the sea bed";
       break;
-    case hot:
+    case heat:
       if (!protocol_of(device).tells_heat) return "only a Water Linked dvl tells its heat";
       break;
-    case satellites_blocked:
-    case antenna_gain:
+    case satellites:
       if (device.kind != DeviceKind::gnss) return "only a gnss receiver has satellites";
       break;
     default: break;
@@ -114,8 +108,8 @@ std::optional<std::string> of_the_sensor(FaultKind kind, const DeviceConfig& dev
 }
 
 /// A proxy may not know which protocol passes through it. Then it has no message faults.
-std::optional<std::string> of_unknown_messages(FaultKind kind, const DeviceConfig& device) {
-  if (!device.protocol.empty() || word_of(kind).layer != FaultLayer::message) return {};
+std::optional<std::string> of_unknown_messages(const FaultWord& word, const DeviceConfig& device) {
+  if (!device.protocol.empty() || word.layer != FaultLayer::message) return {};
   return "its messages are not known without a protocol (--protocol)";
 }
 
@@ -139,16 +133,17 @@ std::string_view name_of(FaultTarget target) {
 
 std::optional<std::string> refusal(const FaultConfig& fault, const DeviceConfig& device,
                                    FaultTarget target) {
-  std::optional<std::string> why = of_unknown_messages(fault.kind, device);
-  if (!why) why = of_the_wire(fault.kind, device);
-  if (!why && target != FaultTarget::emulated && needs_emulation(fault.kind))
+  const FaultWord& word = word_of(fault.kind);
+  std::optional<std::string> why = of_unknown_messages(word, device);
+  if (!why) why = of_the_wire(word.facts.needs, device);
+  if (!why && target != FaultTarget::emulated && needs_emulation(word))
     why = fmt::format("behind the wire is {}: only an emulated device can be made to",
                       name_of(target));
-  if (!why && target == FaultTarget::emulated) why = of_the_sensor(fault.kind, device);
+  if (!why && target == FaultTarget::emulated) why = of_the_sensor(word.facts.needs, device);
   if (!why) why = of_the_quantity(fault, device);
   if (!why) return {};
   return fmt::format("{} \"{}\" ({}) cannot have the fault \"{}\": {}", to_string(device.kind),
-                     device.name, device.protocol, word_of(fault.kind).name, *why);
+                     device.name, device.protocol, word.name, *why);
 }
 
 }  // namespace drydock::rig_config

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "rig_config/fault_quantity.hpp"
+#include "rig_config/fault_vocabulary.hpp"
 #include "rig_config/toml/read_keys.hpp"
 #include "rig_config/typed/build.hpp"
 

@@ -6,6 +6,7 @@
 
 #include "drivers/measurement/units.hpp"
 #include "rig_config/checks/checks.hpp"
+#include "rig_config/toml/places_of.hpp"
 #include "rig_config/toml/read_keys.hpp"
 
 namespace drydock::rig_config {
@@ -114,6 +115,7 @@ EstimatorConfig build_estimator(const Node& table) {
 Rig build_rig(const Node& root, const std::string& file) {
   Rig rig;
   rig.file = file;
+  rig.places = places_of(root, file);
   const Node& table = *root.find("rig");
   read(table, "name", rig.name);
   if (const Node* seed = table.find("seed")) rig.seed = static_cast<std::uint64_t>(seed->integer);

@@ -1,5 +1,6 @@
 #include "drivers/measurement/units.hpp"
 #include "rig_config/checks/checks.hpp"
+#include "rig_config/toml/places_of.hpp"
 #include "rig_config/toml/read_keys.hpp"
 #include "rig_config/typed/build.hpp"
 
@@ -46,6 +47,7 @@ BallisticConfig build_ballistic(const Node& table) {
 
 MissionConfig build_mission(const Node& root, const std::string& file) {
   MissionConfig mission;
+  mission.places = places_of(root, file);
   const Node& table = *root.find("mission");
   read(table, "latitude_deg", mission.latitude_rad, units::degree);
   read(table, "longitude_deg", mission.longitude_rad, units::degree);

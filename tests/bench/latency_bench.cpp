@@ -19,6 +19,7 @@
 #include "drivers/bus/subscriber.hpp"
 #include "drivers/host/driver_host.hpp"
 #include "drivers/host/rig_bus.hpp"
+#include "drivers/host/rig_publisher.hpp"
 #include "drivers/link/link.hpp"
 #include "drivers/shell/rig_devices.hpp"
 #include "drivers/wire/can/slcan.hpp"
@@ -66,6 +67,16 @@ class Arrival {
   std::atomic<std::int64_t> at_ns_{0};
 };
 
+/// Notes the arrival of each estimate.
+class EachEstimate final : public host::Follower {
+ public:
+  explicit EachEstimate(Arrival& arrival) : arrival_(arrival) {}
+  void on_estimate(const host::Estimate&) override { arrival_.note(); }
+
+ private:
+  Arrival& arrival_;
+};
+
 void report(benchmark::State& state, std::vector<double> us) {
   if (us.empty()) return state.SkipWithError("nothing came through");
   state.counters["n"] = static_cast<double>(us.size());
@@ -106,7 +117,7 @@ void bare_pty_round_trip(benchmark::State& state) {
 void bare_dds_hop(benchmark::State& state) {
   const bus::Participant participant(domain);
   const std::vector<bus::Device> devices{{.name = "imu", .kind = bus::Kind::imu}};
-  bus::Publisher publisher(participant, devices);
+  host::RigPublisher publisher(participant, devices);
   bus::Subscriber subscriber(participant, devices);
   Arrival arrival;
   std::atomic<bool> done{false};
@@ -170,14 +181,17 @@ void wire_to_estimate(benchmark::State& state) {
   const auto rig = imu_rig(pty.name);
   boost::asio::io_context io{1};
   const bus::Participant participant(static_cast<std::uint32_t>(rig.dds_domain));
-  bus::Publisher publisher(participant, host::bus_devices(rig), host::estimator_names(rig));
+  host::RigPublisher publisher(participant, host::bus_devices(rig), host::estimator_names(rig));
   bus::Subscriber subscriber(participant, host::bus_devices(rig));
-  host::EstimatorHost estimators(io, setup::pipeline_options(rig), subscriber, publisher);
+  Arrival published;
+  EachEstimate each_estimate(published);
+  host::Followers followers;
+  followers.add(publisher);
+  followers.add(each_estimate);
+  host::EstimatorHost estimators(io, setup::pipeline_options(rig), subscriber, followers);
   auto devices = shell::make_devices(rig);
   if (!devices) return state.SkipWithError(devices.error().message.c_str());
-  host::DriverHost drivers(io, std::move(*devices), &publisher);
-  Arrival published;
-  estimators.on_attitude_hook = [&](const pipeline::AttitudeEstimate&) { published.note(); };
+  host::DriverHost drivers(io, std::move(*devices), followers);
   estimators.start();
   drivers.start();
   std::jthread shell([&] { io.run(); });

@@ -16,15 +16,25 @@ PATH = re.compile(rf"(?<![\w./~$<>*-])((?:{FOLDERS})/(?:\{{[^{{}}\s]*\}}|[\w.*?/
 SOURCES = {".cpp", ".hpp", ".c", ".h", ".toml", ".json", ".sh", ".py", ".cjs", ".txt", ".eds", ".dbc", ".idl", ".md"}
 
 # Paths that stand for any of their kind, and what another project calls its own.
-PLACEHOLDERS = {"drivers/wire/x.{hpp,cpp}", "drivers/capture/x.{hpp,cpp}", "fixtures/dives/lost-bottom-lock/"}
+PLACEHOLDERS = {"drivers/capture/x.{hpp,cpp}", "fixtures/dives/lost-bottom-lock/"}
+# The examples of docs/build/add-a-command.md and add-a-study.md.
+PLACEHOLDERS |= {"hil/program/commands/hello.cpp", "hil/program/commands/NAME.cpp", "hil/study/NAME",
+                 "hil/study/mean/CMakeLists.txt", "hil/study/mean/mean_study.hpp", "hil/study/mean/mean_study.cpp"}
+EXAMPLE_COMMANDS = {"hello"}
 OF_OTHERS = {"docs/spec.md"}  # github.com/foxglove/ws-protocol
 # Options that pages name alone, of programs other than drydock.
 OTHER_OPTIONS = {"--verbose", "--level"}
 
 
+def is_elsewhere(path):
+    """True for paths above, and for the toys of the recipes in docs/build, which were thrown away."""
+    return path in PLACEHOLDERS or path in OF_OTHERS or re.search(r"(?<![a-z])toy[-_]", path)
+
+
 def files_under(root):
     for folder, below, names in os.walk(root):
-        below[:] = [name for name in below if name not in {"build", "node_modules"} and (name == ".ci" or name[0] != ".")]
+        left_out = {"node_modules"} if pathlib.Path(folder).name == "docs" else {"node_modules", "build"}  # docs/build: pages
+        below[:] = [name for name in below if name not in left_out and (name == ".ci" or name[0] != ".")]
         for name in names:
             yield pathlib.Path(folder, name)
 
@@ -85,7 +95,7 @@ def missing_paths(root, pages):
                 continue
             for path in PATH.findall(code):
                 path = path.rstrip(".")
-                if path in PLACEHOLDERS or path in OF_OTHERS:
+                if is_elsewhere(path):
                     continue
                 for one in expanded(path):
                     if not glob.glob(one, root_dir=root):
@@ -99,7 +109,7 @@ def missing_pages(root):
             continue
         for number, line in enumerate(path.read_text(encoding="utf-8", errors="replace").splitlines(), 1):
             for page in re.findall(r"(?<![\w./-])docs/[\w/-]+\.(?:md|svg|png)", line):
-                if page not in OF_OTHERS and not (root / page).exists():
+                if not is_elsewhere(page) and not (root / page).exists():
                     yield f"{path.relative_to(root).as_posix()}:{number}: there is no {page}"
 
 
@@ -115,6 +125,8 @@ def wrong_commands(pages, drydock, rig):
             for command, rest in re.findall(r"(?:^|[\s;&|(/])drydock +([a-z][\w-]*|--[a-z-]+)(.*)", code):
                 if command.startswith("--"):
                     command, rest = "", f"{command} {rest}"
+                if command in EXAMPLE_COMMANDS:
+                    continue
                 if command not in drydock:
                     yield f"{name}:{line}: drydock has no command {command}"
                     continue

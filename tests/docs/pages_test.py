@@ -97,6 +97,15 @@ class Planted(unittest.TestCase):
         self.write("docs/lost.md", "# Lost\n\n[x](lost.md)\n")
         self.assertEqual(self.found(), ["docs/lost.md:1: no link leads here from README.md"])
 
+    def test_a_page_in_the_folder_of_pages_about_building(self):
+        self.write("docs/build/develop.md", "`drivers/wire/pd4.hpp`\n")
+        self.assertEqual(self.found(), ["docs/build/develop.md:1: no link leads here from README.md",
+                                        "docs/build/develop.md:1: there is no drivers/wire/pd4.hpp"])
+
+    def test_a_recipes_toy_need_not_be_there(self):
+        self.write("docs/use.md", USE + "\n`drivers/wire/dvl/toy_dvl.hpp` `tests/fuzz/fuzz_toy_dvl.cpp`\n")
+        self.assertEqual(self.found(), [])
+
     def test_a_page_that_a_comment_names_and_that_is_not_there(self):
         self.write("drivers/wire/pd0.cpp", "\n/// docs/pd0.md says why.\n")
         self.assertEqual(self.found(), ["drivers/wire/pd0.cpp:2: there is no docs/pd0.md"])

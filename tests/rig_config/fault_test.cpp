@@ -5,6 +5,7 @@
 #include <numbers>
 #include <sstream>
 
+#include "rig_config/fault_vocabulary.hpp"
 #include "tests/rig_config/problems.hpp"
 
 /// Blocks [[fault]]: words, keys, amounts, and faults that a device cannot have.

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "rig_config/fault_vocabulary.hpp"
 #include "rig_config/load.hpp"
 #include "tests/drivers/link/running.hpp"
 #include "tests/vcan/process.hpp"

@@ -3,6 +3,7 @@
 #include <charconv>
 
 #include "drivers/device/duration_text.hpp"
+#include "drivers/measurement/earlier.hpp"
 
 namespace drydock::device {
 
@@ -47,8 +48,7 @@ bool CanopenNode::is_of_another(const wire::CanFrame& frame) const {
 }
 
 std::optional<Stamp> CanopenNode::deadline() const {
-  if (!lost_at_ || !next_sync_) return lost_at_ ? lost_at_ : next_sync_;
-  return std::min(*lost_at_, *next_sync_);
+  return measurement::earlier(lost_at_, next_sync_);
 }
 
 void CanopenNode::tick(Stamp now, Output& out) {

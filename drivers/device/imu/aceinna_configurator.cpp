@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "drivers/measurement/earlier.hpp"
+
 namespace drydock::device {
 
 namespace {
@@ -81,11 +83,7 @@ void AceinnaConfigurator::receive(const wire::CanFrame& frame, Stamp now, Output
 std::optional<Stamp> AceinnaConfigurator::deadline() const {
   std::optional<Stamp> next;
   if (device_ && claim_.address()) next = next_;
-  if (const auto claim = claim_.deadline()) {
-    const Stamp at{*claim};
-    next = next ? std::min(*next, at) : at;
-  }
-  return next;
+  return measurement::earlier(next, std::optional<Stamp>(claim_.deadline()));
 }
 
 void AceinnaConfigurator::tick(Stamp now, Output& out) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "drivers/device/imu/imu_sample.hpp"
+#include "drivers/measurement/earlier.hpp"
 
 namespace drydock::device {
 
@@ -40,9 +41,7 @@ void AceinnaImuDriver::tick(Stamp now, Output& out) {
 }
 
 std::optional<Stamp> AceinnaImuDriver::deadline() const {
-  const auto search = search_.deadline(), configuration = configurator_.deadline();
-  if (!search || !configuration) return search ? search : configuration;
-  return std::min(*search, *configuration);
+  return measurement::earlier(search_.deadline(), configurator_.deadline());
 }
 
 bool AceinnaImuDriver::accepts(std::uint8_t source, Stamp at) {

@@ -25,9 +25,9 @@ void Block::add(const Message& message) {
 }
 
 Block::Index& Block::index_of(std::uint16_t channel) {
-  for (auto& index : indexes_)
-    if (index.channel == channel) return index;
-  return indexes_.emplace_back(Index{channel, {}});
+  const auto at = std::ranges::lower_bound(indexes_, channel, {}, &Index::channel);
+  if (at != indexes_.end() && at->channel == channel) return *at;
+  return *indexes_.insert(at, Index{channel, {}});
 }
 
 void Block::clear() {

@@ -19,6 +19,7 @@ class Block {
 
   bool empty() const { return records_.empty(); }
   const Buffer& records() const { return records_; }
+  /// In the order of the channels' ids. An index may be empty: a reused block keeps its memory.
   const std::vector<Index>& indexes() const { return indexes_; }
   const std::vector<Schema>& schemas() const { return schemas_; }
   const std::vector<Channel>& channels() const { return channels_; }

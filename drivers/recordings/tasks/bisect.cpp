@@ -9,6 +9,7 @@
 #include <filesystem>
 
 #include "drivers/recordings/tasks/recordings.hpp"
+#include "drivers/terminal/exit_codes.hpp"
 
 namespace drydock::recordings {
 
@@ -91,7 +92,7 @@ class Trial {
 
 int refuse_bisect(std::FILE* err, std::string_view why) {
   fmt::print(err, "bisect: {}\n", why);
-  return 1;
+  return terminal::exit_failed;
 }
 
 }  // namespace

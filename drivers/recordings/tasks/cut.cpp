@@ -8,6 +8,7 @@
 
 #include "drivers/recordings/tasks/fixture.hpp"
 #include "drivers/recordings/tasks/recordings.hpp"
+#include "drivers/terminal/exit_codes.hpp"
 
 namespace drydock::recordings {
 
@@ -33,7 +34,7 @@ std::string account_of(const slice::Sliced& done, bool moved) {
 
 int refuse_cut(std::FILE* err, std::string_view why) {
   fmt::print(err, "cut: {}\n", why);
-  return 1;
+  return terminal::exit_failed;
 }
 
 std::string note_of(const CutOptions& options, const slice::Sliced& done,
@@ -60,7 +61,7 @@ int write_fixture(const CutOptions& options, const slice::Sliced& done, std::FIL
   std::ofstream(folder / "NOTES.md") << note_of(options, done, *measurements);
   fmt::print(err, "{}: {} measurements; add it to git, and ctest runs it\n", folder.string(),
              *measurements);
-  return 0;
+  return terminal::exit_success;
 }
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }

@@ -8,6 +8,7 @@
 
 #include "drivers/recordings/mcap/file_sink.hpp"
 #include "drivers/recordings/record/recover.hpp"
+#include "drivers/terminal/exit_codes.hpp"
 
 namespace drydock::recordings {
 
@@ -15,7 +16,7 @@ namespace {
 
 int refuse(std::FILE* err, std::string_view command, std::string_view why) {
   fmt::print(err, "{}: {}\n", command, why);
-  return 1;
+  return terminal::exit_failed;
 }
 
 /// "dives/one.mcap" -> "one" and an ending. The result is in the current folder, not beside the
@@ -48,7 +49,7 @@ int export_recording(ExportOptions options, const record::Watch& watch, std::FIL
                                                           : "frames",
              done->ended_early ? ", ended by Ctrl-C" : "",
              ending_of(!done->damage.empty(), done->damage));
-  return 0;
+  return terminal::exit_success;
 }
 
 int recover(const RecoverOptions& options, std::FILE* err) {
@@ -65,7 +66,7 @@ int recover(const RecoverOptions& options, std::FILE* err) {
              saved.damage.empty() ? "whole, nothing to mend" : saved.damage);
   fmt::print(err, "{}: {} messages of {:.1f} s and {} attachments saved\n", to, saved.messages,
              static_cast<double>(saved.last_time - saved.first_time) / 1e9, saved.attachments);
-  return saved.messages > 0 || saved.attachments > 0 ? 0 : 1;
+  return terminal::exit_of(saved.messages > 0 || saved.attachments > 0);
 }
 
 }  // namespace drydock::recordings

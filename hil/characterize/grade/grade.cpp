@@ -83,9 +83,9 @@ double correlation_of(const QuantityFigures& quantity) {
 }
 
 void put_bias_at_rest(const Place& place, const AxisFigures& axis) {
-  if (std::abs(axis.mean.value) <= frame::earth_rate_radps) return;
-  place.put(&SensorErrors::bias, {axis.mean.value, axis.mean.low - frame::earth_rate_radps,
-                                  axis.mean.high + frame::earth_rate_radps});
+  if (std::abs(axis.mean.value) <= frame::wgs84::earth_rate_radps) return;
+  place.put(&SensorErrors::bias, {axis.mean.value, axis.mean.low - frame::wgs84::earth_rate_radps,
+                                  axis.mean.high + frame::wgs84::earth_rate_radps});
 }
 
 void put_reference(MeasuredGrade& grade, const DeviceFigures& figures,

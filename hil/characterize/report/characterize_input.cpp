@@ -10,7 +10,7 @@
 #include "drivers/recordings/record/recording.hpp"
 #include "hil/bench/run.hpp"
 #include "hil/characterize/report/characterize.hpp"
-#include "hil/check/check.hpp"
+#include "hil/check/check_rig.hpp"
 #include "hil/sensor/mounting.hpp"
 #include "rig_config/load.hpp"
 
@@ -31,8 +31,29 @@ bool virtual_time(const rig_config::DeviceConfig& device) {
   return uri && (uri->emulated() || uri->recorded());
 }
 
+/// Throws std::invalid_argument with the lines of `drydock check`.
+rig_config::Rig sound_rig(const std::string& path) {
+  auto rig = check::load_sound_rig(path);
+  if (rig) return std::move(*rig);
+  std::string lines;
+  for (const auto& problem : rig.error()) lines += (lines.empty() ? "" : "\n") + to_string(problem);
+  throw std::invalid_argument(lines);
+}
+
+/// Adds the measurements of a run to those of their devices.
+class Gatherer final : public bench::Follower {
+ public:
+  explicit Gatherer(Gathered& to) : to_(to) {}
+  void on_measurement(const measurement::Measurement& m) override {
+    to_.devices.at(measurement::origin_of(m).device).add(m);
+  }
+
+ private:
+  Gathered& to_;
+};
+
 Gathered gather_rig(const CharacterizeOptions& options) {
-  auto rig = rig_config::load_rig(options.source, check::load_options()).value();
+  auto rig = sound_rig(options.source);
   rig.estimators.clear();
   rig.expects.clear();
   Gathered gathered;
@@ -46,9 +67,8 @@ Gathered gather_rig(const CharacterizeOptions& options) {
   run.lockstep = std::ranges::all_of(rig.devices, virtual_time);
   run.duration_s =
       options.duration_s.value_or(run.lockstep ? default_lockstep_s : default_real_time_s);
-  run.on_measurement = [&gathered](const measurement::Measurement& m) {
-    gathered.devices.at(measurement::origin_of(m).device).add(m);
-  };
+  Gatherer gatherer(gathered);
+  run.followers = {&gatherer};
   const summary::Summary summary =
       run.lockstep ? bench::run_lockstep(rig, run) : bench::run_real_time(rig, run);
   gathered.notes.push_back(fmt::format("rig {}: {:.6g} s in {}", rig.name, summary.duration_s,

@@ -1,6 +1,8 @@
 #include "hil/emulate/can/canopen_device.hpp"
 
-#include <algorithm>
+#include "drivers/measurement/earlier.hpp"
+
+#include "rig_config/fault_vocabulary.hpp"
 
 namespace drydock::emulate {
 namespace {
@@ -17,10 +19,6 @@ constexpr std::uint8_t on_each_sync = 1, by_the_profile = 0xFE;  // PDO transmis
 constexpr std::uint32_t read_only = 0x06010002, no_such_object = 0x06020000,
                         length_differs = 0x06070010, not_in_this_state = 0x08000022;
 
-void earlier_of(std::optional<Stamp>& first, const std::optional<Stamp>& other) {
-  if (other && (!first || *other < *first)) first = other;
-}
-
 }  // namespace
 
 CanopenDevice::CanopenDevice(const DeviceSetup& setup, std::uint32_t device_type)
@@ -33,9 +31,8 @@ CanopenDevice::CanopenDevice(const DeviceSetup& setup, std::uint32_t device_type
 
 std::optional<Stamp> CanopenDevice::deadline() const {
   auto next = on_sync_ ? std::optional<Stamp>{} : SamplingDevice::deadline();
-  if (synced_) earlier_of(next, *synced_ + latency());
-  earlier_of(next, next_heartbeat_);
-  return next;
+  if (synced_) next = measurement::earlier(next, *synced_ + latency());
+  return measurement::earlier(next, next_heartbeat_);
 }
 
 void CanopenDevice::tick(Stamp now, Wire& out) {
@@ -129,7 +126,7 @@ void CanopenDevice::serve(const canopen::SdoWrite& request, Stamp now, Wire& out
   const auto refuse = [&](std::uint32_t code) {
     out.send(canopen::encode(canopen::SdoAbort{node_, request.entry, code}));
   };
-  if (condition().refuses) return refuse(not_in_this_state);
+  if (condition().under(FaultKind::nak)) return refuse(not_in_this_state);
   if (request.entry != heartbeat_entry) {
     return refuse(find(request.entry) ? read_only : no_such_object);
   }

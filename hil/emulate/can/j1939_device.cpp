@@ -1,6 +1,6 @@
 #include "hil/emulate/can/j1939_device.hpp"
 
-#include <algorithm>
+#include "drivers/measurement/earlier.hpp"
 
 namespace drydock::emulate {
 namespace {
@@ -33,9 +33,8 @@ J1939Device::J1939Device(const DeviceSetup& setup, std::uint64_t name, std::uint
 std::optional<Stamp> J1939Device::deadline() const {
   if (boot_) return boot_;
   auto next = SamplingDevice::deadline();
-  for (const auto& due : {claim_.deadline(), transport_.deadline()}) {
-    if (due) next = std::min(*next, Stamp{*due});
-  }
+  for (const auto& due : {claim_.deadline(), transport_.deadline()})
+    next = measurement::earlier(next, std::optional<Stamp>(due));
   return next;
 }
 

@@ -1,5 +1,7 @@
 #include "hil/emulate/dvl/dvl_device.hpp"
 
+#include "rig_config/fault_vocabulary.hpp"
+
 namespace drydock::emulate {
 namespace {
 
@@ -35,7 +37,8 @@ sensor::DvlPing DvlDevice::ping(Stamp at) {
   const sensor::PingNoise noise = next_noise();
   if (!condition().stuck_at) last_noise_ = noise;
   sensor::JanusHead head = head_;
-  if (condition().bottom_lost || condition().hot) head.longest_range_m = 0;
+  if (condition().under(FaultKind::bottom_lost) || condition().under(FaultKind::hot))
+    head.longest_range_m = 0;
   return sensor::dvl_ping(trajectory(), at, mounting(), head, last_noise_);
 }
 

@@ -7,6 +7,7 @@
 #include "drivers/wire/text_fields.hpp"
 #include "hil/emulate/devices.hpp"
 #include "hil/emulate/dvl/dvl_device.hpp"
+#include "rig_config/fault_vocabulary.hpp"
 
 namespace drydock::emulate {
 namespace {
@@ -59,10 +60,16 @@ class WaterLinkedDvl final : public DvlDevice {
       --pings_;
     }
     const auto measured = ping(at);
-    if (output_ == output_off || (condition().hot && at >= condition().hot->shuts_down_at)) return;
+    if (output_ == output_off || is_shut_down(at)) return;
     send_velocity(measured, at, out);  // first, because the times in the report do not include a
                                        // queue
     send_transducers(measured, out);
+  }
+
+  /// It protects itself when it has been hot for too long.
+  bool is_shut_down(Stamp at) const {
+    const Trouble* hot = condition().under(FaultKind::hot);
+    return hot && at >= hot->since + measurement::from_seconds(hot->amount);
   }
 
   void send_velocity(const sensor::DvlPing& measured, Stamp at, Wire& out) {
@@ -81,7 +88,7 @@ class WaterLinkedDvl final : public DvlDevice {
     report.transmission =
         duration_cast<microseconds>(device_time(at + latency()).time_since_epoch());
     report.interval_s = 1 / rate_hz();
-    report.hot = condition().hot.has_value();
+    report.hot = condition().under(FaultKind::hot) != nullptr;
     send(report, out);
     if (output_ == output_all) {
       water_linked::OldVelocity old;
@@ -113,7 +120,7 @@ class WaterLinkedDvl final : public DvlDevice {
 
   void obey(const water_linked::Command& command, Wire& out) {
     const bool sets = command.letter == 's' || command.letter == 'p' || command.letter == 'x';
-    if (condition().refuses && sets) return answer(Verdict::refused, out);
+    if (condition().under(FaultKind::nak) && sets) return answer(Verdict::refused, out);
     switch (command.letter) {
       case 'v': return send(water_linked::Version{2, 7, 0}, out);
       case 'w': return send(water_linked::Product{"dvl-a50", "2.7.1", "0x0", {}}, out);

@@ -7,6 +7,7 @@
 #include "estimators/frame/geodetic.hpp"
 #include "hil/sensor/ideal.hpp"
 #include "hil/sky/gps_time.hpp"
+#include "rig_config/fault_vocabulary.hpp"
 
 namespace drydock::emulate {
 namespace {
@@ -60,14 +61,18 @@ void GnssSensor::add_errors(measurement::GnssFix& fix) {
 /// Removes satellites that faults hide: they are behind obstacles, or too weak for the antenna.
 void GnssSensor::hide(measurement::GnssSatellites& sky) const {
   auto& all = sky.satellites;
-  const auto hidden = std::remove_if(all.begin(), all.end(), [&](const auto& satellite) {
-    return satellite.elevation_rad && *satellite.elevation_rad < condition_->blocked_below_rad;
-  });
-  all.erase(hidden, all.end());
-  if (condition_->antenna_gain_db == 0) return;
+  if (const Trouble* blocked = condition_->under(FaultKind::satellites_blocked)) {
+    const double below_rad = blocked->amount * std::numbers::pi / 180;
+    const auto hidden = std::remove_if(all.begin(), all.end(), [&](const auto& satellite) {
+      return satellite.elevation_rad && *satellite.elevation_rad < below_rad;
+    });
+    all.erase(hidden, all.end());
+  }
+  const Trouble* antenna = condition_->under(FaultKind::antenna_gain);
+  if (!antenna || antenna->amount == 0) return;
   for (auto& satellite : sky.satellites) {
     if (!satellite.cno_dbhz) continue;
-    *satellite.cno_dbhz += condition_->antenna_gain_db;
+    *satellite.cno_dbhz += antenna->amount;
     if (*satellite.cno_dbhz >= lowest_cno_dbhz_) continue;
     satellite.cno_dbhz.reset();
     satellite.used = false;

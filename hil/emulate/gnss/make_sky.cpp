@@ -18,7 +18,8 @@ EmulateError out_of_date(const rig_config::DeviceConfig& config, const sky::Broa
                   "records are of "
                   "{} to {}; set at in its sky table, or start in [rig] and --speed max",
                   config.name, to_string(time), config.emulate.sky->ephemeris, to_string(first),
-                  to_string(last))};
+                  to_string(last)),
+      "emulate/sky/at"};
 }
 
 }  // namespace
@@ -27,7 +28,9 @@ boost::system::result<std::shared_ptr<sensor::Sky>, EmulateError> make_sky(
     const rig_config::DeviceConfig& config, measurement::Stamp mission_start, std::uint64_t seed) {
   if (!config.emulate.sky) return std::make_shared<sensor::InventedSky>();
   const auto file = sky::read_navigation_file(config.emulate.sky->ephemeris);
-  if (!file) return EmulateError{"device \"" + config.name + "\": " + file.error().message};
+  if (!file)
+    return EmulateError{"device \"" + config.name + "\": " + file.error().message,
+                        "emulate/sky/ephemeris"};
   auto broadcast = std::make_shared<sky::BroadcastSky>(
       sky::BroadcastOrbits(file->records), *config.emulate.sky, mission_start, seed, config.name);
   const sky::GpsTime begins = broadcast->sky_time(mission_start);

@@ -1,9 +1,9 @@
-#include <algorithm>
 #include <boost/asio/io_context.hpp>
-#include <boost/asio/redirect_error.hpp>
-#include <boost/asio/use_awaitable.hpp>
+#include <functional>
 #include <utility>
 
+#include "drivers/link/reading.hpp"
+#include "drivers/measurement/earlier.hpp"
 #include "hil/emulate/real_time/runner.hpp"
 
 namespace drydock::emulate {
@@ -37,11 +37,11 @@ struct BusRunner::Node final : Wire {
 
 BusRunner::BusRunner(boost::asio::io_context& io, link::Uri uri,
                      RealTimeEmulator::OnWritten on_written, std::unique_ptr<link::FrameLink> bus)
-    : Runner(io, uri.text, std::move(on_written)),
+    : Runner(io, std::move(on_written)),
       uri_(std::move(uri)),
       pacer_(uri_.bitrate().value()),
       bus_(std::move(bus)),
-      retry_(io) {}
+      closed_(std::make_shared<io::Signal>(executor_)) {}
 
 BusRunner::~BusRunner() = default;
 
@@ -66,34 +66,37 @@ void BusRunner::deliver(const wire::CanFrame& frame, Stamp at, int sender) {
 
 Runner::Coroutine BusRunner::listen() {
   while (!stopped_) {
-    const auto bus = bus_;
-    if (!bus) {
+    if (bus_) {
+      co_await hear();
+    } else {
       co_await open_again();
-      continue;
     }
-    const auto received = co_await bus->read();
-    if (!received) {
-      bus->close();
-      bus_.reset();
-      continue;
-    }
-    if (received->own || cut_off_by_ > 0 || received->frame.error) continue;
-    deliver(received->frame, link::steady_now(), a_driver);
-    wake();
   }
+}
+
+Runner::Coroutine BusRunner::hear() {
+  const auto bus = bus_;
+  co_await link::read_until_lost<link::FrameLink>(*bus, std::bind_front(&BusRunner::receive, this));
+  bus->close();
+  bus_.reset();
+}
+
+void BusRunner::receive(const wire::CanFrame& frame, Stamp) {
+  if (cut_off_by_ > 0 || frame.error) return;
+  deliver(frame, link::steady_now(), a_driver);
+  wake();
 }
 
 void BusRunner::close() {
   if (bus_) bus_->close();
-  retry_.cancel();
+  closed_->notify();
 }
 
 Runner::Coroutine BusRunner::open_again() {
-  boost::system::error_code woken;
-  retry_.expires_after(bus_patience);
-  co_await retry_.async_wait(boost::asio::redirect_error(boost::asio::use_awaitable, woken));
+  const Stamp now = link::steady_now();
+  co_await closed_->wait_until(now + bus_patience, now);
   if (stopped_) co_return;
-  auto opened = link::open_frames(retry_.get_executor(), uri_, link::Side::device);
+  auto opened = link::open_frames(executor_, uri_, link::Side::device);
   if (opened) bus_ = std::move(*opened);
 }
 
@@ -114,10 +117,7 @@ Runner::Coroutine BusRunner::send_due(Stamp now) {
 
 std::optional<Stamp> BusRunner::deadline() const {
   auto next = pacer_.deadline();
-  for (const auto& node : nodes_) {
-    const auto due = node->device->deadline();
-    if (due && (!next || *due < *next)) next = due;
-  }
+  for (const auto& node : nodes_) next = measurement::earlier(next, node->device->deadline());
   return next;
 }
 

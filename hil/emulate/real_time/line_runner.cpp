@@ -1,9 +1,8 @@
-#include <algorithm>
-#include <array>
 #include <boost/asio/io_context.hpp>
-#include <boost/asio/redirect_error.hpp>
-#include <boost/asio/use_awaitable.hpp>
+#include <functional>
 
+#include "drivers/link/reading.hpp"
+#include "drivers/measurement/earlier.hpp"
 #include "hil/emulate/real_time/runner.hpp"
 
 namespace drydock::emulate {
@@ -19,13 +18,13 @@ constexpr std::chrono::milliseconds port_patience{100};
 LineRunner::LineRunner(boost::asio::io_context& io, link::Uri uri,
                        RealTimeEmulator::OnWritten on_written, std::string name,
                        std::unique_ptr<EmulatedDevice> device, std::unique_ptr<link::ByteLink> line)
-    : Runner(io, uri.text, std::move(on_written)),
+    : Runner(io, std::move(on_written)),
       uri_(std::move(uri)),
       name_(std::move(name)),
       device_(std::move(device)),
       pacer_(uri_.baud().value_or(without_line_rate), longest_chunk),
       line_(std::move(line)),
-      port_(io) {}
+      port_(std::make_shared<io::Signal>(executor_)) {}
 
 RealTimeEmulator::Counters LineRunner::counters() const {
   auto counters = Runner::counters();
@@ -35,7 +34,7 @@ RealTimeEmulator::Counters LineRunner::counters() const {
 
 void LineRunner::close() {
   if (line_) line_->close();
-  port_.cancel();
+  port_->notify();
 }
 
 /// Bytes that are still on the line are lost. Closing the line ends hear().
@@ -48,7 +47,7 @@ void LineRunner::unplug() {
 
 void LineRunner::plug() {
   plugged_ = true;
-  port_.cancel();
+  port_->notify();
 }
 
 Runner::Coroutine LineRunner::listen() {
@@ -62,28 +61,30 @@ Runner::Coroutine LineRunner::listen() {
 }
 
 Runner::Coroutine LineRunner::hear() {
-  std::array<std::uint8_t, 512> buffer;
   const auto line = line_;
-  while (const auto received = co_await line->read(buffer)) {
-    wire_time_ = link::steady_now();
-    device_->receive(wire::Bytes{buffer}.first(received->size), wire_time_, *this);
-    wake();
-  }
+  co_await link::read_until_lost<link::ByteLink>(*line,
+                                                 std::bind_front(&LineRunner::receive, this));
   if (line_ == line) line_.reset();  // lost without a fault
 }
 
+void LineRunner::receive(wire::Bytes bytes, Stamp) {
+  wire_time_ = link::steady_now();
+  device_->receive(bytes, wire_time_, *this);
+  wake();
+}
+
 Runner::Coroutine LineRunner::plug_in() {
-  port_.expires_at(boost::asio::steady_timer::time_point::max());
-  if (plugged_) {
-    auto opened = link::open_bytes(port_.get_executor(), uri_, link::Side::device);
-    if (opened) {
-      line_ = std::move(*opened);
-      co_return;
-    }
-    port_.expires_after(port_patience);
+  if (!plugged_) {
+    co_await port_->wait();
+    co_return;
   }
-  boost::system::error_code woken;
-  co_await port_.async_wait(boost::asio::redirect_error(boost::asio::use_awaitable, woken));
+  auto opened = link::open_bytes(executor_, uri_, link::Side::device);
+  if (opened) {
+    line_ = std::move(*opened);
+  } else {
+    const Stamp now = link::steady_now();
+    co_await port_->wait_until(now + port_patience, now);
+  }
 }
 
 Runner::Coroutine LineRunner::send_due(Stamp now) {
@@ -99,10 +100,7 @@ Runner::Coroutine LineRunner::send_due(Stamp now) {
 }
 
 std::optional<Stamp> LineRunner::deadline() const {
-  const auto device = device_->deadline();
-  const auto line = pacer_.deadline();
-  if (!device || !line) return device ? device : line;
-  return std::min(*device, *line);
+  return measurement::earlier(device_->deadline(), pacer_.deadline());
 }
 
 }  // namespace drydock::emulate

@@ -1,6 +1,5 @@
 #include "hil/emulate/real_time/real_time.hpp"
 
-#include <algorithm>
 #include <boost/asio/io_context.hpp>
 
 #include "hil/emulate/real_time/runner.hpp"
@@ -26,6 +25,7 @@ boost::system::result<void, EmulateError> RealTimeEmulator::start(
   for (const auto& config : devices) {
     if (auto added = add(config); !added) {
       runners_.clear();
+      buses_.clear();
       return added;
     }
   }
@@ -48,17 +48,15 @@ boost::system::result<void, EmulateError> RealTimeEmulator::add(
     return {};
   }
 
-  const auto same_link = [&](const auto& runner) { return runner->link() == config.link; };
-  auto found = std::find_if(runners_.begin(), runners_.end(), same_link);
-  if (found == runners_.end()) {
-    auto bus = link::open_frames(io_.get_executor(), *uri, link::Side::device);
-    if (!bus) return cannot(config, bus.error().message);
-    runners_.push_back(std::make_shared<BusRunner>(io_, *uri, on_written_, std::move(*bus)));
-    found = runners_.end() - 1;
+  auto& bus = buses_[config.link];
+  if (!bus) {
+    auto opened = link::open_frames(io_.get_executor(), *uri, link::Side::device);
+    if (!opened) return cannot(config, opened.error().message);
+    bus = std::make_shared<BusRunner>(io_, *uri, on_written_, std::move(*opened));
+    runners_.push_back(bus);
   }
-  auto& bus = static_cast<BusRunner&>(**found);
-  bus.add(config.name, std::move(*device));
-  if (auto rogue = maker_.rogue(config, *uri->bitrate())) bus.add(config.name, std::move(rogue));
+  bus->add(config.name, std::move(*device));
+  if (auto rogue = maker_.rogue(config, *uri->bitrate())) bus->add(config.name, std::move(rogue));
   return {};
 }
 

@@ -2,7 +2,9 @@
 
 #include <boost/system/result.hpp>
 #include <functional>
+#include <map>
 #include <memory>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -15,6 +17,7 @@ class io_context;
 namespace drydock::emulate {
 
 class Runner;
+class BusRunner;
 
 /// Runs emulated devices against the host's clock, each on the device side of its link: one line
 /// per byte device, and one bus per CAN link with all devices that name it. It wakes only when a
@@ -61,6 +64,7 @@ class RealTimeEmulator {
   DeviceMaker& maker_;
   OnWritten on_written_;
   std::vector<std::shared_ptr<Runner>> runners_;
+  std::map<std::string, std::shared_ptr<BusRunner>> buses_;  ///< by link; runners_ has them too
 };
 
 }  // namespace drydock::emulate

@@ -3,8 +3,6 @@
 #include <boost/asio/co_spawn.hpp>
 #include <boost/asio/detached.hpp>
 #include <boost/asio/io_context.hpp>
-#include <boost/asio/redirect_error.hpp>
-#include <boost/asio/use_awaitable.hpp>
 
 namespace drydock::emulate {
 namespace {
@@ -16,14 +14,15 @@ constexpr std::chrono::seconds stall{1};
 
 }  // namespace
 
-Runner::Runner(asio::io_context& io, std::string link, RealTimeEmulator::OnWritten on_written)
-    : link_(std::move(link)), timer_(io), on_written_(std::move(on_written)) {}
+Runner::Runner(asio::io_context& io, RealTimeEmulator::OnWritten on_written)
+    : executor_(io.get_executor()),
+      clock_(std::make_shared<io::Signal>(executor_)),
+      on_written_(std::move(on_written)) {}
 
 void Runner::start() {
   const auto spawn = [&](Coroutine (Runner::*coroutine)()) {
     asio::co_spawn(
-        timer_.get_executor(),
-        [self = shared_from_this(), coroutine]() { return (self.get()->*coroutine)(); },
+        executor_, [self = shared_from_this(), coroutine]() { return (self.get()->*coroutine)(); },
         [self = shared_from_this()](const std::exception_ptr& error) {
           if (error) std::rethrow_exception(error);
         });
@@ -35,21 +34,14 @@ void Runner::start() {
 void Runner::stop() {
   stopped_ = true;
   close();
-  timer_.cancel();
+  wake();
 }
 
 Runner::Coroutine Runner::keep_pace() {
   while (!stopped_) {
     co_await send_due(link::steady_now());
     if (stopped_) break;
-    const auto next = deadline();
-    if (next) {
-      timer_.expires_after(*next - link::steady_now());
-    } else {
-      timer_.expires_at(asio::steady_timer::time_point::max());
-    }
-    boost::system::error_code woken;
-    co_await timer_.async_wait(asio::redirect_error(asio::use_awaitable, woken));
+    co_await clock_->wait_until(deadline(), link::steady_now());
   }
 }
 

@@ -1,10 +1,10 @@
 #pragma once
 
 #include <boost/asio/awaitable.hpp>
-#include <boost/asio/steady_timer.hpp>
 #include <memory>
 #include <string>
 
+#include "drivers/io/signal.hpp"
 #include "drivers/link/clock.hpp"
 #include "drivers/link/link.hpp"
 #include "hil/emulate/can_pacer.hpp"
@@ -17,13 +17,12 @@ namespace drydock::emulate {
 /// Both keep the runner alive until they end.
 class Runner : public std::enable_shared_from_this<Runner> {
  public:
-  Runner(boost::asio::io_context& io, std::string link, RealTimeEmulator::OnWritten on_written);
+  Runner(boost::asio::io_context& io, RealTimeEmulator::OnWritten on_written);
   virtual ~Runner() = default;
 
   void start();
   void stop();
-  void wake() { timer_.cancel(); }  ///< call it when the deadline may be earlier
-  const std::string& link() const { return link_; }
+  void wake() { clock_->notify(); }  ///< call it when the deadline may be earlier
   virtual RealTimeEmulator::Counters counters() const { return counters_; }
 
  protected:
@@ -42,13 +41,13 @@ class Runner : public std::enable_shared_from_this<Runner> {
   /// After a stall they catch up at once, and the pacer drops what the line could not have carried.
   void let_act(EmulatedDevice& device, Stamp now, Wire& wire, Stamp& wire_time);
 
+  const boost::asio::any_io_executor executor_;
   bool stopped_ = false;
 
  private:
   Coroutine keep_pace();
 
-  std::string link_;
-  boost::asio::steady_timer timer_;
+  std::shared_ptr<io::Signal> clock_;  ///< wakes at the deadline
   RealTimeEmulator::OnWritten on_written_;
   RealTimeEmulator::Counters counters_;
 };
@@ -68,7 +67,8 @@ class LineRunner final : public Runner, private Wire {
   std::optional<Stamp> deadline() const override;
   void close() override;
 
-  Coroutine hear();     ///< runs until the port goes
+  Coroutine hear();  ///< runs until the port goes
+  void receive(wire::Bytes bytes, Stamp at);
   Coroutine plug_in();  ///< runs when the port may come back
 
   void send(wire::Bytes bytes) override { pacer_.queue(bytes, wire_time_, device_->sampled_at()); }
@@ -82,7 +82,7 @@ class LineRunner final : public Runner, private Wire {
   LinePacer pacer_;
   std::shared_ptr<link::ByteLink> line_;  ///< null: the port is gone
   bool plugged_ = true;
-  boost::asio::steady_timer port_;  ///< cancelled to signal that plugged_ has changed
+  std::shared_ptr<io::Signal> port_;  ///< notified when plugged_ has changed
   Stamp wire_time_{};
 };
 
@@ -104,14 +104,16 @@ class BusRunner final : public Runner {
   std::optional<Stamp> deadline() const override;
   void close() override;
 
-  Coroutine open_again();
+  Coroutine hear();  ///< runs until the interface goes
+  void receive(const wire::CanFrame& frame, Stamp at);
+  Coroutine open_again();  ///< tries it once
   void deliver(const wire::CanFrame& frame, Stamp at, int sender);
 
   link::Uri uri_;
   CanPacer pacer_;
   int cut_off_by_ = 0;  ///< number of nodes whose faults make the drivers' controller bus-off
   std::shared_ptr<link::FrameLink> bus_;  ///< null: the interface is down or gone
-  boost::asio::steady_timer retry_;
+  std::shared_ptr<io::Signal> closed_;
   std::vector<std::unique_ptr<Node>> nodes_;
 };
 

@@ -1,8 +1,7 @@
 #include "hil/fault/schedule/condition.hpp"
 
-#include <numbers>
-
 #include "rig_config/fault_quantity.hpp"
+#include "rig_config/fault_vocabulary.hpp"
 
 namespace drydock::fault {
 
@@ -37,6 +36,7 @@ emulate::Condition condition_under(const std::vector<InForce>& faults,
   for (const InForce& now : faults) {
     const FaultConfig& fault = *now.fault;
     const double amount = fault.amount[0];
+    is.troubles.push_back({fault.kind, now.since, amount});
     switch (fault.kind) {
       case FaultKind::stuck:
         is.stuck_at = now.since;
@@ -49,13 +49,6 @@ emulate::Condition condition_under(const std::vector<InForce>& faults,
         is.clock.rate = amount * 1e-6;
         is.clock.since = now.since;
         break;
-      case FaultKind::bottom_lost: is.bottom_lost = true; break;
-      case FaultKind::satellites_blocked:
-        is.blocked_below_rad = amount * std::numbers::pi / 180;
-        break;
-      case FaultKind::nak: is.refuses = true; break;
-      case FaultKind::hot: is.hot = {now.since + measurement::from_seconds(amount)}; break;
-      case FaultKind::antenna_gain: is.antenna_gain_db = amount; break;
       default:
         disturb(rig_config::is_secondary(kind, fault.quantity) ? is.secondary : is.primary, now);
     }

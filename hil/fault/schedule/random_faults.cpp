@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "rig_config/fault_quantity.hpp"
+#include "rig_config/fault_vocabulary.hpp"
 
 namespace drydock::fault {
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "drivers/measurement/earlier.hpp"
+
 namespace drydock::fault {
 
 namespace {
@@ -80,10 +82,8 @@ std::vector<InForce> Schedule::in_force(Stamp at) const {
 
 std::optional<Stamp> Schedule::next_change(Stamp after) const {
   std::optional<Stamp> next;
-  for (const FaultConfig& fault : faults_) {
-    const auto change = change_after(fault, start_, after);
-    if (change && (!next || *change < *next)) next = change;
-  }
+  for (const FaultConfig& fault : faults_)
+    next = measurement::earlier(next, change_after(fault, start_, after));
   return next;
 }
 

@@ -1,5 +1,8 @@
 #include "hil/fault/schedule/schedules.hpp"
 
+#include "drivers/measurement/earlier.hpp"
+#include "rig_config/fault_vocabulary.hpp"
+
 namespace drydock::fault {
 
 Schedules::Schedules(const rig_config::Rig& rig, Stamp start, rig_config::FaultTarget target)
@@ -37,10 +40,8 @@ std::vector<FaultNow> Schedules::in_force(Stamp at) const {
 
 std::optional<Stamp> Schedules::next_change(Stamp after) const {
   std::optional<Stamp> next;
-  for (const auto& [name, schedule] : by_device_) {
-    const auto change = schedule->next_change(after);
-    if (change && (!next || *change < *next)) next = change;
-  }
+  for (const auto& [name, schedule] : by_device_)
+    next = measurement::earlier(next, schedule->next_change(after));
   return next;
 }
 

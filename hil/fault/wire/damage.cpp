@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "rig_config/fault_vocabulary.hpp"
+
 namespace drydock::fault {
 
 namespace {
@@ -32,7 +34,32 @@ class LineLevels {
   wire::Bytes bytes_;
 };
 
+using rig_config::FaultKind;
+
+constexpr Damage all_damages[] = {
+    {FaultKind::flip, flip_bit, flip_bit},
+    {FaultKind::truncate, truncate, truncate},
+    {FaultKind::bad_checksum, [](Message& message, RandomStream&) { break_checksum(message); },
+     nullptr},
+};
+
+/// MessageFaults carries out the words that lose, add or move whole messages.
+constexpr FaultKind of_whole_messages[] = {FaultKind::drop, FaultKind::duplicate,
+                                           FaultKind::reorder, FaultKind::garbage};
+
+consteval bool each_message_fault_is_carried_out() {
+  return std::ranges::all_of(rig_config::fault_vocabulary(), [](const auto& word) {
+    return word.layer != rig_config::FaultLayer::message ||
+           std::ranges::find(all_damages, word.kind, &Damage::kind) != std::end(all_damages) ||
+           std::ranges::find(of_whole_messages, word.kind) != std::end(of_whole_messages);
+  });
+}
+static_assert(each_message_fault_is_carried_out(),
+              "a message fault of the vocabulary does nothing");
+
 }  // namespace
+
+std::span<const Damage> damages() { return all_damages; }
 
 void flip_bit(Message& message, RandomStream& random) {
   if (message.empty()) return;

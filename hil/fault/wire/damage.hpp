@@ -1,12 +1,13 @@
 #pragma once
 
 #include <cstdint>
-#include <string_view>
+#include <span>
 #include <vector>
 
 #include "drivers/wire/can/can_frame.hpp"
 #include "drivers/wire/codec.hpp"
 #include "hil/sensor/random.hpp"
+#include "rig_config/fault.hpp"
 
 /// Damage to single messages on a wire. A message of a serial line is a vector of bytes.
 namespace drydock::fault {
@@ -20,6 +21,16 @@ void flip_bit(wire::CanFrame& frame, RandomStream& random);  ///< flips a data b
 /// Cuts a random part off the end, at least one byte.
 void truncate(Message& message, RandomStream& random);
 void truncate(wire::CanFrame& frame, RandomStream& random);
+
+/// What a word does to a single message. Null: the word is refused on such a wire.
+struct Damage {
+  rig_config::FaultKind kind;
+  void (*to_message)(Message&, RandomStream&);
+  void (*to_frame)(wire::CanFrame&, RandomStream&);
+};
+
+/// In the order in which they happen to one message.
+std::span<const Damage> damages();
 
 /// Makes a checksum wrong and does not change the protected data: it changes the digits after the
 /// asterisk of a sentence (NMEA 0183 and similar), or the last byte of any other message.

@@ -1,6 +1,8 @@
 #include "hil/fault/wire/faulty_bus.hpp"
 
-#include <algorithm>
+#include "drivers/measurement/earlier.hpp"
+
+#include "rig_config/fault_vocabulary.hpp"
 
 namespace drydock::fault {
 
@@ -24,7 +26,7 @@ void FaultyBus::receive(const wire::CanFrame& frame, Stamp now, Outlet& drivers)
 std::optional<Stamp> FaultyBus::deadline() const {
   std::optional<Stamp> next;
   for (const auto& due : {schedule_.deadline(), wire_.deadline(), controller_.deadline()})
-    if (due && (!next || *due < *next)) next = due;
+    next = measurement::earlier(next, due);
   return next;
 }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "drivers/link/uri.hpp"
+#include "drivers/measurement/earlier.hpp"
+#include "rig_config/fault_vocabulary.hpp"
 
 namespace drydock::fault {
 
@@ -20,10 +22,6 @@ bool is_about_messages(const InForce& now) {
   const auto layer = rig_config::word_of(kind).layer;
   return layer == rig_config::FaultLayer::message || layer == rig_config::FaultLayer::time ||
          kind == FaultKind::hang || kind == FaultKind::wrong_baud;
-}
-
-void keep_the_earlier(std::optional<Stamp>& first, const std::optional<Stamp>& other) {
-  if (other && (!first || *other < *first)) first = other;
 }
 
 }  // namespace
@@ -55,10 +53,8 @@ std::chrono::nanoseconds FaultyStream::line_time(std::size_t bytes) const {
 }
 
 std::optional<Stamp> FaultyStream::deadline() const {
-  auto next = schedule_.deadline();
-  keep_the_earlier(next, wire_.deadline());
-  if (splitter_ && !splitter_->empty()) keep_the_earlier(next, silent_at());
-  return next;
+  const auto next = measurement::earlier(schedule_.deadline(), wire_.deadline());
+  return splitter_ && !splitter_->empty() ? measurement::earlier(next, silent_at()) : next;
 }
 
 void FaultyStream::tick(Stamp now, Outlet& drivers) {

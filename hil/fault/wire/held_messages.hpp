@@ -8,6 +8,7 @@
 #include "hil/fault/fault_hits.hpp"
 #include "hil/fault/schedule/schedule.hpp"
 #include "hil/fault/wire/damage.hpp"
+#include "rig_config/fault_vocabulary.hpp"
 
 namespace drydock::fault {
 

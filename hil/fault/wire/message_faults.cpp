@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <type_traits>
 
+#include "rig_config/fault_vocabulary.hpp"
+
 namespace drydock::fault {
 
 namespace {
@@ -20,6 +22,9 @@ Message make_garbage(std::size_t bytes, RandomStream& random, const Message*) {
 wire::CanFrame make_garbage(std::size_t bytes, RandomStream& random, const wire::CanFrame*) {
   return garbage_frame(bytes, random);
 }
+
+auto damage_to(const Damage& damage, const Message*) { return damage.to_message; }
+auto damage_to(const Damage& damage, const wire::CanFrame*) { return damage.to_frame; }
 
 }  // namespace
 
@@ -56,12 +61,12 @@ bool MessageFaults<Carried>::strikes(FaultKind kind) {
 
 template <class Carried>
 void MessageFaults<Carried>::damage(Carried& message) {
-  if (strikes(FaultKind::flip)) flip_bit(message, find(FaultKind::flip)->random);
-  if (strikes(FaultKind::truncate)) truncate(message, find(FaultKind::truncate)->random);
-  if constexpr (std::is_same_v<Carried, Message>) {
-    if (strikes(FaultKind::bad_checksum)) break_checksum(message);
-    if (find(FaultKind::wrong_baud)) ++hits_[FaultKind::wrong_baud];
+  for (const Damage& damage : damages()) {
+    const auto damaged = damage_to(damage, &message);
+    if (damaged && strikes(damage.kind)) damaged(message, find(damage.kind)->random);
   }
+  if constexpr (std::is_same_v<Carried, Message>)
+    if (find(FaultKind::wrong_baud)) ++hits_[FaultKind::wrong_baud];
   hear_at_wrong_baud(message);
 }
 

@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 #include "estimators/frame/attitude.hpp"
 #include "estimators/frame/earth.hpp"
+#include "hil/motion/bad_mission.hpp"
 
 namespace drydock::motion {
 
@@ -37,12 +37,14 @@ void Voyage::check_plan(const rig_config::MissionConfig& mission) const {
     const double t = second;
     const Prescribed plan = profile_.at(t);
     if (plan.speed.value > fastest)
-      throw std::invalid_argument(fmt::format(
-          "mission: after {:.0f} s the vehicle would need {:.2f} m/s, its propeller gives {:.2f}",
-          t, plan.speed.value, fastest));
+      throw BadMission(profile_.path_at(t),
+                       fmt::format("mission: after {:.0f} s the vehicle would need {:.2f} m/s, its "
+                                   "propeller gives {:.2f}",
+                                   t, plan.speed.value, fastest));
     const double bed_m = motion_.ocean().bed_depth_m(latitude, longitude);
     if (plan.depth_m >= bed_m)
-      throw std::invalid_argument(
+      throw BadMission(
+          profile_.path_at(t),
           fmt::format("mission: after {:.0f} s the vehicle would be {:.1f} m deep, at or below the "
                       "sea bed ({:.1f} m there)",
                       t, plan.depth_m, bed_m));

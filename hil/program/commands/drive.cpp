@@ -13,11 +13,11 @@ namespace {
 /// Faults for a page beside the drivers, when another program plays the devices: orders go to it.
 host::BehindPage faults_behind_page(const rig_config::Rig& rig) {
   return [&rig](const boost::asio::any_io_executor& executor, host::RigViewer& viewer,
-                host::Watchers& watchers) {
-    const auto remote = std::make_shared<control::RemoteFaults>(executor, rig, watchers);
+                host::Follower& others) {
+    const auto remote = std::make_shared<control::RemoteFaults>(executor, rig, others);
     viewer.add(control::fault_services(
         rig, [remote](const auto& order, auto answered) { remote->obey(order, answered); }));
-    return [remote](measurement::Stamp now) { remote->tick(now); };
+    return remote;
   };
 }
 

@@ -22,7 +22,7 @@ void add_emulate(CLI::App& app, Command& command) {
   add_faults_option(*sub, a->faults);
   sub->callback([a, &command] {
     command = [a] {
-      auto rig = load_rig(a->rig);
+      auto rig = load_rig(a->rig, check::Use::emulation);
       add_faults(rig, a->faults);
       return bench::emulate(rig, a->duration_s);
     };

@@ -22,7 +22,10 @@ void add_load(CLI::App& app, Command& command) {
       ->check(CLI::PositiveNumber);
   sub->add_option("--json", a->options.json, "write figures and verdict to this file");
   sub->callback([a, &command] {
-    command = [a] { return endurance::load_run(load_rig(a->rig), a->options, stdout, stderr); };
+    command = [a] {
+      return endurance::load_run(load_rig(a->rig, check::Use::emulation), a->options, stdout,
+                                 stderr);
+    };
   });
 }
 

@@ -45,7 +45,7 @@ void add_run(CLI::App& app, Command& command) {
       "exit 1 when an attitude estimate is worse than this against the truth [deg RMS]");
   sub->callback([a, &command] {
     command = [a] {
-      auto rig = load_rig(a->rig);
+      auto rig = load_rig(a->rig, a->speed == "max" ? check::Use::lockstep : check::Use::real_time);
       add_faults(rig, a->faults);
       if (a->seed) rig.seed = *a->seed;
       a->options.lockstep = a->speed == "max";

@@ -50,7 +50,7 @@ void add_scorecard(CLI::App& app, Command& command) {
       ->excludes(faults);
   sub->callback([a, &command] {
     command = [a] {
-      auto rig = load_rig(a->rig);
+      auto rig = load_rig(a->rig, check::Use::lockstep);
       if (a->seed) rig.seed = *a->seed;
       return scorecard::run_scorecard(rig, a->options, stdout, stderr);
     };

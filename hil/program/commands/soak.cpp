@@ -29,7 +29,8 @@ void add_soak(CLI::App& app, Command& command) {
   sub->add_option("--report", options.report, "write index.html with the memory plot here");
   sub->callback([arguments, &command] {
     command = [arguments] {
-      return endurance::soak(load_rig(arguments->rig), arguments->options, stdout);
+      return endurance::soak(load_rig(arguments->rig, check::Use::lockstep), arguments->options,
+                             stdout);
     };
   });
 }

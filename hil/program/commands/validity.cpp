@@ -31,7 +31,8 @@ void add_validity(CLI::App& app, Command& command) {
   sub->callback([a, &command] {
     command = [a] {
       a->options.lockstep = a->speed == "max";
-      return validity::measure_validity(load_rig(a->rig), a->options);
+      const auto use = a->options.lockstep ? check::Use::any : check::Use::emulation;
+      return validity::measure_validity(load_rig(a->rig, use), a->options);
     };
   });
 }

@@ -17,6 +17,7 @@
 #include "hil/report/table.hpp"
 #include "hil/report/write_file.hpp"
 #include "hil/summary/truth_of_rig.hpp"
+#include "hil/validity/run/sent_and_heard.hpp"
 
 namespace drydock::validity {
 namespace {
@@ -34,9 +35,8 @@ ValidityRun run_once(const Rig& rig, const ValidityOptions& options, unsigned ba
   bench::RunOptions run;
   run.duration_s = options.duration_s;
   run.lockstep = options.lockstep;
-  run.on_written = [&](std::string_view device, const emulate::Passage& passage,
-                       measurement::Stamp written) { listener.note(device, passage, written); };
-  run.on_measurement = [&](const measurement::Measurement& m) { listener.note(m); };
+  SentAndHeard sent_and_heard(listener);
+  run.followers = {&sent_and_heard};
   ValidityRun result{baud, {}, {}};
   if (options.lockstep) {
     bench::run_lockstep(rig, run);
@@ -63,28 +63,35 @@ bool is_serial(const DeviceConfig& device) {
   return uri && uri->carries() == link::Carries::bytes && uri->baud();
 }
 
-/// The number of bits that one sample of each device takes on its serial line. A short run in
-/// virtual time measures it.
-std::map<std::string, double, std::less<>> bits_of_samples(const Rig& rig) {
+/// Counts the bits and the samples that each device sends.
+class BitsOfSamples final : public bench::Follower {
+ public:
   struct Sum {
     double bits = 0, samples = 0;
-    std::optional<measurement::Stamp> last;
+    std::optional<Stamp> last;
   };
   std::map<std::string, Sum, std::less<>> sums;
-  bench::RunOptions run;
-  run.duration_s = 5;
-  run.lockstep = true;
-  run.on_written = [&](std::string_view device, const emulate::Passage& passage,
-                       measurement::Stamp) {
+
+  void on_written(std::string_view device, const emulate::Passage& passage, Stamp) override {
     if (!passage.sampled_at) return;
     Sum& sum = sums[std::string(device)];
     sum.samples += sum.last != passage.sampled_at;
     sum.last = passage.sampled_at;
     sum.bits += measurement::seconds(passage.ended_at - passage.began_at) * baud_rates.back();
-  };
+  }
+};
+
+/// The number of bits that one sample of each device takes on its serial line. A short run in
+/// virtual time measures it.
+std::map<std::string, double, std::less<>> bits_of_samples(const Rig& rig) {
+  BitsOfSamples counted;
+  bench::RunOptions run;
+  run.duration_s = 5;
+  run.lockstep = true;
+  run.followers = {&counted};
   bench::run_lockstep(rig, run);
   std::map<std::string, double, std::less<>> bits;
-  for (const auto& [device, sum] : sums) bits[device] = sum.bits / sum.samples;
+  for (const auto& [device, sum] : counted.sums) bits[device] = sum.bits / sum.samples;
   return bits;
 }
 
@@ -150,7 +157,7 @@ int measure_validity(const Rig& whole, const ValidityOptions& options) {
   }
   const bool any =
       std::ranges::any_of(runs, [](const ValidityRun& run) { return !run.figures.empty(); });
-  return any ? 0 : terminal::exit_failed;
+  return terminal::exit_of(any);
 }
 
 }  // namespace drydock::validity

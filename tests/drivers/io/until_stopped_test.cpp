@@ -20,6 +20,7 @@ TEST(UntilStopped, EndsWhenTheTimeIsOver) {
   Program program(0.001);
   program.io.run();
   EXPECT_EQ(program.stops, 1);
+  EXPECT_FALSE(program.until.interrupted());
 }
 
 TEST(UntilStopped, EndsAtCtrlCWithoutWaitingForTheTime) {
@@ -27,6 +28,7 @@ TEST(UntilStopped, EndsAtCtrlCWithoutWaitingForTheTime) {
   std::raise(SIGINT);
   program.io.run();
   EXPECT_EQ(program.stops, 1);
+  EXPECT_TRUE(program.until.interrupted());
 }
 
 TEST(UntilStopped, WithoutATimeEndsAtTheSignalAlone) {

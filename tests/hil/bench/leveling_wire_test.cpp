@@ -126,9 +126,9 @@ double difference(const std::vector<Attitude>& direct, const summary::AttitudeTr
 TEST(LevelingOnTheWire, EveryFilterAgreesWithItsMeasurementsToTheWiresResolution) {
   const auto rig = two_sensors();
   testing::internal::CaptureStdout();
-  RunOptions options;
+  bench::RunOptions options;
   options.duration_s = seconds;
-  const auto summary = run_lockstep(rig, options);
+  const auto summary = bench::run_lockstep(rig, options);
   testing::internal::GetCapturedStdout();
   EXPECT_TRUE(summary.all_streaming());
   using leveling::FilterKind;

@@ -1,6 +1,10 @@
 // The demo rig in virtual time: from the truth over wire bytes to an estimate, in milliseconds.
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
 #include "hil/bench/run.hpp"
 #include "rig_config/load.hpp"
 
@@ -14,9 +18,9 @@ rig_config::Rig demo() {
 
 summary::Summary run(const rig_config::Rig& rig, double seconds) {
   testing::internal::CaptureStdout();
-  RunOptions options;
+  bench::RunOptions options;
   options.duration_s = seconds;
-  auto summary = run_lockstep(rig, options);
+  auto summary = bench::run_lockstep(rig, options);
   testing::internal::GetCapturedStdout();
   return summary;
 }
@@ -48,6 +52,26 @@ TEST(LockstepRun, TheSameSeedGivesTheSameOutputToTheLastBit) {
     EXPECT_EQ(first.measurements[i].value, second.measurements[i].value);
     EXPECT_EQ(first.measurements[i].t_s, second.measurements[i].t_s);
   }
+}
+
+/// The bytes of a recording of the demo rig.
+std::string recorded(const std::string& path, double seconds) {
+  testing::internal::CaptureStdout();
+  bench::RunOptions options;
+  options.duration_s = seconds;
+  options.record = {path, true};
+  bench::run_lockstep(demo(), options);
+  testing::internal::GetCapturedStdout();
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+TEST(LockstepRun, TheSameSeedGivesTheSameRecordingToTheLastByte) {
+  const auto path = testing::TempDir() + "drydock-same-recording.mcap";
+  const auto first = recorded(path, 20);
+  EXPECT_GT(first.size(), 500'000u);
+  EXPECT_TRUE(first == recorded(path, 20));
+  std::filesystem::remove(path);
 }
 
 TEST(LockstepRun, AnotherSeedGivesOtherNoise) {

@@ -7,6 +7,7 @@
 
 #include "hil/bench/run.hpp"
 #include "rig_config/load.hpp"
+#include "tests/hil/bench/each_measurement.hpp"
 #include "tests/test_name.hpp"
 
 namespace lost_address_test {
@@ -18,18 +19,19 @@ using namespace drydock;
 std::vector<double> arrivals(const std::string& faults, std::string_view device) {
   auto rig = rig_config::load_rig(DRYDOCK_SOURCE_DIR "/rig_config/rigs/soak.toml").value();
   rig.faults = rig_config::load_faults_text(faults, "test").value();
-  EXPECT_THAT(rig_config::check_faults_of(rig), testing::IsEmpty());
+  EXPECT_THAT(rig_config::check_faults_of(rig), ::testing::IsEmpty());
   std::vector<double> at_s;
-  RunOptions options;
+  bench::RunOptions options;
   options.duration_s = 60;
   options.quiet = true;
-  options.on_measurement = [&](const measurement::Measurement& m) {
+  bench::EachMeasurement each([&](const measurement::Measurement& m) {
     const auto& origin = measurement::origin_of(m);
     const auto start = measurement::stamp_from_ns(rig.start_utc_ns);
     if (rig.devices.at(origin.device).name == device)
       at_s.push_back(measurement::seconds(origin.received_at - start));
-  };
-  run_lockstep(rig, options);
+  });
+  options.followers = {&each};
+  bench::run_lockstep(rig, options);
   return at_s;
 }
 
@@ -41,7 +43,7 @@ std::pair<double, double> longest_silence(const std::vector<double>& at_s) {
   return longest;
 }
 
-class EachSensor : public testing::TestWithParam<const char*> {};
+class EachSensor : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(EachSensor, IsFoundAgainWhoseAddressWasTakenWhileTheDriverWasBusOff) {
   const std::string name = GetParam();
@@ -58,7 +60,7 @@ TEST_P(EachSensor, IsFoundAgainWhoseAddressWasTakenWhileTheDriverWasBusOff) {
   EXPECT_GT(at_s.back(), 59);
 }
 
-INSTANTIATE_TEST_SUITE_P(J1939, EachSensor, testing::Values("depth", "actuators", "openimu"),
+INSTANTIATE_TEST_SUITE_P(J1939, EachSensor, ::testing::Values("depth", "actuators", "openimu"),
                          [](const auto& one) { return drydock::testing::test_name(one.param); });
 
 TEST(BusOff, EndsWhenTheLastFaultThatKeepsTheControllerOffHasCleared) {

@@ -34,9 +34,9 @@ rig_config::Rig without_noise(rig_config::Rig rig) {
 
 summary::Summary run(const rig_config::Rig& rig, double duration_s) {
   testing::internal::CaptureStdout();
-  RunOptions options;
+  bench::RunOptions options;
   options.duration_s = duration_s;
-  auto summary = run_lockstep(rig, options);
+  auto summary = bench::run_lockstep(rig, options);
   testing::internal::GetCapturedStdout();
   return summary;
 }

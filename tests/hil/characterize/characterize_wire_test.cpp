@@ -14,6 +14,7 @@
 #include "hil/bench/run.hpp"
 #include "hil/characterize/report/characterize.hpp"
 #include "rig_config/load.hpp"
+#include "tests/hil/bench/each_measurement.hpp"
 
 namespace {
 
@@ -118,7 +119,9 @@ TEST_F(Characterize, ARecordingGivesTheSameFiguresAsTheRunItWasMadeOf) {
     record::Recorder recorder(mcap::file_sink(path("dive.mcap")).value(), recorded);
     bench::RunOptions run;
     run.duration_s = 60;
-    run.on_measurement = [&](const measurement::Measurement& m) { recorder.topics().publish(m); };
+    bench::EachMeasurement each(
+        [&](const measurement::Measurement& m) { recorder.topics().publish(m); });
+    run.followers = {&each};
     testing::internal::CaptureStdout();
     bench::run_lockstep(rig, run);
     testing::internal::GetCapturedStdout();

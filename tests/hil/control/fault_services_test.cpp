@@ -10,6 +10,7 @@
 #include "hil/control/orders.hpp"
 #include "hil/control/request/fault_requests.hpp"
 #include "hil/motion/kinematic_trajectory.hpp"
+#include "rig_config/fault_vocabulary.hpp"
 
 namespace drydock::control {
 namespace fault_services_test {

@@ -163,9 +163,10 @@ TEST_F(RealTime, ADeviceThatCannotBeMadeOrOpenedIsNamed) {
   RealTimeEmulator emulator(io_, devices_);
   const auto unknown = emulator.start({on("memory:x", device(DeviceKind::dvl, "ubx"))});
   ASSERT_FALSE(unknown);
-  EXPECT_EQ(unknown.error().message,
-            "device \"ubx device\": no emulated dvl speaks \"ubx\"; allowed: pd0, pd4, "
-            "pd5, pd6, water-linked, nortek");
+  EXPECT_EQ(unknown.error().message.find(
+                "device \"ubx device\": no emulated dvl speaks \"ubx\"; allowed: pd0, pd4, "
+                "pd5, pd6, water-linked, nortek"),
+            0u);
   const auto no_link = emulator.start({on("carrier-pigeon:x", device(DeviceKind::dvl, "pd0"))});
   ASSERT_FALSE(no_link);
   EXPECT_EQ(no_link.error().message.find("device \"pd0 device\": "), 0u);

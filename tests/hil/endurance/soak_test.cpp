@@ -23,12 +23,12 @@ rig_config::Rig rig() {
 
 TEST(Soak, HoursOfRandomFaultsLeaveNothingStuckLostOrGrown) {
   const auto file = std::filesystem::temp_directory_path() / "drydock-soak-test.json";
-  SoakOptions options;
+  endurance::SoakOptions options;
   options.duration_s = 4 * 3600;
   options.fault_interval_s = 300;
   options.json = file;
   testing::internal::CaptureStdout();
-  const int code = soak(rig(), options, stdout);
+  const int code = endurance::soak(rig(), options, stdout);
   const std::string said = testing::internal::GetCapturedStdout();
   EXPECT_EQ(code, 0) << said;
   EXPECT_THAT(said, testing::HasSubstr("PASS 14400 looks"));
@@ -55,11 +55,11 @@ TEST(Soak, TheWatchSeesADeviceThatNoFaultExplains) {
                      "[[fault]]\ndevice = \"log\"\nfault = \"hang\"\nstart_s = 200\n", "test")
                      .value();
   constexpr double never_s = 1e9;
-  SoakWatch watch(bench, 1, never_s);
+  endurance::SoakWatch watch(bench, 1, never_s);
   bench::RunOptions options;
   options.duration_s = 300;
   options.quiet = true;
-  options.each_second = [&](const bench::RunView& view) { watch.look(view); };
+  options.followers = {&watch};
   bench::run_lockstep(bench, options);
   EXPECT_EQ(watch.faults_set(), 0u);
   EXPECT_THAT(watch.troubles(), testing::Contains(testing::HasSubstr("log is ")));

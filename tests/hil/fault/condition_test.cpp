@@ -17,8 +17,8 @@ TEST(FaultCondition, WithoutFaultsADeviceIsSound) {
   EXPECT_EQ(is.primary.noise_times, 1);
   EXPECT_EQ(is.clock.shows(start), start);
   EXPECT_EQ(is.times_fewer, 1);
-  EXPECT_FALSE(is.stuck_at || is.bottom_lost);
-  EXPECT_EQ(is.antenna_gain_db, 0);
+  EXPECT_FALSE(is.stuck_at);
+  EXPECT_TRUE(is.troubles.empty());
 }
 
 TEST(FaultCondition, ABiasIsOnTheQuantityThatItsKeyNames) {
@@ -41,6 +41,15 @@ TEST(FaultCondition, ABiasIsOnTheQuantityThatItsKeyNames) {
 TEST(FaultCondition, OfTwoOfAKindTheLaterOneHolds) {
   const std::vector<FaultConfig> faults{fault_of(FaultKind::bias, 2), fault_of(FaultKind::bias, 5)};
   EXPECT_EQ(condition_under(in_force(faults), DeviceKind::imu).primary.bias.x(), 5);
+}
+
+TEST(FaultCondition, ADeviceAsksForAFaultThatItAloneKnows) {
+  const std::vector<FaultConfig> faults{fault_of(FaultKind::hot, 20), fault_of(FaultKind::hot, 5)};
+  const auto is = condition_under(in_force(faults), DeviceKind::dvl);
+  ASSERT_TRUE(is.under(FaultKind::hot));
+  EXPECT_EQ(is.under(FaultKind::hot)->amount, 5) << "the later one holds";
+  EXPECT_EQ(is.under(FaultKind::hot)->since, start);
+  EXPECT_FALSE(is.under(FaultKind::nak));
 }
 
 TEST(FaultCondition, ADriftingClockIsOffByItsRateTimesTheTimeSinceThen) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "hil/fault/schedule/schedule.hpp"
+#include "rig_config/fault_vocabulary.hpp"
 
 namespace drydock::fault::test {
 

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "drivers/wire/j1939/j1939.hpp"
+#include "rig_config/fault_vocabulary.hpp"
 #include "tests/hil/fault/faults.hpp"
 
 namespace drydock::fault::test {

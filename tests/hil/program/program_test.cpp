@@ -46,7 +46,7 @@ TEST(Program, ABadLinkIsNamedWithFileLineAndColumn) {
       << "[rig]\nname = \"x\"\n[[device]]\nname = \"dvl\"\nkind = \"dvl\"\nprotocol = \"pd0\"\n"
          "link = \"seriel:/dev/ttyUSB0\"\nrate_hz = 5\n";
   const auto check = drydock("check " + (folder / "rig.toml").string());
-  EXPECT_EQ(check.exit_code, 1);
+  EXPECT_EQ(check.exit_code, 2);
   EXPECT_THAT(check.output, HasSubstr("rig.toml:7:"));
   EXPECT_THAT(check.output, HasSubstr("serial"));
 }

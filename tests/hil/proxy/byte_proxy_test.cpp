@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 
+#include "rig_config/fault_vocabulary.hpp"
 #include "tests/hil/proxy/proxy_between.hpp"
 
 namespace byte_proxy_test {

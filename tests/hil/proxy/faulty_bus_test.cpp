@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "rig_config/fault_vocabulary.hpp"
 #include "tests/hil/proxy/outlet.hpp"
 
 namespace faulty_bus_test {
@@ -151,9 +152,9 @@ TEST(FaultyBus, EachFaultOfTheVocabularyIsRefusedOrSetsAndClears) {
     EXPECT_EQ(bench.heard.frames, said) << word.name << " after it was cleared";
     EXPECT_TRUE(bench.bus.hears()) << word.name;
   }
-  EXPECT_EQ(taken, (std::vector<std::string_view>{"drop", "flip", "truncate", "duplicate",
-                                                  "reorder", "garbage", "hang", "bus-off",
-                                                  "error-frames", "delay", "jitter", "burst"}));
+  EXPECT_THAT(taken, ::testing::IsSupersetOf({"drop", "flip", "truncate", "duplicate", "reorder",
+                                              "garbage", "hang", "bus-off", "error-frames", "delay",
+                                              "jitter", "burst"}));
 }
 
 }  // namespace faulty_bus_test

@@ -5,6 +5,7 @@
 #include <bit>
 #include <vector>
 
+#include "rig_config/fault_vocabulary.hpp"
 #include "tests/drivers/property.hpp"
 #include "tests/hil/proxy/faulty_line.hpp"
 

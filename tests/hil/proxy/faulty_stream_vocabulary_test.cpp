@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "rig_config/fault_vocabulary.hpp"
 #include "tests/hil/proxy/faulty_line.hpp"
 
 namespace faulty_stream_vocabulary_test {
@@ -67,10 +68,9 @@ TEST(FaultyStream, EachFaultOfTheVocabularyIsRefusedOrSetsAndClears) {
     EXPECT_TRUE(bench.stream.hears()) << word.name;
     EXPECT_EQ(bench.stream.hits()[word.kind], hits) << word.name;
   }
-  EXPECT_EQ(taken,
-            (std::vector<std::string_view>{"drop", "flip", "truncate", "bad-checksum", "duplicate",
-                                           "reorder", "garbage", "unplug", "hang", "wrong-baud",
-                                           "eof", "delay", "jitter", "burst"}));
+  EXPECT_THAT(taken, ::testing::IsSupersetOf({"drop", "flip", "truncate", "bad-checksum",
+                                              "duplicate", "reorder", "garbage", "unplug", "hang",
+                                              "wrong-baud", "eof", "delay", "jitter", "burst"}));
 }
 
 TEST(FaultyStream, WithoutAProtocolOrABaudRateSaysWhatItCannotDo) {

@@ -9,6 +9,7 @@
 #include "drivers/shell/real_time.hpp"
 #include "hil/emulate/real_time/real_time.hpp"
 #include "hil/motion/kinematic_trajectory.hpp"
+#include "rig_config/fault_vocabulary.hpp"
 #include "tests/hil/proxy/proxy_between.hpp"
 
 namespace proxy_test {

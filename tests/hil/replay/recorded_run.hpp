@@ -47,7 +47,7 @@ struct Replayed {
 };
 
 inline Replayed replayed(const RigReplayOptions& options, const std::string& typed = "") {
-  MemoryFile out, err;
+  decode::MemoryFile out, err;
   std::FILE* in = std::tmpfile();
   std::fputs(typed.c_str(), in);
   std::fflush(in);

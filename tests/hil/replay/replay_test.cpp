@@ -30,10 +30,10 @@ TEST_F(ReplayOfARun, GivesEveryMeasurementAndEstimateAgainToTheLastBit) {
 TEST_F(ReplayOfARun, HandsOnTheFaultsOfTheRecordingWhichNoDriverTells) {
   const auto rig = rig_config::load_rig(DRYDOCK_SOURCE_DIR "/rig_config/rigs/demo.toml").value();
   const auto start = measurement::stamp_from_ns(rig.start_utc_ns);
-  RigRecorder recorder(rig, {file("faults.mcap")}, start, record::WhenBehind::wait);
+  host::RigRecorder recorder(rig, {file("faults.mcap")}, start, record::WhenBehind::wait);
   const std::vector<bus::Fault> faults{{"dvl", "silence", "says nothing", start, {}}};
-  recorder.note(faults, start + std::chrono::seconds{1});
-  recorder.note(std::span<const bus::Fault>{}, start + std::chrono::seconds{3});
+  recorder.on_faults(faults, start + std::chrono::seconds{1});
+  recorder.on_faults({}, start + std::chrono::seconds{3});
   recorder.finish();
   auto options = quiet("faults.mcap");
   options.record.path = file("faults-again.mcap");

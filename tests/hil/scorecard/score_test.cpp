@@ -6,6 +6,7 @@
 #include "hil/scorecard/detection.hpp"
 #include "hil/scorecard/reference.hpp"
 #include "hil/scorecard/score.hpp"
+#include "rig_config/fault_vocabulary.hpp"
 
 namespace score_test {
 

@@ -14,6 +14,7 @@
 #include "hil/emulate/real_time/real_time.hpp"
 #include "hil/fault/injector.hpp"
 #include "hil/motion/kinematic_trajectory.hpp"
+#include "rig_config/fault_vocabulary.hpp"
 #include "tests/drivers/link/running.hpp"
 
 /// Drivers and emulated devices over real links. Tests set the faults by hand.

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "hil/bench/run.hpp"
+#include "hil/validity/run/sent_and_heard.hpp"
 #include "rig_config/load.hpp"
 
 namespace deadlines_test {
@@ -144,9 +145,8 @@ TEST(Deadlines, TheLinesAndBusesOfFortyDevicesLeaveEveryDeadlineAMargin) {
   bench::RunOptions options;
   options.duration_s = 5;
   options.lockstep = options.quiet = true;
-  options.on_written = [&](std::string_view device, const emulate::Passage& passage,
-                           Stamp written) { listener.note(device, passage, written); };
-  options.on_measurement = [&](const measurement::Measurement& m) { listener.note(m); };
+  validity::SentAndHeard sent_and_heard(listener);
+  options.followers = {&sent_and_heard};
   testing::internal::CaptureStdout();
   bench::run_lockstep(rig, options);
   testing::internal::GetCapturedStdout();

@@ -11,6 +11,7 @@
 #include "hil/emulate/make_emulated_device.hpp"
 #include "hil/motion/make_trajectory.hpp"
 #include "hil/validity/figures.hpp"
+#include "hil/validity/run/sent_and_heard.hpp"
 #include "rig_config/load.hpp"
 
 namespace {
@@ -56,9 +57,8 @@ std::vector<validity::Figures> measured(const rig_config::Rig& rig, double durat
   bench::RunOptions options;
   options.duration_s = duration_s;
   options.lockstep = true;
-  options.on_written = [&](std::string_view device, const emulate::Passage& passage,
-                           Stamp written) { listener.note(device, passage, written); };
-  options.on_measurement = [&](const measurement::Measurement& m) { listener.note(m); };
+  validity::SentAndHeard sent_and_heard(listener);
+  options.followers = {&sent_and_heard};
   testing::internal::CaptureStdout();
   bench::run_lockstep(rig, options);
   testing::internal::GetCapturedStdout();

@@ -76,6 +76,24 @@ TEST_F(McapFile, IsReadByTheFormatsOwnReaderWithEveryChecksumChecked) {
   EXPECT_TRUE(found["streamed"]["done"]);
 }
 
+// A recorder reuses its blocks in the order in which its thread returns them.
+TEST(Block, HasTheSameIndexesWhateverChannelsItHeldBefore) {
+  const std::array<std::uint8_t, 1> data{7};
+  const auto channels_after = [&](std::vector<std::uint16_t> earlier) {
+    Block block;
+    for (const auto channel : earlier) block.add(Message{channel, 0, start, start, data});
+    block.clear();
+    for (const std::uint16_t channel : {2, 3, 1})
+      block.add(Message{channel, 0, start, start, data});
+    std::vector<std::uint16_t> channels;
+    for (const auto& index : block.indexes())
+      if (!index.entries.empty()) channels.push_back(index.channel);
+    return channels;
+  };
+  EXPECT_THAT(channels_after({}), ElementsAre(1, 2, 3));
+  EXPECT_THAT(channels_after({3, 4, 1}), ElementsAre(1, 2, 3));
+}
+
 /// Counts the records from a reader.
 struct Tally {
   int schemas = 0, channels = 0, messages = 0, attachments = 0, metadata = 0;

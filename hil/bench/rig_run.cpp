@@ -1,0 +1,88 @@
+#include "hil/bench/rig_run.hpp"
+
+#include <algorithm>
+#include <iterator>
+
+#include "drivers/host/rig_bus.hpp"
+#include "estimators/setup/rig_pipeline.hpp"
+#include "hil/control/bus_faults.hpp"
+#include "hil/summary/truth_of_rig.hpp"
+
+namespace drydock::bench {
+
+using measurement::Stamp;
+
+RigRun::RigRun(const rig_config::Rig& rig, const RunOptions& options,
+               const motion::Trajectory& motion, const Setting& setting)
+    : rig_(rig),
+      options_(options),
+      truth_(summary::truth_for_estimators(rig) ? &motion : nullptr),
+      scribe_(rig, truth_, setting.start, setting.expected_s, options.curve_points),
+      expects_(rig, truth_, setting.start, [this](Stamp now) {
+        return summary::ExpectWatch::Counts{devices(now), estimators()};
+      }) {
+  if (setting.first != nullptr) followers_.add(*setting.first);
+  followers_.add(scribe_);
+  followers_.add(expects_);
+  if (truth_ != nullptr) followers_.add(truth_teller_.emplace(*truth_, followers_));
+  if (!options.record.path.empty())
+    followers_.add(recorder_.emplace(rig, options.record, setting.start, setting.when_behind));
+  for (auto* follower : options.followers) followers_.add(*follower);
+}
+
+emulate::RealTimeEmulator::OnWritten RigRun::on_written() {
+  if (options_.followers.empty()) return {};
+  return [this](std::string_view device, const emulate::Passage& passage, Stamp written) {
+    for (auto* follower : options_.followers) follower->on_written(device, passage, written);
+  };
+}
+
+void RigRun::begin(const BenchView& bench) {
+  bench_.emplace(bench);
+  scribe_.tick(bench.start);
+  for (auto* follower : options_.followers) follower->on_start(*bench_);
+}
+
+void RigRun::tell_faults(Stamp now) {
+  auto in_force = bench_->faults.in_force(now);
+  if (in_force == faults_told_) return;
+  followers_.on_faults(control::bus_faults(in_force), now);
+  faults_told_ = std::move(in_force);
+}
+
+void RigRun::tell_health(Stamp now) {
+  const host::HealthReport health([this, now] {
+    host::HealthReport::Statuses statuses;
+    for (const auto* device : bench_->devices)
+      statuses.push_back(host::status_of(*device, device->health(now)));
+    return statuses;
+  });
+  followers_.on_health(health, now);
+}
+
+std::vector<summary::DeviceSummary> RigRun::devices(Stamp now) const {
+  std::vector<summary::DeviceSummary> all;
+  for (const auto* device : bench_->devices)
+    all.push_back(device::account_of(*device, device->health(now),
+                                     host::provenance_of(device->options().link)));
+  return all;
+}
+
+std::vector<pipeline::EstimatorStatus> RigRun::estimators() const {
+  std::vector<pipeline::EstimatorStatus> all;
+  for (std::size_t i = 0; i < bench_->pipeline.estimators(); ++i)
+    all.push_back(bench_->pipeline.status(i));
+  return all;
+}
+
+void RigRun::write(summary::Summary& summary) {
+  summary.rig = rig_.name;
+  summary.seed = rig_.seed;
+  std::ranges::move(setup::pipeline_notes(rig_, bench_->pipeline),
+                    std::back_inserter(summary.notes));
+  if (recorder_) summary.notes.push_back(recorder_->finish());
+  scribe_.write(summary);
+  expects_.write(summary, estimators());
+}
+
+}  // namespace drydock::bench
