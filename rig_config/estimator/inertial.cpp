@@ -5,7 +5,6 @@
 #include "drivers/measurement/units.hpp"
 #include "rig_config/checks/checks.hpp"
 #include "rig_config/toml/checked_file.hpp"
-#include "drivers/measurement/units.hpp"
 #include "rig_config/toml/read_keys.hpp"
 #include "rig_config/typed/build.hpp"
 
