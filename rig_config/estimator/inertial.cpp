@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
+#include "drivers/measurement/units.hpp"
 #include "rig_config/checks/checks.hpp"
 #include "rig_config/toml/checked_file.hpp"
-#include "drivers/measurement/units.hpp"
 #include "rig_config/toml/read_keys.hpp"
 #include "rig_config/typed/build.hpp"
 
