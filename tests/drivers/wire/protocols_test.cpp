@@ -104,7 +104,7 @@ TEST(Protocols, ThePageNamesThoseThatCannotBeEmulated) {
     if (!protocol.kinds.empty() && !protocol.emulated)
       names += (names.empty() ? "`" : ", `") + std::string(protocol.name) + "`";
   EXPECT_THAT(page(), ::testing::HasSubstr("Every protocol with a kind can be emulated, except " +
-                                         names + "."));
+                                           names + "."));
 }
 
 TEST(Protocols, ANameIsThereOnceAndIsFound) {

@@ -76,9 +76,7 @@ INSTANTIATE_TEST_SUITE_P(Manoeuvres, NpsAuvSeries,
                                          Series{"gh_rudder_m10.csv", -10 * degree, 0, 1e9},
                                          Series{"gh_stern_p3.csv", 0, 3 * degree, 1e9},
                                          Series{"gh_stern_pulse_m5.csv", 0, -5 * degree, 20}),
-                         [](const auto& one) {
-                           return drydock::test::test_name(one.param.file);
-                         });
+                         [](const auto& one) { return drydock::test::test_name(one.param.file); });
 
 TEST(NpsAuv, CruisePartialsAreThoseOfTheTable) {
   const Table table("gh_cruise_jacobian.csv");

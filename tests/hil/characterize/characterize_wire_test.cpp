@@ -54,7 +54,8 @@ class Characterize : public testing::Test {
 };
 
 characterize::Characterized characterized(const characterize::Gathered& gathered) {
-  characterize::Characterized device{characterize::figures_of(gathered.devices.at(0)).value(), {}, {}};
+  characterize::Characterized device{
+      characterize::figures_of(gathered.devices.at(0)).value(), {}, {}};
   device.measured = characterize::grade_of(device.figures);
   return device;
 }

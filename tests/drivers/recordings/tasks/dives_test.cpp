@@ -137,9 +137,7 @@ class Dive : public testing::TestWithParam<std::string> {
   fs::path folder_ = all_dives / GetParam();
 };
 
-TEST_P(Dive, GoesThroughTheDriversAsItDidWhenItWasKept) {
-  EXPECT_EQ(difference(folder_), "");
-}
+TEST_P(Dive, GoesThroughTheDriversAsItDidWhenItWasKept) { EXPECT_EQ(difference(folder_), ""); }
 
 TEST_P(Dive, OfWhichOneReceivedByteIsChangedIsAnother) {
   const record::test::TestFolder copy;
@@ -150,8 +148,7 @@ TEST_P(Dive, OfWhichOneReceivedByteIsChangedIsAnother) {
   std::size_t seen_by_drivers = 0;
   for (std::size_t i = 0; i < mutations; ++i) {
     mutant.write(copy / fixture_recording, i * received / mutations, 5 * i);
-    EXPECT_NE(difference(copy / ""), "")
-        << "byte " << 5 * i << " of " << i * received / mutations;
+    EXPECT_NE(difference(copy / ""), "") << "byte " << 5 * i << " of " << i * received / mutations;
     seen_by_drivers += !difference(copy / "", false).empty();
   }
   // In a CAN frame some bytes are reserved, and no checksum protects them.
