@@ -5,7 +5,7 @@
 namespace drydock::characterize {
 
 std::vector<Quantity> quantities_of(rig_config::DeviceKind kind) {
-  using enum rig_config::DeviceKind;
+  using enum measurement::Kind;
   using rig_config::EmulateConfig;
   constexpr auto primary = &EmulateConfig::primary, secondary = &EmulateConfig::secondary;
   using units::degree, units::micro_g;

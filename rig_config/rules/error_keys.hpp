@@ -27,7 +27,7 @@ using units::degree, units::degree_per_hour, units::milli_g, units::micro_g;
 using units::revolution_per_minute, units::standard_gravity;
 inline constexpr double root_hour = 60;  // in s^(1/2)
 inline constexpr double ppm = 1e-6, milliradian = 1e-3;
-using enum DeviceKind;
+using enum measurement::Kind;
 using S = SensorErrors;
 inline constexpr auto primary = &EmulateConfig::primary, secondary = &EmulateConfig::secondary;
 

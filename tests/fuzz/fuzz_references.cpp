@@ -5,7 +5,7 @@
 /// Any text is refused with a line, or gives references. Writing and reading them again gives the
 /// same.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  using namespace drydock::replay;
+  using namespace drydock;
   const auto read = replay::parse_references({reinterpret_cast<const char*>(data), size});
   if (!read) {
     if (read.error().line.empty()) std::abort();

@@ -139,7 +139,7 @@ std::vector<AgainstReference> against(const Samples& sensor, const Samples& refe
   const auto pair = [&](DeviceKind a, DeviceKind b) {
     return sensor.subject.kind == a && reference.subject.kind == b;
   };
-  using enum DeviceKind;
+  using enum measurement::Kind;
   if (sensor.subject.kind == reference.subject.kind) {
     add_axes(found, sensor, reference);
   } else if (pair(dvl, gnss)) {

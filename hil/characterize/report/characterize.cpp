@@ -22,7 +22,7 @@ using rig_config::DeviceKind;
 
 /// The kinds that can serve as reference for `kind`, best first. The first kind in the rig is used.
 std::vector<DeviceKind> reference_kinds(DeviceKind kind) {
-  using enum DeviceKind;
+  using enum measurement::Kind;
   switch (kind) {
     case dvl: return {gnss};
     case emlog: return {dvl, gnss};

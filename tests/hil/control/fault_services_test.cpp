@@ -34,7 +34,7 @@ rig_config::DeviceConfig device(const char* name, rig_config::DeviceKind kind, c
 rig_config::Rig rig() {
   rig_config::Rig rig;
   rig.name = "fault-services-test";
-  using enum rig_config::DeviceKind;
+  using enum measurement::Kind;
   rig.devices = {device("dvl", dvl, "pd0", "pty:dvl?baud=115200"),
                  device("imu", imu, "cia404-imu", "memory-can:bus?bitrate=250000"),
                  device("gnss", gnss, "ubx", "serial:/dev/ttyUSB0?baud=38400")};
