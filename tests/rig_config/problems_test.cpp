@@ -55,13 +55,19 @@ TEST(RigProblems, AWrongTypeNamesBoth) {
 }
 
 TEST(RigProblems, ANumberOutOfRangeIsToldTheRange) {
-  EXPECT_THAT(problems_of("rate_hz = 0\n"),
-              ElementsAre("r.toml:8:11: /device/0/rate_hz: 0 is out of range, allowed: above 0, up "
-                          "to 1000"));
+  EXPECT_THAT(
+      problems_of("rate_hz = 0\n"),
+      ElementsAre("r.toml:8:11: /device/0/rate_hz: 0 is out of range, allowed: 0.001 to 1000"));
   EXPECT_THAT(
       problems_of("[[device]]\nname = \"d\"\nkind = \"depth\"\nprotocol = \"nmea2000\"\n"
                   "link = \"can:auto\"\naddress = 254\n"),
       ElementsAre("r.toml:13:11: /device/1/address: 254 is out of range, allowed: 0 to 253"));
+}
+
+// Its period has no number of nanoseconds: an emulated device would never end its first tick.
+TEST(RigProblems, ARateWithoutATimeBetweenSamplesIsRefused) {
+  EXPECT_THAT(problems_of("rate_hz = 1e-300\n"),
+              ElementsAre(testing::HasSubstr("is out of range, allowed: 0.001 to 1000")));
 }
 
 TEST(RigProblems, AVectorHasThreeComponents) {
