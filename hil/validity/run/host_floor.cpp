@@ -80,7 +80,7 @@ struct HostFloor::Probe {
     due += period;
     timer.expires_at(due);
     timer.async_wait([this](const boost::system::error_code& error) {
-      if (error) return;
+      if (error || stopped) return;  // an expired timer cannot be cancelled any more
       times.timer_late_us.push_back(us_since(due));
       times.timer_at.push_back(link::steady_now());
       due = std::max(due, Clock::now() - period);  // a stall counts only once
@@ -105,6 +105,7 @@ struct HostFloor::Probe {
   HostTimes stop() {
     asio::post(io, [this] {
       boost::system::error_code gone;
+      stopped = true;
       timer.cancel();
       far.close(gone);
       near.close(gone);
@@ -119,6 +120,7 @@ struct HostFloor::Probe {
   std::array<char, 16> buffer{};
   Clock::time_point due, written;
   HostTimes times;
+  bool stopped = false;
   std::jthread thread;
 };
 
