@@ -1,19 +1,27 @@
 #pragma once
 
+#include <cstdint>
+#include <vector>
+
 #include "drivers/wire/codec.hpp"
 
 namespace drydock::capture {
 
-/// Removes the lines that begin with '#' from the head of a byte capture; gpsd's test logs have
-/// them. A '#' behind the head is data. Feed the blocks of the capture in order.
+/// Removes the comments from the head of a byte capture; gpsd's test logs have them. A comment is a
+/// line that begins with '#' and a blank, or that is '#' alone. Any other line is data, as
+/// `#BESTPOSA,...` of a device is, and so is all behind it. Feed the blocks of the capture in
+/// order.
 class CommentHead {
  public:
-  /// The part of the block behind the comments.
+  /// The part of the block behind the comments. A '#' that ends a block comes with the next one.
   wire::Bytes without(wire::Bytes block);
+  std::size_t size() const { return size_; }  ///< bytes of the comments so far
 
  private:
-  enum class At : std::uint8_t { line_start, comment, data };
+  enum class At : std::uint8_t { line_start, hash, comment, data };
   At at_ = At::line_start;
+  std::size_t size_ = 0;
+  std::vector<std::uint8_t> joined_;  ///< the '#' of the block before, and a block
 };
 
 }  // namespace drydock::capture

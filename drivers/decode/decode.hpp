@@ -14,10 +14,11 @@ struct DecodeOptions {
 };
 
 /// `drydock decode`: reads a capture and writes JSON Lines, one object for each message. Byte
-/// protocols read the raw line and ignore anything else on it, and also '#' lines at the start of
-/// the file. CAN protocols read every format of drivers/capture and add `time_s` and `interface`.
-/// Exit code: 0 something was decoded, 1 nothing was decoded, 2 the protocol or format is unknown,
-/// the file cannot be read, or the output cannot be written.
+/// protocols read the raw line and ignore anything else on it, and also the comments at the head
+/// of the file (drivers/capture/comment_head.hpp). CAN protocols read every format of
+/// drivers/capture and add `time_s` and `interface`. Exit code: 0 something was decoded, 1 nothing
+/// was decoded, 2 the protocol or format is unknown, the file cannot be read, or the output cannot
+/// be written.
 int decode(const DecodeOptions& options, std::FILE* out, std::FILE* err);
 
 /// Names for --protocol: "a, b, c".

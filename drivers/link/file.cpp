@@ -4,6 +4,7 @@
 #include <sys/stat.h>
 
 #include <algorithm>
+#include <array>
 #include <boost/asio/error.hpp>
 #include <boost/asio/post.hpp>
 #include <boost/asio/steady_timer.hpp>
@@ -27,9 +28,10 @@ class FileLink final : public ByteLink {
            double bytes_per_second)
       : executor_(executor),
         file_(std::move(file)),
-        raw_(uri.text_of("format") == "raw"),
         bytes_per_second_(bytes_per_second),
-        pace_(executor) {}
+        pace_(executor) {
+    if (uri.text_of("format") != "raw") skip_comments();
+  }
 
   Task<ReceivedBytes> read(std::span<std::uint8_t> into) override;
 
@@ -52,13 +54,11 @@ class FileLink final : public ByteLink {
     return start_ + std::chrono::duration_cast<SteadyClock::duration>(after);
   }
 
-  /// Reads the bytes behind the comments of the head. Like ::read.
-  ssize_t read_file(std::span<std::uint8_t> into);
+  /// Goes to the bytes behind the comments of the head.
+  void skip_comments();
 
   asio::any_io_executor executor_;
   Descriptor file_;
-  bool raw_;
-  capture::CommentHead head_;
   double bytes_per_second_;
   asio::steady_timer pace_;
   SteadyClock::time_point start_{};
@@ -66,15 +66,17 @@ class FileLink final : public ByteLink {
   bool closed_ = false;
 };
 
-ssize_t FileLink::read_file(std::span<std::uint8_t> into) {
+void FileLink::skip_comments() {
+  capture::CommentHead head;
+  std::array<std::uint8_t, 4096> block;
+  off_t at = 0;
   for (;;) {
-    const ssize_t size = ::read(file_.get(), into.data(), into.size());
-    if (size <= 0 || raw_) return size;
-    const wire::Bytes rest = head_.without(into.first(static_cast<std::size_t>(size)));
-    if (rest.empty()) continue;
-    std::copy(rest.begin(), rest.end(), into.begin());
-    return static_cast<ssize_t>(rest.size());
+    const ssize_t size = ::pread(file_.get(), block.data(), block.size(), at);
+    if (size <= 0) break;
+    if (!head.without(std::span{block}.first(static_cast<std::size_t>(size))).empty()) break;
+    at += size;
   }
+  ::lseek(file_.get(), static_cast<off_t>(head.size()), SEEK_SET);
 }
 
 Task<ReceivedBytes> FileLink::read(std::span<std::uint8_t> into) {
@@ -87,7 +89,7 @@ Task<ReceivedBytes> FileLink::read(std::span<std::uint8_t> into) {
     into = into.first(std::min(into.size(), std::max<std::size_t>(chunk, 1)));
     if (delivered_ == 0) start_ = SteadyClock::now();
   }
-  const ssize_t size = read_file(into);
+  const ssize_t size = ::read(file_.get(), into.data(), into.size());
   if (size < 0) co_return system_error(errno);
   if (size == 0) co_return ErrorCode(asio::error::eof);
   delivered_ += static_cast<std::size_t>(size);

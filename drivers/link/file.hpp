@@ -8,7 +8,7 @@ namespace drydock::link {
 /// regular file.
 std::optional<OpenError> refuse_file(const Uri& uri, Side side, Carries what);
 
-/// A recording of raw bytes, without the '#' lines at its start (`format=raw` keeps them). It is
+/// A recording of raw bytes, without the comments at its head (`format=raw` keeps them). It is
 /// read at the pace of its line (`baud`, times `speed`). With `speed=max` or without a baud it is
 /// read as fast as possible. Its end is asio::error::eof. Written bytes are discarded.
 OpenedBytes open_file(const asio::any_io_executor& executor, const Uri& uri, Side side);

@@ -21,11 +21,15 @@ std::string as_uri(const std::string& text) {
   return text.starts_with("/dev/") ? "serial:" + text : text;
 }
 
+std::string with_baud(const std::string& uri, unsigned baud) {
+  return fmt::format("{}{}baud={}", uri, uri.find('?') == std::string::npos ? '?' : '&', baud);
+}
+
 /// Parses the URI. If the rate is missing it puts one in: the probe searches for the rate.
 boost::system::result<link::Uri, link::UriError> parse_without_baud(const std::string& text) {
   const bool missing = text.starts_with("serial:") && text.find("baud=") == std::string::npos;
   if (!missing) return link::parse_uri(text);
-  return link::parse_uri(text + (text.find('?') == std::string::npos ? "?" : "&") + "baud=9600");
+  return link::parse_uri(with_baud(text, 9600));
 }
 
 /// Surveys a CAN capture, in its own time. False if the content is no CAN capture.
@@ -48,12 +52,13 @@ bool read_frames(const link::Uri& uri, ProbeReport& report) {
 /// if the URI gives it.
 bool read_bytes(const link::Uri& uri, ProbeReport& report) {
   capture::FileBlocks blocks(uri.target);
+  const bool raw = uri.text_of("format") == "raw";
   capture::CommentHead head;
   survey::ByteSurvey survey;
   Stamp now{};
   constexpr std::size_t step = 64;
   for (wire::Bytes block = blocks.read(); !block.empty(); block = blocks.read()) {
-    for (auto rest = head.without(block); !rest.empty();) {
+    for (auto rest = raw ? block : head.without(block); !rest.empty();) {
       const auto piece = rest.first(std::min(step, rest.size()));
       rest = rest.subspan(piece.size());
       constexpr double bits_a_byte = 10;
@@ -72,7 +77,7 @@ bool read_bytes(const link::Uri& uri, ProbeReport& report) {
   report.listened_s = measurement::seconds(now.time_since_epoch());
   if (!uri.baud())
     report.notes.push_back("a recording of bytes has no times: rates need the line's, as " +
-                           uri.text + "?baud=115200");
+                           with_baud(uri.text, 115200));
   note_line(survey, "", uri.text, report);
   return true;
 }

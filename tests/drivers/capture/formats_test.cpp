@@ -213,6 +213,22 @@ TEST(CommentHeadOfAByteCapture, IsDroppedInAnySplitAndNothingElse) {
       rest.insert(rest.end(), left.begin(), left.end());
     }
     EXPECT_EQ(rest, as_bytes("\xB5\x62 # data\n# data too\n")) << piece;
+    EXPECT_EQ(head.size(), file.size() - rest.size()) << piece;
+  }
+}
+
+TEST(CommentHeadOfAByteCapture, EndsAtALineThatADeviceBeginsWithAHash) {
+  const std::string data = "#BESTPOSA,COM1\r\n# data\n";
+  const std::string file = "#\n#\r\n# Date: 2014\n" + data;
+  for (std::size_t piece = 1; piece <= file.size(); ++piece) {
+    CommentHead head;
+    Buffer rest;
+    for (std::size_t at = 0; at < file.size(); at += piece) {
+      const Buffer block = as_bytes(std::string_view(file).substr(at, piece));
+      const Bytes left = head.without(block);
+      rest.insert(rest.end(), left.begin(), left.end());
+    }
+    EXPECT_EQ(rest, as_bytes(data)) << piece;
   }
 }
 

@@ -70,6 +70,12 @@ TEST_F(File, TheCommentsOfItsHeadAreNoBytesOfTheLine) {
   EXPECT_EQ(run(io, read_bytes(*raw, 100)).value(), content);
 }
 
+TEST_F(File, ALineThatADeviceBeginsWithAHashIsData) {
+  const Buffer content = bytes("#BESTPOSA,COM1\n# d\n");
+  const auto link = open(io, recording(content), Side::driver);
+  EXPECT_EQ(run(io, read_bytes(*link, 100)).value(), content);
+}
+
 class FrameFile : public File {
  protected:
   std::unique_ptr<FrameLink> open_capture(const std::string& uri) {

@@ -47,6 +47,14 @@ TEST(Program, AProbeOfARecordingNeedsNoTime) {
   EXPECT_EQ(frames.exit_code, 0);
   EXPECT_THAT(frames.output, HasSubstr("protocol = \"nmea2000\""));
   EXPECT_EQ(drydock("probe file:/dev/null").exit_code, 1);
+  const Folder folder;
+  const std::string comment = (folder / "comment").string();
+  std::ofstream(comment) << "# a\n";
+  EXPECT_THAT(drydock("probe file:" + comment).output, HasSubstr(comment + "?baud=115200"));
+  EXPECT_THAT(drydock("probe file:" + comment).output, HasSubstr("the line: 0 bytes"));
+  const auto raw = drydock("probe 'file:" + comment + "?format=raw'");
+  EXPECT_THAT(raw.output, HasSubstr("the line: 4 bytes"));
+  EXPECT_THAT(raw.output, HasSubstr("?format=raw&baud=115200"));
   EXPECT_EQ(drydock("probe serial:/dev/nowhere").exit_code, 2);
   EXPECT_EQ(drydock("probe").exit_code, 2);
 }
