@@ -1,4 +1,5 @@
 #include "tests/rig_config/problems.hpp"
+#include "rig_config/estimator/kinds.hpp"
 
 /// Rig files: keys, types, ranges.
 namespace drydock::rig_config::test {
@@ -31,12 +32,15 @@ TEST(RigProblems, AMissingKeyIsReportedWhereItsTableBegins) {
 }
 
 TEST(RigProblems, AWrongChoiceIsToldTheAllowedOnes) {
-  EXPECT_THAT(
-      problems_of("[[estimator]]\nname = \"l\"\nkind = \"levelling\"\nimu = \"imu\"\n"
-                  "model = \"stationary\"\n" +
-                  std::string(imu_table)),
-      ElementsAre("r.toml:10:8: /estimator/0/kind: \"levelling\" is not allowed (did you "
-                  "mean 'leveling'?), allowed: leveling, mixing, roll, navigation, velocity"));
+  std::string kinds;
+  for (const EstimatorFacts& facts : estimator_facts)
+    kinds.append(kinds.empty() ? "" : ", ").append(facts.name);
+  EXPECT_THAT(problems_of("[[estimator]]\nname = \"l\"\nkind = \"levelling\"\nimu = \"imu\"\n"
+                          "model = \"stationary\"\n" +
+                          std::string(imu_table)),
+              ElementsAre("r.toml:10:8: /estimator/0/kind: \"levelling\" is not allowed (did you "
+                          "mean 'leveling'?), allowed: " +
+                          kinds));
 }
 
 TEST(RigProblems, AProtocolMustFitTheKind) {

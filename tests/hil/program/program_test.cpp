@@ -4,7 +4,9 @@
 
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <string>
+#include <vector>
 
 #include "tests/hil/program/program.hpp"
 
@@ -14,13 +16,22 @@ using program::drydock;
 using program::Folder;
 using testing::HasSubstr;
 
+/// The first words of the lines under `Subcommands:`.
+std::vector<std::string> commands_of(const std::string& help) {
+  std::istringstream lines(help.substr(help.find("Subcommands:\n") + 13));
+  std::vector<std::string> names;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.size() < 3 || !line.starts_with("  ") || line[2] == ' ') continue;
+    names.push_back(line.substr(2, line.find(' ', 2) - 2));
+  }
+  return names;
+}
+
 TEST(Program, HelpOfEveryCommandShowsAnExample) {
-  for (const char* command :
-       {"run",          "emulate", "drive",  "record", "estimate",   "check",     "monitor",
-        "decode",       "replay",  "probe",  "doctor", "completion", "man",       "export",
-        "cut",          "recover", "bisect", "sensor", "sky",        "maneuver",  "study",
-        "characterize", "fault",   "proxy",  "soak",   "validity",   "scorecard", "load"}) {
-    const auto help = drydock(std::string{command} + " --help");
+  const auto commands = commands_of(drydock("--help").output);
+  EXPECT_THAT(commands, testing::IsSupersetOf({"run", "probe", "scorecard"}));
+  for (const std::string& command : commands) {
+    const auto help = drydock(command + " --help");
     EXPECT_EQ(help.exit_code, 0) << command;
     EXPECT_THAT(help.output, HasSubstr("Example")) << command;
   }
