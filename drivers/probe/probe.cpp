@@ -105,6 +105,10 @@ void note_nothing(const link::Uri& uri, ProbeReport& report) {
   std::uint64_t bytes = 0;
   for (const auto& attempt : report.attempts) bytes += attempt.bytes;
   if (report.attempts.empty()) return;
+  if (uri.recorded() && bytes == 0) {
+    report.notes.push_back("the file holds no bytes but comments (format=raw keeps them)");
+    return;
+  }
   report.notes.push_back(
       bytes == 0
           ? "silence: no power, receive and transmit exchanged, or a sensor that waits to be "

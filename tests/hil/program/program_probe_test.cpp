@@ -52,6 +52,7 @@ TEST(Program, AProbeOfARecordingNeedsNoTime) {
   std::ofstream(comment) << "# a\n";
   EXPECT_THAT(drydock("probe file:" + comment).output, HasSubstr(comment + "?baud=115200"));
   EXPECT_THAT(drydock("probe file:" + comment).output, HasSubstr("the line: 0 bytes"));
+  EXPECT_THAT(drydock("probe file:" + comment).output, HasSubstr("no bytes but comments"));
   const auto raw = drydock("probe 'file:" + comment + "?format=raw'");
   EXPECT_THAT(raw.output, HasSubstr("the line: 4 bytes"));
   EXPECT_THAT(raw.output, HasSubstr("?format=raw&baud=115200"));
