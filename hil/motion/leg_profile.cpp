@@ -5,6 +5,8 @@
 #include <numbers>
 #include <string>
 
+#include <fmt/format.h>
+
 #include "hil/motion/bad_mission.hpp"
 #include "hil/motion/leg_shapes.hpp"
 #include "hil/motion/smooth_step.hpp"
@@ -75,8 +77,8 @@ void check(std::size_t number, const LegConfig& leg, double speed_before, double
       std::abs(leg.depth_change_m) * of_depth(leg, leg.duration_s / 2).rate;
   if (steepest_sink > steepest * std::min(speed_before, leg.speed_mps)) {
     refuse(number, depth_key,
-           std::string("this dive needs a pitch above ") + (mission.vehicle ? "30" : "60") +
-               " deg; allow more time, speed or less depth");
+           fmt::format("this dive needs a pitch above {} deg; allow more time, speed or less depth",
+                       mission.vehicle ? 30 : 60));
   }
   if (depth_before + leg.depth_change_m < 0)
     refuse(number, depth_key, "the dive ends above the surface");

@@ -17,7 +17,7 @@ namespace {
 using record::MessageNode;
 using record::Scalar;
 
-std::string quoted(std::string_view text) {
+std::string as_cell(std::string_view text) {
   if (text.find_first_of(",\"\r\n") == std::string_view::npos) return std::string(text);
   std::string cell = "\"";
   for (const char c : text) cell.append(c == '"' ? 2 : 1, c);
@@ -93,7 +93,7 @@ class Row {
 
  private:
   void end_cell() {
-    line_ += ',' + quoted(cell_);
+    line_ += ',' + as_cell(cell_);
     cell_.clear();
   }
 

@@ -63,7 +63,7 @@ RecorderOptions options() {
 }
 
 std::string fixture(const std::string& name) {
-  return read_all(std::string(DRYDOCK_SOURCE_DIR) + "/fixtures/" + name);
+  return read_all(DRYDOCK_SOURCE_DIR "/fixtures/" + name);
 }
 
 /// Adds the bytes in reads of `size`, equally spaced over twenty seconds.
