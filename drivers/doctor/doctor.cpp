@@ -44,8 +44,7 @@ void add_link(const link::Uri& uri, Needs& needs) {
 /// Removes repeated names: several devices may share a bus or a port.
 void make_unique(std::vector<std::string>& names) {
   std::ranges::sort(names);
-  const auto rest = std::ranges::unique(names);
-  names.erase(rest.begin(), rest.end());
+  names.erase(std::unique(names.begin(), names.end()), names.end());
 }
 
 }  // namespace

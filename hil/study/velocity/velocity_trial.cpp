@@ -91,7 +91,8 @@ std::vector<VelocityTrial> velocity_trial(const RecordedMission& mission,
       note_growth(truth, *navigators[i], beginnings[i], trials[i]);
     }
   }
-  const double seconds = static_cast<double>(mission.steps() / steps_a_second);
+  const auto whole_seconds = mission.steps() / steps_a_second;  // a velocity was noted in each
+  const double seconds = static_cast<double>(whole_seconds);
   for (auto& trial : trials) {
     trial.velocity_mean /= seconds;
     trial.velocity_square /= seconds;

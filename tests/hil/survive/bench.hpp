@@ -53,11 +53,15 @@ inline FaultConfig fault_of(const std::string& device, FaultKind kind,
 
 class Bench : private device::Listener {
  public:
+  /// Both ends of one link. Silence for 0.4 s makes the device stale.
   explicit Bench(const rig_config::DeviceConfig& config)
-      : rig_(rig_of(config)),
+      : Bench(quickly_stale(config), quickly_stale(config)) {}
+  /// The driver's end and the emulated device's end of a line with two names.
+  Bench(const rig_config::DeviceConfig& driver, const rig_config::DeviceConfig& emulated)
+      : rig_(rig_of(driver)),
         drivers_(io, std::move(*shell::make_devices(rig_)), *this),
         emulator_(io, injector) {
-    auto started = emulator_.start(rig_.devices);
+    auto started = emulator_.start({emulated});
     if (!started) ADD_FAILURE() << started.error().message;
     drivers_.start();
   }
@@ -105,10 +109,13 @@ class Bench : private device::Listener {
   std::vector<std::string> lines;
 
  private:
+  static rig_config::DeviceConfig quickly_stale(rig_config::DeviceConfig config) {
+    config.stale_after_s = 0.4;
+    return config;
+  }
   static rig_config::Rig rig_of(const rig_config::DeviceConfig& config) {
     rig_config::Rig rig;
     rig.devices = {config};
-    rig.devices[0].stale_after_s = 0.4;
     return rig;
   }
   void on_measurement(const measurement::Measurement&) override { ++messages; }

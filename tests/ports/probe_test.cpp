@@ -1,0 +1,79 @@
+// `drydock probe` on lines that carry bytes at their rate and turn them into others at a wrong one
+// (with-ports.py --paced). Each case has one sensor behind the 16550A and one behind the FTDI
+// adapter, at two rates.
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "tests/vcan/process.hpp"
+
+namespace drydock::ports {
+namespace {
+
+using vcan::Process;
+
+struct Sensor {
+  std::string kind, protocol, baud;
+};
+struct Case {
+  Sensor uart, ftdi;
+  friend void PrintTo(const Case& c, std::ostream* out) {
+    *out << c.uart.baud << ", " << c.ftdi.baud;
+  }
+};
+
+std::string device(const std::string& name, const Sensor& sensor, const std::string& port) {
+  return "\n[[device]]\nname = \"" + name + "\"\nkind = \"" + sensor.kind + "\"\nprotocol = \"" +
+         sensor.protocol + "\"\nlink = \"serial:" + port + "?emulated=1&baud=" + sensor.baud +
+         "\"\nrate_hz = 5\n";
+}
+
+std::string rig_file(const Case& sensors) {
+  const std::string path = ::testing::TempDir() + "probed.toml";
+  std::ofstream(path) << "[rig]\nname = \"probed\"\nseed = 1\nstart = 2026-11-21T08:00:00Z\n"
+                         "mission = \"" DRYDOCK_SOURCE_DIR
+                         "/rig_config/missions/s-path.toml\"\n"
+                         "publish = false\n"
+                      << device("uart", sensors.uart, "/dev/ttyS2")
+                      << device("ftdi", sensors.ftdi, "/dev/ttyUSB1");
+  return path;
+}
+
+/// The probe's rig entry, or what it said instead. output_until() waits for five seconds at most.
+std::string found_by(Process& probe) {
+  std::string said;
+  for (int i = 0; i < 8 && said.find("rate_hz") == said.npos; ++i)
+    said = probe.output_until("rate_hz");
+  return said;
+}
+
+class APacedLine : public ::testing::TestWithParam<Case> {};
+
+TEST_P(APacedLine, IsProbedToItsRateAndItsProtocol) {
+  Process emulator({DRYDOCK_PROGRAM, "emulate", rig_file(GetParam())});
+  ASSERT_NE(emulator.output_until("ftdi:").find("ftdi:"), std::string::npos);
+  Process on_uart({DRYDOCK_PROGRAM, "probe", "serial:/dev/ttyS1"});
+  Process on_ftdi({DRYDOCK_PROGRAM, "probe", "serial:/dev/ttyUSB0"});
+
+  const std::string uart = found_by(on_uart), ftdi = found_by(on_ftdi);
+  const auto& [u, f] = GetParam();
+  EXPECT_NE(uart.find("protocol = \"" + u.protocol +
+                      "\"\nlink = \"serial:/dev/ttyS1?baud=" + u.baud + "\""),
+            uart.npos)
+      << uart;
+  EXPECT_NE(ftdi.find("protocol = \"" + f.protocol +
+                      "\"\nlink = \"serial:/dev/ttyUSB0?baud=" + f.baud + "\""),
+            ftdi.npos)
+      << ftdi;
+}
+
+const Sensor dvl115{"dvl", "pd0", "115200"}, dvl57{"dvl", "pd0", "57600"},
+    dvl38{"dvl", "pd0", "38400"};
+const Sensor log4{"emlog", "nmea0183", "4800"}, log9{"emlog", "nmea0183", "9600"},
+    log19{"emlog", "nmea0183", "19200"};
+INSTANTIATE_TEST_SUITE_P(
+    Rates, APacedLine, ::testing::Values(Case{dvl115, log4}, Case{log9, dvl57}, Case{dvl38, log19}),
+    [](const auto& one) { return one.param.uart.baud + "_" + one.param.ftdi.baud; });
+
+}  // namespace
+}  // namespace drydock::ports

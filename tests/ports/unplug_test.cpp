@@ -1,0 +1,86 @@
+// A USB serial adapter that is pulled out under load and put in again.
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <linux/serial.h>
+#include <sys/file.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include "tests/hil/survive/bench.hpp"
+#include "tests/ports/machine.hpp"
+
+namespace drydock::ports {
+namespace {
+
+using device::State;
+using fault::testing::Bench;
+using fault::testing::speed_log;
+using namespace std::chrono_literals;
+
+rig_config::DeviceConfig log_on(const std::string& port) {
+  return speed_log("serial:" + port + "?emulated=1&baud=38400");
+}
+
+class Adapter : public ::testing::Test {
+ protected:
+  void SetUp() override { ASSERT_TRUE(adapters_are_there()); }
+};
+
+TEST_F(Adapter, PulledOutAndPutInAgainStreamsWithinTwoSecondsOfItsReturn) {
+  Bench bench(log_on("/dev/ttyUSB0"), log_on("/dev/ttyUSB1"));
+  ASSERT_TRUE(bench.reaches(State::streaming));
+  for (int time = 1; time <= 3; ++time) {
+    EXPECT_EQ(unplug("usb0").find("error"), std::string::npos);
+    ASSERT_TRUE(bench.reaches(State::backing_off)) << bench.health().status.view();
+    // The machine frees the adapter's place about 50 ms after it was pulled out.
+    bench.pass(200ms);
+    EXPECT_EQ(plug("usb0").find("error"), std::string::npos);
+    ASSERT_TRUE(bench.until([] { return adapters_are_there(); }));
+    const auto back = link::steady_now();
+    ASSERT_TRUE(bench.reaches(State::streaming)) << bench.health().status.view();
+    ASSERT_TRUE(bench.hears_again());
+    EXPECT_LT(link::steady_now() - back, 2s) << "time " << time;
+  }
+  EXPECT_EQ(bench.health().stream.bad_checksums, 0u);
+}
+
+TEST_F(Adapter, TheLinesBytesAreAccountedForAfterTheAdapterWent) {
+  Bench bench(log_on("/dev/ttyUSB0"), log_on("/dev/ttyUSB1"));
+  ASSERT_TRUE(bench.hears_again());
+  unplug("usb0");
+  ASSERT_TRUE(bench.reaches(State::backing_off));
+  const auto health = bench.health();
+  EXPECT_EQ(health.stream.bytes_in,
+            health.stream.bytes_good + health.stream.bytes_skipped + health.held_bytes);
+  bench.pass(200ms);
+  plug("usb0");
+  ASSERT_TRUE(bench.until([] { return adapters_are_there(); }));
+}
+
+TEST(Held, APortThatAnotherProgramHasLockedIsRefusedInALineThatSaysSo) {
+  const int other = ::open("/dev/ttyS1", O_RDWR | O_NOCTTY | O_CLOEXEC);
+  ASSERT_GE(other, 0);
+  ASSERT_EQ(::flock(other, LOCK_EX), 0);
+  Bench bench(log_on("/dev/ttyS1"), log_on("/dev/ttyS2"));
+  ASSERT_TRUE(bench.reaches(State::backing_off));
+  EXPECT_EQ(bench.lines.back().find("cannot open /dev/ttyS1: "), 0u) << bench.lines.back();
+  EXPECT_NE(bench.lines.back().find("another program has it open"), std::string::npos);
+  ::close(other);
+  EXPECT_TRUE(bench.reaches(State::streaming)) << "the port is free again";
+}
+
+TEST(LowLatency, IsSetAtTheAdapterWhoseTimerElseHoldsBytesBackFor16Milliseconds) {
+  const int fd = ::open("/dev/ttyUSB0", O_RDWR | O_NOCTTY | O_CLOEXEC);
+  ASSERT_GE(fd, 0);
+  serial_struct before{};
+  ASSERT_EQ(::ioctl(fd, TIOCGSERIAL, &before), 0);
+  Bench bench(log_on("/dev/ttyUSB0"), log_on("/dev/ttyUSB1"));
+  ASSERT_TRUE(bench.reaches(State::streaming));
+  serial_struct open{};
+  ASSERT_EQ(::ioctl(fd, TIOCGSERIAL, &open), 0);
+  EXPECT_NE(open.flags & ASYNC_LOW_LATENCY, 0);
+  ::close(fd);
+}
+
+}  // namespace
+}  // namespace drydock::ports
