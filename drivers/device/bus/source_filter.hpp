@@ -12,7 +12,8 @@ namespace drydock::device {
 /// that is heard. It stays our sensor until it is silent for 10 s, so two sensors are never mixed.
 /// If the NAME of the sensor is known, the filter follows it to every address that it claims. It
 /// does not accept a node that took the sensor's address (SAE J1939-81). If such a sensor is silent
-/// for 30 s, another unit may replace it.
+/// for 30 s, another unit may replace it. Until that unit has spoken under its own NAME, the filter
+/// still follows the first one.
 class SourceFilter {
  public:
   static constexpr std::chrono::seconds lost_after{10}, replaced_after{30};
@@ -30,12 +31,13 @@ class SourceFilter {
     }
     heard_at_ = now;
     name_stands_ = name_.has_value();
+    if (name_) spoke_last_ = name_;
     return true;
   }
 
   /// PGN 60928. Before our sensor speaks, the last NAME claimed at its address is its own.
   void claimed(std::uint8_t source, std::uint64_t name, measurement::Stamp now) {
-    if (!name_stands_ && ours_ == source) name_ = name;
+    if (name == spoke_last_ || (!name_stands_ && ours_ == source)) name_ = name;
     if (name_ == name) {
       ours_ = source;
       heard_at_ = now;
@@ -54,7 +56,8 @@ class SourceFilter {
   std::uint8_t configured_;
   std::optional<std::uint8_t> ours_;  ///< its present address; empty: not heard, or lost
   std::optional<std::uint64_t> name_;
-  bool name_stands_ = false;  ///< the sensor has spoken since it claimed
+  bool name_stands_ = false;                 ///< the sensor has spoken since it claimed
+  std::optional<std::uint64_t> spoke_last_;  ///< the NAME of the last sensor that had one
   std::optional<measurement::Stamp> heard_at_;
 };
 

@@ -81,6 +81,33 @@ TEST(SourceFilter, AClaimThatWasDamagedBeforeTheSensorSpokeIsPutRightByTheNext) 
   EXPECT_TRUE(filter.accepts(128, now + 3s));
 }
 
+TEST(SourceFilter, ASensorWhoseAddressWasTakenWhileItWasSilentIsFollowedByTheNameItHadBefore) {
+  SourceFilter filter(128);
+  filter.claimed(128, 0xABC, now);
+  filter.accepts(128, now);
+  filter.claimed(128, 0x001, now + 1min);  // its controller was cut off, and another node took 128
+  EXPECT_TRUE(filter.accepts(128, now + 8min)) << "it is back, and knows nothing of that";
+  filter.claimed(128, 0xABC, now + 9min);  // the answers to a request: both hold 128
+  filter.claimed(128, 0x001, now + 9min);
+  filter.claimed(129, 0xABC, now + 9min);  // the weaker NAME gives way
+  EXPECT_TRUE(filter.accepts(129, now + 9min));
+  EXPECT_FALSE(filter.accepts(128, now + 9min));
+}
+
+TEST(SourceFilter, ASpareUnitThatHasSpokenIsNotLeftForTheFirstOne) {
+  SourceFilter filter(35);
+  filter.claimed(35, 0xABC, now);
+  filter.accepts(35, now);
+  filter.accepts(35, now + 1min);
+  filter.claimed(35, 0xDEF, now + 2min);
+  EXPECT_TRUE(filter.accepts(35, now + 3min));
+  filter.claimed(35, 0xDEF, now + 4min);
+  EXPECT_TRUE(filter.accepts(35, now + 4min));
+  filter.claimed(36, 0xABC, now + 5min);
+  EXPECT_TRUE(filter.accepts(35, now + 5min));
+  EXPECT_FALSE(filter.accepts(36, now + 5min));
+}
+
 TEST(SourceFilter, OneThatCanClaimNoAddressIsHeardNoMore) {
   SourceFilter filter(35);
   filter.claimed(35, 0xABC, now);
