@@ -38,7 +38,7 @@ std::string read(const fs::path& path) {
 
 /// Runs each pair alone, and one run without any fault.
 Scorecard play(const rig_config::Rig& asked, const std::vector<Pair>& pairs, const Options& options,
-               study::Options campaign, study::Progress& progress) {
+               const study::Options& campaign, study::Progress& progress) {
   rig_config::Rig rig = asked;
   rig.faults.clear();
   const Reference reference(record_run(rig, options.window.run_s()));

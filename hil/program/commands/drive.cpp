@@ -14,7 +14,7 @@ namespace {
 host::BehindPage faults_behind_page(const rig_config::Rig& rig) {
   return [&rig](const boost::asio::any_io_executor& executor, host::RigViewer& viewer,
                 host::Follower& others) {
-    const auto remote = std::make_shared<control::RemoteFaults>(executor, rig, others);
+    auto remote = std::make_shared<control::RemoteFaults>(executor, rig, others);
     viewer.add(control::fault_services(
         rig, [remote](const auto& order, auto answered) { remote->obey(order, answered); }));
     return remote;

@@ -72,8 +72,10 @@ void add_velocity_figures(const CaseResult& result, const std::string& title,
           fmt::format("{}, {} of {}", title, part, axes[axis]), "time [h]", "m/s", {}};
       for (std::size_t m = 1; m < velocity_methods.size(); ++m) {
         const Ensemble& error = result.methods[m].velocity(axis);
-        figure.curves.push_back(over_hours(std::string(velocity_methods[m].name), error.instants(),
-                                           [&](std::size_t i) { return (error.*value)(i); }));
+        // clang 14 does not let a lambda use a structured binding.
+        figure.curves.push_back(
+            over_hours(std::string(velocity_methods[m].name), error.instants(),
+                       [&, at = value](std::size_t i) { return (error.*at)(i); }));
       }
       figures.push_back(figure);
     }
