@@ -40,4 +40,27 @@ void add_overwrite(CLI::App& sub, host::RecordOptions& record) {
   sub.add_flag("--overwrite", record.overwrite, "replace what is there");
 }
 
+void add_realtime(CLI::App& sub, RealtimeOptions& realtime) {
+  auto* flag = sub.add_flag(
+      "--realtime", realtime.wanted,
+      "SCHED_FIFO and locked memory, for a loop that is late less often: docs/real-time.md");
+  sub.add_option("--priority", realtime.scheduling.priority, "of SCHED_FIFO")
+      ->check(CLI::Range(1, 99))
+      ->capture_default_str()
+      ->needs(flag);
+  sub.add_option("--cores", realtime.scheduling.cores,
+                 "processors that may run the loop: 2 or 2,3; default all")
+      ->delimiter(',')
+      ->check(CLI::Range(0, 1023))
+      ->needs(flag);
+}
+
+void claim(const RealtimeOptions& realtime) {
+  if (!realtime.wanted) return;
+  const auto claimed = io::claim(realtime.scheduling);
+  if (!claimed) throw CLI::ValidationError("--realtime", claimed.error().message);
+  fmt::print(stderr, "real time: SCHED_FIFO at priority {}, memory locked\n",
+             realtime.scheduling.priority);
+}
+
 }  // namespace drydock::program

@@ -5,6 +5,7 @@
 
 #include "drivers/host/rig_recorder.hpp"
 #include "drivers/host/rig_viewer.hpp"
+#include "drivers/io/scheduling.hpp"
 
 /// Options that several commands have.
 namespace drydock::program {
@@ -23,5 +24,16 @@ void add_faults_option(CLI::App& sub, std::string& file);
 
 /// --overwrite, for a recording.
 void add_overwrite(CLI::App& sub, host::RecordOptions& record);
+
+/// What --realtime, --priority and --cores ask for.
+struct RealtimeOptions {
+  bool wanted = false;
+  io::Scheduling scheduling;
+};
+void add_realtime(CLI::App& sub, RealtimeOptions& realtime);
+
+/// Does what they ask for, and says so on standard error. Throws CLI::ValidationError if the kernel
+/// refuses it.
+void claim(const RealtimeOptions& realtime);
 
 }  // namespace drydock::program

@@ -28,6 +28,7 @@ void add_drivers(CLI::App& app, Command& command, const std::string& name,
   struct Arguments {
     std::string rig;
     host::DriveOptions options;
+    RealtimeOptions realtime;
   };
   auto a = std::make_shared<Arguments>();
   auto* sub = app.add_subcommand(name, description);
@@ -39,10 +40,12 @@ void add_drivers(CLI::App& app, Command& command, const std::string& name,
   sub->add_option(output, a->options.record.path, "the MCAP file")->required(name == "record");
   add_overwrite(*sub, a->options.record);
   add_serve(*sub, a->options.serve);
+  add_realtime(*sub, a->realtime);
   if (name == "drive") add_allow_faults(*sub, a->options.serve);
   sub->callback([a, &command] {
     command = [a] {
       const auto rig = load_rig(a->rig);
+      claim(a->realtime);
       if (a->options.serve.allow_faults) a->options.behind_page = faults_behind_page(rig);
       return host::drive(rig, a->options);
     };

@@ -11,6 +11,7 @@ void add_emulate(CLI::App& app, Command& command) {
   struct Arguments {
     std::string rig, faults;
     double duration_s = 0;
+    RealtimeOptions realtime;
   };
   auto a = std::make_shared<Arguments>();
   auto* sub =
@@ -20,10 +21,12 @@ void add_emulate(CLI::App& app, Command& command) {
   sub->add_option("--for", a->duration_s, "how long: 60s, 10min, 5.5h; default until Ctrl-C")
       ->transform(duration_text);
   add_faults_option(*sub, a->faults);
+  add_realtime(*sub, a->realtime);
   sub->callback([a, &command] {
     command = [a] {
       auto rig = load_rig(a->rig, check::Use::emulation);
       add_faults(rig, a->faults);
+      claim(a->realtime);
       return bench::emulate(rig, a->duration_s);
     };
   });

@@ -12,6 +12,7 @@ void add_run(CLI::App& app, Command& command) {
     std::string rig, faults, speed = "1";
     std::optional<std::uint64_t> seed;
     bench::RunOptions options;
+    RealtimeOptions realtime;
   };
   auto a = std::make_shared<Arguments>();
   auto* sub =
@@ -38,6 +39,7 @@ void add_run(CLI::App& app, Command& command) {
   add_overwrite(*sub, a->options.record);
   add_serve(*sub, a->options.serve);
   add_allow_faults(*sub, a->options.serve);
+  add_realtime(*sub, a->realtime);
   sub->add_flag("--expect-streaming", a->options.expect_streaming,
                 "exit 1 when a device is not streaming at the end");
   sub->add_option(
@@ -51,6 +53,9 @@ void add_run(CLI::App& app, Command& command) {
       a->options.lockstep = a->speed == "max";
       if (a->options.lockstep && !a->options.serve.address.empty())
         throw CLI::ValidationError("--serve", "shows a run in real time, not with --speed max");
+      if (a->options.lockstep && a->realtime.wanted)
+        throw CLI::ValidationError("--realtime", "not with --speed max, which waits for no clock");
+      claim(a->realtime);
       return bench::run(rig, a->options);
     };
   });
