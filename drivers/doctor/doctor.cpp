@@ -37,6 +37,7 @@ void add_link(const link::Uri& uri, Needs& needs) {
   if (uri.scheme == link::Scheme::socketcan) {
     needs.kernel_can = true;
     needs.buses.push_back(uri.target);
+    if (uri.query.contains("bitrate")) needs.bitrates[uri.target] = *uri.bitrate();
   }
   needs.can_auto |= uri.scheme == link::Scheme::can_auto;
 }
@@ -66,6 +67,7 @@ std::vector<Diagnosis> diagnose(const std::string& root, const Needs& needs) {
     std::ranges::move(some, std::back_inserter(all));
   };
   add(check_ports(root, needs));
+  add(check_names(root, needs));
   add(check_holders(root, needs));
   add(check_latency(root, needs));
   add(check_can(root, needs));

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <cstdio>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -29,8 +30,10 @@ struct Needs {
   bool whole_machine = true;       ///< no rig was named: check all, report little as wrong
   std::vector<std::string> ports;  ///< device paths of serial and slcan links
   std::vector<std::string> buses;  ///< CAN interfaces of socketcan links
-  bool kernel_can = false;         ///< SocketCAN, for socketcan and vcan links
-  bool can_auto = false;           ///< uses vcan if it is there, works without it
+  std::map<std::string, unsigned>
+      bitrates;             ///< of these interfaces, bit/s, where the rig states it
+  bool kernel_can = false;  ///< SocketCAN, for socketcan and vcan links
+  bool can_auto = false;    ///< uses vcan if it is there, works without it
   bool dds = true;
 };
 
@@ -38,6 +41,8 @@ Needs needs_of(const rig_config::Rig& rig);
 
 std::vector<Diagnosis> check_ports(const std::string& root, const Needs& needs);
 std::vector<Diagnosis> check_holders(const std::string& root, const Needs& needs);
+/// Ports named by their order of plugging, though they have a name that stays.
+std::vector<Diagnosis> check_names(const std::string& root, const Needs& needs);
 std::vector<Diagnosis> check_latency(const std::string& root, const Needs& needs);
 std::vector<Diagnosis> check_can(const std::string& root, const Needs& needs);
 std::vector<Diagnosis> check_network(const std::string& root, const Needs& needs);

@@ -2,6 +2,7 @@
 #include <sys/stat.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <filesystem>
 #include <fstream>
@@ -97,6 +98,17 @@ std::string resolved(const std::string& root, const std::string& path) {
   return gone ? path : "/dev/" + target.filename().string();
 }
 
+/// Programs that open serial ports which nobody gave them, when an adapter is plugged in.
+struct Grabber {
+  const char *name, *text, *command;
+};
+constexpr std::array grabbers{
+    Grabber{"ModemManager", "ModemManager runs: it tries new serial ports for modems",
+            "sudo systemctl mask --now ModemManager"},
+    Grabber{"brltty",
+            "brltty runs: it takes new serial adapters (CH340, CP210x) for braille displays",
+            "sudo systemctl mask --now brltty.service brltty-udev.service"}};
+
 bool holds(const std::string& root, const std::string& process, const std::string& port) {
   std::error_code gone;
   for (const auto& fd : fs::directory_iterator(fs::path(root) / "proc" / process / "fd", gone)) {
@@ -127,14 +139,27 @@ std::vector<Diagnosis> check_holders(const std::string& root, const Needs& needs
             {"other programs", Fitness::wrong,
              fmt::format("{} (process {}) has {} open", name, process, port),
              name == "gpsd" ? "sudo systemctl stop gpsd.socket gpsd" : "kill " + process});
-    // ModemManager opens every new serial port and sends modem commands to it.
-    if (name == "ModemManager" && !ports.empty())
-      found.push_back({"other programs", Fitness::advice,
-                       "ModemManager runs: it tries new serial ports for modems",
-                       "sudo systemctl mask --now ModemManager"});
+    if (ports.empty()) continue;
+    for (const auto& program : grabbers)
+      if (name == program.name)
+        found.push_back({"other programs", Fitness::advice, program.text, program.command});
   }
   if (found.empty() && !ports.empty())
     found.push_back({"other programs", Fitness::ok, "none that we may see holds a port", ""});
+  return found;
+}
+
+std::vector<Diagnosis> check_names(const std::string& root, const Needs& needs) {
+  if (needs.whole_machine) return {};  // `drydock probe --all` lists both names of each port
+  std::vector<Diagnosis> found;
+  for (const auto& port : serial_ports(root))
+    if (!port.by_id.empty() && std::ranges::find(needs.ports, port.path) != needs.ports.end())
+      found.push_back(
+          {"names", Fitness::advice,
+           fmt::format(
+               "{} may be another adapter after the next plugging; in the rig write serial:{}",
+               port.path, port.by_id),
+           ""});
   return found;
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <optional>
 #include <sstream>
 
 #include "drivers/doctor/doctor.hpp"
@@ -36,24 +37,51 @@ Diagnosis check_module(const std::string& root, const std::string& name, bool ne
           name + " is not loaded: " + what_for, "sudo modprobe " + name};
 }
 
-Diagnosis check_bus(const std::string& name, const std::vector<CanPort>& ports) {
+/// The command that sets an interface of a controller up at this rate, whatever it does now.
+std::string set_up(const std::string& name, unsigned bitrate) {
+  return fmt::format(
+      "sudo ip link set {0} down; sudo ip link set {0} up type can bitrate {1} restart-ms 100",
+      name, bitrate);
+}
+
+/// Linux gives a CAN interface a queue of 10 frames: a burst of two devices fills it.
+std::optional<Diagnosis> check_queue(const std::string& root, const std::string& name) {
+  constexpr unsigned too_short = 100, enough = 1000;
+  std::ifstream in(fs::path(root) / "sys/class/net" / name / "tx_queue_len");
+  unsigned frames = 0;
+  if (!(in >> frames) || frames >= too_short) return {};
+  return Diagnosis{
+      "CAN", Fitness::advice,
+      fmt::format("{} queues {} frames: on a busy bus, sending fails with 'no buffer space'", name,
+                  frames),
+      fmt::format("sudo ip link set {} txqueuelen {}", name, enough)};
+}
+
+Diagnosis check_bus(const std::string& name, const Needs& needs,
+                    const std::vector<CanPort>& ports) {
   const auto port = std::ranges::find(ports, name, &CanPort::name);
   const bool is_virtual = name.starts_with("vcan");
+  constexpr unsigned usual_bitrate = 250000;  // of NMEA 2000 and J1939
+  std::optional<unsigned> wanted;
+  if (needs.bitrates.contains(name)) wanted = needs.bitrates.at(name);
   if (port == ports.end())
     return {"CAN", Fitness::wrong, "there is no CAN interface " + name,
             is_virtual
                 ? fmt::format("sudo ip link add {} type vcan && sudo ip link set {} up", name, name)
                 : "ip -details link show type can"};
   if (!port->up)
-    return {
-        "CAN", Fitness::wrong, name + " is down",
-        is_virtual
-            ? fmt::format("sudo ip link set {} up", name)
-            : fmt::format("sudo ip link set {} up type can bitrate 250000 restart-ms 100", name)};
+    return {"CAN", Fitness::wrong, name + " is down",
+            is_virtual ? fmt::format("sudo ip link set {} up", name)
+                       : set_up(name, wanted.value_or(usual_bitrate))};
   if (port->state == "BUS-OFF")
     return {"CAN", Fitness::wrong, name + " is bus-off: it takes no part in the bus",
             fmt::format("sudo ip link set {} type can restart", name)};
-  return {"CAN", Fitness::ok, name + " is up", ""};
+  if (wanted && port->bitrate && *port->bitrate != *wanted)
+    return {"CAN", Fitness::wrong,
+            fmt::format("{} runs at {} bit/s, the rig says {}", name, *port->bitrate, *wanted),
+            set_up(name, *wanted)};
+  const std::string rate = port->bitrate ? fmt::format(" at {} bit/s", *port->bitrate) : "";
+  return {"CAN", Fitness::ok, name + " is up" + rate, ""};
 }
 
 constexpr unsigned multicast_flag = 0x1000;  // IFF_MULTICAST
@@ -76,9 +104,13 @@ std::vector<Diagnosis> check_can(const std::string& root, const Needs& needs) {
         check_module(root, "slcan", false, "only for slcand; slcan: links of ours do without"));
   }
   const auto ports = can_ports(root);
-  for (const auto& bus : needs.buses) found.push_back(check_bus(bus, ports));
+  auto buses = needs.buses;
   if (needs.whole_machine)
-    for (const auto& port : ports) found.push_back(check_bus(port.name, ports));
+    for (const auto& port : ports) buses.push_back(port.name);
+  for (const auto& bus : buses) {
+    found.push_back(check_bus(bus, needs, ports));
+    if (const auto queue = check_queue(root, bus)) found.push_back(*queue);
+  }
   return found;
 }
 

@@ -131,6 +131,45 @@ TEST(Doctor, AProgramThatHasThePortOpenIsNamed) {
   EXPECT_EQ(found.at(0).command, "sudo systemctl stop gpsd.socket gpsd");
 }
 
+TEST(Doctor, ProgramsThatGrabNewAdaptersAreNamedWithTheCommandThatEndsIt) {
+  Machine machine;
+  machine.plug_in();
+  machine.file("proc/10/comm", "ModemManager\n");
+  machine.file("proc/11/comm", "brltty\n");
+  const auto found = check_holders(machine.root(), rig_with("/dev/ttyUSB0"));
+  ASSERT_EQ(found.size(), 2u);
+  for (const auto& one : found) EXPECT_EQ(one.fitness, Fitness::advice);
+  EXPECT_EQ(found[0].command, "sudo systemctl mask --now ModemManager");
+  EXPECT_EQ(found[1].command, "sudo systemctl mask --now brltty.service brltty-udev.service");
+}
+
+TEST(Doctor, APortNamedByItsPlaceIsToldTheNameThatStays) {
+  Machine machine;
+  machine.plug_in();
+  const std::string by_id = "/dev/serial/by-id/usb-FTDI_FT232R_A900-if00-port0";
+  const auto found = check_names(machine.root(), rig_with("/dev/ttyUSB0"));
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].fitness, Fitness::advice);
+  EXPECT_THAT(found[0].text, HasSubstr("serial:" + by_id));
+  EXPECT_TRUE(check_names(machine.root(), rig_with(by_id)).empty());
+}
+
+TEST(Doctor, AShortSendQueueOfACanInterfaceIsLengthened) {
+  Machine machine;
+  machine.file("sys/class/net/can0/type", "280\n");
+  machine.file("sys/class/net/can0/tx_queue_len", "10\n");
+  Needs needs{
+      .whole_machine = false, .ports = {}, .buses = {"can0"}, .bitrates = {}, .kernel_can = true};
+  const auto commands = [&] {
+    std::vector<std::string> all;
+    for (const auto& one : check_can(machine.root(), needs)) all.push_back(one.command);
+    return all;
+  };
+  EXPECT_THAT(commands(), testing::Contains("sudo ip link set can0 txqueuelen 1000"));
+  machine.file("sys/class/net/can0/tx_queue_len", "1000\n");
+  EXPECT_THAT(commands(), testing::Not(testing::Contains(HasSubstr("txqueuelen"))));
+}
+
 TEST(Doctor, TheLatencyTimerOfAnFtdiChipIsSeen) {
   Machine machine;
   machine.plug_in();
