@@ -1,6 +1,7 @@
 #include <boost/asio/buffer.hpp>
 #include <boost/asio/co_spawn.hpp>
 #include <boost/asio/detached.hpp>
+#include <boost/asio/ip/tcp.hpp>
 #include <boost/asio/steady_timer.hpp>
 #include <boost/asio/write.hpp>
 #include <chrono>
@@ -102,7 +103,7 @@ Task<void> TcpServer::write(std::span<const std::uint8_t> bytes) {
 }  // namespace
 
 OpenedBytes open_tcp_server(const asio::any_io_executor& executor, const Uri& uri) {
-  const auto endpoint = tcp_endpoint(uri);
+  const auto endpoint = own_endpoint<tcp>(uri);
   if (!endpoint) return endpoint.error();
   tcp::acceptor acceptor(executor);
   boost::system::error_code error;
