@@ -79,6 +79,7 @@ constexpr Key interface { "interface", "up to 15 letters, digits, _ - .", is_int
 constexpr Key fd{"fd", "0 1", is_flag};
 constexpr Key echo{"echo", "0 1", is_flag};
 constexpr Key listen{"listen", "0 1", is_flag};
+constexpr Key clients{"clients", "1 to 16", is_within<1, 16>};
 constexpr Key emulated{"emulated", "0 1", is_flag};
 constexpr Key bitrate{"bitrate", "10000 to 1000000", is_within<10'000, 1'000'000>};
 constexpr Key slcan_bitrate{
@@ -98,7 +99,7 @@ constexpr std::array<Form, 10> forms{{
      "host:port, port 1 to 65535",
      "tcp:192.168.2.3:16171",
      is_host_and_port,
-     {emulated}},
+     {emulated, clients}},
     {Scheme::udp,
      "udp",
      "host:port, port 1 to 65535",
