@@ -22,7 +22,7 @@ LineRunner::LineRunner(boost::asio::io_context& io, link::Uri uri,
       uri_(std::move(uri)),
       name_(std::move(name)),
       device_(std::move(device)),
-      pacer_(uri_.baud().value_or(without_line_rate), longest_chunk),
+      pacer_(uri_.line_rate().value_or(without_line_rate), longest_chunk),
       line_(std::move(line)),
       port_(std::make_shared<io::Signal>(executor_)) {}
 
