@@ -105,6 +105,7 @@ std::unique_ptr<Device> make_device(const ReplayOptions& options, const link::Ur
   wanted.driver.kind = chosen_kind(options);
   wanted.driver.protocol = options.protocol;
   wanted.driver.baud = uri.baud();
+  wanted.driver.byte_frame = uri.byte_frame();
   wanted.driver.address = options.address;
   wanted.name = to_string(wanted.driver.kind);
   wanted.link = uri.text;

@@ -11,6 +11,7 @@
 #include "drivers/wire/can/xsens.hpp"
 #include "drivers/wire/canopen/cia404_pressure.hpp"
 #include "drivers/wire/j1939/aceinna_setup.hpp"
+#include "drivers/wire/line_rate.hpp"
 
 namespace drydock::device {
 
@@ -63,6 +64,7 @@ struct DriverOptions {
   Mounting mounting;
   std::chrono::nanoseconds latency{0};  ///< from the time of validity to the first bit on the wire
   std::optional<unsigned> baud;         ///< byte links; empty if there is no line rate
+  wire::ByteFrame byte_frame;           ///< of a line with a rate
   unsigned bitrate = 250'000;           ///< rate of a CAN bus, bit/s
   std::uint8_t address = 0;             ///< J1939 source address, CANopen node; 0: the first seen
   AceinnaSettings aceinna;

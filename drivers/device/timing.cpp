@@ -6,7 +6,6 @@ namespace drydock::device {
 
 namespace {
 
-constexpr std::int64_t bits_per_byte = 10;  // 8N1
 constexpr std::int64_t ns_per_second = 1'000'000'000;
 
 /// From start of frame to end of frame, ISO 11898-1.
@@ -18,15 +17,13 @@ std::int64_t bits_of(const wire::CanFrame& frame) {
 }  // namespace
 
 Timing::Timing(const DriverOptions& options)
-    : baud_(options.baud),
+    : rate_(options.baud.value_or(0), options.byte_frame),
       bitrate_(options.bitrate),
       latency_(options.latency),
       device_(options.device) {}
 
 std::chrono::nanoseconds Timing::line_time(std::size_t bytes) const {
-  if (!baud_) return {};
-  return std::chrono::nanoseconds{static_cast<std::int64_t>(bytes) * bits_per_byte * ns_per_second /
-                                  *baud_};
+  return rate_.time_of(bytes);
 }
 
 Origin Timing::of_bytes(Stamp read_at, std::size_t frame_bytes, std::size_t after) const {

@@ -20,7 +20,7 @@ class Timing {
   explicit Timing(const DriverOptions& options);
 
   /// `after` is the number of bytes behind the frame in the read that ended at `read_at`. If the
-  /// line has a baud rate, a byte takes 10 bits (8N1): received_at = read_at - after bytes,
+  /// line has a baud rate, a byte takes the bits of its frame: received_at = read_at - after bytes,
   /// valid_at = received_at - frame_bytes - latency.
   Origin of_bytes(Stamp read_at, std::size_t frame_bytes, std::size_t after) const;
   /// If the frame gives the age of its values, `latency` replaces the option.
@@ -35,14 +35,14 @@ class Timing {
   std::chrono::nanoseconds line_time(std::size_t bytes) const;  ///< zero without a baud rate
   std::chrono::nanoseconds line_time(const wire::CanFrame& frame) const;  ///< start to end of frame
 
-  void set_baud(unsigned baud) { baud_ = baud; }
+  void set_baud(unsigned baud) { rate_.baud = baud; }
   void set_provenance(measurement::Provenance provenance) { provenance_ = provenance; }
   measurement::Provenance provenance() const { return provenance_; }
 
  private:
   Origin origin(Stamp valid_at, Stamp received_at) const;
 
-  std::optional<unsigned> baud_;
+  wire::LineRate rate_;
   unsigned bitrate_;
   std::chrono::nanoseconds latency_;
   std::uint16_t device_;

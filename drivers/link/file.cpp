@@ -18,7 +18,6 @@ namespace {
 
 using SteadyClock = std::chrono::steady_clock;
 
-constexpr double bits_per_byte = 10;     // start, eight data, stop
 constexpr double chunk_seconds = 0.004;  // a UART's FIFO delivers bytes in such blocks
 
 class FileLink final : public ByteLink {
@@ -102,7 +101,7 @@ Task<ReceivedBytes> FileLink::read(std::span<std::uint8_t> into) {
 }
 
 double bytes_per_second(const Uri& uri) {
-  return uri.baud().value_or(0) * uri.speed().value_or(1) / bits_per_byte;
+  return uri.line_rate().value_or(wire::LineRate{}).bytes_per_second() * uri.speed().value_or(1);
 }
 
 }  // namespace

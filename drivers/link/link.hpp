@@ -50,6 +50,8 @@ class ByteLink {
   virtual Task<void> write(std::span<const std::uint8_t> bytes) = 0;
   virtual void close() = 0;
   virtual Provenance provenance() const = 0;
+  /// Written bytes that a listener who was there did not take in time.
+  virtual std::uint64_t dropped() const { return 0; }
 };
 
 struct ReceivedFrame {

@@ -59,6 +59,7 @@ typename Pump<Link, Queue>::Run Pump<Link, Queue>::write_batch() {
   } else {
     for (const auto& item : batch_) {
       if (goes_on(item, co_await link_.write(item))) continue;
+      left_ = static_cast<std::size_t>(&batch_.back() - &item);
       close();
       co_return;
     }

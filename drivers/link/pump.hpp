@@ -33,6 +33,9 @@ class Pump {
 
   bool is_open() const { return open_; }
   bool is_writing() const { return writing_; }
+  /// What waits for its turn; once the pump is closed: what never had it. In bytes, frames or
+  /// messages.
+  std::size_t waiting() const { return queued_.size() + left_; }
 
  private:
   Run write_batch();
@@ -42,6 +45,7 @@ class Pump {
   Written written_;
   std::shared_ptr<io::Signal> changed_;
   Queue queued_, batch_;
+  std::size_t left_ = 0;  ///< of the batch in which a write failed
   bool open_ = true, writing_ = false;
   bool idle_ = false;  ///< drain_until_closed() waits
 };

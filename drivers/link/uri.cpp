@@ -78,6 +78,12 @@ std::string check_slcan(const Uri& uri) {
 std::string check_whole(const Uri& uri) {
   if (uri.scheme == Scheme::serial && uri.text_of("baud").empty())
     return "serial needs a baud rate, for example " + std::string(form_of(uri.scheme).example);
+  if (uri.text_of("bits") == "5" && uri.text_of("stop") == "2")
+    return "a byte of 5 bits has no 2 stop bits; allowed: stop=1";
+  if (uri.text_of("flow") == "rtscts" && !uri.text_of("rts").empty())
+    return "with flow=rtscts the port itself sets RTS: leave out rts";
+  if (uri.text_of("flow") == "rtscts" && !uri.text_of("rs485").empty())
+    return "RS-485 has no flow=rtscts: RTS switches the transmitter";
   return uri.scheme == Scheme::slcan ? check_slcan(uri) : std::string();
 }
 
@@ -184,6 +190,20 @@ std::optional<unsigned> number(const Uri& uri, const char* key) {
 
 std::optional<unsigned> Uri::baud() const {
   return text_of("baud") == "auto" ? std::nullopt : number(*this, "baud");
+}
+
+wire::ByteFrame Uri::byte_frame() const {
+  wire::ByteFrame frame;
+  frame.data_bits = number(*this, "bits").value_or(frame.data_bits);
+  frame.parity = parity_of(text_of("parity")).value_or(frame.parity);
+  frame.stop_bits = number(*this, "stop").value_or(frame.stop_bits);
+  return frame;
+}
+
+std::optional<wire::LineRate> Uri::line_rate() const {
+  const auto bits_per_second = baud();
+  if (!bits_per_second) return std::nullopt;
+  return wire::LineRate(*bits_per_second, byte_frame());
 }
 
 std::optional<unsigned> Uri::bitrate() const {

@@ -8,6 +8,8 @@
 #include <string>
 #include <string_view>
 
+#include "drivers/wire/line_rate.hpp"
+
 namespace drydock::link {
 
 /// The first six carry bytes, the others CAN frames; a file may hold either.
@@ -36,6 +38,10 @@ struct Uri {
   /// Bit/s of the serial line, if the URI gives it; parse_uri requires `baud` for `serial`. Empty
   /// for `baud=auto`: the code that opens the line finds the rate and sets it.
   std::optional<unsigned> baud() const;
+  /// Keys `bits`, `parity` and `stop`; 8N1 where the URI gives none.
+  wire::ByteFrame byte_frame() const;
+  /// Both of these. Empty like baud().
+  std::optional<wire::LineRate> line_rate() const;
   /// Speed of playback relative to real time. 0: as fast as possible. Empty if the URI does not
   /// give it.
   std::optional<double> speed() const;

@@ -20,7 +20,16 @@ bool is_within(std::string_view text) {
 
 bool is_flag(std::string_view text) { return text == "0" || text == "1"; }
 
-bool is_parity(std::string_view text) { return text == "none" || text == "even" || text == "odd"; }
+constexpr std::array<std::string_view, 5> parities{"none", "even", "odd", "mark", "space"};
+
+bool is_parity(std::string_view text) { return parity_of(text).has_value(); }
+
+bool is_flow(std::string_view text) {
+  return text == "none" || text == "rtscts" || text == "xonxoff";
+}
+
+/// The level of RTS while the transmitter is on.
+bool is_rs485(std::string_view text) { return text == "high" || text == "low"; }
 
 bool is_speed(std::string_view text) {
   double value = 0;
@@ -69,9 +78,13 @@ constexpr Key baud{"baud", "50 to 12000000", is_within<50, 12'000'000>};
 constexpr Key baud_or_auto{"baud", "50 to 12000000, or auto", [](std::string_view text) {
                              return text == "auto" || is_within<50, 12'000'000>(text);
                            }};
-constexpr Key parity{"parity", "none even odd", is_parity};
-constexpr Key bits{"bits", "7 8", is_within<7, 8>};
+constexpr Key parity{"parity", "none even odd mark space", is_parity};
+constexpr Key bits{"bits", "5 6 7 8", is_within<5, 8>};
 constexpr Key stop{"stop", "1 2", is_within<1, 2>};
+constexpr Key flow{"flow", "none rtscts xonxoff", is_flow};
+constexpr Key dtr{"dtr", "0 1", is_flag};
+constexpr Key rts{"rts", "0 1", is_flag};
+constexpr Key rs485{"rs485", "high low", is_rs485};
 constexpr Key speed{"speed", "max, 1 (as fast as the line was) or another factor", is_speed};
 constexpr Key format{"format", "raw pcap pcapng candump-log candump-screen asc trc canboat",
                      is_capture_format};
@@ -79,6 +92,7 @@ constexpr Key interface { "interface", "up to 15 letters, digits, _ - .", is_int
 constexpr Key fd{"fd", "0 1", is_flag};
 constexpr Key echo{"echo", "0 1", is_flag};
 constexpr Key listen{"listen", "0 1", is_flag};
+constexpr Key clients{"clients", "1 to 16", is_within<1, 16>};
 constexpr Key emulated{"emulated", "0 1", is_flag};
 constexpr Key bitrate{"bitrate", "10000 to 1000000", is_within<10'000, 1'000'000>};
 constexpr Key slcan_bitrate{
@@ -91,14 +105,19 @@ constexpr std::array<Form, 10> forms{{
      "a device path",
      "serial:/dev/ttyUSB0?baud=115200",
      is_path,
-     {baud_or_auto, parity, stop, emulated, bits}},
-    {Scheme::pty, "pty", "a name without / or an absolute path", "pty:dvl", is_pty, {baud}},
+     {baud_or_auto, bits, parity, stop, flow, dtr, rts, rs485, emulated}},
+    {Scheme::pty,
+     "pty",
+     "a name without / or an absolute path",
+     "pty:dvl",
+     is_pty,
+     {baud, bits, parity, stop}},
     {Scheme::tcp,
      "tcp",
      "host:port, port 1 to 65535",
      "tcp:192.168.2.3:16171",
      is_host_and_port,
-     {emulated}},
+     {emulated, clients}},
     {Scheme::udp,
      "udp",
      "host:port, port 1 to 65535",
@@ -110,8 +129,13 @@ constexpr std::array<Form, 10> forms{{
      "a path",
      "file:dive.log?speed=1&baud=38400",
      is_path,
-     {speed, baud, format, interface}},
-    {Scheme::memory, "memory", "a name without /", "memory:dvl", is_name, {baud}},
+     {speed, baud, bits, parity, stop, format, interface}},
+    {Scheme::memory,
+     "memory",
+     "a name without /",
+     "memory:dvl",
+     is_name,
+     {baud, bits, parity, stop}},
     {Scheme::socketcan,
      "socketcan",
      "an interface name",
@@ -136,5 +160,11 @@ constexpr std::array<Form, 10> forms{{
 }  // namespace
 
 const std::array<Form, 10>& uri_forms() { return forms; }
+
+std::optional<wire::Parity> parity_of(std::string_view name) {
+  const auto found = std::find(parities.begin(), parities.end(), name);
+  if (found == parities.end()) return std::nullopt;
+  return static_cast<wire::Parity>(found - parities.begin());
+}
 
 }  // namespace drydock::link

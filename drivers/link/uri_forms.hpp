@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string_view>
 
 #include "drivers/link/uri.hpp"
@@ -22,8 +23,11 @@ struct Form {
   Scheme scheme;
   std::string_view name, target, example;
   Check valid_target;
-  std::array<Key, 5> keys;  ///< unused ones have no name
+  std::array<Key, 9> keys;  ///< unused ones have no name
 };
+
+/// The parity of this name: none even odd mark space.
+std::optional<wire::Parity> parity_of(std::string_view name);
 
 /// In the order of Scheme.
 const std::array<Form, 10>& uri_forms();

@@ -81,6 +81,7 @@ std::vector<std::unique_ptr<device::Device>> devices_of(const probe::ProbeReport
     options.driver.device = static_cast<std::uint16_t>(devices.size());
     const auto uri = link::parse_uri(found.link).value();
     options.driver.baud = uri.baud();
+    options.driver.byte_frame = uri.byte_frame();
     options.driver.bitrate = uri.bitrate().value_or(options.driver.bitrate);
     options.nominal_rate_hz = found.rate_hz ? survey::nominal_rate_hz(*found.rate_hz) : 0;
     auto made = device::Device::make(std::move(options));

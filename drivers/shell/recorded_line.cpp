@@ -8,7 +8,6 @@ namespace drydock::shell {
 namespace {
 
 constexpr unsigned default_baud = 9600;
-constexpr std::int64_t bits_per_byte = 10;  // 8N1
 constexpr std::size_t bytes_per_step = 64;
 
 }  // namespace
@@ -16,7 +15,7 @@ constexpr std::size_t bytes_per_step = 64;
 RecordedLine::RecordedLine(const link::Uri& uri, DeviceActor& driver, Stamp start)
     : file_(uri.target, std::ios::binary),
       driver_(driver),
-      byte_time_(bits_per_byte * 1'000'000'000 / uri.baud().value_or(default_baud)),
+      byte_time_(uri.line_rate().value_or(default_baud).time_of(1)),
       raw_(uri.text_of("format") == "raw"),
       chunk_(bytes_per_step) {
   if (!file_) {

@@ -32,6 +32,7 @@ device::DriverOptions driver_options(const DeviceConfig& config, std::size_t ind
   options.mounting = {config.mounting_rad[0], config.mounting_rad[1], config.mounting_rad[2]};
   options.latency = measurement::from_seconds(config.latency_s);
   options.baud = uri.baud();
+  options.byte_frame = uri.byte_frame();
   options.bitrate = uri.bitrate().value_or(options.bitrate);
   options.address = static_cast<std::uint8_t>(config.address);
   options.canopen.heartbeat_timeout = measurement::from_seconds(config.heartbeat_timeout_s);

@@ -99,7 +99,7 @@ void LockstepBench::add(const rig_config::DeviceConfig& config,
 void LockstepBench::add_line(const rig_config::DeviceConfig& config, const link::Uri& uri,
                              shell::DeviceActor& actor) {
   lines_.push_back(std::make_unique<emulate::EmulatedLine>(
-      or_throw(faults_.device(config)), uri.baud().value_or(emulate::without_line_rate),
+      or_throw(faults_.device(config)), uri.line_rate().value_or(emulate::without_line_rate),
       [this, &actor, name = config.name](wire::Bytes bytes, const emulate::Passage& passage) {
         if (on_written_) on_written_(name, passage, passage.ended_at);
         actor.receive(bytes, passage.ended_at);

@@ -125,6 +125,10 @@ class RealTimeRun {
 
   void note_losses() {
     const auto lost = emulator_.counters();
+    if (lost.not_taken > 0)
+      summary_.notes.push_back(fmt::format(
+          "{} bytes of emulated devices were not taken by programs that had a line open",
+          lost.not_taken));
     if (lost.lost == 0 && lost.write_errors == 0) return;
     summary_.notes.push_back(
         fmt::format("emulated devices lost {} messages to overloaded lines, {} to write errors",

@@ -6,25 +6,24 @@
 namespace drydock::emulate {
 namespace {
 
-constexpr std::uint64_t bits_per_byte = 10;  // 8N1
 constexpr std::uint64_t ns_per_s = 1'000'000'000;
 
-std::size_t bytes_within(std::chrono::nanoseconds time, std::uint64_t baud) {
-  return static_cast<std::size_t>(measurement::seconds(time) * static_cast<double>(baud) /
-                                  bits_per_byte);
+std::size_t bytes_within(std::chrono::nanoseconds time, const wire::LineRate& rate) {
+  return static_cast<std::size_t>(measurement::seconds(time) * rate.bytes_per_second());
 }
 
 }  // namespace
 
-LinePacer::LinePacer(unsigned baud, std::chrono::nanoseconds longest_chunk,
+LinePacer::LinePacer(wire::LineRate rate, std::chrono::nanoseconds longest_chunk,
                      std::chrono::nanoseconds bound)
-    : baud_(baud),
-      chunk_bytes_(std::max<std::size_t>(1, bytes_within(longest_chunk, baud))),
-      bound_bytes_(bytes_within(bound, baud)) {}
+    : rate_(rate),
+      chunk_bytes_(std::max<std::size_t>(1, bytes_within(longest_chunk, rate))),
+      bound_bytes_(bytes_within(bound, rate)) {}
 
 // Rounds up, so that no byte leaves early.
 std::chrono::nanoseconds LinePacer::line_time(std::size_t bytes) const {
-  return std::chrono::nanoseconds{(bytes * bits_per_byte * ns_per_s + baud_ - 1) / baud_};
+  return std::chrono::nanoseconds{(bytes * rate_.frame.bits() * ns_per_s + rate_.baud - 1) /
+                                  rate_.baud};
 }
 
 void LinePacer::queue(wire::Bytes message, Stamp now, std::optional<Stamp> sampled_at) {

@@ -7,6 +7,7 @@
 
 #include "drivers/measurement/stamp.hpp"
 #include "drivers/wire/codec.hpp"
+#include "drivers/wire/line_rate.hpp"
 #include "hil/emulate/emulated_device.hpp"
 
 namespace drydock::emulate {
@@ -22,14 +23,14 @@ struct Chunk {
   Passage of_message;  ///< complete with the last chunk
 };
 
-/// A serial line's transmitter: 10 bits per byte (8N1), messages one after another. It does no I/O
+/// A serial line's transmitter: messages one after another. It does no I/O
 /// and only says which bytes leave when. If a device sends more than the line carries, the oldest
 /// waiting message is lost and counted.
 class LinePacer {
  public:
   /// A chunk lasts at most `longest_chunk`; duration::max() gives whole messages. `bound` limits
   /// the waiting bytes, in line time; one message may always wait.
-  LinePacer(unsigned baud, std::chrono::nanoseconds longest_chunk,
+  LinePacer(wire::LineRate rate, std::chrono::nanoseconds longest_chunk,
             std::chrono::nanoseconds bound = std::chrono::seconds{1});
 
   void queue(wire::Bytes message, Stamp now, std::optional<Stamp> sampled_at = {});
@@ -49,7 +50,7 @@ class LinePacer {
   std::chrono::nanoseconds line_time(std::size_t bytes) const;
   std::size_t chunk_end() const;
 
-  std::uint64_t baud_;
+  wire::LineRate rate_;
   std::size_t chunk_bytes_;
   std::size_t bound_bytes_;
   std::vector<Message> waiting_;                  ///< the first one is leaving

@@ -7,9 +7,10 @@
 
 namespace drydock::emulate {
 
-EmulatedLine::EmulatedLine(std::unique_ptr<EmulatedDevice> device, unsigned baud, Deliver deliver)
+EmulatedLine::EmulatedLine(std::unique_ptr<EmulatedDevice> device, wire::LineRate rate,
+                           Deliver deliver)
     : device_(std::move(device)),
-      pacer_(baud, std::chrono::nanoseconds::max()),
+      pacer_(rate, std::chrono::nanoseconds::max()),
       deliver_(std::move(deliver)) {}
 
 void EmulatedLine::receive(wire::Bytes bytes, Stamp now) {

@@ -22,7 +22,7 @@ class EmulatedLine final : public shell::Actor, private Wire {
   /// Called when the device's port goes (false) or comes back (true).
   using OnPort = std::function<void(bool there, Stamp at)>;
 
-  EmulatedLine(std::unique_ptr<EmulatedDevice> device, unsigned baud, Deliver deliver);
+  EmulatedLine(std::unique_ptr<EmulatedDevice> device, wire::LineRate rate, Deliver deliver);
 
   void set_on_port(OnPort hook) { on_port_ = std::move(hook); }
 

@@ -1,6 +1,7 @@
 #include "hil/proxy/port.hpp"
 
 #include <boost/asio/error.hpp>
+#include <boost/asio/experimental/awaitable_operators.hpp>
 #include <functional>
 
 #include "drivers/link/reading.hpp"
@@ -32,6 +33,10 @@ link::Task<void> connected(link::ByteLink& link, const link::Uri& uri) {
 link::Task<void> connected(link::FrameLink&, const link::Uri&) {
   co_return boost::system::result<void>{};
 }
+
+/// What the link took and could not deliver. A bus counts what it could not receive instead.
+std::uint64_t undelivered(const link::ByteLink& link) { return link.dropped(); }
+std::uint64_t undelivered(const link::FrameLink&) { return 0; }
 
 }  // namespace
 
@@ -67,15 +72,18 @@ typename Port<Link>::Run Port<Link>::serve() {
 template <class Link>
 typename Port<Link>::Run Port<Link>::use(std::unique_ptr<Link> opened) {
   pump_.emplace(io_.get_executor(), *opened, longest_queue, std::bind_front(&Port::written, this));
+  link_ = opened.get();
+  dropped_before_ = 0;
   closed_ = false;
   const auto ready = co_await connected(*opened, uri_);
   if (ready && is_open()) {
+    using namespace asio::experimental::awaitable_operators;
     tell(life_.opened(link::now()));
-    const auto end =
-        co_await link::relay_until_lost<Link>(*opened, std::bind_front(&Port::receive, this));
-    lose(end.message());
+    co_await (read_until_lost(*opened) && pump_->drain_until_closed());
   }
-  while (pump_->is_writing()) co_await wake_->wait();
+  counters_.lost += pump_->waiting() + undelivered(*opened);
+  counters_.sent -= undelivered(*opened);
+  link_ = nullptr;
   pump_.reset();
   opened.reset();
   if (closed_) {
@@ -87,6 +95,13 @@ typename Port<Link>::Run Port<Link>::use(std::unique_ptr<Link> opened) {
 }
 
 template <class Link>
+typename Port<Link>::Run Port<Link>::read_until_lost(Link& opened) {
+  const auto end =
+      co_await link::relay_until_lost<Link>(opened, std::bind_front(&Port::receive, this));
+  lose(end.message());
+}
+
+template <class Link>
 typename Port<Link>::Run Port<Link>::receive(const Item& item, Stamp at) {
   life_.message(at);
   counters_.received += link::Traffic<Link>::size_of(item);
@@ -94,26 +109,49 @@ typename Port<Link>::Run Port<Link>::receive(const Item& item, Stamp at) {
 }
 
 template <class Link>
-void Port<Link>::put(const Item& item) {
-  if (is_open() && !pump_->put(item)) counters_.lost += link::Traffic<Link>::size_of(item);
+void Port<Link>::put(const Item& item, std::optional<Stamp> read_at) {
+  if (!is_open()) return;
+  if (pump_->put(item)) {
+    if (!waiting_since_) waiting_since_ = read_at;
+    return;
+  }
+  counters_.lost += link::Traffic<Link>::size_of(item);
+  note_losses();
+}
+
+/// Says it once, until the other side takes something again.
+template <class Link>
+void Port<Link>::note_losses() {
+  if (std::exchange(taking_, false) && events_.takes_nothing) events_.takes_nothing();
 }
 
 template <class Link>
-typename Port<Link>::Run Port<Link>::drain() {
-  if (!pump_) co_return;
-  co_await pump_->drain();
-  if (!is_open()) wake_->notify();
+typename Port<Link>::Counters Port<Link>::counters() const {
+  Counters all = counters_;
+  if (!link_) return all;
+  all.sent -= undelivered(*link_);
+  all.lost += undelivered(*link_);
+  return all;
 }
 
 template <class Link>
 bool Port<Link>::written(const Item& item, const boost::system::error_code& failure) {
   constexpr bool is_bus = std::is_same_v<Link, link::FrameLink>;
-  if (!failure)
-    counters_.sent += link::Traffic<Link>::size_of(item);
-  else if (is_bus && failure == asio::error::operation_not_supported)
-    ++counters_.lost;  // slcan cannot carry error frames
+  const std::size_t size = link::Traffic<Link>::size_of(item);
+  if (failure) {
+    counters_.lost += size;
+    const bool cannot_carry = is_bus && failure == asio::error::operation_not_supported;
+    if (!cannot_carry) lose(failure.message());  // slcan cannot carry error frames
+    return is_open();
+  }
+  counters_.sent += size;
+  const std::uint64_t dropped = undelivered(*link_);
+  if (std::exchange(dropped_before_, dropped) < dropped)
+    note_losses();
   else
-    lose(failure.message());
+    taking_ = true;
+  if (const auto since = std::exchange(waiting_since_, {}); since && events_.written)
+    events_.written(*since);
   return is_open();
 }
 

@@ -13,8 +13,8 @@ namespace drydock::proxy {
 using link::Stamp;
 
 /// One side of a proxy. The link is opened while it is wanted, and opened again after a growing
-/// pause when it was lost. It is read until it is lost, and written in order. Everything runs on
-/// the thread of the io_context.
+/// pause when it was lost. It is read until it is lost, and written in order; a side that takes
+/// nothing holds up no reading. Everything runs on the thread of the io_context.
 template <class Link>
 class Port {
  public:
@@ -24,12 +24,13 @@ class Port {
   struct Events {
     std::function<Run(const Item&, Stamp)> received;
     std::function<void(const device::Transition&)> changed;  ///< opened, lost, or failed to open
+    std::function<void(Stamp)> written;   ///< what was put with this time is on the link
+    std::function<void()> takes_nothing;  ///< what is put is lost from now on
   };
   /// In bytes or frames.
   struct Counters {
     std::uint64_t received = 0, sent = 0;
-    std::uint64_t lost = 0;  ///< not sent: the other side did not take it, or the link cannot carry
-                             ///< it
+    std::uint64_t lost = 0;  ///< not sent: an open side did not take it, or cannot carry it
   };
 
   Port(boost::asio::io_context& io, link::Uri uri, link::Side side, Events events);
@@ -42,20 +43,21 @@ class Port {
   /// back.
   void want(bool wanted);
 
-  /// Queues the item until drain(). While the link is closed the item is lost, as on a wire.
-  void put(const Item& item);
-  /// Ends when the queue is written, or at once if another coroutine writes it.
-  Run drain();
+  /// Queues the item, which was read at this time. While the link is closed the item is lost, as on
+  /// a wire.
+  void put(const Item& item, std::optional<Stamp> read_at = {});
 
   bool is_open() const { return pump_ && pump_->is_open(); }
   const link::Uri& uri() const { return uri_; }
-  const Counters& counters() const { return counters_; }
+  Counters counters() const;
 
  private:
   Run use(std::unique_ptr<Link> opened);  ///< until the link is lost or closed
+  Run read_until_lost(Link& opened);
   Run receive(const Item& item, Stamp at);
   bool written(const Item& item, const boost::system::error_code& failure);
   void lose(std::string_view reason);
+  void note_losses();
   void tell(const device::LifeCycle::Change& change) {
     if (change && events_.changed) events_.changed(*change);
   }
@@ -67,6 +69,10 @@ class Port {
   device::LifeCycle life_;
   std::shared_ptr<io::Signal> wake_;  ///< for serve()
   std::optional<link::Pump<Link>> pump_;
+  Link* link_ = nullptr;                ///< the open one
+  std::uint64_t dropped_before_ = 0;    ///< by the link, when the last write ended
+  bool taking_ = true;                  ///< the other side takes what is put
+  std::optional<Stamp> waiting_since_;  ///< what the next write carries
   device::Reason why_lost_;
   Counters counters_;
   bool wanted_ = false, finished_ = false, closed_ = false;

@@ -34,10 +34,14 @@ class ProxyOf final : public Proxy, private fault::Outlet {
         faults_(make_faults(options_, link::now(), static_cast<Link*>(nullptr))),
         real_(io, options_.real, link::Side::driver,
               {[this](const Item& item, Stamp at) { return from_device(item, at); },
-               [this](const Transition& change) { real_changed(change); }}),
+               [this](const Transition& change) { real_changed(change); },
+               {},
+               [this] { takes_nothing(options_.real, "the drivers"); }}),
         virtual_(io, options_.virt, link::Side::device,
                  {[this](const Item& item, Stamp at) { return from_drivers(item, at); },
-                  [this](const Transition& change) { virtual_changed(change); }}),
+                  [this](const Transition& change) { virtual_changed(change); },
+                  [this](Stamp read_at) { latency_.add(link::now() - read_at); },
+                  [this] { takes_nothing(options_.virt, "the device"); }}),
         clock_(std::make_shared<io::Signal>(io.get_executor())) {
     real_.want(true);
     asio::co_spawn(io, real_.serve(), asio::detached);
@@ -54,8 +58,8 @@ class ProxyOf final : public Proxy, private fault::Outlet {
   void rearm() override { clock_->notify(); }
 
   Passed passed() const override {
-    const auto& [from_device, to_device, not_taken] = real_.counters();
-    const auto& [from_drivers, to_drivers, not_heard] = virtual_.counters();
+    const auto [from_device, to_device, not_taken] = real_.counters();
+    const auto [from_drivers, to_drivers, not_heard] = virtual_.counters();
     return {from_device, to_drivers, from_drivers, to_device, not_taken + not_heard};
   }
   fault::FaultHits hits() const override { return faults_.hits(); }
@@ -63,17 +67,16 @@ class ProxyOf final : public Proxy, private fault::Outlet {
 
  private:
   Run from_device(const Item& item, Stamp at) {
-    const std::uint64_t before = passed_on_;
+    read_at_ = at;
     faults_.receive(item, link::now(), *this);
+    read_at_.reset();
     rearm_if_earlier();
-    co_await virtual_.drain();
-    if (passed_on_ > before) latency_.add(link::now() - at);
+    co_return;
   }
 
   Run from_drivers(const Item& item, Stamp) {
-    if (!faults_.hears()) co_return;
-    real_.put(item);
-    co_await real_.drain();
+    if (faults_.hears()) real_.put(item);
+    co_return;
   }
 
   Run keep_time() {
@@ -83,7 +86,6 @@ class ProxyOf final : public Proxy, private fault::Outlet {
       if (finished_) co_return;
       const Stamp now = link::now();
       if (const auto due = faults_.deadline(); due && *due <= now) faults_.tick(now, *this);
-      co_await virtual_.drain();
     }
   }
 
@@ -98,13 +100,14 @@ class ProxyOf final : public Proxy, private fault::Outlet {
   void pass(const wire::CanFrame& frame, Stamp) override {
     if constexpr (std::is_same_v<Item, wire::CanFrame>) pass_on(frame);
   }
-  void pass_on(const Item& item) {
-    ++passed_on_;
-    virtual_.put(item);
-  }
+  void pass_on(const Item& item) { virtual_.put(item, read_at_); }
   void set_port(bool there, Stamp) override {
     say(there ? "the fault ends: the virtual side comes back" : "fault: the virtual side is gone");
     virtual_.want(there && real_.is_open());
+  }
+
+  void takes_nothing(const link::Uri& side, const char* speaker) const {
+    say(side.text + ": takes nothing; what " + speaker + " says is lost until it does");
   }
 
   /// A side that stays away is reported once.
@@ -141,7 +144,7 @@ class ProxyOf final : public Proxy, private fault::Outlet {
   std::shared_ptr<io::Signal> clock_;  ///< wakes when the faults need a tick
   std::optional<Stamp> set_for_;
   Latency latency_;
-  std::uint64_t passed_on_ = 0;
+  std::optional<Stamp> read_at_;  ///< of what the faults now receive
   bool finished_ = false, real_is_away_ = false, virtual_is_away_ = false;
 };
 

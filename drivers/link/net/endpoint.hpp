@@ -1,22 +1,26 @@
 #pragma once
 
-#include <boost/asio/ip/tcp.hpp>
-#include <boost/asio/ip/udp.hpp>
-
-#include "drivers/link/opening.hpp"
+#include "drivers/link/net/host.hpp"
 
 namespace drydock::link {
 
 struct HostAndPort {
-  std::string host, port;
+  std::string host;
+  std::uint16_t port = 0;
 };
 
 /// Splits "192.168.2.3:16171", "localhost:4001", "[::1]:4001".
 HostAndPort host_and_port(const std::string& target);
 
-/// First address of the URI's host. The call waits for the look-up of a name; a numeric address
-/// needs none.
-boost::system::result<asio::ip::tcp::endpoint, OpenError> tcp_endpoint(const Uri& uri);
-boost::system::result<asio::ip::udp::endpoint, OpenError> udp_endpoint(const Uri& uri);
+/// Where the listening end of this URI listens: its host's first address.
+template <class Protocol>
+boost::system::result<typename Protocol::endpoint, OpenError> own_endpoint(const Uri& uri) {
+  const auto [host, port] = host_and_port(uri.target);
+  const auto addresses = own_addresses(host);
+  if (!addresses)
+    return OpenError{addresses.error(),
+                     "cannot listen on " + uri.target + ": " + addresses.error().message()};
+  return typename Protocol::endpoint(addresses->front(), port);
+}
 
 }  // namespace drydock::link

@@ -1,40 +1,34 @@
-#include <netinet/tcp.h>
-#include <sys/socket.h>
-
 #include <boost/asio/buffer.hpp>
+#include <boost/asio/experimental/awaitable_operators.hpp>
+#include <boost/asio/ip/tcp.hpp>
 #include <boost/asio/write.hpp>
 
 #include "drivers/link/net/endpoint.hpp"
+#include "drivers/link/net/first_use.hpp"
 #include "drivers/link/net/tcp.hpp"
+#include "drivers/link/net/tcp_options.hpp"
 
 namespace drydock::link {
 namespace {
 
 using asio::ip::tcp;
 
-/// A device that does not answer for this long is gone (cable pulled, power off).
-constexpr unsigned gone_after_ms = 5000;
-
-void set_option(tcp::socket& socket, int level, int name, int value) {
-  ::setsockopt(socket.native_handle(), level, name, &value, sizeof value);
-}
-
-void set_up(tcp::socket& socket) {
-  set_option(socket, IPPROTO_TCP, TCP_NODELAY, 1);
-  set_option(socket, IPPROTO_TCP, TCP_USER_TIMEOUT, gone_after_ms);
-  set_option(socket, SOL_SOCKET, SO_KEEPALIVE, 1);
-  set_option(socket, IPPROTO_TCP, TCP_KEEPIDLE, 2);
-  set_option(socket, IPPROTO_TCP, TCP_KEEPINTVL, 1);
-  set_option(socket, IPPROTO_TCP, TCP_KEEPCNT, 3);
-}
+/// An address that does not answer for this long is left for the next one.
+constexpr std::chrono::seconds limit_per_address{2};
 
 class TcpClient final : public ByteLink {
  public:
-  TcpClient(tcp::socket socket, Provenance provenance)
-      : socket_(std::move(socket)), provenance_(provenance) {}
+  TcpClient(const asio::any_io_executor& executor, const HostAndPort& address,
+            Provenance provenance)
+      : host_(executor, address.host),
+        port_(address.port),
+        socket_(executor),
+        timer_(executor),
+        connection_(executor, [this] { return connect(); }),
+        provenance_(provenance) {}
 
   Task<ReceivedBytes> read(std::span<std::uint8_t> into) override {
-    if (const auto ready = co_await connected(); !ready) co_return ready.error();
+    if (const auto ready = co_await connection_.done(); !ready) co_return ready.error();
     const auto [error, size] =
         co_await socket_.async_read_some(asio::buffer(into.data(), into.size()), as_outcome);
     if (error) co_return error;
@@ -42,7 +36,7 @@ class TcpClient final : public ByteLink {
   }
 
   Task<void> write(std::span<const std::uint8_t> bytes) override {
-    if (const auto ready = co_await connected(); !ready) co_return ready.error();
+    if (const auto ready = co_await connection_.done(); !ready) co_return ready.error();
     const auto [error, size] =
         co_await asio::async_write(socket_, asio::buffer(bytes.data(), bytes.size()), as_outcome);
     if (error) co_return error;
@@ -50,6 +44,8 @@ class TcpClient final : public ByteLink {
   }
 
   void close() override {
+    connection_.close();
+    host_.stop();
     boost::system::error_code already_gone;
     socket_.close(already_gone);
   }
@@ -57,45 +53,47 @@ class TcpClient final : public ByteLink {
   Provenance provenance() const override { return provenance_; }
 
  private:
-  Task<void> connected();
+  asio::awaitable<ErrorCode> connect();
+  asio::awaitable<ErrorCode> connect_to(const tcp::endpoint& endpoint);
 
+  Host host_;
+  std::uint16_t port_;
   tcp::socket socket_;
+  asio::steady_timer timer_;  ///< the limit of one address
+  FirstUse connection_;
   Provenance provenance_;
-  bool connected_ = false;
-  boost::system::error_code failure_;  ///< the kernel reports it once; read and write need it
 };
 
-Task<void> TcpClient::connected() {
-  if (!connected_ && !failure_) {
-    const auto [error] = co_await socket_.async_wait(tcp::socket::wait_write, as_outcome);
-    if (error) co_return error;
-    int number = 0;
-    socklen_t size = sizeof number;
-    ::getsockopt(socket_.native_handle(), SOL_SOCKET, SO_ERROR, &number, &size);
-    if (number != 0) failure_ = system_error(number);
-    connected_ = !failure_;
+asio::awaitable<ErrorCode> TcpClient::connect() {
+  const auto addresses = co_await host_.addresses();
+  if (!addresses) co_return addresses.error();
+  ErrorCode error;
+  for (const auto& address : *addresses) {
+    error = co_await connect_to({address, port_});
+    if (!error || connection_.closed()) break;
   }
-  if (failure_) co_return failure_;
-  co_return boost::system::result<void>{};
+  co_return error;
+}
+
+asio::awaitable<ErrorCode> TcpClient::connect_to(const tcp::endpoint& endpoint) {
+  using namespace asio::experimental::awaitable_operators;
+  ErrorCode error;
+  socket_.close(error);
+  socket_.open(endpoint.protocol(), error);
+  if (error) co_return error;
+  set_up(socket_);
+  timer_.expires_after(limit_per_address);
+  const auto first =
+      co_await (socket_.async_connect(endpoint, as_outcome) || timer_.async_wait(as_outcome));
+  const auto* connected = std::get_if<0>(&first);
+  co_return connected != nullptr ? std::get<0>(*connected) : asio::error::timed_out;
 }
 
 }  // namespace
 
 OpenedBytes open_tcp_client(const asio::any_io_executor& executor, const Uri& uri) {
-  const auto endpoint = tcp_endpoint(uri);
-  if (!endpoint) return endpoint.error();
-  tcp::socket socket(executor);
-  boost::system::error_code error;
-  socket.open(endpoint->protocol(), error);
-  if (!error) socket.native_non_blocking(true, error);
-  if (error) return OpenError{error, "cannot open a socket: " + error.message()};
-  set_up(socket);
-  if (::connect(socket.native_handle(), endpoint->data(),
-                static_cast<socklen_t>(endpoint->size())) != 0 &&
-      errno != EINPROGRESS)
-    return open_error(errno, "cannot connect to " + uri.target);
   const auto provenance = uri.emulated() ? Provenance::emulated : Provenance::real;
-  return std::make_unique<TcpClient>(std::move(socket), provenance);
+  return std::make_unique<TcpClient>(executor, host_and_port(uri.target), provenance);
 }
 
 }  // namespace drydock::link

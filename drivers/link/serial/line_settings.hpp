@@ -2,27 +2,44 @@
 
 #include <boost/system/error_code.hpp>
 #include <boost/system/result.hpp>
+#include <functional>
+#include <optional>
+#include <string>
 
 #include "drivers/link/uri.hpp"
 
 /// Settings of a terminal device of the kernel for raw bytes.
 namespace drydock::link {
 
+enum class FlowControl : std::uint8_t { none, rtscts, xonxoff };
+
 struct LineSettings {
-  enum class Parity : unsigned char { none, even, odd };
   unsigned baud = 9600;
-  Parity parity = Parity::none;
-  unsigned stop_bits = 1;
-  unsigned data_bits = 8;
+  wire::ByteFrame frame;
+  FlowControl flow = FlowControl::none;
+  std::optional<bool> dtr, rts;  ///< levels after the opening; empty: as the kernel sets them
+  std::optional<bool>
+      rs485_rts;  ///< level of RTS while an RS-485 transmitter sends; empty: no RS-485
 };
 
 /// The settings that a serial or pty URI names.
 LineSettings line_settings(const Uri& uri);
 
-/// Raw bytes at any baud (termios2, BOTHER), no flow control; a read waits for one byte. Fails with
-/// ERANGE if the nearest rate of the port is more than 2.5 % away: such a line would give nothing
-/// but framing errors.
-boost::system::error_code configure_line(int fd, const LineSettings& settings);
+/// The kernel's ioctl, or a stand-in for it.
+using Ioctl = std::function<int(int fd, unsigned long request, void* argument)>;
+int kernel_ioctl(int fd, unsigned long request, void* argument);
+
+/// Why a port cannot be used: an errno, or the setting that it did not take.
+struct LineRefusal {
+  boost::system::error_code code;
+  std::string setting;  ///< as a key of the URI, "parity=even"; empty: see `code`
+};
+
+/// Raw bytes at any baud (termios2, BOTHER); a read waits for one byte. Everything is read back
+/// from the driver. ERANGE: the nearest rate of the port is more than 2.5 % away, and such a line
+/// would give nothing but framing errors. A pty has no line: of it, only the rate is read back.
+std::optional<LineRefusal> configure_line(int fd, const LineSettings& settings,
+                                          const Ioctl& ioctl = kernel_ioctl);
 
 /// Raw bits and no echo; all else is unchanged. For the end of a pty that the process keeps open.
 boost::system::error_code make_raw(int fd);

@@ -53,6 +53,7 @@ class PtyDevice final : public ByteLink {
   }
 
   Provenance provenance() const override { return Provenance::emulated; }
+  std::uint64_t dropped() const override { return dropped_; }
 
  private:
   /// Discards unread bytes: they are old for the next program that opens the line.
@@ -67,6 +68,7 @@ class PtyDevice final : public ByteLink {
   OwnedSymlink symlink_;
   asio::steady_timer room_;
   bool overrun_ = false;  ///< the listener does not read: discard bytes at once
+  std::uint64_t dropped_ = 0;
 };
 
 Task<void> PtyDevice::write(std::span<const std::uint8_t> bytes) {
@@ -84,6 +86,7 @@ Task<void> PtyDevice::write(std::span<const std::uint8_t> bytes) {
     if (errno == EINTR) continue;
     if (errno != EAGAIN) co_return system_error(errno);
     overrun_ = overrun_ || asio::steady_timer::clock_type::now() >= give_up;
+    if (overrun_) dropped_ += bytes.size();
     if (overrun_ || !listeners_.present()) break;
     room_.expires_after(listener_step);
     const auto [error] = co_await room_.async_wait(as_outcome);

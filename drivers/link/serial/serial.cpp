@@ -63,12 +63,19 @@ OpenError refused(int error, const std::string& path) {
           "cannot open " + path + ": " + system_error(error).message() + advice(error)};
 }
 
+OpenError refused(const LineRefusal& refusal, const std::string& path) {
+  if (refusal.setting.empty()) return refused(refusal.code.value(), path);
+  return {asio::error::operation_not_supported, "cannot open " + path +
+                                                    ": its driver did not take " + refusal.setting +
+                                                    " (take a setting or an adapter that has it)"};
+}
+
 OpenedBytes open_line(const asio::any_io_executor& executor, const std::string& path,
                       const Uri& uri, bool exclusive) {
   Descriptor port(::open(path.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC));
   if (!port) return refused(errno, path);
-  if (const auto error = configure_line(port.get(), line_settings(uri)))
-    return refused(error.value(), path);
+  if (const auto refusal = configure_line(port.get(), line_settings(uri)))
+    return refused(*refusal, path);
   if (exclusive) {
     if (::flock(port.get(), LOCK_EX | LOCK_NB) != 0) return refused(errno, path);
     if (::ioctl(port.get(), TIOCEXCL) != 0) return refused(errno, path);

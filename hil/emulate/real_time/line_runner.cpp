@@ -22,13 +22,14 @@ LineRunner::LineRunner(boost::asio::io_context& io, link::Uri uri,
       uri_(std::move(uri)),
       name_(std::move(name)),
       device_(std::move(device)),
-      pacer_(uri_.baud().value_or(without_line_rate), longest_chunk),
+      pacer_(uri_.line_rate().value_or(without_line_rate), longest_chunk),
       line_(std::move(line)),
       port_(std::make_shared<io::Signal>(executor_)) {}
 
 RealTimeEmulator::Counters LineRunner::counters() const {
   auto counters = Runner::counters();
   counters.lost = pacer_.messages_lost();
+  counters.not_taken = not_taken_ + (line_ ? line_->dropped() : 0);
   return counters;
 }
 
@@ -42,6 +43,11 @@ void LineRunner::unplug() {
   plugged_ = false;
   pacer_.drop_all();
   if (line_) line_->close();
+  lose_line();
+}
+
+void LineRunner::lose_line() {
+  if (line_) not_taken_ += line_->dropped();
   line_.reset();
 }
 
@@ -64,7 +70,7 @@ Runner::Coroutine LineRunner::hear() {
   const auto line = line_;
   co_await link::read_until_lost<link::ByteLink>(*line,
                                                  std::bind_front(&LineRunner::receive, this));
-  if (line_ == line) line_.reset();  // lost without a fault
+  if (line_ == line) lose_line();  // lost without a fault
 }
 
 void LineRunner::receive(wire::Bytes bytes, Stamp) {

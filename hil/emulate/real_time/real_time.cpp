@@ -76,6 +76,7 @@ RealTimeEmulator::Counters RealTimeEmulator::counters() const {
     all.late += one.late;
     all.lost += one.lost;
     all.write_errors += one.write_errors;
+    all.not_taken += one.not_taken;
   }
   return all;
 }

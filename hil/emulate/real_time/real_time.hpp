@@ -32,6 +32,7 @@ class RealTimeEmulator {
     std::uint64_t late = 0;      ///< chunks or frames written more than 5 ms late
     std::uint64_t lost = 0;      ///< messages or frames dropped because the line was overloaded
     std::uint64_t write_errors = 0;
+    std::uint64_t not_taken = 0;  ///< bytes that a reader who was there did not take in time
   };
 
   /// Called when the last byte of a message, or a frame, was handed to the host. `passage` has the

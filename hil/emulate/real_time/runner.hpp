@@ -70,6 +70,7 @@ class LineRunner final : public Runner, private Wire {
   Coroutine hear();  ///< runs until the port goes
   void receive(wire::Bytes bytes, Stamp at);
   Coroutine plug_in();  ///< runs when the port may come back
+  void lose_line();
 
   void send(wire::Bytes bytes) override { pacer_.queue(bytes, wire_time_, device_->sampled_at()); }
   void send(const wire::CanFrame&) override {}  // a serial line carries no frames
@@ -82,6 +83,7 @@ class LineRunner final : public Runner, private Wire {
   LinePacer pacer_;
   std::shared_ptr<link::ByteLink> line_;  ///< null: the port is gone
   bool plugged_ = true;
+  std::uint64_t not_taken_ = 0;       ///< bytes, on the lines before this one
   std::shared_ptr<io::Signal> port_;  ///< notified when plugged_ has changed
   Stamp wire_time_{};
 };

@@ -10,11 +10,9 @@ namespace drydock::fault {
 
 namespace {
 
-constexpr std::uint64_t bits_per_byte = 10;  // 8N1
-
-unsigned line_rate(const DeviceConfig& device) {
+wire::LineRate line_rate(const DeviceConfig& device) {
   const auto uri = link::parse_uri(device.link);
-  return uri ? uri->baud().value_or(0) : 0;
+  return uri ? uri->line_rate().value_or(wire::LineRate{}) : wire::LineRate{};
 }
 
 bool is_about_messages(const InForce& now) {
@@ -28,7 +26,7 @@ bool is_about_messages(const InForce& now) {
 
 FaultyStream::FaultyStream(const DeviceConfig& device, std::uint64_t seed,
                            const std::shared_ptr<const Schedule>& schedule, Stamp start)
-    : baud_(line_rate(device)), schedule_(schedule, start), wire_(seed, device.name, baud_) {
+    : rate_(line_rate(device)), schedule_(schedule, start), wire_(seed, device.name, rate_.baud) {
   if (const auto protocol = MessageSplitter::protocol(device.protocol))
     splitter_.emplace(*protocol);
 }
@@ -49,7 +47,7 @@ void FaultyStream::receive(wire::Bytes from_device, Stamp now, Outlet& drivers) 
 }
 
 std::chrono::nanoseconds FaultyStream::line_time(std::size_t bytes) const {
-  return std::chrono::nanoseconds{baud_ > 0 ? bytes * bits_per_byte * 1'000'000'000 / baud_ : 0};
+  return rate_.time_of(bytes);
 }
 
 std::optional<Stamp> FaultyStream::deadline() const {

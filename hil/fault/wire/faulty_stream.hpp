@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include "drivers/wire/line_rate.hpp"
 #include "hil/fault/port_faults.hpp"
 #include "hil/fault/schedule/schedule_follower.hpp"
 #include "hil/fault/wire/faulty_wire.hpp"
@@ -44,7 +45,7 @@ class FaultyStream {
   void put(const MessageSplitter::Piece& piece, Stamp at);
   void release(Stamp now, Outlet& drivers);
 
-  unsigned baud_;  ///< 0: no line rate
+  wire::LineRate rate_;
   ScheduleFollower schedule_;
   std::optional<MessageSplitter> splitter_;
   FaultyWire<Message> wire_;

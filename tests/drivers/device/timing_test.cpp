@@ -30,6 +30,16 @@ TEST(Timing, FortyBytesAt4800BaudTake83Milliseconds) {
   EXPECT_EQ(speeds[0].origin.valid_at, at_s(1) - nanoseconds{83'333'333});
 }
 
+// 40 bytes * 12 bits / 4800 bit/s
+TEST(Timing, FortyBytesOf8E2At4800BaudTake100Milliseconds) {
+  Ear ear;
+  auto options = log_at(4800);
+  options.byte_frame = {8, wire::Parity::even, 2};
+  byte_driver(options)->receive(forty_bytes(), at_s(1), ear);
+  EXPECT_EQ(ear.all<measurement::WaterSpeed>().at(0).origin.valid_at,
+            at_s(1) - nanoseconds{100'000'000});
+}
+
 TEST(Timing, StatedLatencyIsSubtractedToo) {
   Ear ear;
   byte_driver(log_at(4800, 0.1))->receive(forty_bytes(), at_s(1), ear);

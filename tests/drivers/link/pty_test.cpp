@@ -124,6 +124,16 @@ TEST_F(Pty, ProvenanceFollowsTheUri) {
   EXPECT_EQ(open(io, serial + "&emulated=1", Side::driver)->provenance(), Provenance::emulated);
 }
 
+// The kernel's pty keeps neither parity nor data bits: it has no line on which a byte has a frame.
+TEST_F(Pty, ParityOfAPtyIsOnlyItsPaceSoEmulatedRigsWithParityRun) {
+  const auto device = open(io, "pty:" + path + "?baud=4800&parity=even&stop=2", Side::device);
+  const std::string serial = "serial:" + path + "?baud=4800&parity=even&stop=2&dtr=0&rs485=high";
+  const auto driver = open(io, serial, Side::driver);
+  ASSERT_TRUE(driver);
+  ASSERT_TRUE(run(io, device->write(bytes("8E2"))));
+  EXPECT_EQ(run(io, read_bytes(*driver, 3)).value(), bytes("8E2"));
+}
+
 class AnyBaud : public ::testing::TestWithParam<unsigned> {};
 
 TEST_P(AnyBaud, IsWhatTheKernelReadsBack) {

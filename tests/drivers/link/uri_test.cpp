@@ -53,6 +53,33 @@ TEST(Uri, SlcanRunsOverAnyByteLink) {
   EXPECT_EQ(line_under_slcan(parse_uri("slcan:tcp:gateway:3333").value()).text, "tcp:gateway:3333");
 }
 
+TEST(Uri, TheFrameOfAByteIsThatOfItsKeys) {
+  const auto bits = [](const char* keys) {
+    return parse_uri(std::string("serial:/dev/ttyS0?baud=9600") + keys).value().byte_frame().bits();
+  };
+  EXPECT_EQ(bits(""), 10U);
+  EXPECT_EQ(bits("&parity=even"), 11U);
+  EXPECT_EQ(bits("&parity=even&stop=2"), 12U);
+  EXPECT_EQ(bits("&parity=even&bits=7"), 10U);
+  EXPECT_EQ(bits("&bits=5"), 7U);
+  EXPECT_EQ(parse_uri("pty:x?baud=4800&parity=odd&stop=2").value().line_rate()->time_of(40),
+            std::chrono::milliseconds{100});
+}
+
+TEST(Uri, SettingsThatContradictEachOtherAreRefused) {
+  const std::string port = "serial:/dev/ttyS0?baud=9600";
+  EXPECT_EQ(error_of(port + "&bits=5&stop=2"),
+            "\"" + port + "&bits=5&stop=2\": a byte of 5 bits has no 2 stop bits; allowed: stop=1");
+  EXPECT_EQ(error_of(port + "&flow=rtscts&rts=1"),
+            "\"" + port +
+                "&flow=rtscts&rts=1\": with flow=rtscts the port itself sets RTS: leave "
+                "out rts");
+  EXPECT_EQ(error_of(port + "&flow=rtscts&rs485=high"),
+            "\"" + port +
+                "&flow=rtscts&rs485=high\": RS-485 has no flow=rtscts: RTS switches the "
+                "transmitter");
+}
+
 TEST(Uri, AnUnknownSchemeListsAll) {
   EXPECT_EQ(error_of("rs232:/dev/ttyS0"),
             "\"rs232:/dev/ttyS0\": unknown scheme \"rs232\"; allowed are serial pty tcp udp file "
@@ -67,10 +94,10 @@ TEST(Uri, AnUnknownSchemeListsAll) {
 
 TEST(Uri, AnUnknownKeyListsThoseOfItsScheme) {
   EXPECT_EQ(error_of("serial:/dev/ttyS0?bauds=9600"),
-            "\"serial:/dev/ttyS0?bauds=9600\": unknown key \"bauds\"; serial allows baud parity "
-            "stop emulated bits");
-  EXPECT_EQ(error_of("pty:dvl?parity=odd"),
-            "\"pty:dvl?parity=odd\": unknown key \"parity\"; pty allows baud");
+            "\"serial:/dev/ttyS0?bauds=9600\": unknown key \"bauds\"; serial allows baud bits "
+            "parity stop flow dtr rts rs485 emulated");
+  EXPECT_EQ(error_of("pty:dvl?flow=none"),
+            "\"pty:dvl?flow=none\": unknown key \"flow\"; pty allows baud bits parity stop");
 }
 
 TEST(Uri, ABadValueListsWhatIsAllowed) {
@@ -80,9 +107,10 @@ TEST(Uri, ABadValueListsWhatIsAllowed) {
             "\"pty:dvl?baud=0\": bad baud \"0\"; allowed: 50 to 12000000");
   EXPECT_EQ(error_of("pty:dvl?baud"),
             "\"pty:dvl?baud\": key \"baud\" has no value; allowed: 50 to 12000000");
-  EXPECT_EQ(
-      error_of("serial:/dev/ttyS0?baud=9600&parity=mark"),
-      "\"serial:/dev/ttyS0?baud=9600&parity=mark\": bad parity \"mark\"; allowed: none even odd");
+  EXPECT_EQ(error_of("serial:/dev/ttyS0?baud=9600&parity=both"),
+            "\"serial:/dev/ttyS0?baud=9600&parity=both\": bad parity \"both\"; allowed: none even "
+            "odd mark "
+            "space");
   EXPECT_EQ(error_of("file:f?speed=-1&baud=9600"),
             "\"file:f?speed=-1&baud=9600\": bad speed \"-1\"; allowed: max, 1 (as fast as the line "
             "was) or "

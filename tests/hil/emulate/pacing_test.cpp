@@ -36,6 +36,13 @@ TEST(LinePacer, FortyBytesAt4800BaudTake83MillisecondsAndAThird) {
   EXPECT_FALSE(line.deadline());
 }
 
+TEST(LinePacer, FortyBytesOf8E2At4800BaudTake100Milliseconds) {
+  LinePacer line({4800, {8, wire::Parity::even, 2}}, whole_messages);
+  line.queue(message(40), at_ns(0));
+  EXPECT_FALSE(line.take(at_ns(99'999'999)));
+  EXPECT_TRUE(line.take(at_ns(100'000'000)));
+}
+
 TEST(LinePacer, AMessageWaitsForTheOneBeforeIt) {
   LinePacer line(9600, whole_messages);
   line.queue(message(96), at_ns(0));           // 100 ms

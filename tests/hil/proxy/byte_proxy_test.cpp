@@ -133,4 +133,25 @@ TEST_F(ByteProxy, ARealSideThatGoesIsToldOfOnceTakesTheVirtualOneAlongAndComesBa
   EXPECT_EQ(heard(4), "back");
 }
 
+/// The drivers' side is a line whose reader takes nothing once 64 KiB wait.
+TEST(AByteProxy, GoesOnReadingTheDeviceWhileNobodyTakesWhatItSaysAndCountsTheLoss) {
+  const std::string real = "pty:" + unique("proxy-deaf");
+  ProxyBetween between(real, "memory:proxy-deaf");
+  const auto device = open(between.io, real, Side::device);
+  ASSERT_TRUE(between.until_said("drivers: "));
+  const auto drivers = open(between.io, "memory:proxy-deaf", Side::driver);
+  constexpr std::uint64_t all = 100 * 4096;
+  for (int i = 0; i < 100; ++i) ASSERT_TRUE(run(between.io, device->write(Buffer(4096, 'x'))));
+  ASSERT_TRUE(run_until(between.io, [&] { return between.proxy->passed().from_device == all; }));
+  settle(between.io);
+  EXPECT_GT(between.proxy->passed().lost, 0u);
+  EXPECT_TRUE(between.until_said("takes nothing", 1));
+  device->close();  // the virtual side goes with it
+  drivers->close();
+  ASSERT_TRUE(between.until_said("retry"));
+  settle(between.io);
+  const auto passed = between.proxy->passed();
+  EXPECT_EQ(passed.to_drivers + passed.lost, all);
+}
+
 }  // namespace byte_proxy_test
