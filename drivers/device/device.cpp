@@ -162,6 +162,7 @@ Health Device::health(Stamp now) const {
   health.last_message_at = last_message_at_;
   if (last_message_at_) health.age = now - *last_message_at_;
   health.last_error = last_error_;
+  health.link_note = link_note_;
   const auto opened = life_cycle_.opened_count();
   health.reopened = opened > 0 ? opened - 1 : 0;
   health.can_dropped = can_dropped_;

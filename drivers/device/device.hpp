@@ -54,6 +54,7 @@ class Device final : private Output {
 
   /// From now on it discards all data that its driver wants to send.
   void listen_only() { listens_only_ = true; }
+  bool listens_only() const { return listens_only_; }
 
   void start(Stamp now);
   void opened(Stamp now, measurement::Provenance provenance);
@@ -81,6 +82,7 @@ class Device final : private Output {
   std::uint64_t messages() const { return messages_; }
   Health health(Stamp now) const;
   void note_dropped(std::uint64_t total) { can_dropped_ = total; }  ///< FrameLink::dropped()
+  void note_link(std::string_view note) { link_note_ = note; }      ///< FrameLink::note()
 
  private:
   using AnyDriver = std::variant<std::unique_ptr<ByteDriver>, std::unique_ptr<FrameDriver>>;
@@ -107,6 +109,7 @@ class Device final : private Output {
   std::uint64_t messages_ = 0;
   std::optional<Stamp> last_message_at_;
   Reason last_error_;
+  Reason link_note_;
   std::uint64_t can_dropped_ = 0;
   std::uint64_t error_frames_ = 0;
 };

@@ -31,6 +31,7 @@ HealthAccount account_of(const Device& device, const Health& health,
   account.can_dropped = health.can_dropped;
   account.error_frames = health.error_frames;
   account.last_error = health.last_error.view();
+  account.link_note = health.link_note.view();
   return account;
 }
 

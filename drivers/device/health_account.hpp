@@ -25,6 +25,7 @@ struct HealthAccount {
   std::uint64_t reopens = 0;  ///< how often the link was opened after the first time
   std::uint64_t can_dropped = 0, error_frames = 0;
   std::string last_error;  ///< empty: none so far
+  std::string link_note;   ///< what is special about its link; empty: nothing
 };
 
 HealthAccount account_of(const Device& device, const Health& health,
@@ -57,6 +58,7 @@ void visit_fields(Account& account, Field&& field) {
   field("can_dropped", account.can_dropped);
   field("error_frames", account.error_frames);
   field("last_error", account.last_error);
+  field("link_note", account.link_note);
 }
 
 }  // namespace drydock::device

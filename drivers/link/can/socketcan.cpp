@@ -9,6 +9,7 @@
 #include <boost/asio/steady_timer.hpp>
 #include <chrono>
 #include <cstring>
+#include <utility>
 
 #include "drivers/link/can/can_interface.hpp"
 #include "drivers/link/can/kernel_frame.hpp"
@@ -28,8 +29,12 @@ constexpr auto patience_step = 1ms;
 
 class SocketCan final : public FrameLink {
  public:
-  SocketCan(const asio::any_io_executor& executor, Descriptor socket, Provenance provenance)
-      : socket_(executor, socket.release()), room_(executor), provenance_(provenance) {
+  SocketCan(const asio::any_io_executor& executor, Descriptor socket, Provenance provenance,
+            std::string note)
+      : socket_(executor, socket.release()),
+        room_(executor),
+        provenance_(provenance),
+        note_(std::move(note)) {
     socket_.native_non_blocking(true);
   }
 
@@ -44,6 +49,7 @@ class SocketCan final : public FrameLink {
 
   Provenance provenance() const override { return provenance_; }
   std::uint64_t dropped() const override { return dropped_; }
+  std::string_view note() const override { return note_; }
 
  private:
   /// EAGAIN means that nothing waits.
@@ -54,6 +60,7 @@ class SocketCan final : public FrameLink {
   Descriptors socket_;
   asio::steady_timer room_;
   Provenance provenance_;
+  std::string note_;
   std::uint32_t last_total_ = 0;  ///< the kernel's count wraps at 32 bits
   std::uint64_t dropped_ = 0;
 };
@@ -149,6 +156,14 @@ std::string how_to_bring_up(const std::string& name, const Uri& uri, bool is_vca
   return name + " is down: ip link set " + name + type + " up";
 }
 
+/// What `listen=1` means on this interface.
+std::string listening_note(const std::string& name, const CanInterface& found) {
+  if (!found.listen_only) return "nothing is sent";
+  if (*found.listen_only) return "nothing is sent: " + name + " is listen-only";
+  return "nothing is sent, but " + name + " acknowledges: ip link set " + name +
+         " type can listen-only on";
+}
+
 }  // namespace
 
 OpenedFrames open_socketcan(const asio::any_io_executor& executor, const Uri& uri) {
@@ -170,7 +185,8 @@ OpenedFrames open_socketcan(const asio::any_io_executor& executor, const Uri& ur
   if (::bind(socket.get(), reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0)
     return open_error(errno, "cannot use " + name);
   return std::make_unique<SocketCan>(executor, std::move(socket),
-                                     uri.emulated() ? Provenance::emulated : Provenance::real);
+                                     uri.emulated() ? Provenance::emulated : Provenance::real,
+                                     uri.only_listens() ? listening_note(name, *found) : "");
 }
 
 }  // namespace drydock::link

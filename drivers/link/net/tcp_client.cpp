@@ -49,6 +49,10 @@ class TcpClient final : public ByteLink {
     co_return boost::system::result<void>{};
   }
 
+  void say_last(std::span<const std::uint8_t> bytes) override {
+    if (connected_) ::send(socket_.native_handle(), bytes.data(), bytes.size(), MSG_NOSIGNAL);
+  }
+
   void close() override {
     boost::system::error_code already_gone;
     socket_.close(already_gone);

@@ -2,7 +2,7 @@
 
 #include <fstream>
 
-#include "tests/drivers/link/running.hpp"
+#include "tests/drivers/link/scripted_adapter.hpp"
 
 /// Real links in real time: these tests check the interaction with the operating system.
 namespace drydock::shell {
@@ -223,6 +223,51 @@ TEST(RealTimeOnARecording, EndOfTheRecordingIsTheEndNotAFault) {
   io.restart();
   io.run_for(5s);
   EXPECT_TRUE(io.stopped());
+}
+
+TEST(RealTimeListening, DevicesThatOnlyListenOpenAnSlcanAdapterThatOnlyListens) {
+  const link::testing::Folder folder;
+  const std::string pty = "pty:" + folder.file("can");
+  boost::asio::io_context io;
+  Log log;
+  link::testing::ScriptedAdapter adapter(io, pty, {});
+  auto device = make_device(Kind::depth, "nmea2000", "slcan:" + pty);
+  device->listen_only();
+  RealTime shell(io, list(std::move(device)), log);
+  shell.start();
+  run_until(io, [&] { return adapter.got().ends_with("L\r"); });
+  shell.stop();
+  link::testing::settle(io);
+  EXPECT_EQ(adapter.got(), "\rC\rS5\rL\r\rC\r");
+}
+
+TEST(RealTimeListening, AListeningLinkKeepsItsDriversFromSending) {
+  boost::asio::io_context io;
+  Log log;
+  const auto bus = link::testing::open_bus(io, "memory-can:hush", Side::device);
+  RealTime shell(io, list(make_device(Kind::depth, "nmea2000", "memory-can:hush?listen=1")), log,
+                 &log);
+  shell.start();
+  link::testing::settle(io);
+  EXPECT_EQ(shell.device(0).state(), State::waiting);
+  shell.stop();
+  link::testing::settle(io);
+  EXPECT_TRUE(log.frames_sent.empty());
+}
+
+TEST(RealTimeListening, ARefusedCommandIsInTheHealthOfTheDevice) {
+  const link::testing::Folder folder;
+  const std::string pty = "pty:" + folder.file("can");
+  boost::asio::io_context io;
+  Log log;
+  link::testing::ScriptedAdapter adapter(io, pty, {{"S5", "\a"}});
+  RealTime shell(io, list(make_device(Kind::depth, "nmea2000", "slcan:" + pty)), log);
+  shell.start();
+  run_until(io, [&] { return shell.device(0).state() == State::backing_off; });
+  EXPECT_NE(std::string(shell.health(0).last_error.view()).find("refused S5 (250000 bit/s)"),
+            std::string::npos);
+  shell.stop();
+  link::testing::settle(io);
 }
 
 }  // namespace
