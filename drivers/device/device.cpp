@@ -142,6 +142,12 @@ void Device::send(const wire::CanFrame& frame) {
   if (!listens_only_) transmitter_->send(frame);
 }
 
+void Device::refuse(std::string_view why, Refusal because) {
+  ++refused_;
+  impossible_ += because == Refusal::impossible;
+  last_error_ = why;
+}
+
 Health Device::health(Stamp now) const {
   Health health;
   health.state = state();
@@ -167,6 +173,8 @@ Health Device::health(Stamp now) const {
   health.reopened = opened > 0 ? opened - 1 : 0;
   health.can_dropped = can_dropped_;
   health.error_frames = error_frames_;
+  health.refused = refused_;
+  health.impossible = impossible_;
   return health;
 }
 

@@ -93,6 +93,7 @@ class Device final : private Output {
   void send(wire::Bytes bytes) override;
   void send(const wire::CanFrame& frame) override;
   void report(std::string_view trouble) override { last_error_ = trouble; }
+  void refuse(std::string_view why, Refusal because) override;
 
   Driver& driver() const;
   void tell(const LifeCycle::Change& change);
@@ -112,6 +113,7 @@ class Device final : private Output {
   Reason link_note_;
   std::uint64_t can_dropped_ = 0;
   std::uint64_t error_frames_ = 0;
+  std::uint64_t refused_ = 0, impossible_ = 0;
 };
 
 }  // namespace drydock::device

@@ -28,6 +28,8 @@ struct Health {
   std::uint32_t reopened = 0;                   ///< how often the link was opened again
   std::uint64_t can_dropped = 0;                ///< frames that the kernel lost on this bus
   std::uint64_t error_frames = 0;               ///< from the CAN controller
+  std::uint64_t impossible = 0;                 ///< among the refused ones
+  std::uint64_t refused = 0;  ///< values that cannot be true, or are of another instance
 };
 
 }  // namespace drydock::device

@@ -16,6 +16,15 @@ TEST(RigProblems, ACanopenNodeHasANarrowerRangeThanAJ1939Address) {
       ElementsAre("r.toml:13:11: /device/1/address: 128 is out of range, allowed: 0 to 127"));
 }
 
+TEST(RigProblems, AnInstanceIsForNmea2000Only) {
+  EXPECT_THAT(problems_of(std::string(imu_table) + "instance = 1\n"),
+              ElementsAre("r.toml:13:1: /device/1/instance: not allowed here, only for protocol = "
+                          "\"nmea2000\""));
+  EXPECT_THAT(problems_of("[[device]]\nname = \"a\"\nkind = \"actuator\"\nprotocol = "
+                          "\"nmea2000\"\nlink = \"can:auto\"\ninstance = 253\n"),
+              ElementsAre(HasSubstr("/device/1/instance: 253 is out of range, allowed: 0 to 252")));
+}
+
 TEST(RigProblems, SettingsOfOneImuAreNotAnothers) {
   EXPECT_THAT(problems_of(std::string(imu_table) + "xsens = { extended = true }\n"),
               ElementsAre("r.toml:13:1: /device/1/xsens: not allowed here, only for protocol = "

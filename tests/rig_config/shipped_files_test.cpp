@@ -157,7 +157,10 @@ TEST(ImuSettings, AreReadFromTheirTables) {
       "[[device]]\nname = \"x\"\nkind = \"imu\"\nprotocol = \"xsens\"\nlink = \"can:auto\"\n"
       "xsens = { extended = true, identifiers = { rate_of_turn = 0x19FF0032 } }\n"
       "[[device]]\nname = \"e\"\nkind = \"imu\"\nprotocol = \"epson-g552\"\nlink = \"can:auto\"\n"
-      "rate_hz = 125\nsync = true\nheartbeat_timeout_s = 1.5\n",
+      "rate_hz = 125\nsync = true\nheartbeat_timeout_s = 1.5\n"
+      "[[device]]\nname = \"p\"\nkind = \"actuator\"\nprotocol = \"nmea2000\"\nlink = "
+      "\"can:auto\"\n"
+      "instance = 1\n",
       folder + "rigs/r.toml");
   ASSERT_TRUE(rig);
   const AceinnaConfig& aceinna = rig->devices.at(0).aceinna;
@@ -173,6 +176,8 @@ TEST(ImuSettings, AreReadFromTheirTables) {
   EXPECT_EQ(xsens.identifiers[0].id, 0x19FF0032U);
   EXPECT_TRUE(rig->devices.at(2).sync);
   EXPECT_EQ(rig->devices.at(2).heartbeat_timeout_s, 1.5);
+  EXPECT_EQ(rig->devices.at(3).instance, 1);
+  EXPECT_FALSE(rig->devices.at(2).instance);
 }
 
 }  // namespace

@@ -104,6 +104,17 @@ TEST(Device, ErrorFramesAreCountedAndSaidInWords) {
   EXPECT_EQ(health.last_error.view().substr(0, 7), "bus-off");
 }
 
+TEST(Device, RefusedValuesAreCountedAndSaid) {
+  Desk desk;
+  const auto depth = device(Kind::depth, "cia404-pressure", desk, true);
+  for (int i = 1; i <= 3; ++i)
+    depth->receive(can_frame(0x181, false, {0x00, 0x00, 0x00, 0x80, 0x00}), at_s(i));
+  const Health health = depth->health(at_s(3));
+  EXPECT_EQ(health.refused, 3U);
+  EXPECT_EQ(health.messages, 0U);
+  EXPECT_EQ(health.last_error.view().substr(0, 21), "a pressure below zero");
+}
+
 TEST(Device, BusDeviceStartsItsNodeThroughTheTransmitter) {
   Desk desk;
   const auto imu = device(Kind::imu, "cia404-imu", desk, true);

@@ -147,8 +147,8 @@ TEST(Cia404ImuDriver, AFloatWithABitTurnedOverInItsExponentIsNoSample) {
     bus.says(tpdo(0x381, force, -9.75F), 1.001);
   }
   EXPECT_TRUE(bus.samples().empty()) << bus.samples().at(0).specific_force;
-  ASSERT_EQ(bus.ear.reports.size(), 2U);
-  EXPECT_EQ(bus.ear.reports[0],
+  ASSERT_EQ(bus.ear.refusals.size(), 2U);
+  EXPECT_EQ(bus.ear.refusals[0],
             "a sample beyond 100 rad/s or 2000 m/s2 was dropped: damaged on its way");
   one_set(bus, 2);
   EXPECT_EQ(bus.samples().size(), 1U);
