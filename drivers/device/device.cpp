@@ -77,6 +77,11 @@ void Device::set_baud(unsigned baud) {
     (*byte_driver)->set_baud(baud);
 }
 
+void Device::set_bitrate(unsigned bitrate) {
+  if (auto* frame_driver = std::get_if<std::unique_ptr<FrameDriver>>(&driver_))
+    (*frame_driver)->set_bitrate(bitrate);
+}
+
 void Device::open_failed(Stamp now, std::string_view reason) {
   tell(life_cycle_.open_failed(now, reason));
 }

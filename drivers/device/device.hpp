@@ -58,7 +58,8 @@ class Device final : private Output {
 
   void start(Stamp now);
   void opened(Stamp now, measurement::Provenance provenance);
-  void set_baud(unsigned baud);  ///< call it before opened() if the shell searches the rate
+  void set_baud(unsigned baud);        ///< call it before opened() if the shell searches the rate
+  void set_bitrate(unsigned bitrate);  ///< call it before opened() if the link knows the bus's rate
   void open_failed(Stamp now, std::string_view reason);
   void link_lost(Stamp now, std::string_view reason);
   void stop(Stamp now, std::string_view reason = "stopped");

@@ -58,6 +58,7 @@ class ByteDriver : public Driver {
 class FrameDriver : public Driver {
  public:
   virtual void receive(const wire::CanFrame& frame, Stamp received_at, Output& out) = 0;
+  virtual void set_bitrate(unsigned bitrate) = 0;  ///< bit/s of the bus, as its link knows it
 };
 
 }  // namespace drydock::device

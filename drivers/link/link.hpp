@@ -73,6 +73,8 @@ class FrameLink {
   virtual void close() = 0;
   virtual Provenance provenance() const = 0;
   virtual std::uint64_t dropped() const { return 0; }  ///< frames lost in the receive queue
+  /// Bit/s, if the link knows it better than its URI.
+  virtual std::optional<unsigned> bit_rate() const { return {}; }
   /// What a person should know about this bus, as one line. Empty: nothing. It may change once the
   /// first read or write has opened the channel.
   virtual std::string_view note() const { return {}; }

@@ -130,7 +130,7 @@ class BusSearch {
       progress_.show(progress_text(uri));
       return survey_.frames() == 0 && at >= leave_at;
     });
-    note_link((*opened)->note());
+    if (uri.scheme == link::Scheme::slcan) note_link((*opened)->note());
     if (!ear_.failure()) return {};
     if (survey_.frames() == 0 && uri.scheme == link::Scheme::slcan)
       return link::OpenError{ear_.failure(), ear_.trouble()};

@@ -13,6 +13,7 @@ void BusLine::observe_link() {
   for (device::Device* device : devices()) {
     device->note_dropped(current_link().dropped());
     device->note_link(current_link().note());
+    if (const auto rate = current_link().bit_rate()) device->set_bitrate(*rate);
   }
 }
 

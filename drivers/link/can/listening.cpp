@@ -29,6 +29,7 @@ class ListeningLink final : public FrameLink {
   void close() override { bus_->close(); }
   Provenance provenance() const override { return bus_->provenance(); }
   std::uint64_t dropped() const override { return bus_->dropped(); }
+  std::optional<unsigned> bit_rate() const override { return bus_->bit_rate(); }
   std::string_view note() const override { return bus_->note(); }
 
  private:

@@ -43,12 +43,14 @@ struct Log final : device::Listener, RawListener {
 };
 
 std::unique_ptr<device::Device> make_device(Kind kind, const std::string& protocol,
-                                            const std::string& uri, std::uint16_t index = 0) {
+                                            const std::string& uri, std::uint16_t index = 0,
+                                            std::uint8_t address = 0) {
   DeviceOptions options;
   options.link = uri;
   options.driver.kind = kind;
   options.driver.protocol = protocol;
   options.driver.device = index;
+  options.driver.address = address;
   options.life_cycle.stale_after = 200ms;
   options.life_cycle.reopen_after = 200ms;
   options.life_cycle.first_back_off = 20ms;
@@ -189,14 +191,14 @@ TEST_F(RealTimeOnABus, DevicesShareOneLinkAndEachPicksItsOwn) {
 
 TEST_F(RealTimeOnABus, RepliesReachTheBusAndTheTap) {
   auto bus = plug_in();
-  RealTime shell(io, list(make_device(Kind::imu, "cia404-imu", uri)), log, &log);
+  RealTime shell(io, list(make_device(Kind::imu, "cia404-imu", uri, 0, 5)), log, &log);
   shell.start();
   const auto received = run(io, bus->read());
   ASSERT_TRUE(received);
-  const wire::CanFrame start_all = frame_of(0x000, {0x01, 0x00});
-  EXPECT_EQ(received->frame, start_all);
+  const wire::CanFrame start_5 = frame_of(0x000, {0x01, 0x05});
+  EXPECT_EQ(received->frame, start_5);
   ASSERT_TRUE(run_until(io, [&] { return !log.frames_sent.empty(); }));
-  EXPECT_EQ(log.frames_sent, std::vector{start_all});
+  EXPECT_EQ(log.frames_sent, std::vector{start_5});
   shell.stop();
   io.restart();
   io.run_for(5s);
