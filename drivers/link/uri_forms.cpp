@@ -96,7 +96,7 @@ constexpr std::array<Form, 10> forms{{
     {Scheme::tcp,
      "tcp",
      "host:port, port 1 to 65535",
-     "tcp:192.168.2.3:16171",
+     "tcp:192.168.194.95:1037",
      is_host_and_port,
      {emulated}},
     {Scheme::udp,

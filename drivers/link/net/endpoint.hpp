@@ -11,7 +11,7 @@ struct HostAndPort {
   std::string host, port;
 };
 
-/// Splits "192.168.2.3:16171", "localhost:4001", "[::1]:4001".
+/// Splits "192.168.194.95:1037", "localhost:4001", "[::1]:4001".
 HostAndPort host_and_port(const std::string& target);
 
 /// First address of the URI's host. The call waits for the look-up of a name; a numeric address
