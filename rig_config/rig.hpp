@@ -65,7 +65,9 @@ struct DeviceConfig {
   double latency_s = 0;                  ///< from protocol or maker; it is subtracted from valid_at
   std::array<double, 3> lever_arm_m{};   ///< from the vehicle's origin to the sensor, body frame
   std::array<double, 3> mounting_rad{};  ///< roll, pitch, yaw from the body to the sensor's axes
-  int address = 0;                 ///< J1939 / NMEA 2000 source address or CANopen node; 0: any
+  int address = 0;  ///< J1939 / NMEA 2000 source address or CANopen node; 0: any
+  std::optional<int>
+      instance;  ///< NMEA 2000: of the engine or the pressure; empty: the first heard
   double heartbeat_timeout_s = 3;  ///< CANopen: a node that is silent for longer is lost
   bool sync = false;               ///< CANopen: samples on SYNC; the driver sends it at rate_hz
   double surface_pressure_pa = 101325, water_density_kgm3 = 1025;  ///< kind depth

@@ -77,6 +77,11 @@ void Device::set_baud(unsigned baud) {
     (*byte_driver)->set_baud(baud);
 }
 
+void Device::set_bitrate(unsigned bitrate) {
+  if (auto* frame_driver = std::get_if<std::unique_ptr<FrameDriver>>(&driver_))
+    (*frame_driver)->set_bitrate(bitrate);
+}
+
 void Device::open_failed(Stamp now, std::string_view reason) {
   tell(life_cycle_.open_failed(now, reason));
 }
@@ -142,6 +147,12 @@ void Device::send(const wire::CanFrame& frame) {
   if (!listens_only_) transmitter_->send(frame);
 }
 
+void Device::refuse(std::string_view why, Refusal because) {
+  ++refused_;
+  impossible_ += because == Refusal::impossible;
+  last_error_ = why;
+}
+
 Health Device::health(Stamp now) const {
   Health health;
   health.state = state();
@@ -162,10 +173,13 @@ Health Device::health(Stamp now) const {
   health.last_message_at = last_message_at_;
   if (last_message_at_) health.age = now - *last_message_at_;
   health.last_error = last_error_;
+  health.link_note = link_note_;
   const auto opened = life_cycle_.opened_count();
   health.reopened = opened > 0 ? opened - 1 : 0;
   health.can_dropped = can_dropped_;
   health.error_frames = error_frames_;
+  health.refused = refused_;
+  health.impossible = impossible_;
   return health;
 }
 

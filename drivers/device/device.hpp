@@ -54,10 +54,12 @@ class Device final : private Output {
 
   /// From now on it discards all data that its driver wants to send.
   void listen_only() { listens_only_ = true; }
+  bool listens_only() const { return listens_only_; }
 
   void start(Stamp now);
   void opened(Stamp now, measurement::Provenance provenance);
-  void set_baud(unsigned baud);  ///< call it before opened() if the shell searches the rate
+  void set_baud(unsigned baud);        ///< call it before opened() if the shell searches the rate
+  void set_bitrate(unsigned bitrate);  ///< call it before opened() if the link knows the bus's rate
   void open_failed(Stamp now, std::string_view reason);
   void link_lost(Stamp now, std::string_view reason);
   void stop(Stamp now, std::string_view reason = "stopped");
@@ -81,6 +83,7 @@ class Device final : private Output {
   std::uint64_t messages() const { return messages_; }
   Health health(Stamp now) const;
   void note_dropped(std::uint64_t total) { can_dropped_ = total; }  ///< FrameLink::dropped()
+  void note_link(std::string_view note) { link_note_ = note; }      ///< FrameLink::note()
 
  private:
   using AnyDriver = std::variant<std::unique_ptr<ByteDriver>, std::unique_ptr<FrameDriver>>;
@@ -91,6 +94,7 @@ class Device final : private Output {
   void send(wire::Bytes bytes) override;
   void send(const wire::CanFrame& frame) override;
   void report(std::string_view trouble) override { last_error_ = trouble; }
+  void refuse(std::string_view why, Refusal because) override;
 
   Driver& driver() const;
   void tell(const LifeCycle::Change& change);
@@ -107,8 +111,10 @@ class Device final : private Output {
   std::uint64_t messages_ = 0;
   std::optional<Stamp> last_message_at_;
   Reason last_error_;
+  Reason link_note_;
   std::uint64_t can_dropped_ = 0;
   std::uint64_t error_frames_ = 0;
+  std::uint64_t refused_ = 0, impossible_ = 0;
 };
 
 }  // namespace drydock::device

@@ -17,6 +17,12 @@ namespace drydock::device {
 using measurement::Measurement;
 using measurement::Stamp;
 
+/// Why a driver did not publish a value.
+enum class Refusal : std::uint8_t {
+  impossible,  ///< it was damaged, or is read wrongly
+  of_another,  ///< it is another instance's
+};
+
 /// Receives the results of a driver during one call. The arguments are valid only during the call.
 class Output {
  public:
@@ -25,6 +31,8 @@ class Output {
   virtual void send(std::span<const std::uint8_t> bytes) = 0;
   virtual void send(const wire::CanFrame& frame) = 0;
   virtual void report(std::string_view) {}  ///< errors that the sensor reports, in words
+  /// A value that was not published; it is counted.
+  virtual void refuse(std::string_view why, Refusal = Refusal::impossible) { report(why); }
 };
 
 /// The common interface of all drivers, for every kind of link.
@@ -50,6 +58,7 @@ class ByteDriver : public Driver {
 class FrameDriver : public Driver {
  public:
   virtual void receive(const wire::CanFrame& frame, Stamp received_at, Output& out) = 0;
+  virtual void set_bitrate(unsigned bitrate) = 0;  ///< bit/s of the bus, as its link knows it
 };
 
 }  // namespace drydock::device

@@ -67,6 +67,8 @@ struct DriverOptions {
   wire::ByteFrame byte_frame;           ///< of a line with a rate
   unsigned bitrate = 250'000;           ///< rate of a CAN bus, bit/s
   std::uint8_t address = 0;             ///< J1939 source address, CANopen node; 0: the first seen
+  /// NMEA 2000: which of several engines or pressures of one sender; empty: the first heard.
+  std::optional<std::uint8_t> instance;
   AceinnaSettings aceinna;
   CanopenOptions canopen;
   wire::xsens::Identifiers xsens_identifiers;

@@ -30,7 +30,9 @@ HealthAccount account_of(const Device& device, const Health& health,
   account.reopens = health.reopened;
   account.can_dropped = health.can_dropped;
   account.error_frames = health.error_frames;
+  account.refused = health.refused;
   account.last_error = health.last_error.view();
+  account.link_note = health.link_note.view();
   return account;
 }
 

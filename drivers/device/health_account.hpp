@@ -24,7 +24,10 @@ struct HealthAccount {
   std::uint64_t bad_checksums = 0;
   std::uint64_t reopens = 0;  ///< how often the link was opened after the first time
   std::uint64_t can_dropped = 0, error_frames = 0;
+  std::uint64_t refused =
+      0;                   ///< values that were not published: impossible, or of another instance
   std::string last_error;  ///< empty: none so far
+  std::string link_note;   ///< what is special about its link; empty: nothing
 };
 
 HealthAccount account_of(const Device& device, const Health& health,
@@ -56,7 +59,9 @@ void visit_fields(Account& account, Field&& field) {
   field("reopens", account.reopens);
   field("can_dropped", account.can_dropped);
   field("error_frames", account.error_frames);
+  field("refused", account.refused);
   field("last_error", account.last_error);
+  field("link_note", account.link_note);
 }
 
 }  // namespace drydock::device

@@ -36,6 +36,7 @@ class Timing {
   std::chrono::nanoseconds line_time(const wire::CanFrame& frame) const;  ///< start to end of frame
 
   void set_baud(unsigned baud) { rate_.baud = baud; }
+  void set_bitrate(unsigned bitrate) { bitrate_ = bitrate; }
   void set_provenance(measurement::Provenance provenance) { provenance_ = provenance; }
   measurement::Provenance provenance() const { return provenance_; }
 

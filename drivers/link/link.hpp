@@ -48,6 +48,9 @@ class ByteLink {
   virtual ~ByteLink() = default;
   virtual Task<ReceivedBytes> read(std::span<std::uint8_t> into) = 0;
   virtual Task<void> write(std::span<const std::uint8_t> bytes) = 0;
+  /// Sends what fits at once and loses the rest: the last words before close(). The links to real
+  /// devices have it; others say nothing.
+  virtual void say_last(std::span<const std::uint8_t>) {}
   virtual void close() = 0;
   virtual Provenance provenance() const = 0;
   /// Written bytes that a listener who was there did not take in time.
@@ -72,6 +75,11 @@ class FrameLink {
   virtual void close() = 0;
   virtual Provenance provenance() const = 0;
   virtual std::uint64_t dropped() const { return 0; }  ///< frames lost in the receive queue
+  /// Bit/s, if the link knows it better than its URI.
+  virtual std::optional<unsigned> bit_rate() const { return {}; }
+  /// What a person should know about this bus, as one line. Empty: nothing. It may change once the
+  /// first read or write has opened the channel.
+  virtual std::string_view note() const { return {}; }
 };
 
 /// Why a link could not be opened. `message` is a sentence for a person: the failure and the

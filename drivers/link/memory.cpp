@@ -39,6 +39,7 @@ class MemoryLink final : public ByteLink {
 
   Task<ReceivedBytes> read(std::span<std::uint8_t> into) override;
   Task<void> write(std::span<const std::uint8_t> bytes) override;
+  void say_last(std::span<const std::uint8_t> bytes) override;
   void close() override;
   Provenance provenance() const override { return Provenance::emulated; }
 
@@ -91,6 +92,16 @@ Task<void> MemoryLink::write(std::span<const std::uint8_t> bytes) {
     co_await changed->wait();
   }
   co_return boost::system::result<void>{};
+}
+
+void MemoryLink::say_last(std::span<const std::uint8_t> bytes) {
+  const std::lock_guard lock(line_->mutex);
+  End& other = line_->opposite(side_);
+  if (!line_->end(side_).open || !other.open) return;
+  const std::size_t size = std::min(bytes.size(), other.inbox.reserve());
+  other.inbox.insert(other.inbox.end(), bytes.begin(),
+                     bytes.begin() + static_cast<std::ptrdiff_t>(size));
+  line_->wake_opposite(side_);
 }
 
 void MemoryLink::close() {

@@ -3,6 +3,7 @@
 #include "drivers/link/can/can_auto.hpp"
 #include "drivers/link/can/frame_file.hpp"
 #include "drivers/link/can/frame_hub.hpp"
+#include "drivers/link/can/listening.hpp"
 #include "drivers/link/can/slcan.hpp"
 #include "drivers/link/can/socketcan.hpp"
 #include "drivers/link/file.hpp"
@@ -38,8 +39,9 @@ boost::system::result<std::unique_ptr<ByteLink>, OpenError> open_bytes(
   }
 }
 
-boost::system::result<std::unique_ptr<FrameLink>, OpenError> open_frames(
-    const asio::any_io_executor& executor, const Uri& uri, Side side) {
+namespace {
+
+OpenedFrames open_bus(const asio::any_io_executor& executor, const Uri& uri, Side side) {
   switch (uri.scheme) {
     case Scheme::socketcan: return open_socketcan(executor, uri);
     case Scheme::slcan: return open_slcan(executor, uri, side);
@@ -48,6 +50,16 @@ boost::system::result<std::unique_ptr<FrameLink>, OpenError> open_frames(
     case Scheme::file: return open_frame_file(executor, uri, side);
     default: return wrong_kind(uri, "CAN frames but bytes");
   }
+}
+
+}  // namespace
+
+boost::system::result<std::unique_ptr<FrameLink>, OpenError> open_frames(
+    const asio::any_io_executor& executor, const Uri& uri, Side side) {
+  auto opened = open_bus(executor, uri, side);
+  if (opened && side == Side::driver && uri.only_listens())
+    return make_listening(std::move(*opened));
+  return opened;
 }
 
 void throw_exception_from_error(const OpenError& error, const boost::source_location&) {

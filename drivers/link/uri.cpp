@@ -146,6 +146,11 @@ std::string recording_misfit(const Uri& file, Carries what) {
   return problem.empty() ? problem : in_quotes(file.text) + ": " + problem;
 }
 
+Uri listening(Uri uri) {
+  if (uri.carries() == Carries::frames) uri.query["listen"] = "1";
+  return uri;
+}
+
 Uri line_under_slcan(const Uri& slcan) { return parse_uri(line_text(slcan)).value(); }
 
 Carries Uri::carries() const { return scheme <= Scheme::memory ? Carries::bytes : Carries::frames; }

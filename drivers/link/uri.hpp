@@ -50,6 +50,9 @@ struct Uri {
   std::optional<unsigned> bitrate() const;
   std::string_view text_of(std::string_view key) const;  ///< empty if the URI does not give it
   bool flag(std::string_view key) const;                 ///< true for `key=1`
+  /// True if the drivers' end of this bus never sends, not even an acknowledgement where the
+  /// adapter can be told so.
+  bool only_listens() const { return carries() == Carries::frames && flag("listen"); }
 };
 
 /// A URI could not be parsed: one line with the error and the permitted values.
@@ -62,6 +65,9 @@ struct UriError {
 
 /// Parses and checks a URI.
 boost::system::result<Uri, UriError> parse_uri(std::string_view text);
+
+/// The same bus with `listen=1`. A byte link stays as it is.
+Uri listening(Uri uri);
 
 /// The error in a recording's keys for this kind of data. Empty if there is none.
 std::string recording_misfit(const Uri& file, Carries what);

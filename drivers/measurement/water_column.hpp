@@ -51,6 +51,15 @@ inline double unesco_pressure_pa(double depth_m, double latitude_rad) {
   return p * ocean::decibar_pa;
 }
 
+/// The Challenger Deep has 10.9 km of water and 1130 bar (NOAA); no sea has more than these.
+inline constexpr double deepest_sea_m = 12e3;
+inline constexpr double deepest_sea_pa = 1.2e8;
+
+/// False for an absolute pressure that no sensor in a sea can have, and for NaN.
+inline bool is_sea_pressure(double absolute_pa) {
+  return absolute_pa >= 0 && absolute_pa <= deepest_sea_pa;
+}
+
 /// The water above a pressure sensor. With one density under standard gravity
 ///  depth = (p - p_surface) / (density g),  g = 9.80665 m/s2,
 /// or, if a latitude is given, standard ocean water (salinity 35, 0 deg C) as in EOS-80.

@@ -133,6 +133,8 @@ int watch(asio::io_context& io, Link& open_link, Screen& screen, double duration
                  });
   io.run();
   print_counters(screen);
+  if constexpr (std::is_same_v<Link, link::FrameLink>)
+    if (!open_link.note().empty()) fmt::print(stderr, "{}\n", open_link.note());
   return terminal::exit_of(screen.messages() > 0);
 }
 
@@ -164,7 +166,8 @@ int monitor_messages(const MonitorOptions& options) {
   };
   return carries == link::Carries::bytes
              ? watch_opened(link::open_bytes(io.get_executor(), *uri, link::Side::driver))
-             : watch_opened(link::open_frames(io.get_executor(), *uri, link::Side::driver));
+             : watch_opened(
+                   link::open_frames(io.get_executor(), link::listening(*uri), link::Side::driver));
 }
 
 }  // namespace drydock::monitor

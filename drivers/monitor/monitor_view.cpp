@@ -192,6 +192,8 @@ std::vector<std::string> DeviceTable::lines(const std::vector<DeviceView>& views
                               v.protocol, v.link, v.frames, v.bad_checksums, v.bytes_in,
                               milliseconds(v.longest_interval_s)));
     if (auto line = bus_text(v); !line.empty()) all.push_back(std::move(line));
+    if (v.refused > 0) all.push_back(fmt::format("  {} values refused", v.refused));
+    if (!v.link_note.empty()) all.push_back("  link: " + v.link_note);
     if (auto line = times(v); !line.empty()) all.push_back(std::move(line));
     std::string values;
     for (const auto& value : v.values) values += "  " + value_text(v, value);

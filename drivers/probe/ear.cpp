@@ -20,9 +20,9 @@ constexpr std::chrono::milliseconds idle_period{100};
 /// `on_read(item, at) -> bool` and `on_idle() -> bool`: true if enough was heard.
 template <class Link, class OnRead, class OnIdle>
 void Ear::run(Link& link, link::Stamp until, const OnRead& on_read, const OnIdle& on_idle) {
-  trouble_.clear();
+  failure_.clear();
   io_.restart();
-  bool enough = false, ended = false;
+  bool enough = false, ended = false, closed = false;
   asio::co_spawn(io_,
                  link::read_until_lost<Link>(link,
                                              [&](const auto& item, link::Stamp at) {
@@ -30,7 +30,7 @@ void Ear::run(Link& link, link::Stamp until, const OnRead& on_read, const OnIdle
                                              }),
                  [&](const std::exception_ptr&, const boost::system::error_code& why) {
                    ended = true;
-                   if (why != asio::error::operation_aborted) trouble_ = why.message();
+                   if (!closed && why != asio::error::operation_aborted) failure_ = why;
                  });
   asio::steady_timer timer(io_);
   std::function<void()> wait = [&] {
@@ -45,6 +45,7 @@ void Ear::run(Link& link, link::Stamp until, const OnRead& on_read, const OnIdle
   while (!enough && !ended && !interrupted() && link::now() < until) io_.run_one();
   timer.cancel();
   wait = [] {};
+  closed = true;
   link.close();
   while (!ended || talking_ > 0) io_.run_one();  // the reader and the writers must release the link
   io_.poll();

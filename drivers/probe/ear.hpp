@@ -29,7 +29,9 @@ class Ear {
 
   boost::asio::any_io_executor executor() { return io_.get_executor(); }
   bool interrupted() const { return until_.interrupted(); }
-  const std::string& trouble() const { return trouble_; }  ///< why the last link ended, or empty
+  std::string trouble() const { return failure_ ? failure_.message() : std::string(); }
+  /// Why the last link ended; no error: it was closed.
+  const boost::system::error_code& failure() const { return failure_; }
 
  private:
   template <class Link, class OnRead, class OnIdle>
@@ -40,7 +42,7 @@ class Ear {
   boost::asio::io_context io_{1};
   io::UntilStopped until_{io_, 0, [] {}};
   int talking_ = 0;  ///< writes in progress
-  std::string trouble_;
+  boost::system::error_code failure_;
 };
 
 }  // namespace drydock::probe

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "drivers/link/can/can_interface.hpp"
+#include "drivers/link/can/slcan_trouble.hpp"
 #include "drivers/wire/canopen/canopen_sdo.hpp"
 
 namespace drydock::probe {
@@ -50,9 +51,116 @@ void note_interface(const link::Uri& uri, ProbeReport& report) {
   if (!found) return;
   report.bitrate = found->bitrate;
   if (found->is_vcan) report.notes.push_back(uri.target + " is virtual: it has no bit rate");
+  if (found->listen_only)
+    report.notes.push_back(*found->listen_only
+                               ? "the controller is listen-only"
+                               : "nothing was sent, but the controller acknowledges frames");
   if (!found->state.empty())
     report.notes.push_back(fmt::format("the controller is {}", found->state));
 }
+
+/// The rates with a command of slcan adapters, the most usual ones of vehicles first.
+constexpr std::array<unsigned, 9> rates{250'000, 500'000, 125'000, 1'000'000, 100'000,
+                                        50'000,  20'000,  10'000,  800'000};
+
+/// Only an slcan adapter can be told a rate, and at a wrong one it must not be active.
+bool searches_rate(const link::Uri& uri) {
+  return uri.scheme == link::Scheme::slcan && uri.text_of("bitrate").empty();
+}
+
+std::string with_rate(const std::string& link, unsigned rate) {
+  return fmt::format("{}{}bitrate={}", link, link.find('?') == std::string::npos ? '?' : '&', rate);
+}
+
+/// Listens to one bus, perhaps at several rates, into one survey. It opens every link listen-only;
+/// with `ask` it opens the link once more to ask, after a sound frame.
+class BusSearch {
+ public:
+  using Failure = std::optional<link::OpenError>;
+
+  BusSearch(const LineSearch& search, Ear& ear, Progress& progress, ProbeReport& report)
+      : search_(search), ear_(ear), progress_(progress), report_(report), link_(search.link) {}
+
+  Failure listen(const link::Uri& uri) {
+    auto failure = hear(link::listening(uri), search_.until);
+    if (failure || !search_.ask || survey_.frames() == 0) return failure;
+    asks_ = true;
+    return hear(uri, search_.until);
+  }
+
+  /// Listens at each rate for an equal share of the time. It stays where it hears a frame.
+  Failure search_rate(const link::Uri& uri) {
+    const auto share = (search_.until - link::now()) / rates.size();
+    Stamp leave_at = link::now();
+    Failure failure;
+    for (const unsigned rate : rates) {
+      link::Uri with = uri;
+      with.query["bitrate"] = std::to_string(rate);
+      failure = hear(link::listening(with), leave_at += share);
+      if (failure && !link::is_refused_rate(failure->code)) return failure;
+      if (survey_.frames() > 0) return found(rate, with);
+      if (ear_.interrupted()) break;
+    }
+    report_.notes.emplace_back("no frames at any rate from 10000 to 1000000 bit/s");
+    return {};
+  }
+
+  void conclude() { note_bus(survey_, link_, report_); }
+
+ private:
+  Failure found(unsigned rate, const link::Uri& uri) {
+    link_ = with_rate(search_.link, rate);
+    report_.bitrate = rate;
+    report_.notes.push_back(fmt::format("valid frames at {} bit/s", rate));
+    if (!search_.ask) return {};
+    asks_ = true;
+    return hear(uri, search_.until);
+  }
+
+  /// Until the time of the search is over; without frames only until `leave_at`.
+  Failure hear(const link::Uri& uri, Stamp leave_at) {
+    auto opened = link::open_frames(ear_.executor(), uri, link::Side::driver);
+    if (!opened) return opened.error();
+    ear_.listen(**opened, search_.until, [&](const wire::CanFrame* frame, Stamp at) {
+      if (frame != nullptr) {
+        survey_.receive(*frame, at);
+        return search_.ask && !asks_ && survey_.frames() > 0;
+      }
+      if (asks_) asker_.ask(**opened, ear_, survey_);
+      progress_.show(progress_text(uri));
+      return survey_.frames() == 0 && at >= leave_at;
+    });
+    if (uri.scheme == link::Scheme::slcan) note_link((*opened)->note());
+    if (!ear_.failure()) return {};
+    if (survey_.frames() == 0 && uri.scheme == link::Scheme::slcan)
+      return link::OpenError{ear_.failure(), ear_.trouble()};
+    report_.notes.push_back("the bus ended: " + ear_.trouble());
+    return {};
+  }
+
+  void note_link(std::string_view note) {
+    if (!note.empty() && std::ranges::find(report_.notes, note) == report_.notes.end())
+      report_.notes.emplace_back(note);
+  }
+
+  std::string progress_text(const link::Uri& uri) const {
+    const auto rate = searches_rate(link::parse_uri(search_.link).value())
+                          ? fmt::format(" at {} bit/s", *uri.bitrate())
+                          : std::string();
+    return fmt::format("{}{}: {} frames; {:.0f} s left, Ctrl-C ends with what was found",
+                       search_.link, rate, survey_.frames(),
+                       std::max(0.0, measurement::seconds(search_.until - link::now())));
+  }
+
+  LineSearch search_;
+  Ear& ear_;
+  Progress& progress_;
+  ProbeReport& report_;
+  std::string link_;  ///< with the rate that was found
+  survey::BusSurvey survey_;
+  Asker asker_;
+  bool asks_ = false;
+};
 
 }  // namespace
 
@@ -72,27 +180,13 @@ void note_bus(const survey::BusSurvey& survey, const std::string& link, ProbeRep
 
 bool search_bus(const LineSearch& search, Ear& ear, Progress& progress, ProbeReport& report) {
   const auto uri = link::parse_uri(search.link).value();
-  auto opened = link::open_frames(ear.executor(), uri, link::Side::driver);
-  if (!opened) {
-    report.notes.push_back(opened.error().message);
+  BusSearch bus(search, ear, progress, report);
+  if (const auto failure = searches_rate(uri) ? bus.search_rate(uri) : bus.listen(uri)) {
+    report.notes.push_back(failure->message);
     return false;
   }
-  survey::BusSurvey survey;
-  Asker asker;
-  ear.listen(**opened, search.until, [&](const wire::CanFrame* frame, Stamp at) {
-    if (frame != nullptr) {
-      survey.receive(*frame, at);
-      return false;
-    }
-    if (search.ask) asker.ask(**opened, ear, survey);
-    progress.show(fmt::format("{}: {} frames; {:.0f} s left, Ctrl-C ends with what was found",
-                              search.link, survey.frames(),
-                              std::max(0.0, measurement::seconds(search.until - link::now()))));
-    return false;
-  });
-  if (!ear.trouble().empty()) report.notes.push_back("the bus ended: " + ear.trouble());
   note_interface(uri, report);
-  note_bus(survey, search.link, report);
+  bus.conclude();
   return true;
 }
 

@@ -10,6 +10,9 @@ class BusLine final : public LinkedLine<link::FrameLink> {
   using LinkedLine::LinkedLine;
 
  private:
+  /// A bus whose devices all only listen needs no acknowledgement of ours either.
+  link::Uri next_uri() override;
+  void observe_link() override;
   void receive(const wire::CanFrame& frame, Stamp at) override;
   void send(wire::Bytes) override {}  // no driver of a bus sends bytes
   void send(const wire::CanFrame& frame) override { put(frame); }

@@ -20,6 +20,7 @@ Line::Line(asio::io_context& io, link::Uri uri, RawListener* raw)
       to_open_(std::make_shared<io::Signal>(io.get_executor())) {}
 
 void Line::add(Device& device, device::Listener& listener) {
+  if (uri_.only_listens()) device.listen_only();
   device.connect(listener, *this);
   devices_.push_back(&device);
 }
@@ -64,6 +65,7 @@ Line::Run Line::serve(Provenance provenance) {
   follow_clock();
   const Stamp now = link::now();
   for (Device* device : devices_) device->opened(now, provenance);
+  observe_link();
   rearm();
   co_await serve_link();
   destroy_link();
@@ -89,6 +91,7 @@ Line::Run Line::keep_time() {
     clock_set_for_ = earliest_deadline();
     co_await clock_->wait_until(clock_set_for_, link::now());
     follow_clock();
+    if (open_) observe_link();
     const Stamp now = link::now();
     bool close_wanted = false;
     for (Device* device : devices_) {

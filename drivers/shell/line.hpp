@@ -34,6 +34,7 @@ class Line : protected device::Transmitter {
   virtual Run serve_link() = 0;     ///< reads and writes; calls lost() with the reason of the end
   virtual void close_link() = 0;    ///< pending reads and writes end
   virtual void destroy_link() = 0;  ///< no read or write is pending any more
+  virtual void observe_link() {}    ///< at the deadlines, while the link is open
 
   bool is_open() const { return open_; }
   void lost(const boost::system::error_code& reason);

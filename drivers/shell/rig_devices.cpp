@@ -35,6 +35,7 @@ device::DriverOptions driver_options(const DeviceConfig& config, std::size_t ind
   options.byte_frame = uri.byte_frame();
   options.bitrate = uri.bitrate().value_or(options.bitrate);
   options.address = static_cast<std::uint8_t>(config.address);
+  if (config.instance) options.instance = static_cast<std::uint8_t>(*config.instance);
   options.canopen.heartbeat_timeout = measurement::from_seconds(config.heartbeat_timeout_s);
   if (config.sync) options.canopen.sync_period = measurement::from_seconds(1 / config.rate_hz);
   options.water = {config.surface_pressure_pa, config.water_density_kgm3,

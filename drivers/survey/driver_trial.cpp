@@ -21,7 +21,7 @@ bool plausible(const measurement::ImuSample& m) {
 /// Empty: without a pressure there is nothing to judge.
 std::optional<bool> plausible(const measurement::DepthSample& m) {
   if (!m.pressure_pa) return {};
-  return *m.pressure_pa > 0.2e5 && *m.pressure_pa < 1.2e8;
+  return *m.pressure_pa > 0.2e5 && measurement::is_sea_pressure(*m.pressure_pa);
 }
 
 }  // namespace
@@ -79,7 +79,8 @@ SensorHeard DriverTrial::heard() const {
 }
 
 double DriverTrial::plausible_share() const {
-  return judged_ == 0 ? 1 : static_cast<double>(plausible_) / static_cast<double>(judged_);
+  const std::uint64_t judged = judged_ + device_->health(now_).impossible;
+  return judged == 0 ? 1 : static_cast<double>(plausible_) / static_cast<double>(judged);
 }
 
 std::optional<double> DriverTrial::gravity_error() const {

@@ -8,6 +8,7 @@
 #include <iterator>
 #include <map>
 
+#include "drivers/wire/protocols.hpp"
 #include "rig_config/estimator/kinds.hpp"
 #include "rig_config/rules/explain.hpp"
 
@@ -28,6 +29,7 @@ class RigChecks {
     links_are_sound();
     lines_have_one_device();
     addresses_are_unique();
+    canopen_nodes_have_addresses();
     if (!options_.devices_only) {
       files_exist();
       estimator_files_exist();
@@ -96,6 +98,26 @@ class RigChecks {
                 "{} is already the address of '{}' on {}; each device on a bus needs its own",
                 address->integer, first->second, link->text));
     });
+  }
+
+  /// A driver starts its CANopen node. Without an address that would be every node on the bus.
+  void canopen_nodes_have_addresses() {
+    for_each_table(root_, "device", [&](const Node& device, std::size_t i) {
+      const Node* link = device.find_text("link");
+      const Node* protocol = device.find_text("protocol");
+      if (!link || !protocol || is_never_written(link->text)) return;
+      const auto* known = wire::find_protocol(protocol->text);
+      if (!known || known->network != wire::Network::canopen) return;
+      const Node* address = device.find("address");
+      if (address && (address->kind != Kind::integer || address->integer != 0)) return;
+      add(address ? *address : device, fmt::format("/device/{}/address", i),
+          "a CANopen device needs the node that its driver starts, allowed: 1 to 127 (0 would "
+          "start every node on the bus; none is needed on a file: or with listen=1)");
+    });
+  }
+
+  static bool is_never_written(const std::string& link) {
+    return link.starts_with("file:") || link.find("listen=1") != std::string::npos;
   }
 
   void files_exist() {

@@ -78,6 +78,8 @@ DeviceConfig build_device(const Node& table, const std::string& rig_file) {
   read(table, "lever_arm_m", device.lever_arm_m);
   read(table, "mounting_deg", device.mounting_rad, units::degree);
   read(table, "address", device.address);
+  if (const Node* instance = table.find("instance"))
+    device.instance = static_cast<int>(instance->integer);
   read(table, "heartbeat_timeout_s", device.heartbeat_timeout_s);
   read(table, "sync", device.sync);
   read(table, "surface_pressure_pa", device.surface_pressure_pa);

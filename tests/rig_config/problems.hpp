@@ -35,6 +35,7 @@ inline std::vector<std::string> problems_of_text(std::string_view text) {
 }
 
 inline constexpr std::string_view imu_table =
-    "[[device]]\nname = \"imu\"\nkind = \"imu\"\nprotocol = \"cia404-imu\"\nlink = \"can:auto\"\n";
+    "[[device]]\nname = \"imu\"\nkind = \"imu\"\nprotocol = \"cia404-imu\"\n"
+    "link = \"can:auto?listen=1\"\n";  // never started, so it needs no address
 
 }  // namespace drydock::rig_config::test

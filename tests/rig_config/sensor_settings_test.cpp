@@ -16,6 +16,31 @@ TEST(RigProblems, ACanopenNodeHasANarrowerRangeThanAJ1939Address) {
       ElementsAre("r.toml:13:11: /device/1/address: 128 is out of range, allowed: 0 to 127"));
 }
 
+TEST(RigProblems, ACanopenDeviceThatWouldStartEveryNodeIsRefused) {
+  const auto table = [](const std::string& link) {
+    return "[[device]]\nname = \"imu\"\nkind = \"imu\"\nprotocol = \"cia404-imu\"\nlink = \"" +
+           link + "\"\n";
+  };
+  const std::string refusal =
+      "/device/1/address: a CANopen device needs the node that its driver starts, allowed: 1 to "
+      "127 (0 would start every node on the bus; none is needed on a file: or with listen=1)";
+  EXPECT_THAT(problems_of(table("can:auto")), ElementsAre("r.toml:8:1: " + refusal));
+  EXPECT_THAT(problems_of(table("can:auto") + "address = 0\n"),
+              ElementsAre("r.toml:13:11: " + refusal));
+  EXPECT_THAT(problems_of(table("can:auto") + "address = 1\n"), IsEmpty());
+  EXPECT_THAT(problems_of(table("socketcan:can0?listen=1")), IsEmpty());
+  EXPECT_THAT(problems_of(table("file:dive.log")), IsEmpty());
+}
+
+TEST(RigProblems, AnInstanceIsForNmea2000Only) {
+  EXPECT_THAT(problems_of(std::string(imu_table) + "instance = 1\n"),
+              ElementsAre("r.toml:13:1: /device/1/instance: not allowed here, only for protocol = "
+                          "\"nmea2000\""));
+  EXPECT_THAT(problems_of("[[device]]\nname = \"a\"\nkind = \"actuator\"\nprotocol = "
+                          "\"nmea2000\"\nlink = \"can:auto\"\ninstance = 253\n"),
+              ElementsAre(HasSubstr("/device/1/instance: 253 is out of range, allowed: 0 to 252")));
+}
+
 TEST(RigProblems, SettingsOfOneImuAreNotAnothers) {
   EXPECT_THAT(problems_of(std::string(imu_table) + "xsens = { extended = true }\n"),
               ElementsAre("r.toml:13:1: /device/1/xsens: not allowed here, only for protocol = "
@@ -72,11 +97,11 @@ TEST(RigProblems, APressureTransmitterIsSetByItsOwnTable) {
   const std::string depth =
       std::string(rig_table) +
       "[[device]]\nname = \"depth\"\nkind = \"depth\"\nlink = \"can:auto\"\n";  // to line 6
-  const auto rig =
-      load_rig_text(depth +
-                        "protocol = \"cia404-pressure\"\n[device.pressure]\nformat = \"real32\"\n"
-                        "unit = \"bar\"\ndecimals = 3\nreference = \"gauge\"\n",
-                    "r.toml");
+  const auto rig = load_rig_text(
+      depth +
+          "protocol = \"cia404-pressure\"\naddress = 1\n[device.pressure]\nformat = \"real32\"\n"
+          "unit = \"bar\"\ndecimals = 3\nreference = \"gauge\"\n",
+      "r.toml");
   ASSERT_TRUE(rig);
   const PressureConfig& pressure = rig->devices.at(0).pressure;
   EXPECT_EQ(pressure.format, "real32");

@@ -25,10 +25,10 @@ TEST(RigProblems, ALineHasOneDevice) {
 TEST(RigProblems, AServerAndAFileMayHaveManyDevicesAndABusHas) {
   for (const std::string link : {"tcp:192.168.2.3:10110", "file:dive.nmea?speed=1"})
     EXPECT_THAT(problems_of(log_on(link) + log_on(link, "other")), IsEmpty()) << link;
-  EXPECT_THAT(
-      problems_of(std::string(imu_table) + "[[device]]\nname = \"depth\"\nkind = \"depth\"\n"
-                                           "protocol = \"nmea2000\"\nlink = \"can:auto\"\n"),
-      IsEmpty());
+  EXPECT_THAT(problems_of(std::string(imu_table) +
+                          "[[device]]\nname = \"depth\"\nkind = \"depth\"\n"
+                          "protocol = \"nmea2000\"\nlink = \"can:auto?listen=1\"\n"),
+              IsEmpty());
 }
 
 }  // namespace shared_lines_test

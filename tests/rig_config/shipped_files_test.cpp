@@ -138,7 +138,7 @@ TEST(Links, OnlyRelativeFileTargetsAreResolved) {
 TEST(Emulate, ItsOwnKeysOverrideTheSensorFile) {
   const auto rig = load_rig_text(
       "[rig]\nname = \"r\"\n[[device]]\nname = \"i\"\nkind = \"imu\"\nprotocol = \"cia404-imu\"\n"
-      "link = \"can:auto\"\nemulate = { errors = \"../sensors/leveling-paper.toml\", "
+      "link = \"can:auto\"\naddress = 1\nemulate = { errors = \"../sensors/leveling-paper.toml\", "
       "gyro_bias_degph = [3600, 0, -7200] }\n",
       folder + "rigs/r.toml");
   const EmulateConfig& imu = rig.value().devices.at(0).emulate;
@@ -157,7 +157,10 @@ TEST(ImuSettings, AreReadFromTheirTables) {
       "[[device]]\nname = \"x\"\nkind = \"imu\"\nprotocol = \"xsens\"\nlink = \"can:auto\"\n"
       "xsens = { extended = true, identifiers = { rate_of_turn = 0x19FF0032 } }\n"
       "[[device]]\nname = \"e\"\nkind = \"imu\"\nprotocol = \"epson-g552\"\nlink = \"can:auto\"\n"
-      "rate_hz = 125\nsync = true\nheartbeat_timeout_s = 1.5\n",
+      "rate_hz = 125\nsync = true\nheartbeat_timeout_s = 1.5\naddress = 2\n"
+      "[[device]]\nname = \"p\"\nkind = \"actuator\"\nprotocol = \"nmea2000\"\nlink = "
+      "\"can:auto\"\n"
+      "instance = 1\n",
       folder + "rigs/r.toml");
   ASSERT_TRUE(rig);
   const AceinnaConfig& aceinna = rig->devices.at(0).aceinna;
@@ -173,6 +176,8 @@ TEST(ImuSettings, AreReadFromTheirTables) {
   EXPECT_EQ(xsens.identifiers[0].id, 0x19FF0032U);
   EXPECT_TRUE(rig->devices.at(2).sync);
   EXPECT_EQ(rig->devices.at(2).heartbeat_timeout_s, 1.5);
+  EXPECT_EQ(rig->devices.at(3).instance, 1);
+  EXPECT_FALSE(rig->devices.at(2).instance);
 }
 
 }  // namespace

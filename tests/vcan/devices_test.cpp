@@ -79,7 +79,8 @@ class Bench : public ::testing::Test, public device::Listener {
 };
 
 TEST_F(Bench, CandumpSeesTheEmulatedDevicesAndTheDriversGetTheTruth) {
-  const auto imu = device(DeviceKind::imu, "cia404-imu", 100);
+  auto imu = device(DeviceKind::imu, "cia404-imu", 100);
+  imu.address = 1;
   const auto depth = device(DeviceKind::depth, "nmea2000", 10);
   rig_config::MissionConfig mission;
   mission.depth_m = 20;

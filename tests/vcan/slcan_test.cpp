@@ -1,6 +1,12 @@
+#include <fcntl.h>
 #include <gmock/gmock.h>
+#include <net/if.h>
+#include <sys/ioctl.h>
+
+#include <thread>
 
 #include "drivers/link/can/can_interface.hpp"
+#include "drivers/link/descriptor.hpp"
 #include "tests/drivers/link/running.hpp"
 #include "tests/vcan/process.hpp"
 
@@ -46,6 +52,45 @@ TEST(SlcanAdapter, SlcandMakesACanInterfaceOfIt) {
   ASSERT_TRUE(run(io, adapter->write(sent)));
   settle(io);
   EXPECT_THAT(candump.output_until("\n"), ::testing::HasSubstr(" slc0 123#ABCD\n"));
+}
+
+/// The kernel's slcan driver on a pty: a CAN interface with a bit rate, without hardware.
+class KernelSlcan : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    if (!std::filesystem::exists("/sys/module/slcan")) GTEST_SKIP() << "the kernel has no slcan";
+    master = Descriptor(::posix_openpt(O_RDWR | O_NOCTTY));
+    ASSERT_EQ(::grantpt(master.get()), 0);
+    ASSERT_EQ(::unlockpt(master.get()), 0);
+    slave = Descriptor(::open(::ptsname(master.get()), O_RDWR | O_NOCTTY));
+    const int slcan_discipline = 17;
+    ASSERT_EQ(::ioctl(slave.get(), TIOCSETD, &slcan_discipline), 0);
+    std::array<char, IFNAMSIZ> got{};
+    ASSERT_EQ(::ioctl(slave.get(), SIOCGIFNAME, got.data()), 0);
+    name = got.data();
+    // The kernel waits until somebody has read its command.
+    adapter = std::thread([this] {
+      std::array<char, 64> commands{};
+      while (::read(master.get(), commands.data(), commands.size()) > 0) {
+      }
+    });
+  }
+  void TearDown() override {
+    slave = Descriptor();  // the adapter then reads an error
+    if (adapter.joinable()) adapter.join();
+  }
+
+  Descriptor master, slave;
+  std::thread adapter;
+  std::string name;
+  asio::io_context io;
+};
+
+TEST_F(KernelSlcan, TheLinkKnowsTheRateThatTheInterfaceWasSetTo) {
+  ASSERT_EQ(
+      vcan::run_program({"ip", "link", "set", name, "up", "type", "can", "bitrate", "500000"}), 0);
+  EXPECT_EQ(open_bus(io, "socketcan:" + name, Side::driver)->bit_rate(), 500'000U);
+  EXPECT_EQ(open_bus(io, "socketcan:" + name + "?listen=1", Side::driver)->bit_rate(), 500'000U);
 }
 
 }  // namespace

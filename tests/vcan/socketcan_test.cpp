@@ -166,7 +166,7 @@ TEST_F(SocketCan, CanFdArrivesOnlyWhereItIsWanted) {
 TEST_F(SocketCan, FramesLostInTheQueueAreCounted) {
   const auto slow = open_interface();
   const auto sender = open_interface();
-  constexpr unsigned sent = 5000;
+  constexpr unsigned sent = 20'000;
   for (unsigned i = 0; i < sent; ++i)
     ASSERT_TRUE(run(io, sender->write(frame(i % 0x800, false, {1}))));
 
@@ -185,6 +185,34 @@ TEST_F(SocketCan, FramesLostInTheQueueAreCounted) {
   ASSERT_TRUE(run_until(io, [&] { return reading->outcome.has_value(); }));
   EXPECT_EQ(reading->outcome->value().frame.id, 0x7FFU);
   EXPECT_EQ(slow->dropped(), sent - received);
+}
+
+// 250 kbit/s are 5319 of the shortest frames a second (47 bits, ISO 11898-1).
+TEST_F(SocketCan, OneSecondOfAFullBusWaitsInTheQueue) {
+  if (::geteuid() != 0) GTEST_SKIP() << "a queue beyond net.core.rmem_max needs CAP_NET_ADMIN";
+  const auto slow = open_interface();
+  const auto sender = open_interface();
+  constexpr unsigned sent = 5319;
+  for (unsigned i = 0; i < sent; ++i)
+    ASSERT_TRUE(run(io, sender->write(frame(i % 0x800, false, {}))));
+  for (unsigned i = 0; i < sent; ++i) ASSERT_EQ(run(io, slow->read())->frame.id, i % 0x800);
+  EXPECT_EQ(slow->dropped(), 0U);
+}
+
+TEST_F(SocketCan, WhoseStampsAreUsedIsSaid) {
+  const auto bus = open_interface();
+  ASSERT_EQ(vcan::run_program({"cansend", interface, "001#"}), 0);
+  ASSERT_TRUE(run(io, bus->read()));
+  EXPECT_EQ(bus->note(), "stamps of the kernel");
+  EXPECT_EQ(open_interface("?listen=1")->note(), "stamps of the kernel; nothing is sent");
+}
+
+TEST_F(SocketCan, AListeningLinkNeverSends) {
+  const auto listening = open_interface("?listen=1");
+  const auto other = open_interface();
+  EXPECT_FALSE(run(io, listening->write(frame(1, false, {}))));
+  ASSERT_EQ(vcan::run_program({"cansend", interface, "002#"}), 0);
+  EXPECT_EQ(run(io, other->read())->frame.id, 2U);
 }
 
 /// A second interface that the test may take down. Needs CAP_NET_ADMIN.

@@ -19,6 +19,7 @@ class BusDriver : public FrameDriver {
     const wire::StreamCounters& c = counters();
     return c.bytes_in - c.bytes_good - c.bytes_skipped;
   }
+  void set_bitrate(unsigned bitrate) final { timing_.set_bitrate(bitrate); }
   void set_provenance(measurement::Provenance provenance) final {
     timing_.set_provenance(provenance);
   }

@@ -12,7 +12,7 @@ namespace {
 namespace canopen = wire::canopen;
 using canopen::NodeState;
 
-constexpr std::uint8_t all_nodes = 0;
+constexpr std::uint8_t any = 0;
 
 FixedText<24> number(unsigned value, int base = 10) {
   std::array<char, 24> digits{};
@@ -30,14 +30,17 @@ Reason of_node(std::uint8_t node, std::string_view what) {
 }  // namespace
 
 CanopenNode::CanopenNode(const DriverOptions& options)
-    : source_(options.address), options_(options.canopen) {}
+    : node_(options.address), source_(options.address), options_(options.canopen) {}
+
+void CanopenNode::start(std::uint8_t node, Output& out) {
+  out.send(canopen::encode(canopen::Nmt{canopen::NmtCommand::start, node}));
+}
 
 void CanopenNode::restart(Stamp now, Output& out) {
   state_.reset();
   lost_at_.reset();
   if (options_.sync_period.count() > 0) next_sync_ = now;
-  const std::uint8_t node = source_.source().value_or(all_nodes);
-  out.send(canopen::encode(canopen::Nmt{canopen::NmtCommand::start, node}));
+  if (node_ != any) start(node_, out);
 }
 
 bool CanopenNode::is_of_another(const wire::CanFrame& frame) const {
@@ -60,7 +63,7 @@ void CanopenNode::tick(Stamp now, Output& out) {
   }
   if (lost_at_ && *lost_at_ <= now) {
     lost_at_.reset();
-    Reason text = of_node(source_.source().value_or(all_nodes), " lost: no heartbeat for ");
+    Reason text = of_node(source_.source().value_or(any), " lost: no heartbeat for ");
     text += in_words(options_.heartbeat_timeout).view();
     out.report(text.view());
   }
@@ -68,9 +71,9 @@ void CanopenNode::tick(Stamp now, Output& out) {
 
 void CanopenNode::on(const canopen::Heartbeat& heartbeat, Stamp at, Output& out) {
   if (!ours(heartbeat.node)) return;
-  if (heartbeat.state == NodeState::boot_up || heartbeat.state == NodeState::pre_operational) {
-    out.send(canopen::encode(canopen::Nmt{canopen::NmtCommand::start, heartbeat.node}));
-  }
+  const bool waits =
+      heartbeat.state == NodeState::boot_up || heartbeat.state == NodeState::pre_operational;
+  if (waits && node_ == heartbeat.node) start(node_, out);
   if (source_.source()) watch(heartbeat, at, out);
 }
 

@@ -12,7 +12,7 @@ namespace drydock::device {
 ///    pre-operational heartbeat  reports when the node falls silent, restarts or was stopped by
 ///    somebody else EMCY       reports the node's errors, in words SYNC       sends it if the rig
 ///    file says that the node samples on SYNC
-/// It does not watch a node that sends no heartbeat. With address 0 it starts every node; the first
+/// It does not watch a node that sends no heartbeat. With address 0 it starts none; the first
 /// node whose process data it accepts is our sensor.
 class CanopenNode {
  public:
@@ -34,6 +34,9 @@ class CanopenNode {
   bool ours(std::uint8_t node) const { return source_.source().value_or(node) == node; }
   void watch(const wire::canopen::Heartbeat& heartbeat, Stamp at, Output& out);
 
+  static void start(std::uint8_t node, Output& out);
+
+  std::uint8_t node_;  ///< as configured; 0: any, and none is started
   SourceFilter source_;
   CanopenOptions options_;
   std::optional<wire::canopen::NodeState> state_;  ///< from the last heartbeat

@@ -15,6 +15,9 @@ std::optional<std::chrono::nanoseconds> age_of(const wire::NortekTimes& times) {
   return in_ns(age_s);
 }
 
+/// Seconds of 32 bits, since 1970 or since the start: no clock of a DVL shows anything else.
+bool is_clock_time(double s) { return s >= 0 && s < 4294967296.0; }
+
 }  // namespace
 
 void NortekDriver::receive(wire::Bytes bytes, Stamp received_at, Output& out) {
@@ -32,7 +35,10 @@ void NortekDriver::receive(wire::Bytes bytes, Stamp received_at, Output& out) {
 
 void NortekDriver::publish(const wire::NortekVelocity& sentence, Origin origin, Output& out) const {
   measurement::BottomVelocity result;
-  if (sentence.ping_time_s) origin.device_time = in_ns(*sentence.ping_time_s);
+  if (const auto time_s = sentence.ping_time_s; time_s && is_clock_time(*time_s))
+    origin.device_time = in_ns(*time_s);
+  else if (time_s)
+    out.refuse("a ping time that no clock has was left out");
   result.origin = origin;
   const auto& [x, y, z] = sentence.velocity_mps;
   if (x && y && z) result.velocity = mounting_.to_body({*x, *y, *z});

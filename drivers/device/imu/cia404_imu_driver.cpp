@@ -47,7 +47,7 @@ void Cia404ImuDriver<Protocol>::on(const wire::cia404_imu::ImuSet& set, const Or
   if (sample) return out.publish(*sample);
   if (!believable(set.rate_radps, most_rate_radps) ||
       !believable(set.specific_force_mps2, most_force_mps2))
-    out.report("a sample beyond 100 rad/s or 2000 m/s2 was dropped: damaged on its way");
+    out.refuse("a sample beyond 100 rad/s or 2000 m/s2 was dropped: damaged on its way");
 }
 
 template class Cia404ImuDriver<wire::Cia404Imu>;

@@ -15,6 +15,7 @@ ActuatorDriver::ActuatorDriver(const DriverOptions& options)
       surface_source_{SourceFilter{options.address}, SourceFilter{options.address},
                       SourceFilter{options.address}},
       engine_source_(options.address),
+      engine_instance_("engine", options.instance),
       burst_(shortest_pause) {}
 
 void ActuatorDriver::receive(const wire::CanFrame& frame, Stamp received_at, Output& out) {
@@ -40,10 +41,12 @@ Origin ActuatorDriver::in_burst(const wire::CanFrame& frame, Stamp received_at, 
 }
 
 void ActuatorDriver::on(const wire::nmea2000::Rudder& rudder, const Origin& origin, Output& out) {
-  if (!rudder.instance || *rudder.instance >= surfaces) return;
+  if (!rudder.instance || *rudder.instance >= surfaces)
+    return out.refuse("a rudder instance other than 0, 1 and 2 was left out: it is no actuator",
+                      Refusal::of_another);
   if (!accepts(surface_source_[*rudder.instance], rudder.source, origin.received_at)) return;
   if (std::abs(rudder.position_rad.value_or(0)) > std::numbers::pi / 2)
-    return out.report("a surface beyond 90 degrees was dropped: damaged on its way");
+    return out.refuse("a surface beyond 90 degrees was dropped: damaged on its way");
   measurement::ActuatorState state;
   state.origin = origin;
   if (*rudder.instance == 0 && rudder.position_rad) state.rudder_rad = -*rudder.position_rad;
@@ -54,6 +57,7 @@ void ActuatorDriver::on(const wire::nmea2000::Rudder& rudder, const Origin& orig
 
 void ActuatorDriver::on(const wire::nmea2000::Engine& engine, const Origin& origin, Output& out) {
   if (!accepts(engine_source_, engine.source, origin.received_at)) return;
+  if (!engine_instance_.accepts(engine.instance, origin.received_at, out)) return;
   measurement::ActuatorState state;
   state.origin = origin;
   state.propeller_radps = engine.speed_radps;

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "drivers/device/burst.hpp"
+#include "drivers/device/vessel/instance_filter.hpp"
 #include "drivers/device/vessel/nmea2000_driver.hpp"
 
 namespace drydock::device {
@@ -10,7 +11,8 @@ namespace drydock::device {
 /// Feedback of the actuators on NMEA 2000, one measurement per frame. PGN 127245: instance 0 is the
 /// rudder, 1 the stern plane, 2 the bow plane. NMEA 2000 counts a rudder angle to starboard as
 /// positive, ActuatorState an angle that turns the vehicle to port. Therefore this driver changes
-/// the sign of the rudder, but not of the planes. PGN 127488: shaft speed, any instance.
+/// the sign of the rudder, but not of the planes. PGN 127488: shaft speed
+/// of the configured instance, or else of the first heard.
 /// Consecutive frames of one source were all true before the first was sent.
 class ActuatorDriver final : public Nmea2000Driver {
  public:
@@ -28,6 +30,7 @@ class ActuatorDriver final : public Nmea2000Driver {
 
   std::array<SourceFilter, surfaces> surface_source_;
   SourceFilter engine_source_;
+  InstanceFilter engine_instance_;
   Burst burst_;
   std::uint8_t burst_source_ = 0;
 };

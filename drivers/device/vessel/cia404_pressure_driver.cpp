@@ -1,5 +1,7 @@
 #include "drivers/device/vessel/cia404_pressure_driver.hpp"
 
+#include "drivers/device/vessel/depth_gate.hpp"
+
 namespace drydock::device {
 
 namespace canopen = wire::canopen;
@@ -33,7 +35,7 @@ void Cia404PressureDriver::on(const wire::cia404_pressure::ProcessValue& value,
     sample.pressure_pa = *reading + zero_pa_;
     sample.depth_m = water_.depth_m(*sample.pressure_pa);
   }
-  out.publish(sample);
+  if (is_possible(sample, out)) out.publish(sample);
 }
 
 }  // namespace drydock::device

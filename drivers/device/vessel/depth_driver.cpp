@@ -1,5 +1,7 @@
 #include "drivers/device/vessel/depth_driver.hpp"
 
+#include "drivers/device/vessel/depth_gate.hpp"
+
 namespace drydock::device {
 
 namespace {
@@ -12,7 +14,9 @@ DepthDriver::DepthDriver(const DriverOptions& options)
       water_(options.water),
       pressure_source_(options.address),
       temperature_source_(options.address),
-      sounder_source_(options.address) {}
+      sounder_source_(options.address),
+      pressure_instance_("pressure", options.instance),
+      temperature_instance_("sea temperature", std::nullopt) {}
 
 void DepthDriver::receive(const wire::CanFrame& frame, Stamp received_at, Output& out) {
   const auto message = decoder_.receive(frame);
@@ -28,23 +32,24 @@ void DepthDriver::receive(const wire::CanFrame& frame, Stamp received_at, Output
 void DepthDriver::on(const wire::nmea2000::Pressure& pressure, const Origin& origin, Output& out) {
   if (pressure.kind != wire::nmea2000::Pressure::water) return;
   if (!accepts(pressure_source_, pressure.source, origin.received_at)) return;
-  if (pressure.pressure_pa && *pressure.pressure_pa < 0)
-    return out.report("an absolute pressure below zero was dropped: damaged on its way");
+  if (!pressure_instance_.accepts(pressure.instance, origin.received_at, out)) return;
   measurement::DepthSample sample;
   sample.origin = origin;
-  last_pressure_ = {pressure.source, pressure.sequence, origin};
   sample.pressure_pa = pressure.pressure_pa;
   if (pressure.pressure_pa) sample.depth_m = water_.depth_m(*pressure.pressure_pa);
   if (origin.received_at - temperature_at_ < temperature_counts_for) {
     sample.temperature_k = temperature_k_;
   }
+  if (!is_possible(sample, out)) return;
+  last_pressure_ = {pressure.source, pressure.sequence, origin};
   out.publish(sample);
 }
 
 void DepthDriver::on(const wire::nmea2000::Temperature& temperature, const Origin& origin,
-                     Output&) {
+                     Output& out) {
   if (temperature.kind != wire::nmea2000::Temperature::sea) return;
   if (!accepts(temperature_source_, temperature.source, origin.received_at)) return;
+  if (!temperature_instance_.accepts(temperature.instance, origin.received_at, out)) return;
   temperature_k_ = temperature.actual_k;
   temperature_at_ = origin.received_at;
 }
@@ -59,7 +64,7 @@ void DepthDriver::on(const wire::nmea2000::WaterDepth& depth, const Origin& orig
     sample.origin.valid_at = last_pressure_.origin.valid_at;
   }
   sample.altitude_m = depth.depth_m;
-  out.publish(sample);
+  if (is_possible(sample, out)) out.publish(sample);
 }
 
 void DepthDriver::on(const wire::j1939::AddressClaimed& claim, const Origin& origin, Output&) {

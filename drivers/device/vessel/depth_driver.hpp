@@ -1,5 +1,6 @@
 #pragma once
 
+#include "drivers/device/vessel/instance_filter.hpp"
 #include "drivers/device/vessel/nmea2000_driver.hpp"
 
 namespace drydock::device {
@@ -7,7 +8,8 @@ namespace drydock::device {
 /// Depth on NMEA 2000. PGN 130314 with source "water" gives the pressure; the configured water
 /// column gives the depth. The sample also has the last sea temperature of PGN 130312. PGN 128267,
 /// an echo sounder's depth below its transducer, gives the altitude as a separate measurement. The
-/// altitude was true at the same time as the pressure with the same source and SID.
+/// altitude was true at the same time as the pressure with the same source and SID. Of several
+/// pressures of one sender it takes the configured instance, or else the first heard.
 class DepthDriver final : public Nmea2000Driver {
  public:
   explicit DepthDriver(const DriverOptions& options);
@@ -22,6 +24,7 @@ class DepthDriver final : public Nmea2000Driver {
 
   measurement::WaterColumn water_;
   SourceFilter pressure_source_, temperature_source_, sounder_source_;
+  InstanceFilter pressure_instance_, temperature_instance_;
   std::optional<double> temperature_k_;
   Stamp temperature_at_{};
 

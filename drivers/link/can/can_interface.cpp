@@ -109,6 +109,9 @@ void read_controller(std::string_view details, CanInterface& found) {
       const auto timing = value_of<can_bittiming>(data);
       if (timing && timing->bitrate > 0) found.bitrate = timing->bitrate;
     }
+    if (type == IFLA_CAN_CTRLMODE)
+      if (const auto mode = value_of<can_ctrlmode>(data))
+        found.listen_only = (mode->flags & CAN_CTRLMODE_LISTENONLY) != 0;
     if (type == IFLA_CAN_STATE)
       if (const auto state = value_of<std::uint32_t>(data)) found.state = state_name(*state);
   });

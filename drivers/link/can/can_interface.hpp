@@ -15,6 +15,7 @@ struct CanInterface {
   bool is_vcan = false;
   unsigned mtu = 0;                 ///< 16: classic CAN; 72: CAN FD
   std::optional<unsigned> bitrate;  ///< nominal phase, bit/s; empty if the driver has no rate
+  std::optional<bool> listen_only;  ///< the controller sends nothing, not even an acknowledgement
   /// State of the controller, in the kernel's words: "ERROR-ACTIVE" ... "BUS-OFF". Empty if it is
   /// not known.
   std::string_view state;

@@ -2,11 +2,15 @@
 
 #include <array>
 #include <boost/asio/error.hpp>
+#include <boost/asio/experimental/awaitable_operators.hpp>
+#include <boost/asio/steady_timer.hpp>
 #include <boost/circular_buffer.hpp>
+#include <utility>
 #include <variant>
 
 #include "drivers/io/signal.hpp"
 #include "drivers/link/can/slcan_port.hpp"
+#include "drivers/link/can/slcan_trouble.hpp"
 #include "drivers/wire/can/slcan.hpp"
 #include "drivers/wire/can/slcan_report.hpp"
 
@@ -14,45 +18,73 @@ namespace drydock::link {
 namespace {
 
 namespace slcan = wire::slcan;
+using namespace std::chrono_literals;
 
 constexpr std::size_t read_size = 512;
 constexpr std::size_t most_frames_per_read = 128;  // the shortest line has 4 bytes
 
-std::string opening_lines(unsigned bit_rate) {
-  return "\rC\r" + std::string(slcan::bit_rate_command(bit_rate).value()) + "\rO\r";
-}
+/// An adapter answers a command within milliseconds; one behind a radio or a network needs more.
+constexpr auto answer_patience = 500ms;
+/// Some adapters answer the empty line as well as C: nothing more comes after this silence.
+constexpr auto quiet_after = 50ms;
 
-std::span<const std::uint8_t> bytes_of(const std::string& text) {
+/// The empty line ends whatever an earlier program, or a write of ours, left incomplete.
+constexpr std::string_view closing = "\rC\r";
+
+wire::Bytes bytes_of(std::string_view text) {
   return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
 }
 
 class SlcanLink final : public FrameLink {
  public:
   SlcanLink(const asio::any_io_executor& executor, std::unique_ptr<ByteLink> line,
-            unsigned bit_rate)
+            SlcanChannel channel)
       : line_(std::move(line)),
-        opening_(opening_lines(bit_rate)),
+        rate_(slcan::bit_rate_command(channel.bit_rate).value()),
+        open_(channel.listens ? "L" : "O"),
+        patience_(executor),
         changed_(std::make_shared<io::Signal>(executor)),
         frames_(most_frames_per_read) {}
 
   Task<ReceivedFrame> read() override;
   Task<void> write(const wire::CanFrame& frame) override;
   void close() override {
+    if (std::exchange(spoken_, false)) line_->say_last(bytes_of(closing));
     line_->close();
     changed_->notify();
   }
   Provenance provenance() const override { return line_->provenance(); }
   std::uint64_t dropped() const override { return dropped_; }
+  std::string_view note() const override {
+    return channel_ == Channel::open && silent_
+               ? "the slcan adapter answers no command: whether its channel is open, only its "
+                 "frames show"
+               : "";
+  }
 
  private:
   enum class Channel : std::uint8_t { closed, opening, open };
 
+  using Answer = slcan::Answer;
+
   Task<void> opened();
+  Task<void> open_channel();
+  Task<void> close_first();
+  Task<void> command(std::string_view text);
+  /// Reads until there is an answer or the limit is over. With `frames_too` a frame ends it as
+  /// well.
+  Task<void> hear_for(std::chrono::steady_clock::duration limit, bool frames_too = false);
+  Task<void> take();
   void take_in(wire::Bytes bytes, Stamp at);
+  void hear(Answer answer);
   void keep(const wire::CanFrame& frame, Stamp at);
 
   std::unique_ptr<ByteLink> line_;
-  std::string opening_;
+  std::string_view rate_, open_;  ///< the commands of this channel: S5, L
+  asio::steady_timer patience_;
+  std::optional<Answer> answer_;         ///< the first one since it was emptied
+  bool silent_ = true;                   ///< no answer so far
+  bool spoken_ = false;                  ///< the adapter has got a command
   std::shared_ptr<io::Signal> changed_;  ///< signalled when the channel is no longer opening
   Channel channel_ = Channel::closed;
   wire::Framer<wire::Slcan::max_frame> framer_;
@@ -67,19 +99,69 @@ Task<void> SlcanLink::opened() {
   while (channel_ == Channel::opening) co_await changed_->wait();
   if (channel_ == Channel::open) co_return boost::system::result<void>{};
   channel_ = Channel::opening;
-  const auto written = co_await line_->write(bytes_of(opening_));
-  channel_ = written ? Channel::open : Channel::closed;
+  const auto outcome = co_await open_channel();
+  channel_ = outcome ? Channel::open : Channel::closed;
   changed_->notify();
-  co_return written;
+  co_return outcome;
+}
+
+Task<void> SlcanLink::open_channel() {
+  if (const auto closed = co_await close_first(); !closed) co_return closed;
+  if (const auto done = co_await command(rate_); !done) co_return done;
+  co_return co_await command(open_);
+}
+
+/// A channel that is closed refuses C, and an adapter may answer the empty line or not: all that
+/// counts is that it answers.
+Task<void> SlcanLink::close_first() {
+  spoken_ = true;
+  silent_ = true;
+  answer_.reset();
+  if (const auto written = co_await line_->write(bytes_of(closing)); !written) co_return written;
+  if (const auto heard = co_await hear_for(answer_patience); !heard) co_return heard;
+  while (answer_) {
+    answer_.reset();
+    if (const auto heard = co_await hear_for(quiet_after); !heard) co_return heard;
+  }
+  frames_.clear();  // they belong to the channel that was open before, perhaps at another rate
+  co_return boost::system::result<void>{};
+}
+
+/// Writes the command and heeds its answer. An adapter that has answered nothing at all so far may
+/// be one that never does; frames show as well as an answer that the channel is open.
+Task<void> SlcanLink::command(std::string_view text) {
+  answer_.reset();
+  const std::string line = std::string(text) + "\r";
+  if (const auto written = co_await line_->write(bytes_of(line)); !written) co_return written;
+  if (const auto heard = co_await hear_for(answer_patience, true); !heard) co_return heard;
+  if (answer_ == Answer::refused) co_return slcan_refused(text);
+  if (!answer_ && !silent_ && frames_.empty()) co_return slcan_unanswered(text);
+  co_return boost::system::result<void>{};
+}
+
+Task<void> SlcanLink::hear_for(std::chrono::steady_clock::duration limit, bool frames_too) {
+  using namespace asio::experimental::awaitable_operators;
+  patience_.expires_after(limit);
+  while (!answer_ && (!frames_too || frames_.empty())) {
+    const auto first = co_await (take() || patience_.async_wait(as_outcome));
+    if (first.index() == 1) break;
+    if (const auto& taken = std::get<0>(first); !taken) co_return taken;
+  }
+  co_return boost::system::result<void>{};
+}
+
+/// One read, whose content is never lost, also if the patience ends in the same moment.
+Task<void> SlcanLink::take() {
+  const auto received = co_await line_->read(buffer_);
+  if (!received) co_return received.error();
+  take_in({buffer_.data(), received->size}, received->at);
+  co_return boost::system::result<void>{};
 }
 
 Task<ReceivedFrame> SlcanLink::read() {
   if (const auto ready = co_await opened(); !ready) co_return ready.error();
-  while (frames_.empty()) {
-    const auto received = co_await line_->read(buffer_);
-    if (!received) co_return received.error();
-    take_in({buffer_.data(), received->size}, received->at);
-  }
+  while (frames_.empty())
+    if (const auto taken = co_await take(); !taken) co_return taken.error();
   const ReceivedFrame frame = frames_.front();
   frames_.pop_front();
   co_return frame;
@@ -92,7 +174,15 @@ void SlcanLink::take_in(wire::Bytes bytes, Stamp at) {
     if (const auto* frame = std::get_if<slcan::Frame>(&*message)) keep(frame->frame, at);
     if (const auto* report = std::get_if<slcan::Command>(&*message))
       if (const auto error = slcan::error_frame_of(report->text)) keep(*error, at);
+    if (const auto* reply = std::get_if<slcan::Reply>(&*message)) hear(reply->answer);
   });
+}
+
+void SlcanLink::hear(Answer answer) {
+  const bool of_command = answer == Answer::done || answer == Answer::refused;
+  if (!of_command || channel_ != Channel::opening) return;
+  silent_ = false;
+  if (!answer_) answer_ = answer;
 }
 
 void SlcanLink::keep(const wire::CanFrame& frame, Stamp at) {
@@ -113,14 +203,15 @@ Task<void> SlcanLink::write(const wire::CanFrame& frame) {
 }  // namespace
 
 std::unique_ptr<FrameLink> make_slcan(const asio::any_io_executor& executor,
-                                      std::unique_ptr<ByteLink> line, unsigned bit_rate) {
-  return std::make_unique<SlcanLink>(executor, std::move(line), bit_rate);
+                                      std::unique_ptr<ByteLink> line, SlcanChannel channel) {
+  return std::make_unique<SlcanLink>(executor, std::move(line), channel);
 }
 
 OpenedFrames open_slcan(const asio::any_io_executor& executor, const Uri& uri, Side side) {
   auto line = open_bytes(executor, line_under_slcan(uri), side);
   if (!line) return line.error();
-  if (side == Side::driver) return make_slcan(executor, std::move(*line), *uri.bitrate());
+  if (side == Side::driver)
+    return make_slcan(executor, std::move(*line), {*uri.bitrate(), uri.only_listens()});
   std::vector<std::unique_ptr<ByteLink>> lines;
   lines.push_back(std::move(*line));
   return SlcanBus::open(executor, std::move(lines))->join();

@@ -48,7 +48,7 @@ class SlcanBus::Port {
   wire::Framer<wire::Slcan::max_frame> framer_;
   std::array<std::uint8_t, 512> buffer_{};
   std::string outgoing_;
-  bool channel_open_ = false;
+  bool channel_open_ = false, only_listens_ = false;
 };
 
 asio::awaitable<void> SlcanBus::Port::hear(std::shared_ptr<Port> port) {
@@ -111,14 +111,18 @@ void SlcanBus::Port::handle(wire::Bytes line, Stamp at) {
 }
 
 void SlcanBus::Port::on_frame(const wire::CanFrame& frame, Stamp at) {
-  if (!channel_open_) return answer("\a");
+  if (!channel_open_ || only_listens_) return answer("\a");
   member_->send(frame, at);
   answer(frame.extended ? "Z\r" : "z\r");
 }
 
 void SlcanBus::Port::on_command(const slcan::Command& command) {
   switch (command.letter()) {
-    case 'O': channel_open_ = true; return answer("\r");
+    case 'O':
+    case 'L':
+      channel_open_ = true;
+      only_listens_ = command.letter() == 'L';
+      return answer("\r");
     case 'C': channel_open_ = false; return answer("\r");
     case 'S': return answer(slcan::bit_rate_of(command.text) ? "\r" : "\a");
     case 'V': return answer("V1013\r");

@@ -9,7 +9,7 @@ struct HostAndPort {
   std::uint16_t port = 0;
 };
 
-/// Splits "192.168.2.3:16171", "localhost:4001", "[::1]:4001".
+/// Splits "192.168.194.95:1037", "localhost:4001", "[::1]:4001".
 HostAndPort host_and_port(const std::string& target);
 
 /// Where the listening end of this URI listens: its host's first address.

@@ -43,6 +43,10 @@ class TcpClient final : public ByteLink {
     co_return boost::system::result<void>{};
   }
 
+  void say_last(std::span<const std::uint8_t> bytes) override {
+    if (connected_) ::send(socket_.native_handle(), bytes.data(), bytes.size(), MSG_NOSIGNAL);
+  }
+
   void close() override {
     connection_.close();
     host_.stop();

@@ -50,6 +50,12 @@ class UdpLink final : public ByteLink {
   Task<ReceivedBytes> read(std::span<std::uint8_t> into) override;
   Task<void> write(std::span<const std::uint8_t> bytes) override;
 
+  void say_last(std::span<const std::uint8_t> bytes) override {
+    boost::system::error_code nobody;
+    if (peer_ && socket_.is_open())
+      socket_.send_to(asio::buffer(bytes.data(), bytes.size()), *peer_, 0, nobody);
+  }
+
   void close() override {
     found_.close();
     host_.stop();

@@ -34,6 +34,10 @@ class SerialLink final : public ByteLink {
     co_return boost::system::result<void>{};
   }
 
+  void say_last(std::span<const std::uint8_t> bytes) override {
+    if (port_.is_open()) (void)!::write(port_.native_handle(), bytes.data(), bytes.size());
+  }
+
   void close() override {
     boost::system::error_code already_gone;
     port_.close(already_gone);

@@ -27,6 +27,6 @@ export function takeHealth({ status }) {
       make('td', {}, make('span', { className: `badge ${levels[level]}` }, value.status === undefined ? levels[level] : message), ...(faulty ? [' ', make('span', { className: 'badge error' }, 'fault')] : [])),
       make('td', {}, value.status ?? message, make('small', { className: 'narrow' }, `${wide[0]} Hz, ${wide[3]} good, ${wide[4]} bad`)),
       ...wide.map((text) => make('td', { className: 'wide number' }, text)),
-      make('td', { className: 'wide' }, value.last_error ?? ''));
+      make('td', { className: 'wide' }, value.last_error || (value.link_note ?? '')));
   }
 }

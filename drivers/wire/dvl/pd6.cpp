@@ -65,7 +65,9 @@ void read_line(CheckedFields& fields, Pd6Timing& m) {
   if (whole) m.clock = clock(digits);
   m.salinity_ppt = fields.number(0, 99.9);
   m.temperature_k = fields.number(-99.9, 99.9) + zero_celsius_k;
-  m.depth_m = fields.number(0, 9999.9);
+  // A sensor at the surface reads a little above it; at no pressure at all 10.3 m of fresh water.
+  constexpr double highest_m = 10.4;
+  m.depth_m = fields.number(-highest_m, 9999.9);
   m.sound_speed_mps = unless_zero(fields.number(0, 9999.9));
   m.built_in_test = static_cast<unsigned>(fields.number(0, 65535));
 }

@@ -21,7 +21,8 @@ class Nmea2000Actuators final : public J1939Device {
   explicit Nmea2000Actuators(const DeviceSetup& setup)
       : J1939Device(setup, name_value(setup.config), preferred_address),
         angle_errors_(setup.primary_errors()),
-        shaft_errors_(setup.secondary_errors()) {}
+        shaft_errors_(setup.secondary_errors()),
+        instance_(static_cast<std::uint8_t>(setup.config.instance.value_or(0))) {}
 
  private:
   void report(Stamp at, std::uint8_t address, Wire& out) override {
@@ -36,7 +37,7 @@ class Nmea2000Actuators final : public J1939Device {
 
     wire::nmea2000::Engine engine;
     engine.source = address;
-    engine.instance = 0;
+    engine.instance = instance_;
     engine.speed_radps = shaft_errors_.apply(*ideal.propeller_radps, at);
     out.send(encode(engine));
   }
@@ -50,6 +51,7 @@ class Nmea2000Actuators final : public J1939Device {
   }
 
   sensor::ErrorModel angle_errors_, shaft_errors_;
+  std::uint8_t instance_;  ///< the one that the rig's driver takes
 };
 
 }  // namespace

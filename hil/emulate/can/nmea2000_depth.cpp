@@ -26,7 +26,8 @@ class Nmea2000Depth final : public J1939Device {
  public:
   explicit Nmea2000Depth(const DeviceSetup& setup)
       : J1939Device(setup, name_value(setup.config), preferred_address),
-        errors_(setup.primary_errors()) {}
+        errors_(setup.primary_errors()),
+        instance_(static_cast<std::uint8_t>(setup.config.instance.value_or(0))) {}
 
  private:
   void report(Stamp at, std::uint8_t address, Wire& out) override {
@@ -50,7 +51,7 @@ class Nmea2000Depth final : public J1939Device {
     wire::nmea2000::Pressure pressure;
     pressure.source = address;
     pressure.sequence = sequence();
-    pressure.instance = 0;
+    pressure.instance = instance_;
     pressure.kind = wire::nmea2000::Pressure::water;
     pressure.pressure_pa = errors_.apply(ideal_pa, at);
     out.send(encode(pressure));
@@ -78,6 +79,7 @@ class Nmea2000Depth final : public J1939Device {
 
   sensor::ErrorModel errors_;
   std::uint64_t reports_ = 0;  ///< before the current one
+  std::uint8_t instance_;      ///< the one that the rig's driver takes
 };
 
 }  // namespace

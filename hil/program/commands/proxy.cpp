@@ -15,7 +15,7 @@ void add_proxy(CLI::App& app, Command& command) {
       "dvl "
       "--faults F.toml\n"
       "         drydock proxy socketcan:can0 socketcan:vcan0 --for 10min --json\n"
-      "         drydock proxy tcp:192.168.2.3:16171 tcp:localhost:16171");
+      "         drydock proxy tcp:192.168.194.95:1037 tcp:localhost:1037");
   sub->add_option("REAL", options->real, "link URI of the device, opened as its driver does")
       ->required();
   sub->add_option(

@@ -62,8 +62,9 @@ TEST(DepthDriver, APressureBelowZeroIsDamagedAndNoDepth) {
   Bus bus(options(Kind::depth, "nmea2000"));
   bus.says(pressure_id, {0, 0, 1, 0x42, 0xB8, 0x1E, 0x80, 0xFF});  // its highest bit is flipped
   EXPECT_TRUE(bus.ear.heard.empty());
-  ASSERT_EQ(bus.ear.reports.size(), 1U);
-  EXPECT_EQ(bus.ear.reports[0], "an absolute pressure below zero was dropped: damaged on its way");
+  ASSERT_EQ(bus.ear.refusals.size(), 1U);
+  EXPECT_EQ(bus.ear.refusals[0],
+            "a pressure below zero or over 1200 bar was refused: damaged, or in another unit");
 }
 
 TEST(DepthDriver, NotAvailableNeverBecomesADepth) {
@@ -107,8 +108,8 @@ TEST(ActuatorDriver, ASurfaceBeyondNinetyDegreesIsDamagedAndNoAngle) {
   Bus bus(options(Kind::actuator, "nmea2000"));
   bus.says(rudder_id, {0, 0xF8, 0xFF, 0x7F, 0x00, 0x40, 0xFF, 0xFF});  // 1.6384 rad
   EXPECT_TRUE(bus.ear.heard.empty());
-  ASSERT_EQ(bus.ear.reports.size(), 1U);
-  EXPECT_EQ(bus.ear.reports[0], "a surface beyond 90 degrees was dropped: damaged on its way");
+  ASSERT_EQ(bus.ear.refusals.size(), 1U);
+  EXPECT_EQ(bus.ear.refusals[0], "a surface beyond 90 degrees was dropped: damaged on its way");
 }
 
 TEST(ActuatorDriver, StarboardRudderOfTheBusIsNegativeHere) {
@@ -137,6 +138,82 @@ TEST(ActuatorDriver, ShaftSpeedInRadiansPerSecond) {
   const auto all = bus.ear.all<ActuatorState>();
   EXPECT_NEAR(all.at(0).propeller_radps.value(), 20 * std::numbers::pi, 1e-9);
   EXPECT_FALSE(all.at(1).propeller_radps);
+}
+
+TEST(ActuatorDriver, OfTwoEnginesTheFirstHeardIsKeptAndTheOtherIsCounted) {
+  Bus bus(options(Kind::actuator, "nmea2000"));
+  for (int i = 0; i < 3; ++i) {
+    bus.says(engine_id, {0x01, 0x60, 0x09, 0xFF, 0xFF, 0x7F, 0xFF, 0xFF});  // 600 rpm
+    bus.says(engine_id, {0x00, 0x40, 0x06, 0xFF, 0xFF, 0x7F, 0xFF, 0xFF});  // 400 rpm
+  }
+  const auto all = bus.ear.all<ActuatorState>();
+  ASSERT_EQ(all.size(), 3U);
+  for (const auto& state : all)
+    EXPECT_NEAR(state.propeller_radps.value(), 20 * std::numbers::pi, 1e-9);
+  ASSERT_EQ(bus.ear.refusals.size(), 3U);
+  EXPECT_EQ(bus.ear.refusals[0],
+            "engine instance 0 was left out: instance 1 came first; the key instance chooses");
+}
+
+TEST(ActuatorDriver, TheConfiguredEngineIsTheOnlyOneAndTheOtherIsNoTrouble) {
+  DriverOptions o = options(Kind::actuator, "nmea2000");
+  o.instance = 1;
+  Bus bus(o);
+  bus.says(engine_id, {0x00, 0x40, 0x06, 0xFF, 0xFF, 0x7F, 0xFF, 0xFF});  // 400 rpm
+  bus.says(engine_id, {0x01, 0x60, 0x09, 0xFF, 0xFF, 0x7F, 0xFF, 0xFF});  // 600 rpm
+  const auto all = bus.ear.all<ActuatorState>();
+  ASSERT_EQ(all.size(), 1U);
+  EXPECT_NEAR(all[0].propeller_radps.value(), 20 * std::numbers::pi, 1e-9);
+  EXPECT_TRUE(bus.ear.refusals.empty());
+}
+
+TEST(ActuatorDriver, AnEngineThatFellSilentGivesItsPlaceToAnother) {
+  Bus bus(options(Kind::actuator, "nmea2000"));
+  bus.says(engine_id, {0x01, 0x60, 0x09, 0xFF, 0xFF, 0x7F, 0xFF, 0xFF}, 1);
+  bus.says(engine_id, {0x00, 0x40, 0x06, 0xFF, 0xFF, 0x7F, 0xFF, 0xFF}, 11.5);
+  EXPECT_EQ(bus.ear.all<ActuatorState>().size(), 2U);
+}
+
+TEST(ActuatorDriver, ARudderInstanceOfNoActuatorIsCounted) {
+  Bus bus(options(Kind::actuator, "nmea2000"));
+  bus.says(rudder_id, {0x03, 0xF8, 0xFF, 0x7F, 0x30, 0xF8, 0xFF, 0xFF});
+  EXPECT_TRUE(bus.ear.heard.empty());
+  EXPECT_EQ(bus.ear.refusals.size(), 1U);
+}
+
+TEST(DepthDriver, TwoPressuresOfOneSenderDoNotAlternate) {
+  Bus bus(options(Kind::depth, "nmea2000"));
+  bus.says(pressure_id, water_pressure);
+  bus.says(pressure_id, {0, 1, 1, 0x42, 0xB8, 0x0E, 0x00, 0xFF});  // instance 1
+  EXPECT_EQ(bus.ear.all<DepthSample>().size(), 1U);
+  ASSERT_EQ(bus.ear.refusals.size(), 1U);
+  EXPECT_EQ(bus.ear.refusals[0],
+            "pressure instance 1 was left out: instance 0 came first; the key instance chooses");
+}
+
+TEST(DepthDriver, TheConfiguredPressureInstanceIsTaken) {
+  DriverOptions o = options(Kind::depth, "nmea2000");
+  o.instance = 1;
+  Bus bus(o);
+  bus.says(pressure_id, water_pressure);
+  bus.says(pressure_id, {0, 1, 1, 0x42, 0xB8, 0x1E, 0x00, 0xFF});
+  EXPECT_EQ(bus.ear.all<DepthSample>().size(), 1U);
+}
+
+TEST(DepthDriver, TwoSeaTemperaturesOfOneSenderDoNotAlternate) {
+  Bus bus(options(Kind::depth, "nmea2000"));
+  bus.says(temperature_id, {0, 0, 0, 0x4B, 0x6F, 0xFF, 0xFF, 0xFF}, 1);  // 284.91 K
+  bus.says(temperature_id, {0, 1, 0, 0x4B, 0x70, 0xFF, 0xFF, 0xFF}, 1);
+  bus.says(pressure_id, water_pressure, 2);
+  EXPECT_NEAR(bus.ear.all<DepthSample>().at(0).temperature_k.value(), 284.91, 1e-9);
+  EXPECT_EQ(bus.ear.refusals.size(), 1U);
+}
+
+TEST(DepthDriver, APressureDeeperThanAnySeaIsRefused) {
+  Bus bus(options(Kind::depth, "nmea2000"));
+  bus.says(pressure_id, {0, 0, 1, 0xFF, 0xFF, 0xFF, 0x7E, 0xFF});  // 2130706.431 hPa: 21 km down
+  EXPECT_TRUE(bus.ear.heard.empty());
+  EXPECT_EQ(bus.ear.refusals.size(), 1U);
 }
 
 TEST(MakeDriver, UnknownCombinationSaysWhichExist) {

@@ -21,11 +21,12 @@ struct Desk final : Listener, Transmitter {
 };
 
 std::unique_ptr<Device> device(Kind kind, const std::string& protocol, Desk& desk,
-                               bool on_bus = false) {
+                               bool on_bus = false, std::uint8_t address = 0) {
   DeviceOptions o;
   o.name = "sensor";
   o.driver = options(kind, protocol);
   o.driver.device = 3;
+  o.driver.address = address;
   o.life_cycle.reopen_when_quiet = !on_bus;
   auto made = std::move(*Device::make(o));
   made->connect(desk, desk);
@@ -104,10 +105,36 @@ TEST(Device, ErrorFramesAreCountedAndSaidInWords) {
   EXPECT_EQ(health.last_error.view().substr(0, 7), "bus-off");
 }
 
+TEST(Device, TheRateThatTheLinkKnowsDecidesTheTimeOfValidity) {
+  Desk desk;
+  const auto depth = device(Kind::depth, "cia404-pressure", desk, true);
+  const auto age_at = [&](unsigned bit_rate) {
+    depth->set_bitrate(bit_rate);
+    depth->receive(can_frame(0x181, false, {0xA5, 0x5A, 0x01, 0x00, 0x00}), at_s(1));
+    const auto& origin = measurement::origin_of(desk.heard.back());
+    return measurement::seconds(origin.received_at - origin.valid_at);
+  };
+  const double at_250 = age_at(250'000);
+  // A standard frame of 5 bytes has 44 + 40 bits and its stuff bits (ISO 11898-1).
+  EXPECT_GE(at_250, 84 / 250e3);
+  EXPECT_NEAR(age_at(1'000'000), at_250 / 4, 1e-9);
+}
+
+TEST(Device, RefusedValuesAreCountedAndSaid) {
+  Desk desk;
+  const auto depth = device(Kind::depth, "cia404-pressure", desk, true);
+  for (int i = 1; i <= 3; ++i)
+    depth->receive(can_frame(0x181, false, {0x00, 0x00, 0x00, 0x80, 0x00}), at_s(i));
+  const Health health = depth->health(at_s(3));
+  EXPECT_EQ(health.refused, 3U);
+  EXPECT_EQ(health.messages, 0U);
+  EXPECT_EQ(health.last_error.view().substr(0, 21), "a pressure below zero");
+}
+
 TEST(Device, BusDeviceStartsItsNodeThroughTheTransmitter) {
   Desk desk;
-  const auto imu = device(Kind::imu, "cia404-imu", desk, true);
-  EXPECT_EQ(desk.sent.size(), 1U);
+  const auto imu = device(Kind::imu, "cia404-imu", desk, true, 5);
+  EXPECT_EQ(desk.sent, std::vector{can_frame(0x000, false, {0x01, 0x05})});
 }
 
 TEST(Device, HearsNothingBeforeItsLinkIsOpenOrAfterItStopped) {

@@ -48,6 +48,20 @@ TEST(NortekDriver, TheSentenceSaysHowOldItIs) {
   EXPECT_EQ(valid_at(""), at_s(1) - 20ms);
 }
 
+TEST(NortekDriver, APingTimeThatNoClockHasIsRefusedAndTheVelocityKept) {
+  for (const char* time : {"1e300", "-1e300", "-1", "4294967296"}) {
+    Ear ear;
+    const Octets sentence =
+        nmea("PNORBT7," + std::string(time) + ",61.250,-75.500,1,2,3,0.0031,7.01,7.02,0.00,7.04");
+    byte_driver(options(Kind::dvl, "nortek"))->receive(sentence, at_s(1), ear);
+    const auto all = ear.all<BottomVelocity>();
+    ASSERT_EQ(all.size(), 1U) << time;
+    EXPECT_FALSE(all[0].origin.device_time) << time;
+    EXPECT_TRUE(all[0].velocity) << time;
+    EXPECT_EQ(ear.refusals.size(), 1U) << time;
+  }
+}
+
 TEST(NortekDriver, OneBeamOrSpeedAloneIsNoBodyVelocity) {
   const auto bytes = nmea("PNORBT4,61.250,-75.500,1.236,357.4,0.00310,7.02") +
                      nmea("PNORBT0,2,211126,114000.2500,61.2,-75.5,-0.5120,0.0040,7.02,0x0F");

@@ -59,6 +59,30 @@ TEST(PressureDriver, AStatusThatIsNotZeroLeavesTheSampleEmpty) {
   EXPECT_FALSE(bus.only().depth_m);
 }
 
+TEST(PressureDriver, APressureBelowZeroIsRefusedAsOnEveryOtherBus) {
+  Bus bus(transmitter("Pa", 0));
+  bus.says(0x181, {0x00, 0x00, 0x00, 0x80, 0x00});  // -2147483648
+  EXPECT_TRUE(bus.ear.heard.empty());
+  ASSERT_EQ(bus.ear.refusals.size(), 1U);
+  EXPECT_EQ(bus.ear.refusals[0],
+            "a pressure below zero or over 1200 bar was refused: damaged, or in another unit");
+}
+
+TEST(PressureDriver, AnotherUnitThanConfiguredShowsAsAPressureOfNoSea) {
+  Bus bus(transmitter("bar", 0));
+  bus.says(0x181, {0xA0, 0x86, 0x01, 0x00, 0x00});  // 100000 Pa, read as bar
+  EXPECT_TRUE(bus.ear.heard.empty());
+  EXPECT_EQ(bus.ear.refusals.size(), 1U);
+}
+
+TEST(PressureDriver, AGaugeSlightlyBelowZeroAtTheSurfaceIsADepthAboveIt) {
+  DriverOptions o = transmitter("Pa", 0);
+  o.pressure.gauge = true;
+  Bus bus(o);
+  bus.says(0x181, {0x0C, 0xFE, 0xFF, 0xFF, 0x00});  // -500 Pa
+  EXPECT_NEAR(bus.only().depth_m.value(), -500 / (1025 * 9.80665), 1e-9);
+}
+
 TEST(PressureDriver, StartsItsNodeWhenTheBusOpensAndAtEachBootUp) {
   DriverOptions o = transmitter("Pa", 0);
   o.address = 5;

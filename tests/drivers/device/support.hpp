@@ -33,6 +33,7 @@ struct Ear final : Output {
   void send(wire::Bytes bytes) override { sent_bytes.emplace_back(bytes.begin(), bytes.end()); }
   void send(const wire::CanFrame& frame) override { sent_frames.push_back(frame); }
   void report(std::string_view text) override { reports.emplace_back(text); }
+  void refuse(std::string_view why, Refusal) override { refusals.emplace_back(why); }
 
   template <class T>
   std::vector<T> all() const {
@@ -46,7 +47,7 @@ struct Ear final : Output {
   std::vector<Measurement> heard;
   std::vector<Octets> sent_bytes;
   std::vector<wire::CanFrame> sent_frames;
-  std::vector<std::string> reports;
+  std::vector<std::string> reports, refusals;
 };
 
 inline DriverOptions options(Kind kind, std::string protocol) {

@@ -1,5 +1,7 @@
 #include <gmock/gmock.h>
 
+#include <cstring>
+
 #include "drivers/link/can/can_interface.hpp"
 #include "tests/drivers/link/running.hpp"
 
@@ -87,7 +89,12 @@ TEST_P(Slcan, HearsFramesBetweenTheAdaptersAnswers) {
   const auto adapter = open(io, line(), Side::device);
   const auto bus = open_bus(io, "slcan:" + line(), Side::driver);
   const auto reading = start(io, bus->read());
-  ASSERT_TRUE(run(io, adapter->write(bytes("\r\a\rz\rt1233AABBCC\rZ\rT1CFF00FF212341234\r"))));
+  for (const auto& [command, answer] : {std::pair("\rC\r", "\r\a"),
+                                        {"S5\r", "\r"},
+                                        {"O\r", "\rz\rt1233AABBCC\rZ\rT1CFF00FF212341234\r"}}) {
+    ASSERT_EQ(run(io, read_bytes(*adapter, std::strlen(command))).value(), bytes(command));
+    ASSERT_TRUE(run(io, adapter->write(bytes(answer))));
+  }
   ASSERT_TRUE(run_until(io, [&] { return reading->outcome.has_value(); }));
   EXPECT_EQ(reading->outcome->value().frame, standard(0x123, {0xAA, 0xBB, 0xCC}));
   EXPECT_EQ(run(io, bus->read())->frame, extended(0x1CFF00FF, {0x12, 0x34}));

@@ -124,12 +124,12 @@ TEST(Uri, ABadValueListsWhatIsAllowed) {
 }
 
 TEST(Uri, ABadTargetShowsAGoodOne) {
-  EXPECT_EQ(
-      error_of("tcp:localhost"),
-      "\"tcp:localhost\": tcp needs host:port, port 1 to 65535, for example tcp:192.168.2.3:16171");
+  EXPECT_EQ(error_of("tcp:localhost"),
+            "\"tcp:localhost\": tcp needs host:port, port 1 to 65535, for example "
+            "tcp:192.168.194.95:1037");
   EXPECT_EQ(error_of("tcp:localhost:70000"),
             "\"tcp:localhost:70000\": tcp needs host:port, port 1 to 65535, for example "
-            "tcp:192.168.2.3:16171");
+            "tcp:192.168.194.95:1037");
   EXPECT_EQ(error_of("pty:a/b"),
             "\"pty:a/b\": pty needs a name without / or an absolute path, for example pty:dvl");
   EXPECT_EQ(error_of("socketcan:an-interface-too-long"),

@@ -2,7 +2,7 @@
 
 #include <fstream>
 
-#include "tests/drivers/link/running.hpp"
+#include "tests/drivers/link/scripted_adapter.hpp"
 
 /// Real links in real time: these tests check the interaction with the operating system.
 namespace drydock::shell {
@@ -43,12 +43,14 @@ struct Log final : device::Listener, RawListener {
 };
 
 std::unique_ptr<device::Device> make_device(Kind kind, const std::string& protocol,
-                                            const std::string& uri, std::uint16_t index = 0) {
+                                            const std::string& uri, std::uint16_t index = 0,
+                                            std::uint8_t address = 0) {
   DeviceOptions options;
   options.link = uri;
   options.driver.kind = kind;
   options.driver.protocol = protocol;
   options.driver.device = index;
+  options.driver.address = address;
   options.life_cycle.stale_after = 200ms;
   options.life_cycle.reopen_after = 200ms;
   options.life_cycle.first_back_off = 20ms;
@@ -189,14 +191,14 @@ TEST_F(RealTimeOnABus, DevicesShareOneLinkAndEachPicksItsOwn) {
 
 TEST_F(RealTimeOnABus, RepliesReachTheBusAndTheTap) {
   auto bus = plug_in();
-  RealTime shell(io, list(make_device(Kind::imu, "cia404-imu", uri)), log, &log);
+  RealTime shell(io, list(make_device(Kind::imu, "cia404-imu", uri, 0, 5)), log, &log);
   shell.start();
   const auto received = run(io, bus->read());
   ASSERT_TRUE(received);
-  const wire::CanFrame start_all = frame_of(0x000, {0x01, 0x00});
-  EXPECT_EQ(received->frame, start_all);
+  const wire::CanFrame start_5 = frame_of(0x000, {0x01, 0x05});
+  EXPECT_EQ(received->frame, start_5);
   ASSERT_TRUE(run_until(io, [&] { return !log.frames_sent.empty(); }));
-  EXPECT_EQ(log.frames_sent, std::vector{start_all});
+  EXPECT_EQ(log.frames_sent, std::vector{start_5});
   shell.stop();
   io.restart();
   io.run_for(5s);
@@ -223,6 +225,51 @@ TEST(RealTimeOnARecording, EndOfTheRecordingIsTheEndNotAFault) {
   io.restart();
   io.run_for(5s);
   EXPECT_TRUE(io.stopped());
+}
+
+TEST(RealTimeListening, DevicesThatOnlyListenOpenAnSlcanAdapterThatOnlyListens) {
+  const link::testing::Folder folder;
+  const std::string pty = "pty:" + folder.file("can");
+  boost::asio::io_context io;
+  Log log;
+  link::testing::ScriptedAdapter adapter(io, pty, {});
+  auto device = make_device(Kind::depth, "nmea2000", "slcan:" + pty);
+  device->listen_only();
+  RealTime shell(io, list(std::move(device)), log);
+  shell.start();
+  run_until(io, [&] { return adapter.got().ends_with("L\r"); });
+  shell.stop();
+  link::testing::settle(io);
+  EXPECT_EQ(adapter.got(), "\rC\rS5\rL\r\rC\r");
+}
+
+TEST(RealTimeListening, AListeningLinkKeepsItsDriversFromSending) {
+  boost::asio::io_context io;
+  Log log;
+  const auto bus = link::testing::open_bus(io, "memory-can:hush", Side::device);
+  RealTime shell(io, list(make_device(Kind::depth, "nmea2000", "memory-can:hush?listen=1")), log,
+                 &log);
+  shell.start();
+  link::testing::settle(io);
+  EXPECT_EQ(shell.device(0).state(), State::waiting);
+  shell.stop();
+  link::testing::settle(io);
+  EXPECT_TRUE(log.frames_sent.empty());
+}
+
+TEST(RealTimeListening, ARefusedCommandIsInTheHealthOfTheDevice) {
+  const link::testing::Folder folder;
+  const std::string pty = "pty:" + folder.file("can");
+  boost::asio::io_context io;
+  Log log;
+  link::testing::ScriptedAdapter adapter(io, pty, {{"S5", "\a"}});
+  RealTime shell(io, list(make_device(Kind::depth, "nmea2000", "slcan:" + pty)), log);
+  shell.start();
+  run_until(io, [&] { return shell.device(0).state() == State::backing_off; });
+  EXPECT_NE(std::string(shell.health(0).last_error.view()).find("refused S5 (250000 bit/s)"),
+            std::string::npos);
+  shell.stop();
+  link::testing::settle(io);
 }
 
 }  // namespace

@@ -34,6 +34,15 @@ TEST(Pd6, AttitudeAndTiming) {
   EXPECT_EQ(golden<Pd6Timing>(1).built_in_test, 12u);
 }
 
+TEST(Pd6, ASensorAtTheSurfaceMayReadALittleAboveIt) {
+  for (const auto& [text, depth_m] : {std::pair(" -0.05", -0.05), {"  -0.1", -0.1}}) {
+    const auto line = ":TS,26112112345678,35.0,+12.3," + std::string(text) + ",1500.0,  0\r\n";
+    const auto reading = read_stream<Pd6>(as_bytes(line));
+    ASSERT_EQ(reading.all<Pd6Timing>().size(), 1u) << line;
+    EXPECT_EQ(reading.all<Pd6Timing>()[0].depth_m, depth_m);
+  }
+}
+
 TEST(Pd6, AClockThatIsNotSetIsNoDate) {
   EXPECT_FALSE(golden<Pd6Timing>(1).clock);
   EXPECT_FALSE(golden<Pd6Timing>(1).sound_speed_mps);
@@ -80,6 +89,7 @@ TEST(Pd6, ALineThatIsNotAsDocumentedIsDamaged) {
         ":SA, +93.2,-10.15,270.50\r\n",                         // not a pitch
         ":TS,2611211234567,35.0,+12.3, 123.4,1500.0,  0\r\n",   // a digit is missing
         ":TS,261121123456.8,35.0,+12.3, 123.4,1500.0,  0\r\n",  // a digit is damaged
+        ":TS,26112112345678,35.0,+12.3, -10.5,1500.0,  0\r\n",  // less than no pressure
         ":BD,  +1,  -6,  +9, -12.80,  0.00\r\n",                // below the bed
         ":BI,  +123,  -4:SA, +0.00, +0.00,  0.00\r\n"}) {       // torn
     const auto reading = read_stream<Pd6>(as_bytes(line));

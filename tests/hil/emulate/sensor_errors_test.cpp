@@ -32,7 +32,7 @@ Recorder record_started(const rig_config::DeviceConfig& config, const motion::Tr
 TEST(SensorErrors, AGradeNamedInARigReachesTheWire) {
   const auto rig = rig_config::load_rig_text(
                        "[rig]\nname = \"r\"\n[[device]]\nname = \"imu\"\nkind = \"imu\"\n"
-                       "protocol = \"cia404-imu\"\nlink = \"can:auto\"\n"
+                       "protocol = \"cia404-imu\"\nlink = \"can:auto\"\naddress = 1\n"
                        "emulate = { errors = \"mixing-paper.toml\" }\n",
                        sensors + "r.toml")
                        .value();

@@ -36,6 +36,7 @@ class ThroughDrivers : public testing::Test, protected device::Output {
     device::DriverOptions options;
     options.kind = kind;
     options.protocol = config.protocol;
+    options.address = static_cast<std::uint8_t>(config.address);
     options.water.density_kgm3 = config.water_density_kgm3;
     options.mounting = {config.mounting_rad[0], config.mounting_rad[1], config.mounting_rad[2]};
     if (config.maker == rig_config::DvlMaker::water_linked) {

@@ -1,0 +1,128 @@
+#include <gmock/gmock.h>
+
+#include "tests/drivers/link/scripted_adapter.hpp"
+
+/// What the computer's end of an slcan link says to its adapter, and what it makes of the answers.
+/// The commands are those of LAWICEL's CAN232 manual: C is refused while the channel is closed.
+namespace drydock::link::testing {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+
+class SlcanOpening : public ::testing::Test {
+ protected:
+  std::unique_ptr<FrameLink> bus(const std::string& query = "") {
+    return open_bus(io, "slcan:" + pty + query, Side::driver);
+  }
+  void wait_for(const ScriptedAdapter& adapter, const std::string& all) {
+    run_until(io, [&] { return adapter.got() == all; });
+    EXPECT_EQ(adapter.got(), all);
+  }
+
+  Folder folder;
+  asio::io_context io;
+  std::string pty = "pty:" + folder.file("can");
+};
+
+TEST_F(SlcanOpening, AListeningLinkOpensWithLAndClosesWithC) {
+  ScriptedAdapter adapter(io, pty, {{"L", "\rt1231AA\r"}});
+  const auto listening = bus("?bitrate=500000&listen=1");
+  EXPECT_EQ(run(io, listening->read())->frame.id, 0x123U);
+  EXPECT_EQ(adapter.got(), "\rC\rS6\rL\r");
+  listening->close();
+  wait_for(adapter, "\rC\rS6\rL\r\rC\r");
+}
+
+TEST_F(SlcanOpening, AListeningLinkRefusesToWriteAndTheAdapterGetsNothing) {
+  ScriptedAdapter adapter(io, pty, {{"L", "\rt1231AA\r"}});
+  const auto listening = bus("?listen=1");
+  ASSERT_TRUE(run(io, listening->read()));
+  const auto written = run(io, listening->write({}));
+  ASSERT_FALSE(written);
+  EXPECT_THAT(written.error().message(), HasSubstr("listen=1"));
+  settle(io);
+  EXPECT_EQ(adapter.got(), "\rC\rS5\rL\r");
+}
+
+TEST_F(SlcanOpening, AnAdapterWithoutLIsNotOpenedAtAll) {
+  ScriptedAdapter adapter(io, pty, {{"L", "\a"}});
+  const auto listening = bus("?listen=1");
+  const auto read = run(io, listening->read());
+  ASSERT_FALSE(read);
+  EXPECT_THAT(read.error().message(), AllOf(HasSubstr("refused L"), HasSubstr("not opened")));
+  EXPECT_EQ(adapter.got(), "\rC\rS5\rL\r");
+}
+
+TEST_F(SlcanOpening, ARefusedRateIsNamedAndTheChannelStaysClosed) {
+  ScriptedAdapter adapter(io, pty, {{"S7", "\a"}});
+  const auto refused = bus("?bitrate=800000");
+  const auto read = run(io, refused->read());
+  ASSERT_FALSE(read);
+  EXPECT_THAT(read.error().message(), AllOf(HasSubstr("refused S7"), HasSubstr("800000 bit/s")));
+  EXPECT_EQ(adapter.got(), "\rC\rS7\r");
+}
+
+TEST_F(SlcanOpening, ARefusedOpeningIsNamed) {
+  ScriptedAdapter adapter(io, pty, {{"O", "\a"}});
+  const auto refused = bus();
+  const auto read = run(io, refused->read());
+  ASSERT_FALSE(read);
+  EXPECT_THAT(read.error().message(), HasSubstr("refused O"));
+}
+
+TEST_F(SlcanOpening, AChannelThatWasClosedRefusesCAndOpensAllTheSame) {
+  ScriptedAdapter adapter(io, pty, {{"", "\a"}, {"C", "\a"}, {"O", "\rt1231AA\r"}});
+  const auto open = bus();
+  EXPECT_EQ(run(io, open->read())->frame.id, 0x123U);
+  EXPECT_EQ(adapter.got(), "\rC\rS5\rO\r");
+  EXPECT_EQ(open->note(), "");
+}
+
+TEST_F(SlcanOpening, AnAdapterThatAnswersNothingIsToldApartAndUsed) {
+  ScriptedAdapter adapter(io, pty, {{"O", "t1231AA\r"}}, "");
+  const auto open = bus();
+  EXPECT_EQ(run(io, open->read())->frame.id, 0x123U);
+  EXPECT_EQ(adapter.got(), "\rC\rS5\rO\r");
+  EXPECT_THAT(open->note(), HasSubstr("answers no command"));
+}
+
+TEST_F(SlcanOpening, AnAdapterThatFallsSilentIsAnErrorThatNamesTheCommand) {
+  ScriptedAdapter adapter(io, pty, {{"S5", ""}});
+  const auto read = run(io, bus()->read());
+  ASSERT_FALSE(read);
+  EXPECT_THAT(read.error().message(), HasSubstr("no answer to S5"));
+}
+
+TEST_F(SlcanOpening, FramesOfTheChannelThatWasOpenBeforeAreNotOfThisOne) {
+  ScriptedAdapter adapter(io, pty, {{"C", "t7FF0\r\r"}, {"O", "\rt1231AA\r"}});
+  const auto open = bus();
+  EXPECT_EQ(run(io, open->read())->frame.id, 0x123U);
+}
+
+TEST_F(SlcanOpening, TheEmulatedAdapterOnlyListensAfterL) {
+  const auto device = open_bus(io, "slcan:" + pty, Side::device);
+  const auto program = open(io, pty, Side::driver);
+  ASSERT_TRUE(run(io, program->write(bytes("S5\rL\rt1230\r"))));
+  EXPECT_EQ(run(io, read_bytes(*program, 3)).value(), bytes("\r\r\a"));
+}
+
+TEST(ListeningLinks, EveryKindOfBusReadsAndRefusesToWrite) {
+  asio::io_context io;
+  const auto device = open_bus(io, "memory-can:listened", Side::device);
+  const auto listening = open_bus(io, "memory-can:listened?listen=1", Side::driver);
+  wire::CanFrame frame;
+  frame.id = 0x123;
+  ASSERT_TRUE(run(io, device->write(frame)));
+  EXPECT_EQ(run(io, listening->read())->frame.id, 0x123U);
+  EXPECT_FALSE(run(io, listening->write(frame)));
+}
+
+TEST(ListeningLinks, TheDevicesEndOfTheSameUriStillSends) {
+  asio::io_context io;
+  const auto device = open_bus(io, "memory-can:sender?listen=1", Side::device);
+  EXPECT_TRUE(run(io, device->write({})));
+}
+
+}  // namespace
+}  // namespace drydock::link::testing
