@@ -6,6 +6,7 @@
 #include <set>
 
 #include "drivers/link/can/can_interface.hpp"
+#include "drivers/link/clock.hpp"
 #include "drivers/wire/canopen/canopen_sdo.hpp"
 
 namespace drydock::probe {
@@ -85,9 +86,9 @@ bool search_bus(const LineSearch& search, Ear& ear, Progress& progress, ProbeRep
       return false;
     }
     if (search.ask) asker.ask(**opened, ear, survey);
-    progress.show(fmt::format("{}: {} frames; {:.0f} s left, Ctrl-C ends with what was found",
-                              search.link, survey.frames(),
-                              std::max(0.0, measurement::seconds(search.until - link::now()))));
+    progress.show(fmt::format(
+        "{}: {} frames; {:.0f} s left, Ctrl-C ends with what was found", search.link,
+        survey.frames(), std::max(0.0, measurement::seconds(search.until - link::steady_now()))));
     return false;
   });
   if (!ear.trouble().empty()) report.notes.push_back("the bus ended: " + ear.trouble());

@@ -13,8 +13,8 @@ namespace drydock::proxy {
 using link::Stamp;
 
 /// One side of a proxy. The link is opened while it is wanted, and opened again after a growing
-/// pause when it was lost. It is read until it is lost, and written in order. Everything runs on
-/// the thread of the io_context.
+/// pause when it was lost. It is read until it is lost, and written in order. Its times are of
+/// link::steady_now(). Everything runs on the thread of the io_context.
 template <class Link>
 class Port {
  public:

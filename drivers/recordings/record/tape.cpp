@@ -45,7 +45,9 @@ void Tape::put(std::uint32_t topic, Stamp at, std::span<const std::uint8_t> cdr)
 void Tape::tick(Stamp now) {
   const auto time = static_cast<std::uint64_t>(now.time_since_epoch().count());
   const auto oldest = block_.first_time() + static_cast<std::uint64_t>(mcap::block_time.count());
-  if (block_.messages() > 0 && time >= oldest) put_block();
+  const bool set_back =
+      time + static_cast<std::uint64_t>(mcap::block_time.count()) < block_.first_time();
+  if (block_.messages() > 0 && (time >= oldest || set_back)) put_block();
 }
 
 void Tape::put_block() {

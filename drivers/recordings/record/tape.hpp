@@ -37,7 +37,8 @@ class Tape final : public bus::CdrSink {
   void begin();
 
   void put(std::uint32_t topic, Stamp at, std::span<const std::uint8_t> cdr) override;
-  /// Writes messages older than a second, so that they do not wait for more.
+  /// Writes messages older than a second, so that they do not wait for more. A clock that was set
+  /// back does not make them wait either.
   void tick(Stamp now);
   boost::system::error_code finish();
 
