@@ -12,6 +12,7 @@
 
 #include "drivers/host/rig_bus.hpp"
 #include "drivers/link/uri.hpp"
+#include "drivers/recordings/record/part_files.hpp"
 #include "drivers/wire/protocols.hpp"
 
 namespace drydock::host {
@@ -86,18 +87,42 @@ record::RecorderOptions recorder_options(const rig_config::Rig& rig, measurement
   return options;
 }
 
-mcap::Sink open_file(const RecordOptions& options) {
-  auto sink = mcap::file_sink(options.path, options.overwrite);
-  if (sink) return *sink;
-  throw std::runtime_error("cannot record to " + mcap::refused(options.path, sink.error()));
+[[noreturn]] void refuse(const std::string& path, const boost::system::error_code& error) {
+  throw std::runtime_error("cannot record to " + mcap::refused(path, error));
+}
+
+record::Parts one_file(const RecordOptions& options, mcap::Sync sync) {
+  auto sink = mcap::file_sink(options.path, options.overwrite, sync);
+  if (!sink) refuse(options.path, sink.error());
+  return {{std::move(*sink), options.path}};
+}
+
+record::Parts many_files(const RecordOptions& options, mcap::Sync sync) {
+  auto files = std::make_shared<record::PartFiles>(options.path, sync);
+  auto first = files->next();
+  if (!first) refuse(options.path, first.error());
+  return {std::move(*first), options.split, [files] { return files->next(); }};
+}
+
+record::Parts open_files(const RecordOptions& options, record::WhenBehind when_behind) {
+  const bool real_time = when_behind == record::WhenBehind::lose;
+  const auto sync = real_time ? mcap::Sync::each_write : mcap::Sync::never;
+  if (!options.split.divides()) return one_file(options, sync);
+  auto parts = many_files(options, sync);
+  parts.split.virtual_time = !real_time;
+  return parts;
 }
 
 }  // namespace
 
 RigRecorder::RigRecorder(const rig_config::Rig& rig, const RecordOptions& options, Stamp start,
                          record::WhenBehind when_behind)
-    : path_(options.path),
-      recorder_(open_file(options), recorder_options(rig, start, when_behind)),
+    : RigRecorder(rig, open_files(options, when_behind), start, when_behind) {}
+
+RigRecorder::RigRecorder(const rig_config::Rig& rig, record::Parts parts, Stamp start,
+                         record::WhenBehind when_behind)
+    : path_(parts.first.path),
+      recorder_(std::move(parts), recorder_options(rig, start, when_behind)),
       truth_(rig.estimators.size()) {}
 
 void RigRecorder::record(const Estimate& estimate, std::size_t index) {
@@ -119,7 +144,10 @@ std::string RigRecorder::finish() {
   if (error)
     return fmt::format("recording {}: {} messages, then: {}; {} lost", path_, status.messages,
                        error.message(), status.lost);
-  return fmt::format("recording {}: {} messages, {:.1f} MB, {} lost", path_, status.messages,
+  std::string files = path_;
+  if (status.files > 1) files += fmt::format(" and {} more", status.files - 1);
+  if (status.deleted > 0) files += fmt::format(", the oldest {} deleted", status.deleted);
+  return fmt::format("recording {}: {} messages, {:.1f} MB, {} lost", files, status.messages,
                      static_cast<double>(status.bytes) / 1e6, status.lost);
 }
 

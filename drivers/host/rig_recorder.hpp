@@ -8,11 +8,13 @@ namespace drydock::host {
 
 struct RecordOptions {
   std::string path;        ///< the MCAP file; empty: no recording
-  bool overwrite = false;  ///< replace an existing file
+  bool overwrite = false;  ///< replace an existing file; a divided recording replaces none
+  record::Split split{};
 };
 
 /// Records the run of a rig: all data on its links, all results of its drivers and estimators, and
-/// the rig's files as attachments.
+/// the rig's files as attachments. In real time what was written is on the disk; a run in virtual
+/// time can be repeated, and does not wait for that.
 class RigRecorder final : public Follower {
  public:
   /// Throws std::runtime_error with one line if the file cannot be made.
@@ -47,9 +49,11 @@ class RigRecorder final : public Follower {
   bool failed() const { return recorder_.status().error.failed(); }
 
  private:
+  RigRecorder(const rig_config::Rig& rig, record::Parts parts, Stamp start,
+              record::WhenBehind when_behind);
   void record(const Estimate& estimate, std::size_t index);
 
-  std::string path_;
+  std::string path_;  ///< of a divided recording, its first file
   record::Recorder recorder_;
   std::size_t truth_;  ///< the truth is recorded as one more estimator
   bool told_ = false;

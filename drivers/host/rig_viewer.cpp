@@ -104,7 +104,8 @@ void RigViewer::on_faults(std::span<const bus::Fault> faults, Stamp now) {
 
 void RigViewer::tick(Stamp now) {
   constexpr std::chrono::seconds again{1};
-  if (!faults_.empty() && now - faults_told_ >= again) on_faults(std::vector(faults_), now);
+  if (!faults_.empty() && std::chrono::abs(now - faults_told_) >= again)
+    on_faults(std::vector(faults_), now);
 }
 
 }  // namespace drydock::host

@@ -4,14 +4,16 @@
 #include <utility>
 
 #include "drivers/measurement/stamp.hpp"
+#include "drivers/terminal/dead_terminal.hpp"
 
 namespace drydock::io {
 
 UntilStopped::UntilStopped(boost::asio::io_context& io, double duration_s,
                            std::function<void()> stop)
-    : stop_(std::move(stop)), signals_(io, SIGINT, SIGTERM), timer_(io) {
+    : stop_(std::move(stop)), signals_(io, SIGINT, SIGTERM, SIGHUP), timer_(io) {
   signals_.async_wait([this](const boost::system::error_code& ec, int) {
     if (ec || stopped_) return;
+    terminal::leave_dead_terminal();
     interrupted_ = true;
     this->stop();
   });
@@ -26,6 +28,7 @@ void UntilStopped::stop() {
   if (std::exchange(stopped_, true)) return;
   signals_.cancel();
   signals_.clear();  // a second Ctrl-C ends the program at once
+  std::signal(SIGHUP, SIG_IGN);
   timer_.cancel();
   stop_();
 }

@@ -7,8 +7,8 @@
 
 namespace drydock::io {
 
-/// Ends a program that runs until it is told to end: at Ctrl-C, at SIGTERM, or when its time is
-/// over. A second Ctrl-C ends it at once.
+/// Ends a program that runs until it is told to end: at Ctrl-C, at SIGTERM, when its terminal
+/// hangs up (a dropped ssh), or when its time is over. A second Ctrl-C ends it at once.
 class UntilStopped {
  public:
   /// Calls `stop` once; `stop` must let `io` run out of work. With a duration of 0 there is no time
@@ -17,7 +17,7 @@ class UntilStopped {
 
   void stop();  ///< does the same as the end of the time
 
-  bool interrupted() const { return interrupted_; }  ///< Ctrl-C or SIGTERM ended it
+  bool interrupted() const { return interrupted_; }  ///< a signal ended it
 
  private:
   std::function<void()> stop_;

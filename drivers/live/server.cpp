@@ -7,6 +7,8 @@
 #include <boost/asio/steady_timer.hpp>
 #include <boost/beast/http.hpp>
 #include <chrono>
+#include <list>
+#include <optional>
 #include <utility>
 
 #include "drivers/io/as_outcome.hpp"
@@ -26,7 +28,6 @@ using io::as_outcome;
 using HttpRequest = http::request<http::string_body>;
 using HttpResponse = http::response<http::string_body>;
 
-constexpr std::chrono::seconds patience{10};
 constexpr std::chrono::milliseconds accept_pause{100};
 constexpr std::size_t most_clients = 64;
 
@@ -38,8 +39,11 @@ HttpResponse answer(const HttpRequest& request, http::status status, std::string
   response.set(http::field::content_type, {media_type.data(), media_type.size()});
   response.set(http::field::cache_control, "no-store");
   response.set("X-Content-Type-Options", "nosniff");
+  // No other page may show this one inside itself and let a visitor click on it unseen.
+  response.set("X-Frame-Options", "DENY");
   response.set("Content-Security-Policy",
-               "default-src 'self'; connect-src 'self' ws: wss:; style-src 'self' 'unsafe-inline'");
+               "default-src 'self'; connect-src 'self' ws: wss:; style-src 'self' 'unsafe-inline'; "
+               "frame-ancestors 'none'");
   if (request.method() == http::verb::get) response.body() = content;
   response.keep_alive(request.keep_alive());
   response.prepare_payload();
@@ -56,6 +60,9 @@ struct Server::House : std::enable_shared_from_this<House> {
   boost::system::error_code open();
   asio::awaitable<void> let_in();
   asio::awaitable<void> serve(tcp::socket socket);
+  asio::awaitable<std::optional<HttpRequest>> request_on(beast::tcp_stream& stream,
+                                                         beast::flat_buffer& buffer);
+  bool make_room();
   asio::awaitable<void> show(beast::tcp_stream stream, HttpRequest request);
   HttpResponse answer_to(const HttpRequest& request) const;
   std::optional<std::string> refusal_of(const HttpRequest& request);
@@ -71,7 +78,8 @@ struct Server::House : std::enable_shared_from_this<House> {
   std::vector<Service> services;
   std::vector<std::shared_ptr<Viewer>> viewers;
   std::size_t clients = 0;
-  ServerCounters past;  ///< counts of viewers that have left
+  std::list<beast::tcp_stream*> half_open;  ///< wait for the end of a request, the oldest first
+  ServerCounters past;                      ///< counts of viewers that have left
 };
 
 boost::system::error_code Server::House::open() {
@@ -95,7 +103,7 @@ asio::awaitable<void> Server::House::let_in() {
   while (door.is_open()) {
     auto [error, socket] = co_await door.async_accept(as_outcome);
     if (error == asio::error::operation_aborted || !door.is_open()) co_return;
-    if (error || clients >= most_clients) {  // closes a client at once if there are too many
+    if (error || !make_room()) {  // closes the client at once if all others are viewers
       asio::steady_timer pause(executor, accept_pause);
       co_await pause.async_wait(as_outcome);
       continue;
@@ -116,22 +124,42 @@ asio::awaitable<void> Server::House::serve(tcp::socket socket) {
   beast::tcp_stream stream(std::move(socket));
   beast::flat_buffer buffer;
   for (bool more = true; more;) {
-    HttpRequest request;
-    stream.expires_after(patience);
-    const auto [error, size] = co_await http::async_read(stream, buffer, request, as_outcome);
-    if (error) co_return;
-    const auto refused = refusal_of(request);
-    if (!refused && beast::websocket::is_upgrade(request)) {
-      co_await show(std::move(stream), std::move(request));
+    auto request = co_await request_on(stream, buffer);
+    if (!request) co_return;
+    const auto refused = refusal_of(*request);
+    if (!refused && beast::websocket::is_upgrade(*request)) {
+      co_await show(std::move(stream), std::move(*request));
       co_return;
     }
     HttpResponse response =
-        refused ? answer(request, http::status::forbidden, "text/plain", *refused + "\n")
-                : answer_to(request);
+        refused ? answer(*request, http::status::forbidden, "text/plain", *refused + "\n")
+                : answer_to(*request);
     more = response.keep_alive();
     const auto [write_error, written] = co_await http::async_write(stream, response, as_outcome);
     if (write_error) co_return;
   }
+}
+
+/// The time is for the whole request: a byte now and then does not prolong it.
+asio::awaitable<std::optional<HttpRequest>> Server::House::request_on(beast::tcp_stream& stream,
+                                                                      beast::flat_buffer& buffer) {
+  HttpRequest request;
+  stream.expires_after(options.patience);
+  const auto place = half_open.insert(half_open.end(), &stream);
+  const auto [error, size] = co_await http::async_read(stream, buffer, request, as_outcome);
+  half_open.erase(place);
+  if (error) co_return std::nullopt;
+  co_return request;
+}
+
+/// A client that has asked for nothing yet gives way to one that may.
+bool Server::House::make_room() {
+  if (clients < most_clients) return true;
+  if (half_open.empty()) return false;
+  auto* const oldest = half_open.front();
+  half_open.splice(half_open.end(), half_open, half_open.begin());
+  oldest->close();
+  return true;
 }
 
 std::optional<std::string> Server::House::refusal_of(const HttpRequest& request) {

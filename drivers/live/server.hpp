@@ -2,6 +2,7 @@
 
 #include <boost/asio/any_io_executor.hpp>
 #include <boost/system/error_code.hpp>
+#include <chrono>
 #include <memory>
 #include <string>
 #include <vector>
@@ -18,6 +19,7 @@ struct ServerOptions {
   std::uint16_t port = 8765;  ///< 0: any free port
   std::string token = {};     ///< `?token=...` in every request; empty: not needed
   std::string name = "drydock";
+  std::chrono::milliseconds patience{10'000};  ///< for a whole request, and for its answer
 };
 
 /// One file of the page.

@@ -4,6 +4,7 @@
 #include "drivers/host/driver_host.hpp"
 #include "drivers/host/rig_bus.hpp"
 #include "drivers/link/can/can_interface.hpp"
+#include "drivers/link/clock.hpp"
 #include "drivers/monitor/monitor_loop.hpp"
 #include "drivers/probe/probe_bus.hpp"
 #include "drivers/terminal/exit_codes.hpp"
@@ -44,7 +45,7 @@ class BusMeter final : public host::Follower {
  private:
   struct Bus {
     std::uint64_t bits = 0;
-    Stamp since = link::now();
+    Stamp since = link::steady_now();
     std::optional<double> bits_per_second;
     std::optional<unsigned> bitrate;
     std::string state;
@@ -104,7 +105,7 @@ int monitor_devices(std::vector<std::unique_ptr<device::Device>> devices, const 
     for (std::size_t i = 0; i < shell.size(); ++i) {
       DeviceView view = view_of(shell.device(i), shell.health(i));
       latest.show(shell.device(i).index(), view);
-      meter.show(link::now(), view);
+      meter.show(link::steady_now(), view);
       views.push_back(std::move(view));
     }
     return views;

@@ -6,6 +6,7 @@
 #include <boost/asio/steady_timer.hpp>
 #include <functional>
 
+#include "drivers/link/clock.hpp"
 #include "drivers/link/reading.hpp"
 
 namespace drydock::probe {
@@ -25,8 +26,9 @@ void Ear::run(Link& link, link::Stamp until, const OnRead& on_read, const OnIdle
   bool enough = false, ended = false, closed = false;
   asio::co_spawn(io_,
                  link::read_until_lost<Link>(link,
-                                             [&](const auto& item, link::Stamp at) {
-                                               if (!enough) enough = on_read(item, at);
+                                             [&](const auto& item, link::Stamp) {
+                                               if (!enough)
+                                                 enough = on_read(item, link::steady_now());
                                              }),
                  [&](const std::exception_ptr&, const boost::system::error_code& why) {
                    ended = true;
@@ -42,7 +44,7 @@ void Ear::run(Link& link, link::Stamp until, const OnRead& on_read, const OnIdle
     });
   };
   wait();
-  while (!enough && !ended && !interrupted() && link::now() < until) io_.run_one();
+  while (!enough && !ended && !interrupted() && link::steady_now() < until) io_.run_one();
   timer.cancel();
   wait = [] {};
   closed = true;
@@ -52,14 +54,14 @@ void Ear::run(Link& link, link::Stamp until, const OnRead& on_read, const OnIdle
 }
 
 void Ear::listen(link::ByteLink& line, link::Stamp until, const OnBytes& on_bytes) {
-  run(line, until, on_bytes, [&] { return on_bytes({}, link::now()); });
+  run(line, until, on_bytes, [&] { return on_bytes({}, link::steady_now()); });
 }
 
 void Ear::listen(link::FrameLink& bus, link::Stamp until, const OnFrame& on_frame) {
   const auto on_read = [&](const wire::CanFrame& frame, link::Stamp at) {
     return on_frame(&frame, at);
   };
-  run(bus, until, on_read, [&] { return on_frame(nullptr, link::now()); });
+  run(bus, until, on_read, [&] { return on_frame(nullptr, link::steady_now()); });
 }
 
 template <class Link, class Content>

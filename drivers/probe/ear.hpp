@@ -11,7 +11,8 @@
 
 namespace drydock::probe {
 
-/// Listens on one link after another. Ctrl-C ends everything.
+/// Listens on one link after another. Ctrl-C ends everything. All times are of link::steady_now(),
+/// because they only give durations and rates.
 class Ear {
  public:
   /// Called with the received data, and every 100 ms without data. True: enough was heard.

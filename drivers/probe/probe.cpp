@@ -7,6 +7,7 @@
 
 #include "drivers/capture/comment_head.hpp"
 #include "drivers/link/can/frame_file.hpp"
+#include "drivers/link/clock.hpp"
 #include "drivers/probe/probe_bus.hpp"
 #include "drivers/terminal/exit_codes.hpp"
 
@@ -87,12 +88,12 @@ bool search(const ProbeOptions& options, const link::Uri& uri, std::FILE* err,
   if (uri.recorded()) return read_frames(uri, report) || read_bytes(uri, report);
   Ear ear;
   Progress progress(err);
-  const Stamp start = link::now();
+  const Stamp start = link::steady_now();
   const LineSearch wanted{report.link, start + measurement::from_seconds(options.duration_s),
                           options.ask};
   const bool opened = uri.carries() == Carries::bytes ? search_line(wanted, ear, progress, report)
                                                       : search_bus(wanted, ear, progress, report);
-  report.listened_s = measurement::seconds(link::now() - start);
+  report.listened_s = measurement::seconds(link::steady_now() - start);
   report.interrupted = ear.interrupted();
   if (uri.scheme == link::Scheme::pty && opened)
     report.notes.push_back("a pty has no baud rate: any will do");

@@ -7,6 +7,7 @@
 
 #include "drivers/link/can/can_interface.hpp"
 #include "drivers/link/can/slcan_trouble.hpp"
+#include "drivers/link/clock.hpp"
 #include "drivers/wire/canopen/canopen_sdo.hpp"
 
 namespace drydock::probe {
@@ -90,8 +91,8 @@ class BusSearch {
 
   /// Listens at each rate for an equal share of the time. It stays where it hears a frame.
   Failure search_rate(const link::Uri& uri) {
-    const auto share = (search_.until - link::now()) / rates.size();
-    Stamp leave_at = link::now();
+    const auto share = (search_.until - link::steady_now()) / rates.size();
+    Stamp leave_at = link::steady_now();
     Failure failure;
     for (const unsigned rate : rates) {
       link::Uri with = uri;
@@ -149,7 +150,7 @@ class BusSearch {
                           : std::string();
     return fmt::format("{}{}: {} frames; {:.0f} s left, Ctrl-C ends with what was found",
                        search_.link, rate, survey_.frames(),
-                       std::max(0.0, measurement::seconds(search_.until - link::now())));
+                       std::max(0.0, measurement::seconds(search_.until - link::steady_now())));
   }
 
   LineSearch search_;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 
+#include "drivers/link/clock.hpp"
 #include "drivers/wire/ubx/ubx_frame.hpp"
 
 namespace drydock::probe {
@@ -108,7 +109,7 @@ class Attempt {
     const auto uri = link::parse_uri(uri_with(8)).value();
     auto opened = link::open_bytes(ear.executor(), uri, link::Side::driver);
     if (!opened) return opened.error();
-    const Stamp since = link::now();
+    const Stamp since = link::steady_now();
     bool asked = !search_.ask;
     ear.listen(**opened, search_.until, [&](wire::Bytes bytes, Stamp at) {
       if (!bytes.empty()) hearing_.feed(bytes, at, serial_ && setting_.parity == 'N');
@@ -216,7 +217,8 @@ bool search_line(const LineSearch& search, Ear& ear, Progress& progress, ProbeRe
     }
     if (failure) continue;  // the port does not support this rate
     attempts.push_back(std::move(attempt));
-    if (attempts.back()->hearing().settled() || ear.interrupted() || link::now() >= search.until)
+    if (attempts.back()->hearing().settled() || ear.interrupted() ||
+        link::steady_now() >= search.until)
       break;
   }
   std::ranges::stable_sort(attempts, {}, [](const auto& a) { return a->hearing().confidence(); });

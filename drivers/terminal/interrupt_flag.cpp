@@ -3,23 +3,34 @@
 #include <atomic>
 #include <csignal>
 
+#include "drivers/terminal/dead_terminal.hpp"
+
 namespace drydock::terminal {
 namespace {
 
-std::atomic<bool> ctrl_c = false;
+std::atomic<bool> interrupted = false;
 static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler sets it");
 
-void on_ctrl_c(int) {
-  ctrl_c = true;
-  std::signal(SIGINT, SIG_DFL);
+constexpr std::array ends{SIGINT, SIGTERM, SIGHUP};
+
+/// A shell and the kernel both send a SIGHUP: the second must not disturb the end.
+void on_end(int signal) {
+  interrupted = true;
+  leave_dead_terminal();
+  std::signal(signal, signal == SIGHUP ? SIG_IGN : SIG_DFL);
 }
 
 }  // namespace
 
-InterruptFlag::InterruptFlag() : before_(std::signal(SIGINT, on_ctrl_c)) { ctrl_c = false; }
+InterruptFlag::InterruptFlag() {
+  interrupted = false;
+  for (std::size_t i = 0; i < ends.size(); ++i) before_[i] = std::signal(ends[i], on_end);
+}
 
-InterruptFlag::~InterruptFlag() { std::signal(SIGINT, before_); }
+InterruptFlag::~InterruptFlag() {
+  for (std::size_t i = 0; i < ends.size(); ++i) std::signal(ends[i], before_[i]);
+}
 
-bool InterruptFlag::set() const { return ctrl_c; }
+bool InterruptFlag::set() const { return interrupted; }
 
 }  // namespace drydock::terminal

@@ -1,9 +1,12 @@
 #pragma once
 
+#include <array>
+
 namespace drydock::terminal {
 
-/// While one of these lives, the first Ctrl-C only sets the flag. The second ends the program. This
-/// is for a loop that does not wait in io_context::run(); there io::UntilStopped ends the program.
+/// While one of these lives, the first Ctrl-C, SIGTERM or SIGHUP only sets the flag. A second
+/// Ctrl-C ends the program. This is for a loop that does not wait in io_context::run(); there
+/// io::UntilStopped ends the program.
 class InterruptFlag {
  public:
   InterruptFlag();
@@ -14,7 +17,7 @@ class InterruptFlag {
   bool set() const;  ///< from any thread
 
  private:
-  void (*before_)(int);
+  std::array<void (*)(int), 3> before_;  ///< by signal
 };
 
 }  // namespace drydock::terminal

@@ -99,11 +99,12 @@ class RealTimeRun {
     return duration_s_ > 0 ? std::max(duration_s_ - elapsed_s, least_s) : 0;
   }
 
+  /// The ticks' time is that of start_: a step of the host's clock begins no expectation.
   void keep_ticking() {
     timer_.expires_after(tick_period);
     timer_.async_wait([this](const boost::system::error_code& ec) {
       if (ec || stopping_) return;  // an expired timer cannot be cancelled any more
-      run_.followers().tick(link::now());
+      run_.followers().tick(link::steady_now());
       keep_ticking();
     });
   }
@@ -111,7 +112,7 @@ class RealTimeRun {
   // Takes the health just before the links are closed, because that state is reported.
   void stop() {
     stopping_ = true;
-    run_.followers().tick(link::now());
+    run_.followers().tick(link::steady_now());
     const double elapsed_s = measurement::seconds(link::steady_now() - start_);
     summary_.duration_s = summary_.wall_s = elapsed_s;
     summary_.devices = run_.devices(link::now());

@@ -1,6 +1,8 @@
 #include "hil/control/control_socket.hpp"
 
+#include <fmt/format.h>
 #include <sys/stat.h>
+#include <sys/un.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -19,6 +21,7 @@
 #include <vector>
 
 #include "drivers/link/link.hpp"
+#include "drivers/link/private_folder.hpp"
 
 namespace drydock::control {
 
@@ -34,15 +37,23 @@ constexpr std::chrono::seconds quick{1};     ///< limit for an answer when drive
                                              ///< thread
 constexpr std::size_t most_callers = 16;
 
-/// Empty if the folder exists and no other user may create files in it; else the reason.
-std::string why_not_ours(const fs::path& folder) {
-  ::mkdir(folder.c_str(), 0700);
-  struct stat info {};
-  if (::stat(folder.c_str(), &info) != 0 || !S_ISDIR(info.st_mode))
-    return folder.string() + " is no folder";
-  if (info.st_uid != ::getuid() || (info.st_mode & (S_IWGRP | S_IWOTH)) != 0)
-    return folder.string() + " may be written by others";
-  return {};
+constexpr std::size_t longest_path = sizeof(sockaddr_un::sun_path) - 1;
+
+/// The name under which a socket is bound before it is renamed.
+std::string name_while_new(const std::string& path) {
+  return path + "." + std::to_string(::getpid()) + ".new";
+}
+constexpr std::size_t longest_name_while_new = std::string_view(".4194304.new").size();
+
+bool is_too_long(const std::string& path) {
+  return path.size() + longest_name_while_new > longest_path;
+}
+
+/// FNV-1a, 64 bits: the same in each program and version.
+std::uint64_t hash_of(std::string_view text) {
+  std::uint64_t hash = 0xcbf29ce484222325;
+  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3;
+  return hash;
 }
 
 bool somebody_answers(const std::string& path) {
@@ -65,7 +76,9 @@ void close_when_over(asio::steady_timer& time, const std::shared_ptr<Local::sock
 std::string control_path(std::string_view rig_name) {
   std::string name(rig_name);
   std::ranges::replace(name, '/', '_');
-  return link::pty_path(name + ".control");
+  const std::string path = link::pty_path(name + ".control");
+  if (!is_too_long(path)) return path;
+  return link::pty_path(fmt::format("{:016x}.control", hash_of(name)));
 }
 
 /// The coroutines share it.
@@ -87,7 +100,7 @@ struct ControlSocket::House : std::enable_shared_from_this<House> {
 /// Binds under another name, sets the mode, then renames: the socket never exists with a mode that
 /// lets other users in.
 boost::system::error_code ControlSocket::House::listen() {
-  const std::string fresh = path + "." + std::to_string(::getpid()) + ".new";
+  const std::string fresh = name_while_new(path);
   ::unlink(fresh.c_str());
   boost::system::error_code error;
   acceptor.open(Local(), error);
@@ -136,7 +149,10 @@ void ControlSocket::House::close() {
 
 boost::system::result<std::unique_ptr<ControlSocket>, std::string> ControlSocket::open(
     const asio::any_io_executor& executor, const std::string& path, Answer answer) {
-  if (auto why = why_not_ours(fs::path(path).parent_path()); !why.empty()) return why;
+  if (is_too_long(path))
+    return path + " is too long for a socket; set XDG_RUNTIME_DIR to a shorter path";
+  if (auto why = link::make_private_folder(fs::path(path).parent_path().string()); !why.empty())
+    return why;
   if (somebody_answers(path)) return "another program answers at " + path;
   auto house = std::make_shared<House>(executor, path, std::move(answer));
   if (const auto error = house->listen())
@@ -148,6 +164,7 @@ boost::system::result<std::unique_ptr<ControlSocket>, std::string> ControlSocket
 ControlSocket::~ControlSocket() { house_->close(); }
 
 boost::system::result<std::string> ask(const std::string& path, const std::string& request) {
+  if (is_too_long(path)) return make_error_code(boost::system::errc::filename_too_long);
   asio::io_context io;
   Local::socket socket(io);
   boost::system::error_code error;
@@ -164,6 +181,7 @@ boost::system::result<std::string> ask(const std::string& path, const std::strin
 
 asio::awaitable<boost::system::result<std::string>> ask_soon(std::string path,
                                                              std::string request) {
+  if (is_too_long(path)) co_return make_error_code(boost::system::errc::filename_too_long);
   const auto socket = std::make_shared<Local::socket>(co_await asio::this_coro::executor);
   asio::steady_timer silence(socket->get_executor(), quick);
   close_when_over(silence, socket);

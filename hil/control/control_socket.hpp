@@ -10,7 +10,8 @@
 
 namespace drydock::control {
 
-/// The socket on which a running bench of that rig takes orders from the same user's programs.
+/// The socket on which a running bench of that rig takes orders from the same user's programs:
+/// `RIGNAME.control`. A path has room for 107 characters; a longer name is replaced by its hash.
 std::string control_path(std::string_view rig_name);
 
 /// A unix-domain socket that only its owner may open (mode 0600). Each connection sends one line

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "drivers/terminal/data_size.hpp"
 #include "drivers/terminal/duration.hpp"
 
 namespace drydock::program {
@@ -36,8 +37,51 @@ void add_allow_faults(CLI::App& sub, host::ServeOptions& serve) {
       ->needs("--serve");
 }
 
-void add_overwrite(CLI::App& sub, host::RecordOptions& record) {
-  sub.add_flag("--overwrite", record.overwrite, "replace what is there");
+namespace {
+
+/// The text of an option as a number above 0, or the usage error.
+template <class Parse, class Refuse>
+auto positive(const char* option, const std::string& text, Parse parse, Refuse refuse) {
+  const auto value = parse(text);
+  if (!value || !(*value > 0)) throw CLI::ValidationError(option, refuse(text));
+  return *value;
+}
+
+std::chrono::nanoseconds time_of(const char* option, const std::string& text) {
+  return measurement::from_seconds(
+      positive(option, text, terminal::parse_duration, terminal::no_duration));
+}
+
+std::uint64_t size_of(const char* option, const std::string& text) {
+  return positive(option, text, terminal::parse_data_size, terminal::no_data_size);
+}
+
+}  // namespace
+
+void add_recording(CLI::App& sub, host::RecordOptions& record) {
+  auto* overwrite = sub.add_flag("--overwrite", record.overwrite, "replace what is there");
+  auto& split = record.split;
+  const auto into_files =
+      "begin a new file, FILE-0001.mcap, FILE-0002.mcap, ..., when the present one ";
+  auto* by_size = sub.add_option_function<std::string>(
+      "--split-size", [&](const auto& text) { split.size = size_of("--split-size", text); },
+      std::string(into_files) + "has this size: 512MiB");
+  auto* by_time = sub.add_option_function<std::string>(
+      "--split-every", [&](const auto& text) { split.every = time_of("--split-every", text); },
+      std::string(into_files) + "covers this time: 10min");
+  for (auto* option : {by_size, by_time}) option->excludes(overwrite);
+  sub.add_option_function<std::string>(
+      "--keep",
+      [&, by_size, by_time](const auto& text) {
+        if (by_size->count() + by_time->count() == 0)
+          throw CLI::ValidationError("--keep", "needs --split-size or --split-every");
+        if (terminal::parse_duration(text))
+          split.keep_for = time_of("--keep", text);
+        else
+          split.keep_size = size_of("--keep", text);
+      },
+      "of a split recording only the last 24h, or the last 20GiB: older files of this run are "
+      "deleted");
 }
 
 void add_realtime(CLI::App& sub, RealtimeOptions& realtime) {

@@ -22,8 +22,8 @@ void add_allow_faults(CLI::App& sub, host::ServeOptions& serve);
 /// --faults: a file of blocks [[fault]].
 void add_faults_option(CLI::App& sub, std::string& file);
 
-/// --overwrite, for a recording.
-void add_overwrite(CLI::App& sub, host::RecordOptions& record);
+/// --overwrite, --split-size, --split-every and --keep, for a recording.
+void add_recording(CLI::App& sub, host::RecordOptions& record);
 
 /// What --realtime, --priority and --cores ask for.
 struct RealtimeOptions {

@@ -4,6 +4,7 @@
 #include <boost/asio/experimental/awaitable_operators.hpp>
 #include <functional>
 
+#include "drivers/link/clock.hpp"
 #include "drivers/link/reading.hpp"
 
 namespace drydock::proxy {
@@ -53,19 +54,19 @@ template <class Link>
 typename Port<Link>::Run Port<Link>::serve() {
   while (!finished_) {
     if (!wanted_) {
-      tell(life_.stop(link::now()));
+      tell(life_.stop(link::steady_now()));
       co_await wake_->wait();
       continue;
     }
-    life_.start(link::now());
+    life_.start(link::steady_now());
     auto opened = link::Traffic<Link>::open(io_.get_executor(), uri_, side_);
     if (opened)
       co_await use(std::move(*opened));
     else
-      tell(life_.open_failed(link::now(), opened.error().message));
-    while (wanted_ && life_.deadline() && link::now() < *life_.deadline())
-      co_await wake_->wait_until(life_.deadline(), link::now());
-    life_.tick(link::now());
+      tell(life_.open_failed(link::steady_now(), opened.error().message));
+    while (wanted_ && life_.deadline() && link::steady_now() < *life_.deadline())
+      co_await wake_->wait_until(life_.deadline(), link::steady_now());
+    life_.tick(link::steady_now());
   }
 }
 
@@ -78,7 +79,7 @@ typename Port<Link>::Run Port<Link>::use(std::unique_ptr<Link> opened) {
   const auto ready = co_await connected(*opened, uri_);
   if (ready && is_open()) {
     using namespace asio::experimental::awaitable_operators;
-    tell(life_.opened(link::now()));
+    tell(life_.opened(link::steady_now()));
     co_await (read_until_lost(*opened) && pump_->drain_until_closed());
   }
   counters_.lost += pump_->waiting() + undelivered(*opened);
@@ -87,13 +88,14 @@ typename Port<Link>::Run Port<Link>::use(std::unique_ptr<Link> opened) {
   pump_.reset();
   opened.reset();
   if (closed_) {
-    tell(life_.stop(link::now()));
+    tell(life_.stop(link::steady_now()));
   } else if (!ready) {
-    tell(life_.open_failed(link::now(), ready.error().message()));
+    tell(life_.open_failed(link::steady_now(), ready.error().message()));
   }
-  tell(life_.link_lost(link::now(), why_lost_.view()));
+  tell(life_.link_lost(link::steady_now(), why_lost_.view()));
 }
 
+template <class Link>
 template <class Link>
 typename Port<Link>::Run Port<Link>::read_until_lost(Link& opened) {
   const auto end =
@@ -102,7 +104,8 @@ typename Port<Link>::Run Port<Link>::read_until_lost(Link& opened) {
 }
 
 template <class Link>
-typename Port<Link>::Run Port<Link>::receive(const Item& item, Stamp at) {
+typename Port<Link>::Run Port<Link>::receive(const Item& item, Stamp) {
+  const Stamp at = link::steady_now();
   life_.message(at);
   counters_.received += link::Traffic<Link>::size_of(item);
   return events_.received(item, at);

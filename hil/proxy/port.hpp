@@ -14,7 +14,8 @@ using link::Stamp;
 
 /// One side of a proxy. The link is opened while it is wanted, and opened again after a growing
 /// pause when it was lost. It is read until it is lost, and written in order; a side that takes
-/// nothing holds up no reading. Everything runs on the thread of the io_context.
+/// nothing holds up no reading. Its times are of link::steady_now(). Everything runs on the thread
+/// of the io_context.
 template <class Link>
 class Port {
  public:

@@ -3,6 +3,7 @@
 #include <boost/asio/co_spawn.hpp>
 #include <boost/asio/detached.hpp>
 
+#include "drivers/link/clock.hpp"
 #include "hil/fault/wire/faulty_bus.hpp"
 #include "hil/fault/wire/faulty_stream.hpp"
 #include "hil/proxy/port.hpp"
@@ -31,7 +32,7 @@ class ProxyOf final : public Proxy, private fault::Outlet {
 
   ProxyOf(asio::io_context& io, ProxyOptions options)
       : options_(std::move(options)),
-        faults_(make_faults(options_, link::now(), static_cast<Link*>(nullptr))),
+        faults_(make_faults(options_, link::steady_now(), static_cast<Link*>(nullptr))),
         real_(io, options_.real, link::Side::driver,
               {[this](const Item& item, Stamp at) { return from_device(item, at); },
                [this](const Transition& change) { real_changed(change); },
@@ -40,7 +41,7 @@ class ProxyOf final : public Proxy, private fault::Outlet {
         virtual_(io, options_.virt, link::Side::device,
                  {[this](const Item& item, Stamp at) { return from_drivers(item, at); },
                   [this](const Transition& change) { virtual_changed(change); },
-                  [this](Stamp read_at) { latency_.add(link::now() - read_at); },
+                  [this](Stamp read_at) { latency_.add(link::steady_now() - read_at); },
                   [this] { takes_nothing(options_.virt, "the device"); }}),
         clock_(std::make_shared<io::Signal>(io.get_executor())) {
     real_.want(true);
@@ -68,7 +69,7 @@ class ProxyOf final : public Proxy, private fault::Outlet {
  private:
   Run from_device(const Item& item, Stamp at) {
     read_at_ = at;
-    faults_.receive(item, link::now(), *this);
+    faults_.receive(item, at, *this);
     read_at_.reset();
     rearm_if_earlier();
     co_return;
@@ -82,9 +83,9 @@ class ProxyOf final : public Proxy, private fault::Outlet {
   Run keep_time() {
     while (!finished_) {
       set_for_ = faults_.deadline();
-      co_await clock_->wait_until(set_for_, link::now());
+      co_await clock_->wait_until(set_for_, link::steady_now());
       if (finished_) co_return;
-      const Stamp now = link::now();
+      const Stamp now = link::steady_now();
       if (const auto due = faults_.deadline(); due && *due <= now) faults_.tick(now, *this);
     }
   }

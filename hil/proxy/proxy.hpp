@@ -17,7 +17,8 @@ struct ProxyOptions {
   link::Uri real;                   ///< opened like a driver opens it
   link::Uri virt;                   ///< opened like a device opens it; carries the same as `real`
   rig_config::DeviceConfig device;  ///< name, protocol (may be empty), address, link
-  std::shared_ptr<fault::Schedule> schedule;  ///< after an edit during the run, call rearm()
+  /// In times of link::steady_now(). After an edit during the run, call rearm().
+  std::shared_ptr<fault::Schedule> schedule;
   std::uint64_t seed = 1;
   std::function<void(const std::string&)> say;  ///< gets one line per change of either side
 };

@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "drivers/io/until_stopped.hpp"
-#include "drivers/link/link.hpp"
+#include "drivers/link/clock.hpp"
 #include "drivers/terminal/exit_codes.hpp"
 #include "drivers/wire/protocols.hpp"
 #include "hil/fault/schedule/schedules.hpp"
@@ -161,7 +161,7 @@ int run(const ProxyCommandOptions& o, std::FILE* out, std::FILE* err) {
   if (!add_faults(rig, virt, o.faults, err)) return terminal::exit_usage;
 
   boost::asio::io_context io{1};
-  fault::Schedules schedules(rig, link::now(), rig_config::FaultTarget::proxied);
+  fault::Schedules schedules(rig, link::steady_now(), rig_config::FaultTarget::proxied);
   const auto say = [&](const std::string& line) {
     fmt::print(err, "{}\n", line);
     std::fflush(err);

@@ -9,7 +9,7 @@ failed=0
 arrows='
 drivers/measurement
 drivers/wire               drivers/measurement/units drivers/measurement/kind
-drivers/io                 drivers/measurement
+drivers/io                 drivers/measurement drivers/terminal
 drivers/terminal
 drivers/capture            drivers/wire
 drivers/device             drivers/wire drivers/measurement

@@ -79,7 +79,7 @@ class Running {
     options.real = link::parse_uri(real).value();
     options.virt = link::parse_uri(virt).value();
     options.device.link = real;
-    options.schedule = std::make_shared<fault::Schedule>(link::now());
+    options.schedule = std::make_shared<fault::Schedule>(link::steady_now());
     options.say = [this](const std::string& line) {
       ready_ = ready_ || line.starts_with("drivers");
     };

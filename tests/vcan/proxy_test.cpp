@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "drivers/link/clock.hpp"
 #include "rig_config/fault_vocabulary.hpp"
 #include "rig_config/load.hpp"
 #include "tests/drivers/link/running.hpp"
@@ -31,7 +32,7 @@ TEST(ProxyOnVcan, FramesPassAndABusThatIsOffIsToldAsAControllerTellsIt) {
   options.device.name = "imu";
   options.device.protocol = "cia404-imu";
   options.device.link = "memory-can:proxied";
-  options.schedule = std::make_shared<fault::Schedule>(link::now());
+  options.schedule = std::make_shared<fault::Schedule>(link::steady_now());
   bool is_there = false;
   options.say = [&](const std::string& line) {
     is_there = is_there || line.starts_with("drivers");
@@ -50,7 +51,7 @@ TEST(ProxyOnVcan, FramesPassAndABusThatIsOffIsToldAsAControllerTellsIt) {
   rig_config::FaultConfig off;
   off.device = "imu";
   off.kind = fault::FaultKind::bus_off;
-  schedule->set(off, link::now());
+  schedule->set(off, link::steady_now());
   proxy->rearm();
   const auto told = run(io, drivers->read());
   ASSERT_TRUE(told);

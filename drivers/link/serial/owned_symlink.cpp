@@ -5,16 +5,22 @@
 
 #include <filesystem>
 
+#include "drivers/link/private_folder.hpp"
+
 namespace drydock::link {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// Other programs open devices by name in this directory, so nobody else may put names there.
-boost::system::error_code make_private_directory(const fs::path& directory) {
+/// Where a rig file names the path itself. Other programs open devices by name in this directory,
+/// so nobody else may put names there, or another directory in its place.
+boost::system::error_code make_safe_directory(const fs::path& directory) {
   if (::mkdir(directory.c_str(), 0700) == 0) return {};
   if (errno != EEXIST) return system_error(errno);
   struct stat info {};
+  if (::lstat(directory.c_str(), &info) != 0) return system_error(errno);
+  if (S_ISLNK(info.st_mode) && info.st_uid != ::geteuid() && info.st_uid != 0)
+    return system_error(EPERM);
   if (::stat(directory.c_str(), &info) != 0) return system_error(errno);
   if (!S_ISDIR(info.st_mode)) return system_error(ENOTDIR);
   // Under /tmp another user may have made the directory before.
@@ -28,11 +34,15 @@ boost::system::error_code make_private_directory(const fs::path& directory) {
 boost::system::result<OwnedSymlink, OpenError> OwnedSymlink::place(const std::string& path,
                                                                    const std::string& target) {
   const fs::path directory = fs::path(path).parent_path();
-  if (const auto error = make_private_directory(directory))
+  if (directory == fs::path(pty_path("name")).parent_path()) {
+    if (const auto why = make_private_folder(directory.string()); !why.empty())
+      return OpenError{system_error(EPERM), why};
+  } else if (const auto error = make_safe_directory(directory)) {
     return open_error(error.value(), "cannot use the directory " + directory.string() +
                                          (error == boost::system::errc::operation_not_permitted
                                               ? ", which others may write to"
                                               : ""));
+  }
   struct stat info {};
   if (::lstat(path.c_str(), &info) == 0 && !S_ISLNK(info.st_mode))
     return OpenError{system_error(EEXIST),

@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <filesystem>
 
 namespace drydock::mcap {
 
@@ -14,9 +15,25 @@ using boost::system::error_code;
 
 error_code last_error() { return {errno, boost::system::system_category()}; }
 
+/// A pipe, a terminal or a file system without a disk has nothing to sync.
+error_code outcome_of_sync(int result) {
+  if (result == 0 || errno == EINVAL || errno == EROFS || errno == ENOTSUP) return {};
+  return last_error();
+}
+
+/// A name that is only in memory would take the file with it.
+error_code sync_folder_of(const std::string& path) {
+  const auto folder = std::filesystem::absolute(path).parent_path();
+  const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (descriptor < 0) return {};  // a folder of others that may be searched but not read
+  const auto error = outcome_of_sync(::fsync(descriptor));
+  ::close(descriptor);
+  return error;
+}
+
 class File {
  public:
-  explicit File(int descriptor) : descriptor_(descriptor) {}
+  File(int descriptor, Sync sync) : descriptor_(descriptor), sync_(sync) {}
   File(const File&) = delete;
   File& operator=(const File&) = delete;
   ~File() { ::close(descriptor_); }
@@ -30,23 +47,26 @@ class File {
       if (written < 0 && errno != EINTR) return last_error();
       if (written > 0) bytes = bytes.subspan(static_cast<std::size_t>(written));
     }
-    return {};
+    return sync_ == Sync::never ? error_code{} : outcome_of_sync(::fdatasync(descriptor_));
   }
 
  private:
   static constexpr auto gone = boost::system::errc::no_such_file_or_directory;
   int descriptor_;
+  Sync sync_;
 };
 
 }  // namespace
 
-boost::system::result<Sink> file_sink(const std::string& path, bool overwrite) {
+boost::system::result<Sink> file_sink(const std::string& path, bool overwrite, Sync sync) {
   constexpr mode_t readable_by_all = 0644;
   const int mode = overwrite ? O_TRUNC : O_EXCL;
   const int descriptor =
       ::open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | mode, readable_by_all);
   if (descriptor < 0) return last_error();
-  const auto file = std::make_shared<File>(descriptor);
+  const auto file = std::make_shared<File>(descriptor, sync);
+  if (sync == Sync::each_write)
+    if (const auto error = sync_folder_of(path)) return error;
   return Sink{[file](Bytes bytes) { return file->write(bytes); }};
 }
 

@@ -4,7 +4,7 @@
 
 namespace drydock::record {
 
-BackgroundFile::BackgroundFile(mcap::FileWriter file)
+BackgroundFile::BackgroundFile(FileSeries file)
     : file_(std::move(file)),
       empty_(most_waiting),
       progress_{file_.error(), file_.size()},
@@ -22,7 +22,10 @@ BackgroundFile::~BackgroundFile() {
 }
 
 bool BackgroundFile::take(mcap::Block& block) {
-  if (progress_.error || empty_.empty()) return false;
+  if (progress_.error || empty_.empty()) {
+    progress_.lost += block.messages();
+    return false;
+  }
   std::swap(block, empty_.back());
   waiting_.push_back(std::move(empty_.back()));
   empty_.pop_back();
@@ -48,28 +51,33 @@ void BackgroundFile::work() {
     if (waiting_.empty()) return;
     mcap::Block block = std::move(waiting_.front());
     waiting_.erase(waiting_.begin());
+    const auto lost = progress_.lost;
     lock.unlock();
-    const auto error = file_.write(block);
+    const auto error = file_.write(block, lost);
     lock.lock();
     (error ? progress_.lost : progress_.messages) += block.messages();
-    progress_.error = error;
-    progress_.size = file_.size();
+    note(error);
     block.clear();
     empty_.push_back(std::move(block));
     changed_.notify_all();
   }
 }
 
-boost::system::error_code BackgroundFile::finish(const mcap::Metadata& last) {
+void BackgroundFile::note(const boost::system::error_code& error) {
+  progress_.error = error;
+  progress_.size = file_.size();
+  progress_.files = file_.files();
+  progress_.deleted = file_.deleted();
+}
+
+boost::system::error_code BackgroundFile::finish() {
   {
     const std::scoped_lock lock(mutex_);
     ended_ = true;
   }
   changed_.notify_all();
   thread_.join();
-  file_.write(last);
-  progress_.error = file_.finish();
-  progress_.size = file_.size();
+  note(file_.finish(progress_.lost));
   return progress_.error;
 }
 

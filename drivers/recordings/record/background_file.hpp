@@ -6,7 +6,7 @@
 #include <thread>
 #include <vector>
 
-#include "drivers/recordings/mcap/file_writer.hpp"
+#include "drivers/recordings/record/file_series.hpp"
 
 namespace drydock::record {
 
@@ -16,31 +16,34 @@ class BackgroundFile {
   /// Limit of waiting blocks: 16 s at one block a second.
   static constexpr std::size_t most_waiting = 16;
 
-  explicit BackgroundFile(mcap::FileWriter file);
+  explicit BackgroundFile(FileSeries file);
   /// Without finish() the file has no summary, as after a crash.
   ~BackgroundFile();
 
   /// Takes the block and leaves an empty one in its place. False if too many wait or the file
-  /// failed; the block is then unchanged.
+  /// failed; the block is then unchanged, and its messages are counted as lost.
   bool put(mcap::Block& block);
   /// Waits for room. False if the file failed.
   bool put_when_there_is_room(mcap::Block& block);
 
-  /// Writes all waiting blocks, then `last`, then the summary. Nothing can be put afterwards.
-  boost::system::error_code finish(const mcap::Metadata& last);
+  /// Writes all waiting blocks, then the number of lost messages and the summary. Nothing can be
+  /// put afterwards.
+  boost::system::error_code finish();
 
   struct Progress {
     boost::system::error_code error;
-    std::uint64_t size = 0;                ///< bytes in the file
-    std::uint64_t messages = 0, lost = 0;  ///< in the blocks taken: written, discarded
+    std::uint64_t size = 0;                ///< bytes written
+    std::uint64_t messages = 0, lost = 0;  ///< written; not taken or discarded
+    std::uint64_t files = 1, deleted = 0;  ///< of a divided recording: made; deleted again
   };
   Progress progress() const;
 
  private:
   void work();
+  void note(const boost::system::error_code& error);
   bool take(mcap::Block& block);
 
-  mcap::FileWriter file_;  ///< the thread owns it until the thread has ended
+  FileSeries file_;  ///< the thread owns it until the thread has ended
   mutable std::mutex mutex_;
   std::condition_variable changed_;
   std::vector<mcap::Block> waiting_, empty_;

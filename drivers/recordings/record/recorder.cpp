@@ -8,8 +8,8 @@
 
 namespace drydock::record {
 
-Recorder::Recorder(mcap::Sink sink, const RecorderOptions& options)
-    : tape_(std::move(sink), options.when_behind, options.attachments,
+Recorder::Recorder(Parts parts, const RecorderOptions& options)
+    : tape_(std::move(parts), options.when_behind, options.attachments,
             {{"versions", options.versions}}),
       topics_(tape_, options.devices, options.estimators, options.navigators, options.innovations) {
   for (const auto& link : options.links) {

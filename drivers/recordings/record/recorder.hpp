@@ -32,7 +32,9 @@ struct RecorderOptions {
 /// (unless told to) and never throws after construction. One thread at a time.
 class Recorder final : public shell::RawListener {
  public:
-  Recorder(mcap::Sink sink, const RecorderOptions& options);
+  Recorder(Parts parts, const RecorderOptions& options);
+  Recorder(mcap::Sink sink, const RecorderOptions& options)
+      : Recorder(Parts{{std::move(sink)}}, options) {}
 
   void on_bytes(std::string_view link, shell::Direction direction, wire::Bytes bytes,
                 Stamp at) override;

@@ -4,22 +4,11 @@
 
 namespace drydock::record {
 
-namespace {
-
-mcap::FileWriter start_file(mcap::Sink sink, const std::vector<mcap::Attachment>& attachments,
-                            const std::vector<mcap::Metadata>& metadata) {
-  mcap::FileWriter file(std::move(sink), {"ros2", "drydock " DRYDOCK_VERSION});
-  for (const auto& attachment : attachments) file.write(attachment);
-  for (const auto& entry : metadata) file.write(entry);
-  return file;
-}
-
-}  // namespace
-
-Tape::Tape(mcap::Sink sink, WhenBehind when_behind,
-           const std::vector<mcap::Attachment>& attachments,
-           const std::vector<mcap::Metadata>& metadata)
-    : file_(start_file(std::move(sink), attachments, metadata)),
+Tape::Tape(Parts parts, WhenBehind when_behind, std::vector<mcap::Attachment> attachments,
+           std::vector<mcap::Metadata> metadata)
+    : file_(FileSeries(
+          std::move(parts),
+          {{"ros2", "drydock " DRYDOCK_VERSION}, std::move(attachments), std::move(metadata)})),
       when_behind_(when_behind),
       sequences_(1) {}
 
@@ -45,26 +34,25 @@ void Tape::put(std::uint32_t topic, Stamp at, std::span<const std::uint8_t> cdr)
 void Tape::tick(Stamp now) {
   const auto time = static_cast<std::uint64_t>(now.time_since_epoch().count());
   const auto oldest = block_.first_time() + static_cast<std::uint64_t>(mcap::block_time.count());
-  if (block_.messages() > 0 && time >= oldest) put_block();
+  const bool set_back =
+      time + static_cast<std::uint64_t>(mcap::block_time.count()) < block_.first_time();
+  if (block_.messages() > 0 && (time >= oldest || set_back)) put_block();
 }
 
 void Tape::put_block() {
-  const auto messages = block_.messages();
   const bool taken =
       when_behind_ == WhenBehind::wait ? file_.put_when_there_is_room(block_) : file_.put(block_);
-  if (taken) return;
-  lost_ += messages;
-  block_.clear();
+  if (!taken) block_.clear();
 }
 
 boost::system::error_code Tape::finish() {
   put_block();
-  return file_.finish({"recording", {{"messages_lost", std::to_string(lost_)}}});
+  return file_.finish();
 }
 
 TapeStatus Tape::status() const {
   const auto file = file_.progress();
-  return {file.messages, file.lost + lost_, file.size, file.error};
+  return {file.messages, file.lost, file.size, file.files, file.deleted, file.error};
 }
 
 }  // namespace drydock::record

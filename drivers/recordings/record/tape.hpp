@@ -17,7 +17,8 @@ enum class WhenBehind : std::uint8_t { lose, wait };
 struct TapeStatus {
   std::uint64_t messages = 0;  ///< in the file
   std::uint64_t lost = 0;      ///< not recorded: the disk was too slow or failed
-  std::uint64_t bytes = 0;     ///< present size of the file
+  std::uint64_t bytes = 0;     ///< written, into all files
+  std::uint64_t files = 1, deleted = 0;
   boost::system::error_code error;
 };
 
@@ -25,10 +26,9 @@ struct TapeStatus {
 /// second of the messages' time. After a file error it only counts messages as lost.
 class Tape final : public bus::CdrSink {
  public:
-  /// Attachments and metadata are at the start of the file.
-  Tape(mcap::Sink sink, WhenBehind when_behind,
-       const std::vector<mcap::Attachment>& attachments = {},
-       const std::vector<mcap::Metadata>& metadata = {});
+  /// Attachments and metadata are at the start of each file.
+  Tape(Parts parts, WhenBehind when_behind, std::vector<mcap::Attachment> attachments = {},
+       std::vector<mcap::Metadata> metadata = {});
 
   /// Call it before begin(). One schema serves all topics of its type.
   std::uint32_t add_topic(const Topic& topic) override;
@@ -37,7 +37,8 @@ class Tape final : public bus::CdrSink {
   void begin();
 
   void put(std::uint32_t topic, Stamp at, std::span<const std::uint8_t> cdr) override;
-  /// Writes messages older than a second, so that they do not wait for more.
+  /// Writes messages older than a second, so that they do not wait for more. A clock that was set
+  /// back does not make them wait either.
   void tick(Stamp now);
   boost::system::error_code finish();
 
@@ -51,7 +52,6 @@ class Tape final : public bus::CdrSink {
   mcap::Block block_;
   std::map<std::string, std::uint16_t> schemas_;  ///< by type
   std::vector<std::uint32_t> sequences_;          ///< by channel, from 1
-  std::uint64_t lost_ = 0;                        ///< no room in the queue
 };
 
 }  // namespace drydock::record

@@ -38,7 +38,7 @@ void add_drivers(CLI::App& app, Command& command, const std::string& name,
                   "how long: 60s, 10min, 5.5h; default until Ctrl-C")
       ->transform(duration_text);
   sub->add_option(output, a->options.record.path, "the MCAP file")->required(name == "record");
-  add_overwrite(*sub, a->options.record);
+  add_recording(*sub, a->options.record);
   add_serve(*sub, a->options.serve);
   add_realtime(*sub, a->realtime);
   if (name == "drive") add_allow_faults(*sub, a->options.serve);

@@ -36,7 +36,7 @@ void add_run(CLI::App& app, Command& command) {
   sub->add_option("--report", a->options.report, "write index.html with plots into this folder");
   sub->add_option("--record", a->options.record.path,
                   "record all bytes, frames, measurements and estimates to this MCAP file");
-  add_overwrite(*sub, a->options.record);
+  add_recording(*sub, a->options.record);
   add_serve(*sub, a->options.serve);
   add_allow_faults(*sub, a->options.serve);
   add_realtime(*sub, a->realtime);

@@ -39,6 +39,19 @@ TEST(UntilStopped, WithoutATimeEndsAtTheSignalAlone) {
   EXPECT_EQ(program.stops, 1);
 }
 
+// A shell and the kernel both send one when an ssh session drops.
+TEST(UntilStopped, EndsAtAHangupAndASecondHangupDoesNotDisturbTheEnd) {
+  EXPECT_EXIT(
+      {
+        Program program(0);
+        std::raise(SIGHUP);
+        program.io.run();
+        std::raise(SIGHUP);
+        std::exit(program.stops == 1 && program.until.interrupted() ? 0 : 1);
+      },
+      testing::ExitedWithCode(0), "");
+}
+
 TEST(UntilStopped, StopsOnceWhoeverTellsIt) {
   Program program(0.001);
   program.until.stop();

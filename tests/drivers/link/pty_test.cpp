@@ -63,6 +63,34 @@ TEST_F(Pty, ItsNameStandsInNoFolderThatOthersMayWriteTo) {
   EXPECT_FALSE(open_bytes(io.get_executor(), parse_uri(inside).value(), Side::device));
 }
 
+/// Anybody may make a name under /tmp before us.
+TEST_F(Pty, ItsPrivateFolderIsNoPlantedLinkAndNobodyElses) {
+  ::setenv("XDG_RUNTIME_DIR", folder.file("").c_str(), 1);
+  const fs::path place = fs::path(pty_path("dvl")).parent_path();
+  const fs::path elsewhere = folder.file("elsewhere");
+  const auto refusal = [&] {
+    const auto opened = open_bytes(io.get_executor(), parse_uri("pty:dvl").value(), Side::device);
+    return opened ? std::string() : opened.error().message;
+  };
+  fs::create_directory(elsewhere);
+  fs::create_directory_symlink(elsewhere, place);
+  EXPECT_EQ(refusal(), place.string() +
+                           " is a symbolic link; remove it, or set XDG_RUNTIME_DIR "
+                           "to a folder of your own");
+  EXPECT_TRUE(fs::is_empty(elsewhere));
+  fs::remove(place);
+  fs::create_directory(place);
+  ASSERT_EQ(::chmod(place.c_str(), 0770), 0);
+  EXPECT_THAT(refusal(), HasSubstr("may be written by others"));
+  ASSERT_EQ(::chmod(place.c_str(), 0700), 0);
+  EXPECT_EQ(refusal(), "");
+  if (::getuid() == 0) {
+    ASSERT_EQ(::chown(place.c_str(), 12345, 12345), 0);
+    EXPECT_THAT(refusal(), HasSubstr("belongs to another user"));
+  }
+  ::unsetenv("XDG_RUNTIME_DIR");
+}
+
 TEST_F(Pty, NeverReplacesAFileOfAnotherKind) {
   std::ofstream(path) << "precious";
   const auto device = open_bytes(io.get_executor(), parse_uri(uri).value(), Side::device);

@@ -15,6 +15,7 @@
 #include <boost/beast/core/tcp_stream.hpp>
 #include <boost/beast/websocket.hpp>
 #include <cstdlib>
+#include <list>
 #include <thread>
 
 #include "tests/npm/node.hpp"
@@ -184,6 +185,87 @@ TEST_F(LiveServer, AFileThatIsNotThereIsNotFound) {
   const auto page =
       get("GET /../../etc/passwd HTTP/1.1\r\nHost: localhost\r\nConnection: close\r\n\r\n");
   EXPECT_TRUE(page.starts_with("HTTP/1.1 404")) << page;
+}
+
+/// A server whose clients have 300 ms for a request. It runs beside the clients of the test.
+class BesideClients : public testing::Test {
+ protected:
+  using Tcp = asio::ip::tcp;
+
+  BesideClients() {
+    EXPECT_FALSE(server_.listen());
+    port_ = server_.port();
+    thread_ = std::jthread([this] { io_.run(); });
+  }
+  ~BesideClients() override {
+    asio::post(io_, [this] { server_.stop(); });
+    clients_.clear();
+    thread_.join();
+  }
+  Tcp::socket& connect() {
+    clients_.emplace_back(own_);
+    clients_.back().connect({asio::ip::address_v4::loopback(), port_});
+    return clients_.back();
+  }
+  /// Everything that the server sends until it closes the connection.
+  static std::string rest_of(Tcp::socket& socket) {
+    std::string answer;
+    boost::system::error_code end;
+    asio::read(socket, asio::dynamic_buffer(answer), end);
+    return answer;
+  }
+  std::string get(const std::string& request) {
+    auto& socket = connect();
+    boost::system::error_code gone;
+    asio::write(socket, asio::buffer(request), gone);
+    return rest_of(socket);
+  }
+
+  asio::io_context io_{1}, own_;
+  Server server_{io_.get_executor(),
+                 {.port = 0, .patience = std::chrono::milliseconds{300}},
+                 {{"/", "text/html", "<title>Drydock</title>"}}};
+  std::uint16_t port_ = 0;
+  std::list<Tcp::socket> clients_;
+  std::jthread thread_;
+};
+
+const std::string to_end = " HTTP/1.1\r\nHost: localhost\r\nConnection: close\r\n\r\n";
+
+TEST_F(BesideClients, NoPageMayShowWhatItAnswersInsideItself) {
+  for (const std::string& request :
+       {"GET /" + to_end, "HEAD /" + to_end, "POST /" + to_end, "GET /nowhere" + to_end,
+        std::string("GET / HTTP/1.1\r\nHost: evil.example\r\nConnection: close\r\n\r\n")}) {
+    const auto answer = get(request);
+    EXPECT_NE(answer.find("X-Frame-Options: DENY\r\n"), std::string::npos) << answer;
+    EXPECT_NE(answer.find("frame-ancestors 'none'"), std::string::npos) << answer;
+  }
+}
+
+/// Each of 200 clients begins a request and says no more; the server serves 64 at once.
+TEST_F(BesideClients, ManyThatNeverFinishARequestKeepNobodyOut) {
+  for (int i = 0; i < 200; ++i) asio::write(connect(), asio::buffer("GET / HT", 8));
+  const auto page = get("GET /" + to_end);
+  EXPECT_NE(page.find("<title>Drydock</title>"), std::string::npos) << page;
+  EXPECT_EQ(rest_of(clients_.front()), "") << "the oldest gave way";
+}
+
+/// 16 bytes, one each 100 ms: each comes within the time, the request does not.
+TEST_F(BesideClients, AByteNowAndThenProlongsNoRequest) {
+  auto& socket = connect();
+  boost::system::error_code gone;
+  int sent = 0;
+  for (; sent < 16 && !gone; ++sent) {
+    asio::write(socket, asio::buffer(&"GET / HTTP/1.1\r\n"[sent], 1), gone);
+    std::this_thread::sleep_for(std::chrono::milliseconds{100});
+    if (socket.available(gone) == 0 && !gone) {
+      char none = 0;
+      socket.non_blocking(true);
+      socket.receive(asio::buffer(&none, 1), asio::socket_base::message_peek, gone);
+      if (gone == asio::error::would_block) gone.clear();
+    }
+  }
+  EXPECT_LT(sent, 16);
 }
 
 TEST(LiveServerAddress, BeyondThisHostNeedsAToken) {

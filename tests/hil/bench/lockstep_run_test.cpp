@@ -1,10 +1,14 @@
 // The demo rig in virtual time: from the truth over wire bytes to an estimate, in milliseconds.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <map>
 
+#include "drivers/recordings/record/recording.hpp"
 #include "hil/bench/run.hpp"
 #include "rig_config/load.hpp"
 
@@ -72,6 +76,53 @@ TEST(LockstepRun, TheSameSeedGivesTheSameRecordingToTheLastByte) {
   EXPECT_GT(first.size(), 500'000u);
   EXPECT_TRUE(first == recorded(path, 20));
   std::filesystem::remove(path);
+}
+
+/// The messages of each topic of a recording, in its files' order.
+using Topics = std::map<std::string, std::vector<std::string>>;
+Topics topics_of(const std::vector<std::filesystem::path>& files) {
+  Topics topics;
+  for (const auto& file : files) {
+    auto recording = record::Recording::open(file).value();
+    while (const auto event = recording.next()) {
+      if (const auto* understood = std::get_if<record::Understood>(&*event))
+        topics[understood->channel->topic].emplace_back(understood->cdr.begin(),
+                                                        understood->cdr.end());
+      else
+        topics["raw"].push_back(
+            std::to_string(std::get<record::RawEvent>(*event).at().time_since_epoch().count()));
+    }
+    EXPECT_EQ(recording.damage(), "");
+    EXPECT_NE(recording.attachment("rig.toml"), "") << file;
+  }
+  return topics;
+}
+
+TEST(LockstepRun, NoMessageIsLostWhereARecordingIsSplit) {
+  std::string folder = testing::TempDir() + "drydock-split-XXXXXX";
+  ASSERT_NE(mkdtemp(folder.data()), nullptr);
+  const auto record = [&](const std::string& name, record::Split split) {
+    testing::internal::CaptureStdout();
+    bench::RunOptions options;
+    options.duration_s = 20;
+    options.record = {folder + "/" + name, false, split};
+    bench::run_lockstep(demo(), options);
+    testing::internal::GetCapturedStdout();
+  };
+  record("whole.mcap", {});
+  record("time.mcap", {.every = std::chrono::seconds{5}});
+  record("size.mcap", {.size = 300'000});
+  const auto whole = topics_of({folder + "/whole.mcap"});
+  EXPECT_GT(whole.at("raw").size(), 2000U);
+  for (const std::string name : {"time", "size"}) {
+    std::vector<std::filesystem::path> files;
+    for (const auto& entry : std::filesystem::directory_iterator(folder))
+      if (entry.path().filename().string().starts_with(name)) files.push_back(entry.path());
+    std::ranges::sort(files);
+    EXPECT_GE(files.size(), 3U) << name;
+    EXPECT_TRUE(topics_of(files) == whole) << name;
+  }
+  std::filesystem::remove_all(folder);
 }
 
 TEST(LockstepRun, AnotherSeedGivesOtherNoise) {

@@ -184,6 +184,41 @@ TEST_F(Socket, OfAKilledProgramIsReplacedAndOfALivingOneNot) {
   socket.reset();
 }
 
+/// The path of a socket has 108 bytes with its closing zero: unix(7).
+TEST_F(Socket, OfARigWithALongNameIsFoundByItsHash) {
+  ::setenv("XDG_RUNTIME_DIR", folder_.file("").c_str(), 1);
+  EXPECT_EQ(std::filesystem::path(control_path("demo")).filename(), "demo.control");
+  const std::string name(91, 'n');
+  path_ = control_path(name);
+  EXPECT_LE(path_.size() + std::string(".4194304.new").size(), 107U);
+  EXPECT_NE(path_, control_path(name.substr(1) + "m"));
+  auto socket = open();
+  ASSERT_TRUE(socket);
+  EXPECT_EQ(*ask_it("ping"), "heard ping");
+  ::unsetenv("XDG_RUNTIME_DIR");
+}
+
+TEST_F(Socket, InAFolderWithALongNameIsRefusedWithALine) {
+  ::setenv("XDG_RUNTIME_DIR", folder_.file(std::string(100, 'f')).c_str(), 1);
+  const auto path = control_path("demo");
+  const auto refused =
+      ControlSocket::open(io_.get_executor(), path, [](std::string_view) { return ""; });
+  ::unsetenv("XDG_RUNTIME_DIR");
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error(),
+            path + " is too long for a socket; set XDG_RUNTIME_DIR to a shorter path");
+  EXPECT_FALSE(ask(path, "ping"));
+}
+
+TEST_F(Socket, IsNotOpenedInAPlantedFolder) {
+  const std::string planted = folder_.file("planted");
+  std::filesystem::create_directory_symlink(folder_.file(""), planted);
+  const auto refused = ControlSocket::open(io_.get_executor(), planted + "/rig.control",
+                                           [](std::string_view) { return ""; });
+  ASSERT_FALSE(refused);
+  EXPECT_THAT(refused.error(), HasSubstr("planted is a symbolic link; remove it"));
+}
+
 TEST_F(Socket, IsNotOpenedWhereOthersMayPutNames) {
   ::chmod(std::filesystem::path(path_).parent_path().c_str(), 0777);
   const auto refused =

@@ -34,12 +34,13 @@ class Folder {
   std::filesystem::path path_;
 };
 
-inline Outcome drydock(const std::string& arguments) {
+/// `environment`: assignments for this program alone, as a shell takes them.
+inline Outcome drydock(const std::string& arguments, const std::string& environment = {}) {
   const Folder links;  // its own ptys, so that another run on this machine does not matter
   const std::string command =
       "cd " DRYDOCK_SOURCE_DIR "; export XDG_RUNTIME_DIR=" + (links / "").string() +
-      " ROS_DOMAIN_ID=" + std::to_string(100 + getpid() % 100) + "; " DRYDOCK_PROGRAM " " +
-      arguments + " 2>&1";
+      " ROS_DOMAIN_ID=" + std::to_string(100 + getpid() % 100) + "; " + environment +
+      " " DRYDOCK_PROGRAM " " + arguments + " 2>&1";
   std::FILE* pipe = popen(command.c_str(), "r");
   Outcome outcome;
   std::array<char, 4096> chunk{};

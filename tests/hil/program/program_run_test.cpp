@@ -102,4 +102,31 @@ TEST(Program, AFileOfFaultsIsPutOnALockstepRunAndAWrongOneRefused) {
   EXPECT_THAT(refused.output, HasSubstr("bad.toml:1:1: /fault: emlog \"emlog\""));
 }
 
+TEST(Program, ARunIsRecordedInFilesThatAreEachComplete) {
+  const Folder folder;
+  const std::string run = "run rig_config/rigs/demo.toml --for 20s --speed max --record " +
+                          (folder / "dive.mcap").string();
+  const auto outcome = drydock(run + " --split-every 5s --keep 12s");
+  EXPECT_THAT(outcome.output, HasSubstr("dive-0001.mcap and 3 more, the oldest 1 deleted: "));
+  EXPECT_FALSE(std::filesystem::exists(folder / "dive-0001.mcap"));
+  for (const char* part : {"dive-0002.mcap", "dive-0004.mcap"})
+    EXPECT_EQ(drydock("replay --quiet " + (folder / part).string()).exit_code, 0) << part;
+  const auto again = drydock(run + " --split-size 1GiB");
+  EXPECT_THAT(again.output, HasSubstr("dive-0005.mcap: "));
+}
+
+TEST(Program, OptionsOfASplitRecordingThatCannotBeMeantAreRefused) {
+  const std::string record = "record rig_config/rigs/demo.toml -o /dev/null ";
+  for (const auto& [options, why] : std::vector<std::pair<std::string, std::string>>{
+           {"--keep 3h", "--keep: needs --split-size or --split-every"},
+           {"--keep 3parsec --split-every 1h", "--keep: '3parsec' is no size"},
+           {"--split-every 0", "--split-every: '0' is no duration"},
+           {"--split-size 500", "--split-size: '500' is no size"},
+           {"--split-size 1GB --overwrite", "excludes"}}) {
+    const auto refused = drydock(record + options);
+    EXPECT_EQ(refused.exit_code, 2) << options;
+    EXPECT_THAT(refused.output, HasSubstr(why));
+  }
+}
+
 }  // namespace program_run_test

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "drivers/link/clock.hpp"
 #include "hil/proxy/proxy.hpp"
 #include "tests/drivers/link/running.hpp"
 #include "tests/hil/proxy/outlet.hpp"
@@ -23,7 +24,7 @@ class ProxyBetween {
  public:
   ProxyBetween(const std::string& real, const std::string& virt,
                const std::string& protocol = "nmea0183")
-      : schedule(std::make_shared<fault::Schedule>(link::now())) {
+      : schedule(std::make_shared<fault::Schedule>(link::steady_now())) {
     ProxyOptions options;
     options.real = link::parse_uri(real).value();
     options.virt = link::parse_uri(virt).value();
@@ -49,7 +50,7 @@ class ProxyBetween {
     });
   }
   void set(const std::string& keys) {
-    schedule->set(fault::testing::fault_of("device='device'\n" + keys), link::now());
+    schedule->set(fault::testing::fault_of("device='device'\n" + keys), link::steady_now());
     proxy->rearm();
   }
   void clear() {

@@ -43,7 +43,7 @@ mcap::Block block_of_one(std::uint64_t time) {
 
 TEST(BackgroundFile, NeverWaitsForAStalledDiskAndLosesNothingThatItTook) {
   Disk disk;
-  BackgroundFile file(mcap::FileWriter(disk.sink(), {}));
+  BackgroundFile file(FileSeries(Parts{{disk.sink()}}, {}));
   std::size_t taken = 0;
   for (std::uint64_t i = 0; i < 3 * BackgroundFile::most_waiting; ++i) {
     auto block = block_of_one(i);
@@ -53,7 +53,7 @@ TEST(BackgroundFile, NeverWaitsForAStalledDiskAndLosesNothingThatItTook) {
   EXPECT_GE(taken, BackgroundFile::most_waiting);
   EXPECT_LE(taken, BackgroundFile::most_waiting + 1);
   disk.release();
-  EXPECT_FALSE(file.finish({"end", {}}));
+  EXPECT_FALSE(file.finish());
   mcap::Reader reader(std::make_unique<std::istringstream>(disk.content()));
   std::size_t messages = 0;
   while (const auto record = reader.next())
@@ -65,18 +65,18 @@ TEST(BackgroundFile, NeverWaitsForAStalledDiskAndLosesNothingThatItTook) {
 TEST(BackgroundFile, SaysWhatTheDiskSaid) {
   Disk disk;
   disk.release();
-  BackgroundFile file(mcap::FileWriter(disk.sink(), {}));
+  BackgroundFile file(FileSeries(Parts{{disk.sink()}}, {}));
   disk.fail();
   auto block = block_of_one(1);
   EXPECT_TRUE(file.put(block));
-  EXPECT_EQ(file.finish({"end", {}}), boost::system::errc::no_space_on_device);
+  EXPECT_EQ(file.finish(), boost::system::errc::no_space_on_device);
   EXPECT_EQ(file.progress().error, boost::system::errc::no_space_on_device);
   EXPECT_EQ(file.progress().lost, 1U);
 }
 
 TEST(BackgroundFile, WhoWaitsForRoomIsNotLeftWaitingWhenTheDiskFails) {
   Disk disk;
-  BackgroundFile file(mcap::FileWriter(disk.sink(), {}));
+  BackgroundFile file(FileSeries(Parts{{disk.sink()}}, {}));
   disk.fail();
   auto producer = std::async(std::launch::async, [&] {
     for (std::uint64_t i = 0;; ++i) {

@@ -156,6 +156,17 @@ TEST_F(RecorderTest, WhatIsOlderThanASecondSurvivesAKilledProcess) {
   delete killed;
 }
 
+TEST_F(RecorderTest, AClockThatIsSetBackDelaysNoBlock) {
+  Recorder recorder(mcap::file_sink(path_).value(), options_);
+  const std::array<std::uint8_t, 1> byte{7};
+  recorder.on_bytes("pty:dvl?baud=115200", shell::Direction::received, byte, start);
+  recorder.tick(start - std::chrono::hours{1});
+  const auto patience = std::chrono::steady_clock::now() + std::chrono::seconds{5};
+  while (recorder.status().messages < 1 && std::chrono::steady_clock::now() < patience)
+    std::this_thread::yield();
+  EXPECT_EQ(recorder.status().messages, 1U);
+}
+
 TEST_F(RecorderTest, AFailedFileCostsMessagesNotTheDrivers) {
   int offered = 0;
   const auto full = [&](mcap::Bytes) {
