@@ -92,6 +92,7 @@ class Device final : private Output {
   void send(const wire::CanFrame& frame) override;
   void report(std::string_view trouble) override { last_error_ = trouble; }
 
+  void finish(Stamp now);  ///< frames that wait in the driver come out
   Driver& driver() const;
   void tell(const LifeCycle::Change& change);
 
