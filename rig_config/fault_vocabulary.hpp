@@ -14,7 +14,7 @@ namespace drydock::rig_config {
 enum class FaultKind : std::uint8_t {
   // clang-format off
   off, stuck, bias, drift, noise, wrong, spike,
-  drop, flip, truncate, bad_checksum, duplicate, reorder, garbage,
+  drop, flip, flip_header, truncate, bad_checksum, duplicate, reorder, garbage,
   unplug, hang, wrong_baud, eof, bus_off, error_frames, babbling, address_stolen, bus_load, nak,
   delay, jitter, slow, burst, clock_step, clock_drift,
   bottom_lost, satellites_blocked, antenna_gain, hot
@@ -26,6 +26,7 @@ enum class FaultLayer : std::uint8_t { measurement, message, link, time, environ
 /// What a device must have so that the fault can affect it. fault_refusal.cpp says how to tell.
 enum class FaultNeed : std::uint8_t {
   nothing,
+  byte_stream,
   checksum,
   port,
   baud_rate,
@@ -89,6 +90,8 @@ inline constexpr auto vocabulary = std::to_array<FaultWord>({
 
     {drop, message, "drop", "probability", 0.2, 0, 1, "messages are lost"},
     {flip, message, "flip", "probability", 0.2, 0, 1, "one bit of a message is turned over"},
+    {flip_header, message, "flip-header", "probability", 0.2, 0, 1, "one bit of a message's first six bytes is turned over: sync, kind, length",
+     {.needs = Need::byte_stream}},
     {truncate, message, "truncate", "probability", 0.2, 0, 1, "a message ends early"},
     {bad_checksum, message, "bad-checksum", "probability", 0.2, 0, 1, "a message's checksum is wrong", {.needs = Need::checksum}},
     {duplicate, message, "duplicate", "probability", 0.2, 0, 1, "a message comes twice"},

@@ -87,10 +87,19 @@ void Device::open_failed(Stamp now, std::string_view reason) {
 }
 
 void Device::link_lost(Stamp now, std::string_view reason) {
+  finish(now);
   tell(life_cycle_.link_lost(now, reason));
 }
 
-void Device::stop(Stamp now, std::string_view reason) { tell(life_cycle_.stop(now, reason)); }
+void Device::stop(Stamp now, std::string_view reason) {
+  finish(now);
+  tell(life_cycle_.stop(now, reason));
+}
+
+void Device::finish(Stamp now) {
+  now_ = now;
+  driver().finish(*this);
+}
 
 void Device::receive(wire::Bytes bytes, Stamp at) {
   auto* byte_driver = std::get_if<std::unique_ptr<ByteDriver>>(&driver_);
@@ -118,7 +127,7 @@ void Device::tick(Stamp now) {
 }
 
 void Device::clock_stepped(std::chrono::nanoseconds step, Stamp now) {
-  now_ = now;
+  finish(now);
   life_cycle_.clock_stepped(step);
   if (last_message_at_) *last_message_at_ += step;
   for (RateMeter& meter : rates_) meter.reset();

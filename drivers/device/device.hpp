@@ -96,6 +96,7 @@ class Device final : private Output {
   void report(std::string_view trouble) override { last_error_ = trouble; }
   void refuse(std::string_view why, Refusal because) override;
 
+  void finish(Stamp now);  ///< frames that wait in the driver come out
   Driver& driver() const;
   void tell(const LifeCycle::Change& change);
 

@@ -39,9 +39,10 @@ class Output {
 class Driver {
  public:
   virtual ~Driver() = default;
-  virtual void tick(Stamp now, Output& out) = 0;             ///< called at or after deadline()
-  virtual std::optional<Stamp> deadline() const = 0;         ///< time of the next tick()
-  virtual void restart(Stamp now, Output& out) = 0;          ///< the link was opened (again)
+  virtual void tick(Stamp now, Output& out) = 0;      ///< called at or after deadline()
+  virtual std::optional<Stamp> deadline() const = 0;  ///< time of the next tick()
+  virtual void restart(Stamp now, Output& out) = 0;   ///< the link was opened (again)
+  virtual void finish(Output&) {}  ///< no more comes on this link: what waits comes out
   virtual const wire::StreamCounters& counters() const = 0;  ///< on CAN: payload bytes
   virtual std::size_t held_bytes() const = 0;  ///< bytes_in - bytes_good - bytes_skipped
   virtual void set_provenance(measurement::Provenance provenance) = 0;  ///< the link decides it

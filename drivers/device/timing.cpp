@@ -26,14 +26,9 @@ std::chrono::nanoseconds Timing::line_time(std::size_t bytes) const {
   return rate_.time_of(bytes);
 }
 
-Origin Timing::of_bytes(Stamp read_at, std::size_t frame_bytes, std::size_t after) const {
-  return of_bytes(read_at, frame_bytes, after, latency_);
-}
-
-Origin Timing::of_bytes(Stamp read_at, std::size_t frame_bytes, std::size_t after,
-                        std::chrono::nanoseconds latency) const {
-  const Stamp received_at = read_at - line_time(after);
-  return origin(received_at - line_time(frame_bytes) - latency, received_at);
+Origin Timing::of_bytes(const Arrival& frame, std::chrono::nanoseconds latency) const {
+  const Stamp received_at = frame.read_at - line_time(frame.after);
+  return origin(received_at - line_time(frame.bytes) - latency, received_at);
 }
 
 Origin Timing::of_frame(Stamp stamp, const wire::CanFrame& frame) const {

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <optional>
 
+#include "drivers/device/arrival.hpp"
 #include "drivers/device/driver_options.hpp"
 #include "drivers/measurement/measurement.hpp"
 #include "drivers/wire/can/can_frame.hpp"
@@ -11,21 +12,17 @@
 namespace drydock::device {
 
 using measurement::Origin;
-using measurement::Stamp;
-
 /// Computes from an arrival the time at which a value was true. The value ages by the protocol's
 /// latency until its first bit is sent, and then by the time of its frame on the wire.
 class Timing {
  public:
   explicit Timing(const DriverOptions& options);
 
-  /// `after` is the number of bytes behind the frame in the read that ended at `read_at`. If the
-  /// line has a baud rate, a byte takes the bits of its frame: received_at = read_at - after bytes,
-  /// valid_at = received_at - frame_bytes - latency.
-  Origin of_bytes(Stamp read_at, std::size_t frame_bytes, std::size_t after) const;
+  /// If the line has a baud rate, a byte takes the bits of its frame (10 for 8N1): received_at =
+  /// read_at - after bytes, valid_at = received_at - bytes of the frame - latency.
+  Origin of_bytes(const Arrival& frame) const { return of_bytes(frame, latency_); }
   /// If the frame gives the age of its values, `latency` replaces the option.
-  Origin of_bytes(Stamp read_at, std::size_t frame_bytes, std::size_t after,
-                  std::chrono::nanoseconds latency) const;
+  Origin of_bytes(const Arrival& frame, std::chrono::nanoseconds latency) const;
 
   /// `stamp` is the end of the frame. The frame took all its bits on the wire, including stuff
   /// bits.

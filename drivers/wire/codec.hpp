@@ -25,10 +25,11 @@ using Bytes = std::span<const std::uint8_t>;
 struct Scan {
   enum class Kind : std::uint8_t { frame, need_more, skip, bad_checksum };
   Kind kind = Kind::need_more;
-  std::size_t size = 0;  ///< bytes of the frame, or bytes to skip
+  std::size_t size = 0;  ///< bytes of the frame, or bytes to skip; need_more: of need_more()
 
   static constexpr Scan frame(std::size_t n) { return {Kind::frame, n}; }
-  static constexpr Scan need_more() { return {Kind::need_more, 0}; }
+  /// `claimed`: bytes of the whole frame as its header says; 0: it does not say.
+  static constexpr Scan need_more(std::size_t claimed = 0) { return {Kind::need_more, claimed}; }
   static constexpr Scan skip(std::size_t n) { return {Kind::skip, n}; }
   /// Skips one byte and counts a damaged frame.
   static constexpr Scan bad_checksum() { return {Kind::bad_checksum, 1}; }
@@ -41,7 +42,7 @@ struct StreamCounters {
   std::uint64_t bytes_good = 0;     ///< inside valid frames
   std::uint64_t bytes_skipped = 0;  ///< noise, damaged frames
   std::uint64_t frames = 0;
-  std::uint64_t bad_checksums = 0;
+  std::uint64_t bad_checksums = 0;  ///< and frames that were given up
   friend bool operator==(const StreamCounters&, const StreamCounters&) = default;
 };
 
@@ -76,6 +77,33 @@ class Framer {
     }
   }
 
+  /// Bytes of the frame that the oldest held byte begins, as its header says; without a length in
+  /// it, the most that a frame may have.
+  std::size_t claimed() const { return claimed_ > 0 ? claimed_ : Capacity; }
+
+  /// True if a whole frame lies behind the oldest held byte. Then that byte began no frame, unless
+  /// frames of the protocol contain whole frames.
+  template <class ScanFn>
+  bool frame_behind(ScanFn&& scan) const {
+    for (std::size_t at = 1; at < held_;) {
+      const Scan s = scan(Bytes{buffer_.data() + at, held_ - at});
+      if (s.kind == Scan::Kind::frame) return true;
+      at += s.kind == Scan::Kind::skip ? s.size : 1;
+    }
+    return false;
+  }
+
+  /// Gives up the frame begun at the oldest held byte: it counts as damaged, and the search goes on
+  /// one byte further. The framer has no clock; its owner decides when.
+  template <class ScanFn, class OnFrame>
+  void give_up(ScanFn&& scan, OnFrame&& on_frame) {
+    if (held_ == 0) return;
+    ++counters_.bad_checksums;
+    ++counters_.bytes_skipped;
+    discard(1);
+    discard(consume(Bytes{buffer_.data(), held_}, held_, scan, on_frame));
+  }
+
   /// The stream has ended. A frame that still waits for bytes is not a frame, so the search
   /// continues one byte after its sync.
   template <class ScanFn, class OnFrame>
@@ -103,7 +131,10 @@ class Framer {
     std::size_t at = 0;
     while (at < bytes.size()) {
       const Scan s = scan(bytes.subspan(at));
-      if (s.kind == Scan::Kind::need_more) break;
+      if (s.kind == Scan::Kind::need_more) {
+        claimed_ = s.size;
+        break;
+      }
       if (s.kind == Scan::Kind::frame) {
         counters_.bytes_good += s.size;
         ++counters_.frames;
@@ -124,6 +155,7 @@ class Framer {
 
   std::array<std::uint8_t, Capacity> buffer_{};
   std::size_t held_ = 0;
+  std::size_t claimed_ = 0;  ///< by the held frame's header; 0: it does not say
   StreamCounters counters_;
 };
 

@@ -56,6 +56,10 @@ bool needs_emulation(const FaultWord& word) {
 
 std::optional<std::string> of_the_wire(FaultNeed need, const DeviceConfig& device) {
   switch (need) {
+    case byte_stream:
+      if (on_can(device))
+        return "a CAN frame tells no length in its bytes; allowed: flip, truncate";
+      break;
     case checksum:
       if (protocol_of(device).checksum.empty())
         return "its protocol has no checksum of its own; allowed: flip, truncate";

@@ -4,17 +4,12 @@
 
 namespace drydock::device {
 
-void DvlDriver::receive(wire::Bytes bytes, Stamp received_at, Output& out) {
-  framer_.feed(bytes, wire::Pd0::scan, [&](wire::Bytes frame, std::size_t after) {
-    const auto message = wire::Pd0::decode(frame);
-    if (!message) return;
-    const auto& ensemble = std::get<wire::Pd0Ensemble>(*message);
-    const auto age = ensemble.navigation ? age_of(*ensemble.navigation) : std::nullopt;
-    on(ensemble,
-       age ? timing_.of_bytes(received_at, frame.size(), after, *age)
-           : timing_.of_bytes(received_at, frame.size(), after),
-       out);
-  });
+void DvlDriver::on_frame(wire::Bytes frame, const Arrival& arrival, Output& out) {
+  const auto message = wire::Pd0::decode(frame);
+  if (!message) return;
+  const auto& ensemble = std::get<wire::Pd0Ensemble>(*message);
+  const auto age = ensemble.navigation ? age_of(*ensemble.navigation) : std::nullopt;
+  on(ensemble, age ? timing_.of_bytes(arrival, *age) : timing_.of_bytes(arrival), out);
 }
 
 void DvlDriver::on(const wire::Pd0Ensemble& ensemble, const Origin& origin, Output& out) {

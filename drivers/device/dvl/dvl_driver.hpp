@@ -14,11 +14,11 @@ namespace drydock::device {
 /// velocity.
 class DvlDriver final : public StreamDriver<wire::Pd0::max_frame> {
  public:
-  explicit DvlDriver(const DriverOptions& options) : StreamDriver(options), solution_(options) {}
-
-  void receive(wire::Bytes bytes, Stamp received_at, Output& out) override;
+  explicit DvlDriver(const DriverOptions& options)
+      : StreamDriver(options, wire::Pd0::scan), solution_(options) {}
 
  private:
+  void on_frame(wire::Bytes frame, const Arrival& arrival, Output& out) override;
   void on(const wire::Pd0Ensemble& ensemble, const Origin& origin, Output& out);
 
   DvlSolution solution_;

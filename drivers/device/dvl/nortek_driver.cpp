@@ -20,17 +20,12 @@ bool is_clock_time(double s) { return s >= 0 && s < 4294967296.0; }
 
 }  // namespace
 
-void NortekDriver::receive(wire::Bytes bytes, Stamp received_at, Output& out) {
-  framer_.feed(bytes, wire::Nortek::scan, [&](wire::Bytes frame, std::size_t after) {
-    const auto message = wire::Nortek::decode(frame);
-    const auto* velocity = message ? std::get_if<wire::NortekVelocity>(&*message) : nullptr;
-    if (!velocity) return;
-    const auto age = age_of(*velocity);
-    publish(*velocity,
-            age ? timing_.of_bytes(received_at, frame.size(), after, *age)
-                : timing_.of_bytes(received_at, frame.size(), after),
-            out);
-  });
+void NortekDriver::on_frame(wire::Bytes frame, const Arrival& arrival, Output& out) {
+  const auto message = wire::Nortek::decode(frame);
+  const auto* velocity = message ? std::get_if<wire::NortekVelocity>(&*message) : nullptr;
+  if (!velocity) return;
+  const auto age = age_of(*velocity);
+  publish(*velocity, age ? timing_.of_bytes(arrival, *age) : timing_.of_bytes(arrival), out);
 }
 
 void NortekDriver::publish(const wire::NortekVelocity& sentence, Origin origin, Output& out) const {

@@ -12,11 +12,10 @@ namespace drydock::device {
 class NortekDriver final : public StreamDriver<wire::Nortek::max_frame> {
  public:
   explicit NortekDriver(const DriverOptions& options)
-      : StreamDriver(options), mounting_(options.mounting) {}
-
-  void receive(wire::Bytes bytes, Stamp received_at, Output& out) override;
+      : StreamDriver(options, wire::Nortek::scan), mounting_(options.mounting) {}
 
  private:
+  void on_frame(wire::Bytes frame, const Arrival& arrival, Output& out) override;
   void publish(const wire::NortekVelocity& sentence, Origin origin, Output& out) const;
 
   Mounting mounting_;

@@ -12,13 +12,10 @@ wire::DvlAttitude attitude_of(const wire::Pd5Report& report) { return report; }
 }  // namespace
 
 template <class Protocol>
-void Pd4Driver<Protocol>::receive(wire::Bytes bytes, Stamp received_at, Output& out) {
-  this->framer_.feed(bytes, Protocol::scan, [&](wire::Bytes frame, std::size_t after) {
-    const auto message = Protocol::decode(frame);
-    if (!message) return;
-    publish(std::get<typename Protocol::Report>(*message),
-            this->timing_.of_bytes(received_at, frame.size(), after), out);
-  });
+void Pd4Driver<Protocol>::on_frame(wire::Bytes frame, const Arrival& arrival, Output& out) {
+  const auto message = Protocol::decode(frame);
+  if (!message) return;
+  publish(std::get<typename Protocol::Report>(*message), this->timing_.of_bytes(arrival), out);
 }
 
 template <class Protocol>

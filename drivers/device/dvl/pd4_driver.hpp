@@ -13,11 +13,10 @@ template <class Protocol>
 class Pd4Driver final : public StreamDriver<Protocol::max_frame> {
  public:
   explicit Pd4Driver(const DriverOptions& options)
-      : StreamDriver<Protocol::max_frame>(options), solution_(options) {}
-
-  void receive(wire::Bytes bytes, Stamp received_at, Output& out) override;
+      : StreamDriver<Protocol::max_frame>(options, Protocol::scan), solution_(options) {}
 
  private:
+  void on_frame(wire::Bytes frame, const Arrival& arrival, Output& out) override;
   void publish(const typename Protocol::Report& report, const Origin& origin, Output& out);
 
   DvlSolution solution_;

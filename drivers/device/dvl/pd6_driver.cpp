@@ -7,18 +7,15 @@ void Pd6Driver::restart(Stamp now, Output& out) {
   epoch_.forget();
 }
 
-void Pd6Driver::receive(wire::Bytes bytes, Stamp received_at, Output& out) {
-  framer_.feed(bytes, wire::Pd6::scan, [&](wire::Bytes frame, std::size_t after) {
-    const auto line = wire::Pd6::decode(frame);
-    if (!line) return;
-    const auto step =
-        epoch_.take(*line, timing_.of_bytes(received_at, frame.size(), after),
-                    timing_.line_time(frame.size()), framer_.counters().bad_checksums);
-    if (step == Pd6Epoch::Step::complete) publish(out);
-    if (step == Pd6Epoch::Step::broken) {
-      out.report("an ensemble was left out: a line of it was lost or damaged");
-    }
-  });
+void Pd6Driver::on_frame(wire::Bytes frame, const Arrival& arrival, Output& out) {
+  const auto line = wire::Pd6::decode(frame);
+  if (!line) return;
+  const auto step = epoch_.take(*line, timing_.of_bytes(arrival), timing_.line_time(frame.size()),
+                                framer_.counters().bad_checksums);
+  if (step == Pd6Epoch::Step::complete) publish(out);
+  if (step == Pd6Epoch::Step::broken) {
+    out.report("an ensemble was left out: a line of it was lost or damaged");
+  }
 }
 
 void Pd6Driver::publish(Output& out) {

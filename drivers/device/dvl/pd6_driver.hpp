@@ -12,12 +12,13 @@ namespace drydock::device {
 /// with a lost or damaged line gives no measurement and is reported.
 class Pd6Driver final : public StreamDriver<wire::Pd6::max_frame> {
  public:
-  explicit Pd6Driver(const DriverOptions& options) : StreamDriver(options), solution_(options) {}
+  explicit Pd6Driver(const DriverOptions& options)
+      : StreamDriver(options, wire::Pd6::scan), solution_(options) {}
 
-  void receive(wire::Bytes bytes, Stamp received_at, Output& out) override;
   void restart(Stamp now, Output& out) override;
 
  private:
+  void on_frame(wire::Bytes frame, const Arrival& arrival, Output& out) override;
   void publish(Output& out);
 
   DvlSolution solution_;

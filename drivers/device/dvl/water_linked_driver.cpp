@@ -22,19 +22,16 @@ std::optional<std::chrono::nanoseconds> age_of(const water_linked::ReportTimes& 
 
 }  // namespace
 
-void WaterLinkedDriver::receive(wire::Bytes bytes, Stamp received_at, Output& out) {
-  framer_.feed(bytes, wire::WaterLinked::scan, [&](wire::Bytes frame, std::size_t after) {
-    const auto message = wire::WaterLinked::decode(frame);
-    if (!message) return;
-    heed_silence(received_at, out);
-    dialogue_.receive(*message, received_at, out);
-    const Arrival arrival{received_at, frame.size(), after};
-    std::visit(
-        [&](const auto& sentence) {
-          if constexpr (requires { on(sentence, arrival, out); }) on(sentence, arrival, out);
-        },
-        *message);
-  });
+void WaterLinkedDriver::on_frame(wire::Bytes frame, const Arrival& arrival, Output& out) {
+  const auto message = wire::WaterLinked::decode(frame);
+  if (!message) return;
+  heed_silence(arrival.read_at, out);
+  dialogue_.receive(*message, arrival.read_at, out);
+  std::visit(
+      [&](const auto& sentence) {
+        if constexpr (requires { on(sentence, arrival, out); }) on(sentence, arrival, out);
+      },
+      *message);
 }
 
 void WaterLinkedDriver::restart(Stamp now, Output& out) {
@@ -48,8 +45,7 @@ void WaterLinkedDriver::restart(Stamp now, Output& out) {
 void WaterLinkedDriver::on(const water_linked::BottomVelocity& report, const Arrival& arrival,
                            Output& out) {
   const auto age = age_of(report);
-  Origin origin = age ? timing_.of_bytes(arrival.read_at, arrival.bytes, arrival.after, *age)
-                      : timing_.of_bytes(arrival.read_at, arrival.bytes, arrival.after);
+  Origin origin = age ? timing_.of_bytes(arrival, *age) : timing_.of_bytes(arrival);
   origin.device_time = report.validity;
   new_form_at_ = origin.received_at;
   heed_heat(report.hot, out);
@@ -58,7 +54,7 @@ void WaterLinkedDriver::on(const water_linked::BottomVelocity& report, const Arr
 
 void WaterLinkedDriver::on(const water_linked::OldVelocity& report, const Arrival& arrival,
                            Output& out) {
-  const Origin origin = timing_.of_bytes(arrival.read_at, arrival.bytes, arrival.after);
+  const Origin origin = timing_.of_bytes(arrival);
   if (new_form_at_ && origin.received_at - *new_form_at_ < new_form_counts_for) return;
   heed_heat(report.hot.value_or(false), out);
   publish(report, report.altitude_m, origin, out);

@@ -2,6 +2,7 @@
 
 #include "drivers/device/dvl/water_linked_dialogue.hpp"
 #include "drivers/device/stream_driver.hpp"
+#include "drivers/measurement/earlier.hpp"
 #include "drivers/wire/dvl/water_linked.hpp"
 
 namespace drydock::device {
@@ -18,19 +19,21 @@ namespace drydock::device {
 class WaterLinkedDriver final : public StreamDriver<wire::WaterLinked::max_frame> {
  public:
   explicit WaterLinkedDriver(const DriverOptions& options)
-      : StreamDriver(options), mounting_(options.mounting), dialogue_(options.dvl.water_linked) {}
+      : StreamDriver(options, wire::WaterLinked::scan),
+        mounting_(options.mounting),
+        dialogue_(options.dvl.water_linked) {}
 
-  void receive(wire::Bytes bytes, Stamp received_at, Output& out) override;
   void restart(Stamp now, Output& out) override;
-  void tick(Stamp now, Output& out) override { dialogue_.tick(now, out); }
-  std::optional<Stamp> deadline() const override { return dialogue_.deadline(); }
+  void tick(Stamp now, Output& out) override {
+    StreamDriver::tick(now, out);
+    dialogue_.tick(now, out);
+  }
+  std::optional<Stamp> deadline() const override {
+    return measurement::earlier(StreamDriver::deadline(), dialogue_.deadline());
+  }
 
  private:
-  struct Arrival {
-    Stamp read_at;
-    std::size_t bytes, after;
-  };
-
+  void on_frame(wire::Bytes frame, const Arrival& arrival, Output& out) override;
   void on(const wire::water_linked::BottomVelocity& report, const Arrival& arrival, Output& out);
   void on(const wire::water_linked::OldVelocity& report, const Arrival& arrival, Output& out);
   void publish(const wire::water_linked::Report& report, const std::optional<double>& altitude_m,

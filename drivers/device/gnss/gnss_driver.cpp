@@ -1,5 +1,7 @@
 #include "drivers/device/gnss/gnss_driver.hpp"
 
+#include "drivers/measurement/earlier.hpp"
+
 namespace drydock::device {
 
 using measurement::GnssFix;
@@ -23,39 +25,53 @@ bool recent(const std::optional<Stamp>& last, Stamp now) {
 }  // namespace
 
 GnssDriver::GnssDriver(const DriverOptions& options)
-    : StreamDriver(options),
-      scan_(options.protocol == wire::Nmea0183::name ? wire::Nmea0183::scan : wire::UbxNmea::scan),
+    : StreamDriver(options, options.protocol == wire::Nmea0183::name ? wire::Nmea0183::scan
+                                                                     : wire::UbxNmea::scan),
       pause_(options.baud ? shortest_pause + timing_.line_time(block_bytes) : pause_without_baud) {}
 
 void GnssDriver::receive(wire::Bytes bytes, Stamp received_at, Output& out) {
   tick(received_at, out);  // a pause before these bytes has ended the epoch, even without a tick
   last_bytes_ = received_at;
-  framer_.feed(bytes, scan_, [&](wire::Bytes frame, std::size_t after) {
-    const auto message = wire::UbxNmea::decode(frame);
-    if (!message) return;
-    const Origin origin = timing_.of_bytes(received_at, frame.size(), after);
-    std::visit(
-        [&](const auto& m) {
-          if constexpr (requires { on(m, origin, out); }) on(m, origin, out);
-        },
-        *message);
-  });
+  StreamDriver::receive(bytes, received_at, out);
 }
 
-std::optional<Stamp> GnssDriver::deadline() const {
+void GnssDriver::on_frame(wire::Bytes frame, const Arrival& arrival, Output& out) {
+  const auto message = wire::UbxNmea::decode(frame);
+  if (!message) return;
+  const Origin origin = timing_.of_bytes(arrival);
+  std::visit(
+      [&](const auto& m) {
+        if constexpr (requires { on(m, origin, out); }) on(m, origin, out);
+      },
+      *message);
+}
+
+std::optional<Stamp> GnssDriver::epoch_ends_at() const {
   if (nmea_.empty() && ubx_.empty()) return {};
   return last_bytes_ + pause_;
 }
 
+std::optional<Stamp> GnssDriver::deadline() const {
+  return measurement::earlier(StreamDriver::deadline(), epoch_ends_at());
+}
+
 void GnssDriver::tick(Stamp now, Output& out) {
-  const auto due = deadline();
+  StreamDriver::tick(now, out);
+  const auto due = epoch_ends_at();
   if (!due || now < *due) return;
+  look_behind(out, [] { return true; });  // frames of this epoch may wait behind a damaged length
   close_ubx_epoch(out);
   close_nmea_epoch(out);
 }
 
-void GnssDriver::restart(Stamp, Output&) {
-  framer_.reset();
+void GnssDriver::finish(Output& out) {
+  StreamDriver::finish(out);
+  close_ubx_epoch(out);
+  close_nmea_epoch(out);
+}
+
+void GnssDriver::restart(Stamp now, Output& out) {
+  StreamDriver::restart(now, out);
   nmea_.clear();
   ubx_.clear();
   closed_time_of_day_.reset();

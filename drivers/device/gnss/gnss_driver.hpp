@@ -24,9 +24,12 @@ class GnssDriver final : public StreamDriver<wire::UbxNmea::max_frame> {
   void receive(wire::Bytes bytes, Stamp received_at, Output& out) override;
   void tick(Stamp now, Output& out) override;
   std::optional<Stamp> deadline() const override;
+  void finish(Output& out) override;
   void restart(Stamp now, Output& out) override;
 
  private:
+  void on_frame(wire::Bytes frame, const Arrival& arrival, Output& out) override;
+  std::optional<Stamp> epoch_ends_at() const;  ///< by a pause; empty: no epoch has begun
   void on(const wire::NavPvt& pvt, const Origin& origin, Output& out);
   void on(const wire::NavSat& sat, const Origin& origin, Output& out);
   void on(const wire::NavEoe& eoe, const Origin& origin, Output& out);
@@ -52,7 +55,6 @@ class GnssDriver final : public StreamDriver<wire::UbxNmea::max_frame> {
   void close_ubx_epoch(Output& out);
   void close_nmea_epoch(Output& out);
 
-  wire::Scan (*scan_)(wire::Bytes);
   std::chrono::nanoseconds pause_;  ///< a pause this long on the line ends an epoch
   Stamp last_bytes_{};
 

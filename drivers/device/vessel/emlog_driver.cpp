@@ -6,18 +6,16 @@ namespace {
 constexpr std::chrono::seconds vbw_counts_for{3};  // logs send at least once a second
 }
 
-void EmLogDriver::receive(wire::Bytes bytes, Stamp received_at, Output& out) {
-  framer_.feed(bytes, wire::Nmea0183::scan, [&](wire::Bytes frame, std::size_t after) {
-    const auto message = wire::Nmea0183::decode(frame);
-    if (!message) return;
-    const Origin origin = burst_.of(timing_.of_bytes(received_at, frame.size(), after),
-                                    timing_.line_time(frame.size()), message->index());
-    std::visit(
-        [&](const auto& sentence) {
-          if constexpr (requires { on(sentence, origin, out); }) on(sentence, origin, out);
-        },
-        *message);
-  });
+void EmLogDriver::on_frame(wire::Bytes frame, const Arrival& arrival, Output& out) {
+  const auto message = wire::Nmea0183::decode(frame);
+  if (!message) return;
+  const Origin origin =
+      burst_.of(timing_.of_bytes(arrival), timing_.line_time(frame.size()), message->index());
+  std::visit(
+      [&](const auto& sentence) {
+        if constexpr (requires { on(sentence, origin, out); }) on(sentence, origin, out);
+      },
+      *message);
 }
 
 void EmLogDriver::on(const wire::Vhw& vhw, const Origin& origin, Output& out) {

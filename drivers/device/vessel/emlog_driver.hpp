@@ -13,11 +13,12 @@ namespace drydock::device {
 class EmLogDriver final : public StreamDriver<wire::Nmea0183::max_frame> {
  public:
   explicit EmLogDriver(const DriverOptions& options)
-      : StreamDriver(options), mounting_(options.mounting), burst_(shortest_pause) {}
-
-  void receive(wire::Bytes bytes, Stamp received_at, Output& out) override;
+      : StreamDriver(options, wire::Nmea0183::scan),
+        mounting_(options.mounting),
+        burst_(shortest_pause) {}
 
  private:
+  void on_frame(wire::Bytes frame, const Arrival& arrival, Output& out) override;
   /// Logs send once to ten times a second; hosts delay bytes by some milliseconds.
   static constexpr std::chrono::milliseconds shortest_pause{10};
 

@@ -78,7 +78,7 @@ Scan Pd0::scan(Bytes bytes) {
   if (bytes[5] == 0 || checked < smallest || checked + checksum_size > max_frame) {
     return Scan::skip(1);
   }
-  if (bytes.size() < checked + checksum_size) return Scan::need_more();
+  if (bytes.size() < checked + checksum_size) return Scan::need_more(checked + checksum_size);
   return byte_sum(bytes.first(checked)) == load_le<std::uint16_t>(bytes, checked)
              ? Scan::frame(checked + checksum_size)
              : Scan::bad_checksum();

@@ -29,7 +29,7 @@ Scan scan(Bytes bytes) {
   if (bytes.size() > 1 && (bytes[1] & 0xFC) != 0) return Scan::skip(1);
   if (bytes.size() < header_size) return Scan::need_more();
   const std::size_t size = (load_be<std::uint16_t>(bytes, 1) & 0x3FFu) + header_size + crc_size;
-  if (bytes.size() < size) return Scan::need_more();
+  if (bytes.size() < size) return Scan::need_more(size);
   // A message followed by its own CRC has remainder zero. Noise often contains such a short sync,
   // so a mismatch does not count as a damaged frame.
   return crc24q(bytes.first(size)) == 0 ? Scan::frame(size) : Scan::skip(1);

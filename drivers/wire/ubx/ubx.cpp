@@ -33,7 +33,7 @@ Scan Ubx::scan(Bytes bytes) {
   if (bytes.size() < ubx::header_size) return Scan::need_more();
   const std::size_t size = load_le<std::uint16_t>(bytes, 4) + ubx::overhead;
   if (size > longest_frame(load_be<std::uint16_t>(bytes, 2))) return Scan::skip(1);
-  if (bytes.size() < size) return Scan::need_more();
+  if (bytes.size() < size) return Scan::need_more(size);
   const auto sent = load_le<std::uint16_t>(bytes, size - ubx::checksum_size);
   return fletcher8(ubx::checked_part(bytes.first(size))) == sent ? Scan::frame(size)
                                                                  : Scan::bad_checksum();

@@ -34,10 +34,17 @@ class LineLevels {
   wire::Bytes bytes_;
 };
 
+void flip_bit_within(std::span<std::uint8_t> bytes, RandomStream& random) {
+  if (bytes.empty()) return;
+  const std::size_t bit = below(bytes.size() * 8, random);
+  bytes[bit / 8] = static_cast<std::uint8_t>(bytes[bit / 8] ^ (1u << bit % 8));
+}
+
 using rig_config::FaultKind;
 
 constexpr Damage all_damages[] = {
     {FaultKind::flip, flip_bit, flip_bit},
+    {FaultKind::flip_header, flip_header_bit, nullptr},
     {FaultKind::truncate, truncate, truncate},
     {FaultKind::bad_checksum, [](Message& message, RandomStream&) { break_checksum(message); },
      nullptr},
@@ -61,10 +68,10 @@ static_assert(each_message_fault_is_carried_out(),
 
 std::span<const Damage> damages() { return all_damages; }
 
-void flip_bit(Message& message, RandomStream& random) {
-  if (message.empty()) return;
-  const std::size_t bit = below(message.size() * 8, random);
-  message[bit / 8] = static_cast<std::uint8_t>(message[bit / 8] ^ (1u << bit % 8));
+void flip_bit(Message& message, RandomStream& random) { flip_bit_within(message, random); }
+
+void flip_header_bit(Message& message, RandomStream& random) {
+  flip_bit_within(std::span(message).first(std::min(message.size(), header_bytes)), random);
 }
 
 void flip_bit(wire::CanFrame& frame, RandomStream& random) {

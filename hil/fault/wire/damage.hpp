@@ -18,6 +18,11 @@ using sensor::RandomStream;
 void flip_bit(Message& message, RandomStream& random);
 void flip_bit(wire::CanFrame& frame, RandomStream& random);  ///< flips a data bit
 
+/// The headers of UBX and PD0 have so many bytes, with the sync and the length. That of PD4 and PD5
+/// has four.
+inline constexpr std::size_t header_bytes = 6;
+void flip_header_bit(Message& message, RandomStream& random);
+
 /// Cuts a random part off the end, at least one byte.
 void truncate(Message& message, RandomStream& random);
 void truncate(wire::CanFrame& frame, RandomStream& random);

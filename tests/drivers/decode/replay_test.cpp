@@ -2,6 +2,8 @@
 
 #include <gmock/gmock.h>
 
+#include <fstream>
+
 #include "tests/drivers/decode/captured.hpp"
 
 namespace drydock::decode {
@@ -35,6 +37,17 @@ ReplayOptions options_for(const TemporaryFile& file) {
   return options;
 }
 
+Decoded run_replay_of_pd0(const std::string& stream) {
+  const TemporaryFile file(stream);
+  ReplayOptions options;
+  options.capture = file.path();
+  options.protocol = "pd0";
+  options.kind = "dvl";
+  options.format = "raw";
+  options.baud = 115'200;
+  return run_replay(options);
+}
+
 TEST(Replay, ACaptureGoesThroughTheDriverAndKeepsItsTimes) {
   const TemporaryFile file(log);
   const Decoded result = run_replay(options_for(file));
@@ -49,6 +62,20 @@ TEST(Replay, ACaptureGoesThroughTheDriverAndKeepsItsTimes) {
   EXPECT_TRUE(lines[0]["temperature_k"].is_null());
   EXPECT_THAT(result.err, HasSubstr("2 measurements"));
   EXPECT_THAT(result.err, HasSubstr("1 line or block not understood: 2"));
+}
+
+/// The first ensemble of the file claims 4096 bytes more than it has, and the file ends before
+/// them.
+TEST(Replay, TheEndOfAFileGivesTheEnsemblesBehindADamagedLength) {
+  std::ifstream golden(DRYDOCK_SOURCE_DIR "/fixtures/pd0/golden.pd0", std::ios::binary);
+  std::string stream{std::istreambuf_iterator<char>(golden), {}};
+  const auto whole = run_replay_of_pd0(stream);
+  ASSERT_GT(whole.lines().size(), 1u);
+  stream.at(3) = static_cast<char>(stream[3] ^ 0x10);
+  const auto damaged = run_replay_of_pd0(stream);
+  ASSERT_EQ(damaged.lines().size(), whole.lines().size() - 1);
+  for (std::size_t i = 0; i < damaged.lines().size(); ++i)
+    EXPECT_EQ(damaged.lines()[i], whole.lines()[i + 1]);
 }
 
 TEST(Replay, AtItsOwnPaceItGivesTheSameMeasurements) {

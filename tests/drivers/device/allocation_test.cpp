@@ -49,6 +49,17 @@ TEST(Allocation, NoneByTheEmLogDriver) {
             0U);
 }
 
+/// Each read brings an ensemble that claims 4096 bytes too many, and a good one.
+TEST(Allocation, NoneBehindDamagedLengths) {
+  const Octets golden =
+      read_all(std::filesystem::path(DRYDOCK_SOURCE_DIR) / "fixtures/pd0/golden.pd0");
+  const Octets ensemble(golden.begin(), golden.begin() + (golden.at(2) | golden.at(3) << 8) + 2);
+  Octets bytes = ensemble + ensemble;
+  bytes.at(3) = static_cast<std::uint8_t>(bytes[3] ^ 0x10);
+  EXPECT_EQ(allocations_of(Kind::dvl, "pd0", [&](Device& d, Stamp at) { d.receive(bytes, at); }),
+            0U);
+}
+
 TEST(Allocation, NoneByTheGnssDriver) {
   Octets pvt(92, 0), sat(8 + 12 * 40, 0);
   pvt[20] = 3, pvt[21] = 1;

@@ -46,6 +46,42 @@ TEST(Device, MeasurementsCarryDeviceAndProvenanceOfTheLink) {
   EXPECT_EQ(measurement::origin_of(desk.heard[0]).provenance, measurement::Provenance::replayed);
 }
 
+/// Flips bit 12 of the length: 4096 bytes more are claimed.
+Octets with_damaged_length(Octets ensemble) {
+  ensemble.at(3) = static_cast<std::uint8_t>(ensemble[3] ^ 0x10);
+  return ensemble;
+}
+
+Octets golden_ensemble() {
+  const Octets golden =
+      read_all(std::filesystem::path(DRYDOCK_SOURCE_DIR) / "fixtures/pd0/golden.pd0");
+  return {golden.begin(), golden.begin() + (golden.at(2) | golden.at(3) << 8) + 2};
+}
+
+TEST(Device, AnEnsembleBehindADamagedLengthIsNotLostWithTheLink) {
+  Desk desk;
+  const auto dvl = device(Kind::dvl, "pd0", desk);
+  dvl->receive(with_damaged_length(golden_ensemble()), at_s(1));
+  dvl->receive(golden_ensemble(), at_s(1.2));
+  EXPECT_TRUE(desk.heard.empty());
+  dvl->link_lost(at_s(1.3), "the port is gone");
+  ASSERT_EQ(desk.heard.size(), 1U);
+  EXPECT_EQ(measurement::origin_of(desk.heard[0]).received_at, at_s(1.2));
+  const Health health = dvl->health(at_s(1.4));
+  EXPECT_EQ(health.held_bytes, 0U);
+  EXPECT_EQ(health.stream.bytes_in, health.stream.bytes_good + health.stream.bytes_skipped);
+}
+
+TEST(Device, AnEnsembleBehindADamagedLengthIsNotLostWhenTheClockIsSet) {
+  Desk desk;
+  const auto dvl = device(Kind::dvl, "pd0", desk);
+  dvl->receive(with_damaged_length(golden_ensemble()), at_s(1));
+  dvl->receive(golden_ensemble(), at_s(1.2));
+  dvl->clock_stepped(std::chrono::hours{1}, at_s(3601.3));
+  ASSERT_EQ(desk.heard.size(), 1U);
+  EXPECT_EQ(measurement::origin_of(desk.heard[0]).received_at, at_s(1.2));
+}
+
 TEST(Device, OneLinePerChangeOfStateAndNoMore) {
   Desk desk;
   const auto log = device(Kind::emlog, "nmea0183", desk);

@@ -24,7 +24,7 @@ TEST(Rtcm3, TheStandardsExampleIsAFrame) {
   EXPECT_EQ(rtcm3::crc24q(Bytes{station}.first(22)), 0x360B98u);
   EXPECT_EQ(rtcm3::scan(station), Scan::frame(station.size()));
   for (std::size_t n = 1; n < station.size(); ++n) {
-    EXPECT_EQ(rtcm3::scan(Bytes{station}.first(n)), Scan::need_more()) << n;
+    EXPECT_EQ(rtcm3::scan(Bytes{station}.first(n)).kind, Scan::Kind::need_more) << n;
   }
 }
 

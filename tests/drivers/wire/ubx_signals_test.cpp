@@ -114,7 +114,7 @@ TEST(UbxSignals, ACountThatContradictsTheLengthIsRefused) {
 
 TEST(UbxSignals, TheLongestRawMessageFitsAndALongerClaimOfAnotherIsDamage) {
   const Buffer raw{0xB5, 0x62, 0x02, 0x15, 0xF0, 0x1F};  // 8176
-  EXPECT_EQ(Ubx::scan(raw), Scan::need_more());
+  EXPECT_EQ(Ubx::scan(raw), Scan::need_more(8176 + 8));
   const Buffer longer{0xB5, 0x62, 0x02, 0x15, 0xF1, 0x1F};
   EXPECT_EQ(Ubx::scan(longer), Scan::skip(1));
   const Buffer other{0xB5, 0x62, 0x01, 0x07, 0xF0, 0x1F};

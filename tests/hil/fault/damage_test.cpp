@@ -37,6 +37,24 @@ TEST(Damage, AFlipTurnsOverExactlyOneBitAnywhere) {
   EXPECT_LT(*std::ranges::max_element(hits), 145);
 }
 
+/// The six bytes of a UBX header: two of sync, class, ID, two of length.
+TEST(Damage, AFlippedHeaderHasOneOtherBitInItsFirstSixBytes) {
+  RandomStream random(1, "gnss", "flip-header");
+  const Message sound(16, 0x5A);
+  std::array<int, 48> hits{};
+  for (int i = 0; i < 4800; ++i) {
+    Message message = sound;
+    flip_header_bit(message, random);
+    ASSERT_EQ(bits_that_differ(message, sound), 1);
+    ASSERT_TRUE(std::equal(message.begin() + 6, message.end(), sound.begin() + 6));
+    for (std::size_t bit = 0; bit < hits.size(); ++bit)
+      hits[bit] += (message[bit / 8] ^ sound[bit / 8]) >> bit % 8 & 1;
+  }
+  // Expected: 100 at each place, standard deviation 10.
+  EXPECT_GT(*std::ranges::min_element(hits), 55);
+  EXPECT_LT(*std::ranges::max_element(hits), 145);
+}
+
 TEST(Damage, ATruncatedMessageIsAProperBeginningOfIt) {
   RandomStream random(1, "dvl", "truncate");
   for (int i = 0; i < 1000; ++i) {
@@ -54,6 +72,7 @@ TEST(Damage, OneByteIsCutToNothingAndNothingStaysNothing) {
   truncate(one, random);
   truncate(none, random);
   flip_bit(none, random);
+  flip_header_bit(none, random);
   break_checksum(none);
   EXPECT_TRUE(one.empty());
   EXPECT_TRUE(none.empty());

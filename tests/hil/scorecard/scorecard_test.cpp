@@ -63,14 +63,15 @@ TEST(Scorecard, NoDeviceWithAChecksumGivesAWrongNumberForDamagedBytes) {
   auto sound = rig;
   sound.faults.clear();
   const Reference reference(record_run(sound, short_window.run_s()));
-  for (const auto& pair :
-       pairs_of(rig, short_window, {"dvl", "emlog", "gnss"},
-                {"flip", "truncate", "bad-checksum", "garbage", "duplicate", "wrong-baud"})) {
+  for (const auto& pair : pairs_of(rig, short_window, {"dvl", "emlog", "gnss"},
+                                   {"flip", "flip-header", "truncate", "bad-checksum", "garbage",
+                                    "duplicate", "wrong-baud"})) {
     auto faulty = rig;
     faulty.faults = {pair.fault};
     const Score s =
         score_of(rig, short_window, pair, reference, record_run(faulty, short_window.run_s()));
     EXPECT_EQ(s.wrong, 0u) << s.device << " " << s.fault << ": " << s.example;
+    EXPECT_EQ(s.mistimed, 0u) << s.device << " " << s.fault;
     EXPECT_TRUE(s.recover_s) << s.device << " " << s.fault;
   }
 }
