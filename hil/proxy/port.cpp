@@ -96,7 +96,6 @@ typename Port<Link>::Run Port<Link>::use(std::unique_ptr<Link> opened) {
 }
 
 template <class Link>
-template <class Link>
 typename Port<Link>::Run Port<Link>::read_until_lost(Link& opened) {
   const auto end =
       co_await link::relay_until_lost<Link>(opened, std::bind_front(&Port::receive, this));

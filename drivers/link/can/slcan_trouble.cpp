@@ -12,15 +12,15 @@ namespace {
 constexpr std::array<std::string_view, 11> opening_commands{"S0", "S1", "S2", "S3", "S4", "S5",
                                                             "S6", "S7", "S8", "L",  "O"};
 constexpr int rates = 9;
-constexpr int no_answer = 100;
+constexpr int unanswered = 100;
 
-/// The value is the place of the command, from 1, and `no_answer` more if it was not answered.
+/// The value is the place of the command, from 1, and `unanswered` more if it was not answered.
 class SlcanCategory final : public ErrorWords {
  public:
   const char* name() const noexcept override { return "slcan"; }
   std::string message(int value) const override {
-    const std::string command(opening_commands.at(static_cast<std::size_t>(value % no_answer - 1)));
-    if (value > no_answer)
+    const std::string command(opening_commands.at(static_cast<std::size_t>(value % unanswered - 1)));
+    if (value > unanswered)
       return "no answer to " + command + " from the slcan adapter: unplug it and plug it in again";
     return "the slcan adapter refused " + command + reason(command);
   }
@@ -49,7 +49,7 @@ int place_of(std::string_view command) {
 ErrorCode slcan_refused(std::string_view command) { return {place_of(command), slcan_category()}; }
 
 ErrorCode slcan_unanswered(std::string_view command) {
-  return {no_answer + place_of(command), slcan_category()};
+  return {unanswered + place_of(command), slcan_category()};
 }
 
 bool is_refused_rate(const ErrorCode& error) {
