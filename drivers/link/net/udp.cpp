@@ -21,15 +21,17 @@ constexpr std::size_t longest_datagram = 65'535;
 
 class UdpLink final : public ByteLink {
  public:
-  /// The end that binds: `socket` is bound, and the other end has still to say where it is.
-  UdpLink(udp::socket socket, Side side, Provenance provenance)
+  /// `socket` is bound and waits for the other end to say where it is, or sends to this peer.
+  UdpLink(udp::socket socket, std::optional<udp::endpoint> peer, Side side, Provenance provenance)
       : socket_(std::move(socket)),
         host_(socket_.get_executor(), {}),
+        aims_(peer.has_value()),
         found_(socket_.get_executor(), nothing_to_find),
+        peer_(peer),
         side_(side),
         provenance_(provenance),
         datagram_(longest_datagram) {}
-  /// The end that sends to this address. It finds the host at its first read or write.
+  /// The end that sends to a host of this name. It finds it at its first read or write.
   UdpLink(const asio::any_io_executor& executor, const HostAndPort& to, unsigned interface,
           Side side, Provenance provenance)
       : socket_(executor),
@@ -121,11 +123,11 @@ Task<void> UdpLink::write(std::span<const std::uint8_t> bytes) {
   co_return boost::system::result<void>{};
 }
 
-OpenError cannot_listen(const Uri& uri, const ErrorCode& error) {
+OpenError cannot(const std::string& what, const Uri& uri, const ErrorCode& error) {
   std::string advice;
-  if (error == system_error(ENODEV))  // also where a group has no route
-    advice = " (no route leads to the group: name its network, as in interface=eth0)";
-  return {error, "cannot listen on " + uri.target + ": " + error.message() + advice};
+  if (error == system_error(ENODEV) || error == system_error(ENETUNREACH))
+    advice = " (no route leads there; name the network of a group, as in interface=eth0)";
+  return {error, "cannot " + what + " " + uri.target + ": " + error.message() + advice};
 }
 
 /// The kernel's index of the interface that the URI names; 0 if it names none.
@@ -151,14 +153,21 @@ OpenedBytes open_udp(const asio::any_io_executor& executor, const Uri& uri, Side
   const bool binds = (side == Side::driver) == uri.flag("listen");
   const auto interface = interface_of(uri);
   if (!interface) return interface.error();
-  if (!binds)
-    return std::make_unique<UdpLink>(executor, host_and_port(uri.target), *interface, side,
-                                     provenance);
+  const auto to = host_and_port(uri.target);
+  const auto number = address_in_numbers(to.host);
+  if (!binds && !number)
+    return std::make_unique<UdpLink>(executor, to, *interface, side, provenance);
+  udp::socket socket(executor);
+  if (!binds) {
+    const udp::endpoint peer(*number, to.port);
+    if (const auto error = aim_at(socket, peer, *interface)) return cannot("send to", uri, error);
+    return std::make_unique<UdpLink>(std::move(socket), peer, side, provenance);
+  }
   const auto endpoint = own_endpoint<udp>(uri);
   if (!endpoint) return endpoint.error();
-  udp::socket socket(executor);
-  if (const auto error = listen_on(socket, *endpoint, *interface)) return cannot_listen(uri, error);
-  return std::make_unique<UdpLink>(std::move(socket), side, provenance);
+  if (const auto error = listen_on(socket, *endpoint, *interface))
+    return cannot("listen on", uri, error);
+  return std::make_unique<UdpLink>(std::move(socket), std::nullopt, side, provenance);
 }
 
 }  // namespace drydock::link

@@ -97,6 +97,12 @@ TEST_F(Datagrams, AnInterfaceThatIsNotThereIsSaidInOneLine) {
         "are there)");
 }
 
+TEST_F(Datagrams, AnAddressThatNothingCanBeSentToIsRefusedAtOnce) {
+  EXPECT_EQ(refusal("udp:[ff02::4242]:4001?interface=lo", Side::driver),
+            "cannot send to [ff02::4242]:4001: Network is unreachable (no route leads there; name "
+            "the network of a group, as in interface=eth0)");
+}
+
 TEST_F(Datagrams, AnInterfaceIsOnlyForAGroup) {
   EXPECT_EQ(refusal("udp:127.0.0.1:4001?listen=1&interface=lo", Side::driver),
             "cannot use 127.0.0.1:4001 with interface=lo: only a multicast group (224.0.0.0 to "
