@@ -123,7 +123,7 @@ constexpr std::array<Form, 10> forms{{
      "host:port, port 1 to 65535",
      "udp:0.0.0.0:10110?listen=1",
      is_host_and_port,
-     {listen, emulated}},
+     {listen, interface, emulated}},
     {Scheme::file,
      "file",
      "a path",

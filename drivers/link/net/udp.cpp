@@ -1,5 +1,7 @@
 #include "drivers/link/net/udp.hpp"
 
+#include <net/if.h>
+
 #include <algorithm>
 #include <boost/asio/buffer.hpp>
 #include <boost/asio/ip/udp.hpp>
@@ -8,6 +10,7 @@
 
 #include "drivers/link/net/endpoint.hpp"
 #include "drivers/link/net/first_use.hpp"
+#include "drivers/link/net/udp_socket.hpp"
 
 namespace drydock::link {
 namespace {
@@ -16,32 +19,26 @@ using asio::ip::udp;
 
 constexpr std::size_t longest_datagram = 65'535;
 
-/// Connects the socket, so that the kernel reports when nobody is there.
-boost::system::error_code aim(udp::socket& socket, const udp::endpoint& endpoint) {
-  boost::system::error_code error;
-  if (socket.is_open()) socket.close(error);
-  socket.open(endpoint.protocol(), error);
-  if (!error) socket.connect(endpoint, error);
-  if (!error) socket.send(asio::const_buffer{}, 0, error);
-  return error;
-}
-
 class UdpLink final : public ByteLink {
  public:
-  /// The end that binds: `socket` is bound, and the other end has still to say where it is.
-  UdpLink(udp::socket socket, Side side, Provenance provenance)
+  /// `socket` is bound and waits for the other end to say where it is, or sends to this peer.
+  UdpLink(udp::socket socket, std::optional<udp::endpoint> peer, Side side, Provenance provenance)
       : socket_(std::move(socket)),
         host_(socket_.get_executor(), {}),
+        aims_(peer.has_value()),
         found_(socket_.get_executor(), nothing_to_find),
+        peer_(peer),
         side_(side),
         provenance_(provenance),
         datagram_(longest_datagram) {}
-  /// The end that sends to this address. It finds the host at its first read or write.
-  UdpLink(const asio::any_io_executor& executor, const HostAndPort& to, Side side,
-          Provenance provenance)
+  /// The end that sends to a host of this name. It finds it at its first read or write.
+  UdpLink(const asio::any_io_executor& executor, const HostAndPort& to, unsigned interface,
+          Side side, Provenance provenance)
       : socket_(executor),
         host_(executor, to.host),
         port_(to.port),
+        interface_(interface),
+        aims_(true),
         found_(executor, [this] { return find(); }),
         side_(side),
         provenance_(provenance),
@@ -77,6 +74,8 @@ class UdpLink final : public ByteLink {
   udp::socket socket_;
   Host host_;
   std::uint16_t port_ = 0;
+  unsigned interface_ = 0;  ///< the kernel's index; 0: any
+  bool aims_ = false;       ///< it sends to its address, whoever writes to it
   FirstUse found_;
   std::optional<udp::endpoint> peer_;  ///< empty until the other end is known
   Side side_;
@@ -93,7 +92,7 @@ asio::awaitable<ErrorCode> UdpLink::find() {
   ErrorCode error;
   for (const auto& address : *addresses) {
     const udp::endpoint endpoint(address, port_);
-    error = aim(socket_, endpoint);
+    error = aim_at(socket_, endpoint, interface_);
     if (error) continue;
     peer_ = endpoint;
     break;
@@ -109,7 +108,7 @@ Task<ReceivedBytes> UdpLink::read(std::span<std::uint8_t> into) {
         co_await socket_.async_receive_from(asio::buffer(datagram_), sender, as_outcome);
     if (error && is_absence(error)) continue;
     if (error) co_return error;
-    peer_ = sender;
+    if (!aims_) peer_ = sender;
     begin_ = 0;
     end_ = size;
     received_at_ = now();
@@ -130,22 +129,51 @@ Task<void> UdpLink::write(std::span<const std::uint8_t> bytes) {
   co_return boost::system::result<void>{};
 }
 
+OpenError cannot(const std::string& what, const Uri& uri, const ErrorCode& error) {
+  std::string advice;
+  if (error == system_error(ENODEV) || error == system_error(ENETUNREACH))
+    advice = " (no route leads there; name the network of a group, as in interface=eth0)";
+  return {error, "cannot " + what + " " + uri.target + ": " + error.message() + advice};
+}
+
+/// The kernel's index of the interface that the URI names; 0 if it names none.
+boost::system::result<unsigned, OpenError> interface_of(const Uri& uri) {
+  const std::string name(uri.text_of("interface"));
+  if (name.empty()) return 0U;
+  const auto address = address_in_numbers(host_and_port(uri.target).host);
+  if (address && !address->is_multicast())
+    return OpenError{
+        asio::error::invalid_argument,
+        "cannot use " + uri.target + " with interface=" + name +
+            ": only a multicast group (224.0.0.0 to 239.255.255.255, ff00::/8) has one"};
+  if (const unsigned index = ::if_nametoindex(name.c_str()); index != 0) return index;
+  return OpenError{system_error(ENODEV), "cannot use " + uri.target + ": there is no interface " +
+                                             name + " (ip link shows those that are there)"};
+}
+
 }  // namespace
 
 OpenedBytes open_udp(const asio::any_io_executor& executor, const Uri& uri, Side side) {
   const bool emulated = uri.emulated() || side == Side::device;
   const auto provenance = emulated ? Provenance::emulated : Provenance::real;
   const bool binds = (side == Side::driver) == uri.flag("listen");
-  if (!binds)
-    return std::make_unique<UdpLink>(executor, host_and_port(uri.target), side, provenance);
+  const auto interface = interface_of(uri);
+  if (!interface) return interface.error();
+  const auto to = host_and_port(uri.target);
+  const auto number = address_in_numbers(to.host);
+  if (!binds && !number)
+    return std::make_unique<UdpLink>(executor, to, *interface, side, provenance);
+  udp::socket socket(executor);
+  if (!binds) {
+    const udp::endpoint peer(*number, to.port);
+    if (const auto error = aim_at(socket, peer, *interface)) return cannot("send to", uri, error);
+    return std::make_unique<UdpLink>(std::move(socket), peer, side, provenance);
+  }
   const auto endpoint = own_endpoint<udp>(uri);
   if (!endpoint) return endpoint.error();
-  udp::socket socket(executor);
-  boost::system::error_code error;
-  socket.open(endpoint->protocol(), error);
-  if (!error) socket.bind(*endpoint, error);
-  if (error) return OpenError{error, "cannot listen on " + uri.target + ": " + error.message()};
-  return std::make_unique<UdpLink>(std::move(socket), side, provenance);
+  if (const auto error = listen_on(socket, *endpoint, *interface))
+    return cannot("listen on", uri, error);
+  return std::make_unique<UdpLink>(std::move(socket), std::nullopt, side, provenance);
 }
 
 }  // namespace drydock::link

@@ -70,7 +70,10 @@ Runner::Coroutine LineRunner::hear() {
   const auto line = line_;
   co_await link::read_until_lost<link::ByteLink>(*line,
                                                  std::bind_front(&LineRunner::receive, this));
-  if (line_ == line) lose_line();  // lost without a fault
+  if (line_ != line) co_return;  // a fault took it
+  lose_line();
+  const Stamp now = link::steady_now();
+  if (!stopped_) co_await port_->wait_until(now + port_patience, now);
 }
 
 void LineRunner::receive(wire::Bytes bytes, Stamp) {
