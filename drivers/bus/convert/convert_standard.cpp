@@ -34,9 +34,11 @@ void set_twist(TwistMessage& message, const std::array<std::optional<double>, 3>
   }
 }
 
-/// Of three components that have one sigma, m/s, and do not depend on each other.
+/// Of three components that have one sigma, m/s, and do not depend on each other. None is exact: a
+/// sigma of 0 is not known.
 Eigen::Matrix3d covariance_of(const std::optional<double>& sigma) {
-  return (sigma ? *sigma * *sigma : unknown_variance) * Eigen::Matrix3d::Identity();
+  const bool known = sigma && *sigma > 0;
+  return (known ? *sigma * *sigma : unknown_variance) * Eigen::Matrix3d::Identity();
 }
 
 /// In the body (FRD). A figure of merit is taken as the sigma of each component: that of Water

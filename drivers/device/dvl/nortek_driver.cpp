@@ -35,7 +35,7 @@ void NortekDriver::publish(const wire::NortekVelocity& sentence, Origin origin, 
   if (x && y && z) result.velocity = mounting_.to_body({*x, *y, *z});
   result.range_m = sentence.distance_m;
   result.sound_speed_mps = sentence.sound_speed_mps;
-  if (result.velocity) result.figure_of_merit_mps = sentence.figure_of_merit_mps;
+  if (result.velocity) result.figure_of_merit_mps = merit_of(sentence.figure_of_merit_mps);
   add_sigma_of_rig(result, sigma_mps_);
   out.publish(result);
 }

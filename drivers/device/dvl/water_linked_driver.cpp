@@ -89,7 +89,7 @@ measurement::BottomVelocity WaterLinkedDriver::sample_of(const water_linked::Rep
   result.origin = origin;
   const auto& [x, y, z] = report.velocity_mps;
   if (x && y && z && dialogue_.settings_hold()) result.velocity = mounting_.to_body({*x, *y, *z});
-  if (result.velocity) result.figure_of_merit_mps = report.figure_of_merit_mps;
+  if (result.velocity) result.figure_of_merit_mps = merit_of(report.figure_of_merit_mps);
   result.altitude_m = altitude_m;
   return result;
 }

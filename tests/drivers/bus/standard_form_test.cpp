@@ -152,6 +152,9 @@ TEST(BusConversion, NoTwistSaysThatAVelocityIsExact) {
   fix.velocity_ned = Eigen::Vector3d(1, 2, 3);
   ASSERT_TRUE(fill(message, fix));
   EXPECT_EQ(message.twist.covariance[14], 1e6);
+  fix.speed_accuracy_mps = 0;
+  ASSERT_TRUE(fill(message, fix));
+  EXPECT_EQ(message.twist.covariance[14], 1e6);
 }
 
 /// sensor_msgs/NavSatStatus: -1 no fix, 0 unaugmented, 1 satellite-based, 2 ground-based.

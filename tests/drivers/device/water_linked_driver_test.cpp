@@ -66,6 +66,15 @@ TEST(WaterLinkedDriver, VariancesOfZeroAreNoCovariance) {
   EXPECT_EQ(m.figure_of_merit_mps, 0.003);
 }
 
+TEST(WaterLinkedDriver, AMeritOfZeroIsNoneAndLeavesTheRigsSigma) {
+  DriverOptions o = options(Kind::dvl, "water-linked");
+  o.velocity_sigma_mps = 0.5;
+  const auto bytes = line("wrz," + locked + ",0.000,0;0;0;0;0;0;0;0;0," + times + ",83.40,0");
+  const auto m = heard(bytes, o).at(0);
+  EXPECT_FALSE(m.figure_of_merit_mps);
+  EXPECT_EQ(m.velocity_covariance, Eigen::Matrix3d(0.25 * Eigen::Matrix3d::Identity()));
+}
+
 TEST(WaterLinkedDriver, NoLockIsNoVelocityButALivingDvl) {
   const auto m = heard(wrz(lost, times)).at(0);
   EXPECT_FALSE(m.velocity);
