@@ -77,6 +77,7 @@ struct DeviceConfig {
   AceinnaConfig aceinna;
   XsensConfig xsens;
   PressureConfig pressure;
+  std::optional<double> velocity_sigma_mps;       ///< kind dvl, emlog: if the sensor tells none
   DvlMaker maker = DvlMaker::teledyne;            ///< kind dvl, PD4 and PD6
   std::optional<double> beam_angle_rad;           ///< kind dvl, PD4 and PD5 in beam coordinates
   std::optional<WaterLinkedConfig> water_linked;  ///< kind dvl, Water Linked serial

@@ -72,9 +72,10 @@ struct DriverOptions {
   AceinnaSettings aceinna;
   CanopenOptions canopen;
   wire::xsens::Identifiers xsens_identifiers;
-  measurement::WaterColumn water;  ///< kind depth
-  PressureOptions pressure;        ///< protocol cia404-pressure
-  DvlOptions dvl;                  ///< kind dvl
+  measurement::WaterColumn water;            ///< kind depth
+  PressureOptions pressure;                  ///< protocol cia404-pressure
+  DvlOptions dvl;                            ///< kind dvl
+  std::optional<double> velocity_sigma_mps;  ///< kind dvl, emlog: if the sensor does not say it
 };
 
 }  // namespace drydock::device

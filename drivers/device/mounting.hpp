@@ -21,6 +21,10 @@ class Mounting {
     return sensor_to_body_ * in_sensor_axes;
   }
 
+  Eigen::Matrix3d covariance_to_body(const Eigen::Matrix3d& in_sensor_axes) const {
+    return sensor_to_body_ * in_sensor_axes * sensor_to_body_.transpose();
+  }
+
   bool is_identity() const { return sensor_to_body_.isIdentity(0); }
 
  private:

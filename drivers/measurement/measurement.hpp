@@ -55,6 +55,9 @@ struct BottomVelocity {
   std::array<std::optional<double>, 4> range_m;            ///< per beam, vertical component
   std::optional<double> heading_rad, pitch_rad, roll_rad;  ///< the DVL's own attitude sensors
   std::optional<double> sound_speed_mps;
+  /// (m/s)2, body: as the DVL says, else from the rig's sigma. Error velocity is no accuracy.
+  std::optional<Eigen::Matrix3d> velocity_covariance;
+  std::optional<double> figure_of_merit_mps;  ///< accuracy of the velocity, as the DVL states it
 };
 
 /// EM log: speed through the water. It never contains speed over ground.
@@ -63,6 +66,7 @@ struct WaterSpeed {
   std::optional<double> longitudinal_mps;  ///< body x, positive ahead
   std::optional<double> transverse_mps;    ///< body y, positive to starboard
   std::optional<double> distance_m;        ///< total distance through the water
+  std::optional<double> sigma_mps;         ///< of each speed, from the rig: no log tells it
 };
 
 struct Geodetic {
@@ -71,6 +75,15 @@ struct Geodetic {
 };
 
 enum class FixType : std::uint8_t { none, dead_reckoning, two_d, three_d, gnss_and_dr, time_only };
+
+/// What makes a position better or worse than that of satellites alone.
+enum class FixQuality : std::uint8_t {
+  autonomous,
+  differential,
+  rtk_float,
+  rtk_fixed,
+  dead_reckoning
+};
 
 struct GnssFix {
   Origin origin;
@@ -84,6 +97,7 @@ struct GnssFix {
   std::optional<int> satellites_used;
   /// Over ground. Receivers without a vertical velocity (NMEA 0183) give only these.
   std::optional<double> ground_speed_mps, course_rad;
+  std::optional<FixQuality> quality;  ///< empty without a fix, or if the receiver does not tell it
 };
 
 enum class Constellation : std::uint8_t { gps, sbas, galileo, beidou, imes, qzss, glonass, navic };

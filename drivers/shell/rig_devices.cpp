@@ -40,6 +40,7 @@ device::DriverOptions driver_options(const DeviceConfig& config, std::size_t ind
   if (config.sync) options.canopen.sync_period = measurement::from_seconds(1 / config.rate_hz);
   options.water = {config.surface_pressure_pa, config.water_density_kgm3,
                    config.unesco_latitude_rad};
+  options.velocity_sigma_mps = config.velocity_sigma_mps;
   options.dvl.maker = config.maker;
   options.dvl.beam_angle_rad = config.beam_angle_rad;
   if (const auto& water_linked = config.water_linked) {

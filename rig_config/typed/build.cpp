@@ -94,6 +94,7 @@ DeviceConfig build_device(const Node& table, const std::string& rig_file) {
   std::string maker;
   read(table, "maker", maker);
   if (maker == "water-linked") device.maker = DvlMaker::water_linked;
+  device.velocity_sigma_mps = read_if(table, "velocity_sigma_mps", 1);
   device.beam_angle_rad = read_if(table, "beam_angle_deg", units::degree);
   if (const Node* water_linked = table.find("water_linked")) {
     device.water_linked = build_water_linked(*water_linked);

@@ -124,6 +124,23 @@ TEST(RigProblems, WhatOnlySomeDvlProtocolsNeedIsRefusedElsewhere) {
                   "\"water-linked\""));
 }
 
+TEST(RigProblems, ASigmaOfVelocityIsOnlyForWhatMeasuresOne) {
+  EXPECT_THAT(
+      problems_of_text("[rig]\nname = \"r\"\n[[device]]\nname = \"a\"\nkind = \"gnss\"\n"
+                       "protocol = \"ubx\"\nlink = \"pty:a\"\nvelocity_sigma_mps = 0.1\n"),
+      ElementsAre("r.toml:8:1: /device/0/velocity_sigma_mps: not allowed here, only for kind = "
+                  "\"dvl\" or \"emlog\""));
+}
+
+TEST(Rig, ASigmaOfVelocity) {
+  const auto rig = load_rig_text(
+      "[rig]\nname = \"r\"\n"
+      "[[device]]\nname = \"a\"\nkind = \"emlog\"\nprotocol = \"nmea0183\"\nlink = \"pty:a\"\n"
+      "velocity_sigma_mps = 0.05\n",
+      "r.toml");
+  EXPECT_EQ(rig.value().devices[0].velocity_sigma_mps, 0.05);
+}
+
 TEST(Rig, ADvlsMakerBeamAngleAndSettings) {
   const auto rig = load_rig_text(
       "[rig]\nname = \"r\"\n"

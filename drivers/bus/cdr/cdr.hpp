@@ -4,12 +4,23 @@
 
 #include <array>
 #include <cstdint>
+#include <cstring>
+#include <limits>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "drivers/bus/message_types.hpp"
 
 namespace drydock::bus {
+
+/// The bytes of so many doubles that are NaN.
+inline std::vector<std::uint8_t> not_given_doubles(std::size_t count) {
+  const std::vector<double> none(count, std::numeric_limits<double>::quiet_NaN());
+  std::vector<std::uint8_t> bytes(count * sizeof(double));
+  std::memcpy(bytes.data(), none.data(), bytes.size());
+  return bytes;
+}
 
 /// Encodes messages as the bytes that DDS would send: encapsulation header 00 01 00 00 (plain CDR,
 /// little endian), then XCDR1. It keeps its memory: it allocates no more once it has seen the
@@ -40,8 +51,19 @@ class CdrEncoder {
   std::vector<std::uint8_t> bytes_;
 };
 
-/// Decodes messages from such bytes, wherever the bytes come from. It keeps its memory for the next
-/// message.
+/// The fields that a type got at its end in a later version, with the values of "not given". Older
+/// recordings have messages without them.
+template <class Message>
+inline const std::vector<std::uint8_t> later_fields{};
+template <>
+inline const std::vector<std::uint8_t> later_fields<BottomTrackMessage> = not_given_doubles(10);
+template <>
+inline const std::vector<std::uint8_t> later_fields<WaterSpeedMessage> = not_given_doubles(1);
+template <>
+inline const std::vector<std::uint8_t> later_fields<GnssFixMessage>{0};
+
+/// Decodes messages from such bytes, wherever the bytes come from, also those of older versions. It
+/// keeps its memory for the next message.
 template <class Message>
 class CdrDecoder {
  public:
@@ -52,24 +74,39 @@ class CdrDecoder {
 
   /// Null if the bytes are not plain CDR, little endian, of this type. Valid until the next call.
   const Message* decode(std::span<const std::uint8_t> cdr) {
-    constexpr std::uint32_t xcdr1 = 1;
     constexpr std::size_t header = 4;
     if (cdr.size() <= header || cdr[0] != 0 || cdr[1] != 1) return nullptr;
     bytes_.assign(cdr.begin() + header, cdr.end());
-    const auto size = static_cast<std::uint32_t>(bytes_.size());
-    const auto* operations = message_type<Message>.descriptor->m_ops;
-    std::uint32_t checked = 0;
-    // Cyclone reads only what this call has checked: lengths, ends of strings, enumerators.
-    if (dds_stream_normalize_data(reinterpret_cast<char*>(bytes_.data()), &checked, size, false,
-                                  xcdr1, operations) == nullptr)
-      return nullptr;
+    if (!checked_size() && !sound_with_later_fields()) return nullptr;
     dds_istream_t stream;
-    dds_istream_init(&stream, size, bytes_.data(), xcdr1);
-    dds_stream_read(&stream, reinterpret_cast<char*>(&message_), operations);
+    dds_istream_init(&stream, static_cast<std::uint32_t>(bytes_.size()), bytes_.data(), xcdr1);
+    dds_stream_read(&stream, reinterpret_cast<char*>(&message_),
+                    message_type<Message>.descriptor->m_ops);
     return &message_;
   }
 
  private:
+  static constexpr std::uint32_t xcdr1 = 1;
+
+  /// The bytes that the message takes; empty if they are none. Cyclone reads only what this has
+  /// checked: lengths, ends of strings, enumerators.
+  std::optional<std::size_t> checked_size() {
+    std::uint32_t checked = 0;
+    if (dds_stream_normalize_data(reinterpret_cast<char*>(bytes_.data()), &checked,
+                                  static_cast<std::uint32_t>(bytes_.size()), false, xcdr1,
+                                  message_type<Message>.descriptor->m_ops) == nullptr)
+      return {};
+    return checked;
+  }
+
+  /// True if the bytes are those of an older version: then they now have the later fields too.
+  bool sound_with_later_fields() {
+    const auto& later = later_fields<Message>;
+    if (later.empty()) return false;
+    bytes_.insert(bytes_.end(), later.begin(), later.end());
+    return checked_size() == bytes_.size();
+  }
+
   Message message_{};
   std::vector<std::uint8_t> bytes_;
 };

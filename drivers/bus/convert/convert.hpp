@@ -20,8 +20,9 @@ using namespace measurement;
 
 inline constexpr double not_available = std::numeric_limits<double>::quiet_NaN();
 
-/// This yaw variance, rad2, means "yaw is not known": ROS messages have no flag for it.
-inline constexpr double unknown_yaw_variance = 1e6;
+/// This variance, in the unit of its quantity squared, means that the accuracy is not known: the
+/// messages of geometry_msgs have no flag for it, and 0 would say that the value is exact.
+inline constexpr double unknown_variance = 1e6;
 
 TimeMessage to_time(Stamp stamp);
 Stamp to_stamp(const TimeMessage& time);
@@ -34,6 +35,11 @@ std::optional<Eigen::Vector3d> to_optional(const Vector3Message& v);
 inline double or_nan(std::optional<double> value) { return value.value_or(not_available); }
 inline std::optional<double> to_optional(double value) {
   return std::isfinite(value) ? std::optional(value) : std::nullopt;
+}
+
+template <class Matrix>
+void put_by_rows(double (&to)[9], const Matrix& matrix) {
+  Eigen::Map<Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>{to} = matrix;
 }
 
 /// FRD <-> FLU: a half turn about x. It is exact and its own inverse.

@@ -42,7 +42,7 @@ bool fill(ImuMessage& message, const Attitude& attitude) {
   covariance[1] = -attitude.covariance(0, 1);
   covariance[3] = -attitude.covariance(1, 0);
   covariance[4] = attitude.covariance(1, 1);
-  covariance[8] = attitude.yaw_rad ? 0 : unknown_yaw_variance;
+  covariance[8] = attitude.yaw_rad ? 0 : unknown_variance;
   message.angular_velocity_covariance[0] = -1;
   message.linear_acceleration_covariance[0] = -1;
   return true;
@@ -57,7 +57,7 @@ bool read(Attitude& attitude, const ImuMessage& message) {
   attitude.roll_rad = std::atan2(r(2, 1), r(2, 2));
   attitude.pitch_rad = std::atan2(r(2, 0), std::hypot(r(2, 1), r(2, 2)));
   const auto& covariance = message.orientation_covariance;
-  if (covariance[8] < unknown_yaw_variance) {
+  if (covariance[8] < unknown_variance) {
     attitude.yaw_rad = yaw_in_turn(quarter_turn - std::atan2(r(1, 0), r(0, 0)));
   }
   attitude.covariance << covariance[0], -covariance[1], -covariance[3], covariance[4];

@@ -22,6 +22,17 @@ Vector3Message vector_or_nan(const std::optional<Eigen::Vector3d>& v) {
   return to_vector3(v.value_or(Eigen::Vector3d::Constant(not_available)));
 }
 
+std::optional<Eigen::Matrix3d> to_optional_matrix(const double (&by_rows)[9]) {
+  const Eigen::Matrix3d matrix =
+      Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(by_rows);
+  return matrix.allFinite() ? std::optional(matrix) : std::nullopt;
+}
+
+/// 0 is "not told".
+std::uint8_t to_number(const std::optional<FixQuality>& quality) {
+  return quality ? static_cast<std::uint8_t>(static_cast<std::uint8_t>(*quality) + 1) : 0;
+}
+
 std::optional<std::chrono::nanoseconds> since_epoch(std::optional<Stamp> stamp) {
   return stamp ? std::optional(stamp->time_since_epoch()) : std::nullopt;
 }
@@ -56,6 +67,9 @@ bool fill(BottomTrackMessage& message, const BottomVelocity& sample) {
   message.pitch = or_nan(sample.pitch_rad);
   message.roll = or_nan(sample.roll_rad);
   message.sound_speed = or_nan(sample.sound_speed_mps);
+  put_by_rows(message.velocity_covariance,
+              sample.velocity_covariance.value_or(Eigen::Matrix3d::Constant(not_available)));
+  message.figure_of_merit = or_nan(sample.figure_of_merit_mps);
   return true;
 }
 
@@ -70,6 +84,8 @@ bool read(BottomVelocity& sample, const BottomTrackMessage& message) {
   sample.pitch_rad = to_optional(message.pitch);
   sample.roll_rad = to_optional(message.roll);
   sample.sound_speed_mps = to_optional(message.sound_speed);
+  sample.velocity_covariance = to_optional_matrix(message.velocity_covariance);
+  sample.figure_of_merit_mps = to_optional(message.figure_of_merit);
   return true;
 }
 
@@ -78,6 +94,7 @@ bool fill(WaterSpeedMessage& message, const WaterSpeed& sample) {
   message.longitudinal = or_nan(sample.longitudinal_mps);
   message.transverse = or_nan(sample.transverse_mps);
   message.distance = or_nan(sample.distance_m);
+  message.sigma = or_nan(sample.sigma_mps);
   return true;
 }
 
@@ -86,6 +103,7 @@ bool read(WaterSpeed& sample, const WaterSpeedMessage& message) {
   sample.longitudinal_mps = to_optional(message.longitudinal);
   sample.transverse_mps = to_optional(message.transverse);
   sample.distance_m = to_optional(message.distance);
+  sample.sigma_mps = to_optional(message.sigma);
   return true;
 }
 
@@ -105,11 +123,13 @@ bool fill(GnssFixMessage& message, const GnssFix& sample) {
   message.satellites_used = sample.satellites_used.value_or(-1);
   message.ground_speed = or_nan(sample.ground_speed_mps);
   message.course = or_nan(sample.course_rad);
+  message.quality = to_number(sample.quality);
   return true;
 }
 
 bool read(GnssFix& sample, const GnssFixMessage& message) {
   if (message.fix_type > static_cast<std::uint8_t>(FixType::time_only)) return false;
+  if (message.quality > to_number(FixQuality::dead_reckoning)) return false;
   read_origin(sample.origin, message);
   sample.type = static_cast<FixType>(message.fix_type);
   if (const auto utc = to_nanoseconds(message.utc)) sample.utc = Stamp{*utc};
@@ -126,6 +146,7 @@ bool read(GnssFix& sample, const GnssFixMessage& message) {
   if (message.satellites_used >= 0) sample.satellites_used = message.satellites_used;
   sample.ground_speed_mps = to_optional(message.ground_speed);
   sample.course_rad = to_optional(message.course);
+  if (message.quality > 0) sample.quality = static_cast<FixQuality>(message.quality - 1);
   return true;
 }
 

@@ -8,7 +8,8 @@ namespace {
 
 constexpr double celsius_zero_k = 273.15;
 
-enum NavSatStatus : std::int8_t { no_fix = -1, fix = 0 };
+/// sensor_msgs/NavSatStatus.
+enum NavSatStatus : std::int8_t { no_fix = -1, fix = 0, sbas_fix = 1, gbas_fix = 2 };
 enum CovarianceType : std::uint8_t { unknown = 0, approximated = 1 };
 constexpr std::uint8_t mode_bottom = 1;
 constexpr std::ptrdiff_t fewest_beams_for_velocity = 3;
@@ -18,7 +19,7 @@ constexpr double not_measured = -1;  ///< variance that means so in every messag
 /// A component that was not measured is 0 with variance -1. robot_localization rotates the whole
 /// vector before it selects components, so a NaN would destroy the measured components.
 void set_twist(TwistMessage& message, const std::array<std::optional<double>, 3>& linear,
-               double variance) {
+               const Eigen::Matrix3d& covariance) {
   std::ranges::fill(message.twist.covariance, 0.0);
   for (int i = 0; i < 6; ++i) message.twist.covariance[i * 7] = not_measured;
   message.twist.twist = {};
@@ -27,8 +28,35 @@ void set_twist(TwistMessage& message, const std::array<std::optional<double>, 3>
   for (std::size_t i = 0; i < 3; ++i) {
     if (!linear[i]) continue;
     *components[i] = *linear[i];
-    message.twist.covariance[i * 7] = variance;
+    for (std::size_t j = 0; j < 3; ++j)
+      if (linear[j])
+        message.twist.covariance[i * 6 + j] = covariance(Eigen::Index(i), Eigen::Index(j));
   }
+}
+
+/// Of three components that have one sigma, m/s, and do not depend on each other. None is exact: a
+/// sigma of 0 is not known.
+Eigen::Matrix3d covariance_of(const std::optional<double>& sigma) {
+  const bool known = sigma && *sigma > 0;
+  return (known ? *sigma * *sigma : unknown_variance) * Eigen::Matrix3d::Identity();
+}
+
+/// In the body (FRD). A figure of merit is taken as the sigma of each component: that of Water
+/// Linked is the root of the covariance's largest eigenvalue, Nortek's a standard deviation.
+std::optional<Eigen::Matrix3d> covariance_of(const BottomVelocity& sample) {
+  if (sample.velocity_covariance) return sample.velocity_covariance;
+  if (!sample.figure_of_merit_mps) return {};
+  return covariance_of(sample.figure_of_merit_mps);
+}
+
+/// A receiver does not say whether its corrections come from a satellite or from a base. As ROS's
+/// nmea_navsat_driver does for GGA, differential is SBAS, and RTK, which needs a base, is GBAS.
+NavSatStatus status_of(const GnssFix& sample) {
+  if (!sample.position) return no_fix;
+  if (sample.quality == FixQuality::differential) return sbas_fix;
+  const bool rtk =
+      sample.quality == FixQuality::rtk_float || sample.quality == FixQuality::rtk_fixed;
+  return rtk ? gbas_fix : fix;
 }
 
 std::array<std::optional<double>, 3> components(const Eigen::Vector3d& v) {
@@ -73,7 +101,9 @@ bool fill(DvlMessage& message, const BottomVelocity& sample) {
   message.velocity_mode = mode_bottom;
   const auto v = sample.velocity.value_or(Eigen::Vector3d::Constant(not_available));
   message.velocity = to_vector3(v);
-  std::ranges::fill(message.velocity_covar, not_measured);
+  std::ranges::fill(message.velocity_covar, not_measured);  // the definition's "not known"
+  if (const auto covariance = sample.velocity ? covariance_of(sample) : std::nullopt)
+    put_by_rows(message.velocity_covar, *covariance);
   message.altitude = or_nan(sample.altitude_m);
   message.course_gnd = std::atan2(v.y(), v.x());
   message.speed_gnd = std::hypot(v.x(), v.y());
@@ -108,14 +138,17 @@ bool read(BottomVelocity& sample, const DvlMessage& message) {
 bool fill(TwistMessage& message, const BottomVelocity& sample) {
   if (!sample.velocity) return false;
   message.header.stamp = to_time(sample.origin.valid_at);
-  set_twist(message, components(half_turn_about_x(*sample.velocity)), 0);
+  const Eigen::DiagonalMatrix<double, 3> turn(1, -1, -1);
+  set_twist(message, components(half_turn_about_x(*sample.velocity)),
+            turn * covariance_of(sample).value_or(covariance_of(std::nullopt)) * turn);
   return true;
 }
 
 bool fill(TwistMessage& message, const WaterSpeed& sample) {
   if (!sample.longitudinal_mps && !sample.transverse_mps) return false;
   message.header.stamp = to_time(sample.origin.valid_at);
-  set_twist(message, {sample.longitudinal_mps, negated(sample.transverse_mps), std::nullopt}, 0);
+  set_twist(message, {sample.longitudinal_mps, negated(sample.transverse_mps), std::nullopt},
+            covariance_of(sample.sigma_mps));
   return true;
 }
 
@@ -131,14 +164,13 @@ bool fill(TwistMessage& message, const GnssFix& sample) {
   const auto velocity = velocity_enu(sample);
   if (!velocity[0]) return false;
   message.header.stamp = to_time(sample.origin.valid_at);
-  const double sigma = sample.speed_accuracy_mps.value_or(0);
-  set_twist(message, velocity, sigma * sigma);
+  set_twist(message, velocity, covariance_of(sample.speed_accuracy_mps));
   return true;
 }
 
 bool fill(NavSatFixMessage& message, const GnssFix& sample) {
   message.header.stamp = to_time(sample.origin.valid_at);
-  message.status = {sample.position ? fix : no_fix, 0};
+  message.status = {status_of(sample), 0};
   message.latitude = message.longitude = not_available;
   if (sample.position) {
     message.latitude = sample.position->latitude_rad * units::degrees_per_radian;

@@ -1,5 +1,6 @@
 #include "drivers/device/dvl/dvl_driver.hpp"
 
+#include "drivers/device/dvl/velocity_accuracy.hpp"
 #include "drivers/wire/dvl/pd0_velocity.hpp"
 
 namespace drydock::device {
@@ -33,6 +34,7 @@ void DvlDriver::on(const wire::Pd0Ensemble& ensemble, const Origin& origin, Outp
   result.pitch_rad = leader.pitch_rad;
   result.roll_rad = leader.roll_rad;
   result.sound_speed_mps = leader.sound_speed_mps;
+  add_sigma_of_rig(result, solution_.sigma_mps());
   out.publish(result);
 }
 

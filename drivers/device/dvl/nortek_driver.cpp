@@ -1,5 +1,7 @@
 #include "drivers/device/dvl/nortek_driver.hpp"
 
+#include "drivers/device/dvl/velocity_accuracy.hpp"
+
 namespace drydock::device {
 
 namespace {
@@ -39,6 +41,8 @@ void NortekDriver::publish(const wire::NortekVelocity& sentence, Origin origin, 
   if (x && y && z) result.velocity = mounting_.to_body({*x, *y, *z});
   result.range_m = sentence.distance_m;
   result.sound_speed_mps = sentence.sound_speed_mps;
+  if (result.velocity) result.figure_of_merit_mps = merit_of(sentence.figure_of_merit_mps);
+  add_sigma_of_rig(result, sigma_mps_);
   out.publish(result);
 }
 

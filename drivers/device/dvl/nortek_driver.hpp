@@ -12,13 +12,16 @@ namespace drydock::device {
 class NortekDriver final : public StreamDriver<wire::Nortek::max_frame> {
  public:
   explicit NortekDriver(const DriverOptions& options)
-      : StreamDriver(options, wire::Nortek::scan), mounting_(options.mounting) {}
+      : StreamDriver(options, wire::Nortek::scan),
+        mounting_(options.mounting),
+        sigma_mps_(options.velocity_sigma_mps) {}
 
  private:
   void on_frame(wire::Bytes frame, const Arrival& arrival, Output& out) override;
   void publish(const wire::NortekVelocity& sentence, Origin origin, Output& out) const;
 
   Mounting mounting_;
+  std::optional<double> sigma_mps_;  ///< for a sentence without a figure of merit
 };
 
 }  // namespace drydock::device

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "drivers/device/dvl/velocity_accuracy.hpp"
+
 namespace drydock::device {
 
 namespace {
@@ -38,6 +40,7 @@ void Pd4Driver<Protocol>::publish(const typename Protocol::Report& report, const
   result.pitch_rad = attitude.pitch_rad;
   result.roll_rad = attitude.roll_rad;
   result.sound_speed_mps = report.sound_speed_mps;
+  add_sigma_of_rig(result, solution_.sigma_mps());
   out.publish(result);
 }
 

@@ -1,5 +1,7 @@
 #include "drivers/device/dvl/water_linked_driver.hpp"
 
+#include "drivers/device/dvl/velocity_accuracy.hpp"
+
 namespace drydock::device {
 
 namespace {
@@ -18,6 +20,18 @@ std::optional<std::chrono::nanoseconds> age_of(const water_linked::ReportTimes& 
   const auto age = *times.transmission - *times.validity;
   if (age < age.zero() || age > oldest_report) return {};
   return age;
+}
+
+/// In the DVL's axes. Empty unless all nine came and each variance is above 0.
+std::optional<Eigen::Matrix3d> covariance_of(const water_linked::BottomVelocity& report) {
+  Eigen::Matrix3d covariance;
+  for (std::size_t i = 0; i < report.covariance.size(); ++i) {
+    if (!report.covariance[i]) return {};
+    covariance(static_cast<Eigen::Index>(i / 3), static_cast<Eigen::Index>(i % 3)) =
+        *report.covariance[i];
+  }
+  const bool sound = covariance.allFinite() && covariance.diagonal().minCoeff() > 0;
+  return sound ? std::optional(covariance) : std::nullopt;
 }
 
 }  // namespace
@@ -49,7 +63,13 @@ void WaterLinkedDriver::on(const water_linked::BottomVelocity& report, const Arr
   origin.device_time = report.validity;
   new_form_at_ = origin.received_at;
   heed_heat(report.hot, out);
-  publish(report, report.altitude_m, origin, out);
+  auto sample = sample_of(report, report.altitude_m, origin);
+  if (sample.velocity) {
+    if (const auto covariance = covariance_of(report))
+      sample.velocity_covariance = mounting_.covariance_to_body(*covariance);
+  }
+  add_sigma_of_rig(sample, sigma_mps_);
+  out.publish(sample);
 }
 
 void WaterLinkedDriver::on(const water_linked::OldVelocity& report, const Arrival& arrival,
@@ -57,18 +77,21 @@ void WaterLinkedDriver::on(const water_linked::OldVelocity& report, const Arriva
   const Origin origin = timing_.of_bytes(arrival);
   if (new_form_at_ && origin.received_at - *new_form_at_ < new_form_counts_for) return;
   heed_heat(report.hot.value_or(false), out);
-  publish(report, report.altitude_m, origin, out);
+  auto sample = sample_of(report, report.altitude_m, origin);
+  add_sigma_of_rig(sample, sigma_mps_);
+  out.publish(sample);
 }
 
-void WaterLinkedDriver::publish(const water_linked::Report& report,
-                                const std::optional<double>& altitude_m, const Origin& origin,
-                                Output& out) const {
+measurement::BottomVelocity WaterLinkedDriver::sample_of(const water_linked::Report& report,
+                                                         const std::optional<double>& altitude_m,
+                                                         const Origin& origin) const {
   measurement::BottomVelocity result;
   result.origin = origin;
   const auto& [x, y, z] = report.velocity_mps;
   if (x && y && z && dialogue_.settings_hold()) result.velocity = mounting_.to_body({*x, *y, *z});
+  if (result.velocity) result.figure_of_merit_mps = merit_of(report.figure_of_merit_mps);
   result.altitude_m = altitude_m;
-  out.publish(result);
+  return result;
 }
 
 void WaterLinkedDriver::heed_silence(Stamp now, Output& out) {

@@ -21,6 +21,7 @@ class WaterLinkedDriver final : public StreamDriver<wire::WaterLinked::max_frame
   explicit WaterLinkedDriver(const DriverOptions& options)
       : StreamDriver(options, wire::WaterLinked::scan),
         mounting_(options.mounting),
+        sigma_mps_(options.velocity_sigma_mps),
         dialogue_(options.dvl.water_linked) {}
 
   void restart(Stamp now, Output& out) override;
@@ -36,12 +37,14 @@ class WaterLinkedDriver final : public StreamDriver<wire::WaterLinked::max_frame
   void on_frame(wire::Bytes frame, const Arrival& arrival, Output& out) override;
   void on(const wire::water_linked::BottomVelocity& report, const Arrival& arrival, Output& out);
   void on(const wire::water_linked::OldVelocity& report, const Arrival& arrival, Output& out);
-  void publish(const wire::water_linked::Report& report, const std::optional<double>& altitude_m,
-               const Origin& origin, Output& out) const;
+  measurement::BottomVelocity sample_of(const wire::water_linked::Report& report,
+                                        const std::optional<double>& altitude_m,
+                                        const Origin& origin) const;
   void heed_silence(Stamp now, Output& out);
   void heed_heat(bool hot, Output& out);
 
   Mounting mounting_;
+  std::optional<double> sigma_mps_;  ///< for a report that does not tell its accuracy
   WaterLinkedDialogue dialogue_;
   std::optional<Stamp> new_form_at_, heard_at_;
   bool hot_ = false;

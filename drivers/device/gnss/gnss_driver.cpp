@@ -157,6 +157,7 @@ void GnssDriver::on(const wire::NavPvt& pvt, const Origin& origin, Output& out) 
   fix_itow_ = pvt.itow;
 
   fix.type = fix_type(pvt.fix_type, pvt.fix_ok);
+  fix.quality = fix_quality(fix.type, pvt.differential, pvt.carrier_solution);
   if (pvt.date && pvt.time_of_day && pvt.date->ok()) {
     fix.utc = Stamp{std::chrono::sys_days{*pvt.date}.time_since_epoch() + *pvt.time_of_day};
   }

@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
+#include <utility>
 
 namespace drydock::device {
 
+using measurement::FixQuality;
 using measurement::FixType;
 using measurement::GnssFix;
 
@@ -19,6 +22,31 @@ std::optional<FixType> other_than_measured(const wire::Gns& gns) {
   };
   if (has("ADPRF")) return {};
   return has("E") ? FixType::dead_reckoning : FixType::none;
+}
+
+/// GGA's quality. PPS (3) has a better code, but no corrections.
+std::optional<FixQuality> quality_of(int gga_quality) {
+  switch (gga_quality) {
+    case 1:
+    case 3: return FixQuality::autonomous;
+    case 2: return FixQuality::differential;
+    case 4: return FixQuality::rtk_fixed;
+    case 5: return FixQuality::rtk_float;
+    case quality_estimated: return FixQuality::dead_reckoning;
+    default: return {};
+  }
+}
+
+/// The best of the modes of GNS (one for each constellation), RMC or GLL. Those of PPS (P) count as
+/// autonomous.
+std::optional<FixQuality> quality_of(std::string_view modes) {
+  constexpr std::pair<char, FixQuality> best_first[] = {
+      {'R', FixQuality::rtk_fixed},    {'F', FixQuality::rtk_float},
+      {'D', FixQuality::differential}, {'P', FixQuality::autonomous},
+      {'A', FixQuality::autonomous},   {'E', FixQuality::dead_reckoning}};
+  for (const auto& [letter, quality] : best_first)
+    if (modes.find(letter) != modes.npos) return quality;
+  return {};
 }
 
 template <class Sentence>
@@ -84,6 +112,14 @@ FixType NmeaEpoch::fix_type() const {
   return has_height ? FixType::three_d : FixType::two_d;
 }
 
+std::optional<FixQuality> NmeaEpoch::quality() const {
+  if (gga_ && gga_->quality) return quality_of(*gga_->quality);
+  if (gns_) return quality_of(std::string_view(gns_->modes.data(), gns_->modes.size()));
+  if (rmc_) return quality_of(rmc_->mode.text().value_or(""));
+  if (gll_) return quality_of(gll_->mode.text().value_or(""));
+  return {};
+}
+
 std::optional<GnssFix> NmeaEpoch::fix() const {
   if (!began_ || (!gga_ && !gns_ && !rmc_ && !gll_)) return {};
   GnssFix fix;
@@ -94,6 +130,7 @@ std::optional<GnssFix> NmeaEpoch::fix() const {
   if (!gga_ && gns_) fix.satellites_used = gns_->satellites_used;
   fix.position_dop = position_dop_;
   if (fix.type == FixType::none) return fix;
+  fix.quality = quality();
   fill_position(fix);
   fill_accuracy(fix);
   fill_motion(fix);

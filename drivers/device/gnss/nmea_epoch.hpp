@@ -54,6 +54,7 @@ class NmeaEpoch {
   void begin(const Origin& origin, const TimeOfDay& time_of_day);
   bool differs(const TimeOfDay& time_of_day, bool have_one) const;
   measurement::FixType fix_type() const;
+  std::optional<measurement::FixQuality> quality() const;
   void fill_position(measurement::GnssFix& fix) const;
   void fill_accuracy(measurement::GnssFix& fix) const;
   void fill_motion(measurement::GnssFix& fix) const;

@@ -7,6 +7,7 @@
 
 namespace drydock::device {
 
+using measurement::FixQuality;
 using measurement::FixType;
 using measurement::GnssFix;
 using measurement::Stamp;
@@ -39,6 +40,14 @@ FixType fix_type(wire::UbxFixType type, bool fix_ok) {
   return FixType::none;
 }
 
+std::optional<FixQuality> fix_quality(FixType type, bool differential, unsigned carrier_solution) {
+  if (type == FixType::none || type == FixType::time_only) return {};
+  if (type == FixType::dead_reckoning) return FixQuality::dead_reckoning;
+  if (carrier_solution == 2) return FixQuality::rtk_fixed;
+  if (carrier_solution == 1) return FixQuality::rtk_float;
+  return differential ? FixQuality::differential : FixQuality::autonomous;
+}
+
 void UbxEpoch::begin(const Origin& origin) {
   if (!began_) began_ = origin;
   began_->received_at = origin.received_at;
@@ -66,10 +75,12 @@ std::optional<GnssFix> UbxEpoch::fix() const {
   fix.origin = *began_;
   if (sol_) {
     fix.type = fix_type(sol_->fix_type, sol_->fix_ok);
+    fix.quality = fix_quality(fix.type, sol_->differential);
     fix.satellites_used = sol_->satellites_used;
     fix.position_dop = sol_->position_dop;
   } else if (status_) {
     fix.type = fix_type(status_->fix_type, status_->fix_ok);
+    fix.quality = fix_quality(fix.type, status_->differential);
   }
   if (dop_) fix.position_dop = dop_->position;
   fix.utc = utc();

@@ -13,6 +13,11 @@ namespace drydock::device {
 /// The fix type that follows from a receiver's fix type and its gnssFixOK.
 measurement::FixType fix_type(wire::UbxFixType type, bool fix_ok);
 
+/// Empty without a fix of position. `carrier_solution` is carrSoln of NAV-PVT: 0 none, 1 float, 2
+/// fixed. `differential` is its diffSoln: corrections of a base or of a satellite (SBAS).
+std::optional<measurement::FixQuality> fix_quality(measurement::FixType type, bool differential,
+                                                   unsigned carrier_solution = 0);
+
 /// Joins the parts of one epoch of a receiver without NAV-PVT or NAV-SAT into one fix and one list
 /// of satellites. The parts are NAV-SOL, STATUS, POSLLH, VELNED, DOP, TIMEGPS and TIMEUTC; SVINFO
 /// or SIG. They share one iTOW; the driver passes only parts of one iTOW.

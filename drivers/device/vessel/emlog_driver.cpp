@@ -51,6 +51,7 @@ void EmLogDriver::publish_speed(const std::optional<double>& longitudinal_mps,
   } else if (longitudinal_mps) {
     out.report("the log is mounted turned and gives no transverse speed: no speed along body x");
   }
+  if (result.longitudinal_mps || result.transverse_mps) result.sigma_mps = sigma_mps_;
   out.publish(result);
 }
 

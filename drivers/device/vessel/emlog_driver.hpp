@@ -15,6 +15,7 @@ class EmLogDriver final : public StreamDriver<wire::Nmea0183::max_frame> {
   explicit EmLogDriver(const DriverOptions& options)
       : StreamDriver(options, wire::Nmea0183::scan),
         mounting_(options.mounting),
+        sigma_mps_(options.velocity_sigma_mps),
         burst_(shortest_pause) {}
 
  private:
@@ -30,6 +31,7 @@ class EmLogDriver final : public StreamDriver<wire::Nmea0183::max_frame> {
                      Output& out) const;
 
   Mounting mounting_;
+  std::optional<double> sigma_mps_;
   Burst burst_;
   std::optional<Stamp> vbw_at_;
 };

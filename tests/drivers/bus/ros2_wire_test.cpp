@@ -60,12 +60,12 @@ TEST(BusOnTheWire, DvlKeepsItsForwardStarboardDownAxes) {
 
 TEST(BusOnTheWire, WaterSpeedIsATwistWhoseUnmeasuredComponentsHaveVarianceMinusOne) {
   Wire<TwistMessage> wire("rt/log/twist");
-  auto cdr = wire.publish(Measurement{WaterSpeed{origin(log), 2.0, std::nullopt, 7.0}});
+  auto cdr = wire.publish(Measurement{WaterSpeed{origin(log), 2.0, std::nullopt, 7.0, {}}});
   EXPECT_EQ(cdr.size(), 364u);
   expect_header(cdr, "log_link");
   EXPECT_THAT(cdr.next_doubles(6), ElementsAre(2, 0, 0, 0, 0, 0));
   const auto covariance = cdr.next_doubles(36);
-  EXPECT_EQ(covariance[0], 0);
+  EXPECT_EQ(covariance[0], 1e6) << "0 would say that the speed is exact";
   for (std::size_t i = 1; i < 6; ++i) EXPECT_EQ(covariance[7 * i], -1);
 }
 
@@ -77,6 +77,22 @@ TEST(BusOnTheWire, TwistOfTheDvlIsForwardLeftUp) {
   EXPECT_EQ(cdr.size(), 364u);
   expect_header(cdr, "dvl_link");
   EXPECT_THAT(cdr.next_doubles(3), ElementsAre(1.5, -0.1, 0.2));
+}
+
+/// The covariance of (x, y, z) in forward, starboard, down; to port and up, xy and xz change sign.
+TEST(BusOnTheWire, TheCovarianceOfTheDvlTurnsWithItsVelocity) {
+  Wire<TwistMessage> wire("rt/dvl/twist");
+  auto sample = only_origin<BottomVelocity>(dvl);
+  sample.velocity = Eigen::Vector3d(1.5, 0.1, -0.2);
+  sample.velocity_covariance = Eigen::Matrix3d{{4, 0.5, 0.25}, {0.5, 9, 0.125}, {0.25, 0.125, 16}};
+  auto cdr = wire.publish(Measurement{sample});
+  expect_header(cdr, "dvl_link");
+  cdr.next_doubles(6);
+  EXPECT_THAT(cdr.next_doubles(3), ElementsAre(4, -0.5, -0.25));
+  cdr.next_doubles(3);
+  EXPECT_THAT(cdr.next_doubles(3), ElementsAre(-0.5, 9, 0.125));
+  cdr.next_doubles(3);
+  EXPECT_THAT(cdr.next_doubles(3), ElementsAre(-0.25, 0.125, 16));
 }
 
 TEST(BusOnTheWire, GnssVelocityIsEastNorthUp) {
@@ -103,7 +119,7 @@ TEST(BusOnTheWire, SpeedAndCourseAreAnEastNorthVelocityWithoutUp) {
   EXPECT_EQ(cdr.next<double>(), 0);
   cdr.next_doubles(3);
   const auto covariance = cdr.next_doubles(36);
-  EXPECT_EQ(covariance[7], 0);
+  EXPECT_EQ(covariance[7], 1e6);
   EXPECT_EQ(covariance[14], -1);
 }
 

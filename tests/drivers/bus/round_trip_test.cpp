@@ -73,6 +73,9 @@ TEST(Bus, BottomVelocityArrivesIdentical) {
   sent.pitch_rad = -0.02;
   sent.roll_rad = 0.01;
   sent.sound_speed_mps = 1491.3;
+  sent.velocity_covariance =
+      Eigen::Matrix3d{{4e-6, 1e-7, 2e-7}, {1e-7, 5e-6, 3e-7}, {2e-7, 3e-7, 6e-6}};
+  sent.figure_of_merit_mps = 0.0025;
   const auto got = loop.through(sent);
   expect_same_origin(got.origin, sent.origin);
   EXPECT_EQ(got.velocity, sent.velocity);
@@ -83,16 +86,19 @@ TEST(Bus, BottomVelocityArrivesIdentical) {
   EXPECT_EQ(got.pitch_rad, sent.pitch_rad);
   EXPECT_EQ(got.roll_rad, sent.roll_rad);
   EXPECT_EQ(got.sound_speed_mps, sent.sound_speed_mps);
+  EXPECT_EQ(got.velocity_covariance, sent.velocity_covariance);
+  EXPECT_EQ(got.figure_of_merit_mps, sent.figure_of_merit_mps);
 }
 
 TEST(Bus, WaterSpeedArrivesIdentical) {
   Loop loop;
-  const WaterSpeed sent{origin(log), 2.06, -0.05, 123'456.7};
+  const WaterSpeed sent{origin(log), 2.06, -0.05, 123'456.7, 0.02};
   const auto got = loop.through(sent);
   expect_same_origin(got.origin, sent.origin);
   EXPECT_EQ(got.longitudinal_mps, sent.longitudinal_mps);
   EXPECT_EQ(got.transverse_mps, sent.transverse_mps);
   EXPECT_EQ(got.distance_m, sent.distance_m);
+  EXPECT_EQ(got.sigma_mps, sent.sigma_mps);
 }
 
 TEST(Bus, GnssFixArrivesIdentical) {
@@ -111,10 +117,12 @@ TEST(Bus, GnssFixArrivesIdentical) {
   sent.satellites_used = 0;
   sent.ground_speed_mps = 2.236;
   sent.course_rad = 5.1;
+  sent.quality = FixQuality::rtk_float;
   const auto got = loop.through(sent);
   expect_same_origin(got.origin, sent.origin);
   EXPECT_EQ(got.type, sent.type);
   EXPECT_EQ(got.utc, sent.utc);
+  EXPECT_EQ(got.quality, sent.quality);
   ASSERT_TRUE(got.position);
   EXPECT_EQ(got.position->latitude_rad, sent.position->latitude_rad);
   EXPECT_EQ(got.position->longitude_rad, sent.position->longitude_rad);
@@ -177,16 +185,18 @@ TEST(Bus, WhatADeviceDidNotGiveStaysEmpty) {
   const auto velocity = loop.through(only_origin<BottomVelocity>(dvl));
   EXPECT_FALSE(velocity.velocity || velocity.error_velocity_mps || velocity.altitude_m ||
                velocity.heading_rad || velocity.pitch_rad || velocity.roll_rad ||
-               velocity.sound_speed_mps);
+               velocity.sound_speed_mps || velocity.velocity_covariance ||
+               velocity.figure_of_merit_mps);
   for (const auto& range : velocity.range_m) EXPECT_FALSE(range);
   const auto speed = loop.through(only_origin<WaterSpeed>(log));
-  EXPECT_FALSE(speed.longitudinal_mps || speed.transverse_mps || speed.distance_m);
+  EXPECT_FALSE(speed.longitudinal_mps || speed.transverse_mps || speed.distance_m ||
+               speed.sigma_mps);
   const auto fix = loop.through(only_origin<GnssFix>(gnss));
   EXPECT_EQ(fix.type, FixType::none);
   EXPECT_FALSE(fix.utc || fix.position || fix.ellipsoidal_height_m || fix.mean_sea_level_height_m ||
                fix.velocity_ned || fix.horizontal_accuracy_m || fix.vertical_accuracy_m ||
                fix.speed_accuracy_mps || fix.position_dop || fix.satellites_used ||
-               fix.ground_speed_mps || fix.course_rad);
+               fix.ground_speed_mps || fix.course_rad || fix.quality);
   const auto actuators = loop.through(only_origin<ActuatorState>(actuator));
   EXPECT_FALSE(actuators.rudder_rad || actuators.stern_plane_rad || actuators.bow_plane_rad ||
                actuators.propeller_radps);

@@ -48,7 +48,8 @@ TEST(BusOnTheWire, ARecordingGetsTheBytesThatDdsSends) {
   dvl_sample.velocity = Eigen::Vector3d(1.5, 0.1, -0.2);
   expect_the_same<DvlMessage>("/dvl/data", Measurement{dvl_sample});
   expect_the_same<BottomTrackMessage>("/dvl/bottom_track", Measurement{dvl_sample});
-  expect_the_same<TwistMessage>("/log/twist", Measurement{WaterSpeed{origin(log), 2.0, {}, 7.0}});
+  expect_the_same<TwistMessage>("/log/twist",
+                                Measurement{WaterSpeed{origin(log), 2.0, {}, 7.0, {}}});
   auto sky = only_origin<GnssSatellites>(gnss);
   sky.satellites.push_back({Constellation::galileo, 7, 41.0, 0.5, 1.5, true});
   sky.satellites.push_back({Constellation::gps, 12, {}, 0.1, 3.0, false});

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <numbers>
+#include <utility>
 
 #include "drivers/bus/convert/convert.hpp"
 #include "tests/drivers/bus/bus_fixture.hpp"
@@ -59,11 +60,11 @@ TEST(BusStandardForm, DvlWithoutBottomLockHasNoVelocity) {
 
 TEST(BusStandardForm, WaterSpeedKeepsWhichComponentsWereMeasured) {
   StandardLoop loop;
-  const auto both = loop.through(WaterSpeed{origin(log), 2.06, -0.05, 100.0});
+  const auto both = loop.through(WaterSpeed{origin(log), 2.06, -0.05, 100.0, {}});
   EXPECT_EQ(both.longitudinal_mps, 2.06);
   EXPECT_EQ(both.transverse_mps, -0.05);
   EXPECT_FALSE(both.distance_m);
-  const auto ahead = loop.through(WaterSpeed{origin(log), 0.0, std::nullopt, std::nullopt});
+  const auto ahead = loop.through(WaterSpeed{origin(log), 0.0, {}, {}, {}});
   EXPECT_EQ(ahead.longitudinal_mps, 0.0);
   EXPECT_FALSE(ahead.transverse_mps);
 }
@@ -71,7 +72,7 @@ TEST(BusStandardForm, WaterSpeedKeepsWhichComponentsWereMeasured) {
 TEST(BusStandardForm, NothingMeasuredIsNoTwistAtAll) {
   StandardLoop loop;
   loop.publisher.publish(Measurement{only_origin<WaterSpeed>(log)});
-  EXPECT_EQ(loop.through(WaterSpeed{origin(log), 1.5, {}, {}}).longitudinal_mps, 1.5);
+  EXPECT_EQ(loop.through(WaterSpeed{origin(log), 1.5, {}, {}, {}}).longitudinal_mps, 1.5);
 }
 
 TEST(BusStandardForm, NavSatFixKeepsPositionAndAccuracyAndNoFixIsEmpty) {
@@ -106,6 +107,73 @@ TEST(BusConversion, DvlThatReportsZerosWithoutGoodBeamsHasNoVelocity) {
   BottomVelocity sample;
   ASSERT_TRUE(read(sample, message));
   EXPECT_FALSE(sample.velocity || sample.altitude_m || sample.sound_speed_mps);
+}
+
+BottomVelocity moving() {
+  BottomVelocity sample;
+  sample.velocity = Eigen::Vector3d(1.5, 0.1, -0.2);
+  return sample;
+}
+
+/// marine_acoustic_msgs/Dvl: a first element of -1 says that the covariance is not known.
+TEST(BusConversion, ADvlMessageHasTheCovarianceThatTheDvlTellsOrMinusOne) {
+  DvlMessage message{};
+  auto sample = moving();
+  ASSERT_TRUE(fill(message, sample));
+  EXPECT_EQ(message.velocity_covar[0], -1);
+  sample.figure_of_merit_mps = 0.5;
+  ASSERT_TRUE(fill(message, sample));
+  EXPECT_EQ(message.velocity_covar[0], 0.25);
+  EXPECT_EQ(message.velocity_covar[1], 0);
+  EXPECT_EQ(message.velocity_covar[8], 0.25);
+  sample.velocity_covariance = Eigen::Matrix3d{{4, 0.5, 0.25}, {0.5, 9, 0.125}, {0.25, 0.125, 16}};
+  ASSERT_TRUE(fill(message, sample));
+  EXPECT_EQ(message.velocity_covar[0], 4);
+  EXPECT_EQ(message.velocity_covar[1], 0.5);
+  EXPECT_EQ(message.velocity_covar[5], 0.125);
+  sample.velocity.reset();
+  ASSERT_TRUE(fill(message, sample));
+  EXPECT_EQ(message.velocity_covar[0], -1);
+}
+
+TEST(BusConversion, NoTwistSaysThatAVelocityIsExact) {
+  TwistMessage message{};
+  ASSERT_TRUE(fill(message, moving()));
+  EXPECT_EQ(message.twist.covariance[0], 1e6);
+  WaterSpeed speed;
+  speed.longitudinal_mps = 2;
+  ASSERT_TRUE(fill(message, speed));
+  EXPECT_EQ(message.twist.covariance[0], 1e6);
+  speed.sigma_mps = 0.5;
+  ASSERT_TRUE(fill(message, speed));
+  EXPECT_EQ(message.twist.covariance[0], 0.25);
+  EXPECT_EQ(message.twist.covariance[7], -1) << "not measured";
+  GnssFix fix;
+  fix.velocity_ned = Eigen::Vector3d(1, 2, 3);
+  ASSERT_TRUE(fill(message, fix));
+  EXPECT_EQ(message.twist.covariance[14], 1e6);
+  fix.speed_accuracy_mps = 0;
+  ASSERT_TRUE(fill(message, fix));
+  EXPECT_EQ(message.twist.covariance[14], 1e6);
+}
+
+/// sensor_msgs/NavSatStatus: -1 no fix, 0 unaugmented, 1 satellite-based, 2 ground-based.
+TEST(BusConversion, NavSatStatusTellsWhatAugmentsTheFix) {
+  using enum FixQuality;
+  NavSatFixMessage message{};
+  GnssFix fix;
+  ASSERT_TRUE(fill(message, fix));
+  EXPECT_EQ(message.status.status, -1);
+  fix.position = Geodetic{0.64, -2.12};
+  const std::pair<std::optional<FixQuality>, int> expected[] = {
+      {std::nullopt, 0}, {autonomous, 0}, {differential, 1},
+      {rtk_float, 2},    {rtk_fixed, 2},  {dead_reckoning, 0}};
+  for (const auto& [quality, status] : expected) {
+    fix.quality = quality;
+    ASSERT_TRUE(fill(message, fix));
+    EXPECT_EQ(message.status.status, status);
+    EXPECT_EQ(message.position_covariance_type, 0) << "not known: no accuracy was told";
+  }
 }
 
 TEST(BusConversion, DvlInWaterTrackModeIsNotABottomVelocity) {
@@ -155,6 +223,9 @@ TEST(BusConversion, UnknownEnumeratorsAndTooManySatellitesAreRefused) {
   GnssFixMessage fix{};
   fix.fix_type = 6;
   GnssFix fix_sample;
+  EXPECT_FALSE(read(fix_sample, fix));
+  fix.fix_type = 3;
+  fix.quality = 6;
   EXPECT_FALSE(read(fix_sample, fix));
   drydock_msg_dds__Satellite_ satellites[97]{};
   satellites[0].constellation = 8;

@@ -75,6 +75,17 @@ TEST(EmLogDriver, DistanceIsThatThroughTheWater) {
   EXPECT_TRUE(speeds_of("$SDVLW,,N,545.6,N,1109.4,N,393.6,N*44\r\n").empty());  // total empty
 }
 
+TEST(EmLogDriver, ASpeedHasTheRigsSigmaAndADistanceHasNone) {
+  DriverOptions o = options(Kind::emlog, "nmea0183");
+  o.velocity_sigma_mps = 0.05;
+  Ear ear;
+  byte_driver(o)->receive(nmea("VMVHW,,,,,3.50,N,,") + nmea("VMVLW,7803.2,N,0.0,N"), at_s(1), ear);
+  const auto all = ear.all<measurement::WaterSpeed>();
+  ASSERT_EQ(all.size(), 2U);
+  EXPECT_EQ(all[0].sigma_mps, 0.05);
+  EXPECT_FALSE(all[1].sigma_mps);
+}
+
 TEST(EmLogDriver, BadChecksumGivesNothing) {
   EXPECT_TRUE(speeds_of("$VDVBW,8.2,0.5,A,8.1,0.4,A,8.3,A,8.2,A*57\r\n").empty());
 }

@@ -45,6 +45,49 @@ TEST(GnssDriver, UbxWithoutFixHasNoPositionWhateverStandsInTheField) {
   EXPECT_EQ(r.fixes()[3].type, FixType::time_only);
 }
 
+/// NAV-PVT, flags: bit 0 gnssFixOK, bit 1 diffSoln, bits 6 and 7 carrSoln (1 float, 2 fixed).
+TEST(GnssDriver, UbxTellsDifferentialAndRtkSolutions) {
+  using enum measurement::FixQuality;
+  Receiver r("ubx");
+  const std::uint8_t flags[] = {0x01, 0x03, 0x43, 0x83, 0x00};
+  std::uint32_t itow_ms = 0;
+  for (const auto each : flags)
+    r.says(nav_pvt({.itow_ms = itow_ms += 1000, .flags = each}), itow_ms / 1000.0);
+  r.says(nav_pvt({.itow_ms = 6000, .fix_type = 1, .flags = 1}), 6);
+  std::vector<std::optional<measurement::FixQuality>> heard;
+  for (const GnssFix& fix : r.fixes()) heard.push_back(fix.quality);
+  EXPECT_EQ(heard, (decltype(heard){autonomous, differential, rtk_float, rtk_fixed, std::nullopt,
+                                    dead_reckoning}));
+}
+
+/// NMEA 0183, GGA: 1 autonomous, 2 differential, 4 RTK fixed, 5 RTK float, 6 estimated.
+TEST(GnssDriver, NmeaTellsTheQualityOfItsFix) {
+  using enum measurement::FixQuality;
+  const auto quality = [](const Octets& sentence) {
+    Receiver r("nmea0183");
+    r.says(sentence, 1);
+    r.driver->tick(at_s(2), r.ear);
+    return r.fixes().at(0).quality;
+  };
+  const auto of_gga = [&](const std::string& digit) {
+    return quality(
+        nmea("GPGGA,123519,4807.038,N,01131.000,E," + digit + ",08,0.9,545.4,M,46.9,M,,"));
+  };
+  EXPECT_EQ(of_gga("1"), autonomous);
+  EXPECT_EQ(of_gga("2"), differential);
+  EXPECT_EQ(of_gga("4"), rtk_fixed);
+  EXPECT_EQ(of_gga("5"), rtk_float);
+  EXPECT_EQ(of_gga("6"), dead_reckoning);
+  EXPECT_EQ(of_gga("0"), std::nullopt);
+  const auto of_gns = [&](const std::string& modes) {
+    return quality(nmea("GNGNS,123519,4807.038,N,01131.000,E," + modes + ",08,0.9,545.4,46.9,,"));
+  };
+  EXPECT_EQ(of_gns("AD"), differential);
+  EXPECT_EQ(of_gns("RF"), rtk_fixed);
+  EXPECT_EQ(of_gns("NA"), autonomous);
+  EXPECT_EQ(quality(nmea(rmc)), std::nullopt) << "before NMEA 2.3 it has no mode";
+}
+
 TEST(GnssDriver, SameTimeOfWeekTwiceIsOneFix) {
   Receiver r("ubx");
   r.says(nav_pvt({}) + nav_pvt({}) + nav_eoe(1000) + nav_pvt({.itow_ms = 2000}), 1);

@@ -31,6 +31,18 @@ TEST(NortekDriver, VelocityInTheBodyRangesAndNoAltitude) {
   EXPECT_LT(std::chrono::abs(*m.origin.device_time - (1795262400s + 250ms)), 1us);
 }
 
+TEST(NortekDriver, TheFigureOfMeritComesBeforeTheRigsSigma) {
+  DriverOptions o = options(Kind::dvl, "nortek");
+  o.velocity_sigma_mps = 0.5;
+  const auto told = heard_nortek(pnorbt7("1,0,0"), o).at(0);
+  EXPECT_EQ(told.figure_of_merit_mps, 0.0031);
+  EXPECT_FALSE(told.velocity_covariance);
+  const auto bad_merit = nmea("PNORBT7,1795262400.2500,61.250,-75.5,1,0,0,10.0,7,7,7,7");
+  const auto untold = heard_nortek(bad_merit, o).at(0);
+  EXPECT_FALSE(untold.figure_of_merit_mps);
+  EXPECT_EQ(untold.velocity_covariance, Eigen::Matrix3d(0.25 * Eigen::Matrix3d::Identity()));
+}
+
 TEST(NortekDriver, OneBadComponentIsNoVelocity) {
   const auto o = options(Kind::dvl, "nortek");
   EXPECT_FALSE(heard_nortek(pnorbt7("1.2345,-32.7680,0.0780"), o).at(0).velocity);

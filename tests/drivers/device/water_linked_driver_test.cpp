@@ -45,6 +45,36 @@ TEST(WaterLinkedDriver, VelocityInTheBodyAndAltitude) {
   EXPECT_EQ(m.origin.device_time, 1795262400123456us);
 }
 
+/// A quarter turn about z: the DVL's x is the body's y, its y the body's -x.
+TEST(WaterLinkedDriver, TheCovarianceTurnsIntoTheBodyAndComesBeforeTheRigsSigma) {
+  DriverOptions o = options(Kind::dvl, "water-linked");
+  o.mounting = {0, 0, 90 * degree};
+  o.velocity_sigma_mps = 0.5;
+  const auto bytes = line("wrz," + locked + ",0.003,4;1;2;1;9;3;2;3;16," + times + ",83.40,0");
+  const auto m = heard(bytes, o).at(0);
+  const Eigen::Matrix3d expected{{9, -1, -3}, {-1, 4, 2}, {-3, 2, 16}};
+  ASSERT_TRUE(m.velocity_covariance);
+  EXPECT_TRUE(m.velocity_covariance->isApprox(expected, 1e-12)) << *m.velocity_covariance;
+  EXPECT_EQ(m.figure_of_merit_mps, 0.003);
+  EXPECT_FALSE(heard(wrz(lost, times), o).at(0).velocity_covariance);
+}
+
+TEST(WaterLinkedDriver, VariancesOfZeroAreNoCovariance) {
+  const auto bytes = line("wrz," + locked + ",0.003,0;0;0;0;0;0;0;0;0," + times + ",83.40,0");
+  const auto m = heard(bytes).at(0);
+  EXPECT_FALSE(m.velocity_covariance);
+  EXPECT_EQ(m.figure_of_merit_mps, 0.003);
+}
+
+TEST(WaterLinkedDriver, AMeritOfZeroIsNoneAndLeavesTheRigsSigma) {
+  DriverOptions o = options(Kind::dvl, "water-linked");
+  o.velocity_sigma_mps = 0.5;
+  const auto bytes = line("wrz," + locked + ",0.000,0;0;0;0;0;0;0;0;0," + times + ",83.40,0");
+  const auto m = heard(bytes, o).at(0);
+  EXPECT_FALSE(m.figure_of_merit_mps);
+  EXPECT_EQ(m.velocity_covariance, Eigen::Matrix3d(0.25 * Eigen::Matrix3d::Identity()));
+}
+
 TEST(WaterLinkedDriver, NoLockIsNoVelocityButALivingDvl) {
   const auto m = heard(wrz(lost, times)).at(0);
   EXPECT_FALSE(m.velocity);

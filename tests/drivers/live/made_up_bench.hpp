@@ -32,7 +32,7 @@ class MadeUpBench {
     dvl.origin = origin(0);
     dvl.velocity = Eigen::Vector3d{1.5 + 0.2 * wave, 0.1, 0};
     publisher_.publish(dvl);
-    publisher_.publish(WaterSpeed{origin(1), 1.4, {}, {}});
+    publisher_.publish(WaterSpeed{origin(1), 1.4, {}, {}, {}});
     GnssFix fix;
     fix.origin = origin(2);
     fix.position = Geodetic{0.6 + 1e-6 * t, 0.2 + 1e-6 * wave};
