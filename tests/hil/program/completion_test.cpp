@@ -63,9 +63,11 @@ TEST_F(Zsh, OffersTheCommands) {
 }
 
 TEST_F(Zsh, OffersTheOptionsOfACommandAndTheirValues) {
-  EXPECT_EQ(offers("drydock record -"),
-            "--for\n--help\n--keep\n--output\n--overwrite\n--serve\n--split-every\n--split-size\n"
-            "--token\n-h\n-o\n");
+  EXPECT_EQ(
+      offers("drydock record -"),
+      "--cores\n--for\n--help\n--keep\n--output\n--overwrite\n--priority\n--realtime\n--serve\n"
+      "--split-every\n--split-size\n"
+      "--token\n-h\n-o\n");
   EXPECT_EQ(offers("drydock record -o a.mcap --o"), "--overwrite\n");  // "-o" is given, so zsh does
                                                                        // not offer "--output"
   EXPECT_EQ(offers("drydock run --speed "), "1\nmax\n");
