@@ -22,9 +22,7 @@ Timing::Timing(const DriverOptions& options)
       latency_(options.latency),
       device_(options.device) {}
 
-std::chrono::nanoseconds Timing::line_time(std::size_t bytes) const {
-  return rate_.time_of(bytes);
-}
+std::chrono::nanoseconds Timing::line_time(std::size_t bytes) const { return rate_.time_of(bytes); }
 
 Origin Timing::of_bytes(const Arrival& frame, std::chrono::nanoseconds latency) const {
   const Stamp received_at = frame.read_at - line_time(frame.after);

@@ -19,7 +19,8 @@ class SlcanCategory final : public ErrorWords {
  public:
   const char* name() const noexcept override { return "slcan"; }
   std::string message(int value) const override {
-    const std::string command(opening_commands.at(static_cast<std::size_t>(value % unanswered - 1)));
+    const std::string command(
+        opening_commands.at(static_cast<std::size_t>(value % unanswered - 1)));
     if (value > unanswered)
       return "no answer to " + command + " from the slcan adapter: unplug it and plug it in again";
     return "the slcan adapter refused " + command + reason(command);

@@ -44,7 +44,8 @@ class TcpClient final : public ByteLink {
   }
 
   void say_last(std::span<const std::uint8_t> bytes) override {
-    if (socket_.is_open()) ::send(socket_.native_handle(), bytes.data(), bytes.size(), MSG_NOSIGNAL);
+    if (socket_.is_open())
+      ::send(socket_.native_handle(), bytes.data(), bytes.size(), MSG_NOSIGNAL);
   }
 
   void close() override {
