@@ -22,7 +22,8 @@ constexpr std::size_t longest_datagram = 65'535;
 class UdpLink final : public ByteLink {
  public:
   /// `socket` is bound and waits for the other end to say where it is, or sends to this peer.
-  UdpLink(udp::socket socket, std::optional<udp::endpoint> peer, Side side, Provenance provenance)
+  UdpLink(udp::socket socket, const std::optional<udp::endpoint>& peer, Side side,
+          Provenance provenance)
       : socket_(std::move(socket)),
         host_(socket_.get_executor(), {}),
         aims_(peer.has_value()),

@@ -26,9 +26,9 @@ UdpEndpoint on_interface(UdpEndpoint endpoint, unsigned interface) {
 }
 
 /// The kernel knows its networks: it refuses a connection to a broadcast address.
-bool is_broadcast(asio::any_io_executor executor, const UdpEndpoint& endpoint) {
+bool is_broadcast(const asio::any_io_executor& executor, const UdpEndpoint& endpoint) {
   ErrorCode error;
-  udp::socket probe(std::move(executor));
+  udp::socket probe(executor);
   probe.open(endpoint.protocol(), error);
   if (!error) probe.connect(endpoint, error);
   return error == asio::error::access_denied;
