@@ -2,32 +2,21 @@
 #include <gtest/gtest.h>
 
 #include "drivers/link/can/can_interface.hpp"
-#include "tests/hil/survive/bench.hpp"
-#include "tests/vcan/process.hpp"
+#include "tests/ports/can.hpp"
 
 namespace drydock::ports {
 namespace {
 
 using device::State;
 using fault::testing::Bench;
-using fault::testing::bus_depth;
 using namespace std::chrono_literals;
 using vcan::run_program;
-
-void up(const std::string& name, const std::string& settings) {
-  const std::string line = "ip link set " + name + " up type can " + settings;
-  ASSERT_EQ(run_program({"sh", "-c", line}), 0) << line;
-}
-
-rig_config::DeviceConfig depth_on(const std::string& name) {
-  return bus_depth("socketcan:" + name + "?emulated=1&bitrate=250000");
-}
 
 class Sja1000 : public ::testing::Test {
  protected:
   void SetUp() override {
-    up("can0", "bitrate 250000 restart-ms 100 berr-reporting on");
-    up("can1", "bitrate 250000");
+    bring_up("can0", "bitrate 250000 restart-ms 100 berr-reporting on");
+    bring_up("can1", "bitrate 250000");
   }
   void TearDown() override {
     for (const char* name : {"can0", "can1"}) EXPECT_FALSE(link::set_interface_up(name, false));
@@ -64,7 +53,7 @@ TEST_F(Sja1000, AnInterfaceSetDownAndUpAgainStreamsWithoutHelp) {
 
 TEST_F(Sja1000, AListenOnlyControllerStillHearsTheSensors) {
   ASSERT_FALSE(link::set_interface_up("can0", false));
-  up("can0", "bitrate 250000 listen-only on");
+  bring_up("can0", "bitrate 250000 listen-only on");
   Bench bench(depth_on("can0"), depth_on("can1"));
   EXPECT_TRUE(bench.reaches(State::streaming)) << bench.health().status.view();
   EXPECT_TRUE(bench.hears_again());

@@ -14,6 +14,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
+import time
 
 import kernel
 from null_modem import NullModem
@@ -48,7 +49,6 @@ for i in 1 2 3 4 5 6 7 8 9; do [ -e /dev/ttyUSB1 ] || /run/busybox sleep 0.2; do
 cd {shlex.quote(os.getcwd())}
 {shlex.join(arguments)} </dev/null >/dev/ports.out 2>/dev/ports.err
 echo $? >/run/ports/status
-/run/busybox sync
 /run/busybox reboot -f
 """)
 
@@ -78,6 +78,22 @@ def machine(share, modem):
     return words + ["-device", "kvaser_pci,canbus=bus", "-device", "kvaser_pci,canbus=bus"]
 
 
+def status_of(share):
+    """The command's exit status as text; empty while it runs."""
+    status = share / "status"
+    return status.read_text().strip() if status.exists() else ""
+
+
+def ended(guest, share, seconds):
+    """Waits for the command's end, not for the machine's: a kernel that lost a USB controller may never halt."""
+    end = time.monotonic() + seconds
+    while guest.poll() is None and not status_of(share):
+        if time.monotonic() > end:
+            return False
+        time.sleep(0.05)
+    return True
+
+
 def run(options):
     with tempfile.TemporaryDirectory(prefix="drydock-ports-") as folder:
         share = pathlib.Path(folder)
@@ -86,17 +102,15 @@ def run(options):
         write_command(share, options.command)
         guest = subprocess.Popen(machine(share, modem), stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL)
         try:
-            guest.wait(options.seconds)
-        except subprocess.TimeoutExpired:
-            print(f"ports: the machine did not end within {options.seconds:g} s", file=sys.stderr)
+            if not ended(guest, share, options.seconds):
+                print(f"ports: the machine did not end within {options.seconds:g} s", file=sys.stderr)
         finally:
             guest.kill()
             guest.wait()
         for name, stream in (("out", sys.stdout), ("err", sys.stderr)):
             stream.write((share / name).read_text(errors="replace"))
-        status = share / "status"
-        if status.exists() and status.read_text().strip():
-            return int(status.read_text())
+        if status_of(share):
+            return int(status_of(share))
         print("ports: the machine ended without an exit status; its console:", file=sys.stderr)
         print((share / "console").read_text(errors="replace")[-2000:], file=sys.stderr)
         return 1

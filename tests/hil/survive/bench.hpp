@@ -105,6 +105,7 @@ class Bench : private device::Listener {
 
   boost::asio::io_context io;
   std::uint64_t messages = 0;
+  std::vector<measurement::Stamp> received;  ///< received_at of each
   std::vector<State> states;
   std::vector<std::string> lines;
 
@@ -118,7 +119,10 @@ class Bench : private device::Listener {
     rig.devices = {config};
     return rig;
   }
-  void on_measurement(const measurement::Measurement&) override { ++messages; }
+  void on_measurement(const measurement::Measurement& m) override {
+    ++messages;
+    received.push_back(measurement::origin_of(m).received_at);
+  }
   void on_state(const device::Device&, const device::Transition& change) override {
     states.push_back(change.to);
     lines.emplace_back(change.why.view());

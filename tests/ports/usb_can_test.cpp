@@ -1,0 +1,127 @@
+// CAN adapters on USB, with the kernel's drivers gs_usb and usb_8dev: what a controller and its
+// adapter can do that QEMU's own controllers cannot.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <thread>
+
+#include "drivers/link/can/can_interface.hpp"
+#include "tests/ports/can.hpp"
+#include "tests/ports/usb_can.hpp"
+
+namespace drydock::ports {
+namespace {
+
+using device::State;
+using fault::testing::Bench;
+using namespace std::chrono_literals;
+
+bool is_there(const std::string& name) { return link::find_can_interface(name).has_value(); }
+
+bool says(const device::Health& health, std::string_view text) {
+  return health.last_error.view().find(text) != std::string_view::npos;
+}
+
+/// True if `done` becomes true within 10 s of the machine's own time.
+template <class Done>
+bool eventually(Done&& done) {
+  for (int i = 0; i < 500 && !done(); ++i) std::this_thread::sleep_for(20ms);
+  return done();
+}
+
+class GsUsb : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    ASSERT_TRUE(eventually([] { return is_there("can2") && is_there("can3"); }));
+    for (const char* name : {"can2", "can3"})
+      bring_up(name, "bitrate 250000 dbitrate 1000000 fd on");
+  }
+  UsbCan adapter_{"gs_usb"};
+};
+
+TEST_F(GsUsb, TheControllersStampsTakeOutTheTimeThatTheAdapterNeeds) {
+  adapter_.order("late 40");
+  Bench bench(depth_on("can2"), depth_on("can3"));
+  ASSERT_TRUE(bench.reaches(State::streaming)) << bench.health().status.view();
+  ASSERT_TRUE(bench.until([&] { return bench.received.size() >= 40; }));
+  EXPECT_NE(bench.health().link_note.view().find("controller"), std::string_view::npos)
+      << bench.health().link_note.view();
+  // Every second frame of a 10 Hz sensor arrives 40 ms late: by arrival, one interval and the next
+  // differ by 80 ms.
+  double difference_s = 0;
+  const auto& at = bench.received;
+  const auto s = [](auto time) { return std::chrono::duration<double>(time).count(); };
+  for (std::size_t i = at.size() - 22; i + 2 < at.size(); ++i)
+    difference_s += std::abs(s(at[i + 2] - at[i + 1]) - s(at[i + 1] - at[i])) / 20;
+  EXPECT_LT(difference_s, 0.04);
+}
+
+TEST_F(GsUsb, CanFdFramesOfOthersAreHeardWithoutHarm) {
+  Bench bench(depth_on("can2"), depth_on("can3"));
+  ASSERT_TRUE(bench.reaches(State::streaming));
+  for (int i = 0; i < 10; ++i) adapter_.order("fd 0");
+  EXPECT_TRUE(bench.hears_again());
+  EXPECT_EQ(bench.states.back(), State::streaming);
+  EXPECT_EQ(bench.health().stream.bad_checksums, 0u);
+  EXPECT_EQ(bench.health().error_frames, 0u);
+}
+
+TEST_F(GsUsb, AnErrorPassiveControllerAndABusThatIsOffAreNamed) {
+  Bench bench(depth_on("can2"), depth_on("can3"));
+  ASSERT_TRUE(bench.reaches(State::streaming));
+  adapter_.order("state 0 passive");
+  ASSERT_TRUE(bench.until([&] { return says(bench.health(), "passive"); }))
+      << bench.health().last_error.view();
+  adapter_.order("state 0 off");
+  ASSERT_TRUE(bench.until([&] { return says(bench.health(), "bus-off"); }))
+      << bench.health().last_error.view();
+  EXPECT_EQ(link::find_can_interface("can2")->state, "BUS-OFF");
+  adapter_.order("state 0 restarted");
+  EXPECT_TRUE(bench.hears_again());
+  EXPECT_EQ(bench.health().error_frames, 3u);
+}
+
+TEST_F(GsUsb, AControllerThatLostFramesSaysSo) {
+  Bench bench(depth_on("can2"), depth_on("can3"));
+  ASSERT_TRUE(bench.reaches(State::streaming));
+  adapter_.order("state 0 overflow");
+  ASSERT_TRUE(bench.until([&] { return says(bench.health(), "overflow"); }))
+      << bench.health().last_error.view();
+  EXPECT_TRUE(bench.hears_again());
+}
+
+TEST_F(GsUsb, AnAdapterPulledOutAndPutInAgainStreamsAsSoonAsItIsUp) {
+  Bench bench(depth_on("can2"), depth_on("can3"));
+  for (int time = 1; time <= 2; ++time) {
+    ASSERT_TRUE(bench.reaches(State::streaming)) << bench.health().status.view();
+    adapter_.order("unplug");
+    ASSERT_TRUE(bench.until([] { return !is_there("can2"); }));
+    ASSERT_TRUE(bench.reaches(State::backing_off));
+    ASSERT_TRUE(bench.until([&] {
+      return bench.lines.back().find("no CAN interface") != std::string::npos;
+    })) << bench.lines.back();
+    adapter_.order("plug");
+    ASSERT_TRUE(bench.until([] { return is_there("can2") && is_there("can3"); }));
+    for (const char* name : {"can2", "can3"}) bring_up(name, "bitrate 250000");
+    ASSERT_TRUE(bench.reaches(State::streaming)) << bench.health().status.view();
+    ASSERT_TRUE(bench.hears_again());
+  }
+}
+
+TEST(Usb8dev, TheKernelRestartsAControllerThatWentBusOff) {
+  UsbCan adapter("usb_8dev");
+  ASSERT_TRUE(eventually([] { return is_there("can2"); }));
+  bring_up("can2", "bitrate 250000 restart-ms 100");
+  Bench bench(depth_on("can2"), depth_on("can2"));
+  ASSERT_TRUE(bench.reaches(State::streaming)) << bench.health().status.view();
+  adapter.order("state 0 off");
+  // A frame of the controller, and one of the kernel after restart-ms.
+  ASSERT_TRUE(bench.until([&] { return bench.health().error_frames >= 2; }));
+  EXPECT_TRUE(says(bench.health(), "bus-off") || says(bench.health(), "restarted"))
+      << bench.health().last_error.view();
+  adapter.order("state 0 active");
+  EXPECT_TRUE(bench.hears_again());
+}
+
+}  // namespace
+}  // namespace drydock::ports
