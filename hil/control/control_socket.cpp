@@ -76,7 +76,7 @@ void close_when_over(asio::steady_timer& time, const std::shared_ptr<Local::sock
 std::string control_path(std::string_view rig_name) {
   std::string name(rig_name);
   std::ranges::replace(name, '/', '_');
-  const std::string path = link::pty_path(name + ".control");
+  std::string path = link::pty_path(name + ".control");
   if (!is_too_long(path)) return path;
   return link::pty_path(fmt::format("{:016x}.control", hash_of(name)));
 }

@@ -1,18 +1,20 @@
 #!/usr/bin/env python3
 """Debian's own kernel, made ready for a machine in software: kernel.py FOLDER
 
-Downloads the package linux-image-amd64 depends on (70 MB; it is not installed), and keeps three things of it: `vmlinux`,
+Downloads the package that linux-image-amd64 depends on (70 MB; it is not installed; DRYDOCK_PORTS_PACKAGE names another,
+linux-image-rt-amd64 has PREEMPT_RT), and keeps three things of it: `vmlinux`,
 unpacked here since the software processor would take 5 s for it; the modules of CAN, USB serial ports and of the machine
 itself; an `initramfs.cpio` that loads them and mounts this machine's files (guest-init). Does nothing if they are there."""
 import hashlib
 import lzma
+import os
 import pathlib
 import re
 import shutil
 import subprocess
 import sys
 
-PACKAGE = "linux-image-amd64"
+PACKAGE = os.environ.get("DRYDOCK_PORTS_PACKAGE", "linux-image-amd64")
 # Loaded at boot, in this order; each brings what it depends on.
 AT_BOOT = ["virtio_pci", "9pnet_virtio", "9p", "overlay", "virtio_console", "xhci-pci", "ftdi_sio", "can-raw", "kvaser_pci"]
 FOLDERS = ["arch/x86/crypto", "crypto", "drivers/char", "drivers/net/can", "drivers/tty", "drivers/usb", "drivers/virtio", "fs/9p",
@@ -73,7 +75,7 @@ def initramfs(root, version, folder):
 
 
 def prepare(folder):
-    key = hashlib.sha256(pathlib.Path(__file__).read_bytes() + (HERE / "guest-init").read_bytes()).hexdigest()
+    key = PACKAGE + " " + hashlib.sha256(pathlib.Path(__file__).read_bytes() + (HERE / "guest-init").read_bytes()).hexdigest()
     if (folder / "key").exists() and (folder / "key").read_text() == key:
         return
     shutil.rmtree(folder, ignore_errors=True)

@@ -3,8 +3,9 @@
   ttyS1 ttyS2      two 16550A, joined by a null modem         ttyUSB0 ttyUSB1  two FTDI adapters (ftdi_sio), joined likewise
   can0 can1        two SJA1000 controllers (kvaser_pci) on one bus, down
   /dev/qmp         the machine's own control: unplug and plug the adapters usb0 and usb1 (QMP device_del, device_add)
-usage: with-ports.py [--paced] [--seconds N] COMMAND [ARGUMENT...]      exit status of the command
+usage: with-ports.py [--paced] [--virtual] [--seconds N] COMMAND [ARGUMENT...]      exit status of the command
 --paced: the lines carry bytes at the rates that the ports are set to (null_modem.py).
+--virtual: the machine's time counts instructions, 2 ns each, and passes over idle time. Not for serial ports.
 Where it cannot run, one line says why; the exit status is 77 (skipped), or 1 if CI=true."""
 import argparse
 import os
@@ -53,10 +54,11 @@ echo $? >/run/ports/status
 """)
 
 
-def machine(share, modem):
+def machine(share, modem, virtual):
     """The words of QEMU's command line."""
+    pace = ["-accel", "tcg,thread=single", "-icount", "shift=1,sleep=off"] if virtual else ["-accel", "tcg,thread=multi"]
     nine = "security_model=none,multidevs=remap"
-    words = ["qemu-system-x86_64", "-accel", "tcg,thread=multi", "-M", "q35", "-cpu", "max", "-smp", "1", "-m", "1G", "-nodefaults",
+    words = ["qemu-system-x86_64", *pace, "-M", "q35", "-cpu", "max", "-smp", "1", "-m", "1G", "-nodefaults",
              "-display", "none", "-no-reboot", "-serial", f"file:{share}/console", "-kernel", KERNEL / "vmlinux",
              "-initrd", KERNEL / "initramfs.cpio",
              "-append", "console=ttyS0 quiet panic=-1 mitigations=off tsc=reliable reboot=t net.ifnames=0",
@@ -100,7 +102,7 @@ def run(options):
         modem = NullModem(options.paced, [f"{share}/{name}" for name in PORTS])
         modem.start()
         write_command(share, options.command)
-        guest = subprocess.Popen(machine(share, modem), stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL)
+        guest = subprocess.Popen(machine(share, modem, options.virtual), stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL)
         try:
             if not ended(guest, share, options.seconds):
                 print(f"ports: the machine did not end within {options.seconds:g} s", file=sys.stderr)
@@ -119,6 +121,7 @@ def run(options):
 def main():
     arguments = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     arguments.add_argument("--paced", action="store_true")
+    arguments.add_argument("--virtual", action="store_true")
     arguments.add_argument("--seconds", type=float, default=120)
     arguments.add_argument("command", nargs=argparse.REMAINDER)
     options = arguments.parse_args()

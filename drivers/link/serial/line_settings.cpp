@@ -6,6 +6,7 @@
 #include <sys/stat.h>
 #include <sys/sysmacros.h>
 
+#include <bit>
 #include <cerrno>
 #include <cmath>
 
@@ -158,7 +159,7 @@ std::optional<LineRefusal> configure_line(int fd, const LineSettings& settings,
   if (auto refused = set_level(fd, TIOCM_DTR, "dtr", settings.dtr, ioctl)) return refused;
   if (auto refused = set_level(fd, TIOCM_RTS, "rts", settings.rts, ioctl)) return refused;
   // Bytes from before the start have no time.
-  ioctl(fd, TCFLSH, reinterpret_cast<void*>(std::uintptr_t{TCIFLUSH}));
+  ioctl(fd, TCFLSH, std::bit_cast<void*>(std::uintptr_t{TCIFLUSH}));
   return std::nullopt;
 }
 
