@@ -4,10 +4,14 @@
 #include <linux/serial.h>
 #include <sys/file.h>
 #include <sys/ioctl.h>
+#include <sys/stat.h>
 #include <unistd.h>
+
+#include <filesystem>
 
 #include "tests/hil/survive/bench.hpp"
 #include "tests/ports/machine.hpp"
+#include "tests/vcan/process.hpp"
 
 namespace drydock::ports {
 namespace {
@@ -67,6 +71,53 @@ TEST(Held, APortThatAnotherProgramHasLockedIsRefusedInALineThatSaysSo) {
   EXPECT_NE(bench.lines.back().find("another program has it open"), std::string::npos);
   ::close(other);
   EXPECT_TRUE(bench.reaches(State::streaming)) << "the port is free again";
+}
+
+TEST(Held, APortThatThisUserMayNotOpenIsRefusedInALineThatNamesTheGroup) {
+  constexpr uid_t nobody = 65534;
+  ASSERT_EQ(::chmod("/dev/ttyS2", 0666), 0);  // the emulated sensor's end
+  ASSERT_EQ(::seteuid(nobody), 0);
+  Bench bench(log_on("/dev/ttyS1"), log_on("/dev/ttyS2"));
+  const bool refused = bench.reaches(State::backing_off);
+  ASSERT_EQ(::seteuid(0), 0);
+  ASSERT_TRUE(refused);
+  EXPECT_EQ(bench.lines.back().find("cannot open /dev/ttyS1: Permission denied"), 0u)
+      << bench.lines.back();
+  EXPECT_NE(bench.lines.back().find("dialout"), std::string::npos) << bench.lines.back();
+  EXPECT_TRUE(bench.reaches(State::streaming)) << "this user may open it now";
+}
+
+/// udev's name of an adapter; it holds the adapter's serial number.
+std::string lasting_name(const char* number) {
+  return std::string("/dev/serial/by-id/usb-QEMU_QEMU_USB_SERIAL_") + number + "-if00-port0";
+}
+
+bool names_are_there() {
+  return std::filesystem::exists(lasting_name("A")) && std::filesystem::exists(lasting_name("B"));
+}
+
+TEST_F(Adapter, ALastingNameFollowsTheAdapterWhenTheKernelsNamesChangePlaces) {
+  ASSERT_EQ(vcan::run_program({"/usr/lib/systemd/systemd-udevd", "--daemon"}), 0);
+  ASSERT_EQ(vcan::run_program({"udevadm", "trigger", "--action=add", "--subsystem-match=usb",
+                               "--subsystem-match=usb-serial", "--subsystem-match=tty"}),
+            0);
+  ASSERT_EQ(vcan::run_program({"udevadm", "settle"}), 0);
+  ASSERT_TRUE(names_are_there());
+  const auto first = std::filesystem::canonical(lasting_name("A"));
+
+  Bench bench(log_on(lasting_name("A")), log_on(lasting_name("B")));
+  ASSERT_TRUE(bench.reaches(State::streaming)) << bench.health().status.view();
+  for (const char* adapter : {"usb0", "usb1"}) unplug(adapter);
+  ASSERT_TRUE(bench.reaches(State::backing_off));
+  bench.pass(200ms);
+  for (const char* adapter : {"usb1", "usb0"}) {
+    plug(adapter);
+    bench.pass(700ms);
+  }
+  ASSERT_TRUE(bench.until([] { return names_are_there(); }));
+  EXPECT_NE(std::filesystem::canonical(lasting_name("A")), first) << "the kernel's name";
+  ASSERT_TRUE(bench.reaches(State::streaming)) << bench.health().status.view();
+  EXPECT_TRUE(bench.hears_again());
 }
 
 TEST(LowLatency, IsSetAtTheAdapterWhoseTimerElseHoldsBytesBackFor16Milliseconds) {
