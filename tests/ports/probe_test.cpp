@@ -39,32 +39,37 @@ std::string rig_file(const Case& sensors) {
   return path;
 }
 
-/// The probe's rig entry, or what it said instead. output_until() waits for five seconds at most.
+/// The probe's rig entry, or what it said instead. output_until() waits for 20 s at most.
 std::string found_by(Process& probe) {
   std::string said;
-  for (int i = 0; i < 8 && said.find("rate_hz") == said.npos; ++i)
+  for (int i = 0; i < 3 && said.find("rate_hz") == said.npos; ++i)
     said = probe.output_until("rate_hz");
   return said;
 }
 
+std::string entry(const Sensor& sensor, const std::string& port) {
+  return "protocol = \"" + sensor.protocol + "\"\nlink = \"serial:" + port +
+         "?baud=" + sensor.baud + "\"";
+}
+
 class APacedLine : public ::testing::TestWithParam<Case> {};
 
+/// A machine in software on a busy host stands still at times, and a probe then hears too little.
+/// So each line is probed up to three times; what a probe says must be right.
 TEST_P(APacedLine, IsProbedToItsRateAndItsProtocol) {
   Process emulator({DRYDOCK_PROGRAM, "emulate", rig_file(GetParam())});
   ASSERT_NE(emulator.output_until("ftdi:").find("ftdi:"), std::string::npos);
-  Process on_uart({DRYDOCK_PROGRAM, "probe", "serial:/dev/ttyS1"});
-  Process on_ftdi({DRYDOCK_PROGRAM, "probe", "serial:/dev/ttyUSB0"});
-
-  const std::string uart = found_by(on_uart), ftdi = found_by(on_ftdi);
   const auto& [u, f] = GetParam();
-  EXPECT_NE(uart.find("protocol = \"" + u.protocol +
-                      "\"\nlink = \"serial:/dev/ttyS1?baud=" + u.baud + "\""),
-            uart.npos)
-      << uart;
-  EXPECT_NE(ftdi.find("protocol = \"" + f.protocol +
-                      "\"\nlink = \"serial:/dev/ttyUSB0?baud=" + f.baud + "\""),
-            ftdi.npos)
-      << ftdi;
+  std::string uart, ftdi;
+  const auto is_found = [](const std::string& said) { return said.find("rate_hz") != said.npos; };
+  for (int time = 0; time < 3 && !(is_found(uart) && is_found(ftdi)); ++time) {
+    Process on_uart({DRYDOCK_PROGRAM, "probe", "serial:/dev/ttyS1"});
+    Process on_ftdi({DRYDOCK_PROGRAM, "probe", "serial:/dev/ttyUSB0"});
+    uart = found_by(on_uart);
+    ftdi = found_by(on_ftdi);
+  }
+  EXPECT_NE(uart.find(entry(u, "/dev/ttyS1")), uart.npos) << uart;
+  EXPECT_NE(ftdi.find(entry(f, "/dev/ttyUSB0")), ftdi.npos) << ftdi;
 }
 
 const Sensor dvl115{"dvl", "pd0", "115200"}, dvl57{"dvl", "pd0", "57600"},

@@ -47,13 +47,14 @@ TEST_F(GsUsb, TheControllersStampsTakeOutTheTimeThatTheAdapterNeeds) {
   EXPECT_NE(bench.health().link_note.view().find("controller"), std::string_view::npos)
       << bench.health().link_note.view();
   // Every second frame of a 10 Hz sensor arrives 40 ms late: by arrival, one interval and the next
-  // differ by 80 ms.
-  double difference_s = 0;
+  // differ by 80 ms. The median leaves out what a busy machine delays.
+  std::vector<double> differences_s;
   const auto& at = bench.received;
   const auto s = [](auto time) { return std::chrono::duration<double>(time).count(); };
   for (std::size_t i = at.size() - 22; i + 2 < at.size(); ++i)
-    difference_s += std::abs(s(at[i + 2] - at[i + 1]) - s(at[i + 1] - at[i])) / 20;
-  EXPECT_LT(difference_s, 0.04);
+    differences_s.push_back(std::abs(s(at[i + 2] - at[i + 1]) - s(at[i + 1] - at[i])));
+  std::ranges::nth_element(differences_s, differences_s.begin() + 10);
+  EXPECT_LT(differences_s[10], 0.04);
 }
 
 TEST_F(GsUsb, CanFdFramesOfOthersAreHeardWithoutHarm) {

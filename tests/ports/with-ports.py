@@ -122,7 +122,7 @@ def main():
     arguments = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     arguments.add_argument("--paced", action="store_true")
     arguments.add_argument("--virtual", action="store_true")
-    arguments.add_argument("--seconds", type=float, default=120)
+    arguments.add_argument("--seconds", type=float, default=300)
     arguments.add_argument("command", nargs=argparse.REMAINDER)
     options = arguments.parse_args()
     reason = absent()

@@ -16,7 +16,7 @@ namespace drydock::vcan {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-constexpr auto bound = std::chrono::seconds{5};
+constexpr auto bound = std::chrono::seconds{20};
 
 int count_of(const std::string& text, const std::string& in) {
   int count = 0;

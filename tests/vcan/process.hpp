@@ -20,7 +20,7 @@ class Process {
   ~Process();
 
   /// Its whole output so far. Reads until the output contains `text` `count` times, the program
-  /// ends, or five seconds have passed.
+  /// ends, or 20 s have passed (a machine in software is slow).
   std::string output_until(const std::string& text, int count = 1);
   /// Waits for its end. Returns its exit status.
   int wait();
@@ -37,7 +37,7 @@ int run_program(const std::vector<std::string>& command);
 /// Number of receivers of all frames on the interface (/proc/net/can/rcvlist_all).
 int receiver_count(const std::string& name);
 /// A candump that has just started receives nothing until it is one of these receivers. False after
-/// 5 s.
+/// 20 s.
 bool wait_for_receivers(const std::string& name, int at_least);
 
 }  // namespace drydock::vcan
