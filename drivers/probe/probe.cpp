@@ -62,10 +62,7 @@ bool read_bytes(const link::Uri& uri, ProbeReport& report) {
     for (auto rest = raw ? block : head.without(block); !rest.empty();) {
       const auto piece = rest.first(std::min(step, rest.size()));
       rest = rest.subspan(piece.size());
-      constexpr double bits_a_byte = 10;
-      if (uri.baud())
-        now += measurement::from_seconds(bits_a_byte * static_cast<double>(piece.size()) /
-                                         *uri.baud());
+      if (const auto rate = uri.line_rate()) now += rate->time_of(piece.size());
       survey.feed(piece, now);
     }
   }

@@ -2,21 +2,14 @@
 
 #include <algorithm>
 
-#include "drivers/link/uri.hpp"
 #include "drivers/measurement/earlier.hpp"
 #include "hil/fault/schedule/condition.hpp"
+#include "hil/fault/wire/line_rate_of.hpp"
 #include "rig_config/fault_vocabulary.hpp"
 
 namespace drydock::fault {
 
-namespace {
-
-double baud_of(const DeviceConfig& config) {
-  const auto uri = link::parse_uri(config.link);
-  return uri ? uri->baud().value_or(0) : 0;
-}
-
-}  // namespace
+namespace {}  // namespace
 
 motion::Truth FaultyDevice::View::at(Stamp time) const {
   if (!condition_->stuck_at) return motion_.at(time);
@@ -43,7 +36,7 @@ FaultyDevice::FaultyDevice(const DeviceConfig& config, const motion::Trajectory&
       seed_(seed),
       schedule_(std::move(schedule), trajectory.start()),
       view_(trajectory, condition_),
-      bytes_(seed, config.name, baud_of(config)),
+      bytes_(seed, config.name, line_rate_of(config)),
       frames_(seed, config.name) {}
 
 std::optional<Stamp> FaultyDevice::deadline() const {

@@ -6,6 +6,7 @@
 
 #include "drivers/wire/can/can_frame.hpp"
 #include "drivers/wire/codec.hpp"
+#include "drivers/wire/line_rate.hpp"
 #include "hil/sensor/random.hpp"
 #include "rig_config/fault.hpp"
 
@@ -46,8 +47,9 @@ wire::CanFrame garbage_frame(std::size_t bytes, RandomStream& random);  ///< ext
                                                                         ///< bytes
 
 /// What a receiver at one baud rate reads from a message sent at another. The receiver samples
-/// every bit of 8N1 in the middle of its own bit time. A character without a valid stop bit is read
-/// as 0, the default of Linux (termios(3): IGNPAR and PARMRK off).
-Message heard_at(wire::Bytes message, double sent_baud, double heard_baud);
+/// every bit in the middle of its own bit time; both have the same bits of a byte. A character
+/// without a valid stop bit is read as 0, and parity is not checked: the default of Linux
+/// (termios(3): IGNPAR, PARMRK and INPCK off).
+Message heard_at(wire::Bytes message, double sent_baud, wire::LineRate heard_rate);
 
 }  // namespace drydock::fault

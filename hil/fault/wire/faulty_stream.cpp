@@ -2,18 +2,13 @@
 
 #include <algorithm>
 
-#include "drivers/link/uri.hpp"
 #include "drivers/measurement/earlier.hpp"
+#include "hil/fault/wire/line_rate_of.hpp"
 #include "rig_config/fault_vocabulary.hpp"
 
 namespace drydock::fault {
 
 namespace {
-
-wire::LineRate line_rate(const DeviceConfig& device) {
-  const auto uri = link::parse_uri(device.link);
-  return uri ? uri->line_rate().value_or(wire::LineRate{}) : wire::LineRate{};
-}
 
 bool is_about_messages(const InForce& now) {
   const FaultKind kind = now.fault->kind;
@@ -26,7 +21,7 @@ bool is_about_messages(const InForce& now) {
 
 FaultyStream::FaultyStream(const DeviceConfig& device, std::uint64_t seed,
                            const std::shared_ptr<const Schedule>& schedule, Stamp start)
-    : rate_(line_rate(device)), schedule_(schedule, start), wire_(seed, device.name, rate_.baud) {
+    : rate_(line_rate_of(device)), schedule_(schedule, start), wire_(seed, device.name, rate_) {
   if (const auto protocol = MessageSplitter::protocol(device.protocol))
     splitter_.emplace(*protocol);
 }

@@ -9,8 +9,8 @@ namespace drydock::fault {
 template <class Carried>
 class FaultyWire {
  public:
-  FaultyWire(std::uint64_t seed, const std::string& device, double baud = 0)
-      : faults_(seed, device, baud), held_(seed, device) {}
+  FaultyWire(std::uint64_t seed, const std::string& device, wire::LineRate rate = {})
+      : faults_(seed, device, rate), held_(seed, device) {}
 
   void set(const std::vector<InForce>& faults) {
     faults_.set(faults);

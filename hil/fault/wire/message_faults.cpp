@@ -74,7 +74,7 @@ template <class Carried>
 void MessageFaults<Carried>::hear_at_wrong_baud(Carried& bytes) {
   if constexpr (std::is_same_v<Carried, Message>) {
     if (const Active* baud = find(FaultKind::wrong_baud))
-      bytes = heard_at(bytes, baud->fault.amount[0], baud_);
+      bytes = heard_at(bytes, baud->fault.amount[0], rate_);
   }
 }
 

@@ -18,10 +18,9 @@ class MessageFaults {
  public:
   using Emit = std::function<void(const Carried&)>;
 
-  /// Random numbers depend on seed, device and kind of fault. `baud` is the receiver's rate; 0:
-  /// none.
-  MessageFaults(std::uint64_t seed, std::string device, double baud = 0)
-      : seed_(seed), device_(std::move(device)), baud_(baud) {}
+  /// Random numbers depend on seed, device and kind of fault. `rate` is the receiver's.
+  MessageFaults(std::uint64_t seed, std::string device, wire::LineRate rate = {})
+      : seed_(seed), device_(std::move(device)), rate_(rate) {}
 
   /// Sets the faults in force.
   void set(const std::vector<InForce>& faults);
@@ -49,7 +48,7 @@ class MessageFaults {
 
   std::uint64_t seed_;
   std::string device_;
-  double baud_;
+  wire::LineRate rate_;
   std::vector<Active> active_;
   std::optional<Carried> held_;  ///< waits until its successor has gone
   FaultHits hits_;

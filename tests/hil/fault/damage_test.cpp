@@ -108,6 +108,22 @@ TEST(Damage, AtHalfTheBaudTwoCharactersAreHeardAsOne) {
   EXPECT_THAT(heard_at(bytes("UU"), 9600, 4800), ElementsAre(0xFF));
 }
 
+TEST(Damage, AParityBitMovesWhatIsHeardAtHalfTheBaud) {
+  // "UU" with even parity is 0 10101010 0 1, twice. Of the samples at bits 3, 5, ... 17 the first
+  // three are high; the stop bit is sampled at 21.
+  constexpr wire::ByteFrame even{8, wire::Parity::even, 1};
+  EXPECT_THAT(heard_at(bytes("UU"), 9600, {4800, even}), ElementsAre(0x07));
+}
+
+TEST(Damage, AtTheSameBaudEveryFramingHearsWhatWasSent) {
+  Message all(128);
+  for (std::size_t i = 0; i < all.size(); ++i) all[i] = static_cast<std::uint8_t>(i);
+  using enum wire::Parity;
+  for (const auto parity : {none, even, odd, mark, space})
+    for (const unsigned stop_bits : {1u, 2u})
+      EXPECT_THAT(heard_at(all, 38400, {38400, {7, parity, stop_bits}}), ElementsAreArray(all));
+}
+
 TEST(Damage, ACharacterWithoutItsStopBitIsReadAsZero) {
   // A receiver at twice the rate samples its stop bit on the sender's fourth bit, which is 0 in
   // "U".
