@@ -9,8 +9,6 @@
 
 namespace drydock::fault {
 
-namespace {}  // namespace
-
 motion::Truth FaultyDevice::View::at(Stamp time) const {
   if (!condition_->stuck_at) return motion_.at(time);
   motion::Truth held = motion_.at(*condition_->stuck_at);
