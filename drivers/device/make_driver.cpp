@@ -3,6 +3,7 @@
 #include <array>
 
 #include "drivers/device/dvl/dvl_driver.hpp"
+#include "drivers/device/dvl/nortek_ad2cp_driver.hpp"
 #include "drivers/device/dvl/nortek_driver.hpp"
 #include "drivers/device/dvl/pd4_driver.hpp"
 #include "drivers/device/dvl/pd6_driver.hpp"
@@ -53,6 +54,7 @@ constexpr std::array rows{
     byte_row<Pd6Driver>(Kind::dvl, wire::Pd6::name),
     byte_row<WaterLinkedDriver>(Kind::dvl, wire::WaterLinked::name),
     byte_row<NortekDriver>(Kind::dvl, wire::Nortek::name),
+    byte_row<NortekAd2cpDriver>(Kind::dvl, wire::NortekAd2cp::name),
     byte_row<EmLogDriver>(Kind::emlog, wire::Nmea0183::name),
     byte_row<GnssDriver>(Kind::gnss, wire::Ubx::name),
     byte_row<GnssDriver>(Kind::gnss, wire::Nmea0183::name),
@@ -93,8 +95,8 @@ DriverError no_driver(const DriverOptions& options, Travels travels) {
 
 }  // namespace
 
-boost::container::static_vector<ProtocolEntry, 8> protocols_of(Kind kind) {
-  boost::container::static_vector<ProtocolEntry, 8> found;
+boost::container::static_vector<ProtocolEntry, 16> protocols_of(Kind kind) {
+  boost::container::static_vector<ProtocolEntry, 16> found;
   for (const Row& row : rows) {
     if (row.kind == kind) found.push_back(row.protocol);
   }

@@ -15,6 +15,7 @@
 #include "drivers/wire/canopen/epson_imu.hpp"
 #include "drivers/wire/codec.hpp"
 #include "drivers/wire/dvl/nortek.hpp"
+#include "drivers/wire/dvl/nortek_ad2cp.hpp"
 #include "drivers/wire/dvl/pd0.hpp"
 #include "drivers/wire/dvl/pd4.hpp"
 #include "drivers/wire/dvl/pd6.hpp"
@@ -87,6 +88,10 @@ inline constexpr std::tuple byte_protocols{
                         .settings = Settings::refusable,
                         .tells_heat = true}),
     bytes<Nortek>({.kinds = Kind::dvl, .checksum = "XOR", .clock = DeviceClock::yes}),
+    bytes<NortekAd2cp>({.kinds = Kind::dvl,
+                        .checksum = "two 16-bit sums",
+                        .clock = DeviceClock::yes,
+                        .settings = Settings::refusable}),
 };
 
 inline constexpr std::tuple frame_protocols{

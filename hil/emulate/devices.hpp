@@ -30,6 +30,9 @@ DevicePtr make_water_linked_dvl(const DeviceSetup& setup);
 /// One PNORBT9 per sample.
 DevicePtr make_nortek_dvl(const DeviceSetup& setup);
 
+/// One bottom track record (1B) per sample. Answers the command dialogue.
+DevicePtr make_nortek_ad2cp_dvl(const DeviceSetup& setup);
+
 /// VBW (longitudinal and transverse speed), then VHW per sample, VLW once a second; talker VM.
 DevicePtr make_nmea0183_em_log(const DeviceSetup& setup);
 
@@ -79,6 +82,7 @@ inline constexpr auto device_rows = std::to_array<DeviceRow>({
     {DeviceKind::dvl, "pd6", make_pd6_dvl},
     {DeviceKind::dvl, "water-linked", make_water_linked_dvl},
     {DeviceKind::dvl, "nortek", make_nortek_dvl},
+    {DeviceKind::dvl, "nortek-ad2cp", make_nortek_ad2cp_dvl},
     {DeviceKind::emlog, "nmea0183", make_nmea0183_em_log},
     {DeviceKind::gnss, "ubx", make_ubx_gnss},
     {DeviceKind::gnss, "nmea0183", make_nmea0183_gnss},

@@ -17,9 +17,10 @@ struct WaterLayer {
 };
 
 /// The properties of a head. Beams have the order of PD0 for a head that looks down with beam 3
-/// ahead: port, starboard, forward, aft. Ranges are along the beam.
+/// ahead: port, starboard, forward, aft, all turned by `turn_rad`. Ranges are along the beam.
 struct JanusHead {
   double beam_angle_rad = 0.5235987755982988;  ///< between each beam and the head's axis
+  double turn_rad = 0;                         ///< of the beams about the head's axis, clockwise
   double shortest_range_m = 0.3, longest_range_m = 120;
   double absorption_dbpm = 0.16;  ///< absorption of sound at its frequency in sea water
   int fewest_beams = 3;           ///< for a velocity; 3: the error velocity is taken as zero
@@ -62,6 +63,6 @@ DvlPing dvl_ping(const motion::Trajectory& trajectory, measurement::Stamp at,
                  const Mounting& mounting, const JanusHead& head, const PingNoise& noise = {});
 
 /// Unit vectors along the beams, in the head's axes.
-std::array<Eigen::Vector3d, 4> beam_directions(double beam_angle_rad);
+std::array<Eigen::Vector3d, 4> beam_directions(const JanusHead& head);
 
 }  // namespace drydock::sensor

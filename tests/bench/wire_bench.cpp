@@ -61,6 +61,11 @@ BENCHMARK(ubx_and_nmea0183);
 void pd0(benchmark::State& state) { scan_and_decode<Pd0>(state, {"pd0/golden.pd0"}); }
 BENCHMARK(pd0);
 
+void nortek_ad2cp(benchmark::State& state) {
+  scan_and_decode<NortekAd2cp>(state, {"nortek-ad2cp/golden.nortek-ad2cp"});
+}
+BENCHMARK(nortek_ad2cp);
+
 /// A line at the wrong baud rate: only noise.
 template <class P>
 void skip_noise(benchmark::State& state) {
@@ -80,6 +85,7 @@ BENCHMARK(skip_noise<Nmea0183>);
 BENCHMARK(skip_noise<Ubx>);
 BENCHMARK(skip_noise<UbxNmea>);
 BENCHMARK(skip_noise<Pd0>);
+BENCHMARK(skip_noise<NortekAd2cp>);
 
 }  // namespace
 }  // namespace drydock::wire

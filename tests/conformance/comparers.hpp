@@ -17,6 +17,10 @@ void compare_pd6(const Case& one, Score& score);
 std::vector<Case> discover_nortek(const fs::path& folder);  ///< *.txt
 void compare_nortek(const Case& one, Score& score);
 
+/// raw/*, expected/STEM.jsonl; nothing in the latter: no record is sound
+std::vector<Case> discover_nortek_ad2cp(const fs::path& folder);
+void compare_nortek_ad2cp(const Case& one, Score& score);
+
 std::vector<Case> discover_speed_log(const fs::path& folder);  ///< *.tsv
 void compare_speed_log(const Case& one, Score& score);
 

@@ -12,6 +12,7 @@ std::span<const Corpus> corpora() {
       Corpus{"dvl/pd0", "dvl/pd0", discover_pd0, compare_pd0},
       Corpus{"dvl/waterlinked", "dvl/waterlinked", discover_water_linked, compare_water_linked},
       Corpus{"dvl/nortek", "dvl/nortek", discover_nortek, compare_nortek},
+      Corpus{"dvl/ad2cp", "dvl/ad2cp", discover_nortek_ad2cp, compare_nortek_ad2cp},
       Corpus{"eml", "eml", discover_speed_log, compare_speed_log},
       Corpus{"gps/gpsd positions", "gps/gpsd", discover_gpsd_positions, compare_gpsd_positions},
       Corpus{"gps/gpsd satellites", "gps/gpsd", discover_gpsd_satellites, compare_gpsd_satellites},

@@ -21,6 +21,40 @@ std::vector<std::string_view> scan_pd0(std::string_view bytes) {
   return found;
 }
 
+namespace {
+
+/// B58C and all bytes, of which every second one, and the last of an odd number, count 256 times.
+unsigned ad2cp_sum(std::string_view bytes) {
+  unsigned sum = 0xB58C;
+  for (std::size_t i = 0; i < bytes.size(); ++i)
+    sum += octet(bytes, i) * (i % 2 == 1 || i + 1 == bytes.size() ? 256 : 1);
+  return sum & 0xFFFF;
+}
+
+/// Bytes of the sound record at the front, 0 if there is none.
+std::size_t ad2cp_record_size(std::string_view bytes) {
+  if (bytes.size() < 12) return 0;
+  const std::size_t head = octet(bytes, 1);
+  if (head != 10 && head != 12) return 0;
+  const std::size_t data = pair_le(bytes, 4) + (head == 12 ? pair_le(bytes, 6) * 65536 : 0);
+  if (bytes.size() < head + data) return 0;
+  const bool good = ad2cp_sum(bytes.substr(0, head - 2)) == pair_le(bytes, head - 2) &&
+                    ad2cp_sum(bytes.substr(head, data)) == pair_le(bytes, head - 4);
+  return good ? head + data : 0;
+}
+
+}  // namespace
+
+std::vector<std::string_view> scan_ad2cp(std::string_view bytes) {
+  std::vector<std::string_view> found;
+  for (std::size_t at = 0; (at = bytes.find('\xA5', at)) != bytes.npos;) {
+    const std::size_t size = ad2cp_record_size(bytes.substr(at));
+    if (size > 0) found.push_back(bytes.substr(at, size));
+    at += size > 0 ? size : 1;
+  }
+  return found;
+}
+
 std::vector<std::string_view> scan_ubx(std::string_view bytes) {
   std::vector<std::string_view> found;
   std::size_t at = 0;

@@ -11,6 +11,9 @@ namespace drydock::conformance {
 /// Frames 7F 7F with their length and a right sum.
 std::vector<std::string_view> scan_pd0(std::string_view bytes);
 
+/// Records A5 with the short or the long header, whose two sums are right.
+std::vector<std::string_view> scan_ad2cp(std::string_view bytes);
+
 /// Frames B5 62 class id with right Fletcher sums, complete.
 std::vector<std::string_view> scan_ubx(std::string_view bytes);
 

@@ -166,6 +166,49 @@ TEST_F(Scoreboard, APositionThatGpsdReadsOtherwiseIsWrong) {
   EXPECT_FALSE(clean(score_all(root_)));
 }
 
+/// The first record of fixtures/nortek-ad2cp, whose values its NOTE.md tells.
+json row_of_the_first_golden_record() {
+  return json::parse(R"({"at":0,"id":27,"family":16,"version":1,"offset_of_data":36,"serial":105236,
+      "time":1795356239.0005,"number_of_beams":4,"error":0,"status":269484031,
+      "sound_speed_mps":1500.25,"temperature_c":5.625,"pressure_bar":0.125,
+      "beam_velocity_mps":[0.25,0.125,-0.25,-0.125],"beam_distance_m":[3.5,4,4.5,5],
+      "beam_fom_mps":[0.001,0.002,0.003,0.004],"beam_dt1_s":[0.015,0.016,0.017,0.018],
+      "beam_dt2_s":[-0.635,-0.634,-0.633,-0.632],"beam_duration_s":[0.009,0.0095,0.01,0.0105],
+      "xyz_velocity_mps":[0.75,0.0625,-0.03125,0.0469],"xyz_fom_mps":[0.0021,0.0022,0.0012,0.0024],
+      "xyz_dt1_s":[0.0161,0.0162,0.0163,0.0164],"xyz_dt2_s":[-0.6341,-0.6342,-0.6343,-0.6344],
+      "xyz_duration_s":[0.0091,0.0092,0.0093,0.0094],"beam_velocity_valid":[1,1,1,1],
+      "beam_distance_valid":[1,1,1,1],"beam_fom_valid":[1,1,1,1],"xyz_velocity_valid":[1,1,1,1],
+      "xyz_fom_valid":[1,1,1,1],"idle_below_3_6_12":[0,0,0],"wakeup":1})");
+}
+
+TEST_F(Scoreboard, ABinaryRecordIsComparedToTheLastBitAndInEveryValidity) {
+  std::ifstream golden(DRYDOCK_SOURCE_DIR "/fixtures/nortek-ad2cp/golden.nortek-ad2cp",
+                       std::ios::binary);
+  std::string record(222, '\0');
+  golden.read(record.data(), 222);
+  write("dvl/ad2cp/raw/made.bin", record);
+  const auto wrong = [&](const json& row) {
+    write("dvl/ad2cp/expected/made.jsonl", row.dump() + "\n");
+    return only().counts().wrong;
+  };
+  const json row = row_of_the_first_golden_record();
+  EXPECT_EQ(wrong(row), 0u);
+  json other = row;
+  other["xyz_velocity_mps"][3] = 0.046900004;  // the next float32
+  EXPECT_EQ(wrong(other), 1u);
+  other = row;
+  other["beam_velocity_valid"][2] = 0;
+  EXPECT_EQ(wrong(other), 1u);
+}
+
+TEST_F(Scoreboard, ADamagedBinaryRecordWithoutExpectedValuesMustGiveNone) {
+  write("dvl/ad2cp/raw/made.bin", "\xA5\x0A\x1B\x10");
+  write("dvl/ad2cp/expected/made.jsonl", "");
+  EXPECT_TRUE(only().clean());
+  write("dvl/ad2cp/expected/made.jsonl", row_of_the_first_golden_record().dump());
+  EXPECT_EQ(only().counts().missed, 1u);
+}
+
 TEST_F(Scoreboard, AFolderWithNothingKnownGivesNoCorpus) {
   write("notes/readme.txt", "nothing here");
   EXPECT_THAT(score_all(root_), IsEmpty());

@@ -7,7 +7,7 @@ namespace drydock::device {
 
 namespace {
 /// A frame takes 0.6 ms at 250 kbit/s: no other frame fits into this pause.
-constexpr std::chrono::microseconds shortest_pause{500};
+constexpr std::chrono::microseconds pause_between_bursts{500};
 }  // namespace
 
 ActuatorDriver::ActuatorDriver(const DriverOptions& options)
@@ -16,7 +16,7 @@ ActuatorDriver::ActuatorDriver(const DriverOptions& options)
                       SourceFilter{options.address}},
       engine_source_(options.address),
       engine_instance_("engine", options.instance),
-      burst_(shortest_pause) {}
+      burst_(pause_between_bursts) {}
 
 void ActuatorDriver::receive(const wire::CanFrame& frame, Stamp received_at, Output& out) {
   const auto message = decoder_.receive(frame);

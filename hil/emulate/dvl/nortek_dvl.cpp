@@ -1,17 +1,11 @@
-
-#include "drivers/measurement/units.hpp"
 #include "drivers/wire/dvl/nortek.hpp"
+
 #include "hil/emulate/devices.hpp"
 #include "hil/emulate/dvl/dvl_device.hpp"
+#include "hil/emulate/dvl/nortek_head.hpp"
 
 namespace drydock::emulate {
 namespace {
-
-/// The DVL1000 works at 1 MHz.
-constexpr sensor::JanusHead dvl1000{.beam_angle_rad = 25 * units::degree,
-                                    .shortest_range_m = 0.2,
-                                    .longest_range_m = 75,
-                                    .absorption_dbpm = 0.35};
 
 class NortekDvl final : public DvlDevice {
  public:

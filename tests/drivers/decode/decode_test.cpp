@@ -133,7 +133,7 @@ class KeyTable {
  private:
   template <class... M>
   void add_variant(std::variant<M...>*) {
-    (add_fields(std::string(M::type), M{}), ...);
+    (add_fields(std::string(M{}.type), M{}), ...);
   }
   template <class M>
   void add_fields(const std::string& type, const M& message) {

@@ -60,6 +60,14 @@ TEST(Allocation, NoneBehindDamagedLengths) {
             0U);
 }
 
+TEST(Allocation, NoneByTheNortekDvlWithBinaryRecords) {
+  const Octets golden = read_all(std::filesystem::path(DRYDOCK_SOURCE_DIR) /
+                                 "fixtures/nortek-ad2cp/golden.nortek-ad2cp");
+  EXPECT_EQ(allocations_of(Kind::dvl, "nortek-ad2cp",
+                           [&](Device& d, Stamp at) { d.receive(golden, at); }),
+            0U);
+}
+
 TEST(Allocation, NoneByTheGnssDriver) {
   Octets pvt(92, 0), sat(8 + 12 * 40, 0);
   pvt[20] = 3, pvt[21] = 1;

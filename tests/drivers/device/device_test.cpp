@@ -188,7 +188,8 @@ TEST(Device, UnknownProtocolIsRefused) {
   ASSERT_FALSE(made);
   EXPECT_TRUE(made.error().message.starts_with(
       "no driver for kind \"dvl\" with protocol \"nmea0183\" over bytes; allowed: pd0 (bytes) "
-      "pd4 (bytes) pd5 (bytes) pd6 (bytes) water-linked (bytes) nortek (bytes)"))
+      "pd4 (bytes) pd5 (bytes) pd6 (bytes) water-linked (bytes) nortek (bytes) nortek-ad2cp "
+      "(bytes)"))
       << made.error().message;
 }
 
@@ -219,6 +220,9 @@ RC_GTEST_PROP(Device, CountersAddUpForAWaterLinkedDvl, ()) {
   counters_add_up(Kind::dvl, "water-linked");
 }
 RC_GTEST_PROP(Device, CountersAddUpForANortekDvl, ()) { counters_add_up(Kind::dvl, "nortek"); }
+RC_GTEST_PROP(Device, CountersAddUpForANortekDvlWithBinaryRecords, ()) {
+  counters_add_up(Kind::dvl, "nortek-ad2cp");
+}
 
 }  // namespace device_test
 }  // namespace drydock::device::test

@@ -86,6 +86,16 @@ struct Golden<Nortek> {
   static constexpr std::size_t inside = 9;
 };
 
+template <>
+struct Golden<NortekAd2cp> {
+  static Buffer stream() { return fixture("nortek-ad2cp/golden.nortek-ad2cp"); }
+  static constexpr std::size_t frames = 15, messages = 15;
+  static Buffer false_sync() {
+    return {0xA5, 0x0A, 0x1B, 0x10, 0xD4, 0x00, 0x21, 0xCC, 0x41, 0x9D};
+  }
+  static constexpr std::size_t inside = 20;
+};
+
 /// The checksums again, written from the documents and not from the scanners.
 bool sound_sentence(Bytes frame) {
   const std::string_view text = as_text(frame);
@@ -132,8 +142,24 @@ bool sound_pd6(Bytes frame) {
   return (name[1] != 'S' && name[1] != 'E') || fields == 4;
 }
 
+/// Sums of 16-bit words from B58C; an odd last byte is a high byte.
+bool sound_ad2cp(Bytes frame) {
+  const auto sum = [](Bytes bytes) {
+    unsigned total = 0xB58C;
+    for (std::size_t i = 0; i < bytes.size(); ++i)
+      total += i % 2 == 1 || i + 1 == bytes.size() ? bytes[i] * 256u : bytes[i];
+    return total % 65536;
+  };
+  const auto word = [&](std::size_t at) { return frame[at] + 256u * frame[at + 1]; };
+  const std::size_t header = frame[1];
+  return frame[0] == 0xA5 && (header == 10 || header == 12) &&
+         word(header - 2) == sum(frame.first(header - 2)) &&
+         word(header - 4) == sum(frame.subspan(header)) && frame.size() == header + word(4);
+}
+
 template <class P>
 bool sound(Bytes frame) {
+  if constexpr (std::is_same_v<P, NortekAd2cp>) return sound_ad2cp(frame);
   if constexpr (std::is_same_v<P, Pd6>) return sound_pd6(frame);
   if constexpr (std::is_same_v<P, Nmea0183> || std::is_same_v<P, Nortek>)
     return sound_sentence(frame);

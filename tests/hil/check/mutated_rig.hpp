@@ -121,7 +121,7 @@ inline std::string some_link(bool frames) {
 
 inline const std::vector<std::pair<std::string, Texts>>& kinds() {
   static const std::vector<std::pair<std::string, Texts>> all{
-      {"dvl", {"pd0", "pd4", "pd5", "pd6", "water-linked", "nortek"}},
+      {"dvl", {"pd0", "pd4", "pd5", "pd6", "water-linked", "nortek", "nortek-ad2cp"}},
       {"emlog", {"nmea0183"}},
       {"gnss", {"ubx", "nmea0183", "ubx+nmea0183"}},
       {"imu", {"aceinna", "cia404-imu", "epson-g550", "epson-g552", "xsens"}},

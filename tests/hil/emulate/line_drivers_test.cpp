@@ -75,6 +75,32 @@ TEST_F(ThroughDrivers, WaterLinkedAndNortekDvlsKnowTheirOwnLatency) {
   }
 }
 
+TEST_F(ThroughDrivers, ABinaryRecordOfNortekTellsItsAgeAndTheAltitudeOfALevelDvl) {
+  auto config = device(DeviceKind::dvl, "nortek-ad2cp", 5);
+  config.emulate.latency_s = 0.075;  // the driver does not know this latency
+  config.mounting_rad = {0, 0, 30 * degree};
+  run_line(device::Kind::dvl, config, 115200);
+  const auto samples = all<measurement::BottomVelocity>();
+  EXPECT_EQ(samples.size(), 450);
+  int locked = 0;
+  for (const auto& sample : samples) {
+    const auto truth = trajectory_.at(sample.origin.valid_at);
+    if (!sample.velocity) continue;  // the bed is out of range
+    ++locked;
+    EXPECT_LT((*sample.velocity - truth.velocity_body).norm(), 1e-5);
+    ASSERT_TRUE(sample.altitude_m);
+    EXPECT_NEAR(*sample.altitude_m * std::cos(truth.pitch_rad) * std::cos(truth.roll_rad),
+                truth.bed_depth_m + truth.height_m, 0.02);
+    EXPECT_LT(std::abs(std::remainder(measurement::seconds(sample.origin.valid_at - start), 0.2)),
+              1e-6);
+    // The clock has steps of 100 us.
+    EXPECT_NEAR(measurement::seconds(*sample.origin.device_time -
+                                     sample.origin.valid_at.time_since_epoch()),
+                -50e-6, 51e-6);
+  }
+  EXPECT_GT(locked, 50);
+}
+
 TEST_F(ThroughDrivers, AWaterLinkedDvlIsSetUpAndItsRotationTurnsBothWays) {
   auto with_baud = options(device::Kind::dvl, device(DeviceKind::dvl, "water-linked", 5));
   with_baud.baud = 115200;

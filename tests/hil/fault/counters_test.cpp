@@ -13,9 +13,10 @@ struct Line {
   const char *kind, *protocol;
 };
 
-constexpr Line lines[] = {{"dvl", "pd0"},        {"dvl", "pd4"},    {"dvl", "pd5"},
-                          {"dvl", "pd6"},        {"dvl", "nortek"}, {"dvl", "water-linked"},
-                          {"emlog", "nmea0183"}, {"gnss", "ubx"},   {"gnss", "nmea0183"}};
+constexpr Line lines[] = {{"dvl", "pd0"},          {"dvl", "pd4"},        {"dvl", "pd5"},
+                          {"dvl", "pd6"},          {"dvl", "nortek"},     {"dvl", "water-linked"},
+                          {"dvl", "nortek-ad2cp"}, {"emlog", "nmea0183"}, {"gnss", "ubx"},
+                          {"gnss", "nmea0183"}};
 
 std::string table_of(const Line& line) {
   return std::string("[[device]]\nname = \"dvl\"\nkind = \"") + line.kind + "\"\nprotocol = \"" +

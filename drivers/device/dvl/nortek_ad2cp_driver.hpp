@@ -1,0 +1,37 @@
+#pragma once
+
+#include <string_view>
+
+#include "drivers/device/dvl/ad2cp_solution.hpp"
+#include "drivers/device/stream_driver.hpp"
+#include "drivers/wire/dvl/nortek_ad2cp.hpp"
+
+namespace drydock::device {
+
+/// Nortek DVL with binary records: each bottom track (1B) becomes BottomVelocity. `valid_at`
+/// follows from the age that the record tells, otherwise from the configured latency. The altitude
+/// is that of a level DVL, because the record has no tilt. Bottom track of a Signature (17) gives
+/// ranges, altitude and attitude without a velocity, whose sign no document at hand tells. Water
+/// track (1D) is no bottom velocity. What is missing from an incomplete velocity is reported once,
+/// until something else is missing.
+class NortekAd2cpDriver final : public StreamDriver<wire::NortekAd2cp::max_frame> {
+ public:
+  explicit NortekAd2cpDriver(const DriverOptions& options)
+      : StreamDriver(options, wire::NortekAd2cp::scan),
+        mounting_(options.mounting),
+        sigma_mps_(options.velocity_sigma_mps) {}
+
+ private:
+  void on_frame(wire::Bytes frame, const Arrival& arrival, Output& out) override;
+  void on(const wire::ad2cp::BottomTrack& record, const Arrival& arrival, Output& out);
+  void on(const wire::ad2cp::SignatureBottomTrack& record, const Arrival& arrival, Output& out);
+  Origin origin_of(const Ad2cpSolution& solution, const wire::ad2cp::BottomTrack& record,
+                   const Arrival& arrival) const;
+  void heed(std::string_view trouble, Output& out);
+
+  Mounting mounting_;
+  std::optional<double> sigma_mps_;  ///< for a record without figures of merit
+  std::string_view trouble_;
+};
+
+}  // namespace drydock::device
