@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 
 #include "rig_config/checks/checks.hpp"
+#include "rig_config/device_description/load_description.hpp"
 #include "rig_config/toml/checked_file.hpp"
 #include "rig_config/toml/toml_reader.hpp"
 #include "rig_config/typed/build.hpp"
@@ -75,6 +77,10 @@ std::vector<std::string> files_of(const Node& root, const std::string& path,
       add(beside(path, reference->text));
   };
   add_named(root.find("rig"), "mission");
+  for_each_table(root, "device", [&](const Node& table, std::size_t) {
+    const std::string description = beside(path, table.find("protocol")->text);
+    if (is_description(description) && std::filesystem::exists(description)) add(description);
+  });
   for (const auto& file : mission.files) add(file);
   for_each_table(root, "device", [&](const Node& table, std::size_t) {
     add_named(table.find("emulate"), "errors");
@@ -93,6 +99,9 @@ Loaded<Rig> load_rig_text(std::string_view text, const std::string& path,
   const auto root = read_checked(text, path, FileKind::rig, options);
   if (!root) return root.error();
   Rig rig = build_rig(*root, path);
+  for (DeviceConfig& device : rig.devices)
+    if (is_description(device.protocol))
+      device.description = find_description(device.protocol, path).value();
   if (options.devices_only) return rig;
   Problems problems;
   if (const Node* reference = root->find("rig")->find("mission")) {
@@ -181,6 +190,10 @@ Problems check_file(const std::string& path, const LoadOptions& options) {
   if (kind == FileKind::mission) {
     const auto mission = load_mission_text(*text, path);
     return mission ? Problems{} : mission.error();
+  }
+  if (kind == FileKind::device) {
+    const auto description = load_description_text(*text, path);
+    return description ? Problems{} : description.error();
   }
   const auto document = read_checked(*text, path, kind);
   return document ? Problems{} : document.error();

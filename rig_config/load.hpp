@@ -83,8 +83,10 @@ Loaded<VehicleConfig> load_vehicle_text(std::string_view text, const std::string
 /// Problems of a rig, mission, sensor or vehicle file. The top-level tables give the kind of file.
 Problems check_file(const std::string& path, const LoadOptions& options = {});
 
-/// The JSON Schema (draft-07) of rig, mission and sensor files, and that of vehicle files.
+/// The JSON Schema (draft-07) of rig, mission and sensor files, that of vehicle files, and that of
+/// descriptions of sensors.
 std::string_view schema_text();
 std::string_view vehicle_schema_text();
+std::string_view device_schema_text();
 
 }  // namespace drydock::rig_config

@@ -3,6 +3,7 @@
 #include <array>
 #include <chrono>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -18,6 +19,13 @@
 /// A rig file as typed values. The names are those of the TOML keys. The JSON Schema
 /// `rig_config/schema/rig.schema.json` defines the allowed values; the loader fills in the
 /// defaults.
+namespace drydock::wire {
+struct Protocol;
+namespace described {
+struct Description;
+}
+}  // namespace drydock::wire
+
 namespace drydock::rig_config {
 
 using DeviceKind = measurement::Kind;
@@ -57,9 +65,10 @@ struct PressureConfig {
 struct DeviceConfig {
   std::string name;
   DeviceKind kind = DeviceKind::imu;
-  std::string protocol;  ///< a name of drivers/wire/registry.hpp with this kind
-  std::string link;      ///< URI, see drivers/link/uri.hpp
-  double rate_hz = 1;    ///< nominal: the rate of the emulated device, and the reference for health
+  std::string protocol;  ///< a name of drivers/wire/registry.hpp with this kind, or a description's
+  std::shared_ptr<const wire::described::Description> description;  ///< null: of the registry
+  std::string link;    ///< URI, see drivers/link/uri.hpp
+  double rate_hz = 1;  ///< nominal: the rate of the emulated device, and the reference for health
   double stale_after_s = 2;              ///< streaming -> stale
   double reopen_after_s = 10;            ///< stale -> backing off and opening again
   double latency_s = 0;                  ///< from protocol or maker; it is subtracted from valid_at
@@ -84,6 +93,9 @@ struct DeviceConfig {
   EmulateConfig emulate;
   int line = 0;  ///< of the [[device]] block in the file
 };
+
+/// The facts of the device's protocol, of the registry or described. Null: there is no such one.
+const wire::Protocol* protocol_of(const DeviceConfig& device);
 
 struct EstimatorConfig {
   std::string name;

@@ -15,6 +15,7 @@
 #include "drivers/measurement/stamp.hpp"
 #include "drivers/terminal/exit_codes.hpp"
 #include "drivers/text/json_lines.hpp"
+#include "drivers/wire/described/described_codec.hpp"
 #include "drivers/wire/registry.hpp"
 
 namespace drydock::decode {
@@ -81,22 +82,24 @@ class Sink {
 };
 
 /// Decodes a byte capture to its end. False if the output cannot be written.
-template <wire::ByteProtocol P>
-bool decode_bytes(FileBlocks& blocks, bool raw, Sink& sink, wire::StreamCounters& counters) {
-  const auto framer = std::make_unique<wire::Framer<P::max_frame>>();
+template <class Codec>
+bool decode_bytes(const Codec& codec, FileBlocks& blocks, bool raw, Sink& sink,
+                  wire::StreamCounters& counters) {
+  const auto framer = std::make_unique<wire::Framer<Codec::max_frame>>();
   capture::CommentHead head;
+  const auto scan = [&](wire::Bytes bytes) { return codec.scan(bytes); };
   const auto on_frame = [&](wire::Bytes frame, std::size_t) {
-    if (const auto message = P::decode(frame)) sink.message(*message);
+    if (const auto message = codec.decode(frame)) sink.message(*message);
   };
   for (wire::Bytes block = blocks.read(); !block.empty(); block = blocks.read()) {
-    framer->feed(raw ? block : head.without(block), P::scan, on_frame);
+    framer->feed(raw ? block : head.without(block), scan, on_frame);
     if (!blocks.likely_more(block) && !sink.flush()) return false;  // a live input: show it now
   }
   const auto [total, frames] = std::pair(framer->counters().bytes_in, framer->counters().frames);
   constexpr std::uint8_t line_end[] = {'\n'};  // the last line of a capture may have no end
-  if (framer->held() > 0) framer->feed(line_end, P::scan, on_frame);
+  if (framer->held() > 0) framer->feed(line_end, scan, on_frame);
   const bool lent = framer->counters().bytes_in > total && framer->counters().frames == frames;
-  framer->finish(P::scan, on_frame);
+  framer->finish(scan, on_frame);
   counters = framer->counters();
   counters.bytes_skipped -= lent;
   sink.finish();
@@ -173,7 +176,7 @@ int decode(const DecodeOptions& options, std::FILE* out, std::FILE* err) {
   const std::string& protocol = options.protocol;
   const bool from_frames =
       knows(wire::FrameProtocols{}, protocol) || knows(wire::FramesAsTheyAre{}, protocol);
-  if (!from_frames && !knows(wire::BytesProtocols{}, protocol) &&
+  if (!from_frames && !options.description && !knows(wire::BytesProtocols{}, protocol) &&
       !knows(wire::FrameCarriers{}, protocol)) {
     return refuse(
         err, fmt::format("unknown protocol \"{}\", allowed: {}", protocol, decode_protocols()));
@@ -191,10 +194,13 @@ int decode(const DecodeOptions& options, std::FILE* out, std::FILE* err) {
   Sink sink(options, out);
   wire::StreamCounters counters;
   bool written = false;
-  const auto bytes = [&]<class P>() { written = decode_bytes<P>(blocks, raw, sink, counters); };
+  const auto bytes = [&]<class P>() { written = decode_bytes(P{}, blocks, raw, sink, counters); };
   const auto frames = [&]<class P>() {
     written = decode_frames<P>(blocks, capture, sink, counters);
   };
+  if (options.description)
+    written = decode_bytes(wire::described::DescribedCodec(options.description), blocks, raw, sink,
+                           counters);
   wire::with_protocol(wire::BytesProtocols{}, protocol, bytes);
   wire::with_protocol(wire::FrameCarriers{}, protocol, bytes);
   wire::with_protocol(wire::FrameProtocols{}, protocol, frames);

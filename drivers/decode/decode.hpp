@@ -1,16 +1,22 @@
 #pragma once
 
 #include <cstdio>
+#include <memory>
 #include <string>
+
+namespace drydock::wire::described {
+struct Description;
+}
 
 namespace drydock::decode {
 
 struct DecodeOptions {
-  std::string protocol;  ///< a name of drivers/wire/registry.hpp
+  std::string protocol;  ///< a name of drivers/wire/registry.hpp, or that of `description`
   std::string file;      ///< empty or "-": standard input
   bool count = false;    ///< print the number of messages of each type, not the messages
   bool quiet = false;    ///< no totals on `err`
   std::string format{};  ///< one of decode_formats(); empty: recognised by content
+  std::shared_ptr<const wire::described::Description> description{};  ///< null: of the registry
 };
 
 /// `drydock decode`: reads a capture and writes JSON Lines, one object for each message. Byte

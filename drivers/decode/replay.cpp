@@ -19,6 +19,7 @@
 #include "drivers/terminal/exit_codes.hpp"
 #include "drivers/text/json_lines.hpp"
 #include "drivers/text/measurement_fields.hpp"
+#include "drivers/wire/described/description.hpp"
 
 namespace drydock::decode {
 namespace {
@@ -71,16 +72,17 @@ class Printer final : public device::Listener, public device::Transmitter {
 };
 
 /// The kinds of sensor that speak the protocol.
-std::vector<Kind> kinds_with(std::string_view protocol) {
+std::vector<Kind> kinds_with(const ReplayOptions& options) {
   std::vector<Kind> kinds;
-  const wire::Protocol* known = wire::find_protocol(protocol);
+  const wire::Protocol* known =
+      options.description ? &options.description->facts : wire::find_protocol(options.protocol);
   for (const Kind kind : measurement::kinds)
     if (known && known->kinds.has(kind)) kinds.push_back(kind);
   return kinds;
 }
 
 Kind chosen_kind(const ReplayOptions& options) {
-  const auto kinds = kinds_with(options.protocol);
+  const auto kinds = kinds_with(options);
   std::string names;
   for (const Kind kind : kinds) {
     if (to_string(kind) == options.kind || (options.kind.empty() && kinds.size() == 1)) return kind;
@@ -104,6 +106,7 @@ std::unique_ptr<Device> make_device(const ReplayOptions& options, const link::Ur
   device::DeviceOptions wanted;
   wanted.driver.kind = chosen_kind(options);
   wanted.driver.protocol = options.protocol;
+  wanted.driver.description = options.description;
   wanted.driver.baud = uri.baud();
   wanted.driver.byte_frame = uri.byte_frame();
   wanted.driver.address = options.address;

@@ -12,14 +12,15 @@ namespace drydock::decode {
 
 struct ReplayOptions {
   std::string capture;        ///< file name
-  std::string protocol;       ///< protocol of the sensor
+  std::string protocol;       ///< protocol of the sensor, or the name of `description`
   std::string kind;           ///< kind of the sensor; empty if only one kind speaks the protocol
   std::string speed = "max";  ///< max: at once, in virtual time; 1: real time; or another factor
   std::string format;         ///< empty: recognised by content
   std::string interface;      ///< interface in a CAN capture; empty: all
   unsigned baud = 0;          ///< rate of a byte capture's line; 0: not known
   std::uint8_t address = 0;   ///< on a CAN bus; 0: the first seen
-  bool quiet = false;         ///< no states and totals on `err`
+  std::shared_ptr<const wire::described::Description> description{};  ///< null: of the registry
+  bool quiet = false;  ///< no states and totals on `err`
 };
 
 /// `drydock replay`: plays a capture through a driver and writes its measurements on `out` as JSON

@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -12,6 +13,10 @@
 #include "drivers/wire/canopen/cia404_pressure.hpp"
 #include "drivers/wire/j1939/aceinna_setup.hpp"
 #include "drivers/wire/line_rate.hpp"
+
+namespace drydock::wire::described {
+struct Description;
+}
 
 namespace drydock::device {
 
@@ -59,7 +64,9 @@ struct DvlOptions {
 /// Everything that a driver needs to know about its sensor.
 struct DriverOptions {
   Kind kind = Kind::imu;
-  std::string protocol;      ///< one of protocols_of(kind)
+  std::string protocol;  ///< one of protocols_of(kind), or the name of `description`
+  std::shared_ptr<const wire::described::Description> description;  ///< null: of the registry
+  std::chrono::nanoseconds poll_period = std::chrono::seconds{1};   ///< of a sensor that is asked
   std::uint16_t device = 0;  ///< index in the rig, part of every Origin
   Mounting mounting;
   std::chrono::nanoseconds latency{0};  ///< from the time of validity to the first bit on the wire

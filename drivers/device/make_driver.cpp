@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "drivers/device/described/described_driver.hpp"
 #include "drivers/device/dvl/dvl_driver.hpp"
 #include "drivers/device/dvl/nortek_ad2cp_driver.hpp"
 #include "drivers/device/dvl/nortek_driver.hpp"
@@ -69,6 +70,12 @@ constexpr std::array rows{
     frame_row<ActuatorDriver>(Kind::actuator, wire::Nmea2000::name),
 };
 
+bool is_described(const DriverOptions& options, Travels travels) {
+  if (!options.description) return false;
+  const wire::Protocol& facts = options.description->facts;
+  return facts.travels == travels && facts.kinds.has(options.kind);
+}
+
 const Row* find(const DriverOptions& options, Travels travels) {
   for (const Row& row : rows) {
     if (row.kind == options.kind && row.protocol.name == options.protocol &&
@@ -104,6 +111,7 @@ boost::container::static_vector<ProtocolEntry, 16> protocols_of(Kind kind) {
 }
 
 boost::system::result<ByteDriverPtr, DriverError> make_byte_driver(const DriverOptions& options) {
+  if (is_described(options, Travels::as_bytes)) return make<ByteDriver, DescribedDriver>(options);
   const Row* row = find(options, Travels::as_bytes);
   if (!row) return no_driver(options, Travels::as_bytes);
   return row->make_byte(options);

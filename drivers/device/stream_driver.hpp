@@ -21,7 +21,7 @@ constexpr std::chrono::milliseconds longest_wait{500};
 /// `longest_wait`, the driver looks behind it. If a whole frame is there, the first one is given
 /// up. Otherwise it may still come (a slow line, a host that stalled), and the driver looks again
 /// with the next bytes. A frame that comes out late keeps the time at which its own bytes arrived.
-template <std::size_t Capacity>
+template <std::size_t Capacity, class Scanner = wire::Scan (*)(wire::Bytes)>
 class StreamDriver : public ByteDriver {
  public:
   void receive(wire::Bytes bytes, Stamp received_at, Output& out) override {
@@ -48,8 +48,6 @@ class StreamDriver : public ByteDriver {
   void set_baud(unsigned baud) final { timing_.set_baud(baud); }
 
  protected:
-  using Scanner = wire::Scan (*)(wire::Bytes);
-
   StreamDriver(const DriverOptions& options, Scanner scan) : timing_(options), scan_(scan) {}
 
   /// A whole frame of the protocol.

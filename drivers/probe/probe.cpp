@@ -51,11 +51,12 @@ bool read_frames(const link::Uri& uri, ProbeReport& report) {
 
 /// Surveys a byte capture. Bytes have no times of their own: the times follow from the line's rate,
 /// if the URI gives it.
-bool read_bytes(const link::Uri& uri, ProbeReport& report) {
+bool read_bytes(const link::Uri& uri, const survey::ByteSurvey::Descriptions& descriptions,
+                ProbeReport& report) {
   capture::FileBlocks blocks(uri.target);
   const bool raw = uri.text_of("format") == "raw";
   capture::CommentHead head;
-  survey::ByteSurvey survey;
+  survey::ByteSurvey survey(descriptions);
   Stamp now{};
   constexpr std::size_t step = 64;
   for (wire::Bytes block = blocks.read(); !block.empty(); block = blocks.read()) {
@@ -82,12 +83,13 @@ bool read_bytes(const link::Uri& uri, ProbeReport& report) {
 
 bool search(const ProbeOptions& options, const link::Uri& uri, std::FILE* err,
             ProbeReport& report) {
-  if (uri.recorded()) return read_frames(uri, report) || read_bytes(uri, report);
+  if (uri.recorded())
+    return read_frames(uri, report) || read_bytes(uri, options.descriptions, report);
   Ear ear;
   Progress progress(err);
   const Stamp start = link::steady_now();
   const LineSearch wanted{report.link, start + measurement::from_seconds(options.duration_s),
-                          options.ask};
+                          options.ask, options.descriptions};
   const bool opened = uri.carries() == Carries::bytes ? search_line(wanted, ear, progress, report)
                                                       : search_bus(wanted, ear, progress, report);
   report.listened_s = measurement::seconds(link::steady_now() - start);

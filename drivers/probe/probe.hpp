@@ -1,7 +1,13 @@
 #pragma once
 
 #include <cstdio>
+#include <memory>
 #include <string>
+#include <vector>
+
+namespace drydock::wire::described {
+struct Description;
+}
 
 namespace drydock::probe {
 
@@ -10,6 +16,8 @@ struct ProbeOptions {
   double duration_s = 30;
   bool ask = false;   ///< may write to the wire: docs/pier/probe.md lists the questions
   bool json = false;  ///< one JSON object
+  /// Protocols that files describe, tried beside those of the registry.
+  std::vector<std::shared_ptr<const wire::described::Description>> descriptions{};
 };
 
 /// `drydock probe LINK`: finds the protocol, its rate and the sensors, and prints the `[[device]]`

@@ -43,6 +43,9 @@ std::string with_keys(std::string uri, const Setting& s, int bits) {
 
 /// One line, decoded in three ways: as it is, and as 7 data bits with even or odd parity.
 struct Hearing {
+  explicit Hearing(const ByteSurvey::Descriptions& descriptions)
+      : eight(descriptions), even(descriptions), odd(descriptions) {}
+
   survey::ByteSurvey eight, even, odd;
   /// A burst began after silence and has ended: its messages were heard completely.
   bool whole_burst = false;
@@ -103,7 +106,7 @@ std::string found_so_far(const Hearing& hearing) {
 class Attempt {
  public:
   Attempt(const LineSearch& search, Setting setting, bool serial)
-      : search_(search), setting_(setting), serial_(serial) {}
+      : search_(search), setting_(setting), serial_(serial), hearing_(search.descriptions) {}
 
   std::optional<link::OpenError> run(Ear& ear, Progress& progress, bool may_leave) {
     const auto uri = link::parse_uri(uri_with(8)).value();

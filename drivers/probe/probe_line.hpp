@@ -4,6 +4,7 @@
 
 #include "drivers/probe/ear.hpp"
 #include "drivers/probe/probe_report.hpp"
+#include "drivers/survey/byte_survey.hpp"
 
 namespace drydock::probe {
 
@@ -26,6 +27,7 @@ struct LineSearch {
   std::string link;  ///< URI; for a serial port `baud`, `parity` and `bits` may be missing
   link::Stamp until{};
   bool ask = false;
+  survey::ByteSurvey::Descriptions descriptions{};
 };
 
 /// Listens on a byte line. It uses the settings of the URI; without them it tries one setting after

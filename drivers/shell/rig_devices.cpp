@@ -28,6 +28,8 @@ device::DriverOptions driver_options(const DeviceConfig& config, std::size_t ind
   device::DriverOptions options;
   options.kind = config.kind;
   options.protocol = config.protocol;
+  options.description = config.description;
+  options.poll_period = measurement::from_seconds(1 / config.rate_hz);
   options.device = static_cast<std::uint16_t>(index);
   options.mounting = {config.mounting_rad[0], config.mounting_rad[1], config.mounting_rad[2]};
   options.latency = measurement::from_seconds(config.latency_s);

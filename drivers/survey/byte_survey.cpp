@@ -7,6 +7,7 @@
 #include <bit>
 
 #include "drivers/survey/arrivals.hpp"
+#include "drivers/wire/described/described_codec.hpp"
 #include "drivers/wire/registry.hpp"
 
 namespace drydock::survey {
@@ -16,7 +17,10 @@ namespace {
 /// known fields is proof. An answer of slcan may be a single CR, and a command of Water Linked may
 /// lack its checksum; neither is proof.
 template <class P>
-bool proves(wire::Bytes frame, const std::optional<typename P::Message>& message) {
+bool proves([[maybe_unused]] const P& codec, [[maybe_unused]] wire::Bytes frame,
+            const std::optional<typename P::Message>& message) {
+  if constexpr (std::is_same_v<P, wire::described::DescribedCodec>)
+    return codec.description->plan.checksum.size() != 0 || message.has_value();
   if constexpr (std::is_same_v<P, wire::Pd6>) return message.has_value();
   if constexpr (std::is_same_v<P, wire::Slcan>)
     return message && std::holds_alternative<wire::slcan::Frame>(*message);
@@ -35,24 +39,27 @@ Confidence judge(const ByteFinding& f) {
   return f.proofs >= 2 && f.explained() >= half ? Confidence::likely : Confidence::trace;
 }
 
-template <wire::ByteProtocol P>
+/// `P`: a codec of the registry, or DescribedCodec.
+template <class P>
 class CandidateOf final : public ByteCandidate {
  public:
-  CandidateOf()
-      : framer_(std::make_unique<wire::Framer<P::max_frame>>()), trials_(trials_of(P::name)) {}
+  CandidateOf(P codec, std::vector<std::unique_ptr<DriverTrial>> trials)
+      : codec_(std::move(codec)),
+        framer_(std::make_unique<wire::Framer<P::max_frame>>()),
+        trials_(std::move(trials)) {}
 
   void feed(wire::Bytes bytes, Stamp at) override {
     at_ = at;
-    framer_->feed(bytes, P::scan, on_frame());
+    framer_->feed(bytes, scan(), on_frame());
     for (auto& trial : trials_) trial->receive(bytes, at);
   }
 
-  void finish() override { framer_->finish(P::scan, on_frame()); }
+  void finish() override { framer_->finish(scan(), on_frame()); }
 
   ByteFinding finding() const override {
     const auto& c = framer_->counters();
     ByteFinding f;
-    f.protocol = P::name;
+    f.protocol = codec_.name;
     f.proofs = proofs_;
     f.frames = c.frames;
     f.bad_checksums = c.bad_checksums;
@@ -69,10 +76,13 @@ class CandidateOf final : public ByteCandidate {
   }
 
  private:
+  auto scan() const {
+    return [this](wire::Bytes bytes) { return codec_.scan(bytes); };
+  }
   auto on_frame() {
     return [this](wire::Bytes frame, std::size_t) {
-      const auto message = P::decode(frame);
-      if (proves<P>(frame, message) && proofs_++ == 0)
+      const auto message = codec_.decode(frame);
+      if (proves(codec_, frame, message) && proofs_++ == 0)
         skipped_before_ = framer_->counters().bytes_skipped;  // bytes before the first good frame
       if (message) std::visit([this](const auto& m) { note(m.type); }, *message);
     };
@@ -84,6 +94,7 @@ class CandidateOf final : public ByteCandidate {
     heard->second.add(at_);
   }
 
+  P codec_;
   std::unique_ptr<wire::Framer<P::max_frame>> framer_;
   std::vector<std::unique_ptr<DriverTrial>> trials_;
   std::vector<std::pair<std::string_view, Arrivals>> heard_;  ///< in order of first arrival
@@ -93,7 +104,7 @@ class CandidateOf final : public ByteCandidate {
 
 template <class... P>
 void add_all(wire::ProtocolList<P...>, std::vector<std::unique_ptr<ByteCandidate>>& candidates) {
-  (candidates.push_back(std::make_unique<CandidateOf<P>>()), ...);
+  (candidates.push_back(std::make_unique<CandidateOf<P>>(P{}, trials_of(P::name))), ...);
 }
 
 bool better(const ByteFinding& a, const ByteFinding& b) {
@@ -113,7 +124,11 @@ std::string reasons(const ByteFinding& f) {
                      f.bad_checksums, 100 * f.explained(), f.bytes);
 }
 
-ByteSurvey::ByteSurvey() {
+ByteSurvey::ByteSurvey(const Descriptions& descriptions) {
+  using wire::described::DescribedCodec;
+  for (const auto& one : descriptions)
+    candidates_.push_back(
+        std::make_unique<CandidateOf<DescribedCodec>>(DescribedCodec(one), trials_of(one)));
   add_all(wire::BytesProtocols{}, candidates_);
   add_all(wire::FrameCarriers{}, candidates_);
 }

@@ -56,7 +56,10 @@ class ByteCandidate {
 
 class ByteSurvey {
  public:
-  ByteSurvey();
+  using Descriptions = std::vector<wire::described::DescriptionPtr>;
+
+  /// It also tries the described protocols.
+  explicit ByteSurvey(const Descriptions& descriptions = {});
 
   /// `at` is the arrival of the last byte. If times are not known, all stamps may be equal.
   void feed(wire::Bytes bytes, Stamp at);

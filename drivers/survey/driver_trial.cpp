@@ -24,14 +24,30 @@ std::optional<bool> plausible(const measurement::DepthSample& m) {
   return *m.pressure_pa > 0.2e5 && measurement::is_sea_pressure(*m.pressure_pa);
 }
 
-}  // namespace
-
-DriverTrial::DriverTrial(Kind kind, std::string_view protocol, std::uint8_t address) {
+device::DeviceOptions options_for(Kind kind, std::string_view protocol, std::uint8_t address) {
   device::DeviceOptions options;
   options.name = to_string(kind);
   options.driver.kind = kind;
   options.driver.protocol = protocol;
   options.driver.address = address;
+  return options;
+}
+
+device::DeviceOptions options_for(const wire::described::DescriptionPtr& description) {
+  auto options = options_for(description->kind, description->name, 0);
+  options.driver.description = description;
+  return options;
+}
+
+}  // namespace
+
+DriverTrial::DriverTrial(Kind kind, std::string_view protocol, std::uint8_t address)
+    : DriverTrial(options_for(kind, protocol, address)) {}
+
+DriverTrial::DriverTrial(const wire::described::DescriptionPtr& description)
+    : DriverTrial(options_for(description)) {}
+
+DriverTrial::DriverTrial(device::DeviceOptions options) {
   options.life_cycle.reopen_when_quiet = false;
   auto made = device::Device::make(std::move(options));
   if (!made) throw std::invalid_argument(made.error().message);
@@ -72,6 +88,8 @@ void DriverTrial::on_measurement(const measurement::Measurement& measurement) {
 }
 
 SensorHeard DriverTrial::heard() const {
+  const auto& description = device_->options().driver.description;
+  if (description) return {kind(), description->name, measurements_, device_->health(now_).rate_hz};
   // Names in the registry have static storage; the device's own copy ends with the trial.
   const auto known = device::protocols_of(kind());
   const auto name = std::ranges::find(known, protocol(), &device::ProtocolEntry::name)->name;
@@ -96,6 +114,13 @@ std::vector<std::unique_ptr<DriverTrial>> trials_of(std::string_view protocol,
     if (known && known->kinds.has(kind))
       trials.push_back(std::make_unique<DriverTrial>(kind, protocol, address));
   }
+  return trials;
+}
+
+std::vector<std::unique_ptr<DriverTrial>> trials_of(
+    const wire::described::DescriptionPtr& description) {
+  std::vector<std::unique_ptr<DriverTrial>> trials;
+  trials.push_back(std::make_unique<DriverTrial>(description));
   return trials;
 }
 

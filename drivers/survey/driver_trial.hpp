@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "drivers/device/device.hpp"
+#include "drivers/wire/described/description.hpp"
 
 namespace drydock::survey {
 
@@ -27,6 +28,7 @@ class DriverTrial final : private device::Listener, private device::Transmitter 
  public:
   /// `address` 0: any. The protocol must be one of protocols_of(kind).
   DriverTrial(Kind kind, std::string_view protocol, std::uint8_t address = 0);
+  explicit DriverTrial(const wire::described::DescriptionPtr& description);
 
   void receive(wire::Bytes bytes, Stamp at);
   void receive(const wire::CanFrame& frame, Stamp at);
@@ -44,6 +46,8 @@ class DriverTrial final : private device::Listener, private device::Transmitter 
   std::optional<double> gravity_error() const;
 
  private:
+  explicit DriverTrial(device::DeviceOptions options);
+
   void on_measurement(const measurement::Measurement& measurement) override;
   void on_state(const device::Device&, const device::Transition&) override {}
   void send(wire::Bytes) override {}
@@ -60,6 +64,10 @@ class DriverTrial final : private device::Listener, private device::Transmitter 
 /// The drivers that understand the protocol, one for each kind of sensor that speaks it.
 std::vector<std::unique_ptr<DriverTrial>> trials_of(std::string_view protocol,
                                                     std::uint8_t address = 0);
+
+/// The one driver of a description.
+std::vector<std::unique_ptr<DriverTrial>> trials_of(
+    const wire::described::DescriptionPtr& description);
 
 /// The one of two that understood more of the same wire; `a` may be null. Null if neither has
 /// plausible measurements.

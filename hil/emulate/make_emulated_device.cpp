@@ -3,12 +3,25 @@
 #include <boost/throw_exception.hpp>
 #include <stdexcept>
 
+#include "drivers/wire/described/description.hpp"
 #include "hil/emulate/booting_device.hpp"
+#include "hil/emulate/described/make_described.hpp"
 #include "hil/emulate/devices.hpp"
 #include "hil/emulate/gnss/make_sky.hpp"
 
 namespace drydock::emulate {
 namespace {
+
+using Make = DevicePtr (*)(const DeviceSetup&);
+
+/// Null: no device of that kind speaks the protocol.
+Make maker_of(const DeviceConfig& config) {
+  if (config.description)
+    return config.description->facts.kinds.has(config.kind) ? make_described : nullptr;
+  for (const DeviceRow& row : device_rows)
+    if (row.kind == config.kind && row.protocol == config.protocol) return row.make;
+  return nullptr;
+}
 
 EmulateError unknown_protocol(const DeviceConfig& config) {
   std::string allowed;
@@ -41,21 +54,18 @@ boost::system::result<DevicePtr, EmulateError> make_emulated_device(const Device
   if (!(config.rate_hz > 0)) {
     return EmulateError{"device \"" + config.name + "\": rate_hz must be above 0", "rate_hz"};
   }
-  for (const DeviceRow& row : device_rows) {
-    if (row.kind == config.kind && row.protocol == config.protocol) {
-      const auto& emulated = config.emulate;
-      const Stamp booted = power.boot + measurement::from_seconds(emulated.boot_s);
-      DeviceSetup setup{config, trajectory, seed, nullptr, booted, power.condition};
-      if (config.kind == rig_config::DeviceKind::gnss) {
-        auto sky = make_sky(config, trajectory.start(), seed);
-        if (!sky) return sky.error();
-        setup.sky = std::move(*sky);
-      }
-      if (emulated.boot_s == 0 && emulated.banner.empty()) return row.make(setup);
-      return std::make_unique<BootingDevice>(row.make(setup), booted, emulated.banner);
-    }
+  const Make make = maker_of(config);
+  if (make == nullptr) return unknown_protocol(config);
+  const auto& emulated = config.emulate;
+  const Stamp booted = power.boot + measurement::from_seconds(emulated.boot_s);
+  DeviceSetup setup{config, trajectory, seed, nullptr, booted, power.condition};
+  if (config.kind == rig_config::DeviceKind::gnss) {
+    auto sky = make_sky(config, trajectory.start(), seed);
+    if (!sky) return sky.error();
+    setup.sky = std::move(*sky);
   }
-  return unknown_protocol(config);
+  if (emulated.boot_s == 0 && emulated.banner.empty()) return make(setup);
+  return std::make_unique<BootingDevice>(make(setup), booted, emulated.banner);
 }
 
 }  // namespace drydock::emulate

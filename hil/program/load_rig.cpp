@@ -58,4 +58,11 @@ void add_faults(rig_config::Rig& rig, const std::string& path) {
   if (!problems.empty()) refuse(problems);
 }
 
+rig_config::DescriptionPtr load_protocol(const std::string& protocol) {
+  if (!rig_config::is_description(protocol)) return nullptr;
+  const auto description = rig_config::find_description(protocol, "");
+  if (!description) refuse(description.error());
+  return *description;
+}
+
 }  // namespace drydock::program

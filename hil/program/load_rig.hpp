@@ -3,6 +3,7 @@
 #include <string>
 
 #include "hil/check/check_rig.hpp"
+#include "rig_config/device_description/load_description.hpp"
 #include "rig_config/rig.hpp"
 
 namespace drydock::program {
@@ -17,5 +18,9 @@ rig_config::Rig load_rig(const std::string& path, check::Use use = check::Use::a
 /// Puts the faults of a file beside those of the rig and checks all of them. An empty path: those
 /// of the rig alone. Throws BadRig where the file is wrong or the rig cannot have such a fault.
 void add_faults(rig_config::Rig& rig, const std::string& path);
+
+/// The description that a name of a protocol means, from the working folder or built in. Null: the
+/// name is of the registry. Throws BadRig for a description that cannot be used.
+rig_config::DescriptionPtr load_protocol(const std::string& protocol);
 
 }  // namespace drydock::program

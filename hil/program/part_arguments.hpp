@@ -6,6 +6,7 @@
 
 #include "drivers/recordings/record/selection.hpp"
 #include "hil/program/commands.hpp"
+#include "hil/program/options.hpp"
 
 namespace drydock::program {
 

@@ -14,14 +14,14 @@ namespace {
 using enum FaultNeed;
 
 /// A proxy may not know which protocol passes through it: then the device can do nothing special.
-const wire::Protocol& protocol_of(const DeviceConfig& device) {
+const wire::Protocol& facts_of(const DeviceConfig& device) {
   static constexpr wire::Protocol unknown;
-  const wire::Protocol* known = wire::find_protocol(device.protocol);
+  const wire::Protocol* known = protocol_of(device);
   return known ? *known : unknown;
 }
 
 bool on_can(const DeviceConfig& device) {
-  return protocol_of(device).travels == wire::Travels::as_frames;
+  return facts_of(device).travels == wire::Travels::as_frames;
 }
 
 bool on_serial_line(const DeviceConfig& device) {
@@ -35,7 +35,7 @@ bool tells_baud(const DeviceConfig& device) {
 
 /// True if the messages of the device contain a time of its own clock.
 bool tells_time(const DeviceConfig& device) {
-  const wire::DeviceClock clock = protocol_of(device).clock;
+  const wire::DeviceClock clock = facts_of(device).clock;
   return clock == wire::DeviceClock::yes ||
          (clock == wire::DeviceClock::of_receiver && device.kind == DeviceKind::gnss);
 }
@@ -61,7 +61,7 @@ std::optional<std::string> of_the_wire(FaultNeed need, const DeviceConfig& devic
         return "a CAN frame tells no length in its bytes; allowed: flip, truncate";
       break;
     case checksum:
-      if (protocol_of(device).checksum.empty())
+      if (facts_of(device).checksum.empty())
         return "its protocol has no checksum of its own; allowed: flip, truncate";
       break;
     case port:
@@ -77,11 +77,11 @@ std::optional<std::string> of_the_wire(FaultNeed need, const DeviceConfig& devic
       if (!on_can(device)) return "only a CAN bus has that";
       break;
     case settings:
-      if (protocol_of(device).settings != wire::Settings::refusable)
+      if (facts_of(device).settings != wire::Settings::refusable)
         return "nothing is set on it that it could refuse";
       break;
     case j1939:
-      if (protocol_of(device).network != wire::Network::j1939)
+      if (facts_of(device).network != wire::Network::j1939)
         return "only J1939 and NMEA 2000 nodes claim addresses";
       break;
     default: break;
@@ -101,7 +101,7 @@ std::optional<std::string> of_the_sensor(FaultNeed need, const DeviceConfig& dev
       if (device.kind != DeviceKind::dvl) return "only a dvl hears the sea bed";
       break;
     case heat:
-      if (!protocol_of(device).tells_heat) return "only a Water Linked dvl tells its heat";
+      if (!facts_of(device).tells_heat) return "only a Water Linked dvl tells its heat";
       break;
     case satellites:
       if (device.kind != DeviceKind::gnss) return "only a gnss receiver has satellites";

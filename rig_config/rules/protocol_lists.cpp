@@ -3,8 +3,6 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "drivers/wire/protocols.hpp"
-
 namespace drydock::rig_config {
 
 namespace {
@@ -20,16 +18,19 @@ bool belongs(const wire::Protocol& protocol, std::string_view list) {
 
 }  // namespace
 
-nlohmann::json with_protocol_lists(nlohmann::json schema) {
+nlohmann::json with_protocol_lists(nlohmann::json schema,
+                                   std::span<const wire::Protocol> described) {
   if (schema.is_object() && schema.contains("protocols") && schema["protocols"].is_string()) {
     const auto list = schema["protocols"].get<std::string>();
     auto names = nlohmann::json::array();
     for (const wire::Protocol& protocol : wire::protocols())
       if (belongs(protocol, list)) names.push_back(std::string(protocol.name));
+    for (const wire::Protocol& protocol : described)
+      if (belongs(protocol, list)) names.push_back(std::string(protocol.name));
     return {{"enum", std::move(names)}};
   }
   for (auto& part : schema)
-    if (part.is_structured()) part = with_protocol_lists(std::move(part));
+    if (part.is_structured()) part = with_protocol_lists(std::move(part), described);
   return schema;
 }
 

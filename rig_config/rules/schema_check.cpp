@@ -115,8 +115,9 @@ class Walk {
 
 }  // namespace
 
-Problems check_schema(const Node& root, const std::string& file, std::string_view schema_text) {
-  const Json schema = with_protocol_lists(Json::parse(schema_text));
+Problems check_schema(const Node& root, const std::string& file, std::string_view schema_text,
+                      std::span<const wire::Protocol> described) {
+  const Json schema = with_protocol_lists(Json::parse(schema_text), described);
   const auto complaint = verdict(schema, to_json(root));
   if (!complaint) return {};
   Problems problems = Walk(schema, root, file).run();

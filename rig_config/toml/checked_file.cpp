@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "rig_config/checks/checks.hpp"
+#include "rig_config/device_description/load_description.hpp"
 #include "rig_config/rules/schema_check.hpp"
 #include "rig_config/toml/toml_limits.hpp"
 #include "rig_config/toml/toml_reader.hpp"
@@ -21,8 +22,35 @@ std::string_view described(FileKind kind) {
   if (kind == FileKind::rig) return "a rig file, which has a table [rig]";
   if (kind == FileKind::mission) return "a mission file, which has a table [mission]";
   if (kind == FileKind::vehicle) return "a vehicle file, which has a table [vehicle]";
+  if (kind == FileKind::device) return "a description of a sensor, which has a table [sensor]";
   if (kind == FileKind::fault) return "a fault file, which has blocks [[fault]]";
   return "a sensor file, which has a table for each kind of sensor: [imu], [dvl], ...";
+}
+
+std::string_view schema_of(FileKind kind) {
+  if (kind == FileKind::vehicle) return vehicle_schema_text();
+  return kind == FileKind::device ? device_schema_text() : schema_text();
+}
+
+/// The descriptions that the devices of a rig name, each once.
+Problems find_descriptions(const Node& root, const std::string& path,
+                           std::vector<DescriptionPtr>& into) {
+  Problems problems;
+  for_each_table(root, "device", [&](const Node& device, std::size_t i) {
+    const Node* protocol = device.find_text("protocol");
+    if (!protocol || !is_description(protocol->text)) return;
+    const auto known = [&](const DescriptionPtr& one) { return one->name == protocol->text; };
+    if (std::ranges::any_of(into, known)) return;
+    const auto found = find_description(protocol->text, path);
+    if (found) return into.push_back(*found);
+    for (Problem problem : found.error()) {
+      if (problem.line == 0)  // the file itself: the rig's line tells more
+        problem = {path, protocol->at.line, protocol->at.column,
+                   fmt::format("/device/{}/protocol", i), problem.file + ": " + problem.what};
+      problems.push_back(std::move(problem));
+    }
+  });
+  return problems;
 }
 
 void sort_by_position(Problems& problems) {
@@ -44,6 +72,7 @@ void keep_one_for_each_link(Problems& of_schema, const Problems& of_rig) {
 
 FileKind kind_of(const Node& root) {
   if (root.find("rig")) return FileKind::rig;
+  if (root.find("sensor")) return FileKind::device;
   if (root.find("vehicle")) return FileKind::vehicle;
   if (root.find("mission")) return FileKind::mission;
   return root.find("fault") ? FileKind::fault : FileKind::sensor;
@@ -70,8 +99,14 @@ Loaded<Node> read_checked(std::string_view text, const std::string& path, FileKi
   if (!root) return root;
   if (kind_of(*root) != kind)
     return Problems{{path, 1, 1, "/", fmt::format("expected {}", described(kind))}};
-  Problems problems =
-      check_schema(*root, path, kind == FileKind::vehicle ? vehicle_schema_text() : schema_text());
+  std::vector<wire::Protocol> described;  // the descriptions live until the end of the check
+  std::vector<DescriptionPtr> descriptions;
+  if (kind == FileKind::rig) {
+    Problems wrong = find_descriptions(*root, path, descriptions);
+    if (!wrong.empty()) return wrong;
+    for (const auto& one : descriptions) described.push_back(one->facts);
+  }
+  Problems problems = check_schema(*root, path, schema_of(kind), described);
   if (kind == FileKind::rig) {
     Problems of_rig = check_rig(*root, path, options);
     keep_one_for_each_link(problems, of_rig);

@@ -12,7 +12,7 @@
 /// Reads and checks files. The result is not yet typed values.
 namespace drydock::rig_config {
 
-enum class FileKind : std::uint8_t { rig, mission, sensor, vehicle, fault };
+enum class FileKind : std::uint8_t { rig, mission, sensor, vehicle, fault, device };
 
 FileKind kind_of(const Node& root);  ///< by its top-level tables
 

@@ -6,7 +6,9 @@
 #include <memory>
 #include <vector>
 
+#include "drivers/wire/described/codec.hpp"
 #include "drivers/wire/registry.hpp"
+#include "rig_config/device_description/load_description.hpp"
 
 /// Decoding speed. It repeats the golden bytes, in pieces as from a link.
 namespace drydock::wire {
@@ -22,12 +24,17 @@ void append_file(Buffer& stream, const char* name) {
   stream.insert(stream.end(), std::istreambuf_iterator<char>{file}, {});
 }
 
-template <class P>
-void scan_and_decode(benchmark::State& state, std::vector<const char*> files) {
+Buffer repeated(const std::vector<const char*>& files) {
   Buffer stream;
   do {
     for (const char* file : files) append_file(stream, file);
   } while (!stream.empty() && stream.size() < stream_size);
+  return stream;
+}
+
+template <class P>
+void scan_and_decode(benchmark::State& state, std::vector<const char*> files) {
+  const Buffer stream = repeated(files);
   const auto framer = std::make_unique<Framer<P::max_frame>>();
   std::size_t messages = 0;
   for (auto _ : state) {
@@ -65,6 +72,42 @@ void nortek_ad2cp(benchmark::State& state) {
   scan_and_decode<NortekAd2cp>(state, {"nortek-ad2cp/golden.nortek-ad2cp"});
 }
 BENCHMARK(nortek_ad2cp);
+/// A description beside the codec written by hand, on the same sentences.
+void described_codec(benchmark::State& state, const char* description, const char* file) {
+  const auto found = rig_config::find_description(description, "").value();
+  const Buffer stream = repeated({file});
+  const auto framer = std::make_unique<Framer<described::longest_frame>>();
+  const auto record = std::make_unique<described::Record>();
+  std::size_t messages = 0;
+  for (auto _ : state) {
+    for (std::size_t at = 0; at < stream.size(); at += piece) {
+      const Bytes bytes = Bytes{stream}.subspan(at, std::min(piece, stream.size() - at));
+      framer->feed(bytes, described::Scanner{&found->plan}, [&](Bytes frame, std::size_t) {
+        messages += decode(found->plan, frame, *record) == described::Decoded::message;
+        benchmark::DoNotOptimize(record.get());
+      });
+    }
+  }
+  const auto rounds = static_cast<std::int64_t>(state.iterations());
+  state.SetBytesProcessed(rounds * static_cast<std::int64_t>(stream.size()));
+  state.SetItemsProcessed(static_cast<std::int64_t>(messages));
+}
+
+void water_linked(benchmark::State& state) {
+  scan_and_decode<WaterLinked>(state, {"described/water-linked-wrz.txt"});
+}
+BENCHMARK(water_linked);
+BENCHMARK_CAPTURE(described_codec, water_linked, "water-linked-wrz.toml",
+                  "described/water-linked-wrz.txt");
+
+void nortek(benchmark::State& state) { scan_and_decode<Nortek>(state, {"nortek/golden.nmea"}); }
+BENCHMARK(nortek);
+BENCHMARK_CAPTURE(described_codec, nortek, "nortek-bt.toml", "nortek/golden.nmea");
+
+void keller(benchmark::State& state) {
+  described_codec(state, "keller.toml", "described/keller.bin");
+}
+BENCHMARK(keller);
 
 /// A line at the wrong baud rate: only noise.
 template <class P>

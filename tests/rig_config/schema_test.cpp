@@ -48,6 +48,7 @@ std::set<std::string> keys_of_schemas() {
 TEST(Schema, TheProgramHoldsTheFilesThatEditorsRead) {
   EXPECT_EQ(schema_text(), read("rig_config/schema/rig.schema.json"));
   EXPECT_EQ(vehicle_schema_text(), read("rig_config/schema/vehicle.schema.json"));
+  EXPECT_EQ(device_schema_text(), read("rig_config/schema/device.schema.json"));
 }
 
 TEST(Schema, EveryWordIsOneOfDraft07AndOfItsType) {
@@ -75,7 +76,7 @@ TEST(Schema, EveryWordIsOneOfDraft07AndOfItsType) {
       {"protocols", {Json::value_t::string}}};
   const std::set<std::string> numbers{"minimum",  "maximum",   "exclusiveMinimum", "minItems",
                                       "maxItems", "minLength", "minProperties"};
-  for (const auto text : {schema_text(), vehicle_schema_text()}) {
+  for (const auto text : {schema_text(), vehicle_schema_text(), device_schema_text()}) {
     const Json root = Json::parse(text);
     EXPECT_EQ(root["$schema"], "http://json-schema.org/draft-07/schema#");
     for_each_schema(root, [&](const Json& schema) {

@@ -33,7 +33,7 @@ Disguise::Line Disguise::line_of(const record::RecordedLink& link,
   if (!rig) return Line::unknown;
   Line line = link.frames ? Line::bus : Line::unknown;
   for (const auto& device : rig->devices) {
-    const wire::Protocol* known = wire::find_protocol(device.protocol);
+    const wire::Protocol* known = rig_config::protocol_of(device);
     if (!known || std::ranges::find(link.devices, device.name) == link.devices.end()) continue;
     switch (known->place) {
       case wire::Place::under_any_identifier: return Line::unknown;

@@ -20,7 +20,7 @@ constexpr std::array<std::uint32_t, 7> sent_by_node{0x1, 0x3, 0x5, 0x7, 0x9, 0xB
 
 DeviceFrames::DeviceFrames(const rig_config::DeviceConfig& device)
     : address_(static_cast<std::uint32_t>(device.address)) {
-  const wire::Protocol* known = wire::find_protocol(device.protocol);
+  const wire::Protocol* known = rig_config::protocol_of(device);
   const bool one_node = known && !known->kinds.empty();  // not all of a bus, as with `j1939`
   if (one_node && known->network == wire::Network::j1939)
     scheme_ = Scheme::j1939;

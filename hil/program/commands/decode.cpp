@@ -2,6 +2,7 @@
 
 #include "drivers/decode/decode.hpp"
 #include "hil/program/commands.hpp"
+#include "hil/program/load_rig.hpp"
 
 namespace drydock::program {
 
@@ -14,7 +15,8 @@ void add_decode(CLI::App& app, Command& command) {
       "         drydock decode --protocol can trace.asc\n"
       "         candump -L can0 | drydock decode --protocol nmea2000");
   sub->add_option("FILE", options->file, "recording; default standard input");
-  sub->add_option("--protocol", options->protocol, "one of " + decode::decode_protocols())
+  sub->add_option("--protocol", options->protocol,
+                  "one of " + decode::decode_protocols() + "; or a description: valeport-vat.toml")
       ->required();
   sub->add_option(
       "--format", options->format,
@@ -22,7 +24,10 @@ void add_decode(CLI::App& app, Command& command) {
   sub->add_flag("--count", options->count, "how many of each type, not the messages");
   sub->add_flag("--quiet", options->quiet, "no line of counts at the end");
   sub->callback([options, &command] {
-    command = [options] { return decode::decode(*options, stdout, stderr); };
+    command = [options] {
+      options->description = load_protocol(options->protocol);
+      return decode::decode(*options, stdout, stderr);
+    };
   });
 }
 

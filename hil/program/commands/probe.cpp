@@ -5,6 +5,7 @@
 #include "drivers/probe/probe.hpp"
 #include "drivers/terminal/exit_codes.hpp"
 #include "hil/program/commands.hpp"
+#include "hil/program/load_rig.hpp"
 #include "hil/program/options.hpp"
 
 namespace drydock::program {
@@ -13,6 +14,7 @@ void add_probe(CLI::App& app, Command& command) {
   struct Arguments {
     probe::ProbeOptions options;
     bool all = false;
+    std::vector<std::string> describe;
   };
   auto a = std::make_shared<Arguments>();
   auto* sub = app.add_subcommand(
@@ -30,10 +32,20 @@ void add_probe(CLI::App& app, Command& command) {
       ->transform(duration_text);
   sub->add_flag("--ask", a->options.ask,
                 "may write: the questions that only read, listed in docs/pier/probe.md");
+  sub->add_option("--describe", a->describe,
+                  "a description of a sensor, tried too; again for each: valeport-vat.toml")
+      ->check(CLI::Validator(
+          [](const std::string& name) {
+            return rig_config::is_description(name) ? "" : "expected a file *.toml";
+          },
+          "FILE.toml"))
+      ->allow_extra_args(false)
+      ->take_all();
   sub->add_flag("--json", a->options.json, "one JSON object instead of text");
   sub->callback([a, &command] {
     command = [a] {
       if (a->all) return probe::probe_all("/", a->options.json, stdout);
+      for (const auto& name : a->describe) a->options.descriptions.push_back(load_protocol(name));
       if (!a->options.link.empty()) return probe::probe(a->options, stdout, stderr);
       fmt::print(stderr, "probe: give a LINK, or --all\n");
       return terminal::exit_usage;

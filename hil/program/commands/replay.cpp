@@ -6,6 +6,7 @@
 #include "drivers/decode/decode.hpp"
 #include "drivers/decode/replay.hpp"
 #include "hil/program/commands.hpp"
+#include "hil/program/load_rig.hpp"
 #include "hil/program/options.hpp"
 #include "hil/program/part_arguments.hpp"
 #include "hil/replay/replay_rig.hpp"
@@ -139,7 +140,10 @@ void add_replay(CLI::App& app, Command& command) {
       command = [a] { return replay::replay_rig(a->recording, stdin, stdout, stderr); };
     } else {
       read_capture(*sub, *a);
-      command = [a] { return decode::replay(a->capture, stdout, stderr); };
+      command = [a] {
+        a->capture.description = load_protocol(a->capture.protocol);
+        return decode::replay(a->capture, stdout, stderr);
+      };
     }
   });
 }

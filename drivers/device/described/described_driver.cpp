@@ -1,0 +1,72 @@
+#include "drivers/device/described/described_driver.hpp"
+
+#include "drivers/device/described/measure.hpp"
+#include "drivers/device/vessel/depth_gate.hpp"
+#include "drivers/measurement/earlier.hpp"
+
+namespace drydock::device {
+
+namespace {
+
+namespace described = wire::described;
+using described::Decoded;
+using described::Target;
+
+constexpr std::array of_an_imu{Target::force_x, Target::force_y, Target::force_z,
+                               Target::rate_x,  Target::rate_y,  Target::rate_z};
+
+}  // namespace
+
+DescribedDriver::DescribedDriver(const DriverOptions& options)
+    : StreamDriver(options, described::Scanner{&options.description->plan}),
+      options_(options),
+      description_(*options_.description),
+      dialogue_(description_, options.poll_period) {}
+
+void DescribedDriver::restart(Stamp now, Output& out) {
+  StreamDriver::restart(now, out);
+  dialogue_.begin(now, timing_.provenance() == measurement::Provenance::replayed, out);
+}
+
+void DescribedDriver::tick(Stamp now, Output& out) {
+  StreamDriver::tick(now, out);
+  dialogue_.tick(now, out);
+}
+
+std::optional<Stamp> DescribedDriver::deadline() const {
+  return measurement::earlier(StreamDriver::deadline(), dialogue_.deadline());
+}
+
+void DescribedDriver::on_frame(wire::Bytes frame, const Arrival& arrival, Output& out) {
+  const Decoded decoded = described::decode(description_.plan, frame, record_);
+  if (decoded == Decoded::misfit)
+    out.refuse("a message has other fields than its description says");
+  if (decoded != Decoded::message) return;
+  if (record_.malformed != 0) out.report("a field is no number; it reads as empty");
+  dialogue_.heard(record_.type, arrival.read_at, out);
+  if (record_.message->publishes) publish(arrival, out);
+}
+
+void DescribedDriver::publish(const Arrival& arrival, Output& out) {
+  read(record_, readings_);
+  if (!is_complete(out)) return;
+  const auto age = age_of(readings_);
+  Origin origin = age ? timing_.of_bytes(arrival, *age) : timing_.of_bytes(arrival);
+  origin.device_time = device_time_of(readings_);
+  const auto measured = measurement_of(readings_, origin, options_);
+  const auto* depth = std::get_if<measurement::DepthSample>(&measured);
+  if (!depth || is_possible(*depth, out)) out.publish(measured);
+}
+
+/// A sample of an IMU has no way to leave a component out.
+bool DescribedDriver::is_complete(Output& out) const {
+  if (options_.kind != Kind::imu) return true;
+  for (const Target target : of_an_imu) {
+    if (readings_.has(target)) continue;
+    out.refuse("a sample without all six components was refused");
+    return false;
+  }
+  return true;
+}
+
+}  // namespace drydock::device

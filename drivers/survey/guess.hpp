@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+
+#include "drivers/wire/codec.hpp"
+
+namespace drydock::survey {
+
+/// A first description (docs/sensors/described.md) of a line that nobody knows, from what it said:
+/// sentences with their columns, lines, or binary frames of one length with their checksum,
+/// constant and counting bytes and what looks like numbers. It only guesses, and its text says so.
+/// Empty: it finds nothing that repeats.
+std::string guess_description(wire::Bytes capture);
+
+// The two ways.
+std::string guess_text(wire::Bytes capture);
+std::string guess_binary(wire::Bytes capture);
+
+}  // namespace drydock::survey

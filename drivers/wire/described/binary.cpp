@@ -1,0 +1,204 @@
+#include <algorithm>
+#include <cmath>
+
+#include "drivers/wire/described/codec.hpp"
+
+namespace drydock::wire::described {
+namespace {
+
+std::uint64_t load(Bytes bytes, std::size_t at, std::size_t size, bool big_endian) {
+  std::uint64_t value = 0;
+  for (std::size_t i = 0; i < size; ++i)
+    value = value << 8 | bytes[at + (big_endian ? i : size - 1 - i)];
+  return value;
+}
+
+void store(std::span<std::uint8_t> out, std::size_t at, std::size_t size, bool big_endian,
+           std::uint64_t value) {
+  for (std::size_t i = 0; i < size; ++i, value >>= 8)
+    out[at + (big_endian ? size - 1 - i : i)] = static_cast<std::uint8_t>(value);
+}
+
+constexpr std::uint64_t mask_of(unsigned bits) {
+  return bits >= 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << bits) - 1;
+}
+
+unsigned bits_of(const Field& field) { return field.bits != 0 ? field.bits : 8u * field.size; }
+
+/// Bytes of a whole frame that begins so. Empty: more bytes must come before that is known.
+std::optional<std::size_t> length_of(const Length& length, Bytes bytes) {
+  if (length.size == 0) return length.fixed;
+  if (bytes.size() < length.at + std::size_t{length.size}) return {};
+  return load(bytes, length.at, length.size, length.big_endian) + length.plus;
+}
+
+bool is_checked(const Plan& plan, Bytes frame) {
+  const std::size_t size = plan.checksum.size();
+  if (size == 0) return true;
+  if (frame.size() < size + plan.checksum_from) return false;
+  const Bytes covered = frame.first(frame.size() - size).subspan(plan.checksum_from);
+  return plan.checksum.of(covered) ==
+         load(frame, frame.size() - size, size, plan.checksum_big_endian);
+}
+
+bool has_constant(const Field& field, Bytes bytes) {
+  return static_cast<double>(load(bytes, field.at, field.size, field.big_endian)) == field.idle;
+}
+
+/// True if the message can still begin with the bytes that came: its head and its constants.
+bool may_begin(const Plan& plan, const Message& message, Bytes bytes) {
+  const std::size_t n = std::min(bytes.size(), message.head.size());
+  for (std::size_t i = 0; i < n; ++i)
+    if (bytes[i] != static_cast<std::uint8_t>(message.head[i])) return false;
+  return std::ranges::none_of(plan.fields_of(message), [&](const Field& field) {
+    const bool came = bytes.size() >= field.at + std::size_t{field.size};
+    return field.type == Type::constant && came && !has_constant(field, bytes);
+  });
+}
+
+std::optional<double> decimal_digits(Bytes digits, bool big_endian) {
+  double value = 0;
+  for (std::size_t i = 0; i < digits.size(); ++i) {
+    const std::uint8_t byte = digits[big_endian ? i : digits.size() - 1 - i];
+    if ((byte >> 4) > 9 || (byte & 15) > 9) return {};
+    value = value * 100 + (byte >> 4) * 10 + (byte & 15);
+  }
+  return value;
+}
+
+std::optional<double> number_of(const Field& field, Bytes frame) {
+  if (field.type == Type::bcd)
+    return decimal_digits(frame.subspan(field.at, field.size), field.big_endian);
+  const std::uint64_t raw = load(frame, field.at, field.size, field.big_endian);
+  if (field.type == Type::real && field.size == 4)
+    return std::bit_cast<float>(static_cast<std::uint32_t>(raw));
+  if (field.type == Type::real) return std::bit_cast<double>(raw);
+  const unsigned bits = bits_of(field);
+  const std::uint64_t part = raw >> field.first_bit & mask_of(bits);
+  if (field.type == Type::signed_integer && bits < 64 && (part >> (bits - 1)) != 0)
+    return static_cast<double>(static_cast<std::int64_t>(part | ~mask_of(bits)));
+  if (field.type == Type::signed_integer)
+    return static_cast<double>(static_cast<std::int64_t>(part));
+  return static_cast<double>(part);
+}
+
+}  // namespace
+
+Scan scan_binary(const Plan& plan, Bytes bytes) {
+  // The shortest frame with a right checksum counts, so that the split of the stream changes
+  // nothing: a longer one is judged only when no shorter one can still come.
+  std::size_t best = 0, waits_for = 0;
+  bool damaged = false;
+  for (const Message& message : plan.messages) {
+    if (!may_begin(plan, message, bytes)) continue;
+    if (bytes.size() < message.head.size()) return Scan::need_more();
+    const auto length = length_of(message.length, bytes);
+    if (!length) return Scan::need_more();
+    const std::size_t shortest =
+        std::max<std::size_t>(message.head.size() + plan.checksum.size(), 1);
+    if (*length < shortest || *length > plan.longest) continue;
+    if (*length > bytes.size()) {
+      waits_for = std::max(waits_for, *length);
+    } else if (is_checked(plan, bytes.first(*length))) {
+      best = best == 0 ? *length : std::min(best, *length);
+    } else {
+      damaged = true;
+    }
+  }
+  if (best > 0) return Scan::frame(best);
+  if (waits_for > 0) return Scan::need_more(waits_for);
+  return damaged ? Scan::bad_checksum() : Scan::skip(1);
+}
+
+bool decode_binary(const Plan& plan, const Message& message, Bytes frame, Record& record) {
+  const auto length = length_of(message.length, frame);
+  if (!length || *length != frame.size()) return false;
+  const auto fields = plan.fields_of(message);
+  const std::size_t content = frame.size() - plan.checksum.size();
+  for (std::size_t i = 0; i < fields.size(); ++i) {
+    const Field& field = fields[i];
+    Value& value = record.values[i];
+    value = {};
+    if (field.at + std::size_t{field.size} > content) return false;  // of a frame with a length
+    if (field.type == Type::constant) {
+      if (!has_constant(field, frame)) return false;
+      continue;
+    }
+    const auto number = number_of(field, frame);
+    if (field.type == Type::real && number && std::isnan(*number)) continue;  // it says: no value
+    if (number && field.validity) take_validity(field, {Value::State::number, *number}, {}, record);
+    if (number) take_number(field, *number, value);
+    if (!number) value.state = Value::State::malformed;
+    if (value.state == Value::State::malformed) record.malformed |= 1u << i;
+  }
+  divide(record);
+  return true;
+}
+
+namespace {
+
+std::uint64_t integer_of(const Field& field, double number) {
+  const unsigned bits = bits_of(field);
+  const bool is_signed = field.type == Type::signed_integer;
+  const double high = std::ldexp(1.0, static_cast<int>(is_signed ? bits - 1 : bits));
+  const double low = is_signed ? -high : 0;
+  const double top = bits > 53 ? std::nextafter(high, 0) : high - 1;  // doubles have 53 bits
+  const double rounded = std::clamp(std::round(number), low, top);
+  if (rounded < 0) return static_cast<std::uint64_t>(static_cast<std::int64_t>(rounded));
+  return static_cast<std::uint64_t>(rounded);
+}
+
+std::uint64_t packed_digits(double number, std::size_t size) {
+  std::uint64_t packed = 0;
+  double left = std::max(0.0, std::round(number));
+  for (std::size_t digit = 0; digit < 2 * size; ++digit) {
+    packed |= static_cast<std::uint64_t>(std::fmod(left, 10)) << (4 * digit);
+    left = std::floor(left / 10);
+  }
+  return packed;
+}
+
+void put(const Field& field, double number, std::span<std::uint8_t> out) {
+  std::uint64_t raw = 0;
+  if (field.type == Type::real && field.size == 4) {
+    raw = std::bit_cast<std::uint32_t>(static_cast<float>(number));
+  } else if (field.type == Type::real) {
+    raw = std::bit_cast<std::uint64_t>(number);
+  } else if (field.type == Type::bcd) {
+    raw = packed_digits(number, field.size);
+  } else {
+    const std::uint64_t mask = mask_of(bits_of(field)) << field.first_bit;
+    raw = load(out, field.at, field.size, field.big_endian) & ~mask;
+    raw |= integer_of(field, number) << field.first_bit & mask;
+  }
+  store(out, field.at, field.size, field.big_endian, raw);
+}
+
+}  // namespace
+
+std::size_t encode_binary(const Plan& plan, const Message& message, const Readings& readings,
+                          std::span<std::uint8_t> out) {
+  const auto fields = plan.fields_of(message);
+  std::size_t content =
+      std::max<std::size_t>(message.head.size(), message.length.at + message.length.size);
+  for (const Field& field : fields)
+    content = std::max<std::size_t>(content, field.at + std::size_t{field.size});
+  const std::size_t sum = plan.checksum.size();
+  const std::size_t size = message.length.size == 0 ? message.length.fixed : content + sum;
+  if (size > out.size() || size < std::max<std::size_t>(content, plan.checksum_from) + sum)
+    return 0;
+  std::fill_n(out.begin(), size, std::uint8_t{0});
+  std::ranges::copy(message.head, out.begin());
+  const Length& length = message.length;
+  if (length.size != 0) store(out, length.at, length.size, length.big_endian, size - length.plus);
+  for (const Field& field : fields) {
+    const auto number = wire_number(fields, field, readings);
+    if (!number && field.type != Type::real) return 0;
+    put(field, number.value_or(std::nan("")), out);
+  }
+  const Bytes covered = Bytes(out).first(size - sum).subspan(plan.checksum_from);
+  store(out, size - sum, sum, plan.checksum_big_endian, plan.checksum.of(covered));
+  return size;
+}
+
+}  // namespace drydock::wire::described

@@ -1,0 +1,78 @@
+#include "drivers/wire/described/checksums.hpp"
+
+#include <algorithm>
+
+#include "drivers/wire/checksum.hpp"
+
+namespace drydock::wire::described {
+namespace {
+
+constexpr std::uint32_t reversed(std::uint32_t value, unsigned bits) {
+  std::uint32_t result = 0;
+  for (unsigned i = 0; i < bits; ++i) result |= (value >> i & 1) << (bits - 1 - i);
+  return result;
+}
+
+/// A CRC that is not reflected stands in the top bits of 32. So one loop serves every width.
+constexpr std::uint32_t entry_of(const Crc& crc, std::uint32_t index) {
+  if (crc.reflected) {
+    const std::uint32_t polynomial = reversed(crc.polynomial, crc.width);
+    for (int bit = 0; bit < 8; ++bit) index = index >> 1 ^ ((index & 1) != 0 ? polynomial : 0);
+    return index;
+  }
+  std::uint32_t value = index << 24;
+  const std::uint32_t polynomial = crc.polynomial << (32 - crc.width);
+  for (int bit = 0; bit < 8; ++bit) value = value << 1 ^ ((value >> 31) != 0 ? polynomial : 0);
+  return value;
+}
+
+std::uint8_t exclusive_or(Bytes bytes) {
+  std::uint64_t sum = 0;
+  for (; bytes.size() >= 8; bytes = bytes.subspan(8)) sum ^= load_le<std::uint64_t>(bytes, 0);
+  std::uint8_t result = xor_of_bytes(sum);
+  for (const std::uint8_t byte : bytes) result = static_cast<std::uint8_t>(result ^ byte);
+  return result;
+}
+
+}  // namespace
+
+Checksum::Checksum(const Crc& crc)
+    : Checksum(crc.name, crc.reflected ? Way::crc_reflected : Way::crc, crc.width) {
+  start_ = crc.reflected ? reversed(crc.start, crc.width) : crc.start << (32 - crc.width);
+  xor_out_ = crc.xor_out;
+  for (std::uint32_t i = 0; i < table_.size(); ++i) table_[i] = entry_of(crc, i);
+}
+
+bool Checksum::find(std::string_view name, Checksum& into) {
+  const auto take = [&](std::string_view known, Way way, unsigned width) {
+    if (known == name) into = Checksum(known, way, width);
+    return known == name;
+  };
+  if (take("none", Way::none, 0) || take("xor", Way::exclusive_or, 8) ||
+      take("sum-8", Way::sum, 8) || take("sum-16", Way::sum, 16) ||
+      take("fletcher-16", Way::fletcher, 16))
+    return true;
+  const auto found = std::ranges::find(crcs, name, &Crc::name);
+  if (found == crcs.end()) return false;
+  into = Checksum(*found);
+  return true;
+}
+
+std::uint32_t Checksum::of(Bytes bytes) const {
+  std::uint32_t crc = start_;
+  switch (way_) {
+    case Way::none: return 0;
+    case Way::exclusive_or: return exclusive_or(bytes);
+    case Way::sum: return width_ == 8 ? byte_sum(bytes) & 0xFFu : byte_sum(bytes);
+    case Way::fletcher: return fletcher8(bytes);
+    case Way::crc:
+      for (const std::uint8_t byte : bytes) crc = crc << 8 ^ table_[crc >> 24 ^ byte];
+      return crc >> (32 - width_) ^ xor_out_;
+    case Way::crc_reflected:
+      for (const std::uint8_t byte : bytes) crc = crc >> 8 ^ table_[(crc ^ byte) & 0xFF];
+      return crc ^ xor_out_;
+  }
+  return 0;
+}
+
+}  // namespace drydock::wire::described

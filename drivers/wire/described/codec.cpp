@@ -1,0 +1,123 @@
+#include "drivers/wire/described/codec.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "drivers/wire/text_fields.hpp"
+
+namespace drydock::wire::described {
+namespace {
+
+constexpr bool is_letter(std::uint8_t c) { return c >= 'A' && c <= 'Z'; }
+
+/// Sentences and lines without their line end, and sentences without their checksum.
+std::string_view body_of(const Plan& plan, Bytes frame) {
+  std::string_view text = as_text(frame);
+  while (!text.empty() && (text.back() == '\r' || text.back() == '\n')) text.remove_suffix(1);
+  const std::size_t star = plan.form == Form::sentences ? text.rfind('*') : text.npos;
+  return star == text.npos || plan.checksum.size() == 0 ? text : text.substr(0, star);
+}
+
+Decoded decode_texts(const Plan& plan, Bytes frame, Record& record) {
+  const std::string_view body = body_of(plan, frame);
+  Decoded result = Decoded::other;
+  for (const Message& message : plan.messages) {
+    if (!has_head(message, frame)) continue;
+    record.begin(plan, message);
+    if (decode_text(plan, message, body, record)) return Decoded::message;
+    result = Decoded::misfit;
+  }
+  return result;
+}
+
+Decoded decode_frames(const Plan& plan, Bytes frame, Record& record) {
+  for (const Message& message : plan.messages) {
+    if (!has_head(message, frame)) continue;
+    record.begin(plan, message);
+    if (decode_binary(plan, message, frame, record)) return Decoded::message;
+  }
+  return Decoded::other;
+}
+
+}  // namespace
+
+Scan scan(const Plan& plan, Bytes bytes) {
+  if (bytes.empty()) return Scan::need_more();
+  std::size_t start = 0;
+  while (start < bytes.size() && !plan.starts[bytes[start]]) ++start;
+  if (start > 0) return Scan::skip(start);
+  switch (plan.form) {
+    case Form::sentences: return scan_sentence(plan, bytes);
+    case Form::binary: return scan_binary(plan, bytes);
+    case Form::lines: break;
+  }
+  return scan_line(plan, bytes);
+}
+
+Decoded decode(const Plan& plan, Bytes frame, Record& record) {
+  return plan.form == Form::binary ? decode_frames(plan, frame, record)
+                                   : decode_texts(plan, frame, record);
+}
+
+std::size_t encode(const Plan& plan, const Message& message, const Readings& readings,
+                   std::span<std::uint8_t> out) {
+  return plan.form == Form::binary ? encode_binary(plan, message, readings, out)
+                                   : encode_text(plan, message, readings, out);
+}
+
+bool has_head(const Message& message, Bytes bytes) {
+  const std::string& head = message.head;
+  if (bytes.size() < head.size()) return false;
+  for (std::size_t i = 0; i < head.size(); ++i) {
+    const bool talker = message.any_talker && (i == 1 || i == 2);
+    if (talker ? !is_letter(bytes[i]) : bytes[i] != static_cast<std::uint8_t>(head[i]))
+      return false;
+  }
+  return true;
+}
+
+void take_number(const Field& field, double number, Value& value) {
+  if (std::ranges::find(field.no_value, number) != field.no_value.end()) return;
+  value.number = number * field.factor + field.offset;
+  value.state = std::isfinite(value.number) ? Value::State::number : Value::State::malformed;
+}
+
+void take_validity(const Field& field, const Value& raw, std::string_view text, Record& record) {
+  const Validity& rule = *field.validity;
+  bool good = std::ranges::find(rule.good_texts, text) != rule.good_texts.end();
+  if (raw.state == Value::State::number) {
+    good = good || std::ranges::find(rule.good_numbers, raw.number) != rule.good_numbers.end();
+    good = good || (rule.above && raw.number > *rule.above);
+  }
+  record.valid = record.valid && good;
+}
+
+void divide(Record& record) {
+  const auto fields = record.plan->fields_of(*record.message);
+  for (std::size_t i = 0; i < fields.size(); ++i) {
+    if (!fields[i].divisor) continue;
+    Value& value = record.values[i];
+    const Value& by = record.values[*fields[i].divisor];
+    if (value.state != Value::State::number) continue;
+    const bool may = by.state == Value::State::number && by.number > 0;
+    value.number = may ? value.number / by.number : 0;
+    if (!may || !std::isfinite(value.number)) value.state = Value::State::none;
+  }
+}
+
+std::optional<double> wire_number(std::span<const Field> fields, const Field& field,
+                                  const Readings& readings) {
+  if (field.validity && readings.measured()) return field.idle;
+  if (field.validity) return field.validity->bad_number;
+  if (!field.target) return field.idle;
+  std::optional<double> value = readings.get(*field.target);
+  if (value && field.divisor) {
+    const auto by = readings.get(*fields[*field.divisor].target);
+    value = by ? std::optional(*value * *by) : std::nullopt;
+  }
+  if (value) value = (*value - field.offset) / field.factor;
+  if (value && std::isfinite(*value)) return value;
+  return field.no_value.empty() ? std::nullopt : std::optional(field.no_value.front());
+}
+
+}  // namespace drydock::wire::described

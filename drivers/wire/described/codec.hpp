@@ -1,0 +1,58 @@
+#pragma once
+
+#include "drivers/wire/described/record.hpp"
+
+/// The codec of every described protocol, by the contract of drivers/wire/codec.hpp. The plan is
+/// the argument that other codecs do not need.
+namespace drydock::wire::described {
+
+Scan scan(const Plan& plan, Bytes bytes);
+
+enum class Decoded : std::uint8_t {
+  message,
+  other,  ///< a valid frame that the description does not name
+  misfit  ///< it names the frame, but the content has another form
+};
+
+/// Decodes a frame of scan(). `record` holds a message only after Decoded::message.
+Decoded decode(const Plan& plan, Bytes frame, Record& record);
+
+/// Writes a message for an emulated device. A target without a value is written as the
+/// description's first `no_value`, or as an empty text. Returns the bytes written; 0: it does not
+/// fit into `out`, or its form has no way to say that there is no value.
+std::size_t encode(const Plan& plan, const Message& message, const Readings& readings,
+                   std::span<std::uint8_t> out);
+
+/// For a framer: scan() with its plan.
+struct Scanner {
+  const Plan* plan = nullptr;
+  Scan operator()(Bytes bytes) const { return scan(*plan, bytes); }
+};
+
+// The parts for each form of protocol.
+Scan scan_sentence(const Plan& plan, Bytes bytes);
+Scan scan_binary(const Plan& plan, Bytes bytes);
+Scan scan_line(const Plan& plan, Bytes bytes);
+
+/// True if a message that begins with these bytes has this head.
+bool has_head(const Message& message, Bytes bytes);
+
+/// A text between the head and the checksum or the line's end.
+bool decode_text(const Plan& plan, const Message& message, std::string_view body, Record& record);
+bool decode_binary(const Plan& plan, const Message& message, Bytes frame, Record& record);
+
+/// What both have in common: a number of the wire becomes the field's value.
+void take_number(const Field& field, double number, Value& value);
+void take_validity(const Field& field, const Value& raw, std::string_view text, Record& record);
+/// Divides the fields that are a distance in a time.
+void divide(Record& record);
+
+/// The number that a field has on the wire; empty: there is no value.
+std::optional<double> wire_number(std::span<const Field> fields, const Field& field,
+                                  const Readings& readings);
+std::size_t encode_text(const Plan& plan, const Message& message, const Readings& readings,
+                        std::span<std::uint8_t> out);
+std::size_t encode_binary(const Plan& plan, const Message& message, const Readings& readings,
+                          std::span<std::uint8_t> out);
+
+}  // namespace drydock::wire::described

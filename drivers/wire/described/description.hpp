@@ -1,0 +1,34 @@
+#pragma once
+
+#include <chrono>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "drivers/wire/described/plan.hpp"
+#include "drivers/wire/protocols.hpp"
+
+/// A sensor that a file describes. rig_config/device_description reads it.
+namespace drydock::wire::described {
+
+/// What the host says, and the message that answers.
+struct Request {
+  std::string bytes;
+  std::string reply;  ///< name of a message; empty: none is awaited
+};
+
+struct Description {
+  std::string name;   ///< of the file, as a rig names it: `valeport-vat.toml`
+  std::string title;  ///< the sensor in words
+  Protocol facts;     ///< its name is `name`
+  Kind kind = Kind::depth;
+  Plan plan;
+  std::vector<Request> start;  ///< when the link opens, in this order
+  std::vector<Request> poll;   ///< at the rate of the sensor, in this order
+  std::chrono::nanoseconds reply_within = std::chrono::seconds{1};
+};
+
+/// It must not move: the facts refer to the name.
+using DescriptionPtr = std::shared_ptr<const Description>;
+
+}  // namespace drydock::wire::described

@@ -1,0 +1,98 @@
+#pragma once
+
+#include <array>
+#include <boost/container/static_vector.hpp>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "drivers/wire/described/checksums.hpp"
+#include "drivers/wire/described/targets.hpp"
+
+/// A protocol that a file describes, as the codec runs it: flat lists of messages and of their
+/// fields. rig_config/device_description reads the file and proves what the codec relies on.
+namespace drydock::wire::described {
+
+inline constexpr std::size_t longest_frame = 1024, most_fields = 32, most_messages = 64;
+
+enum class Form : std::uint8_t { sentences, binary, lines };
+
+enum class Type : std::uint8_t {
+  number,    ///< decimal text
+  hex,       ///< hexadecimal text, with or without 0x
+  text,      ///< any text; only shown
+  constant,  ///< exactly `text`, in a binary message the integer `idle`
+  ignored,
+  unsigned_integer,
+  signed_integer,
+  real,  ///< IEEE 754, 4 or 8 bytes
+  bcd    ///< two decimal digits a byte
+};
+
+/// Which contents of a field say that the message's measurements are valid.
+struct Validity {
+  std::vector<std::string> good_texts;
+  std::vector<double> good_numbers;
+  std::optional<double> above;
+  std::string bad_text;  ///< what an emulated device sends without a measurement
+  double bad_number = 0;
+};
+
+struct Field {
+  std::string key;  ///< in `drydock decode`; empty: not shown
+  Type type = Type::number;
+  std::string text;       ///< of a constant, or what an emulated device sends
+  char end = 0;           ///< text: the character behind the field; 0: the end of the message
+  bool optional = false;  ///< text: the message may end before it
+  std::uint16_t at = 0;   ///< binary: first byte
+  std::uint8_t size = 0;  ///< binary: bytes
+  bool big_endian = false;
+  std::uint8_t first_bit = 0, bits = 0;  ///< binary: a part of the integer; bits 0: all of it
+  double factor = 1, offset = 0;         ///< value = number * factor + offset
+  std::vector<double> no_value;          ///< numbers on the wire that are none
+  std::optional<Target> target;
+  std::uint8_t rank = 1;  ///< of fields with one target the lowest with a value counts
+  std::optional<std::uint8_t> divisor;  ///< the field of this message by which it is divided
+  std::optional<Validity> validity;
+  std::uint8_t decimals = 3, width = 0;  ///< as an emulated device writes it
+  double idle = 0;                       ///< number that an emulated device sends without target
+};
+
+/// The length of a binary frame: fixed, or a field of it plus a constant.
+struct Length {
+  std::uint16_t fixed = 0;
+  std::uint16_t at = 0;
+  std::uint8_t size = 0;  ///< bytes of the field; 0: fixed
+  bool big_endian = false;
+  std::uint16_t plus = 0;
+};
+
+struct Message {
+  std::string name;
+  std::string head;         ///< text or sync bytes with which it begins
+  bool any_talker = false;  ///< sentences: the two characters behind the first may be any letters
+  Length length;            ///< binary
+  std::uint16_t first_field = 0, fields = 0;
+  std::vector<std::uint8_t> mapped;  ///< its fields with a target, by rank
+  bool publishes = false;            ///< a field is part of a measurement
+  bool emulated = false;             ///< an emulated device sends it with each sample
+};
+
+struct Plan {
+  Form form = Form::sentences;
+  Checksum checksum;
+  bool checksum_optional = false;    ///< sentences: a line without '*' counts too
+  bool checksum_big_endian = false;  ///< binary
+  std::uint16_t checksum_from = 0;   ///< first byte that it covers
+  std::size_t longest = longest_frame;
+  std::array<bool, 256> starts{};  ///< bytes with which a message can begin
+  std::vector<Message> messages;
+  std::vector<Field> fields;
+
+  std::span<const Field> fields_of(const Message& message) const {
+    return std::span(fields).subspan(message.first_field, message.fields);
+  }
+};
+
+}  // namespace drydock::wire::described

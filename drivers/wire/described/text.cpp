@@ -1,0 +1,184 @@
+#include <algorithm>
+#include <charconv>
+
+#include "drivers/wire/described/codec.hpp"
+#include "drivers/wire/hex.hpp"
+#include "drivers/wire/line_end.hpp"
+#include "drivers/wire/text_fields.hpp"
+
+namespace drydock::wire::described {
+namespace {
+
+constexpr std::size_t checksum_digits = 2;  // sentences have checksums of 8 bits
+
+constexpr bool ends_a_line(std::uint8_t c) { return c == '\r' || c == '\n'; }
+constexpr bool is_printable(std::uint8_t c) { return c >= 0x20 && c <= 0x7E; }
+
+Scan at_star(const Plan& plan, Bytes bytes, std::size_t star) {
+  if (bytes.size() < star + 1 + checksum_digits) return Scan::need_more();
+  const auto sent = parse_hex(as_text(bytes.subspan(star + 1, checksum_digits)));
+  if (!sent) return Scan::skip(1);
+  const Bytes covered = bytes.first(star).subspan(std::min<std::size_t>(plan.checksum_from, star));
+  return *sent == plan.checksum.of(covered) ? with_line_end(bytes, star + 1 + checksum_digits)
+                                            : Scan::bad_checksum();
+}
+
+bool begins_message(const Plan& plan, Bytes bytes) {
+  if (bytes[0] == '$' || bytes[0] == '!') return true;
+  return std::ranges::any_of(plan.messages,
+                             [&](const Message& message) { return has_head(message, bytes); });
+}
+
+/// One field of a text, and what is behind it.
+struct Cut {
+  std::string_view field, rest;
+  bool ended = false;  ///< the text ended with the field
+};
+
+Cut cut(std::string_view text, char end) {
+  if (end == ' ')
+    while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
+  const std::size_t at = end == 0 ? text.npos : text.find(end);
+  if (at == text.npos) return {text, {}, true};
+  return {text.substr(0, at), text.substr(at + 1), false};
+}
+
+std::optional<double> parse_hex_number(std::string_view text) {
+  if (text.starts_with("0x") || text.starts_with("0X")) text.remove_prefix(2);
+  std::uint64_t value = 0;
+  const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), value, 16);
+  if (error != std::errc{} || stop != text.data() + text.size()) return {};
+  return static_cast<double>(value);
+}
+
+/// False: the text cannot be this field.
+bool take(const Plan& plan, const Field& field, std::string_view text, std::size_t i,
+          Record& record) {
+  Value& value = record.values[i];
+  value = {};
+  if (field.type == Type::constant) return text == field.text || (field.optional && text.empty());
+  if (field.type == Type::ignored) return true;
+  if (field.type == Type::text) {
+    value = {Value::State::text, 0, text};
+    if (field.validity) take_validity(field, value, text, record);
+    return true;
+  }
+  if (text.empty()) {
+    if (field.validity) record.valid = false;
+    return plan.form == Form::sentences || field.optional;
+  }
+  const auto number = field.type == Type::hex ? parse_hex_number(text) : parse_number(text);
+  if (!number && plan.form == Form::lines) return false;  // nothing else proves a line
+  if (number) take_number(field, *number, value);
+  if (!number) value.state = Value::State::malformed;
+  if (value.state == Value::State::malformed) record.malformed |= 1u << i;
+  if (field.validity) take_validity(field, {Value::State::number, number.value_or(0)}, {}, record);
+  return true;
+}
+
+}  // namespace
+
+Scan scan_sentence(const Plan& plan, Bytes bytes) {
+  const bool checked = plan.checksum.size() != 0;
+  const std::size_t limit = std::min(bytes.size(), plan.longest);
+  for (std::size_t i = 1; i < limit; ++i) {
+    const std::uint8_t c = bytes[i];
+    if (c == '*' && checked) return at_star(plan, bytes, i);
+    if (ends_a_line(c) && (!checked || plan.checksum_optional)) return with_line_end(bytes, i);
+    if (!is_printable(c)) return Scan::skip(1);
+    if (plan.starts[c] && begins_message(plan, bytes.subspan(i))) return Scan::skip(i);
+  }
+  return limit < bytes.size() || limit == plan.longest ? Scan::skip(1) : Scan::need_more();
+}
+
+Scan scan_line(const Plan& plan, Bytes bytes) {
+  const std::size_t limit = std::min(bytes.size(), plan.longest);
+  std::size_t end = 0;
+  while (end < limit && is_printable(bytes[end])) ++end;
+  if (end == limit) return limit == plan.longest ? Scan::skip(1) : Scan::need_more();
+  if (!ends_a_line(bytes[end])) return Scan::skip(end);
+  Record record;
+  if (decode(plan, bytes.first(end), record) == Decoded::message) return with_line_end(bytes, end);
+  const bool any_start = std::ranges::any_of(plan.messages, &std::string::empty, &Message::head);
+  return Scan::skip(any_start ? end : 1);
+}
+
+bool decode_text(const Plan& plan, const Message& message, std::string_view body, Record& record) {
+  const auto fields = plan.fields_of(message);
+  Cut now{{}, body.substr(std::min(body.size(), message.head.size())), false};
+  if (fields.empty()) return now.rest.empty();
+  for (std::size_t i = 0; i < fields.size(); ++i) {
+    const Field& field = fields[i];
+    if (now.ended) {
+      if (!field.optional) return false;
+      record.values[i] = {};
+      continue;
+    }
+    now = cut(now.rest, field.end);
+    if (!take(plan, field, now.field, i, record)) return false;
+  }
+  divide(record);
+  return now.ended || (fields.back().end == ' ' && now.rest.empty());
+}
+
+namespace {
+
+void write_number(const Field& field, double number, FieldWriter& line) {
+  std::array<char, 64> digits;
+  const int decimals = field.decimals;
+  const bool hex = field.type == Type::hex;
+  const double limit = 1e15;
+  const double sent = std::clamp(number, -limit, limit);
+  const auto written = hex ? std::to_chars(digits.begin(), digits.end(),
+                                           static_cast<std::uint64_t>(std::abs(sent)), 16)
+                           : std::to_chars(digits.begin(), digits.end(), std::abs(sent),
+                                           std::chars_format::fixed, decimals);
+  const auto size = static_cast<std::size_t>(written.ptr - digits.begin());
+  if (sent < 0) line.text("-");
+  for (std::size_t n = size + (sent < 0); n < field.width; ++n) line.text("0");
+  line.text({digits.data(), size});
+}
+
+/// False: the field has no value, and a line has no way to say so.
+bool write_field(const Plan& plan, std::span<const Field> fields, const Field& field,
+                 const Readings& readings, FieldWriter& line) {
+  if (field.type == Type::ignored || field.type == Type::constant ||
+      (field.type == Type::text && !field.validity)) {
+    line.text(field.text);
+    return true;
+  }
+  if (field.type == Type::text) {
+    line.text(readings.measured() ? field.validity->good_texts.front() : field.validity->bad_text);
+    return true;
+  }
+  const auto number = wire_number(fields, field, readings);
+  if (number) write_number(field, *number, line);
+  return number || plan.form == Form::sentences || field.optional;
+}
+
+void write_checksum(const Plan& plan, FieldWriter& line) {
+  if (plan.form != Form::sentences || plan.checksum.size() == 0 || line.size() == 0) return;
+  constexpr std::string_view digits = "0123456789ABCDEF";
+  const std::uint32_t sum = plan.checksum.of(
+      line.written().subspan(std::min<std::size_t>(plan.checksum_from, line.size())));
+  const std::array<char, 3> end{'*', digits[sum >> 4 & 15], digits[sum & 15]};
+  line.text({end.data(), end.size()});
+}
+
+}  // namespace
+
+std::size_t encode_text(const Plan& plan, const Message& message, const Readings& readings,
+                        std::span<std::uint8_t> out) {
+  FieldWriter line(out);
+  line.text(message.head);
+  const auto fields = plan.fields_of(message);
+  for (std::size_t i = 0; i < fields.size(); ++i) {
+    if (!write_field(plan, fields, fields[i], readings, line)) return 0;
+    if (i + 1 < fields.size()) line.text({&fields[i].end, 1});
+  }
+  write_checksum(plan, line);
+  line.text("\r\n");
+  return line.size();
+}
+
+}  // namespace drydock::wire::described

@@ -1,0 +1,104 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+
+#include "drivers/measurement/earlier.hpp"
+#include "drivers/wire/described/codec.hpp"
+#include "hil/emulate/described/described_dialogue.hpp"
+#include "hil/emulate/sampling_device.hpp"
+
+namespace drydock::emulate {
+
+/// A device whose messages a file describes. `Base` samples; measure() says what it read. A sensor
+/// that is polled samples when it is asked, and answers after its latency.
+template <class Base>
+class DescribedDevice : public Base {
+ public:
+  template <class... Parts>
+  explicit DescribedDevice(const DeviceSetup& setup, Parts&&... parts)
+      : Base(setup, std::forward<Parts>(parts)...),
+        description_(setup.config.description),
+        requests_(*description_) {}
+
+  std::optional<Stamp> deadline() const override {
+    if (!is_polled()) return Base::deadline();
+    return asked_.empty() ? std::nullopt : std::optional(asked_.front().at + this->latency());
+  }
+  void tick(Stamp now, Wire& out) override {
+    if (!is_polled()) return Base::tick(now, out);
+    while (!asked_.empty() && asked_.front().at + this->latency() <= now) {
+      this->take(asked_.front().at, out);
+      asked_.pop_front();
+    }
+  }
+  using Base::receive;
+  void receive(wire::Bytes bytes, Stamp now, Wire& out) override {
+    requests_.feed(
+        bytes, [&](const Request& request) { answer(request, out); },
+        [&](const Request& request) { ask(request, now, out); });
+  }
+
+ protected:
+  /// What it measures at a time. A target without a value is none. The times are added later.
+  virtual void measure(Stamp at, wire::described::Readings& readings) = 0;
+
+ private:
+  using Request = wire::described::Request;
+  using Message = wire::described::Message;
+  struct Asked {
+    Stamp at;
+    const std::string* reply;
+  };
+  static constexpr std::size_t most_asked = 16;  ///< a driver that asks faster loses answers
+
+  bool is_polled() const { return !description_->poll.empty(); }
+
+  void ask(const Request& request, Stamp now, Wire& out) {
+    if (asked_.size() == most_asked) return;
+    asked_.push_back({now, &request.reply});
+    if (this->latency().count() == 0) tick(now, out);
+  }
+
+  void sample(Stamp at, Wire& out) override {
+    if (!requests_.started()) return;
+    readings_.clear();
+    measure(at, readings_);
+    add_times(at);
+    for (const Message& message : description_->plan.messages)
+      if (is_polled() ? message.name == *asked_.front().reply : message.emulated)
+        send(message, out);
+  }
+
+  void add_times(Stamp at) {
+    using enum wire::described::Target;
+    const auto seconds = [&](Stamp when) {
+      return measurement::seconds(this->device_time(when).time_since_epoch());
+    };
+    readings_.set(time, seconds(at));
+    readings_.set(valid_at, seconds(at));
+    readings_.set(sent_at, seconds(at + this->latency()));
+    readings_.set(age, measurement::seconds(this->latency()));
+    readings_.set(interval, 1 / this->rate_hz());
+  }
+
+  void answer(const Request& request, Wire& out) {
+    readings_.clear();
+    for (const Message& message : description_->plan.messages)
+      if (!request.reply.empty() && message.name == request.reply) send(message, out);
+  }
+
+  void send(const Message& message, Wire& out) {
+    const std::size_t size =
+        wire::described::encode(description_->plan, message, readings_, bytes_);
+    if (size > 0) out.send(wire::Bytes{bytes_}.first(size));
+  }
+
+  wire::described::DescriptionPtr description_;
+  RequestListener requests_;
+  std::deque<Asked> asked_;
+  wire::described::Readings readings_;
+  std::array<std::uint8_t, wire::described::longest_frame> bytes_{};
+};
+
+}  // namespace drydock::emulate

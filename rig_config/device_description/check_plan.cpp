@@ -1,0 +1,124 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "rig_config/device_description/plan_reader.hpp"
+
+namespace drydock::rig_config {
+namespace {
+
+namespace described = wire::described;
+using described::Field;
+using described::Form;
+using described::Message;
+using described::Plan;
+using described::Type;
+
+bool is_wild(const Message& message, std::size_t i) {
+  return message.any_talker && (i == 1 || i == 2);
+}
+
+/// True if some bytes begin with both heads.
+bool heads_meet(const Message& a, const Message& b) {
+  for (std::size_t i = 0; i < std::min(a.head.size(), b.head.size()); ++i)
+    if (a.head[i] != b.head[i] && !is_wild(a, i) && !is_wild(b, i)) return false;
+  return true;
+}
+
+/// True if a constant of one is another constant of the other at the same place.
+bool constants_differ(std::span<const Field> a, std::span<const Field> b, Form form) {
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    if (a[i].type != Type::constant) continue;
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      if (b[j].type != Type::constant) continue;
+      const bool same_place = form == Form::binary ? a[i].at == b[j].at && a[i].size == b[j].size &&
+                                                         a[i].big_endian == b[j].big_endian
+                                                   : i == j;
+      const bool differ = form == Form::binary
+                              ? a[i].idle != b[j].idle
+                              : a[i].text != b[j].text && !a[i].optional && !b[j].optional;
+      if (same_place && differ) return true;
+    }
+  }
+  return false;
+}
+
+std::size_t fewest(std::span<const Field> fields) {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(fields, [](const Field& f) { return !f.optional; }));
+}
+
+bool separators_differ(std::span<const Field> a, std::span<const Field> b) {
+  return !std::ranges::equal(a.first(std::min(a.size(), b.size())),
+                             b.first(std::min(a.size(), b.size())), {}, &Field::end, &Field::end);
+}
+
+bool counts_differ(std::span<const Field> a, std::span<const Field> b) {
+  return fewest(a) > b.size() || fewest(b) > a.size();
+}
+
+bool lengths_differ(const Message& a, const Message& b, const Plan& plan) {
+  const bool fixed = a.length.size == 0 && b.length.size == 0;
+  return fixed && a.length.fixed != b.length.fixed && plan.checksum.size() >= 2;
+}
+
+/// A line whose head is longer cannot be the other one, if that continues with a number.
+bool longer_head_is_no_number(const Message& a, const Message& b, const Plan& plan) {
+  const bool a_longer = a.head.size() > b.head.size();
+  const auto fields = plan.fields_of(a_longer ? b : a);
+  const char next = a_longer ? a.head[b.head.size()] : b.head[a.head.size()];
+  constexpr std::string_view of_numbers = "0123456789+-. ";
+  return !fields.empty() && fields[0].type == Type::number &&
+         of_numbers.find(next) == of_numbers.npos;
+}
+
+bool ambiguous(const Message& a, const Message& b, const Plan& plan) {
+  const auto of_a = plan.fields_of(a), of_b = plan.fields_of(b);
+  if (!heads_meet(a, b) || constants_differ(of_a, of_b, plan.form)) return false;
+  if (plan.form == Form::binary) return !lengths_differ(a, b, plan);
+  if (a.head.size() != b.head.size()) return !longer_head_is_no_number(a, b, plan);
+  return !(counts_differ(of_a, of_b) || separators_differ(of_a, of_b));
+}
+
+/// What stands outside the frame of a binary message, in words. Empty: nothing.
+std::string outside(const Message& message, const Plan& plan) {
+  const auto& length = message.length;
+  const std::size_t sum = plan.checksum.size();
+  const std::size_t longest = length.size == 0 ? length.fixed : plan.longest;
+  if (longest > plan.longest)
+    return fmt::format("has {} bytes, allowed: up to {} ('longest')", longest, plan.longest);
+  if (longest < message.head.size() + sum || longest < plan.checksum_from + sum)
+    return fmt::format("has {} bytes, fewer than its sync and its checksum", longest);
+  if (length.size != 0 && length.at + std::size_t{length.size} + sum > plan.longest)
+    return "its length is outside of it";
+  for (const Field& field : plan.fields_of(message))
+    if (field.at + std::size_t{field.size} + sum > longest)
+      return fmt::format("field at {} ends behind byte {}, where the checksum or the end is",
+                         field.at, longest - sum - 1);
+  return {};
+}
+
+}  // namespace
+
+Problems check_plan(const Plan& plan, std::span<const Node> tables, const std::string& file,
+                    const std::string& path) {
+  Problems problems;
+  for (std::size_t i = 0; i < plan.messages.size(); ++i) {
+    const auto add = [&](std::string what) {
+      problems.push_back({file, tables[i].at.line, tables[i].at.column,
+                          fmt::format("{}/{}", path, i), std::move(what)});
+    };
+    const Message& message = plan.messages[i];
+    if (plan.form == Form::binary)
+      if (std::string what = outside(message, plan); !what.empty()) add(std::move(what));
+    for (std::size_t j = 0; j < i; ++j)
+      if (ambiguous(plan.messages[j], message, plan))
+        add(
+            fmt::format("the same bytes can be this message and that of line {}; allowed: another "
+                        "head, number of fields, constant, or (with a checksum of 16 bits) length",
+                        tables[j].at.line));
+  }
+  return problems;
+}
+
+}  // namespace drydock::rig_config

@@ -1,0 +1,241 @@
+#include "rig_config/device_description/field_reader.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "rig_config/device_description/units.hpp"
+#include "rig_config/rules/explain.hpp"
+#include "rig_config/toml/read_keys.hpp"
+
+namespace drydock::rig_config {
+namespace {
+
+namespace described = wire::described;
+using described::Dimension;
+using described::Field;
+using described::Form;
+using described::TargetRow;
+using described::Type;
+
+constexpr std::string_view valid_word = "valid";
+
+const TargetRow* find_target(std::string_view name, measurement::Kind kind) {
+  for (const TargetRow& row : described::target_rows)
+    if (row.name == name && (row.kinds & described::bit_of(kind)) != 0) return &row;
+  return nullptr;
+}
+
+std::vector<std::string> target_names(measurement::Kind kind) {
+  std::vector<std::string> names{std::string(valid_word)};
+  for (const TargetRow& row : described::target_rows)
+    if ((row.kinds & described::bit_of(kind)) != 0) names.emplace_back(row.name);
+  return names;
+}
+
+class FieldReader {
+ public:
+  FieldReader(const Node& table, const FieldContext& context, Problems& problems)
+      : table_(table), context_(context), problems_(problems) {}
+
+  Field run() {
+    field_.end = context_.separator;
+    field_.big_endian = context_.big_endian;
+    read_kind();
+    read_place();
+    if (table_.find("field")) read_target();
+    if (!field_.target) scale_plainly();
+    read_validity();
+    read_emulated();
+    if (const Node* none = table_.find("no_value"))
+      for (const Node& number : none->items) field_.no_value.push_back(number.number);
+    if (const Node* rank = table_.find("rank"))
+      field_.rank = static_cast<std::uint8_t>(rank->integer);
+    return std::move(field_);
+  }
+
+ private:
+  /// A field is one of: a value with a name, a constant, something to leave out.
+  void read_kind() {
+    const Node* constant = table_.find(context_.form == Form::binary ? "is" : "text");
+    const bool value = table_.find("field") || table_.find("name");
+    const Node* skipped = table_.find("skip");
+    if (value + (constant != nullptr) + (skipped != nullptr) != 1)
+      add(table_, fmt::format("a field has one of: 'field' or 'name' (a value), '{}' (a constant), "
+                              "'skip'",
+                              context_.form == Form::binary ? "is" : "text"));
+    read(table_, "name", field_.key);
+    if (context_.form != Form::binary) read_text_type(constant, skipped);
+    if (context_.form == Form::binary && !read_binary_type(table_.find("type")->text, field_))
+      add(*table_.find("type"),
+          fmt::format("\"{}\" is no type, allowed: u8 u16 u24 u32 u48 u64, i8 to i64, f32, f64, "
+                      "bcd1 to bcd6",
+                      table_.find("type")->text));
+    if (context_.form == Form::binary && constant) {
+      if (field_.type != Type::unsigned_integer) add(*constant, "a constant has a type u8 to u64");
+      field_.type = Type::constant;
+      field_.idle = constant->number;
+    }
+  }
+
+  void read_text_type(const Node* constant, const Node* skipped) {
+    std::string type = "number";
+    read(table_, "type", type);
+    field_.type = type == "hex" ? Type::hex : type == "text" ? Type::text : Type::number;
+    if (skipped) field_.type = Type::ignored;
+    if (constant) field_.type = Type::constant;
+    read(table_, "text", field_.text);
+    read(table_, "optional", field_.optional);
+    if (const Node* end = table_.find("ends")) field_.end = end->text.empty() ? '\0' : end->text[0];
+  }
+
+  void read_place() {
+    if (context_.form != Form::binary) return;
+    field_.at = static_cast<std::uint16_t>(table_.find("at")->integer);
+    if (const Node* order = table_.find("order")) field_.big_endian = order->text == "big";
+    const Node* bits = table_.find("bits");
+    if (!bits) return;
+    const auto first = bits->items[0].integer, count = bits->items[1].integer;
+    if (field_.type == Type::real || field_.type == Type::bcd)
+      add(*bits, "only an integer has bits");
+    else if (count < 1)
+      add(*bits, "expected the first bit and at least one bit");
+    else if (first + count > 8 * field_.size)
+      add(*bits, fmt::format("bits {} to {} are beyond the {} of {}", first, first + count - 1,
+                             8 * field_.size, table_.find("type")->text));
+    field_.first_bit = static_cast<std::uint8_t>(first);
+    field_.bits = static_cast<std::uint8_t>(count);
+  }
+
+  void read_target() {
+    const Node& word = *table_.find("field");
+    if (field_.key.empty()) field_.key = word.text;
+    if (word.text == valid_word) {
+      field_.validity.emplace();
+      return;
+    }
+    const TargetRow* row = find_target(word.text, context_.kind);
+    if (!row) {
+      const auto names = target_names(context_.kind);
+      return add(word, fmt::format("\"{}\" is nothing that a {} measures{}, allowed: {}", word.text,
+                                   to_string(context_.kind), did_you_mean(word.text, names),
+                                   listed(names)));
+    }
+    if (field_.type == Type::text) add(word, "a text is no measurement; allowed: number, hex");
+    field_.target = row->target;
+    read_unit(*row);
+  }
+
+  Dimension on_the_wire(const TargetRow& row) const {
+    Dimension dimension = row.dimension;
+    if (table_.find("per")) dimension.time = static_cast<std::int8_t>(dimension.time + 1);
+    return dimension;
+  }
+
+  void read_unit(const TargetRow& row) {
+    const Dimension wanted = on_the_wire(row);
+    std::vector<std::string> allowed;
+    for (const WireUnit& unit : wire_units)
+      if (unit.dimension == wanted) allowed.emplace_back(unit.name);
+    const Node* named = table_.find("unit");
+    const std::string word = named ? named->text : wanted == Dimension{} ? "1" : "";
+    const WireUnit* unit = find_unit(word);
+    if (!unit || !(unit->dimension == wanted))
+      return add(named ? *named : table_,
+                 fmt::format("{} of {}, allowed: {}",
+                             named ? fmt::format("\"{}\" is no unit", word) : "no unit", row.name,
+                             listed(allowed)));
+    const double scale = read_if(table_, "scale").value_or(1);
+    field_.factor = scale * unit->factor;
+    field_.offset = read_if(table_, "offset").value_or(0) * unit->factor + unit->offset;
+  }
+
+  /// A value that no measurement has keeps the unit of the wire.
+  void scale_plainly() {
+    const Node* named = table_.find("unit");
+    if (named && !table_.find("field") && !find_unit(named->text)) {
+      std::vector<std::string> names;
+      for (const WireUnit& unit : wire_units) names.emplace_back(unit.name);
+      add(*named, fmt::format("\"{}\" is no unit{}, allowed: {}", named->text,
+                              did_you_mean(named->text, names), listed(names)));
+    }
+    read(table_, "scale", field_.factor);
+    read(table_, "offset", field_.offset);
+  }
+
+  void read_validity() {
+    const Node* good = table_.find("good");
+    const Node* above = table_.find("above");
+    const Node* bad = table_.find("bad");
+    if (!field_.validity) {
+      for (const Node* key : {good, above, bad})
+        if (key) add(*key, "only for field = \"valid\"");
+      return;
+    }
+    if (!good && !above)
+      add(table_, "field \"valid\" needs 'good' (the values that say so) or 'above'");
+    described::Validity& rule = *field_.validity;
+    if (above) rule.above = above->number;
+    const bool texts = field_.type == Type::text;
+    for (const Node& one : good ? good->items : std::vector<Node>{}) {
+      if (texts != (one.kind == Node::Kind::text))
+        add(one, texts ? "a field of type text has texts here" : "a number is expected here");
+      if (texts)
+        rule.good_texts.push_back(one.text);
+      else
+        rule.good_numbers.push_back(one.number);
+    }
+    if (texts && rule.good_texts.empty())
+      add(table_, "a text cannot be above a number: use 'good'");
+    if (bad) rule.bad_text = bad->text, rule.bad_number = bad->number;
+    if (!rule.good_numbers.empty())
+      field_.idle = rule.good_numbers.front();
+    else if (rule.above)
+      field_.idle = *rule.above + 1;
+  }
+
+  void read_emulated() {
+    if (const Node* decimals = table_.find("decimals"))
+      field_.decimals = static_cast<std::uint8_t>(decimals->integer);
+    if (const Node* width = table_.find("width"))
+      field_.width = static_cast<std::uint8_t>(width->integer);
+    if (const Node* emulate = table_.find("emulate")) {
+      field_.idle = emulate->number;
+      if (field_.type == Type::text || field_.type == Type::ignored) field_.text = emulate->text;
+    }
+    if (field_.factor == 0) add(*table_.find("scale"), "a scale of 0 loses the value");
+  }
+
+  void add(const Node& at, std::string what) {
+    problems_.push_back({context_.file, at.at.line, at.at.column, context_.path, std::move(what)});
+  }
+
+  const Node& table_;
+  const FieldContext& context_;
+  Problems& problems_;
+  Field field_;
+};
+
+}  // namespace
+
+bool read_binary_type(std::string_view name, Field& field) {
+  for (std::uint8_t size = 1; size <= 8; ++size) {
+    field.size = size;
+    const auto is = [&](std::string_view letter, int figure, Type type) {
+      field.type = type;
+      return name == fmt::format("{}{}", letter, figure);
+    };
+    if (is("u", 8 * size, Type::unsigned_integer) || is("i", 8 * size, Type::signed_integer))
+      return true;
+    if ((size == 4 || size == 8) && is("f", 8 * size, Type::real)) return true;
+    if (size <= 6 && is("bcd", size, Type::bcd)) return true;
+  }
+  return false;
+}
+
+Field read_field(const Node& table, const FieldContext& context, Problems& problems) {
+  return FieldReader(table, context, problems).run();
+}
+
+}  // namespace drydock::rig_config

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <string>
+
+#include "drivers/wire/described/plan.hpp"
+#include "rig_config/load.hpp"
+#include "rig_config/toml/node.hpp"
+
+namespace drydock::rig_config {
+
+/// What a field needs to know of its protocol and sensor.
+struct FieldContext {
+  wire::described::Form form;
+  measurement::Kind kind;
+  char separator;   ///< behind a field of a text
+  bool big_endian;  ///< unless the field says it
+  std::string file, path;
+};
+
+/// Reads the table of one field of a message. Problems are appended; the field is then not usable.
+wire::described::Field read_field(const Node& table, const FieldContext& context,
+                                  Problems& problems);
+
+/// u8, i16, f32, bcd4, ...: sets type and size. False for another name.
+bool read_binary_type(std::string_view name, wire::described::Field& field);
+
+}  // namespace drydock::rig_config

@@ -1,0 +1,66 @@
+#include "rig_config/device_description/load_description.hpp"
+
+#include <filesystem>
+
+#include "rig_config/checks/checks.hpp"
+#include "rig_config/device_description/plan_reader.hpp"
+#include "rig_config/toml/checked_file.hpp"
+
+namespace drydock::rig_config {
+namespace {
+
+namespace described = wire::described;
+
+bool tells_time(const described::Plan& plan) {
+  return std::ranges::any_of(plan.fields, [](const described::Field& field) {
+    return field.target == described::Target::time || field.target == described::Target::valid_at;
+  });
+}
+
+wire::Protocol facts_of(const described::Description& description) {
+  wire::Protocol facts;
+  facts.name = description.name;
+  facts.kinds = description.kind;
+  const auto& sum = description.plan.checksum;
+  if (sum.size() != 0) facts.checksum = sum.name();
+  if (tells_time(description.plan)) facts.clock = wire::DeviceClock::yes;
+  if (!description.start.empty()) facts.settings = wire::Settings::obeyed;
+  if (description.kind == DeviceKind::gnss) facts.place = wire::Place::yes;
+  return facts;
+}
+
+}  // namespace
+
+Loaded<DescriptionPtr> load_description_text(std::string_view text, const std::string& path) {
+  const auto root = read_checked(text, path, FileKind::device);
+  if (!root) return root.error();
+  Problems problems;
+  auto description =
+      std::make_shared<described::Description>(read_description(*root, path, problems));
+  if (!problems.empty()) return problems;
+  description->name = std::filesystem::path(path).filename().string();
+  description->facts = facts_of(*description);
+  return DescriptionPtr(std::move(description));
+}
+
+Loaded<DescriptionPtr> load_description(const std::string& path) {
+  const auto text = read_file(path);
+  return text ? load_description_text(*text, path) : Loaded<DescriptionPtr>(text.error());
+}
+
+Loaded<DescriptionPtr> find_description(const std::string& name, const std::string& near) {
+  const std::string path = beside(near, name);
+  std::error_code error;
+  if (std::filesystem::exists(path, error)) return load_description(path);
+  for (const auto& [built_in, text] : built_in_descriptions())
+    if (built_in == name) return load_description_text(text, "rig_config/devices/" + name);
+  std::string names;
+  for (const auto& built_in : built_in_descriptions())
+    names += (names.empty() ? "" : ", ") + std::string(built_in.name);
+  return Problems{{path, 0, 0, "/",
+                   "there is no such description, neither as a file nor among those of the "
+                   "program: " +
+                       names}};
+}
+
+}  // namespace drydock::rig_config

@@ -1,0 +1,292 @@
+#include "rig_config/device_description/plan_reader.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "rig_config/device_description/field_reader.hpp"
+#include "rig_config/rules/explain.hpp"
+#include "rig_config/toml/read_keys.hpp"
+
+namespace drydock::rig_config {
+namespace {
+
+namespace described = wire::described;
+using described::Description;
+using described::Field;
+using described::Form;
+using described::Message;
+using described::Plan;
+using described::Type;
+
+/// "FA 49 01" -> three bytes. Empty: it is not pairs of hexadecimal digits.
+std::optional<std::string> hex_bytes(std::string_view text) {
+  constexpr std::string_view digits = "0123456789abcdef";
+  std::string bytes;
+  int high = -1;
+  for (const char c : text) {
+    const auto digit = digits.find(c >= 'A' && c <= 'F' ? static_cast<char>(c + 32) : c);
+    if (c == ' ' && high < 0) continue;
+    if (digit == digits.npos) return {};
+    if (high < 0) {
+      high = static_cast<int>(digit);
+      continue;
+    }
+    bytes += static_cast<char>(high * 16 + static_cast<int>(digit));
+    high = -1;
+  }
+  if (high >= 0) return {};
+  return bytes;
+}
+
+class PlanReader {
+ public:
+  PlanReader(const Node& root, const std::string& file, Problems& problems)
+      : root_(root), protocol_(*root.find("protocol")), file_(file), problems_(problems) {}
+
+  Description run() {
+    const Node& sensor = *root_.find("sensor");
+    read(sensor, "title", description_.title);
+    description_.kind = measurement::kind_of(sensor.find("kind")->text).value();
+    if (const auto wait = read_if(sensor, "reply_within_ms"))
+      description_.reply_within = std::chrono::milliseconds{static_cast<std::int64_t>(*wait)};
+    if (const Node* messages = the_messages()) {
+      read_common();
+      for (std::size_t i = 0; i < messages->items.size(); ++i) read_message(messages->items[i], i);
+      if (problems_.empty()) finish(*messages);
+    }
+    read_requests("start", description_.start);
+    read_requests("poll", description_.poll);
+    return std::move(description_);
+  }
+
+ private:
+  const Node* the_messages() {
+    const Node* found = nullptr;
+    for (const auto& [word, form] :
+         {std::pair("sentences", Form::sentences), std::pair("binary", Form::binary),
+          std::pair("lines", Form::lines)}) {
+      const Node* one = protocol_.find(word);
+      if (!one) continue;
+      if (found) add(*one, path_, "a protocol has one of: sentences, binary, lines");
+      found = one;
+      plan().form = form;
+      path_ = std::string("/protocol/") + word;
+    }
+    if (!found) add(protocol_, "/protocol", "a protocol needs one of: sentences, binary, lines");
+    return found;
+  }
+
+  void read_common() {
+    std::string order = "little", sum = plan().form == Form::sentences ? "xor" : "none";
+    read(protocol_, "order", order);
+    big_endian_ = order == "big";
+    read(protocol_, "checksum_order", order);
+    plan().checksum_big_endian = order == "big";
+    read(protocol_, "checksum", sum);
+    if (!described::Checksum::find(sum, plan().checksum)) unknown_checksum();
+    plan().checksum_from = plan().form == Form::sentences ? 1 : 0;
+    if (const Node* from = protocol_.find("checksum_from"))
+      plan().checksum_from = static_cast<std::uint16_t>(from->integer);
+    read(protocol_, "checksum_optional", plan().checksum_optional);
+    if (plan().form != Form::binary) plan().longest = 256;
+    if (const Node* longest = protocol_.find("longest"))
+      plan().longest = static_cast<std::size_t>(longest->integer);
+    if (plan().form == Form::sentences && plan().checksum.size() > 1)
+      add(*protocol_.find("checksum"), "/protocol/checksum",
+          "a sentence has a checksum of 8 bits: two digits behind the '*'");
+    if (plan().form == Form::lines && plan().checksum.size() > 0)
+      add(*protocol_.find("checksum"), "/protocol/checksum",
+          "lines have none; with one behind a '*' they are sentences");
+  }
+
+  void unknown_checksum() {
+    std::vector<std::string> names{"none", "xor", "sum-8", "sum-16", "fletcher-16"};
+    for (const auto& crc : described::crcs) names.emplace_back(crc.name);
+    const Node& word = *protocol_.find("checksum");
+    add(word, "/protocol/checksum",
+        fmt::format("\"{}\" is no checksum{}, allowed: {}", word.text,
+                    did_you_mean(word.text, names), listed(names)));
+  }
+
+  void read_message(const Node& table, std::size_t i) {
+    const std::string path = fmt::format("{}/{}", path_, i);
+    Message message;
+    read_head(table, path, message);
+    read(table, "name", message.name);
+    check_name(table, path, message);
+    message.first_field = static_cast<std::uint16_t>(plan().fields.size());
+    read_fields(table, path, message);
+    const bool emulated = !table.find("emulated") || table.find("emulated")->boolean;
+    message.emulated = emulated && message.publishes;
+    plan().messages.push_back(std::move(message));
+  }
+
+  void check_name(const Node& table, const std::string& path, const Message& message) {
+    const auto& others = plan().messages;
+    if (message.name.empty())
+      add(table, path, "key 'name' is missing");
+    else if (std::ranges::find(others, message.name, &Message::name) != others.end())
+      add(table, path,
+          fmt::format("two messages are called \"{}\"; give one a 'name'", message.name));
+  }
+
+  void read_head(const Node& table, const std::string& path, Message& message) {
+    if (plan().form == Form::binary) {
+      const Node& sync = *table.find("sync");
+      const auto bytes = hex_bytes(sync.text);
+      if (!bytes || bytes->empty() || bytes->size() > 16)
+        return add(sync, path + "/sync",
+                   "expected 1 to 16 bytes in hexadecimal digits, such as \"FA 49\"");
+      message.head = *bytes;
+      return read_length(table, path, message);
+    }
+    read(table, plan().form == Form::sentences ? "id" : "head", message.head);
+    message.name = message.head;
+    if (plan().form == Form::lines) return;
+    std::erase_if(message.name, [](char c) { return c == '$' || c == '!' || c == '-'; });
+    message.any_talker =
+        message.head.substr(std::min<std::size_t>(1, message.head.size())).starts_with("--");
+    message.head += separator();
+  }
+
+  void read_length(const Node& table, const std::string& path, Message& message) {
+    const Node* length = table.find("length");
+    if (!length) return add(table, path, "key 'length' is missing");
+    if (length->kind == Node::Kind::integer) {
+      message.length.fixed = static_cast<std::uint16_t>(length->integer);
+      return;
+    }
+    Field field;
+    if (!read_binary_type(length->find("type")->text, field) ||
+        field.type != Type::unsigned_integer || field.size > 4)
+      add(*length, path + "/length", "a length has a type u8, u16, u24 or u32");
+    message.length.at = static_cast<std::uint16_t>(length->find("at")->integer);
+    message.length.size = field.size;
+    message.length.big_endian = big_endian_;
+    if (const Node* order = length->find("order")) message.length.big_endian = order->text == "big";
+    if (const Node* plus = length->find("plus"))
+      message.length.plus = static_cast<std::uint16_t>(plus->integer);
+  }
+
+  char separator() const {
+    const Node* one = protocol_.find("separator");
+    return one ? one->text[0] : ',';
+  }
+
+  void read_fields(const Node& table, const std::string& path, Message& message) {
+    const Node* fields = table.find("fields");
+    const std::size_t count = fields ? fields->items.size() : 0;
+    std::vector<Field> read;
+    for (std::size_t i = 0; i < count; ++i) {
+      const FieldContext context{plan().form, description_.kind,
+                                 separator(), big_endian_,
+                                 file_,       fmt::format("{}/fields/{}", path, i)};
+      read.push_back(read_field(fields->items[i], context, problems_));
+      message.publishes |= read.back().target && !described::is_time(*read.back().target);
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+      find_divisor(fields->items[i], fmt::format("{}/fields/{}", path, i), read, i);
+      check_key(fields->items[i], fmt::format("{}/fields/{}", path, i), read, i);
+      check_optional(fields->items[i], fmt::format("{}/fields/{}", path, i), read, i);
+    }
+    message.fields = static_cast<std::uint16_t>(count);
+    message.mapped = mapped(read);
+    std::ranges::move(read, std::back_inserter(plan().fields));
+  }
+
+  static std::vector<std::uint8_t> mapped(const std::vector<Field>& fields) {
+    std::vector<std::uint8_t> order;
+    for (std::size_t i = 0; i < fields.size(); ++i)
+      if (fields[i].target) order.push_back(static_cast<std::uint8_t>(i));
+    std::ranges::stable_sort(order, {}, [&](std::uint8_t i) { return fields[i].rank; });
+    return order;
+  }
+
+  void find_divisor(const Node& table, const std::string& path, std::vector<Field>& fields,
+                    std::size_t i) {
+    const Node* per = table.find("per");
+    if (!per) return;
+    const auto found = std::ranges::find(fields, per->text, &Field::key);
+    const bool is_time = found != fields.end() && found->target &&
+                         described::row_of(*found->target).dimension == described::dimension::time;
+    if (!is_time || !fields[i].target)
+      return add(*per, path + "/per",
+                 "names a field of this message that is a time, for a 'field'");
+    fields[i].divisor = static_cast<std::uint8_t>(found - fields.begin());
+  }
+
+  void check_key(const Node& table, const std::string& path, const std::vector<Field>& fields,
+                 std::size_t i) {
+    if (fields[i].key.empty() || std::ranges::find(fields, fields[i].key, &Field::key) ==
+                                     fields.begin() + static_cast<std::ptrdiff_t>(i))
+      return;
+    add(table, path,
+        fmt::format("two fields of this message are called \"{}\"; give one a 'name'",
+                    fields[i].key));
+  }
+
+  void check_optional(const Node& table, const std::string& path, const std::vector<Field>& fields,
+                      std::size_t i) {
+    if (i > 0 && fields[i - 1].optional && !fields[i].optional)
+      add(table, path, "fields behind an optional one must be optional too");
+  }
+
+  void read_requests(const char* group, std::vector<described::Request>& into) {
+    for_each_table(root_, group, [&](const Node& table, std::size_t i) {
+      const std::string path = fmt::format("/{}/{}", group, i);
+      const Node* text = table.find("send");
+      const Node* hex = table.find("send_hex");
+      if ((text != nullptr) == (hex != nullptr)) add(table, path, "one of: 'send', 'send_hex'");
+      const auto bytes = hex ? hex_bytes(hex->text) : std::optional(text ? text->text : "");
+      if (!bytes || (hex && bytes->empty()))
+        add(*hex, path, "expected pairs of hexadecimal digits");
+      described::Request request{bytes.value_or(""), {}};
+      read(table, "reply", request.reply);
+      const Node* reply = table.find("reply");
+      if (reply &&
+          std::ranges::find(plan().messages, reply->text, &Message::name) == plan().messages.end())
+        add(*reply, path + "/reply", fmt::format("no message is called \"{}\"", reply->text));
+      into.push_back(std::move(request));
+    });
+  }
+
+  /// What only the whole plan tells.
+  void finish(const Node& messages) {
+    for (const Message& message : plan().messages) note_starts(message);
+    for (Problem& one : check_plan(plan(), messages.items, file_, path_))
+      problems_.push_back(std::move(one));
+    if (std::ranges::none_of(plan().messages, &Message::publishes))
+      add(messages, path_, "no field is part of a measurement: none has the key 'field'");
+  }
+
+  void note_starts(const Message& message) {
+    const bool any = message.head.empty();
+    for (unsigned c = 0; c < 256; ++c)
+      plan().starts[c] =
+          plan().starts[c] ||
+          (any ? c > 0x20 && c < 0x7F : c == static_cast<unsigned char>(message.head[0]));
+  }
+
+  Plan& plan() { return description_.plan; }
+  const Plan& plan() const { return description_.plan; }
+  void add(const Node& at, const std::string& path, std::string what) {
+    problems_.push_back({file_, at.at.line, at.at.column, path, std::move(what)});
+  }
+
+  const Node& root_;
+  const Node& protocol_;
+  const std::string& file_;
+  Problems& problems_;
+  Description description_;
+  std::string path_ = "/protocol";
+  bool big_endian_ = false;
+};
+
+}  // namespace
+
+Description read_description(const Node& root, const std::string& file, Problems& problems) {
+  return PlanReader(root, file, problems).run();
+}
+
+}  // namespace drydock::rig_config

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "drivers/wire/described/description.hpp"
+#include "rig_config/load.hpp"
+#include "rig_config/toml/node.hpp"
+
+namespace drydock::rig_config {
+
+/// The description of a document that passed the schema. Problems are appended: then it is not
+/// usable.
+wire::described::Description read_description(const Node& root, const std::string& file,
+                                              Problems& problems);
+
+/// Pairs of messages that the same bytes could be, and fields outside their frame. `tables`: those
+/// of the messages, in their order.
+Problems check_plan(const wire::described::Plan& plan, std::span<const Node> tables,
+                    const std::string& file, const std::string& path);
+
+}  // namespace drydock::rig_config

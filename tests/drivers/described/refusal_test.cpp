@@ -1,0 +1,159 @@
+#include <gmock/gmock.h>
+
+#include "rig_config/device_description/units.hpp"
+#include "tests/drivers/described/support.hpp"
+
+/// A description that is wrong is refused with file, line, column and what is allowed.
+namespace drydock::described::test {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+constexpr std::string_view head =
+    "[sensor]\ntitle = \"t\"\nkind = \"depth\"\n[protocol]\n";  // lines 1 to 4
+
+std::string with(std::string_view more) {
+  return problems_of(std::string(head) + std::string(more));
+}
+
+TEST(DescriptionProblems, EveryShippedDescriptionIsSound) {
+  EXPECT_GE(rig_config::built_in_descriptions().size(), 7u);
+  for (const auto& [name, text] : rig_config::built_in_descriptions())
+    EXPECT_THAT(problems_of(text), IsEmpty()) << name;
+}
+
+TEST(DescriptionProblems, AnUnknownUnitIsRefusedWithThoseOfTheQuantity) {
+  EXPECT_EQ(with("[[protocol.sentences]]\nid = \"$PX\"\n"
+                 "fields = [{field = \"pressure_pa\", unit = \"m\"}]\n"),
+            "toy.toml:7:42: /protocol/sentences/0/fields/0: \"m\" is no unit of pressure_pa, "
+            "allowed: Pa, hPa, kPa, MPa, mbar, dbar, bar, psi, inHg, mmHg, mH2O\n");
+}
+
+TEST(DescriptionProblems, AFieldThatTheKindDoesNotMeasureIsRefused) {
+  EXPECT_THAT(
+      with("[[protocol.sentences]]\nid = \"$PX\"\n"
+           "fields = [{field = \"depht_m\", unit = \"m\"}]\n"),
+      HasSubstr("toy.toml:7:20: /protocol/sentences/0/fields/0: \"depht_m\" is nothing that "
+                "a depth measures (did you mean 'depth_m'?), allowed: valid, time_s"));
+}
+
+TEST(DescriptionProblems, AnUnknownChecksumIsRefused) {
+  EXPECT_THAT(with("checksum = \"crc-16/modbuss\"\n[[protocol.binary]]\nname = \"a\"\n"
+                   "sync = \"A5\"\nlength = 8\nfields = [{at = 1, type = \"f32\", field = "
+                   "\"depth_m\", unit = \"m\"}]\n"),
+              HasSubstr("toy.toml:5:12: /protocol/checksum: \"crc-16/modbuss\" is no checksum (did "
+                        "you mean 'crc-16/modbus'?), allowed: none, xor"));
+}
+
+TEST(DescriptionProblems, TwoMessagesOfTheSameBytesAreRefused) {
+  EXPECT_THAT(with("[[protocol.sentences]]\nid = \"$PX\"\nfields = [{field = \"depth_m\", unit = "
+                   "\"m\"}]\n[[protocol.sentences]]\nid = \"$--\"\nname = \"other\"\n"
+                   "fields = [{name = \"x\"}]\n[[protocol.sentences]]\nid = \"$PX\"\n"
+                   "name = \"third\"\nfields = [{name = \"y\"}]\n"),
+              HasSubstr("toy.toml:12:1: /protocol/sentences/2: the same bytes can be this message "
+                        "and that of line 5"));
+}
+
+TEST(DescriptionProblems, ABinaryFieldOutsideItsFrameIsRefused) {
+  const auto frame = [](std::string_view field) {
+    return with(
+        "checksum = \"xor\"\n[[protocol.binary]]\nname = \"a\"\nsync = \"A5 5A\"\n"
+        "length = 8\nfields = [" +
+        std::string(field) + "]\n");
+  };
+  EXPECT_THAT(frame("{at = 3, type = \"f32\", field = \"depth_m\", unit = \"m\"}"), IsEmpty());
+  EXPECT_THAT(frame("{at = 4, type = \"f32\", field = \"depth_m\", unit = \"m\"}"),
+              HasSubstr("toy.toml:6:1: /protocol/binary/0: field at 4 ends behind byte 6"));
+  EXPECT_THAT(frame("{at = 3, type = \"f16\", field = \"depth_m\", unit = \"m\"}"),
+              HasSubstr("\"f16\" is no type, allowed: u8"));
+  EXPECT_THAT(frame("{at = 3, type = \"u8\", bits = [4, 5], field = \"depth_m\", unit = \"m\"}"),
+              HasSubstr("bits 4 to 8 are beyond the 8 of u8"));
+}
+
+TEST(DescriptionProblems, BinaryFramesOfOneSyncNeedAChecksumToTellTheirLengths) {
+  const auto two = [](std::string_view sum) {
+    return with(
+        "checksum = \"" + std::string(sum) +
+        "\"\n[[protocol.binary]]\nname = \"a\"\nsync = \"A5\"\nlength = 9\nfields = [{at = 1, "
+        "type = \"f32\", field = \"depth_m\", unit = \"m\"}]\n"
+        "[[protocol.binary]]\nname = \"b\"\nsync = \"A5\"\nlength = 5\n");
+  };
+  EXPECT_THAT(two("crc-16/modbus"), IsEmpty());
+  EXPECT_THAT(two("xor"), HasSubstr("the same bytes can be this message"));
+}
+
+TEST(DescriptionProblems, ContradictionsAreNamed) {
+  const auto sentence = [](std::string_view field) {
+    return with(
+        "[[protocol.sentences]]\nid = \"$PX\"\nfields = [{field = \"depth_m\", unit = "
+        "\"m\"}, " +
+        std::string(field) + "]\n");
+  };
+  EXPECT_THAT(sentence("{name = \"x\", text = \"M\"}"), HasSubstr("a field has one of"));
+  EXPECT_THAT(sentence("{field = \"depth_m\", unit = \"m\"}"),
+              HasSubstr("two fields of this message are called \"depth_m\""));
+  EXPECT_THAT(sentence("{name = \"x\", good = [1]}"), HasSubstr("only for field = \"valid\""));
+  EXPECT_THAT(sentence("{field = \"valid\"}"), HasSubstr("needs 'good'"));
+  EXPECT_THAT(sentence("{name = \"x\", per = \"depth_m\"}"), HasSubstr("that is a time"));
+  EXPECT_THAT(sentence("{name = \"x\", scale = 0}"), HasSubstr("a scale of 0 loses the value"));
+  EXPECT_THAT(sentence("{name = \"x\", unit = \"furlong\"}"), HasSubstr("is no unit"));
+  EXPECT_THAT(with("[[protocol.sentences]]\nid = \"$PX\"\nfields = [{name = \"x\"}]\n"),
+              HasSubstr("no field is part of a measurement"));
+  EXPECT_THAT(with("order = \"big\"\n"), HasSubstr("needs one of: sentences, binary, lines"));
+  EXPECT_THAT(with("[[protocol.sentences]]\nid = \"$PX\"\nfields = [{field = \"depth_m\", unit = "
+                   "\"m\"}]\n[[poll]]\nsend_hex = \"FA F\"\n"),
+              HasSubstr("pairs of hexadecimal digits"));
+}
+
+TEST(DescriptionProblems, ADescriptionThatIsTooLargeIsRefused) {
+  std::string many = "[[protocol.sentences]]\nid = \"$PX\"\nfields = [";
+  for (int i = 0; i < 33; ++i) many += "{name = \"x" + std::to_string(i) + "\"},";
+  EXPECT_THAT(with(many + "]\n"), HasSubstr("has 33 values, allowed: 0 to 32"));
+}
+
+TEST(DescriptionProblems, ARigNamesADescriptionAndItsFactsDecide) {
+  const auto rig = [](std::string_view protocol, std::string_view more = {}) {
+    const auto loaded = rig_config::load_rig_text(
+        "[rig]\nname = \"r\"\n[[device]]\nname = \"vat\"\nkind = \"depth\"\nprotocol = \"" +
+            std::string(protocol) + "\"\nlink = \"pty:vat\"\n" + std::string(more),
+        "r.toml");
+    std::string lines;
+    if (!loaded)
+      for (const auto& problem : loaded.error()) lines += to_string(problem) + "\n";
+    return lines;
+  };
+  EXPECT_THAT(rig("valeport-vat.toml"), IsEmpty());
+  EXPECT_THAT(rig("nothing.toml"),
+              HasSubstr("r.toml:6:12: /device/0/protocol: nothing.toml: there is no such "
+                        "description, neither as a file nor among those of the program: "));
+  EXPECT_THAT(rig("cerulean-dvpdl.toml"), HasSubstr("\"cerulean-dvpdl.toml\" is not allowed"));
+  EXPECT_THAT(rig("valeport-vat.toml", "[[fault]]\ndevice = \"vat\"\nfault = \"bad-checksum\"\n"),
+              IsEmpty());
+  EXPECT_THAT(rig("digiquartz.toml", "[[fault]]\ndevice = \"vat\"\nfault = \"bad-checksum\"\n"),
+              HasSubstr("its protocol has no checksum of its own"));
+  EXPECT_THAT(rig("valeport-vat.toml",
+                  "[[fault]]\ndevice = \"vat\"\nfault = \"clock-step\"\nseconds = 1\n"),
+              HasSubstr("no time of its own clock"));
+}
+
+TEST(DescriptionProblems, UnitsHaveTheirValuesOfSi) {
+  const auto si = [](std::string_view name, double figure) {
+    const auto* unit = rig_config::find_unit(name);
+    EXPECT_NE(unit, nullptr) << name;
+    return figure * unit->factor + unit->offset;
+  };
+  EXPECT_DOUBLE_EQ(si("fathom", 1), 1.8288);
+  EXPECT_DOUBLE_EQ(si("kn", 1), 1852.0 / 3600);
+  EXPECT_NEAR(si("psi", 1), 6894.757, 5e-4);   // NIST SP 811: 6.894 757 E+03
+  EXPECT_NEAR(si("inHg", 1), 3386.389, 5e-4);  // 3.386 389 E+03, conventional
+  EXPECT_NEAR(si("mmHg", 1), 133.3224, 5e-5);  // 1.333 224 E+02
+  EXPECT_DOUBLE_EQ(si("mH2O", 1), 9806.65);
+  EXPECT_DOUBLE_EQ(si("degC", 25), 298.15);
+  EXPECT_NEAR(si("degF", 212), 373.15, 1e-9);
+  EXPECT_DOUBLE_EQ(si("mg", 1000), 9.80665);
+  EXPECT_NEAR(si("rpm", 60), 2 * 3.14159265358979, 1e-12);
+}
+
+}  // namespace
+}  // namespace drydock::described::test
