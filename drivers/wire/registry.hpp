@@ -19,6 +19,7 @@
 #include "drivers/wire/dvl/pd4.hpp"
 #include "drivers/wire/dvl/pd6.hpp"
 #include "drivers/wire/dvl/water_linked.hpp"
+#include "drivers/wire/dvl/water_linked_json.hpp"
 #include "drivers/wire/j1939/aceinna.hpp"
 #include "drivers/wire/j1939/j1939_protocol.hpp"
 #include "drivers/wire/nmea0183/nmea0183.hpp"
@@ -86,6 +87,10 @@ inline constexpr std::tuple byte_protocols{
                         .clock = DeviceClock::yes,
                         .settings = Settings::refusable,
                         .tells_heat = true}),
+    bytes<WaterLinkedJson>({.kinds = Kind::dvl,
+                            .clock = DeviceClock::yes,
+                            .settings = Settings::refusable,
+                            .tells_heat = true}),
     bytes<Nortek>({.kinds = Kind::dvl, .checksum = "XOR", .clock = DeviceClock::yes}),
 };
 
