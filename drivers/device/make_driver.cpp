@@ -7,6 +7,7 @@
 #include "drivers/device/dvl/pd4_driver.hpp"
 #include "drivers/device/dvl/pd6_driver.hpp"
 #include "drivers/device/dvl/water_linked_driver.hpp"
+#include "drivers/device/dvl/water_linked_json_driver.hpp"
 #include "drivers/device/gnss/gnss_driver.hpp"
 #include "drivers/device/imu/aceinna_imu_driver.hpp"
 #include "drivers/device/imu/cia404_imu_driver.hpp"
@@ -52,6 +53,7 @@ constexpr std::array rows{
     byte_row<Pd4Driver<wire::Pd5>>(Kind::dvl, wire::Pd5::name),
     byte_row<Pd6Driver>(Kind::dvl, wire::Pd6::name),
     byte_row<WaterLinkedDriver>(Kind::dvl, wire::WaterLinked::name),
+    byte_row<WaterLinkedJsonDriver>(Kind::dvl, wire::WaterLinkedJson::name),
     byte_row<NortekDriver>(Kind::dvl, wire::Nortek::name),
     byte_row<EmLogDriver>(Kind::emlog, wire::Nmea0183::name),
     byte_row<GnssDriver>(Kind::gnss, wire::Ubx::name),
@@ -93,8 +95,8 @@ DriverError no_driver(const DriverOptions& options, Travels travels) {
 
 }  // namespace
 
-boost::container::static_vector<ProtocolEntry, 8> protocols_of(Kind kind) {
-  boost::container::static_vector<ProtocolEntry, 8> found;
+boost::container::static_vector<ProtocolEntry, 16> protocols_of(Kind kind) {
+  boost::container::static_vector<ProtocolEntry, 16> found;
   for (const Row& row : rows) {
     if (row.kind == kind) found.push_back(row.protocol);
   }

@@ -25,7 +25,7 @@ struct ProtocolEntry {
 };
 
 /// The protocols that the drivers understand for a kind of sensor.
-boost::container::static_vector<ProtocolEntry, 8> protocols_of(Kind kind);
+boost::container::static_vector<ProtocolEntry, 16> protocols_of(Kind kind);
 
 boost::system::result<std::unique_ptr<ByteDriver>, DriverError> make_byte_driver(
     const DriverOptions& options);
