@@ -1,5 +1,6 @@
 #include "hil/sensor/dvl.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -26,6 +27,11 @@ double echo_snr_db(const JanusHead& head, double range_m) {
          2 * head.absorption_dbpm * (head.longest_range_m - range_m);
 }
 
+/// About z. Without an angle nothing is rounded.
+Vector3d turned(const Vector3d& v, double angle_rad) {
+  return angle_rad == 0 ? v : Vector3d(Eigen::AngleAxisd(angle_rad, Vector3d::UnitZ()) * v);
+}
+
 struct JanusSolution {
   std::optional<Vector3d> velocity;
   std::optional<double> error_mps;  ///< only with four beams
@@ -39,8 +45,9 @@ JanusSolution solve(BeamVelocities b, const JanusHead& head) {
     if (!b[i]) b[i] = *b[i ^ 2] + *b[i ^ 3] - *b[i ^ 1];
   const double s = std::sin(head.beam_angle_rad), c = std::cos(head.beam_angle_rad);
   JanusSolution solution;
-  solution.velocity = {(*b[2] - *b[3]) / (2 * s), (*b[1] - *b[0]) / (2 * s),
-                       (*b[0] + *b[1] + *b[2] + *b[3]) / (4 * c)};
+  const Vector3d along_beams{(*b[2] - *b[3]) / (2 * s), (*b[1] - *b[0]) / (2 * s),
+                             (*b[0] + *b[1] + *b[2] + *b[3]) / (4 * c)};
+  solution.velocity = turned(along_beams, head.azimuth_rad);
   if (bad == 0)
     solution.error_mps = (*b[2] + *b[3] - *b[0] - *b[1]) / (2 * std::numbers::sqrt2 * s);
   return solution;
@@ -74,7 +81,7 @@ class Sounding {
         place_(place_of(truth, mounting)),
         to_ned_(truth.body_to_ned * mounting.sensor_to_body),
         velocity_(velocity_at(truth, mounting)),
-        directions_(beam_directions(head.beam_angle_rad)) {
+        directions_(beam_directions(head.beam_angle_rad, head.azimuth_rad)) {
     for (std::size_t i = 0; i < 4; ++i)
       bed_m_[i] = ocean_.bed_range_m(place_, to_ned_ * directions_[i], sight_m());
   }
@@ -145,9 +152,12 @@ class Sounding {
 
 }  // namespace
 
-std::array<Vector3d, 4> beam_directions(double beam_angle_rad) {
+std::array<Vector3d, 4> beam_directions(double beam_angle_rad, double azimuth_rad) {
   const double s = std::sin(beam_angle_rad), c = std::cos(beam_angle_rad);
-  return {Vector3d{0, -s, c}, Vector3d{0, s, c}, Vector3d{s, 0, c}, Vector3d{-s, 0, c}};
+  std::array<Vector3d, 4> directions{Vector3d{0, -s, c}, Vector3d{0, s, c}, Vector3d{s, 0, c},
+                                     Vector3d{-s, 0, c}};
+  for (Vector3d& direction : directions) direction = turned(direction, azimuth_rad);
+  return directions;
 }
 
 DvlPing dvl_ping(const motion::Trajectory& trajectory, Stamp at, const Mounting& mounting,

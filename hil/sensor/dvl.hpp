@@ -23,6 +23,7 @@ struct JanusHead {
   double shortest_range_m = 0.3, longest_range_m = 120;
   double absorption_dbpm = 0.16;  ///< absorption of sound at its frequency in sea water
   int fewest_beams = 3;           ///< for a velocity; 3: the error velocity is taken as zero
+  double azimuth_rad = 0;         ///< by which the beams stand turned about the head's axis
   double fading_db = 0;           ///< 1 sigma of the strength of each echo
   double beam_noise_mps = 0;      ///< 1 sigma of each beam's velocity
   std::optional<WaterLayer> layer = std::nullopt;
@@ -62,6 +63,6 @@ DvlPing dvl_ping(const motion::Trajectory& trajectory, measurement::Stamp at,
                  const Mounting& mounting, const JanusHead& head, const PingNoise& noise = {});
 
 /// Unit vectors along the beams, in the head's axes.
-std::array<Eigen::Vector3d, 4> beam_directions(double beam_angle_rad);
+std::array<Eigen::Vector3d, 4> beam_directions(double beam_angle_rad, double azimuth_rad = 0);
 
 }  // namespace drydock::sensor
