@@ -34,7 +34,9 @@ using measurement::DvlMaker;
 /// The settings that a Water Linked DVL gets when its link opens.
 struct WaterLinkedConfig {
   std::optional<double> sound_speed_mps, mounting_rotation_rad;
-  bool old_sentences = false;  ///< send wrx and wrt too
+  bool old_sentences = false;  ///< send wrx and wrt too; serial only
+  std::string range_mode{};    ///< auto, =2, 1<=3; empty: unchanged
+  std::optional<bool> acoustic_enabled{}, periodic_cycling{};
 };
 
 /// The settings that an Aceinna IMU gets. Empty or zero: the setting does not change.
@@ -89,7 +91,7 @@ struct DeviceConfig {
   std::optional<double> velocity_sigma_mps;       ///< kind dvl, emlog: if the sensor tells none
   DvlMaker maker = DvlMaker::teledyne;            ///< kind dvl, PD4 and PD6
   std::optional<double> beam_angle_rad;           ///< kind dvl, PD4 and PD5 in beam coordinates
-  std::optional<WaterLinkedConfig> water_linked;  ///< kind dvl, Water Linked serial
+  std::optional<WaterLinkedConfig> water_linked;  ///< kind dvl, Water Linked
   EmulateConfig emulate;
   int line = 0;  ///< of the [[device]] block in the file
 };

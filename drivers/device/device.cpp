@@ -159,7 +159,8 @@ void Device::send(const wire::CanFrame& frame) {
 void Device::refuse(std::string_view why, Refusal because) {
   ++refused_;
   impossible_ += because == Refusal::impossible;
-  last_error_ = why;
+  // A good value says nothing against its device, so an error before it stays.
+  if (because != Refusal::no_measurement || last_error_.empty()) last_error_ = why;
 }
 
 Health Device::health(Stamp now) const {

@@ -19,8 +19,9 @@ using measurement::Stamp;
 
 /// Why a driver did not publish a value.
 enum class Refusal : std::uint8_t {
-  impossible,  ///< it was damaged, or is read wrongly
-  of_another,  ///< it is another instance's
+  impossible,      ///< it was damaged, or is read wrongly
+  of_another,      ///< it is another instance's
+  no_measurement,  ///< it is good, but no measurement holds it
 };
 
 /// Receives the results of a driver during one call. The arguments are valid only during the call.

@@ -52,7 +52,10 @@ struct PressureOptions {
 struct WaterLinkedSettings {
   std::optional<double> sound_speed_mps;
   std::optional<double> mounting_rotation_rad;  ///< the DVL itself applies it, about z
-  bool old_sentences = false;                   ///< also wrx and wrt
+  bool old_sentences = false;                   ///< also wrx and wrt; serial only
+  std::string range_mode{};                     ///< auto, =2, 1<=3, ... as the DVL names them
+  std::optional<bool> acoustic_enabled{};       ///< false: it pings only on a trigger
+  std::optional<bool> periodic_cycling{};       ///< it looks for other range modes every 10 s
 };
 
 struct DvlOptions {

@@ -9,6 +9,7 @@
 #include "drivers/device/dvl/pd4_driver.hpp"
 #include "drivers/device/dvl/pd6_driver.hpp"
 #include "drivers/device/dvl/water_linked_driver.hpp"
+#include "drivers/device/dvl/water_linked_json_driver.hpp"
 #include "drivers/device/gnss/gnss_driver.hpp"
 #include "drivers/device/imu/aceinna_imu_driver.hpp"
 #include "drivers/device/imu/cia404_imu_driver.hpp"
@@ -54,6 +55,7 @@ constexpr std::array rows{
     byte_row<Pd4Driver<wire::Pd5>>(Kind::dvl, wire::Pd5::name),
     byte_row<Pd6Driver>(Kind::dvl, wire::Pd6::name),
     byte_row<WaterLinkedDriver>(Kind::dvl, wire::WaterLinked::name),
+    byte_row<WaterLinkedJsonDriver>(Kind::dvl, wire::WaterLinkedJson::name),
     byte_row<NortekDriver>(Kind::dvl, wire::Nortek::name),
     byte_row<NortekAd2cpDriver>(Kind::dvl, wire::NortekAd2cp::name),
     byte_row<EmLogDriver>(Kind::emlog, wire::Nmea0183::name),

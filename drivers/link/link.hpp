@@ -48,6 +48,12 @@ class ByteLink {
   virtual ~ByteLink() = default;
   virtual Task<ReceivedBytes> read(std::span<std::uint8_t> into) = 0;
   virtual Task<void> write(std::span<const std::uint8_t> bytes) = 0;
+  /// Who said what read() gave last. 0: this link has one other end.
+  virtual std::uint64_t speaker() const { return 0; }
+  /// Only to the one that speaker() named. One that has left misses it.
+  virtual Task<void> write_to(std::uint64_t, std::span<const std::uint8_t> bytes) {
+    return write(bytes);
+  }
   /// Sends what fits at once and loses the rest: the last words before close(). The links to real
   /// devices have it; others say nothing.
   virtual void say_last(std::span<const std::uint8_t>) {}

@@ -46,8 +46,9 @@ device::DriverOptions driver_options(const DeviceConfig& config, std::size_t ind
   options.dvl.maker = config.maker;
   options.dvl.beam_angle_rad = config.beam_angle_rad;
   if (const auto& water_linked = config.water_linked) {
-    options.dvl.water_linked = {water_linked->sound_speed_mps, water_linked->mounting_rotation_rad,
-                                water_linked->old_sentences};
+    options.dvl.water_linked = {water_linked->sound_speed_mps,  water_linked->mounting_rotation_rad,
+                                water_linked->old_sentences,    water_linked->range_mode,
+                                water_linked->acoustic_enabled, water_linked->periodic_cycling};
   }
   return options;
 }

@@ -14,14 +14,15 @@ namespace drydock::survey {
 namespace {
 
 /// True if noise hardly ever gives such a frame. PD6 has no checksum: there only a line with all
-/// known fields is proof. An answer of slcan may be a single CR, and a command of Water Linked may
-/// lack its checksum; neither is proof.
+/// known fields is proof, and of JSON only an object with known keys. An answer of slcan may be a
+/// single CR, and a command of Water Linked may lack its checksum; neither is proof.
 template <class P>
 bool proves([[maybe_unused]] const P& codec, [[maybe_unused]] wire::Bytes frame,
             const std::optional<typename P::Message>& message) {
   if constexpr (std::is_same_v<P, wire::described::DescribedCodec>)
     return codec.description->plan.checksum.size() != 0 || message.has_value();
-  if constexpr (std::is_same_v<P, wire::Pd6>) return message.has_value();
+  if constexpr (std::is_same_v<P, wire::Pd6> || std::is_same_v<P, wire::WaterLinkedJson>)
+    return message.has_value();
   if constexpr (std::is_same_v<P, wire::Slcan>)
     return message && std::holds_alternative<wire::slcan::Frame>(*message);
   if constexpr (std::is_same_v<P, wire::WaterLinked>)

@@ -20,6 +20,7 @@
 #include "drivers/wire/dvl/pd4.hpp"
 #include "drivers/wire/dvl/pd6.hpp"
 #include "drivers/wire/dvl/water_linked.hpp"
+#include "drivers/wire/dvl/water_linked_json.hpp"
 #include "drivers/wire/j1939/aceinna.hpp"
 #include "drivers/wire/j1939/j1939_protocol.hpp"
 #include "drivers/wire/nmea0183/nmea0183.hpp"
@@ -87,6 +88,10 @@ inline constexpr std::tuple byte_protocols{
                         .clock = DeviceClock::yes,
                         .settings = Settings::refusable,
                         .tells_heat = true}),
+    bytes<WaterLinkedJson>({.kinds = Kind::dvl,
+                            .clock = DeviceClock::yes,
+                            .settings = Settings::refusable,
+                            .tells_heat = true}),
     bytes<Nortek>({.kinds = Kind::dvl, .checksum = "XOR", .clock = DeviceClock::yes}),
     bytes<NortekAd2cp>({.kinds = Kind::dvl,
                         .checksum = "two 16-bit sums",

@@ -27,6 +27,9 @@ DevicePtr make_pd6_dvl(const DeviceSetup& setup);
 /// Sends wrz, then wru for four transducers, per sample. Answers the command dialogue.
 DevicePtr make_water_linked_dvl(const DeviceSetup& setup);
 
+/// Sends a velocity report per sample and its dead reckoning five times a second. Answers commands.
+DevicePtr make_water_linked_json_dvl(const DeviceSetup& setup);
+
 /// One PNORBT9 per sample.
 DevicePtr make_nortek_dvl(const DeviceSetup& setup);
 
@@ -81,6 +84,7 @@ inline constexpr auto device_rows = std::to_array<DeviceRow>({
     {DeviceKind::dvl, "pd5", make_pd5_dvl},
     {DeviceKind::dvl, "pd6", make_pd6_dvl},
     {DeviceKind::dvl, "water-linked", make_water_linked_dvl},
+    {DeviceKind::dvl, "water-linked-json", make_water_linked_json_dvl},
     {DeviceKind::dvl, "nortek", make_nortek_dvl},
     {DeviceKind::dvl, "nortek-ad2cp", make_nortek_ad2cp_dvl},
     {DeviceKind::emlog, "nmea0183", make_nmea0183_em_log},

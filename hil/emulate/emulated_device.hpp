@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <span>
 
@@ -14,6 +15,10 @@ namespace drydock::emulate {
 
 using measurement::Stamp;
 
+/// One of the clients of a device whose link serves several.
+using Client = std::uint64_t;
+inline constexpr Client every_client = 0;
+
 /// Takes what a device sends. The line after it paces: bytes leave at the baud rate, frames at the
 /// bus's bit rate, in the order in which they were sent.
 class Wire {
@@ -21,6 +26,10 @@ class Wire {
   virtual ~Wire() = default;
   virtual void send(wire::Bytes bytes) = 0;
   virtual void send(const wire::CanFrame& frame) = 0;
+  /// Only this client hears it, if the link can tell them apart.
+  virtual void send_to(Client, wire::Bytes bytes) { send(bytes); }
+  /// During EmulatedDevice::receive(): who says it.
+  virtual Client speaker() const { return every_client; }
 
   /// Removes the port until plug(). For a node of a bus: cuts the drivers off from the bus.
   virtual void unplug() {}

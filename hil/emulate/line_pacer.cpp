@@ -26,7 +26,7 @@ std::chrono::nanoseconds LinePacer::line_time(std::size_t bytes) const {
                                   rate_.baud};
 }
 
-void LinePacer::queue(wire::Bytes message, Stamp now, std::optional<Stamp> sampled_at) {
+void LinePacer::queue(wire::Bytes message, Stamp now, std::optional<Stamp> sampled_at, Client to) {
   if (message.empty()) return;
   while (waiting_.size() > 1 && waiting_bytes_ + message.size() > bound_bytes_) {
     const auto oldest = waiting_.begin() + 1;
@@ -43,7 +43,7 @@ void LinePacer::queue(wire::Bytes message, Stamp now, std::optional<Stamp> sampl
   bytes.assign(message.begin(), message.end());
   if (waiting_.empty()) began_ = std::max(began_, now);
   waiting_bytes_ += bytes.size();
-  waiting_.push_back({std::move(bytes), now, sampled_at});
+  waiting_.push_back({std::move(bytes), now, sampled_at, to});
 }
 
 void LinePacer::drop_all() {
@@ -69,15 +69,16 @@ std::optional<Chunk> LinePacer::take(Stamp now) {
   const std::size_t size = sent_ - from;
   const Passage passage{message.sampled_at, message.queued_at, began_, *at};
   if (sent_ < message.bytes.size()) {
-    return Chunk{wire::Bytes{message.bytes}.subspan(from, size), *at, false, passage};
+    return Chunk{wire::Bytes{message.bytes}.subspan(from, size), *at, false, passage, message.to};
   }
   waiting_bytes_ -= message.bytes.size();
+  const Client to = message.to;
   std::swap(taken_, message.bytes);
   spare_.push_back(std::move(message.bytes));
   waiting_.erase(waiting_.begin());
   sent_ = 0;
   began_ = waiting_.empty() ? *at : std::max(*at, waiting_.front().queued_at);
-  return Chunk{wire::Bytes{taken_}.subspan(from, size), *at, true, passage};
+  return Chunk{wire::Bytes{taken_}.subspan(from, size), *at, true, passage, to};
 }
 
 }  // namespace drydock::emulate

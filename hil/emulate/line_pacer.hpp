@@ -21,6 +21,7 @@ struct Chunk {
   Stamp at{};         ///< when the last byte has left
   bool ends_message = false;
   Passage of_message;  ///< complete with the last chunk
+  Client to = every_client;
 };
 
 /// A serial line's transmitter: messages one after another. It does no I/O
@@ -33,7 +34,8 @@ class LinePacer {
   LinePacer(wire::LineRate rate, std::chrono::nanoseconds longest_chunk,
             std::chrono::nanoseconds bound = std::chrono::seconds{1});
 
-  void queue(wire::Bytes message, Stamp now, std::optional<Stamp> sampled_at = {});
+  void queue(wire::Bytes message, Stamp now, std::optional<Stamp> sampled_at = {},
+             Client to = every_client);
   void drop_all();                        ///< waiting and leaving bytes are lost and not counted
   std::optional<Stamp> deadline() const;  ///< time of the next chunk
   std::optional<Chunk> take(Stamp now);   ///< the next chunk that is due
@@ -45,6 +47,7 @@ class LinePacer {
     std::vector<std::uint8_t> bytes;
     Stamp queued_at{};
     std::optional<Stamp> sampled_at;
+    Client to;
   };
 
   std::chrono::nanoseconds line_time(std::size_t bytes) const;

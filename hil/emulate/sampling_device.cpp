@@ -56,6 +56,13 @@ void SamplingDevice::sample_at_whole_multiples() {
   first_ = measurement::stamp_from_ns((start + period - 1) / period * period);
 }
 
+void SamplingDevice::go_on_at(double rate_hz) {
+  const auto taken = static_cast<double>(samples_);
+  first_ +=
+      measurement::from_seconds(taken / rate_hz_) - measurement::from_seconds(taken / rate_hz);
+  rate_hz_ = rate_hz;
+}
+
 Stamp SamplingDevice::sample_time() const {
   return first_ + measurement::from_seconds(static_cast<double>(samples_) / rate_hz_) - ahead_;
 }

@@ -35,8 +35,9 @@ struct DeviceSetup {
 };
 
 /// A device that samples the truth at a constant rate and sends each sample `latency_s` later.
-/// Sample k is at first + k / rate to the nanosecond; only a fault makes the rate drift. A sample
-/// that drops out is taken and counted like any other, but nothing of it reaches the wire.
+/// Sample k is at first + k / rate to the nanosecond; only a fault makes the rate drift, and only a
+/// setting of the device changes it. A sample that drops out is taken and counted like any other,
+/// but nothing of it reaches the wire.
 class SamplingDevice : public EmulatedDevice {
  public:
   std::optional<Stamp> deadline() const override { return send_time(); }
@@ -51,7 +52,9 @@ class SamplingDevice : public EmulatedDevice {
 
   virtual void sample(Stamp at, Wire& out) = 0;
 
-  void take(Stamp at, Wire& out);    ///< calls sample(), with the dropouts of the configuration
+  void take(Stamp at, Wire& out);  ///< calls sample(), with the dropouts of the configuration
+  /// From the next sample on, which keeps its time. Error models keep the rate of the rig file.
+  void go_on_at(double rate_hz);
   void sample_at_whole_multiples();  ///< multiples of the period in UTC, as satellite receivers do
   const Trajectory& trajectory() const { return trajectory_; }
   const sensor::Mounting& mounting() const { return mounting_; }

@@ -56,6 +56,7 @@ void FaultyDevice::tick(Stamp now, emulate::Wire& out) {
 void FaultyDevice::follow_schedule(Stamp now) {
   const auto faults = schedule_.changed(now);
   if (!faults) return;
+  sound_ = faults->empty();
   *condition_ = condition_under(*faults, config_.kind);
   bytes_.set(*faults);
   frames_.set(*faults);
@@ -114,6 +115,11 @@ void FaultyDevice::receive(const wire::CanFrame& frame, Stamp now, emulate::Wire
 void FaultyDevice::send(wire::Bytes bytes) {
   if (!port_.unplugged())
     bytes_.put(Message(bytes.begin(), bytes.end()), now_, device_->sampled_at());
+}
+
+void FaultyDevice::send_to(emulate::Client client, wire::Bytes bytes) {
+  sampled_at_ = device_->sampled_at();
+  sound_&& bytes_.empty() ? out_->send_to(client, bytes) : send(bytes);
 }
 
 void FaultyDevice::send(const wire::CanFrame& frame) {

@@ -54,6 +54,9 @@ class FaultyDevice final : public emulate::EmulatedDevice, private emulate::Wire
 
   void send(wire::Bytes bytes) override;
   void send(const wire::CanFrame& frame) override;
+  /// While a fault is in force all clients hear it.
+  void send_to(emulate::Client client, wire::Bytes bytes) override;
+  emulate::Client speaker() const override { return out_->speaker(); }
 
   DeviceConfig config_;
   std::uint64_t seed_;
@@ -65,6 +68,7 @@ class FaultyDevice final : public emulate::EmulatedDevice, private emulate::Wire
   FaultyWire<wire::CanFrame> frames_;
   emulate::Wire* out_ = nullptr;  ///< valid during a call
   Stamp now_{};
+  bool sound_ = true;                ///< no fault is in force
   std::optional<Stamp> sampled_at_;  ///< sample time of the current message
   PortFaults port_;
 };

@@ -46,6 +46,11 @@ inline std::optional<double> read_if(const Node& table, const char* key, double 
   return value ? std::optional{value->number * unit} : std::nullopt;
 }
 
+inline std::optional<bool> read_bool_if(const Node& table, const char* key) {
+  const Node* value = table.find(key);
+  return value ? std::optional{value->boolean} : std::nullopt;
+}
+
 /// The enumerator of the text at `key`. `names` are those of the schema, in the order of the
 /// enumerators.
 template <class Enum, std::size_t N>

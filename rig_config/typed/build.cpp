@@ -60,6 +60,9 @@ WaterLinkedConfig build_water_linked(const Node& table) {
   config.sound_speed_mps = read_if(table, "sound_speed_mps");
   config.mounting_rotation_rad = read_if(table, "mounting_rotation_deg", units::degree);
   read(table, "old_sentences", config.old_sentences);
+  read(table, "range_mode", config.range_mode);
+  config.acoustic_enabled = read_bool_if(table, "acoustic_enabled");
+  config.periodic_cycling = read_bool_if(table, "periodic_cycling");
   return config;
 }
 

@@ -112,7 +112,8 @@ TEST(Schema, TheListsOfProtocolsAreFilledFromTheTable) {
   using testing::Contains, testing::IsSupersetOf, testing::Not;
   auto lists = lists_of_protocols();
   EXPECT_EQ(lists.size(), measurement::kinds.size() + 4);
-  EXPECT_THAT(lists["dvl"], IsSupersetOf({"pd0", "pd4", "pd5", "pd6", "water-linked", "nortek"}));
+  EXPECT_THAT(lists["dvl"], IsSupersetOf({"pd0", "pd4", "pd5", "pd6", "water-linked",
+                                          "water-linked-json", "nortek"}));
   EXPECT_THAT(lists["dvl"], Not(Contains("ubx")));
   EXPECT_THAT(lists["gnss"], IsSupersetOf({"ubx", "nmea0183", "ubx+nmea0183"}));
   EXPECT_THAT(lists["depth"], IsSupersetOf({"nmea2000", "cia404-pressure"}));

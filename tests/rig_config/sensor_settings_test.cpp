@@ -121,7 +121,24 @@ TEST(RigProblems, WhatOnlySomeDvlProtocolsNeedIsRefusedElsewhere) {
                   "r.toml:9:1: /device/0/beam_angle_deg: not allowed here, only for protocol = "
                   "\"pd4\" or \"pd5\"",
                   "r.toml:10:1: /device/0/water_linked: not allowed here, only for protocol = "
-                  "\"water-linked\""));
+                  "\"water-linked\" or \"water-linked-json\""));
+}
+
+TEST(RigProblems, OldSentencesAreOfTheSerialProtocolAndRangeModesAreTheDvls) {
+  const std::string json =
+      "[rig]\nname = \"r\"\n[[device]]\nname = \"a\"\nkind = \"dvl\"\n"
+      "protocol = \"water-linked-json\"\nlink = \"tcp:10.0.0.7:16171\"\n";
+  EXPECT_THAT(problems_of_text(json + "water_linked = { old_sentences = true }\n"),
+              ElementsAre("r.toml:8:18: /device/0/water_linked/old_sentences: not allowed here, "
+                          "only for protocol = \"water-linked\""));
+  for (const char* good : {"auto", "wt", "=0", "1<=3"})
+    EXPECT_THAT(problems_of_text(json + "water_linked = { range_mode = \"" + good + "\" }\n"),
+                ElementsAre())
+        << good;
+  for (const char* bad : {"", "5", "=5", "1<3"})
+    EXPECT_EQ(problems_of_text(json + "water_linked = { range_mode = \"" + bad + "\" }\n").size(),
+              1U)
+        << bad;
 }
 
 TEST(RigProblems, ASigmaOfVelocityIsOnlyForWhatMeasuresOne) {
@@ -158,6 +175,21 @@ TEST(Rig, ADvlsMakerBeamAngleAndSettings) {
   EXPECT_FALSE(devices[1].water_linked->sound_speed_mps);
   EXPECT_DOUBLE_EQ(*devices[1].water_linked->mounting_rotation_rad, 3.141592653589793);
   EXPECT_TRUE(devices[1].water_linked->old_sentences);
+  EXPECT_EQ(devices[1].water_linked->range_mode, "");
+  EXPECT_FALSE(devices[1].water_linked->acoustic_enabled);
+}
+
+TEST(Rig, HowADvlWithJsonPings) {
+  const auto rig = load_rig_text(
+      "[rig]\nname = \"r\"\n"
+      "[[device]]\nname = \"a\"\nkind = \"dvl\"\nprotocol = \"water-linked-json\"\n"
+      "link = \"tcp:10.0.0.7:16171\"\n"
+      "water_linked = { range_mode = \"=2\", acoustic_enabled = false, periodic_cycling = true }\n",
+      "r.toml");
+  const auto& settings = rig.value().devices[0].water_linked.value();
+  EXPECT_EQ(settings.range_mode, "=2");
+  EXPECT_EQ(settings.acoustic_enabled, false);
+  EXPECT_EQ(settings.periodic_cycling, true);
 }
 
 TEST(RigProblems, ANegativeNoiseOfOneAxisPointsAtThatAxis) {

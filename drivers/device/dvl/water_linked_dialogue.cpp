@@ -1,9 +1,6 @@
 #include "drivers/device/dvl/water_linked_dialogue.hpp"
 
-#include <cmath>
-#include <numbers>
-
-#include "drivers/measurement/units.hpp"
+#include "drivers/device/dvl/water_linked_settings.hpp"
 #include "drivers/wire/text_fields.hpp"
 
 namespace drydock::device {
@@ -12,29 +9,16 @@ namespace {
 
 namespace water_linked = wire::water_linked;
 
-constexpr std::chrono::seconds answer_within{1}, start_again_after{30};
-constexpr int most_tries = 3;
+using namespace water_linked_patience;
+
 constexpr int known_major_version = 2;
-
-/// Parameters are sent with two decimals.
-constexpr double same_sound_speed_mps = 0.01, same_rotation_rad = 0.01 * units::degree;
-
-Reason with_number(std::string_view before, double value, std::string_view behind) {
-  std::array<std::uint8_t, 32> digits;
-  wire::FieldWriter number{digits};
-  number.number(value, 2);
-  Reason text{before};
-  text += wire::as_text(number.written());
-  text += behind;
-  return text;
-}
 
 }  // namespace
 
 void WaterLinkedDialogue::start(Stamp now, Output& out) {
   stop();
   if (!wanted_) return;
-  settings_hold_ = nothing_to_set();
+  settings_hold_ = nothing_to_set(*wanted_);
   step_ = Step::version;
   tries_ = 0;
   ask(now, out);
@@ -66,25 +50,7 @@ void WaterLinkedDialogue::on(const water_linked::Version& version, Stamp now, Ou
 
 void WaterLinkedDialogue::on(const water_linked::Configuration& read, Stamp now, Output& out) {
   if (step_ != Step::check) return;
-  const double rotation = wanted_->mounting_rotation_rad.value_or(0);
-  settings_hold_ = true;
-  if (wanted_->sound_speed_mps && read.sound_speed_mps &&
-      std::abs(*read.sound_speed_mps - *wanted_->sound_speed_mps) > same_sound_speed_mps) {
-    settings_hold_ = false;
-    out.report(with_number("the DVL uses a speed of sound of ", *read.sound_speed_mps,
-                           " m/s, not the one of the rig file")
-                   .view());
-  }
-  if (read.mounting_rotation_rad &&
-      std::abs(std::remainder(*read.mounting_rotation_rad - rotation, 2 * std::numbers::pi)) >
-          same_rotation_rad) {
-    settings_hold_ = false;
-    out.report(with_number("the DVL turns its velocities by ",
-                           wire::degrees(*read.mounting_rotation_rad),
-                           " degrees, not by the mounting_rotation_deg of the rig file")
-                   .view());
-  }
-  if (!read.acoustic_enabled.value_or(true)) out.report("the DVL's acoustics are switched off");
+  settings_hold_ = settings_agree(*wanted_, read, out);
   next(now, out);
 }
 
@@ -106,13 +72,9 @@ void WaterLinkedDialogue::ask_again_or(std::string_view trouble, Stamp now, Outp
   next(now, out);
 }
 
-bool WaterLinkedDialogue::nothing_to_set() const {
-  return !wanted_->sound_speed_mps && !wanted_->mounting_rotation_rad;
-}
-
 void WaterLinkedDialogue::next(Stamp now, Output& out) {
   step_ = static_cast<Step>(static_cast<int>(step_) + 1);
-  if (step_ == Step::set && nothing_to_set()) step_ = Step::check;
+  if (step_ == Step::set && nothing_to_set(*wanted_)) step_ = Step::check;
   tries_ = 0;
   due_.reset();
   if (!finished()) ask(now, out);
@@ -131,12 +93,7 @@ void WaterLinkedDialogue::ask(Stamp now, Output& out) {
 std::size_t WaterLinkedDialogue::write_command(std::span<std::uint8_t> to) const {
   switch (step_) {
     case Step::version: return encode(water_linked::Command{'v', {}}, to);
-    case Step::set: {
-      water_linked::Configuration settings;
-      settings.sound_speed_mps = wanted_->sound_speed_mps;
-      settings.mounting_rotation_rad = wanted_->mounting_rotation_rad;
-      return encode_settings(settings, to);
-    }
+    case Step::set: return water_linked::encode_settings(to_set(*wanted_), to);
     case Step::check: return encode(water_linked::Command{'c', {}}, to);
     case Step::output:
       return encode(water_linked::Command{'p', wanted_->old_sentences ? "1" : "3"}, to);

@@ -53,7 +53,6 @@ class WaterLinkedDialogue {
   void tell(std::string_view trouble, Output& out) const;
 
   std::optional<WaterLinkedSettings> wanted_;
-  bool nothing_to_set() const;
 
   Step step_ = Step::idle;
   bool settings_hold_ = true;

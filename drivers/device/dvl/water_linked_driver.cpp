@@ -1,6 +1,7 @@
 #include "drivers/device/dvl/water_linked_driver.hpp"
 
 #include "drivers/device/dvl/velocity_accuracy.hpp"
+#include "drivers/device/dvl/water_linked_report.hpp"
 
 namespace drydock::device {
 
@@ -11,29 +12,6 @@ namespace water_linked = wire::water_linked;
 /// A DVL that has power sends at least twice a second. A DVL that boots is silent for longer.
 constexpr std::chrono::seconds silence_of_a_boot{2};
 constexpr std::chrono::seconds new_form_counts_for{3};  // there are at least two reports a second
-/// No report is older than this. A larger age means that the DVL's clock was set between the
-/// report's two times.
-constexpr std::chrono::seconds oldest_report{2};
-
-std::optional<std::chrono::nanoseconds> age_of(const water_linked::ReportTimes& times) {
-  if (!times.validity || !times.transmission) return {};
-  const auto age = *times.transmission - *times.validity;
-  if (age < age.zero() || age > oldest_report) return {};
-  return age;
-}
-
-/// In the DVL's axes. Empty unless all nine came and each variance is above 0.
-std::optional<Eigen::Matrix3d> covariance_of(const water_linked::BottomVelocity& report) {
-  Eigen::Matrix3d covariance;
-  for (std::size_t i = 0; i < report.covariance.size(); ++i) {
-    if (!report.covariance[i]) return {};
-    covariance(static_cast<Eigen::Index>(i / 3), static_cast<Eigen::Index>(i % 3)) =
-        *report.covariance[i];
-  }
-  const bool sound = covariance.allFinite() && covariance.diagonal().minCoeff() > 0;
-  return sound ? std::optional(covariance) : std::nullopt;
-}
-
 }  // namespace
 
 void WaterLinkedDriver::on_frame(wire::Bytes frame, const Arrival& arrival, Output& out) {
@@ -58,14 +36,14 @@ void WaterLinkedDriver::restart(Stamp now, Output& out) {
 
 void WaterLinkedDriver::on(const water_linked::BottomVelocity& report, const Arrival& arrival,
                            Output& out) {
-  const auto age = age_of(report);
+  const auto age = age_of_report(report);
   Origin origin = age ? timing_.of_bytes(arrival, *age) : timing_.of_bytes(arrival);
   origin.device_time = report.validity;
   new_form_at_ = origin.received_at;
   heed_heat(report.hot, out);
   auto sample = sample_of(report, report.altitude_m, origin);
   if (sample.velocity) {
-    if (const auto covariance = covariance_of(report))
+    if (const auto covariance = covariance_of(report.covariance))
       sample.velocity_covariance = mounting_.covariance_to_body(*covariance);
   }
   add_sigma_of_rig(sample, sigma_mps_);

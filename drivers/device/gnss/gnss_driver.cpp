@@ -11,7 +11,7 @@ namespace {
 
 /// USB adapters and schedulers delay bytes by some tens of milliseconds, and readers pass bytes on
 /// in blocks. Neither delay is the end of an epoch.
-constexpr milliseconds shortest_pause{50};
+constexpr milliseconds pause_between_epochs{50};
 constexpr milliseconds pause_without_baud{100};
 constexpr std::size_t block_bytes = 128;
 
@@ -27,7 +27,8 @@ bool recent(const std::optional<Stamp>& last, Stamp now) {
 GnssDriver::GnssDriver(const DriverOptions& options)
     : StreamDriver(options, options.protocol == wire::Nmea0183::name ? wire::Nmea0183::scan
                                                                      : wire::UbxNmea::scan),
-      pause_(options.baud ? shortest_pause + timing_.line_time(block_bytes) : pause_without_baud) {}
+      pause_(options.baud ? pause_between_epochs + timing_.line_time(block_bytes)
+                          : pause_without_baud) {}
 
 void GnssDriver::receive(wire::Bytes bytes, Stamp received_at, Output& out) {
   tick(received_at, out);  // a pause before these bytes has ended the epoch, even without a tick

@@ -17,8 +17,12 @@ constexpr std::chrono::seconds longest_pause{1};
 
 }  // namespace
 
-TcpGuest::TcpGuest(asio::ip::tcp::socket socket, std::shared_ptr<io::Signal> changed)
-    : socket_(std::move(socket)), changed_(std::move(changed)), patience_(socket_.get_executor()) {
+TcpGuest::TcpGuest(asio::ip::tcp::socket socket, std::shared_ptr<io::Signal> changed,
+                   std::uint64_t number)
+    : socket_(std::move(socket)),
+      changed_(std::move(changed)),
+      patience_(socket_.get_executor()),
+      number_(number) {
   set_up(socket_);
   boost::system::error_code error;
   socket_.native_non_blocking(true, error);

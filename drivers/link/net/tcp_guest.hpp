@@ -15,7 +15,7 @@ namespace drydock::link {
 class TcpGuest {
  public:
   /// `changed` is notified when it said something, took something, or left.
-  TcpGuest(asio::ip::tcp::socket socket, std::shared_ptr<io::Signal> changed);
+  TcpGuest(asio::ip::tcp::socket socket, std::shared_ptr<io::Signal> changed, std::uint64_t number);
 
   asio::awaitable<void> listen();
   /// Sends what waits. A guest that takes nothing for 1 s is left.
@@ -31,6 +31,7 @@ class TcpGuest {
   void leave();   ///< at once; what it has not heard is dropped
   void finish();  ///< when it has heard all that waits, or takes no more
   bool is_here() const { return here_; }
+  std::uint64_t number() const { return number_; }    ///< no other guest of the server has it
   std::uint64_t dropped() const { return dropped_; }  ///< bytes that were given and never heard
 
  private:
@@ -47,6 +48,7 @@ class TcpGuest {
   std::array<std::uint8_t, longest_read> heard_{};
   std::size_t begin_ = 0, end_ = 0;  ///< of heard_
   Stamp said_at_{};
+  std::uint64_t number_;
   std::uint64_t dropped_ = 0;
   bool here_ = true, finishing_ = false;
 };

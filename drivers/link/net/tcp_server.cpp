@@ -18,6 +18,7 @@ using asio::ip::tcp;
 
 constexpr auto accept_pause = std::chrono::milliseconds{100};
 constexpr std::size_t most_guests = 16;
+constexpr std::uint64_t everyone = 0;  ///< instead of the number of a guest
 
 using Guests = boost::container::static_vector<std::shared_ptr<TcpGuest>, most_guests>;
 
@@ -32,19 +33,21 @@ struct Server {
   void let_go(std::size_t i);
   void forget_those_who_left();
   std::uint64_t dropped_in_all() const;
+  Guests chosen(std::uint64_t to) const;  ///< one by its number, or everyone
 
   tcp::acceptor acceptor;
   std::size_t seats;
   std::shared_ptr<io::Signal> changed;
   Guests guests;              ///< the oldest first
   std::uint64_t dropped = 0;  ///< bytes that guests of the past never heard
+  std::uint64_t come = 0;     ///< guests so far
 };
 
 /// The newest client is served: an older one may be a program that hangs, or a host that is gone.
 void Server::let_in(tcp::socket client) {
   forget_those_who_left();
   if (guests.size() == seats) let_go(0);
-  const auto guest = std::make_shared<TcpGuest>(std::move(client), changed);
+  const auto guest = std::make_shared<TcpGuest>(std::move(client), changed, ++come);
   guests.push_back(guest);
   const auto serve = [&](auto task) {
     asio::co_spawn(
@@ -72,6 +75,13 @@ std::uint64_t Server::dropped_in_all() const {
   return all;
 }
 
+Guests Server::chosen(std::uint64_t to) const {
+  Guests some;
+  for (const auto& guest : guests)
+    if (to == everyone || guest->number() == to) some.push_back(guest);
+  return some;
+}
+
 asio::awaitable<void> accept_clients(std::shared_ptr<Server> server) {
   while (server->acceptor.is_open()) {
     auto [error, client] = co_await server->acceptor.async_accept(as_outcome);
@@ -91,7 +101,11 @@ class TcpServer final : public ByteLink {
   ~TcpServer() override { close(); }
 
   Task<ReceivedBytes> read(std::span<std::uint8_t> into) override;
-  Task<void> write(std::span<const std::uint8_t> bytes) override;
+  Task<void> write(std::span<const std::uint8_t> bytes) override { return give(everyone, bytes); }
+  Task<void> write_to(std::uint64_t guest, std::span<const std::uint8_t> bytes) override {
+    return give(guest, bytes);
+  }
+  std::uint64_t speaker() const override { return speaker_; }
 
   void close() override {
     boost::system::error_code already_gone;
@@ -104,7 +118,10 @@ class TcpServer final : public ByteLink {
   std::uint64_t dropped() const override { return server_->dropped_in_all(); }
 
  private:
+  Task<void> give(std::uint64_t to, std::span<const std::uint8_t> bytes);
+
   std::shared_ptr<Server> server_;
+  std::uint64_t speaker_ = 0;
 };
 
 Task<ReceivedBytes> TcpServer::read(std::span<std::uint8_t> into) {
@@ -117,6 +134,7 @@ Task<ReceivedBytes> TcpServer::read(std::span<std::uint8_t> into) {
       const std::size_t size = std::min(said.size(), into.size());
       std::copy_n(said.begin(), size, into.begin());
       guest->take(size);
+      speaker_ = guest->number();
       co_return ReceivedBytes{size, guest->said_at()};
     }
     co_await server->changed->wait();
@@ -124,12 +142,13 @@ Task<ReceivedBytes> TcpServer::read(std::span<std::uint8_t> into) {
   co_return ErrorCode(asio::error::operation_aborted);
 }
 
-/// All get what there is room for at once; then it waits for those who read more slowly.
-Task<void> TcpServer::write(std::span<const std::uint8_t> bytes) {
+/// They get what there is room for at once; then it waits for those who read more slowly.
+Task<void> TcpServer::give(std::uint64_t to, std::span<const std::uint8_t> bytes) {
   const auto server = server_;
   server->forget_those_who_left();
-  const Guests guests = server->guests;
+  const Guests guests = server->chosen(to);
   std::array<std::size_t, most_guests> given{};
+  if (to != everyone && guests.empty()) server->dropped += bytes.size();
   for (bool wait = true; wait && server->acceptor.is_open();) {
     wait = false;
     for (std::size_t i = 0; i < guests.size(); ++i) {

@@ -42,4 +42,9 @@ sensor::DvlPing DvlDevice::ping(Stamp at) {
   return sensor::dvl_ping(trajectory(), at, mounting(), head, last_noise_);
 }
 
+bool DvlDevice::is_shut_down(Stamp at) const {
+  const Trouble* hot = condition().under(FaultKind::hot);
+  return hot && at >= hot->since + measurement::from_seconds(hot->amount);
+}
+
 }  // namespace drydock::emulate

@@ -15,6 +15,9 @@ class DvlDevice : public SamplingDevice {
   /// Fading and beam noise depend on (seed, device).
   sensor::DvlPing ping(Stamp at);
   const sensor::JanusHead& head() const { return head_; }
+  void set_head(const sensor::JanusHead& head) { head_ = head; }
+  /// Under the fault "hot": it protects itself when it has been hot for too long.
+  bool is_shut_down(Stamp at) const;
 
  private:
   sensor::PingNoise next_noise();

@@ -2,10 +2,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "drivers/measurement/units.hpp"
 #include "drivers/wire/dvl/water_linked.hpp"
 #include "drivers/wire/text_fields.hpp"
 #include "hil/emulate/devices.hpp"
+#include "hil/emulate/dvl/a50.hpp"
 #include "hil/emulate/dvl/dvl_device.hpp"
 #include "rig_config/fault_vocabulary.hpp"
 
@@ -15,17 +15,7 @@ namespace {
 namespace water_linked = wire::water_linked;
 using water_linked::Verdict;
 
-/// The A50 works at 1 MHz.
-constexpr sensor::JanusHead a50{.beam_angle_rad = 22.5 * units::degree,
-                                .shortest_range_m = 0.05,
-                                .longest_range_m = 50,
-                                .absorption_dbpm = 0.35};
-/// The transducers in the order of JanusHead's beams, with the numbers (from 0) that the A50 uses
-/// in its PD4 output.
-constexpr std::array<int, 4> transducer_of_beam{2, 0, 3, 1};
-constexpr double noise_dbm = -95;
-constexpr int most_queued_pings = 15;
-constexpr double slowest_sound_mps = 1000, fastest_sound_mps = 2000;
+using namespace a50;
 
 /// Values of `protocol` in the command wcp.
 constexpr int output_off = 0, output_all = 1, output_new = 3;
@@ -33,7 +23,7 @@ constexpr int output_off = 0, output_all = 1, output_new = 3;
 class WaterLinkedDvl final : public DvlDevice {
  public:
   explicit WaterLinkedDvl(const DeviceSetup& setup)
-      : DvlDevice(setup, a50), errors_(setup.primary_errors()) {
+      : DvlDevice(setup, head_of_an_a50), errors_(setup.primary_errors()) {
     configuration_.range_mode = "auto";
     configuration_.sound_speed_mps = 1475;
     configuration_.mounting_rotation_rad = 0;
@@ -64,12 +54,6 @@ class WaterLinkedDvl final : public DvlDevice {
     send_velocity(measured, at, out);  // first, because the times in the report do not include a
                                        // queue
     send_transducers(measured, out);
-  }
-
-  /// It protects itself when it has been hot for too long.
-  bool is_shut_down(Stamp at) const {
-    const Trouble* hot = condition().under(FaultKind::hot);
-    return hot && at >= hot->since + measurement::from_seconds(hot->amount);
   }
 
   void send_velocity(const sensor::DvlPing& measured, Stamp at, Wire& out) {
@@ -105,7 +89,7 @@ class WaterLinkedDvl final : public DvlDevice {
     water_linked::OldRanges ranges;
     for (std::size_t beam = 0; beam < transducers.size(); ++beam) {
       const auto& echo = measured.beams[beam];
-      const int id = transducer_of_beam[beam];
+      const int id = transducers_of_beams[beam];
       auto& transducer = transducers[static_cast<std::size_t>(id)];
       transducer.id = id;
       transducer.noise_dbm = noise_dbm;

@@ -78,6 +78,7 @@ Runner::Coroutine LineRunner::hear() {
 
 void LineRunner::receive(wire::Bytes bytes, Stamp) {
   wire_time_ = link::steady_now();
+  speaker_ = line_ ? line_->speaker() : every_client;
   device_->receive(bytes, wire_time_, *this);
   wake();
 }
@@ -102,7 +103,9 @@ Runner::Coroutine LineRunner::send_due(Stamp now) {
     const auto line = line_;
     if (!line) continue;  // lost, as on a wire without a receiver
     note_time(chunk->at, now);
-    const auto result = co_await line->write(chunk->bytes);
+    const auto result = chunk->to == every_client
+                            ? co_await line->write(chunk->bytes)
+                            : co_await line->write_to(chunk->to, chunk->bytes);
     note_written(result, name_, chunk->ends_message, chunk->of_message);
     if (stopped_) co_return;
   }

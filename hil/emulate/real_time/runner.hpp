@@ -74,6 +74,10 @@ class LineRunner final : public Runner, private Wire {
 
   void send(wire::Bytes bytes) override { pacer_.queue(bytes, wire_time_, device_->sampled_at()); }
   void send(const wire::CanFrame&) override {}  // a serial line carries no frames
+  void send_to(Client client, wire::Bytes bytes) override {
+    pacer_.queue(bytes, wire_time_, device_->sampled_at(), client);
+  }
+  Client speaker() const override { return speaker_; }
   void unplug() override;
   void plug() override;
 
@@ -82,6 +86,7 @@ class LineRunner final : public Runner, private Wire {
   std::unique_ptr<EmulatedDevice> device_;
   LinePacer pacer_;
   std::shared_ptr<link::ByteLink> line_;  ///< null: the port is gone
+  Client speaker_ = every_client;         ///< of what was read last
   bool plugged_ = true;
   std::uint64_t not_taken_ = 0;       ///< bytes, on the lines before this one
   std::shared_ptr<io::Signal> port_;  ///< notified when plugged_ has changed

@@ -49,6 +49,17 @@ TEST(Allocation, NoneByTheEmLogDriver) {
             0U);
 }
 
+TEST(Allocation, NoneByTheDriverOfWaterLinkedJson) {
+  const Octets lines = read_all(std::filesystem::path(DRYDOCK_SOURCE_DIR) /
+                                "fixtures/water-linked-json/golden.jsonl");
+  EXPECT_EQ(allocations_of(Kind::dvl, "water-linked-json",
+                           [&](Device& d, Stamp at) {
+                             d.receive({lines.data(), 1000}, at);
+                             d.receive({lines.data() + 1000, lines.size() - 1000}, at);
+                           }),
+            0U);
+}
+
 /// Each read brings an ensemble that claims 4096 bytes too many, and a good one.
 TEST(Allocation, NoneBehindDamagedLengths) {
   const Octets golden =

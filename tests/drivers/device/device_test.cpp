@@ -167,6 +167,22 @@ TEST(Device, RefusedValuesAreCountedAndSaid) {
   EXPECT_EQ(health.last_error.view().substr(0, 21), "a pressure below zero");
 }
 
+TEST(Device, AGoodValueThatNoMeasurementHoldsIsCountedAndHidesNoError) {
+  Desk desk;
+  const auto dvl = device(Kind::dvl, "water-linked-json", desk, true);
+  const auto position = octets("{\"type\":\"position_local\",\"x\":1,\"y\":2,\"z\":3}\r\n");
+  dvl->receive(position, at_s(1));
+  EXPECT_EQ(dvl->health(at_s(1)).last_error.view(),
+            "no measurement holds the DVL's dead reckoning");
+  dvl->receive(octets("{\"type\":\"velocity\",\"velocity_valid\":false,\"status\":1}\r\n"),
+               at_s(2));
+  dvl->receive(position, at_s(3));
+  const Health health = dvl->health(at_s(3));
+  EXPECT_EQ(health.last_error.view(), "the DVL is hot and will shut down soon");
+  EXPECT_EQ(health.refused, 2U);
+  EXPECT_EQ(health.impossible, 0U);
+}
+
 TEST(Device, BusDeviceStartsItsNodeThroughTheTransmitter) {
   Desk desk;
   const auto imu = device(Kind::imu, "cia404-imu", desk, true, 5);
@@ -188,8 +204,8 @@ TEST(Device, UnknownProtocolIsRefused) {
   ASSERT_FALSE(made);
   EXPECT_TRUE(made.error().message.starts_with(
       "no driver for kind \"dvl\" with protocol \"nmea0183\" over bytes; allowed: pd0 (bytes) "
-      "pd4 (bytes) pd5 (bytes) pd6 (bytes) water-linked (bytes) nortek (bytes) nortek-ad2cp "
-      "(bytes)"))
+      "pd4 (bytes) pd5 (bytes) pd6 (bytes) water-linked (bytes) water-linked-json (bytes) "
+      "nortek (bytes) nortek-ad2cp (bytes)"))
       << made.error().message;
 }
 

@@ -25,6 +25,7 @@ Octets golden_of(std::string_view protocol) {
   if (protocol == wire::UbxNmea::name) return golden_of("ubx") + golden_of("nmea0183");
   if (protocol == "nortek") return golden("nortek/golden.nmea");
   if (protocol == "water-linked") return golden("water-linked/golden.txt");
+  if (protocol == "water-linked-json") return golden("water-linked-json/golden.jsonl");
   return golden(std::string(protocol) + "/golden." + std::string(protocol));
 }
 

@@ -114,6 +114,34 @@ TEST_F(TcpDevice, SeveralClientsHearTheSameAndAreAllHeard) {
   EXPECT_EQ(heard(third), "last");
 }
 
+TEST_F(TcpDevice, AnAnswerGoesOnlyToTheClientThatSpoke) {
+  make("?clients=2");
+  tcp::socket first = join(), second = join();
+  asio::write(second, asio::buffer("?", 1));
+  EXPECT_EQ(run(io, read_bytes(*device, 1)).value(), bytes("?"));
+  const auto asker = device->speaker();
+  asio::write(first, asio::buffer("!", 1));
+  EXPECT_EQ(run(io, read_bytes(*device, 1)).value(), bytes("!"));
+  EXPECT_NE(device->speaker(), asker);
+  ASSERT_TRUE(run(io, device->write_to(asker, bytes("answer"))));
+  say("to all");
+  EXPECT_EQ(heard(second), "answerto all");
+  EXPECT_EQ(heard(first), "to all");
+}
+
+TEST_F(TcpDevice, AnAnswerToAClientThatHasLeftIsCountedAsLost) {
+  make("?clients=2");
+  tcp::socket client = join();
+  asio::write(client, asio::buffer("?", 1));
+  EXPECT_EQ(run(io, read_bytes(*device, 1)).value(), bytes("?"));
+  const auto asker = device->speaker();
+  client.close();
+  settle(io);
+  const tcp::socket other = join();
+  ASSERT_TRUE(run(io, device->write_to(asker, bytes("answer"))));
+  EXPECT_EQ(device->dropped(), 6U);
+}
+
 TEST_F(TcpDevice, BesideAStuckClientTheOtherOneHearsEverything) {
   make("?clients=2");
   const tcp::socket stuck = join();

@@ -104,7 +104,8 @@ TEST(RigDevices, MistakesAreOneLineThatNamesThePlace) {
       StartsWith(
           "boat.toml:12: device \"bottom\": no driver for kind \"dvl\" with protocol \"pd7\" "
           "over bytes; allowed: pd0 (bytes) pd4 (bytes) "
-          "pd5 (bytes) pd6 (bytes) water-linked (bytes) nortek (bytes)"));
+          "pd5 (bytes) pd6 (bytes) water-linked (bytes) water-linked-json (bytes) "
+          "nortek (bytes)"));
   wrong = dvl();
   wrong.link = "carrier-pigeon:x";
   EXPECT_THAT(error_of(wrong), HasSubstr("boat.toml:12: device \"bottom\": "));

@@ -82,6 +82,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Golden{"pd0", "pd0/golden.pd0"}, Golden{"pd4", "pd4/golden.pd4"},
                     Golden{"pd5", "pd5/golden.pd5"}, Golden{"pd6", "pd6/golden.pd6"},
                     Golden{"water-linked", "water-linked/golden.txt"},
+                    Golden{"water-linked-json", "water-linked-json/golden.jsonl"},
                     Golden{"nortek", "nortek/golden.nmea"},
                     Golden{"nortek-ad2cp", "nortek-ad2cp/golden.nortek-ad2cp"}),
     [](const auto& golden) {

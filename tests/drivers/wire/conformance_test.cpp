@@ -79,6 +79,14 @@ struct Golden<WaterLinked> {
 };
 
 template <>
+struct Golden<WaterLinkedJson> {
+  static Buffer stream() { return fixture("water-linked-json/golden.jsonl"); }
+  static constexpr std::size_t frames = 21, messages = 19;
+  static Buffer false_sync() { return as_bytes("{\"time\":1,\"vx"); }
+  static constexpr std::size_t inside = 7;  ///< a colon: no checksum covers the digits
+};
+
+template <>
 struct Golden<Nortek> {
   static Buffer stream() { return fixture("nortek/golden.nmea"); }
   static constexpr std::size_t frames = 13, messages = 12;
@@ -157,6 +165,29 @@ bool sound_ad2cp(Bytes frame) {
          word(header - 4) == sum(frame.subspan(header)) && frame.size() == header + word(4);
 }
 
+/// There is no checksum. Outside of texts the brackets match, and the last one ends the object.
+bool sound_water_linked_json(Bytes frame) {
+  std::string_view text = as_text(frame);
+  while (text.ends_with('\n') || text.ends_with('\r')) text.remove_suffix(1);
+  std::string open;
+  bool quoted = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (quoted && c == '\\') ++i;
+    if (c == '"') quoted = !quoted;
+    if (quoted || (c != '{' && c != '[' && c != '}' && c != ']')) continue;
+    if (i > 0 && open.empty()) return false;
+    if (c == '{' || c == '[') {
+      open += c;
+    } else if (open.back() != (c == '}' ? '{' : '[')) {
+      return false;
+    } else {
+      open.pop_back();
+    }
+  }
+  return text.starts_with('{') && text.ends_with('}') && open.empty() && !quoted;
+}
+
 template <class P>
 bool sound(Bytes frame) {
   if constexpr (std::is_same_v<P, NortekAd2cp>) return sound_ad2cp(frame);
@@ -165,6 +196,7 @@ bool sound(Bytes frame) {
     return sound_sentence(frame);
   if constexpr (std::is_same_v<P, Ubx>) return sound_ubx(frame);
   if constexpr (std::is_same_v<P, WaterLinked>) return sound_water_linked(frame);
+  if constexpr (std::is_same_v<P, WaterLinkedJson>) return sound_water_linked_json(frame);
   if constexpr (std::is_same_v<P, UbxNmea>) {
     return frame[0] == '$' ? sound_sentence(frame) : sound_ubx(frame);
   }

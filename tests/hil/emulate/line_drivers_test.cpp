@@ -51,7 +51,7 @@ TEST_F(ThroughDrivers, Pd4Pd5AndPd6OfBothMakers) {
 }
 
 TEST_F(ThroughDrivers, WaterLinkedAndNortekDvlsKnowTheirOwnLatency) {
-  for (const char* protocol : {"water-linked", "nortek"}) {
+  for (const char* protocol : {"water-linked", "water-linked-json", "nortek"}) {
     measurements_.clear();
     auto config = device(DeviceKind::dvl, protocol, 5);
     config.emulate.latency_s = 0.075;  // the driver does not know this latency

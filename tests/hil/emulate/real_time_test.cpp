@@ -5,7 +5,10 @@
 #include <boost/asio/co_spawn.hpp>
 #include <boost/asio/detached.hpp>
 #include <boost/asio/io_context.hpp>
+#include <boost/asio/ip/tcp.hpp>
+#include <boost/asio/read.hpp>
 #include <boost/asio/steady_timer.hpp>
+#include <boost/asio/write.hpp>
 #include <ctime>
 
 #include "drivers/link/link.hpp"
@@ -123,6 +126,31 @@ TEST_F(RealTime, OnAPtyWholeSoundSentencesArrive) {
   EXPECT_EQ(emulator.counters().write_errors, 0u);
 }
 
+TEST_F(RealTime, EveryClientHearsTheReportsAndOnlyTheAskerItsAnswer) {
+  using asio::ip::tcp;
+  const auto port =
+      tcp::acceptor(io_, {asio::ip::address_v4::loopback(), 0}).local_endpoint().port();
+  RealTimeEmulator emulator(io_, devices_);
+  const std::string uri = "tcp:127.0.0.1:" + std::to_string(port) + "?emulated=1&clients=2";
+  ASSERT_TRUE(emulator.start({on(uri, device(DeviceKind::dvl, "water-linked-json", 10))}));
+  tcp::socket asker(io_), other(io_);
+  for (tcp::socket* client : {&asker, &other})
+    client->connect({asio::ip::address_v4::loopback(), port});
+  asio::write(asker, asio::buffer(std::string(R"({"command":"get_config"})")));
+  run(emulator, std::chrono::milliseconds{600});
+  const auto all_of = [](tcp::socket& client) {
+    std::string text;
+    boost::system::error_code end;
+    asio::read(client, asio::dynamic_buffer(text), end);
+    return text;
+  };
+  const std::string to_asker = all_of(asker), to_other = all_of(other);
+  for (const std::string* heard : {&to_asker, &to_other})
+    EXPECT_NE(heard->find("\"type\":\"velocity\""), std::string::npos);
+  EXPECT_NE(to_asker.find("\"type\":\"response\""), std::string::npos);
+  EXPECT_EQ(to_other.find("\"type\":\"response\""), std::string::npos);
+}
+
 TEST_F(RealTime, DevicesThatNameOneBusShareItAndHearTheDriver) {
   RealTimeEmulator emulator(io_, devices_);
   const std::string uri = "memory-can:emulate-test";
@@ -165,7 +193,7 @@ TEST_F(RealTime, ADeviceThatCannotBeMadeOrOpenedIsNamed) {
   ASSERT_FALSE(unknown);
   EXPECT_EQ(unknown.error().message.find(
                 "device \"ubx device\": no emulated dvl speaks \"ubx\"; allowed: pd0, pd4, "
-                "pd5, pd6, water-linked, nortek"),
+                "pd5, pd6, water-linked, water-linked-json, nortek"),
             0u);
   const auto no_link = emulator.start({on("carrier-pigeon:x", device(DeviceKind::dvl, "pd0"))});
   ASSERT_FALSE(no_link);

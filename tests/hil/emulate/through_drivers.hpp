@@ -96,6 +96,9 @@ class ThroughDrivers : public testing::Test, protected device::Output {
   }
   void send(const wire::CanFrame& frame) override { bus_->receive(frame, now_); }
   void report(std::string_view what) override { ADD_FAILURE() << what; }
+  void refuse(std::string_view why, device::Refusal because) override {
+    if (because != device::Refusal::no_measurement) report(why);
+  }
 
   motion::KinematicTrajectory trajectory_;
   std::vector<measurement::Measurement> measurements_;

@@ -26,8 +26,8 @@ MessageSplitter splitter(std::string_view protocol) {
 }
 
 TEST(MessageSplitter, KnowsTheByteProtocolsByName) {
-  for (const char* name :
-       {"nmea0183", "ubx", "pd0", "pd4", "pd5", "pd6", "water-linked", "nortek", "nortek-ad2cp"})
+  for (const char* name : {"nmea0183", "ubx", "pd0", "pd4", "pd5", "pd6", "water-linked",
+                           "water-linked-json", "nortek", "nortek-ad2cp"})
     EXPECT_TRUE(MessageSplitter::protocol(name)) << name;
   EXPECT_FALSE(MessageSplitter::protocol("xsens"));
   EXPECT_FALSE(MessageSplitter::protocol(""));

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <chrono>
+#include <optional>
+
+#include "drivers/wire/dvl/water_linked_messages.hpp"
+
+/// What both protocols of a Water Linked DVL say about a velocity.
+namespace drydock::device {
+
+/// From the reflection at the bed to the first byte. Empty without both times, or if their
+/// difference is no age: the DVL's clock was set between them.
+std::optional<std::chrono::nanoseconds> age_of_report(const wire::water_linked::ReportTimes& times);
+
+/// (m/s)2 in the DVL's axes, from nine entries by rows. Empty unless all came and each variance is
+/// above 0.
+std::optional<Eigen::Matrix3d> covariance_of(const std::array<std::optional<double>, 9>& entries);
+
+}  // namespace drydock::device
