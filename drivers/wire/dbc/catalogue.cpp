@@ -38,11 +38,15 @@ std::optional<std::size_t> Catalogue::find(const std::vector<Entry>& entries, st
 
 std::optional<std::size_t> Catalogue::find(const CanFrame& frame) const {
   if (frame.remote || frame.error) return std::nullopt;
-  if (const auto exact = find(identifiers_, identifier_key(frame.id, frame.extended))) return exact;
-  if (!frame.extended) return std::nullopt;
-  const auto id = j1939::parse_identifier(frame.id);
-  if (const auto own = find(groups_, group_key(id.pgn, id.source))) return own;
-  return find(groups_, group_key(id.pgn, any_source));
+  return find(frame.id, frame.extended);
+}
+
+std::optional<std::size_t> Catalogue::find(std::uint32_t id, bool extended) const {
+  if (const auto exact = find(identifiers_, identifier_key(id, extended))) return exact;
+  if (!extended) return std::nullopt;
+  const auto parsed = j1939::parse_identifier(id);
+  if (const auto own = find(groups_, group_key(parsed.pgn, parsed.source))) return own;
+  return find(groups_, group_key(parsed.pgn, any_source));
 }
 
 }  // namespace drydock::wire::dbc

@@ -18,6 +18,7 @@ class Catalogue {
 
   /// The place in Database::messages. Empty for unknown, remote and error frames.
   std::optional<std::size_t> find(const CanFrame& frame) const;
+  std::optional<std::size_t> find(std::uint32_t id, bool extended) const;
 
  private:
   struct Entry {
