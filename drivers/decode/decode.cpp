@@ -12,7 +12,8 @@
 #include "drivers/capture/comment_head.hpp"
 #include "drivers/capture/file_blocks.hpp"
 #include "drivers/capture/frame_capture.hpp"
-#include "drivers/measurement/stamp.hpp"
+#include "drivers/decode/decode_by_dbc.hpp"
+#include "drivers/decode/records.hpp"
 #include "drivers/terminal/exit_codes.hpp"
 #include "drivers/text/json_lines.hpp"
 #include "drivers/wire/described/described_codec.hpp"
@@ -38,11 +39,7 @@ class Sink {
   }
   template <class Variant>
   void message(const Variant& message, const capture::Record& record) {
-    put(message, [&](text::JsonWriter& json) {
-      using Seconds = std::optional<double>;
-      json.field("time_s", record.time ? Seconds(measurement::seconds(*record.time)) : Seconds());
-      json.field("interface", record.interface);
-    });
+    put(message, [&](text::JsonWriter& json) { put_record(json, record); });
   }
   bool flush() { return lines_.flush(); }
 
@@ -111,21 +108,12 @@ template <wire::FrameProtocol P>
 bool decode_frames(FileBlocks& blocks, FrameCapture& frames, Sink& sink,
                    wire::StreamCounters& counters) {
   std::map<std::string, typename P::Decoder, std::less<>> buses;  // each assembles its own
-  const auto drain = [&] {
-    while (const auto record = frames.next()) {
-      auto bus = buses.find(record->interface);
-      if (bus == buses.end()) bus = buses.try_emplace(std::string(record->interface)).first;
-      if (const auto message = bus->second.receive(record->frame)) sink.message(*message, *record);
-    }
+  const auto on_record = [&](const capture::Record& record) {
+    auto bus = buses.find(record.interface);
+    if (bus == buses.end()) bus = buses.try_emplace(std::string(record.interface)).first;
+    if (const auto message = bus->second.receive(record.frame)) sink.message(*message, record);
   };
-  for (wire::Bytes block = blocks.read(); !block.empty(); block = blocks.read()) {
-    frames.feed(block);
-    drain();
-    if (frames.unknown()) return true;
-    if (!blocks.likely_more(block) && !sink.flush()) return false;
-  }
-  frames.finish();
-  drain();
+  if (!read_records(blocks, frames, on_record, [&] { return sink.flush(); })) return false;
   for (const auto& [name, decoder] : buses)
     counters.bad_checksums += decoder.counters().bad_checksums;
   counters.frames = frames.tally().frames;
@@ -143,11 +131,6 @@ void append_names(wire::ProtocolList<P...>, std::string& names) {
 template <class List>
 bool knows(List list, std::string_view name) {
   return wire::with_protocol(list, name, []<class P>() {});
-}
-
-int refuse(std::FILE* err, const std::string& why) {
-  fmt::print(err, "decode: {}\n", why);
-  return terminal::exit_usage;
 }
 
 void print_totals(std::FILE* err, const wire::StreamCounters& counters, std::uint64_t messages,
@@ -173,7 +156,9 @@ std::string decode_protocols() {
 std::string decode_formats() { return fmt::format("{}, {}", raw_format, capture::format_names()); }
 
 int decode(const DecodeOptions& options, std::FILE* out, std::FILE* err) {
+  if (!options.dbc.empty()) return decode_by_dbc(options, out, err);
   const std::string& protocol = options.protocol;
+  if (protocol.empty()) return refuse(err, "--protocol or --dbc is missing");
   const bool from_frames =
       knows(wire::FrameProtocols{}, protocol) || knows(wire::FramesAsTheyAre{}, protocol);
   if (!from_frames && !options.description && !knows(wire::BytesProtocols{}, protocol) &&

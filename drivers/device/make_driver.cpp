@@ -13,6 +13,7 @@
 #include "drivers/device/gnss/gnss_driver.hpp"
 #include "drivers/device/imu/aceinna_imu_driver.hpp"
 #include "drivers/device/imu/cia404_imu_driver.hpp"
+#include "drivers/device/imu/mv5_imu_driver.hpp"
 #include "drivers/device/imu/xsens_imu_driver.hpp"
 #include "drivers/device/vessel/actuator_driver.hpp"
 #include "drivers/device/vessel/cia404_pressure_driver.hpp"
@@ -63,6 +64,7 @@ constexpr std::array rows{
     byte_row<GnssDriver>(Kind::gnss, wire::Nmea0183::name),
     byte_row<GnssDriver>(Kind::gnss, wire::UbxNmea::name),
     frame_row<AceinnaImuDriver>(Kind::imu, wire::Aceinna::name),
+    frame_row<Mv5ImuDriver>(Kind::imu, wire::Mv5::name),
     frame_row<Cia404ImuDriver<wire::Cia404Imu>>(Kind::imu, wire::Cia404Imu::name),
     frame_row<Cia404ImuDriver<wire::EpsonG550>>(Kind::imu, wire::EpsonG550::name),
     frame_row<Cia404ImuDriver<wire::EpsonG552>>(Kind::imu, wire::EpsonG552::name),

@@ -7,6 +7,7 @@
 #include "drivers/wire/can/can_bits.hpp"
 #include "drivers/wire/canopen/canopen_sdo.hpp"
 #include "drivers/wire/j1939/aceinna.hpp"
+#include "drivers/wire/j1939/mv5.hpp"
 #include "drivers/wire/protocols.hpp"
 
 namespace drydock::survey {
@@ -132,8 +133,18 @@ class BusSurvey::Listener {
   const DriverTrial* best_of(Kind kind) const {
     const DriverTrial* best = nullptr;
     for (const auto& trial : trials_)
-      if (trial->kind() == kind) best = better_of(best, trial.get());
+      if (trial->kind() == kind && may_speak(trial->protocol()))
+        best = better_of(best, trial.get());
     return best;
+  }
+
+  /// Two makers send the same fields in other axes. The NAME tells them apart, or without one the
+  /// address that the MV5 has when delivered.
+  bool may_speak(std::string_view protocol) const {
+    const bool is_mv5 = node_.name ? node_.name->manufacturer_code == wire::mv5::manufacturer
+                                   : node_.address == wire::mv5::default_address;
+    if (protocol == wire::Mv5::name) return is_mv5;
+    return protocol != wire::Aceinna::name || !is_mv5;
   }
 
   Node node_;

@@ -23,6 +23,7 @@
 #include "drivers/wire/dvl/water_linked_json.hpp"
 #include "drivers/wire/j1939/aceinna.hpp"
 #include "drivers/wire/j1939/j1939_protocol.hpp"
+#include "drivers/wire/j1939/mv5.hpp"
 #include "drivers/wire/nmea0183/nmea0183.hpp"
 #include "drivers/wire/nmea2000/nmea2000.hpp"
 #include "drivers/wire/protocols.hpp"
@@ -102,6 +103,7 @@ inline constexpr std::tuple byte_protocols{
 inline constexpr std::tuple frame_protocols{
     frames<Nmea2000>({.kinds = {Kind::depth, Kind::actuator}, .network = Network::j1939}),
     frames<Aceinna>({.kinds = Kind::imu, .settings = Settings::obeyed, .network = Network::j1939}),
+    frames<Mv5>({.kinds = Kind::imu, .network = Network::j1939}),
     frames<Cia404Imu>(
         {.kinds = Kind::imu, .settings = Settings::refusable, .network = Network::canopen}),
     frames<Cia404Pressure>(

@@ -48,6 +48,9 @@ DevicePtr make_nmea0183_gnss(const DeviceSetup& setup);
 /// Address claim at boot, then SSI2, ACCS, ARI back to back per sample.
 DevicePtr make_aceinna_imu(const DeviceSetup& setup);
 
+/// Address claim at boot, then slope, acceleration and rate back to back per sample.
+DevicePtr make_mv5_imu(const DeviceSetup& setup);
+
 /// Boot-up message, heartbeat every second; after NMT start three TPDOs back to back per sample.
 DevicePtr make_cia404_imu(const DeviceSetup& setup);
 
@@ -91,6 +94,7 @@ inline constexpr auto device_rows = std::to_array<DeviceRow>({
     {DeviceKind::gnss, "ubx", make_ubx_gnss},
     {DeviceKind::gnss, "nmea0183", make_nmea0183_gnss},
     {DeviceKind::imu, "aceinna", make_aceinna_imu},
+    {DeviceKind::imu, "microstrain-mv5", make_mv5_imu},
     {DeviceKind::imu, "cia404-imu", make_cia404_imu},
     {DeviceKind::imu, "epson-g550", make_epson_g550},
     {DeviceKind::imu, "epson-g552", make_epson_g552},

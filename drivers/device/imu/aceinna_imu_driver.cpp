@@ -1,8 +1,5 @@
 #include "drivers/device/imu/aceinna_imu_driver.hpp"
 
-#include <algorithm>
-
-#include "drivers/device/imu/imu_sample.hpp"
 #include "drivers/measurement/earlier.hpp"
 
 namespace drydock::device {
@@ -10,10 +7,6 @@ namespace drydock::device {
 namespace {
 
 namespace aceinna = wire::aceinna;
-
-/// The device sends its messages within 0.8 ms. Half a period at 100 Hz still separates two
-/// samples.
-constexpr std::chrono::milliseconds pairing_window{5};
 
 constexpr std::size_t place_of(const aceinna::HardwareBit&) { return 0; }
 constexpr std::size_t place_of(const aceinna::SoftwareBit&) { return 1; }
@@ -28,8 +21,7 @@ AceinnaImuDriver::AceinnaImuDriver(const DriverOptions& options)
       configurator_(options) {}
 
 void AceinnaImuDriver::restart(Stamp now, Output& out) {
-  rate_.reset();
-  force_.reset();
+  pair_.reset();
   told_ = {};
   search_.restart(now, out);
   configurator_.restart(now, out);
@@ -69,21 +61,18 @@ void AceinnaImuDriver::receive(const wire::CanFrame& frame, Stamp received_at, O
 void AceinnaImuDriver::on(const aceinna::AngularRate& m, const wire::CanFrame& frame, Stamp at,
                           Output& out) {
   if (!accepts(m.source, at)) return;
-  rate_ = Half{timing_.of_frame(at, frame), m.rate_radps};
+  pair_.set_rate(timing_.of_frame(at, frame), m.rate_radps);
   if (m.latency_s) {
-    stated_valid_at_ =
-        timing_.of_frame(at, frame, measurement::from_seconds(*m.latency_s)).valid_at;
-  } else {
-    stated_valid_at_.reset();
+    pair_.state(timing_.of_frame(at, frame, measurement::from_seconds(*m.latency_s)).valid_at);
   }
-  pair(out);
+  pair_.publish(mounting_, out);
 }
 
 void AceinnaImuDriver::on(const aceinna::Acceleration& m, const wire::CanFrame& frame, Stamp at,
                           Output& out) {
   if (!accepts(m.source, at)) return;
-  force_ = Half{timing_.of_frame(at, frame), m.acceleration_mps2};
-  pair(out);
+  pair_.set_force(timing_.of_frame(at, frame), m.acceleration_mps2);
+  pair_.publish(mounting_, out);
 }
 
 /// The claim is the first message after a boot: the device has lost its settings.
@@ -105,20 +94,6 @@ void AceinnaImuDriver::on(const aceinna::Flags<Layout>& m, const wire::CanFrame&
     out.report(text.view());
   }
   told = trouble;
-}
-
-void AceinnaImuDriver::pair(Output& out) {
-  if (!rate_ || !force_) return;
-  const auto apart = rate_->origin.received_at - force_->origin.received_at;
-  if (std::chrono::abs(apart) > pairing_window) return;  // the older message has no partner
-  // Both were sampled together, before the first of the two was sent.
-  Origin origin = rate_->origin;
-  origin.received_at = std::max(origin.received_at, force_->origin.received_at);
-  origin.valid_at = stated_valid_at_.value_or(std::min(origin.valid_at, force_->origin.valid_at));
-  const auto sample = make_imu_sample(origin, rate_->components, force_->components, mounting_);
-  rate_.reset();
-  force_.reset();
-  if (sample) out.publish(*sample);
 }
 
 }  // namespace drydock::device

@@ -4,6 +4,7 @@
 #include "drivers/device/bus/node_search.hpp"
 #include "drivers/device/bus/source_filter.hpp"
 #include "drivers/device/imu/aceinna_configurator.hpp"
+#include "drivers/device/imu/imu_pair.hpp"
 #include "drivers/wire/j1939/aceinna.hpp"
 
 namespace drydock::device {
@@ -25,12 +26,6 @@ class AceinnaImuDriver final : public BusDriver<wire::Aceinna> {
   std::optional<Stamp> deadline() const override;
 
  private:
-  using Components = std::array<std::optional<double>, 3>;
-  struct Half {
-    Origin origin;
-    Components components;
-  };
-
   void on(const wire::aceinna::AngularRate& m, const wire::CanFrame& frame, Stamp at, Output& out);
   void on(const wire::aceinna::Acceleration& m, const wire::CanFrame& frame, Stamp at, Output& out);
   void on(const wire::aceinna::AddressClaimed& m, const wire::CanFrame& frame, Stamp at,
@@ -41,14 +36,12 @@ class AceinnaImuDriver final : public BusDriver<wire::Aceinna> {
 
   bool accepts(std::uint8_t source, Stamp at);
   bool ours(std::uint8_t source) const { return source_.source() == source; }
-  void pair(Output& out);
 
   Mounting mounting_;
   SourceFilter source_;
   NodeSearch search_;
   AceinnaConfigurator configurator_;
-  std::optional<Half> rate_, force_;
-  std::optional<Stamp> stated_valid_at_;  ///< from ARI's latency field
+  ImuPair pair_;
   std::array<std::string_view, 3> told_;  ///< errors that were reported
 };
 

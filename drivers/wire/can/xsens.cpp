@@ -14,6 +14,9 @@ namespace {
 
 constexpr double quaternion_step = 1.0 / 32767;
 constexpr unsigned largest_exponent = 31;
+constexpr double latitude_step = radians(1.0 / (1 << 24)),
+                 longitude_step = radians(1.0 / (1 << 23));
+constexpr double dop_step = 0.01;
 
 template <std::size_t N>
 std::array<double, N> load_axes(Bytes p, double step) {
@@ -37,9 +40,18 @@ constexpr std::size_t size_of(const StatusWord&) { return 4; }
 constexpr std::size_t size_of(const Quaternion&) { return 8; }
 constexpr std::size_t size_of(const DeltaQ&) { return 8; }
 constexpr std::size_t size_of(const DeltaV&) { return 7; }
+constexpr std::size_t size_of(const Warning&) { return 1; }
+constexpr std::size_t size_of(const UtcTime&) { return 8; }
+constexpr std::size_t size_of(const LatitudeLongitude&) { return 8; }
+constexpr std::size_t size_of(const GnssStatus&) { return 4; }
+constexpr std::size_t size_of(const GnssDop&) { return 8; }
 template <class Layout>
 constexpr std::size_t size_of(const Vector<Layout>&) {
   return 6;
+}
+template <class Layout>
+constexpr std::size_t size_of(const Scalar<Layout>&) {
+  return sizeof(typename Layout::Raw);
 }
 
 bool read(Bytes p, Error& m) {
@@ -77,6 +89,32 @@ bool read(Bytes p, Vector<Layout>& m) {
   m.value = load_axes<3>(p, Layout::step);
   return true;
 }
+template <class Layout>
+bool read(Bytes p, Scalar<Layout>& m) {
+  m.value = load_be<typename Layout::Raw>(p, 0) * Layout::step + Layout::zero;
+  return true;
+}
+bool read(Bytes p, Warning& m) {
+  m.code = p[0];
+  return true;
+}
+bool read(Bytes p, UtcTime& m) {
+  m = {p[0], p[1], p[2], p[3], p[4], p[5], load_be<std::uint16_t>(p, 6)};
+  return true;
+}
+bool read(Bytes p, LatitudeLongitude& m) {
+  m.latitude_rad = load_be<std::int32_t>(p, 0) * latitude_step;
+  m.longitude_rad = load_be<std::int32_t>(p, 4) * longitude_step;
+  return true;
+}
+bool read(Bytes p, GnssStatus& m) {
+  m = {p[0], p[1], p[2], p[3]};
+  return true;
+}
+bool read(Bytes p, GnssDop& m) {
+  for (std::size_t i = 0; i < 4; ++i) m.ptvh[i] = load_be<std::uint16_t>(p, 2 * i) * dop_step;
+  return true;
+}
 
 void write(CanFrame& frame, const Error& m) { frame.data[0] = m.code; }
 void write(CanFrame& frame, const SampleTime& m) {
@@ -95,6 +133,28 @@ void write(CanFrame& frame, const DeltaV& m) {
 template <class Layout>
 void write(CanFrame& frame, const Vector<Layout>& m) {
   store_axes(frame, m.value, Layout::step);
+}
+template <class Layout>
+void write(CanFrame& frame, const Scalar<Layout>& m) {
+  using Raw = typename Layout::Raw;
+  store_be<Raw>(frame.data, 0, quantize<Raw>(m.value - Layout::zero, Layout::step));
+}
+void write(CanFrame& frame, const Warning& m) { frame.data[0] = m.code; }
+void write(CanFrame& frame, const UtcTime& m) {
+  std::ranges::copy(std::array{m.year, m.month, m.day, m.hour, m.minute, m.second},
+                    frame.data.begin());
+  store_be<std::uint16_t>(frame.data, 6, m.ten_thousandths);
+}
+void write(CanFrame& frame, const LatitudeLongitude& m) {
+  store_be<std::int32_t>(frame.data, 0, quantize<std::int32_t>(m.latitude_rad, latitude_step));
+  store_be<std::int32_t>(frame.data, 4, quantize<std::int32_t>(m.longitude_rad, longitude_step));
+}
+void write(CanFrame& frame, const GnssStatus& m) {
+  std::ranges::copy(std::array{m.fix_type, m.satellites, m.flags, m.valid}, frame.data.begin());
+}
+void write(CanFrame& frame, const GnssDop& m) {
+  for (std::size_t i = 0; i < 4; ++i)
+    store_be<std::uint16_t>(frame.data, 2 * i, quantize<std::uint16_t>(m.ptvh[i], dop_step));
 }
 
 template <std::size_t I>

@@ -14,16 +14,19 @@
 /// The user may give each message another identifier, of 11 or 29 bits.
 namespace drydock::wire::xsens {
 
-using Message = std::variant<Error, SampleTime, GroupCounter, StatusWord, Quaternion, EulerAngles,
-                             DeltaV, RateOfTurn, DeltaQ, Acceleration, FreeAcceleration,
-                             RateOfTurnHr, AccelerationHr, Velocity>;
+using Message =
+    std::variant<Error, SampleTime, GroupCounter, StatusWord, Quaternion, EulerAngles, DeltaV,
+                 RateOfTurn, DeltaQ, Acceleration, FreeAcceleration, RateOfTurnHr, AccelerationHr,
+                 Velocity, Warning, UtcTime, MagneticField, Temperature, Pressure,
+                 LatitudeLongitude, Altitude, EcefX, EcefY, EcefZ, GnssStatus, GnssDop>;
 
 /// The identifier of each message, in the order of `Message`.
 struct Identifiers {
   static constexpr std::size_t count = std::variant_size_v<Message>;
   /// Factory settings. MT1604P exchanges 061h and 062h; the SDK's enumeration has them as here.
-  std::array<std::uint32_t, count> ids{0x01, 0x05, 0x06, 0x11, 0x21, 0x22, 0x31,
-                                       0x32, 0x33, 0x34, 0x35, 0x61, 0x62, 0x76};
+  std::array<std::uint32_t, count> ids{0x01, 0x05, 0x06, 0x11, 0x21, 0x22, 0x31, 0x32, 0x33,
+                                       0x34, 0x35, 0x61, 0x62, 0x76, 0x02, 0x07, 0x41, 0x51,
+                                       0x52, 0x71, 0x72, 0x73, 0x74, 0x75, 0x79, 0x7A};
   bool extended = false;  ///< 29 bits
 
   /// Gives the message with that `type` another identifier. False if there is no such message.

@@ -8,9 +8,6 @@ namespace drydock::wire::aceinna {
 
 namespace {
 
-constexpr std::uint32_t slope_pgn = 61481;
-constexpr std::uint32_t rate_pgn = 61482;
-constexpr std::uint32_t acceleration_pgn = 61485;
 constexpr std::uint32_t magnetic_pgn = 65386;
 
 // For each quantity: the zero point in steps, then steps per degree, degree per second, m/s2 or

@@ -22,6 +22,11 @@
 /// it. A driver that needs it must offer it as a separate option, before the mounting.
 namespace drydock::wire::aceinna {
 
+// Of SAE J1939-71; other makers' sensors send them too.
+constexpr std::uint32_t slope_pgn = 61481;
+constexpr std::uint32_t rate_pgn = 61482;
+constexpr std::uint32_t acceleration_pgn = 61485;
+
 /// How far the device trusts a value. Values marked error or not_available are empty.
 enum class FigureOfMerit : std::uint8_t { ok, degraded, error, not_available };
 

@@ -13,11 +13,14 @@ void add_decode(CLI::App& app, Command& command) {
   sub->footer(
       "Example: drydock decode --protocol pd0 dive.pd0\n"
       "         drydock decode --protocol can trace.asc\n"
+      "         drydock decode --dbc imu.dbc can.log\n"
       "         candump -L can0 | drydock decode --protocol nmea2000");
   sub->add_option("FILE", options->file, "recording; default standard input");
-  sub->add_option("--protocol", options->protocol,
-                  "one of " + decode::decode_protocols() + "; or a description: valeport-vat.toml")
-      ->required();
+  auto* protocol = sub->add_option(
+      "--protocol", options->protocol,
+      "one of " + decode::decode_protocols() + "; or a description: valeport-vat.toml");
+  sub->add_option("--dbc", options->dbc, "a DBC file that describes the messages of a CAN capture")
+      ->excludes(protocol);
   sub->add_option(
       "--format", options->format,
       "the file's format, where its content does not tell: one of " + decode::decode_formats());

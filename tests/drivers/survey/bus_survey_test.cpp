@@ -43,6 +43,7 @@ TEST_P(GoldenBus, IsFoundAsItself) {
 INSTANTIATE_TEST_SUITE_P(Profiles, GoldenBus,
                          testing::Values(Golden{"nmea2000", "nmea2000/frames.log"},
                                          Golden{"aceinna", "aceinna/frames.log"},
+                                         Golden{"microstrain-mv5", "microstrain-mv5/frames.log"},
                                          Golden{"cia404-imu", "cia404-imu/frames.log"},
                                          Golden{"epson-g550", "epson-g550/frames.log"},
                                          Golden{"epson-g552", "epson-g552/frames.log"}),
@@ -51,6 +52,13 @@ INSTANTIATE_TEST_SUITE_P(Profiles, GoldenBus,
                            std::erase(name, '-');
                            return name;
                          });
+
+TEST(BusSurvey, TwoMakersOfTheSameGroupsAreToldApart) {
+  EXPECT_THAT(protocols(hear("microstrain-mv5/frames.log")->nodes()),
+              testing::Not(testing::Contains("aceinna")));
+  EXPECT_THAT(protocols(hear("aceinna/frames.log")->nodes()),
+              testing::Not(testing::Contains("microstrain-mv5")));
+}
 
 CanFrame frame(std::uint32_t id, std::initializer_list<std::uint8_t> data, bool extended = false) {
   CanFrame f;

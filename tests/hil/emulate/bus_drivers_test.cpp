@@ -14,6 +14,7 @@ TEST_F(ThroughDrivers, EveryImusForceAndRate) {
   constexpr double milli_g = 9.80665e-3;
   for (const auto& [protocol, force_step, rate_step] :
        {std::tuple{"cia404-imu", 2e-6, 1e-8}, std::tuple{"aceinna", 0.01, 1.0 / 128 * degree},
+        std::tuple{"microstrain-mv5", 0.01, 1.0 / 128 * degree},
         std::tuple{"epson-g550", 0.2 * milli_g, 0.008 * degree},
         std::tuple{"epson-g552", 0.4 * milli_g, 0.01515 * degree},
         std::tuple{"xsens", 1.0 / 256, 1.0 / 512}}) {

@@ -178,6 +178,21 @@ TEST(EmulatedAceinnaImu, OrientationTurnsItsOutput) {
   EXPECT_NEAR(load_le<std::uint16_t>(accs.payload(), 2) * 0.01 - 320, 0.7, 0.005 + 1e-9);
 }
 
+TEST(EmulatedMv5Imu, SendsTheLateralAxisFirst) {
+  const Frozen trajectory(under_way());
+  const auto sent = record(device(DeviceKind::imu, "microstrain-mv5", 100), trajectory, 1);
+  EXPECT_EQ(sent.frames.at(0).frame.id, 0x18EEFFE2);
+  const auto force = with_id(sent, 0x08F02DE2).at(0).frame;
+  const auto rate = with_id(sent, 0x0CF02AE2).at(0).frame;
+  const std::array<double, 3> f{-0.5, 0.7, -9.78}, w{-0.02, 0.01, 0.03};  // Y, X, Z
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_NEAR(load_le<std::uint16_t>(force.payload(), 2 * i) * 0.01 - 320, f[i], 0.005 + 1e-9);
+    const double degps = load_le<std::uint16_t>(rate.payload(), 2 * i) / 128.0 - 250;
+    EXPECT_NEAR(degps * degree, w[i], 0.5 / 128 * degree + 1e-9);
+  }
+  EXPECT_EQ(with_id(sent, 0x0CF029E2).size(), with_id(sent, 0x0CF02AE2).size());
+}
+
 TEST(EmulatedXsensImu, MarksEachGroupWithTicksAndCounterOnTheIdentifiersOfTheRig) {
   const Frozen trajectory(under_way());
   auto config = device(DeviceKind::imu, "xsens", 100);

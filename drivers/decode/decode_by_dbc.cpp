@@ -1,0 +1,202 @@
+#include "drivers/decode/decode_by_dbc.hpp"
+
+#include <cstring>
+#include <map>
+#include <vector>
+
+#include "drivers/decode/records.hpp"
+#include "drivers/wire/dbc/catalogue.hpp"
+#include "drivers/wire/dbc/plan.hpp"
+#include "drivers/wire/dbc/reader.hpp"
+#include "drivers/wire/j1939/j1939_protocol.hpp"
+
+namespace drydock::decode {
+
+namespace {
+
+namespace dbc = wire::dbc;
+
+constexpr std::size_t most_unknown_shown = 12;
+
+/// A message with its plan and the values of its last frame.
+struct Entry {
+  explicit Entry(const dbc::Message& described)
+      : message(&described), plan(described), values(plan.size()) {}
+
+  const dbc::Message* message;
+  dbc::Plan plan;
+  std::vector<dbc::Value> values;
+  std::uint64_t count = 0;
+  std::uint64_t cut_short = 0;
+};
+
+/// Prints messages as lines, or counts them.
+class Messages {
+ public:
+  Messages(const dbc::Database& database, bool count, std::FILE* out)
+      : catalogue_(database), count_(count), lines_(out) {
+    for (const dbc::Message& m : database.messages) entries_.emplace_back(m);
+  }
+
+  void receive(const capture::Record& record) {
+    ++frames_;
+    const wire::CanFrame& frame = record.frame;
+    if (const auto place = catalogue_.find(frame)) {
+      take(entries_[*place], frame.payload(), record);
+    } else if (!is_packet(frame)) {
+      ++unknown_[{frame.extended, frame.id}];
+    } else if (const auto whole = packets(record)) {
+      const auto id = wire::j1939::make_identifier(whole->id);
+      const auto message = catalogue_.find(id, true);
+      if (!message) ++unknown_[{true, id}];
+      if (message) take(entries_[*message], whole->data, record);
+    }
+  }
+
+  bool flush() { return lines_.flush(); }
+
+  void finish() {
+    if (!count_) return;
+    for (const Entry& e : entries_)
+      if (e.count > 0)
+        lines_.line([&](text::JsonWriter& json) {
+          json.field("type", e.message->long_name);
+          json.field("count", e.count);
+        });
+  }
+
+  std::uint64_t total() const {
+    std::uint64_t sum = 0;
+    for (const Entry& e : entries_) sum += e.count;
+    return sum;
+  }
+
+  void print_totals(std::FILE* err, const capture::FrameCapture& capture) const {
+    std::uint64_t cut = 0, unknown = 0;
+    for (const Entry& e : entries_) cut += e.cut_short;
+    for (const auto& [id, count] : unknown_) unknown += count;
+    if (capture.format() != nullptr) fmt::print(err, "{}: ", capture.format()->name);
+    fmt::print(err, "{} frames, {} messages, {} of them cut short, {} frames without a message\n",
+               frames_, total(), cut, unknown);
+    if (unknown > 0) print_unknown(err);
+  }
+
+ private:
+  using Identifier = std::pair<bool, std::uint32_t>;  ///< 29 bits, identifier
+
+  static bool is_packet(const wire::CanFrame& frame) {
+    const auto id = wire::j1939::identify(frame);
+    return id && wire::is_transport(id->pgn);
+  }
+
+  std::optional<wire::j1939::TransportMessage> packets(const capture::Record& record) {
+    const auto id = wire::j1939::identify(record.frame);
+    auto& bus = transports_[std::string(record.interface)];
+    return bus.receive(*id, record.frame.payload(), {}).message;
+  }
+
+  void take(Entry& e, wire::Bytes payload, const capture::Record& record) {
+    ++e.count;
+    e.cut_short += payload.size() < e.message->size;
+    if (count_) return;
+    e.plan.decode(payload, e.values);
+    lines_.line([&](text::JsonWriter& json) {
+      json.field("type", e.message->long_name);
+      put_record(json, record);
+      for (std::size_t i = 0; i < e.values.size(); ++i)
+        put(json, e.message->signals[i], e.values[i]);
+    });
+  }
+
+  /// A signal whose values have names has a second key for them.
+  static void put(text::JsonWriter& json, const dbc::Signal& signal, const dbc::Value& value) {
+    using Number = std::optional<double>;
+    json.field(signal.long_name, value.present ? Number(value.physical) : Number());
+    if (signal.labels.empty()) return;
+    const auto* label =
+        value.present ? signal.label_of(static_cast<std::int64_t>(value.raw)) : nullptr;
+    json.field(signal.long_name + "_label",
+               label ? std::optional<std::string_view>(*label) : std::nullopt);
+  }
+
+  void print_unknown(std::FILE* err) const {
+    fmt::print(err, "no message:");
+    std::size_t shown = 0;
+    for (const auto& [id, count] : unknown_) {
+      if (shown++ == most_unknown_shown) break;
+      fmt::print(err, " {:0{}X} ({})", id.second, id.first ? 8 : 3, count);
+    }
+    if (unknown_.size() > most_unknown_shown)
+      fmt::print(err, " and {} more identifiers", unknown_.size() - most_unknown_shown);
+    fmt::print(err, "\n");
+  }
+
+  dbc::Catalogue catalogue_;
+  bool count_;
+  text::JsonLines lines_;
+  std::vector<Entry> entries_;
+  std::map<std::string, wire::j1939::TransportReceiver> transports_;  ///< by interface
+  std::map<Identifier, std::uint64_t> unknown_;
+  std::uint64_t frames_ = 0;
+};
+
+std::string contents(capture::FileBlocks& blocks) {
+  std::string text;
+  for (auto block = blocks.read(); !block.empty(); block = blocks.read()) {
+    text.append(block.begin(), block.end());
+    if (text.size() > dbc::longest_text) break;  // the reader says that it is too long
+  }
+  return text;
+}
+
+void print(std::FILE* err, const std::string& file, const std::vector<dbc::Remark>& remarks,
+           std::string_view kind) {
+  for (const dbc::Remark& r : remarks)
+    fmt::print(err, "{}:{}:{}: {}{}\n", file, r.at.line, r.at.column, kind, r.text);
+}
+
+std::string cannot_read(const std::string& file, int error) {
+  return fmt::format("cannot read {}: {}", file, std::strerror(error));
+}
+
+int decode_capture(const dbc::Database& database, const DecodeOptions& options, std::FILE* out,
+                   std::FILE* err) {
+  const capture::Format* format = capture::find_format(options.format);
+  if (!options.format.empty() && format == nullptr)
+    return refuse(err, fmt::format("no format \"{}\" of CAN captures, allowed: {}", options.format,
+                                   capture::format_names()));
+  capture::FileBlocks blocks(options.file);
+  capture::FrameCapture capture(format);
+  Messages messages(database, options.count, out);
+  const bool read = read_records(
+      blocks, capture, [&](const capture::Record& record) { messages.receive(record); },
+      [&] { return messages.flush(); });
+  messages.finish();
+  const std::string file = options.file.empty() ? "standard input" : options.file;
+  if (blocks.error() != 0) return refuse(err, cannot_read(file, blocks.error()));
+  if (capture.unknown()) return refuse(err, capture::unknown_format_text(file));
+  if (!read || !messages.flush()) return refuse(err, "cannot write the output");
+  if (!options.quiet) {
+    messages.print_totals(err, capture);
+    const std::string damage = capture::damage_text(capture.tally());
+    if (!damage.empty()) fmt::print(err, "{}\n", damage);
+  }
+  return terminal::exit_of(messages.total() > 0);
+}
+
+}  // namespace
+
+int decode_by_dbc(const DecodeOptions& options, std::FILE* out, std::FILE* err) {
+  capture::FileBlocks file(options.dbc);
+  const std::string text = contents(file);
+  if (file.error() != 0) return refuse(err, cannot_read(options.dbc, file.error()));
+  const dbc::Reading reading = dbc::read(text);
+  print(err, options.dbc, reading.errors, "");
+  if (!options.quiet) print(err, options.dbc, reading.warnings, "warning: ");
+  if (reading.remarks_left_out > 0)
+    fmt::print(err, "{}: and {} more\n", options.dbc, reading.remarks_left_out);
+  if (!reading.errors.empty()) return refuse(err, "the DBC file has errors");
+  return decode_capture(reading.database, options, out, err);
+}
+
+}  // namespace drydock::decode

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <optional>
+#include <string>
+
+#include "drivers/capture/file_blocks.hpp"
+#include "drivers/capture/frame_capture.hpp"
+#include "drivers/measurement/stamp.hpp"
+#include "drivers/terminal/exit_codes.hpp"
+#include "drivers/text/json_lines.hpp"
+
+/// What both ways to decode a CAN capture have in common.
+namespace drydock::decode {
+
+/// Reads a CAN capture to its end. It calls `flush() -> bool` before it waits for a live input.
+/// False if that failed.
+template <class OnRecord, class Flush>
+bool read_records(capture::FileBlocks& blocks, capture::FrameCapture& frames, OnRecord&& on_record,
+                  Flush&& flush) {
+  const auto drain = [&] {
+    while (const auto record = frames.next()) on_record(*record);
+  };
+  for (wire::Bytes block = blocks.read(); !block.empty(); block = blocks.read()) {
+    frames.feed(block);
+    drain();
+    if (frames.unknown()) return true;
+    if (!blocks.likely_more(block) && !flush()) return false;
+  }
+  frames.finish();
+  drain();
+  return true;
+}
+
+/// The keys of every CAN message.
+inline void put_record(text::JsonWriter& json, const capture::Record& record) {
+  using Seconds = std::optional<double>;
+  json.field("time_s", record.time ? Seconds(measurement::seconds(*record.time)) : Seconds());
+  json.field("interface", record.interface);
+}
+
+inline int refuse(std::FILE* err, const std::string& why) {
+  fmt::print(err, "decode: {}\n", why);
+  return terminal::exit_usage;
+}
+
+}  // namespace drydock::decode

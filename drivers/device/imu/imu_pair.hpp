@@ -1,0 +1,59 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <optional>
+
+#include "drivers/device/driver.hpp"
+#include "drivers/device/imu/imu_sample.hpp"
+
+namespace drydock::device {
+
+/// Joins the rate and the acceleration of one instant, which J1939 sensors send in two messages
+/// directly one after the other, in either order. A message without a partner within 5 ms gives no
+/// sample: half a period at 100 Hz still separates two samples.
+class ImuPair {
+ public:
+  using Components = std::array<std::optional<double>, 3>;
+  static constexpr std::chrono::milliseconds window{5};
+
+  void reset() { *this = {}; }
+
+  void set_rate(const measurement::Origin& origin, const Components& rate_radps) {
+    rate_ = Half{origin, rate_radps};
+    stated_valid_at_.reset();
+  }
+  /// The rate's message says when its values were true.
+  void state(Stamp valid_at) { stated_valid_at_ = valid_at; }
+
+  void set_force(const measurement::Origin& origin, const Components& specific_force_mps2) {
+    force_ = Half{origin, specific_force_mps2};
+  }
+
+  /// Publishes the sample if both are there and no component is missing.
+  void publish(const Mounting& mounting, Output& out) {
+    if (!rate_ || !force_) return;
+    const auto apart = rate_->origin.received_at - force_->origin.received_at;
+    if (std::chrono::abs(apart) > window) return;  // the older message has no partner
+    // Both were sampled together, before the first of the two was sent.
+    measurement::Origin origin = rate_->origin;
+    origin.received_at = std::max(origin.received_at, force_->origin.received_at);
+    origin.valid_at = stated_valid_at_.value_or(std::min(origin.valid_at, force_->origin.valid_at));
+    const auto sample = make_imu_sample(origin, rate_->components, force_->components, mounting);
+    rate_.reset();
+    force_.reset();
+    if (sample) out.publish(*sample);
+  }
+
+ private:
+  struct Half {
+    measurement::Origin origin;
+    Components components;
+  };
+
+  std::optional<Half> rate_, force_;
+  std::optional<Stamp> stated_valid_at_;
+};
+
+}  // namespace drydock::device
