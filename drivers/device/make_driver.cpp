@@ -8,6 +8,7 @@
 #include "drivers/device/dvl/pd6_driver.hpp"
 #include "drivers/device/dvl/water_linked_driver.hpp"
 #include "drivers/device/gnss/gnss_driver.hpp"
+#include "drivers/device/gnss/nmea2000_gnss_driver.hpp"
 #include "drivers/device/imu/aceinna_imu_driver.hpp"
 #include "drivers/device/imu/cia404_imu_driver.hpp"
 #include "drivers/device/imu/xsens_imu_driver.hpp"
@@ -15,6 +16,7 @@
 #include "drivers/device/vessel/cia404_pressure_driver.hpp"
 #include "drivers/device/vessel/depth_driver.hpp"
 #include "drivers/device/vessel/emlog_driver.hpp"
+#include "drivers/device/vessel/nmea2000_log_driver.hpp"
 
 namespace drydock::device {
 
@@ -54,9 +56,11 @@ constexpr std::array rows{
     byte_row<WaterLinkedDriver>(Kind::dvl, wire::WaterLinked::name),
     byte_row<NortekDriver>(Kind::dvl, wire::Nortek::name),
     byte_row<EmLogDriver>(Kind::emlog, wire::Nmea0183::name),
+    frame_row<Nmea2000LogDriver>(Kind::emlog, wire::Nmea2000::name),
     byte_row<GnssDriver>(Kind::gnss, wire::Ubx::name),
     byte_row<GnssDriver>(Kind::gnss, wire::Nmea0183::name),
     byte_row<GnssDriver>(Kind::gnss, wire::UbxNmea::name),
+    frame_row<Nmea2000GnssDriver>(Kind::gnss, wire::Nmea2000::name),
     frame_row<AceinnaImuDriver>(Kind::imu, wire::Aceinna::name),
     frame_row<Cia404ImuDriver<wire::Cia404Imu>>(Kind::imu, wire::Cia404Imu::name),
     frame_row<Cia404ImuDriver<wire::EpsonG550>>(Kind::imu, wire::EpsonG550::name),
