@@ -17,6 +17,7 @@
 #include "drivers/terminal/exit_codes.hpp"
 #include "drivers/text/json_lines.hpp"
 #include "drivers/wire/described/described_codec.hpp"
+#include "drivers/wire/passed_over.hpp"
 #include "drivers/wire/registry.hpp"
 
 namespace drydock::decode {
@@ -41,6 +42,7 @@ class Sink {
   void message(const Variant& message, const capture::Record& record) {
     put(message, [&](text::JsonWriter& json) { put_record(json, record); });
   }
+  void passed_over(const std::string& name) { ++passed_over_[name]; }
   bool flush() { return lines_.flush(); }
 
   /// Prints the counts if counts were asked for.
@@ -52,6 +54,8 @@ class Sink {
       });
   }
   std::uint64_t messages() const { return messages_; }
+  /// How many frames, or blocks of frames, were valid but not read, by name.
+  const std::map<std::string, std::uint64_t>& passed_over() const { return passed_over_; }
 
  private:
   template <class Variant, class Before>
@@ -75,6 +79,7 @@ class Sink {
   bool count_;
   text::JsonLines lines_;
   std::map<std::string_view, std::uint64_t> counts_;
+  std::map<std::string, std::uint64_t> passed_over_;
   std::uint64_t messages_ = 0;
 };
 
@@ -86,7 +91,10 @@ bool decode_bytes(const Codec& codec, FileBlocks& blocks, bool raw, Sink& sink,
   capture::CommentHead head;
   const auto scan = [&](wire::Bytes bytes) { return codec.scan(bytes); };
   const auto on_frame = [&](wire::Bytes frame, std::size_t) {
-    if (const auto message = codec.decode(frame)) sink.message(*message);
+    const auto message = codec.decode(frame);
+    if (message) sink.message(*message);
+    wire::tell_passed_over<Codec>(frame, message.has_value(),
+                                  [&](const std::string& name) { sink.passed_over(name); });
   };
   for (wire::Bytes block = blocks.read(); !block.empty(); block = blocks.read()) {
     framer->feed(raw ? block : head.without(block), scan, on_frame);
@@ -103,6 +111,22 @@ bool decode_bytes(const Codec& codec, FileBlocks& blocks, bool raw, Sink& sink,
   return sink.flush();
 }
 
+template <wire::FrameProtocol P>
+wire::Network network_of() {
+  const wire::Protocol* facts = wire::find_protocol(P::name);
+  return facts != nullptr ? facts->network : wire::Network::none;
+}
+
+/// A decoder counts only frames of its own messages. So one that changes no counter is passed over.
+template <wire::FrameProtocol P>
+void receive(typename P::Decoder& decoder, const capture::Record& record, Sink& sink) {
+  const wire::StreamCounters before = decoder.counters();
+  if (const auto message = decoder.receive(record.frame))
+    sink.message(*message, record);
+  else if (decoder.counters() == before)
+    sink.passed_over(wire::frame_name(record.frame, network_of<P>()));
+}
+
 /// Decodes a CAN capture to its end. False if the output cannot be written.
 template <wire::FrameProtocol P>
 bool decode_frames(FileBlocks& blocks, FrameCapture& frames, Sink& sink,
@@ -111,7 +135,7 @@ bool decode_frames(FileBlocks& blocks, FrameCapture& frames, Sink& sink,
   const auto on_record = [&](const capture::Record& record) {
     auto bus = buses.find(record.interface);
     if (bus == buses.end()) bus = buses.try_emplace(std::string(record.interface)).first;
-    if (const auto message = bus->second.receive(record.frame)) sink.message(*message, record);
+    receive<P>(bus->second, record, sink);
   };
   if (!read_records(blocks, frames, on_record, [&] { return sink.flush(); })) return false;
   for (const auto& [name, decoder] : buses)
@@ -140,6 +164,12 @@ void print_totals(std::FILE* err, const wire::StreamCounters& counters, std::uin
              messages, counters.bad_checksums, counters.bytes_skipped);
   const std::string damage = capture::damage_text(capture.tally());
   if (!damage.empty()) fmt::print(err, "{}\n", damage);
+}
+
+void print_passed_over(std::FILE* err, const Sink& sink) {
+  if (sink.passed_over().empty()) return;
+  fmt::print(err, "passed over:\n");
+  for (const auto& [name, count] : sink.passed_over()) fmt::print(err, "{:>8}  {}\n", count, name);
 }
 
 }  // namespace
@@ -196,7 +226,10 @@ int decode(const DecodeOptions& options, std::FILE* out, std::FILE* err) {
   }
   if (capture.unknown()) return refuse(err, capture::unknown_format_text(file));
   if (!written) return refuse(err, "cannot write the output");
-  if (!options.quiet) print_totals(err, counters, sink.messages(), capture);
+  if (!options.quiet) {
+    print_totals(err, counters, sink.messages(), capture);
+    print_passed_over(err, sink);
+  }
   return terminal::exit_of(sink.messages() > 0);
 }
 

@@ -34,6 +34,14 @@ class Burst {
     return origin;
   }
 
+  /// The same for a further part of a message, which cannot begin a burst by repeating.
+  Origin of_part(Origin origin, std::chrono::nanoseconds on_wire) {
+    if (origin.received_at - on_wire - ended_at_ > shortest_pause_) valid_at_ = origin.valid_at;
+    ended_at_ = origin.received_at;
+    origin.valid_at = valid_at_;
+    return origin;
+  }
+
   void end() { seen_ = 0; }
 
  private:

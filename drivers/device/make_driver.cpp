@@ -11,6 +11,7 @@
 #include "drivers/device/dvl/water_linked_driver.hpp"
 #include "drivers/device/dvl/water_linked_json_driver.hpp"
 #include "drivers/device/gnss/gnss_driver.hpp"
+#include "drivers/device/gnss/nmea2000_gnss_driver.hpp"
 #include "drivers/device/imu/aceinna_imu_driver.hpp"
 #include "drivers/device/imu/cia404_imu_driver.hpp"
 #include "drivers/device/imu/mv5_imu_driver.hpp"
@@ -19,6 +20,7 @@
 #include "drivers/device/vessel/cia404_pressure_driver.hpp"
 #include "drivers/device/vessel/depth_driver.hpp"
 #include "drivers/device/vessel/emlog_driver.hpp"
+#include "drivers/device/vessel/nmea2000_log_driver.hpp"
 
 namespace drydock::device {
 
@@ -60,9 +62,11 @@ constexpr std::array rows{
     byte_row<NortekDriver>(Kind::dvl, wire::Nortek::name),
     byte_row<NortekAd2cpDriver>(Kind::dvl, wire::NortekAd2cp::name),
     byte_row<EmLogDriver>(Kind::emlog, wire::Nmea0183::name),
+    frame_row<Nmea2000LogDriver>(Kind::emlog, wire::Nmea2000::name),
     byte_row<GnssDriver>(Kind::gnss, wire::Ubx::name),
     byte_row<GnssDriver>(Kind::gnss, wire::Nmea0183::name),
     byte_row<GnssDriver>(Kind::gnss, wire::UbxNmea::name),
+    frame_row<Nmea2000GnssDriver>(Kind::gnss, wire::Nmea2000::name),
     frame_row<AceinnaImuDriver>(Kind::imu, wire::Aceinna::name),
     frame_row<Mv5ImuDriver>(Kind::imu, wire::Mv5::name),
     frame_row<Cia404ImuDriver<wire::Cia404Imu>>(Kind::imu, wire::Cia404Imu::name),

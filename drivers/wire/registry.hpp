@@ -101,7 +101,9 @@ inline constexpr std::tuple byte_protocols{
 };
 
 inline constexpr std::tuple frame_protocols{
-    frames<Nmea2000>({.kinds = {Kind::depth, Kind::actuator}, .network = Network::j1939}),
+    frames<Nmea2000>({.kinds = {Kind::depth, Kind::actuator, Kind::gnss, Kind::emlog},
+                      .clock = DeviceClock::of_receiver,
+                      .network = Network::j1939}),
     frames<Aceinna>({.kinds = Kind::imu, .settings = Settings::obeyed, .network = Network::j1939}),
     frames<Mv5>({.kinds = Kind::imu, .network = Network::j1939}),
     frames<Cia404Imu>(

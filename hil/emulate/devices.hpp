@@ -74,6 +74,13 @@ DevicePtr make_cia404_pressure(const DeviceSetup& setup);
 /// 127488 for the propeller per sample.
 DevicePtr make_nmea2000_actuators(const DeviceSetup& setup);
 
+/// Address claim at boot, then 128259 (speed through the water, electromagnetic) per sample, 128275
+/// (distance) once a second.
+DevicePtr make_nmea2000_log(const DeviceSetup& setup);
+
+/// Address claim at boot, then 129026, 129029, 129025, 129539, 129540 per epoch with a common SID.
+DevicePtr make_nmea2000_gnss(const DeviceSetup& setup);
+
 struct DeviceRow {
   DeviceKind kind;
   std::string_view protocol;
@@ -91,8 +98,10 @@ inline constexpr auto device_rows = std::to_array<DeviceRow>({
     {DeviceKind::dvl, "nortek", make_nortek_dvl},
     {DeviceKind::dvl, "nortek-ad2cp", make_nortek_ad2cp_dvl},
     {DeviceKind::emlog, "nmea0183", make_nmea0183_em_log},
+    {DeviceKind::emlog, "nmea2000", make_nmea2000_log},
     {DeviceKind::gnss, "ubx", make_ubx_gnss},
     {DeviceKind::gnss, "nmea0183", make_nmea0183_gnss},
+    {DeviceKind::gnss, "nmea2000", make_nmea2000_gnss},
     {DeviceKind::imu, "aceinna", make_aceinna_imu},
     {DeviceKind::imu, "microstrain-mv5", make_mv5_imu},
     {DeviceKind::imu, "cia404-imu", make_cia404_imu},

@@ -4,6 +4,7 @@
 #include <concepts>
 #include <cstdlib>
 #include <ranges>
+#include <string_view>
 
 namespace drydock::wire::fuzz {
 
@@ -16,6 +17,8 @@ void require_finite(const Value& value) {
     if (value.has_value()) require_finite(*value);
   } else if constexpr (std::ranges::range<Value>) {
     for (const auto& element : value) require_finite(element);
+  } else if constexpr (requires { visit_fields(value, [](std::string_view, const auto&) {}); }) {
+    visit_fields(value, [](std::string_view, const auto& member) { require_finite(member); });
   }
 }
 

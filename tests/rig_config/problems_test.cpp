@@ -47,7 +47,7 @@ TEST(RigProblems, AProtocolMustFitTheKind) {
   EXPECT_THAT(problems_of("[[device]]\nname = \"g\"\nkind = \"gnss\"\nprotocol = \"pd0\"\n"
                           "link = \"pty:g\"\n"),
               ElementsAre("r.toml:11:12: /device/1/protocol: \"pd0\" is not allowed, allowed: ubx, "
-                          "nmea0183, ubx+nmea0183"));
+                          "nmea0183, ubx+nmea0183, nmea2000"));
 }
 
 TEST(RigProblems, AWrongTypeNamesBoth) {

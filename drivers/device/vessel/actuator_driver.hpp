@@ -3,8 +3,8 @@
 #include <array>
 
 #include "drivers/device/burst.hpp"
+#include "drivers/device/bus/nmea2000_driver.hpp"
 #include "drivers/device/vessel/instance_filter.hpp"
-#include "drivers/device/vessel/nmea2000_driver.hpp"
 
 namespace drydock::device {
 

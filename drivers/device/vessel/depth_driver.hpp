@@ -1,7 +1,7 @@
 #pragma once
 
+#include "drivers/device/bus/nmea2000_driver.hpp"
 #include "drivers/device/vessel/instance_filter.hpp"
-#include "drivers/device/vessel/nmea2000_driver.hpp"
 
 namespace drydock::device {
 

@@ -20,12 +20,12 @@ void EmLogDriver::on_frame(wire::Bytes frame, const Arrival& arrival, Output& ou
 
 void EmLogDriver::on(const wire::Vhw& vhw, const Origin& origin, Output& out) {
   if (vbw_at_ && origin.received_at - *vbw_at_ < vbw_counts_for) return;
-  publish_speed(vhw.speed_mps, {}, origin, out);
+  axes_.publish(vhw.speed_mps, {}, origin, out);
 }
 
 void EmLogDriver::on(const wire::Vbw& vbw, const Origin& origin, Output& out) {
   if (vbw.water_longitudinal_mps) vbw_at_ = origin.received_at;
-  publish_speed(vbw.water_longitudinal_mps, vbw.water_transverse_mps, origin, out);
+  axes_.publish(vbw.water_longitudinal_mps, vbw.water_transverse_mps, origin, out);
 }
 
 void EmLogDriver::on(const wire::Vlw& vlw, const Origin& origin, Output& out) {
@@ -33,25 +33,6 @@ void EmLogDriver::on(const wire::Vlw& vlw, const Origin& origin, Output& out) {
   measurement::WaterSpeed result;
   result.origin = origin;
   result.distance_m = vlw.water_total_m;
-  out.publish(result);
-}
-
-void EmLogDriver::publish_speed(const std::optional<double>& longitudinal_mps,
-                                const std::optional<double>& transverse_mps, const Origin& origin,
-                                Output& out) const {
-  measurement::WaterSpeed result;
-  result.origin = origin;
-  if (mounting_.is_identity()) {
-    result.longitudinal_mps = longitudinal_mps;
-    result.transverse_mps = transverse_mps;
-  } else if (longitudinal_mps && transverse_mps) {
-    const Eigen::Vector3d body = mounting_.to_body({*longitudinal_mps, *transverse_mps, 0});
-    result.longitudinal_mps = body.x();
-    result.transverse_mps = body.y();
-  } else if (longitudinal_mps) {
-    out.report("the log is mounted turned and gives no transverse speed: no speed along body x");
-  }
-  if (result.longitudinal_mps || result.transverse_mps) result.sigma_mps = sigma_mps_;
   out.publish(result);
 }
 

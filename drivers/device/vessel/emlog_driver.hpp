@@ -2,6 +2,7 @@
 
 #include "drivers/device/burst.hpp"
 #include "drivers/device/stream_driver.hpp"
+#include "drivers/device/vessel/log_axes.hpp"
 #include "drivers/wire/nmea0183/nmea0183.hpp"
 
 namespace drydock::device {
@@ -13,10 +14,7 @@ namespace drydock::device {
 class EmLogDriver final : public StreamDriver<wire::Nmea0183::max_frame> {
  public:
   explicit EmLogDriver(const DriverOptions& options)
-      : StreamDriver(options, wire::Nmea0183::scan),
-        mounting_(options.mounting),
-        sigma_mps_(options.velocity_sigma_mps),
-        burst_(shortest_pause) {}
+      : StreamDriver(options, wire::Nmea0183::scan), axes_(options), burst_(shortest_pause) {}
 
  private:
   void on_frame(wire::Bytes frame, const Arrival& arrival, Output& out) override;
@@ -26,12 +24,8 @@ class EmLogDriver final : public StreamDriver<wire::Nmea0183::max_frame> {
   void on(const wire::Vhw& vhw, const Origin& origin, Output& out);
   void on(const wire::Vbw& vbw, const Origin& origin, Output& out);
   void on(const wire::Vlw& vlw, const Origin& origin, Output& out);
-  void publish_speed(const std::optional<double>& longitudinal_mps,
-                     const std::optional<double>& transverse_mps, const Origin& origin,
-                     Output& out) const;
 
-  Mounting mounting_;
-  std::optional<double> sigma_mps_;
+  LogAxes axes_;
   Burst burst_;
   std::optional<Stamp> vbw_at_;
 };

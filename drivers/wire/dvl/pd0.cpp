@@ -63,6 +63,12 @@ class OffsetTable {
   std::size_t count_;
 };
 
+/// The data types of `decode`.
+constexpr bool is_read(std::uint16_t id) {
+  return id == pd0::fixed_leader || id == pd0::variable_leader || id == pd0::bottom_track ||
+         id == pd0::high_resolution || id == pd0::bottom_range || id == pd0::navigation;
+}
+
 template <class Block>
 void read_optional(Bytes block, std::optional<Block>& m) {
   if (Block read; read_block(block, read)) m = read;
@@ -104,6 +110,13 @@ std::optional<Pd0::Message> Pd0::decode(Bytes frame) {
   if (!has_fixed || !has_variable) return std::nullopt;
   if ((m.fixed.sensors_available & pd0::has_depth_sensor) == 0) m.variable.pressure_pa.reset();
   return m;
+}
+
+void Pd0::unread_blocks(Bytes frame, const std::function<void(std::uint16_t)>& tell) {
+  if (frame.size() < header_size + checksum_size) return;
+  const OffsetTable table{frame};
+  for (std::size_t i = 0; i < table.size(); ++i)
+    if (!is_read(table.id(i))) tell(table.id(i));
 }
 
 }  // namespace drydock::wire

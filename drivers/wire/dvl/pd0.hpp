@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string_view>
 #include <variant>
@@ -19,6 +20,8 @@ struct Pd0 {
 
   static Scan scan(Bytes bytes);
   static std::optional<Message> decode(Bytes frame);
+  /// Tells the id of each data type of a frame that is not decoded.
+  static void unread_blocks(Bytes frame, const std::function<void(std::uint16_t)>& tell);
 };
 
 }  // namespace drydock::wire

@@ -61,6 +61,11 @@ class FastPacketAssembler {
   Counters counters_;
 };
 
+/// True for the first frame of a message: its index is 0.
+constexpr bool begins_fast_packet(Bytes payload) {
+  return !payload.empty() && (payload[0] & 0x1F) == 0;
+}
+
 /// Number of frames for a message of `size` bytes.
 constexpr std::size_t fast_packet_frames(std::size_t size) { return 1 + size / 7; }
 

@@ -1,34 +1,70 @@
 #include "drivers/wire/nmea2000/nmea2000.hpp"
 
+#include <array>
+
 #include "drivers/wire/can/frame_protocol.hpp"
 
 namespace drydock::wire {
 
 namespace {
 
-bool is_single_frame(std::uint32_t pgn) {
-  switch (pgn) {
-    case nmea2000::pressure_pgn:
-    case nmea2000::temperature_pgn:
-    case nmea2000::water_depth_pgn:
-    case nmea2000::rudder_pgn:
-    case nmea2000::engine_pgn:
-    case j1939::address_claim_pgn:
-    case j1939::request_pgn: return true;
-    default: return false;
-  }
+using Decode = std::optional<Nmea2000::Message> (*)(const j1939::Identifier&, Bytes);
+
+/// A PGN that is read: how it travels when a node sends it by itself, and its decoder.
+struct ReadPgn {
+  std::uint32_t pgn;
+  enum class As : std::uint8_t { frame, fast_packet, transport } as;
+  Decode decode;
+};
+
+template <class M>
+constexpr ReadPgn laid_out() {
+  return {M::pgn, nmea2000::is_fast<M> ? ReadPgn::As::fast_packet : ReadPgn::As::frame,
+          [](const j1939::Identifier& id, Bytes data) -> std::optional<Nmea2000::Message> {
+            return nmea2000::decode<M>(id.source, data);
+          }};
 }
 
-std::optional<Nmea2000::Message> decode_single(const j1939::Identifier& id, Bytes payload) {
-  switch (id.pgn) {
-    case nmea2000::pressure_pgn: return nmea2000::decode_pressure(id.source, payload);
-    case nmea2000::temperature_pgn: return nmea2000::decode_temperature(id.source, payload);
-    case nmea2000::water_depth_pgn: return nmea2000::decode_water_depth(id.source, payload);
-    case nmea2000::rudder_pgn: return nmea2000::decode_rudder(id.source, payload);
-    case nmea2000::engine_pgn: return nmea2000::decode_engine(id.source, payload);
-    case j1939::address_claim_pgn: return j1939::decode_address_claimed(id, payload);
-    default: return j1939::decode_request(id, payload);
-  }
+template <auto decode>
+std::optional<Nmea2000::Message> managed(const j1939::Identifier& id, Bytes data) {
+  return decode(id, data);
+}
+
+std::optional<Nmea2000::Message> satellites(const j1939::Identifier& id, Bytes data) {
+  return nmea2000::decode_satellites_in_view(id.source, data);
+}
+
+constexpr std::array read_pgns{
+    laid_out<nmea2000::VesselHeading>(),
+    laid_out<nmea2000::RateOfTurn>(),
+    laid_out<nmea2000::Attitude>(),
+    laid_out<nmea2000::RapidPosition>(),
+    laid_out<nmea2000::CourseAndSpeed>(),
+    laid_out<nmea2000::Pressure>(),
+    laid_out<nmea2000::Rudder>(),
+    laid_out<nmea2000::Engine>(),
+    laid_out<nmea2000::Heave>(),
+    laid_out<nmea2000::Speed>(),
+    laid_out<nmea2000::Temperature>(),
+    laid_out<nmea2000::WaterDepth>(),
+    laid_out<nmea2000::WaterAndAir>(),
+    laid_out<nmea2000::Environment>(),
+    laid_out<nmea2000::HeadingControl>(),
+    laid_out<nmea2000::MagneticVariation>(),
+    laid_out<nmea2000::DistanceLog>(),
+    laid_out<nmea2000::SystemTime>(),
+    laid_out<nmea2000::GnssPosition>(),
+    laid_out<nmea2000::Dilutions>(),
+    ReadPgn{nmea2000::SatellitesInView::pgn, ReadPgn::As::fast_packet, satellites},
+    ReadPgn{j1939::address_claim_pgn, ReadPgn::As::frame, managed<j1939::decode_address_claimed>},
+    ReadPgn{j1939::request_pgn, ReadPgn::As::frame, managed<j1939::decode_request>},
+    ReadPgn{j1939::commanded_address_pgn, ReadPgn::As::transport,
+            managed<j1939::decode_commanded_address>}};
+
+const ReadPgn* find_pgn(std::uint32_t pgn) {
+  for (const ReadPgn& row : read_pgns)
+    if (row.pgn == pgn) return &row;
+  return nullptr;
 }
 
 }  // namespace
@@ -36,10 +72,11 @@ std::optional<Nmea2000::Message> decode_single(const j1939::Identifier& id, Byte
 std::optional<Nmea2000::Message> Nmea2000::Decoder::receive(const CanFrame& frame) {
   const auto id = j1939::identify(frame);
   if (!id) return std::nullopt;
-  if (id->pgn == nmea2000::gnss_position_pgn) return receive_part(*id, frame);
   if (is_transport(id->pgn)) return receive_packet(*id, frame);
-  if (!is_single_frame(id->pgn)) return std::nullopt;
-  return count_frame(counters_, frame, decode_single(*id, frame.payload()));
+  const ReadPgn* row = find_pgn(id->pgn);
+  if (row == nullptr || row->as == ReadPgn::As::transport) return std::nullopt;
+  if (row->as == ReadPgn::As::fast_packet) return receive_part(*id, frame);
+  return count_frame(counters_, frame, row->decode(*id, frame.payload()));
 }
 
 std::optional<Nmea2000::Message> Nmea2000::Decoder::receive_part(const j1939::Identifier& id,
@@ -54,8 +91,7 @@ std::optional<Nmea2000::Message> Nmea2000::Decoder::receive_part(const j1939::Id
   return whole ? receive_whole(whole->id, whole->data) : std::nullopt;
 }
 
-/// Any message may come through the transport protocol. Of the messages known here, only those too
-/// long for one frame do.
+/// Any message may come through the transport protocol.
 std::optional<Nmea2000::Message> Nmea2000::Decoder::receive_packet(const j1939::Identifier& id,
                                                                    const CanFrame& frame) {
   const auto whole = receive_transport(transport_, counters_, id, frame.payload());
@@ -64,14 +100,9 @@ std::optional<Nmea2000::Message> Nmea2000::Decoder::receive_packet(const j1939::
 
 std::optional<Nmea2000::Message> Nmea2000::Decoder::receive_whole(const j1939::Identifier& id,
                                                                   Bytes data) {
-  std::optional<Message> message;
-  if (id.pgn == nmea2000::gnss_position_pgn) {
-    message = nmea2000::decode_gnss_position(id.source, data);
-  } else if (id.pgn == j1939::commanded_address_pgn) {
-    message = j1939::decode_commanded_address(id, data);
-  } else {
-    return std::nullopt;
-  }
+  const ReadPgn* row = find_pgn(id.pgn);
+  if (row == nullptr) return std::nullopt;
+  auto message = row->decode(id, data);
   ++(message ? counters_.frames : counters_.bad_checksums);
   return message;
 }

@@ -5,8 +5,12 @@
 #include <variant>
 
 #include "drivers/wire/j1939/j1939_protocol.hpp"
+#include "drivers/wire/nmea2000/actuator_messages.hpp"
+#include "drivers/wire/nmea2000/depth_messages.hpp"
 #include "drivers/wire/nmea2000/fast_packet.hpp"
-#include "drivers/wire/nmea2000/nmea2000_messages.hpp"
+#include "drivers/wire/nmea2000/gnss_messages.hpp"
+#include "drivers/wire/nmea2000/speed_messages.hpp"
+#include "drivers/wire/nmea2000/vessel_messages.hpp"
 
 namespace drydock::wire {
 
@@ -14,9 +18,15 @@ namespace drydock::wire {
 /// the transport protocol.
 struct Nmea2000 {
   static constexpr std::string_view name = "nmea2000";
-  using Message = std::variant<nmea2000::Pressure, nmea2000::Temperature, nmea2000::WaterDepth,
-                               nmea2000::Rudder, nmea2000::Engine, nmea2000::GnssPosition,
-                               j1939::AddressClaimed, j1939::Request, j1939::CommandedAddress>;
+  using Message =
+      std::variant<nmea2000::Pressure, nmea2000::Temperature, nmea2000::WaterDepth,
+                   nmea2000::WaterAndAir, nmea2000::Environment, nmea2000::Rudder, nmea2000::Engine,
+                   nmea2000::HeadingControl, nmea2000::VesselHeading, nmea2000::RateOfTurn,
+                   nmea2000::Heave, nmea2000::Attitude, nmea2000::MagneticVariation,
+                   nmea2000::Speed, nmea2000::DistanceLog, nmea2000::SystemTime,
+                   nmea2000::RapidPosition, nmea2000::CourseAndSpeed, nmea2000::GnssPosition,
+                   nmea2000::Dilutions, nmea2000::SatellitesInView, j1939::AddressClaimed,
+                   j1939::Request, j1939::CommandedAddress>;
 
   class Decoder {
    public:

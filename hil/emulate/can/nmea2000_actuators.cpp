@@ -1,5 +1,4 @@
-#include "drivers/wire/nmea2000/nmea2000.hpp"
-#include "hil/emulate/can/j1939_device.hpp"
+#include "hil/emulate/can/nmea2000_name.hpp"
 #include "hil/emulate/devices.hpp"
 #include "hil/sensor/ideal.hpp"
 
@@ -7,19 +6,14 @@ namespace drydock::emulate {
 namespace {
 
 constexpr std::uint8_t preferred_address = 0x24;
-// NMEA 2000 class "steering and control surfaces", function "rudder"; industry group marine.
-constexpr std::uint8_t device_class = 40, rudder_function = 155, marine = 4;
-
-std::uint64_t name_value(const DeviceConfig& config) {
-  auto name = name_for(config, rudder_function, device_class);
-  name.industry_group = marine;
-  return to_value(name);
-}
+// NMEA 2000 class "steering and control surfaces", function "rudder".
+constexpr std::uint8_t device_class = 40, rudder_function = 155;
 
 class Nmea2000Actuators final : public J1939Device {
  public:
   explicit Nmea2000Actuators(const DeviceSetup& setup)
-      : J1939Device(setup, name_value(setup.config), preferred_address),
+      : J1939Device(setup, marine_name(setup.config, rudder_function, device_class),
+                    preferred_address),
         angle_errors_(setup.primary_errors()),
         shaft_errors_(setup.secondary_errors()),
         instance_(static_cast<std::uint8_t>(setup.config.instance.value_or(0))) {}

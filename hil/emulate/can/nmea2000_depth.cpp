@@ -1,8 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "drivers/wire/nmea2000/nmea2000.hpp"
-#include "hil/emulate/can/j1939_device.hpp"
+#include "hil/emulate/can/nmea2000_name.hpp"
 #include "hil/emulate/devices.hpp"
 #include "hil/sensor/ideal.hpp"
 
@@ -10,22 +9,17 @@ namespace drydock::emulate {
 namespace {
 
 constexpr std::uint8_t preferred_address = 0x23;
-// NMEA 2000 class "sensor communication interface", function "pressure"; industry group marine.
-constexpr std::uint8_t device_class = 75, pressure_function = 140, marine = 4;
+// NMEA 2000 class "sensor communication interface", function "pressure".
+constexpr std::uint8_t device_class = 75, pressure_function = 140;
 constexpr double echo_range_m = 200;
 constexpr double temperature_interval_s = 2, depth_interval_s = 1;  // from NMEA 2000
 constexpr unsigned sequences = 253;                                 // SIDs above 252 are reserved
 
-std::uint64_t name_value(const DeviceConfig& config) {
-  auto name = name_for(config, pressure_function, device_class);
-  name.industry_group = marine;
-  return to_value(name);
-}
-
 class Nmea2000Depth final : public J1939Device {
  public:
   explicit Nmea2000Depth(const DeviceSetup& setup)
-      : J1939Device(setup, name_value(setup.config), preferred_address),
+      : J1939Device(setup, marine_name(setup.config, pressure_function, device_class),
+                    preferred_address),
         errors_(setup.primary_errors()),
         instance_(static_cast<std::uint8_t>(setup.config.instance.value_or(0))) {}
 

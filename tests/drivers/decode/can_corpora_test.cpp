@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 
 #include <map>
+#include <set>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -14,10 +15,19 @@ namespace can_corpora_test {
 using namespace corpora;
 
 /// Our names for the NMEA 2000 messages, by the PGN that canboat's analyzer prints.
-const std::map<int, std::string> pgns{{128267, "water_depth"},    {130314, "pressure"},
-                                      {130312, "temperature"},    {127245, "rudder"},
-                                      {127488, "engine"},         {129029, "gnss_position"},
-                                      {60928, "address_claimed"}, {59904, "request"}};
+const std::map<int, std::string> pgns{{128267, "water_depth"},     {130314, "pressure"},
+                                      {130312, "temperature"},     {127245, "rudder"},
+                                      {127488, "engine"},          {129029, "gnss_position"},
+                                      {60928, "address_claimed"},  {59904, "request"},
+                                      {127237, "heading_control"}, {127250, "vessel_heading"},
+                                      {127251, "turn_rate"},    {127252, "heave"},
+                                      {127257, "attitude"},        {127258, "magnetic_variation"},
+                                      {128259, "speed"},           {128275, "distance_log"},
+                                      {129025, "rapid_position"},  {129026, "course_and_speed"},
+                                      {129539, "dilutions"},       {129540, "satellites_in_view"},
+                                      {130310, "water_and_air"},   {130311, "environment"},
+                                      {126992, "system_time"}};
+const std::set<int> fast_packets{127237, 128275, 129029, 129540};
 
 TEST_F(Corpora, Nmea2000MessagesAreThoseThatCanboatFinds) {
   Counts expected;
@@ -44,7 +54,7 @@ Counts scan_nmea2000(const std::string& log) {
   struct Assembly {
     int next = 0, missing = 0;
   };
-  std::map<std::pair<int, int>, Assembly> assemblies;
+  std::map<std::tuple<int, int, int>, Assembly> assemblies;
   Counts counts;
   std::istringstream lines(log);
   for (std::string line; std::getline(lines, line);) {
@@ -54,12 +64,12 @@ Counts scan_nmea2000(const std::string& log) {
     int pgn = static_cast<int>(id >> 8 & 0x3FFFF);
     if ((pgn >> 8 & 0xFF) < 240) pgn &= 0x3FF00;
     if (!pgns.contains(pgn)) continue;
-    if (pgn != 129029) {
+    if (!fast_packets.contains(pgn)) {
       ++counts[pgns.at(pgn)];
       continue;
     }
     const int first = std::stoi(line.substr(hash + 1, 2), nullptr, 16);
-    Assembly& assembly = assemblies[{static_cast<int>(id & 0xFF), first >> 5}];
+    Assembly& assembly = assemblies[{pgn, static_cast<int>(id & 0xFF), first >> 5}];
     if ((first & 31) == 0)
       assembly = {1, std::stoi(line.substr(hash + 3, 2), nullptr, 16) - 6};
     else if ((first & 31) == assembly.next)

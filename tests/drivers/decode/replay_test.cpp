@@ -93,8 +93,9 @@ TEST(Replay, WhatCannotBePlayedIsOneLine) {
   const TemporaryFile file(log);
   ReplayOptions options = options_for(file);
   options.kind.clear();
-  EXPECT_EQ(run_replay(options).err,
-            "replay: --kind says which sensor speaks nmea2000; allowed: depth, actuator\n");
+  EXPECT_EQ(
+      run_replay(options).err,
+      "replay: --kind says which sensor speaks nmea2000; allowed: emlog, gnss, depth, actuator\n");
   options.protocol = "morse";
   EXPECT_EQ(run_replay(options).err, "replay: no driver speaks \"morse\"\n");
   options = options_for(file);

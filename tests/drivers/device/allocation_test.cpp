@@ -161,6 +161,14 @@ TEST(Allocation, NoneByDepthAndActuatorDrivers) {
   EXPECT_EQ(allocations_of(Kind::depth, "nmea2000",
                            [&](Device& d, Stamp at) { d.receive(pressure, at); }),
             0U);
+  const auto speed = can_frame(0x09F50323, true, {0, 0x1B, 1, 0xFF, 0xFF, 4, 0xF0, 0xFF});
+  EXPECT_EQ(
+      allocations_of(Kind::emlog, "nmea2000", [&](Device& d, Stamp at) { d.receive(speed, at); }),
+      0U);
+  const auto place = can_frame(0x09F80126, true, {0x19, 0xEE, 0x81, 0x14, 0xE4, 0xC5, 0x98, 0x4F});
+  EXPECT_EQ(
+      allocations_of(Kind::gnss, "nmea2000", [&](Device& d, Stamp at) { d.receive(place, at); }),
+      0U);
   const auto value = can_frame(0x181, false, {0xA0, 0x86, 0x01, 0x00, 0x00});
   EXPECT_EQ(allocations_of(Kind::depth, "cia404-pressure",
                            [&](Device& d, Stamp at) { d.receive(value, at); }),

@@ -221,7 +221,7 @@ TEST(MakeDriver, UnknownCombinationSaysWhichExist) {
   ASSERT_FALSE(made);
   EXPECT_EQ(made.error().message,
             "no driver for kind \"gnss\" with protocol \"pd0\" over bytes; allowed: ubx (bytes) "
-            "nmea0183 (bytes) ubx+nmea0183 (bytes)");
+            "nmea0183 (bytes) ubx+nmea0183 (bytes) nmea2000 (CAN frames)");
   EXPECT_FALSE(make_frame_driver(options(Kind::depth, "pd0")));
 }
 

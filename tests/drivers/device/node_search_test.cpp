@@ -56,7 +56,8 @@ TEST_P(EachJ1939Driver, AsksWhenTheBusOpensAndEveryTenSecondsOfSilence) {
 INSTANTIATE_TEST_SUITE_P(Drivers, EachJ1939Driver,
                          testing::Values(Case{Kind::depth, "nmea2000"},
                                          Case{Kind::actuator, "nmea2000"},
-                                         Case{Kind::imu, "aceinna"}),
+                                         Case{Kind::gnss, "nmea2000"},
+                                         Case{Kind::emlog, "nmea2000"}, Case{Kind::imu, "aceinna"}),
                          testing::PrintToStringParamName());
 
 TEST(NodeSearch, ASensorThatIsHeardIsNotAskedFor) {

@@ -8,6 +8,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <span>
 #include <sstream>
 #include <string>
 #include <string_view>
@@ -72,6 +73,18 @@ nlohmann::json json_value(const std::optional<T>& value) {
   return value ? nlohmann::json(*value) : nlohmann::json(nullptr);
 }
 
+template <class Struct>
+nlohmann::json json_value(std::span<const Struct> values) {
+  nlohmann::json list = nlohmann::json::array();
+  for (const Struct& value : values) {
+    nlohmann::json& object = list.emplace_back();
+    visit_fields(value, [&](std::string_view key, const auto& member) {
+      object[std::string{key}] = json_value(member);
+    });
+  }
+  return list;
+}
+
 template <class Variant>
 nlohmann::json to_json(const Variant& message) {
   return std::visit(
@@ -94,6 +107,9 @@ inline void expect_fields(const nlohmann::json& expected, const nlohmann::json& 
       const double number = value.get<double>();
       EXPECT_NEAR(actual[key].get<double>(), number, 1e-9 * std::max(1.0, std::abs(number)))
           << key << " in " << actual;
+    } else if (value.is_array() && value.size() == actual[key].size() && !value.empty() &&
+               value[0].is_object()) {
+      for (std::size_t i = 0; i < value.size(); ++i) expect_fields(value[i], actual[key][i]);
     } else {
       EXPECT_EQ(actual[key], value) << key << " in " << actual;
     }

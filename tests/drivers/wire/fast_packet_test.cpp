@@ -185,7 +185,7 @@ TEST(FastPacket, RecombinesTheOrderedMessagesOfCanboatsTest) {
   // The last message is the retransmission. Its first frame was not joined to the old message (E5,
   // not E6).
   EXPECT_EQ(bench.messages.back().data[13], 0xE5);
-  const auto fix = nmea2000::decode_gnss_position(0, bench.messages[0].data).value();
+  const auto fix = nmea2000::decode<nmea2000::GnssPosition>(0, bench.messages[0].data).value();
   EXPECT_NEAR(degrees(*fix.latitude_rad), 42.4967684, 1e-7);
   EXPECT_NEAR(degrees(*fix.longitude_rad), -71.5836637, 1e-7);
   EXPECT_NEAR(*fix.altitude_m, 90.984603, 1e-6);

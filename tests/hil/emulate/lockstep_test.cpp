@@ -85,8 +85,9 @@ TEST(EmulatedDevices, AnUnknownCombinationIsRefusedWithWhatIsAllowed) {
   const auto trajectory = surfaced_turn();
   const auto made = make_emulated_device(device(DeviceKind::gnss, "pd0"), trajectory, 1);
   ASSERT_FALSE(made);
-  EXPECT_EQ(made.error().message,
-            "device \"pd0 device\": no emulated gnss speaks \"pd0\"; allowed: ubx, nmea0183");
+  EXPECT_EQ(
+      made.error().message,
+      "device \"pd0 device\": no emulated gnss speaks \"pd0\"; allowed: ubx, nmea0183, nmea2000");
 }
 
 struct HeardFrame {

@@ -11,9 +11,9 @@ namespace drydock::device {
 /// is a request for the NAMEs on the bus, when it opens or their sensor is silent.
 class Nmea2000Driver : public BusDriver<wire::Nmea2000> {
  public:
-  void restart(Stamp now, Output& out) final { search_.restart(now, out); }
-  void tick(Stamp now, Output& out) final { search_.tick(now, out); }
-  std::optional<Stamp> deadline() const final { return search_.deadline(); }
+  void restart(Stamp now, Output& out) override { search_.restart(now, out); }
+  void tick(Stamp now, Output& out) override { search_.tick(now, out); }
+  std::optional<Stamp> deadline() const override { return search_.deadline(); }
 
  protected:
   using BusDriver::BusDriver;

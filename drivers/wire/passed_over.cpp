@@ -1,0 +1,79 @@
+#include "drivers/wire/passed_over.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "drivers/wire/bytes.hpp"
+#include "drivers/wire/j1939/j1939.hpp"
+#include "drivers/wire/nmea2000/pgn_name.hpp"
+#include "drivers/wire/ubx/rtcm3.hpp"
+#include "drivers/wire/ubx/ubx_frame.hpp"
+
+namespace drydock::wire {
+namespace {
+
+struct UbxClass {
+  std::uint8_t number;
+  std::string_view name;
+};
+constexpr std::array ubx_classes{
+    UbxClass{0x01, "NAV"}, UbxClass{0x02, "RXM"}, UbxClass{0x04, "INF"}, UbxClass{0x05, "ACK"},
+    UbxClass{0x06, "CFG"}, UbxClass{0x09, "UPD"}, UbxClass{0x0A, "MON"}, UbxClass{0x0B, "AID"},
+    UbxClass{0x0D, "TIM"}, UbxClass{0x10, "ESF"}, UbxClass{0x13, "MGA"}, UbxClass{0x21, "LOG"},
+    UbxClass{0x27, "SEC"}, UbxClass{0x28, "HNR"}, UbxClass{0x29, "NAV2"}};
+
+std::string ubx_name(Bytes frame) {
+  const auto known = std::ranges::find(ubx_classes, frame[2], &UbxClass::number);
+  return known != ubx_classes.end() ? fmt::format("UBX {}-{:02X}", known->name, frame[3])
+                                    : fmt::format("UBX {:02X}-{:02X}", frame[2], frame[3]);
+}
+
+/// The type is the first 12 bits of the payload.
+std::string rtcm_name(Bytes frame) {
+  return fmt::format("RTCM {}", load_be<std::uint16_t>(frame, rtcm3::header_size) >> 4);
+}
+
+constexpr bool is_printed(std::uint8_t byte) { return byte > 0x20 && byte < 0x7F; }
+
+/// Up to a comma, a checksum or a byte that is not printed.
+std::string first_word(Bytes frame) {
+  constexpr std::size_t longest = 16;
+  std::string word;
+  for (const std::uint8_t byte : frame.first(std::min(frame.size(), longest))) {
+    if (!is_printed(byte) || byte == ',' || byte == '*') break;
+    word.push_back(static_cast<char>(byte));
+  }
+  return word;
+}
+
+std::string identifier_name(const CanFrame& frame) {
+  return frame.extended ? fmt::format("identifier {:08X}", frame.id)
+                        : fmt::format("identifier {:03X}", frame.id);
+}
+
+std::string pgn_text(std::uint32_t pgn) {
+  const std::string_view name = nmea2000::pgn_name(pgn);
+  return fmt::format("PGN {}{}{}", pgn, name.empty() ? "" : " ", name);
+}
+
+}  // namespace
+
+std::string frame_name(Bytes frame) {
+  if (frame.size() >= ubx::overhead && frame[0] == ubx::sync_1) return ubx_name(frame);
+  if (frame.size() > rtcm3::header_size + 1 && frame[0] == rtcm3::preamble) return rtcm_name(frame);
+  const std::string word = first_word(frame);
+  return word.size() > 1 ? word : fmt::format("frame of {} bytes", frame.size());
+}
+
+std::string frame_name(const CanFrame& frame, Network network) {
+  if (frame.error) return "error frame";
+  if (frame.remote) return "request for " + identifier_name(frame);
+  const auto id = j1939::identify(frame);
+  return id && network == Network::j1939 ? pgn_text(id->pgn) : identifier_name(frame);
+}
+
+std::string block_name(std::uint16_t id) { return fmt::format("block {:04X}", id); }
+
+}  // namespace drydock::wire

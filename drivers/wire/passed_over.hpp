@@ -1,0 +1,33 @@
+#pragma once
+
+#include <string>
+
+#include "drivers/wire/can/can_frame.hpp"
+#include "drivers/wire/codec.hpp"
+#include "drivers/wire/protocols.hpp"
+
+/// Names for what a codec passes over: valid frames that it does not read. For people, so these
+/// functions allocate; no driver calls them.
+namespace drydock::wire {
+
+/// By the frame's first bytes: "UBX MON-09" (class and id), "RTCM 1077", a line's first word such
+/// as
+/// "$GPGRS", otherwise "frame of 47 bytes".
+std::string frame_name(Bytes frame);
+
+/// On J1939 and NMEA 2000 "PGN 130306 wind", otherwise "identifier 185".
+std::string frame_name(const CanFrame& frame, Network network);
+
+/// "block 0A00", in hexadecimal.
+std::string block_name(std::uint16_t id);
+
+/// Calls `tell(name)` for each part of a valid frame that P does not read: the whole frame if it
+/// gave no message, or blocks inside of it if P can tell them.
+template <class P, class Tell>
+void tell_passed_over(Bytes frame, bool has_message, Tell&& tell) {
+  if (!has_message) tell(frame_name(frame));
+  const auto block = [&](std::uint16_t id) { tell(block_name(id)); };
+  if constexpr (requires { P::unread_blocks(frame, block); }) P::unread_blocks(frame, block);
+}
+
+}  // namespace drydock::wire

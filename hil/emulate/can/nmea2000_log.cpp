@@ -1,0 +1,65 @@
+#include <cmath>
+
+#include "hil/emulate/can/nmea2000_name.hpp"
+#include "hil/emulate/devices.hpp"
+#include "hil/sensor/ideal.hpp"
+
+namespace drydock::emulate {
+namespace {
+
+namespace n2k = wire::nmea2000;
+
+constexpr std::uint8_t log_address = 0x25;
+// NMEA 2000 class "navigation", function "speed".
+constexpr std::uint8_t navigation_class = 60, speed_function = 155;
+constexpr std::uint8_t log_sequences = 253;  // SIDs above 252 are reserved
+
+class Nmea2000Log final : public J1939Device {
+ public:
+  explicit Nmea2000Log(const DeviceSetup& setup)
+      : J1939Device(setup, marine_name(setup.config, speed_function, navigation_class),
+                    log_address),
+        errors_(setup.primary_errors()),
+        samples_per_second_(std::max<std::uint64_t>(1, std::llround(setup.config.rate_hz))) {}
+
+ private:
+  void report(Stamp at, std::uint8_t address, Wire& out) override {
+    const auto ideal = sensor::ideal_log(trajectory(), at, mounting());
+    const double along = errors_.apply({*ideal.longitudinal_mps, *ideal.transverse_mps, 0}, at).x();
+    distance_m_ += std::abs(along) / rate_hz();
+    send_speed(along, address, out);
+    if (reports_++ % samples_per_second_ == 0) send_distance(at, address, out);
+  }
+
+  void send_speed(double along_mps, std::uint8_t address, Wire& out) {
+    n2k::Speed speed;
+    speed.source = address;
+    speed.sequence = static_cast<std::uint8_t>(samples() % log_sequences);
+    speed.water_mps = std::abs(along_mps);
+    speed.sensor = n2k::Speed::electromagnetic;
+    speed.direction = along_mps < 0 ? n2k::Speed::reverse : n2k::Speed::forward;
+    out.send(encode(speed));
+  }
+
+  void send_distance(Stamp at, std::uint8_t address, Wire& out) {
+    n2k::DistanceLog log;
+    log.source = address;
+    log.utc_ns = device_time(at).time_since_epoch().count();
+    log.total_m = log.trip_m = distance_m_;
+    send_packet(log, packets_++, out);
+  }
+
+  sensor::ErrorModel errors_;
+  std::uint64_t samples_per_second_;
+  std::uint64_t reports_ = 0;
+  std::uint8_t packets_ = 0;
+  double distance_m_ = 0;  ///< since boot
+};
+
+}  // namespace
+
+DevicePtr make_nmea2000_log(const DeviceSetup& setup) {
+  return std::make_unique<Nmea2000Log>(setup);
+}
+
+}  // namespace drydock::emulate

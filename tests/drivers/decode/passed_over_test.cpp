@@ -1,0 +1,149 @@
+// What a codec passes over is named and counted at the end: valid frames and blocks of every
+// family.
+#include <gmock/gmock.h>
+
+#include <map>
+#include <numeric>
+#include <sstream>
+#include <string>
+
+#include "tests/drivers/decode/captured.hpp"
+#include "tests/drivers/decode/corpora.hpp"
+
+namespace drydock::decode {
+namespace passed_over_test {
+
+using corpora::Corpora;
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+using ::testing::Pair;
+
+/// The names and counts behind the line "passed over:".
+std::map<std::string, int> passed_over(const std::string& protocol, const std::string& bytes) {
+  const TemporaryFile file(bytes);
+  const Decoded decoded = run_decode({protocol, file.path(), true, false});
+  std::map<std::string, int> counts;
+  std::istringstream lines(
+      decoded.err.substr(std::min(decoded.err.size(), decoded.err.find("passed over:\n"))));
+  std::string line;
+  std::getline(lines, line);
+  while (std::getline(lines, line)) {
+    std::istringstream words(line);
+    int count = 0;
+    std::string name;
+    words >> count >> std::ws;
+    std::getline(words, name);
+    counts[name] = count;
+  }
+  return counts;
+}
+
+/// `$body*hh`, with the XOR of all characters between.
+std::string sentence(const std::string& body) {
+  const unsigned sum = std::accumulate(body.begin(), body.end(), 0U, [](unsigned x, char c) {
+    return x ^ static_cast<unsigned char>(c);
+  });
+  constexpr char digits[] = "0123456789ABCDEF";
+  return "$" + body + "*" + digits[sum >> 4] + digits[sum & 15] + "\r\n";
+}
+
+TEST(PassedOver, SentencesAreNamedByTheirAddress) {
+  EXPECT_THAT(
+      passed_over("nmea0183", sentence("GPHDT,10.5,T") + sentence("IIMWV,1,R,2,N,A") +
+                                  sentence("IIMWV,1,R,2,N,A") + sentence("PGRME,1,M,2,M,3,M")),
+      ElementsAre(Pair("$IIMWV", 2), Pair("$PGRME", 1)));
+  EXPECT_THAT(passed_over("nortek", sentence("PNORS4,23.6,1530.2,0.0,0.0,0.0,0.000,23.30")),
+              ElementsAre(Pair("$PNORS4", 1)));
+}
+
+/// Class, id, length, payload and the two sums of u-blox's manual.
+std::string ubx(unsigned char number, unsigned char id, const std::string& payload) {
+  std::string checked{char(number), char(id), char(payload.size()), '\0'};
+  checked += payload;
+  unsigned char a = 0, b = 0;
+  for (const char c : checked)
+    b = static_cast<unsigned char>(b + (a = static_cast<unsigned char>(a + c)));
+  return "\xB5\x62" + checked + char(a) + char(b);
+}
+
+TEST(PassedOver, UbxMessagesAreNamedByClassAndId) {
+  const std::string stream =
+      ubx(0x0A, 0x09, "1234") + ubx(0x77, 0x01, "") + ubx(0x0A, 0x09, "5678");
+  EXPECT_THAT(passed_over("ubx", stream), ElementsAre(Pair("UBX 77-01", 1), Pair("UBX MON-09", 2)));
+}
+
+TEST(PassedOver, ALineOfUbxAndNmeaNamesBoth) {
+  EXPECT_THAT(passed_over("ubx+nmea0183", ubx(0x0A, 0x09, "") + sentence("GNGRS,1")),
+              ElementsAre(Pair("$GNGRS", 1), Pair("UBX MON-09", 1)));
+}
+
+/// 7F 7F, length, number of data types, their offsets, the data types, the sum of all bytes.
+std::string pd0(const std::vector<std::string>& blocks) {
+  const auto put = [](std::string& to, std::size_t value) {
+    to += char(value & 0xFF);
+    to += char(value >> 8);
+  };
+  std::string table, data;
+  for (const std::string& block : blocks) {
+    put(table, 6 + 2 * blocks.size() + data.size());
+    data += block;
+  }
+  std::string frame = "\x7F\x7F";
+  put(frame, 6 + table.size() + data.size());
+  frame += '\0';
+  frame += char(blocks.size());
+  frame += table + data;
+  std::size_t sum = 0;
+  for (const char c : frame) sum += static_cast<unsigned char>(c);
+  put(frame, sum & 0xFFFF);
+  return frame;
+}
+
+TEST(PassedOver, DataTypesOfAnEnsembleAreNamedByTheirId) {
+  const std::string ensemble = pd0({std::string("\x00\x01", 2) + std::string(30, 'v'),
+                                    std::string("\x00\x30", 2) + std::string(10, 'a')});
+  EXPECT_THAT(
+      passed_over("pd0", ensemble + ensemble),
+      ElementsAre(Pair("block 0100", 2), Pair("block 3000", 2), Pair("frame of 56 bytes", 2)));
+}
+
+TEST(PassedOver, PgnsAreNamedWithNumberAndSubject) {
+  const std::string log =
+      "(1.0) can0 09FD0223#FF1B010CFFFAFFFF\n"  // 130306
+      "(1.1) can0 18FF5123#0102030405060708\n"  // 65361
+      "(1.2) can0 0DFD5A23#0102030405060708\n"  // 130394, of which nothing is known here
+      "(1.3) can0 09F11223#FF4BEDFF7FFF7FFD\n"  // 127250 is read
+      "(1.4) can0 123#01\n";
+  EXPECT_THAT(passed_over("nmea2000", log),
+              ElementsAre(Pair("PGN 130306 wind", 1), Pair("PGN 130394", 1),
+                          Pair("PGN 65361 proprietary", 1), Pair("identifier 123", 1)));
+  EXPECT_THAT(passed_over("aceinna", log),
+              ElementsAre(Pair("PGN 127250", 1), Pair("PGN 130306 wind", 1), Pair("PGN 130394", 1),
+                          Pair("PGN 65361 proprietary", 1), Pair("identifier 123", 1)));
+}
+
+TEST(PassedOver, FramesOfOtherNetworksAreNamedByIdentifier) {
+  const std::string log = "(1.0) can0 7E5#\n(1.1) can0 20000004#0004\n(1.2) can0 199#R8\n";
+  EXPECT_THAT(passed_over("cia404-pressure", log),
+              ElementsAre(Pair("error frame", 1), Pair("identifier 7E5", 1),
+                          Pair("request for identifier 199", 1)));
+  EXPECT_THAT(passed_over("xsens", "(1.0) can0 7E5#00\n"), ElementsAre(Pair("identifier 7E5", 1)));
+}
+
+TEST(PassedOver, WithoutAnythingNothingIsSaid) {
+  EXPECT_THAT(passed_over("can", "(1.0) can0 123#01\n"), IsEmpty());
+  EXPECT_THAT(passed_over("nmea0183", sentence("GPHDT,10.5,T")), IsEmpty());
+}
+
+TEST_F(Corpora, WhatIsPassedOverOfARealBusIsTheRestOfWhatCanboatNames) {
+  const std::string log = read_file(root_ / "n2k/canboat/samples/candumpSample3.txt");
+  const auto counts = passed_over("nmea2000", log);
+  // Single frames of canboat's expected messages of these PGNs.
+  EXPECT_EQ(counts.at("PGN 65359 proprietary"), 174);
+  EXPECT_EQ(counts.at("PGN 130306 wind"), 18);
+  EXPECT_EQ(counts.at("PGN 65379 proprietary"), 17);
+  EXPECT_EQ(counts.count("PGN 127250"), 0U);
+}
+
+}  // namespace passed_over_test
+}  // namespace drydock::decode
