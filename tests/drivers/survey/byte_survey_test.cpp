@@ -83,7 +83,8 @@ INSTANTIATE_TEST_SUITE_P(
                     Golden{"pd5", "pd5/golden.pd5"}, Golden{"pd6", "pd6/golden.pd6"},
                     Golden{"water-linked", "water-linked/golden.txt"},
                     Golden{"nortek", "nortek/golden.nmea"},
-                    Golden{"nortek-ad2cp", "nortek-ad2cp/golden.nortek-ad2cp"}),
+                    Golden{"nortek-ad2cp", "nortek-ad2cp/golden.nortek-ad2cp"},
+                    Golden{"wayfinder", "wayfinder/golden.wayfinder"}),
     [](const auto& golden) {
       std::string name = golden.param.protocol;
       std::erase(name, '-');
