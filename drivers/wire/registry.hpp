@@ -21,6 +21,7 @@
 #include "drivers/wire/dvl/pd6.hpp"
 #include "drivers/wire/dvl/water_linked.hpp"
 #include "drivers/wire/dvl/water_linked_json.hpp"
+#include "drivers/wire/dvl/wayfinder.hpp"
 #include "drivers/wire/j1939/aceinna.hpp"
 #include "drivers/wire/j1939/j1939_protocol.hpp"
 #include "drivers/wire/j1939/mv5.hpp"
@@ -98,6 +99,7 @@ inline constexpr std::tuple byte_protocols{
                         .checksum = "two 16-bit sums",
                         .clock = DeviceClock::yes,
                         .settings = Settings::refusable}),
+    bytes<Wayfinder>({.checksum = "16-bit sum", .clock = DeviceClock::yes}),
 };
 
 inline constexpr std::tuple frame_protocols{

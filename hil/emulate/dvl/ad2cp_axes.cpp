@@ -32,27 +32,31 @@ void set_axis(std::size_t axis, const Weights& w, const Estimates& beams, Estima
   axes.figure_of_merit_mps[axis] = std::sqrt(variance);
 }
 
+/// Of X, Y, Z1 and Z2.
+std::array<Weights, 4> weights_of_axes(double beam_angle_rad) {
+  const double k = 1 / (2 * std::numbers::sqrt2 * std::sin(beam_angle_rad));
+  const double z = 1 / (2 * std::cos(beam_angle_rad));
+  return {Weights{k, k, -k, -k}, {k, -k, -k, k}, {z, 0, z, 0}, {0, z, 0, z}};
+}
+
+void give_up_beam(std::size_t lost, std::array<Weights, 4>& axes) {
+  axes[0] = without(lost, axes[0]);
+  axes[1] = without(lost, axes[1]);
+  if (lost % 2 == 0) axes[2] = axes[3];
+}
+
 }  // namespace
 
 void set_axes(const Estimates& beams, double beam_angle_rad, Estimates& axes) {
-  const double k = 1 / (2 * std::numbers::sqrt2 * std::sin(beam_angle_rad));
-  const double z = 1 / (2 * std::cos(beam_angle_rad));
-  const Weights x{k, k, -k, -k}, y{k, -k, -k, k}, first_pair{z, 0, z, 0}, second_pair{0, z, 0, z};
   const auto none = [](const auto& velocity) { return !velocity; };
   const auto& found = beams.velocity_mps;
   const auto lost_beams = std::ranges::count_if(found, none);
   if (lost_beams > 1) return;
-  if (lost_beams == 0) {
-    set_axis(0, x, beams, axes);
-    set_axis(1, y, beams, axes);
-    set_axis(2, first_pair, beams, axes);
-    set_axis(3, second_pair, beams, axes);
-    return;
-  }
+  auto weights = weights_of_axes(beam_angle_rad);
   const auto lost = static_cast<std::size_t>(std::ranges::find_if(found, none) - found.begin());
-  set_axis(0, without(lost, x), beams, axes);
-  set_axis(1, without(lost, y), beams, axes);
-  set_axis(2, lost % 2 == 0 ? second_pair : first_pair, beams, axes);
+  if (lost_beams == 1) give_up_beam(lost, weights);
+  for (std::size_t axis = 0; axis < (lost_beams == 0 ? 4U : 3U); ++axis)
+    set_axis(axis, weights[axis], beams, axes);
 }
 
 }  // namespace drydock::emulate

@@ -92,8 +92,7 @@ class NortekAd2cpDvl final : public DvlDevice {
   template <class Record>
   void send(Record& record, const sensor::DvlPing& measured, Wire& out) {
     set_merits_and_times(record);
-    if (std::ranges::count_if(record.beams.velocity_mps, &std::optional<double>::has_value) >=
-        head().fewest_beams)
+    if (found_beams(record) >= head().fewest_beams)
       set_axes(record.beams, head().beam_angle_rad, record.axes);
     set_times_of_axes(record);
     set_front(measured, record);
@@ -124,6 +123,10 @@ class NortekAd2cpDvl final : public DvlDevice {
     }
   }
 
+  static int found_beams(const Track& track) {
+    return static_cast<int>(std::ranges::count_if(track.beams.velocity_mps,
+                                                  [](const auto& v) { return v.has_value(); }));
+  }
   static double mean_distance_m(const Track& track) {
     double sum = 0;
     int found = 0;

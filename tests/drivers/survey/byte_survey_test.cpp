@@ -84,7 +84,8 @@ INSTANTIATE_TEST_SUITE_P(
                     Golden{"water-linked", "water-linked/golden.txt"},
                     Golden{"water-linked-json", "water-linked-json/golden.jsonl"},
                     Golden{"nortek", "nortek/golden.nmea"},
-                    Golden{"nortek-ad2cp", "nortek-ad2cp/golden.nortek-ad2cp"}),
+                    Golden{"nortek-ad2cp", "nortek-ad2cp/golden.nortek-ad2cp"},
+                    Golden{"wayfinder", "wayfinder/golden.wayfinder"}),
     [](const auto& golden) {
       std::string name = golden.param.protocol;
       std::erase(name, '-');

@@ -104,6 +104,14 @@ struct Golden<NortekAd2cp> {
   static constexpr std::size_t inside = 20;
 };
 
+template <>
+struct Golden<Wayfinder> {
+  static Buffer stream() { return fixture("wayfinder/golden.wayfinder"); }
+  static constexpr std::size_t frames = 7, messages = 7;
+  static Buffer false_sync() { return {0xAA, 0x10, 0x01, 0x62, 0x00, 0x02}; }
+  static constexpr std::size_t inside = 20;
+};
+
 /// The checksums again, written from the documents and not from the scanners.
 bool sound_sentence(Bytes frame) {
   const std::string_view text = as_text(frame);
@@ -203,6 +211,8 @@ bool sound(Bytes frame) {
   const std::size_t n = frame.size() - 2;
   const unsigned sum = std::accumulate(frame.begin(), frame.end() - 2, 0u);
   if (frame[n] + 256u * frame[n + 1] != sum % 65536) return false;
+  if constexpr (std::is_same_v<P, Wayfinder>)
+    return frame[0] == 0xAA && frame[3] + 256u * frame[4] == frame.size();
   if constexpr (std::is_same_v<P, Pd0>) return frame[0] == 0x7F && frame[1] == 0x7F;
   return frame[0] == 0x7D && frame[2] + 256u * frame[3] == n;
 }

@@ -157,6 +157,21 @@ TEST(DvlPing, ErrorVelocityIsTheDisagreementOfThePairs) {
   EXPECT_NEAR((*sample.velocity - Vector3d(2, 0.3, -0.1)).norm(), 0, 1e-12);
 }
 
+TEST(DvlPing, TurnedBeamsLookBetweenTheAxesAndGiveTheSameVelocity) {
+  const JanusHead head{.turn_rad = 45 * degree};
+  const auto beams = beam_directions(head);
+  const double s = std::sin(30 * degree) * std::sqrt(0.5);
+  EXPECT_NEAR((beams[0] - Vector3d(s, -s, c30)).norm(), 0, 1e-12);   // port to port bow
+  EXPECT_NEAR((beams[1] - Vector3d(-s, s, c30)).norm(), 0, 1e-12);   // starboard quarter
+  EXPECT_NEAR((beams[2] - Vector3d(s, s, c30)).norm(), 0, 1e-12);    // starboard bow
+  EXPECT_NEAR((beams[3] - Vector3d(-s, -s, c30)).norm(), 0, 1e-12);  // port quarter
+  const auto sample = ping(tilted(level(), 5, 10), head);
+  EXPECT_NEAR((*sample.velocity - Vector3d(2, 0.3, -0.1)).norm(), 0, 1e-12);
+  EXPECT_NEAR(*sample.altitude_m, 50, 1e-9);
+  // 2 s + 0.3 s - 0.1 cos 30 along the beam to the starboard bow.
+  EXPECT_NEAR(*sample.beams[2].velocity_mps, 2.3 * s - 0.1 * c30, 1e-12);
+}
+
 TEST(WaterTrack, MeasuresAgainstTheMeanCurrentOfItsLayer) {
   OceanConfig ocean;
   ocean.bed.depth_m = 60;
