@@ -8,8 +8,9 @@ namespace drydock::device {
 
 /// Speed log on NMEA 2000. PGN 128259 gives the speed along the log, PGN 128275 the distance, as
 /// separate measurements. The speed on the wire has no sign: direction 1 makes it negative, any
-/// other keeps it. Only values against the water are published, never the speed over ground.
-/// Consecutive frames of one log were all true before the first was sent.
+/// other keeps it. A speed over 50 m/s is refused. Only values against the water are published,
+/// never the speed over ground. Consecutive frames of one log were all true before the first was
+/// sent.
 class Nmea2000LogDriver final : public Nmea2000Driver {
  public:
   explicit Nmea2000LogDriver(const DriverOptions& options);

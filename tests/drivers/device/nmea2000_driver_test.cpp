@@ -68,6 +68,14 @@ TEST(Nmea2000Log, TheGroundSpeedNeverComesOutAndAMissingSpeedIsNoNumber) {
   EXPECT_FALSE(speeds[0].longitudinal_mps);
 }
 
+TEST(Nmea2000Log, ASpeedThatNoLogMeasuresIsRefused) {
+  Bus bus(Kind::emlog);
+  bus.says(speed_id, {0, 0x88, 0x13, 0xFF, 0xFF, 4, 0xF0, 0xFF});  // 50.00 m/s
+  bus.says(speed_id, {1, 0x89, 0x13, 0xFF, 0xFF, 4, 0xF0, 0xFF});  // 50.01 m/s
+  EXPECT_EQ(bus.ear.all<WaterSpeed>().size(), 1U);
+  EXPECT_EQ(bus.ear.refusals.size(), 1U);
+}
+
 TEST(Nmea2000Log, TheDistanceIsTheTotalInMetres) {
   Bus bus(Kind::emlog);
   Octets log(14, 0xFF);

@@ -80,6 +80,22 @@ TEST(BusSurvey, ATransmittersPressureIsFoundByFramesOfFourOrFiveBytes) {
   EXPECT_NEAR(*nodes.at(0).sensors.at(0).rate_hz, 10, 1e-9);
 }
 
+TEST(BusSurvey, ASpeedLogAndAReceiverOfOneBusAreFoundByWhatTheySend) {
+  BusSurvey survey;  // frames of real buses in canboat's samples: 2.83 m/s; 34.4 N 133.5 E
+  for (int i = 0; i < 10; ++i) {
+    const Stamp at = Stamp{} + std::chrono::milliseconds{200} * i;
+    survey.receive(frame(0x09F50323, {0xFF, 0x1B, 0x01, 0xFF, 0xFF, 0x00, 0xFF, 0xFF}, true), at);
+    survey.receive(frame(0x09F80134, {0x19, 0xEE, 0x81, 0x14, 0xE4, 0xC5, 0x98, 0x4F}, true), at);
+  }
+  const auto nodes = survey.nodes();
+  ASSERT_EQ(nodes.size(), 2U);
+  ASSERT_EQ(nodes[0].sensors.size(), 1U);
+  ASSERT_EQ(nodes[1].sensors.size(), 1U);
+  EXPECT_EQ(nodes[0].sensors[0].kind, device::Kind::emlog);
+  EXPECT_EQ(nodes[1].sensors[0].kind, device::Kind::gnss);
+  EXPECT_EQ(nodes[1].confidence, Confidence::certain);
+}
+
 TEST(BusSurvey, APressureThatNoSeaHasIsNone) {
   BusSurvey survey;
   for (int i = 0; i < 10; ++i)
