@@ -158,6 +158,12 @@ TEST(DescriptionProblems, AFileBesideTheRigComesBeforeThatOfTheProgramAndIsOneOf
   ASSERT_TRUE(loaded);
   EXPECT_EQ(loaded->devices[0].description->plan.messages[0].name, "MINE");
   EXPECT_EQ(loaded->files, (std::vector{path, (folder / "valeport-vat.toml").string()}));
+  fs::create_directories(folder / "mine");
+  fs::copy_file(folder / "valeport-vat.toml", folder / "mine" / "toy.toml",
+                fs::copy_options::overwrite_existing);
+  auto below = rig;
+  below.replace(below.find("valeport-vat"), 12, "mine/toy");
+  EXPECT_TRUE(rig_config::load_rig_text(below, path)) << "a path below the rig's folder";
   std::ofstream(folder / "valeport-vat.toml") << head << "order = \"up\"\n";
   const auto wrong = rig_config::load_rig_text(rig, path);
   ASSERT_FALSE(wrong);
