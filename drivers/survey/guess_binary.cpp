@@ -142,7 +142,8 @@ std::optional<std::string> number_at(const Frames& frames, std::size_t at, std::
     }
     if (at + 2 > end) continue;
     const Range range = range_of(frames, [&](Bytes f) {
-      return static_cast<double>(big ? wire::load_be<std::int16_t>(f, at) : wire::load_le<std::int16_t>(f, at));
+      return static_cast<double>(big ? wire::load_be<std::int16_t>(f, at)
+                                     : wire::load_le<std::int16_t>(f, at));
     });
     size = 2;
     if (is_smooth(range) && range.high - range.low > 255) return text("i16", range);

@@ -29,18 +29,24 @@ wire::Protocol facts_of(const described::Description& description) {
   return facts;
 }
 
-}  // namespace
-
-Loaded<DescriptionPtr> load_description_text(std::string_view text, const std::string& path) {
+/// `name`: as a rig calls it.
+Loaded<DescriptionPtr> load_named(std::string_view text, const std::string& path,
+                                  const std::string& name) {
   const auto root = read_checked(text, path, FileKind::device);
   if (!root) return root.error();
   Problems problems;
   auto description =
       std::make_shared<described::Description>(read_description(*root, path, problems));
   if (!problems.empty()) return problems;
-  description->name = std::filesystem::path(path).filename().string();
+  description->name = name;
   description->facts = facts_of(*description);
   return DescriptionPtr(std::move(description));
+}
+
+}  // namespace
+
+Loaded<DescriptionPtr> load_description_text(std::string_view text, const std::string& path) {
+  return load_named(text, path, std::filesystem::path(path).filename().string());
 }
 
 Loaded<DescriptionPtr> load_description(const std::string& path) {
@@ -51,7 +57,10 @@ Loaded<DescriptionPtr> load_description(const std::string& path) {
 Loaded<DescriptionPtr> find_description(const std::string& name, const std::string& near) {
   const std::string path = beside(near, name);
   std::error_code error;
-  if (std::filesystem::exists(path, error)) return load_description(path);
+  if (std::filesystem::exists(path, error)) {
+    const auto text = read_file(path);
+    return text ? load_named(*text, path, name) : Loaded<DescriptionPtr>(text.error());
+  }
   for (const auto& [built_in, text] : built_in_descriptions())
     if (built_in == name) return load_description_text(text, "rig_config/devices/" + name);
   std::string names;

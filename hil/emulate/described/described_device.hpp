@@ -66,8 +66,13 @@ class DescribedDevice : public Base {
     measure(at, readings_);
     add_times(at);
     for (const Message& message : description_->plan.messages)
-      if (is_polled() ? message.name == *asked_.front().reply : message.emulated)
-        send(message, out);
+      if (is_wanted(message)) send(message, out);
+  }
+
+  /// A poll that names no reply is answered with all that the device measures.
+  bool is_wanted(const Message& message) const {
+    if (!is_polled() || asked_.front().reply->empty()) return message.emulated;
+    return message.name == *asked_.front().reply;
   }
 
   void add_times(Stamp at) {

@@ -1,5 +1,8 @@
 #include <gmock/gmock.h>
 
+#include <filesystem>
+#include <fstream>
+
 #include "rig_config/device_description/units.hpp"
 #include "tests/drivers/described/support.hpp"
 
@@ -135,6 +138,50 @@ TEST(DescriptionProblems, ARigNamesADescriptionAndItsFactsDecide) {
   EXPECT_THAT(rig("valeport-vat.toml",
                   "[[fault]]\ndevice = \"vat\"\nfault = \"clock-step\"\nseconds = 1\n"),
               HasSubstr("no time of its own clock"));
+}
+
+TEST(DescriptionProblems, AFileBesideTheRigComesBeforeThatOfTheProgramAndIsOneOfItsFiles) {
+  namespace fs = std::filesystem;
+  const fs::path folder = fs::path(::testing::TempDir()) / "described-beside";
+  fs::create_directories(folder);
+  const auto path = (folder / "r.toml").string();
+  const std::string rig =
+      "[rig]\nname = \"r\"\n[[device]]\nname = \"vat\"\nkind = \"depth\"\n"
+      "protocol = \"valeport-vat.toml\"\nlink = \"pty:vat\"\n";
+  fs::remove(folder / "valeport-vat.toml");
+  EXPECT_EQ(rig_config::load_rig_text(rig, path)->files, std::vector{path});
+  std::ofstream(folder / "valeport-vat.toml")
+      << head
+      << "[[protocol.sentences]]\nid = \"$MINE\"\nfields = [{field = \"depth_m\", unit = "
+         "\"m\"}]\n";
+  const auto loaded = rig_config::load_rig_text(rig, path);
+  ASSERT_TRUE(loaded);
+  EXPECT_EQ(loaded->devices[0].description->plan.messages[0].name, "MINE");
+  EXPECT_EQ(loaded->files, (std::vector{path, (folder / "valeport-vat.toml").string()}));
+  fs::create_directories(folder / "mine");
+  fs::copy_file(folder / "valeport-vat.toml", folder / "mine" / "toy.toml",
+                fs::copy_options::overwrite_existing);
+  auto below = rig;
+  below.replace(below.find("valeport-vat"), 12, "mine/toy");
+  EXPECT_TRUE(rig_config::load_rig_text(below, path)) << "a path below the rig's folder";
+  std::ofstream(folder / "valeport-vat.toml") << head << "order = \"up\"\n";
+  const auto wrong = rig_config::load_rig_text(rig, path);
+  ASSERT_FALSE(wrong);
+  EXPECT_THAT(to_string(wrong.error().front()),
+              HasSubstr("valeport-vat.toml:5:9: /protocol/order: \"up\" is not allowed"));
+}
+
+TEST(DescriptionProblems, ThePageNamesEveryUnitAndEveryField) {
+  std::ifstream in(DRYDOCK_SOURCE_DIR "/docs/sensors/described.md");
+  const std::string page{std::istreambuf_iterator<char>(in), {}};
+  for (const auto& unit : rig_config::wire_units)
+    EXPECT_NE(page.find("`" + std::string(unit.name) + "`"), page.npos) << unit.name;
+  for (const auto& row : wire::described::target_rows) {
+    if (row.name.starts_with("covariance") || row.name.starts_with("range_")) continue;
+    EXPECT_NE(page.find("`" + std::string(row.name) + "`"), page.npos) << row.name;
+  }
+  for (const auto& [name, text] : rig_config::built_in_descriptions())
+    EXPECT_NE(page.find("| `" + std::string(name) + "` |"), page.npos) << name;
 }
 
 TEST(DescriptionProblems, UnitsHaveTheirValuesOfSi) {
