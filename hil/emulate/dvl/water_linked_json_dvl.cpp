@@ -6,6 +6,7 @@
 #include <string>
 
 #include "drivers/measurement/earlier.hpp"
+#include "drivers/wire/text_fields.hpp"
 #include "hil/emulate/devices.hpp"
 #include "hil/emulate/dvl/a50.hpp"
 #include "hil/emulate/dvl/dvl_device.hpp"

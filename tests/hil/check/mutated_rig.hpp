@@ -121,7 +121,8 @@ inline std::string some_link(bool frames) {
 
 inline const std::vector<std::pair<std::string, Texts>>& kinds() {
   static const std::vector<std::pair<std::string, Texts>> all{
-      {"dvl", {"pd0", "pd4", "pd5", "pd6", "water-linked", "nortek", "nortek-ad2cp"}},
+      {"dvl",
+       {"pd0", "pd4", "pd5", "pd6", "water-linked", "water-linked-json", "nortek", "nortek-ad2cp"}},
       {"emlog", {"nmea0183"}},
       {"gnss", {"ubx", "nmea0183", "ubx+nmea0183"}},
       {"imu", {"aceinna", "cia404-imu", "epson-g550", "epson-g552", "xsens"}},
@@ -158,6 +159,7 @@ inline Key some_device_key(const std::string& kind, const std::string& protocol)
   if (protocol == "\"cia404-pressure\"")
     often("pressure", "{ format = \"real32\", unit = \"psi\", decimals = " + n + " }");
   if (protocol == "\"water-linked\"") often("water_linked", "{ sound_speed_mps = 15" + n + " }");
+  if (protocol == "\"water-linked-json\"") often("water_linked", "{ range_mode = \"=" + n + "\" }");
   if (protocol == "\"pd4\"") often("beam_angle_deg", n);
   if (protocol == "\"cia404-imu\"") often("sync", "true"), often("heartbeat_timeout_s", n);
   if (kind == "\"imu\"") keys.emplace_back("output", "\"mean\"");
