@@ -15,6 +15,7 @@
 #include "drivers/device/imu/aceinna_imu_driver.hpp"
 #include "drivers/device/imu/cia404_imu_driver.hpp"
 #include "drivers/device/imu/mv5_imu_driver.hpp"
+#include "drivers/device/imu/sbg_imu_driver.hpp"
 #include "drivers/device/imu/xsens_imu_driver.hpp"
 #include "drivers/device/vessel/actuator_driver.hpp"
 #include "drivers/device/vessel/cia404_pressure_driver.hpp"
@@ -73,6 +74,7 @@ constexpr std::array rows{
     frame_row<Cia404ImuDriver<wire::EpsonG550>>(Kind::imu, wire::EpsonG550::name),
     frame_row<Cia404ImuDriver<wire::EpsonG552>>(Kind::imu, wire::EpsonG552::name),
     frame_row<XsensImuDriver>(Kind::imu, wire::Xsens::name),
+    frame_row<SbgImuDriver>(Kind::imu, wire::Sbg::name),
     frame_row<DepthDriver>(Kind::depth, wire::Nmea2000::name),
     frame_row<Cia404PressureDriver>(Kind::depth, wire::Cia404Pressure::name),
     frame_row<ActuatorDriver>(Kind::actuator, wire::Nmea2000::name),

@@ -16,12 +16,14 @@ namespace {
 using wire::CanFrame;
 
 constexpr std::uint32_t last_canopen_id = 0x77F, node_bits = 0x7F;
+constexpr unsigned function_shift = 7, time_function = 2;
 
 /// The predefined connection set of CiA 301 gives every node identifiers function << 7 | node.
-/// Lower identifiers are broadcasts and Xsens's messages.
+/// Lower identifiers are broadcasts and Xsens's messages. Function 2 is the broadcast 100h alone:
+/// the others of its identifiers are SBG's.
 bool is_canopen(const CanFrame& frame) {
   return !frame.extended && frame.id > wire::canopen::sync_id && frame.id <= last_canopen_id &&
-         (frame.id & node_bits) != 0;
+         (frame.id & node_bits) != 0 && frame.id >> function_shift != time_function;
 }
 
 std::pair<NodeKind, std::uint8_t> sender(const CanFrame& frame) {

@@ -8,6 +8,7 @@
 
 #include "drivers/wire/can/frame_protocol.hpp"
 #include "drivers/wire/can/raw_can.hpp"
+#include "drivers/wire/can/sbg.hpp"
 #include "drivers/wire/can/slcan.hpp"
 #include "drivers/wire/can/xsens.hpp"
 #include "drivers/wire/canopen/cia404_imu.hpp"
@@ -117,6 +118,8 @@ inline constexpr std::tuple frame_protocols{
     frames<EpsonG552>(
         {.kinds = Kind::imu, .settings = Settings::refusable, .network = Network::canopen}),
     frames<Xsens>(
+        {.kinds = Kind::imu, .clock = DeviceClock::yes, .place = Place::under_any_identifier}),
+    frames<Sbg>(
         {.kinds = Kind::imu, .clock = DeviceClock::yes, .place = Place::under_any_identifier}),
     frames<J1939>({.network = Network::j1939}),
 };

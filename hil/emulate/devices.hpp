@@ -62,6 +62,9 @@ DevicePtr make_epson_g552(const DeviceSetup& setup);
 /// SampleTime, GroupCounter, StatusWord, RateOfTurn, Acceleration back to back per sample.
 DevicePtr make_xsens_imu(const DeviceSetup& setup);
 
+/// Time, acceleration, rate back to back per sample.
+DevicePtr make_sbg_imu(const DeviceSetup& setup);
+
 /// Address claim at boot, then 130314 (water pressure), 130312 (sea temperature) and 128267 (bed
 /// below the transducer) per sample, with a common SID.
 DevicePtr make_nmea2000_depth(const DeviceSetup& setup);
@@ -108,6 +111,7 @@ inline constexpr auto device_rows = std::to_array<DeviceRow>({
     {DeviceKind::imu, "epson-g550", make_epson_g550},
     {DeviceKind::imu, "epson-g552", make_epson_g552},
     {DeviceKind::imu, "xsens", make_xsens_imu},
+    {DeviceKind::imu, "sbg", make_sbg_imu},
     {DeviceKind::depth, "nmea2000", make_nmea2000_depth},
     {DeviceKind::depth, "cia404-pressure", make_cia404_pressure},
     {DeviceKind::actuator, "nmea2000", make_nmea2000_actuators},

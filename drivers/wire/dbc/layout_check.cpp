@@ -50,6 +50,7 @@ void check_layout(const Message& message, Remarks& remarks) {
       const Signal& a = message.signals[i];
       if (!print.meets(prints[i]) || !may_stand_together(message, a, b)) continue;
       remarks.warn(b.at, "signal " + b.name + " shares bits with " + a.name);
+      break;  // one is enough to look at the signal
     }
     prints.push_back(print);
   }

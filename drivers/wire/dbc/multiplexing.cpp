@@ -88,6 +88,7 @@ std::size_t depth(const Message& message, const Signal& signal) {
 void put_selectors_first(Message& message) {
   std::vector<std::size_t> order(message.signals.size()), depths, place(order.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
+  depths.reserve(order.size());
   for (const Signal& signal : message.signals) depths.push_back(depth(message, signal));
   std::ranges::stable_sort(order, {}, [&](std::size_t i) { return depths[i]; });
   for (std::size_t i = 0; i < order.size(); ++i) place[order[i]] = i;

@@ -11,7 +11,7 @@ namespace drydock::wire::dbc {
 namespace {
 
 std::int64_t sign_extended(std::uint64_t raw, unsigned bits) {
-  const unsigned unused = 64 - bits;
+  const unsigned unused = (64 - bits) & 63;  // a signal has at least one bit
   return static_cast<std::int64_t>(raw << unused) >> unused;
 }
 

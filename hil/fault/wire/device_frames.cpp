@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "drivers/wire/can/sbg.hpp"
 #include "drivers/wire/protocols.hpp"
 
 namespace drydock::fault {
@@ -28,6 +29,8 @@ DeviceFrames::DeviceFrames(const rig_config::DeviceConfig& device)
     scheme_ = Scheme::canopen;
   else if (device.protocol == wire::Xsens::name)
     scheme_ = Scheme::xsens;
+  else if (device.protocol == wire::Sbg::name)
+    scheme_ = Scheme::sbg;
   xsens_.extended = device.xsens.extended;
   for (const auto& identifier : device.xsens.identifiers)
     xsens_.set(identifier.message, identifier.id);
@@ -41,6 +44,7 @@ bool DeviceFrames::has(const wire::CanFrame& frame) const {
   switch (scheme_) {
     case Scheme::none: return true;
     case Scheme::xsens: return xsens_.message_of(frame).has_value();
+    case Scheme::sbg: return wire::sbg::is_ours(frame);
     case Scheme::j1939: return frame.extended && is_addressed(frame.id & source_address);
     case Scheme::canopen:
       return !frame.extended && is_addressed(frame.id & node_bits) &&

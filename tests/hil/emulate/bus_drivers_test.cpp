@@ -16,7 +16,7 @@ TEST_F(ThroughDrivers, EveryImusForceAndRate) {
        {std::tuple{"cia404-imu", 2e-6, 1e-8}, std::tuple{"aceinna", 0.01, 1.0 / 128 * degree},
         std::tuple{"microstrain-mv5", 0.01, 1.0 / 128 * degree},
         std::tuple{"epson-g550", 0.2 * milli_g, 0.008 * degree},
-        std::tuple{"epson-g552", 0.4 * milli_g, 0.01515 * degree},
+        std::tuple{"epson-g552", 0.4 * milli_g, 0.01515 * degree}, std::tuple{"sbg", 0.01, 0.001},
         std::tuple{"xsens", 1.0 / 256, 1.0 / 512}}) {
     measurements_.clear();
     run_bus(device::Kind::imu, device(DeviceKind::imu, protocol, 100));

@@ -193,6 +193,17 @@ TEST(EmulatedMv5Imu, SendsTheLateralAxisFirst) {
   EXPECT_EQ(with_id(sent, 0x0CF029E2).size(), with_id(sent, 0x0CF02AE2).size());
 }
 
+TEST(EmulatedSbgImu, PutsTheTimeBeforeTheTwoVectors) {
+  const Frozen trajectory(under_way());
+  const auto sent = record(device(DeviceKind::imu, "sbg", 100), trajectory, 0.02);
+  ASSERT_EQ(sent.frames.size(), 9);
+  EXPECT_EQ(sent.frames[6].frame.id, 0x120);
+  EXPECT_EQ(load_le<std::uint32_t>(sent.frames[6].frame.payload(), 0), 20'000);  // us
+  const auto force = with_id(sent, 0x121)[0].frame, rate = with_id(sent, 0x122)[0].frame;
+  EXPECT_EQ(load_le<std::int16_t>(force.payload(), 4), -978);  // -9.78 m/s2
+  EXPECT_EQ(load_le<std::int16_t>(rate.payload(), 4), 30);     // 0.03 rad/s
+}
+
 TEST(EmulatedXsensImu, MarksEachGroupWithTicksAndCounterOnTheIdentifiersOfTheRig) {
   const Frozen trajectory(under_way());
   auto config = device(DeviceKind::imu, "xsens", 100);

@@ -31,8 +31,8 @@ constexpr Budget of_a_line{0, 12};
 constexpr Budget of_a_bus{0, 1};
 /// A link without a line rate takes 10 ns a byte, of which the driver knows nothing.
 constexpr Budget of_a_socket{0, 10 * 1100};
-/// The rate's latency has steps of 0.5 ms. The sensor counts two frames of 0.54 ms, which really take
-/// 0.52 to 0.64 ms each.
+/// The rate's latency has steps of 0.5 ms. The sensor counts two frames of 0.54 ms, which really
+/// take 0.52 to 0.64 ms each.
 constexpr Budget of_stated_age{-250e3 - 2 * 16e3, 250e3 + 2 * 100e3};
 
 Budget budget_of(const std::string& device, bool on_bus) {
