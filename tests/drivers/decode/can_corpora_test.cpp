@@ -20,7 +20,7 @@ const std::map<int, std::string> pgns{{128267, "water_depth"},     {130314, "pre
                                       {127488, "engine"},          {129029, "gnss_position"},
                                       {60928, "address_claimed"},  {59904, "request"},
                                       {127237, "heading_control"}, {127250, "vessel_heading"},
-                                      {127251, "turn_rate"},    {127252, "heave"},
+                                      {127251, "turn_rate"},       {127252, "heave"},
                                       {127257, "attitude"},        {127258, "magnetic_variation"},
                                       {128259, "speed"},           {128275, "distance_log"},
                                       {129025, "rapid_position"},  {129026, "course_and_speed"},

@@ -13,16 +13,11 @@ struct Line {
   const char *kind, *protocol;
 };
 
-constexpr Line lines[] = {{"dvl", "pd0"},
-                          {"dvl", "pd4"},
-                          {"dvl", "pd5"},
-                          {"dvl", "pd6"},
-                          {"dvl", "nortek"},
-                          {"dvl", "nortek-ad2cp"},
-                          {"dvl", "water-linked"},
-                          {"dvl", "water-linked-json"},
-                          {"emlog", "nmea0183"},
-                          {"gnss", "ubx"},
+constexpr Line lines[] = {{"dvl", "pd0"},          {"dvl", "pd4"},
+                          {"dvl", "pd5"},          {"dvl", "pd6"},
+                          {"dvl", "nortek"},       {"dvl", "nortek-ad2cp"},
+                          {"dvl", "water-linked"}, {"dvl", "water-linked-json"},
+                          {"emlog", "nmea0183"},   {"gnss", "ubx"},
                           {"gnss", "nmea0183"}};
 
 std::string table_of(const Line& line) {
