@@ -156,6 +156,7 @@ class FieldReader {
     const Node* named = table_.find("unit");
     if (named && !table_.find("field") && !find_unit(named->text)) {
       std::vector<std::string> names;
+      names.reserve(std::size(wire_units));
       for (const WireUnit& unit : wire_units) names.emplace_back(unit.name);
       add(*named, fmt::format("\"{}\" is no unit{}, allowed: {}", named->text,
                               did_you_mean(named->text, names), listed(names)));

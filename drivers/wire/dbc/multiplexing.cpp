@@ -93,6 +93,7 @@ void put_selectors_first(Message& message) {
   std::ranges::stable_sort(order, {}, [&](std::size_t i) { return depths[i]; });
   for (std::size_t i = 0; i < order.size(); ++i) place[order[i]] = i;
   std::vector<Signal> sorted;
+  sorted.reserve(order.size());
   for (const std::size_t i : order) sorted.push_back(std::move(message.signals[i]));
   for (Signal& signal : sorted)
     if (signal.selected_by) signal.selected_by = place[*signal.selected_by];

@@ -75,7 +75,7 @@ std::optional<double> number_of(const Field& field, Bytes frame) {
   if (field.type == Type::real) return std::bit_cast<double>(raw);
   const unsigned bits = bits_of(field);
   const std::uint64_t part = raw >> field.first_bit & mask_of(bits);
-  if (field.type == Type::signed_integer && bits < 64 && (part >> (bits - 1)) != 0)
+  if (field.type == Type::signed_integer && bits > 0 && bits < 64 && (part >> (bits - 1)) != 0)
     return static_cast<double>(static_cast<std::int64_t>(part | ~mask_of(bits)));
   if (field.type == Type::signed_integer)
     return static_cast<double>(static_cast<std::int64_t>(part));
