@@ -28,6 +28,8 @@ inline constexpr auto fault_quantities = std::to_array<FaultQuantity>({
     {DeviceKind::depth, "pressure_pa", 1},
     {DeviceKind::actuator, "angle_deg", units::degree},
     {DeviceKind::actuator, "shaft_rpm", units::revolution_per_minute, true},
+    {DeviceKind::attitude, "attitude_deg", units::degree},
+    {DeviceKind::attitude, "turn_degps", units::degree, true},
 });
 
 /// True if the key names the second quantity of a sensor: specific force, GNSS velocity, shaft.

@@ -28,6 +28,7 @@ using WaterSpeedMessage = drydock_msg_dds__WaterSpeed_;
 using GnssFixMessage = drydock_msg_dds__GnssFix_;
 using GnssSatellitesMessage = drydock_msg_dds__GnssSatellites_;
 using ActuatorStateMessage = drydock_msg_dds__ActuatorState_;
+using AttitudeMessage = drydock_msg_dds__Attitude_;
 using InnovationMessage = drydock_msg_dds__Innovation_;
 using FaultsMessage = drydock_msg_dds__Faults_;
 
@@ -87,6 +88,8 @@ inline const MessageType message_type<GnssSatellitesMessage>{&drydock_msg_dds__G
 template <>
 inline const MessageType message_type<ActuatorStateMessage>{&drydock_msg_dds__ActuatorState__desc,
                                                             ""};
+template <>
+inline const MessageType message_type<AttitudeMessage>{&drydock_msg_dds__Attitude__desc, ""};
 template <>
 inline const MessageType message_type<InnovationMessage>{&drydock_msg_dds__Innovation__desc, ""};
 template <>

@@ -104,7 +104,8 @@ class DeviceOutlets {
   using Imu = Of<ImuSample, ImuMessage>;
   using Depth = Of<DepthSample, FluidPressureMessage, TemperatureMessage, DepthMessage>;
   using Actuator = Of<ActuatorState, ActuatorStateMessage>;
-  using Any = std::variant<Dvl, EmLog, GnssOutlets<Outlet>, Imu, Depth, Actuator>;
+  using Compass = Of<AttitudeSample, AttitudeMessage>;
+  using Any = std::variant<Dvl, EmLog, GnssOutlets<Outlet>, Imu, Depth, Actuator, Compass>;
 
   template <class Open>
   static Any make(Kind kind, const std::string& name, const Open& open) {
@@ -115,6 +116,7 @@ class DeviceOutlets {
       case Kind::imu: return Imu(name, open);
       case Kind::depth: return Depth(name, open);
       case Kind::actuator: return Actuator(name, open);
+      case Kind::attitude: return Compass(name, open);
     }
     throw std::invalid_argument("bus: device " + name + " has no known kind");
   }

@@ -77,6 +77,7 @@ struct DeviceSources {
       case Kind::imu: return add<ImuSample, ImuMessage>();
       case Kind::depth: return add_as_asked<DepthSample, DepthMessage, FluidPressureMessage>();
       case Kind::actuator: return add<ActuatorState, ActuatorStateMessage>();
+      case Kind::attitude: return add<AttitudeSample, AttitudeMessage>();
     }
   }
 };

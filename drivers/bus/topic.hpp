@@ -54,6 +54,9 @@ inline constexpr Route route<measurement::DepthSample, DepthMessage>{"depth", "_
 template <>
 inline constexpr Route route<measurement::ActuatorState, ActuatorStateMessage>{"state", "_link"};
 
+template <>
+inline constexpr Route route<measurement::AttitudeSample, AttitudeMessage>{"attitude", "_link_frd"};
+
 inline constexpr std::string_view diagnostics_topic = "rt/diagnostics";
 
 /// Only in recordings and viewers, not on DDS.

@@ -20,6 +20,10 @@ struct RateChannel {
     if (m.bow_plane_rad) return 2;
     return m.propeller_radps ? 3 : 0;
   }
+  std::size_t operator()(const measurement::AttitudeSample& m) const {
+    if (m.rate_of_turn_radps) return 1;
+    return m.roll_rad || m.pitch_rad ? 2 : 0;
+  }
   template <class Other>
   std::size_t operator()(const Other&) const {
     return 0;

@@ -6,8 +6,8 @@ namespace drydock::device {
 
 /// Orientation of a sensor in the vehicle: body axes rotated by yaw, then pitch, then roll are the
 /// sensor's axes. This is the only place where vectors of a sensor become vectors of the body
-/// (FRD). It does not apply the lever arm: the correction w x r needs the angular rate, which the
-/// estimator has.
+/// (FRD), and back. It does not apply the lever arm: the correction w x r needs the angular rate,
+/// which the estimator has.
 class Mounting {
  public:
   Mounting() = default;
@@ -19,6 +19,10 @@ class Mounting {
 
   Eigen::Vector3d to_body(const Eigen::Vector3d& in_sensor_axes) const {
     return sensor_to_body_ * in_sensor_axes;
+  }
+
+  Eigen::Vector3d to_sensor(const Eigen::Vector3d& in_body) const {
+    return sensor_to_body_.transpose() * in_body;
   }
 
   Eigen::Matrix3d covariance_to_body(const Eigen::Matrix3d& in_sensor_axes) const {

@@ -8,15 +8,15 @@
 namespace drydock::measurement {
 
 /// The kind of a sensor.
-enum class Kind : std::uint8_t { dvl, emlog, gnss, imu, depth, actuator };
+enum class Kind : std::uint8_t { dvl, emlog, gnss, imu, depth, actuator, attitude };
 
-inline constexpr std::array kinds{Kind::dvl, Kind::emlog, Kind::gnss,
-                                  Kind::imu, Kind::depth, Kind::actuator};
+inline constexpr std::array kinds{Kind::dvl,   Kind::emlog,    Kind::gnss,    Kind::imu,
+                                  Kind::depth, Kind::actuator, Kind::attitude};
 
 /// The name in rig files, sensor files and messages.
 constexpr std::string_view to_string(Kind kind) {
-  constexpr std::array<std::string_view, kinds.size()> names{"dvl", "emlog", "gnss",
-                                                             "imu", "depth", "actuator"};
+  constexpr std::array<std::string_view, kinds.size()> names{"dvl",   "emlog",    "gnss",    "imu",
+                                                             "depth", "actuator", "attitude"};
   return names[static_cast<std::size_t>(kind)];
 }
 

@@ -124,8 +124,23 @@ struct ActuatorState {
   std::optional<double> propeller_radps;
 };
 
+enum class HeadingReference : std::uint8_t { unknown, true_north, magnetic_north };
+
+/// Compass, gyro or satellite compass: how the vehicle points and turns. Each message gives the
+/// values that it has. Headings and rates are clockwise from above, headings in [0, 2 pi).
+struct AttitudeSample {
+  Origin origin;
+  std::optional<double> heading_rad;  ///< of body x, against `reference`
+  HeadingReference reference = HeadingReference::unknown;
+  /// True = magnetic + deviation + variation, each positive to the east.
+  std::optional<double> deviation_rad, variation_rad;
+  std::optional<double> true_heading_rad;     ///< empty if the variation is not known
+  std::optional<double> roll_rad, pitch_rad;  ///< of the body: starboard down, bow up
+  std::optional<double> rate_of_turn_radps;   ///< rate of the heading
+};
+
 using Measurement = std::variant<ImuSample, DepthSample, BottomVelocity, WaterSpeed, GnssFix,
-                                 GnssSatellites, ActuatorState>;
+                                 GnssSatellites, ActuatorState, AttitudeSample>;
 
 inline const Origin& origin_of(const Measurement& m) {
   return std::visit([](const auto& x) -> const Origin& { return x.origin; }, m);

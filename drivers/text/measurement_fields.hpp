@@ -13,6 +13,7 @@ constexpr std::string_view type_of(const WaterSpeed&) { return "water_speed"; }
 constexpr std::string_view type_of(const GnssFix&) { return "gnss_fix"; }
 constexpr std::string_view type_of(const GnssSatellites&) { return "gnss_satellites"; }
 constexpr std::string_view type_of(const ActuatorState&) { return "actuator_state"; }
+constexpr std::string_view type_of(const AttitudeSample&) { return "attitude_sample"; }
 
 template <class Field>
 void visit_fields(const ImuSample& m, Field&& field) {
@@ -89,6 +90,19 @@ void visit_fields(const ActuatorState& m, Field&& field) {
   field("stern_plane_deg", wire::degrees(m.stern_plane_rad));
   field("bow_plane_deg", wire::degrees(m.bow_plane_rad));
   field("propeller_radps", m.propeller_radps);
+}
+
+template <class Field>
+void visit_fields(const AttitudeSample& m, Field&& field) {
+  constexpr std::array<std::string_view, 3> references{"unknown", "true", "magnetic"};
+  field("heading_deg", wire::degrees(m.heading_rad));
+  field("reference", references[static_cast<std::size_t>(m.reference)]);
+  field("deviation_deg", wire::degrees(m.deviation_rad));
+  field("variation_deg", wire::degrees(m.variation_rad));
+  field("true_heading_deg", wire::degrees(m.true_heading_rad));
+  field("roll_deg", wire::degrees(m.roll_rad));
+  field("pitch_deg", wire::degrees(m.pitch_rad));
+  field("rate_of_turn_degps", wire::degrees(m.rate_of_turn_radps));
 }
 
 }  // namespace drydock::measurement

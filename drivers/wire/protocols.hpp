@@ -50,7 +50,7 @@ class Kinds {
   }
 
  private:
-  std::array<Kind, 4> all_{};
+  std::array<Kind, 5> all_{};
   std::size_t size_ = 0;
 };
 

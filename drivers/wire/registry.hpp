@@ -73,7 +73,7 @@ inline constexpr std::tuple byte_protocols{
                 .checksum = "Fletcher-8",
                 .clock = DeviceClock::yes,
                 .place = Place::yes}),
-    bytes<Nmea0183>({.kinds = {Kind::gnss, Kind::emlog},
+    bytes<Nmea0183>({.kinds = {Kind::gnss, Kind::emlog, Kind::attitude},
                      .checksum = "XOR",
                      .clock = DeviceClock::of_receiver,
                      .place = Place::of_receiver}),
@@ -104,9 +104,10 @@ inline constexpr std::tuple byte_protocols{
 };
 
 inline constexpr std::tuple frame_protocols{
-    frames<Nmea2000>({.kinds = {Kind::depth, Kind::actuator, Kind::gnss, Kind::emlog},
-                      .clock = DeviceClock::of_receiver,
-                      .network = Network::j1939}),
+    frames<Nmea2000>(
+        {.kinds = {Kind::depth, Kind::actuator, Kind::gnss, Kind::emlog, Kind::attitude},
+         .clock = DeviceClock::of_receiver,
+         .network = Network::j1939}),
     frames<Aceinna>({.kinds = Kind::imu, .settings = Settings::obeyed, .network = Network::j1939}),
     frames<Mv5>({.kinds = Kind::imu, .network = Network::j1939}),
     frames<Cia404Imu>(

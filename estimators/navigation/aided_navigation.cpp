@@ -48,6 +48,13 @@ Eigen::Matrix<double, 3, 6> body_velocity_rows(const NavigationState& state) {
   return rows;
 }
 
+HeadingRow heading_row(const Eigen::Quaterniond& body_to_ned) {
+  const Vector3d bow = body_to_ned * Vector3d::UnitX();
+  const double level = bow.head<2>().norm();
+  const Eigen::Vector2d by_tilt = bow.z() / (level * level) * bow.head<2>();
+  return {std::atan2(bow.y(), bow.x()), level, {by_tilt.x(), by_tilt.y(), -1}};
+}
+
 AidedNavigation::AidedNavigation(const NavigationState& start, const NavigationOptions& options)
     : options_(options),
       sdins_(start, height_loop(options)),
@@ -102,6 +109,19 @@ int AidedNavigation::update_height(double height_m, double sigma, const Vector3d
   innovations_.clear();
   const int used =
       update_row(row, sdins_.state().position.height_m - arm.z() - height_m, sigma * sigma, errors);
+  feed_back(errors);
+  return used;
+}
+
+int AidedNavigation::update_heading(double heading_rad, double sigma) {
+  constexpr double least_level = 0.1;
+  const HeadingRow now = heading_row(sdins_.state().body_to_ned);
+  innovations_.clear();
+  if (now.level < least_level) return 0;
+  Vector errors = Vector::Zero(), row = Vector::Zero();
+  row.segment<3>(phi) = now.by_phi;
+  const double residual = frame::wrap_pi(now.heading_rad - heading_rad);
+  const int used = update_row(row, residual, sigma * sigma, errors);
   feed_back(errors);
   return used;
 }

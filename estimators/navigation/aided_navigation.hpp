@@ -34,6 +34,13 @@ Vector15 noise_density(const NavigationOptions& options);
 
 HeightLoop height_loop(const NavigationOptions& options);
 
+/// Eq. (N9): heading of body x, and its derivative by phi. `level`: cosine of the bow's elevation.
+struct HeadingRow {
+  double heading_rad, level;
+  Eigen::RowVector3d by_phi;
+};
+HeadingRow heading_row(const Eigen::Quaterniond& body_to_ned);
+
 /// Rows of eq. (16) for the velocity in body axes: d(C_N^B V^N) by velocity and phi, 3 x 6.
 Eigen::Matrix<double, 3, 6> body_velocity_rows(const NavigationState& state);
 
@@ -62,6 +69,10 @@ class AidedNavigation {
   int update_position(const frame::Position& position, const Eigen::Vector3d& sigma,
                       const Eigen::Vector3d& lever = Eigen::Vector3d::Zero());
 
+  /// True heading of body x, rad: eq. (N9). Does nothing while the bow points within 6 degrees of
+  /// up or down, where it has no heading.
+  int update_heading(double heading_rad, double sigma);
+
   /// True if a height that is `residual_m` above the state's is inside the gate. Counts it if not.
   bool passes_height(double residual_m, double sigma);
 
@@ -77,7 +88,8 @@ class AidedNavigation {
   const Eigen::Vector3d& accel_bias() const { return accel_bias_; }
   const ErrorFilter<0>::Covariance& covariance() const { return filter_.covariance(); }
 
-  /// Innovations of the last update or passes_height(): body axes m/s; up m; north, east, down m.
+  /// Innovations of the last update or passes_height(): body axes m/s; up m; north, east, down m;
+  /// clockwise rad.
   const Innovations& innovations() const { return innovations_; }
   double innovation_square() const;                        ///< sum of the normalised squares
   std::uint64_t rejected() const { return rejected_; }     ///< all rows outside the gate

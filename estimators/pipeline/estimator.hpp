@@ -63,6 +63,9 @@ class Estimator {
   virtual Outcome take(const measurement::ActuatorState&, EstimateListener&) {
     return Outcome::unused;
   }
+  virtual Outcome take(const measurement::AttitudeSample&, EstimateListener&) {
+    return Outcome::unused;
+  }
   virtual Outcome take(const measurement::GnssFix&, EstimateListener&) { return Outcome::unused; }
   virtual Outcome take(const measurement::GnssSatellites&, EstimateListener&) {
     return Outcome::unused;

@@ -9,9 +9,10 @@
 namespace drydock::pipeline {
 
 /// The kinds of measurement that at least one estimator uses.
-using Sample = std::variant<measurement::ImuSample, measurement::WaterSpeed, measurement::GnssFix,
-                            measurement::GnssSatellites, measurement::DepthSample,
-                            measurement::BottomVelocity, measurement::ActuatorState>;
+using Sample =
+    std::variant<measurement::ImuSample, measurement::WaterSpeed, measurement::GnssFix,
+                 measurement::GnssSatellites, measurement::DepthSample, measurement::BottomVelocity,
+                 measurement::ActuatorState, measurement::AttitudeSample>;
 
 const measurement::Origin& origin_of(const Sample& sample);
 

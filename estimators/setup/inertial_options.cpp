@@ -96,6 +96,10 @@ pipeline::InertialOptions options_of(const rig_config::NavigationConfig& config,
                                      const EstimatorInRig& place) {
   pipeline::InertialOptions options = inertial_options(config.inertial, place);
   options.gnss = aiding(place.rig, config.gnss);
+  options.heading = aiding(place.rig, config.heading);
+  if (const auto* compass = find_device(place.rig, config.heading))
+    replace_if_known(options.heading_sigma_rad,
+                     sample_sigma(config.heading_grade.primary, compass->rate_hz));
   return options;
 }
 

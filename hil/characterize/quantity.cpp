@@ -23,6 +23,9 @@ std::vector<Quantity> quantities_of(rig_config::DeviceKind kind) {
     case actuator:
       return {{"angle", primary, 0, {"rudder", "stern", "bow"}, "deg", degree, 0.5 * degree},
               {"shaft", secondary, 1, {"", "", ""}, "rpm", units::revolution_per_minute, 1}};
+    case attitude:
+      return {{"attitude", primary, 0, {"roll", "pitch", "heading"}, "deg", degree, 0.5 * degree},
+              {"turn", secondary, 1, {"", "", ""}, "deg/s", degree, 0.1 * degree}};
   }
   return {};
 }

@@ -86,6 +86,11 @@ void Samples::add(const measurement::Measurement& any) {
         {actuator->rudder_rad.value_or(absent), actuator->stern_plane_rad.value_or(absent),
          actuator->bow_plane_rad.value_or(absent)},
         {actuator->propeller_radps.value_or(absent), absent, absent});
+  } else if (const auto* compass = std::get_if<measurement::AttitudeSample>(&any)) {
+    put(compass->origin,
+        {compass->roll_rad.value_or(absent), compass->pitch_rad.value_or(absent),
+         compass->heading_rad.value_or(absent)},
+        {compass->rate_of_turn_radps.value_or(absent), absent, absent});
   }
 }
 

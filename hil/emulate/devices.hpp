@@ -84,6 +84,13 @@ DevicePtr make_nmea2000_log(const DeviceSetup& setup);
 /// Address claim at boot, then 129026, 129029, 129025, 129539, 129540 per epoch with a common SID.
 DevicePtr make_nmea2000_gnss(const DeviceSetup& setup);
 
+/// Address claim at boot, then 127257 (tilt), 127250 (true heading) and 127251 (rate of turn) per
+/// sample with a common SID.
+DevicePtr make_nmea2000_attitude(const DeviceSetup& setup);
+
+/// HDT and THS (mode A) per sample; talker HE.
+DevicePtr make_nmea0183_attitude(const DeviceSetup& setup);
+
 struct DeviceRow {
   DeviceKind kind;
   std::string_view protocol;
@@ -115,6 +122,8 @@ inline constexpr auto device_rows = std::to_array<DeviceRow>({
     {DeviceKind::depth, "nmea2000", make_nmea2000_depth},
     {DeviceKind::depth, "cia404-pressure", make_cia404_pressure},
     {DeviceKind::actuator, "nmea2000", make_nmea2000_actuators},
+    {DeviceKind::attitude, "nmea2000", make_nmea2000_attitude},
+    {DeviceKind::attitude, "nmea0183", make_nmea0183_attitude},
 });
 
 }  // namespace drydock::emulate

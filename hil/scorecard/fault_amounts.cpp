@@ -38,6 +38,8 @@ constexpr QuantityAmount quantity_amounts[] = {
     {rig_config::DeviceKind::depth, "pressure_pa", 20e3, 150e3, 1e6},
     {rig_config::DeviceKind::actuator, "angle_deg", 5, 10, 30},
     {rig_config::DeviceKind::actuator, "shaft_rpm", 100, 0, 1000},
+    {rig_config::DeviceKind::attitude, "attitude_deg", 5, 10, 30},
+    {rig_config::DeviceKind::attitude, "turn_degps", 2, 5, 50},
 };
 
 const QuantityAmount& amount_of(const FaultQuantity& quantity) {

@@ -69,6 +69,15 @@ class Fields {
     put(2, "bow_plane_rad", m.bow_plane_rad);
     put(3, "propeller_radps", m.propeller_radps);
   }
+  void operator()(const AttitudeSample& m) {
+    put(0, "heading_rad", m.heading_rad, Role::value, true);
+    put(1, "roll_rad", m.roll_rad, Role::value, true);
+    put(2, "pitch_rad", m.pitch_rad, Role::value, true);
+    put(3, "rate_of_turn_radps", m.rate_of_turn_radps);
+    put(4, "deviation_rad", m.deviation_rad);
+    put(5, "variation_rad", m.variation_rad);
+    put(6, "true_heading_rad", m.true_heading_rad, Role::value, true);
+  }
 
  private:
   using Names = std::array<std::string_view, 3>;

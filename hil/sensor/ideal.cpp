@@ -1,5 +1,9 @@
 #include "hil/sensor/ideal.hpp"
 
+#include <cmath>
+#include <numbers>
+
+#include "estimators/frame/attitude.hpp"
 #include "estimators/frame/geodetic.hpp"
 
 namespace drydock::sensor {
@@ -113,6 +117,22 @@ measurement::ActuatorState ideal_actuators(const Truth& truth) {
   state.bow_plane_rad = truth.bow_plane_rad;
   state.propeller_radps = truth.propeller_radps;
   return state;
+}
+
+measurement::AttitudeSample ideal_attitude(const Truth& truth, const Mounting& mounting) {
+  const Eigen::Quaterniond sensor_to_ned =
+      truth.body_to_ned * Eigen::Quaterniond(mounting.sensor_to_body);
+  const frame::Euler angles = frame::euler(sensor_to_ned);
+  measurement::AttitudeSample sample;
+  sample.origin = origin_at(truth.at);
+  sample.reference = measurement::HeadingReference::true_north;
+  sample.heading_rad = angles.yaw < 0 ? angles.yaw + 2 * std::numbers::pi : angles.yaw;
+  sample.true_heading_rad = sample.heading_rad;
+  sample.roll_rad = angles.roll;
+  sample.pitch_rad = angles.pitch;
+  const frame::Euler body{truth.roll_rad, truth.pitch_rad, truth.yaw_rad};
+  sample.rate_of_turn_radps = frame::euler_rates(body, truth.rate_body).z();
+  return sample;
 }
 
 }  // namespace drydock::sensor

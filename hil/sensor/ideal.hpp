@@ -44,4 +44,7 @@ double altitude_at(const Truth& truth, const ocean::Ocean& ocean, const Mounting
 
 measurement::ActuatorState ideal_actuators(const Truth& truth);
 
+/// True heading, roll and pitch of the sensor's own axes; the rate of the body's heading.
+measurement::AttitudeSample ideal_attitude(const Truth& truth, const Mounting& mounting);
+
 }  // namespace drydock::sensor

@@ -97,6 +97,10 @@ void Scribe::add_device(const rig_config::DeviceConfig& device) {
     case DeviceKind::actuator:
       first = add_plot(device.name + ": actuators", "deg", {"rudder", "stern plane", "bow plane"});
       break;
+    case DeviceKind::attitude:
+      first = add_plot(device.name + ": attitude", "deg", {"heading", "roll", "pitch"});
+      add_plot(device.name + ": rate of turn", "deg/s", {"rate of turn"});
+      break;
   }
   first_curve_.push_back(first);
 }
@@ -137,6 +141,11 @@ void Scribe::on_measurement(const Measurement& m) {
     maybe(0, actuators->rudder_rad, units::degrees_per_radian);
     maybe(1, actuators->stern_plane_rad, units::degrees_per_radian);
     maybe(2, actuators->bow_plane_rad, units::degrees_per_radian);
+  } else if (const auto* compass = std::get_if<AttitudeSample>(&m)) {
+    maybe(0, compass->heading_rad, units::degrees_per_radian);
+    maybe(1, compass->roll_rad, units::degrees_per_radian);
+    maybe(2, compass->pitch_rad, units::degrees_per_radian);
+    maybe(3, compass->rate_of_turn_radps, units::degrees_per_radian);
   }
 }
 

@@ -26,6 +26,10 @@ struct WhatItSays {
     if (m.stern_plane_rad) return "stern plane";
     return m.bow_plane_rad ? "bow plane" : "shaft";
   }
+  std::string_view operator()(const measurement::AttitudeSample& m) const {
+    if (m.rate_of_turn_radps) return "rate of turn";
+    return m.heading_rad ? "heading" : "tilt";
+  }
 };
 
 double microseconds(Stamp::duration d) { return static_cast<double>(d.count()) / 1e3; }

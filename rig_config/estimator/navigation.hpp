@@ -9,7 +9,8 @@ namespace drydock::rig_config {
 struct NavigationConfig {
   static constexpr std::array devices{DeviceKey{"gnss", measurement::Kind::gnss},
                                       DeviceKey{"dvl", measurement::Kind::dvl},
-                                      DeviceKey{"depth", measurement::Kind::depth}};
+                                      DeviceKey{"depth", measurement::Kind::depth},
+                                      DeviceKey{"heading", measurement::Kind::attitude}};
   static constexpr EstimatorFacts facts{.name = "navigation",
                                         .devices = devices,
                                         .gives_positions = true,
@@ -17,13 +18,14 @@ struct NavigationConfig {
                                         .has_innovations = true};
 
   InertialConfig inertial;
-  std::string gnss;  ///< device name
+  std::string gnss, heading;    ///< device names
+  EmulateConfig heading_grade;  ///< from the sensor file
 };
 
 void read_kind(const Node& table, NavigationConfig& into);
 std::vector<Problem> read_kind_files(const EstimatorBlock& block, NavigationConfig& into);
 
-/// DVL, depth sensor and receiver, as far as the estimator has them.
+/// DVL, depth sensor, receiver and compass, as far as the estimator has them.
 std::vector<std::string> compared_devices(const NavigationConfig& config);
 
 }  // namespace drydock::rig_config

@@ -102,13 +102,22 @@ inline constexpr ErrorKey error_keys[] = {
     {actuator, "shaft_scale_factor_ppm", secondary, &S::scale_factor, ppm},
     {actuator, "shaft_noise_rpm", secondary, &S::noise, revolution_per_minute},
     {actuator, "shaft_quantisation_rpm", secondary, &S::quantisation, revolution_per_minute},
+
+    {attitude, "attitude_bias_deg", primary, &S::bias, degree},
+    {attitude, "attitude_noise_deg", primary, &S::noise, degree},
+    {attitude, "attitude_bias_instability_deg", primary, &S::bias_instability, degree},
+    {attitude, "attitude_quantisation_deg", primary, &S::quantisation, degree},
+    {attitude, "turn_bias_degps", secondary, &S::bias, degree},
+    {attitude, "turn_scale_factor_ppm", secondary, &S::scale_factor, ppm},
+    {attitude, "turn_noise_degps", secondary, &S::noise, degree},
+    {attitude, "turn_quantisation_degps", secondary, &S::quantisation, degree},
 };
 
 inline constexpr CorrelationKey correlation_keys[] = {
-    {imu, "gyro_correlation_s", primary},      {imu, "accelerometer_correlation_s", secondary},
-    {dvl, "velocity_correlation_s", primary},  {emlog, "speed_correlation_s", primary},
-    {gnss, "position_correlation_s", primary}, {gnss, "velocity_correlation_s", secondary},
-    {depth, "pressure_correlation_s", primary}};
+    {imu, "gyro_correlation_s", primary},       {imu, "accelerometer_correlation_s", secondary},
+    {dvl, "velocity_correlation_s", primary},   {emlog, "speed_correlation_s", primary},
+    {gnss, "position_correlation_s", primary},  {gnss, "velocity_correlation_s", secondary},
+    {depth, "pressure_correlation_s", primary}, {attitude, "attitude_correlation_s", primary}};
 
 }  // namespace keys
 

@@ -91,7 +91,7 @@ TEST(RigProblems, AChoiceIsAString) {
   EXPECT_THAT(problems_of_text("[rig]\nname = \"r\"\n[[device]]\nname = \"d\"\nprotocol = \"pd0\"\n"
                                "link = \"pty:d\"\nkind = 2026-11-21T08:00:00Z\n"),
               ElementsAre("r.toml:7:8: /device/0/kind: expected one of: dvl, emlog, gnss, imu, "
-                          "depth, actuator, found a date-time"));
+                          "depth, actuator, attitude, found a date-time"));
 }
 
 TEST(RigProblems, ARigNeedsADevice) {

@@ -136,7 +136,7 @@ TEST(Schema, AnEditorSeesTheSameCanopenProtocolsAsTheProgram) {
 
 TEST(Schema, AnEmulatedSensorTakesTheSameErrorKeysInlineAndFromAFile) {
   const Json definitions = Json::parse(schema_text())["definitions"];
-  for (const std::string kind : {"dvl", "emlog", "gnss", "imu", "depth", "actuator"}) {
+  for (const std::string kind : {"dvl", "emlog", "gnss", "imu", "depth", "actuator", "attitude"}) {
     Json inlined = definitions[kind + "_emulate"]["properties"],
          in_file = definitions[kind + "_errors"]["properties"];
     for (const char* only_inline : {"errors", "sky", "head"}) inlined.erase(only_inline);

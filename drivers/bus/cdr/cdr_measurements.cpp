@@ -22,14 +22,15 @@ CompleteTopic complete(Kind kind) {
   return {kind, route<Sample, Message>.suffix, message_type<Message>.descriptor};
 }
 
-const std::array<CompleteTopic, 6>& complete_topics() {
-  static const std::array<CompleteTopic, 6> topics{
+const std::array<CompleteTopic, 7>& complete_topics() {
+  static const std::array<CompleteTopic, 7> topics{
       complete<BottomVelocity, BottomTrackMessage>(Kind::dvl),
       complete<WaterSpeed, WaterSpeedMessage>(Kind::emlog),
       complete<GnssFix, GnssFixMessage>(Kind::gnss),
       complete<ImuSample, ImuMessage>(Kind::imu),
       complete<DepthSample, DepthMessage>(Kind::depth),
-      complete<ActuatorState, ActuatorStateMessage>(Kind::actuator)};
+      complete<ActuatorState, ActuatorStateMessage>(Kind::actuator),
+      complete<AttitudeSample, AttitudeMessage>(Kind::attitude)};
   return topics;
 }
 
@@ -63,6 +64,7 @@ struct CdrMeasurements::Decoders {
   CdrDecoder<ImuMessage> imu;
   CdrDecoder<DepthMessage> depth;
   CdrDecoder<ActuatorStateMessage> actuator;
+  CdrDecoder<AttitudeMessage> attitude;
 };
 
 namespace {
@@ -93,6 +95,7 @@ std::optional<Measurement> CdrMeasurements::read(Kind kind, std::span<const std:
     case Kind::imu: return sample_of<ImuSample>(decoders_->imu, cdr, at);
     case Kind::depth: return sample_of<DepthSample>(decoders_->depth, cdr, at);
     case Kind::actuator: return sample_of<ActuatorState>(decoders_->actuator, cdr, at);
+    case Kind::attitude: return sample_of<AttitudeSample>(decoders_->attitude, cdr, at);
   }
   return std::nullopt;
 }

@@ -70,6 +70,7 @@ bool fill(WaterSpeedMessage& message, const WaterSpeed& sample);
 bool fill(GnssFixMessage& message, const GnssFix& sample);
 bool fill(GnssSatellitesMessage& message, const GnssSatellites& sample);
 bool fill(ActuatorStateMessage& message, const ActuatorState& sample);
+bool fill(AttitudeMessage& message, const AttitudeSample& sample);
 
 bool read(DepthSample& sample, const DepthMessage& message);
 bool read(BottomVelocity& sample, const BottomTrackMessage& message);
@@ -77,6 +78,7 @@ bool read(WaterSpeed& sample, const WaterSpeedMessage& message);
 bool read(GnssFix& sample, const GnssFixMessage& message);
 bool read(GnssSatellites& sample, const GnssSatellitesMessage& message);
 bool read(ActuatorState& sample, const ActuatorStateMessage& message);
+bool read(AttitudeSample& sample, const AttitudeMessage& message);
 
 bool fill(ImuMessage& message, const Attitude& attitude);
 bool read(Attitude& attitude, const ImuMessage& message);

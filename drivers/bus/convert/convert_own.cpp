@@ -184,6 +184,34 @@ bool read(GnssSatellites& sample, const GnssSatellitesMessage& message) {
   return true;
 }
 
+bool fill(AttitudeMessage& message, const AttitudeSample& sample) {
+  fill_origin(message, sample.origin);
+  message.heading = or_nan(sample.heading_rad);
+  message.heading_reference = static_cast<std::uint8_t>(sample.reference);
+  message.deviation = or_nan(sample.deviation_rad);
+  message.variation = or_nan(sample.variation_rad);
+  message.true_heading = or_nan(sample.true_heading_rad);
+  message.roll = or_nan(sample.roll_rad);
+  message.pitch = or_nan(sample.pitch_rad);
+  message.rate_of_turn = or_nan(sample.rate_of_turn_radps);
+  return true;
+}
+
+bool read(AttitudeSample& sample, const AttitudeMessage& message) {
+  if (message.heading_reference > static_cast<std::uint8_t>(HeadingReference::magnetic_north))
+    return false;
+  read_origin(sample.origin, message);
+  sample.heading_rad = to_optional(message.heading);
+  sample.reference = static_cast<HeadingReference>(message.heading_reference);
+  sample.deviation_rad = to_optional(message.deviation);
+  sample.variation_rad = to_optional(message.variation);
+  sample.true_heading_rad = to_optional(message.true_heading);
+  sample.roll_rad = to_optional(message.roll);
+  sample.pitch_rad = to_optional(message.pitch);
+  sample.rate_of_turn_radps = to_optional(message.rate_of_turn);
+  return true;
+}
+
 bool fill(ActuatorStateMessage& message, const ActuatorState& sample) {
   fill_origin(message, sample.origin);
   message.rudder = or_nan(sample.rudder_rad);

@@ -20,6 +20,7 @@ Axes axes_of(Kind kind) {
     case Kind::emlog: return {"ahead", "m/s"};
     case Kind::depth: return {"down", "m"};
     case Kind::gnss: return {"north, east, down", "m"};
+    case Kind::attitude: return {"clockwise", "rad"};
     case Kind::imu:
     case Kind::actuator: break;  // actuators drive estimators, nothing is compared with them
   }

@@ -149,6 +149,7 @@ measurement::Measurement measurement_of(const Readings& readings, const Origin& 
     case Kind::emlog: return from(water_speed(readings, options), origin);
     case Kind::gnss: return from(gnss_fix(readings), origin);
     case Kind::actuator: return from(actuator_state(readings), origin);
+    case Kind::attitude:  // no description may have this kind
     case Kind::imu: break;
   }
   return from(imu_sample(readings, options), origin);

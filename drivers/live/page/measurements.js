@@ -24,6 +24,12 @@ const kinds = {
     show(`${n}: planes`, 'deg', ['rudder', 'stern', 'bow'], t, [m.rudder, m.stern_plane, m.bow_plane].map((x) => x / degree));
     if (Number.isFinite(m.propeller)) show(`${n}: propeller`, 'r/min', ['propeller'], t, [m.propeller * 30 / Math.PI]);
   },
+  'drydock/msg/Attitude': (n, t, m) => {
+    const heading = Number.isFinite(m.true_heading) ? m.true_heading : m.heading;
+    if (Number.isFinite(heading)) show(`${n}: heading`, 'deg', ['heading'], t, [heading / degree]);
+    if (Number.isFinite(m.roll) || Number.isFinite(m.pitch)) show(`${n}: tilt`, 'deg', ['roll', 'pitch'], t, [m.roll / degree, m.pitch / degree]);
+    if (Number.isFinite(m.rate_of_turn)) show(`${n}: rate of turn`, 'deg/s', ['rate of turn'], t, [m.rate_of_turn / degree]);
+  },
   'drydock/msg/GnssFix': (n, t, m) => {
     if (Number.isFinite(m.latitude)) trackPoint(n, { latitude: m.latitude / degree, longitude: m.longitude / degree });
   },

@@ -70,6 +70,13 @@ constexpr std::array entries{
     Entry{"drydock/msg/ActuatorState", "stern_plane", "rad"},
     Entry{"drydock/msg/ActuatorState", "bow_plane", "rad"},
     Entry{"drydock/msg/ActuatorState", "propeller", rate},
+    Entry{"drydock/msg/Attitude", "heading", "rad"},
+    Entry{"drydock/msg/Attitude", "deviation", "rad"},
+    Entry{"drydock/msg/Attitude", "variation", "rad"},
+    Entry{"drydock/msg/Attitude", "true_heading", "rad"},
+    Entry{"drydock/msg/Attitude", "roll", "rad"},
+    Entry{"drydock/msg/Attitude", "pitch", "rad"},
+    Entry{"drydock/msg/Attitude", "rate_of_turn", rate},
 };
 
 /// "velocity" is above "velocity.x" and "velocity[0]", not above "velocity_covar".

@@ -32,6 +32,7 @@ class AidedInertial {
                                       const Eigen::Vector3d& /*lever*/) {
     return {};
   }
+  virtual Innovations update_heading(double /*true_heading_rad*/) { return {}; }
   /// Adds these standard deviations to velocity (m/s) and attitude (rad) after a gap in the
   /// samples.
   virtual void loosen(double velocity_sigma, double angle_sigma) = 0;

@@ -34,9 +34,11 @@ struct InertialOptions {
   bool imu_means = false;  ///< true: means over the interval before valid_at; false: at valid_at
   Eigen::Vector3d imu_lever = Eigen::Vector3d::Zero();
 
-  std::optional<AidingSensor> ground, log, depth, gnss;
+  std::optional<AidingSensor> ground, log, depth, gnss, heading;
   double depth_sigma_m = 0.5, log_sigma_mps = 0.03, ground_sigma_mps = 0.03;
   double position_sigma_m = 2, position_height_sigma_m = 4;  ///< of a fix without accuracy
+
+  double heading_sigma_rad = 0.0175;  ///< 1 degree, a common compass
 
   double sea_level_m = 0;  ///< height of the sea surface above the ellipsoid
 

@@ -1,6 +1,8 @@
 #include "estimators/pipeline/inertial/navigation_estimator.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 #include "estimators/pipeline/inertial/bridged_gap.hpp"
 
@@ -30,7 +32,7 @@ std::string fault_of(const InertialOptions& options) {
   };
   if (std::string fault =
           fault_of_devices({index(options.ground), index(options.log), index(options.depth),
-                            index(options.gnss), options.actuators});
+                            index(options.gnss), index(options.heading), options.actuators});
       !fault.empty())
     return fault;
   if (!(options.imu_period_s > 0)) return "IMU period not above 0, allowed: seconds";
@@ -160,6 +162,7 @@ Innovations NavigationEstimator::update(const Aiding& aiding) {
     const auto moved = frame::at_ned_offset(aiding.position, age_s * filter_->state().velocity_ned);
     return filter_->update_position(moved, aiding.value, sensor.lever);
   }
+  if (aiding.kind == Aiding::Kind::heading) return filter_->update_heading(aiding.value.x());
   status_.last_speed = aiding.valid_at;
   const Vector3d of_origin = aiding.value - turning_speed(sensor.lever);
   if (aiding.kind == Aiding::Kind::log) return filter_->update_log(of_origin.x());
@@ -186,6 +189,20 @@ Outcome NavigationEstimator::take(const measurement::BottomVelocity& track, Esti
                         .sensor = &*ground,
                         .valid_at = track.origin.valid_at,
                         .value = *track.velocity,
+                        .position = {}});
+}
+
+Outcome NavigationEstimator::take(const measurement::AttitudeSample& compass, EstimateListener&) {
+  const auto& heading = options_.heading;
+  if (!heading || compass.origin.device != heading->device || !compass.true_heading_rad)
+    return Outcome::unused;
+  constexpr double circle_rad = 2 * std::numbers::pi;
+  // This comparison is false for NaN too.
+  if (!(std::abs(*compass.true_heading_rad) <= circle_rad)) return Outcome::refused;
+  return wait_for_step({.kind = Aiding::Kind::heading,
+                        .sensor = &*heading,
+                        .valid_at = compass.origin.valid_at,
+                        .value = {*compass.true_heading_rad, 0, 0},
                         .position = {}});
 }
 

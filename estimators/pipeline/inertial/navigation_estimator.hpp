@@ -30,15 +30,17 @@ class NavigationEstimator final : public Estimator {
   Outcome take(const measurement::DepthSample& depth, EstimateListener& listener) override;
   Outcome take(const measurement::GnssFix& fix, EstimateListener& listener) override;
   Outcome take(const measurement::ActuatorState& state, EstimateListener& listener) override;
+  Outcome take(const measurement::AttitudeSample& compass, EstimateListener& listener) override;
   const EstimatorStatus& status() const override { return status_; }
 
  private:
   /// A measurement that waits for the end of the step.
   struct Aiding {
-    enum class Kind : std::uint8_t { log, ground, position } kind;
+    enum class Kind : std::uint8_t { log, ground, position, heading } kind;
     const AidingSensor* sensor;
     measurement::Stamp valid_at;
-    Eigen::Vector3d value = Eigen::Vector3d::Zero();  ///< m/s; sigma of a position, m
+    Eigen::Vector3d value =
+        Eigen::Vector3d::Zero();  ///< m/s; sigma of a position, m; or heading, rad
     frame::Position position;
   };
 

@@ -40,6 +40,10 @@ class SensorInertial final : public AidedInertial {
     aided_.update_position(position, sigma, lever);
     return aided_.innovations();
   }
+  Innovations update_heading(double true_heading_rad) override {
+    aided_.update_heading(true_heading_rad, options_.heading_sigma_rad);
+    return aided_.innovations();
+  }
   void loosen(double velocity_sigma, double angle_sigma) override {
     aided_.loosen(velocity_sigma, angle_sigma);
   }

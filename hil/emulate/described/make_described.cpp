@@ -163,6 +163,7 @@ std::unique_ptr<EmulatedDevice> make_described(const DeviceSetup& setup) {
     case DeviceKind::emlog: return std::make_unique<DescribedEmLog>(setup);
     case DeviceKind::gnss: return std::make_unique<DescribedGnss>(setup);
     case DeviceKind::actuator: return std::make_unique<DescribedActuators>(setup);
+    case DeviceKind::attitude:  // no description may have this kind
     case DeviceKind::imu: break;
   }
   return std::make_unique<DescribedImu>(setup);

@@ -22,7 +22,7 @@ constexpr double shortest_s = 1, longest_s = 60;
 double typical(std::string_view quantity) {
   if (quantity == "position_m") return 50;
   if (quantity == "pressure_pa") return 2e4;
-  if (quantity == "rate_degps" || quantity == "angle_deg") return 10;
+  if (quantity == "rate_degps" || quantity == "angle_deg" || quantity == "attitude_deg") return 10;
   if (quantity == "shaft_rpm") return 300;
   return 2;  // m/s, m/s2
 }

@@ -20,9 +20,11 @@ std::vector<Measurement> take(Subscriber& subscriber, std::size_t count) {
 }
 
 std::vector<Device> all_devices(Provenance provenance, Form form) {
-  return {{"dvl", Kind::dvl, provenance, form},     {"log", Kind::emlog, provenance, form},
-          {"gnss", Kind::gnss, provenance, form},   {"imu", Kind::imu, provenance, form},
-          {"depth", Kind::depth, provenance, form}, {"rudder", Kind::actuator, provenance, form}};
+  return {
+      {"dvl", Kind::dvl, provenance, form},         {"log", Kind::emlog, provenance, form},
+      {"gnss", Kind::gnss, provenance, form},       {"imu", Kind::imu, provenance, form},
+      {"depth", Kind::depth, provenance, form},     {"rudder", Kind::actuator, provenance, form},
+      {"compass", Kind::attitude, provenance, form}};
 }
 
 measurement::Origin origin(Index device) {

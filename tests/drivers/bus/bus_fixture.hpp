@@ -30,7 +30,7 @@ bool eventually(Condition condition) {
 std::vector<Measurement> take(Subscriber& subscriber, std::size_t count);
 
 /// The rig of these tests: one device of every kind, in this order.
-enum Index : std::uint16_t { dvl, log, gnss, imu, depth, actuator };
+enum Index : std::uint16_t { dvl, log, gnss, imu, depth, actuator, compass };
 std::vector<Device> all_devices(Provenance provenance = Provenance::emulated,
                                 Form form = Form::complete);
 

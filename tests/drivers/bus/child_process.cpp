@@ -28,7 +28,7 @@ void say(const std::string& line) {
 void publish_numbered(std::uint32_t domain, int count) {
   const Participant participant(domain);
   Publisher publisher(participant, all_devices(Provenance::replayed));
-  if (!eventually([&] { return publisher.matched_readers() == 7; })) return;
+  if (!eventually([&] { return publisher.matched_readers() == 8; })) return;
   for (int i = 0; i < count; ++i) {
     auto sample = only_origin<measurement::ImuSample>(Index::imu);
     sample.origin.provenance = Provenance::replayed;

@@ -72,6 +72,7 @@ TEST(BusOnTheWire, TopicsAndTypesAreNamedAsRos2Does) {
       {"rt/ctd/temperature", "sensor_msgs::msg::dds_::Temperature_"},
       {"rt/ctd/depth", "drydock::msg::dds_::Depth_"},
       {"rt/rudder/state", "drydock::msg::dds_::ActuatorState_"},
+      {"rt/compass/attitude", "drydock::msg::dds_::Attitude_"},
       {"rt/estimate/leveling", "sensor_msgs::msg::dds_::Imu_"},
       {"rt/diagnostics", "diagnostic_msgs::msg::dds_::DiagnosticArray_"}};
   EXPECT_EQ(writers.size(), expected.size());
@@ -156,7 +157,7 @@ TEST(BusOnTheWire, WiresharkSeesTheNamesTypesAndUserData) {
   {
     const Participant participant(test_domain());
     const Publisher publisher(participant, all_devices());
-    EXPECT_TRUE(eventually([&] { return publisher.matched_readers() == 7; }));
+    EXPECT_TRUE(eventually([&] { return publisher.matched_readers() == 8; }));
     // This side knows the other's readers, but the other may not yet know our writers.
     eventually([&] { return file_holds(capture, imu_user_data); });
   }

@@ -16,7 +16,7 @@ struct Loop {
       : participant(test_domain()),
         publisher(participant, all_devices(declared), {"leveling"}),
         subscriber(participant, all_devices(Provenance::real), options) {
-    EXPECT_TRUE(eventually([this] { return subscriber.matched_writers() >= 7; }));
+    EXPECT_TRUE(eventually([this] { return subscriber.matched_writers() >= 8; }));
   }
 
   template <class Sample>
@@ -177,6 +177,22 @@ TEST(Bus, ActuatorStateArrivesIdentical) {
   EXPECT_EQ(got.propeller_radps, sent.propeller_radps);
 }
 
+TEST(Bus, AttitudeSampleArrivesIdentical) {
+  Loop loop;
+  const AttitudeSample sent{
+      origin(compass), 6.2, HeadingReference::magnetic_north, -0.01, 0.12, 0.0268, -0.1, 0.02, 0.3};
+  const auto got = loop.through(sent);
+  expect_same_origin(got.origin, sent.origin);
+  EXPECT_EQ(got.heading_rad, sent.heading_rad);
+  EXPECT_EQ(got.reference, sent.reference);
+  EXPECT_EQ(got.deviation_rad, sent.deviation_rad);
+  EXPECT_EQ(got.variation_rad, sent.variation_rad);
+  EXPECT_EQ(got.true_heading_rad, sent.true_heading_rad);
+  EXPECT_EQ(got.roll_rad, sent.roll_rad);
+  EXPECT_EQ(got.pitch_rad, sent.pitch_rad);
+  EXPECT_EQ(got.rate_of_turn_radps, sent.rate_of_turn_radps);
+}
+
 TEST(Bus, WhatADeviceDidNotGiveStaysEmpty) {
   Loop loop;
   const auto depth_sample = loop.through(only_origin<DepthSample>(depth));
@@ -200,6 +216,10 @@ TEST(Bus, WhatADeviceDidNotGiveStaysEmpty) {
   const auto actuators = loop.through(only_origin<ActuatorState>(actuator));
   EXPECT_FALSE(actuators.rudder_rad || actuators.stern_plane_rad || actuators.bow_plane_rad ||
                actuators.propeller_radps);
+  const auto attitude = loop.through(only_origin<AttitudeSample>(compass));
+  EXPECT_FALSE(attitude.heading_rad || attitude.deviation_rad || attitude.variation_rad ||
+               attitude.true_heading_rad || attitude.roll_rad || attitude.pitch_rad ||
+               attitude.rate_of_turn_radps);
 }
 
 TEST(Bus, ProvenanceIsThatOfTheWriterNotOfTheSubscribersConfiguration) {

@@ -46,7 +46,7 @@ TEST(BusReaders, SubscriberThatNeverTakesDoesNotSlowTheWriter) {
   const Participant participant(test_domain());
   Publisher publisher(participant, all_devices());
   Subscriber subscriber(participant, all_devices());
-  ASSERT_TRUE(eventually([&] { return publisher.matched_readers() == 7; }));
+  ASSERT_TRUE(eventually([&] { return publisher.matched_readers() == 8; }));
   EXPECT_LT(median_write(publisher, 5000), microseconds(1000));
   EXPECT_EQ(counters_of(publisher, "rt/imu/data").written, 5000u);
   const auto kept = take(subscriber, 1);  // the newest samples of a bounded queue, in order
@@ -60,7 +60,7 @@ TEST(BusReaders, StoppedProcessDoesNotSlowTheWriterAndTheCountersCoverWhatItLost
   ASSERT_EQ(child.read_line(), "subscribed");
   const Participant participant(test_domain());
   Publisher publisher(participant, all_devices());
-  ASSERT_TRUE(eventually([&] { return publisher.matched_readers() == 7; }));
+  ASSERT_TRUE(eventually([&] { return publisher.matched_readers() == 8; }));
   child.signal(SIGSTOP);
   EXPECT_LT(median_write(publisher, 2000), microseconds(1000));
   const auto counters = counters_of(publisher, "rt/imu/data");
@@ -81,7 +81,7 @@ TEST(BusReaders, HealthyReaderBesideAStoppedOneGetsEverySampleInOrder) {
   const Participant participant(test_domain());
   Publisher publisher(participant, all_devices());
   Subscriber healthy(participant, all_devices());
-  ASSERT_TRUE(eventually([&] { return publisher.matched_readers() == 14; }));
+  ASSERT_TRUE(eventually([&] { return publisher.matched_readers() == 16; }));
   child.signal(SIGSTOP);
   median_write(publisher, 1500);
   const auto taken = take(healthy, 1500);
@@ -96,7 +96,7 @@ TEST(BusReaders, LateSubscriberGetsWhatIsPublishedFromThenOn) {
   Publisher publisher(participant, all_devices());
   publisher.publish(numbered(1));
   Subscriber subscriber(participant, all_devices());
-  ASSERT_TRUE(eventually([&] { return subscriber.matched_writers() == 7; }));
+  ASSERT_TRUE(eventually([&] { return subscriber.matched_writers() == 8; }));
   publisher.publish(numbered(2));
   const auto taken = take(subscriber, 1);
   ASSERT_EQ(taken.size(), 1u);

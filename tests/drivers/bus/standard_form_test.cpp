@@ -17,7 +17,7 @@ struct StandardLoop {
       : participant(test_domain()),
         publisher(participant, all_devices()),
         subscriber(participant, all_devices(Provenance::real, Form::standard)) {
-    EXPECT_TRUE(eventually([this] { return subscriber.matched_writers() >= 7; }));
+    EXPECT_TRUE(eventually([this] { return subscriber.matched_writers() >= 8; }));
   }
 
   template <class Sample>

@@ -17,7 +17,8 @@ inline std::vector<Device> ros_devices() {
           {"gps", Kind::gnss, Provenance::emulated, Form::complete},
           {"imu", Kind::imu, Provenance::emulated, Form::complete},
           {"ctd", Kind::depth, Provenance::emulated, Form::complete},
-          {"rudder", Kind::actuator, Provenance::replayed, Form::complete}};
+          {"rudder", Kind::actuator, Provenance::replayed, Form::complete},
+          {"compass", Kind::attitude, Provenance::emulated, Form::complete}};
 }
 
 /// A publisher of the rig, and the bytes that it writes on one topic.

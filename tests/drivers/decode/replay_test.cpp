@@ -95,7 +95,8 @@ TEST(Replay, WhatCannotBePlayedIsOneLine) {
   options.kind.clear();
   EXPECT_EQ(
       run_replay(options).err,
-      "replay: --kind says which sensor speaks nmea2000; allowed: emlog, gnss, depth, actuator\n");
+      "replay: --kind says which sensor speaks nmea2000; allowed: emlog, gnss, depth, actuator, "
+      "attitude\n");
   options.protocol = "morse";
   EXPECT_EQ(run_replay(options).err, "replay: no driver speaks \"morse\"\n");
   options = options_for(file);

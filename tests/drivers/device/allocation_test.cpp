@@ -49,6 +49,17 @@ TEST(Allocation, NoneByTheEmLogDriver) {
             0U);
 }
 
+TEST(Allocation, NoneByTheDriversOfACompass) {
+  const Octets bytes = octets("$HEHDT,274.07,T*19\r\n");
+  EXPECT_EQ(allocations_of(Kind::attitude, "nmea0183",
+                           [&](Device& d, Stamp at) { d.receive(bytes, at); }),
+            0U);
+  const auto heading = can_frame(0x09F11227, true, {0, 0x39, 0x30, 0xFF, 0x7F, 0xFF, 0x7F, 0xFC});
+  EXPECT_EQ(allocations_of(Kind::attitude, "nmea2000",
+                           [&](Device& d, Stamp at) { d.receive(heading, at); }),
+            0U);
+}
+
 TEST(Allocation, NoneByTheDriverOfWaterLinkedJson) {
   const Octets lines = read_all(std::filesystem::path(DRYDOCK_SOURCE_DIR) /
                                 "fixtures/water-linked-json/golden.jsonl");

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "drivers/device/burst.hpp"
+#include "drivers/device/stream_driver.hpp"
+#include "drivers/device/vessel/attitude_axes.hpp"
+#include "drivers/wire/nmea0183/nmea0183.hpp"
+
+namespace drydock::device {
+
+/// Compass that speaks NMEA 0183: THS and HDT give the true heading. A compass that sends both
+/// gives the same heading twice, so the driver ignores HDT while THS comes. A heading of THS that
+/// is typed in (M) or simulated (S) is refused. Consecutive sentences were all true before the
+/// first was sent.
+class AttitudeDriver final : public StreamDriver<wire::Nmea0183::max_frame> {
+ public:
+  explicit AttitudeDriver(const DriverOptions& options)
+      : StreamDriver(options, wire::Nmea0183::scan),
+        axes_(options.mounting),
+        burst_(shortest_pause) {}
+
+ private:
+  void on_frame(wire::Bytes frame, const Arrival& arrival, Output& out) override;
+  /// Compasses send up to fifty times a second; hosts delay bytes by some milliseconds.
+  static constexpr std::chrono::milliseconds shortest_pause{10};
+
+  void on(const wire::Hdt& hdt, const Origin& origin, Output& out);
+  void on(const wire::Ths& ths, const Origin& origin, Output& out);
+  void publish(const std::optional<double>& true_heading_rad, const Origin& origin, Output& out);
+
+  AttitudeAxes axes_;
+  Burst burst_;
+  std::optional<Stamp> ths_at_;
+};
+
+}  // namespace drydock::device

@@ -1,0 +1,55 @@
+#include "hil/emulate/attitude_readings.hpp"
+#include "hil/emulate/can/nmea2000_name.hpp"
+#include "hil/emulate/devices.hpp"
+
+namespace drydock::emulate {
+namespace {
+
+constexpr std::uint8_t compass_address = 0x27;
+// NMEA 2000 class "navigation", function "ownship attitude".
+constexpr std::uint8_t class_of_navigation = 60, attitude_function = 140;
+constexpr std::uint8_t attitude_sequences = 253;  // SIDs above 252 are reserved
+
+class Nmea2000Attitude final : public J1939Device {
+ public:
+  explicit Nmea2000Attitude(const DeviceSetup& setup)
+      : J1939Device(setup, marine_name(setup.config, attitude_function, class_of_navigation),
+                    compass_address),
+        readings_(setup) {}
+
+ private:
+  void report(Stamp at, std::uint8_t address, Wire& out) override {
+    const auto reading = readings_.at(trajectory().at(at), mounting());
+    const auto sequence = static_cast<std::uint8_t>(samples() % attitude_sequences);
+
+    wire::nmea2000::Attitude tilt;
+    tilt.source = address;
+    tilt.sequence = sequence;
+    tilt.roll_rad = reading.roll_rad;
+    tilt.pitch_rad = reading.pitch_rad;
+    out.send(encode(tilt));
+
+    wire::nmea2000::VesselHeading heading;
+    heading.source = address;
+    heading.sequence = sequence;
+    heading.heading_rad = reading.heading_rad;
+    heading.reference = wire::nmea2000::true_north;
+    out.send(encode(heading));
+
+    wire::nmea2000::RateOfTurn turn;
+    turn.source = address;
+    turn.sequence = sequence;
+    turn.rate_radps = reading.rate_of_turn_radps;
+    out.send(encode(turn));
+  }
+
+  AttitudeReadings readings_;
+};
+
+}  // namespace
+
+DevicePtr make_nmea2000_attitude(const DeviceSetup& setup) {
+  return std::make_unique<Nmea2000Attitude>(setup);
+}
+
+}  // namespace drydock::emulate
