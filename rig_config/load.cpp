@@ -92,6 +92,13 @@ std::vector<std::string> files_of(const Node& root, const std::string& path,
   return files;
 }
 
+/// The DBC file that a device's description read, if it is not of the program.
+void add_dbc_of(const DeviceConfig& device, std::vector<std::string>& files) {
+  if (!device.description || device.description->dbc_file.empty()) return;
+  if (std::ranges::find(files, device.description->dbc_file) == files.end())
+    files.push_back(device.description->dbc_file);
+}
+
 }  // namespace
 
 Loaded<Rig> load_rig_text(std::string_view text, const std::string& path,
@@ -121,6 +128,7 @@ Loaded<Rig> load_rig_text(std::string_view text, const std::string& path,
   append(problems, check_faults_of(rig));
   if (!problems.empty()) return problems;
   rig.files = files_of(*root, path, rig.mission);
+  for (const DeviceConfig& device : rig.devices) add_dbc_of(device, rig.files);
   return rig;
 }
 

@@ -17,6 +17,7 @@
 #include "drivers/terminal/exit_codes.hpp"
 #include "drivers/text/json_lines.hpp"
 #include "drivers/wire/described/described_codec.hpp"
+#include "drivers/wire/described/frame_codec.hpp"
 #include "drivers/wire/passed_over.hpp"
 #include "drivers/wire/registry.hpp"
 
@@ -118,24 +119,25 @@ wire::Network network_of() {
 }
 
 /// A decoder counts only frames of its own messages. So one that changes no counter is passed over.
-template <wire::FrameProtocol P>
-void receive(typename P::Decoder& decoder, const capture::Record& record, Sink& sink) {
+template <class Decoder>
+void receive(Decoder& decoder, const capture::Record& record, wire::Network network, Sink& sink) {
   const wire::StreamCounters before = decoder.counters();
   if (const auto message = decoder.receive(record.frame))
     sink.message(*message, record);
   else if (decoder.counters() == before)
-    sink.passed_over(wire::frame_name(record.frame, network_of<P>()));
+    sink.passed_over(wire::frame_name(record.frame, network));
 }
 
-/// Decodes a CAN capture to its end. False if the output cannot be written.
-template <wire::FrameProtocol P>
-bool decode_frames(FileBlocks& blocks, FrameCapture& frames, Sink& sink,
-                   wire::StreamCounters& counters) {
-  std::map<std::string, typename P::Decoder, std::less<>> buses;  // each assembles its own
+/// Decodes a CAN capture to its end. `make` gives a decoder for each bus: it assembles its own.
+/// False if the output cannot be written.
+template <class Make>
+bool decode_frames(const Make& make, wire::Network network, FileBlocks& blocks,
+                   FrameCapture& frames, Sink& sink, wire::StreamCounters& counters) {
+  std::map<std::string, decltype(make()), std::less<>> buses;
   const auto on_record = [&](const capture::Record& record) {
     auto bus = buses.find(record.interface);
-    if (bus == buses.end()) bus = buses.try_emplace(std::string(record.interface)).first;
-    receive<P>(bus->second, record, sink);
+    if (bus == buses.end()) bus = buses.emplace(std::string(record.interface), make()).first;
+    receive(bus->second, record, network, sink);
   };
   if (!read_records(blocks, frames, on_record, [&] { return sink.flush(); })) return false;
   for (const auto& [name, decoder] : buses)
@@ -144,6 +146,15 @@ bool decode_frames(FileBlocks& blocks, FrameCapture& frames, Sink& sink,
   counters.bytes_skipped = frames.tally().bytes_skipped;
   sink.finish();
   return sink.flush();
+}
+
+/// Decodes with a description, whichever way its sensor talks.
+bool decode_described(const wire::described::DescriptionPtr& description, FileBlocks& blocks,
+                      bool raw, FrameCapture& frames, Sink& sink, wire::StreamCounters& counters) {
+  if (!description->frames)
+    return decode_bytes(wire::described::DescribedCodec(description), blocks, raw, sink, counters);
+  const auto make = [&] { return wire::described::FrameDecoder(description); };
+  return decode_frames(make, description->facts.network, blocks, frames, sink, counters);
 }
 
 template <class... P>
@@ -189,8 +200,9 @@ int decode(const DecodeOptions& options, std::FILE* out, std::FILE* err) {
   if (!options.dbc.empty()) return decode_by_dbc(options, out, err);
   const std::string& protocol = options.protocol;
   if (protocol.empty()) return refuse(err, "--protocol or --dbc is missing");
-  const bool from_frames =
-      knows(wire::FrameProtocols{}, protocol) || knows(wire::FramesAsTheyAre{}, protocol);
+  const bool from_frames = knows(wire::FrameProtocols{}, protocol) ||
+                           knows(wire::FramesAsTheyAre{}, protocol) ||
+                           (options.description && options.description->frames);
   if (!from_frames && !options.description && !knows(wire::BytesProtocols{}, protocol) &&
       !knows(wire::FrameCarriers{}, protocol)) {
     return refuse(
@@ -211,11 +223,11 @@ int decode(const DecodeOptions& options, std::FILE* out, std::FILE* err) {
   bool written = false;
   const auto bytes = [&]<class P>() { written = decode_bytes(P{}, blocks, raw, sink, counters); };
   const auto frames = [&]<class P>() {
-    written = decode_frames<P>(blocks, capture, sink, counters);
+    const auto make = [] { return typename P::Decoder{}; };
+    written = decode_frames(make, network_of<P>(), blocks, capture, sink, counters);
   };
   if (options.description)
-    written = decode_bytes(wire::described::DescribedCodec(options.description), blocks, raw, sink,
-                           counters);
+    written = decode_described(options.description, blocks, raw, capture, sink, counters);
   wire::with_protocol(wire::BytesProtocols{}, protocol, bytes);
   wire::with_protocol(wire::FrameCarriers{}, protocol, bytes);
   wire::with_protocol(wire::FrameProtocols{}, protocol, frames);

@@ -5,6 +5,7 @@
 
 #include "drivers/device/bus/can_error_text.hpp"
 #include "drivers/measurement/earlier.hpp"
+#include "drivers/wire/described/description.hpp"
 
 namespace drydock::device {
 
@@ -30,6 +31,14 @@ struct RateChannel {
   }
 };
 
+/// Bytes for a protocol that is not known: then the error says what is allowed.
+Travels travels_of(const DriverOptions& options) {
+  if (options.description) return options.description->facts.travels;
+  const auto protocols = protocols_of(options.kind);
+  const auto known = std::ranges::find(protocols, options.protocol, &ProtocolEntry::name);
+  return known != protocols.end() ? known->travels : Travels::as_bytes;
+}
+
 }  // namespace
 
 Device::Device(DeviceOptions options, AnyDriver driver)
@@ -40,11 +49,8 @@ boost::system::result<std::unique_ptr<Device>, DriverError> Device::make(DeviceO
     if (!made) return made.error();
     return std::unique_ptr<Device>(new Device(std::move(options), std::move(*made)));
   };
-  const auto protocols = protocols_of(options.driver.kind);
-  const auto known = std::ranges::find(protocols, options.driver.protocol, &ProtocolEntry::name);
-  if (known != protocols.end() && known->travels == Travels::as_frames) {
+  if (travels_of(options.driver) == Travels::as_frames)
     return wrap(make_frame_driver(options.driver));
-  }
   return wrap(make_byte_driver(options.driver));
 }
 

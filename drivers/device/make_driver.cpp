@@ -3,6 +3,7 @@
 #include <array>
 
 #include "drivers/device/described/described_driver.hpp"
+#include "drivers/device/described/described_frame_driver.hpp"
 #include "drivers/device/dvl/dvl_driver.hpp"
 #include "drivers/device/dvl/nortek_ad2cp_driver.hpp"
 #include "drivers/device/dvl/nortek_driver.hpp"
@@ -132,6 +133,8 @@ boost::system::result<ByteDriverPtr, DriverError> make_byte_driver(const DriverO
 }
 
 boost::system::result<FrameDriverPtr, DriverError> make_frame_driver(const DriverOptions& options) {
+  if (is_described(options, Travels::as_frames))
+    return make<FrameDriver, DescribedFrameDriver>(options);
   const Row* row = find(options, Travels::as_frames);
   if (!row) return no_driver(options, Travels::as_frames);
   return row->make_frame(options);

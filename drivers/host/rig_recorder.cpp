@@ -29,8 +29,8 @@ std::string short_name(const link::Uri& uri) {
   return name.empty() ? "link" : name;
 }
 
-bool speaks_frames(const std::string& protocol) {
-  const wire::Protocol* known = wire::find_protocol(protocol);
+bool speaks_frames(const rig_config::DeviceConfig& device) {
+  const wire::Protocol* known = rig_config::protocol_of(device);
   return known && known->travels == wire::Travels::as_frames;
 }
 
@@ -48,7 +48,7 @@ std::vector<record::RecordedLink> links_of(const rig_config::Rig& rig) {
     for (int i = 2; !names.insert(name).second; ++i)
       name = fmt::format("{}-{}", short_name(uri), i);
     const bool frames =
-        uri.recorded() ? speaks_frames(device.protocol) : uri.carries() == link::Carries::frames;
+        uri.recorded() ? speaks_frames(device) : uri.carries() == link::Carries::frames;
     links.push_back({device.link, name, frames, {device.name}});
   }
   return links;

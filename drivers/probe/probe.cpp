@@ -34,9 +34,10 @@ boost::system::result<link::Uri, link::UriError> parse_without_baud(const std::s
 }
 
 /// Surveys a CAN capture, in its own time. False if the content is no CAN capture.
-bool read_frames(const link::Uri& uri, ProbeReport& report) {
+bool read_frames(const link::Uri& uri, const survey::BusSurvey::Descriptions& descriptions,
+                 ProbeReport& report) {
   auto file = link::capture_of(uri);
-  survey::BusSurvey survey;
+  survey::BusSurvey survey(descriptions);
   Stamp first{}, last{};
   while (const auto record = file.next()) {
     last = Stamp{record->time.value_or(Stamp::duration{0})};
@@ -84,7 +85,8 @@ bool read_bytes(const link::Uri& uri, const survey::ByteSurvey::Descriptions& de
 bool search(const ProbeOptions& options, const link::Uri& uri, std::FILE* err,
             ProbeReport& report) {
   if (uri.recorded())
-    return read_frames(uri, report) || read_bytes(uri, options.descriptions, report);
+    return read_frames(uri, options.descriptions, report) ||
+           read_bytes(uri, options.descriptions, report);
   Ear ear;
   Progress progress(err);
   const Stamp start = link::steady_now();

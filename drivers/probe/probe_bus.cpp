@@ -80,7 +80,12 @@ class BusSearch {
   using Failure = std::optional<link::OpenError>;
 
   BusSearch(const LineSearch& search, Ear& ear, Progress& progress, ProbeReport& report)
-      : search_(search), ear_(ear), progress_(progress), report_(report), link_(search.link) {}
+      : search_(search),
+        ear_(ear),
+        progress_(progress),
+        report_(report),
+        link_(search.link),
+        survey_(search.descriptions) {}
 
   Failure listen(const link::Uri& uri) {
     auto failure = hear(link::listening(uri), search_.until);

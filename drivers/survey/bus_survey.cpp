@@ -1,6 +1,7 @@
 #include "drivers/survey/bus_survey.hpp"
 
 #include <algorithm>
+#include <span>
 
 #include "drivers/device/bus/can_error_text.hpp"
 #include "drivers/survey/arrivals.hpp"
@@ -57,9 +58,13 @@ std::vector<std::string_view> protocols_on(NodeKind kind) {
 /// One sender: its traffic, its reports about itself, and every driver tried on it.
 class BusSurvey::Listener {
  public:
-  Listener(NodeKind kind, std::uint8_t address) {
+  Listener(NodeKind kind, std::uint8_t address, const Descriptions& descriptions) {
     node_.kind = kind;
     node_.address = address;
+    for (const auto& one : descriptions)
+      if (one->frames && one->facts.network == network_of(kind))
+        std::ranges::move(trials_of(one), std::back_inserter(trials_));
+    described_ = trials_.size();
     for (const auto protocol : protocols_on(kind))
       std::ranges::move(trials_of(protocol, address), std::back_inserter(trials_));
   }
@@ -132,9 +137,17 @@ class BusSurvey::Listener {
     }
   }
 
+  /// A description that fits was asked for: it comes before the registry.
   const DriverTrial* best_of(Kind kind) const {
+    const auto trials = std::span(trials_);
+    const DriverTrial* asked_for = best_of(kind, trials.first(described_));
+    return asked_for ? asked_for : best_of(kind, trials.subspan(described_));
+  }
+
+  const DriverTrial* best_of(Kind kind,
+                             std::span<const std::unique_ptr<DriverTrial>> trials) const {
     const DriverTrial* best = nullptr;
-    for (const auto& trial : trials_)
+    for (const auto& trial : trials)
       if (trial->kind() == kind && may_speak(trial->protocol()))
         best = better_of(best, trial.get());
     return best;
@@ -154,15 +167,16 @@ class BusSurvey::Listener {
   std::optional<wire::j1939::Name> reversed_name_;  ///< in the order of Aceinna's fields
   std::uint8_t widest_tpdo1_ = 0;
   std::vector<std::unique_ptr<DriverTrial>> trials_;
+  std::size_t described_ = 0;  ///< the first of the trials are those of descriptions
 };
 
-BusSurvey::BusSurvey() = default;
+BusSurvey::BusSurvey(Descriptions descriptions) : descriptions_(std::move(descriptions)) {}
 BusSurvey::~BusSurvey() = default;
 
 BusSurvey::Listener& BusSurvey::listener_of(const CanFrame& frame) {
   const auto key = sender(frame);
   auto& listener = listeners_[key];
-  if (!listener) listener = std::make_unique<Listener>(key.first, key.second);
+  if (!listener) listener = std::make_unique<Listener>(key.first, key.second, descriptions_);
   return *listener;
 }
 

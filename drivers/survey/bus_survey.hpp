@@ -47,7 +47,11 @@ struct Complaint {
 
 class BusSurvey {
  public:
-  BusSurvey();
+  using Descriptions = std::vector<wire::described::DescriptionPtr>;
+
+  /// Descriptions with a DBC file come before the protocols of the registry. Those of byte lines
+  /// are left out.
+  explicit BusSurvey(Descriptions descriptions = {});
   ~BusSurvey();
 
   void receive(const wire::CanFrame& frame, Stamp at);
@@ -62,6 +66,7 @@ class BusSurvey {
   class Listener;
   Listener& listener_of(const wire::CanFrame& frame);
 
+  Descriptions descriptions_;
   std::map<std::pair<NodeKind, std::uint8_t>, std::unique_ptr<Listener>> listeners_;
   std::map<std::string, std::uint64_t, std::less<>> complaints_;
   std::uint64_t frames_ = 0, bits_ = 0;

@@ -127,9 +127,11 @@ std::string reasons(const ByteFinding& f) {
 
 ByteSurvey::ByteSurvey(const Descriptions& descriptions) {
   using wire::described::DescribedCodec;
-  for (const auto& one : descriptions)
+  for (const auto& one : descriptions) {
+    if (one->frames) continue;  // BusSurvey looks for those
     candidates_.push_back(
         std::make_unique<CandidateOf<DescribedCodec>>(DescribedCodec(one), trials_of(one)));
+  }
   add_all(wire::BytesProtocols{}, candidates_);
   add_all(wire::FrameCarriers{}, candidates_);
 }

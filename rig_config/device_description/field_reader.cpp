@@ -13,6 +13,7 @@ namespace drydock::rig_config {
 namespace {
 
 namespace described = wire::described;
+namespace dbc = wire::dbc;
 using described::Dimension;
 using described::Field;
 using described::Form;
@@ -42,10 +43,15 @@ class FieldReader {
   Field run() {
     field_.end = context_.separator;
     field_.big_endian = context_.big_endian;
-    read_kind();
+    if (context_.form == Form::frames)
+      read_signal();
+    else
+      read_kind();
     read_place();
     if (table_.find("field")) read_target();
     if (!field_.target) scale_plainly();
+    if (signal_) scale_by_file();
+    if (signal_ && field_.key == "time_s") field_.key = "device_time_s";  // `decode` has a time_s
     read_validity();
     read_emulated();
     if (const Node* none = table_.find("no_value"))
@@ -79,6 +85,37 @@ class FieldReader {
     }
   }
 
+  /// A field of a frame is a signal, shown under its name.
+  void read_signal() {
+    const Node& word = *table_.find("signal");
+    const auto& signals = context_.message->signals;
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < signals.size(); ++i) {
+      names.push_back(signals[i].long_name);
+      if (signals[i].name != word.text && signals[i].long_name != word.text) continue;
+      field_.at = static_cast<std::uint16_t>(i);
+      signal_ = &signals[i];
+    }
+    if (!signal_)
+      return add(word, fmt::format("message {} has no signal \"{}\"{}, allowed: {}",
+                                   context_.message->long_name, word.text,
+                                   did_you_mean(word.text, names), listed(names)));
+    const dbc::Number number = signal_->layout.number;
+    field_.type = signal_->layout.is_float()              ? Type::real
+                  : number == dbc::Number::signed_integer ? Type::signed_integer
+                                                          : Type::unsigned_integer;
+    if (!table_.find("field")) field_.key = signal_->long_name;
+    read(table_, "name", field_.key);
+    read(table_, "optional", field_.optional);
+  }
+
+  /// Behind the raw number comes the DBC file's scale, then that of the description.
+  void scale_by_file() {
+    const auto& layout = signal_->layout;
+    field_.offset += layout.offset * field_.factor;
+    field_.factor *= layout.factor;
+  }
+
   void read_text_type(const Node* constant, const Node* skipped) {
     std::string type = "number";
     read(table_, "type", type);
@@ -91,9 +128,15 @@ class FieldReader {
   }
 
   void read_place() {
+    if (context_.form == Form::frames && signal_) return read_bits(signal_->layout.bits);
     if (context_.form != Form::binary) return;
     field_.at = static_cast<std::uint16_t>(table_.find("at")->integer);
     if (const Node* order = table_.find("order")) field_.big_endian = order->text == "big";
+    read_bits(8u * field_.size);
+  }
+
+  /// A part of an integer, which has `size` bits.
+  void read_bits(unsigned size) {
     const Node* bits = table_.find("bits");
     if (!bits) return;
     const auto first = bits->items[0].integer, count = bits->items[1].integer;
@@ -101,9 +144,10 @@ class FieldReader {
       add(*bits, "only an integer has bits");
     else if (count < 1)
       add(*bits, "expected the first bit and at least one bit");
-    else if (first + count > 8 * field_.size)
-      add(*bits, fmt::format("bits {} to {} are beyond the {} of {}", first, first + count - 1,
-                             8 * field_.size, table_.find("type")->text));
+    else if (first + count > size)
+      add(*bits,
+          fmt::format("bits {} to {} are beyond the {} of {}", first, first + count - 1, size,
+                      table_.find(context_.form == Form::frames ? "signal" : "type")->text));
     field_.first_bit = static_cast<std::uint8_t>(first);
     field_.bits = static_cast<std::uint8_t>(count);
   }
@@ -139,16 +183,22 @@ class FieldReader {
     for (const WireUnit& unit : wire_units)
       if (unit.dimension == wanted) allowed.emplace_back(unit.name);
     const Node* named = table_.find("unit");
-    const std::string word = named ? named->text : wanted == Dimension{} ? "1" : "";
+    const std::string word = named ? named->text : wanted == Dimension{} ? "1" : unit_of_file();
     const WireUnit* unit = find_unit(word);
     if (!unit || !(unit->dimension == wanted))
       return add(named ? *named : table_,
                  fmt::format("{} of {}, allowed: {}",
-                             named ? fmt::format("\"{}\" is no unit", word) : "no unit", row.name,
-                             listed(allowed)));
+                             word.empty() ? "no unit" : fmt::format("\"{}\" is no unit", word),
+                             row.name, listed(allowed)));
     const double scale = read_if(table_, "scale").value_or(1);
     field_.factor = scale * unit->factor;
     field_.offset = read_if(table_, "offset").value_or(0) * unit->factor + unit->offset;
+  }
+
+  /// The unit of the DBC file. Some files write a power with a sign of its own.
+  std::string unit_of_file() const {
+    if (!signal_) return "";
+    return signal_->unit == "m/s\u00b2" || signal_->unit == "m/s^2" ? "m/s2" : signal_->unit;
   }
 
   /// A value that no measurement has keeps the unit of the wire.
@@ -216,6 +266,7 @@ class FieldReader {
   const FieldContext& context_;
   Problems& problems_;
   Field field_;
+  const wire::dbc::Signal* signal_ = nullptr;  ///< frames
 };
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "drivers/wire/dbc/database.hpp"
 #include "drivers/wire/described/plan.hpp"
 #include "rig_config/load.hpp"
 #include "rig_config/toml/node.hpp"
@@ -15,6 +16,7 @@ struct FieldContext {
   char separator;   ///< behind a field of a text
   bool big_endian;  ///< unless the field says it
   std::string file, path;
+  const wire::dbc::Message* message = nullptr;  ///< frames: that of the DBC file
 };
 
 /// Reads the table of one field of a message. Problems are appended; the field is then not usable.

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "drivers/wire/described/frame_plan.hpp"
 #include "rig_config/checks/checks.hpp"
 #include "rig_config/device_description/plan_reader.hpp"
 #include "rig_config/toml/checked_file.hpp"
@@ -17,6 +18,14 @@ bool tells_time(const described::Plan& plan) {
   });
 }
 
+void add_facts(const described::FramePlan& plan, wire::Protocol& facts) {
+  facts.travels = wire::Travels::as_frames;
+  for (const auto& frame : plan.frames) {
+    if (frame.is_j1939()) facts.network = wire::Network::j1939;
+    if (frame.checksum) facts.checksum = to_string(frame.checksum->checksum);
+  }
+}
+
 wire::Protocol facts_of(const described::Description& description) {
   wire::Protocol facts;
   facts.name = description.name;
@@ -24,6 +33,7 @@ wire::Protocol facts_of(const described::Description& description) {
   const auto& sum = description.plan.checksum;
   if (sum.size() != 0) facts.checksum = sum.name();
   if (tells_time(description.plan)) facts.clock = wire::DeviceClock::yes;
+  if (description.frames) add_facts(*description.frames, facts);
   if (!description.start.empty()) facts.settings = wire::Settings::obeyed;
   if (description.kind == DeviceKind::gnss) facts.place = wire::Place::yes;
   return facts;

@@ -3,14 +3,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
+#include "rig_config/device_description/dbc_source.hpp"
 #include "rig_config/device_description/field_reader.hpp"
+#include "rig_config/device_description/frame_reader.hpp"
 #include "rig_config/rules/explain.hpp"
 #include "rig_config/toml/read_keys.hpp"
 
 namespace drydock::rig_config {
 namespace {
 
+namespace dbc = wire::dbc;
 namespace described = wire::described;
 using described::Description;
 using described::Field;
@@ -51,6 +55,8 @@ class PlanReader {
     if (const auto wait = read_if(sensor, "reply_within_ms"))
       description_.reply_within = std::chrono::milliseconds{static_cast<std::int64_t>(*wait)};
     if (const Node* messages = the_messages()) {
+      if (plan().form == Form::frames ? !begin_frames(*messages) : has_dbc_in_vain())
+        return std::move(description_);
       read_common();
       for (std::size_t i = 0; i < messages->items.size(); ++i) read_message(messages->items[i], i);
       if (problems_.empty()) finish(*messages);
@@ -65,16 +71,79 @@ class PlanReader {
     const Node* found = nullptr;
     for (const auto& [word, form] :
          {std::pair("sentences", Form::sentences), std::pair("binary", Form::binary),
-          std::pair("lines", Form::lines)}) {
+          std::pair("lines", Form::lines), std::pair("frames", Form::frames)}) {
       const Node* one = protocol_.find(word);
       if (!one) continue;
-      if (found) add(*one, path_, "a protocol has one of: sentences, binary, lines");
+      if (found) add(*one, path_, "a protocol has one of: sentences, binary, lines, frames");
       found = one;
       plan().form = form;
       path_ = std::string("/protocol/") + word;
     }
-    if (!found) add(protocol_, "/protocol", "a protocol needs one of: sentences, binary, lines");
+    if (!found)
+      add(protocol_, "/protocol", "a protocol needs one of: sentences, binary, lines, frames");
     return found;
+  }
+
+  bool has_dbc_in_vain() {
+    const Node* word = protocol_.find("dbc");
+    if (word)
+      add(*word, "/protocol/dbc", "a DBC file describes frames; allowed: [[protocol.frames]]");
+    return word != nullptr;
+  }
+
+  /// Makes the frame plan of the messages that the tables name. False after a problem.
+  bool begin_frames(const Node& tables) {
+    for (const char* key : {"checksum", "checksum_from", "checksum_order", "checksum_optional",
+                            "order", "separator", "longest"})
+      if (const Node* one = protocol_.find(key))
+        add(*one, std::string("/protocol/") + key, "only for bytes: the DBC file describes frames");
+    for (const char* key : {"start", "poll"})
+      if (const Node* one = root_.find(key))
+        add(*one, std::string("/") + key, "only for bytes: a driver of frames says nothing");
+    const Node* word = protocol_.find("dbc");
+    if (!word) add(tables, path_, "frames need the key 'dbc' of [protocol]: a DBC file");
+    const auto database =
+        word ? find_dbc(*word, file_, description_.dbc_file, problems_) : std::nullopt;
+    dbc::Database used;
+    for (std::size_t i = 0; database && i < tables.items.size(); ++i)
+      use_message(tables.items[i], i, *database, used);
+    if (!problems_.empty()) return false;
+    frames_ = std::make_shared<described::FramePlan>(used);
+    return true;
+  }
+
+  void use_message(const Node& table, std::size_t i, const dbc::Database& database,
+                   dbc::Database& used) {
+    const Node& word = *table.find("message");
+    const std::string path = fmt::format("{}/{}/message", path_, i);
+    const dbc::Message* message = database.find(word.text);
+    if (!message) {
+      std::vector<std::string> names;
+      for (const dbc::Message& one : database.messages) names.push_back(one.long_name);
+      return add(word, path,
+                 fmt::format("the DBC file has no message \"{}\"{}, allowed: {}", word.text,
+                             did_you_mean(word.text, names), listed(names)));
+    }
+    if (used.find(message->name)) add(word, path, "this message has a table already");
+    const unsigned most = message->format == dbc::FrameFormat::fd ? 64 : 8;
+    if (message->size > most)
+      add(word, path,
+          fmt::format("message {} has {} bytes, allowed: up to {}, which one frame holds",
+                      message->long_name, message->size, most));
+    used.messages.push_back(*message);
+  }
+
+  void finish_frames(const Node& tables) {
+    for (Problem& one : check_samples(plan(), *frames_, tables.items, file_))
+      problems_.push_back(std::move(one));
+    unsigned cycle_ms = 0;
+    for (const auto& one : frames_->frames)
+      if (one.message.cycle_ms != 0 && (cycle_ms == 0 || one.message.cycle_ms < cycle_ms))
+        cycle_ms = one.message.cycle_ms;
+    if (cycle_ms != 0) frames_->longest_sample = std::chrono::microseconds{500 * cycle_ms};
+    if (const auto within = read_if(protocol_, "within_ms", millisecond))
+      frames_->longest_sample = std::chrono::nanoseconds{std::llround(*within * 1e9)};
+    description_.frames = frames_;
   }
 
   void read_common() {
@@ -132,6 +201,10 @@ class PlanReader {
   }
 
   void read_head(const Node& table, const std::string& path, Message& message) {
+    if (plan().form == Form::frames) {
+      message.name = frames_->frames[plan().messages.size()].message.long_name;
+      return;
+    }
     if (plan().form == Form::binary) {
       const Node& sync = *table.find("sync");
       const auto bytes = hex_bytes(sync.text);
@@ -179,9 +252,14 @@ class PlanReader {
     const std::size_t count = fields ? fields->items.size() : 0;
     std::vector<Field> read;
     for (std::size_t i = 0; i < count; ++i) {
-      const FieldContext context{plan().form, description_.kind,
-                                 separator(), big_endian_,
-                                 file_,       fmt::format("{}/fields/{}", path, i)};
+      const FieldContext context{
+          plan().form,
+          description_.kind,
+          separator(),
+          big_endian_,
+          file_,
+          fmt::format("{}/fields/{}", path, i),
+          frames_ ? &frames_->frames[plan().messages.size()].message : nullptr};
       read.push_back(read_field(fields->items[i], context, problems_));
       message.publishes |= read.back().target && !described::is_time(*read.back().target);
     }
@@ -192,6 +270,8 @@ class PlanReader {
     }
     message.fields = static_cast<std::uint16_t>(count);
     message.mapped = mapped(read);
+    if (frames_)
+      read_frame(table, read, frames_->frames[plan().messages.size()], file_, path, problems_);
     std::ranges::move(read, std::back_inserter(plan().fields));
   }
 
@@ -228,7 +308,7 @@ class PlanReader {
 
   void check_optional(const Node& table, const std::string& path, const std::vector<Field>& fields,
                       std::size_t i) {
-    if (i > 0 && fields[i - 1].optional && !fields[i].optional)
+    if (plan().form != Form::frames && i > 0 && fields[i - 1].optional && !fields[i].optional)
       add(table, path, "fields behind an optional one must be optional too");
   }
 
@@ -253,9 +333,13 @@ class PlanReader {
 
   /// What only the whole plan tells.
   void finish(const Node& messages) {
-    for (const Message& message : plan().messages) note_starts(message);
-    for (Problem& one : check_plan(plan(), messages.items, file_, path_))
-      problems_.push_back(std::move(one));
+    if (frames_) {
+      finish_frames(messages);
+    } else {
+      for (const Message& message : plan().messages) note_starts(message);
+      for (Problem& one : check_plan(plan(), messages.items, file_, path_))
+        problems_.push_back(std::move(one));
+    }
     if (std::ranges::none_of(plan().messages, &Message::publishes))
       add(messages, path_, "no field is part of a measurement: none has the key 'field'");
   }
@@ -281,6 +365,7 @@ class PlanReader {
   Description description_;
   std::string path_ = "/protocol";
   bool big_endian_ = false;
+  std::shared_ptr<described::FramePlan> frames_;  ///< of a DBC file
 };
 
 }  // namespace

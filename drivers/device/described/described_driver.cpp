@@ -1,7 +1,7 @@
 #include "drivers/device/described/described_driver.hpp"
 
 #include "drivers/device/described/measure.hpp"
-#include "drivers/device/vessel/depth_gate.hpp"
+#include "drivers/device/described/publish_measured.hpp"
 #include "drivers/measurement/earlier.hpp"
 
 namespace drydock::device {
@@ -10,10 +10,6 @@ namespace {
 
 namespace described = wire::described;
 using described::Decoded;
-using described::Target;
-
-constexpr std::array of_an_imu{Target::force_x, Target::force_y, Target::force_z,
-                               Target::rate_x,  Target::rate_y,  Target::rate_z};
 
 }  // namespace
 
@@ -49,24 +45,9 @@ void DescribedDriver::on_frame(wire::Bytes frame, const Arrival& arrival, Output
 
 void DescribedDriver::publish(const Arrival& arrival, Output& out) {
   read(record_, readings_);
-  if (!is_complete(out)) return;
   const auto age = age_of(readings_);
   Origin origin = age ? timing_.of_bytes(arrival, *age) : timing_.of_bytes(arrival);
-  origin.device_time = device_time_of(readings_);
-  const auto measured = measurement_of(readings_, origin, options_);
-  const auto* depth = std::get_if<measurement::DepthSample>(&measured);
-  if (!depth || is_possible(*depth, out)) out.publish(measured);
-}
-
-/// A sample of an IMU has no way to leave a component out.
-bool DescribedDriver::is_complete(Output& out) const {
-  if (options_.kind != Kind::imu) return true;
-  for (const Target target : of_an_imu) {
-    if (readings_.has(target)) continue;
-    out.refuse("a sample without all six components was refused");
-    return false;
-  }
-  return true;
+  publish_measured(readings_, origin, options_, out);
 }
 
 }  // namespace drydock::device

@@ -20,7 +20,6 @@ class DescribedDriver final
  private:
   void on_frame(wire::Bytes frame, const Arrival& arrival, Output& out) override;
   void publish(const Arrival& arrival, Output& out);
-  bool is_complete(Output& out) const;
 
   DriverOptions options_;
   const wire::described::Description& description_;

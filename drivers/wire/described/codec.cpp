@@ -49,7 +49,8 @@ Scan scan(const Plan& plan, Bytes bytes) {
   switch (plan.form) {
     case Form::sentences: return scan_sentence(plan, bytes);
     case Form::binary: return scan_binary(plan, bytes);
-    case Form::lines: break;
+    case Form::lines:
+    case Form::frames: break;
   }
   return scan_line(plan, bytes);
 }

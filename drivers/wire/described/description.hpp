@@ -17,12 +17,16 @@ struct Request {
   std::string reply;  ///< name of a message; empty: none is awaited
 };
 
+struct FramePlan;
+
 struct Description {
   std::string name;   ///< of the file, as a rig names it: `valeport-vat.toml`
   std::string title;  ///< the sensor in words
   Protocol facts;     ///< its name is `name`
   Kind kind = Kind::depth;
   Plan plan;
+  std::shared_ptr<const FramePlan> frames;  ///< of a DBC file; null: it travels as bytes
+  std::string dbc_file;        ///< path of the DBC file; empty: it is part of the program
   std::vector<Request> start;  ///< when the link opens, in this order
   std::vector<Request> poll;   ///< at the rate of the sensor, in this order
   std::chrono::nanoseconds reply_within = std::chrono::seconds{1};

@@ -16,7 +16,7 @@ namespace drydock::wire::described {
 
 inline constexpr std::size_t longest_frame = 1024, most_fields = 32, most_messages = 64;
 
-enum class Form : std::uint8_t { sentences, binary, lines };
+enum class Form : std::uint8_t { sentences, binary, lines, frames };
 
 enum class Type : std::uint8_t {
   number,    ///< decimal text
@@ -45,10 +45,10 @@ struct Field {
   std::string text;       ///< of a constant, or what an emulated device sends
   char end = 0;           ///< text: the character behind the field; 0: the end of the message
   bool optional = false;  ///< text: the message may end before it
-  std::uint16_t at = 0;   ///< binary: first byte
+  std::uint16_t at = 0;   ///< binary: first byte; frames: place of the signal
   std::uint8_t size = 0;  ///< binary: bytes
   bool big_endian = false;
-  std::uint8_t first_bit = 0, bits = 0;  ///< binary: a part of the integer; bits 0: all of it
+  std::uint8_t first_bit = 0, bits = 0;  ///< a part of the integer; bits 0: all of it
   double factor = 1, offset = 0;         ///< value = number * factor + offset
   std::vector<double> no_value;          ///< numbers on the wire that are none
   std::optional<Target> target;

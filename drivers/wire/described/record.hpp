@@ -23,6 +23,7 @@ struct Record {
   std::array<Value, most_fields> values;
   bool valid = true;       ///< as the message says
   unsigned malformed = 0;  ///< fields that were no numbers; they read as empty
+  unsigned present = 0;    ///< frames: fields that this one has
 
   void begin(const Plan& of, const Message& one) {
     type = one.name;
@@ -30,6 +31,7 @@ struct Record {
     message = &one;
     valid = true;
     malformed = 0;
+    present = 0;
   }
 };
 

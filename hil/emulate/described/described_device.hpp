@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 
 #include "drivers/measurement/earlier.hpp"
 #include "drivers/wire/described/codec.hpp"
+#include "drivers/wire/described/frame_codec.hpp"
 #include "hil/emulate/described/described_dialogue.hpp"
 #include "hil/emulate/sampling_device.hpp"
 
@@ -19,7 +21,9 @@ class DescribedDevice : public Base {
   explicit DescribedDevice(const DeviceSetup& setup, Parts&&... parts)
       : Base(setup, std::forward<Parts>(parts)...),
         description_(setup.config.description),
-        requests_(*description_) {}
+        requests_(*description_) {
+    if (description_->frames) frames_.emplace(*description_);
+  }
 
   std::optional<Stamp> deadline() const override {
     if (!is_polled()) return Base::deadline();
@@ -94,12 +98,21 @@ class DescribedDevice : public Base {
   }
 
   void send(const Message& message, Wire& out) {
+    if (frames_) return send_frames(message, out);
     const std::size_t size =
         wire::described::encode(description_->plan, message, readings_, bytes_);
     if (size > 0) out.send(wire::Bytes{bytes_}.first(size));
   }
 
+  /// One frame for each selection of a multiplexed message.
+  void send_frames(const Message& message, Wire& out) {
+    const auto place = static_cast<std::size_t>(&message - description_->plan.messages.data());
+    for (const auto& selection : description_->frames->frames[place].turns)
+      if (const auto frame = frames_->encode(place, selection, readings_)) out.send(*frame);
+  }
+
   wire::described::DescriptionPtr description_;
+  std::optional<wire::described::FrameEncoder> frames_;  ///< of a DBC file
   RequestListener requests_;
   std::deque<Asked> asked_;
   wire::described::Readings readings_;

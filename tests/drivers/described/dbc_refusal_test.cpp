@@ -1,0 +1,86 @@
+#include <gmock/gmock.h>
+
+#include "tests/drivers/described/support.hpp"
+
+/// What a description cannot take from its DBC file is refused with line, column and what is
+/// allowed.
+namespace drydock::described::test {
+namespace dbc_refusal_test {
+
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+/// Lines 1 to 4 are the head; `more` begins at line 5.
+std::string imu(std::string_view more) {
+  return problems_of("[sensor]\ntitle = \"t\"\nkind = \"imu\"\n[protocol]\n" + std::string(more));
+}
+
+std::string xsens(std::string_view more) {
+  return imu("dbc = \"xsens.dbc\"\n" + std::string(more));
+}
+
+constexpr std::string_view rate =
+    "[[protocol.frames]]\nmessage = \"rate_of_turn\"\n"
+    "fields = [{signal = \"rate_x_degps\", field = \"rate_x_degps\"}]\n";
+
+TEST(DbcProblems, AMessageAndASignalThatTheFileDoesNotHaveAreRefusedWithThoseThatItHas) {
+  EXPECT_THAT(xsens("[[protocol.frames]]\nmessage = \"rate_of_turm\"\nfields = []\n"),
+              HasSubstr("toy.toml:7:11: /protocol/frames/0/message: the DBC file has no message "
+                        "\"rate_of_turm\" (did you mean 'rate_of_turn'?), allowed: error, "));
+  EXPECT_THAT(xsens("[[protocol.frames]]\nmessage = \"rate_of_turn\"\n"
+                    "fields = [{signal = \"gyrX\", field = \"rate_x_degps\"}]\n"),
+              HasSubstr("toy.toml:8:21: /protocol/frames/0/fields/0: message rate_of_turn has no "
+                        "signal \"gyrX\", allowed: rate_x_degps, rate_y_degps, rate_z_degps\n"));
+}
+
+TEST(DbcProblems, AFileThatIsNowhereIsRefused) {
+  EXPECT_THAT(imu("dbc = \"xens.dbc\"\n" + std::string(rate)),
+              HasSubstr("toy.toml:5:7: /protocol/dbc: there is no file xens.dbc, and the program "
+                        "contains no \"xens.dbc\" (did you mean 'xsens.dbc'?)"));
+}
+
+TEST(DbcProblems, FramesWithoutAFileAndAFileWithoutFramesAreRefused) {
+  EXPECT_THAT(imu(rate), HasSubstr("frames need the key 'dbc'"));
+  EXPECT_THAT(xsens("[[protocol.sentences]]\nid = \"$PX\"\nfields = [{name = \"x\"}]\n"),
+              HasSubstr("toy.toml:5:7: /protocol/dbc: a DBC file describes frames"));
+}
+
+TEST(DbcProblems, KeysOfBytesAreRefusedBesideADbcFile) {
+  EXPECT_THAT(xsens("checksum = \"xor\"\n" + std::string(rate)),
+              HasSubstr("toy.toml:6:12: /protocol/checksum: only for bytes"));
+  EXPECT_THAT(xsens(std::string(rate) + "[[poll]]\nsend = \"x\"\n"),
+              HasSubstr("/poll: only for bytes"));
+}
+
+TEST(DbcProblems, TwoMessagesOfOneSampleThatMeasureTheSameAreRefused) {
+  const std::string twice =
+      std::string(rate) + "[[protocol.frames]]\nmessage = \"rate_of_turn_hr\"\n";
+  const std::string fields = "fields = [{signal = \"rate_x_degps\", field = \"rate_x_degps\"}]\n";
+  EXPECT_THAT(
+      xsens(twice + fields),
+      HasSubstr("toy.toml:9:1: /protocol/frames/1: the message of line 6 measures the same"));
+  EXPECT_THAT(xsens(twice + "sample = \"hr\"\n" + fields), IsEmpty());
+}
+
+TEST(DbcProblems, AUnitOfTheFileThatDoesNotFitIsRefused) {
+  EXPECT_THAT(xsens("[[protocol.frames]]\nmessage = \"acceleration\"\n"
+                    "fields = [{signal = \"acceleration_x_mps2\", field = \"rate_x_degps\"}]\n"),
+              HasSubstr("\"m/s2\" is no unit of rate_x_degps, allowed: rad/s"));
+}
+
+TEST(DbcProblems, ACounterAndAChecksumMustBeWhereTheFileHasThem) {
+  const auto with = [](std::string_view key) {
+    return xsens("[[protocol.frames]]\nmessage = \"rate_of_turn\"\n" + std::string(key) +
+                 "\nfields = [{signal = \"rate_x_degps\", field = \"rate_x_degps\"}]\n");
+  };
+  EXPECT_THAT(
+      with("counter = {signal = \"rate_x_degps\"}"),
+      HasSubstr("toy.toml:8:21: /protocol/frames/0/counter/signal: a counter is an unsigned"));
+  EXPECT_THAT(with("checksum = {signal = \"rate_x_degps\", kind = \"crc8\"}"),
+              HasSubstr("\"crc8\" is no checksum of frames"));
+  EXPECT_THAT(with("checksum = {signal = \"rate_x_degps\", kind = \"sum\"}"),
+              HasSubstr("sum is 8 bits of whole bytes"));
+}
+
+}  // namespace dbc_refusal_test
+}  // namespace drydock::described::test
