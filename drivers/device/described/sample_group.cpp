@@ -1,7 +1,5 @@
 #include "drivers/device/described/sample_group.hpp"
 
-#include "drivers/wire/described/description.hpp"
-
 namespace drydock::device {
 namespace {
 

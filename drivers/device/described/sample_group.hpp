@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "drivers/measurement/measurement.hpp"
+#include "drivers/wire/described/description.hpp"
 #include "drivers/wire/described/frame_plan.hpp"
 #include "drivers/wire/described/record.hpp"
 

@@ -108,10 +108,17 @@ std::optional<unsigned> FrameDecoder::counter() const {
   return static_cast<unsigned>(values_[counter->signal].raw);
 }
 
-FrameEncoder::FrameEncoder(const Description& description)
+FrameEncoder::FrameEncoder(const Description& description, std::uint8_t address)
     : description_(description),
+      address_(address),
       values_(most_signals_of(*description.frames)),
       counts_(description.frames->frames.size()) {}
+
+std::uint32_t FrameEncoder::id_of(const FrameLayout& layout) const {
+  const std::uint32_t id = layout.message.id;
+  const bool any = layout.is_j1939() && (id & 0xFF) == dbc::any_source;
+  return any && address_ != 0 ? (id & ~0xFFu) | address_ : id;
+}
 
 bool FrameEncoder::put_fields(const FrameLayout& layout, const Message& message,
                               const Readings& readings) {
@@ -145,7 +152,7 @@ std::optional<CanFrame> FrameEncoder::encode(std::size_t place, const Selection&
     values_[layout.counter->signal].raw = counts_[place] % layout.counter->modulus;
   ++counts_[place];
   CanFrame frame;
-  frame.id = layout.message.id;
+  frame.id = id_of(layout);
   frame.extended = layout.message.extended;
   frame.fd = layout.message.format == dbc::FrameFormat::fd;
   frame.size = static_cast<std::uint8_t>(layout.message.size);

@@ -44,7 +44,8 @@ class FrameDecoder {
 /// Writes the frames of a description for an emulated device. It allocates only when it is made.
 class FrameEncoder {
  public:
-  explicit FrameEncoder(const Description& description);
+  /// `address`: the J1939 sender where the DBC file says any; 0: it stays FEh.
+  explicit FrameEncoder(const Description& description, std::uint8_t address = 0);
 
   /// The frame of a message with one of its selections. Empty: a value is missing, and the message
   /// has no way to say so.
@@ -54,7 +55,10 @@ class FrameEncoder {
  private:
   bool put_fields(const FrameLayout& layout, const Message& message, const Readings& readings);
 
+  std::uint32_t id_of(const FrameLayout& layout) const;
+
   const Description& description_;
+  std::uint8_t address_;
   std::vector<dbc::Value> values_;
   std::vector<unsigned> counts_;  ///< frames of each message
 };

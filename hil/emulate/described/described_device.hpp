@@ -22,7 +22,8 @@ class DescribedDevice : public Base {
       : Base(setup, std::forward<Parts>(parts)...),
         description_(setup.config.description),
         requests_(*description_) {
-    if (description_->frames) frames_.emplace(*description_);
+    if (description_->frames)
+      frames_.emplace(*description_, static_cast<std::uint8_t>(setup.config.address));
   }
 
   std::optional<Stamp> deadline() const override {

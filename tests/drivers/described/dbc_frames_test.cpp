@@ -293,6 +293,18 @@ TEST(DbcDescriptions, EmulatedImusGiveTheTruthBackWithinASteps) {
   }
 }
 
+TEST(DbcDescriptions, AnEmulatedMv5SendsFromTheAddressOfTheRig) {
+  const emulate::Frozen truth(emulate::under_way());
+  auto config = emulate::device(Kind::imu, "mv5-dbc.toml", 10);
+  config.description = shipped("mv5-dbc.toml");
+  config.address = 0x31;
+  const auto frames = emulate::record(config, truth, 0.05).frames;
+  ASSERT_EQ(frames.size(), 2u);
+  // PGN 61482 with priority 3 and 61485 with priority 2, the identifiers of the maker's table.
+  EXPECT_EQ(frames[0].frame.id, 0x0CF02A31u);
+  EXPECT_EQ(frames[1].frame.id, 0x08F02D31u);
+}
+
 TEST(DbcDescriptions, NoFrameAllocates) {
   for (const char* file : {"xsens-dbc.toml", "mv5-dbc.toml"}) {
     Bus bus(shipped(file));

@@ -1,5 +1,7 @@
 #include <gmock/gmock.h>
 
+#include "rig_config/fault.hpp"
+#include "rig_config/fault_vocabulary.hpp"
 #include "tests/drivers/described/support.hpp"
 
 /// What a description cannot take from its DBC file is refused with line, column and what is
@@ -80,6 +82,25 @@ TEST(DbcProblems, ACounterAndAChecksumMustBeWhereTheFileHasThem) {
               HasSubstr("\"crc8\" is no checksum of frames"));
   EXPECT_THAT(with("checksum = {signal = \"rate_x_degps\", kind = \"sum\"}"),
               HasSubstr("sum is 8 bits of whole bytes"));
+}
+
+TEST(DbcProblems, AFaultThatWouldNeedThePlaceOfTheChecksumIsRefused) {
+  rig_config::DeviceConfig device;
+  device.kind = measurement::Kind::imu;
+  device.link = "can:auto";
+  device.protocol = "toy.toml";
+  device.description = test::described(
+      "[sensor]\ntitle = \"t\"\nkind = \"imu\"\n[protocol]\ndbc = \"xsens.dbc\"\n"
+      "[[protocol.frames]]\nmessage = \"status_word\"\nfields = []\n"
+      "[[protocol.frames]]\nmessage = \"gnss_status\"\n"
+      "checksum = {signal = \"valid\", kind = \"sum\"}\nfields = []\n" +
+      std::string(rate));
+  rig_config::FaultConfig fault;
+  fault.kind = rig_config::FaultKind::bad_checksum;
+  EXPECT_THAT(
+      rig_config::refusal(fault, device).value_or(""),
+      HasSubstr("only its description knows the checksum's place in a frame; allowed: flip, "
+                "truncate"));
 }
 
 }  // namespace dbc_refusal_test
