@@ -74,6 +74,7 @@ class FrameReader {
     for (std::size_t i = 0; i < signals.size(); ++i)
       if (signals[i].name == word.text || signals[i].long_name == word.text) return i;
     std::vector<std::string> names;
+    names.reserve(signals.size());
     for (const dbc::Signal& signal : signals) names.push_back(signal.long_name);
     add(word, key,
         fmt::format("message {} has no signal \"{}\"{}, allowed: {}", layout_.message.long_name,
