@@ -38,10 +38,10 @@ FaultyDevice::FaultyDevice(const DeviceConfig& config, const motion::Trajectory&
       frames_(seed, config.name) {}
 
 std::optional<Stamp> FaultyDevice::deadline() const {
-  auto next = device_ ? device_->deadline() : std::nullopt;
-  for (const auto& due : {schedule_.deadline(), bytes_.deadline(), frames_.deadline()})
-    next = measurement::earlier(next, due);
-  return next;
+  using measurement::earlier;
+  const auto own = device_ ? device_->deadline() : std::nullopt;
+  const auto held = earlier(bytes_.deadline(), frames_.deadline());
+  return earlier(own, earlier(schedule_.deadline(), held));
 }
 
 void FaultyDevice::tick(Stamp now, emulate::Wire& out) {
