@@ -141,26 +141,30 @@ TEST_F(LiveServer, AViewerThatDoesNotReadLosesMessagesAndHoldsUpNobody) {
   io_.run();
 }
 
+/// A client that sends requests and reads no answer. Returns how its connection ended.
+boost::system::error_code ask_and_take_nothing(std::uint16_t port) {
+  asio::io_context own;
+  boost::beast::websocket::stream<asio::ip::tcp::socket> socket(own);
+  boost::system::error_code error;
+  socket.next_layer().connect({asio::ip::address_v4::loopback(), port}, error);
+  socket.next_layer().set_option(
+      asio::detail::socket_option::integer<IPPROTO_TCP, TCP_USER_TIMEOUT>(5'000));
+  socket.handshake("127.0.0.1", "/", error);
+  // The server answers each with a line; the sockets' buffers hold some thousands of lines.
+  for (int i = 0; i < 2'000'000 && !error; ++i) socket.write(asio::buffer("x", 1), error);
+  return error;
+}
+
 TEST(LiveServerQueue, AViewerThatAsksAndTakesNoAnswerIsDisconnected) {
   asio::io_context io{1};
   Server server(io.get_executor(), {.port = 0});
   ASSERT_FALSE(server.listen());
-  boost::system::error_code ended;
+  boost::system::error_code ended = asio::error::timed_out;
   std::jthread client([&, port = server.port()] {
-    asio::io_context own;
-    boost::beast::websocket::stream<asio::ip::tcp::socket> socket(own);
-    socket.next_layer().open(asio::ip::tcp::v4());
-    // A buffer of a few KiB may stall both directions: the kernel then drops segments that carry
-    // acknowledgements. A connection that stalls is reported after 30 s.
-    socket.next_layer().set_option(asio::socket_base::receive_buffer_size(65536));
-    socket.next_layer().set_option(
-        asio::detail::socket_option::integer<IPPROTO_TCP, TCP_USER_TIMEOUT>(30'000));
-    boost::system::error_code error;
-    socket.next_layer().connect({asio::ip::address_v4::loopback(), port}, error);
-    socket.handshake("127.0.0.1", "/", error);
-    // The server answers each with a line; the sockets' buffers hold some thousands of lines.
-    for (int i = 0; i < 2'000'000 && !error; ++i) socket.write(asio::buffer("x", 1), error);
-    ended = error;
+    // A kernel whose receive buffer is full of small segments drops them, and with them the
+    // acknowledgements that they carry: then this connection stalls, and the next one is tried.
+    for (int i = 0; i < 6 && ended == asio::error::timed_out; ++i)
+      ended = ask_and_take_nothing(port);
     asio::post(io, [&] { server.stop(); });
   });
   io.run();
