@@ -1,10 +1,13 @@
 #include "rig_config/device_description/load_description.hpp"
 
+#include <fmt/format.h>
+
 #include <filesystem>
 
 #include "drivers/wire/described/frame_plan.hpp"
 #include "rig_config/checks/checks.hpp"
 #include "rig_config/device_description/plan_reader.hpp"
+#include "rig_config/rules/explain.hpp"
 #include "rig_config/toml/checked_file.hpp"
 
 namespace drydock::rig_config {
@@ -73,13 +76,12 @@ Loaded<DescriptionPtr> find_description(const std::string& name, const std::stri
   }
   for (const auto& [built_in, text] : built_in_descriptions())
     if (built_in == name) return load_description_text(text, "rig_config/devices/" + name);
-  std::string names;
-  for (const auto& built_in : built_in_descriptions())
-    names += (names.empty() ? "" : ", ") + std::string(built_in.name);
+  std::vector<std::string> names;
+  for (const auto& built_in : built_in_descriptions()) names.emplace_back(built_in.name);
   return Problems{{path, 0, 0, "/",
-                   "there is no such description, neither as a file nor among those of the "
-                   "program: " +
-                       names}};
+                   fmt::format("there is no such description{}; neither as a file nor among those "
+                               "of the program: {}",
+                               did_you_mean(name, names), listed(names))}};
 }
 
 }  // namespace drydock::rig_config

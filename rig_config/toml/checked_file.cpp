@@ -32,6 +32,10 @@ std::string_view schema_of(FileKind kind) {
   return kind == FileKind::device ? device_schema_text() : schema_text();
 }
 
+bool is_among(const std::vector<DescriptionPtr>& all, std::string_view name) {
+  return std::ranges::any_of(all, [&](const DescriptionPtr& one) { return one->name == name; });
+}
+
 /// The descriptions that the devices of a rig name, each once.
 Problems find_descriptions(const Node& root, const std::string& path,
                            std::vector<DescriptionPtr>& into) {
@@ -39,8 +43,7 @@ Problems find_descriptions(const Node& root, const std::string& path,
   for_each_table(root, "device", [&](const Node& device, std::size_t i) {
     const Node* protocol = device.find_text("protocol");
     if (!protocol || !is_description(protocol->text)) return;
-    const auto known = [&](const DescriptionPtr& one) { return one->name == protocol->text; };
-    if (std::ranges::any_of(into, known)) return;
+    if (is_among(into, protocol->text)) return;
     const auto found = find_description(protocol->text, path);
     if (found) return into.push_back(*found);
     for (Problem problem : found.error()) {
@@ -51,6 +54,18 @@ Problems find_descriptions(const Node& root, const std::string& path,
     }
   });
   return problems;
+}
+
+/// To the schema a description that cannot be used is no protocol; its own problem says why.
+void keep_what_descriptions_say(Problems& of_schema, const Node& root,
+                                const std::vector<DescriptionPtr>& usable) {
+  for_each_table(root, "device", [&](const Node& device, std::size_t i) {
+    const Node* protocol = device.find_text("protocol");
+    if (protocol && is_description(protocol->text) && !is_among(usable, protocol->text))
+      std::erase_if(of_schema, [&](const Problem& p) {
+        return p.path == fmt::format("/device/{}/protocol", i);
+      });
+  });
 }
 
 void sort_by_position(Problems& problems) {
@@ -101,12 +116,12 @@ Loaded<Node> read_checked(std::string_view text, const std::string& path, FileKi
     return Problems{{path, 1, 1, "/", fmt::format("expected {}", described(kind))}};
   std::vector<wire::Protocol> described;  // the descriptions live until the end of the check
   std::vector<DescriptionPtr> descriptions;
-  if (kind == FileKind::rig) {
-    Problems wrong = find_descriptions(*root, path, descriptions);
-    if (!wrong.empty()) return wrong;
-    for (const auto& one : descriptions) described.push_back(one->facts);
-  }
+  Problems unusable;
+  if (kind == FileKind::rig) unusable = find_descriptions(*root, path, descriptions);
+  for (const auto& one : descriptions) described.push_back(one->facts);
   Problems problems = check_schema(*root, path, schema_of(kind), described);
+  if (kind == FileKind::rig) keep_what_descriptions_say(problems, *root, descriptions);
+  append(problems, std::move(unusable));
   if (kind == FileKind::rig) {
     Problems of_rig = check_rig(*root, path, options);
     keep_one_for_each_link(problems, of_rig);

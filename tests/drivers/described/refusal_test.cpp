@@ -129,7 +129,7 @@ TEST(DescriptionProblems, ARigNamesADescriptionAndItsFactsDecide) {
   EXPECT_THAT(rig("valeport-vat.toml"), IsEmpty());
   EXPECT_THAT(rig("nothing.toml"),
               HasSubstr("r.toml:6:12: /device/0/protocol: nothing.toml: there is no such "
-                        "description, neither as a file nor among those of the program: "));
+                        "description; neither as a file nor among those of the program: "));
   EXPECT_THAT(rig("cerulean-dvpdl.toml"), HasSubstr("\"cerulean-dvpdl.toml\" is not allowed"));
   EXPECT_THAT(rig("valeport-vat.toml", "[[fault]]\ndevice = \"vat\"\nfault = \"bad-checksum\"\n"),
               IsEmpty());
@@ -138,6 +138,20 @@ TEST(DescriptionProblems, ARigNamesADescriptionAndItsFactsDecide) {
   EXPECT_THAT(rig("valeport-vat.toml",
                   "[[fault]]\ndevice = \"vat\"\nfault = \"clock-step\"\nseconds = 1\n"),
               HasSubstr("no time of its own clock"));
+}
+
+TEST(DescriptionProblems, AMisspelledDescriptionIsToldBesideTheRigsOtherMistakes) {
+  const auto loaded = rig_config::load_rig_text(
+      "[rig]\nname = \"r\"\n[[device]]\nname = \"compass\"\nkind = \"atitude\"\nprotocol = "
+      "\"nmea2000\"\nlink = \"can:auto\"\n[[device]]\nname = \"vat\"\nkind = \"depth\"\n"
+      "protocol = \"valport-vat.toml\"\nlink = \"pty:vat\"\n",
+      "r.toml");
+  ASSERT_FALSE(loaded);
+  ASSERT_EQ(loaded.error().size(), 2u);
+  EXPECT_THAT(to_string(loaded.error()[0]), HasSubstr("r.toml:5:8: /device/0/kind: "));
+  EXPECT_THAT(to_string(loaded.error()[1]),
+              HasSubstr("r.toml:11:12: /device/1/protocol: valport-vat.toml: there is no such "
+                        "description (did you mean 'valeport-vat.toml'?)"));
 }
 
 TEST(DescriptionProblems, AFileBesideTheRigComesBeforeThatOfTheProgramAndIsOneOfItsFiles) {
