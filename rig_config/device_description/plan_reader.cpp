@@ -3,18 +3,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
-#include "rig_config/device_description/dbc_source.hpp"
 #include "rig_config/device_description/field_reader.hpp"
+#include "rig_config/device_description/field_relations.hpp"
+#include "rig_config/device_description/frame_messages.hpp"
 #include "rig_config/device_description/frame_reader.hpp"
+#include "rig_config/device_description/requests.hpp"
 #include "rig_config/rules/explain.hpp"
 #include "rig_config/toml/read_keys.hpp"
 
 namespace drydock::rig_config {
 namespace {
 
-namespace dbc = wire::dbc;
 namespace described = wire::described;
 using described::Description;
 using described::Field;
@@ -22,26 +22,6 @@ using described::Form;
 using described::Message;
 using described::Plan;
 using described::Type;
-
-/// "FA 49 01" -> three bytes. Empty: it is not pairs of hexadecimal digits.
-std::optional<std::string> hex_bytes(std::string_view text) {
-  constexpr std::string_view digits = "0123456789abcdef";
-  std::string bytes;
-  int high = -1;
-  for (const char c : text) {
-    const auto digit = digits.find(c >= 'A' && c <= 'F' ? static_cast<char>(c + 32) : c);
-    if (c == ' ' && high < 0) continue;
-    if (digit == digits.npos) return {};
-    if (high < 0) {
-      high = static_cast<int>(digit);
-      continue;
-    }
-    bytes += static_cast<char>(high * 16 + static_cast<int>(digit));
-    high = -1;
-  }
-  if (high >= 0) return {};
-  return bytes;
-}
 
 class PlanReader {
  public:
@@ -55,14 +35,15 @@ class PlanReader {
     if (const auto wait = read_if(sensor, "reply_within_ms"))
       description_.reply_within = std::chrono::milliseconds{static_cast<std::int64_t>(*wait)};
     if (const Node* messages = the_messages()) {
-      if (plan().form == Form::frames ? !begin_frames(*messages) : has_dbc_in_vain())
+      if (plan().form == Form::frames) frames_ = plan_frames(root_, description_, file_, problems_);
+      if (plan().form == Form::frames ? !frames_ : has_dbc_in_vain())
         return std::move(description_);
       read_common();
       for (std::size_t i = 0; i < messages->items.size(); ++i) read_message(messages->items[i], i);
       if (problems_.empty()) finish(*messages);
     }
-    read_requests("start", description_.start);
-    read_requests("poll", description_.poll);
+    description_.start = read_requests(root_, "start", description_, file_, problems_);
+    description_.poll = read_requests(root_, "poll", description_, file_, problems_);
     return std::move(description_);
   }
 
@@ -89,61 +70,6 @@ class PlanReader {
     if (word)
       add(*word, "/protocol/dbc", "a DBC file describes frames; allowed: [[protocol.frames]]");
     return word != nullptr;
-  }
-
-  /// Makes the frame plan of the messages that the tables name. False after a problem.
-  bool begin_frames(const Node& tables) {
-    for (const char* key : {"checksum", "checksum_from", "checksum_order", "checksum_optional",
-                            "order", "separator", "longest"})
-      if (const Node* one = protocol_.find(key))
-        add(*one, std::string("/protocol/") + key, "only for bytes: the DBC file describes frames");
-    for (const char* key : {"start", "poll"})
-      if (const Node* one = root_.find(key))
-        add(*one, std::string("/") + key, "only for bytes: a driver of frames says nothing");
-    const Node* word = protocol_.find("dbc");
-    if (!word) add(tables, path_, "frames need the key 'dbc' of [protocol]: a DBC file");
-    const auto database =
-        word ? find_dbc(*word, file_, description_.dbc_file, problems_) : std::nullopt;
-    dbc::Database used;
-    for (std::size_t i = 0; database && i < tables.items.size(); ++i)
-      use_message(tables.items[i], i, *database, used);
-    if (!problems_.empty()) return false;
-    frames_ = std::make_shared<described::FramePlan>(used);
-    return true;
-  }
-
-  void use_message(const Node& table, std::size_t i, const dbc::Database& database,
-                   dbc::Database& used) {
-    const Node& word = *table.find("message");
-    const std::string path = fmt::format("{}/{}/message", path_, i);
-    const dbc::Message* message = database.find(word.text);
-    if (!message) {
-      std::vector<std::string> names;
-      for (const dbc::Message& one : database.messages) names.push_back(one.long_name);
-      return add(word, path,
-                 fmt::format("the DBC file has no message \"{}\"{}, allowed: {}", word.text,
-                             did_you_mean(word.text, names), listed(names)));
-    }
-    if (used.find(message->name)) add(word, path, "this message has a table already");
-    const unsigned most = message->format == dbc::FrameFormat::fd ? 64 : 8;
-    if (message->size > most)
-      add(word, path,
-          fmt::format("message {} has {} bytes, allowed: up to {}, which one frame holds",
-                      message->long_name, message->size, most));
-    used.messages.push_back(*message);
-  }
-
-  void finish_frames(const Node& tables) {
-    for (Problem& one : check_samples(plan(), *frames_, tables.items, file_))
-      problems_.push_back(std::move(one));
-    unsigned cycle_ms = 0;
-    for (const auto& one : frames_->frames)
-      if (one.message.cycle_ms != 0 && (cycle_ms == 0 || one.message.cycle_ms < cycle_ms))
-        cycle_ms = one.message.cycle_ms;
-    if (cycle_ms != 0) frames_->longest_sample = std::chrono::microseconds{500 * cycle_ms};
-    if (const auto within = read_if(protocol_, "within_ms", millisecond))
-      frames_->longest_sample = std::chrono::nanoseconds{std::llround(*within * 1e9)};
-    description_.frames = frames_;
   }
 
   void read_common() {
@@ -263,11 +189,7 @@ class PlanReader {
       read.push_back(read_field(fields->items[i], context, problems_));
       message.publishes |= read.back().target && !described::is_time(*read.back().target);
     }
-    for (std::size_t i = 0; i < count; ++i) {
-      find_divisor(fields->items[i], fmt::format("{}/fields/{}", path, i), read, i);
-      check_key(fields->items[i], fmt::format("{}/fields/{}", path, i), read, i);
-      check_optional(fields->items[i], fmt::format("{}/fields/{}", path, i), read, i);
-    }
+    if (fields) relate_fields(fields->items, plan().form, read, file_, path, problems_);
     message.fields = static_cast<std::uint16_t>(count);
     message.mapped = mapped(read);
     if (frames_)
@@ -275,66 +197,13 @@ class PlanReader {
     std::ranges::move(read, std::back_inserter(plan().fields));
   }
 
-  static std::vector<std::uint8_t> mapped(const std::vector<Field>& fields) {
-    std::vector<std::uint8_t> order;
-    for (std::size_t i = 0; i < fields.size(); ++i)
-      if (fields[i].target) order.push_back(static_cast<std::uint8_t>(i));
-    std::ranges::stable_sort(order, {}, [&](std::uint8_t i) { return fields[i].rank; });
-    return order;
-  }
-
-  void find_divisor(const Node& table, const std::string& path, std::vector<Field>& fields,
-                    std::size_t i) {
-    const Node* per = table.find("per");
-    if (!per) return;
-    const auto found = std::ranges::find(fields, per->text, &Field::key);
-    const bool is_time = found != fields.end() && found->target &&
-                         described::row_of(*found->target).dimension == described::dimension::time;
-    if (!is_time || !fields[i].target)
-      return add(*per, path + "/per",
-                 "names a field of this message that is a time, for a 'field'");
-    fields[i].divisor = static_cast<std::uint8_t>(found - fields.begin());
-  }
-
-  void check_key(const Node& table, const std::string& path, const std::vector<Field>& fields,
-                 std::size_t i) {
-    if (fields[i].key.empty() || std::ranges::find(fields, fields[i].key, &Field::key) ==
-                                     fields.begin() + static_cast<std::ptrdiff_t>(i))
-      return;
-    add(table, path,
-        fmt::format("two fields of this message are called \"{}\"; give one a 'name'",
-                    fields[i].key));
-  }
-
-  void check_optional(const Node& table, const std::string& path, const std::vector<Field>& fields,
-                      std::size_t i) {
-    if (plan().form != Form::frames && i > 0 && fields[i - 1].optional && !fields[i].optional)
-      add(table, path, "fields behind an optional one must be optional too");
-  }
-
-  void read_requests(const char* group, std::vector<described::Request>& into) {
-    for_each_table(root_, group, [&](const Node& table, std::size_t i) {
-      const std::string path = fmt::format("/{}/{}", group, i);
-      const Node* text = table.find("send");
-      const Node* hex = table.find("send_hex");
-      if ((text != nullptr) == (hex != nullptr)) add(table, path, "one of: 'send', 'send_hex'");
-      const auto bytes = hex ? hex_bytes(hex->text) : std::optional(text ? text->text : "");
-      if (!bytes || (hex && bytes->empty()))
-        add(*hex, path, "expected pairs of hexadecimal digits");
-      described::Request request{bytes.value_or(""), {}};
-      read(table, "reply", request.reply);
-      const Node* reply = table.find("reply");
-      if (reply &&
-          std::ranges::find(plan().messages, reply->text, &Message::name) == plan().messages.end())
-        add(*reply, path + "/reply", fmt::format("no message is called \"{}\"", reply->text));
-      into.push_back(std::move(request));
-    });
-  }
-
   /// What only the whole plan tells.
   void finish(const Node& messages) {
     if (frames_) {
-      finish_frames(messages);
+      for (Problem& one : check_samples(plan(), *frames_, messages.items, file_))
+        problems_.push_back(std::move(one));
+      limit_samples(protocol_, *frames_);
+      description_.frames = frames_;
     } else {
       for (const Message& message : plan().messages) note_starts(message);
       for (Problem& one : check_plan(plan(), messages.items, file_, path_))

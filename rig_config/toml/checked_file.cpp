@@ -118,6 +118,7 @@ Loaded<Node> read_checked(std::string_view text, const std::string& path, FileKi
   std::vector<DescriptionPtr> descriptions;
   Problems unusable;
   if (kind == FileKind::rig) unusable = find_descriptions(*root, path, descriptions);
+  described.reserve(descriptions.size());
   for (const auto& one : descriptions) described.push_back(one->facts);
   Problems problems = check_schema(*root, path, schema_of(kind), described);
   if (kind == FileKind::rig) keep_what_descriptions_say(problems, *root, descriptions);

@@ -40,7 +40,7 @@ estimators/velocity        estimators/navigation estimators/hydrodynamics estima
 estimators/pipeline        estimators/leveling estimators/mixing estimators/roll estimators/velocity estimators/navigation estimators/hydrodynamics estimators/frame drivers/measurement
 estimators/setup           estimators/pipeline estimators/vehicle estimators/frame drivers/measurement rig_config
 estimators/host            estimators/setup estimators/pipeline drivers/host drivers/bus drivers/link drivers/io drivers/terminal drivers/measurement rig_config
-rig_config                 drivers/wire/protocols drivers/wire/described/description drivers/wire/described/frame_plan drivers/wire/dbc/database drivers/wire/dbc/reader drivers/wire/described/plan drivers/wire/described/targets drivers/measurement/units drivers/measurement/kind
+rig_config                 drivers/wire/protocols drivers/wire/hex drivers/wire/described/description drivers/wire/described/frame_plan drivers/wire/dbc/database drivers/wire/dbc/reader drivers/wire/described/plan drivers/wire/described/targets drivers/measurement/units drivers/measurement/kind
 hil/report
 hil/ocean                  estimators/frame drivers/measurement rig_config
 hil/motion                 hil/ocean estimators/frame estimators/hydrodynamics estimators/vehicle drivers/measurement rig_config

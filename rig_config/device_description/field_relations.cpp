@@ -1,0 +1,71 @@
+#include "rig_config/device_description/field_relations.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace drydock::rig_config {
+namespace {
+
+namespace described = wire::described;
+using described::Field;
+
+struct Relations {
+  const std::string& file;
+  const std::string path;  ///< of the field at `i`
+  const Node& table;
+  std::vector<Field>& fields;
+  std::size_t i;
+  Problems& problems;
+
+  void add(const Node& at, const std::string& where, std::string what) {
+    problems.push_back({file, at.at.line, at.at.column, where, std::move(what)});
+  }
+
+  void find_divisor() {
+    const Node* per = table.find("per");
+    if (!per) return;
+    const auto found = std::ranges::find(fields, per->text, &Field::key);
+    const bool is_time = found != fields.end() && found->target &&
+                         described::row_of(*found->target).dimension == described::dimension::time;
+    if (!is_time || !fields[i].target)
+      return add(*per, path + "/per",
+                 "names a field of this message that is a time, for a 'field'");
+    fields[i].divisor = static_cast<std::uint8_t>(found - fields.begin());
+  }
+
+  void check_key() {
+    const std::string& key = fields[i].key;
+    const auto first = std::ranges::find(fields, key, &Field::key) - fields.begin();
+    if (key.empty() || first == static_cast<std::ptrdiff_t>(i)) return;
+    add(table, path,
+        fmt::format("two fields of this message are called \"{}\"; give one a 'name'", key));
+  }
+
+  void check_optional() {
+    if (i > 0 && fields[i - 1].optional && !fields[i].optional)
+      add(table, path, "fields behind an optional one must be optional too");
+  }
+};
+
+}  // namespace
+
+void relate_fields(std::span<const Node> tables, described::Form form, std::vector<Field>& fields,
+                   const std::string& file, const std::string& path, Problems& problems) {
+  for (std::size_t i = 0; i < fields.size(); ++i) {
+    Relations one{file, fmt::format("{}/fields/{}", path, i), tables[i], fields, i, problems};
+    one.find_divisor();
+    one.check_key();
+    if (form != described::Form::frames) one.check_optional();
+  }
+}
+
+std::vector<std::uint8_t> mapped(const std::vector<Field>& fields) {
+  std::vector<std::uint8_t> order;
+  for (std::size_t i = 0; i < fields.size(); ++i)
+    if (fields[i].target) order.push_back(static_cast<std::uint8_t>(i));
+  std::ranges::stable_sort(order, {}, [&](std::uint8_t i) { return fields[i].rank; });
+  return order;
+}
+
+}  // namespace drydock::rig_config
