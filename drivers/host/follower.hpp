@@ -6,6 +6,7 @@
 
 #include "drivers/bus/device.hpp"
 #include "drivers/device/device.hpp"
+#include "drivers/diagnosis/finding.hpp"
 #include "drivers/host/health_report.hpp"
 #include "drivers/shell/raw_listener.hpp"
 
@@ -42,6 +43,8 @@ class Follower : public shell::RawListener, public device::Listener {
   virtual void on_health(const HealthReport&, Stamp /*now*/) {}  ///< once a second
   /// Called when the faults in force change. `faults` holds all faults that are in force now.
   virtual void on_faults(std::span<const bus::Fault>, Stamp /*now*/) {}
+  /// Called when a finding begins and again when it is over (`until`).
+  virtual void on_finding(const diagnosis::Finding&) {}
   virtual void tick(Stamp /*now*/) {}  ///< a few times a second; in virtual time once a second
 };
 
@@ -78,6 +81,9 @@ class Followers final : public Follower {
   }
   void on_faults(std::span<const bus::Fault> faults, Stamp now) override {
     for (auto* follower : all_) follower->on_faults(faults, now);
+  }
+  void on_finding(const diagnosis::Finding& finding) override {
+    for (auto* follower : all_) follower->on_finding(finding);
   }
   void tick(Stamp now) override {
     for (auto* follower : all_) follower->tick(now);

@@ -17,11 +17,13 @@ RigRun::RigRun(const rig_config::Rig& rig, const RunOptions& options,
     : rig_(rig),
       options_(options),
       truth_(summary::truth_for_estimators(rig) ? &motion : nullptr),
+      diagnostician_(rig, followers_),
       scribe_(rig, truth_, setting.start, setting.expected_s, options.curve_points),
       expects_(rig, truth_, setting.start, [this](Stamp now) {
         return summary::ExpectWatch::Counts{devices(now), estimators()};
       }) {
   if (setting.first != nullptr) followers_.add(*setting.first);
+  followers_.add(diagnostician_);
   followers_.add(scribe_);
   followers_.add(expects_);
   if (truth_ != nullptr) followers_.add(truth_teller_.emplace(*truth_, followers_));
@@ -39,6 +41,7 @@ emulate::RealTimeEmulator::OnWritten RigRun::on_written() {
 
 void RigRun::begin(const BenchView& bench) {
   bench_.emplace(bench);
+  diagnostician_.watch(bench.devices);
   scribe_.tick(bench.start);
   for (auto* follower : options_.followers) follower->on_start(*bench_);
 }

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "drivers/host/rig_recorder.hpp"
+#include "estimators/host/diagnostician.hpp"
 #include "hil/bench/follower.hpp"
 #include "hil/bench/run.hpp"
 #include "hil/bench/truth_teller.hpp"
@@ -52,6 +53,7 @@ class RigRun {
   const RunOptions& options_;
   const motion::Trajectory* truth_;  ///< null: no emulated truth
   host::Followers followers_;
+  host::Diagnostician diagnostician_;
   summary::Scribe scribe_;
   summary::ExpectWatch expects_;
   std::optional<TruthTeller> truth_teller_;

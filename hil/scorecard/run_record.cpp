@@ -6,6 +6,7 @@
 
 #include "drivers/measurement/units.hpp"
 #include "estimators/frame/geodetic.hpp"
+#include "estimators/host/diagnostician.hpp"
 #include "hil/bench/lockstep_bench.hpp"
 #include "hil/motion/remembered_trajectory.hpp"
 #include "hil/summary/truth_of_rig.hpp"
@@ -21,9 +22,13 @@ class Recorder final : private host::Follower {
       : start_(measurement::stamp_from_ns(rig.start_utc_ns)),
         motion_(motion::make_trajectory(rig.mission, start_)),
         has_truth_(summary::truth_for_estimators(rig)),
+        diagnostician_(rig, *this),
         bench_(rig, motion_, *this) {
     record_.devices.resize(rig.devices.size());
     record_.estimators.resize(rig.estimators.size());
+    std::vector<const device::Device*> devices;
+    for (std::size_t i = 0; i < bench_.devices(); ++i) devices.push_back(&bench_.device(i));
+    diagnostician_.watch(std::move(devices));
   }
 
   RunRecord run(double duration_s) {
@@ -40,6 +45,7 @@ class Recorder final : private host::Follower {
   double since_start(Stamp at) const { return measurement::seconds(at - start_); }
 
   void look() {
+    diagnostician_.look(bench_.now());
     std::uint64_t rejected = 0, not_running = 0;
     const auto& pipeline = bench_.pipeline();
     for (std::size_t i = 0; i < pipeline.estimators(); ++i) {
@@ -64,7 +70,22 @@ class Recorder final : private host::Follower {
     }
   }
 
+  void on_finding(const diagnosis::Finding& finding) override {
+    auto& found = record_.findings;
+    if (!finding.until) {
+      found.push_back({finding.device,
+                       finding.cause,
+                       since_start(finding.since),
+                       since_start(finding.found),
+                       {}});
+      return;
+    }
+    for (FindingAt& one : found)
+      if (one.device == finding.device && !one.until_s) one.until_s = since_start(*finding.until);
+  }
+
   void on_measurement(const measurement::Measurement& m) override {
+    diagnostician_.on_measurement(m);
     const auto& origin = measurement::origin_of(m);
     auto& device = record_.devices.at(origin.device);
     Arrival arrival{since_start(origin.received_at), m.index(), 0};
@@ -110,6 +131,7 @@ class Recorder final : private host::Follower {
   bool has_truth_;
   RunRecord record_;
   std::vector<Field> fields_;
+  host::Diagnostician diagnostician_;
   bench::LockstepBench bench_;
 };
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "drivers/device/device.hpp"
+#include "drivers/diagnosis/finding.hpp"
 #include "estimators/pipeline/pipeline.hpp"
 #include "hil/motion/truth.hpp"
 #include "hil/scorecard/field.hpp"
@@ -64,7 +65,16 @@ struct ErrorAt {
   std::optional<double> horizontal_m;
 };
 
+/// A finding of the diagnosis.
+struct FindingAt {
+  std::size_t device = 0;
+  diagnosis::Cause cause = diagnosis::Cause::silent;
+  double since_s = 0, found_s = 0;
+  std::optional<double> until_s;  ///< empty: it lasted to the end
+};
+
 struct RunRecord {
+  std::vector<FindingAt> findings;  ///< in the order in which they were found
   std::vector<DeviceRecord> devices;
   std::vector<std::vector<ErrorAt>> estimators;  ///< empty if there is no truth
 };

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "hil/scorecard/fault_amounts.hpp"
+#include "hil/scorecard/finding_score.hpp"
 #include "hil/scorecard/reference.hpp"
 
 namespace drydock::scorecard {
@@ -26,6 +27,7 @@ struct Score {
   std::string device, fault, amount, layer;
   std::optional<double> detect_s;   ///< after the fault's start; empty: not detected
   std::string sign;                 ///< the driver's first sign
+  FindingScore finding;             ///< what the diagnosis said
   std::optional<double> recover_s;  ///< after the fault's end; empty: not within the run
   std::int64_t lost = 0;            ///< messages; negative if more came than without the fault
   std::int64_t others_lost = 0;     ///< messages of the rig's other devices

@@ -36,6 +36,11 @@ Json of_pair(const Score& score) {
   json["amount"] = score.amount;
   json["detect_s"] = number(score.detect_s);
   json["sign"] = score.sign;
+  json["found_s"] = number(score.finding.found_s);
+  json["finding"] = score.finding.word;
+  json["right_device"] = score.finding.right_device;
+  json["right_word"] = score.finding.right_word;
+  json["false_alarms"] = score.finding.before;
   json["recover_s"] = number(score.recover_s);
   json["lost"] = score.lost;
   json["others_lost"] = score.others_lost;

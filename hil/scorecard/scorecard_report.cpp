@@ -17,18 +17,52 @@ std::string seconds_or(const std::optional<double>& s, const char* otherwise) {
   return s ? fmt::format("{:.2f}", *s) : otherwise;
 }
 
+/// The word, with a mark if it is wrong.
+std::string finding_of(const FindingScore& finding) {
+  if (!finding.found_s || finding.right_word) return finding.word;
+  return finding.word + (finding.right_device ? " (?)" : " (other device)");
+}
+
+/// The median of the times to the first finding.
+std::string median_of(std::vector<double> times) {
+  if (times.empty()) return "none";
+  const auto middle = times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2);
+  std::ranges::nth_element(times, middle);
+  return fmt::format("{:.1f} s", *middle);
+}
+
+/// What the diagnosis made of all pairs, one line.
+std::string findings_line(const Scorecard& card) {
+  std::size_t devices = 0, words = 0;
+  std::uint64_t before = 0;
+  std::vector<double> times;
+  for (const Score& s : card.scores) {
+    before += s.finding.before;
+    if (!s.finding.found_s) continue;
+    times.push_back(*s.finding.found_s);
+    devices += s.finding.right_device ? 1 : 0;
+    words += s.finding.right_word ? 1 : 0;
+  }
+  return fmt::format(
+      "findings: {} of {} pairs, median after {}; right device {}, right word {}; "
+      "false alarms before the fault: {}",
+      times.size(), card.scores.size(), median_of(times), devices, words, before);
+}
+
 report::Table table_of(const Scorecard& card) {
   report::Table table;
   table.title =
       fmt::format("{}: {:.0f} s sound, {:.0f} s of one fault, {:.0f} s behind it", card.rig,
                   card.window.warm_up_s, card.window.fault_s, card.window.after_s);
-  table.columns = {"device and fault", "amount", "seen after s", "by",  "over after s", "lost",
-                   "others lost",      "wrong",  "mistimed",     "lies"};
+  table.columns = {"device and fault", "amount",  "seen after s", "by",
+                   "found after s",    "finding", "over after s", "lost",
+                   "others lost",      "wrong",   "mistimed",     "lies"};
   for (const auto& e : card.scores.front().estimators)
     for (const char* column : {"error x", "NEES", "over after s"})
       table.columns.push_back(e.name + " " + column);
   for (const Score& s : card.scores) {
     table.rows.push_back({s.device + " " + s.fault, s.amount, seconds_or(s.detect_s, "not"), s.sign,
+                          seconds_or(s.finding.found_s, "not"), finding_of(s.finding),
                           seconds_or(s.recover_s, "not"), fmt::format("{}", s.lost),
                           fmt::format("{}", s.others_lost), fmt::format("{}", s.wrong),
                           fmt::format("{}", s.mistimed), fmt::format("{}", s.lies)});
@@ -48,6 +82,7 @@ std::vector<std::string> totals(const Scorecard& card) {
       fmt::format("{} pairs: {} detected, {} over within the run", card.scores.size(),
                   count([](const Score& s) { return s.detect_s.has_value(); }),
                   count([](const Score& s) { return s.recover_s.has_value(); })),
+      findings_line(card),
       fmt::format("wrong numbers published as valid: in {} pairs",
                   count([](const Score& s) { return s.wrong > 0; }))};
   for (const Score& s : card.scores)

@@ -14,6 +14,7 @@ drivers/terminal
 drivers/capture            drivers/wire
 drivers/device             drivers/wire drivers/measurement
 drivers/survey             drivers/device drivers/wire drivers/measurement
+drivers/diagnosis          drivers/device drivers/wire/protocols drivers/measurement rig_config/fault_vocabulary
 drivers/link               drivers/io drivers/capture drivers/wire drivers/measurement
 drivers/shell              drivers/device drivers/link drivers/io drivers/capture drivers/wire drivers/measurement rig_config
 drivers/bus                drivers/measurement
@@ -26,9 +27,9 @@ drivers/recordings/tasks   drivers/recordings/record drivers/recordings/mcap dri
 drivers/text               drivers/wire drivers/measurement
 drivers/decode             drivers/text drivers/shell drivers/device drivers/link drivers/io drivers/terminal drivers/capture drivers/wire drivers/measurement
 drivers/doctor             drivers/terminal drivers/text drivers/link drivers/wire rig_config
-drivers/host               drivers/shell drivers/device drivers/bus drivers/live drivers/recordings/record drivers/link drivers/io drivers/terminal drivers/wire drivers/measurement rig_config
+drivers/host               drivers/diagnosis drivers/shell drivers/device drivers/bus drivers/live drivers/recordings/record drivers/link drivers/io drivers/terminal drivers/wire drivers/measurement rig_config
 drivers/probe              drivers/survey drivers/doctor drivers/text drivers/link drivers/io drivers/terminal drivers/capture drivers/wire drivers/measurement
-drivers/monitor            drivers/host drivers/probe drivers/decode drivers/text drivers/shell drivers/device drivers/bus drivers/link drivers/io drivers/terminal drivers/wire drivers/measurement rig_config
+drivers/monitor            drivers/diagnosis drivers/host drivers/probe drivers/decode drivers/text drivers/shell drivers/device drivers/bus drivers/link drivers/io drivers/terminal drivers/wire drivers/measurement rig_config
 estimators/frame           drivers/measurement
 estimators/navigation      estimators/frame
 estimators/leveling        estimators/navigation estimators/frame drivers/measurement
@@ -39,7 +40,7 @@ estimators/vehicle         estimators/hydrodynamics rig_config
 estimators/velocity        estimators/navigation estimators/hydrodynamics estimators/frame
 estimators/pipeline        estimators/leveling estimators/mixing estimators/roll estimators/velocity estimators/navigation estimators/hydrodynamics estimators/frame drivers/measurement
 estimators/setup           estimators/pipeline estimators/vehicle estimators/frame drivers/measurement rig_config
-estimators/host            estimators/setup estimators/pipeline drivers/host drivers/bus drivers/link drivers/io drivers/terminal drivers/measurement rig_config
+estimators/host            drivers/diagnosis estimators/setup estimators/pipeline drivers/host drivers/bus drivers/link drivers/io drivers/terminal drivers/measurement rig_config
 rig_config                 drivers/wire/protocols drivers/wire/hex drivers/wire/described/description drivers/wire/described/frame_plan drivers/wire/dbc/database drivers/wire/dbc/reader drivers/wire/described/plan drivers/wire/described/targets drivers/measurement/units drivers/measurement/kind
 hil/report
 hil/ocean                  estimators/frame drivers/measurement rig_config
@@ -56,14 +57,14 @@ hil/characterize           estimators/frame drivers/measurement rig_config
 hil/characterize/report    hil/characterize hil/bench hil/check hil/report hil/study hil/sensor drivers/decode drivers/recordings/record drivers/bus drivers/link drivers/terminal drivers/measurement rig_config
 hil/validity               hil/emulate drivers/measurement
 hil/validity/run           hil/validity hil/bench hil/summary hil/report hil/emulate drivers/link drivers/io drivers/terminal drivers/measurement rig_config
-hil/summary                hil/report hil/motion estimators/pipeline estimators/frame drivers/host drivers/device drivers/link drivers/measurement rig_config
+hil/summary                drivers/diagnosis hil/report hil/motion estimators/pipeline estimators/frame drivers/host drivers/device drivers/link drivers/measurement rig_config
 hil/control/request        drivers/live drivers/terminal
 hil/control                hil/control/request hil/fault hil/summary drivers/host drivers/bus drivers/live drivers/link drivers/io drivers/terminal rig_config
-hil/bench                  hil/control hil/summary hil/report hil/fault hil/emulate hil/emulate/real_time hil/motion estimators/host estimators/setup estimators/pipeline estimators/frame drivers/host drivers/monitor drivers/bus drivers/shell drivers/device drivers/link drivers/io drivers/terminal drivers/measurement rig_config
+hil/bench                  drivers/diagnosis hil/control hil/summary hil/report hil/fault hil/emulate hil/emulate/real_time hil/motion estimators/host estimators/setup estimators/pipeline estimators/frame drivers/host drivers/monitor drivers/bus drivers/shell drivers/device drivers/link drivers/io drivers/terminal drivers/measurement rig_config
 hil/check                  hil/fault hil/motion hil/ocean estimators/setup estimators/pipeline estimators/vehicle estimators/hydrodynamics drivers/shell drivers/link drivers/terminal drivers/measurement rig_config
 hil/replay/reference       drivers/recordings/record drivers/bus
-hil/replay                 hil/replay/reference hil/bench hil/summary hil/fault estimators/host estimators/setup estimators/pipeline estimators/frame drivers/host drivers/recordings/record drivers/text drivers/bus drivers/link drivers/io drivers/terminal drivers/measurement rig_config
-hil/scorecard              hil/bench hil/summary hil/study/run hil/report hil/motion estimators/pipeline estimators/frame drivers/device drivers/link drivers/terminal drivers/measurement rig_config
+hil/replay                 drivers/diagnosis hil/replay/reference hil/bench hil/summary hil/fault estimators/host estimators/setup estimators/pipeline estimators/frame drivers/host drivers/recordings/record drivers/text drivers/bus drivers/link drivers/io drivers/terminal drivers/measurement rig_config
+hil/scorecard              drivers/diagnosis estimators/host hil/bench hil/summary hil/study/run hil/report hil/motion estimators/pipeline estimators/frame drivers/device drivers/link drivers/terminal drivers/measurement rig_config
 hil/endurance              hil/bench hil/summary hil/validity hil/validity/run hil/report hil/fault drivers/text drivers/link drivers/terminal rig_config
 hil/world                  hil/report hil/sky hil/sensor hil/motion estimators/frame drivers/measurement drivers/terminal rig_config
 hil/program                hil/[a-z/_]* estimators/[a-z]* drivers/[a-z/]* rig_config

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <cstdint>
+
+#include "drivers/measurement/kind.hpp"
+#include "drivers/wire/protocols.hpp"
+
+namespace drydock::diagnosis {
+
+/// What is known beforehand about a healthy device.
+struct Expected {
+  std::uint16_t device = 0;  ///< index in the rig
+  measurement::Kind kind = measurement::Kind::imu;
+  wire::Protocol protocol{};   ///< checksum, own clock, bytes or frames
+  double nominal_rate_hz = 0;  ///< 0: not known
+};
+
+}  // namespace drydock::diagnosis

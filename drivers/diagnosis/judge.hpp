@@ -1,0 +1,36 @@
+#pragma once
+
+#include <vector>
+
+#include "drivers/diagnosis/finding.hpp"
+
+namespace drydock::diagnosis {
+
+/// Collects the signs of all monitors and says what is wrong with which device: at most one finding
+/// a device is open at a time. Sans-I/O; no allocation after construction.
+class Judge final : public SymptomSink {
+ public:
+  /// The listener must outlive the judge.
+  Judge(std::size_t devices, FindingListener& to);
+
+  void see(const Symptom& symptom) override;
+
+  /// Weighs the signs and tells the listener what has begun, changed or ended. Call it a few times
+  /// a second, and before it `see` for all signs that last.
+  void settle(Stamp now);
+
+  /// The open finding of a device; null: none.
+  const Finding* open(std::uint16_t device) const;
+
+ private:
+  struct Case {
+    boost::container::static_vector<Symptom, 16> signs;  ///< each sign once, the latest of each
+    std::optional<Finding> finding;
+  };
+  void forget_old(Case& one, Stamp now);
+
+  std::vector<Case> cases_;
+  FindingListener& to_;
+};
+
+}  // namespace drydock::diagnosis

@@ -1,0 +1,57 @@
+#include "hil/scorecard/finding_score.hpp"
+
+#include <algorithm>
+#include <map>
+
+namespace drydock::scorecard {
+namespace {
+
+using diagnosis::Cause;
+
+/// The monitors that look at counters of the last moment may speak a little after the fault.
+constexpr double grace_s = 2;
+
+/// A fault of the bus harms all devices on it.
+bool is_on_the_bus(const rig_config::Rig& rig, const Pair& pair, std::size_t device) {
+  using Need = rig_config::FaultNeed;
+  if (device == pair.device) return true;
+  const auto& facts = rig_config::word_of(pair.fault.kind).facts;
+  return facts.needs == Need::can_bus && rig.devices[device].link == rig.devices[pair.device].link;
+}
+
+bool looks_like(Cause cause, rig_config::FaultKind fault) {
+  return std::ranges::count(diagnosis::facts_of(cause).faults, fault) > 0;
+}
+
+double seconds_within(const FindingAt& finding, const Window& window) {
+  const double from = std::max(finding.found_s, window.warm_up_s);
+  const double to =
+      std::min(finding.until_s.value_or(window.run_s()), window.fault_end_s() + grace_s);
+  return std::max(to - from, 0.0);
+}
+
+}  // namespace
+
+FindingScore judge_findings(const rig_config::Rig& rig, const Window& window, const Pair& pair,
+                            const RunRecord& run) {
+  FindingScore score;
+  std::map<Cause, double> said_s;
+  const FindingAt* first = nullptr;
+  for (const FindingAt& finding : run.findings) {
+    if (finding.found_s < window.warm_up_s) ++score.before;
+    const double within_s = seconds_within(finding, window);
+    if (finding.found_s < window.warm_up_s || within_s <= 0) continue;
+    if (first == nullptr) first = &finding;
+    if (is_on_the_bus(rig, pair, finding.device)) said_s[finding.cause] += within_s;
+  }
+  if (first == nullptr) return score;
+  score.found_s = first->found_s - window.warm_up_s;
+  score.right_device = is_on_the_bus(rig, pair, first->device);
+  const auto longest = std::ranges::max_element(said_s, {}, [](const auto& x) { return x.second; });
+  const Cause cause = longest == said_s.end() ? first->cause : longest->first;
+  score.word = diagnosis::facts_of(cause).name;
+  score.right_word = !said_s.empty() && looks_like(cause, pair.fault.kind);
+  return score;
+}
+
+}  // namespace drydock::scorecard

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "hil/scorecard/fault_amounts.hpp"
+#include "hil/scorecard/run_record.hpp"
+
+namespace drydock::scorecard {
+
+/// What the diagnosis said about one fault.
+struct FindingScore {
+  std::optional<double> found_s;  ///< the first finding, after the fault's start; empty: none
+  std::string word;               ///< the cause that was said longest of the right device, else of
+                                  ///< the first one
+  bool right_device = false;      ///< that first finding is of the fault's device; for a fault of a
+                                  ///< bus, of a device on that bus
+  bool right_word = false;        ///< a cause that the fault looks like
+  std::uint64_t before = 0;       ///< findings before the fault began: false alarms
+};
+
+FindingScore judge_findings(const rig_config::Rig& rig, const Window& window, const Pair& pair,
+                            const RunRecord& run);
+
+}  // namespace drydock::scorecard
