@@ -32,6 +32,7 @@ struct DropoutConfig {
 struct DvlHeadConfig {
   std::optional<double> shortest_range_m, longest_range_m;
   std::optional<bool> three_beams;                  ///< three beams are enough for a velocity
+  std::optional<double> sound_speed_mps;            ///< set to; empty: that of the water
   double fading_db = 1.5;                           ///< 1 sigma of each echo's strength
   double beam_noise_mps = 0;                        ///< 1 sigma of each beam's velocity
   double layer_start_m = 0, layer_thickness_m = 0;  ///< water track; thickness 0: none

@@ -57,6 +57,13 @@ struct XsensConfig {
   std::vector<Identifier> identifiers;
 };
 
+/// How a DVL's speed of sound is put right.
+struct SoundSpeedConfig {
+  std::string source = "as-sent", equation = "mackenzie";
+  double mps = 1500, salinity_ppt = 35;
+  std::optional<double> temperature_k, depth_m, set_mps;
+};
+
 /// The settings of a CiA 404 pressure transmitter.
 struct PressureConfig {
   std::string format = "integer+status", unit = "Pa";  ///< of TPDO1; object 6131h
@@ -91,6 +98,8 @@ struct DeviceConfig {
   std::optional<double> velocity_sigma_mps;       ///< kind dvl, emlog: if the sensor tells none
   DvlMaker maker = DvlMaker::teledyne;            ///< kind dvl, PD4 and PD6
   std::optional<double> beam_angle_rad;           ///< kind dvl, PD4 and PD5 in beam coordinates
+  std::optional<bool> levelled;                   ///< kind dvl, ship axes; empty: as the DVL says
+  SoundSpeedConfig sound_speed;                   ///< kind dvl
   std::optional<WaterLinkedConfig> water_linked;  ///< kind dvl, Water Linked
   EmulateConfig emulate;
   int line = 0;  ///< of the [[device]] block in the file

@@ -8,6 +8,7 @@
 
 #include "drivers/device/mounting.hpp"
 #include "drivers/measurement/kind.hpp"
+#include "drivers/measurement/sound_speed.hpp"
 #include "drivers/measurement/water_column.hpp"
 #include "drivers/wire/can/xsens.hpp"
 #include "drivers/wire/canopen/cia404_pressure.hpp"
@@ -58,9 +59,23 @@ struct WaterLinkedSettings {
   std::optional<bool> periodic_cycling{};       ///< it looks for other range modes every 10 s
 };
 
+/// The speed of sound that a DVL should have used, m/s.
+struct SoundSpeedOptions {
+  enum class Source : std::uint8_t { as_sent, fixed, computed };
+  Source source = Source::as_sent;
+  double fixed_mps = 1500;
+  measurement::SoundSpeedEquation equation = measurement::SoundSpeedEquation::mackenzie;
+  double salinity_ppt = 35;                      ///< computed
+  std::optional<double> temperature_k, depth_m;  ///< computed; empty: as the DVL tells them
+  std::optional<double> set_mps;                 ///< that the DVL used; empty: as it tells it
+};
+
 struct DvlOptions {
   DvlMaker maker = DvlMaker::teledyne;
   std::optional<double> beam_angle_rad;  ///< from the vertical; for protocols that do not give it
+  /// Ship axes: true if the velocities come levelled with pitch and roll. Empty: as the DVL says.
+  std::optional<bool> levelled;
+  SoundSpeedOptions sound_speed;
   std::optional<WaterLinkedSettings> water_linked;  ///< empty: the driver only listens
 };
 

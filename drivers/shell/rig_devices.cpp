@@ -23,6 +23,20 @@ RigDevicesError error_in(const rig_config::Rig& rig, const DeviceConfig& config,
   return {text};
 }
 
+device::SoundSpeedOptions sound_speed_options(const rig_config::SoundSpeedConfig& config) {
+  using Source = device::SoundSpeedOptions::Source;
+  return {.source = config.source == "fixed"      ? Source::fixed
+                    : config.source == "computed" ? Source::computed
+                                                  : Source::as_sent,
+          .fixed_mps = config.mps,
+          .equation = config.equation == "medwin" ? measurement::SoundSpeedEquation::medwin
+                                                  : measurement::SoundSpeedEquation::mackenzie,
+          .salinity_ppt = config.salinity_ppt,
+          .temperature_k = config.temperature_k,
+          .depth_m = config.depth_m,
+          .set_mps = config.set_mps};
+}
+
 device::DriverOptions driver_options(const DeviceConfig& config, std::size_t index,
                                      const link::Uri& uri) {
   device::DriverOptions options;
@@ -45,6 +59,8 @@ device::DriverOptions driver_options(const DeviceConfig& config, std::size_t ind
   options.velocity_sigma_mps = config.velocity_sigma_mps;
   options.dvl.maker = config.maker;
   options.dvl.beam_angle_rad = config.beam_angle_rad;
+  options.dvl.levelled = config.levelled;
+  options.dvl.sound_speed = sound_speed_options(config.sound_speed);
   if (const auto& water_linked = config.water_linked) {
     options.dvl.water_linked = {water_linked->sound_speed_mps,  water_linked->mounting_rotation_rad,
                                 water_linked->old_sentences,    water_linked->range_mode,

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "drivers/measurement/sound_speed.hpp"
 #include "drivers/measurement/units.hpp"
 #include "drivers/measurement/water_column.hpp"
 #include "estimators/frame/attitude.hpp"
@@ -17,8 +18,6 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 using rig_config::BedKind;
 using rig_config::WaterKind;
-
-constexpr double melting_point_k = 273.15;
 
 Profile component(const std::vector<rig_config::CurrentConfig>& current, std::size_t axis) {
   std::vector<Profile::Knot> knots;
@@ -158,9 +157,8 @@ double Ocean::pressure_pa(double depth_m, double latitude_rad) const {
 }
 
 double Ocean::sound_speed_mps(double depth_m) const {
-  const double t = water_.temperature_k - melting_point_k;
-  return 1449.2 + ((0.00029 * t - 0.055) * t + 4.6) * t +
-         (1.34 - 0.010 * t) * (water_.salinity_ppt - 35) + 0.016 * depth_m;
+  return measurement::medwin_mps(water_.temperature_k - measurement::melting_point_k,
+                                 water_.salinity_ppt, depth_m);
 }
 
 }  // namespace drydock::ocean

@@ -150,6 +150,26 @@ class Sounding {
   std::array<std::optional<double>, 4> bed_m_;  ///< along each beam
 };
 
+void scale(std::optional<double>& value, double by) {
+  if (value) *value *= by;
+}
+
+/// What the head makes of the same echoes with another speed of sound.
+void believe(double sound_speed_mps, DvlPing& ping) {
+  const double by = sound_speed_mps / ping.sound_speed;
+  if (ping.velocity) *ping.velocity *= by;
+  if (ping.water.velocity) *ping.water.velocity *= by;
+  scale(ping.error_velocity_mps, by);
+  scale(ping.water.error_velocity_mps, by);
+  scale(ping.altitude_m, by);
+  for (auto& range : ping.range_m) scale(range, by);
+  for (auto& beam : ping.beams) {
+    scale(beam.range_m, by);
+    scale(beam.velocity_mps, by);
+  }
+  ping.sound_speed = sound_speed_mps;
+}
+
 }  // namespace
 
 std::array<Vector3d, 4> beam_directions(const JanusHead& head) {
@@ -174,6 +194,7 @@ DvlPing dvl_ping(const motion::Trajectory& trajectory, Stamp at, const Mounting&
   ping.sound_speed = trajectory.ocean().sound_speed_mps(std::max(ping.depth_m, 0.0));
   sounding.bottom_track(noise, ping);
   sounding.water_track(noise, ping);
+  if (head.set_sound_speed_mps) believe(*head.set_sound_speed_mps, ping);
   return ping;
 }
 

@@ -27,6 +27,9 @@ struct JanusHead {
   double fading_db = 0;           ///< 1 sigma of the strength of each echo
   double beam_noise_mps = 0;      ///< 1 sigma of each beam's velocity
   std::optional<WaterLayer> layer = std::nullopt;
+  /// The speed of sound that the head was set to, m/s; empty: it knows the true one. Velocities and
+  /// ranges are in proportion to it.
+  std::optional<double> set_sound_speed_mps = std::nullopt;
 };
 
 /// Signal-to-noise ratio at which an echo is just detected. An echo at the longest range has this

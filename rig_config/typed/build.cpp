@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <span>
 
+#include "drivers/measurement/sound_speed.hpp"
 #include "drivers/measurement/units.hpp"
 #include "rig_config/checks/checks.hpp"
 #include "rig_config/toml/places_of.hpp"
@@ -66,6 +67,19 @@ WaterLinkedConfig build_water_linked(const Node& table) {
   return config;
 }
 
+SoundSpeedConfig build_sound_speed(const Node& table) {
+  SoundSpeedConfig config;
+  read(table, "source", config.source);
+  read(table, "equation", config.equation);
+  read(table, "mps", config.mps);
+  read(table, "salinity_ppt", config.salinity_ppt);
+  if (const auto celsius = read_if(table, "temperature_c"))
+    config.temperature_k = *celsius + measurement::melting_point_k;
+  config.depth_m = read_if(table, "depth_m");
+  config.set_mps = read_if(table, "set_mps");
+  return config;
+}
+
 DeviceConfig build_device(const Node& table, const std::string& rig_file) {
   DeviceConfig device;
   device.line = table.at.line;
@@ -99,6 +113,9 @@ DeviceConfig build_device(const Node& table, const std::string& rig_file) {
   if (maker == "water-linked") device.maker = DvlMaker::water_linked;
   device.velocity_sigma_mps = read_if(table, "velocity_sigma_mps", 1);
   device.beam_angle_rad = read_if(table, "beam_angle_deg", units::degree);
+  device.levelled = read_bool_if(table, "levelled");
+  if (const Node* sound_speed = table.find("sound_speed"))
+    device.sound_speed = build_sound_speed(*sound_speed);
   if (const Node* water_linked = table.find("water_linked")) {
     device.water_linked = build_water_linked(*water_linked);
   }

@@ -24,6 +24,7 @@ DvlHeadConfig build_head(const Node& table) {
   head.shortest_range_m = read_if(table, "shortest_range_m");
   head.longest_range_m = read_if(table, "longest_range_m");
   if (const Node* three = table.find("three_beams")) head.three_beams = three->boolean;
+  head.sound_speed_mps = read_if(table, "sound_speed_mps");
   read(table, "fading_db", head.fading_db);
   read(table, "beam_noise_mps", head.beam_noise_mps);
   read(table, "layer_start_m", head.layer_start_m);

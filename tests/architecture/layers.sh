@@ -8,7 +8,7 @@ failed=0
 # A room inside a room (hil/study/run) has a line of its own.
 arrows='
 drivers/measurement
-drivers/wire               drivers/measurement/units drivers/measurement/kind
+drivers/wire               drivers/measurement/units drivers/measurement/kind drivers/measurement/sound_speed
 drivers/io                 drivers/measurement drivers/terminal
 drivers/terminal
 drivers/capture            drivers/wire
@@ -41,7 +41,7 @@ estimators/velocity        estimators/navigation estimators/hydrodynamics estima
 estimators/pipeline        estimators/leveling estimators/mixing estimators/roll estimators/velocity estimators/navigation estimators/hydrodynamics estimators/frame drivers/measurement
 estimators/setup           estimators/pipeline estimators/vehicle estimators/frame drivers/measurement rig_config
 estimators/host            drivers/diagnosis estimators/setup estimators/pipeline drivers/host drivers/bus drivers/link drivers/io drivers/terminal drivers/measurement rig_config
-rig_config                 drivers/wire/protocols drivers/wire/hex drivers/wire/described/description drivers/wire/described/frame_plan drivers/wire/dbc/database drivers/wire/dbc/reader drivers/wire/described/plan drivers/wire/described/targets drivers/measurement/units drivers/measurement/kind
+rig_config                 drivers/wire/protocols drivers/wire/hex drivers/wire/described/description drivers/wire/described/frame_plan drivers/wire/dbc/database drivers/wire/dbc/reader drivers/wire/described/plan drivers/wire/described/targets drivers/measurement/units drivers/measurement/kind drivers/measurement/sound_speed
 hil/report
 hil/ocean                  estimators/frame drivers/measurement rig_config
 hil/motion                 hil/ocean estimators/frame estimators/hydrodynamics estimators/vehicle drivers/measurement rig_config

@@ -1,6 +1,5 @@
 #include "drivers/device/dvl/dvl_driver.hpp"
 
-#include "drivers/device/dvl/velocity_accuracy.hpp"
 #include "drivers/wire/dvl/pd0_velocity.hpp"
 
 namespace drydock::device {
@@ -25,7 +24,7 @@ void DvlDriver::on(const wire::Pd0Ensemble& ensemble, const Origin& origin, Outp
   if (ensemble.fixed.frame != wire::DvlFrame::beam) {
     result.error_velocity_mps = velocity[3];
   }
-  if (!ensemble.fixed.faces_up) {
+  if (wire::is_of_the_bed(ensemble.fixed)) {
     if (ensemble.bottom_track) result.range_m = ensemble.bottom_track->range_m;
     if (ensemble.bottom_range) result.altitude_m = ensemble.bottom_range->vertical_range_m;
     if (!result.altitude_m) result.altitude_m = altitude_over_bed(result.range_m, leader);
@@ -34,8 +33,7 @@ void DvlDriver::on(const wire::Pd0Ensemble& ensemble, const Origin& origin, Outp
   result.pitch_rad = leader.pitch_rad;
   result.roll_rad = leader.roll_rad;
   result.sound_speed_mps = leader.sound_speed_mps;
-  add_sigma_of_rig(result, solution_.sigma_mps());
-  out.publish(result);
+  finish_.publish(result, {leader.temperature_k, leader.depth_m}, out);
 }
 
 }  // namespace drydock::device

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "drivers/device/dvl/dvl_finish.hpp"
 #include "drivers/device/dvl/dvl_solution.hpp"
 #include "drivers/device/stream_driver.hpp"
 #include "drivers/wire/dvl/pd0.hpp"
@@ -15,13 +16,14 @@ namespace drydock::device {
 class DvlDriver final : public StreamDriver<wire::Pd0::max_frame> {
  public:
   explicit DvlDriver(const DriverOptions& options)
-      : StreamDriver(options, wire::Pd0::scan), solution_(options) {}
+      : StreamDriver(options, wire::Pd0::scan), solution_(options), finish_(options) {}
 
  private:
   void on_frame(wire::Bytes frame, const Arrival& arrival, Output& out) override;
   void on(const wire::Pd0Ensemble& ensemble, const Origin& origin, Output& out);
 
   DvlSolution solution_;
+  DvlFinish finish_;
 };
 
 }  // namespace drydock::device

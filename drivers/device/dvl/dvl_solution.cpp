@@ -10,6 +10,8 @@ namespace {
 /// Names the missing data that the conversion to the body needs, in words.
 std::string_view missing_for(const wire::DvlGeometry& geometry, const wire::DvlAttitude& attitude) {
   using enum wire::DvlFrame;
+  if (!wire::is_of_the_bed(geometry))
+    return "no velocity: an upward-facing head gives it in its own axes, so it is not of the bed";
   if (geometry.frame == beam) {
     return geometry.beam_angle_rad ? "" : "no velocity: beam velocities, but no beam_angle_deg";
   }
@@ -39,6 +41,7 @@ std::optional<Eigen::Vector3d> DvlSolution::velocity(const wire::DvlComponents& 
     return mounting_.to_body({*x, *y, *z});
   }
   if (!geometry.beam_angle_rad) geometry.beam_angle_rad = dvl_.beam_angle_rad;
+  if (dvl_.levelled && geometry.frame == wire::DvlFrame::ship) geometry.tilts_used = *dvl_.levelled;
   if (any(sent)) heed(missing_for(geometry, attitude), out);
   const auto v = wire::velocity_frd(sent, geometry, attitude);
   if (!v) return {};

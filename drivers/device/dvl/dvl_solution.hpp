@@ -17,22 +17,18 @@ namespace drydock::device {
 class DvlSolution {
  public:
   explicit DvlSolution(const DriverOptions& options)
-      : mounting_(options.mounting), dvl_(options.dvl), sigma_mps_(options.velocity_sigma_mps) {}
+      : mounting_(options.mounting), dvl_(options.dvl) {}
 
   /// m/s, body. Empty without lock, or if data that the frame needs are missing.
   std::optional<Eigen::Vector3d> velocity(const wire::DvlComponents& sent,
                                           wire::DvlGeometry geometry,
                                           const wire::DvlAttitude& attitude, Output& out);
 
-  /// m/s of each component; PD0 to PD6 do not tell it.
-  const std::optional<double>& sigma_mps() const { return sigma_mps_; }
-
  private:
   void heed(std::string_view missing, Output& out);
 
   Mounting mounting_;
   DvlOptions dvl_;
-  std::optional<double> sigma_mps_;
   std::string_view missing_;
 };
 

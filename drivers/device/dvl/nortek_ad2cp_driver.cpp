@@ -64,8 +64,7 @@ void NortekAd2cpDriver::on(const BottomTrack& record, const Arrival& arrival, Ou
   result.range_m = record.distance_m;
   result.altitude_m = altitude_of(record.distance_m, {{}, 0.0, 0.0});
   result.sound_speed_mps = record.sound_speed_mps;
-  add_sigma_of_rig(result, sigma_mps_);
-  out.publish(result);
+  finish_.publish(result, {record.temperature_k, {}}, out);
 }
 
 void NortekAd2cpDriver::on(const SignatureBottomTrack& record, const Arrival& arrival,
@@ -82,7 +81,7 @@ void NortekAd2cpDriver::on(const SignatureBottomTrack& record, const Arrival& ar
   result.altitude_m =
       altitude_of(record.distance_m, {record.heading_rad, record.pitch_rad, record.roll_rad});
   result.sound_speed_mps = record.sound_speed_mps;
-  out.publish(result);
+  finish_.publish(result, {record.temperature_k, {}}, out);
 }
 
 /// The clock of a record shows its trigger; the echo came later.

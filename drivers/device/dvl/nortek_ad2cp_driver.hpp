@@ -3,6 +3,7 @@
 #include <string_view>
 
 #include "drivers/device/dvl/ad2cp_solution.hpp"
+#include "drivers/device/dvl/dvl_finish.hpp"
 #include "drivers/device/stream_driver.hpp"
 #include "drivers/wire/dvl/nortek_ad2cp.hpp"
 
@@ -19,7 +20,7 @@ class NortekAd2cpDriver final : public StreamDriver<wire::NortekAd2cp::max_frame
   explicit NortekAd2cpDriver(const DriverOptions& options)
       : StreamDriver(options, wire::NortekAd2cp::scan),
         mounting_(options.mounting),
-        sigma_mps_(options.velocity_sigma_mps) {}
+        finish_(options) {}
 
  private:
   void on_frame(wire::Bytes frame, const Arrival& arrival, Output& out) override;
@@ -30,7 +31,7 @@ class NortekAd2cpDriver final : public StreamDriver<wire::NortekAd2cp::max_frame
   void heed(std::string_view trouble, Output& out);
 
   Mounting mounting_;
-  std::optional<double> sigma_mps_;  ///< for a record without figures of merit
+  DvlFinish finish_;
   std::string_view trouble_;
 };
 

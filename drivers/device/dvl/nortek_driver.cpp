@@ -30,7 +30,7 @@ void NortekDriver::on_frame(wire::Bytes frame, const Arrival& arrival, Output& o
   publish(*velocity, age ? timing_.of_bytes(arrival, *age) : timing_.of_bytes(arrival), out);
 }
 
-void NortekDriver::publish(const wire::NortekVelocity& sentence, Origin origin, Output& out) const {
+void NortekDriver::publish(const wire::NortekVelocity& sentence, Origin origin, Output& out) {
   measurement::BottomVelocity result;
   if (const auto time_s = sentence.ping_time_s; time_s && is_clock_time(*time_s))
     origin.device_time = in_ns(*time_s);
@@ -42,8 +42,7 @@ void NortekDriver::publish(const wire::NortekVelocity& sentence, Origin origin, 
   result.range_m = sentence.distance_m;
   result.sound_speed_mps = sentence.sound_speed_mps;
   if (result.velocity) result.figure_of_merit_mps = merit_of(sentence.figure_of_merit_mps);
-  add_sigma_of_rig(result, sigma_mps_);
-  out.publish(result);
+  finish_.publish(result, {sentence.temperature_k, {}}, out);
 }
 
 }  // namespace drydock::device

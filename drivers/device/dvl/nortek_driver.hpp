@@ -1,5 +1,6 @@
 #pragma once
 
+#include "drivers/device/dvl/dvl_finish.hpp"
 #include "drivers/device/stream_driver.hpp"
 #include "drivers/wire/dvl/nortek.hpp"
 
@@ -12,16 +13,14 @@ namespace drydock::device {
 class NortekDriver final : public StreamDriver<wire::Nortek::max_frame> {
  public:
   explicit NortekDriver(const DriverOptions& options)
-      : StreamDriver(options, wire::Nortek::scan),
-        mounting_(options.mounting),
-        sigma_mps_(options.velocity_sigma_mps) {}
+      : StreamDriver(options, wire::Nortek::scan), mounting_(options.mounting), finish_(options) {}
 
  private:
   void on_frame(wire::Bytes frame, const Arrival& arrival, Output& out) override;
-  void publish(const wire::NortekVelocity& sentence, Origin origin, Output& out) const;
+  void publish(const wire::NortekVelocity& sentence, Origin origin, Output& out);
 
   Mounting mounting_;
-  std::optional<double> sigma_mps_;  ///< for a sentence without a figure of merit
+  DvlFinish finish_;
 };
 
 }  // namespace drydock::device

@@ -2,14 +2,17 @@
 
 #include <algorithm>
 
-#include "drivers/device/dvl/velocity_accuracy.hpp"
-
 namespace drydock::device {
 
 namespace {
 
 wire::DvlAttitude attitude_of(const wire::Pd4Report&) { return {}; }
 wire::DvlAttitude attitude_of(const wire::Pd5Report& report) { return report; }
+
+WaterAtHead water_of(const wire::Pd4Report& report) { return {report.temperature_k, {}}; }
+WaterAtHead water_of(const wire::Pd5Report& report) {
+  return {report.temperature_k, report.depth_m};
+}
 
 }  // namespace
 
@@ -40,8 +43,7 @@ void Pd4Driver<Protocol>::publish(const typename Protocol::Report& report, const
   result.pitch_rad = attitude.pitch_rad;
   result.roll_rad = attitude.roll_rad;
   result.sound_speed_mps = report.sound_speed_mps;
-  add_sigma_of_rig(result, solution_.sigma_mps());
-  out.publish(result);
+  finish_.publish(result, water_of(report), out);
 }
 
 template class Pd4Driver<wire::Pd4>;

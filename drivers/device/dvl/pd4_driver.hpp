@@ -1,5 +1,6 @@
 #pragma once
 
+#include "drivers/device/dvl/dvl_finish.hpp"
 #include "drivers/device/dvl/dvl_solution.hpp"
 #include "drivers/device/stream_driver.hpp"
 #include "drivers/wire/dvl/pd4.hpp"
@@ -13,13 +14,16 @@ template <class Protocol>
 class Pd4Driver final : public StreamDriver<Protocol::max_frame> {
  public:
   explicit Pd4Driver(const DriverOptions& options)
-      : StreamDriver<Protocol::max_frame>(options, Protocol::scan), solution_(options) {}
+      : StreamDriver<Protocol::max_frame>(options, Protocol::scan),
+        solution_(options),
+        finish_(options) {}
 
  private:
   void on_frame(wire::Bytes frame, const Arrival& arrival, Output& out) override;
   void publish(const typename Protocol::Report& report, const Origin& origin, Output& out);
 
   DvlSolution solution_;
+  DvlFinish finish_;
 };
 
 extern template class Pd4Driver<wire::Pd4>;

@@ -1,7 +1,5 @@
 #include "drivers/device/dvl/pd6_driver.hpp"
 
-#include "drivers/device/dvl/velocity_accuracy.hpp"
-
 namespace drydock::device {
 
 void Pd6Driver::restart(Stamp now, Output& out) {
@@ -38,8 +36,7 @@ void Pd6Driver::publish(Output& out) {
   result.pitch_rad = lines.attitude.pitch_rad;
   result.roll_rad = lines.attitude.roll_rad;
   result.sound_speed_mps = lines.timing.sound_speed_mps;
-  add_sigma_of_rig(result, solution_.sigma_mps());
-  out.publish(result);
+  finish_.publish(result, {lines.timing.temperature_k, lines.timing.depth_m}, out);
 }
 
 }  // namespace drydock::device

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "drivers/device/dvl/dvl_finish.hpp"
 #include "drivers/device/dvl/dvl_solution.hpp"
 #include "drivers/device/dvl/pd6_epoch.hpp"
 #include "drivers/device/stream_driver.hpp"
@@ -13,7 +14,7 @@ namespace drydock::device {
 class Pd6Driver final : public StreamDriver<wire::Pd6::max_frame> {
  public:
   explicit Pd6Driver(const DriverOptions& options)
-      : StreamDriver(options, wire::Pd6::scan), solution_(options) {}
+      : StreamDriver(options, wire::Pd6::scan), solution_(options), finish_(options) {}
 
   void restart(Stamp now, Output& out) override;
 
@@ -22,6 +23,7 @@ class Pd6Driver final : public StreamDriver<wire::Pd6::max_frame> {
   void publish(Output& out);
 
   DvlSolution solution_;
+  DvlFinish finish_;
   Pd6Epoch epoch_;
 };
 

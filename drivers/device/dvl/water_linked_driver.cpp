@@ -46,8 +46,7 @@ void WaterLinkedDriver::on(const water_linked::BottomVelocity& report, const Arr
     if (const auto covariance = covariance_of(report.covariance))
       sample.velocity_covariance = mounting_.covariance_to_body(*covariance);
   }
-  add_sigma_of_rig(sample, sigma_mps_);
-  out.publish(sample);
+  finish_.publish(sample, {}, out);
 }
 
 void WaterLinkedDriver::on(const water_linked::OldVelocity& report, const Arrival& arrival,
@@ -56,8 +55,7 @@ void WaterLinkedDriver::on(const water_linked::OldVelocity& report, const Arriva
   if (new_form_at_ && origin.received_at - *new_form_at_ < new_form_counts_for) return;
   heed_heat(report.hot.value_or(false), out);
   auto sample = sample_of(report, report.altitude_m, origin);
-  add_sigma_of_rig(sample, sigma_mps_);
-  out.publish(sample);
+  finish_.publish(sample, {}, out);
 }
 
 measurement::BottomVelocity WaterLinkedDriver::sample_of(const water_linked::Report& report,

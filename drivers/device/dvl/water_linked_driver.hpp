@@ -1,5 +1,6 @@
 #pragma once
 
+#include "drivers/device/dvl/dvl_finish.hpp"
 #include "drivers/device/dvl/water_linked_dialogue.hpp"
 #include "drivers/device/stream_driver.hpp"
 #include "drivers/measurement/earlier.hpp"
@@ -21,7 +22,7 @@ class WaterLinkedDriver final : public StreamDriver<wire::WaterLinked::max_frame
   explicit WaterLinkedDriver(const DriverOptions& options)
       : StreamDriver(options, wire::WaterLinked::scan),
         mounting_(options.mounting),
-        sigma_mps_(options.velocity_sigma_mps),
+        finish_(options),
         dialogue_(options.dvl.water_linked) {}
 
   void restart(Stamp now, Output& out) override;
@@ -44,7 +45,7 @@ class WaterLinkedDriver final : public StreamDriver<wire::WaterLinked::max_frame
   void heed_heat(bool hot, Output& out);
 
   Mounting mounting_;
-  std::optional<double> sigma_mps_;  ///< for a report that does not tell its accuracy
+  DvlFinish finish_;
   WaterLinkedDialogue dialogue_;
   std::optional<Stamp> new_form_at_, heard_at_;
   bool hot_ = false;

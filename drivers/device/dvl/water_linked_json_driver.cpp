@@ -53,8 +53,7 @@ void WaterLinkedJsonDriver::on(const Velocity& report, const Arrival& arrival, O
   add_velocity(report, sample);
   sample.altitude_m = report.altitude_m;
   add_ranges(report, sample);
-  add_sigma_of_rig(sample, sigma_mps_);
-  out.publish(sample);
+  finish_.publish(sample, {}, out);
 }
 
 void WaterLinkedJsonDriver::add_velocity(const Velocity& report,

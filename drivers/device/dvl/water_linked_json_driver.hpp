@@ -1,5 +1,6 @@
 #pragma once
 
+#include "drivers/device/dvl/dvl_finish.hpp"
 #include "drivers/device/dvl/water_linked_json_dialogue.hpp"
 #include "drivers/device/stream_driver.hpp"
 #include "drivers/measurement/earlier.hpp"
@@ -18,7 +19,7 @@ class WaterLinkedJsonDriver final : public StreamDriver<wire::WaterLinkedJson::m
   explicit WaterLinkedJsonDriver(const DriverOptions& options)
       : StreamDriver(options, wire::WaterLinkedJson::scan),
         mounting_(options.mounting),
-        sigma_mps_(options.velocity_sigma_mps),
+        finish_(options),
         dialogue_(options.dvl.water_linked) {}
 
   void restart(Stamp now, Output& out) override;
@@ -43,7 +44,7 @@ class WaterLinkedJsonDriver final : public StreamDriver<wire::WaterLinkedJson::m
   void heed_heat(bool hot, Output& out);
 
   Mounting mounting_;
-  std::optional<double> sigma_mps_;  ///< for a report that does not tell its accuracy
+  DvlFinish finish_;
   WaterLinkedJsonDialogue dialogue_;
   std::optional<Stamp> heard_at_;
   bool hot_ = false;

@@ -11,7 +11,7 @@ namespace {
 namespace aceinna = wire::aceinna;
 namespace j1939 = wire::j1939;
 
-constexpr std::chrono::milliseconds answer_within{200};
+constexpr std::chrono::milliseconds acknowledged_within{200};
 constexpr std::chrono::seconds status_period{1};
 constexpr unsigned tries = 3;
 
@@ -110,7 +110,7 @@ void AceinnaConfigurator::act(Stamp now, Output& out) {
   constexpr std::array pgns{aceinna::packet_rate_pgn, aceinna::packet_type_pgn, aceinna::filter_pgn,
                             aceinna::orientation_pgn};
   request(pgns[static_cast<std::size_t>(step_)], out, own);
-  next_ = now + answer_within;
+  next_ = now + acknowledged_within;
 }
 
 void AceinnaConfigurator::command(Output& out, std::uint8_t own) const {

@@ -92,7 +92,7 @@ double euler_pitch(double sensor_pitch_rad, double roll_rad) {
 std::optional<std::array<double, 3>> velocity_frd(const DvlComponents& velocity,
                                                   const DvlGeometry& geometry,
                                                   const DvlAttitude& attitude) {
-  if (geometry.faces_up) return std::nullopt;
+  if (!is_of_the_bed(geometry)) return std::nullopt;
   const auto v = in_ship_axes(velocity, geometry, attitude);
   if (!v) return std::nullopt;
   return std::array{(*v)[1], (*v)[0], -(*v)[2]};

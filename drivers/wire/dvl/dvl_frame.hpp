@@ -33,13 +33,21 @@ struct DvlAttitude {
   std::optional<double> heading_rad, pitch_rad, roll_rad;
 };
 
+/// False if the head looks up and gives its own beams or axes: what it sees is not the bed. In ship
+/// and earth axes an ensemble of an upward-facing head holds the bottom track of its twin that
+/// looks down (a vehicle with two heads sends both in turn), and the head's own direction does not
+/// matter.
+constexpr bool is_of_the_bed(const DvlGeometry& head) {
+  return !head.faces_up || head.frame == DvlFrame::ship || head.frame == DvlFrame::earth;
+}
+
 /// Velocity in the body axes of the instrument: x along the ship's bow by the heading alignment, y
 /// starboard, z down. The components may be in any frame:
 ///  beam        Janus geometry; a single bad beam is replaced if the settings permit it
 ///  instrument  rotated by the heading alignment
 ///  ship        unchanged, or rotated back to the body with pitch and roll if tilts were used
 ///  earth       rotated back with heading, pitch and roll
-/// Empty without bottom lock, for an upward-facing instrument, and if a required angle is missing.
+/// Empty without bottom lock, if it is not of the bed, and if a required angle is missing.
 std::optional<std::array<double, 3>> velocity_frd(const DvlComponents& velocity,
                                                   const DvlGeometry& geometry,
                                                   const DvlAttitude& attitude);

@@ -9,6 +9,7 @@ sensor::JanusHead set_up(sensor::JanusHead head, const rig_config::DvlHeadConfig
   head.shortest_range_m = config.shortest_range_m.value_or(head.shortest_range_m);
   head.longest_range_m = config.longest_range_m.value_or(head.longest_range_m);
   if (config.three_beams) head.fewest_beams = *config.three_beams ? 3 : 4;
+  head.set_sound_speed_mps = config.sound_speed_mps;
   head.fading_db = config.fading_db;
   head.beam_noise_mps = config.beam_noise_mps;
   if (config.layer_thickness_m > 0) head.layer = {config.layer_start_m, config.layer_thickness_m};

@@ -28,6 +28,12 @@ Ear ear_after(Kind kind, const std::string& protocol, const Octets& capture) {
   return ear;
 }
 
+/// The readings of MHKiT that a driver must give too: the first three components are sound.
+bool has_bottom_track(const nlohmann::json& row) {
+  const auto& v = row["vel_bt"];
+  return v[0] > -32 && v[1] > -32 && v[2] > -32;
+}
+
 std::vector<nlohmann::json> json_lines(const std::filesystem::path& path) {
   std::vector<nlohmann::json> rows;
   std::ifstream file(path);
@@ -151,6 +157,22 @@ TEST(Corpus, ImuDriverAgreesWithTheMakersDatabase) {
              std::abs(double(a[2]) - s.specific_force.z()) < 1e-9;
     }));
   }
+}
+
+TEST(Corpus, BothHeadsOfAnAuvGiveTheBottomTrackOfTheLowerOne) {
+  // Heads that look up and down alternate in one file. The file's other reader has the velocity of
+  // each; range and depth together are the same depth of water for both.
+  const auto folder = corpora() / "dvl/pd0";
+  if (!exists(folder / "raw/remus_20141219_a.adc")) GTEST_SKIP() << "no dive in " << folder;
+  const Ear ear = ear_after(Kind::dvl, "pd0", read_all(folder / "raw/remus_20141219_a.adc"));
+  const auto heard = ear.all<BottomVelocity>();
+  const auto rows = json_lines(folder / "expected/remus_20141219_a.jsonl");
+  std::size_t theirs = 0, ours = 0;
+  for (const auto& row : rows) theirs += row.contains("vel_bt") && has_bottom_track(row) ? 1 : 0;
+  for (const auto& m : heard) ours += m.velocity ? 1 : 0;
+  EXPECT_GT(theirs, 1000U);
+  EXPECT_GE(ours, theirs);
+  EXPECT_TRUE(ear.refusals.empty());
 }
 
 }  // namespace corpus_test

@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "drivers/device/dvl/sound_speed.hpp"
 #include "tests/drivers/device/support.hpp"
 
 /// The test builds ensembles from the offsets in Teledyne's Pathfinder DVL Guide (tables 32-47).
@@ -14,6 +15,7 @@ struct Bed {
   std::array<int, 4> range_cm{1000, 1000, 1000, 1000};
   std::uint8_t transform = 0x10;  ///< ship axes, tilts not used
   int pitch_cdeg = 0, roll_cdeg = 0;
+  bool faces_up = false;
 };
 
 Octets ensemble(const Bed& bed) {
@@ -28,7 +30,7 @@ Octets ensemble(const Bed& bed) {
   put(out, 10, 2, track);
 
   put(out, fixed, 2, 0x0000);
-  put(out, fixed + 4, 2, 0x020B);  // 30 degrees, convex, 600 kHz
+  put(out, fixed + 4, 2, bed.faces_up ? 0x028B : 0x020B);  // 30 degrees, convex, 600 kHz
   out[fixed + 8] = 4;
   out[fixed + 25] = bed.transform;
 
@@ -36,9 +38,11 @@ Octets ensemble(const Bed& bed) {
   const std::array<std::uint8_t, 7> clock{26, 3, 4, 5, 6, 7, 50};
   std::copy(clock.begin(), clock.end(), out.begin() + variable + 4);
   put(out, variable + 14, 2, 1500);
+  put(out, variable + 16, 2, 100);  // 10 m deep
   put(out, variable + 18, 2, 9000);
   put(out, variable + 20, 2, bed.pitch_cdeg);
   put(out, variable + 22, 2, bed.roll_cdeg);
+  put(out, variable + 26, 2, 1000);  // 10 deg C
 
   put(out, track, 2, 0x0600);
   for (std::size_t i = 0; i < 4; ++i) {
@@ -114,6 +118,80 @@ TEST(DvlDriver, KeepsTheDevicesOwnClockAttitudeAndSoundSpeed) {
   EXPECT_NEAR(m.pitch_rad.value(), -2.5 * degree, 1e-12);
   EXPECT_NEAR(m.roll_rad.value(), 1.25 * degree, 1e-12);
   EXPECT_EQ(m.sound_speed_mps, 1500);
+}
+
+TEST(DvlDriver, AnUpwardFacingHeadsEnsembleHoldsTheBottomTrackOfItsTwinInShipAxes) {
+  // A vehicle with two heads sends both in turn, and both ensembles carry what the lower head saw.
+  const auto m = heard({.velocity_mmps = {-200, -1500, 100, 4}, .faces_up = true});
+  ASSERT_TRUE(m.velocity);
+  EXPECT_NEAR(m.velocity->x(), 1.5, 1e-12);
+  EXPECT_NEAR(m.velocity->y(), 0.2, 1e-12);
+  EXPECT_NEAR(m.range_m[0].value(), 10, 1e-12);
+  EXPECT_NEAR(m.altitude_m.value(), 10, 1e-12);
+}
+
+TEST(DvlDriver, AnUpwardFacingHeadsOwnAxesAreNotOfTheBedAndThatIsSaid) {
+  Ear ear;
+  const auto driver = byte_driver(options(Kind::dvl, "pd0"));
+  for (double s = 1; s < 4; ++s)
+    driver->receive(
+        ensemble({.velocity_mmps = {-200, -1500, 100, 4}, .transform = 0x08, .faces_up = true}),
+        at_s(s), ear);
+  ASSERT_EQ(ear.all<BottomVelocity>().size(), 3U);
+  EXPECT_FALSE(ear.all<BottomVelocity>()[0].velocity);
+  EXPECT_FALSE(ear.all<BottomVelocity>()[0].range_m[0]);
+  ASSERT_EQ(ear.reports.size(), 1U) << "once, not for each ensemble";
+  EXPECT_NE(ear.reports[0].find("upward-facing"), std::string::npos);
+}
+
+TEST(DvlDriver, TheRigDecidesWhetherShipVelocitiesComeLevelled) {
+  // Bow up by 20 degrees. A levelled velocity of 1 m/s ahead is cos 20 along the bow, and it sinks
+  // with sin 20 in the body's axes.
+  const Bed says_levelled{.velocity_mmps = {0, -1000, 0, 0}, .transform = 0x14, .pitch_cdeg = 2000};
+  const auto by_the_wire = heard(says_levelled).velocity;
+  EXPECT_NEAR(by_the_wire->x(), std::cos(20 * degree), 1e-12);
+  EXPECT_NEAR(by_the_wire->z(), std::sin(20 * degree), 1e-12);
+  DriverOptions o = options(Kind::dvl, "pd0");
+  o.dvl.levelled = false;
+  const auto by_the_rig = heard(says_levelled, o).velocity;
+  EXPECT_NEAR(by_the_rig->x(), 1, 1e-12);
+  EXPECT_NEAR(by_the_rig->z(), 0, 1e-12);
+}
+
+TEST(DvlDriver, AWrongSpeedOfSoundIsPutRightInVelocitiesAndRanges) {
+  DriverOptions o = options(Kind::dvl, "pd0");
+  o.dvl.sound_speed.source = SoundSpeedOptions::Source::fixed;
+  o.dvl.sound_speed.fixed_mps = 1470;  // the head was set to 1500: 0.98 of all
+  const auto m = heard({.velocity_mmps = {-200, -1500, 100, 4}}, o);
+  EXPECT_NEAR(m.velocity->x(), 1.47, 1e-12);
+  EXPECT_NEAR(m.velocity->y(), 0.196, 1e-12);
+  EXPECT_NEAR(m.range_m[0].value(), 9.8, 1e-12);
+  EXPECT_NEAR(m.altitude_m.value(), 9.8, 1e-12);
+  EXPECT_EQ(m.sound_speed_mps, 1470);
+}
+
+TEST(DvlDriver, TheSpeedOfSoundIsComputedFromWhatTheDvlMeasures) {
+  DriverOptions o = options(Kind::dvl, "pd0");
+  o.dvl.sound_speed.source = SoundSpeedOptions::Source::computed;
+  o.dvl.sound_speed.salinity_ppt = 35;
+  // Mackenzie's equation at 10 deg C, 35 ppt, 10 m by hand: 1448.96 + 45.91 - 5.304 + 0.2374 +
+  // 0.163 + 0.00002 = 1489.966 m/s.
+  EXPECT_NEAR(heard({}, o).sound_speed_mps.value(), 1489.966, 1e-3);
+}
+
+TEST(DvlDriver, WithoutATemperatureTheVelocityStaysAsSentAndThatIsSaid) {
+  DriverOptions o = options(Kind::dvl, "water-linked");
+  o.dvl.sound_speed.source = SoundSpeedOptions::Source::computed;
+  o.dvl.sound_speed.set_mps = 1500;
+  SoundSpeedCorrection correction(o.dvl.sound_speed);
+  BottomVelocity sample;
+  sample.velocity = Eigen::Vector3d{1, 0, 0};
+  Ear ear;
+  correction.apply(sample, {}, ear);
+  correction.apply(sample, {}, ear);
+  EXPECT_EQ(sample.velocity->x(), 1);
+  ASSERT_EQ(ear.reports.size(), 1U);
+  EXPECT_NE(ear.reports[0].find("temperature"), std::string::npos);
 }
 
 /// Ensemble 5 of fixtures/pd0/NOTE.md: 0.25012 m/s to starboard (high resolution), 1.5 ahead (high

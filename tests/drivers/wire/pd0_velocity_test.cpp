@@ -184,7 +184,7 @@ TEST(Pd0Velocity, NothingComesOfBadVelocitiesOrMissingAngles) {
   EXPECT_FALSE(velocity_frd(no_angle));
   auto upwards = ensemble(DvlFrame::instrument, {0.1, 0.1, 0.1, 0.1});
   upwards.fixed.faces_up = true;
-  EXPECT_FALSE(velocity_frd(upwards));
+  EXPECT_FALSE(velocity_frd(upwards)) << "its own axes do not see the bed";
   EXPECT_FALSE(velocity_frd(Pd0Ensemble{}));
 }
 

@@ -56,6 +56,15 @@ TEST(DvlPing, LevelOverAPlaneAllBeamsReadTheAltitudesVerticalRange) {
   for (const auto& range : sample.range_m) EXPECT_NEAR(*range, 50, 1e-9);
 }
 
+TEST(DvlPing, AHeadThatIsSetToAWrongSpeedOfSoundReadsAllInThatProportion) {
+  const auto sound = ping(level());
+  const auto wrong = ping(level(), {.set_sound_speed_mps = 1.02 * sound.sound_speed});
+  EXPECT_NEAR((*wrong.velocity - 1.02 * Vector3d(2, 0.3, -0.1)).norm(), 0, 1e-12);
+  EXPECT_NEAR(*wrong.altitude_m, 51, 1e-9);
+  EXPECT_NEAR(*wrong.range_m[2], 51, 1e-9);
+  EXPECT_EQ(wrong.sound_speed, 1.02 * sound.sound_speed) << "and tells the speed that it used";
+}
+
 TEST(DvlPing, NosedUpTheForwardBeamIsTheLongestAndTheAfterBeamTheShortest) {
   const auto sample = ping(tilted(level(), 0, 10));
   // Beams 3 and 4 are 30 deg before and behind the axis, which points 10 deg forward.
