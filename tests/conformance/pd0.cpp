@@ -117,10 +117,11 @@ void compare_message(const json& ours, const json& row, double declination, Comp
 }
 
 /// Compares the driver's measurement with the row: ranges, and the speed, which is equal in all
-/// axes.
+/// axes. What an upward-facing head measures in its own axes is not of the bed.
 void compare_measurement(const BottomVelocity& driven, const json& ours, const json& row,
                          Comparison& c) {
-  if (ours["faces_up"] == true || !row.contains("vel_bt")) return;
+  const bool other_axes = ours["frame"] != "ship" && ours["frame"] != "earth";
+  if (!row.contains("vel_bt") || (ours["faces_up"] == true && other_axes)) return;
   for (std::size_t beam = 0; beam < 4; ++beam)
     c.number("driver range", optional(driven.range_m[beam]), marked(row["dist_bt"][beam], 0),
              float32(0.01));

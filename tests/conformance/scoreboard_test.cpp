@@ -87,6 +87,22 @@ TEST_F(Scoreboard, AValueWhereTheReferenceHasNoneIsWrong) {
   EXPECT_EQ(only().counts().wrong, 1u);
 }
 
+TEST_F(Scoreboard, ARowWithoutFieldsIsAMessageWithoutValues) {
+  write("n2k/canboat/samples/log.txt", "(1502984866.422) can0 0DF50B74#FFFFFFFFFFFFFFFF\n");
+  write("n2k/canboat/expected/log.txt.json", R"({"src":116,"pgn":128267})");
+  const Score score = only();
+  EXPECT_TRUE(score.clean());
+  EXPECT_EQ(score.counts().matched, 1u);
+}
+
+TEST_F(Scoreboard, ARowWithoutASenderIsAnErrorThatIsSaid) {
+  write("n2k/canboat/samples/log.txt", depth_frames);
+  write("n2k/canboat/expected/log.txt.json", R"({"pgn":128267,"fields":{"Depth":2.08}})");
+  const Score score = only();
+  EXPECT_FALSE(score.clean());
+  ASSERT_THAT(score.errors(), SizeIs(1));
+}
+
 TEST_F(Scoreboard, AMissedMessageIsSeen) {
   write("n2k/canboat/samples/log.txt", depth_frames.substr(0, depth_frames.find('\n') + 1));
   write("n2k/canboat/expected/log.txt.json", first_depth + second_depth);
