@@ -27,10 +27,17 @@ void Diagnostician::on_measurement(const measurement::Measurement& measurement) 
 }
 
 void Diagnostician::look(Stamp now) {
-  for (std::size_t i = 0; i < devices_.size(); ++i)
-    monitors_.at(i).look(devices_[i]->health(now), now);
+  for (const auto* device : devices_) monitors_.at(device->index()).look(device->health(now), now);
   judge_.settle(now);
   next_look_ = now + diagnosis::look_period;
+}
+
+std::shared_ptr<Follower> diagnostician_beside(const rig_config::Rig& rig,
+                                               std::vector<const device::Device*> devices,
+                                               Follower& others) {
+  auto made = std::make_shared<Diagnostician>(rig, others);
+  made->watch(std::move(devices));
+  return made;
 }
 
 }  // namespace drydock::host

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "drivers/diagnosis/device_monitor.hpp"
@@ -16,8 +17,8 @@ class Diagnostician final : public Follower {
   /// Rig and followers must outlive the diagnostician.
   Diagnostician(const rig_config::Rig& rig, Follower& to);
 
-  /// The drivers whose health it looks at, in the order of the rig; they must outlive it. Without
-  /// them it sees only measurements.
+  /// The drivers whose health it looks at; they must outlive it. Without them it sees only
+  /// measurements.
   void watch(std::vector<const device::Device*> devices) { devices_ = std::move(devices); }
 
   void on_measurement(const measurement::Measurement& measurement) override;
@@ -47,5 +48,10 @@ class Diagnostician final : public Follower {
   std::vector<const device::Device*> devices_;
   Stamp next_look_{};
 };
+
+/// A diagnostician as a follower beside drivers: host::Beside.
+std::shared_ptr<Follower> diagnostician_beside(const rig_config::Rig& rig,
+                                               std::vector<const device::Device*> devices,
+                                               Follower& others);
 
 }  // namespace drydock::host
