@@ -22,10 +22,10 @@ struct ExpectedFigure {
   int line = 0;  ///< in the rig file; 0: from the command line
 };
 
-/// A block [[expect]]: the required results of a run for one device or one estimator.
-/// docs/use/ci.md
+/// A block [[expect]]: the required results of a run for one device, one estimator or the whole
+/// rig. docs/use/ci.md
 struct ExpectConfig {
-  std::string device, estimator;  ///< name; the other one is empty
+  std::string device, estimator;  ///< name; the other one is empty, both for the whole rig
   double after_s = 0;             ///< data before this time from the start do not count
   std::string state;              ///< of the device; empty: any
   int state_line = 0;

@@ -9,6 +9,7 @@
 
 #include "drivers/bus/participant.hpp"
 #include "drivers/host/driver_host.hpp"
+#include "drivers/host/finding_lines.hpp"
 #include "drivers/host/rig_bus.hpp"
 #include "drivers/host/rig_publisher.hpp"
 #include "drivers/host/state_lines.hpp"
@@ -31,6 +32,11 @@ void print_health(const shell::RealTime& shell) {
   }
 }
 
+void print_line(const std::string& line) {
+  fmt::print("{}\n", line);
+  std::fflush(stdout);
+}
+
 /// Runs the drivers and their followers until the time is over or Ctrl-C.
 class Drive {
  public:
@@ -39,9 +45,15 @@ class Drive {
       : options_(options),
         participant_(static_cast<std::uint32_t>(rig.dds_domain), rig.dds_interface),
         publisher_(participant_, bus_devices(rig)),
+        finding_lines_(rig, link::now(), print_line),
         host_(io_, std::move(devices), followers_) {
     followers_.add(publisher_);
+    if (options.beside) {
+      beside_ = options.beside(rig, host_.devices(), followers_);
+      followers_.add(*beside_);
+    }
     followers_.add(state_lines_);
+    followers_.add(finding_lines_);
     if (!options.record.path.empty())
       followers_.add(recorder_.emplace(rig, options.record, link::now(), record::WhenBehind::lose));
     if (options.serve.address.empty()) return;
@@ -87,10 +99,11 @@ class Drive {
   bus::Participant participant_;
   RigPublisher publisher_;
   StateLines state_lines_{stdout};
+  FindingLines finding_lines_;
   Followers followers_;
   std::optional<RigRecorder> recorder_;
   std::optional<RigViewer> viewer_;
-  std::shared_ptr<Follower> behind_page_;
+  std::shared_ptr<Follower> behind_page_, beside_;
   DriverHost host_;
   boost::asio::steady_timer timer_{io_};
   bool stopped_ = false, all_streaming_ = false;

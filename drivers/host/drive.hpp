@@ -4,6 +4,7 @@
 #include <functional>
 #include <memory>
 
+#include "drivers/host/beside.hpp"
 #include "drivers/host/rig_recorder.hpp"
 #include "drivers/host/rig_viewer.hpp"
 #include "rig_config/rig.hpp"
@@ -20,6 +21,7 @@ struct DriveOptions {
   RecordOptions record;
   ServeOptions serve;
   BehindPage behind_page;  ///< may be empty
+  Beside beside;           ///< may be empty
 };
 
 /// Runs the drivers of a rig. They read the links and publish measurements and health on the bus;

@@ -55,6 +55,23 @@ std::vector<bus::Device> bus_devices(std::span<const std::unique_ptr<device::Dev
   return all;
 }
 
+rig_config::Rig rig_of(std::span<const std::unique_ptr<device::Device>> devices,
+                       const std::string& name) {
+  rig_config::Rig rig;
+  rig.name = name;
+  for (const auto& device : devices) {
+    auto& config = rig.devices.emplace_back();
+    config.name = device->name();
+    config.kind = device->options().driver.kind;
+    config.protocol = device->options().driver.protocol;
+    config.description = device->options().driver.description;
+    config.link = device->options().link;
+    config.rate_hz = device->options().nominal_rate_hz;
+    config.address = device->options().driver.address;
+  }
+  return rig;
+}
+
 std::vector<std::string> estimator_names(const rig_config::Rig& rig) {
   std::vector<std::string> names;
   for (const auto& estimator : rig.estimators) names.push_back(estimator.name);

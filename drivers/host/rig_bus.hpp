@@ -14,6 +14,10 @@ namespace drydock::host {
 std::vector<bus::Device> bus_devices(const rig_config::Rig& rig);
 std::vector<bus::Device> bus_devices(std::span<const std::unique_ptr<device::Device>> devices);
 
+/// A rig in memory with these devices, for a wire that no rig file describes.
+rig_config::Rig rig_of(std::span<const std::unique_ptr<device::Device>> devices,
+                       const std::string& name);
+
 std::vector<std::string> estimator_names(const rig_config::Rig& rig);
 std::vector<std::string> navigator_names(const rig_config::Rig& rig);  ///< they give positions
 

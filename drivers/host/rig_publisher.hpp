@@ -1,17 +1,19 @@
 #pragma once
 
 #include "drivers/bus/publisher.hpp"
+#include "drivers/host/finding_status.hpp"
 #include "drivers/host/follower.hpp"
 
 namespace drydock::host {
 
-/// Puts measurements, estimates and health of a run on the bus. The truth is not on the bus.
+/// Puts measurements, estimates, health and findings of a run on the bus. The truth is not on the
+/// bus.
 class RigPublisher final : public Follower {
  public:
   RigPublisher(const bus::Participant& participant, const std::vector<bus::Device>& devices,
                const std::vector<std::string>& estimators = {},
                const std::vector<std::string>& navigators = {})
-      : to_(participant, devices, estimators, navigators) {}
+      : to_(participant, devices, estimators, navigators), findings_(devices) {}
 
   void on_measurement(const measurement::Measurement& m) override { to_.publish(m); }
   void on_estimate(const Estimate& estimate) override {
@@ -20,10 +22,16 @@ class RigPublisher final : public Follower {
   }
   void on_health(const HealthReport& health, Stamp now) override {
     to_.publish(health.statuses(), now);
+    if (!findings_.open().empty()) to_.publish(findings_.open(), now);
+  }
+  void on_finding(const diagnosis::Finding& finding) override {
+    const auto status = findings_.take(finding);
+    to_.publish({&status, 1}, finding.until.value_or(finding.found));
   }
 
  private:
   bus::Publisher to_;
+  FindingStatuses findings_;
 };
 
 }  // namespace drydock::host

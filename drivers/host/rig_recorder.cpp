@@ -123,6 +123,7 @@ RigRecorder::RigRecorder(const rig_config::Rig& rig, record::Parts parts, Stamp 
                          record::WhenBehind when_behind)
     : path_(parts.first.path),
       recorder_(std::move(parts), recorder_options(rig, start, when_behind)),
+      findings_(bus_devices(rig)),
       truth_(rig.estimators.size()) {}
 
 void RigRecorder::record(const Estimate& estimate, std::size_t index) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "drivers/host/finding_status.hpp"
 #include "drivers/host/follower.hpp"
 #include "drivers/recordings/record/recorder.hpp"
 #include "rig_config/rig.hpp"
@@ -38,6 +39,11 @@ class RigRecorder final : public Follower {
   }
   void on_health(const HealthReport& health, Stamp now) override {
     recorder_.topics().publish(health.statuses(), now);
+    if (!findings_.open().empty()) recorder_.topics().publish(findings_.open(), now);
+  }
+  void on_finding(const diagnosis::Finding& finding) override {
+    const auto status = findings_.take(finding);
+    recorder_.topics().publish({&status, 1}, finding.until.value_or(finding.found));
   }
   void on_faults(std::span<const bus::Fault> faults, Stamp now) override {
     recorder_.topics().publish(faults, now);
@@ -55,6 +61,7 @@ class RigRecorder final : public Follower {
 
   std::string path_;  ///< of a divided recording, its first file
   record::Recorder recorder_;
+  FindingStatuses findings_;
   std::size_t truth_;  ///< the truth is recorded as one more estimator
   bool told_ = false;
 };

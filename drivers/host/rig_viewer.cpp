@@ -56,6 +56,7 @@ RigViewer::RigViewer(boost::asio::any_io_executor executor, const Viewed& viewed
       sink_(server_),
       topics_(sink_, viewed.devices, with_truth(viewed.estimators), with_truth(viewed.navigators),
               viewed.innovations),
+      findings_(viewed.devices),
       truth_(viewed.estimators.size()),
       last_sample_(viewed.devices.size()),
       last_attitude_(viewed.estimators.size() + 1),

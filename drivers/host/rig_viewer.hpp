@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "drivers/bus/cdr/cdr_publisher.hpp"
+#include "drivers/host/finding_status.hpp"
 #include "drivers/host/follower.hpp"
 #include "drivers/live/live_topics.hpp"
 #include "rig_config/rig.hpp"
@@ -49,6 +50,11 @@ class RigViewer final : public Follower {
   void on_innovation(const bus::Innovation& innovation) override { topics_.publish(innovation); }
   void on_health(const HealthReport& health, Stamp now) override {
     topics_.publish(health.statuses(), now);
+    if (!findings_.open().empty()) topics_.publish(findings_.open(), now);
+  }
+  void on_finding(const diagnosis::Finding& finding) override {
+    const auto status = findings_.take(finding);
+    topics_.publish({&status, 1}, finding.until.value_or(finding.found));
   }
   void on_faults(std::span<const bus::Fault> faults, Stamp now) override;
   void tick(Stamp now) override;  ///< repeats the faults in force, for viewers that connected later
@@ -63,6 +69,7 @@ class RigViewer final : public Follower {
   live::Server server_;
   live::LiveTopics sink_;
   bus::CdrPublisher topics_;
+  FindingStatuses findings_;
   std::size_t truth_;               ///< the truth is shown as one more estimator
   std::vector<bus::Fault> faults_;  ///< in force
   Stamp faults_told_{};

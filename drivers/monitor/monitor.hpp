@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "drivers/device/device.hpp"
+#include "drivers/host/beside.hpp"
 #include "drivers/host/rig_viewer.hpp"
 #include "rig_config/rig.hpp"
 
@@ -17,6 +18,7 @@ struct MonitorOptions {
   bool once = false;         ///< one table, when every device streams, or after 10 s
   bool json = false;         ///< JSON Lines, one object for each device, every second
   host::ServeOptions serve;  ///< shows it to browsers too
+  host::Beside beside;       ///< says what is wrong with the devices; may be empty
 };
 
 /// Listens on a link and prints its messages: each message as a JSON line on standard output, a
@@ -29,10 +31,11 @@ int monitor_messages(const MonitorOptions& options);
 int monitor_link(const MonitorOptions& options);
 
 /// Shows a table of the devices: on a terminal drawn over itself, otherwise as JSON Lines or as one
-/// table at the end. The drivers only listen: nothing is written to a wire. Viewers show `name`.
+/// table at the end. The drivers only listen: nothing is written to a wire. Viewers show the
+/// name of the rig.
 /// Returns 0 if all devices were streaming at the end, else 1.
-int monitor_devices(std::vector<std::unique_ptr<device::Device>> devices, const std::string& name,
-                    const MonitorOptions& options);
+int monitor_devices(std::vector<std::unique_ptr<device::Device>> devices,
+                    const rig_config::Rig& rig, const MonitorOptions& options);
 
 /// Shows the same from the bus, for a rig whose drivers run in another process.
 int monitor_bus(const rig_config::Rig& rig, const MonitorOptions& options);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "drivers/bus/subscriber.hpp"
+#include "drivers/host/finding_status.hpp"
 #include "drivers/host/rig_bus.hpp"
 #include "drivers/link/link.hpp"
 #include "drivers/monitor/monitor_loop.hpp"
@@ -62,12 +63,23 @@ class BusViews final : public bus::Receiver {
 
   void receive(const bus::DeviceStatus& status) override {
     health_.push_back(status);
+    if (const auto finding = host::finding_of(status)) return receive(*finding, status.level);
     const auto view = std::ranges::find(views_, status.name, &DeviceView::name);
     if (view == views_.end()) return;
     view->state = status.message;
     view->streaming = status.level == bus::Level::ok;
     view->status.clear();
     for (const auto& [key, value] : status.values) set(*view, key, value);
+  }
+
+  /// A finding that is over does not hide a newer one of the same device.
+  void receive(const diagnosis::FindingAccount& finding, bus::Level level) {
+    const auto view = std::ranges::find(views_, finding.device, &DeviceView::name);
+    if (view == views_.end()) return;
+    if (level != bus::Level::ok)
+      view->finding = finding;
+    else if (view->finding && view->finding->cause == finding.cause)
+      view->finding.reset();
   }
 
   /// Tells the followers the diagnostics that came since the last call.

@@ -2,9 +2,11 @@
 
 #include "drivers/device/bus/can_error_text.hpp"
 #include "drivers/host/driver_host.hpp"
+#include "drivers/host/finding_log.hpp"
 #include "drivers/host/rig_bus.hpp"
 #include "drivers/link/can/can_interface.hpp"
 #include "drivers/link/clock.hpp"
+#include "drivers/monitor/found_devices.hpp"
 #include "drivers/monitor/monitor_loop.hpp"
 #include "drivers/probe/probe_bus.hpp"
 #include "drivers/terminal/exit_codes.hpp"
@@ -69,35 +71,14 @@ class BusMeter final : public host::Follower {
   std::map<std::string, Bus, std::less<>> buses_;
 };
 
-/// Makes devices from the blocks that a rig file would contain for the sensors found.
-std::vector<std::unique_ptr<device::Device>> devices_of(const probe::ProbeReport& report) {
-  std::vector<std::unique_ptr<device::Device>> devices;
-  for (const auto& found : report.devices) {
-    device::DeviceOptions options;
-    options.name = found.name;
-    options.link = found.link;
-    options.driver.kind = found.kind;
-    options.driver.protocol = found.protocol;
-    options.driver.address = found.address;
-    options.driver.device = static_cast<std::uint16_t>(devices.size());
-    const auto uri = link::parse_uri(found.link).value();
-    options.driver.baud = uri.baud();
-    options.driver.byte_frame = uri.byte_frame();
-    options.driver.bitrate = uri.bitrate().value_or(options.driver.bitrate);
-    options.nominal_rate_hz = found.rate_hz ? survey::nominal_rate_hz(*found.rate_hz) : 0;
-    auto made = device::Device::make(std::move(options));
-    if (made) devices.push_back(std::move(*made));
-  }
-  return devices;
-}
-
 }  // namespace
 
-int monitor_devices(std::vector<std::unique_ptr<device::Device>> devices, const std::string& name,
-                    const MonitorOptions& options) {
+int monitor_devices(std::vector<std::unique_ptr<device::Device>> devices,
+                    const rig_config::Rig& rig, const MonitorOptions& options) {
   for (auto& device : devices) device->listen_only();
   Latest latest;
   BusMeter meter;
+  host::FindingLog findings;
   host::DriverHost* drivers = nullptr;
   MonitorLoop loop(options, [&] {
     std::vector<DeviceView> views;
@@ -106,6 +87,8 @@ int monitor_devices(std::vector<std::unique_ptr<device::Device>> devices, const 
       DeviceView view = view_of(shell.device(i), shell.health(i));
       latest.show(shell.device(i).index(), view);
       meter.show(link::steady_now(), view);
+      if (const auto* finding = findings.open(shell.device(i).index()))
+        view.finding = diagnosis::account_of(*finding, view.name, Stamp{});
       views.push_back(std::move(view));
     }
     return views;
@@ -113,10 +96,13 @@ int monitor_devices(std::vector<std::unique_ptr<device::Device>> devices, const 
   host::Followers followers;
   followers.add(latest);
   followers.add(meter);
-  const auto viewer = loop.serve({name, host::bus_devices(devices)});
+  followers.add(findings);
+  const auto viewer = loop.serve({rig.name, host::bus_devices(devices)});
   if (viewer) followers.add(*viewer);
   host::DriverHost host(loop.io(), std::move(devices), followers);
   drivers = &host;
+  std::shared_ptr<host::Follower> beside;
+  if (options.beside) followers.add(*(beside = options.beside(rig, host.devices(), followers)));
   host.start();
   return loop.run([] {},
                   [&] {
@@ -132,7 +118,9 @@ int monitor_link(const MonitorOptions& options) {
     fmt::print(stderr, "monitor: no sensor found; --protocol shows the messages of a protocol\n");
     return terminal::exit_failed;
   }
-  return monitor_devices(devices_of(report), options.link, options);
+  auto devices = devices_of(report);
+  const auto rig = host::rig_of(devices, options.link);
+  return monitor_devices(std::move(devices), rig, options);
 }
 
 }  // namespace drydock::monitor

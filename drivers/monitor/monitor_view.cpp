@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "drivers/diagnosis/finding_words.hpp"
 #include "drivers/host/rig_bus.hpp"
+#include "drivers/link/link.hpp"
 #include "drivers/text/json_lines.hpp"
 #include "drivers/text/measurement_fields.hpp"
 
@@ -27,6 +29,7 @@ void visit_fields(const DeviceView& v, F&& field) {
   field("can_state", v.can_state);
   field("bits_per_second", v.bits_per_second);
   field("bus_load", v.bus_load);
+  field("finding", v.finding);
   field("values", v.values);
 }
 
@@ -115,6 +118,12 @@ std::string bus_text(const DeviceView& v) {
   return text + fmt::format("  {} error frames  {} lost", v.error_frames, v.can_dropped);
 }
 
+/// The finding with its age: "dvl: silent for 12.3 s: ...".
+std::string finding_line(const diagnosis::FindingAccount& finding) {
+  const double now_s = measurement::seconds(link::now().time_since_epoch());
+  return diagnosis::line_of(finding, fmt::format("for {:.1f} s", now_s - finding.since_s));
+}
+
 }  // namespace
 
 DeviceView view_of(const device::Device& device, const device::Health& health) {
@@ -191,6 +200,7 @@ std::vector<std::string> DeviceTable::lines(const std::vector<DeviceView>& views
     all.push_back(fmt::format("  {} {} on {}: {} good frames, {} bad, {} B; longest gap {}", v.kind,
                               v.protocol, v.link, v.frames, v.bad_checksums, v.bytes_in,
                               milliseconds(v.longest_interval_s)));
+    if (v.finding) all.push_back("  found " + finding_line(*v.finding));
     if (auto line = bus_text(v); !line.empty()) all.push_back(std::move(line));
     if (v.refused > 0) all.push_back(fmt::format("  {} values refused", v.refused));
     if (!v.link_note.empty()) all.push_back("  link: " + v.link_note);

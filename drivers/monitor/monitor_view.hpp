@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "drivers/device/health_account.hpp"
+#include "drivers/diagnosis/finding_account.hpp"
 #include "drivers/host/follower.hpp"
 
 namespace drydock::monitor {
@@ -25,6 +26,7 @@ struct DeviceView : device::HealthAccount {
   std::string can_state;  ///< state of the CAN controller; empty: not known
   /// Time of validity and arrival are separate; their difference is the latency.
   std::optional<double> valid_at_s, received_at_s, device_time_s, latency_s;
+  std::optional<diagnosis::FindingAccount> finding;  ///< what is wrong now; times are UTC
   std::vector<ShownValue> values;
 };
 

@@ -1,6 +1,5 @@
 #include "estimators/host/diagnostician.hpp"
 
-
 namespace drydock::host {
 namespace {
 
@@ -15,7 +14,7 @@ diagnosis::Expected expected_of(const rig_config::DeviceConfig& config, std::siz
 }  // namespace
 
 Diagnostician::Diagnostician(const rig_config::Rig& rig, Follower& to)
-    : to_(to), judge_(rig.devices.size(), *this) {
+    : teller_(to), judge_(rig.devices.size(), teller_) {
   monitors_.reserve(rig.devices.size());
   for (std::size_t i = 0; i < rig.devices.size(); ++i)
     monitors_.emplace_back(expected_of(rig.devices[i], i), judge_);
@@ -28,10 +27,17 @@ void Diagnostician::on_measurement(const measurement::Measurement& measurement) 
 }
 
 void Diagnostician::look(Stamp now) {
-  for (std::size_t i = 0; i < devices_.size(); ++i)
-    monitors_.at(i).look(devices_[i]->health(now), now);
+  for (const auto* device : devices_) monitors_.at(device->index()).look(device->health(now), now);
   judge_.settle(now);
   next_look_ = now + diagnosis::look_period;
+}
+
+std::shared_ptr<Follower> diagnostician_beside(const rig_config::Rig& rig,
+                                               std::vector<const device::Device*> devices,
+                                               Follower& others) {
+  auto made = std::make_shared<Diagnostician>(rig, others);
+  made->watch(std::move(devices));
+  return made;
 }
 
 }  // namespace drydock::host

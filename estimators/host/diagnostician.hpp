@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "drivers/diagnosis/device_monitor.hpp"
@@ -11,13 +12,13 @@ namespace drydock::host {
 
 /// Follows a run and says what is wrong with which device. It tells the other followers its
 /// findings. Add it after the publisher and before those who show findings.
-class Diagnostician final : public Follower, private diagnosis::FindingListener {
+class Diagnostician final : public Follower {
  public:
   /// Rig and followers must outlive the diagnostician.
   Diagnostician(const rig_config::Rig& rig, Follower& to);
 
-  /// The drivers whose health it looks at, in the order of the rig; they must outlive it. Without
-  /// them it sees only measurements.
+  /// The drivers whose health it looks at; they must outlive it. Without them it sees only
+  /// measurements.
   void watch(std::vector<const device::Device*> devices) { devices_ = std::move(devices); }
 
   void on_measurement(const measurement::Measurement& measurement) override;
@@ -30,13 +31,27 @@ class Diagnostician final : public Follower, private diagnosis::FindingListener 
   const diagnosis::Judge& judge() const { return judge_; }
 
  private:
-  void on_finding(const diagnosis::Finding& finding) override { to_.on_finding(finding); }
+  /// It stands apart from the follower: the others hear findings, the diagnostician itself makes
+  /// them.
+  class Teller final : public diagnosis::FindingListener {
+   public:
+    explicit Teller(Follower& to) : to_(to) {}
+    void on_finding(const diagnosis::Finding& finding) override { to_.on_finding(finding); }
 
-  Follower& to_;
+   private:
+    Follower& to_;
+  };
+
+  Teller teller_;
   diagnosis::Judge judge_;
   std::vector<diagnosis::DeviceMonitor> monitors_;
   std::vector<const device::Device*> devices_;
   Stamp next_look_{};
 };
+
+/// A diagnostician as a follower beside drivers: host::Beside.
+std::shared_ptr<Follower> diagnostician_beside(const rig_config::Rig& rig,
+                                               std::vector<const device::Device*> devices,
+                                               Follower& others);
 
 }  // namespace drydock::host

@@ -1,11 +1,14 @@
 #include "hil/bench/rig_run.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <iterator>
 
 #include "drivers/host/rig_bus.hpp"
 #include "estimators/setup/rig_pipeline.hpp"
 #include "hil/control/bus_faults.hpp"
+#include "hil/summary/findings.hpp"
 #include "hil/summary/truth_of_rig.hpp"
 
 namespace drydock::bench {
@@ -16,6 +19,7 @@ RigRun::RigRun(const rig_config::Rig& rig, const RunOptions& options,
                const motion::Trajectory& motion, const Setting& setting)
     : rig_(rig),
       options_(options),
+      start_(setting.start),
       truth_(summary::truth_for_estimators(rig) ? &motion : nullptr),
       diagnostician_(rig, followers_),
       scribe_(rig, truth_, setting.start, setting.expected_s, options.curve_points),
@@ -24,6 +28,7 @@ RigRun::RigRun(const rig_config::Rig& rig, const RunOptions& options,
       }) {
   if (setting.first != nullptr) followers_.add(*setting.first);
   followers_.add(diagnostician_);
+  followers_.add(findings_);
   followers_.add(scribe_);
   followers_.add(expects_);
   if (truth_ != nullptr) followers_.add(truth_teller_.emplace(*truth_, followers_));
@@ -84,6 +89,9 @@ void RigRun::write(summary::Summary& summary) {
   std::ranges::move(setup::pipeline_notes(rig_, bench_->pipeline),
                     std::back_inserter(summary.notes));
   if (recorder_) summary.notes.push_back(recorder_->finish());
+  if (findings_.not_kept() > 0)
+    summary.notes.push_back(fmt::format("{} more findings were not kept", findings_.not_kept()));
+  summary.findings = summary::accounts_of(findings_, rig_, start_);
   scribe_.write(summary);
   expects_.write(summary, estimators());
 }

@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "drivers/host/finding_log.hpp"
 #include "drivers/host/rig_recorder.hpp"
 #include "estimators/host/diagnostician.hpp"
 #include "hil/bench/follower.hpp"
@@ -51,9 +52,11 @@ class RigRun {
 
   const rig_config::Rig& rig_;
   const RunOptions& options_;
+  measurement::Stamp start_;
   const motion::Trajectory* truth_;  ///< null: no emulated truth
   host::Followers followers_;
   host::Diagnostician diagnostician_;
+  host::FindingLog findings_;
   summary::Scribe scribe_;
   summary::ExpectWatch expects_;
   std::optional<TruthTeller> truth_teller_;

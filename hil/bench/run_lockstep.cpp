@@ -3,6 +3,7 @@
 
 #include <chrono>
 
+#include "drivers/host/finding_lines.hpp"
 #include "drivers/host/state_lines.hpp"
 #include "drivers/terminal/interrupt_flag.hpp"
 #include "hil/bench/lockstep_bench.hpp"
@@ -27,10 +28,12 @@ class LockstepRun {
         duration_s_(options.duration_s > 0 ? options.duration_s
                                            : measurement::seconds(trajectory_.end() - start_)),
         run_(rig, options, trajectory_, {start_, duration_s_, record::WhenBehind::wait}),
+        finding_lines_(rig, start_, [](const std::string& line) { fmt::print("{}\n", line); }),
         bench_(rig, trajectory_, run_.followers(), run_.on_written()),
         chronicle_(bench_.faults(), start_) {
     if (options.quiet || terminal_) return;
     run_.followers().add(state_lines_);
+    run_.followers().add(finding_lines_);
     chronicle_.set_on_change([this](const fault::Episode& episode) {
       fmt::print("{}\n", control::line_of(episode, start_));
     });
@@ -81,6 +84,7 @@ class LockstepRun {
   double duration_s_;
   RigRun run_;
   host::StateLines state_lines_{stdout, start_};
+  host::FindingLines finding_lines_;
   LockstepBench bench_;
   fault::Chronicle chronicle_;
 };

@@ -9,6 +9,7 @@
 #include "drivers/bus/participant.hpp"
 #include "drivers/bus/subscriber.hpp"
 #include "drivers/host/driver_host.hpp"
+#include "drivers/host/finding_lines.hpp"
 #include "drivers/host/rig_bus.hpp"
 #include "drivers/host/rig_publisher.hpp"
 #include "drivers/io/until_stopped.hpp"
@@ -57,8 +58,10 @@ class RealTimeRun {
         emulator_(io_, faults_.injector()),
         drivers_(io_, devices_of(rig), run_.followers()),
         estimators_(io_, setup::pipeline_options(rig), subscriber_, run_.followers()),
-        table_(drivers_.shell(), start_, duration_s_) {
+        table_(drivers_.shell(), start_, duration_s_),
+        finding_lines_(rig, start_, [this](const std::string& line) { table_.note(line); }) {
     if (!options.quiet) run_.followers().add(table_);
+    if (!options.quiet) run_.followers().add(finding_lines_);
     if (!options.serve.address.empty()) serve(options.serve);
   }
 
@@ -151,6 +154,7 @@ class RealTimeRun {
   host::DriverHost drivers_;
   host::EstimatorHost estimators_;
   monitor::LiveTable table_;
+  host::FindingLines finding_lines_;
   boost::asio::steady_timer timer_{io_};
   summary::Summary summary_;
   bool stopping_ = false;

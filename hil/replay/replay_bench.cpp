@@ -89,6 +89,12 @@ void ReplayBench::play(Pace& pace, const record::Watch& watch) {
   player_->finish(player_->now());
 }
 
+std::vector<const device::Device*> ReplayBench::devices() const {
+  std::vector<const device::Device*> all;
+  for (const auto& actor : player_->devices()) all.push_back(&actor->device());
+  return all;
+}
+
 /// Time goes on from deadline to deadline: those of the drivers, those of the faults, and the
 /// health report each second.
 bool ReplayBench::wait_until(Stamp at, Pace& pace) {

@@ -41,6 +41,7 @@ class ReplayBench {
   const std::vector<std::uint64_t>& estimates() const { return gate_.estimates; }  ///< by estimator
   const TruthErrors& errors() const { return errors_; }
   const record::Player& player() const { return *player_; }
+  std::vector<const device::Device*> devices() const;           ///< in the order of the rig
   const ReplayFaults* faults() const { return faults_.get(); }  ///< nullptr: none
   const pipeline::Pipeline& pipeline() const { return pipeline_; }
   measurement::Stamp::duration played() const { return player_->now() - start_; }

@@ -10,8 +10,11 @@
 #include <iterator>
 #include <stdexcept>
 
+#include "drivers/host/finding_lines.hpp"
+#include "drivers/host/finding_log.hpp"
 #include "drivers/host/state_lines.hpp"
 #include "drivers/terminal/exit_codes.hpp"
+#include "estimators/host/diagnostician.hpp"
 #include "estimators/setup/rig_pipeline.hpp"
 #include "hil/replay/recorded_rig.hpp"
 #include "hil/replay/recording_progress.hpp"
@@ -19,6 +22,7 @@
 #include "hil/replay/replay_bench.hpp"
 #include "hil/replay/replay_lines.hpp"
 #include "hil/replay/topics_follower.hpp"
+#include "hil/summary/findings.hpp"
 #include "rig_config/load.hpp"
 
 namespace drydock::replay {
@@ -123,6 +127,9 @@ class RigReplay {
   void add_followers() {
     const auto& rig = rig_.rig();
     auto& followers = bench_->followers();
+    diagnostician_ = host::diagnostician_beside(rig, bench_->devices(), followers);
+    followers.add(*diagnostician_);
+    followers.add(findings_);
     if (!options_.check.empty()) {
       auto expected = parse_references(text_of(options_.check));
       if (!expected) throw std::runtime_error(options_.check + ": " + expected.error().line);
@@ -146,6 +153,8 @@ class RigReplay {
     if (options_.quiet) return;
     followers.add(lines_);
     followers.add(states_.emplace(err_, bench_->start()));
+    followers.add(said_.emplace(
+        rig, bench_->start(), [this](const std::string& line) { fmt::print(err_, "{}\n", line); }));
   }
 
   /// Returns false if the replay differs from the references.
@@ -184,6 +193,8 @@ class RigReplay {
     for (std::size_t i = 0; i < rig.estimators.size(); ++i)
       fmt::print(to, "{}: {} estimates{}\n", rig.estimators[i].name, bench_->estimates()[i],
                  error_text(bench_->errors().of(i)));
+    fmt::print(to, "{}",
+               summary::findings_text(summary::accounts_of(findings_, rig, bench_->start())));
     for (const auto& note : setup::pipeline_notes(rig, bench_->pipeline()))
       fmt::print(to, "{}\n", note);
     if (recorder_) fmt::print(to, "{}\n", recorder_->finish());
@@ -211,6 +222,9 @@ class RigReplay {
   RecordedRig rig_;
   Faults faults_;
   ReplayLines lines_;
+  std::shared_ptr<host::Follower> diagnostician_;
+  host::FindingLog findings_;
+  std::optional<host::FindingLines> said_;
   std::optional<host::StateLines> states_;
   Steps steps_;
   std::optional<Onto> onto_;

@@ -13,6 +13,11 @@ struct Curve {
   bool points = false;  ///< separate points, not joined
 };
 
+/// A stretch of the x axis in which something was wrong.
+struct Shade {
+  double from = 0, to = 0;
+};
+
 struct Figure {
   std::string title, x_label, y_label;
   std::vector<Curve> curves;
@@ -20,6 +25,7 @@ struct Figure {
                        ///< negative
   bool equal_scales = false;          ///< a metre has the same length on both axes
   bool log_x = false, log_y = false;  ///< values must be positive
+  std::vector<Shade> shades{};        ///< drawn behind the curves
 };
 
 }  // namespace drydock::report

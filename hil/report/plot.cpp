@@ -83,6 +83,11 @@ std::string script(const Figure& plot) {
                    plot.y_limit);
   if (plot.log_x) fmt::format_to(to, "set logscale x\nset format x '10^{{%T}}'\n");
   if (plot.log_y) fmt::format_to(to, "set logscale y\nset format y '10^{{%T}}'\n");
+  for (const Shade& shade : plot.shades)
+    fmt::format_to(to,
+                   "set object rectangle from first {:.6g}, graph 0 to first {:.6g}, graph 1 "
+                   "behind fc rgb '#d55e00' fs transparent solid 0.18 noborder\n",
+                   shade.from, shade.to);
   for (std::size_t i = 0; i < plot.curves.size(); ++i) {
     fmt::format_to(to, "$data{} << END\n", i);
     const auto& s = plot.curves[i];

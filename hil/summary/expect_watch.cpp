@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <iterator>
 
+#include "hil/summary/findings.hpp"
+
 namespace drydock::summary {
 namespace {
 
@@ -23,6 +25,15 @@ DeviceSummary counted_since(const DeviceSummary& before, DeviceSummary now) {
   now.messages -= before.messages;
   now.reopens -= before.reopens;
   return now;
+}
+
+std::vector<diagnosis::FindingAccount> findings_in(const rig_config::ExpectConfig& expect,
+                                                   const Summary& summary) {
+  std::vector<diagnosis::FindingAccount> found;
+  std::ranges::copy_if(summary.findings, std::back_inserter(found), [&](const auto& finding) {
+    return counts(finding, expect.device, expect.after_s);
+  });
+  return found;
 }
 
 }  // namespace
@@ -74,24 +85,24 @@ void ExpectWatch::tick(measurement::Stamp now) {
     if (w.begun || !(w.expect->after_s > 0) || t < w.expect->after_s) continue;
     w.begun = true;
     if (!counts) counts = counts_(now);
-    if (w.expect->device.empty()) {
+    if (!w.expect->estimator.empty()) {
       w.estimator_before = counts->estimators[index_of(rig_.estimators, w.expect->estimator)];
-    } else {
+    } else if (!w.expect->device.empty()) {
       w.device_before = counts->devices[index_of(rig_.devices, w.expect->device)];
     }
   }
 }
 
-Findings ExpectWatch::of_device(const Window& w, const Summary& summary) const {
-  Findings found;
+Outcome ExpectWatch::of_device(const Window& w, const Summary& summary) const {
+  Outcome found;
   found.device =
       counted_since(w.device_before, summary.devices[index_of(rig_.devices, w.expect->device)]);
   found.other_state = w.other_state;
   return found;
 }
 
-Findings ExpectWatch::of_estimator(const Window& w, const Summary& summary,
-                                   const std::vector<pipeline::EstimatorStatus>& at_end) const {
+Outcome ExpectWatch::of_estimator(const Window& w, const Summary& summary,
+                                  const std::vector<pipeline::EstimatorStatus>& at_end) const {
   const std::size_t i = index_of(rig_.estimators, w.expect->estimator);
   EstimatorSummary seen = summary.estimators[i];
   if (w.begun) {
@@ -103,7 +114,7 @@ Findings ExpectWatch::of_estimator(const Window& w, const Summary& summary,
     if (w.attitude.count() > 0) seen.whole_run = w.attitude.result();
     seen.navigation = w.navigation.error();
   }
-  Findings found;
+  Outcome found;
   found.estimator = std::move(seen);
   return found;
 }
@@ -115,10 +126,11 @@ void ExpectWatch::write(Summary& summary,
     summary.estimators[i].nis = at_end[i].taken.mean();
   }
   for (const Window& w : windows_) {
-    Findings found;
+    Outcome found;
     const bool came = w.begun || !(w.expect->after_s > 0);
-    if (came)
-      found = w.expect->device.empty() ? of_estimator(w, summary, at_end) : of_device(w, summary);
+    if (came && !w.expect->estimator.empty()) found = of_estimator(w, summary, at_end);
+    if (came && !w.expect->device.empty()) found = of_device(w, summary);
+    if (came) found.findings = findings_in(*w.expect, summary);
     found.duration_s = summary.duration_s;
     std::ranges::move(judge(*w.expect, found), std::back_inserter(summary.verdicts));
   }

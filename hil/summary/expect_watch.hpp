@@ -45,9 +45,9 @@ class ExpectWatch final : public host::Follower {
   };
 
   bool concerns(const Window& w, std::size_t estimator, measurement::Stamp at) const;
-  Findings of_device(const Window& w, const Summary& summary) const;
-  Findings of_estimator(const Window& w, const Summary& summary,
-                        const std::vector<pipeline::EstimatorStatus>& at_end) const;
+  Outcome of_device(const Window& w, const Summary& summary) const;
+  Outcome of_estimator(const Window& w, const Summary& summary,
+                       const std::vector<pipeline::EstimatorStatus>& at_end) const;
 
   const rig_config::Rig& rig_;
   const motion::Trajectory* truth_;

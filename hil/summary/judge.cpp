@@ -7,6 +7,8 @@
 #include <stdexcept>
 #include <string_view>
 
+#include "drivers/diagnosis/finding_words.hpp"
+
 namespace drydock::summary {
 namespace {
 
@@ -74,7 +76,7 @@ std::string in_words(const Bounds& bounds) {
   return fmt::format("{} to {}", bounds.low, bounds.high);
 }
 
-Verdict judge_state(const rig_config::ExpectConfig& expect, const Findings& found) {
+Verdict judge_state(const rig_config::ExpectConfig& expect, const Outcome& found) {
   std::string state = found.device->state;
   if (!found.other_state.empty()) state = found.other_state;
   const bool passed = state == expect.state;
@@ -98,13 +100,39 @@ Verdict judge_figure(const std::string& subject, const rig_config::ExpectedFigur
           .line = figure.line};
 }
 
+constexpr std::string_view findings_figure = "findings";
+
+std::string subject_of(const rig_config::ExpectConfig& expect) {
+  if (!expect.device.empty()) return expect.device;
+  return expect.estimator.empty() ? "rig" : expect.estimator;
+}
+
+/// "2 (dvl: silent from 6.8 s to 15.2 s, ...)": the number, and the first of them.
+std::string counted(const std::vector<diagnosis::FindingAccount>& findings) {
+  if (findings.empty()) return "0";
+  const auto& first = findings.front();
+  return fmt::format("{} ({}: {} {}{})", findings.size(), first.device, first.cause,
+                     diagnosis::when_text(first), findings.size() > 1 ? ", ..." : "");
+}
+
+Verdict judge_findings(const std::string& subject, const rig_config::ExpectedFigure& figure,
+                       const Outcome& found, const std::string& missing) {
+  return {
+      .subject = subject,
+      .what = figure.name,
+      .measured = found.findings ? counted(*found.findings) : missing,
+      .expected = in_words(figure.allowed),
+      .passed = found.findings && figure.allowed.hold(static_cast<double>(found.findings->size())),
+      .line = figure.line};
+}
+
 }  // namespace
 
-std::vector<Verdict> judge(const rig_config::ExpectConfig& expect, const Findings& found) {
+std::vector<Verdict> judge(const rig_config::ExpectConfig& expect, const Outcome& found) {
   std::vector<Verdict> verdicts;
   const auto too_short = fmt::format("none: the run ended at {:.1f} s, before after_s = {}",
                                      found.duration_s, expect.after_s);
-  const std::string& subject = expect.device.empty() ? expect.estimator : expect.device;
+  const std::string subject = subject_of(expect);
   if (!expect.state.empty()) {
     verdicts.push_back(found.device ? judge_state(expect, found)
                                     : Verdict{subject, "state", too_short, expect.state, false,
@@ -113,6 +141,10 @@ std::vector<Verdict> judge(const rig_config::ExpectConfig& expect, const Finding
   for (const auto& figure : expect.figures) {
     Value value;
     std::string missing = too_short;
+    if (figure.name == findings_figure) {
+      verdicts.push_back(judge_findings(subject, figure, found, missing));
+      continue;
+    }
     if (!expect.device.empty()) {
       const auto& known = figure_named(device_figures, figure.name);
       if (found.device) value = known.of(*found.device);

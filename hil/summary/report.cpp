@@ -5,6 +5,7 @@
 
 #include "hil/report/html.hpp"
 #include "hil/report/plot.hpp"
+#include "hil/summary/findings.hpp"
 #include "hil/summary/navigation_report.hpp"
 #include "hil/summary/summary.hpp"
 
@@ -64,6 +65,14 @@ std::string fault_section(const Summary& s) {
     out += fmt::format("<tr><td>{}<td>{:.3f} s<td>{}</tr>\n", report::html::escaped(f.words),
                        f.since_s, f.until_s ? fmt::format("{:.3f} s", *f.until_s) : "the end");
   return out + "</table></div>\n";
+}
+
+std::string finding_section(const Summary& s) {
+  std::string out = "<h2>Findings</h2>\n" + findings_table(s.findings);
+  if (!s.findings.empty())
+    out +=
+        "<p class=soft>The plots of the measurements have a shade while something was wrong.</p>\n";
+  return out;
 }
 
 std::string verdict_section(const Summary& s) {
@@ -129,10 +138,7 @@ std::string estimator_section(const Summary& s, std::size_t i) {
 std::string measurement_section(const Summary& s) {
   std::string out = "<h2>Measurements, decoded from the wire</h2>\n";
   for (const auto& m : s.measurements) {
-    report::Figure plot{m.title, "time [s]", m.unit, {}};
-    for (std::size_t i = 0; i < m.labels.size(); ++i) {
-      if (!m.t_s[i].empty()) plot.curves.push_back({m.labels[i], m.t_s[i], m.value[i]});
-    }
+    const report::Figure plot = figure_of(m, s.findings, s.duration_s);
     if (!plot.curves.empty()) out += report::html::figure(plot);
   }
   return out;
@@ -170,7 +176,8 @@ std::string to_html(const Summary& s) {
       s.interrupted ? ", interrupted" : "", streaming == s.devices.size() ? "ok" : "bad", streaming,
       s.devices.size());
   for (const auto& note : s.notes) out += fmt::format("<p>{}</p>\n", report::html::escaped(note));
-  out += verdict_section(s) + fault_section(s) + "<h2>Health</h2>\n" + health_table(s);
+  out += verdict_section(s) + finding_section(s) + fault_section(s) + "<h2>Health</h2>\n" +
+         health_table(s);
   for (std::size_t i = 0; i < s.estimators.size(); ++i) out += estimator_section(s, i);
   out += measurement_section(s) + motion_section(s) + process_section(s);
   return report::html::page(s.rig, out);

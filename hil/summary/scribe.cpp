@@ -65,10 +65,12 @@ Scribe::Scribe(const rig_config::Rig& rig, const motion::Trajectory* truth, Stam
   for (const auto& device : rig.devices) add_device(device);
 }
 
-std::size_t Scribe::add_plot(std::string title, std::string unit, std::vector<std::string> labels) {
+std::size_t Scribe::add_plot(const rig_config::DeviceConfig& device, const std::string& what,
+                             std::string unit, std::vector<std::string> labels) {
   const std::size_t first = curves_.size();
   for (std::size_t i = 0; i < labels.size(); ++i) curves_.push_back({plots_.size(), i, 0});
-  MeasurementTrace plot{std::move(title), std::move(unit), std::move(labels), {}, {}};
+  MeasurementTrace plot{
+      device.name, device.name + ": " + what, std::move(unit), std::move(labels), {}, {}};
   plot.t_s.resize(plot.labels.size());
   plot.value.resize(plot.labels.size());
   plots_.push_back(std::move(plot));
@@ -80,26 +82,25 @@ void Scribe::add_device(const rig_config::DeviceConfig& device) {
   std::size_t first = 0;
   switch (device.kind) {
     case DeviceKind::dvl:
-      first = add_plot(device.name + ": velocity over the bed", "m/s, body", {"x", "y", "z"});
+      first = add_plot(device, "velocity over the bed", "m/s, body", {"x", "y", "z"});
       break;
     case DeviceKind::emlog:
-      first = add_plot(device.name + ": speed through the water", "m/s",
-                       {"longitudinal", "transverse"});
+      first = add_plot(device, "speed through the water", "m/s", {"longitudinal", "transverse"});
       break;
     case DeviceKind::gnss:
-      first = add_plot(device.name + ": velocity", "m/s, NED", {"north", "east", "down"});
+      first = add_plot(device, "velocity", "m/s, NED", {"north", "east", "down"});
       break;
     case DeviceKind::imu:
-      first = add_plot(device.name + ": angular rate", "deg/s, body", {"x", "y", "z"});
-      add_plot(device.name + ": specific force", "m/s2, body", {"x", "y", "z"});
+      first = add_plot(device, "angular rate", "deg/s, body", {"x", "y", "z"});
+      add_plot(device, "specific force", "m/s2, body", {"x", "y", "z"});
       break;
-    case DeviceKind::depth: first = add_plot(device.name + ": depth", "m", {"depth"}); break;
+    case DeviceKind::depth: first = add_plot(device, "depth", "m", {"depth"}); break;
     case DeviceKind::actuator:
-      first = add_plot(device.name + ": actuators", "deg", {"rudder", "stern plane", "bow plane"});
+      first = add_plot(device, "actuators", "deg", {"rudder", "stern plane", "bow plane"});
       break;
     case DeviceKind::attitude:
-      first = add_plot(device.name + ": attitude", "deg", {"heading", "roll", "pitch"});
-      add_plot(device.name + ": rate of turn", "deg/s", {"rate of turn"});
+      first = add_plot(device, "attitude", "deg", {"heading", "roll", "pitch"});
+      add_plot(device, "rate of turn", "deg/s", {"rate of turn"});
       break;
   }
   first_curve_.push_back(first);

@@ -63,7 +63,8 @@ class Scribe final : public host::Follower {
   bool is_time_to_draw(Estimator& e, double t_s) const;
   double since_start(measurement::Stamp at) const { return measurement::seconds(at - start_); }
   void point(std::size_t curve, measurement::Stamp at, double value);
-  std::size_t add_plot(std::string title, std::string unit, std::vector<std::string> labels);
+  std::size_t add_plot(const rig_config::DeviceConfig& device, const std::string& what,
+                       std::string unit, std::vector<std::string> labels);
   void add_device(const rig_config::DeviceConfig& device);
 
   void follow_motion(measurement::Stamp now);

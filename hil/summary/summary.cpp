@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "hil/summary/findings.hpp"
+#include "hil/summary/findings_json.hpp"
 #include "hil/summary/judge.hpp"
 
 namespace drydock::summary {
@@ -99,6 +101,7 @@ std::string to_json(const Summary& s) {
             {"resident", resident_json(s.resident)},
             {"notes", s.notes},
             {"faults", Json::array()},
+            {"findings", findings_json(s.findings)},
             {"expectations", Json::array()},
             {"devices", Json::array()},
             {"estimators", Json::array()}};
@@ -145,7 +148,7 @@ std::string to_text(const Summary& s) {
     }
     out += '\n';
   }
-  out += faults_text(s.faults);
+  out += faults_text(s.faults) + findings_text(s.findings);
   for (const auto& note : s.notes) out += note + '\n';
   return out + to_text(s.verdicts);
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "drivers/device/health_account.hpp"
+#include "drivers/diagnosis/finding_account.hpp"
 #include "hil/summary/verdict.hpp"
 
 namespace drydock::summary {
@@ -71,7 +72,7 @@ struct ResidentTrace {
 };
 
 struct MeasurementTrace {
-  std::string title, unit;
+  std::string device, title, unit;
   std::vector<std::string> labels;
   std::vector<std::vector<double>> t_s, value;  ///< one vector per label
 };
@@ -85,10 +86,11 @@ struct Summary {
   std::vector<DeviceSummary> devices;
   std::vector<EstimatorSummary> estimators;
   std::vector<FaultSummary> faults;
-  std::vector<Verdict> verdicts;            ///< on the rig's [[expect]]
-  std::vector<AttitudeTrace> traces;        ///< one per estimator
-  std::vector<NavigationTrace> navigation;  ///< one per estimator; empty for other kinds
-  MotionTrace motion;                       ///< empty if there is no truth
+  std::vector<diagnosis::FindingAccount> findings;  ///< times count from the start of the run
+  std::vector<Verdict> verdicts;                    ///< on the rig's [[expect]]
+  std::vector<AttitudeTrace> traces;                ///< one per estimator
+  std::vector<NavigationTrace> navigation;          ///< one per estimator; empty for other kinds
+  MotionTrace motion;                               ///< empty if there is no truth
   ResidentTrace resident;
   std::vector<MeasurementTrace> measurements;
 

@@ -62,6 +62,19 @@ TEST(Expect, ABlockIsOfADeviceOrOfAnEstimator) {
       ElementsAre(HasSubstr("/expect/0/device: not allowed here, only without 'estimator'")));
 }
 
+TEST(Expect, OnlyFindingsAreCountedForTheWholeRig) {
+  const auto expects = expects_of("[[expect]]\nfindings_max = 0\n");
+  ASSERT_EQ(expects.size(), 1u);
+  EXPECT_EQ(expects[0].device + expects[0].estimator, "");
+  EXPECT_EQ(expects[0].figures.at(0).name, "findings");
+  EXPECT_FALSE(expects[0].figures.at(0).allowed.hold(1));
+  EXPECT_THAT(
+      problems_of("[[expect]]\nfindings_max = 0\nreopens_max = 0\n"),
+      ElementsAre(HasSubstr("/expect/0/reopens_max: not allowed here, only with 'device'")));
+  EXPECT_THAT(problems_of(leveling + "[[expect]]\nestimator = \"level\"\nfindings_max = 0\n"),
+              ElementsAre(HasSubstr("/expect/0/findings_max: not allowed here")));
+}
+
 TEST(Expect, AFigureThatTheSubjectDoesNotHaveIsRefused) {
   EXPECT_THAT(problems_of("[[expect]]\ndevice = \"dvl\"\nnees = [0.5, 2]\n"),
               ElementsAre("r.toml:10:1: /expect/0/nees: not allowed here, only with 'estimator'"));

@@ -1,6 +1,7 @@
 // The devices of /diagnostics as a table. On a narrow page the numbers are below the status text.
-import { by, make } from './dom.js';
+import { by, make, seconds } from './dom.js';
 import { inForce } from './faults.js';
+import { badgeOf, findingsOf, isFinding, takeFinding } from './findings.js';
 
 const levels = ['ok', 'warn', 'error', 'stale'];
 const known = (text) => text !== undefined && text !== '';
@@ -17,14 +18,16 @@ function rowOf(name) {
   return row;
 }
 
-export function takeHealth({ status }) {
-  for (const { level, name, message, values } of status) {
+export function takeHealth({ header, status }) {
+  for (const finding of status.filter(isFinding)) takeFinding(finding, seconds(header.stamp));
+  for (const { level, name, message, values } of status.filter((one) => !isFinding(one))) {
     const value = Object.fromEntries(values.map((v) => [v.key, v.value]));
     const wide = [rate(value), short(value.age_s), known(value.jitter_s) ? short(1000 * value.jitter_s) : '–', value.messages ?? '–', value.bad_checksums ?? '–'];
     const faulty = inForce().some(({ device }) => device === name);
     rowOf(name).replaceChildren(
       make('td', {}, name, make('small', {}, value.provenance ?? '')),
-      make('td', {}, make('span', { className: `badge ${levels[level]}` }, value.status === undefined ? levels[level] : message), ...(faulty ? [' ', make('span', { className: 'badge error' }, 'fault')] : [])),
+      make('td', {}, make('span', { className: `badge ${levels[level]}` }, value.status === undefined ? levels[level] : message), ...(faulty ? [' ', make('span', { className: 'badge error' }, 'fault')] : []),
+        ...findingsOf(name).flatMap((finding) => [' ', badgeOf(finding)])),
       make('td', {}, value.status ?? message, make('small', { className: 'narrow' }, `${wide[0]} Hz, ${wide[3]} good, ${wide[4]} bad`)),
       ...wide.map((text) => make('td', { className: 'wide number' }, text)),
       make('td', { className: 'wide' }, value.last_error || (value.link_note ?? '')));

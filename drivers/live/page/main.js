@@ -4,6 +4,7 @@ import { by, clock } from './dom.js';
 import { takeEstimate } from './estimates.js';
 import { forgetFaults, showFaults, takeFaults } from './faults.js';
 import { showOrders, takeServices } from './fault-orders.js';
+import { showFindings } from './findings.js';
 import { takeHealth } from './health.js';
 import { takeInnovation } from './innovations.js';
 import { takeMeasurement } from './measurements.js';
@@ -38,6 +39,7 @@ connect({
 setInterval(() => {
   if (newest) by('clock').textContent = `${new Date(newest * 1000).toISOString().slice(0, 10)} ${clock(newest)} UTC`;
   showFaults(newest);
+  showFindings(newest);
   showOrders();
   drawPlots();
   drawWhere();

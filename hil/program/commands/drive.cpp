@@ -1,6 +1,7 @@
 #include <memory>
 
 #include "drivers/host/drive.hpp"
+#include "estimators/host/diagnostician.hpp"
 #include "hil/control/remote_faults.hpp"
 #include "hil/program/commands.hpp"
 #include "hil/program/load_rig.hpp"
@@ -47,6 +48,7 @@ void add_drivers(CLI::App& app, Command& command, const std::string& name,
       const auto rig = load_rig(a->rig);
       claim(a->realtime);
       if (a->options.serve.allow_faults) a->options.behind_page = faults_behind_page(rig);
+      a->options.beside = host::diagnostician_beside;
       return host::drive(rig, a->options);
     };
   });

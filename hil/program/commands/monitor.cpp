@@ -4,6 +4,7 @@
 #include "drivers/decode/decode.hpp"
 #include "drivers/monitor/monitor.hpp"
 #include "drivers/shell/rig_devices.hpp"
+#include "estimators/host/diagnostician.hpp"
 #include "hil/program/commands.hpp"
 #include "hil/program/load_rig.hpp"
 #include "hil/program/options.hpp"
@@ -56,10 +57,11 @@ void add_monitor(CLI::App& app, Command& command) {
   sub->callback([a, &command] {
     command = [a] {
       if (!a->options.protocol.empty()) return monitor::monitor_messages(a->options);
+      a->options.beside = host::diagnostician_beside;
       if (!is_rig(a->options.link)) return monitor::monitor_link(a->options);
       const auto rig = load_rig(a->options.link);
       return a->bus ? monitor::monitor_bus(rig, a->options)
-                    : monitor::monitor_devices(devices_of(rig), rig.name, a->options);
+                    : monitor::monitor_devices(devices_of(rig), rig, a->options);
     };
   });
 }

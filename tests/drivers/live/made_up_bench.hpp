@@ -109,7 +109,12 @@ class MadeUpBench {
        "streaming",
        "",
        {{"status", "100 samples a second"}, {"rate_hz", "99.98"}, {"nominal_rate_hz", "100"}}},
-      {bus::Level::warn, "dvl", "degraded", "", {{"status", "no bottom lock for 3 s"}}}};
+      {bus::Level::warn, "dvl", "degraded", "", {{"status", "no bottom lock for 3 s"}}},
+      {bus::Level::warn,
+       "dvl/damaged",
+       "frames arrive damaged: 12 damaged frames (at most 0)",
+       "dvl",
+       {{"since_s", "1700000000.25"}, {"until_s", ""}, {"advice", "look at the cable"}}}};
   LiveTopics topics_;
   bus::CdrPublisher publisher_;
   int steps_ = 0;

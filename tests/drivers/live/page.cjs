@@ -17,7 +17,7 @@ function read() {
     .map((b) => `${text(a.element).slice(0, 30)} | ${text(b.element).slice(0, 30)}`));
   const cut = [...document.querySelectorAll('td, th, figcaption, .legend, header > *, #faults p')].filter((e) => e.scrollWidth > e.clientWidth + 1 && getComputedStyle(e).display !== 'inline').map(text);
   return {
-    rig: text(document.getElementById('rig')), link: text(document.getElementById('link')), faults: text(document.getElementById('faults')),
+    rig: text(document.getElementById('rig')), link: text(document.getElementById('link')), findings: text(document.getElementById('findings')), faults: text(document.getElementById('faults')),
     orders: !document.getElementById('orders').hidden,
     background: getComputedStyle(document.body).backgroundColor,
     overflow: document.documentElement.scrollWidth - innerWidth,

@@ -46,8 +46,15 @@ void see_devices(const json& devices, int width) {
   const auto dvl = devices[1].get<std::vector<std::string>>();
   EXPECT_EQ(imu[1], "streaming");
   EXPECT_THAT(imu[width > 1000 ? 3 : 2], HasSubstr("100 of 100"));  // 99.98 with three digits
-  EXPECT_EQ(dvl[1], "degraded fault");
+  EXPECT_EQ(dvl[1], "degraded fault damaged");
   EXPECT_THAT(dvl[2], HasSubstr("no bottom lock for 3 s"));
+}
+
+/// A finding is no device: it has its own list, and a badge in the row of its device.
+void see_findings(const json& seen) {
+  EXPECT_EQ(seen["findings"],
+            "Findings dvl damaged since 22:13:20 UTC: frames arrive damaged: 12 damaged frames (at "
+            "most 0) look at the cable");
 }
 
 /// The banner names only the faults in force. The plots also shade faults that have ended.
@@ -168,6 +175,7 @@ TEST_P(LivePage, ShowsHealthFaultsEstimatesInnovationsAndMeasurementsAtThisWidth
   EXPECT_EQ(seen["background"],
             std::string(GetParam().theme) == "dark" ? "rgb(17, 22, 28)" : "rgb(246, 247, 249)");
   see_devices(seen["devices"], GetParam().width);
+  see_findings(seen);
   see_faults(seen);
   see_curves(seen["figures"]);
   see_innovations(seen["figures"]);

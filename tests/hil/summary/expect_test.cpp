@@ -114,6 +114,41 @@ TEST(Expectations, AreLinesWithWhatWasMeasuredAndWhatWasAllowed) {
                   "2 of 3 expectations met"));
 }
 
+/// A hang of the log from 5 s to 15 s, in a run of 30 s, is a finding of the log alone.
+TEST(Expectations, FindingsAreCountedForADeviceAndForTheRigFromTheirTimeOn) {
+  auto rig = shipped("demo",
+                     "[[expect]]\ndevice = \"emlog\"\nafter_s = 6\nfindings_max = 0\n"
+                     "[[expect]]\ndevice = \"dvl\"\nafter_s = 6\nfindings_max = 0\n"
+                     "[[expect]]\nafter_s = 6\nfindings_max = 0\n"
+                     "[[expect]]\nafter_s = 25\nfindings_max = 0\n"
+                     "[[expect]]\nafter_s = 40\nfindings_max = 0\n");
+  rig.faults =
+      rig_config::load_faults_text(
+          "[[fault]]\ndevice = \"emlog\"\nfault = \"hang\"\nstart_s = 5\nfor_s = 10\n", "t")
+          .value();
+  const auto summary = run_for(rig, 30);
+  EXPECT_THAT(lines_of(summary),
+              ElementsAre(testing::StartsWith("FAIL emlog findings: 1 (emlog: silent from "),
+                          "PASS dvl findings: 0, expected at most 0",
+                          testing::StartsWith("FAIL rig findings: 1 (emlog: silent from "),
+                          "PASS rig findings: 0, expected at most 0",
+                          testing::StartsWith("FAIL rig findings: none: the run ended at 30.0 s"),
+                          "2 of 5 expectations met"));
+  EXPECT_THAT(to_text(summary), HasSubstr("finding emlog: silent from "));
+  const auto json = nlohmann::json::parse(to_json(summary));
+  const auto& finding = json["findings"].back();
+  EXPECT_EQ(finding["device"], "emlog");
+  EXPECT_EQ(finding["cause"], "silent");
+  EXPECT_NEAR(finding["since_s"].get<double>(), 5, 0.6) << "its last message, at 2 Hz";
+  EXPECT_THAT(to_html(summary), HasSubstr("<td class='left bad'>silent"));
+}
+
+TEST(Findings, OfAHealthyDeviceAreNone) {
+  Summary summary;
+  EXPECT_THAT(to_text(summary), HasSubstr("no findings\n"));
+  EXPECT_EQ(nlohmann::json::parse(to_json(summary))["findings"].dump(), "[]");
+}
+
 TEST(Expectations, EveryFigureOfTheSchemaIsInTheSummary) {
   const auto schema = nlohmann::json::parse(rig_config::schema_text());
   const auto& expect = schema["definitions"]["expect"];
@@ -177,7 +212,7 @@ TEST(Expectations, OfARecordingThatEndsFailWithTheTimeOfItsSilence) {
 }
 
 TEST(Expectations, OfErrorsFailWhereThereIsNoTruth) {
-  Findings found;
+  summary::Outcome found;
   found.estimator = EstimatorSummary{};
   found.estimator->nis = 1.25;
   rig_config::ExpectConfig expect;

@@ -1,0 +1,17 @@
+#include "drivers/host/finding_lines.hpp"
+
+#include <fmt/format.h>
+
+#include "drivers/diagnosis/finding_words.hpp"
+
+namespace drydock::host {
+
+void FindingLines::on_finding(const diagnosis::Finding& finding) {
+  const auto account = diagnosis::account_of(finding, rig_.devices.at(finding.device).name, start_);
+  if (account.until_s)
+    print_(fmt::format("{:.3f} s {}", *account.until_s, diagnosis::end_line_of(account)));
+  else
+    print_(fmt::format("{:.3f} s found: {}", account.found_s, diagnosis::line_of(account)));
+}
+
+}  // namespace drydock::host

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstdio>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "drivers/host/follower.hpp"
+#include "rig_config/rig.hpp"
+
+namespace drydock::host {
+
+/// One line when a finding begins, and one when it is over.
+class FindingLines final : public Follower {
+ public:
+  using Print = std::function<void(const std::string& line)>;
+
+  /// `start`: the time from which the lines count. The rig must outlive the lines.
+  FindingLines(const rig_config::Rig& rig, Stamp start, Print print)
+      : rig_(rig), start_(start), print_(std::move(print)) {}
+
+  void on_finding(const diagnosis::Finding& finding) override;
+
+ private:
+  const rig_config::Rig& rig_;
+  Stamp start_;
+  Print print_;
+};
+
+}  // namespace drydock::host
