@@ -13,42 +13,41 @@ class ArrivalPattern {
  public:
   void add(const Raster::Arrival& arrival, double period_s) {
     crowded_ = crowded_ << 1 | (arrival.step == Step::crowded ? 1U : 0U);
-    odd_ = odd_ << 1 | (arrival.step == Step::odd ? 1U : 0U);
     if (arrival.step == Step::crowded) return;
     intervals_[next_++ % intervals_.size()] = arrival.interval_s;
-    if (arrival.interval_s > long_interval * period_s)
-      pauses_[next_pause_++ % pauses_.size()] = arrival.interval_s;
+    const bool pause = arrival.interval_s > long_interval * period_s;
+    pauses_in_a_row_ = pause ? pauses_in_a_row_ + 1 : 0;
+    if (pause) pauses_[next_pause_++ % pauses_.size()] = arrival.interval_s;
   }
   void clear() { *this = {}; }
 
-  /// Pauses of one length, and behind each of them what was held.
+  /// Pauses of one length, each followed by what was held and then by the next pause.
   bool bunched() const {
-    constexpr int fewest_of_16 = 5;
-    return next_pause_ >= pauses_.size() && std::popcount(crowded_ & 0xFFFFU) >= fewest_of_16 &&
-           alike(pauses_);
+    constexpr int fewest = 3, fewest_of_8 = 3;
+    return std::popcount(crowded_ & 0xFFU) >= fewest_of_8 && pauses_in_a_row_ >= fewest &&
+           alike(pauses_, 0.06);
   }
   /// All intervals are longer (or shorter) than the period by one factor. 1: they are not.
   double slower(double period_s) const {
     constexpr double least = 0.2;
-    if (next_ < intervals_.size() || !alike(intervals_)) return 1;
+    if (next_ < intervals_.size() || !alike(intervals_, 0.12)) return 1;
     const double factor = intervals_[0] / period_s;
     return std::abs(factor - 1) > least ? factor : 1;
   }
-  int odd_of_32() const { return std::popcount(odd_); }
 
  private:
   static constexpr double long_interval = 1.6;  ///< periods
   template <std::size_t N>
-  static bool alike(const std::array<double, N>& intervals) {
+  static bool alike(const std::array<double, N>& intervals, double spread) {
     const auto [least, most] = std::ranges::minmax(intervals);
-    constexpr double spread = 0.12;
     return most - least < spread * most;
   }
 
-  std::uint32_t crowded_ = 0, odd_ = 0;  ///< one bit a message, the latest lowest
+  std::uint32_t crowded_ = 0;  ///< one bit a message, the latest lowest
   std::array<double, 6> intervals_{};
   std::array<double, 3> pauses_{};
   std::size_t next_ = 0, next_pause_ = 0;
+  int pauses_in_a_row_ = 0;  ///< with nothing on the raster between them
 };
 
 }  // namespace drydock::diagnosis

@@ -74,8 +74,10 @@ void LineMonitor::look_at_counters(const Health& health, Stamp now) {
   const auto& was = last_.stream;
   const double damaged = grown(health.stream.bad_checksums, was.bad_checksums);
   if (damaged > 0) teller_.tell(Sign::bad_checksums, now, now, {damaged, 0, "damaged frames", ""});
+  // On a bus the frames of others are none of this device's bytes, and half a sample is skipped.
+  const bool bytes = expected_.protocol.travels == wire::Travels::as_bytes;
   const double skipped = grown(health.stream.bytes_skipped, was.bytes_skipped);
-  if (skipped > 0 && damaged == 0)
+  if (skipped > 0 && damaged == 0 && bytes)
     teller_.tell(Sign::foreign_bytes, now, now, {skipped, 0, "bytes outside of frames", "B"});
   const double errors = grown(health.error_frames, last_.error_frames);
   if (errors > 0) teller_.tell(Sign::error_frames, now, now, {errors, 0, "error frames", ""});

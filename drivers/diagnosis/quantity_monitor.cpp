@@ -11,6 +11,8 @@ namespace {
 constexpr double beyond = 3;
 constexpr double pulse_beyond = 8, neighbours_within = 4;
 constexpr double step_beyond = 6;
+/// Behind a pause of so many periods nothing is known of the sample before.
+constexpr double longest_pause = 4;
 /// From the second difference x0 - 2 x1 + x2 of white noise to its own deviation.
 const double noise_of_bend = std::sqrt(6.0);
 constexpr double median_of_normal = 0.6745, q95_of_normal = 1.96;
@@ -24,6 +26,7 @@ double QuantityMonitor::minus(double a, double b) const {
 
 QuantityMonitor::News QuantityMonitor::add(double value, Stamp at) {
   const double period_s = samples_ > 0 ? measurement::seconds(at - last_at_) : 0;
+  if (known_ && period_s > longest_pause * usual_period_s_) samples_ = 0;
   std::shift_right(last_.begin(), last_.end(), 1);
   last_[0] = value;
   last_at_ = at;
@@ -44,9 +47,9 @@ void QuantityMonitor::learn(double bend, Stamp at, double period_s) {
   bends_.add(std::abs(bend));
   periods_.add(period_s);
   if (at - *first_ < learning || bends_.count() < fewest) return;
-  const double usual_s = periods_.quantile(0.5);
+  usual_period_s_ = periods_.quantile(0.5);
   sigma_ = std::max({bends_.quantile(0.5) / median_of_normal, bends_.quantile(0.95) / q95_of_normal,
-                     facts_of(quantity_).bend * usual_s * usual_s / beyond});
+                     facts_of(quantity_).bend * usual_period_s_ * usual_period_s_ / beyond});
   // White noise turns at two of three samples, a smooth motion hardly ever.
   constexpr double turning = 0.35;
   constexpr unsigned fewest_moves = 15;
@@ -81,6 +84,9 @@ QuantityMonitor::News QuantityMonitor::judge(double period_s, Stamp at) {
 }
 
 void QuantityMonitor::judge_noise(double bend, Stamp at) {
+  // What no motion makes is no noise either: wild samples in a row, steps.
+  if (std::abs(bend) > std::max(facts_of(quantity_).wild, 2 * step_beyond * beyond * sigma_))
+    return;
   noise_.add(std::abs(bend) > beyond * sigma_, at);
 }
 

@@ -10,9 +10,9 @@ constexpr double most_tolerance_share = 0.3;
 
 }  // namespace
 
-Raster::Arrival Raster::add(Stamp at) {
+Raster::Arrival Raster::add(Stamp at, double behind_s) {
   if (state_ != State::known) {
-    learn(at);
+    learn(at, behind_s);
     return {};
   }
   if (!last_) {
@@ -33,10 +33,11 @@ Raster::Arrival Raster::add(Stamp at) {
   return arrival;
 }
 
-void Raster::learn(Stamp at) {
+void Raster::learn(Stamp at, double behind_s) {
   if (state_ == State::has_none) return;
   if (!first_) first_ = at;
   if (last_) intervals_.add(measurement::seconds(at - *last_));
+  behind_.add(behind_s);
   last_ = at;
   if (at - *first_ >= learning && intervals_.count() >= fewest) settle();
 }
@@ -48,7 +49,10 @@ void Raster::settle() {
   const double scatter_s = std::max(early_s, late_s);
   const bool has_raster = period_s_ > 0 && scatter_s < most_tolerance_share * period_s_;
   state_ = has_raster ? State::known : State::has_none;
-  const double least_s = std::max(least_tolerance_s, least_tolerance_share * period_s_);
+  const double waits_s = behind_.quantile(0.5);
+  const double of_line_s = waits_s < crowded_share * period_s_ ? 1.2 * waits_s : 0;
+  const double least_s =
+      std::max({least_tolerance_s, least_tolerance_share * period_s_, of_line_s});
   tolerance_s_ = std::min(std::max(3 * scatter_s, least_s), most_tolerance_share * period_s_);
 }
 

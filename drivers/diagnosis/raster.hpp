@@ -33,7 +33,9 @@ class Raster {
     long slots = 0;         ///< the interval in periods
   };
 
-  Arrival add(Stamp at);
+  /// `behind_s`: how long after the message before it, of any kind, the device sent this one. A
+  /// message that waits for another on the line comes sooner without it.
+  Arrival add(Stamp at, double behind_s = 0);
   /// The next message has none before it: the device was away.
   void interrupt() { last_.reset(); }
 
@@ -43,11 +45,11 @@ class Raster {
 
  private:
   enum class State : std::uint8_t { learns, known, has_none };
-  void learn(Stamp at);
+  void learn(Stamp at, double behind_s);
   void settle();
 
   State state_ = State::learns;
-  Spread<256> intervals_;
+  Spread<256> intervals_, behind_;
   std::optional<Stamp> first_, last_;
   double period_s_ = 0, tolerance_s_ = 0;
 };

@@ -41,7 +41,8 @@ void TimeMonitor::take(std::uint32_t kind, const measurement::Origin& origin, bo
   Stream* const stream = stream_of(kind);
   if (stream == nullptr) return;
   const Stamp at = origin.received_at;
-  const auto arrival = stream->raster.add(at);
+  const auto arrival = stream->raster.add(at, measurement::seconds(at - last_));
+  last_ = at;
   if (arrival.step != Step::first) step(*stream, arrival, at, same);
   watch_clock(*stream, origin, arrival.step);
 }
@@ -72,10 +73,12 @@ void TimeMonitor::nothing_happened(Stamp at) {
 void TimeMonitor::regular(Stream& stream, Stamp at) {
   if (stream.pause && stream.owed > 0) {
     gaps_.add(true, stream.pause_at);
+  } else if (stream.extra) {
+    repeats_.add(true, at);
   } else {
     nothing_happened(at);
   }
-  stream.pause = false;
+  stream.pause = stream.extra = false;
   if (++stream.regular != sound_after || stream.hole_s == 0) return;
   // The raster goes on as before the hole: what was in it is lost, or everything is late from now.
   const bool told_by_clock = stream.clock.known();
@@ -87,6 +90,7 @@ void TimeMonitor::regular(Stream& stream, Stamp at) {
 void TimeMonitor::pause(Stream& stream, const Raster::Arrival& arrival, Stamp at) {
   if (stream.pause && stream.owed > 0) gaps_.add(true, stream.pause_at);
   if (arrival.step == Step::odd) odds_.add(true, at);
+  stream.extra = false;
   const double late_s = arrival.interval_s - stream.raster.period_s();
   const bool hole = arrival.step == Step::odd
                         ? late_s > std::max(shortest_shift_s, 2 * stream.raster.tolerance_s())
@@ -107,7 +111,7 @@ void TimeMonitor::crowded(Stream& stream, Stamp at, bool same) {
     --stream.owed;
     late_.on = false;
   } else if (same) {
-    repeats_.add(true, at);
+    stream.extra = true;  // unless the raster was left
   } else {
     odds_.add(true, at);
   }

@@ -35,6 +35,7 @@ class TimeMonitor {
     ClockWatch clock;
     RateWatch rate;
     bool pause = false;  ///< messages did not come and may still do
+    bool extra = false;  ///< one came right behind another with the same values
     Stamp pause_at{};
     long owed = 0;      ///< messages that did not come, of the last pause
     int regular = 0;    ///< in a row
@@ -66,6 +67,7 @@ class TimeMonitor {
   boost::container::static_vector<Stream, 12> streams_;
   EventTest gaps_, repeats_, swaps_, odds_, backwards_;
   Lasting late_, drifting_;
+  Stamp last_{};  ///< the latest message
 };
 
 }  // namespace drydock::diagnosis

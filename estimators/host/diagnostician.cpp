@@ -1,6 +1,11 @@
 #include "estimators/host/diagnostician.hpp"
 
 #include <algorithm>
+#include <string>
+
+#include "drivers/diagnosis/bus_monitor.hpp"
+#include "drivers/diagnosis/device_monitor.hpp"
+#include "drivers/diagnosis/judge.hpp"
 
 namespace drydock::host {
 namespace {
@@ -22,7 +27,45 @@ constexpr double dry_height_m = 0.3;
 
 }  // namespace
 
-Diagnostician::Diagnostician(const rig_config::Rig& rig, Follower& to)
+class Diagnostician::Bench final : public Follower, private diagnosis::FindingListener {
+ public:
+  Bench(const rig_config::Rig& rig, Follower& to);
+
+  void watch(std::vector<const device::Device*> devices);
+  void on_frame(std::string_view link, shell::Direction way, const wire::CanFrame& frame,
+                Stamp at) override;
+  void on_measurement(const measurement::Measurement& measurement) override;
+  void look(Stamp now);
+  const diagnosis::Judge& judge() const { return judge_; }
+
+ private:
+  struct Bus {
+    std::string link;
+    diagnosis::BusMonitor monitor;
+    std::size_t device;  ///< one that is on it
+  };
+  struct Line {
+    std::string link;
+    double rate_hz = 0;  ///< of all its devices
+    Stamp last{};
+  };
+  void add_buses(const rig_config::Rig& rig);
+  void notice_stall(std::size_t device, Stamp now);
+  void notice_depth(const measurement::DepthSample& sample, std::size_t device);
+  void on_finding(const diagnosis::Finding& finding) override { to_.on_finding(finding); }
+
+  Follower& to_;
+  diagnosis::Judge judge_;
+  std::vector<diagnosis::DeviceMonitor> monitors_;
+  std::vector<const device::Device*> devices_;
+  std::vector<Bus> buses_;
+  std::vector<Line> lines_;           ///< each link once
+  std::vector<std::size_t> line_of_;  ///< of each device
+  std::vector<double> down_m_;        ///< of each device below the vehicle's origin
+  Stamp next_look_{}, last_{};
+};
+
+Diagnostician::Bench::Bench(const rig_config::Rig& rig, Follower& to)
     : to_(to), judge_(rig.devices.size(), *this) {
   monitors_.reserve(rig.devices.size());
   for (std::size_t i = 0; i < rig.devices.size(); ++i) {
@@ -37,7 +80,7 @@ Diagnostician::Diagnostician(const rig_config::Rig& rig, Follower& to)
   add_buses(rig);
 }
 
-void Diagnostician::add_buses(const rig_config::Rig& rig) {
+void Diagnostician::Bench::add_buses(const rig_config::Rig& rig) {
   for (const Line& line : lines_) {
     std::vector<diagnosis::Expected> nodes;
     for (std::size_t i = 0; i < rig.devices.size(); ++i)
@@ -47,21 +90,21 @@ void Diagnostician::add_buses(const rig_config::Rig& rig) {
   }
 }
 
-void Diagnostician::watch(std::vector<const device::Device*> devices) {
+void Diagnostician::Bench::watch(std::vector<const device::Device*> devices) {
   devices_ = std::move(devices);
   for (Bus& bus : buses_)
     if (bus.device < devices_.size())
       bus.monitor.set_bitrate(devices_[bus.device]->options().driver.bitrate);
 }
 
-void Diagnostician::on_frame(std::string_view link, shell::Direction way,
-                             const wire::CanFrame& frame, Stamp at) {
+void Diagnostician::Bench::on_frame(std::string_view link, shell::Direction way,
+                                    const wire::CanFrame& frame, Stamp at) {
   if (way != shell::Direction::received) return;
   const auto bus = std::ranges::find(buses_, link, &Bus::link);
   if (bus != buses_.end()) bus->monitor.take(frame, at);
 }
 
-void Diagnostician::on_measurement(const measurement::Measurement& measurement) {
+void Diagnostician::Bench::on_measurement(const measurement::Measurement& measurement) {
   const auto& origin = measurement::origin_of(measurement);
   notice_stall(origin.device, origin.received_at);
   monitors_.at(origin.device).take(measurement);
@@ -70,7 +113,7 @@ void Diagnostician::on_measurement(const measurement::Measurement& measurement) 
   if (origin.received_at >= next_look_) look(origin.received_at);
 }
 
-void Diagnostician::notice_stall(std::size_t device, Stamp now) {
+void Diagnostician::Bench::notice_stall(std::size_t device, Stamp now) {
   const double silent_s = measurement::seconds(now - last_);
   const auto due = std::ranges::count_if(lines_, [&](const Line& line) {
     const bool streamed = now - line.last < std::chrono::seconds{10};
@@ -83,7 +126,8 @@ void Diagnostician::notice_stall(std::size_t device, Stamp now) {
   lines_[line_of_[device]].last = now;
 }
 
-void Diagnostician::notice_depth(const measurement::DepthSample& sample, std::size_t device) {
+void Diagnostician::Bench::notice_depth(const measurement::DepthSample& sample,
+                                        std::size_t device) {
   if (!sample.depth_m) return;
   for (std::size_t i = 0; i < monitors_.size(); ++i) {
     const double antenna_m = *sample.depth_m - down_m_[device] + down_m_[i];
@@ -91,12 +135,29 @@ void Diagnostician::notice_depth(const measurement::DepthSample& sample, std::si
   }
 }
 
-void Diagnostician::look(Stamp now) {
+void Diagnostician::Bench::look(Stamp now) {
   for (std::size_t i = 0; i < devices_.size(); ++i)
     monitors_.at(i).look(devices_[i]->health(now), now);
   for (Bus& bus : buses_) bus.monitor.look(now);
   judge_.settle(now);
   next_look_ = now + diagnosis::look_period;
 }
+
+Diagnostician::Diagnostician(const rig_config::Rig& rig, Follower& to)
+    : bench_(std::make_unique<Bench>(rig, to)) {}
+Diagnostician::~Diagnostician() = default;
+
+void Diagnostician::watch(std::vector<const device::Device*> devices) {
+  bench_->watch(std::move(devices));
+}
+void Diagnostician::on_frame(std::string_view link, shell::Direction way,
+                             const wire::CanFrame& frame, Stamp at) {
+  bench_->on_frame(link, way, frame, at);
+}
+void Diagnostician::on_measurement(const measurement::Measurement& measurement) {
+  bench_->on_measurement(measurement);
+}
+void Diagnostician::look(Stamp now) { bench_->look(now); }
+const diagnosis::Judge& Diagnostician::judge() const { return bench_->judge(); }
 
 }  // namespace drydock::host
