@@ -25,7 +25,7 @@ class ArrivalPattern {
   bool bunched() const {
     constexpr int fewest = 3, fewest_of_8 = 3;
     return std::popcount(crowded_ & 0xFFU) >= fewest_of_8 && pauses_in_a_row_ >= fewest &&
-           alike(pauses_, 0.06);
+           alike(pauses_, 0.03);
   }
   /// All intervals are longer (or shorter) than the period by one factor. 1: they are not.
   double slower(double period_s) const {

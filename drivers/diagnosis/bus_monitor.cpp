@@ -26,6 +26,10 @@ std::uint32_t key_of(const wire::CanFrame& frame) {
   return frame.extended ? frame.id | extended_bit : frame.id;
 }
 
+std::uint64_t size_bit(const wire::CanFrame& frame) {
+  return std::uint64_t{1} << std::min<unsigned>(frame.size, 63);
+}
+
 std::uint64_t name_of(const wire::CanFrame& frame) {
   std::uint64_t name = 0;
   for (std::size_t i = 8; i-- > 0;) name = name << 8 | frame.data[i];
@@ -95,13 +99,26 @@ void BusMonitor::judge_identifier(const wire::CanFrame& frame, Stamp at) {
 }
 
 bool BusMonitor::is_usual(const wire::CanFrame& frame, Stamp at) {
-  if (std::ranges::find(usual_, key_of(frame)) != usual_.end()) return true;
+  const auto usual = std::ranges::find(usual_, key_of(frame), &Usual::key);
+  if (usual != usual_.end()) {
+    judge_size(*usual, frame, at);
+    return true;
+  }
   if (at - *first_ < learning && usual_.size() < usual_.capacity()) {
-    usual_.push_back(key_of(frame));
+    usual_.push_back({key_of(frame), size_bit(frame)});
     return true;
   }
   return std::ranges::any_of(
       nodes_, [&](const Node& node) { return manages(frame, node.expected.protocol.network); });
+}
+
+void BusMonitor::judge_size(Usual& usual, const wire::CanFrame& frame, Stamp at) {
+  if (at - *first_ < learning) usual.sizes |= size_bit(frame);
+  if ((usual.sizes & size_bit(frame)) != 0) return;
+  const Amount amount{static_cast<double>(frame.size), 8, "bytes of a frame that had others", "B"};
+  if (const Node* node = owner_of(frame))
+    return node->teller.tell(Sign::bad_checksums, at, at, amount);
+  tell_all(Sign::bad_checksums, at, at, amount);
 }
 
 bool BusMonitor::is_repeated(std::uint32_t key) {

@@ -36,10 +36,16 @@ class BusMonitor {
     Stamp robbed_since{};
     unsigned follows_strange = 0;  ///< its frames that came right behind a strange one
   };
+  struct Usual {
+    std::uint32_t key = 0;    ///< identifier
+    std::uint64_t sizes = 0;  ///< one bit for each number of bytes that it had
+  };
+
   void take_error(const wire::CanFrame& frame, Stamp at);
   void take_claim(const wire::CanFrame& frame, Stamp at);
   void judge_identifier(const wire::CanFrame& frame, Stamp at);
   bool is_usual(const wire::CanFrame& frame, Stamp at);
+  void judge_size(Usual& usual, const wire::CanFrame& frame, Stamp at);
   bool is_repeated(std::uint32_t key);
   void note_strange(Stamp at);
   void look_at_load(Stamp now);
@@ -50,7 +56,7 @@ class BusMonitor {
   std::vector<Node> nodes_;
   unsigned bitrate_ = 250'000;
   std::optional<Stamp> first_;
-  boost::container::static_vector<std::uint32_t, 128> usual_;  ///< identifiers
+  boost::container::static_vector<Usual, 128> usual_;
   std::array<std::uint32_t, 64> recent_{};  ///< the last ones that are not usual, a ring
   std::size_t next_recent_ = 0;
   bool off_ = false;

@@ -72,10 +72,10 @@ void LineMonitor::look_at_bytes(const Health& health, Stamp now) {
 
 void LineMonitor::look_at_counters(const Health& health, Stamp now) {
   const auto& was = last_.stream;
-  const double damaged = grown(health.stream.bad_checksums, was.bad_checksums);
-  if (damaged > 0) teller_.tell(Sign::bad_checksums, now, now, {damaged, 0, "damaged frames", ""});
-  // On a bus the frames of others are none of this device's bytes, and half a sample is skipped.
+  // On a bus the driver also counts frames of others and halves of samples: the bus monitor looks.
   const bool bytes = expected_.protocol.travels == wire::Travels::as_bytes;
+  const double damaged = bytes ? grown(health.stream.bad_checksums, was.bad_checksums) : 0;
+  if (damaged > 0) teller_.tell(Sign::bad_checksums, now, now, {damaged, 0, "damaged frames", ""});
   const double skipped = grown(health.stream.bytes_skipped, was.bytes_skipped);
   if (skipped > 0 && damaged == 0 && bytes)
     teller_.tell(Sign::foreign_bytes, now, now, {skipped, 0, "bytes outside of frames", "B"});

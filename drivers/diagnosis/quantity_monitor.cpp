@@ -48,8 +48,10 @@ void QuantityMonitor::learn(double bend, Stamp at, double period_s) {
   periods_.add(period_s);
   if (at - *first_ < learning || bends_.count() < fewest) return;
   usual_period_s_ = periods_.quantile(0.5);
-  sigma_ = std::max({bends_.quantile(0.5) / median_of_normal, bends_.quantile(0.95) / q95_of_normal,
-                     facts_of(quantity_).bend * usual_period_s_ * usual_period_s_ / beyond});
+  scatter_ =
+      std::max(bends_.quantile(0.5) / median_of_normal, bends_.quantile(0.95) / q95_of_normal);
+  sigma_ =
+      std::max(scatter_, facts_of(quantity_).bend * usual_period_s_ * usual_period_s_ / beyond);
   // White noise turns at two of three samples, a smooth motion hardly ever.
   constexpr double turning = 0.35;
   constexpr unsigned fewest_moves = 15;
@@ -64,7 +66,7 @@ QuantityMonitor::News QuantityMonitor::judge(double period_s, Stamp at) {
   const double around = std::abs(minus(last_[0], last_[2]));
   const double off = (into - out_of) / 2;
   const bool returns = into * out_of < 0 && around < std::abs(off) / 2;
-  if (returns && std::abs(off) > std::max(facts.wild, pulse_beyond * sigma_)) news.wild = off;
+  if (returns && std::abs(off) > std::max(facts.wild, pulse_beyond * scatter_)) news.wild = off;
   if (returns && std::abs(off) > pulse_beyond * sigma_ && around < neighbours_within * sigma_)
     news.pulse = off;
   if (news.wild != 0 || news.pulse != 0) {
@@ -84,6 +86,7 @@ QuantityMonitor::News QuantityMonitor::judge(double period_s, Stamp at) {
 }
 
 void QuantityMonitor::judge_noise(double bend, Stamp at) {
+  if (!noise_shows_) return;
   // What no motion makes is no noise either: wild samples in a row, steps.
   if (std::abs(bend) > std::max(facts_of(quantity_).wild, 2 * step_beyond * beyond * sigma_))
     return;

@@ -45,7 +45,9 @@ class QuantityMonitor {
 
   Quantity quantity_;
   bool known_ = false, noise_shows_ = false;
-  double sigma_ = 0, usual_period_s_ = 0;
+  double sigma_ = 0;    ///< at least that of a usual motion
+  double scatter_ = 0;  ///< as it was in the first time
+  double usual_period_s_ = 0;
   Spread<128> bends_, periods_;
   unsigned turns_ = 0, moves_ = 0;  ///< changes of direction among changes
   std::optional<Stamp> first_;

@@ -4,6 +4,7 @@ namespace drydock::diagnosis {
 namespace {
 
 constexpr double crowded_share = 0.4;  ///< of a period
+constexpr double most_crowded_share = 0.65;
 /// A host is late by so much now and then, and a slow line holds a message behind another one.
 constexpr double least_tolerance_s = 0.002, least_tolerance_share = 0.05;
 constexpr double most_tolerance_share = 0.3;
@@ -21,7 +22,8 @@ Raster::Arrival Raster::add(Stamp at, double behind_s) {
   }
   Arrival arrival;
   arrival.interval_s = measurement::seconds(at - *last_);
-  if (arrival.interval_s < crowded_share * period_s_) {
+  if (arrival.interval_s <
+      std::min(crowded_share * period_s_ + allowed_s_, most_crowded_share * period_s_)) {
     arrival.step = Step::crowded;
     return arrival;
   }
@@ -49,11 +51,16 @@ void Raster::settle() {
   const double scatter_s = std::max(early_s, late_s);
   const bool has_raster = period_s_ > 0 && scatter_s < most_tolerance_share * period_s_;
   state_ = has_raster ? State::known : State::has_none;
-  const double waits_s = behind_.quantile(0.5);
-  const double of_line_s = waits_s < crowded_share * period_s_ ? 1.2 * waits_s : 0;
-  const double least_s =
-      std::max({least_tolerance_s, least_tolerance_share * period_s_, of_line_s});
+  waits_s_ = behind_.quantile(0.5);
+  if (waits_s_ > crowded_share * period_s_) waits_s_ = 0;
+  const double least_s = std::max(least_tolerance_s, least_tolerance_share * period_s_);
   tolerance_s_ = std::min(std::max(3 * scatter_s, least_s), most_tolerance_share * period_s_);
+}
+
+void Raster::allow(double line_s) {
+  allowed_s_ = line_s;
+  if (state_ == State::known)
+    tolerance_s_ = std::max(tolerance_s_, std::min(line_s, most_tolerance_share * period_s_));
 }
 
 }  // namespace drydock::diagnosis

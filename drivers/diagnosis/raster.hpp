@@ -42,6 +42,10 @@ class Raster {
   bool known() const { return state_ == State::known; }
   double period_s() const { return period_s_; }
   double tolerance_s() const { return tolerance_s_; }  ///< of an interval that is regular
+  /// How long a message usually waits behind another one of the device. 0: it does not.
+  double waits_s() const { return waits_s_; }
+  /// What the line may add to an interval: messages wait for others, or the others do not come.
+  void allow(double line_s);
 
  private:
   enum class State : std::uint8_t { learns, known, has_none };
@@ -51,7 +55,7 @@ class Raster {
   State state_ = State::learns;
   Spread<256> intervals_, behind_;
   std::optional<Stamp> first_, last_;
-  double period_s_ = 0, tolerance_s_ = 0;
+  double period_s_ = 0, tolerance_s_ = 0, waits_s_ = 0, allowed_s_ = 0;
 };
 
 }  // namespace drydock::diagnosis

@@ -62,8 +62,10 @@ std::optional<double> RateWatch::change_ppm() const {
   if (known_recent_ < recent_.size()) return {};
   const Line line = fit(recent_);
   const double change = (usual_slope_ - line.slope) / ppm;
-  // A jump of the raster is no drift: the line must fit.
-  const bool fits = line.scatter_s < std::abs(line.slope - usual_slope_) * block_s;
+  // A jump of the raster is no drift: the line must fit. A jump between five blocks scatters by
+  // nine tenths of its slope.
+  constexpr double straight = 0.4;
+  const bool fits = line.scatter_s < straight * std::abs(line.slope - usual_slope_) * block_s;
   if (std::abs(change) < limit_ppm_ || !fits) return {};
   return change;
 }

@@ -1,6 +1,7 @@
 #include "drivers/diagnosis/time_monitor.hpp"
 
 #include <algorithm>
+#include <bit>
 
 namespace drydock::diagnosis {
 namespace {
@@ -17,6 +18,8 @@ constexpr long shortest_hole = 3;
 constexpr double shortest_hole_s = 0.2, shortest_shift_s = 0.05;
 constexpr int sound_before = 20, sound_after = 6;
 constexpr int jumps_to_tell = 3;
+/// A frame waits so long while the other nodes of a sound bus have their turn: some 30 frames.
+constexpr double bus_waits_s = 0.015;
 
 }  // namespace
 
@@ -27,7 +30,9 @@ TimeMonitor::TimeMonitor(const Expected& expected, SymptomSink& to)
       repeats_(usual, raised, threshold),
       swaps_(usual, raised, threshold),
       odds_(usual, raised, threshold),
-      backwards_(usual, raised, threshold) {}
+      backwards_(usual, raised, threshold) {
+  if (expected.protocol.travels == wire::Travels::as_frames) line_s_ = bus_waits_s;
+}
 
 TimeMonitor::Stream* TimeMonitor::stream_of(std::uint32_t kind) {
   const auto known = std::ranges::find(streams_, kind, &Stream::kind);
@@ -43,6 +48,11 @@ void TimeMonitor::take(std::uint32_t kind, const measurement::Origin& origin, bo
   const Stamp at = origin.received_at;
   const auto arrival = stream->raster.add(at, measurement::seconds(at - last_));
   last_ = at;
+  if (const double waits_s = 1.3 * stream->raster.waits_s(); waits_s > line_s_) line_s_ = waits_s;
+  if (stream->raster.known() && stream->allowed_s != line_s_) {
+    stream->allowed_s = line_s_;
+    stream->raster.allow(line_s_);
+  }
   if (arrival.step != Step::first) step(*stream, arrival, at, same);
   watch_clock(*stream, origin, arrival.step);
 }
@@ -66,15 +76,27 @@ void TimeMonitor::step(Stream& stream, const Raster::Arrival& arrival, Stamp at,
          {*change, stream.rate.limit_ppm(), "change of its clock's rate", "ppm"});
 }
 
+void TimeMonitor::note(Happened what) {
+  for (std::size_t i = 0; i < history_.size(); ++i)
+    history_[i] = history_[i] << 1 | (i == static_cast<std::size_t>(what) ? 1U : 0U);
+}
+
+int TimeMonitor::lately(Happened what) const {
+  return std::popcount(history_[static_cast<std::size_t>(what)]);
+}
+
 void TimeMonitor::nothing_happened(Stamp at) {
+  note(Happened::nothing);
   for (EventTest* test : {&gaps_, &repeats_, &swaps_, &odds_, &backwards_}) test->add(false, at);
 }
 
 void TimeMonitor::regular(Stream& stream, Stamp at) {
   if (stream.pause && stream.owed > 0) {
     gaps_.add(true, stream.pause_at);
+    note(Happened::nothing);
   } else if (stream.extra) {
     repeats_.add(true, at);
+    note(Happened::repeat);
   } else {
     nothing_happened(at);
   }
@@ -89,7 +111,7 @@ void TimeMonitor::regular(Stream& stream, Stamp at) {
 
 void TimeMonitor::pause(Stream& stream, const Raster::Arrival& arrival, Stamp at) {
   if (stream.pause && stream.owed > 0) gaps_.add(true, stream.pause_at);
-  if (arrival.step == Step::odd) odds_.add(true, at);
+  if (arrival.step == Step::odd) odd(at);
   stream.extra = false;
   const double late_s = arrival.interval_s - stream.raster.period_s();
   const bool hole = arrival.step == Step::odd
@@ -107,17 +129,25 @@ void TimeMonitor::pause(Stream& stream, const Raster::Arrival& arrival, Stamp at
 void TimeMonitor::crowded(Stream& stream, Stamp at, bool same) {
   const bool held = stream.owed > 0;
   if (held) {
-    if (stream.pause) swaps_.add(true, at);
+    if (stream.pause) {
+      swaps_.add(true, at);
+      note(Happened::swap);
+    }
     --stream.owed;
     late_.on = false;
   } else if (same) {
     stream.extra = true;  // unless the raster was left
   } else {
-    odds_.add(true, at);
+    odd(at);
   }
   stream.pause = false;
   stream.hole_s = 0;
   stream.regular = 0;
+}
+
+void TimeMonitor::odd(Stamp at) {
+  odds_.add(true, at);
+  note(Happened::odd);
 }
 
 void TimeMonitor::tell_pattern(Stream& stream, Stamp at) {
@@ -126,9 +156,14 @@ void TimeMonitor::tell_pattern(Stream& stream, Stamp at) {
   };
   if (stream.pattern.bunched())
     teller_.tell(Sign::bunched, swaps_.since(), at, {1, 0, "pauses of one length", ""});
-  tell(Sign::repeated, repeats_, "log-likelihood of repeated messages");
-  tell(Sign::irregular, odds_, "log-likelihood of messages off the raster");
-  tell(Sign::swapped, swaps_, "log-likelihood of messages one place late");
+  // A repeated or held message also pushes others off the raster; more of those is something else.
+  const int odd = lately(Happened::odd);
+  if (lately(Happened::repeat) >= odd)
+    tell(Sign::repeated, repeats_, "log-likelihood of repeated messages");
+  if (lately(Happened::swap) >= odd)
+    tell(Sign::swapped, swaps_, "log-likelihood of messages one place late");
+  if (odd > std::max(lately(Happened::repeat), lately(Happened::swap)))
+    tell(Sign::irregular, odds_, "log-likelihood of messages off the raster");
   tell(Sign::gaps, gaps_, "log-likelihood of lost messages");
 }
 

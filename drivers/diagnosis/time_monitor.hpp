@@ -37,14 +37,16 @@ class TimeMonitor {
     bool pause = false;  ///< messages did not come and may still do
     bool extra = false;  ///< one came right behind another with the same values
     Stamp pause_at{};
-    long owed = 0;      ///< messages that did not come, of the last pause
-    int regular = 0;    ///< in a row
-    int before = 0;     ///< regular ones in a row before the last pause
-    double hole_s = 0;  ///< how much later than the raster the pause ended
-    int jumps = 0;      ///< messages in a row whose clock is off
+    double allowed_s = 0;  ///< line_s_ as the raster knows it
+    long owed = 0;         ///< messages that did not come, of the last pause
+    int regular = 0;       ///< in a row
+    int before = 0;        ///< regular ones in a row before the last pause
+    double hole_s = 0;     ///< how much later than the raster the pause ended
+    int jumps = 0;         ///< messages in a row whose clock is off
     Stamp jump_since{};
     bool late_by_clock = false;
   };
+  enum class Happened : std::uint8_t { odd, repeat, swap, nothing };
   struct Lasting {
     bool on = false;
     Stamp since{}, until{};
@@ -57,6 +59,9 @@ class TimeMonitor {
   void pause(Stream& stream, const Raster::Arrival& arrival, Stamp at);
   void crowded(Stream& stream, Stamp at, bool same);
   void nothing_happened(Stamp at);
+  void odd(Stamp at);
+  void note(Happened what);
+  int lately(Happened what) const;  ///< of the last 64 messages
   void tell_pattern(Stream& stream, Stamp at);
   void tell_rate(Stream& stream, Stamp at);
   void watch_clock(Stream& stream, const measurement::Origin& origin, Step step);
@@ -67,7 +72,9 @@ class TimeMonitor {
   boost::container::static_vector<Stream, 12> streams_;
   EventTest gaps_, repeats_, swaps_, odds_, backwards_;
   Lasting late_, drifting_;
-  Stamp last_{};  ///< the latest message
+  Stamp last_{};                            ///< the latest message
+  double line_s_ = 0;                       ///< what the line may add to an interval
+  std::array<std::uint64_t, 3> history_{};  ///< one bit a message for each Happened
 };
 
 }  // namespace drydock::diagnosis

@@ -35,6 +35,7 @@ constexpr auto rules = std::to_array<Rule>({
     {Sign::foreign_bytes, Cause::damaged, 0.7, Sign::gaps},
     {Sign::foreign_bytes, Cause::foreign_bytes, 0.8},
     {Sign::impossible, Cause::damaged, 0.8},
+    {Sign::wild_unequal, Cause::damaged, 0.8, Sign::gaps},
     // time
     {Sign::bunched, Cause::burst, 0.9},
     {Sign::repeated, Cause::duplicate, 0.9},
