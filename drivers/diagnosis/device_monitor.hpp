@@ -2,7 +2,8 @@
 
 #include "drivers/device/life_cycle.hpp"
 #include "drivers/diagnosis/line_monitor.hpp"
-#include "drivers/measurement/measurement.hpp"
+#include "drivers/diagnosis/time_monitor.hpp"
+#include "drivers/diagnosis/value_monitor.hpp"
 
 namespace drydock::diagnosis {
 
@@ -11,14 +12,37 @@ namespace drydock::diagnosis {
 class DeviceMonitor {
  public:
   /// The sink must outlive the monitor.
-  DeviceMonitor(const Expected& expected, SymptomSink& to) : line_(expected, to) {}
+  DeviceMonitor(const Expected& expected, SymptomSink& to)
+      : line_(expected, to), times_(expected, to), values_(expected, to) {}
 
-  void take(const measurement::Measurement&) {}
+  void take(const measurement::Measurement& measurement) {
+    const std::uint32_t stream = stream_of(measurement);
+    last_ = measurement::origin_of(measurement).received_at;
+    const bool same = values_.take(stream, measurement);
+    times_.take(stream, measurement::origin_of(measurement), same);
+  }
   /// Call it about every look_period.
-  void look(const device::Health& health, Stamp now) { line_.look(health, now); }
+  void look(const device::Health& health, Stamp now) {
+    // A shorter silence is part of the pattern.
+    if (health.state != device::State::streaming && now - last_ > away) interrupt();
+    line_.look(health, now);
+    times_.look(now);
+    values_.look(now);
+  }
+  /// The whole host stood still, or the device was away: the next intervals mean nothing.
+  void interrupt() {
+    times_.interrupt();
+    values_.interrupt();
+  }
+  void set_under_water(bool under, Stamp now) { values_.set_under_water(under, now); }
 
  private:
+  static constexpr std::chrono::seconds away{3};
+
   LineMonitor line_;
+  TimeMonitor times_;
+  ValueMonitor values_;
+  Stamp last_{};  ///< the latest measurement
 };
 
 inline constexpr std::chrono::milliseconds look_period{250};

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 
 #include "drivers/measurement/kind.hpp"
@@ -13,6 +14,8 @@ struct Expected {
   measurement::Kind kind = measurement::Kind::imu;
   wire::Protocol protocol{};   ///< checksum, own clock, bytes or frames
   double nominal_rate_hz = 0;  ///< 0: not known
+  std::chrono::nanoseconds stale_after = std::chrono::seconds{2};  ///< silence that is none yet
+  std::uint8_t address = 0;                                        ///< on a bus; 0: not known
 };
 
 }  // namespace drydock::diagnosis

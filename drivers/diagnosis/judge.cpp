@@ -1,26 +1,49 @@
 #include "drivers/diagnosis/judge.hpp"
 
 #include <algorithm>
-
-#include "drivers/diagnosis/verdict.hpp"
+#include <span>
 
 namespace drydock::diagnosis {
 namespace {
 
-/// A sign that was not seen for so long is over.
-constexpr std::chrono::seconds memory{5};
-
-/// Bad signs first told by one another: the evidence of a finding, earliest first.
-void fill_evidence(Finding& finding, std::span<const Symptom> signs) {
-  finding.evidence.clear();
-  for (const Symptom& symptom : signs)
-    if (finding.evidence.size() < finding.evidence.capacity())
-      finding.evidence.push_back(
-          {symptom.sign, symptom.value, symptom.limit, symptom.quantity, symptom.unit});
+/// A sign that was not seen for so long is over. States are told at each look, events when they
+/// happen: a fault that strikes one message in five comes at least so often.
+std::chrono::milliseconds memory_of(Sign sign) {
+  switch (sign) {
+    case Sign::silent:
+    case Sign::port_lost:
+    case Sign::nothing_decodes:
+    case Sign::bus_off:
+    case Sign::bus_taken:
+    case Sign::address_taken:
+    case Sign::late:
+    case Sign::clock_step:
+    case Sign::clock_drift:
+    case Sign::heat:
+    case Sign::step: return std::chrono::milliseconds{1500};
+    case Sign::stuck:
+    case Sign::out_of_range:
+    case Sign::noisy:
+    case Sign::values_missing:
+    case Sign::rate_low:
+    case Sign::rate_high: return std::chrono::seconds{3};
+    default: return std::chrono::seconds{10};
+  }
 }
 
-Stamp beginning_of(std::span<const Symptom> signs) {
-  return std::ranges::min(signs, {}, &Symptom::since).since;
+void add_evidence(Finding& finding, const Symptom& symptom) {
+  if (finding.evidence.size() < finding.evidence.capacity())
+    finding.evidence.push_back(
+        {symptom.sign, symptom.value, symptom.limit, symptom.quantity, symptom.unit});
+}
+
+/// What decided comes first, then the others.
+void fill_evidence(Finding& finding, std::span<const Symptom> signs, Sign decided) {
+  finding.evidence.clear();
+  for (const Symptom& symptom : signs)
+    if (symptom.sign == decided) add_evidence(finding, symptom);
+  for (const Symptom& symptom : signs)
+    if (symptom.sign != decided) add_evidence(finding, symptom);
 }
 
 }  // namespace
@@ -43,28 +66,44 @@ void Judge::settle(Stamp now) {
   for (std::size_t device = 0; device < cases_.size(); ++device) {
     Case& one = cases_[device];
     forget_old(one, now);
-    const auto verdict = verdict_on({one.signs.data(), one.signs.size()});
-    if (one.finding && (!verdict || verdict->cause != one.finding->cause)) {
-      one.finding->until = now;
-      to_.on_finding(*one.finding);
-      one.finding.reset();
-    }
-    if (!verdict || one.finding) continue;
-    Finding& finding = one.finding.emplace();
-    finding.device = static_cast<std::uint16_t>(device);
-    finding.cause = verdict->cause;
-    finding.confidence = verdict->confidence;
-    finding.since = beginning_of({one.signs.data(), one.signs.size()});
-    finding.found = now;
-    fill_evidence(finding, {one.signs.data(), one.signs.size()});
-    to_.on_finding(finding);
+    const std::span<const Symptom> signs{one.signs.data(), one.signs.size()};
+    const auto verdict = verdict_on(signs);
+    if (one.finding && verdict && verdict->cause == one.finding->cause) continue;
+    const auto since = end(one, now);
+    if (verdict) begin(one, static_cast<std::uint16_t>(device), *verdict, since, now);
   }
+}
+
+std::optional<Stamp> Judge::end(Case& one, Stamp now) {
+  if (!one.finding) return {};
+  const Stamp since = one.finding->since;
+  one.finding->until = now;
+  to_.on_finding(*one.finding);
+  one.finding.reset();
+  return since;
+}
+
+void Judge::begin(Case& one, std::uint16_t device, const Verdict& verdict,
+                  std::optional<Stamp> since, Stamp now) {
+  const std::span<const Symptom> signs{one.signs.data(), one.signs.size()};
+  Finding& finding = one.finding.emplace();
+  finding.device = device;
+  finding.cause = verdict.cause;
+  finding.confidence = verdict.confidence;
+  // A better word is about the same trouble.
+  const Stamp seen = std::ranges::find(signs, verdict.by, &Symptom::sign)->since;
+  finding.since = since ? std::min(*since, seen) : seen;
+  finding.found = now;
+  fill_evidence(finding, signs, verdict.by);
+  to_.on_finding(finding);
 }
 
 void Judge::forget_old(Case& one, Stamp now) {
   auto& signs = one.signs;
   signs.erase(std::remove_if(signs.begin(), signs.end(),
-                             [&](const Symptom& symptom) { return now - symptom.at > memory; }),
+                             [&](const Symptom& symptom) {
+                               return now - symptom.at > memory_of(symptom.sign);
+                             }),
               signs.end());
 }
 

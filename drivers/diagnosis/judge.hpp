@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "drivers/diagnosis/finding.hpp"
+#include "drivers/diagnosis/verdict.hpp"
 
 namespace drydock::diagnosis {
 
@@ -24,10 +25,14 @@ class Judge final : public SymptomSink {
 
  private:
   struct Case {
-    boost::container::static_vector<Symptom, 16> signs;  ///< each sign once, the latest of each
+    boost::container::static_vector<Symptom, 40> signs;  ///< each sign once, the latest of each
     std::optional<Finding> finding;
   };
-  void forget_old(Case& one, Stamp now);
+  static void forget_old(Case& one, Stamp now);
+  /// Returns since when the ended finding was there.
+  std::optional<Stamp> end(Case& one, Stamp now);
+  void begin(Case& one, std::uint16_t device, const Verdict& verdict, std::optional<Stamp> since,
+             Stamp now);
 
   std::vector<Case> cases_;
   FindingListener& to_;

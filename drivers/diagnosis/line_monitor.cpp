@@ -1,38 +1,98 @@
 #include "drivers/diagnosis/line_monitor.hpp"
 
-namespace drydock::diagnosis {
+#include <algorithm>
 
-void LineMonitor::look(const device::Health& health, Stamp now) {
-  using device::State;
-  if (health.state == State::stale || health.state == State::waiting)
-    see(Sign::silent, health.last_message_at.value_or(health.since), now,
-        measurement::seconds(now - health.since), 0, "silence", "s");
-  if (health.state == State::backing_off)
-    see(Sign::port_lost, health.since, now, health.reopened, 0, "reopens", "");
+#include "drivers/device/reported.hpp"
+
+namespace drydock::diagnosis {
+namespace {
+
+using device::Health;
+using device::State;
+
+/// A device that has just been opened may still boot.
+constexpr std::chrono::seconds longest_boot{10};
+/// Bytes without a frame for so long are no frame of this protocol.
+constexpr std::chrono::milliseconds shortest_babel{900};
+/// A device says only once that it is hot.
+constexpr std::chrono::seconds heat_lasts{30};
+
+double grown(std::uint64_t now, std::uint64_t before) {
+  return now > before ? static_cast<double>(now - before) : 0;
+}
+
+}  // namespace
+
+LineMonitor::LineMonitor(const Expected& expected, SymptomSink& to)
+    : expected_(expected), teller_(expected.device, to) {}
+
+void LineMonitor::look(const Health& health, Stamp now) {
+  look_at_state(health, now);
+  if (!looked_) last_frame_ = now;
+  look_at_bytes(health, now);
   if (looked_) {
-    const auto& was = last_.stream;
-    if (health.stream.bad_checksums > was.bad_checksums)
-      see(Sign::bad_checksums, now, now,
-          static_cast<double>(health.stream.bad_checksums - was.bad_checksums), 0, "damaged frames",
-          "");
-    if (health.error_frames > last_.error_frames)
-      see(Sign::error_frames, now, now,
-          static_cast<double>(health.error_frames - last_.error_frames), 0, "error frames", "");
+    look_at_counters(health, now);
+    look_at_reports(health, now);
   }
   last_ = health;
   looked_ = true;
 }
 
-void LineMonitor::see(Sign sign, Stamp since, Stamp now, double value, double limit,
-                      std::string_view quantity, std::string_view unit) {
-  to_.see({.device = expected_.device,
-           .sign = sign,
-           .since = since,
-           .at = now,
-           .value = value,
-           .limit = limit,
-           .quantity = quantity,
-           .unit = unit});
+void LineMonitor::look_at_state(const Health& health, Stamp now) {
+  const auto patience = std::max<std::chrono::nanoseconds>(expected_.stale_after, longest_boot);
+  const bool silent = health.state == State::stale ||
+                      (health.state == State::waiting && now - health.since > patience);
+  const Stamp last = health.last_message_at.value_or(health.since);
+  if (silent)
+    teller_.tell(Sign::silent, last, now,
+                 {measurement::seconds(now - last), measurement::seconds(expected_.stale_after),
+                  "silence", "s"});
+  if (health.state == State::backing_off)
+    teller_.tell(Sign::port_lost, health.since, now,
+                 {static_cast<double>(health.reopened), 0, "reopens", ""});
+}
+
+void LineMonitor::look_at_bytes(const Health& health, Stamp now) {
+  if (health.stream.frames != last_.stream.frames ||
+      expected_.protocol.travels == wire::Travels::as_frames) {
+    last_frame_ = now;
+    bytes_then_ = health.stream.bytes_in;
+    return;
+  }
+  const auto patience = std::max<std::chrono::nanoseconds>(
+      shortest_babel, measurement::from_seconds(3 / std::max(expected_.nominal_rate_hz, 0.1)));
+  const double bytes = grown(health.stream.bytes_in, bytes_then_);
+  constexpr double fewest = 16;
+  // Bytes must still come: the rest of a damaged frame before a silence is none of this.
+  if (health.stream.bytes_in != last_.stream.bytes_in) bytes_at_ = now;
+  if (now - last_frame_ > patience && bytes >= fewest && now - bytes_at_ < patience)
+    teller_.tell(Sign::nothing_decodes, last_frame_, now,
+                 {bytes, fewest, "bytes without a frame", "B"});
+}
+
+void LineMonitor::look_at_counters(const Health& health, Stamp now) {
+  const auto& was = last_.stream;
+  // On a bus the driver also counts frames of others and halves of samples: the bus monitor looks.
+  const bool bytes = expected_.protocol.travels == wire::Travels::as_bytes;
+  const double damaged = bytes ? grown(health.stream.bad_checksums, was.bad_checksums) : 0;
+  if (damaged > 0) teller_.tell(Sign::bad_checksums, now, now, {damaged, 0, "damaged frames", ""});
+  const double skipped = grown(health.stream.bytes_skipped, was.bytes_skipped);
+  if (skipped > 0 && damaged == 0 && bytes)
+    teller_.tell(Sign::foreign_bytes, now, now, {skipped, 0, "bytes outside of frames", "B"});
+  const double errors = grown(health.error_frames, last_.error_frames);
+  if (errors > 0) teller_.tell(Sign::error_frames, now, now, {errors, 0, "error frames", ""});
+  const double impossible = grown(health.impossible, last_.impossible);
+  if (impossible > 0)
+    teller_.tell(Sign::impossible, now, now, {impossible, 0, "impossible values", ""});
+}
+
+void LineMonitor::look_at_reports(const Health& health, Stamp now) {
+  const bool news = health.last_error.view() != last_.last_error.view();
+  if (news && health.last_error.view() == device::hot_report) {
+    hot_since_ = now;
+    hot_until_ = now + heat_lasts;
+  }
+  if (now < hot_until_) teller_.tell(Sign::heat, hot_since_, now, {1, 0, "reports of heat", ""});
 }
 
 }  // namespace drydock::diagnosis

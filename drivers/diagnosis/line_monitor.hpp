@@ -1,27 +1,35 @@
 #pragma once
 
 #include "drivers/device/health.hpp"
+#include "drivers/diagnosis/event_test.hpp"
 #include "drivers/diagnosis/expected.hpp"
-#include "drivers/diagnosis/symptom.hpp"
+#include "drivers/diagnosis/teller.hpp"
 
 namespace drydock::diagnosis {
 
-/// Watches the line of one device: silence, lost ports, damaged frames, foreign bytes, CAN errors.
+/// Watches the line of one device by the counters of its driver: silence, lost ports, damaged
+/// frames, foreign bytes, bytes that no one understands, CAN errors, reported heat.
 class LineMonitor {
  public:
   /// The sink must outlive the monitor.
-  LineMonitor(const Expected& expected, SymptomSink& to) : expected_(expected), to_(to) {}
+  LineMonitor(const Expected& expected, SymptomSink& to);
 
   void look(const device::Health& health, Stamp now);
 
  private:
-  void see(Sign sign, Stamp since, Stamp now, double value, double limit, std::string_view quantity,
-           std::string_view unit);
+  void look_at_state(const device::Health& health, Stamp now);
+  void look_at_bytes(const device::Health& health, Stamp now);
+  void look_at_counters(const device::Health& health, Stamp now);
+  void look_at_reports(const device::Health& health, Stamp now);
 
   Expected expected_;
-  SymptomSink& to_;
+  Teller teller_;
   device::Health last_{};
   bool looked_ = false;
+  Stamp last_frame_{};  ///< when the counter of good frames last moved
+  Stamp bytes_at_{};    ///< when bytes last came
+  std::uint64_t bytes_then_ = 0;
+  Stamp hot_since_{}, hot_until_{};
 };
 
 }  // namespace drydock::diagnosis

@@ -5,14 +5,46 @@
 namespace drydock::diagnosis {
 
 std::string_view to_string(Sign sign) {
-  constexpr auto names = std::to_array<std::string_view>(
-      {"silent",         "port lost", "bad checksums", "foreign bytes", "nothing decodes",
-       "error frames",   "trouble",   "rate too low",  "rate too high", "gaps",
-       "bunched",        "late",      "irregular",     "clock step",    "clock drift",
-       "time backwards", "repeated",  "stuck",         "noisy",         "wild samples",
-       "out of range",   "no values", "low quality",   "step",          "offset",
-       "ramp",           "scale",     "rotated",       "delayed"});
-  static_assert(names.size() == static_cast<std::size_t>(Sign::delayed) + 1);
+  constexpr auto names = std::to_array<std::string_view>({"silent",
+                                                          "port lost",
+                                                          "bad checksums",
+                                                          "foreign bytes",
+                                                          "nothing decodes",
+                                                          "error frames",
+                                                          "trouble",
+                                                          "rate too low",
+                                                          "rate too high",
+                                                          "gaps",
+                                                          "bunched",
+                                                          "late",
+                                                          "irregular",
+                                                          "clock step",
+                                                          "clock drift",
+                                                          "time backwards",
+                                                          "repeated",
+                                                          "stuck",
+                                                          "noisy",
+                                                          "wild samples",
+                                                          "out of range",
+                                                          "no values",
+                                                          "low quality",
+                                                          "step",
+                                                          "offset",
+                                                          "ramp",
+                                                          "scale",
+                                                          "rotated",
+                                                          "delayed",
+                                                          "bus-off",
+                                                          "bus taken",
+                                                          "strange frames",
+                                                          "address taken",
+                                                          "swapped",
+                                                          "wild samples of all sizes",
+                                                          "impossible values",
+                                                          "satellites gone",
+                                                          "signals changed",
+                                                          "heat"});
+  static_assert(names.size() == static_cast<std::size_t>(Sign::heat) + 1);
   return names[static_cast<std::size_t>(sign)];
 }
 

@@ -40,7 +40,19 @@ enum class Sign : std::uint8_t {
   ramp,    ///< the difference grows
   scale,
   rotated,  ///< mounting
-  delayed   ///< agrees, but with an earlier time
+  delayed,  ///< agrees, but with an earlier time
+  // the bus
+  bus_off,         ///< this computer's controller has left the bus
+  bus_taken,       ///< identifiers that were not there before take a large share of the bus
+  strange_frames,  ///< many identifiers, each seen once
+  address_taken,   ///< another NAME claims the device's address
+  // of the device
+  swapped,       ///< a message came one place too late, together with its successor
+  wild_unequal,  ///< single impossible samples of all sizes, as damaged bits make them
+  impossible,    ///< values that no sensor of its kind gives, refused by the driver
+  satellites_gone,
+  signals_changed,  ///< all satellites are weaker or stronger than they were
+  heat              ///< the device says that it is too hot
 };
 
 std::string_view to_string(Sign sign);

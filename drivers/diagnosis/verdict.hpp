@@ -11,6 +11,7 @@ namespace drydock::diagnosis {
 struct Verdict {
   Cause cause = Cause::silent;
   double confidence = 0;
+  Sign by = Sign::silent;  ///< the sign that decided
 };
 
 /// What the present signs of one device mean together. Empty: they are not enough.

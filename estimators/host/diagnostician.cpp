@@ -1,5 +1,12 @@
 #include "estimators/host/diagnostician.hpp"
 
+#include <algorithm>
+#include <string>
+
+#include "drivers/diagnosis/bus_monitor.hpp"
+#include "drivers/diagnosis/device_monitor.hpp"
+#include "drivers/diagnosis/judge.hpp"
+
 namespace drydock::host {
 namespace {
 
@@ -8,29 +15,149 @@ diagnosis::Expected expected_of(const rig_config::DeviceConfig& config, std::siz
   return {.device = static_cast<std::uint16_t>(device),
           .kind = config.kind,
           .protocol = protocol != nullptr ? *protocol : wire::Protocol{},
-          .nominal_rate_hz = config.rate_hz};
+          .nominal_rate_hz = config.rate_hz,
+          .stale_after = measurement::from_seconds(config.stale_after_s),
+          .address = static_cast<std::uint8_t>(config.address)};
 }
+
+/// A device that must have said so much by then, and did not, was held up.
+constexpr double due_messages = 2;
+/// An antenna that is so close to the surface is wet now and then.
+constexpr double dry_height_m = 0.3;
 
 }  // namespace
 
-Diagnostician::Diagnostician(const rig_config::Rig& rig, Follower& to)
-    : teller_(to), judge_(rig.devices.size(), teller_) {
+class Diagnostician::Bench final : public Follower, private diagnosis::FindingListener {
+ public:
+  Bench(const rig_config::Rig& rig, Follower& to);
+
+  void watch(std::vector<const device::Device*> devices);
+  void on_frame(std::string_view link, shell::Direction way, const wire::CanFrame& frame,
+                Stamp at) override;
+  void on_measurement(const measurement::Measurement& measurement) override;
+  void look(Stamp now);
+  const diagnosis::Judge& judge() const { return judge_; }
+
+ private:
+  struct Bus {
+    std::string link;
+    diagnosis::BusMonitor monitor;
+    std::size_t device;  ///< one that is on it
+  };
+  struct Line {
+    std::string link;
+    double rate_hz = 0;  ///< of all its devices
+    Stamp last{};
+  };
+  void add_buses(const rig_config::Rig& rig);
+  void notice_stall(std::size_t device, Stamp now);
+  void notice_depth(const measurement::DepthSample& sample, std::size_t device);
+  void on_finding(const diagnosis::Finding& finding) override { to_.on_finding(finding); }
+
+  Follower& to_;
+  diagnosis::Judge judge_;
+  std::vector<diagnosis::DeviceMonitor> monitors_;
+  std::vector<const device::Device*> devices_;
+  std::vector<Bus> buses_;
+  std::vector<Line> lines_;           ///< each link once
+  std::vector<std::size_t> line_of_;  ///< of each device
+  std::vector<double> down_m_;        ///< of each device below the vehicle's origin
+  Stamp next_look_{}, last_{};
+};
+
+Diagnostician::Bench::Bench(const rig_config::Rig& rig, Follower& to)
+    : to_(to), judge_(rig.devices.size(), *this) {
   monitors_.reserve(rig.devices.size());
-  for (std::size_t i = 0; i < rig.devices.size(); ++i)
-    monitors_.emplace_back(expected_of(rig.devices[i], i), judge_);
+  for (std::size_t i = 0; i < rig.devices.size(); ++i) {
+    const auto& config = rig.devices[i];
+    monitors_.emplace_back(expected_of(config, i), judge_);
+    down_m_.push_back(config.lever_arm_m[2]);
+    auto line = std::ranges::find(lines_, config.link, &Line::link);
+    if (line == lines_.end()) line = lines_.insert(lines_.end(), Line{config.link});
+    line->rate_hz += config.rate_hz;
+    line_of_.push_back(static_cast<std::size_t>(line - lines_.begin()));
+  }
+  add_buses(rig);
 }
 
-void Diagnostician::on_measurement(const measurement::Measurement& measurement) {
+void Diagnostician::Bench::add_buses(const rig_config::Rig& rig) {
+  for (const Line& line : lines_) {
+    std::vector<diagnosis::Expected> nodes;
+    for (std::size_t i = 0; i < rig.devices.size(); ++i)
+      if (rig.devices[i].link == line.link) nodes.push_back(expected_of(rig.devices[i], i));
+    const bool frames = nodes.front().protocol.travels == wire::Travels::as_frames;
+    if (frames) buses_.push_back({line.link, {nodes, judge_}, nodes.front().device});
+  }
+}
+
+void Diagnostician::Bench::watch(std::vector<const device::Device*> devices) {
+  devices_ = std::move(devices);
+  for (Bus& bus : buses_)
+    for (const auto* device : devices_)
+      if (device->index() == bus.device) bus.monitor.set_bitrate(device->options().driver.bitrate);
+}
+
+void Diagnostician::Bench::on_frame(std::string_view link, shell::Direction way,
+                                    const wire::CanFrame& frame, Stamp at) {
+  if (way != shell::Direction::received) return;
+  const auto bus = std::ranges::find(buses_, link, &Bus::link);
+  if (bus != buses_.end()) bus->monitor.take(frame, at);
+}
+
+void Diagnostician::Bench::on_measurement(const measurement::Measurement& measurement) {
   const auto& origin = measurement::origin_of(measurement);
+  notice_stall(origin.device, origin.received_at);
   monitors_.at(origin.device).take(measurement);
+  if (const auto* depth = std::get_if<measurement::DepthSample>(&measurement))
+    notice_depth(*depth, origin.device);
   if (origin.received_at >= next_look_) look(origin.received_at);
 }
 
-void Diagnostician::look(Stamp now) {
+void Diagnostician::Bench::notice_stall(std::size_t device, Stamp now) {
+  const double silent_s = measurement::seconds(now - last_);
+  const auto due = std::ranges::count_if(lines_, [&](const Line& line) {
+    const bool streamed = now - line.last < std::chrono::seconds{10};
+    return streamed && line.rate_hz * silent_s > due_messages;
+  });
+  // Devices on different lines do not fall silent together: the host stood still.
+  if (due > 1)
+    for (auto& monitor : monitors_) monitor.interrupt();
+  last_ = std::max(last_, now);
+  lines_[line_of_[device]].last = now;
+}
+
+void Diagnostician::Bench::notice_depth(const measurement::DepthSample& sample,
+                                        std::size_t device) {
+  if (!sample.depth_m) return;
+  for (std::size_t i = 0; i < monitors_.size(); ++i) {
+    const double antenna_m = *sample.depth_m - down_m_[device] + down_m_[i];
+    monitors_[i].set_under_water(antenna_m > -dry_height_m, sample.origin.received_at);
+  }
+}
+
+void Diagnostician::Bench::look(Stamp now) {
   for (const auto* device : devices_) monitors_.at(device->index()).look(device->health(now), now);
+  for (Bus& bus : buses_) bus.monitor.look(now);
   judge_.settle(now);
   next_look_ = now + diagnosis::look_period;
 }
+
+Diagnostician::Diagnostician(const rig_config::Rig& rig, Follower& to)
+    : bench_(std::make_unique<Bench>(rig, to)) {}
+Diagnostician::~Diagnostician() = default;
+
+void Diagnostician::watch(std::vector<const device::Device*> devices) {
+  bench_->watch(std::move(devices));
+}
+void Diagnostician::on_frame(std::string_view link, shell::Direction way,
+                             const wire::CanFrame& frame, Stamp at) {
+  bench_->on_frame(link, way, frame, at);
+}
+void Diagnostician::on_measurement(const measurement::Measurement& measurement) {
+  bench_->on_measurement(measurement);
+}
+void Diagnostician::look(Stamp now) { bench_->look(now); }
+const diagnosis::Judge& Diagnostician::judge() const { return bench_->judge(); }
 
 std::shared_ptr<Follower> diagnostician_beside(const rig_config::Rig& rig,
                                                std::vector<const device::Device*> devices,

@@ -3,10 +3,12 @@
 #include <memory>
 #include <vector>
 
-#include "drivers/diagnosis/device_monitor.hpp"
-#include "drivers/diagnosis/judge.hpp"
 #include "drivers/host/follower.hpp"
 #include "rig_config/rig.hpp"
+
+namespace drydock::diagnosis {
+class Judge;
+}
 
 namespace drydock::host {
 
@@ -16,11 +18,14 @@ class Diagnostician final : public Follower {
  public:
   /// Rig and followers must outlive the diagnostician.
   Diagnostician(const rig_config::Rig& rig, Follower& to);
+  ~Diagnostician() override;
 
   /// The drivers whose health it looks at; they must outlive it. Without them it sees only
-  /// measurements.
-  void watch(std::vector<const device::Device*> devices) { devices_ = std::move(devices); }
+  /// measurements and frames.
+  void watch(std::vector<const device::Device*> devices);
 
+  void on_frame(std::string_view link, shell::Direction way, const wire::CanFrame& frame,
+                Stamp at) override;
   void on_measurement(const measurement::Measurement& measurement) override;
   void on_health(const HealthReport&, Stamp now) override { look(now); }
 
@@ -28,25 +33,11 @@ class Diagnostician final : public Follower {
   /// health; a caller with a clock may call it more often.
   void look(Stamp now);
 
-  const diagnosis::Judge& judge() const { return judge_; }
+  const diagnosis::Judge& judge() const;
 
  private:
-  /// It stands apart from the follower: the others hear findings, the diagnostician itself makes
-  /// them.
-  class Teller final : public diagnosis::FindingListener {
-   public:
-    explicit Teller(Follower& to) : to_(to) {}
-    void on_finding(const diagnosis::Finding& finding) override { to_.on_finding(finding); }
-
-   private:
-    Follower& to_;
-  };
-
-  Teller teller_;
-  diagnosis::Judge judge_;
-  std::vector<diagnosis::DeviceMonitor> monitors_;
-  std::vector<const device::Device*> devices_;
-  Stamp next_look_{};
+  class Bench;  ///< the monitors and the judge
+  std::unique_ptr<Bench> bench_;
 };
 
 /// A diagnostician as a follower beside drivers: host::Beside.

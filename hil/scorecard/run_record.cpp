@@ -84,6 +84,11 @@ class Recorder final : private host::Follower {
       if (one.device == finding.device && !one.until_s) one.until_s = since_start(*finding.until);
   }
 
+  void on_frame(std::string_view link, shell::Direction way, const wire::CanFrame& frame,
+                Stamp at) override {
+    diagnostician_.on_frame(link, way, frame, at);
+  }
+
   void on_measurement(const measurement::Measurement& m) override {
     diagnostician_.on_measurement(m);
     const auto& origin = measurement::origin_of(m);

@@ -14,7 +14,7 @@ drivers/terminal
 drivers/capture            drivers/wire
 drivers/device             drivers/wire drivers/measurement
 drivers/survey             drivers/device drivers/wire drivers/measurement
-drivers/diagnosis          drivers/device drivers/wire/protocols drivers/measurement rig_config/fault_vocabulary
+drivers/diagnosis          drivers/device drivers/wire drivers/measurement rig_config/fault_vocabulary
 drivers/link               drivers/io drivers/capture drivers/wire drivers/measurement
 drivers/shell              drivers/device drivers/link drivers/io drivers/capture drivers/wire drivers/measurement rig_config
 drivers/bus                drivers/measurement

@@ -1,6 +1,7 @@
 #include "drivers/device/dvl/water_linked_driver.hpp"
 
 #include "drivers/device/dvl/velocity_accuracy.hpp"
+#include "drivers/device/reported.hpp"
 #include "drivers/device/dvl/water_linked_report.hpp"
 
 namespace drydock::device {
@@ -77,7 +78,7 @@ void WaterLinkedDriver::heed_silence(Stamp now, Output& out) {
 }
 
 void WaterLinkedDriver::heed_heat(bool hot, Output& out) {
-  if (hot && !hot_) out.report("the DVL is hot and will shut down soon");
+  if (hot && !hot_) out.report(hot_report);
   hot_ = hot;
 }
 

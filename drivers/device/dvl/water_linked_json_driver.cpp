@@ -1,6 +1,7 @@
 #include "drivers/device/dvl/water_linked_json_driver.hpp"
 
 #include "drivers/device/dvl/velocity_accuracy.hpp"
+#include "drivers/device/reported.hpp"
 #include "drivers/device/dvl/water_linked_report.hpp"
 
 namespace drydock::device {
@@ -88,7 +89,7 @@ void WaterLinkedJsonDriver::heed_silence(Stamp now, Output& out) {
 }
 
 void WaterLinkedJsonDriver::heed_heat(bool hot, Output& out) {
-  if (hot && !hot_) out.report("the DVL is hot and will shut down soon");
+  if (hot && !hot_) out.report(hot_report);
   hot_ = hot;
 }
 

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <array>
+#include <bit>
+#include <cstdint>
+
+#include "drivers/diagnosis/raster.hpp"
+
+namespace drydock::diagnosis {
+
+/// The last steps of one stream of messages, and the shapes that can be seen in them.
+class ArrivalPattern {
+ public:
+  void add(const Raster::Arrival& arrival, double period_s) {
+    crowded_ = crowded_ << 1 | (arrival.step == Step::crowded ? 1U : 0U);
+    if (arrival.step == Step::crowded) return;
+    intervals_[next_++ % intervals_.size()] = arrival.interval_s;
+    const bool pause = arrival.interval_s > long_interval * period_s;
+    pauses_in_a_row_ = pause ? pauses_in_a_row_ + 1 : 0;
+    if (pause) pauses_[next_pause_++ % pauses_.size()] = arrival.interval_s;
+  }
+  void clear() { *this = {}; }
+
+  /// Pauses of one length, each followed by what was held and then by the next pause.
+  bool bunched() const {
+    constexpr int fewest = 3, fewest_of_8 = 3;
+    return std::popcount(crowded_ & 0xFFU) >= fewest_of_8 && pauses_in_a_row_ >= fewest &&
+           alike(pauses_, 0.03);
+  }
+  /// All intervals are longer (or shorter) than the period by one factor. 1: they are not.
+  double slower(double period_s) const {
+    constexpr double least = 0.2;
+    if (next_ < intervals_.size() || !alike(intervals_, 0.12)) return 1;
+    const double factor = intervals_[0] / period_s;
+    return std::abs(factor - 1) > least ? factor : 1;
+  }
+
+ private:
+  static constexpr double long_interval = 1.6;  ///< periods
+  template <std::size_t N>
+  static bool alike(const std::array<double, N>& intervals, double spread) {
+    const auto [least, most] = std::ranges::minmax(intervals);
+    return most - least < spread * most;
+  }
+
+  std::uint32_t crowded_ = 0;  ///< one bit a message, the latest lowest
+  std::array<double, 6> intervals_{};
+  std::array<double, 3> pauses_{};
+  std::size_t next_ = 0, next_pause_ = 0;
+  int pauses_in_a_row_ = 0;  ///< with nothing on the raster between them
+};
+
+}  // namespace drydock::diagnosis

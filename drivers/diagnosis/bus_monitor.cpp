@@ -1,0 +1,189 @@
+#include "drivers/diagnosis/bus_monitor.hpp"
+
+#include <algorithm>
+
+#include "drivers/wire/can/can_bits.hpp"
+#include "drivers/wire/j1939/j1939.hpp"
+
+namespace drydock::diagnosis {
+namespace {
+
+// linux/can/error.h
+constexpr std::uint32_t bus_off_class = 0x040;
+
+/// A bus is taken if what was not there before has this share of its bits. The rest of a sound bus
+/// grows by less when a node joins.
+constexpr double largest_new_share = 0.2;
+constexpr std::chrono::milliseconds load_window{500};
+/// Strange frames that come at least so often, and at least so many of them, are no accident.
+constexpr std::chrono::seconds strange_pause{10};
+constexpr unsigned fewest_strange = 3;
+/// The next frame behind a strange one, if it comes so soon, is of the node that sent both.
+constexpr std::chrono::milliseconds soon{3};
+
+std::uint32_t key_of(const wire::CanFrame& frame) {
+  constexpr std::uint32_t extended_bit = 0x80000000;
+  return frame.extended ? frame.id | extended_bit : frame.id;
+}
+
+std::uint64_t size_bit(const wire::CanFrame& frame) {
+  return std::uint64_t{1} << std::min<unsigned>(frame.size, 63);
+}
+
+std::uint64_t name_of(const wire::CanFrame& frame) {
+  std::uint64_t name = 0;
+  for (std::size_t i = 8; i-- > 0;) name = name << 8 | frame.data[i];
+  return name;
+}
+
+/// Frames by which nodes settle their addresses and states. They come at any time.
+bool manages(const wire::CanFrame& frame, wire::Network network) {
+  if (network == wire::Network::j1939) {
+    if (!frame.extended) return false;
+    const auto pgn = wire::j1939::parse_identifier(frame.id).pgn;
+    return pgn == wire::j1939::address_claim_pgn || pgn == wire::j1939::request_pgn;
+  }
+  // CiA 301: NMT 000h is the only one that a babbling node also uses, so it is none of these.
+  const std::uint32_t function = frame.id & 0x780;
+  return network == wire::Network::canopen && !frame.extended &&
+         (function == 0x080 || function == 0x580 || function == 0x600 || function == 0x700);
+}
+
+}  // namespace
+
+BusMonitor::BusMonitor(const std::vector<Expected>& devices, SymptomSink& to) {
+  for (const Expected& expected : devices) nodes_.push_back({expected, {expected.device, to}});
+}
+
+void BusMonitor::take(const wire::CanFrame& frame, Stamp at) {
+  if (!first_) {
+    first_ = at;
+    window_from_ = at;
+  }
+  if (frame.error) return take_error(frame, at);
+  off_ = false;
+  take_claim(frame, at);
+  judge_identifier(frame, at);
+}
+
+void BusMonitor::take_error(const wire::CanFrame& frame, Stamp at) {
+  const bool off = (frame.id & bus_off_class) != 0;
+  if (off && !off_) off_since_ = at;
+  off_ = off;
+}
+
+void BusMonitor::take_claim(const wire::CanFrame& frame, Stamp at) {
+  const auto identifier = wire::j1939::identify(frame);
+  if (!identifier || identifier->pgn != wire::j1939::address_claim_pgn || frame.size != 8) return;
+  for (Node& node : nodes_) {
+    const bool here = node.expected.protocol.network == wire::Network::j1939 &&
+                      node.expected.address != 0 && node.expected.address == identifier->source;
+    if (!here) continue;
+    if (node.name == 0) node.name = name_of(frame);
+    const bool robbed = node.name != name_of(frame);
+    if (robbed && !node.robbed) node.robbed_since = at;
+    node.robbed = robbed;
+  }
+}
+
+void BusMonitor::judge_identifier(const wire::CanFrame& frame, Stamp at) {
+  if (!is_usual(frame, at)) {
+    new_bits_ += wire::wire_bits(frame);
+    // A node that joins repeats its identifiers; noise does not.
+    if (!is_repeated(key_of(frame))) note_strange(at);
+    return;
+  }
+  if (behind_strange_ && at - strange_at_ < soon)
+    if (Node* node = owner_of(frame)) ++node->follows_strange;
+  behind_strange_ = false;
+}
+
+bool BusMonitor::is_usual(const wire::CanFrame& frame, Stamp at) {
+  const auto usual = std::ranges::find(usual_, key_of(frame), &Usual::key);
+  if (usual != usual_.end()) {
+    judge_size(*usual, frame, at);
+    return true;
+  }
+  if (at - *first_ < learning && usual_.size() < usual_.capacity()) {
+    usual_.push_back({key_of(frame), size_bit(frame)});
+    return true;
+  }
+  return std::ranges::any_of(
+      nodes_, [&](const Node& node) { return manages(frame, node.expected.protocol.network); });
+}
+
+void BusMonitor::judge_size(Usual& usual, const wire::CanFrame& frame, Stamp at) {
+  if (at - *first_ < learning) usual.sizes |= size_bit(frame);
+  if ((usual.sizes & size_bit(frame)) != 0) return;
+  const Amount amount{static_cast<double>(frame.size), 8, "bytes of a frame that had others", "B"};
+  if (const Node* node = owner_of(frame))
+    return node->teller.tell(Sign::bad_checksums, at, at, amount);
+  tell_all(Sign::bad_checksums, at, at, amount);
+}
+
+bool BusMonitor::is_repeated(std::uint32_t key) {
+  if (std::ranges::find(recent_, key + 1) != recent_.end()) return true;
+  recent_[next_recent_++ % recent_.size()] = key + 1;  // 0 stands for none
+  return false;
+}
+
+void BusMonitor::note_strange(Stamp at) {
+  if (at - strange_at_ > strange_pause) {
+    strange_ = 0;
+    strange_since_ = at;
+    for (Node& node : nodes_) node.follows_strange = 0;
+  }
+  ++strange_;
+  strange_at_ = at;
+  behind_strange_ = true;
+}
+
+BusMonitor::Node* BusMonitor::owner_of(const wire::CanFrame& frame) {
+  for (Node& node : nodes_) {
+    const std::uint8_t address = node.expected.address;
+    const wire::Network network = node.expected.protocol.network;
+    if (address == 0) continue;
+    if (network == wire::Network::j1939 && frame.extended && (frame.id & 0xFF) == address)
+      return &node;
+    if (network == wire::Network::canopen && !frame.extended && (frame.id & 0x7F) == address)
+      return &node;
+  }
+  return nullptr;
+}
+
+void BusMonitor::look(Stamp now) {
+  if (!first_) return;
+  if (off_) tell_all(Sign::bus_off, off_since_, now, {1, 0, "bus-off", ""});
+  for (const Node& node : nodes_)
+    if (node.robbed)
+      node.teller.tell(Sign::address_taken, node.robbed_since, now,
+                       {2, 1, "NAMEs that claim its address", ""});
+  if (now - window_from_ >= load_window) look_at_load(now);
+  look_at_strange(now);
+}
+
+void BusMonitor::look_at_load(Stamp now) {
+  const double could = measurement::seconds(now - window_from_) * bitrate_;
+  const double share = new_bits_ / could;
+  if (share > largest_new_share)
+    tell_all(Sign::bus_taken, window_from_, now,
+             {share, largest_new_share, "share of the bus of new identifiers", ""});
+  window_from_ = now;
+  new_bits_ = 0;
+}
+
+void BusMonitor::look_at_strange(Stamp now) {
+  if (strange_ < fewest_strange || strange_ == strange_told_) return;
+  strange_told_ = strange_;
+  const Amount amount{static_cast<double>(strange_), 0, "frames with identifiers seen once", ""};
+  const auto sender = std::ranges::max_element(nodes_, {}, &Node::follows_strange);
+  if (nodes_.size() > 1 && sender->follows_strange * 2 > strange_)
+    return sender->teller.tell(Sign::strange_frames, strange_since_, now, amount);
+  tell_all(Sign::strange_frames, strange_since_, now, amount);
+}
+
+void BusMonitor::tell_all(Sign sign, Stamp since, Stamp now, const Amount& amount) {
+  for (const Node& node : nodes_) node.teller.tell(sign, since, now, amount);
+}
+
+}  // namespace drydock::diagnosis

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <array>
+#include <boost/container/static_vector.hpp>
+#include <optional>
+#include <vector>
+
+#include "drivers/diagnosis/expected.hpp"
+#include "drivers/diagnosis/teller.hpp"
+#include "drivers/wire/can/can_frame.hpp"
+
+namespace drydock::diagnosis {
+
+/// Watches all frames of one CAN bus: who takes it, what was not there before, whether this
+/// computer's controller has left it, whether an address has two owners. Signs of the bus are told
+/// of each of its devices. Sans-I/O; no allocation after construction.
+class BusMonitor {
+ public:
+  /// The identifiers of the first so much time are the usual ones.
+  static constexpr std::chrono::seconds learning{30};
+
+  /// The sink must outlive the monitor.
+  BusMonitor(const std::vector<Expected>& devices, SymptomSink& to);
+
+  void set_bitrate(unsigned bits_per_s) { bitrate_ = bits_per_s; }
+  void take(const wire::CanFrame& frame, Stamp at);
+  /// Tells what lasts. Call it about every look_period.
+  void look(Stamp now);
+
+ private:
+  struct Node {
+    Expected expected;
+    Teller teller;
+    std::uint64_t name = 0;  ///< NAME of J1939 that first claimed its address; 0: none yet
+    bool robbed = false;
+    Stamp robbed_since{};
+    unsigned follows_strange = 0;  ///< its frames that came right behind a strange one
+  };
+  struct Usual {
+    std::uint32_t key = 0;    ///< identifier
+    std::uint64_t sizes = 0;  ///< one bit for each number of bytes that it had
+  };
+
+  void take_error(const wire::CanFrame& frame, Stamp at);
+  void take_claim(const wire::CanFrame& frame, Stamp at);
+  void judge_identifier(const wire::CanFrame& frame, Stamp at);
+  bool is_usual(const wire::CanFrame& frame, Stamp at);
+  void judge_size(Usual& usual, const wire::CanFrame& frame, Stamp at);
+  bool is_repeated(std::uint32_t key);
+  void note_strange(Stamp at);
+  void look_at_load(Stamp now);
+  void look_at_strange(Stamp now);
+  void tell_all(Sign sign, Stamp since, Stamp now, const Amount& amount);
+  Node* owner_of(const wire::CanFrame& frame);
+
+  std::vector<Node> nodes_;
+  unsigned bitrate_ = 250'000;
+  std::optional<Stamp> first_;
+  boost::container::static_vector<Usual, 128> usual_;
+  std::array<std::uint32_t, 64> recent_{};  ///< the last ones that are not usual, a ring
+  std::size_t next_recent_ = 0;
+  bool off_ = false;
+  Stamp off_since_{};
+  Stamp window_from_{};
+  double new_bits_ = 0;  ///< of unusual identifiers since window_from_
+  bool behind_strange_ = false;
+  Stamp strange_at_{}, strange_since_{};
+  unsigned strange_ = 0, strange_told_ = 0;  ///< strange frames of the present bout
+};
+
+}  // namespace drydock::diagnosis

@@ -1,0 +1,96 @@
+#include "drivers/diagnosis/quantity_monitor.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace drydock::diagnosis {
+namespace {
+
+/// A second difference beyond so many deviations is an event: 0.3 % of white noise, 55 % of noise
+/// five times as strong.
+constexpr double beyond = 3;
+constexpr double pulse_beyond = 8, neighbours_within = 4;
+constexpr double step_beyond = 6;
+/// Behind a pause of so many periods nothing is known of the sample before.
+constexpr double longest_pause = 4;
+/// From the second difference x0 - 2 x1 + x2 of white noise to its own deviation.
+const double noise_of_bend = std::sqrt(6.0);
+constexpr double median_of_normal = 0.6745, q95_of_normal = 1.96;
+
+}  // namespace
+
+double QuantityMonitor::minus(double a, double b) const {
+  const double difference = a - b;
+  return facts_of(quantity_).angle ? std::remainder(difference, 2 * std::numbers::pi) : difference;
+}
+
+QuantityMonitor::News QuantityMonitor::add(double value, Stamp at) {
+  const double period_s = samples_ > 0 ? measurement::seconds(at - last_at_) : 0;
+  if (known_ && period_s > longest_pause * usual_period_s_) samples_ = 0;
+  std::shift_right(last_.begin(), last_.end(), 1);
+  last_[0] = value;
+  last_at_ = at;
+  samples_ = std::min(samples_ + 1, 4U);
+  if (samples_ < 3) return {};
+  if (known_) return judge(period_s, at);
+  learn(minus(last_[0], last_[1]) - minus(last_[1], last_[2]), at, period_s);
+  return {};
+}
+
+void QuantityMonitor::learn(double bend, Stamp at, double period_s) {
+  if (!first_) first_ = at;
+  const double was = minus(last_[1], last_[2]), is = minus(last_[0], last_[1]);
+  if (was != 0 && is != 0) {
+    ++moves_;
+    if ((was < 0) != (is < 0)) ++turns_;
+  }
+  bends_.add(std::abs(bend));
+  periods_.add(period_s);
+  if (at - *first_ < learning || bends_.count() < fewest) return;
+  usual_period_s_ = periods_.quantile(0.5);
+  scatter_ =
+      std::max(bends_.quantile(0.5) / median_of_normal, bends_.quantile(0.95) / q95_of_normal);
+  sigma_ =
+      std::max(scatter_, facts_of(quantity_).bend * usual_period_s_ * usual_period_s_ / beyond);
+  // White noise turns at two of three samples, a smooth motion hardly ever.
+  constexpr double turning = 0.35;
+  constexpr unsigned fewest_moves = 15;
+  noise_shows_ = moves_ >= fewest_moves && turns_ > turning * moves_;
+  known_ = true;
+}
+
+QuantityMonitor::News QuantityMonitor::judge(double period_s, Stamp at) {
+  News news;
+  const auto& facts = facts_of(quantity_);
+  const double into = minus(last_[1], last_[2]), out_of = minus(last_[0], last_[1]);
+  const double around = std::abs(minus(last_[0], last_[2]));
+  const double off = (into - out_of) / 2;
+  const bool returns = into * out_of < 0 && around < std::abs(off) / 2;
+  if (returns && std::abs(off) > std::max(facts.wild, pulse_beyond * scatter_)) news.wild = off;
+  if (returns && std::abs(off) > pulse_beyond * sigma_ && around < neighbours_within * sigma_)
+    news.pulse = off;
+  if (news.wild != 0 || news.pulse != 0) {
+    // Without it, so that one sample does not look like noise.
+    last_[1] = last_[2] + minus(last_[0], last_[2]) / 2;
+    return news;
+  }
+  judge_noise(out_of - into, at);
+  news.noisy = noise_.fired();
+  if (samples_ < 4 || facts.slope == 0 || period_s <= 0) return news;
+  const double noise = step_beyond * sigma_ / noise_of_bend * std::numbers::sqrt2;
+  const double limit = facts.slope * std::max(period_s, 0.05) + noise;
+  const double before = std::abs(minus(last_[2], last_[3]));
+  if (std::abs(into) > limit && std::abs(out_of) < limit / 2 && before < limit / 2)
+    news.jump = into;
+  return news;
+}
+
+void QuantityMonitor::judge_noise(double bend, Stamp at) {
+  if (!noise_shows_) return;
+  // What no motion makes is no noise either: wild samples in a row, steps.
+  if (std::abs(bend) > std::max(facts_of(quantity_).wild, 2 * step_beyond * beyond * sigma_))
+    return;
+  noise_.add(std::abs(bend) > beyond * sigma_, at);
+}
+
+}  // namespace drydock::diagnosis

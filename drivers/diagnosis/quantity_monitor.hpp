@@ -1,0 +1,60 @@
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "drivers/diagnosis/event_test.hpp"
+#include "drivers/diagnosis/quantity.hpp"
+#include "drivers/diagnosis/spread.hpp"
+
+namespace drydock::diagnosis {
+
+/// Watches one number of a sensor by its second differences, which no slow motion moves: single
+/// wild samples, noise that rose, steps. What is usual is the scatter in the sensor's own first
+/// time, at least what a usual motion bends within a period.
+class QuantityMonitor {
+ public:
+  static constexpr std::chrono::seconds learning{45};
+  static constexpr std::size_t fewest = 30;
+
+  /// What a new sample showed about the one before it.
+  struct News {
+    double wild = 0;   ///< this far off both neighbours, which agree; 0: it fits
+    double pulse = 0;  ///< the same beyond the noise only
+    double jump = 0;   ///< a step that no motion makes and that stayed; 0: none
+    bool noisy = false;
+  };
+
+  explicit QuantityMonitor(Quantity quantity = Quantity::force_x) : quantity_(quantity) {}
+
+  News add(double value, Stamp at);
+  /// The next sample has none before it.
+  void interrupt() { samples_ = 0; }
+
+  Quantity quantity() const { return quantity_; }
+  bool known() const { return known_; }
+  double sigma() const { return sigma_; }            ///< usual deviation of second differences
+  bool noise_shows() const { return noise_shows_; }  ///< sound samples go up and down
+  const EventTest& noise() const { return noise_; }
+
+ private:
+  double minus(double a, double b) const;
+  void learn(double bend, Stamp at, double period_s);
+  News judge(double period_s, Stamp at);
+  void judge_noise(double bend, Stamp at);
+
+  Quantity quantity_;
+  bool known_ = false, noise_shows_ = false;
+  double sigma_ = 0;    ///< at least that of a usual motion
+  double scatter_ = 0;  ///< as it was in the first time
+  double usual_period_s_ = 0;
+  Spread<128> bends_, periods_;
+  unsigned turns_ = 0, moves_ = 0;  ///< changes of direction among changes
+  std::optional<Stamp> first_;
+  std::array<double, 4> last_{};  ///< samples, the latest first
+  Stamp last_at_{};
+  unsigned samples_ = 0;  ///< of last_
+  EventTest noise_{0.02, 0.5, 18};
+};
+
+}  // namespace drydock::diagnosis

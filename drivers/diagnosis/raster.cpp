@@ -1,0 +1,66 @@
+#include "drivers/diagnosis/raster.hpp"
+
+namespace drydock::diagnosis {
+namespace {
+
+constexpr double crowded_share = 0.4;  ///< of a period
+constexpr double most_crowded_share = 0.65;
+/// A host is late by so much now and then, and a slow line holds a message behind another one.
+constexpr double least_tolerance_s = 0.002, least_tolerance_share = 0.05;
+constexpr double most_tolerance_share = 0.3;
+
+}  // namespace
+
+Raster::Arrival Raster::add(Stamp at, double behind_s) {
+  if (state_ != State::known) {
+    learn(at, behind_s);
+    return {};
+  }
+  if (!last_) {
+    last_ = at;
+    return {};
+  }
+  Arrival arrival;
+  arrival.interval_s = measurement::seconds(at - *last_);
+  if (arrival.interval_s <
+      std::min(crowded_share * period_s_ + allowed_s_, most_crowded_share * period_s_)) {
+    arrival.step = Step::crowded;
+    return arrival;
+  }
+  last_ = at;
+  arrival.slots = std::lround(arrival.interval_s / period_s_);
+  const double off = arrival.interval_s - static_cast<double>(arrival.slots) * period_s_;
+  const bool fits = arrival.slots > 0 && std::abs(off) <= tolerance_s_;
+  arrival.step = !fits ? Step::odd : arrival.slots == 1 ? Step::regular : Step::missing;
+  return arrival;
+}
+
+void Raster::learn(Stamp at, double behind_s) {
+  if (state_ == State::has_none) return;
+  if (!first_) first_ = at;
+  if (last_) intervals_.add(measurement::seconds(at - *last_));
+  behind_.add(behind_s);
+  last_ = at;
+  if (at - *first_ >= learning && intervals_.count() >= fewest) settle();
+}
+
+void Raster::settle() {
+  period_s_ = intervals_.quantile(0.5);
+  const double early_s = period_s_ - intervals_.quantile(0.05);
+  const double late_s = intervals_.quantile(0.95) - period_s_;
+  const double scatter_s = std::max(early_s, late_s);
+  const bool has_raster = period_s_ > 0 && scatter_s < most_tolerance_share * period_s_;
+  state_ = has_raster ? State::known : State::has_none;
+  waits_s_ = behind_.quantile(0.5);
+  if (waits_s_ > crowded_share * period_s_) waits_s_ = 0;
+  const double least_s = std::max(least_tolerance_s, least_tolerance_share * period_s_);
+  tolerance_s_ = std::min(std::max(3 * scatter_s, least_s), most_tolerance_share * period_s_);
+}
+
+void Raster::allow(double line_s) {
+  allowed_s_ = line_s;
+  if (state_ == State::known)
+    tolerance_s_ = std::max(tolerance_s_, std::min(line_s, most_tolerance_share * period_s_));
+}
+
+}  // namespace drydock::diagnosis

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <optional>
+
+#include "drivers/diagnosis/spread.hpp"
+#include "drivers/measurement/stamp.hpp"
+
+namespace drydock::diagnosis {
+
+using measurement::Stamp;
+
+/// How one message came after the one before it, against the usual period.
+enum class Step : std::uint8_t {
+  first,    ///< none before it, or the raster is not known yet
+  regular,  ///< one period later
+  missing,  ///< several periods later: those between did not come, or come late
+  crowded,  ///< right behind the one before it
+  odd       ///< at no place of the raster
+};
+
+/// The raster in which the messages of one kind arrive. The period and the scatter are those of the
+/// device's own first time. A stream whose messages come at no raster is never judged.
+class Raster {
+ public:
+  static constexpr std::chrono::seconds learning{30};
+  static constexpr std::size_t fewest = 20;  ///< intervals to learn from
+
+  struct Arrival {
+    Step step = Step::first;
+    double interval_s = 0;  ///< since the last message that was not crowded
+    long slots = 0;         ///< the interval in periods
+  };
+
+  /// `behind_s`: how long after the message before it, of any kind, the device sent this one. A
+  /// message that waits for another on the line comes sooner without it.
+  Arrival add(Stamp at, double behind_s = 0);
+  /// The next message has none before it: the device was away.
+  void interrupt() { last_.reset(); }
+
+  bool known() const { return state_ == State::known; }
+  double period_s() const { return period_s_; }
+  double tolerance_s() const { return tolerance_s_; }  ///< of an interval that is regular
+  /// How long a message usually waits behind another one of the device. 0: it does not.
+  double waits_s() const { return waits_s_; }
+  /// What the line may add to an interval: messages wait for others, or the others do not come.
+  void allow(double line_s);
+
+ private:
+  enum class State : std::uint8_t { learns, known, has_none };
+  void learn(Stamp at, double behind_s);
+  void settle();
+
+  State state_ = State::learns;
+  Spread<256> intervals_, behind_;
+  std::optional<Stamp> first_, last_;
+  double period_s_ = 0, tolerance_s_ = 0, waits_s_ = 0, allowed_s_ = 0;
+};
+
+}  // namespace drydock::diagnosis

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <algorithm>
+#include <boost/container/static_vector.hpp>
+#include <cstddef>
+
+namespace drydock::diagnosis {
+
+/// Quantiles of numbers that come one by one. It keeps at most `Most` of them, evenly spread over
+/// all that came: when it is full, every second one goes. No allocation.
+template <std::size_t Most>
+class Spread {
+ public:
+  void add(double value) {
+    if (count_++ % stride_ != 0) return;
+    if (kept_.size() == kept_.capacity()) thin();
+    kept_.push_back(static_cast<float>(value));
+  }
+
+  std::size_t count() const { return count_; }
+
+  /// The number that a share of all lies below. It reorders what is kept. 0 if there is none.
+  double quantile(double share) {
+    if (kept_.empty()) return 0;
+    const auto place = static_cast<std::ptrdiff_t>(share * static_cast<double>(kept_.size() - 1));
+    std::nth_element(kept_.begin(), kept_.begin() + place, kept_.end());
+    return static_cast<double>(kept_[static_cast<std::size_t>(place)]);
+  }
+
+ private:
+  void thin() {
+    for (std::size_t i = 0; 2 * i < kept_.size(); ++i) kept_[i] = kept_[2 * i];
+    kept_.resize(kept_.size() / 2);
+    stride_ *= 2;
+  }
+
+  boost::container::static_vector<float, Most> kept_;
+  std::size_t count_ = 0, stride_ = 1;
+};
+
+}  // namespace drydock::diagnosis

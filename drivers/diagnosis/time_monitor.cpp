@@ -1,0 +1,230 @@
+#include "drivers/diagnosis/time_monitor.hpp"
+
+#include <algorithm>
+#include <bit>
+
+namespace drydock::diagnosis {
+namespace {
+
+/// A sound line loses, repeats or delays less than one message in 10'000. One in 20 is a fault.
+constexpr double usual = 1e-4, raised = 0.05;
+/// exp(18) messages to a false alarm; three events close together fire.
+constexpr double threshold = 18;
+
+/// What can be lost or late by a constant is told for so long, if nothing contradicts.
+constexpr std::chrono::seconds lasts{60};
+/// A hole of so many periods and seconds in a sound raster is told by itself.
+constexpr long shortest_hole = 3;
+constexpr double shortest_hole_s = 0.2, shortest_shift_s = 0.05;
+constexpr int sound_before = 20, sound_after = 6;
+constexpr int jumps_to_tell = 3;
+/// A frame waits so long while the other nodes of a sound bus have their turn: some 30 frames.
+constexpr double bus_waits_s = 0.015;
+
+}  // namespace
+
+TimeMonitor::TimeMonitor(const Expected& expected, SymptomSink& to)
+    : expected_(expected),
+      teller_(expected.device, to),
+      gaps_(usual, raised, threshold),
+      repeats_(usual, raised, threshold),
+      swaps_(usual, raised, threshold),
+      odds_(usual, raised, threshold),
+      backwards_(usual, raised, threshold) {
+  if (expected.protocol.travels == wire::Travels::as_frames) line_s_ = bus_waits_s;
+}
+
+TimeMonitor::Stream* TimeMonitor::stream_of(std::uint32_t kind) {
+  const auto known = std::ranges::find(streams_, kind, &Stream::kind);
+  if (known != streams_.end()) return &*known;
+  if (streams_.size() == streams_.capacity()) return nullptr;
+  streams_.emplace_back().kind = kind;
+  return &streams_.back();
+}
+
+void TimeMonitor::take(std::uint32_t kind, const measurement::Origin& origin, bool same) {
+  Stream* const stream = stream_of(kind);
+  if (stream == nullptr) return;
+  const Stamp at = origin.received_at;
+  const auto arrival = stream->raster.add(at, measurement::seconds(at - last_));
+  last_ = at;
+  if (const double waits_s = 1.3 * stream->raster.waits_s(); waits_s > line_s_) line_s_ = waits_s;
+  if (stream->raster.known() && stream->allowed_s != line_s_) {
+    stream->allowed_s = line_s_;
+    stream->raster.allow(line_s_);
+  }
+  if (arrival.step != Step::first) step(*stream, arrival, at, same);
+  watch_clock(*stream, origin, arrival.step);
+}
+
+void TimeMonitor::step(Stream& stream, const Raster::Arrival& arrival, Stamp at, bool same) {
+  stream.pattern.add(arrival, stream.raster.period_s());
+  switch (arrival.step) {
+    case Step::first: return;
+    case Step::regular: regular(stream, at); break;
+    case Step::missing:
+    case Step::odd: pause(stream, arrival, at); break;
+    case Step::crowded: crowded(stream, at, same); break;
+  }
+  tell_rate(stream, at);
+  if (arrival.step != Step::regular) tell_pattern(stream, at);
+  const bool on_raster = arrival.step == Step::regular || arrival.step == Step::missing;
+  if (on_raster) stream.rate.add(at, arrival.slots, stream.raster.period_s());
+  if (arrival.step == Step::odd) stream.rate.interrupt();
+  if (const auto change = stream.rate.change_ppm())
+    last(drifting_, at - RateWatch::block * RateWatch::blocks, at,
+         {*change, stream.rate.limit_ppm(), "change of its clock's rate", "ppm"});
+}
+
+void TimeMonitor::note(Happened what) {
+  for (std::size_t i = 0; i < history_.size(); ++i)
+    history_[i] = history_[i] << 1 | (i == static_cast<std::size_t>(what) ? 1U : 0U);
+}
+
+int TimeMonitor::lately(Happened what) const {
+  return std::popcount(history_[static_cast<std::size_t>(what)]);
+}
+
+void TimeMonitor::nothing_happened(Stamp at) {
+  note(Happened::nothing);
+  for (EventTest* test : {&gaps_, &repeats_, &swaps_, &odds_, &backwards_}) test->add(false, at);
+}
+
+void TimeMonitor::regular(Stream& stream, Stamp at) {
+  if (stream.pause && stream.owed > 0) {
+    gaps_.add(true, stream.pause_at);
+    note(Happened::nothing);
+  } else if (stream.extra) {
+    repeats_.add(true, at);
+    note(Happened::repeat);
+  } else {
+    nothing_happened(at);
+  }
+  stream.pause = stream.extra = false;
+  if (++stream.regular != sound_after || stream.hole_s == 0) return;
+  // The raster goes on as before the hole: what was in it is lost, or everything is late from now.
+  const bool told_by_clock = stream.clock.known();
+  if (stream.before >= sound_before && !told_by_clock)
+    last(late_, stream.pause_at, at, {stream.hole_s, 0, "hole in the raster", "s"});
+  stream.hole_s = 0;
+}
+
+void TimeMonitor::pause(Stream& stream, const Raster::Arrival& arrival, Stamp at) {
+  if (stream.pause && stream.owed > 0) gaps_.add(true, stream.pause_at);
+  if (arrival.step == Step::odd) odd(at);
+  stream.extra = false;
+  const double late_s = arrival.interval_s - stream.raster.period_s();
+  const bool hole = arrival.step == Step::odd
+                        ? late_s > std::max(shortest_shift_s, 2 * stream.raster.tolerance_s())
+                        : arrival.slots > shortest_hole && late_s > shortest_hole_s;
+  if (stream.regular >= sound_before) stream.before = stream.regular;
+  stream.hole_s = hole && stream.regular >= sound_before ? late_s : 0;
+  if (late_s < 0) late_.on = false;  // it comes at its old place again
+  stream.pause = arrival.step == Step::missing;
+  stream.owed = std::max(arrival.slots - 1, 0L);
+  stream.pause_at = at;
+  stream.regular = 0;
+}
+
+void TimeMonitor::crowded(Stream& stream, Stamp at, bool same) {
+  const bool held = stream.owed > 0;
+  if (held) {
+    if (stream.pause) {
+      swaps_.add(true, at);
+      note(Happened::swap);
+    }
+    --stream.owed;
+    late_.on = false;
+  } else if (same) {
+    stream.extra = true;  // unless the raster was left
+  } else {
+    odd(at);
+  }
+  stream.pause = false;
+  stream.hole_s = 0;
+  stream.regular = 0;
+}
+
+void TimeMonitor::odd(Stamp at) {
+  odds_.add(true, at);
+  note(Happened::odd);
+}
+
+void TimeMonitor::tell_pattern(Stream& stream, Stamp at) {
+  const auto tell = [&](Sign sign, const EventTest& test, std::string_view what) {
+    if (test.fired()) teller_.tell(sign, test.since(), at, {test.sum(), threshold, what, ""});
+  };
+  if (stream.pattern.bunched())
+    teller_.tell(Sign::bunched, swaps_.since(), at, {1, 0, "pauses of one length", ""});
+  // A repeated or held message also pushes others off the raster; more of those is something else.
+  const int odd = lately(Happened::odd);
+  if (lately(Happened::repeat) >= odd)
+    tell(Sign::repeated, repeats_, "log-likelihood of repeated messages");
+  if (lately(Happened::swap) >= odd)
+    tell(Sign::swapped, swaps_, "log-likelihood of messages one place late");
+  if (odd > std::max(lately(Happened::repeat), lately(Happened::swap)))
+    tell(Sign::irregular, odds_, "log-likelihood of messages off the raster");
+  tell(Sign::gaps, gaps_, "log-likelihood of lost messages");
+}
+
+void TimeMonitor::tell_rate(Stream& stream, Stamp at) {
+  const double period_s = stream.raster.period_s();
+  const double slower = stream.pattern.slower(period_s);
+  if (slower != 1)
+    teller_.tell(slower > 1 ? Sign::rate_low : Sign::rate_high,
+                 at - measurement::from_seconds(6 * slower * period_s), at,
+                 {1 / period_s / slower, 1 / period_s, "rate", "Hz"});
+}
+
+void TimeMonitor::watch_clock(Stream& stream, const measurement::Origin& origin, Step step) {
+  if (!origin.device_time) return;
+  const Stamp at = origin.received_at;
+  const auto news = stream.clock.add(*origin.device_time, at);
+  if (news.backwards) backwards_.add(true, at);
+  if (news.backwards && backwards_.fired())
+    teller_.tell(Sign::time_backwards, backwards_.since(), at,
+                 {backwards_.sum(), threshold, "log-likelihood of times that go back", ""});
+  if (news.jump_s == 0) {
+    stream.jumps = 0;
+    stream.late_by_clock = false;
+    return;
+  }
+  if (stream.jumps++ == 0) {
+    stream.jump_since = at;
+    stream.late_by_clock = step == Step::missing || step == Step::odd;
+  }
+  if (stream.jumps < jumps_to_tell) return;
+  const Amount amount{news.jump_s, stream.clock.limit_s(), "arrival against its own time", "s"};
+  teller_.tell(stream.late_by_clock ? Sign::late : Sign::clock_step, stream.jump_since, at, amount);
+  if (at - stream.jump_since > lasts) stream.clock.accept();
+}
+
+void TimeMonitor::last(Lasting& sign, Stamp since, Stamp now, const Amount& amount) {
+  if (!sign.on) sign.since = since;
+  sign.on = true;
+  sign.until = now + (&sign == &drifting_ ? std::chrono::seconds{5} : lasts);
+  sign.amount = amount;
+}
+
+void TimeMonitor::look(Stamp now) {
+  const auto tell = [&](Sign sign, Lasting& lasting) {
+    if (now > lasting.until) lasting.on = false;
+    if (lasting.on) teller_.tell(sign, lasting.since, now, lasting.amount);
+  };
+  tell(Sign::late, late_);
+  tell(Sign::clock_drift, drifting_);
+}
+
+void TimeMonitor::interrupt() {
+  for (Stream& stream : streams_) {
+    stream.raster.interrupt();
+    stream.pattern.clear();
+    stream.rate.interrupt();
+    stream.pause = false;
+    stream.owed = 0;
+    stream.regular = 0;
+    stream.hole_s = 0;
+  }
+}
+
+}  // namespace drydock::diagnosis

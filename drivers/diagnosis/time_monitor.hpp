@@ -1,0 +1,80 @@
+#pragma once
+
+#include <boost/container/static_vector.hpp>
+
+#include "drivers/diagnosis/arrival_pattern.hpp"
+#include "drivers/diagnosis/clock_watch.hpp"
+#include "drivers/diagnosis/event_test.hpp"
+#include "drivers/diagnosis/expected.hpp"
+#include "drivers/diagnosis/rate_watch.hpp"
+#include "drivers/diagnosis/teller.hpp"
+#include "drivers/measurement/measurement.hpp"
+
+namespace drydock::diagnosis {
+
+/// Watches when the messages of one device arrive, and what their own times say: rate, gaps,
+/// bunches, scatter, delays, repeated and swapped messages, steps and drift of the device's clock.
+class TimeMonitor {
+ public:
+  /// The sink must outlive the monitor.
+  TimeMonitor(const Expected& expected, SymptomSink& to);
+
+  /// `stream`: number of the kind of message (stream_of). `same`: all values are those of the
+  /// message before in that stream.
+  void take(std::uint32_t stream, const measurement::Origin& origin, bool same);
+  /// Tells what lasts.
+  void look(Stamp now);
+  /// The whole host stood still, or the device was away: the next intervals mean nothing.
+  void interrupt();
+
+ private:
+  struct Stream {
+    std::uint32_t kind = 0;
+    Raster raster;
+    ArrivalPattern pattern;
+    ClockWatch clock;
+    RateWatch rate;
+    bool pause = false;  ///< messages did not come and may still do
+    bool extra = false;  ///< one came right behind another with the same values
+    Stamp pause_at{};
+    double allowed_s = 0;  ///< line_s_ as the raster knows it
+    long owed = 0;         ///< messages that did not come, of the last pause
+    int regular = 0;       ///< in a row
+    int before = 0;        ///< regular ones in a row before the last pause
+    double hole_s = 0;     ///< how much later than the raster the pause ended
+    int jumps = 0;         ///< messages in a row whose clock is off
+    Stamp jump_since{};
+    bool late_by_clock = false;
+  };
+  enum class Happened : std::uint8_t { odd, repeat, swap, nothing };
+  struct Lasting {
+    bool on = false;
+    Stamp since{}, until{};
+    Amount amount;
+  };
+
+  Stream* stream_of(std::uint32_t kind);
+  void step(Stream& stream, const Raster::Arrival& arrival, Stamp at, bool same);
+  void regular(Stream& stream, Stamp at);
+  void pause(Stream& stream, const Raster::Arrival& arrival, Stamp at);
+  void crowded(Stream& stream, Stamp at, bool same);
+  void nothing_happened(Stamp at);
+  void odd(Stamp at);
+  void note(Happened what);
+  int lately(Happened what) const;  ///< of the last 64 messages
+  void tell_pattern(Stream& stream, Stamp at);
+  void tell_rate(Stream& stream, Stamp at);
+  void watch_clock(Stream& stream, const measurement::Origin& origin, Step step);
+  void last(Lasting& sign, Stamp since, Stamp now, const Amount& amount);
+
+  Expected expected_;
+  Teller teller_;
+  boost::container::static_vector<Stream, 12> streams_;
+  EventTest gaps_, repeats_, swaps_, odds_, backwards_;
+  Lasting late_, drifting_;
+  Stamp last_{};                            ///< the latest message
+  double line_s_ = 0;                       ///< what the line may add to an interval
+  std::array<std::uint64_t, 3> history_{};  ///< one bit a message for each Happened
+};
+
+}  // namespace drydock::diagnosis

@@ -1,0 +1,169 @@
+#include "drivers/diagnosis/value_monitor.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace drydock::diagnosis {
+namespace {
+
+/// Values that came nearly always in the first time are missed when they stay away.
+constexpr double usual_presence = 0.95;
+constexpr unsigned fewest_messages = 30, fewest_missing = 3;
+constexpr std::chrono::milliseconds shortest_absence{800};
+constexpr std::chrono::seconds presence_learning{45};
+/// A receiver needs so long for its satellites after a dive.
+constexpr std::chrono::seconds back_after_dive{10};
+/// A step is told for so long if it does not go back.
+constexpr std::chrono::seconds step_lasts{60};
+/// Wild samples farther apart have nothing to do with each other.
+constexpr std::chrono::seconds wild_memory{20};
+/// The largest of equal errors is at most so many times the smallest.
+constexpr double alike = 1.5;
+
+}  // namespace
+
+ValueMonitor::ValueMonitor(const Expected& expected, SymptomSink& to)
+    : expected_(expected), teller_(expected.device, to), satellites_(expected.device, to) {}
+
+ValueMonitor::Stream* ValueMonitor::stream_of(std::uint32_t kind) {
+  const auto known = std::ranges::find(streams_, kind, &Stream::kind);
+  if (known != streams_.end()) return &*known;
+  if (streams_.size() == streams_.capacity()) return nullptr;
+  streams_.emplace_back().kind = kind;
+  return &streams_.back();
+}
+
+QuantityMonitor* ValueMonitor::monitor_of(Quantity quantity) {
+  for (QuantityMonitor& monitor : monitors_)
+    if (monitor.quantity() == quantity) return &monitor;
+  if (monitors_.size() == monitors_.capacity()) return nullptr;
+  return &monitors_.emplace_back(quantity);
+}
+
+bool ValueMonitor::take(std::uint32_t kind, const measurement::Measurement& measurement) {
+  const Stamp at = measurement::origin_of(measurement).received_at;
+  const bool dry = !under_water_ && at - dry_since_ > back_after_dive;
+  if (const auto* satellites = std::get_if<measurement::GnssSatellites>(&measurement)) {
+    if (dry) satellites_.take(*satellites);
+    return false;
+  }
+  Stream* const stream = stream_of(kind);
+  if (stream == nullptr) return false;
+  const Readings readings = readings_of(measurement, home_);
+  judge_presence(*stream, !readings.empty(), at);
+  if (readings.empty()) return false;
+  const bool same = stream->sameness.add(readings, at);
+  judge_sameness(*stream, at);
+  if (!same)
+    for (const Reading& reading : readings) judge(reading, at);
+  return same;
+}
+
+void ValueMonitor::judge(const Reading& reading, Stamp at) {
+  QuantityMonitor* const monitor = monitor_of(reading.quantity);
+  if (monitor == nullptr) return;
+  const auto news = monitor->add(reading.value, at);
+  if (!monitor->known()) return;
+  pulses_.add(news.pulse != 0, at);
+  if (news.wild != 0)
+    tell_wild(*monitor, news.wild, at);
+  else if (news.pulse != 0 && pulses_.fired())
+    tell_wild(*monitor, news.pulse, at);
+  if (news.jump != 0) tell_jump(*monitor, news.jump, at);
+  if (news.noisy)
+    teller_.tell(Sign::noisy, monitor->noise().since(), at,
+                 {monitor->noise().sum(), 18, facts_of(reading.quantity).name, "log-likelihood"});
+}
+
+void ValueMonitor::tell_wild(const QuantityMonitor& monitor, double off, Stamp at) {
+  const auto& facts = facts_of(monitor.quantity());
+  if (at - wild_at_ > wild_memory) wild_.clear();
+  if (wild_.size() == wild_.capacity()) wild_.erase(wild_.begin());
+  wild_.push_back({monitor.quantity(), std::abs(off)});
+  wild_at_ = at;
+  teller_.tell(Sign::wild_samples, at, at, {off, facts.wild, facts.name, facts.unit});
+  const auto [least, most] = std::ranges::minmax(wild_, {}, &Reading::value);
+  const bool one = std::ranges::all_of(
+      wild_, [&](const Reading& r) { return r.quantity == wild_.front().quantity; });
+  constexpr std::size_t fewest = 3;
+  const bool unequal = wild_.size() >= fewest && (!one || most.value > alike * least.value);
+  if (unequal && expected_.protocol.checksum.empty())
+    teller_.tell(Sign::wild_unequal, at, at, {off, facts.wild, facts.name, facts.unit});
+}
+
+void ValueMonitor::tell_jump(const QuantityMonitor& monitor, double jump, Stamp at) {
+  const bool back =
+      jumped_.since && jumped_.quantity == monitor.quantity() && jumped_.by * jump < 0;
+  if (back) return jumped_.since.reset();
+  jumped_ = {at, monitor.quantity(), jump};
+}
+
+void ValueMonitor::judge_sameness(Stream& stream, Stamp at) {
+  const auto impossible = stream.sameness.impossible_run();
+  const unsigned run = stream.sameness.run();
+  if (!impossible || run < *impossible || !noise_shows(stream.sameness.latest())) return;
+  const Amount amount{static_cast<double>(run), static_cast<double>(*impossible),
+                      "equal messages in a row", ""};
+  const Stamp since = stream.sameness.run_since();
+  const bool elsewhere = jumped(stream.sameness.before_run(), stream.sameness.latest());
+  teller_.tell(elsewhere ? Sign::out_of_range : Sign::stuck, since, at, amount);
+}
+
+bool ValueMonitor::noise_shows(const Readings& readings) {
+  return std::ranges::any_of(readings, [&](const Reading& reading) {
+    const QuantityMonitor* const monitor = monitor_of(reading.quantity);
+    return monitor != nullptr && monitor->noise_shows();
+  });
+}
+
+bool ValueMonitor::jumped(const Readings& from, const Readings& to) {
+  for (std::size_t i = 0; i < std::min(from.size(), to.size()); ++i) {
+    const QuantityMonitor* const monitor = monitor_of(to[i].quantity);
+    constexpr double beyond = 8;
+    if (monitor != nullptr && std::abs(from[i].value - to[i].value) > beyond * monitor->sigma())
+      return true;
+  }
+  return false;
+}
+
+void ValueMonitor::judge_presence(Stream& stream, bool has_values, Stamp at) {
+  if (!stream.first) stream.first = at;
+  if (at - *stream.first < presence_learning || stream.count < fewest_messages) {
+    ++stream.count;
+    stream.with_values += has_values ? 1 : 0;
+    return;
+  }
+  if (has_values)
+    stream.missing_run = 0;
+  else if (stream.missing_run++ == 0)
+    stream.missing_since = at;
+  const bool excused = expected_.kind == measurement::Kind::gnss &&
+                       (under_water_ || at - dry_since_ < back_after_dive);
+  const bool usual = stream.with_values > usual_presence * stream.count;
+  if (excused || !usual || stream.missing_run < fewest_missing ||
+      at - stream.missing_since < shortest_absence)
+    return;
+  const bool no_fix = expected_.kind == measurement::Kind::gnss;
+  teller_.tell(
+      no_fix ? Sign::satellites_gone : Sign::values_missing, stream.missing_since, at,
+      {static_cast<double>(stream.missing_run), fewest_missing, "messages without a value", ""});
+}
+
+void ValueMonitor::look(Stamp now) {
+  if (!jumped_.since) return;
+  if (now - *jumped_.since > step_lasts) return jumped_.since.reset();
+  const auto& facts = facts_of(jumped_.quantity);
+  teller_.tell(Sign::step, *jumped_.since, now, {jumped_.by, facts.slope, facts.name, facts.unit});
+}
+
+void ValueMonitor::set_under_water(bool under, Stamp now) {
+  if (under_water_ && !under) dry_since_ = now;
+  under_water_ = under;
+}
+
+void ValueMonitor::interrupt() {
+  for (QuantityMonitor& monitor : monitors_) monitor.interrupt();
+  for (Stream& stream : streams_) stream.sameness.interrupt();
+}
+
+}  // namespace drydock::diagnosis

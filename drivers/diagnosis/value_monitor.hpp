@@ -1,0 +1,61 @@
+#pragma once
+
+#include "drivers/diagnosis/expected.hpp"
+#include "drivers/diagnosis/quantity_monitor.hpp"
+#include "drivers/diagnosis/sameness.hpp"
+#include "drivers/diagnosis/satellite_monitor.hpp"
+#include "drivers/diagnosis/teller.hpp"
+
+namespace drydock::diagnosis {
+
+/// Watches what one device measures: stuck, noisy, single wild samples, steps, values that no
+/// longer come, satellites.
+class ValueMonitor {
+ public:
+  /// The sink must outlive the monitor.
+  ValueMonitor(const Expected& expected, SymptomSink& to);
+
+  /// True if all values are those of the message before in the same stream.
+  bool take(std::uint32_t stream, const measurement::Measurement& measurement);
+  void look(Stamp now);
+  void interrupt();
+  /// Under water a receiver has no satellites, and that is no fault.
+  void set_under_water(bool under, Stamp now);
+
+ private:
+  struct Stream {
+    std::uint32_t kind = 0;
+    Sameness sameness;
+    unsigned count = 0, with_values = 0, missing_run = 0;
+    Stamp missing_since{};
+    std::optional<Stamp> first;
+  };
+  Stream* stream_of(std::uint32_t kind);
+  QuantityMonitor* monitor_of(Quantity quantity);
+  void judge(const Reading& reading, Stamp at);
+  void tell_wild(const QuantityMonitor& monitor, double off, Stamp at);
+  void tell_jump(const QuantityMonitor& monitor, double jump, Stamp at);
+  void judge_sameness(Stream& stream, Stamp at);
+  void judge_presence(Stream& stream, bool has_values, Stamp at);
+  bool noise_shows(const Readings& readings);
+  bool jumped(const Readings& from, const Readings& to);
+
+  Expected expected_;
+  Teller teller_;
+  SatelliteMonitor satellites_;
+  boost::container::static_vector<Stream, 12> streams_;
+  boost::container::static_vector<QuantityMonitor, 8> monitors_;
+  std::optional<measurement::Geodetic> home_;
+  EventTest pulses_{1e-4, 0.05, 18};
+  boost::container::static_vector<Reading, 6> wild_;  ///< the last ones, how far off
+  Stamp wild_at_{};
+  struct Jumped {
+    std::optional<Stamp> since;
+    Quantity quantity{};
+    double by = 0;
+  } jumped_;
+  bool under_water_ = false;
+  Stamp dry_since_{};
+};
+
+}  // namespace drydock::diagnosis
