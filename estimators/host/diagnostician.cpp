@@ -1,6 +1,5 @@
 #include "estimators/host/diagnostician.hpp"
 
-
 namespace drydock::host {
 namespace {
 
@@ -15,7 +14,7 @@ diagnosis::Expected expected_of(const rig_config::DeviceConfig& config, std::siz
 }  // namespace
 
 Diagnostician::Diagnostician(const rig_config::Rig& rig, Follower& to)
-    : to_(to), judge_(rig.devices.size(), *this) {
+    : teller_(to), judge_(rig.devices.size(), teller_) {
   monitors_.reserve(rig.devices.size());
   for (std::size_t i = 0; i < rig.devices.size(); ++i)
     monitors_.emplace_back(expected_of(rig.devices[i], i), judge_);

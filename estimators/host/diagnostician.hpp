@@ -11,7 +11,7 @@ namespace drydock::host {
 
 /// Follows a run and says what is wrong with which device. It tells the other followers its
 /// findings. Add it after the publisher and before those who show findings.
-class Diagnostician final : public Follower, private diagnosis::FindingListener {
+class Diagnostician final : public Follower {
  public:
   /// Rig and followers must outlive the diagnostician.
   Diagnostician(const rig_config::Rig& rig, Follower& to);
@@ -30,9 +30,18 @@ class Diagnostician final : public Follower, private diagnosis::FindingListener 
   const diagnosis::Judge& judge() const { return judge_; }
 
  private:
-  void on_finding(const diagnosis::Finding& finding) override { to_.on_finding(finding); }
+  /// It stands apart from the follower: the others hear findings, the diagnostician itself makes
+  /// them.
+  class Teller final : public diagnosis::FindingListener {
+   public:
+    explicit Teller(Follower& to) : to_(to) {}
+    void on_finding(const diagnosis::Finding& finding) override { to_.on_finding(finding); }
 
-  Follower& to_;
+   private:
+    Follower& to_;
+  };
+
+  Teller teller_;
   diagnosis::Judge judge_;
   std::vector<diagnosis::DeviceMonitor> monitors_;
   std::vector<const device::Device*> devices_;
