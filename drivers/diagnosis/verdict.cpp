@@ -21,6 +21,13 @@ constexpr auto rules = std::to_array<Rule>({
     {Sign::bad_checksums, Cause::damaged, 0.9},
     {Sign::silent, Cause::silent, 0.9},
     {Sign::foreign_bytes, Cause::foreign_bytes, 0.8},
+    {Sign::stuck, Cause::stuck, 0.8},
+    {Sign::delayed, Cause::delay, 0.7},
+    {Sign::rotated, Cause::mounting, 0.7},
+    {Sign::scale, Cause::scale, 0.7},
+    {Sign::ramp, Cause::drift, 0.7},
+    {Sign::offset, Cause::bias, 0.7},
+    {Sign::step, Cause::bias, 0.6},
 });
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include "drivers/diagnosis/device_monitor.hpp"
 #include "drivers/diagnosis/judge.hpp"
 #include "drivers/host/follower.hpp"
+#include "estimators/consistency/consistency.hpp"
 #include "rig_config/rig.hpp"
 
 namespace drydock::host {
@@ -44,6 +45,7 @@ class Diagnostician final : public Follower {
   Teller teller_;
   diagnosis::Judge judge_;
   std::vector<diagnosis::DeviceMonitor> monitors_;
+  consistency::Consistency cross_checks_;
   std::vector<const device::Device*> devices_;
   Stamp next_look_{};
 };

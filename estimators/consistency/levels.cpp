@@ -1,0 +1,69 @@
+#include "estimators/consistency/levels.hpp"
+
+namespace drydock::consistency {
+namespace {
+
+/// A gyro that is off by 0.3 deg/s turns the level so fast; no accelerometer drifts so.
+constexpr double fastest_drift_mps3 = 0.05;
+/// Without a velocity the acceleration of the vehicle is an error.
+constexpr double unknown_acceleration_mps2 = 0.5;
+constexpr std::chrono::seconds steady_for{5};
+constexpr double steady_share = 0.1;
+
+TestFacts facts_along(std::string_view quantity) {
+  return {.floor = 0.04,
+          .wander = 0.002,
+          .late_s = 0,
+          .sum_above = fastest_drift_mps3,
+          .quantity = quantity,
+          .unit = "m/s2"};
+}
+
+bool any_fired(const Levels::Unit& unit) {
+  return std::ranges::any_of(unit.tests, [](const Test& test) { return test.fired(); });
+}
+
+}  // namespace
+
+Levels::Levels(Tracks& tracks) : tracks_(tracks) {
+  for (const auto& unit : tracks.units)
+    units_.push_back({.device = unit.device(),
+                      .freeze = &unit.freeze(),
+                      .tests{Test(facts_along("specific force ahead")),
+                             Test(facts_along("specific force to starboard")),
+                             Test(facts_along("specific force down"))}});
+}
+
+void Levels::step(const Moment& moment, const std::optional<Eigen::Vector3d>& acceleration) {
+  for (std::size_t i = 0; i < units_.size(); ++i)
+    if (tracks_.units[i].running()) step(units_[i], tracks_.units[i], moment, acceleration);
+}
+
+void Levels::step(Unit& unit, InertialUnit& inertial, const Moment& moment,
+                  const std::optional<Eigen::Vector3d>& acceleration) {
+  const Eigen::Vector3d known = acceleration.value_or(Eigen::Vector3d::Zero());
+  const Eigen::Vector3d difference = inertial.level(known, !any_fired(unit));
+  for (int axis = 0; axis < 3; ++axis)
+    unit.tests.at(static_cast<std::size_t>(axis))
+        .take({.value = difference[axis],
+               .sigma = acceleration ? 0.1 * known.norm() : unknown_acceleration_mps2},
+              moment.at);
+  if (any_fired(unit) && is_over(unit, difference, moment.at)) {
+    inertial.forget_level();
+    for (Test& test : unit.tests) test.restart();
+  }
+}
+
+/// A gyro's fault has turned the level; when that no longer goes on, the level begins anew.
+bool Levels::is_over(Unit& unit, const Eigen::Vector3d& difference, Stamp at) {
+  if ((difference - unit.steady).norm() > steady_share * unit.steady.norm()) {
+    unit.steady = difference;
+    unit.steady_since = at;
+  }
+  return at - unit.steady_since > steady_for &&
+         std::ranges::any_of(unit.tests, [](const Test& test) {
+           return test.fired() && test.shape() != Shape::step;
+         });
+}
+
+}  // namespace drydock::consistency

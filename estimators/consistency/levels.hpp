@@ -1,0 +1,37 @@
+#pragma once
+
+#include <array>
+#include <span>
+
+#include "estimators/consistency/moment.hpp"
+#include "estimators/consistency/test.hpp"
+
+namespace drydock::consistency {
+
+/// Specific force against gravity and the change of velocity, for each inertial unit.
+class Levels {
+ public:
+  explicit Levels(Tracks& tracks);
+
+  /// `acceleration`: body, m/s2; empty: no device tells it.
+  void step(const Moment& moment, const std::optional<Eigen::Vector3d>& acceleration);
+
+  struct Unit {
+    std::uint16_t device;
+    const Freeze* freeze;
+    std::array<Test, 3> tests;
+    Eigen::Vector3d steady = Eigen::Vector3d::Zero();
+    Stamp steady_since{};
+  };
+  std::span<const Unit> units() const { return units_; }
+
+ private:
+  void step(Unit& unit, InertialUnit& inertial, const Moment& moment,
+            const std::optional<Eigen::Vector3d>& acceleration);
+  static bool is_over(Unit& unit, const Eigen::Vector3d& difference, Stamp at);
+
+  Tracks& tracks_;
+  std::vector<Unit> units_;
+};
+
+}  // namespace drydock::consistency
