@@ -139,9 +139,10 @@ std::optional<Eigen::Vector3d> Checks::acceleration(const Moment& moment) {
          moment.rate->cross((*last_velocity_ + *before) / 2);
 }
 
-void Checks::accuse(const Devices& devices, const Test& test, const Freeze* freeze) {
+void Checks::accuse(const Devices& devices, const Test& test, const Freeze* freeze,
+                    bool secondary) {
   if (test.learned() && accusations_.size() < accusations_.capacity())
-    accusations_.push_back({devices, &test, freeze});
+    accusations_.push_back({devices, &test, freeze, secondary});
 }
 
 void Checks::accuse(const Group& group) {
@@ -166,7 +167,7 @@ void Checks::accuse(const Moment& moment) {
       accuse(with(compass.device, moment.level_from), test,
              &test == &compass.tests[2] ? compass.turn_freeze : compass.tilt_freeze);
   for (const auto& receiver : places_.receivers())
-    for (const Test& test : receiver.tests) accuse({receiver.device}, test, receiver.freeze);
+    for (const Test& test : receiver.tests) accuse({receiver.device}, test, receiver.freeze, true);
   for (const auto& rudder : steering_.rudders())
     accuse(with(rudder.device, moment.level_from), rudder.test, rudder.freeze);
 }

@@ -30,7 +30,8 @@ class Checks {
   std::optional<Eigen::Vector3d> velocity(const Moment& moment) const;
   void accuse(const Moment& moment);
   void accuse(const Group& group);
-  void accuse(const Devices& devices, const Test& test, const Freeze* freeze);
+  void accuse(const Devices& devices, const Test& test, const Freeze* freeze,
+              bool secondary = false);
   bool trusted(const Devices& devices) const;
 
   diagnosis::SymptomSink& to_;

@@ -46,14 +46,18 @@ void Group::test(Witness& witness, Stamp at) const {
                        .quantity = *value_,
                        .sigma = witness.sigma},
                       at);
+  witness.present = witness.seen;
   witness.seen = false;
 }
 
 Devices Group::accused(const Witness& witness) const {
+  const auto speaks = [](const Witness& one) { return one.present && one.test.learned(); };
+  const auto sound = std::ranges::count_if(
+      witnesses_, [&](const Witness& one) { return speaks(one) && !one.test.fired(); });
   Devices all = witness.devices;
-  if (voters_ + (witness.test.fired() ? 1 : 0) > 2) return all;
+  if (sound + (witness.test.fired() ? 1 : 0) > 2) return all;
   for (const Witness& other : witnesses_)
-    if (other.test.learned())
+    if (speaks(other))
       for (const auto device : other.devices) consistency::add(all, device);
   return all;
 }

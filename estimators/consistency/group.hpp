@@ -15,7 +15,7 @@ struct Witness {
   Test test;
   const Freeze* freeze = nullptr;
   // of this time
-  bool seen = false, fresh = false;
+  bool seen = false, fresh = false, present = false;
   double value = 0, sigma = 0;
   std::uint64_t serial = 0;
 };
@@ -57,7 +57,6 @@ class Group {
   boost::container::static_vector<Witness, most> witnesses_;
   std::optional<double> value_;
   double rate_ = 0;
-  std::size_t voters_ = 0;
 };
 
 template <class Distrusted>
@@ -71,7 +70,6 @@ void Group::settle(Stamp at, double dt, const Distrusted& distrusted) {
     trusted.push_back(value);
     if (!witness.test.fired()) sound.push_back(value);
   }
-  voters_ = sound.size();
   move_to(median(!sound.empty() ? sound : !trusted.empty() ? trusted : any), dt);
   for (Witness& witness : witnesses_) test(witness, at);
 }

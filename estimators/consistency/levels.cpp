@@ -7,6 +7,7 @@ namespace {
 constexpr double fastest_drift_mps3 = 0.05;
 /// Without a velocity the acceleration of the vehicle is an error.
 constexpr double unknown_acceleration_mps2 = 0.5;
+constexpr double acceleration_share = 0.1, change_share = 0.5, acceleration_memory_s = 2;
 constexpr std::chrono::seconds steady_for{5};
 constexpr double steady_share = 0.1;
 
@@ -34,20 +35,24 @@ Levels::Levels(Tracks& tracks) : tracks_(tracks) {
                              Test(facts_along("specific force down"))}});
 }
 
+/// The acceleration is as old as the slowest velocity; it is worth less while it changes.
 void Levels::step(const Moment& moment, const std::optional<Eigen::Vector3d>& acceleration) {
+  const Eigen::Vector3d known = acceleration.value_or(Eigen::Vector3d::Zero());
+  const double change = (known - usual_acceleration_).norm();
+  usual_acceleration_ +=
+      (known - usual_acceleration_) * std::min(1.0, moment.dt / acceleration_memory_s);
+  const double sigma = acceleration ? acceleration_share * known.norm() + change_share * change
+                                    : unknown_acceleration_mps2;
   for (std::size_t i = 0; i < units_.size(); ++i)
-    if (tracks_.units[i].running()) step(units_[i], tracks_.units[i], moment, acceleration);
+    if (tracks_.units[i].running()) step(units_[i], tracks_.units[i], moment, known, sigma);
 }
 
 void Levels::step(Unit& unit, InertialUnit& inertial, const Moment& moment,
-                  const std::optional<Eigen::Vector3d>& acceleration) {
-  const Eigen::Vector3d known = acceleration.value_or(Eigen::Vector3d::Zero());
-  const Eigen::Vector3d difference = inertial.level(known, !any_fired(unit));
+                  const Eigen::Vector3d& acceleration, double sigma) {
+  const Eigen::Vector3d difference = inertial.level(acceleration, !any_fired(unit));
   for (int axis = 0; axis < 3; ++axis)
     unit.tests.at(static_cast<std::size_t>(axis))
-        .take({.value = difference[axis],
-               .sigma = acceleration ? 0.1 * known.norm() : unknown_acceleration_mps2},
-              moment.at);
+        .take({.value = difference[axis], .sigma = sigma}, moment.at);
   if (any_fired(unit) && is_over(unit, difference, moment.at)) {
     inertial.forget_level();
     for (Test& test : unit.tests) test.restart();

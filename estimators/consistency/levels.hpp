@@ -27,11 +27,12 @@ class Levels {
 
  private:
   void step(Unit& unit, InertialUnit& inertial, const Moment& moment,
-            const std::optional<Eigen::Vector3d>& acceleration);
+            const Eigen::Vector3d& acceleration, double sigma);
   static bool is_over(Unit& unit, const Eigen::Vector3d& difference, Stamp at);
 
   Tracks& tracks_;
   std::vector<Unit> units_;
+  Eigen::Vector3d usual_acceleration_ = Eigen::Vector3d::Zero();
 };
 
 }  // namespace drydock::consistency

@@ -12,6 +12,12 @@ bool is_named(const Parity::Names& names, const Devices& devices) {
                              [&](const Named& one) { return contains(devices, one.device); });
 }
 
+/// Of two fired tests of one device, whether the first says more about the kind of its fault.
+bool clearer(const Accusation& one, const Accusation& other) {
+  if (one.secondary != other.secondary) return other.secondary;
+  return one.test->fit() > other.test->fit();
+}
+
 /// How well one device explains the tests: those that fire with it, less those that are quiet.
 struct Explains {
   double fired = 0;
@@ -55,9 +61,14 @@ Parity::Names Parity::name(const Accusations& accusations, Stamp now) const {
   const auto add = [&](const Named& one) {
     if (names.size() < names.capacity()) names.push_back(one);
   };
-  for (const Accusation& one : accusations)
-    if (one.test->fired() && one.devices.size() == 1 && !is_named(names, one.devices))
+  for (const Accusation& one : accusations) {
+    if (!one.test->fired() || one.devices.size() != 1) continue;
+    const auto known = std::ranges::find(names, one.devices.front(), &Named::device);
+    if (known == names.end())
       add({.device = one.devices.front(), .by = &one});
+    else if (clearer(one, *known->by))
+      known->by = &one;
+  }
   for (const Accusation& one : accusations)
     if (one.test->fired() && !is_named(names, one.devices) && now - one.test->since() > patience)
       add(best_of(one, accusations));

@@ -8,12 +8,13 @@
 
 namespace drydock::consistency {
 
-/// One test and the devices that would make it fire. The order of the list is that of what a test
-/// says about the kind of fault: the first fired test of a device gives the word.
+/// One test and the devices that would make it fire. Of the fired tests of a device the one whose
+/// shape is clearest gives the word.
 struct Accusation {
   Devices devices;
   const Test* test = nullptr;
   const Freeze* freeze = nullptr;
+  bool secondary = false;  ///< it follows from what another quantity of the device does
 };
 using Accusations = boost::container::static_vector<Accusation, 160>;
 

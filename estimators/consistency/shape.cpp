@@ -6,7 +6,8 @@ namespace drydock::consistency {
 namespace {
 
 /// A rarer shape must explain so much more of what a step or a ramp leaves over.
-constexpr double rarer_share = 0.5;
+constexpr double rarer_share = 0.4;
+constexpr int enough_to_tell = 10;
 
 }  // namespace
 
@@ -17,6 +18,11 @@ void ShapeTest::take(double residual, double since_s, double rate, double value)
     sums_[i].ss += shapes[i] * shapes[i];
   }
   all_ += residual * residual;
+  ++count_;
+}
+
+double ShapeTest::fit() const {
+  return all_ > 0 ? sums_[static_cast<std::size_t>(best())].explained() / all_ : 0;
 }
 
 double ShapeTest::amount(Shape shape) const {
@@ -25,6 +31,7 @@ double ShapeTest::amount(Shape shape) const {
 }
 
 Shape ShapeTest::best() const {
+  if (count_ < enough_to_tell) return Shape::step;
   std::size_t best = 0;
   for (std::size_t i = 1; i < 3; ++i)
     if (sums_[i].explained() > sums_[best].explained()) best = i;

@@ -19,7 +19,11 @@ class ShapeTest {
   /// measured quantity, less their means (a constant cannot be told from a step).
   void take(double residual, double since_s, double rate, double value);
 
+  /// A step, while there are too few residuals to tell.
   Shape best() const;
+
+  /// The share of the squares that the best shape explains.
+  double fit() const;
 
   /// The best a of one shape.
   double amount(Shape shape) const;
@@ -31,6 +35,7 @@ class ShapeTest {
   };
   std::array<Sums, 5> sums_{};
   double all_ = 0;
+  int count_ = 0;
 };
 
 }  // namespace drydock::consistency

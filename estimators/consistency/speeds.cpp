@@ -6,14 +6,30 @@ namespace drydock::consistency {
 namespace {
 
 constexpr std::string_view quantity = "speed over ground";
-constexpr TestFacts dvl_facts{
-    .floor = 0.02, .wander = 0.001, .late_s = 0.1, .quantity = quantity, .unit = "m/s"};
-constexpr TestFacts receiver_facts{
-    .floor = 0.04, .wander = 0.001, .late_s = 0.1, .quantity = quantity, .unit = "m/s"};
-constexpr TestFacts log_facts{
-    .floor = 0.05, .wander = 0.003, .late_s = 0.25, .quantity = quantity, .unit = "m/s"};
-constexpr TestFacts shaft_facts{
-    .floor = 0.015, .wander = 0.002, .late_s = 0.5, .quantity = quantity, .unit = "m/s"};
+constexpr TestFacts dvl_facts{.floor = 0.02,
+                              .wander = 0.001,
+                              .late_s = 0.1,
+                              .scales = true,
+                              .quantity = quantity,
+                              .unit = "m/s"};
+constexpr TestFacts receiver_facts{.floor = 0.04,
+                                   .wander = 0.001,
+                                   .late_s = 0.1,
+                                   .scales = true,
+                                   .quantity = quantity,
+                                   .unit = "m/s"};
+constexpr TestFacts log_facts{.floor = 0.05,
+                              .wander = 0.003,
+                              .late_s = 0.25,
+                              .scales = true,
+                              .quantity = quantity,
+                              .unit = "m/s"};
+constexpr TestFacts shaft_facts{.floor = 0.015,
+                                .wander = 0.002,
+                                .late_s = 0.5,
+                                .scales = true,
+                                .quantity = quantity,
+                                .unit = "m/s"};
 
 constexpr double slowest_mps = 0.3;  // below it a shaft or a course says little
 constexpr double advance_memory_s = 20;
@@ -65,14 +81,23 @@ void Speeds::see_receivers(const Moment& moment) {
 }
 
 void Speeds::see_logs(const Moment& moment) {
-  for (std::size_t i = 0; i < logs_.size(); ++i) {
-    const auto& log = tracks_.logs[i];
-    const auto read = log.speed.at(moment.at);
-    if (!read) continue;
-    const Eigen::Vector3d body{read->value.x(), read->value.y(), 0};
-    const Eigen::Vector2d water = at_origin(body, log.sensor.lever_arm_m, moment).head<2>();
-    group_.see(logs_[i], (water + currents_[i].along(moment.heading)).norm(), read->serial);
-  }
+  for (std::size_t i = 0; i < logs_.size(); ++i)
+    if (const auto read = tracks_.logs[i].speed.at(moment.at))
+      group_.see(logs_[i],
+                 (water(i, read->value, moment) + currents_[i].along(moment.heading)).norm(),
+                 read->serial);
+}
+
+/// Through the water at the origin. Across, a log that does not tell it moves with the ground.
+Eigen::Vector2d Speeds::water(std::size_t log, const Eigen::Vector2d& read,
+                              const Moment& moment) const {
+  const LogTracks& tracks = tracks_.logs[log];
+  const Eigen::Vector3d body{read.x(), read.y(), 0};
+  Eigen::Vector2d through = at_origin(body, tracks.sensor.lever_arm_m, moment).head<2>();
+  if (!tracks.across)
+    through.y() = moment.along_deck.value_or(Eigen::Vector2d::Zero()).y() -
+                  currents_[log].along(moment.heading).y();
+  return through;
 }
 
 void Speeds::see_shafts(const Moment& moment) {
@@ -87,13 +112,10 @@ void Speeds::learn(const Moment& moment) {
     return witness < Group::most && group_.witnesses()[witness].test.suspicion() < 0.3;
   };
   for (std::size_t i = 0; i < logs_.size(); ++i) {
-    const auto& log = tracks_.logs[i];
-    const auto read = log.speed.at(moment.at);
+    const auto read = tracks_.logs[i].speed.at(moment.at);
     if (!read || !moment.along_deck || !quiet(logs_[i])) continue;
-    const Eigen::Vector3d body{read->value.x(), read->value.y(), 0};
-    const Eigen::Vector2d water = at_origin(body, log.sensor.lever_arm_m, moment).head<2>();
-    currents_[i].follow(*moment.along_deck - water - currents_[i].along(moment.heading),
-                        moment.heading, moment.dt);
+    const Eigen::Vector2d all = water(i, read->value, moment) + currents_[i].along(moment.heading);
+    currents_[i].follow(*moment.along_deck - all, moment.heading, moment.dt);
   }
   for (std::size_t i = 0; i < shafts_.size(); ++i) {
     const auto read = tracks_.actuators[i].shaft.at(moment.at);

@@ -13,7 +13,7 @@ constexpr TestFacts rudder_facts{.floor = 0.5 * units::degree,
                                  .unit_si = units::degree};
 
 constexpr double slowest_steered_mps = 0.5;
-constexpr double memory_s = 300;
+constexpr double steering_memory_s = 300;
 /// The ratio is known after ten seconds of a curve of 100 m radius, or what is as much.
 constexpr double enough = 10 * 0.01 * 0.01;
 /// The ratio itself differs between manoeuvres by so much.
@@ -42,7 +42,7 @@ void Steering::step(const Moment& moment, std::optional<double> speed_mps) {
 
 void Steering::step(Rudder& rudder, double angle, double curvature_1pm, const Moment& moment) {
   if (rudder.test.suspicion() < 0.3) {
-    const double keep = 1 - moment.dt / memory_s;
+    const double keep = 1 - moment.dt / steering_memory_s;
     const double own = angle - (rudder.test.learned() ? rudder.test.offset() : 0);
     rudder.product = keep * rudder.product + moment.dt * curvature_1pm * own;
     rudder.square = keep * rudder.square + moment.dt * curvature_1pm * curvature_1pm;

@@ -8,6 +8,7 @@ using diagnosis::Sign;
 constexpr double follow_s = 10;  // time constant of the offset, within the bound of its rate
 constexpr double trend_s = 60;   // and of its trend
 constexpr std::chrono::seconds outage{3}, steady_for_sum{5};
+constexpr int told_after = 5;  // fired samples; then the shape is told and other devices react
 constexpr double spread_samples = 300;  // memory of the spread
 constexpr double noise_samples = 10;    // memory of the noise from sample to sample
 constexpr double wildest = 5;           // sigmas; more does not count as noise
@@ -80,15 +81,18 @@ void Test::test(const Residual& residual, Stamp at) {
   }
   if (was_quiet) {
     shape_.clear();
+    fired_samples_ = 0;
     since_ = at;
   }
-  shape_.take(deviation_, measurement::seconds(at - since_) + 0.1, residual.rate - usual_rate_,
-              residual.quantity - usual_quantity_);
   if (cusum_.value() >= design.limit) fired_ = true;
+  if (fired_ && ++fired_samples_ > told_after) return;
+  shape_.take(deviation_, measurement::seconds(at - since_) + 0.1, residual.rate - usual_rate_,
+              facts_.scales ? residual.quantity - usual_quantity_ : 0);
 }
 
 Sign Test::sign(const Freeze* own) const {
-  if (own != nullptr && own->since() && last_ - *own->since() > std::chrono::seconds{1})
+  if (own != nullptr && own->since() && *own->since() < since_ + std::chrono::seconds{1} &&
+      last_ - *own->since() > std::chrono::seconds{1})
     return own->jumped() ? Sign::offset : Sign::stuck;
   switch (shape_.best()) {
     case Shape::step: return facts_.sum_above > 0 ? Sign::offset : Sign::step;

@@ -20,6 +20,7 @@ struct TestFacts {
   /// A residual that grows faster than this (per second) is the sum of a constant error, not a slow
   /// drift. 0 for a residual that is a sum, infinity for a plain difference.
   double sum_above = std::numeric_limits<double>::infinity();
+  bool scales = false;  ///< a wrong factor is possible: the quantity has a zero
   std::string_view quantity, unit;
   double unit_si = 1;  ///< one unit in SI
 };
@@ -53,6 +54,8 @@ class Test {
   /// What the history of the residual says about the device.
   diagnosis::Sign sign(const Freeze* own) const;
   Shape shape() const { return shape_.best(); }
+  /// How much of the squared deviation the likeliest shape explains, 0 to 1.
+  double fit() const { return shape_.fit(); }
   const TestFacts& facts() const { return facts_; }
 
   /// At five samples a second the mean time between false alarms of one test is 16 years.
@@ -67,7 +70,7 @@ class Test {
   double sigma_of(const Residual& residual) const;
 
   TestFacts facts_;
-  int samples_ = 0;
+  int samples_ = 0, fired_samples_ = 0;
   double offset_ = 0, trend_ = 0, steady_ = 0, mean_square_ = 0, noise_square_ = 0;
   double deviation_ = 0, sigma_ = 0;
   double usual_rate_ = 0, usual_quantity_ = 0;

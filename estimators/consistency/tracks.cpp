@@ -59,6 +59,7 @@ void take(DvlTracks& tracks, const measurement::BottomVelocity& sample) {
 }
 
 void take(LogTracks& tracks, const measurement::WaterSpeed& sample) {
+  tracks.across = sample.transverse_mps.has_value();
   if (sample.longitudinal_mps)
     tracks.speed.push(sample.origin.valid_at,
                       {*sample.longitudinal_mps, sample.transverse_mps.value_or(0)});

@@ -31,7 +31,8 @@ struct LogTracks {
   LogTracks(std::uint16_t index, const Sensor& sensor);
   std::uint16_t device;
   Sensor sensor;
-  Track<2> speed;  ///< m/s, body x and y; y is 0 if the log does not tell it
+  Track<2> speed;       ///< m/s, body x and y
+  bool across = false;  ///< the log tells y
 };
 
 struct GnssTracks {
