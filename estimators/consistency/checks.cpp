@@ -108,7 +108,7 @@ Moment Checks::moment_at(Stamp at) {
       moment.down = unit.down();
       moment.level_from.push_back(unit.device());
     }
-  moment.heading = headings_.group().value();
+  moment.heading = headings_.group().value().value_or(0);
   for (const DvlTracks& dvl : tracks_.dvls) {
     const auto read = dvl.velocity.at(at);
     if (!read || !trusted({dvl.device}) || moment.over_ground) continue;

@@ -1,32 +1,49 @@
 #include "estimators/consistency/current.hpp"
 
-#include <Eigen/Geometry>
-#include <algorithm>
+#include <cmath>
 
 namespace drydock::consistency {
 namespace {
 
-constexpr double first_s = 2, later_s = 30;  // time constants at first and later
-constexpr double fastest = 0.006;            // m/s2: a change of the current along the way
-constexpr double own_share = 0.3;            // the log's own offset changes more slowly
+constexpr double first_current_mps = 0.5, first_offset_mps = 0.1;  // 1 sigma
+constexpr double current_walk = 0.004, offset_walk = 0.0005;       // m/s/sqrt(s)
+constexpr double noise_mps = 0.1;                                  // of one comparison
 
-Eigen::Vector2d bounded(const Eigen::Vector2d& step, double most) {
-  return step * std::min(1.0, most / std::max(step.norm(), 1e-12));
-}
+double squared(double x) { return x * x; }
 
 }  // namespace
 
-Eigen::Vector2d Current::along(std::optional<double> heading) const {
-  return Eigen::Rotation2Dd(-heading.value_or(0)) * earth_ + own_;
+Current::Current()
+    : covariance_(Eigen::Vector4d(squared(first_current_mps), squared(first_current_mps),
+                                  squared(first_offset_mps), squared(first_offset_mps))
+                      .asDiagonal()) {}
+
+Current::Row Current::row(int axis, double heading) {
+  const double c = std::cos(heading), s = std::sin(heading);
+  return axis == 0 ? Row(c, s, 1, 0) : Row(-s, c, 0, 1);
 }
 
-void Current::follow(const Eigen::Vector2d& error, std::optional<double> heading, double dt) {
-  followed_s_ += dt;
-  const double memory_s = std::clamp(followed_s_, first_s, later_s);
-  const double most = followed_s_ < later_s ? 1e3 : fastest * dt;
-  const Eigen::Vector2d step = bounded(error * std::min(1.0, dt / memory_s), most);
-  earth_ += Eigen::Rotation2Dd(heading.value_or(0)) * step;
-  own_ += own_share * step;
+Eigen::Vector2d Current::at(double heading) const {
+  return {row(0, heading).dot(state_), row(1, heading).dot(state_)};
+}
+
+double Current::variance(double heading) const {
+  const Row h = row(0, heading);
+  return (h * covariance_ * h.transpose()).value();
+}
+
+void Current::follow(const Eigen::Vector2d& lacking, bool across, double heading, double dt) {
+  covariance_.diagonal() += dt * Eigen::Vector4d(squared(current_walk), squared(current_walk),
+                                                 squared(offset_walk), squared(offset_walk));
+  update(lacking.x(), row(0, heading));
+  if (across) update(lacking.y(), row(1, heading));
+}
+
+void Current::update(double lacking, const Row& h) {
+  const Eigen::Vector4d ph = covariance_ * h.transpose();
+  const double variance = h.dot(ph) + squared(noise_mps);
+  state_ += ph * ((lacking - h.dot(state_)) / variance);
+  covariance_ -= ph * ph.transpose() / variance;
 }
 
 }  // namespace drydock::consistency

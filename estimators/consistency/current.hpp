@@ -1,23 +1,31 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <optional>
 
 namespace drydock::consistency {
 
 /// What a log lacks to the velocity over ground: the current, constant over the Earth, and the
-/// log's own offset, constant in the body. Both change slowly. A least mean squares filter.
+/// log's own offset, constant in the body. A Kalman filter of these four with a random walk, so an
+/// across current that no turn has shown yet makes the speed uncertain, not wrong.
 class Current {
  public:
-  /// Along and across, m/s. Without a heading the current is taken as constant in the body.
-  Eigen::Vector2d along(std::optional<double> heading) const;
+  Current();
 
-  /// `error`: over ground less (through water + along()).
-  void follow(const Eigen::Vector2d& error, std::optional<double> heading, double dt);
+  /// Along and across, m/s, at a heading from any zero.
+  Eigen::Vector2d at(double heading) const;
+  /// Variance of the part along, (m/s)2.
+  double variance(double heading) const;
+
+  /// `lacking`: over ground less through water, m/s; its second part counts if `across`.
+  void follow(const Eigen::Vector2d& lacking, bool across, double heading, double dt);
 
  private:
-  Eigen::Vector2d earth_ = Eigen::Vector2d::Zero(), own_ = Eigen::Vector2d::Zero();
-  double followed_s_ = 0;
+  using Row = Eigen::RowVector4d;
+  static Row row(int axis, double heading);
+  void update(double lacking, const Row& h);
+
+  Eigen::Vector4d state_ = Eigen::Vector4d::Zero();  ///< current north, east; offset x, y
+  Eigen::Matrix4d covariance_;
 };
 
 }  // namespace drydock::consistency

@@ -8,6 +8,7 @@ namespace drydock::consistency {
 namespace {
 
 constexpr std::chrono::milliseconds push_period{24};
+constexpr double quick_pull_s = 3, quick_mean_s = 2;
 constexpr double quick_s = 2, slow_s = 60;  // time constants of the pull at first and later
 
 std::chrono::nanoseconds gap_of_unit(const Sensor& sensor) {
@@ -64,19 +65,27 @@ void InertialUnit::turn(double dt) {
   heading_ += rate_.dot(down_) * dt / std::max(0.1, down_.squaredNorm());
   const Eigen::Vector3d before = down_;
   const double angle = rate_.norm() * dt;
-  if (angle > 0) down_ = Eigen::AngleAxisd(-angle, rate_.normalized()) * down_;
+  if (angle > 0) {
+    const Eigen::AngleAxisd turned(-angle, rate_.normalized());
+    down_ = turned * down_;
+    quick_ = turned * quick_;
+  }
   middle_ = (before + down_).normalized();
 }
 
 Eigen::Vector3d InertialUnit::level(const Eigen::Vector3d& acceleration, bool pull) {
   const Eigen::Vector3d gravity = acceleration - force_;
-  if (levelled_s_ <= 0 && gravity.norm() > 1) down_ = middle_ = gravity.normalized();
+  if (levelled_s_ <= 0 && gravity.norm() > 1) down_ = middle_ = quick_ = gravity.normalized();
   const Eigen::Vector3d difference = units::standard_gravity * middle_ - gravity;
+  const auto pulled = [&](const Eigen::Vector3d& down, const Eigen::Vector3d& by, double memory_s) {
+    return (down - by / units::standard_gravity * std::min(1.0, dt_ / memory_s)).normalized();
+  };
+  const Eigen::Vector3d quick = units::standard_gravity * quick_ - gravity;
+  quick_difference_ += (quick - quick_difference_) * std::min(1.0, dt_ / quick_mean_s);
+  quick_ = pulled(quick_, quick, quick_pull_s);
   if (!pull) return difference;
   levelled_s_ += dt_;
-  const double memory_s = std::clamp(levelled_s_, quick_s, slow_s);
-  down_ =
-      (down_ - difference / units::standard_gravity * std::min(1.0, dt_ / memory_s)).normalized();
+  down_ = pulled(down_, difference, std::clamp(levelled_s_, quick_s, slow_s));
   return difference;
 }
 

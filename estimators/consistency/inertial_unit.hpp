@@ -24,13 +24,17 @@ class InertialUnit {
   /// ground, body.
   Eigen::Vector3d level(const Eigen::Vector3d& acceleration, bool pull);
 
+  /// The difference of a level that is pulled all the time, with 3 s: a gyro's fault that lasts
+  /// shows in it, a fault that is over does not.
+  double quick_difference() const { return quick_difference_.norm(); }
+  void take_quick_level() { down_ = quick_; }
+
   std::uint16_t device() const { return device_; }
   const Eigen::Vector3d& rate() const { return rate_; }  ///< rad/s, mean of the last step
   const Eigen::Vector3d& down() const { return down_; }  ///< unit vector, body
   double heading() const { return heading_; }            ///< rad, integrated from 0
   std::uint64_t serial() const { return serial_; }
   bool running() const { return running_; }  ///< the last step had samples
-  void forget_level() { levelled_s_ = 0; }   ///< the next level() begins anew
   const Freeze& freeze() const { return freeze_; }
 
  private:
@@ -47,6 +51,7 @@ class InertialUnit {
   bool begun_ = false, running_ = false;
   Eigen::Vector3d rate_ = Eigen::Vector3d::Zero(), force_ = Eigen::Vector3d::Zero();
   Eigen::Vector3d down_ = Eigen::Vector3d::UnitZ(), middle_ = Eigen::Vector3d::UnitZ();
+  Eigen::Vector3d quick_ = Eigen::Vector3d::UnitZ(), quick_difference_ = Eigen::Vector3d::Zero();
   double heading_ = 0, levelled_s_ = 0, dt_ = 0;
   std::uint64_t serial_ = 0;
   Freeze freeze_;

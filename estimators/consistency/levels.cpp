@@ -8,8 +8,8 @@ constexpr double fastest_drift_mps3 = 0.05;
 /// Without a velocity the acceleration of the vehicle is an error.
 constexpr double unknown_acceleration_mps2 = 0.5;
 constexpr double acceleration_share = 0.1, change_share = 0.5, acceleration_memory_s = 2;
-constexpr std::chrono::seconds steady_for{5};
-constexpr double steady_share = 0.1;
+/// A gyro's fault has turned the level; when that no longer goes on, the level begins anew.
+constexpr double over_below_mps2 = 0.15, over_after_s = 3;
 
 TestFacts facts_along(std::string_view quantity) {
   return {.floor = 0.04,
@@ -22,6 +22,11 @@ TestFacts facts_along(std::string_view quantity) {
 
 bool any_fired(const Levels::Unit& unit) {
   return std::ranges::any_of(unit.tests, [](const Test& test) { return test.fired(); });
+}
+
+bool turned_away(const Levels::Unit& unit) {
+  return std::ranges::any_of(
+      unit.tests, [](const Test& test) { return test.fired() && test.shape() != Shape::step; });
 }
 
 }  // namespace
@@ -53,22 +58,9 @@ void Levels::step(Unit& unit, InertialUnit& inertial, const Moment& moment,
   for (int axis = 0; axis < 3; ++axis)
     unit.tests.at(static_cast<std::size_t>(axis))
         .take({.value = difference[axis], .sigma = sigma}, moment.at);
-  if (any_fired(unit) && is_over(unit, difference, moment.at)) {
-    inertial.forget_level();
-    for (Test& test : unit.tests) test.restart();
-  }
-}
-
-/// A gyro's fault has turned the level; when that no longer goes on, the level begins anew.
-bool Levels::is_over(Unit& unit, const Eigen::Vector3d& difference, Stamp at) {
-  if ((difference - unit.steady).norm() > steady_share * unit.steady.norm()) {
-    unit.steady = difference;
-    unit.steady_since = at;
-  }
-  return at - unit.steady_since > steady_for &&
-         std::ranges::any_of(unit.tests, [](const Test& test) {
-           return test.fired() && test.shape() != Shape::step;
-         });
+  const bool over = turned_away(unit) && inertial.quick_difference() < over_below_mps2;
+  unit.over_s = over ? unit.over_s + moment.dt : 0;
+  if (unit.over_s > over_after_s) inertial.take_quick_level();
 }
 
 }  // namespace drydock::consistency

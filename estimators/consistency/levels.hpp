@@ -20,15 +20,13 @@ class Levels {
     std::uint16_t device;
     const Freeze* freeze;
     std::array<Test, 3> tests;
-    Eigen::Vector3d steady = Eigen::Vector3d::Zero();
-    Stamp steady_since{};
+    double over_s = 0;  ///< since a fault that turned the level is over
   };
   std::span<const Unit> units() const { return units_; }
 
  private:
   void step(Unit& unit, InertialUnit& inertial, const Moment& moment,
             const Eigen::Vector3d& acceleration, double sigma);
-  static bool is_over(Unit& unit, const Eigen::Vector3d& difference, Stamp at);
 
   Tracks& tracks_;
   std::vector<Unit> units_;

@@ -27,7 +27,7 @@ struct Moment {
   double dt = 0;
   std::optional<Eigen::Vector3d> down{};         ///< direction of gravity, body
   std::optional<Eigen::Vector3d> rate{};         ///< rad/s, body
-  std::optional<double> heading{};               ///< rad, from any zero
+  double heading = 0;                            ///< rad, from any zero; 0 if nothing tells it
   std::optional<Eigen::Vector2d> over_ground{};  ///< m/s, along and across, level
   std::optional<Eigen::Vector2d> along_deck{};   ///< m/s, body x and y
   Devices ground_from{}, level_from{};           ///< the devices that told it

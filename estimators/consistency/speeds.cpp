@@ -32,7 +32,7 @@ constexpr TestFacts shaft_facts{.floor = 0.015,
                                 .unit = "m/s"};
 
 constexpr double slowest_mps = 0.3;  // below it a shaft or a course says little
-constexpr double advance_memory_s = 20;
+constexpr double advance_memory_s = 100;
 
 }  // namespace
 
@@ -47,6 +47,7 @@ Speeds::Speeds(const Tracks& tracks) : tracks_(tracks) {
   for (const auto& actuator : tracks.actuators)
     shafts_.push_back(group_.add({actuator.device}, shaft_facts, &actuator.shaft.freeze()));
   currents_.resize(logs_.size());
+  learned_.resize(logs_.size());
   advances_m_.resize(shafts_.size());
 }
 
@@ -83,9 +84,8 @@ void Speeds::see_receivers(const Moment& moment) {
 void Speeds::see_logs(const Moment& moment) {
   for (std::size_t i = 0; i < logs_.size(); ++i)
     if (const auto read = tracks_.logs[i].speed.at(moment.at))
-      group_.see(logs_[i],
-                 (water(i, read->value, moment) + currents_[i].along(moment.heading)).norm(),
-                 read->serial);
+      group_.see(logs_[i], (water(i, read->value, moment) + currents_[i].at(moment.heading)).norm(),
+                 read->serial, std::sqrt(currents_[i].variance(moment.heading)));
 }
 
 /// Through the water at the origin. Across, a log that does not tell it moves with the ground.
@@ -96,7 +96,7 @@ Eigen::Vector2d Speeds::water(std::size_t log, const Eigen::Vector2d& read,
   Eigen::Vector2d through = at_origin(body, tracks.sensor.lever_arm_m, moment).head<2>();
   if (!tracks.across)
     through.y() = moment.along_deck.value_or(Eigen::Vector2d::Zero()).y() -
-                  currents_[log].along(moment.heading).y();
+                  currents_[log].at(moment.heading).y();
   return through;
 }
 
@@ -108,21 +108,25 @@ void Speeds::see_shafts(const Moment& moment) {
 
 /// Only from devices that no test accuses.
 void Speeds::learn(const Moment& moment) {
+  shaft_s_ += moment.dt;
   const auto quiet = [&](std::size_t witness) {
     return witness < Group::most && group_.witnesses()[witness].test.suspicion() < 0.3;
   };
   for (std::size_t i = 0; i < logs_.size(); ++i) {
     const auto read = tracks_.logs[i].speed.at(moment.at);
     if (!read || !moment.along_deck || !quiet(logs_[i])) continue;
-    const Eigen::Vector2d all = water(i, read->value, moment) + currents_[i].along(moment.heading);
-    currents_[i].follow(*moment.along_deck - all, moment.heading, moment.dt);
+    if (read->serial == learned_[i]) continue;
+    learned_[i] = read->serial;
+    currents_[i].follow(*moment.along_deck - water(i, read->value, moment), tracks_.logs[i].across,
+                        moment.heading, 1 / tracks_.logs[i].sensor.rate_hz);
   }
   for (std::size_t i = 0; i < shafts_.size(); ++i) {
     const auto read = tracks_.actuators[i].shaft.at(moment.at);
     if (!read || !group_.value() || *group_.value() < slowest_mps || !quiet(shafts_[i])) continue;
     const double advance = *group_.value() / std::max(std::abs(read->value.x()), 0.1);
     double& known = advances_m_[i];
-    known += (advance - known) * (known > 0 ? moment.dt / advance_memory_s : 1);
+    known += (advance - known) *
+             (known > 0 ? moment.dt / std::clamp(shaft_s_, 2.0, advance_memory_s) : 1);
   }
 }
 

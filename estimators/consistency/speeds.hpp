@@ -33,8 +33,10 @@ class Speeds {
   const Tracks& tracks_;
   Group group_;
   std::vector<std::size_t> dvls_, receivers_, logs_, shafts_;
-  std::vector<Current> currents_;   ///< one a log
-  std::vector<double> advances_m_;  ///< one a shaft: speed / (rad/s); 0: not learned
+  std::vector<Current> currents_;       ///< one a log
+  std::vector<std::uint64_t> learned_;  ///< the last sample of each log that did so
+  double shaft_s_ = 0;                  ///< learned so long
+  std::vector<double> advances_m_;      ///< one a shaft: speed / (rad/s); 0: not learned
 };
 
 }  // namespace drydock::consistency
