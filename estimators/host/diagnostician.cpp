@@ -6,6 +6,8 @@
 #include "drivers/diagnosis/bus_monitor.hpp"
 #include "drivers/diagnosis/device_monitor.hpp"
 #include "drivers/diagnosis/judge.hpp"
+#include "estimators/consistency/consistency.hpp"
+#include "estimators/frame/attitude.hpp"
 
 namespace drydock::host {
 namespace {
@@ -18,6 +20,18 @@ diagnosis::Expected expected_of(const rig_config::DeviceConfig& config, std::siz
           .nominal_rate_hz = config.rate_hz,
           .stale_after = measurement::from_seconds(config.stale_after_s),
           .address = static_cast<std::uint8_t>(config.address)};
+}
+
+std::vector<consistency::Sensor> sensors_of(const rig_config::Rig& rig) {
+  std::vector<consistency::Sensor> sensors;
+  for (const auto& config : rig.devices) {
+    const auto& [roll, pitch, yaw] = config.mounting_rad;
+    sensors.push_back({.kind = config.kind,
+                       .rate_hz = config.rate_hz,
+                       .lever_arm_m = Eigen::Vector3d(config.lever_arm_m.data()),
+                       .sensor_to_body = frame::ned_to_body({roll, pitch, yaw}).transpose()});
+  }
+  return sensors;
 }
 
 /// A device that must have said so much by then, and did not, was held up.
@@ -57,6 +71,7 @@ class Diagnostician::Bench final : public Follower, private diagnosis::FindingLi
   Follower& to_;
   diagnosis::Judge judge_;
   std::vector<diagnosis::DeviceMonitor> monitors_;
+  consistency::Consistency cross_checks_;
   std::vector<const device::Device*> devices_;
   std::vector<Bus> buses_;
   std::vector<Line> lines_;           ///< each link once
@@ -66,7 +81,7 @@ class Diagnostician::Bench final : public Follower, private diagnosis::FindingLi
 };
 
 Diagnostician::Bench::Bench(const rig_config::Rig& rig, Follower& to)
-    : to_(to), judge_(rig.devices.size(), *this) {
+    : to_(to), judge_(rig.devices.size(), *this), cross_checks_(sensors_of(rig), judge_) {
   monitors_.reserve(rig.devices.size());
   for (std::size_t i = 0; i < rig.devices.size(); ++i) {
     const auto& config = rig.devices[i];
@@ -108,6 +123,7 @@ void Diagnostician::Bench::on_measurement(const measurement::Measurement& measur
   const auto& origin = measurement::origin_of(measurement);
   notice_stall(origin.device, origin.received_at);
   monitors_.at(origin.device).take(measurement);
+  cross_checks_.take(measurement);
   if (const auto* depth = std::get_if<measurement::DepthSample>(&measurement))
     notice_depth(*depth, origin.device);
   if (origin.received_at >= next_look_) look(origin.received_at);
@@ -138,6 +154,7 @@ void Diagnostician::Bench::notice_depth(const measurement::DepthSample& sample,
 void Diagnostician::Bench::look(Stamp now) {
   for (const auto* device : devices_) monitors_.at(device->index()).look(device->health(now), now);
   for (Bus& bus : buses_) bus.monitor.look(now);
+  cross_checks_.tell(now);
   judge_.settle(now);
   next_look_ = now + diagnosis::look_period;
 }

@@ -39,8 +39,9 @@ estimators/hydrodynamics   estimators/frame
 estimators/vehicle         estimators/hydrodynamics rig_config
 estimators/velocity        estimators/navigation estimators/hydrodynamics estimators/frame
 estimators/pipeline        estimators/leveling estimators/mixing estimators/roll estimators/velocity estimators/navigation estimators/hydrodynamics estimators/frame drivers/measurement
+estimators/consistency     drivers/diagnosis drivers/measurement
 estimators/setup           estimators/pipeline estimators/vehicle estimators/frame drivers/measurement rig_config
-estimators/host            drivers/diagnosis estimators/setup estimators/pipeline drivers/host drivers/bus drivers/link drivers/io drivers/terminal drivers/measurement rig_config
+estimators/host            drivers/diagnosis estimators/consistency estimators/setup estimators/pipeline estimators/frame drivers/host drivers/bus drivers/link drivers/io drivers/terminal drivers/measurement rig_config
 rig_config                 drivers/wire/protocols drivers/wire/hex drivers/wire/described/description drivers/wire/described/frame_plan drivers/wire/dbc/database drivers/wire/dbc/reader drivers/wire/described/plan drivers/wire/described/targets drivers/measurement/units drivers/measurement/kind drivers/measurement/sound_speed
 hil/report
 hil/ocean                  estimators/frame drivers/measurement rig_config
@@ -110,7 +111,7 @@ never() { # FOLDER REGEX: system headers that FOLDER keeps out
 }
 
 io='boost/asio|dds/|fstream|iostream|filesystem|thread|mutex|sys/|unistd|toml'
-for folder in drivers/{measurement,wire,device,survey} estimators/{frame,hydrodynamics,leveling,mixing,navigation,roll,vehicle,velocity,pipeline}; do
+for folder in drivers/{measurement,wire,device,survey} estimators/{frame,hydrodynamics,leveling,mixing,navigation,roll,vehicle,velocity,pipeline,consistency}; do
   never "$folder" "$io"
 done
 if grep -nE '(system_clock|steady_clock)::now|\brandom_device\b|\brand\(\)' -r drivers/{wire,device,survey,measurement} estimators \

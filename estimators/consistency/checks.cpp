@@ -1,0 +1,190 @@
+#include "estimators/consistency/checks.hpp"
+
+namespace drydock::consistency {
+namespace {
+
+constexpr std::chrono::milliseconds period{200};
+/// Behind a gap the checks begin anew.
+constexpr std::chrono::seconds longest_pause{5};
+
+/// The slowest sensor that votes must have sent the sample after the tested time.
+std::chrono::nanoseconds lag_of(const std::vector<Sensor>& sensors) {
+  double slowest_s = 0.1;
+  for (const Sensor& sensor : sensors) slowest_s = std::max(slowest_s, 1 / sensor.rate_hz);
+  return measurement::from_seconds(std::min(slowest_s, 1.0) + 0.2);
+}
+
+Tracks tracks_of(const std::vector<Sensor>& sensors) {
+  using measurement::Kind;
+  Tracks tracks;
+  for (std::uint16_t i = 0; i < sensors.size(); ++i) switch (sensors[i].kind) {
+      case Kind::dvl: tracks.dvls.emplace_back(i, sensors[i]); break;
+      case Kind::emlog: tracks.logs.emplace_back(i, sensors[i]); break;
+      case Kind::gnss: tracks.receivers.emplace_back(i, sensors[i]); break;
+      case Kind::imu: tracks.units.emplace_back(i, sensors[i]); break;
+      case Kind::depth: tracks.depths.emplace_back(i, sensors[i]); break;
+      case Kind::actuator: tracks.actuators.emplace_back(i, sensors[i]); break;
+      case Kind::attitude: tracks.compasses.emplace_back(i, sensors[i]); break;
+    }
+  return tracks;
+}
+
+std::vector<std::uint16_t> places_of(const std::vector<Sensor>& sensors) {
+  std::array<std::uint16_t, measurement::kinds.size()> count{};
+  std::vector<std::uint16_t> places;
+  for (const Sensor& sensor : sensors)
+    places.push_back(count.at(static_cast<std::size_t>(sensor.kind))++);
+  return places;
+}
+
+}  // namespace
+
+Checks::Checks(const std::vector<Sensor>& sensors, diagnosis::SymptomSink& to)
+    : to_(to),
+      tracks_(tracks_of(sensors)),
+      place_(places_of(sensors)),
+      named_(sensors.size()),
+      lag_(lag_of(sensors)),
+      speeds_(tracks_),
+      headings_(tracks_),
+      heights_(tracks_),
+      levels_(tracks_),
+      attitudes_(tracks_),
+      places_(tracks_),
+      steering_(tracks_) {}
+
+void Checks::take(const measurement::Measurement& measurement) {
+  push(measurement);
+  const Stamp now = measurement::origin_of(measurement).received_at;
+  if (now - next_ > lag_ + longest_pause) next_ = now - lag_;
+  for (; now - next_ >= lag_; next_ += period) step(next_);
+}
+
+void Checks::push(const measurement::Measurement& measurement) {
+  using namespace measurement;
+  const std::size_t place = place_.at(origin_of(measurement).device);
+  if (const auto* imu = std::get_if<ImuSample>(&measurement)) tracks_.units.at(place).take(*imu);
+  if (const auto* dvl = std::get_if<BottomVelocity>(&measurement))
+    consistency::take(tracks_.dvls.at(place), *dvl);
+  if (const auto* log = std::get_if<WaterSpeed>(&measurement))
+    consistency::take(tracks_.logs.at(place), *log);
+  if (const auto* fix = std::get_if<GnssFix>(&measurement))
+    consistency::take(tracks_.receivers.at(place), *fix);
+  if (const auto* depth = std::get_if<DepthSample>(&measurement))
+    consistency::take(tracks_.depths.at(place), *depth);
+  if (const auto* actuator = std::get_if<ActuatorState>(&measurement))
+    consistency::take(tracks_.actuators.at(place), *actuator);
+  if (const auto* attitude = std::get_if<AttitudeSample>(&measurement))
+    consistency::take(tracks_.compasses.at(place), *attitude);
+}
+
+bool Checks::trusted(const Devices& devices) const {
+  return std::ranges::none_of(devices, [&](std::uint16_t device) { return named_[device]; });
+}
+
+void Checks::step(Stamp at) {
+  for (InertialUnit& unit : tracks_.units) unit.advance(at);
+  Moment moment = moment_at(at);
+  const auto distrusted = [&](const Devices& devices) { return !trusted(devices); };
+  headings_.step(moment, distrusted);
+  speeds_.step(moment, distrusted);
+  heights_.step(moment, distrusted);
+  levels_.step(moment, acceleration(moment));
+  attitudes_.step(moment);
+  places_.step(moment);
+  steering_.step(moment, speeds_.group().value());
+  accuse(moment);
+  names_ = Parity{}.name(accusations_, at);
+  std::fill(named_.begin(), named_.end(), false);
+  for (const Named& one : names_) named_[one.device] = true;
+  last_ = at;
+}
+
+Moment Checks::moment_at(Stamp at) {
+  Moment moment{.at = at, .dt = last_ == Stamp{} ? 0 : measurement::seconds(at - last_)};
+  for (const InertialUnit& unit : tracks_.units)
+    if (unit.running() && trusted({unit.device()}) && !moment.rate) {
+      moment.rate = unit.rate();
+      moment.down = unit.down();
+      moment.level_from.push_back(unit.device());
+    }
+  moment.heading = headings_.group().value().value_or(0);
+  for (const DvlTracks& dvl : tracks_.dvls) {
+    const auto read = dvl.velocity.at(at);
+    if (!read || !trusted({dvl.device}) || moment.over_ground) continue;
+    if (const auto own = dvl.down.at(at); own && !moment.down) moment.down = own->value;
+    const Eigen::Vector3d velocity = at_origin(read->value, dvl.sensor.lever_arm_m, moment);
+    moment.over_ground = levelled(velocity, moment);
+    moment.along_deck = velocity.head<2>();
+    moment.ground_from.push_back(dvl.device);
+  }
+  return moment;
+}
+
+/// Of a sound DVL, else of a sound log along the body.
+std::optional<Eigen::Vector3d> Checks::velocity(const Moment& moment) const {
+  for (const DvlTracks& dvl : tracks_.dvls)
+    if (const auto read = dvl.velocity.at(moment.at); read && trusted({dvl.device}))
+      return at_origin(read->value, dvl.sensor.lever_arm_m, moment);
+  if (const auto speed = speeds_.group().value()) return *speed * Eigen::Vector3d::UnitX();
+  return {};
+}
+
+/// dv/dt + w x v
+std::optional<Eigen::Vector3d> Checks::acceleration(const Moment& moment) {
+  const auto before = last_velocity_;
+  last_velocity_ = velocity(moment);
+  if (!before || !last_velocity_ || !moment.rate || moment.dt <= 0) return {};
+  return (*last_velocity_ - *before) / moment.dt +
+         moment.rate->cross((*last_velocity_ + *before) / 2);
+}
+
+void Checks::accuse(const Devices& devices, const Test& test, const Freeze* freeze,
+                    bool secondary) {
+  if (test.learned() && accusations_.size() < accusations_.capacity())
+    accusations_.push_back({devices, &test, freeze, secondary});
+}
+
+void Checks::accuse(const Group& group) {
+  for (const Witness& witness : group.witnesses())
+    accuse(group.accused(witness), witness.test, witness.freeze);
+}
+
+void Checks::accuse(const Moment& moment) {
+  const auto with = [](std::uint16_t device, const Devices& others) {
+    Devices all{device};
+    for (const auto other : others) add(all, other);
+    return all;
+  };
+  accusations_.clear();
+  accuse(speeds_.group());
+  accuse(headings_.group());
+  accuse(heights_.group());
+  for (const auto& unit : levels_.units())
+    for (const Test& test : unit.tests) accuse({unit.device}, test, unit.freeze);
+  for (const auto& compass : attitudes_.compasses())
+    for (const Test& test : compass.tests)
+      accuse(with(compass.device, moment.level_from), test,
+             &test == &compass.tests[2] ? compass.turn_freeze : compass.tilt_freeze);
+  for (const auto& receiver : places_.receivers())
+    for (const Test& test : receiver.tests) accuse({receiver.device}, test, receiver.freeze, true);
+  for (const auto& rudder : steering_.rudders())
+    accuse(with(rudder.device, moment.level_from), rudder.test, rudder.freeze);
+}
+
+void Checks::tell(Stamp now) const {
+  for (const Named& one : names_) {
+    const Test& test = *one.by->test;
+    const double unit = test.facts().unit_si;
+    to_.see({.device = one.device,
+             .sign = test.sign(one.by->freeze),
+             .since = test.since(),
+             .at = now,
+             .value = test.deviation() / unit,
+             .limit = 3 * test.sigma() / unit,
+             .quantity = test.facts().quantity,
+             .unit = test.facts().unit});
+  }
+}
+
+}  // namespace drydock::consistency

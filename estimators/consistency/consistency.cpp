@@ -1,0 +1,14 @@
+#include "estimators/consistency/consistency.hpp"
+
+#include "estimators/consistency/checks.hpp"
+
+namespace drydock::consistency {
+
+Consistency::Consistency(const std::vector<Sensor>& sensors, diagnosis::SymptomSink& to)
+    : checks_(std::make_unique<Checks>(sensors, to)) {}
+Consistency::~Consistency() = default;
+
+void Consistency::take(const measurement::Measurement& measurement) { checks_->take(measurement); }
+void Consistency::tell(diagnosis::Stamp now) const { checks_->tell(now); }
+
+}  // namespace drydock::consistency

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "drivers/diagnosis/symptom.hpp"
+#include "drivers/measurement/measurement.hpp"
+#include "estimators/consistency/sensor.hpp"
+
+/// Cross-checks of sensors: what several devices of one vehicle say must fit together. Pure: no
+/// clock, no I/O, no allocation after construction. docs/estimators/consistency.md
+namespace drydock::consistency {
+
+class Checks;
+
+/// All cross-checks of a rig.
+class Consistency {
+ public:
+  /// `sensors`: in the order of the rig. The sink must outlive the checks.
+  Consistency(const std::vector<Sensor>& sensors, diagnosis::SymptomSink& to);
+  ~Consistency();
+
+  void take(const measurement::Measurement& measurement);
+
+  /// Repeats the signs that last. Call it about as often as the judge settles.
+  void tell(diagnosis::Stamp now) const;
+
+ private:
+  std::unique_ptr<Checks> checks_;
+};
+
+}  // namespace drydock::consistency

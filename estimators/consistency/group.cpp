@@ -1,0 +1,65 @@
+#include "estimators/consistency/group.hpp"
+
+namespace drydock::consistency {
+namespace {
+
+constexpr double rate_memory_s = 0.5;
+
+}  // namespace
+
+std::size_t Group::add(const Devices& devices, const TestFacts& facts, const Freeze* freeze) {
+  if (witnesses_.size() == most) return most;
+  witnesses_.push_back({.devices = devices, .test = Test(facts), .freeze = freeze});
+  return witnesses_.size() - 1;
+}
+
+void Group::see(std::size_t witness, double value, std::uint64_t serial, double sigma) {
+  if (witness >= witnesses_.size()) return;
+  Witness& one = witnesses_[witness];
+  one.seen = true;
+  one.fresh = serial != one.serial;
+  one.serial = serial;
+  one.value = value;
+  one.sigma = sigma;
+}
+
+std::optional<double> Group::median(Values values) {
+  if (values.empty()) return {};
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  if (values.size() % 2 == 1) return *middle;
+  return (*middle + *std::max_element(values.begin(), middle)) / 2;
+}
+
+void Group::move_to(std::optional<double> value, double dt) {
+  if (value && value_ && dt > 0)
+    rate_ += ((*value - *value_) / dt - rate_) * std::min(1.0, dt / rate_memory_s);
+  else
+    rate_ = 0;
+  value_ = value;
+}
+
+void Group::test(Witness& witness, Stamp at) const {
+  if (value_ && witness.seen && witness.fresh)
+    witness.test.take({.value = witness.value - *value_,
+                       .rate = rate_,
+                       .quantity = *value_,
+                       .sigma = witness.sigma},
+                      at);
+  witness.present = witness.seen;
+  witness.seen = false;
+}
+
+Devices Group::accused(const Witness& witness) const {
+  const auto speaks = [](const Witness& one) { return one.present && one.test.learned(); };
+  const auto sound = std::ranges::count_if(
+      witnesses_, [&](const Witness& one) { return speaks(one) && !one.test.fired(); });
+  Devices all = witness.devices;
+  if (sound + (witness.test.fired() ? 1 : 0) > 2) return all;
+  for (const Witness& other : witnesses_)
+    if (speaks(other))
+      for (const auto device : other.devices) consistency::add(all, device);
+  return all;
+}
+
+}  // namespace drydock::consistency

@@ -1,0 +1,77 @@
+#pragma once
+
+#include <boost/container/static_vector.hpp>
+#include <span>
+
+#include "estimators/consistency/devices.hpp"
+#include "estimators/consistency/test.hpp"
+
+namespace drydock::consistency {
+
+/// One way in which a device tells the common quantity of a group. A second device may be needed
+/// to make the value, as the drift angle of the DVL makes a heading from the GNSS course.
+struct Witness {
+  Devices devices;
+  Test test;
+  const Freeze* freeze = nullptr;
+  // of this time
+  bool seen = false, fresh = false, present = false;
+  double value = 0, sigma = 0;
+  std::uint64_t serial = 0;
+};
+
+/// Sensors that say the same quantity, each with its own offset. A witness is tested against the
+/// median of all: up to half of them may be wrong. Two witnesses accuse each other.
+class Group {
+ public:
+  static constexpr std::size_t most = 32;
+
+  /// Adds a witness; its number counts from 0. A group that is full gives the number `most`.
+  std::size_t add(const Devices& devices, const TestFacts& facts, const Freeze* freeze = nullptr);
+
+  /// What a witness says at the coming time. `serial`: of the sample, the same one is not tested
+  /// twice. `sigma`: of errors that are larger than usual now.
+  void see(std::size_t witness, double value, std::uint64_t serial, double sigma = 0);
+
+  /// The value of a witness has no memory of earlier times: after an outage its sum begins anew.
+  void restart(std::size_t witness) { witnesses_[witness].test.restart(); }
+
+  /// Tests all that was seen. `distrusted(devices)`: they do not count for the median.
+  template <class Distrusted>
+  void settle(Stamp at, double dt, const Distrusted& distrusted);
+
+  /// The median of the last time and its derivative.
+  std::optional<double> value() const { return value_; }
+  double rate() const { return rate_; }
+
+  std::span<const Witness> witnesses() const { return {witnesses_.data(), witnesses_.size()}; }
+  /// The devices that a fired witness accuses: its own, or those of both of two.
+  Devices accused(const Witness& witness) const;
+
+ private:
+  using Values = boost::container::static_vector<double, most>;
+  std::optional<double> median(Values values);
+  void move_to(std::optional<double> value, double dt);
+  void test(Witness& witness, Stamp at) const;
+
+  boost::container::static_vector<Witness, most> witnesses_;
+  std::optional<double> value_;
+  double rate_ = 0;
+};
+
+template <class Distrusted>
+void Group::settle(Stamp at, double dt, const Distrusted& distrusted) {
+  Values sound, trusted, any;
+  for (const Witness& witness : witnesses_) {
+    if (!witness.seen) continue;
+    const double value = witness.value - witness.test.offset();
+    any.push_back(value);
+    if (!witness.test.learned() || distrusted(witness.devices)) continue;
+    trusted.push_back(value);
+    if (!witness.test.fired()) sound.push_back(value);
+  }
+  move_to(median(!sound.empty() ? sound : !trusted.empty() ? trusted : any), dt);
+  for (Witness& witness : witnesses_) test(witness, at);
+}
+
+}  // namespace drydock::consistency

@@ -1,0 +1,77 @@
+#include "estimators/consistency/headings.hpp"
+
+#include <cmath>
+
+#include "drivers/measurement/units.hpp"
+
+namespace drydock::consistency {
+namespace {
+
+using units::degree;
+
+constexpr std::string_view quantity_of_heading = "heading";
+constexpr TestFacts gyro_facts{.floor = 0.3 * degree,
+                               .wander = 0.05 * degree,
+                               .trend = 0.1 * degree,
+                               .late_s = 0.05,
+                               .sum_above = 0,
+                               .quantity = "integrated turn",
+                               .unit = "deg",
+                               .unit_si = degree};
+constexpr TestFacts compass_facts{.floor = 0.6 * degree,
+                                  .wander = 0.05 * degree,
+                                  .late_s = 0.1,
+                                  .quantity = quantity_of_heading,
+                                  .unit = "deg",
+                                  .unit_si = degree};
+constexpr TestFacts course_facts{.floor = 1 * degree,
+                                 .wander = 0.05 * degree,
+                                 .late_s = 0.1,
+                                 .quantity = "course",
+                                 .unit = "deg",
+                                 .unit_si = degree};
+
+/// A course of so slow a vehicle is noise.
+constexpr double slowest_course_mps = 0.7;
+
+}  // namespace
+
+Headings::Headings(const Tracks& tracks) : tracks_(tracks) {
+  for (const auto& unit : tracks.units)
+    units_.push_back(group_.add({unit.device()}, gyro_facts, &unit.freeze()));
+  for (const auto& dvl : tracks.dvls)
+    dvls_.push_back(group_.add({dvl.device}, compass_facts, &dvl.heading.freeze()));
+  for (const auto& compass : tracks.compasses)
+    compasses_.push_back(group_.add({compass.device}, compass_facts, &compass.heading.freeze()));
+  for (const auto& receiver : tracks.receivers)
+    receivers_.push_back(group_.add({receiver.device}, course_facts, &receiver.velocity.freeze()));
+  courses_.resize(receivers_.size());
+}
+
+void Headings::see(const Moment& moment) {
+  for (std::size_t i = 0; i < units_.size(); ++i)
+    if (tracks_.units[i].running())
+      group_.see(units_[i], tracks_.units[i].heading(), tracks_.units[i].serial());
+  for (std::size_t i = 0; i < dvls_.size(); ++i)
+    if (const auto read = tracks_.dvls[i].heading.at(moment.at))
+      group_.see(dvls_[i], read->value.x(), read->serial);
+  for (std::size_t i = 0; i < compasses_.size(); ++i)
+    if (const auto read = tracks_.compasses[i].heading.at(moment.at))
+      group_.see(compasses_[i], read->value.x(), read->serial);
+  see_courses(moment);
+}
+
+void Headings::see_courses(const Moment& moment) {
+  for (std::size_t i = 0; i < receivers_.size(); ++i) {
+    const auto read = tracks_.receivers[i].velocity.at(moment.at);
+    if (!read || read->value.norm() < slowest_course_mps) continue;
+    Eigen::Vector2d drift{read->value.norm(), 0};
+    if (moment.over_ground) drift = *moment.over_ground;
+    if (moment.rate) drift.y() += moment.rate->z() * tracks_.receivers[i].sensor.lever_arm_m.x();
+    const double course = std::atan2(read->value.y(), read->value.x());
+    group_.see(receivers_[i], courses_[i].next(course - std::atan2(drift.y(), drift.x())),
+               read->serial);
+  }
+}
+
+}  // namespace drydock::consistency

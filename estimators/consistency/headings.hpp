@@ -1,0 +1,32 @@
+#pragma once
+
+#include "estimators/consistency/group.hpp"
+#include "estimators/consistency/moment.hpp"
+
+namespace drydock::consistency {
+
+/// Changes of the heading: integrated rate of turn, compasses, the DVL's own heading, and the
+/// course of GNSS less the drift angle of the DVL.
+class Headings {
+ public:
+  explicit Headings(const Tracks& tracks);
+
+  template <class Distrusted>
+  void step(const Moment& moment, const Distrusted& distrusted) {
+    see(moment);
+    group_.settle(moment.at, moment.dt, distrusted);
+  }
+
+  const Group& group() const { return group_; }
+
+ private:
+  void see(const Moment& moment);
+  void see_courses(const Moment& moment);
+
+  const Tracks& tracks_;
+  Group group_;
+  std::vector<std::size_t> units_, dvls_, compasses_, receivers_;
+  std::vector<Unwrapped> courses_;
+};
+
+}  // namespace drydock::consistency

@@ -1,0 +1,56 @@
+#include "estimators/consistency/heights.hpp"
+
+namespace drydock::consistency {
+namespace {
+
+constexpr TestFacts depth_facts{
+    .floor = 0.08, .wander = 0.005, .late_s = 0.1, .quantity = "depth", .unit = "m"};
+constexpr TestFacts sum_facts{.floor = 0.08,
+                              .wander = 0.03,
+                              .trend = 0.03,
+                              .late_s = 0.1,
+                              .sum_above = 0,
+                              .quantity = "integrated velocity down",
+                              .unit = "m"};
+
+}  // namespace
+
+Heights::Heights(const Tracks& tracks) : tracks_(tracks) {
+  for (const auto& depth : tracks.depths)
+    depths_.push_back(group_.add({depth.device}, depth_facts, &depth.depth.freeze()));
+  for (const auto& dvl : tracks.dvls)
+    dvls_.push_back(group_.add({dvl.device}, sum_facts, &dvl.velocity.freeze()));
+  sums_.resize(dvls_.size());
+}
+
+void Heights::see(const Moment& moment) {
+  for (std::size_t i = 0; i < depths_.size(); ++i) {
+    const auto& depth = tracks_.depths[i];
+    const auto read = depth.depth.at(moment.at);
+    if (!read) continue;
+    const double below = moment.down ? moment.down->dot(depth.sensor.lever_arm_m) : 0;
+    group_.see(depths_[i], read->value.x() - below, read->serial);
+  }
+  see_dvls(moment);
+}
+
+/// Without a direction of gravity the DVL cannot say what is down.
+void Heights::see_dvls(const Moment& moment) {
+  for (std::size_t i = 0; i < dvls_.size(); ++i) {
+    const auto& dvl = tracks_.dvls[i];
+    const auto read = dvl.velocity.at(moment.at);
+    const auto own = dvl.down.at(moment.at);
+    if (!read || (!moment.down && !own)) continue;
+    const Eigen::Vector3d down = moment.down ? *moment.down : own->value;
+    const double now_mps = at_origin(read->value, dvl.sensor.lever_arm_m, moment).dot(down);
+    if (measurement::seconds(moment.at - sums_[i].last) > 1.5 * moment.dt)
+      group_.restart(dvls_[i]);
+    else
+      sums_[i].depth_m += moment.dt * (now_mps + sums_[i].last_mps) / 2;
+    sums_[i].last = moment.at;
+    sums_[i].last_mps = now_mps;
+    group_.see(dvls_[i], sums_[i].depth_m, read->serial);
+  }
+}
+
+}  // namespace drydock::consistency

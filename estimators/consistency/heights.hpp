@@ -1,0 +1,36 @@
+#pragma once
+
+#include "estimators/consistency/group.hpp"
+#include "estimators/consistency/moment.hpp"
+
+namespace drydock::consistency {
+
+/// Changes of the depth: pressure, and the sum of each DVL's velocity down.
+class Heights {
+ public:
+  explicit Heights(const Tracks& tracks);
+
+  template <class Distrusted>
+  void step(const Moment& moment, const Distrusted& distrusted) {
+    see(moment);
+    group_.settle(moment.at, moment.dt, distrusted);
+  }
+
+  const Group& group() const { return group_; }
+
+ private:
+  void see(const Moment& moment);
+  void see_dvls(const Moment& moment);
+
+  struct Sum {
+    double depth_m = 0, last_mps = 0;
+    Stamp last{};
+  };
+
+  const Tracks& tracks_;
+  Group group_;
+  std::vector<std::size_t> depths_, dvls_;
+  std::vector<Sum> sums_;
+};
+
+}  // namespace drydock::consistency

@@ -1,0 +1,92 @@
+#include "estimators/consistency/inertial_unit.hpp"
+
+#include <algorithm>
+
+#include "drivers/measurement/units.hpp"
+
+namespace drydock::consistency {
+namespace {
+
+constexpr std::chrono::milliseconds push_period{24};
+constexpr double quick_pull_s = 3, quick_mean_s = 2;
+constexpr double quick_s = 2, slow_s = 60;  // time constants of the pull at first and later
+
+std::chrono::nanoseconds gap_of_unit(const Sensor& sensor) {
+  return measurement::from_seconds(std::max(0.1, 3.1 / std::max(sensor.rate_hz, 0.1)));
+}
+
+}  // namespace
+
+InertialUnit::InertialUnit(std::uint16_t device, const Sensor& sensor)
+    : device_(device), longest_gap_(gap_of_unit(sensor)), sums_(longest_gap_ + push_period) {}
+
+void InertialUnit::take(const measurement::ImuSample& sample) {
+  const Stamp at = sample.origin.valid_at;
+  freeze_.see(at, (sample.angular_rate - last_rate_).cwiseAbs().sum() +
+                      (sample.specific_force - last_force_).cwiseAbs().sum());
+  const double dt = measurement::seconds(at - last_sample_);
+  if (at > last_sample_ && at - last_sample_ <= longest_gap_) {
+    sum_.head<3>() += dt / 2 * (sample.angular_rate + last_rate_);
+    sum_.tail<3>() += dt / 2 * (sample.specific_force + last_force_);
+  }
+  last_rate_ = sample.angular_rate;
+  last_force_ = sample.specific_force;
+  last_sample_ = at;
+  if (at < next_push_ && next_push_ - at <= push_period) return;
+  sums_.push(at, sum_);
+  next_push_ = at + push_period;
+}
+
+bool InertialUnit::advance(Stamp at) {
+  running_ = false;
+  const auto sums = sums_.at(at);
+  dt_ = measurement::seconds(at - last_);
+  if (!sums || dt_ <= 0 || dt_ > 1 || !begun_) {
+    begun_ = sums.has_value();
+    if (begun_) begin(at, sums->value);
+    return false;
+  }
+  rate_ = (sums->value - at_last_).head<3>() / dt_;
+  force_ = (sums->value - at_last_).tail<3>() / dt_;
+  begin(at, sums->value);
+  serial_ = sums->serial;
+  turn(dt_);
+  return running_ = true;
+}
+
+void InertialUnit::begin(Stamp at, const Sums& sums) {
+  last_ = at;
+  at_last_ = sums;
+}
+
+/// down' = -w x down; the heading's rate is the rate about the vertical. `middle_` is the mean over
+/// the step, as rate and specific force are.
+void InertialUnit::turn(double dt) {
+  heading_ += rate_.dot(down_) * dt / std::max(0.1, down_.squaredNorm());
+  const Eigen::Vector3d before = down_;
+  const double angle = rate_.norm() * dt;
+  if (angle > 0) {
+    const Eigen::AngleAxisd turned(-angle, rate_.normalized());
+    down_ = turned * down_;
+    quick_ = turned * quick_;
+  }
+  middle_ = (before + down_).normalized();
+}
+
+Eigen::Vector3d InertialUnit::level(const Eigen::Vector3d& acceleration, bool pull) {
+  const Eigen::Vector3d gravity = acceleration - force_;
+  if (levelled_s_ <= 0 && gravity.norm() > 1) down_ = middle_ = quick_ = gravity.normalized();
+  const Eigen::Vector3d difference = units::standard_gravity * middle_ - gravity;
+  const auto pulled = [&](const Eigen::Vector3d& down, const Eigen::Vector3d& by, double memory_s) {
+    return (down - by / units::standard_gravity * std::min(1.0, dt_ / memory_s)).normalized();
+  };
+  const Eigen::Vector3d quick = units::standard_gravity * quick_ - gravity;
+  quick_difference_ += (quick - quick_difference_) * std::min(1.0, dt_ / quick_mean_s);
+  quick_ = pulled(quick_, quick, quick_pull_s);
+  if (!pull) return difference;
+  levelled_s_ += dt_;
+  down_ = pulled(down_, difference, std::clamp(levelled_s_, quick_s, slow_s));
+  return difference;
+}
+
+}  // namespace drydock::consistency

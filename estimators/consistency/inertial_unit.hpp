@@ -1,0 +1,60 @@
+#pragma once
+
+#include <Eigen/Geometry>
+
+#include "drivers/measurement/measurement.hpp"
+#include "estimators/consistency/sensor.hpp"
+#include "estimators/consistency/track.hpp"
+
+namespace drydock::consistency {
+
+/// The sums of one inertial unit, and its attitude against the horizon: the direction of gravity is
+/// turned with the rates and pulled slowly to what specific force and acceleration say.
+class InertialUnit {
+ public:
+  InertialUnit(std::uint16_t device, const Sensor& sensor);
+
+  void take(const measurement::ImuSample& sample);
+
+  /// Moves on to `at`. False: there are no samples around it.
+  bool advance(Stamp at);
+
+  /// Eq. (8): how much the specific force differs from acceleration less gravity, m/s2, body.
+  /// Then pulls the direction of gravity, if `pull`. `acceleration`: of the vehicle against the
+  /// ground, body.
+  Eigen::Vector3d level(const Eigen::Vector3d& acceleration, bool pull);
+
+  /// The difference of a level that is pulled all the time, with 3 s: a gyro's fault that lasts
+  /// shows in it, a fault that is over does not.
+  double quick_difference() const { return quick_difference_.norm(); }
+  void take_quick_level() { down_ = quick_; }
+
+  std::uint16_t device() const { return device_; }
+  const Eigen::Vector3d& rate() const { return rate_; }  ///< rad/s, mean of the last step
+  const Eigen::Vector3d& down() const { return down_; }  ///< unit vector, body
+  double heading() const { return heading_; }            ///< rad, integrated from 0
+  std::uint64_t serial() const { return serial_; }
+  bool running() const { return running_; }  ///< the last step had samples
+  const Freeze& freeze() const { return freeze_; }
+
+ private:
+  using Sums = Eigen::Matrix<double, 6, 1>;
+  void begin(Stamp at, const Sums& sums);
+  void turn(double dt);
+
+  std::uint16_t device_;
+  std::chrono::nanoseconds longest_gap_;
+  Track<6, 64> sums_;  ///< of rate and specific force over time, about 40 a second
+  Sums sum_ = Sums::Zero(), at_last_ = Sums::Zero();
+  Eigen::Vector3d last_rate_ = Eigen::Vector3d::Zero(), last_force_ = Eigen::Vector3d::Zero();
+  Stamp last_sample_{}, next_push_{}, last_{};
+  bool begun_ = false, running_ = false;
+  Eigen::Vector3d rate_ = Eigen::Vector3d::Zero(), force_ = Eigen::Vector3d::Zero();
+  Eigen::Vector3d down_ = Eigen::Vector3d::UnitZ(), middle_ = Eigen::Vector3d::UnitZ();
+  Eigen::Vector3d quick_ = Eigen::Vector3d::UnitZ(), quick_difference_ = Eigen::Vector3d::Zero();
+  double heading_ = 0, levelled_s_ = 0, dt_ = 0;
+  std::uint64_t serial_ = 0;
+  Freeze freeze_;
+};
+
+}  // namespace drydock::consistency

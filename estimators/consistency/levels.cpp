@@ -1,0 +1,66 @@
+#include "estimators/consistency/levels.hpp"
+
+namespace drydock::consistency {
+namespace {
+
+/// A gyro that is off by 0.3 deg/s turns the level so fast; no accelerometer drifts so.
+constexpr double fastest_drift_mps3 = 0.05;
+/// Without a velocity the acceleration of the vehicle is an error.
+constexpr double unknown_acceleration_mps2 = 0.5;
+constexpr double acceleration_share = 0.1, change_share = 0.5, acceleration_memory_s = 2;
+/// A gyro's fault has turned the level; when that no longer goes on, the level begins anew.
+constexpr double over_below_mps2 = 0.15, over_after_s = 3;
+
+TestFacts facts_along(std::string_view quantity) {
+  return {.floor = 0.04,
+          .wander = 0.002,
+          .late_s = 0,
+          .sum_above = fastest_drift_mps3,
+          .quantity = quantity,
+          .unit = "m/s2"};
+}
+
+bool any_fired(const Levels::Unit& unit) {
+  return std::ranges::any_of(unit.tests, [](const Test& test) { return test.fired(); });
+}
+
+bool turned_away(const Levels::Unit& unit) {
+  return std::ranges::any_of(
+      unit.tests, [](const Test& test) { return test.fired() && test.shape() != Shape::step; });
+}
+
+}  // namespace
+
+Levels::Levels(Tracks& tracks) : tracks_(tracks) {
+  for (const auto& unit : tracks.units)
+    units_.push_back({.device = unit.device(),
+                      .freeze = &unit.freeze(),
+                      .tests{Test(facts_along("specific force ahead")),
+                             Test(facts_along("specific force to starboard")),
+                             Test(facts_along("specific force down"))}});
+}
+
+/// The acceleration is as old as the slowest velocity; it is worth less while it changes.
+void Levels::step(const Moment& moment, const std::optional<Eigen::Vector3d>& acceleration) {
+  const Eigen::Vector3d known = acceleration.value_or(Eigen::Vector3d::Zero());
+  const double change = (known - usual_acceleration_).norm();
+  usual_acceleration_ +=
+      (known - usual_acceleration_) * std::min(1.0, moment.dt / acceleration_memory_s);
+  const double sigma = acceleration ? acceleration_share * known.norm() + change_share * change
+                                    : unknown_acceleration_mps2;
+  for (std::size_t i = 0; i < units_.size(); ++i)
+    if (tracks_.units[i].running()) step(units_[i], tracks_.units[i], moment, known, sigma);
+}
+
+void Levels::step(Unit& unit, InertialUnit& inertial, const Moment& moment,
+                  const Eigen::Vector3d& acceleration, double sigma) {
+  const Eigen::Vector3d difference = inertial.level(acceleration, !any_fired(unit));
+  for (int axis = 0; axis < 3; ++axis)
+    unit.tests.at(static_cast<std::size_t>(axis))
+        .take({.value = difference[axis], .sigma = sigma}, moment.at);
+  const bool over = turned_away(unit) && inertial.quick_difference() < over_below_mps2;
+  unit.over_s = over ? unit.over_s + moment.dt : 0;
+  if (unit.over_s > over_after_s) inertial.take_quick_level();
+}
+
+}  // namespace drydock::consistency

@@ -1,0 +1,46 @@
+#include "estimators/consistency/shape.hpp"
+
+#include <algorithm>
+
+namespace drydock::consistency {
+namespace {
+
+/// A rarer shape must explain so much more of what a step or a ramp leaves over.
+constexpr double rarer_share = 0.4;
+constexpr int enough_to_tell = 10;
+
+}  // namespace
+
+void ShapeTest::take(double residual, double since_s, double rate, double value) {
+  const std::array shapes{1.0, since_s, since_s * since_s, rate, value};
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    sums_[i].rs += residual * shapes[i];
+    sums_[i].ss += shapes[i] * shapes[i];
+  }
+  all_ += residual * residual;
+  ++count_;
+}
+
+double ShapeTest::fit() const {
+  return all_ > 0 ? sums_[static_cast<std::size_t>(best())].explained() / all_ : 0;
+}
+
+double ShapeTest::amount(Shape shape) const {
+  const Sums& sums = sums_[static_cast<std::size_t>(shape)];
+  return sums.ss > 0 ? sums.rs / sums.ss : 0;
+}
+
+Shape ShapeTest::best() const {
+  if (count_ < enough_to_tell) return Shape::step;
+  std::size_t best = 0;
+  for (std::size_t i = 1; i < 3; ++i)
+    if (sums_[i].explained() > sums_[best].explained()) best = i;
+  const double left_over = all_ - sums_[best].explained();
+  for (std::size_t i = 3; i < sums_.size(); ++i)
+    if (all_ - sums_[i].explained() < rarer_share * left_over &&
+        sums_[i].explained() > sums_[best].explained())
+      best = i;
+  return static_cast<Shape>(best);
+}
+
+}  // namespace drydock::consistency

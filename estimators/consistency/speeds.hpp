@@ -1,0 +1,42 @@
+#pragma once
+
+#include "estimators/consistency/current.hpp"
+#include "estimators/consistency/group.hpp"
+#include "estimators/consistency/moment.hpp"
+
+namespace drydock::consistency {
+
+/// Speed over ground along the deck, the body's xy plane: DVL, GNSS, log with the current, shaft.
+/// It needs no heading, so a wrong heading accuses none of them.
+class Speeds {
+ public:
+  explicit Speeds(const Tracks& tracks);
+
+  template <class Distrusted>
+  void step(const Moment& moment, const Distrusted& distrusted) {
+    see(moment);
+    group_.settle(moment.at, moment.dt, distrusted);
+    learn(moment);
+  }
+
+  const Group& group() const { return group_; }
+
+ private:
+  void see(const Moment& moment);
+  void see_dvls(const Moment& moment);
+  void see_receivers(const Moment& moment);
+  void see_logs(const Moment& moment);
+  void see_shafts(const Moment& moment);
+  void learn(const Moment& moment);
+  Eigen::Vector2d water(std::size_t log, const Eigen::Vector2d& read, const Moment& moment) const;
+
+  const Tracks& tracks_;
+  Group group_;
+  std::vector<std::size_t> dvls_, receivers_, logs_, shafts_;
+  std::vector<Current> currents_;       ///< one a log
+  std::vector<std::uint64_t> learned_;  ///< the last sample of each log that did so
+  double shaft_s_ = 0;                  ///< learned so long
+  std::vector<double> advances_m_;      ///< one a shaft: speed / (rad/s); 0: not learned
+};
+
+}  // namespace drydock::consistency

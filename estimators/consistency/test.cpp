@@ -1,0 +1,108 @@
+#include "estimators/consistency/test.hpp"
+
+namespace drydock::consistency {
+namespace {
+
+using diagnosis::Sign;
+
+constexpr double follow_s = 10;  // time constant of the offset, within the bound of its rate
+constexpr double trend_s = 60;   // and of its trend
+constexpr std::chrono::seconds outage{3}, steady_for_sum{5};
+constexpr int told_after = 5;  // fired samples; then the shape is told and other devices react
+constexpr double spread_samples = 300;  // memory of the spread
+constexpr double noise_samples = 10;    // memory of the noise from sample to sample
+constexpr double wildest = 5;           // sigmas; more does not count as noise
+
+double square(double x) { return x * x; }
+
+}  // namespace
+
+void Test::take(const Residual& residual, Stamp at) {
+  const double before = deviation_;
+  if (at - last_ > outage && !fired_) cusum_.clear();
+  const double dt = std::clamp(measurement::seconds(at - last_), 0.0, 1.0);
+  last_ = at;
+  if (!learned()) return learn(residual.value);
+  deviation_ = residual.value - offset_;
+  const double most = square(wildest * sigma_of(residual));
+  noise_square_ +=
+      (std::min(square(deviation_ - before) / 2, most) - noise_square_) / noise_samples;
+  sigma_ = sigma_of(residual);
+  test(residual, at);
+  if (fired_) return end_sum(at);
+  mean_square_ += (std::min(square(deviation_), most) - mean_square_) / spread_samples;
+  follow(dt);
+}
+
+void Test::learn(double value) {
+  if (samples_ == 0) {
+    offset_ = value;
+    mean_square_ = noise_square_ = 0;
+    cusum_.clear();
+    fired_ = false;
+    trend_ = 0;
+  }
+  ++samples_;
+  deviation_ = value - offset_;
+  mean_square_ += (square(deviation_) - mean_square_) / samples_;
+  offset_ += deviation_ / samples_;
+}
+
+/// The offset of a healthy sensor moves slowly: temperature, current, mounting, tide.
+void Test::follow(double dt) {
+  const double most = facts_.wander * dt;
+  trend_ = std::clamp(trend_ + deviation_ * dt / (follow_s * trend_s), -facts_.trend, facts_.trend);
+  offset_ += std::clamp(deviation_ * dt / follow_s, -most, most) + trend_ * dt;
+}
+
+/// The sum of a fault that is over stays where it is: it begins anew.
+void Test::end_sum(Stamp at) {
+  if (facts_.sum_above > 0) return;
+  if (std::abs(deviation_ - steady_) > 2 * sigma_) {
+    steady_ = deviation_;
+    steady_since_ = at;
+  }
+  if (at - steady_since_ > steady_for_sum) restart();
+}
+
+double Test::sigma_of(const Residual& residual) const {
+  return std::sqrt(std::max({square(facts_.floor), mean_square_, noise_square_}) +
+                   square(facts_.late_s * residual.rate) + square(residual.sigma));
+}
+
+void Test::test(const Residual& residual, Stamp at) {
+  const bool was_quiet = cusum_.value() <= 0;
+  cusum_.take(deviation_ / sigma_, design);
+  if (cusum_.value() <= 0) {
+    fired_ = false;
+    usual_rate_ = residual.rate;
+    usual_quantity_ = residual.quantity;
+    return;
+  }
+  if (was_quiet) {
+    shape_.clear();
+    fired_samples_ = 0;
+    since_ = at;
+  }
+  if (cusum_.value() >= design.limit) fired_ = true;
+  if (fired_ && ++fired_samples_ > told_after) return;
+  shape_.take(deviation_, measurement::seconds(at - since_) + 0.1, residual.rate - usual_rate_,
+              facts_.scales ? residual.quantity - usual_quantity_ : 0);
+}
+
+Sign Test::sign(const Freeze* own) const {
+  if (own != nullptr && own->since() && *own->since() < since_ + std::chrono::seconds{1} &&
+      last_ - *own->since() > std::chrono::seconds{1})
+    return own->jumped() ? Sign::offset : Sign::stuck;
+  switch (shape_.best()) {
+    case Shape::step: return facts_.sum_above > 0 ? Sign::offset : Sign::step;
+    case Shape::ramp:
+      return std::abs(shape_.amount(Shape::ramp)) > facts_.sum_above ? Sign::offset : Sign::ramp;
+    case Shape::parabola: return Sign::ramp;
+    case Shape::delayed: return Sign::delayed;
+    case Shape::scaled: return Sign::scale;
+  }
+  return Sign::offset;
+}
+
+}  // namespace drydock::consistency

@@ -1,0 +1,83 @@
+#pragma once
+
+#include <limits>
+#include <optional>
+#include <string_view>
+
+#include "drivers/diagnosis/sign.hpp"
+#include "estimators/consistency/cusum.hpp"
+#include "estimators/consistency/freeze.hpp"
+#include "estimators/consistency/shape.hpp"
+
+namespace drydock::consistency {
+
+/// What is known of a residual beforehand.
+struct TestFacts {
+  double floor = 0;     ///< 1 sigma of model errors that no minute of learning shows
+  double wander = 0;    ///< per second: the offset of a healthy residual moves at most so fast
+  double trend = 0;     ///< per second: a healthy offset may grow steadily, at most so fast
+  double late_s = 0.1;  ///< 1 sigma of the sensors' unknown latency
+  /// A residual that grows faster than this (per second) is the sum of a constant error, not a slow
+  /// drift. 0 for a residual that is a sum, infinity for a plain difference.
+  double sum_above = std::numeric_limits<double>::infinity();
+  bool scales = false;  ///< a wrong factor is possible: the quantity has a zero
+  std::string_view quantity, unit;
+  double unit_si = 1;  ///< one unit in SI
+};
+
+/// What a test takes at one time.
+struct Residual {
+  double value = 0;
+  double rate = 0;      ///< derivative of the measured quantity
+  double quantity = 0;  ///< its value
+  double sigma = 0;     ///< of further errors at this time
+};
+
+/// One residual: a difference that is constant but for noise while all is well. It learns offset
+/// and noise in its first samples, follows the offset slowly and tests it with a CUSUM.
+class Test {
+ public:
+  explicit Test(const TestFacts& facts) : facts_(facts) {}
+
+  void take(const Residual& residual, Stamp at);
+  /// The offset begins anew, as after an outage of a sum.
+  void restart() { samples_ = 0; }
+
+  bool learned() const { return samples_ >= learning_samples; }
+  bool fired() const { return fired_; }
+  /// 0: quiet, 1: fired.
+  double suspicion() const { return std::min(1.0, cusum_.value() / design.limit); }
+  double offset() const { return offset_; }
+  double sigma() const { return sigma_; }
+  Stamp since() const { return since_; }
+  double deviation() const { return deviation_; }  ///< of the last residual from its offset
+  /// What the history of the residual says about the device.
+  diagnosis::Sign sign(const Freeze* own) const;
+  Shape shape() const { return shape_.best(); }
+  /// How much of the squared deviation the likeliest shape explains, 0 to 1.
+  double fit() const { return shape_.fit(); }
+  const TestFacts& facts() const { return facts_; }
+
+  /// At five samples a second the mean time between false alarms of one test is 16 years.
+  static constexpr CusumDesign design{};
+  static constexpr int learning_samples = 50;
+
+ private:
+  void learn(double value);
+  void follow(double dt);
+  void end_sum(Stamp at);
+  void test(const Residual& residual, Stamp at);
+  double sigma_of(const Residual& residual) const;
+
+  TestFacts facts_;
+  int samples_ = 0, fired_samples_ = 0;
+  double offset_ = 0, trend_ = 0, steady_ = 0, mean_square_ = 0, noise_square_ = 0;
+  double deviation_ = 0, sigma_ = 0;
+  double usual_rate_ = 0, usual_quantity_ = 0;
+  Stamp last_{}, since_{}, steady_since_{};
+  bool fired_ = false;
+  Cusum cusum_;
+  ShapeTest shape_;
+};
+
+}  // namespace drydock::consistency

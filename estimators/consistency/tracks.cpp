@@ -1,0 +1,99 @@
+#include "estimators/consistency/tracks.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace drydock::consistency {
+namespace {
+
+/// The mean radius of the Earth; places are compared over minutes only.
+constexpr double earth_radius_m = 6.371e6;
+
+/// Two missing samples in a row are an outage.
+std::chrono::nanoseconds gap_of(const Sensor& sensor) {
+  return measurement::from_seconds(std::max(0.25, 3.1 / std::max(sensor.rate_hz, 0.1)));
+}
+
+Eigen::Matrix<double, 1, 1> scalar(double value) { return Eigen::Matrix<double, 1, 1>{value}; }
+
+/// Gravity in the axes of a body with these angles: the third column of C_n^b.
+Eigen::Vector3d down_of(double roll, double pitch) {
+  return {-std::sin(pitch), std::sin(roll) * std::cos(pitch), std::cos(roll) * std::cos(pitch)};
+}
+
+Eigen::Vector2d metres_from(const measurement::Geodetic& first,
+                            const measurement::Geodetic& place) {
+  const double east =
+      std::remainder(place.longitude_rad - first.longitude_rad, 2 * std::numbers::pi);
+  return {earth_radius_m * (place.latitude_rad - first.latitude_rad),
+          earth_radius_m * std::cos(first.latitude_rad) * east};
+}
+
+}  // namespace
+
+double Unwrapped::next(double angle_rad) {
+  return last_ += std::remainder(angle_rad - last_, 2 * std::numbers::pi);
+}
+
+DvlTracks::DvlTracks(std::uint16_t index, const Sensor& s)
+    : device(index), sensor(s), velocity(gap_of(s)), heading(gap_of(s)), down(gap_of(s)) {}
+LogTracks::LogTracks(std::uint16_t index, const Sensor& s)
+    : device(index), sensor(s), speed(gap_of(s)) {}
+GnssTracks::GnssTracks(std::uint16_t index, const Sensor& s)
+    : device(index), sensor(s), velocity(gap_of(s)), place(gap_of(s)) {}
+DepthTracks::DepthTracks(std::uint16_t index, const Sensor& s)
+    : device(index), sensor(s), depth(gap_of(s)) {}
+ActuatorTracks::ActuatorTracks(std::uint16_t index, const Sensor& s)
+    : device(index), rudder(gap_of(s)), shaft(gap_of(s)) {}
+AttitudeTracks::AttitudeTracks(std::uint16_t index, const Sensor& s)
+    : device(index), heading(gap_of(s)), tilt(gap_of(s)), turn(gap_of(s)) {}
+
+void take(DvlTracks& tracks, const measurement::BottomVelocity& sample) {
+  const Stamp at = sample.origin.valid_at;
+  if (sample.velocity) tracks.velocity.push(at, *sample.velocity);
+  if (sample.heading_rad)
+    tracks.heading.push(at, scalar(tracks.unwrapped.next(*sample.heading_rad)));
+  if (sample.roll_rad && sample.pitch_rad)
+    tracks.down.push(at,
+                     tracks.sensor.sensor_to_body * down_of(*sample.roll_rad, *sample.pitch_rad));
+}
+
+void take(LogTracks& tracks, const measurement::WaterSpeed& sample) {
+  tracks.across = sample.transverse_mps.has_value();
+  if (sample.longitudinal_mps)
+    tracks.speed.push(sample.origin.valid_at,
+                      {*sample.longitudinal_mps, sample.transverse_mps.value_or(0)});
+}
+
+void take(GnssTracks& tracks, const measurement::GnssFix& fix) {
+  const Stamp at = fix.origin.valid_at;
+  if (fix.velocity_ned)
+    tracks.velocity.push(at, fix.velocity_ned->head<2>());
+  else if (fix.ground_speed_mps && fix.course_rad)
+    tracks.velocity.push(at, *fix.ground_speed_mps * Eigen::Vector2d{std::cos(*fix.course_rad),
+                                                                     std::sin(*fix.course_rad)});
+  if (!fix.position) return;
+  if (!tracks.first) tracks.first = fix.position;
+  tracks.place.push(at, metres_from(*tracks.first, *fix.position));
+}
+
+void take(DepthTracks& tracks, const measurement::DepthSample& sample) {
+  if (sample.depth_m) tracks.depth.push(sample.origin.valid_at, scalar(*sample.depth_m));
+}
+
+void take(ActuatorTracks& tracks, const measurement::ActuatorState& state) {
+  if (state.rudder_rad) tracks.rudder.push(state.origin.valid_at, scalar(*state.rudder_rad));
+  if (state.propeller_radps)
+    tracks.shaft.push(state.origin.valid_at, scalar(*state.propeller_radps));
+}
+
+void take(AttitudeTracks& tracks, const measurement::AttitudeSample& sample) {
+  const Stamp at = sample.origin.valid_at;
+  const auto heading = sample.true_heading_rad ? sample.true_heading_rad : sample.heading_rad;
+  if (heading) tracks.heading.push(at, scalar(tracks.unwrapped.next(*heading)));
+  if (sample.roll_rad && sample.pitch_rad)
+    tracks.tilt.push(at, {*sample.roll_rad, *sample.pitch_rad});
+  if (sample.rate_of_turn_radps) tracks.turn.push(at, scalar(*sample.rate_of_turn_radps));
+}
+
+}  // namespace drydock::consistency
