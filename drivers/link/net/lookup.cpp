@@ -27,8 +27,9 @@ class NameCategory final : public std::error_category {
   }
 };
 
+/// The category is never destroyed: a look-up may still hang when the program ends.
 boost::system::error_code name_error(int value) {
-  static const NameCategory category;
+  static const auto& category = *new NameCategory;
   return std::error_code(value, category);
 }
 
