@@ -1,6 +1,9 @@
+#include <cstdio>
 #include <fstream>
 
+#include "drivers/wire/described/frame_codec.hpp"
 #include "drivers/wire/nmea0183/nmea0183.hpp"
+#include "drivers/wire/nmea2000/nmea2000.hpp"
 #include "tests/drivers/described/driven.hpp"
 #include "tests/drivers/device/allocation_count.hpp"
 #include "tests/drivers/wire/can_fixture.hpp"
@@ -258,6 +261,66 @@ TEST(DescribedCompass, FramesOfNmea2000ReadAsWithTheDriverWrittenByHand) {
   }
   EXPECT_NEAR(sample<AttitudeSample>(both.of_description, 1).true_heading_rad.value(),
               0.026814692820414, 1e-9);
+}
+
+/// "time,priority,pgn,source,destination,8,hex,...": a frame. Empty: another PGN or length.
+std::optional<wire::CanFrame> compass_frame(const std::string& line) {
+  unsigned priority = 0, pgn = 0, source = 0;
+  std::array<unsigned, 8> data{};
+  const auto comma = line.find(',');
+  if (comma == line.npos ||
+      std::sscanf(line.c_str() + comma, ",%u,%u,%u,255,8,%x,%x,%x,%x,%x,%x,%x,%x", &priority, &pgn,
+                  &source, &data[0], &data[1], &data[2], &data[3], &data[4], &data[5], &data[6],
+                  &data[7]) != 11)
+    return {};
+  if (pgn != 127250 && pgn != 127251 && pgn != 127257) return {};
+  wire::CanFrame frame;
+  frame.id = priority << 26 | pgn << 8 | source;
+  frame.extended = true;
+  frame.size = 8;
+  std::ranges::copy(data, frame.data.begin());
+  return frame;
+}
+
+/// A Raymarine EV-1 and a Furuno: every frame of a heading, a tilt or a rate of turn.
+TEST(DescribedCompass, EveryFrameOfRealCompassesReadsAsWithTheCodecWrittenByHand) {
+  const auto folder = wire::test::corpus("n2k/canboat/samples");
+  if (!std::filesystem::exists(folder)) GTEST_SKIP() << "no corpora";
+  wire::described::FrameDecoder described(shipped("n2k-compass-dbc.toml"));
+  wire::Nmea2000::Decoder by_hand;
+  wire::described::Record record;
+  wire::described::Readings r;
+  using enum wire::described::Target;
+  const auto same = [&](auto target, const std::optional<double>& value) {
+    const auto ours = r.get(target);
+    EXPECT_EQ(ours.has_value(), value.has_value());
+    if (ours && value) {
+      EXPECT_NEAR(*ours, *value, 1e-9);
+    }
+  };
+  std::size_t compared = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(folder))
+    for (const auto& line : wire::test::lines_of(entry.path().string())) {
+      const auto frame = compass_frame(line);
+      if (!frame) continue;
+      ++compared;
+      ASSERT_EQ(described.take(*frame, record), wire::described::Taken::message) << line;
+      read(record, r);
+      const auto message = by_hand.receive(*frame).value();
+      if (const auto* m = std::get_if<wire::nmea2000::VesselHeading>(&message)) {
+        same(heading, m->heading_rad);
+        same(deviation, m->deviation_rad);
+        same(variation, m->variation_rad);
+        same(heading_reference, m->reference);
+      }
+      if (const auto* m = std::get_if<wire::nmea2000::RateOfTurn>(&message))
+        same(rate_of_turn, m->rate_radps);
+      if (const auto* m = std::get_if<wire::nmea2000::Attitude>(&message)) {
+        same(roll, m->roll_rad);
+        same(pitch, m->pitch_rad);
+      }
+    }
+  EXPECT_EQ(compared, 5446u) << "counted by grep";
 }
 
 }  // namespace attitude_described_test
