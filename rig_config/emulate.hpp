@@ -38,6 +38,12 @@ struct DvlHeadConfig {
   double layer_start_m = 0, layer_thickness_m = 0;  ///< water track; thickness 0: none
 };
 
+/// An emulated compass.
+struct CompassConfig {
+  std::optional<double> variation_rad;  ///< positive to the east; empty: it knows none
+  bool magnetic = false;                ///< its heading is from magnetic north
+};
+
 struct EmulateConfig {
   bool fixed_bias = true;  ///< true: constants are +1 sigma; false: drawn N(0, 1 sigma) per seed
   double latency_s = 0;    ///< from sampling to the first byte on the wire
@@ -56,6 +62,7 @@ struct EmulateConfig {
 
   std::optional<SkyConfig> sky;  ///< kind gnss; empty: ten invented satellites
   DvlHeadConfig head;            ///< kind dvl
+  CompassConfig compass;         ///< kind attitude
 };
 
 }  // namespace drydock::rig_config

@@ -14,6 +14,8 @@
 #include "drivers/link/reading.hpp"
 #include "drivers/terminal/exit_codes.hpp"
 #include "drivers/text/json_lines.hpp"
+#include "drivers/wire/described/described_codec.hpp"
+#include "drivers/wire/described/frame_codec.hpp"
 #include "drivers/wire/registry.hpp"
 
 namespace drydock::monitor {
@@ -55,24 +57,30 @@ class Screen {
   std::uint64_t messages_ = 0;
 };
 
-template <wire::ByteProtocol P>
+/// `Codec`: one of the registry, or DescribedCodec.
+template <class Codec>
 class ByteScreen final : public Screen {
  public:
+  explicit ByteScreen(Codec codec) : codec_(std::move(codec)) {}
   using Screen::receive;
   void receive(wire::Bytes bytes, Stamp at) override {
-    framer_.feed(bytes, P::scan, [&](wire::Bytes frame, std::size_t) {
-      if (const auto message = P::decode(frame)) print(*message, at);
+    const auto scan = [this](wire::Bytes all) { return codec_.scan(all); };
+    framer_.feed(bytes, scan, [&](wire::Bytes frame, std::size_t) {
+      if (const auto message = codec_.decode(frame)) print(*message, at);
     });
   }
   const wire::StreamCounters& counters() const override { return framer_.counters(); }
 
  private:
-  wire::Framer<P::max_frame> framer_;
+  Codec codec_;
+  wire::Framer<Codec::max_frame> framer_;
 };
 
-template <wire::FrameProtocol P>
+/// `Decoder`: that of a protocol of the registry, or FrameDecoder.
+template <class Decoder>
 class FrameScreen final : public Screen {
  public:
+  explicit FrameScreen(Decoder decoder) : decoder_(std::move(decoder)) {}
   using Screen::receive;
   void receive(const wire::CanFrame& frame, Stamp at) override {
     if (const auto message = decoder_.receive(frame)) print(*message, at);
@@ -80,18 +88,32 @@ class FrameScreen final : public Screen {
   const wire::StreamCounters& counters() const override { return decoder_.counters(); }
 
  private:
-  typename P::Decoder decoder_;
+  Decoder decoder_;
 };
 
-std::unique_ptr<Screen> make_screen(const std::string& protocol, link::Carries carries) {
+std::unique_ptr<Screen> described_screen(const wire::described::DescriptionPtr& description,
+                                         link::Carries carries) {
+  using wire::described::DescribedCodec;
+  using wire::described::FrameDecoder;
+  const bool on_bus = description->frames != nullptr;
+  if (on_bus != (carries == link::Carries::frames)) return nullptr;
+  if (on_bus) return std::make_unique<FrameScreen<FrameDecoder>>(FrameDecoder(description));
+  return std::make_unique<ByteScreen<DescribedCodec>>(DescribedCodec(description));
+}
+
+std::unique_ptr<Screen> make_screen(const MonitorOptions& options, link::Carries carries) {
+  if (options.description) return described_screen(options.description, carries);
   std::unique_ptr<Screen> screen;
   if (carries == link::Carries::bytes) {
-    wire::with_protocol(wire::BytesProtocols{}, protocol,
-                        [&]<class P>() { screen = std::make_unique<ByteScreen<P>>(); });
+    wire::with_protocol(wire::BytesProtocols{}, options.protocol,
+                        [&]<class P>() { screen = std::make_unique<ByteScreen<P>>(P{}); });
   } else {
-    const auto make = [&]<class P>() { screen = std::make_unique<FrameScreen<P>>(); };
-    wire::with_protocol(wire::FrameProtocols{}, protocol, make);
-    wire::with_protocol(wire::FramesAsTheyAre{}, protocol, make);
+    const auto make = [&]<class P>() {
+      using Decoder = typename P::Decoder;
+      screen = std::make_unique<FrameScreen<Decoder>>(Decoder{});
+    };
+    wire::with_protocol(wire::FrameProtocols{}, options.protocol, make);
+    wire::with_protocol(wire::FramesAsTheyAre{}, options.protocol, make);
   }
   return screen;
 }
@@ -147,10 +169,10 @@ int monitor_messages(const MonitorOptions& options) {
     return terminal::exit_usage;
   }
   auto carries = uri->carries();
-  auto screen = make_screen(options.protocol, carries);
+  auto screen = make_screen(options, carries);
   if (!screen && uri->recorded()) {
     carries = link::Carries::frames;
-    screen = make_screen(options.protocol, carries);
+    screen = make_screen(options, carries);
   }
   if (!screen) {
     fmt::print(stderr, "monitor: a {} link carries no protocol \"{}\"; allowed: {}\n",

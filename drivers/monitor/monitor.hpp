@@ -12,9 +12,10 @@
 namespace drydock::monitor {
 
 struct MonitorOptions {
-  std::string link;          ///< URI
-  std::string protocol;      ///< as in a rig file; empty: probing finds it
-  double duration_s = 0;     ///< 0: until Ctrl-C
+  std::string link;      ///< URI
+  std::string protocol;  ///< as in a rig file; empty: probing finds it
+  std::shared_ptr<const wire::described::Description> description{};  ///< of `protocol`, if a file
+  double duration_s = 0;                                              ///< 0: until Ctrl-C
   bool once = false;         ///< one table, when every device streams, or after 10 s
   bool json = false;         ///< JSON Lines, one object for each device, every second
   host::ServeOptions serve;  ///< shows it to browsers too

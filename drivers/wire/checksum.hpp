@@ -21,16 +21,19 @@ constexpr std::uint32_t lane_sum(std::uint64_t lanes) {
   return static_cast<std::uint32_t>(lanes * 0x0001'0001'0001'0001 >> 48);
 }
 
-/// Sum of all bytes modulo 65536.
-inline std::uint16_t byte_sum(Bytes bytes) {
+/// Sum of all bytes modulo 2^32.
+inline std::uint32_t byte_total(Bytes bytes) {
   std::uint32_t total = 0;
   for (; bytes.size() >= 8; bytes = bytes.subspan(8)) {
     const ByteLanes lanes{load_le<std::uint64_t>(bytes, 0)};
     total += lane_sum(lanes.even + lanes.odd);
   }
   for (const std::uint8_t byte : bytes) total += byte;
-  return static_cast<std::uint16_t>(total);
+  return total;
 }
+
+/// Sum of all bytes modulo 65536.
+inline std::uint16_t byte_sum(Bytes bytes) { return static_cast<std::uint16_t>(byte_total(bytes)); }
 
 /// 8-bit Fletcher sum (RFC 1145). The low byte is the sum of the bytes; the high byte is the sum of
 /// all intermediate sums.

@@ -88,7 +88,7 @@ DevicePtr make_nmea2000_gnss(const DeviceSetup& setup);
 /// sample with a common SID.
 DevicePtr make_nmea2000_attitude(const DeviceSetup& setup);
 
-/// HDT and THS (mode A) per sample; talker HE.
+/// THS (mode A) and HDT per sample, talker HE; a magnetic compass HDG and HDM, talker HC.
 DevicePtr make_nmea0183_attitude(const DeviceSetup& setup);
 
 struct DeviceRow {

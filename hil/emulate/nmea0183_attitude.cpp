@@ -12,10 +12,20 @@ class Nmea0183Attitude final : public SamplingDevice {
  private:
   void sample(Stamp at, Wire& out) override {
     const auto reading = readings_.at(trajectory().at(at), mounting());
-    wire::Ths ths{.talker = wire::Talker{"HE"}, .heading_rad = reading.heading_rad, .mode = {'A'}};
-    out.send(wire::Bytes{bytes_}.first(wire::encode(ths, bytes_)));
-    wire::Hdt hdt{.talker = wire::Talker{"HE"}, .heading_rad = reading.heading_rad};
-    out.send(wire::Bytes{bytes_}.first(wire::encode(hdt, bytes_)));
+    if (reading.reference == measurement::HeadingReference::magnetic_north)
+      return send_magnetic(reading, out);
+    send(wire::Ths{wire::Talker{"HE"}, reading.heading_rad, {'A'}}, out);
+    send(wire::Hdt{wire::Talker{"HE"}, reading.heading_rad}, out);
+  }
+
+  void send_magnetic(const measurement::AttitudeSample& reading, Wire& out) {
+    send(wire::Hdg{wire::Talker{"HC"}, reading.heading_rad, {}, reading.variation_rad}, out);
+    send(wire::Hdm{wire::Talker{"HC"}, reading.heading_rad}, out);
+  }
+
+  template <class Sentence>
+  void send(const Sentence& sentence, Wire& out) {
+    out.send(wire::Bytes{bytes_}.first(wire::encode(sentence, bytes_)));
   }
 
   AttitudeReadings readings_;

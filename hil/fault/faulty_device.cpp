@@ -35,7 +35,7 @@ FaultyDevice::FaultyDevice(const DeviceConfig& config, const motion::Trajectory&
       schedule_(std::move(schedule), trajectory.start()),
       view_(trajectory, condition_),
       bytes_(seed, config.name, line_rate_of(config)),
-      frames_(seed, config.name) {}
+      frames_(seed, config.name, {}, FrameChecksums(config.description)) {}
 
 std::optional<Stamp> FaultyDevice::deadline() const {
   using measurement::earlier;

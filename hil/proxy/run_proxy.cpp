@@ -49,13 +49,11 @@ void check_sides(const Uri& real, const Uri& virt) {
 }
 
 /// The first kind that speaks the protocol. It is used only in the text of refusals.
-rig_config::DeviceKind kind_of(const std::string& protocol) {
-  const wire::Protocol* known = wire::find_protocol(protocol);
+rig_config::DeviceKind kind_of(const wire::Protocol* known) {
   return known && !known->kinds.empty() ? *known->kinds.begin() : rig_config::DeviceKind::imu;
 }
 
-void check_protocol(const std::string& protocol, Carries carries) {
-  const wire::Protocol* known = wire::find_protocol(protocol);
+void check_protocol(const std::string& protocol, const wire::Protocol* known, Carries carries) {
   const bool fits = carries == Carries::bytes
                         ? protocol.empty() || (known && known->travels == wire::Travels::as_bytes &&
                                                !known->kinds.empty())
@@ -72,8 +70,10 @@ rig_config::Rig rig_of(const ProxyCommandOptions& o, const Uri& real) {
   device.name = o.device;
   device.protocol = o.protocol;
   if (o.protocol.empty() && real.carries() == Carries::frames) device.protocol = "can";
-  check_protocol(device.protocol, real.carries());
-  device.kind = kind_of(device.protocol);
+  device.description = o.description;
+  const wire::Protocol* known = protocol_of(device);
+  check_protocol(device.protocol, known, real.carries());
+  device.kind = kind_of(known);
   device.link = o.real;
   device.address = o.address;
   rig_config::Rig rig;

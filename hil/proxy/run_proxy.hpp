@@ -2,14 +2,20 @@
 
 #include <cstdint>
 #include <cstdio>
+#include <memory>
 #include <string>
+
+namespace drydock::wire::described {
+struct Description;
+}
 
 namespace drydock::proxy {
 
 struct ProxyCommandOptions {
-  std::string real, virt;         ///< link URIs
-  std::string faults;             ///< a file of blocks [[fault]]; empty: none
-  std::string protocol;           ///< as in a rig file; "can" for every frame of a CAN bus
+  std::string real, virt;  ///< link URIs
+  std::string faults;      ///< a file of blocks [[fault]]; empty: none
+  std::string protocol;    ///< as in a rig file; "can" for every frame of a CAN bus
+  std::shared_ptr<const wire::described::Description> description{};  ///< of `protocol`, if a file
   std::string device = "device";  ///< the device name in the fault file
   int address = 0;                ///< on a bus; 0: any
   std::uint64_t seed = 1;

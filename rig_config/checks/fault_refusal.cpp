@@ -63,9 +63,6 @@ std::optional<std::string> of_the_wire(FaultNeed need, const DeviceConfig& devic
     case checksum:
       if (facts_of(device).checksum.empty())
         return "its protocol has no checksum of its own; allowed: flip, truncate";
-      if (on_can(device))
-        return "only its description knows the checksum's place in a frame; allowed: flip, "
-               "truncate";
       break;
     case port:
       if (on_can(device)) return "a node on a bus is not a port; allowed: hang, off, bus-off";

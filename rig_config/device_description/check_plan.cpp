@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <tuple>
 
 #include "rig_config/device_description/plan_reader.hpp"
 
@@ -25,15 +26,20 @@ bool heads_meet(const Message& a, const Message& b) {
   return true;
 }
 
+bool at_one_place(const Field& a, const Field& b) {
+  const auto place = [](const Field& f) {
+    return std::tuple(f.at, f.size, f.big_endian, f.first_bit, f.bits);
+  };
+  return place(a) == place(b);
+}
+
 /// True if a constant of one is another constant of the other at the same place.
 bool constants_differ(std::span<const Field> a, std::span<const Field> b, Form form) {
   for (std::size_t i = 0; i < a.size(); ++i) {
     if (a[i].type != Type::constant) continue;
     for (std::size_t j = 0; j < b.size(); ++j) {
       if (b[j].type != Type::constant) continue;
-      const bool same_place = form == Form::binary ? a[i].at == b[j].at && a[i].size == b[j].size &&
-                                                         a[i].big_endian == b[j].big_endian
-                                                   : i == j;
+      const bool same_place = form == Form::binary ? at_one_place(a[i], b[j]) : i == j;
       const bool differ = form == Form::binary
                               ? a[i].idle != b[j].idle
                               : a[i].text != b[j].text && !a[i].optional && !b[j].optional;
@@ -76,6 +82,7 @@ bool ambiguous(const Message& a, const Message& b, const Plan& plan) {
   const auto of_a = plan.fields_of(a), of_b = plan.fields_of(b);
   if (!heads_meet(a, b) || constants_differ(of_a, of_b, plan.form)) return false;
   if (plan.form == Form::binary) return !lengths_differ(a, b, plan);
+  if (a.line || b.line) return true;  // whether two patterns fit one line, nobody tells
   if (a.head.size() != b.head.size()) return !longer_head_is_no_number(a, b, plan);
   return !(counts_differ(of_a, of_b) || separators_differ(of_a, of_b));
 }

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "rig_config/device_description/units.hpp"
+#include "rig_config/device_description/field_target.hpp"
 #include "rig_config/rules/explain.hpp"
 #include "rig_config/toml/read_keys.hpp"
 
@@ -14,26 +14,9 @@ namespace {
 
 namespace described = wire::described;
 namespace dbc = wire::dbc;
-using described::Dimension;
 using described::Field;
 using described::Form;
-using described::TargetRow;
 using described::Type;
-
-constexpr std::string_view valid_word = "valid";
-
-const TargetRow* find_target(std::string_view name, measurement::Kind kind) {
-  for (const TargetRow& row : described::target_rows)
-    if (row.name == name && (row.kinds & described::bit_of(kind)) != 0) return &row;
-  return nullptr;
-}
-
-std::vector<std::string> target_names(measurement::Kind kind) {
-  std::vector<std::string> names{std::string(valid_word)};
-  for (const TargetRow& row : described::target_rows)
-    if ((row.kinds & described::bit_of(kind)) != 0) names.emplace_back(row.name);
-  return names;
-}
 
 class FieldReader {
  public:
@@ -45,11 +28,13 @@ class FieldReader {
     field_.big_endian = context_.big_endian;
     if (context_.form == Form::frames)
       read_signal();
+    else if (context_.groups)
+      read_group();
     else
       read_kind();
     read_place();
-    if (table_.find("field")) read_target();
-    if (!field_.target) scale_plainly();
+    if (table_.find("field")) read_target(table_, context_, unit_of_file(), field_, problems_);
+    if (!field_.target) scale_plainly(table_, context_, field_, problems_);
     if (signal_) scale_by_file();
     if (signal_ && field_.key == "time_s") field_.key = "device_time_s";  // `decode` has a time_s
     read_validity();
@@ -71,6 +56,7 @@ class FieldReader {
       add(table_, fmt::format("a field has one of: 'field' or 'name' (a value), '{}' (a constant), "
                               "'skip'",
                               context_.form == Form::binary ? "is" : "text"));
+    if (const Node* group = table_.find("group")) add(*group, "only for a line with a 'pattern'");
     read(table_, "name", field_.key);
     if (context_.form != Form::binary) read_text_type(constant, skipped);
     if (context_.form == Form::binary && !read_binary_type(table_.find("type")->text, field_))
@@ -107,6 +93,24 @@ class FieldReader {
     if (!table_.find("field")) field_.key = signal_->long_name;
     read(table_, "name", field_.key);
     read(table_, "optional", field_.optional);
+  }
+
+  /// A field of a pattern is a group, shown under its name.
+  void read_group() {
+    for (const char* key : {"text", "skip", "ends"})
+      if (const Node* one = table_.find(key))
+        add(*one, fmt::format("'{}' is only for fields in order; the pattern has the text", key));
+    const Node* word = table_.find("group");
+    if (!word) return add(table_, "a field of a pattern needs the key 'group'");
+    const auto& names = *context_.groups;
+    const auto found = std::ranges::find(names, word->text);
+    if (found == names.end())
+      return add(*word, fmt::format("the pattern has no group \"{}\"{}, allowed: {}", word->text,
+                                    did_you_mean(word->text, names), listed(names)));
+    field_.at = static_cast<std::uint16_t>(found - names.begin());
+    read_text_type(nullptr, nullptr);
+    if (!table_.find("field")) field_.key = word->text;
+    read(table_, "name", field_.key);
   }
 
   /// Behind the raw number comes the DBC file's scale, then that of the description.
@@ -152,67 +156,10 @@ class FieldReader {
     field_.bits = static_cast<std::uint8_t>(count);
   }
 
-  void read_target() {
-    const Node& word = *table_.find("field");
-    if (field_.key.empty()) field_.key = word.text;
-    if (word.text == valid_word) {
-      field_.validity.emplace();
-      return;
-    }
-    const TargetRow* row = find_target(word.text, context_.kind);
-    if (!row) {
-      const auto names = target_names(context_.kind);
-      return add(word, fmt::format("\"{}\" is nothing that a {} measures{}, allowed: {}", word.text,
-                                   to_string(context_.kind), did_you_mean(word.text, names),
-                                   listed(names)));
-    }
-    if (field_.type == Type::text) add(word, "a text is no measurement; allowed: number, hex");
-    field_.target = row->target;
-    read_unit(*row);
-  }
-
-  Dimension on_the_wire(const TargetRow& row) const {
-    Dimension dimension = row.dimension;
-    if (table_.find("per")) dimension.time = static_cast<std::int8_t>(dimension.time + 1);
-    return dimension;
-  }
-
-  void read_unit(const TargetRow& row) {
-    const Dimension wanted = on_the_wire(row);
-    std::vector<std::string> allowed;
-    for (const WireUnit& unit : wire_units)
-      if (unit.dimension == wanted) allowed.emplace_back(unit.name);
-    const Node* named = table_.find("unit");
-    const std::string word = named ? named->text : wanted == Dimension{} ? "1" : unit_of_file();
-    const WireUnit* unit = find_unit(word);
-    if (!unit || !(unit->dimension == wanted))
-      return add(named ? *named : table_,
-                 fmt::format("{} of {}, allowed: {}",
-                             word.empty() ? "no unit" : fmt::format("\"{}\" is no unit", word),
-                             row.name, listed(allowed)));
-    const double scale = read_if(table_, "scale").value_or(1);
-    field_.factor = scale * unit->factor;
-    field_.offset = read_if(table_, "offset").value_or(0) * unit->factor + unit->offset;
-  }
-
   /// The unit of the DBC file. Some files write a power with a sign of its own.
   std::string unit_of_file() const {
     if (!signal_) return "";
     return signal_->unit == "m/s\u00b2" || signal_->unit == "m/s^2" ? "m/s2" : signal_->unit;
-  }
-
-  /// A value that no measurement has keeps the unit of the wire.
-  void scale_plainly() {
-    const Node* named = table_.find("unit");
-    if (named && !table_.find("field") && !find_unit(named->text)) {
-      std::vector<std::string> names;
-      names.reserve(std::size(wire_units));
-      for (const WireUnit& unit : wire_units) names.emplace_back(unit.name);
-      add(*named, fmt::format("\"{}\" is no unit{}, allowed: {}", named->text,
-                              did_you_mean(named->text, names), listed(names)));
-    }
-    read(table_, "scale", field_.factor);
-    read(table_, "offset", field_.offset);
   }
 
   void read_validity() {

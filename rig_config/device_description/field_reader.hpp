@@ -16,7 +16,8 @@ struct FieldContext {
   char separator;   ///< behind a field of a text
   bool big_endian;  ///< unless the field says it
   std::string file, path;
-  const wire::dbc::Message* message = nullptr;  ///< frames: that of the DBC file
+  const wire::dbc::Message* message = nullptr;       ///< frames: that of the DBC file
+  const std::vector<std::string>* groups = nullptr;  ///< lines: of their pattern
 };
 
 /// Reads the table of one field of a message. Problems are appended; the field is then not usable.

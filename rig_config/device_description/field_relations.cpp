@@ -50,13 +50,13 @@ struct Relations {
 
 }  // namespace
 
-void relate_fields(std::span<const Node> tables, described::Form form, std::vector<Field>& fields,
+void relate_fields(std::span<const Node> tables, bool in_order, std::vector<Field>& fields,
                    const std::string& file, const std::string& path, Problems& problems) {
   for (std::size_t i = 0; i < fields.size(); ++i) {
     Relations one{file, fmt::format("{}/fields/{}", path, i), tables[i], fields, i, problems};
     one.find_divisor();
     one.check_key();
-    if (form != described::Form::frames) one.check_optional();
+    if (in_order) one.check_optional();
   }
 }
 

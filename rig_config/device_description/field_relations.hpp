@@ -9,7 +9,7 @@ namespace drydock::rig_config {
 /// What the fields of one message say of each other: divisors are found; names that stand twice,
 /// and a required field behind an optional one of a text or a binary frame, are problems. `tables`:
 /// those of the fields, in their order.
-void relate_fields(std::span<const Node> tables, wire::described::Form form,
+void relate_fields(std::span<const Node> tables, bool in_order,
                    std::vector<wire::described::Field>& fields, const std::string& file,
                    const std::string& path, Problems& problems);
 

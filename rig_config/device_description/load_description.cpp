@@ -21,6 +21,11 @@ bool tells_time(const described::Plan& plan) {
   });
 }
 
+bool can_refuse(const described::Description& description) {
+  return std::ranges::any_of(description.start,
+                             [](const auto& request) { return !request.refusal.empty(); });
+}
+
 void add_facts(const described::FramePlan& plan, wire::Protocol& facts) {
   facts.travels = wire::Travels::as_frames;
   for (const auto& frame : plan.frames) {
@@ -38,6 +43,7 @@ wire::Protocol facts_of(const described::Description& description) {
   if (tells_time(description.plan)) facts.clock = wire::DeviceClock::yes;
   if (description.frames) add_facts(*description.frames, facts);
   if (!description.start.empty()) facts.settings = wire::Settings::obeyed;
+  if (can_refuse(description)) facts.settings = wire::Settings::refusable;
   if (description.kind == DeviceKind::gnss) facts.place = wire::Place::yes;
   return facts;
 }

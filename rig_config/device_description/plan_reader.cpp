@@ -8,6 +8,7 @@
 #include "rig_config/device_description/field_relations.hpp"
 #include "rig_config/device_description/frame_messages.hpp"
 #include "rig_config/device_description/frame_reader.hpp"
+#include "rig_config/device_description/pattern_reader.hpp"
 #include "rig_config/device_description/requests.hpp"
 #include "rig_config/rules/explain.hpp"
 #include "rig_config/toml/read_keys.hpp"
@@ -96,7 +97,7 @@ class PlanReader {
   }
 
   void unknown_checksum() {
-    std::vector<std::string> names{"none", "xor", "sum-8", "sum-16", "fletcher-16"};
+    std::vector<std::string> names{"none", "xor", "sum-8", "sum-16", "sum-32", "fletcher-16"};
     for (const auto& crc : described::crcs) names.emplace_back(crc.name);
     const Node& word = *protocol_.find("checksum");
     add(word, "/protocol/checksum",
@@ -113,7 +114,8 @@ class PlanReader {
     message.first_field = static_cast<std::uint16_t>(plan().fields.size());
     read_fields(table, path, message);
     const bool emulated = !table.find("emulated") || table.find("emulated")->boolean;
-    message.emulated = emulated && message.publishes;
+    const bool can_be_written = !table.find("pattern") || table.find("emulate");
+    message.emulated = emulated && message.publishes && can_be_written;
     plan().messages.push_back(std::move(message));
   }
 
@@ -176,6 +178,8 @@ class PlanReader {
   void read_fields(const Node& table, const std::string& path, Message& message) {
     const Node* fields = table.find("fields");
     const std::size_t count = fields ? fields->items.size() : 0;
+    const auto line = read_pattern(table, file_, path, problems_);
+    if (table.find("pattern") && !line) return;
     std::vector<Field> read;
     for (std::size_t i = 0; i < count; ++i) {
       const FieldContext context{
@@ -185,11 +189,17 @@ class PlanReader {
           big_endian_,
           file_,
           fmt::format("{}/fields/{}", path, i),
-          frames_ ? &frames_->frames[plan().messages.size()].message : nullptr};
+          frames_ ? &frames_->frames[plan().messages.size()].message : nullptr,
+          line ? &line->pattern.groups() : nullptr};
       read.push_back(read_field(fields->items[i], context, problems_));
       message.publishes |= read.back().target && !described::is_time(*read.back().target);
     }
-    if (fields) relate_fields(fields->items, plan().form, read, file_, path, problems_);
+    const bool in_order = plan().form != Form::frames && !line;
+    if (fields) relate_fields(fields->items, in_order, read, file_, path, problems_);
+    if (line) read_written(table, read, *line, file_, path, problems_);
+    message.line = line;
+    message.divides =
+        std::ranges::any_of(read, [](const Field& f) { return f.divisor.has_value(); });
     message.fields = static_cast<std::uint16_t>(count);
     message.mapped = mapped(read);
     if (frames_)

@@ -34,12 +34,16 @@ std::vector<described::Request> read_requests(const Node& root, const char* grou
     if ((text != nullptr) == (hex != nullptr)) add(table, path, "one of: 'send', 'send_hex'");
     const auto bytes = hex ? hex_bytes(hex->text) : std::optional(text ? text->text : "");
     if (hex && (!bytes || bytes->empty())) add(*hex, path, "expected pairs of hexadecimal digits");
-    described::Request request{bytes.value_or(""), {}};
+    described::Request request{bytes.value_or(""), {}, {}};
     read(table, "reply", request.reply);
-    const Node* reply = table.find("reply");
-    if (reply &&
-        std::ranges::find(messages, reply->text, &described::Message::name) == messages.end())
-      add(*reply, path + "/reply", fmt::format("no message is called \"{}\"", reply->text));
+    read(table, "refusal", request.refusal);
+    for (const char* key : {"reply", "refusal"})
+      if (const Node* word = table.find(key);
+          word &&
+          std::ranges::find(messages, word->text, &described::Message::name) == messages.end())
+        add(*word, path + "/" + key, fmt::format("no message is called \"{}\"", word->text));
+    if (const Node* no = table.find("refusal"); no && request.refusal == request.reply)
+      add(*no, path + "/refusal", "the message that agrees cannot refuse");
     requests.push_back(std::move(request));
   });
   return requests;

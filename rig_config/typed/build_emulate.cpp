@@ -32,12 +32,22 @@ DvlHeadConfig build_head(const Node& table) {
   return head;
 }
 
+CompassConfig build_compass(const Node& table) {
+  CompassConfig compass;
+  compass.variation_rad = read_if(table, "variation_deg", units::degree);
+  std::string reference;
+  read(table, "reference", reference);
+  compass.magnetic = reference == "magnetic";
+  return compass;
+}
+
 }  // namespace
 
 EmulateConfig build_emulate(const Node& table, const std::string& rig_file) {
   EmulateConfig emulate;
   if (const Node* sky = table.find("sky")) emulate.sky = build_sky(*sky, rig_file);
   if (const Node* head = table.find("head")) emulate.head = build_head(*head);
+  emulate.compass = build_compass(table);
   return emulate;
 }
 

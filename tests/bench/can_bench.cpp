@@ -2,8 +2,11 @@
 
 #include <vector>
 
+#include "drivers/wire/can/xsens.hpp"
 #include "drivers/wire/canopen/cia404_imu.hpp"
+#include "drivers/wire/described/frame_codec.hpp"
 #include "drivers/wire/nmea2000/nmea2000.hpp"
+#include "rig_config/device_description/load_description.hpp"
 
 namespace {
 
@@ -35,9 +38,15 @@ std::vector<CanFrame> imu_traffic() {
   return {frames.begin(), frames.end()};
 }
 
-template <class P>
-void decode(benchmark::State& state, const std::vector<CanFrame>& traffic) {
-  typename P::Decoder decoder;
+/// Time, counter, rate of turn and acceleration, as an MTi sends them with each sample.
+std::vector<CanFrame> xsens_traffic() {
+  return {xsens::encode(xsens::SampleTime{1000}), xsens::encode(xsens::GroupCounter{7}),
+          xsens::encode(xsens::RateOfTurn{{0.1, -0.25, 2.5}}),
+          xsens::encode(xsens::Acceleration{{1.5, -2.25, 9.8}})};
+}
+
+template <class Decoder>
+void decode(benchmark::State& state, const std::vector<CanFrame>& traffic, Decoder decoder) {
   for (auto _ : state) {
     for (const CanFrame& frame : traffic) benchmark::DoNotOptimize(decoder.receive(frame));
   }
@@ -45,11 +54,28 @@ void decode(benchmark::State& state, const std::vector<CanFrame>& traffic) {
   state.counters["frames"] = benchmark::Counter(frames, benchmark::Counter::kIsRate);
 }
 
-void nmea2000_bus(benchmark::State& state) { decode<Nmea2000>(state, nmea2000_traffic()); }
-void cia404_imu_set(benchmark::State& state) { decode<Cia404Imu>(state, imu_traffic()); }
+void nmea2000_bus(benchmark::State& state) {
+  decode(state, nmea2000_traffic(), Nmea2000::Decoder{});
+}
+void cia404_imu_set(benchmark::State& state) { decode(state, imu_traffic(), Cia404Imu::Decoder{}); }
+void xsens_sample(benchmark::State& state) { decode(state, xsens_traffic(), Xsens::Decoder{}); }
+
+/// The description beside the codec written by hand, on the same frames.
+void described_xsens_sample(benchmark::State& state) {
+  const auto found = drydock::rig_config::find_description("xsens-dbc.toml", "").value();
+  described::FrameDecoder decoder(found);
+  described::Record record;
+  const auto traffic = xsens_traffic();
+  for (auto _ : state)
+    for (const CanFrame& frame : traffic) benchmark::DoNotOptimize(decoder.take(frame, record));
+  const auto frames = static_cast<double>(state.iterations()) * static_cast<double>(traffic.size());
+  state.counters["frames"] = benchmark::Counter(frames, benchmark::Counter::kIsRate);
+}
 
 BENCHMARK(nmea2000_bus);
 BENCHMARK(cia404_imu_set);
+BENCHMARK(xsens_sample);
+BENCHMARK(described_xsens_sample);
 
 }  // namespace
 

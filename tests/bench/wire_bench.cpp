@@ -104,6 +104,13 @@ void nortek(benchmark::State& state) { scan_and_decode<Nortek>(state, {"nortek/g
 BENCHMARK(nortek);
 BENCHMARK_CAPTURE(described_codec, nortek, "nortek-bt.toml", "nortek/golden.nmea");
 
+void nmea0183_headings(benchmark::State& state) {
+  scan_and_decode<Nmea0183>(state, {"described/nmea-heading.txt"});
+}
+BENCHMARK(nmea0183_headings);
+BENCHMARK_CAPTURE(described_codec, nmea0183_headings, "nmea-heading.toml",
+                  "described/nmea-heading.txt");
+
 void keller(benchmark::State& state) {
   described_codec(state, "keller.toml", "described/keller.bin");
 }

@@ -50,6 +50,9 @@ void compare_xsens(const Case& one, Score& score);
 std::vector<Case> discover_can_pressure(const fs::path& folder);  ///< *.tsv: id, payload, meaning
 void compare_can_pressure(const Case& one, Score& score);
 
+std::vector<Case> discover_dbc(const fs::path& folder);  ///< files/STEM.dbc, expected/STEM.jsonl
+void compare_dbc(const Case& one, Score& score);
+
 std::vector<Case> discover_can_log(const fs::path& folder);  ///< *.asc, *.pcap
 void compare_can_log(const Case& one, Score& score);
 

@@ -26,6 +26,7 @@ std::span<const Corpus> corpora() {
       Corpus{"can_imu xsens", "can_imu", discover_xsens, compare_xsens},
       Corpus{"dvl/waterlinked pd6", "dvl/waterlinked", discover_pd6, compare_pd6},
       Corpus{"can_depth", "can_depth", discover_can_pressure, compare_can_pressure},
+      Corpus{"dbc", "dbc", discover_dbc, compare_dbc},
       Corpus{"canlog", "canlog", discover_can_log, compare_can_log},
   };
   return list;

@@ -20,8 +20,9 @@ const std::map<unsigned, std::string> ubx_messages{
     {0x0120, "NAV-TIMEGPS"}, {0x0121, "NAV-TIMEUTC"}, {0x0130, "NAV-SVINFO"},
     {0x0135, "NAV-SAT"},     {0x0143, "NAV-SIG"},     {0x0161, "NAV-EOE"},
     {0x0213, "RXM-SFRBX"},   {0x0215, "RXM-RAWX"}};
-const std::set<std::string_view> nmea_messages{"GGA", "RMC", "GSV", "GSA", "VTG", "ZDA", "GNS",
-                                               "GLL", "GST", "HDT", "THS", "VHW", "VBW", "VLW"};
+const std::set<std::string_view> nmea_messages{"GGA", "RMC", "GSV", "GSA", "VTG", "ZDA",
+                                               "GNS", "GLL", "GST", "HDT", "THS", "HDG",
+                                               "HDM", "VHW", "VBW", "VLW"};
 
 Counts scanned(std::string_view bytes) {
   Counts counts;

@@ -155,6 +155,25 @@ TEST_F(Scoreboard, ADamagedVectorMustBeRefusedAndASoundOneRead) {
   EXPECT_EQ(only().counts().missed, 1u) << "a damaged sentence cannot be read";
 }
 
+TEST_F(Scoreboard, ASignalOfADbcFileThatReadsDifferentlyIsWrong) {
+  write("dbc/files/made.dbc",
+        "VERSION \"\"\nBU_: a\nBO_ 100 m: 2 a\n SG_ s : 0|16@1+ (0.5,1) [0|0] \"\" a\n");
+  const auto line = [](const std::string& value, const std::string& id = "100") {
+    return "{\"id\":" + id +
+           ",\"ext\":false,\"msg\":\"m\",\"data\":\"0400\",\"sig\":{\"s\":{\"val\":" + value +
+           "}}}\n";
+  };
+  write("dbc/expected/made.jsonl", line("3"));
+  EXPECT_TRUE(only().clean());
+  EXPECT_EQ(only().counts().by_value, 1u);
+  write("dbc/expected/made.jsonl", line("3") + line("3.5"));
+  EXPECT_EQ(only().counts().wrong, 1u);
+  write("dbc/expected/made.jsonl", line("3", "101"));
+  EXPECT_EQ(only().counts().missed, 1u) << "no message of this identifier";
+  write("dbc/expected/lost.jsonl", line("3"));
+  EXPECT_THAT(only().errors(), ElementsAre(HasSubstr("lost.jsonl")));
+}
+
 /// `$body*hh CR LF`
 std::string sentence(const std::string& body) {
   unsigned sum = 0;

@@ -13,8 +13,13 @@ void DescribedDialogue::begin(Stamp now, bool silent, Output& out) {
   if (!silent) proceed(now, out);
 }
 
+/// A sensor that refuses goes on as it was: the next request follows.
 void DescribedDialogue::heard(std::string_view message, Stamp now, Output& out) {
-  if (!due_ || !starts() || description_.start[step_].reply != message) return;
+  if (!due_ || !starts()) return;
+  const auto& request = description_.start[step_];
+  const bool refused = !request.refusal.empty() && request.refusal == message;
+  if (request.reply != message && !refused) return;
+  if (refused) out.report("the sensor refuses what the start asks");
   ++step_;
   tries_ = 0;
   proceed(now, out);

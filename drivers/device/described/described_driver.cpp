@@ -1,7 +1,6 @@
 #include "drivers/device/described/described_driver.hpp"
 
 #include "drivers/device/described/measure.hpp"
-#include "drivers/device/described/publish_measured.hpp"
 #include "drivers/measurement/earlier.hpp"
 
 namespace drydock::device {
@@ -17,7 +16,8 @@ DescribedDriver::DescribedDriver(const DriverOptions& options)
     : StreamDriver(options, described::Scanner{&options.description->plan}),
       options_(options),
       description_(*options_.description),
-      dialogue_(description_, options.poll_period) {}
+      dialogue_(description_, options.poll_period),
+      publisher_(options_) {}
 
 void DescribedDriver::restart(Stamp now, Output& out) {
   StreamDriver::restart(now, out);
@@ -47,7 +47,7 @@ void DescribedDriver::publish(const Arrival& arrival, Output& out) {
   read(record_, readings_);
   const auto age = age_of(readings_);
   Origin origin = age ? timing_.of_bytes(arrival, *age) : timing_.of_bytes(arrival);
-  publish_measured(readings_, origin, options_, out);
+  publisher_.publish(readings_, origin, out);
 }
 
 }  // namespace drydock::device

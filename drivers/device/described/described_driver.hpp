@@ -1,6 +1,7 @@
 #pragma once
 
 #include "drivers/device/described/described_dialogue.hpp"
+#include "drivers/device/described/publish_measured.hpp"
 #include "drivers/device/stream_driver.hpp"
 #include "drivers/wire/described/codec.hpp"
 
@@ -26,6 +27,7 @@ class DescribedDriver final
   DescribedDialogue dialogue_;
   wire::described::Record record_;
   wire::described::Readings readings_;
+  MeasuredPublisher publisher_;
 };
 
 }  // namespace drydock::device

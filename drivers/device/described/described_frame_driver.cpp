@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "drivers/device/described/measure.hpp"
-#include "drivers/device/described/publish_measured.hpp"
 #include "drivers/wire/j1939/j1939.hpp"
 
 namespace drydock::device {
@@ -16,7 +15,11 @@ using Step = wire::dbc::FrameCounter::Step;
 }  // namespace
 
 DescribedFrameDriver::DescribedFrameDriver(const DriverOptions& options)
-    : options_(options), decoder_(options.description), timing_(options), source_(options.address) {
+    : options_(options),
+      decoder_(options.description),
+      timing_(options),
+      source_(options.address),
+      publisher_(options_) {
   for (const auto& layout : options.description->frames->frames) {
     counters_.emplace_back(layout.counter ? layout.counter->modulus : 1);
     const auto group = std::ranges::find(groups_, layout.sample, &SampleGroup::name);
@@ -66,7 +69,7 @@ void DescribedFrameDriver::join(const wire::CanFrame& frame, Stamp at, Output& o
   if (group.add(record_, decoder_.place(), origin, age.has_value()))
     out.refuse("a sample whose frames did not all come was left out", Refusal::no_measurement);
   if (!group.is_complete()) return;
-  publish_measured(group.readings(), group.origin(), options_, out);
+  publisher_.publish(group.readings(), group.origin(), out);
   group.reset();
 }
 

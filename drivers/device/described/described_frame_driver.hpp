@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "drivers/device/bus/source_filter.hpp"
+#include "drivers/device/described/publish_measured.hpp"
 #include "drivers/device/described/sample_group.hpp"
 #include "drivers/device/driver.hpp"
 #include "drivers/device/driver_options.hpp"
@@ -43,6 +44,7 @@ class DescribedFrameDriver final : public FrameDriver {
   std::vector<wire::dbc::FrameCounter> counters_;  ///< of each message
   std::vector<SampleGroup> groups_;
   std::vector<std::size_t> group_of_;  ///< each message
+  MeasuredPublisher publisher_;
 };
 
 }  // namespace drydock::device

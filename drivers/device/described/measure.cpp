@@ -87,16 +87,23 @@ measurement::WaterSpeed water_speed(const Readings& r, const DriverOptions& opti
   return m;
 }
 
+/// Some count longitudes from 0 to 360 degrees.
+double in_half_turns(double longitude_rad) {
+  constexpr double half_turn = std::numbers::pi;
+  return std::abs(longitude_rad) <= half_turn ? longitude_rad
+                                              : std::remainder(longitude_rad, 2 * half_turn);
+}
+
 measurement::GnssFix gnss_fix(const Readings& r) {
   measurement::GnssFix m;
   const bool on_earth = std::abs(r.get(latitude).value_or(9)) <= std::numbers::pi / 2;
   if (on_earth && r.has(longitude)) {
-    m.position = {*r.get(latitude), *r.get(longitude)};
+    m.position = {*r.get(latitude), in_half_turns(*r.get(longitude))};
     m.type = measurement::FixType::three_d;
   }
   m.ellipsoidal_height_m = r.get(ellipsoidal_height);
   m.mean_sea_level_height_m = r.get(sea_level_height);
-  m.velocity_ned = vector_of(r, north, east, sinking);
+  m.velocity_ned = vector_of(r, north, east, down);
   m.ground_speed_mps = r.get(ground_speed);
   m.course_rad = r.get(course);
   m.horizontal_accuracy_m = r.get(horizontal_accuracy);
@@ -149,7 +156,7 @@ measurement::Measurement measurement_of(const Readings& readings, const Origin& 
     case Kind::emlog: return from(water_speed(readings, options), origin);
     case Kind::gnss: return from(gnss_fix(readings), origin);
     case Kind::actuator: return from(actuator_state(readings), origin);
-    case Kind::attitude:  // no description may have this kind
+    case Kind::attitude:  // its driver turns it, with the tilt of the last sample
     case Kind::imu: break;
   }
   return from(imu_sample(readings, options), origin);

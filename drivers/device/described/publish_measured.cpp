@@ -4,6 +4,7 @@
 #include <array>
 
 #include "drivers/device/described/measure.hpp"
+#include "drivers/device/vessel/attitude_gate.hpp"
 #include "drivers/device/vessel/depth_gate.hpp"
 
 namespace drydock::device {
@@ -21,16 +22,49 @@ bool is_complete(const Readings& readings, Kind kind) {
          std::ranges::all_of(of_an_imu, [&](Target target) { return readings.has(target); });
 }
 
+measurement::HeadingReference reference_of(const Readings& r) {
+  using enum measurement::HeadingReference;
+  if (!r.has(Target::heading)) return r.has(Target::magnetic_heading) ? magnetic_north : unknown;
+  const double code = r.get(Target::heading_reference).value_or(0);
+  if (code == 0) return true_north;
+  return code == 1 ? magnetic_north : unknown;
+}
+
+bool is_possible_attitude(const Readings& r, Output& out) {
+  using enum Target;
+  return is_possible_heading(r.get(heading), r.get(deviation), r.get(variation), out) &&
+         is_possible_heading(r.get(magnetic_heading), {}, {}, out) &&
+         is_possible_tilt(r.get(roll), r.get(pitch), out) &&
+         is_possible_turn(r.get(rate_of_turn), out);
+}
+
 }  // namespace
 
-void publish_measured(const Readings& readings, measurement::Origin origin,
-                      const DriverOptions& options, Output& out) {
-  if (!is_complete(readings, options.kind))
+void MeasuredPublisher::publish(const Readings& readings, measurement::Origin origin, Output& out) {
+  if (!is_complete(readings, options_.kind))
     return out.refuse("a sample without all six components was refused");
   origin.device_time = device_time_of(readings);
-  const auto measured = measurement_of(readings, origin, options);
+  if (options_.kind == Kind::attitude) return publish_attitude(readings, origin, out);
+  const auto measured = measurement_of(readings, origin, options_);
   const auto* depth = std::get_if<measurement::DepthSample>(&measured);
   if (!depth || is_possible(*depth, out)) out.publish(measured);
+}
+
+/// The tilt comes first: the heading of turned axes depends on it.
+void MeasuredPublisher::publish_attitude(const Readings& readings,
+                                         const measurement::Origin& origin, Output& out) {
+  if (!is_possible_attitude(readings, out)) return;
+  measurement::AttitudeSample result;
+  result.origin = origin;
+  result.reference = reference_of(readings);
+  result.deviation_rad = readings.get(Target::deviation);
+  result.variation_rad = readings.get(Target::variation);
+  result.rate_of_turn_radps = readings.get(Target::rate_of_turn);
+  axes_.tilt(readings.get(Target::roll), readings.get(Target::pitch), result, out);
+  const auto heading = readings.get(Target::heading);
+  const auto sent = heading ? heading : readings.get(Target::magnetic_heading);
+  if (sent) axes_.heading(*sent, result);
+  out.publish(result);
 }
 
 }  // namespace drydock::device

@@ -2,13 +2,26 @@
 
 #include "drivers/device/driver.hpp"
 #include "drivers/device/driver_options.hpp"
+#include "drivers/device/vessel/attitude_axes.hpp"
 #include "drivers/wire/described/targets.hpp"
 
 namespace drydock::device {
 
-/// Publishes what the values of one sample measure. A sample that cannot be true, or an IMU's
-/// without all its components, is refused. The device's time is taken from the values.
-void publish_measured(const wire::described::Readings& readings, measurement::Origin origin,
-                      const DriverOptions& options, Output& out);
+/// Publishes what described messages measured. Refused: an impossible depth or attitude, and a
+/// sample of an IMU without all six components.
+class MeasuredPublisher {
+ public:
+  explicit MeasuredPublisher(const DriverOptions& options)
+      : options_(options), axes_(options.mounting) {}
+
+  void publish(const wire::described::Readings& readings, measurement::Origin origin, Output& out);
+
+ private:
+  void publish_attitude(const wire::described::Readings& readings,
+                        const measurement::Origin& origin, Output& out);
+
+  const DriverOptions& options_;
+  AttitudeAxes axes_;  ///< kind attitude
+};
 
 }  // namespace drydock::device

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+
 #include "drivers/device/burst.hpp"
 #include "drivers/device/stream_driver.hpp"
 #include "drivers/device/vessel/attitude_axes.hpp"
@@ -7,10 +9,10 @@
 
 namespace drydock::device {
 
-/// Compass that speaks NMEA 0183: THS and HDT give the true heading. A compass that sends both
-/// gives the same heading twice, so the driver ignores HDT while THS comes. A heading of THS that
-/// is typed in (M) or simulated (S) is refused. Consecutive sentences were all true before the
-/// first was sent.
+/// Compass that speaks NMEA 0183: THS and HDT give the true heading, HDG and HDM the magnetic one.
+/// A compass that sends several gives one heading several times, so the driver ignores a sentence
+/// while one that stands before it in this list comes. A heading of THS that is typed in (M) or
+/// simulated (S) is refused. Consecutive sentences were all true before the first was sent.
 class AttitudeDriver final : public StreamDriver<wire::Nmea0183::max_frame> {
  public:
   explicit AttitudeDriver(const DriverOptions& options)
@@ -23,13 +25,19 @@ class AttitudeDriver final : public StreamDriver<wire::Nmea0183::max_frame> {
   /// Compasses send up to fifty times a second; hosts delay bytes by some milliseconds.
   static constexpr std::chrono::milliseconds shortest_pause{10};
 
-  void on(const wire::Hdt& hdt, const Origin& origin, Output& out);
+  enum class Rank : std::uint8_t { ths, hdt, hdg, hdm };
+
   void on(const wire::Ths& ths, const Origin& origin, Output& out);
-  void publish(const std::optional<double>& true_heading_rad, const Origin& origin, Output& out);
+  void on(const wire::Hdt& hdt, const Origin& origin, Output& out);
+  void on(const wire::Hdg& hdg, const Origin& origin, Output& out);
+  void on(const wire::Hdm& hdm, const Origin& origin, Output& out);
+  bool counts(Rank rank, bool has_heading, Stamp at);
+  void publish(const std::optional<double>& heading_rad, measurement::AttitudeSample result,
+               Output& out);
 
   AttitudeAxes axes_;
   Burst burst_;
-  std::optional<Stamp> ths_at_;
+  std::array<std::optional<Stamp>, 4> heard_at_;  ///< of each rank, the last with a heading
 };
 
 }  // namespace drydock::device

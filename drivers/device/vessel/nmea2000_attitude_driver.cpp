@@ -1,7 +1,6 @@
 #include "drivers/device/vessel/nmea2000_attitude_driver.hpp"
 
-#include <cmath>
-#include <numbers>
+#include "drivers/device/vessel/attitude_gate.hpp"
 
 namespace drydock::device {
 
@@ -9,17 +8,11 @@ namespace {
 
 /// A frame takes 0.6 ms at 250 kbit/s: no other frame fits into this pause.
 constexpr std::chrono::microseconds pause_between_attitudes{500};
-constexpr double half_turn = std::numbers::pi, fastest_turn_radps = 10;
-constexpr double rounding_rad = 1e-4;  ///< one step of an angle
 
 measurement::HeadingReference reference_of(const std::optional<std::uint8_t>& code) {
   using enum measurement::HeadingReference;
   if (code == wire::nmea2000::true_north) return true_north;
   return code == wire::nmea2000::magnetic_north ? magnetic_north : unknown;
-}
-
-bool beyond(const std::optional<double>& value, double limit) {
-  return std::abs(value.value_or(0)) > limit + rounding_rad;
 }
 
 }  // namespace
@@ -52,9 +45,8 @@ Origin Nmea2000AttitudeDriver::in_burst(const wire::CanFrame& frame, Stamp recei
 void Nmea2000AttitudeDriver::on(const wire::nmea2000::VesselHeading& heading, const Origin& origin,
                                 Output& out) {
   if (!accepts(source_, heading.source, origin.received_at)) return;
-  if (beyond(heading.heading_rad, 2 * half_turn) || beyond(heading.deviation_rad, half_turn) ||
-      beyond(heading.variation_rad, half_turn))
-    return out.refuse("a heading beyond 360 degrees was dropped: damaged on its way");
+  if (!is_possible_heading(heading.heading_rad, heading.deviation_rad, heading.variation_rad, out))
+    return;
   measurement::AttitudeSample result;
   result.origin = origin;
   result.reference = reference_of(heading.reference);
@@ -67,8 +59,7 @@ void Nmea2000AttitudeDriver::on(const wire::nmea2000::VesselHeading& heading, co
 void Nmea2000AttitudeDriver::on(const wire::nmea2000::RateOfTurn& turn, const Origin& origin,
                                 Output& out) {
   if (!accepts(source_, turn.source, origin.received_at)) return;
-  if (beyond(turn.rate_radps, fastest_turn_radps))
-    return out.refuse("a rate of turn over 10 rad/s was dropped: damaged on its way");
+  if (!is_possible_turn(turn.rate_radps, out)) return;
   measurement::AttitudeSample result;
   result.origin = origin;
   result.rate_of_turn_radps = turn.rate_radps;
@@ -78,8 +69,7 @@ void Nmea2000AttitudeDriver::on(const wire::nmea2000::RateOfTurn& turn, const Or
 void Nmea2000AttitudeDriver::on(const wire::nmea2000::Attitude& attitude, const Origin& origin,
                                 Output& out) {
   if (!accepts(source_, attitude.source, origin.received_at)) return;
-  if (beyond(attitude.roll_rad, half_turn) || beyond(attitude.pitch_rad, half_turn / 2))
-    return out.refuse("a pitch beyond 90 or a roll beyond 180 degrees was dropped");
+  if (!is_possible_tilt(attitude.roll_rad, attitude.pitch_rad, out)) return;
   measurement::AttitudeSample result;
   result.origin = origin;
   axes_.tilt(attitude.roll_rad, attitude.pitch_rad, result, out);
@@ -89,7 +79,7 @@ void Nmea2000AttitudeDriver::on(const wire::nmea2000::Attitude& attitude, const 
 void Nmea2000AttitudeDriver::on(const wire::nmea2000::MagneticVariation& variation,
                                 const Origin& origin, Output& out) {
   if (!variation_source_.accepts(variation.source, origin.received_at)) return;
-  if (beyond(variation.variation_rad, half_turn))
+  if (is_beyond(variation.variation_rad, std::numbers::pi))
     return out.refuse("a variation beyond 180 degrees was dropped: damaged on its way");
   if (variation.variation_rad) variation_rad_ = variation.variation_rad;
 }

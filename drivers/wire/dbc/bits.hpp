@@ -37,6 +37,26 @@ inline std::uint64_t load_bits(Bytes payload, const Layout& layout) {
   return value;
 }
 
+/// A payload of at most eight bytes as two integers: then a signal is two shifts away.
+class PayloadWord {
+ public:
+  explicit PayloadWord(Bytes payload) {
+    for (std::size_t i = 0; i < payload.size(); ++i)
+      little_ |= std::uint64_t{payload[i]} << (8 * i);
+    big_ = __builtin_bswap64(little_);
+  }
+
+  std::uint64_t bits(const Layout& layout) const {
+    const unsigned unused = 64 - layout.bits;  // a signal has at least one bit
+    const unsigned from_the_top = layout.start / 8 * 8 + 7 - layout.start % 8;
+    return layout.order == ByteOrder::intel ? little_ >> layout.start << unused >> unused
+                                            : big_ << from_the_top >> unused;
+  }
+
+ private:
+  std::uint64_t little_ = 0, big_ = 0;
+};
+
 /// Leaves the other bits as they are.
 inline void store_bits(std::span<std::uint8_t> payload, const Layout& layout, std::uint64_t value) {
   unsigned left = layout.bits;

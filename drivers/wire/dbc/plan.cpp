@@ -76,11 +76,15 @@ bool Plan::selected(const Field& field, std::span<const Value> values) const {
 }
 
 void Plan::decode(Bytes payload, std::span<Value> values) const {
+  const bool short_enough = payload.size() <= 8;
+  const PayloadWord word(short_enough ? payload : Bytes{});
   for (std::size_t i = 0; i < fields_.size(); ++i) {
     const Field& field = fields_[i];
     values[i] = {};
     if (field.bytes_needed > payload.size() || !selected(field, values)) continue;
-    values[i] = value_of(extended(load_bits(payload, field.layout), field.layout), field.layout);
+    const std::uint64_t raw =
+        short_enough ? word.bits(field.layout) : load_bits(payload, field.layout);
+    values[i] = value_of(extended(raw, field.layout), field.layout);
   }
 }
 

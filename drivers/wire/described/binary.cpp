@@ -42,7 +42,8 @@ bool is_checked(const Plan& plan, Bytes frame) {
 }
 
 bool has_constant(const Field& field, Bytes bytes) {
-  return static_cast<double>(load(bytes, field.at, field.size, field.big_endian)) == field.idle;
+  const std::uint64_t raw = load(bytes, field.at, field.size, field.big_endian);
+  return static_cast<double>(raw >> field.first_bit & mask_of(bits_of(field))) == field.idle;
 }
 
 /// True if the message can still begin with the bytes that came: its head and its constants.
@@ -193,8 +194,9 @@ std::size_t encode_binary(const Plan& plan, const Message& message, const Readin
   if (length.size != 0) store(out, length.at, length.size, length.big_endian, size - length.plus);
   for (const Field& field : fields) {
     const auto number = wire_number(fields, field, readings);
-    if (!number && field.type != Type::real) return 0;
-    put(field, number.value_or(std::nan("")), out);
+    const bool real = field.type == Type::real;
+    if (!number && !real && !says_nothing_holds(fields, readings)) return 0;
+    put(field, number.value_or(real ? std::nan("") : field.idle), out);
   }
   const Bytes covered = Bytes(out).first(size - sum).subspan(plan.checksum_from);
   store(out, size - sum, sum, plan.checksum_big_endian, plan.checksum.of(covered));

@@ -49,7 +49,7 @@ bool Checksum::find(std::string_view name, Checksum& into) {
     return known == name;
   };
   if (take("none", Way::none, 0) || take("xor", Way::exclusive_or, 8) ||
-      take("sum-8", Way::sum, 8) || take("sum-16", Way::sum, 16) ||
+      take("sum-8", Way::sum, 8) || take("sum-16", Way::sum, 16) || take("sum-32", Way::sum, 32) ||
       take("fletcher-16", Way::fletcher, 16))
     return true;
   const auto found = std::ranges::find(crcs, name, &Crc::name);
@@ -63,7 +63,7 @@ std::uint32_t Checksum::of(Bytes bytes) const {
   switch (way_) {
     case Way::none: return 0;
     case Way::exclusive_or: return exclusive_or(bytes);
-    case Way::sum: return width_ == 8 ? byte_sum(bytes) & 0xFFu : byte_sum(bytes);
+    case Way::sum: return byte_total(bytes) & (0xFFFFFFFFu >> (32 - width_));
     case Way::fletcher: return fletcher8(bytes);
     case Way::crc:
       for (const std::uint8_t byte : bytes) crc = crc << 8 ^ table_[crc >> 24 ^ byte];

@@ -38,8 +38,8 @@ inline constexpr auto crcs = std::to_array<Crc>({
     {"crc-32/iscsi", 32, 0x1EDC6F41, 0xFFFFFFFF, true, 0xFFFFFFFF, 0xE3069283},
 });
 
-/// A checksum of the catalogue, or `xor`, `sum-8`, `sum-16`, `fletcher-16` (RFC 1145: the sum of
-/// the bytes is the low byte), ready to run over bytes.
+/// A checksum of the catalogue, or `xor`, `sum-8`, `sum-16`, `sum-32`, `fletcher-16` (RFC 1145: the
+/// sum of the bytes is the low byte), ready to run over bytes.
 class Checksum {
  public:
   Checksum() = default;  ///< none: it has no bytes

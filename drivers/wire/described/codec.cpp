@@ -94,6 +94,7 @@ void take_validity(const Field& field, const Value& raw, std::string_view text, 
 }
 
 void divide(Record& record) {
+  if (!record.message->divides) return;
   const auto fields = record.plan->fields_of(*record.message);
   for (std::size_t i = 0; i < fields.size(); ++i) {
     if (!fields[i].divisor) continue;
@@ -108,8 +109,8 @@ void divide(Record& record) {
 
 std::optional<double> wire_number(std::span<const Field> fields, const Field& field,
                                   const Readings& readings) {
-  if (field.validity && readings.measured()) return field.idle;
-  if (field.validity) return field.validity->bad_number;
+  if (field.validity)
+    return measures_nothing(fields, readings) ? field.validity->bad_number : field.idle;
   if (!field.target) return field.idle;
   std::optional<double> value = readings.get(*field.target);
   if (value && field.divisor) {
@@ -119,6 +120,21 @@ std::optional<double> wire_number(std::span<const Field> fields, const Field& fi
   if (value) value = (*value - field.offset) / field.factor;
   if (value && std::isfinite(*value)) return value;
   return field.no_value.empty() ? std::nullopt : std::optional(field.no_value.front());
+}
+
+bool measures_nothing(std::span<const Field> fields, const Readings& readings) {
+  bool measures = false;
+  for (const Field& field : fields) {
+    if (!field.target || is_time(*field.target)) continue;
+    measures = true;
+    if (readings.has(*field.target)) return false;
+  }
+  return measures || !readings.measured();
+}
+
+bool says_nothing_holds(std::span<const Field> fields, const Readings& readings) {
+  return measures_nothing(fields, readings) &&
+         std::ranges::any_of(fields, [](const Field& field) { return field.validity.has_value(); });
 }
 
 }  // namespace drydock::wire::described

@@ -18,8 +18,9 @@ enum class Decoded : std::uint8_t {
 Decoded decode(const Plan& plan, Bytes frame, Record& record);
 
 /// Writes a message for an emulated device. A target without a value is written as the
-/// description's first `no_value`, or as an empty text. Returns the bytes written; 0: it does not
-/// fit into `out`, or its form has no way to say that there is no value.
+/// description's first `no_value`, as an empty text, or as 0 beside a field that says `bad`.
+/// Returns the bytes written; 0: it does not fit into `out`, or its form has no way to say that
+/// there is no value.
 std::size_t encode(const Plan& plan, const Message& message, const Readings& readings,
                    std::span<std::uint8_t> out);
 
@@ -50,6 +51,11 @@ void divide(Record& record);
 /// The number that a field has on the wire; empty: there is no value.
 std::optional<double> wire_number(std::span<const Field> fields, const Field& field,
                                   const Readings& readings);
+/// True if nothing that the message measures has a value now. A message that only says whether
+/// others hold looks at the whole sample.
+bool measures_nothing(std::span<const Field> fields, const Readings& readings);
+/// True if that is so, and the message can say it: its values then mean nothing.
+bool says_nothing_holds(std::span<const Field> fields, const Readings& readings);
 std::size_t encode_text(const Plan& plan, const Message& message, const Readings& readings,
                         std::span<std::uint8_t> out);
 std::size_t encode_binary(const Plan& plan, const Message& message, const Readings& readings,

@@ -14,7 +14,8 @@ namespace drydock::wire::described {
 /// What the host says, and the message that answers.
 struct Request {
   std::string bytes;
-  std::string reply;  ///< name of a message; empty: none is awaited
+  std::string reply;    ///< name of a message; empty: none is awaited
+  std::string refusal;  ///< name of the message that says no; empty: it cannot be refused
 };
 
 struct FramePlan;

@@ -129,10 +129,12 @@ bool FrameEncoder::put_fields(const FrameLayout& layout, const Message& message,
     std::uint64_t& raw = values_[field.at].raw;
     if (!number && bits.is_float())
       raw = raw_of(field, bits, std::nan(""), false);
-    else if (!number && !(layout.is_j1939() && says_no_number(bits, lowest(bits.bits))))
-      return false;
-    else if (!number)
+    else if (!number && layout.is_j1939() && says_no_number(bits, lowest(bits.bits)))
       raw = lowest(bits.bits);
+    else if (!number && says_nothing_holds(fields, readings))
+      continue;
+    else if (!number)
+      return false;
     else if (field.bits == 0)
       raw = raw_of(field, bits, *number, layout.is_j1939());
     else

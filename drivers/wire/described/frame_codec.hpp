@@ -47,6 +47,8 @@ class FrameEncoder {
   /// `address`: the J1939 sender where the DBC file says any; 0: it stays FEh.
   explicit FrameEncoder(const Description& description, std::uint8_t address = 0);
 
+  void set_address(std::uint8_t address) { address_ = address; }
+
   /// The frame of a message with one of its selections. Empty: a value is missing, and the message
   /// has no way to say so.
   std::optional<CanFrame> encode(std::size_t message, const Selection& selection,

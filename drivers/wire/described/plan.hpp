@@ -3,11 +3,13 @@
 #include <array>
 #include <boost/container/static_vector.hpp>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "drivers/wire/described/checksums.hpp"
+#include "drivers/wire/described/line_pattern.hpp"
 #include "drivers/wire/described/targets.hpp"
 
 /// A protocol that a file describes, as the codec runs it: flat lists of messages and of their
@@ -45,7 +47,7 @@ struct Field {
   std::string text;       ///< of a constant, or what an emulated device sends
   char end = 0;           ///< text: the character behind the field; 0: the end of the message
   bool optional = false;  ///< text: the message may end before it
-  std::uint16_t at = 0;   ///< binary: first byte; frames: place of the signal
+  std::uint16_t at = 0;   ///< binary: first byte; frames: the signal; a pattern: the group
   std::uint8_t size = 0;  ///< binary: bytes
   bool big_endian = false;
   std::uint8_t first_bit = 0, bits = 0;  ///< a part of the integer; bits 0: all of it
@@ -73,9 +75,11 @@ struct Message {
   std::string head;         ///< text or sync bytes with which it begins
   bool any_talker = false;  ///< sentences: the two characters behind the first may be any letters
   Length length;            ///< binary
+  std::shared_ptr<const PatternLine> line;  ///< lines: by a pattern; null: by fields in order
   std::uint16_t first_field = 0, fields = 0;
   std::vector<std::uint8_t> mapped;  ///< its fields with a target, by rank
   bool publishes = false;            ///< a field is part of a measurement
+  bool divides = false;              ///< a field has a divisor
   bool emulated = false;             ///< an emulated device sends it with each sample
 };
 

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <charconv>
 
 #include "drivers/wire/described/codec.hpp"
@@ -103,9 +104,30 @@ Scan scan_line(const Plan& plan, Bytes bytes) {
   return Scan::skip(any_start ? end : 1);
 }
 
+namespace {
+
+/// A group that took no part in the line is a field without a value.
+bool decode_pattern(const Plan& plan, const Message& message, std::string_view text,
+                    Record& record) {
+  std::array<std::string_view, most_groups> groups;
+  if (!message.line->pattern.match(text, groups)) return false;
+  const auto fields = plan.fields_of(message);
+  for (std::size_t i = 0; i < fields.size(); ++i) {
+    const std::string_view found = groups[fields[i].at];
+    record.values[i] = {};
+    if (found.empty() && fields[i].validity) record.valid = false;
+    if (!found.empty() && !take(plan, fields[i], found, i, record)) return false;
+  }
+  divide(record);
+  return true;
+}
+
+}  // namespace
+
 bool decode_text(const Plan& plan, const Message& message, std::string_view body, Record& record) {
   const auto fields = plan.fields_of(message);
   Cut now{{}, body.substr(std::min(body.size(), message.head.size())), false};
+  if (message.line) return decode_pattern(plan, message, now.rest, record);
   if (fields.empty()) return now.rest.empty();
   for (std::size_t i = 0; i < fields.size(); ++i) {
     const Field& field = fields[i];
@@ -148,12 +170,45 @@ bool write_field(const Plan& plan, std::span<const Field> fields, const Field& f
     return true;
   }
   if (field.type == Type::text) {
-    line.text(readings.measured() ? field.validity->good_texts.front() : field.validity->bad_text);
+    line.text(measures_nothing(fields, readings) ? field.validity->bad_text
+                                                 : field.validity->good_texts.front());
     return true;
   }
   const auto number = wire_number(fields, field, readings);
   if (number) write_number(field, *number, line);
   return number || plan.form == Form::sentences || field.optional;
+}
+
+bool write_fields(const Plan& plan, const Message& message, const Readings& readings,
+                  FieldWriter& line) {
+  const auto fields = plan.fields_of(message);
+  for (std::size_t i = 0; i < fields.size(); ++i) {
+    if (!write_field(plan, fields, fields[i], readings, line)) return false;
+    if (i + 1 < fields.size()) line.text({&fields[i].end, 1});
+  }
+  return true;
+}
+
+/// A line by a pattern.
+bool write_pieces(const Plan& plan, const Message& message, const Readings& readings,
+                  FieldWriter& line) {
+  const auto fields = plan.fields_of(message);
+  for (const WrittenPiece& piece : message.line->written) {
+    line.text(piece.text);
+    if (piece.field < 0) continue;
+    const Field& field = fields[static_cast<std::size_t>(piece.field)];
+    if (!write_field(plan, fields, field, readings, line)) return false;
+  }
+  return true;
+}
+
+/// An emulated device of any talker is "integrated instrumentation" (IEC 61162-1).
+void write_head(const Message& message, FieldWriter& line) {
+  const std::string_view head = message.head;
+  if (!message.any_talker) return line.text(head);
+  line.text(head.substr(0, 1));
+  line.text("II");
+  line.text(head.substr(3));
 }
 
 void write_checksum(const Plan& plan, FieldWriter& line) {
@@ -170,12 +225,10 @@ void write_checksum(const Plan& plan, FieldWriter& line) {
 std::size_t encode_text(const Plan& plan, const Message& message, const Readings& readings,
                         std::span<std::uint8_t> out) {
   FieldWriter line(out);
-  line.text(message.head);
-  const auto fields = plan.fields_of(message);
-  for (std::size_t i = 0; i < fields.size(); ++i) {
-    if (!write_field(plan, fields, fields[i], readings, line)) return 0;
-    if (i + 1 < fields.size()) line.text({&fields[i].end, 1});
-  }
+  write_head(message, line);
+  const bool written = message.line ? write_pieces(plan, message, readings, line)
+                                    : write_fields(plan, message, readings, line);
+  if (!written) return 0;
   write_checksum(plan, line);
   line.text("\r\n");
   return line.size();

@@ -13,7 +13,7 @@
 namespace drydock::wire {
 
 using Nmea0183Messages =
-    MessageList<Gga, Rmc, Gsv, Gsa, Vtg, Zda, Gns, Gll, Gst, Hdt, Ths, Vhw, Vbw, Vlw>;
+    MessageList<Gga, Rmc, Gsv, Gsa, Vtg, Zda, Gns, Gll, Gst, Hdt, Ths, Hdg, Hdm, Vhw, Vbw, Vlw>;
 
 /// NMEA 0183, all talkers. A frame goes from `$` to the checksum and its line end (CR LF, LF or
 /// CR). A sentence without a checksum is not a frame. A `$` inside a sentence starts a new one.

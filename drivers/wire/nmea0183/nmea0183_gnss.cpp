@@ -48,14 +48,6 @@ std::optional<double> read_speed(SentenceReader& fields) {
                : scaled(kilometres_per_hour, units::kilometre_per_hour);
 }
 
-/// Magnitude and E or W: two fields.
-std::optional<double> read_variation(SentenceReader& fields) {
-  const auto magnitude = fields.angle();
-  const char side = fields.letter().value;
-  if (!magnitude || (side != 'E' && side != 'W')) return std::nullopt;
-  return side == 'E' ? *magnitude : -*magnitude;
-}
-
 }  // namespace
 
 bool read(SentenceReader& fields, Gga& m) {
@@ -87,7 +79,7 @@ bool read(SentenceReader& fields, Rmc& m) {
   m.speed_mps = scaled(fields.number(), units::knot);
   m.course_rad = fields.angle();
   m.date = read_short_date(fields);
-  m.magnetic_variation_rad = read_variation(fields);
+  m.magnetic_variation_rad = fields.eastward();
   m.mode = fields.letter();
   m.nav_status = fields.letter();
   m.valid = m.valid && m.mode.value != 'N';

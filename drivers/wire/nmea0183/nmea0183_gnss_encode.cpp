@@ -21,11 +21,6 @@ void write_short_date(SentenceWriter& out, const std::optional<std::chrono::year
   out.integer(packed, 6);
 }
 
-void write_variation(SentenceWriter& out, const std::optional<double>& east_rad, int decimals) {
-  out.angle(east_rad ? std::optional{std::abs(*east_rad)} : std::nullopt, decimals);
-  out.letter(!east_rad ? Letter{} : Letter{*east_rad < 0 ? 'W' : 'E'});
-}
-
 }  // namespace
 
 std::size_t encode(const Gga& m, std::span<std::uint8_t> out, const NmeaDecimals& decimals) {
@@ -54,7 +49,7 @@ std::size_t encode(const Rmc& m, std::span<std::uint8_t> out, const NmeaDecimals
   w.number(scaled(m.speed_mps, 1 / units::knot), decimals.speed);
   w.angle(m.course_rad, decimals.angle);
   write_short_date(w, m.date);
-  write_variation(w, m.magnetic_variation_rad, decimals.angle);
+  w.eastward(m.magnetic_variation_rad, decimals.angle);
   if (m.mode.value || m.nav_status.value) w.letter(m.mode);
   if (m.nav_status.value) w.letter(m.nav_status);
   return w.finish();

@@ -16,6 +16,20 @@ bool read(SentenceReader& fields, Ths& m) {
   return true;
 }
 
+bool read(SentenceReader& fields, Hdg& m) {
+  m.talker = fields.talker();
+  m.sensor_heading_rad = fields.angle();
+  m.deviation_rad = fields.eastward();
+  m.variation_rad = fields.eastward();
+  return true;
+}
+
+bool read(SentenceReader& fields, Hdm& m) {
+  m.talker = fields.talker();
+  m.heading_rad = fields.angle();
+  return true;
+}
+
 std::size_t encode(const Hdt& m, std::span<std::uint8_t> out, const NmeaDecimals& decimals) {
   SentenceWriter w{out, m.talker, Hdt::type};
   w.angle(m.heading_rad, decimals.angle);
@@ -27,6 +41,21 @@ std::size_t encode(const Ths& m, std::span<std::uint8_t> out, const NmeaDecimals
   SentenceWriter w{out, m.talker, Ths::type};
   w.angle(m.heading_rad, decimals.angle);
   w.letter(m.mode);
+  return w.finish();
+}
+
+std::size_t encode(const Hdg& m, std::span<std::uint8_t> out, const NmeaDecimals& decimals) {
+  SentenceWriter w{out, m.talker, Hdg::type};
+  w.angle(m.sensor_heading_rad, decimals.angle);
+  w.eastward(m.deviation_rad, decimals.angle);
+  w.eastward(m.variation_rad, decimals.angle);
+  return w.finish();
+}
+
+std::size_t encode(const Hdm& m, std::span<std::uint8_t> out, const NmeaDecimals& decimals) {
+  SentenceWriter w{out, m.talker, Hdm::type};
+  w.angle(m.heading_rad, decimals.angle);
+  w.letter('M');
   return w.finish();
 }
 

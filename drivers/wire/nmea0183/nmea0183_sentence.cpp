@@ -164,6 +164,13 @@ bool SentenceReader::take_integer(int& value) {
 
 std::optional<int> SentenceReader::hexadecimal() { return whole(text(), 16); }
 
+std::optional<double> SentenceReader::eastward() {
+  const auto magnitude = angle();
+  const char side = letter().value;
+  if (!magnitude || (side != 'E' && side != 'W')) return std::nullopt;
+  return side == 'E' ? *magnitude : -*magnitude;
+}
+
 std::optional<double> SentenceReader::latitude() { return coordinate(90, 'N', 'S'); }
 
 std::optional<double> SentenceReader::longitude() { return coordinate(180, 'E', 'W'); }

@@ -57,6 +57,7 @@ class SentenceReader {
   }                                                ///< degrees on the wire, rad here
   std::optional<double> latitude();                ///< ddmm.m,N|S; two fields; rad
   std::optional<double> longitude();               ///< dddmm.m,E|W; two fields; rad
+  std::optional<double> eastward();                ///< degrees,E|W; two fields; rad
   std::optional<std::chrono::nanoseconds> time();  ///< hhmmss.s of the UTC day, also 23:59:60
 
  private:
@@ -102,6 +103,7 @@ class SentenceWriter {
   void angle(const std::optional<double>& radians, int decimals);
   void latitude(const std::optional<double>& radians, int decimals_of_minute);
   void longitude(const std::optional<double>& radians, int decimals_of_minute);
+  void eastward(const std::optional<double>& radians, int decimals);
   void time(const std::optional<std::chrono::nanoseconds>& time_of_day, int decimals);
 
   std::size_t finish();  ///< bytes written, 0 if the buffer was too small

@@ -60,6 +60,11 @@ void SentenceWriter::angle(const std::optional<double>& radians, int decimals) {
   number(degrees(radians), decimals);
 }
 
+void SentenceWriter::eastward(const std::optional<double>& radians, int decimals) {
+  angle(radians ? std::optional{std::abs(*radians)} : std::nullopt, decimals);
+  letter(!radians ? Letter{} : Letter{*radians < 0 ? 'W' : 'E'});
+}
+
 void SentenceWriter::latitude(const std::optional<double>& radians, int decimals_of_minute) {
   coordinate(radians, 2, decimals_of_minute, "NS");
 }

@@ -1,18 +1,12 @@
 #pragma once
 
 #include "drivers/wire/j1939/j1939.hpp"
-#include "drivers/wire/j1939/j1939_address_claim.hpp"
-#include "drivers/wire/j1939/j1939_transport_receiver.hpp"
+#include "hil/emulate/can/j1939_node.hpp"
 #include "hil/emulate/sampling_device.hpp"
 
 namespace drydock::emulate {
 
-/// A NAME whose identity number depends on the device's name in the rig.
-wire::j1939::Name name_for(const DeviceConfig& config, std::uint8_t function,
-                           std::uint8_t device_class);
-
-/// A sampling device on a J1939 or NMEA 2000 bus. It claims an address at boot, defends it, answers
-/// requests for it, takes another on command (PGN 65240), and samples only while it has one.
+/// A sampling device on a J1939 or NMEA 2000 bus. It samples only while it has an address.
 class J1939Device : public SamplingDevice {
  public:
   std::optional<Stamp> deadline() const final;
@@ -33,11 +27,8 @@ class J1939Device : public SamplingDevice {
 
  private:
   void sample(Stamp at, Wire& out) final;
-  void receive_packet(const wire::j1939::Identifier& id, wire::Bytes payload, Stamp now, Wire& out);
 
-  wire::j1939::TransportReceiver transport_;
-  wire::j1939::AddressClaim claim_;
-  std::optional<Stamp> boot_;  ///< empty after booting
+  J1939Node node_;
 };
 
 }  // namespace drydock::emulate

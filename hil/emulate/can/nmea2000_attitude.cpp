@@ -33,7 +33,9 @@ class Nmea2000Attitude final : public J1939Device {
     heading.source = address;
     heading.sequence = sequence;
     heading.heading_rad = reading.heading_rad;
-    heading.reference = wire::nmea2000::true_north;
+    const bool magnetic = reading.reference == measurement::HeadingReference::magnetic_north;
+    heading.reference = magnetic ? wire::nmea2000::magnetic_north : wire::nmea2000::true_north;
+    heading.variation_rad = reading.variation_rad;
     out.send(encode(heading));
 
     wire::nmea2000::RateOfTurn turn;

@@ -8,7 +8,9 @@
 #include "drivers/wire/described/codec.hpp"
 #include "drivers/wire/described/frame_codec.hpp"
 #include "hil/emulate/described/described_dialogue.hpp"
+#include "hil/emulate/described/described_frames.hpp"
 #include "hil/emulate/sampling_device.hpp"
+#include "rig_config/fault_vocabulary.hpp"
 
 namespace drydock::emulate {
 
@@ -22,22 +24,28 @@ class DescribedDevice : public Base {
       : Base(setup, std::forward<Parts>(parts)...),
         description_(setup.config.description),
         requests_(*description_) {
-    if (description_->frames)
-      frames_.emplace(*description_, static_cast<std::uint8_t>(setup.config.address));
+    if (!description_->frames) return;
+    frames_.emplace(*description_);
+    every_ = turns_of(*description_);
+    if (const auto sender = sender_of(*description_, setup.config.address))
+      node_.emplace(wire::j1939::to_value(sender->name(setup.config)), sender->address, setup.boot);
   }
 
   std::optional<Stamp> deadline() const override {
-    if (!is_polled()) return Base::deadline();
-    return asked_.empty() ? std::nullopt : std::optional(asked_.front().at + this->latency());
+    if (node_ && node_->is_booting()) return node_->deadline();
+    return measurement::earlier(node_ ? node_->deadline() : std::nullopt, due());
   }
   void tick(Stamp now, Wire& out) override {
+    if (node_) node_->tick(now, out);
     if (!is_polled()) return Base::tick(now, out);
     while (!asked_.empty() && asked_.front().at + this->latency() <= now) {
       this->take(asked_.front().at, out);
       asked_.pop_front();
     }
   }
-  using Base::receive;
+  void receive(const wire::CanFrame& frame, Stamp now, Wire& out) override {
+    if (node_) node_->receive(frame, now, out);
+  }
   void receive(wire::Bytes bytes, Stamp now, Wire& out) override {
     requests_.feed(
         bytes, [&](const Request& request) { answer(request, out); },
@@ -57,6 +65,11 @@ class DescribedDevice : public Base {
   };
   static constexpr std::size_t most_asked = 16;  ///< a driver that asks faster loses answers
 
+  std::optional<Stamp> due() const {
+    if (!is_polled()) return Base::deadline();
+    return asked_.empty() ? std::nullopt : std::optional(asked_.front().at + this->latency());
+  }
+
   bool is_polled() const { return !description_->poll.empty(); }
 
   void ask(const Request& request, Stamp now, Wire& out) {
@@ -66,7 +79,7 @@ class DescribedDevice : public Base {
   }
 
   void sample(Stamp at, Wire& out) override {
-    if (!requests_.started()) return;
+    if (!requests_.started() || !has_address()) return;
     readings_.clear();
     measure(at, readings_);
     add_times(at);
@@ -74,8 +87,16 @@ class DescribedDevice : public Base {
       if (is_wanted(message)) send(message, out);
   }
 
+  /// False for a node of J1939 without an address: it is silent.
+  bool has_address() {
+    if (!node_) return true;
+    if (const auto address = node_->address()) frames_->set_address(*address);
+    return node_->address().has_value();
+  }
+
   /// A poll that names no reply is answered with all that the device measures.
   bool is_wanted(const Message& message) const {
+    if (frames_ && this->samples() % every_[place_of(message)] != 0) return false;
     if (!is_polled() || asked_.front().reply->empty()) return message.emulated;
     return message.name == *asked_.front().reply;
   }
@@ -93,9 +114,11 @@ class DescribedDevice : public Base {
   }
 
   void answer(const Request& request, Wire& out) {
+    const bool refuses = !request.refusal.empty() && this->condition().under(FaultKind::nak);
+    const std::string& said = refuses ? request.refusal : request.reply;
     readings_.clear();
     for (const Message& message : description_->plan.messages)
-      if (!request.reply.empty() && message.name == request.reply) send(message, out);
+      if (!said.empty() && message.name == said) send(message, out);
   }
 
   void send(const Message& message, Wire& out) {
@@ -107,13 +130,19 @@ class DescribedDevice : public Base {
 
   /// One frame for each selection of a multiplexed message.
   void send_frames(const Message& message, Wire& out) {
-    const auto place = static_cast<std::size_t>(&message - description_->plan.messages.data());
+    const std::size_t place = place_of(message);
     for (const auto& selection : description_->frames->frames[place].turns)
       if (const auto frame = frames_->encode(place, selection, readings_)) out.send(*frame);
   }
 
+  std::size_t place_of(const Message& message) const {
+    return static_cast<std::size_t>(&message - description_->plan.messages.data());
+  }
+
   wire::described::DescriptionPtr description_;
   std::optional<wire::described::FrameEncoder> frames_;  ///< of a DBC file
+  std::vector<std::uint64_t> every_;                     ///< frames: samples from one to the next
+  std::optional<J1939Node> node_;                        ///< on J1939
   RequestListener requests_;
   std::deque<Asked> asked_;
   wire::described::Readings readings_;

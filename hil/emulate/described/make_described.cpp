@@ -1,6 +1,7 @@
 #include "hil/emulate/described/make_described.hpp"
 
 #include "drivers/measurement/water_column.hpp"
+#include "hil/emulate/attitude_readings.hpp"
 #include "hil/emulate/described/described_device.hpp"
 #include "hil/emulate/dvl/dvl_device.hpp"
 #include "hil/emulate/gnss/gnss_epoch.hpp"
@@ -121,7 +122,9 @@ class DescribedGnss final : public DescribedDevice<SamplingDevice> {
     readings.set(longitude, fix.position->longitude_rad);
     readings.set(ellipsoidal_height, fix.ellipsoidal_height_m);
     readings.set(sea_level_height, fix.mean_sea_level_height_m);
-    set(readings, north, *fix.velocity_ned);
+    readings.set(north, fix.velocity_ned->x());
+    readings.set(east, fix.velocity_ned->y());
+    readings.set(down, fix.velocity_ned->z());
     readings.set(ground_speed, fix.velocity_ned->head<2>().norm());
     readings.set(course, course_rad(*fix.velocity_ned));
     readings.set(horizontal_accuracy, fix.horizontal_accuracy_m);
@@ -153,6 +156,36 @@ class DescribedActuators final : public DescribedDevice<SamplingDevice> {
   sensor::ErrorModel angle_errors_, shaft_errors_;
 };
 
+/// A description that reads the reference of its heading gets that of the rig; another one gets the
+/// true heading and the magnetic one.
+class DescribedCompass final : public DescribedDevice<SamplingDevice> {
+ public:
+  explicit DescribedCompass(const DeviceSetup& setup)
+      : DescribedDevice(setup),
+        readings_(setup),
+        tells_reference_(std::ranges::any_of(
+            setup.config.description->plan.fields,
+            [](const auto& field) { return field.target == heading_reference; })) {}
+
+ private:
+  void measure(Stamp at, Readings& readings) override {
+    const auto sample = readings_.at(trajectory().at(at), mounting());
+    const bool magnetic = sample.reference == measurement::HeadingReference::magnetic_north;
+    readings.set(heading, tells_reference_ ? sample.heading_rad : sample.true_heading_rad);
+    readings.set(heading_reference, tells_reference_ && magnetic ? 1 : 0);
+    readings.set(magnetic_heading, AttitudeReadings::in_circle(*sample.true_heading_rad -
+                                                               sample.variation_rad.value_or(0)));
+    readings.set(deviation, sample.deviation_rad);
+    readings.set(variation, sample.variation_rad);
+    readings.set(roll, sample.roll_rad);
+    readings.set(pitch, sample.pitch_rad);
+    readings.set(rate_of_turn, sample.rate_of_turn_radps);
+  }
+
+  AttitudeReadings readings_;
+  bool tells_reference_;
+};
+
 }  // namespace
 
 std::unique_ptr<EmulatedDevice> make_described(const DeviceSetup& setup) {
@@ -163,7 +196,7 @@ std::unique_ptr<EmulatedDevice> make_described(const DeviceSetup& setup) {
     case DeviceKind::emlog: return std::make_unique<DescribedEmLog>(setup);
     case DeviceKind::gnss: return std::make_unique<DescribedGnss>(setup);
     case DeviceKind::actuator: return std::make_unique<DescribedActuators>(setup);
-    case DeviceKind::attitude:  // no description may have this kind
+    case DeviceKind::attitude: return std::make_unique<DescribedCompass>(setup);
     case DeviceKind::imu: break;
   }
   return std::make_unique<DescribedImu>(setup);

@@ -1,8 +1,5 @@
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <string>
 
 #include "drivers/measurement/earlier.hpp"
@@ -13,7 +10,7 @@
 #include "hil/emulate/dvl/water_linked_dead_reckoning.hpp"
 #include "hil/emulate/dvl/water_linked_json_document.hpp"
 #include "hil/emulate/dvl/water_linked_json_report.hpp"
-#include "hil/emulate/dvl/water_linked_range_mode.hpp"
+#include "hil/emulate/dvl/water_linked_json_settings.hpp"
 #include "rig_config/fault_vocabulary.hpp"
 
 namespace drydock::emulate {
@@ -28,19 +25,6 @@ constexpr std::string_view version_info =
 constexpr std::chrono::milliseconds position_period{200}, until_reset{50};
 constexpr std::chrono::seconds calibration_takes{15};
 
-/// RFC 3339, UTC.
-std::string time_text(Stamp at) {
-  using namespace std::chrono;
-  const sys_time<nanoseconds> time{at.time_since_epoch()};
-  const auto day = floor<days>(time);
-  const year_month_day date{day};
-  const hh_mm_ss clock{floor<milliseconds>(time - day)};
-  return fmt::format("{:04}-{:02}-{:02}T{:02}:{:02}:{:02}.{:03}Z", static_cast<int>(date.year()),
-                     static_cast<unsigned>(date.month()), static_cast<unsigned>(date.day()),
-                     clock.hours().count(), clock.minutes().count(), clock.seconds().count(),
-                     clock.subseconds().count());
-}
-
 class WaterLinkedJsonDvl final : public DvlDevice {
  public:
   explicit WaterLinkedJsonDvl(const DeviceSetup& setup)
@@ -49,11 +33,6 @@ class WaterLinkedJsonDvl final : public DvlDevice {
         whole_head_(head()),
         usual_rate_hz_(rate_hz()),
         next_position_(setup.boot) {
-    configuration_.range_mode = range_mode_;
-    configuration_.mounting_rotation_rad = 0;
-    configuration_.acoustic_enabled = configuration_.periodic_cycling = true;
-    configuration_.dark_mode = false;
-    configuration_.sound_speed_mps = 1475;
     dead_reckoning_.reset(trajectory().at(setup.boot), mounting());
   }
 
@@ -97,13 +76,13 @@ class WaterLinkedJsonDvl final : public DvlDevice {
   };
 
   void sample(Stamp at, Wire& out) override {
-    if (!*configuration_.acoustic_enabled) {
+    if (!settings_.acoustic_enabled()) {
       if (pings_ == 0) return;
       --pings_;
     }
     const auto measured = ping(at);
     if (is_shut_down(at)) return;
-    if (mode_.tracks_water) {
+    if (settings_.mode().tracks_water) {
       send_report<wlj::WaterVelocity>(of_water(measured), {}, at, out);
     } else {
       const auto altitude = wire::scaled(measured.altitude_m, sound_factor(measured));
@@ -139,13 +118,13 @@ class WaterLinkedJsonDvl final : public DvlDevice {
   /// A wrong speed of sound makes all lengths and velocities wrong. The DVL knows the right one
   /// until a host sets another.
   double sound_factor(const sensor::DvlPing& measured) const {
-    return sound_is_set_ ? *configuration_.sound_speed_mps / measured.sound_speed : 1;
+    return settings_.sound_speed_mps().value_or(measured.sound_speed) / measured.sound_speed;
   }
 
   template <class M>
   void send_report(PingReport of, std::optional<double> altitude_m, Stamp at, Wire& out) {
     using std::chrono::duration_cast, std::chrono::microseconds;
-    of.turned_rad = *configuration_.mounting_rotation_rad;
+    of.turned_rad = settings_.mounting_rotation_rad();
     M report;
     static_cast<wlj::VelocityReport&>(report) = json_report(of, head());
     if (report.valid) report.altitude_m = altitude_m;
@@ -165,7 +144,7 @@ class WaterLinkedJsonDvl final : public DvlDevice {
     for (; next_position_ <= now; next_position_ += position_period) {
       if (is_shut_down(next_position_)) continue;
       auto position = dead_reckoning_.at(trajectory().at(next_position_), mounting(),
-                                         *configuration_.mounting_rotation_rad);
+                                         settings_.mounting_rotation_rad());
       if (!position) continue;
       position->time_s = measurement::seconds(device_time(next_position_).time_since_epoch());
       position->format = json_format;
@@ -202,48 +181,26 @@ class WaterLinkedJsonDvl final : public DvlDevice {
     calibration_ = {asked.at + calibration_takes, asked.client};
   }
   void trigger(const Asked& asked) {
-    if (*configuration_.acoustic_enabled) return refuse(asked, "Acoustics are enabled");
+    if (settings_.acoustic_enabled()) return refuse(asked, "Acoustics are enabled");
     if (pings_ == a50::most_queued_pings) return refuse(asked, "Queue is full");
     ++pings_;
     answer(asked);
   }
   void tell_configuration(const Asked& asked) {
     std::array<std::uint8_t, 256> text;
-    const std::size_t size = wlj::encode_configuration(configuration_, text);
+    const std::size_t size = wlj::encode_configuration(settings_.configuration(), text);
     answer(asked, wire::as_text(wire::Bytes{text}.first(size)));
   }
   void tell_version(const Asked& asked) { answer(asked, version_info); }
 
   void configure(const Asked& asked) {
-    const auto wanted = parameters_of(asked.command.parameters);
-    if (!wanted) return refuse(asked, "Invalid parameters");
-    const double sound = wanted->sound_speed_mps.value_or(a50::slowest_sound_mps);
-    const double rotation = wanted->mounting_rotation_rad.value_or(0);
-    const auto mode = range_mode_of(wanted->range_mode.empty() ? range_mode_ : wanted->range_mode);
-    if (sound < a50::slowest_sound_mps || sound > a50::fastest_sound_mps || rotation < 0 ||
-        rotation > 2 * std::numbers::pi || !mode)
-      return refuse(asked, "Value out of range");
-    take(*wanted);
-    use(*mode);
+    if (const auto why = settings_.set(asked.command.parameters); !why.empty())
+      return refuse(asked, why);
+    use(settings_.mode());
     answer(asked);
   }
 
-  void take(const wlj::Configuration& wanted) {
-    const auto set = [](auto& setting, const auto& value) {
-      if (value) setting = value;
-    };
-    set(configuration_.sound_speed_mps, wanted.sound_speed_mps);
-    set(configuration_.mounting_rotation_rad, wanted.mounting_rotation_rad);
-    set(configuration_.acoustic_enabled, wanted.acoustic_enabled);
-    set(configuration_.dark_mode, wanted.dark_mode);
-    set(configuration_.periodic_cycling, wanted.periodic_cycling);
-    sound_is_set_ = sound_is_set_ || wanted.sound_speed_mps;
-    if (!wanted.range_mode.empty()) range_mode_ = wanted.range_mode;
-    configuration_.range_mode = range_mode_;
-  }
-
   void use(const RangeMode& mode) {
-    mode_ = mode;
     sensor::JanusHead limited = whole_head_;
     const double along_beam = 1 / std::cos(limited.beam_angle_rad);
     limited.shortest_range_m = std::max(limited.shortest_range_m, mode.shortest_m * along_beam);
@@ -261,10 +218,7 @@ class WaterLinkedJsonDvl final : public DvlDevice {
   void set_server(const Asked& asked) { answer(asked); }
   void tell_server(const Asked& asked) { answer(asked, R"({"ntp_address":"pool.ntp.org"})"); }
   void tell_time(const Asked& asked) {
-    answer(asked, fmt::format(R"({{"system_time":"{}","ntp_synced":true,)"
-                              R"("ntp_synced_to":"pool.ntp.org",)"
-                              R"("ntp_seconds_since_last_sync":0}})",
-                              time_text(device_time(asked.at))));
+    answer(asked, water_linked_time_status(device_time(asked.at)));
   }
   void synchronise(const Asked& asked) { answer(asked, R"({"success":true})"); }
 
@@ -287,10 +241,7 @@ class WaterLinkedJsonDvl final : public DvlDevice {
   sensor::ErrorModel errors_;
   const sensor::JanusHead whole_head_;
   const double usual_rate_hz_;
-  RangeMode mode_;
-  std::string range_mode_ = "auto";
-  wlj::Configuration configuration_;
-  bool sound_is_set_ = false;
+  WaterLinkedJsonSettings settings_;
   int pings_ = 0;  ///< triggered and not yet sent
   WaterLinkedDeadReckoning dead_reckoning_;
   Stamp next_position_;

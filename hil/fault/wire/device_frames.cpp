@@ -4,6 +4,8 @@
 #include <array>
 
 #include "drivers/wire/can/sbg.hpp"
+#include "drivers/wire/described/description.hpp"
+#include "drivers/wire/described/frame_plan.hpp"
 #include "drivers/wire/protocols.hpp"
 
 namespace drydock::fault {
@@ -20,7 +22,11 @@ constexpr std::array<std::uint32_t, 7> sent_by_node{0x1, 0x3, 0x5, 0x7, 0x9, 0xB
 }  // namespace
 
 DeviceFrames::DeviceFrames(const rig_config::DeviceConfig& device)
-    : address_(static_cast<std::uint32_t>(device.address)) {
+    : address_(static_cast<std::uint32_t>(device.address)), description_(device.description) {
+  if (description_ && description_->frames) {
+    scheme_ = Scheme::described;
+    return;
+  }
   const wire::Protocol* known = rig_config::protocol_of(device);
   const bool one_node = known && !known->kinds.empty();  // not all of a bus, as with `j1939`
   if (one_node && known->network == wire::Network::j1939)
@@ -36,6 +42,14 @@ DeviceFrames::DeviceFrames(const rig_config::DeviceConfig& device)
     xsens_.set(identifier.message, identifier.id);
 }
 
+/// On J1939 all frames of its address are the device's, else those that its DBC file names.
+bool DeviceFrames::is_described(const wire::CanFrame& frame) const {
+  const bool by_address =
+      description_->facts.network == wire::Network::j1939 && address_ != 0 && frame.extended;
+  return by_address ? (frame.id & source_address) == address_
+                    : description_->frames->catalogue.find(frame).has_value();
+}
+
 bool DeviceFrames::has(const wire::CanFrame& frame) const {
   if (frame.error) return false;  // the controller makes it, not a device
   const auto is_addressed = [&](std::uint32_t sender) {
@@ -43,6 +57,7 @@ bool DeviceFrames::has(const wire::CanFrame& frame) const {
   };
   switch (scheme_) {
     case Scheme::none: return true;
+    case Scheme::described: return is_described(frame);
     case Scheme::xsens: return xsens_.message_of(frame).has_value();
     case Scheme::sbg: return wire::sbg::is_ours(frame);
     case Scheme::j1939: return frame.extended && is_addressed(frame.id & source_address);

@@ -10,7 +10,7 @@ FaultyBus::FaultyBus(const DeviceConfig& device, unsigned bit_rate, std::uint64_
                      const std::shared_ptr<Schedule>& schedule, Stamp start)
     : device_(device),
       schedule_(schedule, start),
-      wire_(seed, device.name),
+      wire_(seed, device.name, {}, FrameChecksums(device.description)),
       controller_(device, bit_rate, seed, start, schedule) {}
 
 void FaultyBus::receive(const wire::CanFrame& frame, Stamp now, Outlet& drivers) {

@@ -22,8 +22,7 @@ bool is_about_messages(const InForce& now) {
 FaultyStream::FaultyStream(const DeviceConfig& device, std::uint64_t seed,
                            const std::shared_ptr<const Schedule>& schedule, Stamp start)
     : rate_(line_rate_of(device)), schedule_(schedule, start), wire_(seed, device.name, rate_) {
-  if (const auto protocol = MessageSplitter::protocol(device.protocol))
-    splitter_.emplace(*protocol);
+  if (const auto protocol = MessageSplitter::protocol(device)) splitter_.emplace(*protocol);
 }
 
 void FaultyStream::receive(wire::Bytes from_device, Stamp now, Outlet& drivers) {

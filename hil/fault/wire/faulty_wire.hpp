@@ -9,8 +9,9 @@ namespace drydock::fault {
 template <class Carried>
 class FaultyWire {
  public:
-  FaultyWire(std::uint64_t seed, const std::string& device, wire::LineRate rate = {})
-      : faults_(seed, device, rate), held_(seed, device) {}
+  FaultyWire(std::uint64_t seed, const std::string& device, wire::LineRate rate = {},
+             FrameChecksums checksums = {})
+      : faults_(seed, device, rate, std::move(checksums)), held_(seed, device) {}
 
   void set(const std::vector<InForce>& faults) {
     faults_.set(faults);

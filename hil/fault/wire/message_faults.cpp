@@ -9,8 +9,8 @@ namespace drydock::fault {
 
 namespace {
 
-/// rig_config::refusal() keeps wrong_baud and bad checksums away from buses: a node with a wrong
-/// baud rate does not work on a bus, and frames have no checksum of their own.
+/// rig_config::refusal() keeps wrong_baud away from buses: a node with a wrong baud rate does not
+/// work there.
 bool is_of_messages(FaultKind kind) {
   return rig_config::word_of(kind).layer == rig_config::FaultLayer::message ||
          kind == FaultKind::wrong_baud;
@@ -67,6 +67,9 @@ void MessageFaults<Carried>::damage(Carried& message) {
   }
   if constexpr (std::is_same_v<Carried, Message>)
     if (find(FaultKind::wrong_baud)) ++hits_[FaultKind::wrong_baud];
+  if constexpr (std::is_same_v<Carried, wire::CanFrame>)
+    if (const auto place = checksums_.place(message); place && strikes(FaultKind::bad_checksum))
+      message.data.at(*place) ^= 0xFF;
   hear_at_wrong_baud(message);
 }
 

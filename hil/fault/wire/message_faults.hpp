@@ -8,6 +8,7 @@
 #include "hil/fault/fault_hits.hpp"
 #include "hil/fault/schedule/schedule.hpp"
 #include "hil/fault/wire/damage.hpp"
+#include "hil/fault/wire/frame_checksums.hpp"
 
 namespace drydock::fault {
 
@@ -19,8 +20,9 @@ class MessageFaults {
   using Emit = std::function<void(const Carried&)>;
 
   /// Random numbers depend on seed, device and kind of fault. `rate` is the receiver's.
-  MessageFaults(std::uint64_t seed, std::string device, wire::LineRate rate = {})
-      : seed_(seed), device_(std::move(device)), rate_(rate) {}
+  MessageFaults(std::uint64_t seed, std::string device, wire::LineRate rate = {},
+                FrameChecksums checksums = {})
+      : seed_(seed), device_(std::move(device)), rate_(rate), checksums_(std::move(checksums)) {}
 
   /// Sets the faults in force.
   void set(const std::vector<InForce>& faults);
@@ -49,6 +51,7 @@ class MessageFaults {
   std::uint64_t seed_;
   std::string device_;
   wire::LineRate rate_;
+  FrameChecksums checksums_;
   std::vector<Active> active_;
   std::optional<Carried> held_;  ///< waits until its successor has gone
   FaultHits hits_;

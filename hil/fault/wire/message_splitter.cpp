@@ -1,12 +1,21 @@
 #include "hil/fault/wire/message_splitter.hpp"
 
+#include "drivers/wire/described/codec.hpp"
+#include "drivers/wire/described/description.hpp"
 #include "drivers/wire/registry.hpp"
 
 namespace drydock::fault {
 
-std::optional<MessageSplitter::Protocol> MessageSplitter::protocol(std::string_view name) {
+std::optional<MessageSplitter::Protocol> MessageSplitter::protocol(
+    const rig_config::DeviceConfig& device) {
+  if (device.description && device.description->frames) return {};
+  if (device.description)
+    return Protocol{[description = device.description](wire::Bytes bytes) {
+                      return wire::described::scan(description->plan, bytes);
+                    },
+                    device.description->plan.longest};
   std::optional<Protocol> found;
-  wire::with_protocol(wire::BytesProtocols{}, name, [&]<class P>() {
+  wire::with_protocol(wire::BytesProtocols{}, device.protocol, [&]<class P>() {
     found = Protocol{&P::scan, P::max_frame};
   });
   return found;

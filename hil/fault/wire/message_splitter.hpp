@@ -3,10 +3,10 @@
 #include <boost/system/result.hpp>
 #include <functional>
 #include <optional>
-#include <string_view>
 #include <vector>
 
 #include "drivers/wire/codec.hpp"
+#include "rig_config/rig.hpp"
 
 namespace drydock::fault {
 
@@ -14,13 +14,12 @@ namespace drydock::fault {
 /// come out again in order. The bytes of an incomplete frame wait.
 class MessageSplitter {
  public:
-  using Scan = wire::Scan (*)(wire::Bytes);
   struct Protocol {
-    Scan scan = nullptr;
+    std::function<wire::Scan(wire::Bytes)> scan;
     std::size_t longest_frame = 0;
   };
-  /// A byte protocol of the registry; empty if the name is unknown.
-  static std::optional<Protocol> protocol(std::string_view name);
+  /// A byte protocol of the registry or of a description; empty if the device has neither.
+  static std::optional<Protocol> protocol(const rig_config::DeviceConfig& device);
 
   struct Piece {
     wire::Bytes bytes;

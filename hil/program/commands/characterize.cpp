@@ -3,6 +3,7 @@
 #include "drivers/decode/decode.hpp"
 #include "hil/characterize/report/characterize.hpp"
 #include "hil/program/commands.hpp"
+#include "hil/program/load_rig.hpp"
 #include "hil/program/options.hpp"
 
 namespace drydock::program {
@@ -29,7 +30,8 @@ void add_characterize(CLI::App& app, Command& command) {
   sub->add_option("--for", options->duration_s,
                   "how long a rig runs: default 1h where all links are emulated, else 60s")
       ->transform(duration_text);
-  sub->add_option("--protocol", options->capture.protocol, "of a capture");
+  sub->add_option("--protocol", options->capture.protocol,
+                  "of a capture; or a description: valeport-vat.toml");
   sub->add_option("--kind", options->capture.kind,
                   "of a capture's sensor, where several speak the protocol");
   sub->add_option("--baud", options->capture.baud, "of a capture's line, where it holds bytes");
@@ -42,7 +44,10 @@ void add_characterize(CLI::App& app, Command& command) {
   sub->add_option("--report", options->report, "write index.html with plots into this folder");
   sub->add_option("-o,--out", options->out, "write a sensor file for the emulator");
   sub->callback([options, &command] {
-    command = [options] { return characterize::characterize_source(*options, stdout, stderr); };
+    command = [options] {
+      options->capture.description = load_protocol(options->capture.protocol);
+      return characterize::characterize_source(*options, stdout, stderr);
+    };
   });
 }
 

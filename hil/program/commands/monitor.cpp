@@ -40,9 +40,10 @@ void add_monitor(CLI::App& app, Command& command) {
   sub->add_option("SOURCE", a->options.link,
                   "rig file (TOML), or link URI: its sensors are found by probing")
       ->required();
-  auto* protocol = sub->add_option(
-      "--protocol", a->options.protocol,
-      "of a link: each message as a JSON line; one of " + decode::decode_protocols());
+  auto* protocol =
+      sub->add_option("--protocol", a->options.protocol,
+                      "of a link: each message as a JSON line; one of " +
+                          decode::decode_protocols() + "; or a description: valeport-vat.toml");
   auto* once = sub->add_flag("--once", a->options.once,
                              "one table, as soon as all stream; exit 1 when one does not");
   auto* json =
@@ -56,6 +57,7 @@ void add_monitor(CLI::App& app, Command& command) {
       ->transform(duration_text);
   sub->callback([a, &command] {
     command = [a] {
+      a->options.description = load_protocol(a->options.protocol);
       if (!a->options.protocol.empty()) return monitor::monitor_messages(a->options);
       a->options.beside = host::diagnostician_beside;
       if (!is_rig(a->options.link)) return monitor::monitor_link(a->options);

@@ -1,6 +1,7 @@
 #include <memory>
 
 #include "hil/program/commands.hpp"
+#include "hil/program/load_rig.hpp"
 #include "hil/program/options.hpp"
 #include "hil/proxy/run_proxy.hpp"
 
@@ -23,8 +24,9 @@ void add_proxy(CLI::App& app, Command& command) {
          "link URI where drivers find it: pty, tcp, udp; socketcan (vcan), slcan, can:auto")
       ->required();
   sub->add_option("--faults", options->faults, "file of blocks [[fault]], docs/use/faults.md");
-  sub->add_option("--protocol", options->protocol,
-                  "what the device speaks, as in a rig file: faults of messages need it");
+  sub->add_option(
+      "--protocol", options->protocol,
+      "what the device speaks, as in a rig file, or a description: faults of messages need it");
   sub->add_option("--device", options->device, "the name by which the faults call it")
       ->capture_default_str();
   sub->add_option("--address", options->address,
@@ -35,7 +37,10 @@ void add_proxy(CLI::App& app, Command& command) {
       ->transform(duration_text);
   sub->add_flag("--json", options->json, "the summary as one JSON object");
   sub->callback([options, &command] {
-    command = [options] { return proxy::proxy(*options, stdout, stderr); };
+    command = [options] {
+      options->description = load_protocol(options->protocol);
+      return proxy::proxy(*options, stdout, stderr);
+    };
   });
 }
 

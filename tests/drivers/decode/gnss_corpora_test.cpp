@@ -23,8 +23,8 @@ std::string recorded_by(const fs::path& log) {
 
 /// Counts every `$ttsss,...*hh` with a right XOR and a formatter that Drydock decodes.
 Counts scan_nmea(const std::string& text) {
-  static const std::set<std::string> ours{"GGA", "RMC", "GSV", "GSA", "VTG", "ZDA", "GNS",
-                                          "GLL", "GST", "HDT", "THS", "VHW", "VBW", "VLW"};
+  static const std::set<std::string> ours{"GGA", "RMC", "GSV", "GSA", "VTG", "ZDA", "GNS", "GLL",
+                                          "GST", "HDT", "THS", "HDG", "HDM", "VHW", "VBW", "VLW"};
   Counts counts;
   for (auto at = text.find('$'); at != std::string::npos; at = text.find('$', at + 1)) {
     int sum = 0;

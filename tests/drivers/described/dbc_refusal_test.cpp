@@ -84,23 +84,24 @@ TEST(DbcProblems, ACounterAndAChecksumMustBeWhereTheFileHasThem) {
               HasSubstr("sum is 8 bits of whole bytes"));
 }
 
-TEST(DbcProblems, AFaultThatWouldNeedThePlaceOfTheChecksumIsRefused) {
+TEST(DbcProblems, AFaultOfChecksumsNeedsADescriptionThatNamesOne) {
   rig_config::DeviceConfig device;
   device.kind = measurement::Kind::imu;
   device.link = "can:auto";
   device.protocol = "toy.toml";
-  device.description = test::described(
-      "[sensor]\ntitle = \"t\"\nkind = \"imu\"\n[protocol]\ndbc = \"xsens.dbc\"\n"
-      "[[protocol.frames]]\nmessage = \"status_word\"\nfields = []\n"
-      "[[protocol.frames]]\nmessage = \"gnss_status\"\n"
-      "checksum = {signal = \"valid\", kind = \"sum\"}\nfields = []\n" +
-      std::string(rate));
+  const auto with = [](const std::string& more) {
+    return test::described(
+        "[sensor]\ntitle = \"t\"\nkind = \"imu\"\n[protocol]\ndbc = \"xsens.dbc\"\n"
+        "[[protocol.frames]]\nmessage = \"gnss_status\"\n" +
+        more + "fields = []\n" + std::string(rate));
+  };
   rig_config::FaultConfig fault;
   fault.kind = rig_config::FaultKind::bad_checksum;
-  EXPECT_THAT(
-      rig_config::refusal(fault, device).value_or(""),
-      HasSubstr("only its description knows the checksum's place in a frame; allowed: flip, "
-                "truncate"));
+  device.description = with("checksum = {signal = \"valid\", kind = \"sum\"}\n");
+  EXPECT_FALSE(rig_config::refusal(fault, device));
+  device.description = with("");
+  EXPECT_THAT(rig_config::refusal(fault, device).value_or(""),
+              HasSubstr("its protocol has no checksum of its own; allowed: flip, truncate"));
 }
 
 }  // namespace dbc_refusal_test

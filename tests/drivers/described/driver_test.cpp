@@ -1,49 +1,10 @@
-#include "drivers/device/make_driver.hpp"
 #include "drivers/survey/byte_survey.hpp"
-#include "hil/emulate/lockstep.hpp"
-#include "tests/drivers/described/support.hpp"
+#include "tests/drivers/described/driven.hpp"
 #include "tests/drivers/device/allocation_count.hpp"
-#include "tests/hil/emulate/bench.hpp"
 
 /// Drivers and emulated devices of descriptions.
 namespace drydock::described::test {
 namespace {
-
-using measurement::Kind;
-using measurement::Stamp;
-
-struct Heard final : device::Output {
-  void publish(const measurement::Measurement& m) override { all.push_back(m); }
-  void send(wire::Bytes bytes) override { sent.emplace_back(bytes.begin(), bytes.end()); }
-  void send(const wire::CanFrame&) override {}
-  void report(std::string_view what) override { reports.emplace_back(what); }
-  void refuse(std::string_view why, device::Refusal) override { refusals.emplace_back(why); }
-
-  template <class Sample>
-  const Sample& last() const {
-    return std::get<Sample>(all.back());
-  }
-
-  std::vector<measurement::Measurement> all;
-  std::vector<std::string> sent, reports, refusals;
-};
-
-device::DriverOptions options_of(const DescriptionPtr& description) {
-  device::DriverOptions options;
-  options.kind = description->kind;
-  options.protocol = description->name;
-  options.description = description;
-  options.poll_period = std::chrono::milliseconds{500};
-  return options;
-}
-
-std::unique_ptr<device::ByteDriver> driver_of(const DescriptionPtr& description) {
-  return std::move(*device::make_byte_driver(options_of(description)));
-}
-
-void receive(device::ByteDriver& driver, const std::string& bytes, Stamp at, Heard& heard) {
-  driver.receive({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()}, at, heard);
-}
 
 TEST(DescribedDrivers, TheLineTimeAndTheStatedAgeGiveTheTimeOfValidity) {
   auto options = options_of(shipped("nortek-bt.toml"));
@@ -100,6 +61,62 @@ TEST(DescribedDrivers, AKellerIsInitialisedThenPolledAndItsEchoIsReadAway) {
   EXPECT_EQ(heard.sent.back(), poll);
 }
 
+constexpr std::string_view shy = R"(
+[sensor]
+title = "A sensor that can say no"
+kind = "depth"
+[protocol]
+checksum = "none"
+[[protocol.sentences]]
+id = "$PD"
+fields = [{field = "depth_m", unit = "m"}]
+[[protocol.sentences]]
+id = "$POK"
+fields = [{skip = true}]
+[[protocol.sentences]]
+id = "$PNO"
+fields = [{skip = true}]
+[[start]]
+send = "$PSET,1\r\n"
+reply = "POK"
+refusal = "PNO"
+[[start]]
+send = "$PGO,1\r\n"
+reply = "POK"
+)";
+
+TEST(DescribedDrivers, ARefusedRequestIsToldAndTheNextOneFollows) {
+  Heard heard;
+  const auto driver = driver_of(described(shy));
+  driver->restart({}, heard);
+  EXPECT_EQ(heard.sent, (std::vector<std::string>{"$PSET,1\r\n"}));
+  receive(*driver, "$PNO,\r\n", {}, heard);
+  EXPECT_EQ(heard.sent.back(), "$PGO,1\r\n");
+  ASSERT_EQ(heard.reports.size(), 1u);
+  EXPECT_EQ(heard.reports[0], "the sensor refuses what the start asks");
+  receive(*driver, "$POK,\r\n", {}, heard);
+  EXPECT_FALSE(driver->deadline()) << "the start is over";
+}
+
+TEST(DescribedDevices, AnEmulatedOneRefusesUnderTheFaultNak) {
+  const emulate::Frozen truth(emulate::under_way());
+  auto config = emulate::device(Kind::depth, "shy.toml", 1);
+  config.description = described(shy);
+  const auto answer = [&](bool refuses) {
+    auto condition = std::make_shared<emulate::Condition>();
+    if (refuses) condition->troubles.push_back({.kind = rig_config::FaultKind::nak});
+    const auto device = emulate::make_emulated_device(config, truth, 1, {truth.start(), condition});
+    emulate::Recorder sent;
+    const std::string asked = "$PSET,1\r\n";
+    (*device)->receive({reinterpret_cast<const std::uint8_t*>(asked.data()), asked.size()},
+                       truth.start(), sent);
+    const auto bytes = sent.all_bytes();
+    return std::string(bytes.begin(), bytes.end());
+  };
+  EXPECT_EQ(answer(false), "$POK,\r\n");
+  EXPECT_EQ(answer(true), "$PNO,\r\n");
+}
+
 TEST(DescribedDrivers, ARecordingIsNeverAnswered) {
   Heard heard;
   const auto driver = driver_of(shipped("keller.toml"));
@@ -130,55 +147,6 @@ TEST(DescribedDrivers, NoMessageAllocates) {
   }
 }
 
-/// A frozen truth through the emulated device, its line and its driver. The bench is that of a rig:
-/// what the driver says reaches the device.
-class Bench final : public device::Output {
- public:
-  explicit Bench(const std::string& file, double rate_hz = 4)
-      : description_(shipped(file)), trajectory_(emulate::under_way()) {
-    config_ = emulate::device(description_->kind, file, rate_hz);
-    config_.description = description_;
-    auto options = options_of(description_);
-    options.poll_period = measurement::from_seconds(1 / rate_hz);
-    driver_ = std::move(*device::make_byte_driver(options));
-  }
-
-  void run(double seconds) {
-    emulate::EmulatedLine line(emulate::make_emulated_device(config_, trajectory_, 1).value(),
-                               115200, [&](wire::Bytes bytes, const emulate::Passage& passage) {
-                                 now_ = passage.ended_at;
-                                 driver_->receive(bytes, now_, *this);
-                               });
-    line_ = &line;
-    now_ = emulate::start;
-    driver_->restart(now_, *this);
-    shell::Lockstep lockstep(emulate::start);
-    lockstep.add(line);
-    for (double t = 0; t <= seconds; t += 0.01) {
-      lockstep.run_until(emulate::at_s(t));
-      now_ = emulate::at_s(t);
-      if (const auto due = driver_->deadline(); due && *due <= now_) driver_->tick(now_, *this);
-    }
-    line_ = nullptr;
-  }
-
-  void publish(const measurement::Measurement& m) override { all.push_back(m); }
-  void send(wire::Bytes bytes) override { line_->receive(bytes, now_); }
-  void send(const wire::CanFrame&) override {}
-  void report(std::string_view what) override { ADD_FAILURE() << what; }
-
-  std::vector<measurement::Measurement> all;
-  const emulate::Frozen& truth() const { return trajectory_; }
-
- private:
-  DescriptionPtr description_;
-  emulate::Frozen trajectory_;
-  rig_config::DeviceConfig config_;
-  std::unique_ptr<device::ByteDriver> driver_;
-  emulate::EmulatedLine* line_ = nullptr;
-  Stamp now_{};
-};
-
 // Under way: 20 m deep, 30 m above the bed, 2 m/s ahead, 0.123 to starboard, -0.045 down.
 
 TEST(DescribedDevices, AnEmulatedValeportGivesTheTruthBack) {
@@ -188,6 +156,19 @@ TEST(DescribedDevices, AnEmulatedValeportGivesTheTruthBack) {
   const auto& sample = std::get<measurement::DepthSample>(bench.all.back());
   EXPECT_NEAR(*sample.altitude_m, 30, 0.0005);
   EXPECT_NEAR(*sample.depth_m, 20, 0.2) << "standard gravity, as at sea";
+}
+
+TEST(DescribedDevices, AnEmulatedSounderOfAnyTalkerGivesTheTruthBack) {
+  Bench bench("nmea-depth.toml");
+  bench.run(10);
+  ASSERT_GE(bench.all.size(), 41u);
+  const auto heard = [&](auto member) {
+    return std::ranges::any_of(bench.all, [&](const auto& m) {
+      const auto& value = std::get<measurement::DepthSample>(m).*member;
+      return value && std::abs(*value - 30) < 0.06;  // DBT has a tenth of a metre
+    });
+  };
+  EXPECT_TRUE(heard(&measurement::DepthSample::altitude_m));
 }
 
 TEST(DescribedDevices, AnEmulatedKellerAnswersWhatItsDriverAsks) {

@@ -29,8 +29,9 @@ TEST(DescribedValues, ChecksumsOfNineDigitsAreThoseOfTheCatalogue) {
     EXPECT_EQ(checksum.of(digits), crc.check) << crc.name;
   }
   // Sums by hand: the digits are 49 to 57.
-  for (const auto& [name, sum] : {std::pair("sum-8", 0xDDu), std::pair("sum-16", 0x1DDu),
-                                  std::pair("xor", 0x31u), std::pair("fletcher-16", 0x15DDu)}) {
+  for (const auto& [name, sum] :
+       {std::pair("sum-8", 0xDDu), std::pair("sum-16", 0x1DDu), std::pair("sum-32", 0x1DDu),
+        std::pair("xor", 0x31u), std::pair("fletcher-16", 0x15DDu)}) {
     wire::described::Checksum checksum;
     ASSERT_TRUE(wire::described::Checksum::find(name, checksum));
     EXPECT_EQ(checksum.of(digits), sum) << name;

@@ -150,5 +150,43 @@ TEST(Nmea0183Attitude, AHeadingTypedInOrBeyondTheCircleIsRefusedAndSaid) {
   EXPECT_EQ(compass.ear.refusals.size(), 2U);
 }
 
+TEST(Nmea0183Attitude, AMagneticHeadingBecomesTrueByDeviationAndVariation) {
+  Sentences compass;  // 355 - 2 + 12.5 = 365.5
+  compass.says("HCHDG,355,2,W,12.5,E");
+  ASSERT_EQ(compass.heard().size(), 1U);
+  const auto& sample = compass.heard()[0];
+  EXPECT_EQ(sample.reference, HeadingReference::magnetic_north);
+  EXPECT_NEAR(sample.heading_rad.value(), 355 * degree, 1e-12);
+  EXPECT_NEAR(sample.true_heading_rad.value(), 5.5 * degree, 1e-12);
+}
+
+TEST(Nmea0183Attitude, HdmHasNoVariationAndGivesNoTrueHeading) {
+  Sentences compass;
+  compass.says("APHDM,218.634,M");
+  ASSERT_EQ(compass.heard().size(), 1U);
+  EXPECT_NEAR(compass.heard()[0].heading_rad.value(), 218.634 * degree, 1e-12);
+  EXPECT_EQ(compass.heard()[0].reference, HeadingReference::magnetic_north);
+  EXPECT_FALSE(compass.heard()[0].true_heading_rad);
+}
+
+TEST(Nmea0183Attitude, OfSeveralSentencesTheOneThatSaysMostCounts) {
+  Sentences compass;
+  compass.says("HCHDG,10,,,1,E", 1);
+  compass.says("HCHDM,10,M", 1.02);
+  EXPECT_EQ(compass.heard().size(), 1U) << "HDM is the heading of HDG once more";
+  compass.says("HEHDT,11,T", 1.5);
+  compass.says("HCHDG,10,,,1,E", 2);
+  EXPECT_EQ(compass.heard().size(), 2U) << "HDG is passed over while HDT comes";
+  compass.says("HCHDM,12,M", 6);
+  EXPECT_EQ(compass.heard().size(), 3U);
+}
+
+TEST(Nmea0183Attitude, AVariationBeyondHalfATurnIsRefusedAndSaid) {
+  Sentences compass;
+  compass.says("HCHDG,10,,,190,E");
+  EXPECT_TRUE(compass.heard().empty());
+  EXPECT_EQ(compass.ear.refusals.size(), 1U);
+}
+
 }  // namespace attitude_driver_test
 }  // namespace drydock::device::test

@@ -32,7 +32,7 @@ TEST_F(Nmea0183Corpus, EverySoundSentenceOfGpsdsLogsIsDecoded) {
   const std::map<std::string_view, std::size_t> expected{
       {"GGA", 1228}, {"RMC", 1462}, {"GSV", 4431}, {"GSA", 2000}, {"VTG", 794},
       {"ZDA", 535},  {"GNS", 112},  {"GLL", 860},  {"GST", 171},  {"HDT", 9},
-      {"THS", 9},    {"VHW", 150},  {"VLW", 150}};
+      {"THS", 9},    {"HDG", 1457}, {"HDM", 7},    {"VHW", 150},  {"VLW", 150}};
   EXPECT_EQ(count, expected);
   EXPECT_EQ(total.frames, 18433u);
   EXPECT_EQ(total.bad_checksums, 72u);

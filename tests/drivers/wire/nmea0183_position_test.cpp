@@ -101,5 +101,22 @@ TEST(Nmea0183, HeadingFromTrueNorth) {
   EXPECT_FALSE(only<Ths>(sentence("GPTHS,244.17,V")).heading_rad) << "V: not valid";
 }
 
+// Of a masthead compass (bundg_zeus_9.log of gpsd) and of a pilot (pypilot.log).
+TEST(Nmea0183, HeadingFromMagneticNorth) {
+  constexpr auto hdg = "$SDHDG,229.8,,,1.3,E*36\r\n", hdm = "$APHDM,218.634,M*39\r\n";
+  const auto m = only<Hdg>(hdg);
+  EXPECT_NEAR(degrees(*m.sensor_heading_rad), 229.8, 1e-12);
+  EXPECT_FALSE(m.deviation_rad);
+  EXPECT_NEAR(degrees(*m.variation_rad), 1.3, 1e-12);
+  EXPECT_EQ(written(m, {.angle = 1}), hdg);
+  const auto west = only<Hdg>(sentence("HCHDG,98.3,0.5,W,12.6,W"));
+  EXPECT_NEAR(degrees(*west.deviation_rad), -0.5, 1e-12);
+  EXPECT_NEAR(degrees(*west.variation_rad), -12.6, 1e-12);
+  EXPECT_FALSE(only<Hdg>(sentence("HCHDG,98.3,0.5,,,W")).deviation_rad) << "half a value is none";
+  const auto plain = only<Hdm>(hdm);
+  EXPECT_NEAR(degrees(*plain.heading_rad), 218.634, 1e-12);
+  EXPECT_EQ(written(plain, {.angle = 3}), hdm);
+}
+
 }  // namespace nmea0183_position_test
 }  // namespace drydock::wire::testing

@@ -75,5 +75,36 @@ TEST_F(Compasses, HeadingOfALineComesBackOncePerSample) {
   EXPECT_LT(headings, 905);
 }
 
+rig_config::DeviceConfig magnetic(const char* protocol) {
+  auto config = device(DeviceKind::attitude, protocol, 10);
+  config.emulate.compass = {.variation_rad = -8.5 * degree, .magnetic = true};
+  return config;
+}
+
+// The vehicle points to 290 degrees: 298.5 from a north that stands 8.5 degrees to the west.
+TEST(EmulatedCompass, PointsToMagneticNorthIfTheRigSaysSo) {
+  const Frozen trajectory(under_way());
+  const auto sent = record(magnetic("nmea2000"), trajectory, 0.35);
+  const auto heading = sent.frames.at(2).frame.payload();
+  EXPECT_EQ(load_le<std::uint16_t>(heading, 1), 52098);  // 298.5 degrees in 0.1 mrad
+  EXPECT_EQ(load_le<std::int16_t>(heading, 5), -1484);   // -8.5 degrees
+  EXPECT_EQ(heading[7] & 3, 1);                          // magnetic north
+  const auto bytes = record(magnetic("nmea0183"), trajectory, 0.05).all_bytes();
+  EXPECT_TRUE(std::string(bytes.begin(), bytes.end())
+                  .starts_with("$HCHDG,298.50,,,8.50,W*30\r\n$HCHDM,298.50,M*"));
+}
+
+TEST_F(Compasses, AMagneticHeadingComesBackAsTheTrueOne) {
+  run_bus(device::Kind::attitude, magnetic("nmea2000"));
+  EXPECT_GT(compare(2.5e-4, 1.5e-4), 880);  // heading and variation are both rounded
+}
+
+TEST_F(Compasses, AMagneticHeadingOfALineComesBackAsTheTrueOneOncePerSample) {
+  run_line(device::Kind::attitude, magnetic("nmea0183"), 38400);
+  const int headings = compare(2e-4, 0);
+  EXPECT_GT(headings, 880);
+  EXPECT_LT(headings, 905);
+}
+
 }  // namespace attitude_test
 }  // namespace drydock::emulate

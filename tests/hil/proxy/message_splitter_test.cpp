@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "rig_config/device_description/load_description.hpp"
 #include "tests/drivers/property.hpp"
 #include "tests/hil/proxy/outlet.hpp"
 
@@ -21,16 +22,34 @@ struct Pieces {
   };
 };
 
-MessageSplitter splitter(std::string_view protocol) {
-  return MessageSplitter(*MessageSplitter::protocol(protocol));
+rig_config::DeviceConfig speaking(const std::string& protocol) {
+  rig_config::DeviceConfig device;
+  device.protocol = protocol;
+  return device;
+}
+
+MessageSplitter splitter(const std::string& protocol) {
+  return MessageSplitter(*MessageSplitter::protocol(speaking(protocol)));
 }
 
 TEST(MessageSplitter, KnowsTheByteProtocolsByName) {
   for (const char* name : {"nmea0183", "ubx", "pd0", "pd4", "pd5", "pd6", "water-linked",
                            "water-linked-json", "nortek", "nortek-ad2cp"})
-    EXPECT_TRUE(MessageSplitter::protocol(name)) << name;
-  EXPECT_FALSE(MessageSplitter::protocol("xsens"));
-  EXPECT_FALSE(MessageSplitter::protocol(""));
+    EXPECT_TRUE(MessageSplitter::protocol(speaking(name))) << name;
+  EXPECT_FALSE(MessageSplitter::protocol(speaking("xsens")));
+  EXPECT_FALSE(MessageSplitter::protocol(speaking("")));
+}
+
+TEST(MessageSplitter, KnowsTheMessagesOfADescription) {
+  auto device = speaking("valeport-vat.toml");
+  device.description = *rig_config::find_description("valeport-vat.toml", "no-such-folder/");
+  MessageSplitter split(*MessageSplitter::protocol(device));
+  Pieces pieces;
+  const std::string sentence = "$PRVAT,00.115,M,0010.073,dBar*39\r\n";
+  split.feed(bytes_of("boot " + sentence + sentence.substr(0, 9)), pieces.taker);
+  EXPECT_EQ(pieces.messages, std::vector{sentence});
+  EXPECT_EQ(pieces.between, std::vector<std::string>{"boot "});
+  EXPECT_FALSE(split.empty()) << "an incomplete message waits";
 }
 
 TEST(MessageSplitter, GivesFramesAndWhatIsBetweenThemInOrder) {

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "drivers/wire/described/description.hpp"
+#include "hil/emulate/can/j1939_node.hpp"
+
+/// How an emulated sensor on a CAN bus sends the frames of its description.
+namespace drydock::emulate {
+
+/// Of each message, how many samples from one to the next. The message with the shortest cycle time
+/// comes with every sample; the others come as much more seldom as the DBC file says. A message
+/// without a cycle time comes with every sample.
+std::vector<std::uint64_t> turns_of(const wire::described::Description& description);
+
+/// The J1939 sender of a description.
+struct J1939Sender {
+  std::uint8_t address = 0;
+  bool may_move = false;  ///< the DBC file says any address
+
+  wire::j1939::Name name(const rig_config::DeviceConfig& config) const;
+};
+
+/// Empty: not on J1939, or its messages come from several senders, of which none can claim for all.
+/// `wanted`: the address of the rig, 0: none.
+std::optional<J1939Sender> sender_of(const wire::described::Description& description, int wanted);
+
+}  // namespace drydock::emulate
