@@ -67,7 +67,6 @@ measurement::BottomVelocity bottom_velocity(const Readings& r, const DriverOptio
   m.pitch_rad = r.get(pitch);
   m.roll_rad = r.get(roll);
   m.sound_speed_mps = r.get(sound_speed);
-  add_sigma_of_rig(m, options.velocity_sigma_mps);
   return m;
 }
 

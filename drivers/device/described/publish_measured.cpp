@@ -45,7 +45,9 @@ void MeasuredPublisher::publish(const Readings& readings, measurement::Origin or
     return out.refuse("a sample without all six components was refused");
   origin.device_time = device_time_of(readings);
   if (options_.kind == Kind::attitude) return publish_attitude(readings, origin, out);
-  const auto measured = measurement_of(readings, origin, options_);
+  auto measured = measurement_of(readings, origin, options_);
+  if (auto* dvl = std::get_if<measurement::BottomVelocity>(&measured))
+    return dvl_.publish(*dvl, {}, out);
   const auto* depth = std::get_if<measurement::DepthSample>(&measured);
   if (!depth || is_possible(*depth, out)) out.publish(measured);
 }

@@ -2,6 +2,7 @@
 
 #include "drivers/device/driver.hpp"
 #include "drivers/device/driver_options.hpp"
+#include "drivers/device/dvl/dvl_finish.hpp"
 #include "drivers/device/vessel/attitude_axes.hpp"
 #include "drivers/wire/described/targets.hpp"
 
@@ -12,7 +13,7 @@ namespace drydock::device {
 class MeasuredPublisher {
  public:
   explicit MeasuredPublisher(const DriverOptions& options)
-      : options_(options), axes_(options.mounting) {}
+      : options_(options), axes_(options.mounting), dvl_(options) {}
 
   void publish(const wire::described::Readings& readings, measurement::Origin origin, Output& out);
 
@@ -22,6 +23,7 @@ class MeasuredPublisher {
 
   const DriverOptions& options_;
   AttitudeAxes axes_;  ///< kind attitude
+  DvlFinish dvl_;      ///< kind dvl
 };
 
 }  // namespace drydock::device

@@ -25,6 +25,22 @@ TEST(DescribedDrivers, TheLineTimeAndTheStatedAgeGiveTheTimeOfValidity) {
   EXPECT_DOUBLE_EQ(sample.velocity->x(), 0.1234);
 }
 
+TEST(DescribedDrivers, ADescribedDvlIsPutRightForTheSpeedOfSoundToo) {
+  auto options = options_of(shipped("nortek-bt.toml"));
+  using Source = device::SoundSpeedOptions::Source;
+  options.dvl.sound_speed = {.source = Source::fixed, .fixed_mps = 1470, .set_mps = 1500};
+  Heard heard;
+  const auto driver = std::move(*device::make_byte_driver(options));
+  receive(
+      *driver,
+      "$PNORBT7,1452244916.7508,1.234,-1.234,0.1234,0.1234,0.1234,12.34,23.45,23.45,23.45,23.45*"
+      "39\r\n",
+      {}, heard);
+  ASSERT_EQ(heard.all.size(), 1u);
+  EXPECT_NEAR(heard.last<measurement::BottomVelocity>().velocity->x(), 0.98 * 0.1234, 1e-12);
+  EXPECT_NEAR(heard.last<measurement::BottomVelocity>().range_m[0].value(), 0.98 * 23.45, 1e-12);
+}
+
 TEST(DescribedDrivers, AMisfitAndAFieldThatIsNoNumberAreTold) {
   Heard heard;
   const auto driver = driver_of(shipped("valeport-vat.toml"));
