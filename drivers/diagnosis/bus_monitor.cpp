@@ -1,6 +1,7 @@
 #include "drivers/diagnosis/bus_monitor.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "drivers/wire/can/can_bits.hpp"
 #include "drivers/wire/j1939/j1939.hpp"
@@ -30,10 +31,10 @@ std::uint64_t size_bit(const wire::CanFrame& frame) {
   return std::uint64_t{1} << std::min<unsigned>(frame.size, 63);
 }
 
-std::uint64_t name_of(const wire::CanFrame& frame) {
-  std::uint64_t name = 0;
-  for (std::size_t i = 8; i-- > 0;) name = name << 8 | frame.data[i];
-  return name;
+std::uint64_t first_bytes_of(const wire::CanFrame& frame) {
+  std::uint64_t bytes = 0;
+  for (std::size_t i = 8; i-- > 0;) bytes = bytes << 8 | frame.data[i];
+  return bytes;
 }
 
 /// Frames by which nodes settle their addresses and states. They come at any time.
@@ -52,7 +53,8 @@ bool manages(const wire::CanFrame& frame, wire::Network network) {
 }  // namespace
 
 BusMonitor::BusMonitor(const std::vector<Expected>& devices, SymptomSink& to) {
-  for (const Expected& expected : devices) nodes_.push_back({expected, {expected.device, to}});
+  for (const Expected& expected : devices)
+    nodes_.push_back({expected, {expected.device, to}, {expected, to}});
 }
 
 void BusMonitor::take(const wire::CanFrame& frame, Stamp at) {
@@ -79,8 +81,8 @@ void BusMonitor::take_claim(const wire::CanFrame& frame, Stamp at) {
     const bool here = node.expected.protocol.network == wire::Network::j1939 &&
                       node.expected.address != 0 && node.expected.address == identifier->source;
     if (!here) continue;
-    if (node.name == 0) node.name = name_of(frame);
-    const bool robbed = node.name != name_of(frame);
+    if (node.name == 0) node.name = first_bytes_of(frame);
+    const bool robbed = node.name != first_bytes_of(frame);
     if (robbed && !node.robbed) node.robbed_since = at;
     node.robbed = robbed;
   }
@@ -102,10 +104,11 @@ bool BusMonitor::is_usual(const wire::CanFrame& frame, Stamp at) {
   const auto usual = std::ranges::find(usual_, key_of(frame), &Usual::key);
   if (usual != usual_.end()) {
     judge_size(*usual, frame, at);
+    watch_times(*usual, frame, at);
     return true;
   }
   if (at - *first_ < learning && usual_.size() < usual_.capacity()) {
-    usual_.push_back({key_of(frame), size_bit(frame)});
+    usual_.push_back({key_of(frame), size_bit(frame), 0});
     return true;
   }
   return std::ranges::any_of(
@@ -119,6 +122,14 @@ void BusMonitor::judge_size(Usual& usual, const wire::CanFrame& frame, Stamp at)
   if (const Node* node = owner_of(frame))
     return node->teller.tell(Sign::bad_checksums, at, at, amount);
   tell_all(Sign::bad_checksums, at, at, amount);
+}
+
+void BusMonitor::watch_times(Usual& usual, const wire::CanFrame& frame, Stamp at) {
+  const std::uint64_t data = first_bytes_of(frame);
+  const bool same = std::exchange(usual.data, data) == data;
+  measurement::Origin origin;
+  origin.received_at = at;
+  if (Node* node = owner_of(frame)) node->frames.take(usual.key, origin, same);
 }
 
 bool BusMonitor::is_repeated(std::uint32_t key) {
@@ -139,6 +150,7 @@ void BusMonitor::note_strange(Stamp at) {
 }
 
 BusMonitor::Node* BusMonitor::owner_of(const wire::CanFrame& frame) {
+  if (nodes_.size() == 1) return &nodes_.front();
   for (Node& node : nodes_) {
     const std::uint8_t address = node.expected.address;
     const wire::Network network = node.expected.protocol.network;
@@ -153,6 +165,8 @@ BusMonitor::Node* BusMonitor::owner_of(const wire::CanFrame& frame) {
 
 void BusMonitor::look(Stamp now) {
   if (!first_) return;
+  for (Node& node : nodes_) node.frames.look(now);
+  look_at_drift(now);
   if (off_) tell_all(Sign::bus_off, off_since_, now, {1, 0, "bus-off", ""});
   for (const Node& node : nodes_)
     if (node.robbed)
@@ -170,6 +184,17 @@ void BusMonitor::look_at_load(Stamp now) {
              {share, largest_new_share, "share of the bus of new identifiers", ""});
   window_from_ = now;
   new_bits_ = 0;
+}
+
+/// A node that drifts pushes the frames of others about: the first that drifts is the one.
+void BusMonitor::look_at_drift(Stamp now) {
+  const bool goes_on = drifts_ != nullptr && drifts_->frames.drift(now);
+  if (!goes_on) drifts_ = nullptr;
+  for (Node& node : nodes_)
+    if (drifts_ == nullptr && node.frames.drift(now)) drifts_ = &node;
+  if (drifts_ != nullptr)
+    drifts_->teller.tell(Sign::clock_drift, drifts_->frames.drift_since(), now,
+                         *drifts_->frames.drift(now));
 }
 
 void BusMonitor::look_at_strange(Stamp now) {

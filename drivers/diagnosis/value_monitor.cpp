@@ -54,8 +54,7 @@ bool ValueMonitor::take(std::uint32_t kind, const measurement::Measurement& meas
   if (readings.empty()) return false;
   const bool same = stream->sameness.add(readings, at);
   judge_sameness(*stream, at);
-  if (!same)
-    for (const Reading& reading : readings) judge(reading, at);
+  for (const Reading& reading : readings) judge(reading, at);
   return same;
 }
 
@@ -81,6 +80,7 @@ void ValueMonitor::tell_wild(const QuantityMonitor& monitor, double off, Stamp a
   if (wild_.size() == wild_.capacity()) wild_.erase(wild_.begin());
   wild_.push_back({monitor.quantity(), std::abs(off)});
   wild_at_ = at;
+  jumped_.since.reset();
   teller_.tell(Sign::wild_samples, at, at, {off, facts.wild, facts.name, facts.unit});
   const auto [least, most] = std::ranges::minmax(wild_, {}, &Reading::value);
   const bool one = std::ranges::all_of(
