@@ -21,6 +21,8 @@ constexpr std::chrono::seconds strange_pause{10};
 constexpr unsigned fewest_strange = 3;
 /// The next frame behind a strange one, if it comes so soon, is of the node that sent both.
 constexpr std::chrono::milliseconds soon{3};
+/// A bus without a pause for so long holds frames up.
+constexpr std::chrono::milliseconds long_busy{3};
 
 std::uint32_t key_of(const wire::CanFrame& frame) {
   constexpr std::uint32_t extended_bit = 0x80000000;
@@ -63,9 +65,17 @@ void BusMonitor::take(const wire::CanFrame& frame, Stamp at) {
     window_from_ = at;
   }
   if (frame.error) return take_error(frame, at);
+  note_busy(frame, at);
   off_ = false;
   take_claim(frame, at);
   judge_identifier(frame, at);
+}
+
+void BusMonitor::note_busy(const wire::CanFrame& frame, Stamp at) {
+  const double frame_s = static_cast<double>(wire::wire_bits(frame)) / bitrate_;
+  const double pause_s = measurement::seconds(at - last_) - frame_s;
+  if (pause_s > frame_s) busy_since_ = at - measurement::from_seconds(frame_s);
+  last_ = at;
 }
 
 void BusMonitor::take_error(const wire::CanFrame& frame, Stamp at) {
@@ -129,7 +139,8 @@ void BusMonitor::watch_times(Usual& usual, const wire::CanFrame& frame, Stamp at
   const bool same = std::exchange(usual.data, data) == data;
   measurement::Origin origin;
   origin.received_at = at;
-  if (Node* node = owner_of(frame)) node->frames.take(usual.key, origin, same);
+  if (Node* node = owner_of(frame))
+    node->frames.take(usual.key, origin, same, at - busy_since_ > long_busy);
 }
 
 bool BusMonitor::is_repeated(std::uint32_t key) {

@@ -44,6 +44,7 @@ class BusMonitor {
     std::uint64_t data = 0;   ///< the first eight bytes of the latest frame
   };
 
+  void note_busy(const wire::CanFrame& frame, Stamp at);
   void take_error(const wire::CanFrame& frame, Stamp at);
   void take_claim(const wire::CanFrame& frame, Stamp at);
   void judge_identifier(const wire::CanFrame& frame, Stamp at);
@@ -68,7 +69,8 @@ class BusMonitor {
   bool off_ = false;
   Stamp off_since_{};
   Stamp window_from_{};
-  double new_bits_ = 0;  ///< of unusual identifiers since window_from_
+  double new_bits_ = 0;          ///< of unusual identifiers since window_from_
+  Stamp last_{}, busy_since_{};  ///< the latest frame; since when there was no pause
   bool behind_strange_ = false;
   Stamp strange_at_{}, strange_since_{};
   unsigned strange_ = 0, strange_told_ = 0;  ///< strange frames of the present bout

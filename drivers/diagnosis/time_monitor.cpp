@@ -18,8 +18,10 @@ constexpr long shortest_hole = 3;
 constexpr double shortest_hole_s = 0.2, shortest_shift_s = 0.05;
 constexpr int sound_before = 20, sound_after = 6;
 constexpr int jumps_to_tell = 3;
-/// A frame waits so long while the other nodes of a sound bus have their turn: some 30 frames.
-constexpr double bus_waits_s = 0.015;
+/// Behind such a pause a stream begins anew.
+constexpr double away_s = 10;
+/// A frame waits so long while the other nodes of a sound bus have their turn: some 60 frames.
+constexpr double bus_waits_s = 0.03;
 
 }  // namespace
 
@@ -42,22 +44,33 @@ TimeMonitor::Stream* TimeMonitor::stream_of(std::uint32_t kind) {
   return &streams_.back();
 }
 
-void TimeMonitor::take(std::uint32_t kind, const measurement::Origin& origin, bool same) {
+void TimeMonitor::take(std::uint32_t kind, const measurement::Origin& origin, bool same,
+                       bool bus_busy) {
   Stream* const stream = stream_of(kind);
   if (stream == nullptr) return;
   const Stamp at = origin.received_at;
   const auto arrival = stream->raster.add(at, measurement::seconds(at - last_));
   last_ = at;
-  if (const double waits_s = 1.3 * stream->raster.waits_s(); waits_s > line_s_) line_s_ = waits_s;
-  if (stream->raster.known() && stream->allowed_s != line_s_) {
-    stream->allowed_s = line_s_;
-    stream->raster.allow(line_s_);
-  }
-  const bool same_time = origin.device_time && origin.device_time == stream->device_time;
-  stream->device_time = origin.device_time;
-  if (arrival.step != Step::first) step(*stream, arrival, at, same || same_time);
-  watch_order(*stream, arrival.step, at);
+  if (!expected_.times_on_bus) judge(*stream, arrival, origin, same, bus_busy);
   watch_clock(*stream, origin, arrival.step);
+}
+
+void TimeMonitor::judge(Stream& stream, Raster::Arrival arrival, const measurement::Origin& origin,
+                        bool same, bool bus_busy) {
+  const Stamp at = origin.received_at;
+  if (const double waits_s = 1.3 * stream.raster.waits_s(); waits_s > line_s_) line_s_ = waits_s;
+  if (stream.raster.known() && stream.allowed_s != line_s_) {
+    stream.allowed_s = line_s_;
+    stream.raster.allow(line_s_);
+  }
+  if (bus_busy && arrival.step == Step::odd && arrival.slots < 2) arrival.step = Step::regular;
+  const bool same_time = origin.device_time && origin.device_time == stream.device_time;
+  stream.device_time = origin.device_time;
+  if (arrival.interval_s > away_s)
+    interrupt(stream);
+  else if (arrival.step != Step::first)
+    step(stream, arrival, at, same || same_time);
+  watch_order(stream, arrival.step, at);
 }
 
 /// Two messages of one time that changed places are late by less than the raster tolerates. But one
@@ -251,13 +264,17 @@ void TimeMonitor::look(Stamp now) {
 void TimeMonitor::interrupt() {
   for (Stream& stream : streams_) {
     stream.raster.interrupt();
-    stream.pattern.clear();
-    stream.rate.interrupt();
-    stream.pause = false;
-    stream.owed = 0;
-    stream.regular = 0;
-    stream.hole_s = 0;
+    interrupt(stream);
   }
+}
+
+void TimeMonitor::interrupt(Stream& stream) {
+  stream.pattern.clear();
+  stream.rate.interrupt();
+  stream.pause = stream.extra = false;
+  stream.owed = 0;
+  stream.regular = 0;
+  stream.hole_s = 0;
 }
 
 }  // namespace drydock::diagnosis

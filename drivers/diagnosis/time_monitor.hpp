@@ -21,7 +21,9 @@ class TimeMonitor {
 
   /// `stream`: number of the kind of message (stream_of). `same`: all values are those of the
   /// message before in that stream.
-  void take(std::uint32_t stream, const measurement::Origin& origin, bool same);
+  /// `bus_busy`: the bus was taken without a pause, so that the message may be late.
+  void take(std::uint32_t stream, const measurement::Origin& origin, bool same,
+            bool bus_busy = false);
   /// Tells what lasts.
   void look(Stamp now);
   /// Change of the rate of the device's clock. Empty: none that is significant. On a bus the bus
@@ -64,6 +66,9 @@ class TimeMonitor {
   void regular(Stream& stream, Stamp at);
   void pause(Stream& stream, const Raster::Arrival& arrival, Stamp at);
   void crowded(Stream& stream, Stamp at, bool same);
+  static void interrupt(Stream& stream);
+  void judge(Stream& stream, Raster::Arrival arrival, const measurement::Origin& origin, bool same,
+             bool bus_busy);
   void watch_order(Stream& stream, Step step, Stamp at);
   void nothing_happened(Stamp at);
   void odd(Stamp at);

@@ -71,7 +71,8 @@ void ValueMonitor::judge(const Reading& reading, Stamp at) {
   if (news.jump != 0) tell_jump(*monitor, news.jump, at);
   if (news.noisy)
     teller_.tell(Sign::noisy, monitor->noise().since(), at,
-                 {monitor->noise().sum(), 18, facts_of(reading.quantity).name, "log-likelihood"});
+                 {monitor->noise().sum(), QuantityMonitor::noise_threshold,
+                  facts_of(reading.quantity).name, "log-likelihood"});
 }
 
 void ValueMonitor::tell_wild(const QuantityMonitor& monitor, double off, Stamp at) {

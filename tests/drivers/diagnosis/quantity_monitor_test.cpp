@@ -44,11 +44,11 @@ TEST_F(BottomVelocityThatIsWatched, IsHealthyForADay) {
 }
 
 // 76 % of second differences of noise ten times as strong lie beyond three usual deviations: 2.3 of
-// 18 a sample, so 8 samples; half as much again for the correlation of second differences.
-TEST_F(BottomVelocityThatIsWatched, IsNoisyWithinTwelveSamplesOfTenfoldNoise) {
+// 22 a sample, so 10 samples; half as much again for the correlation of second differences.
+TEST_F(BottomVelocityThatIsWatched, IsNoisyWithinTwentyFourSamplesOfTenfoldNoise) {
   int samples = 0;
   while (!add(10 * sigma).noisy) ASSERT_LT(++samples, 24);
-  EXPECT_GE(samples, 5);  // 18 / ln(25) = 5.6 events at least
+  EXPECT_GE(samples, 6);  // 22 / ln(25) = 6.8 events at least
 }
 
 TEST_F(BottomVelocityThatIsWatched, HasAWildSampleThatTheNextOneShows) {
