@@ -17,26 +17,32 @@ class ArrivalPattern {
     intervals_[next_++ % intervals_.size()] = arrival.interval_s;
     const bool pause = arrival.interval_s > long_interval * period_s;
     pauses_in_a_row_ = pause ? pauses_in_a_row_ + 1 : 0;
+    const bool other = alike(intervals_, 0.12) && next_ >= intervals_.size() &&
+                       std::abs(arrival.interval_s / period_s - 1) > least_change;
+    other_s_ = other ? other_s_ + arrival.interval_s : 0;
     if (pause) pauses_[next_pause_++ % pauses_.size()] = arrival.interval_s;
   }
   void clear() { *this = {}; }
 
   /// Pauses of one length, each followed by what was held and then by the next pause.
   bool bunched() const {
-    constexpr int fewest = 3, fewest_of_8 = 3;
+    constexpr int fewest = 5, fewest_of_8 = 3;
+    constexpr double shortest_s = 1.2;  // of all those pauses
     return std::popcount(crowded_ & 0xFFU) >= fewest_of_8 && pauses_in_a_row_ >= fewest &&
-           alike(pauses_, 0.03);
+           alike(pauses_, 0.03) && fewest * pauses_[0] > shortest_s;
   }
-  /// All intervals are longer (or shorter) than the period by one factor. 1: they are not.
+  /// All intervals of the last time are longer (or shorter) than the period by one factor. 1: they
+  /// are not.
   double slower(double period_s) const {
-    constexpr double least = 0.2;
-    if (next_ < intervals_.size() || !alike(intervals_, 0.12)) return 1;
-    const double factor = intervals_[0] / period_s;
-    return std::abs(factor - 1) > least ? factor : 1;
+    constexpr double shortest_s = 0.5;
+    return other_s_ > shortest_s ? intervals_[0] / period_s : 1;
   }
+  /// Length of the last pauses together.
+  double pauses_s() const { return static_cast<double>(pauses_.size()) * pauses_[0]; }
 
  private:
   static constexpr double long_interval = 1.6;  ///< periods
+  static constexpr double least_change = 0.2;   ///< of a rate
   template <std::size_t N>
   static bool alike(const std::array<double, N>& intervals, double spread) {
     const auto [least, most] = std::ranges::minmax(intervals);
@@ -45,8 +51,9 @@ class ArrivalPattern {
 
   std::uint32_t crowded_ = 0;  ///< one bit a message, the latest lowest
   std::array<double, 6> intervals_{};
-  std::array<double, 3> pauses_{};
+  std::array<double, 4> pauses_{};
   std::size_t next_ = 0, next_pause_ = 0;
+  double other_s_ = 0;       ///< how long all intervals have been alike and not the period
   int pauses_in_a_row_ = 0;  ///< with nothing on the raster between them
 };
 

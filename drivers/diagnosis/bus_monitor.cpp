@@ -1,6 +1,7 @@
 #include "drivers/diagnosis/bus_monitor.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "drivers/wire/can/can_bits.hpp"
 #include "drivers/wire/j1939/j1939.hpp"
@@ -20,6 +21,8 @@ constexpr std::chrono::seconds strange_pause{10};
 constexpr unsigned fewest_strange = 3;
 /// The next frame behind a strange one, if it comes so soon, is of the node that sent both.
 constexpr std::chrono::milliseconds soon{3};
+/// A bus without a pause for so long holds frames up.
+constexpr std::chrono::milliseconds long_busy{3};
 
 std::uint32_t key_of(const wire::CanFrame& frame) {
   constexpr std::uint32_t extended_bit = 0x80000000;
@@ -30,10 +33,10 @@ std::uint64_t size_bit(const wire::CanFrame& frame) {
   return std::uint64_t{1} << std::min<unsigned>(frame.size, 63);
 }
 
-std::uint64_t name_of(const wire::CanFrame& frame) {
-  std::uint64_t name = 0;
-  for (std::size_t i = 8; i-- > 0;) name = name << 8 | frame.data[i];
-  return name;
+std::uint64_t first_bytes_of(const wire::CanFrame& frame) {
+  std::uint64_t bytes = 0;
+  for (std::size_t i = 8; i-- > 0;) bytes = bytes << 8 | frame.data[i];
+  return bytes;
 }
 
 /// Frames by which nodes settle their addresses and states. They come at any time.
@@ -52,7 +55,8 @@ bool manages(const wire::CanFrame& frame, wire::Network network) {
 }  // namespace
 
 BusMonitor::BusMonitor(const std::vector<Expected>& devices, SymptomSink& to) {
-  for (const Expected& expected : devices) nodes_.push_back({expected, {expected.device, to}});
+  for (const Expected& expected : devices)
+    nodes_.push_back({expected, {expected.device, to}, {expected, to}});
 }
 
 void BusMonitor::take(const wire::CanFrame& frame, Stamp at) {
@@ -61,9 +65,17 @@ void BusMonitor::take(const wire::CanFrame& frame, Stamp at) {
     window_from_ = at;
   }
   if (frame.error) return take_error(frame, at);
+  note_busy(frame, at);
   off_ = false;
   take_claim(frame, at);
   judge_identifier(frame, at);
+}
+
+void BusMonitor::note_busy(const wire::CanFrame& frame, Stamp at) {
+  const double frame_s = static_cast<double>(wire::wire_bits(frame)) / bitrate_;
+  const double pause_s = measurement::seconds(at - last_) - frame_s;
+  if (pause_s > frame_s) busy_since_ = at - measurement::from_seconds(frame_s);
+  last_ = at;
 }
 
 void BusMonitor::take_error(const wire::CanFrame& frame, Stamp at) {
@@ -79,8 +91,8 @@ void BusMonitor::take_claim(const wire::CanFrame& frame, Stamp at) {
     const bool here = node.expected.protocol.network == wire::Network::j1939 &&
                       node.expected.address != 0 && node.expected.address == identifier->source;
     if (!here) continue;
-    if (node.name == 0) node.name = name_of(frame);
-    const bool robbed = node.name != name_of(frame);
+    if (node.name == 0) node.name = first_bytes_of(frame);
+    const bool robbed = node.name != first_bytes_of(frame);
     if (robbed && !node.robbed) node.robbed_since = at;
     node.robbed = robbed;
   }
@@ -102,10 +114,11 @@ bool BusMonitor::is_usual(const wire::CanFrame& frame, Stamp at) {
   const auto usual = std::ranges::find(usual_, key_of(frame), &Usual::key);
   if (usual != usual_.end()) {
     judge_size(*usual, frame, at);
+    watch_times(*usual, frame, at);
     return true;
   }
   if (at - *first_ < learning && usual_.size() < usual_.capacity()) {
-    usual_.push_back({key_of(frame), size_bit(frame)});
+    usual_.push_back({key_of(frame), size_bit(frame), 0});
     return true;
   }
   return std::ranges::any_of(
@@ -119,6 +132,15 @@ void BusMonitor::judge_size(Usual& usual, const wire::CanFrame& frame, Stamp at)
   if (const Node* node = owner_of(frame))
     return node->teller.tell(Sign::bad_checksums, at, at, amount);
   tell_all(Sign::bad_checksums, at, at, amount);
+}
+
+void BusMonitor::watch_times(Usual& usual, const wire::CanFrame& frame, Stamp at) {
+  const std::uint64_t data = first_bytes_of(frame);
+  const bool same = std::exchange(usual.data, data) == data;
+  measurement::Origin origin;
+  origin.received_at = at;
+  if (Node* node = owner_of(frame))
+    node->frames.take(usual.key, origin, same, at - busy_since_ > long_busy);
 }
 
 bool BusMonitor::is_repeated(std::uint32_t key) {
@@ -139,6 +161,7 @@ void BusMonitor::note_strange(Stamp at) {
 }
 
 BusMonitor::Node* BusMonitor::owner_of(const wire::CanFrame& frame) {
+  if (nodes_.size() == 1) return &nodes_.front();
   for (Node& node : nodes_) {
     const std::uint8_t address = node.expected.address;
     const wire::Network network = node.expected.protocol.network;
@@ -153,6 +176,8 @@ BusMonitor::Node* BusMonitor::owner_of(const wire::CanFrame& frame) {
 
 void BusMonitor::look(Stamp now) {
   if (!first_) return;
+  for (Node& node : nodes_) node.frames.look(now);
+  look_at_drift(now);
   if (off_) tell_all(Sign::bus_off, off_since_, now, {1, 0, "bus-off", ""});
   for (const Node& node : nodes_)
     if (node.robbed)
@@ -170,6 +195,17 @@ void BusMonitor::look_at_load(Stamp now) {
              {share, largest_new_share, "share of the bus of new identifiers", ""});
   window_from_ = now;
   new_bits_ = 0;
+}
+
+/// A node that drifts pushes the frames of others about: the first that drifts is the one.
+void BusMonitor::look_at_drift(Stamp now) {
+  const bool goes_on = drifts_ != nullptr && drifts_->frames.drift(now);
+  if (!goes_on) drifts_ = nullptr;
+  for (Node& node : nodes_)
+    if (drifts_ == nullptr && node.frames.drift(now)) drifts_ = &node;
+  if (drifts_ != nullptr)
+    drifts_->teller.tell(Sign::clock_drift, drifts_->frames.drift_since(), now,
+                         *drifts_->frames.drift(now));
 }
 
 void BusMonitor::look_at_strange(Stamp now) {

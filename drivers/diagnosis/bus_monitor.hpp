@@ -7,6 +7,7 @@
 
 #include "drivers/diagnosis/expected.hpp"
 #include "drivers/diagnosis/teller.hpp"
+#include "drivers/diagnosis/time_monitor.hpp"
 #include "drivers/wire/can/can_frame.hpp"
 
 namespace drydock::diagnosis {
@@ -31,6 +32,7 @@ class BusMonitor {
   struct Node {
     Expected expected;
     Teller teller;
+    TimeMonitor frames;      ///< half a sample shows here, and only here
     std::uint64_t name = 0;  ///< NAME of J1939 that first claimed its address; 0: none yet
     bool robbed = false;
     Stamp robbed_since{};
@@ -39,21 +41,26 @@ class BusMonitor {
   struct Usual {
     std::uint32_t key = 0;    ///< identifier
     std::uint64_t sizes = 0;  ///< one bit for each number of bytes that it had
+    std::uint64_t data = 0;   ///< the first eight bytes of the latest frame
   };
 
+  void note_busy(const wire::CanFrame& frame, Stamp at);
   void take_error(const wire::CanFrame& frame, Stamp at);
   void take_claim(const wire::CanFrame& frame, Stamp at);
   void judge_identifier(const wire::CanFrame& frame, Stamp at);
   bool is_usual(const wire::CanFrame& frame, Stamp at);
   void judge_size(Usual& usual, const wire::CanFrame& frame, Stamp at);
   bool is_repeated(std::uint32_t key);
+  void watch_times(Usual& usual, const wire::CanFrame& frame, Stamp at);
   void note_strange(Stamp at);
   void look_at_load(Stamp now);
+  void look_at_drift(Stamp now);
   void look_at_strange(Stamp now);
   void tell_all(Sign sign, Stamp since, Stamp now, const Amount& amount);
   Node* owner_of(const wire::CanFrame& frame);
 
   std::vector<Node> nodes_;
+  const Node* drifts_ = nullptr;  ///< its clock's rate changed; null: none
   unsigned bitrate_ = 250'000;
   std::optional<Stamp> first_;
   boost::container::static_vector<Usual, 128> usual_;
@@ -62,7 +69,8 @@ class BusMonitor {
   bool off_ = false;
   Stamp off_since_{};
   Stamp window_from_{};
-  double new_bits_ = 0;  ///< of unusual identifiers since window_from_
+  double new_bits_ = 0;          ///< of unusual identifiers since window_from_
+  Stamp last_{}, busy_since_{};  ///< the latest frame; since when there was no pause
   bool behind_strange_ = false;
   Stamp strange_at_{}, strange_since_{};
   unsigned strange_ = 0, strange_told_ = 0;  ///< strange frames of the present bout

@@ -21,6 +21,7 @@ class EventTest {
         threshold_(threshold) {}
 
   void add(bool event, Stamp at) {
+    if (!event && sum_ <= 0) return;
     if (event && sum_ <= 0) since_ = at;
     sum_ = std::clamp(sum_ + (event ? gain_ : -loss_), 0.0, threshold_ + gain_);
   }

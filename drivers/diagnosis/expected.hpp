@@ -16,6 +16,8 @@ struct Expected {
   double nominal_rate_hz = 0;  ///< 0: not known
   std::chrono::nanoseconds stale_after = std::chrono::seconds{2};  ///< silence that is none yet
   std::uint8_t address = 0;                                        ///< on a bus; 0: not known
+  /// The bus monitor watches when its frames come; its measurements only tell its clock.
+  bool times_on_bus = false;
 };
 
 }  // namespace drydock::diagnosis

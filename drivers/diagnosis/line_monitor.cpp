@@ -79,6 +79,10 @@ void LineMonitor::look_at_counters(const Health& health, Stamp now) {
   const double skipped = grown(health.stream.bytes_skipped, was.bytes_skipped);
   if (skipped > 0 && damaged == 0 && bytes)
     teller_.tell(Sign::foreign_bytes, now, now, {skipped, 0, "bytes outside of frames", "B"});
+  const auto excess = frames_.add(health.stream.frames, now);
+  if (excess && bytes)
+    teller_.tell(Sign::repeated, now - std::chrono::seconds{FrameCount::window}, now,
+                 {*excess, frames_.usual(), "frames too many in 8 s", ""});
   const double errors = grown(health.error_frames, last_.error_frames);
   if (errors > 0) teller_.tell(Sign::error_frames, now, now, {errors, 0, "error frames", ""});
   const double impossible = grown(health.impossible, last_.impossible);

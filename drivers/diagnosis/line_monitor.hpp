@@ -1,8 +1,8 @@
 #pragma once
 
 #include "drivers/device/health.hpp"
-#include "drivers/diagnosis/event_test.hpp"
 #include "drivers/diagnosis/expected.hpp"
+#include "drivers/diagnosis/frame_count.hpp"
 #include "drivers/diagnosis/teller.hpp"
 
 namespace drydock::diagnosis {
@@ -29,6 +29,7 @@ class LineMonitor {
   Stamp last_frame_{};  ///< when the counter of good frames last moved
   Stamp bytes_at_{};    ///< when bytes last came
   std::uint64_t bytes_then_ = 0;
+  FrameCount frames_;
   Stamp hot_since_{}, hot_until_{};
 };
 

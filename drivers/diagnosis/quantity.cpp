@@ -108,8 +108,7 @@ std::uint32_t bits(std::initializer_list<bool> present) {
 
 struct StreamKey {
   std::uint32_t operator()(const DepthSample& m) const {
-    return bits({m.depth_m.has_value(), m.pressure_pa.has_value(), m.temperature_k.has_value(),
-                 m.altitude_m.has_value()});
+    return bits({m.depth_m.has_value(), m.pressure_pa.has_value(), m.temperature_k.has_value()});
   }
   std::uint32_t operator()(const WaterSpeed& m) const {
     return bits({m.longitudinal_mps.has_value(), m.distance_m.has_value()});

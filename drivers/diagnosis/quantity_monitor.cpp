@@ -45,11 +45,14 @@ void QuantityMonitor::learn(double bend, Stamp at, double period_s) {
     if ((was < 0) != (is < 0)) ++turns_;
   }
   bends_.add(std::abs(bend));
+  if (bend != 0) smallest_bend_ = std::min(smallest_bend_, std::abs(bend));
   periods_.add(period_s);
   if (at - *first_ < learning || bends_.count() < fewest) return;
   usual_period_s_ = periods_.quantile(0.5);
-  scatter_ =
-      std::max(bends_.quantile(0.5) / median_of_normal, bends_.quantile(0.95) / q95_of_normal);
+  // Numbers come in steps of the sensor's resolution: the true quantile may lie half a step above.
+  const double half_step = std::isfinite(smallest_bend_) ? smallest_bend_ / 2 : 0;
+  scatter_ = std::max((bends_.quantile(0.5) + half_step) / median_of_normal,
+                      (bends_.quantile(0.95) + half_step) / q95_of_normal);
   sigma_ =
       std::max(scatter_, facts_of(quantity_).bend * usual_period_s_ * usual_period_s_ / beyond);
   // White noise turns at two of three samples, a smooth motion hardly ever.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 #include <optional>
 
 #include "drivers/diagnosis/event_test.hpp"
@@ -16,6 +17,7 @@ class QuantityMonitor {
  public:
   static constexpr std::chrono::seconds learning{45};
   static constexpr std::size_t fewest = 30;
+  static constexpr double noise_threshold = 22;
 
   /// What a new sample showed about the one before it.
   struct News {
@@ -48,13 +50,14 @@ class QuantityMonitor {
   double sigma_ = 0;    ///< at least that of a usual motion
   double scatter_ = 0;  ///< as it was in the first time
   double usual_period_s_ = 0;
+  double smallest_bend_ = std::numeric_limits<double>::infinity();
   Spread<128> bends_, periods_;
   unsigned turns_ = 0, moves_ = 0;  ///< changes of direction among changes
   std::optional<Stamp> first_;
   std::array<double, 4> last_{};  ///< samples, the latest first
   Stamp last_at_{};
   unsigned samples_ = 0;  ///< of last_
-  EventTest noise_{0.02, 0.5, 18};
+  EventTest noise_{0.02, 0.5, noise_threshold};
 };
 
 }  // namespace drydock::diagnosis

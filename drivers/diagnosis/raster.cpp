@@ -17,22 +17,33 @@ Raster::Arrival Raster::add(Stamp at, double behind_s) {
     return {};
   }
   if (!last_) {
-    last_ = at;
+    last_ = any_ = at;
+    owed_ = 0;
     return {};
   }
   Arrival arrival;
   arrival.interval_s = measurement::seconds(at - *last_);
-  if (arrival.interval_s <
-      std::min(crowded_share * period_s_ + allowed_s_, most_crowded_share * period_s_)) {
+  const double since_any_s = measurement::seconds(at - any_);
+  any_ = at;
+  if (is_crowded(arrival.interval_s, since_any_s)) {
     arrival.step = Step::crowded;
+    owed_ = std::max(owed_ - 1, 0L);
     return arrival;
   }
   last_ = at;
   arrival.slots = std::lround(arrival.interval_s / period_s_);
+  owed_ = std::max(arrival.slots - 1, 0L);
   const double off = arrival.interval_s - static_cast<double>(arrival.slots) * period_s_;
   const bool fits = arrival.slots > 0 && std::abs(off) <= tolerance_s_;
   arrival.step = !fits ? Step::odd : arrival.slots == 1 ? Step::regular : Step::missing;
   return arrival;
+}
+
+/// What was held comes out as fast as the line can.
+bool Raster::is_crowded(double interval_s, double since_any_s) const {
+  const double limit_s =
+      std::min(crowded_share * period_s_ + allowed_s_, most_crowded_share * period_s_);
+  return interval_s < limit_s || (owed_ > 0 && since_any_s < limit_s);
 }
 
 void Raster::learn(Stamp at, double behind_s) {

@@ -51,10 +51,13 @@ class Raster {
   enum class State : std::uint8_t { learns, known, has_none };
   void learn(Stamp at, double behind_s);
   void settle();
+  bool is_crowded(double interval_s, double since_any_s) const;
 
   State state_ = State::learns;
   Spread<256> intervals_, behind_;
   std::optional<Stamp> first_, last_;
+  Stamp any_{};    ///< the latest message, crowded or not
+  long owed_ = 0;  ///< messages that did not come in the last pause and may still do
   double period_s_ = 0, tolerance_s_ = 0, waits_s_ = 0, allowed_s_ = 0;
 };
 

@@ -35,6 +35,7 @@ void RateWatch::add(Stamp at, long slots, double period_s) {
 void RateWatch::interrupt() {
   origin_.reset();
   known_recent_ = in_block_ = 0;
+  change_ppm_.reset();
   if (known_first_ < first_.size()) known_first_ = 0;
 }
 
@@ -56,9 +57,10 @@ void RateWatch::close_block() {
   std::rotate(recent_.begin(), recent_.begin() + 1, recent_.end());
   recent_.back() = earliest_s_;
   known_recent_ = std::min(known_recent_ + 1, recent_.size());
+  change_ppm_ = change_now();
 }
 
-std::optional<double> RateWatch::change_ppm() const {
+std::optional<double> RateWatch::change_now() const {
   if (known_recent_ < recent_.size()) return {};
   const Line line = fit(recent_);
   const double change = (usual_slope_ - line.slope) / ppm;

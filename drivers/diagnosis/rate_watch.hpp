@@ -27,7 +27,7 @@ class RateWatch {
 
   /// Change of the device's rate against the first time, ppm; positive: its clock is faster. Empty:
   /// none that is significant.
-  std::optional<double> change_ppm() const;
+  std::optional<double> change_ppm() const { return change_ppm_; }
   double limit_ppm() const { return limit_ppm_; }
 
  private:
@@ -37,6 +37,7 @@ class RateWatch {
   template <std::size_t N>
   static Line fit(const std::array<double, N>& y);
   void close_block();
+  std::optional<double> change_now() const;
 
   double period_s_ = 0;
   std::optional<Stamp> origin_;  ///< of the raster
@@ -47,6 +48,7 @@ class RateWatch {
   std::array<double, first_blocks> first_{};
   std::array<double, blocks> recent_{};
   std::size_t known_first_ = 0, known_recent_ = 0;
+  std::optional<double> change_ppm_;  ///< as of the last whole block
   double usual_slope_ = 0, limit_ppm_ = least_ppm;
 };
 

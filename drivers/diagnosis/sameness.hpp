@@ -25,12 +25,7 @@ class Sameness {
     if (!same) before_ = last_;
     if (run_ == 1) run_since_ = at;
     last_ = readings;
-    if (at - *first_ < learning) {
-      ++count_;
-      same_ += same ? 1 : 0;
-      longest_ = std::max(longest_, run_);
-    }
-    learned_ = at - *first_ >= learning;
+    if (!learned_) learn(same, at);
     return same;
   }
   void interrupt() { run_ = 0; }
@@ -42,12 +37,9 @@ class Sameness {
 
   /// A run of so many is impossible. Empty: equal messages are usual here, or not learned yet.
   std::optional<unsigned> impossible_run() const {
-    constexpr unsigned fewest = 30;
     constexpr double most_share = 0.7;
-    if (!learned_ || count_ < fewest) return {};
-    const double share = (same_ + 1.0) / (count_ + 1.0);
-    if (share > most_share) return {};
-    const double run = std::ceil(std::log(false_alarm) / std::log(share));
+    if (!learned_ || share_ > most_share) return {};
+    const double run = std::ceil(std::log(false_alarm) / std::log(share_));
     return std::max({static_cast<unsigned>(run), 4U, 2 * longest_ + 2});
   }
 
@@ -58,11 +50,28 @@ class Sameness {
     });
   }
 
+  /// The largest share of the windows counts: a sensor without noise that toggles between two
+  /// numbers in a turn stands still on a straight leg.
+  void learn(bool same, Stamp at) {
+    ++count_;
+    same_ += same ? 1 : 0;
+    longest_ = std::max(longest_, run_);
+    if (count_ >= window) {
+      share_ = std::max(share_, (same_ + 1.0) / (count_ + 1.0));
+      ++windows_;
+      count_ = 0;
+      same_ = 0;
+    }
+    learned_ = at - *first_ >= learning && windows_ > 0;
+  }
+
+  static constexpr unsigned window = 30;  ///< messages
   Readings last_, before_;
   std::optional<Stamp> first_;
   bool learned_ = false;
   unsigned run_ = 0, longest_ = 0, count_ = 0;
-  double same_ = 0;
+  unsigned windows_ = 0;
+  double same_ = 0, share_ = 0;
   Stamp run_since_{};
 };
 

@@ -18,8 +18,10 @@ constexpr long shortest_hole = 3;
 constexpr double shortest_hole_s = 0.2, shortest_shift_s = 0.05;
 constexpr int sound_before = 20, sound_after = 6;
 constexpr int jumps_to_tell = 3;
-/// A frame waits so long while the other nodes of a sound bus have their turn: some 30 frames.
-constexpr double bus_waits_s = 0.015;
+/// Behind such a pause a stream begins anew.
+constexpr double away_s = 10;
+/// A frame waits so long while the other nodes of a sound bus have their turn: some 60 frames.
+constexpr double bus_waits_s = 0.03;
 
 }  // namespace
 
@@ -42,19 +44,51 @@ TimeMonitor::Stream* TimeMonitor::stream_of(std::uint32_t kind) {
   return &streams_.back();
 }
 
-void TimeMonitor::take(std::uint32_t kind, const measurement::Origin& origin, bool same) {
+void TimeMonitor::take(std::uint32_t kind, const measurement::Origin& origin, bool same,
+                       bool bus_busy) {
   Stream* const stream = stream_of(kind);
   if (stream == nullptr) return;
   const Stamp at = origin.received_at;
   const auto arrival = stream->raster.add(at, measurement::seconds(at - last_));
   last_ = at;
-  if (const double waits_s = 1.3 * stream->raster.waits_s(); waits_s > line_s_) line_s_ = waits_s;
-  if (stream->raster.known() && stream->allowed_s != line_s_) {
-    stream->allowed_s = line_s_;
-    stream->raster.allow(line_s_);
-  }
-  if (arrival.step != Step::first) step(*stream, arrival, at, same);
+  if (!expected_.times_on_bus) judge(*stream, arrival, origin, same, bus_busy);
   watch_clock(*stream, origin, arrival.step);
+}
+
+void TimeMonitor::judge(Stream& stream, Raster::Arrival arrival, const measurement::Origin& origin,
+                        bool same, bool bus_busy) {
+  const Stamp at = origin.received_at;
+  if (const double waits_s = 1.3 * stream.raster.waits_s(); waits_s > line_s_) line_s_ = waits_s;
+  if (stream.raster.known() && stream.allowed_s != line_s_) {
+    stream.allowed_s = line_s_;
+    stream.raster.allow(line_s_);
+  }
+  if (bus_busy && arrival.step == Step::odd && arrival.slots < 2) arrival.step = Step::regular;
+  const bool same_time = origin.device_time && origin.device_time == stream.device_time;
+  stream.device_time = origin.device_time;
+  if (arrival.interval_s > away_s)
+    interrupt(stream);
+  else if (arrival.step != Step::first)
+    step(stream, arrival, at, same || same_time);
+  watch_order(stream, arrival.step, at);
+}
+
+/// Two messages of one time that changed places are late by less than the raster tolerates. But one
+/// follows another that it never followed.
+void TimeMonitor::watch_order(Stream& stream, Step step, Stamp at) {
+  const auto index = static_cast<std::size_t>(&stream - streams_.data());
+  const std::uint32_t bit = std::uint32_t{1} << last_stream_;
+  last_stream_ = index;
+  if (!stream.raster.known()) {
+    stream.followed |= bit;
+  } else if ((stream.followed & bit) == 0 && step == Step::regular) {
+    swaps_.add(true, at);
+    note(Happened::swap);
+    // A lost message looks the same at first; then its own stream has a gap.
+    if (swaps_.fired() && lately(Happened::swap) > 3 * lately(Happened::gap) + 2)
+      teller_.tell(Sign::swapped, swaps_.since(), at,
+                   {swaps_.sum(), threshold, "log-likelihood of messages out of order", ""});
+  }
 }
 
 void TimeMonitor::step(Stream& stream, const Raster::Arrival& arrival, Stamp at, bool same) {
@@ -93,7 +127,7 @@ void TimeMonitor::nothing_happened(Stamp at) {
 void TimeMonitor::regular(Stream& stream, Stamp at) {
   if (stream.pause && stream.owed > 0) {
     gaps_.add(true, stream.pause_at);
-    note(Happened::nothing);
+    note(Happened::gap);
   } else if (stream.extra) {
     repeats_.add(true, at);
     note(Happened::repeat);
@@ -110,7 +144,10 @@ void TimeMonitor::regular(Stream& stream, Stamp at) {
 }
 
 void TimeMonitor::pause(Stream& stream, const Raster::Arrival& arrival, Stamp at) {
-  if (stream.pause && stream.owed > 0) gaps_.add(true, stream.pause_at);
+  if (stream.pause && stream.owed > 0) {
+    gaps_.add(true, stream.pause_at);
+    note(Happened::gap);
+  }
   if (arrival.step == Step::odd) odd(at);
   stream.extra = false;
   const double late_s = arrival.interval_s - stream.raster.period_s();
@@ -129,7 +166,7 @@ void TimeMonitor::pause(Stream& stream, const Raster::Arrival& arrival, Stamp at
 void TimeMonitor::crowded(Stream& stream, Stamp at, bool same) {
   const bool held = stream.owed > 0;
   if (held) {
-    if (stream.pause) {
+    if (stream.pause && stream.owed == 1) {
       swaps_.add(true, at);
       note(Happened::swap);
     }
@@ -155,12 +192,13 @@ void TimeMonitor::tell_pattern(Stream& stream, Stamp at) {
     if (test.fired()) teller_.tell(sign, test.since(), at, {test.sum(), threshold, what, ""});
   };
   if (stream.pattern.bunched())
-    teller_.tell(Sign::bunched, swaps_.since(), at, {1, 0, "pauses of one length", ""});
+    teller_.tell(Sign::bunched, at - measurement::from_seconds(stream.pattern.pauses_s()), at,
+                 {1, 0, "pauses of one length", ""});
   // A repeated or held message also pushes others off the raster; more of those is something else.
   const int odd = lately(Happened::odd);
   if (lately(Happened::repeat) >= odd)
     tell(Sign::repeated, repeats_, "log-likelihood of repeated messages");
-  if (lately(Happened::swap) >= odd)
+  if (lately(Happened::swap) >= std::max(odd, 3 * lately(Happened::gap)))
     tell(Sign::swapped, swaps_, "log-likelihood of messages one place late");
   if (odd > std::max(lately(Happened::repeat), lately(Happened::swap)))
     tell(Sign::irregular, odds_, "log-likelihood of messages off the raster");
@@ -206,25 +244,37 @@ void TimeMonitor::last(Lasting& sign, Stamp since, Stamp now, const Amount& amou
   sign.amount = amount;
 }
 
+std::optional<Amount> TimeMonitor::drift(Stamp now) const {
+  if (!drifting_.on || now > drifting_.until) return {};
+  return drifting_.amount;
+}
+
 void TimeMonitor::look(Stamp now) {
+  if (now > drifting_.until) drifting_.on = false;
   const auto tell = [&](Sign sign, Lasting& lasting) {
     if (now > lasting.until) lasting.on = false;
     if (lasting.on) teller_.tell(sign, lasting.since, now, lasting.amount);
   };
   tell(Sign::late, late_);
-  tell(Sign::clock_drift, drifting_);
+  const auto change = drift(now);
+  if (change && expected_.protocol.travels == wire::Travels::as_bytes)
+    teller_.tell(Sign::clock_drift, drifting_.since, now, *change);
 }
 
 void TimeMonitor::interrupt() {
   for (Stream& stream : streams_) {
     stream.raster.interrupt();
-    stream.pattern.clear();
-    stream.rate.interrupt();
-    stream.pause = false;
-    stream.owed = 0;
-    stream.regular = 0;
-    stream.hole_s = 0;
+    interrupt(stream);
   }
+}
+
+void TimeMonitor::interrupt(Stream& stream) {
+  stream.pattern.clear();
+  stream.rate.interrupt();
+  stream.pause = stream.extra = false;
+  stream.owed = 0;
+  stream.regular = 0;
+  stream.hole_s = 0;
 }
 
 }  // namespace drydock::diagnosis

@@ -21,15 +21,22 @@ class TimeMonitor {
 
   /// `stream`: number of the kind of message (stream_of). `same`: all values are those of the
   /// message before in that stream.
-  void take(std::uint32_t stream, const measurement::Origin& origin, bool same);
+  /// `bus_busy`: the bus was taken without a pause, so that the message may be late.
+  void take(std::uint32_t stream, const measurement::Origin& origin, bool same,
+            bool bus_busy = false);
   /// Tells what lasts.
   void look(Stamp now);
+  /// Change of the rate of the device's clock. Empty: none that is significant. On a bus the bus
+  /// monitor asks for it, because nodes push each other's frames about.
+  std::optional<Amount> drift(Stamp now) const;
+  Stamp drift_since() const { return drifting_.since; }
   /// The whole host stood still, or the device was away: the next intervals mean nothing.
   void interrupt();
 
  private:
   struct Stream {
     std::uint32_t kind = 0;
+    std::uint32_t followed = 0;  ///< one bit for each stream whose message came right before
     Raster raster;
     ArrivalPattern pattern;
     ClockWatch clock;
@@ -37,16 +44,17 @@ class TimeMonitor {
     bool pause = false;  ///< messages did not come and may still do
     bool extra = false;  ///< one came right behind another with the same values
     Stamp pause_at{};
-    double allowed_s = 0;  ///< line_s_ as the raster knows it
-    long owed = 0;         ///< messages that did not come, of the last pause
-    int regular = 0;       ///< in a row
-    int before = 0;        ///< regular ones in a row before the last pause
-    double hole_s = 0;     ///< how much later than the raster the pause ended
-    int jumps = 0;         ///< messages in a row whose clock is off
+    std::optional<std::chrono::nanoseconds> device_time;  ///< of the latest message
+    double allowed_s = 0;                                 ///< line_s_ as the raster knows it
+    long owed = 0;      ///< messages that did not come, of the last pause
+    int regular = 0;    ///< in a row
+    int before = 0;     ///< regular ones in a row before the last pause
+    double hole_s = 0;  ///< how much later than the raster the pause ended
+    int jumps = 0;      ///< messages in a row whose clock is off
     Stamp jump_since{};
     bool late_by_clock = false;
   };
-  enum class Happened : std::uint8_t { odd, repeat, swap, nothing };
+  enum class Happened : std::uint8_t { odd, repeat, swap, gap, nothing };
   struct Lasting {
     bool on = false;
     Stamp since{}, until{};
@@ -58,6 +66,10 @@ class TimeMonitor {
   void regular(Stream& stream, Stamp at);
   void pause(Stream& stream, const Raster::Arrival& arrival, Stamp at);
   void crowded(Stream& stream, Stamp at, bool same);
+  static void interrupt(Stream& stream);
+  void judge(Stream& stream, Raster::Arrival arrival, const measurement::Origin& origin, bool same,
+             bool bus_busy);
+  void watch_order(Stream& stream, Step step, Stamp at);
   void nothing_happened(Stamp at);
   void odd(Stamp at);
   void note(Happened what);
@@ -73,8 +85,9 @@ class TimeMonitor {
   EventTest gaps_, repeats_, swaps_, odds_, backwards_;
   Lasting late_, drifting_;
   Stamp last_{};                            ///< the latest message
+  std::size_t last_stream_ = 0;             ///< index of its stream
   double line_s_ = 0;                       ///< what the line may add to an interval
-  std::array<std::uint64_t, 3> history_{};  ///< one bit a message for each Happened
+  std::array<std::uint64_t, 4> history_{};  ///< one bit a message for each Happened
 };
 
 }  // namespace drydock::diagnosis

@@ -54,8 +54,7 @@ bool ValueMonitor::take(std::uint32_t kind, const measurement::Measurement& meas
   if (readings.empty()) return false;
   const bool same = stream->sameness.add(readings, at);
   judge_sameness(*stream, at);
-  if (!same)
-    for (const Reading& reading : readings) judge(reading, at);
+  for (const Reading& reading : readings) judge(reading, at);
   return same;
 }
 
@@ -72,7 +71,8 @@ void ValueMonitor::judge(const Reading& reading, Stamp at) {
   if (news.jump != 0) tell_jump(*monitor, news.jump, at);
   if (news.noisy)
     teller_.tell(Sign::noisy, monitor->noise().since(), at,
-                 {monitor->noise().sum(), 18, facts_of(reading.quantity).name, "log-likelihood"});
+                 {monitor->noise().sum(), QuantityMonitor::noise_threshold,
+                  facts_of(reading.quantity).name, "log-likelihood"});
 }
 
 void ValueMonitor::tell_wild(const QuantityMonitor& monitor, double off, Stamp at) {
@@ -81,6 +81,7 @@ void ValueMonitor::tell_wild(const QuantityMonitor& monitor, double off, Stamp a
   if (wild_.size() == wild_.capacity()) wild_.erase(wild_.begin());
   wild_.push_back({monitor.quantity(), std::abs(off)});
   wild_at_ = at;
+  jumped_.since.reset();
   teller_.tell(Sign::wild_samples, at, at, {off, facts.wild, facts.name, facts.unit});
   const auto [least, most] = std::ranges::minmax(wild_, {}, &Reading::value);
   const bool one = std::ranges::all_of(

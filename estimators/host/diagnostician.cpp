@@ -85,7 +85,12 @@ Diagnostician::Bench::Bench(const rig_config::Rig& rig, Follower& to)
   monitors_.reserve(rig.devices.size());
   for (std::size_t i = 0; i < rig.devices.size(); ++i) {
     const auto& config = rig.devices[i];
-    monitors_.emplace_back(expected_of(config, i), judge_);
+    auto expected = expected_of(config, i);
+    const bool alone =
+        std::ranges::count(rig.devices, config.link, &rig_config::DeviceConfig::link) == 1;
+    const bool on_bus = expected.protocol.travels == wire::Travels::as_frames;
+    expected.times_on_bus = on_bus && (alone || config.address != 0);
+    monitors_.emplace_back(expected, judge_);
     down_m_.push_back(config.lever_arm_m[2]);
     auto line = std::ranges::find(lines_, config.link, &Line::link);
     if (line == lines_.end()) line = lines_.insert(lines_.end(), Line{config.link});

@@ -1,0 +1,133 @@
+#include "drivers/diagnosis/bus_monitor.hpp"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "drivers/wire/j1939/j1939.hpp"
+#include "tests/drivers/diagnosis/signs.hpp"
+
+namespace drydock::diagnosis::bus_monitor_test {
+
+constexpr std::uint16_t depth = 0, rudder = 1;
+
+wire::CanFrame frame_of(std::uint32_t id, bool extended, std::uint8_t size = 8) {
+  wire::CanFrame frame;
+  frame.id = id;
+  frame.extended = extended;
+  frame.size = size;
+  return frame;
+}
+
+/// Two nodes of NMEA 2000 at 250 kbit/s, ten frames a second each, 40 s long.
+struct BusThatIsWatched : testing::Test {
+  BusThatIsWatched() {
+    for (int i = 0; i < 400; ++i) tenth();
+  }
+  static Expected node(std::uint16_t device, std::uint8_t address) {
+    Expected expected{.device = device, .nominal_rate_hz = 10};
+    expected.protocol.travels = wire::Travels::as_frames;
+    expected.protocol.network = wire::Network::j1939;
+    expected.address = address;
+    return expected;
+  }
+  static std::uint32_t id(std::uint32_t pgn, std::uint8_t source) {
+    return wire::j1939::make_identifier({.pgn = pgn, .source = source});
+  }
+  void take(wire::CanFrame frame, double after_s = 0) {
+    frame.data[0] = ++count;
+    monitor.take(frame, at_s(now + after_s));
+  }
+  void tenth() {
+    now += 0.1;
+    take(frame_of(id(127'257, 35), true));
+    take(frame_of(id(127'245, 36), true), 0.001);
+    monitor.look(at_s(now + 0.002));
+  }
+  Signs signs;
+  BusMonitor monitor{{node(depth, 35), node(rudder, 36)}, signs};
+  double now = 0;
+  std::uint8_t count = 0;
+};
+
+TEST_F(BusThatIsWatched, HasNoSignWhileItIsSound) {
+  for (int i = 0; i < 10'000; ++i) tenth();
+  EXPECT_TRUE(signs.all.empty());
+}
+
+// 111 bits of an 11-bit frame at 250 kbit/s: half of the bus are 1126 frames a second.
+TEST_F(BusThatIsWatched, IsTakenByAnIdentifierThatWasNotThere) {
+  for (int i = 0; i < 10; ++i) {
+    for (int k = 0; k < 112; ++k) take(frame_of(0x7FF, false), 0.0008 * k);
+    tenth();
+  }
+  ASSERT_TRUE(signs.has(Sign::bus_taken, depth));
+  ASSERT_TRUE(signs.has(Sign::bus_taken, rudder));
+  EXPECT_NEAR(signs.first(Sign::bus_taken).value, 0.5, 0.06);
+  EXPECT_FALSE(signs.has(Sign::strange_frames));
+}
+
+TEST_F(BusThatIsWatched, TakesANodeThatJoinsForNoFault) {
+  for (int i = 0; i < 600; ++i) {
+    take(frame_of(id(130'306, 50), true), 0.01);
+    tenth();
+  }
+  EXPECT_TRUE(signs.all.empty());
+}
+
+TEST_F(BusThatIsWatched, KnowsWhoSendsNoiseByWhatFollowsIt) {
+  std::mt19937 random(1);
+  for (int i = 0; i < 20; ++i) {
+    tenth();
+    if (i % 4 == 0) take(frame_of(random() & 0x1FFFFFFF, true), 0.0995);
+  }
+  tenth();
+  EXPECT_TRUE(signs.has(Sign::strange_frames, depth));
+  EXPECT_FALSE(signs.has(Sign::strange_frames, rudder));
+}
+
+TEST_F(BusThatIsWatched, KnowsWhoseFramesAreShorter) {
+  take(frame_of(id(127'245, 36), true, 3), 0.05);
+  EXPECT_TRUE(signs.has(Sign::bad_checksums, rudder));
+  EXPECT_FALSE(signs.has(Sign::bad_checksums, depth));
+}
+
+TEST_F(BusThatIsWatched, IsOffUntilAFrameComes) {
+  wire::CanFrame off = frame_of(0x040, false);
+  off.error = true;
+  take(off, 0.01);
+  monitor.look(at_s(now + 3));
+  EXPECT_TRUE(signs.has(Sign::bus_off, depth));
+  EXPECT_TRUE(signs.has(Sign::bus_off, rudder));
+  signs.all.clear();
+  tenth();
+  EXPECT_FALSE(signs.has(Sign::bus_off));
+}
+
+TEST_F(BusThatIsWatched, HasAnAddressWithTwoOwners) {
+  const auto claim = [&](std::uint8_t name) {
+    wire::CanFrame frame = frame_of(id(wire::j1939::address_claim_pgn | 0xFF, 35), true);
+    frame.data[7] = name;
+    monitor.take(frame, at_s(now));
+  };
+  claim(0xC0);
+  tenth();
+  EXPECT_FALSE(signs.has(Sign::address_taken));
+  claim(0x80);
+  tenth();
+  EXPECT_TRUE(signs.has(Sign::address_taken, depth));
+  EXPECT_FALSE(signs.has(Sign::address_taken, rudder));
+}
+
+TEST_F(BusThatIsWatched, HasFramesThatComeTwice) {
+  for (int i = 0; i < 30; ++i) {
+    tenth();
+    if (i % 4 != 0) continue;
+    --count;
+    take(frame_of(id(127'245, 36), true), 0.0015);
+  }
+  EXPECT_TRUE(signs.has(Sign::repeated, rudder));
+  EXPECT_FALSE(signs.has(Sign::repeated, depth));
+}
+
+}  // namespace drydock::diagnosis::bus_monitor_test

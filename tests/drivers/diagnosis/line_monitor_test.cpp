@@ -1,0 +1,105 @@
+#include "drivers/diagnosis/line_monitor.hpp"
+
+#include <gtest/gtest.h>
+
+#include "drivers/device/reported.hpp"
+#include "tests/drivers/diagnosis/signs.hpp"
+
+namespace drydock::diagnosis::line_monitor_test {
+
+using device::State;
+
+/// A device on a serial line at 10 Hz, looked at four times a second.
+struct LineThatIsWatched : testing::Test {
+  LineThatIsWatched() {
+    health.state = State::streaming;
+    health.since = health.last_message_at.emplace(at_s(0));
+    for (int i = 0; i < 240; ++i) look(3);
+  }
+  /// A quarter of a second with so many frames.
+  void look(unsigned frames) {
+    now += 0.25;
+    health.stream.frames += frames;
+    health.stream.bytes_in += frames * 50;
+    if (frames > 0) health.last_message_at = at_s(now);
+    monitor.look(health, at_s(now));
+  }
+  Signs signs;
+  LineMonitor monitor{{.kind = measurement::Kind::dvl, .nominal_rate_hz = 10}, signs};
+  device::Health health;
+  double now = 0;
+};
+
+TEST_F(LineThatIsWatched, HasNoSignWhileItIsSound) { EXPECT_TRUE(signs.all.empty()); }
+
+TEST_F(LineThatIsWatched, IsSilentSinceItsLastMessage) {
+  health.state = State::stale;
+  const double last = now;
+  look(0);
+  look(0);
+  ASSERT_TRUE(signs.has(Sign::silent));
+  EXPECT_EQ(signs.first(Sign::silent).since, at_s(last));
+}
+
+TEST_F(LineThatIsWatched, MayBootForTenSeconds) {
+  health.state = State::waiting;
+  health.since = at_s(now);
+  health.last_message_at.reset();
+  for (int i = 0; i < 39; ++i) look(0);
+  EXPECT_FALSE(signs.has(Sign::silent));
+  for (int i = 0; i < 4; ++i) look(0);
+  EXPECT_TRUE(signs.has(Sign::silent));
+}
+
+TEST_F(LineThatIsWatched, LosesItsPort) {
+  health.state = State::backing_off;
+  look(0);
+  EXPECT_TRUE(signs.has(Sign::port_lost));
+  EXPECT_FALSE(signs.has(Sign::silent));
+}
+
+TEST_F(LineThatIsWatched, HasDamagedFramesAndNoForeignBytesWithThem) {
+  health.stream.bad_checksums += 1;
+  health.stream.bytes_skipped += 50;
+  look(2);
+  EXPECT_TRUE(signs.has(Sign::bad_checksums));
+  EXPECT_FALSE(signs.has(Sign::foreign_bytes));
+}
+
+TEST_F(LineThatIsWatched, HasForeignBytesWithoutDamage) {
+  health.stream.bytes_skipped += 16;
+  look(3);
+  EXPECT_TRUE(signs.has(Sign::foreign_bytes));
+  EXPECT_FALSE(signs.has(Sign::bad_checksums));
+}
+
+TEST_F(LineThatIsWatched, DecodesNothingAfterASecondOfBytes) {
+  for (int i = 0; i < 3; ++i) {
+    health.stream.bytes_in += 40;
+    look(0);
+  }
+  EXPECT_FALSE(signs.has(Sign::nothing_decodes));
+  for (int i = 0; i < 2; ++i) {
+    health.stream.bytes_in += 40;
+    look(0);
+  }
+  EXPECT_TRUE(signs.has(Sign::nothing_decodes));
+}
+
+// Ten frames a second; a fifth more are two a second, 16 in the window of 8 s.
+TEST_F(LineThatIsWatched, HasTooManyFramesWhenOneInFiveComesTwice) {
+  for (int i = 0; i < 40; ++i) look(i % 2 == 0 ? 3 : 4);
+  EXPECT_TRUE(signs.has(Sign::repeated));
+}
+
+TEST_F(LineThatIsWatched, IsHotForHalfAMinute) {
+  health.last_error = device::hot_report;
+  look(3);
+  EXPECT_TRUE(signs.has(Sign::heat));
+  for (int i = 0; i < 130; ++i) look(3);
+  signs.all.clear();
+  look(3);
+  EXPECT_TRUE(signs.all.empty());
+}
+
+}  // namespace drydock::diagnosis::line_monitor_test

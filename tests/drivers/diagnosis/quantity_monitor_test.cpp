@@ -1,0 +1,107 @@
+#include "drivers/diagnosis/quantity_monitor.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "drivers/diagnosis/sameness.hpp"
+#include "tests/drivers/diagnosis/signs.hpp"
+
+namespace drydock::diagnosis::quantity_monitor_test {
+
+/// A DVL at 5 Hz: white noise of 0.1 m/s on a slow swing of 1 m/s.
+struct BottomVelocityThatIsWatched : testing::Test {
+  BottomVelocityThatIsWatched() {
+    while (now < 50) add(sigma);
+  }
+  QuantityMonitor::News add(double deviation, double off = 0) {
+    now += 0.2;
+    const double truth = std::sin(now / 5);
+    return monitor.add(truth + off + deviation * normal(random), at_s(now));
+  }
+  static constexpr double sigma = 0.1;
+  QuantityMonitor monitor{Quantity::bottom_x};
+  std::mt19937_64 random{11};
+  std::normal_distribution<double> normal;
+  double now = 0;
+};
+
+// The deviation of x0 - 2 x1 + x2 is sqrt(1 + 4 + 1) of the noise; 240 of them give it within 15 %.
+TEST_F(BottomVelocityThatIsWatched, HasTheScatterOfItsSecondDifferences) {
+  EXPECT_TRUE(monitor.known());
+  EXPECT_TRUE(monitor.noise_shows());
+  EXPECT_NEAR(monitor.sigma(), std::sqrt(6) * sigma, 0.15 * std::sqrt(6) * sigma);
+}
+
+TEST_F(BottomVelocityThatIsWatched, IsHealthyForADay) {
+  for (int i = 0; i < 5 * 86400; ++i) {
+    const auto news = add(sigma);
+    ASSERT_EQ(news.wild, 0);
+    ASSERT_EQ(news.jump, 0);
+    ASSERT_FALSE(news.noisy);
+  }
+}
+
+// 76 % of second differences of noise ten times as strong lie beyond three usual deviations: 2.3 of
+// 22 a sample, so 10 samples; half as much again for the correlation of second differences.
+TEST_F(BottomVelocityThatIsWatched, IsNoisyWithinTwentyFourSamplesOfTenfoldNoise) {
+  int samples = 0;
+  while (!add(10 * sigma).noisy) ASSERT_LT(++samples, 24);
+  EXPECT_GE(samples, 6);  // 22 / ln(25) = 6.8 events at least
+}
+
+TEST_F(BottomVelocityThatIsWatched, HasAWildSampleThatTheNextOneShows) {
+  EXPECT_EQ(add(0, 5).wild, 0);
+  EXPECT_NEAR(add(0).wild, 5, 0.2);
+}
+
+TEST_F(BottomVelocityThatIsWatched, IsNotNoisyForOneWildSampleInTen) {
+  for (int i = 1; i < 1000; ++i) {
+    ASSERT_FALSE(add(sigma, i % 10 == 0 ? 5 : 0).noisy) << i;
+  }
+}
+
+TEST_F(BottomVelocityThatIsWatched, StepsAndStays) {
+  add(0);
+  add(0);
+  add(0, 3);
+  EXPECT_NEAR(add(0, 3).jump, 3, 0.2);
+}
+
+TEST(QuantityMonitor, OfAHeadingDoesNotStepAtNorth) {
+  QuantityMonitor monitor(Quantity::heading);
+  constexpr double circle = 2 * std::numbers::pi;
+  for (int i = 0; i < 3000; ++i) {
+    const auto news = monitor.add(std::fmod(i * 0.05, circle), at_s(i * 0.1));
+    ASSERT_EQ(news.wild, 0) << i;
+    ASSERT_EQ(news.jump, 0) << i;
+  }
+}
+
+Readings one(double value) { return {{Quantity::bottom_x, value}}; }
+
+// All 225 messages of the first time differ: the share is at most 1/31 in a window of thirty, and
+// (1/31)^7 is the first power below 1e-10.
+TEST(Sameness, OfSevenEqualMessagesIsImpossibleWhereNoneWereEqual) {
+  Sameness sameness;
+  for (int i = 0; i < 240; ++i) sameness.add(one(i), at_s(i * 0.2));
+  ASSERT_TRUE(sameness.impossible_run());
+  EXPECT_EQ(*sameness.impossible_run(), 7U);
+  for (int i = 0; i < 8; ++i) sameness.add(one(-1), at_s(48 + i * 0.2));
+  EXPECT_EQ(sameness.run(), 7U);
+}
+
+TEST(Sameness, SaysNothingWhereEqualMessagesAreUsual) {
+  Sameness sameness;
+  for (int i = 0; i < 480; ++i) sameness.add(one(i / 10), at_s(i * 0.1));
+  EXPECT_FALSE(sameness.impossible_run());
+}
+
+TEST(Sameness, SaysNothingOfASensorThatStoodStillForAWhile) {
+  Sameness sameness;
+  for (int i = 0; i < 480; ++i) sameness.add(one(i < 100 ? 0 : i), at_s(i * 0.1));
+  EXPECT_FALSE(sameness.impossible_run());
+}
+
+}  // namespace drydock::diagnosis::quantity_monitor_test

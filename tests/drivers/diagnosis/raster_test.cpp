@@ -1,0 +1,95 @@
+#include "drivers/diagnosis/raster.hpp"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "drivers/diagnosis/arrival_pattern.hpp"
+#include "tests/drivers/diagnosis/signs.hpp"
+
+namespace drydock::diagnosis::raster_test {
+
+/// 5 Hz, learned.
+struct FiveHertz : testing::Test {
+  FiveHertz() {
+    for (; now < 31; now += 0.2) raster.add(at_s(now));
+  }
+  Raster::Arrival add(double after_s) { return raster.add(at_s(now += after_s)); }
+
+  Raster raster;
+  double now = 0;
+};
+
+TEST_F(FiveHertz, IsKnownAfterHalfAMinute) {
+  EXPECT_TRUE(raster.known());
+  EXPECT_NEAR(raster.period_s(), 0.2, 1e-6);
+  EXPECT_NEAR(raster.tolerance_s(), 0.01, 1e-6);  // a twentieth of a period
+}
+
+TEST_F(FiveHertz, NamesWhatComesOnItsPlace) {
+  add(0);  // the place after the last that was learned
+  EXPECT_EQ(add(0.2).step, Step::regular);
+  const auto missing = add(0.6);
+  EXPECT_EQ(missing.step, Step::missing);
+  EXPECT_EQ(missing.slots, 3);
+  EXPECT_EQ(add(0.13).step, Step::odd);
+}
+
+TEST_F(FiveHertz, MeasuresFromTheFirstOfACrowd) {
+  add(0);
+  EXPECT_EQ(add(0.01).step, Step::crowded);
+  EXPECT_EQ(add(0.19).step, Step::regular);
+}
+
+TEST_F(FiveHertz, TakesAllThatWasHeldForACrowd) {
+  add(0);
+  EXPECT_EQ(add(1.0).step, Step::missing);
+  for (int held = 0; held < 4; ++held) EXPECT_EQ(add(0.05).step, Step::crowded) << held;
+  EXPECT_EQ(add(0.8).step, Step::missing) << "one second after the first of the crowd";
+}
+
+TEST(Raster, OfEventsAtRandomTimesIsNone) {
+  Raster raster;
+  std::mt19937_64 random(3);
+  std::exponential_distribution<double> wait(5);
+  for (double now = 0; now < 100; now += wait(random)) raster.add(at_s(now));
+  EXPECT_FALSE(raster.known());
+}
+
+ArrivalPattern pattern_of(const std::vector<Raster::Arrival>& arrivals) {
+  ArrivalPattern pattern;
+  for (const auto& arrival : arrivals) pattern.add(arrival, 0.2);
+  return pattern;
+}
+
+TEST(ArrivalPattern, OfMessagesThatWereHeldOneSecondIsBunched) {
+  std::vector<Raster::Arrival> arrivals;
+  for (int bunch = 0; bunch < 5; ++bunch) {
+    arrivals.push_back({Step::missing, 1.0, 5});
+    for (int i = 0; i < 4; ++i) arrivals.push_back({Step::crowded, 0.01, 0});
+  }
+  EXPECT_TRUE(pattern_of(arrivals).bunched());
+}
+
+TEST(ArrivalPattern, WithRegularMessagesBetweenThePausesIsNotBunched) {
+  std::vector<Raster::Arrival> arrivals;
+  for (int i = 0; i < 8; ++i) {
+    arrivals.push_back({Step::missing, 0.4, 2});
+    arrivals.push_back({Step::crowded, 0.01, 0});
+    arrivals.push_back({Step::regular, 0.2, 1});
+  }
+  EXPECT_FALSE(pattern_of(arrivals).bunched());
+}
+
+TEST(ArrivalPattern, OfHalfTheRateIsSlowerByTwo) {
+  const std::vector<Raster::Arrival> arrivals(8, {Step::missing, 0.4, 2});
+  EXPECT_NEAR(pattern_of(arrivals).slower(0.2), 2, 1e-9);
+}
+
+TEST(ArrivalPattern, WithLostMessagesIsNotSlower) {
+  std::vector<Raster::Arrival> arrivals(8, {Step::missing, 0.4, 2});
+  arrivals.push_back({Step::regular, 0.2, 1});
+  EXPECT_EQ(pattern_of(arrivals).slower(0.2), 1);
+}
+
+}  // namespace drydock::diagnosis::raster_test

@@ -1,0 +1,136 @@
+#include "drivers/diagnosis/time_monitor.hpp"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "tests/drivers/diagnosis/signs.hpp"
+
+namespace drydock::diagnosis::time_monitor_test {
+
+/// A device without a clock at 10 Hz, whose raster is known.
+struct TenHertz : testing::Test {
+  TenHertz() {
+    for (int i = 0; i < 400; ++i) regular();
+  }
+  void regular() { come(now += 0.1); }
+  void come(double at, bool same = false) {
+    measurement::Origin origin;
+    origin.received_at = at_s(at);
+    monitor.take(1, origin, same);
+    monitor.look(at_s(at));
+  }
+  Signs signs;
+  TimeMonitor monitor{{.kind = measurement::Kind::depth, .nominal_rate_hz = 10}, signs};
+  double now = 0;
+};
+
+TEST_F(TenHertz, HasNoSignInADay) {
+  for (int i = 0; i < 864'000; ++i) regular();
+  EXPECT_TRUE(signs.all.empty());
+}
+
+TEST_F(TenHertz, HasNoSignForOneLostMessageInAThousand) {
+  for (int i = 0; i < 20'000; ++i) {
+    if (i % 1000 == 0) now += 0.1;
+    regular();
+  }
+  EXPECT_FALSE(signs.has(Sign::gaps));
+}
+
+// Three gaps of ln(500) each, less 0.05 for each message between them: 18 within 12 messages.
+TEST_F(TenHertz, HasGapsAfterTheThirdLostMessage) {
+  for (int lost = 0; lost < 3; ++lost) {
+    EXPECT_FALSE(signs.has(Sign::gaps));
+    now += 0.1;
+    for (int i = 0; i < 4; ++i) regular();
+  }
+  now += 0.1;
+  regular();
+  EXPECT_TRUE(signs.has(Sign::gaps));
+  EXPECT_FALSE(signs.has(Sign::irregular));
+}
+
+TEST_F(TenHertz, RepeatsMessages) {
+  for (int i = 0; i < 20; ++i) {
+    regular();
+    if (i % 4 == 0) come(now + 0.001, true);
+  }
+  EXPECT_TRUE(signs.has(Sign::repeated));
+  EXPECT_FALSE(signs.has(Sign::swapped));
+  EXPECT_FALSE(signs.has(Sign::gaps));
+}
+
+TEST_F(TenHertz, SwapsMessages) {
+  for (int i = 0; i < 5; ++i) {
+    for (int k = 0; k < 3; ++k) regular();
+    now += 0.1;  // this one comes behind the next
+    regular();
+    come(now + 0.001);
+  }
+  EXPECT_TRUE(signs.has(Sign::swapped));
+  EXPECT_FALSE(signs.has(Sign::gaps));
+  EXPECT_FALSE(signs.has(Sign::repeated));
+}
+
+TEST_F(TenHertz, IsIrregularWhenMessagesAreLateAtRandom) {
+  std::mt19937_64 random(2);
+  std::uniform_real_distribution<double> late(0, 0.05);
+  for (int i = 0; i < 20; ++i) come((now += 0.1) + late(random));
+  EXPECT_TRUE(signs.has(Sign::irregular));
+}
+
+TEST_F(TenHertz, IsSlowWhenEverySecondMessageComes) {
+  for (int i = 0; i < 12; ++i) come(now += 0.2);
+  ASSERT_TRUE(signs.has(Sign::rate_low));
+  EXPECT_NEAR(signs.first(Sign::rate_low).value, 5, 1e-6);   // Hz
+  EXPECT_NEAR(signs.first(Sign::rate_low).limit, 10, 1e-6);  // Hz
+}
+
+TEST_F(TenHertz, IsLateByTheHoleInItsRaster) {
+  now += 0.5;
+  for (int i = 0; i < 8; ++i) regular();
+  ASSERT_TRUE(signs.has(Sign::late));
+  EXPECT_NEAR(signs.first(Sign::late).value, 0.5, 1e-6);
+  EXPECT_FALSE(signs.has(Sign::gaps));
+}
+
+TEST_F(TenHertz, HasNoSignWhenItsHostStoodStill) {
+  monitor.interrupt();
+  now += 0.7;
+  for (int i = 0; i < 100; ++i) regular();
+  EXPECT_TRUE(signs.all.empty());
+}
+
+/// A device that tells its own time, at 5 Hz.
+struct WithAClock : testing::Test {
+  WithAClock() {
+    for (int i = 0; i < 200; ++i) come(0, 0);
+  }
+  void come(double late_s, double clock_ahead_s) {
+    now += 0.2;
+    measurement::Origin origin;
+    origin.received_at = at_s(now + late_s);
+    origin.device_time = measurement::from_seconds(now + clock_ahead_s);
+    monitor.take(1, origin, false);
+  }
+  Signs signs;
+  TimeMonitor monitor{{.kind = measurement::Kind::dvl, .nominal_rate_hz = 5}, signs};
+  double now = 0;
+};
+
+TEST_F(WithAClock, StepsWithItsClock) {
+  for (int i = 0; i < 5; ++i) come(0, 10);
+  ASSERT_TRUE(signs.has(Sign::clock_step));
+  EXPECT_NEAR(signs.first(Sign::clock_step).value, -10, 1e-6);
+  EXPECT_FALSE(signs.has(Sign::late));
+}
+
+TEST_F(WithAClock, IsLateAgainstItsClock) {
+  for (int i = 0; i < 5; ++i) come(0.5, 0);
+  ASSERT_TRUE(signs.has(Sign::late));
+  EXPECT_NEAR(signs.first(Sign::late).value, 0.5, 1e-6);
+  EXPECT_FALSE(signs.has(Sign::clock_step));
+}
+
+}  // namespace drydock::diagnosis::time_monitor_test
