@@ -65,5 +65,40 @@ TEST(Soak, TheWatchSeesADeviceThatNoFaultExplains) {
   EXPECT_THAT(watch.troubles(), testing::Contains(testing::HasSubstr("log is ")));
 }
 
+/// A fault of the rig from 200 s to 210 s: what is found then is none, what is found after 330 s
+/// is.
+TEST(Soak, AFindingIsAFalseAlarmOnlyWhileNoDeviceHasAFaultAndSinceSomeTime) {
+  auto bench = rig();
+  bench.faults =
+      rig_config::load_faults_text(
+          "[[fault]]\ndevice = \"log\"\nfault = \"hang\"\nstart_s = 200\nfor_s = 10\n", "test")
+          .value();
+  struct Alarm final : bench::Follower {
+    void tick(Stamp now) override {
+      if (to == nullptr) return;
+      diagnosis::Finding finding;
+      finding.since = finding.found = now;
+      to->on_finding(finding);
+    }
+    endurance::SoakWatch* to = nullptr;
+  };
+  endurance::SoakWatch watch(bench, 1, std::nullopt);
+  Alarm alarm;
+  bench::RunOptions options;
+  options.duration_s = 400;
+  options.quiet = true;
+  options.followers = {&alarm, &watch};
+  bench::run_lockstep(bench, options);
+  const auto before = watch.false_alarms();
+  EXPECT_NEAR(watch.quiet_s(), 400 - 10 - 120, 2);
+
+  endurance::SoakWatch alarmed(bench, 1, std::nullopt);
+  alarm.to = &alarmed;
+  options.followers = {&alarm, &alarmed};
+  bench::run_lockstep(bench, options);
+  EXPECT_NEAR(static_cast<double>(alarmed.false_alarms() - before), 400 - 10 - 120, 2);
+  EXPECT_THAT(alarmed.troubles(), testing::Contains(testing::HasSubstr("false alarm: ")));
+}
+
 }  // namespace
 }  // namespace soak_test
