@@ -53,6 +53,8 @@ std::string unheard_text(const Outcome& outcome) {
 }
 
 std::string found_line(const Outcome& outcome) {
+  if (outcome.devices.empty())
+    return "no sensor was recognised, so nothing could be diagnosed; `drydock probe` says more\n";
   if (outcome.findings.empty())
     return fmt::format("nothing found in {:.1f} s\n", outcome.circumstances.duration_s);
   const auto count = outcome.findings.size();
@@ -101,13 +103,11 @@ std::string finding_html(const FindingAccount& finding, const Outcome& outcome) 
 
 std::string unseen_html(const std::vector<Unseen>& unseen) {
   if (unseen.empty()) return {};
-  std::string out =
-      "<h2>What could not have been seen here</h2>\n<div class=scroll><table><tr><th>devices"
-      "<th class=left>faults<th class=left>why</tr>\n";
+  std::string out = "<h2>What could not have been seen here</h2>\n<ul>\n";
   for (const Unseen& one : unseen)
-    out += fmt::format("<tr><td>{}<td class=left>{}<td class=left>{}</tr>\n",
-                       escaped(in_a_row(one.devices)), names_of(one.causes), escaped(one.why));
-  return out + "</table></div>\n";
+    out += fmt::format("<li>{}: {}: {}\n", escaped(in_a_row(one.devices)), escaped(one.why),
+                       names_of(one.causes));
+  return out + "</ul>\n";
 }
 
 }  // namespace

@@ -19,6 +19,7 @@ namespace {
 
 using measurement::Stamp;
 
+constexpr int looks_a_pause = 240;  ///< a trace may stand still for years
 constexpr unsigned usual_baud = 9600;
 constexpr double usual_length_s = 600;  ///< spaces the curves of a file whose length is not known
 
@@ -67,7 +68,9 @@ class CaptureBench final : public device::Listener, public device::Transmitter {
     for (const auto& file : files_)
       if (const auto due = file->deadline()) first = std::min(first.value_or(*due), *due);
     if (!first) return {};
-    return *first <= clock_.now() ? clock_.now() : clock_.now() + diagnosis::look_period;
+    const Stamp now = clock_.now();
+    if (*first <= now) return now;
+    return now + std::max<Stamp::duration>(diagnosis::look_period, (*first - now) / looks_a_pause);
   }
 
   void on_measurement(const measurement::Measurement& m) override { followers_.on_measurement(m); }

@@ -1,5 +1,6 @@
 #include <memory>
 
+#include "hil/endurance/emulated_rig.hpp"
 #include "hil/endurance/soak.hpp"
 #include "hil/program/commands.hpp"
 #include "hil/program/load_rig.hpp"
@@ -21,7 +22,8 @@ void add_soak(CLI::App& app, Command& command) {
   sub->footer(
       "Example: drydock soak rig_config/rigs/soak.toml --for 2d --report out\n"
       "         drydock soak rig_config/rigs/demo.toml --for 1d --no-faults");
-  sub->add_option("RIG", arguments->rig, "rig file (TOML), all of it emulated")->required();
+  sub->add_option("RIG", arguments->rig, "rig file (TOML); emulated lines stand in for real ones")
+      ->required();
   sub->add_option("--for", options.duration_s, "virtual time: 10min, 5h, 2d; default 30d")
       ->transform(duration_text);
   sub->add_option("--seed", options.seed, "of the faults")->capture_default_str();
@@ -35,7 +37,7 @@ void add_soak(CLI::App& app, Command& command) {
   sub->add_option("--report", options.report, "write index.html with the memory plot here");
   sub->callback([arguments, &command] {
     command = [arguments] {
-      return endurance::soak(load_rig(arguments->rig, check::Use::lockstep), arguments->options,
+      return endurance::soak(endurance::all_emulated(load_rig(arguments->rig)), arguments->options,
                              stdout);
     };
   });

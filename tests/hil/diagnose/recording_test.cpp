@@ -7,6 +7,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "drivers/recordings/record/recording.hpp"
 #include "hil/bench/run.hpp"
 #include "hil/diagnose/diagnose.hpp"
 #include "hil/diagnose/sources.hpp"
@@ -68,6 +69,24 @@ TEST_F(Diagnosing, ARecordingNamesTheDeviceThatFellSilentAndNoOther) {
   EXPECT_EQ(code, 1);
   EXPECT_THAT(text, HasSubstr("emlog: silent from "));
   EXPECT_THAT(text, HasSubstr("  try: look at the sensor's power and cable\n"));
+}
+
+/// The strings of a message stand in its bytes as they are.
+TEST_F(Diagnosing, ARunsFindingsAreInItsRecordingOnDiagnostics) {
+  auto recording = record::Recording::open(
+      recorded("[[fault]]\ndevice = \"emlog\"\nfault = \"hang\"\nstart_s = 20\nfor_s = 8\n"));
+  ASSERT_TRUE(recording);
+  int found = 0, over = 0;
+  while (const auto event = recording->next()) {
+    const auto* message = std::get_if<record::Understood>(&*event);
+    if (message == nullptr || message->channel->topic != "/diagnostics") continue;
+    const std::string bytes(message->cdr.begin(), message->cdr.end());
+    if (bytes.find("emlog/silent") == std::string::npos) continue;
+    ++(bytes.find("no longer silent") == std::string::npos ? found : over);
+  }
+  EXPECT_GE(found, 6) << "once a second, from 22 s to 28 s at least";
+  EXPECT_LE(found, 13);
+  EXPECT_EQ(over, 1);
 }
 
 TEST_F(Diagnosing, AHealthyRecordingHasNoFindingAndSaysWhatItCouldNotHaveSeen) {
@@ -134,12 +153,31 @@ TEST_F(Diagnosing, ALinkThatCannotBeOpenedIsAnError) {
   EXPECT_THROW(listen_to_link("/no/such/file", 1), std::runtime_error);
 }
 
+/// 20 s of an IMU at 10 Hz (the frames of fixtures/aceinna), four years, and 20 s again.
+TEST_F(Diagnosing, ATraceThatStandsStillForYearsIsReadAtOnce) {
+  const auto trace = folder_ / "trace.log";
+  std::ofstream out(trace);
+  for (const double begin : {1.0e9, 1.126e9})
+    for (int i = 0; i < 200; ++i)
+      for (const char* frame :
+           {"0CF02980#C7AA7E5C826B4406", "08F02D80#3179557D0A7DC0FF", "0CF02A80#C981EB7C79790006"})
+        out << std::fixed << '(' << begin + 0.1 * i << ") can0 " << frame << '\n';
+  out.close();
+  const auto outcome = read_capture(trace, 0);
+  ASSERT_EQ(outcome.devices.size(), 1u);
+  EXPECT_NEAR(outcome.circumstances.duration_s, 1.26e8 + 19.9, 1);
+  ASSERT_THAT(outcome.findings, testing::SizeIs(testing::Ge(1)));
+  EXPECT_EQ(outcome.findings.front().cause, "silent");
+  EXPECT_NEAR(outcome.findings.front().since_s, 19.9, 0.2);
+}
+
 TEST_F(Diagnosing, ACaptureWithoutASensorIsNoSuccess) {
   const auto noise = folder_ / "noise.bin";
   std::ofstream(noise, std::ios::binary) << std::string(5000, '\x55');
   const auto [code, text] = told(read_capture(noise, 115200));
   EXPECT_EQ(code, 1);
-  EXPECT_THAT(text, HasSubstr("0 of 0 devices"));
+  EXPECT_THAT(text, HasSubstr("no sensor was recognised"));
+  EXPECT_THAT(text, Not(HasSubstr("nothing found")));
 }
 
 diagnosis::FindingAccount finding(const char* device, bool severe, double confidence) {
