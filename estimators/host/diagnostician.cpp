@@ -32,12 +32,4 @@ void Diagnostician::look(Stamp now) {
   next_look_ = now + diagnosis::look_period;
 }
 
-std::shared_ptr<Follower> diagnostician_beside(const rig_config::Rig& rig,
-                                               std::vector<const device::Device*> devices,
-                                               Follower& others) {
-  auto made = std::make_shared<Diagnostician>(rig, others);
-  made->watch(std::move(devices));
-  return made;
-}
-
 }  // namespace drydock::host

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <memory>
 #include <vector>
 
 #include "drivers/diagnosis/device_monitor.hpp"
@@ -48,10 +47,5 @@ class Diagnostician final : public Follower {
   std::vector<const device::Device*> devices_;
   Stamp next_look_{};
 };
-
-/// A diagnostician as a follower beside drivers: host::Beside.
-std::shared_ptr<Follower> diagnostician_beside(const rig_config::Rig& rig,
-                                               std::vector<const device::Device*> devices,
-                                               Follower& others);
 
 }  // namespace drydock::host

@@ -37,10 +37,18 @@ std::string header(const Outcome& outcome) {
                      outcome.circumstances.duration_s, heard, outcome.devices.size());
 }
 
-std::string finding_text(const FindingAccount& finding) {
-  return fmt::format("{}: {} {}, {:.0f} % sure: {}\n  because: {}\n  try: {}\n", finding.device,
+/// What the driver said last about an error, as "  it says: ..."; empty: nothing.
+std::string driver_says(const std::string& device, const Outcome& outcome) {
+  const auto own = std::ranges::find(outcome.devices, device, &summary::DeviceSummary::name);
+  const bool said = own != outcome.devices.end() && !own->last_error.empty();
+  return said ? "  its driver says: " + own->last_error + '\n' : std::string();
+}
+
+std::string finding_text(const FindingAccount& finding, const Outcome& outcome) {
+  return fmt::format("{}: {} {}, {:.0f} % sure: {}\n  because: {}\n{}  try: {}\n", finding.device,
                      finding.cause, diagnosis::when_text(finding), 100 * finding.confidence,
-                     finding.meaning, diagnosis::evidence_text(finding), finding.advice);
+                     finding.meaning, diagnosis::evidence_text(finding),
+                     driver_says(finding.device, outcome), finding.advice);
 }
 
 std::string unheard_text(const Outcome& outcome) {
@@ -94,10 +102,11 @@ std::string plots_of(const FindingAccount& finding, const Outcome& outcome) {
 std::string finding_html(const FindingAccount& finding, const Outcome& outcome) {
   return fmt::format(
              "<h2>{}: <span class=bad>{}</span> {}</h2>\n<p>{}. {:.0f} % sure.</p>\n"
-             "<p>Because: {}</p>\n<p>Try: {}</p>\n",
+             "<p>Because: {}</p>\n<p>{}</p>\n<p>Try: {}</p>\n",
              escaped(finding.device), finding.cause, diagnosis::when_text(finding),
              escaped(finding.meaning), 100 * finding.confidence,
-             escaped(diagnosis::evidence_text(finding)), escaped(finding.advice)) +
+             escaped(diagnosis::evidence_text(finding)),
+             escaped(driver_says(finding.device, outcome)), escaped(finding.advice)) +
          plots_of(finding, outcome);
 }
 
@@ -122,7 +131,7 @@ std::string to_text(const Outcome& outcome) {
   std::string out = header(outcome);
   for (const auto& note : outcome.notes) out += note + '\n';
   out += found_line(outcome);
-  for (const auto& finding : outcome.findings) out += finding_text(finding);
+  for (const auto& finding : outcome.findings) out += finding_text(finding, outcome);
   return out + unheard_text(outcome) + unseen_text(outcome.unseen);
 }
 

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <boost/asio/io_context.hpp>
+#include <set>
 #include <stdexcept>
 
 #include "drivers/host/rig_bus.hpp"
@@ -53,6 +54,7 @@ class CaptureBench final : public device::Listener, public device::Transmitter {
     actors_.push_back(std::make_unique<shell::DeviceActor>(std::move(device), *this, *this, start,
                                                            measurement::Provenance::replayed));
     shell::DeviceActor& driver = *actors_.back();
+    if (heard_.insert(uri.text).second) driver.tap(followers_);  // each link once
     if (on_bus)
       files_.push_back(std::make_unique<shell::RecordedBus>(uri, driver, start));
     else
@@ -82,6 +84,7 @@ class CaptureBench final : public device::Listener, public device::Transmitter {
   host::Followers followers_;
   std::vector<std::unique_ptr<shell::DeviceActor>> actors_;
   std::vector<std::unique_ptr<shell::Actor>> files_;
+  std::set<std::string> heard_;  ///< links
   Examination examination_;
 };
 

@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <boost/asio/io_context.hpp>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -10,7 +11,10 @@
 #include "drivers/recordings/record/recording.hpp"
 #include "hil/bench/run.hpp"
 #include "hil/diagnose/diagnose.hpp"
+#include "hil/diagnose/examination.hpp"
 #include "hil/diagnose/sources.hpp"
+#include "hil/replay/recorded_rig.hpp"
+#include "hil/replay/replay_bench.hpp"
 #include "rig_config/load.hpp"
 
 namespace drydock::diagnose {
@@ -69,6 +73,25 @@ TEST_F(Diagnosing, ARecordingNamesTheDeviceThatFellSilentAndNoOther) {
   EXPECT_EQ(code, 1);
   EXPECT_THAT(text, HasSubstr("emlog: silent from "));
   EXPECT_THAT(text, HasSubstr("  try: look at the sensor's power and cable\n"));
+}
+
+/// The log is the second device of the rig and the only one that plays.
+TEST_F(Diagnosing, APartOfARecordingNamesItsOwnDevice) {
+  auto recording = record::Recording::open(
+      recorded("[[fault]]\ndevice = \"emlog\"\nfault = \"hang\"\nstart_s = 20\nfor_s = 15\n"));
+  ASSERT_TRUE(recording);
+  const replay::RecordedRig rig(*recording);
+  boost::asio::io_context io;
+  replay::Pace pace(io, 0);
+  record::Selection part;
+  part.only = {"emlog"};
+  replay::ReplayBench bench(*recording, rig.rig(), part, {});
+  Examination examination(rig.rig(), bench.start(), 60);
+  examination.follow(bench.followers(), bench.devices());
+  bench.play(pace, [](double) { return true; });
+  const auto outcome = examination.result("part", bench.start() + bench.played(), false);
+  ASSERT_THAT(outcome.findings, Not(IsEmpty()));
+  EXPECT_THAT(outcome.findings, Each(Field(&diagnosis::FindingAccount::device, "emlog")));
 }
 
 /// The strings of a message stand in its bytes as they are.
