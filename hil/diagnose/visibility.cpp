@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <set>
 
 #include "drivers/diagnosis/verdict.hpp"
@@ -119,8 +120,11 @@ std::vector<Unseen> joined(const std::vector<Unseen>& all) {
 diagnosis::Symptom symptom_of(diagnosis::Sign sign) {
   diagnosis::Symptom symptom;
   symptom.sign = sign;
+  symptom.value = std::numeric_limits<double>::infinity();  // as strong as any rule wants it
   return symptom;
 }
+
+constexpr int more_than_all_signs = 128;
 
 std::set<Cause> all_conclusions() {
   std::set<Cause> found;
@@ -128,10 +132,9 @@ std::set<Cause> all_conclusions() {
     const std::array symptoms{symptom_of(signs)...};
     if (const auto verdict = diagnosis::verdict_on(symptoms)) found.insert(verdict->cause);
   };
-  const int count = static_cast<int>(diagnosis::Sign::delayed) + 1;
-  for (int first = 0; first < count; ++first) {
+  for (int first = 0; first < more_than_all_signs; ++first) {
     conclude(static_cast<diagnosis::Sign>(first));
-    for (int second = 0; second < count; ++second)
+    for (int second = 0; second < more_than_all_signs; ++second)
       conclude(static_cast<diagnosis::Sign>(first), static_cast<diagnosis::Sign>(second));
   }
   return found;
