@@ -68,6 +68,7 @@ rig_config::Rig rig_of(std::span<const std::unique_ptr<device::Device>> devices,
     config.link = device->options().link;
     config.rate_hz = device->options().nominal_rate_hz;
     config.address = device->options().driver.address;
+    config.stale_after_s = measurement::seconds(device->options().life_cycle.stale_after);
   }
   return rig;
 }

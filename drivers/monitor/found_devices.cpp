@@ -1,5 +1,7 @@
 #include "drivers/monitor/found_devices.hpp"
 
+#include <algorithm>
+
 #include "drivers/link/uri.hpp"
 
 namespace drydock::monitor {
@@ -23,6 +25,9 @@ std::vector<std::unique_ptr<device::Device>> devices_of(const probe::ProbeReport
       options.life_cycle.quiet_but_up = " in the recording";
     }
     options.nominal_rate_hz = found.rate_hz ? survey::nominal_rate_hz(*found.rate_hz) : 0;
+    if (found.rate_hz && *found.rate_hz > 0)  // a sensor may be slower than most
+      options.life_cycle.stale_after =
+          std::max(options.life_cycle.stale_after, measurement::from_seconds(5 / *found.rate_hz));
     auto made = device::Device::make(std::move(options));
     if (made) devices.push_back(std::move(*made));
   }

@@ -181,12 +181,4 @@ void Diagnostician::on_measurement(const measurement::Measurement& measurement) 
 void Diagnostician::look(Stamp now) { bench_->look(now); }
 const diagnosis::Judge& Diagnostician::judge() const { return bench_->judge(); }
 
-std::shared_ptr<Follower> diagnostician_beside(const rig_config::Rig& rig,
-                                               std::vector<const device::Device*> devices,
-                                               Follower& others) {
-  auto made = std::make_shared<Diagnostician>(rig, others);
-  made->watch(std::move(devices));
-  return made;
-}
-
 }  // namespace drydock::host

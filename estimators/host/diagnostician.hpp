@@ -1,6 +1,5 @@
 #pragma once
 
-#include <memory>
 #include <vector>
 
 #include "drivers/host/follower.hpp"
@@ -39,10 +38,5 @@ class Diagnostician final : public Follower {
   class Bench;  ///< the monitors and the judge
   std::unique_ptr<Bench> bench_;
 };
-
-/// A diagnostician as a follower beside drivers: host::Beside.
-std::shared_ptr<Follower> diagnostician_beside(const rig_config::Rig& rig,
-                                               std::vector<const device::Device*> devices,
-                                               Follower& others);
 
 }  // namespace drydock::host

@@ -5,11 +5,14 @@
 #include <cmath>
 
 #include "drivers/bus/participant.hpp"
+#include "drivers/host/finding_lines.hpp"
 #include "drivers/host/rig_bus.hpp"
 #include "drivers/host/rig_publisher.hpp"
 #include "drivers/io/until_stopped.hpp"
+#include "drivers/link/link.hpp"
 #include "drivers/measurement/units.hpp"
 #include "drivers/terminal/exit_codes.hpp"
+#include "estimators/host/diagnostician.hpp"
 #include "estimators/host/estimator_host.hpp"
 #include "estimators/setup/rig_pipeline.hpp"
 
@@ -80,6 +83,8 @@ class Printer final : public Follower {
   measurement::Stamp next_{};
 };
 
+void print_on_stderr(const std::string& line) { fmt::print(stderr, "{}\n", line); }
+
 }  // namespace
 
 int estimate(const rig_config::Rig& rig, const EstimateOptions& options) {
@@ -91,7 +96,11 @@ int estimate(const rig_config::Rig& rig, const EstimateOptions& options) {
   Followers followers;
   followers.add(publisher);
   followers.add(printer);
+  // It knows the measurements alone: the drivers' process publishes what it finds itself.
+  FindingLines findings(rig, link::now(), print_on_stderr);
+  Diagnostician diagnostician(rig, findings);
   EstimatorHost host(io, setup::pipeline_options(rig), subscriber, followers);
+  host.tell_measurements(diagnostician);
 
   io::UntilStopped until(io, options.duration_s, [&] { host.stop(); });
   host.start();

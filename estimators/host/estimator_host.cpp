@@ -45,7 +45,10 @@ void EstimatorHost::stop() {
 void EstimatorHost::wait_for_measurements() {
   readable_.async_wait(readable_.wait_read, [this](const boost::system::error_code& ec) {
     if (ec || stopped_) return;
-    from_.take_measurements([this](const measurement::Measurement& m) { pipeline_.receive(m); });
+    from_.take_measurements([this](const measurement::Measurement& m) {
+      if (hears_ != nullptr) hears_->on_measurement(m);
+      pipeline_.receive(m);
+    });
     wait_for_measurements();
   });
 }

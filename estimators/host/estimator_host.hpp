@@ -22,6 +22,10 @@ class EstimatorHost final {
   EstimatorHost(const EstimatorHost&) = delete;
   EstimatorHost& operator=(const EstimatorHost&) = delete;
 
+  /// Tells this follower, which must outlive the host, the measurements before the estimators get
+  /// them.
+  void tell_measurements(Follower& to) { hears_ = &to; }
+
   void start();
   void stop();
   const pipeline::Pipeline& pipeline() const { return pipeline_; }
@@ -36,7 +40,8 @@ class EstimatorHost final {
   boost::asio::posix::stream_descriptor readable_;
   boost::asio::steady_timer window_timer_;
   std::chrono::nanoseconds window_;
-  bool stopped_ = false;  ///< a timer that has expired can no longer be cancelled
+  Follower* hears_ = nullptr;  ///< may be null
+  bool stopped_ = false;       ///< a timer that has expired can no longer be cancelled
 };
 
 }  // namespace drydock::host

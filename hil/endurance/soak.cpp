@@ -42,10 +42,16 @@ std::string words_line(const SoakWatch& watch) {
   return line;
 }
 
+std::string alarms_line(const SoakWatch& watch) {
+  return fmt::format("{} findings, of which {} are false alarms in {:.2f} h without a fault",
+                     watch.findings(), watch.false_alarms(), watch.quiet_s() / 3600);
+}
+
 void print(const summary::Summary& summary, const SoakWatch& watch,
            const std::vector<std::string>& troubles, std::FILE* out) {
   fmt::print(out, "{}", to_text(summary));
   fmt::print(out, "{} faults: {}\n", watch.faults_set(), words_line(watch));
+  fmt::print(out, "{}\n", alarms_line(watch));
   if (!summary.resident.megabytes.empty())
     fmt::print(out, "memory: {:.1f} MB at the end, {:+.1f} MB against a tenth of the run\n",
                summary.resident.megabytes.back(), growth_mb(summary.resident));
@@ -53,7 +59,7 @@ void print(const summary::Summary& summary, const SoakWatch& watch,
   if (troubles.empty())
     fmt::print(out,
                "PASS {} looks: no growth in memory, no state stuck, every byte accounted for, "
-               "every value a number\n",
+               "every value a number, no false alarm\n",
                watch.looks());
 }
 
@@ -63,6 +69,9 @@ std::string json_of(const summary::Summary& summary, const SoakWatch& watch,
   json["faults"] = watch.faults_set();
   json["faults_by_word"] = watch.set_by_word();
   json["resident_growth_mb"] = growth_mb(summary.resident);
+  json["findings_begun"] = watch.findings();
+  json["false_alarms"] = watch.false_alarms();
+  json["hours_without_fault"] = watch.quiet_s() / 3600;
   json["troubles"] = troubles;
   return json.dump(2) + "\n";
 }
@@ -79,6 +88,7 @@ std::string page_of(const summary::Summary& summary, const SoakWatch& watch,
   std::string body =
       fmt::format("<p>{:.1f} days under {} faults: {}.</p>", summary.duration_s / 86400,
                   watch.faults_set(), report::html::escaped(words_line(watch)));
+  body += "<p>" + alarms_line(watch) + ".</p>";
   body += troubles.empty() ? "<p class=ok>No trouble.</p>" : "<ul class=bad>";
   for (const auto& trouble : troubles) body += "<li>" + report::html::escaped(trouble);
   if (!troubles.empty()) body += "</ul>";
@@ -90,7 +100,8 @@ std::string page_of(const summary::Summary& summary, const SoakWatch& watch,
 }  // namespace
 
 int soak(const rig_config::Rig& rig, const SoakOptions& options, std::FILE* out) {
-  SoakWatch watch(rig, options.seed, options.fault_interval_s);
+  SoakWatch watch(rig, options.seed,
+                  options.faults ? std::optional(options.fault_interval_s) : std::nullopt);
   bench::RunOptions run;
   run.duration_s = options.duration_s;
   run.quiet = true;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "drivers/diagnosis/finding_words.hpp"
 #include "drivers/text/measurement_fields.hpp"
 #include "hil/fault/injector.hpp"
 #include "rig_config/fault_vocabulary.hpp"
@@ -33,35 +34,57 @@ bool is_of_the_bus(rig_config::FaultKind kind) {
 
 }  // namespace
 
-SoakWatch::SoakWatch(const rig_config::Rig& rig, std::uint64_t seed, double fault_interval_s)
+SoakWatch::SoakWatch(const rig_config::Rig& rig, std::uint64_t seed,
+                     std::optional<double> fault_interval_s)
     : rig_(rig),
-      faults_(rig, seed, fault_interval_s),
-      next_(faults_.next()),
       start_(measurement::stamp_from_ns(rig.start_utc_ns)),
-      trouble_until_(rig.devices.size(), start_ + recovers_within) {}
+      trouble_until_(rig.devices.size(), start_ + recovers_within),
+      fault_until_(start_ - std::chrono::nanoseconds{1}),
+      last_tick_(start_) {
+  if (fault_interval_s) next_ = faults_.emplace(rig, seed, *fault_interval_s).next();
+}
 
 void SoakWatch::tick(Stamp now) {
   set_faults(now);
   for (std::size_t i = 0; i < bench_->devices.size(); ++i) look_at(i, now);
+  count_quiet(now);
   ++looks_;
 }
 
+/// The faults of the rig and its mission count as those that the watch sets.
+void SoakWatch::count_quiet(Stamp now) {
+  if (!bench_->faults.in_force(now).empty())
+    fault_until_ = std::max(fault_until_, now + recovers_within);
+  if (quiet(now)) quiet_s_ += measurement::seconds(now - last_tick_);
+  last_tick_ = now;
+}
+
+void SoakWatch::on_finding(const diagnosis::Finding& finding) {
+  if (finding.until) return;
+  ++findings_;
+  if (!quiet(finding.found) || !bench_->faults.in_force(finding.found).empty()) return;
+  ++false_alarms_;
+  const auto account = diagnosis::account_of(finding, rig_.devices.at(finding.device).name, start_);
+  add("false alarm: " + diagnosis::line_of(account));
+}
+
 void SoakWatch::set_faults(Stamp now) {
-  while (start_ + measurement::from_seconds(next_.start_s) <= now) {
-    rig_config::FaultConfig fault = next_;
+  while (next_ && start_ + measurement::from_seconds(next_->start_s) <= now) {
+    rig_config::FaultConfig fault = *next_;
     fault.start_s = 0;
     if (const auto set = bench_->faults.set(fault, now); !set) add(to_string(set.error().front()));
     ++faults_set_;
-    ++by_word_[std::string(rig_config::word_of(next_.kind).name)];
-    const auto until = now + measurement::from_seconds(*next_.for_s) + recovers_within;
+    ++by_word_[std::string(rig_config::word_of(next_->kind).name)];
+    const auto until = now + measurement::from_seconds(*next_->for_s) + recovers_within;
     const auto victim =
-        std::ranges::find(rig_.devices, next_.device, &rig_config::DeviceConfig::name);
+        std::ranges::find(rig_.devices, next_->device, &rig_config::DeviceConfig::name);
     for (std::size_t i = 0; i < rig_.devices.size(); ++i) {
-      const bool hit = rig_.devices[i].name == next_.device ||
-                       (is_of_the_bus(next_.kind) && rig_.devices[i].link == victim->link);
+      const bool hit = rig_.devices[i].name == next_->device ||
+                       (is_of_the_bus(next_->kind) && rig_.devices[i].link == victim->link);
       if (hit) trouble_until_[i] = std::max(trouble_until_[i], until);
     }
-    next_ = faults_.next();
+    fault_until_ = std::max(fault_until_, until);
+    next_ = faults_->next();
   }
 }
 

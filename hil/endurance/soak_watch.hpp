@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,10 +13,12 @@ namespace drydock::endurance {
 /// Sets random faults in a run and checks its devices every second.
 class SoakWatch final : public bench::Follower {
  public:
-  SoakWatch(const rig_config::Rig& rig, std::uint64_t seed, double fault_interval_s);
+  /// Without an interval it sets no faults.
+  SoakWatch(const rig_config::Rig& rig, std::uint64_t seed, std::optional<double> fault_interval_s);
 
   void on_start(const bench::BenchView& bench) override { bench_ = &bench; }
   void on_measurement(const measurement::Measurement& measurement) override;
+  void on_finding(const diagnosis::Finding& finding) override;
   void tick(Stamp now) override;
 
   /// Sentences, at most a hundred. Empty if all is well.
@@ -23,6 +26,10 @@ class SoakWatch final : public bench::Follower {
   std::uint64_t faults_set() const { return faults_set_; }
   const std::map<std::string, std::uint64_t>& set_by_word() const { return by_word_; }
   std::uint64_t looks() const { return looks_; }
+  std::uint64_t findings() const { return findings_; }
+  /// Findings that began while no device had a fault, and none had had one for `recovers_within`.
+  std::uint64_t false_alarms() const { return false_alarms_; }
+  double quiet_s() const { return quiet_s_; }  ///< time in which a finding is a false alarm
 
  private:
   /// Time that a device has to stream again after its last fault: it tries to open once a second, a
@@ -30,17 +37,21 @@ class SoakWatch final : public bench::Follower {
   static constexpr std::chrono::seconds recovers_within{120};
 
   void set_faults(Stamp now);
+  void count_quiet(Stamp now);
+  bool quiet(Stamp now) const { return now > fault_until_; }
   void look_at(std::size_t index, Stamp now);
   void add(std::string trouble);
 
   const rig_config::Rig& rig_;
   const bench::BenchView* bench_ = nullptr;
-  fault::RandomFaults faults_;
-  rig_config::FaultConfig next_;
+  std::optional<fault::RandomFaults> faults_;
+  std::optional<rig_config::FaultConfig> next_;
   measurement::Stamp start_;
   std::vector<measurement::Stamp> trouble_until_;  ///< by device: until then its faults explain its
                                                    ///< state
-  std::uint64_t faults_set_ = 0, looks_ = 0;
+  Stamp fault_until_, last_tick_;                  ///< until then some fault may still be seen
+  std::uint64_t faults_set_ = 0, looks_ = 0, findings_ = 0, false_alarms_ = 0;
+  double quiet_s_ = 0;
   std::map<std::string, std::uint64_t> by_word_;
   std::vector<std::string> troubles_;
 };

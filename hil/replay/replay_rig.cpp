@@ -14,7 +14,7 @@
 #include "drivers/host/finding_log.hpp"
 #include "drivers/host/state_lines.hpp"
 #include "drivers/terminal/exit_codes.hpp"
-#include "estimators/host/diagnostician.hpp"
+#include "estimators/host/diagnostician_beside.hpp"
 #include "estimators/setup/rig_pipeline.hpp"
 #include "hil/replay/recorded_rig.hpp"
 #include "hil/replay/recording_progress.hpp"

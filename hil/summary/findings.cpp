@@ -34,20 +34,16 @@ std::string findings_text(std::span<const FindingAccount> findings) {
   return out;
 }
 
-std::string findings_table(std::span<const FindingAccount> findings) {
+std::string findings_list(std::span<const FindingAccount> findings) {
+  using report::html::escaped;
   if (findings.empty()) return "<p>No findings.</p>\n";
-  std::string out =
-      "<div class=scroll><table><tr><th>device<th class=left>what<th>since<th>until"
-      "<th class=left>evidence<th>sure<th class=left>try</tr>\n";
+  std::string out = "<ul>\n";
   for (const auto& f : findings)
     out += fmt::format(
-        "<tr><td>{}<td class='left bad'>{}<td>{:.1f} s<td>{}<td class=left>{}<td>{:.0f} %"
-        "<td class=left>{}: {}</tr>\n",
-        report::html::escaped(f.device), f.cause, f.since_s,
-        f.until_s ? fmt::format("{:.1f} s", *f.until_s) : "the end",
-        report::html::escaped(diagnosis::evidence_text(f)), 100 * f.confidence, f.meaning,
-        report::html::escaped(f.advice));
-  return out + "</table></div>\n";
+        "<li>{}: <span class=bad>{}</span> {}, {:.0f} % sure: {}. Because: {}. Try: {}\n",
+        escaped(f.device), f.cause, diagnosis::when_text(f), 100 * f.confidence, escaped(f.meaning),
+        escaped(diagnosis::evidence_text(f)), escaped(f.advice));
+  return out + "</ul>\n";
 }
 
 report::Figure figure_of(const MeasurementTrace& trace, std::span<const FindingAccount> findings,

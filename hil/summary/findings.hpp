@@ -21,8 +21,8 @@ bool counts(const diagnosis::FindingAccount& finding, const std::string& device,
 /// One line a finding, up to a number that a person can read; "no findings" if there are none.
 std::string findings_text(std::span<const diagnosis::FindingAccount> findings);
 
-/// A table of them, as HTML.
-std::string findings_table(std::span<const diagnosis::FindingAccount> findings);
+/// A list of them, as HTML.
+std::string findings_list(std::span<const diagnosis::FindingAccount> findings);
 
 /// The figure of a device's measurements, with a shade for each time in which something was wrong
 /// with it. No curves: nothing was measured.

@@ -68,7 +68,7 @@ std::string fault_section(const Summary& s) {
 }
 
 std::string finding_section(const Summary& s) {
-  std::string out = "<h2>Findings</h2>\n" + findings_table(s.findings);
+  std::string out = "<h2>Findings</h2>\n" + findings_list(s.findings);
   if (!s.findings.empty())
     out +=
         "<p class=soft>The plots of the measurements have a shade while something was wrong.</p>\n";

@@ -16,6 +16,12 @@ export function takeFinding({ level, name, message, values }, now) {
   showFindings(now);
 }
 
+// The connection is lost, so what is wrong now is not known.
+export function forgetFindings() {
+  open.clear();
+  showFindings(0);
+}
+
 export const badgeOf = ({ level, cause }) => make('span', { className: `badge ${level}` }, cause);
 
 export function showFindings(now) {

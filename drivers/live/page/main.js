@@ -4,7 +4,7 @@ import { by, clock } from './dom.js';
 import { takeEstimate } from './estimates.js';
 import { forgetFaults, showFaults, takeFaults } from './faults.js';
 import { showOrders, takeServices } from './fault-orders.js';
-import { showFindings } from './findings.js';
+import { forgetFindings, showFindings } from './findings.js';
 import { takeHealth } from './health.js';
 import { takeInnovation } from './innovations.js';
 import { takeMeasurement } from './measurements.js';
@@ -26,7 +26,10 @@ function take(topic, type, time, message) {
 function onState(open) {
   by('link').textContent = open ? 'live' : 'no connection';
   by('link').className = `badge ${open ? 'ok' : 'error'}`;
-  if (!open) forgetFaults();
+  if (!open) {
+    forgetFaults();
+    forgetFindings();
+  }
 }
 
 connect({

@@ -1,7 +1,7 @@
 #include <memory>
 
 #include "drivers/host/drive.hpp"
-#include "estimators/host/diagnostician.hpp"
+#include "estimators/host/diagnostician_beside.hpp"
 #include "hil/control/remote_faults.hpp"
 #include "hil/program/commands.hpp"
 #include "hil/program/load_rig.hpp"

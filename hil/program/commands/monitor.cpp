@@ -4,7 +4,7 @@
 #include "drivers/decode/decode.hpp"
 #include "drivers/monitor/monitor.hpp"
 #include "drivers/shell/rig_devices.hpp"
-#include "estimators/host/diagnostician.hpp"
+#include "estimators/host/diagnostician_beside.hpp"
 #include "hil/program/commands.hpp"
 #include "hil/program/load_rig.hpp"
 #include "hil/program/options.hpp"

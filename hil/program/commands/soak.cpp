@@ -1,5 +1,6 @@
 #include <memory>
 
+#include "hil/endurance/emulated_rig.hpp"
 #include "hil/endurance/soak.hpp"
 #include "hil/program/commands.hpp"
 #include "hil/program/load_rig.hpp"
@@ -16,20 +17,27 @@ void add_soak(CLI::App& app, Command& command) {
   auto& options = arguments->options;
   auto* sub = app.add_subcommand(
       "soak",
-      "A rig in virtual time for days under random faults: does anything grow, stick, vanish?");
-  sub->footer("Example: drydock soak rig_config/rigs/soak.toml --for 2d --report out");
-  sub->add_option("RIG", arguments->rig, "rig file (TOML), all of it emulated")->required();
+      "A rig in virtual time for days under random faults: does anything grow, stick, vanish, "
+      "raise a false alarm?");
+  sub->footer(
+      "Example: drydock soak rig_config/rigs/soak.toml --for 2d --report out\n"
+      "         drydock soak rig_config/rigs/demo.toml --for 1d --no-faults");
+  sub->add_option("RIG", arguments->rig, "rig file (TOML); emulated lines stand in for real ones")
+      ->required();
   sub->add_option("--for", options.duration_s, "virtual time: 10min, 5h, 2d; default 30d")
       ->transform(duration_text);
   sub->add_option("--seed", options.seed, "of the faults")->capture_default_str();
+  auto* none = sub->add_flag("--no-faults{false}", options.faults,
+                             "set none: a healthy run, for the number of false alarms");
   sub->add_option("--interval", options.fault_interval_s,
                   "mean time between two faults of one device; default 10min")
-      ->transform(duration_text);
+      ->transform(duration_text)
+      ->excludes(none);
   sub->add_option("--json", options.json, "write summary, faults and troubles to this file");
   sub->add_option("--report", options.report, "write index.html with the memory plot here");
   sub->callback([arguments, &command] {
     command = [arguments] {
-      return endurance::soak(load_rig(arguments->rig, check::Use::lockstep), arguments->options,
+      return endurance::soak(endurance::all_emulated(load_rig(arguments->rig)), arguments->options,
                              stdout);
     };
   });

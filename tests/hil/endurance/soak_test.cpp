@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "hil/bench/run.hpp"
+#include "hil/endurance/emulated_rig.hpp"
 #include "hil/endurance/soak_watch.hpp"
 #include "rig_config/load.hpp"
 
@@ -63,6 +64,54 @@ TEST(Soak, TheWatchSeesADeviceThatNoFaultExplains) {
   bench::run_lockstep(bench, options);
   EXPECT_EQ(watch.faults_set(), 0u);
   EXPECT_THAT(watch.troubles(), testing::Contains(testing::HasSubstr("log is ")));
+}
+
+TEST(Soak, ARigOfRealSensorsRunsOnEmulatedLinesAtTheSameRates) {
+  const auto real =
+      rig_config::load_rig(DRYDOCK_SOURCE_DIR "/rig_config/rigs/bench-serial.toml").value();
+  const auto twin = endurance::all_emulated(real);
+  EXPECT_EQ(twin.devices[0].link, "memory:line1?baud=115200");
+  EXPECT_EQ(twin.devices[2].link, real.devices[2].link) << "it was emulated already";
+  EXPECT_EQ(twin.devices[4].link, "memory-can:line4?bitrate=250000");
+  bench::RunOptions options;
+  options.duration_s = 20;
+  options.quiet = true;
+  EXPECT_TRUE(bench::run_lockstep(twin, options).all_streaming());
+}
+
+/// A fault of the rig from 200 s to 210 s: what is found then is none, what is found after 330 s
+/// is.
+TEST(Soak, AFindingIsAFalseAlarmOnlyWhileNoDeviceHasAFaultAndSinceSomeTime) {
+  auto bench = rig();
+  bench.faults =
+      rig_config::load_faults_text(
+          "[[fault]]\ndevice = \"log\"\nfault = \"hang\"\nstart_s = 200\nfor_s = 10\n", "test")
+          .value();
+  struct Alarm final : bench::Follower {
+    void tick(Stamp now) override {
+      if (to == nullptr) return;
+      diagnosis::Finding finding;
+      finding.since = finding.found = now;
+      to->on_finding(finding);
+    }
+    endurance::SoakWatch* to = nullptr;
+  };
+  endurance::SoakWatch watch(bench, 1, std::nullopt);
+  Alarm alarm;
+  bench::RunOptions options;
+  options.duration_s = 400;
+  options.quiet = true;
+  options.followers = {&alarm, &watch};
+  bench::run_lockstep(bench, options);
+  const auto before = watch.false_alarms();
+  EXPECT_NEAR(watch.quiet_s(), 400 - 10 - 120, 2);
+
+  endurance::SoakWatch alarmed(bench, 1, std::nullopt);
+  alarm.to = &alarmed;
+  options.followers = {&alarm, &alarmed};
+  bench::run_lockstep(bench, options);
+  EXPECT_NEAR(static_cast<double>(alarmed.false_alarms() - before), 400 - 10 - 120, 2);
+  EXPECT_THAT(alarmed.troubles(), testing::Contains(testing::HasSubstr("false alarm: ")));
 }
 
 }  // namespace

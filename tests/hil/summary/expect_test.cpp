@@ -140,7 +140,7 @@ TEST(Expectations, FindingsAreCountedForADeviceAndForTheRigFromTheirTimeOn) {
   EXPECT_EQ(finding["device"], "emlog");
   EXPECT_EQ(finding["cause"], "silent");
   EXPECT_NEAR(finding["since_s"].get<double>(), 5, 0.6) << "its last message, at 2 Hz";
-  EXPECT_THAT(to_html(summary), HasSubstr("<td class='left bad'>silent"));
+  EXPECT_THAT(to_html(summary), HasSubstr("emlog: <span class=bad>silent</span> from "));
 }
 
 TEST(Findings, OfAHealthyDeviceAreNone) {

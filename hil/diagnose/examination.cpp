@@ -1,0 +1,51 @@
+#include "hil/diagnose/examination.hpp"
+
+#include <algorithm>
+
+#include "drivers/host/rig_bus.hpp"
+#include "hil/summary/findings.hpp"
+
+namespace drydock::diagnose {
+
+namespace {
+
+/// Such a finding means nothing where the times are made up; the outcome names its cause as unseen.
+bool is_of_times(const diagnosis::FindingAccount& finding) {
+  const auto facts =
+      std::ranges::find(diagnosis::causes(), finding.cause, &diagnosis::CauseFacts::name);
+  return facts != diagnosis::causes().end() && needs_times(facts->cause);
+}
+
+}  // namespace
+
+Examination::Examination(const rig_config::Rig& rig, measurement::Stamp start, double expected_s)
+    : rig_(rig), start_(start), scribe_(rig, nullptr, start, expected_s) {}
+
+void Examination::follow(host::Followers& followers, std::vector<const device::Device*> devices) {
+  devices_ = std::move(devices);
+  diagnostician_.emplace(rig_, followers);
+  diagnostician_->watch(devices_);
+  followers.add(*diagnostician_);
+  followers.add(findings_);
+  followers.add(scribe_);
+}
+
+Outcome Examination::result(const std::string& source, measurement::Stamp end, bool live,
+                            bool has_times) const {
+  Outcome outcome;
+  outcome.source = source;
+  outcome.circumstances = {measurement::seconds(end - start_), live, has_times};
+  for (const auto* device : devices_)
+    outcome.devices.push_back(device::account_of(*device, device->health(end),
+                                                 host::provenance_of(device->options().link)));
+  summary::Summary curves;
+  scribe_.write(curves);
+  outcome.measurements = std::move(curves.measurements);
+  outcome.findings = summary::accounts_of(findings_, rig_, start_);
+  if (!has_times) std::erase_if(outcome.findings, is_of_times);
+  put_worst_first(outcome.findings);
+  outcome.unseen = unseen_in(rig_, outcome.circumstances);
+  return outcome;
+}
+
+}  // namespace drydock::diagnose

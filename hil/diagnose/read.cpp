@@ -1,0 +1,140 @@
+#include <fmt/format.h>
+
+#include <boost/asio/io_context.hpp>
+#include <set>
+#include <stdexcept>
+
+#include "drivers/diagnosis/device_monitor.hpp"
+#include "drivers/host/rig_bus.hpp"
+#include "drivers/link/can/frame_file.hpp"
+#include "drivers/monitor/found_devices.hpp"
+#include "drivers/shell/device_actor.hpp"
+#include "drivers/shell/recorded_bus.hpp"
+#include "drivers/shell/recorded_line.hpp"
+#include "hil/diagnose/examination.hpp"
+#include "hil/diagnose/sources.hpp"
+#include "hil/replay/recorded_rig.hpp"
+#include "hil/replay/replay_bench.hpp"
+
+namespace drydock::diagnose {
+namespace {
+
+using measurement::Stamp;
+
+constexpr int looks_a_pause = 240;  ///< a trace may stand still for years
+constexpr unsigned usual_baud = 9600;
+constexpr double usual_length_s = 600;  ///< spaces the curves of a file whose length is not known
+
+/// The devices of a capture in virtual time. Members are in the order in which they need each
+/// other.
+class CaptureBench final : public device::Listener, public device::Transmitter {
+ public:
+  CaptureBench(const rig_config::Rig& rig, std::vector<std::unique_ptr<device::Device>> devices,
+               Stamp start)
+      : clock_(start), examination_(rig, start, usual_length_s) {
+    for (auto& device : devices) add(std::move(device), start);
+    std::vector<const device::Device*> all;
+    for (const auto& actor : actors_) all.push_back(&actor->device());
+    examination_.follow(followers_, std::move(all));
+  }
+
+  Outcome play(const std::string& source, bool has_times) {
+    clock_.run_until(clock_.now());
+    examination_.look(clock_.now());
+    while (const auto due = next()) {
+      clock_.run_until(*due);
+      examination_.look(clock_.now());
+    }
+    return examination_.result(source, clock_.now(), false, has_times);
+  }
+
+ private:
+  void add(std::unique_ptr<device::Device> device, Stamp start) {
+    const auto uri = link::parse_uri(device->options().link).value();
+    const bool on_bus = device->on_bus();
+    actors_.push_back(std::make_unique<shell::DeviceActor>(std::move(device), *this, *this, start,
+                                                           measurement::Provenance::replayed));
+    shell::DeviceActor& driver = *actors_.back();
+    if (heard_.insert(uri.text).second) driver.tap(followers_);  // each link once
+    if (on_bus)
+      files_.push_back(std::make_unique<shell::RecordedBus>(uri, driver, start));
+    else
+      files_.push_back(std::make_unique<shell::RecordedLine>(uri, driver, start));
+    clock_.add(driver);
+    clock_.add(*files_.back());
+  }
+
+  /// The end of the next step: a look, or now while a file without times has more. Empty: all files
+  /// are at their end.
+  std::optional<Stamp> next() const {
+    std::optional<Stamp> first;
+    for (const auto& file : files_)
+      if (const auto due = file->deadline()) first = std::min(first.value_or(*due), *due);
+    if (!first) return {};
+    const Stamp now = clock_.now();
+    if (*first <= now) return now;
+    return now + std::max<Stamp::duration>(diagnosis::look_period, (*first - now) / looks_a_pause);
+  }
+
+  void on_measurement(const measurement::Measurement& m) override { followers_.on_measurement(m); }
+  void on_state(const device::Device&, const device::Transition&) override {}
+  void send(wire::Bytes) override {}
+  void send(const wire::CanFrame&) override {}
+
+  shell::Lockstep clock_;
+  host::Followers followers_;
+  std::vector<std::unique_ptr<shell::DeviceActor>> actors_;
+  std::vector<std::unique_ptr<shell::Actor>> files_;
+  std::set<std::string> heard_;  ///< links
+  Examination examination_;
+};
+
+/// The stamp of a capture's first frame; bytes begin at zero.
+Stamp first_time(const device::Device& device) {
+  if (!device.on_bus()) return Stamp{};
+  auto file = link::capture_of(link::parse_uri(device.options().link).value());
+  const auto first = file.next();
+  return Stamp{first ? first->time.value_or(Stamp::duration{0}) : Stamp::duration{0}};
+}
+
+}  // namespace
+
+Outcome read_capture(const std::string& path, unsigned baud) {
+  const unsigned rate = baud > 0 ? baud : usual_baud;
+  const std::string uri = fmt::format("file:{}?speed=max&baud={}", path, rate);
+  const auto report = probe::find_sensors(uri, 0);
+  auto devices = monitor::devices_of(report);
+  if (devices.empty()) {
+    Outcome nothing;
+    nothing.source = path;
+    nothing.notes = report.notes;
+    return nothing;
+  }
+  const auto rig = host::rig_of(devices, path);
+  const bool has_times = devices.front()->on_bus();
+  const Stamp start = first_time(*devices.front());
+  auto outcome = CaptureBench(rig, std::move(devices), start).play(path, has_times);
+  if (!has_times)
+    outcome.notes.push_back(fmt::format(
+        "a capture of bytes has no times: they count its bytes at {} baud, without the pauses",
+        rate));
+  return outcome;
+}
+
+Outcome read_recording(const std::string& path) {
+  auto recording = record::Recording::open(path);
+  if (!recording) throw std::runtime_error(recording.error().line);
+  const replay::RecordedRig rig(*recording);
+  boost::asio::io_context io{1};
+  replay::Pace pace(io, 0);
+  const record::Selection all;
+  replay::ReplayBench bench(*recording, rig.rig(), all, {});
+  Examination examination(rig.rig(), bench.start(), usual_length_s);
+  examination.follow(bench.followers(), bench.devices());
+  bench.play(pace, [](double) { return true; });
+  auto outcome = examination.result(path, bench.start() + bench.played(), false);
+  if (!rig.trouble().empty()) outcome.notes.push_back(rig.trouble());
+  return outcome;
+}
+
+}  // namespace drydock::diagnose

@@ -1,0 +1,171 @@
+#include "hil/diagnose/visibility.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <set>
+
+#include "drivers/diagnosis/verdict.hpp"
+#include "drivers/measurement/kind.hpp"
+#include "drivers/wire/protocols.hpp"
+
+namespace drydock::diagnose {
+namespace {
+
+using diagnosis::Cause;
+using measurement::Kind;
+using rig_config::DeviceConfig;
+
+/// A slow drift of an hour cannot be told from a constant in less time than this.
+constexpr double shortest_for_drift_s = 60;
+
+/// What can stand in for a sensor of this kind: it measures the same quantity, or one that follows
+/// from it.
+std::vector<Kind> peers_of(Kind kind) {
+  switch (kind) {
+    case Kind::dvl: return {Kind::dvl, Kind::emlog, Kind::gnss};
+    case Kind::emlog: return {Kind::emlog, Kind::dvl, Kind::gnss};
+    case Kind::gnss: return {Kind::gnss, Kind::dvl, Kind::emlog};
+    case Kind::depth: return {Kind::depth, Kind::dvl};
+    case Kind::imu: return {Kind::imu, Kind::dvl, Kind::gnss, Kind::attitude};
+    case Kind::attitude: return {Kind::attitude, Kind::imu, Kind::gnss};
+    case Kind::actuator: return {Kind::actuator};
+  }
+  return {};
+}
+
+bool has_peer(const rig_config::Rig& rig, const DeviceConfig& device) {
+  const auto peers = peers_of(device.kind);
+  return std::ranges::any_of(rig.devices, [&](const DeviceConfig& other) {
+    return other.name != device.name && std::ranges::find(peers, other.kind) != peers.end();
+  });
+}
+
+bool tells_time(const DeviceConfig& device, const wire::Protocol& protocol) {
+  return protocol.clock == wire::DeviceClock::yes ||
+         (protocol.clock == wire::DeviceClock::of_receiver && device.kind == Kind::gnss);
+}
+
+/// True if such a device can have it at all.
+bool applies(Cause cause, const DeviceConfig& device, const wire::Protocol& protocol) {
+  const bool frames = protocol.travels == wire::Travels::as_frames;
+  switch (cause) {
+    case Cause::foreign_bytes:
+    case Cause::damaged:
+    case Cause::wrong_baud: return !frames;
+    case Cause::bus_off:
+    case Cause::error_frames:
+    case Cause::bus_load: return frames;
+    case Cause::address_stolen: return protocol.network == wire::Network::j1939;
+    case Cause::nak: return protocol.settings == wire::Settings::refusable;
+    case Cause::bottom_lost: return device.kind == Kind::dvl;
+    case Cause::satellites_blocked:
+    case Cause::antenna_gain: return device.kind == Kind::gnss;
+    case Cause::hot: return protocol.tells_heat;
+    case Cause::mounting: return device.kind == Kind::dvl || device.kind == Kind::imu;
+    case Cause::scale: return device.kind == Kind::dvl || device.kind == Kind::emlog;
+    default: return true;
+  }
+}
+
+constexpr bool needs_peer(Cause cause) {
+  using enum Cause;
+  constexpr std::array all{bias, drift, mounting, scale};
+  return std::ranges::find(all, cause) != all.end();
+}
+
+/// Why nobody could have seen it; empty: it would have been seen.
+std::string why_not(Cause cause, const DeviceConfig& device, const wire::Protocol& protocol,
+                    const rig_config::Rig& rig, const Circumstances& with) {
+  if (!is_concluded(cause)) return "this version does not look for them";
+  if (cause == Cause::damaged && protocol.checksum.empty()) return "its messages have no checksum";
+  if (cause == Cause::port_lost && !with.live) return "a file has no port";
+  if (cause == Cause::nak) return "nothing was written to it";
+  if (needs_times(cause) && !with.has_times) return "the capture has no times of arrival";
+  const bool clock = cause == Cause::clock_step || cause == Cause::clock_drift;
+  if (clock && !tells_time(device, protocol)) return "its messages tell no time";
+  if (needs_peer(cause) && !has_peer(rig, device)) return "no other sensor measures what it does";
+  if (cause == Cause::delay && !tells_time(device, protocol) && !has_peer(rig, device))
+    return "its messages tell no time, and no other sensor measures what it does";
+  if (cause == Cause::drift && with.duration_s < shortest_for_drift_s)
+    return fmt::format("{:.0f} s are too short for a slow one", with.duration_s);
+  return {};
+}
+
+void note(std::vector<Unseen>& all, const std::string& device, Cause cause,
+          const std::string& why) {
+  const auto known = std::ranges::find_if(
+      all, [&](const Unseen& one) { return one.devices.front() == device && one.why == why; });
+  (known != all.end() ? *known : all.emplace_back(Unseen{{device}, {}, why}))
+      .causes.push_back(cause);
+}
+
+/// Devices that have the same in common share an entry.
+std::vector<Unseen> joined(const std::vector<Unseen>& all) {
+  std::vector<Unseen> shared;
+  for (const Unseen& one : all) {
+    const auto known = std::ranges::find_if(shared, [&](const Unseen& other) {
+      return other.why == one.why && other.causes == one.causes;
+    });
+    if (known == shared.end())
+      shared.push_back(one);
+    else
+      known->devices.push_back(one.devices.front());
+  }
+  return shared;
+}
+
+diagnosis::Symptom symptom_of(diagnosis::Sign sign) {
+  diagnosis::Symptom symptom;
+  symptom.sign = sign;
+  symptom.value = std::numeric_limits<double>::infinity();  // as strong as any rule wants it
+  return symptom;
+}
+
+constexpr int more_than_all_signs = 128;
+
+std::set<Cause> all_conclusions() {
+  std::set<Cause> found;
+  const auto conclude = [&](const auto&... signs) {
+    const std::array symptoms{symptom_of(signs)...};
+    if (const auto verdict = diagnosis::verdict_on(symptoms)) found.insert(verdict->cause);
+  };
+  for (int first = 0; first < more_than_all_signs; ++first) {
+    conclude(static_cast<diagnosis::Sign>(first));
+    for (int second = 0; second < more_than_all_signs; ++second)
+      conclude(static_cast<diagnosis::Sign>(first), static_cast<diagnosis::Sign>(second));
+  }
+  return found;
+}
+
+}  // namespace
+
+bool needs_times(Cause cause) {
+  using enum Cause;
+  constexpr std::array all{silent, drop,       delay,       jitter, slow,
+                           burst,  clock_step, clock_drift, drift,  wrong_rate};
+  return std::ranges::find(all, cause) != all.end();
+}
+
+bool is_concluded(Cause cause) {
+  static const std::set<Cause> all = all_conclusions();
+  return all.contains(cause);
+}
+
+std::vector<Unseen> unseen_in(const rig_config::Rig& rig, const Circumstances& with) {
+  std::vector<Unseen> all;
+  for (const DeviceConfig& device : rig.devices) {
+    const wire::Protocol* const known = rig_config::protocol_of(device);
+    const wire::Protocol protocol = known != nullptr ? *known : wire::Protocol{};
+    for (const auto& facts : diagnosis::causes()) {
+      if (!applies(facts.cause, device, protocol)) continue;
+      const std::string why = why_not(facts.cause, device, protocol, rig, with);
+      if (!why.empty()) note(all, device.name, facts.cause, why);
+    }
+  }
+  return joined(all);
+}
+
+}  // namespace drydock::diagnose

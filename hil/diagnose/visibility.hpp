@@ -1,0 +1,34 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "drivers/diagnosis/cause.hpp"
+#include "rig_config/rig.hpp"
+
+namespace drydock::diagnose {
+
+/// What was there to see with.
+struct Circumstances {
+  double duration_s = 0;
+  bool live = false;      ///< ports were open; else a file was read
+  bool has_times = true;  ///< messages have a time of arrival
+};
+
+/// Causes that could not have been seen on some devices, and why.
+struct Unseen {
+  std::vector<std::string> devices;
+  std::vector<diagnosis::Cause> causes;
+  std::string why;
+};
+
+/// Everything that could be wrong with the rig's devices and would not have been seen.
+std::vector<Unseen> unseen_in(const rig_config::Rig& rig, const Circumstances& with);
+
+/// True if only times of arrival can show it.
+bool needs_times(diagnosis::Cause cause);
+
+/// True if some signs lead to this cause.
+bool is_concluded(diagnosis::Cause cause);
+
+}  // namespace drydock::diagnose

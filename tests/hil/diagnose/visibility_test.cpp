@@ -1,0 +1,100 @@
+#include "hil/diagnose/visibility.hpp"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+
+namespace drydock::diagnose {
+namespace visibility_test {
+
+using diagnosis::Cause;
+using testing::Contains;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+
+rig_config::Rig rig_of(std::vector<std::pair<measurement::Kind, std::string>> devices) {
+  rig_config::Rig rig;
+  for (const auto& [kind, protocol] : devices) {
+    auto& device = rig.devices.emplace_back();
+    device.name = to_string(kind);
+    device.kind = kind;
+    device.protocol = protocol;
+  }
+  return rig;
+}
+
+constexpr Circumstances minute{.duration_s = 100, .live = true, .has_times = true};
+
+/// Why the cause could not have been seen on the device; empty: it could.
+std::string why(const rig_config::Rig& rig, const std::string& device, Cause cause,
+                const Circumstances& with = minute) {
+  for (const Unseen& one : unseen_in(rig, with))
+    if (std::ranges::find(one.devices, device) != one.devices.end() &&
+        std::ranges::find(one.causes, cause) != one.causes.end())
+      return one.why;
+  return {};
+}
+
+TEST(Visibility, SilenceAndALostPortAreSeenOnEveryLiveDevice) {
+  const auto rig = rig_of({{measurement::Kind::dvl, "pd0"}, {measurement::Kind::imu, "xsens"}});
+  for (const char* device : {"dvl", "imu"}) {
+    EXPECT_THAT(why(rig, device, Cause::silent), IsEmpty());
+    EXPECT_THAT(why(rig, device, Cause::port_lost), IsEmpty());
+  }
+}
+
+TEST(Visibility, DamageIsSeenOnlyThroughAChecksum) {
+  const auto pd0 = rig_of({{measurement::Kind::dvl, "pd0"}});
+  EXPECT_THAT(why(pd0, "dvl", Cause::damaged), IsEmpty());
+}
+
+/// docs/sensors/protocols/pd6.md: the sentences of PD6 have no checksum.
+TEST(Visibility, DamageOfAProtocolWithoutAChecksumIsNot) {
+  const auto pd6 = rig_of({{measurement::Kind::dvl, "pd6"}});
+  EXPECT_EQ(why(pd6, "dvl", Cause::damaged), "its messages have no checksum");
+}
+
+TEST(Visibility, ACanDeviceIsNotSaidToHaveFaultsOfASerialLineAndTheOtherWayRound) {
+  const auto rig = rig_of({{measurement::Kind::dvl, "pd0"}, {measurement::Kind::imu, "xsens"}});
+  for (const Unseen& one : unseen_in(rig, minute)) {
+    const Cause of_the_other = one.devices.front() == "imu" ? Cause::wrong_baud : Cause::bus_off;
+    EXPECT_THAT(one.causes, Not(Contains(of_the_other))) << one.devices.front();
+  }
+}
+
+TEST(Visibility, AFileHasNoPortAndACaptureOfBytesHasNoTimes) {
+  const auto rig = rig_of({{measurement::Kind::dvl, "pd0"}});
+  const Circumstances file{.duration_s = 100, .live = false, .has_times = true};
+  const Circumstances bytes{.duration_s = 0, .live = false, .has_times = false};
+  EXPECT_EQ(why(rig, "dvl", Cause::port_lost, file), "a file has no port");
+  EXPECT_THAT(why(rig, "dvl", Cause::silent, file), IsEmpty());
+  EXPECT_EQ(why(rig, "dvl", Cause::silent, bytes), "the capture has no times of arrival");
+}
+
+/// A reason is either that of the sensors or that this version does not look for it.
+TEST(Visibility, ABiasIsSeenOnlyBesideASensorThatMeasuresTheSame) {
+  const auto alone = rig_of({{measurement::Kind::dvl, "pd0"}});
+  EXPECT_THAT(why(alone, "dvl", Cause::bias), Not(IsEmpty()));
+  const auto with_log =
+      rig_of({{measurement::Kind::dvl, "pd0"}, {measurement::Kind::emlog, "nmea0183"}});
+  EXPECT_NE(why(with_log, "dvl", Cause::bias), "no other sensor measures what it does");
+}
+
+TEST(Visibility, DevicesThatHaveTheSameReasonShareALine) {
+  auto rig = rig_of({{measurement::Kind::dvl, "pd0"}, {measurement::Kind::dvl, "pd0"}});
+  rig.devices[1].name = "dvl2";
+  for (const Unseen& one : unseen_in(rig, minute))
+    EXPECT_THAT(one.devices, testing::ElementsAre("dvl", "dvl2")) << one.why;
+}
+
+TEST(Visibility, WhatNoMonitorConcludesIsNamedForEveryDeviceThatCanHaveIt) {
+  const auto rig = rig_of({{measurement::Kind::dvl, "pd0"}});
+  EXPECT_TRUE(is_concluded(Cause::silent));
+  EXPECT_TRUE(is_concluded(Cause::damaged));
+  for (const auto cause : {Cause::stuck, Cause::noise, Cause::spike, Cause::duplicate})
+    EXPECT_EQ(why(rig, "dvl", cause).empty(), is_concluded(cause));
+}
+
+}  // namespace visibility_test
+}  // namespace drydock::diagnose
