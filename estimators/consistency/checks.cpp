@@ -94,7 +94,7 @@ void Checks::step(Stamp at) {
   places_.step(moment);
   steering_.step(moment, speeds_.group().value());
   accuse(moment);
-  names_ = Parity{}.name(accusations_, at);
+  names_ = parity_.name(accusations_, at);
   std::fill(named_.begin(), named_.end(), false);
   for (const Named& one : names_) named_[one.device] = true;
   last_ = at;

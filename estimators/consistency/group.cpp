@@ -39,12 +39,13 @@ void Group::move_to(std::optional<double> value, double dt) {
   value_ = value;
 }
 
-void Group::test(Witness& witness, Stamp at) const {
-  if (value_ && witness.seen && witness.fresh)
+void Group::test(Witness& witness, Stamp at, std::size_t seen) const {
+  if (value_ && seen > 1 && &witness != sole_ && witness.seen && witness.fresh)
     witness.test.take({.value = witness.value - *value_,
                        .rate = rate_,
                        .quantity = *value_,
-                       .sigma = witness.sigma},
+                       .sigma = voters_ > 2 ? witness.sigma : worst_sigma_,
+                       .shapes = voters_ > 2},
                       at);
   witness.present = witness.seen;
   witness.seen = false;

@@ -31,6 +31,7 @@ struct Residual {
   double rate = 0;      ///< derivative of the measured quantity
   double quantity = 0;  ///< its value
   double sigma = 0;     ///< of further errors at this time
+  bool shapes = false;  ///< rate and quantity do not come from the device itself
 };
 
 /// One residual: a difference that is constant but for noise while all is well. It learns offset
