@@ -19,7 +19,7 @@ double simulated(const CusumDesign& design, double shift, int runs) {
   return total / runs;
 }
 
-// Hawkins and Olwell 1998, table 3.1: two sides, k = 0.5, h = 4 and 5.
+// Lucas and Crosier 1982: two sides, k = 0.5, h = 4 and 5.
 TEST(Cusum, HasTheMeanTimesToAnAlarmOfThePublishedTables) {
   EXPECT_NEAR(mean_samples_to_alarm({0.5, 4}), 168, 0.03 * 168);
   EXPECT_NEAR(mean_samples_to_alarm({0.5, 5}), 465, 0.03 * 465);
