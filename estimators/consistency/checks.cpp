@@ -4,6 +4,8 @@ namespace drydock::consistency {
 namespace {
 
 constexpr std::chrono::milliseconds period{200};
+/// Without a velocity the turn of the vehicle looks like a heel.
+constexpr double unknown_level_rad = 0.05;
 /// Behind a gap the checks begin anew.
 constexpr std::chrono::seconds longest_pause{5};
 
@@ -109,6 +111,7 @@ Moment Checks::moment_at(Stamp at) {
       moment.level_from.push_back(unit.device());
     }
   moment.heading = headings_.group().value().value_or(0);
+  moment.heading_known = headings_.group().value().has_value();
   for (const DvlTracks& dvl : tracks_.dvls) {
     const auto read = dvl.velocity.at(at);
     if (!read || !trusted({dvl.device}) || moment.over_ground) continue;
@@ -116,8 +119,8 @@ Moment Checks::moment_at(Stamp at) {
     const Eigen::Vector3d velocity = at_origin(read->value, dvl.sensor.lever_arm_m, moment);
     moment.over_ground = levelled(velocity, moment);
     moment.along_deck = velocity.head<2>();
-    moment.ground_from.push_back(dvl.device);
   }
+  moment.level_sigma_rad = velocity(moment) ? 0 : unknown_level_rad;
   return moment;
 }
 
@@ -162,12 +165,13 @@ void Checks::accuse(const Moment& moment) {
   accuse(heights_.group());
   for (const auto& unit : levels_.units())
     for (const Test& test : unit.tests) accuse({unit.device}, test, unit.freeze);
+  for (const auto& receiver : places_.receivers())
+    for (const Test& test : receiver.tests) accuse({receiver.device}, test, receiver.freeze, true);
+  if (moment.level_from.empty()) return;  // nothing tests these now
   for (const auto& compass : attitudes_.compasses())
     for (const Test& test : compass.tests)
       accuse(with(compass.device, moment.level_from), test,
              &test == &compass.tests[2] ? compass.turn_freeze : compass.tilt_freeze);
-  for (const auto& receiver : places_.receivers())
-    for (const Test& test : receiver.tests) accuse({receiver.device}, test, receiver.freeze, true);
   for (const auto& rudder : steering_.rudders())
     accuse(with(rudder.device, moment.level_from), rudder.test, rudder.freeze);
 }

@@ -45,7 +45,8 @@ void Group::test(Witness& witness, Stamp at, std::size_t seen) const {
                        .rate = rate_,
                        .quantity = *value_,
                        .sigma = voters_ > 2 ? witness.sigma : worst_sigma_,
-                       .shapes = voters_ > 2},
+                       .shapes = voters_ > 2,
+                       .pair = seen <= 2},
                       at);
   witness.present = witness.seen;
   witness.seen = false;

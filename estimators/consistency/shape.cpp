@@ -46,9 +46,8 @@ bool ShapeTest::grows() const {
 Shape ShapeTest::best() const {
   if (count_ < enough_to_tell) return Shape::step;
   std::size_t best = grows() ? 1 : 0;
-  if (grows() && sums_[2].explained() > sums_[1].explained()) best = 2;
   const double left_over = all_ - sums_[best].explained();
-  for (std::size_t i = 3; i < sums_.size(); ++i)
+  for (std::size_t i = best == 1 ? 2 : 3; i < sums_.size(); ++i)
     if (all_ - sums_[i].explained() < rarer_share * left_over &&
         sums_[i].explained() > sums_[best].explained())
       best = i;

@@ -32,6 +32,7 @@ struct Residual {
   double quantity = 0;  ///< its value
   double sigma = 0;     ///< of further errors at this time
   bool shapes = false;  ///< rate and quantity do not come from the device itself
+  bool pair = false;    ///< of two witnesses that accuse each other
 };
 
 /// One residual: a difference that is constant but for noise while all is well. It learns offset

@@ -19,9 +19,10 @@ class Track {
   /// `longest_gap`: values between samples that lie farther apart are not given.
   explicit Track(std::chrono::nanoseconds longest_gap) : longest_gap_(longest_gap) {}
 
-  /// A time that does not advance is not taken; if it goes back by more than the longest gap, the
-  /// device's clock was set and the track begins anew.
+  /// A value that is no number is not taken. A time that does not advance is not taken; if it goes
+  /// back by more than the longest gap, the device's clock was set and the track begins anew.
   void push(Stamp at, const Value& value) {
+    if (!value.allFinite()) return;
     if (count_ > 0 && at <= last().at) {
       if (last().at - at <= longest_gap_) return;
       count_ = 0;
