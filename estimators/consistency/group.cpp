@@ -4,6 +4,8 @@ namespace drydock::consistency {
 namespace {
 
 constexpr double rate_memory_s = 0.5;
+/// The median of two lies in the middle: each differs by half, sqrt(2) / 2 of a sigma.
+constexpr double half_of_pair = 0.7071;
 
 }  // namespace
 
@@ -44,7 +46,7 @@ void Group::test(Witness& witness, Stamp at, std::size_t seen) const {
     witness.test.take({.value = witness.value - *value_,
                        .rate = rate_,
                        .quantity = *value_,
-                       .sigma = voters_ > 2 ? witness.sigma : worst_sigma_,
+                       .sigma = voters_ > 2 ? witness.sigma : half_of_pair * worst_sigma_,
                        .shapes = voters_ > 2,
                        .pair = seen <= 2},
                       at);

@@ -8,7 +8,7 @@ namespace {
 
 constexpr double quiet_below = 0.3;
 /// A jump counts from so many usual changes on, if it is so much larger (log) than the other's.
-constexpr double clear_surprise = 10, clear_ratio = 0.7;
+constexpr double clear_surprise = 5, clear_ratio = 0.7;
 
 bool is_named(const Parity::Names& names, const Devices& devices) {
   return std::ranges::any_of(names,
