@@ -103,6 +103,44 @@ TEST_P(AFault, IsLaidToItsDevice) {
 INSTANTIATE_TEST_SUITE_P(Consistency, AFault, testing::ValuesIn(cases),
                          [](const auto& given) { return std::string(given.param.name); });
 
+const Case smallest[] = {
+    {"Dvl", dvl, {}, 20, on<BottomVelocity>([](auto& m, double) { m.velocity->x() += 0.06; })},
+    {"Log", log, {}, 20, on<WaterSpeed>([](auto& m, double) { *m.longitudinal_mps += 0.25; })},
+    {"GnssVelocity", gnss, {}, 20, on<GnssFix>([](auto& m, double) {
+       *m.velocity_ned *= 1 + 0.15 / 2;
+     })},
+    {"GnssPosition", gnss, {}, 20, on<GnssFix>([](auto& m, double) {
+       m.position->latitude_rad += 6 / 6.371e6;
+     })},
+    {"Gyro", imu, {}, 20, on<ImuSample>([](auto& m, double) {
+       m.angular_rate.y() += 0.2 * degree;
+     })},
+    {"Accelerometer", imu, {}, 20, on<ImuSample>([](auto& m, double) {
+       m.specific_force.z() += 0.15;
+     })},
+    {"Depth", depth, {}, 20, on<DepthSample>([](auto& m, double) { *m.depth_m += 0.35; })},
+    {"Rudder", actuators, {}, 20, on<ActuatorState>([](auto& m, double) {
+       *m.rudder_rad += 3 * degree;
+     })},
+    {"Shaft", actuators, {}, 20, on<ActuatorState>([](auto& m, double) {
+       *m.propeller_radps += 50 * std::numbers::pi / 30;
+     })},
+    {"Compass", compass, {}, 20, on<AttitudeSample>([](auto& m, double) {
+       m.true_heading_rad = std::fmod(*m.true_heading_rad + 2 * degree, 2 * std::numbers::pi);
+     })},
+};
+
+class TheSmallestFaultOfThePage : public testing::TestWithParam<Case> {};
+
+TEST_P(TheSmallestFaultOfThePage, IsLaidToItsDeviceWithinTwentySeconds) {
+  Voyage voyage;
+  voyage.run(begin_s + GetParam().within_s, GetParam().fault);
+  ASSERT_FALSE(voyage.said().empty());
+  for (const auto& one : voyage.said()) EXPECT_EQ(one.device, GetParam().device) << one.at_s;
+}
+INSTANTIATE_TEST_SUITE_P(Consistency, TheSmallestFaultOfThePage, testing::ValuesIn(smallest),
+                         [](const auto& given) { return std::string(given.param.name); });
+
 TEST(Consistency, ForgetsAFaultThatIsOver) {
   Voyage voyage;
   voyage.run(90, on<BottomVelocity>([](auto& m, double) { m.velocity->x() += 0.3; }));
