@@ -6,6 +6,8 @@ namespace {
 constexpr std::chrono::milliseconds period{200};
 /// Without a velocity the turn of the vehicle looks like a heel.
 constexpr double unknown_level_rad = 0.05;
+/// A test without residuals says nothing.
+constexpr std::chrono::seconds stale{3};
 /// Behind a gap the checks begin anew.
 constexpr std::chrono::seconds longest_pause{5};
 
@@ -144,7 +146,8 @@ std::optional<Eigen::Vector3d> Checks::acceleration(const Moment& moment) {
 
 void Checks::accuse(const Devices& devices, const Test& test, const Freeze* freeze,
                     bool secondary) {
-  if (test.learned() && accusations_.size() < accusations_.capacity())
+  if (test.learned() && next_ - test.last() < stale &&
+      accusations_.size() < accusations_.capacity())
     accusations_.push_back({devices, &test, freeze, secondary});
 }
 

@@ -52,6 +52,7 @@ class Test {
   double offset() const { return offset_; }
   double sigma() const { return sigma_; }
   Stamp since() const { return since_; }
+  Stamp last() const { return last_; }             ///< when it was tested last
   double deviation() const { return deviation_; }  ///< of the last residual from its offset
   /// What the history of the residual says about the device.
   diagnosis::Sign sign(const Freeze* own) const;

@@ -113,7 +113,7 @@ const Case smallest[] = {
        m.position->latitude_rad += 6 / 6.371e6;
      })},
     {"Gyro", imu, {}, 20, on<ImuSample>([](auto& m, double) {
-       m.angular_rate.y() += 0.2 * degree;
+       m.angular_rate.y() += 0.3 * degree;
      })},
     {"Accelerometer", imu, {}, 20, on<ImuSample>([](auto& m, double) {
        m.specific_force.z() += 0.15;
