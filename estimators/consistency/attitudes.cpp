@@ -47,8 +47,13 @@ void Attitudes::step(Compass& compass, const AttitudeTracks& tracks, const Momen
   const double pitch = std::asin(std::clamp(-down.x(), -1.0, 1.0));
   if (const auto tilt = tracks.tilt.at(moment.at); tilt && tilt->serial != compass.tilt_serial) {
     compass.tilt_serial = tilt->serial;
-    compass.tests[0].take({.value = tilt->value[0] - roll, .rate = moment.rate->x()}, moment.at);
-    compass.tests[1].take({.value = tilt->value[1] - pitch, .rate = moment.rate->y()}, moment.at);
+    compass.tests[0].take(
+        {.value = tilt->value[0] - roll, .rate = moment.rate->x(), .sigma = moment.level_sigma_rad},
+        moment.at);
+    compass.tests[1].take({.value = tilt->value[1] - pitch,
+                           .rate = moment.rate->y(),
+                           .sigma = moment.level_sigma_rad},
+                          moment.at);
   }
   // The unit's rate is the mean of the last step.
   const auto turn = tracks.turn.at(moment.at - measurement::from_seconds(moment.dt / 2));

@@ -4,6 +4,10 @@ namespace drydock::consistency {
 namespace {
 
 constexpr std::chrono::milliseconds period{200};
+/// Without a velocity the turn of the vehicle looks like a heel.
+constexpr double unknown_level_rad = 0.05;
+/// A test without residuals says nothing.
+constexpr std::chrono::seconds stale{3};
 /// Behind a gap the checks begin anew.
 constexpr std::chrono::seconds longest_pause{5};
 
@@ -94,7 +98,7 @@ void Checks::step(Stamp at) {
   places_.step(moment);
   steering_.step(moment, speeds_.group().value());
   accuse(moment);
-  names_ = Parity{}.name(accusations_, at);
+  names_ = parity_.name(accusations_, at);
   std::fill(named_.begin(), named_.end(), false);
   for (const Named& one : names_) named_[one.device] = true;
   last_ = at;
@@ -109,6 +113,7 @@ Moment Checks::moment_at(Stamp at) {
       moment.level_from.push_back(unit.device());
     }
   moment.heading = headings_.group().value().value_or(0);
+  moment.heading_known = headings_.group().value().has_value();
   for (const DvlTracks& dvl : tracks_.dvls) {
     const auto read = dvl.velocity.at(at);
     if (!read || !trusted({dvl.device}) || moment.over_ground) continue;
@@ -116,8 +121,8 @@ Moment Checks::moment_at(Stamp at) {
     const Eigen::Vector3d velocity = at_origin(read->value, dvl.sensor.lever_arm_m, moment);
     moment.over_ground = levelled(velocity, moment);
     moment.along_deck = velocity.head<2>();
-    moment.ground_from.push_back(dvl.device);
   }
+  moment.level_sigma_rad = velocity(moment) ? 0 : unknown_level_rad;
   return moment;
 }
 
@@ -141,7 +146,8 @@ std::optional<Eigen::Vector3d> Checks::acceleration(const Moment& moment) {
 
 void Checks::accuse(const Devices& devices, const Test& test, const Freeze* freeze,
                     bool secondary) {
-  if (test.learned() && accusations_.size() < accusations_.capacity())
+  if (test.learned() && next_ - test.last() < stale &&
+      accusations_.size() < accusations_.capacity())
     accusations_.push_back({devices, &test, freeze, secondary});
 }
 
@@ -162,12 +168,13 @@ void Checks::accuse(const Moment& moment) {
   accuse(heights_.group());
   for (const auto& unit : levels_.units())
     for (const Test& test : unit.tests) accuse({unit.device}, test, unit.freeze);
+  for (const auto& receiver : places_.receivers())
+    for (const Test& test : receiver.tests) accuse({receiver.device}, test, receiver.freeze, true);
+  if (moment.level_from.empty()) return;  // nothing tests these now
   for (const auto& compass : attitudes_.compasses())
     for (const Test& test : compass.tests)
       accuse(with(compass.device, moment.level_from), test,
              &test == &compass.tests[2] ? compass.turn_freeze : compass.tilt_freeze);
-  for (const auto& receiver : places_.receivers())
-    for (const Test& test : receiver.tests) accuse({receiver.device}, test, receiver.freeze, true);
   for (const auto& rudder : steering_.rudders())
     accuse(with(rudder.device, moment.level_from), rudder.test, rudder.freeze);
 }

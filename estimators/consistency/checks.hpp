@@ -47,6 +47,7 @@ class Checks {
   Places places_;
   Steering steering_;
   Accusations accusations_;
+  Parity parity_;
   Parity::Names names_;
   Stamp next_{}, last_{};
   std::optional<Eigen::Vector3d> last_velocity_;

@@ -9,7 +9,7 @@ namespace drydock::consistency {
 /// reference value is half the shift that it finds fastest; both are in sigmas.
 struct CusumDesign {
   double reference = 1;  ///< k
-  double limit = 10;     ///< h
+  double limit = 12;     ///< h
 };
 
 /// Siegmund 1985, (2.57) with the overshoot 1.166: the mean number of samples until one of two
@@ -31,11 +31,11 @@ class Cusum {
   /// The largest step of a sum. One wild residual alone never passes the limit.
   static constexpr double longest_step = 4;
 
-  /// `z`: residual over its sigma. The sums stay below 1.5 limits, so that they come back soon.
+  /// `z`: residual over its sigma. The sums stay below 1.25 limits, so that they come back soon.
   void take(double z, const CusumDesign& design) {
     const auto next = [&](double sum, double value) {
       return std::clamp(sum + std::min(value - design.reference, longest_step), 0.0,
-                        1.5 * design.limit);
+                        1.25 * design.limit);
     };
     up_ = next(up_, z);
     down_ = next(down_, -z);

@@ -4,6 +4,8 @@ namespace drydock::consistency {
 namespace {
 
 constexpr double rate_memory_s = 0.5;
+/// The median of two lies in the middle: each differs by half, sqrt(2) / 2 of a sigma.
+constexpr double half_of_pair = 0.7071;
 
 }  // namespace
 
@@ -39,12 +41,14 @@ void Group::move_to(std::optional<double> value, double dt) {
   value_ = value;
 }
 
-void Group::test(Witness& witness, Stamp at) const {
-  if (value_ && witness.seen && witness.fresh)
+void Group::test(Witness& witness, Stamp at, std::size_t seen) const {
+  if (value_ && seen > 1 && &witness != sole_ && witness.seen && witness.fresh)
     witness.test.take({.value = witness.value - *value_,
                        .rate = rate_,
                        .quantity = *value_,
-                       .sigma = witness.sigma},
+                       .sigma = voters_ > 2 ? witness.sigma : half_of_pair * worst_sigma_,
+                       .shapes = voters_ > 2,
+                       .pair = seen <= 2},
                       at);
   witness.present = witness.seen;
   witness.seen = false;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <boost/container/static_vector.hpp>
+#include <cmath>
 #include <span>
 
 #include "estimators/consistency/devices.hpp"
@@ -52,26 +53,36 @@ class Group {
   using Values = boost::container::static_vector<double, most>;
   std::optional<double> median(Values values);
   void move_to(std::optional<double> value, double dt);
-  void test(Witness& witness, Stamp at) const;
+  void test(Witness& witness, Stamp at, std::size_t seen) const;
 
   boost::container::static_vector<Witness, most> witnesses_;
   std::optional<double> value_;
   double rate_ = 0;
+  std::size_t voters_ = 0;
+  double worst_sigma_ = 0;         ///< of all: two witnesses cannot be better than the worse
+  const Witness* sole_ = nullptr;  ///< the only one that votes: nothing tests it
 };
 
 template <class Distrusted>
 void Group::settle(Stamp at, double dt, const Distrusted& distrusted) {
   Values sound, trusted, any;
+  const Witness* voter = nullptr;
+  double worst = 0;
   for (const Witness& witness : witnesses_) {
     if (!witness.seen) continue;
+    worst = std::max(worst, std::hypot(witness.test.facts().floor, witness.sigma));
     const double value = witness.value - witness.test.offset();
     any.push_back(value);
     if (!witness.test.learned() || distrusted(witness.devices)) continue;
+    voter = &witness;
     trusted.push_back(value);
     if (!witness.test.fired()) sound.push_back(value);
   }
+  voters_ = sound.size();
+  worst_sigma_ = worst;
+  sole_ = trusted.size() == 1 ? voter : nullptr;
   move_to(median(!sound.empty() ? sound : !trusted.empty() ? trusted : any), dt);
-  for (Witness& witness : witnesses_) test(witness, at);
+  for (Witness& witness : witnesses_) test(witness, at, any.size());
 }
 
 }  // namespace drydock::consistency

@@ -34,6 +34,15 @@ constexpr TestFacts course_facts{.floor = 1 * degree,
 /// A course of so slow a vehicle is noise.
 constexpr double slowest_course_mps = 0.7;
 
+/// Without a DVL the antenna slips in turns: it lies up to so far from the point that does not.
+constexpr double pivot_m = 2, unknown_slip_rad = 2 * degree, slowest_without_dvl_mps = 2;
+
+double slip_sigma(const Moment& moment, double speed_mps) {
+  if (moment.over_ground) return 0;
+  const double turn = moment.rate ? moment.rate->norm() : 0;
+  return std::hypot(unknown_slip_rad, turn * pivot_m / speed_mps);
+}
+
 }  // namespace
 
 Headings::Headings(const Tracks& tracks) : tracks_(tracks) {
@@ -64,13 +73,15 @@ void Headings::see(const Moment& moment) {
 void Headings::see_courses(const Moment& moment) {
   for (std::size_t i = 0; i < receivers_.size(); ++i) {
     const auto read = tracks_.receivers[i].velocity.at(moment.at);
-    if (!read || read->value.norm() < slowest_course_mps) continue;
+    if (!read ||
+        read->value.norm() < (moment.over_ground ? slowest_course_mps : slowest_without_dvl_mps))
+      continue;
     Eigen::Vector2d drift{read->value.norm(), 0};
     if (moment.over_ground) drift = *moment.over_ground;
     if (moment.rate) drift.y() += moment.rate->z() * tracks_.receivers[i].sensor.lever_arm_m.x();
     const double course = std::atan2(read->value.y(), read->value.x());
     group_.see(receivers_[i], courses_[i].next(course - std::atan2(drift.y(), drift.x())),
-               read->serial);
+               read->serial, slip_sigma(moment, read->value.norm()));
   }
 }
 

@@ -1,5 +1,7 @@
 #include "estimators/consistency/heights.hpp"
 
+#include <cmath>
+
 namespace drydock::consistency {
 namespace {
 
@@ -34,7 +36,8 @@ void Heights::see(const Moment& moment) {
   see_dvls(moment);
 }
 
-/// Without a direction of gravity the DVL cannot say what is down.
+/// Without a direction of gravity the DVL cannot say what is down. Half a sample may be missing
+/// where the velocity changes.
 void Heights::see_dvls(const Moment& moment) {
   for (std::size_t i = 0; i < dvls_.size(); ++i) {
     const auto& dvl = tracks_.dvls[i];
@@ -49,7 +52,8 @@ void Heights::see_dvls(const Moment& moment) {
       sums_[i].depth_m += moment.dt * (now_mps + sums_[i].last_mps) / 2;
     sums_[i].last = moment.at;
     sums_[i].last_mps = now_mps;
-    group_.see(dvls_[i], sums_[i].depth_m, read->serial);
+    group_.see(dvls_[i], sums_[i].depth_m, read->serial,
+               std::abs(now_mps) / (2 * dvl.sensor.rate_hz));
   }
 }
 

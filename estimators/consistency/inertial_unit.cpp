@@ -22,6 +22,7 @@ InertialUnit::InertialUnit(std::uint16_t device, const Sensor& sensor)
 
 void InertialUnit::take(const measurement::ImuSample& sample) {
   const Stamp at = sample.origin.valid_at;
+  if (!sample.angular_rate.allFinite() || !sample.specific_force.allFinite()) return;
   freeze_.see(at, (sample.angular_rate - last_rate_).cwiseAbs().sum() +
                       (sample.specific_force - last_force_).cwiseAbs().sum());
   const double dt = measurement::seconds(at - last_sample_);

@@ -7,12 +7,12 @@ namespace {
 constexpr double fastest_drift_mps3 = 0.05;
 /// Without a velocity the acceleration of the vehicle is an error.
 constexpr double unknown_acceleration_mps2 = 0.5;
-constexpr double acceleration_share = 0.1, change_share = 0.5, acceleration_memory_s = 2;
+constexpr double acceleration_share = 0.15, change_share = 1, acceleration_memory_s = 2;
 /// A gyro's fault has turned the level; when that no longer goes on, the level begins anew.
 constexpr double over_below_mps2 = 0.15, over_after_s = 3;
 
 TestFacts facts_along(std::string_view quantity) {
-  return {.floor = 0.04,
+  return {.floor = 0.06,
           .wander = 0.002,
           .late_s = 0,
           .sum_above = fastest_drift_mps3,

@@ -30,7 +30,9 @@ struct Moment {
   double heading = 0;                            ///< rad, from any zero; 0 if nothing tells it
   std::optional<Eigen::Vector2d> over_ground{};  ///< m/s, along and across, level
   std::optional<Eigen::Vector2d> along_deck{};   ///< m/s, body x and y
-  Devices ground_from{}, level_from{};           ///< the devices that told it
+  Devices level_from{};                          ///< the device that told down and rate
+  double level_sigma_rad = 0;                    ///< of `down`, if no velocity helps to find it
+  bool heading_known = false;
 };
 
 /// Velocity of the vehicle's origin from that of a sensor at `lever_arm_m`: v - w x r.

@@ -1,11 +1,14 @@
 #include "estimators/consistency/parity.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace drydock::consistency {
 namespace {
 
 constexpr double quiet_below = 0.3;
+/// A jump counts from so many usual changes on, if it is so much larger (log) than the other's.
+constexpr double clear_surprise = 5, clear_ratio = 0.7;
 
 bool is_named(const Parity::Names& names, const Devices& devices) {
   return std::ranges::any_of(names,
@@ -19,22 +22,39 @@ bool clearer(const Accusation& one, const Accusation& other) {
 }
 
 /// How well one device explains the tests: those that fire with it, less those that are quiet.
+/// Where that does not tell, the one whose own samples stopped or jumped at that time.
 struct Explains {
   double fired = 0;
   int quiet = 0;
+  bool frozen = false;
+  double surprise = 0;
   bool operator<(const Explains& other) const {
-    return fired != other.fired ? fired < other.fired : quiet > other.quiet;
+    if (fired != other.fired) return fired < other.fired;
+    if (frozen != other.frozen) return other.frozen;
+    if (std::max(surprise, other.surprise) > clear_surprise &&
+        std::abs(std::log((surprise + 1) / (other.surprise + 1))) > clear_ratio)
+      return surprise < other.surprise;
+    return quiet > other.quiet;
   }
 };
 
-Explains explains(std::uint16_t device, const Accusations& accusations) {
+void add_history(Explains& sum, const Accusation& own, Stamp since) {
+  if (own.freeze == nullptr) return;
+  const auto still = own.freeze->since();
+  sum.frozen = sum.frozen || (still && *still < since + std::chrono::seconds{1});
+  sum.surprise = std::max(sum.surprise, own.freeze->surprise(since));
+}
+
+Explains explains(std::uint16_t device, const Accusations& accusations, Stamp since) {
   Explains sum;
   for (const Accusation& one : accusations) {
     if (!contains(one.devices, device)) continue;
-    if (one.test->suspicion() < quiet_below)
+    if (one.test->suspicion() < quiet_below) {
       ++sum.quiet;
-    else
-      sum.fired += one.test->suspicion() < 1 ? 0.5 : 1;
+      continue;
+    }
+    sum.fired += one.test->suspicion() < 1 ? 0.5 : 1;
+    if (one.devices.front() == device) add_history(sum, one, since);
   }
   return sum;
 }
@@ -42,10 +62,10 @@ Explains explains(std::uint16_t device, const Accusations& accusations) {
 /// The device of a fired test that explains most; `alone`: better than the others.
 Named best_of(const Accusation& fired, const Accusations& accusations) {
   Named best{.device = fired.devices.front(), .by = &fired};
-  Explains most = explains(best.device, accusations);
+  Explains most = explains(best.device, accusations, fired.test->since());
   for (const auto device : fired.devices) {
     if (device == best.device) continue;
-    const Explains its = explains(device, accusations);
+    const Explains its = explains(device, accusations, fired.test->since());
     best.alone = most < its || its < most;
     if (!(most < its)) continue;
     most = its;
@@ -56,7 +76,17 @@ Named best_of(const Accusation& fired, const Accusations& accusations) {
 
 }  // namespace
 
-Parity::Names Parity::name(const Accusations& accusations, Stamp now) const {
+/// A name does not change while its test fires: the others have reacted to it.
+Named Parity::held(const Accusation& fired, Named named) {
+  const auto known = std::ranges::find(held_, fired.test, &Held::test);
+  if (known != held_.end())
+    named.device = known->device;
+  else if (held_.size() < held_.capacity())
+    held_.push_back({fired.test, named.device});
+  return named;
+}
+
+Parity::Names Parity::name(const Accusations& accusations, Stamp now) {
   Names names;
   const auto add = [&](const Named& one) {
     if (names.size() < names.capacity()) names.push_back(one);
@@ -71,7 +101,10 @@ Parity::Names Parity::name(const Accusations& accusations, Stamp now) const {
   }
   for (const Accusation& one : accusations)
     if (one.test->fired() && !is_named(names, one.devices) && now - one.test->since() > patience)
-      add(best_of(one, accusations));
+      add(held(one, best_of(one, accusations)));
+  held_.erase(std::remove_if(held_.begin(), held_.end(),
+                             [](const Held& one) { return !one.test->fired(); }),
+              held_.end());
   return names;
 }
 

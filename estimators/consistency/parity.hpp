@@ -31,10 +31,19 @@ struct Named {
 class Parity {
  public:
   using Names = boost::container::static_vector<Named, 16>;
-  static constexpr std::chrono::milliseconds patience{1500};
+  static constexpr std::chrono::milliseconds patience{2000};
 
-  /// The names hold until the accusations change.
-  Names name(const Accusations& accusations, Stamp now) const;
+  /// The names point into `accusations`.
+  Names name(const Accusations& accusations, Stamp now);
+
+ private:
+  struct Held {
+    const Test* test;
+    std::uint16_t device;
+  };
+  Named held(const Accusation& fired, Named named);
+
+  boost::container::static_vector<Held, 64> held_;
 };
 
 }  // namespace drydock::consistency

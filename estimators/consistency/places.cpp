@@ -4,9 +4,9 @@ namespace drydock::consistency {
 namespace {
 
 constexpr TestFacts north_facts{
-    .floor = 1, .wander = 0.1, .late_s = 0.1, .quantity = "position north", .unit = "m"};
+    .floor = 2, .wander = 0.1, .late_s = 0.1, .quantity = "position north", .unit = "m"};
 constexpr TestFacts east_facts{
-    .floor = 1, .wander = 0.1, .late_s = 0.1, .quantity = "position east", .unit = "m"};
+    .floor = 2, .wander = 0.1, .late_s = 0.1, .quantity = "position east", .unit = "m"};
 
 }  // namespace
 

@@ -1,6 +1,7 @@
 #include "estimators/consistency/shape.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace drydock::consistency {
 namespace {
@@ -8,6 +9,7 @@ namespace {
 /// A rarer shape must explain so much more of what a step or a ramp leaves over.
 constexpr double rarer_share = 0.4;
 constexpr int enough_to_tell = 10;
+constexpr double growing_share = 0.6;
 
 }  // namespace
 
@@ -18,6 +20,8 @@ void ShapeTest::take(double residual, double since_s, double rate, double value)
     sums_[i].ss += shapes[i] * shapes[i];
   }
   all_ += residual * residual;
+  time_ += since_s;
+  latest_s_ = since_s;
   ++count_;
 }
 
@@ -30,13 +34,20 @@ double ShapeTest::amount(Shape shape) const {
   return sums.ss > 0 ? sums.rs / sums.ss : 0;
 }
 
+/// The line of least squares through the residuals.
+bool ShapeTest::grows() const {
+  const double n = count_, mean = sums_[0].rs / n, middle = time_ / n;
+  const double spread = sums_[1].ss - n * middle * middle;
+  if (spread <= 0) return false;
+  const double slope = (sums_[1].rs - n * mean * middle) / spread;
+  return slope * mean > 0 && std::abs(slope) * latest_s_ > growing_share * std::abs(mean);
+}
+
 Shape ShapeTest::best() const {
   if (count_ < enough_to_tell) return Shape::step;
-  std::size_t best = 0;
-  for (std::size_t i = 1; i < 3; ++i)
-    if (sums_[i].explained() > sums_[best].explained()) best = i;
+  std::size_t best = grows() ? 1 : 0;
   const double left_over = all_ - sums_[best].explained();
-  for (std::size_t i = 3; i < sums_.size(); ++i)
+  for (std::size_t i = best == 1 ? 2 : 3; i < sums_.size(); ++i)
     if (all_ - sums_[i].explained() < rarer_share * left_over &&
         sums_[i].explained() > sums_[best].explained())
       best = i;

@@ -9,8 +9,9 @@ namespace drydock::consistency {
 enum class Shape : std::uint8_t { step, ramp, parabola, delayed, scaled };
 
 /// Generalised likelihood ratio of the shapes: for residuals r = a s(t) + white noise with unknown
-/// a the best a explains (sum r s)^2 / (sum s s) of the squares. The shape that explains most is
-/// the most likely one.
+/// a the best a explains (sum r s)^2 / (sum s s) of the squares. A ramp is found late, when it is
+/// already as high as the noise: a residual that grows by more than 0.6 of its mean along a fitted
+/// straight line counts as one.
 class ShapeTest {
  public:
   void clear() { *this = {}; }
@@ -21,6 +22,7 @@ class ShapeTest {
 
   /// A step, while there are too few residuals to tell.
   Shape best() const;
+  bool grows() const;
 
   /// The share of the squares that the best shape explains.
   double fit() const;
@@ -34,7 +36,7 @@ class ShapeTest {
     double explained() const { return ss > 0 ? rs * rs / ss : 0; }
   };
   std::array<Sums, 5> sums_{};
-  double all_ = 0;
+  double all_ = 0, time_ = 0, latest_s_ = 0;
   int count_ = 0;
 };
 

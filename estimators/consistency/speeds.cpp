@@ -32,6 +32,7 @@ constexpr TestFacts shaft_facts{.floor = 0.015,
                                 .unit = "m/s"};
 
 constexpr double slowest_mps = 0.3;  // below it a shaft or a course says little
+constexpr double usual_current_mps = 0.3;
 constexpr double advance_memory_s = 100;
 
 }  // namespace
@@ -85,7 +86,13 @@ void Speeds::see_logs(const Moment& moment) {
   for (std::size_t i = 0; i < logs_.size(); ++i)
     if (const auto read = tracks_.logs[i].speed.at(moment.at))
       group_.see(logs_[i], (water(i, read->value, moment) + currents_[i].at(moment.heading)).norm(),
-                 read->serial, std::sqrt(currents_[i].variance(moment.heading)));
+                 read->serial, current_sigma(i, moment));
+}
+
+/// Without a heading the current changes sides unseen.
+double Speeds::current_sigma(std::size_t log, const Moment& moment) const {
+  return std::hypot(std::sqrt(currents_[log].variance(moment.heading)),
+                    moment.heading_known ? 0 : usual_current_mps);
 }
 
 /// Through the water at the origin. Across, a log that does not tell it moves with the ground.

@@ -28,6 +28,7 @@ class Speeds {
   void see_logs(const Moment& moment);
   void see_shafts(const Moment& moment);
   void learn(const Moment& moment);
+  double current_sigma(std::size_t log, const Moment& moment) const;
   Eigen::Vector2d water(std::size_t log, const Eigen::Vector2d& read, const Moment& moment) const;
 
   const Tracks& tracks_;

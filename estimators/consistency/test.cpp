@@ -5,13 +5,16 @@ namespace {
 
 using diagnosis::Sign;
 
-constexpr double follow_s = 10;  // time constant of the offset, within the bound of its rate
-constexpr double trend_s = 60;   // and of its trend
+constexpr double follow_s = 10;   // time constant of the offset, within the bound of its rate
+constexpr int first_memory = 15;  // samples: a sum may drift while its offset is learned
+constexpr double trend_s = 60;    // and of its trend
 constexpr std::chrono::seconds outage{3}, steady_for_sum{5};
-constexpr int told_after = 5;  // fired samples; then the shape is told and other devices react
+// Fired samples; then the shape is told. Of two witnesses the named one soon counts no more, which
+// changes the residual.
+constexpr int told_after = 15, told_after_of_pair = 6;
 constexpr double spread_samples = 300;  // memory of the spread
 constexpr double noise_samples = 10;    // memory of the noise from sample to sample
-constexpr double wildest = 5;           // sigmas; more does not count as noise
+constexpr double wildest = 10;          // sigmas; more does not count as noise
 
 double square(double x) { return x * x; }
 
@@ -24,13 +27,14 @@ void Test::take(const Residual& residual, Stamp at) {
   last_ = at;
   if (!learned()) return learn(residual.value);
   deviation_ = residual.value - offset_;
-  const double most = square(wildest * sigma_of(residual));
+  const double usual = std::max(square(facts_.floor), mean_square_);
+  const double most = square(wildest) * usual;
   noise_square_ +=
       (std::min(square(deviation_ - before) / 2, most) - noise_square_) / noise_samples;
   sigma_ = sigma_of(residual);
   test(residual, at);
   if (fired_) return end_sum(at);
-  mean_square_ += (std::min(square(deviation_), most) - mean_square_) / spread_samples;
+  mean_square_ += (std::min(square(deviation_), most / 4) - mean_square_) / spread_samples;
   follow(dt);
 }
 
@@ -45,7 +49,7 @@ void Test::learn(double value) {
   ++samples_;
   deviation_ = value - offset_;
   mean_square_ += (square(deviation_) - mean_square_) / samples_;
-  offset_ += deviation_ / samples_;
+  offset_ += deviation_ / std::min(samples_, first_memory);
 }
 
 /// The offset of a healthy sensor moves slowly: temperature, current, mounting, tide.
@@ -83,11 +87,14 @@ void Test::test(const Residual& residual, Stamp at) {
     shape_.clear();
     fired_samples_ = 0;
     since_ = at;
+    return;  // it may lie between the last sound sample and the first wrong one
   }
   if (cusum_.value() >= design.limit) fired_ = true;
-  if (fired_ && ++fired_samples_ > told_after) return;
-  shape_.take(deviation_, measurement::seconds(at - since_) + 0.1, residual.rate - usual_rate_,
-              facts_.scales ? residual.quantity - usual_quantity_ : 0);
+  if (fired_ && ++fired_samples_ > (residual.pair ? told_after_of_pair : told_after)) return;
+  const double rate = residual.shapes ? residual.rate - usual_rate_ : 0;
+  const double quantity =
+      residual.shapes && facts_.scales ? residual.quantity - usual_quantity_ : 0;
+  shape_.take(deviation_, measurement::seconds(at - since_) + 0.1, rate, quantity);
 }
 
 Sign Test::sign(const Freeze* own) const {

@@ -31,6 +31,8 @@ struct Residual {
   double rate = 0;      ///< derivative of the measured quantity
   double quantity = 0;  ///< its value
   double sigma = 0;     ///< of further errors at this time
+  bool shapes = false;  ///< rate and quantity do not come from the device itself
+  bool pair = false;    ///< of two witnesses that accuse each other
 };
 
 /// One residual: a difference that is constant but for noise while all is well. It learns offset
@@ -50,6 +52,7 @@ class Test {
   double offset() const { return offset_; }
   double sigma() const { return sigma_; }
   Stamp since() const { return since_; }
+  Stamp last() const { return last_; }             ///< when it was tested last
   double deviation() const { return deviation_; }  ///< of the last residual from its offset
   /// What the history of the residual says about the device.
   diagnosis::Sign sign(const Freeze* own) const;
@@ -58,7 +61,7 @@ class Test {
   double fit() const { return shape_.fit(); }
   const TestFacts& facts() const { return facts_; }
 
-  /// At five samples a second the mean time between false alarms of one test is 16 years.
+  /// At five samples a second the mean time between false alarms of one test is 432 years.
   static constexpr CusumDesign design{};
   static constexpr int learning_samples = 50;
 

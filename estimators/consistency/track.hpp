@@ -11,7 +11,7 @@ namespace drydock::consistency {
 
 /// The last samples of one quantity of one device. It gives the value at a time between two of
 /// them, so that sensors with different rates can be compared at one time.
-template <int N, std::size_t Samples = 16>
+template <int N, std::size_t Samples = 32>
 class Track {
  public:
   using Value = Eigen::Matrix<double, N, 1>;
@@ -19,14 +19,17 @@ class Track {
   /// `longest_gap`: values between samples that lie farther apart are not given.
   explicit Track(std::chrono::nanoseconds longest_gap) : longest_gap_(longest_gap) {}
 
-  /// A time that does not advance is not taken; if it goes back by more than the longest gap, the
-  /// device's clock was set and the track begins anew.
+  /// A value that is no number is not taken. A time that does not advance is not taken; if it goes
+  /// back by more than the longest gap, the device's clock was set and the track begins anew.
   void push(Stamp at, const Value& value) {
+    if (!value.allFinite()) return;
     if (count_ > 0 && at <= last().at) {
       if (last().at - at <= longest_gap_) return;
       count_ = 0;
     }
-    freeze_.see(at, count_ > 0 ? (value - last().value).cwiseAbs().sum() : 1);
+    freeze_.see(at, count_ > 0 ? (value - newest_).cwiseAbs().sum() : 1);
+    newest_ = value;
+    if (count_ > 0 && at - last().at < shortest_gap) return;
     ring_[++count_ % Samples] = {at, value};
   }
 
@@ -51,19 +54,21 @@ class Track {
   }
 
   const Freeze& freeze() const { return freeze_; }
-  bool empty() const { return count_ == 0; }
-  const Value& latest() const { return last().value; }
 
  private:
   struct Sample {
     Stamp at{};
     Value value = Value::Zero();
   };
+  /// Samples of a fast device that lie closer are not kept, so that the ring reaches back far
+  /// enough.
+  static constexpr std::chrono::milliseconds shortest_gap{N == 6 ? 0 : 60};
   const Sample& last() const { return ring_[count_ % Samples]; }
 
   std::chrono::nanoseconds longest_gap_;
   std::array<Sample, Samples> ring_{};
   std::uint64_t count_ = 0;
+  Value newest_ = Value::Zero();
   Freeze freeze_;
 };
 

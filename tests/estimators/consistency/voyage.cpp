@@ -1,0 +1,97 @@
+#include "tests/estimators/consistency/voyage.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace drydock::consistency::test {
+namespace {
+
+using namespace measurement;
+
+constexpr double dt = 0.01, speed = 2, gravity = 9.80665, earth_m = 6.371e6;
+constexpr double swing = 40 * std::numbers::pi / 180, pace = 2 * std::numbers::pi / 40;
+
+std::vector<Sensor> sensors() {
+  std::vector<Sensor> all(devices);
+  all[dvl] = {.kind = Kind::dvl, .rate_hz = 5};
+  all[log] = {.kind = Kind::emlog, .rate_hz = 2};
+  all[gnss] = {.kind = Kind::gnss, .rate_hz = 5};
+  all[imu] = {.kind = Kind::imu, .rate_hz = 100};
+  all[depth] = {.kind = Kind::depth, .rate_hz = 10};
+  all[actuators] = {.kind = Kind::actuator, .rate_hz = 10};
+  all[compass] = {.kind = Kind::attitude, .rate_hz = 10};
+  return all;
+}
+
+}  // namespace
+
+Voyage::Voyage(std::vector<std::uint16_t> with, unsigned seed)
+    : has_(devices), random_(seed), checks_(sensors(), signs_) {
+  for (const auto device : with) has_[device] = true;
+}
+
+void Voyage::run(double end_s, const Fault& fault) {
+  for (; static_cast<double>(step_) * dt < end_s; ++step_) tick(fault);
+}
+
+void Voyage::tick(const Fault& fault) {
+  const double t = static_cast<double>(step_) * dt;
+  const double heading = swing * std::sin(pace * t), turn = swing * pace * std::cos(pace * t);
+  north_ += dt * speed * std::cos(heading);
+  east_ += dt * speed * std::sin(heading);
+  const auto every = [&](long steps) { return step_ % steps == 0; };
+
+  ImuSample inertial;
+  inertial.angular_rate = {noise(1e-4), noise(1e-4), turn + noise(1e-4)};
+  inertial.specific_force = {noise(0.01), speed * turn + noise(0.01), -gravity + noise(0.01)};
+  give(inertial, imu, fault);
+  if (every(20)) {
+    BottomVelocity bottom;
+    bottom.velocity = Eigen::Vector3d{speed + noise(0.01), noise(0.01), noise(0.01)};
+    give(bottom, dvl, fault);
+    GnssFix fix;
+    fix.velocity_ned = Eigen::Vector3d{speed * std::cos(heading) + noise(0.05),
+                                       speed * std::sin(heading) + noise(0.05), noise(0.05)};
+    fix.position = Geodetic{(north_ + noise(1)) / earth_m, (east_ + noise(1)) / earth_m};
+    give(fix, gnss, fault);
+  }
+  if (every(50)) {
+    WaterSpeed water;
+    water.longitudinal_mps = speed - 0.3 * std::sin(heading) + noise(0.05);
+    water.transverse_mps = -0.3 * std::cos(heading) + noise(0.05);
+    give(water, log, fault);
+  }
+  if (!every(10)) return;
+  DepthSample below;
+  below.depth_m = 10 + noise(0.02);
+  give(below, depth, fault);
+  ActuatorState state;
+  state.rudder_rad = -5 * turn / speed;
+  state.propeller_radps = speed / 0.012;
+  give(state, actuators, fault);
+  AttitudeSample attitude;
+  attitude.true_heading_rad =
+      std::remainder(heading - std::numbers::pi + noise(0.005), 2 * std::numbers::pi) +
+      std::numbers::pi;
+  attitude.roll_rad = noise(0.005);
+  attitude.pitch_rad = noise(0.005);
+  attitude.rate_of_turn_radps = turn + noise(0.002);
+  give(attitude, compass, fault);
+}
+
+void Voyage::give(Measurement measurement, std::uint16_t device, const Fault& fault) {
+  const double t = static_cast<double>(step_) * dt;
+  std::visit(
+      [&](auto& sample) {
+        sample.origin.device = device;
+        sample.origin.valid_at = Stamp{} + from_seconds(t + 1000);
+        sample.origin.received_at = sample.origin.valid_at + std::chrono::milliseconds{20};
+      },
+      measurement);
+  if (fault) fault(measurement, t);
+  if (!has_[device]) return;
+  checks_.take(measurement);
+  if (step_ % 25 == 0) checks_.tell(Stamp{} + from_seconds(t));
+}
+
+}  // namespace drydock::consistency::test
