@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "drivers/measurement/units.hpp"
 
@@ -16,6 +17,9 @@ constexpr int learn_samples = 50;
 
 /// Eight times the mean absolute difference is 6.4 standard deviations of a normal difference.
 constexpr double noise_times = 8;
+
+/// Standard deviation of a normal value over its mean absolute value, the root of pi / 2.
+constexpr double per_mean_size = 1.2533;
 
 /// Weight of a new difference, and how often the mean it counts at most: so wild differences that
 /// are just below the limit do not lift it without end.
@@ -149,8 +153,8 @@ ImuStep ImuGate::step_of_run() const {
   const Vector6 kept = (run_->leap.cwiseAbs().array() > limit.array()).select(steps, 0);
   step.rate = kept.head<3>();
   step.force = kept.tail<3>();
-  if (!step.rate.isZero(0)) step.rate_sigma = usual_.head<3>().maxCoeff();
-  if (!step.force.isZero(0)) step.force_sigma = usual_.tail<3>().maxCoeff();
+  if (!step.rate.isZero(0)) step.rate_sigma = per_mean_size * off_trend_.head<3>().maxCoeff();
+  if (!step.force.isZero(0)) step.force_sigma = per_mean_size * off_trend_.tail<3>().maxCoeff();
   return step;
 }
 
@@ -163,10 +167,10 @@ void ImuGate::learn(const Point& now) {
 
 void ImuGate::learn_noise(const Vector6& change) {
   const double share = std::max(newest_share, 1.0 / (1 + learned_));
-  Vector6 size = change.cwiseAbs();
-  if (learned_ >= learn_samples)
-    size = size.cwiseMin(most_usual * usual_.cwiseMax(margin() / noise_times));
-  usual_ += share * (size - usual_);
+  Vector6 most = Vector6::Constant(std::numeric_limits<double>::infinity());
+  if (learned_ >= learn_samples) most = most_usual * usual_.cwiseMax(margin() / noise_times);
+  usual_ += share * (change.cwiseAbs().cwiseMin(most) - usual_);
+  off_trend_ += share * ((change - trend_).cwiseAbs().cwiseMin(most) - off_trend_);
   trend_ += share * (change - trend_);
   for (int i = 0; i < 6; ++i) {
     if (change(i) == 0) continue;

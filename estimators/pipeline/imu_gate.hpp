@@ -63,12 +63,13 @@ class ImuGate {
   Vector6 margin() const;
 
   VehicleLimits limits_;
-  std::optional<Point> good_;        ///< the last good sample
-  int still_ = 0;                    ///< changes in a row that are exactly zero
-  std::optional<Run> run_;           ///< of samples elsewhere
-  std::optional<Vector6> stuck_at_;  ///< the values of a sensor that leapt and then stood still
-  Vector6 usual_ = Vector6::Zero();  ///< mean absolute difference of successive samples
-  Vector6 trend_ = Vector6::Zero();  ///< mean difference: the vehicle's motion
+  std::optional<Point> good_;            ///< the last good sample
+  int still_ = 0;                        ///< changes in a row that are exactly zero
+  std::optional<Run> run_;               ///< of samples elsewhere
+  std::optional<Vector6> stuck_at_;      ///< the values of a sensor that leapt and then stood still
+  Vector6 usual_ = Vector6::Zero();      ///< mean absolute difference of successive samples
+  Vector6 trend_ = Vector6::Zero();      ///< mean difference: the vehicle's motion
+  Vector6 off_trend_ = Vector6::Zero();  ///< mean absolute distance of a difference from it
   Vector6 turns_ = Vector6::Zero();  ///< share of the changes with another sign than the one before
   Vector6 change_ = Vector6::Zero();  ///< the last one that was not zero
   int learned_ = 0;

@@ -24,8 +24,9 @@ class InnovationWatch {
   }
   void clear() { *this = {}; }
 
-  bool contradict() const {
-    return std::ranges::any_of(windows_, [](const auto& rows) {
+  /// The number of sensors whose innovations contradict the filter.
+  std::ptrdiff_t contradictions() const {
+    return std::ranges::count_if(windows_, [](const auto& rows) {
       return std::ranges::any_of(rows, &navigation::InnovationWindow::contradicts);
     });
   }

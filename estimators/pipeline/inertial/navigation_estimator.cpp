@@ -15,8 +15,8 @@ using measurement::Stamp;
 
 namespace {
 
-/// A navigation whose aiding has contradicted for this long has diverged. It goes on from where it
-/// is, with these standard deviations. Chosen.
+/// A navigation that two of its sensors have contradicted for this long has diverged; of one alone
+/// its gate knows what to do. It goes on from where it is, with these standard deviations. Chosen.
 constexpr std::chrono::seconds navigation_diverged_after{10};
 constexpr double anew_velocity_mps = 1, anew_angle_rad = 0.05;
 
@@ -323,13 +323,16 @@ void NavigationEstimator::lose() {
 }
 
 void NavigationEstimator::judge() {
-  aiding_.judge(watch_.contradict(), now_);
-  if (aiding_.doubted(now_) < navigation_diverged_after) return;
+  const auto contradictions = watch_.contradictions();
+  aiding_.judge(contradictions > 0, now_);
+  state_.judge(contradictions > 1, now_);
+  if (state_.doubted(now_) < navigation_diverged_after) return;
   ++status_.divergences;
   filter_->loosen(anew_velocity_mps, anew_angle_rad);
   filter_->loosen_position(watch_.position_off_m());
   watch_.clear();
   aiding_.end();
+  state_.end();
 }
 
 Integrity NavigationEstimator::integrity_of(const NavigationEstimate& estimate) const {

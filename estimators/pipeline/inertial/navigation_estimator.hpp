@@ -77,7 +77,7 @@ class NavigationEstimator final : public Estimator {
   Eigen::Vector3d rate_step_ = Eigen::Vector3d::Zero();   ///< of the IMU, since the start
   Eigen::Vector3d force_step_ = Eigen::Vector3d::Zero();  ///< likewise
   InnovationWatch watch_;
-  Trust aiding_, imu_trust_;
+  Trust aiding_, state_, imu_trust_;
   std::unique_ptr<AidedInertial> filter_;
   hydrodynamics::Control control_;
   std::optional<measurement::ImuSample> last_;

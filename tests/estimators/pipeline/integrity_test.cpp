@@ -256,14 +256,19 @@ TEST(Navigation, WhoseDvlIsWrongIsNotValidUntilItIsRightAgain) {
   EXPECT_LT(bench.last().velocity_ned.norm(), 0.05);
 }
 
-TEST(Navigation, ThatHasDivergedBelievesItsAidingAgainByItself) {
-  // The vehicle drifts, as all its sensors but the IMU say; the gate refuses them at first.
-  test::RestingVehicle bench(InertialMethod::sensors);
-  bench.run(60);
-  bench.dvl_error = {2, 0, 0};
-  bench.run(60);
-  EXPECT_GE(bench.pipeline->status(0).divergences, 1u);
-  EXPECT_NEAR((bench.last().body_to_ned.conjugate() * bench.last().velocity_ned).x(), 2, 0.3);
+TEST(Navigation, ThatTwoSensorsContradictStartsAgainByItselfButNotForOneAlone) {
+  for (const bool both : {true, false}) {
+    test::RestingVehicle bench(InertialMethod::sensors);
+    bench.run(60);
+    bench.dvl_error = {2, 0, 0};
+    if (both) bench.depth_error_m = 30;
+    bench.run(30);
+    EXPECT_EQ(bench.pipeline->status(0).divergences > 0, both);
+    EXPECT_FALSE(bench.pipeline->status(0).valid);
+    const Eigen::Vector3d velocity =
+        bench.last().body_to_ned.conjugate() * bench.last().velocity_ned;
+    EXPECT_NEAR(velocity.x(), both ? 2 : 0, 0.3);
+  }
 }
 
 }  // namespace
