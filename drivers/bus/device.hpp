@@ -55,6 +55,14 @@ struct Navigation {
   Eigen::Matrix<double, 9, 9> covariance = Eigen::Matrix<double, 9, 9>::Zero();
 };
 
+/// What an estimate promises. An error exceeds a bound with a probability of 1e-7 while the
+/// estimate is valid and its sensors are sound: docs/estimators/integrity.md. It is not on the bus.
+struct Integrity {
+  bool valid = true;
+  double roll_bound_rad = 0, pitch_bound_rad = 0;
+  std::optional<double> heading_bound_rad, horizontal_bound_m;  ///< empty if not estimated
+};
+
 enum class Level : std::uint8_t { ok, warn, error, stale };
 
 /// Compares one measurement with the estimator's prediction of it:

@@ -23,6 +23,7 @@ struct Estimate {
   bus::Attitude attitude;
   std::optional<bus::Navigation> navigation{};  ///< only from an estimator that navigates
   std::optional<Current> current{};             ///< empty if not estimated
+  bus::Integrity integrity{};                   ///< the truth is always valid
 };
 
 /// Sees everything that happens in a run: recording, page, bus, report, expectations and lines on

@@ -1,6 +1,17 @@
 #include "estimators/host/bus_estimates.hpp"
 
 namespace drydock::host {
+namespace {
+
+bus::Integrity bus_integrity(const pipeline::Integrity& integrity) {
+  return {.valid = integrity.valid,
+          .roll_bound_rad = integrity.roll_bound_rad,
+          .pitch_bound_rad = integrity.pitch_bound_rad,
+          .heading_bound_rad = integrity.heading_bound_rad,
+          .horizontal_bound_m = integrity.horizontal_bound_m};
+}
+
+}  // namespace
 
 Estimate bus_estimate(const pipeline::AttitudeEstimate& estimate) {
   return {.estimator = estimate.estimator,
@@ -8,7 +19,8 @@ Estimate bus_estimate(const pipeline::AttitudeEstimate& estimate) {
                        .roll_rad = estimate.roll_rad,
                        .pitch_rad = estimate.pitch_rad,
                        .yaw_rad = estimate.yaw_rad,
-                       .covariance = estimate.covariance}};
+                       .covariance = estimate.covariance},
+          .integrity = bus_integrity(estimate.integrity)};
 }
 
 Estimate bus_estimate(const pipeline::NavigationEstimate& estimate, const frame::Position& origin) {

@@ -28,53 +28,62 @@ class Printer final : public Follower {
     ++count;
     const auto& name = rig_.estimators[estimate.estimator].name;
     if (estimate.navigation)
-      print(name, estimate.attitude, *estimate.navigation);
+      print(name, estimate.attitude, *estimate.navigation, estimate.integrity);
     else
-      print(name, estimate.attitude);
+      print(name, estimate.attitude, estimate.integrity);
   }
 
   std::uint64_t count = 0;
 
  private:
-  void print(const std::string& name, const bus::Attitude& e) {
+  static const char* doubt(const bus::Integrity& integrity) {
+    return integrity.valid ? "" : ", not valid";
+  }
+
+  void print(const std::string& name, const bus::Attitude& e, const bus::Integrity& integrity) {
     const double roll_sigma = std::sqrt(e.covariance(0, 0)) * units::degrees_per_radian;
     const double pitch_sigma = std::sqrt(e.covariance(1, 1)) * units::degrees_per_radian;
     if (json_lines_) {
       fmt::print(
-          R"({{"estimator":"{}","valid_at_s":{:.9f},"roll_deg":{:.6f},"pitch_deg":{:.6f},"roll_sigma_deg":{:.6f},"pitch_sigma_deg":{:.6f}}})"
+          R"({{"estimator":"{}","valid_at_s":{:.9f},"roll_deg":{:.6f},"pitch_deg":{:.6f},"roll_sigma_deg":{:.6f},"pitch_sigma_deg":{:.6f},"valid":{},"roll_bound_deg":{:.6f},"pitch_bound_deg":{:.6f}}})"
           "\n",
           name, measurement::seconds(e.valid_at.time_since_epoch()),
           e.roll_rad * units::degrees_per_radian, e.pitch_rad * units::degrees_per_radian,
-          roll_sigma, pitch_sigma);
+          roll_sigma, pitch_sigma, integrity.valid,
+          integrity.roll_bound_rad * units::degrees_per_radian,
+          integrity.pitch_bound_rad * units::degrees_per_radian);
       return;
     }
     if (e.valid_at < next_) return;
     next_ = e.valid_at + std::chrono::seconds{1};
-    fmt::print("{}: roll {:8.3f} +- {:.3f} deg, pitch {:8.3f} +- {:.3f} deg (1 sigma)\n", name,
+    fmt::print("{}: roll {:8.3f} +- {:.3f} deg, pitch {:8.3f} +- {:.3f} deg (1 sigma){}\n", name,
                e.roll_rad * units::degrees_per_radian, roll_sigma,
-               e.pitch_rad * units::degrees_per_radian, pitch_sigma);
+               e.pitch_rad * units::degrees_per_radian, pitch_sigma, doubt(integrity));
     std::fflush(stdout);
   }
 
-  void print(const std::string& name, const bus::Attitude& attitude, const bus::Navigation& e) {
+  void print(const std::string& name, const bus::Attitude& attitude, const bus::Navigation& e,
+             const bus::Integrity& integrity) {
     const auto& v = e.velocity_ned;
     const double sigma_m = std::sqrt(e.covariance(0, 0) + e.covariance(1, 1));
     if (json_lines_) {
       fmt::print(
-          R"({{"estimator":"{}","valid_at_s":{:.9f},"latitude_deg":{:.9f},"longitude_deg":{:.9f},"height_m":{:.3f},"position_sigma_m":{:.3f},"velocity_ned_mps":[{:.4f},{:.4f},{:.4f}],"roll_deg":{:.6f},"pitch_deg":{:.6f},"heading_deg":{:.6f}}})"
+          R"({{"estimator":"{}","valid_at_s":{:.9f},"latitude_deg":{:.9f},"longitude_deg":{:.9f},"height_m":{:.3f},"position_sigma_m":{:.3f},"velocity_ned_mps":[{:.4f},{:.4f},{:.4f}],"roll_deg":{:.6f},"pitch_deg":{:.6f},"heading_deg":{:.6f},"valid":{},"horizontal_bound_m":{:.3f}}})"
           "\n",
           name, measurement::seconds(e.valid_at.time_since_epoch()),
           e.latitude_rad * units::degrees_per_radian, e.longitude_rad * units::degrees_per_radian,
           e.height_m, sigma_m, v.x(), v.y(), v.z(), attitude.roll_rad * units::degrees_per_radian,
           attitude.pitch_rad * units::degrees_per_radian,
-          *attitude.yaw_rad * units::degrees_per_radian);
+          *attitude.yaw_rad * units::degrees_per_radian, integrity.valid,
+          integrity.horizontal_bound_m.value_or(0));
       return;
     }
     if (e.valid_at < next_) return;
     next_ = e.valid_at + std::chrono::seconds{1};
-    fmt::print("{}: {:.6f} {:.6f} deg +- {:.2f} m (1 sigma), height {:.2f} m, {:.3f} m/s\n", name,
+    fmt::print("{}: {:.6f} {:.6f} deg +- {:.2f} m (1 sigma), height {:.2f} m, {:.3f} m/s{}\n", name,
                e.latitude_rad * units::degrees_per_radian,
-               e.longitude_rad * units::degrees_per_radian, sigma_m, e.height_m, v.norm());
+               e.longitude_rad * units::degrees_per_radian, sigma_m, e.height_m, v.norm(),
+               doubt(integrity));
     std::fflush(stdout);
   }
 

@@ -91,6 +91,15 @@ void AugmentedLevelingFilter::loosen(double velocity_sigma_mps, double angle_sig
   p_.diagonal().segment<3>(alpha_at).array() += squared(angle_sigma_rad);
 }
 
+void AugmentedLevelingFilter::loosen_biases(double rate_sigma_radps, double force_sigma_mps2) {
+  p_.diagonal().segment<3>(accelerometer_at).array() += squared(force_sigma_mps2);
+  p_.diagonal().segment<3>(gyro_at).array() += squared(rate_sigma_radps);
+}
+
+void AugmentedLevelingFilter::loosen_log(double speed_sigma_mps) {
+  p_(log_at, log_at) += squared(speed_sigma_mps);
+}
+
 void AugmentedLevelingFilter::predict(const Vector3d& specific_force, const Vector3d& angular_rate,
                                       double dt) {
   const Vector3d velocity = x_.head<3>(), alpha = x_.segment<3>(alpha_at);
@@ -121,12 +130,12 @@ void AugmentedLevelingFilter::predict(const Vector3d& specific_force, const Vect
   p_.diagonal().segment<3>(gyro_at).array() += earth_rate_.variance() * std::abs(turn_) * dt;
 }
 
-void AugmentedLevelingFilter::update_moving(double speed_mps) {
+void AugmentedLevelingFilter::update_moving(double speed_mps, bool trusted) {
   begin_update();
   const State row = State::Unit(0) + State::Unit(log_at);
   const double residual = speed_mps - row.dot(x_), variance = squared(options_.speed_sigma_mps);
   const double expected = row.dot(p_ * row) + variance;
-  const bool used = gate_.passes(residual, expected, p_(0, 0));
+  const bool used = trusted && gate_.passes(residual, expected, p_(0, 0));
   innovation_.log = {residual, std::sqrt(expected), used};
   if (used) update(residual, row, variance);
   update_norm();
@@ -142,8 +151,14 @@ void AugmentedLevelingFilter::update_stationary() {
 void AugmentedLevelingFilter::update_nonholonomic(double dt) {
   begin_update();
   const Nonholonomic allowed(options_, turn_, dt);
-  if (allowed.transverse) update(-x_(1), State::Unit(1), *allowed.transverse);
-  if (allowed.vertical) update(-x_(2), State::Unit(2), *allowed.vertical);
+  const auto hold_at_zero = [this](int axis, double variance) {
+    const double normalised = -x_(axis) / std::sqrt(p_(axis, axis) + variance);
+    update(-x_(axis), State::Unit(axis), variance);
+    return normalised;
+  };
+  constraints_ = {};
+  if (allowed.transverse) constraints_.transverse = hold_at_zero(1, *allowed.transverse);
+  if (allowed.vertical) constraints_.vertical = hold_at_zero(2, *allowed.vertical);
 }
 
 void AugmentedLevelingFilter::update_norm() {

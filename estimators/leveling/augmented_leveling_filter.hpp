@@ -36,12 +36,20 @@ class AugmentedLevelingFilter {
   /// Adds these standard deviations to V and alpha, per axis, because samples are missing.
   void loosen(double velocity_sigma_mps, double angle_sigma_rad);
 
+  /// The biases of gyros (rad/s) and accelerometers (m/s2) may have changed by these standard
+  /// deviations, per axis.
+  void loosen_biases(double rate_sigma_radps, double force_sigma_mps2);
+
   /// Eq. (A2), (A3) over dt seconds with constant inputs (m/s2 and rad/s, body).
   void predict(const Eigen::Vector3d& specific_force, const Eigen::Vector3d& angular_rate,
                double dt);
 
   /// Eq. (A4): the log with its bias, and |alpha|^2 = 1. A speed outside the gate is not used.
-  void update_moving(double speed_mps);
+  /// `trusted` = false: neither is this one, but innovation() compares it.
+  void update_moving(double speed_mps, bool trusted = true);
+
+  /// The log may have changed by this standard deviation.
+  void loosen_log(double speed_sigma_mps);
   void update_stationary();             ///< eq. (32): V = 0, without the log, and |alpha|^2 = 1
   void update_nonholonomic(double dt);  ///< as in LevelingFilter
 
@@ -59,6 +67,7 @@ class AugmentedLevelingFilter {
   const State& state() const { return x_; }
   const Covariance& covariance() const { return p_; }
   const Innovation& innovation() const { return innovation_; }
+  const ConstraintInnovations& constraints() const { return constraints_; }
   std::uint64_t rejected() const {
     return gate_.rejected();
   }  ///< number of speeds outside the gate
@@ -79,6 +88,7 @@ class AugmentedLevelingFilter {
   State x_ = State::Zero();
   Covariance p_ = Covariance::Zero();
   Innovation innovation_;
+  ConstraintInnovations constraints_;
   SpeedGate gate_;
 };
 

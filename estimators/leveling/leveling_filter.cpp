@@ -27,6 +27,7 @@ LevelingFilter::LevelingFilter(const LevelingOptions& options)
 
 void LevelingFilter::start(const Vector3d& specific_force, const Vector3d& angular_rate,
                            double speed_mps) {
+  alpha_variance_ = std::pow(options_.alpha_noise, 2);
   start_at(first_alpha(options_, specific_force, angular_rate, speed_mps, gravity_,
                        options_.accelerometer_start_alpha_sigma),
            angular_rate.z(), speed_mps);
@@ -57,6 +58,16 @@ void LevelingFilter::loosen(double velocity_sigma_mps, double angle_sigma_rad) {
   p_.diagonal().tail<3>().array() += angle_sigma_rad * angle_sigma_rad;
 }
 
+void LevelingFilter::loosen_biases(double rate_sigma_radps, double force_sigma_mps2) {
+  // Without bias states the bias of an accelerometer is a tilt, and that of a gyro is noise.
+  p_.diagonal().tail<3>().array() += std::pow(force_sigma_mps2 / gravity_, 2);
+  alpha_variance_ += std::pow(noise_over_rate * rate_sigma_radps, 2);
+}
+
+void LevelingFilter::loosen_log(double speed_sigma_mps) {
+  p_(0, 0) += speed_sigma_mps * speed_sigma_mps;
+}
+
 void LevelingFilter::predict(const Vector3d& specific_force, const Vector3d& angular_rate,
                              double dt) {
   const Vector3d earth_rate = earth_rate_body();             // eq. (16)
@@ -74,7 +85,7 @@ void LevelingFilter::predict(const Vector3d& specific_force, const Vector3d& ang
   p_ = (0.5 * (p_ + p_.transpose())).eval();
 }
 
-void LevelingFilter::update_moving(double speed_mps) {
+void LevelingFilter::update_moving(double speed_mps, bool trusted) {
   const Vector3d alpha = x_.tail<3>();
   Eigen::Matrix<double, 2, 6> h = Eigen::Matrix<double, 2, 6>::Zero();  // eq. (30)
   h(0, 0) = 1;
@@ -83,7 +94,7 @@ void LevelingFilter::update_moving(double speed_mps) {
   const Eigen::Vector2d variance{std::pow(options_.speed_sigma_mps, 2),
                                  std::pow(options_.norm_sigma, 2)};
   const double expected = p_(0, 0) + variance(0);
-  if (gate_.passes(residual(0), expected, p_(0, 0))) {
+  if (trusted && gate_.passes(residual(0), expected, p_(0, 0))) {
     update<2>(residual, h, variance);  // eq. (31)
     innovation_.log = {residual(0), std::sqrt(expected), true};
   } else {
@@ -107,11 +118,14 @@ void LevelingFilter::update_nonholonomic(double dt) {
   using Row = Eigen::Matrix<double, 1, 6>;
   using Scalar = Eigen::Matrix<double, 1, 1>;
   const auto hold_at_zero = [&](int axis, double variance) {
+    const double normalised = -x_(axis) / std::sqrt(p_(axis, axis) + variance);
     update<1>(Scalar{-x_(axis)}, Row::Unit(axis), Scalar{variance});
+    return normalised;
   };
   const Nonholonomic allowed(options_, turn_, dt);
-  if (allowed.transverse) hold_at_zero(1, *allowed.transverse);
-  if (allowed.vertical) hold_at_zero(2, *allowed.vertical);
+  constraints_ = {};
+  if (allowed.transverse) constraints_.transverse = hold_at_zero(1, *allowed.transverse);
+  if (allowed.vertical) constraints_.vertical = hold_at_zero(2, *allowed.vertical);
 }
 
 template <int Rows>

@@ -73,4 +73,10 @@ struct Innovation {
   std::optional<navigation::Innovation> log;  ///< of the speed log alone, used or not, m/s
 };
 
+/// The innovations of V_y = 0 and V_z = 0 at the last step, each over its standard deviation; 0:
+/// not used.
+struct ConstraintInnovations {
+  double transverse = 0, vertical = 0;
+};
+
 }  // namespace drydock::leveling

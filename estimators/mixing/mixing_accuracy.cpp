@@ -14,6 +14,11 @@ void MixingAccuracy::start(bool by_accelerometer) {
   }
 }
 
+void MixingAccuracy::loosen(double gyro_bias_sigma, double vertical_sigma) {
+  p_(2, 2) += vertical_sigma * vertical_sigma;
+  p_(3, 3) += gyro_bias_sigma * gyro_bias_sigma;
+}
+
 void MixingAccuracy::step(double proportional, double integral, double leak, double dt) {
   // Eq. (13): d(error) = bias + K1 (vertical - error) + correction, d(correction) = KI (vertical -
   // error) - leak correction. The vertical error and the bias are constant.

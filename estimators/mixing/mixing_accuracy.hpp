@@ -27,6 +27,9 @@ class MixingAccuracy {
   /// the rate `leak` (1/s; 0: never).
   void step(double proportional, double integral, double leak, double dt);
 
+  /// The gyro bias (rad/s) and the error of the vertical (rad) may have changed by these sigmas.
+  void loosen(double gyro_bias_sigma, double vertical_sigma);
+
   /// Variance of pitch, rad2. The variance of roll is this divided by cos2(pitch).
   double variance() const { return p_(0, 0); }
 

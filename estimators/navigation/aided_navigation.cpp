@@ -187,6 +187,19 @@ void AidedNavigation::loosen(double velocity_sigma_mps, double angle_sigma_rad) 
   filter_.loosen(velocity_sigma_mps, angle_sigma_rad);
 }
 
+void AidedNavigation::loosen_position(double sigma_m) {
+  const frame::Position& now = sdins_.state().position;
+  const frame::LocalEarth earth = frame::local_earth(now.latitude_rad, now.height_m);
+  auto variance = filter_.covariance().diagonal();
+  variance(position_error) += std::pow(sigma_m / (earth.meridian_radius_m + now.height_m), 2);
+  variance(position_error + 1) +=
+      std::pow(sigma_m / ((earth.transverse_radius_m + now.height_m) * earth.cos_latitude), 2);
+}
+
+void AidedNavigation::loosen_biases(double gyro_sigma_radps, double accel_sigma_mps2) {
+  filter_.loosen_biases(gyro_sigma_radps, accel_sigma_mps2);
+}
+
 void AidedNavigation::feed_back(const Vector& errors) {
   sdins_.correct(errors.segment<3>(position_error), errors.segment<3>(velocity_error),
                  errors.segment<3>(phi));

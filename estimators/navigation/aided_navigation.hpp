@@ -78,6 +78,9 @@ class AidedNavigation {
 
   /// Adds these standard deviations to velocity and attitude, each axis.
   void loosen(double velocity_sigma_mps, double angle_sigma_rad);
+  /// Likewise to the horizontal position, north and east; and to the biases of the IMU.
+  void loosen_position(double sigma_m);
+  void loosen_biases(double gyro_sigma_radps, double accel_sigma_mps2);
 
   const NavigationState& state() const { return sdins_.state(); }
   /// The attitude including the samples since the last step.

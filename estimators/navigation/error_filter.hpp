@@ -71,6 +71,12 @@ class ErrorFilter {
     p_.diagonal().template segment<3>(phi).array() += angle_sigma_rad * angle_sigma_rad;
   }
 
+  /// Adds these standard deviations to the biases of gyros and accelerometers, each axis.
+  void loosen_biases(double gyro_sigma_radps, double accel_sigma_mps2) {
+    p_.diagonal().template segment<3>(gyro_bias).array() += gyro_sigma_radps * gyro_sigma_radps;
+    p_.diagonal().template segment<3>(accel_bias).array() += accel_sigma_mps2 * accel_sigma_mps2;
+  }
+
   const Covariance& covariance() const { return p_; }
   Covariance& covariance() { return p_; }
 

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "drivers/measurement/stamp.hpp"
+#include "estimators/pipeline/integrity.hpp"
 
 namespace drydock::pipeline {
 
@@ -19,6 +20,7 @@ struct AttitudeEstimate {
   std::optional<double> yaw_rad;                         ///< empty if not estimated
   Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();  ///< rad2, roll and pitch
   std::uint32_t fed_by = 0;                              ///< bit i: device i of the rig contributed
+  Integrity integrity;
 };
 
 }  // namespace drydock::pipeline

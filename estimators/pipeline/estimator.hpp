@@ -17,7 +17,8 @@ enum class Outcome : std::uint8_t {
   delayed,   ///< older than the estimator's time, but used on the present state
   late,      ///< too old to be used
   refused,   ///< not finite, or too large for a vehicle
-  unused     ///< not from this estimator's device, or without the value that it needs
+  unused,    ///< not from this estimator's device, or without the value that it needs
+  left_out   ///< its device is not sound; the pipeline says so, no estimator
 };
 
 enum class EstimatorState : std::uint8_t {
@@ -38,6 +39,11 @@ struct EstimatorStatus {
   EstimatorState state = EstimatorState::waiting_for_imu;
   std::uint64_t estimates = 0;
   std::uint64_t restarts = 0;          ///< after a gap in the IMU samples or a clock set back
+  std::uint64_t divergences = 0;       ///< starts because the innovations contradicted for too long
+  std::uint64_t wild = 0;              ///< IMU samples that no vehicle can cause, not used
+  std::uint64_t steps = 0;             ///< steps of the IMU that no vehicle can make
+  std::uint64_t valid_estimates = 0;   ///< of `estimates`
+  bool valid = false;                  ///< the last estimate; false before the first
   measurement::Stamp last_estimate{};  ///< valid_at
   measurement::Stamp last_speed{};     ///< valid_at
   std::uint64_t rejected = 0;          ///< values outside the estimator's innovation gate

@@ -2,7 +2,20 @@
 
 #include <variant>
 
+#include "drivers/measurement/units.hpp"
+
 namespace drydock::pipeline {
+
+namespace {
+
+/// The filters with six states have no biases in their covariance: three sigmas of that of an
+/// accelerometer, as a tilt.
+double bias_bound_of(const LevelingOptions& options) {
+  if (options.kind == leveling::FilterKind::augmented) return 0;
+  return 3 * options.filter.accelerometer_bias_sigma_mps2 / units::standard_gravity;
+}
+
+}  // namespace
 
 std::string fault_of(const LevelingOptions& options) {
   if (!options.stationary && !options.log)
@@ -19,6 +32,7 @@ LevelingEstimator::LevelingEstimator(Seat seat, const LevelingOptions& options,
                                      const PipelineOptions& pipeline)
     : ImuDrivenEstimator(seat, options.stationary ? std::nullopt : options.log, pipeline),
       stationary_(options.stationary),
+      bias_bound_rad_(bias_bound_of(options)),
       filter_(leveling::make_filter(options.kind, options.filter)) {}
 
 void LevelingEstimator::start(const measurement::ImuSample& sample, double speed_mps) {
@@ -41,11 +55,26 @@ void LevelingEstimator::bridge(const BridgedGap& gap) {
              filter_);
 }
 
-LevelingEstimator::Correction LevelingEstimator::correct(double speed_mps) {
+void LevelingEstimator::loosen_biases(double rate_sigma, double force_sigma) {
+  std::visit([&](auto& filter) { filter.loosen_biases(rate_sigma, force_sigma); }, filter_);
+}
+
+void LevelingEstimator::forget_innovations() {
+  constraints_.clear();
+  log_.clear();
+}
+
+void LevelingEstimator::believe_log(double change_mps) {
+  std::visit([&](auto& filter) { filter.loosen_log(change_mps); }, filter_);
+  log_.clear();
+}
+
+LevelingEstimator::Correction LevelingEstimator::correct(double speed_mps, bool trusted) {
   return std::visit(
       [&](auto& filter) {
-        filter.update_moving(speed_mps);
+        filter.update_moving(speed_mps, trusted);
         const auto& log = filter.innovation().log;
+        log_.add(log->value / log->sigma);
         return Correction{log->used, log};
       },
       filter_);
@@ -59,6 +88,7 @@ void LevelingEstimator::step(const Eigen::Vector3d& force, const Eigen::Vector3d
           filter.update_stationary();
         } else {
           filter.update_nonholonomic(dt);
+          constraints_.add(filter.constraints(), dt);
         }
       },
       filter_);

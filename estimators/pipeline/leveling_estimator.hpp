@@ -1,6 +1,8 @@
 #pragma once
 
 #include "estimators/leveling/any_leveling_filter.hpp"
+#include "estimators/navigation/innovation_window.hpp"
+#include "estimators/pipeline/constraint_watch.hpp"
 #include "estimators/pipeline/inertial/imu_driven_estimator.hpp"
 
 namespace drydock::pipeline {
@@ -17,11 +19,20 @@ class LevelingEstimator final : public ImuDrivenEstimator {
   void start_again(const measurement::ImuSample& sample, double speed_mps,
                    double silent_s) override;
   void bridge(const BridgedGap& gap) override;
+  void loosen_biases(double rate_sigma, double force_sigma) override;
   void step(const Eigen::Vector3d& force, const Eigen::Vector3d& rate, double dt) override;
-  Correction correct(double speed_mps) override;
+  bool contradicted() const override { return constraints_.contradict(); }
+  bool log_contradicted() const override { return log_.contradicts(); }
+  void forget_innovations() override;
+  void believe_log(double change_mps) override;
+  Correction correct(double speed_mps, bool trusted) override;
+  double bias_bound_rad() const override { return bias_bound_rad_; }
   void fill(AttitudeEstimate& estimate) const override;
 
   bool stationary_;
+  ConstraintWatch constraints_;
+  navigation::InnovationWindow log_;
+  double bias_bound_rad_;
   leveling::AnyLevelingFilter filter_;
 };
 

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "drivers/measurement/units.hpp"
+
 namespace drydock::pipeline {
 
 std::string fault_of(const MixingOptions& options) {
@@ -24,6 +26,10 @@ void MixingEstimator::start(const measurement::ImuSample& sample, double speed_m
   filter_.start(sample.specific_force, sample.angular_rate, speed_mps);
   accuracy_.start(filter_.options().accelerometer_start);
   speed_mps_ = speed_mps;
+}
+
+void MixingEstimator::loosen_biases(double rate_sigma, double force_sigma) {
+  accuracy_.loosen(rate_sigma, force_sigma / units::standard_gravity);
 }
 
 void MixingEstimator::step(const Eigen::Vector3d& force, const Eigen::Vector3d& rate, double dt) {

@@ -14,8 +14,9 @@ class MixingEstimator final : public ImuDrivenEstimator {
 
  private:
   void start(const measurement::ImuSample& sample, double speed_mps) override;
+  void loosen_biases(double rate_sigma, double force_sigma) override;
   void step(const Eigen::Vector3d& force, const Eigen::Vector3d& rate, double dt) override;
-  Correction correct(double speed_mps) override {
+  Correction correct(double speed_mps, bool) override {
     speed_mps_ = speed_mps;
     return {};  // the filter has no innovation: mixing.md, Outliers
   }

@@ -8,9 +8,11 @@
 #include <vector>
 
 #include "estimators/pipeline/inertial/inertial_options.hpp"
+#include "estimators/pipeline/integrity.hpp"
 #include "estimators/pipeline/leveling_options.hpp"
 #include "estimators/pipeline/mixing_options.hpp"
 #include "estimators/pipeline/roll_options.hpp"
+#include "estimators/pipeline/vehicle_limits.hpp"
 
 namespace drydock::pipeline {
 
@@ -35,6 +37,8 @@ struct PipelineOptions {
   std::chrono::nanoseconds max_imu_gap = std::chrono::milliseconds{500};
   /// The largest difference, older or newer, between a used speed and the time of the estimator.
   std::chrono::nanoseconds max_speed_age = std::chrono::milliseconds{500};
+  VehicleLimits vehicle;
+  AlertLimits alert;
 };
 
 }  // namespace drydock::pipeline

@@ -13,6 +13,7 @@ using measurement::Stamp;
 Pipeline::Pipeline(const PipelineOptions& options, EstimateListener& listener,
                    std::vector<std::unique_ptr<Estimator>> estimators)
     : window_(options.reorder_window),
+      max_gap_(options.max_imu_gap),
       listener_(&listener),
       estimators_(std::move(estimators)),
       buffer_(options.reorder_capacity) {}
@@ -56,6 +57,7 @@ void Pipeline::release() {
 }
 
 void Pipeline::run(const Sample& sample) {
+  if (is_left_out(origin_of(sample))) return count(origin_of(sample).device, Outcome::left_out);
   Outcome best = Outcome::unused;
   std::visit(
       [&](const auto& s) {
@@ -75,7 +77,29 @@ void Pipeline::count(std::uint16_t device, Outcome outcome) {
     case Outcome::late: ++counters.late; break;
     case Outcome::refused: ++counters.refused; break;
     case Outcome::unused: ++counters.unused; break;
+    case Outcome::left_out: ++counters.left_out; break;
   }
+}
+
+void Pipeline::leave_out(std::uint16_t device, bool left_out, Stamp from) {
+  if (device >= left_out_.size()) left_out_.resize(device + 1u);
+  if (left_out_[device].now != left_out) left_out_[device] = {left_out, from};
+}
+
+bool Pipeline::left_out(std::uint16_t device) const {
+  return device < left_out_.size() && left_out_[device].now;
+}
+
+bool Pipeline::is_left_out(const measurement::Origin& origin) const {
+  if (origin.device >= left_out_.size()) return false;
+  const LeftOut& state = left_out_[origin.device];
+  return state.now == (origin.valid_at >= state.since);
+}
+
+bool Pipeline::valid(std::size_t estimator, Stamp now) const {
+  const EstimatorStatus& status = estimators_[estimator]->status();
+  return status.valid && status.state == EstimatorState::running &&
+         now - status.last_estimate <= window_ + max_gap_;
 }
 
 DeviceCounters& Pipeline::of(std::uint16_t device) {

@@ -16,11 +16,12 @@
 /// the same measurements and the same calls of advance() give the same estimates to the last bit.
 namespace drydock::pipeline {
 
-/// received = waiting + accepted + delayed + late + refused + unused. If a device feeds several
-/// estimators, the best outcome counts.
+/// received = waiting + accepted + delayed + late + refused + unused + left_out. If a device feeds
+/// several estimators, the best outcome counts.
 struct DeviceCounters {
   std::uint64_t received = 0;
   std::uint64_t accepted = 0, delayed = 0, late = 0, refused = 0, unused = 0;
+  std::uint64_t left_out = 0;  ///< because the device is not sound, see Pipeline::leave_out
 };
 
 class Pipeline {
@@ -36,11 +37,20 @@ class Pipeline {
   /// Sets the time to `now`, so that waiting measurements run even if all sensors are silent.
   void advance(measurement::Stamp now);
 
+  /// True: no measurement of the device with a valid_at of `from` or later is used, until false
+  /// takes it back, likewise from that time on. For a device that a finding names.
+  void leave_out(std::uint16_t device, bool left_out, measurement::Stamp from);
+  bool left_out(std::uint16_t device) const;
+
   /// Runs all waiting measurements, for the end of a run.
   void flush();
 
   /// Indexed by device. Devices without any measurement may be missing at the end.
   const std::vector<DeviceCounters>& counters() const { return counters_; }
+  /// True if the estimator gives valid estimates at `now`: its last one is valid, and not older
+  /// than the reorder window and the longest gap of its IMU.
+  bool valid(std::size_t estimator, measurement::Stamp now) const;
+
   /// Number of measurements that ran early because the buffer was full.
   std::uint64_t overflows() const { return overflows_; }
 
@@ -55,13 +65,21 @@ class Pipeline {
   void run(const Sample& sample);
   void count(std::uint16_t device, Outcome outcome);
   DeviceCounters& of(std::uint16_t device);
+  bool is_left_out(const measurement::Origin& origin) const;
 
-  std::chrono::nanoseconds window_;
+  /// From when a device is left out, or not.
+  struct LeftOut {
+    bool now = false;
+    measurement::Stamp since = measurement::Stamp::min();
+  };
+
+  std::chrono::nanoseconds window_, max_gap_;
   EstimateListener* listener_;
   std::vector<std::unique_ptr<Estimator>> estimators_;
   ReorderBuffer buffer_;
   measurement::Stamp newest_ = measurement::Stamp::min();
   std::vector<DeviceCounters> counters_;
+  std::vector<LeftOut> left_out_;  ///< by device; those never left out may be missing at the end
   std::uint64_t overflows_ = 0;
 };
 

@@ -25,6 +25,9 @@ constexpr double surely_in_sight_rad = 0.1;
 constexpr std::chrono::milliseconds climb_span{500};
 constexpr double climb_sigma_rad = 0.015;
 
+/// Without an epoch of satellites for this long the roll is only that of the gyro.
+constexpr std::chrono::seconds longest_without_epoch{10};
+
 std::uint32_t mask_of(std::uint16_t device) { return std::uint32_t{1} << device; }
 
 /// The options of the filter, with the weakest power that the receiver still reports.
@@ -55,6 +58,7 @@ RollEstimator::RollEstimator(Seat seat, const RollOptions& options, const Pipeli
       options_(options),
       max_imu_gap_(pipeline.max_imu_gap),
       max_fix_age_(pipeline.max_speed_age),
+      alert_(pipeline.alert),
       filter_(filter_options(options)) {}
 
 Outcome RollEstimator::take(const ImuSample& sample, EstimateListener& listener) {
@@ -149,6 +153,7 @@ Outcome RollEstimator::take(const GnssSatellites& sky, EstimateListener&) {
                   .age_s = seconds(last_ - at),
                   .turned_rad = gyro_.now() - gyro_.at(at)});
   status_.state = EstimatorState::running;
+  epoch_ = at;
   status_.rejected = filter_.rejected();
   fed_by_ = mask_of(imu_) | mask_of(gnss_);
   return at < last_ ? Outcome::delayed : Outcome::accepted;
@@ -169,6 +174,17 @@ void RollEstimator::stop() {
   height_.reset();
 }
 
+Integrity RollEstimator::integrity_of(const AttitudeEstimate& estimate) const {
+  Integrity integrity;
+  integrity.roll_bound_rad = bound_of(estimate.covariance(0, 0));
+  integrity.pitch_bound_rad = bound_of(estimate.covariance(1, 1));
+  integrity.heading_bound_rad = integrity.pitch_bound_rad;
+  // The comparison of the roll is false for NaN too.
+  integrity.valid =
+      integrity.roll_bound_rad <= alert_.attitude_rad && last_ - epoch_ <= longest_without_epoch;
+  return integrity;
+}
+
 void RollEstimator::emit(EstimateListener& listener) {
   ++status_.estimates;
   status_.last_estimate = last_;
@@ -183,6 +199,9 @@ void RollEstimator::emit(EstimateListener& listener) {
   estimate.covariance(0, 0) = filter_.roll_variance() + by_axis * by_axis;
   estimate.covariance(1, 1) = axis_->sigma_rad * axis_->sigma_rad;
   estimate.fed_by = fed_by_;
+  estimate.integrity = integrity_of(estimate);
+  status_.valid = estimate.integrity.valid;
+  status_.valid_estimates += status_.valid ? 1 : 0;
   listener.on_attitude(estimate);
 }
 

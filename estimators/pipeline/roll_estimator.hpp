@@ -45,10 +45,13 @@ class RollEstimator final : public Estimator {
   std::optional<Eigen::Vector3d> velocity_of(const measurement::GnssFix& fix);
   bool knows_axis(measurement::Stamp at) const;
   void emit(EstimateListener& listener);
+  Integrity integrity_of(const AttitudeEstimate& estimate) const;
 
   std::uint16_t index_, imu_, gnss_;
   RollOptions options_;
   std::chrono::nanoseconds max_imu_gap_, max_fix_age_;
+  AlertLimits alert_;
+  measurement::Stamp epoch_{};  ///< the last one that was used
   roll::AllSatellites filter_;
   GyroAngle gyro_;
   measurement::Stamp last_{};  ///< last IMU sample and time of the filter; valid if gyro_ has one

@@ -31,6 +31,9 @@ std::vector<std::string> pipeline_notes(const rig_config::Rig& rig,
   const auto& counters = pipeline.counters();
   for (std::size_t i = 0; i < std::min(counters.size(), rig.devices.size()); ++i) {
     const pipeline::DeviceCounters& c = counters[i];
+    if (c.left_out > 0)
+      notes.push_back(fmt::format("{}: {} of {} measurements left out, because it was not sound",
+                                  rig.devices[i].name, c.left_out, c.received));
     if (c.late == 0 && c.refused == 0) continue;
     notes.push_back(fmt::format("{}: of {} measurements {} too late for the estimators, {} refused",
                                 rig.devices[i].name, c.received, c.late, c.refused));
@@ -40,6 +43,18 @@ std::vector<std::string> pipeline_notes(const rig_config::Rig& rig,
     if (status.rejected > 0)
       notes.push_back(
           fmt::format("{}: {} values outside its gate", rig.estimators[i].name, status.rejected));
+    if (status.wild > 0 || status.steps > 0)
+      notes.push_back(fmt::format(
+          "{}: {} samples and {} steps of \"{}\" that no vehicle can cause, none of them followed",
+          rig.estimators[i].name, status.wild, status.steps, rig.estimators[i].imu));
+    if (status.restarts > 0)
+      notes.push_back(fmt::format(
+          "{}: started again {} times, after a silence of its IMU or a clock that was set back",
+          rig.estimators[i].name, status.restarts));
+    if (status.divergences > 0)
+      notes.push_back(
+          fmt::format("{}: started again {} times, because its innovations contradicted it",
+                      rig.estimators[i].name, status.divergences));
     if (status.lost_at)
       notes.push_back(fmt::format(
           "{}: lost after {} estimates, when its IMU fell silent for more than {} s; it needs a "

@@ -61,6 +61,9 @@ class CoupledNavigation {
   void loosen(double velocity_sigma_mps, double angle_sigma_rad) {
     filter_.loosen(velocity_sigma_mps, angle_sigma_rad);
   }
+  void loosen_biases(double gyro_sigma_radps, double accel_sigma_mps2) {
+    filter_.loosen_biases(gyro_sigma_radps, accel_sigma_mps2);
+  }
 
   const navigation::NavigationState& state() const { return sdins_.state(); }
   const Filter::Covariance& covariance() const { return filter_.covariance(); }

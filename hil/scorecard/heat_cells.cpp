@@ -75,7 +75,7 @@ HeatCell growth_cell(const EstimatorScore& e) {
 }
 
 HeatCell nees_cell(const EstimatorScore& e) {
-  if (!e.nees) return {"none", Tone::alarm, 0, e.name + ": no estimate"};
+  if (!e.nees) return {"none", Tone::alarm, 0, e.name + ": never valid"};
   const double growth = e.usual_nees > 0 ? *e.nees / e.usual_nees : 1;
   return shade(short_number(*e.nees), log_level(growth, 1, 1000),
                fmt::format("{}: without a fault {:.3g}", e.name, e.usual_nees));

@@ -16,6 +16,10 @@ namespace {
 
 using measurement::Stamp;
 
+double sigmas_of(const Eigen::Vector2d& error, const Eigen::Matrix2d& covariance) {
+  return error.cwiseAbs().cwiseQuotient(covariance.diagonal().cwiseSqrt()).maxCoeff();
+}
+
 class Recorder final : private host::Follower {
  public:
   explicit Recorder(const rig_config::Rig& rig)
@@ -121,13 +125,17 @@ class Recorder final : private host::Follower {
     ErrorAt error{since_start(estimate.valid_at),
                   off.norm() * units::degrees_per_radian,
                   off.dot(estimate.covariance.inverse() * off) / 2,
-                  {}};
-    if (const auto& n = told.navigation)
-      error.horizontal_m =
+                  {},
+                  told.integrity.valid,
+                  sigmas_of(off, estimate.covariance)};
+    if (const auto& n = told.navigation) {
+      const Eigen::Vector2d away =
           frame::ned_offset({truth.latitude_rad, truth.longitude_rad, truth.height_m},
                             {n->latitude_rad, n->longitude_rad, n->height_m})
-              .head<2>()
-              .norm();
+              .head<2>();
+      error.horizontal_m = away.norm();
+      error.sigmas = std::max(error.sigmas, sigmas_of(away, n->covariance.topLeftCorner<2, 2>()));
+    }
     record_.estimators.at(told.estimator).push_back(error);
   }
 

@@ -63,6 +63,8 @@ struct ErrorAt {
   double tilt_deg = 0;  ///< norm of roll and pitch errors
   double nees = 0;      ///< roll and pitch, per axis
   std::optional<double> horizontal_m;
+  bool valid = true;  ///< the estimator said so
+  double sigmas = 0;  ///< largest error of an axis, over the estimator's own standard deviation
 };
 
 /// A finding of the diagnosis.

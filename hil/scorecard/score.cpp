@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "hil/scorecard/detection.hpp"
 #include "hil/scorecard/wrong_numbers.hpp"
@@ -59,11 +60,27 @@ std::optional<double> recovery_s(const Pair& pair, const Reference& reference, c
   return {};
 }
 
+/// The longest time in a row in which an estimate was valid and wrong.
+class WrongWhileValid {
+ public:
+  void add(const ErrorAt& error) {
+    constexpr double wrong_sigmas = 5;
+    const bool wrong = error.valid && !(error.sigmas <= wrong_sigmas);
+    if (!wrong) right_s_ = error.at_s;
+    longest_s_ = std::max(longest_s_, error.at_s - right_s_);
+  }
+  double longest_s() const { return longest_s_; }
+
+ private:
+  double right_s_ = std::numeric_limits<double>::infinity();  ///< the last time it was not
+  double longest_s_ = 0;
+};
+
 EstimatorScore score_estimator(const std::string& name, const std::vector<ErrorAt>& usual,
                                const std::vector<ErrorAt>& now, const Window& window) {
   EstimatorScore score;
   score.name = name;
-  std::int64_t expected = 0, got = 0;
+  std::int64_t expected = 0, got = 0, valid = 0, usually_valid = 0;
   double usual_nees = 0;
   const auto largest = [](std::optional<double>& most, const std::optional<double>& x) {
     if (x) most = std::max(most.value_or(0), *x);
@@ -71,17 +88,25 @@ EstimatorScore score_estimator(const std::string& name, const std::vector<ErrorA
   for (const ErrorAt& error : usual) {
     if (error.at_s < window.warm_up_s) continue;
     ++expected;
-    usual_nees += error.nees;
+    if (error.valid) {
+      ++usually_valid;
+      usual_nees += error.nees;
+    }
     score.usual_deg = std::max(score.usual_deg, error.tilt_deg);
     largest(score.usual_m, error.horizontal_m);
   }
   // An estimate is sound if its error is at most 1.5 times the largest error without faults.
   constexpr double sound_share = 1.5;
   double nees = 0, unsound_s = window.fault_end_s(), last_s = 0;
+  WrongWhileValid wrong;
   for (const ErrorAt& error : now) {
     if (error.at_s < window.warm_up_s) continue;
     ++got;
-    nees += error.nees;
+    wrong.add(error);
+    if (error.valid) {
+      ++valid;
+      nees += error.nees;
+    }
     last_s = error.at_s;
     score.error_deg = std::max(score.error_deg, error.tilt_deg);
     largest(score.horizontal_m, error.horizontal_m);
@@ -90,8 +115,10 @@ EstimatorScore score_estimator(const std::string& name, const std::vector<ErrorA
       unsound_s = std::max(unsound_s, error.at_s);
   }
   score.lost = expected - got;
-  if (expected > 0) score.usual_nees = usual_nees / static_cast<double>(expected);
-  if (got > 0) score.nees = nees / static_cast<double>(got);
+  if (usually_valid > 0) score.usual_nees = usual_nees / static_cast<double>(usually_valid);
+  if (valid > 0) score.nees = nees / static_cast<double>(valid);
+  if (got > 0) score.valid_share = static_cast<double>(valid) / static_cast<double>(got);
+  score.wrong_while_valid_s = wrong.longest_s();
   if (last_s > window.run_s() - tail_s && unsound_s < window.run_s() - tail_s)
     score.recover_s = unsound_s - window.fault_end_s();
   return score;

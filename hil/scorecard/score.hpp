@@ -15,7 +15,11 @@ struct EstimatorScore {
   std::string name;
   double error_deg = 0;        ///< largest norm of roll and pitch errors since the fault's start
   double usual_deg = 0;        ///< the same in the run without faults
-  std::optional<double> nees;  ///< mean over the same time; 1 is consistent; empty: no estimate
+  std::optional<double> nees;  ///< mean while valid over the same time; 1 is consistent; empty:
+                               ///< never valid
+  double valid_share = 0;      ///< of the estimates over the same time
+  double wrong_while_valid_s = 0;  ///< the longest time in which it was more than 5 sigma wrong,
+                                   ///< while it said valid
   double usual_nees = 0;
   std::optional<double> horizontal_m, usual_m;  ///< only if the estimator gives positions
   std::optional<double> recover_s;  ///< after the fault's end; 0: it stayed sound; empty: never

@@ -24,6 +24,8 @@ Json of_estimator(const EstimatorScore& e) {
   json["error_deg"] = three_digits(e.error_deg);
   if (e.usual_m) json["horizontal_m"] = number(e.horizontal_m);
   json["nees"] = number(e.nees);
+  json["valid_share"] = three_digits(e.valid_share);
+  json["wrong_while_valid_s"] = three_digits(e.wrong_while_valid_s);
   json["recover_s"] = number(e.recover_s);
   json["lost"] = e.lost;
   return json;

@@ -58,7 +58,7 @@ report::Table table_of(const Scorecard& card) {
                    "found after s",    "finding", "over after s", "lost",
                    "others lost",      "wrong",   "mistimed",     "lies"};
   for (const auto& e : card.scores.front().estimators)
-    for (const char* column : {"error x", "NEES", "over after s"})
+    for (const char* column : {"error x", "NEES", "valid", "wrong s", "over after s"})
       table.columns.push_back(e.name + " " + column);
   for (const Score& s : card.scores) {
     table.rows.push_back({s.device + " " + s.fault, s.amount, seconds_or(s.detect_s, "not"), s.sign,
@@ -69,6 +69,8 @@ report::Table table_of(const Scorecard& card) {
     for (const auto& e : s.estimators) {
       table.rows.back().push_back(short_number(growth_of(e)));
       table.rows.back().push_back(e.nees ? short_number(*e.nees) : "none");
+      table.rows.back().push_back(fmt::format("{:.0f} %", 100 * e.valid_share));
+      table.rows.back().push_back(short_number(e.wrong_while_valid_s));
       table.rows.back().push_back(seconds_or(e.recover_s, "not"));
     }
   }

@@ -45,6 +45,7 @@ Value of_navigation(const EstimatorSummary& e, double NavigationError::*member) 
 constexpr EstimatorFigure estimator_figures[]{
     {"estimates", [](const auto& e) { return Value{static_cast<double>(e.estimates)}; }},
     {"rejected", [](const auto& e) { return Value{static_cast<double>(e.rejected)}; }},
+    {"valid_share", [](const auto& e) { return e.valid_share; }, "none: no estimate"},
     {"roll_rms_deg", [](const auto& e) { return of_attitude(e, &AttitudeError::roll_rms_deg); }},
     {"pitch_rms_deg", [](const auto& e) { return of_attitude(e, &AttitudeError::pitch_rms_deg); }},
     {"heading_rms_deg",

@@ -109,13 +109,15 @@ std::string to_json(const Summary& s) {
   for (const auto& v : s.verdicts) root["expectations"].push_back(verdict_json(v));
   for (const auto& d : s.devices) root["devices"].push_back(device_json(d));
   for (const auto& e : s.estimators) {
-    root["estimators"].push_back({{"name", e.name},
-                                  {"kind", e.kind},
-                                  {"estimates", e.estimates},
-                                  {"rejected", e.rejected},
-                                  {"nis", e.nis ? Json(*e.nis) : Json(nullptr)},
-                                  {"whole_run", error_json(e.whole_run)},
-                                  {"after_10_s", error_json(e.after_10_s)}});
+    root["estimators"].push_back(
+        {{"name", e.name},
+         {"kind", e.kind},
+         {"estimates", e.estimates},
+         {"rejected", e.rejected},
+         {"valid_share", e.valid_share ? Json(*e.valid_share) : Json(nullptr)},
+         {"nis", e.nis ? Json(*e.nis) : Json(nullptr)},
+         {"whole_run", error_json(e.whole_run)},
+         {"after_10_s", error_json(e.after_10_s)}});
     if (e.navigation) root["estimators"].back()["navigation"] = navigation_json(*e.navigation);
   }
   return root.dump(2) + "\n";
@@ -133,6 +135,7 @@ std::string to_text(const Summary& s) {
   }
   for (const auto& e : s.estimators) {
     out += fmt::format("{} ({}): {} estimates", e.name, e.kind, e.estimates);
+    if (e.valid_share) out += fmt::format(", valid {:.1f} %", 100 * *e.valid_share);
     if (e.nis) out += fmt::format(", NIS {:.2f}", *e.nis);
     if (e.navigation) {
       out += navigation_text(*e.navigation);

@@ -33,8 +33,9 @@ struct NavigationError {
 struct EstimatorSummary {
   std::string name, kind;
   std::uint64_t estimates = 0;
-  std::uint64_t rejected = 0;  ///< sensor values outside the estimator's gate
-  std::optional<double> nis;   ///< mean normalised square of accepted innovations; empty: none
+  std::uint64_t rejected = 0;         ///< sensor values outside the estimator's gate
+  std::optional<double> valid_share;  ///< of the estimates, as they say; empty: no estimate
+  std::optional<double> nis;  ///< mean normalised square of accepted innovations; empty: none
   std::optional<AttitudeError> whole_run;  ///< empty if there is no truth
   std::optional<AttitudeError> after_10_s;
   std::optional<NavigationError> navigation;  ///< for the kinds navigation and velocity

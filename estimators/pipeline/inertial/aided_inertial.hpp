@@ -36,6 +36,10 @@ class AidedInertial {
   /// Adds these standard deviations to velocity (m/s) and attitude (rad) after a gap in the
   /// samples.
   virtual void loosen(double velocity_sigma, double angle_sigma) = 0;
+  /// The same for the biases of gyros (rad/s) and accelerometers (m/s2), each axis.
+  virtual void loosen_biases(double rate_sigma, double force_sigma) = 0;
+  /// The same for the horizontal position, m, if a sensor can correct it.
+  virtual void loosen_position(double /*sigma*/) {}
 
   virtual const navigation::NavigationState& state() const = 0;  ///< at the last step
   virtual const Eigen::Vector3d& gyro_bias() const = 0;          ///< present estimate, rad/s

@@ -31,6 +31,9 @@ class CoupledInertial final : public AidedInertial {
   void loosen(double velocity_sigma, double angle_sigma) override {
     filter_.loosen(velocity_sigma, angle_sigma);
   }
+  void loosen_biases(double rate_sigma, double force_sigma) override {
+    filter_.loosen_biases(rate_sigma, force_sigma);
+  }
 
   const navigation::NavigationState& state() const override { return filter_.state(); }
   const Eigen::Vector3d& gyro_bias() const override { return filter_.gyro_bias(); }

@@ -6,8 +6,10 @@
 #include <optional>
 
 #include "estimators/pipeline/estimator.hpp"
+#include "estimators/pipeline/imu_gate.hpp"
 #include "estimators/pipeline/inertial/bridged_gap.hpp"
 #include "estimators/pipeline/options.hpp"
+#include "estimators/pipeline/trust.hpp"
 
 namespace drydock::pipeline {
 
@@ -16,9 +18,7 @@ namespace drydock::pipeline {
 /// sample. It uses a speed at once; the next estimate shows the effect.
 class ImuDrivenEstimator : public Estimator {
  public:
-  /// No underwater vehicle exceeds these limits. A sample beyond them is refused.
-  static constexpr double max_specific_force_mps2 = 500;
-  static constexpr double max_angular_rate_radps = 50;
+  /// No underwater vehicle exceeds this limit. A speed beyond it is refused.
   static constexpr double max_speed_mps = 100;
 
   using Estimator::take;
@@ -33,7 +33,7 @@ class ImuDrivenEstimator : public Estimator {
   };
 
   /// `log`: device index; empty: not used, the vehicle is stationary. From `pipeline` it uses only
-  /// the two time limits.
+  /// the limits.
   ImuDrivenEstimator(Seat seat, std::optional<std::uint16_t> log, const PipelineOptions& pipeline);
 
  private:
@@ -47,15 +47,31 @@ class ImuDrivenEstimator : public Estimator {
   }
   /// Samples are missing and were interpolated. A filter with a covariance enlarges it here.
   virtual void bridge(const BridgedGap&) {}
+  /// The biases of gyros (rad/s) and accelerometers (m/s2) may have changed by these sigmas, per
+  /// axis. A filter with a covariance enlarges it here.
+  virtual void loosen_biases(double rate_sigma, double force_sigma) = 0;
+  /// True if the innovations contradict the filter's covariance, of the motion or of the log.
+  virtual bool contradicted() const { return false; }
+  virtual bool log_contradicted() const { return false; }
+  /// Begins to judge the innovations anew.
+  virtual void forget_innovations() {}
+  /// The log has contradicted for so long that it is believed: it has changed by this much, m/s.
+  virtual void believe_log(double) {}
   /// One step of `dt` seconds with the mean force and rate over it.
   virtual void step(const Eigen::Vector3d& force, const Eigen::Vector3d& rate, double dt) = 0;
   void tell(const measurement::WaterSpeed& speed, const navigation::Innovation& innovation,
             EstimateListener& listener);
-  /// Corrects the present state with a speed.
-  virtual Correction correct(double speed_mps) = 0;
+  /// Corrects the present state with a speed. `trusted` = false: only compares it.
+  virtual Correction correct(double speed_mps, bool trusted) = 0;
+  /// b of eq. (I1): what sound sensors add to roll and pitch beyond the covariance, rad.
+  virtual double bias_bound_rad() const { return 0; }
   /// Fills in roll, pitch and covariance.
   virtual void fill(AttitudeEstimate& estimate) const = 0;
 
+  /// How much the biases of IMU and log are in doubt at a new start, one sigma.
+  struct Doubt {
+    double rate_radps = 0, force_mps2 = 0, speed_mps = 0;
+  };
   struct Speed {
     measurement::Stamp valid_at;
     double mps = 0;
@@ -64,6 +80,13 @@ class ImuDrivenEstimator : public Estimator {
   bool running() const { return status_.state == EstimatorState::running; }
   bool clock_was_set_back(const measurement::ImuSample& sample);
   void stop();
+  void use(const measurement::ImuSample& sample, EstimateListener& listener);
+  measurement::ImuSample without_step(const measurement::ImuSample& sample) const;
+  void follow(const ImuStep& step);
+  void judge(measurement::Stamp now);
+  Correction correct_with(double speed_mps);
+  void start_over(const Doubt& doubt);
+  Integrity integrity_of(const AttitudeEstimate& estimate) const;
   bool try_start(const measurement::ImuSample& sample);
   void go_on(const measurement::ImuSample& sample);
   void emit(EstimateListener& listener);
@@ -71,6 +94,14 @@ class ImuDrivenEstimator : public Estimator {
   std::uint16_t index_, imu_;
   std::optional<std::uint16_t> log_;  ///< empty: not used, the vehicle is stationary
   std::chrono::nanoseconds max_imu_gap_, max_speed_age_;
+  ImuGate gate_;
+  AlertLimits alert_;
+  Trust motion_, log_trust_, imu_trust_;
+  int diverged_in_a_row_ = 0;
+  std::optional<Stamp> diverged_at_;
+  Doubt doubt_;                                           ///< for the next start
+  Eigen::Vector3d rate_step_ = Eigen::Vector3d::Zero();   ///< of the IMU, since the start
+  Eigen::Vector3d force_step_ = Eigen::Vector3d::Zero();  ///< likewise
   std::optional<measurement::ImuSample> last_;  ///< its valid_at is the time of the estimator
   std::optional<Stamp> stopped_at_;             ///< valid_at of the last sample before the stop
   double interval_s_ = 0;                       ///< between the last two samples; 0: none

@@ -30,6 +30,7 @@ AttitudeEstimate attitude_of(const NavigationEstimate& estimate) {
   attitude.yaw_rad = angles.yaw;
   attitude.covariance = euler_covariance(estimate).topLeftCorner<2, 2>();
   attitude.fed_by = estimate.fed_by;
+  attitude.integrity = estimate.integrity;
   return attitude;
 }
 

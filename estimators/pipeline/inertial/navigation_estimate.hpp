@@ -28,6 +28,7 @@ struct NavigationEstimate {
   Covariance covariance = Covariance::Zero();
   std::optional<CurrentEstimate> current;  ///< empty if not estimated
   std::uint32_t fed_by = 0;                ///< bit i: device i of the rig has contributed
+  Integrity integrity;
 };
 
 /// Covariance of roll, pitch and yaw, rad2, from that of the rotation about N, E, D. Not defined at

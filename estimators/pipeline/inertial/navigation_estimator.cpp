@@ -15,6 +15,11 @@ using measurement::Stamp;
 
 namespace {
 
+/// A navigation that two of its sensors have contradicted for this long has diverged; of one alone
+/// its gate knows what to do. It goes on from where it is, with these standard deviations. Chosen.
+constexpr std::chrono::seconds navigation_diverged_after{10};
+constexpr double anew_velocity_mps = 1, anew_angle_rad = 0.05;
+
 /// After this many samples in a row from the past, the clock was set back. Fewer are late samples.
 constexpr int clock_back_after = 10;
 
@@ -59,6 +64,8 @@ NavigationEstimator::NavigationEstimator(Seat seat, const InertialOptions& optio
       period_(measurement::from_seconds(options.imu_period_s)),
       max_imu_gap_(pipeline.max_imu_gap),
       max_age_(pipeline.max_speed_age),
+      gate_(pipeline.vehicle),
+      alert_(pipeline.alert),
       filter_(make_aided_inertial(options)) {
   // Until the first actuator state: rudder and planes at zero, propeller at the speed of the start.
   control_.u_c = (options_.start.body_to_ned.conjugate() * options_.start.velocity_ned).x();
@@ -67,24 +74,51 @@ NavigationEstimator::NavigationEstimator(Seat seat, const InertialOptions& optio
 
 Outcome NavigationEstimator::take(const ImuSample& sample, EstimateListener& listener) {
   if (sample.origin.device != imu_ || status_.state == EstimatorState::lost) return Outcome::unused;
-  if (!is_within(sample.specific_force, max_specific_force_mps2) ||
-      !is_within(sample.angular_rate, max_angular_rate_radps))
+  if (!sample.specific_force.allFinite() || !sample.angular_rate.allFinite())
     return Outcome::refused;
   const Stamp at = sample.origin.valid_at;
-  if (!last_) {
-    begin(sample);
-  } else if (at <= now_) {
+  if (last_ && at <= now_) {
     if (clock_was_set_back(at)) lose();
     return Outcome::late;
-  } else if (at - now_ > max_imu_gap_) {
+  }
+  if (last_ && at - now_ > max_imu_gap_) {
     lose();
     return Outcome::unused;
-  } else {
-    go_on(sample, listener);
   }
   far_behind_ = 0;
-  last_ = sample;
+  if (!passes_gate(sample)) return Outcome::refused;
+  const ImuSample used = without_step(sample);
+  if (last_) {
+    go_on(used, listener);
+  } else {
+    begin(used);
+  }
+  last_ = used;
   return Outcome::accepted;
+}
+
+bool NavigationEstimator::passes_gate(const ImuSample& sample) {
+  const auto verdict = gate_.judge(sample);
+  if (verdict == ImuGate::Verdict::wild) {
+    ++status_.wild;
+    return false;
+  }
+  if (verdict == ImuGate::Verdict::good) return true;
+  const ImuStep& step = gate_.step();
+  ++status_.steps;
+  imu_trust_.judge(true, sample.origin.valid_at);
+  if (step.thawed) rate_step_ = force_step_ = Vector3d::Zero();
+  rate_step_ += step.rate;
+  force_step_ += step.force;
+  filter_->loosen_biases(step.rate_sigma, step.force_sigma);
+  return true;
+}
+
+ImuSample NavigationEstimator::without_step(const ImuSample& sample) const {
+  ImuSample without = sample;
+  without.angular_rate -= rate_step_;
+  without.specific_force -= force_step_;
+  return without;
 }
 
 void NavigationEstimator::begin(const ImuSample& sample) {
@@ -142,30 +176,32 @@ void NavigationEstimator::end_step_if_due(EstimateListener& listener) {
     if (is_due(aiding)) apply(aiding, listener);
   waiting_.erase(std::remove_if(waiting_.begin(), waiting_.end(), is_due), waiting_.end());
   filter_->settle();
+  judge();
   emit(listener);
 }
 
 void NavigationEstimator::apply(const Aiding& aiding, EstimateListener& listener) {
   fed_by_ |= sensor_bit(aiding.sensor->device);
-  tell(aiding.valid_at, aiding.sensor->device, update(aiding), listener);
+  tell(aiding.kind, aiding.valid_at, aiding.sensor->device, update(aiding), listener);
 }
 
-void NavigationEstimator::tell(Stamp valid_at, std::uint16_t device, const Innovations& rows,
-                               EstimateListener& listener) const {
+void NavigationEstimator::tell(Aid aid, Stamp valid_at, std::uint16_t device,
+                               const Innovations& rows, EstimateListener& listener) {
+  watch_.add(aid, rows);
   if (!rows.empty()) listener.on_innovation({valid_at, index_, device, rows});
 }
 
 Innovations NavigationEstimator::update(const Aiding& aiding) {
   const AidingSensor& sensor = *aiding.sensor;
-  if (aiding.kind == Aiding::Kind::position) {
+  if (aiding.kind == Aid::position) {
     const double age_s = seconds(now_ - aiding.valid_at);
     const auto moved = frame::at_ned_offset(aiding.position, age_s * filter_->state().velocity_ned);
     return filter_->update_position(moved, aiding.value, sensor.lever);
   }
-  if (aiding.kind == Aiding::Kind::heading) return filter_->update_heading(aiding.value.x());
+  if (aiding.kind == Aid::heading) return filter_->update_heading(aiding.value.x());
   status_.last_speed = aiding.valid_at;
   const Vector3d of_origin = aiding.value - turning_speed(sensor.lever);
-  if (aiding.kind == Aiding::Kind::log) return filter_->update_log(of_origin.x());
+  if (aiding.kind == Aid::log) return filter_->update_log(of_origin.x());
   return filter_->update_ground(of_origin);
 }
 
@@ -174,7 +210,7 @@ Outcome NavigationEstimator::take(const measurement::WaterSpeed& speed, Estimate
   if (!log || speed.origin.device != log->device || !speed.longitudinal_mps) return Outcome::unused;
   // This comparison is false for NaN too.
   if (!(std::abs(*speed.longitudinal_mps) <= max_speed_mps)) return Outcome::refused;
-  return wait_for_step({.kind = Aiding::Kind::log,
+  return wait_for_step({.kind = Aid::log,
                         .sensor = &*log,
                         .valid_at = speed.origin.valid_at,
                         .value = {*speed.longitudinal_mps, 0, 0},
@@ -185,7 +221,7 @@ Outcome NavigationEstimator::take(const measurement::BottomVelocity& track, Esti
   const auto& ground = options_.ground;
   if (!ground || track.origin.device != ground->device || !track.velocity) return Outcome::unused;
   if (!is_within(*track.velocity, max_speed_mps)) return Outcome::refused;
-  return wait_for_step({.kind = Aiding::Kind::ground,
+  return wait_for_step({.kind = Aid::ground,
                         .sensor = &*ground,
                         .valid_at = track.origin.valid_at,
                         .value = *track.velocity,
@@ -199,7 +235,7 @@ Outcome NavigationEstimator::take(const measurement::AttitudeSample& compass, Es
   constexpr double circle_rad = 2 * std::numbers::pi;
   // This comparison is false for NaN too.
   if (!(std::abs(*compass.true_heading_rad) <= circle_rad)) return Outcome::refused;
-  return wait_for_step({.kind = Aiding::Kind::heading,
+  return wait_for_step({.kind = Aid::heading,
                         .sensor = &*heading,
                         .valid_at = compass.origin.valid_at,
                         .value = {*compass.true_heading_rad, 0, 0},
@@ -224,7 +260,7 @@ Outcome NavigationEstimator::take(const measurement::GnssFix& fix, EstimateListe
   const Vector3d sigma{horizontal, horizontal, vertical};
   const Vector3d all{position.latitude_rad, position.longitude_rad, position.height_m};
   if (!sigma.allFinite() || !(sigma.minCoeff() > 0) || !all.allFinite()) return Outcome::refused;
-  return wait_for_step({.kind = Aiding::Kind::position,
+  return wait_for_step({.kind = Aid::position,
                         .sensor = &*gnss,
                         .valid_at = fix.origin.valid_at,
                         .value = sigma,
@@ -255,7 +291,7 @@ Outcome NavigationEstimator::take(const measurement::DepthSample& sample,
   const double height = options_.sea_level_m - *sample.depth_m + arm_down;
   Innovations rows = filter_->add_height(height - state.velocity_ned.z() * seconds(behind));
   for (auto& row : rows) row.value = -row.value;  // depth is down, the height is up
-  tell(sample.origin.valid_at, depth->device, rows, listener);
+  tell(Aid::depth, sample.origin.valid_at, depth->device, rows, listener);
   fed_by_ |= sensor_bit(depth->device);
   return behind > period_ ? Outcome::delayed : Outcome::accepted;
 }
@@ -281,8 +317,37 @@ bool NavigationEstimator::clock_was_set_back(Stamp at) {
 
 void NavigationEstimator::lose() {
   status_.state = EstimatorState::lost;
+  status_.valid = false;
   status_.lost_at = now_;
   waiting_.clear();
+}
+
+void NavigationEstimator::judge() {
+  const auto contradictions = watch_.contradictions();
+  aiding_.judge(contradictions > 0, now_);
+  state_.judge(contradictions > 1, now_);
+  if (state_.doubted(now_) < navigation_diverged_after) return;
+  ++status_.divergences;
+  filter_->loosen(anew_velocity_mps, anew_angle_rad);
+  filter_->loosen_position(watch_.position_off_m());
+  watch_.clear();
+  aiding_.end();
+  state_.end();
+}
+
+Integrity NavigationEstimator::integrity_of(const NavigationEstimate& estimate) const {
+  const Eigen::Matrix3d angles = euler_covariance(estimate);
+  const auto& p = estimate.covariance;
+  Integrity integrity{.valid = aiding_.settled(now_) && imu_trust_.settled(now_),
+                      .roll_bound_rad = bound_of(angles(0, 0)),
+                      .pitch_bound_rad = bound_of(angles(1, 1)),
+                      .heading_bound_rad = bound_of(angles(2, 2)),
+                      .horizontal_bound_m = bound_of(p(0, 0) + p(1, 1))};
+  // These comparisons are false for NaN too.
+  integrity.valid &= integrity.roll_bound_rad <= alert_.attitude_rad &&
+                     integrity.pitch_bound_rad <= alert_.attitude_rad &&
+                     bound_of(p(3, 3) + p(4, 4)) <= alert_.velocity_mps;
+  return integrity;
 }
 
 void NavigationEstimator::emit(EstimateListener& listener) {
@@ -295,6 +360,9 @@ void NavigationEstimator::emit(EstimateListener& listener) {
   estimate.estimator = index_;
   filter_->fill(estimate);
   estimate.fed_by = fed_by_;
+  estimate.integrity = integrity_of(estimate);
+  status_.valid = estimate.integrity.valid;
+  status_.valid_estimates += status_.valid ? 1 : 0;
   listener.on_navigation(estimate);
 }
 

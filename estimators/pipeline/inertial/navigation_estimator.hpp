@@ -5,8 +5,11 @@
 #include <optional>
 
 #include "estimators/pipeline/estimator.hpp"
+#include "estimators/pipeline/imu_gate.hpp"
 #include "estimators/pipeline/inertial/aided_inertial.hpp"
+#include "estimators/pipeline/inertial/innovation_watch.hpp"
 #include "estimators/pipeline/options.hpp"
+#include "estimators/pipeline/trust.hpp"
 
 namespace drydock::pipeline {
 
@@ -17,10 +20,9 @@ namespace drydock::pipeline {
 class NavigationEstimator final : public Estimator {
  public:
   static constexpr double step_s = 0.1;
-  static constexpr double max_specific_force_mps2 = 500, max_angular_rate_radps = 50;
   static constexpr double max_speed_mps = 100;
 
-  /// From `pipeline` it uses only the two time limits.
+  /// From `pipeline` it uses only the limits.
   NavigationEstimator(Seat seat, const InertialOptions& options, const PipelineOptions& pipeline);
 
   using Estimator::take;
@@ -36,7 +38,7 @@ class NavigationEstimator final : public Estimator {
  private:
   /// A measurement that waits for the end of the step.
   struct Aiding {
-    enum class Kind : std::uint8_t { log, ground, position, heading } kind;
+    Aid kind = Aid::log;
     const AidingSensor* sensor;
     measurement::Stamp valid_at;
     Eigen::Vector3d value =
@@ -52,8 +54,12 @@ class NavigationEstimator final : public Estimator {
   void end_step_if_due(EstimateListener& listener);
   void apply(const Aiding& aiding, EstimateListener& listener);
   Innovations update(const Aiding& aiding);
-  void tell(measurement::Stamp valid_at, std::uint16_t device, const Innovations& rows,
-            EstimateListener& listener) const;
+  void tell(Aid aid, measurement::Stamp valid_at, std::uint16_t device, const Innovations& rows,
+            EstimateListener& listener);
+  bool passes_gate(const measurement::ImuSample& sample);
+  measurement::ImuSample without_step(const measurement::ImuSample& sample) const;
+  void judge();
+  Integrity integrity_of(const NavigationEstimate& estimate) const;
   Outcome wait_for_step(const Aiding& aiding);
   void lose();
   bool clock_was_set_back(measurement::Stamp at);
@@ -66,6 +72,12 @@ class NavigationEstimator final : public Estimator {
   std::uint16_t index_, imu_;
   InertialOptions options_;
   std::chrono::nanoseconds period_, max_imu_gap_, max_age_;
+  ImuGate gate_;
+  AlertLimits alert_;
+  Eigen::Vector3d rate_step_ = Eigen::Vector3d::Zero();   ///< of the IMU, since the start
+  Eigen::Vector3d force_step_ = Eigen::Vector3d::Zero();  ///< likewise
+  InnovationWatch watch_;
+  Trust aiding_, state_, imu_trust_;
   std::unique_ptr<AidedInertial> filter_;
   hydrodynamics::Control control_;
   std::optional<measurement::ImuSample> last_;

@@ -47,6 +47,10 @@ class SensorInertial final : public AidedInertial {
   void loosen(double velocity_sigma, double angle_sigma) override {
     aided_.loosen(velocity_sigma, angle_sigma);
   }
+  void loosen_biases(double rate_sigma, double force_sigma) override {
+    aided_.loosen_biases(rate_sigma, force_sigma);
+  }
+  void loosen_position(double sigma) override { aided_.loosen_position(sigma); }
 
   const navigation::NavigationState& state() const override { return aided_.state(); }
   const Eigen::Vector3d& gyro_bias() const override { return aided_.gyro_bias(); }

@@ -146,4 +146,43 @@ TEST(Detection, TheFirstOfAllSignsCountsAndOneOfTheUsualRunDoesNot) {
   EXPECT_FALSE(first_sign(0, window, Reference(run), run));
 }
 
+/// Estimates of a tilt at 10 Hz: 2 sigmas wrong, but 6 from `wrong_s` on, and valid until
+/// `valid_s`.
+RunRecord with_estimates(double wrong_s, double valid_s) {
+  RunRecord run = sound_run();
+  run.estimators.resize(1);
+  for (int k = 0; k < 300; ++k) {
+    const double at_s = 0.1 * k, sigmas = at_s < wrong_s ? 2 : 6;
+    run.estimators[0].push_back({.at_s = at_s,
+                                 .tilt_deg = 0.1 * sigmas,
+                                 .nees = sigmas * sigmas / 2,
+                                 .horizontal_m = {},
+                                 .valid = at_s < valid_s,
+                                 .sigmas = sigmas});
+  }
+  return run;
+}
+
+EstimatorScore estimator_score(double wrong_s, double valid_s) {
+  rig_config::Rig rig = one_depth_sensor();
+  rig.estimators.resize(1);
+  const Reference reference(with_estimates(1000, 1000));
+  return score_of(rig, window, fault(rig_config::FaultKind::bias), reference,
+                  with_estimates(wrong_s, valid_s))
+      .estimators.at(0);
+}
+
+TEST(Score, AnEstimateIsWrongWhileValidUntilItSaysOtherwise) {
+  const auto honest = estimator_score(14.95, 16.45);
+  EXPECT_NEAR(honest.wrong_while_valid_s, 1.5, 1e-6);
+  EXPECT_NEAR(honest.valid_share, 65. / 200, 1e-6);  // of the 20 s since the fault's start
+  EXPECT_NEAR(honest.nees.value(), (50 * 2. + 15 * 18) / 65, 1e-6);
+  const auto dishonest = estimator_score(14.95, 1000);
+  EXPECT_NEAR(dishonest.wrong_while_valid_s, 15, 1e-6);
+  EXPECT_EQ(dishonest.valid_share, 1);
+  const auto mute = estimator_score(14.95, 0);
+  EXPECT_FALSE(mute.nees);
+  EXPECT_EQ(mute.wrong_while_valid_s, 0);
+}
+
 }  // namespace score_test

@@ -162,6 +162,19 @@ TEST(Expectations, EveryFigureOfTheSchemaIsInTheSummary) {
   }
 }
 
+TEST(Expectations, AskForTheShareOfEstimatesThatSayThatTheyAreValid) {
+  // From the start the attitude is not known to .35 rad, so the first estimates are not valid.
+  const auto rig = shipped("demo",
+                           "[[expect]]\nestimator = \"leveling\"\nvalid_share_min = 1\n"
+                           "[[expect]]\nestimator = \"leveling\"\nafter_s = 10\n"
+                           "valid_share_min = 1\n");
+  const auto summary = run_for(rig, 20);
+  ASSERT_EQ(summary.verdicts.size(), 2u);
+  EXPECT_FALSE(summary.verdicts[0].passed);
+  EXPECT_GT(summary.estimators[0].valid_share.value(), 0.8);
+  EXPECT_TRUE(summary.verdicts[1].passed) << summary.verdicts[1].measured;
+}
+
 TEST(Expectations, AfterSomeTimeCountOnlyWhatComesLater) {
   const auto rig = shipped("demo",
                            "[[expect]]\nestimator = \"leveling\"\nestimates_min = 1\n"

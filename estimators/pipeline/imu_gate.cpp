@@ -1,0 +1,190 @@
+#include "estimators/pipeline/imu_gate.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "drivers/measurement/units.hpp"
+
+namespace drydock::pipeline {
+
+using measurement::seconds;
+
+namespace {
+
+/// Differences before the noise counts as known; until then no step is judged.
+constexpr int learn_samples = 50;
+
+/// Eight times the mean absolute difference is 6.4 standard deviations of a normal difference.
+constexpr double noise_times = 8;
+
+/// Standard deviation of a normal value over its mean absolute value, the root of pi / 2.
+constexpr double per_mean_size = 1.2533;
+
+/// Weight of a new difference, and how often the mean it counts at most: so wild differences that
+/// are just below the limit do not lift it without end.
+constexpr double newest_share = 0.05, most_usual = 2;
+
+/// A step this small is no concern of the gate, however quiet the IMU is: rad/s, m/s2.
+constexpr double least_turn = 1e-3, least_force = 0.02;
+
+/// So many samples in a row that agree with each other make a step.
+constexpr int step_samples = 8;
+
+/// After this time without a good sample the next possible one is used, whatever it is.
+constexpr double longest_doubt_s = 0.3;
+
+/// So many equal samples in a row were those of a sensor that stood still. Noise makes that
+/// improbable.
+constexpr int still_samples = 5;
+
+/// A value that turns back at two changes in five or more is noisy; white noise does at two in
+/// three. If so many samples in a row are equal in all six values and one of them was noisy, the
+/// IMU is stuck.
+constexpr double noisy_turns = 0.4;
+constexpr int stuck_samples = 20;
+
+/// True if the three gyros or the three accelerometers, whichever leapt, have exactly the same
+/// values.
+template <class Vector>
+bool equal_where_leapt(const Vector& leap, const Vector& margin, const Vector& a, const Vector& b) {
+  const auto same = [&](int at) {
+    const bool leapt =
+        (leap.template segment<3>(at).cwiseAbs().array() > margin.template segment<3>(at).array())
+            .any();
+    return !leapt || a.template segment<3>(at) == b.template segment<3>(at);
+  };
+  return same(0) && same(3);
+}
+
+}  // namespace
+
+ImuGate::Verdict ImuGate::judge(const measurement::ImuSample& sample) {
+  Point now{sample.origin.valid_at, {}};
+  now.values << sample.angular_rate, sample.specific_force;
+  if (!possible(now.values) || frozen(now.values)) return Verdict::wild;
+  if (good_ && learned_ >= learn_samples && (goes_on(now) || !reachable(*good_, now)))
+    return doubt(now);
+  learn(now);
+  if (stands_still()) {
+    stuck_at_ = now.values;
+    return Verdict::wild;
+  }
+  return believe(now, Verdict::good);
+}
+
+bool ImuGate::stands_still() const {
+  return still_ >= stuck_samples && turns_.maxCoeff() > noisy_turns;
+}
+
+void ImuGate::forget() {
+  good_.reset();
+  run_.reset();
+  still_ = 0;
+}
+
+bool ImuGate::frozen(const Vector6& values) {
+  if (!stuck_at_) return false;
+  const auto same = [&](int at) { return values.segment<3>(at) == stuck_at_->segment<3>(at); };
+  if (same(0) || same(3)) return true;
+  stuck_at_.reset();
+  forget();
+  return false;
+}
+
+bool ImuGate::goes_on(const Point& now) const {
+  if (!run_ || !reachable(run_->newest, now)) return false;
+  const Vector6 unit = margin();
+  const auto distance = [&](const Vector6& from) {
+    return (now.values - from).cwiseQuotient(unit).squaredNorm();
+  };
+  return distance(run_->newest.values) < distance(good_->values);
+}
+
+bool ImuGate::possible(const Vector6& values) const {
+  // Each comparison is false for NaN too.
+  return values.head<3>().cwiseAbs().maxCoeff() <= limits_.turn_radps &&
+         std::abs(values.tail<3>().norm() - units::standard_gravity) <= limits_.acceleration_mps2;
+}
+
+ImuGate::Vector6 ImuGate::margin() const {
+  Vector6 least;
+  least << Eigen::Vector3d::Constant(least_turn), Eigen::Vector3d::Constant(least_force);
+  return (noise_times * usual_).cwiseMax(least);
+}
+
+bool ImuGate::reachable(const Point& from, const Point& to) const {
+  const double dt = seconds(to.at - from.at);
+  Vector6 allowed = margin();
+  allowed.head<3>().array() += limits_.turn_change_radps2 * dt;
+  allowed.tail<3>().array() += limits_.force_change_mps3 * dt;
+  return ((to.values - from.values).cwiseAbs().array() <= allowed.array()).all();
+}
+
+ImuGate::Verdict ImuGate::doubt(const Point& now) {
+  if (goes_on(now)) {
+    run_->still &= equal_where_leapt(run_->leap, margin(), run_->newest.values, now.values);
+    run_->newest = now;
+    ++run_->samples;
+  } else {
+    run_ = Run{now, now.values - good_->values, 1};
+  }
+  if (run_->samples < step_samples && seconds(now.at - good_->at) < longest_doubt_s)
+    return Verdict::wild;
+  const bool steady = run_->samples >= step_samples;
+  if (steady && run_->still && still_ < still_samples) {
+    stuck_at_ = now.values;
+    return Verdict::wild;
+  }
+  step_ = step_of_run();
+  return believe(now, Verdict::stepped);
+}
+
+ImuStep ImuGate::step_of_run() const {
+  ImuStep step;
+  step.thawed = still_ >= still_samples && !run_->still;
+  if (run_->samples < step_samples) {  // the samples do not agree, so nothing is known
+    step.rate_sigma = run_->leap.head<3>().norm();
+    step.force_sigma = run_->leap.tail<3>().norm();
+    return step;
+  }
+  if (step.thawed) return step;
+  const Vector6 limit = margin(), steps = run_->leap - trend_;
+  const Vector6 kept = (run_->leap.cwiseAbs().array() > limit.array()).select(steps, 0);
+  step.rate = kept.head<3>();
+  step.force = kept.tail<3>();
+  if (!step.rate.isZero(0)) step.rate_sigma = per_mean_size * off_trend_.head<3>().maxCoeff();
+  if (!step.force.isZero(0)) step.force_sigma = per_mean_size * off_trend_.tail<3>().maxCoeff();
+  return step;
+}
+
+void ImuGate::learn(const Point& now) {
+  if (!good_) return;
+  const Vector6 change = now.values - good_->values;
+  still_ = change.isZero(0) ? still_ + 1 : 0;
+  if (still_ == 0) learn_noise(change);
+}
+
+void ImuGate::learn_noise(const Vector6& change) {
+  const double share = std::max(newest_share, 1.0 / (1 + learned_));
+  Vector6 most = Vector6::Constant(std::numeric_limits<double>::infinity());
+  if (learned_ >= learn_samples) most = most_usual * usual_.cwiseMax(margin() / noise_times);
+  usual_ += share * (change.cwiseAbs().cwiseMin(most) - usual_);
+  off_trend_ += share * ((change - trend_).cwiseAbs().cwiseMin(most) - off_trend_);
+  trend_ += share * (change - trend_);
+  for (int i = 0; i < 6; ++i) {
+    if (change(i) == 0) continue;
+    turns_(i) += share * ((change(i) * change_(i) < 0 ? 1 : 0) - turns_(i));
+    change_(i) = change(i);
+  }
+  learned_ = std::min(learned_ + 1, learn_samples);
+}
+
+ImuGate::Verdict ImuGate::believe(const Point& now, Verdict verdict) {
+  if (verdict == Verdict::stepped) still_ = 0;
+  good_ = now;
+  run_.reset();
+  return verdict;
+}
+
+}  // namespace drydock::pipeline
