@@ -53,6 +53,8 @@ struct CauseFacts {
   std::span<const rig_config::FaultKind> faults;
   std::string_view meaning;  ///< what it is, for a person
   std::string_view advice;   ///< what a person should try first
+  bool severe = false;       ///< the device gives nothing, or nothing that is right
+  bool misleads = false;     ///< its values look sound and are not: estimators leave them out
 };
 
 std::span<const CauseFacts> causes();

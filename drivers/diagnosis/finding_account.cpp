@@ -17,7 +17,7 @@ FindingAccount account_of(const Finding& finding, std::string_view device, Stamp
   const CauseFacts& facts = facts_of(finding.cause);
   FindingAccount account{.device = std::string(device),
                          .cause = std::string(facts.name),
-                         .severe = is_severe(finding.cause),
+                         .severe = facts.severe,
                          .since_s = measurement::seconds(finding.since - start),
                          .found_s = measurement::seconds(finding.found - start),
                          .until_s = {},
@@ -28,26 +28,6 @@ FindingAccount account_of(const Finding& finding, std::string_view device, Stamp
   if (finding.until) account.until_s = measurement::seconds(*finding.until - start);
   for (const Evidence& one : finding.evidence) account.evidence.push_back(evidence_account(one));
   return account;
-}
-
-bool is_severe(Cause cause) {
-  switch (cause) {
-    case Cause::silent:
-    case Cause::port_lost:
-    case Cause::wrong_baud:
-    case Cause::bus_off:
-    case Cause::address_stolen:
-    case Cause::stuck:
-    case Cause::bias:
-    case Cause::drift:
-    case Cause::delay:
-    case Cause::bottom_lost:
-    case Cause::satellites_blocked:
-    case Cause::hot:
-    case Cause::mounting:
-    case Cause::scale: return true;
-    default: return false;
-  }
 }
 
 }  // namespace drydock::diagnosis

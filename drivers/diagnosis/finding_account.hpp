@@ -19,7 +19,7 @@ struct EvidenceAccount {
 /// A finding as all outputs tell it: lines, JSON, the bus, recordings, pages.
 struct FindingAccount {
   std::string device, cause;
-  bool severe = false;              ///< see is_severe
+  bool severe = false;  ///< its values are missing or false; else some are lost or worse
   double since_s = 0, found_s = 0;  ///< from a start that each output names
   std::optional<double> until_s;    ///< empty: it lasts
   double confidence = 0;            ///< 0 to 1: how sure the word is
@@ -29,10 +29,6 @@ struct FindingAccount {
 
 /// `start`: the time from which since_s, found_s and until_s count.
 FindingAccount account_of(const Finding& finding, std::string_view device, Stamp start);
-
-/// True if the values of such a device are missing or false; else some are lost or worse than they
-/// should be.
-bool is_severe(Cause cause);
 
 /// Calls `field(name, value)` for every field. These names are the keys of all outputs.
 template <class Account, class Field>

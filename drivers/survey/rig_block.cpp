@@ -39,7 +39,7 @@ std::string rig_block(const FoundDevice& device) {
 }
 
 void name_devices(std::vector<FoundDevice>& devices) {
-  std::array<unsigned, 6> taken{};
+  std::array<unsigned, measurement::kinds.size()> taken{};
   for (auto& device : devices) {
     const unsigned number = ++taken[static_cast<std::size_t>(device.kind)];
     device.name = number == 1 ? std::string(to_string(device.kind))

@@ -28,7 +28,7 @@ class EstimatorHost final {
 
   void start();
   void stop();
-  const pipeline::Pipeline& pipeline() const { return pipeline_; }
+  pipeline::Pipeline& pipeline() { return pipeline_; }
 
  private:
   void wait_for_measurements();

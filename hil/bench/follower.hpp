@@ -16,7 +16,7 @@ namespace drydock::bench {
 struct BenchView {
   measurement::Stamp start{};
   std::vector<const device::Device*> devices;  ///< in the order of the rig
-  const pipeline::Pipeline& pipeline;
+  pipeline::Pipeline& pipeline;
   fault::Injector& faults;
 };
 

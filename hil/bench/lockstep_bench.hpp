@@ -33,6 +33,7 @@ class LockstepBench final : private device::Listener {
 
   std::size_t devices() const { return actors_.size(); }
   const device::Device& device(std::size_t i) const { return actors_[i]->device(); }
+  pipeline::Pipeline& pipeline() { return pipeline_; }
   const pipeline::Pipeline& pipeline() const { return pipeline_; }
   fault::Injector& faults() { return faults_; }
 

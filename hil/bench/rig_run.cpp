@@ -47,6 +47,7 @@ emulate::RealTimeEmulator::OnWritten RigRun::on_written() {
 void RigRun::begin(const BenchView& bench) {
   bench_.emplace(bench);
   diagnostician_.watch(bench.devices);
+  followers_.add(sound_devices_.emplace(rig_, bench.pipeline));
   scribe_.tick(bench.start);
   for (auto* follower : options_.followers) follower->on_start(*bench_);
 }

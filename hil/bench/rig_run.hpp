@@ -5,6 +5,7 @@
 #include "drivers/host/finding_log.hpp"
 #include "drivers/host/rig_recorder.hpp"
 #include "estimators/host/diagnostician.hpp"
+#include "estimators/host/sound_devices.hpp"
 #include "hil/bench/follower.hpp"
 #include "hil/bench/run.hpp"
 #include "hil/bench/truth_teller.hpp"
@@ -61,6 +62,7 @@ class RigRun {
   summary::ExpectWatch expects_;
   std::optional<TruthTeller> truth_teller_;
   std::optional<host::RigRecorder> recorder_;
+  std::optional<host::SoundDevices> sound_devices_;
   std::optional<BenchView> bench_;
   std::vector<fault::FaultNow> faults_told_;
 };

@@ -43,7 +43,7 @@ class ReplayBench {
   const record::Player& player() const { return *player_; }
   std::vector<const device::Device*> devices() const;           ///< in the order of the rig
   const ReplayFaults* faults() const { return faults_.get(); }  ///< nullptr: none
-  const pipeline::Pipeline& pipeline() const { return pipeline_; }
+  pipeline::Pipeline& pipeline() { return pipeline_; }
   measurement::Stamp::duration played() const { return player_->now() - start_; }
 
  private:

@@ -15,6 +15,7 @@
 #include "drivers/host/state_lines.hpp"
 #include "drivers/terminal/exit_codes.hpp"
 #include "estimators/host/diagnostician_beside.hpp"
+#include "estimators/host/sound_devices.hpp"
 #include "estimators/setup/rig_pipeline.hpp"
 #include "hil/replay/recorded_rig.hpp"
 #include "hil/replay/recording_progress.hpp"
@@ -129,6 +130,7 @@ class RigReplay {
     auto& followers = bench_->followers();
     diagnostician_ = host::diagnostician_beside(rig, bench_->devices(), followers);
     followers.add(*diagnostician_);
+    followers.add(sound_devices_.emplace(rig, bench_->pipeline()));
     followers.add(findings_);
     if (!options_.check.empty()) {
       auto expected = parse_references(text_of(options_.check));
@@ -223,6 +225,7 @@ class RigReplay {
   Faults faults_;
   ReplayLines lines_;
   std::shared_ptr<host::Follower> diagnostician_;
+  std::optional<host::SoundDevices> sound_devices_;
   host::FindingLog findings_;
   std::optional<host::FindingLines> said_;
   std::optional<host::StateLines> states_;

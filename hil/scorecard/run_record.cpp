@@ -7,6 +7,7 @@
 #include "drivers/measurement/units.hpp"
 #include "estimators/frame/geodetic.hpp"
 #include "estimators/host/diagnostician.hpp"
+#include "estimators/host/sound_devices.hpp"
 #include "hil/bench/lockstep_bench.hpp"
 #include "hil/motion/remembered_trajectory.hpp"
 #include "hil/summary/truth_of_rig.hpp"
@@ -27,7 +28,8 @@ class Recorder final : private host::Follower {
         motion_(motion::make_trajectory(rig.mission, start_)),
         has_truth_(summary::truth_for_estimators(rig)),
         diagnostician_(rig, *this),
-        bench_(rig, motion_, *this) {
+        bench_(rig, motion_, *this),
+        sound_devices_(rig, bench_.pipeline()) {
     record_.devices.resize(rig.devices.size());
     record_.estimators.resize(rig.estimators.size());
     std::vector<const device::Device*> devices;
@@ -75,6 +77,7 @@ class Recorder final : private host::Follower {
   }
 
   void on_finding(const diagnosis::Finding& finding) override {
+    sound_devices_.on_finding(finding);
     auto& found = record_.findings;
     if (!finding.until) {
       found.push_back({finding.device,
@@ -146,6 +149,7 @@ class Recorder final : private host::Follower {
   std::vector<Field> fields_;
   host::Diagnostician diagnostician_;
   bench::LockstepBench bench_;
+  host::SoundDevices sound_devices_;
 };
 
 }  // namespace

@@ -28,7 +28,9 @@ TEST(DescribedDrivers, TheLineTimeAndTheStatedAgeGiveTheTimeOfValidity) {
 TEST(DescribedDrivers, ADescribedDvlIsPutRightForTheSpeedOfSoundToo) {
   auto options = options_of(shipped("nortek-bt.toml"));
   using Source = device::SoundSpeedOptions::Source;
-  options.dvl.sound_speed = {.source = Source::fixed, .fixed_mps = 1470, .set_mps = 1500};
+  options.dvl.sound_speed.source = Source::fixed;
+  options.dvl.sound_speed.fixed_mps = 1470;
+  options.dvl.sound_speed.set_mps = 1500;
   Heard heard;
   const auto driver = std::move(*device::make_byte_driver(options));
   receive(

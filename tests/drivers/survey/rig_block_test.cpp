@@ -32,6 +32,19 @@ TEST(RigBlock, ARigOfTheBlocksIsAGoodRig) {
   EXPECT_EQ(loaded->devices.at(3).rate_hz, 100);
 }
 
+TEST(RigBlock, DevicesOfEveryKindAreNumberedByTheirKind) {
+  std::vector<FoundDevice> devices;
+  for (int twice = 0; twice < 2; ++twice)
+    for (const auto kind : measurement::kinds)
+      devices.push_back({"", kind, "any", "socketcan:can0", {}, 0});
+  name_devices(devices);
+  for (std::size_t i = 0; i < measurement::kinds.size(); ++i) {
+    const std::string kind{to_string(measurement::kinds[i])};
+    EXPECT_EQ(devices[i].name, kind);
+    EXPECT_EQ(devices[measurement::kinds.size() + i].name, kind + "_2");
+  }
+}
+
 TEST(RigBlock, AMeasuredRateBecomesTheOneThatWasMeant) {
   EXPECT_EQ(nominal_rate_hz(4.98), 5);
   EXPECT_EQ(nominal_rate_hz(100.4), 100);

@@ -11,6 +11,7 @@
 #include "drivers/recordings/record/recording.hpp"
 #include "hil/bench/run.hpp"
 #include "rig_config/load.hpp"
+#include "tests/no_quarantine.hpp"
 
 namespace {
 

@@ -235,7 +235,7 @@ TEST(EmulatedDvl, BeamNoiseShowsInTheErrorVelocity) {
   double across = 0, error = 0;
   const auto sent = record(config, trajectory, 200);
   for (const auto& message : sent.messages) {
-    const auto& v = decoded(message).bottom_track->velocity_mps;
+    const auto v = decoded(message).bottom_track->velocity_mps;
     across += std::pow(*v[0] - 0.123, 2);
     error += std::pow(*v[3], 2);
   }

@@ -12,6 +12,7 @@
 #include "hil/endurance/emulated_rig.hpp"
 #include "hil/endurance/soak_watch.hpp"
 #include "rig_config/load.hpp"
+#include "tests/no_quarantine.hpp"
 
 namespace soak_test {
 namespace {

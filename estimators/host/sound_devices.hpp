@@ -1,0 +1,29 @@
+#pragma once
+
+#include "drivers/host/follower.hpp"
+#include "estimators/pipeline/pipeline.hpp"
+#include "rig_config/rig.hpp"
+
+namespace drydock::host {
+
+/// Estimators use sound devices only: while a finding says that a device's values mislead, they are
+/// left out. An IMU stays in, because without it there is no estimate, and the estimators have
+/// their own doubts of it (docs/estimators/integrity.md).
+class SoundDevices final : public Follower {
+ public:
+  /// Rig and pipeline must outlive it.
+  SoundDevices(const rig_config::Rig& rig, pipeline::Pipeline& pipeline)
+      : rig_(rig), pipeline_(pipeline) {}
+
+  void on_finding(const diagnosis::Finding& finding) override {
+    if (!diagnosis::facts_of(finding.cause).misleads) return;
+    if (rig_.devices.at(finding.device).kind == measurement::Kind::imu) return;
+    pipeline_.leave_out(finding.device, !finding.until, finding.until.value_or(finding.found));
+  }
+
+ private:
+  const rig_config::Rig& rig_;
+  pipeline::Pipeline& pipeline_;
+};
+
+}  // namespace drydock::host
