@@ -170,7 +170,7 @@ TEST(DescribedCompass, NoTelegramAllocates) {
     const Buffer bytes = fixture(std::string("described/") + golden);
     const device::test::AllocationCount allocations;
     for (int i = 0; i < 100; ++i)
-      driver->receive(bytes, measurement::stamp_from_ns(i * 1'000'000'000), heard);
+      driver->receive(bytes, measurement::stamp_from_ns(i * 1'000'000'000LL), heard);
     EXPECT_EQ(allocations.so_far(), 0u) << file;
     EXPECT_GE(heard.all.size(), 300u);
   }

@@ -159,7 +159,7 @@ TEST(DescribedDrivers, NoMessageAllocates) {
     const auto stream = wire::testing::fixture(std::string("described/") + golden);
     const device::test::AllocationCount allocations;
     for (int i = 0; i < 100; ++i)
-      driver->receive(stream, measurement::stamp_from_ns(i * 1'000'000'000), nowhere);
+      driver->receive(stream, measurement::stamp_from_ns(i * 1'000'000'000LL), nowhere);
     EXPECT_EQ(allocations.so_far(), 0u) << file;
     EXPECT_GE(nowhere.count, 100);
   }
@@ -220,7 +220,7 @@ TEST(DescribedSurvey, ADescriptionIsFoundOnTheWireThatItDescribes) {
   const auto vat = shipped("valeport-vat.toml");
   survey::ByteSurvey survey({vat, shipped("keller.toml")});
   const auto stream = wire::testing::fixture("described/valeport-vat.txt");
-  for (int i = 0; i < 10; ++i) survey.feed(stream, measurement::stamp_from_ns(i * 1'000'000'000));
+  for (int i = 0; i < 10; ++i) survey.feed(stream, measurement::stamp_from_ns(i * 1'000'000'000LL));
   const auto best = survey.best();
   EXPECT_EQ(best.protocol, "valeport-vat.toml");
   EXPECT_EQ(best.confidence, survey::Confidence::certain);
