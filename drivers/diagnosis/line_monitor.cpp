@@ -77,7 +77,9 @@ void LineMonitor::look_at_counters(const Health& health, Stamp now) {
   const double damaged = bytes ? grown(health.stream.bad_checksums, was.bad_checksums) : 0;
   if (damaged > 0) teller_.tell(Sign::bad_checksums, now, now, {damaged, 0, "damaged frames", ""});
   const double skipped = grown(health.stream.bytes_skipped, was.bytes_skipped);
-  if (skipped > 0 && damaged == 0 && bytes)
+  // Before its first frame a device may say its name, or the end of a frame may come.
+  const bool in_stream = last_.state == State::streaming;
+  if (skipped > 0 && damaged == 0 && bytes && in_stream)
     teller_.tell(Sign::foreign_bytes, now, now, {skipped, 0, "bytes outside of frames", "B"});
   const auto excess = frames_.add(health.stream.frames, now);
   if (excess && bytes)

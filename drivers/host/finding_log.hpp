@@ -10,7 +10,7 @@ namespace drydock::host {
 /// Keeps the findings of a run, in the order in which they were found.
 class FindingLog final : public Follower {
  public:
-  static constexpr std::size_t most = 10'000;  ///< further ones are counted only
+  static constexpr std::size_t most = 1'000;  ///< further ones are counted only
 
   void on_finding(const diagnosis::Finding& finding) override;
 

@@ -35,6 +35,17 @@ HeatCell detect_cell(const Score& score) {
                fmt::format("{}: {} after {:.2f} s", of, score.sign, *score.detect_s));
 }
 
+HeatCell found_cell(const Score& score) {
+  const FindingScore& finding = score.finding;
+  const std::string of = score.device + " " + score.fault;
+  if (!finding.found_s) return {"not", Tone::unseen, 0, of + ": not found"};
+  const std::string tip = fmt::format("{}: {} after {:.2f} s", of, finding.word, *finding.found_s);
+  if (!finding.right_device) return {"other", Tone::unseen, 0, tip + ", of another device"};
+  if (!finding.right_word) return {short_number(*finding.found_s) + "?", Tone::unseen, 0, tip};
+  return shade(short_number(*finding.found_s), log_level(*finding.found_s, shortest_s, longest_s),
+               tip);
+}
+
 HeatCell recover_cell(const Score& score) {
   return recovery(score.recover_s, score.device + " " + score.fault);
 }

@@ -10,6 +10,7 @@ namespace drydock::scorecard {
 std::string short_number(double x);
 
 HeatCell detect_cell(const Score& score);
+HeatCell found_cell(const Score& score);  ///< amber if the device or the word is wrong
 HeatCell recover_cell(const Score& score);
 HeatCell lost_cell(std::int64_t lost);
 HeatCell wrong_cell(const Score& score);

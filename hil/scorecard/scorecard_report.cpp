@@ -115,6 +115,7 @@ HeatMap overview_of(const Scorecard& card) {
   map.title =
       fmt::format("{}: {:.0f} s of each fault on each device", card.rig, card.window.fault_s);
   map.panels = {{"seen after [s]", names},
+                {"found after [s]", names},
                 {"over after [s]", names},
                 {"wrong as valid", names},
                 {"mistimed", names}};
@@ -129,7 +130,8 @@ HeatMap overview_of(const Scorecard& card) {
       tried = true;
       const auto device =
           static_cast<std::size_t>(std::ranges::find(names, s.device) - names.begin());
-      std::vector<HeatCell> cells{detect_cell(s), recover_cell(s), wrong_cell(s), mistimed_cell(s)};
+      std::vector<HeatCell> cells{detect_cell(s), found_cell(s), recover_cell(s), wrong_cell(s),
+                                  mistimed_cell(s)};
       if (estimates)
         cells.push_back(growth_cell(*std::ranges::max_element(s.estimators, {}, growth_of)));
       for (std::size_t panel = 0; panel < cells.size(); ++panel)
@@ -148,15 +150,15 @@ HeatMap map_of(const Scorecard& card, const std::string& device) {
   map.title = device;
   map.column_px = 64;
   map.panels = {{"driver",
-                 {"seen after [s]", "over after [s]", "messages lost", "others lost",
-                  "wrong as valid", "mistimed", "sensor lies"}}};
+                 {"seen after [s]", "found after [s]", "over after [s]", "messages lost",
+                  "others lost", "wrong as valid", "mistimed", "sensor lies"}}};
   for (const auto& e : card.scores.front().estimators)
     map.panels.push_back({e.name, {"error x", "NEES", "over after [s]"}});
   for (const Score& s : card.scores) {
     if (s.device != device) continue;
     HeatRow row{s.fault,
-                {detect_cell(s), recover_cell(s), lost_cell(s.lost), lost_cell(s.others_lost),
-                 wrong_cell(s), mistimed_cell(s), lies_cell(s)}};
+                {detect_cell(s), found_cell(s), recover_cell(s), lost_cell(s.lost),
+                 lost_cell(s.others_lost), wrong_cell(s), mistimed_cell(s), lies_cell(s)}};
     for (const auto& e : s.estimators) {
       row.cells.push_back(growth_cell(e));
       row.cells.push_back(nees_cell(e));
@@ -179,6 +181,8 @@ something that lasts. Cells without a number: the device cannot have that fault.
 <li><b>seen after</b>: from the fault's start to the first sign that the driver or an estimator gave and
 the run without faults did not: a state, a counter, a trouble report, missing numbers, a figure of
 quality, a gate. Under the pointer: which.</li>
+<li><b>found after</b>: from the fault's start to the first finding of the diagnosis; with a question
+mark: under another word. Under the pointer: the word.</li>
 <li><b>over after</b>: from the fault's end to the first message from which on nothing is missing and
 everything is as expected.</li>
 <li><b>wrong as valid</b>: messages with a number beyond what noise, resolution and motion explain,

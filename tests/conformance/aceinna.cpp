@@ -38,9 +38,9 @@ std::string_view type_of(const json& row) {
 }
 
 void compare_row(const json& ours, const json& row, Comparison& c) {
-  c.same("source", ours["source"], row["sa"]);
+  c.same("source", ours["source"], row.at("sa"));
   for (const Signal& column : signals) {
-    if (row["pgn"] != column.pgn || !row.contains(column.theirs)) continue;
+    if (row.at("pgn") != column.pgn || !row.contains(column.theirs)) continue;
     const json& value = row[column.theirs];
     const json& mine = ours[column.ours];
     c.number(column.ours, mine.is_number() ? json(double(mine) * column.scale) : json(),

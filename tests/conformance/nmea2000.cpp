@@ -250,10 +250,10 @@ void compare_satellites(const json& ours, const json& fields, bool si, Compariso
 
 void compare_message(const json& ours, const json& row, const Message& message, bool si,
                      Comparison& c) {
-  c.same("source", ours["source"], row["src"]);
+  c.same("source", ours["source"], row.at("src"));
   // canboat leaves the fields out if no value of the message is available.
   static const json no_fields = json::object();
-  const json& fields = row.contains("fields") ? row["fields"] : no_fields;
+  const json& fields = row.contains("fields") ? row.at("fields") : no_fields;
   compare_columns(std::string(message.type), message.columns, ours, fields, si, c);
   if (ours.contains("utc_ns")) compare_time(ours, fields, c);
   if (message.type == "satellites_in_view") compare_satellites(ours["satellites"], fields, si, c);
@@ -284,7 +284,7 @@ void compare_rows(const std::string& name, std::vector<json> decoded, const std:
     const Message* message = message_of(row);
     if (row.contains("pgn")) ++number;
     if (!message) continue;
-    auto& queue = queues[{std::string(message->type), row["src"].get<int>()}];
+    auto& queue = queues[{std::string(message->type), row.at("src").get<int>()}];
     if (queue.empty()) {
       score.missed(name, number, row.dump());
       continue;

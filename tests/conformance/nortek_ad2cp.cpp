@@ -47,17 +47,17 @@ void compare_fours(const json& ours, const json& row, Comparison& c) {
 }
 
 void compare_front(const json& ours, const json& row, Comparison& c) {
-  c.same("type", ours["type"], row["id"] == 0x1B ? "dvl_bottom_track" : "dvl_water_track");
-  c.same("version", ours["version"], row["version"]);
-  c.same("serial_number", ours["serial_number"], row["serial"]);
-  c.number("clock_s", ours["clock_s"], row["time"], {1e-6, 1e-15});
-  c.same("number_of_beams", ours["number_of_beams"], row["number_of_beams"]);
-  c.same("error", ours["error"], row["error"]);
-  c.same("status", ours["status"], row["status"]);
-  c.same("sound_speed_mps", float32(ours["sound_speed_mps"]), float32(row["sound_speed_mps"]));
+  c.same("type", ours["type"], row.at("id") == 0x1B ? "dvl_bottom_track" : "dvl_water_track");
+  c.same("version", ours["version"], row.at("version"));
+  c.same("serial_number", ours["serial_number"], row.at("serial"));
+  c.number("clock_s", ours["clock_s"], row.at("time"), {1e-6, 1e-15});
+  c.same("number_of_beams", ours["number_of_beams"], row.at("number_of_beams"));
+  c.same("error", ours["error"], row.at("error"));
+  c.same("status", ours["status"], row.at("status"));
+  c.same("sound_speed_mps", float32(ours["sound_speed_mps"]), float32(row.at("sound_speed_mps")));
   c.same("temperature_k", float32(ours["temperature_k"], 1, -273.15),
-         float32(row["temperature_c"]));
-  c.same("pressure_pa", float32(ours["pressure_pa"], 1e-5), float32(row["pressure_bar"]));
+         float32(row.at("temperature_c")));
+  c.same("pressure_pa", float32(ours["pressure_pa"], 1e-5), float32(row.at("pressure_bar")));
 }
 
 /// The bits by their places in the status, against the names that the other decoder gave them.
@@ -68,21 +68,21 @@ void compare_bits(const json& ours, const json& row, Comparison& c) {
     for (unsigned i = first; i < first + count; ++i) values.push_back(status >> i & 1);
     return values;
   };
-  c.same("beam velocity bits", bits(0, 4), row["beam_velocity_valid"]);
-  c.same("beam distance bits", bits(4, 4), row["beam_distance_valid"]);
-  c.same("beam merit bits", bits(8, 4), row["beam_fom_valid"]);
-  c.same("axis velocity bits", bits(12, 4), row["xyz_velocity_valid"]);
-  c.same("axis merit bits", bits(16, 4), row["xyz_fom_valid"]);
+  c.same("beam velocity bits", bits(0, 4), row.at("beam_velocity_valid"));
+  c.same("beam distance bits", bits(4, 4), row.at("beam_distance_valid"));
+  c.same("beam merit bits", bits(8, 4), row.at("beam_fom_valid"));
+  c.same("axis velocity bits", bits(12, 4), row.at("xyz_velocity_valid"));
+  c.same("axis merit bits", bits(16, 4), row.at("xyz_fom_valid"));
   c.same("idle bits", bits(20, 3), row["idle_below_3_6_12"]);
-  c.same("wake-up", status >> 28, row["wakeup"]);
+  c.same("wake-up", status >> 28, row.at("wakeup"));
 }
 
 void compare_header(std::string_view record, std::string_view bytes, const json& row,
                     Comparison& c) {
-  c.same("offset of the record", record.data() - bytes.data(), row["at"]);
-  c.same("id", octet(record, 2), row["id"]);
-  c.same("family", octet(record, 3), row["family"]);
-  c.same("offset of the data", octet(record, octet(record, 1) + 1), row["offset_of_data"]);
+  c.same("offset of the record", record.data() - bytes.data(), row.at("at"));
+  c.same("id", octet(record, 2), row.at("id"));
+  c.same("family", octet(record, 3), row.at("family"));
+  c.same("offset of the data", octet(record, octet(record, 1) + 1), row.at("offset_of_data"));
 }
 
 /// A vector that is damaged on purpose has a file of expected values with nothing in it.

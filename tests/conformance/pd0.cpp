@@ -77,7 +77,7 @@ bool same_ensemble(const json& ours, const json& theirs) {
 void compare_heading(const json& ours, const json& row, double declination, Comparison& c) {
   json heading = scaled(ours["heading_deg"], 1, declination);
   if (declination != 0) c.by_rule(declination_rule);
-  const json& theirs = row["heading"];
+  const json& theirs = row.at("heading");
   if (heading.is_number() && theirs.is_number())  // either side may wrap
     heading =
         theirs.get<double>() + std::remainder(heading.get<double>() - theirs.get<double>(), 360.0);
@@ -87,18 +87,18 @@ void compare_heading(const json& ours, const json& row, double declination, Comp
 void compare_pressure(const json& ours, const json& row, Comparison& c) {
   constexpr double turn_dbar = 4294967.296, dbar_per_pa = 1e-4;
   json pressure = scaled(ours["pressure_pa"], dbar_per_pa);
-  if (pressure.is_number() && pressure < 0 && row["pressure"] > turn_dbar / 2) {
+  if (pressure.is_number() && pressure < 0 && row.at("pressure") > turn_dbar / 2) {
     c.by_rule(pressure_rule);
-    c.number("pressure as unsigned", pressure.get<double>() + turn_dbar, row["pressure"],
+    c.number("pressure as unsigned", pressure.get<double>() + turn_dbar, row.at("pressure"),
              float32_of(turn_dbar));
     return;
   }
-  c.number("pressure", pressure, row["pressure"], float32(0.001));
+  c.number("pressure", pressure, row.at("pressure"), float32(0.001));
 }
 
 /// Compares the codec's message with the row.
 void compare_message(const json& ours, const json& row, double declination, Comparison& c) {
-  if (row["number"] != ours["ensemble"]) c.by_rule(number_rule);
+  if (row.at("number") != ours["ensemble"]) c.by_rule(number_rule);
   if (row.contains("heading")) compare_heading(ours, row, declination, c);
   if (row.contains("pressure")) compare_pressure(ours, row, c);
   for (const Column& column : ensemble_columns) {
@@ -123,11 +123,11 @@ void compare_measurement(const BottomVelocity& driven, const json& ours, const j
   const bool other_axes = ours["frame"] != "ship" && ours["frame"] != "earth";
   if (!row.contains("vel_bt") || (ours["faces_up"] == true && other_axes)) return;
   for (std::size_t beam = 0; beam < 4; ++beam)
-    c.number("driver range", optional(driven.range_m[beam]), marked(row["dist_bt"][beam], 0),
+    c.number("driver range", optional(driven.range_m[beam]), marked(row.at("dist_bt")[beam], 0),
              float32(0.01));
   if (ours["frame"] == "beam") return;
   std::array<json, 3> v;
-  for (std::size_t i = 0; i < 3; ++i) v[i] = marked(row["vel_bt"][i], -32.768);
+  for (std::size_t i = 0; i < 3; ++i) v[i] = marked(row.at("vel_bt")[i], -32.768);
   const bool lock = std::ranges::all_of(v, [](const json& x) { return x.is_number(); });
   c.number("driver speed", driven.velocity ? json(driven.velocity->norm()) : json(),
            lock ? json(std::hypot(double(v[0]), double(v[1]), double(v[2]))) : json(),
@@ -164,13 +164,13 @@ void compare_pd0(const Case& one, Score& score) {
   };
   for (const json& row : rows) {
     std::size_t found = at;
-    while (found < ours.size() && !same_ensemble(ours[found], row["number"])) ++found;
+    while (found < ours.size() && !same_ensemble(ours[found], row.at("number"))) ++found;
     if (found == ours.size()) {
-      score.missed(name, row["i"].get<std::size_t>() + 1, "ensemble " + row["number"].dump());
+      score.missed(name, row.at("i").get<std::size_t>() + 1, "ensemble " + row.at("number").dump());
       continue;
     }
     for (; at < found; ++at) with_bottom_track += measures(ours[at]);
-    Comparison c(name, row["i"].get<std::size_t>() + 1);
+    Comparison c(name, row.at("i").get<std::size_t>() + 1);
     compare_message(ours[at], row, declination, c);
     if (measures(ours[at]) && with_bottom_track < driven.size())
       compare_measurement(driven[with_bottom_track], ours[at], row, c);

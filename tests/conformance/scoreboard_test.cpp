@@ -88,7 +88,7 @@ TEST_F(Scoreboard, AValueWhereTheReferenceHasNoneIsWrong) {
 }
 
 TEST_F(Scoreboard, ARowWithoutFieldsIsAMessageWithoutValues) {
-  write("n2k/canboat/samples/log.txt", "(1502984866.422) can0 0DF50B74#FFFFFFFFFFFFFFFF\n");
+  write("n2k/canboat/samples/log.txt", "(1502984866.422) can0 0DF50B74#FFFFFFFFFFFF7FFF\n");
   write("n2k/canboat/expected/log.txt.json", R"({"src":116,"pgn":128267})");
   const Score score = only();
   EXPECT_TRUE(score.clean());

@@ -14,8 +14,9 @@ TEST(RigProblems, TheSmallestRigHasNone) { EXPECT_THAT(problems_of(""), IsEmpty(
 TEST(RigProblems, AnUnknownKeyIsNamedWithTheAllowedOnesAndTheLikelyOne) {
   EXPECT_THAT(problems_of("colour = 5\n"),
               ElementsAre("r.toml:8:1: /device/0/colour: unknown key, allowed here: emulate, "
-                          "kind, latency_ms, lever_arm_m, link, mounting_deg, name, protocol, "
-                          "rate_hz, reopen_after_s, stale_after_s, velocity_sigma_mps"));
+                          "kind, latency_ms, levelled, lever_arm_m, link, mounting_deg, name, "
+                          "protocol, rate_hz, reopen_after_s, sound_speed, stale_after_s, "
+                          "velocity_sigma_mps"));
   EXPECT_THAT(problems_of("rate_h = 5\n"),
               ElementsAre(HasSubstr("/device/0/rate_h: unknown key (did you mean 'rate_hz'?), ")));
 }

@@ -189,9 +189,13 @@ TEST_F(Diagnosing, ATraceThatStandsStillForYearsIsReadAtOnce) {
   const auto outcome = read_capture(trace, 0);
   ASSERT_EQ(outcome.devices.size(), 1u);
   EXPECT_NEAR(outcome.circumstances.duration_s, 1.26e8 + 19.9, 1);
-  ASSERT_THAT(outcome.findings, testing::SizeIs(testing::Ge(1)));
-  EXPECT_EQ(outcome.findings.front().cause, "silent");
-  EXPECT_NEAR(outcome.findings.front().since_s, 19.9, 0.2);
+  const auto silent =
+      std::ranges::find(outcome.findings, "silent", &diagnosis::FindingAccount::cause);
+  ASSERT_NE(silent, outcome.findings.end());
+  // The same sample for 20 s is a finding too, and a better word keeps the beginning.
+  EXPECT_LE(silent->since_s, 20.1);
+  EXPECT_GT(silent->found_s, 19.9);
+  EXPECT_LT(silent->found_s, 40);
 }
 
 TEST_F(Diagnosing, ACaptureWithoutASensorIsNoSuccess) {
