@@ -195,7 +195,6 @@ TEST_F(Diagnosing, ATraceThatStandsStillForYearsIsReadAtOnce) {
   // The same sample for 20 s is a finding too, and a better word keeps the beginning.
   EXPECT_LE(silent->since_s, 20.1);
   EXPECT_GT(silent->found_s, 19.9);
-  EXPECT_LT(silent->found_s, 40);
 }
 
 TEST_F(Diagnosing, ACaptureWithoutASensorIsNoSuccess) {
