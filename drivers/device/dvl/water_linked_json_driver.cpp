@@ -1,8 +1,8 @@
 #include "drivers/device/dvl/water_linked_json_driver.hpp"
 
 #include "drivers/device/dvl/velocity_accuracy.hpp"
-#include "drivers/device/reported.hpp"
 #include "drivers/device/dvl/water_linked_report.hpp"
+#include "drivers/device/reported.hpp"
 
 namespace drydock::device {
 
