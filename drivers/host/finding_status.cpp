@@ -114,7 +114,7 @@ FindingStatuses::FindingStatuses(const std::vector<bus::Device>& devices) {
 }
 
 bus::DeviceStatus FindingStatuses::take(const diagnosis::Finding& finding) {
-  const auto status =
+  auto status =
       status_of(diagnosis::account_of(finding, devices_.at(finding.device), measurement::Stamp{}));
   std::erase_if(open_, [&](const auto& one) { return one.name == status.name; });
   if (!finding.until) open_.push_back(status);

@@ -43,8 +43,9 @@ std::string words_line(const SoakWatch& watch) {
 }
 
 std::string alarms_line(const SoakWatch& watch) {
-  return fmt::format("{} findings, of which {} are false alarms in {:.2f} h without a fault",
-                     watch.findings(), watch.false_alarms(), watch.quiet_s() / 3600);
+  return fmt::format(
+      "{} findings, {} of them of bed or sky; {} are false alarms in {:.2f} h without a fault",
+      watch.findings(), watch.of_surroundings(), watch.false_alarms(), watch.quiet_s() / 3600);
 }
 
 void print(const summary::Summary& summary, const SoakWatch& watch,
@@ -70,6 +71,7 @@ std::string json_of(const summary::Summary& summary, const SoakWatch& watch,
   json["faults_by_word"] = watch.set_by_word();
   json["resident_growth_mb"] = growth_mb(summary.resident);
   json["findings_begun"] = watch.findings();
+  json["findings_of_surroundings"] = watch.of_surroundings();
   json["false_alarms"] = watch.false_alarms();
   json["hours_without_fault"] = watch.quiet_s() / 3600;
   json["troubles"] = troubles;

@@ -32,6 +32,11 @@ bool is_of_the_bus(rig_config::FaultKind kind) {
   return rig_config::word_of(kind).facts.needs == rig_config::FaultNeed::can_bus;
 }
 
+/// Without a fault too the bed may be out of range, and an antenna may be under water.
+bool is_of_the_surroundings(diagnosis::Cause cause) {
+  return cause == diagnosis::Cause::bottom_lost || cause == diagnosis::Cause::satellites_blocked;
+}
+
 }  // namespace
 
 SoakWatch::SoakWatch(const rig_config::Rig& rig, std::uint64_t seed,
@@ -62,7 +67,10 @@ void SoakWatch::count_quiet(Stamp now) {
 void SoakWatch::on_finding(const diagnosis::Finding& finding) {
   if (finding.until) return;
   ++findings_;
-  if (!quiet(finding.found) || !bench_->faults.in_force(finding.found).empty()) return;
+  if (is_of_the_surroundings(finding.cause)) ++of_surroundings_;
+  if (is_of_the_surroundings(finding.cause) || !quiet(finding.found) ||
+      !bench_->faults.in_force(finding.found).empty())
+    return;
   ++false_alarms_;
   const auto account = diagnosis::account_of(finding, rig_.devices.at(finding.device).name, start_);
   add("false alarm: " + diagnosis::line_of(account));

@@ -29,6 +29,8 @@ class SoakWatch final : public bench::Follower {
   std::uint64_t findings() const { return findings_; }
   /// Findings that began while no device had a fault, and none had had one for `recovers_within`.
   std::uint64_t false_alarms() const { return false_alarms_; }
+  /// Findings of bottom lost and of satellites blocked: they may be true without a fault.
+  std::uint64_t of_surroundings() const { return of_surroundings_; }
   double quiet_s() const { return quiet_s_; }  ///< time in which a finding is a false alarm
 
  private:
@@ -50,7 +52,7 @@ class SoakWatch final : public bench::Follower {
   std::vector<measurement::Stamp> trouble_until_;  ///< by device: until then its faults explain its
                                                    ///< state
   Stamp fault_until_, last_tick_;                  ///< until then some fault may still be seen
-  std::uint64_t faults_set_ = 0, looks_ = 0, findings_ = 0, false_alarms_ = 0;
+  std::uint64_t faults_set_ = 0, looks_ = 0, findings_ = 0, false_alarms_ = 0, of_surroundings_ = 0;
   double quiet_s_ = 0;
   std::map<std::string, std::uint64_t> by_word_;
   std::vector<std::string> troubles_;
