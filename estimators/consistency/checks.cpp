@@ -21,21 +21,26 @@ std::chrono::nanoseconds lag_of(const std::vector<Sensor>& sensors) {
 Tracks tracks_of(const std::vector<Sensor>& sensors) {
   using measurement::Kind;
   Tracks tracks;
-  for (std::uint16_t i = 0; i < sensors.size(); ++i) switch (sensors[i].kind) {
-      case Kind::dvl: tracks.dvls.emplace_back(i, sensors[i]); break;
-      case Kind::emlog: tracks.logs.emplace_back(i, sensors[i]); break;
-      case Kind::gnss: tracks.receivers.emplace_back(i, sensors[i]); break;
-      case Kind::imu: tracks.units.emplace_back(i, sensors[i]); break;
-      case Kind::depth: tracks.depths.emplace_back(i, sensors[i]); break;
-      case Kind::actuator: tracks.actuators.emplace_back(i, sensors[i]); break;
-      case Kind::attitude: tracks.compasses.emplace_back(i, sensors[i]); break;
+  std::uint16_t i = 0;
+  for (const Sensor& sensor : sensors) {
+    switch (sensor.kind) {
+      case Kind::dvl: tracks.dvls.emplace_back(i, sensor); break;
+      case Kind::emlog: tracks.logs.emplace_back(i, sensor); break;
+      case Kind::gnss: tracks.receivers.emplace_back(i, sensor); break;
+      case Kind::imu: tracks.units.emplace_back(i, sensor); break;
+      case Kind::depth: tracks.depths.emplace_back(i, sensor); break;
+      case Kind::actuator: tracks.actuators.emplace_back(i, sensor); break;
+      case Kind::attitude: tracks.compasses.emplace_back(i, sensor); break;
     }
+    ++i;
+  }
   return tracks;
 }
 
 std::vector<std::uint16_t> places_of(const std::vector<Sensor>& sensors) {
   std::array<std::uint16_t, measurement::kinds.size()> count{};
   std::vector<std::uint16_t> places;
+  places.reserve(sensors.size());
   for (const Sensor& sensor : sensors)
     places.push_back(count.at(static_cast<std::size_t>(sensor.kind))++);
   return places;

@@ -77,7 +77,7 @@ void InertialUnit::turn(double dt) {
 Eigen::Vector3d InertialUnit::level(const Eigen::Vector3d& acceleration, bool pull) {
   const Eigen::Vector3d gravity = acceleration - force_;
   if (levelled_s_ <= 0 && gravity.norm() > 1) down_ = middle_ = quick_ = gravity.normalized();
-  const Eigen::Vector3d difference = units::standard_gravity * middle_ - gravity;
+  Eigen::Vector3d difference = units::standard_gravity * middle_ - gravity;
   const auto pulled = [&](const Eigen::Vector3d& down, const Eigen::Vector3d& by, double memory_s) {
     return (down - by / units::standard_gravity * std::min(1.0, dt_ / memory_s)).normalized();
   };
