@@ -7,7 +7,7 @@ namespace {
 
 constexpr TestFacts rudder_facts{.floor = 0.5 * units::degree,
                                  .wander = 0.01 * units::degree,
-                                 .late_s = 3,  // a hull turns later than its rudder
+                                 .late_s = 1.2,  // a hull turns later than its rudder
                                  .quantity = "rudder",
                                  .unit = "deg",
                                  .unit_si = units::degree};
