@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <string>
 
-#include "drivers/diagnosis/bus_monitor.hpp"
-#include "drivers/diagnosis/device_monitor.hpp"
 #include "drivers/diagnosis/judge.hpp"
+#include "drivers/diagnosis/monitors/bus_monitor.hpp"
+#include "drivers/diagnosis/monitors/device_monitor.hpp"
 #include "estimators/consistency/consistency.hpp"
 #include "estimators/frame/attitude.hpp"
 

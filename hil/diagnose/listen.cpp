@@ -2,7 +2,7 @@
 #include <boost/asio/steady_timer.hpp>
 #include <stdexcept>
 
-#include "drivers/diagnosis/device_monitor.hpp"
+#include "drivers/diagnosis/monitors/device_monitor.hpp"
 #include "drivers/host/driver_host.hpp"
 #include "drivers/host/rig_bus.hpp"
 #include "drivers/io/until_stopped.hpp"

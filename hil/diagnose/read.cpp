@@ -4,7 +4,7 @@
 #include <set>
 #include <stdexcept>
 
-#include "drivers/diagnosis/device_monitor.hpp"
+#include "drivers/diagnosis/monitors/device_monitor.hpp"
 #include "drivers/host/rig_bus.hpp"
 #include "drivers/link/can/frame_file.hpp"
 #include "drivers/monitor/found_devices.hpp"

@@ -56,6 +56,7 @@ class NavigationEstimator final : public Estimator {
   Innovations update(const Aiding& aiding);
   void tell(Aid aid, measurement::Stamp valid_at, std::uint16_t device, const Innovations& rows,
             EstimateListener& listener);
+  void note_fed_by(std::uint16_t device) { fed_by_ |= std::uint32_t{1} << device; }
   bool passes_gate(const measurement::ImuSample& sample);
   measurement::ImuSample without_step(const measurement::ImuSample& sample) const;
   void judge();

@@ -2,8 +2,8 @@
 
 #include <random>
 
-#include "drivers/diagnosis/clock_watch.hpp"
-#include "drivers/diagnosis/rate_watch.hpp"
+#include "drivers/diagnosis/monitors/clock_watch.hpp"
+#include "drivers/diagnosis/monitors/rate_watch.hpp"
 #include "tests/drivers/diagnosis/signs.hpp"
 
 namespace drydock::diagnosis::clock_test {

@@ -1,4 +1,4 @@
-#include "drivers/diagnosis/event_test.hpp"
+#include "drivers/diagnosis/monitors/event_test.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
-#include "drivers/diagnosis/quantity_monitor.hpp"
+#include "drivers/diagnosis/monitors/quantity_monitor.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <random>
 
-#include "drivers/diagnosis/sameness.hpp"
+#include "drivers/diagnosis/monitors/sameness.hpp"
 #include "tests/drivers/diagnosis/signs.hpp"
 
 namespace drydock::diagnosis::quantity_monitor_test {

@@ -1,10 +1,10 @@
-#include "drivers/diagnosis/raster.hpp"
+#include "drivers/diagnosis/monitors/raster.hpp"
 
 #include <gtest/gtest.h>
 
 #include <random>
 
-#include "drivers/diagnosis/arrival_pattern.hpp"
+#include "drivers/diagnosis/monitors/arrival_pattern.hpp"
 #include "tests/drivers/diagnosis/signs.hpp"
 
 namespace drydock::diagnosis::raster_test {

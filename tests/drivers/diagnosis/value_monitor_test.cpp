@@ -1,4 +1,4 @@
-#include "drivers/diagnosis/value_monitor.hpp"
+#include "drivers/diagnosis/monitors/value_monitor.hpp"
 
 #include <gtest/gtest.h>
 

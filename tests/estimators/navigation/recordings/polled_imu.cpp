@@ -16,7 +16,7 @@ constexpr int inputs = 6 * 2 * reach;
 using Samples = std::vector<OwnSample>;
 
 /// Makes one entry for each of the IMU's own samples. A sample that no poll read is marked in
-/// `lost` and interpolated for now.
+/// `lost`; it keeps its interpolated value until fill() replaces that.
 void place(std::span<const Poll> polls, const std::vector<bool>& repeats, const OwnClock& clock,
            Samples& samples, std::vector<bool>& lost) {
   const long begin = clock.newest(polls[0].t);

@@ -1,4 +1,4 @@
-#include "drivers/diagnosis/raster.hpp"
+#include "drivers/diagnosis/monitors/raster.hpp"
 
 namespace drydock::diagnosis {
 namespace {

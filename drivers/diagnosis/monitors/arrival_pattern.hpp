@@ -4,7 +4,7 @@
 #include <bit>
 #include <cstdint>
 
-#include "drivers/diagnosis/raster.hpp"
+#include "drivers/diagnosis/monitors/raster.hpp"
 
 namespace drydock::diagnosis {
 

@@ -1,4 +1,4 @@
-#include "drivers/diagnosis/clock_watch.hpp"
+#include "drivers/diagnosis/monitors/clock_watch.hpp"
 
 #include <cmath>
 

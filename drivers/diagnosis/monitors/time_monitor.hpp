@@ -2,12 +2,12 @@
 
 #include <boost/container/static_vector.hpp>
 
-#include "drivers/diagnosis/arrival_pattern.hpp"
-#include "drivers/diagnosis/clock_watch.hpp"
-#include "drivers/diagnosis/event_test.hpp"
-#include "drivers/diagnosis/expected.hpp"
-#include "drivers/diagnosis/rate_watch.hpp"
-#include "drivers/diagnosis/teller.hpp"
+#include "drivers/diagnosis/monitors/arrival_pattern.hpp"
+#include "drivers/diagnosis/monitors/clock_watch.hpp"
+#include "drivers/diagnosis/monitors/event_test.hpp"
+#include "drivers/diagnosis/monitors/expected.hpp"
+#include "drivers/diagnosis/monitors/rate_watch.hpp"
+#include "drivers/diagnosis/monitors/teller.hpp"
 #include "drivers/measurement/measurement.hpp"
 
 namespace drydock::diagnosis {

@@ -1,4 +1,4 @@
-#include "drivers/diagnosis/time_monitor.hpp"
+#include "drivers/diagnosis/monitors/time_monitor.hpp"
 
 #include <algorithm>
 #include <bit>

@@ -1,4 +1,4 @@
-#include "drivers/diagnosis/satellite_monitor.hpp"
+#include "drivers/diagnosis/monitors/satellite_monitor.hpp"
 
 #include <algorithm>
 #include <cmath>

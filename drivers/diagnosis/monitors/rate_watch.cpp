@@ -1,4 +1,4 @@
-#include "drivers/diagnosis/rate_watch.hpp"
+#include "drivers/diagnosis/monitors/rate_watch.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "drivers/diagnosis/bus_monitor.hpp"
+#include "drivers/diagnosis/monitors/bus_monitor.hpp"
 
 #include <algorithm>
 #include <utility>

@@ -1,4 +1,4 @@
-#include "drivers/diagnosis/line_monitor.hpp"
+#include "drivers/diagnosis/monitors/line_monitor.hpp"
 
 #include <algorithm>
 

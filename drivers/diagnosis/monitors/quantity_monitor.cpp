@@ -1,4 +1,4 @@
-#include "drivers/diagnosis/quantity_monitor.hpp"
+#include "drivers/diagnosis/monitors/quantity_monitor.hpp"
 
 #include <algorithm>
 #include <cmath>

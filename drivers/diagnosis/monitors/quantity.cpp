@@ -1,4 +1,4 @@
-#include "drivers/diagnosis/quantity.hpp"
+#include "drivers/diagnosis/monitors/quantity.hpp"
 
 #include <array>
 #include <cmath>

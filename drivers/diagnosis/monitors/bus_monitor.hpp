@@ -5,9 +5,9 @@
 #include <optional>
 #include <vector>
 
-#include "drivers/diagnosis/expected.hpp"
-#include "drivers/diagnosis/teller.hpp"
-#include "drivers/diagnosis/time_monitor.hpp"
+#include "drivers/diagnosis/monitors/expected.hpp"
+#include "drivers/diagnosis/monitors/teller.hpp"
+#include "drivers/diagnosis/monitors/time_monitor.hpp"
 #include "drivers/wire/can/can_frame.hpp"
 
 namespace drydock::diagnosis {

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "drivers/device/health.hpp"
-#include "drivers/diagnosis/expected.hpp"
-#include "drivers/diagnosis/frame_count.hpp"
-#include "drivers/diagnosis/teller.hpp"
+#include "drivers/diagnosis/monitors/expected.hpp"
+#include "drivers/diagnosis/monitors/frame_count.hpp"
+#include "drivers/diagnosis/monitors/teller.hpp"
 
 namespace drydock::diagnosis {
 

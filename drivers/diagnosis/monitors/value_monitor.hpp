@@ -1,10 +1,10 @@
 #pragma once
 
-#include "drivers/diagnosis/expected.hpp"
-#include "drivers/diagnosis/quantity_monitor.hpp"
-#include "drivers/diagnosis/sameness.hpp"
-#include "drivers/diagnosis/satellite_monitor.hpp"
-#include "drivers/diagnosis/teller.hpp"
+#include "drivers/diagnosis/monitors/expected.hpp"
+#include "drivers/diagnosis/monitors/quantity_monitor.hpp"
+#include "drivers/diagnosis/monitors/sameness.hpp"
+#include "drivers/diagnosis/monitors/satellite_monitor.hpp"
+#include "drivers/diagnosis/monitors/teller.hpp"
 
 namespace drydock::diagnosis {
 

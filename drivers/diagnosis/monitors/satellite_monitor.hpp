@@ -2,7 +2,7 @@
 
 #include <boost/container/static_vector.hpp>
 
-#include "drivers/diagnosis/teller.hpp"
+#include "drivers/diagnosis/monitors/teller.hpp"
 #include "drivers/measurement/measurement.hpp"
 
 namespace drydock::diagnosis {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "drivers/diagnosis/quantity.hpp"
+#include "drivers/diagnosis/monitors/quantity.hpp"
 
 namespace drydock::diagnosis {
 

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "drivers/device/life_cycle.hpp"
-#include "drivers/diagnosis/line_monitor.hpp"
-#include "drivers/diagnosis/time_monitor.hpp"
-#include "drivers/diagnosis/value_monitor.hpp"
+#include "drivers/diagnosis/monitors/line_monitor.hpp"
+#include "drivers/diagnosis/monitors/time_monitor.hpp"
+#include "drivers/diagnosis/monitors/value_monitor.hpp"
 
 namespace drydock::diagnosis {
 

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "drivers/diagnosis/spread.hpp"
+#include "drivers/diagnosis/monitors/spread.hpp"
 #include "drivers/measurement/stamp.hpp"
 
 namespace drydock::diagnosis {

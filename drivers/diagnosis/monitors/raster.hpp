@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "drivers/diagnosis/spread.hpp"
+#include "drivers/diagnosis/monitors/spread.hpp"
 #include "drivers/measurement/stamp.hpp"
 
 namespace drydock::diagnosis {

@@ -4,9 +4,9 @@
 #include <limits>
 #include <optional>
 
-#include "drivers/diagnosis/event_test.hpp"
-#include "drivers/diagnosis/quantity.hpp"
-#include "drivers/diagnosis/spread.hpp"
+#include "drivers/diagnosis/monitors/event_test.hpp"
+#include "drivers/diagnosis/monitors/quantity.hpp"
+#include "drivers/diagnosis/monitors/spread.hpp"
 
 namespace drydock::diagnosis {
 
