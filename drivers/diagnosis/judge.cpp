@@ -20,6 +20,8 @@ std::chrono::milliseconds memory_of(Sign sign) {
     case Sign::clock_step:
     case Sign::clock_drift:
     case Sign::heat:
+    case Sign::refuses:
+    case Sign::rate_unexpected:
     case Sign::step: return std::chrono::milliseconds{1500};
     case Sign::stuck:
     case Sign::out_of_range:

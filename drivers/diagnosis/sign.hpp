@@ -15,31 +15,31 @@ enum class Sign : std::uint8_t {
   foreign_bytes,    ///< bytes between frames, which no frame of the protocol explains
   nothing_decodes,  ///< bytes come, and none is part of a frame
   error_frames,     ///< of the CAN controller
-  trouble,          ///< the driver reported something in words
+  refuses,          ///< the device refuses a setting
   // time
   rate_low,
   rate_high,
-  gaps,            ///< single samples are missing from the raster
-  bunched,         ///< samples come together
-  late,            ///< later than the raster, by a fixed time
-  irregular,       ///< arrival times scatter more than before
-  clock_step,      ///< the device's clock jumped against arrival
-  clock_drift,     ///< the device's clock runs at another rate than arrival
-  time_backwards,  ///< device time or counter went back
-  repeated,        ///< the same sample twice
+  rate_unexpected,  ///< never the rate that the rig states
+  gaps,             ///< single samples are missing from the raster
+  bunched,          ///< samples come together
+  late,             ///< later than the raster, by a fixed time
+  irregular,        ///< arrival times scatter more than before
+  clock_step,       ///< the device's clock jumped against arrival
+  clock_drift,      ///< the device's clock runs at another rate than arrival
+  time_backwards,   ///< device time or counter went back
+  repeated,         ///< the same sample twice
   // values
   stuck,
   noisy,
   wild_samples,  ///< single samples beyond what a vehicle can do
   out_of_range,
   values_missing,  ///< no bottom lock, no fix
-  quality_low,     ///< the sensor says that it is worse
   step,            ///< jumped and stayed
   // against other sensors
   offset,  ///< differs by a constant
   ramp,    ///< the difference grows
   scale,
-  rotated,  ///< mounting
+  rotated,  ///< its axes are turned
   delayed,  ///< agrees, but with an earlier time
   // the bus
   bus_off,         ///< this computer's controller has left the bus

@@ -48,6 +48,7 @@ constexpr auto rules = std::to_array<Rule>({
     {Sign::delayed, Cause::delay, 0.8},
     {Sign::clock_step, Cause::clock_step, 0.9},
     {Sign::gaps, Cause::drop, 0.9},
+    {Sign::rate_unexpected, Cause::wrong_rate, 0.8},
     // values
     {Sign::values_missing, Cause::bottom_lost, 0.9},
     {Sign::signals_changed, Cause::antenna_gain, 0.8},
@@ -64,6 +65,7 @@ constexpr auto rules = std::to_array<Rule>({
     {Sign::ramp, Cause::drift, 0.8},
     {Sign::offset, Cause::bias, 0.8},
     {Sign::clock_drift, Cause::clock_drift, 0.8},
+    {Sign::refuses, Cause::nak, 0.9},
 });
 
 const Symptom* find_sign(std::span<const Symptom> signs, Sign sign) {

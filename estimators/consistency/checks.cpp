@@ -11,11 +11,13 @@ constexpr std::chrono::seconds stale{3};
 /// Behind a gap the checks begin anew.
 constexpr std::chrono::seconds longest_pause{5};
 
+constexpr double longest_period_s = 2.5;
+
 /// The slowest sensor that votes must have sent the sample after the tested time.
 std::chrono::nanoseconds lag_of(const std::vector<Sensor>& sensors) {
   double slowest_s = 0.1;
   for (const Sensor& sensor : sensors) slowest_s = std::max(slowest_s, 1 / sensor.rate_hz);
-  return measurement::from_seconds(std::min(slowest_s, 1.0) + 0.2);
+  return measurement::from_seconds(std::min(slowest_s, longest_period_s) + 0.2);
 }
 
 Tracks tracks_of(const std::vector<Sensor>& sensors) {
@@ -54,9 +56,10 @@ Checks::Checks(const std::vector<Sensor>& sensors, diagnosis::SymptomSink& to)
       place_(places_of(sensors)),
       named_(sensors.size()),
       lag_(lag_of(sensors)),
+      constants_(tracks_),
       speeds_(tracks_),
       headings_(tracks_),
-      heights_(tracks_),
+      heights_(tracks_, constants_),
       levels_(tracks_),
       attitudes_(tracks_),
       places_(tracks_),
@@ -96,6 +99,7 @@ void Checks::step(Stamp at) {
   Moment moment = moment_at(at);
   const auto distrusted = [&](const Devices& devices) { return !trusted(devices); };
   headings_.step(moment, distrusted);
+  constants_.step(moment, distrusted);
   speeds_.step(moment, distrusted);
   heights_.step(moment, distrusted);
   levels_.step(moment, acceleration(moment));
@@ -197,6 +201,7 @@ void Checks::tell(Stamp now) const {
              .quantity = test.facts().quantity,
              .unit = test.facts().unit});
   }
+  constants_.tell(now, to_);
 }
 
 }  // namespace drydock::consistency

@@ -2,6 +2,7 @@
 
 #include "drivers/diagnosis/symptom.hpp"
 #include "estimators/consistency/attitudes.hpp"
+#include "estimators/consistency/constants.hpp"
 #include "estimators/consistency/headings.hpp"
 #include "estimators/consistency/heights.hpp"
 #include "estimators/consistency/levels.hpp"
@@ -39,6 +40,7 @@ class Checks {
   std::vector<std::uint16_t> place_;  ///< of a device in the tracks of its kind
   std::vector<bool> named_;
   std::chrono::nanoseconds lag_;
+  Constants constants_;
   Speeds speeds_;
   Headings headings_;
   Heights heights_;

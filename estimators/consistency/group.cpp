@@ -7,11 +7,20 @@ constexpr double rate_memory_s = 0.5;
 /// The median of two lies in the middle: each differs by half, sqrt(2) / 2 of a sigma.
 constexpr double half_of_pair = 0.7071;
 
+template <class Values>
+double middle_of(Values values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  if (values.size() % 2 == 1) return *middle;
+  return (*middle + *std::max_element(values.begin(), middle)) / 2;
+}
+
 }  // namespace
 
-std::size_t Group::add(const Devices& devices, const TestFacts& facts, const Freeze* freeze) {
+std::size_t Group::add(const Devices& devices, const TestFacts& facts, const Freeze* freeze,
+                       bool kin) {
   if (witnesses_.size() == most) return most;
-  witnesses_.push_back({.devices = devices, .test = Test(facts), .freeze = freeze});
+  witnesses_.push_back({.devices = devices, .test = Test(facts), .freeze = freeze, .kin = kin});
   return witnesses_.size() - 1;
 }
 
@@ -25,12 +34,11 @@ void Group::see(std::size_t witness, double value, std::uint64_t serial, double 
   one.sigma = sigma;
 }
 
-std::optional<double> Group::median(Values values) {
-  if (values.empty()) return {};
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  if (values.size() % 2 == 1) return *middle;
-  return (*middle + *std::max_element(values.begin(), middle)) / 2;
+std::optional<double> Group::Votes::median() const {
+  Values all = single;
+  if (!kin.empty() && all.size() < all.capacity()) all.push_back(middle_of(kin));
+  if (all.empty()) return {};
+  return middle_of(all);
 }
 
 void Group::move_to(std::optional<double> value, double dt) {

@@ -15,6 +15,7 @@ struct Witness {
   Devices devices;
   Test test;
   const Freeze* freeze = nullptr;
+  bool kin = false;  ///< it shares an error with its kin: together they have one vote
   // of this time
   bool seen = false, fresh = false, present = false;
   double value = 0, sigma = 0;
@@ -28,7 +29,8 @@ class Group {
   static constexpr std::size_t most = 32;
 
   /// Adds a witness; its number counts from 0. A group that is full gives the number `most`.
-  std::size_t add(const Devices& devices, const TestFacts& facts, const Freeze* freeze = nullptr);
+  std::size_t add(const Devices& devices, const TestFacts& facts, const Freeze* freeze = nullptr,
+                  bool kin = false);
 
   /// What a witness says at the coming time. `serial`: of the sample, the same one is not tested
   /// twice. `sigma`: of errors that are larger than usual now.
@@ -36,6 +38,11 @@ class Group {
 
   /// The value of a witness has no memory of earlier times: after an outage its sum begins anew.
   void restart(std::size_t witness) { witnesses_[witness].test.restart(); }
+
+  /// The same of all.
+  void restart() {
+    for (Witness& witness : witnesses_) witness.test.restart();
+  }
 
   /// Tests all that was seen. `distrusted(devices)`: they do not count for the median.
   template <class Distrusted>
@@ -51,7 +58,12 @@ class Group {
 
  private:
   using Values = boost::container::static_vector<double, most>;
-  std::optional<double> median(Values values);
+  struct Votes {
+    Values single, kin;
+    void add(double value, bool of_kin) { (of_kin ? kin : single).push_back(value); }
+    std::size_t count() const { return single.size() + (kin.empty() ? 0 : 1); }
+    std::optional<double> median() const;
+  };
   void move_to(std::optional<double> value, double dt);
   void test(Witness& witness, Stamp at, std::size_t seen) const;
 
@@ -65,24 +77,24 @@ class Group {
 
 template <class Distrusted>
 void Group::settle(Stamp at, double dt, const Distrusted& distrusted) {
-  Values sound, trusted, any;
+  Votes sound, trusted, any;
   const Witness* voter = nullptr;
   double worst = 0;
   for (const Witness& witness : witnesses_) {
     if (!witness.seen) continue;
     worst = std::max(worst, std::hypot(witness.test.facts().floor, witness.sigma));
     const double value = witness.value - witness.test.offset();
-    any.push_back(value);
+    any.add(value, witness.kin);
     if (!witness.test.learned() || distrusted(witness.devices)) continue;
     voter = &witness;
-    trusted.push_back(value);
-    if (!witness.test.fired()) sound.push_back(value);
+    trusted.add(value, witness.kin);
+    if (!witness.test.fired()) sound.add(value, witness.kin);
   }
-  voters_ = sound.size();
+  voters_ = sound.count();
   worst_sigma_ = worst;
-  sole_ = trusted.size() == 1 ? voter : nullptr;
-  move_to(median(!sound.empty() ? sound : !trusted.empty() ? trusted : any), dt);
-  for (Witness& witness : witnesses_) test(witness, at, any.size());
+  sole_ = trusted.single.size() + trusted.kin.size() == 1 ? voter : nullptr;
+  move_to((sound.count() > 0 ? sound : trusted.count() > 0 ? trusted : any).median(), dt);
+  for (Witness& witness : witnesses_) test(witness, at, any.single.size() + any.kin.size());
 }
 
 }  // namespace drydock::consistency

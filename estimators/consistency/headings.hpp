@@ -13,7 +13,10 @@ class Headings {
 
   template <class Distrusted>
   void step(const Moment& moment, const Distrusted& distrusted) {
-    see(moment);
+    if (is_upright(moment))
+      see(moment);
+    else
+      group_.restart();
     group_.settle(moment.at, moment.dt, distrusted);
   }
 

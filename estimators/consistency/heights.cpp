@@ -17,11 +17,12 @@ constexpr TestFacts sum_facts{.floor = 0.08,
 
 }  // namespace
 
-Heights::Heights(const Tracks& tracks) : tracks_(tracks) {
+Heights::Heights(const Tracks& tracks, const Constants& constants)
+    : tracks_(tracks), constants_(constants) {
   for (const auto& depth : tracks.depths)
     depths_.push_back(group_.add({depth.device}, depth_facts, &depth.depth.freeze()));
   for (const auto& dvl : tracks.dvls)
-    dvls_.push_back(group_.add({dvl.device}, sum_facts, &dvl.velocity.freeze()));
+    dvls_.push_back(group_.add({dvl.device}, sum_facts, &dvl.velocity.freeze(), true));
   sums_.resize(dvls_.size());
 }
 
@@ -45,7 +46,8 @@ void Heights::see_dvls(const Moment& moment) {
     const auto own = dvl.down.at(moment.at);
     if (!read || (!moment.down && !own)) continue;
     const Eigen::Vector3d down = moment.down ? *moment.down : own->value;
-    const double now_mps = at_origin(read->value, dvl.sensor.lever_arm_m, moment).dot(down);
+    const Eigen::Vector3d velocity = at_origin(read->value, dvl.sensor.lever_arm_m, moment);
+    const double now_mps = velocity.dot(down) + constants_.missing_down(i, velocity, down);
     if (measurement::seconds(moment.at - sums_[i].last) > 1.5 * moment.dt)
       group_.restart(dvls_[i]);
     else

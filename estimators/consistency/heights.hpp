@@ -1,14 +1,16 @@
 #pragma once
 
+#include "estimators/consistency/constants.hpp"
 #include "estimators/consistency/group.hpp"
 #include "estimators/consistency/moment.hpp"
 
 namespace drydock::consistency {
 
-/// Changes of the depth: pressure, and the sum of each DVL's velocity down.
+/// Changes of the depth: pressure, and the sum of each DVL's velocity down. A constant error of its
+/// mounting is taken off. The DVLs share the direction of gravity, so they have one vote.
 class Heights {
  public:
-  explicit Heights(const Tracks& tracks);
+  Heights(const Tracks& tracks, const Constants& constants);
 
   template <class Distrusted>
   void step(const Moment& moment, const Distrusted& distrusted) {
@@ -28,6 +30,7 @@ class Heights {
   };
 
   const Tracks& tracks_;
+  const Constants& constants_;
   Group group_;
   std::vector<std::size_t> depths_, dvls_;
   std::vector<Sum> sums_;

@@ -35,6 +35,9 @@ struct Moment {
   bool heading_known = false;
 };
 
+/// Within 60 degrees of level. A vehicle that rolls over or stands on its tail has no heading.
+inline bool is_upright(const Moment& moment) { return !moment.down || moment.down->z() > 0.5; }
+
 /// Velocity of the vehicle's origin from that of a sensor at `lever_arm_m`: v - w x r.
 inline Eigen::Vector3d at_origin(const Eigen::Vector3d& velocity,
                                  const Eigen::Vector3d& lever_arm_m, const Moment& moment) {

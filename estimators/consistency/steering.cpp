@@ -29,7 +29,9 @@ Steering::Steering(const Tracks& tracks) : tracks_(tracks) {
 }
 
 void Steering::step(const Moment& moment, std::optional<double> speed_mps) {
-  if (!moment.rate || !moment.down || !speed_mps || *speed_mps < slowest_steered_mps) return;
+  if (!moment.rate || !moment.down || !speed_mps || *speed_mps < slowest_steered_mps ||
+      !is_upright(moment))
+    return;
   const double curvature = moment.rate->dot(*moment.down) / *speed_mps;
   for (std::size_t i = 0; i < rudders_.size(); ++i) {
     const auto read =

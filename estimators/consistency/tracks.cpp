@@ -3,11 +3,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "estimators/frame/earth.hpp"
+
 namespace drydock::consistency {
 namespace {
-
-/// The mean radius of the Earth; places are compared over minutes only.
-constexpr double earth_radius_m = 6.371e6;
 
 /// Two missing samples in a row are an outage.
 std::chrono::nanoseconds gap_of(const Sensor& sensor) {
@@ -21,12 +20,13 @@ Eigen::Vector3d down_of(double roll, double pitch) {
   return {-std::sin(pitch), std::sin(roll) * std::cos(pitch), std::cos(roll) * std::cos(pitch)};
 }
 
-Eigen::Vector2d metres_from(const measurement::Geodetic& first,
-                            const measurement::Geodetic& place) {
-  const double east =
-      std::remainder(place.longitude_rad - first.longitude_rad, 2 * std::numbers::pi);
-  return {earth_radius_m * (place.latitude_rad - first.latitude_rad),
-          earth_radius_m * std::cos(first.latitude_rad) * east};
+/// North and east of a short way at a height: dN = (R_N + h) dphi, dE = (R_E + h) cos(phi) dlambda.
+Eigen::Vector2d way(const measurement::Geodetic& from, const measurement::Geodetic& to,
+                    double height_m) {
+  const double latitude = (from.latitude_rad + to.latitude_rad) / 2;
+  const double east = std::remainder(to.longitude_rad - from.longitude_rad, 2 * std::numbers::pi);
+  return {(frame::meridian_radius(latitude) + height_m) * (to.latitude_rad - from.latitude_rad),
+          (frame::transverse_radius(latitude) + height_m) * std::cos(latitude) * east};
 }
 
 }  // namespace
@@ -73,8 +73,11 @@ void take(GnssTracks& tracks, const measurement::GnssFix& fix) {
     tracks.velocity.push(at, *fix.ground_speed_mps * Eigen::Vector2d{std::cos(*fix.course_rad),
                                                                      std::sin(*fix.course_rad)});
   if (!fix.position) return;
-  if (!tracks.first) tracks.first = fix.position;
-  tracks.place.push(at, metres_from(*tracks.first, *fix.position));
+  const double height_m =
+      fix.ellipsoidal_height_m.value_or(fix.mean_sea_level_height_m.value_or(0));
+  if (tracks.last) tracks.moved_m += way(*tracks.last, *fix.position, height_m);
+  tracks.last = fix.position;
+  tracks.place.push(at, tracks.moved_m);
 }
 
 void take(DepthTracks& tracks, const measurement::DepthSample& sample) {

@@ -40,8 +40,9 @@ struct GnssTracks {
   std::uint16_t device;
   Sensor sensor;
   Track<2> velocity;  ///< m/s, north and east
-  Track<2> place;     ///< m, north and east of the first position
-  std::optional<measurement::Geodetic> first{};
+  Track<2> place;     ///< m, north and east of the first position, along the Earth
+  Eigen::Vector2d moved_m = Eigen::Vector2d::Zero();
+  std::optional<measurement::Geodetic> last{};
 };
 
 struct DepthTracks {

@@ -31,13 +31,18 @@ std::vector<Kind> peers_of(Kind kind) {
     case Kind::depth: return {Kind::depth, Kind::dvl};
     case Kind::imu: return {Kind::imu, Kind::dvl, Kind::gnss, Kind::attitude};
     case Kind::attitude: return {Kind::attitude, Kind::imu, Kind::gnss};
-    case Kind::actuator: return {Kind::actuator};
+    case Kind::actuator: return {Kind::actuator, Kind::imu, Kind::dvl, Kind::emlog, Kind::gnss};
   }
   return {};
 }
 
-bool has_peer(const rig_config::Rig& rig, const DeviceConfig& device) {
-  const auto peers = peers_of(device.kind);
+/// Which kinds show that this one is wrong in such a way.
+std::vector<Kind> peers_of(Kind kind, Cause cause) {
+  return cause == Cause::mounting ? std::vector{Kind::depth} : peers_of(kind);
+}
+
+bool has_peer(const rig_config::Rig& rig, const DeviceConfig& device, Cause cause) {
+  const auto peers = peers_of(device.kind, cause);
   return std::ranges::any_of(rig.devices, [&](const DeviceConfig& other) {
     return other.name != device.name && std::ranges::find(peers, other.kind) != peers.end();
   });
@@ -64,7 +69,7 @@ bool applies(Cause cause, const DeviceConfig& device, const wire::Protocol& prot
     case Cause::satellites_blocked:
     case Cause::antenna_gain: return device.kind == Kind::gnss;
     case Cause::hot: return protocol.tells_heat;
-    case Cause::mounting: return device.kind == Kind::dvl || device.kind == Kind::imu;
+    case Cause::mounting: return device.kind == Kind::dvl;
     case Cause::scale: return device.kind == Kind::dvl || device.kind == Kind::emlog;
     default: return true;
   }
@@ -84,11 +89,10 @@ std::string why_not(Cause cause, const DeviceConfig& device, const wire::Protoco
   if (cause == Cause::port_lost && !with.live) return "a file has no port";
   if (cause == Cause::nak) return "nothing was written to it";
   if (needs_times(cause) && !with.has_times) return "the capture has no times of arrival";
-  const bool clock = cause == Cause::clock_step || cause == Cause::clock_drift;
-  if (clock && !tells_time(device, protocol)) return "its messages tell no time";
-  if (needs_peer(cause) && !has_peer(rig, device)) return "no other sensor measures what it does";
-  if (cause == Cause::delay && !tells_time(device, protocol) && !has_peer(rig, device))
-    return "its messages tell no time, and no other sensor measures what it does";
+  if (cause == Cause::clock_step && !tells_time(device, protocol))
+    return "its messages tell no time";
+  if (needs_peer(cause) && !has_peer(rig, device, cause))
+    return "no other sensor measures what it does";
   if (cause == Cause::drift && with.duration_s < shortest_for_drift_s)
     return fmt::format("{:.0f} s are too short for a slow one", with.duration_s);
   return {};

@@ -41,9 +41,23 @@ wire::cia404_pressure::Scale DeviceSetup::pressure_scale() const {
       .value();
 }
 
+namespace {
+
+/// A DVL that is set to turn its velocities by an angle stands at that angle in the vehicle.
+sensor::Mounting standing(const rig_config::DeviceConfig& config) {
+  auto mounting = sensor::mounting_of(config);
+  const auto& settings = config.water_linked;
+  const double turned_rad = settings ? settings->mounting_rotation_rad.value_or(0) : 0;
+  mounting.sensor_to_body *=
+      Eigen::AngleAxisd(turned_rad, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+  return mounting;
+}
+
+}  // namespace
+
 SamplingDevice::SamplingDevice(const DeviceSetup& setup)
     : trajectory_(setup.trajectory),
-      mounting_(sensor::mounting_of(setup.config)),
+      mounting_(standing(setup.config)),
       rate_hz_(setup.config.rate_hz),
       latency_(measurement::from_seconds(setup.config.emulate.latency_s)),
       dropouts_(setup.config.emulate.dropout, setup.seed, setup.config.name),

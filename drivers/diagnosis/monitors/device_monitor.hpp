@@ -1,6 +1,7 @@
 #pragma once
 
 #include "drivers/device/life_cycle.hpp"
+#include "drivers/diagnosis/monitors/line_length.hpp"
 #include "drivers/diagnosis/monitors/line_monitor.hpp"
 #include "drivers/diagnosis/monitors/time_monitor.hpp"
 #include "drivers/diagnosis/monitors/value_monitor.hpp"
@@ -19,6 +20,7 @@ class DeviceMonitor {
     const std::uint32_t stream = stream_of(measurement);
     last_ = measurement::origin_of(measurement).received_at;
     const bool same = values_.take(stream, measurement);
+    times_.note_length(stream, line_length_of(measurement), last_);
     times_.take(stream, measurement::origin_of(measurement), same);
   }
   /// Call it about every look_period.

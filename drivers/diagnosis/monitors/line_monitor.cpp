@@ -1,6 +1,7 @@
 #include "drivers/diagnosis/monitors/line_monitor.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "drivers/device/reported.hpp"
 
@@ -16,6 +17,11 @@ constexpr std::chrono::seconds longest_boot{10};
 constexpr std::chrono::milliseconds shortest_babel{900};
 /// A device says only once that it is hot.
 constexpr std::chrono::seconds heat_lasts{30};
+/// A device that refuses is asked once in a while.
+constexpr std::chrono::seconds refusal_lasts{60};
+/// A rig states rates roughly. What is farther off all the time is a setting.
+constexpr double most_rate_error = 0.3;
+constexpr std::chrono::seconds rate_settles{20};
 
 double grown(std::uint64_t now, std::uint64_t before) {
   return now > before ? static_cast<double>(now - before) : 0;
@@ -33,6 +39,7 @@ void LineMonitor::look(const Health& health, Stamp now) {
   if (looked_) {
     look_at_counters(health, now);
     look_at_reports(health, now);
+    look_at_rate(health, now);
   }
   last_ = health;
   looked_ = true;
@@ -99,6 +106,27 @@ void LineMonitor::look_at_reports(const Health& health, Stamp now) {
     hot_until_ = now + heat_lasts;
   }
   if (now < hot_until_) teller_.tell(Sign::heat, hot_since_, now, {1, 0, "reports of heat", ""});
+  if (news && health.last_error.view().find(device::refusal_word) != std::string_view::npos) {
+    refused_since_ = now;
+    refused_until_ = now + refusal_lasts;
+  }
+  if (now < refused_until_)
+    teller_.tell(Sign::refuses, refused_since_, now, {1, 0, "refused settings", ""});
+}
+
+/// Once a device had its rate, other monitors tell a change.
+void LineMonitor::look_at_rate(const Health& health, Stamp now) {
+  if (had_its_rate_ || expected_.nominal_rate_hz <= 0) return;
+  if (!health.rate_hz || health.state != State::streaming) return off_rate_since_.reset();
+  const double nominal = expected_.nominal_rate_hz;
+  if (std::abs(*health.rate_hz - nominal) < most_rate_error * nominal) {
+    had_its_rate_ = true;
+    return;
+  }
+  if (!off_rate_since_) off_rate_since_ = now;
+  if (now - *off_rate_since_ > rate_settles)
+    teller_.tell(Sign::rate_unexpected, health.since, now,
+                 {*health.rate_hz, nominal, "rate", "Hz"});
 }
 
 }  // namespace drydock::diagnosis

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "drivers/device/health.hpp"
 #include "drivers/diagnosis/monitors/expected.hpp"
 #include "drivers/diagnosis/monitors/frame_count.hpp"
@@ -8,7 +10,8 @@
 namespace drydock::diagnosis {
 
 /// Watches the line of one device by the counters of its driver: silence, lost ports, damaged
-/// frames, foreign bytes, bytes that no one understands, CAN errors, reported heat.
+/// frames, foreign bytes, bytes that no one understands, CAN errors, reported heat and refusals, a
+/// rate that is not the one of the rig.
 class LineMonitor {
  public:
   /// The sink must outlive the monitor.
@@ -21,6 +24,7 @@ class LineMonitor {
   void look_at_bytes(const device::Health& health, Stamp now);
   void look_at_counters(const device::Health& health, Stamp now);
   void look_at_reports(const device::Health& health, Stamp now);
+  void look_at_rate(const device::Health& health, Stamp now);
 
   Expected expected_;
   Teller teller_;
@@ -31,6 +35,9 @@ class LineMonitor {
   std::uint64_t bytes_then_ = 0;
   FrameCount frames_;
   Stamp hot_since_{}, hot_until_{};
+  Stamp refused_since_{}, refused_until_{};
+  std::optional<Stamp> off_rate_since_;
+  bool had_its_rate_ = false;
 };
 
 }  // namespace drydock::diagnosis

@@ -93,7 +93,11 @@ void QuantityMonitor::judge_noise(double bend, Stamp at) {
   // What no motion makes is no noise either: wild samples in a row, steps.
   if (std::abs(bend) > std::max(facts_of(quantity_).wild, 2 * step_beyond * beyond * sigma_))
     return;
-  noise_.add(std::abs(bend) > beyond * sigma_, at);
+  // A motion that begins bends one way for some samples. Noise does not: the second differences of
+  // white noise have the correlation -2/3.
+  const bool turned = bend * last_bend_ < 0;
+  last_bend_ = bend;
+  noise_.add(turned && std::abs(bend) > beyond * sigma_, at);
 }
 
 }  // namespace drydock::diagnosis

@@ -49,7 +49,7 @@ class QuantityMonitor {
   bool known_ = false, noise_shows_ = false;
   double sigma_ = 0;    ///< at least that of a usual motion
   double scatter_ = 0;  ///< as it was in the first time
-  double usual_period_s_ = 0;
+  double usual_period_s_ = 0, last_bend_ = 0;
   double smallest_bend_ = std::numeric_limits<double>::infinity();
   Spread<128> bends_, periods_;
   unsigned turns_ = 0, moves_ = 0;  ///< changes of direction among changes

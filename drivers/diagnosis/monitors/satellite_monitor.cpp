@@ -13,6 +13,7 @@ constexpr unsigned seen_enough = 10, fewest_gone = 3, fewest_present = 3, rows_t
 /// Who was not seen for so long is no longer expected.
 constexpr std::chrono::seconds forget_after{120};
 constexpr double smoothing = 0.05;
+constexpr double beyond_usual = 1.5;  // the largest change of the first time may grow so much
 
 std::uint16_t key_of(const Satellite& satellite) {
   return static_cast<std::uint16_t>(static_cast<unsigned>(satellite.constellation) << 8 |
@@ -29,8 +30,19 @@ const Satellite* find_signal(const GnssSatellites& message, std::uint16_t key) {
 
 void SatelliteMonitor::take(const GnssSatellites& message) {
   const Stamp now = message.origin.received_at;
-  if (tell(change(message), now)) return;
+  const Change seen = change(message);
+  if (!is_usual(seen, now) && tell(seen, now)) return;
   learn(message);
+}
+
+/// True while the monitor learns how much a sound antenna changes.
+bool SatelliteMonitor::is_usual(const Change& change, Stamp now) {
+  if (!first_) first_ = now;
+  if (now - *first_ > learning) return false;
+  if (change.present >= fewest_present)
+    changed_db_ = std::max(changed_db_, beyond_usual * std::abs(change.db));
+  gone_share_ = std::max(gone_share_, beyond_usual * change.share());
+  return true;
 }
 
 SatelliteMonitor::Change SatelliteMonitor::change(const GnssSatellites& message) const {
@@ -52,9 +64,8 @@ SatelliteMonitor::Change SatelliteMonitor::change(const GnssSatellites& message)
 }
 
 bool SatelliteMonitor::tell(const Change& change, Stamp now) {
-  const bool changed = change.present >= fewest_present && std::abs(change.db) > changed_db;
-  const double share = change.known > 0 ? double(change.gone) / change.known : 0;
-  const bool gone = change.gone >= fewest_gone && share > gone_share;
+  const bool changed = change.present >= fewest_present && std::abs(change.db) > changed_db_;
+  const bool gone = change.gone >= fewest_gone && change.share() > gone_share_;
   if (!changed && !gone) {
     since_.reset();
     in_a_row_ = 0;
@@ -64,10 +75,10 @@ bool SatelliteMonitor::tell(const Change& change, Stamp now) {
   if (++in_a_row_ < rows_to_tell) return true;
   if (changed)
     teller_.tell(Sign::signals_changed, *since_, now,
-                 {change.db, changed_db, "change of C/N0", "dB"});
+                 {change.db, std::copysign(changed_db_, change.db), "change of C/N0", "dB"});
   else
     teller_.tell(Sign::satellites_gone, *since_, now,
-                 {share, gone_share, "share of satellites that are gone", ""});
+                 {change.share(), gone_share_, "share of satellites that are gone", ""});
   return now - *since_ < forget_after;
 }
 

@@ -20,6 +20,9 @@ constexpr int sound_before = 20, sound_after = 6;
 constexpr int jumps_to_tell = 3;
 /// Behind such a pause a stream begins anew.
 constexpr double away_s = 10;
+/// The next two messages of a stream show where its new place is.
+constexpr std::chrono::nanoseconds shortest_move = std::chrono::milliseconds{500},
+                                   longest_move = std::chrono::seconds{5};
 /// A frame waits so long while the other nodes of a sound bus have their turn: some 60 frames.
 constexpr double bus_waits_s = 0.03;
 
@@ -55,6 +58,18 @@ void TimeMonitor::take(std::uint32_t kind, const measurement::Origin& origin, bo
   watch_clock(*stream, origin, arrival.step);
 }
 
+void TimeMonitor::note_length(std::uint32_t kind, std::uint32_t length, Stamp at) {
+  if (expected_.protocol.clock != wire::DeviceClock::of_receiver) return;  // others have one length
+  Stream* const stream = stream_of(kind);
+  if (stream == nullptr) return;
+  const bool changed = stream->length != 0 && stream->length != length;
+  stream->length = length;
+  const auto two_periods = measurement::from_seconds(2.5 * stream->raster.period_s());
+  if (changed)
+    moved_until_ =
+        at + std::clamp<std::chrono::nanoseconds>(two_periods, shortest_move, longest_move);
+}
+
 void TimeMonitor::judge(Stream& stream, Raster::Arrival arrival, const measurement::Origin& origin,
                         bool same, bool bus_busy) {
   const Stamp at = origin.received_at;
@@ -66,7 +81,7 @@ void TimeMonitor::judge(Stream& stream, Raster::Arrival arrival, const measureme
   if (bus_busy && arrival.step == Step::odd && arrival.slots < 2) arrival.step = Step::regular;
   const bool same_time = origin.device_time && origin.device_time == stream.device_time;
   stream.device_time = origin.device_time;
-  if (arrival.interval_s > away_s)
+  if (arrival.interval_s > away_s || at < moved_until_)
     interrupt(stream);
   else if (arrival.step != Step::first)
     step(stream, arrival, at, same || same_time);
@@ -222,7 +237,8 @@ void TimeMonitor::watch_clock(Stream& stream, const measurement::Origin& origin,
   if (news.backwards && backwards_.fired())
     teller_.tell(Sign::time_backwards, backwards_.since(), at,
                  {backwards_.sum(), threshold, "log-likelihood of times that go back", ""});
-  if (news.jump_s == 0) {
+  if (at < moved_until_) stream.clock.accept();
+  if (news.jump_s == 0 || at < moved_until_) {
     stream.jumps = 0;
     stream.late_by_clock = false;
     return;

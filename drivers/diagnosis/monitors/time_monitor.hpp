@@ -24,6 +24,9 @@ class TimeMonitor {
   /// `bus_busy`: the bus was taken without a pause, so that the message may be late.
   void take(std::uint32_t stream, const measurement::Origin& origin, bool same,
             bool bus_busy = false);
+  /// Before take(): a change of the length (line_length_of) moves the times of all that follows
+  /// on a line of sentences.
+  void note_length(std::uint32_t stream, std::uint32_t length, Stamp at);
   /// Tells what lasts.
   void look(Stamp now);
   /// Change of the rate of the device's clock. Empty: none that is significant. On a bus the bus
@@ -36,6 +39,7 @@ class TimeMonitor {
  private:
   struct Stream {
     std::uint32_t kind = 0;
+    std::uint32_t length = 0;    ///< of the latest message
     std::uint32_t followed = 0;  ///< one bit for each stream whose message came right before
     Raster raster;
     ArrivalPattern pattern;
@@ -86,6 +90,7 @@ class TimeMonitor {
   Lasting late_, drifting_;
   Stamp last_{};                            ///< the latest message
   std::size_t last_stream_ = 0;             ///< index of its stream
+  Stamp moved_until_{};                     ///< the times of messages find a new place
   double line_s_ = 0;                       ///< what the line may add to an interval
   std::array<std::uint64_t, 4> history_{};  ///< one bit a message for each Happened
 };

@@ -149,7 +149,7 @@ void write_number(const Field& field, double number, FieldWriter& line) {
   std::array<char, 64> digits;
   const int decimals = field.decimals;
   const bool hex = field.type == Type::hex;
-  const double limit = 1e15;
+  constexpr double limit = 9e18;  // what 64 bits hold: microseconds since 1970 need 1.8e15
   const double sent = std::clamp(number, -limit, limit);
   const auto written = hex ? std::to_chars(digits.begin(), digits.end(),
                                            static_cast<std::uint64_t>(std::abs(sent)), 16)

@@ -212,6 +212,19 @@ TEST(DescribedValues, EncodedMessagesReadBackToHalfALastDigit) {
   EXPECT_NEAR(*got.get(pressure), 234'567, 0.5e-3 * 1e4);
 }
 
+/// Microseconds since 1970 have 16 digits.
+TEST(DescribedValues, ATimeOfDayInMicrosecondsIsWrittenWhole) {
+  using enum wire::described::Target;
+  const auto dvl = shipped("cerulean-dvpdl.toml");
+  wire::described::Readings sent;
+  sent.set(time, 1'763'712'000.5);
+  sent.set(interval, 0.1);
+  std::array<std::uint8_t, 256> bytes{};
+  const auto size = encode(dvl->plan, dvl->plan.messages[0], sent, bytes);
+  const auto line = as_text(wire::Bytes(bytes).first(size));
+  EXPECT_TRUE(line.starts_with("$DVPDL,1763712000500000,100000,")) << line;
+}
+
 constexpr std::string_view toy_frame = R"(
 [sensor]
 title = "toy"

@@ -102,4 +102,30 @@ TEST_F(LineThatIsWatched, IsHotForHalfAMinute) {
   EXPECT_TRUE(signs.all.empty());
 }
 
+TEST_F(LineThatIsWatched, RefusesASettingForAMinute) {
+  health.last_error = std::string_view{"the DVL refuses \"wcs,1480\""};
+  look(3);
+  EXPECT_TRUE(signs.has(Sign::refuses));
+  for (int i = 0; i < 250; ++i) look(3);
+  signs.all.clear();
+  look(3);
+  EXPECT_TRUE(signs.all.empty());
+}
+
+TEST_F(LineThatIsWatched, HasAnotherRateThanStatedAfterTwentySecondsOfIt) {
+  health.rate_hz = 0.6 * 10;
+  for (int i = 0; i < 75; ++i) look(3);
+  EXPECT_FALSE(signs.has(Sign::rate_unexpected));
+  for (int i = 0; i < 10; ++i) look(3);
+  EXPECT_TRUE(signs.has(Sign::rate_unexpected));
+}
+
+TEST_F(LineThatIsWatched, ThatHadItsRateOnceIsLeftToTheOtherMonitors) {
+  health.rate_hz = 0.9 * 10;
+  look(3);
+  health.rate_hz = 0.5 * 10;
+  for (int i = 0; i < 200; ++i) look(3);
+  EXPECT_FALSE(signs.has(Sign::rate_unexpected));
+}
+
 }  // namespace drydock::diagnosis::line_monitor_test

@@ -62,6 +62,18 @@ TEST_F(BottomVelocityThatIsWatched, IsNotNoisyForOneWildSampleInTen) {
   }
 }
 
+/// A vehicle that begins to speed up: the second differences rise and fall like a sine in 25
+/// samples, up to ten deviations.
+TEST_F(BottomVelocityThatIsWatched, IsNotNoisyForAMotionThatBegins) {
+  double speed = 0, slope = 0;
+  for (int motion = 0; motion < 20; ++motion)
+    for (int i = 0; i < 25; ++i) {
+      slope += 10 * std::sqrt(6) * sigma * std::sin(2 * 3.14159265 * i / 25);
+      speed += slope;
+      ASSERT_FALSE(add(sigma, speed).noisy) << motion << " " << i;
+    }
+}
+
 TEST_F(BottomVelocityThatIsWatched, StepsAndStays) {
   add(0);
   add(0);

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "tests/drivers/diagnosis/signs.hpp"
 
 namespace drydock::diagnosis::satellite_monitor_test {
@@ -48,6 +50,26 @@ TEST_F(SkyThatIsWatched, IsWeakerByTheLossOfItsAntenna) {
 TEST_F(SkyThatIsWatched, MayFadeByThreeDecibels) {
   for (int i = 0; i < 60; ++i) see(10, -3);
   EXPECT_TRUE(signs.all.empty());
+}
+
+TEST(SatelliteMonitor, OfAnAntennaThatTurnsTakesItsSwingAsUsual) {
+  Signs signs;
+  SatelliteMonitor monitor{0, signs};
+  const auto swing = [&](double now, double more_db) {
+    measurement::GnssSatellites message;
+    message.origin.received_at = at_s(now);
+    for (unsigned i = 0; i < 10; ++i)
+      message.satellites.push_back({.number = static_cast<std::uint8_t>(i + 1),
+                                    .cno_dbhz = 35 + 8 * std::sin(now / 2) + more_db,
+                                    .elevation_rad = {},
+                                    .azimuth_rad = {}});
+    monitor.take(message);
+  };
+  double now = 0;
+  while (now < 600) swing(now += 1, 0);
+  EXPECT_TRUE(signs.all.empty());
+  while (now < 620) swing(now += 1, -15);
+  EXPECT_TRUE(signs.has(Sign::signals_changed));
 }
 
 TEST_F(SkyThatIsWatched, MayChangeSlowly) {

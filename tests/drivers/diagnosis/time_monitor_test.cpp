@@ -133,4 +133,39 @@ TEST_F(WithAClock, IsLateAgainstItsClock) {
   EXPECT_FALSE(signs.has(Sign::clock_step));
 }
 
+/// A receiver at 1 Hz with its own clock, whose line says more while it has a fix.
+struct ReceiverOnALine : testing::Test {
+  ReceiverOnALine() { for_seconds(60, 0.5, 1); }
+  void for_seconds(int seconds, double after_s, std::uint32_t length) {
+    for (int i = 0; i < seconds; ++i) {
+      now += 1;
+      measurement::Origin origin;
+      origin.received_at = at_s(now + after_s);
+      origin.device_time = measurement::from_seconds(now);
+      monitor.note_length(1, length, origin.received_at);
+      monitor.take(1, origin, false);
+      monitor.look(origin.received_at);
+    }
+  }
+  Signs signs;
+  TimeMonitor monitor{{.kind = measurement::Kind::gnss,
+                       .protocol = *wire::find_protocol("nmea0183"),
+                       .nominal_rate_hz = 1},
+                      signs};
+  double now = 0;
+};
+
+TEST_F(ReceiverOnALine, IsSoonerWithoutItsFixAndThatIsNoSign) {
+  for (int dive = 0; dive < 50; ++dive) {
+    for_seconds(30, 0.2, 2);
+    for_seconds(30, 0.5, 1);
+  }
+  EXPECT_TRUE(signs.all.empty());
+}
+
+TEST_F(ReceiverOnALine, IsLateIfItSaysTheSameLater) {
+  for_seconds(30, 0.8, 1);
+  EXPECT_TRUE(signs.has(Sign::late) || signs.has(Sign::clock_step));
+}
+
 }  // namespace drydock::diagnosis::time_monitor_test

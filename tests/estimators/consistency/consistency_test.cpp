@@ -103,6 +103,46 @@ TEST_P(AFault, IsLaidToItsDevice) {
 INSTANTIATE_TEST_SUITE_P(Consistency, AFault, testing::ValuesIn(cases),
                          [](const auto& given) { return std::string(given.param.name); });
 
+/// From the first sample on: no change shows it.
+Voyage::Fault always(const std::function<void(BottomVelocity&)>& change) {
+  return [change](Measurement& measurement, double) {
+    if (auto* bottom = std::get_if<BottomVelocity>(&measurement)) change(*bottom);
+  };
+}
+
+void expect_only(const Voyage& voyage, std::uint16_t device, Sign sign, double within_s) {
+  ASSERT_FALSE(voyage.said().empty());
+  EXPECT_LT(voyage.said().front().at_s, within_s);
+  for (const auto& one : voyage.said()) {
+    EXPECT_EQ(one.device, device) << one.at_s;
+    EXPECT_EQ(one.sign, sign) << to_string(one.sign) << " at " << one.at_s;
+  }
+}
+
+TEST(Consistency, SeesADvlThatIsMountedFourDegreesBowUpAgainstTheDepth) {
+  Voyage voyage({dvl, imu, depth});
+  voyage.run(400, always([](auto& m) {
+    const double down = 2 * std::sin(4 * degree);
+    m.velocity->z() += down;
+  }));
+  expect_only(voyage, dvl, Sign::rotated, 180);
+}
+
+TEST(Consistency, SeesADvlWhoseScaleIsFivePercentTooSmallFromTheStart) {
+  Voyage voyage({dvl, gnss, imu});
+  voyage.run(400, always([](auto& m) { m.velocity->x() *= 0.95; }));
+  expect_only(voyage, dvl, Sign::scale, 180);
+}
+
+TEST(Consistency, SaysNothingOfAMountingOfOneDegreeOrAScaleOfOnePercent) {
+  Voyage voyage({dvl, gnss, imu, depth});
+  voyage.run(1000, always([](auto& m) {
+    m.velocity->z() += 2 * std::sin(1 * degree);
+    m.velocity->x() *= 0.99;
+  }));
+  EXPECT_EQ(voyage.said().size(), 0U);
+}
+
 const Case smallest[] = {
     {"Dvl", dvl, {}, 20, on<BottomVelocity>([](auto& m, double) { m.velocity->x() += 0.06; })},
     {"Log", log, {}, 20, on<WaterSpeed>([](auto& m, double) { *m.longitudinal_mps += 0.25; })},

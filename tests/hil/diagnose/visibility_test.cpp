@@ -81,6 +81,37 @@ TEST(Visibility, ABiasIsSeenOnlyBesideASensorThatMeasuresTheSame) {
   EXPECT_NE(why(with_log, "dvl", Cause::bias), "no other sensor measures what it does");
 }
 
+/// The rudder is checked against the turn, the shaft against the speed.
+TEST(Visibility, ABiasOfARudderIsSeenBesideAnInertialUnit) {
+  const auto rig =
+      rig_of({{measurement::Kind::actuator, "nmea2000"}, {measurement::Kind::imu, "xsens"}});
+  EXPECT_THAT(why(rig, "actuator", Cause::bias), IsEmpty());
+}
+
+/// A raster shows them: the earliest arrivals and one hole of it.
+TEST(Visibility, AClockThatDriftsAndADelayAreSeenWithoutTheDevicesOwnTime) {
+  const auto pd6 = rig_of({{measurement::Kind::dvl, "pd6"}});
+  const auto pd4 = rig_of({{measurement::Kind::dvl, "pd4"}});
+  for (const auto& rig : {pd6, pd4})
+    for (const Cause cause : {Cause::clock_drift, Cause::delay})
+      EXPECT_THAT(why(rig, "dvl", cause), IsEmpty());
+  const auto log = rig_of({{measurement::Kind::emlog, "nmea0183"}});
+  EXPECT_EQ(why(log, "emlog", Cause::clock_step), "its messages tell no time");
+}
+
+TEST(Visibility, AMountingIsSeenBesideADepthSensorOnly) {
+  using measurement::Kind;
+  const auto with_depth = rig_of({{Kind::dvl, "pd0"}, {Kind::depth, "cia404_depth"}});
+  const auto with_log = rig_of({{Kind::dvl, "pd0"}, {Kind::emlog, "nmea0183"}});
+  EXPECT_THAT(why(with_depth, "dvl", Cause::mounting), IsEmpty());
+  EXPECT_THAT(why(with_log, "dvl", Cause::mounting), Not(IsEmpty()));
+}
+
+TEST(Visibility, EveryCauseIsConcludedFromSomeSigns) {
+  for (const auto& facts : diagnosis::causes())
+    EXPECT_TRUE(is_concluded(facts.cause)) << facts.name;
+}
+
 TEST(Visibility, DevicesThatHaveTheSameReasonShareALine) {
   auto rig = rig_of({{measurement::Kind::dvl, "pd0"}, {measurement::Kind::dvl, "pd0"}});
   rig.devices[1].name = "dvl2";

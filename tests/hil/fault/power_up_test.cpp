@@ -30,12 +30,13 @@ std::string fault(const std::string& word, double start_s, double for_s) {
 
 using measurement::BottomVelocity;
 
-/// The mission goes straight ahead. Turned by 90 degrees, this is along y.
-void expect_turned(const std::vector<BottomVelocity>& all) {
+/// The mission goes straight ahead. A head that stands at 90 degrees and does not turn its
+/// velocities would say that it goes to port.
+void expect_ahead(const std::vector<BottomVelocity>& all) {
   for (const auto& m : all) {
     if (!m.velocity) continue;
-    EXPECT_LT(std::abs(m.velocity->x()), 0.5);
-    EXPECT_GT(m.velocity->y(), 1);
+    EXPECT_GT(m.velocity->x(), 1);
+    EXPECT_LT(std::abs(m.velocity->y()), 0.5);
   }
 }
 
@@ -53,7 +54,7 @@ TEST(PowerUp, SettingsThatWereLostAreSetAgainAndNoVelocityIsOfTheOldAxes) {
   EXPECT_THAT(bench.between<BottomVelocity>(11, 15), IsEmpty());
   EXPECT_EQ(with_velocity(after), after.size());
   EXPECT_GE(after.size(), 60u);
-  expect_turned(bench.between<BottomVelocity>(0, 30));
+  expect_ahead(bench.between<BottomVelocity>(0, 30));
 }
 
 TEST(PowerUp, ADeviceThatBootsHearsNothingAndThenSaysItsBanner) {

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <Eigen/Dense>
+#include <cmath>
+
+namespace drydock::consistency {
+
+/// Recursive least squares with forgetting: y = sum x_k a_k + white noise. A prior holds what the
+/// data cannot tell.
+template <int N>
+class ConstantFit {
+ public:
+  using Vector = Eigen::Matrix<double, N, 1>;
+
+  /// `prior_sigma`: of each a_k around 0. `floor`: 1 sigma of y at least.
+  ConstantFit(const Vector& prior_sigma, double floor)
+      : prior_(prior_sigma.cwiseAbs2().cwiseInverse()), floor_(floor) {}
+
+  void add(double y, const Vector& x) {
+    information_ = memory * information_ + x * x.transpose();
+    right_ = memory * right_ + y * x;
+    squares_ = memory * squares_ + y * y;
+    count_ = memory * count_ + 1;
+  }
+
+  struct Answer {
+    Vector value, sigma;
+  };
+  Answer solve() const {
+    const Answer rough = solve_for(floor_ * floor_);
+    const double left =
+        squares_ - 2 * rough.value.dot(right_) + rough.value.dot(information_ * rough.value);
+    return solve_for(std::max(floor_ * floor_, left / std::max(1.0, count_ - N)));
+  }
+
+  /// As many samples as are remembered.
+  double count() const { return count_; }
+
+ private:
+  static constexpr double memory = 0.98;
+
+  Answer solve_for(double variance) const {
+    const Eigen::Matrix<double, N, N> whole =
+        information_ + variance * Eigen::Matrix<double, N, N>(prior_.asDiagonal());
+    const Eigen::Matrix<double, N, N> inverse = whole.inverse();
+    return {inverse * right_, (variance * inverse.diagonal()).cwiseSqrt()};
+  }
+
+  Vector prior_;
+  double floor_;
+  Eigen::Matrix<double, N, N> information_ = Eigen::Matrix<double, N, N>::Zero();
+  Vector right_ = Vector::Zero();
+  double squares_ = 0, count_ = 0;
+};
+
+}  // namespace drydock::consistency

@@ -1,0 +1,86 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "drivers/diagnosis/symptom.hpp"
+#include "estimators/consistency/constant_fit.hpp"
+#include "estimators/consistency/moment.hpp"
+
+namespace drydock::consistency {
+
+/// Errors of a DVL that were there from the start, which no change shows: its axes are pitched, its
+/// tilts are used twice or not at all, its scale is wrong. Each is fitted to means over `window`.
+class Constants {
+ public:
+  static constexpr std::chrono::seconds window{10};
+
+  explicit Constants(const Tracks& tracks);
+
+  template <class Distrusted>
+  void step(const Moment& moment, const Distrusted& distrusted) {
+    for (Dvl& dvl : dvls_)
+      if (distrusted(Devices{dvl.device}))
+        dvl.begun = {};
+      else
+        step(dvl, moment, depth_of(moment, distrusted), speed_of(moment, distrusted));
+  }
+
+  /// What a DVL's velocity down lacks by these errors, as far as they are known now, m/s.
+  double missing_down(std::size_t dvl, const Eigen::Vector3d& velocity,
+                      const Eigen::Vector3d& down) const {
+    return dvls_[dvl].known.dot(terms(velocity, down));
+  }
+
+  /// Repeats the signs that last.
+  void tell(Stamp now, diagnosis::SymptomSink& to) const;
+
+ private:
+  /// Sums of one window.
+  struct Sums {
+    Stamp last{};
+    double down_m = 0, over_ground_m = 0, receiver_m = 0, depth_m = 0;
+    Eigen::Vector3d terms_s = Eigen::Vector3d::Zero();
+    bool deep = false, fixed = false;  ///< depth, GNSS velocity came all the time
+  };
+  struct Dvl {
+    std::uint16_t device;
+    std::size_t track;
+    std::optional<Stamp> begun{};
+    Stamp first{};
+    Sums sums{};
+    Eigen::Vector3d known = Eigen::Vector3d::Zero();  ///< the answer of `vertical`
+    ConstantFit<3> vertical;
+    ConstantFit<1> scale;
+  };
+
+  template <class Distrusted>
+  std::optional<double> depth_of(const Moment& moment, const Distrusted& distrusted) const {
+    for (const auto& depth : tracks_.depths)
+      if (!distrusted(Devices{depth.device}))
+        if (const auto read = depth.depth.at(moment.at))
+          return read->value.x() - (moment.down ? moment.down->dot(depth.sensor.lever_arm_m) : 0);
+    return {};
+  }
+  /// Of the antenna, along the sea.
+  template <class Distrusted>
+  std::optional<double> speed_of(const Moment& moment, const Distrusted& distrusted) const {
+    for (const auto& receiver : tracks_.receivers)
+      if (!distrusted(Devices{receiver.device}))
+        if (const auto read = receiver.velocity.at(moment.at)) return read->value.norm();
+    return {};
+  }
+  void step(Dvl& dvl, const Moment& moment, std::optional<double> depth_m,
+            std::optional<double> speed_mps);
+  static void end(Dvl& dvl, double depth_m);
+  /// A DVL that is pitched by p reads p u too little down; tilts that are used once too often or
+  /// too seldom add or take the climb.
+  static Eigen::Vector3d terms(const Eigen::Vector3d& velocity, const Eigen::Vector3d& down) {
+    return {1, velocity.x(), -velocity.x() * down.x()};
+  }
+
+  const Tracks& tracks_;
+  std::vector<Dvl> dvls_;
+};
+
+}  // namespace drydock::consistency
