@@ -122,9 +122,9 @@ void expect_only(const Voyage& voyage, std::uint16_t device, Sign sign, double w
 TEST(Consistency, SeesADvlThatIsMountedFourDegreesBowUpAgainstTheDepth) {
   Voyage voyage({dvl, imu, depth});
   voyage.run(400, always([](auto& m) {
-    const double down = 2 * std::sin(4 * degree);
-    m.velocity->z() += down;
-  }));
+               const double down = 2 * std::sin(4 * degree);
+               m.velocity->z() += down;
+             }));
   expect_only(voyage, dvl, Sign::rotated, 180);
 }
 
@@ -137,9 +137,9 @@ TEST(Consistency, SeesADvlWhoseScaleIsFivePercentTooSmallFromTheStart) {
 TEST(Consistency, SaysNothingOfAMountingOfOneDegreeOrAScaleOfOnePercent) {
   Voyage voyage({dvl, gnss, imu, depth});
   voyage.run(1000, always([](auto& m) {
-    m.velocity->z() += 2 * std::sin(1 * degree);
-    m.velocity->x() *= 0.99;
-  }));
+               m.velocity->z() += 2 * std::sin(1 * degree);
+               m.velocity->x() *= 0.99;
+             }));
   EXPECT_EQ(voyage.said().size(), 0U);
 }
 
