@@ -110,6 +110,36 @@ void check_names(std::string_view what, const std::vector<std::string>& asked,
 
 }  // namespace
 
+rig_config::FaultConfig scaled(const rig_config::FaultConfig& fault, double times) {
+  const auto comma = fault.words.find(", ");  // "dvl: delay, seconds = 0.5"
+  const auto equals = fault.words.find("= ", std::min(comma, fault.words.size()));
+  if (times == 1 || equals == fault.words.npos) return fault;
+  const FaultWord& word = rig_config::word_of(fault.kind);
+  const bool quantity = word.amount == "quantity";
+  const double most = quantity ? rig_config::words::any : word.highest;
+  const double least = quantity ? -most : word.lowest;
+  const double amount = std::clamp(times * std::stod(fault.words.substr(equals + 2)), least, most);
+  const auto key = fault.words.substr(comma + 2, equals - comma - 2);
+  DeviceConfig device;
+  device.name = fault.device;
+  auto same = fault_of(device, word, fmt::format("{}= {:.9g}", key, amount),
+                       {.warm_up_s = fault.start_s, .fault_s = *fault.for_s, .after_s = 0});
+  if (!word.facts.extra) return same;
+  same.within_s = fault.within_s;
+  same.probability = fault.probability;
+  return same;
+}
+
+rig_config::FaultConfig fault_named(const rig_config::Rig& rig, const Window& window,
+                                    const std::string& text) {
+  const auto colon = text.find(':');
+  if (colon == text.npos)
+    throw std::runtime_error(fmt::format("\"{}\" is no DEVICE:FAULT, as emlog:bias", text));
+  const auto found = pairs_of(rig, window, {text.substr(0, colon)}, {text.substr(colon + 1)});
+  if (found.empty()) throw std::runtime_error(fmt::format("\"{}\" cannot happen", text));
+  return found.front().fault;
+}
+
 std::vector<Pair> pairs_of(const rig_config::Rig& rig, const Window& window,
                            const std::vector<std::string>& devices,
                            const std::vector<std::string>& faults) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -23,7 +24,16 @@ struct Pair {
   std::string label;       ///< "bias rate_degps": the fault word, and the quantity if the device
                            ///< has two
   rig_config::FaultConfig fault;
+  std::optional<rig_config::FaultConfig> also{};  ///< of another device, at the same time
 };
+
+/// The fault with `times` its amount, within the limits of its word; the same fault if it has none.
+rig_config::FaultConfig scaled(const rig_config::FaultConfig& fault, double times);
+
+/// A fault for the whole window of text like "emlog:bias" with the amount of the scorecard. Throws
+/// std::runtime_error with one line if the rig has no such pair.
+rig_config::FaultConfig fault_named(const rig_config::Rig& rig, const Window& window,
+                                    const std::string& text);
 
 /// Every pair that rig_config::refusal() allows, by device in the order of the rig, then by word in
 /// the order of the vocabulary. An empty selection means all. Throws std::runtime_error with one

@@ -12,11 +12,16 @@ using diagnosis::Cause;
 constexpr double grace_s = 2;
 
 /// A fault of the bus harms all devices on it.
-bool is_on_the_bus(const rig_config::Rig& rig, const Pair& pair, std::size_t device) {
+bool is_harmed(const rig_config::Rig& rig, const rig_config::FaultConfig& fault,
+               std::size_t device) {
   using Need = rig_config::FaultNeed;
-  if (device == pair.device) return true;
-  const auto& facts = rig_config::word_of(pair.fault.kind).facts;
-  return facts.needs == Need::can_bus && rig.devices[device].link == rig.devices[pair.device].link;
+  const auto& harmed = rig.devices[device];
+  if (harmed.name == fault.device) return true;
+  const auto& facts = rig_config::word_of(fault.kind).facts;
+  const auto has_fault = [&](const auto& one) {
+    return one.name == fault.device && one.link == harmed.link;
+  };
+  return facts.needs == Need::can_bus && std::ranges::any_of(rig.devices, has_fault);
 }
 
 bool looks_like(Cause cause, rig_config::FaultKind fault) {
@@ -41,12 +46,13 @@ FindingScore judge_findings(const rig_config::Rig& rig, const Window& window, co
     if (finding.found_s < window.warm_up_s) ++score.before;
     const double within_s = seconds_within(finding, window);
     if (finding.found_s < window.warm_up_s || within_s <= 0) continue;
+    if (pair.also && is_harmed(rig, *pair.also, finding.device)) continue;
     if (first == nullptr) first = &finding;
-    if (is_on_the_bus(rig, pair, finding.device)) said_s[finding.cause] += within_s;
+    if (is_harmed(rig, pair.fault, finding.device)) said_s[finding.cause] += within_s;
   }
   if (first == nullptr) return score;
   score.found_s = first->found_s - window.warm_up_s;
-  score.right_device = is_on_the_bus(rig, pair, first->device);
+  score.right_device = is_harmed(rig, pair.fault, first->device);
   const auto longest = std::ranges::max_element(said_s, {}, [](const auto& x) { return x.second; });
   const Cause cause = longest == said_s.end() ? first->cause : longest->first;
   score.word = diagnosis::facts_of(cause).name;

@@ -36,6 +36,17 @@ std::string read(const fs::path& path) {
   return text.str();
 }
 
+/// The pairs that the options ask for. Two faults of one device are one trouble.
+std::vector<Pair> pairs_for(const rig_config::Rig& rig, const Options& options) {
+  auto pairs = pairs_of(rig, options.window, options.devices, options.faults);
+  for (Pair& pair : pairs) pair.fault = scaled(pair.fault, options.amount);
+  if (options.also.empty()) return pairs;
+  const auto also = fault_named(rig, options.window, options.also);
+  std::erase_if(pairs, [&](const Pair& pair) { return pair.fault.device == also.device; });
+  for (Pair& pair : pairs) pair.also = also;
+  return pairs;
+}
+
 /// Runs each pair alone, and one run without any fault.
 Scorecard play(const rig_config::Rig& asked, const std::vector<Pair>& pairs, const Options& options,
                const study::Options& campaign, study::Progress& progress) {
@@ -46,13 +57,15 @@ Scorecard play(const rig_config::Rig& asked, const std::vector<Pair>& pairs, con
                  .seed = rig.seed,
                  .window = options.window,
                  .pairs = pairs.size(),
-                 .whole = options.devices.empty() && options.faults.empty(),
+                 .whole = options.devices.empty() && options.faults.empty() &&
+                          options.amount == 1 && options.also.empty(),
                  .scores = {}};
   study::campaign(
       "scorecard", campaign, progress,
       [&](std::size_t k) {
         rig_config::Rig faulty = rig;
         faulty.faults = {pairs[k].fault};
+        if (pairs[k].also) faulty.faults.push_back(*pairs[k].also);
         return score_of(rig, options.window, pairs[k], reference,
                         record_run(faulty, options.window.run_s()));
       },
@@ -78,7 +91,7 @@ int run_scorecard(const rig_config::Rig& rig, const Options& options, std::FILE*
                   std::FILE* errors) try {
   std::vector<Pair> pairs;
   try {
-    pairs = pairs_of(rig, options.window, options.devices, options.faults);
+    pairs = pairs_for(rig, options);
   } catch (const std::runtime_error& error) {
     fmt::print(errors, "scorecard: {}\n", error.what());
     return terminal::exit_usage;

@@ -12,6 +12,8 @@ namespace drydock::scorecard {
 struct Options {
   Window window;
   std::vector<std::string> devices, faults;      ///< empty: all
+  double amount = 1;                             ///< times the usual amount of each fault
+  std::string also;                              ///< "DEVICE:FAULT" beside each fault
   unsigned jobs = 0;                             ///< threads; 0: one per processor
   std::string json, report, check, update_refs;  ///< file, folder, files; empty: none
 };

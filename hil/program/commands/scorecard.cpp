@@ -30,6 +30,12 @@ void add_scorecard(CLI::App& app, Command& command) {
   auto* faults = sub->add_option("--faults", o.faults,
                                  "these alone: flip,unplug; default all of the vocabulary")
                      ->delimiter(',');
+  auto* amount =
+      sub->add_option("--amount", o.amount, "times the usual amount of each fault; default 1")
+          ->check(CLI::Range(0.001, 1000.0));
+  auto* also = sub->add_option("--also", o.also,
+                               "DEVICE:FAULT at the same time as each fault of another "
+                               "device: emlog:bias");
   sub->add_option("--warm-up", o.window.warm_up_s, "before the fault; default 75s")
       ->transform(duration_text);
   sub->add_option("--fault-for", o.window.fault_s, "how long it lasts; default 30s")
@@ -47,7 +53,9 @@ void add_scorecard(CLI::App& app, Command& command) {
   sub->add_option("--update-refs", o.update_refs, "write the reference, of all pairs")
       ->excludes(check)
       ->excludes(devices)
-      ->excludes(faults);
+      ->excludes(faults)
+      ->excludes(amount)
+      ->excludes(also);
   sub->callback([a, &command] {
     command = [a] {
       auto rig = load_rig(a->rig, check::Use::lockstep);

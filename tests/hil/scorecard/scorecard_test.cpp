@@ -54,7 +54,22 @@ TEST(Scorecard, PairsThatADeviceCannotHaveAreNotTried) {
   EXPECT_EQ(names, (std::vector<std::string>{"dvl bias", "dvl unplug", "imu bias rate_degps",
                                              "imu bias specific_force_mps2"}));
   EXPECT_THROW(pairs_of(demo(), {}, {"sonar"}, {}), std::runtime_error);
+  EXPECT_THROW(fault_named(demo(), {}, "dvl"), std::runtime_error);
+  EXPECT_THROW(fault_named(demo(), {}, "dvl:gremlin"), std::runtime_error);
   EXPECT_THROW(pairs_of(demo(), {}, {}, {"gremlin"}), std::runtime_error);
+}
+
+TEST(Pairs, WithThreeTimesTheAmountKeepTheirLimits) {
+  const auto words = [](const char* text) {
+    return scaled(fault_named(demo(), {}, text), 3).words;
+  };
+  EXPECT_EQ(words("dvl:bias"), "dvl: bias, velocity_mps = 0.9");
+  EXPECT_EQ(words("dvl:delay"), "dvl: delay, seconds = 1.5");
+  EXPECT_EQ(words("depth:drift"), "depth: drift, pressure_pa = 60000");
+  EXPECT_EQ(scaled(fault_named(demo(), {}, "depth:drift"), 3).within_s, 20);
+  EXPECT_EQ(words("dvl:unplug"), "dvl: unplug") << "has no amount";
+  const auto drop = scaled(fault_named(demo(), {}, "dvl:drop"), 30);
+  EXPECT_EQ(drop.words, "dvl: drop, probability = 1");
 }
 
 TEST(Scorecard, NoDeviceWithAChecksumGivesAWrongNumberForDamagedBytes) {
