@@ -56,7 +56,8 @@ struct Navigation {
 };
 
 /// What an estimate promises. An error exceeds a bound with a probability of 1e-7 while the
-/// estimate is valid and its sensors are sound: docs/estimators/integrity.md. It is not on the bus.
+/// estimate is valid and its sensors are sound: docs/estimators/integrity.md. The bus tells it on
+/// `rt/diagnostics`.
 struct Integrity {
   bool valid = true;
   double roll_bound_rad = 0, pitch_bound_rad = 0;

@@ -3,22 +3,27 @@
 #include "drivers/bus/publisher.hpp"
 #include "drivers/host/finding_status.hpp"
 #include "drivers/host/follower.hpp"
+#include "drivers/host/integrity_status.hpp"
 
 namespace drydock::host {
 
-/// Puts measurements, estimates, health and findings of a run on the bus. The truth is not on the
-/// bus.
+/// Puts measurements, estimates with their integrity, health and findings of a run on the bus. The
+/// truth is not on the bus.
 class RigPublisher final : public Follower {
  public:
   RigPublisher(const bus::Participant& participant, const std::vector<bus::Device>& devices,
                const std::vector<std::string>& estimators = {},
                const std::vector<std::string>& navigators = {})
-      : to_(participant, devices, estimators, navigators), findings_(devices) {}
+      : to_(participant, devices, estimators, navigators),
+        findings_(devices),
+        integrity_(estimators) {}
 
   void on_measurement(const measurement::Measurement& m) override { to_.publish(m); }
   void on_estimate(const Estimate& estimate) override {
     to_.publish(estimate.attitude, estimate.estimator);
     if (estimate.navigation) to_.publish(*estimate.navigation, estimate.estimator);
+    if (const auto status = integrity_.take(estimate))
+      to_.publish({&*status, 1}, estimate.attitude.valid_at);
   }
   void on_health(const HealthReport& health, Stamp now) override {
     to_.publish(health.statuses(), now);
@@ -32,6 +37,7 @@ class RigPublisher final : public Follower {
  private:
   bus::Publisher to_;
   FindingStatuses findings_;
+  IntegrityStatuses integrity_;
 };
 
 }  // namespace drydock::host

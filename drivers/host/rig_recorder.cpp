@@ -124,6 +124,7 @@ RigRecorder::RigRecorder(const rig_config::Rig& rig, record::Parts parts, Stamp 
     : path_(parts.first.path),
       recorder_(std::move(parts), recorder_options(rig, start, when_behind)),
       findings_(bus_devices(rig)),
+      integrity_(estimator_names(rig)),
       truth_(rig.estimators.size()) {}
 
 void RigRecorder::record(const Estimate& estimate, std::size_t index) {

@@ -2,6 +2,7 @@
 
 #include "drivers/host/finding_status.hpp"
 #include "drivers/host/follower.hpp"
+#include "drivers/host/integrity_status.hpp"
 #include "drivers/recordings/record/recorder.hpp"
 #include "rig_config/rig.hpp"
 
@@ -32,7 +33,11 @@ class RigRecorder final : public Follower {
   void on_measurement(const measurement::Measurement& measurement) override {
     recorder_.topics().publish(measurement);
   }
-  void on_estimate(const Estimate& estimate) override { record(estimate, estimate.estimator); }
+  void on_estimate(const Estimate& estimate) override {
+    record(estimate, estimate.estimator);
+    if (const auto status = integrity_.take(estimate))
+      recorder_.topics().publish({&*status, 1}, estimate.attitude.valid_at);
+  }
   void on_truth(const Estimate& truth) override { record(truth, truth_); }
   void on_innovation(const bus::Innovation& innovation) override {
     recorder_.topics().publish(innovation);
@@ -62,6 +67,7 @@ class RigRecorder final : public Follower {
   std::string path_;  ///< of a divided recording, its first file
   record::Recorder recorder_;
   FindingStatuses findings_;
+  IntegrityStatuses integrity_;
   std::size_t truth_;  ///< the truth is recorded as one more estimator
   bool told_ = false;
 };

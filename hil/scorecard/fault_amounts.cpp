@@ -113,12 +113,14 @@ void check_names(std::string_view what, const std::vector<std::string>& asked,
 rig_config::FaultConfig scaled(const rig_config::FaultConfig& fault, double times) {
   const auto comma = fault.words.find(", ");  // "dvl: delay, seconds = 0.5"
   const auto equals = fault.words.find("= ", std::min(comma, fault.words.size()));
-  if (times == 1 || equals == fault.words.npos) return fault;
+  if (times == 1 || equals == fault.words.npos || fault.kind == FaultKind::wrong_baud) return fault;
   const FaultWord& word = rig_config::word_of(fault.kind);
   const bool quantity = word.amount == "quantity";
   const double most = quantity ? rig_config::words::any : word.highest;
   const double least = quantity ? -most : word.lowest;
-  const double amount = std::clamp(times * std::stod(fault.words.substr(equals + 2)), least, most);
+  const double usual = std::stod(fault.words.substr(equals + 2));
+  const double none = word.amount == "times" ? 1 : 0;
+  const double amount = std::clamp(none + times * (usual - none), least, most);
   const auto key = fault.words.substr(comma + 2, equals - comma - 2);
   DeviceConfig device;
   device.name = fault.device;

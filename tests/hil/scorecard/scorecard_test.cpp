@@ -67,6 +67,7 @@ TEST(Pairs, WithThreeTimesTheAmountKeepTheirLimits) {
   EXPECT_EQ(words("dvl:delay"), "dvl: delay, seconds = 1.5");
   EXPECT_EQ(words("depth:drift"), "depth: drift, pressure_pa = 60000");
   EXPECT_EQ(scaled(fault_named(demo(), {}, "depth:drift"), 3).within_s, 20);
+  EXPECT_EQ(words("dvl:slow"), "dvl: slow, times = 4") << "1 is no fault";
   EXPECT_EQ(words("dvl:unplug"), "dvl: unplug") << "has no amount";
   const auto drop = scaled(fault_named(demo(), {}, "dvl:drop"), 30);
   EXPECT_EQ(drop.words, "dvl: drop, probability = 1");

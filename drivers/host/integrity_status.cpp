@@ -1,0 +1,45 @@
+#include "drivers/host/integrity_status.hpp"
+
+#include <fmt/format.h>
+
+#include "drivers/measurement/units.hpp"
+
+namespace drydock::host {
+namespace {
+
+constexpr std::chrono::seconds period{1};
+
+bus::DeviceStatus status_of(const std::string& name, const bus::Integrity& integrity) {
+  bus::DeviceStatus status{.level = integrity.valid ? bus::Level::ok : bus::Level::warn,
+                           .name = name + "/integrity",
+                           .message = integrity.valid ? "valid" : "not valid",
+                           .hardware_id = name,
+                           .values = {{"valid", integrity.valid ? "true" : "false"}}};
+  const auto add = [&](const char* key, double value) {
+    status.values.emplace_back(key, fmt::format("{:.6g}", value));
+  };
+  add("roll_bound_deg", integrity.roll_bound_rad * units::degrees_per_radian);
+  add("pitch_bound_deg", integrity.pitch_bound_rad * units::degrees_per_radian);
+  if (integrity.heading_bound_rad)
+    add("heading_bound_deg", *integrity.heading_bound_rad * units::degrees_per_radian);
+  if (integrity.horizontal_bound_m) add("horizontal_bound_m", *integrity.horizontal_bound_m);
+  return status;
+}
+
+}  // namespace
+
+IntegrityStatuses::IntegrityStatuses(std::vector<std::string> estimators) {
+  for (auto& name : estimators) told_.push_back({.name = std::move(name)});
+}
+
+std::optional<bus::DeviceStatus> IntegrityStatuses::take(const Estimate& estimate) {
+  Told& told = told_.at(estimate.estimator);
+  const auto at = estimate.attitude.valid_at;
+  const bool valid = estimate.integrity.valid;
+  if (valid == told.valid && at - told.at < period && told.at <= at) return {};
+  told.at = at;
+  told.valid = valid;
+  return status_of(told.name, estimate.integrity);
+}
+
+}  // namespace drydock::host

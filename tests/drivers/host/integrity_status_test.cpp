@@ -1,0 +1,52 @@
+#include "drivers/host/integrity_status.hpp"
+
+#include <gmock/gmock.h>
+
+#include <numbers>
+
+namespace drydock::host {
+namespace integrity_status_test {
+
+using testing::Contains;
+using testing::Pair;
+
+/// A leveling estimate at so many seconds.
+Estimate estimate_at(double seconds, bool valid) {
+  Estimate estimate;
+  estimate.attitude.valid_at = measurement::Stamp{} + measurement::from_seconds(seconds);
+  estimate.integrity = {.valid = valid,
+                        .roll_bound_rad = std::numbers::pi / 180,
+                        .pitch_bound_rad = std::numbers::pi / 90,
+                        .heading_bound_rad = {},
+                        .horizontal_bound_m = 12.5};
+  return estimate;
+}
+
+TEST(IntegrityStatuses, SayTheBoundsInDegreesAndMetres) {
+  IntegrityStatuses statuses({"leveling"});
+  const auto status = statuses.take(estimate_at(100, true));
+  ASSERT_TRUE(status);
+  EXPECT_EQ(status->name, "leveling/integrity");
+  EXPECT_EQ(status->level, bus::Level::ok);
+  EXPECT_THAT(status->values, Contains(Pair("valid", "true")));
+  EXPECT_THAT(status->values, Contains(Pair("roll_bound_deg", "1")));
+  EXPECT_THAT(status->values, Contains(Pair("pitch_bound_deg", "2")));
+  EXPECT_THAT(status->values, Contains(Pair("horizontal_bound_m", "12.5")));
+  EXPECT_THAT(status->values, testing::Not(Contains(Pair("heading_bound_deg", testing::_))));
+}
+
+TEST(IntegrityStatuses, ComeOnceASecondAndAtEachChange) {
+  IntegrityStatuses statuses({"leveling"});
+  int told = 0;
+  for (int i = 0; i < 500; ++i)
+    told += statuses.take(estimate_at(100 + 0.01 * i, true)).has_value();
+  EXPECT_EQ(told, 5);
+  const auto doubt = statuses.take(estimate_at(105.001, false));
+  ASSERT_TRUE(doubt);
+  EXPECT_EQ(doubt->level, bus::Level::warn);
+  EXPECT_FALSE(statuses.take(estimate_at(105.002, false)));
+  EXPECT_TRUE(statuses.take(estimate_at(105.003, true)));
+}
+
+}  // namespace integrity_status_test
+}  // namespace drydock::host
