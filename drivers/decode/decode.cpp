@@ -234,10 +234,12 @@ int decode(const DecodeOptions& options, std::FILE* out, std::FILE* err) {
   wire::with_protocol(wire::FramesAsTheyAre{}, protocol, frames);
 
   if (blocks.error() != 0) {
-    return refuse(err, fmt::format("cannot read {}: {}", file, std::strerror(blocks.error())));
+    return refuse(err, fmt::format("cannot read {}: {}", file, std::strerror(blocks.error())),
+                  terminal::exit_failed);
   }
-  if (capture.unknown()) return refuse(err, capture::unknown_format_text(file));
-  if (!written) return refuse(err, "cannot write the output");
+  if (capture.unknown())
+    return refuse(err, capture::unknown_format_text(file), terminal::exit_failed);
+  if (!written) return refuse(err, "cannot write the output", terminal::exit_failed);
   if (!options.quiet) {
     print_totals(err, counters, sink.messages(), capture);
     print_passed_over(err, sink);

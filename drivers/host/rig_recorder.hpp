@@ -21,6 +21,9 @@ class RigRecorder final : public Follower {
   /// Throws std::runtime_error with one line if the file cannot be made.
   RigRecorder(const rig_config::Rig& rig, const RecordOptions& options, Stamp start,
               record::WhenBehind when_behind);
+  ~RigRecorder() override;  ///< removes a file that was never finished and has no message
+  RigRecorder(const RigRecorder&) = delete;
+  RigRecorder& operator=(const RigRecorder&) = delete;
 
   void on_bytes(std::string_view link, shell::Direction way, wire::Bytes bytes, Stamp at) override {
     recorder_.on_bytes(link, way, bytes, at);
@@ -63,7 +66,7 @@ class RigRecorder final : public Follower {
   record::Recorder recorder_;
   FindingStatuses findings_;
   std::size_t truth_;  ///< the truth is recorded as one more estimator
-  bool told_ = false;
+  bool told_ = false, finished_ = false;
 };
 
 }  // namespace drydock::host
