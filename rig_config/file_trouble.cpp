@@ -11,7 +11,7 @@ std::string file_trouble(const std::string& path) {
   std::error_code error;
   const auto status = std::filesystem::status(path, error);
   if (error) return error.message();
-  if (std::filesystem::is_directory(status)) return "is a folder";
+  if (std::filesystem::is_directory(status)) return "is a folder, not a file";
   if (!std::filesystem::is_regular_file(status)) return "";
   errno = 0;
   if (!std::ifstream(path)) return std::strerror(errno);

@@ -39,7 +39,7 @@ std::vector<std::filesystem::path> shipped_files(std::string_view kind) {
   for (const auto& entry :
        std::filesystem::directory_iterator(shipped_folder() / "rig_config" / kind, error))
     if (entry.path().extension() == ".toml") files.push_back(entry.path());
-  std::ranges::sort(files);
+  std::ranges::sort(files, {}, [](const auto& file) { return file.stem(); });
   return files;
 }
 

@@ -100,7 +100,7 @@ Loaded<std::string> read_file(const std::string& path) {
     return Problems{{path, 0, 0, "/", "cannot be read: " + why}};
   std::error_code error;
   if (!fs::is_regular_file(path, error))
-    return Problems{{path, 0, 0, "/", "cannot be read: is no plain file"}};
+    return Problems{{path, 0, 0, "/", "cannot be read: is a device or a pipe, not a file"}};
   const auto size = fs::file_size(path, error);
   if (size > largest_file)
     return Problems{

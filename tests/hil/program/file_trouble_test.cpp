@@ -59,7 +59,7 @@ TEST(FileTrouble, EachIsCalledWhatItIsByTheRigFile) {
   const Files files;
   EXPECT_THAT(drydock("check " + files.empty).output, HasSubstr("cannot be read: is empty"));
   EXPECT_THAT(drydock("check /tmp").output, HasSubstr("cannot be read: is a folder"));
-  EXPECT_THAT(drydock("check /dev/null").output, HasSubstr("is no plain file"));
+  EXPECT_THAT(drydock("check /dev/null").output, HasSubstr("is a device or a pipe"));
   const auto secret = as_nobody("check " + files.secret);
   EXPECT_EQ(secret.exit_code, 2);
   EXPECT_THAT(secret.output, HasSubstr("cannot be read: Permission denied"));
