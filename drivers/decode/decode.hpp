@@ -17,7 +17,8 @@ struct DecodeOptions {
   bool quiet = false;    ///< no totals on `err`
   std::string format{};  ///< one of decode_formats(); empty: recognised by content
   std::shared_ptr<const wire::described::Description> description{};  ///< null: of the registry
-  std::string dbc{};  ///< a DBC file in place of a protocol; empty: none
+  std::string interface {};  ///< of a pcapng file with several serial lines
+  std::string dbc{};         ///< a DBC file in place of a protocol; empty: none
 };
 
 /// `drydock decode`: reads a capture and writes JSON Lines, one object for each message. Byte

@@ -4,12 +4,12 @@
 
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/post.hpp>
-#include <cstring>
 #include <functional>
 #include <memory>
 #include <stdexcept>
 #include <utility>
 
+#include "drivers/capture/line_file.hpp"
 #include "drivers/io/until_stopped.hpp"
 #include "drivers/link/can/frame_file.hpp"
 #include "drivers/shell/device_actor.hpp"
@@ -135,10 +135,11 @@ void print_totals(std::FILE* err, const device::Health& health, const capture::T
 /// a CAN capture, otherwise zero. Throws if the file cannot be read.
 Stamp start_of(const link::Uri& uri, bool on_bus) {
   if (!on_bus) {
-    capture::FileBlocks blocks(uri.target);
-    blocks.read();
-    if (blocks.error() == 0) return Stamp{};
-    throw std::runtime_error("cannot read " + uri.target + ": " + std::strerror(blocks.error()));
+    capture::LineFile line(uri.target, uri.text_of("format") == "raw",
+                           std::string(uri.text_of("interface")));
+    const auto first = line.next();
+    if (const auto trouble = line.trouble(); !trouble.empty()) throw std::runtime_error(trouble);
+    return Stamp{first ? first->time.value_or(Stamp::duration{0}) : Stamp::duration{0}};
   }
   capture::CaptureFile file = link::capture_of(uri);
   const auto first = file.next();

@@ -10,6 +10,7 @@
 #include "drivers/probe/probe_report.hpp"
 #include "drivers/terminal/exit_codes.hpp"
 #include "hil/info/capture_info.hpp"
+#include "hil/info/line_info.hpp"
 #include "hil/info/recording_info.hpp"
 #include "rig_config/file_trouble.hpp"
 
@@ -38,7 +39,12 @@ int of_recording(const std::string& file, bool json, std::FILE* out, std::FILE* 
 
 /// What the drivers hear in a capture, and for a file of bytes all that can be said.
 int of_capture(const std::string& file, bool json, std::FILE* out) {
+  const auto lines = line_infos(file);
   const auto frames = capture_info(file);
+  if (!lines.empty() && frames && frames->frames == 0) {
+    fmt::print(out, "{}", json ? to_json(file, lines) : to_text(file, lines));
+    return terminal::exit_success;
+  }
   if (frames) fmt::print(out, "{}", json ? to_json(*frames) : to_text(*frames));
   if (frames && json) return terminal::exit_success;
   const auto heard = probe::find_sensors("file:" + file + "?speed=max", 0);
