@@ -44,6 +44,7 @@ const std::vector<Row>& rows() {
       {"completion", "bash", "", ""},
       {"man", " ", "", ""},
       {"help", "run", "", ""},
+      {"topic", "fixtures/recording/before-accuracies.mcap", DEMO " --for 1h", ""},
       {"example", " ", "", ""},
       {"new", "", "", ""},
       {"info", DIVE, "", ""},

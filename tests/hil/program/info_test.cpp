@@ -2,7 +2,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "tests/hil/program/program.hpp"
 
@@ -64,6 +66,37 @@ TEST_F(InfoOfARun, SaysWhereACutOneIsDamagedAndIsOne) {
   const auto said = drydock("info " + dive_);
   EXPECT_EQ(said.exit_code, 1);
   EXPECT_THAT(said.output, HasSubstr("damaged: "));
+}
+
+TEST_F(InfoOfARun, AndTopicEchoesTheMessagesOfADevice) {
+  const auto said = drydock("topic " + dive_ + " dvl");
+  EXPECT_EQ(said.exit_code, 0);
+  std::istringstream lines(said.output);
+  std::string line;
+  std::size_t tracks = 0;
+  while (std::getline(lines, line)) tracks += json::parse(line)["topic"] == "/dvl/bottom_track";
+  EXPECT_NEAR(static_cast<double>(tracks), 100, 3) << "5 Hz for 20 s";
+  EXPECT_EQ(drydock("topic " + dive_ + " /imu/data --count 3 | wc -l").output, "3\n");
+  const auto none = drydock("topic " + dive_ + " sonar");
+  EXPECT_EQ(none.exit_code, 1);
+  EXPECT_THAT(none.output, HasSubstr("/dvl/bottom_track"));
+}
+
+TEST(Topic, OfARunningRigComesFromTheBus) {
+  const auto said =
+      drydock(std::string(program::emulated_demo) +
+              "drive rig_config/rigs/demo.toml --for 10s >/dev/null & sleep 2; " DRYDOCK_PROGRAM
+              " topic rig_config/rigs/demo.toml imu --count 5; "
+              "true");
+  std::istringstream lines(said.output);
+  std::string line;
+  int messages = 0;
+  while (std::getline(lines, line)) {
+    const auto message = json::parse(line, nullptr, false);
+    messages += message.contains("device") && message["device"] == "imu" &&
+                std::abs(message["specific_force_mps2"][2].get<double>() + 9.8) < 1;
+  }
+  EXPECT_EQ(messages, 5) << said.output;
 }
 
 TEST(Info, OfACandumpLogHasItsFramesInterfacesAndGap) {
