@@ -9,9 +9,9 @@
 #include <variant>
 #include <vector>
 
-#include "drivers/capture/comment_head.hpp"
 #include "drivers/capture/file_blocks.hpp"
 #include "drivers/capture/frame_capture.hpp"
+#include "drivers/capture/line_file.hpp"
 #include "drivers/decode/decode_by_dbc.hpp"
 #include "drivers/decode/records.hpp"
 #include "drivers/terminal/exit_codes.hpp"
@@ -27,6 +27,7 @@ namespace {
 
 using capture::FileBlocks;
 using capture::FrameCapture;
+using capture::LineFile;
 
 constexpr std::string_view raw_format = "raw";
 
@@ -86,10 +87,8 @@ class Sink {
 
 /// Decodes a byte capture to its end. False if the output cannot be written.
 template <class Codec>
-bool decode_bytes(const Codec& codec, FileBlocks& blocks, bool raw, Sink& sink,
-                  wire::StreamCounters& counters) {
+bool decode_bytes(const Codec& codec, LineFile& line, Sink& sink, wire::StreamCounters& counters) {
   const auto framer = std::make_unique<wire::Framer<Codec::max_frame>>();
-  capture::CommentHead head;
   const auto scan = [&](wire::Bytes bytes) { return codec.scan(bytes); };
   const auto on_frame = [&](wire::Bytes frame, std::size_t) {
     const auto message = codec.decode(frame);
@@ -97,9 +96,9 @@ bool decode_bytes(const Codec& codec, FileBlocks& blocks, bool raw, Sink& sink,
     wire::tell_passed_over<Codec>(frame, message.has_value(),
                                   [&](const std::string& name) { sink.passed_over(name); });
   };
-  for (wire::Bytes block = blocks.read(); !block.empty(); block = blocks.read()) {
-    framer->feed(raw ? block : head.without(block), scan, on_frame);
-    if (!blocks.likely_more(block) && !sink.flush()) return false;  // a live input: show it now
+  while (const auto read = line.next()) {
+    framer->feed(read->bytes, scan, on_frame);
+    if (!line.likely_more(read->bytes) && !sink.flush()) return false;  // a live input: show it now
   }
   const auto [total, frames] = std::pair(framer->counters().bytes_in, framer->counters().frames);
   constexpr std::uint8_t line_end[] = {'\n'};  // the last line of a capture may have no end
@@ -149,10 +148,11 @@ bool decode_frames(const Make& make, wire::Network network, FileBlocks& blocks,
 }
 
 /// Decodes with a description, whichever way its sensor talks.
-bool decode_described(const wire::described::DescriptionPtr& description, FileBlocks& blocks,
-                      bool raw, FrameCapture& frames, Sink& sink, wire::StreamCounters& counters) {
+bool decode_described(const wire::described::DescriptionPtr& description, LineFile& line,
+                      FileBlocks& blocks, FrameCapture& frames, Sink& sink,
+                      wire::StreamCounters& counters) {
   if (!description->frames)
-    return decode_bytes(wire::described::DescribedCodec(description), blocks, raw, sink, counters);
+    return decode_bytes(wire::described::DescribedCodec(description), line, sink, counters);
   const auto make = [&] { return wire::described::FrameDecoder(description); };
   return decode_frames(make, description->facts.network, blocks, frames, sink, counters);
 }
@@ -217,27 +217,32 @@ int decode(const DecodeOptions& options, std::FILE* out, std::FILE* err) {
 
   const std::string file = options.file.empty() ? "standard input" : options.file;
   FileBlocks blocks(options.file);
+  LineFile line(options.file, raw, options.interface);
   FrameCapture capture(format);
   Sink sink(options, out);
   wire::StreamCounters counters;
   bool written = false;
-  const auto bytes = [&]<class P>() { written = decode_bytes(P{}, blocks, raw, sink, counters); };
+  const auto bytes = [&]<class P>() { written = decode_bytes(P{}, line, sink, counters); };
   const auto frames = [&]<class P>() {
     const auto make = [] { return typename P::Decoder{}; };
     written = decode_frames(make, network_of<P>(), blocks, capture, sink, counters);
   };
   if (options.description)
-    written = decode_described(options.description, blocks, raw, capture, sink, counters);
+    written = decode_described(options.description, line, blocks, capture, sink, counters);
   wire::with_protocol(wire::BytesProtocols{}, protocol, bytes);
   wire::with_protocol(wire::FrameCarriers{}, protocol, bytes);
   wire::with_protocol(wire::FrameProtocols{}, protocol, frames);
   wire::with_protocol(wire::FramesAsTheyAre{}, protocol, frames);
 
   if (blocks.error() != 0) {
-    return refuse(err, fmt::format("cannot read {}: {}", file, std::strerror(blocks.error())));
+    return refuse(err, fmt::format("cannot read {}: {}", file, std::strerror(blocks.error())),
+                  terminal::exit_failed);
   }
-  if (capture.unknown()) return refuse(err, capture::unknown_format_text(file));
-  if (!written) return refuse(err, "cannot write the output");
+  if (!from_frames && !line.trouble().empty())
+    return refuse(err, line.trouble(), terminal::exit_failed);
+  if (capture.unknown())
+    return refuse(err, capture::unknown_format_text(file), terminal::exit_failed);
+  if (!written) return refuse(err, "cannot write the output", terminal::exit_failed);
   if (!options.quiet) {
     print_totals(err, counters, sink.messages(), capture);
     print_passed_over(err, sink);

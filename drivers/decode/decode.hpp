@@ -17,15 +17,16 @@ struct DecodeOptions {
   bool quiet = false;    ///< no totals on `err`
   std::string format{};  ///< one of decode_formats(); empty: recognised by content
   std::shared_ptr<const wire::described::Description> description{};  ///< null: of the registry
-  std::string dbc{};  ///< a DBC file in place of a protocol; empty: none
+  std::string interface {};  ///< of a pcapng file with several serial lines
+  std::string dbc{};         ///< a DBC file in place of a protocol; empty: none
 };
 
 /// `drydock decode`: reads a capture and writes JSON Lines, one object for each message. Byte
 /// protocols read the raw line and ignore anything else on it, and also the comments at the head
 /// of the file (drivers/capture/comment_head.hpp). CAN protocols and DBC files read every format of
 /// drivers/capture and add `time_s` and `interface`. Exit code: 0 something was decoded, 1 nothing
-/// was decoded, 2 the protocol or format is unknown, a file cannot be read, or the output cannot be
-/// written.
+/// was decoded, the capture cannot be read or the output cannot be written, 2 the protocol, the
+/// format or the DBC file is wrong.
 int decode(const DecodeOptions& options, std::FILE* out, std::FILE* err);
 
 /// Names for --protocol: "a, b, c".

@@ -173,9 +173,12 @@ int decode_capture(const dbc::Database& database, const DecodeOptions& options, 
       [&] { return messages.flush(); });
   messages.finish();
   const std::string file = options.file.empty() ? "standard input" : options.file;
-  if (blocks.error() != 0) return refuse(err, cannot_read(file, blocks.error()));
-  if (capture.unknown()) return refuse(err, capture::unknown_format_text(file));
-  if (!read || !messages.flush()) return refuse(err, "cannot write the output");
+  if (blocks.error() != 0)
+    return refuse(err, cannot_read(file, blocks.error()), terminal::exit_failed);
+  if (capture.unknown())
+    return refuse(err, capture::unknown_format_text(file), terminal::exit_failed);
+  if (!read || !messages.flush())
+    return refuse(err, "cannot write the output", terminal::exit_failed);
   if (!options.quiet) {
     messages.print_totals(err, capture);
     const std::string damage = capture::damage_text(capture.tally());

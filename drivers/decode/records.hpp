@@ -41,9 +41,9 @@ inline void put_record(text::JsonWriter& json, const capture::Record& record) {
   json.field("interface", record.interface);
 }
 
-inline int refuse(std::FILE* err, const std::string& why) {
+inline int refuse(std::FILE* err, const std::string& why, int code = terminal::exit_usage) {
   fmt::print(err, "decode: {}\n", why);
-  return terminal::exit_usage;
+  return code;
 }
 
 }  // namespace drydock::decode

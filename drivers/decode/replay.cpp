@@ -4,18 +4,19 @@
 
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/post.hpp>
-#include <cstring>
 #include <functional>
 #include <memory>
 #include <stdexcept>
 #include <utility>
 
+#include "drivers/capture/line_file.hpp"
 #include "drivers/io/until_stopped.hpp"
 #include "drivers/link/can/frame_file.hpp"
 #include "drivers/shell/device_actor.hpp"
 #include "drivers/shell/real_time.hpp"
 #include "drivers/shell/recorded_bus.hpp"
 #include "drivers/shell/recorded_line.hpp"
+#include "drivers/terminal/early_end.hpp"
 #include "drivers/terminal/exit_codes.hpp"
 #include "drivers/text/json_lines.hpp"
 #include "drivers/text/measurement_fields.hpp"
@@ -134,10 +135,11 @@ void print_totals(std::FILE* err, const device::Health& health, const capture::T
 /// a CAN capture, otherwise zero. Throws if the file cannot be read.
 Stamp start_of(const link::Uri& uri, bool on_bus) {
   if (!on_bus) {
-    capture::FileBlocks blocks(uri.target);
-    blocks.read();
-    if (blocks.error() == 0) return Stamp{};
-    throw std::runtime_error("cannot read " + uri.target + ": " + std::strerror(blocks.error()));
+    capture::LineFile line(uri.target, uri.text_of("format") == "raw",
+                           std::string(uri.text_of("interface")));
+    const auto first = line.next();
+    if (const auto trouble = line.trouble(); !trouble.empty()) throw std::runtime_error(trouble);
+    return Stamp{first ? first->time.value_or(Stamp::duration{0}) : Stamp::duration{0}};
   }
   capture::CaptureFile file = link::capture_of(uri);
   const auto first = file.next();
@@ -177,7 +179,7 @@ void play_in_real_time(std::unique_ptr<Device> device, Printer& printer, std::FI
   std::vector<std::unique_ptr<Device>> devices;
   devices.push_back(std::move(device));
   shell::RealTime shell(io, std::move(devices), printer);
-  io::UntilStopped until(io, 0, [&] {
+  io::UntilStopped until(io, 0, [&] {  // the end of the capture is that of the work
     printer.on_closed = nullptr;
     if (totals != nullptr) print_totals(totals, shell.health(0), nullptr);
     shell.stop();
@@ -186,6 +188,7 @@ void play_in_real_time(std::unique_ptr<Device> device, Printer& printer, std::FI
   printer.on_closed = [&] { boost::asio::post(io, [&] { until.stop(); }); };
   shell.start();
   io.run();
+  if (until.interrupted()) terminal::note_early_end();
 }
 
 /// Passes measurements to the hook. It discards data that the driver sends.
@@ -213,27 +216,43 @@ Kind play(const ReplayOptions& options, const MeasurementHook& hook) {
   return kind;
 }
 
-int replay(const ReplayOptions& options, std::FILE* out, std::FILE* err) {
-  std::FILE* const totals = options.quiet ? nullptr : err;
+namespace {
+
+int refuse_replay(std::FILE* err, const std::string& why, int code) {
+  fmt::print(err, "replay: {}\n", why);
+  return code;
+}
+
+/// Throws std::runtime_error if the capture cannot be read.
+int play_aloud(const link::Uri& uri, std::unique_ptr<Device> device, std::FILE* out,
+               std::FILE* totals) {
   Printer printer(out, totals);
-  try {
-    const link::Uri uri = uri_of(options);
-    auto device = make_device(options, uri);
-    const Stamp start = start_of(uri, device->on_bus());
-    if (uri.speed().value_or(0) > 0) {
-      play_in_real_time(std::move(device), printer, totals);
-    } else {
-      play_in_virtual_time(uri, std::move(device), start, printer, printer, totals);
-    }
-  } catch (const std::exception& error) {
-    fmt::print(err, "replay: {}\n", error.what());
-    return terminal::exit_usage;
+  const Stamp start = start_of(uri, device->on_bus());
+  if (uri.speed().value_or(0) > 0) {
+    play_in_real_time(std::move(device), printer, totals);
+  } else {
+    play_in_virtual_time(uri, std::move(device), start, printer, printer, totals);
   }
-  if (!printer.flush()) {
-    fmt::print(err, "replay: cannot write the output\n");
-    return terminal::exit_usage;
-  }
+  if (!printer.flush()) throw std::runtime_error("cannot write the output");
   return terminal::exit_of(printer.measurements() > 0);
+}
+
+}  // namespace
+
+int replay(const ReplayOptions& options, std::FILE* out, std::FILE* err) {
+  std::optional<link::Uri> uri;
+  std::unique_ptr<Device> device;
+  try {
+    uri = uri_of(options);
+    device = make_device(options, *uri);
+  } catch (const std::exception& error) {
+    return refuse_replay(err, error.what(), terminal::exit_usage);
+  }
+  try {
+    return play_aloud(*uri, std::move(device), out, options.quiet ? nullptr : err);
+  } catch (const std::exception& error) {
+    return refuse_replay(err, error.what(), terminal::exit_failed);
+  }
 }
 
 }  // namespace drydock::decode

@@ -72,6 +72,12 @@ Diagnosis check_port(const std::string& root, const std::string& path, const Ide
   if (who.user == 0 || ours || by_group || by_all)
     return {"permissions", Fitness::ok, path + " may be read and written", ""};
   const std::string group = group_name(root, info.st_gid);
+  const bool for_a_group = (info.st_mode & S_IRGRP) && (info.st_mode & S_IWGRP);
+  if (group == "root" || !for_a_group)
+    return {"permissions", Fitness::wrong, path + " is for root alone: no rule gave it to a group",
+            fmt::format("sudo chgrp dialout {0} && sudo chmod g+rw {0}  # until it is plugged in "
+                        "again; a udev rule does it for good",
+                        path)};
   return {"permissions", Fitness::wrong,
           fmt::format("{} belongs to the group {}, and you do not", path, group),
           fmt::format("sudo usermod -aG {} $USER  # then log in again", group)};

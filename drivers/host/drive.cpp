@@ -17,6 +17,7 @@
 #include "drivers/link/link.hpp"
 #include "drivers/shell/rig_devices.hpp"
 #include "drivers/terminal/exit_codes.hpp"
+#include "drivers/terminal/service_manager.hpp"
 
 namespace drydock::host {
 namespace {
@@ -69,6 +70,7 @@ class Drive {
     io::UntilStopped until(io_, options_.duration_s, [this] { stop(); });
     keep_ticking();
     host_.start();
+    service_manager_.ready();
     io_.run();
     if (recorder_) fmt::print("{}\n", recorder_->finish());
     return terminal::exit_of(all_streaming_ && !(recorder_ && recorder_->failed()));
@@ -81,12 +83,14 @@ class Drive {
       if (ec || stopped_) return;  // an expired timer can no longer be cancelled
       const auto now = link::now();
       followers_.tick(now);
+      service_manager_.alive();
       keep_ticking();
     });
   }
 
   void stop() {
     stopped_ = true;
+    service_manager_.stopping();
     all_streaming_ = host_.all_streaming();
     print_health(host_.shell());
     timer_.cancel();
@@ -106,6 +110,7 @@ class Drive {
   std::shared_ptr<Follower> behind_page_, beside_;
   DriverHost host_;
   boost::asio::steady_timer timer_{io_};
+  terminal::ServiceManager service_manager_;
   bool stopped_ = false, all_streaming_ = false;
 };
 

@@ -127,6 +127,12 @@ RigRecorder::RigRecorder(const rig_config::Rig& rig, record::Parts parts, Stamp 
       integrity_(estimator_names(rig)),
       truth_(rig.estimators.size()) {}
 
+RigRecorder::~RigRecorder() {
+  std::error_code ignored;
+  if (!finished_ && recorder_.status().messages == 0 && fs::is_regular_file(path_, ignored))
+    fs::remove(path_, ignored);
+}
+
 void RigRecorder::record(const Estimate& estimate, std::size_t index) {
   recorder_.topics().publish(estimate.attitude, index);
   if (estimate.navigation) recorder_.topics().publish(*estimate.navigation, index);
@@ -141,6 +147,7 @@ void RigRecorder::tick(Stamp now) {
 }
 
 std::string RigRecorder::finish() {
+  finished_ = true;
   const auto error = recorder_.finish();
   const auto status = recorder_.status();
   if (error)

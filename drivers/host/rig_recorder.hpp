@@ -22,6 +22,9 @@ class RigRecorder final : public Follower {
   /// Throws std::runtime_error with one line if the file cannot be made.
   RigRecorder(const rig_config::Rig& rig, const RecordOptions& options, Stamp start,
               record::WhenBehind when_behind);
+  ~RigRecorder() override;  ///< removes a file that was never finished and has no message
+  RigRecorder(const RigRecorder&) = delete;
+  RigRecorder& operator=(const RigRecorder&) = delete;
 
   void on_bytes(std::string_view link, shell::Direction way, wire::Bytes bytes, Stamp at) override {
     recorder_.on_bytes(link, way, bytes, at);
@@ -69,7 +72,7 @@ class RigRecorder final : public Follower {
   FindingStatuses findings_;
   IntegrityStatuses integrity_;
   std::size_t truth_;  ///< the truth is recorded as one more estimator
-  bool told_ = false;
+  bool told_ = false, finished_ = false;
 };
 
 }  // namespace drydock::host

@@ -5,16 +5,18 @@
 
 #include "drivers/measurement/stamp.hpp"
 #include "drivers/terminal/dead_terminal.hpp"
+#include "drivers/terminal/early_end.hpp"
 
 namespace drydock::io {
 
 UntilStopped::UntilStopped(boost::asio::io_context& io, double duration_s,
                            std::function<void()> stop)
     : stop_(std::move(stop)), signals_(io, SIGINT, SIGTERM, SIGHUP), timer_(io) {
-  signals_.async_wait([this](const boost::system::error_code& ec, int) {
+  signals_.async_wait([this, has_end = duration_s > 0](const boost::system::error_code& ec, int) {
     if (ec || stopped_) return;
     terminal::leave_dead_terminal();
     interrupted_ = true;
+    if (has_end) terminal::note_early_end();
     this->stop();
   });
   if (duration_s <= 0) return;
@@ -27,7 +29,8 @@ UntilStopped::UntilStopped(boost::asio::io_context& io, double duration_s,
 void UntilStopped::stop() {
   if (std::exchange(stopped_, true)) return;
   signals_.cancel();
-  signals_.clear();  // a second Ctrl-C ends the program at once
+  signals_.clear();
+  for (const int second : {SIGINT, SIGTERM}) std::signal(second, terminal::end_at_once);
   std::signal(SIGHUP, SIG_IGN);
   timer_.cancel();
   stop_();

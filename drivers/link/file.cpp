@@ -11,6 +11,7 @@
 #include <chrono>
 
 #include "drivers/capture/comment_head.hpp"
+#include "drivers/capture/line_file.hpp"
 #include "drivers/link/descriptor.hpp"
 
 namespace drydock::link {
@@ -121,6 +122,11 @@ std::optional<OpenError> refuse_file(const Uri& uri, Side side, Carries what) {
 
 OpenedBytes open_file(const asio::any_io_executor& executor, const Uri& uri, Side side) {
   if (auto refused = refuse_file(uri, side, Carries::bytes)) return std::move(*refused);
+  if (uri.text_of("format") != "raw" && capture::is_pcapng(uri.target))
+    return OpenError{asio::error::operation_not_supported,
+                     uri.target +
+                         " is a pcapng file: its serial lines play in virtual time alone "
+                         "(speed=max); drydock export --to raw gives a file of bytes"};
   Descriptor file(::open(uri.target.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
   if (!file) return open_error(errno, "cannot open " + uri.target);
   return std::make_unique<FileLink>(executor, std::move(file), uri, bytes_per_second(uri));

@@ -19,7 +19,7 @@ int describe(const std::string& file, std::FILE* out, std::FILE* err) {
     bytes.insert(bytes.end(), block.begin(), block.end());
   if (blocks.error() != 0) {
     fmt::print(err, "describe: cannot read {}: {}\n", file, std::strerror(blocks.error()));
-    return terminal::exit_usage;
+    return terminal::exit_failed;
   }
   const std::string guess = survey::guess_description(bytes);
   if (guess.empty())

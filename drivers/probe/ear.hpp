@@ -7,6 +7,7 @@
 
 #include "drivers/io/until_stopped.hpp"
 #include "drivers/link/link.hpp"
+#include "drivers/terminal/early_end.hpp"
 #include "drivers/wire/codec.hpp"
 
 namespace drydock::probe {
@@ -41,8 +42,8 @@ class Ear {
   void write(Link& link, Content content);
 
   boost::asio::io_context io_{1};
-  io::UntilStopped until_{io_, 0, [] {}};
-  int talking_ = 0;  ///< writes in progress
+  io::UntilStopped until_{io_, 0, terminal::note_early_end};  ///< it would end by itself
+  int talking_ = 0;                                           ///< writes in progress
   boost::system::error_code failure_;
 };
 

@@ -19,6 +19,6 @@ struct ExitCode {
 inline constexpr std::array exit_codes{ExitCode{exit_success, "success"},
                                        ExitCode{exit_failed, "the run or the input failed"},
                                        ExitCode{exit_usage, "wrong usage or configuration"},
-                                       ExitCode{exit_interrupted, "a signal before the verdict"}};
+                                       ExitCode{exit_interrupted, "a signal before the end"}};
 
 }  // namespace drydock::terminal

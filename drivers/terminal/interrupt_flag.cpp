@@ -4,6 +4,7 @@
 #include <csignal>
 
 #include "drivers/terminal/dead_terminal.hpp"
+#include "drivers/terminal/early_end.hpp"
 
 namespace drydock::terminal {
 namespace {
@@ -16,8 +17,9 @@ constexpr std::array ends{SIGINT, SIGTERM, SIGHUP};
 /// A shell and the kernel both send a SIGHUP: the second must not disturb the end.
 void on_end(int signal) {
   interrupted = true;
+  note_early_end();  // a loop that only a signal breaks off has an end of its own
   leave_dead_terminal();
-  std::signal(signal, signal == SIGHUP ? SIG_IGN : SIG_DFL);
+  std::signal(signal, signal == SIGHUP ? SIG_IGN : end_at_once);
 }
 
 }  // namespace

@@ -90,6 +90,8 @@ void RigRun::write(summary::Summary& summary) {
   std::ranges::move(setup::pipeline_notes(rig_, bench_->pipeline),
                     std::back_inserter(summary.notes));
   if (recorder_) summary.notes.push_back(recorder_->finish());
+  if (recorder_ && recorder_->failed())
+    summary.verdicts.push_back({"rig", "recording", summary.notes.back(), "complete"});
   if (findings_.not_kept() > 0)
     summary.notes.push_back(fmt::format("{} more findings were not kept", findings_.not_kept()));
   summary.findings = summary::accounts_of(findings_, rig_, start_);

@@ -6,11 +6,13 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <exception>
 #include <filesystem>
 #include <iterator>
 #include <stdexcept>
 
 #include "drivers/terminal/exit_codes.hpp"
+#include "hil/bench/short_run.hpp"
 #include "hil/summary/junit.hpp"
 #include "hil/summary/truth_of_rig.hpp"
 
@@ -56,21 +58,39 @@ summary::Summary run_or_report(const rig_config::Rig& rig, const RunOptions& opt
   throw;
 }
 
+/// A file that cannot be written does not keep the others from being written. Throws the first
+/// error at the end.
+void write_files(const summary::Summary& summary, const RunOptions& options,
+                 const std::string& rig_file) {
+  std::exception_ptr first;
+  const auto write = [&](const std::filesystem::path& path, const std::string& text) {
+    try {
+      report::write_file(path, text);
+      return true;
+    } catch (const std::exception&) {
+      if (!first) first = std::current_exception();
+      return false;
+    }
+  };
+  if (!options.json.empty()) write(options.json, summary::to_json(summary));
+  if (!options.junit.empty()) write(options.junit, summary::to_junit(summary, rig_file));
+  const auto page = std::filesystem::path(options.report) / "index.html";
+  if (!options.report.empty() && write(page, to_html(summary)))
+    fmt::print("report: {}\n", page.string());
+  if (first) std::rethrow_exception(first);
+}
+
 }  // namespace
 
 int run(const rig_config::Rig& rig, const RunOptions& options) {
   rig_config::Rig asked = rig;
   std::ranges::move(asked_for(rig, options), std::back_inserter(asked.expects));
-  const summary::Summary summary = run_or_report(asked, options);
+  summary::Summary summary = run_or_report(asked, options);
+  if (auto verdict = verdict_of_short_run(summary, options.duration_s))
+    summary.verdicts.push_back(std::move(*verdict));
   print(summary, options);
-  if (!options.json.empty()) report::write_file(options.json, summary::to_json(summary));
-  if (!options.junit.empty())
-    report::write_file(options.junit, summary::to_junit(summary, rig.file));
-  if (!options.report.empty()) {
-    const auto page = std::filesystem::path(options.report) / "index.html";
-    report::write_file(page, to_html(summary));
-    fmt::print("report: {}\n", page.string());
-  }
+  std::fflush(stdout);  // the verdict is seen even where a file is written slowly
+  write_files(summary, options, rig.file);
   return terminal::exit_of(std::ranges::all_of(summary.verdicts, &summary::Verdict::passed));
 }
 

@@ -7,11 +7,12 @@
 #include <boost/throw_exception.hpp>
 #include <charconv>
 #include <cmath>
-#include <filesystem>
 #include <fstream>
 #include <optional>
 #include <sstream>
 #include <stdexcept>
+
+#include "rig_config/file_trouble.hpp"
 
 namespace drydock::ocean {
 namespace {
@@ -153,10 +154,11 @@ boost::system::result<Raster, RasterError> read_raster(std::string_view text) {
 }
 
 boost::system::result<Raster, RasterError> read_raster_file(const std::string& path) {
+  if (const auto why = rig_config::file_trouble(path); !why.empty())
+    return RasterError{0, "cannot be read: " + why};
   std::ifstream in(path, std::ios::binary);
   std::ostringstream text;
-  if (std::filesystem::is_directory(path) || !in || !(text << in.rdbuf()))
-    return RasterError{0, "cannot be read: it is missing, empty or not a file"};
+  text << in.rdbuf();
   return read_raster(text.view());
 }
 

@@ -13,6 +13,9 @@ void add_estimate(CLI::App&, Command&);
 void add_check(CLI::App&, Command&);
 void add_fault(CLI::App&, Command&);
 void add_diagnose(CLI::App&, Command&);
+void add_topic(CLI::App&, Command&);
+void add_example(CLI::App&, Command&);
+void add_new(CLI::App&, Command&);
 // A wire, and the machine.
 void add_decode(CLI::App&, Command&);
 void add_probe(CLI::App&, Command&);
@@ -21,7 +24,9 @@ void add_monitor(CLI::App&, Command&);
 void add_doctor(CLI::App&, Command&);
 void add_completion(CLI::App&, Command&);
 void add_man(CLI::App&, Command&);
+void add_help(CLI::App&, Command&);
 // Recordings.
+void add_info(CLI::App&, Command&);
 void add_export(CLI::App&, Command&);
 void add_recover(CLI::App&, Command&);
 void add_cut(CLI::App&, Command&);
@@ -42,11 +47,12 @@ void add_scorecard(CLI::App&, Command&);
 
 std::span<const AddCommand> commands() {
   static constexpr auto all = std::to_array<AddCommand>(
-      {add_run,    add_emulate,      add_drive,  add_record,   add_estimate, add_check,
-       add_fault,  add_diagnose,     add_decode, add_probe,    add_describe, add_monitor,
-       add_doctor, add_completion,   add_man,    add_export,   add_recover,  add_cut,
-       add_bisect, add_replay,       add_proxy,  add_sensor,   add_sky,      add_maneuver,
-       add_study,  add_characterize, add_soak,   add_validity, add_load,     add_scorecard});
+      {add_run,          add_emulate,  add_drive,    add_record,  add_estimate,   add_check,
+       add_fault,        add_diagnose, add_topic,    add_example, add_new,        add_decode,
+       add_probe,        add_describe, add_monitor,  add_doctor,  add_completion, add_man,
+       add_help,         add_info,     add_export,   add_recover, add_cut,        add_bisect,
+       add_replay,       add_proxy,    add_sensor,   add_sky,     add_maneuver,   add_study,
+       add_characterize, add_soak,     add_validity, add_load,    add_scorecard});
   return all;
 }
 

@@ -11,6 +11,7 @@
 #include "hil/check/check_rig.hpp"
 #include "hil/fault/injector.hpp"
 #include "rig_config/load.hpp"
+#include "rig_config/shipped.hpp"
 
 namespace drydock::program {
 
@@ -39,7 +40,7 @@ void apply_environment(rig_config::Rig& rig) {
 }  // namespace
 
 rig_config::Rig load_rig(const std::string& path, check::Use use) {
-  auto rig = check::load_sound_rig(path, use);
+  auto rig = check::load_sound_rig(rig_config::find_shipped(path, rig_config::rigs), use);
   if (!rig) refuse(rig.error());
   apply_environment(*rig);
   return std::move(*rig);

@@ -11,8 +11,8 @@ namespace drydock::program {
 /// Thrown when a rig file cannot be used, after the lines that say why have been printed.
 struct BadRig {};
 
-/// Reads a rig file, with the environment's DDS domain. Throws BadRig for a rig that cannot be used
-/// so, with the lines of `drydock check`.
+/// Reads a rig file, or the shipped rig of that name, with the environment's DDS domain. Throws
+/// BadRig for a rig that cannot be used so, with the lines of `drydock check`.
 rig_config::Rig load_rig(const std::string& path, check::Use use = check::Use::any);
 
 /// Puts the faults of a file beside those of the rig and checks all of them. An empty path: those

@@ -1,23 +1,55 @@
 #include <fmt/format.h>
 
+#include "drivers/terminal/early_end.hpp"
 #include "drivers/terminal/exit_codes.hpp"
 #include "hil/program/commands.hpp"
+#include "hil/program/finish.hpp"
 #include "hil/program/load_rig.hpp"
+#include "hil/program/misspelled.hpp"
 
 namespace {
 
+namespace program = drydock::program;
+namespace terminal = drydock::terminal;
+
 std::string description() {
   std::string codes;
-  for (const auto& [code, meaning] : drydock::terminal::exit_codes)
+  for (const auto& [code, meaning] : terminal::exit_codes)
     codes += fmt::format("{} {} {}", codes.empty() ? "Exit codes:" : ",", code, meaning);
   return "Drydock: a test rig for underwater navigation.\n" + codes + ".";
+}
+
+int wrong_usage(const std::string& line) {
+  fmt::print(stderr, "{}\nRun with --help for more information.\n", line);
+  return terminal::exit_usage;
+}
+
+/// A write that failed is told by program::finish, which knows why.
+int failed(const std::exception& error) {
+  if (std::ferror(stdout) == 0) fmt::print(stderr, "drydock: {}\n", error.what());
+  return terminal::exit_failed;
+}
+
+/// Reads the command line and does what it says. Gives the exit code of the command.
+int obey(CLI::App& app, program::Command& command, int argc, char** argv) try {
+  if (const auto line = program::misspelled_command(app, argc, argv); !line.empty())
+    return wrong_usage(line);
+  app.parse(argc, argv);
+  return command();
+} catch (const CLI::ExtrasError& error) {
+  return wrong_usage(program::misspelled_option(app, error));
+} catch (const CLI::ParseError& error) {
+  return app.exit(error) == 0 ? terminal::exit_success : terminal::exit_usage;
+} catch (const program::BadRig&) {
+  return terminal::exit_usage;
+} catch (const std::exception& error) {
+  return failed(error);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  namespace program = drydock::program;
-  namespace terminal = drydock::terminal;
+  terminal::end_at_once_on_signals();
   CLI::App app{description()};
   app.name("drydock");
   app.set_version_flag("--version", DRYDOCK_VERSION);
@@ -25,15 +57,5 @@ int main(int argc, char** argv) {
   app.footer("drydock COMMAND --help shows an example of each.");
   program::Command command;
   for (const auto add : program::commands()) add(app, command);
-  try {
-    app.parse(argc, argv);
-    return command();
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? terminal::exit_success : terminal::exit_usage;
-  } catch (const program::BadRig&) {
-    return terminal::exit_usage;
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "drydock: {}\n", error.what());
-    return terminal::exit_failed;
-  }
+  return program::finish(obey(app, command, argc, argv));
 }

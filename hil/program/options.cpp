@@ -16,6 +16,15 @@ const CLI::Validator duration_text(
     },
     "DURATION");
 
+const CLI::Validator running_time(
+    [](std::string& text) {
+      const std::string asked = text;
+      if (auto why = duration_text(text); !why.empty()) return why;
+      if (terminal::parse_duration(text).value_or(0) > 0) return std::string{};
+      return fmt::format("'{}' is no time to run; allowed: 90, 60s, 10min, 5.5h", asked);
+    },
+    "DURATION");
+
 void add_serve(CLI::App& sub, host::ServeOptions& serve, const std::string& more) {
   sub.add_option("--serve", serve.address,
                  "a page for browsers and the Foxglove protocol at PORT or ADDRESS:PORT; default "

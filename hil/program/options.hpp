@@ -13,6 +13,9 @@ namespace drydock::program {
 /// Takes "60s", "10min", "5.5h" and gives seconds.
 extern const CLI::Validator duration_text;
 
+/// The same for --for, which has to be longer than nothing.
+extern const CLI::Validator running_time;
+
 /// --serve and --token. `more` is added to the help of --serve.
 void add_serve(CLI::App& sub, host::ServeOptions& serve, const std::string& more = {});
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <fmt/format.h>
+
 #include <optional>
 #include <string>
 #include <vector>
@@ -24,7 +26,12 @@ struct PartArguments {
   void add_to(CLI::App& sub) {
     sub.add_option("--to", to_s, "likewise; default its end")->transform(duration_text);
   }
+  /// Throws CLI::ValidationError for a range without any time in it.
   record::Selection selection() const {
+    if (from_s && to_s && *to_s <= *from_s)
+      throw CLI::ValidationError(
+          "--to", fmt::format("the range is reversed or empty: it begins at {:g} s, ends at {:g} s",
+                              *from_s, *to_s));
     record::Selection part;
     part.only = only;
     if (from_s) part.from = measurement::from_seconds(*from_s);

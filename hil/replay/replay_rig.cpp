@@ -95,14 +95,20 @@ class RigReplay {
       bench_->play(pace, std::ref(progress));
     }
     close_outlets();
-    if (!lines_.flush()) throw std::runtime_error("cannot write the output");
+    if (!lines_.flush()) return cannot_write();
     print_summary(options_.quiet ? out_ : err_);
     const bool sound = compared();
-    return terminal::exit_of(sound && bench_->measurements() > 0);
+    const bool recorded = !(recorder_ && recorder_->failed());
+    return terminal::exit_of(sound && recorded && bench_->measurements() > 0);
   }
 
  private:
   using Stamp = measurement::Stamp;
+
+  int cannot_write() {
+    fmt::print(err_, "replay: cannot write the output\n");
+    return terminal::exit_failed;
+  }
 
   /// True if a progress bar would overwrite the lines, because both go to the same terminal.
   bool draws_over_lines() const { return !options_.quiet && ::isatty(fileno(out_)) == 1; }
@@ -249,9 +255,12 @@ bool is_recording(const std::string& path) {
 }
 
 int replay_rig(const RigReplayOptions& options, std::FILE* in, std::FILE* out, std::FILE* err) {
+  auto recording = record::Recording::open(options.recording);
+  if (!recording) {
+    fmt::print(err, "replay: {}\n", recording.error().line);
+    return terminal::exit_failed;
+  }
   try {
-    auto recording = record::Recording::open(options.recording);
-    if (!recording) throw std::runtime_error(recording.error().line);
     return RigReplay(options, std::move(*recording), in, out, err).run();
   } catch (const std::exception& error) {
     fmt::print(err, "replay: {}\n", error.what());

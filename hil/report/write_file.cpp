@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cerrno>
+#include <cstring>
 #include <fstream>
 #include <stdexcept>
 
@@ -12,10 +14,13 @@ void write_file(const std::filesystem::path& path, const std::string& text) {
     std::error_code ignored;  // a folder that cannot be made leads to a file that cannot be opened
     std::filesystem::create_directories(path.parent_path(), ignored);
   }
+  errno = 0;
   std::ofstream out(path, std::ios::binary);
   out << text;
   out.close();
-  if (!out) throw std::runtime_error(fmt::format("cannot write {}", path.string()));
+  if (!out)
+    throw std::runtime_error(
+        fmt::format("cannot write {}: {}", path.string(), std::strerror(errno)));
 }
 
 }  // namespace drydock::report

@@ -5,17 +5,16 @@
 #include <algorithm>
 #include <array>
 #include <boost/throw_exception.hpp>
-#include <filesystem>
 #include <fstream>
 #include <stdexcept>
+
+#include "rig_config/file_trouble.hpp"
 
 namespace drydock::sky {
 namespace {
 
-/// The text of a file, at most one byte more than a navigation file may have. Empty: unreadable.
+/// The text of a file, at most one byte more than a navigation file may have.
 std::string beginning_of(const std::string& path) {
-  std::error_code missing;
-  if (std::filesystem::is_directory(path, missing)) return {};
   std::ifstream in(path, std::ios::binary);
   std::string text;
   std::array<char, 65536> part;
@@ -34,8 +33,9 @@ void throw_exception_from_error(const FileError& error, const boost::source_loca
 }
 
 boost::system::result<Navigation, FileError> read_navigation_file(const std::string& path) {
+  if (const auto why = rig_config::file_trouble(path); !why.empty())
+    return FileError{path + ": cannot be read: " + why};
   const std::string text = beginning_of(path);
-  if (text.empty()) return FileError{path + ": cannot be read: it is missing, empty or not a file"};
   auto navigation = read_navigation(text);
   if (!navigation)
     return FileError{

@@ -85,6 +85,8 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
   return row.back();
 }
 
+std::string meant(const std::string& word) { return fmt::format(" (did you mean '{}'?)", word); }
+
 class Explanation {
  public:
   Explanation(const Ruled& ruled, const std::string& file, const std::string& path)
@@ -177,8 +179,12 @@ Problems explain(const Ruled& ruled, const std::string& file, const std::string&
 std::string did_you_mean(const std::string& word, std::span<const std::string> known) {
   const auto distance = [&](const std::string& other) { return edit_distance(word, other); };
   const auto nearest = std::ranges::min_element(known, {}, distance);
+  if (nearest != known.end() && distance(*nearest) <= 1) return meant(*nearest);
+  const auto longer = std::ranges::find_if(
+      known, [&](const std::string& other) { return other.starts_with(word + "_"); });
+  if (longer != known.end()) return meant(*longer);
   if (nearest == known.end() || distance(*nearest) > 1 + word.size() / 4) return "";
-  return fmt::format(" (did you mean '{}'?)", *nearest);
+  return meant(*nearest);
 }
 
 std::string listed(std::span<const std::string> words) {

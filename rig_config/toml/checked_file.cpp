@@ -8,6 +8,7 @@
 
 #include "rig_config/checks/checks.hpp"
 #include "rig_config/device_description/load_description.hpp"
+#include "rig_config/file_trouble.hpp"
 #include "rig_config/rules/schema_check.hpp"
 #include "rig_config/toml/toml_limits.hpp"
 #include "rig_config/toml/toml_reader.hpp"
@@ -95,16 +96,18 @@ FileKind kind_of(const Node& root) {
 
 Loaded<std::string> read_file(const std::string& path) {
   // A device file or a pipe may never end, and a file may be larger than the memory.
+  if (const auto why = file_trouble(path); !why.empty())
+    return Problems{{path, 0, 0, "/", "cannot be read: " + why}};
   std::error_code error;
-  std::ifstream in;
-  if (fs::is_regular_file(path, error)) in.open(path, std::ios::binary);
+  if (!fs::is_regular_file(path, error))
+    return Problems{{path, 0, 0, "/", "cannot be read: is a device or a pipe, not a file"}};
   const auto size = fs::file_size(path, error);
-  if (in.is_open() && size > largest_file)
+  if (size > largest_file)
     return Problems{
         {path, 0, 0, "/", fmt::format("has {} bytes, allowed: up to {}", size, largest_file)}};
+  std::ifstream in(path, std::ios::binary);
   std::ostringstream text;
-  if (!in.is_open() || !(text << in.rdbuf()))
-    return Problems{{path, 0, 0, "/", "cannot be read: it is missing, empty or not a file"}};
+  if (!(text << in.rdbuf())) return Problems{{path, 0, 0, "/", "cannot be read to its end"}};
   return std::move(text).str();
 }
 

@@ -23,7 +23,7 @@ drivers/recordings/mcap
 drivers/recordings/record  drivers/recordings/mcap drivers/bus drivers/shell drivers/wire drivers/measurement rig_config
 drivers/recordings/export  drivers/recordings/record drivers/wire drivers/measurement
 drivers/recordings/slice   drivers/recordings/record drivers/recordings/mcap drivers/device drivers/wire drivers/measurement rig_config
-drivers/recordings/tasks   drivers/recordings/record drivers/recordings/mcap drivers/recordings/export drivers/recordings/slice drivers/text drivers/terminal
+drivers/recordings/tasks   rig_config drivers/recordings/record drivers/recordings/mcap drivers/recordings/export drivers/recordings/slice drivers/text drivers/terminal
 drivers/text               drivers/wire drivers/measurement
 drivers/decode             drivers/text drivers/shell drivers/device drivers/link drivers/io drivers/terminal drivers/capture drivers/wire drivers/measurement
 drivers/doctor             drivers/terminal drivers/text drivers/link drivers/wire rig_config
@@ -68,6 +68,9 @@ hil/replay                 drivers/diagnosis hil/replay/reference hil/bench hil/
 hil/diagnose               drivers/diagnosis hil/replay hil/summary hil/report estimators/host drivers/monitor drivers/probe drivers/host drivers/shell drivers/device drivers/recordings/record drivers/link drivers/io drivers/terminal drivers/wire/protocols drivers/measurement rig_config
 hil/scorecard              drivers/diagnosis estimators/host hil/bench hil/summary hil/study/run hil/report hil/motion estimators/pipeline estimators/frame drivers/device drivers/link drivers/terminal drivers/measurement rig_config
 hil/endurance              drivers/diagnosis hil/bench hil/summary hil/validity hil/validity/run hil/report hil/fault drivers/text drivers/link drivers/terminal rig_config
+hil/info                   drivers/recordings/record drivers/recordings/mcap drivers/bus drivers/capture drivers/probe drivers/survey drivers/terminal drivers/measurement rig_config
+hil/topic                  hil/replay/reference drivers/recordings/record drivers/recordings/mcap drivers/host drivers/bus drivers/io drivers/text drivers/terminal drivers/measurement rig_config
+hil/example                drivers/terminal rig_config
 hil/world                  hil/report hil/sky hil/sensor hil/motion estimators/frame drivers/measurement drivers/terminal rig_config
 hil/program                hil/[a-z/_]* estimators/[a-z]* drivers/[a-z/]* rig_config
 '

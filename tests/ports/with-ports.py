@@ -29,7 +29,7 @@ def absent():
     """Why the machine cannot be made here, or None."""
     for tool in ("qemu-system-x86_64", "busybox", "modprobe", "depmod", "cpio", "dpkg-deb"):
         if not shutil.which(tool):
-            return f"{tool} is missing (its package stands in .ci/packages.txt)"
+            return f"{tool} is missing (its package stands in .ci/packages-tests.txt)"
     if os.uname().machine != "x86_64":
         return "the machine in software is an x86-64"
     try:

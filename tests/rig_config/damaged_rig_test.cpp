@@ -49,8 +49,8 @@ TEST(DamagedRig, AnotherKindOfFileIsNoRig) {
 TEST(DamagedRig, ARigFileThatCannotBeReadIsOneLine) {
   const auto rig = load_rig("/nowhere/r.toml");
   ASSERT_FALSE(rig);
-  EXPECT_THAT(lines_of(rig.error()), ElementsAre("/nowhere/r.toml:0:0: /: cannot be read: it is "
-                                                 "missing, empty or not a file"));
+  EXPECT_THAT(lines_of(rig.error()), ElementsAre("/nowhere/r.toml:0:0: /: cannot be read: No such "
+                                                 "file or directory"));
 }
 
 RC_GTEST_PROP(DamagedRig, NoTextMakesTheLoaderThrow, (const std::string& text)) {

@@ -177,9 +177,11 @@ TEST(CheckFile, TellsTheKindsApart) {
   const auto sensor = folder.write("s.toml", "[imu]\ngyro_bias = 1\n");
   const auto vehicle = folder.write("v.toml", "[vehicle]\nname = \"v\"\n");
   EXPECT_THAT(lines_of(check_file(mission)), testing::Contains(HasSubstr(":1:1: /: key 'leg' is")));
-  EXPECT_THAT(lines_of(check_file(sensor)),
-              ElementsAre(HasSubstr(":2:1: /imu/gyro_bias: unknown key, allowed here: "
-                                    "accelerometer_anisoelasticity_ugpg2")));
+  EXPECT_THAT(
+      lines_of(check_file(sensor)),
+      ElementsAre(HasSubstr(
+          ":2:1: /imu/gyro_bias: unknown key (did you mean 'gyro_bias_degph'?), allowed here: "
+          "accelerometer_anisoelasticity_ugpg2")));
   EXPECT_THAT(lines_of(check_file(vehicle)),
               testing::Contains(HasSubstr(":1:1: /: key 'rudder' is missing")));
 }

@@ -13,6 +13,7 @@ namespace {
 constexpr std::uint32_t section_block = 0x0A0D0D0A, interface_block = 1, packet_block = 6;
 constexpr std::size_t block_head = 8, smallest_block = 12, largest_block = 8192;
 constexpr std::size_t most_interfaces = 64;
+constexpr std::uint16_t linktype_rtac_serial = 250;
 
 /// The byte order of a section. Its magic stands behind type and length. Empty if there is no
 /// magic.
@@ -87,9 +88,7 @@ Reading Pcapng::read_interface(Bytes body) {
   constexpr std::uint16_t name_option = 2, resolution_option = 9;
   constexpr std::size_t fixed_part = 8, option_head = 4;
   if (body.size() < fixed_part || interfaces_.size() == most_interfaces) return Reading::damage();
-  Interface interface {
-    half(body, 0) == linktype_can_socketcan, "can" + std::to_string(interfaces_.size())
-  };
+  Interface interface { half(body, 0), "can" + std::to_string(interfaces_.size()) };
   for (Bytes rest = body.subspan(fixed_part); rest.size() >= option_head;) {
     const std::uint16_t code = half(rest, 0);
     const std::size_t size = half(rest, 2), padded = option_head + (size + 3) / 4 * 4;
@@ -103,17 +102,43 @@ Reading Pcapng::read_interface(Bytes body) {
   return Reading::nothing();
 }
 
-Reading Pcapng::read_packet(Bytes body) const {
+std::optional<Pcapng::Packet> Pcapng::packet_of(Bytes body) const {
   constexpr std::size_t fixed_part = 20;
-  if (body.size() < fixed_part) return Reading::damage();
+  if (body.size() < fixed_part) return {};
   const std::size_t index = number(body, 0), size = number(body, 12);
-  if (index >= interfaces_.size() || size > body.size() - fixed_part) return Reading::damage();
-  const Interface& interface = interfaces_[index];
-  if (!interface.is_can) return Reading::nothing();
-  const auto frame = parse_socketcan_packet(body.subspan(fixed_part, size));
+  if (index >= interfaces_.size() || size > body.size() - fixed_part) return {};
   const std::uint64_t ticks = std::uint64_t{number(body, 4)} << 32 | number(body, 8);
+  const Interface& interface = interfaces_[index];
+  return Packet{&interface, time_of(ticks, interface.resolution), body.subspan(fixed_part, size)};
+}
+
+Reading Pcapng::read_packet(Bytes body) const {
+  const auto packet = packet_of(body);
+  if (!packet) return Reading::damage();
+  if (packet->interface->link_type != linktype_can_socketcan) return Reading::nothing();
+  const auto frame = parse_socketcan_packet(packet->bytes);
   if (!frame) return Reading::damage();
-  return {Record{time_of(ticks, interface.resolution), interface.name, *frame}, false};
+  return {Record{packet->time, packet->interface->name, *frame}, false};
+}
+
+std::vector<std::string> Pcapng::serial_lines() const {
+  std::vector<std::string> names;
+  for (const auto& interface : interfaces_)
+    if (interface.link_type == linktype_rtac_serial) names.push_back(interface.name);
+  return names;
+}
+
+std::optional<Pcapng::Serial> Pcapng::serial(Bytes unit) const {
+  constexpr std::size_t event_at = 8, header = 12;  // seconds, microseconds, event, lines, footer
+  constexpr std::uint8_t sent = 1, received = 2;    // DATA_TX_START, DATA_RX_START
+  if (number(unit, 0) != packet_block) return {};
+  const auto packet = packet_of(unit.subspan(block_head, unit.size() - smallest_block));
+  if (!packet || packet->interface->link_type != linktype_rtac_serial) return {};
+  if (packet->bytes.size() < header) return {};
+  const std::uint8_t event = packet->bytes[event_at];
+  if (event != sent && event != received) return {};
+  return Serial{packet->time, event == sent, packet->interface->name,
+                packet->bytes.subspan(header)};
 }
 
 }  // namespace drydock::capture

@@ -19,9 +19,21 @@ class Pcapng final : public Reader {
   Scan scan(Bytes bytes, bool at_end) override;
   Reading read(Bytes unit) override;
 
+  /// What a serial line carried (link type 250, RTAC serial). It points into the unit and into the
+  /// reader.
+  struct Serial {
+    std::optional<std::chrono::nanoseconds> time;  ///< UTC since 1970
+    bool sent = false;                             ///< by the computer, to the device
+    std::string_view interface;
+    Bytes bytes;
+  };
+  /// Empty if the unit, which read() has seen, is no such packet or is damaged.
+  std::optional<Serial> serial(Bytes unit) const;
+  std::vector<std::string> serial_lines() const;  ///< names of those interfaces so far
+
  private:
   struct Interface {
-    bool is_can = false;
+    std::uint16_t link_type = 0;
     std::string name;
     std::uint8_t resolution = 6;  ///< if_tsresol: 10^-n s, or 2^-n s if the top bit is set
   };
@@ -30,6 +42,12 @@ class Pcapng final : public Reader {
   std::uint16_t half(Bytes bytes, std::size_t offset) const;
   Reading read_interface(Bytes body);
   Reading read_packet(Bytes body) const;
+  struct Packet {
+    const Interface* interface = nullptr;
+    std::optional<std::chrono::nanoseconds> time;
+    Bytes bytes;
+  };
+  std::optional<Packet> packet_of(Bytes body) const;
 
   bool big_endian_ = false;
   std::vector<Interface> interfaces_;

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <boost/throw_exception.hpp>
-#include <cerrno>
-#include <cstring>
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
+
+#include "rig_config/file_trouble.hpp"
 
 namespace drydock::record {
 
@@ -59,8 +59,9 @@ void throw_exception_from_error(const RecordingError& error, const boost::source
 }
 
 boost::system::result<Recording, RecordingError> Recording::open(const std::string& path) {
+  if (const auto why = rig_config::file_trouble(path); !why.empty())
+    return RecordingError{path + ": " + why};
   auto file = std::make_unique<std::ifstream>(path, std::ios::binary);
-  if (!*file) return RecordingError{path + ": " + std::strerror(errno)};
   return open(std::move(file), path);
 }
 

@@ -9,6 +9,7 @@
 #include "drivers/recordings/tasks/fixture.hpp"
 #include "drivers/recordings/tasks/recordings.hpp"
 #include "drivers/terminal/exit_codes.hpp"
+#include "drivers/terminal/unkept_path.hpp"
 
 namespace drydock::recordings {
 
@@ -69,15 +70,16 @@ bool is_digit(char c) { return c >= '0' && c <= '9'; }
 }  // namespace
 
 int cut(CutOptions options, const record::Watch& watch, std::FILE* err) {
+  const fs::path folder = fs::path(options.fixtures_folder) / options.fixture;
+  if (options.output.empty())
+    options.output = fs::path(options.recording).stem().string() + "-cut.mcap";
+  terminal::UnkeptPath made(options.fixture.empty() ? fs::path(options.output) : folder);
   if (!options.fixture.empty()) {
-    const fs::path folder = fs::path(options.fixtures_folder) / options.fixture;
     std::error_code error;
     fs::create_directories(folder, error);
     if (error) return refuse_cut(err, folder.string() + ": " + error.message());
     options.output = folder / fixture_recording;
   }
-  if (options.output.empty())
-    options.output = fs::path(options.recording).stem().string() + "-cut.mcap";
   const auto done = slice::slice(options.recording, options.output, options.slice, watch);
   if (!done) return refuse_cut(err, done.error().line);
   fmt::print(err, "{}: {} messages of {:.3f} s{}\n{}", options.output, done->messages,
@@ -85,7 +87,9 @@ int cut(CutOptions options, const record::Watch& watch, std::FILE* err) {
              done->ended_early ? ", ended by Ctrl-C" : "",
              account_of(*done, options.slice.move_to.has_value()));
   if (done->messages == 0) return refuse_cut(err, "nothing of the recording is in the slice");
-  return options.fixture.empty() ? 0 : write_fixture(options, *done, err);
+  const int code = options.fixture.empty() ? 0 : write_fixture(options, *done, err);
+  if (code == terminal::exit_success) made.keep();
+  return code;
 }
 
 std::optional<measurement::Stamp> parse_utc(std::string_view text) {

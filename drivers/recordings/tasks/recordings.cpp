@@ -9,6 +9,8 @@
 #include "drivers/recordings/mcap/file_sink.hpp"
 #include "drivers/recordings/record/recover.hpp"
 #include "drivers/terminal/exit_codes.hpp"
+#include "drivers/terminal/unkept_path.hpp"
+#include "rig_config/file_trouble.hpp"
 
 namespace drydock::recordings {
 
@@ -35,12 +37,14 @@ int export_recording(ExportOptions options, const record::Watch& watch, std::FIL
   const auto& format = exporting::formats.at(static_cast<std::size_t>(options.format));
   auto& path = options.target.path;
   if (path.empty()) path = named_after(options.recording, format.suffix);
+  terminal::UnkeptPath made(path);
   const auto done = exporting::export_recording(options.recording, options.part, options.format,
                                                 options.target, watch);
   if (!done) return refuse(err, "export", done.error().line);
   if (done->written == 0)
     return refuse(err, "export",
                   fmt::format("nothing in {} that {} could hold", options.recording, format.name));
+  made.keep();
   fmt::print(err, "{}: {} {}{}{}\n", path, done->written,
              format.format == exporting::Format::csv      ? "messages"
              : format.format == exporting::Format::nmea   ? "sentences"
@@ -53,10 +57,12 @@ int export_recording(ExportOptions options, const record::Watch& watch, std::FIL
 }
 
 int recover(const RecoverOptions& options, std::FILE* err) {
+  if (const auto why = rig_config::file_trouble(options.recording); !why.empty())
+    return refuse(err, "recover", options.recording + ": " + why);
   auto file = std::make_unique<std::ifstream>(options.recording, std::ios::binary);
-  if (!*file) return refuse(err, "recover", options.recording + ": cannot be read");
   const std::string to =
       options.output.empty() ? named_after(options.recording, "-recovered.mcap") : options.output;
+  terminal::UnkeptPath made(to);
   auto sink = mcap::file_sink(to, options.overwrite);
   if (!sink) return refuse(err, "recover", mcap::refused(to, sink.error()));
   mcap::Reader reader(std::move(file));
@@ -64,9 +70,12 @@ int recover(const RecoverOptions& options, std::FILE* err) {
   if (saved.error) return refuse(err, "recover", to + ": " + saved.error.message());
   fmt::print(err, "{}: {}\n", options.recording,
              saved.damage.empty() ? "whole, nothing to mend" : saved.damage);
+  if (saved.messages == 0 && saved.attachments == 0)
+    return refuse(err, "recover", "nothing in it could be saved");
+  made.keep();
   fmt::print(err, "{}: {} messages of {:.1f} s and {} attachments saved\n", to, saved.messages,
              static_cast<double>(saved.last_time - saved.first_time) / 1e9, saved.attachments);
-  return terminal::exit_of(saved.messages > 0 || saved.attachments > 0);
+  return terminal::exit_success;
 }
 
 }  // namespace drydock::recordings

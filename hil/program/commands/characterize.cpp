@@ -29,9 +29,10 @@ void add_characterize(CLI::App& app, Command& command) {
       "sensor file to stand beside it; default the rig's, else the nearest shipped one");
   sub->add_option("--for", options->duration_s,
                   "how long a rig runs: default 1h where all links are emulated, else 60s")
-      ->transform(duration_text);
+      ->transform(running_time);
   sub->add_option("--protocol", options->capture.protocol,
-                  "of a capture; or a description: valeport-vat.toml");
+                  "of a capture: one of " + decode::decode_protocols() +
+                      "; or a description: valeport-vat.toml");
   sub->add_option("--kind", options->capture.kind,
                   "of a capture's sensor, where several speak the protocol");
   sub->add_option("--baud", options->capture.baud, "of a capture's line, where it holds bytes");

@@ -13,6 +13,7 @@
 #include "hil/program/load_rig.hpp"
 #include "hil/program/options.hpp"
 #include "hil/replay/replay_rig.hpp"
+#include "rig_config/file_trouble.hpp"
 
 namespace drydock::program {
 
@@ -36,6 +37,10 @@ diagnose::Outcome examine_rig(const DiagnoseArguments& a) {
 /// capture, and what is no file is a link.
 diagnose::Outcome examine(const DiagnoseArguments& a) {
   if (a.source.ends_with(".toml")) return examine_rig(a);
+  const bool is_path = a.source.find('/') != std::string::npos || a.source.ends_with(".mcap");
+  if (is_path && a.source.find(':') == std::string::npos)
+    if (const auto why = rig_config::file_trouble(a.source); !why.empty())
+      throw std::runtime_error(a.source + ": " + why);
   if (!std::filesystem::is_regular_file(a.source))
     return diagnose::listen_to_link(a.source, a.duration_s);
   return replay::is_recording(a.source) ? diagnose::read_recording(a.source)
@@ -53,13 +58,14 @@ void add_diagnose(CLI::App& app, Command& command) {
       "         drydock diagnose dive.mcap --report out\n"
       "         drydock diagnose dive.pd0 --baud 115200\n"
       "         drydock diagnose serial:/dev/ttyUSB0\n"
-      "Exit code: 0 nothing found, 1 something found or a sensor not heard, 2 wrong usage");
+      "Exit code: 0 nothing found, 1 something found, a sensor not heard or "
+      "the source not readable, 2 wrong usage");
   sub->add_option("SOURCE", a->source,
                   "rig file (TOML), recording (MCAP), capture of one link, or link URI")
       ->required();
   sub->add_option("--for", a->duration_s,
-                  "how long it listens to a rig or link: 30s, 10min; default 30s; 0: until Ctrl-C")
-      ->transform(duration_text);
+                  "how long it listens to a rig or link: 30s, 10min; default 30s")
+      ->transform(running_time);
   sub->add_option("--baud", a->baud, "of the recorded line, for a capture of bytes; default 9600");
   sub->add_option("--report", a->options.report,
                   "write index.html with a plot for each finding into this folder");
@@ -70,7 +76,7 @@ void add_diagnose(CLI::App& app, Command& command) {
         return diagnose::tell(examine(*a), a->options, stdout);
       } catch (const std::exception& error) {
         fmt::print(stderr, "diagnose: {}\n", error.what());
-        return terminal::exit_usage;
+        return terminal::exit_failed;
       }
     };
   });

@@ -37,7 +37,7 @@ void add_drivers(CLI::App& app, Command& command, const std::string& name,
   sub->add_option("RIG", a->rig, "rig file (TOML)")->required();
   sub->add_option("--for", a->options.duration_s,
                   "how long: 60s, 10min, 5.5h; default until Ctrl-C")
-      ->transform(duration_text);
+      ->transform(running_time);
   sub->add_option(output, a->options.record.path, "the MCAP file")->required(name == "record");
   add_recording(*sub, a->options.record);
   add_serve(*sub, a->options.serve);

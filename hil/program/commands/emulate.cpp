@@ -19,7 +19,7 @@ void add_emulate(CLI::App& app, Command& command) {
   sub->footer("Example: drydock emulate rig_config/rigs/demo.toml");
   sub->add_option("RIG", a->rig, "rig file (TOML)")->required();
   sub->add_option("--for", a->duration_s, "how long: 60s, 10min, 5.5h; default until Ctrl-C")
-      ->transform(duration_text);
+      ->transform(running_time);
   add_faults_option(*sub, a->faults);
   add_realtime(*sub, a->realtime);
   sub->callback([a, &command] {

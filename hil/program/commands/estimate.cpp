@@ -20,7 +20,7 @@ void add_estimate(CLI::App& app, Command& command) {
   sub->add_option("RIG", a->rig, "rig file (TOML)")->required();
   sub->add_option("--for", a->options.duration_s,
                   "how long: 60s, 10min, 5.5h; default until Ctrl-C")
-      ->transform(duration_text);
+      ->transform(running_time);
   sub->add_flag("--json", a->options.json_lines, "every estimate as a JSON line");
   sub->callback(
       [a, &command] { command = [a] { return host::estimate(load_rig(a->rig), a->options); }; });

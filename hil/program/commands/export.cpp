@@ -46,8 +46,9 @@ void add_export(CLI::App& app, Command& command) {
       "Example: drydock export dive.mcap --to pcapng && wireshark dive.pcapng\n"
       "         drydock export dive.mcap --to csv -o tables --only dvl,imu --from 10s --to 25s");
   sub->add_option("RECORDING", a->options.recording, "recording (MCAP)")->required();
-  sub->add_option("--to", a->to,
-                  "candump, pcapng, raw, csv or nmea; given again, a time: the end of the part")
+  sub->add_option(
+         "--to", a->to,
+         "one of candump, pcapng, raw, csv, nmea; given again, a time: the end of the part")
       ->required()
       ->allow_extra_args(false)
       ->take_all();

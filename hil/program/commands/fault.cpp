@@ -45,7 +45,7 @@ void add_fault(CLI::App& app, Command& command) {
   set->add_option("FAULT", a->options.fault, "a word that `words` lists")->required();
   set->add_option("KEY=VALUE", a->options.pairs, "how strong, as in a fault file");
   set->add_option("--for", a->options.for_s, "how long: 5s, 1min; default until cleared")
-      ->transform(duration_text);
+      ->transform(running_time);
 
   auto* clear = add_action(fault, a, command, "clear", "takes faults away, those of files as well",
                            control::clear_faults);

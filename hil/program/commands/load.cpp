@@ -18,7 +18,7 @@ void add_load(CLI::App& app, Command& command) {
   sub->footer("Example: drydock load rig_config/rigs/forty.toml --for 60s --json load.json");
   sub->add_option("RIG", a->rig, "rig file (TOML); its emulated devices are run")->required();
   sub->add_option("--for", a->options.duration_s, "real time: 60s, 10min; default 10min")
-      ->transform(duration_text)
+      ->transform(running_time)
       ->check(CLI::PositiveNumber);
   sub->add_option("--json", a->options.json, "write figures and verdict to this file");
   sub->callback([a, &command] {

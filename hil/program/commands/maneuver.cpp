@@ -3,6 +3,7 @@
 #include "hil/program/commands.hpp"
 #include "hil/program/options.hpp"
 #include "hil/world/maneuver.hpp"
+#include "rig_config/shipped.hpp"
 
 namespace drydock::program {
 
@@ -14,7 +15,8 @@ void add_maneuver(CLI::App& app, Command& command) {
       "circle.svg\n"
       "         drydock maneuver rig_config/vehicles/nps-auv-ii.toml --schedule s.csv --csv "
       "out.csv");
-  sub->add_option("VEHICLE", options->vehicle, "vehicle file (TOML)")->required();
+  sub->add_option("VEHICLE", options->vehicle, "vehicle file (TOML), or the name of a shipped one")
+      ->required();
   auto* kind = sub->add_option("MANEUVER", options->kind, "turning-circle, zigzag, spiral or dive")
                    ->check(CLI::IsMember({"turning-circle", "zigzag", "spiral", "dive"}));
   auto* schedule =
@@ -37,7 +39,7 @@ void add_maneuver(CLI::App& app, Command& command) {
   sub->add_option("--for", options->duration_s,
                   "how long a schedule is sailed; default 300 s behind its last row")
       ->needs(schedule)
-      ->transform(duration_text);
+      ->transform(running_time);
   sub->add_flag("--ideal-actuators", options->ideal_actuators,
                 "rudder, planes and propeller without lag and rate limits");
   sub->add_flag("--json", options->json, "figures as JSON");
@@ -45,7 +47,9 @@ void add_maneuver(CLI::App& app, Command& command) {
   sub->add_option("--plot", options->plot, "write a plot to this SVG file");
   sub->callback([=, &command] {
     if (kind->empty() && schedule->empty())
-      throw CLI::ValidationError("MANEUVER", "a manoeuvre or --schedule is needed");
+      throw CLI::ValidationError(
+          "MANEUVER", "which? turning-circle, zigzag, spiral or dive; or --schedule FILE");
+    options->vehicle = rig_config::find_shipped(options->vehicle, rig_config::vehicles);
     command = [options] { return world::maneuver(*options, stdout, stderr); };
   });
 }

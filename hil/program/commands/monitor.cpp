@@ -54,7 +54,7 @@ void add_monitor(CLI::App& app, Command& command) {
   auto* serve = sub->get_option("--serve")->excludes(once);
   protocol->excludes(once)->excludes(json)->excludes(bus)->excludes(serve);
   sub->add_option("--for", a->options.duration_s, "how long: 60s, 10min; default until Ctrl-C")
-      ->transform(duration_text);
+      ->transform(running_time);
   sub->callback([a, &command] {
     command = [a] {
       a->options.description = load_protocol(a->options.protocol);

@@ -29,7 +29,7 @@ void add_probe(CLI::App& app, Command& command) {
   sub->add_option(
          "--for", a->options.duration_s,
          "at most how long: 10s, 1min; default 30s. A byte line that is certain ends sooner")
-      ->transform(duration_text);
+      ->transform(running_time);
   sub->add_flag("--ask", a->options.ask,
                 "may write: the questions that only read, listed in docs/pier/probe.md");
   sub->add_option("--describe", a->describe,

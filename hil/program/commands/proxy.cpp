@@ -1,5 +1,7 @@
 #include <memory>
 
+#include "drivers/decode/decode.hpp"
+
 #include "hil/program/commands.hpp"
 #include "hil/program/load_rig.hpp"
 #include "hil/program/options.hpp"
@@ -24,9 +26,9 @@ void add_proxy(CLI::App& app, Command& command) {
          "link URI where drivers find it: pty, tcp, udp; socketcan (vcan), slcan, can:auto")
       ->required();
   sub->add_option("--faults", options->faults, "file of blocks [[fault]], docs/use/faults.md");
-  sub->add_option(
-      "--protocol", options->protocol,
-      "what the device speaks, as in a rig file, or a description: faults of messages need it");
+  sub->add_option("--protocol", options->protocol,
+                  "what the device speaks; faults of messages need it: one of " +
+                      decode::decode_protocols() + "; or a description");
   sub->add_option("--device", options->device, "the name by which the faults call it")
       ->capture_default_str();
   sub->add_option("--address", options->address,
@@ -34,7 +36,7 @@ void add_proxy(CLI::App& app, Command& command) {
                   "speaks the protocol");
   sub->add_option("--seed", options->seed, "of the faults' chances")->capture_default_str();
   sub->add_option("--for", options->duration_s, "how long: 60s, 10min; default until Ctrl-C")
-      ->transform(duration_text);
+      ->transform(running_time);
   sub->add_flag("--json", options->json, "the summary as one JSON object");
   sub->callback([options, &command] {
     command = [options] {

@@ -10,6 +10,7 @@
 #include "hil/program/options.hpp"
 #include "hil/program/part_arguments.hpp"
 #include "hil/replay/replay_rig.hpp"
+#include "rig_config/file_trouble.hpp"
 
 namespace drydock::program {
 
@@ -54,10 +55,12 @@ void add_recording_options(CLI::App& sub, ReplayArguments& a) {
 
 void add_capture_options(CLI::App& sub, decode::ReplayOptions& c) {
   const std::string group = "A capture without a rig";
-  sub.add_option("--protocol", c.protocol, "what the sensor speaks, as in a rig file")
+  sub.add_option("--protocol", c.protocol,
+                 "what the sensor speaks: one of " + decode::decode_protocols())
       ->group(group);
   sub.add_option("--kind", c.kind,
-                 "dvl, emlog, gnss, imu, depth, actuator; where several speak the protocol")
+                 "one of dvl, emlog, gnss, imu, depth, actuator, attitude; where several speak the "
+                 "protocol")
       ->group(group);
   sub.add_option("--baud", c.baud, "of the recorded line, where the file holds bytes")
       ->group(group);
@@ -96,8 +99,15 @@ void read_recording(ReplayArguments& a) {
   r.part = a.part.selection();
 }
 
+/// By its name and for want of a protocol: reading it then says what is wrong with it.
+bool says_recording(const decode::ReplayOptions& capture) {
+  return capture.protocol.empty() && capture.capture.ends_with(".mcap");
+}
+
 /// A capture has no rig: it uses one driver and refuses the options that need a whole rig.
 void read_capture(const CLI::App& sub, ReplayArguments& a) {
+  if (const auto why = rig_config::file_trouble(a.capture.capture); !why.empty())
+    throw std::runtime_error(a.capture.capture + ": " + why);
   if (a.capture.protocol.empty())
     throw CLI::RequiredError("--protocol (" + a.capture.capture + " is no MCAP recording)");
   for (const char* option : {"--only", "--from", "--to", "--faults", "--step", "--record",
@@ -123,8 +133,7 @@ void add_replay(CLI::App& app, Command& command) {
       "         drydock replay dive.mcap --faults F.toml\n"
       "         drydock replay dive.pd0 --protocol pd0");
   sub->add_option("RECORDING", a->capture.capture, "MCAP recording, or capture of one link")
-      ->required()
-      ->check(CLI::ExistingPath);
+      ->required();
   sub->add_option("--speed", a->speed,
                   "max: at once, in virtual time (default); 1: at the recording's own pace; or a "
                   "factor");
@@ -135,7 +144,7 @@ void add_replay(CLI::App& app, Command& command) {
   sub->callback([a, sub, &command] {
     a->recording.quiet = a->capture.quiet;
     a->recording.recording = a->capture.capture;
-    if (replay::is_recording(a->capture.capture)) {
+    if (replay::is_recording(a->capture.capture) || says_recording(a->capture)) {
       read_recording(*a);
       command = [a] { return replay::replay_rig(a->recording, stdin, stdout, stderr); };
     } else {

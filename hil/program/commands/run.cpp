@@ -24,7 +24,7 @@ void add_run(CLI::App& app, Command& command) {
   sub->add_option("RIG", a->rig, "rig file (TOML)")->required();
   sub->add_option("--for", a->options.duration_s,
                   "how long: 60s, 10min, 5.5h; default until Ctrl-C")
-      ->transform(duration_text);
+      ->transform(running_time);
   sub->add_option("--seed", a->seed, "seed of all random errors; default that of the rig file");
   add_faults_option(*sub, a->faults);
   sub->add_option("--speed", a->speed, "1: real time; max: lockstep in virtual time")

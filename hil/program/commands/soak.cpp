@@ -25,7 +25,7 @@ void add_soak(CLI::App& app, Command& command) {
   sub->add_option("RIG", arguments->rig, "rig file (TOML); emulated lines stand in for real ones")
       ->required();
   sub->add_option("--for", options.duration_s, "virtual time: 10min, 5h, 2d; default 30d")
-      ->transform(duration_text);
+      ->transform(running_time);
   sub->add_option("--seed", options.seed, "of the faults")->capture_default_str();
   auto* none = sub->add_flag("--no-faults{false}", options.faults,
                              "set none: a healthy run, for the number of false alarms");

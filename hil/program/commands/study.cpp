@@ -11,7 +11,7 @@ void add_study(CLI::App& app, Command& command) {
       app.add_subcommand("study", "A paper's experiment again: its figures beside ours, many runs");
   sub->footer("Studies: " + study::study_names() +
               "\nExample: drydock study leveling --runs 100 --json leveling.json --report out");
-  sub->add_option("NAME", options->name, "which: " + study::study_names())->required();
+  sub->add_option("NAME", options->name, "one of " + study::study_names())->required();
   sub->add_option("--runs", options->campaign.runs, "of the Monte Carlo experiment")
       ->check(CLI::Range(std::size_t{1}, std::size_t{1'000'000}))
       ->capture_default_str();

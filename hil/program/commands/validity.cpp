@@ -20,7 +20,7 @@ void add_validity(CLI::App& app, Command& command) {
       "         drydock validity rig_config/rigs/every-protocol.toml --bauds --for 20s");
   sub->add_option("RIG", a->rig, "rig file (TOML); its emulated devices are looked at")->required();
   sub->add_option("--for", a->options.duration_s, "how long a run takes; default 30s")
-      ->transform(duration_text);
+      ->transform(running_time);
   sub->add_option("--speed", a->speed, "1: real time; max: lockstep in virtual time")
       ->check(CLI::IsMember({"1", "max"}))
       ->capture_default_str();

@@ -105,19 +105,19 @@ TEST(Decode, AnUnknownProtocolIsToldTheKnownOnes) {
   EXPECT_THAT(decode_protocols(), HasSubstr("ubx, nmea0183"));
 }
 
-TEST(Decode, AFileThatCannotBeReadIsSaidAndExitsWithTwo) {
+TEST(Decode, AFileThatCannotBeReadIsSaidAndExitsWithOne) {
   const Decoded decoded = run_decode({"ubx", "/nowhere.log", false, false});
-  EXPECT_EQ(decoded.exit_code, 2);
+  EXPECT_EQ(decoded.exit_code, 1);
   EXPECT_EQ(decoded.err, "decode: cannot read /nowhere.log: No such file or directory\n");
-  EXPECT_EQ(run_decode({"ubx", "/tmp", false, false}).exit_code, 2);
+  EXPECT_EQ(run_decode({"ubx", "/tmp", false, false}).exit_code, 1);
 }
 
-TEST(Decode, AnOutputThatCannotBeWrittenExitsWithTwo) {
+TEST(Decode, AnOutputThatCannotBeWrittenExitsWithOne) {
   const TemporaryFile file(gga);
   std::FILE* full = std::fopen("/dev/full", "w");
   ASSERT_NE(full, nullptr);
   MemoryFile err;
-  EXPECT_EQ(decode({"nmea0183", file.path(), false, false}, full, err.file()), 2);
+  EXPECT_EQ(decode({"nmea0183", file.path(), false, false}, full, err.file()), 1);
   std::fclose(full);
 }
 

@@ -105,7 +105,7 @@ TEST(Replay, WhatCannotBePlayedIsOneLine) {
             "replay: cannot read /nowhere.log: No such file or directory\n");
   const TemporaryFile text("hello\n");
   const Decoded unknown = run_replay(options_for(text));
-  EXPECT_EQ(unknown.exit_code, 2);
+  EXPECT_EQ(unknown.exit_code, 1);
   EXPECT_THAT(unknown.err,
               HasSubstr("no CAN capture of a known format; known are: pcap, pcapng, candump-log"));
 }

@@ -113,6 +113,19 @@ TEST(Doctor, AStrangerToThePortsGroupIsToldHowToJoinIt) {
   EXPECT_EQ(check_ports(machine.root(), rig_with("/dev/ttyUSB0")).at(0).fitness, Fitness::ok);
 }
 
+TEST(Doctor, NobodyIsToldToJoinTheGroupOfRoot) {
+  Machine machine;
+  machine.plug_in();
+  struct stat info {};
+  ASSERT_EQ(::stat((machine.root() + "/dev/ttyUSB0").c_str(), &info), 0);
+  machine.file("etc/group", "root:x:" + std::to_string(info.st_gid) + ":\n");
+  machine.file("proc/self/status", "Uid:\t77777\t77777\t77777\t77777\nGroups:\t4 24 \n");
+  const auto refused = check_ports(machine.root(), rig_with("/dev/ttyUSB0"));
+  EXPECT_EQ(refused.at(0).fitness, Fitness::wrong);
+  EXPECT_THAT(refused.at(0).command, testing::Not(HasSubstr("usermod")));
+  EXPECT_THAT(refused.at(0).command, HasSubstr("sudo chgrp dialout /dev/ttyUSB0"));
+}
+
 TEST(Doctor, APortThatIsNotThereIsWrongOnlyForARigThatNamesIt) {
   const Machine machine;
   EXPECT_EQ(check_ports(machine.root(), rig_with("/dev/ttyUSB7")).at(0).fitness, Fitness::wrong);

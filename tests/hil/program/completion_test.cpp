@@ -30,6 +30,45 @@ TEST(Program, BashCompletesCommandsOptionsAndValues) {
   EXPECT_THAT(outcome.output, HasSubstr("\nmonitor\n--speed\nmax\npd0 pd4 pd5 pd6\n"));
 }
 
+/// What bash offers for the last of the words.
+std::string bash_offers(const std::string& words) {
+  const Folder folder;
+  std::ofstream(folder / "try.sh") << "source <(drydock completion bash)\n"
+                                      "COMP_WORDS=("
+                                   << words
+                                   << ")\n"
+                                      "COMP_CWORD=$((${#COMP_WORDS[@]} - 1))\n"
+                                      "_drydock; echo \"${COMPREPLY[*]}\"\n";
+  return drydock("--version >/dev/null; PATH=$(dirname " DRYDOCK_PROGRAM "):$PATH bash " +
+                 (folder / "try.sh").string())
+      .output;
+}
+
+TEST(BashCompletion, KnowsTheValuesOfOptionsAndOfPlaces) {
+  EXPECT_EQ(bash_offers("drydock study ''"), "leveling mixing roll velocity\n");
+  EXPECT_EQ(bash_offers("drydock export d.mcap --to ''"), "candump pcapng raw csv nmea\n");
+  EXPECT_THAT(bash_offers("drydock replay d.pd0 --protocol pd"), HasSubstr("pd0 pd4 pd5 pd6"));
+  EXPECT_EQ(bash_offers("drydock replay d.pd0 --kind g"), "gnss\n");
+  EXPECT_EQ(bash_offers("drydock completion ''"), "bash zsh\n");
+  EXPECT_EQ(bash_offers("drydock help scor"), "scorecard\n");
+}
+
+TEST(BashCompletion, OffersManoeuvresBehindTheVehicleAndShippedFilesBefore) {
+  EXPECT_THAT(bash_offers("drydock maneuver nps"), HasSubstr("nps-auv-ii nps-auv-ii-asymmetric"));
+  EXPECT_EQ(bash_offers("drydock maneuver nps-auv-ii ''"), "turning-circle zigzag spiral dive\n");
+  EXPECT_EQ(bash_offers("drydock maneuver --speed 2 nps-auv-ii zi"), "zigzag\n");
+  EXPECT_THAT(bash_offers("drydock run dem"), HasSubstr("demo"));
+}
+
+TEST(BashCompletion, KnowsTheDevicesAndFaultsOfTheRigAtHand) {
+  const std::string fault = "drydock fault rig_config/rigs/demo.toml ";
+  EXPECT_EQ(bash_offers(fault + "''"), "set clear list words\n");
+  EXPECT_EQ(bash_offers(fault + "set ''"), "dvl emlog gnss imu depth actuators\n");
+  EXPECT_EQ(bash_offers(fault + "set dvl bottom"), "bottom-lost\n");
+  EXPECT_EQ(bash_offers(fault + "set emlog bottom"), "\n");  // only a DVL hears the sea bed
+  EXPECT_EQ(bash_offers("drydock scorecard rig_config/rigs/demo.toml --devices im"), "imu\n");
+}
+
 /// Runs an interactive zsh on each line, in a folder with two files, and returns its completions
 /// for the last word.
 class Zsh : public testing::Test {
@@ -76,7 +115,7 @@ TEST_F(Zsh, OffersTheOptionsOfACommandAndTheirValues) {
 }
 
 TEST_F(Zsh, OffersFilesForARigAndForWhatAnOptionWrites) {
-  EXPECT_EQ(offers("drydock record "), "dive.mcap\npier.toml\n");
+  EXPECT_THAT(offers("drydock record "), HasSubstr("demo\ndescribed\ndive.mcap\n"));
   EXPECT_EQ(offers("drydock record p"), "pier.toml\n");
   EXPECT_EQ(offers("drydock record pier.toml -o "), "dive.mcap\npier.toml\n");
   const auto behind = offers("drydock record pier.toml ");  // the command takes one rig file, and
@@ -85,6 +124,11 @@ TEST_F(Zsh, OffersFilesForARigAndForWhatAnOptionWrites) {
   EXPECT_THAT(behind, testing::Not(HasSubstr("dive.mcap")));
   EXPECT_EQ(offers("drydock check pier.toml d"), "dive.mcap\n");
   EXPECT_EQ(offers("drydock replay d"), "dive.mcap\n");
+}
+
+TEST_F(Zsh, OffersManoeuvresAndStudies) {
+  EXPECT_EQ(offers("drydock maneuver a.toml "), "dive\nspiral\nturning-circle\nzigzag\n");
+  EXPECT_EQ(offers("drydock study "), "leveling\nmixing\nroll\nvelocity\n");
 }
 
 TEST_F(Zsh, TakesTheCompletionFromSourceToo) {

@@ -44,13 +44,45 @@ class Running {
     if (error != 0) throw std::system_error(error, std::generic_category());
   }
   ~Running() {
-    kill(pid_, SIGTERM);
-    waitpid(pid_, nullptr, 0);
+    if (!ended_) end(SIGTERM);
   }
   Running(const Running&) = delete;
   Running& operator=(const Running&) = delete;
 
+  /// True as soon as the program catches the signal. False after 15 s.
+  bool catches(int signal) const {
+    const auto path = "/proc/" + std::to_string(pid_) + "/status";
+    for (const auto end = std::chrono::steady_clock::now() + std::chrono::seconds{15};
+         std::chrono::steady_clock::now() < end; std::this_thread::yield()) {
+      const std::string status = read_file(path);
+      const auto mask = status.find("SigCgt:");
+      if (mask != std::string::npos &&
+          (std::stoull(status.substr(mask + 7), nullptr, 16) >> (signal - 1) & 1U) != 0)
+        return true;
+    }
+    return false;
+  }
+  void tell(int signal) const { kill(pid_, signal); }
+  /// Its exit code, or minus the signal that killed it.
+  int end(int signal) {
+    tell(signal);
+    int status = 0;
+    waitpid(pid_, &status, 0);
+    ended_ = true;
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
+  }
+
   std::string output() const { return read_file(output_); }
+
+  /// True as soon as it has printed the text. False after 15 s.
+  bool says(const std::string& text) const {
+    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds{15};
+    while (output().find(text) == std::string::npos) {
+      if (std::chrono::steady_clock::now() > end) return false;
+      std::this_thread::sleep_for(std::chrono::milliseconds{20});
+    }
+    return true;
+  }
 
   /// The text between `from` and the end of its line, as soon as it is printed. Empty after 15 s.
   std::string line_from(const std::string& from) const {
@@ -69,6 +101,7 @@ class Running {
  private:
   std::filesystem::path output_;
   pid_t pid_ = 0;
+  bool ended_ = false;
 };
 
 }  // namespace program

@@ -49,7 +49,7 @@ TEST_F(RecordingCommand, RecoverSaysWhatWasWrongAndWhatIsSaved) {
   EXPECT_EQ(recover({folder_ / "cut.mcap", folder_ / "saved.mcap"}, err_.file()), 1);
   EXPECT_THAT(err_.text(), HasSubstr("saved.mcap: File exists; --overwrite replaces it"));
   EXPECT_EQ(recover({"/nowhere.mcap", ""}, err_.file()), 1);
-  EXPECT_THAT(err_.text(), HasSubstr("recover: /nowhere.mcap: cannot be read"));
+  EXPECT_THAT(err_.text(), HasSubstr("recover: /nowhere.mcap: No such file or directory"));
 }
 
 TEST_F(RecordingCommand, AFixtureHoldsWhatBecameOfTheBytes) {

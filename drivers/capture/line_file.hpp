@@ -1,0 +1,52 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "drivers/capture/comment_head.hpp"
+#include "drivers/capture/file_blocks.hpp"
+#include "drivers/capture/formats/pcapng.hpp"
+
+namespace drydock::capture {
+
+/// The bytes that a serial line brought, from a file of those bytes alone or from a pcapng file
+/// with RTAC serial packets, which also has their times. Comments at the head are left out.
+class LineFile {
+ public:
+  struct Read {
+    std::optional<std::chrono::nanoseconds> time;  ///< UTC since 1970; empty: not known
+    Bytes bytes;                                   ///< valid until the next call
+  };
+
+  /// Empty `file` or "-": standard input. `raw`: the file to the byte. Empty `interface`: the only
+  /// line of a pcapng file.
+  LineFile(const std::string& file, bool raw, std::string interface = {});
+
+  std::optional<Read> next();  ///< empty at the end or after an error
+  bool likely_more(Bytes last) const { return packets_ || blocks_.likely_more(last); }
+  /// Names of the serial lines of a pcapng file, as far as it was read.
+  std::vector<std::string> lines() const { return pcapng_.serial_lines(); }
+  /// Empty, or why there are no bytes: the file cannot be read, or it holds several lines and none
+  /// was chosen.
+  std::string trouble() const;
+
+ private:
+  bool begin();
+  std::optional<Read> next_packet();
+  std::optional<Read> take(Bytes unit);
+
+  std::string file_, interface_;
+  bool raw_, begun_ = false, packets_ = false;
+  FileBlocks blocks_;
+  CommentHead head_;
+  Pcapng pcapng_;
+  std::vector<std::uint8_t> buffer_;  ///< of a pcapng file: blocks that are not read yet
+  std::size_t at_ = 0;
+  Bytes first_;
+};
+
+/// True for a pcapng file, whatever is in it.
+bool is_pcapng(const std::string& file);
+
+}  // namespace drydock::capture

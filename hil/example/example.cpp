@@ -1,0 +1,66 @@
+#include "hil/example/example.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <fstream>
+#include <iterator>
+
+#include "drivers/terminal/exit_codes.hpp"
+#include "rig_config/shipped.hpp"
+
+namespace drydock::example {
+namespace {
+
+constexpr std::array kinds{rig_config::rigs, rig_config::missions, rig_config::sensors,
+                           rig_config::vehicles};
+
+constexpr std::size_t widest = 90;
+
+/// The first sentence of the comment at the head of a file.
+std::string first_sentence(const std::filesystem::path& path) {
+  std::ifstream in(path);
+  std::string sentence;
+  for (std::string line; std::getline(in, line) && sentence.find(". ") == std::string::npos;) {
+    if (line.starts_with("# ")) sentence += line.substr(2) + ' ';
+    if (!line.starts_with("#") && !sentence.empty()) break;
+  }
+  sentence = sentence.substr(0, sentence.find(". "));
+  if (sentence.size() <= widest) return sentence;
+  return sentence.substr(0, sentence.rfind(' ', widest)) + " ...";
+}
+
+int nothing_shipped(std::FILE* err) {
+  fmt::print(err, "example: the files that come with the program are not beside it\n");
+  return terminal::exit_failed;
+}
+
+}  // namespace
+
+int list(std::FILE* out, std::FILE* err) {
+  if (rig_config::shipped_folder().empty()) return nothing_shipped(err);
+  for (const auto kind : kinds) {
+    const std::string folder(kind);
+    fmt::print(out, "{}\n", folder);
+    for (const auto& path : rig_config::shipped_files(kind))
+      fmt::print(out, "  {:24} {}\n", path.stem().string(), first_sentence(path));
+  }
+  fmt::print(out, "in {}\n", (rig_config::shipped_folder() / "rig_config").string());
+  return terminal::exit_success;
+}
+
+int show(const std::string& name, std::FILE* out, std::FILE* err) {
+  if (rig_config::shipped_folder().empty()) return nothing_shipped(err);
+  for (const auto kind : kinds)
+    for (const auto& path : rig_config::shipped_files(kind)) {
+      if (path.stem() != name && path.filename() != name) continue;
+      std::ifstream in(path, std::ios::binary);
+      const std::string text{std::istreambuf_iterator<char>(in), {}};
+      fmt::print(out, "# {}\n{}", path.string(), text);
+      return terminal::exit_success;
+    }
+  fmt::print(err, "example: no shipped file is named '{}'; drydock example lists them\n", name);
+  return terminal::exit_usage;
+}
+
+}  // namespace drydock::example

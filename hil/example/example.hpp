@@ -1,0 +1,15 @@
+#pragma once
+
+#include <cstdio>
+#include <string>
+
+namespace drydock::example {
+
+/// Prints the shipped rigs, missions, sensors and vehicles, each with what its file says first.
+/// Returns the exit code.
+int list(std::FILE* out, std::FILE* err);
+
+/// Prints one of them, by name. Returns the exit code.
+int show(const std::string& name, std::FILE* out, std::FILE* err);
+
+}  // namespace drydock::example

@@ -1,0 +1,73 @@
+#include "hil/info/capture_info.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "drivers/capture/capture_file.hpp"
+
+namespace drydock::info {
+namespace {
+
+void add(const capture::Record& record, CaptureInfo& info) {
+  ++info.frames;
+  ++info.interfaces[std::string(record.interface)];
+  ++info.identifiers[record.frame.id];
+  if (!record.time) return;
+  if (info.last) info.longest = std::max(info.longest, *record.time - *info.last);
+  if (!info.first) info.first = record.time;
+  info.last = record.time;
+}
+
+}  // namespace
+
+double CaptureInfo::duration_s() const {
+  return first ? std::chrono::duration<double>(*last - *first).count() : 0;
+}
+
+std::optional<CaptureInfo> capture_info(const std::string& file) {
+  capture::CaptureFile capture(file, "", "");
+  CaptureInfo info;
+  info.file = file;
+  while (const auto record = capture.next()) add(*record, info);
+  if (!capture.trouble().empty() || capture.frames().format() == nullptr) return {};
+  info.format = capture.frames().format()->name;
+  info.damage = capture::damage_text(capture.frames().tally());
+  std::error_code unknown;
+  info.size = std::filesystem::file_size(file, unknown);
+  return info;
+}
+
+std::string to_text(const CaptureInfo& info) {
+  std::string text = fmt::format("{}: CAN capture, {}, {:.1f} MB, {} frames, {} identifiers",
+                                 info.file, info.format, static_cast<double>(info.size) / 1e6,
+                                 info.frames, info.identifiers.size());
+  if (info.duration_s() > 0)
+    text += fmt::format(", {:.1f} s, {:.1f} frames a second, longest gap {:.3f} s",
+                        info.duration_s(), static_cast<double>(info.frames) / info.duration_s(),
+                        std::chrono::duration<double>(info.longest).count());
+  text += '\n';
+  for (const auto& [name, frames] : info.interfaces)
+    text +=
+        fmt::format("interface {}: {} frames\n", name.empty() ? "without a name" : name, frames);
+  if (!info.damage.empty()) text += info.damage + "\n";
+  return text;
+}
+
+std::string to_json(const CaptureInfo& info) {
+  const nlohmann::json all = {
+      {"file", info.file},
+      {"format", info.format},
+      {"size", info.size},
+      {"frames", info.frames},
+      {"duration_s", info.duration_s()},
+      {"longest_gap_s", std::chrono::duration<double>(info.longest).count()},
+      {"interfaces", info.interfaces},
+      {"identifiers", info.identifiers.size()},
+      {"damage", info.damage}};
+  return all.dump(2) + "\n";
+}
+
+}  // namespace drydock::info

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+
+#include "drivers/capture/frame_capture.hpp"
+
+namespace drydock::info {
+
+/// What is in a capture of CAN frames. Times are those of the file.
+struct CaptureInfo {
+  std::string file, format, damage;
+  std::uint64_t size = 0, frames = 0;  ///< [bytes], all interfaces
+  std::optional<std::chrono::nanoseconds> first, last;
+  std::chrono::nanoseconds longest{0};              ///< between two frames
+  std::map<std::string, std::uint64_t> interfaces;  ///< frames of each
+  std::map<std::uint32_t, std::uint64_t> identifiers;
+
+  double duration_s() const;  ///< 0: the format has no times
+};
+
+/// Reads the whole file. Empty: it is no CAN capture of a known format.
+std::optional<CaptureInfo> capture_info(const std::string& file);
+
+std::string to_text(const CaptureInfo& info);
+std::string to_json(const CaptureInfo& info);
+
+}  // namespace drydock::info

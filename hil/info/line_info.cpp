@@ -1,0 +1,59 @@
+#include "hil/info/line_info.hpp"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "drivers/capture/line_file.hpp"
+
+namespace drydock::info {
+namespace {
+
+LineInfo info_of_line(const std::string& file, const std::string& name) {
+  capture::LineFile line(file, false, name);
+  LineInfo info;
+  info.name = name;
+  while (const auto read = line.next()) {
+    ++info.reads;
+    info.bytes += read->bytes.size();
+    if (!info.first) info.first = read->time;
+    info.last = read->time;
+  }
+  return info;
+}
+
+double covered_s(const LineInfo& line) {
+  return line.first && line.last ? std::chrono::duration<double>(*line.last - *line.first).count()
+                                 : 0;
+}
+
+}  // namespace
+
+std::vector<LineInfo> line_infos(const std::string& file) {
+  if (!capture::is_pcapng(file)) return {};
+  capture::LineFile all(file, false);
+  while (all.next()) continue;
+  std::vector<LineInfo> infos;
+  for (const auto& name : all.lines()) infos.push_back(info_of_line(file, name));
+  return infos;
+}
+
+std::string to_text(const std::string& file, const std::vector<LineInfo>& lines) {
+  std::string text = fmt::format("{}: pcapng, {} serial lines\n", file, lines.size());
+  for (const auto& line : lines)
+    text += fmt::format("line {}: {} reads, {} bytes, {:.1f} s\n", line.name, line.reads,
+                        line.bytes, covered_s(line));
+  return text;
+}
+
+std::string to_json(const std::string& file, const std::vector<LineInfo>& lines) {
+  auto list = nlohmann::json::array();
+  for (const auto& line : lines)
+    list.push_back({{"name", line.name},
+                    {"reads", line.reads},
+                    {"bytes", line.bytes},
+                    {"duration_s", covered_s(line)}});
+  return nlohmann::json{{"file", file}, {"format", "pcapng"}, {"lines", list}}.dump(2) + "\n";
+}
+
+}  // namespace drydock::info

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <chrono>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace drydock::info {
+
+/// What one serial line of a pcapng file brought.
+struct LineInfo {
+  std::string name;
+  std::uint64_t reads = 0, bytes = 0;
+  std::optional<std::chrono::nanoseconds> first, last;  ///< UTC since 1970
+};
+
+/// Of every serial line in the file. Empty: it is no pcapng file, or has none.
+std::vector<LineInfo> line_infos(const std::string& file);
+
+std::string to_text(const std::string& file, const std::vector<LineInfo>& lines);
+std::string to_json(const std::string& file, const std::vector<LineInfo>& lines);
+
+}  // namespace drydock::info

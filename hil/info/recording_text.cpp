@@ -1,0 +1,85 @@
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "hil/info/recording_info.hpp"
+
+namespace drydock::info {
+namespace {
+
+std::string utc(record::Stamp at) {
+  return fmt::format("{:%Y-%m-%dT%H:%M:%S}Z",
+                     std::chrono::time_point_cast<std::chrono::seconds>(
+                         std::chrono::sys_time<std::chrono::nanoseconds>(at.time_since_epoch())));
+}
+
+std::string lines_of(std::string_view head, const std::map<std::string, TopicInfo>& all,
+                     record::Stamp begin) {
+  if (all.empty()) return "";
+  std::string text = fmt::format("{:<44} {:>9} {:>9} {:>10}  {}\n", head, "messages", "Hz", "bytes",
+                                 "longest gap");
+  for (const auto& [name, topic] : all)
+    text +=
+        fmt::format("  {:<42} {:>9} {:>9.2f} {:>10}  {:.3f} s at {:.1f} s\n", name, topic.messages,
+                    topic.rate_hz(), topic.bytes, measurement::seconds(topic.longest),
+                    measurement::seconds(topic.longest_at - begin));
+  return text;
+}
+
+nlohmann::json json_of(const std::map<std::string, TopicInfo>& all, record::Stamp begin) {
+  auto list = nlohmann::json::array();
+  for (const auto& [name, topic] : all)
+    list.push_back({{"name", name},
+                    {"type", topic.type},
+                    {"messages", topic.messages},
+                    {"bytes", topic.bytes},
+                    {"rate_hz", topic.rate_hz()},
+                    {"longest_gap_s", measurement::seconds(topic.longest)},
+                    {"longest_gap_at_s", measurement::seconds(topic.longest_at - begin)}});
+  return list;
+}
+
+}  // namespace
+
+std::string to_text(const RecordingInfo& info) {
+  std::string text =
+      fmt::format("{}: MCAP recording, {:.1f} MB, {:.1f} s from {}\nwritten by {}{}\n", info.file,
+                  static_cast<double>(info.size) / 1e6, info.duration_s(), utc(info.begin),
+                  info.written_by.empty() ? "another program" : info.written_by,
+                  info.rig.empty() ? "" : ", rig " + info.rig);
+  for (const auto& [link, devices] : info.devices)
+    text += fmt::format("link {}: {}\n", link, fmt::join(devices, ", "));
+  text += lines_of("links", info.links, info.begin) + lines_of("topics", info.topics, info.begin);
+  for (const auto& fault : info.faults)
+    text += fmt::format("fault at {:.1f} s: {}\n", measurement::seconds(fault.since - info.begin),
+                        fault.text);
+  if (info.faults.empty()) text += "no fault was set\n";
+  if (!info.attachments.empty())
+    text += fmt::format("attached: {}\n", fmt::join(info.attachments, ", "));
+  if (!info.damage.empty()) text += "damaged: " + info.damage + " (drydock recover)\n";
+  return text;
+}
+
+std::string to_json(const RecordingInfo& info) {
+  auto faults = nlohmann::json::array();
+  for (const auto& fault : info.faults)
+    faults.push_back(
+        {{"fault", fault.text}, {"since_s", measurement::seconds(fault.since - info.begin)}});
+  const nlohmann::json all = {{"file", info.file},
+                              {"format", "mcap"},
+                              {"size", info.size},
+                              {"begin", utc(info.begin)},
+                              {"duration_s", info.duration_s()},
+                              {"written_by", info.written_by},
+                              {"rig", info.rig},
+                              {"devices", info.devices},
+                              {"links", json_of(info.links, info.begin)},
+                              {"topics", json_of(info.topics, info.begin)},
+                              {"faults", faults},
+                              {"attachments", info.attachments},
+                              {"damage", info.damage}};
+  return all.dump(2) + "\n";
+}
+
+}  // namespace drydock::info

@@ -1,0 +1,136 @@
+#include <fmt/format.h>
+
+#include "hil/program/completion.hpp"
+#include "hil/program/completion_words.hpp"
+
+namespace drydock::program {
+namespace {
+
+/// The arms of the shell's `case "command previous-word"` for one command.
+std::string bash_values(const CLI::App& command) {
+  std::string arms;
+  for (const auto* option : options_of(command)) {
+    if (is_flag(*option)) continue;
+    const auto key = fmt::format("'{} {}'", command.get_name(), long_name(*option));
+    if (const auto values = values_of(*option); !values.empty())
+      arms += fmt::format("    {}) COMPREPLY=($(compgen -W '{}' -- \"$cur\")); return ;;\n", key,
+                          joined(values));
+    else if (!takes_file(*option))
+      arms += fmt::format("    {}) return ;;\n", key);
+  }
+  return arms;
+}
+
+/// The options of a command behind which a value stands.
+std::string options_with_value(const CLI::App& command) {
+  std::vector<std::string> names;
+  for (const auto* option : options_of(command))
+    if (option->get_items_expected_min() > 0 && !is_flag(*option))
+      for (const auto& name : option->get_lnames()) names.push_back("--" + name);
+  return joined(names);
+}
+
+/// The arms of the shell's `case "command place"`, where place counts the words that are no option.
+std::string bash_places(const CLI::App& command) {
+  std::string arms;
+  int place = 0;
+  for (const auto* option : positionals_of(command)) {
+    const auto key = fmt::format("'{} {}'", command.get_name(), place++);
+    if (const auto values = values_of(*option); !values.empty())
+      arms += fmt::format("    {}) COMPREPLY=($(compgen -W '{}' -- \"$cur\")); return ;;\n", key,
+                          joined(values));
+    else if (const auto names = shipped_names_of(*option); !names.empty())
+      arms += fmt::format("    {}) COMPREPLY=($(compgen -W '{}' -- \"$cur\")) ;;\n", key,
+                          joined(names));
+  }
+  return arms;
+}
+
+std::vector<std::string> names_of(const std::vector<const CLI::App*>& commands) {
+  std::vector<std::string> names;
+  for (const auto* command : commands) names.push_back(command->get_name());
+  return names;
+}
+
+/// One arm of a `case $command`.
+std::string arm(const CLI::App& command, const std::string& does) {
+  return fmt::format("    {}) {} ;;\n", command.get_name(), does);
+}
+
+constexpr std::string_view script =
+    R"sh(# bash completion for drydock: source <(drydock completion bash)
+# The devices of a rig, or the faults of one of them: drydock fault RIG words says both.
+_drydock_faults() {
+  drydock fault "$1" words 2>/dev/null | awk -v device="$2" '
+    /^[^ ]/ { here = $1; if (device == "") print $1 }
+    /^  [a-z]/ && here == device { print $1 }'
+}
+_drydock() {
+  local cur=${COMP_WORDS[COMP_CWORD]} prev=${COMP_WORDS[COMP_CWORD - 1]} command=${COMP_WORDS[1]}
+  local with_value='' i place=0 words=()
+  COMPREPLY=()
+  if ((COMP_CWORD == 1)); then
+    COMPREPLY=($(compgen -W '@COMMANDS --help --version' -- "$cur"))
+    return
+  fi
+  case "$command $prev" in
+@VALUES    'scorecard --devices' | 'characterize --device')
+      COMPREPLY=($(compgen -W "$(_drydock_faults "${COMP_WORDS[2]}")" -- "$cur"))
+      return ;;
+  esac
+  if [[ $cur == -* ]]; then
+    case $command in
+@OPTIONS    esac
+    return
+  fi
+  case $command in
+@WITH_VALUE  esac
+  for ((i = 2; i < COMP_CWORD; i++)); do
+    if [[ " $with_value " == *" ${COMP_WORDS[i]} "* ]]; then
+      ((i++))
+    elif [[ ${COMP_WORDS[i]} != -* ]]; then
+      words[place++]=${COMP_WORDS[i]}
+    fi
+  done
+  case "$command $place" in
+@PLACES    'fault 1') COMPREPLY=($(compgen -W '@VERBS' -- "$cur")); return ;;
+    'fault 2') COMPREPLY=($(compgen -W "$(_drydock_faults "${words[0]}")" -- "$cur")); return ;;
+    'fault 3')
+      COMPREPLY=($(compgen -W "$(_drydock_faults "${words[0]}" "${words[2]}")" -- "$cur"))
+      return ;;
+    'help 0') COMPREPLY=($(compgen -W '@COMMANDS' -- "$cur")); return ;;
+  esac
+  COMPREPLY+=($(compgen -f -- "$cur"))
+}
+complete -o filenames -F _drydock drydock
+)sh";
+
+std::string filled(std::string text, std::string_view place, const std::string& with) {
+  for (auto at = text.find(place); at != std::string::npos; at = text.find(place, at + with.size()))
+    text.replace(at, place.size(), with);
+  return text;
+}
+
+}  // namespace
+
+std::string bash_completion(const CLI::App& app) {
+  std::string values, options, with_value, places;
+  for (const auto* command : commands_of(app)) {
+    values += bash_values(*command);
+    places += bash_places(*command);
+    std::vector<std::string> names;
+    for (const auto* option : options_of(*command)) names.push_back(long_name(*option));
+    options +=
+        arm(*command, fmt::format("COMPREPLY=($(compgen -W '{}' -- \"$cur\"))", joined(names)));
+    with_value += arm(*command, fmt::format("with_value='{}'", options_with_value(*command)));
+  }
+  const auto* fault = app.get_subcommand("fault");
+  std::string text = filled(std::string(script), "@COMMANDS", joined(names_of(commands_of(app))));
+  text = filled(std::move(text), "@VERBS", joined(names_of(commands_of(*fault))));
+  text = filled(std::move(text), "@VALUES", values);
+  text = filled(std::move(text), "@OPTIONS", options);
+  text = filled(std::move(text), "@WITH_VALUE", with_value);
+  return filled(std::move(text), "@PLACES", places);
+}
+
+}  // namespace drydock::program

@@ -1,0 +1,40 @@
+#include "hil/topic/topic.hpp"
+
+#include <memory>
+
+#include "hil/program/commands.hpp"
+#include "hil/program/load_rig.hpp"
+#include "hil/program/options.hpp"
+
+namespace drydock::program {
+
+void add_topic(CLI::App& app, Command& command) {
+  struct Arguments {
+    std::string source;
+    topic::EchoOptions options;
+  };
+  auto a = std::make_shared<Arguments>();
+  auto* sub = app.add_subcommand(
+      "topic",
+      "Print messages as JSON lines: what drivers say on the bus, or what a recording has");
+  sub->footer(
+      "Example: drydock topic rig_config/rigs/demo.toml dvl --for 10s\n"
+      "         drydock topic dive.mcap /diagnostics --count 3");
+  sub->add_option("SOURCE", a->source,
+                  "rig file (TOML) whose drivers run somewhere, or recording (MCAP)")
+      ->required();
+  sub->add_option("NAME", a->options.name, "device, or topic of a recording; default all");
+  sub->add_option("--count", a->options.most, "so many messages, then it ends")
+      ->check(CLI::PositiveNumber);
+  sub->add_option("--for", a->options.duration_s, "of a rig: 60s, 10min; default until Ctrl-C")
+      ->transform(running_time);
+  sub->callback([a, &command] {
+    command = [a] {
+      if (a->source.ends_with(".mcap"))
+        return topic::echo_recording(a->source, a->options, stdout, stderr);
+      return topic::echo_bus(load_rig(a->source), a->options, stdout, stderr);
+    };
+  });
+}
+
+}  // namespace drydock::program

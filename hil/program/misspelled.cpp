@@ -1,0 +1,54 @@
+#include "hil/program/misspelled.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "rig_config/rules/explain.hpp"
+
+namespace drydock::program {
+namespace {
+
+std::vector<std::string> names_of_commands(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const auto* command : app.get_subcommands([](const CLI::App*) { return true; }))
+    names.push_back(command->get_name());
+  return names;
+}
+
+std::vector<std::string> names_of_options(const CLI::App& command) {
+  std::vector<std::string> names;
+  for (const auto* option : command.get_options())
+    for (const auto& name : option->get_lnames()) names.push_back("--" + name);
+  return names;
+}
+
+/// The innermost command of those that were typed.
+const CLI::App& typed_command(const CLI::App& app) {
+  const auto typed = app.get_subcommands();
+  return typed.empty() ? app : typed_command(*typed.front());
+}
+
+}  // namespace
+
+std::string misspelled_command(const CLI::App& app, int argc, const char* const* argv) {
+  const std::string word = argc > 1 ? argv[1] : "";
+  const auto names = names_of_commands(app);
+  if (word.empty() || word.starts_with('-') || std::ranges::find(names, word) != names.end())
+    return "";
+  return fmt::format("drydock: '{}' is no command{}; drydock --help lists them", word,
+                     rig_config::did_you_mean(word, names));
+}
+
+std::string misspelled_option(const CLI::App& app, const CLI::ExtrasError& error) {
+  const auto& command = typed_command(app);
+  const auto unknown = command.remaining();
+  std::string text = error.what();
+  if (!unknown.empty() && unknown.front().starts_with("--")) {
+    const auto name = unknown.front().substr(0, unknown.front().find('='));
+    text += rig_config::did_you_mean(name, names_of_options(command));
+  }
+  return text;
+}
+
+}  // namespace drydock::program

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+namespace drydock::program {
+
+/// One line that names the word which is no command, with the nearest command. Empty: the first
+/// word is a command or an option, or there is none.
+std::string misspelled_command(const CLI::App& app, int argc, const char* const* argv);
+
+/// What CLI11 says of words that it did not expect, with the nearest option of the command.
+std::string misspelled_option(const CLI::App& app, const CLI::ExtrasError& error);
+
+}  // namespace drydock::program

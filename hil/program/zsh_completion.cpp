@@ -1,0 +1,106 @@
+#include <fmt/format.h>
+
+#include "hil/program/completion.hpp"
+#include "hil/program/completion_words.hpp"
+
+namespace drydock::program {
+namespace {
+
+/// Escapes a description for zsh's `_arguments` within single quotes: brackets, colons and quotes
+/// have a meaning there.
+std::string zsh_text(std::string text) {
+  text = text.substr(0, text.find('\n'));
+  std::string out;
+  for (const char c : text) {
+    if (c == '\'')
+      out += "'\\''";
+    else
+      out += c == ':' || c == '[' || c == ']' ? std::string("\\") + c : std::string(1, c);
+  }
+  return out;
+}
+
+std::string zsh_action(const CLI::Option& option) {
+  if (const auto values = values_of(option); !values.empty())
+    return fmt::format("({})", joined(values));
+  return takes_file(option) ? "_files" : " ";
+}
+
+/// `'(-o --output)'{-o,--output}'` if the option has a short name (zsh then offers one of both);
+/// else the long name.
+std::string zsh_names(const CLI::Option& option) {
+  const std::string name = long_name(option);
+  if (option.get_snames().empty()) return "'" + name;
+  return fmt::format("'(-{0} {1})'{{-{0},{1}}}'", option.get_snames().front(), name);
+}
+
+std::string zsh_option(const CLI::Option& option) {
+  std::string text = fmt::format("{}[{}]", zsh_names(option), zsh_text(option.get_description()));
+  if (is_flag(option)) return text + "'";
+  const bool may_be_left_out = option.get_items_expected_min() == 0;
+  return text + fmt::format("{}value:{}'", may_be_left_out ? "::" : ":", zsh_action(option));
+}
+
+/// Files, and the names of shipped ones.
+std::string zsh_place(const CLI::Option& positional) {
+  const auto names = shipped_names_of(positional);
+  if (names.empty()) return zsh_action(positional);
+  return fmt::format("{{_files; compadd -- {}}}", joined(names));
+}
+
+/// What stands behind the rig: set, a device of the rig, a fault that it can have.
+std::string zsh_fault_places(const CLI::App& fault) {
+  std::vector<std::string> verbs;
+  for (const auto* verb : commands_of(fault)) verbs.push_back(verb->get_name());
+  return fmt::format(
+      " \\\n        ':verb:({})' \\\n"
+      "        ':device:{{compadd -- $(_drydock_faults $words[2])}}' \\\n"
+      "        ':fault:{{compadd -- $(_drydock_faults $words[2] $words[4])}}'",
+      joined(verbs));
+}
+
+std::string zsh_command(const CLI::App& command) {
+  std::string text = fmt::format("    {})\n      _arguments", command.get_name());
+  for (const auto* option : options_of(command)) text += " \\\n        " + zsh_option(*option);
+  for (const auto* option : positionals_of(command))
+    text += fmt::format(" \\\n        '{}:{}:{}'", option->get_items_expected_max() > 1 ? "*" : "",
+                        option->get_name(true), zsh_place(*option));
+  if (command.get_name() == "fault") text += zsh_fault_places(command);
+  return text + " ;;\n";
+}
+
+}  // namespace
+
+std::string zsh_completion(const CLI::App& app) {
+  std::string commands, cases;
+  for (const auto* command : commands_of(app)) {
+    commands +=
+        fmt::format("    '{}:{}'\n", command->get_name(), zsh_text(command->get_description()));
+    cases += zsh_command(*command);
+  }
+  return fmt::format(R"(#compdef drydock
+# The devices of a rig, or the faults of one of them: drydock fault RIG words says both.
+_drydock_faults() {{
+  drydock fault "$1" words 2>/dev/null | awk -v device="$2" '
+    /^[^ ]/ {{ here = $1; if (device == "") print $1 }}
+    /^  [a-z]/ && here == device {{ print $1 }}'
+}}
+_drydock() {{
+  local -a commands=(
+{}  )
+  if ((CURRENT == 2)); then
+    _describe command commands
+    return
+  fi
+  shift words
+  ((CURRENT--))
+  case $words[1] in
+{}  esac
+}}
+# Called by the completion system, or read by `source <(drydock completion zsh)`.
+if [[ $funcstack[1] == _drydock ]]; then _drydock "$@"; else compdef _drydock drydock; fi
+)",
+                     commands, cases);
+}
+
+}  // namespace drydock::program

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// The files that come with the program: in its source tree where it was built, else where its
+/// package has them.
+namespace drydock::rig_config {
+
+/// Their kinds, each a folder.
+inline constexpr std::string_view rigs = "rigs", missions = "missions", sensors = "sensors",
+                                  vehicles = "vehicles", starts = "starts";
+
+/// The folder that holds rig_config: a folder above the program, else ../share/drydock beside its
+/// own. Empty: there is none.
+std::filesystem::path shipped_folder();
+
+/// The shipped files of a kind, sorted.
+std::vector<std::filesystem::path> shipped_files(std::string_view kind);
+
+/// The file that a word on a command line means: that file if there is one; else a shipped one of
+/// the kind, with or without its ending (`demo`), or by its path in the tree. Else the word itself.
+std::string find_shipped(const std::string& word, std::string_view kind);
+
+}  // namespace drydock::rig_config

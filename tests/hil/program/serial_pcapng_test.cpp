@@ -1,0 +1,81 @@
+// Serial lines in a pcapng file: those of fixtures/install, which its script made from the
+// documented layouts, and those that `export` writes.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "tests/hil/program/program.hpp"
+
+namespace serial_pcapng_test {
+
+using nlohmann::json;
+using program::drydock;
+using program::Folder;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+constexpr const char* one = "fixtures/install/serial.pcapng";
+constexpr const char* two = "fixtures/install/two-lines.pcapng";
+
+/// The values of a key in the JSON lines that have it.
+std::vector<double> values(const std::string& lines, const std::string& key) {
+  std::vector<double> all;
+  std::istringstream in(lines);
+  for (std::string line; std::getline(in, line);)
+    if (const auto object = json::parse(line, nullptr, false); object.contains(key))
+      all.push_back(object[key]);
+  return all;
+}
+
+TEST(SerialPcapng, IsDecodedWithoutItsContainerAndWithoutWhatTheComputerSent) {
+  const auto decoded = drydock(std::string("decode --protocol nmea0183 ") + one);
+  EXPECT_EQ(decoded.exit_code, 0);
+  EXPECT_THAT(decoded.output, HasSubstr("5 frames, 5 messages, 0 bad checksums, 0 bytes skipped"));
+}
+
+TEST(SerialPcapng, IsReplayedAtItsOwnTimes) {
+  const auto played =
+      drydock(std::string("replay --quiet --protocol nmea0183 --kind emlog --baud 4800 ") + one);
+  EXPECT_EQ(played.exit_code, 0) << played.output;
+  const auto received = values(played.output, "received_at_s");
+  ASSERT_EQ(received.size(), 5u) << played.output;
+  for (std::size_t i = 0; i < received.size(); ++i)
+    EXPECT_NEAR(received[i], 1.7e9 + 2 * static_cast<double>(i) + 0.01, 1e-6);
+}
+
+TEST(SerialPcapng, OfSeveralLinesNeedsAChoice) {
+  const std::string decode = std::string("decode --protocol nmea0183 ") + two;
+  const auto asked = drydock(decode);
+  EXPECT_EQ(asked.exit_code, 1);
+  EXPECT_THAT(asked.output, HasSubstr("several serial lines: log, other; --interface chooses one"));
+  EXPECT_THAT(drydock(decode + " --interface log").output, HasSubstr("3 frames, 3 messages"));
+  EXPECT_THAT(drydock(decode + " --interface third").output,
+              HasSubstr("has no serial line third; it has log, other"));
+}
+
+TEST(SerialPcapng, IsToldByInfo) {
+  const auto info = json::parse(drydock(std::string("info --json ") + one).output);
+  ASSERT_EQ(info["lines"].size(), 1u);
+  EXPECT_EQ(info["lines"][0]["reads"], 10);
+  EXPECT_NEAR(info["lines"][0]["duration_s"], 8.01, 1e-6);
+  EXPECT_THAT(drydock(std::string("info ") + two).output, HasSubstr("2 serial lines"));
+}
+
+TEST(SerialPcapng, OfAnExportGivesTheMeasurementsOfTheRecording) {
+  const Folder folder;
+  const std::string dive = (folder / "d.mcap").string(), packets = (folder / "d.pcapng").string();
+  ASSERT_EQ(
+      drydock("run rig_config/rigs/demo.toml --for 20s --speed max --record " + dive).exit_code, 0);
+  ASSERT_EQ(drydock("export " + dive + " --only dvl --to pcapng -o " + packets).exit_code, 0);
+  const auto then = drydock("replay --only dvl " + dive + " 2>/dev/null #").output;
+  const auto now =
+      drydock("replay --protocol pd0 --interface dvl --baud 115200 " + packets + " 2>/dev/null #")
+          .output;
+  const auto before = values(then, "received_at_s");
+  EXPECT_GT(before.size(), 50u);
+  EXPECT_EQ(values(now, "received_at_s").size(), before.size());
+}
+
+}  // namespace serial_pcapng_test

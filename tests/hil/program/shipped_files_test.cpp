@@ -1,0 +1,95 @@
+// Files that come with the program, by name, and starts of new ones.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/hil/program/program.hpp"
+
+namespace shipped_files_test {
+
+using program::drydock;
+using program::Folder;
+using program::Outcome;
+using testing::HasSubstr;
+
+/// In an empty folder, where no path of the source tree leads anywhere.
+Outcome elsewhere(const Folder& folder, const std::string& arguments) {
+  return drydock("--version >/dev/null; cd " + (folder / "").string() + " && " DRYDOCK_PROGRAM " " +
+                 arguments);
+}
+
+TEST(ShippedFiles, ARigIsFoundByItsNameItsFileAndItsPathFromAnyFolder) {
+  const Folder folder;
+  for (const std::string rig : {"demo", "demo.toml", "rig_config/rigs/demo.toml"}) {
+    const auto run = elsewhere(folder, "run " + rig + " --for 1s --speed max");
+    EXPECT_THAT(run.output, HasSubstr("demo: 1.0 s of bench time")) << rig;
+  }
+}
+
+TEST(ShippedFiles, AFileOfTheSameNameHereComesFirst) {
+  const Folder folder;
+  std::ofstream(folder / "demo.toml") << "[rig]\nname = \"mine\"\nno_such_key = 1\n";
+  EXPECT_THAT(elsewhere(folder, "run demo.toml --for 1s").output,
+              HasSubstr("demo.toml:3:1: /rig/no_such_key: unknown key"));
+}
+
+TEST(ShippedFiles, AVehicleAndAGradeAreFoundByName) {
+  const Folder folder;
+  EXPECT_EQ(elsewhere(folder, "maneuver nps-auv-ii turning-circle").exit_code, 0);
+  EXPECT_EQ(elsewhere(folder, "sensor xsens-mti-630 --for 20s").exit_code, 0);
+}
+
+TEST(ShippedFiles, ARigThatIsNowhereIsAnErrorOfItsOwnName) {
+  const Folder folder;
+  const auto run = elsewhere(folder, "run demmo --for 1s");
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_THAT(run.output, HasSubstr("demmo:0:0: /: cannot be read: No such file"));
+}
+
+TEST(ShippedFiles, TheListHasOneOfEachKindWithWhatItsFileSaysFirst) {
+  const Folder folder;
+  const auto list = elsewhere(folder, "example");
+  EXPECT_EQ(list.exit_code, 0);
+  EXPECT_THAT(list.output, testing::ContainsRegex(
+                               "  demo +The demonstration: six emulated sensors of an underwater"));
+  for (const char* name : {"  s-path", "  xsens-mti-630", "  nps-auv-ii "})
+    EXPECT_THAT(list.output, HasSubstr(name));
+  EXPECT_THAT(elsewhere(folder, "example s-path").output, HasSubstr("amplitude_deg = 45.0"));
+  EXPECT_EQ(elsewhere(folder, "example nothing").exit_code, 2);
+}
+
+TEST(NewFile, OfEachKindIsAcceptedByCheck) {
+  const Folder folder;
+  for (const std::string kind : {"rig", "mission", "sensor", "vehicle"}) {
+    const auto made = elsewhere(folder, "new " + kind + " my-" + kind);
+    EXPECT_EQ(made.exit_code, 0) << made.output;
+    EXPECT_EQ(elsewhere(folder, "check my-" + kind + ".toml").output, "my-" + kind + ".toml: ok\n");
+  }
+}
+
+TEST(NewFile, OfARigRunsAndMeetsItsExpectation) {
+  const Folder folder;
+  elsewhere(folder, "new rig my-bench");
+  const auto run = elsewhere(folder, "run my-bench.toml --for 10s --speed max");
+  EXPECT_EQ(run.exit_code, 0) << run.output;
+  EXPECT_THAT(run.output, HasSubstr("my-bench: 10.0 s of bench time"));
+  EXPECT_THAT(run.output, HasSubstr("PASS dvl state: streaming"));
+}
+
+TEST(NewFile, ReplacesNoFileUnasked) {
+  const Folder folder;
+  std::ofstream(folder / "a.toml") << "precious";
+  const auto refused = elsewhere(folder, "new rig a");
+  EXPECT_EQ(refused.exit_code, 1);
+  EXPECT_THAT(refused.output, HasSubstr("--overwrite replaces it"));
+  EXPECT_EQ(program::read_file(folder / "a.toml"), "precious");
+  EXPECT_EQ(elsewhere(folder, "new rig a --overwrite").exit_code, 0);
+  EXPECT_EQ(elsewhere(folder, "new rig ../a").exit_code, 2);
+}
+
+TEST(Maneuver, WithoutANameListsThem) {
+  const auto asked = drydock("maneuver nps-auv-ii");
+  EXPECT_EQ(asked.exit_code, 2);
+  EXPECT_THAT(asked.output, HasSubstr("turning-circle, zigzag, spiral or dive; or --schedule"));
+}
+
+}  // namespace shipped_files_test
