@@ -37,7 +37,7 @@ std::optional<CampaignConfig> read_campaign(const std::string& file, std::FILE* 
 std::optional<OpenCampaign> open_campaign(const CampaignOptions& options, std::FILE* errors) {
   auto config = read_campaign(options.file, errors);
   if (!config) return std::nullopt;
-  const fs::path out = options.out.empty() ? default_out(options.file) : fs::path(options.out);
+  const fs::path out = folder_of(options);
   if (const auto wrong = objection(*config, out, options.resume)) {
     fmt::print(errors, "campaign: {} {}\n", out.string(), *wrong);
     return std::nullopt;

@@ -4,11 +4,15 @@
 
 #include <algorithm>
 #include <chrono>
+#include <map>
+#include <stdexcept>
 
 #include "drivers/terminal/exit_codes.hpp"
 #include "drivers/terminal/progress_bar.hpp"
 #include "hil/campaign/campaign_folder.hpp"
 #include "hil/campaign/report/results.hpp"
+#include "hil/campaign/slurm/slurm_folder.hpp"
+#include "hil/campaign/slurm/slurm_jobs.hpp"
 
 namespace drydock::campaign {
 namespace {
@@ -31,6 +35,19 @@ double rate_of(const std::vector<std::int64_t>& ends) {
          static_cast<double>(ends.back() - ends.front());
 }
 
+/// How many tasks of Slurm are in which state, if there are any.
+void print_tasks(const std::vector<std::string>& jobs, std::FILE* out, std::FILE* errors) {
+  if (jobs.empty()) return;
+  try {
+    std::map<std::string, std::size_t> counts;
+    for (const auto& state : task_states(jobs)) ++counts[state];
+    for (const auto& [state, count] : counts) fmt::print(out, "Slurm: {} tasks {}\n", count, state);
+    if (counts.empty()) fmt::print(out, "Slurm: all tasks have ended\n");
+  } catch (const std::runtime_error& error) {
+    fmt::print(errors, "campaign: {}\n", error.what());
+  }
+}
+
 }  // namespace
 
 std::string progress_text(const Ledger& ledger, std::size_t runs, std::int64_t now_ms) {
@@ -49,8 +66,7 @@ std::string progress_text(const Ledger& ledger, std::size_t runs, std::int64_t n
 int print_status(const CampaignOptions& options, std::FILE* out, std::FILE* errors) {
   const auto config = read_campaign(options.file, errors);
   if (!config) return terminal::exit_usage;
-  const auto folder =
-      options.out.empty() ? default_out(options.file) : std::filesystem::path(options.out);
+  const auto folder = folder_of(options);
   const std::size_t runs = Plan(*config).runs();
   const Ledger ledger = read_ledger(journal_folder(folder), runs, config->figures.size());
   const auto now = std::chrono::duration_cast<std::chrono::milliseconds>(
@@ -59,6 +75,7 @@ int print_status(const CampaignOptions& options, std::FILE* out, std::FILE* erro
       1 - static_cast<double>(missing_runs(ledger, runs).size()) / static_cast<double>(runs);
   fmt::print(out, "{} {} {}\n", config->name, terminal::progress_bar(done),
              progress_text(ledger, runs, now.count()));
+  print_tasks(submitted_jobs(folder), out, errors);
   return terminal::exit_success;
 }
 

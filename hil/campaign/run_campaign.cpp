@@ -11,6 +11,8 @@
 #include "hil/campaign/report/results.hpp"
 #include "hil/campaign/runs/local_engine.hpp"
 #include "hil/campaign/runs/one_run.hpp"
+#include "hil/campaign/slurm/run_shard.hpp"
+#include "hil/campaign/slurm/slurm_engine.hpp"
 #include "hil/study/run/study_progress.hpp"
 
 namespace drydock::campaign {
@@ -58,12 +60,17 @@ int run_only(const CampaignConfig& config, const CampaignOptions& options, std::
 }  // namespace
 
 int run_campaign(const CampaignOptions& options, std::FILE* out, std::FILE* errors) {
+  if (!options.shards.empty()) return run_shard(options, errors);
   if (options.only) {
     const auto config = read_campaign(options.file, errors);
     return config ? run_only(*config, options, out, errors) : terminal::exit_usage;
   }
   const auto campaign = open_campaign(options, errors);
   if (!campaign) return terminal::exit_usage;
+  if (options.slurm)
+    return run_on_slurm(*campaign, options, out, errors)
+               ? finish_campaign(*campaign, options, out, errors)
+               : terminal::exit_success;
   const unsigned processors = std::max(1U, std::thread::hardware_concurrency());
   do_missing(*campaign, options.jobs > 0 ? options.jobs : processors, errors);
   return finish_campaign(*campaign, options, out, errors);

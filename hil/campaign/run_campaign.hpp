@@ -4,7 +4,7 @@
 
 #include "hil/campaign/campaign_options.hpp"
 
-/// `drydock campaign` on this machine.
+/// `drydock campaign`, on this machine or by Slurm.
 namespace drydock::campaign {
 
 /// Does the runs, merges them and writes the report. Exit code: 0 all runs have figures; 1 some do

@@ -8,12 +8,25 @@
 namespace drydock::campaign {
 namespace {
 
+/// A page is to stay readable: of more runs than this, every n-th is drawn.
+std::size_t step_between_points(std::size_t runs) {
+  constexpr std::size_t most_points = 2000;
+  return (runs + most_points - 1) / most_points;
+}
+
+std::string points_label(std::size_t runs) {
+  const std::size_t step = step_between_points(runs);
+  return step > 1 ? fmt::format("one of {} runs", step) : "runs";
+}
+
 /// The share of the runs up to each value.
 report::Figure distribution_plot(const FigureAnalysis& a, std::vector<double> values) {
   std::ranges::sort(values);
-  report::Curve curve{.label = a.figure->name, .x = values, .y = {}};
-  for (std::size_t i = 1; i <= values.size(); ++i)
-    curve.y.push_back(static_cast<double>(i) / static_cast<double>(values.size()));
+  report::Curve curve{.label = points_label(values.size()), .x = {}, .y = {}};
+  for (std::size_t i = 0; i < values.size(); i += step_between_points(values.size())) {
+    curve.x.push_back(values[i]);
+    curve.y.push_back(static_cast<double>(i + 1) / static_cast<double>(values.size()));
+  }
   return {.title = a.figure->name + ": distribution",
           .x_label = a.figure->name,
           .y_label = "share of the runs",
@@ -22,8 +35,9 @@ report::Figure distribution_plot(const FigureAnalysis& a, std::vector<double> va
 
 /// The figure over a parameter; empty curves if the parameter is no number.
 report::Curve scatter(const Column& column, const Plan& plan, std::size_t parameter) {
-  report::Curve curve{.label = "runs", .x = {}, .y = {}, .points = true};
-  for (std::size_t i = 0; i < column.values.size(); ++i) {
+  const std::size_t runs = column.values.size();
+  report::Curve curve{.label = points_label(runs), .x = {}, .y = {}, .points = true};
+  for (std::size_t i = 0; i < runs; i += step_between_points(runs)) {
     const Value value = plan.values_of(column.indexes[i])[parameter];
     if (!is_number(value)) continue;
     curve.x.push_back(number_of(value));

@@ -55,6 +55,8 @@ pid_t started(const Child& child) {
   return pid;
 }
 
+bool asks_to_end(int signal) { return signal == SIGTERM || signal == SIGINT || signal == SIGHUP; }
+
 /// Reaps the program after what it left running was ended. The group lives as long as its leader
 /// is not reaped, so the number cannot mean another.
 ChildEnd reaped(pid_t pid, Ended how) {
@@ -65,7 +67,8 @@ ChildEnd reaped(pid_t pid, Ended how) {
   ::kill(-pid, SIGKILL);
   while (::waitpid(pid, nullptr, 0) < 0 && errno == EINTR) {
   }
-  if (how == Ended::by_itself && end.si_code != CLD_EXITED) how = Ended::by_signal;
+  if (how == Ended::by_itself && end.si_code != CLD_EXITED)
+    how = asks_to_end(end.si_status) ? Ended::from_outside : Ended::by_signal;
   return {how, end.si_status};
 }
 
@@ -83,7 +86,7 @@ ChildEnd run_child(const Child& child, const std::function<bool()>& stopped) {
   while (::poll(&end, 1, look_ms) <= 0 && how == Ended::by_itself) {
     const std::chrono::duration<double> took = Clock::now() - begin;
     if (stopped())
-      how = Ended::by_us;
+      how = Ended::from_outside;
     else if (child.timeout_s > 0 && took.count() > child.timeout_s)
       how = Ended::by_timeout;
   }

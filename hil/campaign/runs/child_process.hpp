@@ -8,7 +8,9 @@
 
 namespace drydock::campaign {
 
-enum class Ended : std::uint8_t { by_itself, by_signal, by_timeout, by_us };
+/// From outside: we were stopped, or somebody asked the program itself to end (SIGTERM, SIGINT,
+/// SIGHUP), as Slurm does with all programs of a task that is cancelled.
+enum class Ended : std::uint8_t { by_itself, by_signal, by_timeout, from_outside };
 
 struct ChildEnd {
   Ended how = Ended::by_itself;

@@ -10,11 +10,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::vector<fs::path> journals_in(const fs::path& folder) {
+std::vector<fs::path> journals_in(const fs::path& folder, const std::string& label) {
   std::vector<fs::path> found;
   std::error_code none;  // a folder that is not there has no journals
   for (const auto& entry : fs::directory_iterator(folder, none))
-    if (entry.path().extension() == ".journal") found.push_back(entry.path());
+    if (const auto& path = entry.path();
+        path.extension() == ".journal" && path.filename().string().starts_with(label))
+      found.push_back(path);
   std::ranges::sort(found);
   return found;
 }
@@ -38,9 +40,10 @@ void enter(Record record, Ledger& ledger) {
 
 }  // namespace
 
-Ledger read_ledger(const fs::path& folder, std::size_t runs, std::size_t figures) {
+Ledger read_ledger(const fs::path& folder, std::size_t runs, std::size_t figures,
+                   const std::string& label) {
   Ledger ledger;
-  for (const auto& path : journals_in(folder)) {
+  for (const auto& path : journals_in(folder, label)) {
     std::ifstream file(path);
     for (std::string line; std::getline(file, line);) {
       auto record = read_record(line, figures);

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <map>
+#include <string>
 #include <vector>
 
 #include "hil/campaign/runs/record.hpp"
@@ -18,8 +19,10 @@ struct Ledger {
 
 /// Reads the journals. Of several records of a run, one without a failure counts, and of equally
 /// good ones the first in the order of their lines; so the order of the files does not matter.
-/// Records of runs that the campaign does not have count as damaged.
-Ledger read_ledger(const std::filesystem::path& folder, std::size_t runs, std::size_t figures);
+/// Records of runs that the campaign does not have count as damaged. `label`: only of journals
+/// whose names begin so.
+Ledger read_ledger(const std::filesystem::path& folder, std::size_t runs, std::size_t figures,
+                   const std::string& label = {});
 
 /// The runs without a sound record, in order.
 std::vector<std::size_t> missing_runs(const Ledger& ledger, std::size_t runs);

@@ -86,7 +86,7 @@ std::optional<Record> do_run(const CampaignConfig& campaign, std::size_t index,
                     .errors = folder / "errors.txt",
                     .timeout_s = campaign.timeout_s};
   const ChildEnd end = run_child(child, stopped);
-  if (end.how == Ended::by_us) return std::nullopt;
+  if (end.how == Ended::from_outside) return std::nullopt;
   Record record{.index = index, .figures = {}, .exit_code = end.code};
   record.failure = failure_of(end, campaign.timeout_s, child.errors);
   const bool to_file = campaign.command.find("{json}") != std::string::npos;

@@ -144,6 +144,17 @@ TEST(CampaignProgram, SignalsTimeoutsAndMissingFiguresAreFailuresWithTheirReason
                            "none of the figures is in its JSON", ""));
 }
 
+// Slurm does so with all programs of a task that is cancelled.
+TEST(CampaignProgram, ARunThatIsToldToEndIsMissingNotFailed) {
+  const Folder folder;
+  write(folder / "c.toml",
+        campaign_text("[ {index} != 1 ] || kill -TERM $$\necho '{\"y\": 1}'", 3));
+  const auto said =
+      drydock("campaign " + (folder / "c.toml").string() + " --out " + (folder / "out").string());
+  EXPECT_EQ(said.exit_code, 1);
+  EXPECT_THAT(said.output, HasSubstr("0 of 3 runs failed, 1 are missing"));
+}
+
 /// Starts the campaign, waits until `file` has a line, and sends `signal` to it alone.
 void interrupted(const std::string& arguments, const std::filesystem::path& file,
                  const std::string& signal) {
