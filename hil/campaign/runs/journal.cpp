@@ -28,6 +28,14 @@ fs::path journal_path(const fs::path& folder, const std::string& label) {
                               std::chrono::duration_cast<std::chrono::microseconds>(now).count());
 }
 
+/// A new file survives a power cut only once its folder is on the disk.
+void keep_name(const fs::path& folder) {
+  const int handle = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (handle < 0) return;  // the file itself is open, so this is no reason to stop
+  ::fsync(handle);
+  ::close(handle);
+}
+
 }  // namespace
 
 Journal::Journal(const fs::path& folder, const std::string& label)
@@ -38,6 +46,7 @@ Journal::Journal(const fs::path& folder, const std::string& label)
   if (file_ < 0)
     throw std::runtime_error(
         fmt::format("{}: cannot be written: {}", path_.string(), std::strerror(errno)));
+  keep_name(folder);
 }
 
 Journal::~Journal() { ::close(file_); }

@@ -79,6 +79,16 @@ TEST(CampaignJournal, ARunThatGivesOtherFiguresTheSecondTimeIsNamed) {
   EXPECT_EQ(ledger.records.at(4).figures.at(0), 1);
 }
 
+// A task that is queued again reads the journals of its own shard alone; that of shard 11 is not of
+// shard 1.
+TEST(CampaignJournal, ALabelChoosesTheJournalsOfOneShard) {
+  const ScratchFolder folder;
+  Journal(folder.path(), "shard-1-1").add(sound(0, 1));
+  Journal(folder.path(), "shard-1-11").add(sound(1, 2));
+  const auto ledger = read_ledger(folder.path(), 3, 2, "shard-1-1-");
+  EXPECT_THAT(missing_runs(ledger, 3), ElementsAre(1, 2));
+}
+
 /// Lets a file grow to so many bytes only, as a full disk does, while it lives.
 class FullDisk {
  public:
