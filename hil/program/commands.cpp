@@ -38,6 +38,7 @@ void add_sensor(CLI::App&, Command&);
 void add_sky(CLI::App&, Command&);
 void add_maneuver(CLI::App&, Command&);
 void add_study(CLI::App&, Command&);
+void add_campaign(CLI::App&, Command&);
 // Measuring sensors, drivers and the machine.
 void add_characterize(CLI::App&, Command&);
 void add_soak(CLI::App&, Command&);
@@ -47,12 +48,12 @@ void add_scorecard(CLI::App&, Command&);
 
 std::span<const AddCommand> commands() {
   static constexpr auto all = std::to_array<AddCommand>(
-      {add_run,          add_emulate,  add_drive,    add_record,  add_estimate,   add_check,
-       add_fault,        add_diagnose, add_topic,    add_example, add_new,        add_decode,
-       add_probe,        add_describe, add_monitor,  add_doctor,  add_completion, add_man,
-       add_help,         add_info,     add_export,   add_recover, add_cut,        add_bisect,
-       add_replay,       add_proxy,    add_sensor,   add_sky,     add_maneuver,   add_study,
-       add_characterize, add_soak,     add_validity, add_load,    add_scorecard});
+      {add_run,      add_emulate,      add_drive,   add_record,   add_estimate,   add_check,
+       add_fault,    add_diagnose,     add_topic,   add_example,  add_new,        add_decode,
+       add_probe,    add_describe,     add_monitor, add_doctor,   add_completion, add_man,
+       add_help,     add_info,         add_export,  add_recover,  add_cut,        add_bisect,
+       add_replay,   add_proxy,        add_sensor,  add_sky,      add_maneuver,   add_study,
+       add_campaign, add_characterize, add_soak,    add_validity, add_load,       add_scorecard});
   return all;
 }
 

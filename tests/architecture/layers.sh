@@ -72,6 +72,7 @@ hil/info                   drivers/recordings/record drivers/recordings/mcap dri
 hil/topic                  hil/replay/reference drivers/recordings/record drivers/recordings/mcap drivers/host drivers/bus drivers/io drivers/text drivers/terminal drivers/measurement rig_config
 hil/example                drivers/terminal rig_config
 hil/world                  hil/report hil/sky hil/sensor hil/motion estimators/frame drivers/measurement drivers/terminal rig_config
+hil/campaign               hil/study hil/study/run hil/report hil/sensor drivers/terminal rig_config
 hil/program                hil/[a-z/_]* estimators/[a-z]* drivers/[a-z/]* rig_config
 '
 

@@ -31,4 +31,4 @@ def of_program(program):
 
 def of_rig(script):
     """The commands that ./rig lists."""
-    return set(re.findall(r"^  ([a-z-]+)(?:  | \[)", help_of("bash", script), re.M))
+    return set(re.findall(r"^  ([a-z]+(?:-[a-z]+)*)(?:  | \[)", help_of("bash", script), re.M))

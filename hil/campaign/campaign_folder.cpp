@@ -1,0 +1,49 @@
+#include "hil/campaign/campaign_folder.hpp"
+
+#include <fmt/format.h>
+
+#include "hil/campaign/report/results.hpp"
+#include "hil/report/write_file.hpp"
+#include "rig_config/toml/checked_file.hpp"
+
+namespace drydock::campaign {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What speaks against the use of this folder.
+std::optional<std::string> objection(const CampaignConfig& config, const fs::path& out,
+                                     bool resume) {
+  const auto known = rig_config::read_file(campaign_copy(out).string());
+  if (!known) return {};
+  if (*known != config.text)
+    return "holds another campaign, or this one before a change; allowed: another --out";
+  const bool begun = fs::exists(journal_folder(out)) && !fs::is_empty(journal_folder(out));
+  if (begun && !resume)
+    return "has results already; allowed: --resume, which keeps them, or another --out";
+  return {};
+}
+
+}  // namespace
+
+std::optional<CampaignConfig> read_campaign(const std::string& file, std::FILE* errors) {
+  auto campaign = load_campaign(file);
+  if (campaign) return std::move(*campaign);
+  for (const auto& problem : campaign.error())
+    fmt::print(errors, "{}\n", rig_config::to_string(problem));
+  return std::nullopt;
+}
+
+std::optional<OpenCampaign> open_campaign(const CampaignOptions& options, std::FILE* errors) {
+  auto config = read_campaign(options.file, errors);
+  if (!config) return std::nullopt;
+  const fs::path out = folder_of(options);
+  if (const auto wrong = objection(*config, out, options.resume)) {
+    fmt::print(errors, "campaign: {} {}\n", out.string(), *wrong);
+    return std::nullopt;
+  }
+  report::write_file(campaign_copy(out), config->text);
+  return OpenCampaign{std::move(*config), out};
+}
+
+}  // namespace drydock::campaign

@@ -1,0 +1,106 @@
+#include "hil/campaign/plan/campaign_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "hil/campaign/plan/placeholders.hpp"
+#include "hil/campaign/plan/read_parameter.hpp"
+#include "rig_config/rules/schema_check.hpp"
+#include "rig_config/toml/checked_file.hpp"
+#include "rig_config/toml/read_keys.hpp"
+#include "rig_config/toml/toml_reader.hpp"
+
+namespace drydock::campaign {
+namespace {
+
+using rig_config::Node;
+using rig_config::Problems;
+
+void read_head(const Node& table, CampaignConfig& campaign) {
+  read(table, "name", campaign.name);
+  read(table, "command", campaign.command);
+  if (const Node* seed = table.find("seed"))
+    campaign.seed = static_cast<std::uint64_t>(seed->integer);
+  if (const Node* runs = table.find("repetitions"))
+    campaign.repetitions = static_cast<std::size_t>(runs->integer);
+  read(table, "timeout_s", campaign.timeout_s);
+  read(table, "confidence", campaign.confidence);
+}
+
+FigureConfig read_figure(const Node& table) {
+  constexpr std::array betters{"less", "more", "near_zero"};
+  FigureConfig figure{.name = table.find("name")->text, .at = table.find("at")->text};
+  if (table.find("better")) figure.better = rig_config::named<Better>(table, betters, "better");
+  read(table, "same_within", figure.same_within);
+  return figure;
+}
+
+/// Columns of the results and placeholders share one set of names.
+void check_names(const Node& root, const std::string& path, Problems& problems) {
+  std::vector<std::string> seen{"index",  "repetition", "seed",   "json",
+                                "folder", "exit_code",  "failure"};
+  for (const char* list : {"parameter", "figure"})
+    rig_config::for_each_table(root, list, [&](const Node& table, std::size_t i) {
+      const Node& name = *table.find("name");
+      if (std::ranges::find(seen, name.text) != seen.end())
+        problems.push_back({path, name.at.line, name.at.column, fmt::format("/{}/{}/name", list, i),
+                            fmt::format("the name '{}' is taken", name.text)});
+      seen.push_back(name.text);
+    });
+}
+
+void check_command(const Node& root, const CampaignConfig& campaign, const std::string& path,
+                   Problems& problems) {
+  const Node& command = *root.find("campaign")->find("command");
+  for (const auto& name : unknown_placeholders(campaign, campaign.command))
+    problems.push_back({path, command.at.line, command.at.column, "/campaign/command",
+                        fmt::format("there is no '{{{}}}', allowed: {}", name,
+                                    fmt::join(placeholder_names(campaign), ", "))});
+}
+
+/// Before anything multiplies: the product of many lists has more digits than an index.
+void check_runs(const CampaignConfig& campaign, const std::string& path, Problems& problems) {
+  constexpr double most = 1e9;
+  auto runs = static_cast<double>(campaign.repetitions);
+  for (const auto& parameter : campaign.parameters)
+    if (parameter.draw == Draw::list) runs *= static_cast<double>(parameter.list.size());
+  if (runs > most)
+    problems.push_back(
+        {path, 1, 1, "/", fmt::format("{:.3g} are more runs than {:.0f}", runs, most)});
+}
+
+}  // namespace
+
+rig_config::Loaded<CampaignConfig> load_campaign_text(std::string_view text,
+                                                      const std::string& path) {
+  const auto root = rig_config::read_toml(text, path);
+  if (!root) return root.error();
+  Problems problems = rig_config::check_schema(*root, path, campaign_schema_text());
+  if (!problems.empty()) return problems;
+  CampaignConfig campaign{.text = std::string(text)};
+  read_head(*root->find("campaign"), campaign);
+  rig_config::for_each_table(*root, "parameter", [&](const Node& table, std::size_t) {
+    campaign.parameters.push_back(read_parameter(table, path, problems));
+  });
+  rig_config::for_each_table(*root, "figure", [&](const Node& table, std::size_t) {
+    campaign.figures.push_back(read_figure(table));
+  });
+  rig_config::for_each_table(*root, "file", [&](const Node& table, std::size_t) {
+    campaign.files.push_back({table.find("name")->text, table.find("text")->text});
+  });
+  check_names(*root, path, problems);
+  check_command(*root, campaign, path, problems);
+  check_runs(campaign, path, problems);
+  if (!problems.empty()) return problems;
+  return campaign;
+}
+
+rig_config::Loaded<CampaignConfig> load_campaign(const std::string& path) {
+  const auto text = rig_config::read_file(path);
+  if (!text) return text.error();
+  return load_campaign_text(*text, path);
+}
+
+}  // namespace drydock::campaign

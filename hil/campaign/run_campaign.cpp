@@ -1,0 +1,79 @@
+#include "hil/campaign/run_campaign.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <thread>
+
+#include "drivers/terminal/exit_codes.hpp"
+#include "hil/campaign/finish_campaign.hpp"
+#include "hil/campaign/report/repeat.hpp"
+#include "hil/campaign/report/results.hpp"
+#include "hil/campaign/runs/local_engine.hpp"
+#include "hil/campaign/runs/one_run.hpp"
+#include "hil/campaign/slurm/run_shard.hpp"
+#include "hil/campaign/slurm/slurm_engine.hpp"
+#include "hil/study/run/study_progress.hpp"
+
+namespace drydock::campaign {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The missing runs on this machine.
+void do_missing(const OpenCampaign& campaign, unsigned jobs, std::FILE* errors) {
+  const auto folder = journal_folder(campaign.out);
+  const std::size_t runs = Plan(campaign.config).runs();
+  const auto missing =
+      missing_runs(read_ledger(folder, runs, campaign.config.figures.size()), runs);
+  if (missing.empty()) return;
+  Journal journal(folder, "local");
+  study::StudyProgress progress(errors);
+  const auto done = run_here(campaign.config, missing, jobs, journal, progress);
+  progress.finish(campaign.config.name, done,
+                  {.runs = missing.size(), .seed = campaign.config.seed});
+}
+
+/// One run in a folder that stays, with what it gave.
+int run_only(const CampaignConfig& config, const CampaignOptions& options, std::FILE* out,
+             std::FILE* errors) {
+  const std::size_t index = *options.only;
+  if (index >= Plan(config).runs()) {
+    fmt::print(errors, "campaign: there is no run {}, allowed: 0 to {}\n", index,
+               Plan(config).runs() - 1);
+    return terminal::exit_usage;
+  }
+  const fs::path folder =
+      options.out.empty() ? fs::path(fmt::format("run-{}", index)) : fs::path(options.out);
+  fs::create_directories(folder);
+  const terminal::InterruptFlag interrupt;
+  const auto record = do_run(config, index, folder, [&] { return interrupt.set(); });
+  if (!record) return terminal::exit_failed;
+  for (std::size_t i = 0; i < config.figures.size(); ++i)
+    fmt::print(out, "{} {}\n", config.figures[i].name,
+               record->figures[i] ? fmt::format("{}", *record->figures[i]) : "-");
+  if (record->failure.empty()) return terminal::exit_success;
+  fmt::print(errors, "campaign: run {} failed: {}\n", index, record->failure);
+  return terminal::exit_failed;
+}
+
+}  // namespace
+
+int run_campaign(const CampaignOptions& options, std::FILE* out, std::FILE* errors) {
+  if (!options.shards.empty()) return run_shard(options, errors);
+  if (options.only) {
+    const auto config = read_campaign(options.file, errors);
+    return config ? run_only(*config, options, out, errors) : terminal::exit_usage;
+  }
+  const auto campaign = open_campaign(options, errors);
+  if (!campaign) return terminal::exit_usage;
+  if (options.slurm)
+    return run_on_slurm(*campaign, options, out, errors)
+               ? finish_campaign(*campaign, options, out, errors)
+               : terminal::exit_success;
+  const unsigned processors = std::max(1U, std::thread::hardware_concurrency());
+  do_missing(*campaign, options.jobs > 0 ? options.jobs : processors, errors);
+  return finish_campaign(*campaign, options, out, errors);
+}
+
+}  // namespace drydock::campaign
