@@ -57,13 +57,13 @@ install(TARGETS ${drydock_exported} EXPORT Drydock COMPONENT development
   ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}/drydock COMPONENT development)
 install(EXPORT Drydock NAMESPACE Drydock:: FILE DrydockTargets.cmake DESTINATION ${drydock_package_folder} COMPONENT development)
 
-configure_package_config_file(cmake/DrydockConfig.cmake.in ${PROJECT_BINARY_DIR}/cmake/DrydockConfig.cmake
+configure_package_config_file(.packaging/cmake/DrydockConfig.cmake.in ${PROJECT_BINARY_DIR}/cmake/DrydockConfig.cmake
   INSTALL_DESTINATION ${drydock_package_folder})
 # Before 1.0 each minor version may break what the page does not promise.
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/cmake/DrydockConfigVersion.cmake COMPATIBILITY SameMinorVersion)
-configure_file(cmake/version.hpp.in ${PROJECT_BINARY_DIR}/cmake/version.hpp @ONLY)
+configure_file(.packaging/cmake/version.hpp.in ${PROJECT_BINARY_DIR}/cmake/version.hpp @ONLY)
 file(RELATIVE_PATH drydock_way_to_prefix /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
-configure_file(cmake/drydock.pc.in ${PROJECT_BINARY_DIR}/cmake/drydock.pc @ONLY)
+configure_file(.packaging/cmake/drydock.pc.in ${PROJECT_BINARY_DIR}/cmake/drydock.pc @ONLY)
 
 install(FILES ${PROJECT_BINARY_DIR}/cmake/DrydockConfig.cmake ${PROJECT_BINARY_DIR}/cmake/DrydockConfigVersion.cmake
   DESTINATION ${drydock_package_folder} COMPONENT development)
