@@ -82,6 +82,8 @@ class RealTimeRun {
                   [this](const std::string& line) { table_.note(line); });
     estimators_.start();
     drivers_.start();
+    if (autopilot_)
+      table_.note(fmt::format("waits for an autopilot on UDP port {}", autopilot_->port()));
     io::UntilStopped until(io_, time_left(), [this] { stop(); });
     keep_ticking();
     io_.run();

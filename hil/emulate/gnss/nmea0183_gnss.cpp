@@ -23,7 +23,9 @@ class Nmea0183Gnss final : public SamplingDevice {
     greet(out);
     const auto before = commands_.period_s();
     commands_.receive(bytes, out);
-    if (commands_.period_s() != before) go_on_at_whole_multiples(1 / *commands_.period_s(), now);
+    if (commands_.period_s() != before)
+      go_on_at_whole_multiples(1 / *commands_.period_s(),
+                               std::max(now, last_epoch_ + std::chrono::nanoseconds{1}));
   }
 
  private:
@@ -32,6 +34,7 @@ class Nmea0183Gnss final : public SamplingDevice {
   }
 
   void sample(Stamp at, Wire& out) override {
+    last_epoch_ = at;
     const GnssEpoch epoch = sensor_.measure(trajectory().at(at), mounting());
     ++epochs_;
     send_if_due(0, rmc(epoch), out);
@@ -54,6 +57,7 @@ class Nmea0183Gnss final : public SamplingDevice {
   GnssSensor sensor_;
   NmeaCommands commands_;
   bool greeted_ = false;
+  Stamp last_epoch_{};
   std::uint64_t epochs_ = 0;
   std::array<std::uint8_t, 256> bytes_{};
 };

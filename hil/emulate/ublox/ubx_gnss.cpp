@@ -54,10 +54,12 @@ class UbxGnss final : public SamplingDevice, private ublox::Owner {
     const double period_s = settings_.period_s();
     if (period_s == period_s_.value_or(delivered_period_s_)) return;
     period_s_ = period_s;
-    go_on_at_whole_multiples(1 / period_s, now);
+    go_on_at_whole_multiples(1 / period_s,
+                             std::max(now, last_epoch_ + std::chrono::nanoseconds{1}));
   }
 
   void sample(Stamp at, Wire& out) override {
+    last_epoch_ = at;
     epoch_ = sensor_.measure(trajectory().at(at), mounting());
     ++epochs_;
     for (const auto& message : ublox::message_facts()) {
@@ -137,6 +139,7 @@ class UbxGnss final : public SamplingDevice, private ublox::Owner {
   std::optional<double> period_s_;  ///< that a host or the memory has set
   bool greeted_ = false, runs_ = true;
   GnssEpoch epoch_;  ///< the last one, for polls
+  Stamp last_epoch_{};
   std::uint64_t epochs_ = 0;
   std::array<std::uint8_t, 2048> bytes_{};
 };

@@ -74,6 +74,16 @@ TEST(EmulatedUblox, SendsAnEpochAtEachWholeMultipleOfTheNewPeriod) {
   EXPECT_EQ(epochs[9].itow, std::chrono::milliseconds{252'820'400});
 }
 
+TEST(EmulatedUblox, AnEpochIsNotSentAgainWhenItsInstantSetsAnotherPeriod) {
+  UbloxHost host(UbloxModel::m8);
+  host.listen(1);
+  EXPECT_EQ(host.all<wire::NavPvt>().size(), 2u);
+  EXPECT_TRUE(host.acknowledges(ubx::cfg_rate, {200, 0, 1, 0, 0, 0}));
+  host.listen(0.3);
+  ASSERT_EQ(host.all<wire::NavPvt>().size(), 1u);
+  EXPECT_EQ(host.all<wire::NavPvt>()[0].itow, std::chrono::milliseconds{252'819'200});
+}
+
 TEST(EmulatedUblox, SendsEachMessageAtItsOwnRateOfEpochs) {
   UbloxHost host(UbloxModel::m8, 5);
   EXPECT_TRUE(host.acknowledges(ubx::cfg_msg, {0x01, 0x20, 5}));
