@@ -38,6 +38,9 @@ struct DvlHeadConfig {
   double layer_start_m = 0, layer_thickness_m = 0;  ///< water track; thickness 0: none
 };
 
+/// Which u-blox generation an emulated receiver is: its messages, its settings and its versions.
+enum class UbloxModel : std::uint8_t { m8, f9 };
+
 /// An emulated compass.
 struct CompassConfig {
   std::optional<double> variation_rad;  ///< positive to the east; empty: it knows none
@@ -60,9 +63,10 @@ struct EmulateConfig {
   std::optional<double> rate_hz;
   std::optional<double> power_noise;  ///< kind gnss: see SkyConfig
 
-  std::optional<SkyConfig> sky;  ///< kind gnss; empty: ten invented satellites
-  DvlHeadConfig head;            ///< kind dvl
-  CompassConfig compass;         ///< kind attitude
+  std::optional<SkyConfig> sky;       ///< kind gnss; empty: ten invented satellites
+  DvlHeadConfig head;                 ///< kind dvl
+  CompassConfig compass;              ///< kind attitude
+  UbloxModel model = UbloxModel::m8;  ///< kind gnss, UBX
 };
 
 }  // namespace drydock::rig_config

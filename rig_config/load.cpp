@@ -21,7 +21,15 @@ Loaded<MissionConfig> build_with_vehicle(const Node& root, const std::string& pa
   if (const Node* reference = root.find("mission")->find("vehicle")) {
     const auto vehicle = read_checked_file(beside(path, reference->text), FileKind::vehicle);
     if (!vehicle) return vehicle.error();
-    mission.vehicle = build_vehicle(*vehicle);
+    if (has_thrusters(*vehicle)) {
+      mission.thruster_vehicle = build_thruster_vehicle(*vehicle);
+      if (!mission.steering)
+        return Problems{{path, reference->at.line, reference->at.column, "/mission/vehicle",
+                         "a vehicle with thrusters cannot sail legs by itself: allowed with "
+                         "[steering], in which another program steers it"}};
+    } else {
+      mission.vehicle = build_vehicle(*vehicle);
+    }
     mission.files.push_back(beside(path, reference->text));
   }
   return mission;
@@ -177,6 +185,7 @@ Loaded<std::vector<FaultConfig>> load_faults(const std::string& path) {
 Loaded<VehicleConfig> load_vehicle_text(std::string_view text, const std::string& path) {
   const auto root = read_checked(text, path, FileKind::vehicle);
   if (!root) return root.error();
+  if (auto problems = fins_are_missing(*root, path); !problems.empty()) return problems;
   return build_vehicle(*root);
 }
 

@@ -7,6 +7,7 @@
 #include "rig_config/fault.hpp"
 #include "rig_config/ocean.hpp"
 #include "rig_config/places.hpp"
+#include "rig_config/thruster_vehicle.hpp"
 #include "rig_config/vehicle.hpp"
 
 /// A mission file as typed values: the motion of the emulated vehicle.
@@ -52,6 +53,12 @@ struct BallisticConfig {
   double coning_radps = 0;                ///< rate of the nose around this cone
 };
 
+/// Another program that steers the vehicle instead of legs.
+struct SteeringConfig {
+  std::string from;                       ///< "ardupilot": its JSON physics interface
+  std::string listen = "127.0.0.1:9002";  ///< address and UDP port
+};
+
 struct MissionConfig {
   std::vector<std::string> files;  ///< files that it names: the vehicle file
   double latitude_rad = 0, longitude_rad = 0, depth_m = 0, heading_rad = 0, speed_mps = 0;
@@ -62,7 +69,9 @@ struct MissionConfig {
   std::vector<FaultConfig> faults;
   std::optional<BallisticConfig> ballistic;  ///< instead of legs
   std::optional<VehicleConfig> vehicle;      ///< follows the legs with autopilots; empty: kinematic
-  PlacesPtr places;                          ///< of the mission file
+  std::optional<ThrusterVehicleConfig> thruster_vehicle;  ///< needs steering
+  std::optional<SteeringConfig> steering;                 ///< instead of legs
+  PlacesPtr places;                                       ///< of the mission file
 };
 
 }  // namespace drydock::rig_config

@@ -59,6 +59,8 @@ class ByteLink {
   virtual void say_last(std::span<const std::uint8_t>) {}
   virtual void close() = 0;
   virtual Provenance provenance() const = 0;
+  /// Bit/s that the other end has set, if this link can tell. The end of a pty can.
+  virtual std::optional<unsigned> far_baud() const { return {}; }
   /// Written bytes that a listener who was there did not take in time.
   virtual std::uint64_t dropped() const { return 0; }
 };

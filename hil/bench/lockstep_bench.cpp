@@ -18,6 +18,15 @@ using measurement::Stamp;
 
 constexpr unsigned default_bit_rate = 250'000;
 
+/// Another program has a clock of its own.
+const rig_config::Rig& not_steered(const rig_config::Rig& rig) {
+  if (rig.mission.steering)
+    throw std::runtime_error(fmt::format(
+        "{}: {} steers the vehicle of its mission, in real time; allowed without --speed max",
+        rig.file, rig.mission.steering->from));
+  return rig;
+}
+
 template <class Result>
 auto or_throw(Result result) {
   if (!result) throw std::runtime_error(result.error().message);
@@ -51,7 +60,7 @@ class LockstepBench::ToLine final : public device::Transmitter {
 LockstepBench::LockstepBench(const rig_config::Rig& rig, const motion::Trajectory& motion,
                              host::Follower& follower,
                              emulate::RealTimeEmulator::OnWritten on_written)
-    : rig_(rig),
+    : rig_(not_steered(rig)),
       follower_(follower),
       on_written_(std::move(on_written)),
       start_(motion.start()),
@@ -104,6 +113,8 @@ void LockstepBench::add_line(const rig_config::DeviceConfig& config, const link:
         if (on_written_) on_written_(name, passage, passage.ended_at);
         actor.receive(bytes, passage.ended_at);
       }));
+  lines_.back()->set_on_told(
+      [this, name = config.name](std::string_view what, Stamp at) { on_told_(name, what, at); });
   lines_.back()->set_on_port([&actor](bool there, Stamp at) { actor.set_port(there, at); });
   actor.tap(follower_);
   to_lines_.back()->line = lines_.back().get();

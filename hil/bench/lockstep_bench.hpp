@@ -27,6 +27,11 @@ class LockstepBench final : private device::Listener {
                 host::Follower& follower, emulate::RealTimeEmulator::OnWritten on_written = {});
   ~LockstepBench() override;
 
+  /// Called with what a driver has told an emulated device.
+  using OnTold =
+      std::function<void(std::string_view device, std::string_view what, measurement::Stamp at)>;
+  void set_on_told(OnTold hook) { on_told_ = std::move(hook); }
+
   measurement::Stamp now() const { return clock_.now(); }
   void run_until(measurement::Stamp end) { clock_.run_until(end); }
   void flush() { pipeline_.flush(); }  ///< call it at the end of a run
@@ -62,6 +67,7 @@ class LockstepBench final : private device::Listener {
   const rig_config::Rig& rig_;
   host::Follower& follower_;
   emulate::RealTimeEmulator::OnWritten on_written_;
+  OnTold on_told_ = [](std::string_view, std::string_view, measurement::Stamp) {};
   measurement::Stamp start_;
   shell::Lockstep clock_;
   fault::Injector faults_;

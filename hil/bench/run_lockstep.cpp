@@ -9,6 +9,7 @@
 #include "hil/bench/lockstep_bench.hpp"
 #include "hil/bench/rig_run.hpp"
 #include "hil/bench/run.hpp"
+#include "hil/bench/told_log.hpp"
 #include "hil/control/live_faults.hpp"
 #include "hil/fault/schedule/chronicle.hpp"
 #include "hil/motion/remembered_trajectory.hpp"
@@ -31,7 +32,12 @@ class LockstepRun {
         finding_lines_(rig, start_, [](const std::string& line) { fmt::print("{}\n", line); }),
         bench_(rig, trajectory_, run_.followers(), run_.on_written()),
         chronicle_(bench_.faults(), start_) {
-    if (options.quiet || terminal_) return;
+    const bool prints = !options.quiet && !terminal_;
+    bench_.set_on_told([this, prints](std::string_view device, std::string_view what, Stamp) {
+      const auto line = told_.add(device, what);
+      if (prints && !line.empty()) fmt::print("{}\n", line);
+    });
+    if (!prints) return;
     run_.followers().add(state_lines_);
     run_.followers().add(finding_lines_);
     chronicle_.set_on_change([this](const fault::Episode& episode) {
@@ -59,6 +65,7 @@ class LockstepRun {
     s.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - wall_start).count();
     s.interrupted = interrupted.set();
     s.devices = run_.devices(bench_.now());
+    s.notes = told_.notes();
     run_.write(s);
     control::write(chronicle_, start_, s);
     return s;
@@ -87,6 +94,7 @@ class LockstepRun {
   host::FindingLines finding_lines_;
   LockstepBench bench_;
   fault::Chronicle chronicle_;
+  ToldLog told_;
 };
 
 }  // namespace

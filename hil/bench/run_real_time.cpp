@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/steady_timer.hpp>
+#include <iterator>
 #include <optional>
 #include <stdexcept>
 
@@ -21,9 +22,11 @@
 #include "estimators/setup/rig_pipeline.hpp"
 #include "hil/bench/rig_run.hpp"
 #include "hil/bench/run.hpp"
+#include "hil/bench/told_log.hpp"
 #include "hil/control/fault_services.hpp"
 #include "hil/control/live_faults.hpp"
 #include "hil/emulate/real_time/real_time.hpp"
+#include "hil/steer/real_time/autopilot_server.hpp"
 #include "hil/summary/truth_of_rig.hpp"
 
 namespace drydock::bench {
@@ -62,12 +65,16 @@ class RealTimeRun {
         finding_lines_(rig, start_, [this](const std::string& line) { table_.note(line); }) {
     if (!options.quiet) run_.followers().add(table_);
     if (!options.quiet) run_.followers().add(finding_lines_);
+    if (auto* motion = motion::steered(*trajectory_)) autopilot_.emplace(io_, *motion, rig.mission);
     if (!options.serve.address.empty()) serve(options.serve);
   }
 
   summary::Summary run() {
     run_.begin({start_, drivers_.devices(), estimators_.pipeline(), faults_.injector()});
     emulator_.set_on_written(run_.on_written());
+    emulator_.set_on_told([this](std::string_view device, std::string_view what) {
+      if (const auto line = told_.add(device, what); !line.empty()) table_.note(line);
+    });
     if (auto started = emulator_.start(summary::emulated_devices(rig_)); !started)
       throw std::runtime_error(started.error().message);
     faults_.set_on_change([this](const fault::Episode&) { run_.tell_faults(link::now()); });
@@ -75,6 +82,8 @@ class RealTimeRun {
                   [this](const std::string& line) { table_.note(line); });
     estimators_.start();
     drivers_.start();
+    if (autopilot_)
+      table_.note(fmt::format("waits for an autopilot on UDP port {}", autopilot_->port()));
     io::UntilStopped until(io_, time_left(), [this] { stop(); });
     keep_ticking();
     io_.run();
@@ -82,6 +91,9 @@ class RealTimeRun {
     summary_.interrupted = until.interrupted();
     summary_.mode = "real time";
     summary_.notes = summary::can_notes(rig_);
+    std::ranges::move(told_.notes(), std::back_inserter(summary_.notes));
+    if (autopilot_)
+      std::ranges::move(autopilot_->session().notes(), std::back_inserter(summary_.notes));
     note_losses();
     run_.write(summary_);
     faults_.write(summary_);
@@ -124,6 +136,7 @@ class RealTimeRun {
     estimators_.stop();
     faults_.stop();
     emulator_.stop();
+    if (autopilot_) autopilot_->stop();
     if (viewer_) viewer_->stop();
   }
 
@@ -150,11 +163,13 @@ class RealTimeRun {
   RigRun run_;
   control::LiveFaults faults_;
   emulate::RealTimeEmulator emulator_;
+  std::optional<steer::AutopilotServer> autopilot_;
   std::optional<host::RigViewer> viewer_;
   host::DriverHost drivers_;
   host::EstimatorHost estimators_;
   monitor::LiveTable table_;
   host::FindingLines finding_lines_;
+  ToldLog told_;
   boost::asio::steady_timer timer_{io_};
   summary::Summary summary_;
   bool stopping_ = false;

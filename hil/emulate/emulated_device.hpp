@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string_view>
 
 #include "drivers/measurement/measurement.hpp"
 #include "drivers/wire/can/can_frame.hpp"
@@ -30,6 +31,14 @@ class Wire {
   virtual void send_to(Client, wire::Bytes bytes) { send(bytes); }
   /// During EmulatedDevice::receive(): who says it.
   virtual Client speaker() const { return every_client; }
+
+  /// Bit/s of the line as the rig has it; 0: it has none.
+  virtual unsigned line_baud() const { return 0; }
+  /// The device speaks and listens at this rate from now on; what it sent before leaves at the old
+  /// one. Without effect on a link without a rate.
+  virtual void set_baud(unsigned) {}
+  /// What a host has told the device, in words, for the person at the bench.
+  virtual void tell(std::string_view) {}
 
   /// Removes the port until plug(). For a node of a bus: cuts the drivers off from the bus.
   virtual void unplug() {}

@@ -16,14 +16,19 @@ std::size_t bytes_within(std::chrono::nanoseconds time, const wire::LineRate& ra
 
 LinePacer::LinePacer(wire::LineRate rate, std::chrono::nanoseconds longest_chunk,
                      std::chrono::nanoseconds bound)
-    : rate_(rate),
-      chunk_bytes_(std::max<std::size_t>(1, bytes_within(longest_chunk, rate))),
-      bound_bytes_(bytes_within(bound, rate)) {}
+    : longest_chunk_(longest_chunk), bound_(bound), rate_(rate) {
+  set_baud(rate.baud);
+}
+
+void LinePacer::set_baud(unsigned baud) {
+  rate_.baud = baud;
+  chunk_bytes_ = std::max<std::size_t>(1, bytes_within(longest_chunk_, rate_));
+  bound_bytes_ = bytes_within(bound_, rate_);
+}
 
 // Rounds up, so that no byte leaves early.
-std::chrono::nanoseconds LinePacer::line_time(std::size_t bytes) const {
-  return std::chrono::nanoseconds{(bytes * rate_.frame.bits() * ns_per_s + rate_.baud - 1) /
-                                  rate_.baud};
+std::chrono::nanoseconds LinePacer::line_time(std::size_t bytes, unsigned baud) const {
+  return std::chrono::nanoseconds{(bytes * rate_.frame.bits() * ns_per_s + baud - 1) / baud};
 }
 
 void LinePacer::queue(wire::Bytes message, Stamp now, std::optional<Stamp> sampled_at, Client to) {
@@ -43,7 +48,7 @@ void LinePacer::queue(wire::Bytes message, Stamp now, std::optional<Stamp> sampl
   bytes.assign(message.begin(), message.end());
   if (waiting_.empty()) began_ = std::max(began_, now);
   waiting_bytes_ += bytes.size();
-  waiting_.push_back({std::move(bytes), now, sampled_at, to});
+  waiting_.push_back({std::move(bytes), now, sampled_at, to, rate_.baud});
 }
 
 void LinePacer::drop_all() {
@@ -58,7 +63,7 @@ std::size_t LinePacer::chunk_end() const {
 
 std::optional<Stamp> LinePacer::deadline() const {
   if (waiting_.empty()) return std::nullopt;
-  return began_ + line_time(chunk_end());
+  return began_ + line_time(chunk_end(), waiting_.front().baud);
 }
 
 std::optional<Chunk> LinePacer::take(Stamp now) {
@@ -69,16 +74,22 @@ std::optional<Chunk> LinePacer::take(Stamp now) {
   const std::size_t size = sent_ - from;
   const Passage passage{message.sampled_at, message.queued_at, began_, *at};
   if (sent_ < message.bytes.size()) {
-    return Chunk{wire::Bytes{message.bytes}.subspan(from, size), *at, false, passage, message.to};
+    return Chunk{wire::Bytes{message.bytes}.subspan(from, size),
+                 *at,
+                 false,
+                 passage,
+                 message.to,
+                 message.baud};
   }
   waiting_bytes_ -= message.bytes.size();
   const Client to = message.to;
+  const unsigned baud = message.baud;
   std::swap(taken_, message.bytes);
   spare_.push_back(std::move(message.bytes));
   waiting_.erase(waiting_.begin());
   sent_ = 0;
   began_ = waiting_.empty() ? *at : std::max(*at, waiting_.front().queued_at);
-  return Chunk{wire::Bytes{taken_}.subspan(from, size), *at, true, passage, to};
+  return Chunk{wire::Bytes{taken_}.subspan(from, size), *at, true, passage, to, baud};
 }
 
 }  // namespace drydock::emulate

@@ -22,6 +22,7 @@ struct Chunk {
   bool ends_message = false;
   Passage of_message;  ///< complete with the last chunk
   Client to = every_client;
+  unsigned baud = 0;  ///< at which they left
 };
 
 /// A serial line's transmitter: messages one after another. It does no I/O
@@ -36,6 +37,10 @@ class LinePacer {
 
   void queue(wire::Bytes message, Stamp now, std::optional<Stamp> sampled_at = {},
              Client to = every_client);
+  /// Messages that are queued from now on leave at this rate.
+  void set_baud(unsigned baud);
+  unsigned baud() const { return rate_.baud; }
+
   void drop_all();                        ///< waiting and leaving bytes are lost and not counted
   std::optional<Stamp> deadline() const;  ///< time of the next chunk
   std::optional<Chunk> take(Stamp now);   ///< the next chunk that is due
@@ -48,9 +53,11 @@ class LinePacer {
     Stamp queued_at{};
     std::optional<Stamp> sampled_at;
     Client to;
+    unsigned baud;
   };
 
-  std::chrono::nanoseconds line_time(std::size_t bytes) const;
+  std::chrono::nanoseconds line_time(std::size_t bytes, unsigned baud) const;
+  std::chrono::nanoseconds longest_chunk_, bound_;
   std::size_t chunk_end() const;
 
   wire::LineRate rate_;

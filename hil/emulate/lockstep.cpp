@@ -4,19 +4,30 @@
 #include <utility>
 
 #include "drivers/measurement/earlier.hpp"
+#include "hil/emulate/heard_at.hpp"
 
 namespace drydock::emulate {
 
 EmulatedLine::EmulatedLine(std::unique_ptr<EmulatedDevice> device, wire::LineRate rate,
                            Deliver deliver)
     : device_(std::move(device)),
+      hosts_rate_(rate),
       pacer_(rate, std::chrono::nanoseconds::max()),
       deliver_(std::move(deliver)) {}
 
 void EmulatedLine::receive(wire::Bytes bytes, Stamp now) {
   now_ = now;
-  device_->receive(bytes, now, *this);
+  if (pacer_.baud() == hosts_rate_.baud) {
+    device_->receive(bytes, now, *this);
+  } else {
+    const auto heard = heard_at(bytes, hosts_rate_.baud, {pacer_.baud(), hosts_rate_.frame});
+    device_->receive(heard, now, *this);
+  }
   woken();
+}
+
+void EmulatedLine::set_baud(unsigned baud) {
+  if (hosts_rate_.baud != without_line_rate) pacer_.set_baud(baud);
 }
 
 std::optional<Stamp> EmulatedLine::deadline() const {
@@ -25,7 +36,13 @@ std::optional<Stamp> EmulatedLine::deadline() const {
 
 void EmulatedLine::act(Stamp now) {
   now_ = now;
-  while (const auto chunk = pacer_.take(now)) deliver_(chunk->bytes, chunk->of_message);
+  while (const auto chunk = pacer_.take(now)) {
+    if (chunk->baud == hosts_rate_.baud) {
+      deliver_(chunk->bytes, chunk->of_message);
+    } else {
+      deliver_(heard_at(chunk->bytes, chunk->baud, hosts_rate_), chunk->of_message);
+    }
+  }
   const auto due = device_->deadline();
   if (due && *due <= now) device_->tick(now, *this);
 }

@@ -13,7 +13,8 @@
 /// line.
 namespace drydock::emulate {
 
-/// A device at the end of a serial line.
+/// A device at the end of a serial line. If the device changes its baud rate, both ends read
+/// garbage, because the drivers' end keeps its own.
 class EmulatedLine final : public shell::Actor, private Wire {
  public:
   /// Gets each whole message when its last byte has left the line.
@@ -26,6 +27,10 @@ class EmulatedLine final : public shell::Actor, private Wire {
 
   void set_on_port(OnPort hook) { on_port_ = std::move(hook); }
 
+  /// Called with what a host has told the device.
+  using OnTold = std::function<void(std::string_view what, Stamp at)>;
+  void set_on_told(OnTold hook) { on_told_ = std::move(hook); }
+
   void receive(wire::Bytes bytes, Stamp now);  ///< from the driver
   std::optional<Stamp> deadline() const override;
   void act(Stamp now) override;
@@ -35,14 +40,21 @@ class EmulatedLine final : public shell::Actor, private Wire {
  private:
   void send(wire::Bytes bytes) override { pacer_.queue(bytes, now_, device_->sampled_at()); }
   void send(const wire::CanFrame&) override {}
+  unsigned line_baud() const override {
+    return hosts_rate_.baud == without_line_rate ? 0 : hosts_rate_.baud;
+  }
+  void set_baud(unsigned baud) override;
+  void tell(std::string_view what) override { on_told_(what, now_); }
   void unplug() override { set_port(false); }
   void plug() override { set_port(true); }
   void set_port(bool there);
 
   std::unique_ptr<EmulatedDevice> device_;
+  wire::LineRate hosts_rate_;  ///< the drivers' end keeps it
   LinePacer pacer_;
   Deliver deliver_;
   OnPort on_port_ = [](bool, Stamp) {};
+  OnTold on_told_ = [](std::string_view, Stamp) {};
   Stamp now_{};
 };
 

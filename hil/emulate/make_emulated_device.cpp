@@ -58,7 +58,7 @@ boost::system::result<DevicePtr, EmulateError> make_emulated_device(const Device
   if (make == nullptr) return unknown_protocol(config);
   const auto& emulated = config.emulate;
   const Stamp booted = power.boot + measurement::from_seconds(emulated.boot_s);
-  DeviceSetup setup{config, trajectory, seed, nullptr, booted, power.condition};
+  DeviceSetup setup{config, trajectory, seed, nullptr, booted, power.condition, power.memory};
   if (config.kind == rig_config::DeviceKind::gnss) {
     auto sky = make_sky(config, trajectory.start(), seed);
     if (!sky) return sky.error();

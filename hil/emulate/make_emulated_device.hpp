@@ -7,6 +7,7 @@
 
 #include "hil/emulate/condition.hpp"
 #include "hil/emulate/emulated_device.hpp"
+#include "hil/emulate/memory.hpp"
 #include "hil/motion/truth.hpp"
 #include "rig_config/rig.hpp"
 
@@ -26,6 +27,7 @@ struct EmulateError {
 struct PowerUp {
   measurement::Stamp boot{};
   std::shared_ptr<const Condition> condition;
+  std::shared_ptr<Memory> memory = std::make_shared<Memory>();  ///< outlives a loss of power
 };
 
 /// The emulated device for a kind and protocol. It boots at trajectory.start() and then samples

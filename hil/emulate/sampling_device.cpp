@@ -77,6 +77,13 @@ void SamplingDevice::go_on_at(double rate_hz) {
   rate_hz_ = rate_hz;
 }
 
+void SamplingDevice::go_on_at_whole_multiples(double rate_hz, Stamp now) {
+  rate_hz_ = rate_hz;
+  first_ = now;
+  sample_at_whole_multiples();
+  first_ += ahead_ - measurement::from_seconds(static_cast<double>(samples_) / rate_hz_);
+}
+
 Stamp SamplingDevice::sample_time() const {
   return first_ + measurement::from_seconds(static_cast<double>(samples_) / rate_hz_) - ahead_;
 }

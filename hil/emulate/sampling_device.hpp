@@ -26,6 +26,7 @@ struct DeviceSetup {
   std::shared_ptr<sensor::Sky> sky = nullptr;  ///< kind gnss; used by this receiver only
   Stamp boot = trajectory.start();             ///< when it gets power
   std::shared_ptr<const Condition> condition = std::make_shared<Condition>();
+  std::shared_ptr<Memory> memory = std::make_shared<Memory>();  ///< what it keeps without power
 
   sensor::ErrorModel primary_errors() const;
   sensor::ErrorModel secondary_errors() const;
@@ -55,6 +56,8 @@ class SamplingDevice : public EmulatedDevice {
   void take(Stamp at, Wire& out);  ///< calls sample(), with the dropouts of the configuration
   /// From the next sample on, which keeps its time. Error models keep the rate of the rig file.
   void go_on_at(double rate_hz);
+  /// The same, at whole multiples of the new period in UTC after `now`.
+  void go_on_at_whole_multiples(double rate_hz, Stamp now);
   void sample_at_whole_multiples();  ///< multiples of the period in UTC, as satellite receivers do
   const Trajectory& trajectory() const { return trajectory_; }
   const sensor::Mounting& mounting() const { return mounting_; }

@@ -21,8 +21,8 @@ boost::system::result<std::unique_ptr<FaultyDevice>, emulate::EmulateError> Faul
     std::shared_ptr<const Schedule> schedule) {
   std::unique_ptr<FaultyDevice> made(
       new FaultyDevice(config, trajectory, seed, std::move(schedule)));
-  auto device = emulate::make_emulated_device(made->config_, made->view_, seed,
-                                              {trajectory.start(), made->condition_});
+  auto device = emulate::make_emulated_device(
+      made->config_, made->view_, seed, {trajectory.start(), made->condition_, made->memory_});
   if (!device) return device.error();
   made->device_ = std::move(*device);
   return made;
@@ -69,7 +69,7 @@ void FaultyDevice::follow_schedule(Stamp now) {
   });
 }
 
-/// A device that gets power boots and loses its settings.
+/// A device that gets power boots and loses the settings that it did not save.
 void FaultyDevice::switch_power(bool on, Stamp now) {
   if (on == (device_ != nullptr)) return;
   if (!on) {
@@ -78,11 +78,11 @@ void FaultyDevice::switch_power(bool on, Stamp now) {
     frames_.drop_all();
     return;
   }
-  device_ = std::move(
-      *emulate::make_emulated_device(config_, view_, seed_, {now, condition_}));  // cannot fail:
-                                                                                  // the same call
-                                                                                  // succeeded
-                                                                                  // before
+  device_ = std::move(*emulate::make_emulated_device(config_, view_, seed_,
+                                                     {now, condition_, memory_}));  // cannot fail:
+                                                                                    // the same call
+                                                                                    // succeeded
+                                                                                    // before
 }
 
 void FaultyDevice::release(Stamp now) {

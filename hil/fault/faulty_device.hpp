@@ -57,11 +57,15 @@ class FaultyDevice final : public emulate::EmulatedDevice, private emulate::Wire
   /// While a fault is in force all clients hear it.
   void send_to(emulate::Client client, wire::Bytes bytes) override;
   emulate::Client speaker() const override { return out_->speaker(); }
+  unsigned line_baud() const override { return out_->line_baud(); }
+  void set_baud(unsigned baud) override { out_->set_baud(baud); }
+  void tell(std::string_view what) override { out_->tell(what); }
 
   DeviceConfig config_;
   std::uint64_t seed_;
   ScheduleFollower schedule_;
   std::shared_ptr<emulate::Condition> condition_ = std::make_shared<emulate::Condition>();
+  std::shared_ptr<emulate::Memory> memory_ = std::make_shared<emulate::Memory>();
   View view_;
   std::unique_ptr<emulate::EmulatedDevice> device_;  ///< null: without power
   FaultyWire<Message> bytes_;

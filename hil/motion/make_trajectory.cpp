@@ -2,12 +2,14 @@
 
 #include "hil/motion/ballistic_trajectory.hpp"
 #include "hil/motion/kinematic_trajectory.hpp"
+#include "hil/motion/steered/steered_trajectory.hpp"
 #include "hil/motion/vehicle/vehicle_trajectory.hpp"
 
 namespace drydock::motion {
 
 std::unique_ptr<Trajectory> make_trajectory(const rig_config::MissionConfig& mission, Stamp start) {
   if (mission.ballistic) return std::make_unique<BallisticTrajectory>(mission, start);
+  if (mission.steering) return std::make_unique<SteeredTrajectory>(mission, start);
   if (mission.vehicle) return std::make_unique<VehicleTrajectory>(mission, start);
   return std::make_unique<KinematicTrajectory>(mission, start);
 }

@@ -24,6 +24,9 @@ Problems read_kind_files(const EstimatorBlock& block, VelocityConfig& into) {
     const auto vehicle = read_checked_file(beside(block.file, reference->text), FileKind::vehicle);
     if (!vehicle) {
       append(problems, vehicle.error());
+    } else if (auto missing = fins_are_missing(*vehicle, beside(block.file, reference->text));
+               !missing.empty()) {
+      append(problems, std::move(missing));
     } else {
       into.vehicle = build_vehicle(*vehicle);
     }

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "rig_config/load.hpp"
 #include "rig_config/rig.hpp"
 #include "rig_config/toml/node.hpp"
 #include "rig_config/vehicle.hpp"
@@ -29,6 +30,11 @@ MissionConfig build_mission(const Node& root, const std::string& file);
 OceanConfig build_ocean(const Node& table, const std::string& mission_file);
 
 VehicleConfig build_vehicle(const Node& root);
+/// The same for a vehicle file with blocks [[thruster]].
+ThrusterVehicleConfig build_thruster_vehicle(const Node& root);
+inline bool has_thrusters(const Node& vehicle_file) { return vehicle_file.find("thruster"); }
+/// What is wrong with such a file where fins must steer. Empty: the file has none.
+Problems fins_are_missing(const Node& vehicle_file, const std::string& path);
 
 /// `[device.emulate]` without the keys that sensor files may have. Paths are relative to
 /// `rig_file`.

@@ -48,6 +48,8 @@ EmulateConfig build_emulate(const Node& table, const std::string& rig_file) {
   if (const Node* sky = table.find("sky")) emulate.sky = build_sky(*sky, rig_file);
   if (const Node* head = table.find("head")) emulate.head = build_head(*head);
   emulate.compass = build_compass(table);
+  if (table.find("model"))
+    emulate.model = named<UbloxModel>(table, std::array{"m8", "f9"}, "model");
   return emulate;
 }
 

@@ -43,6 +43,13 @@ BallisticConfig build_ballistic(const Node& table) {
   return flight;
 }
 
+SteeringConfig build_steering(const Node& table) {
+  SteeringConfig steering;
+  read(table, "from", steering.from);
+  read(table, "listen", steering.listen);
+  return steering;
+}
+
 }  // namespace
 
 MissionConfig build_mission(const Node& root, const std::string& file) {
@@ -66,6 +73,7 @@ MissionConfig build_mission(const Node& root, const std::string& file) {
     mission.ballistic = build_ballistic(*ballistic);
     read(*ballistic, "speed_mps", mission.speed_mps);
   }
+  if (const Node* steering = root.find("steering")) mission.steering = build_steering(*steering);
   mission.faults = build_faults(root, file);
   return mission;
 }

@@ -46,10 +46,17 @@ tcflag_t size_of(unsigned data_bits) {
   return sizes[data_bits - 5];
 }
 
+void set_speed(termios2& t, unsigned baud) {
+  t.c_cflag &= ~(CBAUD | (CBAUD << IBSHIFT));
+  t.c_cflag |= BOTHER | (BOTHER << IBSHIFT);
+  t.c_ispeed = t.c_ospeed = baud;
+}
+
 termios2 with(const LineSettings& settings, termios2 t) {
   set_raw(t);
-  t.c_cflag &= ~(CBAUD | (CBAUD << IBSHIFT) | frame_flags);
-  t.c_cflag |= BOTHER | (BOTHER << IBSHIFT) | CREAD | CLOCAL;
+  set_speed(t, settings.baud);
+  t.c_cflag &= ~frame_flags;
+  t.c_cflag |= CREAD | CLOCAL;
   t.c_cflag |= size_of(settings.frame.data_bits) | flags_of(settings.frame.parity);
   if (settings.frame.stop_bits == 2) t.c_cflag |= CSTOPB;
   if (settings.frame.parity != Parity::none)
@@ -58,7 +65,6 @@ termios2 with(const LineSettings& settings, termios2 t) {
   if (settings.flow == FlowControl::xonxoff) t.c_iflag |= IXON | IXOFF;
   t.c_cc[VSTART] = xon;
   t.c_cc[VSTOP] = xoff;
-  t.c_ispeed = t.c_ospeed = settings.baud;
   return t;
 }
 
@@ -163,10 +169,11 @@ std::optional<LineRefusal> configure_line(int fd, const LineSettings& settings,
   return std::nullopt;
 }
 
-boost::system::error_code make_raw(int fd) {
+boost::system::error_code make_raw(int fd, std::optional<unsigned> baud) {
   termios2 t{};
   if (::ioctl(fd, TCGETS2, &t) != 0) return last_error();
   set_raw(t);
+  if (baud) set_speed(t, *baud);
   return ::ioctl(fd, TCSETS2, &t) == 0 ? boost::system::error_code{} : last_error();
 }
 

@@ -41,8 +41,9 @@ struct LineRefusal {
 std::optional<LineRefusal> configure_line(int fd, const LineSettings& settings,
                                           const Ioctl& ioctl = kernel_ioctl);
 
-/// Raw bits and no echo; all else is unchanged. For the end of a pty that the process keeps open.
-boost::system::error_code make_raw(int fd);
+/// Raw bits, no echo, and a rate where one is given; all else is unchanged. For the end of a pty
+/// that the process keeps open: a program that sets no rate finds this one.
+boost::system::error_code make_raw(int fd, std::optional<unsigned> baud = {});
 
 /// The rate of the line according to the kernel, bit/s.
 boost::system::result<unsigned> line_baud(int fd);

@@ -54,6 +54,10 @@ class PtyDevice final : public ByteLink {
 
   Provenance provenance() const override { return Provenance::emulated; }
   std::uint64_t dropped() const override { return dropped_; }
+  std::optional<unsigned> far_baud() const override {
+    const auto baud = line_baud(slave_.get());
+    return baud ? std::optional(*baud) : std::nullopt;
+  }
 
  private:
   /// Discards unread bytes: they are old for the next program that opens the line.
@@ -100,7 +104,7 @@ struct Pair {
   std::string device;
 };
 
-boost::system::result<Pair> make_pair_of_ends() {
+boost::system::result<Pair> make_pair_of_ends(std::optional<unsigned> baud) {
   Pair pair;
   pair.master = Descriptor(::posix_openpt(O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC));
   if (!pair.master) return system_error(errno);
@@ -111,7 +115,7 @@ boost::system::result<Pair> make_pair_of_ends() {
   pair.device = name.data();
   pair.slave = Descriptor(::open(name.data(), O_RDWR | O_NOCTTY | O_CLOEXEC));
   if (!pair.slave) return system_error(errno);
-  if (const auto error = make_raw(pair.slave.get())) return error;
+  if (const auto error = make_raw(pair.slave.get(), baud)) return error;
   return pair;
 }
 
@@ -125,7 +129,7 @@ std::string pty_path(std::string_view name) {
 }
 
 OpenedBytes open_pty_device(const asio::any_io_executor& executor, const Uri& uri) {
-  auto pair = make_pair_of_ends();
+  auto pair = make_pair_of_ends(uri.baud());
   if (!pair) return open_error(pair.error().value(), "cannot make a pty");
   auto listeners = PtyListeners::watch(pair->device);
   if (!listeners)

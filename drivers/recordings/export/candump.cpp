@@ -7,19 +7,21 @@ namespace drydock::exporting {
 
 namespace {
 
-/// The format of `candump -L`: all buses in one log, with ` R` or ` T` at the end as in `candump
-/// -x`.
+/// The format of `candump -L`: all buses in one log. Where it is asked for, with ` R` or ` T` at
+/// the end as in `candump -x`; some readers refuse such lines.
 class Candump final : public Exporter {
  public:
-  Candump(const std::vector<RecordedLink>& links, const Target& to) : file_(to.path, to.overwrite) {
+  Candump(const std::vector<RecordedLink>& links, const Target& to)
+      : file_(to.path, to.overwrite), with_direction_(to.direction) {
     for (const auto& link : links) names_.push_back(link.name);
   }
 
   void on_frame(const RawFrame& raw, std::size_t link) override {
     std::array<std::uint8_t, wire::candump::longest_line> line;
-    const auto direction = raw.direction == record::Direction::received
-                               ? wire::candump::Direction::received
-                               : wire::candump::Direction::transmitted;
+    using enum wire::candump::Direction;
+    const auto direction = !with_direction_                               ? unknown
+                           : raw.direction == record::Direction::received ? received
+                                                                          : transmitted;
     const auto size = wire::candump::encode(
         {raw.at.time_since_epoch(), names_[link], raw.frame, direction}, line);
     file_.write(std::span(line).first(size));
@@ -30,6 +32,7 @@ class Candump final : public Exporter {
 
  private:
   OutputFile file_;
+  bool with_direction_;
   std::vector<std::string> names_;
 };
 

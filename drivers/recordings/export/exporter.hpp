@@ -31,7 +31,8 @@ inline constexpr std::array formats{FormatEntry{"candump", Format::candump, ".lo
 struct Target {
   std::string path;  ///< file or folder
   bool overwrite = false;
-  bool plain = false;  ///< format nmea: sentences without their time
+  bool plain = false;      ///< format nmea: sentences without their time
+  bool direction = false;  ///< format candump: who sent each frame
 };
 
 /// Takes the records that its format can hold and ignores the others.

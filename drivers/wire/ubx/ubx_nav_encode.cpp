@@ -1,30 +1,13 @@
-#include <algorithm>
-
-#include "drivers/wire/bytes.hpp"
-#include "drivers/wire/quantize.hpp"
-#include "drivers/wire/ubx/ubx_frame.hpp"
 #include "drivers/wire/ubx/ubx_nav.hpp"
+#include "drivers/wire/ubx/ubx_put.hpp"
 
 namespace drydock::wire {
 namespace {
 
-using Payload = std::span<std::uint8_t>;
-
-template <class T>
-void put(Payload payload, std::size_t offset, const std::optional<double>& value, double unit,
-         std::type_identity_t<T> absent = 0) {
-  store_le<T>(payload, offset, value ? quantize<T>(*value, unit) : absent);
-}
-
-void put_accuracy(Payload payload, std::size_t offset, const std::optional<double>& value,
-                  double unit) {
-  put<std::uint32_t>(payload, offset, value, unit, 0xFFFFFFFF);
-}
-
-constexpr unsigned bit(bool set, unsigned number) { return unsigned{set} << number; }
+using namespace ubx;
 
 /// Writes the nearest whole second and the rest as signed nanoseconds, as receivers do.
-void put_time(Payload payload, const NavPvt& m) {
+void put_time(PayloadOut payload, const NavPvt& m) {
   using namespace std::chrono;
   auto date = m.date;
   const nanoseconds time = m.time_of_day.value_or(nanoseconds{0});
@@ -44,22 +27,22 @@ void put_time(Payload payload, const NavPvt& m) {
   payload[10] = static_cast<std::uint8_t>(whole.count() % 60);
   store_le<std::int32_t>(payload, 16, static_cast<std::int32_t>(rest.count()));
   payload[11] = static_cast<std::uint8_t>(
-      bit(m.date.has_value(), 0) | bit(m.time_of_day.has_value(), 1) | bit(m.time_resolved, 2) |
-      bit(m.magnetic_declination_rad.has_value(), 3));
+      flag(m.date.has_value(), 0) | flag(m.time_of_day.has_value(), 1) | flag(m.time_resolved, 2) |
+      flag(m.magnetic_declination_rad.has_value(), 3));
   put_accuracy(payload, 12, m.time_accuracy_s, 1e-9);
 }
 
-void put_position(Payload payload, const NavPvt& m) {
+void put_position(PayloadOut payload, const NavPvt& m) {
   put<std::int32_t>(payload, 24, degrees(m.longitude_rad), 1e-7);
   put<std::int32_t>(payload, 28, degrees(m.latitude_rad), 1e-7);
   put<std::int32_t>(payload, 32, m.ellipsoidal_height_m, 1e-3);
   put<std::int32_t>(payload, 36, m.mean_sea_level_height_m, 1e-3);
   put_accuracy(payload, 40, m.horizontal_accuracy_m, 1e-3);
   put_accuracy(payload, 44, m.vertical_accuracy_m, 1e-3);
-  payload[78] = static_cast<std::uint8_t>(bit(!m.latitude_rad || !m.longitude_rad, 0));
+  payload[78] = static_cast<std::uint8_t>(flag(!m.latitude_rad || !m.longitude_rad, 0));
 }
 
-void put_velocity(Payload payload, const NavPvt& m) {
+void put_velocity(PayloadOut payload, const NavPvt& m) {
   put<std::int32_t>(payload, 48, m.velocity_north_mps, 1e-3);
   put<std::int32_t>(payload, 52, m.velocity_east_mps, 1e-3);
   put<std::int32_t>(payload, 56, m.velocity_down_mps, 1e-3);
@@ -69,7 +52,7 @@ void put_velocity(Payload payload, const NavPvt& m) {
   put_accuracy(payload, 72, degrees(m.course_accuracy_rad), 1e-5);
 }
 
-void put_satellite(Payload block, const UbxSatellite& s) {
+void put_satellite(PayloadOut block, const UbxSatellite& s) {
   constexpr std::int8_t unknown_elevation = -91;
   constexpr unsigned health_unknown = 0, health_ok = 1, health_bad = 2;
   block[0] = static_cast<std::uint8_t>(s.gnss);
@@ -80,36 +63,27 @@ void put_satellite(Payload block, const UbxSatellite& s) {
   put<std::int16_t>(block, 6, s.residual_m, 0.1);
   const unsigned health = !s.healthy ? health_unknown : *s.healthy ? health_ok : health_bad;
   store_le<std::uint32_t>(block, 8,
-                          (s.quality & 7u) | bit(s.used, 3) | health << 4 |
-                              (s.orbit_source & 7u) << 8 | bit(s.has_ephemeris, 11) |
-                              bit(s.has_almanac, 12));
-}
-
-/// The payload part of a frame in `out`, filled with zeros. Empty if it does not fit.
-Payload payload_in(std::span<std::uint8_t> out, std::size_t size) {
-  if (out.size() < size + ubx::overhead) return {};
-  const Payload payload = out.subspan(ubx::header_size, size);
-  std::ranges::fill(payload, std::uint8_t{0});
-  return payload;
+                          (s.quality & 7u) | flag(s.used, 3) | health << 4 |
+                              (s.orbit_source & 7u) << 8 | flag(s.has_ephemeris, 11) |
+                              flag(s.has_almanac, 12));
 }
 
 }  // namespace
 
 std::size_t encode(const NavPvt& m, std::span<std::uint8_t> out) {
-  const Payload payload = payload_in(out, 92);
+  const PayloadOut payload = payload_in(out, 92);
   if (payload.empty()) return 0;
   const bool has_velocity = m.velocity_north_mps && m.velocity_east_mps && m.velocity_down_mps;
   store_le<std::uint32_t>(payload, 0, static_cast<std::uint32_t>(m.itow.count()));
   put_time(payload, m);
   payload[20] = static_cast<std::uint8_t>(m.fix_type);
   payload[21] = static_cast<std::uint8_t>(
-      bit(m.fix_ok && has_velocity, 0) | bit(m.differential, 1) |
-      bit(m.vehicle_heading_rad.has_value(), 5) | (m.carrier_solution & 3u) << 6);
+      flag(m.fix_ok && has_velocity, 0) | flag(m.differential, 1) |
+      flag(m.vehicle_heading_rad.has_value(), 5) | (m.carrier_solution & 3u) << 6);
   payload[23] = m.satellites_used;
   put_position(payload, m);
   put_velocity(payload, m);
-  constexpr std::uint16_t no_dop = 9999;
-  put<std::uint16_t>(payload, 76, m.position_dop, 0.01, no_dop);
+  put_dop(payload, 76, m.position_dop);
   put<std::int32_t>(payload, 84, degrees(m.vehicle_heading_rad), 1e-5);
   put<std::int16_t>(payload, 88, degrees(m.magnetic_declination_rad), 0.01);
   put<std::uint16_t>(payload, 90, degrees(m.magnetic_accuracy_rad), 0.01);
@@ -117,7 +91,7 @@ std::size_t encode(const NavPvt& m, std::span<std::uint8_t> out) {
 }
 
 std::size_t encode(const NavSat& m, std::span<std::uint8_t> out) {
-  const Payload payload = payload_in(out, 8 + 12 * m.satellites.size());
+  const PayloadOut payload = payload_in(out, 8 + 12 * m.satellites.size());
   if (payload.empty()) return 0;
   store_le<std::uint32_t>(payload, 0, static_cast<std::uint32_t>(m.itow.count()));
   payload[4] = 1;  // version
@@ -129,7 +103,7 @@ std::size_t encode(const NavSat& m, std::span<std::uint8_t> out) {
 }
 
 std::size_t encode(const NavEoe& m, std::span<std::uint8_t> out) {
-  const Payload payload = payload_in(out, 4);
+  const PayloadOut payload = payload_in(out, 4);
   if (payload.empty()) return 0;
   store_le<std::uint32_t>(payload, 0, static_cast<std::uint32_t>(m.itow.count()));
   return ubx::wrap(out, NavEoe::class_and_id, payload.size());

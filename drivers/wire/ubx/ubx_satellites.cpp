@@ -3,6 +3,7 @@
 #include <array>
 
 #include "drivers/wire/ubx/ubx_payload.hpp"
+#include "drivers/wire/ubx/ubx_put.hpp"
 
 namespace drydock::wire {
 namespace {
@@ -75,7 +76,33 @@ void read_signal(Bytes block, UbxSignal& s) {
   s.doppler_used = bit(flags, 5);
 }
 
+void put_channel(ubx::PayloadOut block, const UbxSatellite& s) {
+  constexpr std::uint8_t not_on_a_channel = 255;
+  block[0] = s.cno_dbhz ? s.number : not_on_a_channel;
+  block[1] = s.number;
+  block[2] = static_cast<std::uint8_t>(
+      ubx::flag(s.used, 0) | ubx::flag(s.orbit_source != 0, 2) | ubx::flag(s.has_ephemeris, 3) |
+      ubx::flag(s.healthy == false, 4) | ubx::flag(s.has_almanac, 5));
+  block[3] = s.quality;
+  ubx::put<std::uint8_t>(block, 4, s.cno_dbhz, 1);
+  ubx::put<std::int8_t>(block, 5, degrees(s.elevation_rad), 1);
+  ubx::put<std::int16_t>(block, 6, degrees(s.azimuth_rad), 1);
+  ubx::put<std::int32_t>(block, 8, s.residual_m, 0.01);
+}
+
 }  // namespace
+
+std::size_t encode(const NavSvinfo& m, std::span<std::uint8_t> out) {
+  constexpr std::size_t head = 8, block = 12;
+  const ubx::PayloadOut payload = ubx::payload_in(out, head + block * m.satellites.size());
+  if (payload.empty()) return 0;
+  store_le<std::uint32_t>(payload, 0, static_cast<std::uint32_t>(m.itow.count()));
+  payload[4] = static_cast<std::uint8_t>(m.satellites.size());
+  payload[5] = NavSvinfo::m8_hardware;
+  for (std::size_t i = 0; i < m.satellites.size(); ++i)
+    put_channel(payload.subspan(head + block * i, block), m.satellites[i]);
+  return ubx::wrap(out, NavSvinfo::class_and_id, payload.size());
+}
 
 bool read(Bytes payload, NavSvinfo& m) {
   constexpr std::size_t head = 8, block = 12;

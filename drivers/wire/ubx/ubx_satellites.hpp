@@ -18,7 +18,8 @@ namespace drydock::wire {
 struct NavSvinfo {
   static constexpr std::string_view type = "NAV-SVINFO";
   static constexpr std::uint16_t class_and_id = 0x0130;
-  NavSvinfo() {}  // read in place, see message_list.hpp
+  NavSvinfo() {}                                  // read in place, see message_list.hpp
+  static constexpr std::uint8_t m8_hardware = 4;  ///< of the flags that encode() writes
   std::chrono::milliseconds itow{};
   boost::container::static_vector<UbxSatellite, 255> satellites;
 };
@@ -48,6 +49,10 @@ struct NavSig {
 
 bool read(Bytes payload, NavSvinfo& m);
 bool read(Bytes payload, NavSig& m);
+
+/// NAV-SVINFO of an M8, with GPS satellites only: others have no place in its numbers here. Returns
+/// the bytes of the whole frame, 0 if `out` is too small.
+std::size_t encode(const NavSvinfo& m, std::span<std::uint8_t> out);
 
 template <class F>
 void visit_fields(const NavSvinfo& m, F&& field) {

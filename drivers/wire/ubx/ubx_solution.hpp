@@ -79,6 +79,13 @@ bool read(Bytes payload, NavPosllh& m);
 bool read(Bytes payload, NavVelned& m);
 bool read(Bytes payload, NavDop& m);
 
+/// Returns the bytes of the whole frame, 0 if `out` is too small.
+std::size_t encode(const NavSol& m, std::span<std::uint8_t> out);
+std::size_t encode(const NavStatus& m, std::span<std::uint8_t> out);
+std::size_t encode(const NavPosllh& m, std::span<std::uint8_t> out);
+std::size_t encode(const NavVelned& m, std::span<std::uint8_t> out);
+std::size_t encode(const NavDop& m, std::span<std::uint8_t> out);
+
 template <class F>
 void visit_fields(const NavSol& m, F&& field) {
   field("itow_s", seconds(m.itow));

@@ -3,6 +3,7 @@
 #include <chrono>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string_view>
 
 #include "drivers/wire/codec.hpp"
@@ -35,6 +36,9 @@ struct NavTimeUtc {
 
 bool read(Bytes payload, NavTimeGps& m);
 bool read(Bytes payload, NavTimeUtc& m);
+
+/// Returns the bytes of the whole frame, 0 if `out` is too small.
+std::size_t encode(const NavTimeGps& m, std::span<std::uint8_t> out);
 
 template <class F>
 void visit_fields(const NavTimeGps& m, F&& field) {

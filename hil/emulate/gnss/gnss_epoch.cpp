@@ -18,6 +18,14 @@ using namespace std::chrono;
 constexpr double best_accuracy_m = 0.01;
 constexpr double best_accuracy_mps = 0.001;
 
+void forget_gps(measurement::GnssSatellites& sky) {
+  auto& all = sky.satellites;
+  const auto forgotten = std::remove_if(all.begin(), all.end(), [](const auto& satellite) {
+    return satellite.constellation == measurement::Constellation::gps;
+  });
+  all.erase(forgotten, all.end());
+}
+
 double spread(const rig_config::SensorErrors& errors, std::size_t axis) {
   return std::hypot(errors.bias[axis], errors.noise[axis], errors.bias_instability[axis]);
 }
@@ -89,12 +97,18 @@ void GnssSensor::search(GnssEpoch& epoch, Stamp at) const {
   epoch.time_is_known = part >= 0.5;
 }
 
+void GnssSensor::search_again(Stamp at, std::chrono::nanoseconds until_fix) {
+  boot_ = at;
+  first_fix_ = until_fix;
+}
+
 GnssEpoch GnssSensor::measure(const motion::Truth& truth, const sensor::Mounting& mounting) {
   GnssEpoch epoch;
   epoch.fix = sensor::ideal_gnss(truth, mounting);
   epoch.sky.origin.valid_at = truth.at;
   if (epoch.fix.type != measurement::FixType::none) epoch.sky = sky_->at(truth);
   hide(epoch.sky);
+  if (!receives_gps_) forget_gps(epoch.sky);
   if (truth.at - boot_ < first_fix_) search(epoch, truth.at);
   const auto used = std::ranges::count_if(epoch.sky.satellites, &measurement::Satellite::used);
   epoch.dilution = sky::dilution(epoch.sky.satellites);
@@ -114,7 +128,10 @@ GnssEpoch GnssSensor::measure(const motion::Truth& truth, const sensor::Mounting
   const auto midnight = floor<days>(utc);
   epoch.date = year_month_day{midnight};
   epoch.time_of_day = utc - midnight;
-  epoch.time_of_week = duration_cast<milliseconds>(sky::week_of(sky::gps_time(clock)).of_week);
+  const sky::GpsWeek week = sky::week_of(sky::gps_time(clock));
+  epoch.week = week.week;
+  epoch.leap_seconds = sky::gps_ahead_of_utc(clock);
+  epoch.time_of_week = duration_cast<milliseconds>(week.of_week);
   return epoch;
 }
 

@@ -19,6 +19,8 @@ struct GnssEpoch {
   bool time_is_known = true;                 ///< false in a cold start until the time is received
   std::chrono::year_month_day date;          ///< UTC
   std::chrono::nanoseconds time_of_day{};    ///< UTC
+  int week = 0;                              ///< GPS, not modulo 1024
+  std::chrono::seconds leap_seconds{};       ///< GPS - UTC
   std::chrono::milliseconds time_of_week{};  ///< GPS time
 };
 
@@ -30,6 +32,11 @@ double course_rad(const Eigen::Vector3d& velocity_ned);
 class GnssSensor {
  public:
   explicit GnssSensor(const DeviceSetup& setup);
+  /// The receiver forgets its satellites, and has a fix again after `until_fix`.
+  void search_again(Stamp at, std::chrono::nanoseconds until_fix);
+  /// A receiver that does not receive GPS has no fix; its clock runs on.
+  void receive_gps(bool received) { receives_gps_ = received; }
+
   GnssEpoch measure(const motion::Truth& truth, const sensor::Mounting& mounting);
 
  private:
@@ -40,6 +47,7 @@ class GnssSensor {
   std::shared_ptr<const Condition> condition_;
   Stamp boot_;
   std::chrono::nanoseconds first_fix_;
+  bool receives_gps_ = true;
   double lowest_cno_dbhz_;
   std::shared_ptr<sensor::Sky> sky_;
   sensor::ErrorModel position_errors_, velocity_errors_;

@@ -1,121 +1,64 @@
-#include "drivers/wire/nmea0183/nmea0183.hpp"
 #include "hil/emulate/devices.hpp"
-#include "hil/emulate/gnss/gnss_epoch.hpp"
+#include "hil/emulate/gnss/nmea_commands.hpp"
+#include "hil/emulate/gnss/nmea_sentences.hpp"
 
 namespace drydock::emulate {
 namespace {
 
-wire::Rmc rmc(const GnssEpoch& epoch) {
-  wire::Rmc m;
-  if (epoch.time_is_known) {
-    m.time_of_day = epoch.time_of_day;
-    m.date = epoch.date;
-  }
-  m.mode = 'N';
-  const auto& fix = epoch.fix;
-  if (!fix.position) return m;
-  m.valid = true;
-  m.mode = 'A';
-  m.latitude_rad = fix.position->latitude_rad;
-  m.longitude_rad = fix.position->longitude_rad;
-  m.speed_mps = fix.velocity_ned->head<2>().norm();
-  m.course_rad = course_rad(*fix.velocity_ned);
-  return m;
-}
-
-wire::Gga gga(const GnssEpoch& epoch) {
-  wire::Gga m;
-  if (epoch.time_is_known) m.time_of_day = epoch.time_of_day;
-  m.quality = 0;
-  m.satellites_used = epoch.fix.satellites_used;
-  const auto& fix = epoch.fix;
-  if (!fix.position) return m;
-  m.quality = 1;
-  m.latitude_rad = fix.position->latitude_rad;
-  m.longitude_rad = fix.position->longitude_rad;
-  m.horizontal_dop = epoch.dilution->horizontal;
-  m.mean_sea_level_height_m = fix.mean_sea_level_height_m;
-  m.geoid_separation_m = *fix.ellipsoidal_height_m - *fix.mean_sea_level_height_m;
-  return m;
-}
-
-wire::Gsa gsa(const GnssEpoch& epoch) {
-  wire::Gsa m;
-  m.selection = 'A';
-  m.fix_type = epoch.fix.position ? 3 : 1;
-  for (const auto& satellite : epoch.sky.satellites) {
-    if (satellite.used && m.satellites_used.size() < m.satellites_used.capacity()) {
-      m.satellites_used.push_back(satellite.number);
-    }
-  }
-  if (!epoch.fix.position) return m;
-  m.position_dop = epoch.dilution->position;
-  m.horizontal_dop = epoch.dilution->horizontal;
-  m.vertical_dop = epoch.dilution->vertical;
-  return m;
-}
-
-wire::Vtg vtg(const GnssEpoch& epoch) {
-  wire::Vtg m;
-  m.mode = 'N';
-  if (!epoch.fix.velocity_ned) return m;
-  m.mode = 'A';
-  m.course_true_rad = course_rad(*epoch.fix.velocity_ned);
-  m.speed_mps = epoch.fix.velocity_ned->head<2>().norm();
-  return m;
-}
-
-wire::Zda zda(const GnssEpoch& epoch) {
-  wire::Zda m;
-  if (epoch.time_is_known) {
-    m.time_of_day = epoch.time_of_day;
-    m.date = epoch.date;
-  }
-  m.zone_hours = m.zone_minutes = 0;
-  return m;
-}
-
+/// RMC, GGA and VTG come first, because a client may need all three within a short time, and at
+/// 9600 baud the satellites behind them take long.
 class Nmea0183Gnss final : public SamplingDevice {
  public:
   explicit Nmea0183Gnss(const DeviceSetup& setup) : SamplingDevice(setup), sensor_(setup) {
     sample_at_whole_multiples();
   }
 
+  void tick(Stamp now, Wire& out) override {
+    greet(out);
+    SamplingDevice::tick(now, out);
+  }
+
+  using SamplingDevice::receive;
+  void receive(wire::Bytes bytes, Stamp now, Wire& out) override {
+    greet(out);
+    const auto before = commands_.period_s();
+    commands_.receive(bytes, out);
+    if (commands_.period_s() != before)
+      go_on_at_whole_multiples(1 / *commands_.period_s(),
+                               std::max(now, last_epoch_ + std::chrono::nanoseconds{1}));
+  }
+
  private:
+  void greet(Wire& out) {
+    if (!std::exchange(greeted_, true) && out.line_baud() > 0) out.set_baud(out.line_baud());
+  }
+
   void sample(Stamp at, Wire& out) override {
+    last_epoch_ = at;
     const GnssEpoch epoch = sensor_.measure(trajectory().at(at), mounting());
-    send(rmc(epoch), out);
-    send(gga(epoch), out);
-    send(gsa(epoch), out);
-    send_satellites(epoch, out);
-    send(vtg(epoch), out);
-    send(zda(epoch), out);
+    ++epochs_;
+    send_if_due(0, rmc(epoch), out);
+    send_if_due(1, gga(epoch), out);
+    send_if_due(2, vtg(epoch), out);
+    send_if_due(3, gsa(epoch), out);
+    each_gsv(epoch, [&](const wire::Gsv& sentence) { send_if_due(4, sentence, out); });
+    send_if_due(5, gll(epoch), out);
+    send_if_due(6, zda(epoch), out);
   }
 
-  void send_satellites(const GnssEpoch& epoch, Wire& out) {
-    constexpr std::size_t in_one = 4;
-    const auto& all = epoch.sky.satellites;
-    wire::Gsv m;
-    m.sentences = static_cast<int>(std::max<std::size_t>(1, (all.size() + in_one - 1) / in_one));
-    m.satellites_in_view = static_cast<int>(all.size());
-    for (int n = 0; n < *m.sentences; ++n) {
-      m.sentence_number = n + 1;
-      m.satellites.clear();
-      const std::size_t from = in_one * static_cast<std::size_t>(n);
-      for (std::size_t i = from; i < std::min(all.size(), from + in_one); ++i) {
-        m.satellites.push_back(
-            {all[i].number, all[i].elevation_rad, all[i].azimuth_rad, all[i].cno_dbhz});
-      }
-      send(m, out);
-    }
-  }
-
+  /// `place`: in nmea_receiver_sentences.
   template <class Sentence>
-  void send(const Sentence& sentence, Wire& out) {
-    out.send(wire::Bytes{bytes_}.first(wire::encode(sentence, bytes_)));
+  void send_if_due(std::size_t place, const Sentence& sentence, Wire& out) {
+    const int each = commands_.each(place);
+    if (each > 0 && epochs_ % static_cast<std::uint64_t>(each) == 0)
+      out.send(wire::Bytes{bytes_}.first(wire::encode(sentence, bytes_)));
   }
 
   GnssSensor sensor_;
+  NmeaCommands commands_;
+  bool greeted_ = false;
+  Stamp last_epoch_{};
+  std::uint64_t epochs_ = 0;
   std::array<std::uint8_t, 256> bytes_{};
 };
 

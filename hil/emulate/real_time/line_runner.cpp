@@ -3,6 +3,7 @@
 
 #include "drivers/link/reading.hpp"
 #include "drivers/measurement/earlier.hpp"
+#include "hil/emulate/heard_at.hpp"
 #include "hil/emulate/real_time/runner.hpp"
 
 namespace drydock::emulate {
@@ -79,8 +80,24 @@ Runner::Coroutine LineRunner::hear() {
 void LineRunner::receive(wire::Bytes bytes, Stamp) {
   wire_time_ = link::steady_now();
   speaker_ = line_ ? line_->speaker() : every_client;
-  device_->receive(bytes, wire_time_, *this);
+  if (const auto other = other_rate(pacer_.baud())) {
+    const auto heard = heard_at(bytes, *other, {pacer_.baud(), uri_.byte_frame()});
+    device_->receive(heard, wire_time_, *this);
+  } else {
+    device_->receive(bytes, wire_time_, *this);
+  }
   wake();
+}
+
+void LineRunner::set_baud(unsigned baud) {
+  if (!uri_.line_rate()) return;
+  knows_its_rate_ = true;
+  pacer_.set_baud(baud);
+}
+
+std::optional<unsigned> LineRunner::other_rate(unsigned own) const {
+  const auto other = knows_its_rate_ && line_ ? line_->far_baud() : std::nullopt;
+  return other == own ? std::nullopt : other;
 }
 
 Runner::Coroutine LineRunner::plug_in() {
@@ -103,9 +120,14 @@ Runner::Coroutine LineRunner::send_due(Stamp now) {
     const auto line = line_;
     if (!line) continue;  // lost, as on a wire without a receiver
     note_time(chunk->at, now);
-    const auto result = chunk->to == every_client
-                            ? co_await line->write(chunk->bytes)
-                            : co_await line->write_to(chunk->to, chunk->bytes);
+    std::vector<std::uint8_t> garbage;
+    wire::Bytes bytes = chunk->bytes;
+    if (const auto other = other_rate(chunk->baud)) {
+      garbage = heard_at(bytes, chunk->baud, {*other, uri_.byte_frame()});
+      bytes = garbage;
+    }
+    const auto result = chunk->to == every_client ? co_await line->write(bytes)
+                                                  : co_await line->write_to(chunk->to, bytes);
     note_written(result, name_, chunk->ends_message, chunk->of_message);
     if (stopped_) co_return;
   }

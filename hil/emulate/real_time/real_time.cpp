@@ -20,6 +20,8 @@ RealTimeEmulator::~RealTimeEmulator() { stop(); }
 
 void RealTimeEmulator::set_on_written(OnWritten hook) { on_written_ = std::move(hook); }
 
+void RealTimeEmulator::set_on_told(OnTold hook) { on_told_ = std::move(hook); }
+
 boost::system::result<void, EmulateError> RealTimeEmulator::start(
     const std::vector<rig_config::DeviceConfig>& devices) {
   for (const auto& config : devices) {
@@ -29,7 +31,10 @@ boost::system::result<void, EmulateError> RealTimeEmulator::start(
       return added;
     }
   }
-  for (const auto& runner : runners_) runner->start();
+  for (const auto& runner : runners_) {
+    if (on_told_) runner->set_on_told(on_told_);
+    runner->start();
+  }
   return {};
 }
 

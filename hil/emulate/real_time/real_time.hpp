@@ -40,11 +40,15 @@ class RealTimeEmulator {
   using OnWritten =
       std::function<void(std::string_view device, const Passage& passage, Stamp written)>;
 
+  /// Called with what a host has told a device.
+  using OnTold = std::function<void(std::string_view device, std::string_view what)>;
+
   /// Both must outlive the emulator.
   RealTimeEmulator(boost::asio::io_context& io, DeviceMaker& maker);
   ~RealTimeEmulator();
 
   void set_on_written(OnWritten hook);  ///< call it before start()
+  void set_on_told(OnTold hook);        ///< call it before start()
 
   /// Opens the links and starts the devices. An error names the device and the problem.
   boost::system::result<void, EmulateError> start(
@@ -64,6 +68,7 @@ class RealTimeEmulator {
   boost::asio::io_context& io_;
   DeviceMaker& maker_;
   OnWritten on_written_;
+  OnTold on_told_;
   std::vector<std::shared_ptr<Runner>> runners_;
   std::map<std::string, std::shared_ptr<BusRunner>> buses_;  ///< by link; runners_ has them too
 };

@@ -24,6 +24,7 @@ class Runner : public std::enable_shared_from_this<Runner> {
   void stop();
   void wake() { clock_->notify(); }  ///< call it when the deadline may be earlier
   virtual RealTimeEmulator::Counters counters() const { return counters_; }
+  virtual void set_on_told(const RealTimeEmulator::OnTold&) {}
 
  protected:
   using Coroutine = boost::asio::awaitable<void>;
@@ -60,6 +61,7 @@ class LineRunner final : public Runner, private Wire {
              std::unique_ptr<link::ByteLink> line);
 
   RealTimeEmulator::Counters counters() const override;
+  void set_on_told(const RealTimeEmulator::OnTold& hook) override { on_told_ = hook; }
 
  private:
   Coroutine listen() override;
@@ -78,6 +80,11 @@ class LineRunner final : public Runner, private Wire {
     pacer_.queue(bytes, wire_time_, device_->sampled_at(), client);
   }
   Client speaker() const override { return speaker_; }
+  unsigned line_baud() const override { return uri_.line_rate().value_or(0).baud; }
+  void set_baud(unsigned baud) override;
+  void tell(std::string_view what) override { on_told_(name_, what); }
+  /// The rate that the other end has set, if it differs from the device's own.
+  std::optional<unsigned> other_rate(unsigned own) const;
   void unplug() override;
   void plug() override;
 
@@ -88,6 +95,8 @@ class LineRunner final : public Runner, private Wire {
   std::shared_ptr<link::ByteLink> line_;  ///< null: the port is gone
   Client speaker_ = every_client;         ///< of what was read last
   bool plugged_ = true;
+  bool knows_its_rate_ = false;  ///< the device has said its baud rate
+  RealTimeEmulator::OnTold on_told_ = [](std::string_view, std::string_view) {};
   std::uint64_t not_taken_ = 0;       ///< bytes, on the lines before this one
   std::shared_ptr<io::Signal> port_;  ///< notified when plugged_ has changed
   Stamp wire_time_{};

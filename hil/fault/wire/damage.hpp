@@ -6,7 +6,7 @@
 
 #include "drivers/wire/can/can_frame.hpp"
 #include "drivers/wire/codec.hpp"
-#include "drivers/wire/line_rate.hpp"
+#include "hil/emulate/heard_at.hpp"
 #include "hil/sensor/random.hpp"
 #include "rig_config/fault.hpp"
 
@@ -46,10 +46,6 @@ Message garbage(std::size_t bytes, RandomStream& random);
 wire::CanFrame garbage_frame(std::size_t bytes, RandomStream& random);  ///< extended, at most 8
                                                                         ///< bytes
 
-/// What a receiver at one baud rate reads from a message sent at another. The receiver samples
-/// every bit in the middle of its own bit time; both have the same bits of a byte. A character
-/// without a valid stop bit is read as 0, and parity is not checked: the default of Linux
-/// (termios(3): IGNPAR, PARMRK and INPCK off).
-Message heard_at(wire::Bytes message, double sent_baud, wire::LineRate heard_rate);
+using emulate::heard_at;
 
 }  // namespace drydock::fault

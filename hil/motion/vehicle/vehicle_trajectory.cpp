@@ -2,8 +2,7 @@
 
 #include <algorithm>
 
-#include "estimators/frame/attitude.hpp"
-#include "hil/motion/inertial.hpp"
+#include "hil/motion/vehicle/vehicle_truth.hpp"
 
 namespace drydock::motion {
 
@@ -27,25 +26,8 @@ Truth VehicleTrajectory::at(Stamp time) const {
   }
   const auto control = actuators.control();
 
-  Truth truth;
+  Truth truth = truth_of(s, rate, voyage_.motion().acceleration_ned(s, rate, t), ocean(), t);
   truth.at = time;
-  truth.latitude_rad = s.latitude_rad;
-  truth.longitude_rad = frame::wrap_pi(s.longitude_rad);
-  truth.height_m = s.height_m;
-  truth.body_to_ned = s.body_to_ned;
-  if (truth.body_to_ned.w() < 0) truth.body_to_ned.coeffs() = -truth.body_to_ned.coeffs();
-  const frame::Euler attitude = frame::euler(s.body_to_ned);
-  truth.roll_rad = attitude.roll;
-  truth.pitch_rad = attitude.pitch;
-  truth.yaw_rad = attitude.yaw;
-  truth.velocity_ned = rate.velocity_ned;
-  truth.velocity_body = truth.body_to_ned.conjugate() * rate.velocity_ned;
-  truth.rate_body = s.velocity.tail<3>();
-  set_inertial(voyage_.motion().acceleration_ned(s, rate, t), truth);
-  // Leaves out the derivative of the transport rate, which is below 1e-7 rad/s2 at 0.6 m/s2.
-  truth.angular_acceleration = rate.velocity.tail<3>() - truth.rate_body.cross(truth.angular_rate);
-  truth.current_ned = ocean().current_ned(-s.height_m, t);
-  truth.bed_depth_m = ocean().bed_depth_m(truth.latitude_rad, truth.longitude_rad);
   truth.rudder_rad = control.delta_r;
   truth.stern_plane_rad = control.delta_s;
   truth.bow_plane_rad = control.delta_b;

@@ -58,6 +58,8 @@ void add_export(CLI::App& app, Command& command) {
       "the recording's name, here");
   sub->add_flag("--overwrite", a->options.target.overwrite, "replace what is there");
   sub->add_flag("--plain", a->options.target.plain, "nmea: sentences without times before them");
+  sub->add_flag("--direction", a->options.target.direction,
+                "candump: R (received) or T (sent) behind each frame, as candump -x");
   a->part.add_only_and_from(*sub);
   sub->callback([a, &command] {
     read_to(*a);

@@ -66,7 +66,7 @@ TEST_F(Export, CanUtilsReadTheCandumpLog) {
   ASSERT_TRUE(done);
   EXPECT_EQ(done->written, counts_.frames);
   EXPECT_EQ(lines_of(read_all(folder_ / "dive.log")).front(),
-            "(1700000000.000000) can0 0DF50B74#00D0000000FFFFFF R");
+            "(1700000000.000000) can0 0DF50B74#00D0000000FFFFFF");
   if (!there("log2asc")) GTEST_SKIP() << "log2asc is not installed (package can-utils)";
   const std::string asc = output_of("log2asc -I " + (folder_ / "dive.log") + " can0");
   EXPECT_EQ(static_cast<std::size_t>(std::ranges::count(
@@ -74,6 +74,16 @@ TEST_F(Export, CanUtilsReadTheCandumpLog) {
                 [](const std::string& line) { return line.find("Rx   d ") != std::string::npos; })),
             counts_.frames);
   EXPECT_THAT(asc, HasSubstr("DF50B74x"));
+}
+
+TEST_F(Export, ACandumpLogSaysWhoSentOnlyWhereItIsAskedFor) {
+  const auto done = export_recording(
+      dive_, {}, Format::candump,
+      {.path = folder_ / "both.log", .overwrite = false, .plain = false, .direction = true},
+      [](double) { return true; });
+  ASSERT_TRUE(done);
+  EXPECT_EQ(lines_of(read_all(folder_ / "both.log")).front(),
+            "(1700000000.000000) can0 0DF50B74#00D0000000FFFFFF R");
 }
 
 TEST_F(Export, RawBytesAreThoseOfThePorts) {

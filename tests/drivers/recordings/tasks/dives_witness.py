@@ -42,10 +42,10 @@ def lines_of(dive, kind):
     return found
 
 
-def exported(dive, form):
+def exported(dive, form, *more):
     target = pathlib.Path(work.name) / f"{dive}.{form}"
     recording = root / "fixtures/dives" / dive / "dive.mcap"
-    subprocess.run([program, "export", recording, "--to", form, "-o", target], check=True, stderr=subprocess.DEVNULL)
+    subprocess.run([program, "export", recording, "--to", form, *more, "-o", target], check=True, stderr=subprocess.DEVNULL)
     return target
 
 
@@ -129,7 +129,7 @@ def gnss():
 def frames(dive, dbc):
     """Name and physical values of each received frame that the DBC file has."""
     matrix = canmatrix.formats.loadp_flat(str(root / "rig_config/dbc" / dbc))
-    for line in exported(dive, "candump").read_text().splitlines():
+    for line in exported(dive, "candump", "--direction").read_text().splitlines():
         identifier, data, way = re.fullmatch(r"\(\S+\) \S+ ([0-9A-F]+)#([0-9A-F]*) ([RT])", line).groups()
         for message in matrix.frames:
             id = message.arbitration_id

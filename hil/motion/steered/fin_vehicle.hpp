@@ -1,0 +1,32 @@
+#pragma once
+
+#include "hil/motion/steered/steered_vehicle.hpp"
+#include "hil/motion/vehicle/vehicle_motion.hpp"
+
+namespace drydock::motion {
+
+/// The rudder, planes and propeller that do what the three thrusters of ArduSub's frame SIMPLEROV_3
+/// would do. Outputs 1 and 2 are the thrusters to starboard and to port, output 3 the vertical one,
+/// whose positive output pushes down. Forward is the mean of 1 and 2, a turn to starboard half of
+/// (2 - 1). A fin gives nothing without speed.
+Command fins_of(std::span<const double> outputs, const rig_config::VehicleConfig& vehicle);
+
+/// A vehicle with rudder, planes and propeller, sailed by the Gertler-Hagen equations.
+class FinVehicle final : public SteeredVehicle {
+ public:
+  /// `mission.vehicle` must be set.
+  explicit FinVehicle(const rig_config::MissionConfig& mission);
+
+  void step(std::span<const double> outputs, double dt) override;
+  Truth truth() const override;
+  const ocean::Ocean& ocean() const override { return motion_.ocean(); }
+
+ private:
+  rig_config::VehicleConfig config_;
+  VehicleMotion motion_;
+  Actuators actuators_;
+  VehicleState state_;
+  double t_s_ = 0;
+};
+
+}  // namespace drydock::motion

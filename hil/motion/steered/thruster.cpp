@@ -1,0 +1,29 @@
+#include "hil/motion/steered/thruster.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+namespace drydock::motion {
+
+Thruster::Thruster(const rig_config::ThrusterConfig& config) : config_(config) {
+  const Eigen::Vector3d place(config.position_m.data());
+  const Eigen::Vector3d direction = Eigen::Vector3d(config.direction.data()).normalized();
+  of_one_newton_ << direction, place.cross(direction);
+}
+
+double Thruster::steady_push_n(double command) const {
+  const double size = std::min(std::abs(command), 1.0);
+  const double beyond = (size - config_.dead_band) / (1 - config_.dead_band);
+  if (beyond <= 0) return 0;
+  const double share = std::pow(beyond, config_.exponent);
+  return command > 0 ? share * config_.ahead_n : -share * config_.astern_n;
+}
+
+void Thruster::step(double command, double dt) {
+  const double wanted = steady_push_n(command);
+  const double kept = config_.lag_s > 0 ? std::exp(-dt / config_.lag_s) : 0;
+  push_n_ = wanted + (push_n_ - wanted) * kept;
+}
+
+}  // namespace drydock::motion

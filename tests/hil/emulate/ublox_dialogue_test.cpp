@@ -1,0 +1,300 @@
+#include <gmock/gmock.h>
+
+#include "drivers/shell/lockstep.hpp"
+#include "hil/emulate/lockstep.hpp"
+#include "tests/hil/emulate/ublox_host.hpp"
+#include "tests/test_name.hpp"
+
+namespace drydock::emulate {
+namespace ublox_dialogue_test {
+
+using rig_config::UbloxModel;
+using testing::ElementsAre;
+using testing::IsEmpty;
+using Frame = std::vector<std::uint8_t>;
+namespace ubx = wire::ubx;
+
+Frame bytes_of(std::string_view hex) {
+  Frame bytes;
+  for (std::size_t i = 0; i + 1 < hex.size(); i += 2)
+    bytes.push_back(
+        static_cast<std::uint8_t>(std::stoi(std::string(hex.substr(i, 2)), nullptr, 16)));
+  return bytes;
+}
+
+struct Exchange {
+  std::string what;
+  Frame said;
+  std::vector<Frame> answers;
+};
+
+/// fixtures/boxes/ublox/NOTE.md
+std::vector<Exchange> dialogue_of(const std::string& model) {
+  std::ifstream file(DRYDOCK_SOURCE_DIR "/fixtures/boxes/ublox/" + model + ".txt");
+  std::vector<Exchange> all;
+  std::string what;
+  for (std::string line; std::getline(file, line);) {
+    if (line[0] == '#') what = line.substr(2);
+    if (line[0] == '>') all.push_back({what, bytes_of(line.substr(2)), {}});
+    if (line[0] == '<') all.back().answers.push_back(bytes_of(line.substr(2)));
+  }
+  return all;
+}
+
+class UbloxDialogueGolden : public testing::TestWithParam<const char*> {};
+
+TEST_P(UbloxDialogueGolden, AnswersEachFrameWithTheBytesOfTheDocuments) {
+  const std::string model = GetParam();
+  UbloxHost host(model == "m8" ? UbloxModel::m8 : UbloxModel::f9);
+  const auto dialogue = dialogue_of(model);
+  ASSERT_GT(dialogue.size(), 15u);
+  for (const auto& [what, said, answers] : dialogue) EXPECT_EQ(host.say(said), answers) << what;
+}
+
+INSTANTIATE_TEST_SUITE_P(Models, UbloxDialogueGolden, testing::Values("m8", "f9"),
+                         [](const auto& one) { return std::string(one.param); });
+
+TEST(EmulatedUblox, AFrameThatComesByteByByteIsAnsweredOnce) {
+  UbloxHost host(UbloxModel::m8);
+  const auto dialogue = dialogue_of("m8");
+  const Frame& poll = dialogue.front().said;
+  for (std::size_t i = 0; i + 1 < poll.size(); ++i)
+    EXPECT_THAT(host.say(wire::Bytes{poll}.subspan(i, 1)), IsEmpty());
+  EXPECT_EQ(host.say(wire::Bytes{poll}.last(1)), dialogue.front().answers);
+}
+
+TEST(EmulatedUblox, SendsAnEpochAtEachWholeMultipleOfTheNewPeriod) {
+  UbloxHost host(UbloxModel::m8);
+  host.listen(0.5);
+  EXPECT_TRUE(host.acknowledges(ubx::cfg_rate, {200, 0, 1, 0, 0, 0}));
+  host.listen(2);
+  const auto epochs = host.all<wire::NavPvt>();
+  ASSERT_EQ(epochs.size(), 10u);
+  EXPECT_EQ(epochs[0].itow, std::chrono::milliseconds{252'818'600});
+  EXPECT_EQ(epochs[9].itow, std::chrono::milliseconds{252'820'400});
+}
+
+TEST(EmulatedUblox, AnEpochIsNotSentAgainWhenItsInstantSetsAnotherPeriod) {
+  UbloxHost host(UbloxModel::m8);
+  host.listen(1);
+  EXPECT_EQ(host.all<wire::NavPvt>().size(), 2u);
+  EXPECT_TRUE(host.acknowledges(ubx::cfg_rate, {200, 0, 1, 0, 0, 0}));
+  host.listen(0.3);
+  ASSERT_EQ(host.all<wire::NavPvt>().size(), 1u);
+  EXPECT_EQ(host.all<wire::NavPvt>()[0].itow, std::chrono::milliseconds{252'819'200});
+}
+
+TEST(EmulatedUblox, SendsEachMessageAtItsOwnRateOfEpochs) {
+  UbloxHost host(UbloxModel::m8, 5);
+  EXPECT_TRUE(host.acknowledges(ubx::cfg_msg, {0x01, 0x20, 5}));
+  EXPECT_TRUE(host.acknowledges(ubx::cfg_msg, {0x01, 0x04, 2}));
+  EXPECT_TRUE(host.acknowledges(ubx::cfg_msg, {0x0A, 0x09, 5}));
+  EXPECT_TRUE(host.acknowledges(ubx::cfg_msg, {0x01, 0x61, 0}));
+  EXPECT_TRUE(host.acknowledges(ubx::cfg_msg, {0x0D, 0x03, 1}));
+  host.listen(1.99);
+  EXPECT_EQ(host.count(0x0107), 10u);
+  EXPECT_EQ(host.count(0x0120), 2u);
+  EXPECT_EQ(host.count(0x0104), 5u);
+  EXPECT_EQ(host.count(0x0A09), 2u);
+  EXPECT_EQ(host.count(0x0161), 0u);
+  EXPECT_EQ(host.count(0x0D03), 0u) << "a time mark needs an edge";
+}
+
+TEST(EmulatedUblox, ThePartsOfAnEpochHoldTheTruthWithinTheirDigits) {
+  UbloxHost host(UbloxModel::m8);
+  for (const std::uint8_t id : {0x02, 0x03, 0x04, 0x06, 0x12, 0x20, 0x30})
+    EXPECT_TRUE(host.acknowledges(ubx::cfg_msg, {0x01, id, 1}));
+  host.listen(0.5);
+  const auto posllh = host.all<wire::NavPosllh>().at(0);
+  EXPECT_NEAR(*posllh.latitude_rad, 47.123456 * degree, 1e-7 * degree);
+  EXPECT_NEAR(*posllh.longitude_rad, -8.765432 * degree, 1e-7 * degree);
+  EXPECT_NEAR(*posllh.ellipsoidal_height_m, -0.1, 1e-3);
+  const Eigen::Vector3d v = at_the_surface().velocity_ned;
+  const auto velned = host.all<wire::NavVelned>().at(0);
+  EXPECT_NEAR(*velned.velocity_north_mps, v.x(), 0.005);
+  EXPECT_NEAR(*velned.velocity_east_mps, v.y(), 0.005);
+  EXPECT_NEAR(*velned.velocity_down_mps, v.z(), 0.005);
+  EXPECT_NEAR(*velned.speed_mps, v.norm(), 0.005);
+  // 2023-11-14 22:13:20 UTC is in GPS week 2288; 18 leap seconds.
+  const auto time = host.all<wire::NavTimeGps>().at(0);
+  EXPECT_EQ(time.gps_week, 2288);
+  EXPECT_EQ(time.leap_seconds, 18);
+  EXPECT_EQ(time.itow, std::chrono::seconds{252'818});
+  const auto status = host.all<wire::NavStatus>().at(0);
+  EXPECT_TRUE(status.fix_ok && status.week_known && status.time_known);
+  EXPECT_LT(*host.all<wire::NavDop>().at(0).horizontal, *host.all<wire::NavDop>().at(0).position);
+  // WGS-84 at 47.123456 N, 8.765432 W, -0.1 m: computed with a = 6378137 m, 1/f = 298.257223563.
+  const auto ecef = host.all<wire::NavSol>().at(0).position_ecef_m;
+  EXPECT_NEAR(*ecef[0], 4'296'861.589, 0.02);
+  EXPECT_NEAR(*ecef[1], -662'535.032, 0.02);
+  EXPECT_NEAR(*ecef[2], 4'651'114.223, 0.02);
+  EXPECT_EQ(host.all<wire::NavSol>().at(0).gps_week, 2288);
+  EXPECT_EQ(host.all<wire::NavSvinfo>().at(0).satellites.size(), 10u);
+}
+
+TEST(EmulatedUblox, APollOfAMessageIsAnsweredAtOnce) {
+  UbloxHost host(UbloxModel::m8);
+  host.listen(0.1);
+  const auto answers = host.say(0x0130);
+  ASSERT_EQ(answers.size(), 1u);
+  EXPECT_EQ(answers[0][6 + 5], 4) << "globalFlags: an M8";
+  EXPECT_THAT(host.say(0x0199), IsEmpty());
+}
+
+TEST(EmulatedUblox, WithoutGpsThereIsNoFix) {
+  UbloxHost host(UbloxModel::m8);
+  EXPECT_TRUE(host.acknowledges(ubx::cfg_gnss, {0, 32, 32, 1, 0, 8, 16, 0, 0, 0, 1, 0}));
+  host.listen(0.5);
+  EXPECT_FALSE(host.all<wire::NavPvt>().at(0).fix_ok);
+  EXPECT_THAT(host.all<wire::NavSat>().at(0).satellites, IsEmpty());
+}
+
+TEST(EmulatedUblox, AColdStartTakesThe26SecondsOfTheDataSheet) {
+  UbloxHost host(UbloxModel::m8);
+  host.listen(1.5);
+  EXPECT_THAT(host.say(ubx::cfg_rst, {0xFF, 0xFF, 2, 0}), IsEmpty()) << "no acknowledgement";
+  host.listen(60);
+  const auto epochs = host.all<wire::NavPvt>();
+  const auto fixed = std::ranges::find(epochs, true, &wire::NavPvt::fix_ok);
+  EXPECT_EQ(fixed - epochs.begin(), 26);
+}
+
+TEST(EmulatedUblox, OnlySavedSettingsOutliveALossOfPower) {
+  const auto memory = std::make_shared<Memory>();
+  {
+    UbloxHost host(UbloxModel::m8, 1, memory);
+    EXPECT_TRUE(host.acknowledges(ubx::cfg_msg, {0x01, 0x20, 5}));
+    EXPECT_TRUE(host.acknowledges(ubx::cfg_cfg, {0, 0, 0, 0, 0xFF, 0xFF, 0, 0, 0, 0, 0, 0, 0x17}));
+    EXPECT_TRUE(host.acknowledges(ubx::cfg_rate, {200, 0, 1, 0, 0, 0}));
+  }
+  UbloxHost again(UbloxModel::m8, 1, memory);
+  const auto rates = again.say(ubx::cfg_msg, {0x01, 0x20});
+  EXPECT_EQ(rates.at(0)[6 + 3], 5);
+  again.listen(4.5);
+  EXPECT_EQ(again.all<wire::NavPvt>().size(), 5u) << "1 Hz, which was not lost";
+}
+
+TEST(EmulatedUblox, ASavedPeriodAndBaudRateAreThereAfterPower) {
+  const auto memory = std::make_shared<Memory>();
+  {
+    UbloxHost host(UbloxModel::f9, 1, memory);
+    // RATE-MEAS 200 and UART1-BAUDRATE 115200 in flash only.
+    EXPECT_TRUE(
+        host.acknowledges(ubx::cfg_valset, {0, 4, 0, 0, 0x01, 0x00, 0x21, 0x30, 200, 0,  //
+                                            0x01, 0x00, 0x52, 0x40, 0x00, 0xC2, 0x01, 0x00}));
+    EXPECT_THAT(host.bauds, ElementsAre(38400));
+  }
+  UbloxHost again(UbloxModel::f9, 1, memory);
+  again.listen(1.9);
+  EXPECT_THAT(again.bauds, ElementsAre(115200));
+  EXPECT_EQ(again.all<wire::NavPvt>().size(), 10u);
+}
+
+TEST(EmulatedUblox, TellsWhatItWasToldAndWhatItRefused) {
+  UbloxHost host(UbloxModel::m8);
+  host.say(ubx::cfg_rate, {200, 0, 1, 0, 0, 0});
+  host.say(ubx::cfg_rate, {200, 0, 1, 0, 0, 0});
+  host.say(ubx::cfg_msg, {0x01, 0x20, 5});
+  host.say(0x0631, {1});
+  EXPECT_THAT(host.told, ElementsAre("CFG-RATE: an epoch each 200 ms",
+                                     "CFG-MSG: NAV-TIMEGPS each 5 epochs", "refused 06 31"));
+}
+
+/// The order in which ArduSub 4.7 sets up a receiver that it takes for an M8.
+TEST(EmulatedUblox, TheSequenceOfAnAutopilotEndsWithAConfiguredReceiverAt230400) {
+  UbloxHost host(UbloxModel::m8, 1);
+  const auto polls = [&](std::uint16_t id, const Frame& payload, std::size_t bytes) {
+    const auto answers = host.say(id, payload);
+    ASSERT_EQ(answers.size(), 2u) << std::hex << id;
+    EXPECT_EQ(ubx::packet_of(answers[0]).class_and_id, id);
+    EXPECT_EQ(ubx::packet_of(answers[0]).payload.size(), bytes);
+    EXPECT_EQ(ubx::packet_of(answers[1]).class_and_id, ubx::ack_ack);
+  };
+  const std::string rate_change = "$PUBX,41,1,0023,0001,230400,0*1E\r\n";
+  host.say(Frame(rate_change.begin(), rate_change.end()));
+  EXPECT_EQ(host.bauds.back(), 230400u);
+  polls(ubx::cfg_prt, {}, 20);
+  for (const auto& [cls, id] : std::vector<std::pair<std::uint8_t, std::uint8_t>>{{0x01, 0x07},
+                                                                                  {0x01, 0x06},
+                                                                                  {0x01, 0x03},
+                                                                                  {0x01, 0x02},
+                                                                                  {0x01, 0x12},
+                                                                                  {0x01, 0x20},
+                                                                                  {0x01, 0x04},
+                                                                                  {0x0A, 0x09},
+                                                                                  {0x0A, 0x0B},
+                                                                                  {0x0D, 0x03}})
+    polls(ubx::cfg_msg, {cls, id}, 8);
+  for (const Frame& set :
+       {Frame{0x01, 0x07, 1}, Frame{0x01, 0x20, 5}, Frame{0x01, 0x04, 5}, Frame{0x0A, 0x09, 5},
+        Frame{0x0A, 0x0B, 5}, Frame{0x0D, 0x03, 1}, Frame{0x01, 0x61, 0}, Frame{0x01, 0x35, 0}})
+    EXPECT_TRUE(host.acknowledges(ubx::cfg_msg, set));
+  polls(ubx::cfg_rate, {}, 6);
+  EXPECT_TRUE(host.acknowledges(ubx::cfg_rate, {200, 0, 1, 0, 0, 0}));
+  EXPECT_EQ(host.say(0x0130).size(), 1u);
+  polls(ubx::cfg_nav5, {}, 36);
+  Frame nav5(36, 0);
+  nav5[0] = 1;
+  nav5[2] = 8;
+  EXPECT_TRUE(host.acknowledges(ubx::cfg_nav5, nav5));
+  polls(ubx::cfg_gnss, {}, 4 + 8 * 6);
+  EXPECT_EQ(host.say(ubx::mon_ver).size(), 1u);
+  EXPECT_TRUE(host.acknowledges(ubx::cfg_cfg, {0, 0, 0, 0, 0xFF, 0xFF, 0, 0, 0, 0, 0, 0}));
+  host.listen(1.9);
+  EXPECT_EQ(host.count(0x0107), 10u);
+  EXPECT_EQ(host.count(0x0120), 2u);
+  EXPECT_EQ(host.count(0x0135), 0u);
+}
+
+/// Counts the frames that a driver's end decodes.
+struct FarEnd {
+  wire::Framer<wire::UbxNmea::max_frame> framer;
+  std::vector<std::uint16_t> ids;
+  void take(wire::Bytes bytes) {
+    framer.feed(bytes, wire::UbxNmea::scan, [this](wire::Bytes frame, std::size_t) {
+      ids.push_back(ubx::packet_of(frame).class_and_id);
+    });
+  }
+};
+
+TEST(EmulatedUblox, AfterAChangeOfTheBaudRateAHostThatKeepsItsOwnReadsGarbage) {
+  const Frozen trajectory(at_the_surface());
+  FarEnd far;
+  EmulatedLine line(
+      make_emulated_device(device(rig_config::DeviceKind::gnss, "ubx", 5), trajectory, 1).value(),
+      115200, [&](wire::Bytes bytes, const Passage&) { far.take(bytes); });
+  shell::Lockstep lockstep(start);
+  lockstep.add(line);
+  lockstep.run_until(at_s(0.5));
+  EXPECT_EQ(far.ids.size(), 9u) << "three epochs of three messages";
+  far.ids.clear();
+  // CFG-PRT of UART1 with 8N1, UBX in and out, 9600 baud.
+  const Frame payload{1, 0, 0, 0, 0xD0, 8, 0, 0, 0x80, 0x25, 0, 0, 1, 0, 1, 0, 0, 0, 0, 0};
+  std::array<std::uint8_t, 64> frame;
+  const wire::Bytes set = wire::Bytes{frame}.first(ubx::encode_frame(ubx::cfg_prt, payload, frame));
+  line.receive(set, at_s(0.5));
+  lockstep.run_until(at_s(3));
+  EXPECT_THAT(far.ids, ElementsAre(ubx::ack_ack)) << "the acknowledgement at the old rate";
+  EXPECT_GT(far.framer.counters().bytes_skipped, 100u);
+  line.receive(set, at_s(3));
+  lockstep.run_until(at_s(4));
+  EXPECT_EQ(far.ids.size(), 1u) << "it does not hear 115200 any more";
+}
+
+TEST(LinePacer, MessagesLeaveAtTheRateAtWhichTheyWereQueued) {
+  LinePacer line(9600, std::chrono::nanoseconds::max());
+  const Frame ten(10, 'U');
+  line.queue(ten, start);
+  line.set_baud(115200);
+  line.queue(ten, start);
+  const auto first = line.take(at_s(1)), second = line.take(at_s(1));
+  ASSERT_TRUE(first && second);
+  EXPECT_EQ(first->baud, 9600u);
+  EXPECT_EQ(second->baud, 115200u);
+  // 100 bits at each rate.
+  EXPECT_NEAR(measurement::seconds(first->at - start), 100 / 9600.0, 1e-8);
+  EXPECT_NEAR(measurement::seconds(second->at - first->at), 100 / 115200.0, 1e-8);
+}
+
+}  // namespace ublox_dialogue_test
+}  // namespace drydock::emulate

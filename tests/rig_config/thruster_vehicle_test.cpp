@@ -1,0 +1,69 @@
+#include <gmock/gmock.h>
+
+#include "rig_config/load.hpp"
+#include "tests/rig_config/problems.hpp"
+
+namespace drydock::rig_config {
+namespace thruster_vehicle_test {
+
+using test::lines_of;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+const std::string missions = DRYDOCK_SOURCE_DIR "/rig_config/missions/";
+
+Loaded<MissionConfig> mission_with(const std::string& keys) {
+  return load_mission_text("[mission]\nlatitude_deg = 1\nlongitude_deg = 2\n" + keys,
+                           missions + "m.toml");
+}
+
+TEST(ThrusterVehicle, TheShippedOneHasTheFiguresOfItsSource) {
+  const auto mission = load_mission(missions + "ardusub.toml");
+  ASSERT_TRUE(mission);
+  EXPECT_EQ(mission->steering->from, "ardupilot");
+  EXPECT_EQ(mission->steering->listen, "127.0.0.1:9002");
+  EXPECT_FALSE(mission->vehicle);
+  const auto& vehicle = mission->thruster_vehicle.value();
+  EXPECT_EQ(vehicle.mass_kg, 11.5);
+  EXPECT_EQ(vehicle.buoyancy_n, 114.8);
+  EXPECT_THAT(vehicle.added_mass, ElementsAre(5.5, 12.7, 14.57, 0.12, 0.12, 0.12));
+  EXPECT_EQ(vehicle.quadratic_damping[2], 36.99);
+  ASSERT_EQ(vehicle.thrusters.size(), 6u);
+  EXPECT_EQ(vehicle.thrusters[4].name, "vertical-starboard");
+  EXPECT_THAT(vehicle.thrusters[4].direction, ElementsAre(0, 0, 1));
+  EXPECT_EQ(vehicle.thrusters[0].astern_n, 40.2);
+}
+
+TEST(ThrusterVehicle, CannotSailLegs) {
+  const auto mission = mission_with(
+      "speed_mps = 1\nvehicle = \"../vehicles/bluerov2.toml\"\n[[leg]]\nkind = \"straight\"\n"
+      "duration_s = 5\n");
+  ASSERT_FALSE(mission);
+  EXPECT_THAT(lines_of(mission.error()),
+              ElementsAre(HasSubstr(":5:11: /mission/vehicle: a vehicle with thrusters cannot sail "
+                                    "legs by itself: allowed with [steering]")));
+}
+
+TEST(ThrusterVehicle, IsNotOneWithFins) {
+  const auto vehicle = load_vehicle(DRYDOCK_SOURCE_DIR "/rig_config/vehicles/bluerov2.toml");
+  ASSERT_FALSE(vehicle);
+  EXPECT_THAT(lines_of(vehicle.error()),
+              ElementsAre(HasSubstr("/thruster: this vehicle has thrusters")));
+  EXPECT_THAT(check_file(DRYDOCK_SOURCE_DIR "/rig_config/vehicles/bluerov2.toml"),
+              testing::IsEmpty());
+}
+
+TEST(Steering, HasNoLegsAndNeedsAVehicle) {
+  EXPECT_THAT(lines_of(mission_with("[steering]\nfrom = \"ardupilot\"\n").error()),
+              testing::Contains(HasSubstr("vehicle")));
+  const auto with_legs = mission_with(
+      "vehicle = \"../vehicles/nps-auv-ii.toml\"\n[steering]\nfrom = \"ardupilot\"\n[[leg]]\nkind "
+      "= "
+      "\"straight\"\nduration_s = 5\n");
+  ASSERT_FALSE(with_legs);
+  EXPECT_THAT(lines_of(with_legs.error()),
+              testing::Contains(HasSubstr("another program steers the vehicle")));
+}
+
+}  // namespace thruster_vehicle_test
+}  // namespace drydock::rig_config
