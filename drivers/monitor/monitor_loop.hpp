@@ -6,6 +6,7 @@
 
 #include "drivers/monitor/monitor.hpp"
 #include "drivers/monitor/monitor_view.hpp"
+#include "drivers/monitor/screen_show.hpp"
 
 namespace drydock::monitor {
 
@@ -13,7 +14,10 @@ namespace drydock::monitor {
 /// time.
 class MonitorLoop {
  public:
-  MonitorLoop(const MonitorOptions& options, std::function<std::vector<DeviceView>()> views);
+  /// `wire`: for the screen's raw bytes.
+  MonitorLoop(const MonitorOptions& options, std::string title,
+              std::function<std::vector<DeviceView>()> views, WireSource wire,
+              Pane first = Pane::values);
 
   boost::asio::io_context& io() { return io_; }
   /// Serves a page of the monitored devices if the options ask for it; otherwise gives null. Prints
@@ -26,15 +30,18 @@ class MonitorLoop {
  private:
   double longest_s() const;  ///< 0: until Ctrl-C
   bool over(const std::vector<DeviceView>& views) const;
+  void open_screen();
   void show(const std::vector<DeviceView>& views);
+  void show_end(const std::vector<DeviceView>& views) const;
 
   const MonitorOptions& options_;
   std::function<std::vector<DeviceView>()> views_;
   boost::asio::io_context io_{1};
   boost::asio::steady_timer timer_{io_};
-  bool terminal_;
-  DeviceTable table_;
-  Overdrawn screen_;
+  std::string title_;
+  WireSource wire_;
+  Pane first_;
+  std::unique_ptr<ScreenShow> screen_;  ///< null: no terminal, or one that only prints lines
   int steps_ = 0;
 };
 

@@ -7,6 +7,7 @@
 #include "drivers/link/can/can_interface.hpp"
 #include "drivers/link/clock.hpp"
 #include "drivers/monitor/found_devices.hpp"
+#include "drivers/monitor/frames/rig_wires.hpp"
 #include "drivers/monitor/monitor_loop.hpp"
 #include "drivers/probe/probe_bus.hpp"
 #include "drivers/terminal/exit_codes.hpp"
@@ -76,25 +77,30 @@ class BusMeter final : public host::Follower {
 int monitor_devices(std::vector<std::unique_ptr<device::Device>> devices,
                     const rig_config::Rig& rig, const MonitorOptions& options) {
   for (auto& device : devices) device->listen_only();
-  Latest latest;
+  LastValues latest;
+  RigWires wires;
+  for (const auto& device : devices) wires.add(*device);
   BusMeter meter;
   host::FindingLog findings;
   host::DriverHost* drivers = nullptr;
-  MonitorLoop loop(options, [&] {
+  const auto views_now = [&] {
     std::vector<DeviceView> views;
     const auto& shell = drivers->shell();
     for (std::size_t i = 0; i < shell.size(); ++i) {
       DeviceView view = view_of(shell.device(i), shell.health(i));
-      latest.show(shell.device(i).index(), view);
+      show_values(latest, shell.device(i).index(), options.units, view);
       meter.show(link::steady_now(), view);
       if (const auto* finding = findings.open(shell.device(i).index()))
         view.finding = diagnosis::account_of(*finding, view.name, Stamp{});
       views.push_back(std::move(view));
     }
     return views;
-  });
+  };
+  MonitorLoop loop(options, rig.name, views_now,
+                   {.show = [&](const DeviceView& view) { return wires.show(view.link); }});
   host::Followers followers;
   followers.add(latest);
+  followers.add(wires);
   followers.add(meter);
   followers.add(findings);
   const auto viewer = loop.serve({rig.name, host::bus_devices(devices)});
