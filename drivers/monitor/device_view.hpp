@@ -20,6 +20,8 @@ struct DeviceView : device::HealthAccount {
   std::optional<double> valid_at_s, received_at_s, device_time_s, latency_s;
   std::optional<diagnosis::FindingAccount> finding;  ///< what is wrong now; times are UTC
   std::vector<ShownValue> values;
+  std::string hint;         ///< why it is silent, by what its wire says; empty: not known
+  std::string shared_with;  ///< programs that read its port too; empty: none
 };
 
 }  // namespace drydock::monitor

@@ -18,6 +18,7 @@ struct MonitorOptions {
   std::shared_ptr<const wire::described::Description> description{};  ///< of `protocol`, if a file
   double duration_s = 0;                                              ///< 0: until Ctrl-C
   bool once = false;         ///< one table, when every device streams, or after 10 s
+  bool start = false;        ///< CANopen nodes are started, as their drivers do
   bool json = false;         ///< JSON Lines, one object for each device, every second
   DisplayUnits units;        ///< of the values, for a person
   host::ServeOptions serve;  ///< shows it to browsers too
@@ -37,7 +38,7 @@ int monitor_link(const MonitorOptions& options);
 /// Shows a table of the devices: on a terminal drawn over itself, otherwise as JSON Lines or as one
 /// table at the end. The drivers only listen: nothing is written to a wire. Viewers show the
 /// name of the rig.
-/// Returns 0 if all devices were streaming at the end, else 1.
+/// Returns 0 if nothing was wrong with any device at the end, else 1 (problems.hpp).
 int monitor_devices(std::vector<std::unique_ptr<device::Device>> devices,
                     const rig_config::Rig& rig, const MonitorOptions& options);
 

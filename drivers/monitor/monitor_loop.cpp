@@ -7,6 +7,7 @@
 
 #include "drivers/io/until_stopped.hpp"
 #include "drivers/link/clock.hpp"
+#include "drivers/monitor/problems.hpp"
 #include "drivers/terminal/exit_codes.hpp"
 
 namespace drydock::monitor {
@@ -102,7 +103,7 @@ int MonitorLoop::run(const std::function<void()>& poll, const std::function<void
   stop();
   io_.run();
   show_end(last);
-  return terminal::exit_of(all_streaming(last));
+  return terminal::exit_of(all_well(last));
 }
 
 }  // namespace drydock::monitor

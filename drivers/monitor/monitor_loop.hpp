@@ -23,8 +23,8 @@ class MonitorLoop {
   /// Serves a page of the monitored devices if the options ask for it; otherwise gives null. Prints
   /// its address on standard error.
   std::unique_ptr<host::RigViewer> serve(const host::Viewed& viewed);
-  /// Calls `poll` 10 times a second. `stop` must let io() run out of work. Returns 0 if all devices
-  /// were streaming at the end, else 1.
+  /// Calls `poll` 10 times a second. `stop` must let io() run out of work. Returns 0 if nothing
+  /// was wrong at the end, else 1.
   int run(const std::function<void()>& poll, const std::function<void()>& stop);
 
  private:

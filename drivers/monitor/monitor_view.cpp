@@ -9,6 +9,7 @@
 #include "drivers/diagnosis/finding_words.hpp"
 #include "drivers/host/rig_bus.hpp"
 #include "drivers/link/link.hpp"
+#include "drivers/monitor/problems.hpp"
 #include "drivers/text/json_lines.hpp"
 
 namespace drydock::monitor {
@@ -33,6 +34,7 @@ void visit_fields(const DeviceView& v, F&& field) {
   field("bus_load", v.bus_load);
   field("finding", v.finding);
   field("values", v.values);
+  field("problems", problems_of(v));
 }
 
 namespace {
@@ -138,6 +140,9 @@ std::vector<std::string> table_lines(const std::vector<DeviceView>& views) {
     if (!v.link_note.empty()) all.push_back("  link: " + v.link_note);
     if (auto line = times(v); !line.empty()) all.push_back(std::move(line));
     add_rows_of_values(v, all);
+    if (!v.hint.empty()) all.push_back("  " + v.hint);
+    if (!v.shared_with.empty())
+      all.push_back("  each reads a part of the bytes: also open in " + v.shared_with);
     const bool with_status = !v.streaming && !v.status.empty();
     if (with_status) all.push_back("  " + v.status);
     if (!v.last_error.empty() && !(with_status && v.last_error == v.status))

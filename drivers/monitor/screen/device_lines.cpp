@@ -49,7 +49,9 @@ constexpr std::size_t narrowest_words = 10;
 /// What a person should know first about a device.
 std::string first_words(const DeviceView& device) {
   if (device.finding) return device.finding->cause + ": " + device.finding->meaning;
+  if (!device.hint.empty()) return device.hint;
   if (!device.streaming) return device.status;
+  if (!device.shared_with.empty()) return "also open in " + device.shared_with;
   return device.kind + ' ' + device.protocol;
 }
 

@@ -70,6 +70,15 @@ Extent extent_of(const std::deque<Sampled>& samples) {
   return extent;
 }
 
+/// The chosen value, or the next one that is a number.
+const ShownValue& plotted(const std::vector<const ShownValue*>& values, std::size_t chosen) {
+  const auto from =
+      values.begin() + static_cast<std::ptrdiff_t>(std::min(chosen, values.size() - 1));
+  const auto number =
+      std::find_if(from, values.end(), [](const ShownValue* v) { return !v->numbers.empty(); });
+  return number == values.end() ? **from : **number;
+}
+
 std::string head_of(const ShownValue& value, double shown_s) {
   std::string text = fmt::format("{} {}, last {:.0f} s", value.name, value.full(), shown_s);
   return value.numbers.size() > 1 ? text + ": first x, then y, z" : text;
@@ -80,7 +89,7 @@ std::string head_of(const ShownValue& value, double shown_s) {
 std::vector<PaneLine> plot_pane(const ScreenState& state, std::size_t width, std::size_t height) {
   const auto values = chosen_values(state);
   if (values.empty() || state.history == nullptr) return {{{"nothing to plot"}}};
-  const ShownValue& value = *values[std::min(state.choice.item, values.size() - 1)];
+  const ShownValue& value = plotted(values, state.choice.item);
   const auto& samples = state.history->of(state.devices[state.choice.device].name, value.name);
   Extent extent = extent_of(samples);
   if (extent.empty() || height < 5 || width < axis_width + 10)

@@ -22,6 +22,10 @@ void add_troubles(std::vector<PaneLine>& lines, const DeviceView& d, double now_
                                *d.finding, fmt::format("for {:.0f} s", now_s - d.finding->since_s)),
                 width, Style::wrong);
   if (!d.streaming) add_wrapped(lines, d.status, width, style_of(d));
+  if (!d.hint.empty()) add_wrapped(lines, d.hint, width, Style::wrong);
+  if (!d.shared_with.empty())
+    add_wrapped(lines, "each reads a part of the bytes: also open in " + d.shared_with, width,
+                Style::wrong);
   if (!d.last_error.empty() && (d.streaming || d.last_error != d.status))
     add_wrapped(lines, "last error: " + d.last_error, width);
   if (!d.link_note.empty()) add_wrapped(lines, "link: " + d.link_note, width);

@@ -58,12 +58,16 @@ void add_monitor(CLI::App& app, Command& command) {
       "--protocol", a->options.protocol,
       "of a link: its frames, or without a terminal each message as a JSON line; one of " +
           decode::decode_protocols() + "; or a description: valeport-vat.toml");
-  auto* once = sub->add_flag("--once", a->options.once,
-                             "one table, as soon as all stream; exit 1 when one does not");
+  auto* once =
+      sub->add_flag("--once", a->options.once,
+                    "one table, as soon as all stream; exit 1 when something is wrong with one");
   auto* json =
       sub->add_flag("--json", a->options.json, "an object a device each second, JSON Lines");
   auto* bus = sub->add_flag("--bus", a->bus,
                             "of a rig whose drivers run elsewhere: from DDS, not from the ports");
+  auto* start = sub->add_flag("--start", a->options.start,
+                              "start CANopen nodes, as drive does; this alone writes to the wire");
+  protocol->excludes(start);
   add_units(*sub, a->options.units);
   add_serve(*sub, a->options.serve);
   auto* serve = sub->get_option("--serve")->excludes(once);
