@@ -49,10 +49,12 @@ double MonitorLoop::longest_s() const {
   return options_.once ? longest_once_s : 0;
 }
 
-/// A rate needs a few messages. The loop takes no table before each device has its rate.
+/// A rate needs a few messages. The loop takes no table before each device has its rate, and its
+/// first values: over the bus they come apart.
 bool MonitorLoop::over(const std::vector<DeviceView>& views) const {
-  return options_.once && all_streaming(views) &&
-         std::ranges::all_of(views, [](const auto& v) { return v.rate_hz > 0 && v.jitter_s; });
+  return options_.once && all_streaming(views) && std::ranges::all_of(views, [](const auto& v) {
+           return v.rate_hz > 0 && v.jitter_s && !v.values.empty();
+         });
 }
 
 /// After UntilStopped: ncurses takes no signal that somebody waits for.
