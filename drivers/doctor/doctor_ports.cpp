@@ -12,6 +12,7 @@
 #include <sstream>
 
 #include "drivers/doctor/doctor.hpp"
+#include "drivers/doctor/holders.hpp"
 #include "drivers/doctor/ports.hpp"
 
 namespace drydock::doctor {
@@ -97,13 +98,6 @@ std::map<std::string, std::string> processes(const std::string& root) {
   return names;
 }
 
-/// The real path of a port: rigs use links in /dev/serial/by-id.
-std::string resolved(const std::string& root, const std::string& path) {
-  std::error_code gone;
-  const auto target = fs::read_symlink(root + path, gone);
-  return gone ? path : "/dev/" + target.filename().string();
-}
-
 /// Programs that open serial ports which nobody gave them, when an adapter is plugged in.
 struct Grabber {
   const char *name, *text, *command;
@@ -115,16 +109,14 @@ constexpr std::array grabbers{
             "brltty runs: it takes new serial adapters (CH340, CP210x) for braille displays",
             "sudo systemctl mask --now brltty.service brltty-udev.service"}};
 
-bool holds(const std::string& root, const std::string& process, const std::string& port) {
-  std::error_code gone;
-  for (const auto& fd : fs::directory_iterator(fs::path(root) / "proc" / process / "fd", gone)) {
-    std::error_code no_link;
-    if (fs::read_symlink(fd.path(), no_link) == port) return true;
-  }
-  return false;
-}
-
 }  // namespace
+
+PortAccess access_of(const std::string& root, const std::string& path) {
+  struct stat info {};
+  if (::stat((root + path).c_str(), &info) != 0) return {};
+  const bool allowed = check_port(root, path, identity(root)).fitness == Fitness::ok;
+  return {allowed, fmt::format("{:03o}", info.st_mode & 0777U), group_name(root, info.st_gid)};
+}
 
 std::vector<Diagnosis> check_ports(const std::string& root, const Needs& needs) {
   const Identity who = identity(root);
@@ -138,13 +130,13 @@ std::vector<Diagnosis> check_ports(const std::string& root, const Needs& needs) 
 std::vector<Diagnosis> check_holders(const std::string& root, const Needs& needs) {
   std::vector<Diagnosis> found;
   const auto ports = ports_of(root, needs);
+  for (const auto& port : ports)
+    for (const auto& [name, process] : holders_of(root, port))
+      found.push_back(
+          {"other programs", Fitness::wrong,
+           fmt::format("{} (process {}) has {} open", name, process, port),
+           name == "gpsd" ? "sudo systemctl stop gpsd.socket gpsd" : "kill " + process});
   for (const auto& [process, name] : processes(root)) {
-    for (const auto& port : ports)
-      if (holds(root, process, resolved(root, port)))
-        found.push_back(
-            {"other programs", Fitness::wrong,
-             fmt::format("{} (process {}) has {} open", name, process, port),
-             name == "gpsd" ? "sudo systemctl stop gpsd.socket gpsd" : "kill " + process});
     if (ports.empty()) continue;
     for (const auto& program : grabbers)
       if (name == program.name)
@@ -172,7 +164,7 @@ std::vector<Diagnosis> check_names(const std::string& root, const Needs& needs) 
 std::vector<Diagnosis> check_latency(const std::string& root, const Needs& needs) {
   std::vector<Diagnosis> found;
   for (const auto& port : ports_of(root, needs)) {
-    const auto tty = fs::path(resolved(root, port)).filename().string();
+    const auto tty = fs::path(real_path(root, port)).filename().string();
     const std::string file = "/sys/bus/usb-serial/devices/" + tty + "/latency_timer";
     std::ifstream in(root + file);
     int ms = 0;

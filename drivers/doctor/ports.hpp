@@ -15,6 +15,14 @@ struct SerialPort {
   std::string product;
 };
 
+/// Whether this user may open a port, and whose it is.
+struct PortAccess {
+  bool allowed = false;
+  std::string mode;   ///< "660"
+  std::string group;  ///< its name, or its number
+};
+PortAccess access_of(const std::string& root, const std::string& path);
+
 /// A CAN network interface.
 struct CanPort {
   std::string name;

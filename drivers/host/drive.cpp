@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <boost/asio/steady_timer.hpp>
 #include <optional>
 #include <stdexcept>
@@ -13,7 +14,9 @@
 #include "drivers/host/rig_bus.hpp"
 #include "drivers/host/rig_publisher.hpp"
 #include "drivers/host/state_lines.hpp"
+#include "drivers/host/status_line.hpp"
 #include "drivers/io/until_stopped.hpp"
+#include "drivers/link/clock.hpp"
 #include "drivers/link/link.hpp"
 #include "drivers/shell/rig_devices.hpp"
 #include "drivers/terminal/exit_codes.hpp"
@@ -22,7 +25,18 @@
 namespace drydock::host {
 namespace {
 
+using measurement::Stamp;
+
 constexpr std::chrono::milliseconds tick_period{200};
+constexpr std::chrono::seconds absent_after{3};
+
+bool nobody_there(const std::vector<const device::Device*>& devices) {
+  return std::ranges::all_of(devices, [](const device::Device* device) {
+    const bool emulated =
+        provenance_of(device->options().link) == measurement::Provenance::emulated;
+    return emulated && device->messages() == 0;
+  });
+}
 
 void print_health(const shell::RealTime& shell) {
   for (std::size_t i = 0; i < shell.size(); ++i) {
@@ -46,8 +60,10 @@ class Drive {
       : options_(options),
         participant_(static_cast<std::uint32_t>(rig.dds_domain), rig.dds_interface),
         publisher_(participant_, bus_devices(rig)),
+        status_line_([this] { return standing(); }),
         finding_lines_(rig, link::now(), print_line),
         host_(io_, std::move(devices), followers_) {
+    followers_.add(status_line_);
     followers_.add(publisher_);
     if (options.beside) {
       beside_ = options.beside(rig, host_.devices(), followers_);
@@ -77,6 +93,28 @@ class Drive {
   }
 
  private:
+  RunStanding standing() const {
+    RunStanding standing;
+    standing.elapsed_s = measurement::seconds(link::steady_now() - start_);
+    standing.duration_s = options_.duration_s;
+    if (recorder_) standing.recorded = recorder_->bytes();
+    const auto& shell = host_.shell();
+    for (std::size_t i = 0; i < shell.size(); ++i)
+      standing.rates_hz.emplace_back(shell.device(i).name(), shell.health(i).rate_hz.value_or(0));
+    return standing;
+  }
+
+  /// Once, when the first seconds brought nothing from a rig that only has emulated devices.
+  void tell_absence() {
+    if (told_absence_ || link::steady_now() - start_ < absent_after) return;
+    told_absence_ = true;
+    if (!nobody_there(host_.devices())) return;
+    status_line_.wipe();
+    print_line(
+        "nothing is there: all devices of this rig are emulated; `drydock emulate` makes them, or "
+        "`drydock run --record`");
+  }
+
   void keep_ticking() {
     timer_.expires_after(tick_period);
     timer_.async_wait([this](const boost::system::error_code& ec) {
@@ -84,6 +122,7 @@ class Drive {
       const auto now = link::now();
       followers_.tick(now);
       service_manager_.alive();
+      tell_absence();
       keep_ticking();
     });
   }
@@ -92,6 +131,7 @@ class Drive {
     stopped_ = true;
     service_manager_.stopping();
     all_streaming_ = host_.all_streaming();
+    status_line_.wipe();
     print_health(host_.shell());
     timer_.cancel();
     host_.stop();
@@ -103,6 +143,7 @@ class Drive {
   bus::Participant participant_;
   RigPublisher publisher_;
   StateLines state_lines_{stdout};
+  StatusLine status_line_;
   FindingLines finding_lines_;
   Followers followers_;
   std::optional<RigRecorder> recorder_;
@@ -111,7 +152,8 @@ class Drive {
   DriverHost host_;
   boost::asio::steady_timer timer_{io_};
   terminal::ServiceManager service_manager_;
-  bool stopped_ = false, all_streaming_ = false;
+  Stamp start_ = link::steady_now();
+  bool stopped_ = false, all_streaming_ = false, told_absence_ = false;
 };
 
 }  // namespace

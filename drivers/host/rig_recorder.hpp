@@ -60,6 +60,7 @@ class RigRecorder final : public Follower {
 
   /// Ends the file. Returns one line about its content, or about the failure.
   std::string finish();
+  std::uint64_t bytes() const { return recorder_.status().bytes; }  ///< written until now
   bool failed() const { return recorder_.status().error.failed(); }
 
  private:

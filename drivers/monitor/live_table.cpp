@@ -20,6 +20,15 @@ std::string bar(double part) {
          std::string(static_cast<std::size_t>(width - full), '.');
 }
 
+/// What matters first stands first: a narrow terminal cuts the rest off.
+std::string run_line(const DeviceView& v, const Palette& palette) {
+  return fmt::format(
+      "{:<10} {} {:>7.2f} Hz of {:>5.1f} {:>5} bad  age {:>7}  {:>9} messages  {:>8} B skipped",
+      v.name, palette.state(v.state, fmt::format("{:<11}", v.state)), v.rate_hz, v.nominal_rate_hz,
+      v.bad_checksums, v.age_s ? fmt::format("{:.3f} s", *v.age_s) : std::string("-"), v.messages,
+      v.bytes_skipped);
+}
+
 }  // namespace
 
 LiveTable::LiveTable(const shell::RealTime& shell, Stamp start, double duration_s)
@@ -67,7 +76,7 @@ void LiveTable::draw_table(double elapsed_s) {
     lines.push_back(fmt::format("{:.0f} s, Ctrl-C ends with the report", elapsed_s));
   }
   for (std::size_t i = 0; i < shell_.size(); ++i)
-    lines.push_back(headline(view_of(shell_.device(i), shell_.health(i)), palette_));
+    lines.push_back(run_line(view_of(shell_.device(i), shell_.health(i)), palette_));
   for (const auto& event : events_) lines.push_back("  " + event);
   screen_.draw(lines);
 }

@@ -12,6 +12,8 @@
 #include "drivers/decode/decode.hpp"
 #include "drivers/io/until_stopped.hpp"
 #include "drivers/link/reading.hpp"
+#include "drivers/monitor/monitor_wire.hpp"
+#include "drivers/monitor/places_cursor.hpp"
 #include "drivers/terminal/exit_codes.hpp"
 #include "drivers/text/json_lines.hpp"
 #include "drivers/wire/described/described_codec.hpp"
@@ -180,6 +182,7 @@ int monitor_messages(const MonitorOptions& options) {
                decode::decode_protocols());
     return terminal::exit_usage;
   }
+  if (places_cursor()) return monitor_wire(options, *uri, carries);
   asio::io_context io{1};
   const auto watch_opened = [&](auto opened) {
     if (opened) return watch(io, **opened, *screen, options.duration_s);

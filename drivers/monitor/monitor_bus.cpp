@@ -35,7 +35,7 @@ constexpr std::array<std::string_view, 6> of_the_rig{"name", "kind",       "prot
 /// Turns diagnostics and measurements from the bus into views, and passes them on to the followers.
 class BusViews final : public bus::Receiver {
  public:
-  explicit BusViews(const rig_config::Rig& rig) {
+  BusViews(const rig_config::Rig& rig, DisplayUnits units) : units_(std::move(units)) {
     followers.add(latest_);
     for (const auto& device : rig.devices) {
       DeviceView view;
@@ -92,13 +92,14 @@ class BusViews final : public bus::Receiver {
   std::vector<DeviceView> current() const {
     std::vector<DeviceView> shown = views_;
     for (std::size_t i = 0; i < shown.size(); ++i)
-      latest_.show(static_cast<std::uint16_t>(i), shown[i]);
+      show_values(latest_, static_cast<std::uint16_t>(i), units_, shown[i]);
     return shown;
   }
 
  private:
   std::vector<DeviceView> views_;
-  Latest latest_;
+  LastValues latest_;
+  DisplayUnits units_;
   std::vector<bus::DeviceStatus> health_;
 
   static void set(device::HealthAccount& account, std::string_view key, const std::string& text) {
@@ -116,8 +117,10 @@ int monitor_bus(const rig_config::Rig& rig, const MonitorOptions& options) {
   wanted.diagnostics = true;
   if (!options.serve.address.empty()) wanted.estimators = host::estimator_names(rig);
   bus::Subscriber subscriber(participant, host::bus_devices(rig), wanted);
-  BusViews heard(rig);
-  MonitorLoop loop(options, [&] { return heard.current(); });
+  BusViews heard(rig, options.units);
+  MonitorLoop loop(
+      options, rig.name, [&] { return heard.current(); },
+      {.show = {}, .none = "no bytes here: the drivers that read them are another program's"});
   const auto viewer = loop.serve(host::viewed(rig));
   if (viewer) heard.followers.add(*viewer);
   return loop.run(

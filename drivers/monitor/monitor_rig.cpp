@@ -7,6 +7,9 @@
 #include "drivers/link/can/can_interface.hpp"
 #include "drivers/link/clock.hpp"
 #include "drivers/monitor/found_devices.hpp"
+#include "drivers/monitor/frames/rig_wires.hpp"
+#include "drivers/monitor/hints/shared_ports.hpp"
+#include "drivers/monitor/hints/wire_hints.hpp"
 #include "drivers/monitor/monitor_loop.hpp"
 #include "drivers/probe/probe_bus.hpp"
 #include "drivers/terminal/exit_codes.hpp"
@@ -71,30 +74,50 @@ class BusMeter final : public host::Follower {
   std::map<std::string, Bus, std::less<>> buses_;
 };
 
+/// True for a CANopen node: its driver starts it.
+bool starts_nodes(const device::Device& device) {
+  const auto* protocol = wire::find_protocol(device.options().driver.protocol);
+  return protocol != nullptr && protocol->network == wire::Network::canopen;
+}
+
 }  // namespace
 
 int monitor_devices(std::vector<std::unique_ptr<device::Device>> devices,
                     const rig_config::Rig& rig, const MonitorOptions& options) {
-  for (auto& device : devices) device->listen_only();
-  Latest latest;
+  for (auto& device : devices)
+    if (!options.start || !starts_nodes(*device)) device->listen_only();
+  LastValues latest;
+  RigWires wires;
+  WireHints hints;
+  SharedPorts ports;
+  for (const auto& device : devices) {
+    wires.add(*device);
+    hints.add(*device);
+  }
   BusMeter meter;
   host::FindingLog findings;
   host::DriverHost* drivers = nullptr;
-  MonitorLoop loop(options, [&] {
+  const auto views_now = [&] {
     std::vector<DeviceView> views;
     const auto& shell = drivers->shell();
     for (std::size_t i = 0; i < shell.size(); ++i) {
       DeviceView view = view_of(shell.device(i), shell.health(i));
-      latest.show(shell.device(i).index(), view);
+      show_values(latest, shell.device(i).index(), options.units, view);
       meter.show(link::steady_now(), view);
+      view.hint = hints.hint(shell.device(i));
+      view.shared_with = ports.others(shell.device(i).options().link);
       if (const auto* finding = findings.open(shell.device(i).index()))
         view.finding = diagnosis::account_of(*finding, view.name, Stamp{});
       views.push_back(std::move(view));
     }
     return views;
-  });
+  };
+  MonitorLoop loop(options, rig.name, views_now,
+                   {.show = [&](const DeviceView& view) { return wires.show(view.link); }});
   host::Followers followers;
   followers.add(latest);
+  followers.add(wires);
+  followers.add(hints);
   followers.add(meter);
   followers.add(findings);
   const auto viewer = loop.serve({rig.name, host::bus_devices(devices)});

@@ -4,12 +4,13 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <utility>
 
 #include "drivers/diagnosis/finding_words.hpp"
 #include "drivers/host/rig_bus.hpp"
 #include "drivers/link/link.hpp"
+#include "drivers/monitor/problems.hpp"
 #include "drivers/text/json_lines.hpp"
-#include "drivers/text/measurement_fields.hpp"
 
 namespace drydock::monitor {
 
@@ -17,6 +18,8 @@ template <class F>
 void visit_fields(const ShownValue& v, F&& field) {
   field("name", v.name);
   field("text", v.text);
+  field("unit", v.unit);
+  field("older_s", v.older_s);
 }
 
 template <class F>
@@ -31,70 +34,12 @@ void visit_fields(const DeviceView& v, F&& field) {
   field("bus_load", v.bus_load);
   field("finding", v.finding);
   field("values", v.values);
+  field("problems", problems_of(v));
 }
 
 namespace {
 
-/// "velocity_mps" is a velocity in m/s: gives the name and its unit. Longer endings come first.
-std::pair<std::string_view, std::string_view> split_unit(std::string_view field) {
-  constexpr std::array<std::pair<std::string_view, std::string_view>, 10> units{{
-      {"_mps2", "m/s2"},
-      {"_degps", "deg/s"},
-      {"_radps", "rad/s"},
-      {"_dbhz", "dBHz"},
-      {"_mps", "m/s"},
-      {"_deg", "deg"},
-      {"_pa", "Pa"},
-      {"_m", "m"},
-      {"_k", "K"},
-      {"_s", "s"},
-  }};
-  for (const auto& [ending, unit] : units)
-    if (field.ends_with(ending)) return {field.substr(0, field.size() - ending.size()), unit};
-  return {field, ""};
-}
-
-/// Lists the values of a measurement's fields as text. It omits values that are not available.
-class Lister {
- public:
-  explicit Lister(std::vector<ShownValue>& values) : values_(values) {}
-
-  template <class T>
-  void operator()(std::string_view field, const T& content) {
-    const std::string text = in_text(content);
-    if (text.empty()) return;
-    const auto [name, unit] = split_unit(field);
-    values_.push_back({std::string(name), unit.empty() ? text : fmt::format("{} {}", text, unit)});
-  }
-
- private:
-  static std::string in_text(double number) { return fmt::format("{:.5g}", number); }
-  template <std::integral T>
-  static std::string in_text(T number) {
-    return fmt::format("{}", number);
-  }
-  template <class T>
-  static std::string in_text(const std::optional<T>& maybe) {
-    return maybe ? in_text(*maybe) : std::string();
-  }
-  template <class Range>
-  requires requires(const Range& range) { range.begin(), range.end(); }
-  static std::string in_text(const Range& range) {
-    using Item = std::decay_t<decltype(*range.begin())>;
-    if constexpr (std::is_class_v<Item> && !std::is_same_v<Item, std::optional<double>>) {
-      return fmt::format("{}", range.size());  // for satellites: their number
-    } else {
-      std::string text;
-      for (const auto& item : range) {
-        std::string part = in_text(item);
-        text += (text.empty() ? "" : " ") + (part.empty() ? std::string("-") : part);
-      }
-      return text;
-    }
-  }
-
-  std::vector<ShownValue>& values_;
-};
+constexpr std::size_t values_width = 100;  // columns of the rows of values
 
 std::string milliseconds(std::optional<double> s) {
   return s ? fmt::format("{:.1f} ms", *s * 1e3) : std::string("-");
@@ -102,8 +47,9 @@ std::string milliseconds(std::optional<double> s) {
 
 std::string times(const DeviceView& v) {
   if (!v.received_at_s) return {};
-  std::string text = fmt::format("  arrived {:.3f}  valid at {:.3f}  latency {}", *v.received_at_s,
-                                 *v.valid_at_s, milliseconds(v.latency_s));
+  std::string text =
+      fmt::format("  arrived {}  valid at {}  latency {}", clock_text(*v.received_at_s),
+                  clock_text(*v.valid_at_s), milliseconds(v.latency_s));
   if (v.device_time_s) text += fmt::format("  device time {:.3f} s", *v.device_time_s);
   return text;
 }
@@ -116,6 +62,17 @@ std::string bus_text(const DeviceView& v) {
   if (v.bus_load) text += fmt::format(" = load {:.1f} %", 100 * *v.bus_load);
   if (!v.can_state.empty()) text += "  controller " + v.can_state;
   return text + fmt::format("  {} error frames  {} lost", v.error_frames, v.can_dropped);
+}
+
+void add_rows_of_values(const DeviceView& v, std::vector<std::string>& lines) {
+  std::string row;
+  for (const auto& value : v.values) {
+    const std::string text = "  " + value.name + ' ' + value.full();
+    if (!row.empty() && row.size() + text.size() > values_width)
+      lines.push_back(std::exchange(row, {}));
+    row += text;
+  }
+  if (!row.empty()) lines.push_back(std::move(row));
 }
 
 /// The finding with its age: "dvl: silent for 12.3 s: ...".
@@ -134,23 +91,10 @@ DeviceView view_of(const device::Device& device, const device::Health& health) {
   return view;
 }
 
-void Latest::on_measurement(const measurement::Measurement& measurement) {
-  const auto device = std::visit([](const auto& m) { return m.origin.device; }, measurement);
-  measurements_.insert_or_assign({device, measurement.index()}, measurement);
-}
-
-void Latest::show(std::uint16_t device, DeviceView& view) const {
-  view.values.clear();
-  std::optional<measurement::Origin> newest;
-  const auto first = measurements_.lower_bound({device, 0});
-  for (auto entry = first; entry != measurements_.end() && entry->first.first == device; ++entry) {
-    std::visit(
-        [&](const auto& m) {
-          if (!newest || m.origin.received_at > newest->received_at) newest = m.origin;
-          visit_fields(m, Lister(view.values));
-        },
-        entry->second);
-  }
+void show_values(const LastValues& last, std::uint16_t device, const DisplayUnits& units,
+                 DeviceView& view) {
+  view.values = last.values(device, units);
+  const auto newest = last.newest(device);
   if (!newest) return;
   view.valid_at_s = measurement::seconds(newest->valid_at.time_since_epoch());
   view.received_at_s = measurement::seconds(newest->received_at.time_since_epoch());
@@ -173,10 +117,6 @@ std::string Palette::state(std::string_view state, std::string_view text) const 
   return fmt::format("{}{}\033[0m", colour, text);
 }
 
-std::string Palette::changed(std::string_view text) const {
-  return colour_ ? fmt::format("\033[7m{}\033[0m", text) : std::string(text);
-}
-
 std::string headline(const DeviceView& v, const Palette& palette) {
   return fmt::format(
       "{:<10} {} {:>8.2f} Hz of {:>6.1f}  jitter {:>8}  {:>9} messages  {:>8} B skipped  {:>5} bad"
@@ -186,17 +126,11 @@ std::string headline(const DeviceView& v, const Palette& palette) {
       v.age_s ? fmt::format("{:.3f} s", *v.age_s) : std::string("-"));
 }
 
-std::string DeviceTable::value_text(const DeviceView& view, const ShownValue& value) {
-  std::string& before = before_[view.name + '/' + value.name];
-  const bool is_new = before != value.text;
-  before = value.text;
-  return value.name + " " + (is_new ? palette_.changed(value.text) : value.text);
-}
-
-std::vector<std::string> DeviceTable::lines(const std::vector<DeviceView>& views) {
+std::vector<std::string> table_lines(const std::vector<DeviceView>& views) {
+  const Palette plain(false);
   std::vector<std::string> all;
   for (const DeviceView& v : views) {
-    all.push_back(headline(v, palette_));
+    all.push_back(headline(v, plain));
     all.push_back(fmt::format("  {} {} on {}: {} good frames, {} bad, {} B; longest gap {}", v.kind,
                               v.protocol, v.link, v.frames, v.bad_checksums, v.bytes_in,
                               milliseconds(v.longest_interval_s)));
@@ -205,9 +139,10 @@ std::vector<std::string> DeviceTable::lines(const std::vector<DeviceView>& views
     if (v.refused > 0) all.push_back(fmt::format("  {} values refused", v.refused));
     if (!v.link_note.empty()) all.push_back("  link: " + v.link_note);
     if (auto line = times(v); !line.empty()) all.push_back(std::move(line));
-    std::string values;
-    for (const auto& value : v.values) values += "  " + value_text(v, value);
-    if (!values.empty()) all.push_back(std::move(values));
+    add_rows_of_values(v, all);
+    if (!v.hint.empty()) all.push_back("  " + v.hint);
+    if (!v.shared_with.empty())
+      all.push_back("  each reads a part of the bytes: also open in " + v.shared_with);
     const bool with_status = !v.streaming && !v.status.empty();
     if (with_status) all.push_back("  " + v.status);
     if (!v.last_error.empty() && !(with_status && v.last_error == v.status))

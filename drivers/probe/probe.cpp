@@ -9,6 +9,7 @@
 #include "drivers/link/can/frame_file.hpp"
 #include "drivers/link/clock.hpp"
 #include "drivers/probe/probe_bus.hpp"
+#include "drivers/probe/typed_link.hpp"
 #include "drivers/terminal/exit_codes.hpp"
 
 namespace drydock::probe {
@@ -16,11 +17,6 @@ namespace {
 
 using link::Carries;
 using link::Stamp;
-
-/// Turns the text that a person types into a URI: /dev/ttyUSB0 is a serial port.
-std::string as_uri(const std::string& text) {
-  return text.starts_with("/dev/") ? "serial:" + text : text;
-}
 
 std::string with_baud(const std::string& uri, unsigned baud) {
   return fmt::format("{}{}baud={}", uri, uri.find('?') == std::string::npos ? '?' : '&', baud);
@@ -123,7 +119,7 @@ void note_nothing(const link::Uri& uri, ProbeReport& report) {
 
 ProbeReport find_sensors(const std::string& link, double duration_s) {
   ProbeReport report;
-  report.link = as_uri(link);
+  report.link = typed_link(link);
   ProbeOptions options;
   options.link = link;
   options.duration_s = duration_s;
@@ -138,7 +134,7 @@ ProbeReport find_sensors(const std::string& link, double duration_s) {
 
 int probe(const ProbeOptions& options, std::FILE* out, std::FILE* err) {
   ProbeReport report;
-  report.link = as_uri(options.link);
+  report.link = typed_link(options.link);
   const auto uri = parse_without_baud(report.link);
   if (!uri) {
     fmt::print(err, "probe: {}\n", uri.error().message);

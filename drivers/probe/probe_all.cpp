@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "drivers/doctor/holders.hpp"
 #include "drivers/doctor/ports.hpp"
 #include "drivers/probe/probe.hpp"
 #include "drivers/text/json_lines.hpp"
@@ -24,14 +25,52 @@ void visit_fields(const CanPort& p, F&& field) {
   field("bitrate", p.bitrate);
 }
 
+template <class F>
+void visit_fields(const Holder& h, F&& field) {
+  field("name", h.name);
+  field("process", h.process);
+}
+
 }  // namespace drydock::doctor
 
 namespace drydock::probe {
 
 namespace {
 
-void print(const doctor::SerialPort& p, std::FILE* out) {
+/// A serial port with what a user must know before opening it.
+struct ListedPort {
+  doctor::SerialPort port;
+  doctor::PortAccess access;
+  std::vector<doctor::Holder> users;
+};
+
+template <class F>
+void visit_fields(const ListedPort& p, F&& field) {
+  visit_fields(p.port, field);
+  field("allowed", p.access.allowed);
+  field("mode", p.access.mode);
+  field("group", p.access.group);
+  field("users", p.users);
+}
+
+std::vector<ListedPort> listed_ports(const std::string& root) {
+  std::vector<ListedPort> all;
+  for (auto& port : doctor::serial_ports(root)) {
+    ListedPort listed{{}, doctor::access_of(root, port.path), doctor::holders_of(root, port.path)};
+    listed.port = std::move(port);
+    all.push_back(std::move(listed));
+  }
+  return all;
+}
+
+void print(const ListedPort& listed, std::FILE* out) {
+  const auto& p = listed.port;
   fmt::print(out, "  {:<14} {:<12} {:<10} {}\n", p.path, p.driver, p.usb_id, p.product);
+  fmt::print(out, "    {}, mode {}, group {}; {}\n",
+             listed.access.allowed ? "you may open it" : "you may NOT open it (drydock doctor)",
+             listed.access.mode, listed.access.group,
+             listed.users.empty() ? "no program that we may see has it open"
+                                  : "open in " + doctor::in_words(listed.users));
   if (!p.by_id.empty()) fmt::print(out, "    drydock probe serial:{}\n", p.by_id);
 }
 
@@ -45,7 +84,7 @@ void print(const doctor::CanPort& p, std::FILE* out) {
 }  // namespace
 
 int probe_all(const std::string& root, bool json, std::FILE* out) {
-  const auto serial = doctor::serial_ports(root);
+  const auto serial = listed_ports(root);
   const auto can = doctor::can_ports(root);
   if (json) {
     text::JsonLines lines(out);

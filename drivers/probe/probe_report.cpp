@@ -19,6 +19,12 @@ void visit_fields(const MessageCount& m, F&& field) {
 }
 
 template <class F>
+void visit_fields(const UnreadCount& u, F&& field) {
+  field("name", u.name);
+  field("count", u.count);
+}
+
+template <class F>
 void visit_fields(const ByteFinding& f, F&& field) {
   field("protocol", f.protocol);
   field("confidence", to_string(f.confidence));
@@ -27,6 +33,7 @@ void visit_fields(const ByteFinding& f, F&& field) {
   field("bytes", f.bytes);
   field("explained", f.explained());
   field("messages", f.messages);
+  field("unread", f.unread);
 }
 
 template <class F>
@@ -113,6 +120,13 @@ void print_attempt(const LineAttempt& attempt, bool is_best, std::FILE* out) {
   if (!is_best) return;
   for (const auto& m : best.messages)
     fmt::print(out, "    {:<10} {:>6}{}\n", m.type, m.count, rate_text(m.rate_hz));
+  for (const auto& u : best.unread)
+    fmt::print(out, "    {:<10} {:>6}, not used\n", u.name, u.count);
+}
+
+std::string device_type_text(std::uint32_t device_type) {
+  const auto profile = survey::canopen_profile(device_type);
+  return fmt::format("{:08X}h", device_type) + (profile.empty() ? "" : " (" + profile + ")");
 }
 
 std::string node_title(const survey::Node& n) {
@@ -125,7 +139,7 @@ std::string node_title(const survey::Node& n) {
       std::string title = fmt::format("CANopen node {}", n.address);
       if (n.booted) title += ", booted";
       if (n.state) title += fmt::format(", {}", wire::canopen::to_string(*n.state));
-      if (n.device_type) title += fmt::format(", device type {:08X}h", *n.device_type);
+      if (n.device_type) title += ", device type " + device_type_text(*n.device_type);
       if (n.vendor_id) title += fmt::format(", vendor {:08X}h", *n.vendor_id);
       if (n.product_code) title += fmt::format(", product {:08X}h", *n.product_code);
       return title;

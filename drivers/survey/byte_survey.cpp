@@ -8,6 +8,7 @@
 
 #include "drivers/survey/arrivals.hpp"
 #include "drivers/wire/described/described_codec.hpp"
+#include "drivers/wire/passed_over.hpp"
 #include "drivers/wire/registry.hpp"
 
 namespace drydock::survey {
@@ -31,6 +32,7 @@ bool proves([[maybe_unused]] const P& codec, [[maybe_unused]] wire::Bytes frame,
 }
 
 constexpr std::uint64_t enough_proofs = 5;
+constexpr std::size_t most_unread = 16;
 constexpr double nearly_all = 0.9, half = 0.5;
 
 Confidence judge(const ByteFinding& f) {
@@ -70,6 +72,7 @@ class CandidateOf final : public ByteCandidate {
       f.messages.push_back({type, arrivals.count, arrivals.rate_hz()});
       f.messages_total += arrivals.count;
     }
+    f.unread = unread_;
     for (const auto& trial : trials_)
       if (trial->measurements() > 0) f.sensors.push_back(trial->heard());
     f.confidence = judge(f);
@@ -85,8 +88,21 @@ class CandidateOf final : public ByteCandidate {
       const auto message = codec_.decode(frame);
       if (proves(codec_, frame, message) && proofs_++ == 0)
         skipped_before_ = framer_->counters().bytes_skipped;  // bytes before the first good frame
-      if (message) std::visit([this](const auto& m) { note(m.type); }, *message);
+      if (message)
+        std::visit([this](const auto& m) { note(m.type); }, *message);
+      else
+        note_unread(frame);
     };
+  }
+
+  void note_unread(wire::Bytes frame) {
+    const auto name = wire::frame_name(frame);
+    auto known = std::ranges::find(unread_, name, &UnreadCount::name);
+    if (known == unread_.end()) {
+      if (unread_.size() == most_unread) return;
+      known = unread_.insert(known, {name, 0});
+    }
+    ++known->count;
   }
 
   void note(std::string_view type) {
@@ -99,6 +115,7 @@ class CandidateOf final : public ByteCandidate {
   std::unique_ptr<wire::Framer<P::max_frame>> framer_;
   std::vector<std::unique_ptr<DriverTrial>> trials_;
   std::vector<std::pair<std::string_view, Arrivals>> heard_;  ///< in order of first arrival
+  std::vector<UnreadCount> unread_;
   Stamp at_{};
   std::uint64_t proofs_ = 0, skipped_before_ = 0;
 };

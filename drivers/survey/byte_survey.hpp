@@ -25,6 +25,12 @@ struct MessageCount {
   std::optional<double> rate_hz;  ///< empty for a single message, or without times
 };
 
+/// Valid frames of one name that the codec does not read: "$SDDPT".
+struct UnreadCount {
+  std::string name;
+  std::uint64_t count = 0;
+};
+
 /// The result of one protocol on the line.
 struct ByteFinding {
   std::string_view protocol;
@@ -35,6 +41,7 @@ struct ByteFinding {
   std::uint64_t bytes_good = 0;  ///< those within frames
   std::uint64_t messages_total = 0;
   std::vector<MessageCount> messages;  ///< in order of first arrival
+  std::vector<UnreadCount> unread;     ///< the first 16 names, in order of first arrival
   std::vector<SensorHeard> sensors;    ///< drivers that decoded measurements
 
   double explained() const {

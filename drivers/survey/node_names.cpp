@@ -60,6 +60,22 @@ std::string_view device_class(std::uint8_t number) {
   return find(names, number);
 }
 
+/// CiA 301: the lower half of the device type is the number of the profile.
+std::string canopen_profile(std::uint32_t device_type) {
+  constexpr std::array<std::pair<std::uint16_t, std::string_view>, 7> names{{
+      {401, "inputs and outputs"},
+      {402, "drives"},
+      {404, "measuring devices"},
+      {406, "encoders"},
+      {408, "hydraulic valves"},
+      {410, "inclinometers"},
+      {418, "batteries"},
+  }};
+  const auto number = static_cast<std::uint16_t>(device_type & 0xFFFFU);
+  const auto name = find(names, number);
+  return name.empty() ? std::string() : fmt::format("CiA {}, {}", number, name);
+}
+
 std::string in_words(const wire::j1939::Name& name) {
   const auto maker = manufacturer(name.manufacturer_code);
   const auto kind = device_class(name.vehicle_system);

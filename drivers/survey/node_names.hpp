@@ -14,6 +14,10 @@ std::string_view manufacturer(std::uint16_t code);
 /// NMEA 2000's device classes. Empty if no class has this number.
 std::string_view device_class(std::uint8_t number);
 
+/// The profile that a CANopen device type (object 1000h) names: "CiA 404, measuring devices". Empty
+/// if there is none, or the list does not have it.
+std::string canopen_profile(std::uint32_t device_type);
+
 /// "Airmar, Instrumentation, function 130, serial 12345".
 std::string in_words(const wire::j1939::Name& name);
 

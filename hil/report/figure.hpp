@@ -26,6 +26,7 @@ struct Figure {
   bool equal_scales = false;          ///< a metre has the same length on both axes
   bool log_x = false, log_y = false;  ///< values must be positive
   std::vector<Shade> shades{};        ///< drawn behind the curves
+  bool y_down = false;                ///< y grows downwards, as depth does
 };
 
 }  // namespace drydock::report

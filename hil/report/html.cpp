@@ -17,7 +17,9 @@ th{white-space:normal;vertical-align:bottom}
 th:first-child,td:first-child,.left{text-align:left}
 .ok{color:var(--ok);font-weight:600}.bad{color:var(--bad);font-weight:600}
 figure{margin:1rem 0;background:#fff;border:1px solid var(--line);border-radius:6px;padding:.4rem}
-figure svg{width:100%;height:auto;display:block}
+figure svg{width:100%;min-width:620px;height:auto;display:block}
+figure{overflow-x:auto}
+@media(prefers-color-scheme:dark){figure{border-color:#cfc9c2;filter:invert(.94) hue-rotate(180deg)}}
 )";
 
 }  // namespace

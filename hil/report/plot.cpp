@@ -29,9 +29,12 @@ struct TemporaryFile {
   TemporaryFile& operator=(const TemporaryFile&) = delete;
 };
 
-/// Quotes a text in single quotes. In double quotes gnuplot would execute text in backquotes.
+/// Quotes a text in single quotes; two of them inside are one. In double quotes gnuplot would
+/// execute text in backquotes.
 std::string quoted(std::string text) {
-  std::erase_if(text, [](char c) { return c == '\'' || c == '\n'; });
+  std::erase(text, '\n');
+  for (auto at = text.find('\''); at != std::string::npos; at = text.find('\'', at + 2))
+    text.insert(at, 1, '\'');
   return '\'' + text + '\'';
 }
 
@@ -81,6 +84,7 @@ std::string script(const Figure& plot) {
   if (plot.y_limit > 0)
     fmt::format_to(to, "set yrange [{}:{}]\n", goes_below_zero(plot) ? -plot.y_limit : 0,
                    plot.y_limit);
+  if (plot.y_down) fmt::format_to(to, "set yrange [] reverse\n");
   if (plot.log_x) fmt::format_to(to, "set logscale x\nset format x '10^{{%T}}'\n");
   if (plot.log_y) fmt::format_to(to, "set logscale y\nset format y '10^{{%T}}'\n");
   for (const Shade& shade : plot.shades)

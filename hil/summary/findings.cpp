@@ -49,6 +49,7 @@ std::string findings_list(std::span<const FindingAccount> findings) {
 report::Figure figure_of(const MeasurementTrace& trace, std::span<const FindingAccount> findings,
                          double end_s) {
   report::Figure figure{trace.title, "time [s]", trace.unit, {}};
+  figure.y_down = trace.title.ends_with(": depth");
   for (std::size_t i = 0; i < trace.labels.size(); ++i)
     if (!trace.t_s[i].empty())
       figure.curves.push_back({trace.labels[i], trace.t_s[i], trace.value[i]});

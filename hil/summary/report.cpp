@@ -144,15 +144,24 @@ std::string measurement_section(const Summary& s) {
   return out;
 }
 
+report::Figure track_figure(const Summary& s) {
+  report::Figure track{
+      "Track", "east [m]", "north [m]", {{"truth", s.motion.east_m, s.motion.north_m}}};
+  track.equal_scales = true;
+  return track;
+}
+
+report::Figure depth_figure(const Summary& s) {
+  report::Figure depth{
+      "Depth", "time [s]", "m below the surface", {{"truth", s.motion.t_s, s.motion.depth_m}}};
+  depth.y_down = true;
+  return depth;
+}
+
 std::string motion_section(const Summary& s) {
   if (s.motion.t_s.empty()) return {};
-  return "<h2>The emulated vehicle</h2>\n" +
-         report::html::figure(
-             {"Track", "east [m]", "north [m]", {{"truth", s.motion.east_m, s.motion.north_m}}}) +
-         report::html::figure({"Depth",
-                               "time [s]",
-                               "m, negative down",
-                               {{"truth", s.motion.t_s, scaled(s.motion.depth_m, -1)}}});
+  return "<h2>The emulated vehicle</h2>\n" + report::html::figure(track_figure(s)) +
+         report::html::figure(depth_figure(s));
 }
 
 std::string process_section(const Summary& s) {

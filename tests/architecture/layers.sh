@@ -29,7 +29,7 @@ drivers/decode             drivers/text drivers/shell drivers/device drivers/lin
 drivers/doctor             drivers/terminal drivers/text drivers/link drivers/wire rig_config
 drivers/host               drivers/diagnosis drivers/shell drivers/device drivers/bus drivers/live drivers/recordings/record drivers/link drivers/io drivers/terminal drivers/wire drivers/measurement rig_config
 drivers/probe              drivers/survey drivers/doctor drivers/text drivers/link drivers/io drivers/terminal drivers/capture drivers/wire drivers/measurement
-drivers/monitor            drivers/diagnosis drivers/host drivers/probe drivers/decode drivers/text drivers/shell drivers/device drivers/bus drivers/link drivers/io drivers/terminal drivers/wire drivers/measurement rig_config
+drivers/monitor            drivers/survey drivers/doctor drivers/diagnosis drivers/host drivers/probe drivers/decode drivers/text drivers/shell drivers/device drivers/bus drivers/link drivers/io drivers/terminal drivers/wire drivers/measurement rig_config
 estimators/frame           drivers/measurement
 estimators/navigation      estimators/frame
 estimators/leveling        estimators/navigation estimators/frame drivers/measurement

@@ -18,6 +18,12 @@ function rowOf(name) {
   return row;
 }
 
+// What a device does now. The words of a streaming one tell how it began, which is long over.
+function wordsNow(level, message, value) {
+  if (levels[level] !== 'ok' || !known(value.age_s)) return value.status ?? message;
+  return `${value.messages} messages, the last ${short(value.age_s)} s ago`;
+}
+
 export function takeHealth({ header, status }) {
   for (const finding of status.filter(isFinding)) takeFinding(finding, seconds(header.stamp));
   for (const { level, name, message, values } of status.filter((one) => !isFinding(one))) {
@@ -28,7 +34,7 @@ export function takeHealth({ header, status }) {
       make('td', {}, name, make('small', {}, value.provenance ?? '')),
       make('td', {}, make('span', { className: `badge ${levels[level]}` }, value.status === undefined ? levels[level] : message), ...(faulty ? [' ', make('span', { className: 'badge error' }, 'fault')] : []),
         ...findingsOf(name).flatMap((finding) => [' ', badgeOf(finding)])),
-      make('td', {}, value.status ?? message, make('small', { className: 'narrow' }, `${wide[0]} Hz, ${wide[3]} good, ${wide[4]} bad`)),
+      make('td', {}, wordsNow(level, message, value), make('small', { className: 'narrow' }, `${wide[0]} Hz, ${wide[3]} good, ${wide[4]} bad`)),
       ...wide.map((text) => make('td', { className: 'wide number' }, text)),
       make('td', { className: 'wide' }, value.last_error || (value.link_note ?? '')));
   }

@@ -6,7 +6,7 @@ import { plot } from './plot.js';
 // Statistical Methods, tables 1.3.6.7.4 and 1.3.6.7.1. The test: Bar-Shalom, Li, Kirubarajan (2001), section 5.4.2.
 const chiSquare95 = [0, 3.841, 5.991, 7.815];
 const normal95 = 1.96;
-const keptSeconds = 120;
+const keptSeconds = 300;
 const inside = new Map(); // title -> [[time, inside the bound]]
 
 export function takeInnovation(estimator, message) {

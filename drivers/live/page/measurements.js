@@ -4,15 +4,18 @@ import { plot } from './plot.js';
 import { depthProfile, satellites, trackPoint } from './where.js';
 
 const xyz = ({ x, y, z }) => [x, y, z];
-const show = (title, unit, lines, t, values) => plot('measurements', title, unit, lines).add(t, values);
+const body = 'body axes: forward, starboard, down';
+const show = (title, unit, lines, t, values, axes = '') => plot('measurements', title, unit, lines, { axes }).add(t, values);
+// The messages of ROS have forward, left, up; the page shows every vector forward, starboard, down.
+const frd = ({ x, y, z }) => [x, -y, -z];
 
 const kinds = {
   'sensor_msgs/msg/Imu': (n, t, m) => {
-    show(`${n}: angular rate`, 'rad/s', ['forward', 'left', 'up'], t, xyz(m.angular_velocity));
-    show(`${n}: specific force`, 'm/s²', ['forward', 'left', 'up'], t, xyz(m.linear_acceleration));
+    show(`${n}: angular rate`, 'rad/s', ['forward', 'starboard', 'down'], t, frd(m.angular_velocity), body);
+    show(`${n}: specific force`, 'm/s²', ['forward', 'starboard', 'down'], t, frd(m.linear_acceleration), body);
   },
   'drydock/msg/BottomTrack': (n, t, m) => {
-    show(`${n}: velocity over the bed`, 'm/s', ['forward', 'starboard', 'down'], t, xyz(m.velocity));
+    show(`${n}: velocity over the bed`, 'm/s', ['forward', 'starboard', 'down'], t, xyz(m.velocity), body);
     if (Number.isFinite(m.altitude)) show(`${n}: altitude`, 'm', ['above the bed'], t, [m.altitude]);
   },
   'drydock/msg/WaterSpeed': (n, t, m) => show(`${n}: speed through the water`, 'm/s', ['ahead', 'starboard'], t, [m.longitudinal, m.transverse]),

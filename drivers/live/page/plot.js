@@ -1,8 +1,8 @@
-// Curves over time with uPlot, each with its band. Shows the last two minutes.
+// Curves over time with uPlot, each with its band. Shows the last five minutes.
 import { clock, colours, css, insert, make, number, onTheme, place } from './dom.js';
 import { faultBands } from './faults.js';
 
-const keptSeconds = 120, height = 210;
+const keptSeconds = 300, height = 210;
 const font = '11px system-ui, sans-serif';
 const translucent = '26'; // alpha of bands, hexadecimal
 
@@ -16,11 +16,11 @@ function widthOf({ ctx }, texts) {
 }
 
 // lines: [{ label, colour, band, dash, marks }]. A line with a band takes [value, low, high]; `marks` are points without a line.
-// options: down: y grows downwards; bound: { at, text }: a level to stay below; y then goes from 0 to four times that level.
+// options: axes: the convention of the lines, said beside the title; down: y grows downwards; bound: { at, text }: a level to stay below; y then goes from 0 to four times that level.
 export class Plot {
-  constructor(parent, title, unit, lines, { down = false, bound } = {}) {
+  constructor(parent, title, unit, lines, { down = false, bound, axes = '' } = {}) {
     Object.assign(this, { unit, lines, down, bound, changed: false, shown: null });
-    this.note = make('span', { className: 'note' });
+    this.note = make('span', { className: 'note' }, axes);
     this.legend = make('div', { className: 'legend' });
     this.box = make('figure', { ariaLabel: title }, make('figcaption', {}, title, this.note), this.legend);
     insert(parent, this.box);

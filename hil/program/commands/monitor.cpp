@@ -22,6 +22,20 @@ std::vector<std::unique_ptr<device::Device>> devices_of(const rig_config::Rig& r
   return std::move(*devices);
 }
 
+void add_units(CLI::App& sub, monitor::DisplayUnits& units) {
+  sub.add_option_function<std::string>(
+      "--units",
+      [&units](const std::string& names) {
+        try {
+          units = monitor::DisplayUnits::of(names);
+        } catch (const std::invalid_argument& error) {
+          throw CLI::ValidationError("--units", error.what());
+        }
+      },
+      "of what people read, in place of the usual ones: kn,bar; out of " +
+          monitor::DisplayUnits::allowed());
+}
+
 }  // namespace
 
 void add_monitor(CLI::App& app, Command& command) {
@@ -40,16 +54,21 @@ void add_monitor(CLI::App& app, Command& command) {
   sub->add_option("SOURCE", a->options.link,
                   "rig file (TOML), or link URI: its sensors are found by probing")
       ->required();
-  auto* protocol =
-      sub->add_option("--protocol", a->options.protocol,
-                      "of a link: each message as a JSON line; one of " +
-                          decode::decode_protocols() + "; or a description: valeport-vat.toml");
-  auto* once = sub->add_flag("--once", a->options.once,
-                             "one table, as soon as all stream; exit 1 when one does not");
+  auto* protocol = sub->add_option(
+      "--protocol", a->options.protocol,
+      "of a link: its frames, or without a terminal each message as a JSON line; one of " +
+          decode::decode_protocols() + "; or a description: valeport-vat.toml");
+  auto* once =
+      sub->add_flag("--once", a->options.once,
+                    "one table, as soon as all stream; exit 1 when something is wrong with one");
   auto* json =
       sub->add_flag("--json", a->options.json, "an object a device each second, JSON Lines");
   auto* bus = sub->add_flag("--bus", a->bus,
                             "of a rig whose drivers run elsewhere: from DDS, not from the ports");
+  auto* start = sub->add_flag("--start", a->options.start,
+                              "start CANopen nodes, as drive does; this alone writes to the wire");
+  protocol->excludes(start);
+  add_units(*sub, a->options.units);
   add_serve(*sub, a->options.serve);
   auto* serve = sub->get_option("--serve")->excludes(once);
   protocol->excludes(once)->excludes(json)->excludes(bus)->excludes(serve);

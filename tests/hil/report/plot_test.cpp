@@ -38,4 +38,25 @@ TEST_F(Gnuplot, OnEqualScalesAFlatTrackIsAFlatPicture) {
   EXPECT_THAT(render_svg(plot_), HasSubstr("viewBox=\"0 0 860 600\""));
 }
 
+/// The y of the curve's first and last point, in the picture's pixels: they grow downwards.
+std::pair<double, double> ends_of_curve(const std::string& svg) {
+  const auto path = svg.find("d='M", svg.find("rgb(  0, 114, 178)'", svg.find("gnuplot_plot_1")));
+  const auto end = svg.find('\'', path + 4), begin = svg.rfind('M', end);
+  return {std::stod(svg.substr(svg.find(',', begin) + 1)),
+          std::stod(svg.substr(svg.rfind(',', end) + 1))};
+}
+
+TEST_F(Gnuplot, AGrowingValueRisesAndAGrowingDepthSinks) {
+  const auto [from, to] = ends_of_curve(render_svg(plot_));
+  EXPECT_GT(from, to);
+  plot_.y_down = true;
+  const auto [shallow, deep] = ends_of_curve(render_svg(plot_));
+  EXPECT_LT(shallow, deep);
+}
+
+TEST_F(Gnuplot, AnApostropheStaysWhereItWas) {
+  plot_.title = "the filter's band";
+  EXPECT_THAT(render_svg(plot_), HasSubstr("the filter's band"));
+}
+
 }  // namespace plot_test

@@ -1,0 +1,11 @@
+#pragma once
+
+#include <string>
+
+namespace drydock::probe {
+
+/// The URI of what a person types: `can0`, `ttyUSB0`, `/dev/ttyACM0`, or the path of a pty. A text
+/// that is a URI, or that nothing is known about, stays as it is. `root` is "/" except in tests.
+std::string typed_link(const std::string& text, const std::string& root = "/");
+
+}  // namespace drydock::probe
