@@ -9,7 +9,7 @@
 #include <variant>
 #include <vector>
 
-#include "drivers/capture/comment_head.hpp"
+#include "drivers/capture/byte_content.hpp"
 #include "drivers/capture/file_blocks.hpp"
 #include "drivers/capture/frame_capture.hpp"
 #include "drivers/decode/decode_by_dbc.hpp"
@@ -86,10 +86,9 @@ class Sink {
 
 /// Decodes a byte capture to its end. False if the output cannot be written.
 template <class Codec>
-bool decode_bytes(const Codec& codec, FileBlocks& blocks, bool raw, Sink& sink,
+bool decode_bytes(const Codec& codec, FileBlocks& blocks, capture::ByteContent& content, Sink& sink,
                   wire::StreamCounters& counters) {
   const auto framer = std::make_unique<wire::Framer<Codec::max_frame>>();
-  capture::CommentHead head;
   const auto scan = [&](wire::Bytes bytes) { return codec.scan(bytes); };
   const auto on_frame = [&](wire::Bytes frame, std::size_t) {
     const auto message = codec.decode(frame);
@@ -98,7 +97,7 @@ bool decode_bytes(const Codec& codec, FileBlocks& blocks, bool raw, Sink& sink,
                                   [&](const std::string& name) { sink.passed_over(name); });
   };
   for (wire::Bytes block = blocks.read(); !block.empty(); block = blocks.read()) {
-    framer->feed(raw ? block : head.without(block), scan, on_frame);
+    framer->feed(content.of(block), scan, on_frame);
     if (!blocks.likely_more(block) && !sink.flush()) return false;  // a live input: show it now
   }
   const auto [total, frames] = std::pair(framer->counters().bytes_in, framer->counters().frames);
@@ -150,9 +149,11 @@ bool decode_frames(const Make& make, wire::Network network, FileBlocks& blocks,
 
 /// Decodes with a description, whichever way its sensor talks.
 bool decode_described(const wire::described::DescriptionPtr& description, FileBlocks& blocks,
-                      bool raw, FrameCapture& frames, Sink& sink, wire::StreamCounters& counters) {
+                      capture::ByteContent& content, FrameCapture& frames, Sink& sink,
+                      wire::StreamCounters& counters) {
   if (!description->frames)
-    return decode_bytes(wire::described::DescribedCodec(description), blocks, raw, sink, counters);
+    return decode_bytes(wire::described::DescribedCodec(description), blocks, content, sink,
+                        counters);
   const auto make = [&] { return wire::described::FrameDecoder(description); };
   return decode_frames(make, description->facts.network, blocks, frames, sink, counters);
 }
@@ -217,17 +218,20 @@ int decode(const DecodeOptions& options, std::FILE* out, std::FILE* err) {
 
   const std::string file = options.file.empty() ? "standard input" : options.file;
   FileBlocks blocks(options.file);
+  capture::ByteContent content(raw);
   FrameCapture capture(format);
   Sink sink(options, out);
   wire::StreamCounters counters;
   bool written = false;
-  const auto bytes = [&]<class P>() { written = decode_bytes(P{}, blocks, raw, sink, counters); };
+  const auto bytes = [&]<class P>() {
+    written = decode_bytes(P{}, blocks, content, sink, counters);
+  };
   const auto frames = [&]<class P>() {
     const auto make = [] { return typename P::Decoder{}; };
     written = decode_frames(make, network_of<P>(), blocks, capture, sink, counters);
   };
   if (options.description)
-    written = decode_described(options.description, blocks, raw, capture, sink, counters);
+    written = decode_described(options.description, blocks, content, capture, sink, counters);
   wire::with_protocol(wire::BytesProtocols{}, protocol, bytes);
   wire::with_protocol(wire::FrameCarriers{}, protocol, bytes);
   wire::with_protocol(wire::FrameProtocols{}, protocol, frames);
@@ -239,6 +243,7 @@ int decode(const DecodeOptions& options, std::FILE* out, std::FILE* err) {
   if (capture.unknown()) return refuse(err, capture::unknown_format_text(file));
   if (!written) return refuse(err, "cannot write the output");
   if (!options.quiet) {
+    if (content.is_hex()) fmt::print(err, "hexadecimal text, read as the bytes that it means\n");
     print_totals(err, counters, sink.messages(), capture);
     print_passed_over(err, sink);
   }
