@@ -110,7 +110,7 @@ const wire::Protocol* protocol_of(const DeviceConfig& device);
 
 struct EstimatorConfig {
   std::string name;
-  std::string imu;  ///< device name
+  std::string imu;  ///< device name; empty: of a kind without an IMU
   EstimatorKind kind;
 };
 

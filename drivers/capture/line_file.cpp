@@ -6,7 +6,7 @@
 namespace drydock::capture {
 
 LineFile::LineFile(const std::string& file, bool raw, std::string interface)
-    : file_(file), interface_(std::move(interface)), raw_(raw), blocks_(file) {}
+    : file_(file), interface_(std::move(interface)), raw_(raw), blocks_(file), content_(raw) {}
 
 bool LineFile::begin() {
   begun_ = true;
@@ -21,8 +21,7 @@ std::optional<LineFile::Read> LineFile::next() {
   if (at_start) begin();
   if (packets_) return next_packet();
   for (Bytes block = at_start ? first_ : blocks_.read(); !block.empty(); block = blocks_.read())
-    if (const Bytes bytes = raw_ ? block : head_.without(block); !bytes.empty())
-      return Read{std::nullopt, bytes};
+    if (const Bytes bytes = content_.of(block); !bytes.empty()) return Read{std::nullopt, bytes};
   return {};
 }
 

@@ -4,14 +4,15 @@
 #include <string>
 #include <vector>
 
-#include "drivers/capture/comment_head.hpp"
+#include "drivers/capture/byte_content.hpp"
 #include "drivers/capture/file_blocks.hpp"
 #include "drivers/capture/formats/pcapng.hpp"
 
 namespace drydock::capture {
 
 /// The bytes that a serial line brought, from a file of those bytes alone or from a pcapng file
-/// with RTAC serial packets, which also has their times. Comments at the head are left out.
+/// with RTAC serial packets, which also has their times. Comments at the head are left out,
+/// hexadecimal text is read as its bytes.
 class LineFile {
  public:
   struct Read {
@@ -27,6 +28,8 @@ class LineFile {
   bool likely_more(Bytes last) const { return packets_ || blocks_.likely_more(last); }
   /// Names of the serial lines of a pcapng file, as far as it was read.
   std::vector<std::string> lines() const { return pcapng_.serial_lines(); }
+  bool is_hex() const { return content_.is_hex(); }  ///< hexadecimal text, as its bytes
+  int error() const { return blocks_.error(); }      ///< errno; 0: none
   /// Empty, or why there are no bytes: the file cannot be read, or it holds several lines and none
   /// was chosen.
   std::string trouble() const;
@@ -39,7 +42,7 @@ class LineFile {
   std::string file_, interface_;
   bool raw_, begun_ = false, packets_ = false;
   FileBlocks blocks_;
-  CommentHead head_;
+  ByteContent content_;
   Pcapng pcapng_;
   std::vector<std::uint8_t> buffer_;  ///< of a pcapng file: blocks that are not read yet
   std::size_t at_ = 0;

@@ -244,6 +244,7 @@ int decode(const DecodeOptions& options, std::FILE* out, std::FILE* err) {
     return refuse(err, capture::unknown_format_text(file), terminal::exit_failed);
   if (!written) return refuse(err, "cannot write the output", terminal::exit_failed);
   if (!options.quiet) {
+    if (line.is_hex()) fmt::print(err, "hexadecimal text, read as the bytes that it means\n");
     print_totals(err, counters, sink.messages(), capture);
     print_passed_over(err, sink);
   }

@@ -99,6 +99,7 @@ link::Uri uri_of(const ReplayOptions& options) {
   std::string text = "file:" + options.capture + "?speed=" + options.speed;
   if (options.baud > 0) text += fmt::format("&baud={}", options.baud);
   if (!options.format.empty()) text += "&format=" + options.format;
+  if (!options.clock.empty()) text += "&clock=" + options.clock;
   if (!options.interface.empty()) text += "&interface=" + options.interface;
   return link::parse_uri(text).value();
 }
@@ -131,36 +132,31 @@ void print_totals(std::FILE* err, const device::Health& health, const capture::T
   if (!damage.empty()) fmt::print(err, "{}\n", damage);
 }
 
-/// The start of virtual time. It makes the stamps equal to those of the capture: the first frame of
-/// a CAN capture, otherwise zero. Throws if the file cannot be read.
-Stamp start_of(const link::Uri& uri, bool on_bus) {
-  if (!on_bus) {
+/// Throws if the file cannot be read.
+shell::RecordingClock readable_clock(const link::Uri& uri, const Device& device) {
+  if (!device.on_bus()) {
     capture::LineFile line(uri.target, uri.text_of("format") == "raw",
                            std::string(uri.text_of("interface")));
-    const auto first = line.next();
+    line.next();
     if (const auto trouble = line.trouble(); !trouble.empty()) throw std::runtime_error(trouble);
-    return Stamp{first ? first->time.value_or(Stamp::duration{0}) : Stamp::duration{0}};
   }
-  capture::CaptureFile file = link::capture_of(uri);
-  const auto first = file.next();
-  if (const std::string trouble = file.trouble(); !trouble.empty()) {
-    throw std::runtime_error(trouble);
-  }
-  return Stamp{first ? first->time.value_or(Stamp::duration{0}) : Stamp::duration{0}};
+  return shell::clock_of(uri, device.options().driver, device.travels());
 }
 
-void play_in_virtual_time(const link::Uri& uri, std::unique_ptr<Device> device, Stamp start,
-                          device::Listener& listener, device::Transmitter& transmitter,
-                          std::FILE* totals) {
+/// Virtual time begins with the first time of the clock, so stamps equal those of the capture.
+void play_in_virtual_time(const link::Uri& uri, std::unique_ptr<Device> device,
+                          const shell::RecordingClock& times, device::Listener& listener,
+                          device::Transmitter& transmitter, std::FILE* totals) {
   const bool on_bus = device->on_bus();
+  const Stamp start = times.first;
   shell::DeviceActor driver(std::move(device), listener, transmitter, start,
                             measurement::Provenance::replayed);
   std::unique_ptr<shell::RecordedBus> bus;
   std::unique_ptr<shell::RecordedLine> line;
   if (on_bus) {
-    bus = std::make_unique<shell::RecordedBus>(uri, driver, start);
+    bus = std::make_unique<shell::RecordedBus>(uri, driver, start, times);
   } else {
-    line = std::make_unique<shell::RecordedLine>(uri, driver, start);
+    line = std::make_unique<shell::RecordedLine>(uri, driver, start, times);
   }
   shell::Actor& recording = on_bus ? static_cast<shell::Actor&>(*bus) : *line;
   shell::Lockstep clock(start);
@@ -169,6 +165,7 @@ void play_in_virtual_time(const link::Uri& uri, std::unique_ptr<Device> device, 
   while (const auto due = recording.deadline()) clock.run_until(std::max(*due, clock.now()));
   driver.stop(clock.now());
   if (totals != nullptr) {
+    fmt::print(totals, "{}\n", times.in_words());
     print_totals(totals, driver.device().health(clock.now()),
                  bus ? &bus->frames().tally() : nullptr);
   }
@@ -206,14 +203,13 @@ class Hearer final : public device::Listener, public device::Transmitter {
 
 }  // namespace
 
-Kind play(const ReplayOptions& options, const MeasurementHook& hook) {
+Played play(const ReplayOptions& options, const MeasurementHook& hook) {
   const link::Uri uri = uri_of(options);
   auto device = make_device(options, uri);
-  const Stamp start = start_of(uri, device->on_bus());
-  const Kind kind = device->options().driver.kind;
+  Played played{device->options().driver.kind, readable_clock(uri, *device)};
   Hearer hearer(hook);
-  play_in_virtual_time(uri, std::move(device), start, hearer, hearer, nullptr);
-  return kind;
+  play_in_virtual_time(uri, std::move(device), played.clock, hearer, hearer, nullptr);
+  return played;
 }
 
 namespace {
@@ -227,11 +223,11 @@ int refuse_replay(std::FILE* err, const std::string& why, int code) {
 int play_aloud(const link::Uri& uri, std::unique_ptr<Device> device, std::FILE* out,
                std::FILE* totals) {
   Printer printer(out, totals);
-  const Stamp start = start_of(uri, device->on_bus());
   if (uri.speed().value_or(0) > 0) {
     play_in_real_time(std::move(device), printer, totals);
   } else {
-    play_in_virtual_time(uri, std::move(device), start, printer, printer, totals);
+    const auto clock = readable_clock(uri, *device);
+    play_in_virtual_time(uri, std::move(device), clock, printer, printer, totals);
   }
   if (!printer.flush()) throw std::runtime_error("cannot write the output");
   return terminal::exit_of(printer.measurements() > 0);

@@ -7,6 +7,7 @@
 
 #include "drivers/device/driver_options.hpp"
 #include "drivers/measurement/measurement.hpp"
+#include "drivers/shell/recording_clock.hpp"
 
 namespace drydock::decode {
 
@@ -16,6 +17,7 @@ struct ReplayOptions {
   std::string kind;           ///< kind of the sensor; empty if only one kind speaks the protocol
   std::string speed = "max";  ///< max: at once, in virtual time; 1: real time; or another factor
   std::string format;         ///< empty: recognised by content
+  std::string clock;          ///< device, line; empty: as the capture has it
   std::string interface;      ///< interface in a CAN capture; empty: all
   unsigned baud = 0;          ///< rate of a byte capture's line; 0: not known
   std::uint8_t address = 0;   ///< on a CAN bus; 0: the first seen
@@ -30,9 +32,13 @@ int replay(const ReplayOptions& options, std::FILE* out, std::FILE* err);
 
 using MeasurementHook = std::function<void(const measurement::Measurement&)>;
 
-/// Does the same for a program: in virtual time, with each measurement to `hook`. Returns the kind
-/// of sensor. Throws std::exception with one line if there is no such driver or the capture cannot
-/// be read.
-device::Kind play(const ReplayOptions& options, const MeasurementHook& hook);
+struct Played {
+  device::Kind kind = device::Kind::dvl;
+  shell::RecordingClock clock;  ///< that the times of the measurements come from
+};
+
+/// Does the same for a program: in virtual time, with each measurement to `hook`. Throws
+/// std::exception with one line if there is no such driver or the capture cannot be read.
+Played play(const ReplayOptions& options, const MeasurementHook& hook);
 
 }  // namespace drydock::decode

@@ -76,6 +76,7 @@ class Device final : private Output {
   bool wants_open() const { return life_cycle_.wants_open(); }
   bool wants_close() const { return life_cycle_.wants_close(); }
   bool on_bus() const { return std::holds_alternative<std::unique_ptr<FrameDriver>>(driver_); }
+  Travels travels() const { return on_bus() ? Travels::as_frames : Travels::as_bytes; }
   const DeviceOptions& options() const { return options_; }
   const std::string& name() const { return options_.name; }
   std::uint16_t index() const { return options_.driver.device; }

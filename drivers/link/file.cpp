@@ -1,18 +1,14 @@
 #include "drivers/link/file.hpp"
 
-#include <fcntl.h>
 #include <sys/stat.h>
 
 #include <algorithm>
-#include <array>
 #include <boost/asio/error.hpp>
 #include <boost/asio/post.hpp>
 #include <boost/asio/steady_timer.hpp>
 #include <chrono>
 
-#include "drivers/capture/comment_head.hpp"
-#include "drivers/capture/line_file.hpp"
-#include "drivers/link/descriptor.hpp"
+#include "drivers/capture/byte_file.hpp"
 
 namespace drydock::link {
 namespace {
@@ -23,15 +19,17 @@ constexpr double chunk_seconds = 0.004;  // a UART's FIFO delivers bytes in such
 
 class FileLink final : public ByteLink {
  public:
-  /// `bytes_per_second` 0 means no pacing.
-  FileLink(const asio::any_io_executor& executor, Descriptor file, const Uri& uri,
-           double bytes_per_second)
+  /// `bytes_per_second` 0 means no pacing. Messages whose times are known need a speed.
+  FileLink(const asio::any_io_executor& executor, const Uri& uri, double bytes_per_second,
+           measurement::MessageTimes messages)
       : executor_(executor),
-        file_(std::move(file)),
+        file_(uri.target, uri.text_of("format") == "raw"),
         bytes_per_second_(bytes_per_second),
-        pace_(executor) {
-    if (uri.text_of("format") != "raw") skip_comments();
-  }
+        speed_(uri.speed().value_or(1)),
+        messages_(std::move(messages)),
+        pace_(executor) {}
+
+  int error() const { return file_.error(); }
 
   Task<ReceivedBytes> read(std::span<std::uint8_t> into) override;
 
@@ -50,55 +48,61 @@ class FileLink final : public ByteLink {
  private:
   /// The time at which the line would have delivered the last of `bytes` bytes.
   SteadyClock::time_point due(std::size_t bytes) const {
-    const std::chrono::duration<double> after(static_cast<double>(bytes) / bytes_per_second_);
-    return start_ + std::chrono::duration_cast<SteadyClock::duration>(after);
+    return after(std::chrono::duration<double>(static_cast<double>(bytes) / bytes_per_second_));
   }
-
-  /// Goes to the bytes behind the comments of the head.
-  void skip_comments();
+  /// The time at which the device sent the message that comes next.
+  SteadyClock::time_point due_message() const {
+    return after((messages_[message_].at - messages_.front().at) / speed_);
+  }
+  template <class Duration>
+  SteadyClock::time_point after(Duration duration) const {
+    return start_ + std::chrono::duration_cast<SteadyClock::duration>(duration);
+  }
+  /// Bytes up to the end of the message that comes next; 0: behind the last one.
+  std::size_t message_bytes();
 
   asio::any_io_executor executor_;
-  Descriptor file_;
-  double bytes_per_second_;
+  capture::ByteFile file_;
+  double bytes_per_second_, speed_;
+  measurement::MessageTimes messages_;
+  std::size_t message_ = 0;
   asio::steady_timer pace_;
   SteadyClock::time_point start_{};
   std::size_t delivered_ = 0;
   bool closed_ = false;
 };
 
-void FileLink::skip_comments() {
-  capture::CommentHead head;
-  std::array<std::uint8_t, 4096> block;
-  off_t at = 0;
-  for (;;) {
-    const ssize_t size = ::pread(file_.get(), block.data(), block.size(), at);
-    if (size <= 0) break;
-    if (!head.without(std::span{block}.first(static_cast<std::size_t>(size))).empty()) break;
-    at += size;
-  }
-  ::lseek(file_.get(), static_cast<off_t>(head.size()), SEEK_SET);
+std::size_t FileLink::message_bytes() {
+  while (message_ < messages_.size() && messages_[message_].through <= delivered_) ++message_;
+  return message_ < messages_.size() ? messages_[message_].through - delivered_ : 0;
 }
 
 Task<ReceivedBytes> FileLink::read(std::span<std::uint8_t> into) {
   // Other coroutines get their turn even if the file is never slow.
   co_await asio::post(executor_, asio::use_awaitable);
   if (closed_) co_return ErrorCode(asio::error::operation_aborted);
-  const bool paced = bytes_per_second_ > 0;
+  if (delivered_ == 0) start_ = SteadyClock::now();
+  if (const std::size_t left = message_bytes(); left > 0) {
+    into = into.first(std::min(into.size(), left));
+    pace_.expires_at(due_message());
+    const auto [error] = co_await pace_.async_wait(as_outcome);
+    if (error) co_return error;
+  }
+  const bool paced = messages_.empty() && bytes_per_second_ > 0;
   if (paced) {
     const auto chunk = static_cast<std::size_t>(bytes_per_second_ * chunk_seconds);
     into = into.first(std::min(into.size(), std::max<std::size_t>(chunk, 1)));
-    if (delivered_ == 0) start_ = SteadyClock::now();
   }
-  const ssize_t size = ::read(file_.get(), into.data(), into.size());
-  if (size < 0) co_return system_error(errno);
+  const std::size_t size = file_.read(into);
+  if (size == 0 && file_.error() != 0) co_return system_error(file_.error());
   if (size == 0) co_return ErrorCode(asio::error::eof);
-  delivered_ += static_cast<std::size_t>(size);
+  delivered_ += size;
   if (paced) {
     pace_.expires_at(due(delivered_));
     const auto [error] = co_await pace_.async_wait(as_outcome);
     if (error) co_return error;
   }
-  co_return ReceivedBytes{static_cast<std::size_t>(size), now()};
+  co_return ReceivedBytes{size, now()};
 }
 
 double bytes_per_second(const Uri& uri) {
@@ -120,16 +124,17 @@ std::optional<OpenError> refuse_file(const Uri& uri, Side side, Carries what) {
   return std::nullopt;
 }
 
-OpenedBytes open_file(const asio::any_io_executor& executor, const Uri& uri, Side side) {
+OpenedBytes open_file(const asio::any_io_executor& executor, const Uri& uri, Side side,
+                      measurement::MessageTimes messages) {
   if (auto refused = refuse_file(uri, side, Carries::bytes)) return std::move(*refused);
   if (uri.text_of("format") != "raw" && capture::is_pcapng(uri.target))
     return OpenError{asio::error::operation_not_supported,
                      uri.target +
                          " is a pcapng file: its serial lines play in virtual time alone "
                          "(speed=max); drydock export --to raw gives a file of bytes"};
-  Descriptor file(::open(uri.target.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
-  if (!file) return open_error(errno, "cannot open " + uri.target);
-  return std::make_unique<FileLink>(executor, std::move(file), uri, bytes_per_second(uri));
+  auto link = std::make_unique<FileLink>(executor, uri, bytes_per_second(uri), std::move(messages));
+  if (link->error() != 0) return open_error(link->error(), "cannot open " + uri.target);
+  return link;
 }
 
 }  // namespace drydock::link

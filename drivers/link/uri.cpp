@@ -139,9 +139,10 @@ std::string recording_misfit(const Uri& file, Carries what) {
     problem = "format=raw is for bytes; for CAN frames there are " + capture::format_names();
   if (what == Carries::bytes && !format.empty() && format != "raw")
     problem = "format=" + std::string(format) + " is for CAN frames; for bytes there is raw";
-  if (what == Carries::bytes && file.speed().value_or(0) > 0 && !file.baud())
+  if (what == Carries::bytes && file.speed().value_or(0) > 0 && !file.baud() &&
+      file.text_of("clock") != "device")
     problem = "speed=" + std::string(file.text_of("speed")) +
-              " needs the baud rate of the recorded line, for example " +
+              " needs the baud rate of the recorded line or clock=device, for example " +
               std::string(form_of(Scheme::file).example);
   return problem.empty() ? problem : in_quotes(file.text) + ": " + problem;
 }

@@ -86,6 +86,8 @@ constexpr Key dtr{"dtr", "0 1", is_flag};
 constexpr Key rts{"rts", "0 1", is_flag};
 constexpr Key rs485{"rs485", "high low", is_rs485};
 constexpr Key speed{"speed", "max, 1 (as fast as the line was) or another factor", is_speed};
+constexpr Key clock{"clock", "device line",
+                    [](std::string_view text) { return text == "device" || text == "line"; }};
 constexpr Key format{"format", "raw pcap pcapng candump-log candump-screen asc trc canboat",
                      is_capture_format};
 constexpr Key interface { "interface", "up to 15 letters, digits, _ - .", is_interface };
@@ -129,7 +131,7 @@ constexpr std::array<Form, 10> forms{{
      "a path",
      "file:dive.log?speed=1&baud=38400",
      is_path,
-     {speed, baud, bits, parity, stop, format, interface}},
+     {speed, baud, bits, parity, stop, format, interface, clock}},
     {Scheme::memory,
      "memory",
      "a name without /",

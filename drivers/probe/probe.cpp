@@ -5,11 +5,13 @@
 #include <boost/asio/error.hpp>
 #include <cstring>
 
-#include "drivers/capture/comment_head.hpp"
+#include "drivers/capture/arrival_times.hpp"
+#include "drivers/capture/byte_content.hpp"
 #include "drivers/link/can/frame_file.hpp"
 #include "drivers/link/clock.hpp"
 #include "drivers/probe/probe_bus.hpp"
 #include "drivers/probe/typed_link.hpp"
+#include "drivers/shell/recording_clock.hpp"
 #include "drivers/terminal/exit_codes.hpp"
 
 namespace drydock::probe {
@@ -29,52 +31,72 @@ boost::system::result<link::Uri, link::UriError> parse_without_baud(const std::s
   return link::parse_uri(with_baud(text, 9600));
 }
 
+/// True if the capture keeps when its frames arrived.
+bool tells_arrival(const link::Uri& uri) {
+  auto file = link::capture_of(uri);
+  capture::ArrivalTimes arrivals;
+  while (!arrivals.enough()) {
+    const auto record = file.next();
+    if (!record) break;
+    arrivals.add(*record);
+  }
+  return arrivals.are_told();
+}
+
 /// Surveys a CAN capture, in its own time. False if the content is no CAN capture.
 bool read_frames(const link::Uri& uri, const survey::BusSurvey::Descriptions& descriptions,
                  ProbeReport& report) {
   auto file = link::capture_of(uri);
   survey::BusSurvey survey(descriptions);
   Stamp first{}, last{};
+  const bool timed = tells_arrival(uri);
   while (const auto record = file.next()) {
-    last = Stamp{record->time.value_or(Stamp::duration{0})};
+    if (timed) last = Stamp{*record->time};
     if (survey.frames() == 0) first = last;
     survey.receive(record->frame, last);
   }
   if (!file.trouble().empty() || file.frames().tally().frames == 0) return false;
   report.listened_s = measurement::seconds(last - first);
   note_bus(survey, uri.text, report);
+  if (!timed) report.notes.emplace_back("the capture keeps no times of arrival: no rates");
   return true;
 }
 
-/// Surveys a byte capture. Bytes have no times of their own: the times follow from the line's rate,
-/// if the URI gives it.
+/// The rates of a recording's sensors: by the device's own clock, else none.
+void note_times(const link::Uri& uri, const survey::ByteSurvey::Descriptions& descriptions,
+                ProbeReport& report) {
+  for (auto& found : report.devices) {
+    device::DriverOptions driver;
+    driver.kind = found.kind;
+    driver.protocol = found.protocol;
+    for (const auto& description : descriptions)
+      if (description->name == found.protocol) driver.description = description;
+    const auto clock = shell::clock_of(uri, driver, device::Travels::as_bytes);
+    found.rate_hz = clock.usual_rate_hz();
+    if (clock.pace == shell::Pace::device)
+      report.listened_s = std::max(report.listened_s, clock.seconds());
+    report.notes.push_back(found.name + ": " + clock.in_words());
+  }
+}
+
+/// Surveys a byte capture. Bytes have no times of their own: only the device can tell them.
 bool read_bytes(const link::Uri& uri, const survey::ByteSurvey::Descriptions& descriptions,
                 ProbeReport& report) {
   capture::FileBlocks blocks(uri.target);
-  const bool raw = uri.text_of("format") == "raw";
-  capture::CommentHead head;
+  capture::ByteContent content(uri.text_of("format") == "raw");
   survey::ByteSurvey survey(descriptions);
-  Stamp now{};
-  constexpr std::size_t step = 64;
-  for (wire::Bytes block = blocks.read(); !block.empty(); block = blocks.read()) {
-    for (auto rest = raw ? block : head.without(block); !rest.empty();) {
-      const auto piece = rest.first(std::min(step, rest.size()));
-      rest = rest.subspan(piece.size());
-      if (const auto rate = uri.line_rate()) now += rate->time_of(piece.size());
-      survey.feed(piece, now);
-    }
-  }
+  for (wire::Bytes block = blocks.read(); !block.empty(); block = blocks.read())
+    survey.feed(content.of(block), Stamp{});
   if (blocks.error() != 0) {
     report.notes.push_back(
         fmt::format("cannot read {}: {}", uri.target, std::strerror(blocks.error())));
     return false;
   }
   survey.finish();
-  report.listened_s = measurement::seconds(now.time_since_epoch());
-  if (!uri.baud())
-    report.notes.push_back("a recording of bytes has no times: rates need the line's, as " +
-                           with_baud(uri.text, 115200));
+  if (content.is_hex())
+    report.notes.emplace_back("hexadecimal text, read as the bytes that it means");
   note_line(survey, "", uri.text, report);
+  note_times(uri, descriptions, report);
   return true;
 }
 

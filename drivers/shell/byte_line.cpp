@@ -2,6 +2,9 @@
 
 #include <utility>
 
+#include "drivers/link/file.hpp"
+#include "drivers/shell/recording_clock.hpp"
+
 namespace drydock::shell {
 
 /// The URI with the rate that the search has reached.
@@ -14,6 +17,14 @@ link::Uri ByteLine::next_uri() {
   next.query["baud"] = std::to_string(search_.baud());
   for (device::Device* device : devices()) device->set_baud(search_.baud());
   return next;
+}
+
+/// A recording at a pace is read in the time of the device's own clock, if it has one.
+ByteLine::Opened ByteLine::open(const link::Uri& uri) {
+  const bool paced = uri.recorded() && uri.speed().value_or(0) > 0;
+  if (!paced || devices().empty()) return LinkedLine::open(uri);
+  auto clock = clock_of(uri, devices().front()->options().driver, device::Travels::as_bytes);
+  return link::open_file(executor(), uri, link::Side::driver, std::move(clock.times.messages));
 }
 
 void ByteLine::receive(const wire::Bytes& bytes, Stamp at) {

@@ -22,8 +22,13 @@ constexpr std::size_t most_queued<link::FrameLink> = 64;
 }  // namespace
 
 template <class Link>
+typename LinkedLine<Link>::Opened LinkedLine<Link>::open(const link::Uri& uri) {
+  return link::Traffic<Link>::open(executor(), uri, link::Side::driver);
+}
+
+template <class Link>
 boost::system::result<measurement::Provenance, link::OpenError> LinkedLine<Link>::open_link() {
-  auto opened = link::Traffic<Link>::open(executor(), next_uri(), link::Side::driver);
+  auto opened = open(next_uri());
   if (!opened) return opened.error();
   link_ = std::move(*opened);
   pump_.emplace(executor(), *link_, most_queued<Link>, std::bind_front(&LinkedLine::written, this));

@@ -16,8 +16,10 @@ class LinkedLine : public Line {
 
  protected:
   using Item = typename link::Traffic<Link>::Item;
+  using Opened = boost::system::result<std::unique_ptr<Link>, link::OpenError>;
 
   virtual link::Uri next_uri() { return uri(); }  ///< for the next opening
+  virtual Opened open(const link::Uri& uri);
   virtual void receive(const Item& item, Stamp at) = 0;
 
   void put(const Item& item);

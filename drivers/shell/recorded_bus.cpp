@@ -12,7 +12,16 @@ constexpr std::chrono::microseconds frame_on_a_full_bus{560};
 }  // namespace
 
 RecordedBus::RecordedBus(const link::Uri& uri, DeviceActor& driver, Stamp start)
-    : file_(link::capture_of(uri)), driver_(driver), start_(start), due_(start) {
+    : RecordedBus(uri, driver, start,
+                  clock_of(uri, driver.device().options().driver, device::Travels::as_frames)) {}
+
+RecordedBus::RecordedBus(const link::Uri& uri, DeviceActor& driver, Stamp start,
+                         RecordingClock clock)
+    : file_(link::capture_of(uri)),
+      driver_(driver),
+      clock_(std::move(clock)),
+      start_(start),
+      due_(start) {
   read_next();
   if (const std::string trouble = file_.trouble(); !trouble.empty()) {
     throw std::runtime_error(trouble);
@@ -33,8 +42,24 @@ void RecordedBus::read_next() {
   frame_.reset();
   if (!record) return;
   frame_ = record->frame;
-  if (record->time && !first_time_) first_time_ = record->time;
-  due_ = record->time ? start_ + (*record->time - *first_time_) : due_ + frame_on_a_full_bus;
+  ++frames_;
+  due_ = due_of(*record);
+}
+
+/// The frames of a message come at its time, those behind the last one at once.
+Stamp RecordedBus::due_of(const capture::Record& record) {
+  const auto& messages = clock_.times.messages;
+  while (message_ < messages.size() && messages[message_].through < frames_) ++message_;
+  switch (clock_.pace) {
+    case Pace::arrival:
+      if (record.time) return start_ + (Stamp{*record.time} - clock_.first);
+      break;
+    case Pace::device:
+      if (message_ == messages.size()) return due_;
+      return start_ + (Stamp{messages[message_].at} - clock_.first);
+    case Pace::line: break;
+  }
+  return due_ + frame_on_a_full_bus;
 }
 
 }  // namespace drydock::shell

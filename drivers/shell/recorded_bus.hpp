@@ -3,28 +3,36 @@
 #include "drivers/capture/capture_file.hpp"
 #include "drivers/link/uri.hpp"
 #include "drivers/shell/device_actor.hpp"
+#include "drivers/shell/recording_clock.hpp"
 
 namespace drydock::shell {
 
 /// A capture of a CAN bus (`file:` link) in the lockstep shell. Its frames reach the driver at the
-/// capture's own times, counted from `start`. Frames without a time follow each other as on a bus
-/// of 250 kbit/s that is never idle. At the end of the file the bus falls silent.
+/// capture's own times, counted from `start`. In a capture without times they come when the
+/// device's clock says. Without such a clock they follow each other as on a bus of 250 kbit/s that
+/// is never idle. At the end of the file the bus falls silent.
 class RecordedBus final : public Actor {
  public:
   /// Throws std::runtime_error with one line if the file cannot be read or is no capture.
+  RecordedBus(const link::Uri& uri, DeviceActor& driver, Stamp start, RecordingClock clock);
+  /// With the clock that the recording has for this driver.
   RecordedBus(const link::Uri& uri, DeviceActor& driver, Stamp start);
 
   std::optional<Stamp> deadline() const override;
   void act(Stamp now) override;
   const capture::FrameCapture& frames() const { return file_.frames(); }
+  const RecordingClock& clock() const { return clock_; }
 
  private:
   void read_next();
+  Stamp due_of(const capture::Record& record);
 
   capture::CaptureFile file_;
   DeviceActor& driver_;
   std::optional<wire::CanFrame> frame_;  ///< the next frame; empty at the end
-  std::optional<std::chrono::nanoseconds> first_time_;
+  RecordingClock clock_;
+  std::size_t message_ = 0;   ///< the next of the device's clock
+  std::uint64_t frames_ = 0;  ///< read
   Stamp start_, due_;
 };
 

@@ -1,7 +1,6 @@
 #include "drivers/shell/recorded_line.hpp"
 
 #include <algorithm>
-#include <cerrno>
 #include <cstring>
 #include <stdexcept>
 
@@ -9,34 +8,37 @@ namespace drydock::shell {
 namespace {
 
 constexpr unsigned default_baud = 9600;
-constexpr std::size_t bytes_per_step = 64;
+constexpr std::size_t bytes_per_step = 64, bytes_at_once = 65536;
 
 }  // namespace
 
 RecordedLine::RecordedLine(const link::Uri& uri, DeviceActor& driver, Stamp start)
-    : file_(uri.target, std::ios::binary),
+    : RecordedLine(uri, driver, start,
+                   clock_of(uri, driver.device().options().driver, device::Travels::as_bytes)) {}
+
+RecordedLine::RecordedLine(const link::Uri& uri, DeviceActor& driver, Stamp start,
+                           RecordingClock clock)
+    : file_(uri.target, uri.text_of("format") == "raw", std::string(uri.text_of("interface"))),
       driver_(driver),
-      byte_time_(uri.line_rate().value_or(default_baud).time_of(1)),
-      raw_(uri.text_of("format") == "raw"),
-      chunk_(bytes_per_step) {
-  if (!file_) {
+      start_(start),
+      clock_(std::move(clock)),
+      rate_(uri.line_rate().value_or(wire::LineRate{})) {
+  if (file_.error() != 0) {
     throw std::runtime_error("cannot open the recording " + uri.target + ": " +
-                             std::strerror(errno));
+                             std::strerror(file_.error()));
   }
-  next_ = start + byte_time_ * static_cast<std::int64_t>(bytes_per_step);
-  if (!raw_ && capture::is_pcapng(uri.target)) begin_packets(uri, start);
+  if (clock_.pace == Pace::arrival) return begin_packets(uri);
+  schedule(start);
 }
 
-void RecordedLine::begin_packets(const link::Uri& uri, Stamp start) {
+void RecordedLine::begin_packets(const link::Uri& uri) {
   packets_ =
       std::make_unique<capture::LineFile>(uri.target, false, std::string(uri.text_of("interface")));
-  next_.reset();
   const auto first = packets_->next();
   if (const auto trouble = packets_->trouble(); !trouble.empty()) throw std::runtime_error(trouble);
   if (!first) return;
   read_ = *first;
-  before_ = start.time_since_epoch() - read_.time.value_or(Stamp::duration{0});
-  next_ = start;
+  next_ = start_;
 }
 
 /// A time that runs backwards is of a clock that was set: such a read comes at once.
@@ -46,21 +48,43 @@ void RecordedLine::act_on_packet(Stamp now) {
   const auto following = packets_->next();
   if (!following) return;
   read_ = *following;
-  next_ = std::max(now, Stamp{read_.time.value_or(Stamp::duration{0}) + before_});
+  const auto since_first =
+      read_.time.value_or(Stamp::duration{0}) - clock_.first.time_since_epoch();
+  next_ = std::max(now, start_ + since_first);
 }
 
 void RecordedLine::act(Stamp now) {
   if (packets_) return act_on_packet(now);
-  file_.read(chunk_.data(), static_cast<std::streamsize>(chunk_.size()));
-  const auto n = static_cast<std::size_t>(file_.gcount());
+  chunk_.resize(next_bytes());
+  const std::size_t n = file_.read(chunk_);
   if (n == 0) {
     next_.reset();
     return;
   }
-  const wire::Bytes read{reinterpret_cast<const std::uint8_t*>(chunk_.data()), n};
-  const wire::Bytes bytes = raw_ ? read : head_.without(read);
-  if (!bytes.empty()) driver_.receive(bytes, now);
-  next_ = now + byte_time_ * static_cast<std::int64_t>(bytes_per_step);
+  delivered_ += n;
+  driver_.receive(wire::Bytes(chunk_).first(n), now);
+  if (message_ < clock_.times.messages.size()) ++message_;
+  schedule(now);
+}
+
+std::size_t RecordedLine::next_bytes() const {
+  const auto& messages = clock_.times.messages;
+  if (message_ < messages.size())
+    return static_cast<std::size_t>(messages[message_].through - delivered_);
+  return clock_.pace == Pace::device ? bytes_at_once : bytes_per_step;
+}
+
+void RecordedLine::schedule(Stamp now) {
+  const auto& messages = clock_.times.messages;
+  if (message_ < messages.size()) {
+    const auto since_first = messages[message_].at - messages.front().at;
+    next_ = std::max(now, start_ + since_first + rate_.time_of(next_bytes()));
+    return;
+  }
+  next_ = now;  // what is behind the last message that tells a time comes at once
+  if (clock_.pace == Pace::device) return;
+  const wire::LineRate line = rate_.baud > 0 ? rate_ : wire::LineRate{default_baud};
+  *next_ += line.time_of(1) * static_cast<std::int64_t>(bytes_per_step);
 }
 
 }  // namespace drydock::shell

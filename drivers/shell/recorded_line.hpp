@@ -1,40 +1,47 @@
 #pragma once
 
-#include <fstream>
 #include <memory>
 #include <vector>
 
-#include "drivers/capture/line_file.hpp"
+#include "drivers/capture/byte_file.hpp"
 #include "drivers/link/uri.hpp"
 #include "drivers/shell/device_actor.hpp"
+#include "drivers/shell/recording_clock.hpp"
 
 namespace drydock::shell {
 
-/// A recording of raw bytes (`file:` link) in the lockstep shell. It omits the comments of the
-/// head. The bytes reach the driver at the line's baud rate, in virtual time; those of a pcapng
-/// file at their own times. At the end of the file the line falls silent.
+/// A recording of bytes (`file:` link) in the lockstep shell. In virtual time each message reaches
+/// the driver when the device's clock says, counted from `start`; without such a clock bytes come
+/// at the line's rate, and those of a pcapng file at their own times. At the end of the file the
+/// line falls silent.
 class RecordedLine final : public Actor {
  public:
-  /// Throws std::runtime_error with one line if the file cannot be opened, or has several
-  /// lines.
+  /// Throws std::runtime_error with one line if the file cannot be opened, or has several lines.
+  RecordedLine(const link::Uri& uri, DeviceActor& driver, Stamp start, RecordingClock clock);
+  /// With the clock that the recording has for this driver.
   RecordedLine(const link::Uri& uri, DeviceActor& driver, Stamp start);
 
   std::optional<Stamp> deadline() const override { return next_; }
   void act(Stamp now) override;
+  const RecordingClock& clock() const { return clock_; }
 
  private:
-  void begin_packets(const link::Uri& uri, Stamp start);
+  void begin_packets(const link::Uri& uri);
   void act_on_packet(Stamp now);
+  /// Bytes of the next step: to the end of the message that the device's clock says, else a few.
+  std::size_t next_bytes() const;
+  void schedule(Stamp now);
 
-  std::ifstream file_;
+  capture::ByteFile file_;
   DeviceActor& driver_;
-  std::chrono::nanoseconds byte_time_;
-  bool raw_;
-  capture::CommentHead head_;
+  Stamp start_;
+  RecordingClock clock_;
+  wire::LineRate rate_;      ///< as the URI tells it
+  std::size_t message_ = 0;  ///< the next of the device's clock
+  std::uint64_t delivered_ = 0;
+  std::vector<std::uint8_t> chunk_;
   std::unique_ptr<capture::LineFile> packets_;  ///< null: bytes without times
-  capture::LineFile::Read read_;                ///< what comes at next_
-  Stamp::duration before_{0};                   ///< from the times of the file to those here
-  std::vector<char> chunk_;
+  capture::LineFile::Read read_{};              ///< what comes at next_
   std::optional<Stamp> next_;
 };
 

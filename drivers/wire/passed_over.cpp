@@ -24,6 +24,25 @@ constexpr std::array ubx_classes{
     UbxClass{0x0D, "TIM"}, UbxClass{0x10, "ESF"}, UbxClass{0x13, "MGA"}, UbxClass{0x21, "LOG"},
     UbxClass{0x27, "SEC"}, UbxClass{0x28, "HNR"}, UbxClass{0x29, "NAV2"}};
 
+/// Data types that the guides of Teledyne's ADCPs, of VmDas and of WinRiver name. Other programs
+/// write their own under the same numbers.
+struct Pd0Block {
+  std::uint16_t id;
+  std::string_view name;
+};
+constexpr std::array pd0_blocks{Pd0Block{0x0100, "velocity profile"},
+                                Pd0Block{0x0200, "correlation profile"},
+                                Pd0Block{0x0300, "echo intensity profile"},
+                                Pd0Block{0x0400, "percent good profile"},
+                                Pd0Block{0x0500, "status profile"},
+                                Pd0Block{0x2000, "navigation, as of VmDas"},
+                                Pd0Block{0x2022, "sentence, as of WinRiver"},
+                                Pd0Block{0x2100, "DBT sentence, as of WinRiver"},
+                                Pd0Block{0x2101, "GGA sentence, as of WinRiver"},
+                                Pd0Block{0x2102, "VTG sentence, as of WinRiver"},
+                                Pd0Block{0x2103, "GSA sentence, as of WinRiver"},
+                                Pd0Block{0x2104, "HDT sentence, as of WinRiver"}};
+
 std::string ubx_name(Bytes frame) {
   const auto known = std::ranges::find(ubx_classes, frame[2], &UbxClass::number);
   return known != ubx_classes.end() ? fmt::format("UBX {}-{:02X}", known->name, frame[3])
@@ -74,6 +93,10 @@ std::string frame_name(const CanFrame& frame, Network network) {
   return id && network == Network::j1939 ? pgn_text(id->pgn) : identifier_name(frame);
 }
 
-std::string block_name(std::uint16_t id) { return fmt::format("block {:04X}", id); }
+std::string block_name(std::uint16_t id) {
+  const auto known = std::ranges::find(pd0_blocks, id, &Pd0Block::id);
+  return known != pd0_blocks.end() ? fmt::format("block {:04X} {}", id, known->name)
+                                   : fmt::format("block {:04X}", id);
+}
 
 }  // namespace drydock::wire

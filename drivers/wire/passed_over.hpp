@@ -18,7 +18,7 @@ std::string frame_name(Bytes frame);
 /// On J1939 and NMEA 2000 "PGN 130306 wind", otherwise "identifier 185".
 std::string frame_name(const CanFrame& frame, Network network);
 
-/// "block 0A00", in hexadecimal.
+/// "block 0A00", in hexadecimal; one that a document names: "block 0100 velocity profile".
 std::string block_name(std::uint16_t id);
 
 /// Calls `tell(name)` for each part of a valid frame that P does not read: the whole frame if it

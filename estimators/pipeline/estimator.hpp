@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <chrono>
 #include <cstdint>
 #include <optional>
 #include <string_view>
@@ -48,7 +49,10 @@ struct EstimatorStatus {
   measurement::Stamp last_speed{};     ///< valid_at
   std::uint64_t rejected = 0;          ///< values outside the estimator's innovation gate
   navigation::InnovationTally taken;   ///< sensor values inside the gate; none without innovations
-  std::optional<measurement::Stamp> lost_at;  ///< valid_at of the last used IMU sample
+  std::uint64_t bridged = 0;           ///< gaps of speed or heading, passed over
+  double bridged_s = 0, longest_bridged_s = 0;  ///< all of them, the longest
+  std::chrono::nanoseconds longest_silence{0};  ///< between two estimates, beyond the IMU's
+  std::optional<measurement::Stamp> lost_at;    ///< valid_at of the last used IMU sample
 };
 
 /// One estimator in the pipeline. Measurements arrive in the order of valid_at as far as the

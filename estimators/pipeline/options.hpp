@@ -11,18 +11,20 @@
 #include "estimators/pipeline/integrity.hpp"
 #include "estimators/pipeline/leveling_options.hpp"
 #include "estimators/pipeline/mixing_options.hpp"
+#include "estimators/pipeline/reckoning/reckoning_options.hpp"
 #include "estimators/pipeline/roll_options.hpp"
 #include "estimators/pipeline/vehicle_limits.hpp"
 
 namespace drydock::pipeline {
 
 /// The options of every kind of estimator. Checks and makers: maker.hpp.
-using EstimatorKind = std::variant<LevelingOptions, MixingOptions, RollOptions, InertialOptions>;
+using EstimatorKind =
+    std::variant<LevelingOptions, MixingOptions, RollOptions, InertialOptions, ReckoningOptions>;
 
 /// One estimator of the rig. Its index in `PipelineOptions::estimators` names its estimates.
 struct EstimatorOptions {
   std::string name;
-  std::uint16_t imu = 0;  ///< device index, as in Origin::device
+  std::uint16_t imu = 0;  ///< device index, as in Origin::device; of a kind without an IMU: any
   EstimatorKind kind;
 };
 

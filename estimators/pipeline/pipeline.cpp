@@ -99,7 +99,7 @@ bool Pipeline::is_left_out(const measurement::Origin& origin) const {
 bool Pipeline::valid(std::size_t estimator, Stamp now) const {
   const EstimatorStatus& status = estimators_[estimator]->status();
   return status.valid && status.state == EstimatorState::running &&
-         now - status.last_estimate <= window_ + max_gap_;
+         now - status.last_estimate <= window_ + std::max(max_gap_, status.longest_silence);
 }
 
 DeviceCounters& Pipeline::of(std::uint16_t device) {

@@ -48,7 +48,7 @@ class Pipeline {
   /// Indexed by device. Devices without any measurement may be missing at the end.
   const std::vector<DeviceCounters>& counters() const { return counters_; }
   /// True if the estimator gives valid estimates at `now`: its last one is valid, and not older
-  /// than the reorder window and the longest gap of its IMU.
+  /// than the reorder window and the longest gap of its sensors.
   bool valid(std::size_t estimator, measurement::Stamp now) const;
 
   /// Number of measurements that ran early because the buffer was full.

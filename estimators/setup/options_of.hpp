@@ -22,6 +22,7 @@ pipeline::MixingOptions options_of(const rig_config::MixingConfig&, const Estima
 pipeline::RollOptions options_of(const rig_config::RollConfig&, const EstimatorInRig&);
 pipeline::InertialOptions options_of(const rig_config::NavigationConfig&, const EstimatorInRig&);
 pipeline::InertialOptions options_of(const rig_config::VelocityConfig&, const EstimatorInRig&);
+pipeline::ReckoningOptions options_of(const rig_config::ReckoningConfig&, const EstimatorInRig&);
 
 const rig_config::DeviceConfig* find_device(const rig_config::Rig& rig, const std::string& name);
 

@@ -55,6 +55,10 @@ std::vector<std::string> pipeline_notes(const rig_config::Rig& rig,
       notes.push_back(
           fmt::format("{}: started again {} times, because its innovations contradicted it",
                       rig.estimators[i].name, status.divergences));
+    if (status.bridged > 0)
+      notes.push_back(fmt::format(
+          "{}: {} gaps without speed or heading bridged, {:.1f} s in all, the longest {:.1f} s",
+          rig.estimators[i].name, status.bridged, status.bridged_s, status.longest_bridged_s));
     if (status.lost_at)
       notes.push_back(fmt::format(
           "{}: lost after {} estimates, when its IMU fell silent for more than {} s; it needs a "

@@ -28,13 +28,34 @@ Estimate mean_of(const std::vector<double>& readings, double period_s,
   return normal_estimate(mean, std::sqrt(noise->model.allan_variance(duration_s)));
 }
 
-std::optional<AxisFigures> axis_figures(const std::vector<double>& readings, double period_s,
-                                        const Quantity& quantity) {
-  constexpr std::size_t fewest = 10;
+constexpr std::size_t fewest = 10;
+
+/// Without times only the number of samples.
+std::optional<TimingFigures> times_told(const Samples& samples) {
+  if (samples.subject.times != Subject::Times::none) {
+    auto timing = timing_of(samples.origins);
+    if (timing && samples.subject.times == Subject::Times::of_device)
+      timing->device_rate_hz.reset();
+    return timing;
+  }
+  if (samples.origins.size() < fewest) return std::nullopt;
+  TimingFigures timing;
+  timing.samples = samples.origins.size();
+  return timing;
+}
+
+std::optional<AxisFigures> axis_figures(const std::vector<double>& readings,
+                                        const DeviceFigures& device, const Quantity& quantity) {
   if (readings.size() < fewest) return std::nullopt;
   AxisFigures axis;
   axis.readings = readings.size();
   axis.step = quantisation_step(readings);
+  const bool timed = device.subject.times != Subject::Times::none;
+  const double period_s = timed ? 1 / device.timing.rate_hz.value : 0;
+  if (!timed) {
+    axis.mean = mean_of(readings, period_s, axis.noise);
+    return axis;
+  }
   axis.curve = allan_curve(readings, period_s);
   axis.noise = fit_noise(axis.curve, {.walk = quantity.walks});
   axis.mean = mean_of(readings, period_s, axis.noise);
@@ -50,17 +71,16 @@ bool QuantityFigures::steady() const {
 }
 
 std::optional<DeviceFigures> figures_of(const Samples& samples) {
-  const auto timing = timing_of(samples.origins);
+  const auto timing = times_told(samples);
   if (!timing) return std::nullopt;
   DeviceFigures figures;
   figures.subject = samples.subject;
   figures.timing = *timing;
-  const double period_s = 1 / timing->rate_hz.value;
   for (const Quantity& quantity : quantities_of(samples.subject.kind)) {
     QuantityFigures of{quantity, {}};
     const auto& series = samples.quantities[static_cast<std::size_t>(quantity.place)];
     for (Eigen::Index axis = 0; axis < 3; ++axis)
-      of.axes.push_back(axis_figures(readings_of(series, axis), period_s, quantity));
+      of.axes.push_back(axis_figures(readings_of(series, axis), figures, quantity));
     if (std::ranges::any_of(of.axes, [](const auto& axis) { return axis.has_value(); }))
       figures.quantities.push_back(std::move(of));
   }

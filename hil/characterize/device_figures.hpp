@@ -46,7 +46,7 @@ struct DeviceFigures {
 };
 
 /// Lost samples are ignored: the readings before and after a gap count as neighbours. Empty if
-/// there are too few samples for a rate.
+/// there are too few samples for a rate. Samples without times give steps and means alone.
 std::optional<DeviceFigures> figures_of(const Samples& samples);
 
 /// Compares devices of the same kind axis by axis; DVL and EM log with GNSS and with each other; an

@@ -17,6 +17,8 @@ struct Subject {
   double nominal_rate_hz = 0;  ///< 0: not known
   Eigen::Matrix3d sensor_to_body = Eigen::Matrix3d::Identity();
   Eigen::Vector3d lever_arm_m = Eigen::Vector3d::Zero();  ///< body axes, from the vehicle's origin
+  /// What the samples' times count. Without arrivals there is no host's clock.
+  enum class Times : std::uint8_t { of_arrival, of_device, none } times = Times::of_arrival;
 };
 
 /// The output of a device, in the quantities and axes of its sensor file: IMU rate and specific

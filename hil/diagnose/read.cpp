@@ -113,11 +113,15 @@ Outcome read_capture(const std::string& path, unsigned baud) {
   const auto rig = host::rig_of(devices, path);
   const bool has_times = devices.front()->on_bus();
   const Stamp start = first_time(*devices.front());
+  const auto clock = shell::clock_of(link::parse_uri(devices.front()->options().link).value(),
+                                     devices.front()->options().driver, devices.front()->travels());
   auto outcome = CaptureBench(rig, std::move(devices), start).play(path, has_times);
   if (!has_times)
     outcome.notes.push_back(fmt::format(
-        "a capture of bytes has no times: they count its bytes at {} baud, without the pauses",
-        rate));
+        "a capture of bytes has no times{}",
+        clock.pace == shell::Pace::device
+            ? " of arrival: those here are of the device's own clock"
+            : fmt::format(": they count its bytes at {} baud, without the pauses", rate)));
   return outcome;
 }
 

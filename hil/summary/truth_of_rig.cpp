@@ -24,7 +24,8 @@ std::vector<rig_config::DeviceConfig> emulated_devices(const rig_config::Rig& ri
 bool truth_for_estimators(const rig_config::Rig& rig) {
   return std::all_of(rig.estimators.begin(), rig.estimators.end(), [&](const auto& estimator) {
     return std::any_of(rig.devices.begin(), rig.devices.end(), [&](const auto& device) {
-      return device.name == estimator.imu && emulated(device);
+      const bool feeds = estimator.imu.empty() || device.name == estimator.imu;
+      return feeds && emulated(device);
     });
   });
 }

@@ -13,14 +13,15 @@ struct DeviceKey {
   measurement::Kind kind;
 };
 
-/// What the rest of the program knows about a kind of estimator. Every estimator has an IMU and
-/// gives roll and pitch. Each kind has one row, in the header of its keys.
+/// What the rest of the program knows about a kind of estimator. Nearly every estimator has an
+/// IMU, and each gives roll and pitch. Each kind has one row, in the header of its keys.
 struct EstimatorFacts {
   std::string_view name;               ///< `kind` in the rig file
   std::span<const DeviceKey> devices;  ///< besides `imu`
   bool gives_positions = false;        ///< gives position, velocity and heading too
   bool has_gate = false;               ///< counts the values that it rejects
   bool has_innovations = false;        ///< compares values with what it expects
+  bool has_imu = true;                 ///< `imu` names it; otherwise the speed gives the pace
 };
 
 }  // namespace drydock::rig_config

@@ -9,14 +9,15 @@
 #include "rig_config/estimator/leveling.hpp"
 #include "rig_config/estimator/mixing.hpp"
 #include "rig_config/estimator/navigation.hpp"
+#include "rig_config/estimator/reckoning.hpp"
 #include "rig_config/estimator/roll.hpp"
 #include "rig_config/estimator/velocity.hpp"
 
 namespace drydock::rig_config {
 
 /// All kinds of estimators. This list is the only one: names, checks and reading follow from it.
-using EstimatorKind =
-    std::variant<LevelingConfig, MixingConfig, RollConfig, NavigationConfig, VelocityConfig>;
+using EstimatorKind = std::variant<LevelingConfig, MixingConfig, RollConfig, NavigationConfig,
+                                   VelocityConfig, ReckoningConfig>;
 
 /// The rows of all kinds, in the order of EstimatorKind.
 inline constexpr auto estimator_facts =

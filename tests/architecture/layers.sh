@@ -28,7 +28,7 @@ drivers/text               drivers/wire drivers/measurement
 drivers/decode             drivers/text drivers/shell drivers/device drivers/link drivers/io drivers/terminal drivers/capture drivers/wire drivers/measurement
 drivers/doctor             drivers/terminal drivers/text drivers/link drivers/wire rig_config
 drivers/host               drivers/diagnosis drivers/shell drivers/device drivers/bus drivers/live drivers/recordings/record drivers/link drivers/io drivers/terminal drivers/wire drivers/measurement rig_config
-drivers/probe              drivers/survey drivers/doctor drivers/text drivers/link drivers/io drivers/terminal drivers/capture drivers/wire drivers/measurement
+drivers/probe              drivers/survey drivers/shell drivers/device drivers/doctor drivers/text drivers/link drivers/io drivers/terminal drivers/capture drivers/wire drivers/measurement
 drivers/monitor            drivers/survey drivers/doctor drivers/diagnosis drivers/host drivers/probe drivers/decode drivers/text drivers/shell drivers/device drivers/bus drivers/link drivers/io drivers/terminal drivers/wire drivers/measurement rig_config
 estimators/frame           drivers/measurement
 estimators/navigation      estimators/frame

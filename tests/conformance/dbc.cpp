@@ -25,7 +25,7 @@ fs::path dbc_of(const fs::path& expected) {
 }
 
 std::vector<std::uint8_t> data_of(const json& line) {
-  const auto hex = line["data"].get<std::string>();
+  const auto hex = line.at("data").get<std::string>();
   std::vector<std::uint8_t> bytes;
   for (std::size_t i = 0; i + 1 < hex.size(); i += 2)
     bytes.push_back(static_cast<std::uint8_t>(std::stoul(hex.substr(i, 2), nullptr, 16)));
@@ -58,7 +58,7 @@ void compare_signals(const dbc::Message& message, const json& line, Comparison& 
   plan.decode(data_of(line), values);
   for (std::size_t i = 0; i < values.size(); ++i) {
     const dbc::Signal& signal = message.signals[i];
-    const json& all = line["sig"];
+    const json& all = line.at("sig");
     const json theirs = all.contains(signal.name) ? all[signal.name]["val"] : json();
     const json ours = values[i].present ? json(values[i].physical) : json();
     if (spelled(ours).is_number() && theirs.is_number())
@@ -85,14 +85,14 @@ void compare_dbc(const Case& one, Score& score) {
   std::size_t number = 0;
   for (const json& line : read_json_lines(one.expected)) {
     ++number;
-    const auto place = catalogue.find(line["id"].get<std::uint32_t>(), line["ext"].get<bool>());
+    const auto place = catalogue.find(line.at("id").get<std::uint32_t>(), line.at("ext").get<bool>());
     if (!place) {
-      score.missed(name, number, line["msg"].get<std::string>());
+      score.missed(name, number, line.at("msg").get<std::string>());
       continue;
     }
     Comparison compared(name, number);
     const dbc::Message& message = reading.database.messages[*place];
-    compared.same("message", message.name, line["msg"]);
+    compared.same("message", message.name, line.at("msg"));
     compare_signals(message, line, compared);
     score.add(compared);
   }

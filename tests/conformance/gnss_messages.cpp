@@ -31,6 +31,7 @@ Counts scanned(std::string_view bytes) {
         known != ubx_messages.end())
       ++counts[known->second];
   for (const std::string_view sentence : scan_nmea(bytes)) {
+    if (is_proprietary(sentence)) continue;
     const std::string_view address = sentence.substr(1, sentence.find(',') - 1);
     if (address.size() == 5 && nmea_messages.contains(address.substr(2)))
       ++counts[std::string(address.substr(2))];

@@ -40,7 +40,7 @@ GnssLog read_gnss_log(const fs::path& path) {
     log.nav_sat += octet(frame, 2) == 1 && octet(frame, 3) == 0x35;
   }
   for (const std::string_view sentence : scan_nmea(log.bytes)) {
-    if (sentence.size() < 7) continue;
+    if (sentence.size() < 7 || is_proprietary(sentence)) continue;
     log.nmea_epochs += tells_position(sentence.substr(3, 3));
     log.nmea_satellites += sentence.substr(3, 3) == "GSV";
   }

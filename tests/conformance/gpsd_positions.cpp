@@ -32,6 +32,9 @@ constexpr Rule sibling_rule{
     "sentences of one epoch disagree",
     "GGA, RMC, GNS and GLL of one time of day say different positions: gpsd reports the last, "
     "the driver GGA's"};
+constexpr Rule no_satellites_rule{
+    "a fix by no satellites",
+    "GGA says quality 1 and 0 satellites used: the driver takes its word, gpsd may not"};
 constexpr Rule doubt_rule{
     "gpsd reports a position without a fix",
     "the receiver does not vouch for it: gnssFixOK clear or a time-only fix, quality 0, 7 or 8, "
@@ -75,6 +78,12 @@ bool has_sibling(const std::vector<WirePosition>& wire, const Position& place,
       if (there.epoch == here.epoch && contains(others, there.place)) return true;
   }
   return false;
+}
+
+/// True if GGA says that no satellite gave this place.
+bool by_no_satellites(const std::vector<WirePosition>& wire, const Position& place) {
+  return std::ranges::any_of(
+      wire, [&](const auto& w) { return w.by_no_satellites && same_place(w.place, place); });
 }
 
 bool on_wire(const std::vector<WirePosition>& wire, const Position& place) {
@@ -121,6 +130,7 @@ Positions read_positions(const Case& one, const GnssLog& log) {
 const Rule* reason(const Positions& p, std::size_t i, const GnssLog& log) {
   const Fix& fix = p.ours[i];
   if (!on_wire(p.wire, fix.place)) return nullptr;
+  if (by_no_satellites(p.wire, fix.place)) return &no_satellites_rule;
   if (has_sibling(p.wire, fix.place, p.theirs)) return &sibling_rule;
   if (i == 0 || i + 1 == p.ours.size()) return &border_rule;
   if (fix.time_of_day && !p.their_times.empty() && !p.their_times.contains(*fix.time_of_day))

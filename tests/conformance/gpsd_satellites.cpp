@@ -32,8 +32,8 @@ Sky sky_of(const json& report) {
   Sky sky;
   for (const auto& s : report.value("satellites", json::array())) {
     if (!s.contains("el") || !s.contains("az") || !s.contains("gnssid")) continue;
-    sky.emplace(s["gnssid"], s["svid"], whole(s.value("ss", 0.0)), whole(s["el"]), whole(s["az"]),
-                s["used"]);
+    sky.emplace(s.at("gnssid"), s.at("svid"), whole(s.value("ss", 0.0)), whole(s.at("el")),
+                whole(s.at("az")), s.at("used"));
   }
   return sky;
 }

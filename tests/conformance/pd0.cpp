@@ -24,6 +24,11 @@ constexpr Rule pressure_rule{
     "MHKiT unsigned pressure",
     "MHKiT reads the pressure unsigned, so one just below zero comes out as 4294967 dbar"};
 
+constexpr Rule no_sensor_rule{
+    "pressure without a sensor",
+    "the head says that it has no pressure sensor (sensors available, bit 5), and the reference "
+    "gives the number that stands in its place"};
+
 /// A scalar of a row. Our value in its unit is ours * scale + offset.
 struct Column {
   const char* theirs;
@@ -86,6 +91,10 @@ void compare_heading(const json& ours, const json& row, double declination, Comp
 
 void compare_pressure(const json& ours, const json& row, Comparison& c) {
   constexpr double turn_dbar = 4294967.296, dbar_per_pa = 1e-4;
+  constexpr unsigned has_pressure_sensor = 1 << 5;
+  const bool without_sensor =
+      (ours["sensors_available"].get<unsigned>() & has_pressure_sensor) == 0;
+  if (without_sensor && ours["pressure_pa"].is_null()) return c.by_rule(no_sensor_rule);
   json pressure = scaled(ours["pressure_pa"], dbar_per_pa);
   if (pressure.is_number() && pressure < 0 && row.at("pressure") > turn_dbar / 2) {
     c.by_rule(pressure_rule);

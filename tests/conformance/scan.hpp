@@ -20,6 +20,9 @@ std::vector<std::string_view> scan_ubx(std::string_view bytes);
 /// `$....*hh` of printable characters with a right XOR, without the checksum.
 std::vector<std::string_view> scan_nmea(std::string_view bytes);
 
+/// A sentence of a maker's own form, as `$PQGSV`: no talker and formatter stand in it.
+constexpr bool is_proprietary(std::string_view sentence) { return sentence.starts_with("$P"); }
+
 constexpr unsigned octet(std::string_view bytes, std::size_t at) {
   return static_cast<unsigned char>(bytes[at]);
 }

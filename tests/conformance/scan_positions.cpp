@@ -39,6 +39,11 @@ std::optional<double> angle_deg(std::string_view text, std::string_view hemisphe
   return hemisphere == "S" || hemisphere == "W" ? -angle : angle;
 }
 
+/// A number of satellites: 0 or 00.
+bool is_zero(std::string_view field) {
+  return !field.empty() && field.find_first_not_of('0') == field.npos;
+}
+
 std::optional<WirePosition> read_sentence(std::string_view sentence) {
   const auto fields = split(sentence, ',');
   for (const Columns& c : sentences) {
@@ -48,7 +53,8 @@ std::optional<WirePosition> read_sentence(std::string_view sentence) {
     const auto longitude = angle_deg(fields[c.latitude + 2], fields[c.latitude + 3]);
     if (!latitude || !longitude) return {};
     const bool vouched_for = fields[c.vouch].find_first_of(c.vouching) != std::string::npos;
-    return WirePosition{{*latitude, *longitude}, fields[c.time], vouched_for};
+    const bool by_none = c.formatter == "GGA" && fields.size() > 7 && is_zero(fields[7]);
+    return WirePosition{{*latitude, *longitude}, fields[c.time], vouched_for, by_none};
   }
   return {};
 }

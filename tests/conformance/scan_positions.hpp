@@ -19,6 +19,7 @@ struct WirePosition {
   Position place;
   std::string epoch;  ///< iTOW or time of day, as sent
   bool vouched_for = false;
+  bool by_no_satellites = false;  ///< GGA: a fix, and 0 satellites used
 };
 
 /// From NAV-PVT, GGA, RMC, GNS and GLL with a right checksum, read only by their columns.

@@ -201,6 +201,67 @@ TEST_F(Scoreboard, APositionThatGpsdReadsOtherwiseIsWrong) {
   EXPECT_FALSE(clean(score_all(root_)));
 }
 
+/// Its GGA says quality 1 and 00 satellites, and gpsd has no report of it.
+TEST_F(Scoreboard, APositionByNoSatellitesIsSaidAndNotWrong) {
+  const auto gga = [](const char* time, const char* latitude, const char* satellites) {
+    return sentence(std::string("GPGGA,") + time + "," + latitude + ",N,00518.8170,E,1," +
+                    satellites + ",1.0,5.0,M,40.0,M,,");
+  };
+  write("gps/gpsd/daemon/made.log", gga("094736", "5256.0000", "08") +
+                                        gga("094737", "5257.0000", "00") +
+                                        gga("094738", "5258.0000", "08"));
+  const std::string chk = report_of("09:47:36.000", "52.933333333") +
+                          report_of("09:47:37.000", "52.933333333") +
+                          report_of("09:47:38.000", "52.966666667");
+  write("gps/gpsd/daemon/made.log.chk", chk);
+  const auto results = score_all(root_);
+  EXPECT_TRUE(clean(results));
+  bool said = false;
+  for (const auto& result : results)
+    said |= result.score.rules().contains("a fix by no satellites");
+  EXPECT_TRUE(said);
+}
+
+TEST_F(Scoreboard, AMakersOwnSentenceIsNoneOfItsLastLetters) {
+  write("gps/gpsd/daemon/made.log", sentence("GPHDT,10.5,T") + sentence("PQGSV,1,1,00"));
+  EXPECT_TRUE(clean(score_all(root_)));
+}
+
+TEST_F(Scoreboard, ASkyWithoutANumberIsAnErrorThatIsSaid) {
+  std::string nav_sat{"\xB5\x62\x01\x35\x08\0\0\0\0\0\1\0\0\0", 14};
+  unsigned char first = 0, second = 0;
+  for (std::size_t i = 2; i < nav_sat.size(); ++i) {
+    first = static_cast<unsigned char>(first + nav_sat[i]);
+    second = static_cast<unsigned char>(second + first);
+  }
+  nav_sat += {static_cast<char>(first), static_cast<char>(second)};
+  write("gps/gpsd/daemon/made.log", nav_sat);
+  write("gps/gpsd/daemon/made.log.chk",
+        R"({"class":"SKY","satellites":[{"gnssid":0,"el":10,"az":20,"used":true}]})"
+        "\n");
+  std::size_t errors = 0;
+  for (const auto& result : score_all(root_)) errors += result.score.errors().size();
+  EXPECT_EQ(errors, 1u);
+}
+
+/// The third ensemble of fixtures/pd0, whose NOTE.md says that it has no depth sensor.
+TEST_F(Scoreboard, APressureWithoutASensorIsSaidAndNotWrong) {
+  std::ifstream golden(DRYDOCK_SOURCE_DIR "/fixtures/pd0/golden.pd0", std::ios::binary);
+  const std::string all{std::istreambuf_iterator<char>(golden), {}};
+  std::size_t begin = 0;
+  const auto size_at = [&](std::size_t at) {
+    return static_cast<unsigned char>(all[at + 2]) +
+           256u * static_cast<unsigned char>(all[at + 3]) + 2;
+  };
+  for (int i = 0; i < 2; ++i) begin += size_at(begin);
+  write("dvl/pd0/raw/made.PD0", all.substr(begin, size_at(begin)));
+  write("dvl/pd0/expected/made.jsonl", R"({"i":0,"number":7,"pressure":0.0})"
+                                       "\n");
+  const Score score = only();
+  EXPECT_TRUE(score.clean());
+  EXPECT_EQ(score.rules().at("pressure without a sensor").messages, 1u);
+}
+
 /// The first record of fixtures/nortek-ad2cp, whose values its NOTE.md tells.
 json row_of_the_first_golden_record() {
   return json::parse(R"({"at":0,"id":27,"family":16,"version":1,"offset_of_data":36,"serial":105236,

@@ -107,7 +107,8 @@ void put_reference(MeasuredGrade& grade, const DeviceFigures& figures,
 MeasuredGrade grade_of(const DeviceFigures& figures) {
   MeasuredGrade grade;
   const double rate_hz = figures.timing.rate_hz.value;
-  grade.value.rate_hz = rate_hz;
+  const bool timed = figures.subject.times != Subject::Times::none;
+  if (timed) grade.value.rate_hz = rate_hz;
   grade.value.latency_s = std::max(0.0, figures.utc_latency_s.value_or(0));
   if (figures.timing.outages > 0)
     grade.value.dropout = {figures.timing.outage_probability.value, figures.timing.mean_outage};
@@ -118,7 +119,7 @@ MeasuredGrade grade_of(const DeviceFigures& figures) {
       if (!axis) continue;
       const Place place(grade, quantity, i);
       put_step(place, *axis, rate_hz, grade.value.*quantity);
-      if (!of.steady()) continue;
+      if (!timed || !of.steady()) continue;
       if (axis->noise) put_noise(place, *axis, of.quantity, rate_hz);
       if (of.quantity.name == "gyro") put_bias_at_rest(place, *axis);
     }

@@ -69,6 +69,7 @@ std::optional<characterize::NamedGrade> grade_beside(
     const CharacterizeOptions& options, const Characterized& device,
     const std::optional<characterize::NamedGrade>& of_rig) {
   const auto kind = device.figures.subject.kind;
+  if (device.figures.subject.times == Subject::Times::none) return std::nullopt;
   if (!options.grade.empty()) {
     auto grade = rig_config::load_sensor(options.grade, kind).value();
     return characterize::NamedGrade{std::filesystem::path(options.grade).stem().string(),
@@ -146,6 +147,9 @@ int characterize_source(const CharacterizeOptions& options, std::FILE* out, std:
     }
     if (!options.out.empty() && devices.size() > 1)
       throw std::invalid_argument("-o writes one device: --device says which");
+    if (!options.out.empty() && devices.front().figures.subject.times == Subject::Times::none)
+      throw std::invalid_argument("-o: " + options.source +
+                                  " has no times, so it tells no rate_hz for a sensor file");
     show(options, gathered, devices, out);
     return 0;
   } catch (const std::invalid_argument& error) {

@@ -122,6 +122,15 @@ Gathered gather_recording(const CharacterizeOptions& options) {
   return gathered;
 }
 
+Subject::Times times_of(shell::Pace pace) {
+  switch (pace) {
+    case shell::Pace::arrival: return Subject::Times::of_arrival;
+    case shell::Pace::device: return Subject::Times::of_device;
+    case shell::Pace::line: break;
+  }
+  return Subject::Times::none;
+}
+
 Gathered gather_capture(const CharacterizeOptions& options) {
   if (options.capture.protocol.empty())
     throw std::invalid_argument(
@@ -131,10 +140,12 @@ Gathered gather_capture(const CharacterizeOptions& options) {
   replay.capture = options.source;
   Gathered gathered;
   Samples samples{Subject{}};
-  const auto kind =
+  const auto played =
       decode::play(replay, [&samples](const measurement::Measurement& m) { samples.add(m); });
-  samples.subject.kind = kind;
-  samples.subject.name = to_string(kind);
+  samples.subject.kind = played.kind;
+  samples.subject.name = to_string(played.kind);
+  samples.subject.times = times_of(played.clock.pace);
+  gathered.notes.push_back(played.clock.in_words());
   gathered.devices.push_back(std::move(samples));
   return gathered;
 }

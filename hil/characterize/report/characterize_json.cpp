@@ -16,6 +16,7 @@ ordered_json of(const std::optional<Estimate>& e) { return e ? of(*e) : ordered_
 
 ordered_json timing_json(const characterize::DeviceFigures& figures) {
   const auto& t = figures.timing;
+  if (figures.subject.times == Subject::Times::none) return {{"samples", t.samples}};
   return {{"samples", t.samples},
           {"rate_hz", of(t.rate_hz)},
           {"device_rate_hz", of(t.device_rate_hz)},

@@ -29,7 +29,14 @@ report::Table timing_table(const Characterized& device) {
                        std::string stated = "") {
     table.rows.push_back({std::move(name), std::move(value), std::move(range), std::move(stated)});
   };
-  row("rate by the host's clock [Hz]", fmt::format("{:.8g}", t.rate_hz.value),
+  if (device.figures.subject.times == Subject::Times::none) {
+    row("samples", std::to_string(t.samples));
+    table.note = "Without times there is no rate, no noise over time and no sensor file.";
+    return table;
+  }
+  const bool by_device = device.figures.subject.times == Subject::Times::of_device;
+  row(by_device ? "rate by the device's own clock [Hz]" : "rate by the host's clock [Hz]",
+      fmt::format("{:.8g}", t.rate_hz.value),
       fmt::format("{:.8g} to {:.8g}", t.rate_hz.low, t.rate_hz.high),
       nominal > 0 ? fmt::format("{:g}", nominal) : "");
   if (t.device_rate_hz)
@@ -37,16 +44,21 @@ report::Table timing_table(const Characterized& device) {
         fmt::format("{:.2f}", (t.rate_hz.value / t.device_rate_hz->value - 1) * 1e6));
   row("jitter, rms [ms]", fmt::format("{:.4f}", t.jitter_s * 1e3));
   row("jitter, largest [ms]", fmt::format("{:.4f}", t.largest_jitter_s * 1e3));
-  row("age on arrival [ms]", fmt::format("{:.3f}", t.latency_s * 1e3));
-  row("age on arrival, spread [ms]", fmt::format("{:.4f}", t.latency_spread_s * 1e3));
-  row("age on arrival, largest [ms]", fmt::format("{:.3f}", t.largest_latency_s * 1e3));
+  if (!by_device) {
+    row("age on arrival [ms]", fmt::format("{:.3f}", t.latency_s * 1e3));
+    row("age on arrival, spread [ms]", fmt::format("{:.4f}", t.latency_spread_s * 1e3));
+    row("age on arrival, largest [ms]", fmt::format("{:.3f}", t.largest_latency_s * 1e3));
+  }
   if (device.figures.utc_latency_s)
     row("latency by its own UTC [ms]", fmt::format("{:.3f}", *device.figures.utc_latency_s * 1e3));
   row("samples", std::to_string(t.samples));
   row("lost", std::to_string(t.lost), fmt::format("in {} outages", t.outages));
   row("an outage begins, a sample", fmt::format("{:.3g}", t.outage_probability.value),
       bounds(t.outage_probability));
-  table.note = "Age on arrival: wire time and stated latency, as the driver accounts for them.";
+  table.note = by_device
+                   ? "The capture has no times of arrival: no age, no drift of the clock."
+                   : "Age on arrival: wire time and stated latency, as the driver accounts for "
+                     "them.";
   return table;
 }
 

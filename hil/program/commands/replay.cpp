@@ -68,6 +68,11 @@ void add_capture_options(CLI::App& sub, decode::ReplayOptions& c) {
          "--format", c.format,
          "the file's format, where its content does not tell: one of " + decode::decode_formats())
       ->group(group);
+  sub.add_option("--clock", c.clock,
+                 "of a capture without times of arrival: device (its own time, where it tells one; "
+                 "the default) or line (bytes at --baud)")
+      ->check(CLI::IsMember({"device", "line"}))
+      ->group(group);
   sub.add_option("--interface", c.interface, "of a CAN capture; default all")->group(group);
   sub.add_option("--address", c.address, "on the bus; default the first seen")->group(group);
 }

@@ -102,9 +102,26 @@ std::string pd0(const std::vector<std::string>& blocks) {
 TEST(PassedOver, DataTypesOfAnEnsembleAreNamedByTheirId) {
   const std::string ensemble = pd0({std::string("\x00\x01", 2) + std::string(30, 'v'),
                                     std::string("\x00\x30", 2) + std::string(10, 'a')});
-  EXPECT_THAT(
-      passed_over("pd0", ensemble + ensemble),
-      ElementsAre(Pair("block 0100", 2), Pair("block 3000", 2), Pair("frame of 56 bytes", 2)));
+  EXPECT_THAT(passed_over("pd0", ensemble + ensemble),
+              ElementsAre(Pair("block 0100 velocity profile", 2), Pair("block 3000", 2),
+                          Pair("frame of 56 bytes", 2)));
+}
+
+/// README.md of the dive: the vehicle's navigation is in data type 0x2000 of each of the 1934
+/// ensembles, in an order of its own.
+TEST_F(Corpora, TheNavigationOfAnAuvInItsEnsemblesIsCounted) {
+  const auto counts = passed_over("pd0", read_file(root_ / "dvl/pd0/raw/remus_20141219_a.adc"));
+  EXPECT_EQ(counts.at("block 2000 navigation, as of VmDas"), 1934);
+}
+
+/// SOURCES.md of the captures: the boat's GPS is in the data types 2022, 2101 and 2102. The counts
+/// are of a scan of the offset tables in Python.
+TEST_F(Corpora, TheSentencesOfWinRiverInEnsemblesAreCounted) {
+  const auto counts = passed_over(
+      "pd0", read_file(root_ / "dvl/pd0/raw/tanana_transects_08_10_10_0_002_10-08-10_142214.PD0"));
+  EXPECT_EQ(counts.at("block 2022 sentence, as of WinRiver"), 3197);
+  EXPECT_EQ(counts.at("block 2101 GGA sentence, as of WinRiver"), 580);
+  EXPECT_EQ(counts.at("block 2102 VTG sentence, as of WinRiver"), 580);
 }
 
 TEST(PassedOver, PgnsAreNamedWithNumberAndSubject) {

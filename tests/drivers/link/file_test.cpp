@@ -2,6 +2,7 @@
 
 #include <fstream>
 
+#include "drivers/link/file.hpp"
 #include "tests/drivers/link/running.hpp"
 
 namespace drydock::link::testing {
@@ -51,6 +52,16 @@ TEST_F(File, SpeedDividesThatTime) {
   const auto took = std::chrono::steady_clock::now() - begin;
   EXPECT_GE(took, 100ms);
   EXPECT_LT(took, 900ms);
+}
+
+TEST_F(File, AMessageComesWhenItsDeviceSaysTimesTheSpeed) {
+  const auto uri = parse_uri(recording(bytes("abcdefgh")) + "?speed=1000&clock=device").value();
+  const auto link = open_file(io.get_executor(), uri, Side::driver, {{3, 100s}, {6, 160s}}).value();
+  const auto begin = std::chrono::steady_clock::now();
+  EXPECT_EQ(run(io, link->read(buffer)).value().size, 3U);
+  EXPECT_EQ(run(io, link->read(buffer)).value().size, 3U);
+  EXPECT_GE(std::chrono::steady_clock::now() - begin, 60ms);
+  EXPECT_EQ(run(io, link->read(buffer)).value().size, 2U);  // behind the last message: at once
 }
 
 TEST_F(File, ClosingEndsAPacedRead) {

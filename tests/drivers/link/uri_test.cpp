@@ -161,10 +161,10 @@ TEST(Uri, ARecordingsKeysFitWhatItIsToCarry) {
   const auto misfit = [](const char* uri, Carries what) {
     return recording_misfit(parse_uri(uri).value(), what);
   };
-  EXPECT_EQ(
-      misfit("file:dive.cap?speed=1", Carries::bytes),
-      "\"file:dive.cap?speed=1\": speed=1 needs the baud rate of the recorded line, for example "
-      "file:dive.log?speed=1&baud=38400");
+  EXPECT_EQ(misfit("file:dive.cap?speed=1", Carries::bytes),
+            "\"file:dive.cap?speed=1\": speed=1 needs the baud rate of the recorded line or "
+            "clock=device, for example "
+            "file:dive.log?speed=1&baud=38400");
   EXPECT_EQ(misfit("file:can.log?speed=2&format=asc&interface=can1", Carries::frames), "");
   EXPECT_EQ(misfit("file:dive.cap?format=trc", Carries::bytes),
             "\"file:dive.cap?format=trc\": format=trc is for CAN frames; for bytes there is raw");

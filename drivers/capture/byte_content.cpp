@@ -1,0 +1,51 @@
+#include "drivers/capture/byte_content.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace drydock::capture {
+namespace {
+
+bool is_space(std::uint8_t byte) {
+  return byte == '\r' || byte == '\n' || byte == ' ' || byte == '\t';
+}
+
+std::optional<std::uint8_t> hex_digit(std::uint8_t letter) {
+  if (letter >= '0' && letter <= '9') return static_cast<std::uint8_t>(letter - '0');
+  const int from_a = (letter | 0x20) - 'a';
+  if (from_a < 0 || from_a > 5) return std::nullopt;
+  return static_cast<std::uint8_t>(10 + from_a);
+}
+
+bool same_letter(std::uint8_t byte, char upper) { return byte == upper || byte == (upper | 0x20); }
+
+}  // namespace
+
+bool is_hex_text(wire::Bytes text) {
+  constexpr std::array sync{'7', 'F', '7', 'F'};
+  constexpr std::size_t fewest = 16;  // the header of an ensemble and its first offset
+  const auto begin = std::ranges::search(text, sync, same_letter);
+  if (begin.empty() || text.size() < fewest) return false;
+  return std::ranges::all_of(
+      text, [](std::uint8_t byte) { return is_space(byte) || hex_digit(byte).has_value(); });
+}
+
+wire::Bytes ByteContent::of(wire::Bytes block) {
+  if (raw_) return block;
+  const wire::Bytes content = head_.without(block);
+  if (!is_hex_ && !content.empty()) is_hex_ = is_hex_text(content);
+  return is_hex() ? decoded(content) : content;
+}
+
+/// A half byte at the end of a line is none: the next line begins with a whole one.
+wire::Bytes ByteContent::decoded(wire::Bytes digits) {
+  bytes_.clear();
+  for (const std::uint8_t letter : digits) {
+    const auto digit = hex_digit(letter);
+    if (digit && half_) bytes_.push_back(static_cast<std::uint8_t>(*half_ << 4 | *digit));
+    half_ = digit && !half_ ? digit : std::nullopt;
+  }
+  return bytes_;
+}
+
+}  // namespace drydock::capture

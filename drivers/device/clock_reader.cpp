@@ -1,0 +1,104 @@
+#include "drivers/device/clock_reader.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace drydock::device {
+namespace {
+
+using measurement::MessageTimes;
+using std::chrono::nanoseconds;
+using namespace std::chrono_literals;
+
+constexpr std::chrono::microseconds place{1};  ///< of one byte or frame
+constexpr unsigned baud_of_places = 10'000'000;
+
+/// A byte takes one place, whatever its frame on the line was.
+DriverOptions on_places(DriverOptions options) {
+  options.baud = baud_of_places;
+  options.byte_frame = {};
+  return options;
+}
+
+/// A clock that counts within a day or a week begins anew with a small step.
+nanoseconds step_of(nanoseconds from, nanoseconds to) {
+  const nanoseconds step = to - from;
+  if (step >= 0ns) return step;
+  for (const nanoseconds turn : {nanoseconds{24h}, nanoseconds{7 * 24h}})
+    if (step + turn >= 0ns && step + turn < 1h) return step + turn;
+  return step;
+}
+
+bool is_jump(nanoseconds step) { return step < 0ns || step > 24h; }
+
+/// The median of the steps forward; zero if there are none.
+nanoseconds usual_step(const MessageTimes& told) {
+  std::vector<nanoseconds> steps;
+  for (std::size_t i = 1; i < told.size(); ++i) {
+    const nanoseconds step = step_of(told[i - 1].at, told[i].at);
+    if (step > 0ns && !is_jump(step)) steps.push_back(step);
+  }
+  if (steps.empty()) return 0ns;
+  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
+  std::ranges::nth_element(steps, middle);
+  return *middle;
+}
+
+}  // namespace
+
+RecordedTimes times_in_order(const MessageTimes& told) {
+  RecordedTimes times;
+  const nanoseconds usual = usual_step(told);
+  if (usual == 0ns) return times;
+  times.usual_step = usual;
+  times.messages.push_back(told.front());
+  for (std::size_t i = 1; i < told.size(); ++i) {
+    const nanoseconds step = step_of(told[i - 1].at, told[i].at);
+    times.jumps += is_jump(step);
+    const auto& last = times.messages.back();
+    times.messages.push_back({told[i].through, last.at + (is_jump(step) ? usual : step)});
+  }
+  // A number that falls as often as it rises is no time.
+  constexpr std::size_t fewest_steps_a_jump = 10;
+  if (times.jumps * fewest_steps_a_jump > told.size()) return {};
+  return times;
+}
+
+boost::system::result<ClockReader, DriverError> ClockReader::make(DriverOptions options,
+                                                                  Travels travels) {
+  if (travels == Travels::as_frames) {
+    auto driver = make_frame_driver(options);
+    if (!driver) return driver.error();
+    return ClockReader(AnyDriver(std::move(*driver)));
+  }
+  auto driver = make_byte_driver(on_places(std::move(options)));
+  if (!driver) return driver.error();
+  return ClockReader(AnyDriver(std::move(*driver)));
+}
+
+void ClockReader::feed(wire::Bytes bytes) {
+  now_ += place * static_cast<std::int64_t>(bytes.size());
+  std::get<std::unique_ptr<ByteDriver>>(driver_)->receive(bytes, now_, *this);
+}
+
+void ClockReader::feed(const wire::CanFrame& frame) {
+  now_ += place;
+  std::get<std::unique_ptr<FrameDriver>>(driver_)->receive(frame, now_, *this);
+}
+
+RecordedTimes ClockReader::finish() {
+  std::visit([this](auto& driver) { driver->finish(*this); }, driver_);
+  return times_in_order(told_);
+}
+
+void ClockReader::publish(const Measurement& measurement) {
+  const measurement::Origin& origin = measurement::origin_of(measurement);
+  if (!origin.device_time) return;
+  const auto through =
+      static_cast<std::uint64_t>(origin.received_at.time_since_epoch() / nanoseconds{place});
+  if (told_.empty() || through > told_.back().through)
+    told_.push_back({through, *origin.device_time});
+}
+
+}  // namespace drydock::device

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <boost/system/result.hpp>
+#include <memory>
+#include <variant>
+
+#include "drivers/device/driver.hpp"
+#include "drivers/device/make_driver.hpp"
+#include "drivers/measurement/message_time.hpp"
+
+namespace drydock::device {
+
+/// The times of a recording's messages. Empty if the protocol does not tell the device's time.
+struct RecordedTimes {
+  measurement::MessageTimes messages;
+  std::chrono::nanoseconds usual_step{0};  ///< from one to the next, the median
+  std::size_t jumps = 0;  ///< of the clock, backward or by more than a day: taken as a usual step
+};
+
+/// Runs a driver over a recording without times and reads the device's clock in what it publishes.
+/// Each byte, or frame, counts as one microsecond, so received_at tells the place of a message.
+class ClockReader final : private Output {
+ public:
+  /// Fails if no driver speaks the protocol for this kind of sensor.
+  static boost::system::result<ClockReader, DriverError> make(DriverOptions options,
+                                                              Travels travels);
+
+  void feed(wire::Bytes bytes);  ///< of a device on a byte link
+  void feed(const wire::CanFrame& frame);
+  /// The recording is at its end.
+  RecordedTimes finish();
+
+ private:
+  using AnyDriver = std::variant<std::unique_ptr<ByteDriver>, std::unique_ptr<FrameDriver>>;
+
+  explicit ClockReader(AnyDriver driver) : driver_(std::move(driver)) {}
+  void publish(const Measurement& measurement) override;
+  void send(wire::Bytes) override {}
+  void send(const wire::CanFrame&) override {}
+
+  AnyDriver driver_;
+  Stamp now_{};
+  measurement::MessageTimes told_;
+};
+
+/// Makes of what a clock told times that never fall. A time of day and a time of week may begin
+/// anew. A clock that tells hardly a step forward is none.
+RecordedTimes times_in_order(const measurement::MessageTimes& told);
+
+}  // namespace drydock::device

@@ -1,0 +1,109 @@
+#include "drivers/shell/recording_clock.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+
+#include "drivers/capture/arrival_times.hpp"
+#include "drivers/capture/byte_file.hpp"
+#include "drivers/link/can/frame_file.hpp"
+
+namespace drydock::shell {
+namespace {
+
+using device::ClockReader;
+using device::DriverOptions;
+using device::RecordedTimes;
+using device::Travels;
+
+RecordedTimes times_of_bytes(const link::Uri& uri, ClockReader reader) {
+  capture::ByteFile file(uri.target, uri.text_of("format") == "raw",
+                         std::string(uri.text_of("interface")));
+  std::array<std::uint8_t, 64> piece;
+  while (const std::size_t size = file.read(piece)) reader.feed(wire::Bytes(piece).first(size));
+  return reader.finish();
+}
+
+RecordedTimes times_of_frames(const link::Uri& uri, ClockReader reader) {
+  capture::CaptureFile file = link::capture_of(uri);
+  while (const auto record = file.next()) reader.feed(record->frame);
+  return reader.finish();
+}
+
+RecordedTimes device_times(const link::Uri& uri, const DriverOptions& driver, Travels travels) {
+  auto reader = ClockReader::make(driver, travels);
+  if (!reader) return {};
+  return travels == Travels::as_frames ? times_of_frames(uri, std::move(*reader))
+                                       : times_of_bytes(uri, std::move(*reader));
+}
+
+capture::ArrivalTimes arrival_times(const link::Uri& uri) {
+  capture::CaptureFile file = link::capture_of(uri);
+  capture::ArrivalTimes arrivals;
+  while (!arrivals.enough()) {
+    const auto record = file.next();
+    if (!record) break;
+    arrivals.add(*record);
+  }
+  return arrivals;
+}
+
+/// Empty: a file of bytes alone.
+std::optional<std::chrono::nanoseconds> first_packet_time(const link::Uri& uri) {
+  if (uri.text_of("format") == "raw" || !capture::is_pcapng(uri.target)) return {};
+  capture::LineFile line(uri.target, false, std::string(uri.text_of("interface")));
+  const auto first = line.next();
+  return first ? first->time : std::nullopt;
+}
+
+}  // namespace
+
+std::string RecordingClock::in_words() const {
+  switch (pace) {
+    case Pace::arrival: return "times: of the capture";
+    case Pace::device:
+      return fmt::format(
+          "times: of the device's own clock{}",
+          times.jumps > 0 ? fmt::format(", which jumped {} times", times.jumps) : "");
+    case Pace::line: break;
+  }
+  return "no times: neither the capture nor the device tells them, so messages follow at the rate "
+         "of the line";
+}
+
+std::optional<double> RecordingClock::usual_rate_hz() const {
+  if (pace != Pace::device) return {};
+  return 1 / measurement::seconds(times.usual_step);
+}
+
+double RecordingClock::seconds() const {
+  const auto& messages = times.messages;
+  return messages.empty() ? 0 : measurement::seconds(messages.back().at - messages.front().at);
+}
+
+RecordingClock clock_of(const link::Uri& uri, const DriverOptions& driver, Travels travels) {
+  const std::string_view wanted = uri.text_of("clock");
+  RecordingClock clock;
+  if (travels == Travels::as_frames && wanted != "device") {
+    if (const auto arrivals = arrival_times(uri); arrivals.are_told()) {
+      clock.pace = Pace::arrival;
+      clock.first = Stamp{*arrivals.first()};
+      return clock;
+    }
+  }
+  if (travels == Travels::as_bytes && wanted != "device") {
+    if (const auto first = first_packet_time(uri)) {
+      clock.pace = Pace::arrival;
+      clock.first = Stamp{*first};
+      return clock;
+    }
+  }
+  if (wanted == "line") return clock;
+  clock.times = device_times(uri, driver, travels);
+  if (clock.times.messages.empty()) return clock;
+  clock.pace = Pace::device;
+  clock.first = Stamp{clock.times.messages.front().at};
+  return clock;
+}
+
+}  // namespace drydock::shell

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "drivers/device/clock_reader.hpp"
+#include "drivers/device/driver_options.hpp"
+#include "drivers/link/uri.hpp"
+
+namespace drydock::shell {
+
+using measurement::Stamp;
+
+/// What gives a recording (`file:` link) its times.
+enum class Pace : std::uint8_t {
+  arrival,  ///< the capture keeps when each frame or each read arrived
+  device,   ///< it does not, but the device tells its own time
+  line      ///< neither: bytes follow each other at the line's rate, frames as on a full bus
+};
+
+struct RecordingClock {
+  Pace pace = Pace::line;
+  device::RecordedTimes times{};  ///< pace device
+  Stamp first{};                  ///< the first time, UTC where the clock is; line: zero
+
+  std::string in_words() const;
+  /// Of the device's messages by its own clock; otherwise empty.
+  std::optional<double> usual_rate_hz() const;
+  double seconds() const;  ///< from the first to the last of them
+};
+
+/// Reads a recording once to its end and decides. The key `clock` of the URI (`line`) forbids the
+/// device's clock, `clock=device` prefers it to the capture's times. Frames that came faster than
+/// any bus carries them have no times of arrival. A file that cannot be read has pace line.
+RecordingClock clock_of(const link::Uri& uri, const device::DriverOptions& driver,
+                        device::Travels travels);
+
+}  // namespace drydock::shell

@@ -1,0 +1,71 @@
+#pragma once
+
+#include "estimators/frame/attitude.hpp"
+#include "estimators/pipeline/estimator.hpp"
+#include "estimators/pipeline/inertial/navigation_estimate.hpp"
+#include "estimators/pipeline/options.hpp"
+
+namespace drydock::pipeline {
+
+/// Speed over ground, else through the water, turned into NED by the heading and summed up. It
+/// gives an estimate for each speed that it uses. A gap is bridged by a line between the speeds
+/// before and behind it, and counted. docs/estimators/dead-reckoning.md
+class DeadReckoningEstimator final : public Estimator {
+ public:
+  /// No underwater vehicle exceeds this limit. A speed beyond it is refused.
+  static constexpr double max_speed_mps = 100;
+
+  DeadReckoningEstimator(Seat seat, const ReckoningOptions& options,
+                         const PipelineOptions& pipeline);
+
+  using Estimator::take;
+  Outcome take(const measurement::ImuSample&, EstimateListener&) override {
+    return Outcome::unused;
+  }
+  Outcome take(const measurement::BottomVelocity& track, EstimateListener& listener) override;
+  Outcome take(const measurement::WaterSpeed& speed, EstimateListener& listener) override;
+  Outcome take(const measurement::AttitudeSample& sample, EstimateListener& listener) override;
+  Outcome take(const measurement::DepthSample& sample, EstimateListener& listener) override;
+  Outcome take(const measurement::GnssFix& fix, EstimateListener& listener) override;
+  const EstimatorStatus& status() const override { return status_; }
+
+ private:
+  /// A speed at one instant, as measured, in NED.
+  struct Speed {
+    Stamp valid_at{};
+    Eigen::Vector3d ned = Eigen::Vector3d::Zero();
+    SpeedOver over = SpeedOver::ground;
+  };
+
+  void note_attitude(const measurement::BottomVelocity& track);
+  bool knows_heading(Stamp at) const;
+  bool is_recent(Stamp then, Stamp at) const;
+  Outcome go_on(const Speed& speed, EstimateListener& listener);
+  void move(const Speed& speed, double dt);
+  void note_gap(double dt);
+  void start_at(const frame::Position& origin);
+  Eigen::Vector3d arm(const std::optional<ReckoningDevice>& device) const;
+  void emit(EstimateListener& listener);
+  NavigationEstimate estimate() const;
+  Integrity integrity_of(const NavigationEstimate& estimate) const;
+  void note_fed_by(const std::optional<ReckoningDevice>& device);
+
+  std::uint16_t index_;
+  ReckoningOptions options_;
+  std::chrono::nanoseconds gap_, max_age_;
+  AlertLimits alert_;
+  ReckoningFilter filter_;
+  frame::Euler attitude_;   ///< of the body; the heading is true
+  bool tilt_told_ = false;  ///< by the device of `heading`
+  std::optional<Stamp> heading_at_, ground_at_, depth_at_;
+  double depth_m_ = 0;                       ///< of the depth sensor
+  std::optional<frame::Position> position_;  ///< of the place whose speed is known
+  double down_variance_ = 0;
+  std::optional<Speed> last_;
+  Eigen::Vector3d last_ground_ = Eigen::Vector3d::Zero();
+  int far_behind_ = 0;  ///< speeds in a row from the past
+  std::uint32_t fed_by_ = 0;
+  EstimatorStatus status_;
+};
+
+}  // namespace drydock::pipeline

@@ -1,0 +1,345 @@
+#include "estimators/pipeline/reckoning/dead_reckoning_estimator.hpp"
+
+#include <gmock/gmock.h>
+
+#include <Eigen/LU>
+#include <limits>
+#include <numbers>
+#include <random>
+
+#include "tests/estimators/pipeline/support.hpp"
+
+namespace drydock::pipeline::dead_reckoning_estimator_test {
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+using test::at_ms;
+using testing::HasSubstr;
+
+constexpr double degree = std::numbers::pi / 180;
+constexpr std::uint16_t dvl_device = 1, log_device = 2, compass_device = 3, depth_device = 4,
+                        gnss_device = 5;
+const frame::Position start{41.55 * degree, -70.7 * degree, 0};
+
+ReckoningDevice at_origin(std::uint16_t device) {
+  ReckoningDevice there;
+  there.index = device;
+  return there;
+}
+ReckoningDevice at(std::uint16_t device, const Vector3d& lever) {
+  ReckoningDevice there = at_origin(device);
+  there.lever = lever;
+  return there;
+}
+
+ReckoningOptions by_dvl() {
+  ReckoningOptions options;
+  options.dvl = at_origin(dvl_device);
+  options.start = start;
+  return options;
+}
+
+measurement::Origin origin(std::int64_t ms, std::uint16_t device) {
+  measurement::Origin origin;
+  origin.valid_at = origin.received_at = at_ms(ms);
+  origin.device = device;
+  return origin;
+}
+
+measurement::BottomVelocity track(std::int64_t ms, const Vector3d& body, double heading_rad) {
+  measurement::BottomVelocity track;
+  track.origin = origin(ms, dvl_device);
+  track.velocity = body;
+  track.heading_rad = heading_rad;
+  track.pitch_rad = track.roll_rad = 0;
+  return track;
+}
+
+measurement::AttitudeSample compass(std::int64_t ms, double true_heading_rad) {
+  measurement::AttitudeSample sample;
+  sample.origin = origin(ms, compass_device);
+  sample.true_heading_rad = true_heading_rad;
+  return sample;
+}
+
+measurement::WaterSpeed log_speed(std::int64_t ms, double mps) {
+  measurement::WaterSpeed speed;
+  speed.origin = origin(ms, log_device);
+  speed.longitudinal_mps = mps;
+  return speed;
+}
+
+measurement::GnssFix fix(std::int64_t ms, const Vector3d& offset, double sigma_m = 2) {
+  const auto place = frame::at_ned_offset(start, offset);
+  measurement::GnssFix fix;
+  fix.origin = origin(ms, gnss_device);
+  fix.position = measurement::Geodetic{place.latitude_rad, place.longitude_rad};
+  fix.horizontal_accuracy_m = sigma_m;
+  return fix;
+}
+
+/// One estimator, and all that it told.
+struct Reckoning final : EstimateListener {
+  explicit Reckoning(const ReckoningOptions& options)
+      : estimator(Seat{.index = 0, .imu = 0}, options, PipelineOptions{}) {}
+
+  template <class Sample>
+  Outcome take(const Sample& sample) {
+    return estimator.take(sample, *this);
+  }
+  void on_attitude(const AttitudeEstimate&) override {}
+  void on_navigation(const NavigationEstimate& estimate) override { all.push_back(estimate); }
+  void on_innovation(const InnovationReport& report) override { innovations.push_back(report); }
+  Vector3d offset() const { return frame::ned_offset(start, all.back().position); }
+
+  DeadReckoningEstimator estimator;
+  std::vector<NavigationEstimate> all;
+  std::vector<InnovationReport> innovations;
+};
+
+TEST(DeadReckoning, AStraightLegIsSpeedTimesTime) {
+  Reckoning run(by_dvl());
+  for (int s = 0; s <= 1000; ++s) run.take(track(1000 * s, {1.5, 0, 0}, 90 * degree));
+  EXPECT_NEAR(run.offset().x(), 0, 0.2);  // the curve of the Earth: d^2 tan(latitude) / 2R
+  EXPECT_NEAR(run.offset().y(), 1500, 1e-3);
+  EXPECT_EQ(run.all.size(), 1001u);
+  EXPECT_NEAR(run.all.back().velocity_ned.y(), 1.5, 1e-12);
+  EXPECT_EQ(run.estimator.status().bridged, 0u);
+}
+
+/// A heading error of 1 degree pushes 1500 m aside by 26.2 m, a scale of half a percent along by
+/// 7.5 m; the start has 10 m, a thousand samples of 2 cm/s 0.63 m and the wander 0.91 m.
+TEST(DeadReckoning, ItsCovarianceIsThatOfHeadingScaleAndStart) {
+  ReckoningOptions options = by_dvl();
+  options.errors.heading_rad = degree;
+  Reckoning run(options);
+  for (int s = 0; s <= 1000; ++s) run.take(track(1000 * s, {1.5, 0, 0}, 90 * degree));
+  const auto& p = run.all.back().covariance;
+  const double noise = 1000 * (0.02 * 0.02 + 0.1 * 0.1 / 12);
+  EXPECT_NEAR(p(0, 0), 100 + std::pow(1500 * degree, 2) + noise, 0.1);
+  EXPECT_NEAR(p(1, 1), 100 + std::pow(1500 * 0.005, 2) + noise, 0.1);
+}
+
+/// 200 runs of turning legs with a drawn heading error, scale and start: the squares of the errors,
+/// in units of the covariance, have the mean of chi-square with two degrees of freedom.
+TEST(DeadReckoning, ItsErrorsAreAsLargeAsItSays) {
+  std::mt19937 random(20);
+  std::normal_distribution<double> normal;
+  ReckoningOptions options = by_dvl();
+  options.errors.wander = 0;
+  double squares = 0;
+  constexpr int runs = 200;
+  for (int i = 0; i < runs; ++i) {
+    Reckoning run(options);
+    const double turned = options.errors.heading_rad * normal(random),
+                 scale = 1 + options.errors.scale * normal(random);
+    const Vector2d begun{10 * normal(random), 10 * normal(random)};
+    Vector2d truth = begun, before{};
+    for (int s = 0; s <= 900; ++s) {
+      const double heading = s < 400 ? 0.5 : s < 700 ? 2.0 : 4.0;
+      const Vector2d now = 2 * scale * Vector2d{std::cos(heading), std::sin(heading)};
+      if (s > 0) truth += (before + now) / 2;
+      before = now;
+      const Vector3d noise{0.02 * normal(random), 0.02 * normal(random), 0};
+      run.take(track(1000 * s, Vector3d{2, 0, 0} + noise, heading - turned));
+    }
+    const Vector2d error = run.offset().head<2>() - truth;
+    squares += error.dot(run.all.back().covariance.topLeftCorner<2, 2>().inverse() * error);
+  }
+  EXPECT_NEAR(squares / runs, 2, 4 * 2 / std::sqrt(runs));  // four sigmas of that mean
+}
+
+TEST(DeadReckoning, PitchAndRollTurnTheVelocityIntoTheLevel) {
+  Reckoning run(by_dvl());
+  for (int s = 0; s <= 100; ++s) {
+    auto diving = track(1000 * s, {2, 0, 0}, 0);
+    diving.pitch_rad = -30 * degree;
+    run.take(diving);
+  }
+  EXPECT_NEAR(run.offset().x(), 200 * std::sqrt(0.75), 1e-2);
+  EXPECT_NEAR(run.offset().z(), 100, 1e-2);
+}
+
+/// The head is turned by 90 degrees to starboard: its roll is the vehicle's pitch, its pitch the
+/// roll reversed, and its heading 90 degrees more.
+TEST(DeadReckoning, TheDvlsOwnAttitudeIsThatOfItsHead) {
+  ReckoningOptions options = by_dvl();
+  options.dvl->sensor_to_body << 0, -1, 0, 1, 0, 0, 0, 0, 1;
+  Reckoning run(options);
+  for (int s = 0; s <= 100; ++s) {
+    auto diving = track(1000 * s, {2, 0, 0}, 120 * degree);
+    diving.roll_rad = -30 * degree;
+    run.take(diving);
+  }
+  EXPECT_NEAR(run.offset().head<2>().norm(), 200 * std::sqrt(0.75), 1e-2);
+  EXPECT_NEAR(std::atan2(run.offset().y(), run.offset().x()), 30 * degree, 1e-5);
+  EXPECT_NEAR(run.offset().z(), 100, 1e-2);
+}
+
+TEST(DeadReckoning, ADepthSensorGivesTheDepthOfTheOrigin) {
+  ReckoningOptions options = by_dvl();
+  options.depth = at(depth_device, {0, 0, 0.5});
+  Reckoning run(options);
+  run.take(track(0, {1, 0, 0.2}, 0));
+  measurement::DepthSample depth;
+  depth.origin = origin(900, depth_device);
+  depth.depth_m = 12.5;
+  run.take(depth);
+  run.take(track(1000, {1, 0, 0.2}, 0));
+  EXPECT_NEAR(run.all.back().position.height_m, -12, 1e-6);
+  EXPECT_NEAR(run.all.back().covariance(2, 2), 0.25, 1e-12);
+}
+
+/// Twenty seconds without bottom lock between 1 m/s and 3 m/s: 40 m, and sigma q T^3 / 12 more.
+TEST(DeadReckoning, AGapIsBridgedByALineAndCounted) {
+  Reckoning run(by_dvl());
+  run.take(track(0, {1, 0, 0}, 0));
+  for (int s = 2; s < 20; s += 2) {
+    auto lost = track(1000 * s, {}, 0);
+    lost.velocity.reset();
+    EXPECT_EQ(run.take(lost), Outcome::unused);
+  }
+  const double before = run.all.back().covariance(0, 0);
+  run.take(track(20'000, {3, 0, 0}, 0));
+  EXPECT_NEAR(run.offset().x(), 40, 1e-3);
+  EXPECT_EQ(run.estimator.status().bridged, 1u);
+  EXPECT_NEAR(run.estimator.status().bridged_s, 20, 1e-9);
+  EXPECT_NEAR(run.all.back().covariance(0, 0) - before,
+              0.01 * 8000 / 12 + std::pow(0.02 * 20, 2) + std::pow(40 * 0.005, 2), 1e-6);
+}
+
+TEST(DeadReckoning, ASpeedWithoutAFreshHeadingIsNotUsed) {
+  ReckoningOptions options = by_dvl();
+  options.heading = at_origin(compass_device);
+  Reckoning run(options);
+  EXPECT_EQ(run.take(track(0, {1, 0, 0}, 90 * degree)), Outcome::unused);  // its compass is another
+  EXPECT_EQ(run.take(compass(0, 0)), Outcome::accepted);
+  EXPECT_EQ(run.take(track(1000, {1, 0, 0}, 90 * degree)), Outcome::accepted);
+  EXPECT_EQ(run.take(track(9000, {1, 0, 0}, 90 * degree)), Outcome::unused);
+  run.take(compass(9500, 0));
+  run.take(track(10'000, {1, 0, 0}, 90 * degree));
+  EXPECT_NEAR(run.offset().x(), 9, 1e-3);
+  EXPECT_EQ(run.estimator.status().bridged, 1u);
+}
+
+/// 0.3 m/s of current to the east shows while DVL and log both speak. Then the bed is out of reach.
+TEST(DeadReckoning, WithoutBottomLockTheLogGoesOnWithTheCurrentThatWasSeen) {
+  ReckoningOptions options = by_dvl();
+  options.log = at_origin(log_device);
+  options.heading = at_origin(compass_device);
+  Reckoning run(options);
+  for (int s = 0; s <= 300; ++s) {
+    run.take(compass(1000 * s, 0));
+    if (s <= 60) run.take(track(1000 * s, {2, 0.3, 0}, 0));
+    run.take(log_speed(1000 * s, 2));
+  }
+  EXPECT_NEAR(run.offset().x(), 600, 1);
+  EXPECT_NEAR(run.offset().y(), 90, 1);
+  ASSERT_TRUE(run.all.back().current);
+  EXPECT_NEAR(run.all.back().current->north_east_mps.y(), 0.3, 0.01);
+  EXPECT_EQ(run.estimator.status().bridged, 1u);  // until the log takes over
+}
+
+/// The current is not known: after 1000 s it has 0.2 m/s times 1000 s of error.
+TEST(DeadReckoning, ALogAloneHasTheErrorOfTheCurrent) {
+  ReckoningOptions options = by_dvl();
+  options.dvl.reset();
+  options.log = at_origin(log_device);
+  options.heading = at_origin(compass_device);
+  Reckoning run(options);
+  for (int s = 0; s <= 1000; ++s) {
+    run.take(compass(1000 * s, 0));
+    run.take(log_speed(1000 * s, 2));
+  }
+  EXPECT_NEAR(run.offset().x(), 2000, 1e-2);
+  EXPECT_NEAR(std::sqrt(run.all.back().covariance(0, 0)), 200, 1);
+}
+
+TEST(DeadReckoning, MagneticHeadingsGetTheVariation) {
+  ReckoningOptions options = by_dvl();
+  options.variation_rad = -15 * degree;
+  Reckoning run(options);
+  for (int s = 0; s <= 100; ++s) run.take(track(1000 * s, {1, 0, 0}, 105 * degree));
+  EXPECT_NEAR(run.offset().y(), 100, 1e-2);
+}
+
+/// The DVL is 5 m ahead of the origin. The vehicle turns on the spot: the origin stays.
+TEST(DeadReckoning, ATurnOnTheSpotMovesTheDvlAndNotTheOrigin) {
+  ReckoningOptions options = by_dvl();
+  options.dvl = at(dvl_device, {5, 0, 0});
+  Reckoning run(options);
+  const double rate = degree;
+  for (int s = 0; s <= 90; ++s) run.take(track(1000 * s, {0, 5 * rate, 0}, rate * s));
+  EXPECT_LT(run.offset().head<2>().norm(), 0.01);
+}
+
+/// Two fixes 1000 m apart show that the compass is 2 degrees wrong, and the track behind is right.
+TEST(DeadReckoning, FixesShowTheHeadingError) {
+  ReckoningOptions options = by_dvl();
+  options.gnss = at_origin(gnss_device);
+  options.errors.heading_rad = 3 * degree;
+  Reckoning run(options);
+  const auto sail = [&](int from, int to) {
+    for (int s = from; s <= to; ++s) run.take(track(1000 * s, {1, 0, 0}, 2 * degree));
+  };
+  sail(0, 0);
+  run.take(fix(0, {0, 0, 0}, 0.1));
+  sail(1, 1000);
+  EXPECT_NEAR(run.offset().y(), 1000 * std::sin(2 * degree), 1);
+  run.take(fix(1'000'000, {1000, 0, 0}, 0.1));
+  sail(1001, 2000);
+  EXPECT_NEAR(run.offset().y(), 0, 1);
+  EXPECT_NEAR(run.all.back().velocity_ned.y(), 0, 1e-3);
+  ASSERT_EQ(run.innovations.size(), 2u);
+  // The north shows the heading a little already, so the east is compared with less of an error.
+  EXPECT_NEAR(run.innovations[1].rows[0].value, 1000 * (1 - std::cos(2 * degree)), 0.1);
+  EXPECT_NEAR(run.innovations[1].rows[1].value, -1000 * std::sin(2 * degree), 3);
+}
+
+TEST(DeadReckoning, WithoutAGivenStartItBeginsAtTheFirstFix) {
+  ReckoningOptions options = by_dvl();
+  options.start.reset();
+  options.gnss = at(gnss_device, {0, 0, -1});
+  Reckoning run(options);
+  EXPECT_EQ(run.take(track(0, {1, 0, 0}, 0)), Outcome::unused);
+  run.take(fix(500, {30, 40, 0}));
+  run.take(track(1000, {1, 0, 0}, 0));
+  EXPECT_NEAR(run.offset().x(), 30, 1e-4);
+  EXPECT_NEAR(run.offset().y(), 40, 1e-4);
+  EXPECT_NEAR(run.all.back().covariance(0, 0), 4, 1e-9);  // of that fix
+}
+
+TEST(DeadReckoning, WhatNoVehicleDoesIsRefusedAndThePastIsLate) {
+  Reckoning run(by_dvl());
+  EXPECT_EQ(run.take(track(0, {1, 0, 0}, 0)), Outcome::accepted);
+  EXPECT_EQ(run.take(track(1000, {200, 0, 0}, 0)), Outcome::refused);
+  EXPECT_EQ(run.take(track(1000, {std::numeric_limits<double>::quiet_NaN(), 0, 0}, 0)),
+            Outcome::refused);
+  EXPECT_EQ(run.take(track(-1000, {1, 0, 0}, 0)), Outcome::late);
+  EXPECT_EQ(run.all.size(), 1u);
+}
+
+TEST(DeadReckoning, AClockThatIsSetBackStartsAnew) {
+  Reckoning run(by_dvl());
+  run.take(track(3'600'000, {1, 0, 0}, 0));
+  for (int s = 0; s < 20; ++s) run.take(track(1000 * s, {1, 0, 0}, 0));
+  EXPECT_EQ(run.estimator.status().restarts, 1u);
+  EXPECT_NEAR(run.offset().x(), 10, 1e-3);
+}
+
+TEST(DeadReckoning, OptionsWithoutSpeedHeadingOrStartAreRefused) {
+  ReckoningOptions none;
+  EXPECT_THAT(fault_of(none), HasSubstr("dvl or log"));
+  ReckoningOptions blind = by_dvl();
+  blind.dvl.reset();
+  blind.log = at_origin(log_device);
+  EXPECT_THAT(fault_of(blind), HasSubstr("heading"));
+  ReckoningOptions nowhere = by_dvl();
+  nowhere.start.reset();
+  EXPECT_THAT(fault_of(nowhere), HasSubstr("latitude_deg"));
+  EXPECT_EQ(fault_of(by_dvl()), "");
+}
+
+}  // namespace
+}  // namespace drydock::pipeline::dead_reckoning_estimator_test
