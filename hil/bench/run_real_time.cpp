@@ -57,7 +57,8 @@ class RealTimeRun {
         faults_(io_, rig, *trajectory_, start_),
         emulator_(io_, faults_.injector()),
         drivers_(io_, devices_of(rig), run_.followers()),
-        estimators_(io_, setup::pipeline_options(rig), subscriber_, run_.followers()),
+        outside_{.lockstep = false, .say = [this](const std::string& line) { table_.note(line); }},
+        estimators_(io_, setup::pipeline_options(rig, &outside_), subscriber_, run_.followers()),
         table_(drivers_.shell(), start_, duration_s_),
         finding_lines_(rig, start_, [this](const std::string& line) { table_.note(line); }) {
     if (!options.quiet) run_.followers().add(table_);
@@ -152,6 +153,7 @@ class RealTimeRun {
   emulate::RealTimeEmulator emulator_;
   std::optional<host::RigViewer> viewer_;
   host::DriverHost drivers_;
+  setup::Outside outside_;
   host::EstimatorHost estimators_;
   monitor::LiveTable table_;
   host::FindingLines finding_lines_;

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 namespace drydock::report::html {
 namespace {
 
@@ -20,6 +22,17 @@ figure{margin:1rem 0;background:#fff;border:1px solid var(--line);border-radius:
 figure svg{width:100%;height:auto;display:block}
 )";
 
+/// True if there are values, but each of them is NaN: of a quantity that is not given.
+bool is_not_given(const Figure& plot) {
+  bool any = false;
+  for (const auto& curve : plot.curves)
+    for (const double y : curve.y) {
+      if (!std::isnan(y)) return false;
+      any = true;
+    }
+  return any;
+}
+
 }  // namespace
 
 std::string escaped(const std::string& text) {
@@ -37,6 +50,7 @@ std::string escaped(const std::string& text) {
 }
 
 std::string figure(const Figure& plot) {
+  if (is_not_given(plot)) return {};
   const auto svg = render_svg(plot);
   if (svg.empty()) {
     return fmt::format("<p class=soft>{}: no plot (is gnuplot installed?)</p>",
