@@ -6,8 +6,8 @@
 
 namespace drydock::host {
 
-/// Puts measurements, estimates, health and findings of a run on the bus. The truth is not on the
-/// bus.
+/// Puts measurements, estimates, health and findings of a run on the bus. The truth is not
+/// among them: bench::BusTruth.
 class RigPublisher final : public Follower {
  public:
   RigPublisher(const bus::Participant& participant, const std::vector<bus::Device>& devices,

@@ -31,19 +31,6 @@ Matrix3d rotation_per_angles(double pitch, double heading) {
   return j;
 }
 
-pipeline::Integrity integrity_of(const Values& values) {
-  const Matrix3d attitude = or_nan(values.attitude_rad2), position = or_nan(values.position_m2);
-  pipeline::Integrity integrity{.valid = values.valid,
-                                .roll_bound_rad = bound(attitude(0, 0)),
-                                .pitch_bound_rad = bound(attitude(1, 1)),
-                                .heading_bound_rad = {},
-                                .horizontal_bound_m = {}};
-  if (values.attitude_rad2) integrity.heading_bound_rad = bound(attitude(2, 2));
-  if (values.position_m2)
-    integrity.horizontal_bound_m = bound(std::max(position(0, 0), position(1, 1)));
-  return integrity;
-}
-
 pipeline::AttitudeEstimate attitude_of(const Values& values) {
   const Vector3d angles = *values.roll_pitch_heading_rad;
   pipeline::AttitudeEstimate estimate;
@@ -52,7 +39,11 @@ pipeline::AttitudeEstimate attitude_of(const Values& values) {
   estimate.pitch_rad = angles.y();
   if (std::isfinite(angles.z())) estimate.yaw_rad = angles.z();
   estimate.covariance = or_nan(values.attitude_rad2).topLeftCorner<2, 2>();
-  estimate.integrity = integrity_of(values);
+  estimate.integrity = {.valid = values.valid,
+                        .roll_bound_rad = bound(estimate.covariance(0, 0)),
+                        .pitch_bound_rad = bound(estimate.covariance(1, 1)),
+                        .heading_bound_rad = {},
+                        .horizontal_bound_m = {}};
   return estimate;
 }
 
@@ -71,7 +62,8 @@ pipeline::NavigationEstimate navigation_of(const Values& values) {
   estimate.covariance.topLeftCorner<3, 3>() = or_nan(values.position_m2);
   estimate.covariance.block<3, 3>(3, 3) = or_nan(values.velocity_m2ps2);
   set_attitude(values, estimate);
-  estimate.integrity = integrity_of(values);
+  set_bounds(estimate);
+  estimate.integrity.valid = values.valid;
   return estimate;
 }
 
@@ -80,6 +72,16 @@ pipeline::NavigationEstimate navigation_of(const Values& values) {
 pipeline::OutsideEstimate estimate_of(const Values& values, Gives gives) {
   if (gives == Gives::attitude) return attitude_of(values);
   return navigation_of(values);
+}
+
+void set_bounds(pipeline::NavigationEstimate& estimate) {
+  const Matrix3d angles = pipeline::euler_covariance(estimate);
+  auto& integrity = estimate.integrity;
+  integrity.roll_bound_rad = bound(angles(0, 0));
+  integrity.pitch_bound_rad = bound(angles(1, 1));
+  if (std::isfinite(angles(2, 2))) integrity.heading_bound_rad = bound(angles(2, 2));
+  const double horizontal = std::max(estimate.covariance(0, 0), estimate.covariance(1, 1));
+  if (std::isfinite(horizontal)) integrity.horizontal_bound_m = bound(horizontal);
 }
 
 bool is_covariance(const Matrix3d& matrix) {

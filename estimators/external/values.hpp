@@ -22,6 +22,9 @@ struct Values {
 /// What is not given is NaN, and so is its covariance; then its bounds are infinite.
 pipeline::OutsideEstimate estimate_of(const Values& values, Gives gives);
 
+/// From its covariance; what is not known has no bound, or an infinite one.
+void set_bounds(pipeline::NavigationEstimate& estimate);
+
 /// True if the matrix is finite and can be a covariance.
 bool is_covariance(const Eigen::Matrix3d& matrix);
 

@@ -96,7 +96,7 @@ void ExternalEstimator::tell(OutsideEstimate& estimate, EstimateListener& listen
 
 bool ExternalEstimator::is_in_time(const OutsideEstimate& estimate) const {
   const Stamp at = valid_at(estimate);
-  return at >= oldest_allowed_ && at <= newest_;
+  return at >= oldest_allowed_ && (at <= newest_ || !peer_->account().in_steps);
 }
 
 std::string fault_of(const ExternalOptions& options) {

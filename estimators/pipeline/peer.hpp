@@ -19,9 +19,11 @@ Stamp valid_at(const OutsideEstimate& estimate);
 
 /// How the talk with an estimator outside went. Everything but the first three is a fault of it.
 struct PeerAccount {
+  bool in_steps = true;              ///< false: it publishes when it likes and is sent nothing
   std::uint64_t steps = 0;           ///< sent to it
-  std::uint64_t answers = 0;         ///< one for each step
-  double mean_s = 0, longest_s = 0;  ///< from a step to its answer, in the time of this machine
+  std::uint64_t answers = 0;         ///< one for each step, or what it published
+  double mean_s = 0, longest_s = 0;  ///< from a step to its answer; of a topic: from valid_at to
+                                     ///< when it was sent
   std::uint64_t late = 0;            ///< answers after the time that the rig allows
   std::uint64_t twice = 0;           ///< to a step that had its answer
   std::uint64_t malformed = 0;       ///< lines or values that are not of the protocol

@@ -1,7 +1,11 @@
+#include <fmt/format.h>
+
 #include <filesystem>
+#include <stdexcept>
 
 #include "drivers/measurement/stamp.hpp"
 #include "estimators/external/client_peer.hpp"
+#include "estimators/external/topic_peer.hpp"
 #include "estimators/setup/options_of.hpp"
 
 namespace drydock::setup {
@@ -35,13 +39,43 @@ external::ClientOptions client_of(const rig_config::ExternalConfig& config,
           .say = place.outside->say};
 }
 
+/// Where the mission begins, unless the rig says it.
+frame::Position origin_of(const rig_config::ExternalConfig& config, const rig_config::Rig& rig) {
+  const auto& mission = rig.mission;
+  const auto origin = config.origin.value_or(
+      std::array{mission.latitude_rad, mission.longitude_rad, -mission.depth_m});
+  return {origin[0], origin[1], origin[2]};
+}
+
+external::TopicOptions topic_of(const rig_config::ExternalConfig& config,
+                                const EstimatorInRig& place) {
+  if (place.outside->lockstep)
+    throw std::runtime_error(fmt::format(
+        "{}: estimator \"{}\" has a topic, and the bus has no virtual time; allowed with --speed "
+        "max: command",
+        place.rig.file, place.estimator.name));
+  return {.estimator = place.estimator.name,
+          .topic = config.topic,
+          .type = static_cast<bus::OutsideType>(config.message),
+          .gives = config.gives,
+          .origin = origin_of(config, place.rig),
+          .domain = static_cast<std::uint32_t>(place.rig.dds_domain),
+          .interface = place.rig.dds_interface,
+          .say = place.outside->say};
+}
+
 }  // namespace
 
 pipeline::ExternalOptions options_of(const rig_config::ExternalConfig& config,
                                      const EstimatorInRig& place) {
   pipeline::ExternalOptions options;
   options.step = measurement::from_seconds(config.step_s);
-  if (place.outside != nullptr)
+  if (place.outside == nullptr) return options;
+  if (!config.topic.empty())
+    options.connect = [topic = topic_of(config, place)] {
+      return std::make_unique<external::TopicPeer>(topic);
+    };
+  else
     options.connect = [client = client_of(config, place)] {
       return std::make_unique<external::ClientPeer>(client);
     };

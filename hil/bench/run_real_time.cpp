@@ -19,6 +19,7 @@
 #include "drivers/shell/rig_devices.hpp"
 #include "estimators/host/estimator_host.hpp"
 #include "estimators/setup/rig_pipeline.hpp"
+#include "hil/bench/bus_truth.hpp"
 #include "hil/bench/rig_run.hpp"
 #include "hil/bench/run.hpp"
 #include "hil/control/fault_services.hpp"
@@ -64,6 +65,8 @@ class RealTimeRun {
     if (!options.quiet) run_.followers().add(table_);
     if (!options.quiet) run_.followers().add(finding_lines_);
     if (!options.serve.address.empty()) serve(options.serve);
+    if (rig.truth && summary::no_real_device(rig))
+      run_.followers().add(bus_truth_.emplace(participant_, *trajectory_));
   }
 
   summary::Summary run() {
@@ -84,6 +87,8 @@ class RealTimeRun {
     summary_.mode = "real time";
     summary_.notes = summary::can_notes(rig_);
     note_losses();
+    if (rig_.truth && !bus_truth_)
+      summary_.notes.push_back("the truth is not published: a device of the rig is real");
     run_.write(summary_);
     faults_.write(summary_);
     return std::move(summary_);
@@ -152,6 +157,7 @@ class RealTimeRun {
   control::LiveFaults faults_;
   emulate::RealTimeEmulator emulator_;
   std::optional<host::RigViewer> viewer_;
+  std::optional<BusTruth> bus_truth_;  ///< empty: the truth is not on the bus
   host::DriverHost drivers_;
   setup::Outside outside_;
   host::EstimatorHost estimators_;

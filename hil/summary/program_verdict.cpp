@@ -18,9 +18,21 @@ std::string faults_text(const pipeline::PeerAccount& program) {
   return out;
 }
 
+/// Of a topic: that something came, and that it was sound.
+Verdict verdict_of_topic(const std::string& estimator, const pipeline::PeerAccount& program) {
+  const std::string faults = faults_text(program);
+  return {.subject = estimator,
+          .what = "answers",
+          .measured =
+              fmt::format("{} messages{}{}", program.answers, faults.empty() ? "" : "; ", faults),
+          .expected = "messages, in time and finite",
+          .passed = program.answers > 0 && program.faults() == 0};
+}
+
 }  // namespace
 
 Verdict verdict_of(const std::string& estimator, const pipeline::PeerAccount& program) {
+  if (!program.in_steps) return verdict_of_topic(estimator, program);
   const bool all = program.steps > 0 && program.answers == program.steps;
   const std::string faults = faults_text(program);
   return {.subject = estimator,
@@ -33,6 +45,9 @@ Verdict verdict_of(const std::string& estimator, const pipeline::PeerAccount& pr
 
 std::string program_text(const pipeline::PeerAccount& program) {
   constexpr double ms = 1e3;
+  if (!program.in_steps)
+    return fmt::format(", {} messages, sent after {:.3f} ms ({:.3f} at most)", program.answers,
+                       program.mean_s * ms, program.longest_s * ms);
   return fmt::format(", {} of {} steps answered after {:.3f} ms ({:.3f} at most)", program.answers,
                      program.steps, program.mean_s * ms, program.longest_s * ms);
 }
