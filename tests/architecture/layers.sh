@@ -68,6 +68,7 @@ hil/check                  hil/fault hil/motion hil/ocean estimators/setup estim
 hil/replay/reference       drivers/recordings/record drivers/bus
 hil/replay                 drivers/diagnosis hil/replay/reference hil/bench hil/summary hil/fault estimators/host estimators/setup estimators/pipeline estimators/frame drivers/host drivers/recordings/record drivers/text drivers/bus drivers/link drivers/io drivers/terminal drivers/measurement rig_config
 hil/diagnose               drivers/diagnosis hil/replay hil/summary hil/report estimators/host drivers/monitor drivers/probe drivers/host drivers/shell drivers/device drivers/recordings/record drivers/link drivers/io drivers/terminal drivers/wire/protocols drivers/measurement rig_config
+hil/score                  hil/replay hil/replay/reference estimators/frame drivers/recordings/record drivers/recordings/mcap drivers/host drivers/terminal drivers/measurement
 hil/scorecard              drivers/diagnosis estimators/host hil/bench hil/summary hil/study/run hil/report hil/motion estimators/pipeline estimators/frame drivers/device drivers/link drivers/terminal drivers/measurement rig_config
 hil/endurance              drivers/diagnosis hil/bench hil/summary hil/validity hil/validity/run hil/report hil/fault drivers/text drivers/link drivers/terminal rig_config
 hil/world                  hil/report hil/sky hil/sensor hil/motion estimators/frame drivers/measurement drivers/terminal rig_config
