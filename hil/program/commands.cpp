@@ -40,6 +40,7 @@ void add_validity(CLI::App&, Command&);
 void add_load(CLI::App&, Command&);
 void add_scorecard(CLI::App&, Command&);
 void add_score(CLI::App&, Command&);
+void add_dds_config(CLI::App&, Command&);
 
 std::span<const AddCommand> commands() {
   static constexpr auto all = std::to_array<AddCommand>(
@@ -48,7 +49,7 @@ std::span<const AddCommand> commands() {
        add_doctor, add_completion,   add_man,    add_export,   add_recover,  add_cut,
        add_bisect, add_replay,       add_proxy,  add_sensor,   add_sky,      add_maneuver,
        add_study,  add_characterize, add_soak,   add_validity, add_load,     add_scorecard,
-       add_score});
+       add_score,  add_dds_config});
   return all;
 }
 
