@@ -122,6 +122,7 @@ struct Rig {
   int dds_domain = 0;
   std::string dds_interface = "lo";  ///< network interface of the bus
   bool publish = true;               ///< publish measurements, estimates and health on DDS
+  bool truth = false;                ///< publish the truth of the emulated vehicle on DDS
   double reorder_window_s = 0.2;     ///< pipeline: later measurements are counted and dropped
   MissionConfig mission;
   std::vector<DeviceConfig> devices;

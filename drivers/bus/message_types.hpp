@@ -18,6 +18,8 @@ using NavSatFixMessage = sensor_msgs_msg_dds__NavSatFix_;
 using FluidPressureMessage = sensor_msgs_msg_dds__FluidPressure_;
 using TemperatureMessage = sensor_msgs_msg_dds__Temperature_;
 using TwistMessage = geometry_msgs_msg_dds__TwistWithCovarianceStamped_;
+using PoseMessage = geometry_msgs_msg_dds__PoseWithCovarianceStamped_;
+using ClockMessage = rosgraph_msgs_msg_dds__Clock_;
 using DvlMessage = marine_acoustic_msgs_msg_dds__Dvl_;
 using OdometryMessage = nav_msgs_msg_dds__Odometry_;
 using DiagnosticsMessage = diagnostic_msgs_msg_dds__DiagnosticArray_;
@@ -62,6 +64,14 @@ template <>
 inline const MessageType message_type<TwistMessage>{
     &geometry_msgs_msg_dds__TwistWithCovarianceStamped__desc,
     "RIHS01_77b67434531e6529b7a0091357b186b6ebdb17fd9ffd3e0c7ce9d3fb11a44563"};
+template <>
+inline const MessageType message_type<PoseMessage>{
+    &geometry_msgs_msg_dds__PoseWithCovarianceStamped__desc,
+    "RIHS01_26432f9803e43727d3c8f668d1fdb3c630f548af631e2f4e31382371bfea3b6e"};
+template <>
+inline const MessageType message_type<ClockMessage>{
+    &rosgraph_msgs_msg_dds__Clock__desc,
+    "RIHS01_692f7a66e93a3c83e71765d033b60349ba68023a8c689a79e48078bcb5c58564"};
 template <>
 inline const MessageType message_type<DvlMessage>{
     &marine_acoustic_msgs_msg_dds__Dvl__desc,

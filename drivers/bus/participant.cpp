@@ -8,37 +8,18 @@
 #include <string>
 #include <utility>
 
+#include "drivers/bus/configuration.hpp"
 #include "drivers/bus/loopback_sockets.hpp"
 
 namespace drydock::bus {
 namespace {
 
-/// Discovers by unicast among the first hundred participants of this host. Nothing leaves the host.
-constexpr const char* loopback_only = R"(
-<CycloneDDS><Domain Id="any">
-  <General>
-    <Interfaces><NetworkInterface name="lo" multicast="false"/></Interfaces>
-    <AllowMulticast>false</AllowMulticast>
-  </General>
-  <Discovery>
-    <ParticipantIndex>auto</ParticipantIndex>
-    <MaxAutoParticipantIndex>100</MaxAutoParticipantIndex>
-    <Peers><Peer Address="127.0.0.1"/></Peers>
-  </Discovery>
-</Domain></CycloneDDS>)";
-
-/// The default of every Cyclone program on that interface: others find it by multicast.
-std::string on_interface(const std::string& name) {
-  return "<CycloneDDS><Domain Id=\"any\"><General><Interfaces><NetworkInterface name=\"" + name +
-         "\"/></Interfaces></General></Domain></CycloneDDS>";
-}
-
 Entity make_domain(std::uint32_t id, const std::string& interface) {
   const std::string name = "domain " + std::to_string(id) + " on the interface " + interface;
-  if (interface != loopback_interface)
-    return {dds_create_domain(id, on_interface(interface).c_str()), name};
+  const std::string configuration = cyclone_configuration(interface);
+  if (interface != loopback_interface) return {dds_create_domain(id, configuration.c_str()), name};
   const LoopbackSockets sockets;
-  Entity domain(dds_create_domain(id, loopback_only), name);
+  Entity domain(dds_create_domain(id, configuration.c_str()), name);
   sockets.keep_new_ones_to_loopback();
   return domain;
 }

@@ -118,7 +118,7 @@ std::string ros2_schema(std::string_view ros2_type) {
   for (std::size_t i = 0; i < needed.size(); ++i) {
     const std::string name = needed[i];
     if (!defined.insert(name).second) continue;
-    text += std::string(80, '=') + "\nMSG: " + name + "\n";
+    text.append(80, '=').append("\nMSG: ").append(name).append("\n");
     define(name, text, needed);
   }
   return text;

@@ -8,7 +8,7 @@
 namespace drydock::host {
 
 /// Puts measurements, estimates with their integrity, health and findings of a run on the bus. The
-/// truth is not on the bus.
+/// truth is not among them: bench::BusTruth.
 class RigPublisher final : public Follower {
  public:
   RigPublisher(const bus::Participant& participant, const std::vector<bus::Device>& devices,

@@ -108,7 +108,8 @@ int estimate(const rig_config::Rig& rig, const EstimateOptions& options) {
   // It knows the measurements alone: the drivers' process publishes what it finds itself.
   FindingLines findings(rig, link::now(), print_on_stderr);
   Diagnostician diagnostician(rig, findings);
-  EstimatorHost host(io, setup::pipeline_options(rig), subscriber, followers);
+  const setup::Outside outside{.lockstep = false, .say = print_on_stderr};
+  EstimatorHost host(io, setup::pipeline_options(rig, &outside), subscriber, followers);
   host.tell_measurements(diagnostician);
 
   io::UntilStopped until(io, options.duration_s, [&] { host.stop(); });

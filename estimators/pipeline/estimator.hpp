@@ -12,6 +12,8 @@
 
 namespace drydock::pipeline {
 
+struct PeerAccount;
+
 /// What an estimator did with a measurement. The best outcome comes first.
 enum class Outcome : std::uint8_t {
   accepted,  ///< used in the order of valid_at
@@ -27,12 +29,14 @@ enum class EstimatorState : std::uint8_t {
   waiting_for_speed,
   waiting_for_satellites,
   running,
-  lost  ///< inertial navigation only: the IMU was silent for too long, a new start is needed
+  lost,  ///< a new start is needed: the IMU was silent for too long, or another program failed
+  waiting_for_answers  ///< of an estimator in another program
 };
 
 constexpr std::string_view to_string(EstimatorState state) {
-  constexpr std::array<std::string_view, 5> names{"waiting for imu", "waiting for speed",
-                                                  "waiting for satellites", "running", "lost"};
+  constexpr std::array<std::string_view, 6> names{
+      "waiting for imu",    "waiting for speed", "waiting for satellites", "running", "lost",
+      "waiting for answers"};
   return names[static_cast<std::size_t>(state)];
 }
 
@@ -80,7 +84,13 @@ class Estimator {
   virtual Outcome take(const measurement::GnssSatellites&, EstimateListener&) {
     return Outcome::unused;
   }
+  /// All measurements older than `now` have come.
+  virtual void advance(measurement::Stamp /*now*/, EstimateListener&) {}
+  /// The run ends.
+  virtual void finish(EstimateListener&) {}
   virtual const EstimatorStatus& status() const = 0;
+  /// How the talk with another program goes; null: the estimator is one of this program.
+  virtual const PeerAccount* peer() const { return nullptr; }
 };
 
 }  // namespace drydock::pipeline

@@ -7,6 +7,7 @@
 #include <variant>
 #include <vector>
 
+#include "estimators/pipeline/external_options.hpp"
 #include "estimators/pipeline/inertial/inertial_options.hpp"
 #include "estimators/pipeline/integrity.hpp"
 #include "estimators/pipeline/leveling_options.hpp"
@@ -18,8 +19,8 @@
 namespace drydock::pipeline {
 
 /// The options of every kind of estimator. Checks and makers: maker.hpp.
-using EstimatorKind =
-    std::variant<LevelingOptions, MixingOptions, RollOptions, InertialOptions, ReckoningOptions>;
+using EstimatorKind = std::variant<LevelingOptions, MixingOptions, RollOptions, InertialOptions,
+                                   ReckoningOptions, ExternalOptions>;
 
 /// One estimator of the rig. Its index in `PipelineOptions::estimators` names its estimates.
 struct EstimatorOptions {

@@ -34,10 +34,12 @@ void Pipeline::receive(const Measurement& measurement) {
 void Pipeline::advance(Stamp now) {
   newest_ = std::max(newest_, now);
   release();
+  for (const auto& estimator : estimators_) estimator->advance(newest_ - window_, *listener_);
 }
 
 void Pipeline::flush() {
   while (!buffer_.empty()) run(buffer_.pop());
+  for (const auto& estimator : estimators_) estimator->finish(*listener_);
 }
 
 void Pipeline::order(const Sample& sample) {

@@ -42,7 +42,7 @@ class Pipeline {
   void leave_out(std::uint16_t device, bool left_out, measurement::Stamp from);
   bool left_out(std::uint16_t device) const;
 
-  /// Runs all waiting measurements, for the end of a run.
+  /// Runs all waiting measurements and lets the estimators finish, for the end of a run.
   void flush();
 
   /// Indexed by device. Devices without any measurement may be missing at the end.
@@ -55,6 +55,8 @@ class Pipeline {
   std::uint64_t overflows() const { return overflows_; }
 
   std::size_t estimators() const { return estimators_.size(); }
+  /// Of an estimator in another program; null for all others.
+  const PeerAccount* peer(std::size_t estimator) const { return estimators_[estimator]->peer(); }
   const EstimatorStatus& status(std::size_t estimator) const {
     return estimators_[estimator]->status();
   }

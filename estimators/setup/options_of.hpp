@@ -5,6 +5,7 @@
 #include <string>
 
 #include "estimators/pipeline/options.hpp"
+#include "estimators/setup/outside.hpp"
 #include "rig_config/rig.hpp"
 
 namespace drydock::setup {
@@ -13,6 +14,7 @@ namespace drydock::setup {
 struct EstimatorInRig {
   const rig_config::Rig& rig;
   const rig_config::EstimatorConfig& estimator;
+  const Outside* outside = nullptr;  ///< null: programs outside are not reached
 };
 
 /// The options of each kind of estimator. `pipeline_options` visits them: a kind without its line
@@ -23,6 +25,7 @@ pipeline::RollOptions options_of(const rig_config::RollConfig&, const EstimatorI
 pipeline::InertialOptions options_of(const rig_config::NavigationConfig&, const EstimatorInRig&);
 pipeline::InertialOptions options_of(const rig_config::VelocityConfig&, const EstimatorInRig&);
 pipeline::ReckoningOptions options_of(const rig_config::ReckoningConfig&, const EstimatorInRig&);
+pipeline::ExternalOptions options_of(const rig_config::ExternalConfig&, const EstimatorInRig&);
 
 const rig_config::DeviceConfig* find_device(const rig_config::Rig& rig, const std::string& name);
 

@@ -9,14 +9,14 @@
 
 namespace drydock::setup {
 
-pipeline::PipelineOptions pipeline_options(const rig_config::Rig& rig) {
+pipeline::PipelineOptions pipeline_options(const rig_config::Rig& rig, const Outside* outside) {
   pipeline::PipelineOptions options;
   options.reorder_window = measurement::from_seconds(rig.reorder_window_s);
   for (const auto& config : rig.estimators) {
     pipeline::EstimatorOptions estimator;
     estimator.name = config.name;
     estimator.imu = index_of(rig, config.imu).value_or(0);
-    const EstimatorInRig place{rig, config};
+    const EstimatorInRig place{rig, config, outside};
     estimator.kind = std::visit(
         [&](const auto& kind) -> pipeline::EstimatorKind { return options_of(kind, place); },
         config.kind);
@@ -40,6 +40,10 @@ std::vector<std::string> pipeline_notes(const rig_config::Rig& rig,
   }
   for (std::size_t i = 0; i < std::min(pipeline.estimators(), rig.estimators.size()); ++i) {
     const auto& status = pipeline.status(i);
+    if (std::holds_alternative<rig_config::ExternalConfig>(rig.estimators[i].kind) &&
+        pipeline.peer(i) == nullptr)
+      notes.push_back(
+          fmt::format("{}: another program, which was not started", rig.estimators[i].name));
     if (status.rejected > 0)
       notes.push_back(
           fmt::format("{}: {} values outside its gate", rig.estimators[i].name, status.rejected));

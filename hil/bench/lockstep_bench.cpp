@@ -33,6 +33,12 @@ auto or_throw(Result result) {
   return std::move(*result);
 }
 
+pipeline::Pipeline pipeline_in_step(const rig_config::Rig& rig, setup::Outside::Say say,
+                                    pipeline::EstimateListener& listener) {
+  const setup::Outside outside{.lockstep = true, .say = std::move(say)};
+  return or_throw(pipeline::make_pipeline(setup::pipeline_options(rig, &outside), listener));
+}
+
 }  // namespace
 
 /// Passes what a driver sends to the raw listener and to the emulated other end of its link.
@@ -59,7 +65,8 @@ class LockstepBench::ToLine final : public device::Transmitter {
 
 LockstepBench::LockstepBench(const rig_config::Rig& rig, const motion::Trajectory& motion,
                              host::Follower& follower,
-                             emulate::RealTimeEmulator::OnWritten on_written)
+                             emulate::RealTimeEmulator::OnWritten on_written,
+                             setup::Outside::Say say)
     : rig_(not_steered(rig)),
       follower_(follower),
       on_written_(std::move(on_written)),
@@ -67,7 +74,7 @@ LockstepBench::LockstepBench(const rig_config::Rig& rig, const motion::Trajector
       clock_(start_),
       faults_(rig, motion, start_),
       teller_(follower),
-      pipeline_(or_throw(pipeline::make_pipeline(setup::pipeline_options(rig), teller_))) {
+      pipeline_(pipeline_in_step(rig, std::move(say), teller_)) {
   auto drivers = or_throw(shell::make_devices(rig));
   for (std::size_t i = 0; i < drivers.size(); ++i) add(rig.devices[i], std::move(drivers[i]));
   for (auto& bus : buses_) clock_.add(*bus.second.bus);

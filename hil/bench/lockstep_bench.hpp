@@ -10,6 +10,7 @@
 #include "drivers/shell/lockstep.hpp"
 #include "estimators/host/bus_estimates.hpp"
 #include "estimators/pipeline/pipeline.hpp"
+#include "estimators/setup/outside.hpp"
 #include "hil/emulate/lockstep.hpp"
 #include "hil/emulate/real_time/real_time.hpp"
 #include "hil/fault/injector.hpp"
@@ -21,10 +22,11 @@ namespace drydock::bench {
 class LockstepBench final : private device::Listener {
  public:
   /// Rig, motion and follower must outlive the bench. `on_written` gets what emulated devices send;
-  /// may be empty. Throws std::runtime_error with one line if a part of the rig cannot run in
-  /// virtual time.
+  /// may be empty. `say` gets lines about programs outside. Throws std::runtime_error with one line
+  /// if a part of the rig cannot run in virtual time.
   LockstepBench(const rig_config::Rig& rig, const motion::Trajectory& motion,
-                host::Follower& follower, emulate::RealTimeEmulator::OnWritten on_written = {});
+                host::Follower& follower, emulate::RealTimeEmulator::OnWritten on_written = {},
+                setup::Outside::Say say = {});
   ~LockstepBench() override;
 
   /// Called with what a driver has told an emulated device.

@@ -9,6 +9,7 @@
 #include "estimators/setup/rig_pipeline.hpp"
 #include "hil/control/bus_faults.hpp"
 #include "hil/summary/findings.hpp"
+#include "hil/summary/program_verdict.hpp"
 #include "hil/summary/truth_of_rig.hpp"
 
 namespace drydock::bench {
@@ -84,6 +85,17 @@ std::vector<pipeline::EstimatorStatus> RigRun::estimators() const {
   return all;
 }
 
+/// How the talk with estimators in other programs went.
+void RigRun::write_programs(summary::Summary& summary) const {
+  for (std::size_t i = 0; i < summary.estimators.size(); ++i) {
+    const auto* program = bench_->pipeline.peer(i);
+    if (program == nullptr) continue;
+    auto& estimator = summary.estimators[i];
+    estimator.program = *program;
+    summary.verdicts.push_back(summary::verdict_of(estimator.name, *program));
+  }
+}
+
 void RigRun::write(summary::Summary& summary) {
   summary.rig = rig_.name;
   summary.seed = rig_.seed;
@@ -96,6 +108,7 @@ void RigRun::write(summary::Summary& summary) {
     summary.notes.push_back(fmt::format("{} more findings were not kept", findings_.not_kept()));
   summary.findings = summary::accounts_of(findings_, rig_, start_);
   scribe_.write(summary);
+  write_programs(summary);
   expects_.write(summary, estimators());
 }
 

@@ -50,6 +50,7 @@ class RigRun {
 
  private:
   std::vector<pipeline::EstimatorStatus> estimators() const;
+  void write_programs(summary::Summary& summary) const;
 
   const rig_config::Rig& rig_;
   const RunOptions& options_;

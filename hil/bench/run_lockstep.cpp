@@ -30,7 +30,10 @@ class LockstepRun {
                                            : measurement::seconds(trajectory_.end() - start_)),
         run_(rig, options, trajectory_, {start_, duration_s_, record::WhenBehind::wait}),
         finding_lines_(rig, start_, [](const std::string& line) { fmt::print("{}\n", line); }),
-        bench_(rig, trajectory_, run_.followers(), run_.on_written()),
+        bench_(rig, trajectory_, run_.followers(), run_.on_written(),
+               [this, quiet = options.quiet](const std::string& line) {
+                 if (!quiet) fmt::print("{}{}\n", terminal_ ? "\r" : "", line);
+               }),
         chronicle_(bench_.faults(), start_) {
     const bool prints = !options.quiet && !terminal_;
     bench_.set_on_told([this, prints](std::string_view device, std::string_view what, Stamp) {

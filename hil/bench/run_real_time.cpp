@@ -20,6 +20,7 @@
 #include "drivers/shell/rig_devices.hpp"
 #include "estimators/host/estimator_host.hpp"
 #include "estimators/setup/rig_pipeline.hpp"
+#include "hil/bench/bus_truth.hpp"
 #include "hil/bench/rig_run.hpp"
 #include "hil/bench/run.hpp"
 #include "hil/bench/told_log.hpp"
@@ -60,13 +61,16 @@ class RealTimeRun {
         faults_(io_, rig, *trajectory_, start_),
         emulator_(io_, faults_.injector()),
         drivers_(io_, devices_of(rig), run_.followers()),
-        estimators_(io_, setup::pipeline_options(rig), subscriber_, run_.followers()),
+        outside_{.lockstep = false, .say = [this](const std::string& line) { table_.note(line); }},
+        estimators_(io_, setup::pipeline_options(rig, &outside_), subscriber_, run_.followers()),
         table_(drivers_.shell(), start_, duration_s_),
         finding_lines_(rig, start_, [this](const std::string& line) { table_.note(line); }) {
     if (!options.quiet) run_.followers().add(table_);
     if (!options.quiet) run_.followers().add(finding_lines_);
     if (auto* motion = motion::steered(*trajectory_)) autopilot_.emplace(io_, *motion, rig.mission);
     if (!options.serve.address.empty()) serve(options.serve);
+    if (rig.truth && summary::no_real_device(rig))
+      run_.followers().add(bus_truth_.emplace(participant_, *trajectory_));
   }
 
   summary::Summary run() {
@@ -95,6 +99,8 @@ class RealTimeRun {
     if (autopilot_)
       std::ranges::move(autopilot_->session().notes(), std::back_inserter(summary_.notes));
     note_losses();
+    if (rig_.truth && !bus_truth_)
+      summary_.notes.push_back("the truth is not published: a device of the rig is real");
     run_.write(summary_);
     faults_.write(summary_);
     return std::move(summary_);
@@ -165,7 +171,9 @@ class RealTimeRun {
   emulate::RealTimeEmulator emulator_;
   std::optional<steer::AutopilotServer> autopilot_;
   std::optional<host::RigViewer> viewer_;
+  std::optional<BusTruth> bus_truth_;  ///< empty: the truth is not on the bus
   host::DriverHost drivers_;
+  setup::Outside outside_;
   host::EstimatorHost estimators_;
   monitor::LiveTable table_;
   host::FindingLines finding_lines_;

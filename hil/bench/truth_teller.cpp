@@ -1,6 +1,7 @@
 #include "hil/bench/truth_teller.hpp"
 
 #include "estimators/host/bus_estimates.hpp"
+#include "hil/bench/truth_estimate.hpp"
 
 namespace drydock::bench {
 
@@ -8,15 +9,6 @@ namespace {
 
 /// As fine as a viewer draws. An estimate that comes with a truth has the truth of its own time.
 constexpr std::chrono::milliseconds truth_interval{40};
-
-pipeline::NavigationEstimate as_estimate(const motion::Truth& truth) {
-  pipeline::NavigationEstimate estimate;
-  estimate.valid_at = truth.at;
-  estimate.position = {truth.latitude_rad, truth.longitude_rad, truth.height_m};
-  estimate.velocity_ned = truth.velocity_ned;
-  estimate.body_to_ned = truth.body_to_ned;
-  return estimate;
-}
 
 }  // namespace
 

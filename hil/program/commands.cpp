@@ -45,6 +45,8 @@ void add_soak(CLI::App&, Command&);
 void add_validity(CLI::App&, Command&);
 void add_load(CLI::App&, Command&);
 void add_scorecard(CLI::App&, Command&);
+void add_score(CLI::App&, Command&);
+void add_dds_config(CLI::App&, Command&);
 
 std::span<const AddCommand> commands() {
   static constexpr auto all = std::to_array<AddCommand>(
@@ -53,7 +55,8 @@ std::span<const AddCommand> commands() {
        add_probe,    add_describe,     add_monitor, add_doctor,   add_completion, add_man,
        add_help,     add_info,         add_export,  add_recover,  add_cut,        add_bisect,
        add_replay,   add_proxy,        add_sensor,  add_sky,      add_maneuver,   add_study,
-       add_campaign, add_characterize, add_soak,    add_validity, add_load,       add_scorecard});
+       add_campaign, add_characterize, add_soak,    add_validity, add_load,       add_scorecard,
+       add_score,    add_dds_config});
   return all;
 }
 

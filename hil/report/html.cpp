@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 namespace drydock::report::html {
 namespace {
 
@@ -22,6 +24,17 @@ figure{overflow-x:auto}
 @media(prefers-color-scheme:dark){figure{border-color:#cfc9c2;filter:invert(.94) hue-rotate(180deg)}}
 )";
 
+/// True if there are values, but each of them is NaN: of a quantity that is not given.
+bool is_not_given(const Figure& plot) {
+  bool any = false;
+  for (const auto& curve : plot.curves)
+    for (const double y : curve.y) {
+      if (!std::isnan(y)) return false;
+      any = true;
+    }
+  return any;
+}
+
 }  // namespace
 
 std::string escaped(const std::string& text) {
@@ -39,6 +52,7 @@ std::string escaped(const std::string& text) {
 }
 
 std::string figure(const Figure& plot) {
+  if (is_not_given(plot)) return {};
   const auto svg = render_svg(plot);
   if (svg.empty()) {
     return fmt::format("<p class=soft>{}: no plot (is gnuplot installed?)</p>",

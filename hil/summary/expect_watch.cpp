@@ -79,9 +79,10 @@ void ExpectWatch::on_estimate(const host::Estimate& estimate) {
   for (Window& w : windows_) {
     if (!concerns(w, estimate.estimator, at)) continue;
     ++w.estimates;
+    w.rate.add(at);
     if (!truth_) continue;
     const auto truth = truth_->at(at);
-    w.attitude.add(estimate.attitude, truth);
+    w.attitude.add(estimate.attitude, truth, measurement::seconds(at - start_));
     if (estimate.navigation)
       w.navigation.note(*estimate.navigation, estimate.current, &truth, 0, false);
   }
@@ -120,6 +121,7 @@ Outcome ExpectWatch::of_estimator(const Window& w, const Summary& summary,
     seen.rejected = now.rejected - w.estimator_before.rejected;
     seen.valid_share = valid_share(w.estimator_before, now);
     seen.nis = (now.taken - w.estimator_before.taken).mean();
+    seen.rate_hz = w.rate.hz();
     seen.whole_run.reset();
     if (w.attitude.count() > 0) seen.whole_run = w.attitude.result();
     seen.navigation = w.navigation.error();

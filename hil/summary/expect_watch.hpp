@@ -41,6 +41,7 @@ class ExpectWatch final : public host::Follower {
     std::string other_state;
     std::uint64_t estimates = 0;
     ErrorStatistics attitude;
+    RateCount rate;
     NavigationRecord navigation;
   };
 

@@ -35,11 +35,17 @@ struct EstimatorFigure {
   const char* missing = "none: no estimate has a truth to compare with";
 };
 
+/// NaN: the estimates do not give the quantity.
+Value if_given(double value) { return std::isnan(value) ? Value{} : Value{value}; }
+
 Value of_attitude(const EstimatorSummary& e, double AttitudeError::*member) {
-  return e.whole_run ? Value{(*e.whole_run).*member} : Value{};
+  return e.whole_run ? if_given((*e.whole_run).*member) : Value{};
 }
 Value of_navigation(const EstimatorSummary& e, double NavigationError::*member) {
-  return e.navigation ? Value{(*e.navigation).*member} : Value{};
+  return e.navigation ? if_given((*e.navigation).*member) : Value{};
+}
+Value answer_ms(const EstimatorSummary& e) {
+  return e.program ? Value{1e3 * e.program->longest_s} : Value{};
 }
 
 constexpr EstimatorFigure estimator_figures[]{
@@ -61,6 +67,10 @@ constexpr EstimatorFigure estimator_figures[]{
     {"nees_position",
      [](const auto& e) { return of_navigation(e, &NavigationError::nees_position); }},
     {"nis", [](const auto& e) { return e.nis; }, "none: no sensor's value was taken"},
+    {"estimate_rate_hz", [](const auto& e) { return e.rate_hz; }, "none: fewer than two estimates"},
+    {"settling_s", [](const auto& e) { return of_attitude(e, &AttitudeError::settling_s); },
+     "never: the last estimate is off by more than a degree, or has no truth"},
+    {"answer_ms", answer_ms, "none: it is no other program"},
 };
 
 template <class Figures>

@@ -60,14 +60,15 @@ void NavigationRecord::compare(const bus::Navigation& estimate, const motion::Tr
   const Vector2d horizontal = off.head<2>();
   ++count_;
   horizontal_last_ = horizontal.norm();
-  horizontal_square_ += horizontal.squaredNorm();
-  horizontal_max_ = std::max(horizontal_max_, horizontal_last_);
-  down_square_ += off.z() * off.z();
-  speed_square_ += velocity.squaredNorm();
-  speed_max_ = std::max(speed_max_, velocity.norm());
-  angle_square_ += turned.cwiseAbs2();
+  horizontal_.add_square(horizontal.squaredNorm(), horizontal_last_);
+  down_.add(off.z());
+  speed_.add_square(velocity.squaredNorm(), velocity.norm());
+  roll_.add(turned.x());
+  pitch_.add(turned.y());
+  heading_.add(turned.z());
   const Eigen::Matrix2d covariance = estimate.covariance.topLeftCorner<2, 2>();
-  nees_ += horizontal.dot(covariance.inverse() * horizontal) / 2;
+  const double normalised = horizontal.dot(covariance.inverse() * horizontal) / 2;
+  nees_.add_square(normalised, normalised);
   if (!draw) return;
   const Vector3d at = frame::ned_offset(*origin_, true_position(truth));
   trace_.true_north_m.push_back(at.x());
@@ -80,18 +81,19 @@ void NavigationRecord::compare(const bus::Navigation& estimate, const motion::Tr
 
 std::optional<NavigationError> NavigationRecord::error() const {
   if (count_ == 0) return {};
-  const auto n = static_cast<double>(count_);
-  const Vector3d degrees = (angle_square_ / n).cwiseSqrt() * units::degrees_per_radian;
-  return NavigationError{.horizontal_rms_m = std::sqrt(horizontal_square_ / n),
-                         .horizontal_max_m = horizontal_max_,
+  const auto degrees = [](const ErrorSum& angle) {
+    return angle.rms() * units::degrees_per_radian;
+  };
+  return NavigationError{.horizontal_rms_m = horizontal_.rms(),
+                         .horizontal_max_m = horizontal_.largest(),
                          .horizontal_end_m = horizontal_last_,
-                         .depth_rms_m = std::sqrt(down_square_ / n),
-                         .velocity_rms_mps = std::sqrt(speed_square_ / n),
-                         .velocity_max_mps = speed_max_,
-                         .roll_rms_deg = degrees.x(),
-                         .pitch_rms_deg = degrees.y(),
-                         .heading_rms_deg = degrees.z(),
-                         .nees_position = nees_ / n};
+                         .depth_rms_m = down_.rms(),
+                         .velocity_rms_mps = speed_.rms(),
+                         .velocity_max_mps = speed_.largest(),
+                         .roll_rms_deg = degrees(roll_),
+                         .pitch_rms_deg = degrees(pitch_),
+                         .heading_rms_deg = degrees(heading_),
+                         .nees_position = nees_.mean()};
 }
 
 }  // namespace drydock::summary

@@ -5,6 +5,7 @@
 #include "drivers/host/follower.hpp"
 #include "estimators/frame/geodetic.hpp"
 #include "hil/motion/truth.hpp"
+#include "hil/summary/error_sum.hpp"
 #include "hil/summary/summary.hpp"
 
 namespace drydock::summary {
@@ -25,9 +26,8 @@ class NavigationRecord {
   std::optional<frame::Position> origin_;
   NavigationTrace trace_;
   std::uint64_t count_ = 0;
-  double horizontal_square_ = 0, horizontal_max_ = 0, horizontal_last_ = 0, down_square_ = 0;
-  double speed_square_ = 0, speed_max_ = 0, nees_ = 0;
-  Eigen::Vector3d angle_square_ = Eigen::Vector3d::Zero();
+  ErrorSum horizontal_, down_, speed_, roll_, pitch_, heading_, nees_;
+  double horizontal_last_ = 0;
 };
 
 }  // namespace drydock::summary

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "hil/report/html.hpp"
+#include "hil/summary/or_none.hpp"
 
 namespace drydock::summary {
 namespace {
@@ -13,13 +14,16 @@ namespace {
 std::string navigation_table(const NavigationError& e) {
   return fmt::format(
       "<div class=scroll><table><tr><th>error against truth<th>RMS<th>max<th>end</tr>\n"
-      "<tr><td>horizontal position<td>{:.2f} m<td>{:.2f} m<td>{:.2f} m</tr>\n"
-      "<tr><td>depth<td>{:.3f} m<td><td></tr>\n"
-      "<tr><td>velocity over ground<td>{:.4f} m/s<td>{:.4f} m/s<td></tr>\n"
-      "<tr><td>roll, pitch, heading<td>{:.5f}°, {:.5f}°, {:.5f}°<td><td></tr>\n"
-      "<tr><td>NEES of the horizontal position, per axis<td>{:.2f}<td><td></tr></table></div>\n",
-      e.horizontal_rms_m, e.horizontal_max_m, e.horizontal_end_m, e.depth_rms_m, e.velocity_rms_mps,
-      e.velocity_max_mps, e.roll_rms_deg, e.pitch_rms_deg, e.heading_rms_deg, e.nees_position);
+      "<tr><td>horizontal position<td>{}<td>{}<td>{}</tr>\n"
+      "<tr><td>depth<td>{}<td><td></tr>\n"
+      "<tr><td>velocity over ground<td>{}<td>{}<td></tr>\n"
+      "<tr><td>roll, pitch, heading<td>{}, {}, {}<td><td></tr>\n"
+      "<tr><td>NEES of the horizontal position, per axis<td>{}<td><td></tr></table></div>\n",
+      or_none(e.horizontal_rms_m, 2, " m"), or_none(e.horizontal_max_m, 2, " m"),
+      or_none(e.horizontal_end_m, 2, " m"), or_none(e.depth_rms_m, 3, " m"),
+      or_none(e.velocity_rms_mps, 4, " m/s"), or_none(e.velocity_max_mps, 4, " m/s"),
+      or_none(e.roll_rms_deg, 5, "°"), or_none(e.pitch_rms_deg, 5, "°"),
+      or_none(e.heading_rms_deg, 5, "°"), or_none(e.nees_position, 2));
 }
 
 /// The filter's 3-sigma band and the error over it. The first 2 % of the curve, where the band is

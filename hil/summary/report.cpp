@@ -7,6 +7,8 @@
 #include "hil/report/plot.hpp"
 #include "hil/summary/findings.hpp"
 #include "hil/summary/navigation_report.hpp"
+#include "hil/summary/or_none.hpp"
+#include "hil/summary/program_verdict.hpp"
 #include "hil/summary/summary.hpp"
 
 namespace drydock::summary {
@@ -40,9 +42,9 @@ std::string health_table(const Summary& s) {
 }
 
 std::string error_row(const char* span, const AttitudeError& e) {
-  return fmt::format("<tr><td>{}<td>{:.3f}°<td>{:.3f}°<td>{:.3f}°<td>{:.3f}°<td>{:.2f}</tr>\n",
+  return fmt::format("<tr><td>{}<td>{:.3f}°<td>{:.3f}°<td>{:.3f}°<td>{:.3f}°<td>{}<td>{}</tr>\n",
                      span, e.roll_rms_deg, e.pitch_rms_deg, e.roll_max_deg, e.pitch_max_deg,
-                     e.nees_mean);
+                     or_none(e.nees_mean, 2), or_none(e.settling_s, 2, " s"));
 }
 
 std::string error_table(const EstimatorSummary& e) {
@@ -51,7 +53,7 @@ std::string error_table(const EstimatorSummary& e) {
   }
   std::string out =
       "<div class=scroll><table><tr><th>error against truth<th>roll RMS<th>pitch RMS"
-      "<th>roll max<th>pitch max<th>NEES per axis</tr>\n";
+      "<th>roll max<th>pitch max<th>NEES per axis<th>settled after</tr>\n";
   out += error_row("whole run", *e.whole_run);
   if (e.after_10_s) out += error_row("after 10 s", *e.after_10_s);
   return out + "</table></div>\n";
@@ -123,12 +125,18 @@ std::string axis_figures(const char* axis, const AttitudeTrace& t,
   return out + report::html::figure(error);
 }
 
+std::string program_section(const EstimatorSummary& e) {
+  if (!e.program) return {};
+  return fmt::format("<p>Another program{}. {}</p>\n", program_text(*e.program),
+                     report::html::escaped(e.program->failure));
+}
+
 std::string estimator_section(const Summary& s, std::size_t i) {
   const auto& e = s.estimators[i];
   std::string out =
       fmt::format("<h2>Estimator {} <span class=soft>({})</span></h2>\n{}",
                   report::html::escaped(e.name), report::html::escaped(e.kind), error_table(e)) +
-      navigation_section(e.navigation, s.navigation[i]);
+      program_section(e) + navigation_section(e.navigation, s.navigation[i]);
   const auto& t = s.traces[i];
   if (t.t_s.empty()) return out;
   out += axis_figures("Roll", t, t.roll_deg, t.true_roll_deg, t.roll_sigma_deg);

@@ -2,11 +2,9 @@
 
 #include <unistd.h>
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <fstream>
-#include <numbers>
 
 #include "drivers/measurement/units.hpp"
 
@@ -29,27 +27,7 @@ double resident_megabytes() {
   return resident * static_cast<double>(::sysconf(_SC_PAGESIZE)) / 1e6;
 }
 
-double wrapped(double angle) { return std::remainder(angle, 2 * std::numbers::pi); }
-
 }  // namespace
-
-void ErrorStatistics::add(const bus::Attitude& estimate, const motion::Truth& truth) {
-  const Eigen::Vector2d error{wrapped(estimate.roll_rad - truth.roll_rad),
-                              wrapped(estimate.pitch_rad - truth.pitch_rad)};
-  ++count_;
-  squares_ += error.cwiseAbs2();
-  largest_ = largest_.cwiseMax(error.cwiseAbs());
-  nees_ += error.dot(estimate.covariance.inverse() * error) / 2;
-}
-
-AttitudeError ErrorStatistics::result() const {
-  const double n = static_cast<double>(count_);
-  return {.roll_rms_deg = std::sqrt(squares_.x() / n) * units::degrees_per_radian,
-          .pitch_rms_deg = std::sqrt(squares_.y() / n) * units::degrees_per_radian,
-          .roll_max_deg = largest_.x() * units::degrees_per_radian,
-          .pitch_max_deg = largest_.y() * units::degrees_per_radian,
-          .nees_mean = nees_ / n};
-}
 
 Scribe::Scribe(const rig_config::Rig& rig, const motion::Trajectory* truth, Stamp start,
                double expected_duration_s, double points_per_curve)
@@ -171,6 +149,7 @@ bool Scribe::is_time_to_draw(Estimator& e, double t_s) const {
 void Scribe::compare(Estimator& e, const bus::Attitude& estimate, const motion::Truth* truth,
                      bool draw) {
   ++e.summary.estimates;
+  e.rate.add(estimate.valid_at);
   const double t = since_start(estimate.valid_at);
   if (draw) {
     e.trace.t_s.push_back(t);
@@ -182,8 +161,8 @@ void Scribe::compare(Estimator& e, const bus::Attitude& estimate, const motion::
                                       units::degrees_per_radian);
   }
   if (!truth) return;
-  e.whole_run.add(estimate, *truth);
-  if (t >= 10) e.after_10_s.add(estimate, *truth);
+  e.whole_run.add(estimate, *truth, t);
+  if (t >= 10) e.after_10_s.add(estimate, *truth, t);
   if (draw) {
     e.trace.true_roll_deg.push_back(truth->roll_rad * units::degrees_per_radian);
     e.trace.true_pitch_deg.push_back(truth->pitch_rad * units::degrees_per_radian);
@@ -212,6 +191,7 @@ void Scribe::follow_motion(Stamp now) {
 void Scribe::write(Summary& summary) const {
   for (const auto& e : estimators_) {
     summary.estimators.push_back(e.summary);
+    summary.estimators.back().rate_hz = e.rate.hz();
     if (e.whole_run.count() > 0) summary.estimators.back().whole_run = e.whole_run.result();
     if (e.after_10_s.count() > 0) summary.estimators.back().after_10_s = e.after_10_s.result();
     summary.traces.push_back(e.trace);

@@ -6,25 +6,13 @@
 #include "drivers/host/follower.hpp"
 #include "estimators/frame/geodetic.hpp"
 #include "hil/motion/truth.hpp"
+#include "hil/summary/error_statistics.hpp"
 #include "hil/summary/navigation_record.hpp"
+#include "hil/summary/rate_count.hpp"
 #include "hil/summary/summary.hpp"
 #include "rig_config/rig.hpp"
 
 namespace drydock::summary {
-
-/// Root-mean-square and largest error of one estimator. Input in radians, result in degrees.
-class ErrorStatistics {
- public:
-  void add(const bus::Attitude& estimate, const motion::Truth& truth);
-  std::uint64_t count() const { return count_; }
-  AttitudeError result() const;
-
- private:
-  std::uint64_t count_ = 0;
-  Eigen::Vector2d squares_ = Eigen::Vector2d::Zero();
-  Eigen::Vector2d largest_ = Eigen::Vector2d::Zero();
-  double nees_ = 0;
-};
 
 /// Follows a run: compares estimates with the truth and keeps curves with fewer points for the
 /// report.
@@ -50,6 +38,7 @@ class Scribe final : public host::Follower {
     ErrorStatistics whole_run, after_10_s;
     AttitudeTrace trace;
     NavigationRecord navigation;
+    RateCount rate;
     bool has_truth = false;
     double next_point_s = 0;
   };

@@ -8,6 +8,8 @@
 #include "hil/summary/findings.hpp"
 #include "hil/summary/findings_json.hpp"
 #include "hil/summary/judge.hpp"
+#include "hil/summary/or_none.hpp"
+#include "hil/summary/program_verdict.hpp"
 
 namespace drydock::summary {
 namespace {
@@ -16,11 +18,9 @@ using Json = nlohmann::ordered_json;
 
 Json error_json(const std::optional<AttitudeError>& e) {
   if (!e) return nullptr;
-  return {{"roll_rms_deg", e->roll_rms_deg},
-          {"pitch_rms_deg", e->pitch_rms_deg},
-          {"roll_max_deg", e->roll_max_deg},
-          {"pitch_max_deg", e->pitch_max_deg},
-          {"nees_mean", e->nees_mean}};
+  return {{"roll_rms_deg", e->roll_rms_deg}, {"pitch_rms_deg", e->pitch_rms_deg},
+          {"roll_max_deg", e->roll_max_deg}, {"pitch_max_deg", e->pitch_max_deg},
+          {"nees_mean", e->nees_mean},       {"settling_s", e->settling_s}};
 }
 
 Json navigation_json(const NavigationError& e) {
@@ -33,10 +33,13 @@ Json navigation_json(const NavigationError& e) {
 
 std::string navigation_text(const NavigationError& e) {
   return fmt::format(
-      ", error against truth: position {:.2f} m RMS, {:.2f} m at most, {:.2f} m at the end, "
-      "velocity {:.4f} m/s RMS, roll {:.4f}, pitch {:.4f}, heading {:.4f} deg RMS, NEES {:.2f}\n",
-      e.horizontal_rms_m, e.horizontal_max_m, e.horizontal_end_m, e.velocity_rms_mps,
-      e.roll_rms_deg, e.pitch_rms_deg, e.heading_rms_deg, e.nees_position);
+      ", error against truth: position {} RMS, {} at most, {} at the end, velocity {} RMS, roll "
+      "{}, "
+      "pitch {}, heading {} RMS, NEES {}\n",
+      or_none(e.horizontal_rms_m, 2, " m"), or_none(e.horizontal_max_m, 2, " m"),
+      or_none(e.horizontal_end_m, 2, " m"), or_none(e.velocity_rms_mps, 4, " m/s"),
+      or_none(e.roll_rms_deg, 4), or_none(e.pitch_rms_deg, 4),
+      or_none(e.heading_rms_deg, 4, " deg"), or_none(e.nees_position, 2));
 }
 
 Json in_json(std::uint64_t count) { return count; }
@@ -116,9 +119,11 @@ std::string to_json(const Summary& s) {
          {"rejected", e.rejected},
          {"valid_share", e.valid_share ? Json(*e.valid_share) : Json(nullptr)},
          {"nis", e.nis ? Json(*e.nis) : Json(nullptr)},
+         {"rate_hz", in_json(e.rate_hz)},
          {"whole_run", error_json(e.whole_run)},
          {"after_10_s", error_json(e.after_10_s)}});
     if (e.navigation) root["estimators"].back()["navigation"] = navigation_json(*e.navigation);
+    if (e.program) root["estimators"].back()["program"] = program_json(*e.program);
   }
   return root.dump(2) + "\n";
 }
@@ -137,6 +142,7 @@ std::string to_text(const Summary& s) {
     out += fmt::format("{} ({}): {} estimates", e.name, e.kind, e.estimates);
     if (e.valid_share) out += fmt::format(", valid {:.1f} %", 100 * *e.valid_share);
     if (e.nis) out += fmt::format(", NIS {:.2f}", *e.nis);
+    if (e.program) out += program_text(*e.program);
     if (e.navigation) {
       out += navigation_text(*e.navigation);
       continue;

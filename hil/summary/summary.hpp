@@ -8,6 +8,7 @@
 
 #include "drivers/device/health_account.hpp"
 #include "drivers/diagnosis/finding_account.hpp"
+#include "estimators/pipeline/peer.hpp"
 #include "hil/summary/verdict.hpp"
 
 namespace drydock::summary {
@@ -15,13 +16,14 @@ namespace drydock::summary {
 /// The results of a run, as shown in the report, in the JSON file and on the terminal.
 using DeviceSummary = device::HealthAccount;
 
-/// Error of an attitude estimate against the truth, degrees.
+/// Error of an attitude estimate against the truth, degrees. NaN: the estimates do not give it.
 struct AttitudeError {
   double roll_rms_deg = 0, pitch_rms_deg = 0, roll_max_deg = 0, pitch_max_deg = 0;
-  double nees_mean = 0;  ///< normalised by the filter's own covariance, per axis; 1 is consistent
+  double nees_mean = 0;   ///< normalised by the filter's own covariance, per axis; 1 is consistent
+  double settling_s = 0;  ///< from then on both within 1 degree; NaN: not even at the end
 };
 
-/// Error of a navigation estimate against the truth.
+/// Error of a navigation estimate against the truth. NaN: the estimates do not give it.
 struct NavigationError {
   double horizontal_rms_m = 0, horizontal_max_m = 0, horizontal_end_m = 0;
   double depth_rms_m = 0;
@@ -35,10 +37,12 @@ struct EstimatorSummary {
   std::uint64_t estimates = 0;
   std::uint64_t rejected = 0;         ///< sensor values outside the estimator's gate
   std::optional<double> valid_share;  ///< of the estimates, as they say; empty: no estimate
+  std::optional<double> rate_hz;      ///< of the estimates; empty: fewer than two
   std::optional<double> nis;  ///< mean normalised square of accepted innovations; empty: none
   std::optional<AttitudeError> whole_run;  ///< empty if there is no truth
   std::optional<AttitudeError> after_10_s;
-  std::optional<NavigationError> navigation;  ///< for the kinds navigation and velocity
+  std::optional<NavigationError> navigation;     ///< for the kinds navigation and velocity
+  std::optional<pipeline::PeerAccount> program;  ///< of an estimator in another program
 };
 
 /// Curves for the report, reduced to at most a few thousand points.

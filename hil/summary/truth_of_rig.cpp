@@ -21,6 +21,10 @@ std::vector<rig_config::DeviceConfig> emulated_devices(const rig_config::Rig& ri
   return devices;
 }
 
+bool no_real_device(const rig_config::Rig& rig) {
+  return std::all_of(rig.devices.begin(), rig.devices.end(), emulated);
+}
+
 bool truth_for_estimators(const rig_config::Rig& rig) {
   return std::all_of(rig.estimators.begin(), rig.estimators.end(), [&](const auto& estimator) {
     return std::any_of(rig.devices.begin(), rig.devices.end(), [&](const auto& device) {

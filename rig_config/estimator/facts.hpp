@@ -13,8 +13,9 @@ struct DeviceKey {
   measurement::Kind kind;
 };
 
-/// What the rest of the program knows about a kind of estimator. Nearly every estimator has an
-/// IMU, and each gives roll and pitch. Each kind has one row, in the header of its keys.
+/// What the rest of the program knows about a kind of estimator. Nearly every estimator has an IMU.
+/// It gives roll and pitch; one in another program may give others. Each kind has one row, in the
+/// header of its keys.
 struct EstimatorFacts {
   std::string_view name;               ///< `kind` in the rig file
   std::span<const DeviceKey> devices;  ///< besides `imu`

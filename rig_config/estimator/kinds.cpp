@@ -31,6 +31,11 @@ EstimatorKind read_estimator_kind(const Node& table) {
   return kind;
 }
 
+const EstimatorFacts& facts_of(const EstimatorKind& kind) {
+  const auto* external = std::get_if<ExternalConfig>(&kind);
+  return external != nullptr ? external->own_facts() : estimator_facts.at(kind.index());
+}
+
 std::vector<std::string> devices_compared_by(const EstimatorKind& kind) {
   return std::visit([](const auto& of_kind) { return compared_devices(of_kind); }, kind);
 }

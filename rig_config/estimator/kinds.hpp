@@ -6,6 +6,7 @@
 #include <variant>
 #include <vector>
 
+#include "rig_config/estimator/external.hpp"
 #include "rig_config/estimator/leveling.hpp"
 #include "rig_config/estimator/mixing.hpp"
 #include "rig_config/estimator/navigation.hpp"
@@ -17,7 +18,7 @@ namespace drydock::rig_config {
 
 /// All kinds of estimators. This list is the only one: names, checks and reading follow from it.
 using EstimatorKind = std::variant<LevelingConfig, MixingConfig, RollConfig, NavigationConfig,
-                                   VelocityConfig, ReckoningConfig>;
+                                   VelocityConfig, ReckoningConfig, ExternalConfig>;
 
 /// The rows of all kinds, in the order of EstimatorKind.
 inline constexpr auto estimator_facts =
@@ -25,9 +26,8 @@ inline constexpr auto estimator_facts =
       return std::array{Kind::facts...};
     }(std::type_identity<EstimatorKind>{});
 
-inline const EstimatorFacts& facts_of(const EstimatorKind& kind) {
-  return estimator_facts.at(kind.index());
-}
+/// The row of its kind, or its own one if its keys decide.
+const EstimatorFacts& facts_of(const EstimatorKind& kind);
 
 /// The row of the kind with this name, or nullptr.
 const EstimatorFacts* facts_named(std::string_view name);

@@ -146,6 +146,7 @@ Rig build_rig(const Node& root, const std::string& file) {
   read(table, "dds_domain", rig.dds_domain);
   read(table, "dds_interface", rig.dds_interface);
   read(table, "publish", rig.publish);
+  read(table, "truth", rig.truth);
   read(table, "reorder_window_s", rig.reorder_window_s);
   for_each_table(root, "device", [&](const Node& device, std::size_t) {
     rig.devices.push_back(build_device(device, file));

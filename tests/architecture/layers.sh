@@ -24,6 +24,7 @@ drivers/recordings/record  drivers/recordings/mcap drivers/bus drivers/shell dri
 drivers/recordings/export  drivers/recordings/record drivers/wire drivers/measurement
 drivers/recordings/slice   drivers/recordings/record drivers/recordings/mcap drivers/device drivers/wire drivers/measurement rig_config
 drivers/recordings/tasks   rig_config drivers/recordings/record drivers/recordings/mcap drivers/recordings/export drivers/recordings/slice drivers/text drivers/terminal
+drivers/process
 drivers/text               drivers/wire drivers/measurement
 drivers/decode             drivers/text drivers/shell drivers/device drivers/link drivers/io drivers/terminal drivers/capture drivers/wire drivers/measurement
 drivers/doctor             drivers/terminal drivers/text drivers/link drivers/wire rig_config
@@ -40,7 +41,8 @@ estimators/vehicle         estimators/hydrodynamics rig_config
 estimators/velocity        estimators/navigation estimators/hydrodynamics estimators/frame
 estimators/pipeline        estimators/leveling estimators/mixing estimators/roll estimators/velocity estimators/navigation estimators/hydrodynamics estimators/frame drivers/measurement
 estimators/consistency     estimators/frame drivers/diagnosis drivers/measurement
-estimators/setup           estimators/pipeline estimators/vehicle estimators/frame drivers/measurement rig_config
+estimators/external        estimators/pipeline estimators/frame drivers/bus drivers/process drivers/text drivers/measurement rig_config/estimator/external
+estimators/setup           estimators/external estimators/pipeline drivers/bus estimators/vehicle estimators/frame drivers/measurement rig_config
 estimators/host            drivers/diagnosis estimators/consistency estimators/setup estimators/pipeline estimators/frame drivers/host drivers/bus drivers/link drivers/io drivers/terminal drivers/measurement rig_config
 rig_config                 drivers/wire/protocols drivers/wire/hex drivers/wire/described/description drivers/wire/described/frame_plan drivers/wire/dbc/database drivers/wire/dbc/reader drivers/wire/described/plan drivers/wire/described/targets drivers/measurement/units drivers/measurement/kind drivers/measurement/sound_speed
 hil/report
@@ -68,6 +70,7 @@ hil/check                  hil/fault hil/motion hil/ocean estimators/setup estim
 hil/replay/reference       drivers/recordings/record drivers/bus
 hil/replay                 drivers/diagnosis hil/replay/reference hil/bench hil/summary hil/fault estimators/host estimators/setup estimators/pipeline estimators/frame drivers/host drivers/recordings/record drivers/text drivers/bus drivers/link drivers/io drivers/terminal drivers/measurement rig_config
 hil/diagnose               drivers/diagnosis hil/replay hil/summary hil/report estimators/host drivers/monitor drivers/probe drivers/host drivers/shell drivers/device drivers/recordings/record drivers/link drivers/io drivers/terminal drivers/wire/protocols drivers/measurement rig_config
+hil/score                  hil/replay hil/replay/reference estimators/frame drivers/recordings/record drivers/recordings/mcap drivers/host drivers/terminal drivers/measurement
 hil/scorecard              drivers/diagnosis estimators/host hil/bench hil/summary hil/study/run hil/report hil/motion estimators/pipeline estimators/frame drivers/device drivers/link drivers/terminal drivers/measurement rig_config
 hil/endurance              drivers/diagnosis hil/bench hil/summary hil/validity hil/validity/run hil/report hil/fault drivers/text drivers/link drivers/terminal rig_config
 hil/info                   drivers/recordings/record drivers/recordings/mcap drivers/bus drivers/capture drivers/probe drivers/survey drivers/terminal drivers/measurement rig_config

@@ -1,0 +1,121 @@
+#include "estimators/external/estimate_reader.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+
+#include "drivers/measurement/units.hpp"
+
+namespace drydock::external {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+using Flaw = Answer::Flaw;
+
+namespace {
+
+constexpr double not_given = std::numeric_limits<double>::quiet_NaN();
+
+}  // namespace
+
+void EstimateReader::fail(Flaw flaw, std::string what) {
+  if (flaw_ != Flaw::none) return;
+  flaw_ = flaw;
+  what_ = std::move(what);
+}
+
+double EstimateReader::number(const nlohmann::json& value, const char* key) {
+  const double read = value.is_number() ? value.get<double>() : not_given;
+  if (!value.is_number() && !value.is_null())
+    fail(Flaw::malformed, fmt::format("{} that is not a number", key));
+  else if (!std::isfinite(read))
+    fail(Flaw::not_finite, fmt::format("{} that is not finite", key));
+  return read;
+}
+
+double EstimateReader::within(const char* key, double limit) {
+  const double read = number(estimate_[key], key);
+  if (std::abs(read) > limit)
+    fail(Flaw::malformed, fmt::format("{} = {}, allowed: -{} to {}", key, read, limit, limit));
+  return read;
+}
+
+Vector3d EstimateReader::three(const char* key) {
+  const nlohmann::json& value = estimate_[key];
+  if (value.is_array() && value.size() == 3)
+    return {number(value[0], key), number(value[1], key), number(value[2], key)};
+  fail(Flaw::malformed, fmt::format("{} that has not 3 numbers", key));
+  return Vector3d::Zero();
+}
+
+Matrix3d EstimateReader::nine(const char* key) {
+  Matrix3d read = Matrix3d::Zero();
+  const nlohmann::json& rows = estimate_[key];
+  if (!rows.is_array() || rows.size() != 9) {
+    fail(Flaw::malformed, fmt::format("{} that has not 9 numbers", key));
+    return read;
+  }
+  for (Eigen::Index i = 0; i < 9; ++i)
+    read(i / 3, i % 3) = number(rows[static_cast<std::size_t>(i)], key);
+  return read;
+}
+
+/// Three standard deviations, or nine numbers row by row.
+std::optional<Matrix3d> EstimateReader::covariance(const char* sigma, const char* full,
+                                                   double unit) {
+  if (!has(sigma) && !has(full)) return {};
+  const Matrix3d read = has(sigma) ? Matrix3d(three(sigma).cwiseAbs2().asDiagonal()) : nine(full);
+  if (!is_covariance(read))
+    fail(Flaw::malformed, fmt::format("{} that is no covariance", has(sigma) ? sigma : full));
+  return read * unit * unit;
+}
+
+std::optional<Vector3d> EstimateReader::angles() {
+  if (!has("roll_deg") || !has("pitch_deg")) return {};
+  const double heading = has("heading_deg") ? within("heading_deg", 360) : not_given;
+  return Vector3d{within("roll_deg", 360), within("pitch_deg", 90), heading} * units::degree;
+}
+
+std::optional<frame::Position> EstimateReader::position() {
+  if (!has("latitude_deg") || !has("longitude_deg")) return {};
+  return frame::Position{within("latitude_deg", 90) * units::degree,
+                         within("longitude_deg", 360) * units::degree,
+                         has("height_m") ? number(estimate_["height_m"], "height_m") : not_given};
+}
+
+Values EstimateReader::values() {
+  Values values;
+  values.valid_at = measurement::stamp_from_ns(estimate_["valid_at_ns"].get<std::int64_t>());
+  values.roll_pitch_heading_rad = angles();
+  values.position = position();
+  if (has("velocity_ned_mps")) values.velocity_ned_mps = three("velocity_ned_mps");
+  values.attitude_rad2 =
+      covariance("attitude_sigma_deg", "attitude_covariance_deg2", units::degree);
+  values.position_m2 = covariance("position_sigma_m", "position_covariance_m2", 1);
+  values.velocity_m2ps2 = covariance("velocity_sigma_mps", "velocity_covariance_m2ps2", 1);
+  values.valid = !has("valid") || estimate_["valid"] == nlohmann::json(true);
+  return values;
+}
+
+void EstimateReader::must_give(const Values& values) {
+  if (gives_ == Gives::attitude && !values.roll_pitch_heading_rad)
+    fail(Flaw::malformed, "an estimate without roll_deg and pitch_deg");
+  if (gives_ == Gives::navigation && !values.position)
+    fail(Flaw::malformed, "an estimate without latitude_deg and longitude_deg");
+  if (gives_ == Gives::velocity && !values.velocity_ned_mps)
+    fail(Flaw::malformed, "an estimate without velocity_ned_mps");
+}
+
+pipeline::OutsideEstimate EstimateReader::read() {
+  if (!estimate_.is_object() || !has("valid_at_ns") ||
+      !estimate_["valid_at_ns"].is_number_integer()) {
+    fail(Flaw::malformed, "an estimate without valid_at_ns, a whole number");
+    return {};
+  }
+  const Values read = values();
+  must_give(read);
+  return flaw_ == Flaw::none ? estimate_of(read, gives_) : pipeline::OutsideEstimate{};
+}
+
+}  // namespace drydock::external

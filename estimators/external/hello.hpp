@@ -1,0 +1,36 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "estimators/external/gives.hpp"
+
+namespace drydock::external {
+
+/// The version of the protocol. docs/build/external-estimator.md describes it.
+inline constexpr int protocol_version = 1;
+
+/// What the other program is told before the first step.
+struct Hello {
+  struct Device {
+    std::string name, kind;
+    double rate_hz = 0;
+    std::array<double, 3> lever_arm_m{}, mounting_rad{};
+  };
+  std::string rig, estimator;
+  Gives gives = Gives::attitude;
+  double step_s = 0;
+  bool lockstep = false;
+  std::vector<Device> devices;  ///< in the order of the rig
+};
+
+/// One line of JSON, without its end.
+std::string line_of(const Hello& hello);
+
+/// What is wrong with the other program's answer to it; empty: nothing.
+std::string fault_of_hello(std::string_view line);
+
+}  // namespace drydock::external

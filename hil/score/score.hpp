@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cstdio>
+#include <string>
+
+#include "hil/score/align.hpp"
+
+namespace drydock::score {
+
+struct ScoreOptions {
+  std::string estimates, truth;  ///< files
+  std::string format;            ///< "csv", "tum", "mcap"; empty: by the name of the file
+  std::string topic;             ///< of nav_msgs/Odometry in an MCAP file; empty: its only one
+  Alignment alignment = Alignment::none;
+  double interval_s = 1, longest_gap_s = 0.2;
+  bool json = false;
+};
+
+/// The command `drydock score`. Exit code: 0 there are errors to show, 1 no estimate has a truth, 2
+/// a file cannot be read.
+int score(const ScoreOptions& options, std::FILE* out, std::FILE* err);
+
+}  // namespace drydock::score

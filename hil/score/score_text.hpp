@@ -1,0 +1,15 @@
+#pragma once
+
+#include <string>
+
+#include "hil/score/errors.hpp"
+#include "hil/score/score.hpp"
+
+namespace drydock::score {
+
+std::string score_text(const Errors& errors, const Pairs& pairs, const ScoreOptions& options);
+
+/// docs/use/score.md describes the keys.
+std::string score_json(const Errors& errors, const Pairs& pairs, const ScoreOptions& options);
+
+}  // namespace drydock::score
