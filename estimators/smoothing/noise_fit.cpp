@@ -10,7 +10,10 @@ namespace {
 
 constexpr std::size_t most_readings = 40'000;
 constexpr double first_step = 4, last_step = 1.02;  ///< factors that the search tries
-constexpr double least_factor = 1e-3, largest_factor = 1e3;
+constexpr double largest_change = 1e3;              ///< of the motion, either way
+/// A sensor's noise is within these of its first guess: a motion that explains every wiggle would
+/// else leave the sensor none.
+constexpr double least_noise = 0.05, largest_noise = 1e3;
 
 Dive middle_of(const Dive& dive) {
   Dive part{{}, dive.tilts, {}};
@@ -39,7 +42,8 @@ class Trial {
   }
   bool may_turn(std::size_t knob, double by) const {
     const double after = turned_[knob] * by;
-    return after > least_factor && after < largest_factor;
+    if (knob < 2) return after * largest_change > 1 && after < largest_change;
+    return after > least_noise && after < largest_noise;
   }
   void turn(std::size_t knob, double by) {
     turned_[knob] *= by;
@@ -76,6 +80,13 @@ bool improve(Trial& trial, std::size_t knob, double by, double& best) {
 }
 
 }  // namespace
+
+LevelMotion for_manoeuvres(LevelMotion fitted) {
+  constexpr double burst_factor = 1.6;
+  fitted.velocity_mps *= burst_factor;
+  fitted.turn_radps *= burst_factor;
+  return fitted;
+}
 
 double log_likelihood(const Residuals& residuals, double gate_sigma) {
   const double edge = gate_sigma > 0 ? gate_sigma * gate_sigma : INFINITY;

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include "drivers/decode/decode.hpp"
+#include "drivers/decode/replay.hpp"
+
+namespace drydock::program {
+
+/// The options of a capture without a rig, for commands that also take recordings.
+inline void add_capture(CLI::App& sub, decode::ReplayOptions& capture) {
+  const std::string group = "A capture without a rig";
+  sub.add_option("--protocol", capture.protocol, "what the sensor speaks, as in a rig file")
+      ->group(group);
+  sub.add_option("--kind", capture.kind,
+                 "dvl, emlog, gnss, imu, depth, actuator; where several speak the protocol")
+      ->group(group);
+  sub.add_option("--baud", capture.baud, "of the recorded line, where the file holds bytes")
+      ->group(group);
+  sub.add_option(
+         "--format", capture.format,
+         "the file's format, where its content does not tell: one of " + decode::decode_formats())
+      ->group(group);
+  sub.add_option("--interface", capture.interface, "of a CAN capture; default all")->group(group);
+  sub.add_option("--address", capture.address, "on the bus; default the first seen")->group(group);
+}
+
+}  // namespace drydock::program
