@@ -36,6 +36,7 @@ void add_maneuver(CLI::App&, Command&);
 void add_study(CLI::App&, Command&);
 // Measuring sensors, drivers and the machine.
 void add_characterize(CLI::App&, Command&);
+void add_calibrate(CLI::App&, Command&);
 void add_soak(CLI::App&, Command&);
 void add_validity(CLI::App&, Command&);
 void add_load(CLI::App&, Command&);
@@ -47,7 +48,7 @@ std::span<const AddCommand> commands() {
        add_fault,    add_diagnose,   add_decode,       add_probe,     add_describe, add_monitor,
        add_doctor,   add_completion, add_man,          add_export,    add_recover,  add_cut,
        add_bisect,   add_replay,     add_track,        add_proxy,     add_sensor,   add_sky,
-       add_maneuver, add_study,      add_characterize, add_soak,     add_validity,
+       add_maneuver, add_study,      add_characterize, add_calibrate, add_soak,     add_validity,
        add_load,     add_scorecard});
   return all;
 }
