@@ -103,11 +103,11 @@ Vector2d error_of(const TrackPoint& point, const AnalyticVoyage& voyage) {
 }
 
 TEST(InertialSmoother, ItsErrorsAreAsLargeAsItsCovarianceSaysAndHalfOfTheFilters) {
-  // Two axes of 100 dives, each with points that hang together: the mean is within 1 +- 0.1 in two
+  // Two axes of 240 dives, each with points that hang together: the mean is within 1 +- 0.07 in two
   // of three such tests, or better, since they hang together only in part.
   double nees = 0, smoother = 0, filter = 0;
   int count = 0;
-  for (std::uint64_t run = 0; run < 100; ++run) {
+  for (std::uint64_t run = 0; run < 240; ++run) {
     const InertialDive dive(1000 + run);
     const Track track = smooth_inertial(dive.dive, dive.options);
     for (std::size_t k = 0; k < track.smoothed.size(); k += 300) {
@@ -121,7 +121,7 @@ TEST(InertialSmoother, ItsErrorsAreAsLargeAsItsCovarianceSaysAndHalfOfTheFilters
       ++count;
     }
   }
-  EXPECT_GT(count, 100 * 4);
+  EXPECT_GT(count, 240 * 4);
   EXPECT_NEAR(nees / count, 1, 0.1);
   EXPECT_LT(std::sqrt(smoother / count), 0.5 * std::sqrt(filter / count));
 }
