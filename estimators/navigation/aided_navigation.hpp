@@ -83,6 +83,10 @@ class AidedNavigation {
   void loosen_biases(double gyro_sigma_radps, double accel_sigma_mps2);
 
   const NavigationState& state() const { return sdins_.state(); }
+  /// Eq. (15) over the last step: F at its end, of which covariance() was propagated.
+  ErrorDynamics dynamics() const {
+    return error_dynamics(sdins_.state(), sdins_.force_ned(), sdins_.loop());
+  }
   /// The attitude including the samples since the last step.
   Eigen::Quaterniond body_to_ned() const {
     return sdins_.state().body_to_ned * quaternion_of(sum_.angle());

@@ -1,5 +1,6 @@
 #include <array>
 
+#include "hil/study/calibration/calibration_study.hpp"
 #include "hil/study/leveling/leveling_study.hpp"
 #include "hil/study/mixing/mixing_study.hpp"
 #include "hil/study/roll/roll_study.hpp"
@@ -21,6 +22,9 @@ std::span<const Study> studies() {
             "Velocity: a vehicle model aids inertial navigation for 5.5 h under water (Lee et al. "
             "2016)",
             velocity_study, nullptr, velocity_case_names},
+      Study{"calibration",
+            "Calibration: do the bounds of mounting, scale, latency and deviation hold?",
+            calibration_study},
   };
   return all;
 }

@@ -33,6 +33,8 @@ drivers/probe              drivers/survey drivers/shell drivers/device drivers/d
 drivers/monitor            drivers/survey drivers/doctor drivers/diagnosis drivers/host drivers/probe drivers/decode drivers/text drivers/shell drivers/device drivers/bus drivers/link drivers/io drivers/terminal drivers/wire drivers/measurement rig_config
 estimators/frame           drivers/measurement
 estimators/navigation      estimators/frame
+estimators/smoothing        estimators/navigation estimators/frame
+estimators/calibration      estimators/smoothing estimators/frame
 estimators/leveling        estimators/navigation estimators/frame drivers/measurement
 estimators/mixing          estimators/frame
 estimators/roll            estimators/frame drivers/measurement
@@ -71,6 +73,8 @@ hil/replay/reference       drivers/recordings/record drivers/bus
 hil/replay                 drivers/diagnosis hil/replay/reference hil/bench hil/summary hil/fault estimators/host estimators/setup estimators/pipeline estimators/frame drivers/host drivers/recordings/record drivers/text drivers/bus drivers/link drivers/io drivers/terminal drivers/measurement rig_config
 hil/diagnose               drivers/diagnosis hil/replay hil/summary hil/report estimators/host drivers/monitor drivers/probe drivers/host drivers/shell drivers/device drivers/recordings/record drivers/link drivers/io drivers/terminal drivers/wire/protocols drivers/measurement rig_config
 hil/score                  hil/replay hil/replay/reference estimators/frame drivers/recordings/record drivers/recordings/mcap drivers/host drivers/terminal drivers/measurement
+hil/track                  hil/replay hil/report estimators/smoothing estimators/setup estimators/pipeline estimators/navigation estimators/frame drivers/host drivers/decode drivers/recordings/record drivers/link drivers/io drivers/terminal drivers/measurement rig_config
+hil/calibrate              hil/track hil/report estimators/calibration estimators/smoothing estimators/frame drivers/terminal drivers/measurement rig_config
 hil/scorecard              drivers/diagnosis estimators/host hil/bench hil/summary hil/study/run hil/report hil/motion estimators/pipeline estimators/frame drivers/device drivers/link drivers/terminal drivers/measurement rig_config
 hil/endurance              drivers/diagnosis hil/bench hil/summary hil/validity hil/validity/run hil/report hil/fault drivers/text drivers/link drivers/terminal rig_config
 hil/info                   drivers/recordings/record drivers/recordings/mcap drivers/bus drivers/capture drivers/probe drivers/survey drivers/terminal drivers/measurement rig_config
@@ -121,7 +125,7 @@ never() { # FOLDER REGEX: system headers that FOLDER keeps out
 }
 
 io='boost/asio|dds/|fstream|iostream|filesystem|thread|mutex|sys/|unistd|toml'
-for folder in drivers/{measurement,wire,device,survey} estimators/{frame,hydrodynamics,leveling,mixing,navigation,roll,vehicle,velocity,pipeline,consistency}; do
+for folder in drivers/{measurement,wire,device,survey} estimators/{frame,hydrodynamics,leveling,mixing,navigation,smoothing,calibration,roll,vehicle,velocity,pipeline,consistency}; do
   never "$folder" "$io"
 done
 if grep -nE '(system_clock|steady_clock)::now|\brandom_device\b|\brand\(\)' -r drivers/{wire,device,survey,measurement} estimators \

@@ -3,8 +3,8 @@
 #include <charconv>
 #include <memory>
 
-#include "drivers/decode/decode.hpp"
 #include "drivers/decode/replay.hpp"
+#include "hil/program/capture_arguments.hpp"
 #include "hil/program/commands.hpp"
 #include "hil/program/load_rig.hpp"
 #include "hil/program/options.hpp"
@@ -51,30 +51,6 @@ void add_recording_options(CLI::App& sub, ReplayArguments& a) {
       ->allow_extra_args(false)
       ->take_all();
   add_serve(sub, r.serve, "; speed 1 unless given");
-}
-
-void add_capture_options(CLI::App& sub, decode::ReplayOptions& c) {
-  const std::string group = "A capture without a rig";
-  sub.add_option("--protocol", c.protocol,
-                 "what the sensor speaks: one of " + decode::decode_protocols())
-      ->group(group);
-  sub.add_option("--kind", c.kind,
-                 "one of dvl, emlog, gnss, imu, depth, actuator, attitude; where several speak the "
-                 "protocol")
-      ->group(group);
-  sub.add_option("--baud", c.baud, "of the recorded line, where the file holds bytes")
-      ->group(group);
-  sub.add_option(
-         "--format", c.format,
-         "the file's format, where its content does not tell: one of " + decode::decode_formats())
-      ->group(group);
-  sub.add_option("--clock", c.clock,
-                 "of a capture without times of arrival: device (its own time, where it tells one; "
-                 "the default) or line (bytes at --baud)")
-      ->check(CLI::IsMember({"device", "line"}))
-      ->group(group);
-  sub.add_option("--interface", c.interface, "of a CAN capture; default all")->group(group);
-  sub.add_option("--address", c.address, "on the bus; default the first seen")->group(group);
 }
 
 /// The value 0 means as fast as possible. The result is empty if the text is no speed.
@@ -145,7 +121,7 @@ void add_replay(CLI::App& app, Command& command) {
   sub->add_flag("--quiet", a->capture.quiet,
                 "of a recording the summary alone; of a capture no states and totals");
   add_recording_options(*sub, *a);
-  add_capture_options(*sub, a->capture);
+  add_capture(*sub, a->capture);
   sub->callback([a, sub, &command] {
     a->recording.quiet = a->capture.quiet;
     a->recording.recording = a->capture.capture;

@@ -1,0 +1,158 @@
+#include "estimators/smoothing/level_filter.hpp"
+
+#include <cmath>
+
+#include "estimators/frame/earth.hpp"
+
+namespace drydock::smoothing {
+
+using Eigen::Matrix3d;
+using Eigen::RowVector3d;
+using Eigen::Vector3d;
+
+namespace {
+
+LevelVector start_sigma(const LevelSigmas& s) {
+  LevelVector sigma;
+  sigma << s.position_m, s.position_m, s.depth_m, Vector3d::Constant(s.velocity_mps), s.heading_rad,
+      s.turn_radps, s.heading_bias_rad, s.current_mps, s.current_mps;
+  return sigma;
+}
+
+/// Body axes as the device takes them -> the body's own.
+Matrix3d misalignment(const SensorModel& sensor) {
+  return frame::body_to_ned({0, sensor.pitch_rad, sensor.yaw_rad}).toRotationMatrix();
+}
+
+/// The same vector, swung by a quarter turn about the vertical: the derivative by the heading.
+Vector3d swung(const Vector3d& v) { return {-v.y(), v.x(), 0}; }
+
+}  // namespace
+
+LevelFilter::LevelFilter(const LevelOptions& options) : options_(options), state_(options.start) {
+  p_.diagonal() = start_sigma(options.sigmas).cwiseAbs2();
+}
+
+const SensorModel& LevelFilter::sensor(std::uint16_t device) const {
+  static const SensorModel perfect;
+  return device < options_.sensors.size() ? options_.sensors[device] : perfect;
+}
+
+LevelMatrix LevelFilter::propagate(double dt) {
+  correction_.setZero();
+  const LevelMatrix q = wandering(state_, options_.motion, dt);
+  const LevelMatrix transition = move(state_, dt);
+  const LevelMatrix p = transition * p_ * transition.transpose() + q;
+  p_ = (p + p.transpose()) / 2;
+  return transition;
+}
+
+std::array<Residual, 3> LevelFilter::update(const Reading& reading, const Tilt& tilt) {
+  const Rows rows = rows_of(reading, tilt);
+  std::array<Residual, 3> residuals;
+  LevelVector errors = LevelVector::Zero();
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const auto i = static_cast<Eigen::Index>(axis);
+    if (rows[axis].slope.isZero(0) || std::isnan(reading.value(i))) continue;
+    double residual = reading.quantity == Quantity::fix ? -rows[axis].expected
+                                                        : reading.value(i) - rows[axis].expected;
+    if (reading.quantity == Quantity::heading) residual = frame::wrap_pi(residual);
+    residuals[axis] = take(rows[axis], residual, reading.sigma(i) * reading.sigma(i), errors);
+  }
+  state_.add(errors);
+  correction_ += errors;
+  return residuals;
+}
+
+Residual LevelFilter::take(const Row& row, double residual, double variance, LevelVector& errors) {
+  const LevelVector cross = p_ * row.slope;
+  const double expected = row.slope.dot(cross) + variance;
+  const double innovation = residual - row.slope.dot(errors);
+  const double gate = options_.gate_sigma;
+  Residual result{innovation, std::sqrt(expected), true, true};
+  if (gate > 0 && std::abs(result.normalised()) > gate) {
+    result.used = false;
+    return result;
+  }
+  errors += innovation / expected * cross;
+  const LevelVector root = cross / result.sigma;
+  p_.noalias() -= root * root.transpose();
+  return result;
+}
+
+LevelFilter::Rows LevelFilter::rows_of(const Reading& reading, const Tilt& tilt) const {
+  const SensorModel& model = sensor(reading.device);
+  Rows rows;
+  switch (reading.quantity) {
+    case Quantity::bottom: return velocity_rows(model, tilt, false);
+    case Quantity::log: rows = velocity_rows(model, tilt, true); break;
+    case Quantity::fix: return fix_rows(reading, model, tilt);
+    case Quantity::heading: rows[0] = heading_row(model); return rows;
+    case Quantity::depth:
+      rows[0].expected = (body_to_level(tilt) * model.lever).z() - state_.position.height_m;
+      rows[0].slope(position_part + 2) = 1;
+      return rows;
+  }
+  rows[2] = {};  // a log has no vertical axis
+  return rows;
+}
+
+/// Eq. (S8) and (S9).
+LevelFilter::Rows LevelFilter::velocity_rows(const SensorModel& sensor, const Tilt& tilt,
+                                             bool of_water) const {
+  const Matrix3d level = body_to_level(tilt);
+  const Matrix3d to_sensor =
+      (1 + sensor.scale_error) * misalignment(sensor).transpose() * level.transpose();
+  const Vector3d arm = swung(level * sensor.lever);
+  Vector3d velocity = state_.velocity + state_.turn_radps * arm;
+  const Matrix3d to_heading = heading_to_ned(state_.heading_rad).transpose();
+  const Vector3d current = to_heading.leftCols<2>() * state_.current;
+  if (of_water) velocity -= current;
+  const Vector3d expected = to_sensor * velocity, by_turn = to_sensor * arm;
+  const Vector3d by_heading = to_sensor * swung(current);
+  const Eigen::Matrix<double, 3, 2> by_current = -to_sensor * to_heading.leftCols<2>();
+  Rows rows;
+  for (int i = 0; i < 3; ++i) {
+    Row& row = rows[static_cast<std::size_t>(i)];
+    row.expected = expected(i);
+    row.slope.segment<3>(velocity_part) = to_sensor.row(i);
+    row.slope(turn_part) = by_turn(i);
+    if (!of_water) continue;
+    row.slope(heading_part) = by_heading(i);
+    row.slope.segment<2>(current_part) = by_current.row(i);
+  }
+  return rows;
+}
+
+/// Eq. (S10): where the antenna is expected, relative to the fix, m north and east.
+LevelFilter::Rows LevelFilter::fix_rows(const Reading& reading, const SensorModel& sensor,
+                                        const Tilt& tilt) const {
+  const frame::Position& at = state_.position;
+  const double meridian = frame::meridian_radius(at.latitude_rad) + at.height_m;
+  const double transverse = frame::transverse_radius(at.latitude_rad) + at.height_m;
+  const Vector3d arm = heading_to_ned(state_.heading_rad) * body_to_level(tilt) * sensor.lever;
+  Rows rows;
+  rows[0].expected = (at.latitude_rad - reading.value.x()) * meridian + arm.x();
+  rows[1].expected = frame::wrap_pi(at.longitude_rad - reading.value.y()) * transverse *
+                         std::cos(at.latitude_rad) +
+                     arm.y();
+  const Vector3d by_heading = swung(arm);
+  for (int i = 0; i < 2; ++i) {
+    rows[static_cast<std::size_t>(i)].slope(position_part + i) = 1;
+    rows[static_cast<std::size_t>(i)].slope(heading_part) = by_heading(i);
+  }
+  return rows;
+}
+
+/// Eq. (S11).
+LevelFilter::Row LevelFilter::heading_row(const SensorModel& sensor) const {
+  const auto [a, b, c] = sensor.deviation_rad;
+  const double sine = std::sin(state_.heading_rad), cosine = std::cos(state_.heading_rad);
+  Row row;
+  row.expected = state_.heading_rad + state_.heading_bias_rad + a + b * sine + c * cosine;
+  row.slope(heading_part) = 1 + b * cosine - c * sine;
+  row.slope(bias_part) = 1;
+  return row;
+}
+
+}  // namespace drydock::smoothing

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <optional>
+
+#include "estimators/smoothing/level_state.hpp"
+#include "estimators/smoothing/sensor_model.hpp"
+
+namespace drydock::smoothing {
+
+/// One standard deviation of each error at the start.
+struct LevelSigmas {
+  double position_m = 100, depth_m = 5, velocity_mps = 3;
+  double heading_rad = 0.2, turn_radps = 0.1;
+  double heading_bias_rad = 0.02;
+  double current_mps = 0.5;
+};
+
+struct LevelOptions {
+  LevelState start;
+  LevelSigmas sigmas;
+  LevelMotion motion;
+  SensorModels sensors;   ///< by device; a device beyond the end has the default model
+  double gate_sigma = 5;  ///< axes with a larger normalised residual are refused; 0: no gate
+};
+
+/// Extended Kalman filter of a LevelState. Allocates nothing, throws nothing; values are finite or
+/// NaN for an axis that was not measured.
+class LevelFilter {
+ public:
+  explicit LevelFilter(const LevelOptions& options);
+
+  /// Returns the transition of the errors over `dt`.
+  LevelMatrix propagate(double dt);
+
+  /// Compares a reading with the state at its time, and corrects the state with the axes inside
+  /// the gate. Residuals are relative to the state before the whole reading, in its units; those
+  /// of a fix are m north, east.
+  std::array<Residual, 3> update(const Reading& reading, const Tilt& tilt);
+
+  const LevelState& state() const { return state_; }
+  const LevelMatrix& covariance() const { return p_; }
+  /// The sum of the corrections since propagate().
+  const LevelVector& correction() const { return correction_; }
+
+ private:
+  /// An axis of a measurement: what the state lets expect, and the derivative by the errors.
+  struct Row {
+    double expected = 0;
+    LevelVector slope = LevelVector::Zero();
+  };
+  using Rows = std::array<Row, 3>;
+
+  Rows rows_of(const Reading& reading, const Tilt& tilt) const;
+  Rows velocity_rows(const SensorModel& sensor, const Tilt& tilt, bool of_water) const;
+  Rows fix_rows(const Reading& reading, const SensorModel& sensor, const Tilt& tilt) const;
+  Row heading_row(const SensorModel& sensor) const;
+  Residual take(const Row& row, double residual, double variance, LevelVector& errors);
+  const SensorModel& sensor(std::uint16_t device) const;
+
+  const LevelOptions& options_;
+  LevelState state_;
+  LevelMatrix p_ = LevelMatrix::Zero();
+  LevelVector correction_ = LevelVector::Zero();
+};
+
+}  // namespace drydock::smoothing

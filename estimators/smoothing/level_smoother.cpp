@@ -1,0 +1,108 @@
+#include "estimators/smoothing/level_smoother.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <numeric>
+
+#include "estimators/smoothing/rts.hpp"
+
+namespace drydock::smoothing {
+namespace {
+
+constexpr double same_time_s = 1e-4;
+
+using LevelStep = RtsStep<level_size>;
+
+/// The order of the readings by the times at which they were true.
+struct Order {
+  std::vector<double> times_s;  ///< by reading
+  std::vector<std::size_t> order;
+
+  Order(const Dive& dive, const SensorModels& sensors)
+      : times_s(dive.readings.size()), order(dive.readings.size()) {
+    for (std::size_t i = 0; i < times_s.size(); ++i) {
+      const Reading& reading = dive.readings[i];
+      const double latency =
+          reading.device < sensors.size() ? sensors[reading.device].latency_s : 0;
+      times_s[i] = reading.time_s - latency;
+    }
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::ranges::stable_sort(order, {}, [&](std::size_t i) { return times_s[i]; });
+  }
+};
+
+using AfterEpoch =
+    std::function<void(double time_s, const LevelStep& step, const LevelFilter& filter)>;
+
+/// One pass forward; `after` may be empty.
+Residuals pass(const Dive& dive, const LevelOptions& options, const AfterEpoch& after) {
+  const Order by_time(dive, options.sensors);
+  Residuals residuals(dive.readings.size());
+  LevelFilter filter(options);
+  double now = by_time.order.empty() ? 0 : by_time.times_s[by_time.order.front()];
+  for (std::size_t k = 0; k < by_time.order.size();) {
+    const double time = by_time.times_s[by_time.order[k]];
+    LevelStep step;
+    step.transition = filter.propagate(time - now);
+    if (after) step.predicted = filter.covariance();
+    now = time;
+    const Tilt tilt = tilt_at(dive.tilts, now);
+    for (; k < by_time.order.size(); ++k) {
+      const std::size_t i = by_time.order[k];
+      if (by_time.times_s[i] - now > same_time_s) break;
+      residuals[i] = filter.update(dive.readings[i], tilt);
+    }
+    if (!after) continue;
+    step.filtered = filter.covariance();
+    step.correction = filter.correction();
+    after(now, step, filter);
+  }
+  return residuals;
+}
+
+}  // namespace
+
+Residuals level_residuals(const Dive& dive, const LevelOptions& options) {
+  return pass(dive, options, {});
+}
+
+Track smooth_level(const Dive& dive, const LevelOptions& options) {
+  Track track;
+  std::vector<LevelStep> steps;
+  std::vector<LevelState> states;
+  const auto keep = [&](double time_s, const LevelStep& step, const LevelFilter& filter) {
+    steps.push_back(step);
+    states.push_back(filter.state());
+    track.filtered.push_back(
+        point_of(time_s, filter.state(), filter.covariance(), tilt_at(dive.tilts, time_s)));
+  };
+  track.residuals = pass(dive, options, keep);
+  const auto results = smooth<level_size>(std::span<const LevelStep>(steps));
+  track.smoothed.reserve(results.size());
+  for (std::size_t k = 0; k < results.size(); ++k) {
+    const double time_s = track.filtered[k].time_s;
+    states[k].add(results[k].correction);
+    track.smoothed.push_back(
+        point_of(time_s, states[k], results[k].covariance, tilt_at(dive.tilts, time_s)));
+  }
+  return track;
+}
+
+LevelState level_start(const Dive& dive, const frame::Position& otherwise) {
+  LevelState start;
+  start.position = otherwise;
+  const auto first = [&](Quantity quantity) -> const Reading* {
+    const auto found = std::ranges::find(dive.readings, quantity, &Reading::quantity);
+    return found == dive.readings.end() ? nullptr : &*found;
+  };
+  if (const auto* fix = first(Quantity::fix)) {
+    start.position.latitude_rad = fix->value.x();
+    start.position.longitude_rad = fix->value.y();
+  }
+  if (const auto* heading = first(Quantity::heading))
+    start.heading_rad = frame::wrap_pi(heading->value.x());
+  if (const auto* depth = first(Quantity::depth)) start.position.height_m = -depth->value.x();
+  return start;
+}
+
+}  // namespace drydock::smoothing

@@ -1,0 +1,114 @@
+#include "hil/calibrate/outcome.hpp"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "drivers/measurement/units.hpp"
+#include "hil/track/setup.hpp"
+
+namespace drydock::calibrate {
+namespace {
+
+using calibration::Finding;
+using calibration::Verdict;
+using smoothing::Quantity;
+using Json = nlohmann::ordered_json;
+
+bool is_angle(const Finding& f) { return unit_of(f.parameter.unknown) == "rad"; }
+double shown(const Finding& f, double value) {
+  return is_angle(f) ? value * units::degrees_per_radian : value;
+}
+std::string shown_unit(const Finding& f) {
+  const auto unit = unit_of(f.parameter.unknown);
+  return is_angle(f) ? " deg" : unit == "1" ? "" : " " + std::string(unit);
+}
+
+std::string full_name(const Outcome& outcome, const Finding& f) {
+  return outcome.gathered.device_name(f.parameter.device) + ": " +
+         std::string(name_of(f.parameter.unknown));
+}
+
+std::string_view verdict_text(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::told: return "told";
+    case Verdict::weakly: return "told weakly";
+    case Verdict::not_told: break;
+  }
+  return "not told";
+}
+
+std::string why_of(const Outcome& outcome, const Finding& f) {
+  if (f.verdict == Verdict::told || f.confused_with < 0) return f.why;
+  const auto& other = outcome.calibration.findings.at(static_cast<std::size_t>(f.confused_with));
+  return "it cannot be told apart from " + full_name(outcome, other);
+}
+
+std::string line_of(const Outcome& outcome, const Finding& f) {
+  const auto why = why_of(outcome, f);
+  return fmt::format("  {} {:+.4f} +- {:.4f}{} (95 %), {}{}\n", full_name(outcome, f),
+                     shown(f, f.value), shown(f, f.bound()), shown_unit(f), verdict_text(f.verdict),
+                     why.empty() ? "" : ": " + why);
+}
+
+Json finding_json(const Outcome& outcome, const Finding& f) {
+  return {{"device", outcome.gathered.device_name(f.parameter.device)},
+          {"parameter", name_of(f.parameter.unknown)},
+          {"unit", unit_of(f.parameter.unknown)},
+          {"value", f.value},
+          {"sigma", f.sigma},
+          {"bound_95", f.bound()},
+          {"prior_sigma", f.parameter.prior_sigma},
+          {"verdict", verdict_text(f.verdict)},
+          {"why", why_of(outcome, f)}};
+}
+
+}  // namespace
+
+Outcome calibrated(track::Gathered gathered) {
+  if (!track::has(gathered.dive, Quantity::heading))
+    throw std::runtime_error("no heading: a compass, or a DVL with its own");
+  const auto parameters = calibration::parameters_of(gathered.dive);
+  if (!track::has(gathered.dive, Quantity::bottom) && !track::has(gathered.dive, Quantity::log))
+    throw std::runtime_error("no bottom track and no log: nothing to calibrate");
+  if (gathered.own_heading)
+    gathered.notes.emplace_back(
+        "the heading is the DVL's own: yaw is that of its beams against its compass; its mounting "
+        "in the vehicle cannot be told");
+  const auto options = track::level_of(gathered, {});
+  auto found = calibration::calibrate(gathered.dive, options, parameters, gathered.unstated);
+  return {std::move(gathered), std::move(found)};
+}
+
+std::string to_text(const Outcome& outcome) {
+  const auto& c = outcome.calibration;
+  std::string out = fmt::format("{}: changes of what the rig says, after {} iterations{}\n",
+                                outcome.gathered.source, c.iterations,
+                                c.converged ? "" : ", which did not settle");
+  for (const auto& note : outcome.gathered.notes) out += "  " + note + "\n";
+  for (const auto& finding : c.findings) out += line_of(outcome, finding);
+  for (std::size_t i = 0; i < c.findings.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      if (const double r =
+              c.correlation(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
+          std::abs(r) > 0.5)
+        out += fmt::format("  correlation {:+.2f}: {} with {}\n", r,
+                           full_name(outcome, c.findings[i]), full_name(outcome, c.findings[j]));
+  return out;
+}
+
+std::string to_json(const Outcome& outcome) {
+  const auto& c = outcome.calibration;
+  Json json{{"source", outcome.gathered.source}, {"converged", c.converged},
+            {"iterations", c.iterations},        {"notes", outcome.gathered.notes},
+            {"findings", Json::array()},         {"correlation", Json::array()}};
+  for (const auto& finding : c.findings) json["findings"].push_back(finding_json(outcome, finding));
+  for (Eigen::Index i = 0; i < c.correlation.rows(); ++i) {
+    const Eigen::VectorXd row = c.correlation.row(i);
+    json["correlation"].push_back(std::vector<double>(row.begin(), row.end()));
+  }
+  return json.dump(2) + "\n";
+}
+
+}  // namespace drydock::calibrate

@@ -1,0 +1,76 @@
+#include "hil/track/track.hpp"
+
+#include <memory>
+
+#include "drivers/measurement/units.hpp"
+#include "hil/program/capture_arguments.hpp"
+#include "hil/program/commands.hpp"
+#include "hil/program/load_rig.hpp"
+#include "hil/program/part_arguments.hpp"
+
+namespace drydock::program {
+
+namespace {
+
+struct TrackArguments {
+  track::TrackOptions options;
+  PartArguments part;
+  std::string model = "best";
+  std::vector<double> start;
+};
+
+void finish(TrackArguments& a) {
+  auto& o = a.options;
+  o.part = a.part.selection();
+  if (a.model == "inertial") o.model = track::Model::inertial;
+  if (a.model == "level") o.model = track::Model::level;
+  if (a.start.empty()) return;
+  o.origin = frame::Position{a.start[0] * units::degree, a.start[1] * units::degree, 0};
+}
+
+}  // namespace
+
+void add_track(CLI::App& app, Command& command) {
+  auto a = std::make_shared<TrackArguments>();
+  auto& o = a->options;
+  auto* sub = app.add_subcommand(
+      "track", "The best track of a dive after the fact, with its uncertainty and residuals");
+  sub->footer(
+      "Example: drydock track dive.mcap -o dive.geojson --report out\n"
+      "         drydock track dive.mcap --model level --json\n"
+      "         drydock track dive.pd0 --protocol pd0 --start 41.5,-70.7 -o dive.gpx");
+  sub->add_option("RECORDING", o.source.capture, "MCAP recording, or capture of one sensor")
+      ->required()
+      ->check(CLI::ExistingFile);
+  sub->add_option("-o,--out", o.out, "file of the track");
+  sub->add_option("--as", o.as,
+                  "its format, one of geojson, gpx, csv, mcap; default as its name ends")
+      ->check(CLI::IsMember({"geojson", "gpx", "csv", "mcap"}));
+  sub->add_option("--every", o.every_s,
+                  "time between points of GeoJSON, GPX and CSV; default 1s, 0: every epoch")
+      ->transform(duration_text);
+  sub->add_flag("--overwrite", o.overwrite, "replace what is there");
+  sub->add_option("--report", o.report, "write index.html with a map into this folder");
+  sub->add_flag("--json", o.json, "one JSON object instead of text");
+  sub->add_option("--model", a->model,
+                  "inertial: the IMU with the grade of the rig's estimator; level: without it; "
+                  "default best: inertial where that is possible")
+      ->check(CLI::IsMember({"best", "inertial", "level"}));
+  sub->add_option("--start", a->start, "latitude,longitude of a dive without a fix, degrees")
+      ->delimiter(',')
+      ->expected(2);
+  sub->add_option("--rig", o.rig, "rig file in the place of the recorded one")
+      ->check(CLI::ExistingFile);
+  a->part.add_only_and_from(*sub);
+  a->part.add_to(*sub);
+  add_capture(*sub, o.source);
+  sub->callback([a, &command] {
+    finish(*a);
+    command = [a] {
+      a->options.source.description = load_protocol(a->options.source.protocol);
+      return track::track(a->options, stdout, stderr);
+    };
+  });
+}
+
+}  // namespace drydock::program

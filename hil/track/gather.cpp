@@ -1,0 +1,94 @@
+#include "hil/track/gather.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <boost/asio/io_context.hpp>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+
+#include "hil/replay/recorded_rig.hpp"
+#include "hil/replay/replay_bench.hpp"
+#include "hil/track/gatherer.hpp"
+#include "hil/track/setup.hpp"
+#include "rig_config/load.hpp"
+
+namespace drydock::track {
+namespace {
+
+rig_config::Rig rig_to_play(const replay::RecordedRig& recorded, const std::string& rig_file) {
+  if (rig_file.empty()) return recorded.rig();
+  auto rig = rig_config::load_rig(rig_file);
+  if (!rig) throw std::runtime_error(rig_file + ": " + rig.error().front().what);
+  return std::move(*rig);
+}
+
+std::string text_of(const std::string& path) {
+  std::ifstream in(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+/// A capture has one device and no rig file.
+rig_config::Rig rig_of_capture(measurement::Kind kind) {
+  rig_config::Rig rig;
+  rig.devices.emplace_back();
+  rig.devices.back().name = std::string(to_string(kind));
+  rig.devices.back().kind = kind;
+  return rig;
+}
+
+/// A capture of bytes has the times of its line. The device's own clock is better, if every
+/// measurement has it.
+bool stamp_by_device(std::vector<measurement::Measurement>& all) {
+  const auto has_own = [](const auto& m) {
+    return measurement::origin_of(m).device_time.has_value();
+  };
+  if (all.empty() || !std::ranges::all_of(all, has_own)) return false;
+  for (auto& m : all)
+    std::visit([](auto& x) { x.origin.valid_at = measurement::Stamp{*x.origin.device_time}; }, m);
+  return true;
+}
+
+}  // namespace
+
+Gathered gather_recording(const std::string& path, const record::Selection& part,
+                          const std::string& rig_file) {
+  auto recording = record::Recording::open(path);
+  if (!recording) throw std::runtime_error(recording.error().line);
+  if (const auto wrong = record::misfit(part, *recording); !wrong.empty())
+    throw std::runtime_error(wrong);
+  const replay::RecordedRig recorded(*recording);
+  const auto rig = rig_to_play(recorded, rig_file);
+  boost::asio::io_context io{1};
+  replay::Pace pace(io, 0);
+  replay::ReplayBench bench(*recording, rig, part, {});
+  const auto inertial = part.from ? std::nullopt : inertial_of(rig);
+  Gatherer gatherer(rig, inertial ? std::optional(inertial->imu) : std::nullopt);
+  bench.followers().add(gatherer);
+  bench.play(pace, [](double) { return true; });
+  Gathered gathered = gatherer.take();
+  gathered.source = path;
+  gathered.rig_text = text_of(rig.file);
+  if (!recorded.trouble().empty()) gathered.notes.push_back(recorded.trouble());
+  if (!recording->damage().empty())
+    gathered.notes.push_back("the recording is damaged: " + recording->damage());
+  return gathered;
+}
+
+Gathered gather_capture(const decode::ReplayOptions& capture) {
+  std::vector<measurement::Measurement> all;
+  const auto kind =
+      decode::play(capture, [&](const measurement::Measurement& m) { all.push_back(m); });
+  const bool by_device = stamp_by_device(all);
+  const auto rig = rig_of_capture(kind);
+  Gatherer gatherer(rig, {});
+  for (const auto& m : all) gatherer.on_measurement(m);
+  Gathered gathered = gatherer.take();
+  gathered.source = capture.capture;
+  gathered.notes.emplace_back(by_device ? "times are those of the device's own clock"
+                                        : "times are those of the capture");
+  return gathered;
+}
+
+}  // namespace drydock::track

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "drivers/decode/replay.hpp"
+#include "drivers/recordings/record/selection.hpp"
+#include "hil/track/gathered.hpp"
+
+namespace drydock::track {
+
+/// Plays a recording through the drivers of its rig, in virtual time. `rig_file`: a rig file in the
+/// place of the recorded one, with the same devices; empty: the recorded one. Throws
+/// std::runtime_error with one line if it cannot be played.
+Gathered gather_recording(const std::string& path, const record::Selection& part,
+                          const std::string& rig_file = {});
+
+/// Plays a capture of one sensor through its driver.
+Gathered gather_capture(const decode::ReplayOptions& capture);
+
+}  // namespace drydock::track

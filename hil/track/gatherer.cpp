@@ -1,0 +1,155 @@
+#include "hil/track/gatherer.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "drivers/measurement/units.hpp"
+#include "estimators/frame/attitude.hpp"
+
+namespace drydock::track {
+namespace {
+
+using Eigen::Vector3d;
+using measurement::FixType;
+
+// First guesses of noise that nobody states; it is fitted.
+constexpr double usual_bottom_mps = 0.02, usual_log_mps = 0.05, usual_depth_m = 0.1;
+constexpr double usual_heading_rad = 1 * units::degree, usual_fix_m = 2.5;
+/// A stated accuracy below this is no accuracy.
+constexpr double least_sigma = 1e-4;
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
+std::optional<Vector3d> sigma_of(const std::optional<Eigen::Matrix3d>& covariance) {
+  if (!covariance) return {};
+  const Vector3d sigma = covariance->diagonal().cwiseSqrt();
+  if (!sigma.allFinite() || sigma.minCoeff() < least_sigma) return {};
+  return sigma;
+}
+
+std::optional<Vector3d> sigma_of(const std::optional<double>& sigma) {
+  if (!sigma || !(*sigma >= least_sigma)) return {};
+  return Vector3d::Constant(*sigma);
+}
+
+bool is_position(FixType type) {
+  return type == FixType::two_d || type == FixType::three_d || type == FixType::gnss_and_dr;
+}
+
+/// The body's attitude from that of a sensor's own axes.
+frame::Euler of_body(const frame::Euler& of_sensor, const rig_config::DeviceConfig& device) {
+  const auto [roll, pitch, yaw] = device.mounting_rad;
+  return frame::euler(frame::body_to_ned(of_sensor) *
+                      frame::body_to_ned({roll, pitch, yaw}).conjugate());
+}
+
+}  // namespace
+
+Gatherer::Gatherer(const rig_config::Rig& rig, std::optional<std::uint16_t> inertial)
+    : rig_(rig), inertial_(inertial) {
+  has_compass_ = std::ranges::any_of(
+      rig.devices, [](const auto& device) { return device.kind == measurement::Kind::attitude; });
+}
+
+double Gatherer::time_of(Stamp at) {
+  if (!started_) gathered_.start = at;
+  started_ = true;
+  return measurement::seconds(at - gathered_.start);
+}
+
+void Gatherer::on_measurement(const measurement::Measurement& measurement) {
+  std::visit([this](const auto& m) { hear(m); }, measurement);
+}
+
+void Gatherer::on_truth(const host::Estimate& truth) {
+  if (!truth.navigation) return;
+  const auto& n = *truth.navigation;
+  gathered_.truth.push_back({time_of(n.valid_at), {n.latitude_rad, n.longitude_rad, n.height_m}});
+}
+
+void Gatherer::add(Quantity quantity, const measurement::Origin& origin, const Vector3d& value,
+                   const std::optional<Vector3d>& sigma, double usual) {
+  gathered_.dive.readings.push_back({time_of(origin.valid_at), quantity, origin.device, value,
+                                     sigma.value_or(Vector3d::Constant(usual))});
+  auto& unstated = gathered_.unstated;
+  const auto same = [&](const smoothing::UnstatedNoise& one) {
+    return one.quantity == quantity && one.device == origin.device;
+  };
+  if (!sigma && std::ranges::none_of(unstated, same)) unstated.push_back({quantity, origin.device});
+}
+
+void Gatherer::add_tilt(const measurement::Origin& origin, double roll, double pitch) {
+  if (!std::isfinite(roll) || !std::isfinite(pitch)) return;
+  tilts_[origin.device].push_back({time_of(origin.valid_at), roll, pitch});
+}
+
+void Gatherer::hear(const measurement::BottomVelocity& track) {
+  if (track.sound_speed_mps)
+    gathered_.sound_speed_mps[track.origin.device] = *track.sound_speed_mps;
+  if (track.velocity && track.velocity->allFinite()) {
+    add(Quantity::bottom, track.origin, *track.velocity, sigma_of(track.velocity_covariance),
+        usual_bottom_mps);
+  } else {
+    pass_over("DVL without bottom track");
+  }
+  if (has_compass_ || !track.heading_rad || !track.pitch_rad || !track.roll_rad) return;
+  if (track.origin.device >= rig_.devices.size()) return;
+  const auto attitude = of_body({*track.roll_rad, *track.pitch_rad, *track.heading_rad},
+                                rig_.devices[track.origin.device]);
+  gathered_.own_heading = true;
+  add(Quantity::heading, track.origin, {attitude.yaw, 0, 0}, {}, usual_heading_rad);
+  add_tilt(track.origin, attitude.roll, attitude.pitch);
+}
+
+void Gatherer::hear(const measurement::WaterSpeed& speed) {
+  const Vector3d value{speed.longitudinal_mps.value_or(unknown),
+                       speed.transverse_mps.value_or(unknown), unknown};
+  if (!std::isfinite(value.x())) return pass_over("log without speed");
+  add(Quantity::log, speed.origin, value, sigma_of(speed.sigma_mps), usual_log_mps);
+}
+
+void Gatherer::hear(const measurement::DepthSample& sample) {
+  if (!sample.depth_m || !std::isfinite(*sample.depth_m))
+    return pass_over("depth sensor without depth");
+  add(Quantity::depth, sample.origin, {*sample.depth_m, 0, 0}, {}, usual_depth_m);
+}
+
+void Gatherer::hear(const measurement::AttitudeSample& sample) {
+  if (sample.roll_rad && sample.pitch_rad)
+    add_tilt(sample.origin, *sample.roll_rad, *sample.pitch_rad);
+  if (sample.true_heading_rad && std::isfinite(*sample.true_heading_rad))
+    return add(Quantity::heading, sample.origin, {*sample.true_heading_rad, 0, 0}, {},
+               usual_heading_rad);
+  if (sample.heading_rad) pass_over("magnetic heading without variation");
+}
+
+void Gatherer::hear(const measurement::GnssFix& fix) {
+  if (!fix.position || !is_position(fix.type)) return pass_over("GNSS without fix");
+  add(Quantity::fix, fix.origin,
+      {fix.position->latitude_rad, fix.position->longitude_rad,
+       fix.ellipsoidal_height_m.value_or(0)},
+      sigma_of(fix.horizontal_accuracy_m), usual_fix_m);
+}
+
+void Gatherer::hear(const measurement::ImuSample& sample) {
+  if (inertial_ != sample.origin.device) return;
+  if (!sample.angular_rate.allFinite() || !sample.specific_force.allFinite())
+    return pass_over("IMU sample that is no number");
+  gathered_.dive.inertial.push_back(
+      {time_of(sample.origin.valid_at), sample.angular_rate, sample.specific_force});
+}
+
+Gathered Gatherer::take() {
+  auto& dive = gathered_.dive;
+  std::ranges::stable_sort(dive.readings, {}, &smoothing::Reading::time_s);
+  std::ranges::stable_sort(dive.inertial, {}, &smoothing::InertialReading::time_s);
+  std::ranges::stable_sort(gathered_.truth, {}, &TruthPoint::time_s);
+  const auto most = std::ranges::max_element(
+      tilts_, {}, [](const auto& of_device) { return of_device.second.size(); });
+  if (most != tilts_.end()) dive.tilts = std::move(most->second);
+  std::ranges::stable_sort(dive.tilts, {}, &smoothing::Tilt::time_s);
+  gathered_.rig = rig_;
+  return std::move(gathered_);
+}
+
+}  // namespace drydock::track

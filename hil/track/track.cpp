@@ -1,0 +1,72 @@
+#include "hil/track/track.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <stdexcept>
+
+#include "drivers/terminal/exit_codes.hpp"
+#include "hil/replay/replay_rig.hpp"
+#include "hil/report/write_file.hpp"
+#include "hil/track/formats.hpp"
+
+namespace drydock::track {
+namespace {
+
+/// Thrown for options that do not fit.
+struct BadOptions : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+std::optional<Format> wanted_format(const TrackOptions& options) {
+  if (options.out.empty()) return {};
+  const auto extension = std::filesystem::path(options.out).extension().string();
+  const std::string name =
+      !options.as.empty() || extension.empty() ? options.as : extension.substr(1);
+  const auto format = format_of(name);
+  if (!format)
+    throw BadOptions(options.out + ": --as says the format: one of geojson, gpx, csv, mcap");
+  if (!options.overwrite && std::filesystem::exists(options.out))
+    throw BadOptions(options.out + " exists; --overwrite replaces it");
+  return format;
+}
+
+void write(const Outcome& outcome, const TrackOptions& options, Format format) {
+  if (format == Format::mcap) return write_mcap(outcome, options.out, options.overwrite);
+  const auto points = thinned(outcome, options.every_s);
+  const auto text = format == Format::geojson ? to_geojson(outcome, points)
+                    : format == Format::gpx   ? to_gpx(outcome, points)
+                                              : to_csv(outcome, points);
+  report::write_file(options.out, text);
+}
+
+}  // namespace
+
+Gathered gather(const TrackOptions& options) {
+  if (replay::is_recording(options.source.capture))
+    return gather_recording(options.source.capture, options.part, options.rig);
+  if (options.source.protocol.empty())
+    throw BadOptions(options.source.capture +
+                     " is no MCAP recording: --protocol says what its sensor speaks");
+  return gather_capture(options.source);
+}
+
+int track(const TrackOptions& options, std::FILE* out, std::FILE* err) {
+  try {
+    const auto format = wanted_format(options);
+    const auto outcome = smoothed(gather(options), options.model, options.origin);
+    fmt::print(out, "{}", options.json ? to_json(outcome) : to_text(outcome));
+    if (format) write(outcome, options, *format);
+    if (!options.report.empty())
+      report::write_file(std::filesystem::path(options.report) / "index.html", to_html(outcome));
+    return terminal::exit_success;
+  } catch (const BadOptions& error) {
+    fmt::print(err, "track: {}\n", error.what());
+    return terminal::exit_usage;
+  } catch (const std::exception& error) {
+    fmt::print(err, "track: {}\n", error.what());
+    return terminal::exit_failed;
+  }
+}
+
+}  // namespace drydock::track

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstdio>
+
+#include "hil/track/gather.hpp"
+#include "hil/track/outcome.hpp"
+
+namespace drydock::track {
+
+struct TrackOptions {
+  decode::ReplayOptions source;  ///< its `capture` names the file; the rest is for captures
+  std::string rig;               ///< a rig file in the place of the recorded one; empty: recorded
+  record::Selection part;        ///< of a recording
+  Model model = Model::best;
+  std::optional<frame::Position> origin;  ///< of a track without a fix
+  std::string out;                        ///< file of the track; empty: none
+  std::string as;                         ///< its format; empty: as its name ends
+  double every_s = 1;                     ///< between points of GeoJSON, GPX and CSV; 0: all
+  bool overwrite = false, json = false;
+  std::string report;  ///< folder for index.html; empty: none
+};
+
+/// Plays what is named by the options. Throws std::exception with one line.
+Gathered gather(const TrackOptions& options);
+
+/// `drydock track`: prints what the track is worth and writes its files. Exit code: 0 there is a
+/// track, 1 there can be none, 2 wrong usage.
+int track(const TrackOptions& options, std::FILE* out, std::FILE* err);
+
+}  // namespace drydock::track

@@ -1,0 +1,85 @@
+#include "estimators/calibration/calibrate.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+
+#include "tests/estimators/smoothing/dive_of.hpp"
+
+namespace drydock::calibration {
+namespace {
+
+using smoothing::Quantity;
+using smoothing::test::drawn;
+using smoothing::test::Drawn;
+using smoothing::test::options_of;
+using smoothing::test::Voyage;
+
+constexpr double degree = M_PI / 180;
+constexpr double yaw = 3 * degree, scale = 0.02;
+
+/// A DVL that is mounted 3 degrees too far to starboard and measures 2 % too much.
+Drawn wrong_dive(std::uint64_t seed) {
+  Drawn dive = drawn(Voyage(600), seed);
+  const Eigen::Matrix3d turn = Eigen::AngleAxisd(-yaw, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+  for (auto& reading : dive.dive.readings)
+    if (reading.quantity == Quantity::bottom) reading.value = (1 + scale) * (turn * reading.value);
+  return dive;
+}
+
+const std::vector<Parameter> both{{0, Unknown::yaw, usual_prior(Unknown::yaw)},
+                                  {0, Unknown::scale, usual_prior(Unknown::scale)}};
+
+TEST(Calibrate, FindsYawAndScaleOfADvlWithinItsBounds) {
+  Drawn dive = wrong_dive(11);
+  const auto options = options_of(dive);
+  // The heading's own bias is in the yaw: the drawn one is known from the readings.
+  double bias = 0;
+  int headings = 0;
+  for (const auto& reading : dive.dive.readings)
+    if (reading.quantity == Quantity::heading)
+      bias += reading.value.x() - dive.truth[static_cast<std::size_t>(reading.time_s)].heading,
+          ++headings;
+  bias /= headings;
+  const auto found = calibrate(dive.dive, options, both, {});
+  EXPECT_TRUE(found.converged);
+  for (const auto& finding : found.findings) EXPECT_EQ(finding.verdict, Verdict::told);
+  EXPECT_LT(found.findings[0].sigma, 0.3 * degree);
+  EXPECT_LT(std::abs(found.findings[0].value - (yaw - bias)), 3 * found.findings[0].sigma);
+  EXPECT_LT(std::abs(found.findings[1].value - scale), 3 * found.findings[1].sigma);
+}
+
+TEST(Calibrate, WithoutFixesItSaysThatTheYawCannotBeTold) {
+  // Each reading of speed stands for itself: then nothing links sway with the speed ahead.
+  Drawn dive = wrong_dive(12);
+  std::erase_if(dive.dive.readings,
+                [](const auto& reading) { return reading.quantity == Quantity::fix; });
+  auto options = options_of(dive);
+  options.motion.velocity_mps = 1;
+  const auto found = calibrate(dive.dive, options, {both[0]}, {}, false);
+  EXPECT_NE(found.findings[0].verdict, Verdict::told);
+  EXPECT_NE(found.findings[0].why.find("no fix"), std::string::npos) << found.findings[0].why;
+}
+
+TEST(Calibrate, SaysWhichTwoParametersHideEachOther) {
+  Drawn dive = wrong_dive(13);
+  auto parameters = both;
+  parameters.push_back({1, Unknown::deviation_constant, usual_prior(Unknown::deviation_constant)});
+  const auto found = calibrate(dive.dive, options_of(dive), parameters, {}, false);
+  EXPECT_EQ(found.findings[0].confused_with, 2);
+  EXPECT_EQ(found.findings[2].confused_with, 0);
+  EXPECT_NE(found.findings[0].verdict, Verdict::told);
+  EXPECT_EQ(found.findings[1].verdict, Verdict::told);
+  EXPECT_GT(std::abs(found.correlation(0, 2)), 0.99);
+}
+
+TEST(Parameters, LeaveTheConstantOfACompassOutBesideADvl) {
+  const auto dvl = parameters_of(drawn(Voyage(30), 1).dive);
+  const auto log = parameters_of(drawn(Voyage(30), 1, 0.3).dive);
+  EXPECT_EQ(dvl.size(), 8U);  // six of the DVL, sine and cosine of the compass
+  EXPECT_EQ(log.size(), 4U);  // scale of the log, all three of the compass
+  EXPECT_EQ(log[1].unknown, Unknown::deviation_constant);
+}
+
+}  // namespace
+}  // namespace drydock::calibration

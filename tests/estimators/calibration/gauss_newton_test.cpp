@@ -1,0 +1,49 @@
+#include "estimators/calibration/gauss_newton.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/LU>
+#include <cmath>
+
+namespace drydock::calibration {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::Vector2d;
+using Eigen::VectorXd;
+
+TEST(GaussNewton, OnALinearProblemIsTheClosedFormOfLeastSquaresWithAPrior) {
+  MatrixXd a(4, 2);
+  a << 1, 2, 3, -1, 0.5, 4, -2, 1;
+  const Eigen::Vector4d b{1, 2, -1, 0.5};
+  const Vector2d prior{2, 0.5};
+  const auto found =
+      most_likely([&](const VectorXd& x) { return VectorXd(a * x - b); }, prior, Vector2d::Zero());
+  MatrixXd information = a.transpose() * a;
+  information.diagonal() += prior.cwiseAbs2().cwiseInverse();
+  const MatrixXd covariance = information.inverse();
+  EXPECT_TRUE(found.converged);
+  EXPECT_LT((found.value - covariance * a.transpose() * b).norm(), 1e-9);
+  EXPECT_LT((found.covariance - covariance).norm(), 1e-9);
+}
+
+TEST(GaussNewton, FindsTheLogarithmThatMakesAnExponentialFit) {
+  // exp(x) = 3, measured to 1e-4: x = ln 3, sigma = 1e-4 / 3.
+  const auto found = most_likely(
+      [](const VectorXd& x) { return VectorXd::Constant(1, (std::exp(x(0)) - 3) / 1e-4).eval(); },
+      VectorXd::Constant(1, 10), VectorXd::Zero(1), 1e-8);
+  EXPECT_NEAR(found.value(0), std::log(3), 1e-6);
+  EXPECT_NEAR(std::sqrt(found.covariance(0, 0)), 1e-4 / 3, 1e-7);
+}
+
+TEST(GaussNewton, WhatNoResidualTouchesKeepsItsPrior) {
+  const auto found =
+      most_likely([](const VectorXd& x) { return VectorXd::Constant(1, x(0) - 1).eval(); },
+                  Vector2d{1e3, 7}, Vector2d::Zero());
+  EXPECT_NEAR(found.value(0), 1, 1e-5);
+  EXPECT_EQ(found.value(1), 0);
+  EXPECT_NEAR(found.covariance(1, 1), 49, 1e-9);
+}
+
+}  // namespace
+}  // namespace drydock::calibration
