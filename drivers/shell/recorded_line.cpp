@@ -27,8 +27,10 @@ RecordedLine::RecordedLine(const link::Uri& uri, DeviceActor& driver, Stamp star
     throw std::runtime_error("cannot open the recording " + uri.target + ": " +
                              std::strerror(file_.error()));
   }
-  if (clock_.pace == Pace::arrival) return begin_packets(uri);
-  schedule(start);
+  if (clock_.pace == Pace::arrival)
+    begin_packets(uri);
+  else
+    schedule(start);
 }
 
 void RecordedLine::begin_packets(const link::Uri& uri) {

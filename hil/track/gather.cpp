@@ -38,18 +38,6 @@ rig_config::Rig rig_of_capture(measurement::Kind kind) {
   return rig;
 }
 
-/// A capture of bytes has the times of its line. The device's own clock is better, if every
-/// measurement has it.
-bool stamp_by_device(std::vector<measurement::Measurement>& all) {
-  const auto has_own = [](const auto& m) {
-    return measurement::origin_of(m).device_time.has_value();
-  };
-  if (all.empty() || !std::ranges::all_of(all, has_own)) return false;
-  for (auto& m : all)
-    std::visit([](auto& x) { x.origin.valid_at = measurement::Stamp{*x.origin.device_time}; }, m);
-  return true;
-}
-
 }  // namespace
 
 Gathered gather_recording(const std::string& path, const record::Selection& part,
@@ -78,16 +66,14 @@ Gathered gather_recording(const std::string& path, const record::Selection& part
 
 Gathered gather_capture(const decode::ReplayOptions& capture) {
   std::vector<measurement::Measurement> all;
-  const auto kind =
+  const auto played =
       decode::play(capture, [&](const measurement::Measurement& m) { all.push_back(m); });
-  const bool by_device = stamp_by_device(all);
-  const auto rig = rig_of_capture(kind);
+  const auto rig = rig_of_capture(played.kind);
   Gatherer gatherer(rig, {});
   for (const auto& m : all) gatherer.on_measurement(m);
   Gathered gathered = gatherer.take();
   gathered.source = capture.capture;
-  gathered.notes.emplace_back(by_device ? "times are those of the device's own clock"
-                                        : "times are those of the capture");
+  gathered.notes.push_back(played.clock.in_words());
   return gathered;
 }
 
