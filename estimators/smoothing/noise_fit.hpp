@@ -24,8 +24,8 @@ double log_likelihood(const Residuals& residuals, double gate_sigma);
 NoiseFit fit_noise(const Dive& dive, const LevelOptions& options,
                    const std::vector<UnstatedNoise>& unstated);
 
-/// A fitted wandering, made larger: a vehicle manoeuvres in bursts, and the likeliest random walk is
-/// that of its quiet hours. With the factor of 1.6 the bounds of `study calibration` hold.
+/// A fitted wandering, made larger: a vehicle manoeuvres in bursts, and the likeliest random walk
+/// is that of its quiet hours. With the factor of 1.6 the bounds of `study calibration` hold.
 LevelMotion for_manoeuvres(LevelMotion fitted);
 
 /// Multiplies the sigmas of a sensor's readings.

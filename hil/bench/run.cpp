@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <exception>
-#include <filesystem>
 #include <iterator>
 #include <stdexcept>
 
@@ -15,6 +14,7 @@
 #include "hil/bench/short_run.hpp"
 #include "hil/summary/junit.hpp"
 #include "hil/summary/truth_of_rig.hpp"
+#include "hil/summary/write_files.hpp"
 
 namespace drydock::bench {
 namespace {
@@ -58,28 +58,6 @@ summary::Summary run_or_report(const rig_config::Rig& rig, const RunOptions& opt
   throw;
 }
 
-/// A file that cannot be written does not keep the others from being written. Throws the first
-/// error at the end.
-void write_files(const summary::Summary& summary, const RunOptions& options,
-                 const std::string& rig_file) {
-  std::exception_ptr first;
-  const auto write = [&](const std::filesystem::path& path, const std::string& text) {
-    try {
-      report::write_file(path, text);
-      return true;
-    } catch (const std::exception&) {
-      if (!first) first = std::current_exception();
-      return false;
-    }
-  };
-  if (!options.json.empty()) write(options.json, summary::to_json(summary));
-  if (!options.junit.empty()) write(options.junit, summary::to_junit(summary, rig_file));
-  const auto page = std::filesystem::path(options.report) / "index.html";
-  if (!options.report.empty() && write(page, to_html(summary)))
-    fmt::print("report: {}\n", page.string());
-  if (first) std::rethrow_exception(first);
-}
-
 }  // namespace
 
 int run(const rig_config::Rig& rig, const RunOptions& options) {
@@ -90,7 +68,7 @@ int run(const rig_config::Rig& rig, const RunOptions& options) {
     summary.verdicts.push_back(std::move(*verdict));
   print(summary, options);
   std::fflush(stdout);  // the verdict is seen even where a file is written slowly
-  write_files(summary, options, rig.file);
+  summary::write_files(summary, {options.json, options.report, options.junit}, rig.file);
   return terminal::exit_of(std::ranges::all_of(summary.verdicts, &summary::Verdict::passed));
 }
 

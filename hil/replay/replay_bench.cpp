@@ -85,6 +85,7 @@ void ReplayBench::play(Pace& pace, const record::Watch& watch) {
   if (!gate_.ended) wait_until(last, pace);
   pipeline_.flush();
   truth_.tell();
+  if (outlets_.at_end) outlets_.at_end();
   gate_.stopping = true;
   player_->finish(player_->now());
 }

@@ -18,7 +18,8 @@ namespace drydock::replay {
 struct ReplayOutlets {
   /// Called after each measurement and estimate; false ends the replay. May be empty.
   std::function<bool(const terminal::InterruptFlag&)> step = {};
-  Onto* onto = nullptr;  ///< may be null
+  Onto* onto = nullptr;               ///< may be null
+  std::function<void()> at_end = {};  ///< before the devices close; may be empty
 };
 
 /// Drivers and estimators of a recorded rig, fed with the recorded bytes. Time is virtual, with or

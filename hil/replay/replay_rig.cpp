@@ -17,13 +17,16 @@
 #include "estimators/host/diagnostician_beside.hpp"
 #include "estimators/host/sound_devices.hpp"
 #include "estimators/setup/rig_pipeline.hpp"
+#include "hil/replay/other_rig.hpp"
 #include "hil/replay/recorded_rig.hpp"
 #include "hil/replay/recording_progress.hpp"
 #include "hil/replay/reference_check.hpp"
 #include "hil/replay/replay_bench.hpp"
 #include "hil/replay/replay_lines.hpp"
+#include "hil/replay/replay_summary.hpp"
 #include "hil/replay/topics_follower.hpp"
 #include "hil/summary/findings.hpp"
+#include "hil/summary/write_files.hpp"
 #include "rig_config/load.hpp"
 
 namespace drydock::replay {
@@ -65,21 +68,28 @@ class RigReplay {
         out_(out),
         err_(err),
         recording_(std::move(recording)),
-        rig_(recording_),
+        recorded_(recording_),
+        other_(rig_to_play()),
         faults_(faults_of(options.faults)),
-        lines_(rig_.rig(), out),
+        lines_(rig(), out),
         steps_(in) {
     if (const auto wrong = misfit(options.part, recording_); !wrong.empty())
       throw std::runtime_error(wrong);
-    for (const auto& estimator : rig_.rig().estimators)
+    for (const auto& estimator : rig().estimators)
       if (std::ranges::find(options.part.only, estimator.name) != options.part.only.end())
         throw std::runtime_error("--only: " + estimator.name +
                                  " is an estimator; name the devices that feed it");
     if (!options.onto.empty()) onto_.emplace(io_, recording_.links(), options.onto);
-    bench_.emplace(recording_, rig_.rig(), options_.part,
-                   ReplayOutlets{step(), onto_ ? &*onto_ : nullptr}, faults_);
+    bench_.emplace(recording_, rig(), options_.part,
+                   ReplayOutlets{step(), onto_ ? &*onto_ : nullptr,
+                                 [this] {
+                                   if (summary_) summary_->note_end();
+                                 }},
+                   faults_);
     add_followers();
-    if (!rig_.trouble().empty()) fmt::print(err_, "{}\n", rig_.trouble());
+    if (options.rig.empty() && !recorded_.trouble().empty())
+      fmt::print(err_, "{}\n", recorded_.trouble());
+    for (const auto& note : other_.notes) fmt::print(err_, "{}\n", note);
     for (const auto& line : onto_ ? onto_->lines() : std::vector<std::string>{})
       fmt::print(err_, "onto {}\n", line);
     if (viewer_) fmt::print(err_, "live: {}\n", viewer_->url());
@@ -97,13 +107,37 @@ class RigReplay {
     close_outlets();
     if (!lines_.flush()) return cannot_write();
     print_summary(options_.quiet ? out_ : err_);
-    const bool sound = compared();
+    const bool sound = compared() & judged();
     const bool recorded = !(recorder_ && recorder_->failed());
     return terminal::exit_of(sound && recorded && bench_->measurements() > 0);
   }
 
  private:
   using Stamp = measurement::Stamp;
+
+  const rig_config::Rig& rig() const { return other_.rig; }
+
+  OtherRig rig_to_play() const {
+    if (options_.rig.empty()) return {recorded_.rig(), {}};
+    auto loaded = rig_config::load_rig(options_.rig);
+    if (!loaded) throw std::runtime_error(to_string(loaded.error().front()));
+    return fit(std::move(*loaded), recording_, recorded_.rig());
+  }
+
+  bool is_judged() const {
+    return options_.expect || !options_.report.empty() || !options_.json.empty() ||
+           !options_.junit.empty();
+  }
+
+  /// Returns false if an expectation was not met.
+  bool judged() {
+    if (!summary_) return true;
+    auto made = summary_->made();
+    made.findings = summary::accounts_of(findings_, rig(), bench_->start());
+    fmt::print(options_.quiet ? out_ : err_, "{}", to_text(made));
+    summary::write_files(made, {options_.json, options_.report, options_.junit}, rig().file);
+    return std::ranges::all_of(made.verdicts, &summary::Verdict::passed);
+  }
 
   int cannot_write() {
     fmt::print(err_, "replay: cannot write the output\n");
@@ -132,7 +166,7 @@ class RigReplay {
   }
 
   void add_followers() {
-    const auto& rig = rig_.rig();
+    const auto& rig = this->rig();
     auto& followers = bench_->followers();
     diagnostician_ = host::diagnostician_beside(rig, bench_->devices(), followers);
     followers.add(*diagnostician_);
@@ -152,6 +186,7 @@ class RigReplay {
       maker_.emplace(options_.refs_every);
       followers.add(made_.emplace(*maker_, rig));
     }
+    if (is_judged()) summary_.emplace(rig, *bench_, options_.recording);
     if (!options_.record.path.empty())
       followers.add(recorder_.emplace(
           rig, options_.record, recording_.begin().value_or(Stamp{}),
@@ -188,7 +223,7 @@ class RigReplay {
   }
 
   void print_summary(std::FILE* to) {
-    const auto& rig = rig_.rig();
+    const auto& rig = this->rig();
     for (const auto& actor : bench_->player().devices()) {
       const auto& device = actor->device();
       const auto health = device.health(bench_->player().now());
@@ -227,7 +262,8 @@ class RigReplay {
   std::FILE *out_, *err_;
   boost::asio::io_context io_{1};
   record::Recording recording_;
-  RecordedRig rig_;
+  RecordedRig recorded_;
+  OtherRig other_;  ///< the recorded one, if no other is asked for
   Faults faults_;
   ReplayLines lines_;
   std::shared_ptr<host::Follower> diagnostician_;
@@ -243,6 +279,7 @@ class RigReplay {
   std::optional<host::RigRecorder> recorder_;
   std::optional<host::RigViewer> viewer_;
   std::optional<ReplayBench> bench_;
+  std::optional<ReplaySummary> summary_;
 };
 
 }  // namespace

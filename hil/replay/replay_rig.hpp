@@ -15,6 +15,7 @@ namespace drydock::replay {
 
 struct RigReplayOptions {
   std::string recording;  ///< MCAP
+  std::string rig;        ///< another rig file; empty: the recorded one
   record::Selection part;
   double speed = 0;  ///< factor on real time; 0: as fast as possible, in lockstep
   bool step = false, quiet = false;
@@ -25,6 +26,8 @@ struct RigReplayOptions {
   std::string check, update_refs;  ///< JSON files
   double tolerance = 0;            ///< relative, for check
   std::optional<std::uint64_t> refs_every;
+  std::string report, json, junit;  ///< folder, file, file; empty: none
+  bool expect = false;              ///< judges the rig's [[expect]]
 };
 
 /// True if the file is a Drydock recording and not a capture. The content decides, not the name.

@@ -85,7 +85,8 @@ void compare_dbc(const Case& one, Score& score) {
   std::size_t number = 0;
   for (const json& line : read_json_lines(one.expected)) {
     ++number;
-    const auto place = catalogue.find(line.at("id").get<std::uint32_t>(), line.at("ext").get<bool>());
+    const auto place =
+        catalogue.find(line.at("id").get<std::uint32_t>(), line.at("ext").get<bool>());
     if (!place) {
       score.missed(name, number, line.at("msg").get<std::string>());
       continue;

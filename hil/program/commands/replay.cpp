@@ -28,6 +28,14 @@ void add_recording_options(CLI::App& sub, ReplayArguments& a) {
   a.part.add_only_and_from(sub);
   a.part.add_to(sub);
   sub.add_option(
+      "--rig", r.rig,
+      "another rig file: its drivers and estimators get the bytes of the devices with the "
+      "same names; default the recorded rig");
+  sub.add_option("--report", r.report, "write a page with figures and plots into this folder");
+  sub.add_option("--json", r.json, "write the summary to this file");
+  sub.add_option("--junit", r.junit, "write the verdicts on [[expect]] to this file");
+  sub.add_flag("--expect", r.expect, "judge the rig's [[expect]]; exit 1 where one is not met");
+  sub.add_option(
       "--faults", r.faults,
       "file of blocks [[fault]] that come between recording and drivers: docs/use/faults.md");
   sub.add_flag("--step", r.step, "wait for Enter behind each message; q ends");
@@ -76,6 +84,9 @@ void read_recording(ReplayArguments& a) {
   if (r.step && *speed > 0)
     throw CLI::ValidationError("--step", "not with --speed, --onto, --serve");
   if (r.step && r.quiet) throw CLI::ValidationError("--step", "shows messages: not with --quiet");
+  const bool judged = r.expect || !r.report.empty() || !r.json.empty() || !r.junit.empty();
+  if (judged && !a.part.selection().only.empty())
+    throw CLI::ValidationError("--only", "not with --report, --json, --junit, --expect");
   r.speed = *speed;
   r.part = a.part.selection();
 }
@@ -91,8 +102,9 @@ void read_capture(const CLI::App& sub, ReplayArguments& a) {
     throw std::runtime_error(a.capture.capture + ": " + why);
   if (a.capture.protocol.empty())
     throw CLI::RequiredError("--protocol (" + a.capture.capture + " is no MCAP recording)");
-  for (const char* option : {"--only", "--from", "--to", "--faults", "--step", "--record",
-                             "--check", "--update-refs", "--onto", "--serve"})
+  for (const char* option :
+       {"--only", "--from", "--to", "--faults", "--step", "--record", "--check", "--update-refs",
+        "--onto", "--serve", "--rig", "--report", "--json", "--junit", "--expect"})
     if (sub.count(option) > 0)
       throw CLI::ValidationError(option, "needs an MCAP recording, with its rig");
   if (!a.speed.empty()) a.capture.speed = a.speed;
@@ -112,6 +124,7 @@ void add_replay(CLI::App& app, Command& command) {
       "         drydock replay dive.mcap --quiet --check refs.json\n"
       "         drydock replay dive.mcap --onto dvl=pty:dvl --speed 1\n"
       "         drydock replay dive.mcap --faults F.toml\n"
+      "         drydock replay dive.mcap --rig other.toml --quiet --report out --expect\n"
       "         drydock replay dive.pd0 --protocol pd0");
   sub->add_option("RECORDING", a->capture.capture, "MCAP recording, or capture of one link")
       ->required();

@@ -45,12 +45,12 @@ std::string bash_offers(const std::string& words) {
 }
 
 TEST(BashCompletion, KnowsTheValuesOfOptionsAndOfPlaces) {
-  EXPECT_EQ(bash_offers("drydock study ''"), "leveling mixing roll velocity\n");
+  EXPECT_EQ(bash_offers("drydock study ''"), "leveling mixing roll velocity calibration\n");
   EXPECT_EQ(bash_offers("drydock export d.mcap --to ''"), "candump pcapng raw csv nmea\n");
   EXPECT_THAT(bash_offers("drydock replay d.pd0 --protocol pd"), HasSubstr("pd0 pd4 pd5 pd6"));
   EXPECT_EQ(bash_offers("drydock replay d.pd0 --kind g"), "gnss\n");
   EXPECT_EQ(bash_offers("drydock completion ''"), "bash zsh\n");
-  EXPECT_EQ(bash_offers("drydock help scor"), "scorecard\n");
+  EXPECT_EQ(bash_offers("drydock help scorec"), "scorecard\n");
 }
 
 TEST(BashCompletion, OffersManoeuvresBehindTheVehicleAndShippedFilesBefore) {
@@ -128,7 +128,7 @@ TEST_F(Zsh, OffersFilesForARigAndForWhatAnOptionWrites) {
 
 TEST_F(Zsh, OffersManoeuvresAndStudies) {
   EXPECT_EQ(offers("drydock maneuver a.toml "), "dive\nspiral\nturning-circle\nzigzag\n");
-  EXPECT_EQ(offers("drydock study "), "leveling\nmixing\nroll\nvelocity\n");
+  EXPECT_EQ(offers("drydock study "), "calibration\nleveling\nmixing\nroll\nvelocity\n");
 }
 
 TEST_F(Zsh, TakesTheCompletionFromSourceToo) {

@@ -53,17 +53,22 @@ const std::vector<Row>& rows() {
       {"cut", "", "", ""},
       {"bisect", "", "", ""},
       {"replay", DIVE, DIVE " --speed 0.01", ""},
+      {"track", "", "", ""},
       {"proxy", "", "pty:@/a pty:@/b --for 1h", ""},
       {"sensor", "rig_config/sensors/xsens-mti-630.toml --for 20s",
        "rig_config/sensors/xsens-mti-630.toml --for 5000h", ""},
       {"sky", "--ephemeris fixtures/rinex/walker.rnx --at 2026-11-21T09:00:00Z", "", ""},
       {"maneuver", "rig_config/vehicles/nps-auv-ii.toml turning-circle", "", ""},
       {"study", "mixing --runs 1", "leveling --runs 100000", ""},
+      {"campaign", "", "", ""},
+      {"calibrate", "", "", ""},
       {"characterize", "", DEMO " --device imu --for 1h", ""},
       {"soak", "rig_config/rigs/soak.toml --for 10min", "rig_config/rigs/soak.toml", ""},
       {"validity", "", DEMO " --for 1h", ""},
       {"load", "", DEMO " --for 1h", ""},
       {"scorecard", "", DEMO, ""},
+      {"score", "", "", ""},
+      {"dds-config", " ", "", ""},
   };
   return all;
 }

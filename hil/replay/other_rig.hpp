@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "drivers/recordings/record/recording.hpp"
+#include "rig_config/rig.hpp"
+
+namespace drydock::replay {
+
+/// Another rig for a recording, with what of the two does not fit, one line each.
+struct OtherRig {
+  rig_config::Rig rig;
+  std::vector<std::string> notes;
+};
+
+/// Gives each device of the rig the recorded link of the device with the same name. `recorded`: the
+/// rig that made the recording. Throws std::runtime_error with one line if no device fits.
+OtherRig fit(rig_config::Rig rig, const record::Recording& recording,
+             const rig_config::Rig& recorded);
+
+}  // namespace drydock::replay

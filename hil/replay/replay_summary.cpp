@@ -1,0 +1,66 @@
+#include "hil/replay/replay_summary.hpp"
+
+#include "drivers/device/health_account.hpp"
+#include "drivers/host/rig_bus.hpp"
+#include "estimators/setup/rig_pipeline.hpp"
+
+namespace drydock::replay {
+
+namespace {
+
+/// For the spacing of the report's curves.
+double length_s(const motion::Trajectory* truth) {
+  constexpr double usual_s = 600;
+  return truth != nullptr ? measurement::seconds(truth->end() - truth->start()) : usual_s;
+}
+
+}  // namespace
+
+ReplaySummary::ReplaySummary(const rig_config::Rig& rig, ReplayBench& bench,
+                             const std::string& recording)
+    : rig_(rig),
+      bench_(bench),
+      recording_(recording),
+      truth_(RecordedTrajectory::read(recording)),
+      scribe_(rig, truth_.get(), bench.start(), length_s(truth_.get())),
+      expects_(rig, truth_.get(), bench.start(), [this](measurement::Stamp) {
+        return summary::ExpectWatch::Counts{devices(), estimators()};
+      }) {
+  bench.followers().add(scribe_);
+  bench.followers().add(expects_);
+  scribe_.tick(bench.start());
+}
+
+std::vector<summary::DeviceSummary> ReplaySummary::devices() const {
+  const auto now = bench_.player().now();
+  std::vector<summary::DeviceSummary> all;
+  for (const auto* device : bench_.devices())
+    all.push_back(
+        device::account_of(*device, device->health(now), measurement::Provenance::replayed));
+  return all;
+}
+
+std::vector<pipeline::EstimatorStatus> ReplaySummary::estimators() const {
+  std::vector<pipeline::EstimatorStatus> all;
+  for (std::size_t i = 0; i < bench_.pipeline().estimators(); ++i)
+    all.push_back(bench_.pipeline().status(i));
+  return all;
+}
+
+summary::Summary ReplaySummary::made() const {
+  summary::Summary summary;
+  summary.rig = rig_.name;
+  summary.mode = "replay";
+  summary.seed = rig_.seed;
+  summary.duration_s = measurement::seconds(bench_.played());
+  summary.interrupted = bench_.interrupted();
+  summary.notes = setup::pipeline_notes(rig_, bench_.pipeline());
+  summary.notes.push_back("replay of " + recording_ +
+                          (truth_ ? "" : ", which has no truth: no errors are known"));
+  summary.devices = at_end_;
+  scribe_.write(summary);
+  expects_.write(summary, estimators());
+  return summary;
+}
+
+}  // namespace drydock::replay

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "hil/replay/recorded_trajectory.hpp"
+#include "hil/replay/replay_bench.hpp"
+#include "hil/summary/expect_watch.hpp"
+#include "hil/summary/scribe.hpp"
+
+namespace drydock::replay {
+
+/// What a replay was worth, as the summary of a run says it: errors against the recorded truth,
+/// verdicts on the rig's [[expect]].
+class ReplaySummary {
+ public:
+  /// Adds itself to the bench's followers. All must outlive it. Every device of the rig must be
+  /// played.
+  ReplaySummary(const rig_config::Rig& rig, ReplayBench& bench, const std::string& recording);
+
+  /// Call it before the devices close.
+  void note_end() { at_end_ = devices(); }
+  /// Call it after the replay. Findings are the caller's.
+  summary::Summary made() const;
+
+ private:
+  std::vector<summary::DeviceSummary> devices() const;
+  std::vector<pipeline::EstimatorStatus> estimators() const;
+
+  const rig_config::Rig& rig_;
+  ReplayBench& bench_;
+  std::string recording_;
+  std::unique_ptr<RecordedTrajectory> truth_;  ///< null: none was recorded
+  summary::Scribe scribe_;
+  summary::ExpectWatch expects_;
+  std::vector<summary::DeviceSummary> at_end_;
+};
+
+}  // namespace drydock::replay
