@@ -1,6 +1,6 @@
 #include "estimators/external/step_line.hpp"
 
-#include <ranges>
+#include <span>
 
 #include "drivers/text/json_lines.hpp"
 #include "drivers/text/measurement_fields.hpp"
@@ -30,6 +30,25 @@ void visit_fields(const ToldSample& told, Field&& field) {
       told.sample);
 }
 
+/// All of a step. (clang 14 cannot read the views of gcc 12's library.)
+struct ToldSamples {
+  struct Place {
+    const pipeline::Sample* at;
+    const std::vector<std::string>& devices;
+    ToldSample operator*() const { return {*at, devices}; }
+    Place& operator++() {
+      ++at;
+      return *this;
+    }
+    bool operator!=(const Place& other) const { return at != other.at; }
+  };
+  Place begin() const { return {samples.data(), devices}; }
+  Place end() const { return {samples.data() + samples.size(), devices}; }
+
+  std::span<const pipeline::Sample> samples;
+  const std::vector<std::string>& devices;
+};
+
 }  // namespace
 
 std::string_view StepLines::line_of(const pipeline::Step& step) {
@@ -38,9 +57,7 @@ std::string_view StepLines::line_of(const pipeline::Step& step) {
   json.open();
   json.field("step", step.number);
   json.field("now_ns", ns(step.now));
-  json.field("measurements", step.samples | std::views::transform([this](const auto& sample) {
-                               return ToldSample{sample, devices_};
-                             }));
+  json.field("measurements", ToldSamples{step.samples, devices_});
   json.close();
   return text_.view();
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <memory>
 #include <string>
 
@@ -34,6 +35,7 @@ class ReplaySummary {
   summary::Scribe scribe_;
   summary::ExpectWatch expects_;
   std::vector<summary::DeviceSummary> at_end_;
+  std::chrono::steady_clock::time_point begun_ = std::chrono::steady_clock::now();
 };
 
 }  // namespace drydock::replay

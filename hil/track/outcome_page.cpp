@@ -75,16 +75,18 @@ Figure sigma_figure(const Outcome& outcome) {
   };
   add("smoother", outcome.track.smoothed);
   add("filter", outcome.track.filtered);
+  figure.log_y = true;  // a filter begins with hundreds of metres
   return figure;
 }
 
 Figure depth_figure(const Outcome& outcome) {
-  Figure figure{"Height", "time, s", "m", {}};
+  Figure figure{"Depth", "time, s", "m below the surface", {}};
+  figure.y_down = true;
   Curve curve{"smoother", {}, {}};
   const auto& points = outcome.track.smoothed;
   for (std::size_t k = 0; k < points.size(); k += stride_of(points.size())) {
     curve.x.push_back(points[k].time_s);
-    curve.y.push_back(points[k].position.height_m);
+    curve.y.push_back(-points[k].position.height_m);
   }
   figure.curves.push_back(curve);
   return figure;
