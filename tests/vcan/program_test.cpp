@@ -41,8 +41,8 @@ class ProgramOnVcan : public ::testing::Test {
 
   /// The data that the links of a recording received, from `drydock export`.
   std::vector<std::string> received_in(const std::string& recording) const {
-    EXPECT_EQ(run_program({DRYDOCK_PROGRAM, "export", recording, "--to", "candump", "--overwrite",
-                           "-o", file("export.log")}),
+    EXPECT_EQ(run_program({DRYDOCK_PROGRAM, "export", recording, "--to", "candump", "--direction",
+                           "--overwrite", "-o", file("export.log")}),
               0);
     return frames_of(std::ifstream(file("export.log")), " R");
   }
