@@ -1,6 +1,8 @@
 #include "drivers/monitor/places_cursor.hpp"
 
 #include <unistd.h>
+#include <bit>
+#include <cstdint>
 
 #include <curses.h>
 #include <term.h>  // it defines common words as macros, so nothing else is in this file
@@ -12,7 +14,7 @@ bool places_cursor() {
   int error = 0;
   if (setupterm(nullptr, STDOUT_FILENO, &error) != OK) return false;
   const char* way = tigetstr(const_cast<char*>("cup"));
-  const bool found = way != nullptr && way != reinterpret_cast<char*>(-1);
+  const bool found = way != nullptr && std::bit_cast<std::intptr_t>(way) != -1;
   del_curterm(cur_term);
   return found;
 }

@@ -41,7 +41,7 @@ const SensorModel& LevelFilter::sensor(std::uint16_t device) const {
 LevelMatrix LevelFilter::propagate(double dt) {
   correction_.setZero();
   const LevelMatrix q = wandering(state_, options_.motion, dt);
-  const LevelMatrix transition = move(state_, dt);
+  LevelMatrix transition = move(state_, dt);
   const LevelMatrix p = transition * p_ * transition.transpose() + q;
   p_ = (p + p.transpose()) / 2;
   return transition;

@@ -107,9 +107,12 @@ NoiseFit fit_noise(const Dive& dive, const LevelOptions& options,
                    const std::vector<UnstatedNoise>& unstated) {
   Trial trial(dive, options, unstated);
   double best = trial.likelihood();
-  for (double step = first_step; step > last_step; step = std::sqrt(step))
+  double step = first_step;
+  while (step > last_step) {
     for (std::size_t knob = 0; knob < trial.knobs(); ++knob)
       if (!improve(trial, knob, step, best)) improve(trial, knob, 1 / step, best);
+    step = std::sqrt(step);
+  }
   return trial.fit();
 }
 
