@@ -53,8 +53,7 @@ summary::Summary ReplaySummary::made() const {
   summary.mode = "replay";
   summary.seed = rig_.seed;
   summary.duration_s = measurement::seconds(bench_.played());
-  summary.wall_s =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - begun_).count();
+  summary.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun_).count();
   summary.interrupted = bench_.interrupted();
   summary.notes = setup::pipeline_notes(rig_, bench_.pipeline());
   summary.notes.push_back("replay of " + recording_ +
