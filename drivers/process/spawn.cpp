@@ -40,6 +40,7 @@ class Preparations {
   int spawn(pid_t& pid, const std::vector<std::string>& command) const {
     std::vector<std::string> words = command;
     std::vector<char*> arguments;
+    arguments.reserve(words.size() + 1);
     for (auto& word : words) arguments.push_back(word.data());
     arguments.push_back(nullptr);
     return ::posix_spawnp(&pid, arguments[0], &files_, &attributes_, arguments.data(), environ);
