@@ -62,8 +62,9 @@ class Emulated {
   smoothing::Dive dive() {
     const auto& trajectory = calibration_trajectory();
     const double end = measurement::seconds(trajectory.end() - trajectory.start());
-    for (double t = 0; t < end; t += period_s)
-      sense(t, trajectory.at(trajectory.start() + measurement::from_seconds(t)));
+    for (int i = 0; i * period_s < end; ++i)
+      sense(i * period_s,
+            trajectory.at(trajectory.start() + measurement::from_seconds(i * period_s)));
     return std::move(dive_);
   }
 
