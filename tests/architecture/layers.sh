@@ -85,19 +85,18 @@ hil/campaign               hil/study hil/study/run hil/report hil/sensor drivers
 hil/program                hil/[a-z/_]* estimators/[a-z]* drivers/[a-z/]* rig_config
 '
 
-rooms=$(awk '{print $1}' <<<"$arrows")
-
-# The room of a folder: the longest of the rooms that the folder's path begins with.
-room_of() { # FOLDER
-  local folder=$1
-  while [ "$folder" != . ] && ! grep -qx "$folder" <<<"$rooms"; do folder=$(dirname "$folder"); done
-  echo "$folder"
-}
-
 declare -A in_room may
 while read -r room allowed; do [ -z "$room" ] || may[$room]=$allowed; done <<<"$arrows"
-while read -r folder; do in_room[$folder]=$(room_of "$folder"); done \
-  < <(git ls-files --cached --others --exclude-standard 'drivers/*pp' 'estimators/*pp' 'hil/*pp' 'rig_config/*pp' | xargs -n1 dirname | sort -u)
+
+# The room of a folder: the longest of the rooms that the folder's path begins with; "." without one.
+while read -r folder; do
+  room=$folder
+  until [ "$room" = . ] || [ -v "may[$room]" ]; do
+    [[ $room == */* ]] && room=${room%/*} || room=.
+  done
+  in_room[$folder]=$room
+done < <(git ls-files --cached --others --exclude-standard 'drivers/*pp' 'estimators/*pp' 'hil/*pp' 'rig_config/*pp' |
+  sed 's|/[^/]*$||' | sort -u)
 for folder in "${!in_room[@]}"; do
   [ "${in_room[$folder]}" != . ] || { echo "no room for $folder"; failed=1; }
 done
