@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "drivers/measurement/units.hpp"
+#include "estimators/frame/earth.hpp"
 
 namespace drydock::consistency {
 namespace {
@@ -10,6 +11,8 @@ namespace {
 constexpr std::chrono::milliseconds push_period{24};
 constexpr double quick_pull_s = 3, quick_mean_s = 2;
 constexpr double quick_s = 2, slow_s = 60;  // time constants of the pull at first and later
+constexpr double earth_memory_s = 600;      // of the Earth's turn; slower than the pull
+constexpr double steepest = 0.9;            // of the body's x against the level
 
 std::chrono::nanoseconds gap_of_unit(const Sensor& sensor) {
   return measurement::from_seconds(std::max(0.1, 3.1 / std::max(sensor.rate_hz, 0.1)));
@@ -65,13 +68,38 @@ void InertialUnit::begin(Stamp at, const Sums& sums) {
 void InertialUnit::turn(double dt) {
   heading_ += rate_.dot(down_) * dt / std::max(0.1, down_.squaredNorm());
   const Eigen::Vector3d before = down_;
-  const double angle = rate_.norm() * dt;
+  const auto axes = level_axes();
+  const Eigen::Vector3d rate = axes ? Eigen::Vector3d(rate_ - *axes * earth_turn_) : rate_;
+  const double angle = rate.norm() * dt;
   if (angle > 0) {
-    const Eigen::AngleAxisd turned(-angle, rate_.normalized());
+    const Eigen::AngleAxisd turned(-angle, rate.normalized());
     down_ = turned * down_;
     quick_ = turned * quick_;
   }
   middle_ = (before + down_).normalized();
+}
+
+/// Two level axes at right angles, in the body; they keep their heading while it turns. Empty: the
+/// body stands on its nose or tail.
+std::optional<Eigen::Matrix<double, 3, 2>> InertialUnit::level_axes() const {
+  if (std::abs(down_.x()) > steepest) return {};
+  const Eigen::Vector3d ahead = (Eigen::Vector3d::UnitX() - down_.x() * down_).normalized();
+  const Eigen::Vector3d starboard = down_.cross(ahead);
+  Eigen::Matrix<double, 3, 2> axes;
+  axes.col(0) = std::cos(heading_) * ahead - std::sin(heading_) * starboard;
+  axes.col(1) = std::sin(heading_) * ahead + std::cos(heading_) * starboard;
+  return axes;
+}
+
+/// In the level's equilibrium the pull undoes what the Earth turns: e / 60 s = w x down. No more
+/// than the Earth's rate is learned, so a gyro's fault stays a fault.
+void InertialUnit::learn_earth_turn(const Eigen::Vector3d& difference) {
+  const auto axes = level_axes();
+  if (!axes || levelled_s_ < slow_s) return;
+  const Eigen::Vector3d lacking = difference.cross(down_) / units::standard_gravity / slow_s;
+  earth_turn_ += axes->transpose() * lacking * (dt_ / earth_memory_s);
+  const double most = frame::wgs84::earth_rate_radps;
+  if (earth_turn_.norm() > most) earth_turn_ *= most / earth_turn_.norm();
 }
 
 Eigen::Vector3d InertialUnit::level(const Eigen::Vector3d& acceleration, bool pull) {
@@ -86,6 +114,7 @@ Eigen::Vector3d InertialUnit::level(const Eigen::Vector3d& acceleration, bool pu
   quick_ = pulled(quick_, quick, quick_pull_s);
   if (!pull) return difference;
   levelled_s_ += dt_;
+  learn_earth_turn(difference);
   down_ = pulled(down_, difference, std::clamp(levelled_s_, quick_s, slow_s));
   return difference;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <optional>
 
 #include "drivers/measurement/measurement.hpp"
 #include "estimators/consistency/sensor.hpp"
@@ -9,7 +10,8 @@
 namespace drydock::consistency {
 
 /// The sums of one inertial unit, and its attitude against the horizon: the direction of gravity is
-/// turned with the rates and pulled slowly to what specific force and acceleration say.
+/// turned with the rates and pulled slowly to what specific force and acceleration say. The Earth's
+/// turn, which the gyros feel too, is learned in axes that keep their heading.
 class InertialUnit {
  public:
   InertialUnit(std::uint16_t device, const Sensor& sensor);
@@ -41,6 +43,8 @@ class InertialUnit {
   using Sums = Eigen::Matrix<double, 6, 1>;
   void begin(Stamp at, const Sums& sums);
   void turn(double dt);
+  void learn_earth_turn(const Eigen::Vector3d& difference);
+  std::optional<Eigen::Matrix<double, 3, 2>> level_axes() const;
 
   std::uint16_t device_;
   std::chrono::nanoseconds longest_gap_;
@@ -52,6 +56,7 @@ class InertialUnit {
   Eigen::Vector3d rate_ = Eigen::Vector3d::Zero(), force_ = Eigen::Vector3d::Zero();
   Eigen::Vector3d down_ = Eigen::Vector3d::UnitZ(), middle_ = Eigen::Vector3d::UnitZ();
   Eigen::Vector3d quick_ = Eigen::Vector3d::UnitZ(), quick_difference_ = Eigen::Vector3d::Zero();
+  Eigen::Vector2d earth_turn_ = Eigen::Vector2d::Zero();  ///< rad/s, level_axes
   double heading_ = 0, levelled_s_ = 0, dt_ = 0;
   std::uint64_t serial_ = 0;
   Freeze freeze_;
