@@ -11,6 +11,7 @@ namespace {
 constexpr double beyond = 3;
 constexpr double pulse_beyond = 8, neighbours_within = 4;
 constexpr double step_beyond = 6;
+constexpr double rate_memory = 16;  // samples
 /// Behind a pause of so many periods nothing is known of the sample before.
 constexpr double longest_pause = 4;
 /// From the second difference x0 - 2 x1 + x2 of white noise to its own deviation.
@@ -31,6 +32,10 @@ QuantityMonitor::News QuantityMonitor::add(double value, Stamp at) {
   last_[0] = value;
   last_at_ = at;
   samples_ = std::min(samples_ + 1, 4U);
+  std::shift_right(took_s_.begin(), took_s_.end(), 1);
+  took_s_[0] = period_s;
+  if (samples_ == 4 && took_s_[2] > 0)
+    rate_ += (minus(last_[2], last_[3]) / took_s_[2] - rate_) / rate_memory;
   if (samples_ < 3) return {};
   if (known_) return judge(period_s, at);
   learn(minus(last_[0], last_[1]) - minus(last_[1], last_[2]), at, period_s);
@@ -82,9 +87,11 @@ QuantityMonitor::News QuantityMonitor::judge(double period_s, Stamp at) {
   if (samples_ < 4 || facts.slope == 0 || period_s <= 0) return news;
   const double noise = step_beyond * sigma_ / noise_of_bend * std::numbers::sqrt2;
   const double limit = facts.slope * std::max(period_s, 0.05) + noise;
-  const double before = std::abs(minus(last_[2], last_[3]));
-  if (std::abs(into) > limit && std::abs(out_of) < limit / 2 && before < limit / 2)
-    news.jump = into;
+  const double before = minus(last_[2], last_[3]);
+  const double step = into - rate_ * took_s_[1];
+  if (std::abs(step) > limit && std::abs(out_of - rate_ * took_s_[0]) < limit / 2 &&
+      std::abs(before - rate_ * took_s_[2]) < limit / 2)
+    news.jump = step;
   return news;
 }
 

@@ -49,12 +49,14 @@ class QuantityMonitor {
   bool known_ = false, noise_shows_ = false;
   double sigma_ = 0;    ///< at least that of a usual motion
   double scatter_ = 0;  ///< as it was in the first time
+  double rate_ = 0;     ///< the mean first derivative, of a vehicle that is fast itself
   double usual_period_s_ = 0, last_bend_ = 0;
   double smallest_bend_ = std::numeric_limits<double>::infinity();
   Spread<128> bends_, periods_;
   unsigned turns_ = 0, moves_ = 0;  ///< changes of direction among changes
   std::optional<Stamp> first_;
-  std::array<double, 4> last_{};  ///< samples, the latest first
+  std::array<double, 4> last_{};    ///< samples, the latest first
+  std::array<double, 3> took_s_{};  ///< from the sample before to each of them
   Stamp last_at_{};
   unsigned samples_ = 0;  ///< of last_
   EventTest noise_{0.02, 0.5, noise_threshold};

@@ -81,6 +81,19 @@ TEST_F(BottomVelocityThatIsWatched, StepsAndStays) {
   EXPECT_NEAR(add(0, 3).jump, 3, 0.2);
 }
 
+// A sounding rocket: 97 m/s to the north, positions at 10 Hz with 1.5 m of noise, ten minutes.
+TEST(QuantityMonitor, OfAFastVehicleSeesAStepBeyondItsWayAndNoOther) {
+  QuantityMonitor monitor{Quantity::north};
+  std::mt19937_64 random{5};
+  std::normal_distribution<double> normal{0, 1.5};
+  for (int i = 0; i < 6000; ++i)
+    ASSERT_EQ(monitor.add(9.7 * i + normal(random), at_s(0.1 * i)).jump, 0) << i;
+  double jump = 0;
+  for (int i = 6000; i < 6003; ++i)
+    jump += monitor.add(9.7 * i + 60 + normal(random), at_s(0.1 * i)).jump;
+  EXPECT_NEAR(jump, 60, 6);
+}
+
 TEST(QuantityMonitor, OfAHeadingDoesNotStepAtNorth) {
   QuantityMonitor monitor(Quantity::heading);
   constexpr double circle = 2 * std::numbers::pi;
