@@ -70,7 +70,7 @@ install(FILES ${PROJECT_BINARY_DIR}/cmake/DrydockConfig.cmake ${PROJECT_BINARY_D
 install(FILES ${PROJECT_BINARY_DIR}/cmake/version.hpp DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/drydock COMPONENT development)
 install(FILES ${PROJECT_BINARY_DIR}/cmake/drydock.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT development)
 install(DIRECTORY drivers estimators hil rig_config DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/drydock COMPONENT development
-  FILES_MATCHING PATTERN "*.hpp" PATTERN program EXCLUDE PATTERN campaign EXCLUDE)
+  FILES_MATCHING PATTERN "*.hpp" PATTERN program EXCLUDE PATTERN campaign EXCLUDE PATTERN python EXCLUDE)
 # One target that builds all that is installed.
 add_custom_target(drydock_development DEPENDS ${drydock_exported})
 

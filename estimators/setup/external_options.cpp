@@ -71,7 +71,10 @@ pipeline::ExternalOptions options_of(const rig_config::ExternalConfig& config,
   pipeline::ExternalOptions options;
   options.step = measurement::from_seconds(config.step_s);
   if (place.outside == nullptr) return options;
-  if (!config.topic.empty())
+  if (const auto peer = place.outside->peers.find(place.estimator.name);
+      peer != place.outside->peers.end())
+    options.connect = peer->second;
+  else if (!config.topic.empty())
     options.connect = [topic = topic_of(config, place)] {
       return std::make_unique<external::TopicPeer>(topic);
     };

@@ -1,16 +1,22 @@
 #pragma once
 
 #include <functional>
+#include <map>
+#include <memory>
 #include <string>
+
+#include "estimators/pipeline/peer.hpp"
 
 namespace drydock::setup {
 
 /// How a run reaches estimators in other programs.
 struct Outside {
   using Say = std::function<void(const std::string& line)>;
+  using Peers = std::map<std::string, std::function<std::unique_ptr<pipeline::Peer>()>>;
 
   bool lockstep = false;  ///< virtual time waits for each answer
   Say say = {};           ///< gets lines for a person; may be empty
+  Peers peers = {};       ///< by estimator, in the place of the program or topic of the rig
 };
 
 }  // namespace drydock::setup

@@ -33,9 +33,9 @@ auto or_throw(Result result) {
   return std::move(*result);
 }
 
-pipeline::Pipeline pipeline_in_step(const rig_config::Rig& rig, setup::Outside::Say say,
+pipeline::Pipeline pipeline_in_step(const rig_config::Rig& rig, setup::Outside outside,
                                     pipeline::EstimateListener& listener) {
-  const setup::Outside outside{.lockstep = true, .say = std::move(say)};
+  outside.lockstep = true;
   return or_throw(pipeline::make_pipeline(setup::pipeline_options(rig, &outside), listener));
 }
 
@@ -66,7 +66,7 @@ class LockstepBench::ToLine final : public device::Transmitter {
 LockstepBench::LockstepBench(const rig_config::Rig& rig, const motion::Trajectory& motion,
                              host::Follower& follower,
                              emulate::RealTimeEmulator::OnWritten on_written,
-                             setup::Outside::Say say)
+                             setup::Outside outside)
     : rig_(not_steered(rig)),
       follower_(follower),
       on_written_(std::move(on_written)),
@@ -74,7 +74,7 @@ LockstepBench::LockstepBench(const rig_config::Rig& rig, const motion::Trajector
       clock_(start_),
       faults_(rig, motion, start_),
       teller_(follower),
-      pipeline_(pipeline_in_step(rig, std::move(say), teller_)) {
+      pipeline_(pipeline_in_step(rig, std::move(outside), teller_)) {
   auto drivers = or_throw(shell::make_devices(rig));
   for (std::size_t i = 0; i < drivers.size(); ++i) add(rig.devices[i], std::move(drivers[i]));
   for (auto& bus : buses_) clock_.add(*bus.second.bus);

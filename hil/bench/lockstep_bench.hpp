@@ -22,17 +22,21 @@ namespace drydock::bench {
 class LockstepBench final : private device::Listener {
  public:
   /// Rig, motion and follower must outlive the bench. `on_written` gets what emulated devices send;
-  /// may be empty. `say` gets lines about programs outside. Throws std::runtime_error with one line
-  /// if a part of the rig cannot run in virtual time.
+  /// may be empty. `outside`: how estimators in other programs are reached. Throws
+  /// std::runtime_error with one line if a part of the rig cannot run in virtual time.
   LockstepBench(const rig_config::Rig& rig, const motion::Trajectory& motion,
                 host::Follower& follower, emulate::RealTimeEmulator::OnWritten on_written = {},
-                setup::Outside::Say say = {});
+                setup::Outside outside = {});
   ~LockstepBench() override;
 
   /// Called with what a driver has told an emulated device.
   using OnTold =
       std::function<void(std::string_view device, std::string_view what, measurement::Stamp at)>;
   void set_on_told(OnTold hook) { on_told_ = std::move(hook); }
+
+  /// Acts in virtual time, behind the parts of the bench that are due at the same time. It must
+  /// outlive the bench.
+  void add(shell::Actor& actor) { clock_.add(actor); }
 
   measurement::Stamp now() const { return clock_.now(); }
   void run_until(measurement::Stamp end) { clock_.run_until(end); }

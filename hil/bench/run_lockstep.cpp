@@ -25,16 +25,22 @@ class LockstepRun {
   LockstepRun(const rig_config::Rig& rig, const RunOptions& options)
       : terminal_(::isatty(STDOUT_FILENO) == 1),
         start_(measurement::stamp_from_ns(rig.start_utc_ns)),
-        trajectory_(motion::make_trajectory(rig.mission, start_)),
+        parts_(options.parts),
+        trajectory_(parts_.motion != nullptr
+                        ? *parts_.motion
+                        : mission_.emplace(motion::make_trajectory(rig.mission, start_))),
         duration_s_(options.duration_s > 0 ? options.duration_s
                                            : measurement::seconds(trajectory_.end() - start_)),
         run_(rig, options, trajectory_, {start_, duration_s_, record::WhenBehind::wait}),
         finding_lines_(rig, start_, [](const std::string& line) { fmt::print("{}\n", line); }),
         bench_(rig, trajectory_, run_.followers(), run_.on_written(),
-               [this, quiet = options.quiet](const std::string& line) {
-                 if (!quiet) fmt::print("{}{}\n", terminal_ ? "\r" : "", line);
-               }),
+               {.say =
+                    [this, quiet = options.quiet](const std::string& line) {
+                      if (!quiet) fmt::print("{}{}\n", terminal_ ? "\r" : "", line);
+                    },
+                .peers = parts_.peers}),
         chronicle_(bench_.faults(), start_) {
+    for (auto* actor : parts_.actors) bench_.add(*actor);
     const bool prints = !options.quiet && !terminal_;
     bench_.set_on_told([this, prints](std::string_view device, std::string_view what, Stamp) {
       const auto line = told_.add(device, what);
@@ -53,7 +59,7 @@ class LockstepRun {
     const auto wall_start = std::chrono::steady_clock::now();
     const Stamp end = start_ + measurement::from_seconds(duration_s_);
     run_.begin({start_, devices(), bench_.pipeline(), bench_.faults()});
-    while (bench_.now() < end && !interrupted.set()) {
+    while (bench_.now() < end && !interrupted.set() && !(parts_.stopped && parts_.stopped())) {
       bench_.run_until(std::min(end, bench_.now() + std::chrono::seconds{1}));
       chronicle_.follow(bench_.now());
       run_.tell_faults(bench_.now());
@@ -82,7 +88,7 @@ class LockstepRun {
   }
 
   void show_progress() const {
-    if (!terminal_) return;
+    if (!terminal_ || !parts_.progress) return;
     const double done = measurement::seconds(bench_.now() - start_);
     fmt::print("\r{:.0f} s of {:.0f} s ({:.0f} %)", done, duration_s_, 100 * done / duration_s_);
     std::fflush(stdout);
@@ -90,7 +96,9 @@ class LockstepRun {
 
   bool terminal_;
   Stamp start_;
-  motion::RememberedTrajectory trajectory_;
+  const LockstepParts& parts_;
+  std::optional<motion::RememberedTrajectory> mission_;
+  const motion::Trajectory& trajectory_;
   double duration_s_;
   RigRun run_;
   host::StateLines state_lines_{stdout, start_};

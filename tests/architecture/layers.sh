@@ -82,6 +82,7 @@ hil/topic                  hil/replay/reference drivers/recordings/record driver
 hil/example                drivers/terminal rig_config
 hil/world                  hil/report hil/sky hil/sensor hil/motion estimators/frame drivers/measurement drivers/terminal rig_config
 hil/campaign               hil/study hil/study/run hil/report hil/sensor drivers/terminal rig_config
+hil/python                 hil/bench hil/calibrate hil/check hil/fault hil/motion hil/report hil/study hil/study/run hil/summary hil/track estimators/external estimators/pipeline drivers/decode drivers/host drivers/shell drivers/recordings/record drivers/text drivers/terminal drivers/wire drivers/measurement rig_config
 hil/program                hil/[a-z/_]* estimators/[a-z]* drivers/[a-z/]* rig_config
 '
 

@@ -51,7 +51,8 @@ std::string to_json(const study::Study& study, const study::Options& options,
   return json.dump(2) + "\n";
 }
 
-/// One line on the first name in `asked` that the study does not have.
+}  // namespace
+
 std::optional<std::string> unknown_case(const study::Study& study,
                                         const std::vector<std::string>& asked) {
   if (asked.empty()) return {};
@@ -62,8 +63,6 @@ std::optional<std::string> unknown_case(const study::Study& study,
       return fmt::format("case '{}' is not known, allowed: {}", name, fmt::join(known, ", "));
   return {};
 }
-
-}  // namespace
 
 std::string study_names() {
   std::string names;

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cstdio>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "hil/study/study.hpp"
 
@@ -16,6 +18,10 @@ struct StudyOptions {
 
 /// The allowed names, such as "leveling, mixing".
 std::string study_names();
+
+/// One line on the first name in `asked` that the study does not have.
+std::optional<std::string> unknown_case(const study::Study& study,
+                                        const std::vector<std::string>& asked);
 
 /// Exit code: 0 done; 1 stopped by Ctrl-C (finished work is printed and written), or a file cannot
 /// be written; 2 no study has that name.

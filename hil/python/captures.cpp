@@ -1,0 +1,44 @@
+#include <pybind11/stl.h>
+
+#include "drivers/decode/replay.hpp"
+#include "hil/python/measurement_tables.hpp"
+#include "hil/python/topics.hpp"
+#include "rig_config/device_description/load_description.hpp"
+
+namespace drydock::python {
+namespace {
+
+py::dict decode_capture(const std::string& path, const std::string& protocol,
+                        const std::string& kind, unsigned baud, const std::string& format,
+                        const std::string& clock, const std::string& interface,
+                        std::uint8_t address) {
+  decode::ReplayOptions options;
+  options.capture = path;
+  options.protocol = protocol;
+  options.kind = kind;
+  options.baud = baud;
+  options.format = format;
+  options.clock = clock;
+  options.interface = interface;
+  options.address = address;
+  MeasurementTables tables;
+  {
+    const py::gil_scoped_release others_run;
+    if (rig_config::is_description(protocol))
+      options.description = rig_config::find_description(protocol, "").value();
+    decode::play(options, [&](const measurement::Measurement& m) { tables.add(m); });
+  }
+  return tables.take(0);
+}
+
+}  // namespace
+
+void add_captures(py::module_& module) {
+  using py::arg;
+  module.def("decode_capture", &decode_capture, arg("path"), arg("protocol"), py::kw_only(),
+             arg("kind") = "", arg("baud") = 0, arg("format") = "", arg("clock") = "",
+             arg("interface") = "", arg("address") = 0,
+             "The measurements of a capture of one sensor, by type: a table of each.");
+}
+
+}  // namespace drydock::python

@@ -1,0 +1,53 @@
+"""Files that the program writes: scorecards and calibrations."""
+
+import json
+import os
+from typing import Any, Dict, List, Union
+
+import numpy as np
+
+Path = Union[str, "os.PathLike[str]"]
+
+
+def _column(values: List[Any]) -> Any:
+    """None among numbers is NaN."""
+    if all(value is None or type(value) in (int, float) for value in values):
+        return np.array([np.nan if value is None else value for value in values], dtype=float)
+    return np.array(values)
+
+
+def _flat(row: Dict[str, Any]) -> Dict[str, Any]:
+    """The values of a dict in a row are `key.inner`."""
+    flat: Dict[str, Any] = {}
+    for key, value in row.items():
+        flat.update({f"{key}.{inner}": item for inner, item in value.items()} if isinstance(value, dict) else {key: value})
+    return flat
+
+
+def _table(rows: List[Dict[str, Any]]) -> Dict[str, Any]:
+    flat = [_flat(row) for row in rows]
+    return {name: _column([row.get(name) for row in flat]) for name in dict.fromkeys(name for row in flat for name in row)}
+
+
+def _read(path: Path, key: str, what: str) -> Dict[str, Any]:
+    with open(path, encoding="utf-8") as file:
+        content = json.load(file)
+    if not isinstance(content, dict) or key not in content:
+        raise ValueError(f"{os.fspath(path)} is no {what}; drydock {what} --json writes one")
+    return content
+
+
+def read_scorecard(path: Path) -> Dict[str, Any]:
+    """The file of `drydock scorecard --json`; `pairs` is a table with a row for each fault of each device."""
+    card = _read(path, "drydock_scorecard", "scorecard")
+    return {**card, "pairs": _table(card["pairs"])}
+
+
+def with_arrays(calibration: Dict[str, Any]) -> Dict[str, Any]:
+    return {**calibration, "findings": _table(calibration["findings"]),
+            "correlation": np.array(calibration["correlation"], dtype=float)}
+
+
+def read_calibration(path: Path) -> Dict[str, Any]:
+    """What `drydock calibrate --json` writes; `findings` is a table, `correlation` a matrix."""
+    return with_arrays(_read(path, "correlation", "calibrate"))

@@ -1,0 +1,97 @@
+#include <fmt/format.h>
+#include <pybind11/stl.h>
+
+#include <algorithm>
+#include <stdexcept>
+#include <thread>
+
+#include "drivers/terminal/interrupt_flag.hpp"
+#include "hil/python/columns.hpp"
+#include "hil/python/topics.hpp"
+#include "hil/python/values.hpp"
+#include "hil/study/run/run_study.hpp"
+
+namespace drydock::python {
+namespace {
+
+class UntilInterrupted final : public study::Progress {
+ public:
+  void on_run(std::string_view, std::size_t, std::size_t) override {}
+  bool stopped() const override { return interrupt_.set(); }
+
+ private:
+  terminal::InterruptFlag interrupt_;
+};
+
+const study::Study& study_of(const std::string& name, const study::Options& options) {
+  const auto all = study::studies();
+  const auto found = std::ranges::find(all, name, &study::Study::name);
+  if (found == all.end())
+    throw std::invalid_argument(
+        fmt::format("study '{}' is not known, allowed: {}", name, study::study_names()));
+  if (const auto wrong = study::unknown_case(*found, options.cases))
+    throw std::invalid_argument(fmt::format("study {}: {}", name, *wrong));
+  return *found;
+}
+
+py::dict dict_of(report::Figure&& figure) {
+  py::list curves;
+  for (auto& curve : figure.curves) {
+    py::dict one;
+    one["label"] = curve.label;
+    one["x"] = own(std::move(curve.x));
+    one["y"] = own(std::move(curve.y));
+    curves.append(std::move(one));
+  }
+  py::dict dict;
+  dict["title"] = figure.title;
+  dict["x_label"] = figure.x_label;
+  dict["y_label"] = figure.y_label;
+  dict["curves"] = std::move(curves);
+  return dict;
+}
+
+py::dict dict_of(const report::Table& table) {
+  py::dict dict;
+  dict["title"] = table.title;
+  dict["columns"] = table.columns;
+  dict["rows"] = table.rows;
+  dict["note"] = table.note;
+  return dict;
+}
+
+py::dict run_study(const std::string& name, std::size_t runs, std::uint64_t seed, unsigned jobs,
+                   std::vector<std::string> cases) {
+  study::Options options{.runs = runs, .seed = seed, .jobs = jobs, .cases = std::move(cases)};
+  if (jobs == 0) options.jobs = std::max(1U, std::thread::hardware_concurrency());
+  const auto& study = study_of(name, options);
+  study::Result result;
+  {
+    const py::gil_scoped_release others_run;
+    UntilInterrupted progress;
+    result = study.run(options, progress);
+  }
+  if (result.runs < runs) {
+    PyErr_SetNone(PyExc_KeyboardInterrupt);
+    throw py::error_already_set();
+  }
+  py::list tables, figures;
+  for (const auto& table : result.tables) tables.append(dict_of(table));
+  for (auto& figure : result.figures) figures.append(dict_of(std::move(figure)));
+  py::dict dict;
+  dict["title"] = std::string(study.title);
+  dict["values"] = value_of_json(result.json.dump());
+  dict["tables"] = std::move(tables);
+  dict["figures"] = std::move(figures);
+  return dict;
+}
+
+}  // namespace
+
+void add_studies(py::module_& module) {
+  using py::arg;
+  module.def("study", &run_study, arg("name"), py::kw_only(), arg("runs"), arg("seed"), arg("jobs"),
+             arg("cases"));
+}
+
+}  // namespace drydock::python
