@@ -13,7 +13,7 @@
 namespace drydock::python {
 
 StepObject CallbackPeer::object_of(const pipeline::Step& step) const {
-  StepObject object{step.number, step.now.time_since_epoch().count(), {}};
+  StepObject object{step.number, step.now.time_since_epoch().count(), py::list()};
   for (const auto& sample : step.samples)
     object.measurements.append(MeasurementObject{
         devices_, std::visit([](const auto& m) { return measurement::Measurement(m); }, sample)});

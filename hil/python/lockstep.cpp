@@ -7,6 +7,7 @@
 #include "hil/bench/run.hpp"
 #include "hil/check/check_rig.hpp"
 #include "hil/fault/injector.hpp"
+#include "hil/motion/make_trajectory.hpp"
 #include "hil/motion/remembered_trajectory.hpp"
 #include "hil/python/callback_peer.hpp"
 #include "hil/python/measurement_object.hpp"
@@ -43,7 +44,7 @@ void refuse(const rig_config::Problems& problems) {
 void seat(const EstimatorCallback& callback, Rig& rig) {
   auto place = std::ranges::find(rig.estimators, callback.name, &rig_config::EstimatorConfig::name);
   if (place == rig.estimators.end())
-    place = rig.estimators.insert(place, rig_config::EstimatorConfig{.name = callback.name});
+    place = rig.estimators.insert(place, rig_config::EstimatorConfig{callback.name, {}, {}});
   else if (!std::holds_alternative<rig_config::ExternalConfig>(place->kind))
     throw std::invalid_argument(
         fmt::format("{} has an estimator {} of its own, allowed: another name, or kind external",

@@ -45,7 +45,7 @@ template <class Struct, std::size_t N>
 py::object value_of(const boost::container::static_vector<Struct, N>& sequence) {
   py::list list;
   for (const auto& element : sequence) list.append(dict_of(element));
-  return std::move(list);
+  return list;
 }
 
 /// The fields of a struct with visit_fields.
