@@ -21,14 +21,14 @@ nlohmann::json json_of(py::handle value) {
       json[py::str(key).cast<std::string>()] = json_of(item);
     return json;
   }
-  if (py::isinstance<py::sequence>(value)) {
+  if (py::isinstance<py::iterable>(value)) {
     auto json = nlohmann::json::array();
     for (const auto item : value) json.push_back(json_of(item));
     return json;
   }
   throw std::invalid_argument("a value of the type " +
                               py::str(py::type::of(value).attr("__name__")).cast<std::string>() +
-                              ", allowed: numbers, texts, None, dicts, sequences, arrays");
+                              ", allowed: numbers, texts, None, dicts, iterables, arrays");
 }
 
 py::object value_of_json(const std::string& text) {

@@ -58,7 +58,7 @@ py::dict dict_of(const Struct& fields) {
   return dict;
 }
 
-/// Numbers, texts, None, dicts, sequences, and what has tolist(), such as NumPy's. Throws
+/// Numbers, texts, None, dicts, iterables, and what has tolist(), such as NumPy's. Throws
 /// std::invalid_argument for anything else.
 nlohmann::json json_of(py::handle value);
 

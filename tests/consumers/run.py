@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Installs what others link, builds the programs of this folder against it, and runs them: run.py BUILD_FOLDER DRYDOCK SOURCE.
-Nothing of the tree is in sight of their compiler."""
+In the place of the build folder there may be a prefix, where a package has installed it. Nothing of the tree is in sight of their
+compiler."""
 
 import json
 import pathlib
@@ -62,7 +63,10 @@ def lines_of_code(name):
 with tempfile.TemporaryDirectory(prefix="drydock-consumers-") as room:
     room = pathlib.Path(room)
     prefix, programs = room / "prefix", room / "build"
-    run("cmake", "--install", BUILD, "--component", "development", "--prefix", prefix)
+    if (BUILD / "CMakeCache.txt").exists():
+        run("cmake", "--install", BUILD, "--component", "development", "--prefix", prefix)
+    else:
+        prefix = BUILD
     run("cp", "-r", SOURCE / "tests/consumers", room / "source")
     run("cmake", "-G", "Ninja", "-S", room / "source", "-B", programs, f"-DCMAKE_PREFIX_PATH={prefix}", "-DCMAKE_BUILD_TYPE=Release",
         "-DCMAKE_CXX_FLAGS_RELEASE=-O1")
@@ -88,7 +92,7 @@ with tempfile.TemporaryDirectory(prefix="drydock-consumers-") as room:
     run(programs / "emulated_dvl_test")
     print("ok  emulated_dvl_test passes")
 
-    flags = run("pkg-config", "--cflags", "--libs", "drydock", env={"PKG_CONFIG_PATH": str(next(prefix.glob("lib/**/pkgconfig"))),
+    flags = run("pkg-config", "--cflags", "--libs", "drydock", env={"PKG_CONFIG_PATH": str(next(prefix.glob("lib/**/drydock.pc")).parent),
                                                                     "PATH": "/usr/bin:/bin"}).split()
     run("c++", room / "source/pd0_file.cpp", "-o", room / "by-pkg-config", *flags)
     expect("pkg-config's flags build the same program", run(room / "by-pkg-config", GOLDEN), "".join(f"{n}\n" for n in numbers))

@@ -53,6 +53,16 @@ inside sh -c 'cd /tmp && drydock run demo.toml --for 10s --speed max' | tail -1 
 inside sh -c 'cd /tmp && drydock run demo --for 5s --expect-streaming' >"$root/tmp/run" 2>&1 || { tail -20 "$root/tmp/run"; failed "the demo rig in real time"; }
 step "drydock study mixing --runs 5"
 inside sh -c 'cd /tmp && drydock study mixing --runs 5' >/dev/null || failed "the study"
+step "import drydock: ten seconds of a rig with an estimator in Python"
+inside python3 -c '
+import drydock
+run = drydock.run("demo", 10, estimators={"mine": lambda step: {"valid_at_ns": step.now_ns - 1, "roll_deg": 0, "pitch_deg": 0}})
+assert len(run.measurements["imu"]["imu"]["valid_at_ns"]) > 990 and len(run.estimates["mine"]["roll_deg"]) > 190' || failed "the Python module"
+step "programs of others, built with the packages alone"
+mkdir "$root/tmp/source"
+cp -r --parents tests/consumers fixtures/pd0 rig_config "$root/tmp/source"
+inside apt-get install -y -qq --no-install-recommends g++ cmake ninja-build pkg-config libgtest-dev >/dev/null
+inside python3 -B /tmp/source/tests/consumers/run.py /usr /usr/bin/drydock /tmp/source || failed "a consumer"
 step "every shipped file passes drydock check"
 inside sh -c 'cd /usr/share/drydock/rig_config && drydock check rigs/*.toml missions/*.toml sensors/*.toml vehicles/*.toml devices/*.toml' | grep -v ': ok$' && failed "a shipped file"
 step "manual page, completions, units, rules"

@@ -50,7 +50,7 @@ class Controller(unittest.TestCase):
         def hold(moment):
             error = math.radians((180 - moment.truth["heading_deg"] + 180) % 360 - 180)
             turn = max(-0.5, min(0.5, 0.6 * error))
-            return [-turn, turn, -turn, turn]
+            return [turn, -turn, -turn, turn]
 
         run = drydock.run(RIG, 40, controller=hold)
         heading = run.truth["heading_deg"] % 360

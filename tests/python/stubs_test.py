@@ -13,28 +13,33 @@ import drydock
 PACKAGE = pathlib.Path(drydock.__file__).parent
 
 
-def mypy(module, *words):
-    with tempfile.TemporaryDirectory() as cache:
-        return subprocess.run([sys.executable, "-m", module, *words], capture_output=True, text=True,
-                              env={**os.environ, "MYPYPATH": str(PACKAGE.parent), "MYPY_CACHE_DIR": cache})
+# pybind11 makes all classes of a metaclass of its own, with an __init__ that takes anything and refuses it.
+OF_PYBIND11 = r"drydock\._core\.(Measurement|Moment|Step)(\.__init__)?"
 
 
 @unittest.skipIf(subprocess.run([sys.executable, "-c", "import mypy"], capture_output=True).returncode, "mypy is not installed")
 class Stubs(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.room = pathlib.Path(cls.enterClassContext(tempfile.TemporaryDirectory()))
+
+    def mypy(self, module, *words):
+        return subprocess.run([sys.executable, "-m", module, *map(str, words)], capture_output=True, text=True,
+                              env={**os.environ, "MYPYPATH": str(PACKAGE.parent), "MYPY_CACHE_DIR": str(self.room / "cache")})
+
     def test_the_package_is_typed_throughout(self):
-        done = mypy("mypy", "--strict", str(PACKAGE))
+        done = self.mypy("mypy", "--strict", PACKAGE)
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
 
     def test_the_stub_says_what_the_compiled_module_has(self):
-        done = mypy("mypy.stubtest", "--ignore-missing-stub", "drydock._core")
+        (self.room / "known").write_text(OF_PYBIND11 + "\n")
+        done = self.mypy("mypy.stubtest", "--allowlist", self.room / "known", "drydock._core")
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
 
     def test_a_wrong_call_of_a_user_is_found_before_it_runs(self):
-        with tempfile.TemporaryDirectory() as folder:
-            program = pathlib.Path(folder, "program.py")
-            program.write_text("import drydock\ndrydock.run('demo', 10, estimator={})\n")
-            done = mypy("mypy", str(program))
-        self.assertIn('Unexpected keyword argument "estimator"', done.stdout)
+        program = self.room / "program.py"
+        program.write_text("import drydock\ndrydock.run('demo', 10, estimator={})\n")
+        self.assertIn('Unexpected keyword argument "estimator"', self.mypy("mypy", program).stdout)
 
 
 if __name__ == "__main__":

@@ -1,19 +1,19 @@
-"""Where the tests find the tree and the program, which is their first argument."""
+"""The tree, and the program that was built from it."""
 
 import json
+import os
 import pathlib
 import subprocess
-import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-PROGRAM = sys.argv.pop(1) if len(sys.argv) > 1 and not sys.argv[1].startswith("-") else None
+PROGRAM = os.environ.get("DRYDOCK_PROGRAM", ROOT / "build/release/bin/drydock")
 
 
-def said(*words, **options):
+def said(*words):
     """What the program prints; its exit code is 0."""
-    return subprocess.run([PROGRAM, *map(str, words)], capture_output=True, text=True, check=True, **options).stdout
+    return subprocess.run([PROGRAM, *map(str, words)], capture_output=True, text=True, check=True).stdout
 
 
-def lines(*words, **options):
+def lines(*words):
     """The JSON Lines that the program prints."""
-    return [json.loads(line) for line in said(*words, **options).splitlines()]
+    return [json.loads(line) for line in said(*words).splitlines()]
