@@ -30,7 +30,7 @@ class Capture(unittest.TestCase):
         tables = drydock.decode_capture(GOLDEN, "pd0")
         rows = {kind: iter(range(len(table["valid_at_ns"]))) for kind, table in tables.items()}
         printed = lines("replay", GOLDEN, "--protocol", "pd0")
-        self.assertGreater(len(printed), 4)
+        self.assertEqual(len(printed), 3)  # the NOTE: one of five has no leaders, one no bottom track
         for line in printed:
             table, row = tables[line["type"]], next(rows[line["type"]])
             for name in line.keys() - {"type", "valid_at_s", "received_at_s"}:
@@ -63,7 +63,7 @@ class Capture(unittest.TestCase):
     def test_a_wrong_call_says_what_is_allowed(self):
         with self.assertRaisesRegex(ValueError, 'no driver speaks "pd7"'):
             drydock.decode_capture(GOLDEN, "pd7")
-        with self.assertRaisesRegex(ValueError, "allowed: .*depth"):
+        with self.assertRaisesRegex(ValueError, "allowed: emlog, gnss"):
             drydock.decode_capture(GOLDEN, "nmea0183")
         with self.assertRaisesRegex(RuntimeError, "no-such-file"):
             drydock.decode_capture("no-such-file", "pd0")

@@ -19,7 +19,7 @@ DIVES = ROOT / "fixtures/dives"
 def written_then(dive, device):
     """The measurements of a device in the file that was written when the dive was cut."""
     for line in map(json.loads, (DIVES / dive / "expected.jsonl").read_text().splitlines()):
-        if line["device"] == device and "type" in line:
+        if line.get("device") == device and "type" in line:
             yield line
 
 
@@ -44,9 +44,9 @@ class Recording(unittest.TestCase):
     def test_messages_are_those_that_the_program_exports(self):
         recording = DIVES / "log-drops-out/dive.mcap"
         topics = drydock.read_recording(recording)
-        self.assertGreater(len(topics), 3)
+        self.assertGreater(len(topics), 2)
         with tempfile.TemporaryDirectory() as folder:
-            said("export", recording, "--format", "csv", "-o", pathlib.Path(folder, "csv"))
+            said("export", recording, "--to", "csv", "-o", pathlib.Path(folder, "csv"))
             for topic, table in topics.items():
                 with open(pathlib.Path(folder, "csv", topic.strip("/").replace("/", "_") + ".csv"), encoding="utf-8") as file:
                     rows = list(csv.reader(file))[1:]
