@@ -46,16 +46,16 @@ class Controller(unittest.TestCase):
         self.assertGreater(seen.sum(), 50)
         np.testing.assert_allclose(track["velocity_mps"][seen, 0], ahead[seen], atol=0.02)
 
-    def test_a_loop_closed_through_a_sensor_holds_its_heading(self):
+    def test_a_closed_loop_holds_its_heading(self):
         def hold(moment):
-            error = math.radians((180 - moment.truth["heading_deg"] + 180) % 360 - 180)
-            turn = max(-0.5, min(0.5, 0.6 * error))
-            return [turn, -turn, -turn, turn]
+            error = (180 - moment.truth["heading_deg"] + 180) % 360 - 180
+            turn = max(-0.5, min(0.5, 0.003 * error - 0.001 * moment.truth["angular_rate_degps"][2]))
+            return [turn, -turn, 0.3 - turn, 0.3 + turn]
 
         run = drydock.run(RIG, 40, controller=hold)
         heading = run.truth["heading_deg"] % 360
         self.assertAlmostEqual(heading[0], 270, delta=1e-6)
-        self.assertAlmostEqual(heading[-1], 180, delta=10)
+        self.assertAlmostEqual(heading[-1], 180, delta=0.1)
 
     def test_a_wrong_answer_or_call_says_what_is_allowed(self):
         with self.assertRaisesRegex(ValueError, "output of 1.5, allowed: -1 to 1"):
