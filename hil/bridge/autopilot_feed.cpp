@@ -106,10 +106,12 @@ void AutopilotFeed::on(const wire::Mavlink::Message& message, Stamp now) {
     if (counters_.autopilot_heartbeats++ == 0) tell_("the autopilot answers");
   } else if (const auto* question = std::get_if<mavlink::Timesync>(&message)) {
     if (question->tc1.count() != 0) return;
-    send(mavlink::Timesync{.tc1 = now.time_since_epoch(),
-                           .ts1 = question->ts1,
-                           .target_system = question->sender.system,
-                           .target_component = question->sender.component});
+    mavlink::Timesync answer;
+    answer.tc1 = now.time_since_epoch();
+    answer.ts1 = question->ts1;
+    answer.target_system = question->sender.system;
+    answer.target_component = question->sender.component;
+    send(answer);
   }
 }
 

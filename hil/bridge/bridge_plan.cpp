@@ -51,7 +51,8 @@ std::size_t size_of(const wire::Mavlink::Message& message) {
 double bytes_per_second(const FeedOptions& feed, double rate_hz) {
   measurement::BottomVelocity ping;
   ping.velocity = Eigen::Vector3d::Ones();
-  const Moved moved{.time = std::chrono::seconds{1}};
+  Moved moved;
+  moved.time = std::chrono::seconds{1};
   double each = 0;
   if (feed.position_delta) each += static_cast<double>(size_of(position_delta(ping, moved)));
   if (feed.odometry) each += static_cast<double>(size_of(odometry(ping, moved)));

@@ -13,8 +13,8 @@ namespace ubx = wire::ubx;
 using wire::load_le;
 using wire::store_le;
 
-constexpr std::chrono::seconds answer_within{1}, start_again_after{30};
-constexpr int most_tries = 3;
+constexpr std::chrono::seconds patience{1}, pause_of_the_unanswered{30};
+constexpr int most_questions = 3;
 constexpr std::size_t prt_size = 20, rate_size = 6, msg_size = 8, ports = 6;
 
 void send(std::uint16_t class_and_id, wire::Bytes payload, Output& out) {
@@ -39,10 +39,10 @@ void UbloxSetup::start(Stamp now, Output& out) {
 void UbloxSetup::tick(Stamp now, Output& out) {
   if (!due_ || now < *due_) return;
   if (finished()) return start(now, out);
-  if (tries_ < most_tries) return ask(now, out);
+  if (tries_ < most_questions) return ask(now, out);
   if (!replayed_) tell("no answer to", out);
   step_ = Step::idle;
-  due_ = now + start_again_after;
+  due_ = now + pause_of_the_unanswered;
 }
 
 const UbloxSettings::Rate& UbloxSetup::message() const {
@@ -113,7 +113,7 @@ void UbloxSetup::go_to(Step step, Stamp now, Output& out) {
 
 void UbloxSetup::ask(Stamp now, Output& out) {
   ++tries_;
-  due_ = now + answer_within;
+  due_ = now + patience;
   if (step_ == Step::set) return send_setting(out);
   if (step_ == Step::port || sets_period()) return send(asked(), {}, out);
   send(asked(), id_bytes(message().class_and_id), out);

@@ -36,7 +36,7 @@ void add_mavlink(CLI::App& bridge, Command& command) {
       "mavlink",
       "The motion that a DVL measures, to an autopilot: VISION_POSITION_DELTA, ODOMETRY");
   sub->footer(
-      "Example: drydock bridge mavlink rig.toml --to udp:192.168.2.2:14550\n"
+      "Example: drydock bridge mavlink rig.toml --to 'udp:0.0.0.0:14550?listen=1'\n"
       "         drydock bridge mavlink tcp:192.168.194.95:16171 --protocol water-linked-json "
       "--to 'serial:/dev/ttyACM0?baud=115200'");
   sub->add_option("SOURCE", a->source, "rig file (TOML), or link URI of a DVL")->required();

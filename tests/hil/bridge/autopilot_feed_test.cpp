@@ -211,7 +211,9 @@ TEST(AutopilotFeed, SaysAConfidenceFromWhichAnEkf3ReadsTheAccuracyBack) {
 TEST(AutopilotFeed, AnswersTheAutopilotsQuestionForTheTime) {
   Autopilot autopilot;
   std::array<std::uint8_t, wire::Mavlink::max_frame> frame;
-  const Timesync question{.sender = {7, 1, 0}, .ts1 = std::chrono::nanoseconds{424242}};
+  Timesync question;
+  question.sender = {7, 1, 0};
+  question.ts1 = std::chrono::nanoseconds{424242};
   const std::size_t size = wire::mavlink::encode(question, frame);
   autopilot.feed.receive(wire::Bytes{frame}.first(size), start + milliseconds{5});
   const auto answers = autopilot.all<Timesync>();
@@ -226,8 +228,9 @@ TEST(AutopilotFeed, HearsAnAutopilotButNoOtherComponent) {
   Autopilot autopilot;
   std::array<std::uint8_t, wire::Mavlink::max_frame> frame;
   for (const std::uint8_t kind : {Heartbeat::no_autopilot, std::uint8_t{3}, std::uint8_t{3}}) {
-    const std::size_t size =
-        wire::mavlink::encode(Heartbeat{.sender = {1, 1, 0}, .autopilot = kind}, frame);
+    Heartbeat beat;
+    beat.autopilot = kind;
+    const std::size_t size = wire::mavlink::encode(beat, frame);
     autopilot.feed.receive(wire::Bytes{frame}.first(size), start);
   }
   EXPECT_EQ(autopilot.feed.counters().autopilot_heartbeats, 2U);
