@@ -28,11 +28,11 @@ void AutopilotFeed::on(const measurement::Measurement& measurement, Stamp now) {
   if (const auto* imu = std::get_if<measurement::ImuSample>(&measurement)) {
     if (device == options_.imu) rotation_.add(*imu);
   } else if (const auto* ping = std::get_if<BottomVelocity>(&measurement)) {
-    if (device == options_.dvl) on(*ping, now);
+    if (device == options_.dvl) on_ping(*ping, now);
   }
 }
 
-void AutopilotFeed::on(const BottomVelocity& ping, Stamp now) {
+void AutopilotFeed::on_ping(const BottomVelocity& ping, Stamp now) {
   ++counters_.pings;
   const auto age = now - ping.origin.valid_at;
   if (!ping.velocity) {
@@ -96,11 +96,11 @@ void AutopilotFeed::tell(Trouble trouble, std::string_view line) {
 
 void AutopilotFeed::receive(wire::Bytes bytes, Stamp now) {
   framer_.feed(bytes, wire::Mavlink::scan, [&](wire::Bytes frame, std::size_t) {
-    if (const auto message = wire::Mavlink::decode(frame)) on(*message, now);
+    if (const auto message = wire::Mavlink::decode(frame)) on_message(*message, now);
   });
 }
 
-void AutopilotFeed::on(const wire::Mavlink::Message& message, Stamp now) {
+void AutopilotFeed::on_message(const wire::Mavlink::Message& message, Stamp now) {
   if (const auto* heartbeat = std::get_if<mavlink::Heartbeat>(&message)) {
     if (heartbeat->autopilot == mavlink::Heartbeat::no_autopilot) return;
     if (counters_.autopilot_heartbeats++ == 0) tell_("the autopilot answers");

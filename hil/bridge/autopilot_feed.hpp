@@ -60,8 +60,8 @@ class AutopilotFeed {
  private:
   enum class Trouble : std::uint8_t { none, no_velocity, old, silent, not_taken };
 
-  void on(const measurement::BottomVelocity& ping, Stamp now);
-  void on(const wire::Mavlink::Message& message, Stamp now);
+  void on_ping(const measurement::BottomVelocity& ping, Stamp now);
+  void on_message(const wire::Mavlink::Message& message, Stamp now);
   bool within_rate(Stamp now);
   void send_motion(const measurement::BottomVelocity& ping, const Moved& moved, Stamp now);
   bool send(wire::Mavlink::Message message);
