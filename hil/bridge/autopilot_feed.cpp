@@ -82,8 +82,7 @@ void AutopilotFeed::send_motion(const BottomVelocity& ping, const Moved& moved, 
   tell(Trouble::none, "the motion is sent");
 }
 
-void AutopilotFeed::on_stream(bool streaming) {
-  if (streaming) return;
+void AutopilotFeed::on_silence() {
   ++counters_.breaks;
   motion_.forget();
   tell(Trouble::silent, "the DVL is silent");

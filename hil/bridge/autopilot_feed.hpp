@@ -48,8 +48,8 @@ class AutopilotFeed {
   AutopilotFeed(const FeedOptions& options, Send send, Tell tell);
 
   void on(const measurement::Measurement& measurement, Stamp now);
-  /// The DVL streams or does not.
-  void on_stream(bool streaming);
+  /// The DVL no longer streams.
+  void on_silence();
   /// From the autopilot.
   void receive(wire::Bytes bytes, Stamp now);
   /// Says that this component is there; call it once a second.

@@ -67,9 +67,7 @@ class Bridge final : private host::Follower {
 
   void on_state(const device::Device& device, const device::Transition& change) override {
     state_lines_.on_state(device, change);
-    if (device.name() != dvl_) return;
-    const bool streams = change.to == device::State::streaming;
-    if (streams || change.from == device::State::streaming) feed_.on_stream(streams);
+    if (device.name() == dvl_ && change.from == device::State::streaming) feed_.on_silence();
   }
 
   bool send(wire::Bytes frame) {

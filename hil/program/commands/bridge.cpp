@@ -12,7 +12,7 @@ namespace drydock::program {
 namespace {
 
 struct BridgeArguments {
-  std::string source, protocol, messages = "position-delta";
+  std::string spoken, source, protocol, messages = "position-delta";
   bridge::BridgeOptions options;
 };
 
@@ -30,15 +30,18 @@ rig_config::Rig rig_of_link(const BridgeArguments& a) {
   return rig;
 }
 
-void add_mavlink(CLI::App& bridge, Command& command) {
+}  // namespace
+
+void add_bridge(CLI::App& app, Command& command) {
   auto a = std::make_shared<BridgeArguments>();
-  auto* sub = bridge.add_subcommand(
-      "mavlink",
-      "The motion that a DVL measures, to an autopilot: VISION_POSITION_DELTA, ODOMETRY");
+  auto* sub = app.add_subcommand("bridge", "The motion that a DVL measures, to an autopilot");
   sub->footer(
       "Example: drydock bridge mavlink rig.toml --to 'udp:0.0.0.0:14550?listen=1'\n"
       "         drydock bridge mavlink tcp:192.168.194.95:16171 --protocol water-linked-json "
       "--to 'serial:/dev/ttyACM0?baud=115200'");
+  sub->add_option("PROTOCOL", a->spoken, "what the autopilot speaks")
+      ->required()
+      ->check(CLI::IsMember({"mavlink"}));
   sub->add_option("SOURCE", a->source, "rig file (TOML), or link URI of a DVL")->required();
   sub->add_option("--to", a->options.to,
                   "link URI of the autopilot: udp:HOST:PORT, tcp:HOST:PORT, serial:PATH?baud=57600")
@@ -46,7 +49,8 @@ void add_mavlink(CLI::App& bridge, Command& command) {
   sub->add_option("--protocol", a->protocol,
                   "of a link: one of " + decode::decode_protocols() + "; or a description");
   sub->add_option("--device", a->options.device, "of a rig with several DVLs: its name");
-  sub->add_option("--messages", a->messages, "default position-delta, as ArduPilot takes a DVL")
+  sub->add_option("--messages", a->messages,
+                  "VISION_POSITION_DELTA (default), as ArduPilot takes a DVL, or ODOMETRY")
       ->check(CLI::IsMember({"position-delta", "odometry", "both"}));
   sub->add_option("--system", a->options.system, "MAVLink system of both; default 1")
       ->check(CLI::Range(1, 255));
@@ -65,16 +69,6 @@ void add_mavlink(CLI::App& bridge, Command& command) {
       return bridge::bridge_mavlink(options, stdout, stderr);
     };
   });
-}
-
-}  // namespace
-
-void add_bridge(CLI::App& app, Command& command) {
-  auto* bridge =
-      app.add_subcommand("bridge", "Measurements to programs that are no part of a bench");
-  bridge->footer("Example: drydock bridge mavlink rig.toml --to udp:192.168.2.2:14550");
-  bridge->require_subcommand(1);
-  add_mavlink(*bridge, command);
 }
 
 }  // namespace drydock::program

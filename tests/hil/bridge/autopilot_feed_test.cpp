@@ -136,8 +136,7 @@ TEST(AutopilotFeed, SendsNothingThatIsOlderThanTwoHundredMilliseconds) {
 TEST(AutopilotFeed, BeginsAnewWhenTheDvlFellSilent) {
   Autopilot autopilot;
   autopilot.hear_many(start, 2, milliseconds{125});
-  autopilot.feed.on_stream(false);
-  autopilot.feed.on_stream(true);
+  autopilot.feed.on_silence();
   autopilot.hear_many(start + milliseconds{250}, 1, milliseconds{125});
   EXPECT_EQ(autopilot.got.size(), 1U);
   EXPECT_EQ(autopilot.feed.counters().breaks, 1U);
