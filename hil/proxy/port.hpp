@@ -49,6 +49,8 @@ class Port {
   void put(const Item& item, std::optional<Stamp> read_at = {});
 
   bool is_open() const { return pump_ && pump_->is_open(); }
+  /// Bytes or frames that were put and do not yet travel.
+  std::size_t waiting() const { return pump_ ? pump_->waiting() : 0; }
   const link::Uri& uri() const { return uri_; }
   Counters counters() const;
 

@@ -60,6 +60,7 @@ hil/emulate                hil/sky hil/sensor hil/motion estimators/frame driver
 hil/emulate/real_time      hil/emulate drivers/link drivers/io drivers/wire drivers/measurement
 hil/fault                  hil/emulate hil/sensor hil/motion drivers/link drivers/wire drivers/measurement rig_config
 hil/proxy                  hil/fault drivers/device drivers/link drivers/io drivers/terminal drivers/wire drivers/measurement rig_config
+hil/bridge                 hil/proxy drivers/host drivers/shell drivers/device drivers/link drivers/io drivers/terminal drivers/wire drivers/measurement rig_config
 hil/characterize           estimators/frame drivers/measurement rig_config
 hil/characterize/report    hil/characterize hil/bench hil/check hil/report hil/study hil/sensor drivers/decode drivers/recordings/record drivers/bus drivers/link drivers/terminal drivers/measurement rig_config
 hil/validity               hil/emulate drivers/measurement

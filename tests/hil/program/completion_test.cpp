@@ -50,6 +50,9 @@ TEST(BashCompletion, KnowsTheValuesOfOptionsAndOfPlaces) {
   EXPECT_THAT(bash_offers("drydock replay d.pd0 --protocol pd"), HasSubstr("pd0 pd4 pd5 pd6"));
   EXPECT_EQ(bash_offers("drydock replay d.pd0 --kind g"), "gnss\n");
   EXPECT_EQ(bash_offers("drydock completion ''"), "bash zsh\n");
+  EXPECT_EQ(bash_offers("drydock bridge ''"), "mavlink\n");
+  EXPECT_EQ(bash_offers("drydock bridge mavlink r.toml --messages ''"),
+            "position-delta odometry both\n");
   EXPECT_EQ(bash_offers("drydock help scorec"), "scorecard\n");
 }
 

@@ -55,6 +55,7 @@ const std::vector<Row>& rows() {
       {"replay", DIVE, DIVE " --speed 0.01", ""},
       {"track", "", "", ""},
       {"proxy", "", "pty:@/a pty:@/b --for 1h", ""},
+      {"bridge", "", "mavlink " DEMO " --to udp:127.0.0.1:14559 --for 1h", "udp:"},
       {"sensor", "rig_config/sensors/xsens-mti-630.toml --for 20s",
        "rig_config/sensors/xsens-mti-630.toml --for 5000h", ""},
       {"sky", "--ephemeris fixtures/rinex/walker.rnx --at 2026-11-21T09:00:00Z", "", ""},

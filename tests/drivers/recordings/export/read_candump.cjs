@@ -1,0 +1,10 @@
+// What canboatjs finds in the lines of a candump log on standard input, as JSON: the messages, and how many lines it refuses.
+const { FromPgn } = require('@canboat/canboatjs')
+
+const parser = new FromPgn({ returnNulls: true })
+const messages = []
+let refused = 0
+parser.on('error', () => { refused += 1 })
+parser.on('pgn', ({ pgn, src, fields }) => messages.push({ pgn, src, fields }))
+for (const line of require('fs').readFileSync(0, 'utf8').split('\n')) if (line) parser.parseString(line)
+console.log(JSON.stringify({ messages, refused }))
