@@ -91,11 +91,11 @@ TEST(Allocation, NoneByTheNortekDvlWithBinaryRecords) {
 }
 
 TEST(Allocation, NoneByTheWayfinderDriver) {
-  const Octets golden = read_all(std::filesystem::path(DRYDOCK_SOURCE_DIR) /
-                                 "fixtures/wayfinder/golden.wayfinder");
-  EXPECT_EQ(allocations_of(Kind::dvl, "wayfinder",
-                           [&](Device& d, Stamp at) { d.receive(golden, at); }),
-            0U);
+  const Octets golden =
+      read_all(std::filesystem::path(DRYDOCK_SOURCE_DIR) / "fixtures/wayfinder/golden.wayfinder");
+  EXPECT_EQ(
+      allocations_of(Kind::dvl, "wayfinder", [&](Device& d, Stamp at) { d.receive(golden, at); }),
+      0U);
 }
 
 TEST(Allocation, NoneByTheGnssDriver) {

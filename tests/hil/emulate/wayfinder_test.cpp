@@ -68,8 +68,7 @@ TEST(EmulatedWayfinder, ThePacketHoldsTheTruthWhereTheMakersProgramsReadIt) {
   EXPECT_NEAR(float_at(data, 21), 0.123, 1e-6) << "X to starboard";
   EXPECT_NEAR(float_at(data, 25), 2, 1e-6) << "Y to the bow";
   EXPECT_NEAR(float_at(data, 29), 0.045, 1e-6) << "Z up";
-  for (std::size_t beam = 0; beam < 4; ++beam)
-    EXPECT_NEAR(float_at(data, 37 + 4 * beam), 30, 1e-5);
+  for (std::size_t beam = 0; beam < 4; ++beam) EXPECT_NEAR(float_at(data, 37 + 4 * beam), 30, 1e-5);
   EXPECT_NEAR(float_at(data, 53), 30, 1e-5);
   unsigned sum = 0;
   for (std::size_t i = 0; i < 85; ++i) sum += data[i];
