@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <cstring>
 #include <map>
 #include <memory>
 #include <string_view>
@@ -13,6 +12,7 @@
 #include "drivers/capture/frame_capture.hpp"
 #include "drivers/capture/line_file.hpp"
 #include "drivers/decode/decode_by_dbc.hpp"
+#include "drivers/decode/decode_by_pgns.hpp"
 #include "drivers/decode/records.hpp"
 #include "drivers/terminal/exit_codes.hpp"
 #include "drivers/text/json_lines.hpp"
@@ -198,8 +198,9 @@ std::string decode_formats() { return fmt::format("{}, {}", raw_format, capture:
 
 int decode(const DecodeOptions& options, std::FILE* out, std::FILE* err) {
   if (!options.dbc.empty()) return decode_by_dbc(options, out, err);
+  if (!options.pgns.empty()) return decode_by_pgns(options, out, err);
   const std::string& protocol = options.protocol;
-  if (protocol.empty()) return refuse(err, "--protocol or --dbc is missing");
+  if (protocol.empty()) return refuse(err, "--protocol, --dbc or --pgns is missing");
   const bool from_frames = knows(wire::FrameProtocols{}, protocol) ||
                            knows(wire::FramesAsTheyAre{}, protocol) ||
                            (options.description && options.description->frames);
@@ -235,8 +236,7 @@ int decode(const DecodeOptions& options, std::FILE* out, std::FILE* err) {
   wire::with_protocol(wire::FramesAsTheyAre{}, protocol, frames);
 
   if (blocks.error() != 0) {
-    return refuse(err, fmt::format("cannot read {}: {}", file, std::strerror(blocks.error())),
-                  terminal::exit_failed);
+    return refuse(err, cannot_read(file, blocks.error()), terminal::exit_failed);
   }
   if (!from_frames && !line.trouble().empty())
     return refuse(err, line.trouble(), terminal::exit_failed);

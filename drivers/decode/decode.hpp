@@ -19,6 +19,7 @@ struct DecodeOptions {
   std::shared_ptr<const wire::described::Description> description{};  ///< null: of the registry
   std::string interface {};  ///< of a pcapng file with several serial lines
   std::string dbc{};         ///< a DBC file in place of a protocol; empty: none
+  std::string pgns{};        ///< a table of PGNs (canboat.json) in place of a protocol; empty: none
 };
 
 /// `drydock decode`: reads a capture and writes JSON Lines, one object for each message. Byte

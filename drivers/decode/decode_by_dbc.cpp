@@ -1,6 +1,5 @@
 #include "drivers/decode/decode_by_dbc.hpp"
 
-#include <cstring>
 #include <map>
 #include <vector>
 
@@ -140,23 +139,10 @@ class Messages {
   std::uint64_t frames_ = 0;
 };
 
-std::string contents(capture::FileBlocks& blocks) {
-  std::string text;
-  for (auto block = blocks.read(); !block.empty(); block = blocks.read()) {
-    text.append(block.begin(), block.end());
-    if (text.size() > dbc::longest_text) break;  // the reader says that it is too long
-  }
-  return text;
-}
-
 void print(std::FILE* err, const std::string& file, const std::vector<dbc::Remark>& remarks,
            std::string_view kind) {
   for (const dbc::Remark& r : remarks)
     fmt::print(err, "{}:{}:{}: {}{}\n", file, r.at.line, r.at.column, kind, r.text);
-}
-
-std::string cannot_read(const std::string& file, int error) {
-  return fmt::format("cannot read {}: {}", file, std::strerror(error));
 }
 
 int decode_capture(const dbc::Database& database, const DecodeOptions& options, std::FILE* out,
@@ -191,7 +177,7 @@ int decode_capture(const dbc::Database& database, const DecodeOptions& options, 
 
 int decode_by_dbc(const DecodeOptions& options, std::FILE* out, std::FILE* err) {
   capture::FileBlocks file(options.dbc);
-  const std::string text = contents(file);
+  const std::string text = contents(file, dbc::longest_text);
   if (file.error() != 0) return refuse(err, cannot_read(options.dbc, file.error()));
   const dbc::Reading reading = dbc::read(text);
   print(err, options.dbc, reading.errors, "");

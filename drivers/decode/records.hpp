@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cstdio>
+#include <cstring>
 #include <optional>
 #include <string>
 
@@ -39,6 +40,21 @@ inline void put_record(text::JsonWriter& json, const capture::Record& record) {
   using Seconds = std::optional<double>;
   json.field("time_s", record.time ? Seconds(measurement::seconds(*record.time)) : Seconds());
   json.field("interface", record.interface);
+}
+
+/// The text of a file that describes messages. It may be one block longer than `most`; the reader
+/// then says that it is too long.
+inline std::string contents(capture::FileBlocks& blocks, std::size_t most) {
+  std::string text;
+  for (auto block = blocks.read(); !block.empty(); block = blocks.read()) {
+    text.append(block.begin(), block.end());
+    if (text.size() > most) break;
+  }
+  return text;
+}
+
+inline std::string cannot_read(const std::string& file, int error) {
+  return fmt::format("cannot read {}: {}", file, std::strerror(error));
 }
 
 inline int refuse(std::FILE* err, const std::string& why, int code = terminal::exit_usage) {

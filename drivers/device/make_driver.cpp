@@ -11,6 +11,7 @@
 #include "drivers/device/dvl/pd6_driver.hpp"
 #include "drivers/device/dvl/water_linked_driver.hpp"
 #include "drivers/device/dvl/water_linked_json_driver.hpp"
+#include "drivers/device/dvl/wayfinder_driver.hpp"
 #include "drivers/device/gnss/gnss_driver.hpp"
 #include "drivers/device/gnss/nmea2000_gnss_driver.hpp"
 #include "drivers/device/imu/aceinna_imu_driver.hpp"
@@ -65,6 +66,7 @@ constexpr std::array rows{
     byte_row<WaterLinkedJsonDriver>(Kind::dvl, wire::WaterLinkedJson::name),
     byte_row<NortekDriver>(Kind::dvl, wire::Nortek::name),
     byte_row<NortekAd2cpDriver>(Kind::dvl, wire::NortekAd2cp::name),
+    byte_row<WayfinderDriver>(Kind::dvl, wire::Wayfinder::name),
     byte_row<EmLogDriver>(Kind::emlog, wire::Nmea0183::name),
     frame_row<Nmea2000LogDriver>(Kind::emlog, wire::Nmea2000::name),
     byte_row<GnssDriver>(Kind::gnss, wire::Ubx::name),

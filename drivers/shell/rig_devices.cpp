@@ -60,6 +60,7 @@ device::DriverOptions driver_options(const DeviceConfig& config, std::size_t ind
   options.dvl.maker = config.maker;
   options.dvl.beam_angle_rad = config.beam_angle_rad;
   options.dvl.levelled = config.levelled;
+  options.dvl.velocity_of_bed = config.velocity_of_bed;
   options.dvl.sound_speed = sound_speed_options(config.sound_speed);
   if (const auto& water_linked = config.water_linked) {
     options.dvl.water_linked = {water_linked->sound_speed_mps,  water_linked->mounting_rotation_rad,

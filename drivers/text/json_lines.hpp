@@ -19,8 +19,8 @@ class JsonWriter {
  public:
   explicit JsonWriter(JsonText& out) : out_(out) {}
 
-  /// Accepts a bool, number or string; an optional, array or span of values; a struct with
-  /// visit_fields.
+  /// Accepts a bool, number or string; a struct with `utf8`, whose text is UTF-8; an optional,
+  /// array or span of values; a struct with visit_fields.
   template <class T>
   void value(const T& content) {
     out_.end(put(out_.end(), content));
@@ -45,6 +45,10 @@ class JsonWriter {
     return truth ? put_literal(at, "true") : put_literal(at, "false");
   }
   char* put(char* at, std::string_view text);
+  char* put_utf8(char* at, std::string_view text);
+  template <class Text>
+  requires requires(const Text& text) { std::string_view{text.utf8}; }
+  char* put(char* at, const Text& text) { return put_utf8(at, text.utf8); }
   template <std::floating_point T>
   char* put(char* at, T number) {
     return std::isfinite(number) ? write_number(out_.room(at, longest_number), number) : null(at);

@@ -100,7 +100,10 @@ inline constexpr std::tuple byte_protocols{
                         .checksum = "two 16-bit sums",
                         .clock = DeviceClock::yes,
                         .settings = Settings::refusable}),
-    bytes<Wayfinder>({.checksum = "16-bit sum", .clock = DeviceClock::yes}),
+    bytes<Wayfinder>({.kinds = Kind::dvl,
+                      .checksum = "16-bit sum",
+                      .clock = DeviceClock::yes,
+                      .settings = Settings::refusable}),
 };
 
 inline constexpr std::tuple frame_protocols{

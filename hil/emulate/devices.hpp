@@ -36,6 +36,9 @@ DevicePtr make_nortek_dvl(const DeviceSetup& setup);
 /// One bottom track record (1B) per sample. Answers the command dialogue.
 DevicePtr make_nortek_ad2cp_dvl(const DeviceSetup& setup);
 
+/// One packet with data (05) per sample, in the instrument's axes. Answers binary commands.
+DevicePtr make_wayfinder_dvl(const DeviceSetup& setup);
+
 /// VBW (longitudinal and transverse speed), then VHW per sample, VLW once a second; talker VM.
 DevicePtr make_nmea0183_em_log(const DeviceSetup& setup);
 
@@ -107,6 +110,7 @@ inline constexpr auto device_rows = std::to_array<DeviceRow>({
     {DeviceKind::dvl, "water-linked-json", make_water_linked_json_dvl},
     {DeviceKind::dvl, "nortek", make_nortek_dvl},
     {DeviceKind::dvl, "nortek-ad2cp", make_nortek_ad2cp_dvl},
+    {DeviceKind::dvl, "wayfinder", make_wayfinder_dvl},
     {DeviceKind::emlog, "nmea0183", make_nmea0183_em_log},
     {DeviceKind::emlog, "nmea2000", make_nmea2000_log},
     {DeviceKind::gnss, "ubx", make_ubx_gnss},

@@ -114,6 +114,7 @@ DeviceConfig build_device(const Node& table, const std::string& rig_file) {
   device.velocity_sigma_mps = read_if(table, "velocity_sigma_mps", 1);
   device.beam_angle_rad = read_if(table, "beam_angle_deg", units::degree);
   device.levelled = read_bool_if(table, "levelled");
+  if (const Node* whose = table.find("velocity_of")) device.velocity_of_bed = whose->text == "bed";
   if (const Node* sound_speed = table.find("sound_speed"))
     device.sound_speed = build_sound_speed(*sound_speed);
   if (const Node* water_linked = table.find("water_linked")) {

@@ -57,8 +57,7 @@ bool take(const Plan& plan, const Field& field, std::string_view text, std::size
           Record& record) {
   Value& value = record.values[i];
   value = {};
-  if (field.type == Type::constant) return text == field.text || (field.optional && text.empty());
-  if (field.type == Type::ignored) return true;
+  if (field.type == Type::constant || field.type == Type::ignored) return true;
   if (field.type == Type::text) {
     value = {Value::State::text, 0, text};
     if (field.validity) take_validity(field, value, text, record);
@@ -106,6 +105,29 @@ Scan scan_line(const Plan& plan, Bytes bytes) {
 
 namespace {
 
+/// Cuts a text into the fields of a message; how many of them it has. Empty if a constant or the
+/// number of fields is another's: messages of one id differ in these, and a number costs more to
+/// read than a constant.
+std::optional<std::size_t> cut_fields(std::span<const Field> fields, std::string_view text,
+                                      std::array<std::string_view, most_fields>& cuts) {
+  if (fields.empty()) return text.empty() ? std::optional<std::size_t>(0) : std::nullopt;
+  Cut now{{}, text, false};
+  std::size_t there = 0;
+  for (std::size_t i = 0; i < fields.size(); ++i) {
+    const Field& field = fields[i];
+    if (now.ended) {
+      if (!field.optional) return {};
+      continue;
+    }
+    now = cut(now.rest, field.end);
+    const bool may_be_empty = field.optional && now.field.empty();
+    if (field.type == Type::constant && now.field != field.text && !may_be_empty) return {};
+    cuts[there++] = now.field;
+  }
+  const bool ended = now.ended || (fields.back().end == ' ' && now.rest.empty());
+  return ended ? std::optional(there) : std::nullopt;
+}
+
 /// A group that took no part in the line is a field without a value.
 bool decode_pattern(const Plan& plan, const Message& message, std::string_view text,
                     Record& record) {
@@ -125,22 +147,17 @@ bool decode_pattern(const Plan& plan, const Message& message, std::string_view t
 }  // namespace
 
 bool decode_text(const Plan& plan, const Message& message, std::string_view body, Record& record) {
+  const std::string_view text = body.substr(std::min(body.size(), message.head.size()));
+  if (message.line) return decode_pattern(plan, message, text, record);
+  std::array<std::string_view, most_fields> cuts;
   const auto fields = plan.fields_of(message);
-  Cut now{{}, body.substr(std::min(body.size(), message.head.size())), false};
-  if (message.line) return decode_pattern(plan, message, now.rest, record);
-  if (fields.empty()) return now.rest.empty();
-  for (std::size_t i = 0; i < fields.size(); ++i) {
-    const Field& field = fields[i];
-    if (now.ended) {
-      if (!field.optional) return false;
-      record.values[i] = {};
-      continue;
-    }
-    now = cut(now.rest, field.end);
-    if (!take(plan, field, now.field, i, record)) return false;
-  }
+  const auto there = cut_fields(fields, text, cuts);
+  if (!there) return false;
+  for (std::size_t i = 0; i < *there; ++i)
+    if (!take(plan, fields[i], cuts[i], i, record)) return false;
+  for (std::size_t i = *there; i < fields.size(); ++i) record.values[i] = {};
   divide(record);
-  return now.ended || (fields.back().end == ' ' && now.rest.empty());
+  return true;
 }
 
 namespace {

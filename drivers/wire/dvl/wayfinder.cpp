@@ -13,7 +13,6 @@ namespace {
 constexpr std::array<std::uint8_t, 3> packet_front{0xAA, 0x10, 0x01};
 constexpr std::size_t packet_header = 5, application_header = 4, packet_sum = 2;
 constexpr std::size_t smallest_packet = packet_header + application_header + packet_sum;
-constexpr std::uint8_t binary_answer_id = 4, data_id = 5;
 constexpr std::size_t smallest_ping = 87;
 
 /// Bytes before the next one that may begin a packet.
@@ -68,6 +67,11 @@ WayfinderPing read_ping(Bytes payload) {
 
 }  // namespace
 
+WayfinderPart wayfinder::part_of(Bytes packet) {
+  return {packet[packet_header + 1],
+          packet.subspan(packet_header + application_header, packet.size() - smallest_packet)};
+}
+
 Scan Wayfinder::scan(Bytes bytes) {
   if (const std::size_t noise = bytes_before_packet(bytes)) return Scan::skip(noise);
   const std::size_t known = std::min(bytes.size(), packet_front.size());
@@ -85,11 +89,9 @@ Scan Wayfinder::scan(Bytes bytes) {
 
 std::optional<Wayfinder::Message> Wayfinder::decode(Bytes frame) {
   if (frame.size() < smallest_packet) return std::nullopt;
-  const std::uint8_t id = frame[packet_header + 1];
-  const Bytes payload =
-      frame.subspan(packet_header + application_header, frame.size() - smallest_packet);
-  if (id == data_id && payload.size() >= smallest_ping) return read_ping(payload);
-  if (id == binary_answer_id && payload.size() >= 5)
+  const auto [id, payload] = wayfinder::part_of(frame);
+  if (id == wayfinder::data_id && payload.size() >= smallest_ping) return read_ping(payload);
+  if (id == wayfinder::answer_id && payload.size() >= 5)
     return WayfinderAnswer{load_le<std::uint32_t>(payload, 0), payload[4]};
   return WayfinderOther{id, static_cast<unsigned>(payload.size())};
 }

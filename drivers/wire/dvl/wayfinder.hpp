@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string_view>
 #include <variant>
 
@@ -16,16 +17,17 @@
 /// (Teledyne-Marine/Wayfinder).
 namespace drydock::wire {
 
-/// The data of a ping. The maker's programs do not tell the sign of the velocities.
+/// The data of a ping. Whether the vehicle or the bed moves with these velocities stands in no
+/// public document (docs/sensors/protocols/wayfinder.md).
 struct WayfinderPing {
   static constexpr std::string_view type = "wayfinder_ping";
-  unsigned version = 0;  ///< of the structure: 10 or 11
+  unsigned version = 0;  ///< of the structure: 0x10 or 0x11
   unsigned system_type = 0, system_subtype = 0;
   std::array<unsigned, 4> firmware{};
   std::optional<std::chrono::milliseconds> clock;  ///< the DVL's, since 1970, of the ping
   std::optional<DvlFrame> frame;                   ///< of the velocities; empty: not known
   DvlComponents velocity_mps;                      ///< X, Y, Z, error, or beams 1 to 4
-  std::array<std::optional<double>, 4> range_m;    ///< to the bottom, along the beams
+  std::array<std::optional<double>, 4> range_m;    ///< to the bottom, of each beam
   std::optional<double> mean_range_m, sound_speed_mps;
   unsigned status = 0, test_count = 0, test_code = 0;  ///< bits and codes, as sent
   std::optional<double> input_v, transmit_v, current_a;
@@ -43,6 +45,30 @@ struct WayfinderOther {
   static constexpr std::string_view type = "wayfinder_other";
   unsigned id = 0, payload_bytes = 0;
 };
+
+/// What a sound packet carries.
+struct WayfinderPart {
+  unsigned id = 0;  ///< of the kinds of packets, as wayfinder::Ids
+  Bytes payload;    ///< within the packet
+};
+
+namespace wayfinder {
+
+enum Ids : std::uint8_t { command_id = 3, answer_id = 4, data_id = 5 };
+
+inline constexpr double beam_angle_rad = 0.5235987755982988;  ///< 30 degrees
+inline constexpr std::size_t ping_packet_size = 98;           ///< of version 0x10
+
+/// The application part of a sound packet.
+WayfinderPart part_of(Bytes packet);
+
+/// A whole packet around a payload; its size. `out` has room for 11 bytes more than the payload.
+std::size_t encode_packet(std::uint8_t id, Bytes payload, std::span<std::uint8_t> out);
+
+}  // namespace wayfinder
+
+/// A packet with data of version 0x10; its size, ping_packet_size.
+std::size_t encode(const WayfinderPing& m, std::span<std::uint8_t> out);
 
 struct Wayfinder {
   static constexpr std::string_view name = "wayfinder";

@@ -14,13 +14,19 @@ void add_decode(CLI::App& app, Command& command) {
       "Example: drydock decode --protocol pd0 dive.pd0\n"
       "         drydock decode --protocol can trace.asc\n"
       "         drydock decode --dbc imu.dbc can.log\n"
+      "         drydock decode --pgns canboat.json can.log\n"
       "         candump -L can0 | drydock decode --protocol nmea2000");
   sub->add_option("FILE", options->file, "recording; default standard input");
   auto* protocol = sub->add_option(
       "--protocol", options->protocol,
       "one of " + decode::decode_protocols() + "; or a description: valeport-vat.toml");
-  sub->add_option("--dbc", options->dbc, "a DBC file that describes the messages of a CAN capture")
-      ->excludes(protocol);
+  auto* dbc = sub->add_option("--dbc", options->dbc,
+                              "a DBC file that describes the messages of a CAN capture");
+  dbc->excludes(protocol);
+  sub->add_option("--pgns", options->pgns,
+                  "a table of PGNs (canboat.json) for an NMEA 2000 capture")
+      ->excludes(protocol)
+      ->excludes(dbc);
   sub->add_option(
       "--format", options->format,
       "the file's format, where its content does not tell: one of " + decode::decode_formats());

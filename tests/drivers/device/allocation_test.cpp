@@ -90,6 +90,14 @@ TEST(Allocation, NoneByTheNortekDvlWithBinaryRecords) {
             0U);
 }
 
+TEST(Allocation, NoneByTheWayfinderDriver) {
+  const Octets golden =
+      read_all(std::filesystem::path(DRYDOCK_SOURCE_DIR) / "fixtures/wayfinder/golden.wayfinder");
+  EXPECT_EQ(
+      allocations_of(Kind::dvl, "wayfinder", [&](Device& d, Stamp at) { d.receive(golden, at); }),
+      0U);
+}
+
 TEST(Allocation, NoneByTheGnssDriver) {
   Octets pvt(92, 0), sat(8 + 12 * 40, 0);
   pvt[20] = 3, pvt[21] = 1;

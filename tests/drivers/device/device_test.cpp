@@ -205,7 +205,7 @@ TEST(Device, UnknownProtocolIsRefused) {
   EXPECT_TRUE(made.error().message.starts_with(
       "no driver for kind \"dvl\" with protocol \"nmea0183\" over bytes; allowed: pd0 (bytes) "
       "pd4 (bytes) pd5 (bytes) pd6 (bytes) water-linked (bytes) water-linked-json (bytes) "
-      "nortek (bytes) nortek-ad2cp (bytes)"))
+      "nortek (bytes) nortek-ad2cp (bytes) wayfinder (bytes)"))
       << made.error().message;
 }
 
@@ -239,6 +239,7 @@ RC_GTEST_PROP(Device, CountersAddUpForANortekDvl, ()) { counters_add_up(Kind::dv
 RC_GTEST_PROP(Device, CountersAddUpForANortekDvlWithBinaryRecords, ()) {
   counters_add_up(Kind::dvl, "nortek-ad2cp");
 }
+RC_GTEST_PROP(Device, CountersAddUpForAWayfinder, ()) { counters_add_up(Kind::dvl, "wayfinder"); }
 
 }  // namespace device_test
 }  // namespace drydock::device::test

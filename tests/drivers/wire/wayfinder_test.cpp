@@ -19,7 +19,7 @@ WayfinderPing golden_ping(std::size_t index) {
 
 TEST(Wayfinder, EveryFieldOfAPingStandsWhereTheMakersProgramsReadIt) {
   const WayfinderPing m = golden_ping(0);
-  EXPECT_EQ(m.version, 10u);
+  EXPECT_EQ(m.version, 0x10u);
   EXPECT_EQ(m.system_type, 76u);
   EXPECT_EQ(m.system_subtype, 1u);
   EXPECT_EQ(m.firmware, (std::array<unsigned, 4>{1, 2, 3, 4}));
@@ -40,7 +40,7 @@ TEST(Wayfinder, EveryFieldOfAPingStandsWhereTheMakersProgramsReadIt) {
 
 TEST(Wayfinder, WhatIsNotANumberIsEmpty) {
   const WayfinderPing m = golden_ping(1);
-  EXPECT_EQ(m.version, 11u);
+  EXPECT_EQ(m.version, 0x11u);
   EXPECT_EQ(m.frame, DvlFrame::beam);
   EXPECT_EQ(m.velocity_mps, DvlComponents{});
   EXPECT_EQ(m.range_m, (DvlComponents{std::nullopt, 8.0, std::nullopt, std::nullopt}));

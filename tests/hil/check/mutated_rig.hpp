@@ -122,7 +122,8 @@ inline std::string some_link(bool frames) {
 inline const std::vector<std::pair<std::string, Texts>>& kinds() {
   static const std::vector<std::pair<std::string, Texts>> all{
       {"dvl",
-       {"pd0", "pd4", "pd5", "pd6", "water-linked", "water-linked-json", "nortek", "nortek-ad2cp"}},
+       {"pd0", "pd4", "pd5", "pd6", "water-linked", "water-linked-json", "nortek", "nortek-ad2cp",
+        "wayfinder"}},
       {"emlog", {"nmea0183"}},
       {"gnss", {"ubx", "nmea0183", "ubx+nmea0183"}},
       {"imu", {"aceinna", "cia404-imu", "epson-g550", "epson-g552", "xsens"}},
@@ -160,6 +161,7 @@ inline Key some_device_key(const std::string& kind, const std::string& protocol)
     often("pressure", "{ format = \"real32\", unit = \"psi\", decimals = " + n + " }");
   if (protocol == "\"water-linked\"") often("water_linked", "{ sound_speed_mps = 15" + n + " }");
   if (protocol == "\"water-linked-json\"") often("water_linked", "{ range_mode = \"=" + n + "\" }");
+  if (protocol == "\"wayfinder\"") often("velocity_of", "\"bed\"");
   if (protocol == "\"pd4\"") often("beam_angle_deg", n);
   if (protocol == "\"cia404-imu\"") often("sync", "true"), often("heartbeat_timeout_s", n);
   if (kind == "\"imu\"") keys.emplace_back("output", "\"mean\"");

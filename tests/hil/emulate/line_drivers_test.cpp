@@ -75,6 +75,26 @@ TEST_F(ThroughDrivers, WaterLinkedAndNortekDvlsKnowTheirOwnLatency) {
   }
 }
 
+TEST_F(ThroughDrivers, AWayfinderOfEitherSign) {
+  for (const bool of_bed : {false, true}) {
+    measurements_.clear();
+    auto config = device(DeviceKind::dvl, "wayfinder", 5);
+    config.mounting_rad = {0, 0, 45 * degree};
+    config.velocity_of_bed = of_bed;
+    run_line(device::Kind::dvl, config, 115200);
+    const auto samples = all<measurement::BottomVelocity>();
+    EXPECT_EQ(samples.size(), 450);
+    int locked = 0;
+    for (const auto& sample : samples) {
+      if (!sample.velocity) continue;  // the bed is out of range
+      ++locked;
+      const auto truth = trajectory_.at(sample.origin.valid_at);
+      EXPECT_LT((*sample.velocity - truth.velocity_body).norm(), 1e-6);
+    }
+    EXPECT_GT(locked, 50);
+  }
+}
+
 TEST_F(ThroughDrivers, ABinaryRecordOfNortekTellsItsAgeAndTheAltitudeOfALevelDvl) {
   auto config = device(DeviceKind::dvl, "nortek-ad2cp", 5);
   config.emulate.latency_s = 0.075;  // the driver does not know this latency

@@ -42,6 +42,7 @@ class ThroughDrivers : public testing::Test, protected device::Output {
     if (config.maker == rig_config::DvlMaker::water_linked) {
       options.dvl.maker = device::DvlMaker::water_linked;
     }
+    options.dvl.velocity_of_bed = config.velocity_of_bed;
     return options;
   }
 

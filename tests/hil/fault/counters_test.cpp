@@ -17,8 +17,8 @@ constexpr Line lines[] = {{"dvl", "pd0"},          {"dvl", "pd4"},
                           {"dvl", "pd5"},          {"dvl", "pd6"},
                           {"dvl", "nortek"},       {"dvl", "nortek-ad2cp"},
                           {"dvl", "water-linked"}, {"dvl", "water-linked-json"},
-                          {"emlog", "nmea0183"},   {"gnss", "ubx"},
-                          {"gnss", "nmea0183"}};
+                          {"dvl", "wayfinder"},    {"emlog", "nmea0183"},
+                          {"gnss", "ubx"},         {"gnss", "nmea0183"}};
 
 std::string table_of(const Line& line) {
   return std::string("[[device]]\nname = \"dvl\"\nkind = \"") + line.kind + "\"\nprotocol = \"" +

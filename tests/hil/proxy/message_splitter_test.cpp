@@ -34,7 +34,7 @@ MessageSplitter splitter(const std::string& protocol) {
 
 TEST(MessageSplitter, KnowsTheByteProtocolsByName) {
   for (const char* name : {"nmea0183", "ubx", "pd0", "pd4", "pd5", "pd6", "water-linked",
-                           "water-linked-json", "nortek", "nortek-ad2cp"})
+                           "water-linked-json", "nortek", "nortek-ad2cp", "wayfinder"})
     EXPECT_TRUE(MessageSplitter::protocol(speaking(name))) << name;
   EXPECT_FALSE(MessageSplitter::protocol(speaking("xsens")));
   EXPECT_FALSE(MessageSplitter::protocol(speaking("")));
