@@ -40,10 +40,11 @@ def of_coverage(claims, built_in):
 def forms(test):
     """The names under which a claim may call a test of ctest: whole, and without the parts of a parametrized one."""
     yield test
+    test = re.sub(r"<.*>$", "", test)  # Suite.Name<Type>
+    yield test
     bare = re.sub(r"^[^./]+/(?=[^./]+\.)", "", test)  # Prefix/Suite.Name
     yield bare
     yield re.sub(r"/[^/]*$", "", bare)  # Suite.Name/parameter
-    yield re.sub(r"^([^./]+)/[^.]+\.", r"\1.", test)  # Suite/Type.Name
 
 
 def of_tests(claims, tests):
@@ -64,7 +65,7 @@ def of_files(witnesses, root, sums, what):
         for pattern in witness.files + witness.beside:
             if not files_of(root, [pattern]):
                 yield f"{witness.kind}.toml: {witness.name}: no file is {pattern}"
-    listed = [path for witness in witnesses for path in files_of(root, witness.files)]
+    listed = [path for witness in witnesses for path in files_of(root, witness.files + witness.beside)]
     for path in sorted(set(listed)):
         if listed.count(path) > 1:
             yield f"{path}: two witnesses have it"

@@ -38,8 +38,8 @@ def digest(paths, sums):
     return hashlib.sha256("".join(f"{sums[path]}  {path}\n" for path in paths).encode()).hexdigest()
 
 
-def paths_in(sums, witness):
-    return sorted(path for path in sums if any(pathlib.PurePosixPath(path).match(pattern) for pattern in witness.files))
+def paths_in(sums, patterns):
+    return sorted(path for path in sums if any(pathlib.PurePosixPath(path).match(pattern) for pattern in patterns))
 
 
 def claim_tables(claims):
@@ -52,18 +52,20 @@ def claim_tables(claims):
 
 def file_tables(witnesses, capture_sums, fixture_sums):
     yield "## Captures of others\n"
-    yield "They are not in the repository. `sha256sum -c tests/witnesses/captures.sha256` in their folder checks them; the last"
-    yield "column is the sum of the file, or of the witness's lines in that list.\n"
+    yield "They are not in the repository. `sha256sum -c` with `tests/witnesses/captures.sha256` checks them in their folder. The last column is"
+    yield "the sum of the file, or of the lines of the witness's files in that list. `unread` counts licence texts, notes and other forms of"
+    yield "the same values, which no test reads.\n"
     rows = []
     for w in (w for w in witnesses if w.kind == "captures"):
-        paths = paths_in(capture_sums, w)
-        rows.append((f"`{w.name}`", w.title, w.repository, w.commit, w.licence, str(len(paths)), f"`{digest(paths, capture_sums)}`"))
-    yield from table(("witness", "what", "repository", "commit", "licence", "files", "SHA-256"), rows)
+        paths, unread = paths_in(capture_sums, w.files), paths_in(capture_sums, w.beside)
+        rows.append((f"`{w.name}`", w.title, w.repository, w.commit, w.licence, str(len(paths)), str(len(unread)),
+                     f"`{digest(paths, capture_sums)}`"))
+    yield from table(("witness", "what", "repository", "commit", "licence", "files", "unread", "SHA-256"), rows)
     yield "## Bytes in the repository\n"
     yield "Our encoders did not make them. `fixtures/*/NOTE.md` says how each was made.\n"
     rows = []
     for w in (w for w in witnesses if w.kind == "fixtures"):
-        paths = paths_in(fixture_sums, w)
+        paths = paths_in(fixture_sums, w.files)
         rows.append((f"`{w.name}`", w.title, code(w.files), f"`{digest(paths, fixture_sums)}`"))
     yield from table(("witness", "from", "files", "SHA-256"), rows)
 

@@ -31,7 +31,7 @@ def page_of(source, claims, witnesses):
 
 def write_sums(file, root, witnesses):
     before = ledger.sums(file) if file.exists() else {}
-    paths = ledger.files_of(root, [pattern for witness in witnesses for pattern in witness.files])
+    paths = ledger.files_of(root, [pattern for witness in witnesses for pattern in witness.files + witness.beside])
     after = {path: ledger.sum_of(root / path) for path in paths}
     for path in sorted(before.keys() | after.keys()):
         if path in before and before[path] != after.get(path):
@@ -76,5 +76,6 @@ def captures(source):
 if __name__ == "__main__":
     command = {"write": write, "check": check, "captures": captures}[sys.argv[1]]
     found = list(command(pathlib.Path(sys.argv[2]).resolve(), *sys.argv[3:]))
-    print(*found, sep="\n")
+    for line in found:
+        print(line)
     sys.exit(1 if found else 0)
