@@ -63,7 +63,7 @@ class OffsetTable {
   std::size_t count_;
 };
 
-/// The data types of `decode`.
+/// The data types of `decode` of which an ensemble has one.
 constexpr bool is_read(std::uint16_t id) {
   return id == pd0::fixed_leader || id == pd0::variable_leader || id == pd0::bottom_track ||
          id == pd0::high_resolution || id == pd0::bottom_range || id == pd0::navigation;
@@ -103,7 +103,7 @@ std::optional<Pd0::Message> Pd0::decode(Bytes frame) {
       case pd0::high_resolution: read_optional(table.block(i), m.high_resolution); break;
       case pd0::bottom_range: read_optional(table.block(i), m.bottom_range); break;
       case pd0::navigation: read_optional(table.block(i), m.navigation); break;
-      default: break;
+      default: read_block(table.block(i), m.winriver); break;
     }
   }
   // Without both leaders the frame of the velocities and their time are not known.
@@ -115,8 +115,9 @@ std::optional<Pd0::Message> Pd0::decode(Bytes frame) {
 void Pd0::unread_blocks(Bytes frame, const std::function<void(std::uint16_t)>& tell) {
   if (frame.size() < header_size + checksum_size) return;
   const OffsetTable table{frame};
+  WinRiverSentences read;
   for (std::size_t i = 0; i < table.size(); ++i)
-    if (!is_read(table.id(i))) tell(table.id(i));
+    if (!is_read(table.id(i)) && !read_block(table.block(i), read)) tell(table.id(i));
 }
 
 }  // namespace drydock::wire

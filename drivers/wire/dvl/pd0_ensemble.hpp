@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "drivers/wire/dvl/dvl_frame.hpp"
+#include "drivers/wire/dvl/pd0_winriver.hpp"
 #include "drivers/wire/fields.hpp"
 
 /// The content of one PD0 ensemble (Teledyne Pathfinder DVL Guide, P/N 95B-6116-00, tables 32 to
@@ -81,6 +82,7 @@ struct Pd0Ensemble {
   std::optional<Pd0HighResolution> high_resolution;
   std::optional<Pd0BottomRange> bottom_range;
   std::optional<Pd0Navigation> navigation;
+  WinRiverSentences winriver;  ///< only in files that WinRiver wrote; no DVL sends them
 };
 
 /// Age of the velocity when the first byte is sent: the mean of the good beams.
@@ -175,6 +177,7 @@ void visit_fields(const Pd0Ensemble& m, F&& field) {
   visit_fields(m.high_resolution.value_or(Pd0HighResolution{}), field);
   visit_fields(m.bottom_range.value_or(Pd0BottomRange{}), field);
   visit_fields(m.navigation.value_or(Pd0Navigation{}), field);
+  visit_fields(m.winriver, field);
 }
 
 }  // namespace drydock::wire

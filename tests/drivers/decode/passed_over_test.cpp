@@ -114,14 +114,15 @@ TEST_F(Corpora, TheNavigationOfAnAuvInItsEnsemblesIsCounted) {
   EXPECT_EQ(counts.at("block 2000 navigation, as of VmDas"), 1934);
 }
 
-/// SOURCES.md of the captures: the boat's GPS is in the data types 2022, 2101 and 2102. The counts
-/// are of a scan of the offset tables in Python.
-TEST_F(Corpora, TheSentencesOfWinRiverInEnsemblesAreCounted) {
+/// SOURCES.md of the captures: the boat's GPS is in the data types 2022, 2101 and 2102. All are
+/// read, so only the profiles of the 580 ensembles are left.
+TEST_F(Corpora, TheSentencesOfWinRiverInEnsemblesAreNotPassedOver) {
   const auto counts = passed_over(
       "pd0", read_file(root_ / "dvl/pd0/raw/tanana_transects_08_10_10_0_002_10-08-10_142214.PD0"));
-  EXPECT_EQ(counts.at("block 2022 sentence, as of WinRiver"), 3197);
-  EXPECT_EQ(counts.at("block 2101 GGA sentence, as of WinRiver"), 580);
-  EXPECT_EQ(counts.at("block 2102 VTG sentence, as of WinRiver"), 580);
+  EXPECT_THAT(counts, ElementsAre(Pair("block 0100 velocity profile", 580),
+                                  Pair("block 0200 correlation profile", 580),
+                                  Pair("block 0300 echo intensity profile", 580),
+                                  Pair("block 0400 percent good profile", 580)));
 }
 
 TEST(PassedOver, PgnsAreNamedWithNumberAndSubject) {
