@@ -21,6 +21,7 @@
 #include "drivers/device/imu/xsens_imu_driver.hpp"
 #include "drivers/device/vessel/actuator_driver.hpp"
 #include "drivers/device/vessel/attitude_driver.hpp"
+#include "drivers/device/vessel/cia402_driver.hpp"
 #include "drivers/device/vessel/cia404_pressure_driver.hpp"
 #include "drivers/device/vessel/depth_driver.hpp"
 #include "drivers/device/vessel/emlog_driver.hpp"
@@ -83,6 +84,7 @@ constexpr std::array rows{
     frame_row<DepthDriver>(Kind::depth, wire::Nmea2000::name),
     frame_row<Cia404PressureDriver>(Kind::depth, wire::Cia404Pressure::name),
     frame_row<ActuatorDriver>(Kind::actuator, wire::Nmea2000::name),
+    frame_row<Cia402Driver>(Kind::actuator, wire::Cia402::name),
     byte_row<AttitudeDriver>(Kind::attitude, wire::Nmea0183::name),
     frame_row<Nmea2000AttitudeDriver>(Kind::attitude, wire::Nmea2000::name),
 };

@@ -11,6 +11,7 @@
 #include "drivers/wire/can/sbg.hpp"
 #include "drivers/wire/can/slcan.hpp"
 #include "drivers/wire/can/xsens.hpp"
+#include "drivers/wire/canopen/cia402.hpp"
 #include "drivers/wire/canopen/cia404_imu.hpp"
 #include "drivers/wire/canopen/cia404_pressure.hpp"
 #include "drivers/wire/canopen/epson_imu.hpp"
@@ -117,6 +118,8 @@ inline constexpr std::tuple frame_protocols{
         {.kinds = Kind::imu, .settings = Settings::refusable, .network = Network::canopen}),
     frames<Cia404Pressure>(
         {.kinds = Kind::depth, .settings = Settings::refusable, .network = Network::canopen}),
+    frames<Cia402>(
+        {.kinds = Kind::actuator, .settings = Settings::refusable, .network = Network::canopen}),
     frames<EpsonG550>(
         {.kinds = Kind::imu, .settings = Settings::refusable, .network = Network::canopen}),
     frames<EpsonG552>(

@@ -10,6 +10,7 @@
 #include "drivers/shell/recorded_line.hpp"
 #include "drivers/shell/rig_devices.hpp"
 #include "estimators/setup/rig_pipeline.hpp"
+#include "rig_config/steering.hpp"
 
 namespace drydock::bench {
 namespace {
@@ -19,8 +20,8 @@ using measurement::Stamp;
 constexpr unsigned default_bit_rate = 250'000;
 
 /// Another program has a clock of its own.
-const rig_config::Rig& not_steered(const rig_config::Rig& rig) {
-  if (rig.mission.steering)
+const rig_config::Rig& not_steered_by_a_program(const rig_config::Rig& rig) {
+  if (rig.mission.steering && !rig_config::steered_over_wires(rig.mission))
     throw std::runtime_error(fmt::format(
         "{}: {} steers the vehicle of its mission, in real time; allowed without --speed max",
         rig.file, rig.mission.steering->from));
@@ -67,20 +68,33 @@ LockstepBench::LockstepBench(const rig_config::Rig& rig, const motion::Trajector
                              host::Follower& follower,
                              emulate::RealTimeEmulator::OnWritten on_written,
                              setup::Outside outside)
-    : rig_(not_steered(rig)),
+    : rig_(not_steered_by_a_program(rig)),
       follower_(follower),
       on_written_(std::move(on_written)),
       start_(motion.start()),
       clock_(start_),
       faults_(rig, motion, start_),
       teller_(follower),
-      pipeline_(pipeline_in_step(rig, std::move(outside), teller_)) {
+      pipeline_(pipeline_in_step(rig, outside, teller_)) {
   auto drivers = or_throw(shell::make_devices(rig));
   for (std::size_t i = 0; i < drivers.size(); ++i) add(rig.devices[i], std::move(drivers[i]));
   for (auto& bus : buses_) clock_.add(*bus.second.bus);
+  if (pilot::is_wanted(rig)) add_pilot(std::move(outside.say));
 }
 
 LockstepBench::~LockstepBench() = default;
+
+void LockstepBench::add_pilot(setup::Outside::Say say) {
+  pilot_ = std::make_unique<PilotInStep>(
+      rig_, start_,
+      [this](const std::string& link, const wire::CanFrame& frame) {
+        follower_.on_frame(link, shell::Direction::sent, frame, clock_.now());
+        if (const auto bus = buses_.find(link); bus != buses_.end())
+          bus->second.bus->receive(frame, clock_.now());
+      },
+      say ? std::move(say) : [](const std::string&) {});
+  clock_.add(*pilot_);
+}
 
 void LockstepBench::add(const rig_config::DeviceConfig& config,
                         std::unique_ptr<device::Device> device) {
@@ -140,6 +154,7 @@ void LockstepBench::add_to_bus(const rig_config::DeviceConfig& config, const lin
           if (on_written_) on_written_(bus.names.at(sender), passage, at);
           follower_.on_frame(link, shell::Direction::received, frame, at);
           for (auto* driver : bus.drivers) driver->receive(frame, at);
+          if (pilot_) pilot_->receive(link, frame, at);
         });
   }
   bus.bus->add(or_throw(faults_.device(config)));

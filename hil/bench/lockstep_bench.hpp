@@ -11,6 +11,7 @@
 #include "estimators/host/bus_estimates.hpp"
 #include "estimators/pipeline/pipeline.hpp"
 #include "estimators/setup/outside.hpp"
+#include "hil/bench/pilot_in_step.hpp"
 #include "hil/emulate/lockstep.hpp"
 #include "hil/emulate/real_time/real_time.hpp"
 #include "hil/fault/injector.hpp"
@@ -59,11 +60,13 @@ class LockstepBench final : private device::Listener {
   void add(const rig_config::DeviceConfig& config, std::unique_ptr<device::Device> device);
   void add_line(const rig_config::DeviceConfig& config, const link::Uri& uri,
                 shell::DeviceActor& actor);
+  void add_pilot(setup::Outside::Say say);
   void add_to_bus(const rig_config::DeviceConfig& config, const link::Uri& uri,
                   shell::DeviceActor& actor);
 
   void on_measurement(const measurement::Measurement& m) override {
     follower_.on_measurement(m);
+    if (pilot_) pilot_->receive(m);
     pipeline_.receive(m);
   }
   void on_state(const device::Device& device, const device::Transition& change) override {
@@ -84,6 +87,7 @@ class LockstepBench final : private device::Listener {
   std::vector<std::unique_ptr<emulate::EmulatedLine>> lines_;
   std::vector<std::unique_ptr<shell::Actor>> recordings_;
   std::map<std::string, Bus> buses_;
+  std::unique_ptr<PilotInStep> pilot_;  ///< null: nobody steers over the wires
 };
 
 }  // namespace drydock::bench

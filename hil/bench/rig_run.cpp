@@ -8,6 +8,7 @@
 #include "drivers/host/rig_bus.hpp"
 #include "estimators/setup/rig_pipeline.hpp"
 #include "hil/control/bus_faults.hpp"
+#include "hil/pilot/pilot.hpp"
 #include "hil/summary/findings.hpp"
 #include "hil/summary/program_verdict.hpp"
 #include "hil/summary/truth_of_rig.hpp"
@@ -33,6 +34,7 @@ RigRun::RigRun(const rig_config::Rig& rig, const RunOptions& options,
   followers_.add(scribe_);
   followers_.add(expects_);
   if (truth_ != nullptr) followers_.add(truth_teller_.emplace(*truth_, followers_));
+  if (pilot::is_wanted(rig)) followers_.add(loop_.emplace(rig, motion, setting.start));
   if (!options.record.path.empty())
     followers_.add(recorder_.emplace(rig, options.record, setting.start, setting.when_behind));
   for (auto* follower : options.followers) followers_.add(*follower);
@@ -108,6 +110,7 @@ void RigRun::write(summary::Summary& summary) {
     summary.notes.push_back(fmt::format("{} more findings were not kept", findings_.not_kept()));
   summary.findings = summary::accounts_of(findings_, rig_, start_);
   scribe_.write(summary);
+  if (loop_) summary.loop = loop_->account();
   write_programs(summary);
   expects_.write(summary, estimators());
 }

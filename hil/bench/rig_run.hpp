@@ -7,6 +7,7 @@
 #include "estimators/host/diagnostician.hpp"
 #include "estimators/host/sound_devices.hpp"
 #include "hil/bench/follower.hpp"
+#include "hil/bench/loop_record.hpp"
 #include "hil/bench/run.hpp"
 #include "hil/bench/truth_teller.hpp"
 #include "hil/emulate/real_time/real_time.hpp"
@@ -62,6 +63,7 @@ class RigRun {
   summary::Scribe scribe_;
   summary::ExpectWatch expects_;
   std::optional<TruthTeller> truth_teller_;
+  std::optional<LoopRecord> loop_;  ///< empty: nobody steers over the wires
   std::optional<host::RigRecorder> recorder_;
   std::optional<host::SoundDevices> sound_devices_;
   std::optional<BenchView> bench_;

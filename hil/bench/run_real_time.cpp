@@ -27,6 +27,7 @@
 #include "hil/control/fault_services.hpp"
 #include "hil/control/live_faults.hpp"
 #include "hil/emulate/real_time/real_time.hpp"
+#include "hil/pilot/real_time/real_time_pilot.hpp"
 #include "hil/steer/real_time/autopilot_server.hpp"
 #include "hil/summary/truth_of_rig.hpp"
 
@@ -68,6 +69,9 @@ class RealTimeRun {
     if (!options.quiet) run_.followers().add(table_);
     if (!options.quiet) run_.followers().add(finding_lines_);
     if (auto* motion = motion::steered(*trajectory_)) autopilot_.emplace(io_, *motion, rig.mission);
+    if (pilot::is_wanted(rig))
+      run_.followers().add(
+          pilot_.emplace(io_, rig, start_, [this](const std::string& line) { table_.note(line); }));
     if (!options.serve.address.empty()) serve(options.serve);
     if (rig.truth && summary::no_real_device(rig))
       run_.followers().add(bus_truth_.emplace(participant_, *trajectory_));
@@ -86,6 +90,7 @@ class RealTimeRun {
                   [this](const std::string& line) { table_.note(line); });
     estimators_.start();
     drivers_.start();
+    if (pilot_) pilot_->start();
     if (autopilot_)
       table_.note(fmt::format("waits for an autopilot on UDP port {}", autopilot_->port()));
     io::UntilStopped until(io_, time_left(), [this] { stop(); });
@@ -143,6 +148,7 @@ class RealTimeRun {
     faults_.stop();
     emulator_.stop();
     if (autopilot_) autopilot_->stop();
+    if (pilot_) pilot_->stop();
     if (viewer_) viewer_->stop();
   }
 
@@ -170,6 +176,7 @@ class RealTimeRun {
   control::LiveFaults faults_;
   emulate::RealTimeEmulator emulator_;
   std::optional<steer::AutopilotServer> autopilot_;
+  std::optional<pilot::RealTimePilot> pilot_;
   std::optional<host::RigViewer> viewer_;
   std::optional<BusTruth> bus_truth_;  ///< empty: the truth is not on the bus
   host::DriverHost drivers_;

@@ -80,6 +80,10 @@ DevicePtr make_cia404_pressure(const DeviceSetup& setup);
 /// 127488 for the propeller per sample.
 DevicePtr make_nmea2000_actuators(const DeviceSetup& setup);
 
+/// Boot-up message, heartbeat every second; after NMT start TPDO1 per sample: status word and
+/// actual value of one actuator.
+DevicePtr make_cia402_drive(const DeviceSetup& setup);
+
 /// Address claim at boot, then 128259 (speed through the water, electromagnetic) per sample, 128275
 /// (distance) once a second.
 DevicePtr make_nmea2000_log(const DeviceSetup& setup);
@@ -126,6 +130,7 @@ inline constexpr auto device_rows = std::to_array<DeviceRow>({
     {DeviceKind::depth, "nmea2000", make_nmea2000_depth},
     {DeviceKind::depth, "cia404-pressure", make_cia404_pressure},
     {DeviceKind::actuator, "nmea2000", make_nmea2000_actuators},
+    {DeviceKind::actuator, "cia402", make_cia402_drive},
     {DeviceKind::attitude, "nmea2000", make_nmea2000_attitude},
     {DeviceKind::attitude, "nmea0183", make_nmea0183_attitude},
 });

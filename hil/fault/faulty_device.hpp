@@ -6,7 +6,7 @@
 #include "hil/fault/port_faults.hpp"
 #include "hil/fault/schedule/schedule_follower.hpp"
 #include "hil/fault/wire/faulty_wire.hpp"
-#include "hil/motion/truth.hpp"
+#include "hil/motion/ordered/takes_orders.hpp"
 
 namespace drydock::fault {
 
@@ -30,7 +30,7 @@ class FaultyDevice final : public emulate::EmulatedDevice, private emulate::Wire
 
  private:
   /// The vehicle's motion as the device sees it. Under the fault "stuck" it stands still.
-  class View final : public motion::Trajectory {
+  class View final : public motion::Trajectory, public motion::TakesOrders {
    public:
     View(const motion::Trajectory& motion, std::shared_ptr<const emulate::Condition> condition)
         : motion_(motion), condition_(std::move(condition)) {}
@@ -38,6 +38,7 @@ class FaultyDevice final : public emulate::EmulatedDevice, private emulate::Wire
     Stamp start() const override { return motion_.start(); }
     Stamp end() const override { return motion_.end(); }
     const ocean::Ocean& ocean() const override { return motion_.ocean(); }
+    motion::OrderSink* orders() const override { return motion::orders_of(motion_); }
 
    private:
     const motion::Trajectory& motion_;

@@ -5,12 +5,12 @@
 #include <optional>
 #include <utility>
 
-#include "hil/motion/truth.hpp"
+#include "hil/motion/ordered/takes_orders.hpp"
 
 namespace drydock::motion {
 
 /// A motion that keeps its last result, because several sensors may sample at the same instant.
-class RememberedTrajectory final : public Trajectory {
+class RememberedTrajectory final : public Trajectory, public TakesOrders {
  public:
   explicit RememberedTrajectory(std::unique_ptr<Trajectory> motion) : motion_(std::move(motion)) {}
 
@@ -22,6 +22,7 @@ class RememberedTrajectory final : public Trajectory {
   Stamp start() const override { return motion_->start(); }
   Stamp end() const override { return motion_->end(); }
   const ocean::Ocean& ocean() const override { return motion_->ocean(); }
+  OrderSink* orders() const override { return orders_of(*motion_); }
 
  private:
   std::unique_ptr<Trajectory> motion_;

@@ -6,6 +6,7 @@
 #include "hil/report/html.hpp"
 #include "hil/report/plot.hpp"
 #include "hil/summary/findings.hpp"
+#include "hil/summary/loop_report.hpp"
 #include "hil/summary/navigation_report.hpp"
 #include "hil/summary/or_none.hpp"
 #include "hil/summary/program_verdict.hpp"
@@ -193,6 +194,7 @@ std::string to_html(const Summary& s) {
       s.interrupted ? ", interrupted" : "", streaming == s.devices.size() ? "ok" : "bad", streaming,
       s.devices.size());
   for (const auto& note : s.notes) out += fmt::format("<p>{}</p>\n", report::html::escaped(note));
+  if (s.loop) out += loop_section(*s.loop);
   out += verdict_section(s) + finding_section(s) + fault_section(s) + "<h2>Health</h2>\n" +
          health_table(s);
   for (std::size_t i = 0; i < s.estimators.size(); ++i) out += estimator_section(s, i);

@@ -8,6 +8,7 @@
 #include "hil/summary/findings.hpp"
 #include "hil/summary/findings_json.hpp"
 #include "hil/summary/judge.hpp"
+#include "hil/summary/loop_report.hpp"
 #include "hil/summary/or_none.hpp"
 #include "hil/summary/program_verdict.hpp"
 
@@ -125,6 +126,7 @@ std::string to_json(const Summary& s) {
     if (e.navigation) root["estimators"].back()["navigation"] = navigation_json(*e.navigation);
     if (e.program) root["estimators"].back()["program"] = program_json(*e.program);
   }
+  if (s.loop) root["loop"] = loop_json(*s.loop);
   return root.dump(2) + "\n";
 }
 
@@ -158,6 +160,7 @@ std::string to_text(const Summary& s) {
     out += '\n';
   }
   out += faults_text(s.faults) + findings_text(s.findings);
+  if (s.loop) out += loop_text(*s.loop);
   for (const auto& note : s.notes) out += note + '\n';
   return out + to_text(s.verdicts);
 }

@@ -9,6 +9,7 @@
 #include "drivers/device/health_account.hpp"
 #include "drivers/diagnosis/finding_account.hpp"
 #include "estimators/pipeline/peer.hpp"
+#include "hil/pilot/loop_account.hpp"
 #include "hil/summary/verdict.hpp"
 
 namespace drydock::summary {
@@ -97,6 +98,7 @@ struct Summary {
   std::vector<NavigationTrace> navigation;          ///< one per estimator; empty for other kinds
   MotionTrace motion;                               ///< empty if there is no truth
   ResidentTrace resident;
+  std::optional<pilot::LoopAccount> loop;  ///< of a vehicle that is steered over the wires
   std::vector<MeasurementTrace> measurements;
 
   bool all_streaming() const;

@@ -52,6 +52,8 @@ hil/ocean                  estimators/frame drivers/measurement rig_config
 hil/motion                 hil/ocean estimators/frame estimators/hydrodynamics estimators/vehicle drivers/measurement rig_config
 hil/steer                  hil/motion estimators/frame drivers/wire rig_config
 hil/steer/real_time        hil/steer hil/motion drivers/link drivers/io drivers/wire rig_config
+hil/pilot                  hil/motion estimators/frame drivers/device drivers/wire drivers/measurement rig_config
+hil/pilot/real_time        hil/pilot drivers/host drivers/link drivers/io drivers/wire drivers/measurement rig_config
 hil/sensor                 hil/motion estimators/frame drivers/measurement rig_config
 hil/sky                    hil/sensor estimators/frame drivers/measurement rig_config
 hil/study                  hil/report hil/sky hil/sensor hil/motion estimators/[a-z]* drivers/measurement rig_config
@@ -65,10 +67,10 @@ hil/characterize           estimators/frame drivers/measurement rig_config
 hil/characterize/report    hil/characterize hil/bench hil/check hil/report hil/study hil/sensor drivers/decode drivers/recordings/record drivers/bus drivers/link drivers/terminal drivers/measurement rig_config
 hil/validity               hil/emulate drivers/measurement
 hil/validity/run           hil/validity hil/bench hil/summary hil/report hil/emulate drivers/link drivers/io drivers/terminal drivers/measurement rig_config
-hil/summary                drivers/diagnosis hil/report hil/motion estimators/pipeline estimators/frame drivers/host drivers/device drivers/link drivers/measurement rig_config
+hil/summary                hil/pilot/loop_account drivers/diagnosis hil/report hil/motion estimators/pipeline estimators/frame drivers/host drivers/device drivers/link drivers/measurement rig_config
 hil/control/request        drivers/live drivers/terminal
 hil/control                hil/control/request hil/fault hil/summary drivers/host drivers/bus drivers/live drivers/link drivers/io drivers/terminal rig_config
-hil/bench                  drivers/diagnosis hil/control hil/summary hil/report hil/fault hil/emulate hil/emulate/real_time hil/steer hil/steer/real_time hil/motion estimators/host estimators/setup estimators/pipeline estimators/frame drivers/host drivers/monitor drivers/bus drivers/shell drivers/device drivers/link drivers/io drivers/terminal drivers/measurement rig_config
+hil/bench                  hil/pilot hil/pilot/real_time drivers/diagnosis hil/control hil/summary hil/report hil/fault hil/emulate hil/emulate/real_time hil/steer hil/steer/real_time hil/motion estimators/host estimators/setup estimators/pipeline estimators/frame drivers/host drivers/monitor drivers/bus drivers/shell drivers/device drivers/link drivers/io drivers/terminal drivers/measurement rig_config
 hil/check                  hil/fault hil/motion hil/ocean estimators/setup estimators/pipeline estimators/vehicle estimators/hydrodynamics drivers/shell drivers/link drivers/terminal drivers/measurement rig_config
 hil/replay/reference       drivers/recordings/record drivers/bus
 hil/replay                 drivers/diagnosis hil/replay/reference hil/bench hil/motion hil/summary hil/fault estimators/host estimators/setup estimators/pipeline estimators/frame drivers/host drivers/device drivers/recordings/record drivers/text drivers/bus drivers/link drivers/io drivers/terminal drivers/measurement rig_config

@@ -117,16 +117,16 @@ TEST(Schema, TheListsOfProtocolsAreFilledFromTheTable) {
   EXPECT_THAT(lists["dvl"], Not(Contains("ubx")));
   EXPECT_THAT(lists["gnss"], IsSupersetOf({"ubx", "nmea0183", "ubx+nmea0183"}));
   EXPECT_THAT(lists["depth"], IsSupersetOf({"nmea2000", "cia404-pressure"}));
-  EXPECT_THAT(lists["canopen"],
-              IsSupersetOf({"cia404-imu", "cia404-pressure", "epson-g550", "epson-g552"}));
+  EXPECT_THAT(lists["canopen"], IsSupersetOf({"cia402", "cia404-imu", "cia404-pressure",
+                                              "epson-g550", "epson-g552"}));
   EXPECT_THAT(lists["canopen"], Not(Contains("nmea2000")));
   EXPECT_EQ(lists["bytes"].size() + lists["frames"].size(), lists["all"].size());
   EXPECT_THAT(lists["all"], Not(Contains("slcan"))) << "only protocols with a kind";
 }
 
 TEST(Schema, AnEditorSeesTheSameCanopenProtocolsAsTheProgram) {
-  const std::regex pattern("^(cia404|epson)-");
-  EXPECT_NE(schema_text().find("{\"pattern\": \"^(cia404|epson)-\", \"protocols\": \"canopen\"}"),
+  const std::regex pattern("^(cia40[24]|epson)");
+  EXPECT_NE(schema_text().find("{\"pattern\": \"^(cia40[24]|epson)\", \"protocols\": \"canopen\"}"),
             std::string_view::npos);
   for (const wire::Protocol& protocol : wire::protocols())
     EXPECT_EQ(std::regex_search(std::string(protocol.name), pattern),

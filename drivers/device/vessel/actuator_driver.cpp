@@ -41,6 +41,7 @@ Origin ActuatorDriver::in_burst(const wire::CanFrame& frame, Stamp received_at, 
 }
 
 void ActuatorDriver::on(const wire::nmea2000::Rudder& rudder, const Origin& origin, Output& out) {
+  if (rudder.angle_order_rad && !rudder.position_rad) return;  // an order of whoever steers
   if (!rudder.instance || *rudder.instance >= surfaces)
     return out.refuse("a rudder instance other than 0, 1 and 2 was left out: it is no actuator",
                       Refusal::of_another);

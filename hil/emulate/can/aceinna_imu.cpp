@@ -91,7 +91,7 @@ class AceinnaImu final : public J1939Device {
     return samples() % std::max<std::uint64_t>(1, static_cast<std::uint64_t>(every)) == 0;
   }
 
-  void hear(const wire::CanFrame& frame, std::uint8_t address, Wire& out) override {
+  void hear(const wire::CanFrame& frame, Stamp, std::uint8_t address, Wire& out) override {
     const auto message = decoder_.receive(frame);
     if (!message) return;
     std::visit(

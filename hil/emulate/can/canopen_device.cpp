@@ -45,6 +45,7 @@ void CanopenDevice::tick(Stamp now, Wire& out) {
 }
 
 void CanopenDevice::sample(Stamp at, Wire& out) {
+  watch(at, out);
   if (state_ == NodeState::operational) report(at, out);
 }
 
@@ -63,8 +64,9 @@ void CanopenDevice::receive(const wire::CanFrame& frame, Stamp now, Wire& out) {
   if (state_ == NodeState::stopped) return;
   if (const auto request = canopen::decode_sdo_request(frame)) {
     if (const auto* read = std::get_if<canopen::SdoRead>(&*request)) return serve(*read, out);
-    serve(std::get<canopen::SdoWrite>(*request), now, out);
+    return serve(std::get<canopen::SdoWrite>(*request), now, out);
   }
+  hear(frame, now, out);
 }
 
 void CanopenDevice::obey(const canopen::Nmt& order, Stamp now, Wire& out) {
@@ -123,18 +125,27 @@ void CanopenDevice::serve(const canopen::SdoRead& request, Wire& out) const {
 
 void CanopenDevice::serve(const canopen::SdoWrite& request, Stamp now, Wire& out) {
   if (request.node != node_) return;
-  const auto refuse = [&](std::uint32_t code) {
-    out.send(canopen::encode(canopen::SdoAbort{node_, request.entry, code}));
-  };
-  if (condition().under(FaultKind::nak)) return refuse(not_in_this_state);
-  if (request.entry != heartbeat_entry) {
-    return refuse(find(request.entry) ? read_only : no_such_object);
+  if (const auto code = refusal_of(request, now)) {
+    out.send(canopen::encode(canopen::SdoAbort{node_, request.entry, *code}));
+  } else {
+    out.send(canopen::encode(canopen::SdoWritten{node_, request.entry}));
   }
-  if (request.size != 2) return refuse(length_differs);
+}
+
+/// Sets the object; empty: it is set.
+std::optional<std::uint32_t> CanopenDevice::refusal_of(const canopen::SdoWrite& request,
+                                                       Stamp now) {
+  if (condition().under(FaultKind::nak)) return not_in_this_state;
+  if (request.entry != heartbeat_entry) {
+    const auto code = set(request);
+    if (!code) return find(request.entry) ? read_only : no_such_object;
+    return *code == 0 ? std::nullopt : code;
+  }
+  if (request.size != 2) return length_differs;
   heartbeat_period_ = std::chrono::milliseconds{request.value};
   next_heartbeat_.reset();
   if (heartbeat_period_.count() > 0) next_heartbeat_ = now + heartbeat_period_;
-  out.send(canopen::encode(canopen::SdoWritten{node_, request.entry}));
+  return {};
 }
 
 void CanopenDevice::set_fault(std::uint16_t code, std::uint8_t error_register, Wire& out) {

@@ -32,6 +32,16 @@ class CanopenDevice : public SamplingDevice {
   /// and the objects that follow from pdos().
   virtual std::optional<Object> object(const wire::canopen::ObjectEntry&) const { return {}; }
 
+  /// Receives a frame that is none of CiA 301's services for this node. Not while it is stopped.
+  virtual void hear(const wire::CanFrame&, Stamp /*now*/, Wire&) {}
+
+  /// Called at each sample, in every state.
+  virtual void watch(Stamp /*at*/, Wire&) {}
+
+  /// Sets an object of the profile. Empty: there is no such object, or none that can be set; else
+  /// the code of the refusal, 0 for none.
+  virtual std::optional<std::uint32_t> set(const wire::canopen::SdoWrite&) { return {}; }
+
   /// The contents of each transmit PDO in the form of 1A00h: index << 16 | subindex << 8 | bits.
   using Mapping = std::span<const std::uint32_t>;
   virtual std::span<const Mapping> pdos() const { return {}; }
@@ -40,6 +50,7 @@ class CanopenDevice : public SamplingDevice {
   void set_fault(std::uint16_t code, std::uint8_t error_register, Wire& out);
 
   std::uint8_t node() const { return node_; }
+  bool is_operational() const { return state_ == wire::canopen::NodeState::operational; }
 
  private:
   void sample(Stamp at, Wire& out) final;
@@ -49,6 +60,7 @@ class CanopenDevice : public SamplingDevice {
   std::optional<Object> pdo_object(const wire::canopen::ObjectEntry& entry) const;
   void serve(const wire::canopen::SdoRead& request, Wire& out) const;
   void serve(const wire::canopen::SdoWrite& request, Stamp now, Wire& out);
+  std::optional<std::uint32_t> refusal_of(const wire::canopen::SdoWrite& request, Stamp now);
 
   std::uint8_t node_;
   std::uint32_t device_type_;

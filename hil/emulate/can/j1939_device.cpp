@@ -23,7 +23,7 @@ void J1939Device::tick(Stamp now, Wire& out) {
 void J1939Device::receive(const wire::CanFrame& frame, Stamp now, Wire& out) {
   if (!wire::j1939::identify(frame)) return;
   node_.receive(frame, now, out);
-  if (const auto address = node_.address()) hear(frame, *address, out);
+  if (const auto address = node_.address()) hear(frame, now, *address, out);
 }
 
 void J1939Device::sample(Stamp at, Wire& out) {

@@ -20,7 +20,7 @@ class J1939Device : public SamplingDevice {
   J1939Device(const DeviceSetup& setup, std::uint64_t name, std::uint8_t preferred);
 
   /// Receives a frame of the bus while the device has an address.
-  virtual void hear(const wire::CanFrame&, std::uint8_t /*address*/, Wire&) {}
+  virtual void hear(const wire::CanFrame&, Stamp /*now*/, std::uint8_t /*address*/, Wire&) {}
 
   /// Sends a sample of the truth at `at` from the device's address.
   virtual void report(Stamp at, std::uint8_t address, Wire& out) = 0;

@@ -1,7 +1,5 @@
 #include "hil/motion/steered/steered_vehicle.hpp"
 
-#include <algorithm>
-
 #include "estimators/frame/attitude.hpp"
 #include "hil/motion/steered/fin_vehicle.hpp"
 #include "hil/motion/steered/thruster_vehicle.hpp"
@@ -20,18 +18,6 @@ VehicleState first_state(const rig_config::MissionConfig& mission) {
   state.height_m = -mission.depth_m;
   state.body_to_ned = frame::body_to_ned({0, 0, mission.heading_rad});
   return state;
-}
-
-void keep_in_water(VehicleState& state, const ocean::Ocean& ocean) {
-  constexpr double highest_m = 0.25;  // a hull that floats moves a little above the surface
-  const double bed_m = ocean.bed_depth_m(state.latitude_rad, state.longitude_rad);
-  const bool too_high = state.height_m > highest_m, too_low = -state.height_m > bed_m;
-  if (!too_high && !too_low) return;
-  state.height_m = too_high ? highest_m : -bed_m;
-  Eigen::Vector3d through_water = state.body_to_ned * state.velocity.head<3>();
-  through_water.z() =
-      too_high ? std::max(through_water.z(), 0.0) : std::min(through_water.z(), 0.0);
-  state.velocity.head<3>() = state.body_to_ned.conjugate() * through_water;
 }
 
 }  // namespace drydock::motion

@@ -28,7 +28,4 @@ std::unique_ptr<SteeredVehicle> make_steered_vehicle(const rig_config::MissionCo
 struct VehicleState;
 VehicleState first_state(const rig_config::MissionConfig& mission);
 
-/// Stops a vehicle that would leave the water or sink into the bed.
-void keep_in_water(VehicleState& state, const ocean::Ocean& ocean);
-
 }  // namespace drydock::motion

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "estimators/frame/earth.hpp"
+#include "hil/motion/vehicle/keep_in_water.hpp"
 #include "hil/motion/vehicle/vehicle_truth.hpp"
 
 namespace drydock::motion {

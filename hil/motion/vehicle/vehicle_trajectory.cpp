@@ -7,13 +7,15 @@
 namespace drydock::motion {
 
 VehicleTrajectory::VehicleTrajectory(const rig_config::MissionConfig& mission, Stamp start)
-    : voyage_(mission), start_(start) {}
+    : helm_(mission), voyage_(mission, helm_, Edges::open), start_(start) {
+  helm_.check_plan(mission, ocean());
+}
 
-Stamp VehicleTrajectory::end() const { return start_ + measurement::from_seconds(voyage_.lap_s()); }
+Stamp VehicleTrajectory::end() const { return start_ + measurement::from_seconds(helm_.lap_s()); }
 
-Truth VehicleTrajectory::at(Stamp time) const {
-  const std::int64_t ns = std::max<std::int64_t>((time - start_).count(), 0);
-  const VoyageStep step = voyage_.at(ns / voyage_step_ns);
+Truth truth_at(const Voyage& voyage, Stamp start, Stamp time) {
+  const std::int64_t ns = std::max<std::int64_t>((time - start).count(), 0);
+  const VoyageStep step = voyage.at(ns / voyage_step_ns);
   const double within = static_cast<double>(ns % voyage_step_ns) * 1e-9;
   const double t = static_cast<double>(ns) * 1e-9;
   VehicleState s = step.state;
@@ -21,12 +23,13 @@ Truth VehicleTrajectory::at(Stamp time) const {
   Actuators actuators = step.actuators;
   if (within > 0) {
     const double begin = static_cast<double>(ns - ns % voyage_step_ns) * 1e-9;
-    s = voyage_.motion().step(s, step.rate, actuators, step.command, begin, within);
-    rate = voyage_.motion().rate(s, actuators.control(), t);
+    s = voyage.motion().step(s, step.rate, actuators, step.command, begin, within);
+    rate = voyage.motion().rate(s, actuators.control(), t);
   }
   const auto control = actuators.control();
 
-  Truth truth = truth_of(s, rate, voyage_.motion().acceleration_ned(s, rate, t), ocean(), t);
+  Truth truth =
+      truth_of(s, rate, voyage.motion().acceleration_ned(s, rate, t), voyage.motion().ocean(), t);
   truth.at = time;
   truth.rudder_rad = control.delta_r;
   truth.stern_plane_rad = control.delta_s;

@@ -1,13 +1,7 @@
 #include "hil/motion/vehicle/voyage.hpp"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-
 #include "estimators/frame/attitude.hpp"
-#include "estimators/frame/earth.hpp"
-#include "hil/motion/bad_mission.hpp"
+#include "hil/motion/vehicle/keep_in_water.hpp"
 
 namespace drydock::motion {
 
@@ -20,41 +14,9 @@ double seconds_of(std::int64_t step) { return static_cast<double>(step * voyage_
 
 }  // namespace
 
-Voyage::Voyage(const rig_config::MissionConfig& mission)
-    : motion_(mission), profile_(mission), autopilot_(mission.vehicle.value()) {
-  check_plan(mission);
-  starts_.reserve(static_cast<std::size_t>(lap_s() / seconds_of(block_steps)) + 1);
+Voyage::Voyage(const rig_config::MissionConfig& mission, const Helm& helm, Edges edges)
+    : motion_(mission), helm_(helm), edges_(edges) {
   starts_.push_back(first(mission));
-}
-
-/// Throws for legs that need more speed than the propeller gives, or that lead into the bed. It
-/// follows the track by dead reckoning in steps of a second.
-void Voyage::check_plan(const rig_config::MissionConfig& mission) const {
-  const auto& propeller = mission.vehicle->propeller;
-  const double fastest = propeller.advance_m * propeller.limit_radps;
-  double latitude = mission.latitude_rad, longitude = mission.longitude_rad;
-  for (int second = 0; second <= lap_s(); ++second) {
-    const double t = second;
-    const Prescribed plan = profile_.at(t);
-    if (plan.speed.value > fastest)
-      throw BadMission(profile_.path_at(t),
-                       fmt::format("mission: after {:.0f} s the vehicle would need {:.2f} m/s, its "
-                                   "propeller gives {:.2f}",
-                                   t, plan.speed.value, fastest));
-    const double bed_m = motion_.ocean().bed_depth_m(latitude, longitude);
-    if (plan.depth_m >= bed_m)
-      throw BadMission(
-          profile_.path_at(t),
-          fmt::format("mission: after {:.0f} s the vehicle would be {:.1f} m deep, at or below the "
-                      "sea bed ({:.1f} m there)",
-                      t, plan.depth_m, bed_m));
-    const Eigen::Vector3d current = motion_.ocean().current_ned(plan.depth_m, t);
-    const double level = std::sqrt(
-        std::max(plan.speed.value * plan.speed.value - plan.descent_mps * plan.descent_mps, 0.0));
-    latitude += (level * std::cos(plan.yaw.value) + current.x()) / frame::meridian_radius(latitude);
-    longitude += (level * std::sin(plan.yaw.value) + current.y()) /
-                 (frame::transverse_radius(latitude) * std::cos(latitude));
-  }
 }
 
 VoyageStep Voyage::first(const rig_config::MissionConfig& mission) const {
@@ -116,6 +78,7 @@ VoyageStep Voyage::after(const VoyageStep& step, std::int64_t index) const {
   VoyageStep next = step;
   next.state = motion_.step(step.state, step.rate, next.actuators, step.command, seconds_of(index),
                             voyage_step_s);
+  if (edges_ == Edges::closed) keep_in_water(next.state, motion_.ocean());
   complete(next, index + 1);
   return next;
 }
@@ -124,7 +87,7 @@ VoyageStep Voyage::after(const VoyageStep& step, std::int64_t index) const {
 void Voyage::complete(VoyageStep& step, std::int64_t index) const {
   const double t = seconds_of(index);
   step.rate = motion_.rate(step.state, step.actuators.control(), t);
-  step.command = autopilot_.steer(profile_.at(t), step.state, step.memory, voyage_step_s);
+  step.command = helm_.command(index, step.state, step.memory);
 }
 
 }  // namespace drydock::motion

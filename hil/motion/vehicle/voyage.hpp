@@ -5,14 +5,9 @@
 #include <mutex>
 #include <vector>
 
-#include "hil/motion/leg_profile.hpp"
-#include "hil/motion/vehicle/autopilot.hpp"
-#include "hil/motion/vehicle/vehicle_motion.hpp"
+#include "hil/motion/vehicle/helm.hpp"
 
 namespace drydock::motion {
-
-inline constexpr std::int64_t voyage_step_ns = 10'000'000;
-inline constexpr double voyage_step_s = 0.01;
 
 /// A vehicle at one step, with the command until the next step.
 struct VoyageStep {
@@ -23,18 +18,24 @@ struct VoyageStep {
   Command command;
 };
 
-/// The steps of a vehicle that sails a mission with its autopilots. Any step can be requested, in
+/// What a vehicle does at the surface and at the bed.
+enum class Edges : std::uint8_t {
+  open,   ///< nothing: its plan stays in the water
+  closed  ///< it cannot leave the water, nor sink into the bed
+};
+
+/// The steps of a vehicle under a helm. Any step can be requested, in
 /// any order and from any thread, with the same bits each time. The first step of every block is
 /// kept, and all steps of the few blocks that were used last.
 class Voyage {
  public:
-  /// Throws std::invalid_argument (one line) for a mission that the vehicle cannot sail.
-  explicit Voyage(const rig_config::MissionConfig& mission);
+  /// Begins where the mission does, at its speed. The helm must outlive the voyage. Throws
+  /// std::invalid_argument for a vehicle that is not possible.
+  Voyage(const rig_config::MissionConfig& mission, const Helm& helm, Edges edges);
 
   VoyageStep at(std::int64_t step) const;  ///< from 0 on
 
   const VehicleMotion& motion() const { return motion_; }
-  double lap_s() const { return profile_.lap_s(); }
 
  private:
   struct Block {
@@ -42,7 +43,6 @@ class Voyage {
     std::vector<VoyageStep> steps;
   };
 
-  void check_plan(const rig_config::MissionConfig& mission) const;
   VoyageStep first(const rig_config::MissionConfig& mission) const;
   VoyageStep after(const VoyageStep& step, std::int64_t index) const;
   void complete(VoyageStep& step, std::int64_t index) const;
@@ -50,8 +50,8 @@ class Voyage {
   void extend(Block& block, std::size_t steps) const;
 
   VehicleMotion motion_;
-  MissionProfile profile_;
-  Autopilot autopilot_;
+  const Helm& helm_;
+  Edges edges_;
   mutable std::mutex mutex_;
   mutable std::vector<VoyageStep> starts_;  ///< first steps of the blocks that were requested so
                                             ///< far

@@ -128,7 +128,7 @@ inline const std::vector<std::pair<std::string, Texts>>& kinds() {
       {"gnss", {"ubx", "nmea0183", "ubx+nmea0183"}},
       {"imu", {"aceinna", "cia404-imu", "epson-g550", "epson-g552", "xsens"}},
       {"depth", {"nmea2000", "cia404-pressure"}},
-      {"actuator", {"nmea2000"}}};
+      {"actuator", {"nmea2000", "cia402"}}};
   return all;
 }
 

@@ -56,7 +56,7 @@ inline rig_config::DeviceConfig device(rig_config::DeviceKind kind, std::string 
   rig_config::DeviceConfig config;
   config.name = protocol + " device";
   config.kind = kind;
-  const bool is_canopen = protocol.starts_with("cia404") || protocol.starts_with("epson");
+  const bool is_canopen = protocol.starts_with("cia40") || protocol.starts_with("epson");
   config.address = is_canopen ? 1 : 0;
   config.protocol = std::move(protocol);
   config.rate_hz = rate_hz;

@@ -42,6 +42,7 @@ constexpr std::uint8_t node = 1;
 
 unsigned bits_of(const std::string& data_type) {
   switch (std::stoul(data_type, nullptr, 16)) {
+    case 0x2:
     case 0x5: return 8;
     case 0x3:
     case 0x6: return 16;
@@ -169,7 +170,8 @@ INSTANTIATE_TEST_SUITE_P(Eds, EdsOf,
                          testing::Values(std::tuple{"cia404-imu", DeviceKind::imu},
                                          std::tuple{"epson-g550", DeviceKind::imu},
                                          std::tuple{"epson-g552", DeviceKind::imu},
-                                         std::tuple{"cia404-pressure", DeviceKind::depth}),
+                                         std::tuple{"cia404-pressure", DeviceKind::depth},
+                                         std::tuple{"cia402", DeviceKind::actuator}),
                          [](const auto& one) {
                            return drydock::test::test_name(std::get<0>(one.param));
                          });

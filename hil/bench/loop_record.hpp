@@ -1,0 +1,32 @@
+#pragma once
+
+#include "drivers/host/follower.hpp"
+#include "hil/motion/leg_profile.hpp"
+#include "hil/motion/truth.hpp"
+#include "hil/pilot/loop_account.hpp"
+#include "rig_config/rig.hpp"
+
+namespace drydock::bench {
+
+/// Follows a vehicle that is steered over the wires along its legs, ten times a second, beside the
+/// same legs sailed by the autopilots inside the simulation.
+class LoopRecord final : public host::Follower {
+ public:
+  /// All arguments must outlive the record.
+  LoopRecord(const rig_config::Rig& rig, const motion::Trajectory& truth, Stamp start);
+
+  void on_measurement(const measurement::Measurement& m) override;
+  pilot::LoopAccount account() const;
+
+ private:
+  void sample(Stamp at);
+
+  const rig_config::MissionConfig& mission_;
+  const motion::Trajectory& truth_;
+  std::unique_ptr<motion::Trajectory> in_process_;
+  motion::MissionProfile profile_;
+  Stamp start_, next_;
+  pilot::LoopAccount account_;
+};
+
+}  // namespace drydock::bench

@@ -1,0 +1,48 @@
+#include "hil/emulate/can/ordered_actuator.hpp"
+
+#include "hil/sensor/ideal.hpp"
+#include "rig_config/fault_vocabulary.hpp"
+
+namespace drydock::emulate {
+
+OrderedActuator::OrderedActuator(const DeviceSetup& setup, int number)
+    : trajectory_(setup.trajectory),
+      condition_(setup.condition),
+      vehicle_(motion::orders_of(setup.trajectory)),
+      number_(number) {}
+
+OrderedActuator::~OrderedActuator() {
+  if (ordered_at_ && number_ == measurement::propeller_number) give(0, *ordered_at_);
+}
+
+void OrderedActuator::give(double value, Stamp at) {
+  if (vehicle_ == nullptr) return;
+  measurement::ActuatorOrder order;
+  value_of(order, number_) = value;
+  vehicle_->give(order, at);
+}
+
+void OrderedActuator::order(double value, Stamp at) {
+  ordered_at_ = at;
+  if (condition_->stuck_at) return stop(*condition_->stuck_at);
+  const Trouble* late = condition_->under(FaultKind::delay);
+  give(value, late != nullptr ? at + measurement::from_seconds(late->amount) : at);
+}
+
+void OrderedActuator::rest(Stamp at) {
+  ordered_at_.reset();
+  give(0, at);
+}
+
+void OrderedActuator::stop(Stamp at) {
+  const auto stands = sensor::ideal_actuators(trajectory_.at(at));
+  give(number_ == measurement::propeller_number ? 0 : value_of(stands, number_).value_or(0), at);
+}
+
+bool OrderedActuator::times_out(Stamp at, std::chrono::nanoseconds patience) {
+  if (!ordered_at_ || at - *ordered_at_ <= patience) return false;
+  ordered_at_.reset();
+  return true;
+}
+
+}  // namespace drydock::emulate

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "hil/motion/ordered/order_log.hpp"
+#include "hil/motion/vehicle/voyage.hpp"
+
+namespace drydock::motion {
+
+/// A vehicle that sails by the Gertler-Hagen equations, and whose rudder, planes and propeller take
+/// orders: docs/world/steering.md. The same orders at the same times give the same motion to the
+/// last bit. It cannot leave the water, nor sink into the bed.
+class OrderedTrajectory final : public Trajectory, public TakesOrders {
+ public:
+  /// `mission.vehicle` must be set. Throws std::invalid_argument for a vehicle that is not
+  /// possible, BadMission for legs that it cannot sail.
+  OrderedTrajectory(const rig_config::MissionConfig& mission, Stamp start);
+
+  Truth at(Stamp time) const override;  ///< any order, any thread
+  Stamp start() const override { return start_; }
+  Stamp end() const override;  ///< when the legs have been sailed once; without legs start()
+  const ocean::Ocean& ocean() const override { return voyage_.motion().ocean(); }
+  OrderSink* orders() const override { return &orders_; }
+
+ private:
+  mutable OrderLog orders_;
+  Voyage voyage_;
+  Stamp start_;
+  double legs_s_;
+};
+
+}  // namespace drydock::motion
