@@ -53,6 +53,7 @@ const std::vector<Row>& rows() {
       {"cut", "", "", ""},
       {"bisect", "", "", ""},
       {"replay", DIVE, DIVE " --speed 0.01", ""},
+      {"diff", DIVE " " DIVE, "", ""},
       {"track", "", "", ""},
       {"proxy", "", "pty:@/a pty:@/b --for 1h", ""},
       {"sensor", "rig_config/sensors/xsens-mti-630.toml --for 20s",
