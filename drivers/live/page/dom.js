@@ -6,9 +6,9 @@ export const degree = Math.PI / 180;
 
 // The one convention of axes, said beside the plots.
 export const axes = {
-  body: 'body: forward, starboard, down',
+  body: 'forward, starboard, down',
   map: 'north, east, down',
-  turns: 'roll: starboard side down; pitch: bow up',
+  turns: 'starboard side down, bow up',
   heading: 'clockwise from north',
 };
 

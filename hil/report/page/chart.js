@@ -164,7 +164,7 @@ class Chart {
     ctx.lineWidth = 1.5 * ratio; ctx.lineJoin = 'round';
     ctx.beginPath();
     if (points) {
-      for (const i of known) { const [px, py] = at(i); ctx.moveTo(px, py); ctx.arc(px, py, 1.8 * ratio, 0, 7); }
+      for (const i of known) { const [px, py] = at(i); ctx.moveTo(px, py); ctx.arc(px, py, 2.2 * ratio, 0, 7); }
       ctx.fill();
     } else if (band) {
       for (const i of known) ctx.lineTo(...at(i));
