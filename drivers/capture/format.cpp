@@ -10,6 +10,7 @@
 #include "drivers/capture/formats/pcap.hpp"
 #include "drivers/capture/formats/pcapng.hpp"
 #include "drivers/capture/formats/vector_asc.hpp"
+#include "drivers/capture/formats/vector_blf.hpp"
 
 namespace drydock::capture {
 
@@ -47,10 +48,10 @@ constexpr Format text_format() {
 }
 
 // Formats with a magic come first: a binary file may look like lines from its first byte on.
-constexpr std::array all{binary_format<Pcap>(),      binary_format<Pcapng>(),
-                         text_format<CandumpLog>(),  text_format<CandumpScreen>(),
-                         text_format<VectorAsc>(),   text_format<PcanTrc>(),
-                         text_format<CanboatPlain>()};
+constexpr std::array all{binary_format<Pcap>(),        binary_format<Pcapng>(),
+                         binary_format<VectorBlf>(),   text_format<CandumpLog>(),
+                         text_format<CandumpScreen>(), text_format<VectorAsc>(),
+                         text_format<PcanTrc>(),       text_format<CanboatPlain>()};
 
 }  // namespace
 

@@ -65,11 +65,17 @@ Driver& Device::driver() const {
 
 void Device::tell(const LifeCycle::Change& change) {
   if (!change) return;
-  if (change->to == State::backing_off) last_error_ = change->why;
+  if (change->to == State::backing_off) note_error(change->why.view(), change->at);
   if (change->to == State::waiting) {
     for (RateMeter& meter : rates_) meter.reset();
   }
   if (const auto news = news_.tell(change)) listener_->on_state(*this, *news);
+}
+
+void Device::note_error(std::string_view what, Stamp at) {
+  last_error_ = what;
+  last_error_at_ = at;
+  ++errors_;
 }
 
 void Device::start(Stamp now) { tell(life_cycle_.start(now)); }
@@ -123,7 +129,7 @@ void Device::receive(const wire::CanFrame& frame, Stamp at) {
   if (!frame_driver || !life_cycle_.uses_link()) return;
   if (frame.error) {
     ++error_frames_;
-    last_error_ = can_error_text(frame);
+    note_error(can_error_text(frame), at);
     return;
   }
   now_ = at;
@@ -140,6 +146,7 @@ void Device::clock_stepped(std::chrono::nanoseconds step, Stamp now) {
   finish(now);
   life_cycle_.clock_stepped(step);
   if (last_message_at_) *last_message_at_ += step;
+  if (last_error_at_) *last_error_at_ += step;
   for (RateMeter& meter : rates_) meter.reset();
   if (life_cycle_.uses_link()) driver().restart(now, *this);
 }
@@ -170,7 +177,7 @@ void Device::refuse(std::string_view why, Refusal because) {
   ++refused_;
   impossible_ += because == Refusal::impossible;
   // A good value says nothing against its device, so an error before it stays.
-  if (because != Refusal::no_measurement || last_error_.empty()) last_error_ = why;
+  if (because != Refusal::no_measurement || last_error_.empty()) note_error(why, now_);
 }
 
 Health Device::health(Stamp now) const {
@@ -193,6 +200,8 @@ Health Device::health(Stamp now) const {
   health.last_message_at = last_message_at_;
   if (last_message_at_) health.age = now - *last_message_at_;
   health.last_error = last_error_;
+  if (last_error_at_) health.last_error_age = now - *last_error_at_;
+  health.errors = errors_;
   health.link_note = link_note_;
   const auto opened = life_cycle_.opened_count();
   health.reopened = opened > 0 ? opened - 1 : 0;

@@ -94,12 +94,13 @@ class Device final : private Output {
   void publish(const Measurement& measurement) override;
   void send(wire::Bytes bytes) override;
   void send(const wire::CanFrame& frame) override;
-  void report(std::string_view trouble) override { last_error_ = trouble; }
+  void report(std::string_view trouble) override { note_error(trouble, now_); }
   void refuse(std::string_view why, Refusal because) override;
 
   void finish(Stamp now);  ///< frames that wait in the driver come out
   Driver& driver() const;
   void tell(const LifeCycle::Change& change);
+  void note_error(std::string_view what, Stamp at);
 
   DeviceOptions options_;
   AnyDriver driver_;
@@ -113,6 +114,8 @@ class Device final : private Output {
   std::uint64_t messages_ = 0;
   std::optional<Stamp> last_message_at_;
   Reason last_error_;
+  std::optional<Stamp> last_error_at_;
+  std::uint64_t errors_ = 0;
   Reason link_note_;
   std::uint64_t can_dropped_ = 0;
   std::uint64_t error_frames_ = 0;

@@ -24,12 +24,14 @@ struct Health {
   std::optional<Stamp> last_message_at;
   std::optional<std::chrono::nanoseconds> age;  ///< of the last message, at the time of the call
   Reason last_error;                            ///< empty: none so far
-  Reason link_note;                             ///< of the link, for a person; empty: none
-  std::uint32_t reopened = 0;                   ///< how often the link was opened again
-  std::uint64_t can_dropped = 0;                ///< frames that the kernel lost on this bus
-  std::uint64_t error_frames = 0;               ///< from the CAN controller
-  std::uint64_t impossible = 0;                 ///< among the refused ones
-  std::uint64_t refused = 0;  ///< values that cannot be true, or are of another instance
+  std::optional<std::chrono::nanoseconds> last_error_age;  ///< at the time of the call
+  std::uint64_t errors = 0;        ///< how many so far, the last one among them
+  Reason link_note;                ///< of the link, for a person; empty: none
+  std::uint32_t reopened = 0;      ///< how often the link was opened again
+  std::uint64_t can_dropped = 0;   ///< frames that the kernel lost on this bus
+  std::uint64_t error_frames = 0;  ///< from the CAN controller
+  std::uint64_t impossible = 0;    ///< among the refused ones
+  std::uint64_t refused = 0;       ///< values that cannot be true, or are of another instance
 };
 
 }  // namespace drydock::device

@@ -32,6 +32,9 @@ HealthAccount account_of(const Device& device, const Health& health,
   account.error_frames = health.error_frames;
   account.refused = health.refused;
   account.last_error = health.last_error.view();
+  if (health.last_error_age)
+    account.last_error_age_s = measurement::seconds(*health.last_error_age);
+  account.errors = health.errors;
   account.link_note = health.link_note.view();
   return account;
 }

@@ -27,7 +27,9 @@ struct HealthAccount {
   std::uint64_t refused =
       0;                   ///< values that were not published: impossible, or of another instance
   std::string last_error;  ///< empty: none so far
-  std::string link_note;   ///< what is special about its link; empty: nothing
+  std::optional<double> last_error_age_s;
+  std::uint64_t errors = 0;  ///< how many so far, the last one among them
+  std::string link_note;     ///< what is special about its link; empty: nothing
 };
 
 HealthAccount account_of(const Device& device, const Health& health,
@@ -61,6 +63,8 @@ void visit_fields(Account& account, Field&& field) {
   field("error_frames", account.error_frames);
   field("refused", account.refused);
   field("last_error", account.last_error);
+  field("last_error_age_s", account.last_error_age_s);
+  field("errors", account.errors);
   field("link_note", account.link_note);
 }
 

@@ -11,6 +11,7 @@
 #include "drivers/bus/participant.hpp"
 #include "drivers/host/driver_host.hpp"
 #include "drivers/host/finding_lines.hpp"
+#include "drivers/host/page_recorder.hpp"
 #include "drivers/host/rig_bus.hpp"
 #include "drivers/host/rig_publisher.hpp"
 #include "drivers/host/state_lines.hpp"
@@ -75,6 +76,10 @@ class Drive {
       followers_.add(recorder_.emplace(rig, options.record, link::now(), record::WhenBehind::lose));
     if (options.serve.address.empty()) return;
     followers_.add(viewer_.emplace(io_.get_executor(), rig, options.serve));
+    if (!options.serve.recordings.empty()) {
+      followers_.add(page_recorder_.emplace(rig, options.serve.recordings, link::now));
+      viewer_->add(page_recorder_->services());
+    }
     if (options.behind_page) {
       behind_page_ = options.behind_page(io_.get_executor(), *viewer_, followers_);
       followers_.add(*behind_page_);
@@ -89,6 +94,7 @@ class Drive {
     service_manager_.ready();
     io_.run();
     if (recorder_) fmt::print("{}\n", recorder_->finish());
+    if (page_recorder_ && page_recorder_->records()) fmt::print("{}\n", page_recorder_->finish());
     return terminal::exit_of(all_streaming_ && !(recorder_ && recorder_->failed()));
   }
 
@@ -147,6 +153,7 @@ class Drive {
   FindingLines finding_lines_;
   Followers followers_;
   std::optional<RigRecorder> recorder_;
+  std::optional<PageRecorder> page_recorder_;
   std::optional<RigViewer> viewer_;
   std::shared_ptr<Follower> behind_page_, beside_;
   DriverHost host_;

@@ -30,6 +30,7 @@ live::ServerOptions server_options(const std::string& name, const ServeOptions& 
   live::ServerOptions server;
   server.name = "drydock " + name;
   server.token = options.token;
+  server.history = std::chrono::minutes{5};
   const auto colon = options.address.rfind(':');
   const auto host = colon == std::string::npos ? "" : options.address.substr(0, colon);
   const auto port = options.address.substr(colon == std::string::npos ? 0 : colon + 1);

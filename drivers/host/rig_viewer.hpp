@@ -11,11 +11,13 @@
 
 namespace drydock::host {
 
-/// The address where a run can be watched: `--serve [ADDRESS:PORT]`, `--token`, `--allow-faults`.
+/// The address where a run can be watched: `--serve [ADDRESS:PORT]`, `--token`, `--allow-faults`,
+/// `--allow-recording`.
 struct ServeOptions {
   std::string address;  ///< "127.0.0.1:8765", ":8765", "8765"; empty: not served
   std::string token;
   bool allow_faults = false;  ///< viewers may set and clear faults
+  std::string recordings;     ///< folder in which viewers may record; empty: they may not
 };
 
 /// The content that a viewer may see.

@@ -55,7 +55,11 @@ HttpResponse answer(const HttpRequest& request, http::status status, std::string
 /// State that the coroutines of all clients share.
 struct Server::House : std::enable_shared_from_this<House> {
   House(asio::any_io_executor on, ServerOptions with, std::vector<PageFile> files)
-      : executor(std::move(on)), options(std::move(with)), page(std::move(files)), door(executor) {}
+      : executor(std::move(on)),
+        options(std::move(with)),
+        page(std::move(files)),
+        door(executor),
+        history(options.history) {}
 
   boost::system::error_code open();
   asio::awaitable<void> let_in();
@@ -75,6 +79,8 @@ struct Server::House : std::enable_shared_from_this<House> {
   std::vector<PageFile> page;
   tcp::acceptor door;
   std::vector<Channel> channels;
+  std::vector<Keep> keep;  ///< of each channel
+  History history;
   std::vector<Service> services;
   std::vector<std::shared_ptr<Viewer>> viewers;
   std::size_t clients = 0;
@@ -184,6 +190,8 @@ HttpResponse Server::House::answer_to(const HttpRequest& request) const {
     return answer(request, http::status::method_not_allowed, "text/plain", "GET only\n");
   const std::string target = text_of(request.target());
   const auto path = path_of(target);
+  if (path == "/history")
+    return answer(request, http::status::ok, "application/octet-stream", history.file());
   const auto file = std::ranges::find(page, path, &PageFile::path);
   return file == page.end() ? answer(request, http::status::not_found, "text/plain", "not here\n")
                             : answer(request, http::status::ok, file->media_type, file->content);
@@ -243,9 +251,10 @@ std::uint16_t Server::port() const {
   return house_->door.local_endpoint(error).port();
 }
 
-std::uint32_t Server::add_channel(Channel channel) {
+std::uint32_t Server::add_channel(Channel channel, Keep keep) {
   channel.id = static_cast<std::uint32_t>(house_->channels.size() + 1);
   house_->channels.push_back(std::move(channel));
+  house_->keep.push_back(keep);
   const auto text = advertise(std::span(house_->channels).last(1));
   for (const auto& viewer : house_->viewers) viewer->tell(text);
   return house_->channels.back().id;
@@ -254,14 +263,16 @@ std::uint32_t Server::add_channel(Channel channel) {
 void Server::add_service(Service service) { house_->services.push_back(std::move(service)); }
 
 bool Server::wanted(std::uint32_t channel) const {
-  return std::ranges::any_of(house_->viewers,
-                             [&](const auto& viewer) { return viewer->wants(channel); });
+  return house_->history.keeps() || std::ranges::any_of(house_->viewers, [&](const auto& viewer) {
+           return viewer->wants(channel);
+         });
 }
 
 void Server::publish(std::uint32_t channel, measurement::Stamp at,
                      std::span<const std::uint8_t> data) {
   if (!wanted(channel)) return;
   const auto body = std::make_shared<std::vector<std::uint8_t>>(data.begin(), data.end());
+  house_->history.add(channel, house_->keep.at(channel - 1), at, body);
   const auto time = static_cast<std::uint64_t>(at.time_since_epoch().count());
   for (const auto& viewer : house_->viewers) viewer->publish(channel, time, body);
 }

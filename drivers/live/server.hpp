@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "drivers/live/foxglove/services.hpp"
+#include "drivers/live/history.hpp"
 #include "drivers/measurement/stamp.hpp"
 
 namespace drydock::live {
@@ -20,6 +21,7 @@ struct ServerOptions {
   std::string token = {};     ///< `?token=...` in every request; empty: not needed
   std::string name = "drydock";
   std::chrono::milliseconds patience{10'000};  ///< for a whole request, and for its answer
+  std::chrono::seconds history{0};             ///< kept for GET /history, for viewers that come later
 };
 
 /// One file of the page.
@@ -48,8 +50,8 @@ class Server {
   std::uint16_t port() const;  ///< after listen()
 
   /// Gives the channel its id and announces it to the connected viewers.
-  std::uint32_t add_channel(Channel channel);
-  /// True if a viewer is subscribed. Otherwise there is no need to encode.
+  std::uint32_t add_channel(Channel channel, Keep keep = Keep::all);
+  /// True if a viewer is subscribed or a history is kept. Otherwise there is no need to encode.
   bool wanted(std::uint32_t channel) const;
   void publish(std::uint32_t channel, measurement::Stamp at, std::span<const std::uint8_t> data);
 

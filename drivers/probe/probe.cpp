@@ -163,7 +163,9 @@ int probe(const ProbeOptions& options, std::FILE* out, std::FILE* err) {
     return terminal::exit_usage;
   }
   if (!search(options, *uri, err, report)) {
-    fmt::print(err, "probe: {}\n", report.notes.empty() ? "cannot open it" : report.notes.back());
+    report.opened = false;
+    fmt::print(err, "probe: {}\n", problems_of(report).front());
+    if (options.json) print_json(report, out);
     return terminal::exit_usage;
   }
   note_nothing(*uri, report);
@@ -172,7 +174,7 @@ int probe(const ProbeOptions& options, std::FILE* out, std::FILE* err) {
   } else {
     print_text(report, out);
   }
-  return report.confidence() == survey::Confidence::nothing ? 1 : 0;
+  return terminal::exit_of(problems_of(report).empty());
 }
 
 }  // namespace drydock::probe

@@ -189,6 +189,25 @@ survey::Confidence ProbeReport::confidence() const {
   return best;
 }
 
+std::vector<std::string> problems_of(const ProbeReport& report) {
+  std::vector<std::string> problems;
+  if (!report.opened) return {report.notes.empty() ? "cannot open it" : report.notes.back()};
+  if (report.confidence() == Confidence::nothing) problems.emplace_back("nothing was found");
+  if (!report.attempts.empty() && !report.attempts.back().findings.empty()) {
+    const auto& best = report.attempts.back().findings.front();
+    if (best.bad_checksums * 10 > best.proofs + best.bad_checksums)
+      problems.push_back(fmt::format("{} of {} frames of {} are damaged", best.bad_checksums,
+                                     best.proofs + best.bad_checksums, best.protocol));
+  }
+  for (const auto& c : report.complaints)
+    problems.push_back(fmt::format("{} error frames: {}", c.frames, c.text));
+  for (const Node& n : report.nodes)
+    if (n.emergency && n.emergency->code != 0)
+      problems.push_back(fmt::format("{}: emergency {:04X}h: {}", node_title(n), n.emergency->code,
+                                     wire::canopen::error_text(n.emergency->code)));
+  return problems;
+}
+
 void print_text(const ProbeReport& report, std::FILE* out) {
   fmt::print(out, "{}: listened for {:.1f} s{}\n", report.link, report.listened_s,
              report.interrupted ? ", interrupted" : "");
@@ -214,6 +233,7 @@ void print_json(const ProbeReport& report, std::FILE* out) {
     json.field("nodes", report.nodes);
     json.field("errors", report.complaints);
     json.field("notes", report.notes);
+    json.field("problems", problems_of(report));
     json.field("devices", report.devices);
   });
   lines.flush();

@@ -31,6 +31,7 @@ struct ProbeReport {
   std::optional<unsigned> bitrate;  ///< as the kernel reports it
   std::vector<std::string> notes;   ///< sentences for a person
   std::vector<survey::FoundDevice> devices;
+  bool opened = true;  ///< false: the last note says why not
 
   survey::Confidence confidence() const;
 };
@@ -38,6 +39,10 @@ struct ProbeReport {
 /// Probes a link for at most `duration_s`, without questions. A note says why it could not be
 /// opened.
 ProbeReport find_sensors(const std::string& link, double duration_s);
+
+/// What is wrong, in words: nothing found, more than one damaged frame in ten, error frames, an
+/// emergency of a node, a link that could not be opened. Empty: nothing.
+std::vector<std::string> problems_of(const ProbeReport& report);
 
 void print_text(const ProbeReport& report, std::FILE* out);
 void print_json(const ProbeReport& report, std::FILE* out);

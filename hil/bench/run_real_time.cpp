@@ -11,6 +11,7 @@
 #include "drivers/bus/subscriber.hpp"
 #include "drivers/host/driver_host.hpp"
 #include "drivers/host/finding_lines.hpp"
+#include "drivers/host/page_recorder.hpp"
 #include "drivers/host/rig_bus.hpp"
 #include "drivers/host/rig_publisher.hpp"
 #include "drivers/io/until_stopped.hpp"
@@ -106,6 +107,8 @@ class RealTimeRun {
     note_losses();
     if (rig_.truth && !bus_truth_)
       summary_.notes.push_back("the truth is not published: a device of the rig is real");
+    if (page_recorder_ && page_recorder_->records())
+      summary_.notes.push_back(page_recorder_->finish());
     run_.write(summary_);
     faults_.write(summary_);
     return std::move(summary_);
@@ -115,6 +118,10 @@ class RealTimeRun {
   void serve(const host::ServeOptions& options) {
     run_.followers().add(viewer_.emplace(io_.get_executor(), rig_, options));
     if (options.allow_faults) viewer_->add(control::fault_services(rig_, faults_));
+    if (!options.recordings.empty()) {
+      run_.followers().add(page_recorder_.emplace(rig_, options.recordings, link::now));
+      viewer_->add(page_recorder_->services());
+    }
     fmt::print("live: {}\n", viewer_->url());
   }
 
@@ -177,6 +184,7 @@ class RealTimeRun {
   emulate::RealTimeEmulator emulator_;
   std::optional<steer::AutopilotServer> autopilot_;
   std::optional<pilot::RealTimePilot> pilot_;
+  std::optional<host::PageRecorder> page_recorder_;
   std::optional<host::RigViewer> viewer_;
   std::optional<BusTruth> bus_truth_;  ///< empty: the truth is not on the bus
   host::DriverHost drivers_;

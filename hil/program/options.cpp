@@ -46,6 +46,13 @@ void add_allow_faults(CLI::App& sub, host::ServeOptions& serve) {
       ->needs("--serve");
 }
 
+void add_allow_recording(CLI::App& sub, host::ServeOptions& serve) {
+  sub.add_option("--allow-recording", serve.recordings,
+                 "viewers may start and stop a recording in this folder: docs/use/live.md")
+      ->needs("--serve")
+      ->option_text("FOLDER");
+}
+
 namespace {
 
 /// The text of an option as a number above 0, or the usage error.

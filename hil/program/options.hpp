@@ -22,6 +22,9 @@ void add_serve(CLI::App& sub, host::ServeOptions& serve, const std::string& more
 /// --allow-faults, beside --serve.
 void add_allow_faults(CLI::App& sub, host::ServeOptions& serve);
 
+/// --allow-recording, beside --serve.
+void add_allow_recording(CLI::App& sub, host::ServeOptions& serve);
+
 /// --faults: a file of blocks [[fault]].
 void add_faults_option(CLI::App& sub, std::string& file);
 

@@ -4,25 +4,13 @@
 
 #include <cmath>
 
+#include "hil/report/figure_json.hpp"
+#include "hil/report/page_parts.hpp"
+
 namespace drydock::report::html {
 namespace {
 
-constexpr const char* style = R"(
-:root{color-scheme:light dark;--ink:#1b1f24;--paper:#fff;--line:#d0d7de;--ok:#1a7f37;--bad:#c0392b;--soft:#57606a}
-@media(prefers-color-scheme:dark){:root{--ink:#e6edf3;--paper:#0d1117;--line:#30363d;--ok:#3fb950;--bad:#ff7b72;--soft:#8b949e}}
-body{font:15px/1.5 system-ui,sans-serif;color:var(--ink);background:var(--paper);max-width:1060px;margin:2rem auto;padding:0 1rem}
-h1{font-size:1.6rem;margin-bottom:.2rem}h2{font-size:1.15rem;margin-top:2rem}
-.soft{color:var(--soft)}.scroll{overflow-x:auto}
-table{border-collapse:collapse;width:100%;font-variant-numeric:tabular-nums}
-th,td{padding:.3rem .45rem;border-bottom:1px solid var(--line);text-align:right;white-space:nowrap}
-th{white-space:normal;vertical-align:bottom}
-th:first-child,td:first-child,.left{text-align:left}
-.ok{color:var(--ok);font-weight:600}.bad{color:var(--bad);font-weight:600}
-figure{margin:1rem 0;background:#fff;border:1px solid var(--line);border-radius:6px;padding:.4rem}
-figure svg{width:100%;min-width:620px;height:auto;display:block}
-figure{overflow-x:auto}
-@media(prefers-color-scheme:dark){figure{border-color:#cfc9c2;filter:invert(.94) hue-rotate(180deg)}}
-)";
+constexpr const char* plot_tag = "<figure class=plot";
 
 /// True if there are values, but each of them is NaN: of a quantity that is not given.
 bool is_not_given(const Figure& plot) {
@@ -33,6 +21,14 @@ bool is_not_given(const Figure& plot) {
       any = true;
     }
   return any;
+}
+
+std::string drawn_by() {
+  return fmt::format(
+      "<noscript>The plots need JavaScript.</noscript>\n<p class=soft>Drag in a plot to zoom; a "
+      "double click shows all. Plots over the same time move together. Plots: uPlot (MIT).</p>\n"
+      "<script type=module>{}</script>",
+      page_script());
 }
 
 }  // namespace
@@ -53,20 +49,19 @@ std::string escaped(const std::string& text) {
 
 std::string figure(const Figure& plot) {
   if (is_not_given(plot)) return {};
-  const auto svg = render_svg(plot);
-  if (svg.empty()) {
-    return fmt::format("<p class=soft>{}: no plot (is gnuplot installed?)</p>",
-                       report::html::escaped(plot.title));
-  }
-  return "<figure>" + svg + "</figure>\n";
+  return fmt::format(
+      "{0} aria-label=\"{1}\"><figcaption><span>{1}</span></figcaption>"
+      "<script type=application/json>{2}</script></figure>\n",
+      plot_tag, escaped(plot.title), to_json(plot));
 }
 
 std::string page(const std::string& title, const std::string& body) {
+  const bool plots = body.find(plot_tag) != std::string::npos;
   return fmt::format(
       "<!doctype html><html lang=en><meta charset=utf-8><meta name=viewport "
       "content='width=device-width,initial-scale=1'><title>Drydock: {0}</title><style>{1}</style>\n"
-      "<h1>{0}</h1>{2}</html>\n",
-      report::html::escaped(title), style, body);
+      "<h1>{0}</h1>{2}{3}</html>\n",
+      escaped(title), page_style(), body, plots ? drawn_by() : "");
 }
 
 }  // namespace drydock::report::html

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "hil/report/html.hpp"
-#include "hil/report/plot.hpp"
 #include "hil/summary/findings.hpp"
 #include "hil/summary/loop_report.hpp"
 #include "hil/summary/navigation_report.hpp"
@@ -17,6 +16,11 @@ namespace {
 
 using report::html::escaped;
 using report::html::figure;
+
+std::string last_error_text(const DeviceSummary& d) {
+  return fmt::format("{} error{}, the last {:.1f} s before the end: {}", d.errors,
+                     d.errors == 1 ? "" : "s", d.last_error_age_s.value_or(0), d.last_error);
+}
 
 std::string health_table(const Summary& s) {
   std::string out =
@@ -34,10 +38,10 @@ std::string health_table(const Summary& s) {
   }
   out += "</table></div>\n";
   for (const auto& d : s.devices) {
-    out += fmt::format(
-        "<p class=soft>{}: <code>{}</code>{}</p>\n", report::html::escaped(d.name),
-        report::html::escaped(d.link),
-        d.last_error.empty() ? "" : " — last error: " + report::html::escaped(d.last_error));
+    out +=
+        fmt::format("<p class=soft>{}: <code>{}</code>{}</p>\n", report::html::escaped(d.name),
+                    report::html::escaped(d.link),
+                    d.last_error.empty() ? "" : " — " + report::html::escaped(last_error_text(d)));
   }
   return out;
 }

@@ -60,17 +60,18 @@ void Scribe::add_device(const rig_config::DeviceConfig& device) {
   std::size_t first = 0;
   switch (device.kind) {
     case DeviceKind::dvl:
-      first = add_plot(device, "velocity over the bed", "m/s, body", {"x", "y", "z"});
+      first =
+          add_plot(device, "velocity over the bed", "m/s, body", {"forward", "starboard", "down"});
       break;
     case DeviceKind::emlog:
-      first = add_plot(device, "speed through the water", "m/s", {"longitudinal", "transverse"});
+      first = add_plot(device, "speed through the water", "m/s", {"ahead", "starboard"});
       break;
     case DeviceKind::gnss:
       first = add_plot(device, "velocity", "m/s, NED", {"north", "east", "down"});
       break;
     case DeviceKind::imu:
-      first = add_plot(device, "angular rate", "deg/s, body", {"x", "y", "z"});
-      add_plot(device, "specific force", "m/s2, body", {"x", "y", "z"});
+      first = add_plot(device, "angular rate", "deg/s, body", {"forward", "starboard", "down"});
+      add_plot(device, "specific force", "m/s2, body", {"forward", "starboard", "down"});
       break;
     case DeviceKind::depth: first = add_plot(device, "depth", "m", {"depth"}); break;
     case DeviceKind::actuator:

@@ -74,6 +74,7 @@ hil/bench                  hil/pilot hil/pilot/real_time drivers/diagnosis hil/c
 hil/check                  hil/fault hil/motion hil/ocean estimators/setup estimators/pipeline estimators/vehicle estimators/hydrodynamics drivers/shell drivers/link drivers/terminal drivers/measurement rig_config
 hil/replay/reference       drivers/recordings/record drivers/bus
 hil/replay                 drivers/diagnosis hil/replay/reference hil/bench hil/motion hil/summary hil/fault estimators/host estimators/setup estimators/pipeline estimators/frame drivers/host drivers/device drivers/recordings/record drivers/text drivers/bus drivers/link drivers/io drivers/terminal drivers/measurement rig_config
+hil/diff                   hil/replay hil/summary hil/report drivers/terminal rig_config
 hil/diagnose               drivers/diagnosis hil/replay hil/summary hil/report estimators/host drivers/monitor drivers/probe drivers/host drivers/shell drivers/device drivers/recordings/record drivers/link drivers/io drivers/terminal drivers/wire/protocols drivers/measurement rig_config
 hil/score                  hil/replay hil/replay/reference estimators/frame drivers/recordings/record drivers/recordings/mcap drivers/host drivers/terminal drivers/measurement
 hil/track                  hil/replay hil/report estimators/smoothing estimators/setup estimators/pipeline estimators/navigation estimators/frame drivers/host drivers/decode drivers/recordings/record drivers/link drivers/io drivers/terminal drivers/measurement rig_config

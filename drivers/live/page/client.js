@@ -3,6 +3,7 @@
 import { makeDecoder } from './cdr.js';
 
 const retryMs = 1000;
+let caughtUp = false; // a page that was only disconnected has its past
 
 export function connect(on) {
   const { onState, onChannel, onMessage, onNote, onServices } = on;
@@ -12,7 +13,25 @@ export function connect(on) {
   const channels = new Map();
   const json = new TextDecoder();
   const waiting = new Map(); // call -> { resolve, reject }
-  let calls = 0;
+  let calls = 0, early; // data that came before the history; undefined: the history is read
+
+  // Reads what was sent before this page was open, then what came meanwhile.
+  async function catchUp() {
+    caughtUp = true;
+    early = [];
+    const until = new Map(); // channel -> time of its last message in the history
+    const reply = await fetch(`history${location.search}`).catch(() => undefined);
+    const past = new DataView(reply?.ok ? await reply.arrayBuffer() : new ArrayBuffer(0));
+    for (let at = 0, size; at + 4 <= past.byteLength; at += 4 + size) {
+      size = past.getUint32(at, true);
+      const message = past.buffer.slice(at + 4, at + 4 + size), view = new DataView(message);
+      until.set(view.getUint32(1, true), view.getBigUint64(5, true));
+      data(message);
+    }
+    const later = early.filter((message) => { const view = new DataView(message); return view.getUint8(0) !== 1 || !(view.getBigUint64(5, true) <= until.get(view.getUint32(1, true))); });
+    early = undefined;
+    later.forEach(data);
+  }
 
   function advertise(list) {
     for (const channel of list) {
@@ -22,6 +41,7 @@ export function connect(on) {
       onChannel(channel.topic, channel.schemaName);
     }
     socket.send(JSON.stringify({ op: 'subscribe', subscriptions: list.map(({ id }) => ({ id, channelId: id })) }));
+    if (!caughtUp) catchUp();
   }
 
   // Sends an object to a service. The answer is an object too. Fails with the server's line.
@@ -59,7 +79,7 @@ export function connect(on) {
     setTimeout(() => connect(on), retryMs);
   };
   socket.onmessage = ({ data: received }) => {
-    if (typeof received !== 'string') { data(received); return; }
+    if (typeof received !== 'string') { if (early) early.push(received); else data(received); return; }
     const control = JSON.parse(received);
     if (control.op === 'serverInfo') onNote(control.name);
     if (control.op === 'advertise') advertise(control.channels);

@@ -4,6 +4,14 @@ export const css = (name) => getComputedStyle(document.documentElement).getPrope
 export const colours = ['--c1', '--c2', '--c3', '--c4', '--c5', '--c6'];
 export const degree = Math.PI / 180;
 
+// The one convention of axes, said beside the plots.
+export const axes = {
+  body: 'forward, starboard, down',
+  map: 'north, east, down',
+  turns: 'starboard side down, bow up',
+  heading: 'clockwise from north',
+};
+
 // make('p', { className: 'x' }, 'text', child)
 export function make(tag, properties = {}, ...children) {
   const element = Object.assign(document.createElement(tag), properties);

@@ -1,5 +1,5 @@
 // Shows each estimate beside the truth at the same time, or its error, with the three-sigma band that the estimator claims.
-import { degree, seconds } from './dom.js';
+import { axes, degree, seconds } from './dom.js';
 import { plot } from './plot.js';
 import { depthProfile, trackPoint } from './where.js';
 
@@ -34,7 +34,7 @@ function attitude(name, t, message) {
   const value = eulerOf(message.orientation), truth = truthOf('attitude', message), true_ = truth && eulerOf(truth.orientation);
   ['roll', 'pitch'].forEach((axis, i) => {
     const sigma = Math.sqrt(message.orientation_covariance[4 * i]) / degree;
-    plot('estimates', `${name}: ${axis}`, 'deg', [{ label: `${name} ± 3σ`, band: true }, { label: 'truth', dash: true }])
+    plot('estimates', `${name}: ${axis}`, 'deg', [{ label: `${name} ± 3σ`, band: true }, { label: 'truth', dash: true }], { axes: axes.turns })
       .add(t, [around(value[axis] / degree, sigma), true_ && true_[axis] / degree]);
   });
 }
@@ -45,27 +45,27 @@ function position(name, t, fix) {
   depthProfile(name, t, around(-fix.altitude, up));
   if (truth) {
     const off = metres(truth, fix);
-    plot('estimates', `${name}: position error`, 'm', [{ label: 'north ± 3σ', band: true }, { label: 'east ± 3σ', band: true }]).add(t, [error(off.north, north), error(off.east, east)]);
-    plot('estimates', `${name}: height error`, 'm', [{ label: 'up ± 3σ', band: true }]).add(t, [error(fix.altitude - truth.altitude, up)]);
+    plot('estimates', `${name}: position error`, 'm', [{ label: 'north ± 3σ', band: true }, { label: 'east ± 3σ', band: true }], { axes: axes.map }).add(t, [error(off.north, north), error(off.east, east)]);
+    plot('estimates', `${name}: depth error`, 'm', [{ label: 'down ± 3σ', band: true }], { axes: axes.map, down: true }).add(t, [error(truth.altitude - fix.altitude, up)]);
   } else if (hasTruth('fix', t) === false) {
-    plot('estimates', `${name}: position, 3σ`, 'm', ['north', 'east', 'up']).add(t, [3 * north, 3 * east, 3 * up]);
+    plot('estimates', `${name}: position, 3σ`, 'm', ['north', 'east', 'down'], { axes: axes.map }).add(t, [3 * north, 3 * east, 3 * up]);
   }
 }
 
-// In body axes: forward and to port. The heading uses the pose's covariance.
+// In body axes; the twist of ROS is forward and to port. The heading uses the pose's covariance.
 function odometry(name, t, { pose, twist, ...message }) {
   const truth = truthOf('odometry', message), is = twist.twist.linear;
   const [x, y] = [0, 7].map((i) => Math.sqrt(twist.covariance[i])), turned = Math.sqrt(pose.covariance[35]) / degree;
   const heading = eulerOf(pose.pose.orientation).heading;
-  const pair = [{ label: 'forward ± 3σ', band: true }, { label: 'port ± 3σ', band: true }];
+  const pair = [{ label: 'forward ± 3σ', band: true }, { label: 'starboard ± 3σ', band: true }];
   if (truth) {
     const was = truth.twist.twist.linear;
-    plot('estimates', `${name}: velocity error`, 'm/s', pair).add(t, [error(is.x - was.x, x), error(is.y - was.y, y)]);
-    plot('estimates', `${name}: heading error`, 'deg', [{ label: 'heading ± 3σ', band: true }])
+    plot('estimates', `${name}: velocity error`, 'm/s', pair, { axes: axes.body }).add(t, [error(is.x - was.x, x), error(was.y - is.y, y)]);
+    plot('estimates', `${name}: heading error`, 'deg', [{ label: 'heading ± 3σ', band: true }], { axes: axes.heading })
       .add(t, [error(turn(heading - eulerOf(truth.pose.pose.orientation).heading) / degree, turned)]);
   } else if (hasTruth('odometry', t) === false) {
-    plot('estimates', `${name}: velocity`, 'm/s', pair).add(t, [around(is.x, x), around(is.y, y)]);
-    plot('estimates', `${name}: heading`, 'deg', [{ label: 'heading ± 3σ', band: true }]).add(t, [around((heading / degree + 360) % 360, turned)]);
+    plot('estimates', `${name}: velocity`, 'm/s', pair, { axes: axes.body }).add(t, [around(is.x, x), around(-is.y, y)]);
+    plot('estimates', `${name}: heading`, 'deg', [{ label: 'heading ± 3σ', band: true }], { axes: axes.heading }).add(t, [around((heading / degree + 360) % 360, turned)]);
   }
 }
 

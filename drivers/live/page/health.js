@@ -1,5 +1,5 @@
 // The devices of /diagnostics as a table. On a narrow page the numbers are below the status text.
-import { by, make, seconds } from './dom.js';
+import { by, clock, make, seconds } from './dom.js';
 import { inForce } from './faults.js';
 import { badgeOf, findingsOf, isFinding, takeFinding } from './findings.js';
 
@@ -24,6 +24,13 @@ function wordsNow(level, message, value) {
   return `${value.messages} messages, the last ${short(value.age_s)} s ago`;
 }
 
+// The last error with its number and its time.
+function errorNow({ last_error: text, last_error_age_s: age, errors = 1 }, now) {
+  if (!known(text)) return [];
+  const at = known(age) ? `, the last at ${clock(now - Number(age))} UTC` : '';
+  return [text, make('small', {}, `${errors} error${errors === '1' ? '' : 's'}${at}`)];
+}
+
 export function takeHealth({ header, status }) {
   for (const finding of status.filter(isFinding)) takeFinding(finding, seconds(header.stamp));
   for (const { level, name, message, values } of status.filter((one) => !isFinding(one))) {
@@ -34,8 +41,9 @@ export function takeHealth({ header, status }) {
       make('td', {}, name, make('small', {}, value.provenance ?? '')),
       make('td', {}, make('span', { className: `badge ${levels[level]}` }, value.status === undefined ? levels[level] : message), ...(faulty ? [' ', make('span', { className: 'badge error' }, 'fault')] : []),
         ...findingsOf(name).flatMap((finding) => [' ', badgeOf(finding)])),
-      make('td', {}, wordsNow(level, message, value), make('small', { className: 'narrow' }, `${wide[0]} Hz, ${wide[3]} good, ${wide[4]} bad`)),
+      make('td', {}, wordsNow(level, message, value), make('small', { className: 'narrow' }, `${wide[0]} Hz, ${wide[3]} good, ${wide[4]} bad`),
+        make('small', { className: 'narrow' }, ...errorNow(value, seconds(header.stamp)))),
       ...wide.map((text) => make('td', { className: 'wide number' }, text)),
-      make('td', { className: 'wide' }, value.last_error || (value.link_note ?? '')));
+      make('td', { className: 'wide' }, ...(known(value.last_error) ? errorNow(value, seconds(header.stamp)) : [value.link_note ?? ''])));
   }
 }

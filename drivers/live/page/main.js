@@ -9,6 +9,7 @@ import { takeHealth } from './health.js';
 import { takeInnovation } from './innovations.js';
 import { takeMeasurement } from './measurements.js';
 import { drawPlots } from './plot.js';
+import { takeRecording } from './recording.js';
 import { drawWhere } from './where.js';
 
 let newest = 0;
@@ -37,7 +38,7 @@ connect({
   onChannel: () => {},
   onNote: (text) => { if (text.startsWith('drydock')) by('rig').textContent = text.slice('drydock '.length); else by('note').textContent = text; },
   onMessage: take,
-  onServices: takeServices,
+  onServices: (offered) => { takeServices(offered); takeRecording(offered); },
 });
 setInterval(() => {
   if (newest) by('clock').textContent = `${new Date(newest * 1000).toISOString().slice(0, 10)} ${clock(newest)} UTC`;

@@ -1,5 +1,5 @@
-// The track over ground from above. Both axes have the same scale, in metres from the start.
-import { css, degree } from './dom.js';
+// A map: the track over ground from above, north at the top. Both axes have the same scale, in metres from the first position.
+import { css, degree, make } from './dom.js';
 import { Drawing } from './drawing.js';
 
 const earthRadius = 6371000, left = 46, bottom = 24, rim = 8;
@@ -12,12 +12,19 @@ function stepOf(span, count) {
 
 export class Track extends Drawing {
   constructor(parent) {
-    super(parent, 'Track', 'track of truth and estimates, metres east and north');
+    super(parent, 'Map', 'map with the tracks of truth, estimates and sensors, metres east and north');
+    this.place = make('span', { className: 'note' });
+    this.box.querySelector('figcaption').append(this.place);
+    this.canvas.onpointermove = ({ offsetX, offsetY }) => this.tellPlace(offsetX, offsetY);
+    this.canvas.onpointerleave = () => this.tellPlace();
     this.paths = new Map(); // name -> { colour, points: [[north, east]] }
   }
   // Latitude and longitude in degrees.
   add(name, colour, latitude, longitude) {
-    this.origin ??= { latitude, longitude };
+    if (!this.origin) {
+      this.origin = { latitude, longitude };
+      this.tellPlace();
+    }
     const north = (latitude - this.origin.latitude) * degree * earthRadius;
     const east = (longitude - this.origin.longitude) * degree * earthRadius * Math.cos(this.origin.latitude * degree);
     if (!this.paths.has(name)) {
@@ -40,6 +47,8 @@ export class Track extends Drawing {
     const scale = 1 / Math.max(1.1 * (north[1] - north[0]) / tall, 1.1 * (east[1] - east[0]) / wide, 10 / tall);
     const x = (e) => left + wide / 2 + (e - (east[0] + east[1]) / 2) * scale;
     const y = (n) => rim + tall / 2 - (n - (north[0] + north[1]) / 2) * scale;
+    this.scaleBar(pen, scale, wide);
+    this.placeOf = (px, py) => ({ north: (north[0] + north[1]) / 2 - (py - rim - tall / 2) / scale, east: (east[0] + east[1]) / 2 + (px - left - wide / 2) / scale });
     this.grid(pen, { x, y, width, height, step: stepOf(tall / scale, 5), east: wide / scale, north: tall / scale, middle: [(north[0] + north[1]) / 2, (east[0] + east[1]) / 2] });
     for (const { colour, points } of this.paths.values()) {
       pen.strokeStyle = pen.fillStyle = css(colour);
@@ -50,6 +59,23 @@ export class Track extends Drawing {
       const [n, e] = points[points.length - 1];
       pen.beginPath(); pen.arc(x(e), y(n), 3.5, 0, 7); pen.fill();
     }
+  }
+  // The position under the pointer, otherwise that of the origin.
+  tellPlace(px, py) {
+    if (!this.origin) return;
+    const { north, east } = px === undefined || !this.placeOf ? { north: 0, east: 0 } : this.placeOf(px, py), { latitude, longitude } = this.origin;
+    const here = [latitude + north / earthRadius / degree, longitude + east / earthRadius / degree / Math.cos(latitude * degree)];
+    const words = (angle, [plus, minus]) => `${Math.abs(angle).toFixed(6)}° ${angle < 0 ? minus : plus}`;
+    this.place.textContent = `${px === undefined ? '0, 0 is ' : ''}${words(here[0], 'NS')} ${words(here[1], 'EW')}`;
+  }
+  scaleBar(pen, scale, wide) {
+    const metres = stepOf(wide / scale, 5), length = metres * scale, x = left + 8, y = rim + 14;
+    pen.save();
+    pen.strokeStyle = css('--text'); pen.fillStyle = css('--text'); pen.lineWidth = 2;
+    pen.beginPath(); pen.moveTo(x, y - 4); pen.lineTo(x, y); pen.lineTo(x + length, y); pen.lineTo(x + length, y - 4); pen.stroke();
+    pen.textAlign = 'left'; pen.textBaseline = 'middle';
+    pen.fillText(metres < 1000 ? `${metres} m` : `${metres / 1000} km`, x + length + 6, y - 2);
+    pen.restore();
   }
   grid(pen, { x, y, width, height, step, east, north, middle }) {
     const low = height - bottom, every = (from, to, line) => { for (let at = Math.ceil(from / step) * step; at <= to; at += step) line(at); };

@@ -22,7 +22,7 @@ export function trackPoint(name, { latitude, longitude }) {
 // `value` is a number or [value, low, high].
 export function depthProfile(name, t, value) {
   const band = Array.isArray(value);
-  const profile = plot('where', 'Depth', 'm', [], { down: true });
+  const profile = plot('where', 'Depth', 'm', [], { down: true, axes: 'down from the surface' });
   const values = [];
   values[profile.ensure(band ? `${name} ± 3σ` : name, { colour: colour(name), band, dash: name === 'truth' })] = value;
   profile.add(t, values);

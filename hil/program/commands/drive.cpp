@@ -43,6 +43,7 @@ void add_drivers(CLI::App& app, Command& command, const std::string& name,
   add_serve(*sub, a->options.serve);
   add_realtime(*sub, a->realtime);
   if (name == "drive") add_allow_faults(*sub, a->options.serve);
+  if (name == "drive") add_allow_recording(*sub, a->options.serve);
   sub->callback([a, &command] {
     command = [a] {
       const auto rig = load_rig(a->rig);

@@ -39,6 +39,7 @@ void add_run(CLI::App& app, Command& command) {
   add_recording(*sub, a->options.record);
   add_serve(*sub, a->options.serve);
   add_allow_faults(*sub, a->options.serve);
+  add_allow_recording(*sub, a->options.serve);
   add_realtime(*sub, a->realtime);
   sub->add_flag("--expect-streaming", a->options.expect_streaming,
                 "exit 1 when a device is not streaming at the end");

@@ -30,10 +30,10 @@ report::Figure trajectory_plan(const MixingExperiment& experiment) {
 }
 
 report::Figure trajectory_depth(const MixingExperiment& experiment) {
-  return {"Figure 9: trajectory, height",
-          "time [s]",
-          "height [m]",
-          {mixing_curve("height", [&](auto i) { return -experiment.points[i].depth_m; })}};
+  report::Figure figure{"Figure 9: trajectory, depth", "time [s]", "depth [m]", {}};
+  figure.y_down = true;
+  figure.curves = {mixing_curve("depth", [&](auto i) { return experiment.points[i].depth_m; })};
+  return figure;
 }
 
 /// Figure 8: the levels of Table 3, and the inference between its boundaries.

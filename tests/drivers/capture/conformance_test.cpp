@@ -29,7 +29,10 @@ struct Sample {
 };
 
 void PrintTo(const Sample& sample, std::ostream* out) { *out << sample.file; }
-bool is_text(const Sample& sample) { return !std::string(sample.format).starts_with("pcap"); }
+bool is_text(const Sample& sample) {
+  const std::string format = sample.format;
+  return !format.starts_with("pcap") && format != "blf";
+}
 
 std::string test_name(const ::testing::TestParamInfo<Sample>& sample) {
   std::string name = sample.param.file;
@@ -61,6 +64,7 @@ const Sample samples[] = {
     {"be_ns.pcap", "pcap", all, false},
     {"le.pcapng", "pcapng", all},
     {"be.pcapng", "pcapng", all},
+    {"frames.blf", "blf", all, true, true, Sample::absolute, 1us},
 };
 
 std::vector<nlohmann::json> expected_frames() {

@@ -168,9 +168,10 @@ TEST(UnknownFile, IsToldTheFormatsThatAreKnown) {
   EXPECT_TRUE(read_capture("$GPGGA,123519,4807.038,N*42\r\n").unknown);
   EXPECT_TRUE(read_capture(Buffer(200'000, 0x7F)).unknown);
   EXPECT_TRUE(read_capture("").unknown);
-  EXPECT_EQ(unknown_format_text("dive.log"),
-            "dive.log: no CAN capture of a known format; known are: pcap, pcapng, candump-log, "
-            "candump-screen, asc, trc, canboat");
+  EXPECT_EQ(
+      unknown_format_text("dive.log"),
+      "dive.log: no CAN capture of a known format; known are: pcap, pcapng, blf, candump-log, "
+      "candump-screen, asc, trc, canboat");
 }
 
 TEST(Recognition, WaitsForTheFirstWholeLine) {

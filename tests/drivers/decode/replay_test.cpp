@@ -106,8 +106,9 @@ TEST(Replay, WhatCannotBePlayedIsOneLine) {
   const TemporaryFile text("hello\n");
   const Decoded unknown = run_replay(options_for(text));
   EXPECT_EQ(unknown.exit_code, 1);
-  EXPECT_THAT(unknown.err,
-              HasSubstr("no CAN capture of a known format; known are: pcap, pcapng, candump-log"));
+  EXPECT_THAT(
+      unknown.err,
+      HasSubstr("no CAN capture of a known format; known are: pcap, pcapng, blf, candump-log"));
 }
 
 }  // namespace replay_test

@@ -137,7 +137,7 @@ TEST_F(FrameFile, OfNoKnownFormatIsToldTheFormatsThatAreKnown) {
   ASSERT_FALSE(link);
   EXPECT_THAT(link.error().message,
               ::testing::HasSubstr(
-                  "no CAN capture of a known format; known are: pcap, pcapng, candump-log, "));
+                  "no CAN capture of a known format; known are: pcap, pcapng, blf, candump-log, "));
 }
 
 TEST_F(File, OpensOnlyRecordings) {

@@ -18,7 +18,7 @@ function read() {
   const cut = [...document.querySelectorAll('td, th, figcaption, .legend, header > *, #faults p')].filter((e) => e.scrollWidth > e.clientWidth + 1 && getComputedStyle(e).display !== 'inline').map(text);
   return {
     rig: text(document.getElementById('rig')), link: text(document.getElementById('link')), findings: text(document.getElementById('findings')), faults: text(document.getElementById('faults')),
-    orders: !document.getElementById('orders').hidden,
+    orders: !document.getElementById('orders').hidden, recording: !document.getElementById('recording').hidden,
     background: getComputedStyle(document.body).backgroundColor,
     overflow: document.documentElement.scrollWidth - innerWidth,
     overlaps, cut,

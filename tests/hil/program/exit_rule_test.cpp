@@ -53,6 +53,7 @@ const std::vector<Row>& rows() {
       {"cut", "", "", ""},
       {"bisect", "", "", ""},
       {"replay", DIVE, DIVE " --speed 0.01", ""},
+      {"diff", DIVE " " DIVE, "", ""},
       {"track", "", "", ""},
       {"proxy", "", "pty:@/a pty:@/b --for 1h", ""},
       {"bridge", "", "mavlink " DEMO " --to udp:127.0.0.1:14559 --for 1h", "udp:"},

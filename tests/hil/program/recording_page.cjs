@@ -1,0 +1,29 @@
+// Starts and stops a recording on the page of a run: node recording_page.cjs BROWSER URL PICTURE. Prints what the page says.
+const puppeteer = require('puppeteer-core');
+const [browserPath, url, picture] = process.argv.slice(2);
+
+(async () => {
+  const browser = await puppeteer.launch({ executablePath: browserPath, headless: true, args: ['--no-sandbox', '--disable-gpu'] });
+  const page = await browser.newPage(), errors = [];
+  page.on('pageerror', (error) => errors.push(String(error)));
+  page.on('console', (message) => { if (message.type() === 'error') errors.push(message.text()); });
+  const button = '#recording button';
+  const shows = (text) => page.waitForFunction((wanted) => document.querySelector('#recording button').textContent === wanted, { timeout: 20000 }, text);
+  const says = () => page.$eval('#recording [role=status]', (element) => element.innerText.trim());
+  await page.setViewport({ width: 390, height: 900 });
+  await page.emulateMediaFeatures([{ name: 'prefers-color-scheme', value: 'dark' }]);
+  await page.goto(url, { waitUntil: 'load' });
+  await page.waitForSelector('#recording:not([hidden])', { timeout: 20000 });
+  await shows('Start');
+  await page.click(button);
+  await shows('Stop');
+  await page.waitForFunction(() => Number(document.querySelector('#recording [role=status]').innerText.match(/([0-9.]+) MB/)?.[1]) > 0, { timeout: 20000 });
+  const during = await says();
+  await page.screenshot({ path: picture });
+  const overflow = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
+  await page.click(button);
+  await shows('Start');
+  const after = await says();
+  await browser.close();
+  console.log(JSON.stringify({ during, after, overflow, errors }));
+})().catch((error) => { console.log(JSON.stringify({ failed: String(error) })); process.exit(0); });
