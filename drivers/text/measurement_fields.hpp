@@ -39,6 +39,7 @@ void visit_fields(const BottomVelocity& m, Field&& field) {
   field("pitch_deg", wire::degrees(m.pitch_rad));
   field("roll_deg", wire::degrees(m.roll_rad));
   field("sound_speed_mps", m.sound_speed_mps);
+  field("depth_m", m.depth_m);
 }
 
 template <class Field>

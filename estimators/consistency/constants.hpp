@@ -23,7 +23,7 @@ class Constants {
       if (distrusted(Devices{dvl.device}))
         dvl.begun = {};
       else
-        step(dvl, moment, depth_of(moment, distrusted), speed_of(moment, distrusted));
+        step(dvl, moment, depth_of(dvl, moment, distrusted), speed_of(moment, distrusted));
   }
 
   /// What a DVL's velocity down lacks by these errors, as far as they are known now, m/s.
@@ -54,13 +54,15 @@ class Constants {
     ConstantFit<1> scale;
   };
 
+  /// Of a pressure sensor, else of the head itself.
   template <class Distrusted>
-  std::optional<double> depth_of(const Moment& moment, const Distrusted& distrusted) const {
+  std::optional<double> depth_of(const Dvl& dvl, const Moment& moment,
+                                 const Distrusted& distrusted) const {
     for (const auto& depth : tracks_.depths)
       if (!distrusted(Devices{depth.device}))
         if (const auto read = depth.depth.at(moment.at))
           return read->value.x() - (moment.down ? moment.down->dot(depth.sensor.lever_arm_m) : 0);
-    return {};
+    return tracks_.dvls[dvl.track].living_depth(moment.at);
   }
   /// Of the antenna, along the sea.
   template <class Distrusted>

@@ -36,7 +36,12 @@ double Unwrapped::next(double angle_rad) {
 }
 
 DvlTracks::DvlTracks(std::uint16_t index, const Sensor& s)
-    : device(index), sensor(s), velocity(gap_of(s)), heading(gap_of(s)), down(gap_of(s)) {}
+    : device(index),
+      sensor(s),
+      velocity(gap_of(s)),
+      heading(gap_of(s)),
+      down(gap_of(s)),
+      depth(gap_of(s)) {}
 LogTracks::LogTracks(std::uint16_t index, const Sensor& s)
     : device(index), sensor(s), speed(gap_of(s)) {}
 GnssTracks::GnssTracks(std::uint16_t index, const Sensor& s)
@@ -56,6 +61,17 @@ void take(DvlTracks& tracks, const measurement::BottomVelocity& sample) {
   if (sample.roll_rad && sample.pitch_rad)
     tracks.down.push(at,
                      tracks.sensor.sensor_to_body * down_of(*sample.roll_rad, *sample.pitch_rad));
+  if (!sample.depth_m) return;
+  tracks.depth.push(at, scalar(*sample.depth_m));
+  if (tracks.told_depth_m && *tracks.told_depth_m != *sample.depth_m) tracks.depth_changed = at;
+  tracks.told_depth_m = sample.depth_m;
+}
+
+std::optional<double> DvlTracks::living_depth(Stamp at) const {
+  constexpr std::chrono::minutes asleep{2};
+  const auto read = depth.at(at);
+  if (!read || depth_changed == Stamp{} || at - depth_changed > asleep) return {};
+  return read->value.x();
 }
 
 void take(LogTracks& tracks, const measurement::WaterSpeed& sample) {

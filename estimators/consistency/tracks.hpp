@@ -25,6 +25,11 @@ struct DvlTracks {
   Track<1> heading;   ///< rad, unwrapped, of the head
   Track<3> down;      ///< the direction of gravity, body, from the head's own tilts
   Unwrapped unwrapped;
+  Track<1> depth;  ///< m, as the head says; without a sensor it says one depth for ever
+  std::optional<double> told_depth_m{};
+  Stamp depth_changed{};
+  /// The head's depth; empty while it does not change: the head may have no sensor.
+  std::optional<double> living_depth(Stamp at) const;
 };
 
 struct LogTracks {

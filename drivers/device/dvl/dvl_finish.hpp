@@ -15,6 +15,7 @@ class DvlFinish {
   void publish(measurement::BottomVelocity& sample, const WaterAtHead& water, Output& out) {
     sound_speed_.apply(sample, water, out);
     add_sigma_of_rig(sample, sigma_mps_);
+    sample.depth_m = water.depth_m;
     out.publish(sample);
   }
 

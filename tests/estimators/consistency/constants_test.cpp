@@ -22,10 +22,12 @@ class Remembered final : public diagnosis::SymptomSink {
 class Yoyo {
  public:
   using Says = Eigen::Vector3d (*)(double ahead, double pitch);
+  enum class Depth { of_a_sensor, of_the_head, told_to_the_head };
 
-  explicit Yoyo(Says says) {
+  explicit Yoyo(Says says, Depth source = Depth::of_a_sensor) : source_(source) {
     tracks_.dvls.emplace_back(0, Sensor{.kind = measurement::Kind::dvl, .rate_hz = 5});
-    tracks_.depths.emplace_back(1, Sensor{.kind = measurement::Kind::depth, .rate_hz = 5});
+    if (source_ == Depth::of_a_sensor)
+      tracks_.depths.emplace_back(1, Sensor{.kind = measurement::Kind::depth, .rate_hz = 5});
     Constants constants(tracks_);
     double depth = 100;
     for (int i = 0; i < 6000; ++i) {
@@ -51,13 +53,17 @@ class Yoyo {
     bottom.velocity = body + 0.01 * Eigen::Vector3d{normal_(random_), 0, normal_(random_)};
     bottom.roll_rad = 0;
     bottom.pitch_rad = pitch;
+    if (source_ == Depth::of_the_head) bottom.depth_m = depth + 0.02 * normal_(random_);
+    if (source_ == Depth::told_to_the_head) bottom.depth_m = 100;
     consistency::take(tracks_.dvls[0], bottom);
+    if (source_ != Depth::of_a_sensor) return;
     measurement::DepthSample read;
     read.origin.valid_at = at(i);
     read.depth_m = depth + 0.02 * normal_(random_);
     consistency::take(tracks_.depths[0], read);
   }
 
+  Depth source_;
   Tracks tracks_;
   std::mt19937_64 random_{1};
   std::normal_distribution<double> normal_;
@@ -70,14 +76,29 @@ TEST(Constants, SayNothingOfASoundDvl) {
 }
 
 /// Level axes where body axes are expected: ahead cos(pitch), down -ahead sin(pitch).
+Eigen::Vector3d levelled(double ahead, double pitch) {
+  return {ahead * std::cos(pitch), 0, -ahead * std::sin(pitch)};
+}
+
 TEST(Constants, TellTiltsThatWereTakenOutAlready) {
-  const Yoyo dive([](double ahead, double pitch) -> Eigen::Vector3d {
-    return {ahead * std::cos(pitch), 0, -ahead * std::sin(pitch)};
-  });
+  const Yoyo dive(levelled);
   ASSERT_TRUE(dive.told());
   EXPECT_EQ(dive.told()->sign, diagnosis::Sign::rotated);
   EXPECT_NEAR(dive.told()->value, 100, 5);
   EXPECT_EQ(dive.told()->unit, "%");
+}
+
+TEST(Constants, TakeTheHeadsOwnDepthWhereNoOtherSensorTellsOne) {
+  const Yoyo dive(levelled, Yoyo::Depth::of_the_head);
+  ASSERT_TRUE(dive.told());
+  EXPECT_EQ(dive.told()->sign, diagnosis::Sign::rotated);
+  EXPECT_NEAR(dive.told()->value, 100, 5);
+}
+
+/// A head without a pressure sensor repeats the depth of its settings (EZ, ED of PD0 heads).
+TEST(Constants, SayNothingBesideADepthThatTheHeadWasTold) {
+  const Yoyo dive(levelled, Yoyo::Depth::told_to_the_head);
+  EXPECT_FALSE(dive.told());
 }
 
 /// Body axes that were turned back by tilts which they never had.
