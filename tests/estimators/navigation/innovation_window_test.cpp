@@ -63,7 +63,10 @@ TEST(InnovationWindow, SingleOutliersAreNotInTheSumsButTooManyContradict) {
   for (int i = 0; i < 100; ++i) window.add(i % 10 == 0 ? 1000 : 0);
   EXPECT_FALSE(window.contradicts());
   EXPECT_EQ(window.outliers(), 1);
+  // More than 4 of the last 10: the one of the loop has left them by now.
   for (int i = 0; i < 4; ++i) window.add(1000);
+  EXPECT_FALSE(window.contradicts());
+  window.add(1000);
   EXPECT_TRUE(window.contradicts());
   for (int i = 0; i < 6; ++i) window.add(0);
   EXPECT_FALSE(window.contradicts());
