@@ -81,9 +81,9 @@ Rig rig_of(const std::string& file, const LockstepOptions& options) {
 
 template <class Named>
 std::shared_ptr<const std::vector<std::string>> names_of(const std::vector<Named>& all) {
-  std::vector<std::string> names;
-  for (const auto& one : all) names.push_back(one.name);
-  return std::make_shared<const std::vector<std::string>>(std::move(names));
+  auto names = std::make_shared<std::vector<std::string>>(all.size());
+  std::ranges::transform(all, names->begin(), &Named::name);
+  return names;
 }
 
 /// One run and what it keeps. It is made and run without the interpreter's lock.
