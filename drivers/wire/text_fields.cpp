@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "drivers/wire/fields.hpp"
+#include "drivers/wire/plain_number.hpp"
 
 namespace drydock::wire {
 namespace {
@@ -30,6 +31,10 @@ std::optional<T> parse(std::string_view text) {
 }  // namespace
 
 std::optional<double> parse_number(std::string_view text) {
+  const PlainNumber plain = plain_number(text.data(), text.data() + text.size());
+  const bool has_sign_of_zero = plain.mantissa == 0 && text.starts_with('-');
+  if (plain.is_exact() && plain.end == text.data() + text.size() && !has_sign_of_zero)
+    return plain.value();
   const auto value = parse<double>(text);
   return value && std::isfinite(*value) ? value : std::nullopt;
 }

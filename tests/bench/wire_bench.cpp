@@ -72,6 +72,12 @@ void nortek_ad2cp(benchmark::State& state) {
   scan_and_decode<NortekAd2cp>(state, {"nortek-ad2cp/golden.nortek-ad2cp"});
 }
 BENCHMARK(nortek_ad2cp);
+
+void wayfinder(benchmark::State& state) {
+  scan_and_decode<Wayfinder>(state, {"wayfinder/golden.wayfinder"});
+}
+BENCHMARK(wayfinder);
+
 /// A description beside the codec written by hand, on the same sentences.
 void described_codec(benchmark::State& state, const char* description, const char* file) {
   const auto found = rig_config::find_description(description, "").value();

@@ -158,6 +158,23 @@ TEST(Rig, ASigmaOfVelocity) {
   EXPECT_EQ(rig.value().devices[0].velocity_sigma_mps, 0.05);
 }
 
+TEST(Rig, WhoseVelocityAWayfinderTells) {
+  const std::string wayfinder =
+      "[rig]\nname = \"r\"\n[[device]]\nname = \"a\"\nkind = \"dvl\"\n"
+      "protocol = \"wayfinder\"\nlink = \"pty:a\"\n";
+  EXPECT_EQ(load_rig_text(wayfinder, "r.toml").value().devices[0].velocity_of_bed, std::nullopt);
+  for (const bool of_bed : {false, true}) {
+    const std::string key = of_bed ? "velocity_of = \"bed\"\n" : "velocity_of = \"vehicle\"\n";
+    EXPECT_EQ(load_rig_text(wayfinder + key, "r.toml").value().devices[0].velocity_of_bed, of_bed);
+  }
+  EXPECT_THAT(problems_of_text(wayfinder + "velocity_of = \"sea\"\n"),
+              ElementsAre("r.toml:8:15: /device/0/velocity_of: \"sea\" is not allowed, allowed: "
+                          "vehicle, bed"));
+  EXPECT_THAT(problems_of("velocity_of = \"bed\"\n"),
+              ElementsAre("r.toml:8:1: /device/0/velocity_of: not allowed here, only for protocol "
+                          "= \"wayfinder\""));
+}
+
 TEST(Rig, ADvlsMakerBeamAngleAndSettings) {
   const auto rig = load_rig_text(
       "[rig]\nname = \"r\"\n"

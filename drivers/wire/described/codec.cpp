@@ -3,32 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "drivers/wire/text_fields.hpp"
-
 namespace drydock::wire::described {
 namespace {
 
 constexpr bool is_letter(std::uint8_t c) { return c >= 'A' && c <= 'Z'; }
-
-/// Sentences and lines without their line end, and sentences without their checksum.
-std::string_view body_of(const Plan& plan, Bytes frame) {
-  std::string_view text = as_text(frame);
-  while (!text.empty() && (text.back() == '\r' || text.back() == '\n')) text.remove_suffix(1);
-  const std::size_t star = plan.form == Form::sentences ? text.rfind('*') : text.npos;
-  return star == text.npos || plan.checksum.size() == 0 ? text : text.substr(0, star);
-}
-
-Decoded decode_texts(const Plan& plan, Bytes frame, Record& record) {
-  const std::string_view body = body_of(plan, frame);
-  Decoded result = Decoded::other;
-  for (const Message& message : plan.messages) {
-    if (!has_head(message, frame)) continue;
-    record.begin(plan, message);
-    if (decode_text(plan, message, body, record)) return Decoded::message;
-    result = Decoded::misfit;
-  }
-  return result;
-}
 
 Decoded decode_frames(const Plan& plan, Bytes frame, Record& record) {
   for (const Message& message : plan.messages) {
@@ -69,7 +47,7 @@ std::size_t encode(const Plan& plan, const Message& message, const Readings& rea
 bool has_head(const Message& message, Bytes bytes) {
   const std::string& head = message.head;
   if (bytes.size() < head.size()) return false;
-  for (std::size_t i = 0; i < head.size(); ++i) {
+  for (std::size_t i = head.size(); i-- > 0;) {  // sentences differ at the end of their heads
     const bool talker = message.any_talker && (i == 1 || i == 2);
     if (talker ? !is_letter(bytes[i]) : bytes[i] != static_cast<std::uint8_t>(head[i]))
       return false;

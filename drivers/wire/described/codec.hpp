@@ -38,8 +38,8 @@ Scan scan_line(const Plan& plan, Bytes bytes);
 /// True if a message that begins with these bytes has this head.
 bool has_head(const Message& message, Bytes bytes);
 
-/// A text between the head and the checksum or the line's end.
-bool decode_text(const Plan& plan, const Message& message, std::string_view body, Record& record);
+/// The first message whose head, constants and number of fields are those of a sentence or line.
+Decoded decode_texts(const Plan& plan, Bytes frame, Record& record);
 bool decode_binary(const Plan& plan, const Message& message, Bytes frame, Record& record);
 
 /// What both have in common: a number of the wire becomes the field's value.

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <utility>
 
 #include "drivers/wire/described/codec.hpp"
 #include "drivers/wire/hex.hpp"
@@ -28,6 +29,14 @@ bool begins_message(const Plan& plan, Bytes bytes) {
   if (bytes[0] == '$' || bytes[0] == '!') return true;
   return std::ranges::any_of(plan.messages,
                              [&](const Message& message) { return has_head(message, bytes); });
+}
+
+/// Sentences and lines without their line end, and sentences without their checksum.
+std::string_view body_of(const Plan& plan, Bytes frame) {
+  std::string_view text = as_text(frame);
+  while (!text.empty() && (text.back() == '\r' || text.back() == '\n')) text.remove_suffix(1);
+  const std::size_t star = plan.form == Form::sentences ? text.rfind('*') : text.npos;
+  return star == text.npos || plan.checksum.size() == 0 ? text : text.substr(0, star);
 }
 
 /// One field of a text, and what is behind it.
@@ -83,6 +92,7 @@ Scan scan_sentence(const Plan& plan, Bytes bytes) {
   const std::size_t limit = std::min(bytes.size(), plan.longest);
   for (std::size_t i = 1; i < limit; ++i) {
     const std::uint8_t c = bytes[i];
+    if (c != '*' && is_printable(c) && !plan.starts[c]) continue;
     if (c == '*' && checked) return at_star(plan, bytes, i);
     if (ends_a_line(c) && (!checked || plan.checksum_optional)) return with_line_end(bytes, i);
     if (!is_printable(c)) return Scan::skip(1);
@@ -98,34 +108,65 @@ Scan scan_line(const Plan& plan, Bytes bytes) {
   if (end == limit) return limit == plan.longest ? Scan::skip(1) : Scan::need_more();
   if (!ends_a_line(bytes[end])) return Scan::skip(end);
   Record record;
-  if (decode(plan, bytes.first(end), record) == Decoded::message) return with_line_end(bytes, end);
+  if (decode_texts(plan, bytes.first(end), record) == Decoded::message)
+    return with_line_end(bytes, end);
   const bool any_start = std::ranges::any_of(plan.messages, &std::string::empty, &Message::head);
   return Scan::skip(any_start ? end : 1);
 }
 
 namespace {
 
-/// Cuts a text into the fields of a message; how many of them it has. Empty if a constant or the
-/// number of fields is another's: messages of one id differ in these, and a number costs more to
-/// read than a constant.
-std::optional<std::size_t> cut_fields(std::span<const Field> fields, std::string_view text,
-                                      std::array<std::string_view, most_fields>& cuts) {
-  if (fields.empty()) return text.empty() ? std::optional<std::size_t>(0) : std::nullopt;
-  Cut now{{}, text, false};
-  std::size_t there = 0;
+/// A text cut into fields at their ends. Of the array only `count` elements are ever written: to
+/// clear all of it would cost as much as to read a short sentence.
+struct Cuts {
+  struct Piece {
+    const char* begin;
+    std::size_t size;
+  };
+  std::array<Piece, most_fields> pieces;
+  std::size_t count = 0;
+  bool ended = false;  ///< nothing is behind them
+
+  std::string_view operator[](std::size_t i) const { return {pieces[i].begin, pieces[i].size}; }
+};
+
+void cut_fields(std::span<const Field> fields, std::string_view text, Cuts& cuts) {
+  Cut now{{}, text, fields.empty() && text.empty()};
+  cuts.count = 0;
+  for (const Field& field : fields) {
+    if (now.ended) break;
+    now = cut(now.rest, field.end);
+    cuts.pieces[cuts.count++] = {now.field.data(), now.field.size()};
+  }
+  cuts.ended = now.ended || (!fields.empty() && fields.back().end == ' ' && now.rest.empty());
+}
+
+bool cut_alike(std::span<const Field> some, std::span<const Field> others) {
+  return std::ranges::equal(some, others, {}, &Field::end, &Field::end);
+}
+
+/// False if a constant or the number of fields is another's. Messages of one id differ in these,
+/// and a number costs more to read than a constant.
+bool may_be(std::span<const Field> fields, const Cuts& cuts) {
+  if (!cuts.ended) return false;
   for (std::size_t i = 0; i < fields.size(); ++i) {
     const Field& field = fields[i];
-    if (now.ended) {
-      if (!field.optional) return {};
-      continue;
-    }
-    now = cut(now.rest, field.end);
-    const bool may_be_empty = field.optional && now.field.empty();
-    if (field.type == Type::constant && now.field != field.text && !may_be_empty) return {};
-    cuts[there++] = now.field;
+    if (i >= cuts.count ? !field.optional
+                        : field.type == Type::constant && cuts[i] != field.text &&
+                              !(field.optional && cuts[i].empty()))
+      return false;
   }
-  const bool ended = now.ended || (fields.back().end == ' ' && now.rest.empty());
-  return ended ? std::optional(there) : std::nullopt;
+  return true;
+}
+
+bool decode_cuts(const Plan& plan, const Message& message, const Cuts& cuts, Record& record) {
+  const auto fields = plan.fields_of(message);
+  if (!may_be(fields, cuts)) return false;
+  for (std::size_t i = 0; i < cuts.count; ++i)
+    if (!take(plan, fields[i], cuts[i], i, record)) return false;
+  for (std::size_t i = cuts.count; i < fields.size(); ++i) record.values[i] = {};
+  divide(record);
+  return true;
 }
 
 /// A group that took no part in the line is a field without a value.
@@ -146,18 +187,28 @@ bool decode_pattern(const Plan& plan, const Message& message, std::string_view t
 
 }  // namespace
 
-bool decode_text(const Plan& plan, const Message& message, std::string_view body, Record& record) {
-  const std::string_view text = body.substr(std::min(body.size(), message.head.size()));
-  if (message.line) return decode_pattern(plan, message, text, record);
-  std::array<std::string_view, most_fields> cuts;
-  const auto fields = plan.fields_of(message);
-  const auto there = cut_fields(fields, text, cuts);
-  if (!there) return false;
-  for (std::size_t i = 0; i < *there; ++i)
-    if (!take(plan, fields[i], cuts[i], i, record)) return false;
-  for (std::size_t i = *there; i < fields.size(); ++i) record.values[i] = {};
-  divide(record);
-  return true;
+Decoded decode_texts(const Plan& plan, Bytes frame, Record& record) {
+  const std::string_view body = body_of(plan, frame);
+  Decoded result = Decoded::other;
+  Cuts cuts;
+  const Message* before = nullptr;
+  bool has_its_head = false, is_cut = false;
+  for (const Message& message : plan.messages) {
+    const bool same_head = has_its_head && before->head == message.head;
+    is_cut = is_cut && same_head && cut_alike(plan.fields_of(*before), plan.fields_of(message));
+    has_its_head = same_head || has_head(message, frame);
+    before = &message;
+    if (!has_its_head) continue;
+    record.begin(plan, message);
+    const std::string_view text = body.substr(std::min(body.size(), message.head.size()));
+    if (!message.line && !std::exchange(is_cut, true))
+      cut_fields(plan.fields_of(message), text, cuts);
+    if (message.line ? decode_pattern(plan, message, text, record)
+                     : decode_cuts(plan, message, cuts, record))
+      return Decoded::message;
+    result = Decoded::misfit;
+  }
+  return result;
 }
 
 namespace {

@@ -6,11 +6,10 @@
 #include <cstring>
 
 #include "drivers/wire/fields.hpp"
+#include "drivers/wire/plain_number.hpp"
 
 namespace drydock::wire {
 namespace {
-
-constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 std::string_view trimmed(std::string_view text) {
   while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
@@ -18,57 +17,12 @@ std::string_view trimmed(std::string_view text) {
   return text;
 }
 
-constexpr std::array<double, 16> powers_of_ten{1e0, 1e1, 1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
-                                               1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
-
-/// The usual form of a number in a sentence: an optional minus, digits, at most one point.
-struct PlainNumber {
-  std::int64_t mantissa = 0;
-  int digits = 0, decimals = 0;
-  bool whole = true;          ///< no point
-  const char* end = nullptr;  ///< the character here decides whether the field is such a number
-
-  bool is_int() const { return whole && digits > 0 && digits < 10; }
-  /// With up to 15 digits, the quotient of two exact doubles is the correctly rounded value.
-  bool is_exact() const { return digits > 0 && digits < 16; }
-  double value() const {
-    const auto exact = static_cast<double>(mantissa);
-    return whole ? exact : exact / powers_of_ten[static_cast<std::size_t>(decimals)];
-  }
-};
-
-inline PlainNumber plain_number(const char* at, const char* const stop) {
-  const bool negative = at != stop && *at == '-';
-  if (negative) ++at;
-  std::uint64_t mantissa = 0;
-  const auto take_digits = [&] {
-    const char* const start = at;
-    for (; at != stop && is_digit(*at); ++at) {
-      mantissa = mantissa * 10 + static_cast<unsigned>(*at - '0');
-    }
-    return static_cast<int>(at - start);
-  };
-  PlainNumber number;
-  number.digits = take_digits();
-  if (at != stop && *at == '.') {
-    ++at;
-    number.whole = false;
-    number.decimals = take_digits();
-    number.digits += number.decimals;
-  }
-  // The mantissa is unsigned, since digits after the 19th may wrap to any value. is_exact() then
-  // excludes it.
-  number.mantissa = static_cast<std::int64_t>(negative ? 0 - mantissa : mantissa);
-  number.end = at;
-  return number;
-}
-
 /// Any number in decimal digits, without an exponent.
 std::optional<double> decimal(std::string_view text) {
   text = trimmed(text);
   const bool negative = !text.empty() && text.front() == '-';
   if (!text.empty() && (text.front() == '-' || text.front() == '+')) text.remove_prefix(1);
-  if (text.empty() || (!is_digit(text.front()) && text.front() != '.')) return std::nullopt;
+  if (text.empty() || (!is_decimal_digit(text.front()) && text.front() != '.')) return std::nullopt;
   const char* const stop = text.data() + text.size();
   double magnitude = 0;
   const auto [end, error] = std::from_chars(text.data(), stop, magnitude, std::chars_format::fixed);
@@ -93,7 +47,7 @@ std::optional<std::int64_t> fraction_of_second(std::string_view text) {
   if (text.front() != '.') return std::nullopt;
   std::int64_t fraction_ns = 0, unit_ns = 100'000'000;
   for (const char c : text.substr(1)) {
-    if (!is_digit(c)) return std::nullopt;
+    if (!is_decimal_digit(c)) return std::nullopt;
     fraction_ns += (c - '0') * unit_ns;
     unit_ns /= 10;
   }
@@ -191,7 +145,8 @@ std::optional<double> SentenceReader::coordinate(double limit_deg, char positive
 
 std::optional<std::chrono::nanoseconds> SentenceReader::time() {
   const std::string_view field = trimmed(text());
-  if (field.size() < 6 || !std::all_of(field.begin(), field.begin() + 6, is_digit)) return {};
+  if (field.size() < 6 || !std::all_of(field.begin(), field.begin() + 6, is_decimal_digit))
+    return {};
   const int hour = two_digits(field), minute = two_digits(field.substr(2)),
             second = two_digits(field.substr(4));
   if (hour > 23 || minute > 59 || second > 60) return {};
