@@ -6,9 +6,9 @@
 namespace drydock::diff {
 
 struct DiffOptions {
-  std::string a, b;      ///< recordings, or summaries of runs
-  double tolerance = 0;  ///< relative
-  std::string report;    ///< folder; empty: none
+  std::string a, b;         ///< recordings, or summaries of runs
+  double tolerance = 0;     ///< relative
+  std::string report = {};  ///< folder; empty: none
   bool json = false;
 };
 

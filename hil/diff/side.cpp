@@ -12,16 +12,15 @@
 namespace drydock::diff {
 
 Side read_side(const std::string& file) {
-  using Json = nlohmann::ordered_json;
   if (const auto why = rig_config::file_trouble(file); !why.empty())
     throw std::runtime_error(file + ": " + why);
   if (replay::is_recording(file)) {
     auto curves = replay::summarize(file);
-    auto json = Json::parse(to_json(curves));
+    auto json = nlohmann::ordered_json::parse(to_json(curves));
     return {file, std::move(json), std::move(curves)};
   }
   std::ifstream in(file, std::ios::binary);
-  auto json = Json::parse(in, nullptr, false);
+  auto json = nlohmann::ordered_json::parse(in, nullptr, false);
   if (!json.is_object() || !json.contains("devices") || !json.contains("duration_s"))
     throw std::runtime_error(
         fmt::format("{}: neither a recording (MCAP) nor the summary of a run (--json)", file));

@@ -7,6 +7,7 @@
 #include "drivers/host/finding_log.hpp"
 #include "hil/report/figure.hpp"
 #include "hil/summary/summary.hpp"
+#include "rig_config/rig.hpp"
 
 namespace drydock::summary {
 

@@ -156,6 +156,20 @@ TEST(Device, TheRateThatTheLinkKnowsDecidesTheTimeOfValidity) {
   EXPECT_NEAR(age_at(1'000'000), at_250 / 4, 1e-9);
 }
 
+TEST(Device, TheLastErrorHasItsAgeAndItsNumber) {
+  Desk desk;
+  const auto depth = device(Kind::depth, "nmea2000", desk, true);
+  EXPECT_EQ(depth->health(at_s(1)).errors, 0U);
+  EXPECT_FALSE(depth->health(at_s(1)).last_error_age);
+  auto bus_off = can_frame(0x40, false, {0, 0, 0, 0, 0, 0, 0, 0});
+  bus_off.error = true;
+  for (const double second : {1.0, 2.0, 4.5}) depth->receive(bus_off, at_s(second));
+  depth->clock_stepped(std::chrono::hours{1}, at_s(3610));
+  const Health health = depth->health(at_s(3610));
+  EXPECT_EQ(health.errors, 3U);
+  EXPECT_EQ(health.last_error_age, std::chrono::milliseconds{5500});
+}
+
 TEST(Device, RefusedValuesAreCountedAndSaid) {
   Desk desk;
   const auto depth = device(Kind::depth, "cia404-pressure", desk, true);

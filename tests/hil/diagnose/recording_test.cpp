@@ -141,7 +141,7 @@ TEST_F(Diagnosing, TheReportHasAPlotOfTheDeviceForEachFinding) {
   const std::string page{std::istreambuf_iterator<char>(in), {}};
   EXPECT_THAT(page, HasSubstr("emlog: <span class=bad>silent</span> from "));
   EXPECT_THAT(page, HasSubstr("emlog: speed through the water"));
-  EXPECT_THAT(page, HasSubstr("<svg"));
+  EXPECT_THAT(page, HasSubstr("<figure class=plot"));
   EXPECT_THAT(page, HasSubstr("could not have been seen here"));
 }
 
