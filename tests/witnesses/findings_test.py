@@ -133,6 +133,14 @@ class PassedOver(unittest.TestCase):
         self.assertEqual(reasons['no captures at "/x"'], 1)
 
 
+    def test_ci_needs_every_witness_where_captures_are_or_are_named(self):
+        must = passed_over.every_witness_must_be_heard
+        self.assertTrue(must({"CI": "true"}, here=True))
+        self.assertTrue(must({"CI": "true", "DRYDOCK_CORPORA": "/absent"}, here=False))
+        self.assertFalse(must({"CI": "true"}, here=False))
+        self.assertFalse(must({"DRYDOCK_CORPORA": "/absent"}, here=False))
+
+
 class Page(unittest.TestCase):
     def test_a_single_file_is_shown_with_its_own_sum(self):
         text = page([CLAIM], [OTHERS], {"dvl/dive.pd0": ABC}, {}, {"packages": {}})

@@ -13,7 +13,7 @@ protocol, description, capture format or kind of estimator has no claim, a file 
 witness is not installed by CI or is of another version, or this page is not what the command makes.
 
 A test that lacks its captures or its program is skipped. `./rig test` ends with the number of such checks and their reasons, and fails
-with `CI=true`. [Conformance](build/conformance.md) is the scoreboard of the captures.
+with `CI=true` on a machine that has captures or names them. [Conformance](build/conformance.md) is the scoreboard of the captures.
 """
 KINDS = {"protocols": "Protocols", "descriptions": "Described sensors", "formats": "Files and sockets",
          "estimators": "Estimators and studies", "world": "The emulated world"}
