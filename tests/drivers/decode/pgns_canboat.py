@@ -13,7 +13,7 @@ root, drydock = pathlib.Path(sys.argv[1]), sys.argv[2]
 corpora = pathlib.Path(os.environ.get("DRYDOCK_CORPORA", root / "../shared/corpora")) / "n2k/canboat"
 table_file = root / "build/npm/node_modules/@canboat/ts-pgns/canboat.json"
 if not table_file.exists() or not corpora.exists():
-    print("no table (rig npm) or no captures")
+    print("no table in build/npm or no captures")
     sys.exit(77)
 
 forms = {}  # (PGN, description) -> Id
