@@ -7,6 +7,8 @@
 
 #include "rig_config/checks/checks.hpp"
 #include "rig_config/device_description/load_description.hpp"
+#include "rig_config/kinematic_vehicle.hpp"
+#include "rig_config/steering.hpp"
 #include "rig_config/toml/checked_file.hpp"
 #include "rig_config/toml/toml_reader.hpp"
 #include "rig_config/typed/build.hpp"
@@ -31,6 +33,8 @@ Loaded<MissionConfig> build_with_vehicle(const Node& root, const std::string& pa
       mission.vehicle = build_vehicle(*vehicle);
     }
     mission.files.push_back(beside(path, reference->text));
+  } else if (steered_over_wires(mission)) {
+    mission.vehicle = kinematic_vehicle();
   }
   return mission;
 }
