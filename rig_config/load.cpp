@@ -29,6 +29,10 @@ Loaded<MissionConfig> build_with_vehicle(const Node& root, const std::string& pa
         return Problems{{path, reference->at.line, reference->at.column, "/mission/vehicle",
                          "a vehicle with thrusters cannot sail legs by itself: allowed with "
                          "[steering], in which another program steers it"}};
+      if (steered_over_wires(mission))
+        return Problems{{path, reference->at.line, reference->at.column, "/mission/vehicle",
+                         "no bus has orders for thrusters: allowed with [steering] from = "
+                         "\"ardupilot\""}};
     } else {
       mission.vehicle = build_vehicle(*vehicle);
     }
