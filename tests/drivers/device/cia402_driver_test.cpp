@@ -68,7 +68,7 @@ TEST(Cia402Driver, OrdersAndOtherDrivesAreNoReports) {
 TEST(ActuatorDriver, AnOrderOfWhoeverSteersIsNoReportAndNoSource) {
   auto driver = frame_driver(options(Kind::actuator, "nmea2000"));
   Ear ear;
-  const auto rudder = [&](std::uint32_t source, std::initializer_list<std::uint8_t> data) {
+  const auto rudder = [&](std::uint32_t source, std::initializer_list<unsigned> data) {
     driver->receive(can_frame(0x09F10D00 | source, true, data), at_s(1), ear);
   };
   rudder(0x20, {0, 0xF8, 0xD1, 0x06, 0xFF, 0x7F, 0xFF, 0xFF});
