@@ -7,6 +7,8 @@
 
 #include "rig_config/checks/checks.hpp"
 #include "rig_config/device_description/load_description.hpp"
+#include "rig_config/kinematic_vehicle.hpp"
+#include "rig_config/steering.hpp"
 #include "rig_config/toml/checked_file.hpp"
 #include "rig_config/toml/toml_reader.hpp"
 #include "rig_config/typed/build.hpp"
@@ -27,10 +29,16 @@ Loaded<MissionConfig> build_with_vehicle(const Node& root, const std::string& pa
         return Problems{{path, reference->at.line, reference->at.column, "/mission/vehicle",
                          "a vehicle with thrusters cannot sail legs by itself: allowed with "
                          "[steering], in which another program steers it"}};
+      if (steered_over_wires(mission))
+        return Problems{{path, reference->at.line, reference->at.column, "/mission/vehicle",
+                         "no bus has orders for thrusters: allowed with [steering] from = "
+                         "\"ardupilot\""}};
     } else {
       mission.vehicle = build_vehicle(*vehicle);
     }
     mission.files.push_back(beside(path, reference->text));
+  } else if (steered_over_wires(mission)) {
+    mission.vehicle = kinematic_vehicle();
   }
   return mission;
 }

@@ -22,6 +22,8 @@ class DriverHost final : private device::Listener {
   void start();
   void stop();  ///< closes the links; the follower does not hear that the devices close
   const shell::RealTime& shell() const { return shell_; }
+  /// See shell::RealTime::send().
+  void send(std::string_view link, const wire::CanFrame& frame) { shell_.send(link, frame); }
   std::vector<const device::Device*> devices() const;
   bool all_streaming() const;
 

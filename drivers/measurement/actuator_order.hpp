@@ -7,10 +7,10 @@ namespace drydock::measurement {
 /// What the actuators are told. Signs are those of ActuatorState; an empty value leaves that
 /// actuator alone.
 struct ActuatorOrder {
-  std::optional<double> rudder_rad;       ///< turns to port if positive
-  std::optional<double> stern_plane_rad;  ///< nose down if positive
-  std::optional<double> bow_plane_rad;
-  std::optional<double> propeller_radps;
+  std::optional<double> rudder_rad{};       ///< turns to port if positive
+  std::optional<double> stern_plane_rad{};  ///< nose down if positive
+  std::optional<double> bow_plane_rad{};
+  std::optional<double> propeller_radps{};
 };
 
 /// The four values by their number on the wires: rudder, stern planes, bow planes, propeller.

@@ -9,6 +9,8 @@ class BusLine final : public LinkedLine<link::FrameLink> {
  public:
   using LinkedLine::LinkedLine;
 
+  void transmit(const wire::CanFrame& frame) override { put(frame); }
+
  private:
   /// A bus whose devices all only listen needs no acknowledgement of ours either.
   link::Uri next_uri() override;

@@ -25,6 +25,9 @@ class Line : protected device::Transmitter {
   void start();
   void stop();
   const link::Uri& uri() const { return uri_; }
+  /// Sends a frame of somebody who is no driver. A line for bytes, or one that is not open, loses
+  /// it.
+  virtual void transmit(const wire::CanFrame&) {}
 
  protected:
   using Provenance = measurement::Provenance;

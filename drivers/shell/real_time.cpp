@@ -38,6 +38,11 @@ void RealTime::stop() {
   for (const auto& line : lines_) line->stop();
 }
 
+void RealTime::send(std::string_view link, const wire::CanFrame& frame) {
+  for (const auto& line : lines_)
+    if (line->uri().text == link) line->transmit(frame);
+}
+
 device::Health RealTime::health(std::size_t i) const { return devices_[i]->health(link::now()); }
 
 }  // namespace drydock::shell

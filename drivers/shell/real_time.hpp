@@ -28,6 +28,10 @@ class RealTime {
   /// Closes every link. The coroutines end, and io_context::run() returns if nothing else waits.
   void stop();
 
+  /// A frame for a CAN link of the devices, from somebody who is no driver. It is lost while the
+  /// link is not open.
+  void send(std::string_view link, const wire::CanFrame& frame);
+
   std::size_t size() const { return devices_.size(); }
   const device::Device& device(std::size_t i) const { return *devices_[i]; }
   device::Health health(std::size_t i) const;  ///< at the time of the call

@@ -71,8 +71,12 @@ class RealTimeRun {
     if (!options.quiet) run_.followers().add(finding_lines_);
     if (auto* motion = motion::steered(*trajectory_)) autopilot_.emplace(io_, *motion, rig.mission);
     if (pilot::is_wanted(rig))
-      run_.followers().add(
-          pilot_.emplace(io_, rig, start_, [this](const std::string& line) { table_.note(line); }));
+      run_.followers().add(pilot_.emplace(
+          io_, rig, start_,
+          [this](const std::string& link, const wire::CanFrame& frame) {
+            drivers_.send(link, frame);
+          },
+          [this](const std::string& line) { table_.note(line); }));
     if (!options.serve.address.empty()) serve(options.serve);
     if (rig.truth && summary::no_real_device(rig))
       run_.followers().add(bus_truth_.emplace(participant_, *trajectory_));

@@ -17,6 +17,7 @@
 #include "hil/motion/bad_mission.hpp"
 #include "hil/motion/make_trajectory.hpp"
 #include "hil/ocean/raster.hpp"
+#include "hil/pilot/pilot.hpp"
 
 namespace drydock::check {
 
@@ -113,6 +114,18 @@ Problems check_start(const Rig& rig, Use use) {
   return problems;
 }
 
+/// What an autopilot at the drivers' end of the wires lacks.
+Problems check_pilot(const Rig& rig) {
+  if (!pilot::is_wanted(rig)) return {};
+  try {
+    const pilot::Pilot sails(rig, {}, {}, {});
+  } catch (const std::runtime_error& error) {
+    return {problem_at(rig.places, "/device", error.what())};
+  } catch (const motion::BadMission&) {  // which the motion tells
+  }
+  return {};
+}
+
 }  // namespace
 
 Problems check_mission(const rig_config::MissionConfig& mission) {
@@ -127,6 +140,7 @@ Problems check_rig(const Rig& rig, Use use) {
   if (use == Use::emulation) append(problems, check_some_device_is_emulated(rig));
   append(problems, check_estimators(rig));
   append(problems, fault::check_faults(rig));
+  if (use != Use::emulation) append(problems, check_pilot(rig));  // else another program steers
   append(problems, problems.empty() ? check_start(rig, use) : check_mission(rig.mission));
   std::ranges::stable_sort(problems, {}, [](const Problem& problem) {
     return std::tuple(problem.file, problem.line, problem.column);

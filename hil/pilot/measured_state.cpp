@@ -16,10 +16,10 @@ using rig_config::DeviceKind;
 std::size_t index_of(const rig_config::Rig& rig, DeviceKind kind) {
   const auto found = std::ranges::find(rig.devices, kind, &rig_config::DeviceConfig::kind);
   if (found == rig.devices.end())
-    throw std::runtime_error(
-        fmt::format("{}: whoever steers over the wires needs a device of kind \"{}\"; it sails by "
-                    "attitude, depth, emlog and imu",
-                    rig.file, to_string(kind)));
+    throw std::runtime_error(fmt::format(
+        "an autopilot that steers over the wires sails by devices of kind attitude, depth, "
+        "emlog and imu; there is none of kind {}",
+        to_string(kind)));
   return static_cast<std::size_t>(found - rig.devices.begin());
 }
 

@@ -96,9 +96,10 @@ OrderPorts::OrderPorts(const rig_config::Rig& rig, Send send, Say say) {
           send, say));
   }
   if (ports_.empty())
-    throw std::runtime_error(fmt::format(
-        "{}: nothing takes orders; allowed: devices of kind \"actuator\" with nmea2000 or cia402",
-        rig.file));
+    throw std::runtime_error(
+        "nothing takes the orders of the mission's autopilot; allowed: devices of kind actuator "
+        "with "
+        "nmea2000 or cia402");
 }
 
 OrderPorts::~OrderPorts() = default;

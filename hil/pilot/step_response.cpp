@@ -72,7 +72,8 @@ std::optional<StepResponse> response(const LoopTrace& trace, const Quantity& qua
                                      const Window& window) {
   constexpr double longest_mean_s = 10, shortest_mean_s = 2;
   const auto index = [&](double t) {
-    const auto found = std::ranges::lower_bound(trace.t_s, t);
+    constexpr double rounding_s = 1e-6;
+    const auto found = std::ranges::lower_bound(trace.t_s, t - rounding_s);
     return static_cast<std::size_t>(found - trace.t_s.begin());
   };
   const LoopCurve& curve = trace.*quantity.curve;

@@ -17,11 +17,16 @@ const Json& part(const Json& schema, const char* key) {
   return found == schema.end() ? nothing : *found;
 }
 
-/// Evaluates the conditions that the rig schema uses: required keys and their texts.
+/// Evaluates the conditions that the rig schema uses: required keys and their texts, in tables too.
 bool holds(const Json& condition, const Node& node) {
   for (const Json& key : part(condition, "required"))
     if (!node.find(key.get<std::string>())) return false;
   for (const auto& [key, rule] : part(condition, "properties").items()) {
+    const Node* table = node.find(key);
+    if (table && table->kind == Node::Kind::table) {
+      if (!holds(rule, *table)) return false;
+      continue;
+    }
     const Node* value = node.find_text(key);
     if (!value) return false;
     if (rule.contains("const") && rule["const"] != value->text) return false;

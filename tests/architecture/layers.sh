@@ -71,7 +71,7 @@ hil/summary                hil/pilot/loop_account drivers/diagnosis hil/report h
 hil/control/request        drivers/live drivers/terminal
 hil/control                hil/control/request hil/fault hil/summary drivers/host drivers/bus drivers/live drivers/link drivers/io drivers/terminal rig_config
 hil/bench                  hil/pilot hil/pilot/real_time drivers/diagnosis hil/control hil/summary hil/report hil/fault hil/emulate hil/emulate/real_time hil/steer hil/steer/real_time hil/motion estimators/host estimators/setup estimators/pipeline estimators/frame drivers/host drivers/monitor drivers/bus drivers/shell drivers/device drivers/link drivers/io drivers/terminal drivers/measurement rig_config
-hil/check                  hil/fault hil/motion hil/ocean estimators/setup estimators/pipeline estimators/vehicle estimators/hydrodynamics drivers/shell drivers/link drivers/terminal drivers/measurement rig_config
+hil/check                  hil/pilot hil/fault hil/motion hil/ocean estimators/setup estimators/pipeline estimators/vehicle estimators/hydrodynamics drivers/shell drivers/link drivers/terminal drivers/measurement rig_config
 hil/replay/reference       drivers/recordings/record drivers/bus
 hil/replay                 drivers/diagnosis hil/replay/reference hil/bench hil/motion hil/summary hil/fault estimators/host estimators/setup estimators/pipeline estimators/frame drivers/host drivers/device drivers/recordings/record drivers/text drivers/bus drivers/link drivers/io drivers/terminal drivers/measurement rig_config
 hil/diff                   hil/replay hil/summary hil/report drivers/terminal rig_config

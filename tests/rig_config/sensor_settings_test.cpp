@@ -32,10 +32,10 @@ TEST(RigProblems, ACanopenDeviceThatWouldStartEveryNodeIsRefused) {
   EXPECT_THAT(problems_of(table("file:dive.log")), IsEmpty());
 }
 
-TEST(RigProblems, AnInstanceIsForNmea2000Only) {
+TEST(RigProblems, AnInstanceIsForNmea2000AndDrivesOnly) {
   EXPECT_THAT(problems_of(std::string(imu_table) + "instance = 1\n"),
               ElementsAre("r.toml:13:1: /device/1/instance: not allowed here, only for protocol = "
-                          "\"nmea2000\""));
+                          "\"nmea2000\" or \"cia402\""));
   EXPECT_THAT(problems_of("[[device]]\nname = \"a\"\nkind = \"actuator\"\nprotocol = "
                           "\"nmea2000\"\nlink = \"can:auto\"\ninstance = 253\n"),
               ElementsAre(HasSubstr("/device/1/instance: 253 is out of range, allowed: 0 to 252")));

@@ -1,6 +1,8 @@
 #include <gmock/gmock.h>
 
+#include "rig_config/kinematic_vehicle.hpp"
 #include "rig_config/load.hpp"
+#include "rig_config/steering.hpp"
 #include "tests/rig_config/problems.hpp"
 
 namespace drydock::rig_config {
@@ -63,6 +65,24 @@ TEST(Steering, HasNoLegsAndNeedsAVehicle) {
   ASSERT_FALSE(with_legs);
   EXPECT_THAT(lines_of(with_legs.error()),
               testing::Contains(HasSubstr("another program steers the vehicle")));
+}
+
+TEST(Steering, OverTheWiresMayHaveLegsAndNeedNotHaveAVehicle) {
+  const std::string wires = "[steering]\nfrom = \"wires\"\n";
+  const auto kinematic =
+      mission_with("speed_mps = 2\n" + wires + "[[leg]]\nkind = \"straight\"\nduration_s = 5\n");
+  ASSERT_TRUE(kinematic);
+  EXPECT_TRUE(steered_over_wires(*kinematic));
+  EXPECT_TRUE(is_kinematic(kinematic->vehicle.value()));
+  EXPECT_THAT(lines_of(mission_with(wires).error()),
+              ElementsAre(HasSubstr("/mission: key 'speed_mps' is missing")));
+  EXPECT_THAT(
+      lines_of(mission_with("speed_mps = 2\n" + wires + "listen = \"127.0.0.1:1\"\n").error()),
+      ElementsAre(HasSubstr("only for from = \"ardupilot\"")));
+  EXPECT_THAT(
+      lines_of(
+          mission_with("speed_mps = 0\nvehicle = \"../vehicles/bluerov2.toml\"\n" + wires).error()),
+      ElementsAre(HasSubstr("no bus has orders for thrusters")));
 }
 
 }  // namespace thruster_vehicle_test

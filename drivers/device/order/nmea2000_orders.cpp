@@ -6,13 +6,13 @@ namespace drydock::device {
 
 namespace {
 
-// NMEA 2000 class "steering and control surfaces", function "follow-up controller".
-constexpr std::uint8_t device_class = 40, follow_up_controller = 130;
+// NMEA 2000 class "steering and control surfaces", function "autopilot".
+constexpr std::uint8_t device_class = 40, autopilot = 150;
 constexpr std::uint8_t marine = 4;
 
 std::uint64_t name_of_pilot() {
   wire::j1939::Name name;
-  name.function = follow_up_controller;
+  name.function = autopilot;
   name.vehicle_system = device_class;
   name.industry_group = marine;
   name.arbitrary_address_capable = true;

@@ -7,7 +7,8 @@ namespace drydock::motion {
 
 /// A vehicle that sails by the Gertler-Hagen equations, and whose rudder, planes and propeller take
 /// orders: docs/world/steering.md. The same orders at the same times give the same motion to the
-/// last bit. It cannot leave the water, nor sink into the bed.
+/// last bit. It cannot leave the water, nor sink into the bed; where the
+/// equations hold no more, it stops.
 class OrderedTrajectory final : public Trajectory, public TakesOrders {
  public:
   /// `mission.vehicle` must be set. Throws std::invalid_argument for a vehicle that is not

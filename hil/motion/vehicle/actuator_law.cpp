@@ -7,7 +7,6 @@
 namespace drydock::motion {
 namespace {
 
-constexpr double rudder_per_curvature_m = 10 * units::degree * 29.4;
 constexpr double advance_per_radian_m = 0.012;
 constexpr double stop_rad = 20 * units::degree;
 constexpr double slowest_mps = 0.5;  // below this speed the surfaces have no effect

@@ -1,8 +1,12 @@
 #pragma once
 
+#include "drivers/measurement/units.hpp"
 #include "hil/motion/truth.hpp"
 
 namespace drydock::motion {
+
+/// The rudder, or both planes, for a curvature of 1/m: the steady turn of the NPS AUV II below.
+inline constexpr double rudder_per_curvature_m = 10 * units::degree * 29.4;
 
 /// The actuator law of the kinematic vehicle: the steady settings for a motion, proportional to its
 /// curvature and speed, within +-20 deg. The gains match the steady turn of the NPS AUV II (rudder

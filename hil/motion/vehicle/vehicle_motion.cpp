@@ -4,6 +4,8 @@
 
 #include "estimators/frame/earth.hpp"
 #include "estimators/vehicle/vehicle.hpp"
+#include "hil/motion/vehicle/kinematic_hull.hpp"
+#include "rig_config/kinematic_vehicle.hpp"
 
 namespace drydock::motion {
 
@@ -42,8 +44,10 @@ struct VehicleMotion::Earth {
 };
 
 VehicleMotion::VehicleMotion(const rig_config::MissionConfig& mission)
-    : model_(vehicle::dimensional(mission.vehicle.value())),
-      ocean_(mission.ocean, {mission.latitude_rad, mission.longitude_rad, 0}) {}
+    : ocean_(mission.ocean, {mission.latitude_rad, mission.longitude_rad, 0}) {
+  if (!rig_config::is_kinematic(mission.vehicle.value()))
+    model_.emplace(vehicle::dimensional(*mission.vehicle));
+}
 
 VehicleRate VehicleMotion::rate(const VehicleState& s, const hydrodynamics::Control& control,
                                 double t) const {
@@ -59,9 +63,13 @@ VehicleRate VehicleMotion::rate(const VehicleState& s, const hydrodynamics::Cont
   rate.velocity_ned = ocean_.current_ned(-s.height_m, t);
   rate.velocity_ned.noalias() += body_to_ned * through_water;
   rate.attitude = (s.body_to_ned * Quaterniond{0, omega.x(), omega.y(), omega.z()}).coeffs() / 2;
+  if (!model_) {
+    rate.velocity = kinematic_acceleration(s.velocity, body_to_ned.transpose(), control);
+    return rate;
+  }
   // Eq. (4) of the vehicle has 2 w_IE x V; here it must be (2 w_IE + w_EN) x V.
   const Vector3d turning = earth.rate_ned + earth.transport_rate(rate.velocity_ned) / 2;
-  rate.velocity = model_.acceleration(s.velocity, body_to_ned.transpose(), control, turning);
+  rate.velocity = model_->acceleration(s.velocity, body_to_ned.transpose(), control, turning);
   return rate;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <optional>
 
 #include "estimators/hydrodynamics/model.hpp"
 #include "hil/motion/vehicle/actuators.hpp"
@@ -52,7 +53,7 @@ class VehicleMotion {
   VehicleRate rate(const VehicleState& state, const hydrodynamics::Control& control, double t,
                    const Earth& earth) const;
 
-  hydrodynamics::Model model_;
+  std::optional<hydrodynamics::Model> model_;  ///< empty: a kinematic vehicle
   ocean::Ocean ocean_;
 };
 

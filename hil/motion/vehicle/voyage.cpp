@@ -78,9 +78,20 @@ VoyageStep Voyage::after(const VoyageStep& step, std::int64_t index) const {
   VoyageStep next = step;
   next.state = motion_.step(step.state, step.rate, next.actuators, step.command, seconds_of(index),
                             voyage_step_s);
-  if (edges_ == Edges::closed) keep_in_water(next.state, motion_.ocean());
+  if (edges_ == Edges::closed) keep_in_reach(step.state, next.state);
   complete(next, index + 1);
   return next;
+}
+
+/// Orders may bring a vehicle where its equations hold no more: there it loses its way.
+void Voyage::keep_in_reach(const VehicleState& before, VehicleState& now) const {
+  constexpr double largest = 30;  // m/s, rad/s
+  const bool holds = now.velocity.allFinite() && now.velocity.cwiseAbs().maxCoeff() < largest;
+  if (!holds) {
+    now = before;
+    now.velocity.setZero();
+  }
+  keep_in_water(now, motion_.ocean());
 }
 
 /// Computes the rate and the command of a step from its state and actuators.

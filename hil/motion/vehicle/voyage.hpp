@@ -21,7 +21,7 @@ struct VoyageStep {
 /// What a vehicle does at the surface and at the bed.
 enum class Edges : std::uint8_t {
   open,   ///< nothing: its plan stays in the water
-  closed  ///< it cannot leave the water, nor sink into the bed
+  closed  ///< it cannot leave the water, sink into the bed, or leave its equations
 };
 
 /// The steps of a vehicle under a helm. Any step can be requested, in
@@ -46,6 +46,7 @@ class Voyage {
   VoyageStep first(const rig_config::MissionConfig& mission) const;
   VoyageStep after(const VoyageStep& step, std::int64_t index) const;
   void complete(VoyageStep& step, std::int64_t index) const;
+  void keep_in_reach(const VehicleState& before, VehicleState& now) const;
   Block& block(std::int64_t index) const;
   void extend(Block& block, std::size_t steps) const;
 

@@ -7,36 +7,38 @@
 
 namespace drydock::pilot {
 
+namespace {
+
+/// A bus that was silent for longer may have been closed and opened.
+constexpr std::chrono::seconds longest_silence{2};
+
+}  // namespace
+
 RealTimePilot::RealTimePilot(boost::asio::io_context& io, const rig_config::Rig& rig, Stamp start,
-                             OrderPorts::Say say)
+                             OrderPorts::Send send, OrderPorts::Say say)
     : io_(io),
-      pilot_(
-          rig, start,
-          [this](const std::string& link, const wire::CanFrame& frame) { send(link, frame); },
-          std::move(say)),
+      pilot_(rig, start, std::move(send), std::move(say)),
       clock_(std::make_shared<io::Signal>(io.get_executor())) {
-  for (const std::string& link : pilot_.ports().links()) {
-    const OrderBus::Hooks hooks{[this, link] {
-                                  pilot_.ports().restart(link, link::steady_now());
-                                  clock_->notify();
-                                },
-                                [this, link](const wire::CanFrame& frame) {
-                                  pilot_.ports().receive(link, frame, link::steady_now());
-                                  clock_->notify();
-                                }};
-    buses_[link] = std::make_shared<OrderBus>(io.get_executor(), *link::parse_uri(link), hooks);
-  }
+  for (const std::string& link : pilot_.ports().links()) heard_at_[link];
 }
 
-void RealTimePilot::start() {
-  for (const auto& [link, bus] : buses_) bus->start();
-  boost::asio::co_spawn(io_, keep_time(), boost::asio::detached);
-}
+void RealTimePilot::start() { boost::asio::co_spawn(io_, keep_time(), boost::asio::detached); }
 
 void RealTimePilot::stop() {
   stopped_ = true;
-  for (const auto& [link, bus] : buses_) bus->stop();
   clock_->notify();
+}
+
+void RealTimePilot::on_frame(std::string_view link, shell::Direction way,
+                             const wire::CanFrame& frame, Stamp) {
+  const auto bus = heard_at_.find(link);
+  if (way != shell::Direction::received || frame.error || bus == heard_at_.end()) return;
+  const Stamp now = link::steady_now();
+  if (!bus->second || now - *bus->second > longest_silence) pilot_.ports().restart(bus->first, now);
+  bus->second = now;
+  const auto due = pilot_.deadline();
+  pilot_.ports().receive(bus->first, frame, now);
+  if (pilot_.deadline() != due) clock_->notify();
 }
 
 boost::asio::awaitable<void> RealTimePilot::keep_time() {
@@ -45,10 +47,6 @@ boost::asio::awaitable<void> RealTimePilot::keep_time() {
     if (const auto due = pilot_.deadline(); due && *due <= now) pilot_.tick(now);
     co_await clock_->wait_until(pilot_.deadline(), now);
   }
-}
-
-void RealTimePilot::send(const std::string& link, const wire::CanFrame& frame) {
-  if (const auto bus = buses_.find(link); bus != buses_.end()) bus->second->send(frame);
 }
 
 }  // namespace drydock::pilot

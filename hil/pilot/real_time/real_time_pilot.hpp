@@ -4,31 +4,33 @@
 #include <map>
 
 #include "drivers/host/follower.hpp"
+#include "drivers/io/signal.hpp"
 #include "hil/pilot/pilot.hpp"
-#include "hil/pilot/real_time/order_bus.hpp"
 
 namespace drydock::pilot {
 
-/// The pilot in real time: it follows the drivers' measurements and has its own place on each bus.
+/// The pilot in real time. It follows the drivers' measurements and the frames on their buses, and
+/// sends on the same links, which only one program can open. All on the thread of the io_context.
 class RealTimePilot final : public host::Follower {
  public:
-  /// Throws as Pilot. Rig and io_context must outlive it.
+  /// Throws as Pilot. `send` puts a frame on a bus of the drivers. Rig and io_context must outlive
+  /// it.
   RealTimePilot(boost::asio::io_context& io, const rig_config::Rig& rig, Stamp start,
-                OrderPorts::Say say);
+                OrderPorts::Send send, OrderPorts::Say say);
 
   void start();
   void stop();
-  const Pilot& pilot() const { return pilot_; }
 
   void on_measurement(const measurement::Measurement& m) override { pilot_.receive(m); }
+  void on_frame(std::string_view link, shell::Direction way, const wire::CanFrame& frame,
+                Stamp at) override;
 
  private:
   boost::asio::awaitable<void> keep_time();
-  void send(const std::string& link, const wire::CanFrame& frame);
 
   boost::asio::io_context& io_;
   Pilot pilot_;
-  std::map<std::string, std::shared_ptr<OrderBus>> buses_;
+  std::map<std::string, std::optional<Stamp>, std::less<>> heard_at_;  ///< by bus
   std::shared_ptr<io::Signal> clock_;
   bool stopped_ = false;
 };

@@ -47,8 +47,7 @@ INSTANTIATE_TEST_SUITE_P(Profiles, GoldenBus,
                                          Golden{"sbg", "sbg/frames.log"},
                                          Golden{"cia404-imu", "cia404-imu/frames.log"},
                                          Golden{"epson-g550", "epson-g550/frames.log"},
-                                         Golden{"epson-g552", "epson-g552/frames.log"},
-                                         Golden{"cia402", "cia402/frames.log"}),
+                                         Golden{"epson-g552", "epson-g552/frames.log"}),
                          [](const auto& golden) {
                            std::string name = golden.param.protocol;
                            std::erase(name, '-');

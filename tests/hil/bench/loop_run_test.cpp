@@ -14,6 +14,16 @@ rig_config::Rig loop_rig() {
   return rig_config::load_rig(DRYDOCK_SOURCE_DIR "/rig_config/rigs/loop.toml").value();
 }
 
+rig_config::FaultConfig fault(const char* device, rig_config::FaultKind kind, double start_s,
+                              std::optional<double> for_s = {}) {
+  rig_config::FaultConfig fault;
+  fault.device = device;
+  fault.kind = kind;
+  fault.start_s = start_s;
+  fault.for_s = for_s;
+  return fault;
+}
+
 summary::Summary sail(const rig_config::Rig& rig, double seconds) {
   testing::internal::CaptureStdout();
   RunOptions options;
@@ -28,12 +38,13 @@ summary::Summary sail(const rig_config::Rig& rig, double seconds) {
 // 20 times on measurements that are up to 0.2 s old (the log's), through numbers of 0.0001 rad and
 // 0.01 m/s.
 TEST(LoopRun, SailsItsLegsAsTheAutopilotsInsideTheSimulationDo) {
-  const auto summary = sail(loop_rig(), 120);
+  const auto summary = sail(loop_rig(), 150);
   ASSERT_TRUE(summary.loop);
   const auto& loop = *summary.loop;
-  EXPECT_LT(loop.heading_off_deg, 2);
-  EXPECT_LT(loop.depth_off_m, 0.3);
-  EXPECT_LT(loop.speed_off_mps, 0.05);
+  EXPECT_LT(loop.heading_off_deg, 0.5);
+  EXPECT_LT(loop.depth_off_m, 0.1);
+  EXPECT_LT(loop.speed_off_mps, 0.01);
+  EXPECT_LT(loop.place_off_m, 0.3);
   ASSERT_EQ(loop.responses.size(), 3);
   EXPECT_NEAR(loop.responses[0].to, 90, 1e-9);
   EXPECT_NEAR(loop.responses[1].to, 7, 1e-9);
@@ -41,8 +52,7 @@ TEST(LoopRun, SailsItsLegsAsTheAutopilotsInsideTheSimulationDo) {
   for (const auto& response : loop.responses) {
     EXPECT_TRUE(response.settling_s) << response.quantity;
     EXPECT_LT(response.overshoot, 0.2 * std::abs(response.to - response.from));
-    EXPECT_LT(std::abs(response.steady_error.value()),
-              0.05 * std::abs(response.to - response.from));
+    EXPECT_LT(std::abs(response.steady_error.value()), 0.1 * std::abs(response.to - response.from));
   }
 }
 
@@ -64,25 +74,23 @@ double worst_depth(const summary::Summary& summary, double from_s) {
 
 TEST(LoopRun, StuckPlanesMissTheDive) {
   auto rig = loop_rig();
-  rig.faults.push_back(
-      {.device = "stern_planes", .kind = rig_config::FaultKind::stuck, .start_s = 40});
-  EXPECT_GT(worst_depth(sail(rig, 100), 90), 1);
-  EXPECT_LT(worst_depth(sail(loop_rig(), 100), 90), 0.3);
+  rig.faults = {fault("stern_planes", rig_config::FaultKind::stuck, 40)};
+  EXPECT_GT(worst_depth(sail(rig, 110), 100), 1);
+  EXPECT_LT(worst_depth(sail(loop_rig(), 110), 100), 0.3);
 }
 
 TEST(LoopRun, AShaftThatLosesItsPowerStops) {
   auto rig = loop_rig();
-  rig.faults.push_back(
-      {.device = "shaft", .kind = rig_config::FaultKind::off, .start_s = 20, .for_s = 20});
+  rig.faults = {fault("shaft", rig_config::FaultKind::off, 20, 20)};
   const auto speeds = sail(rig, 90).loop->trace.speed_mps.is;
-  EXPECT_LT(speeds[390], 1.2);
+  EXPECT_LT(speeds[390], 1.4);
   EXPECT_GT(speeds[890], 1.6) << "the autopilot takes the drive into operation again";
 }
 
 TEST(LoopRun, WithoutACompassNobodyGivesOrdersAndTheVehicleSlows) {
   auto rig = loop_rig();
-  rig.faults.push_back({.device = "compass", .kind = rig_config::FaultKind::off, .start_s = 20});
-  EXPECT_LT(sail(rig, 60).loop->trace.speed_mps.is.back(), 1);
+  rig.faults = {fault("compass", rig_config::FaultKind::off, 20)};
+  EXPECT_LT(sail(rig, 60).loop->trace.speed_mps.is.back(), 1.2);
 }
 
 }  // namespace

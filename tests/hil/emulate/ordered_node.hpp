@@ -24,7 +24,7 @@ inline rig_config::MissionConfig under_orders() {
 }
 
 inline rig_config::DeviceConfig actuator(std::string protocol, int instance) {
-  auto config = device(DeviceKind::actuator, std::move(protocol), 10);
+  auto config = device(rig_config::DeviceKind::actuator, std::move(protocol), 10);
   config.instance = instance;
   return config;
 }

@@ -4,6 +4,7 @@
 
 #include "estimators/frame/attitude.hpp"
 #include "hil/motion/make_trajectory.hpp"
+#include "rig_config/kinematic_vehicle.hpp"
 #include "rig_config/load.hpp"
 #include "tests/hil/motion/missions.hpp"
 
@@ -112,6 +113,26 @@ TEST(OrderedTrajectory, AVehicleUnderOrdersStaysInTheWater) {
   for (int t = 120; t < 400; ++t)
     EXPECT_LE(-vehicle.motion->at(at_s(t)).height_m,
               vehicle.motion->at(at_s(t)).bed_depth_m + 1e-6);
+}
+
+// The actuator law of the kinematic vehicle: 0.012 m/rad, and a circle of 29.4 m at rudder 10 deg;
+// its speed follows two lags, of 0.1 s and 0.5 s.
+TEST(OrderedTrajectory, AVehicleWithoutAHullFollowsItsActuators) {
+  auto mission = under_orders();
+  mission.vehicle = rig_config::kinematic_vehicle();
+  const OrderedTrajectory motion(mission, start);
+  const double before = mission.speed_mps, ordered = 0.012 * 100;
+  motion.orders()->give({.rudder_rad = 10 * degree, .propeller_radps = 100}, start);
+  const auto speed = [&](double t) { return motion.at(at_s(t)).velocity_body.x(); };
+  const double t = 0.8, both = (0.5 * std::exp(-t / 0.5) - 0.1 * std::exp(-t / 0.1)) / 0.4;
+  EXPECT_NEAR(speed(t + 0.01), ordered + (before - ordered) * both, 1e-6);  // one cycle later
+  const Truth truth = motion.at(at_s(60));
+  EXPECT_NEAR(truth.velocity_body.x(), 1.2, 1e-6);
+  EXPECT_NEAR(truth.velocity_ned.norm() / -truth.rate_body.z(), 29.4, 1e-3);
+  EXPECT_NEAR(truth.roll_rad, 0, 1e-9);
+  motion.orders()->give(
+      {.rudder_rad = 0, .stern_plane_rad = 2 * degree, .bow_plane_rad = -2 * degree}, at_s(60));
+  EXPECT_NEAR(motion.at(at_s(70)).rate_body.y(), -1.2 * 2 * degree / (10 * degree * 29.4), 1e-5);
 }
 
 TEST(OrderedTrajectory, NobodyOrdersAMotionThatFollowsItsLegs) {

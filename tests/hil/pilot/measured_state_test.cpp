@@ -23,14 +23,18 @@ rig_config::DeviceConfig sensor(const char* name, DeviceKind kind, std::array<do
 
 rig_config::Rig sensors() {
   rig_config::Rig rig;
-  rig.file = "loop.toml";
   rig.devices = {sensor("imu", DeviceKind::imu), sensor("compass", DeviceKind::attitude),
                  sensor("depth", DeviceKind::depth, {2, 0, 0.5}),
                  sensor("log", DeviceKind::emlog, {0, 0.4, 0})};
   return rig;
 }
 
-Origin from(std::uint16_t device, double t) { return {.valid_at = at_s(t), .device = device}; }
+Origin from(std::uint16_t device, double t) {
+  Origin origin;
+  origin.valid_at = at_s(t);
+  origin.device = device;
+  return origin;
+}
 
 void hear_all(MeasuredState& state, double t) {
   state.receive(measurement::ImuSample{from(0, t), {}, {0, 0, 0.1}});
@@ -94,9 +98,10 @@ TEST(MeasuredState, ARigWithoutASensorIsRefusedByItsName) {
     const MeasuredState state(rig);
     FAIL() << "accepted";
   } catch (const std::runtime_error& error) {
-    EXPECT_STREQ(error.what(),
-                 "loop.toml: whoever steers over the wires needs a device of kind \"depth\"; it "
-                 "sails by attitude, depth, emlog and imu");
+    EXPECT_STREQ(
+        error.what(),
+        "an autopilot that steers over the wires sails by devices of kind attitude, depth, "
+        "emlog and imu; there is none of kind depth");
   }
 }
 
@@ -107,8 +112,8 @@ TEST(Pilot, ARigWhereNothingTakesOrdersIsRefused) {
     FAIL() << "accepted";
   } catch (const std::runtime_error& error) {
     EXPECT_STREQ(error.what(),
-                 "loop.toml: nothing takes orders; allowed: devices of kind \"actuator\" with "
-                 "nmea2000 or cia402");
+                 "nothing takes the orders of the mission's autopilot; allowed: devices of kind "
+                 "actuator with nmea2000 or cia402");
   }
 }
 
