@@ -2,6 +2,7 @@
 
 #include "hil/motion/ballistic_trajectory.hpp"
 #include "hil/motion/kinematic_trajectory.hpp"
+#include "hil/motion/splined/splined_trajectory.hpp"
 #include "hil/motion/steered/steered_trajectory.hpp"
 #include "hil/motion/vehicle/vehicle_trajectory.hpp"
 
@@ -9,6 +10,7 @@ namespace drydock::motion {
 
 std::unique_ptr<Trajectory> make_trajectory(const rig_config::MissionConfig& mission, Stamp start) {
   if (mission.ballistic) return std::make_unique<BallisticTrajectory>(mission, start);
+  if (mission.track) return std::make_unique<SplinedTrajectory>(mission, start);
   if (mission.steering) return std::make_unique<SteeredTrajectory>(mission, start);
   if (mission.vehicle) return std::make_unique<VehicleTrajectory>(mission, start);
   return std::make_unique<KinematicTrajectory>(mission, start);
