@@ -54,6 +54,7 @@ const std::vector<Row>& rows() {
       {"bisect", "", "", ""},
       {"replay", DIVE, DIVE " --speed 0.01", ""},
       {"track", "", "", ""},
+      {"twin", "", "", ""},
       {"proxy", "", "pty:@/a pty:@/b --for 1h", ""},
       {"sensor", "rig_config/sensors/xsens-mti-630.toml --for 20s",
        "rig_config/sensors/xsens-mti-630.toml --for 5000h", ""},
@@ -68,6 +69,7 @@ const std::vector<Row>& rows() {
       {"load", "", DEMO " --for 1h", ""},
       {"scorecard", "", DEMO, ""},
       {"score", "", "", ""},
+      {"compare", DEMO " --estimators leveling --for 1s", "", ""},
       {"dds-config", " ", "", ""},
   };
   return all;
