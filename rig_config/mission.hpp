@@ -53,6 +53,11 @@ struct BallisticConfig {
   double coning_radps = 0;                ///< rate of the nose around this cone
 };
 
+/// A way that the vehicle sails instead of legs, as poses in a CSV file.
+struct TrackConfig {
+  std::string file;
+};
+
 /// Another program that steers the vehicle instead of legs.
 struct SteeringConfig {
   std::string from;                       ///< "ardupilot": its JSON physics interface
@@ -60,7 +65,7 @@ struct SteeringConfig {
 };
 
 struct MissionConfig {
-  std::vector<std::string> files;  ///< files that it names: the vehicle file
+  std::vector<std::string> files;  ///< files that it names: of the vehicle, of the track
   double latitude_rad = 0, longitude_rad = 0, depth_m = 0, heading_rad = 0, speed_mps = 0;
   OceanConfig ocean;
   double pivot_m = 0;           ///< point without side slip in a turn, ahead of the origin
@@ -68,6 +73,7 @@ struct MissionConfig {
   std::vector<LegConfig> legs;  ///< repeated from the first one if the run lasts longer
   std::vector<FaultConfig> faults;
   std::optional<BallisticConfig> ballistic;  ///< instead of legs
+  std::optional<TrackConfig> track;          ///< instead of legs
   std::optional<VehicleConfig> vehicle;      ///< follows the legs with autopilots; empty: kinematic
   std::optional<ThrusterVehicleConfig> thruster_vehicle;  ///< needs steering
   std::optional<SteeringConfig> steering;                 ///< instead of legs

@@ -3,6 +3,7 @@
 #include "hil/motion/ballistic_trajectory.hpp"
 #include "hil/motion/kinematic_trajectory.hpp"
 #include "hil/motion/ordered/ordered_trajectory.hpp"
+#include "hil/motion/splined/splined_trajectory.hpp"
 #include "hil/motion/steered/steered_trajectory.hpp"
 #include "hil/motion/vehicle/vehicle_trajectory.hpp"
 #include "rig_config/steering.hpp"
@@ -13,6 +14,7 @@ std::unique_ptr<Trajectory> make_trajectory(const rig_config::MissionConfig& mis
   if (mission.ballistic) return std::make_unique<BallisticTrajectory>(mission, start);
   if (rig_config::steered_over_wires(mission))
     return std::make_unique<OrderedTrajectory>(mission, start);
+  if (mission.track) return std::make_unique<SplinedTrajectory>(mission, start);
   if (mission.steering) return std::make_unique<SteeredTrajectory>(mission, start);
   if (mission.vehicle) return std::make_unique<VehicleTrajectory>(mission, start);
   return std::make_unique<KinematicTrajectory>(mission, start);

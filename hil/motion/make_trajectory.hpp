@@ -7,9 +7,9 @@
 
 namespace drydock::motion {
 
-/// The motion of a mission: its legs, followed exactly or sailed by a simulated vehicle, or a
-/// ballistic flight. Throws BadMission for a mission that is not possible, ocean::BadRaster
-/// for a bed that is not, std::invalid_argument for a vehicle that is not.
+/// The motion of a mission: its legs, followed exactly or sailed by a simulated vehicle, a track
+/// from a file, or a ballistic flight. Throws BadMission for a mission that is not possible,
+/// ocean::BadRaster for a bed that is not, std::invalid_argument for a vehicle that is not.
 std::unique_ptr<Trajectory> make_trajectory(const rig_config::MissionConfig& mission, Stamp start);
 
 }  // namespace drydock::motion

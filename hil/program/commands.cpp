@@ -34,6 +34,7 @@ void add_bisect(CLI::App&, Command&);
 void add_replay(CLI::App&, Command&);
 void add_diff(CLI::App&, Command&);
 void add_track(CLI::App&, Command&);
+void add_twin(CLI::App&, Command&);
 void add_proxy(CLI::App&, Command&);
 void add_bridge(CLI::App&, Command&);
 // The emulated world and the papers, without wires.
@@ -50,17 +51,19 @@ void add_validity(CLI::App&, Command&);
 void add_load(CLI::App&, Command&);
 void add_scorecard(CLI::App&, Command&);
 void add_score(CLI::App&, Command&);
+void add_compare(CLI::App&, Command&);
 void add_dds_config(CLI::App&, Command&);
 
 std::span<const AddCommand> commands() {
   static constexpr auto all = std::to_array<AddCommand>(
-      {add_run,    add_emulate,  add_drive,   add_record,    add_estimate,     add_check,
-       add_fault,  add_diagnose, add_topic,   add_example,   add_new,          add_decode,
-       add_probe,  add_describe, add_monitor, add_doctor,    add_completion,   add_man,
-       add_help,   add_info,     add_export,  add_recover,   add_cut,          add_bisect,
-       add_replay, add_diff,     add_track,   add_proxy,     add_bridge,       add_sensor,
-       add_sky,    add_maneuver, add_study,   add_campaign,  add_characterize, add_calibrate,
-       add_soak,   add_validity, add_load,    add_scorecard, add_score,        add_dds_config});
+      {add_run,       add_emulate,   add_drive,    add_record,  add_estimate,   add_check,
+       add_fault,     add_diagnose,  add_topic,    add_example, add_new,        add_decode,
+       add_probe,     add_describe,  add_monitor,  add_doctor,  add_completion, add_man,
+       add_help,      add_info,      add_export,   add_recover, add_cut,        add_bisect,
+       add_replay,    add_diff,      add_track,    add_twin,    add_proxy,      add_bridge,
+       add_sensor,    add_sky,       add_maneuver, add_study,   add_campaign,   add_characterize,
+       add_calibrate, add_soak,      add_validity, add_load,    add_scorecard,  add_score,
+       add_compare,   add_dds_config});
   return all;
 }
 

@@ -41,7 +41,7 @@ rig_config::Rig rig_of_capture(measurement::Kind kind) {
 }  // namespace
 
 Gathered gather_recording(const std::string& path, const record::Selection& part,
-                          const std::string& rig_file) {
+                          const std::string& rig_file, host::Follower* also) {
   auto recording = record::Recording::open(path);
   if (!recording) throw std::runtime_error(recording.error().line);
   if (const auto wrong = record::misfit(part, *recording); !wrong.empty())
@@ -54,6 +54,7 @@ Gathered gather_recording(const std::string& path, const record::Selection& part
   const auto inertial = part.from ? std::nullopt : inertial_of(rig);
   Gatherer gatherer(rig, inertial ? std::optional(inertial->imu) : std::nullopt);
   bench.followers().add(gatherer);
+  if (also != nullptr) bench.followers().add(*also);
   bench.play(pace, [](double) { return true; });
   Gathered gathered = gatherer.take();
   gathered.source = path;
@@ -64,13 +65,16 @@ Gathered gather_recording(const std::string& path, const record::Selection& part
   return gathered;
 }
 
-Gathered gather_capture(const decode::ReplayOptions& capture) {
+Gathered gather_capture(const decode::ReplayOptions& capture, host::Follower* also) {
   std::vector<measurement::Measurement> all;
   const auto played =
       decode::play(capture, [&](const measurement::Measurement& m) { all.push_back(m); });
   const auto rig = rig_of_capture(played.kind);
   Gatherer gatherer(rig, {});
-  for (const auto& m : all) gatherer.on_measurement(m);
+  for (const auto& m : all) {
+    gatherer.on_measurement(m);
+    if (also != nullptr) also->on_measurement(m);
+  }
   Gathered gathered = gatherer.take();
   gathered.source = capture.capture;
   gathered.notes.push_back(played.clock.in_words());

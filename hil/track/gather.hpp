@@ -1,18 +1,19 @@
 #pragma once
 
 #include "drivers/decode/replay.hpp"
+#include "drivers/host/follower.hpp"
 #include "drivers/recordings/record/selection.hpp"
 #include "hil/track/gathered.hpp"
 
 namespace drydock::track {
 
 /// Plays a recording through the drivers of its rig, in virtual time. `rig_file`: a rig file in the
-/// place of the recorded one, with the same devices; empty: the recorded one. Throws
-/// std::runtime_error with one line if it cannot be played.
+/// place of the recorded one, with the same devices; empty: the recorded one. `also` hears every
+/// measurement; may be null. Throws std::runtime_error with one line if it cannot be played.
 Gathered gather_recording(const std::string& path, const record::Selection& part,
-                          const std::string& rig_file = {});
+                          const std::string& rig_file = {}, host::Follower* also = nullptr);
 
 /// Plays a capture of one sensor through its driver.
-Gathered gather_capture(const decode::ReplayOptions& capture);
+Gathered gather_capture(const decode::ReplayOptions& capture, host::Follower* also = nullptr);
 
 }  // namespace drydock::track

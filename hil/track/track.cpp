@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <stdexcept>
 
 #include "drivers/terminal/exit_codes.hpp"
 #include "hil/replay/replay_rig.hpp"
@@ -12,11 +11,6 @@
 
 namespace drydock::track {
 namespace {
-
-/// Thrown for options that do not fit.
-struct BadOptions : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
 
 std::optional<Format> wanted_format(const TrackOptions& options) {
   if (options.out.empty()) return {};
@@ -42,13 +36,13 @@ void write(const Outcome& outcome, const TrackOptions& options, Format format) {
 
 }  // namespace
 
-Gathered gather(const TrackOptions& options) {
+Gathered gather(const TrackOptions& options, host::Follower* also) {
   if (replay::is_recording(options.source.capture))
-    return gather_recording(options.source.capture, options.part, options.rig);
+    return gather_recording(options.source.capture, options.part, options.rig, also);
   if (options.source.protocol.empty())
     throw BadOptions(options.source.capture +
                      " is no MCAP recording: --protocol says what its sensor speaks");
-  return gather_capture(options.source);
+  return gather_capture(options.source, also);
 }
 
 int track(const TrackOptions& options, std::FILE* out, std::FILE* err) {

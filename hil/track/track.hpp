@@ -1,11 +1,17 @@
 #pragma once
 
 #include <cstdio>
+#include <stdexcept>
 
 #include "hil/track/gather.hpp"
 #include "hil/track/outcome.hpp"
 
 namespace drydock::track {
+
+/// Thrown for options that do not fit.
+struct BadOptions : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
 
 struct TrackOptions {
   decode::ReplayOptions source;  ///< its `capture` names the file; the rest is for captures
@@ -20,8 +26,9 @@ struct TrackOptions {
   std::string report;  ///< folder for index.html; empty: none
 };
 
-/// Plays what is named by the options. Throws std::exception with one line.
-Gathered gather(const TrackOptions& options);
+/// Plays what is named by the options. `also` hears every measurement; may be null. Throws
+/// std::exception with one line.
+Gathered gather(const TrackOptions& options, host::Follower* also = nullptr);
 
 /// `drydock track`: prints what the track is worth and writes its files. Exit code: 0 there is a
 /// track, 1 there can be none, 2 wrong usage.

@@ -30,6 +30,8 @@ class MissionChecks {
       vehicle_fits(mission->find_text("vehicle"));
     }
     if (bed_kind_ == "raster") raster_exists();
+    if (const Node* track = root_.find("track"))
+      if (const Node* file = track->find_text("file")) exists(*file, "/track/file");
     if (ocean_) depths_rise(*ocean_, "current", "/ocean/current");
     const Node* water = ocean_ ? ocean_->find("water") : nullptr;
     if (water) depths_rise(*water, "layer", "/ocean/water/layer");

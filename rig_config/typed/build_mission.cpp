@@ -73,6 +73,10 @@ MissionConfig build_mission(const Node& root, const std::string& file) {
     mission.ballistic = build_ballistic(*ballistic);
     read(*ballistic, "speed_mps", mission.speed_mps);
   }
+  if (const Node* track = root.find("track")) {
+    mission.track = TrackConfig{beside(file, track->find("file")->text)};
+    mission.files.push_back(mission.track->file);
+  }
   if (const Node* steering = root.find("steering")) mission.steering = build_steering(*steering);
   mission.faults = build_faults(root, file);
   return mission;

@@ -55,6 +55,7 @@ const std::vector<Row>& rows() {
       {"replay", DIVE, DIVE " --speed 0.01", ""},
       {"diff", DIVE " " DIVE, "", ""},
       {"track", "", "", ""},
+      {"twin", "", "", ""},
       {"proxy", "", "pty:@/a pty:@/b --for 1h", ""},
       {"bridge", "", "mavlink " DEMO " --to udp:127.0.0.1:14559 --for 1h", "udp:"},
       {"sensor", "rig_config/sensors/xsens-mti-630.toml --for 20s",
@@ -70,6 +71,7 @@ const std::vector<Row>& rows() {
       {"load", "", DEMO " --for 1h", ""},
       {"scorecard", "", DEMO, ""},
       {"score", "", "", ""},
+      {"compare", DEMO " --estimators leveling --for 1s", "", ""},
       {"dds-config", " ", "", ""},
   };
   return all;

@@ -1,0 +1,51 @@
+#include "hil/compare/contest.hpp"
+
+#include <stdexcept>
+
+#include "rig_config/load.hpp"
+#include "rig_config/toml/with_estimator.hpp"
+
+namespace drydock::compare {
+namespace {
+
+/// The rig with this estimator alone. Its problems name no line: they are of a made text.
+rig_config::Rig rig_with(const std::string& choice, const std::string& rig_text,
+                         const std::string& rig_file) {
+  auto rig = rig_config::load_rig_text(rig_config::with_estimator(rig_text, choice), rig_file);
+  if (rig) return std::move(*rig);
+  const auto problem = rig.error().front();
+  throw std::invalid_argument(problem.path + ": " + problem.what);
+}
+
+}  // namespace
+
+Contest::Contest(const std::string& rig_text, const std::string& rig_file,
+                 const std::vector<std::string>& choices, const Contender::Setting& setting) {
+  for (const auto& choice : choices) {
+    try {
+      contenders_.push_back(
+          std::make_unique<Contender>(choice, rig_with(choice, rig_text, rig_file), setting));
+    } catch (const std::exception& error) {
+      throw std::invalid_argument("--estimators " + choice + ": " + error.what());
+    }
+  }
+}
+
+void Contest::on_measurement(const measurement::Measurement& measurement) {
+  ++measurements_;
+  for (const auto& contender : contenders_) contender->take(measurement);
+}
+
+void Contest::on_finding(const diagnosis::Finding& finding) {
+  for (const auto& contender : contenders_) contender->heed(finding);
+}
+
+void Contest::write(Comparison& comparison) {
+  comparison.measurements = measurements_;
+  for (const auto& contender : contenders_) {
+    contender->finish();
+    comparison.entries.push_back(contender->entry());
+  }
+}
+
+}  // namespace drydock::compare

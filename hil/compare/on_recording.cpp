@@ -1,0 +1,78 @@
+#include <boost/asio/io_context.hpp>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+
+#include "estimators/host/diagnostician_beside.hpp"
+#include "hil/compare/compare.hpp"
+#include "hil/compare/contest.hpp"
+#include "hil/compare/true_places.hpp"
+#include "hil/replay/other_rig.hpp"
+#include "hil/replay/recorded_rig.hpp"
+#include "hil/replay/recorded_trajectory.hpp"
+#include "hil/replay/replay_bench.hpp"
+#include "rig_config/load.hpp"
+
+namespace drydock::compare {
+namespace {
+
+constexpr double usual_length_s = 3600;  ///< for the spacing of curves without a truth
+
+std::string text_of(const std::string& path) {
+  std::ifstream in(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+/// The devices alone: each contender has its estimator.
+rig_config::Rig devices_of(rig_config::Rig rig) {
+  rig.estimators.clear();
+  rig.expects.clear();
+  return rig;
+}
+
+replay::OtherRig rig_to_play(const replay::RecordedRig& recorded,
+                             const record::Recording& recording, const std::string& file) {
+  if (file.empty()) return {devices_of(recorded.rig()), {}};
+  auto rig = rig_config::load_rig(file);
+  if (!rig) throw std::invalid_argument(to_string(rig.error().front()));
+  auto fitting = replay::fit(devices_of(*rig), recording, recorded.rig());
+  if (fitting.rig.devices.size() != rig->devices.size())
+    throw std::invalid_argument(fitting.notes.front() + "; take it out of the rig");
+  return fitting;
+}
+
+}  // namespace
+
+Comparison compare_on_recording(const CompareOptions& options) {
+  auto recording = record::Recording::open(options.source);
+  if (!recording) throw std::runtime_error(recording.error().line);
+  if (const auto wrong = record::misfit(options.part, *recording); !wrong.empty())
+    throw std::invalid_argument(wrong);
+  const replay::RecordedRig recorded(*recording);
+  if (options.rig.empty() && !recorded.trouble().empty())
+    throw std::runtime_error(recorded.trouble() + "; --rig names a rig file that is whole");
+  const auto played = rig_to_play(recorded, *recording, options.rig);
+  replay::ReplayBench bench(*recording, played.rig, options.part, {});
+  const auto truth = replay::RecordedTrajectory::read(options.source);
+  const std::string file = options.rig.empty() ? recorded.rig().file : options.rig;
+  Contest contest(text_of(file), file, options.estimators,
+                  {truth.get(), bench.start(),
+                   truth ? measurement::seconds(truth->end() - truth->start()) : usual_length_s});
+  const auto diagnostician =
+      host::diagnostician_beside(played.rig, bench.devices(), bench.followers());
+  bench.followers().add(*diagnostician);
+  bench.followers().add(contest);
+  boost::asio::io_context io{1};
+  replay::Pace pace(io, 0);
+  bench.play(pace, [](double) { return true; });
+  Comparison comparison;
+  comparison.source = options.source;
+  comparison.duration_s = measurement::seconds(bench.played());
+  comparison.truth = truth != nullptr;
+  comparison.notes = played.notes;
+  if (truth) comparison.true_places = true_places(*truth, truth->end());
+  contest.write(comparison);
+  return comparison;
+}
+
+}  // namespace drydock::compare

@@ -1,0 +1,66 @@
+#include "hil/compare/compare.hpp"
+
+#include <memory>
+
+#include "hil/program/commands.hpp"
+#include "hil/program/load_rig.hpp"
+#include "hil/program/part_arguments.hpp"
+#include "hil/replay/replay_rig.hpp"
+#include "rig_config/toml/split_values.hpp"
+
+namespace drydock::program {
+
+namespace {
+
+struct CompareArguments {
+  compare::CompareOptions options;
+  PartArguments part;
+  std::string estimators;
+};
+
+void finish(CompareArguments& a) {
+  for (const auto choice : rig_config::split_values(a.estimators, ','))
+    a.options.estimators.emplace_back(choice);
+  a.options.part = a.part.selection();
+}
+
+int run_compare(const CompareArguments& a) {
+  if (replay::is_recording(a.options.source))
+    return compare::compare(nullptr, a.options, stdout, stderr);
+  const auto rig = load_rig(a.options.source, check::Use::lockstep);
+  return compare::compare(&rig, a.options, stdout, stderr);
+}
+
+}  // namespace
+
+void add_compare(CLI::App& app, Command& command) {
+  auto a = std::make_shared<CompareArguments>();
+  auto& o = a->options;
+  auto* sub = app.add_subcommand(
+      "compare", "Estimators side by side on the same bytes: errors, consistency, cost, gaps");
+  sub->footer(
+      "Example: drydock compare rig_config/rigs/demo.toml --estimators "
+      "leveling,leveling:filter=robust,mixing --for 5min\n"
+      "         drydock compare dive.mcap --estimators navigation,dead-reckoning --report out\n"
+      "         drydock compare dive.mcap --estimators leveling,mixing --json");
+  sub->add_option("SOURCE", o.source, "MCAP recording, or a rig, which runs in virtual time")
+      ->required();
+  sub->add_option("--estimators", a->estimators,
+                  "A,B,C: names of the rig's estimators or kinds, each with options as "
+                  "kind:key=value:key=value")
+      ->required();
+  sub->add_option("--rig", o.rig, "of a recording: rig file in the place of the recorded one")
+      ->check(CLI::ExistingFile);
+  sub->add_option("--for", o.duration_s, "of a rig: 60s, 10min; default one lap of its mission")
+      ->transform(running_time);
+  a->part.add_only_and_from(*sub);
+  a->part.add_to(*sub);
+  sub->add_flag("--json", o.json, "one JSON object instead of a table");
+  sub->add_option("--report", o.report, "write index.html with plots into this folder");
+  sub->callback([a, &command] {
+    finish(*a);
+    command = [a] { return run_compare(*a); };
+  });
+}
+
+}  // namespace drydock::program
