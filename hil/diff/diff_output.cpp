@@ -22,8 +22,8 @@ report::Table table_of(const Side& a, const Side& b, const Comparison& compariso
   for (const auto& [what, in_a, in_b, change] : comparison.differences)
     table.rows.push_back(
         {what, cell(in_a), cell(in_b), change ? fmt::format("{:+.6g}", *change) : ""});
-  table.note =
-      fmt::format("{} of {} values differ", comparison.differences.size(), comparison.compared);
+  table.note = fmt::format("{} differences; {} values are in both", comparison.differences.size(),
+                           comparison.compared);
   return table;
 }
 

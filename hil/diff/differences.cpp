@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <map>
+#include <set>
 
 namespace drydock::diff {
 namespace {
@@ -35,6 +37,9 @@ class Values {
   }
 
   const std::vector<std::string>& names() const { return names_; }
+  /// The device, estimator, ... that the value belongs to; the value's own name if it has none.
+  const std::string& owner_of(const std::string& name) const { return owners_.at(name); }
+  bool owns(const std::string& owner) const { return owned_.contains(owner); }
   const Json* of(const std::string& name) const {
     const auto found = values_.find(name);
     return found == values_.end() ? nullptr : &found->second;
@@ -43,11 +48,15 @@ class Values {
  private:
   void add_list(const List& list, const Json& entries) {
     for (const auto& entry : entries) {
-      std::string name{list.one};
+      std::string name{list.one};  // grows to "device dvl"
       for (const auto key : list.identity)
         if (!key.empty() && entry.is_object() && entry.contains(key))
           name += " " + text_of(entry[std::string(key)]);
+      const std::string first = name;
+      for (int i = 2; owned_.contains(name); ++i) name = first + " (" + std::to_string(i) + ")";
+      owned_.insert(owner_ = name);
       add(name, ": ", entry);
+      owner_.clear();
     }
   }
   void add(const std::string& name, const char* separator, const Json& value) {
@@ -59,12 +68,11 @@ class Values {
       put(name, value);
     }
   }
-  /// A second one of the same name gets a number.
-  void put(std::string name, const Json& value) {
-    const std::string first = name;
-    for (int i = 2; values_.contains(name); ++i) name = first + " (" + std::to_string(i) + ")";
+  void put(const std::string& name, const Json& value) {
+    if (!values_.emplace(name, value).second) return;  // the same note twice
     names_.push_back(name);
-    values_.emplace(std::move(name), value);
+    owners_.emplace(name, owner_.empty() ? name : owner_);
+    owned_.insert(owners_.at(name));
   }
   static std::string text_of(const Json& value) {
     return value.is_string() ? value.get<std::string>() : value.dump();
@@ -72,35 +80,60 @@ class Values {
 
   std::vector<std::string> names_;
   std::map<std::string, Json> values_;
+  std::map<std::string, std::string> owners_;
+  std::set<std::string> owned_;
+  std::string owner_;  ///< of what is being added
 };
 
-bool are_same(const Json& a, const Json& b, double tolerance) {
-  if (!a.is_number() || !b.is_number()) return a == b;
-  const double x = a, y = b;
-  return std::abs(x - y) <= tolerance * std::max(std::abs(x), std::abs(y));
+/// Verdicts have their numbers as texts.
+std::optional<double> number_in(const Json& value) {
+  if (value.is_number()) return value.get<double>();
+  if (!value.is_string()) return {};
+  const auto& text = value.get_ref<const std::string&>();
+  double number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc{} || end != text.data() + text.size()) return {};
+  return number;
 }
 
-std::optional<Json> copy_of(const Json* value) {
-  return value == nullptr ? std::nullopt : std::optional(*value);
+std::optional<Difference> difference(const std::string& name, const Json& a, const Json& b,
+                                     double tolerance) {
+  if (a == b) return {};
+  const auto x = number_in(a), y = number_in(b);
+  if (!x || !y) return Difference{name, a, b, {}};
+  if (std::abs(*x - *y) <= tolerance * std::max(std::abs(*x), std::abs(*y))) return {};
+  return Difference{name, a, b, *y - *x};
+}
+
+/// Adds a line for each owner of `has` that `lacks` does not have, and the values that it lacks.
+void add_absent(const Values& has, const Values& lacks, std::optional<Json> Difference::*side,
+                std::vector<Difference>& differences) {
+  std::set<std::string> told;
+  for (const auto& name : has.names()) {
+    if (lacks.of(name) != nullptr) continue;
+    const auto& owner = has.owner_of(name);
+    const bool whole = !lacks.owns(owner) && owner != name;
+    if (!told.insert(whole ? owner : name).second) continue;
+    Difference one{whole ? owner : name, {}, {}, {}};
+    one.*side = whole ? Json("present") : *has.of(name);
+    differences.push_back(std::move(one));
+  }
 }
 
 }  // namespace
 
 Comparison compare(const Json& a, const Json& b, double tolerance) {
   const Values of_a(a), of_b(b);
-  std::vector<std::string> names = of_a.names();
-  for (const auto& name : of_b.names())
-    if (of_a.of(name) == nullptr) names.push_back(name);
   Comparison comparison;
-  comparison.compared = names.size();
-  for (const auto& name : names) {
-    const Json *in_a = of_a.of(name), *in_b = of_b.of(name);
-    if (in_a && in_b && are_same(*in_a, *in_b, tolerance)) continue;
-    Difference difference{name, copy_of(in_a), copy_of(in_b), {}};
-    if (in_a && in_b && in_a->is_number() && in_b->is_number())
-      difference.change = in_b->get<double>() - in_a->get<double>();
-    comparison.differences.push_back(std::move(difference));
+  for (const auto& name : of_a.names()) {
+    const auto* other = of_b.of(name);
+    if (other == nullptr) continue;
+    ++comparison.compared;
+    if (auto found = difference(name, *of_a.of(name), *other, tolerance))
+      comparison.differences.push_back(std::move(*found));
   }
+  add_absent(of_a, of_b, &Difference::a, comparison.differences);
+  add_absent(of_b, of_a, &Difference::b, comparison.differences);
   return comparison;
 }
 

@@ -17,13 +17,15 @@ struct Difference {
 };
 
 struct Comparison {
-  std::size_t compared = 0;  ///< values
+  std::size_t compared = 0;  ///< values that both have
   std::vector<Difference> differences;
 };
 
-/// Compares the summaries of two runs (docs/use/run.md), in the order of A. Devices and estimators
-/// are the same if their names are. The time that the computer took, and its memory, are left out.
-/// `tolerance`: numbers are the same if they differ by at most this part of the larger one.
+/// Compares the summaries of two runs (docs/use/run.md): first what both have, in the order of A,
+/// then what only one has. Devices and estimators are the same if their names are; one that only
+/// one run has is one difference, "present". The time that the computer took, and its memory, are
+/// left out. `tolerance`: numbers are the same if they differ by at most this part of the larger
+/// one.
 Comparison compare(const Json& a, const Json& b, double tolerance = 0);
 
 }  // namespace drydock::diff

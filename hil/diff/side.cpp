@@ -16,6 +16,9 @@ Side read_side(const std::string& file) {
     throw std::runtime_error(file + ": " + why);
   if (replay::is_recording(file)) {
     auto curves = replay::summarize(file);
+    std::erase_if(curves.notes, [&](const std::string& note) {  // the table's head has the name
+      return note.starts_with("replay of " + file);
+    });
     auto json = nlohmann::ordered_json::parse(to_json(curves));
     return {file, std::move(json), std::move(curves)};
   }

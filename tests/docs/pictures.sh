@@ -11,8 +11,9 @@ printf '[[fault]]\ndevice = "dvl"\nfault = "hang"\nstart_s = 15\nfor_s = 10\n' >
 shot() { node tests/docs/shot.cjs "$(command -v chromium)" "$@"; }
 
 "$drydock" run rig_config/rigs/demo.toml --for 60s --speed max --faults "$folder/hang.toml" --report "$folder" >/dev/null
-shot "file://$folder/index.html" docs/use/report.png 1100 1250
+shot "file://$folder/index.html" docs/use/report.png 1100 1150 "Estimator leveling"
 
+: >"$folder/run.txt"
 "$drydock" run rig_config/rigs/demo.toml --for 80s --faults "$folder/hang.toml" --serve 0 >"$folder/run.txt" &
 run=$!
 until url=$(sed -n 's/^live: //p' "$folder/run.txt") && [ -n "$url" ]; do sleep 0.2; done

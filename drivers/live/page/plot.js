@@ -82,7 +82,7 @@ export class Plot {
       ctx.fillRect(from, top, to - from, tall);
       ctx.beginPath(); ctx.rect(from, top, to - from, tall); ctx.clip();
       ctx.fillStyle = css('--error'); ctx.font = `${10 * ratio}px system-ui, sans-serif`; ctx.textAlign = 'left'; ctx.textBaseline = 'top';
-      ctx.fillText(name || text, from + 3 * ratio, top + 2 * ratio);
+      ctx.fillText(name || text, from + 3 * ratio, top + 6 * ratio);
       ctx.restore(); ctx.save();
     }
     ctx.restore();

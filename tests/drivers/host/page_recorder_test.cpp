@@ -28,8 +28,8 @@ class PageRecorded : public testing::Test {
     auto& depth = rig_.devices.emplace_back();
     depth.name = "depth";
     depth.kind = rig_config::DeviceKind::depth;
-    depth.protocol = "cia404_pressure";
-    depth.link = "vcan:can0";
+    depth.protocol = "cia404-pressure";
+    depth.link = "can:auto";
   }
   void TearDown() override { std::filesystem::remove_all(folder_); }
 

@@ -58,17 +58,26 @@ TEST(Differences, WhatOnlyOneRunHasIsNamedAndTheOtherSideIsEmpty) {
   more["devices"].push_back({{"name", "gps"}, {"rate_hz", 5}});
   more["notes"] = {"recording x.mcap"};
   const auto comparison = compare(run(3, 2), more);
-  EXPECT_EQ(names(comparison), (std::vector<std::string>{"device gps: name", "device gps: rate_hz",
-                                                         "notes recording x.mcap"}));
+  EXPECT_EQ(names(comparison), (std::vector<std::string>{"device gps", "notes recording x.mcap"}));
   EXPECT_FALSE(comparison.differences[0].a);
-  EXPECT_EQ(comparison.differences[1].b, Json(5));
+  EXPECT_EQ(comparison.differences[0].b, Json("present"));
   EXPECT_EQ(names(compare(more, run(3, 2))), names(comparison));
 }
 
 TEST(Differences, TwoFindingsOfOneNameAreTwo) {
   const Json finding{{"device", "dvl"}, {"cause", "damaged"}, {"since_s", 1.5}};
   const Json once{{"findings", {finding}}}, twice{{"findings", {finding, finding}}};
-  EXPECT_EQ(compare(once, twice).differences.size(), 3U);
+  EXPECT_EQ(names(compare(once, twice)), (std::vector<std::string>{"finding dvl damaged 1.5 (2)"}));
+}
+
+TEST(Differences, OfVerdictsAreThoseOfTheirNumbers) {
+  const auto judged = [](const char* measured) {
+    return Json{{"expectations", {{{"of", "dvl"}, {"what", "rate_hz"}, {"measured", measured}}}}};
+  };
+  EXPECT_TRUE(compare(judged("8.0"), judged("8.004"), 0.01).differences.empty());
+  const auto comparison = compare(judged("8"), judged("6.5"), 0.01);
+  ASSERT_EQ(names(comparison), std::vector<std::string>{"expectation dvl rate_hz: measured"});
+  EXPECT_EQ(comparison.differences[0].change, -1.5);
 }
 
 }  // namespace differences_test
