@@ -103,7 +103,8 @@ with tempfile.TemporaryDirectory(prefix="drydock-consumers-") as room:
     unknown.mkdir()
     (unknown / "CMakeLists.txt").write_text("cmake_minimum_required(VERSION 3.25)\nproject(x CXX)\n"
                                             "find_package(Drydock CONFIG REQUIRED COMPONENTS wire sonar)\n")
-    refused = subprocess.run(["cmake", "-S", unknown, "-B", unknown / "b", f"-DCMAKE_PREFIX_PATH={prefix}"], capture_output=True, text=True)
+    refused = subprocess.run(["cmake", "-G", "Ninja", "-S", unknown, "-B", unknown / "b", f"-DCMAKE_PREFIX_PATH={prefix}"],
+                             capture_output=True, text=True)
     expect("an unknown component is refused by name", "Drydock has no component sonar" in re.sub(r"\s+", " ", refused.stderr), True)
 
 expect("pd0_file has 15 lines", lines_of_code("pd0_file.cpp") <= 15, True)
