@@ -1,6 +1,7 @@
 #include "drivers/wire/dvl/wayfinder.hpp"
 
 #include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
 
 #include <cmath>
 
@@ -16,7 +17,7 @@ using rig_config::DeviceKind;
 using Bytes = std::vector<std::uint8_t>;
 using namespace std::chrono_literals;
 
-constexpr std::uint32_t stop = 0x0F, go = 0x10, trigger = 0x11;
+constexpr std::uint32_t stop = 0x0F, go = 0x10, trigger = 0x11, defaults = 0x17;
 constexpr std::uint32_t get_time = 0x1D000001, set_time = 0x1F000002, get_system = 0x81000001,
                         get_setup = 0x85000001, set_setup = 0x87000002, set_sound = 0x86000003;
 constexpr std::uint8_t done = 1, unknown = 2, wrong = 3, not_done = 4, not_set = 5, pinging = 7;
@@ -142,7 +143,7 @@ TEST_F(WayfinderDialogueTest, TheSetupIsTakenWithinItsLimitsAndReadBack) {
   EXPECT_EQ(answer(command(set_setup, setup(0, 7, 1399, 25))).at(5), 3) << "speed of sound";
   EXPECT_EQ(answer(command(set_setup, setup(0, 7, 1480, 61))).at(5), 4) << "range";
   EXPECT_EQ(dialogue_.setup().longest_range_m, 25.0F);
-  EXPECT_EQ(status(command(0x17)), done);
+  EXPECT_EQ(status(command(defaults)), done);
   EXPECT_EQ(dialogue_.setup().longest_range_m, 60.0F);
 }
 
@@ -175,6 +176,21 @@ TEST_F(WayfinderDialogueTest, ADvlThatRefusesTellsItsSettingsAndKeepsThem) {
   EXPECT_EQ(status(command(set_sound, float_bytes(1470)), true), not_set);
   EXPECT_EQ(status(command(get_setup), true), done);
   EXPECT_TRUE(dialogue_.pings());
+}
+
+RC_GTEST_PROP(EmulatedWayfinder, AnyParametersHaveAnAnswerAndKeepTheSetupWithinItsLimits, ()) {
+  WayfinderDialogue dialogue;
+  for (int i = 0; i < 20; ++i) {
+    const auto number = *rc::gen::element(stop, go, trigger, defaults, get_time, set_time,
+                                          get_system, get_setup, set_setup, set_sound);
+    const auto said = dialogue.answer(
+        command(number, *rc::gen::container<Bytes>(rc::gen::arbitrary<std::uint8_t>())),
+        1'700'000'000s, false);
+    RC_ASSERT(said.size() >= 6u);
+    RC_ASSERT(wire::load_le<std::uint32_t>(said, 0) == number);
+    RC_ASSERT(dialogue.setup().sound_speed_mps >= 1400 && dialogue.setup().sound_speed_mps <= 1600);
+    RC_ASSERT(dialogue.setup().longest_range_m >= 1 && dialogue.setup().longest_range_m <= 60);
+  }
 }
 
 /// Both packets are as the maker's programs send them: get system, then stop pinging.
