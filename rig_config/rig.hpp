@@ -57,6 +57,16 @@ struct XsensConfig {
   std::vector<Identifier> identifiers;
 };
 
+/// The settings that a u-blox receiver gets when its link opens. What is not named stays.
+struct UbloxConfig {
+  std::optional<double> rate_hz;  ///< of measurements
+  struct Message {
+    std::string name;  ///< NAV-PVT, GGA, ...: wire::ubx::message_names
+    int epochs = 0;    ///< it comes each so many epochs; 0: never
+  };
+  std::vector<Message> messages;
+};
+
 /// How a DVL's speed of sound is put right.
 struct SoundSpeedConfig {
   std::string source = "as-sent", equation = "mackenzie";
@@ -102,6 +112,7 @@ struct DeviceConfig {
   std::optional<bool> velocity_of_bed;            ///< kind dvl, Wayfinder; empty: not known
   SoundSpeedConfig sound_speed;                   ///< kind dvl
   std::optional<WaterLinkedConfig> water_linked;  ///< kind dvl, Water Linked
+  UbloxConfig ublox;                              ///< kind gnss, UBX
   EmulateConfig emulate;
   int line = 0;  ///< of the [[device]] block in the file
 };

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "drivers/device/gnss/ublox_settings.hpp"
 #include "drivers/device/mounting.hpp"
 #include "drivers/measurement/kind.hpp"
 #include "drivers/measurement/sound_speed.hpp"
@@ -101,6 +102,7 @@ struct DriverOptions {
   measurement::WaterColumn water;            ///< kind depth
   PressureOptions pressure;                  ///< protocol cia404-pressure
   DvlOptions dvl;                            ///< kind dvl
+  UbloxSettings ublox;                       ///< kind gnss, UBX; empty: the driver only listens
   std::optional<double> velocity_sigma_mps;  ///< kind dvl, emlog: if the sensor does not say it
 };
 

@@ -1,12 +1,14 @@
 #include "drivers/shell/rig_devices.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "drivers/link/uri.hpp"
 #include "drivers/shell/baud_search.hpp"
 #include "drivers/shell/imu_settings.hpp"
 #include "drivers/wire/j1939/j1939.hpp"
+#include "drivers/wire/ubx/ubx_settings.hpp"
 
 namespace drydock::shell {
 
@@ -37,6 +39,16 @@ device::SoundSpeedOptions sound_speed_options(const rig_config::SoundSpeedConfig
           .set_mps = config.set_mps};
 }
 
+device::UbloxSettings ublox_settings(const rig_config::UbloxConfig& config) {
+  device::UbloxSettings settings;
+  if (config.rate_hz)
+    settings.period = std::chrono::milliseconds{std::lround(1000 / *config.rate_hz)};
+  for (const auto& message : config.messages)
+    settings.messages.push_back({wire::ubx::message_named(message.name).value(),
+                                 static_cast<std::uint8_t>(message.epochs)});
+  return settings;
+}
+
 device::DriverOptions driver_options(const DeviceConfig& config, std::size_t index,
                                      const link::Uri& uri) {
   device::DriverOptions options;
@@ -62,6 +74,7 @@ device::DriverOptions driver_options(const DeviceConfig& config, std::size_t ind
   options.dvl.levelled = config.levelled;
   options.dvl.velocity_of_bed = config.velocity_of_bed;
   options.dvl.sound_speed = sound_speed_options(config.sound_speed);
+  options.ublox = ublox_settings(config.ublox);
   if (const auto& water_linked = config.water_linked) {
     options.dvl.water_linked = {water_linked->sound_speed_mps,  water_linked->mounting_rotation_rad,
                                 water_linked->old_sentences,    water_linked->range_mode,

@@ -116,7 +116,19 @@ class PlanReader {
     const bool emulated = !table.find("emulated") || table.find("emulated")->boolean;
     const bool can_be_written = !table.find("pattern") || table.find("emulate");
     message.emulated = emulated && message.publishes && can_be_written;
+    read_same_as(table, path, message);
     plan().messages.push_back(std::move(message));
+  }
+
+  void read_same_as(const Node& table, const std::string& path, Message& message) {
+    const Node* other = table.find("same_as");
+    if (!other) return;
+    const auto& above = plan().messages;
+    const auto found = std::ranges::find(above, other->text, &Message::name);
+    if (found == above.end())
+      return add(*other, path + "/same_as",
+                 fmt::format("no message above is called \"{}\"", other->text));
+    message.same_as = static_cast<std::uint16_t>(found - above.begin());
   }
 
   void check_name(const Node& table, const std::string& path, const Message& message) {

@@ -67,6 +67,16 @@ WaterLinkedConfig build_water_linked(const Node& table) {
   return config;
 }
 
+UbloxConfig build_ublox(const Node& table) {
+  UbloxConfig config;
+  config.rate_hz = read_if(table, "rate_hz");
+  if (const Node* messages = table.find("messages")) {
+    for (const Node::Member& member : messages->members)
+      config.messages.push_back({member.key, static_cast<int>(member.value.integer)});
+  }
+  return config;
+}
+
 SoundSpeedConfig build_sound_speed(const Node& table) {
   SoundSpeedConfig config;
   read(table, "source", config.source);
@@ -120,6 +130,7 @@ DeviceConfig build_device(const Node& table, const std::string& rig_file) {
   if (const Node* water_linked = table.find("water_linked")) {
     device.water_linked = build_water_linked(*water_linked);
   }
+  if (const Node* ublox = table.find("ublox")) device.ublox = build_ublox(*ublox);
   if (const Node* emulate = table.find("emulate")) {
     device.emulate = build_emulate(*emulate, rig_file);
   }

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "drivers/wire/ubx/ubx_settings.hpp"
+
 /// Settings that only some sensors or protocols have.
 namespace drydock::rig_config::test {
 namespace sensor_settings_test {
@@ -139,6 +141,42 @@ TEST(RigProblems, OldSentencesAreOfTheSerialProtocolAndRangeModesAreTheDvls) {
     EXPECT_EQ(problems_of_text(json + "water_linked = { range_mode = \"" + bad + "\" }\n").size(),
               1U)
         << bad;
+}
+
+constexpr auto receiver =
+    "[rig]\nname = \"r\"\n[[device]]\nname = \"g\"\nkind = \"gnss\"\nprotocol = \"ubx\"\n"
+    "link = \"pty:g\"\n";
+
+TEST(RigProblems, AUbloxMessageThatDoesNotExistIsTold) {
+  EXPECT_THAT(problems_of_text(receiver + std::string("ublox = { messages = { NAV-PVD = 1 } }\n")),
+              ElementsAre(HasSubstr("NAV-PVD: unknown key (did you mean 'NAV-PVT'?)")));
+  EXPECT_THAT(problems_of_text(receiver + std::string("ublox = { rate_hz = 0 }\n")),
+              ElementsAre(HasSubstr("/device/0/ublox/rate_hz: 0 is out of range")));
+  EXPECT_THAT(problems_of("ublox = {}\n"),
+              ElementsAre("r.toml:8:1: /device/0/ublox: not allowed here, only for protocol = "
+                          "\"ubx\" or \"ubx+nmea0183\""));
+}
+
+TEST(RigProblems, EveryMessageThatAUbloxSendsByItselfCanBeSet) {
+  for (const auto& message : wire::ubx::message_names) {
+    const std::string name(message.name);
+    EXPECT_THAT(problems_of_text(receiver + ("ublox = { messages = { " + name + " = 0 } }\n")),
+                IsEmpty())
+        << name;
+  }
+}
+
+TEST(Rig, AUbloxsSettings) {
+  const auto rig = load_rig_text(
+      receiver + std::string("ublox = { rate_hz = 5, messages = { NAV-PVT = 1, GGA = 0 } }\n"),
+      "r.toml");
+  const UbloxConfig& ublox = rig.value().devices[0].ublox;
+  EXPECT_EQ(ublox.rate_hz, 5);
+  ASSERT_EQ(ublox.messages.size(), 2U) << "in the order of their names";
+  EXPECT_EQ(ublox.messages[0].name, "GGA");
+  EXPECT_EQ(ublox.messages[0].epochs, 0);
+  EXPECT_EQ(ublox.messages[1].name, "NAV-PVT");
+  EXPECT_EQ(ublox.messages[1].epochs, 1);
 }
 
 TEST(RigProblems, ASigmaOfVelocityIsOnlyForWhatMeasuresOne) {

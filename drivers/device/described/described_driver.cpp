@@ -1,5 +1,7 @@
 #include "drivers/device/described/described_driver.hpp"
 
+#include <algorithm>
+
 #include "drivers/device/described/measure.hpp"
 #include "drivers/measurement/earlier.hpp"
 
@@ -10,6 +12,8 @@ namespace {
 namespace described = wire::described;
 using described::Decoded;
 
+constexpr std::chrono::seconds stands_for{3};  ///< a message, in place of one that says the same
+
 }  // namespace
 
 DescribedDriver::DescribedDriver(const DriverOptions& options)
@@ -17,10 +21,12 @@ DescribedDriver::DescribedDriver(const DriverOptions& options)
       options_(options),
       description_(*options_.description),
       dialogue_(description_, options.poll_period),
-      publisher_(options_) {}
+      publisher_(options_),
+      heard_at_(description_.plan.messages.size()) {}
 
 void DescribedDriver::restart(Stamp now, Output& out) {
   StreamDriver::restart(now, out);
+  std::ranges::fill(heard_at_, std::nullopt);
   dialogue_.begin(now, timing_.provenance() == measurement::Provenance::replayed, out);
 }
 
@@ -40,7 +46,15 @@ void DescribedDriver::on_frame(wire::Bytes frame, const Arrival& arrival, Output
   if (decoded != Decoded::message) return;
   if (record_.malformed != 0) out.report("a field is no number; it reads as empty");
   dialogue_.heard(record_.type, arrival.read_at, out);
-  if (record_.message->publishes) publish(arrival, out);
+  const bool again = repeats(arrival.read_at);
+  if (record_.message->publishes && !again) publish(arrival, out);
+}
+
+bool DescribedDriver::repeats(Stamp at) {
+  const auto place = record_.message - description_.plan.messages.data();
+  heard_at_[static_cast<std::size_t>(place)] = at;
+  const auto& same = record_.message->same_as;
+  return same && heard_at_[*same] && at - *heard_at_[*same] < stands_for;
 }
 
 void DescribedDriver::publish(const Arrival& arrival, Output& out) {

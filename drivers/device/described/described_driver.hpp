@@ -1,5 +1,8 @@
 #pragma once
 
+#include <optional>
+#include <vector>
+
 #include "drivers/device/described/described_dialogue.hpp"
 #include "drivers/device/described/publish_measured.hpp"
 #include "drivers/device/stream_driver.hpp"
@@ -21,6 +24,8 @@ class DescribedDriver final
  private:
   void on_frame(wire::Bytes frame, const Arrival& arrival, Output& out) override;
   void publish(const Arrival& arrival, Output& out);
+  /// True if the message that was read says what another one has just said.
+  bool repeats(Stamp at);
 
   DriverOptions options_;
   const wire::described::Description& description_;
@@ -28,6 +33,7 @@ class DescribedDriver final
   wire::described::Record record_;
   wire::described::Readings readings_;
   MeasuredPublisher publisher_;
+  std::vector<std::optional<Stamp>> heard_at_;  ///< of each message
 };
 
 }  // namespace drydock::device

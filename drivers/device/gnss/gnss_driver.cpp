@@ -28,7 +28,8 @@ GnssDriver::GnssDriver(const DriverOptions& options)
     : StreamDriver(options, options.protocol == wire::Nmea0183::name ? wire::Nmea0183::scan
                                                                      : wire::UbxNmea::scan),
       pause_(options.baud ? pause_between_epochs + timing_.line_time(block_bytes)
-                          : pause_without_baud) {}
+                          : pause_without_baud),
+      setup_(options.ublox) {}
 
 void GnssDriver::receive(wire::Bytes bytes, Stamp received_at, Output& out) {
   tick(received_at, out);  // a pause before these bytes has ended the epoch, even without a tick
@@ -37,6 +38,7 @@ void GnssDriver::receive(wire::Bytes bytes, Stamp received_at, Output& out) {
 }
 
 void GnssDriver::on_frame(wire::Bytes frame, const Arrival& arrival, Output& out) {
+  if (frame[0] == wire::ubx::sync_1) setup_.receive(frame, arrival.read_at, out);
   const auto message = wire::UbxNmea::decode(frame);
   if (!message) return;
   const Origin origin = timing_.of_bytes(arrival);
@@ -53,11 +55,13 @@ std::optional<Stamp> GnssDriver::epoch_ends_at() const {
 }
 
 std::optional<Stamp> GnssDriver::deadline() const {
-  return measurement::earlier(StreamDriver::deadline(), epoch_ends_at());
+  return measurement::earlier(measurement::earlier(StreamDriver::deadline(), epoch_ends_at()),
+                              setup_.deadline());
 }
 
 void GnssDriver::tick(Stamp now, Output& out) {
   StreamDriver::tick(now, out);
+  setup_.tick(now, out);
   const auto due = epoch_ends_at();
   if (!due || now < *due) return;
   look_behind(out, [] { return true; });  // frames of this epoch may wait behind a damaged length
@@ -78,6 +82,9 @@ void GnssDriver::restart(Stamp now, Output& out) {
   closed_time_of_day_.reset();
   itow_ = fix_itow_ = satellites_itow_ = closed_itow_ = std::nullopt;
   pvt_at_ = sat_at_ = ubx_fix_at_ = ubx_satellites_at_ = std::nullopt;
+  // A recording contains the answers at their own times, so it plays as it was recorded.
+  setup_.expect_no_answers(timing_.provenance() == measurement::Provenance::replayed);
+  setup_.start(now, out);
 }
 
 template <class Sentence>

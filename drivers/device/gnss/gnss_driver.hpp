@@ -1,6 +1,7 @@
 #pragma once
 
 #include "drivers/device/gnss/nmea_epoch.hpp"
+#include "drivers/device/gnss/ublox_setup.hpp"
 #include "drivers/device/gnss/ubx_epoch.hpp"
 #include "drivers/device/stream_driver.hpp"
 #include "drivers/wire/ubx/ubx_nmea.hpp"
@@ -15,6 +16,7 @@ namespace drydock::device {
 ///          message of the iTOW, because earlier messages on the line delay the later ones.
 ///    NMEA  the sentences of an epoch have one time of day. The epoch ends when another time
 ///          begins or the line pauses.
+/// Where the rig says how, a u-blox is set up when the link opens (UbloxSetup).
 /// A message is ignored if a better one of its epoch has the same content: parts beside NAV-PVT
 /// (NAV-SAT), NMEA beside UBX.
 class GnssDriver final : public StreamDriver<wire::UbxNmea::max_frame> {
@@ -58,6 +60,7 @@ class GnssDriver final : public StreamDriver<wire::UbxNmea::max_frame> {
   std::chrono::nanoseconds pause_;  ///< a pause this long on the line ends an epoch
   Stamp last_bytes_{};
 
+  UbloxSetup setup_;
   NmeaEpoch nmea_;
   NmeaEpoch::TimeOfDay closed_time_of_day_;
   Stamp closed_at_{};

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string_view>
+#include <utility>
 
 #include "drivers/device/driver.hpp"
 #include "drivers/device/fixed_text.hpp"

@@ -81,6 +81,9 @@ struct Message {
   bool publishes = false;            ///< a field is part of a measurement
   bool divides = false;              ///< a field has a divisor
   bool emulated = false;             ///< an emulated device sends it with each sample
+  /// The message, by its place, that says the same: this one is no measurement while that one
+  /// comes.
+  std::optional<std::uint16_t> same_as;
 };
 
 struct Plan {

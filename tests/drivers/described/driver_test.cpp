@@ -1,3 +1,5 @@
+#include <gmock/gmock.h>
+
 #include "drivers/survey/byte_survey.hpp"
 #include "tests/drivers/described/driven.hpp"
 #include "tests/drivers/device/allocation_count.hpp"
@@ -41,6 +43,22 @@ TEST(DescribedDrivers, ADescribedDvlIsPutRightForTheSpeedOfSoundToo) {
   ASSERT_EQ(heard.all.size(), 1u);
   EXPECT_NEAR(heard.last<measurement::BottomVelocity>().velocity->x(), 0.98 * 0.1234, 1e-12);
   EXPECT_NEAR(heard.last<measurement::BottomVelocity>().range_m[0].value(), 0.98 * 23.45, 1e-12);
+}
+
+// 7.7 ft are 2.3 m: the sounder says one depth in two sentences.
+TEST(DescribedDrivers, ASentenceThatSaysTheSameCountsOnlyWhileTheOtherDoesNotCome) {
+  const std::string dbt = "$SDDBT,7.7,f,2.3,M,1.3,F*05\r\n", dpt = "$INDPT,2.2,0.0*47\r\n";
+  const auto at_s = [](int s) { return measurement::stamp_from_ns(s * 1'000'000'000LL); };
+  Heard heard;
+  const auto driver = driver_of(shipped("nmea-depth.toml"));
+  receive(*driver, dpt, at_s(1), heard);
+  EXPECT_EQ(heard.last<measurement::DepthSample>().altitude_m, 2.2);
+  receive(*driver, dbt + dpt, at_s(2), heard);
+  receive(*driver, dpt, at_s(4), heard);
+  EXPECT_EQ(heard.all.size(), 2u);
+  EXPECT_EQ(heard.last<measurement::DepthSample>().altitude_m, 2.3);
+  receive(*driver, dpt, at_s(5), heard);
+  EXPECT_EQ(heard.all.size(), 3u) << "DBT is 3 s old";
 }
 
 TEST(DescribedDrivers, AMisfitAndAFieldThatIsNoNumberAreTold) {
@@ -187,6 +205,27 @@ TEST(DescribedDevices, AnEmulatedSounderOfAnyTalkerGivesTheTruthBack) {
     });
   };
   EXPECT_TRUE(heard(&measurement::DepthSample::altitude_m));
+  const auto heights = std::ranges::count_if(bench.all, [](const auto& m) {
+    return std::get<measurement::DepthSample>(m).altitude_m.has_value();
+  });
+  EXPECT_NEAR(static_cast<double>(heights), 41, 1) << "one of a ping, though DPT says it again";
+}
+
+// 30 m above the bed. NMEA 0183: DBT in feet, metres and fathoms, DPT in metres with the offset of
+// the transducer and the range scale.
+TEST(DescribedDevices, AnEmulatedSounderSaysTheDepthAsDbtAndAsDpt) {
+  const auto sounder = shipped("nmea-depth.toml");
+  wire::described::Readings readings;
+  readings.set(wire::described::Target::altitude, 30);
+  std::string said;
+  for (const auto& message : sounder->plan.messages) {
+    if (!message.emulated) continue;
+    std::array<std::uint8_t, 256> line;
+    const auto size = wire::described::encode(sounder->plan, message, readings, line);
+    said.append(reinterpret_cast<const char*>(line.data()), size);
+  }
+  EXPECT_THAT(said, testing::HasSubstr("DBT,98.4,f,30.0,M,16.4,F*"));
+  EXPECT_THAT(said, testing::HasSubstr("DPT,30.0,0.0,200*"));
 }
 
 TEST(DescribedDevices, AnEmulatedKellerAnswersWhatItsDriverAsks) {

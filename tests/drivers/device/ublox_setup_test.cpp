@@ -1,5 +1,6 @@
 #include "drivers/device/gnss/ublox_setup.hpp"
 
+#include "drivers/device/gnss/gnss_driver.hpp"
 #include "drivers/wire/ubx/ubx_put.hpp"
 #include "tests/drivers/device/support.hpp"
 
@@ -154,6 +155,24 @@ TEST_F(UbloxDialogue, ExpectsNoAnswerOfARecording) {
   setup_->start(now_, ear_);
   for (int tries = 0; tries < 3; ++tries) wait_for_deadline();
   EXPECT_TRUE(ear_.reports.empty());
+}
+
+TEST(GnssDriver, SetsUpAReceiverAtEachOpeningOfItsLinkAndReadsPositionsMeanwhile) {
+  DriverOptions options;
+  options.kind = Kind::gnss;
+  options.protocol = "ubx";
+  options.ublox = five_hertz;
+  GnssDriver driver(options);
+  Ear ear;
+  driver.restart(at_s(1), ear);
+  ASSERT_EQ(ear.sent_bytes.size(), 1U);
+  EXPECT_EQ(ear.sent_bytes[0], test::ubx(0x06, 0x08, {}));
+  EXPECT_EQ(driver.deadline(), at_s(2));
+  driver.receive(test::ubx(0x06, 0x08, {0xC8, 0, 1, 0, 1, 0}), at_s(1.1), ear);
+  driver.receive(test::ubx(0x05, 0x01, {0x06, 0x08}), at_s(1.2), ear);
+  EXPECT_EQ(driver.deadline(), std::nullopt);
+  driver.restart(at_s(9), ear);
+  EXPECT_EQ(ear.sent_bytes.size(), 2U);
 }
 
 }  // namespace ublox_setup_test
