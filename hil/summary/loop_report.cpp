@@ -49,7 +49,9 @@ report::Figure figure_of(const char* title, const char* unit, const std::vector<
 
 }  // namespace
 
-std::string loop_text(const pilot::LoopAccount& loop) { return to_text(table_of(loop)); }
+std::string loop_text(const pilot::LoopAccount& loop) {
+  return loop.responses.empty() ? difference_text(loop) + "\n" : to_text(table_of(loop));
+}
 
 Json loop_json(const pilot::LoopAccount& loop) {
   const auto or_null = [](const std::optional<double>& value) {
