@@ -67,7 +67,7 @@ constexpr auto table = std::to_array<CauseFacts>({
     {Cause::satellites_blocked, "satellites-blocked", k_satellites, "satellites are hidden", "look at the antenna's view of the sky", true},
     {Cause::antenna_gain, "antenna-gain", k_antenna, "signals have another strength than they had", "look at the antenna and its cable"},
     {Cause::hot, "hot", k_hot, "it is out of the water and hot", "put it into the water, or switch it off", true},
-    {Cause::mounting, "mounting", {}, "its axes are turned against the other sensors", "`mounting_deg` of the rig, or the bracket", true, true},
+    {Cause::mounting, "mounting", {}, "its axes are turned against the other sensors", "`mounting_deg` of the rig, or the bracket; for tilts `levelled`", true, true},
     {Cause::scale, "scale", {}, "its values are too large or too small by a factor", "sound speed, or the sensor's scale", true, true},
     {Cause::wrong_rate, "wrong-rate", {}, "the rig expects another rate than the sensor gives", "`rate_hz` of the rig, or the sensor's setting"},
 });

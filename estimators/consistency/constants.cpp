@@ -71,7 +71,10 @@ void Constants::end(Dvl& dvl, double depth_m) {
   const double seconds = measurement::seconds(sums.last - *dvl.begun);
   if (sums.deep) {
     dvl.vertical.add((depth_m - sums.depth_m - sums.down_m) / seconds, sums.terms_s / seconds);
-    dvl.known = dvl.vertical.solve().value;
+    const auto [value, sigma] = dvl.vertical.solve();
+    dvl.known = value;
+    dvl.tilts_told = dvl.vertical.count() > fewest &&
+                     is_told(value[2], sigma[2], dvl.tilts_told ? least_tilt / 2 : least_tilt);
   }
   if (sums.fixed && sums.over_ground_m > slowest_for_scale_mps * seconds)
     dvl.scale.add((sums.receiver_m - sums.over_ground_m) / seconds,
@@ -90,7 +93,7 @@ void Constants::tell(Stamp now, diagnosis::SymptomSink& to) const {
       to.see(sign);
     };
     const auto [constant, error] = dvl.vertical.solve();
-    if (dvl.vertical.count() > fewest && is_told(constant[2], error[2], least_tilt))
+    if (dvl.tilts_told)
       say(Sign::rotated, 100 * constant[2], 100 * least_tilt, "share of the tilts used wrongly",
           "%");
     else if (dvl.vertical.count() > fewest && is_told(constant[1], error[1], least_pitch))

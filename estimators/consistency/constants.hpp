@@ -50,6 +50,7 @@ class Constants {
     Stamp first{};
     Sums sums{};
     Eigen::Vector3d known = Eigen::Vector3d::Zero();  ///< the answer of `vertical`
+    bool tilts_told = false;                          ///< then half of it is told still
     ConstantFit<3> vertical;
     ConstantFit<1> scale;
   };

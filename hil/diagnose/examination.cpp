@@ -28,6 +28,7 @@ void Examination::follow(host::Followers& followers, std::vector<const device::D
   followers.add(*diagnostician_);
   followers.add(findings_);
   followers.add(scribe_);
+  followers.add(head_depths_);
 }
 
 Outcome Examination::result(const std::string& source, measurement::Stamp end, bool live,
@@ -35,6 +36,8 @@ Outcome Examination::result(const std::string& source, measurement::Stamp end, b
   Outcome outcome;
   outcome.source = source;
   outcome.circumstances = {measurement::seconds(end - start_), live, has_times};
+  for (const auto device : head_depths_.changed)
+    outcome.circumstances.heads_with_depth.push_back(rig_.devices.at(device).name);
   for (const auto* device : devices_)
     outcome.devices.push_back(device::account_of(*device, device->health(end),
                                                  host::provenance_of(device->options().link)));

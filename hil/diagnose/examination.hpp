@@ -1,6 +1,8 @@
 #pragma once
 
+#include <map>
 #include <optional>
+#include <set>
 
 #include "drivers/host/finding_log.hpp"
 #include "estimators/host/diagnostician.hpp"
@@ -24,12 +26,25 @@ class Examination {
                  bool has_times = true) const;
 
  private:
+  /// DVLs whose own depth changed: their mounting and tilts are checked against it.
+  struct HeadDepths final : host::Follower {
+    void on_measurement(const measurement::Measurement& measurement) override {
+      const auto* track = std::get_if<measurement::BottomVelocity>(&measurement);
+      if (track == nullptr || !track->depth_m) return;
+      const auto [known, is_new] = first_m.try_emplace(track->origin.device, *track->depth_m);
+      if (!is_new && known->second != *track->depth_m) changed.insert(known->first);
+    }
+    std::map<std::uint16_t, double> first_m;
+    std::set<std::uint16_t> changed;
+  };
+
   const rig_config::Rig& rig_;
   measurement::Stamp start_;
   std::vector<const device::Device*> devices_;
   std::optional<host::Diagnostician> diagnostician_;
   host::FindingLog findings_;
   summary::Scribe scribe_;
+  HeadDepths head_depths_;
 };
 
 }  // namespace drydock::diagnose

@@ -91,7 +91,10 @@ std::string why_not(Cause cause, const DeviceConfig& device, const wire::Protoco
   if (needs_times(cause) && !with.has_times) return "the capture has no times of arrival";
   if (cause == Cause::clock_step && !tells_time(device, protocol))
     return "its messages tell no time";
-  if (needs_peer(cause) && !has_peer(rig, device, cause))
+  const bool is_own_peer =
+      cause == Cause::mounting &&
+      std::ranges::find(with.heads_with_depth, device.name) != with.heads_with_depth.end();
+  if (needs_peer(cause) && !is_own_peer && !has_peer(rig, device, cause))
     return "no other sensor measures what it does";
   if (cause == Cause::drift && with.duration_s < shortest_for_drift_s)
     return fmt::format("{:.0f} s are too short for a slow one", with.duration_s);

@@ -11,8 +11,9 @@ namespace drydock::diagnose {
 /// What was there to see with.
 struct Circumstances {
   double duration_s = 0;
-  bool live = false;      ///< ports were open; else a file was read
-  bool has_times = true;  ///< messages have a time of arrival
+  bool live = false;                               ///< ports were open; else a file was read
+  bool has_times = true;                           ///< messages have a time of arrival
+  std::vector<std::string> heads_with_depth = {};  ///< DVLs that told a depth which changed
 };
 
 /// Causes that could not have been seen on some devices, and why.

@@ -220,10 +220,10 @@ TEST(DescribedDevices, EmulatedNavigationUnitsGivePositionVelocityAndDepthBack) 
 struct TwoDrivers {
   TwoDrivers() {
     auto options = options_of(shipped("n2k-compass-dbc.toml"));
-    described = std::move(*device::make_frame_driver(options));
+    described = *device::make_frame_driver(options);
     options.description = nullptr;
     options.protocol = "nmea2000";
-    by_hand = std::move(*device::make_frame_driver(options));
+    by_hand = *device::make_frame_driver(options);
   }
   void says(const std::string& text, double at_s) {
     const auto frame = wire::test::frame(text);

@@ -33,7 +33,7 @@ struct Bus final : device::Output {
     options.kind = description->kind;
     options.protocol = protocol.empty() ? description->name : protocol;
     if (protocol.empty()) options.description = description;
-    driver = std::move(*device::make_frame_driver(options));
+    driver = *device::make_frame_driver(options);
   }
   void says(const wire::CanFrame& one, double at_s) {
     driver->receive(one, Stamp{measurement::from_seconds(at_s)}, *this);

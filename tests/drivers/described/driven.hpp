@@ -37,7 +37,7 @@ inline device::DriverOptions options_of(const DescriptionPtr& description) {
 }
 
 inline std::unique_ptr<device::ByteDriver> driver_of(const DescriptionPtr& description) {
-  return std::move(*device::make_byte_driver(options_of(description)));
+  return *device::make_byte_driver(options_of(description));
 }
 
 inline void receive(device::ByteDriver& driver, const std::string& bytes, Stamp at, Heard& heard) {
@@ -55,7 +55,7 @@ class Bench final : public device::Output {
     config_.description = description_;
     auto options = options_of(description_);
     options.poll_period = measurement::from_seconds(1 / rate_hz);
-    driver_ = std::move(*device::make_byte_driver(options));
+    driver_ = *device::make_byte_driver(options);
   }
 
   void run(double seconds) {

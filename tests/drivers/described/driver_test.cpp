@@ -12,7 +12,7 @@ TEST(DescribedDrivers, TheLineTimeAndTheStatedAgeGiveTheTimeOfValidity) {
   auto options = options_of(shipped("nortek-bt.toml"));
   options.baud = 9600;
   Heard heard;
-  const auto driver = std::move(*device::make_byte_driver(options));
+  const auto driver = *device::make_byte_driver(options);
   const std::string line =
       "$PNORBT7,1452244916.7508,1.234,-1.234,0.1234,0.1234,0.1234,12.34,23.45,23.45,23.45,23.45*"
       "39\r\n";
@@ -34,7 +34,7 @@ TEST(DescribedDrivers, ADescribedDvlIsPutRightForTheSpeedOfSoundToo) {
   options.dvl.sound_speed.fixed_mps = 1470;
   options.dvl.sound_speed.set_mps = 1500;
   Heard heard;
-  const auto driver = std::move(*device::make_byte_driver(options));
+  const auto driver = *device::make_byte_driver(options);
   receive(
       *driver,
       "$PNORBT7,1452244916.7508,1.234,-1.234,0.1234,0.1234,0.1234,12.34,23.45,23.45,23.45,23.45*"

@@ -65,7 +65,6 @@ TEST(GuessedDescription, FramesGiveLengthChecksumCounterAndFloat) {
   EXPECT_THAT(guess, HasSubstr("byte 7: always 119 (0x77)"));
   const auto named = replaced(guess, "name = \"at_3\"", "field = \"depth_m\", unit = \"m\"");
   const auto description = described(named);
-  wire::described::Record record;
   const Buffer stream = unknown_frames();
   EXPECT_EQ(wire::described::scan(description->plan, wire::Bytes(stream).subspan(3)),
             wire::Scan::frame(10));

@@ -18,7 +18,7 @@ std::size_t allocations_of(Kind kind, const std::string& protocol, Feed feed) {
   Deaf ears;
   DeviceOptions o;
   o.driver = options(kind, protocol);
-  const auto device = std::move(*Device::make(o));
+  const auto device = *Device::make(o);
   device->connect(ears, ears);
   device->start(at_s(0));
   device->opened(at_s(0), measurement::Provenance::emulated);

@@ -154,7 +154,7 @@ TEST(Nmea0183Attitude, AMagneticHeadingBecomesTrueByDeviationAndVariation) {
   Sentences compass;  // 355 - 2 + 12.5 = 365.5
   compass.says("HCHDG,355,2,W,12.5,E");
   ASSERT_EQ(compass.heard().size(), 1U);
-  const auto& sample = compass.heard()[0];
+  const auto sample = compass.heard()[0];
   EXPECT_EQ(sample.reference, HeadingReference::magnetic_north);
   EXPECT_NEAR(sample.heading_rad.value(), 355 * degree, 1e-12);
   EXPECT_NEAR(sample.true_heading_rad.value(), 5.5 * degree, 1e-12);

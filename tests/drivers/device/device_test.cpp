@@ -28,7 +28,7 @@ std::unique_ptr<Device> device(Kind kind, const std::string& protocol, Desk& des
   o.driver.device = 3;
   o.driver.address = address;
   o.life_cycle.reopen_when_quiet = !on_bus;
-  auto made = std::move(*Device::make(o));
+  auto made = *Device::make(o);
   made->connect(desk, desk);
   made->start(at_s(0));
   made->opened(at_s(0), measurement::Provenance::replayed);

@@ -51,8 +51,10 @@ TEST(GnssDriver, UbxTellsDifferentialAndRtkSolutions) {
   Receiver r("ubx");
   const std::uint8_t flags[] = {0x01, 0x03, 0x43, 0x83, 0x00};
   std::uint32_t itow_ms = 0;
-  for (const auto each : flags)
-    r.says(nav_pvt({.itow_ms = itow_ms += 1000, .flags = each}), itow_ms / 1000.0);
+  for (const auto each : flags) {
+    itow_ms += 1000;
+    r.says(nav_pvt({.itow_ms = itow_ms, .flags = each}), itow_ms / 1000.0);
+  }
   r.says(nav_pvt({.itow_ms = 6000, .fix_type = 1, .flags = 1}), 6);
   std::vector<std::optional<measurement::FixQuality>> heard;
   for (const GnssFix& fix : r.fixes()) heard.push_back(fix.quality);

@@ -58,11 +58,11 @@ inline DriverOptions options(Kind kind, std::string protocol) {
 }
 
 inline std::unique_ptr<ByteDriver> byte_driver(const DriverOptions& o) {
-  return std::move(*make_byte_driver(o));
+  return *make_byte_driver(o);
 }
 
 inline std::unique_ptr<FrameDriver> frame_driver(const DriverOptions& o) {
-  return std::move(*make_frame_driver(o));
+  return *make_frame_driver(o);
 }
 
 inline Octets octets(std::string_view text) { return {text.begin(), text.end()}; }

@@ -1,5 +1,7 @@
 #include "drivers/device/gnss/ublox_setup.hpp"
 
+#include <gmock/gmock.h>
+
 #include "drivers/device/gnss/gnss_driver.hpp"
 #include "drivers/wire/ubx/ubx_put.hpp"
 #include "tests/drivers/device/support.hpp"

@@ -116,7 +116,7 @@ TEST(DeviceActor, LivesThroughSilenceInVirtualTime) {
   options.driver.kind = device::Kind::emlog;
   options.driver.protocol = "nmea0183";
   Desk desk;
-  DeviceActor log(std::move(*device::Device::make(options)), desk, desk, at_s(100));
+  DeviceActor log(*device::Device::make(options), desk, desk, at_s(100));
   Lockstep shell(at_s(100));
   shell.add(log);
   shell.run_until(at_s(101));

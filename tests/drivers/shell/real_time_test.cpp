@@ -54,7 +54,7 @@ std::unique_ptr<device::Device> make_device(Kind kind, const std::string& protoc
   options.life_cycle.stale_after = 200ms;
   options.life_cycle.reopen_after = 200ms;
   options.life_cycle.first_back_off = 20ms;
-  return std::move(*device::Device::make(options));
+  return *device::Device::make(options);
 }
 
 template <class... Device>

@@ -48,7 +48,7 @@ std::vector<measurement::BottomVelocity> dive() {
   options.dvl.levelled = false;
   options.dvl.sound_speed.source = device::SoundSpeedOptions::Source::fixed;
   options.dvl.sound_speed.fixed_mps = 1469.9;
-  const auto driver = std::move(*device::make_byte_driver(options));
+  const auto driver = *device::make_byte_driver(options);
   std::ifstream file(corpora() / "dvl/pd0/raw/remus_20141219_a.adc", std::ios::binary);
   const std::vector<char> bytes{std::istreambuf_iterator<char>(file), {}};
   Heard heard;

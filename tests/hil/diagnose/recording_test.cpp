@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <boost/asio/io_context.hpp>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -169,6 +170,25 @@ TEST_F(Diagnosing, ACaptureOfBytesHasNoFindingsAboutTime) {
       std::ranges::find(outcome.unseen, "the capture has no times of arrival", &Unseen::why);
   ASSERT_NE(why, outcome.unseen.end());
   EXPECT_THAT(why->causes, testing::Contains(diagnosis::Cause::silent));
+}
+
+/// docs/estimators/dead-reckoning.md has its source. The wire says that tilts were used, but
+/// velocity down and depth rate differ by speed times sin(pitch): the data are not levelled.
+TEST_F(Diagnosing, TheDiveOfAnAuvUsesItsTiltsWronglyAndHasNoOtherFault) {
+  const char* named = std::getenv("DRYDOCK_CORPORA");
+  const fs::path dive = fs::path{named ? named : DRYDOCK_SOURCE_DIR "/../shared/corpora"} /
+                        "dvl/pd0/raw/remus_20141219_a.adc";
+  if (!fs::exists(dive)) GTEST_SKIP() << "no dive at " << dive;
+  const auto outcome = read_capture(dive, 0);
+  ASSERT_EQ(outcome.findings.size(), 1u);
+  const auto& finding = outcome.findings[0];
+  EXPECT_EQ(finding.cause, "mounting");
+  EXPECT_LT(finding.found_s, 180);  // two minutes of windows, and gaps
+  ASSERT_EQ(finding.evidence.size(), 1u);
+  EXPECT_EQ(finding.evidence[0].quantity, "share of the tilts used wrongly");
+  EXPECT_LT(finding.evidence[0].value, -50);  // -100, less what the fit's prior holds back
+  for (const Unseen& one : outcome.unseen)
+    EXPECT_THAT(one.causes, Not(testing::Contains(diagnosis::Cause::mounting)));
 }
 
 TEST_F(Diagnosing, ALinkThatCannotBeOpenedIsAnError) {

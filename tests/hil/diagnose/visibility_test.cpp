@@ -24,7 +24,7 @@ rig_config::Rig rig_of(std::vector<std::pair<measurement::Kind, std::string>> de
   return rig;
 }
 
-constexpr Circumstances minute{.duration_s = 100, .live = true, .has_times = true};
+const Circumstances minute{.duration_s = 100, .live = true, .has_times = true};
 
 /// Why the cause could not have been seen on the device; empty: it could.
 std::string why(const rig_config::Rig& rig, const std::string& device, Cause cause,
@@ -105,6 +105,13 @@ TEST(Visibility, AMountingIsSeenBesideADepthSensorOnly) {
   const auto with_log = rig_of({{Kind::dvl, "pd0"}, {Kind::emlog, "nmea0183"}});
   EXPECT_THAT(why(with_depth, "dvl", Cause::mounting), IsEmpty());
   EXPECT_THAT(why(with_log, "dvl", Cause::mounting), Not(IsEmpty()));
+}
+
+TEST(Visibility, AMountingIsSeenWhereTheHeadItselfTellsADepthThatChanges) {
+  const auto rig = rig_of({{measurement::Kind::dvl, "pd0"}});
+  const Circumstances with{.duration_s = 100, .has_times = false, .heads_with_depth = {"dvl"}};
+  EXPECT_THAT(why(rig, "dvl", Cause::mounting, with), IsEmpty());
+  EXPECT_THAT(why(rig, "dvl", Cause::scale, with), Not(IsEmpty()));
 }
 
 TEST(Visibility, EveryCauseIsConcludedFromSomeSigns) {

@@ -20,7 +20,7 @@ struct Faulty {
     rig.devices = {config};
     rig.faults = {fault};
     schedules.emplace(rig, start, rig_config::FaultTarget::emulated);
-    device = std::move(*FaultyDevice::make(config, vehicle, 1, schedules->of(config.name)));
+    device = *FaultyDevice::make(config, vehicle, 1, schedules->of(config.name));
     sent.run(*device, at_s(0.5));
   }
   void order(const std::string& angle, double until_s) {

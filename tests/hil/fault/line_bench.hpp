@@ -23,7 +23,7 @@ class LineBench final : private device::Listener, private device::Transmitter {
         injector_(rig_, *trajectory_, start_),
         clock_(start_),
         actor_(std::move((*shell::make_devices(rig_))[0]), *this, *this, start_),
-        line_(std::move(*injector_.device(rig_.devices[0])), 115200,
+        line_(*injector_.device(rig_.devices[0]), 115200,
               [this](wire::Bytes bytes, const emulate::Passage& passage) {
                 carried_ += bytes.size();
                 actor_.receive(bytes, passage.ended_at);

@@ -103,7 +103,7 @@ TEST(Proxy, ADvlBehindItIsSoundToItsDriverAndEachOfItsReportsSurvives) {
   options.driver.protocol = "pd0";
   options.driver.baud = 115'200;
   std::vector<std::unique_ptr<device::Device>> devices;
-  devices.push_back(std::move(*device::Device::make(options)));
+  devices.push_back(*device::Device::make(options));
   Measurements measurements;
   shell::RealTime drivers(between.io, std::move(devices), measurements);
   drivers.start();

@@ -59,7 +59,7 @@ class Bench : private device::Listener {
   /// The driver's end and the emulated device's end of a line with two names.
   Bench(const rig_config::DeviceConfig& driver, const rig_config::DeviceConfig& emulated)
       : rig_(rig_of(driver)),
-        drivers_(io, std::move(*shell::make_devices(rig_)), *this),
+        drivers_(io, *shell::make_devices(rig_), *this),
         emulator_(io, injector) {
     auto started = emulator_.start({emulated});
     if (!started) ADD_FAILURE() << started.error().message;

@@ -112,7 +112,7 @@ TEST(ById, TheNameIsFollowedToAnotherNodeAtTheNextOpening) {
   const std::string sentence = "$HCVHW,,,,,0.2,N,0,K*5B\r\n";
 
   auto port = plug_in("ttyUSB0");
-  shell::RealTime drivers(io, std::move(*shell::make_devices(rig)), listener);
+  shell::RealTime drivers(io, *shell::make_devices(rig), listener);
   drivers.start();
   const auto reaches = [&](State state) {
     return link::testing::run_until(
@@ -154,7 +154,7 @@ TEST(Baud, WrittenAsAutoIsFoundAndFoundAgainWhenTheDeviceChangesIt) {
   rig_config::Rig rig;
   rig.devices = {speed_log("serial:" + folder.file("tty") + "?baud=auto&emulated=1")};
   rig.devices[0].stale_after_s = 0.4;
-  shell::RealTime drivers(io, std::move(*shell::make_devices(rig)), listener);
+  shell::RealTime drivers(io, *shell::make_devices(rig), listener);
   drivers.start();
 
   const std::string sentence = "$HCVHW,,,,,0.2,N,0,K*5B\r\n";

@@ -66,7 +66,7 @@ class Watch {
   ToDevice nowhere_;
   shell::Lockstep clock_{start};
   shell::DeviceActor actor_{std::move(shell::make_devices(rig_)->front()), log, nowhere_, start};
-  emulate::EmulatedLine line_{std::move(*injector_.device(rig_.devices[0])), 38400,
+  emulate::EmulatedLine line_{*injector_.device(rig_.devices[0]), 38400,
                               [this](wire::Bytes bytes, const emulate::Passage& passage) {
                                 actor_.receive(bytes, passage.ended_at);
                               }};

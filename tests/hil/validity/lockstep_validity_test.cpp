@@ -115,7 +115,7 @@ class Pieces final : public device::Output {
       : listener_(names_of(rig)),
         name_(rig.devices[i].name),
         device_(emulate::make_emulated_device(rig.devices[i], truth, rig.seed).value()),
-        driver_(std::move(*device::make_byte_driver(shell::device_options(rig, i)->driver))),
+        driver_(*device::make_byte_driver(shell::device_options(rig, i)->driver)),
         pacer_(*link::parse_uri(rig.devices[i].link)->baud(), std::chrono::milliseconds{4}),
         reads_(reads),
         now_(truth.start()) {
