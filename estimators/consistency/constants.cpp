@@ -73,8 +73,9 @@ void Constants::end(Dvl& dvl, double depth_m) {
     dvl.vertical.add((depth_m - sums.depth_m - sums.down_m) / seconds, sums.terms_s / seconds);
     const auto [value, sigma] = dvl.vertical.solve();
     dvl.known = value;
-    dvl.tilts_told = dvl.vertical.count() > fewest &&
-                     is_told(value[2], sigma[2], dvl.tilts_told ? least_tilt / 2 : least_tilt);
+    dvl.tilts_told = dvl.tilts_told
+                         ? std::abs(value[2]) > least_tilt / 2
+                         : dvl.vertical.count() > fewest && is_told(value[2], sigma[2], least_tilt);
   }
   if (sums.fixed && sums.over_ground_m > slowest_for_scale_mps * seconds)
     dvl.scale.add((sums.receiver_m - sums.over_ground_m) / seconds,
