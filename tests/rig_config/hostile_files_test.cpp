@@ -1,6 +1,7 @@
 // Hostile configuration files: the loader refuses them with one line, in bounded time and memory.
 #include <gtest/gtest.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -77,7 +78,8 @@ class HostileFile : public testing::Test {
     return (folder_ / name).string();
   }
 
-  std::filesystem::path folder_ = std::filesystem::path(testing::TempDir()) / "drydock-hostile";
+  std::filesystem::path folder_ =
+      std::filesystem::path(testing::TempDir()) / ("drydock-hostile-" + std::to_string(::getpid()));
 };
 
 TEST_F(HostileFile, ADeviceOrAPipeIsNoFile) {

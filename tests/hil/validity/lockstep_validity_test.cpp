@@ -116,7 +116,8 @@ class Pieces final : public device::Output {
         name_(rig.devices[i].name),
         device_(emulate::make_emulated_device(rig.devices[i], truth, rig.seed).value()),
         driver_(*device::make_byte_driver(shell::device_options(rig, i)->driver)),
-        pacer_(*link::parse_uri(rig.devices[i].link)->baud(), std::chrono::milliseconds{4}),
+        pacer_(link::parse_uri(rig.devices[i].link)->baud().value_or(emulate::without_line_rate),
+               std::chrono::milliseconds{4}),
         reads_(reads),
         now_(truth.start()) {
     driver_->restart(now_, *this);
