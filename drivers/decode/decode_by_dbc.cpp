@@ -145,34 +145,6 @@ void print(std::FILE* err, const std::string& file, const std::vector<dbc::Remar
     fmt::print(err, "{}:{}:{}: {}{}\n", file, r.at.line, r.at.column, kind, r.text);
 }
 
-int decode_capture(const dbc::Database& database, const DecodeOptions& options, std::FILE* out,
-                   std::FILE* err) {
-  const capture::Format* format = capture::find_format(options.format);
-  if (!options.format.empty() && format == nullptr)
-    return refuse(err, fmt::format("no format \"{}\" of CAN captures, allowed: {}", options.format,
-                                   capture::format_names()));
-  capture::FileBlocks blocks(options.file);
-  capture::FrameCapture capture(format);
-  Messages messages(database, options.count, out);
-  const bool read = read_records(
-      blocks, capture, [&](const capture::Record& record) { messages.receive(record); },
-      [&] { return messages.flush(); });
-  messages.finish();
-  const std::string file = options.file.empty() ? "standard input" : options.file;
-  if (blocks.error() != 0)
-    return refuse(err, cannot_read(file, blocks.error()), terminal::exit_failed);
-  if (capture.unknown())
-    return refuse(err, capture::unknown_format_text(file), terminal::exit_failed);
-  if (!read || !messages.flush())
-    return refuse(err, "cannot write the output", terminal::exit_failed);
-  if (!options.quiet) {
-    messages.print_totals(err, capture);
-    const std::string damage = capture::damage_text(capture.tally());
-    if (!damage.empty()) fmt::print(err, "{}\n", damage);
-  }
-  return terminal::exit_of(messages.total() > 0);
-}
-
 }  // namespace
 
 int decode_by_dbc(const DecodeOptions& options, std::FILE* out, std::FILE* err) {
@@ -185,7 +157,8 @@ int decode_by_dbc(const DecodeOptions& options, std::FILE* out, std::FILE* err) 
   if (reading.remarks_left_out > 0)
     fmt::print(err, "{}: and {} more\n", options.dbc, reading.remarks_left_out);
   if (!reading.errors.empty()) return refuse(err, "the DBC file has errors");
-  return decode_capture(reading.database, options, out, err);
+  Messages messages(reading.database, options.count, out);
+  return decode_frames(messages, options, err);
 }
 
 }  // namespace drydock::decode

@@ -40,7 +40,7 @@ class PgnMessages {
       });
   }
 
-  std::uint64_t messages() const { return messages_; }
+  std::uint64_t total() const { return messages_; }
 
   void print_totals(std::FILE* err, const capture::FrameCapture& capture) const {
     std::uint64_t incomplete = 0;
@@ -84,34 +84,6 @@ class PgnMessages {
   std::uint64_t frames_ = 0, messages_ = 0, cut_short_ = 0;
 };
 
-int decode_capture(const pgn_table::Table& table, const DecodeOptions& options, std::FILE* out,
-                   std::FILE* err) {
-  const capture::Format* format = capture::find_format(options.format);
-  if (!options.format.empty() && format == nullptr)
-    return refuse(err, fmt::format("no format \"{}\" of CAN captures, allowed: {}", options.format,
-                                   capture::format_names()));
-  capture::FileBlocks blocks(options.file);
-  capture::FrameCapture capture(format);
-  PgnMessages messages(table, options.count, out);
-  const bool read = read_records(
-      blocks, capture, [&](const capture::Record& record) { messages.receive(record); },
-      [&] { return messages.flush(); });
-  messages.finish();
-  const std::string file = options.file.empty() ? "standard input" : options.file;
-  if (blocks.error() != 0)
-    return refuse(err, cannot_read(file, blocks.error()), terminal::exit_failed);
-  if (capture.unknown())
-    return refuse(err, capture::unknown_format_text(file), terminal::exit_failed);
-  if (!read || !messages.flush())
-    return refuse(err, "cannot write the output", terminal::exit_failed);
-  if (!options.quiet) {
-    messages.print_totals(err, capture);
-    const std::string damage = capture::damage_text(capture.tally());
-    if (!damage.empty()) fmt::print(err, "{}\n", damage);
-  }
-  return terminal::exit_of(messages.messages() > 0);
-}
-
 }  // namespace
 
 int decode_by_pgns(const DecodeOptions& options, std::FILE* out, std::FILE* err) {
@@ -120,7 +92,8 @@ int decode_by_pgns(const DecodeOptions& options, std::FILE* out, std::FILE* err)
   if (file.error() != 0) return refuse(err, cannot_read(options.pgns, file.error()));
   const auto table = read_pgn_table(text);
   if (!table) return refuse(err, fmt::format("{}: {}", options.pgns, table.error().text));
-  return decode_capture(*table, options, out, err);
+  PgnMessages messages(*table, options.count, out);
+  return decode_frames(messages, options, err);
 }
 
 }  // namespace drydock::decode

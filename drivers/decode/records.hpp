@@ -9,11 +9,12 @@
 
 #include "drivers/capture/file_blocks.hpp"
 #include "drivers/capture/frame_capture.hpp"
+#include "drivers/decode/decode.hpp"
 #include "drivers/measurement/stamp.hpp"
 #include "drivers/terminal/exit_codes.hpp"
 #include "drivers/text/json_lines.hpp"
 
-/// What both ways to decode a CAN capture have in common.
+/// What all ways to decode a CAN capture have in common.
 namespace drydock::decode {
 
 /// Reads a CAN capture to its end. It calls `flush() -> bool` before it waits for a live input.
@@ -60,6 +61,35 @@ inline std::string cannot_read(const std::string& file, int error) {
 inline int refuse(std::FILE* err, const std::string& why, int code = terminal::exit_usage) {
   fmt::print(err, "decode: {}\n", why);
   return code;
+}
+
+/// Decodes the capture of the options with `messages`, which has receive(record), flush() -> bool,
+/// finish(), print_totals(err, capture) and total(). Returns the exit code.
+template <class Messages>
+int decode_frames(Messages& messages, const DecodeOptions& options, std::FILE* err) {
+  const capture::Format* format = capture::find_format(options.format);
+  if (!options.format.empty() && format == nullptr)
+    return refuse(err, fmt::format("no format \"{}\" of CAN captures, allowed: {}", options.format,
+                                   capture::format_names()));
+  capture::FileBlocks blocks(options.file);
+  capture::FrameCapture capture(format);
+  const bool read = read_records(
+      blocks, capture, [&](const capture::Record& record) { messages.receive(record); },
+      [&] { return messages.flush(); });
+  messages.finish();
+  const std::string file = options.file.empty() ? "standard input" : options.file;
+  if (blocks.error() != 0)
+    return refuse(err, cannot_read(file, blocks.error()), terminal::exit_failed);
+  if (capture.unknown())
+    return refuse(err, capture::unknown_format_text(file), terminal::exit_failed);
+  if (!read || !messages.flush())
+    return refuse(err, "cannot write the output", terminal::exit_failed);
+  if (!options.quiet) {
+    messages.print_totals(err, capture);
+    const std::string damage = capture::damage_text(capture.tally());
+    if (!damage.empty()) fmt::print(err, "{}\n", damage);
+  }
+  return terminal::exit_of(messages.total() > 0);
 }
 
 }  // namespace drydock::decode

@@ -14,9 +14,10 @@ bool too_slow(const DeviceView& d) {
   return d.streaming && d.rate_hz > 0 && d.rate_hz < least_rate * d.nominal_rate_hz;
 }
 
+/// One frame is not counted: listening may have begun inside it, or between those of one sample.
 bool damaged(const DeviceView& d) {
   const auto all = static_cast<double>(d.frames + d.bad_checksums);
-  return static_cast<double>(d.bad_checksums) > most_damaged * all;
+  return static_cast<double>(d.bad_checksums) > 1 + most_damaged * all;
 }
 
 }  // namespace

@@ -195,7 +195,8 @@ std::vector<std::string> problems_of(const ProbeReport& report) {
   if (report.confidence() == Confidence::nothing) problems.emplace_back("nothing was found");
   if (!report.attempts.empty() && !report.attempts.back().findings.empty()) {
     const auto& best = report.attempts.back().findings.front();
-    if (best.bad_checksums * 10 > best.proofs + best.bad_checksums)
+    // Listening may have begun inside a frame; that one is not counted.
+    if (best.bad_checksums > 1 + (best.proofs + best.bad_checksums) / 10)
       problems.push_back(fmt::format("{} of {} frames of {} are damaged", best.bad_checksums,
                                      best.proofs + best.bad_checksums, best.protocol));
   }

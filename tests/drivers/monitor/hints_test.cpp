@@ -116,6 +116,16 @@ TEST(Problems, AFrameInAHundredIsStillNone) {
   EXPECT_THAT(problems_of(view), IsEmpty());
 }
 
+/// Who begins to listen between the frames of one sample has lost that sample, and nothing else.
+TEST(Problems, TheFrameInWhichListeningBeganIsNone) {
+  auto view = good();
+  view.frames = 6;
+  view.bad_checksums = 1;
+  EXPECT_THAT(problems_of(view), IsEmpty());
+  view.bad_checksums = 2;
+  EXPECT_THAT(problems_of(view), ElementsAre("2 of 8 frames damaged"));
+}
+
 TEST(Problems, APortThatAnotherProgramReadsIsOne) {
   auto view = good();
   view.shared_with = "drydock (process 7)";

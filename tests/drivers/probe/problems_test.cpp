@@ -28,7 +28,8 @@ ProbeReport heard(std::uint64_t good, std::uint64_t bad) {
 TEST(Problems, OfALineAreSilenceAndMoreThanOneDamagedFrameInTen) {
   EXPECT_THAT(problems_of({}), ElementsAre("nothing was found"));
   EXPECT_THAT(problems_of(heard(90, 10)), IsEmpty());
-  EXPECT_THAT(problems_of(heard(89, 11)), ElementsAre("11 of 100 frames of pd0 are damaged"));
+  EXPECT_THAT(problems_of(heard(88, 12)), ElementsAre("12 of 100 frames of pd0 are damaged"));
+  EXPECT_THAT(problems_of(heard(6, 1)), IsEmpty());  // listening began inside it
 }
 
 TEST(Problems, OfABusAreErrorFramesAndEmergenciesThatLast) {
