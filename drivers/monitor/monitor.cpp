@@ -165,8 +165,7 @@ int watch(asio::io_context& io, Link& open_link, Screen& screen, double duration
   io.run();
   screen.finish();
   print_counters(screen);
-  if constexpr (std::is_same_v<Link, link::FrameLink>)
-    if (!open_link.note().empty()) fmt::print(stderr, "{}\n", open_link.note());
+  if (!open_link.note().empty()) fmt::print(stderr, "{}\n", open_link.note());
   return terminal::exit_of(screen.messages() > 0);
 }
 
