@@ -31,7 +31,7 @@ std::string CaptureFile::trouble() const {
   if (blocks_.error() != 0) {
     return "cannot read " + file_ + ": " + std::strerror(blocks_.error());
   }
-  return frames_.unknown() ? unknown_format_text(file_) : std::string();
+  return frames_.unknown() ? unknown_format_text(file_, frames_) : std::string();
 }
 
 }  // namespace drydock::capture

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "drivers/capture/foreign_content.hpp"
+
 namespace drydock::capture {
 
 std::string damage_text(const Tally& tally) {
@@ -15,8 +17,10 @@ std::string damage_text(const Tally& tally) {
   return tally.damaged > tally.where.size() ? text + ", ..." : text;
 }
 
-std::string unknown_format_text(std::string_view file) {
-  return std::string(file) + ": no CAN capture of a known format; known are: " + format_names();
+std::string unknown_format_text(std::string_view file, const FrameCapture& capture) {
+  const std::string name(file);
+  if (!capture.advice().empty()) return name + ": " + std::string(capture.advice());
+  return name + ": no CAN capture of a known format; known are: " + format_names();
 }
 
 FrameCapture::FrameCapture(const Format* format)
@@ -81,6 +85,7 @@ bool FrameCapture::know_format() {
     reader_ = format_->make();
   } else if (finished_ || rest().size() >= head_to_recognise) {
     unknown_ = true;
+    advice_ = foreign_content(rest());
   } else {
     searched_ = past_whole_lines(rest(), searched_);
   }

@@ -21,9 +21,6 @@ struct Tally {
 /// "2 lines not understood: 4, 17". Empty if every unit was understood.
 std::string damage_text(const Tally& tally);
 
-/// "dive.log: no CAN capture of a known format; known are: ...".
-std::string unknown_format_text(std::string_view file);
-
 /// Extracts the frames of a CAN capture that comes in blocks. The format is given or recognised by
 /// content. Sans-I/O. It keeps no more than the last block and one line.
 class FrameCapture {
@@ -40,6 +37,7 @@ class FrameCapture {
   const Format* format() const { return format_; }  ///< null: not recognised (yet)
   /// The head has no known format, so there will be no frames.
   bool unknown() const { return unknown_; }
+  std::string_view advice() const { return advice_; }  ///< foreign_content() of what is unknown
   const Tally& tally() const { return tally_; }
 
  private:
@@ -53,10 +51,14 @@ class FrameCapture {
   std::size_t at_ = 0;
   bool finished_ = false;
   bool unknown_ = false;
+  std::string_view advice_;
   std::size_t searched_ = 0;      ///< bytes of the head in which no format was recognised
   bool may_show_format_ = false;  ///< bytes came since the last attempt to recognise the format
   bool more_in_unit_ = false;
   Tally tally_;
 };
+
+/// "dive.log: no CAN capture of a known format; known are: ...", or what to do with it first.
+std::string unknown_format_text(std::string_view file, const FrameCapture& capture);
 
 }  // namespace drydock::capture

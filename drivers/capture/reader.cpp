@@ -19,16 +19,18 @@ Scan scan_line(Bytes bytes, bool at_end) {
 }
 
 std::string_view text_of(Bytes line) {
+  constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF", around = " \t\r\n";
   std::string_view text{reinterpret_cast<const char*>(line.data()), line.size()};
-  while (text.ends_with('\n') || text.ends_with('\r')) text.remove_suffix(1);
-  return text;
+  if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
+  text.remove_prefix(std::min(text.find_first_not_of(around), text.size()));
+  return text.substr(0, text.find_last_not_of(around) + 1);
 }
 
 Scan LineReader::scan(Bytes bytes, bool at_end) { return scan_line(bytes, at_end); }
 
 Reading LineReader::read(Bytes unit) {
   const std::string_view line = text_of(unit);
-  return line.find_first_not_of(" \t") == line.npos ? Reading::nothing() : read_line(line);
+  return line.empty() ? Reading::nothing() : read_line(line);
 }
 
 }  // namespace drydock::capture

@@ -32,7 +32,7 @@ class LineReader : public Reader {
   Reading read(Bytes unit) final;
 
  protected:
-  /// `line` is without its end, and not empty.
+  /// `line` is what text_of() gives, and not empty.
   virtual Reading read_line(std::string_view line) = 0;
 };
 
@@ -40,7 +40,8 @@ class LineReader : public Reader {
 /// known format is skipped in parts.
 Scan scan_line(Bytes bytes, bool at_end);
 
-/// The line without its end.
+/// The line without its end, the blanks around it, and the mark with which some editors begin a
+/// file of UTF-8.
 std::string_view text_of(Bytes line);
 
 }  // namespace drydock::capture

@@ -11,8 +11,7 @@ namespace {
 using std::chrono::nanoseconds;
 
 constexpr std::string_view blanks = " \t";
-constexpr std::array<std::uint8_t, 16> fd_sizes{0, 1,  2,  3,  4,  5,  6,  7,
-                                                8, 12, 16, 20, 24, 32, 48, 64};
+using wire::fd_sizes;
 
 constexpr std::int64_t power_of_ten(int exponent) {
   std::int64_t value = 1;
@@ -98,10 +97,6 @@ bool read_data(Words& words, std::size_t count, int base, wire::CanFrame& frame)
   }
   frame.size = static_cast<std::uint8_t>(count);
   return true;
-}
-
-bool is_fd_size(std::size_t size) {
-  return std::find(fd_sizes.begin(), fd_sizes.end(), size) != fd_sizes.end();
 }
 
 std::optional<std::uint8_t> size_of_length_code(std::uint32_t code) {

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "drivers/wire/can/can_frame.hpp"
+#include "drivers/wire/can/data_length.hpp"
 
 /// The words of a text line in a capture, and the numbers in them.
 namespace drydock::capture {
@@ -47,8 +48,8 @@ std::optional<std::uint32_t> parse_number(std::string_view text, int base);
 /// not a byte.
 bool read_data(Words& words, std::size_t count, int base, wire::CanFrame& frame);
 
-/// The data sizes of CAN FD, and its length codes.
-bool is_fd_size(std::size_t size);
+/// The data sizes of CAN FD, and their length codes.
+using wire::is_fd_size;
 std::optional<std::uint8_t> size_of_length_code(std::uint32_t code);
 
 /// An error frame without details, for a file that gives none: class CAN_ERR_BUSERROR with eight

@@ -241,7 +241,7 @@ int decode(const DecodeOptions& options, std::FILE* out, std::FILE* err) {
   if (!from_frames && !line.trouble().empty())
     return refuse(err, line.trouble(), terminal::exit_failed);
   if (capture.unknown())
-    return refuse(err, capture::unknown_format_text(file), terminal::exit_failed);
+    return refuse(err, capture::unknown_format_text(file, capture), terminal::exit_failed);
   if (!written) return refuse(err, "cannot write the output", terminal::exit_failed);
   if (!options.quiet) {
     if (line.is_hex()) fmt::print(err, "hexadecimal text, read as the bytes that it means\n");

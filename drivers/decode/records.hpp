@@ -81,7 +81,7 @@ int decode_frames(Messages& messages, const DecodeOptions& options, std::FILE* e
   if (blocks.error() != 0)
     return refuse(err, cannot_read(file, blocks.error()), terminal::exit_failed);
   if (capture.unknown())
-    return refuse(err, capture::unknown_format_text(file), terminal::exit_failed);
+    return refuse(err, capture::unknown_format_text(file, capture), terminal::exit_failed);
   if (!read || !messages.flush())
     return refuse(err, "cannot write the output", terminal::exit_failed);
   if (!options.quiet) {

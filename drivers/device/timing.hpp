@@ -32,6 +32,7 @@ class Timing {
   std::chrono::nanoseconds line_time(std::size_t bytes) const;  ///< zero without a baud rate
   std::chrono::nanoseconds line_time(const wire::CanFrame& frame) const;  ///< start to end of frame
 
+  const wire::LineRate& rate() const { return rate_; }
   void set_baud(unsigned baud) { rate_.baud = baud; }
   void set_bitrate(unsigned bitrate) { bitrate_ = bitrate; }
   void set_provenance(measurement::Provenance provenance) { provenance_ = provenance; }

@@ -63,6 +63,9 @@ class ByteLink {
   virtual std::optional<unsigned> far_baud() const { return {}; }
   /// Written bytes that a listener who was there did not take in time.
   virtual std::uint64_t dropped() const { return 0; }
+  /// What a person should know about this line, as one line. Empty: nothing. Valid until the next
+  /// call.
+  virtual std::string_view note() { return {}; }
 };
 
 struct ReceivedFrame {

@@ -70,6 +70,12 @@ bool is_host_and_port(std::string_view text) {
          is_within<1, 65535>(text.substr(colon + 1));
 }
 
+/// True for what may be an IP address in numbers; opening reads it.
+bool is_address(std::string_view text) {
+  return !text.empty() && text.find_first_of(".:") != std::string_view::npos &&
+         text.find_first_not_of("0123456789abcdefABCDEF.:%") == std::string_view::npos;
+}
+
 bool is_capture_format(std::string_view text) {
   return text == "raw" || capture::find_format(text) != nullptr;
 }
@@ -91,6 +97,7 @@ constexpr Key clock{"clock", "device line",
 constexpr Key format{"format", "raw pcap pcapng blf candump-log candump-screen asc trc canboat",
                      is_capture_format};
 constexpr Key interface { "interface", "up to 15 letters, digits, _ - .", is_interface };
+constexpr Key from{"from", "an IP address in numbers", is_address};
 constexpr Key fd{"fd", "0 1", is_flag};
 constexpr Key echo{"echo", "0 1", is_flag};
 constexpr Key listen{"listen", "0 1", is_flag};
@@ -125,7 +132,7 @@ constexpr std::array<Form, 10> forms{{
      "host:port, port 1 to 65535",
      "udp:0.0.0.0:10110?listen=1",
      is_host_and_port,
-     {listen, interface, emulated}},
+     {listen, interface, from, emulated}},
     {Scheme::file,
      "file",
      "a path",

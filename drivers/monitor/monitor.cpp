@@ -10,6 +10,7 @@
 #include <memory>
 
 #include "drivers/decode/decode.hpp"
+#include "drivers/device/timed_framer.hpp"
 #include "drivers/io/until_stopped.hpp"
 #include "drivers/link/reading.hpp"
 #include "drivers/monitor/monitor_wire.hpp"
@@ -34,6 +35,7 @@ class Screen {
   virtual ~Screen() = default;
   virtual void receive(wire::Bytes, Stamp) {}
   virtual void receive(const wire::CanFrame&, Stamp) {}
+  virtual void finish() {}  ///< no more bytes will come
   virtual const wire::StreamCounters& counters() const = 0;
   std::uint64_t messages() const { return messages_; }
 
@@ -65,17 +67,22 @@ class ByteScreen final : public Screen {
  public:
   explicit ByteScreen(Codec codec) : codec_(std::move(codec)) {}
   using Screen::receive;
-  void receive(wire::Bytes bytes, Stamp at) override {
-    const auto scan = [this](wire::Bytes all) { return codec_.scan(all); };
-    framer_.feed(bytes, scan, [&](wire::Bytes frame, std::size_t) {
-      if (const auto message = codec_.decode(frame)) print(*message, at);
-    });
-  }
+  void receive(wire::Bytes bytes, Stamp at) override { framer_.feed(bytes, at, scan(), printer()); }
+  void finish() override { framer_.finish(scan(), printer()); }
   const wire::StreamCounters& counters() const override { return framer_.counters(); }
 
  private:
+  auto scan() const {
+    return [this](wire::Bytes all) { return codec_.scan(all); };
+  }
+  auto printer() {
+    return [this](wire::Bytes frame, const device::Arrival& arrival) {
+      if (const auto message = codec_.decode(frame)) print(*message, arrival.read_at);
+    };
+  }
+
   Codec codec_;
-  wire::Framer<Codec::max_frame> framer_;
+  device::TimedFramer<Codec::max_frame> framer_;
 };
 
 /// `Decoder`: that of a protocol of the registry, or FrameDecoder.
@@ -156,9 +163,9 @@ int watch(asio::io_context& io, Link& open_link, Screen& screen, double duration
                    until.stop();
                  });
   io.run();
+  screen.finish();
   print_counters(screen);
-  if constexpr (std::is_same_v<Link, link::FrameLink>)
-    if (!open_link.note().empty()) fmt::print(stderr, "{}\n", open_link.note());
+  if (!open_link.note().empty()) fmt::print(stderr, "{}\n", open_link.note());
   return terminal::exit_of(screen.messages() > 0);
 }
 

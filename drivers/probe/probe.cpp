@@ -7,6 +7,7 @@
 
 #include "drivers/capture/arrival_times.hpp"
 #include "drivers/capture/byte_content.hpp"
+#include "drivers/capture/foreign_content.hpp"
 #include "drivers/link/can/frame_file.hpp"
 #include "drivers/link/clock.hpp"
 #include "drivers/probe/probe_bus.hpp"
@@ -85,8 +86,12 @@ bool read_bytes(const link::Uri& uri, const survey::ByteSurvey::Descriptions& de
   capture::FileBlocks blocks(uri.target);
   capture::ByteContent content(uri.text_of("format") == "raw");
   survey::ByteSurvey survey(descriptions);
-  for (wire::Bytes block = blocks.read(); !block.empty(); block = blocks.read())
+  for (wire::Bytes block = blocks.read(); !block.empty(); block = blocks.read()) {
+    if (survey.bytes() == 0)
+      if (const auto advice = capture::foreign_content(block); !advice.empty())
+        report.notes.emplace_back(advice);
     survey.feed(content.of(block), Stamp{});
+  }
   if (blocks.error() != 0) {
     report.notes.push_back(
         fmt::format("cannot read {}: {}", uri.target, std::strerror(blocks.error())));

@@ -124,6 +124,7 @@ class Attempt {
       if (bytes.empty()) progress.show(progress_text(at));
       return hearing_.settled() || (may_leave && hearing_.hopeless(at, since));
     });
+    note_ = (*opened)->note();
     return {};
   }
 
@@ -138,6 +139,7 @@ class Attempt {
     Setting heard = setting_;
     if (bits == 7) heard.parity = is_odd ? 'O' : 'E';
     const auto& survey = is_odd ? hearing_.odd : is_even ? hearing_.even : hearing_.eight;
+    if (!note_.empty()) report.notes.push_back(note_);
     note_line(survey, serial_ ? in_words(heard, bits) : "",
               serial_ ? with_keys(search_.link, heard, bits) : search_.link, report);
   }
@@ -157,6 +159,7 @@ class Attempt {
   Setting setting_;
   bool serial_;
   Hearing hearing_;
+  std::string note_;  ///< of the link
 };
 
 /// First 8N1 at every rate, then parity. Nearly all sensors show with 8N1, and so do all with 7

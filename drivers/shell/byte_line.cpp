@@ -27,6 +27,10 @@ ByteLine::Opened ByteLine::open(const link::Uri& uri) {
   return link::open_file(executor(), uri, link::Side::driver, std::move(clock.times.messages));
 }
 
+void ByteLine::observe_link() {
+  for (device::Device* device : devices()) device->note_link(current_link().note());
+}
+
 void ByteLine::receive(const wire::Bytes& bytes, Stamp at) {
   for (device::Device* device : devices()) device->receive(bytes, at);
 }

@@ -13,6 +13,7 @@ class ByteLine final : public LinkedLine<link::ByteLink> {
  private:
   link::Uri next_uri() override;
   Opened open(const link::Uri& uri) override;
+  void observe_link() override;
   void receive(const wire::Bytes& bytes, Stamp at) override;
   void send(wire::Bytes bytes) override { put(bytes); }
   void send(const wire::CanFrame&) override {}  // no driver of a byte link sends frames

@@ -23,7 +23,7 @@ class LinkedLine : public Line {
   virtual void receive(const Item& item, Stamp at) = 0;
 
   void put(const Item& item);
-  const Link& current_link() const { return *link_; }
+  Link& current_link() { return *link_; }
 
  private:
   boost::system::result<Provenance, link::OpenError> open_link() override;

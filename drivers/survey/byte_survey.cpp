@@ -6,6 +6,7 @@
 #include <array>
 #include <bit>
 
+#include "drivers/device/timed_framer.hpp"
 #include "drivers/survey/arrivals.hpp"
 #include "drivers/wire/described/described_codec.hpp"
 #include "drivers/wire/passed_over.hpp"
@@ -48,12 +49,11 @@ class CandidateOf final : public ByteCandidate {
  public:
   CandidateOf(P codec, std::vector<std::unique_ptr<DriverTrial>> trials)
       : codec_(std::move(codec)),
-        framer_(std::make_unique<wire::Framer<P::max_frame>>()),
+        framer_(std::make_unique<device::TimedFramer<P::max_frame>>()),
         trials_(std::move(trials)) {}
 
   void feed(wire::Bytes bytes, Stamp at) override {
-    at_ = at;
-    framer_->feed(bytes, scan(), on_frame());
+    framer_->feed(bytes, at, scan(), on_frame());
     for (auto& trial : trials_) trial->receive(bytes, at);
   }
 
@@ -84,12 +84,12 @@ class CandidateOf final : public ByteCandidate {
     return [this](wire::Bytes bytes) { return codec_.scan(bytes); };
   }
   auto on_frame() {
-    return [this](wire::Bytes frame, std::size_t) {
+    return [this](wire::Bytes frame, const device::Arrival& arrival) {
       const auto message = codec_.decode(frame);
       if (proves(codec_, frame, message) && proofs_++ == 0)
         skipped_before_ = framer_->counters().bytes_skipped;  // bytes before the first good frame
       if (message)
-        std::visit([this](const auto& m) { note(m.type); }, *message);
+        std::visit([&](const auto& m) { note(m.type, arrival.read_at); }, *message);
       else
         note_unread(frame);
     };
@@ -105,18 +105,17 @@ class CandidateOf final : public ByteCandidate {
     ++known->count;
   }
 
-  void note(std::string_view type) {
+  void note(std::string_view type, Stamp at) {
     auto heard = std::ranges::find(heard_, type, [](const auto& entry) { return entry.first; });
     if (heard == heard_.end()) heard = heard_.insert(heard, {type, {}});
-    heard->second.add(at_);
+    heard->second.add(at);
   }
 
   P codec_;
-  std::unique_ptr<wire::Framer<P::max_frame>> framer_;
+  std::unique_ptr<device::TimedFramer<P::max_frame>> framer_;
   std::vector<std::unique_ptr<DriverTrial>> trials_;
   std::vector<std::pair<std::string_view, Arrivals>> heard_;  ///< in order of first arrival
   std::vector<UnreadCount> unread_;
-  Stamp at_{};
   std::uint64_t proofs_ = 0, skipped_before_ = 0;
 };
 

@@ -94,9 +94,10 @@ void AutopilotFeed::tell(Trouble trouble, std::string_view line) {
 }
 
 void AutopilotFeed::receive(wire::Bytes bytes, Stamp now) {
-  framer_.feed(bytes, wire::Mavlink::scan, [&](wire::Bytes frame, std::size_t) {
-    if (const auto message = wire::Mavlink::decode(frame)) on_message(*message, now);
-  });
+  const auto on_frame = [&](wire::Bytes frame, const device::Arrival& arrival) {
+    if (const auto message = wire::Mavlink::decode(frame)) on_message(*message, arrival.read_at);
+  };
+  framer_.feed(bytes, now, wire::Mavlink::scan, on_frame);
 }
 
 void AutopilotFeed::on_message(const wire::Mavlink::Message& message, Stamp now) {

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string_view>
 
+#include "drivers/device/timed_framer.hpp"
 #include "drivers/measurement/measurement.hpp"
 #include "drivers/wire/mavlink/mavlink.hpp"
 #include "hil/bridge/body_motion.hpp"
@@ -76,7 +77,7 @@ class AutopilotFeed {
   Trouble trouble_ = Trouble::none;
   std::uint8_t sequence_ = 0;
   Stamp rate_due_{};
-  wire::Framer<wire::Mavlink::max_frame> framer_;
+  device::TimedFramer<wire::Mavlink::max_frame> framer_;
 };
 
 }  // namespace drydock::bridge

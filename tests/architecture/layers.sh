@@ -58,7 +58,7 @@ hil/sensor                 hil/motion estimators/frame drivers/measurement rig_c
 hil/sky                    hil/sensor estimators/frame drivers/measurement rig_config
 hil/study                  hil/report hil/sky hil/sensor hil/motion estimators/[a-z]* drivers/measurement rig_config
 hil/study/run              hil/study hil/report drivers/terminal
-hil/emulate                hil/sky hil/sensor hil/motion estimators/frame drivers/shell drivers/wire drivers/measurement rig_config
+hil/emulate                hil/sky hil/sensor hil/motion estimators/frame drivers/shell drivers/device/timed_framer drivers/wire drivers/measurement rig_config
 hil/emulate/real_time      hil/emulate drivers/link drivers/io drivers/wire drivers/measurement
 hil/fault                  hil/emulate hil/sensor hil/motion drivers/link drivers/wire drivers/measurement rig_config
 hil/proxy                  hil/fault drivers/device drivers/link drivers/io drivers/terminal drivers/wire drivers/measurement rig_config

@@ -4,6 +4,7 @@
 
 #include "drivers/capture/words.hpp"
 #include "drivers/wire/nmea2000/fast_packet.hpp"
+#include "drivers/wire/nmea2000/fast_pgns.hpp"
 #include "drivers/wire/text_fields.hpp"
 
 namespace drydock::capture {
@@ -54,20 +55,21 @@ std::optional<Record> CanboatPlain::parse(std::string_view line) {
     if (!byte || *byte > 255) return std::nullopt;
     message_[i] = static_cast<std::uint8_t>(*byte);
   }
+  assembled_ = assembled_ || size_ > 8;
+  is_fast_ = size_ > 8 || (assembled_ && wire::is_fast_pgn(id_.pgn));
   frames_given_ = 0;
   sequence_ = (sequence_ + 1) % 8;
   return next_frame();
 }
 
 std::optional<Record> CanboatPlain::more() {
-  const bool is_fast = size_ > 8;
-  return is_fast && frames_given_ < wire::fast_packet_frames(size_) ? next_frame() : std::nullopt;
+  return is_fast_ && frames_given_ < wire::fast_packet_frames(size_) ? next_frame() : std::nullopt;
 }
 
 std::optional<Record> CanboatPlain::next_frame() {
   Record record{time_, "can0", {}};
   const wire::Bytes message{message_.data(), size_};
-  if (size_ > 8) {
+  if (is_fast_) {
     record.frame = wire::encode_fast_packet(id_, sequence_, message, frames_given_);
   } else {
     record.frame.id = wire::j1939::make_identifier(id_);

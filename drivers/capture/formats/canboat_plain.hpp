@@ -12,6 +12,7 @@ namespace drydock::capture {
 ///    2011-04-25-06:25:03.603,3,129029,36,255,43,e6,f1,3a,...
 /// A line of up to 8 bytes is a frame. A longer line ("fast") is a message that canboat has
 /// assembled. The reader splits it into the frames of a fast packet again, all with one time.
+/// Behind such a line a short one of a PGN that travels as fast packets is a whole message as well.
 class CanboatPlain final : public LineReader {
  public:
   static constexpr std::string_view name = "canboat";
@@ -29,6 +30,8 @@ class CanboatPlain final : public LineReader {
   std::array<std::uint8_t, 223> message_{};
   std::size_t size_ = 0, frames_given_ = 0;
   std::uint8_t sequence_ = 0;
+  bool is_fast_ = false;    ///< the message travels as a fast packet
+  bool assembled_ = false;  ///< a message of more than 8 bytes came
 };
 
 }  // namespace drydock::capture

@@ -36,10 +36,11 @@ nanoseconds parse_start(std::string_view text) {
   return std::chrono::days{*day - day_of_1970} + nanoseconds{std::llround(fraction * ns_per_day)};
 }
 
-enum class Kind : std::uint8_t { data, fd, fd_switched, error, other };
+enum class Kind : std::uint8_t { data, remote, fd, fd_switched, error, other };
 
 Kind kind_of(std::string_view type) {
-  if (type == "Rx" || type == "Tx" || type == "DT" || type == "RR") return Kind::data;
+  if (type == "Rx" || type == "Tx" || type == "DT") return Kind::data;
+  if (type == "RR") return Kind::remote;
   if (type == "FD" || type == "FE") return Kind::fd;
   if (type == "FB" || type == "BI") return Kind::fd_switched;
   if (type == "ER" || type == "Error") return Kind::error;
@@ -55,7 +56,7 @@ bool read_identifier(std::string_view word, CanFrame& frame) {
 
 bool read_content(Words& words, std::uint32_t size, CanFrame& frame) {
   if (!(frame.fd ? is_fd_size(size) : size <= 8)) return false;
-  if (words.peek() != "RTR") return read_data(words, size, 16, frame);
+  if (!frame.remote && words.peek() != "RTR") return read_data(words, size, 16, frame);
   frame.remote = true;
   frame.size = static_cast<std::uint8_t>(size);
   return true;
@@ -78,6 +79,7 @@ bool read_column(char column, std::string_view word, Row& row) {
       row.kind = kind_of(word);
       frame.fd = row.kind == Kind::fd || row.kind == Kind::fd_switched;
       frame.bit_rate_switch = row.kind == Kind::fd_switched;
+      frame.remote = row.kind == Kind::remote;
       return true;
     case 'B': row.bus = number.value_or(0); return row.bus > 0;
     case 'I': return read_identifier(word, frame);

@@ -43,25 +43,35 @@ nanoseconds parse_start(Words words) {
   return date ? *date + *clock + half : nanoseconds{0};
 }
 
-bool is_direction(std::string_view word) { return word == "Rx" || word == "Tx"; }
+std::string in_small_letters(std::string_view word) {
+  std::string small(word);
+  for (char& c : small) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return small;
+}
+
+bool is_direction(std::string_view word) {
+  const std::string small = in_small_letters(word);
+  return small == "rx" || small == "tx";
+}
 
 }  // namespace
 
 bool VectorAsc::recognises(std::string_view line) {
-  if (line.starts_with("base hex") || line.starts_with("base dec")) return true;
+  const std::string head = in_small_letters(line.substr(0, 8));
+  if (head == "base hex" || head == "base dec") return true;
   return VectorAsc().read_line(line).record.has_value();
 }
 
 bool VectorAsc::read_head(std::string_view line) {
   Words words(line);
-  const std::string_view word = words.next();
+  const std::string word = in_small_letters(words.next());
   if (word == "date") start_ = parse_start(words);
   if (word == "base") {
-    base_ = words.next() == "dec" ? 10 : 16;
-    relative_ = line.find("relative") != line.npos;
+    base_ = in_small_letters(words.next()) == "dec" ? 10 : 16;
+    relative_ = in_small_letters(line).find("relative") != line.npos;
   }
-  constexpr std::array<std::string_view, 8> words_of_the_head{"date",  "base", "internal", "no",
-                                                              "Begin", "End",  "begin",    "end"};
+  constexpr std::array<std::string_view, 6> words_of_the_head{"date", "base",  "internal",
+                                                              "no",   "begin", "end"};
   return word.starts_with("//") || std::find(words_of_the_head.begin(), words_of_the_head.end(),
                                              word) != words_of_the_head.end();
 }

@@ -11,7 +11,7 @@ void Pd6Driver::on_frame(wire::Bytes frame, const Arrival& arrival, Output& out)
   const auto line = wire::Pd6::decode(frame);
   if (!line) return;
   const auto step = epoch_.take(*line, timing_.of_bytes(arrival), timing_.line_time(frame.size()),
-                                framer_.counters().bad_checksums);
+                                counters().bad_checksums);
   if (step == Pd6Epoch::Step::complete) publish(out);
   if (step == Pd6Epoch::Step::broken) {
     out.report("an ensemble was left out: a line of it was lost or damaged");

@@ -64,7 +64,7 @@ void GnssDriver::tick(Stamp now, Output& out) {
   setup_.tick(now, out);
   const auto due = epoch_ends_at();
   if (!due || now < *due) return;
-  look_behind(out, [] { return true; });  // frames of this epoch may wait behind a damaged length
+  look_behind(out);  // frames of this epoch may wait behind a damaged length
   close_ubx_epoch(out);
   close_nmea_epoch(out);
 }

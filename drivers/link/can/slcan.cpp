@@ -1,5 +1,6 @@
 #include "drivers/link/can/slcan.hpp"
 
+#include <algorithm>
 #include <array>
 #include <boost/asio/error.hpp>
 #include <boost/asio/experimental/awaitable_operators.hpp>
@@ -44,7 +45,8 @@ class SlcanLink final : public FrameLink {
         open_(channel.listens ? "L" : "O"),
         patience_(executor),
         changed_(std::make_shared<io::Signal>(executor)),
-        frames_(most_frames_per_read) {}
+        frames_(most_frames_per_read),
+        written_(most_frames_per_read) {}
 
   Task<ReceivedFrame> read() override;
   Task<void> write(const wire::CanFrame& frame) override;
@@ -56,10 +58,10 @@ class SlcanLink final : public FrameLink {
   Provenance provenance() const override { return line_->provenance(); }
   std::uint64_t dropped() const override { return dropped_; }
   std::string_view note() const override {
-    return channel_ == Channel::open && silent_
-               ? "the slcan adapter answers no command: whether its channel is open, only its "
-                 "frames show"
-               : "";
+    if (channel_ == Channel::open && silent_)
+      return "the slcan adapter answers no command: whether its channel is open, only its frames "
+             "show";
+    return damage_;
   }
 
  private:
@@ -77,6 +79,9 @@ class SlcanLink final : public FrameLink {
   Task<void> take();
   void take_in(wire::Bytes bytes, Stamp at);
   void hear(Answer answer);
+  void hear(const slcan::Command& said);
+  bool is_echo(const wire::CanFrame& frame);
+  void note_damage();
   void keep(const wire::CanFrame& frame, Stamp at);
 
   std::unique_ptr<ByteLink> line_;
@@ -91,6 +96,10 @@ class SlcanLink final : public FrameLink {
   std::array<std::uint8_t, read_size> buffer_{};
   boost::circular_buffer<ReceivedFrame> frames_;
   std::uint64_t dropped_ = 0;
+  bool echoes_ = false;                             ///< the adapter repeats what it is told
+  boost::circular_buffer<wire::CanFrame> written_;  ///< whose echoes may still come
+  std::uint64_t damaged_before_ = 0;                ///< lines, when the channel was opened
+  std::string damage_;                              ///< of the lines since then, in words
 };
 
 /// A read and a write may both be first: one opens the channel and the other waits, so that their
@@ -172,10 +181,37 @@ void SlcanLink::take_in(wire::Bytes bytes, Stamp at) {
     const auto message = wire::Slcan::decode(line);
     if (!message) return;
     if (const auto* frame = std::get_if<slcan::Frame>(&*message)) keep(frame->frame, at);
-    if (const auto* report = std::get_if<slcan::Command>(&*message))
-      if (const auto error = slcan::error_frame_of(report->text)) keep(*error, at);
+    if (const auto* said = std::get_if<slcan::Command>(&*message)) {
+      hear(*said);
+      if (const auto error = slcan::error_frame_of(said->text)) keep(*error, at);
+    }
     if (const auto* reply = std::get_if<slcan::Reply>(&*message)) hear(reply->answer);
   });
+  note_damage();
+}
+
+/// Only an echo has the form of our own commands. Then our frames come back as well, and must not
+/// be taken for those of another node.
+void SlcanLink::hear(const slcan::Command& said) {
+  if (said.text == "C" || said.text == rate_ || said.text == open_) echoes_ = true;
+}
+
+bool SlcanLink::is_echo(const wire::CanFrame& frame) {
+  const auto own = std::find(written_.begin(), written_.end(), frame);
+  if (own == written_.end()) return false;
+  written_.erase(written_.begin(), own + 1);
+  return true;
+}
+
+/// Lines are damaged where the serial line loses bytes, or where the channel was found open amid
+/// one.
+void SlcanLink::note_damage() {
+  const std::uint64_t lines = framer_.counters().bad_checksums;
+  if (channel_ != Channel::open) damaged_before_ = lines;
+  if (lines == damaged_before_) return;
+  damage_ = std::to_string(lines - damaged_before_) +
+            " damaged lines of the slcan adapter were left out: its serial line loses bytes (try "
+            "flow control or a higher baud)";
 }
 
 void SlcanLink::hear(Answer answer) {
@@ -186,6 +222,7 @@ void SlcanLink::hear(Answer answer) {
 }
 
 void SlcanLink::keep(const wire::CanFrame& frame, Stamp at) {
+  if (echoes_ && is_echo(frame)) return;
   if (frames_.full())
     ++dropped_;
   else
@@ -197,6 +234,7 @@ Task<void> SlcanLink::write(const wire::CanFrame& frame) {
   const std::size_t size = slcan::encode(slcan::Frame{frame, std::nullopt}, line);
   if (size == 0) co_return ErrorCode(asio::error::operation_not_supported);
   if (const auto ready = co_await opened(); !ready) co_return ready.error();
+  if (echoes_) written_.push_back(frame);
   co_return co_await line_->write({line.data(), size});
 }
 

@@ -111,7 +111,7 @@ void SlcanBus::Port::handle(wire::Bytes line, Stamp at) {
 }
 
 void SlcanBus::Port::on_frame(const wire::CanFrame& frame, Stamp at) {
-  if (!channel_open_ || only_listens_) return answer("\a");
+  if (!channel_open_ || only_listens_ || frame.fd) return answer("\a");
   member_->send(frame, at);
   answer(frame.extended ? "Z\r" : "z\r");
 }

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <boost/asio/buffer.hpp>
 #include <boost/asio/experimental/awaitable_operators.hpp>
 #include <boost/asio/ip/tcp.hpp>
@@ -12,9 +13,6 @@ namespace drydock::link {
 namespace {
 
 using asio::ip::tcp;
-
-/// An address that does not answer for this long is left for the next one.
-constexpr std::chrono::seconds limit_per_address{2};
 
 class TcpClient final : public ByteLink {
  public:
@@ -59,7 +57,8 @@ class TcpClient final : public ByteLink {
 
  private:
   asio::awaitable<ErrorCode> connect();
-  asio::awaitable<ErrorCode> connect_to(const tcp::endpoint& endpoint);
+  asio::awaitable<ErrorCode> connect_to(const tcp::endpoint& endpoint,
+                                        std::chrono::milliseconds limit);
 
   Host host_;
   std::uint16_t port_;
@@ -73,21 +72,23 @@ asio::awaitable<ErrorCode> TcpClient::connect() {
   const auto addresses = co_await host_.addresses();
   if (!addresses) co_return addresses.error();
   ErrorCode error;
-  for (const auto& address : *addresses) {
-    error = co_await connect_to({address, port_});
+  const std::size_t tried = std::min(addresses->size(), most_addresses);
+  for (std::size_t i = 0; i < tried; ++i) {
+    error = co_await connect_to({(*addresses)[i], port_}, limit_per_address(tried));
     if (!error || connection_.closed()) break;
   }
   co_return error;
 }
 
-asio::awaitable<ErrorCode> TcpClient::connect_to(const tcp::endpoint& endpoint) {
+asio::awaitable<ErrorCode> TcpClient::connect_to(const tcp::endpoint& endpoint,
+                                                 std::chrono::milliseconds limit) {
   using namespace asio::experimental::awaitable_operators;
   ErrorCode error;
   socket_.close(error);
   socket_.open(endpoint.protocol(), error);
   if (error) co_return error;
   set_up(socket_);
-  timer_.expires_after(limit_per_address);
+  timer_.expires_after(limit);
   const auto first =
       co_await (socket_.async_connect(endpoint, as_outcome) || timer_.async_wait(as_outcome));
   const auto* connected = std::get_if<0>(&first);

@@ -10,6 +10,7 @@
 
 #include "drivers/link/net/endpoint.hpp"
 #include "drivers/link/net/first_use.hpp"
+#include "drivers/link/net/sender_filter.hpp"
 #include "drivers/link/net/udp_socket.hpp"
 
 namespace drydock::link {
@@ -22,25 +23,27 @@ constexpr std::size_t longest_datagram = 65'535;
 class UdpLink final : public ByteLink {
  public:
   /// `socket` is bound and waits for the other end to say where it is, or sends to this peer.
-  UdpLink(udp::socket socket, const std::optional<udp::endpoint>& peer, Side side,
-          Provenance provenance)
+  UdpLink(udp::socket socket, const std::optional<udp::endpoint>& peer, SenderFilter senders,
+          Side side, Provenance provenance)
       : socket_(std::move(socket)),
         host_(socket_.get_executor(), {}),
         aims_(peer.has_value()),
         found_(socket_.get_executor(), nothing_to_find),
         peer_(peer),
+        senders_(std::move(senders)),
         side_(side),
         provenance_(provenance),
         datagram_(longest_datagram) {}
   /// The end that sends to a host of this name. It finds it at its first read or write.
   UdpLink(const asio::any_io_executor& executor, const HostAndPort& to, unsigned interface,
-          Side side, Provenance provenance)
+          SenderFilter senders, Side side, Provenance provenance)
       : socket_(executor),
         host_(executor, to.host),
         port_(to.port),
         interface_(interface),
         aims_(true),
         found_(executor, [this] { return find(); }),
+        senders_(std::move(senders)),
         side_(side),
         provenance_(provenance),
         datagram_(longest_datagram) {}
@@ -62,8 +65,10 @@ class UdpLink final : public ByteLink {
   }
 
   Provenance provenance() const override { return provenance_; }
+  std::string_view note() override { return senders_.note(); }
 
  private:
+  bool counts(const udp::endpoint& sender, std::size_t size);
   static asio::awaitable<ErrorCode> nothing_to_find() { co_return ErrorCode{}; }
   asio::awaitable<ErrorCode> find();
 
@@ -79,6 +84,7 @@ class UdpLink final : public ByteLink {
   bool aims_ = false;       ///< it sends to its address, whoever writes to it
   FirstUse found_;
   std::optional<udp::endpoint> peer_;  ///< empty until the other end is known
+  SenderFilter senders_;               ///< of the driver's side
   Side side_;
   Provenance provenance_;
   std::vector<std::uint8_t> datagram_;
@@ -101,6 +107,11 @@ asio::awaitable<ErrorCode> UdpLink::find() {
   co_return error;
 }
 
+/// A driver may send hello with an empty datagram. To a driver, an empty one says nothing.
+bool UdpLink::counts(const udp::endpoint& sender, std::size_t size) {
+  return side_ == Side::device || (size > 0 && senders_.takes(sender.address()));
+}
+
 Task<ReceivedBytes> UdpLink::read(std::span<std::uint8_t> into) {
   if (const auto ready = co_await found_.done(); !ready) co_return ready.error();
   while (begin_ == end_) {
@@ -109,6 +120,7 @@ Task<ReceivedBytes> UdpLink::read(std::span<std::uint8_t> into) {
         co_await socket_.async_receive_from(asio::buffer(datagram_), sender, as_outcome);
     if (error && is_absence(error)) continue;
     if (error) co_return error;
+    if (!counts(sender, size)) continue;
     if (!aims_) peer_ = sender;
     begin_ = 0;
     end_ = size;
@@ -152,6 +164,18 @@ boost::system::result<unsigned, OpenError> interface_of(const Uri& uri) {
                                              name + " (ip link shows those that are there)"};
 }
 
+/// A group or a network's broadcast address has many senders by design, so there only `from` picks
+/// one.
+boost::system::result<SenderFilter, OpenError> senders_of(const Uri& uri,
+                                                          SenderFilter::Unless unless) {
+  const std::string name(uri.text_of("from"));
+  if (name.empty()) return SenderFilter({}, unless);
+  if (const auto address = address_in_numbers(name)) return SenderFilter(address, unless);
+  return OpenError{asio::error::invalid_argument,
+                   "cannot use " + uri.target + " with from=" + name +
+                       ": it is no IP address in numbers, as 192.168.2.95 or fe80::1"};
+}
+
 }  // namespace
 
 OpenedBytes open_udp(const asio::any_io_executor& executor, const Uri& uri, Side side) {
@@ -162,19 +186,23 @@ OpenedBytes open_udp(const asio::any_io_executor& executor, const Uri& uri, Side
   if (!interface) return interface.error();
   const auto to = host_and_port(uri.target);
   const auto number = address_in_numbers(to.host);
+  using Unless = SenderFilter::Unless;
+  const bool many = number && has_many_listeners(executor, {*number, to.port});
+  const auto senders = senders_of(uri, many ? Unless::all : Unless::first_heard);
+  if (!senders) return senders.error();
   if (!binds && !number)
-    return std::make_unique<UdpLink>(executor, to, *interface, side, provenance);
+    return std::make_unique<UdpLink>(executor, to, *interface, *senders, side, provenance);
   udp::socket socket(executor);
   if (!binds) {
     const udp::endpoint peer(*number, to.port);
     if (const auto error = aim_at(socket, peer, *interface)) return cannot("send to", uri, error);
-    return std::make_unique<UdpLink>(std::move(socket), peer, side, provenance);
+    return std::make_unique<UdpLink>(std::move(socket), peer, *senders, side, provenance);
   }
   const auto endpoint = own_endpoint<udp>(uri);
   if (!endpoint) return endpoint.error();
   if (const auto error = listen_on(socket, *endpoint, *interface))
     return cannot("listen on", uri, error);
-  return std::make_unique<UdpLink>(std::move(socket), std::nullopt, side, provenance);
+  return std::make_unique<UdpLink>(std::move(socket), std::nullopt, *senders, side, provenance);
 }
 
 }  // namespace drydock::link

@@ -56,10 +56,14 @@ ErrorCode send_through(udp::socket& socket, const UdpEndpoint& group, unsigned i
 
 }  // namespace
 
+bool has_many_listeners(const asio::any_io_executor& executor, const UdpEndpoint& endpoint) {
+  return endpoint.address().is_multicast() || is_broadcast(executor, endpoint);
+}
+
 ErrorCode listen_on(udp::socket& socket, UdpEndpoint endpoint, unsigned interface) {
   endpoint = on_interface(endpoint, interface);
   const bool is_group = endpoint.address().is_multicast();
-  const bool has_many = is_group || is_broadcast(socket.get_executor(), endpoint);
+  const bool has_many = has_many_listeners(socket.get_executor(), endpoint);
   ErrorCode error;
   socket.open(endpoint.protocol(), error);
   if (!error && has_many) socket.set_option(udp::socket::reuse_address(true), error);

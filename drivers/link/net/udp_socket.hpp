@@ -11,6 +11,9 @@ namespace drydock::link {
 
 using UdpEndpoint = asio::ip::udp::endpoint;
 
+/// True for a group and for the broadcast address of a network.
+bool has_many_listeners(const asio::any_io_executor& executor, const UdpEndpoint& endpoint);
+
 /// Binds the socket, which must not be open. It joins the group if the address is one. Broadcasts
 /// and groups have many listeners, so other sockets may bind the same address; any other address
 /// is for one alone. `interface` is the kernel's index of the one on which a group is; 0: as it

@@ -1,3 +1,4 @@
+#include "drivers/device/timed_framer.hpp"
 #include "drivers/monitor/frames/field_lister.hpp"
 #include "drivers/monitor/frames/kept_frame.hpp"
 #include "drivers/monitor/frames/wire_watch.hpp"
@@ -16,7 +17,9 @@ class ByteWatch final : public WireWatch {
   using WireWatch::receive;
   void receive(wire::Bytes bytes, measurement::Stamp at) override {
     const auto scan = [this](wire::Bytes all) { return codec_.scan(all); };
-    framer_.feed(bytes, scan, [&](wire::Bytes frame, std::size_t) { take(frame, at); });
+    framer_.feed(bytes, at, scan, [&](wire::Bytes frame, const device::Arrival& arrival) {
+      take(frame, arrival.read_at);
+    });
   }
   ShownWire show() override {
     ShownWire wire{.not_listed = not_listed_};
@@ -44,7 +47,7 @@ class ByteWatch final : public WireWatch {
   }
 
   Codec codec_;
-  wire::Framer<Codec::max_frame> framer_;
+  device::TimedFramer<Codec::max_frame> framer_;
   std::map<std::string, KeptFrame, std::less<>> kinds_;
   std::uint64_t not_listed_ = 0;
 };

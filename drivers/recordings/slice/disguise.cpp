@@ -72,15 +72,21 @@ void Disguise::note(const mcap::Channel& channel, const mcap::Schema& schema,
   tracks_[channel.id] = std::move(track);
 }
 
-bool Disguise::apply(mcap::Message& message) {
+void Disguise::apply(mcap::Message message, const Emit& emit) {
   auto& track = tracks_[message.channel];
-  const bool kept = track.line ? apply_raw(track, message) : apply_understood(track, message);
-  message.log_time += static_cast<std::uint64_t>(options_.shift.count());
-  message.publish_time += static_cast<std::uint64_t>(options_.shift.count());
-  return kept;
+  const auto shift = static_cast<std::uint64_t>(options_.shift.count());
+  message.log_time += shift;
+  message.publish_time += shift;
+  if (track.line ? apply_raw(track, message, emit) : apply_understood(track, message))
+    emit(message);
 }
 
-bool Disguise::apply_raw(Track& track, mcap::Message& message) {
+void Disguise::finish(const Emit& emit) {
+  for (auto& [channel, track] : tracks_)
+    if (track.receiver) emit_moved(track, track.receiver->finish(), emit);
+}
+
+bool Disguise::apply_raw(Track& track, mcap::Message& message, const Emit& emit) {
   if (*track.line == Line::unknown) {
     ++dropped_[track.frames ? "frames of an unknown bus" : "reads of an unknown line"];
     return false;
@@ -92,21 +98,35 @@ bool Disguise::apply_raw(Track& track, mcap::Message& message) {
     record::encode(data_, *raw);
   } else {
     auto raw = record::decode_bytes(message.data);
-    if (!raw || (*track.line == Line::receiver && !move_bytes(track, *raw))) return false;
+    if (!raw) return false;
     raw->at += options_.shift;
+    if (*track.line == Line::receiver) {
+      if (raw->direction == record::Direction::sent) {  // a host may send a receiver its position
+        ++dropped_["writes to a receiver"];
+        return false;
+      }
+      track.last = message;
+      track.last_at = raw->at;
+      emit_moved(track, track.receiver->move(raw->data, raw->at), emit);
+      return false;
+    }
     record::encode(data_, *raw);
   }
   message.data = data_;
   return true;
 }
 
-bool Disguise::move_bytes(Track& track, record::RawBytes& raw) {
-  if (raw.direction == record::Direction::sent) {  // a host may send a receiver its position
-    ++dropped_["writes to a receiver"];
-    return false;
+void Disguise::emit_moved(const Track& track, const std::vector<ReceiverLine::Moved>& moved,
+                          const Emit& emit) {
+  for (const auto& read : moved) {
+    mcap::Message message = track.last;
+    const auto waited = static_cast<std::uint64_t>((track.last_at - read.at).count());
+    message.log_time -= waited;
+    message.publish_time -= waited;
+    record::encode(data_, record::RawBytes{read.at, record::Direction::received, read.bytes});
+    message.data = data_;
+    emit(message);
   }
-  raw.data = track.receiver->move(raw.data);
-  return !raw.data.empty();
 }
 
 bool Disguise::apply_understood(const Track& track, mcap::Message& message) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 
 #include "drivers/recordings/record/message_layout.hpp"
@@ -32,9 +33,13 @@ class Disguise {
   /// Announces a channel before its messages. `link` is the index of the link of a raw channel.
   void note(const mcap::Channel& channel, const mcap::Schema& schema,
             std::optional<std::size_t> link);
-  /// Changes the message in place. The disguise then owns its data, until the next call. False if
-  /// the message is dropped.
-  bool apply(mcap::Message& message);
+  using Emit = std::function<void(const mcap::Message&)>;
+  /// Emits the message as it is to be. It emits nothing if the message is dropped or waits, and
+  /// more than one if others waited: their times are then before those that were emitted last. The
+  /// data is valid during the call.
+  void apply(mcap::Message message, const Emit& emit);
+  /// No more messages will come. Emits those that still wait.
+  void finish(const Emit& emit);
   /// False if the attachment is dropped.
   bool apply(mcap::Attachment& attachment);
 
@@ -48,14 +53,18 @@ class Disguise {
   struct Track {
     std::optional<Line> line;  ///< for a raw channel
     bool frames = false;
+    mcap::Message last;  ///< of a receiver; its data is gone
+    Stamp last_at{};
     std::string type;
     std::optional<record::MessageNode> layout;
     std::unique_ptr<ReceiverLine> receiver;
     std::unique_ptr<BusPlace> bus;
   };
 
-  bool apply_raw(Track& track, mcap::Message& message);
-  bool move_bytes(Track& track, record::RawBytes& raw);
+  /// True if the message is to be emitted. The messages of a receiver are emitted here.
+  bool apply_raw(Track& track, mcap::Message& message, const Emit& emit);
+  void emit_moved(const Track& track, const std::vector<ReceiverLine::Moved>& moved,
+                  const Emit& emit);
   bool apply_understood(const Track& track, mcap::Message& message);
   Line line_of(const record::RecordedLink& link, const std::optional<rig_config::Rig>& rig) const;
 

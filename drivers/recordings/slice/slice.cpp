@@ -27,17 +27,24 @@ class Slicer {
         begin_(recording.begin().value_or(Stamp{})),
         disguise_(disguise, recording.links(), rig) {}
 
-  /// Empty if the record is not in the slice. The record's views are valid until the next call.
-  std::optional<mcap::Record> operator()(mcap::Record record) {
+  /// Emits those records that are in the slice. The record's views are valid during the call.
+  template <class Emit>
+  void operator()(mcap::Record record, Emit& emit) {
+    if (const auto* message = std::get_if<mcap::Message>(&record)) {
+      if (taken_[message->channel] && part_.holds(log_time(*message), begin_))
+        disguise_.apply(*message, std::ref(emit));
+      return;
+    }
     bool taken = true;
     if (auto* schema = std::get_if<mcap::Schema>(&record)) schemas_[schema->id] = *schema;
     if (auto* channel = std::get_if<mcap::Channel>(&record)) taken = takes(*channel);
     if (auto* attachment = std::get_if<mcap::Attachment>(&record))
       taken = disguise_.apply(*attachment);
-    if (auto* message = std::get_if<mcap::Message>(&record))
-      taken = taken_[message->channel] && part_.holds(log_time(*message), begin_) &&
-              disguise_.apply(*message);
-    return taken ? std::optional(std::move(record)) : std::nullopt;
+    if (taken) std::visit(emit, record);
+  }
+  template <class Emit>
+  void finish(Emit& emit) {
+    disguise_.finish(std::ref(emit));
   }
 
   const Disguise& disguise() const { return disguise_; }
@@ -97,8 +104,9 @@ mcap::Reader reader_of(const std::string& path) {
 /// Attachments come before the slice's first position in the file, but need to know it.
 std::optional<measurement::Geodetic> first_position(const std::string& path, Slicer slicer) {
   mcap::Reader reader = reader_of(path);
+  constexpr auto nothing = [](const auto&) {};
   while (auto record = reader.next()) {
-    slicer(std::move(*record));
+    slicer(std::move(*record), nothing);
     if (slicer.disguise().first_position()) break;
   }
   return slicer.disguise().first_position();
@@ -132,12 +140,13 @@ boost::system::result<Sliced, RecordingError> slice(const std::string& path, con
   Copy copy(std::move(*sink), done);
   mcap::Reader reader = reader_of(path);
   while (auto record = reader.next()) {
-    if (const auto taken = slicer(std::move(*record))) std::visit(copy, *taken);
+    slicer(std::move(*record), copy);
     if (copy.error()) break;
     done.ended_early = !watch(static_cast<double>(reader.position()) /
                               static_cast<double>(std::max<std::uint64_t>(reader.size(), 1)));
     if (done.ended_early) break;
   }
+  slicer.finish(copy);
   if (const auto error = copy.finish()) return RecordingError{to + ": " + error.message()};
   done.moved = slicer.disguise().moved();
   done.dropped = slicer.disguise().dropped();

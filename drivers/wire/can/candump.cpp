@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 
+#include "drivers/wire/can/data_length.hpp"
 #include "drivers/wire/hex.hpp"
 
 namespace drydock::wire {
@@ -14,6 +15,7 @@ using candump::Line;
 
 constexpr std::uint32_t error_flag = 0x20000000;
 constexpr std::uint32_t max_standard_id = 0x7FF, max_extended_id = 0x1FFFFFFF;
+constexpr std::string_view blanks = " \t";
 constexpr std::size_t longest_interface = 21;  // the limit of canplayer; Linux itself has 15
 
 std::optional<std::uint64_t> parse_decimal(std::string_view digits) {
@@ -47,12 +49,6 @@ std::optional<std::uint8_t> parse_data(std::string_view text, std::span<std::uin
     text.remove_prefix(2);
   }
   return static_cast<std::uint8_t>(size);
-}
-
-constexpr bool is_fd_size(std::size_t size) {
-  constexpr std::array<std::size_t, 7> beyond_eight{12, 16, 20, 24, 32, 48, 64};
-  return size <= 8 ||
-         std::find(beyond_eight.begin(), beyond_eight.end(), size) != beyond_eight.end();
 }
 
 bool parse_fd(std::string_view flags_and_data, CanFrame& frame) {
@@ -95,16 +91,21 @@ std::optional<std::string_view> cut(std::string_view& rest, char separator) {
   return head;
 }
 
-Direction cut_direction(std::string_view& rest) {
-  if (rest.ends_with(" R")) {
-    rest.remove_suffix(2);
-    return Direction::received;
-  }
-  if (rest.ends_with(" T")) {
-    rest.remove_suffix(2);
-    return Direction::transmitted;
-  }
-  return Direction::unknown;
+/// Removes the word at the front of `rest` and the blanks around it. Programs write one blank;
+/// people and editors write more, or tabs.
+std::string_view cut_word(std::string_view& rest) {
+  rest.remove_prefix(std::min(rest.find_first_not_of(blanks), rest.size()));
+  const std::string_view word = rest.substr(0, rest.find_first_of(blanks));
+  rest.remove_prefix(word.size());
+  rest.remove_prefix(std::min(rest.find_first_not_of(blanks), rest.size()));
+  return word;
+}
+
+std::optional<Direction> direction_of(std::string_view word) {
+  if (word.empty()) return Direction::unknown;
+  if (word == "R") return Direction::received;
+  if (word == "T") return Direction::transmitted;
+  return std::nullopt;
 }
 
 }  // namespace
@@ -125,21 +126,20 @@ std::optional<Line> candump::parse_line(std::string_view rest) {
   if (rest.empty() || rest[0] != '(') return std::nullopt;
   rest.remove_prefix(1);
   const auto stamp = cut(rest, ')');
-  if (!stamp || rest.empty() || rest[0] != ' ') return std::nullopt;
-  rest.remove_prefix(1);
-  const auto interface = cut(rest, ' ');
-  if (!interface || interface->empty() || interface->size() > longest_interface) {
-    return std::nullopt;
-  }
+  if (!stamp || rest.empty() || blanks.find(rest[0]) == blanks.npos) return std::nullopt;
   Line line;
-  line.interface = *interface;
-  line.direction = cut_direction(rest);
+  line.interface = cut_word(rest);
+  if (line.interface.empty() || line.interface.size() > longest_interface) return std::nullopt;
+  std::string_view content = cut_word(rest);
+  const auto direction = direction_of(cut_word(rest));
   const auto time = parse_time(*stamp);
-  const auto id = cut(rest, '#');
-  if (!time || !id || !parse_identifier(*id, line.frame) || !parse_content(rest, line.frame)) {
+  const auto id = cut(content, '#');
+  if (!time || !id || !direction || !rest.empty() || !parse_identifier(*id, line.frame) ||
+      !parse_content(content, line.frame)) {
     return std::nullopt;
   }
   line.time = *time;
+  line.direction = *direction;
   return line;
 }
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <string_view>
 
+#include "drivers/wire/can/data_length.hpp"
 #include "drivers/wire/can/slcan_report.hpp"
 #include "drivers/wire/hex.hpp"
 
@@ -18,7 +19,8 @@ using slcan::Reply;
 
 constexpr std::uint8_t carriage_return = '\r';
 constexpr std::uint8_t bell = '\a';
-constexpr std::string_view frame_letters = "tTrR";
+constexpr std::string_view frame_letters = "tTrRdDbB";
+constexpr std::string_view letters_outside_hex = "tTrR";
 constexpr std::array<std::uint32_t, 9> bit_rates{10000,  20000,  50000,  100000, 125000,
                                                  250000, 500000, 800000, 1000000};
 
@@ -26,13 +28,23 @@ std::string_view as_text(Bytes bytes) {
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
+/// What a frame's letter says.
+CanFrame frame_of(char letter) {
+  const auto is_one_of = [&](std::string_view letters) { return letters.find(letter) < 4; };
+  CanFrame frame;
+  frame.extended = is_one_of("TRDB");
+  frame.remote = is_one_of("rR");
+  frame.fd = is_one_of("dDbB");
+  frame.bit_rate_switch = is_one_of("bB");
+  return frame;
+}
+
 /// Parses the text after the identifier: an optional length digit (some adapters omit it in remote
 /// frames), the data, an optional time stamp of four digits.
 std::optional<Frame> parse_frame(std::string_view line) {
   Frame message;
   CanFrame& frame = message.frame;
-  frame.extended = line[0] == 'T' || line[0] == 'R';
-  frame.remote = line[0] == 'r' || line[0] == 'R';
+  frame = frame_of(line[0]);
   const std::size_t id_digits = frame.extended ? 8 : 3;
   const auto id = parse_hex(line.substr(1, id_digits));
   if (line.size() < 1 + id_digits || !id || *id > (frame.extended ? 0x1FFFFFFFu : 0x7FFu)) {
@@ -44,8 +56,8 @@ std::optional<Frame> parse_frame(std::string_view line) {
   const bool length_left_out = frame.remote && (rest.empty() || rest.size() == 4);
   if (!length_left_out) {
     const auto length = parse_hex(rest.substr(0, 1));
-    if (!length || *length > 8) return std::nullopt;
-    frame.size = static_cast<std::uint8_t>(*length);
+    if (!length || (*length > 8 && !frame.fd)) return std::nullopt;
+    frame.size = fd_sizes[*length];
     rest.remove_prefix(1);
   }
   if (!frame.remote) {
@@ -114,7 +126,7 @@ std::optional<Slcan::Message> parse_line(std::string_view line) {
 /// Skips a damaged line of `size` bytes including its end, but keeps a frame directly behind it.
 Scan give_up(Bytes line) {
   const auto next = std::find_if(line.begin() + 1, line.end(), [](std::uint8_t byte) {
-    return frame_letters.find(static_cast<char>(byte)) != std::string_view::npos;
+    return letters_outside_hex.find(static_cast<char>(byte)) != std::string_view::npos;
   });
   return {Scan::Kind::bad_checksum, static_cast<std::size_t>(next - line.begin())};
 }

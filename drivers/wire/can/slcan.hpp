@@ -10,9 +10,10 @@
 #include "drivers/wire/codec.hpp"
 
 /// The serial line protocol of LAWICEL adapters ("slcan"): ASCII lines that end with CR.
-/// `t1233AABBCC` is an 11-bit data frame, `T` 29-bit, `r` `R` remote. S0..S8 bit rate, O open, L
-/// listen only, C close; V v N F ask for version, serial number, status; Z0 Z1 time stamps off, on.
-/// The adapter answers CR (done), BEL (refused), `z` CR and `Z` CR (frame queued).
+/// `t1233AABBCC` is an 11-bit data frame, `T` 29-bit, `r` `R` remote; adapters for CAN FD add `d`
+/// `D` and, at two rates, `b` `B`. S0..S8 bit rate, O open, L listen only, C close; V v N F ask for
+/// version, serial number, status; Z0 Z1 time stamps off, on. The adapter answers CR (done), BEL
+/// (refused), `z` CR and `Z` CR (frame queued).
 namespace drydock::wire::slcan {
 
 /// A CAN frame on the line, in either direction. `time_ms` counts modulo 60000.
@@ -40,7 +41,8 @@ struct Reply {
 
 std::string_view to_string(Answer answer);
 
-/// Each writes one line and returns its size. CAN FD and error frames cannot be expressed: size 0.
+/// Each writes one line and returns its size. CAN FD frames, which few adapters know, and error
+/// frames are not written: size 0.
 std::size_t encode(const Frame& frame, std::span<std::uint8_t> out);
 std::size_t encode(const Command& command, std::span<std::uint8_t> out);
 std::size_t encode(const Reply& reply, std::span<std::uint8_t> out);
@@ -77,7 +79,7 @@ namespace drydock::wire {
 /// close the channel).
 struct Slcan {
   static constexpr std::string_view name = "slcan";
-  static constexpr std::size_t max_frame = 64;
+  static constexpr std::size_t max_frame = 144;  ///< a CAN FD frame with a time stamp
   using Message = std::variant<slcan::Frame, slcan::Command, slcan::Reply>;
 
   static Scan scan(Bytes bytes);

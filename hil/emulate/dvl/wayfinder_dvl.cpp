@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "drivers/device/timed_framer.hpp"
 #include "hil/emulate/devices.hpp"
 #include "hil/emulate/dvl/dvl_device.hpp"
 #include "hil/emulate/dvl/dvl_head.hpp"
@@ -32,10 +33,11 @@ class WayfinderDvl final : public DvlDevice {
 
   using DvlDevice::receive;
   void receive(wire::Bytes bytes, Stamp now, Wire& out) override {
-    commands_.feed(bytes, wire::Wayfinder::scan, [&](wire::Bytes packet, std::size_t) {
+    const auto on_packet = [&](wire::Bytes packet, const device::Arrival&) {
       const auto part = wire::wayfinder::part_of(packet);
       if (part.id == wire::wayfinder::command_id) obey(part.payload, now, out);
-    });
+    };
+    commands_.feed(bytes, now, wire::Wayfinder::scan, on_packet);
   }
 
  private:
@@ -106,7 +108,7 @@ class WayfinderDvl final : public DvlDevice {
   double sign_;
   sensor::JanusHead made_;  ///< as the rig file has it
   WayfinderDialogue dialogue_;
-  wire::Framer<wire::Wayfinder::max_frame> commands_;
+  device::TimedFramer<wire::Wayfinder::max_frame> commands_;
   std::array<std::uint8_t, wire::wayfinder::ping_packet_size> bytes_{};
 };
 

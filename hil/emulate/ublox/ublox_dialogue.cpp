@@ -30,11 +30,11 @@ const UbloxDialogue::Row* UbloxDialogue::row_of(std::uint16_t id) {
   return found == rows.end() ? nullptr : &*found;
 }
 
-void UbloxDialogue::receive(wire::Bytes bytes, bool refuses, Wire& out) {
+void UbloxDialogue::receive(wire::Bytes bytes, Stamp now, bool refuses, Wire& out) {
   out_ = &out;
   refuses_ = refuses;
-  framer_.feed(bytes, wire::UbxNmea::scan,
-               [this](wire::Bytes frame, std::size_t) { on_frame(frame); });
+  framer_.feed(bytes, now, wire::UbxNmea::scan,
+               [this](wire::Bytes frame, const device::Arrival&) { on_frame(frame); });
 }
 
 void UbloxDialogue::on_frame(wire::Bytes frame) {

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "drivers/wire/codec.hpp"
+#include "drivers/device/timed_framer.hpp"
 #include "drivers/wire/ubx/ubx_nmea.hpp"
 #include "drivers/wire/ubx/ubx_settings.hpp"
 #include "hil/emulate/ublox/ublox_owner.hpp"
@@ -22,7 +22,7 @@ class UbloxDialogue {
   UbloxDialogue(UbloxSettings& settings, Owner& owner) : settings_(settings), owner_(owner) {}
 
   /// A receiver that `refuses` answers each setting with ACK-NAK.
-  void receive(wire::Bytes bytes, bool refuses, Wire& out);
+  void receive(wire::Bytes bytes, Stamp now, bool refuses, Wire& out);
 
   /// Frames with a bad checksum, and bytes of no frame.
   const wire::StreamCounters& counters() const { return framer_.counters(); }
@@ -76,7 +76,7 @@ class UbloxDialogue {
 
   UbloxSettings& settings_;
   Owner& owner_;
-  wire::Framer<wire::UbxNmea::max_frame> framer_;
+  device::TimedFramer<wire::UbxNmea::max_frame> framer_;
   Wire* out_ = nullptr;  ///< valid during receive()
   bool refuses_ = false;
   bool changed_ = false;  ///< the present frame has changed a value

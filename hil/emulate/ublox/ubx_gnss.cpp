@@ -37,7 +37,7 @@ class UbxGnss final : public SamplingDevice, private ublox::Owner {
   void receive(wire::Bytes bytes, Stamp now, Wire& out) override {
     greet(out);
     now_ = now;
-    dialogue_.receive(bytes, condition().under(FaultKind::nak) != nullptr, out);
+    dialogue_.receive(bytes, now, condition().under(FaultKind::nak) != nullptr, out);
     follow_settings(now);
   }
 

@@ -139,6 +139,78 @@ TEST(CanboatFile, AMessagePutTogetherBecomesItsFastPacketAgain) {
   EXPECT_EQ(whole->data[42], 0x00);
 }
 
+/// Lines 7 and 20 of canboat's pgn-test.in, shortened; its pgn-test.out has the second as a list of
+/// PGNs (7 bytes).
+/// As editors on Windows and mail programs leave text files.
+TEST(EveryTextFormat, TakesTheMarkOfUtf8AndBlanksAroundALine) {
+  for (const std::string line :
+       {"(1436509052.249713) vcan0 044#2A366C2BBA", "  vcan0  044   [5]  2A 36 6C 2B BA",
+        "   0.249713 1  44              Rx   d 5 2A 36 6C 2B BA",
+        "2022-09-28-11:36:59.668,5,130311,35,255,8,c5,c0,1c,6e,ff,7f,ff,ff"}) {
+    const Outcome plain = read_capture(line + "\n" + line + "\n");
+    const Outcome edited = read_capture("\xEF\xBB\xBF" + line + " \t\r\n \t" + line + "  ");
+    ASSERT_EQ(plain.records.size(), 2U) << line;
+    ASSERT_EQ(edited.records.size(), 2U) << line;
+    EXPECT_THAT(edited.where, ElementsAre());
+    for (std::size_t i = 0; i < 2; ++i)
+      EXPECT_EQ(edited.records[i].frame, plain.records[i].frame) << line;
+  }
+}
+
+TEST(AscFile, TheBaseCountsInAnyLetters) {
+  const Seen seen = only("Base Dec  Timestamps Absolute\n 0.1 1 217056256x RX d 2 10 255\n");
+  EXPECT_EQ(seen.frame.id, 217056256U);
+  EXPECT_THAT(data_of(seen), ElementsAre(10, 255));
+}
+
+/// PEAK's description of version 2: the type RR is a remote request, which has no data.
+TEST(TrcFile, ARemoteRequestOfVersion2HasALengthAndNoData) {
+  const Seen seen = only(
+      ";$FILEVERSION=2.1\n;$COLUMNS=N,O,T,B,I,d,R,L,D\n"
+      "  4  300.0 RR 1 0100 Rx - 3\n");
+  EXPECT_TRUE(seen.frame.remote);
+  EXPECT_EQ(seen.frame.size, 3);
+}
+
+TEST(CandumpFile, WordsMayHaveMoreThanOneBlankBetweenThem) {
+  const Outcome outcome = read_capture("(1436509052.249713)  vcan0\t044#2A366C2BBA   T\n");
+  ASSERT_EQ(outcome.records.size(), 1U);
+  EXPECT_EQ(outcome.records[0].frame.id, 0x44U);
+  EXPECT_EQ(outcome.records[0].frame.size, 5);
+}
+
+TEST(UnknownFile, WhatMustBeUnpackedOrConvertedFirstIsSaid) {
+  const auto said = [](std::string_view head) {
+    FrameCapture capture;
+    capture.feed({reinterpret_cast<const std::uint8_t*>(head.data()), head.size()});
+    capture.finish();
+    capture.next();
+    return unknown_format_text("dive.log", capture);
+  };
+  EXPECT_EQ(said(std::string_view("\x1F\x8B\x08\0\0\0\0\0", 8)),
+            "dive.log: it is compressed: unpack it first with gunzip -k");
+  EXPECT_EQ(said(std::string_view("\xFF\xFE(\0001\0", 6)),
+            "dive.log: it is text in UTF-16: convert it first with iconv -f UTF-16 -t UTF-8");
+  EXPECT_THAT(
+      said(std::string_view("\xD4\xC3\xB2\xA1\2\0\4\0\0\0\0\0\0\0\0\0\0\0\4\0\1\0\0\0", 24)),
+      ::testing::HasSubstr("tcpdump -i can0"));  // of Ethernet
+  EXPECT_THAT(said("hello\n"), ::testing::HasSubstr("no CAN capture of a known format"));
+}
+
+TEST(CanboatFile, BehindAnAssembledMessageAShortOneOfAFastPacketIsWholeToo) {
+  const std::string whole = "2022-10-11T11:47:22Z,3,126464,127,255,7,01,04,ff,01,11,fb,01\n";
+  const std::string assembled = "2022-10-11T11:47:21Z,6,126208,36,0,9,02,82,ff,00,10,02,00,01,02\n";
+  EXPECT_EQ(read_capture(whole).records.size(), 1U);  // a frame, as far as the file tells
+  const Outcome outcome = read_capture(assembled + whole);
+  ASSERT_EQ(outcome.records.size(), 4U);
+  wire::FastPacketAssembler assembler;
+  EXPECT_FALSE(assembler.receive({3, 126464, 255, 127}, outcome.records[2].frame.payload()));
+  const auto list = assembler.receive({3, 126464, 255, 127}, outcome.records[3].frame.payload());
+  ASSERT_TRUE(list);
+  EXPECT_EQ(std::vector(list->data.begin(), list->data.end()),
+            (std::vector<std::uint8_t>{0x01, 0x04, 0xFF, 0x01, 0x11, 0xFB, 0x01}));
+}
+
 TEST(PcapFile, APacketTooLargeForCanIsPassedOver) {
   const Buffer file = wire::testing::fixture("capture/le_us.pcap");
   Buffer head(24 + 16);
@@ -169,7 +241,7 @@ TEST(UnknownFile, IsToldTheFormatsThatAreKnown) {
   EXPECT_TRUE(read_capture(Buffer(200'000, 0x7F)).unknown);
   EXPECT_TRUE(read_capture("").unknown);
   EXPECT_EQ(
-      unknown_format_text("dive.log"),
+      unknown_format_text("dive.log", FrameCapture()),
       "dive.log: no CAN capture of a known format; known are: pcap, pcapng, blf, candump-log, "
       "candump-screen, asc, trc, canboat");
 }

@@ -87,11 +87,9 @@ class Comparison:
 # Where we read more than canboat's analyzer: it gives the rest of the message as bytes when it does not know the length of a parameter,
 # because it does not look at the manufacturer among the parameters.
 BETTER = {(126208, "Value"), (126208, "list")}
-# Fields that this table has not, and messages: forms that it has not; a pseudo PGN of Actisense that no bus carries; three messages of
-# 8 bytes that stand assembled in a file where a line of 8 bytes is a frame.
+# Fields that this table has not, and the messages of a pseudo PGN of Actisense, which no bus carries.
 UNKNOWN_FIELDS = {(130842, "Roll Rate"), (130842, "Pitch Rate"), (130842, "Yaw Rate")}
-NOT_READ = {(262386, "Actisense: System status"): 43, (126720, "Seatalk1: Device Identification"): 26,
-            (126208, "NMEA - Acknowledge group function"): 3}
+NOT_READ = {(262386, "Actisense: System status"): 43}
 
 examples, messages, not_read, total = {}, 0, collections.Counter(), Comparison()
 for sample in sorted((corpora / "samples").iterdir()):

@@ -112,5 +112,16 @@ TEST(FlippedLength, ALinkWithoutARateWaitsHalfASecondAtMost) {
       std::chrono::milliseconds{500});
 }
 
+/// A peer that gives a byte a second, as a stuck gateway does: slow is not damaged.
+TEST(FlippedLength, AFrameOfAByteASecondComesWhole) {
+  Sender sender(Kind::gnss, "ubx", {});
+  const Octets fix = nav_pvt({.itow_ms = 1000});
+  for (std::size_t i = 0; i < fix.size(); ++i) sender.send({fix[i]}, at_s(static_cast<double>(i)));
+  sender.wait_until(at_s(static_cast<double>(fix.size() + 2)));
+  ASSERT_EQ(sender.told.size(), 1U);
+  EXPECT_EQ(sender.told[0].origin.received_at, at_s(static_cast<double>(fix.size() - 1)));
+  EXPECT_EQ(sender.driver->counters().bytes_skipped, 0U);
+}
+
 }  // namespace flipped_length_test
 }  // namespace drydock::device::test

@@ -7,6 +7,7 @@
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/asio/ip/udp.hpp>
 
+#include "drivers/link/net/tcp_options.hpp"
 #include "tests/drivers/link/running.hpp"
 
 /// Links whose URI names a host: the name server may be slow, dead or wrong.
@@ -145,6 +146,14 @@ TEST_F(HostNames, AnAddressThatIsSilentHasALimitOfTimeAndThenTheNextIsTried) {
   const auto driver = open(*io, uri, Side::driver);
   const auto written = run(*io, driver->write(bytes("?")));
   EXPECT_TRUE(written) << written.error().message();
+}
+
+TEST(TcpAddresses, AllOfANameHaveTheirTurnBeforeADeviceOpensItsSilentLinkAnew) {
+  EXPECT_EQ(limit_per_address(1), 2s);
+  for (std::size_t n = 1; n <= most_addresses; ++n) {
+    EXPECT_LE(limit_per_address(n) * n, 8s);
+    EXPECT_GE(limit_per_address(n), 250ms);
+  }
 }
 
 TEST_F(HostNames, TheLastGoodAnswerServesWhileTheNameServerIsDead) {

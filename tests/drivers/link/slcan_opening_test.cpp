@@ -100,6 +100,67 @@ TEST_F(SlcanOpening, FramesOfTheChannelThatWasOpenBeforeAreNotOfThisOne) {
   EXPECT_EQ(run(io, open->read())->frame.id, 0x123U);
 }
 
+/// A terminal, or a pty that was not set raw, repeats each line before the answer to it.
+TEST_F(SlcanOpening, OwnFramesThatAnAdapterRepeatsAreNotThoseOfAnotherNode) {
+  ScriptedAdapter adapter(
+      io, pty,
+      {{"C", "C\r\r"}, {"S5", "S5\r\r"}, {"O", "O\r\r"}, {"t1231AA", "t1231AA\rz\rt1231BB\r"}});
+  const auto open = bus();
+  wire::CanFrame own;
+  own.id = 0x123;
+  own.size = 1;
+  own.data[0] = 0xAA;
+  ASSERT_TRUE(run(io, open->write(own)));
+  const auto heard = run(io, open->read());
+  ASSERT_TRUE(heard);
+  EXPECT_EQ(heard->frame.data[0], 0xBB);
+}
+
+/// F answers with the status flags, V with the version, N with the serial number.
+TEST_F(SlcanOpening, AnswersToTheQuestionsOfAnEarlierProgramAreNoFrames) {
+  ScriptedAdapter adapter(io, pty, {{"O", "\rF08\rV1013\rNA123\rCANable 1.2\rt1231AA\r"}});
+  const auto open = bus();
+  EXPECT_EQ(run(io, open->read())->frame.id, 0x123U);
+}
+
+TEST_F(SlcanOpening, AChannelThatWasLeftOpenAmidALineIsNoDamage) {
+  ScriptedAdapter adapter(io, pty, {{"", "AABBCC\rt1232"}, {"C", "AA\r\r"}, {"O", "\rt1231AA\r"}});
+  const auto open = bus();
+  EXPECT_EQ(run(io, open->read())->frame.id, 0x123U);
+  EXPECT_EQ(open->note(), "");
+}
+
+TEST_F(SlcanOpening, LinesThatTheSerialLineDamagesAreCountedAndSaid) {
+  ScriptedAdapter adapter(io, pty, {{"O", "\rt1231AA\r"}, {"t0010", "z\rt12\rt1232A\rt1231BB\r"}});
+  const auto open = bus();
+  ASSERT_TRUE(run(io, open->read()));
+  wire::CanFrame own;
+  own.id = 1;
+  ASSERT_TRUE(run(io, open->write(own)));
+  EXPECT_EQ(run(io, open->read())->frame.data[0], 0xBB);
+  EXPECT_THAT(open->note(), HasSubstr("2 damaged lines"));
+}
+
+/// The stamps of Z1 are four digits more; the link's own time of arrival serves.
+TEST_F(SlcanOpening, TimeStampsThatAnEarlierProgramTurnedOnAreNoData) {
+  ScriptedAdapter adapter(io, pty, {{"O", "\rt1232AABB0A1B\rT1CFF00FF101EA5F\r"}});
+  const auto open = bus();
+  const auto first = run(io, open->read());
+  ASSERT_TRUE(first);
+  EXPECT_EQ(first->frame.size, 2);
+  const auto second = run(io, open->read());
+  ASSERT_TRUE(second);
+  EXPECT_EQ(second->frame.id, 0x1CFF00FFU);
+  EXPECT_EQ(second->frame.size, 1);
+}
+
+TEST_F(SlcanOpening, TheEmulatedAdapterRefusesFramesOfCanFd) {
+  const auto device = open_bus(io, "slcan:" + pty, Side::device);
+  const auto program = open(io, pty, Side::driver);
+  ASSERT_TRUE(run(io, program->write(bytes("O\rd1231AA\r"))));
+  EXPECT_EQ(run(io, read_bytes(*program, 2)).value(), bytes("\r\a"));
+}
+
 TEST_F(SlcanOpening, TheEmulatedAdapterOnlyListensAfterL) {
   const auto device = open_bus(io, "slcan:" + pty, Side::device);
   const auto program = open(io, pty, Side::driver);

@@ -115,5 +115,83 @@ TEST_F(Datagrams, APortThatOnlyOneMayHaveIsNotTakenFromItsOwner) {
   EXPECT_THAT(refusal(uri, Side::driver), HasSubstr("Address already in use"));
 }
 
+/// Hosts of the loopback network that send to one port, and a driver that listens there.
+class Strangers : public Datagrams {
+ protected:
+  void send(const std::string& host, const std::string& text) {
+    udp::socket socket(io, udp::endpoint(asio::ip::make_address(host), 0));
+    socket.send_to(asio::buffer(text), {asio::ip::make_address("127.0.0.1"), number});
+  }
+  std::unique_ptr<ByteLink> listener(const std::string& query = "") {
+    return open(io, "udp:0.0.0.0:" + std::to_string(number) + "?listen=1" + query, Side::driver);
+  }
+
+  std::uint16_t number = static_cast<std::uint16_t>(std::stoi(port()));
+};
+
+TEST_F(Strangers, OnlyTheHostThatIsHeardFirstCounts) {
+  const auto driver = listener();
+  send("127.0.0.1", "$GP");
+  send("127.0.0.2", "forged");
+  send("127.0.0.1", "GGA");
+  hears(*driver, "$GPGGA");
+  EXPECT_EQ(driver->note(),
+            "1 datagrams of others were dropped, the last of 127.0.0.2: only 127.0.0.1 counts "
+            "(heard first; from= names another)");
+}
+
+TEST_F(Strangers, OnlyTheHostThatTheUriNamesCounts) {
+  const auto driver = listener("&from=127.0.0.2");
+  for (int i = 0; i < 3; ++i) send("127.0.0.1", "forged");
+  send("127.0.0.2", "$GPGGA");
+  hears(*driver, "$GPGGA");
+  EXPECT_THAT(std::string(driver->note()),
+              ::testing::AllOf(HasSubstr("3 datagrams"), HasSubstr("127.0.0.2 counts (from=)")));
+}
+
+TEST_F(Strangers, ASensorMaySendFromAnotherPortAfterItsRestart) {
+  const auto driver = listener();
+  send("127.0.0.1", "before");
+  send("127.0.0.1", "after");
+  hears(*driver, "beforeafter");
+  EXPECT_EQ(driver->note(), "");
+}
+
+TEST_F(Strangers, AnEmptyDatagramIsNoSenderHeard) {
+  const auto driver = listener();
+  send("127.0.0.2", "");
+  send("127.0.0.1", "$GPGGA");
+  hears(*driver, "$GPGGA");
+}
+
+TEST_F(Strangers, TheLongestDatagramOfIpv4ComesWhole) {
+  const auto driver = listener();
+  const std::string longest(65'507, 'x');
+  send("127.0.0.1", longest);
+  hears(*driver, longest);
+}
+
+TEST_F(Strangers, AFloodOfStrangersDoesNotHideTheSensor) {
+  const auto driver = listener("&from=127.0.0.1");
+  for (int i = 0; i < 100; ++i) {
+    send("127.0.0.2", "flood");
+    if (i % 10 == 9) send("127.0.0.1", std::to_string(i / 10));
+    settle(io);
+  }
+  hears(*driver, "0123456789");
+}
+
+TEST_F(Strangers, ADriverLearnsThatNobodyListensAtItsDevice) {
+  const auto driver = open(io, "udp:127.0.0.1:" + std::to_string(number), Side::driver);
+  const auto read = run(io, read_bytes(*driver, 1));
+  EXPECT_TRUE(read.value().empty());  // the network's refusal ends the link, and it is opened again
+}
+
+TEST_F(Strangers, ASenderWithoutNumbersIsRefusedInOneLine) {
+  EXPECT_EQ(refusal("udp:0.0.0.0:4001?listen=1&from=1.2.3", Side::driver),
+            "cannot use 0.0.0.0:4001 with from=1.2.3: it is no IP address in numbers, as "
+            "192.168.2.95 or fe80::1");
+}
+
 }  // namespace
 }  // namespace drydock::link::testing

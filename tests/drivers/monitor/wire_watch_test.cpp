@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <fstream>
+#include <iterator>
 #include <string>
 
 namespace wire_watch_test {
@@ -88,6 +90,23 @@ TEST(WireWatch, ASentenceIsShownAsItsBytesBesideItsFields) {
   ASSERT_EQ(wire.frames.size(), 1U);
   EXPECT_EQ(wire.frames[0].bytes.size(), sentence.size());
   EXPECT_FALSE(wire.frames[0].fields.empty());
+}
+
+/// Ensembles at 5 Hz; a bit of the third one's length says 4096 bytes more.
+TEST(WireWatch, EnsemblesBehindADamagedLengthAreShownWithTheirOwnTimes) {
+  std::ifstream file(DRYDOCK_SOURCE_DIR "/fixtures/pd0/golden.pd0", std::ios::binary);
+  std::vector<std::uint8_t> ensemble{std::istreambuf_iterator<char>(file), {}};
+  ensemble.resize((ensemble.at(2) | ensemble.at(3) << 8) + 2U);
+  const auto line = monitor::watch_bytes("pd0", nullptr);
+  for (int i = 0; i < 12; ++i) {
+    auto sent = ensemble;
+    if (i == 2) sent[3] = static_cast<std::uint8_t>(sent[3] ^ 1U << 4);
+    line->receive(sent, at(0.2 * i));
+  }
+  const auto wire = line->show();
+  ASSERT_EQ(wire.frames.size(), 1U);
+  EXPECT_EQ(wire.frames[0].count, 11U);
+  EXPECT_NEAR(wire.frames[0].rate_hz, 10 / 2.2, 1e-6);  // ten intervals in 2.2 s
 }
 
 TEST(WireWatch, ACanProtocolIsNoneOfAByteLink) {

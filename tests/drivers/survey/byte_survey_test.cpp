@@ -173,5 +173,23 @@ TEST(SevenBits, ALineWithEvenOrOddParityIsReadThroughAPortWithoutIt) {
   }
 }
 
+/// A live line that has not ended: ensembles at 5 Hz, the third with a bit of its length turned
+/// over that says 8192 bytes more.
+TEST(ByteSurvey, ADamagedLengthNeitherHidesNorMistimesWhatFollows) {
+  Buffer ensemble = fixture("pd0/golden.pd0");
+  ensemble.resize((ensemble.at(2) | ensemble.at(3) << 8) + 2U);
+  ByteSurvey survey;
+  for (int i = 0; i < 12; ++i) {
+    Buffer sent = ensemble;
+    if (i == 2) sent[3] = static_cast<std::uint8_t>(sent[3] ^ 1U << 5);
+    survey.feed(sent, Stamp{std::chrono::milliseconds{200 * i}});
+  }
+  const auto best = survey.best();
+  EXPECT_EQ(best.protocol, "pd0");
+  EXPECT_EQ(best.proofs, 11U);
+  ASSERT_EQ(best.messages.size(), 1U);
+  EXPECT_NEAR(best.messages[0].rate_hz.value(), 10 / 2.2, 1e-9);  // ten intervals in 2.2 s
+}
+
 }  // namespace byte_survey_test
 }  // namespace drydock::survey

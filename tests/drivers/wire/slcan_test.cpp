@@ -85,6 +85,34 @@ TEST(Slcan, TakesRemoteFramesWithoutTheirLengthDigit) {
   }
 }
 
+/// The lines of adapters for CAN FD, as in the firmware of CANable 2.0: `d` `D` at one rate, `b`
+/// `B` at two, and the length code of ISO 11898-1: 9 is 12 bytes, F is 64.
+TEST(Slcan, TakesFramesOfCanFd) {
+  const std::string full(128, '5');
+  for (const auto& [line, id, size, switches] :
+       {std::tuple{"d123211FF\r" + std::string(), 0x123U, 2, false},
+        std::tuple{"b7FF9" + std::string(24, 'A') + "\r", 0x7FFU, 12, true},
+        std::tuple{"D09F11201F" + full + "\r", 0x9F11201U, 64, false},
+        std::tuple{"B1FFFFFFFF" + full + "0A1B\r", 0x1FFFFFFFU, 64, true}}) {
+    ASSERT_EQ(Slcan::scan(as_bytes(line)), Scan::frame(line.size())) << line;
+    const auto message = Slcan::decode(as_bytes(line));
+    ASSERT_TRUE(message) << line;
+    const auto& frame = std::get<Frame>(*message).frame;
+    EXPECT_TRUE(frame.fd);
+    EXPECT_EQ(frame.id, id);
+    EXPECT_EQ(frame.extended, id > 0x7FFU);
+    EXPECT_EQ(frame.size, size);
+    EXPECT_EQ(frame.bit_rate_switch, switches);
+  }
+}
+
+/// "e1b" is an adapter's report of a bit error, and its letters are hexadecimal digits.
+TEST(Slcan, TheDataOfAFrameOfCanFdAreNeverTakenForAReport) {
+  const std::string data = std::string(125, 'a') + "e1b";
+  const auto cut = cut_stream<Slcan>({"d123F" + data + "\rt1231AA\r"});
+  EXPECT_EQ(cut.frames, (std::vector<std::string>{"d123F" + data + "\r", "t1231AA\r"}));
+}
+
 TEST(Slcan, RefusesWhatIsNoLine) {
   for (const char* line :
        {"t12\r", "t1239\r", "t800000\r", "t12321\r", "t1232112\r", "T200000000\r", "S9\r", "Z2\r",

@@ -244,5 +244,23 @@ TEST(AutopilotFeed, TellsTheDelayThatTheAutopilotShouldTake) {
   EXPECT_THAT(to_json(autopilot.feed.counters()), HasSubstr("\"delay_ms\":92.5"));
 }
 
+/// Byte 1 of a MAVLink 2 frame is the length of its payload.
+TEST(AutopilotFeed, AnswersTheQuestionBehindADamagedLengthWithItsTime) {
+  Autopilot autopilot;
+  std::array<std::uint8_t, wire::Mavlink::max_frame> heartbeat, question;
+  const std::size_t heartbeat_size = wire::mavlink::encode(Heartbeat{}, heartbeat);
+  heartbeat[1] = static_cast<std::uint8_t>(heartbeat[1] ^ 1U << 7);
+  Timesync asked;
+  asked.ts1 = milliseconds{42};
+  const std::size_t question_size = wire::mavlink::encode(asked, question);
+  autopilot.feed.receive(wire::Bytes{heartbeat}.first(heartbeat_size), start);
+  autopilot.feed.receive(wire::Bytes{question}.first(question_size), start + milliseconds{100});
+  autopilot.feed.receive(wire::Bytes{question}.first(question_size), start + milliseconds{700});
+  const auto answers = autopilot.all<Timesync>();
+  ASSERT_EQ(answers.size(), 2U);
+  EXPECT_EQ(answers[0].tc1, (start + milliseconds{100}).time_since_epoch());
+  EXPECT_EQ(answers[1].tc1, (start + milliseconds{700}).time_since_epoch());
+}
+
 }  // namespace autopilot_feed_test
 }  // namespace drydock::bridge

@@ -63,6 +63,17 @@ TEST(EmulatedUblox, AFrameThatComesByteByByteIsAnsweredOnce) {
   EXPECT_EQ(host.say(wire::Bytes{poll}.last(1)), dialogue.front().answers);
 }
 
+/// Byte 5 is the high byte of the length: the receiver waits for 256 bytes more, but not for ever.
+TEST(EmulatedUblox, AQuestionWithADamagedLengthDoesNotHideTheNext) {
+  UbloxHost host(UbloxModel::m8);
+  const auto dialogue = dialogue_of("m8");
+  Frame damaged = dialogue.front().said;
+  damaged.at(5) = 1;
+  EXPECT_THAT(host.say(damaged), IsEmpty());
+  host.now += std::chrono::seconds{1};
+  EXPECT_EQ(host.say(dialogue.front().said), dialogue.front().answers);
+}
+
 TEST(EmulatedUblox, SendsAnEpochAtEachWholeMultipleOfTheNewPeriod) {
   UbloxHost host(UbloxModel::m8);
   host.listen(0.5);

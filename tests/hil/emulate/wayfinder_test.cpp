@@ -205,6 +205,10 @@ TEST(EmulatedWayfinder, ObeysTheCommandsOfAHost) {
   const Bytes said = recorder.messages[0].bytes;
   EXPECT_EQ(wire::Wayfinder::scan(said), wire::Scan::frame(11 + 6 + 135));
   EXPECT_EQ(Bytes(said.begin() + 9, said.begin() + 15), (Bytes{1, 0, 0, 0x81, done, 0}));
+  Bytes damaged = ask;
+  damaged[3] = 0x8F;  // its length says 128 bytes more
+  made->receive(damaged, recorder.now, recorder);
+  recorder.now += std::chrono::seconds{1};
   const Bytes halt{0xAA, 0x10, 0x01, 0x0F, 0, 0x02, 0x03, 0x08, 0, 0x0F, 0, 0, 0, 0xE6, 0};
   made->receive(halt, recorder.now, recorder);
   recorder.messages.clear();

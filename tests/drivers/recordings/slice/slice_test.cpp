@@ -147,8 +147,9 @@ TEST(DisguiseOfALine, WithoutARigFileBytesThatMayTellThePlaceAreDropped) {
   Disguise disguise({{}, measurement::Geodetic{}, {}}, {{"tcp:x", "x", false, {"gps"}}}, {});
   disguise.note({1, 1, "/raw/serial/x", "cdr", {}}, {1, record::raw_bytes_type, "ros2msg", ""}, 0);
   const std::array<std::uint8_t, 20> data{0, 1};
-  mcap::Message message{1, 0, 0, 0, data};
-  EXPECT_FALSE(disguise.apply(message));
+  bool kept = false;
+  disguise.apply({1, 0, 0, 0, data}, [&](const mcap::Message&) { kept = true; });
+  EXPECT_FALSE(kept);
   EXPECT_EQ(disguise.dropped().at("reads of an unknown line"), 1U);
 }
 

@@ -1,0 +1,44 @@
+#include "drivers/capture/foreign_content.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace drydock::capture {
+namespace {
+
+struct Sign {
+  std::string_view magic, advice;
+};
+
+constexpr std::array<Sign, 7> signs{{
+    {"\x1F\x8B", "it is compressed: unpack it first with gunzip -k"},
+    {"\x28\xB5\x2F\xFD", "it is compressed: unpack it first with unzstd"},
+    {"\xFD"
+     "7zXZ",
+     "it is compressed: unpack it first with unxz -k"},
+    {"BZh", "it is compressed: unpack it first with bunzip2 -k"},
+    {"PK\x03\x04", "it is an archive: unpack it first with unzip"},
+    {"\xFF\xFE", "it is text in UTF-16: convert it first with iconv -f UTF-16 -t UTF-8"},
+    {"\xFE\xFF", "it is text in UTF-16: convert it first with iconv -f UTF-16 -t UTF-8"},
+}};
+
+/// The first bytes of a pcap file with times in µs or ns, in both byte orders.
+constexpr std::array<std::string_view, 4> pcap_magics{"\xA1\xB2\xC3\xD4", "\xD4\xC3\xB2\xA1",
+                                                      "\xA1\xB2\x3C\x4D", "\x4D\x3C\xB2\xA1"};
+constexpr std::string_view other_packets =
+    "its packets are none of a CAN interface (link type 227): record that interface alone, as with "
+    "tcpdump -i can0 -w FILE";
+
+}  // namespace
+
+std::string_view foreign_content(wire::Bytes head) {
+  const std::string_view text{reinterpret_cast<const char*>(head.data()), head.size()};
+  const auto* found = std::find_if(signs.begin(), signs.end(),
+                                   [&](const Sign& sign) { return text.starts_with(sign.magic); });
+  if (found != signs.end()) return found->advice;
+  const bool is_pcap = std::any_of(pcap_magics.begin(), pcap_magics.end(),
+                                   [&](auto magic) { return text.starts_with(magic); });
+  return is_pcap ? other_packets : std::string_view();
+}
+
+}  // namespace drydock::capture

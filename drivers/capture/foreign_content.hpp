@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string_view>
+
+#include "drivers/wire/codec.hpp"
+
+namespace drydock::capture {
+
+/// Why a file that begins so is no CAN capture, and what a person should do: it is compressed, text
+/// of 16 bits a letter, or packets of another network. Empty for any other file.
+std::string_view foreign_content(wire::Bytes head);
+
+}  // namespace drydock::capture
