@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 namespace drydock::steer {
@@ -95,13 +96,27 @@ double JointHelm::share_of(std::size_t index) const {
   return joint.most > 0 ? held->value / joint.most : 0;
 }
 
-std::span<const double> JointHelm::outputs(Stamp now) {
+double JointHelm::share_while_stuck(std::size_t index, const motion::Truth& vehicle) {
+  const Joint& joint = joints_[index];
+  if (joint.kind != JointKind::surface || joint.most == 0) return 0;
+  auto& stands = channels_[index].stuck_at_rad;
+  if (!stands)
+    stands =
+        std::array{vehicle.rudder_rad, vehicle.stern_plane_rad, vehicle.bow_plane_rad}.at(index);
+  return *stands / joint.most;
+}
+
+std::span<const double> JointHelm::outputs(Stamp now, const motion::Truth& vehicle) {
   for (std::size_t i = 0; i < joints_.size(); ++i) {
     const JointTrouble trouble = trouble_of(joints_[i].name);
-    const bool surface = joints_[i].kind == JointKind::surface;
-    const bool stands = trouble.stuck || (trouble.powerless && surface);
     follow(channels_[i], joints_[i].name, now);
-    if (!stands) outputs_[i] = trouble.powerless ? 0 : share_of(i);
+    if (trouble.stuck) {
+      outputs_[i] = share_while_stuck(i, vehicle);
+      continue;
+    }
+    channels_[i].stuck_at_rad.reset();
+    if (!trouble.powerless) outputs_[i] = share_of(i);
+    if (trouble.powerless && joints_[i].kind != JointKind::surface) outputs_[i] = 0;
   }
   return outputs_;
 }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "drivers/measurement/stamp.hpp"
+#include "hil/motion/truth.hpp"
 #include "hil/steer/joint.hpp"
 #include "hil/steer/thrust_allocation.hpp"
 
@@ -18,7 +19,7 @@ using measurement::Stamp;
 
 /// The faults of the device that has the name of a joint.
 struct JointTrouble {
-  bool stuck = false;                ///< it stands where it was
+  bool stuck = false;                ///< thruster and propeller stop, a surface stands where it is
   bool powerless = false;            ///< thruster and propeller stop, a surface keeps its order
   bool deaf = false;                 ///< it hears no order
   std::chrono::nanoseconds late{0};  ///< it takes up an order so much later
@@ -48,8 +49,8 @@ class JointHelm {
   void order(const measurement::BodyWrench& wrench, Stamp now);
   void set_troubles(Troubles troubles) { troubles_ = std::move(troubles); }
 
-  /// Shares of the full command, -1 to 1, in the order of joints().
-  std::span<const double> outputs(Stamp now);
+  /// Shares of the full command, -1 to 1, in the order of joints(). `vehicle` is how it is now.
+  std::span<const double> outputs(Stamp now, const motion::Truth& vehicle);
 
   const std::vector<Joint>& joints() const { return joints_; }
   const HelmCounters& counters() const { return counters_; }
@@ -61,13 +62,15 @@ class JointHelm {
   };
   struct Channel {
     std::deque<Order> coming;
-    std::optional<Order> held;  ///< empty: the joint is in its safe state
+    std::optional<Order> held;           ///< empty: the joint is in its safe state
+    std::optional<double> stuck_at_rad;  ///< empty: the joint is not stuck
   };
 
   void give(std::size_t joint, double value, Stamp now);
   void refuse(const std::string& name, const std::string& why);
   void follow(Channel& channel, const std::string& name, Stamp now);
   double share_of(std::size_t joint) const;
+  double share_while_stuck(std::size_t joint, const motion::Truth& vehicle);
   JointTrouble trouble_of(const std::string& name) const;
 
   std::vector<Joint> joints_;

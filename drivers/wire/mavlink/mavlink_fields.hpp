@@ -99,7 +99,7 @@ void visit_fields(const GpsRawInt& m, F&& field) {
   field("vertical_accuracy_m", m.vertical_accuracy_mm / 1e3);
   field("speed_accuracy_mps", m.speed_accuracy_mmps / 1e3);
   field("heading_accuracy_deg", m.heading_accuracy_e5 / 1e5);
-  field("yaw_deg", unless<std::uint16_t>(0, m.yaw_cdeg, 1e-2));
+  field("yaw_deg", unless<std::uint16_t>(0, m.yaw_cdeg, 1e2));
 }
 
 template <class F>

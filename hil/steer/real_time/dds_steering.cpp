@@ -40,7 +40,7 @@ void DdsSteering::step() {
     helm_.set_troubles(troubles_(now));
     reader_.take([&](const auto& orders) { helm_.order(orders, now); },
                  [&](const auto& wrench) { helm_.order(wrench, now); });
-    motion_.step(helm_.outputs(now), measurement::seconds(now - last_), now);
+    motion_.step(helm_.outputs(now, motion_.latest()), measurement::seconds(now - last_), now);
     last_ = now;
     timer_.expires_at(timer_.expiry() + period);
     step();

@@ -38,13 +38,13 @@ struct Steered {
     for (int i = 0; i < std::lround(seconds * 100); ++i) {
       if (i % 10 == 0) again();
       now_s += 0.01;
-      const auto outputs = helm.outputs(bench_s(now_s));
+      const auto outputs = helm.outputs(bench_s(now_s), motion.latest());
       motion.step(outputs, 0.01, bench_s(now_s));
     }
     return motion.latest();
   }
   std::vector<double> outputs() {
-    const auto all = helm.outputs(bench_s(now_s));
+    const auto all = helm.outputs(bench_s(now_s), motion.latest());
     return {all.begin(), all.end()};
   }
 
@@ -163,6 +163,15 @@ TEST(JointHelm, AnOrderThatNoJointObeysIsToldOnceWithWhatIsAllowed) {
   EXPECT_THAT(fins.outputs(), Each(0.0));
   rov.order("rear-port", 0.3);
   EXPECT_THAT(rov.said, Contains(HasSubstr("an effort in N")));
+}
+
+TEST(JointHelm, ASurfaceThatSticksOnItsWayStandsThere) {
+  Steered rig("nps-auv-ii.toml");
+  const auto hard_over = [&] { rig.order("rudder", 0.3); };
+  const double there = rig.run(3, hard_over).rudder_rad;
+  EXPECT_NEAR(there, 3 * 2.5 * degree, 0.01);
+  rig.helm.set_troubles({{"rudder", {.stuck = true}}});
+  EXPECT_NEAR(rig.run(20, hard_over).rudder_rad, there, 1e-3);
 }
 
 TEST(JointHelm, AStuckSurfaceStandsALostPropellerStopsALateRudderWaits) {
