@@ -96,8 +96,8 @@ TEST(MavlinkByNode, HasTheSameNumberNameAndSeedOfEachKind) {
   for (const UnreadKind& kind : unread_kinds)
     ours.push_back(json::array({kind.id, kind.crc_extra, kind.name}));
   json theirs = read_by_node({})["seeds"];
-  std::ranges::sort(ours);
-  std::ranges::sort(theirs);
+  std::sort(ours.begin(), ours.end());
+  std::sort(theirs.begin(), theirs.end());
   EXPECT_EQ(ours, theirs);
 }
 
