@@ -32,7 +32,7 @@ Loaded<MissionConfig> build_with_vehicle(const Node& root, const std::string& pa
       if (steered_over_wires(mission))
         return Problems{{path, reference->at.line, reference->at.column, "/mission/vehicle",
                          "no bus has orders for thrusters: allowed with [steering] from = "
-                         "\"ardupilot\""}};
+                         "\"ardupilot\" or \"dds\""}};
     } else {
       mission.vehicle = build_vehicle(*vehicle);
     }

@@ -9,6 +9,13 @@ namespace drydock::rig_config {
 /// The value of SteeringConfig::from for actuators that take orders from nodes of a bus.
 inline constexpr std::string_view wires = "wires";
 
+/// The value for joints that take orders from topics of the bus (DDS).
+inline constexpr std::string_view dds = "dds";
+
+inline bool steered_over_dds(const MissionConfig& mission) {
+  return mission.steering && mission.steering->from == dds;
+}
+
 inline bool steered_over_wires(const MissionConfig& mission) {
   return mission.steering && mission.steering->from == wires;
 }

@@ -19,6 +19,8 @@ using FluidPressureMessage = sensor_msgs_msg_dds__FluidPressure_;
 using TemperatureMessage = sensor_msgs_msg_dds__Temperature_;
 using TwistMessage = geometry_msgs_msg_dds__TwistWithCovarianceStamped_;
 using PoseMessage = geometry_msgs_msg_dds__PoseWithCovarianceStamped_;
+using JointStateMessage = sensor_msgs_msg_dds__JointState_;
+using WrenchMessage = geometry_msgs_msg_dds__Wrench_;
 using ClockMessage = rosgraph_msgs_msg_dds__Clock_;
 using DvlMessage = marine_acoustic_msgs_msg_dds__Dvl_;
 using OdometryMessage = nav_msgs_msg_dds__Odometry_;
@@ -68,6 +70,14 @@ template <>
 inline const MessageType message_type<PoseMessage>{
     &geometry_msgs_msg_dds__PoseWithCovarianceStamped__desc,
     "RIHS01_26432f9803e43727d3c8f668d1fdb3c630f548af631e2f4e31382371bfea3b6e"};
+template <>
+inline const MessageType message_type<JointStateMessage>{
+    &sensor_msgs_msg_dds__JointState__desc,
+    "RIHS01_a13ee3a330e346c9d87b5aa18d24e11690752bd33a0350f11c5882bc9179260e"};
+template <>
+inline const MessageType message_type<WrenchMessage>{
+    &geometry_msgs_msg_dds__Wrench__desc,
+    "RIHS01_018e8519d57c16adbe97c9fe1460ef21fec7e31bc541de3d653a35895677ce52"};
 template <>
 inline const MessageType message_type<ClockMessage>{
     &rosgraph_msgs_msg_dds__Clock__desc,

@@ -12,7 +12,8 @@
 #include "drivers/bus/subscriber.hpp"
 #include "drivers/bus/topic.hpp"
 
-/// The parts of a subscriber. Only subscriber.cpp and outside_reader.cpp include this file.
+/// The parts of a subscriber. Only subscriber.cpp, outside_reader.cpp and order_reader.cpp include
+/// this file.
 namespace drydock::bus {
 
 /// With this depth an estimator that is seconds late still gets every sample.

@@ -96,7 +96,7 @@ class CandidateOf final : public ByteCandidate {
   }
 
   void note_unread(wire::Bytes frame) {
-    const auto name = wire::frame_name(frame);
+    const auto name = wire::frame_name_of<P>(frame);
     auto known = std::ranges::find(unread_, name, &UnreadCount::name);
     if (known == unread_.end()) {
       if (unread_.size() == most_unread) return;

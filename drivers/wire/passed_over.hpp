@@ -21,11 +21,20 @@ std::string frame_name(const CanFrame& frame, Network network);
 /// "block 0A00", in hexadecimal; one that a document names: "block 0100 velocity profile".
 std::string block_name(std::uint16_t id);
 
+/// As P itself names it, if it does.
+template <class P>
+std::string frame_name_of(Bytes frame) {
+  if constexpr (requires { P::frame_name(frame); })
+    return P::frame_name(frame);
+  else
+    return frame_name(frame);
+}
+
 /// Calls `tell(name)` for each part of a valid frame that P does not read: the whole frame if it
 /// gave no message, or blocks inside of it if P can tell them.
 template <class P, class Tell>
 void tell_passed_over(Bytes frame, bool has_message, Tell&& tell) {
-  if (!has_message) tell(frame_name(frame));
+  if (!has_message) tell(frame_name_of<P>(frame));
   const auto block = [&](std::uint16_t id) { tell(block_name(id)); };
   if constexpr (requires { P::unread_blocks(frame, block); }) P::unread_blocks(frame, block);
 }

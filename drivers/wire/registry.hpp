@@ -27,6 +27,7 @@
 #include "drivers/wire/j1939/aceinna.hpp"
 #include "drivers/wire/j1939/j1939_protocol.hpp"
 #include "drivers/wire/j1939/mv5.hpp"
+#include "drivers/wire/mavlink/mavlink.hpp"
 #include "drivers/wire/nmea0183/nmea0183.hpp"
 #include "drivers/wire/nmea2000/nmea2000.hpp"
 #include "drivers/wire/protocols.hpp"
@@ -73,6 +74,7 @@ inline constexpr std::tuple byte_protocols{
     bytes<Ubx>({.kinds = Kind::gnss,
                 .checksum = "Fletcher-8",
                 .clock = DeviceClock::yes,
+                .settings = Settings::refusable,
                 .place = Place::yes}),
     bytes<Nmea0183>({.kinds = {Kind::gnss, Kind::emlog, Kind::attitude},
                      .checksum = "XOR",
@@ -105,6 +107,7 @@ inline constexpr std::tuple byte_protocols{
                       .checksum = "16-bit sum",
                       .clock = DeviceClock::yes,
                       .settings = Settings::refusable}),
+    bytes<Mavlink>({.checksum = "CRC-16/MCRF4XX", .place = Place::yes}),
 };
 
 inline constexpr std::tuple frame_protocols{

@@ -9,11 +9,14 @@
 #include "drivers/io/until_stopped.hpp"
 #include "drivers/link/clock.hpp"
 #include "drivers/terminal/exit_codes.hpp"
+#include "hil/bench/joint_troubles.hpp"
 #include "hil/bench/told_log.hpp"
 #include "hil/control/live_faults.hpp"
 #include "hil/emulate/real_time/real_time.hpp"
 #include "hil/steer/real_time/autopilot_server.hpp"
+#include "hil/steer/real_time/dds_steering.hpp"
 #include "hil/summary/truth_of_rig.hpp"
+#include "rig_config/steering.hpp"
 
 namespace drydock::bench {
 
@@ -26,8 +29,22 @@ int emulate(const rig_config::Rig& rig, double duration_s) {
   boost::asio::io_context io{1};
   const auto trajectory = motion::make_trajectory(rig.mission, link::steady_now());
   std::optional<steer::AutopilotServer> autopilot;
-  if (auto* motion = motion::steered(*trajectory)) autopilot.emplace(io, *motion, rig.mission);
+  auto* steered = motion::steered(*trajectory);
+  const bool by_dds = rig_config::steered_over_dds(rig.mission);
+  if (steered != nullptr && !by_dds) autopilot.emplace(io, *steered, rig.mission);
+  const auto print_line = [](const std::string& line) {
+    fmt::print("{}\n", line);
+    std::fflush(stdout);
+  };
   control::LiveFaults faults(io, rig, *trajectory, trajectory->start());
+  std::optional<bus::Participant> participant;
+  std::optional<steer::DdsSteering> dds;
+  if (steered != nullptr && by_dds)
+    dds.emplace(
+        io, participant.emplace(static_cast<std::uint32_t>(rig.dds_domain), rig.dds_interface),
+        *steered, rig.mission,
+        [&](measurement::Stamp now) { return joint_troubles(rig, faults.injector(), now); },
+        print_line);
   emulate::RealTimeEmulator emulator(io, faults.injector());
   ToldLog told;
   emulator.set_on_told([&](std::string_view device, std::string_view what) {
@@ -44,10 +61,10 @@ int emulate(const rig_config::Rig& rig, double duration_s) {
   }
   for (const auto& note : summary::can_notes(rig)) fmt::print("{}\n", note);
   if (autopilot) fmt::print("waits for an autopilot on UDP port {}\n", autopilot->port());
-  const auto print_line = [](const std::string& line) {
-    fmt::print("{}\n", line);
-    std::fflush(stdout);
-  };
+  if (dds) {
+    fmt::print("waits for orders on {}\n", steer::order_topics);
+    dds->start();
+  }
   faults.start([&] { emulator.wake(); }, print_line);
   std::fflush(stdout);
 
@@ -55,10 +72,13 @@ int emulate(const rig_config::Rig& rig, double duration_s) {
     faults.stop();
     emulator.stop();
     if (autopilot) autopilot->stop();
+    if (dds) dds->stop();
   });
   io.run();
   if (autopilot)
     for (const auto& note : autopilot->session().notes()) fmt::print("{}\n", note);
+  if (dds)
+    for (const auto& note : dds->notes()) fmt::print("{}\n", note);
   const auto counters = emulator.counters();
   fmt::print("{} messages written, {} late, {} lost to overloaded lines, {} write errors\n",
              counters.messages, counters.late, counters.lost, counters.write_errors);

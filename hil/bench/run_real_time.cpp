@@ -22,6 +22,7 @@
 #include "estimators/host/estimator_host.hpp"
 #include "estimators/setup/rig_pipeline.hpp"
 #include "hil/bench/bus_truth.hpp"
+#include "hil/bench/joint_troubles.hpp"
 #include "hil/bench/rig_run.hpp"
 #include "hil/bench/run.hpp"
 #include "hil/bench/told_log.hpp"
@@ -30,7 +31,9 @@
 #include "hil/emulate/real_time/real_time.hpp"
 #include "hil/pilot/real_time/real_time_pilot.hpp"
 #include "hil/steer/real_time/autopilot_server.hpp"
+#include "hil/steer/real_time/dds_steering.hpp"
 #include "hil/summary/truth_of_rig.hpp"
+#include "rig_config/steering.hpp"
 
 namespace drydock::bench {
 namespace {
@@ -69,7 +72,7 @@ class RealTimeRun {
         finding_lines_(rig, start_, [this](const std::string& line) { table_.note(line); }) {
     if (!options.quiet) run_.followers().add(table_);
     if (!options.quiet) run_.followers().add(finding_lines_);
-    if (auto* motion = motion::steered(*trajectory_)) autopilot_.emplace(io_, *motion, rig.mission);
+    if (auto* motion = motion::steered(*trajectory_)) steer_from_outside(*motion);
     if (pilot::is_wanted(rig))
       run_.followers().add(pilot_.emplace(
           io_, rig, start_,
@@ -98,6 +101,10 @@ class RealTimeRun {
     if (pilot_) pilot_->start();
     if (autopilot_)
       table_.note(fmt::format("waits for an autopilot on UDP port {}", autopilot_->port()));
+    if (dds_) {
+      table_.note(fmt::format("waits for orders on {}", steer::order_topics));
+      dds_->start();
+    }
     io::UntilStopped until(io_, time_left(), [this] { stop(); });
     keep_ticking();
     io_.run();
@@ -108,6 +115,7 @@ class RealTimeRun {
     std::ranges::move(told_.notes(), std::back_inserter(summary_.notes));
     if (autopilot_)
       std::ranges::move(autopilot_->session().notes(), std::back_inserter(summary_.notes));
+    if (dds_) std::ranges::move(dds_->notes(), std::back_inserter(summary_.notes));
     note_losses();
     if (rig_.truth && !bus_truth_)
       summary_.notes.push_back("the truth is not published: a device of the rig is real");
@@ -119,6 +127,17 @@ class RealTimeRun {
   }
 
  private:
+  void steer_from_outside(motion::SteeredTrajectory& motion) {
+    if (!rig_config::steered_over_dds(rig_.mission)) {
+      autopilot_.emplace(io_, motion, rig_.mission);
+      return;
+    }
+    dds_.emplace(
+        io_, participant_, motion, rig_.mission,
+        [this](measurement::Stamp now) { return joint_troubles(rig_, faults_.injector(), now); },
+        [this](const std::string& line) { table_.note(line); });
+  }
+
   void serve(const host::ServeOptions& options) {
     run_.followers().add(viewer_.emplace(io_.get_executor(), rig_, options));
     if (options.allow_faults) viewer_->add(control::fault_services(rig_, faults_));
@@ -159,6 +178,7 @@ class RealTimeRun {
     faults_.stop();
     emulator_.stop();
     if (autopilot_) autopilot_->stop();
+    if (dds_) dds_->stop();
     if (pilot_) pilot_->stop();
     if (viewer_) viewer_->stop();
   }
@@ -187,6 +207,7 @@ class RealTimeRun {
   control::LiveFaults faults_;
   emulate::RealTimeEmulator emulator_;
   std::optional<steer::AutopilotServer> autopilot_;
+  std::optional<steer::DdsSteering> dds_;
   std::optional<pilot::RealTimePilot> pilot_;
   std::optional<host::PageRecorder> page_recorder_;
   std::optional<host::RigViewer> viewer_;

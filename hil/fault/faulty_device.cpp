@@ -10,8 +10,10 @@
 namespace drydock::fault {
 
 motion::Truth FaultyDevice::View::at(Stamp time) const {
-  if (!condition_->stuck_at) return motion_.at(time);
-  motion::Truth held = motion_.at(*condition_->stuck_at);
+  const auto& since = condition_->stuck_at;
+  if (!since) return motion_.at(time);
+  if (!held_ || held_->first != *since) held_.emplace(*since, motion_.at(*since));
+  motion::Truth held = held_->second;
   held.at = time;
   return held;
 }

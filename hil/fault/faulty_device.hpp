@@ -1,6 +1,8 @@
 #pragma once
 
 #include <memory>
+#include <optional>
+#include <utility>
 
 #include "hil/emulate/make_emulated_device.hpp"
 #include "hil/fault/port_faults.hpp"
@@ -43,6 +45,8 @@ class FaultyDevice final : public emulate::EmulatedDevice, private emulate::Wire
    private:
     const motion::Trajectory& motion_;
     std::shared_ptr<const emulate::Condition> condition_;
+    /// Since when it stands still, and where: a steered motion keeps only its last seconds.
+    mutable std::optional<std::pair<Stamp, motion::Truth>> held_;
   };
 
   FaultyDevice(const DeviceConfig& config, const motion::Trajectory& trajectory, std::uint64_t seed,

@@ -32,6 +32,10 @@ class Injector final : public emulate::DeviceMaker {
     return schedules_.clear(device, kind);
   }
   std::vector<FaultNow> in_force(Stamp at) const { return schedules_.in_force(at); }
+  /// Those of one device of the rig. The pointers are valid until a fault is set or cleared.
+  std::vector<InForce> faults_of(const std::string& device, Stamp at) const {
+    return schedules_.of(device)->in_force(at);
+  }
   /// The next change of any device.
   std::optional<Stamp> next_change(Stamp after) const { return schedules_.next_change(after); }
 

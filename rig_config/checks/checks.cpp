@@ -24,8 +24,8 @@ class RigChecks {
       : root_(root), file_(file), options_(options) {}
 
   Problems run() {
-    names_are_unique("device");
-    names_are_unique("estimator");
+    problems_ = check_names(root_, file_, "device");
+    std::ranges::move(check_names(root_, file_, "estimator"), std::back_inserter(problems_));
     links_are_sound();
     lines_have_one_device();
     addresses_are_unique();
@@ -39,19 +39,6 @@ class RigChecks {
   }
 
  private:
-  void names_are_unique(const char* group) {
-    std::map<std::string, int> line_of;
-    for_each_table(root_, group, [&](const Node& table, std::size_t i) {
-      const Node* name = table.find_text("name");
-      if (!name) return;
-      const auto [first, fresh] = line_of.emplace(name->text, name->at.line);
-      if (!fresh)
-        add(*name, fmt::format("/{}/{}/name", group, i),
-            fmt::format("\"{}\" is used twice, first in line {}; each {} needs its own", name->text,
-                        first->second, group));
-    });
-  }
-
   void links_are_sound() {
     if (!options_.link_check) return;
     for_each_table(root_, "device", [&](const Node& device, std::size_t i) {
@@ -197,6 +184,22 @@ class RigChecks {
 std::string beside(const std::string& file, const std::string& relative) {
   const auto folder = std::filesystem::path(file).parent_path();
   return (folder / relative).lexically_normal().string();
+}
+
+Problems check_names(const Node& root, const std::string& file, const char* group) {
+  Problems problems;
+  std::map<std::string, int> line_of;
+  for_each_table(root, group, [&](const Node& table, std::size_t i) {
+    const Node* name = table.find_text("name");
+    if (!name) return;
+    const auto [first, fresh] = line_of.emplace(name->text, name->at.line);
+    if (!fresh)
+      problems.push_back(
+          {file, name->at.line, name->at.column, fmt::format("/{}/{}/name", group, i),
+           fmt::format("\"{}\" is used twice, first in line {}; each {} needs its own", name->text,
+                       first->second, group)});
+  });
+  return problems;
 }
 
 Problems check_rig(const Node& root, const std::string& file, const LoadOptions& options) {

@@ -12,6 +12,9 @@ std::string beside(const std::string& file, const std::string& relative);
 /// URIs, addresses used twice on one bus, missing files. Works for incomplete documents too.
 Problems check_rig(const Node& root, const std::string& file, const LoadOptions& options);
 
+/// The tables of a group, "device" or "thruster", must have a name each.
+Problems check_names(const Node& root, const std::string& file, const char* group);
+
 /// Checks of the blocks [[expect]]: names must exist, bounds must be in order, and the kind of
 /// estimator must have the figures.
 Problems check_expects(const Node& root, const std::string& file);

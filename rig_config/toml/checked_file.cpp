@@ -132,6 +132,7 @@ Loaded<Node> read_checked(std::string_view text, const std::string& path, FileKi
     append(problems, std::move(of_rig));
   }
   if (kind == FileKind::mission) append(problems, check_mission(*root, path));
+  if (kind == FileKind::vehicle) append(problems, check_names(*root, path, "thruster"));
   if (kind == FileKind::mission || kind == FileKind::fault)
     append(problems, check_faults(*root, path));
   sort_by_position(problems);

@@ -50,8 +50,8 @@ rig_config                 drivers/wire/protocols drivers/wire/hex drivers/wire/
 hil/report
 hil/ocean                  estimators/frame drivers/measurement rig_config
 hil/motion                 hil/ocean estimators/frame estimators/hydrodynamics estimators/vehicle drivers/measurement rig_config
-hil/steer                  hil/motion estimators/frame drivers/wire rig_config
-hil/steer/real_time        hil/steer hil/motion drivers/link drivers/io drivers/wire rig_config
+hil/steer                  hil/motion estimators/frame drivers/wire drivers/measurement rig_config
+hil/steer/real_time        hil/steer hil/motion drivers/bus drivers/link drivers/io drivers/wire drivers/measurement rig_config
 hil/pilot                  hil/motion estimators/frame drivers/device drivers/wire drivers/measurement rig_config
 hil/pilot/real_time        hil/pilot drivers/host drivers/link drivers/io drivers/wire drivers/measurement rig_config
 hil/sensor                 hil/motion estimators/frame drivers/measurement rig_config

@@ -1,5 +1,7 @@
 #include <gmock/gmock.h>
 
+#include <fstream>
+
 #include "rig_config/kinematic_vehicle.hpp"
 #include "rig_config/load.hpp"
 #include "rig_config/steering.hpp"
@@ -55,6 +57,16 @@ TEST(ThrusterVehicle, IsNotOneWithFins) {
               testing::IsEmpty());
 }
 
+TEST(ThrusterVehicle, EachThrusterHasANameOfItsOwnForItsOrders) {
+  std::ifstream file(DRYDOCK_SOURCE_DIR "/rig_config/vehicles/bluerov2.toml");
+  std::string text(std::istreambuf_iterator<char>(file), {});
+  const auto twin = text.find("front-port");
+  ASSERT_NE(twin, text.npos);
+  text.replace(twin, std::string("front-port").size(), "front-starboard");
+  EXPECT_THAT(lines_of(load_vehicle_text(text, "v.toml").error()),
+              testing::Contains(HasSubstr("/thruster/1/name: \"front-starboard\" is used twice")));
+}
+
 TEST(Steering, HasNoLegsAndNeedsAVehicle) {
   EXPECT_THAT(lines_of(mission_with("[steering]\nfrom = \"ardupilot\"\n").error()),
               testing::Contains(HasSubstr("vehicle")));
@@ -64,6 +76,22 @@ TEST(Steering, HasNoLegsAndNeedsAVehicle) {
       "\"straight\"\nduration_s = 5\n");
   ASSERT_FALSE(with_legs);
   EXPECT_THAT(lines_of(with_legs.error()),
+              testing::Contains(HasSubstr("another program steers the vehicle")));
+}
+
+TEST(Steering, OverDdsNeedsAVehicleAndHasNeitherLegsNorAPort) {
+  const std::string dds = "[steering]\nfrom = \"dds\"\n";
+  const auto rov = mission_with("vehicle = \"../vehicles/bluerov2.toml\"\n" + dds);
+  ASSERT_TRUE(rov);
+  EXPECT_TRUE(steered_over_dds(*rov));
+  EXPECT_FALSE(steered_over_wires(*rov));
+  EXPECT_TRUE(mission_with("vehicle = \"../vehicles/nps-auv-ii.toml\"\n" + dds));
+  EXPECT_THAT(lines_of(mission_with(dds + "listen = \"127.0.0.1:1\"\n").error()),
+              testing::UnorderedElementsAre(HasSubstr("key 'vehicle' is missing"),
+                                            HasSubstr("only for from = \"ardupilot\"")));
+  EXPECT_THAT(lines_of(mission_with("vehicle = \"../vehicles/nps-auv-ii.toml\"\n" + dds +
+                                    "[[leg]]\nkind = \"straight\"\nduration_s = 5\n")
+                           .error()),
               testing::Contains(HasSubstr("another program steers the vehicle")));
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <variant>
 
+#include "drivers/wire/mavlink/mavlink_kinds.hpp"
 #include "drivers/wire/mavlink/mavlink_layout.hpp"
 
 namespace drydock::wire {
@@ -46,17 +47,21 @@ std::optional<Header> header_of(Bytes bytes) {
 struct Kind {
   std::uint32_t id;
   std::uint8_t crc_extra;
+  std::string_view name;
 };
 
 template <class... M>
 constexpr auto kinds_of(MessageList<M...>) {
-  return std::array{Kind{M::id, crc_extra_of<M>()}...};
+  return std::array{Kind{M::id, crc_extra_of<M>(), M::type}...};
 }
 constexpr auto kinds = kinds_of(MavlinkMessages{});
 
-const Kind* find_kind(std::uint32_t id) {
-  const auto found = std::ranges::find(kinds, id, &Kind::id);
-  return found == kinds.end() ? nullptr : &*found;
+std::optional<Kind> find_kind(std::uint32_t id) {
+  const auto read = std::ranges::find(kinds, id, &Kind::id);
+  if (read != kinds.end()) return *read;
+  const auto named = std::ranges::lower_bound(unread_kinds, id, {}, &UnreadKind::id);
+  if (named == unread_kinds.end() || named->id != id) return {};
+  return Kind{id, named->crc_extra, named->name};
 }
 
 /// `checked`: from the byte behind the start to the end of the payload.
@@ -69,6 +74,22 @@ std::size_t distance_to_start(Bytes bytes) {
   const auto found = std::ranges::find_if(
       bytes, [](std::uint8_t byte) { return byte == start_1 || byte == start_2; });
   return static_cast<std::size_t>(found - bytes.begin());
+}
+
+template <class... M>
+std::optional<Mavlink::Message> read_as_kind(MessageList<M...>, std::uint32_t id, Bytes payload,
+                                             const Sender& sender) {
+  std::optional<Mavlink::Message> read;
+  const auto try_kind = [&]<class One>(One message) {
+    if (One::id != id) return false;
+    PayloadReader reader(payload);
+    One::lay_out(message, reader);
+    message.sender = sender;
+    read = message;
+    return true;
+  };
+  (try_kind(M{}) || ...);
+  return read;
 }
 
 /// A payload of all zeros keeps its first byte.
@@ -84,7 +105,7 @@ Scan Mavlink::scan(Bytes bytes) {
   if (const std::size_t noise = distance_to_start(bytes)) return Scan::skip(noise);
   const auto header = header_of(bytes);
   if (!header) return Scan::need_more();
-  const Kind* kind = find_kind(header->id);
+  const auto kind = find_kind(header->id);
   if (!kind || !header->understood) return Scan::skip(1);
   const std::size_t size = header->frame_size();
   if (bytes.size() < size) return Scan::need_more(size);
@@ -99,19 +120,13 @@ std::optional<Mavlink::Message> Mavlink::decode(Bytes frame) {
   if (!header || frame.size() < header->frame_size()) return {};
   std::array<std::uint8_t, 255> payload{};
   std::ranges::copy(frame.subspan(header->payload_at, header->payload_size), payload.begin());
-  const auto read = [&](auto message) {
-    PayloadReader reader(payload);
-    message.lay_out(message, reader);
-    message.sender = header->sender;
-    return message;
-  };
-  switch (header->id) {
-    case Heartbeat::id: return read(Heartbeat{});
-    case Timesync::id: return read(Timesync{});
-    case Odometry::id: return read(Odometry{});
-    case VisionPositionDelta::id: return read(VisionPositionDelta{});
-    default: return {};
-  }
+  return read_as_kind(MavlinkMessages{}, header->id, payload, header->sender);
+}
+
+std::string Mavlink::frame_name(Bytes frame) {
+  const auto header = header_of(frame);
+  const auto kind = header ? find_kind(header->id) : std::nullopt;
+  return "MAVLink " + (kind ? std::string(kind->name) : "frame");
 }
 
 std::size_t mavlink::encode(const Mavlink::Message& message, std::span<std::uint8_t> out) {

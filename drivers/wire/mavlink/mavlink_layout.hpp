@@ -29,6 +29,26 @@ struct WireType<std::int8_t> {
   static constexpr std::string_view name = "int8_t";
 };
 template <>
+struct WireType<char> {
+  using Number = std::uint8_t;
+  static constexpr std::string_view name = "char";
+};
+template <>
+struct WireType<std::uint16_t> {
+  using Number = std::uint16_t;
+  static constexpr std::string_view name = "uint16_t";
+};
+template <>
+struct WireType<std::int16_t> {
+  using Number = std::int16_t;
+  static constexpr std::string_view name = "int16_t";
+};
+template <>
+struct WireType<std::int32_t> {
+  using Number = std::int32_t;
+  static constexpr std::string_view name = "int32_t";
+};
+template <>
 struct WireType<std::uint32_t> {
   using Number = std::uint32_t;
   static constexpr std::string_view name = "uint32_t";
@@ -37,6 +57,11 @@ template <>
 struct WireType<float> {
   using Number = float;
   static constexpr std::string_view name = "float";
+};
+template <>
+struct WireType<std::chrono::milliseconds> {
+  using Number = std::uint32_t;
+  static constexpr std::string_view name = "uint32_t";
 };
 template <>
 struct WireType<std::chrono::microseconds> {
@@ -96,7 +121,7 @@ class PayloadWriter {
     if constexpr (requires { value.count(); }) {
       store_le<Number>(payload_, at_, static_cast<Number>(value.count()));
     } else {
-      store_le<Number>(payload_, at_, value);
+      store_le<Number>(payload_, at_, static_cast<Number>(value));
     }
     at_ += sizeof(Number);
   }
@@ -127,7 +152,7 @@ class PayloadReader {
     if constexpr (requires { value.count(); }) {
       value = T{static_cast<typename T::rep>(number)};
     } else {
-      value = number;
+      value = static_cast<T>(number);
     }
     at_ += sizeof(Number);
   }

@@ -56,6 +56,7 @@ constexpr auto items = std::to_array<ItemFacts>({
     {0x10310015, receiver, off, on, 0, 1},
     {0x10310018, receiver, on, on, 0, 1},
     {0x1031001A, receiver, off, on, 0, 1},
+    {0x10310005, receiver, on, on, 0, 1},
 });
 static_assert(items.size() == first_rate);
 

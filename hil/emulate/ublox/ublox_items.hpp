@@ -62,6 +62,7 @@ enum Item : std::size_t {
   qzss_l2,
   glonass_l1,
   glonass_l2,
+  sbas_l1,
   first_rate
 };
 

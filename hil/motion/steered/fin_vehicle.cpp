@@ -30,14 +30,25 @@ Command fins_of(std::span<const double> outputs, const rig_config::VehicleConfig
   return command;
 }
 
-FinVehicle::FinVehicle(const rig_config::MissionConfig& mission)
+Command fins_alone(std::span<const double> outputs, const rig_config::VehicleConfig& vehicle) {
+  Command command;
+  command.delta_r = output(outputs, 0) * vehicle.rudder.limit_rad;
+  command.delta_s = output(outputs, 1) * vehicle.stern_planes.limit_rad;
+  command.delta_b = output(outputs, 2) * vehicle.bow_planes.limit_rad;
+  const double fastest = vehicle.propeller.advance_m * vehicle.propeller.limit_radps;
+  command.speed_mps = std::max(output(outputs, 3), 0.0) * fastest;
+  return command;
+}
+
+FinVehicle::FinVehicle(const rig_config::MissionConfig& mission, Mixing mixing)
     : config_(mission.vehicle.value()),
+      mixing_(mixing),
       motion_(mission),
       actuators_(config_, 0),
       state_(first_state(mission)) {}
 
 void FinVehicle::step(std::span<const double> outputs, double dt) {
-  const Command command = fins_of(outputs, config_);
+  const Command command = mixing_(outputs, config_);
   const double steps = std::ceil(dt / longest_fin_step_s - 1e-9), h = dt / steps;
   for (int i = 0; i < static_cast<int>(steps); ++i) {
     const VehicleRate rate = motion_.rate(state_, actuators_.control(), t_s_);

@@ -11,11 +11,17 @@ namespace drydock::motion {
 /// (2 - 1). A fin gives nothing without speed.
 Command fins_of(std::span<const double> outputs, const rig_config::VehicleConfig& vehicle);
 
+/// The outputs are the rudder (positive turns to port), the stern planes (positive pushes the nose
+/// down), the bow planes and the propeller themselves, as shares of their limits.
+Command fins_alone(std::span<const double> outputs, const rig_config::VehicleConfig& vehicle);
+
 /// A vehicle with rudder, planes and propeller, sailed by the Gertler-Hagen equations.
 class FinVehicle final : public SteeredVehicle {
  public:
+  using Mixing = decltype(&fins_of);
+
   /// `mission.vehicle` must be set.
-  explicit FinVehicle(const rig_config::MissionConfig& mission);
+  FinVehicle(const rig_config::MissionConfig& mission, Mixing mixing);
 
   void step(std::span<const double> outputs, double dt) override;
   Truth truth() const override;
@@ -23,6 +29,7 @@ class FinVehicle final : public SteeredVehicle {
 
  private:
   rig_config::VehicleConfig config_;
+  Mixing mixing_;
   VehicleMotion motion_;
   Actuators actuators_;
   VehicleState state_;

@@ -20,6 +20,14 @@ double Thruster::steady_push_n(double command) const {
   return command > 0 ? share * config_.ahead_n : -share * config_.astern_n;
 }
 
+double Thruster::command_for(double push_n) const {
+  if (push_n == 0) return 0;
+  const double share = std::min(std::abs(push_n) / limit_n(push_n), 1.0);
+  const double size =
+      config_.dead_band + (1 - config_.dead_band) * std::pow(share, 1 / config_.exponent);
+  return std::copysign(size, push_n);
+}
+
 void Thruster::step(double command, double dt) {
   const double wanted = steady_push_n(command);
   const double kept = config_.lag_s > 0 ? std::exp(-dt / config_.lag_s) : 0;

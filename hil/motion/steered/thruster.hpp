@@ -16,6 +16,10 @@ class Thruster {
 
   /// The push that the command gives in the end, N.
   double steady_push_n(double command) const;
+  /// The command that gives this push in the end, -1 to 1; 0 for a push of 0.
+  double command_for(double push_n) const;
+  /// The most that it pushes in the direction of this push, N; positive.
+  double limit_n(double push_n) const { return push_n > 0 ? config_.ahead_n : config_.astern_n; }
   double push_n() const { return push_n_; }
   /// Force and moment of a push of 1 N, body axes.
   const hydrodynamics::Wrench& of_one_newton() const { return of_one_newton_; }

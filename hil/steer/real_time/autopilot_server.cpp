@@ -43,6 +43,10 @@ udp::socket bound(asio::io_context& context, const std::string& listen) {
   return socket;
 }
 
+Sender sender_of(const udp::endpoint& endpoint) {
+  return Sender{endpoint.address().to_v4().to_uint()} << 16 | endpoint.port();
+}
+
 }  // namespace
 
 AutopilotServer::AutopilotServer(asio::io_context& context, motion::SteeredTrajectory& motion,
@@ -64,7 +68,8 @@ asio::awaitable<void> AutopilotServer::serve() {
         co_await socket_.async_receive_from(asio::buffer(packet), sender, io::as_outcome);
     if (error == asio::error::operation_aborted || !socket_.is_open()) co_return;
     if (error) continue;  // an earlier answer was not taken: the autopilot has gone
-    const auto answer = session_.answer(wire::Bytes{packet}.first(size), link::steady_now());
+    const auto answer =
+        session_.answer(wire::Bytes{packet}.first(size), link::steady_now(), sender_of(sender));
     if (answer.empty()) continue;
     co_await socket_.async_send_to(asio::buffer(answer), sender, io::as_outcome);
   }

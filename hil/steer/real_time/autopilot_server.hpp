@@ -8,8 +8,8 @@
 
 namespace drydock::steer {
 
-/// Answers an autopilot on a UDP port, on the thread of the io_context. Each packet is answered to
-/// the address that sent it.
+/// Answers an autopilot on a UDP port, on the thread of the io_context. An answer goes to the
+/// address that spoke.
 class AutopilotServer {
  public:
   /// `mission.steering` must be set. The motion and the io_context must outlive the server. Throws

@@ -32,7 +32,8 @@ TEST(Schema, HashesToTheTypeHashesThatRos2Publishes) {
       message_type<ImuMessage>,           message_type<NavSatFixMessage>,
       message_type<FluidPressureMessage>, message_type<TemperatureMessage>,
       message_type<TwistMessage>,         message_type<DvlMessage>,
-      message_type<DiagnosticsMessage>};
+      message_type<DiagnosticsMessage>,   message_type<JointStateMessage>,
+      message_type<WrenchMessage>};
   nlohmann::json definitions;
   for (const auto& type : types) {
     const std::string name = ros2_type(type.descriptor->m_typename);

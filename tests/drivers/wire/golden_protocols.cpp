@@ -72,6 +72,12 @@ const std::vector<GoldenProtocol>& golden_protocols() {
                          {0xAA, 0x10, 0x01, 0x62, 0x00, 0x02},
                          20,
                          sound_wayfinder}),
+      golden<Mavlink>({fixture("mavlink/golden.mavlink") + fixture("mavlink/autopilot.mavlink"),
+                       17,
+                       16,
+                       {0xFD, 0x2C, 0x00, 0x00, 0x01, 0x01, 0x01, 0x1E},
+                       11,
+                       sound_mavlink}),
   };
   return all;
 }

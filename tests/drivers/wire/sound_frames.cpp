@@ -1,6 +1,7 @@
 #include "tests/drivers/wire/sound_frames.hpp"
 
 #include <algorithm>
+#include <map>
 #include <numeric>
 #include <string>
 
@@ -117,6 +118,28 @@ bool sound_pd4_or_pd5(Bytes frame) {
 
 bool sound_wayfinder(Bytes frame) {
   return sums_up(frame) && frame[0] == 0xAA && frame[3] + 256u * frame[4] == frame.size();
+}
+
+/// MAVLink's own form of the sum, and its table of seeds for the kinds of the golden frames.
+bool sound_mavlink(Bytes frame) {
+  static const std::map<unsigned, unsigned> seeds{
+      {0, 50},   {2, 137}, {24, 24},  {27, 144}, {29, 115}, {30, 39},  {32, 185},
+      {33, 104}, {74, 20}, {111, 34}, {132, 85}, {253, 83}, {331, 91}, {11011, 106}};
+  const bool second = frame[0] == 0xFD;
+  const std::size_t header = second ? 10 : 6, end = header + frame[1];
+  const unsigned id = second ? frame[7] + 256u * frame[8] + 65536u * frame[9] : frame[5];
+  const std::size_t signature = second && frame[2] == 1 ? 13 : 0;
+  const auto seed = seeds.find(id);
+  if (seed == seeds.end() || frame.size() != end + 2 + signature) return false;
+  unsigned sum = 0xFFFF;
+  const auto add = [&](unsigned byte) {
+    unsigned t = byte ^ (sum & 0xFF);
+    t = (t ^ t << 4) & 0xFF;
+    sum = (sum >> 8 ^ t << 8 ^ t << 3 ^ t >> 4) & 0xFFFF;
+  };
+  for (const std::uint8_t byte : frame.subspan(1, end - 1)) add(byte);
+  add(seed->second);
+  return sum == frame[end] + 256u * frame[end + 1];
 }
 
 }  // namespace drydock::wire::testing

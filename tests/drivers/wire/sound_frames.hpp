@@ -15,5 +15,6 @@ bool sound_pd4_or_pd5(Bytes frame);
 bool sound_pd6(Bytes frame);
 bool sound_ad2cp(Bytes frame);
 bool sound_wayfinder(Bytes frame);
+bool sound_mavlink(Bytes frame);
 
 }  // namespace drydock::wire::testing

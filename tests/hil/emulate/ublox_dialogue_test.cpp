@@ -201,6 +201,19 @@ TEST(EmulatedUblox, ASavedPeriodAndBaudRateAreThereAfterPower) {
   EXPECT_EQ(again.all<wire::NavPvt>().size(), 10u);
 }
 
+// The keys CFG-SIGNAL-* with which an autopilot sets up the bands of an F9, GPS and SBAS on and
+// Galileo off: one transaction, all or nothing.
+TEST(EmulatedUblox, AnF9TakesTheBandsOfAnAutopilotInOneSetting) {
+  UbloxHost host(UbloxModel::f9);
+  Frame bands{0, 1, 0, 0};
+  for (const auto& [key, value] : std::vector<std::pair<std::uint8_t, std::uint8_t>>{
+           {0x1F, 1}, {0x01, 1}, {0x03, 1}, {0x20, 1}, {0x05, 1}, {0x21, 0}, {0x07, 0}, {0x0A, 0}})
+    bands.insert(bands.end(), {key, 0x00, 0x31, 0x10, value});
+  EXPECT_TRUE(host.acknowledges(ubx::cfg_valset, bands));
+  const auto answer = host.say(ubx::cfg_valget, {0, 0, 0, 0, 0x05, 0x00, 0x31, 0x10}).at(0);
+  EXPECT_EQ(ubx::packet_of(answer).payload.back(), 1);
+}
+
 TEST(EmulatedUblox, TellsWhatItWasToldAndWhatItRefused) {
   UbloxHost host(UbloxModel::m8);
   host.say(ubx::cfg_rate, {200, 0, 1, 0, 0, 0});

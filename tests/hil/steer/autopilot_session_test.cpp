@@ -96,17 +96,59 @@ TEST(AutopilotSession, WhatIsNoPacketIsCountedAndGetsNoAnswer) {
   EXPECT_EQ(loop.session_.counters().steps, 0u);
 }
 
-TEST(AutopilotSession, LostPacketsAndAnotherRunOfTheAutopilotAreCounted) {
+TEST(AutopilotSession, LostPacketsAreCountedAndAnotherRunOfTheAutopilotFindsItsOwnTime) {
   Loop loop(mission_of("bluerov2.toml"));
   loop.step(idle);
   loop.count_ += 3;
   loop.step(idle);
-  loop.count_ = 0;
-  const Physics after = loop.step(idle);
+  const double depth = loop.hold(vectored(0, -0.5, 0, 0), 3).position[2];
+  const auto began = static_cast<double>(loop.count_) / 400;
+  const auto say = [&](std::uint32_t count, double after_s) {
+    return read(loop.session_.answer(packet(18458, 400, count, Pulses(16, 1500)),
+                                     bench_s(began + after_s)));
+  };
+  const Physics zero = say(0, 4), one = say(1, 4.0025);
   EXPECT_EQ(loop.session_.counters().lost, 3u);
   EXPECT_EQ(loop.session_.counters().restarts, 1u);
-  EXPECT_NEAR(after.timestamp_s, 3 / 400.0, 1e-9) << "the motion goes on";
-  EXPECT_THAT(loop.session_.notes().front(), HasSubstr("3 steps"));
+  EXPECT_NEAR(zero.timestamp_s, 1 / 400.0, 1e-9);
+  EXPECT_NEAR(one.timestamp_s, 2 / 400.0, 1e-9);
+  EXPECT_NEAR(one.position[2], depth, 0.01) << "the vehicle goes on where it is";
+  EXPECT_THAT(loop.session_.notes().front(), HasSubstr("1204 steps"));
+}
+
+TEST(AutopilotSession, ADatagramThatWasOvertakenMakesNoStep) {
+  Loop loop(mission_of("bluerov2.toml"));
+  loop.hold(idle, 1);
+  const auto late = packet(18458, 400, loop.count_ - 2, Pulses(16, 1500));
+  EXPECT_EQ(loop.session_.answer(late, bench_s(1)), "");
+  EXPECT_EQ(loop.session_.counters().late, 1u);
+  EXPECT_NEAR(loop.step(idle).timestamp_s, 401 / 400.0, 1e-9);
+  EXPECT_EQ(loop.session_.counters().lost, 0u);
+}
+
+TEST(AutopilotSession, ACountThatPassesItsEndIsNoRestart) {
+  Loop loop(mission_of("bluerov2.toml"));
+  loop.count_ = 0xFFFFFFFD;
+  for (int i = 0; i < 4; ++i) loop.step(idle);
+  EXPECT_EQ(loop.count_, 1u);
+  EXPECT_NEAR(loop.state_.timestamp_s, 4 / 400.0, 1e-9);
+  EXPECT_EQ(loop.session_.counters().restarts + loop.session_.counters().lost, 0u);
+}
+
+TEST(AutopilotSession, ASecondAutopilotIsAnsweredOnceTheFirstHasBeenSilentForTwoSeconds) {
+  Loop loop(mission_of("bluerov2.toml"));
+  constexpr Sender first = 1, second = 2;
+  const auto say = [&](std::uint32_t count, double at_s, Sender from) {
+    return std::string(
+        loop.session_.answer(packet(18458, 400, count, Pulses(16, 1500)), bench_s(at_s), from));
+  };
+  EXPECT_NE(say(1000, 0, first), "");
+  EXPECT_EQ(say(0, 0.1, second), "");
+  EXPECT_NE(say(1001, 1, first), "");
+  EXPECT_EQ(say(0, 2.9, second), "");
+  EXPECT_EQ(loop.session_.counters().others, 2u);
+  EXPECT_NEAR(read(say(0, 3.1, second)).timestamp_s, 1 / 400.0, 1e-9);
+  EXPECT_EQ(say(1002, 3.2, first), "") << "it has lost its place";
 }
 
 /// Closed forms of two steady states: damping equals the push, of four thrusters at 45 degrees, and
