@@ -45,10 +45,10 @@ std::size_t device_of(const CaptureRig& made, const decode::ReplayOptions& captu
     if (fits(device, capture, only)) fitting.push_back(i);
   }
   if (fitting.size() == 1) return fitting.front();
-  throw std::invalid_argument(fmt::format("{}: {} of its devices may have made the capture; --only "
-                                          "names it, one of {}",
-                                          made.file, fitting.empty() ? "none" : "several",
-                                          fmt::join(names, ", ")));
+  throw std::invalid_argument(
+      fmt::format("{}: {} of its devices may have made the capture; --only "
+                  "names it, one of {}",
+                  made.file, fitting.empty() ? "none" : "several", fmt::join(names, ", ")));
 }
 
 CaptureRig in_rig_file(const decode::ReplayOptions& capture, const std::string& file,
@@ -81,9 +81,8 @@ CaptureRig rig_of_capture(const decode::ReplayOptions& capture, const std::strin
   device.protocol = capture.protocol;
   device.address = capture.address;
   if (!only.empty() && only != std::vector{device.name})
-    throw std::invalid_argument(
-        fmt::format("--only {}: a capture has one sensor, \"{}\"", fmt::join(only, ","),
-                    device.name));
+    throw std::invalid_argument(fmt::format("--only {}: a capture has one sensor, \"{}\"",
+                                            fmt::join(only, ","), device.name));
   const auto text = capture_rig_text(device, capture.baud);
   return {loaded(rig_config::load_rig_text(text, no_file)), text, {}, 0, capture};
 }

@@ -62,6 +62,7 @@ Gathered gather_capture(const decode::ReplayOptions& capture, const record::Sele
   auto made = rig_of_capture(capture, rig_file, part.only);
   made.rig.estimators.clear();  // the capture has one sensor: none of them can be fed
   const auto played = played_capture(made, part);
+  if (played.measurements.empty()) throw std::runtime_error(silence_of(capture, made, part));
   Gatherer gatherer(made.rig, {});
   for (const auto& m : played.measurements) {
     gatherer.on_measurement(m);

@@ -16,4 +16,8 @@ struct PlayedCapture {
 /// first measurement. Throws std::exception with one line if it cannot be played.
 PlayedCapture played_capture(const CaptureRig& rig, const record::Selection& part);
 
+/// One line for a capture without a measurement: what to look at.
+std::string silence_of(const decode::ReplayOptions& capture, const CaptureRig& rig,
+                       const record::Selection& part);
+
 }  // namespace drydock::track
