@@ -15,7 +15,7 @@ namespace drydock::compare {
 int compare(const rig_config::Rig* rig, const CompareOptions& options, std::FILE* out,
             std::FILE* err) {
   try {
-    const auto comparison = rig != nullptr                            ? compare_on_rig(*rig, options)
+    const auto comparison = rig != nullptr                         ? compare_on_rig(*rig, options)
                             : replay::is_recording(options.source) ? compare_on_recording(options)
                                                                    : compare_on_capture(options);
     fmt::print(out, "{}", options.json ? to_json(comparison) : to_text(comparison));

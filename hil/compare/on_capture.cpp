@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <stdexcept>
 
 #include "hil/compare/compare.hpp"
@@ -20,8 +19,7 @@ Comparison compare_on_capture(const CompareOptions& options) {
   const auto made = track::rig_of_capture(capture, options.rig, options.part.only);
   const auto played = track::played_capture(made, options.part);
   if (played.measurements.empty())
-    throw std::runtime_error(options.source + ": its driver (" + made.how.protocol +
-                             ") found no measurement in it; probe tells what it holds");
+    throw std::runtime_error(track::silence_of(capture, made, options.part));
   Comparison comparison;
   comparison.source = options.source;
   comparison.notes = played.notes;

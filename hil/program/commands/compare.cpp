@@ -53,13 +53,15 @@ void add_compare(CLI::App& app, Command& command) {
       "         drydock compare dive.mcap --estimators navigation,dead-reckoning --report out\n"
       "         drydock compare dive.mcap --estimators leveling,mixing --json\n"
       "         drydock compare dive.pd0 --protocol pd0 --estimators dead-reckoning");
-  sub->add_option("SOURCE", o.source, "MCAP recording, capture of one sensor, or a rig, which runs in virtual time")
+  sub->add_option("SOURCE", o.source,
+                  "MCAP recording, capture of one sensor, or a rig, which runs in virtual time")
       ->required();
   sub->add_option("--estimators", a->estimators,
                   "A,B,C: names of the rig's estimators or kinds, each with options as "
                   "kind:key=value:key=value")
       ->required();
-  sub->add_option("--rig", o.rig, "rig file in the place of the recorded one, or with the sensor of a capture")
+  sub->add_option("--rig", o.rig,
+                  "rig file in the place of the recorded one, or with the sensor of a capture")
       ->check(CLI::ExistingFile);
   sub->add_option("--for", o.duration_s, "of a rig: 60s, 10min; default one lap of its mission")
       ->transform(running_time);
