@@ -82,7 +82,9 @@ std::vector<Kind> kinds_with(const ReplayOptions& options) {
   return kinds;
 }
 
-Kind chosen_kind(const ReplayOptions& options) {
+}  // namespace
+
+Kind kind_of(const ReplayOptions& options) {
   const auto kinds = kinds_with(options);
   std::string names;
   for (const Kind kind : kinds) {
@@ -95,6 +97,8 @@ Kind chosen_kind(const ReplayOptions& options) {
                                                 options.protocol, names));
 }
 
+namespace {
+
 link::Uri uri_of(const ReplayOptions& options) {
   std::string text = "file:" + options.capture + "?speed=" + options.speed;
   if (options.baud > 0) text += fmt::format("&baud={}", options.baud);
@@ -106,7 +110,8 @@ link::Uri uri_of(const ReplayOptions& options) {
 
 std::unique_ptr<Device> make_device(const ReplayOptions& options, const link::Uri& uri) {
   device::DeviceOptions wanted;
-  wanted.driver.kind = chosen_kind(options);
+  if (options.driver) wanted.driver = *options.driver;
+  wanted.driver.kind = kind_of(options);
   wanted.driver.protocol = options.protocol;
   wanted.driver.description = options.description;
   wanted.driver.baud = uri.baud();

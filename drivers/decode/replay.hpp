@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "drivers/device/driver_options.hpp"
@@ -22,6 +23,8 @@ struct ReplayOptions {
   unsigned baud = 0;          ///< rate of a byte capture's line; 0: not known
   std::uint8_t address = 0;   ///< on a CAN bus; 0: the first seen
   std::shared_ptr<const wire::described::Description> description{};  ///< null: of the registry
+  /// As a rig describes the sensor. Empty: its protocol and kind alone are known.
+  std::optional<device::DriverOptions> driver{};
   bool quiet = false;  ///< no states and totals on `err`
 };
 
@@ -29,6 +32,10 @@ struct ReplayOptions {
 /// Lines. Exit code: 0 there were measurements, 1 there were none, 2 there is no such driver or the
 /// capture cannot be read.
 int replay(const ReplayOptions& options, std::FILE* out, std::FILE* err);
+
+/// The kind of sensor that the options mean. Throws std::invalid_argument with one line if there is
+/// none or more than one.
+device::Kind kind_of(const ReplayOptions& options);
 
 using MeasurementHook = std::function<void(const measurement::Measurement&)>;
 

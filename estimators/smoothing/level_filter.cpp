@@ -12,6 +12,11 @@ using Eigen::Vector3d;
 
 namespace {
 
+/// One sigma of a heading of which nothing is known: uniform around the circle, pi / sqrt(3).
+constexpr double any_heading_rad = 1.8138;
+constexpr double any_turn_radps = 0.1;  ///< as at the start of a dive
+constexpr int most_refused = 3;         ///< headings, one after the other
+
 LevelVector start_sigma(const LevelSigmas& s) {
   LevelVector sigma;
   sigma << s.position_m, s.position_m, s.depth_m, Vector3d::Constant(s.velocity_mps), s.heading_rad,
@@ -40,7 +45,44 @@ const SensorModel& LevelFilter::sensor(std::uint16_t device) const {
 
 LevelMatrix LevelFilter::propagate(double dt) {
   correction_.setZero();
-  const LevelMatrix q = wandering(state_, options_.motion, dt);
+  const LevelMatrix forgetting = forget_refused_heading();
+  return (loses_heading(dt) ? cross_gap(dt) : step(dt, options_.motion)) * forgetting;
+}
+
+LevelMatrix LevelFilter::forget(int part, double sigma) {
+  LevelMatrix forgetting = LevelMatrix::Identity();
+  forgetting(part, part) = 0;
+  p_ = forgetting * p_ * forgetting;
+  p_(part, part) = sigma * sigma;
+  return forgetting;
+}
+
+LevelMatrix LevelFilter::forget_refused_heading() {
+  if (refused_headings_ < most_refused) return LevelMatrix::Identity();
+  refused_headings_ = 0;
+  return forget(heading_part, any_heading_rad) * forget(turn_part, any_turn_radps);
+}
+
+bool LevelFilter::loses_heading(double dt) const {
+  const double turn = options_.motion.turn_radps;
+  const double variance = p_(heading_part, heading_part) +
+                          dt * (2 * p_(heading_part, turn_part) +
+                                dt * (p_(turn_part, turn_part) + turn * turn * dt / 3));
+  return variance > any_heading_rad * any_heading_rad;
+}
+
+LevelMatrix LevelFilter::cross_gap(double dt) {
+  const LevelMatrix forgetting = forget(heading_part, any_heading_rad) * forget(turn_part, 0);
+  state_.turn_radps = 0;
+  LevelMotion straight = options_.motion;
+  straight.turn_radps = 0;
+  const LevelMatrix transition = step(dt, straight) * forgetting;
+  p_(turn_part, turn_part) = any_turn_radps * any_turn_radps;
+  return transition;
+}
+
+LevelMatrix LevelFilter::step(double dt, const LevelMotion& motion) {
+  const LevelMatrix q = wandering(state_, motion, dt);
   LevelMatrix transition = move(state_, dt);
   const LevelMatrix p = transition * p_ * transition.transpose() + q;
   p_ = (p + p.transpose()) / 2;
@@ -61,6 +103,8 @@ std::array<Residual, 3> LevelFilter::update(const Reading& reading, const Tilt& 
   }
   state_.add(errors);
   correction_ += errors;
+  if (reading.quantity == Quantity::heading && residuals[0].known)
+    refused_headings_ = residuals[0].used ? 0 : refused_headings_ + 1;
   return residuals;
 }
 

@@ -50,6 +50,15 @@ class LevelFilter {
   };
   using Rows = std::array<Row, 3>;
 
+  LevelMatrix step(double dt, const LevelMotion& motion);
+  /// True if after `dt` without a reading the heading may be any.
+  bool loses_heading(double dt) const;
+  /// Makes one of the errors independent, with this sigma. Returns the transition of that.
+  LevelMatrix forget(int part, double sigma);
+  /// After a run of refused headings the state is wrong rather than they.
+  LevelMatrix forget_refused_heading();
+  /// Forgets heading and turn: over a gap their linear errors would turn into any way.
+  LevelMatrix cross_gap(double dt);
   Rows rows_of(const Reading& reading, const Tilt& tilt) const;
   Rows velocity_rows(const SensorModel& sensor, const Tilt& tilt, bool of_water) const;
   Rows fix_rows(const Reading& reading, const SensorModel& sensor, const Tilt& tilt) const;
@@ -61,6 +70,7 @@ class LevelFilter {
   LevelState state_;
   LevelMatrix p_ = LevelMatrix::Zero();
   LevelVector correction_ = LevelVector::Zero();
+  int refused_headings_ = 0;  ///< one after the other
 };
 
 }  // namespace drydock::smoothing

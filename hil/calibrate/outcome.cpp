@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
@@ -64,6 +65,12 @@ Json finding_json(const Outcome& outcome, const Finding& f) {
           {"why", why_of(outcome, f)}};
 }
 
+bool is_alone(const smoothing::Dive& dive) {
+  const auto& all = dive.readings;
+  return std::ranges::all_of(
+      all, [&](const auto& reading) { return reading.device == all.front().device; });
+}
+
 }  // namespace
 
 Outcome calibrated(track::Gathered gathered) {
@@ -72,6 +79,10 @@ Outcome calibrated(track::Gathered gathered) {
   const auto parameters = calibration::parameters_of(gathered.dive);
   if (!track::has(gathered.dive, Quantity::bottom) && !track::has(gathered.dive, Quantity::log))
     throw std::runtime_error("no bottom track and no log: nothing to calibrate");
+  if (is_alone(gathered.dive))
+    throw std::runtime_error(
+        "one sensor alone: nothing else says how the vehicle moved; a calibration compares it with "
+        "fixes, a depth sensor, a compass or a log");
   if (gathered.own_heading)
     gathered.notes.emplace_back(
         "the heading is the DVL's own: yaw is that of its beams against its compass; its mounting "

@@ -17,13 +17,19 @@ std::vector<double> arrivals_of(std::span<const Origin> origins) {
   return times;
 }
 
-/// Empty unless every sample has a device time and no time repeats.
+/// The device's clock against the arrivals: no buffer delays by so much.
+constexpr double clock_jump_s = 3600;
+
+/// Empty unless every sample has a device time, and the device's clock neither stands nor jumps.
 std::vector<double> device_times_of(std::span<const Origin> origins) {
   std::vector<double> times;
   for (const Origin& o : origins) {
     if (!o.device_time) return {};
     times.push_back(seconds(*o.device_time - *origins[0].device_time));
-    if (times.size() > 1 && times.back() <= times[times.size() - 2]) return {};
+    if (times.size() == 1) continue;
+    const double step_s = times.back() - times[times.size() - 2];
+    const double arrived_s = seconds(o.received_at - (&o - 1)->received_at);
+    if (step_s <= 0 || std::abs(step_s - arrived_s) > clock_jump_s) return {};
   }
   return times;
 }
@@ -96,7 +102,7 @@ Estimate share(std::size_t cases, std::size_t of) {
   const double p = static_cast<double>(cases) / n, zz = z_95 * z_95;
   const double middle = (p + zz / (2 * n)) / (1 + zz / n);
   const double half = z_95 / (1 + zz / n) * std::sqrt(p * (1 - p) / n + zz / (4 * n * n));
-  return {p, middle - half, middle + half};
+  return {p, std::max(0.0, middle - half), std::min(1.0, middle + half)};  // without rounding
 }
 
 void add_latency(TimingFigures& figures, std::span<const Origin> origins) {

@@ -2,6 +2,7 @@
 
 #include <cstdio>
 
+#include "drivers/decode/replay.hpp"
 #include "drivers/recordings/record/selection.hpp"
 #include "hil/compare/comparison.hpp"
 #include "rig_config/rig.hpp"
@@ -9,11 +10,12 @@
 namespace drydock::compare {
 
 struct CompareOptions {
-  std::string source;                   ///< recording or rig file, as the person typed it
+  std::string source;                   ///< recording, capture or rig file, as the person typed it
   std::vector<std::string> estimators;  ///< as rig_config::with_estimator takes them
-  std::string rig;         ///< of a recording: a rig file in the place of the recorded one
-  record::Selection part;  ///< of a recording
-  double duration_s = 0;   ///< of a rig; 0: one lap of the mission
+  std::string rig;  ///< a rig file in the place of the recorded one, or of a capture's sensor
+  record::Selection part;         ///< of a recording or a capture
+  decode::ReplayOptions capture;  ///< of a capture: how to play it
+  double duration_s = 0;          ///< of a rig; 0: one lap of the mission
   bool json = false;
   std::string report;  ///< folder for index.html; empty: none
 };
@@ -23,12 +25,16 @@ struct CompareOptions {
 /// that cannot be played, each with one line.
 Comparison compare_on_recording(const CompareOptions& options);
 
+/// The same with a capture of one sensor; `options.rig` may describe the sensor. No finding leaves
+/// the sensor out: there is no other one.
+Comparison compare_on_capture(const CompareOptions& options);
+
 /// The same with a run of a rig in virtual time.
 Comparison compare_on_rig(const rig_config::Rig& rig, const CompareOptions& options);
 
 /// `drydock compare`: prints the comparison and writes its report. `rig`: the loaded rig, null for
-/// a recording. Exit code: 0 every estimator gave estimates, 1 one gave none or nothing could be
-/// played, 2 wrong usage.
+/// a recording or a capture. Exit code: 0 every estimator gave estimates, 1 one gave none or
+/// nothing could be played, 2 wrong usage.
 int compare(const rig_config::Rig* rig, const CompareOptions& options, std::FILE* out,
             std::FILE* err);
 

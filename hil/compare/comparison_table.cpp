@@ -69,6 +69,10 @@ std::vector<std::string> notes_of(const Comparison& comparison) {
   auto notes = comparison.notes;
   if (!comparison.truth) notes.emplace_back("no truth: no errors are known");
   for (const auto& entry : comparison.entries) {
+    if (entry.summary.estimates == 0)
+      notes.push_back(fmt::format(
+          "{}: no estimate; it used {} of {} measurements: look which of its inputs is missing",
+          entry.choice, entry.used, comparison.measurements));
     for (const auto& note : entry.notes) notes.push_back(entry.choice + ": " + note);
     if (const auto& program = entry.summary.program)
       notes.push_back(fmt::format(

@@ -9,8 +9,17 @@ namespace drydock::diagnose {
 
 namespace {
 
+/// A repeated message is seen by its own time; all other signs of duplicates count frames in time.
+bool is_counted_in_time(const diagnosis::FindingAccount& finding) {
+  return finding.cause == "duplicate" &&
+         std::ranges::none_of(finding.evidence, [](const diagnosis::EvidenceAccount& one) {
+           return one.quantity == "log-likelihood of repeated messages";
+         });
+}
+
 /// Such a finding means nothing where the times are made up; the outcome names its cause as unseen.
 bool is_of_times(const diagnosis::FindingAccount& finding) {
+  if (is_counted_in_time(finding)) return true;
   const auto facts =
       std::ranges::find(diagnosis::causes(), finding.cause, &diagnosis::CauseFacts::name);
   return facts != diagnosis::causes().end() && needs_times(facts->cause);

@@ -11,6 +11,7 @@
 #include "hil/replay/recorded_rig.hpp"
 #include "hil/replay/replay_bench.hpp"
 #include "hil/track/gatherer.hpp"
+#include "hil/track/played_capture.hpp"
 #include "hil/track/setup.hpp"
 #include "rig_config/load.hpp"
 
@@ -27,15 +28,6 @@ rig_config::Rig rig_to_play(const replay::RecordedRig& recorded, const std::stri
 std::string text_of(const std::string& path) {
   std::ifstream in(path, std::ios::binary);
   return {std::istreambuf_iterator<char>(in), {}};
-}
-
-/// A capture has one device and no rig file.
-rig_config::Rig rig_of_capture(measurement::Kind kind) {
-  rig_config::Rig rig;
-  rig.devices.emplace_back();
-  rig.devices.back().name = std::string(to_string(kind));
-  rig.devices.back().kind = kind;
-  return rig;
 }
 
 }  // namespace
@@ -65,19 +57,21 @@ Gathered gather_recording(const std::string& path, const record::Selection& part
   return gathered;
 }
 
-Gathered gather_capture(const decode::ReplayOptions& capture, host::Follower* also) {
-  std::vector<measurement::Measurement> all;
-  const auto played =
-      decode::play(capture, [&](const measurement::Measurement& m) { all.push_back(m); });
-  const auto rig = rig_of_capture(played.kind);
-  Gatherer gatherer(rig, {});
-  for (const auto& m : all) {
+Gathered gather_capture(const decode::ReplayOptions& capture, const record::Selection& part,
+                        const std::string& rig_file, host::Follower* also) {
+  auto made = rig_of_capture(capture, rig_file, part.only);
+  made.rig.estimators.clear();  // the capture has one sensor: none of them can be fed
+  const auto played = played_capture(made, part);
+  if (played.measurements.empty()) throw std::runtime_error(silence_of(capture, made, part));
+  Gatherer gatherer(made.rig, {});
+  for (const auto& m : played.measurements) {
     gatherer.on_measurement(m);
     if (also != nullptr) also->on_measurement(m);
   }
   Gathered gathered = gatherer.take();
   gathered.source = capture.capture;
-  gathered.notes.push_back(played.clock.in_words());
+  if (!made.file.empty()) gathered.rig_text = made.text;
+  gathered.notes.insert(gathered.notes.end(), played.notes.begin(), played.notes.end());
   return gathered;
 }
 

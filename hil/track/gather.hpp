@@ -13,7 +13,9 @@ namespace drydock::track {
 Gathered gather_recording(const std::string& path, const record::Selection& part,
                           const std::string& rig_file = {}, host::Follower* also = nullptr);
 
-/// Plays a capture of one sensor through its driver.
-Gathered gather_capture(const decode::ReplayOptions& capture, host::Follower* also = nullptr);
+/// Plays a capture of one sensor through its driver. `rig_file`: as rig_of_capture() takes it.
+/// Throws std::exception with one line.
+Gathered gather_capture(const decode::ReplayOptions& capture, const record::Selection& part = {},
+                        const std::string& rig_file = {}, host::Follower* also = nullptr);
 
 }  // namespace drydock::track

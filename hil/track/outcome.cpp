@@ -19,13 +19,23 @@ using smoothing::TrackPoint;
 
 constexpr double longest_truth_gap_s = 1;
 
+std::string passed_over_by(const Gathered& gathered) {
+  std::string text;
+  for (const auto& [reason, count] : gathered.passed_over)
+    text += fmt::format("{}{} {}", text.empty() ? "; passed over: " : ", ", count, reason);
+  return text;
+}
+
 /// Why there can be no track; empty: there can.
 std::string obstacle(const Gathered& gathered) {
   const auto& dive = gathered.dive;
-  if (dive.readings.empty()) return "nothing in it can make a track";
-  if (!has(dive, Quantity::heading)) return "no heading: a compass, or a DVL with its own";
+  if (dive.readings.empty()) return "nothing in it can make a track" + passed_over_by(gathered);
+  if (dive.readings.front().time_s == dive.readings.back().time_s)
+    return "all of its readings are of one moment";
+  if (!has(dive, Quantity::heading))
+    return "no heading: a compass, or a DVL with its own" + passed_over_by(gathered);
   if (!has(dive, Quantity::bottom) && !has(dive, Quantity::log) && !has(dive, Quantity::fix))
-    return "no velocity: no bottom track, no log, no fix";
+    return "no velocity: no bottom track, no log, no fix" + passed_over_by(gathered);
   return {};
 }
 

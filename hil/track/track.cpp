@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <stdexcept>
 
 #include "drivers/terminal/exit_codes.hpp"
 #include "hil/replay/replay_rig.hpp"
@@ -39,10 +40,11 @@ void write(const Outcome& outcome, const TrackOptions& options, Format format) {
 Gathered gather(const TrackOptions& options, host::Follower* also) {
   if (replay::is_recording(options.source.capture))
     return gather_recording(options.source.capture, options.part, options.rig, also);
-  if (options.source.protocol.empty())
-    throw BadOptions(options.source.capture +
-                     " is no MCAP recording: --protocol says what its sensor speaks");
-  return gather_capture(options.source, also);
+  try {
+    return gather_capture(options.source, options.part, options.rig, also);
+  } catch (const std::invalid_argument& error) {
+    throw BadOptions(error.what());
+  }
 }
 
 int track(const TrackOptions& options, std::FILE* out, std::FILE* err) {

@@ -118,8 +118,17 @@ class Making {
     const auto beds = bed_along(recorded_.kept(), rig(), track, times_s);
     for (std::size_t i = 0; i < beds.size(); ++i)
       poses_[i].position.height_m += beds[i] - beds.front();
+    keep_under_water();
     outcome_.notes.emplace_back(
-        "nothing tells the depth: the vehicle keeps its height above a level bed");
+        "nothing tells the depth: the vehicle keeps its height above a level bed; where it is "
+        "highest it is at the surface");
+  }
+
+  /// Over a bed that rises, a vehicle at the surface would leave the water, and its DVL the bed.
+  void keep_under_water() {
+    double highest_m = 0;
+    for (const auto& pose : poses_) highest_m = std::max(highest_m, pose.position.height_m);
+    for (auto& pose : poses_) pose.position.height_m -= highest_m;
   }
 
   double deepest() const {

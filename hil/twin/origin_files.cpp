@@ -10,6 +10,7 @@
 #include "hil/replay/recorded_rig.hpp"
 #include "hil/replay/replay_rig.hpp"
 #include "hil/report/write_file.hpp"
+#include "hil/track/capture_rig.hpp"
 #include "rig_config/load.hpp"
 
 namespace drydock::twin {
@@ -43,7 +44,7 @@ RigOrigin of_capture(const track::TrackOptions& source, measurement::Kind kind,
   device.kind = kind;
   device.protocol = source.source.protocol;
   device.address = source.source.address;
-  RigOrigin origin{capture_rig_text(device, source.source.baud), ".", {}};
+  RigOrigin origin{track::capture_rig_text(device, source.source.baud), ".", {}};
   if (!fs::exists(device.protocol)) return origin;
   const fs::path path = fs::path(device.protocol).lexically_normal();
   const auto name = "files/" + path.filename().string();
@@ -56,8 +57,8 @@ RigOrigin of_capture(const track::TrackOptions& source, measurement::Kind kind,
 
 RigOrigin copy_rig_of(const track::TrackOptions& source, measurement::Kind capture_kind,
                       const std::string& folder) {
-  if (!replay::is_recording(source.source.capture)) return of_capture(source, capture_kind, folder);
   if (!source.rig.empty()) return copied(rig_config::load_rig(source.rig).value(), folder);
+  if (!replay::is_recording(source.source.capture)) return of_capture(source, capture_kind, folder);
   auto recording = record::Recording::open(source.source.capture);
   if (!recording) throw std::runtime_error(recording.error().line);
   const replay::RecordedRig recorded(*recording);

@@ -49,6 +49,23 @@ Eigen::Quaterniond attitude_at(const Points& track, double time_s, double half_s
   return attitude_of(before).slerp(x, attitude_of(*next));
 }
 
+/// A spline needs lines between which it turns little: pose files allow 90 degrees.
+constexpr double widest_turn_rad = 1;
+
+/// Adds `b`, and before it as many poses on the way from the last one as keep each turn small.
+void add_by_small_turns(motion::Poses& poses, const motion::Pose& b) {
+  if (!poses.empty()) {
+    const motion::Pose a = poses.back();
+    const auto way = frame::ned_offset(a.position, b.position);
+    const auto parts = std::ceil(a.body_to_ned.angularDistance(b.body_to_ned) / widest_turn_rad);
+    for (double k = 1; k < parts; ++k)
+      poses.push_back({a.t_s + (b.t_s - a.t_s) * k / parts,
+                       frame::at_ned_offset(a.position, way * k / parts),
+                       a.body_to_ned.slerp(k / parts, b.body_to_ned)});
+  }
+  poses.push_back(b);
+}
+
 }  // namespace
 
 motion::Poses poses_of(const Points& track, double every_s) {
@@ -64,7 +81,7 @@ motion::Poses poses_of(const Points& track, double every_s) {
     const auto a = b == track.begin() ? b : std::prev(b);
     // At each end only half of the points within half a step are there, so fewer are taken.
     const double half_s = std::min({step_s / 2, t, length_s - t});
-    poses.push_back({t, position_at(*a, *b, time_s), attitude_at(track, time_s, half_s)});
+    add_by_small_turns(poses, {t, position_at(*a, *b, time_s), attitude_at(track, time_s, half_s)});
   }
   return poses;
 }

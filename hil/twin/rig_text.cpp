@@ -117,13 +117,4 @@ std::string twin_rig_text(const std::string& rig_text, const TwinRig& twin) {
   }
 }
 
-std::string capture_rig_text(const rig_config::DeviceConfig& device, unsigned baud) {
-  const auto link = baud > 0 ? fmt::format("file:capture?baud={}", baud) : "file:capture";
-  return fmt::format(
-      "[rig]\nname = \"twin\"\n\n[[device]]\nname = \"{}\"\nkind = \"{}\"\nprotocol = \"{}\"\n"
-      "link = \"{}\"\n{}",
-      device.name, to_string(device.kind), device.protocol, link,
-      device.address > 0 ? fmt::format("address = {}\n", device.address) : "");
-}
-
 }  // namespace drydock::twin

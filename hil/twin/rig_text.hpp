@@ -28,9 +28,6 @@ struct TwinRig {
 /// std::runtime_error with one line.
 std::string twin_rig_text(const std::string& rig_text, const TwinRig& twin);
 
-/// The same for a capture of one sensor: a rig file with this device alone. `baud` 0: not known.
-std::string capture_rig_text(const rig_config::DeviceConfig& device, unsigned baud);
-
 /// The emulated link in the place of a link: a pty of the device's name for bytes, with the same
 /// rate; `can:auto` for frames. An emulated link stays.
 std::string emulated_link(const std::string& link, const std::string& device, bool frames);

@@ -1,11 +1,12 @@
 #include "hil/compare/compare.hpp"
 
+#include <filesystem>
 #include <memory>
 
+#include "hil/program/capture_arguments.hpp"
 #include "hil/program/commands.hpp"
 #include "hil/program/load_rig.hpp"
 #include "hil/program/part_arguments.hpp"
-#include "hil/replay/replay_rig.hpp"
 #include "rig_config/toml/split_values.hpp"
 
 namespace drydock::program {
@@ -24,9 +25,17 @@ void finish(CompareArguments& a) {
   a.options.part = a.part.selection();
 }
 
-int run_compare(const CompareArguments& a) {
-  if (replay::is_recording(a.options.source))
-    return compare::compare(nullptr, a.options, stdout, stderr);
+/// A file whose name does not end with .toml is no rig; its content tells a recording.
+bool is_rig(const CompareArguments& a) {
+  const auto& source = a.options.source;
+  return source.ends_with(".toml") ||
+         (a.options.capture.protocol.empty() && !std::filesystem::is_regular_file(source));
+}
+
+int run_compare(CompareArguments& a) {
+  auto& capture = a.options.capture;
+  capture.description = load_protocol(capture.protocol);
+  if (!is_rig(a)) return compare::compare(nullptr, a.options, stdout, stderr);
   const auto rig = load_rig(a.options.source, check::Use::lockstep);
   return compare::compare(&rig, a.options, stdout, stderr);
 }
@@ -42,19 +51,23 @@ void add_compare(CLI::App& app, Command& command) {
       "Example: drydock compare rig_config/rigs/demo.toml --estimators "
       "leveling,leveling:filter=robust,mixing --for 5min\n"
       "         drydock compare dive.mcap --estimators navigation,dead-reckoning --report out\n"
-      "         drydock compare dive.mcap --estimators leveling,mixing --json");
-  sub->add_option("SOURCE", o.source, "MCAP recording, or a rig, which runs in virtual time")
+      "         drydock compare dive.mcap --estimators leveling,mixing --json\n"
+      "         drydock compare dive.pd0 --protocol pd0 --estimators dead-reckoning");
+  sub->add_option("SOURCE", o.source,
+                  "MCAP recording, capture of one sensor, or a rig, which runs in virtual time")
       ->required();
   sub->add_option("--estimators", a->estimators,
                   "A,B,C: names of the rig's estimators or kinds, each with options as "
                   "kind:key=value:key=value")
       ->required();
-  sub->add_option("--rig", o.rig, "of a recording: rig file in the place of the recorded one")
+  sub->add_option("--rig", o.rig,
+                  "rig file in the place of the recorded one, or with the sensor of a capture")
       ->check(CLI::ExistingFile);
   sub->add_option("--for", o.duration_s, "of a rig: 60s, 10min; default one lap of its mission")
       ->transform(running_time);
   a->part.add_only_and_from(*sub);
   a->part.add_to(*sub);
+  add_capture(*sub, o.capture);
   sub->add_flag("--json", o.json, "one JSON object instead of a table");
   sub->add_option("--report", o.report, "write index.html with plots into this folder");
   sub->callback([a, &command] {

@@ -42,7 +42,8 @@ void add_twin(CLI::App& app, Command& command) {
   sub->add_option("--start", a->start, "latitude,longitude of a dive without a fix, degrees")
       ->delimiter(',')
       ->expected(2);
-  sub->add_option("--rig", source.rig, "rig file in the place of the recorded one")
+  sub->add_option("--rig", source.rig,
+                  "rig file in the place of the recorded one, or with the sensor of a capture")
       ->check(CLI::ExistingFile);
   a->part.add_only_and_from(*sub);
   a->part.add_to(*sub);

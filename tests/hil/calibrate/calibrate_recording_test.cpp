@@ -79,5 +79,15 @@ TEST_F(CalibrationOfARun, FindsTwoDegreesOfYawAndWritesThemIntoTheRigFile) {
   EXPECT_EQ(calibrate(options, stdout, stderr), 2) << "must not be replaced";
 }
 
+TEST(CalibrationOfACapture, OfOneSensorAloneIsRefusedWithWhatItNeeds) {
+  CalibrateOptions options;
+  options.source.source.capture = DRYDOCK_SOURCE_DIR "/fixtures/pd0/golden.pd0";
+  options.source.source.protocol = "pd0";
+  testing::internal::CaptureStdout();
+  EXPECT_EQ(calibrate(options, stdout, stdout), 1);
+  std::fflush(stdout);
+  EXPECT_NE(testing::internal::GetCapturedStdout().find("one sensor alone"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace drydock::calibrate

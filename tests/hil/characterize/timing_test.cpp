@@ -47,6 +47,20 @@ TEST(Timing, MissingSamplesAreCountedAndDoNotSlowTheRate) {
   EXPECT_TRUE(timing.outage_probability.holds(0.01));
 }
 
+// Two captures in one file, years apart: the clock jumps, the rate of the samples does not.
+TEST(Timing, AClockThatJumpsByYearsIsNotAskedForTheRate) {
+  std::vector<Origin> origins;
+  for (int k = 0; k < 200; ++k) {
+    origins.push_back(at(k * 0.5, 0));
+    origins.back().device_time = from_seconds(k * 0.5 + (k < 100 ? 0 : 7e7));
+  }
+  const auto timing = timing_of(origins).value();
+  EXPECT_NEAR(timing.rate_hz.value, 2, 1e-9);
+  EXPECT_FALSE(timing.device_rate_hz);
+  EXPECT_EQ(timing.lost, 0U);
+  EXPECT_GE(timing.outage_probability.low, 0);
+}
+
 TEST(Timing, ADeviceClockThatIsSlowShowsAgainstTheHosts) {
   std::vector<Origin> origins;
   for (int k = 0; k < 1000; ++k) {

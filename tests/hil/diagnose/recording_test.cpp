@@ -195,6 +195,17 @@ TEST_F(Diagnosing, TheDiveOfAnAuvUsesItsTiltsWronglyAndHasNoOtherFault) {
     EXPECT_THAT(one.causes, Not(testing::Contains(diagnosis::Cause::mounting)));
 }
 
+/// A river transect: the ADCP pings as fast as its range lets it, so its rate changes. By its own
+/// clock no ensemble comes twice.
+TEST_F(Diagnosing, ACaptureWithoutTimesWhoseRateChangesHasNoDuplicates) {
+  const char* named = std::getenv("DRYDOCK_CORPORA");
+  const fs::path transect = fs::path{named ? named : DRYDOCK_SOURCE_DIR "/../shared/corpora"} /
+                            "dvl/pd0/raw/tanana_transects_08_10_10_0_002_10-08-10_142214.PD0";
+  if (!fs::exists(transect)) GTEST_SKIP() << "no transect at " << transect;
+  for (const auto& finding : read_capture(transect, 0).findings)
+    EXPECT_NE(finding.cause, "duplicate");
+}
+
 TEST_F(Diagnosing, ALinkThatCannotBeOpenedIsAnError) {
   EXPECT_THROW(listen_to_link("pty:nobody-plays-this", 1), std::runtime_error);
   EXPECT_THROW(listen_to_link("/no/such/file", 1), std::runtime_error);

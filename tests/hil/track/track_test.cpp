@@ -105,6 +105,20 @@ TEST_F(TrackOfARun, ItsReportHasAMapAndTheResidualsOfEverySensor) {
     EXPECT_NE(page.find(text), std::string::npos) << text;
 }
 
+TEST_F(TrackOfARun, ACaptureWithoutAMeasurementSaysWhatToLookAt) {
+  TrackOptions options;
+  options.source.capture = DRYDOCK_SOURCE_DIR "/README.md";
+  options.source.protocol = "pd0";
+  const auto [code, text] = run(options);
+  EXPECT_EQ(code, 1);
+  EXPECT_NE(text.find("the driver of pd0 made no measurement of it; `drydock info`"),
+            std::string::npos)
+      << text;
+  options.source.capture = file("empty.pd0");
+  std::ofstream(options.source.capture).close();
+  EXPECT_NE(run(options).second.find("is empty"), std::string::npos);
+}
+
 TEST_F(TrackOfARun, SaysWhyThereIsNoTrack) {
   TrackOptions options;
   options.part.only = {"gnss"};

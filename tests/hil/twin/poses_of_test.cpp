@@ -53,6 +53,19 @@ TEST(PosesOf, AverageTheNoiseOfTiltSensors) {
   EXPECT_NEAR(rms, 0.01 / std::sqrt(10.0), 0.0008);  // ten or so points within a second
 }
 
+// Pose files allow 90 degrees from line to line. Here the heading is turned by 170 in one step.
+TEST(PosesOf, AQuickTurnGetsMorePoses) {
+  auto track = circle(0);
+  for (auto& point : track)
+    if (point.time_s > 40.5) point.attitude.yaw = frame::wrap_pi(point.attitude.yaw + 2.97);
+  const auto poses = poses_of(track, 1);
+  EXPECT_GT(poses.size(), 101u);
+  for (std::size_t i = 1; i < poses.size(); ++i) {
+    EXPECT_GT(poses[i].t_s, poses[i - 1].t_s);
+    EXPECT_LT(poses[i].body_to_ned.angularDistance(poses[i - 1].body_to_ned), 1.01);
+  }
+}
+
 TEST(PosesOf, NeedTwoSteps) { EXPECT_THROW(poses_of(circle(0), 90), std::runtime_error); }
 
 }  // namespace

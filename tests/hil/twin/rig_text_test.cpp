@@ -68,16 +68,5 @@ TEST(TwinRigText, HasMeasuredErrorsInThePlaceOfStatedOnesAndKeepsTheRest) {
   EXPECT_EQ(rig.estimators.size(), 1u);
 }
 
-TEST(CaptureRigText, IsARigOfThatSensorAlone) {
-  rig_config::DeviceConfig device;
-  device.name = "dvl";
-  device.kind = rig_config::DeviceKind::dvl;
-  device.protocol = "pd0";
-  const auto rig = rig_config::load_rig_text(capture_rig_text(device, 9600), "rig.toml",
-                                             {.link_check = {}, .devices_only = true});
-  ASSERT_TRUE(rig) << rig.error().front().what;
-  EXPECT_EQ(rig->devices.at(0).protocol, "pd0");
-}
-
 }  // namespace
 }  // namespace drydock::twin
