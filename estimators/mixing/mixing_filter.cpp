@@ -63,8 +63,8 @@ void MixingFilter::start(const Vector3d& force, const Vector3d& rate, double spe
   level_ = 1;
 }
 
-inline MixingFilter::Motion MixingFilter::observe(const Vector3d& force, const Vector3d& rate,
-                                                  double speed, double dt) const {
+MixingFilter::Motion MixingFilter::observe(const Vector3d& force, const Vector3d& rate,
+                                           double speed, double dt) const {
   const double sin_roll = roll_.sine(), cos_roll = roll_.cosine();
   const double sin_pitch = pitch_.sine(), cos_pitch = pitch_.cosine();
   const double sin_yaw = heading_.sine(), cos_yaw = heading_.cosine();
@@ -120,7 +120,7 @@ void MixingFilter::discretise(double dt) {
 }
 
 // Eq. (5): only the speed ahead is known of the motion.
-inline Vector2d MixingFilter::accelerometer_error(const Motion& m) const {
+Vector2d MixingFilter::accelerometer_error(const Motion& m) const {
   const double across = m.rate.z() * m.speed - m.force.y();
   return {arcsine(across * (per_gravity_ * m.per_cos_pitch)) - roll(),
           arcsine(m.force.x() * per_gravity_) - pitch()};
@@ -144,7 +144,7 @@ Vector2d MixingFilter::compensated_error(const Motion& m) {
   return {arcsine(across * per_gravity) - roll(), unexplained_x_ * per_gravity};
 }
 
-inline void MixingFilter::choose_gains(const Motion& m) {
+void MixingFilter::choose_gains(const Motion& m) {
   // Eq. (8). The Earth's rate counts twice: once for the rotation of the frame against inertial
   // space, once for the Coriolis acceleration.
   const Vector3d velocity{m.speed, drift_.x(), drift_.y()};
