@@ -24,10 +24,12 @@ bool same_letter(std::uint8_t byte, char upper) { return byte == upper || byte =
 bool is_hex_text(wire::Bytes text) {
   constexpr std::array sync{'7', 'F', '7', 'F'};
   constexpr std::size_t fewest = 16;  // the header of an ensemble and its first offset
-  const auto begin = std::search(text.begin(), text.end(), sync.begin(), sync.end(), same_letter);
-  if (begin == text.end() || text.size() < fewest) return false;
-  return std::ranges::all_of(
-      text, [](std::uint8_t byte) { return is_space(byte) || hex_digit(byte).has_value(); });
+  // In binary bytes the first or second one ends the first question, so it comes first.
+  if (text.size() < fewest || !std::ranges::all_of(text, [](std::uint8_t byte) {
+        return is_space(byte) || hex_digit(byte).has_value();
+      }))
+    return false;
+  return std::search(text.begin(), text.end(), sync.begin(), sync.end(), same_letter) != text.end();
 }
 
 wire::Bytes ByteContent::of(wire::Bytes block) {

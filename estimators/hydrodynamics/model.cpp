@@ -53,18 +53,36 @@ bool is_mass(const Matrix6& mass_matrix) {
 
 Model::Model(const Vehicle& vehicle) : vehicle_(vehicle), inverse_mass_(checked_inverse(vehicle)) {}
 
+template <int Columns>
+Eigen::Matrix<double, 6, Columns> Model::accelerations(
+    const Eigen::Matrix<double, 6, Columns>& wrenches) const {
+  Eigen::Matrix<double, 6, Columns> all;
+  for (int column = 0; column < Columns; ++column) {
+    const auto by_pair = [&](int pair) { return wrenches.col(column).template segment<2>(pair); };
+    for (int row = 0; row < 6; row += 2) {
+      const auto mobility = [&](int pair) {
+        return Eigen::Vector2d{inverse_mass_(row, pair), inverse_mass_(row + 1, pair + 1)};
+      };
+      all.col(column).template segment<2>(row) = mobility(0).cwiseProduct(by_pair(0)) +
+                                                 mobility(2).cwiseProduct(by_pair(2)) +
+                                                 mobility(4).cwiseProduct(by_pair(4));
+    }
+  }
+  return all;
+}
+
 Velocity Model::acceleration(const Velocity& velocity, const Matrix3d& ned_to_body,
                              const Control& control, const Vector3d& earth_rate_ned) const {
-  return inverse_mass_ * (rigid_body_forces(vehicle_.body, velocity, ned_to_body * earth_rate_ned) +
+  return accelerations<1>(rigid_body_forces(vehicle_.body, velocity, ned_to_body * earth_rate_ned) +
                           hull_forces(vehicle_.coefficients, velocity, control) +
                           hydrostatic_forces(vehicle_.body, ned_to_body.col(2)));
 }
 
 Matrix6 Model::velocity_partials(const Velocity& velocity, const Matrix3d& ned_to_body,
                                  const Control& control, const Vector3d& earth_rate_ned) const {
-  return inverse_mass_ *
-         (rigid_body_partials(vehicle_.body, velocity, ned_to_body * earth_rate_ned) +
-          hull_force_partials(vehicle_.coefficients, velocity, control));
+  return accelerations<6>(
+      rigid_body_partials(vehicle_.body, velocity, ned_to_body * earth_rate_ned) +
+      hull_force_partials(vehicle_.coefficients, velocity, control));
 }
 
 Partials Model::partials(const Velocity& velocity, const Matrix3d& ned_to_body,
@@ -72,7 +90,7 @@ Partials Model::partials(const Velocity& velocity, const Matrix3d& ned_to_body,
   const RigidBody& body = vehicle_.body;
   return {
       velocity_partials(velocity, ned_to_body, control, earth_rate_ned),
-      inverse_mass_ * (rigid_body_attitude_partials(body, velocity, ned_to_body * earth_rate_ned) +
+      accelerations<3>(rigid_body_attitude_partials(body, velocity, ned_to_body * earth_rate_ned) +
                        hydrostatic_attitude_partials(body, ned_to_body.col(2)))};
 }
 

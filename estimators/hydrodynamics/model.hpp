@@ -65,6 +65,12 @@ class Model {
   const Vehicle& vehicle() const { return vehicle_; }
 
  private:
+  /// The inverse mass matrix times these columns. Surge, heave and pitch do not couple with sway,
+  /// roll and yaw in it, so each row has three factors that are not zero.
+  template <int Columns>
+  Eigen::Matrix<double, 6, Columns> accelerations(
+      const Eigen::Matrix<double, 6, Columns>& wrenches) const;
+
   Vehicle vehicle_;
   Matrix6 inverse_mass_;
 };

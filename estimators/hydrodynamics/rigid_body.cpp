@@ -28,9 +28,10 @@ Wrench rigid_body_forces(const RigidBody& body, const Velocity& velocity,
   const Vector3d v = velocity.head<3>(), omega = velocity.tail<3>();
   const Vector3d d_omega = d_bar(body, omega);
   const Vector3d momentum = body.moments_of_inertia.cwiseProduct(omega);
+  // Halves of a fixed size: the comma of Eigen takes both for blocks of any size.
   Wrench wrench;
-  wrench << omega.cross(d_omega) - body.mass * (omega + 2 * earth_rate).cross(v),
-      momentum.cross(omega) + v.cross(d_omega) - omega.cross(d_bar(body, v));
+  wrench.head<3>() = omega.cross(d_omega) - body.mass * (omega + 2 * earth_rate).cross(v);
+  wrench.tail<3>() = momentum.cross(omega) + v.cross(d_omega) - omega.cross(d_bar(body, v));
   return wrench;
 }
 
@@ -63,7 +64,8 @@ Eigen::Matrix<double, 6, 3> rigid_body_attitude_partials(const RigidBody& body,
 
 Wrench hydrostatic_forces(const RigidBody& body, const Vector3d& down) {
   Wrench wrench;
-  wrench << (body.weight - body.buoyancy) * down, righting(body) * Vector3d{-down.y(), down.x(), 0};
+  wrench.head<3>() = (body.weight - body.buoyancy) * down;
+  wrench.tail<3>() = righting(body) * Vector3d{-down.y(), down.x(), 0};
   return wrench;
 }
 

@@ -111,8 +111,11 @@ int inferred_level(double attitude_rate, double velocity_rate, const FuzzySets& 
 }
 
 int scheduled_level(double attitude_rate, double velocity_rate) {
+  // Each comparison is independent of the others and of a guess: the next step waits for the level.
   const auto nearest = [](double input, double step) {
-    return static_cast<std::size_t>(std::lround(std::min(input / step, 5.0)));
+    return static_cast<std::size_t>((input >= 0.5 * step) + (input >= 1.5 * step) +
+                                    (input >= 2.5 * step) + (input >= 3.5 * step) +
+                                    (input >= 4.5 * step));
   };
   return level_table[nearest(attitude_rate, row_step)][nearest(velocity_rate, column_step)];
 }
@@ -120,8 +123,13 @@ int scheduled_level(double attitude_rate, double velocity_rate) {
 Gains gains_of_level(int level) {
   static constexpr std::array<double, 12> k1{1e-1, 5e-2, 1e-2, 5e-3, 1e-3, 5e-4,
                                              1e-4, 5e-5, 1e-5, 5e-6, 1e-6, 5e-7};
-  const double gain = k1[static_cast<std::size_t>(level - 1)];
-  return {gain, gain / 10};
+  static constexpr auto k2 = [] {
+    auto tenths = k1;
+    for (double& gain : tenths) gain /= 10;
+    return tenths;
+  }();
+  const auto row = static_cast<std::size_t>(level - 1);
+  return {k1[row], k2[row]};
 }
 
 }  // namespace drydock::mixing

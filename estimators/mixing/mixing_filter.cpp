@@ -21,6 +21,10 @@ double arcsine(double x) { return std::asin(std::clamp(x, -1.0, 1.0)); }
 
 }  // namespace
 
+// A step begins with the attitude that the step before ends with, so delays add up. A processor is
+// late where it loads two numbers as one word that were stored one by one. So these functions hand
+// single numbers on, and are inlined.
+
 /// The motion that the inputs of a step give at the estimated attitude.
 struct MixingFilter::Motion {
   Vector3d force;
@@ -69,8 +73,11 @@ MixingFilter::Motion MixingFilter::observe(const Vector3d& force, const Vector3d
   m.down = {-sin_pitch, sin_roll * cos_pitch, cos_roll * cos_pitch};
   const Vector3d north{cos_pitch * cos_yaw, sin_roll * sin_pitch * cos_yaw - cos_roll * sin_yaw,
                        cos_roll * sin_pitch * cos_yaw + sin_roll * sin_yaw};
-  m.earth_rate = earth_rate_ned_.x() * north + earth_rate_ned_.z() * m.down;
-  m.rate = rate - m.earth_rate;
+  const auto turning = [&](int axis) {
+    return earth_rate_ned_.x() * north(axis) + earth_rate_ned_.z() * m.down(axis);
+  };
+  m.earth_rate = {turning(0), turning(1), turning(2)};
+  m.rate = {rate.x() - m.earth_rate.x(), rate.y() - m.earth_rate.y(), rate.z() - m.earth_rate.z()};
   m.per_cos_pitch = 1 / cos_pitch;
   m.yaw_rate = (m.rate.y() * sin_roll + m.rate.z() * cos_roll) * m.per_cos_pitch;
   m.roll_rate = m.rate.x() + m.yaw_rate * sin_pitch;
@@ -141,13 +148,18 @@ void MixingFilter::choose_gains(const Motion& m) {
   // Eq. (8). The Earth's rate counts twice: once for the rotation of the frame against inertial
   // space, once for the Coriolis acceleration.
   const Vector3d velocity{m.speed, drift_.x(), drift_.y()};
-  const Vector3d turning = m.rate + 2 * m.earth_rate;
-  const Vector3d change = m.force + gravity_ * m.down - turning.cross(velocity);
-  drift_ = drift_kept_ * (drift_ + change.tail<2>() * m.dt);
+  const auto turning = [&](int axis) { return m.rate(axis) + 2 * m.earth_rate(axis); };
+  const Vector3d coriolis = Vector3d{turning(0), turning(1), turning(2)}.cross(velocity);
+  const auto change = [&](int axis) {
+    return m.force(axis) + gravity_ * m.down(axis) - coriolis(axis);
+  };
+  const double along = change(0);
+  const Vector2d across{change(1), change(2)};
+  drift_ = drift_kept_ * (drift_ + across * m.dt);
 
   slow_rate_ += low_pass_ * (Vector2d{m.roll_rate, m.pitch_rate} - slow_rate_);
-  slow_force_ += low_pass_ * (change.tail<2>() - slow_force_);
-  const double ahead = options_.type == MixingType::compensated ? unexplained_x_ : change.x();
+  slow_force_ += low_pass_ * (across - slow_force_);
+  const double ahead = options_.type == MixingType::compensated ? unexplained_x_ : along;
   const double attitude_rate = slow_rate_.norm();                                     // eq. (6)
   const double velocity_rate = std::sqrt(ahead * ahead + slow_force_.squaredNorm());  // eq. (7)
   level_ = options_.type == MixingType::gain_schedule

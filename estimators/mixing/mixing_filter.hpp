@@ -73,11 +73,12 @@ class MixingFilter {
   struct Motion;
 
   void discretise(double dt);
-  Motion observe(const Eigen::Vector3d& specific_force, const Eigen::Vector3d& angular_rate,
-                 double speed_mps, double dt) const;
-  Eigen::Vector2d accelerometer_error(const Motion& motion) const;
+  // Only step() calls what is inline here, so they stand in its file.
+  inline Motion observe(const Eigen::Vector3d& specific_force, const Eigen::Vector3d& angular_rate,
+                        double speed_mps, double dt) const;
+  inline Eigen::Vector2d accelerometer_error(const Motion& motion) const;
   Eigen::Vector2d compensated_error(const Motion& motion);
-  void choose_gains(const Motion& motion);
+  inline void choose_gains(const Motion& motion);
 
   MixingOptions options_;
   double gravity_, per_gravity_;

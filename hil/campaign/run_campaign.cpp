@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "drivers/terminal/exit_codes.hpp"
+#include "hil/campaign/coordinator_lock.hpp"
 #include "hil/campaign/finish_campaign.hpp"
 #include "hil/campaign/report/repeat.hpp"
 #include "hil/campaign/report/results.hpp"
@@ -67,6 +68,7 @@ int run_campaign(const CampaignOptions& options, std::FILE* out, std::FILE* erro
   }
   const auto campaign = open_campaign(options, errors);
   if (!campaign) return terminal::exit_usage;
+  const CoordinatorLock lock(campaign->out);
   if (options.slurm)
     return run_on_slurm(*campaign, options, out, errors)
                ? finish_campaign(*campaign, options, out, errors)

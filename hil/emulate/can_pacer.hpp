@@ -11,11 +11,6 @@
 
 namespace drydock::emulate {
 
-/// Bits of a classic frame on the wire with the interframe space: SOF, arbitration, control, data
-/// and CRC with the stuff bits that their actual content needs, then 13 fixed bits (ISO 11898-1).
-/// A CAN FD frame is counted with the same layout at the nominal rate.
-unsigned bits_on_wire(const wire::CanFrame& frame);
-
 /// A bus shared by its nodes. It carries one frame at a time, in the order of sending.
 class CanPacer {
  public:

@@ -1,78 +1,80 @@
 #include "drivers/wire/can/can_bits.hpp"
 
-#include <bit>
-#include <boost/crc.hpp>
+#include <array>
+#include <span>
 
 namespace drydock::wire {
 namespace {
 
-__extension__ using Word = unsigned __int128;
+/// CRC-15-CAN (polynomial 4599h, initial value 0) of one more byte; `crc` is left-aligned in 16
+/// bits.
+constexpr auto can_crc_table = [] {
+  std::array<std::uint16_t, 256> table{};
+  for (unsigned byte = 0; byte < table.size(); ++byte) {
+    unsigned crc = byte << 8;
+    for (int bit = 0; bit < 8; ++bit) crc = (crc << 1) ^ (crc & 0x8000 ? 0x4599u << 1 : 0);
+    table[byte] = static_cast<std::uint16_t>(crc);
+  }
+  return table;
+}();
 
-/// The stuffed part of a classic frame, from start of frame to CRC: at most 118 bits. Bit 0 is the
-/// last that is sent.
-class StuffedBits {
+/// After five equal bits the sender inserts a bit of the other value, which counts towards the next
+/// five. State: 4 * last bit + length of its run - 1. Entry: 8 * inserted bits + state.
+constexpr auto stuff_table = [] {
+  std::array<std::array<std::uint8_t, 256>, 8> table{};
+  for (unsigned state = 0; state < table.size(); ++state) {
+    for (unsigned byte = 0; byte < 256; ++byte) {
+      unsigned last = state / 4, run = state % 4 + 1, inserted = 0;
+      for (int place = 7; place >= 0; --place) {
+        const unsigned bit = (byte >> place) & 1;
+        run = bit == last ? run + 1 : 1;
+        last = bit;
+        if (run < 5) continue;
+        ++inserted;
+        last = 1 - bit;
+        run = 1;
+      }
+      table[state][byte] = static_cast<std::uint8_t>(8 * inserted + 4 * last + run - 1);
+    }
+  }
+  return table;
+}();
+
+/// Takes the bytes of a frame in the order of sending.
+class Stuffing {
  public:
-  void put(std::uint64_t value, unsigned bits) {
-    word_ = word_ << bits | value;
-    count_ += bits;
+  void put(unsigned byte) {
+    const unsigned entry = stuff_table[state_][byte];
+    inserted_ += entry / 8;
+    state_ = entry % 8;
   }
-
-  /// CRC-15, polynomial 4599h, over all bits before it. It starts at 0, so the bits that fill the
-  /// first byte have no effect.
-  void put_crc() {
-    boost::crc_optimal<15, 0x4599> crc;
-    for (unsigned bytes = (count_ + 7) / 8; bytes-- > 0;)
-      crc.process_byte(static_cast<unsigned char>(word_ >> 8 * bytes));
-    put(crc.checksum(), 15);
-  }
-
-  unsigned count() const { return count_ + stuff_bits(); }
+  unsigned inserted() const { return inserted_; }
 
  private:
-  static unsigned highest(Word word) {
-    const auto upper = static_cast<std::uint64_t>(word >> 64);
-    return upper != 0 ? 63 + static_cast<unsigned>(std::bit_width(upper))
-                      : static_cast<unsigned>(std::bit_width(static_cast<std::uint64_t>(word))) - 1;
-  }
-
-  /// After five equal bits comes a bit of the other value. This bit counts towards the next five.
-  unsigned stuff_bits() const {
-    Word same = ~(word_ ^ word_ >> 1) & ((Word{1} << (count_ - 1)) - 1);  // as the bit before
-    unsigned inserted = 0;
-    while (const Word fifth = same & same >> 1 & same >> 2 & same >> 3) {
-      ++inserted;
-      const Word behind = (Word{1} << highest(fifth)) - 1;
-      same = (same & behind) ^ (behind + 1) >> 1;
-    }
-    return inserted;
-  }
-
-  Word word_ = 0;
-  unsigned count_ = 0;
+  unsigned state_ = 0, inserted_ = 0;
 };
 
-constexpr unsigned behind_the_crc = 1 + 2 + 7 + 3;  // delimiter, acknowledgement, end, intermission
+/// The bits before the data. Leading bits that fill the first byte are 0, which does not change the
+/// CRC. `fill` sets some of them for the stuffing, which must see alternating bits there.
+struct HeadBits {
+  std::uint64_t bits = 0;
+  unsigned size = 0, bytes = 0;
+  std::uint64_t fill = 0;
+};
 
-unsigned classic_bits(const CanFrame& frame) {
-  StuffedBits bits;
-  bits.put(0, 1);  // start of frame
-  if (frame.extended) {
-    bits.put(frame.id >> 18 & 0x7FF, 11);
-    bits.put(3, 2);  // SRR, IDE
-    bits.put(frame.id & 0x3FFFF, 18);
-    bits.put(frame.remote, 1);
-    bits.put(0, 2);  // r1, r0
-  } else {
-    bits.put(frame.id & 0x7FF, 11);
-    bits.put(frame.remote, 1);
-    bits.put(0, 2);  // IDE, r0
-  }
-  bits.put(frame.size, 4);
-  if (!frame.remote)
-    for (const std::uint8_t byte : frame.payload()) bits.put(byte, 8);
-  bits.put_crc();
-  return bits.count() + behind_the_crc;
+HeadBits head_bits_of(const CanFrame& frame) {
+  const std::uint64_t remote = frame.remote, length = frame.size & 0xF;
+  if (!frame.extended)  // start of frame, identifier, remote, extension, a reserved bit, length
+    return {std::uint64_t{frame.id & 0x7FF} << 7 | remote << 6 | length, 19, 3,
+            std::uint64_t{0b10101} << 19};
+  // start of frame, identifier, substitute remote and extension, identifier, remote, two reserved
+  return {std::uint64_t{frame.id >> 18 & 0x7FF} << 27 | std::uint64_t{0b11} << 25 |
+              std::uint64_t{frame.id & 0x3FFFF} << 7 | remote << 6 | length,
+          39, 5, std::uint64_t{1} << 39};
 }
+
+constexpr unsigned crc_bits = 15;
+constexpr unsigned behind_the_crc = 1 + 2 + 7 + 3;  // delimiter, acknowledgement, end, intermission
 
 /// After the first bit, the stuffed part has one stuff bit for every four bits. The CRC has 17 or
 /// 21 bits, and in addition its stuff count and fixed stuff bits.
@@ -84,6 +86,27 @@ unsigned longest_fd_bits(const CanFrame& frame) {
 }
 
 }  // namespace
+
+unsigned classic_bits(const CanFrame& frame) {
+  const HeadBits head = head_bits_of(frame);
+  unsigned crc = 0;
+  Stuffing stuffing;
+  const auto put = [&](std::uint8_t byte, unsigned as_stuffed) {
+    crc = (crc << 8 ^ can_crc_table[(crc >> 8 ^ byte) & 0xFF]) & 0xFFFF;
+    stuffing.put(as_stuffed);
+  };
+  for (unsigned i = head.bytes; i-- > 0;) {
+    put(static_cast<std::uint8_t>(head.bits >> 8 * i),
+        static_cast<unsigned>((head.bits | head.fill) >> 8 * i) & 0xFF);
+  }
+  const auto data = frame.remote ? std::span<const std::uint8_t>{} : frame.payload();
+  for (const std::uint8_t byte : data) put(byte, byte);
+  stuffing.put(crc >> 8);
+  stuffing.put((crc & 0xFE) | (~crc >> 1 & 1));  // the sixteenth bit ends a run, so no bit is
+                                                 // inserted
+  return head.size + 8 * static_cast<unsigned>(data.size()) + crc_bits + stuffing.inserted() +
+         behind_the_crc;
+}
 
 unsigned wire_bits(const CanFrame& frame) {
   if (frame.error) return 0;

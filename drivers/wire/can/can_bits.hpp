@@ -9,4 +9,8 @@ namespace drydock::wire {
 /// at one rate. 0 for error frames.
 unsigned wire_bits(const CanFrame& frame);
 
+/// The bits of wire_bits() as if the frame were a classic one, whatever it is. An emulated bus
+/// paces every frame so.
+unsigned classic_bits(const CanFrame& frame);
+
 }  // namespace drydock::wire

@@ -6,18 +6,20 @@
 namespace drydock::campaign {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using SummaryJson = nlohmann::ordered_json;
 
 constexpr int summary_version = 1;
 
-Json maybe(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
+SummaryJson maybe(const std::optional<double>& value) {
+  return value ? SummaryJson(*value) : SummaryJson();
+}
 
-Json of_quantile(const Quantile& q) {
+SummaryJson of_quantile(const Quantile& q) {
   return {{"p", q.p}, {"value", q.value}, {"low", maybe(q.low)}, {"high", maybe(q.high)}};
 }
 
-Json of_influence(const Influence& influence) {
-  Json json{{"parameter", influence.parameter}};
+SummaryJson of_influence(const Influence& influence) {
+  SummaryJson json{{"parameter", influence.parameter}};
   if (const auto& c = influence.correlation)
     json["rank_correlation"] = {{"rho", c->rho}, {"p_value", c->p_value}};
   if (const auto& e = influence.effect)
@@ -25,23 +27,23 @@ Json of_influence(const Influence& influence) {
   return json;
 }
 
-Json of_figure(const Summary& summary, const FigureAnalysis& a) {
-  Json json{{"name", a.figure->name},   {"runs", a.count},    {"mean", a.mean},
-            {"deviation", a.deviation}, {"lowest", a.lowest}, {"highest", a.highest}};
-  json["quantiles"] = Json::array();
+SummaryJson of_figure(const Summary& summary, const FigureAnalysis& a) {
+  SummaryJson json{{"name", a.figure->name},   {"runs", a.count},    {"mean", a.mean},
+                   {"deviation", a.deviation}, {"lowest", a.lowest}, {"highest", a.highest}};
+  json["quantiles"] = SummaryJson::array();
   for (const auto& q : a.quantiles) json["quantiles"].push_back(of_quantile(q));
-  json["worst"] = Json::array();
+  json["worst"] = SummaryJson::array();
   for (const auto& run : a.worst)
     json["worst"].push_back(
         {{"index", run.index},
          {"value", run.value},
          {"command", repeat_command(summary.results->campaign, summary.path, run.index)}});
-  json["sensitivity"] = Json::array();
+  json["sensitivity"] = SummaryJson::array();
   for (const auto& influence : a.influences) json["sensitivity"].push_back(of_influence(influence));
   return json;
 }
 
-Json of_shift(const FigureShift& s) {
+SummaryJson of_shift(const FigureShift& s) {
   return {
       {"figure", s.figure},
       {"verdict", to_text(s.verdict)},
@@ -56,16 +58,16 @@ Json of_shift(const FigureShift& s) {
 
 std::string to_json_text(const Summary& summary) {
   const auto& results = *summary.results;
-  Json json{{"drydock_campaign", summary_version},
-            {"name", results.campaign.name},
-            {"seed", results.campaign.seed},
-            {"runs", Plan(results.campaign).runs()},
-            {"done", results.records.size() - results.failed()},
-            {"failed", results.failed()},
-            {"confidence", results.campaign.confidence}};
-  json["figures"] = Json::array();
+  SummaryJson json{{"drydock_campaign", summary_version},
+                   {"name", results.campaign.name},
+                   {"seed", results.campaign.seed},
+                   {"runs", Plan(results.campaign).runs()},
+                   {"done", results.records.size() - results.failed()},
+                   {"failed", results.failed()},
+                   {"confidence", results.campaign.confidence}};
+  json["figures"] = SummaryJson::array();
   for (const auto& figure : summary.figures) json["figures"].push_back(of_figure(summary, figure));
-  if (!summary.shifts.empty()) json["since_earlier"] = Json::array();
+  if (!summary.shifts.empty()) json["since_earlier"] = SummaryJson::array();
   for (const auto& shift : summary.shifts) json["since_earlier"].push_back(of_shift(shift));
   return json.dump(2) + "\n";
 }

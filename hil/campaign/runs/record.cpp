@@ -8,7 +8,7 @@
 namespace drydock::campaign {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using RecordJson = nlohmann::ordered_json;
 
 constexpr std::size_t checksum_digits = 8;
 
@@ -18,7 +18,7 @@ std::string checksum(std::string_view text) {
   return fmt::format("{:08x}", crc.checksum());
 }
 
-std::vector<std::optional<double>> figures_of(const Json& list) {
+std::vector<std::optional<double>> figures_of(const RecordJson& list) {
   std::vector<std::optional<double>> figures;
   for (const auto& one : list)
     figures.push_back(one.is_null() ? std::nullopt : std::optional(one.get<double>()));
@@ -28,12 +28,13 @@ std::vector<std::optional<double>> figures_of(const Json& list) {
 }  // namespace
 
 std::string to_line(const Record& record) {
-  Json figures = Json::array();
-  for (const auto& figure : record.figures) figures.push_back(figure ? Json(*figure) : Json());
-  const Json json{{"index", record.index},    {"figures", figures},
-                  {"exit", record.exit_code}, {"failure", record.failure},
-                  {"took_s", record.took_s},  {"ended_ms", record.ended_ms}};
-  const auto text = json.dump(-1, ' ', true, Json::error_handler_t::replace);
+  RecordJson figures = RecordJson::array();
+  for (const auto& figure : record.figures)
+    figures.push_back(figure ? RecordJson(*figure) : RecordJson());
+  const RecordJson json{{"index", record.index},    {"figures", figures},
+                        {"exit", record.exit_code}, {"failure", record.failure},
+                        {"took_s", record.took_s},  {"ended_ms", record.ended_ms}};
+  const auto text = json.dump(-1, ' ', true, RecordJson::error_handler_t::replace);
   return checksum(text) + " " + text;
 }
 
@@ -42,7 +43,7 @@ std::optional<Record> read_record(std::string_view line, std::size_t figures) {
   const auto text = line.substr(checksum_digits + 1);
   if (line.substr(0, checksum_digits) != checksum(text)) return std::nullopt;
   try {
-    const Json json = Json::parse(text);
+    const RecordJson json = RecordJson::parse(text);
     Record record{.index = json.at("index").get<std::size_t>(),
                   .figures = figures_of(json.at("figures")),
                   .exit_code = json.at("exit").get<int>(),
@@ -51,7 +52,7 @@ std::optional<Record> read_record(std::string_view line, std::size_t figures) {
                   .ended_ms = json.at("ended_ms").get<std::int64_t>()};
     if (record.figures.size() != figures) return std::nullopt;
     return record;
-  } catch (const Json::exception&) {
+  } catch (const RecordJson::exception&) {
     return std::nullopt;
   }
 }

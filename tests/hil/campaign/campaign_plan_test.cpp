@@ -122,6 +122,20 @@ TEST(CampaignFile, SaysWhereAndWhatIsWrong) {
   EXPECT_THAT(problems("[campaign]\nname = \"x\"\n"), HasSubstr("key 'command' is missing"));
 }
 
+// Every run would get the same nan, or none would begin, and the report would not say why.
+TEST(CampaignFile, RefusesValuesThatAreNoNumbersAndGridsWithoutPoints) {
+  const auto refused = [](const std::string& values) {
+    return problems(std::string(head) + "[[parameter]]\nname = \"a\"\n" + values + "\n");
+  };
+  EXPECT_THAT(refused("list = [1.0, nan]"), HasSubstr("/list/1: nan and inf are not allowed"));
+  EXPECT_THAT(refused("uniform = [0.0, inf]"), HasSubstr("nan and inf are not allowed"));
+  EXPECT_THAT(refused("normal = [nan, 1.0]"), HasSubstr("nan and inf are not allowed"));
+  EXPECT_THAT(refused("from = nan\nto = 1.0\ncount = 3"), HasSubstr("nan and inf are not allowed"));
+  EXPECT_THAT(refused("list = []"), HasSubstr("/list: has 0 values, allowed: 1 to 10000"));
+  EXPECT_THAT(refused("from = 0.0\nto = 1.0\ncount = 0"),
+              HasSubstr("/count: 0 is out of range, allowed: 2 to 10000"));
+}
+
 TEST(CampaignFile, TheShippedOnesCanBeUsed) {
   int found = 0;
   for (const auto& entry :

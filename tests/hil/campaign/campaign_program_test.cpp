@@ -194,6 +194,49 @@ TEST_P(CampaignEnd, LosesNothingAndCountsNothingTwice) {
             read_file(folder / "whole" / "results.sqlite"));
 }
 
+// A power cut may leave a part of a line, and whatever the disk had behind it.
+TEST(CampaignProgram, AfterAHalfWrittenJournalOnlyItsLastRunIsRepeated) {
+  const Folder folder;
+  const std::string log = (folder / "log").string();
+  write(folder / "c.toml", campaign_text("echo {index} >> " + log + "\necho '{\"y\": {x}}'", 6));
+  const std::string command =
+      "campaign " + (folder / "c.toml").string() + " --jobs 1 --out " + (folder / "out").string();
+  EXPECT_EQ(drydock(command).exit_code, 0);
+  const std::string undisturbed = read_file(folder / "out" / "results.sqlite");
+  const auto journal = std::filesystem::directory_iterator(folder / "out" / "runs")->path();
+  auto lines = read_file(journal);
+  lines.replace(lines.rfind("\"index\"") + 12, std::string::npos, std::string(20, '\0'));
+  write(journal, lines);
+  std::filesystem::remove(folder / "out" / "results.sqlite");
+
+  const auto resumed = drydock(command + " --resume");
+  EXPECT_EQ(resumed.exit_code, 0) << resumed.output;
+  EXPECT_THAT(resumed.output, HasSubstr("1 damaged lines in the journals"));
+  EXPECT_EQ(read_file(log), "0\n1\n2\n3\n4\n5\n5\n");
+  EXPECT_EQ(read_file(folder / "out" / "results.sqlite"), undisturbed);
+}
+
+TEST(CampaignProgram, ASecondCoordinatorIsRefusedWhileTheFirstIsAtWork) {
+  const Folder folder;
+  const std::string log = (folder / "log").string(), go = (folder / "go").string();
+  write(folder / "c.toml", campaign_text("echo {index} >> " + log + "\nwhile ! [ -e " + go +
+                                             " ]; do sleep 0.02; done\necho '{\"y\": {index}}'",
+                                         4));
+  const std::string command =
+      "campaign " + (folder / "c.toml").string() + " --jobs 2 --out " + (folder / "out").string();
+  std::jthread first([&] { EXPECT_EQ(drydock(command).exit_code, 0); });
+  while (!std::filesystem::exists(log)) std::this_thread::yield();
+  const auto second = drydock(command + " --resume");
+  EXPECT_EQ(second.exit_code, 1);
+  EXPECT_THAT(second.output, HasSubstr("another process is at work on this campaign; allowed: "));
+  EXPECT_EQ(drydock(command + " --status").exit_code, 0);
+  write(go, "");
+  first.join();
+  EXPECT_EQ(lines_in(log), 4u);
+  EXPECT_EQ(drydock(command + " --resume").exit_code, 0);  // nothing is left to do
+  EXPECT_EQ(lines_in(log), 4u);
+}
+
 TEST(CampaignProgram, OneRunAloneLeavesItsFilesAndSaysItsFigures) {
   const Folder folder;
   write(folder / "c.toml", campaign_text("echo '{\"y\": {index}.5}'", 8));

@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 
+#include "drivers/wire/can/can_bits.hpp"
 #include "drivers/wire/canopen/canopen.hpp"
 #include "hil/motion/kinematic_trajectory.hpp"
 #include "tests/hil/emulate/bench.hpp"
@@ -147,7 +148,7 @@ TEST(EmulatedBus, FramesOfAllNodesShareTheWireOneAfterTheOther) {
   ASSERT_GT(heard.size(), 2500);
   for (std::size_t i = 1; i < heard.size(); ++i) {
     const auto apart = heard[i].at - heard[i - 1].at;
-    ASSERT_GE(apart.count(), 4000 * bits_on_wire(heard[i].frame));
+    ASSERT_GE(apart.count(), 4000 * wire::classic_bits(heard[i].frame));
   }
 }
 

@@ -126,7 +126,7 @@ wire::CanFrame frame(std::uint32_t id, bool extended, std::vector<std::uint8_t> 
 TEST(CanPacer, AFrameOfZerosIsStuffedEveryFifthBit) {
   // SOF, identifier, control and CRC of this frame are 34 zeros: one stuff bit after every five, 6
   // in total.
-  EXPECT_EQ(bits_on_wire(frame(0, false, {})), 47 + 6);
+  EXPECT_EQ(wire::classic_bits(frame(0, false, {})), 47 + 6);
 }
 
 /// ISO 11898-1 bit by bit, for the bits that are subject to stuffing. After five equal bits the
@@ -189,8 +189,8 @@ RC_GTEST_PROP(CanPacer, AFramesLengthIsThatOfItsBitsOneByOne, ()) {
   for (std::uint8_t& byte : f.data)  // runs of equal bits matter most
     byte = *rc::gen::oneOf(rc::gen::arbitrary<std::uint8_t>(),
                            rc::gen::element<std::uint8_t>(0x00, 0xFF, 0xF0, 0x0F, 0x1F, 0xF8));
-  RC_ASSERT(bits_on_wire(f) == bits_one_by_one(f));
-  RC_ASSERT(wire::wire_bits(f) == bits_one_by_one(f));  // the number that drivers use
+  RC_ASSERT(wire::classic_bits(f) == bits_one_by_one(f));  // the number of the emulated bus
+  RC_ASSERT(wire::wire_bits(f) == bits_one_by_one(f));     // that of drivers
 }
 
 RC_GTEST_PROP(CanPacer, AFramesLengthLiesBetweenNoStuffingAndTheWorstCase, ()) {
@@ -202,7 +202,7 @@ RC_GTEST_PROP(CanPacer, AFramesLengthLiesBetweenNoStuffingAndTheWorstCase, ()) {
   // Davis, Burns, Bril, Lukkien: Controller Area Network schedulability analysis, Real-Time Systems
   // 35 (2007), equations 1 and 2.
   const unsigned g = extended ? 54 : 34;
-  const unsigned bits = bits_on_wire(frame(id, extended, data));
+  const unsigned bits = wire::classic_bits(frame(id, extended, data));
   RC_ASSERT(bits >= g + 8 * n + 13);
   RC_ASSERT(bits <= g + 8 * n + 13 + (g + 8 * n - 1) / 4);
 }
@@ -212,7 +212,7 @@ TEST(CanPacer, FramesFollowEachOtherAtTheBitRate) {
   CanPacer bus(250'000);
   bus.queue(f, 1, at_ns(1000));
   bus.queue(f, 2, at_ns(1000));
-  const std::int64_t frame_ns = bits_on_wire(f) * 4000;
+  const std::int64_t frame_ns = wire::classic_bits(f) * 4000;
   EXPECT_GE(frame_ns, 524'000);                   // 131 bits without stuffing
   EXPECT_LE(frame_ns, 640'000);                   // 160 bits at worst
   const std::int64_t intermission_ns = 3 * 4000;  // counts as bus time, but comes after the frame
