@@ -82,7 +82,7 @@ void Group::settle(Stamp at, double dt, const Distrusted& distrusted) {
   double worst = 0;
   for (const Witness& witness : witnesses_) {
     if (!witness.seen) continue;
-    worst = std::max(worst, std::hypot(witness.test.facts().floor, witness.sigma));
+    worst = std::max(worst, std::hypot(witness.test.spread(), witness.sigma));
     const double value = witness.value - witness.test.offset();
     any.add(value, witness.kin);
     if (!witness.test.learned() || distrusted(witness.devices)) continue;

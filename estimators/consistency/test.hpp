@@ -51,6 +51,8 @@ class Test {
   double suspicion() const { return std::min(1.0, cusum_.value() / design.limit); }
   double offset() const { return offset_; }
   double sigma() const { return sigma_; }
+  /// 1 sigma of the residual in usual times, as far as it was learned.
+  double spread() const;
   Stamp since() const { return since_; }
   Stamp last() const { return last_; }             ///< when it was tested last
   double deviation() const { return deviation_; }  ///< of the last residual from its offset
