@@ -17,7 +17,7 @@ struct Witness {
   const Freeze* freeze = nullptr;
   bool kin = false;  ///< it shares an error with its kin: together they have one vote
   // of this time
-  bool seen = false, fresh = false, present = false;
+  bool seen = false, fresh = false, present = false, votes = false;
   double value = 0, sigma = 0;
   std::uint64_t serial = 0;
 };
@@ -66,6 +66,7 @@ class Group {
   };
   void move_to(std::optional<double> value, double dt);
   void test(Witness& witness, Stamp at, std::size_t seen) const;
+  double wider_now(const Witness& witness) const;
 
   boost::container::static_vector<Witness, most> witnesses_;
   std::optional<double> value_;
@@ -80,7 +81,8 @@ void Group::settle(Stamp at, double dt, const Distrusted& distrusted) {
   Votes sound, trusted, any;
   const Witness* voter = nullptr;
   double worst = 0;
-  for (const Witness& witness : witnesses_) {
+  for (Witness& witness : witnesses_) {
+    witness.votes = false;
     if (!witness.seen) continue;
     worst = std::max(worst, std::hypot(witness.test.spread(), witness.sigma));
     const double value = witness.value - witness.test.offset();
@@ -88,7 +90,8 @@ void Group::settle(Stamp at, double dt, const Distrusted& distrusted) {
     if (!witness.test.learned() || distrusted(witness.devices)) continue;
     voter = &witness;
     trusted.add(value, witness.kin);
-    if (!witness.test.fired()) sound.add(value, witness.kin);
+    witness.votes = !witness.test.fired();
+    if (witness.votes) sound.add(value, witness.kin);
   }
   voters_ = sound.count();
   worst_sigma_ = worst;

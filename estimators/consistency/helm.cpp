@@ -10,8 +10,8 @@ constexpr double filter_s = 1;
 /// 1 sigma around 0: a ship of 100 m still fits.
 constexpr double usual_a_m = 100, usual_b_m2 = 1000, usual_zero = 2 * units::degree;
 constexpr double steering_noise = 1 * units::degree;  // of one step; neighbours are not independent
-constexpr double steered_memory = 0.9993;    // a step of 0.2 s: 300 s
-constexpr double known_share = 0.1;          // of a: then the law is known
+constexpr double steered_memory = 0.9993;             // a step of 0.2 s: 300 s
+constexpr double known_share = 0.1;                   // of a: then the law is known
 
 }  // namespace
 

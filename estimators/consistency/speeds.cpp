@@ -105,15 +105,12 @@ Eigen::Vector2d Speeds::water(std::size_t log, const Eigen::Vector2d& read,
   return through;
 }
 
-/// A propeller drives the vehicle through the water.
 void Speeds::see_shafts(const Moment& moment) {
   for (std::size_t i = 0; i < shafts_.size(); ++i) {
     const auto read = tracks_.actuators[i].shaft.at(moment.at);
     const auto made = surges_[i].answer();
     if (!read || !made) continue;
-    const double sigma = logs_.empty() ? 0 : current_sigma(0, moment);
-    group_.see(shafts_[i], made->speed_mps + current_along(moment), read->serial,
-               std::hypot(made->sigma_mps, sigma));
+    group_.see(shafts_[i], made->speed_mps, read->serial, made->sigma_mps);
   }
 }
 
@@ -156,14 +153,16 @@ std::optional<double> Speeds::speed_of_others() const {
 }
 
 void Speeds::learn_surge(const Moment& moment) {
-  const auto over_ground = speed_of_others();
-  const auto through = over_ground ? std::optional(*over_ground - current_along(moment))
-                                   : std::nullopt;
+  const auto speed = speed_of_others();
   const double turn = moment.rate ? moment.rate->z() : 0;
   for (std::size_t i = 0; i < shafts_.size(); ++i) {
     const auto read = tracks_.actuators[i].shaft.at(moment.at);
     if (!read) continue;
-    surges_[i].take(read->value.x(), through, turn, moment.dt);
+    surges_[i].take({.shaft_radps = read->value.x(),
+                     .speed_mps = speed,
+                     .current_mps = current_along(moment),
+                     .turn_radps = turn},
+                    moment.dt);
     if (is_quiet(shafts_[i])) surges_[i].learn();
   }
 }

@@ -8,19 +8,20 @@ namespace {
 /// Two low passes of this time; they make the derivative of a speed with noise.
 constexpr double surge_filter_s = 2;
 /// 1 sigma around 0: a ship with a propeller of 5 m a turn and a hull of 100 m still fits.
-constexpr double usual_thrust_m2 = 1, usual_way_m = 300, usual_turn_m2 = 300;
-constexpr double square_noise = 0.2;        // m2/s2, of one step; neighbours are not independent
+constexpr double usual_thrust_m2 = 1, usual_way_m = 300, usual_turn_m2 = 300, usual_share = 1;
+constexpr double surge_noise_mps = 0.1;     // of one step; neighbours are not independent
 constexpr double surge_memory = 0.9998;     // a step of 0.2 s: 1000 s
 constexpr double known_thrust_share = 0.1;  // of a: then the law is known
 constexpr double fewest_steps = 50;
-/// Of the speed that the hull has still to win or lose.
-constexpr double lacking_share = 0.3;
+/// m itself differs between manoeuvres by so much.
+constexpr double way_share = 0.2, least_way_sigma_m = 1;
 constexpr double slowest_square = 0.04;  // m2/s2
 
 }  // namespace
 
 Surge::Surge()
-    : fit_({usual_thrust_m2, usual_way_m, usual_turn_m2}, square_noise, surge_memory),
+    : fit_({usual_thrust_m2, usual_way_m, usual_turn_m2, usual_share}, surge_noise_mps,
+           surge_memory),
       law_(fit_.solve()) {}
 
 void Surge::follow(Filtered& of, const Filtered& by, double share) {
@@ -28,17 +29,18 @@ void Surge::follow(Filtered& of, const Filtered& by, double share) {
   of.speed += share * (by.speed - of.speed);
   of.square += share * (by.square - of.square);
   of.turn += share * (by.turn - of.turn);
+  of.drift += share * (by.drift - of.drift);
 }
 
-void Surge::take(double shaft_radps, std::optional<double> speed_mps, double turn_radps,
-                 double dt) {
-  move(shaft_radps, turn_radps, dt);
-  if (!speed_mps) {
+void Surge::take(const Input& input, double dt) {
+  move(input, dt);
+  if (!input.speed_mps) {
     begun_ = false;
     return;
   }
-  const Filtered now{shaft_radps * std::abs(shaft_radps), *speed_mps, *speed_mps * *speed_mps,
-                     turn_radps * turn_radps};
+  const double speed = *input.speed_mps;
+  const Filtered now{input.shaft_radps * std::abs(input.shaft_radps), speed, speed * speed,
+                     input.turn_radps * input.turn_radps, 2 * speed * input.current_mps};
   if (!begun_) once_ = twice_ = now;
   begun_ = true;
   const double share = dt / (surge_filter_s + dt);
@@ -46,39 +48,54 @@ void Surge::take(double shaft_radps, std::optional<double> speed_mps, double tur
   follow(twice_, once_, share);
 }
 
-/// du/dt = (a n^2 - d r^2 - u^2) / m, exact over a step in which u changes little.
-void Surge::move(double shaft_radps, double turn_radps, double dt) {
+/// du/dt = (a n^2 - d r^2 - u^2) / m with u less e c, exact over a step in which u changes little.
+void Surge::move(const Input& input, double dt) {
+  current_mps_ = input.current_mps;
   if (!known_) return;
-  const double thrust = shaft_radps * std::abs(shaft_radps), turn = turn_radps * turn_radps;
+  const double thrust = input.shaft_radps * std::abs(input.shaft_radps);
+  const double turn = input.turn_radps * input.turn_radps;
   const double steady = std::max(0.0, law_.value[0] * thrust - law_.value[2] * turn);
-  const double way_m = std::max(law_.value[1], 1e-3);
-  const double speed = std::sqrt(std::max(square_, slowest_square));
-  square_ += (1 - std::exp(-2 * speed * dt / way_m)) * (steady - square_);
-  lacking_mps_ = std::sqrt(steady) - std::sqrt(square_);
+  const double sigma_m = std::hypot(law_.sigma(1), way_share * law_.value[1], least_way_sigma_m);
+  for (std::size_t i = 0; i < squares_.size(); ++i) {
+    constexpr std::array sigmas{0.0, -1.0, 1.0};
+    const double way_m = std::max(law_.value[1] + sigmas[i] * sigma_m, 1e-3);
+    const double speed = std::sqrt(std::max(squares_[i], slowest_square));
+    squares_[i] += (1 - std::exp(-2 * speed * dt / way_m)) * (steady - squares_[i]);
+  }
+}
+
+double Surge::made_mps(double square) const {
+  return std::sqrt(std::max(square, 0.0)) + law_.value[3] * current_mps_;
 }
 
 /// The derivative of a low pass is its input less its output, over its time.
 Surge::Fit::Vector Surge::terms() const {
-  return {twice_.thrust, -(once_.speed - twice_.speed) / surge_filter_s, -twice_.turn};
+  return {twice_.thrust, -(once_.speed - twice_.speed) / surge_filter_s, -twice_.turn,
+          twice_.drift};
 }
 
 void Surge::learn() {
   if (!begun_) return;
-  fit_.add(twice_.square, terms());
+  const double twice_speed = 2 * std::max(std::abs(twice_.speed), std::sqrt(slowest_square));
+  fit_.add(twice_.square / twice_speed, terms() / twice_speed);
   law_ = fit_.solve();
-  if (known_ || fit_.count() < fewest_steps ||
-      law_.sigma(0) > known_thrust_share * law_.value[0])
+  if (known_ || fit_.count() < fewest_steps || law_.sigma(0) > known_thrust_share * law_.value[0])
     return;
   known_ = true;
-  square_ = once_.square;
+  squares_.fill(once_.square - law_.value[3] * once_.drift);
 }
 
+/// What is not known of m is the difference between a quicker and a slower hull.
 std::optional<Surge::Answer> Surge::answer() const {
   if (!known_) return {};
-  const double speed = std::sqrt(square_);
-  const double square_sigma = begun_ ? law_.sigma_of(terms()) : 0;
-  return Answer{speed, std::hypot(square_sigma / (2 * std::max(speed, std::sqrt(slowest_square))),
-                                  lacking_share * lacking_mps_)};
+  Fit::Vector steady = terms();
+  steady[1] = 0;
+  const double likely = made_mps(squares_[0]);
+  const double twice_speed = 2 * std::sqrt(std::max(squares_[0], slowest_square));
+  const double of_law = begun_ ? law_.sigma_of(steady / twice_speed) : 0;
+  const double of_way =
+      std::max(std::abs(made_mps(squares_[1]) - likely), std::abs(made_mps(squares_[2]) - likely));
+  return Answer{likely, std::hypot(of_law, of_way)};
 }
 
 }  // namespace drydock::consistency
