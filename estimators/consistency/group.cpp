@@ -6,6 +6,7 @@ namespace drydock::consistency {
 namespace {
 
 constexpr double rate_memory_s = 0.5;
+constexpr double anchor_s = 300;
 /// The median of two lies in the middle: each differs by half, sqrt(2) / 2 of a sigma.
 constexpr double half_of_pair = 0.7071;
 
@@ -63,6 +64,13 @@ void Group::test(Witness& witness, Stamp at, std::size_t seen) const {
                       at);
   witness.present = witness.seen;
   witness.seen = false;
+}
+
+void Group::anchor(double dt) {
+  double sum = 0;
+  for (const Witness& witness : witnesses_) sum += witness.test.offset();
+  const double mean = witnesses_.empty() ? 0 : sum / static_cast<double>(witnesses_.size());
+  for (Witness& witness : witnesses_) witness.test.shift(-mean * dt / anchor_s);
 }
 
 /// The median leaves a witness only as far as the best of the others does. How much that one is

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 
 #include "estimators/consistency/constant_fit.hpp"
@@ -21,9 +22,9 @@ class Helm {
   void interrupt() { begun_ = false; }
 
   struct Answer {
-    double rudder_rad = 0;  ///< as it is said, filtered as the curvature is
+    double rudder_rad = 0;  ///< as it was said when the filtered curvature was true
     double needed_rad = 0;  ///< for the curvature
-    double sigma_rad = 0;   ///< of what was learned
+    double sigma_rad = 0;   ///< of the law
   };
   /// Empty until the vehicle has turned enough.
   std::optional<Answer> answer();
@@ -33,7 +34,8 @@ class Helm {
   Fit::Vector terms() const;
 
   Fit fit_;
-  Eigen::Vector2d once_ = Eigen::Vector2d::Zero(), twice_ = Eigen::Vector2d::Zero();
+  std::array<double, 5> rudders_{};  ///< rad, the newest first
+  double once_ = 0, twice_ = 0;      ///< curvature behind one and two low passes
   double speed_mps_ = 1;
   bool begun_ = false, known_ = false;
 };

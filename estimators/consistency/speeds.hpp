@@ -17,6 +17,7 @@ class Speeds {
   void step(const Moment& moment, const Distrusted& distrusted) {
     see(moment);
     group_.settle(moment.at, moment.dt, distrusted);
+    group_.anchor(moment.dt);
     learn(moment);
   }
 

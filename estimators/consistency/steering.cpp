@@ -1,7 +1,5 @@
 #include "estimators/consistency/steering.hpp"
 
-#include <cmath>
-
 #include "drivers/measurement/units.hpp"
 
 namespace drydock::consistency {
@@ -15,8 +13,6 @@ constexpr TestFacts rudder_facts{.floor = 0.5 * units::degree,
                                  .unit_si = units::degree};
 
 constexpr double slowest_steered_mps = 0.5;
-/// The law differs between manoeuvres by so much.
-constexpr double ratio_sigma = 0.1;
 
 }  // namespace
 
@@ -54,7 +50,7 @@ void Steering::step(Rudder& rudder, const Moment& moment) {
     rudder.test.take({.value = answer->rudder_rad - needed,
                       .rate = (needed - rudder.last) / moment.dt,
                       .quantity = needed,
-                      .sigma = std::hypot(ratio_sigma * needed, answer->sigma_rad)},
+                      .sigma = answer->sigma_rad},
                      moment.at);
     rudder.last = needed;
   }

@@ -44,6 +44,8 @@ class Test {
   void take(const Residual& residual, Stamp at);
   /// The offset begins anew, as after an outage of a sum.
   void restart() { samples_ = 0; }
+  /// The residuals to come are larger by so much, for no fault of the device.
+  void shift(double by) { offset_ += by; }
 
   bool learned() const { return samples_ >= learning_samples; }
   bool fired() const { return fired_; }
