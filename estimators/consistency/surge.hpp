@@ -35,7 +35,7 @@ class Surge {
   using Fit = ConstantFit<4>;
   Fit::Vector terms() const;
   void move(const Input& input, double dt);
-  double made_mps(double square) const;
+  double current_share() const;
 
   struct Filtered {
     double thrust = 0, speed = 0, square = 0, turn = 0, drift = 0;  ///< n^2, u, u^2, r^2, 2 u c
@@ -44,9 +44,8 @@ class Surge {
 
   Fit fit_;
   Filtered once_, twice_;
-  /// Of the speed that the shaft makes, less e c: with the likely m, and one sigma below and above.
-  std::array<double, 3> squares_{};
-  double current_mps_ = 0;
+  /// That the shaft makes: with the likely m, and with one sigma less and more.
+  std::array<double, 3> speeds_{};
   Fit::Answer law_;
   bool begun_ = false, known_ = false;
 };
