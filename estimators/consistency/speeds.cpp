@@ -105,12 +105,15 @@ Eigen::Vector2d Speeds::water(std::size_t log, const Eigen::Vector2d& read,
   return through;
 }
 
+/// A propeller drives through the water; only a log tells how that moves.
 void Speeds::see_shafts(const Moment& moment) {
   for (std::size_t i = 0; i < shafts_.size(); ++i) {
     const auto read = tracks_.actuators[i].shaft.at(moment.at);
     const auto made = surges_[i].answer();
-    if (!read || !made) continue;
-    group_.see(shafts_[i], made->speed_mps, read->serial, made->sigma_mps);
+    if (!read || !made || !moment.rate) continue;
+    const bool current_known = !logs_.empty() && learned_[0] > 0 && moment.heading_known;
+    const double current = current_known ? 0 : usual_current_mps;
+    group_.see(shafts_[i], made->speed_mps, read->serial, std::hypot(made->sigma_mps, current));
   }
 }
 
@@ -153,7 +156,8 @@ std::optional<double> Speeds::speed_of_others() const {
 }
 
 void Speeds::learn_surge(const Moment& moment) {
-  const auto speed = speed_of_others();
+  // Without the rate of turn the law is not judged.
+  const auto speed = moment.rate ? speed_of_others() : std::nullopt;
   const double turn = moment.rate ? moment.rate->z() : 0;
   for (std::size_t i = 0; i < shafts_.size(); ++i) {
     const auto read = tracks_.actuators[i].shaft.at(moment.at);

@@ -16,7 +16,7 @@ constexpr double surge_memory = 0.9998;     // a step of 0.2 s: 1000 s
 constexpr double known_thrust_share = 0.1;  // of a: then the law is known
 constexpr double fewest_steps = 200;
 /// m itself differs between manoeuvres by so much.
-constexpr double way_share = 0.2, least_way_sigma_m = 1;
+constexpr double way_share = 0.1, least_way_sigma_m = 0.5;
 constexpr double slowest_mps = 0.2;
 
 }  // namespace

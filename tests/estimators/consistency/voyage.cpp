@@ -10,7 +10,7 @@ using namespace measurement;
 
 constexpr double dt = 0.01, gravity = 9.80665, earth_m = 6.371e6;
 constexpr double swing = 40 * std::numbers::pi / 180, pace = 2 * std::numbers::pi / 40;
-constexpr double usual_mps = 2, surge_mps = 0.2, surge_pace = 2 * std::numbers::pi / 50;
+constexpr double usual_mps = 2, surge_mps = 0.1, surge_pace = 2 * std::numbers::pi / 20;
 
 /// The motion at one time, SI; a dash is a derivative with respect to time.
 struct Motion {
@@ -27,10 +27,10 @@ struct Motion {
     const double bend = (turn_dash * speed - turn * speed_dash) / (speed * speed);
     return -(5 * turn / speed + 25 * bend / speed);
   }
-  /// The law of surge with an advance of 0.012 m, a way of 100 m and 20 m2.
+  /// The law of surge with an advance of 0.012 m, a way of 30 m and 20 m2.
   double shaft() const {
     const double through = speed - current;
-    return std::sqrt(through * through + 100 * speed_dash + 20 * turn * turn) / 0.012;
+    return std::sqrt(through * through + 30 * speed_dash + 20 * turn * turn) / 0.012;
   }
 
   double heading, turn, turn_dash, speed, speed_dash, current;
