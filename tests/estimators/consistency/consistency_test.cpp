@@ -249,6 +249,14 @@ TEST(Consistency, BearsValuesThatAreNoNumbersAndTimesThatGoBack) {
   EXPECT_GT(voyage.said().back().at_s, 420);
 }
 
+TEST(Consistency, AllocatesNothingASampleOfAnyKind) {
+  Voyage voyage;
+  voyage.run(1);
+  const std::size_t before = pipeline::test::allocations();
+  voyage.run(120);
+  EXPECT_EQ(pipeline::test::allocations(), before);
+}
+
 /// Counts what is said and keeps nothing.
 class Count final : public diagnosis::SymptomSink {
  public:
