@@ -36,9 +36,10 @@ struct NavigationError {
 struct EstimatorSummary {
   std::string name, kind;
   std::uint64_t estimates = 0;
-  std::uint64_t rejected = 0;         ///< sensor values outside the estimator's gate
-  std::optional<double> valid_share;  ///< of the estimates, as they say; empty: no estimate
-  std::optional<double> rate_hz;      ///< of the estimates; empty: fewer than two
+  std::uint64_t rejected = 0;              ///< sensor values outside the estimator's gate
+  std::optional<double> valid_share;       ///< of the estimates, as they say; empty: no estimate
+  std::optional<bus::Integrity> promised;  ///< by the last estimate; empty: there was none
+  std::optional<double> rate_hz;           ///< of the estimates; empty: fewer than two
   std::optional<double> nis;  ///< mean normalised square of accepted innovations; empty: none
   std::optional<AttitudeError> whole_run;  ///< empty if there is no truth
   std::optional<AttitudeError> after_10_s;
