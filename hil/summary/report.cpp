@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "drivers/measurement/units.hpp"
 #include "hil/report/html.hpp"
 #include "hil/summary/findings.hpp"
 #include "hil/summary/loop_report.hpp"

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "drivers/bus/device.hpp"
 #include "drivers/device/health_account.hpp"
 #include "drivers/diagnosis/finding_account.hpp"
 #include "estimators/pipeline/peer.hpp"
