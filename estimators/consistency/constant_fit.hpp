@@ -12,19 +12,24 @@ class ConstantFit {
  public:
   using Vector = Eigen::Matrix<double, N, 1>;
 
-  /// `prior_sigma`: of each a_k around 0. `floor`: 1 sigma of y at least.
-  ConstantFit(const Vector& prior_sigma, double floor)
-      : prior_(prior_sigma.cwiseAbs2().cwiseInverse()), floor_(floor) {}
+  /// `prior_sigma`: of each a_k around 0. `floor`: 1 sigma of y at least. `memory`: how much of the
+  /// past stays with each sample.
+  ConstantFit(const Vector& prior_sigma, double floor, double memory)
+      : prior_(prior_sigma.cwiseAbs2().cwiseInverse()), floor_(floor), memory_(memory) {}
 
   void add(double y, const Vector& x) {
-    information_ = memory * information_ + x * x.transpose();
-    right_ = memory * right_ + y * x;
-    squares_ = memory * squares_ + y * y;
-    count_ = memory * count_ + 1;
+    information_ = memory_ * information_ + x * x.transpose();
+    right_ = memory_ * right_ + y * x;
+    squares_ = memory_ * squares_ + y * y;
+    count_ = memory_ * count_ + 1;
   }
 
   struct Answer {
-    Vector value, sigma;
+    Vector value;
+    Eigen::Matrix<double, N, N> covariance;
+    double sigma(int k) const { return std::sqrt(covariance(k, k)); }
+    /// Of the y that belongs to x.
+    double sigma_of(const Vector& x) const { return std::sqrt(x.dot(covariance * x)); }
   };
   Answer solve() const {
     const Answer rough = solve_for(floor_ * floor_);
@@ -37,17 +42,15 @@ class ConstantFit {
   double count() const { return count_; }
 
  private:
-  static constexpr double memory = 0.98;
-
   Answer solve_for(double variance) const {
     const Eigen::Matrix<double, N, N> whole =
         information_ + variance * Eigen::Matrix<double, N, N>(prior_.asDiagonal());
     const Eigen::Matrix<double, N, N> inverse = whole.inverse();
-    return {inverse * right_, (variance * inverse.diagonal()).cwiseSqrt()};
+    return {inverse * right_, variance * inverse};
   }
 
   Vector prior_;
-  double floor_;
+  double floor_, memory_;
   Eigen::Matrix<double, N, N> information_ = Eigen::Matrix<double, N, N>::Zero();
   Vector right_ = Vector::Zero();
   double squares_ = 0, count_ = 0;

@@ -18,6 +18,7 @@ constexpr double usual_pitch = 0.05, usual_tilt = 0.1;
 constexpr double vertical_noise_mps = 0.01, speed_noise_mps = 0.02;
 /// What the fits tell at least: leveling and mounting of a sound vehicle are better.
 constexpr double least_pitch = 2 * degree, least_tilt = 0.5, least_scale = 0.03;
+constexpr double memory = 0.98;                // a window
 constexpr double sure = 6;                     // sigmas
 constexpr double fewest = 12;                  // windows
 constexpr double slowest_for_scale_mps = 0.5;  // below it noise looks like speed
@@ -33,8 +34,8 @@ Constants::Constants(const Tracks& tracks) : tracks_(tracks) {
   for (const auto& dvl : tracks.dvls)
     dvls_.push_back({.device = dvl.device,
                      .track = place++,
-                     .vertical{{bias_mps, usual_pitch, usual_tilt}, vertical_noise_mps},
-                     .scale{ConstantFit<1>::Vector{1}, speed_noise_mps}});
+                     .vertical{{bias_mps, usual_pitch, usual_tilt}, vertical_noise_mps, memory},
+                     .scale{ConstantFit<1>::Vector{1}, speed_noise_mps, memory}});
 }
 
 /// A window without gaps.
@@ -71,11 +72,11 @@ void Constants::end(Dvl& dvl, double depth_m) {
   const double seconds = measurement::seconds(sums.last - *dvl.begun);
   if (sums.deep) {
     dvl.vertical.add((depth_m - sums.depth_m - sums.down_m) / seconds, sums.terms_s / seconds);
-    const auto [value, sigma] = dvl.vertical.solve();
-    dvl.known = value;
-    dvl.tilts_told = dvl.tilts_told
-                         ? std::abs(value[2]) > least_tilt / 2
-                         : dvl.vertical.count() > fewest && is_told(value[2], sigma[2], least_tilt);
+    const auto fit = dvl.vertical.solve();
+    dvl.known = fit.value;
+    dvl.tilts_told = dvl.tilts_told ? std::abs(fit.value[2]) > least_tilt / 2
+                                    : dvl.vertical.count() > fewest &&
+                                          is_told(fit.value[2], fit.sigma(2), least_tilt);
   }
   if (sums.fixed && sums.over_ground_m > slowest_for_scale_mps * seconds)
     dvl.scale.add((sums.receiver_m - sums.over_ground_m) / seconds,
@@ -93,16 +94,17 @@ void Constants::tell(Stamp now, diagnosis::SymptomSink& to) const {
       sign.quantity = quantity, sign.unit = unit;
       to.see(sign);
     };
-    const auto [constant, error] = dvl.vertical.solve();
+    const auto constant = dvl.vertical.solve();
     if (dvl.tilts_told)
-      say(Sign::rotated, 100 * constant[2], 100 * least_tilt, "share of the tilts used wrongly",
-          "%");
-    else if (dvl.vertical.count() > fewest && is_told(constant[1], error[1], least_pitch))
-      say(Sign::rotated, constant[1] / degree, least_pitch / degree, "pitch against the depth",
-          "deg");
-    const auto [factor, factor_error] = dvl.scale.solve();
-    if (dvl.scale.count() > fewest && is_told(factor[0], factor_error[0], least_scale))
-      say(Sign::scale, -100 * factor[0], 100 * least_scale, "speed error against GNSS", "%");
+      say(Sign::rotated, 100 * constant.value[2], 100 * least_tilt,
+          "share of the tilts used wrongly", "%");
+    else if (dvl.vertical.count() > fewest &&
+             is_told(constant.value[1], constant.sigma(1), least_pitch))
+      say(Sign::rotated, constant.value[1] / degree, least_pitch / degree,
+          "pitch against the depth", "deg");
+    const auto factor = dvl.scale.solve();
+    if (dvl.scale.count() > fewest && is_told(factor.value[0], factor.sigma(0), least_scale))
+      say(Sign::scale, -100 * factor.value[0], 100 * least_scale, "speed error against GNSS", "%");
   }
 }
 

@@ -1,9 +1,12 @@
 #include "estimators/consistency/group.hpp"
 
+#include <limits>
+
 namespace drydock::consistency {
 namespace {
 
 constexpr double rate_memory_s = 0.5;
+constexpr double anchor_s = 300;
 /// The median of two lies in the middle: each differs by half, sqrt(2) / 2 of a sigma.
 constexpr double half_of_pair = 0.7071;
 
@@ -54,12 +57,32 @@ void Group::test(Witness& witness, Stamp at, std::size_t seen) const {
     witness.test.take({.value = witness.value - *value_,
                        .rate = rate_,
                        .quantity = *value_,
-                       .sigma = voters_ > 2 ? witness.sigma : half_of_pair * worst_sigma_,
+                       .sigma = voters_ > 2 ? std::hypot(witness.sigma, wider_now(witness))
+                                            : half_of_pair * worst_sigma_,
                        .shapes = voters_ > 2,
                        .pair = seen <= 2},
                       at);
   witness.present = witness.seen;
   witness.seen = false;
+}
+
+void Group::anchor(double dt) {
+  double sum = 0;
+  for (const Witness& witness : witnesses_) sum += witness.test.offset();
+  const double mean = witnesses_.empty() ? 0 : sum / static_cast<double>(witnesses_.size());
+  for (Witness& witness : witnesses_) witness.test.shift(-mean * dt / anchor_s);
+}
+
+/// The median leaves a witness only as far as the best of the others does. How much that one is
+/// wider now than usual, no spread has learned.
+double Group::wider_now(const Witness& witness) const {
+  double usual = std::numeric_limits<double>::infinity(), now = usual;
+  for (const Witness& other : witnesses_) {
+    if (&other == &witness || !other.votes) continue;
+    usual = std::min(usual, other.test.spread());
+    now = std::min(now, std::hypot(other.test.spread(), other.sigma));
+  }
+  return now > usual ? std::sqrt(now * now - usual * usual) : 0;
 }
 
 Devices Group::accused(const Witness& witness) const {

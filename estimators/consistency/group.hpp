@@ -17,7 +17,7 @@ struct Witness {
   const Freeze* freeze = nullptr;
   bool kin = false;  ///< it shares an error with its kin: together they have one vote
   // of this time
-  bool seen = false, fresh = false, present = false;
+  bool seen = false, fresh = false, present = false, votes = false;
   double value = 0, sigma = 0;
   std::uint64_t serial = 0;
 };
@@ -48,6 +48,10 @@ class Group {
   template <class Distrusted>
   void settle(Stamp at, double dt, const Distrusted& distrusted);
 
+  /// Draws the mean of the offsets to 0. The tests see differences only, so all offsets together
+  /// would walk away, and the median with them.
+  void anchor(double dt);
+
   /// The median of the last time and its derivative.
   std::optional<double> value() const { return value_; }
   double rate() const { return rate_; }
@@ -66,6 +70,7 @@ class Group {
   };
   void move_to(std::optional<double> value, double dt);
   void test(Witness& witness, Stamp at, std::size_t seen) const;
+  double wider_now(const Witness& witness) const;
 
   boost::container::static_vector<Witness, most> witnesses_;
   std::optional<double> value_;
@@ -80,15 +85,17 @@ void Group::settle(Stamp at, double dt, const Distrusted& distrusted) {
   Votes sound, trusted, any;
   const Witness* voter = nullptr;
   double worst = 0;
-  for (const Witness& witness : witnesses_) {
+  for (Witness& witness : witnesses_) {
+    witness.votes = false;
     if (!witness.seen) continue;
-    worst = std::max(worst, std::hypot(witness.test.facts().floor, witness.sigma));
+    worst = std::max(worst, std::hypot(witness.test.spread(), witness.sigma));
     const double value = witness.value - witness.test.offset();
     any.add(value, witness.kin);
     if (!witness.test.learned() || distrusted(witness.devices)) continue;
     voter = &witness;
     trusted.add(value, witness.kin);
-    if (!witness.test.fired()) sound.add(value, witness.kin);
+    witness.votes = !witness.test.fired();
+    if (witness.votes) sound.add(value, witness.kin);
   }
   voters_ = sound.count();
   worst_sigma_ = worst;

@@ -79,8 +79,6 @@ void InertialUnit::turn(double dt) {
   middle_ = (before + down_).normalized();
 }
 
-/// Two level axes at right angles, in the body; they keep their heading while it turns. Empty: the
-/// body stands on its nose or tail.
 std::optional<Eigen::Matrix<double, 3, 2>> InertialUnit::level_axes() const {
   if (std::abs(down_.x()) > steepest) return {};
   const Eigen::Vector3d ahead = (Eigen::Vector3d::UnitX() - down_.x() * down_).normalized();

@@ -31,6 +31,10 @@ class InertialUnit {
   double quick_difference() const { return quick_difference_.norm(); }
   void take_quick_level() { down_ = quick_; }
 
+  /// Two level axes at right angles, in the body; they keep their heading while it turns. Empty:
+  /// the body stands on its nose or tail.
+  std::optional<Eigen::Matrix<double, 3, 2>> level_axes() const;
+
   std::uint16_t device() const { return device_; }
   const Eigen::Vector3d& rate() const { return rate_; }  ///< rad/s, mean of the last step
   const Eigen::Vector3d& down() const { return down_; }  ///< unit vector, body
@@ -44,7 +48,6 @@ class InertialUnit {
   void begin(Stamp at, const Sums& sums);
   void turn(double dt);
   void learn_earth_turn(const Eigen::Vector3d& difference);
-  std::optional<Eigen::Matrix<double, 3, 2>> level_axes() const;
 
   std::uint16_t device_;
   std::chrono::nanoseconds longest_gap_;

@@ -9,6 +9,7 @@ constexpr double fastest_drift_mps3 = 0.05;
 constexpr double unknown_acceleration_mps2 = 0.5;
 constexpr double acceleration_share = 0.15, change_share = 1, acceleration_memory_s = 2;
 /// A gyro's fault has turned the level; when that no longer goes on, the level begins anew.
+constexpr double usual_memory_s = 60;  // as the level's own
 constexpr double over_below_mps2 = 0.15, over_after_s = 3;
 
 TestFacts facts_along(std::string_view quantity) {
@@ -52,12 +53,26 @@ void Levels::step(const Moment& moment, const std::optional<Eigen::Vector3d>& ac
     if (tracks_.units[i].running()) step(units_[i], tracks_.units[i], moment, known, sigma);
 }
 
+/// What differs always may be the body's or the Earth's (its turn, the level's own error); straight
+/// ahead both look the same. A turn parts them by so much.
+double Levels::unsettled(Unit& unit, const InertialUnit& inertial,
+                         const Eigen::Vector3d& difference, double dt) {
+  const auto axes = inertial.level_axes();
+  if (!axes) return 0;
+  const double share = std::min(1.0, dt / usual_memory_s);
+  unit.in_body += share * (difference - unit.in_body);
+  unit.in_level += share * (axes->transpose() * difference - unit.in_level);
+  return (axes->transpose() * unit.in_body - unit.in_level).norm();
+}
+
 void Levels::step(Unit& unit, InertialUnit& inertial, const Moment& moment,
                   const Eigen::Vector3d& acceleration, double sigma) {
-  const Eigen::Vector3d difference = inertial.level(acceleration, !any_fired(unit));
+  const bool sound = !any_fired(unit);
+  const Eigen::Vector3d difference = inertial.level(acceleration, sound);
+  const double turned = sound ? unsettled(unit, inertial, difference, moment.dt) : 0;
   for (int axis = 0; axis < 3; ++axis)
     unit.tests.at(static_cast<std::size_t>(axis))
-        .take({.value = difference[axis], .sigma = sigma}, moment.at);
+        .take({.value = difference[axis], .sigma = std::hypot(sigma, turned)}, moment.at);
   const bool over = turned_away(unit) && inertial.quick_difference() < over_below_mps2;
   unit.over_s = over ? unit.over_s + moment.dt : 0;
   if (unit.over_s > over_after_s) inertial.take_quick_level();

@@ -21,10 +21,15 @@ class Levels {
     const Freeze* freeze;
     std::array<Test, 3> tests;
     double over_s = 0;  ///< since a fault that turned the level is over
+    /// The usual difference, m/s2: in the body, and in level axes that keep their heading.
+    Eigen::Vector3d in_body = Eigen::Vector3d::Zero();
+    Eigen::Vector2d in_level = Eigen::Vector2d::Zero();
   };
   std::span<const Unit> units() const { return units_; }
 
  private:
+  static double unsettled(Unit& unit, const InertialUnit& inertial,
+                          const Eigen::Vector3d& difference, double dt);
   void step(Unit& unit, InertialUnit& inertial, const Moment& moment,
             const Eigen::Vector3d& acceleration, double sigma);
 

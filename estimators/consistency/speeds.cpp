@@ -26,14 +26,12 @@ constexpr TestFacts log_facts{.floor = 0.05,
                               .unit = "m/s"};
 constexpr TestFacts shaft_facts{.floor = 0.025,
                                 .wander = 0.002,
-                                .late_s = 0.5,
+                                .late_s = 0.2,
                                 .scales = true,
                                 .quantity = quantity,
                                 .unit = "m/s"};
 
-constexpr double slowest_mps = 0.3;  // below it a shaft or a course says little
 constexpr double usual_current_mps = 0.3;
-constexpr double advance_memory_s = 100;
 
 }  // namespace
 
@@ -49,7 +47,7 @@ Speeds::Speeds(const Tracks& tracks) : tracks_(tracks) {
     shafts_.push_back(group_.add({actuator.device}, shaft_facts, &actuator.shaft.freeze()));
   currents_.resize(logs_.size());
   learned_.resize(logs_.size());
-  advances_m_.resize(shafts_.size());
+  surges_.resize(shafts_.size());
 }
 
 void Speeds::see(const Moment& moment) {
@@ -107,33 +105,69 @@ Eigen::Vector2d Speeds::water(std::size_t log, const Eigen::Vector2d& read,
   return through;
 }
 
+/// A propeller drives through the water; only a log tells how that moves.
 void Speeds::see_shafts(const Moment& moment) {
-  for (std::size_t i = 0; i < shafts_.size(); ++i)
-    if (const auto read = tracks_.actuators[i].shaft.at(moment.at); read && advances_m_[i] > 0)
-      group_.see(shafts_[i], advances_m_[i] * std::abs(read->value.x()), read->serial);
+  for (std::size_t i = 0; i < shafts_.size(); ++i) {
+    const auto read = tracks_.actuators[i].shaft.at(moment.at);
+    const auto made = surges_[i].answer();
+    if (!read || !made || !moment.rate) continue;
+    const bool current_known = !logs_.empty() && learned_[0] > 0 && moment.heading_known;
+    const double current = current_known ? 0 : usual_current_mps;
+    group_.see(shafts_[i], made->speed_mps, read->serial, std::hypot(made->sigma_mps, current));
+  }
+}
+
+double Speeds::current_along(const Moment& moment) const {
+  return currents_.empty() ? 0 : currents_[0].at(moment.heading).x();
+}
+
+bool Speeds::is_quiet(std::size_t witness) const {
+  return witness < Group::most && group_.witnesses()[witness].test.suspicion() < 0.3;
 }
 
 /// Only from devices that no test accuses.
 void Speeds::learn(const Moment& moment) {
-  shaft_s_ += moment.dt;
-  const auto quiet = [&](std::size_t witness) {
-    return witness < Group::most && group_.witnesses()[witness].test.suspicion() < 0.3;
-  };
+  learn_currents(moment);
+  learn_surge(moment);
+}
+
+void Speeds::learn_currents(const Moment& moment) {
   for (std::size_t i = 0; i < logs_.size(); ++i) {
     const auto read = tracks_.logs[i].speed.at(moment.at);
-    if (!read || !moment.along_deck || !quiet(logs_[i])) continue;
+    if (!read || !moment.along_deck || !is_quiet(logs_[i])) continue;
     if (read->serial == learned_[i]) continue;
     learned_[i] = read->serial;
     currents_[i].follow(*moment.along_deck - water(i, read->value, moment), tracks_.logs[i].across,
                         moment.heading, 1 / tracks_.logs[i].sensor.rate_hz);
   }
+}
+
+/// The mean of all that is quiet, but for the shafts.
+std::optional<double> Speeds::speed_of_others() const {
+  double sum = 0;
+  int count = 0;
+  for (const auto* kind : {&dvls_, &receivers_, &logs_})
+    for (const std::size_t i : *kind) {
+      if (!is_quiet(i) || !group_.witnesses()[i].present) continue;
+      sum += group_.witnesses()[i].value - group_.witnesses()[i].test.offset();
+      ++count;
+    }
+  return count > 0 ? std::optional(sum / count) : std::nullopt;
+}
+
+void Speeds::learn_surge(const Moment& moment) {
+  // Without the rate of turn the law is not judged.
+  const auto speed = moment.rate ? speed_of_others() : std::nullopt;
+  const double turn = moment.rate ? moment.rate->z() : 0;
   for (std::size_t i = 0; i < shafts_.size(); ++i) {
     const auto read = tracks_.actuators[i].shaft.at(moment.at);
-    if (!read || !group_.value() || *group_.value() < slowest_mps || !quiet(shafts_[i])) continue;
-    const double advance = *group_.value() / std::max(std::abs(read->value.x()), 0.1);
-    double& known = advances_m_[i];
-    known += (advance - known) *
-             (known > 0 ? moment.dt / std::clamp(shaft_s_, 2.0, advance_memory_s) : 1);
+    if (!read) continue;
+    surges_[i].take({.shaft_radps = read->value.x(),
+                     .speed_mps = speed,
+                     .current_mps = current_along(moment),
+                     .turn_radps = turn},
+                    moment.dt);
+    if (is_quiet(shafts_[i])) surges_[i].learn();
   }
 }
 

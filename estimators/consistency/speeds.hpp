@@ -3,6 +3,7 @@
 #include "estimators/consistency/current.hpp"
 #include "estimators/consistency/group.hpp"
 #include "estimators/consistency/moment.hpp"
+#include "estimators/consistency/surge.hpp"
 
 namespace drydock::consistency {
 
@@ -16,6 +17,7 @@ class Speeds {
   void step(const Moment& moment, const Distrusted& distrusted) {
     see(moment);
     group_.settle(moment.at, moment.dt, distrusted);
+    group_.anchor(moment.dt);
     learn(moment);
   }
 
@@ -28,6 +30,11 @@ class Speeds {
   void see_logs(const Moment& moment);
   void see_shafts(const Moment& moment);
   void learn(const Moment& moment);
+  void learn_currents(const Moment& moment);
+  void learn_surge(const Moment& moment);
+  bool is_quiet(std::size_t witness) const;
+  std::optional<double> speed_of_others() const;
+  double current_along(const Moment& moment) const;
   double current_sigma(std::size_t log, const Moment& moment) const;
   Eigen::Vector2d water(std::size_t log, const Eigen::Vector2d& read, const Moment& moment) const;
 
@@ -36,8 +43,7 @@ class Speeds {
   std::vector<std::size_t> dvls_, receivers_, logs_, shafts_;
   std::vector<Current> currents_;       ///< one a log
   std::vector<std::uint64_t> learned_;  ///< the last sample of each log that did so
-  double shaft_s_ = 0;                  ///< learned so long
-  std::vector<double> advances_m_;      ///< one a shaft: speed / (rad/s); 0: not learned
+  std::vector<Surge> surges_;           ///< one a shaft
 };
 
 }  // namespace drydock::consistency

@@ -7,17 +7,12 @@ namespace {
 
 constexpr TestFacts rudder_facts{.floor = 0.5 * units::degree,
                                  .wander = 0.01 * units::degree,
-                                 .late_s = 1.2,  // a hull turns later than its rudder
+                                 .late_s = 0.3,
                                  .quantity = "rudder",
                                  .unit = "deg",
                                  .unit_si = units::degree};
 
 constexpr double slowest_steered_mps = 0.5;
-constexpr double steering_memory_s = 300;
-/// The ratio is known after ten seconds of a curve of 100 m radius, or what is as much.
-constexpr double enough = 10 * 0.01 * 0.01;
-/// The ratio itself differs between manoeuvres by so much.
-constexpr double ratio_sigma = 0.1;
 
 }  // namespace
 
@@ -30,33 +25,36 @@ Steering::Steering(const Tracks& tracks) : tracks_(tracks) {
 
 void Steering::step(const Moment& moment, std::optional<double> speed_mps) {
   if (!moment.rate || !moment.down || !speed_mps || *speed_mps < slowest_steered_mps ||
-      !is_upright(moment))
+      !is_upright(moment)) {
+    for (Rudder& rudder : rudders_) rudder.helm.interrupt();
     return;
+  }
   const double curvature = moment.rate->dot(*moment.down) / *speed_mps;
   for (std::size_t i = 0; i < rudders_.size(); ++i) {
     const auto read =
         tracks_.actuators[i].rudder.at(moment.at - measurement::from_seconds(moment.dt / 2));
-    if (!read || read->serial == rudders_[i].serial) continue;
+    if (!read) {
+      rudders_[i].helm.interrupt();
+      continue;
+    }
+    rudders_[i].helm.take(read->value.x(), curvature, *speed_mps, moment.dt);
+    if (read->serial == rudders_[i].serial) continue;
     rudders_[i].serial = read->serial;
-    step(rudders_[i], read->value.x(), curvature, moment);
+    step(rudders_[i], moment);
   }
 }
 
-void Steering::step(Rudder& rudder, double angle, double curvature_1pm, const Moment& moment) {
-  if (rudder.test.suspicion() < 0.3) {
-    const double keep = 1 - moment.dt / steering_memory_s;
-    const double own = angle - (rudder.test.learned() ? rudder.test.offset() : 0);
-    rudder.product = keep * rudder.product + moment.dt * curvature_1pm * own;
-    rudder.square = keep * rudder.square + moment.dt * curvature_1pm * curvature_1pm;
+void Steering::step(Rudder& rudder, const Moment& moment) {
+  if (const auto answer = rudder.helm.answer()) {
+    const double needed = answer->needed_rad;
+    rudder.test.take({.value = answer->rudder_rad - needed,
+                      .rate = (needed - rudder.last) / moment.dt,
+                      .quantity = needed,
+                      .sigma = answer->sigma_rad},
+                     moment.at);
+    rudder.last = needed;
   }
-  if (rudder.square < enough) return;
-  const double needed = rudder.product / rudder.square * curvature_1pm;
-  rudder.test.take({.value = angle - needed,
-                    .rate = (needed - rudder.last) / moment.dt,
-                    .quantity = needed,
-                    .sigma = ratio_sigma * std::abs(needed)},
-                   moment.at);
-  rudder.last = needed;
+  if (rudder.test.suspicion() < 0.3) rudder.helm.learn();
 }
 
 }  // namespace drydock::consistency

@@ -2,13 +2,13 @@
 
 #include <span>
 
+#include "estimators/consistency/helm.hpp"
 #include "estimators/consistency/moment.hpp"
 #include "estimators/consistency/test.hpp"
 
 namespace drydock::consistency {
 
-/// The rudder against the curvature of the way: rate of turn over speed. Their ratio is learned
-/// while the vehicle turns.
+/// The rudder against the curvature of the way: rate of turn over speed.
 class Steering {
  public:
   explicit Steering(const Tracks& tracks);
@@ -18,14 +18,14 @@ class Steering {
     std::uint16_t device;
     const Freeze* freeze;
     Test test;
-    double product = 0, square = 0;  ///< sums of curvature times rudder, and curvature squared
-    double last = 0;                 ///< the rudder that the curvature needs
+    Helm helm{};
+    double last = 0;  ///< the rudder that the curvature needs
     std::uint64_t serial = 0;
   };
   std::span<const Rudder> rudders() const { return rudders_; }
 
  private:
-  void step(Rudder& rudder, double angle, double curvature_1pm, const Moment& moment);
+  static void step(Rudder& rudder, const Moment& moment);
 
   const Tracks& tracks_;
   std::vector<Rudder> rudders_;

@@ -27,8 +27,7 @@ void Test::take(const Residual& residual, Stamp at) {
   last_ = at;
   if (!learned()) return learn(residual.value);
   deviation_ = residual.value - offset_;
-  const double usual = std::max(square(facts_.floor), mean_square_);
-  const double most = square(wildest) * usual;
+  const double most = square(wildest * spread());
   noise_square_ +=
       (std::min(square(deviation_ - before) / 2, most) - noise_square_) / noise_samples;
   sigma_ = sigma_of(residual);
@@ -69,8 +68,10 @@ void Test::end_sum(Stamp at) {
   if (at - steady_since_ > steady_for_sum) restart();
 }
 
+double Test::spread() const { return std::sqrt(std::max(square(facts_.floor), mean_square_)); }
+
 double Test::sigma_of(const Residual& residual) const {
-  return std::sqrt(std::max({square(facts_.floor), mean_square_, noise_square_}) +
+  return std::sqrt(std::max(square(spread()), noise_square_) +
                    square(facts_.late_s * residual.rate) + square(residual.sigma));
 }
 

@@ -44,6 +44,8 @@ class Test {
   void take(const Residual& residual, Stamp at);
   /// The offset begins anew, as after an outage of a sum.
   void restart() { samples_ = 0; }
+  /// The residuals to come are larger by so much, for no fault of the device.
+  void shift(double by) { offset_ += by; }
 
   bool learned() const { return samples_ >= learning_samples; }
   bool fired() const { return fired_; }
@@ -51,6 +53,8 @@ class Test {
   double suspicion() const { return std::min(1.0, cusum_.value() / design.limit); }
   double offset() const { return offset_; }
   double sigma() const { return sigma_; }
+  /// 1 sigma of the residual in usual times, as far as it was learned.
+  double spread() const;
   Stamp since() const { return since_; }
   Stamp last() const { return last_; }             ///< when it was tested last
   double deviation() const { return deviation_; }  ///< of the last residual from its offset

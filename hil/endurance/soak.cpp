@@ -101,7 +101,8 @@ std::string page_of(const summary::Summary& summary, const SoakWatch& watch,
 
 }  // namespace
 
-int soak(const rig_config::Rig& rig, const SoakOptions& options, std::FILE* out) {
+int soak(rig_config::Rig rig, const SoakOptions& options, std::FILE* out) {
+  rig.seed = options.seed;
   SoakWatch watch(rig, options.seed,
                   options.faults ? std::optional(options.fault_interval_s) : std::nullopt);
   bench::RunOptions run;

@@ -9,7 +9,7 @@ namespace drydock::endurance {
 
 struct SoakOptions {
   double duration_s = 30 * 86400.0;
-  std::uint64_t seed = 1;         ///< for the faults
+  std::uint64_t seed = 1;         ///< of the sensors' errors and of the faults
   double fault_interval_s = 600;  ///< mean, per device
   bool faults = true;             ///< false: a healthy run, in which every finding is a false alarm
   std::string json, report;       ///< file, folder; empty: none
@@ -19,6 +19,6 @@ struct SoakOptions {
 /// that no device stays in a state without a fault, that every byte is accounted for, that every
 /// number is finite, and that nothing is found while no device has a fault. Returns 0 if all is
 /// well, 1 if not, 130 after Ctrl-C.
-int soak(const rig_config::Rig& rig, const SoakOptions& options, std::FILE* out);
+int soak(rig_config::Rig rig, const SoakOptions& options, std::FILE* out);
 
 }  // namespace drydock::endurance

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "drivers/measurement/units.hpp"
 #include "hil/report/html.hpp"
 #include "hil/summary/findings.hpp"
 #include "hil/summary/loop_report.hpp"
@@ -62,6 +63,26 @@ std::string error_table(const EstimatorSummary& e) {
   out += error_row("whole run", *e.whole_run);
   if (e.after_10_s) out += error_row("after 10 s", *e.after_10_s);
   return out + "</table></div>\n";
+}
+
+/// Whether the estimates said that they may be used, and how far the last one can be off.
+std::string integrity_table(const EstimatorSummary& e) {
+  if (!e.valid_share || !e.promised) return {};
+  const auto& last = *e.promised;
+  std::string head = "<th>valid<th>at the end", row;
+  const auto add = [&](const char* what, double value, const char* unit) {
+    head += fmt::format("<th>{} within", what);
+    row += fmt::format("<td>{:.2g} {}", value, unit);
+  };
+  add("roll", last.roll_bound_rad * units::degrees_per_radian, "deg");
+  add("pitch", last.pitch_bound_rad * units::degrees_per_radian, "deg");
+  if (last.heading_bound_rad)
+    add("heading", *last.heading_bound_rad * units::degrees_per_radian, "deg");
+  if (last.horizontal_bound_m) add("position", *last.horizontal_bound_m, "m");
+  return fmt::format(
+      "<div class=scroll><table><tr>{}</tr>\n<tr><td>{:.1f} % of the estimates<td>{}{}</tr>"
+      "</table></div>\n",
+      head, 100 * *e.valid_share, last.valid ? "valid" : "<span class=bad>not valid</span>", row);
 }
 
 std::string fault_section(const Summary& s) {
@@ -141,7 +162,7 @@ std::string estimator_section(const Summary& s, std::size_t i) {
   std::string out =
       fmt::format("<h2>Estimator {} <span class=soft>({})</span></h2>\n{}",
                   report::html::escaped(e.name), report::html::escaped(e.kind), error_table(e)) +
-      program_section(e) + navigation_section(e.navigation, s.navigation[i]);
+      integrity_table(e) + program_section(e) + navigation_section(e.navigation, s.navigation[i]);
   const auto& t = s.traces[i];
   if (t.t_s.empty()) return out;
   out += axis_figures("Roll", t, t.roll_deg, t.true_roll_deg, t.roll_sigma_deg);

@@ -131,6 +131,7 @@ void Scribe::on_measurement(const Measurement& m) {
 
 void Scribe::on_estimate(const host::Estimate& estimate) {
   auto& e = estimators_[estimate.estimator];
+  e.summary.promised = estimate.integrity;
   std::optional<motion::Truth> truth;
   if (e.has_truth) truth = truth_->at(estimate.attitude.valid_at);
   const motion::Truth* known = truth ? &*truth : nullptr;

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "drivers/bus/device.hpp"
 #include "drivers/device/health_account.hpp"
 #include "drivers/diagnosis/finding_account.hpp"
 #include "estimators/pipeline/peer.hpp"
@@ -36,9 +37,10 @@ struct NavigationError {
 struct EstimatorSummary {
   std::string name, kind;
   std::uint64_t estimates = 0;
-  std::uint64_t rejected = 0;         ///< sensor values outside the estimator's gate
-  std::optional<double> valid_share;  ///< of the estimates, as they say; empty: no estimate
-  std::optional<double> rate_hz;      ///< of the estimates; empty: fewer than two
+  std::uint64_t rejected = 0;              ///< sensor values outside the estimator's gate
+  std::optional<double> valid_share;       ///< of the estimates, as they say; empty: no estimate
+  std::optional<bus::Integrity> promised;  ///< by the last estimate; empty: there was none
+  std::optional<double> rate_hz;           ///< of the estimates; empty: fewer than two
   std::optional<double> nis;  ///< mean normalised square of accepted innovations; empty: none
   std::optional<AttitudeError> whole_run;  ///< empty if there is no truth
   std::optional<AttitudeError> after_10_s;

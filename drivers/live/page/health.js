@@ -1,6 +1,7 @@
 // The devices of /diagnostics as a table. On a narrow page the numbers are below the status text.
 import { by, clock, make, seconds } from './dom.js';
 import { inForce } from './faults.js';
+import { isIntegrity, takeIntegrity } from './integrity.js';
 import { badgeOf, findingsOf, isFinding, takeFinding } from './findings.js';
 
 const levels = ['ok', 'warn', 'error', 'stale'];
@@ -33,7 +34,8 @@ function errorNow({ last_error: text, last_error_age_s: age, errors = 1 }, now) 
 
 export function takeHealth({ header, status }) {
   for (const finding of status.filter(isFinding)) takeFinding(finding, seconds(header.stamp));
-  for (const { level, name, message, values } of status.filter((one) => !isFinding(one))) {
+  for (const promise of status.filter(isIntegrity)) takeIntegrity(promise);
+  for (const { level, name, message, values } of status.filter((one) => !isFinding(one) && !isIntegrity(one))) {
     const value = Object.fromEntries(values.map((v) => [v.key, v.value]));
     const wide = [rate(value), short(value.age_s), known(value.jitter_s) ? short(1000 * value.jitter_s) : '–', value.messages ?? '–', value.bad_checksums ?? '–'];
     const faulty = inForce().some(({ device }) => device === name);

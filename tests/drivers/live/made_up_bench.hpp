@@ -121,7 +121,12 @@ class MadeUpBench {
        "dvl/damaged",
        "frames arrive damaged: 12 damaged frames (at most 0)",
        "dvl",
-       {{"since_s", "1700000000.25"}, {"until_s", ""}, {"advice", "look at the cable"}}}};
+       {{"since_s", "1700000000.25"}, {"until_s", ""}, {"advice", "look at the cable"}}},
+      {bus::Level::warn,
+       "leveling/integrity",
+       "not valid",
+       "",
+       {{"valid", "false"}, {"roll_bound_deg", "0.8123"}, {"pitch_bound_deg", "0.5"}}}};
   LiveTopics topics_;
   bus::CdrPublisher publisher_;
   int steps_ = 0;

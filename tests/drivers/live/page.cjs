@@ -22,6 +22,7 @@ function read() {
     background: getComputedStyle(document.body).backgroundColor,
     overflow: document.documentElement.scrollWidth - innerWidth,
     overlaps, cut,
+    estimators: [...document.querySelectorAll('#integrity tbody tr')].map((row) => [...row.cells].map(text)),
     devices: [...document.querySelectorAll('#devices tbody tr')].map((row) => [...row.cells].filter((cell) => cell.offsetWidth).map(text)),
     colours: Object.fromEntries(['--c1', '--c2', '--c3', '--c6', '--ok', '--error', '--panel'].map((name) => [name, css(name)])),
     figures: figures.map((figure) => ({

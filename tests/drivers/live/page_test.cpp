@@ -59,6 +59,12 @@ void see_findings(const json& seen) {
             "most 0) look at the cable");
 }
 
+/// A promise of an estimator is no device either.
+void see_integrity(const json& estimators) {
+  EXPECT_EQ(estimators,
+            json::parse(R"([["leveling", "not valid", "roll ± 0.81°, pitch ± 0.5°"]])"));
+}
+
 /// The banner names only the faults in force. The plots also shade faults that have ended.
 void see_faults(const json& seen) {
   EXPECT_THAT(seen["faults"].get<std::string>(),
@@ -188,6 +194,7 @@ TEST_P(LivePage, ShowsHealthFaultsEstimatesInnovationsAndMeasurementsAtThisWidth
             std::string(GetParam().theme) == "dark" ? "rgb(17, 22, 28)" : "rgb(246, 247, 249)");
   see_devices(seen["devices"], GetParam().width);
   see_findings(seen);
+  see_integrity(seen["estimators"]);
   see_faults(seen);
   see_curves(seen["figures"]);
   see_innovations(seen["figures"], steps_before);

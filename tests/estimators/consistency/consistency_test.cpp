@@ -71,7 +71,7 @@ const Case cases[] = {
      on<ImuSample>([](auto& m, double) { m.specific_force.x() += 0.5; })},
     {"ARudderThatReadsTooMuch", actuators, Sign::offset, 5,
      on<ActuatorState>([](auto& m, double) { *m.rudder_rad += 5 * degree; })},
-    {"AShaftThatReadsTooMuch", actuators, Sign::offset, 4,
+    {"AShaftThatReadsTooMuch", actuators, Sign::offset, 8,
      on<ActuatorState>([](auto& m, double) { *m.propeller_radps += 10.5; })},
     {"ACompassThatTurned", compass, Sign::offset, 5, on<AttitudeSample>([](auto& m, double) {
        m.true_heading_rad = std::fmod(*m.true_heading_rad + 5 * degree, 2 * std::numbers::pi);
@@ -144,7 +144,7 @@ TEST(Consistency, SaysNothingOfAMountingOfOneDegreeOrAScaleOfOnePercent) {
 }
 
 const Case smallest[] = {
-    {"Dvl", dvl, {}, 20, on<BottomVelocity>([](auto& m, double) { m.velocity->x() += 0.06; })},
+    {"Dvl", dvl, {}, 20, on<BottomVelocity>([](auto& m, double) { m.velocity->x() += 0.07; })},
     {"Log", log, {}, 20, on<WaterSpeed>([](auto& m, double) { *m.longitudinal_mps += 0.25; })},
     {"GnssVelocity", gnss, {}, 20, on<GnssFix>([](auto& m, double) {
        *m.velocity_ned *= 1 + 0.15 / 2;
@@ -163,7 +163,7 @@ const Case smallest[] = {
        *m.rudder_rad += 3 * degree;
      })},
     {"Shaft", actuators, {}, 20, on<ActuatorState>([](auto& m, double) {
-       *m.propeller_radps += 50 * std::numbers::pi / 30;
+       *m.propeller_radps += 100 * std::numbers::pi / 30;
      })},
     {"Compass", compass, {}, 20, on<AttitudeSample>([](auto& m, double) {
        m.true_heading_rad = std::fmod(*m.true_heading_rad + 2 * degree, 2 * std::numbers::pi);
@@ -180,6 +180,19 @@ TEST_P(TheSmallestFaultOfThePage, IsLaidToItsDeviceWithinTwentySeconds) {
 }
 INSTANTIATE_TEST_SUITE_P(Consistency, TheSmallestFaultOfThePage, testing::ValuesIn(smallest),
                          [](const auto& given) { return std::string(given.param.name); });
+
+/// The vehicle swings on: the rudder that it needs goes to 16 degrees and back.
+TEST(Consistency, SeesARudderThatIsSaidToStandStillWhileTheVehicleTurns) {
+  Voyage voyage;
+  std::optional<double> last;
+  voyage.run(100, on<ActuatorState>([&](auto& m, double) {
+               if (!last) last = m.rudder_rad;
+               m.rudder_rad = last;
+             }));
+  ASSERT_FALSE(voyage.said().empty());
+  EXPECT_LT(voyage.said().front().at_s, begin_s + 12);
+  for (const auto& one : voyage.said()) EXPECT_EQ(one.device, actuators) << one.at_s;
+}
 
 TEST(Consistency, ForgetsAFaultThatIsOver) {
   Voyage voyage;
@@ -234,6 +247,14 @@ TEST(Consistency, BearsValuesThatAreNoNumbersAndTimesThatGoBack) {
   ASSERT_FALSE(voyage.said().empty());
   EXPECT_EQ(voyage.said().back().device, dvl);
   EXPECT_GT(voyage.said().back().at_s, 420);
+}
+
+TEST(Consistency, AllocatesNothingASampleOfAnyKind) {
+  Voyage voyage;
+  voyage.run(1);
+  const std::size_t before = pipeline::test::allocations();
+  voyage.run(120);
+  EXPECT_EQ(pipeline::test::allocations(), before);
 }
 
 /// Counts what is said and keeps nothing.

@@ -121,18 +121,18 @@ TEST(Constants, TellThePitchOfTheMounting) {
 
 /// Two samples off by +-0.1: s^2 = 0.02 / (2 - 1), and the variance s^2 / sum x^2.
 TEST(ConstantFit, IsTheMeanOfTheRatios) {
-  ConstantFit<1> fit(ConstantFit<1>::Vector{1000}, 0.1);
+  ConstantFit<1> fit(ConstantFit<1>::Vector{1000}, 0.1, 0.98);
   for (int i = 0; i < 2; ++i) fit.add(4.1 - 0.2 * i, ConstantFit<1>::Vector{2});
-  const auto [value, sigma] = fit.solve();
-  EXPECT_NEAR(value[0], 2, 0.001);
-  EXPECT_NEAR(sigma[0], std::sqrt(0.02 / 8), 0.001);
+  const auto answer = fit.solve();
+  EXPECT_NEAR(answer.value[0], 2, 0.001);
+  EXPECT_NEAR(answer.sigma(0), std::sqrt(0.02 / 8), 0.001);
+  EXPECT_NEAR(answer.sigma_of(ConstantFit<1>::Vector{3}), 3 * std::sqrt(0.02 / 8), 0.003);
 }
 
 TEST(ConstantFit, KeepsToItsPriorWhereTheDataSayNothing) {
-  ConstantFit<2> fit({0.01, 1}, 0.1);
+  ConstantFit<2> fit({0.01, 1}, 0.1, 0.98);
   for (int i = 0; i < 100; ++i) fit.add(0, {1, 0});
-  const auto [value, sigma] = fit.solve();
-  EXPECT_NEAR(sigma[1], 1, 1e-6);
+  EXPECT_NEAR(fit.solve().sigma(1), 1, 1e-6);
 }
 
 }  // namespace

@@ -8,8 +8,33 @@ namespace {
 
 using namespace measurement;
 
-constexpr double dt = 0.01, speed = 2, gravity = 9.80665, earth_m = 6.371e6;
+constexpr double dt = 0.01, gravity = 9.80665, earth_m = 6.371e6;
 constexpr double swing = 40 * std::numbers::pi / 180, pace = 2 * std::numbers::pi / 40;
+constexpr double usual_mps = 2, surge_mps = 0.1, surge_pace = 2 * std::numbers::pi / 20;
+
+/// The motion at one time, SI; a dash is a derivative with respect to time.
+struct Motion {
+  explicit Motion(double t)
+      : heading(swing * std::sin(pace * t)),
+        turn(swing * pace * std::cos(pace * t)),
+        turn_dash(-pace * pace * heading),
+        speed(usual_mps + surge_mps * std::sin(surge_pace * t)),
+        speed_dash(surge_mps * surge_pace * std::cos(surge_pace * t)),
+        current(0.3 * std::sin(heading)) {}
+
+  /// Nomoto's law with 5 m and 25 m2: a hull of 5 m.
+  double rudder() const {
+    const double bend = (turn_dash * speed - turn * speed_dash) / (speed * speed);
+    return -(5 * turn / speed + 25 * bend / speed);
+  }
+  /// The law of surge with an advance of 0.012 m, a way of 30 m and 20 m2.
+  double shaft() const {
+    const double through = speed - current;
+    return std::sqrt(through * through + 30 * speed_dash + 20 * turn * turn) / 0.012;
+  }
+
+  double heading, turn, turn_dash, speed, speed_dash, current;
+};
 
 std::vector<Sensor> sensors() {
   std::vector<Sensor> all(devices);
@@ -36,14 +61,16 @@ void Voyage::run(double end_s, const Fault& fault) {
 
 void Voyage::tick(const Fault& fault) {
   const double t = static_cast<double>(step_) * dt;
-  const double heading = swing * std::sin(pace * t), turn = swing * pace * std::cos(pace * t);
+  const Motion motion(t);
+  const double heading = motion.heading, turn = motion.turn, speed = motion.speed;
   north_ += dt * speed * std::cos(heading);
   east_ += dt * speed * std::sin(heading);
   const auto every = [&](long steps) { return step_ % steps == 0; };
 
   ImuSample inertial;
   inertial.angular_rate = {noise(1e-4), noise(1e-4), turn + noise(1e-4)};
-  inertial.specific_force = {noise(0.01), speed * turn + noise(0.01), -gravity + noise(0.01)};
+  inertial.specific_force = {motion.speed_dash + noise(0.01), speed * turn + noise(0.01),
+                             -gravity + noise(0.01)};
   give(inertial, imu, fault);
   if (every(20)) {
     BottomVelocity bottom;
@@ -57,7 +84,7 @@ void Voyage::tick(const Fault& fault) {
   }
   if (every(50)) {
     WaterSpeed water;
-    water.longitudinal_mps = speed - 0.3 * std::sin(heading) + noise(0.05);
+    water.longitudinal_mps = speed - motion.current + noise(0.05);
     water.transverse_mps = -0.3 * std::cos(heading) + noise(0.05);
     give(water, log, fault);
   }
@@ -66,8 +93,8 @@ void Voyage::tick(const Fault& fault) {
   below.depth_m = 10 + noise(0.02);
   give(below, depth, fault);
   ActuatorState state;
-  state.rudder_rad = -5 * turn / speed;
-  state.propeller_radps = speed / 0.012;
+  state.rudder_rad = motion.rudder();
+  state.propeller_radps = motion.shaft();
   give(state, actuators, fault);
   AttitudeSample attitude;
   attitude.true_heading_rad =

@@ -51,6 +51,20 @@ TEST(Soak, HoursOfRandomFaultsLeaveNothingStuckLostOrGrown) {
   std::filesystem::remove(file);
 }
 
+TEST(Soak, ASeedIsThatOfTheSensorsToo) {
+  const auto file = std::filesystem::temp_directory_path() / "drydock-soak-seed-test.json";
+  endurance::SoakOptions options;
+  options.duration_s = 30;
+  options.faults = false;
+  options.seed = 9;
+  options.json = file;
+  testing::internal::CaptureStdout();
+  endurance::soak(rig(), options, stdout);
+  testing::internal::GetCapturedStdout();
+  EXPECT_EQ(nlohmann::json::parse(std::ifstream(file))["seed"], 9);
+  std::filesystem::remove(file);
+}
+
 TEST(Soak, TheWatchSeesADeviceThatNoFaultExplains) {
   auto bench = rig();
   bench.faults = rig_config::load_faults_text(

@@ -1,0 +1,87 @@
+#include "estimators/consistency/group.hpp"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+namespace drydock::consistency {
+namespace {
+
+constexpr TestFacts exact{.floor = 0.02, .wander = 0.001}, rough{.floor = 0.05, .wander = 0.003};
+
+/// Witnesses of a constant speed, with white noise of known deviation.
+class Sailing {
+ public:
+  void add(double sigma, const TestFacts& facts, double bias = 0) {
+    group.add({static_cast<std::uint16_t>(sigmas_.size())}, facts);
+    sigmas_.push_back(sigma);
+    biases_.push_back(bias);
+  }
+
+  /// `seen`: how many of the witnesses speak. Returns how often a test fired.
+  int run(double seconds, std::size_t seen, bool anchored = false) {
+    int fired = 0;
+    for (int i = 0; i < std::lround(seconds / dt); ++i) {
+      at_ += measurement::from_seconds(dt);
+      ++serial_;
+      for (std::size_t k = 0; k < seen; ++k)
+        group.see(k, 3 + biases_[k] + sigmas_[k] * normal_(random_), serial_);
+      group.settle(at_, dt, [](const Devices&) { return false; });
+      if (anchored) group.anchor(dt);
+      for (const Witness& one : group.witnesses()) fired += one.test.fired() ? 1 : 0;
+    }
+    return fired;
+  }
+
+  Group group;
+
+ private:
+  static constexpr double dt = 0.2;
+  std::vector<double> sigmas_, biases_;
+  std::mt19937_64 random_{1};
+  std::normal_distribution<double> normal_;
+  Stamp at_{std::chrono::seconds{1000}};
+  std::uint64_t serial_ = 0;
+};
+
+/// Each differs from the median of the two by half of the log's noise, which is twice the floor of
+/// the log's test: 8 hours of a dive in which the receiver is under water.
+TEST(Group, DoubtsNoneOfAPairForTheNoiseOfTheOther) {
+  Sailing sailing;
+  sailing.add(0.005, exact);
+  sailing.add(0.15, rough);
+  sailing.add(0.03, exact);
+  EXPECT_EQ(sailing.run(600, 3), 0);
+  EXPECT_EQ(sailing.run(8 * 3600, 2), 0);
+}
+
+TEST(Group, DrawsTheMeanOfItsOffsetsToZeroAndKeepsTheirDifferences) {
+  Sailing sailing;
+  sailing.add(1e-4, exact, 0.1);
+  sailing.add(1e-4, exact, 0.2);
+  sailing.add(1e-4, exact, 0.6);
+  sailing.run(3000, 3, true);
+  const auto witnesses = sailing.group.witnesses();
+  EXPECT_NEAR(*sailing.group.value(), 3.3, 0.001) << "the mean of all";
+  EXPECT_NEAR(witnesses[1].test.offset() - witnesses[0].test.offset(), 0.1, 0.001);
+  EXPECT_NEAR(witnesses[2].test.offset() - witnesses[0].test.offset(), 0.5, 0.001);
+}
+
+/// A witness that is unsure now, as the shaft of a hull that gains speed, pulls the median.
+TEST(Group, DoesNotDoubtAnExactWitnessWhileTheOthersAreUnsure) {
+  Group group;
+  for (std::uint16_t k = 0; k < 3; ++k) group.add({k}, exact);
+  Stamp at{std::chrono::seconds{1000}};
+  for (std::uint64_t i = 0; i < 1000; ++i) {
+    at += std::chrono::milliseconds{200};
+    const double away = i > 900 ? 0.1 : 0;
+    group.see(0, 3, i + 1);
+    group.see(1, 3 + away, i + 1, away);
+    group.see(2, 3 + away, i + 1, away);
+    group.settle(at, 0.2, [](const Devices&) { return false; });
+  }
+  EXPECT_LT(group.witnesses()[0].test.suspicion(), 0.3);
+}
+
+}  // namespace
+}  // namespace drydock::consistency

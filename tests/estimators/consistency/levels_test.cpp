@@ -1,0 +1,67 @@
+#include "estimators/consistency/levels.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "drivers/measurement/units.hpp"
+
+namespace drydock::consistency {
+namespace {
+
+using namespace measurement;
+
+/// One inertial unit of a level vehicle that goes straight on and then turns at a constant rate.
+class Vehicle {
+ public:
+  /// `bias`: of the gyros, rad/s.
+  void go(double seconds, double turn_radps, const Eigen::Vector3d& bias, double speed_mps) {
+    for (const double end_s = t_s_ + seconds; t_s_ < end_s; t_s_ += 0.01) {
+      ImuSample sample;
+      sample.origin.valid_at = Stamp{} + from_seconds(t_s_ + 100);
+      sample.angular_rate = Eigen::Vector3d{0, 0, turn_radps} + bias;
+      sample.specific_force = {0, speed_mps * turn_radps, -units::standard_gravity};
+      tracks_.units[0].take(sample);
+      if (++samples_ % 20 == 0) step({0, speed_mps * turn_radps, 0});
+    }
+  }
+
+  double most_suspicion() const { return most_suspicion_; }
+
+ private:
+  void step(const Eigen::Vector3d& acceleration) {
+    const Stamp at = Stamp{} + from_seconds(t_s_ + 99.8);
+    if (tracks_.units[0].advance(at)) levels_.step({.at = at, .dt = 0.2}, acceleration);
+    for (const Test& test : levels_.units()[0].tests)
+      most_suspicion_ = std::max(most_suspicion_, test.suspicion());
+  }
+
+  Tracks tracks_{.units = {InertialUnit(0, {.rate_hz = 100})}};
+  Levels levels_{tracks_};
+  double t_s_ = 0, most_suspicion_ = 0;
+  long samples_ = 0;
+};
+
+constexpr double degree_per_hour = std::numbers::pi / 180 / 3600;
+
+/// The pull of 60 s leaves 60 s * 9.8 m/s2 * 31 deg/h = 0.09 m/s2, to starboard as long as the
+/// vehicle goes straight on. After half a turn it stands to port: 0.18 m/s2 beside what is usual.
+TEST(Levels, DoNotDoubtAUnitForATurnThatTurnsItsUsualError) {
+  Vehicle vehicle;
+  vehicle.go(600, 0, {31 * degree_per_hour, 0, 0}, 6);
+  vehicle.go(55, 0.114, {31 * degree_per_hour, 0, 0}, 6);
+  vehicle.go(60, 0, {31 * degree_per_hour, 0, 0}, 6);
+  EXPECT_LT(vehicle.most_suspicion(), 0.5);
+}
+
+TEST(Levels, SeeAGyroThatIsOffByHalfADegreeASecondInSuchATurn) {
+  Vehicle vehicle;
+  vehicle.go(600, 0, {31 * degree_per_hour, 0, 0}, 6);
+  vehicle.go(20, 0.114, {31 * degree_per_hour, 0, 0}, 6);
+  vehicle.go(10, 0.114, {1800 * degree_per_hour, 0, 0}, 6);
+  EXPECT_EQ(vehicle.most_suspicion(), 1);
+}
+
+}  // namespace
+}  // namespace drydock::consistency

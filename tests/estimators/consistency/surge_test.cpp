@@ -1,0 +1,64 @@
+#include "estimators/consistency/surge.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace drydock::consistency {
+namespace {
+
+constexpr double dt = 0.2;
+
+/// A hull that obeys m du/dt = U^2 - u^2 with m = 100 m and U = 0.012 m n. Its speed is
+/// U tanh(U t / m + atanh(u0 / U)) while it grows, and U coth(...) while it falls.
+class Hull {
+ public:
+  void drive(double shaft_radps, double seconds, bool learn = true, double said_radps = 0) {
+    const double end = 0.012 * shaft_radps, from = speed_mps;
+    for (int i = 1; i <= std::lround(seconds / dt); ++i) {
+      const double part = end * i * dt / 100;
+      speed_mps = from < end ? end * std::tanh(part + std::atanh(from / end))
+                             : end / std::tanh(part + std::atanh(end / from));
+      surge.take({.shaft_radps = shaft_radps + said_radps, .speed_mps = speed_mps}, dt);
+      if (learn) surge.learn();
+    }
+  }
+
+  Surge surge;
+  double speed_mps = 1.6;
+};
+
+TEST(Surge, FollowsAHullThatGainsItsSpeedOverAMinute) {
+  Hull hull;
+  for (const double shaft : {150.0, 110.0, 160.0, 120.0}) hull.drive(shaft, 60);
+  const double before = hull.speed_mps;
+  hull.drive(170, 10, false);
+  ASSERT_TRUE(hull.surge.answer());
+  EXPECT_LT(hull.speed_mps, 0.012 * 170 - 0.3) << "it is far from what its shaft will make";
+  EXPECT_GT(hull.speed_mps, before + 0.1);
+  EXPECT_NEAR(hull.surge.answer()->speed_mps, hull.speed_mps, 0.03);
+  hull.drive(170, 100, false);
+  EXPECT_NEAR(hull.surge.answer()->speed_mps, 0.012 * 170, 0.03);
+}
+
+TEST(Surge, IsAsUnsureAsTheHullMayBeSlowWhileItHasNotChangedItsSpeed) {
+  Hull hull;
+  hull.speed_mps = 0.012 * 150 - 1e-6;
+  hull.drive(150, 120);
+  hull.drive(100, 2, false);
+  ASSERT_TRUE(hull.surge.answer());
+  const auto answer = *hull.surge.answer();
+  EXPECT_GT(answer.sigma_mps, std::abs(answer.speed_mps - hull.speed_mps) / 2);
+}
+
+TEST(Surge, KnowsATurnOfTheShaftThatTheHullDoesNotFollow) {
+  Hull hull;
+  for (const double shaft : {150.0, 110.0, 160.0, 120.0}) hull.drive(shaft, 60);
+  hull.drive(120, 40, false, 15);
+  ASSERT_TRUE(hull.surge.answer());
+  EXPECT_GT(hull.surge.answer()->speed_mps - hull.speed_mps, 0.1);
+  EXPECT_LT(hull.surge.answer()->sigma_mps, 0.03);
+}
+
+}  // namespace
+}  // namespace drydock::consistency
