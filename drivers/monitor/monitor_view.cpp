@@ -9,7 +9,9 @@
 #include "drivers/diagnosis/finding_words.hpp"
 #include "drivers/host/rig_bus.hpp"
 #include "drivers/link/link.hpp"
+#include "drivers/monitor/cut_row.hpp"
 #include "drivers/monitor/problems.hpp"
+#include "drivers/terminal/terminal_width.hpp"
 #include "drivers/text/json_lines.hpp"
 
 namespace drydock::monitor {
@@ -152,9 +154,10 @@ std::vector<std::string> table_lines(const std::vector<DeviceView>& views) {
 }
 
 void Overdrawn::draw(const std::vector<std::string>& lines) {
-  std::string out = "\033[?7l";  // cuts a long line, does not wrap it: each line is one row
+  const auto width = terminal::width_of_terminal(::fileno(out_));
+  std::string out = "\033[?7l";  // a line that is too long after all wraps no row
   if (drawn_ > 0) out += fmt::format("\033[{}A", drawn_);
-  for (const auto& line : lines) out += "\r\033[2K" + line + "\n";
+  for (const auto& line : lines) out += "\r\033[2K" + cut_row(line, width) + "\n";
   for (std::size_t i = lines.size(); i < drawn_; ++i) out += "\r\033[2K\n";
   drawn_ = std::max(drawn_, lines.size());
   out += "\033[?7h";

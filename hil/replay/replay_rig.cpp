@@ -245,6 +245,9 @@ class RigReplay {
       fmt::print(to, "onto: {} reads or frames were not taken by the other side\n", onto_->lost());
     if (!recording_.damage().empty())
       fmt::print(to, "the recording is damaged: {} (drydock recover)\n", recording_.damage());
+    if (options_.part.from && measurement::seconds(bench_->played()) == 0)
+      fmt::print(to, "the recording ends before --from {:g} s; drydock info tells its length\n",
+                 measurement::seconds(*options_.part.from));
     fmt::print(to, "{:.1f} s{}\n", measurement::seconds(bench_->played()),
                bench_->interrupted() ? ", ended early" : "");
   }

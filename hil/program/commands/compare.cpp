@@ -4,6 +4,7 @@
 
 #include "hil/program/commands.hpp"
 #include "hil/program/load_rig.hpp"
+#include "hil/program/options.hpp"
 #include "hil/program/part_arguments.hpp"
 #include "hil/replay/replay_rig.hpp"
 #include "rig_config/toml/split_values.hpp"
@@ -50,7 +51,7 @@ void add_compare(CLI::App& app, Command& command) {
                   "kind:key=value:key=value")
       ->required();
   sub->add_option("--rig", o.rig, "of a recording: rig file in the place of the recorded one")
-      ->check(CLI::ExistingFile);
+      ->transform(rig_name);
   sub->add_option("--for", o.duration_s, "of a rig: 60s, 10min; default one lap of its mission")
       ->transform(running_time);
   a->part.add_only_and_from(*sub);
