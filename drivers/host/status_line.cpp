@@ -5,21 +5,14 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <cstdlib>
-#include <cstring>
 
 #include "drivers/terminal/progress_bar.hpp"
-#include "drivers/terminal/terminal_width.hpp"
+#include "drivers/terminal/terminal_screen.hpp"
 
 namespace drydock::host {
 namespace {
 
 constexpr std::chrono::milliseconds draw_period{500};
-
-bool erases_lines() {
-  const char* term = std::getenv("TERM");
-  return ::isatty(STDOUT_FILENO) == 1 && term != nullptr && std::strcmp(term, "dumb") != 0;
-}
 
 }  // namespace
 
@@ -39,13 +32,14 @@ std::string standing_text(const RunStanding& standing, std::size_t width) {
   return text;
 }
 
-StatusLine::StatusLine(Ask ask) : ask_(std::move(ask)), terminal_(erases_lines()) {}
+StatusLine::StatusLine(Ask ask)
+    : ask_(std::move(ask)), terminal_(terminal::erases_lines(STDOUT_FILENO)) {}
 
 void StatusLine::tick(Stamp now) {
   if (!terminal_ || now < next_) return;
   next_ = now + draw_period;
   fmt::print("{}{}", terminal::wipe_line,
-             standing_text(ask_(), terminal::width_of_terminal(STDOUT_FILENO) - 1));
+             standing_text(ask_(), terminal::screen_size(STDOUT_FILENO).columns - 1));
   std::fflush(stdout);
   drawn_ = true;
 }
