@@ -25,6 +25,7 @@
 #include "hil/replay/replay_lines.hpp"
 #include "hil/replay/replay_summary.hpp"
 #include "hil/replay/topics_follower.hpp"
+#include "hil/report/write_file.hpp"
 #include "hil/summary/findings.hpp"
 #include "hil/summary/write_files.hpp"
 #include "rig_config/load.hpp"
@@ -203,10 +204,8 @@ class RigReplay {
   /// Returns false if the replay differs from the references.
   bool compared() {
     if (maker_ && !bench_->interrupted()) {
-      std::ofstream file(options_.update_refs, std::ios::binary);
-      file << to_json_text(maker_->made(part_text(options_.part, faults_)));
-      file.close();
-      if (!file) throw std::runtime_error("cannot write " + options_.update_refs);
+      report::write_file(options_.update_refs,
+                         to_json_text(maker_->made(part_text(options_.part, faults_))));
       fmt::print(err_, "references written: {}\n", options_.update_refs);
     }
     if (!check_) return true;
@@ -300,11 +299,20 @@ int replay_rig(const RigReplayOptions& options, std::FILE* in, std::FILE* out, s
     fmt::print(err, "replay: {}\n", recording.error().line);
     return terminal::exit_failed;
   }
-  try {
-    return RigReplay(options, std::move(*recording), in, out, err).run();
-  } catch (const std::exception& error) {
+  const auto refused = [&](const std::exception& error, int code) {
     fmt::print(err, "replay: {}\n", error.what());
-    return terminal::exit_usage;
+    return code;
+  };
+  std::optional<RigReplay> replay;
+  try {
+    replay.emplace(options, std::move(*recording), in, out, err);
+  } catch (const std::exception& error) {
+    return refused(error, terminal::exit_usage);
+  }
+  try {
+    return replay->run();
+  } catch (const std::exception& error) {  // an output cannot be written
+    return refused(error, terminal::exit_failed);
   }
 }
 

@@ -45,6 +45,12 @@ TEST(Mistakes, ANumberThatCannotBeIsWrongUsage) {
   });
 }
 
+TEST(Mistakes, ACommandThatIsMissingIsAskedFor) {
+  expect_told({{"", 2, "which command? drydock --help lists them"},
+               {"fault demo", 2, "fault: which? one of set, clear"},
+               {"run", 2, "RIG is required"}});
+}
+
 TEST(Mistakes, AFileThatIsNotThereIsComparedWithThoseThatAre) {
   expect_told({
       {"run demmo --for 1s", 2,
@@ -103,6 +109,34 @@ TEST(Mistakes, AWrongProtocolIsToldWhichOneItLooksLike) {
 TEST(Mistakes, AStartBehindTheEndIsCalledThat) {
   expect_told(
       {{"replay " + dive + " --from 1000s --quiet", 1, "the recording ends before --from 1000 s"}});
+}
+
+TEST(Mistakes, AnOutputOfAReplayThatCannotBeWrittenIsAFailure) {
+  expect_told({
+      {"replay " + dive + " --quiet --update-refs /dev/full", 1,
+       "cannot write /dev/full: No space left on device"},
+      {"replay " + dive + " --quiet --report /dev/null", 1, "cannot write /dev/null/index.html"},
+  });
+}
+
+TEST(Mistakes, AFileThatDidNotFitIsNotLeftBehindInPart) {
+  const Folder folder;
+  const std::string page = (folder / "out").string();
+  const std::string at_most_4_kb = "trap '' XFSZ; ulimit -f 8;";
+  const auto full =
+      drydock("run demo --for 2s --speed max --report " + page + " --json /dev/null", at_most_4_kb);
+  EXPECT_EQ(full.exit_code, 1);
+  EXPECT_THAT(full.output, HasSubstr("index.html: File too large"));
+  EXPECT_FALSE(std::filesystem::exists(page + "/index.html"));
+}
+
+TEST(Mistakes, ACaptureHasAReportToo) {
+  const Folder folder;
+  const std::string page = (folder / "out").string();
+  const auto replayed =
+      drydock("replay fixtures/pd0/golden.pd0 --protocol pd0 --quiet --report " + page);
+  EXPECT_EQ(replayed.exit_code, 0) << replayed.output;
+  EXPECT_THAT(program::read_file(page + "/index.html"), HasSubstr("golden.pd0"));
 }
 
 TEST(Mistakes, ASilentNodeIsExplainedByTheDiagnosisToo) {
