@@ -114,7 +114,7 @@ void read_capture(const CLI::App& sub, ReplayArguments& a) {
 }
 
 void write_summary(const ReplayArguments& a) {
-  const summary::SummaryFiles files{.json = a.recording.json, .report = a.recording.report};
+  const summary::SummaryFiles files{a.recording.json, a.recording.report, ""};
   if (files.json.empty() && files.report.empty()) return;
   const auto made = replay::summary_of_capture(a.capture);
   if (!a.capture.quiet) fmt::print(stderr, "{}", to_text(made));
