@@ -37,7 +37,8 @@ summary::Summary summary_of_capture(decode::ReplayOptions capture) {
   summary.rig = capture.capture;
   summary.mode = "replay of a capture";
   summary.duration_s = measurement::seconds(end - start);
-  summary.notes = {played.clock.in_words()};
+  summary.notes = {played.clock.in_words(),
+                   "no faults were looked for in it: drydock diagnose does that"};
   summary.devices = {played.account};
   summary::Scribe scribe(rig, nullptr, start, summary.duration_s);
   for (const auto& m : all) scribe.on_measurement(m);

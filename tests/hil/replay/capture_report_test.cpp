@@ -4,6 +4,8 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
+
 namespace capture_report_test {
 
 using namespace drydock;
@@ -29,7 +31,7 @@ TEST(CaptureReport, TellsTheHealthOfTheDriverAtTheEndOfTheFile) {
 TEST(CaptureReport, DrawsTheVelocityOfTheVehicleWhichIsThatOfTheBedReversed) {
   const auto summary = golden();
   const auto velocity =
-      std::ranges::find(summary.measurements, "m/s", &summary::MeasurementTrace::unit);
+      std::ranges::find(summary.measurements, "m/s, body", &summary::MeasurementTrace::unit);
   ASSERT_NE(velocity, summary.measurements.end());
   ASSERT_GE(velocity->value.size(), 2U);
   ASSERT_FALSE(velocity->value[0].empty());
@@ -40,7 +42,7 @@ TEST(CaptureReport, DrawsTheVelocityOfTheVehicleWhichIsThatOfTheBedReversed) {
 TEST(CaptureReport, IsAPageWithTheNameOfTheFileAndSaysWhereItsTimesComeFrom) {
   const auto summary = golden();
   EXPECT_THAT(to_html(summary), HasSubstr("golden.pd0"));
-  ASSERT_EQ(summary.notes.size(), 1U);
+  ASSERT_FALSE(summary.notes.empty());
   EXPECT_THAT(to_html(summary), HasSubstr(summary.notes[0]));
 }
 
