@@ -202,11 +202,27 @@ Loaded<VehicleConfig> load_vehicle(const std::string& path) {
   return text ? load_vehicle_text(*text, path) : Loaded<VehicleConfig>(text.error());
 }
 
+namespace {
+
+/// Without its first table a file would be taken for one of another kind.
+Problems first_table_missing(const Node& root, const std::string& path) {
+  for (const auto& [blocks, table] : {std::pair{"device", "rig"}, std::pair{"leg", "mission"}})
+    if (root.find(blocks) && !root.find(table))
+      return {{path, 1, 1, "/",
+               fmt::format("a file with blocks [[{}]] has a table [{}] too; it is "
+                           "missing",
+                           blocks, table)}};
+  return {};
+}
+
+}  // namespace
+
 Problems check_file(const std::string& path, const LoadOptions& options) {
   const auto text = read_file(path);
   if (!text) return text.error();
   const auto root = read_toml(*text, path);
   if (!root) return root.error();
+  if (auto missing = first_table_missing(*root, path); !missing.empty()) return missing;
   const FileKind kind = kind_of(*root);
   if (kind == FileKind::rig) {
     const auto rig = load_rig_text(*text, path, options);

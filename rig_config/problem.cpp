@@ -8,6 +8,8 @@
 namespace drydock::rig_config {
 
 std::string to_string(const Problem& problem) {
+  const bool of_the_whole_file = problem.line == 0 && problem.path == "/";
+  if (of_the_whole_file) return problem.file + ": " + problem.what;
   return fmt::format("{}:{}:{}: {}: {}", problem.file, problem.line, problem.column, problem.path,
                      problem.what);
 }
@@ -27,7 +29,7 @@ Problem problem_at(const PlacesPtr& places, std::string path, std::string what) 
 
 void throw_exception_from_error(const Problems& problems, const boost::source_location&) {
   std::string lines;
-  for (const Problem& problem : problems) lines += to_string(problem) + "\n";
+  for (const Problem& problem : problems) lines += (lines.empty() ? "" : "\n") + to_string(problem);
   throw std::runtime_error(lines);
 }
 

@@ -11,7 +11,7 @@ namespace drydock::rig_config {
 
 /// Their kinds, each a folder.
 inline constexpr std::string_view rigs = "rigs", missions = "missions", sensors = "sensors",
-                                  vehicles = "vehicles", starts = "starts";
+                                  vehicles = "vehicles", campaigns = "campaigns", starts = "starts";
 
 /// The folder that holds rig_config: a folder above the program, else ../share/drydock beside its
 /// own. Empty: there is none.

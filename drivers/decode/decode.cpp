@@ -185,11 +185,21 @@ void print_passed_over(std::FILE* err, const Sink& sink) {
 
 }  // namespace
 
-std::string decode_protocols() {
+std::string byte_protocols() {
   std::string names;
   append_names(wire::BytesProtocols{}, names);
+  return names;
+}
+
+std::string frame_protocols() {
+  std::string names;
   append_names(wire::FrameProtocols{}, names);
   append_names(wire::FramesAsTheyAre{}, names);
+  return names;
+}
+
+std::string decode_protocols() {
+  std::string names = byte_protocols() + ", " + frame_protocols();
   append_names(wire::FrameCarriers{}, names);
   return names;
 }

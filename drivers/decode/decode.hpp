@@ -32,6 +32,9 @@ int decode(const DecodeOptions& options, std::FILE* out, std::FILE* err);
 
 /// Names for --protocol: "a, b, c".
 std::string decode_protocols();
+/// Those of them that a byte line carries, and those that a CAN bus carries.
+std::string byte_protocols();
+std::string frame_protocols();
 /// Names for --format.
 std::string decode_formats();
 

@@ -92,7 +92,8 @@ Kind kind_of(const ReplayOptions& options) {
     names.append(names.empty() ? "" : ", ").append(to_string(kind));
   }
   throw std::invalid_argument(kinds.empty()
-                                  ? fmt::format("no driver speaks \"{}\"", options.protocol)
+                                  ? fmt::format("no driver speaks \"{}\"; allowed: {}",
+                                                options.protocol, decode_protocols())
                                   : fmt::format("--kind says which sensor speaks {}; allowed: {}",
                                                 options.protocol, names));
 }
@@ -149,9 +150,11 @@ shell::RecordingClock readable_clock(const link::Uri& uri, const Device& device)
 }
 
 /// Virtual time begins with the first time of the clock, so stamps equal those of the capture.
-void play_in_virtual_time(const link::Uri& uri, std::unique_ptr<Device> device,
-                          const shell::RecordingClock& times, device::Listener& listener,
-                          device::Transmitter& transmitter, std::FILE* totals) {
+/// Gives the health at the end of the capture.
+device::HealthAccount play_in_virtual_time(const link::Uri& uri, std::unique_ptr<Device> device,
+                                           const shell::RecordingClock& times,
+                                           device::Listener& listener,
+                                           device::Transmitter& transmitter, std::FILE* totals) {
   const bool on_bus = device->on_bus();
   const Stamp start = times.first;
   shell::DeviceActor driver(std::move(device), listener, transmitter, start,
@@ -168,12 +171,15 @@ void play_in_virtual_time(const link::Uri& uri, std::unique_ptr<Device> device,
   clock.add(driver);
   clock.add(recording);
   while (const auto due = recording.deadline()) clock.run_until(std::max(*due, clock.now()));
+  const auto account = device::account_of(driver.device(), driver.device().health(clock.now()),
+                                          measurement::Provenance::replayed);
   driver.stop(clock.now());
   if (totals != nullptr) {
     fmt::print(totals, "{}\n", times.in_words());
     print_totals(totals, driver.device().health(clock.now()),
                  bus ? &bus->frames().tally() : nullptr);
   }
+  return account;
 }
 
 void play_in_real_time(std::unique_ptr<Device> device, Printer& printer, std::FILE* totals) {
@@ -211,10 +217,11 @@ class Hearer final : public device::Listener, public device::Transmitter {
 Played play(const ReplayOptions& options, const MeasurementHook& hook) {
   const link::Uri uri = uri_of(options);
   auto device = make_device(options, uri);
-  Played played{device->options().driver.kind, readable_clock(uri, *device)};
+  const auto kind = device->options().driver.kind;
+  const auto clock = readable_clock(uri, *device);
   Hearer hearer(hook);
-  play_in_virtual_time(uri, std::move(device), played.clock, hearer, hearer, nullptr);
-  return played;
+  return {kind, clock,
+          play_in_virtual_time(uri, std::move(device), clock, hearer, hearer, nullptr)};
 }
 
 namespace {

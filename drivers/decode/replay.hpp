@@ -7,6 +7,7 @@
 #include <string>
 
 #include "drivers/device/driver_options.hpp"
+#include "drivers/device/health_account.hpp"
 #include "drivers/measurement/measurement.hpp"
 #include "drivers/shell/recording_clock.hpp"
 
@@ -42,6 +43,7 @@ using MeasurementHook = std::function<void(const measurement::Measurement&)>;
 struct Played {
   device::Kind kind = device::Kind::dvl;
   shell::RecordingClock clock;  ///< that the times of the measurements come from
+  device::HealthAccount account;  ///< of the driver at the end of the capture
 };
 
 /// Does the same for a program: in virtual time, with each measurement to `hook`. Throws

@@ -2,11 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
 #include <random>
 #include <stdexcept>
 
 #include "drivers/host/rig_bus.hpp"
+#include "drivers/host/serve_address.hpp"
 #include "drivers/live/foxglove/access.hpp"
 #include "drivers/live/page_files.hpp"
 
@@ -31,14 +31,10 @@ live::ServerOptions server_options(const std::string& name, const ServeOptions& 
   server.name = "drydock " + name;
   server.token = options.token;
   server.history = std::chrono::minutes{5};
-  const auto colon = options.address.rfind(':');
-  const auto host = colon == std::string::npos ? "" : options.address.substr(0, colon);
-  const auto port = options.address.substr(colon == std::string::npos ? 0 : colon + 1);
-  if (!host.empty()) server.address = host;
-  const auto [end, error] = std::from_chars(port.data(), port.data() + port.size(), server.port);
-  if (error != std::errc{} || end != port.data() + port.size())
-    throw std::runtime_error(fmt::format(
-        "--serve {}: allowed: PORT or ADDRESS:PORT, for example 127.0.0.1:8765", options.address));
+  const auto address = parse_serve_address(options.address);
+  if (!address) throw std::runtime_error("--serve: " + no_serve_address(options.address));
+  if (!address->host.empty()) server.address = address->host;
+  server.port = address->port;
   if (!live::is_loopback(server.address) && server.token.empty()) server.token = random_token();
   return server;
 }

@@ -1,32 +1,18 @@
 #include "drivers/host/status_line.hpp"
 
 #include <fmt/format.h>
-#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cstdio>
-#include <cstdlib>
-#include <cstring>
 
 #include "drivers/terminal/progress_bar.hpp"
+#include "drivers/terminal/terminal_screen.hpp"
 
 namespace drydock::host {
 namespace {
 
 constexpr std::chrono::milliseconds draw_period{500};
-constexpr std::size_t usual_width = 80;
-
-bool erases_lines() {
-  const char* term = std::getenv("TERM");
-  return ::isatty(STDOUT_FILENO) == 1 && term != nullptr && std::strcmp(term, "dumb") != 0;
-}
-
-std::size_t terminal_width() {
-  winsize size{};
-  const bool known = ::ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
-  return known ? size.ws_col : usual_width;
-}
 
 }  // namespace
 
@@ -37,18 +23,23 @@ std::string standing_text(const RunStanding& standing, std::size_t width) {
                                        s.duration_s, std::max(0.0, s.duration_s - s.elapsed_s))
                          : fmt::format("{:.0f} s", s.elapsed_s);
   if (s.recorded) text += fmt::format("  {:.1f} MB", static_cast<double>(*s.recorded) / 1e6);
-  for (const auto& [name, rate_hz] : s.rates_hz)
-    text += fmt::format("  {} {:.2f} Hz", name, rate_hz);
+  for (const auto& [name, rate_hz] : s.rates_hz) {
+    const auto rate = fmt::format("  {} {:.2f} Hz", name, rate_hz);
+    if (text.size() + rate.size() > width) break;  // half a number would be another number
+    text += rate;
+  }
   if (text.size() > width) text.resize(width);
   return text;
 }
 
-StatusLine::StatusLine(Ask ask) : ask_(std::move(ask)), terminal_(erases_lines()) {}
+StatusLine::StatusLine(Ask ask)
+    : ask_(std::move(ask)), terminal_(terminal::erases_lines(STDOUT_FILENO)) {}
 
 void StatusLine::tick(Stamp now) {
   if (!terminal_ || now < next_) return;
   next_ = now + draw_period;
-  fmt::print("{}{}", terminal::wipe_line, standing_text(ask_(), terminal_width() - 1));
+  fmt::print("{}{}", terminal::wipe_line,
+             standing_text(ask_(), terminal::screen_size(STDOUT_FILENO).columns - 1));
   std::fflush(stdout);
   drawn_ = true;
 }

@@ -5,8 +5,10 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <utility>
 
 #include "drivers/link/clock.hpp"
+#include "drivers/terminal/terminal_screen.hpp"
 
 namespace drydock::monitor {
 namespace {
@@ -35,7 +37,7 @@ LiveTable::LiveTable(const shell::RealTime& shell, Stamp start, double duration_
     : shell_(shell),
       start_(start),
       duration_s_(duration_s),
-      terminal_(::isatty(STDOUT_FILENO) == 1),
+      terminal_(terminal::erases_lines(STDOUT_FILENO)),
       palette_(terminal_),
       screen_(stdout) {}
 
@@ -78,7 +80,7 @@ void LiveTable::draw_table(double elapsed_s) {
   for (std::size_t i = 0; i < shell_.size(); ++i)
     lines.push_back(run_line(view_of(shell_.device(i), shell_.health(i)), palette_));
   for (const auto& event : events_) lines.push_back("  " + event);
-  screen_.draw(lines);
+  screen_.draw(std::move(lines));
 }
 
 void LiveTable::print_lines(double elapsed_s) const {

@@ -184,9 +184,12 @@ int monitor_messages(const MonitorOptions& options) {
     screen = make_screen(options, carries);
   }
   if (!screen) {
+    const bool bytes = uri->carries() == link::Carries::bytes;
     fmt::print(stderr, "monitor: a {} link carries no protocol \"{}\"; allowed: {}\n",
-               carries == link::Carries::bytes ? "byte" : "CAN", options.protocol,
-               decode::decode_protocols());
+               bytes ? "byte" : "CAN", options.protocol,
+               uri->recorded() ? decode::decode_protocols()
+               : bytes         ? decode::byte_protocols()
+                               : decode::frame_protocols());
     return terminal::exit_usage;
   }
   if (places_cursor()) return monitor_wire(options, *uri, carries);

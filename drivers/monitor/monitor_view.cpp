@@ -9,7 +9,9 @@
 #include "drivers/diagnosis/finding_words.hpp"
 #include "drivers/host/rig_bus.hpp"
 #include "drivers/link/link.hpp"
+#include "drivers/monitor/cut_row.hpp"
 #include "drivers/monitor/problems.hpp"
+#include "drivers/terminal/terminal_screen.hpp"
 #include "drivers/text/json_lines.hpp"
 
 namespace drydock::monitor {
@@ -151,10 +153,12 @@ std::vector<std::string> table_lines(const std::vector<DeviceView>& views) {
   return all;
 }
 
-void Overdrawn::draw(const std::vector<std::string>& lines) {
-  std::string out = "\033[?7l";  // cuts a long line, does not wrap it: each line is one row
+void Overdrawn::draw(std::vector<std::string> lines) {
+  const auto [columns, rows] = terminal::screen_size(::fileno(out_));
+  if (lines.size() >= rows) lines.resize(rows - 1);  // the cursor cannot go up to what scrolled off
+  std::string out = "\033[?7l";  // a line that is too long after all wraps no row
   if (drawn_ > 0) out += fmt::format("\033[{}A", drawn_);
-  for (const auto& line : lines) out += "\r\033[2K" + line + "\n";
+  for (const auto& line : lines) out += "\r\033[2K" + cut_row(line, columns) + "\n";
   for (std::size_t i = lines.size(); i < drawn_; ++i) out += "\r\033[2K\n";
   drawn_ = std::max(drawn_, lines.size());
   out += "\033[?7h";

@@ -38,7 +38,7 @@ std::vector<std::string> table_lines(const std::vector<DeviceView>& views);
 class Overdrawn {
  public:
   explicit Overdrawn(std::FILE* out) : out_(out) {}
-  void draw(const std::vector<std::string>& lines);
+  void draw(std::vector<std::string> lines);  ///< as many as the screen has rows
   void finish() { drawn_ = 0; }
 
  private:

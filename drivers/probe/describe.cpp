@@ -23,7 +23,8 @@ int describe(const std::string& file, std::FILE* out, std::FILE* err) {
   }
   const std::string guess = survey::guess_description(bytes);
   if (guess.empty())
-    fmt::print(err, "describe: {} bytes without sentences or frames that repeat\n", bytes.size());
+    fmt::print(err, "describe: {}: {} bytes without sentences or frames that repeat; record more\n",
+               file, bytes.size());
   fmt::print(out, "{}", guess);
   return terminal::exit_of(!guess.empty());
 }

@@ -7,6 +7,7 @@
 #include <array>
 
 #include "drivers/link/clock.hpp"
+#include "drivers/terminal/terminal_screen.hpp"
 #include "drivers/wire/ubx/ubx_frame.hpp"
 
 namespace drydock::probe {
@@ -181,7 +182,7 @@ std::vector<Setting> settings_of(const std::string& uri) {
 
 }  // namespace
 
-Progress::Progress(std::FILE* err) : err_(err), terminal_(::isatty(::fileno(err)) == 1) {}
+Progress::Progress(std::FILE* err) : err_(err), terminal_(terminal::erases_lines(::fileno(err))) {}
 
 Progress::~Progress() {
   if (shown_ > 0) fmt::print(err_, "\r\033[K");

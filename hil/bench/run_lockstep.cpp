@@ -6,6 +6,7 @@
 #include "drivers/host/finding_lines.hpp"
 #include "drivers/host/state_lines.hpp"
 #include "drivers/terminal/interrupt_flag.hpp"
+#include "drivers/terminal/terminal_screen.hpp"
 #include "hil/bench/lockstep_bench.hpp"
 #include "hil/bench/rig_run.hpp"
 #include "hil/bench/run.hpp"
@@ -23,7 +24,7 @@ using measurement::Stamp;
 class LockstepRun {
  public:
   LockstepRun(const rig_config::Rig& rig, const RunOptions& options)
-      : terminal_(::isatty(STDOUT_FILENO) == 1),
+      : terminal_(terminal::erases_lines(STDOUT_FILENO)),
         start_(measurement::stamp_from_ns(rig.start_utc_ns)),
         parts_(options.parts),
         trajectory_(parts_.motion != nullptr

@@ -96,13 +96,14 @@ Estimate rate_of(const Line& period) {
   return normal_estimate(1 / period.slope, period.sigma / (period.slope * period.slope));
 }
 
-/// Wilson's confidence interval of a share.
+/// Wilson's confidence interval of a share. Of none and of all it has an end that no rounding may
+/// move.
 Estimate share(std::size_t cases, std::size_t of) {
   const auto n = static_cast<double>(of);
   const double p = static_cast<double>(cases) / n, zz = z_95 * z_95;
   const double middle = (p + zz / (2 * n)) / (1 + zz / n);
   const double half = z_95 / (1 + zz / n) * std::sqrt(p * (1 - p) / n + zz / (4 * n * n));
-  return {p, std::max(0.0, middle - half), std::min(1.0, middle + half)};  // without rounding
+  return {p, cases == 0 ? 0 : middle - half, cases == of ? 1 : middle + half};
 }
 
 void add_latency(TimingFigures& figures, std::span<const Origin> origins) {

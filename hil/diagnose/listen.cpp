@@ -8,6 +8,7 @@
 #include "drivers/io/until_stopped.hpp"
 #include "drivers/link/link.hpp"
 #include "drivers/monitor/found_devices.hpp"
+#include "drivers/monitor/hints/wire_hints.hpp"
 #include "hil/diagnose/examination.hpp"
 #include "hil/diagnose/sources.hpp"
 
@@ -27,6 +28,8 @@ class Listening {
         source_(source),
         duration_s_(duration_s) {
     examination_.follow(followers_, host_.devices());
+    for (const auto* device : host_.devices()) hints_.add(*device);
+    followers_.add(hints_);
   }
 
   Outcome run() {
@@ -52,6 +55,9 @@ class Listening {
     const auto now = link::now();
     examination_.look(now);
     outcome_ = examination_.result(source_, now, true);
+    for (const auto* device : host_.devices())
+      if (auto hint = hints_.hint(*device); !hint.empty())
+        outcome_.hints[device->name()] = std::move(hint);
     timer_.cancel();
     host_.stop();
   }
@@ -59,6 +65,7 @@ class Listening {
   boost::asio::io_context io_{1};
   host::Followers followers_;
   Examination examination_;
+  monitor::WireHints hints_;
   host::DriverHost host_;
   boost::asio::steady_timer timer_{io_};
   std::string source_;

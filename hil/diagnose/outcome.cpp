@@ -51,20 +51,35 @@ std::string finding_text(const FindingAccount& finding, const Outcome& outcome) 
                      driver_says(finding.device, outcome), finding.advice);
 }
 
+/// Empty: nothing on the wire tells why the device is silent.
+std::string hint_of(const std::string& device, const Outcome& outcome) {
+  const auto hint = outcome.hints.find(device);
+  return hint == outcome.hints.end() ? std::string() : hint->second;
+}
+
 std::string unheard_text(const Outcome& outcome) {
   std::string out;
-  for (const auto& device : outcome.devices)
-    if (device.messages == 0)
-      out += fmt::format("{}: no measurement came in {:.1f} s\n", device.name,
-                         outcome.circumstances.duration_s);
+  for (const auto& device : outcome.devices) {
+    if (device.messages > 0) continue;
+    const auto hint = hint_of(device.name, outcome);
+    out += fmt::format("{}: no measurement came in {:.1f} s{}{}\n", device.name,
+                       outcome.circumstances.duration_s, hint.empty() ? "" : ": ", hint);
+  }
   return out;
+}
+
+bool all_heard(const Outcome& outcome) {
+  return std::ranges::all_of(outcome.devices,
+                             [](const auto& device) { return device.messages > 0; });
 }
 
 std::string found_line(const Outcome& outcome) {
   if (outcome.devices.empty())
     return "no sensor was recognised, so nothing could be diagnosed; `drydock probe` says more\n";
   if (outcome.findings.empty())
-    return fmt::format("nothing found in {:.1f} s\n", outcome.circumstances.duration_s);
+    return fmt::format("nothing found{} in {:.1f} s\n",
+                       all_heard(outcome) ? "" : " on the devices that were heard",
+                       outcome.circumstances.duration_s);
   const auto count = outcome.findings.size();
   return fmt::format("{} finding{}, the worst first\n", count, count == 1 ? "" : "s");
 }
@@ -143,7 +158,8 @@ std::string to_json(const Outcome& outcome) {
                        {"protocol", device.protocol},
                        {"state", device.state},
                        {"rate_hz", device.rate_hz},
-                       {"messages", device.messages}});
+                       {"messages", device.messages},
+                       {"hint", hint_of(device.name, outcome)}});
   const nlohmann::ordered_json json{{"source", outcome.source},
                                     {"duration_s", outcome.circumstances.duration_s},
                                     {"notes", outcome.notes},

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -12,10 +13,11 @@ namespace drydock::diagnose {
 struct Outcome {
   std::string source;  ///< as the person typed it
   Circumstances circumstances;
-  std::vector<std::string> notes;                       ///< sentences for a person
-  std::vector<summary::DeviceSummary> devices;          ///< at the end
-  std::vector<diagnosis::FindingAccount> findings;      ///< the worst first
-  std::vector<Unseen> unseen;                           ///< what could not have been seen
+  std::vector<std::string> notes;                   ///< sentences for a person
+  std::vector<summary::DeviceSummary> devices;      ///< at the end
+  std::vector<diagnosis::FindingAccount> findings;  ///< the worst first
+  std::map<std::string, std::string> hints;  ///< of a device without messages: why, by its wire
+  std::vector<Unseen> unseen;                ///< what could not have been seen
   std::vector<summary::MeasurementTrace> measurements;  ///< for the plots of the report
 };
 

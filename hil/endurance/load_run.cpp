@@ -1,7 +1,6 @@
 #include "hil/endurance/load_run.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
@@ -9,6 +8,7 @@
 #include "drivers/link/clock.hpp"
 #include "drivers/terminal/exit_codes.hpp"
 #include "drivers/terminal/progress_bar.hpp"
+#include "drivers/terminal/terminal_screen.hpp"
 #include "hil/bench/run.hpp"
 #include "hil/report/table.hpp"
 #include "hil/report/write_file.hpp"
@@ -39,7 +39,7 @@ class LoadWatch final : public validity::SentAndHeard {
       : SentAndHeard(listener),
         duration_s_(duration_s),
         bar_(bar),
-        terminal_(::isatty(fileno(bar)) == 1) {}
+        terminal_(terminal::erases_lines(fileno(bar))) {}
   ~LoadWatch() override {
     if (terminal_) fmt::print(bar_, "{}", terminal::wipe_line);
   }

@@ -60,6 +60,8 @@ int of_capture(const std::string& file, bool json, std::FILE* out) {
 int info(const std::string& file, bool json, std::FILE* out, std::FILE* err) {
   if (const auto why = rig_config::file_trouble(file); !why.empty())
     return refuse_info(err, file + ": " + why);
+  if (!std::filesystem::is_regular_file(file))
+    return refuse_info(err, file + ": is a device or a pipe, not a file");
   const bool recording = begins_as_mcap(file) || file.ends_with(".mcap");
   return recording ? of_recording(file, json, out, err) : of_capture(file, json, out);
 }

@@ -1,11 +1,20 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <stdexcept>
 
 #include "drivers/decode/decode.hpp"
 #include "drivers/decode/replay.hpp"
+#include "rig_config/file_trouble.hpp"
+#include "rig_config/nearest_file.hpp"
 
 namespace drydock::program {
+
+/// Throws std::runtime_error with the reason where a file cannot be read.
+inline void must_be_readable(const std::string& file) {
+  if (const auto why = rig_config::file_trouble(file); !why.empty())
+    throw std::runtime_error(file + ": " + why + rig_config::nearest_file(file));
+}
 
 /// The options of a capture without a rig, for commands that also take recordings.
 inline void add_capture(CLI::App& sub, decode::ReplayOptions& capture) {

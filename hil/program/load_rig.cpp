@@ -46,6 +46,10 @@ rig_config::Rig load_rig(const std::string& path, check::Use use) {
   return std::move(*rig);
 }
 
+bool names_rig(const std::string& source) {
+  return source.ends_with(".toml") || rig_config::find_shipped(source, rig_config::rigs) != source;
+}
+
 void add_faults(rig_config::Rig& rig, const std::string& path) {
   rig_config::Problems problems;
   if (!path.empty()) {

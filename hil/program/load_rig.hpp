@@ -15,6 +15,9 @@ struct BadRig {};
 /// BadRig for a rig that cannot be used so, with the lines of `drydock check`.
 rig_config::Rig load_rig(const std::string& path, check::Use use = check::Use::any);
 
+/// True for a rig file or the name of a shipped rig; false for what may be a link or a recording.
+bool names_rig(const std::string& source);
+
 /// Puts the faults of a file beside those of the rig and checks all of them. An empty path: those
 /// of the rig alone. Throws BadRig where the file is wrong or the rig cannot have such a fault.
 void add_faults(rig_config::Rig& rig, const std::string& path);

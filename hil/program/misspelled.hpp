@@ -9,6 +9,9 @@ namespace drydock::program {
 /// word is a command or an option, or there is none.
 std::string misspelled_command(const CLI::App& app, int argc, const char* const* argv);
 
+/// What CLI11 says of an argument that is missing; of a command, also which there are.
+std::string missing_word(const CLI::App& app, const CLI::RequiredError& error);
+
 /// What CLI11 says of words that it did not expect, with the nearest option of the command.
 std::string misspelled_option(const CLI::App& app, const CLI::ExtrasError& error);
 

@@ -2,8 +2,16 @@
 
 #include <fmt/format.h>
 
+#include <charconv>
+#include <cmath>
+#include <utility>
+
+#include "drivers/host/serve_address.hpp"
 #include "drivers/terminal/data_size.hpp"
 #include "drivers/terminal/duration.hpp"
+#include "rig_config/file_trouble.hpp"
+#include "rig_config/nearest_file.hpp"
+#include "rig_config/shipped.hpp"
 
 namespace drydock::program {
 
@@ -25,13 +33,51 @@ const CLI::Validator running_time(
     },
     "DURATION");
 
+const CLI::Validator positive_number(
+    [](std::string& text) {
+      double value = 0;
+      if (CLI::detail::lexical_cast(text, value) && value > 0 && std::isfinite(value))
+        return std::string{};
+      return fmt::format("'{}' is not allowed; allowed: a number above 0", text);
+    },
+    "NUMBER");
+
+const CLI::Validator seed_number(
+    [](std::string& text) {
+      std::uint64_t seed = 0;
+      const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), seed);
+      if (error == std::errc{} && end == text.data() + text.size()) return std::string{};
+      return fmt::format("'{}' is no seed; allowed: a whole number, 0 or more", text);
+    },
+    "SEED");
+
+const CLI::Validator rig_name(
+    [](std::string& text) {
+      const std::string asked =
+          std::exchange(text, rig_config::find_shipped(text, rig_config::rigs));
+      const auto why = rig_config::file_trouble(text);
+      return why.empty() ? why : asked + ": " + why + rig_config::nearest_file(asked);
+    },
+    "RIG");
+
+namespace {
+
+const CLI::Validator serve_address(
+    [](std::string& text) {
+      return host::parse_serve_address(text) ? std::string{} : host::no_serve_address(text);
+    },
+    "ADDRESS");
+
+}  // namespace
+
 void add_serve(CLI::App& sub, host::ServeOptions& serve, const std::string& more) {
   sub.add_option("--serve", serve.address,
                  "a page for browsers and the Foxglove protocol at PORT or ADDRESS:PORT; default "
                  "127.0.0.1:8765" +
                      more)
       ->expected(0, 1)
-      ->default_str("127.0.0.1:8765");
+      ->default_str("127.0.0.1:8765")
+      ->check(serve_address);
   sub.add_option("--token", serve.token,
                  "that a viewer must name; one is made where the address is not loopback");
 }

@@ -16,6 +16,15 @@ extern const CLI::Validator duration_text;
 /// The same for --for, which has to be longer than nothing.
 extern const CLI::Validator running_time;
 
+/// Takes a finite number above 0.
+extern const CLI::Validator positive_number;
+
+/// Takes a whole number of 64 bits without a sign.
+extern const CLI::Validator seed_number;
+
+/// Takes a rig file or the name of a shipped rig, and gives the path of the file.
+extern const CLI::Validator rig_name;
+
 /// --serve and --token. `more` is added to the help of --serve.
 void add_serve(CLI::App& sub, host::ServeOptions& serve, const std::string& more = {});
 

@@ -1,9 +1,9 @@
 #include "hil/replay/recording_progress.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include "drivers/terminal/progress_bar.hpp"
+#include "drivers/terminal/terminal_screen.hpp"
 
 namespace drydock::replay {
 
@@ -14,7 +14,7 @@ constexpr std::chrono::milliseconds not_worth_a_bar{500}, between_drawings{100};
 RecordingProgress::RecordingProgress(std::string what, std::FILE* out)
     : what_(std::move(what)),
       out_(out),
-      terminal_(::isatty(fileno(out)) == 1),
+      terminal_(terminal::erases_lines(fileno(out))),
       next_drawing_(Clock::now() + not_worth_a_bar) {}
 
 RecordingProgress::~RecordingProgress() {

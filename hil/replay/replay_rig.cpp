@@ -25,6 +25,7 @@
 #include "hil/replay/replay_lines.hpp"
 #include "hil/replay/replay_summary.hpp"
 #include "hil/replay/topics_follower.hpp"
+#include "hil/report/write_file.hpp"
 #include "hil/summary/findings.hpp"
 #include "hil/summary/write_files.hpp"
 #include "rig_config/load.hpp"
@@ -203,10 +204,8 @@ class RigReplay {
   /// Returns false if the replay differs from the references.
   bool compared() {
     if (maker_ && !bench_->interrupted()) {
-      std::ofstream file(options_.update_refs, std::ios::binary);
-      file << to_json_text(maker_->made(part_text(options_.part, faults_)));
-      file.close();
-      if (!file) throw std::runtime_error("cannot write " + options_.update_refs);
+      report::write_file(options_.update_refs,
+                         to_json_text(maker_->made(part_text(options_.part, faults_))));
       fmt::print(err_, "references written: {}\n", options_.update_refs);
     }
     if (!check_) return true;
@@ -245,6 +244,9 @@ class RigReplay {
       fmt::print(to, "onto: {} reads or frames were not taken by the other side\n", onto_->lost());
     if (!recording_.damage().empty())
       fmt::print(to, "the recording is damaged: {} (drydock recover)\n", recording_.damage());
+    if (options_.part.from && measurement::seconds(bench_->played()) == 0)
+      fmt::print(to, "the recording ends before --from {:g} s; drydock info tells its length\n",
+                 measurement::seconds(*options_.part.from));
     fmt::print(to, "{:.1f} s{}\n", measurement::seconds(bench_->played()),
                bench_->interrupted() ? ", ended early" : "");
   }
@@ -297,11 +299,20 @@ int replay_rig(const RigReplayOptions& options, std::FILE* in, std::FILE* out, s
     fmt::print(err, "replay: {}\n", recording.error().line);
     return terminal::exit_failed;
   }
-  try {
-    return RigReplay(options, std::move(*recording), in, out, err).run();
-  } catch (const std::exception& error) {
+  const auto refused = [&](const std::exception& error, int code) {
     fmt::print(err, "replay: {}\n", error.what());
-    return terminal::exit_usage;
+    return code;
+  };
+  std::optional<RigReplay> replay;
+  try {
+    replay.emplace(options, std::move(*recording), in, out, err);
+  } catch (const std::exception& error) {
+    return refused(error, terminal::exit_usage);
+  }
+  try {
+    return replay->run();
+  } catch (const std::exception& error) {  // an output cannot be written
+    return refused(error, terminal::exit_failed);
   }
 }
 

@@ -16,11 +16,15 @@ void write_file(const std::filesystem::path& path, const std::string& text) {
   }
   errno = 0;
   std::ofstream out(path, std::ios::binary);
+  const bool opened = out.is_open();
   out << text;
   out.close();
-  if (!out)
-    throw std::runtime_error(
-        fmt::format("cannot write {}: {}", path.string(), std::strerror(errno)));
+  if (out) return;
+  const std::string why = std::strerror(errno);
+  std::error_code ignored;  // half a file would be taken for a whole one; a device stays
+  if (opened && std::filesystem::is_regular_file(path, ignored))
+    std::filesystem::remove(path, ignored);
+  throw std::runtime_error(fmt::format("cannot write {}: {}", path.string(), why));
 }
 
 }  // namespace drydock::report

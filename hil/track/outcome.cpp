@@ -9,6 +9,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "drivers/measurement/units.hpp"
 #include "estimators/smoothing/level_smoother.hpp"
 
 namespace drydock::track {
@@ -199,6 +200,14 @@ std::string_view name_of(Quantity quantity) {
 std::string_view unit_of(Quantity quantity) {
   constexpr std::array<std::string_view, 5> units{"m/s", "m/s", "m", "rad", "m"};
   return units.at(static_cast<std::size_t>(quantity));
+}
+
+double shown(Quantity quantity, double value) {
+  return quantity == Quantity::heading ? value * units::degrees_per_radian : value;
+}
+
+std::string_view shown_unit(Quantity quantity) {
+  return quantity == Quantity::heading ? "deg" : unit_of(quantity);
 }
 
 Outcome smoothed(Gathered gathered, Model model, const std::optional<frame::Position>& origin) {

@@ -42,6 +42,9 @@ struct Outcome {
 /// The name of a quantity, and the unit of its residuals.
 std::string_view name_of(smoothing::Quantity quantity);
 std::string_view unit_of(smoothing::Quantity quantity);
+/// A residual and its unit as people read them: angles in degrees.
+double shown(smoothing::Quantity quantity, double value);
+std::string_view shown_unit(smoothing::Quantity quantity);
 
 /// Smooths what was gathered. Without a fix the track begins at `origin`, else at the truth. Throws
 /// std::runtime_error with one line if there can be no track.

@@ -123,13 +123,14 @@ report::Table sensor_table(const Outcome& outcome) {
                       {},
                       "measured minus expected by the filter before the reading; NIS: mean "
                       "normalised square, 1 is consistent"};
-  for (const auto& s : outcome.sensors)
+  for (const auto& s : outcome.sensors) {
+    const auto value = [&](double v) { return fmt::format("{:.3g}", shown(s.quantity, v)); };
     table.rows.push_back(
-        {fmt::format("{}, {} [{}]", s.device, name_of(s.quantity), unit_of(s.quantity)),
+        {fmt::format("{}, {} [{}]", s.device, name_of(s.quantity), shown_unit(s.quantity)),
          fmt::format("{}", s.readings), fmt::format("{}", s.refused), fmt::format("{}", s.unused),
-         fmt::format("{:.3g}", s.rms), fmt::format("{:.3g}", s.mean),
-         fmt::format("{:.3g}{}", s.sigma, s.fitted ? " fitted" : ""),
+         value(s.rms), value(s.mean), value(s.sigma) + (s.fitted ? " fitted" : ""),
          fmt::format("{:.2f}", s.nis)});
+  }
   return table;
 }
 

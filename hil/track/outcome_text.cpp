@@ -2,7 +2,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include "drivers/measurement/units.hpp"
 #include "hil/track/outcome.hpp"
 
 namespace drydock::track {
@@ -10,15 +9,6 @@ namespace {
 
 using smoothing::Quantity;
 using Json = nlohmann::ordered_json;
-
-/// Angles are shown in degrees.
-double shown(Quantity quantity, double value) {
-  return quantity == Quantity::heading ? value * units::degrees_per_radian : value;
-}
-
-std::string_view shown_unit(Quantity quantity) {
-  return quantity == Quantity::heading ? "deg" : unit_of(quantity);
-}
 
 std::string sensor_line(const SensorResiduals& s) {
   const auto value = [&](double v) { return fmt::format("{:.3g}", shown(s.quantity, v)); };

@@ -77,11 +77,14 @@ report::Table innovation_table(const TwinOutcome& outcome) {
                       "NIS: mean normalised square, 1 is consistent"};
   for (const auto& r : outcome.recorded.sensors) {
     const auto* t = same_of(*outcome.sailed, r);
+    const auto rms = [](const auto& s) {
+      return fmt::format("{:.3g}", track::shown(s.quantity, s.rms));
+    };
     table.rows.push_back({fmt::format("{}, {} [{}]", r.device, track::name_of(r.quantity),
-                                      track::unit_of(r.quantity)),
+                                      track::shown_unit(r.quantity)),
                           fmt::format("{}", r.readings),
-                          t ? fmt::format("{}", t->readings) : "none", fmt::format("{:.3g}", r.rms),
-                          t ? fmt::format("{:.3g}", t->rms) : "none", fmt::format("{:.2f}", r.nis),
+                          t ? fmt::format("{}", t->readings) : "none", rms(r), t ? rms(*t) : "none",
+                          fmt::format("{:.2f}", r.nis),
                           t ? fmt::format("{:.2f}", t->nis) : "none"});
   }
   return table;

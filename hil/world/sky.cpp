@@ -94,7 +94,7 @@ nlohmann::ordered_json to_json(const SkyListing& listing) {
 }
 
 int fail(std::FILE* errors, const std::string& why) {
-  fmt::print(errors, "drydock sky: {}\n", why);
+  fmt::print(errors, "sky: {}\n", why);
   return terminal::exit_failed;
 }
 

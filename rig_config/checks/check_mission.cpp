@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "rig_config/checks/checks.hpp"
+#include "rig_config/nearest_file.hpp"
 
 namespace drydock::rig_config {
 
@@ -79,7 +80,10 @@ class MissionChecks {
   void exists(const Node& file, const std::string& path) {
     if (file.text.empty()) return;
     const std::string full = beside(file_, file.text);
-    if (!std::filesystem::is_regular_file(full)) add(file, path, "there is no file " + full);
+    if (std::filesystem::is_regular_file(full)) return;
+    add(file, path,
+        std::filesystem::is_directory(full) ? full + " is a folder, not a file"
+                                            : "there is no file " + full + nearest_file(full));
   }
 
   void depths_rise(const Node& table, const char* key, const std::string& path) {

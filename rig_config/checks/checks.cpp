@@ -10,6 +10,7 @@
 
 #include "drivers/wire/protocols.hpp"
 #include "rig_config/estimator/kinds.hpp"
+#include "rig_config/nearest_file.hpp"
 #include "rig_config/rules/explain.hpp"
 
 namespace drydock::rig_config {
@@ -129,7 +130,10 @@ class RigChecks {
   void file_exists(const Node* name, const std::string& path) {
     if (!name || name->text.empty()) return;
     const std::string full = beside(file_, name->text);
-    if (!std::filesystem::is_regular_file(full)) add(*name, path, "there is no file " + full);
+    if (std::filesystem::is_regular_file(full)) return;
+    add(*name, path,
+        std::filesystem::is_directory(full) ? full + " is a folder, not a file"
+                                            : "there is no file " + full + nearest_file(full));
   }
 
   void estimators_devices_exist() {

@@ -72,6 +72,12 @@ bool in_range(const Rules& rules, double value) {
   return !rules.upper || value <= rules.upper->value;
 }
 
+std::string in_lower_case(std::string word) {
+  for (char& c : word)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return word;
+}
+
 std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> row(b.size() + 1);
   std::iota(row.begin(), row.end(), std::size_t{0});
@@ -97,7 +103,8 @@ class Explanation {
       add(node_.key_at, path_, fmt::format("not allowed here, {}", *rules_.forbidden));
     } else if (!has_right_type(rules_, node_.kind)) {
       add(node_.at, path_,
-          fmt::format("expected {}, found {}", expected_type(rules_), kind_in_words(node_.kind)));
+          fmt::format("expected {}, found {}{}", expected_type(rules_), kind_in_words(node_.kind),
+                      two_brackets()));
     } else {
       choice();
       number();
@@ -109,6 +116,13 @@ class Explanation {
   }
 
  private:
+  /// One pair of brackets makes a table, two an entry of a list of them.
+  std::string two_brackets() const {
+    const bool top_level = path_.rfind('/') == 0;
+    const bool wants_list = rules_.types == std::vector<std::string>{"array"};
+    if (!top_level || !wants_list || node_.kind != Kind::table) return "";
+    return fmt::format("; write [[{0}]] in the place of [{0}]", path_.substr(1));
+  }
   void choice() {
     if (rules_.choices.empty()) return;
     if (node_.kind != Kind::text)
@@ -177,7 +191,9 @@ Problems explain(const Ruled& ruled, const std::string& file, const std::string&
 }
 
 std::string did_you_mean(const std::string& word, std::span<const std::string> known) {
-  const auto distance = [&](const std::string& other) { return edit_distance(word, other); };
+  const auto distance = [lower = in_lower_case(word)](const std::string& other) {
+    return edit_distance(lower, in_lower_case(other));
+  };
   const auto nearest = std::ranges::min_element(known, {}, distance);
   if (nearest != known.end() && distance(*nearest) <= 1) return meant(*nearest);
   const auto longer = std::ranges::find_if(

@@ -9,6 +9,7 @@
 #include "rig_config/checks/checks.hpp"
 #include "rig_config/device_description/load_description.hpp"
 #include "rig_config/file_trouble.hpp"
+#include "rig_config/nearest_file.hpp"
 #include "rig_config/rules/schema_check.hpp"
 #include "rig_config/toml/toml_limits.hpp"
 #include "rig_config/toml/toml_reader.hpp"
@@ -96,9 +97,9 @@ FileKind kind_of(const Node& root) {
 
 Loaded<std::string> read_file(const std::string& path) {
   // A device file or a pipe may never end, and a file may be larger than the memory.
-  if (const auto why = file_trouble(path); !why.empty())
-    return Problems{{path, 0, 0, "/", "cannot be read: " + why}};
   std::error_code error;
+  if (const auto why = file_trouble(path); !why.empty())
+    return Problems{{path, 0, 0, "/", "cannot be read: " + why + nearest_file(path)}};
   if (!fs::is_regular_file(path, error))
     return Problems{{path, 0, 0, "/", "cannot be read: is a device or a pipe, not a file"}};
   const auto size = fs::file_size(path, error);

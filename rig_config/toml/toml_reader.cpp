@@ -5,6 +5,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "rig_config/toml/syntax_advice.hpp"
 #include "rig_config/toml/toml_limits.hpp"
 
 namespace drydock::rig_config {
@@ -118,6 +119,16 @@ class Converter {
   const std::string& file_;
 };
 
+/// The n-th line, from 1; empty where there is none.
+std::string_view line_of(std::string_view text, int n) {
+  for (; n > 1; --n) {
+    const auto end = text.find('\n');
+    if (end == std::string_view::npos) return {};
+    text.remove_prefix(end + 1);
+  }
+  return text.substr(0, text.find('\n'));
+}
+
 }  // namespace
 
 Loaded<Node> read_toml(std::string_view text, const std::string& path) {
@@ -130,7 +141,9 @@ Loaded<Node> read_toml(std::string_view text, const std::string& path) {
     return root;
   } catch (const toml::parse_error& error) {
     const Position at = position(error.source());
-    return Problems{{path, at.line, at.column, "/", std::string{error.description()}}};
+    const auto what = error.description();
+    return Problems{{path, at.line, at.column, "/",
+                     std::string{what} + syntax_advice(what, line_of(text, at.line))}};
   }
 }
 

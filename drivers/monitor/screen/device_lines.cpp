@@ -13,6 +13,7 @@ std::string in_ms(std::optional<double> s) {
 }
 
 std::string rate_text(const DeviceView& device) {
+  if (device.nominal_rate_hz == 0 && device.rate_hz == 0) return "-";  // a wire without a driver
   return fmt::format("{:6.2f} of {:5.1f}", device.rate_hz, device.nominal_rate_hz);
 }
 
@@ -48,8 +49,8 @@ constexpr std::size_t narrowest_words = 10;
 
 /// What a person should know first about a device.
 std::string first_words(const DeviceView& device) {
-  if (device.finding) return device.finding->cause + ": " + device.finding->meaning;
   if (!device.hint.empty()) return device.hint;
+  if (device.finding) return device.finding->cause + ": " + device.finding->meaning;
   if (!device.streaming) return device.status;
   if (!device.shared_with.empty()) return "also open in " + device.shared_with;
   return device.kind + ' ' + device.protocol;
@@ -83,7 +84,7 @@ void draw_device(Canvas& canvas, std::size_t row, const DeviceView& device, bool
   if (canvas.width() >= at + 1 + narrowest_words)
     canvas.put(row, at + 1, first_words(device), device.finding ? Style::wrong : Style::plain);
   if (chosen)
-    for (std::size_t i = 0; i < 2 + device.name.size(); ++i)
+    for (std::size_t i = 0; i < 2 + std::min(device.name.size(), device_columns[0].width); ++i)
       canvas.put(row, i, std::string_view(i < 2 ? "> " + i : device.name.data() + i - 2, 1),
                  Style::chosen);
 }

@@ -141,7 +141,7 @@ int characterize_source(const CharacterizeOptions& options, std::FILE* out, std:
     const Gathered gathered = gather(options);
     const auto devices = characterize_all(options, gathered);
     if (devices.empty()) {
-      fmt::print(errors, "drydock characterize: {}: fewer than ten samples of any device\n",
+      fmt::print(errors, "characterize: {}: fewer than ten samples of any device\n",
                  options.source);
       return terminal::exit_failed;
     }
@@ -153,10 +153,10 @@ int characterize_source(const CharacterizeOptions& options, std::FILE* out, std:
     show(options, gathered, devices, out);
     return 0;
   } catch (const std::invalid_argument& error) {
-    fmt::print(errors, "drydock characterize: {}\n", error.what());
+    fmt::print(errors, "characterize: {}\n", error.what());
     return terminal::exit_usage;
   } catch (const std::exception& error) {
-    fmt::print(errors, "drydock characterize: {}\n", error.what());
+    fmt::print(errors, "characterize: {}\n", error.what());
     return terminal::exit_failed;
   }
 }

@@ -4,6 +4,7 @@
 #include "hil/campaign/run_campaign.hpp"
 #include "hil/campaign/slurm/slurm_engine.hpp"
 #include "hil/program/commands.hpp"
+#include "rig_config/shipped.hpp"
 
 namespace drydock::program {
 
@@ -50,6 +51,7 @@ void add_campaign(CLI::App& app, Command& command) {
   sub->add_option("--shards", o.shards)->group("");  // these two are for the tasks themselves
   sub->add_option("--shard", o.shard)->group("");
   sub->callback([a, &command] {
+    a->options.file = rig_config::find_shipped(a->options.file, rig_config::campaigns);
     a->options.slurm = a->engine == "slurm";
     command = [a] {
       if (a->cancel) return campaign::cancel_campaign(a->options, stdout, stderr);

@@ -6,6 +6,7 @@
 #include "hil/program/capture_arguments.hpp"
 #include "hil/program/commands.hpp"
 #include "hil/program/load_rig.hpp"
+#include "hil/program/options.hpp"
 #include "hil/program/part_arguments.hpp"
 #include "rig_config/toml/split_values.hpp"
 
@@ -62,7 +63,7 @@ void add_compare(CLI::App& app, Command& command) {
       ->required();
   sub->add_option("--rig", o.rig,
                   "rig file in the place of the recorded one, or with the sensor of a capture")
-      ->check(CLI::ExistingFile);
+      ->transform(rig_name);
   sub->add_option("--for", o.duration_s, "of a rig: 60s, 10min; default one lap of its mission")
       ->transform(running_time);
   a->part.add_only_and_from(*sub);

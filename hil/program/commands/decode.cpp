@@ -1,8 +1,12 @@
 #include <memory>
+#include <stdexcept>
 
 #include "drivers/decode/decode.hpp"
+#include "drivers/terminal/exit_codes.hpp"
 #include "hil/program/commands.hpp"
 #include "hil/program/load_rig.hpp"
+#include "hil/program/look_of_capture.hpp"
+#include "hil/replay/replay_rig.hpp"
 
 namespace drydock::program {
 
@@ -36,8 +40,14 @@ void add_decode(CLI::App& app, Command& command) {
   sub->add_flag("--quiet", options->quiet, "no line of counts at the end");
   sub->callback([options, &command] {
     command = [options] {
+      if (replay::is_recording(options->file))
+        throw std::runtime_error(options->file +
+                                 " is a recording of a rig: drydock replay and drydock topic read "
+                                 "it, drydock export --to raw gives the bytes of its lines");
       options->description = load_protocol(options->protocol);
-      return decode::decode(*options, stdout, stderr);
+      const int code = decode::decode(*options, stdout, stderr);
+      if (code == terminal::exit_failed) say_what_it_looks_like(options->file, options->protocol);
+      return code;
     };
   });
 }

@@ -9,11 +9,11 @@
 #include "drivers/shell/rig_devices.hpp"
 #include "drivers/terminal/exit_codes.hpp"
 #include "hil/diagnose/sources.hpp"
+#include "hil/program/capture_arguments.hpp"
 #include "hil/program/commands.hpp"
 #include "hil/program/load_rig.hpp"
 #include "hil/program/options.hpp"
 #include "hil/replay/replay_rig.hpp"
-#include "rig_config/file_trouble.hpp"
 
 namespace drydock::program {
 
@@ -36,11 +36,10 @@ diagnose::Outcome examine_rig(const DiagnoseArguments& a) {
 /// A rig file ends with .toml, a recording tells itself by its content, any other file is a
 /// capture, and what is no file is a link.
 diagnose::Outcome examine(const DiagnoseArguments& a) {
-  if (a.source.ends_with(".toml")) return examine_rig(a);
-  const bool is_path = a.source.find('/') != std::string::npos || a.source.ends_with(".mcap");
-  if (is_path && a.source.find(':') == std::string::npos)
-    if (const auto why = rig_config::file_trouble(a.source); !why.empty())
-      throw std::runtime_error(a.source + ": " + why);
+  if (names_rig(a.source)) return examine_rig(a);
+  const bool is_path = a.source.find('/') != std::string::npos || a.source.ends_with(".mcap") ||
+                       std::filesystem::is_directory(a.source);
+  if (is_path && a.source.find(':') == std::string::npos) must_be_readable(a.source);
   if (!std::filesystem::is_regular_file(a.source))
     return diagnose::listen_to_link(a.source, a.duration_s);
   return replay::is_recording(a.source) ? diagnose::read_recording(a.source)

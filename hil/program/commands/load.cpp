@@ -19,7 +19,7 @@ void add_load(CLI::App& app, Command& command) {
   sub->add_option("RIG", a->rig, "rig file (TOML); its emulated devices are run")->required();
   sub->add_option("--for", a->options.duration_s, "real time: 60s, 10min; default 10min")
       ->transform(running_time)
-      ->check(CLI::PositiveNumber);
+      ->check(positive_number);
   sub->add_option("--json", a->options.json, "write figures and verdict to this file");
   sub->callback([a, &command] {
     command = [a] {

@@ -26,7 +26,7 @@ void add_maneuver(CLI::App& app, Command& command) {
   sub->add_option(
          "--speed", options->speed_mps,
          "m/s at the start and commanded; default that of 1500 rpm, or the schedule's first")
-      ->check(CLI::PositiveNumber);
+      ->check(positive_number);
   sub->add_option(
          "--deflection", options->deflection_deg,
          "of rudder or stern planes, deg; default: turning circle and spiral to the stops, "
@@ -34,7 +34,7 @@ void add_maneuver(CLI::App& app, Command& command) {
       ->excludes(schedule);
   sub->add_option("--switch", options->switch_deg,
                   "change of heading (zigzag) or pitch (dive) that reverses, deg; default 10")
-      ->check(CLI::PositiveNumber)
+      ->check(positive_number)
       ->excludes(schedule);
   sub->add_option("--for", options->duration_s,
                   "how long a schedule is sailed; default 300 s behind its last row")

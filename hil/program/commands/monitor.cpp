@@ -13,9 +13,6 @@ namespace drydock::program {
 
 namespace {
 
-/// True for a rig file, false for a link.
-bool is_rig(const std::string& source) { return source.ends_with(".toml"); }
-
 std::vector<std::unique_ptr<device::Device>> devices_of(const rig_config::Rig& rig) {
   auto devices = shell::make_devices(rig);
   if (!devices) throw std::runtime_error(devices.error().message);
@@ -79,7 +76,7 @@ void add_monitor(CLI::App& app, Command& command) {
       a->options.description = load_protocol(a->options.protocol);
       if (!a->options.protocol.empty()) return monitor::monitor_messages(a->options);
       a->options.beside = host::diagnostician_beside;
-      if (!is_rig(a->options.link)) return monitor::monitor_link(a->options);
+      if (!names_rig(a->options.link)) return monitor::monitor_link(a->options);
       const auto rig = load_rig(a->options.link);
       return a->bus ? monitor::monitor_bus(rig, a->options)
                     : monitor::monitor_devices(devices_of(rig), rig, a->options);

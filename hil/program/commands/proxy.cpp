@@ -34,7 +34,9 @@ void add_proxy(CLI::App& app, Command& command) {
   sub->add_option("--address", options->address,
                   "of the device on a bus: only its frames suffer; default those of every one that "
                   "speaks the protocol");
-  sub->add_option("--seed", options->seed, "of the faults' chances")->capture_default_str();
+  sub->add_option("--seed", options->seed, "of the faults' chances")
+      ->capture_default_str()
+      ->check(seed_number);
   sub->add_option("--for", options->duration_s, "how long: 60s, 10min; default until Ctrl-C")
       ->transform(running_time);
   sub->add_flag("--json", options->json, "the summary as one JSON object");

@@ -4,13 +4,16 @@
 #include <memory>
 
 #include "drivers/decode/replay.hpp"
+#include "drivers/terminal/exit_codes.hpp"
 #include "hil/program/capture_arguments.hpp"
 #include "hil/program/commands.hpp"
 #include "hil/program/load_rig.hpp"
+#include "hil/program/look_of_capture.hpp"
 #include "hil/program/options.hpp"
 #include "hil/program/part_arguments.hpp"
+#include "hil/replay/capture_report.hpp"
 #include "hil/replay/replay_rig.hpp"
-#include "rig_config/file_trouble.hpp"
+#include "hil/summary/write_files.hpp"
 
 namespace drydock::program {
 
@@ -28,9 +31,10 @@ void add_recording_options(CLI::App& sub, ReplayArguments& a) {
   a.part.add_only_and_from(sub);
   a.part.add_to(sub);
   sub.add_option(
-      "--rig", r.rig,
-      "another rig file: its drivers and estimators get the bytes of the devices with the "
-      "same names; default the recorded rig");
+         "--rig", r.rig,
+         "another rig file: its drivers and estimators get the bytes of the devices with the "
+         "same names; default the recorded rig")
+      ->transform(rig_name);
   sub.add_option("--report", r.report, "write a page with figures and plots into this folder");
   sub.add_option("--json", r.json, "write the summary to this file");
   sub.add_option("--junit", r.junit, "write the verdicts on [[expect]] to this file");
@@ -52,7 +56,7 @@ void add_recording_options(CLI::App& sub, ReplayArguments& a) {
   sub.add_option("--refs-every", r.refs_every,
                  "values of each so many messages; default all, thinned to 2000 a topic")
       ->needs(update)
-      ->check(CLI::PositiveNumber);
+      ->check(positive_number);
   sub.add_option("--onto", r.onto,
                  "give other programs what the links carried: dvl=pty:dvl, can0=socketcan:vcan0, "
                  "again for each; or auto for all links; speed 1 unless given")
@@ -98,16 +102,23 @@ bool says_recording(const decode::ReplayOptions& capture) {
 
 /// A capture has no rig: it uses one driver and refuses the options that need a whole rig.
 void read_capture(const CLI::App& sub, ReplayArguments& a) {
-  if (const auto why = rig_config::file_trouble(a.capture.capture); !why.empty())
-    throw std::runtime_error(a.capture.capture + ": " + why);
+  must_be_readable(a.capture.capture);
   if (a.capture.protocol.empty())
     throw CLI::RequiredError("--protocol (" + a.capture.capture + " is no MCAP recording)");
   for (const char* option :
        {"--only", "--from", "--to", "--faults", "--step", "--record", "--check", "--update-refs",
-        "--onto", "--serve", "--rig", "--report", "--json", "--junit", "--expect"})
+        "--onto", "--serve", "--rig", "--junit", "--expect"})
     if (sub.count(option) > 0)
       throw CLI::ValidationError(option, "needs an MCAP recording, with its rig");
   if (!a.speed.empty()) a.capture.speed = a.speed;
+}
+
+void write_summary(const ReplayArguments& a) {
+  const summary::SummaryFiles files{a.recording.json, a.recording.report, ""};
+  if (files.json.empty() && files.report.empty()) return;
+  const auto made = replay::summary_of_capture(a.capture);
+  if (!a.capture.quiet) fmt::print(stderr, "{}", to_text(made));
+  summary::write_files(made, files, "");
 }
 
 }  // namespace
@@ -125,7 +136,8 @@ void add_replay(CLI::App& app, Command& command) {
       "         drydock replay dive.mcap --onto dvl=pty:dvl --speed 1\n"
       "         drydock replay dive.mcap --faults F.toml\n"
       "         drydock replay dive.mcap --rig other.toml --quiet --report out --expect\n"
-      "         drydock replay dive.pd0 --protocol pd0");
+      "         drydock replay dive.pd0 --protocol pd0\n"
+      "         drydock replay dive.pd0 --protocol pd0 --report out > dive.jsonl");
   sub->add_option("RECORDING", a->capture.capture, "MCAP recording, or capture of one link")
       ->required();
   sub->add_option("--speed", a->speed,
@@ -145,7 +157,11 @@ void add_replay(CLI::App& app, Command& command) {
       read_capture(*sub, *a);
       command = [a] {
         a->capture.description = load_protocol(a->capture.protocol);
-        return decode::replay(a->capture, stdout, stderr);
+        const int code = decode::replay(a->capture, stdout, stderr);
+        write_summary(*a);
+        if (code == terminal::exit_failed)
+          say_what_it_looks_like(a->capture.capture, a->capture.protocol);
+        return code;
       };
     }
   });

@@ -25,7 +25,8 @@ void add_run(CLI::App& app, Command& command) {
   sub->add_option("--for", a->options.duration_s,
                   "how long: 60s, 10min, 5.5h; default until Ctrl-C")
       ->transform(running_time);
-  sub->add_option("--seed", a->seed, "seed of all random errors; default that of the rig file");
+  sub->add_option("--seed", a->seed, "seed of all random errors; default that of the rig file")
+      ->check(seed_number);
   add_faults_option(*sub, a->faults);
   sub->add_option("--speed", a->speed, "1: real time; max: lockstep in virtual time")
       ->check(CLI::IsMember({"1", "max"}))
@@ -45,7 +46,8 @@ void add_run(CLI::App& app, Command& command) {
                 "exit 1 when a device is not streaming at the end");
   sub->add_option(
       "--expect-rms", a->options.expect_rms_deg,
-      "exit 1 when an attitude estimate is worse than this against the truth [deg RMS]");
+      "exit 1 when an attitude estimate is worse than this against the truth [deg RMS]")
+      ->check(positive_number);
   sub->callback([a, &command] {
     command = [a] {
       auto rig = load_rig(a->rig, a->speed == "max" ? check::Use::lockstep : check::Use::real_time);

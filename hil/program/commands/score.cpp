@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "hil/program/commands.hpp"
+#include "hil/program/options.hpp"
 
 namespace drydock::program {
 
@@ -33,10 +34,10 @@ void add_score(CLI::App& app, Command& command) {
       ->transform(CLI::CheckedTransformer(alignments(), CLI::ignore_case));
   sub->add_option("--interval", options->interval_s,
                   "of the relative pose error, seconds; default 1")
-      ->check(CLI::PositiveNumber);
+      ->check(positive_number);
   sub->add_option("--longest-gap", options->longest_gap_s,
                   "between two truths, seconds; default 0.2: there is no truth in a longer one")
-      ->check(CLI::PositiveNumber);
+      ->check(positive_number);
   sub->add_flag("--json", options->json, "the figures as JSON");
   sub->callback([options, &command] {
     command = [options] { return score::score(*options, stdout, stderr); };

@@ -41,7 +41,8 @@ void add_scorecard(CLI::App& app, Command& command) {
   sub->add_option("--fault-for", o.window.fault_s, "how long it lasts; default 30s")
       ->transform(duration_text);
   sub->add_option("--after", o.window.after_s, "behind it; default 45s")->transform(duration_text);
-  sub->add_option("--seed", a->seed, "seed of all random errors; default that of the rig file");
+  sub->add_option("--seed", a->seed, "seed of all random errors; default that of the rig file")
+      ->check(seed_number);
   sub->add_option("--jobs", o.jobs,
                   "threads; the result does not depend on it; default one a processor")
       ->check(CLI::Range(1U, 1024U));

@@ -16,8 +16,10 @@ void add_sensor(CLI::App& app, Command& command) {
   sub->add_option("--for", options->duration_s, "how long it is recorded: 10min, 5h; default 2h")
       ->transform(running_time);
   sub->add_option("--rate", options->rate_hz, "samples a second; default the grade's, else 100")
-      ->check(CLI::PositiveNumber);
-  sub->add_option("--seed", options->seed, "of all random errors")->capture_default_str();
+      ->check(positive_number);
+  sub->add_option("--seed", options->seed, "of all random errors")
+      ->capture_default_str()
+      ->check(seed_number);
   sub->add_flag("--json", options->json, "JSON instead of a table");
   sub->add_option("--allan", options->allan, "write a plot to this SVG file");
   sub->callback([options, &command] {

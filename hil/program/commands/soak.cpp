@@ -27,7 +27,8 @@ void add_soak(CLI::App& app, Command& command) {
   sub->add_option("--for", options.duration_s, "virtual time: 10min, 5h, 2d; default 30d")
       ->transform(running_time);
   sub->add_option("--seed", options.seed, "of the sensors' errors and of the faults")
-      ->capture_default_str();
+      ->capture_default_str()
+      ->check(seed_number);
   auto* none = sub->add_flag("--no-faults{false}", options.faults,
                              "set none: a healthy run, for the number of false alarms");
   sub->add_option("--interval", options.fault_interval_s,

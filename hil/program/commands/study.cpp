@@ -1,6 +1,7 @@
 #include <memory>
 
 #include "hil/program/commands.hpp"
+#include "hil/program/options.hpp"
 #include "hil/study/run/run_study.hpp"
 
 namespace drydock::program {
@@ -16,7 +17,8 @@ void add_study(CLI::App& app, Command& command) {
       ->check(CLI::Range(std::size_t{1}, std::size_t{1'000'000}))
       ->capture_default_str();
   sub->add_option("--seed", options->campaign.seed, "of every random number")
-      ->capture_default_str();
+      ->capture_default_str()
+      ->check(seed_number);
   sub->add_option("--jobs", options->campaign.jobs,
                   "threads; the result does not depend on it; default one a processor")
       ->check(CLI::Range(1U, 1024U));

@@ -25,7 +25,7 @@ void add_topic(CLI::App& app, Command& command) {
       ->required();
   sub->add_option("NAME", a->options.name, "device, or topic of a recording; default all");
   sub->add_option("--count", a->options.most, "so many messages, then it ends")
-      ->check(CLI::PositiveNumber);
+      ->check(positive_number);
   sub->add_option("--for", a->options.duration_s, "of a rig: 60s, 10min; default until Ctrl-C")
       ->transform(running_time);
   sub->callback([a, &command] {

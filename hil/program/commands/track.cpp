@@ -2,11 +2,12 @@
 
 #include <memory>
 
-#include "drivers/measurement/units.hpp"
 #include "hil/program/capture_arguments.hpp"
 #include "hil/program/commands.hpp"
 #include "hil/program/load_rig.hpp"
+#include "hil/program/options.hpp"
 #include "hil/program/part_arguments.hpp"
+#include "hil/program/start_argument.hpp"
 
 namespace drydock::program {
 
@@ -16,7 +17,6 @@ struct TrackArguments {
   track::TrackOptions options;
   PartArguments part;
   std::string model = "best";
-  std::vector<double> start;
 };
 
 void finish(TrackArguments& a) {
@@ -24,8 +24,6 @@ void finish(TrackArguments& a) {
   o.part = a.part.selection();
   if (a.model == "inertial") o.model = track::Model::inertial;
   if (a.model == "level") o.model = track::Model::level;
-  if (a.start.empty()) return;
-  o.origin = frame::Position{a.start[0] * units::degree, a.start[1] * units::degree, 0};
 }
 
 }  // namespace
@@ -40,8 +38,7 @@ void add_track(CLI::App& app, Command& command) {
       "         drydock track dive.mcap --model level --json\n"
       "         drydock track dive.pd0 --protocol pd0 --start 41.5,-70.7 -o dive.gpx");
   sub->add_option("RECORDING", o.source.capture, "MCAP recording, or capture of one sensor")
-      ->required()
-      ->check(CLI::ExistingFile);
+      ->required();
   sub->add_option("-o,--out", o.out, "file of the track");
   sub->add_option("--as", o.as,
                   "its format, one of geojson, gpx, csv, mcap; default as its name ends")
@@ -56,18 +53,17 @@ void add_track(CLI::App& app, Command& command) {
                   "inertial: the IMU with the grade of the rig's estimator; level: without it; "
                   "default best: inertial where that is possible")
       ->check(CLI::IsMember({"best", "inertial", "level"}));
-  sub->add_option("--start", a->start, "latitude,longitude of a dive without a fix, degrees")
-      ->delimiter(',')
-      ->expected(2);
+  add_start(*sub, o.origin);
   sub->add_option("--rig", o.rig,
                   "rig file in the place of the recorded one, or with the sensor of a capture")
-      ->check(CLI::ExistingFile);
+      ->transform(rig_name);
   a->part.add_only_and_from(*sub);
   a->part.add_to(*sub);
   add_capture(*sub, o.source);
   sub->callback([a, &command] {
     finish(*a);
     command = [a] {
+      must_be_readable(a->options.source.capture);
       a->options.source.description = load_protocol(a->options.source.protocol);
       return track::track(a->options, stdout, stderr);
     };

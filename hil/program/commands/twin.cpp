@@ -2,12 +2,12 @@
 
 #include <memory>
 
-#include "drivers/measurement/units.hpp"
 #include "hil/program/capture_arguments.hpp"
 #include "hil/program/commands.hpp"
 #include "hil/program/load_rig.hpp"
 #include "hil/program/options.hpp"
 #include "hil/program/part_arguments.hpp"
+#include "hil/program/start_argument.hpp"
 
 namespace drydock::program {
 
@@ -16,7 +16,6 @@ namespace {
 struct TwinArguments {
   twin::TwinOptions options;
   PartArguments part;
-  std::vector<double> start;
 };
 
 }  // namespace
@@ -32,19 +31,16 @@ void add_twin(CLI::App& app, Command& command) {
       "         drydock run twin/rig.toml --speed max\n"
       "         drydock twin dive.pd0 --protocol pd0 --start 41.5,-70.7 -o twin --report out");
   sub->add_option("RECORDING", source.source.capture, "MCAP recording, or capture of one sensor")
-      ->required()
-      ->check(CLI::ExistingFile);
+      ->required();
   sub->add_option("-o,--out", o.folder, "folder of the twin")->required();
   sub->add_flag("--overwrite", o.overwrite, "write into a folder that is not empty");
   sub->add_option("--every", o.every_s,
                   "time between poses of its track; default 0.1s with the IMU, else 1s")
       ->transform(running_time);
-  sub->add_option("--start", a->start, "latitude,longitude of a dive without a fix, degrees")
-      ->delimiter(',')
-      ->expected(2);
+  add_start(*sub, source.origin);
   sub->add_option("--rig", source.rig,
                   "rig file in the place of the recorded one, or with the sensor of a capture")
-      ->check(CLI::ExistingFile);
+      ->transform(rig_name);
   a->part.add_only_and_from(*sub);
   a->part.add_to(*sub);
   sub->add_flag("--json", o.json, "one JSON object instead of text");
@@ -52,11 +48,9 @@ void add_twin(CLI::App& app, Command& command) {
   add_capture(*sub, source.source);
   sub->callback([a, &command] {
     a->options.source.part = a->part.selection();
-    if (!a->start.empty())
-      a->options.source.origin =
-          frame::Position{a->start[0] * units::degree, a->start[1] * units::degree, 0};
     command = [a] {
       auto& capture = a->options.source.source;
+      must_be_readable(capture.capture);
       capture.description = load_protocol(capture.protocol);
       return twin::twin(a->options, stdout, stderr);
     };

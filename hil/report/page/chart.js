@@ -17,6 +17,15 @@ function label(value, step) {
   return value.toFixed(Math.max(0, -Math.floor(Math.log10(step) + 1e-9)));
 }
 const powers = (values) => values.map((value) => (value === null ? '' : value >= 0.01 && value < 1e4 ? String(value) : value.toExponential()));
+
+// The marks of a logarithmic axis: 1 to 9 times each power of ten, wherever the axis begins; on a very short axis its ends and middle.
+function decades(low, high) {
+  const marks = [];
+  for (let power = Math.floor(Math.log10(low)); power <= Math.log10(high); power++)
+    for (let digit = 1; digit < 10; digit++) marks.push(Number(`${digit}e${power}`));
+  const shown = marks.filter((mark) => mark >= low && mark <= high);
+  return shown.length > 1 ? shown : [low, Math.sqrt(low * high), high].map((mark) => Number(mark.toPrecision(3)));
+}
 const number = (x) => (Number.isFinite(x) ? String(Number(x.toPrecision(6))) : '');
 
 // The smallest interval with all values, or [0, 1] without any.
@@ -76,13 +85,14 @@ class Chart {
   makePlot() {
     const axis = { stroke: css('--soft'), font, labelFont: font, labelSize: 16, labelGap: 0, gap: 3, grid: { stroke: css('--line'), width: 1 }, ticks: { stroke: css('--line'), size: 4 } };
     const values = (log) => (log ? (_, at) => powers(at) : (_, at, _axis, _space, step) => at.map((value) => label(value, step)));
+    const splits = (log) => (log ? (_u, _axis, low, high) => decades(low, high) : undefined);
     const scale = (log, down) => ({ time: false, auto: false, distr: log ? 3 : 1, dir: down ? -1 : 1, range: (_, low, high) => [low, high] });
     const width = (u, texts) => Math.ceil(Math.max(20, ...(texts ?? []).map((text) => { u.ctx.font = font; return u.ctx.measureText(text).width; }))) + 10;
     this.plot?.destroy();
     this.plot = new uPlot({
       ...this.size(), legend: { show: false }, padding: [8, 14, 0, 0], series: [{}, { paths: () => null, points: { show: false } }],
       scales: { x: scale(this.log_x), y: scale(this.log_y, this.y_down) },
-      axes: [{ ...axis, size: 24, space: 60, label: this.x_label, values: values(this.log_x) }, { ...axis, size: this.equal_scales ? 56 : width, space: 28, label: this.y_label, values: values(this.log_y) }],
+      axes: [{ ...axis, size: 24, space: 60, label: this.x_label, values: values(this.log_x), splits: splits(this.log_x) }, { ...axis, size: this.equal_scales ? 56 : width, space: 28, label: this.y_label, values: values(this.log_y), splits: splits(this.log_y) }],
       cursor: { points: { show: false }, drag: { x: true, y: true, uni: 30, setScale: false }, bind: { dblclick: () => () => this.reset() } },
       hooks: {
         drawClear: [(u) => this.shade(u)], draw: [(u) => this.curves.forEach((curve, i) => this.draw(u, curve, css(this.colour(i))))],

@@ -1,12 +1,12 @@
 #include "hil/study/run/study_progress.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <cmath>
 #include <string>
 
 #include "drivers/terminal/progress_bar.hpp"
+#include "drivers/terminal/terminal_screen.hpp"
 
 namespace drydock::study {
 namespace {
@@ -26,7 +26,8 @@ std::string spoken(double seconds) {
 
 }  // namespace
 
-StudyProgress::StudyProgress(std::FILE* out) : out_(out), terminal_(::isatty(fileno(out)) == 1) {}
+StudyProgress::StudyProgress(std::FILE* out)
+    : out_(out), terminal_(terminal::erases_lines(fileno(out))) {}
 
 void StudyProgress::on_run(std::string_view campaign, std::size_t done, std::size_t of) {
   constexpr auto between_drawings = std::chrono::milliseconds{100};

@@ -31,4 +31,8 @@ TEST(StatusLine, ALineLongerThanTheTerminalIsCut) {
   EXPECT_EQ(standing_text(recording(), 24), "12 s of 60 s, 48 s left ");
 }
 
+TEST(StatusLine, NoRateIsCutInTheMiddleOfItsNumber) {
+  EXPECT_EQ(standing_text(recording(), 55), "12 s of 60 s, 48 s left  2.3 MB  dvl 5.00 Hz");
+}
+
 }  // namespace status_line_test

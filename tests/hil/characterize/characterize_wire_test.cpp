@@ -158,7 +158,7 @@ TEST_F(Characterize, AnUnknownDeviceIsRefusedWithTheNamesThereAre) {
   char line[200] = {};
   ASSERT_NE(std::fgets(line, sizeof line, errors), nullptr);
   std::fclose(errors);
-  EXPECT_STREQ(line, "drydock characterize: no device \"dvl\"; there are: imu\n");
+  EXPECT_STREQ(line, "characterize: no device \"dvl\"; there are: imu\n");
 }
 
 }  // namespace

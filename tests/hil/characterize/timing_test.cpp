@@ -33,6 +33,7 @@ TEST(Timing, RateAndJitterComeBackWithinTheirBounds) {
   EXPECT_GT(timing.largest_jitter_s, 3 * jitter_s);
   EXPECT_NEAR(timing.latency_s, 0.004, 1e-6);
   EXPECT_EQ(timing.outages, 0U);
+  EXPECT_EQ(timing.outage_probability.low, 0);
 }
 
 TEST(Timing, MissingSamplesAreCountedAndDoNotSlowTheRate) {

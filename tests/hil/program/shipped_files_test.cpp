@@ -42,7 +42,10 @@ TEST(ShippedFiles, ARigThatIsNowhereIsAnErrorOfItsOwnName) {
   const Folder folder;
   const auto run = elsewhere(folder, "run demmo --for 1s");
   EXPECT_EQ(run.exit_code, 2);
-  EXPECT_THAT(run.output, HasSubstr("demmo:0:0: /: cannot be read: No such file"));
+  EXPECT_THAT(run.output, HasSubstr("demmo: cannot be read: No such file"));
+  EXPECT_THAT(run.output, HasSubstr("(did you mean 'demo'?)"));
+  EXPECT_THAT(elsewhere(folder, "run nothing-like-it --for 1s").output,
+              HasSubstr("`drydock example` lists the files that come with the program"));
 }
 
 TEST(ShippedFiles, TheListHasOneOfEachKindWithWhatItsFileSaysFirst) {

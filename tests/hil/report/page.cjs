@@ -7,9 +7,10 @@ const [browserPath, file, picture, width, theme] = process.argv.slice(2);
 function read() {
   const text = (element) => element.innerText.replace(/\s+/g, ' ').trim();
   return [...document.querySelectorAll('figure.plot')].map((box) => {
-    const { scales, over } = box.chart.plot;
+    const { scales, over, axes } = box.chart.plot;
     return {
       title: box.ariaLabel, legend: text(box.querySelector('.legend')), x: [scales.x.min, scales.x.max], y: [scales.y.min, scales.y.max],
+      marks: axes.map((axis) => axis._values.filter((mark) => mark !== '')),
       metre: [over.clientWidth / (scales.x.max - scales.x.min), over.clientHeight / (scales.y.max - scales.y.min)],
       rising: box.chart.plot.valToPos(scales.y.max, 'y') < box.chart.plot.valToPos(scales.y.min, 'y'),
     };

@@ -79,6 +79,10 @@ TEST_P(ReportPage, IsOneFileWhosePlotsAreToScaleAndCanBeZoomed) {
   EXPECT_FALSE(whole[1]["rising"]);  // depth grows downwards
   EXPECT_LT(numbers(whole[2], "x")[0], 0.01);
   EXPECT_GT(numbers(whole[2], "x")[1], 100);
+  // Powers of ten are marked although the axis begins between two.
+  const std::vector<std::string> marks = whole[2]["marks"][1];
+  EXPECT_THAT(marks, testing::IsSupersetOf({"1e-4", "1e-3", "0.01", "0.1", "1"}));
+  EXPECT_THAT(marks, testing::Each(testing::SizeIs(testing::Le(4))));
   const auto metre = numbers(whole[3], "metre");
   EXPECT_NEAR(metre[0] / metre[1], 1, 0.01);  // the track is to scale
 

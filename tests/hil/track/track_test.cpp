@@ -100,8 +100,9 @@ TEST_F(TrackOfARun, ItsReportHasAMapAndTheResidualsOfEverySensor) {
   ASSERT_EQ(run(options).first, 0);
   std::ifstream in(fs::path(options.report) / "index.html");
   const std::string page(std::istreambuf_iterator<char>(in), {});
-  for (const char* text : {"Map", "dvl: residuals of bottom track", "emlog: residuals of log",
-                           "depth: residuals of depth", "gnss: residuals of fix", "NIS"})
+  for (const char* text :
+       {"Map", "dvl: residuals of bottom track", "emlog: residuals of log",
+        "depth: residuals of depth", "gnss: residuals of fix", "NIS", "dvl, heading [deg]"})
     EXPECT_NE(page.find(text), std::string::npos) << text;
 }
 

@@ -1,0 +1,46 @@
+#include "rig_config/nearest_file.hpp"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "rig_config/rules/explain.hpp"
+#include "rig_config/shipped.hpp"
+
+namespace drydock::rig_config {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<std::string> names_beside(const fs::path& path) {
+  std::vector<std::string> names;
+  std::error_code error;
+  const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
+  for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
+       entry.increment(error))
+    names.push_back(entry->path().filename().string());
+  std::ranges::sort(names);  // a folder has no order of its own
+  return names;
+}
+
+void add_shipped(std::vector<std::string>& names) {
+  for (const auto kind : {rigs, missions, sensors, vehicles})
+    for (const auto& file : shipped_files(kind)) names.push_back(file.stem().string());
+}
+
+}  // namespace
+
+std::string nearest_file(const std::string& path) {
+  const fs::path asked(path);
+  std::error_code error;
+  if (fs::exists(asked, error)) return "";
+  auto names = names_beside(asked);
+  const bool bare_word = !asked.has_parent_path();
+  if (bare_word) add_shipped(names);
+  auto meant = did_you_mean(asked.filename().string(), names);
+  if (meant.empty() && bare_word && !asked.has_extension())
+    return "; `drydock example` lists the files that come with the program";
+  return meant;
+}
+
+}  // namespace drydock::rig_config

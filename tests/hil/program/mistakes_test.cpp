@@ -1,0 +1,149 @@
+// Mistakes that people make on the command line: each is told with what is wrong and what to do.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "tests/hil/program/program.hpp"
+
+namespace mistakes_test {
+
+using program::drydock;
+using program::Folder;
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+
+const std::string dive = "fixtures/dives/dvl-finds-the-bottom/dive.mcap";
+
+struct Mistake {
+  std::string arguments;
+  int exit_code;
+  std::string says;
+};
+
+void expect_told(const std::vector<Mistake>& mistakes) {
+  for (const auto& mistake : mistakes) {
+    const auto told = drydock(mistake.arguments);
+    EXPECT_EQ(told.exit_code, mistake.exit_code) << mistake.arguments << "\n" << told.output;
+    EXPECT_THAT(told.output, HasSubstr(mistake.says)) << mistake.arguments;
+    EXPECT_THAT(told.output, Not(HasSubstr(":0:0:"))) << mistake.arguments;
+  }
+}
+
+TEST(Mistakes, ANumberThatCannotBeIsWrongUsage) {
+  expect_told({
+      {"run demo --for 1s --seed -1", 2, "'-1' is no seed; allowed: a whole number, 0 or more"},
+      {"study mixing --runs 1 --seed x", 2, "'x' is no seed"},
+      {"sensor xsens-mti-630 --rate -5", 2, "'-5' is not allowed; allowed: a number above 0"},
+      {"sensor xsens-mti-630 --rate nan", 2, "'nan' is not allowed"},
+      {"run demo --for 1s --speed max --expect-rms -1", 2, "allowed: a number above 0"},
+      {"track " + dive + " --start 95,20", 2, "latitude,longitude in degrees"},
+      {"run demo --for 1s --serve 70000", 2,
+       "'70000' is no address; allowed: PORT or ADDRESS:PORT"},
+      {"monitor demo --serve here", 2, "'here' is no address"},
+  });
+}
+
+TEST(Mistakes, ACommandThatIsMissingIsAskedFor) {
+  expect_told({{"", 2, "which command? drydock --help lists them"},
+               {"fault demo", 2, "fault: which? one of set, clear"},
+               {"run", 2, "RIG is required"}});
+}
+
+TEST(Mistakes, AFileThatIsNotThereIsComparedWithThoseThatAre) {
+  expect_told({
+      {"run demmo --for 1s", 2,
+       "demmo: cannot be read: No such file or directory (did you mean 'demo'?)"},
+      {"check dmo", 2, "(did you mean 'demo'?)"},
+      {"maneuver nps-auv-i zigzag", 2, "(did you mean 'nps-auv-ii'?)"},
+      {"replay " + dive + " --rig demmo", 2, "(did you mean 'demo'?)"},
+      {"track fixtures/dives/dvl-finds-the-bottom/div.mcap", 1, "(did you mean 'dive.mcap'?)"},
+      {"run nothing-like-it --for 1s", 2, "`drydock example` lists the files"},
+  });
+}
+
+TEST(Mistakes, AnEmptyFileIsCalledEmptyByThoseThatMakeATrackToo) {
+  const Folder folder;
+  const std::string empty = (folder / "empty.mcap").string();
+  std::ofstream{empty};
+  const std::string to = (folder / "twin").string();
+  expect_told({{"track " + empty, 1, "is empty"},
+               {"calibrate " + empty, 1, "is empty"},
+               {"twin " + empty + " -o " + to, 1, "is empty"}});
+  EXPECT_FALSE(std::filesystem::exists(to));
+}
+
+TEST(Mistakes, AFolderOrADeviceIsNoFile) {
+  expect_told({{"info /dev/null", 1, "is a device or a pipe, not a file"},
+               {"diagnose .", 1, "is a folder, not a file"},
+               {"track .", 1, "is a folder, not a file"}});
+}
+
+TEST(Mistakes, ANameOfAShippedFileIsTakenByEveryCommandOfThatKind) {
+  expect_told({{"check demo", 0, "demo.toml: ok"},
+               {"check s-path", 0, "s-path.toml: ok"},
+               {"check nps-auv-ii", 0, "nps-auv-ii.toml: ok"},
+               {"monitor demo --once --for 1s", 1, "dvl pd0 on pty:dvl"},
+               {"diagnose demo --for 1s", 1, "0 of 6 devices heard"}});
+}
+
+TEST(Mistakes, ARecordingIsNoCaptureOfALine) {
+  expect_told({{"decode " + dive + " --protocol pd0", 1,
+                "is a recording of a rig: drydock replay and drydock topic read it"}});
+}
+
+TEST(Mistakes, AWrongProtocolIsToldWhichOneItLooksLike) {
+  expect_told({
+      {"decode fixtures/pd0/golden.pd0 --protocol nmea0183", 1, "the bytes look like pd0"},
+      {"replay fixtures/pd0/golden.pd0 --protocol ubx", 1, "the bytes look like pd0"},
+      {"replay fixtures/pd0/golden.pd0 --protocol foo", 2,
+       "no driver speaks \"foo\"; allowed: ubx, "},
+      {"monitor can:auto --protocol pd0", 2,
+       "a CAN link carries no protocol \"pd0\"; allowed: nmea2000"},
+      {"monitor tcp:127.0.0.1:9 --protocol nmea2000", 2,
+       "a byte link carries no protocol \"nmea2000\"; allowed: ubx"},
+  });
+}
+
+TEST(Mistakes, AStartBehindTheEndIsCalledThat) {
+  expect_told(
+      {{"replay " + dive + " --from 1000s --quiet", 1, "the recording ends before --from 1000 s"}});
+}
+
+TEST(Mistakes, AnOutputOfAReplayThatCannotBeWrittenIsAFailure) {
+  expect_told({
+      {"replay " + dive + " --quiet --update-refs /dev/full", 1,
+       "cannot write /dev/full: No space left on device"},
+      {"replay " + dive + " --quiet --report /dev/null", 1, "cannot write /dev/null/index.html"},
+  });
+}
+
+TEST(Mistakes, AFileThatDidNotFitIsNotLeftBehindInPart) {
+  const Folder folder;
+  const std::string page = (folder / "out").string();
+  const std::string at_most_4_kb = "trap '' XFSZ; ulimit -f 8;";
+  const auto full =
+      drydock("run demo --for 2s --speed max --report " + page + " --json /dev/null", at_most_4_kb);
+  EXPECT_EQ(full.exit_code, 1);
+  EXPECT_THAT(full.output, HasSubstr("index.html: File too large"));
+  EXPECT_FALSE(std::filesystem::exists(page + "/index.html"));
+}
+
+TEST(Mistakes, ACaptureHasAReportToo) {
+  const Folder folder;
+  const std::string page = (folder / "out").string();
+  const auto replayed =
+      drydock("replay fixtures/pd0/golden.pd0 --protocol pd0 --quiet --report " + page);
+  EXPECT_EQ(replayed.exit_code, 0) << replayed.output;
+  EXPECT_THAT(program::read_file(page + "/index.html"), HasSubstr("golden.pd0"));
+}
+
+TEST(Mistakes, ASilentNodeIsExplainedByTheDiagnosisToo) {
+  const auto told = drydock(std::string(program::emulated_demo) + "diagnose demo --for 3s");
+  EXPECT_THAT(told.output, HasSubstr("imu: no measurement came in"));
+  EXPECT_THAT(told.output, HasSubstr("node 1 is pre-operational: nobody started it"));
+  EXPECT_THAT(told.output, Not(HasSubstr("nothing found in")));
+}
+
+}  // namespace mistakes_test
