@@ -101,6 +101,8 @@ std::size_t without_last_zeros(Bytes payload) {
 
 }  // namespace
 
+/// Only who has its key can check a signature, so one that is cut short takes up to 13 bytes of the
+/// frame behind it.
 Scan Mavlink::scan(Bytes bytes) {
   if (const std::size_t noise = distance_to_start(bytes)) return Scan::skip(noise);
   const auto header = header_of(bytes);

@@ -31,6 +31,13 @@ GoldenProtocol golden(GoldenProtocol row) {
   return row;
 }
 
+/// Without the last frame: a signature that is cut short takes bytes of the frame behind it.
+Buffer unsigned_mavlink() {
+  Buffer frames = fixture("mavlink/golden.mavlink");
+  frames.resize(frames.size() - (10 + 9 + 2 + 13));
+  return frames;
+}
+
 }  // namespace
 
 const std::vector<GoldenProtocol>& golden_protocols() {
@@ -72,9 +79,9 @@ const std::vector<GoldenProtocol>& golden_protocols() {
                          {0xAA, 0x10, 0x01, 0x62, 0x00, 0x02},
                          20,
                          sound_wayfinder}),
-      golden<Mavlink>({fixture("mavlink/golden.mavlink") + fixture("mavlink/autopilot.mavlink"),
-                       17,
+      golden<Mavlink>({unsigned_mavlink() + fixture("mavlink/autopilot.mavlink"),
                        16,
+                       15,
                        {0xFD, 0x2C, 0x00, 0x00, 0x01, 0x01, 0x01, 0x1E},
                        11,
                        sound_mavlink}),
