@@ -42,7 +42,7 @@ using MeasurementHook = std::function<void(const measurement::Measurement&)>;
 
 struct Played {
   device::Kind kind = device::Kind::dvl;
-  shell::RecordingClock clock;  ///< that the times of the measurements come from
+  shell::RecordingClock clock;    ///< that the times of the measurements come from
   device::HealthAccount account;  ///< of the driver at the end of the capture
 };
 

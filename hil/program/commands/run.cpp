@@ -44,9 +44,8 @@ void add_run(CLI::App& app, Command& command) {
   add_realtime(*sub, a->realtime);
   sub->add_flag("--expect-streaming", a->options.expect_streaming,
                 "exit 1 when a device is not streaming at the end");
-  sub->add_option(
-      "--expect-rms", a->options.expect_rms_deg,
-      "exit 1 when an attitude estimate is worse than this against the truth [deg RMS]")
+  sub->add_option("--expect-rms", a->options.expect_rms_deg,
+                  "exit 1 when an attitude estimate is worse than this against the truth [deg RMS]")
       ->check(positive_number);
   sub->callback([a, &command] {
     command = [a] {
