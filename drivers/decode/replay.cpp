@@ -171,8 +171,8 @@ device::HealthAccount play_in_virtual_time(const link::Uri& uri, std::unique_ptr
   clock.add(driver);
   clock.add(recording);
   while (const auto due = recording.deadline()) clock.run_until(std::max(*due, clock.now()));
-  const auto account = device::account_of(driver.device(), driver.device().health(clock.now()),
-                                          measurement::Provenance::replayed);
+  auto account = device::account_of(driver.device(), driver.device().health(clock.now()),
+                                    measurement::Provenance::replayed);
   driver.stop(clock.now());
   if (totals != nullptr) {
     fmt::print(totals, "{}\n", times.in_words());

@@ -76,7 +76,7 @@ LevelMatrix LevelFilter::cross_gap(double dt) {
   state_.turn_radps = 0;
   LevelMotion straight = options_.motion;
   straight.turn_radps = 0;
-  const LevelMatrix transition = step(dt, straight) * forgetting;
+  LevelMatrix transition = step(dt, straight) * forgetting;
   p_(turn_part, turn_part) = any_turn_radps * any_turn_radps;
   return transition;
 }

@@ -19,6 +19,7 @@ std::vector<motion::Thruster> thrusters_of(const rig_config::MissionConfig& miss
 
 std::string names_of(const std::vector<Joint>& joints) {
   std::vector<std::string> names;
+  names.reserve(joints.size());
   for (const Joint& joint : joints) names.push_back(joint.name);
   return fmt::format("{}", fmt::join(names, ", "));
 }

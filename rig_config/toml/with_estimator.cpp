@@ -49,6 +49,7 @@ toml::table block_of(const toml::table& rig, std::string_view head) {
   if (const auto* of_kind = block_with(rig, "estimator", "kind", head)) return *of_kind;
   if (const auto* facts = facts_named(head)) return new_block(rig, *facts);
   std::vector<std::string_view> kinds;
+  kinds.reserve(std::size(estimator_facts));
   for (const auto& facts : estimator_facts) kinds.push_back(facts.name);
   throw std::invalid_argument(
       fmt::format("{}: the rig has no estimator of this name, and it is no kind, allowed: {}", head,

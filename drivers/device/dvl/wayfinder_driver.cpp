@@ -36,7 +36,7 @@ std::optional<Eigen::Vector3d> WayfinderDriver::velocity_of(const wire::Wayfinde
   geometry.beam_angle_rad = wire::wayfinder::beam_angle_rad;
   geometry.frame = *ping.frame;
   const auto sent = of_bed_.value_or(false) ? turned(ping.velocity_mps) : ping.velocity_mps;
-  const auto velocity = solution_.velocity(sent, geometry, {}, out);
+  auto velocity = solution_.velocity(sent, geometry, {}, out);
   if (velocity) say_sign(out);
   return velocity;
 }
