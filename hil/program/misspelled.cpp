@@ -43,7 +43,7 @@ std::string misspelled_command(const CLI::App& app, int argc, const char* const*
 std::string missing_word(const CLI::App& app, const CLI::RequiredError& error) {
   const auto& command = typed_command(app);
   const auto names = names_of_commands(command);
-  const std::string text = error.what();
+  std::string text = error.what();
   if (names.empty() || text.find("subcommand") == std::string::npos) return text;
   if (&command == &app) return "drydock: which command? drydock --help lists them";
   return fmt::format("{}: which? one of {}", command.get_name(), rig_config::listed(names));

@@ -149,6 +149,7 @@ class Making {
 
   static std::vector<Error> times_of(const std::vector<measurement::Measurement>& measured) {
     std::vector<Error> times;
+    times.reserve(measured.size());
     for (const auto& m : measured)
       times.push_back({.valid_at = measurement::origin_of(m).valid_at});
     return times;

@@ -57,11 +57,14 @@ void add_by_small_turns(motion::Poses& poses, const motion::Pose& b) {
   if (!poses.empty()) {
     const motion::Pose a = poses.back();
     const auto way = frame::ned_offset(a.position, b.position);
-    const auto parts = std::ceil(a.body_to_ned.angularDistance(b.body_to_ned) / widest_turn_rad);
-    for (double k = 1; k < parts; ++k)
-      poses.push_back({a.t_s + (b.t_s - a.t_s) * k / parts,
-                       frame::at_ned_offset(a.position, way * k / parts),
-                       a.body_to_ned.slerp(k / parts, b.body_to_ned)});
+    const double turn_rad = a.body_to_ned.angularDistance(b.body_to_ned);
+    const auto parts = std::lround(std::ceil(turn_rad / widest_turn_rad));
+    for (long k = 1; k < parts; ++k) {
+      const double share = static_cast<double>(k) / static_cast<double>(parts);
+      poses.push_back({a.t_s + (b.t_s - a.t_s) * share,
+                       frame::at_ned_offset(a.position, way * share),
+                       a.body_to_ned.slerp(share, b.body_to_ned)});
+    }
   }
   poses.push_back(b);
 }
