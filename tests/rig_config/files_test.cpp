@@ -158,7 +158,7 @@ TEST(Sky, AMissingEphemerisIsToldWithItsPlace) {
 /// A folder of files that is removed after the test.
 class Folder {
  public:
-  Folder() : path_(testing::TempDir() + "rig_config_problems") {
+  Folder() : path_(testing::TempDir() + "rig_config_problems_" + name()) {
     std::filesystem::create_directories(path_);
   }
   ~Folder() { std::filesystem::remove_all(path_); }
@@ -168,6 +168,11 @@ class Folder {
   }
 
  private:
+  /// Tests run side by side, each in a process.
+  static std::string name() {
+    return testing::UnitTest::GetInstance()->current_test_info()->name();
+  }
+
   std::filesystem::path path_;
 };
 
