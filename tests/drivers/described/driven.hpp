@@ -11,7 +11,7 @@ namespace drydock::described::test {
 using measurement::Kind;
 using measurement::Stamp;
 
-struct Heard final : device::Output {
+struct Heard : device::Output {
   void publish(const measurement::Measurement& m) override { all.push_back(m); }
   void send(wire::Bytes bytes) override { sent.emplace_back(bytes.begin(), bytes.end()); }
   void send(const wire::CanFrame&) override {}

@@ -7,7 +7,7 @@
 
 /// Lines by a regular expression. The lines and their values are written by hand.
 namespace drydock::described::test {
-namespace {
+namespace pattern_test {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
@@ -215,5 +215,5 @@ TEST(PatternProblems, OfTwoLinesWithAPatternTheHeadsMustDiffer) {
   EXPECT_THAT(two("D"), HasSubstr("the same bytes can be this message and that of line 5"));
 }
 
-}  // namespace
+}  // namespace pattern_test
 }  // namespace drydock::described::test

@@ -51,6 +51,20 @@ TEST(LinePacer, AMessageWaitsForTheOneBeforeIt) {
   EXPECT_EQ(line.take(at_ns(1'000'000'000))->at, at_ns(150'000'000));
 }
 
+TEST(LinePacer, MessagesLeaveAtTheRateAtWhichTheyWereQueued) {
+  LinePacer line(9600, whole_messages);
+  line.queue(message(10), at_ns(0));
+  line.set_baud(115200);
+  line.queue(message(10), at_ns(0));
+  const auto first = line.take(at_ns(1'000'000'000)), second = line.take(at_ns(1'000'000'000));
+  ASSERT_TRUE(first && second);
+  EXPECT_EQ(first->baud, 9600u);
+  EXPECT_EQ(second->baud, 115200u);
+  // 100 bits at each rate.
+  EXPECT_NEAR(measurement::seconds(first->at - at_ns(0)), 100 / 9600.0, 1e-8);
+  EXPECT_NEAR(measurement::seconds(second->at - first->at), 100 / 115200.0, 1e-8);
+}
+
 TEST(LinePacer, ChunksAreShortAndTheLastEndsWithTheMessage) {
   LinePacer line(115200, milliseconds{4});
   line.queue(message(227), at_ns(0));

@@ -1,0 +1,127 @@
+#include <gmock/gmock.h>
+
+#include "drivers/capture/comment_head.hpp"
+#include "drivers/wire/bytes.hpp"
+#include "tests/drivers/capture/captures.hpp"
+
+/// Which format a file has, what is said of one that has none, and the comments in front of bytes.
+namespace drydock::capture::testing {
+namespace recognition_test {
+
+using ::testing::ElementsAre;
+using wire::testing::as_bytes;
+
+TEST(UnknownFile, WhatMustBeUnpackedOrConvertedFirstIsSaid) {
+  const auto said = [](std::string_view head) {
+    FrameCapture capture;
+    capture.feed({reinterpret_cast<const std::uint8_t*>(head.data()), head.size()});
+    capture.finish();
+    capture.next();
+    return unknown_format_text("dive.log", capture);
+  };
+  EXPECT_EQ(said(std::string_view("\x1F\x8B\x08\0\0\0\0\0", 8)),
+            "dive.log: it is compressed: unpack it first with gunzip -k");
+  EXPECT_EQ(said(std::string_view("\xFF\xFE(\0001\0", 6)),
+            "dive.log: it is text in UTF-16: convert it first with iconv -f UTF-16 -t UTF-8");
+  EXPECT_THAT(
+      said(std::string_view("\xD4\xC3\xB2\xA1\2\0\4\0\0\0\0\0\0\0\0\0\0\0\4\0\1\0\0\0", 24)),
+      ::testing::HasSubstr("tcpdump -i can0"));  // of Ethernet
+  EXPECT_THAT(said("hello\n"), ::testing::HasSubstr("no CAN capture of a known format"));
+}
+
+TEST(PcapFile, APacketTooLargeForCanIsPassedOver) {
+  const Buffer file = wire::testing::fixture("capture/le_us.pcap");
+  Buffer head(24 + 16);
+  std::copy_n(file.begin(), 24, head.begin());
+  wire::store_le<std::uint32_t>(head, 24 + 8, 100'000);
+  const Buffer rest(file.begin() + 24, file.end());
+  const Outcome outcome = read_capture(head + Buffer(100'000, 'x') + rest);
+  EXPECT_EQ(outcome.records.size(), 8u);
+  EXPECT_THAT(outcome.where, ElementsAre(2));
+}
+
+TEST(PcapFile, WhatAnOldKernelLeftInTheFlagsMakesNoCanFd) {
+  Buffer file = wire::testing::fixture("capture/le_us.pcap");
+  file[24 + 16 + 5] = 0x2E;  // as in canboat's can0-1.pcap
+  const auto records = read_capture(file).records;
+  ASSERT_EQ(records.size(), 8u);
+  EXPECT_FALSE(records[0].frame.fd);
+}
+
+TEST(PcapFile, OfEthernetIsNoCanCapture) {
+  Buffer file = wire::testing::fixture("capture/le_us.pcap");
+  wire::store_le<std::uint32_t>(file, 20, 1);
+  EXPECT_TRUE(read_capture(file).unknown);
+}
+
+TEST(UnknownFile, IsToldTheFormatsThatAreKnown) {
+  EXPECT_TRUE(read_capture("$GPGGA,123519,4807.038,N*42\r\n").unknown);
+  EXPECT_TRUE(read_capture(Buffer(200'000, 0x7F)).unknown);
+  EXPECT_TRUE(read_capture("").unknown);
+  EXPECT_EQ(
+      unknown_format_text("dive.log", FrameCapture()),
+      "dive.log: no CAN capture of a known format; known are: pcap, pcapng, blf, candump-log, "
+      "candump-screen, asc, trc, canboat");
+}
+
+TEST(Recognition, WaitsForTheFirstWholeLine) {
+  FrameCapture capture;
+  capture.feed(as_bytes("# a comment\n(1.0) can0 12"));
+  EXPECT_FALSE(capture.next());
+  EXPECT_EQ(capture.format(), nullptr);
+  EXPECT_FALSE(capture.unknown());
+  capture.feed(as_bytes("3#00\n"));
+  EXPECT_TRUE(capture.next());
+  EXPECT_EQ(capture.format()->name, "candump-log");
+}
+
+TEST(Recognition, TheMagicCountsWhateverThePacketsBehindItLookLike) {
+  Buffer file = wire::testing::fixture("capture/le_us.pcap");
+  const Buffer line = as_bytes("\n7FF [0]\n");
+  std::ranges::copy(line, file.begin() + 8);  // time zone and snap length; the reader ignores them
+  const Buffer lines = file + line + line;
+  for (std::size_t piece = 1; piece <= lines.size(); ++piece) {
+    FrameCapture capture;
+    std::size_t frames = 0;
+    for (std::size_t at = 0; at < lines.size(); at += piece) {
+      capture.feed(Bytes{lines}.subspan(at, std::min(piece, lines.size() - at)));
+      while (capture.next()) ++frames;
+    }
+    ASSERT_NE(capture.format(), nullptr) << piece;
+    EXPECT_EQ(capture.format()->name, "pcap") << piece;
+    EXPECT_EQ(frames, 8u) << piece;
+  }
+}
+
+TEST(CommentHeadOfAByteCapture, IsDroppedInAnySplitAndNothingElse) {
+  const std::string file = "# Name: a receiver\n# Date: 2014\r\n\xB5\x62 # data\n# data too\n";
+  for (std::size_t piece = 1; piece <= file.size(); ++piece) {
+    CommentHead head;
+    Buffer rest;
+    for (std::size_t at = 0; at < file.size(); at += piece) {
+      const Buffer block = as_bytes(std::string_view(file).substr(at, piece));
+      const Bytes left = head.without(block);
+      rest.insert(rest.end(), left.begin(), left.end());
+    }
+    EXPECT_EQ(rest, as_bytes("\xB5\x62 # data\n# data too\n")) << piece;
+    EXPECT_EQ(head.size(), file.size() - rest.size()) << piece;
+  }
+}
+
+TEST(CommentHeadOfAByteCapture, EndsAtALineThatADeviceBeginsWithAHash) {
+  const std::string data = "#BESTPOSA,COM1\r\n# data\n";
+  const std::string file = "#\n#\r\n# Date: 2014\n" + data;
+  for (std::size_t piece = 1; piece <= file.size(); ++piece) {
+    CommentHead head;
+    Buffer rest;
+    for (std::size_t at = 0; at < file.size(); at += piece) {
+      const Buffer block = as_bytes(std::string_view(file).substr(at, piece));
+      const Bytes left = head.without(block);
+      rest.insert(rest.end(), left.begin(), left.end());
+    }
+    EXPECT_EQ(rest, as_bytes(data)) << piece;
+  }
+}
+
+}  // namespace recognition_test
+}  // namespace drydock::capture::testing
