@@ -3,14 +3,18 @@
 #include <algorithm>
 #include <array>
 
+#include "drivers/capture/formats/actisense_ascii.hpp"
 #include "drivers/capture/formats/canboat_plain.hpp"
 #include "drivers/capture/formats/candump_log.hpp"
 #include "drivers/capture/formats/candump_screen.hpp"
 #include "drivers/capture/formats/pcan_trc.hpp"
 #include "drivers/capture/formats/pcap.hpp"
 #include "drivers/capture/formats/pcapng.hpp"
+#include "drivers/capture/formats/python_can.hpp"
+#include "drivers/capture/formats/savvycan.hpp"
 #include "drivers/capture/formats/vector_asc.hpp"
 #include "drivers/capture/formats/vector_blf.hpp"
+#include "drivers/capture/formats/yacht_devices.hpp"
 
 namespace drydock::capture {
 
@@ -48,10 +52,11 @@ constexpr Format text_format() {
 }
 
 // Formats with a magic come first: a binary file may look like lines from its first byte on.
-constexpr std::array all{binary_format<Pcap>(),        binary_format<Pcapng>(),
-                         binary_format<VectorBlf>(),   text_format<CandumpLog>(),
-                         text_format<CandumpScreen>(), text_format<VectorAsc>(),
-                         text_format<PcanTrc>(),       text_format<CanboatPlain>()};
+constexpr std::array all{
+    binary_format<Pcap>(),       binary_format<Pcapng>(),      binary_format<VectorBlf>(),
+    text_format<CandumpLog>(),   text_format<CandumpScreen>(), text_format<VectorAsc>(),
+    text_format<PcanTrc>(),      text_format<CanboatPlain>(),  text_format<ActisenseAscii>(),
+    text_format<YachtDevices>(), text_format<SavvyCan>(),      text_format<PythonCan>()};
 
 }  // namespace
 

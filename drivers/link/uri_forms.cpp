@@ -94,7 +94,9 @@ constexpr Key rs485{"rs485", "high low", is_rs485};
 constexpr Key speed{"speed", "max, 1 (as fast as the line was) or another factor", is_speed};
 constexpr Key clock{"clock", "device line",
                     [](std::string_view text) { return text == "device" || text == "line"; }};
-constexpr Key format{"format", "raw pcap pcapng blf candump-log candump-screen asc trc canboat",
+constexpr Key format{"format",
+                     "raw pcap pcapng blf candump-log candump-screen asc trc canboat actisense "
+                     "ydwg savvycan python-can",
                      is_capture_format};
 constexpr Key interface { "interface", "up to 15 letters, digits, _ - .", is_interface };
 constexpr Key from{"from", "an IP address in numbers", is_address};

@@ -34,9 +34,8 @@ std::vector<Case> discover_gnss_logs(const fs::path& folder);  ///< *.log, daemo
 void compare_gnss_messages(const Case& one, Score& score);
 
 std::vector<Case> discover_canboat_samples(const fs::path& folder);  ///< samples/, expected/F.json
-void compare_canboat_sample(const Case& one, Score& score);
+void compare_canboat(const Case& one, Score& score);
 std::vector<Case> discover_canboat_tests(const fs::path& folder);  ///< STEM.in, STEM*.out
-void compare_canboat_test(const Case& one, Score& score);
 
 std::vector<Case> discover_gpsd_nmea2000(const fs::path& folder);  ///< LOG.log, LOG.log.chk
 void compare_gpsd_nmea2000(const Case& one, Score& score);

@@ -4,7 +4,6 @@
 #include <map>
 
 #include "tests/conformance/canboat_columns.hpp"
-#include "tests/conformance/canboat_text.hpp"
 #include "tests/conformance/comparers.hpp"
 #include "tests/conformance/reading.hpp"
 
@@ -164,7 +163,7 @@ std::vector<Case> discover_canboat_samples(const fs::path& folder) {
   });
 }
 
-void compare_canboat_sample(const Case& one, Score& score) {
+void compare_canboat(const Case& one, Score& score) {
   auto decoded = decode("nmea2000", one.capture).messages;
   if (one.expected.empty()) return score.matched(decoded.size());
   compare_rows(one.capture.filename().string(), std::move(decoded), read_json_lines(one.expected),
@@ -173,13 +172,6 @@ void compare_canboat_sample(const Case& one, Score& score) {
 
 std::vector<Case> discover_canboat_tests(const fs::path& folder) {
   return paired(files_of(folder, ".in"), {}, golden_beside);
-}
-
-void compare_canboat_test(const Case& one, Score& score) {
-  auto decoded = decode_bytes("nmea2000", candump_of(read_text(one.capture))).messages;
-  if (one.expected.empty()) return score.matched(decoded.size());
-  compare_rows(one.capture.filename().string(), std::move(decoded), read_json_lines(one.expected),
-               score);
 }
 
 }  // namespace drydock::conformance

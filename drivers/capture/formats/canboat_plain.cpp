@@ -1,9 +1,6 @@
 #include "drivers/capture/formats/canboat_plain.hpp"
 
-#include <algorithm>
-
 #include "drivers/capture/words.hpp"
-#include "drivers/wire/nmea2000/fast_packet.hpp"
 #include "drivers/wire/nmea2000/fast_pgns.hpp"
 #include "drivers/wire/text_fields.hpp"
 
@@ -36,49 +33,30 @@ bool read_address(wire::TextFields& fields, wire::j1939::Identifier& id, std::si
   return true;
 }
 
-}  // namespace
-
-bool CanboatPlain::recognises(std::string_view line) {
-  return CanboatPlain().parse(line).has_value();
-}
-
-Reading CanboatPlain::read_line(std::string_view line) {
-  return line[0] == '#' ? Reading::nothing() : Reading::of(parse(line));
-}
-
-std::optional<Record> CanboatPlain::parse(std::string_view line) {
+std::optional<N2kMessage> parse(std::string_view line) {
   wire::TextFields fields(line);
-  time_ = parse_stamp(fields.text());
-  if (!time_ || !read_address(fields, id_, size_)) return std::nullopt;
-  for (std::size_t i = 0; i < size_; ++i) {
+  N2kMessage message;
+  message.time = parse_stamp(fields.text());
+  if (!message.time || !read_address(fields, message.id, message.size)) return std::nullopt;
+  for (std::size_t i = 0; i < message.size; ++i) {
     const auto byte = parse_number(fields.text(), 16);
     if (!byte || *byte > 255) return std::nullopt;
-    message_[i] = static_cast<std::uint8_t>(*byte);
+    message.data.at(i) = static_cast<std::uint8_t>(*byte);
   }
-  assembled_ = assembled_ || size_ > 8;
-  is_fast_ = size_ > 8 || (assembled_ && wire::is_fast_pgn(id_.pgn));
-  frames_given_ = 0;
-  sequence_ = (sequence_ + 1) % 8;
-  return next_frame();
+  return message;
 }
 
-std::optional<Record> CanboatPlain::more() {
-  return is_fast_ && frames_given_ < wire::fast_packet_frames(size_) ? next_frame() : std::nullopt;
-}
+}  // namespace
 
-std::optional<Record> CanboatPlain::next_frame() {
-  Record record{time_, "can0", {}};
-  const wire::Bytes message{message_.data(), size_};
-  if (is_fast_) {
-    record.frame = wire::encode_fast_packet(id_, sequence_, message, frames_given_);
-  } else {
-    record.frame.id = wire::j1939::make_identifier(id_);
-    record.frame.extended = true;
-    record.frame.size = static_cast<std::uint8_t>(size_);
-    std::copy(message.begin(), message.end(), record.frame.data.begin());
-  }
-  ++frames_given_;
-  return record;
+bool CanboatPlain::recognises(std::string_view line) { return parse(line).has_value(); }
+
+Reading CanboatPlain::read_line(std::string_view line) {
+  if (line[0] == '#') return Reading::nothing();
+  const auto message = parse(line);
+  if (!message) return Reading::damage();
+  assembled_ = assembled_ || message->size > 8;
+  const bool is_fast = message->size > 8 || (assembled_ && wire::is_fast_pgn(message->id.pgn));
+  return Reading::of(frames_.first(*message, is_fast));
 }
 
 }  // namespace drydock::capture

@@ -1,9 +1,7 @@
 #pragma once
 
-#include <array>
-
+#include "drivers/capture/formats/message_frames.hpp"
 #include "drivers/capture/reader.hpp"
-#include "drivers/wire/j1939/j1939.hpp"
 
 namespace drydock::capture {
 
@@ -11,26 +9,19 @@ namespace drydock::capture {
 ///    2022-09-28-11:36:59.668,5,130311,35,255,8,c5,c0,1c,6e,ff,7f,ff,ff
 ///    2011-04-25-06:25:03.603,3,129029,36,255,43,e6,f1,3a,...
 /// A line of up to 8 bytes is a frame. A longer line ("fast") is a message that canboat has
-/// assembled. The reader splits it into the frames of a fast packet again, all with one time.
-/// Behind such a line a short one of a PGN that travels as fast packets is a whole message as well.
+/// assembled. Behind such a line a short one of a PGN that travels as fast packets is a whole
+/// message as well.
 class CanboatPlain final : public LineReader {
  public:
   static constexpr std::string_view name = "canboat";
   static bool recognises(std::string_view line);
 
-  std::optional<Record> more() override;
+  std::optional<Record> more() override { return frames_.more(); }
 
  private:
   Reading read_line(std::string_view line) override;
-  std::optional<Record> parse(std::string_view line);
-  std::optional<Record> next_frame();
 
-  std::optional<std::chrono::nanoseconds> time_;
-  wire::j1939::Identifier id_;
-  std::array<std::uint8_t, 223> message_{};
-  std::size_t size_ = 0, frames_given_ = 0;
-  std::uint8_t sequence_ = 0;
-  bool is_fast_ = false;    ///< the message travels as a fast packet
+  MessageFrames frames_;
   bool assembled_ = false;  ///< a message of more than 8 bytes came
 };
 

@@ -24,7 +24,7 @@ struct Sample {
   std::vector<std::size_t> frames;
   bool names_bus = true;
   bool says_switched = true;  ///< it can mark the faster data phase of a CAN FD frame
-  enum Times { absolute, from_start, none } times = absolute;
+  enum Times { absolute, from_start, of_day, none } times = absolute;
   nanoseconds resolution = 0ns;
 };
 
@@ -60,6 +60,11 @@ const Sample samples[] = {
     {"v2.0.trc", "trc", all, false, true, Sample::absolute, 10us},
     {"v2.1.trc", "trc", all, true, true, Sample::absolute, 10us},
     {"plain.csv", "canboat", {1, 3}, false, false},
+    {"actisense.txt", "actisense", {1, 3}, false, false, Sample::of_day, 1ms},
+    {"ydwg.txt", "ydwg", {1, 3}, false, false, Sample::of_day, 1ms},
+    {"savvycan.csv", "savvycan", {0, 1, 3, 4, 6, 7}, true, false},
+    {"savvycan-v1.csv", "savvycan", {0, 1, 3, 4, 6, 7}, true, false},
+    {"table.csv", "python-can", all, false, false},
     {"le_us.pcap", "pcap", all, false},
     {"be_ns.pcap", "pcap", all, false},
     {"le.pcapng", "pcapng", all},
@@ -96,6 +101,7 @@ void expect_frame(const Sample& sample, const Seen& seen, const nlohmann::json& 
   if (!seen.time) return;
   nanoseconds time{expected["time_ns"].get<std::int64_t>()};
   if (sample.times == Sample::from_start) time %= 1s;
+  if (sample.times == Sample::of_day) time %= 24h;
   EXPECT_LE(abs(*seen.time - time), sample.resolution);
 }
 

@@ -63,6 +63,14 @@ TEST_F(Corpora, EveryFrameLineOfAscIsAFrame) {
   expect_counts(files_of("asc"), R"(^ *\d+\.\d+ +(CANFD +)?\d+ .*( [dr] |ErrorFrame))", 10);
 }
 
+TEST_F(Corpora, EveryLineOfActisenseGivesTheFramesOfItsMessage) {
+  for (const fs::path& file : files_of("actisense")) {
+    const Outcome outcome = read_capture(wire::testing::read_file(file));
+    EXPECT_EQ(outcome.units, lines_matching(file, R"(^A\d{6}\.\d+ [0-9A-F]{5} [0-9A-F]{5} )"));
+    EXPECT_EQ(outcome.damaged, 0U) << file;
+  }
+}
+
 TEST_F(Corpora, EveryPacketOfAPcapIsAFrame) {
   std::size_t all = 0;
   for (const fs::path& file : files_of("pcap")) {

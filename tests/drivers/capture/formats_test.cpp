@@ -189,5 +189,63 @@ TEST(CanboatFile, BehindAnAssembledMessageAShortOneOfAFastPacketIsWholeToo) {
             (std::vector<std::uint8_t>{0x01, 0x04, 0xFF, 0x01, 0x11, 0xFB, 0x01}));
 }
 
+/// The fourth line of canboat's pgn-test-actisense.in: 29 bytes of PGN 130842 from node 9,
+/// priority 7.
+TEST(ActisenseFile, AMessageBecomesItsFastPacketAgain) {
+  const Outcome outcome = read_capture(
+      "A000057.063 09FF7 1FF1A 3F9F24000000FFFFFFFFEFFFFFFF009AFFFFFFADFFFFFF050000000000\n");
+  ASSERT_EQ(outcome.records.size(), 5U);  // 6 bytes, then 7 each
+  wire::FastPacketAssembler assembler;
+  std::optional<wire::FastPacket> whole;
+  for (const Seen& seen : outcome.records) {
+    EXPECT_EQ(seen.time, 57'063ms);
+    EXPECT_EQ(seen.frame.id, 0x1DFF1A09U);  // 7 << 26 | 1FF1Ah << 8 | 9
+    whole = assembler.receive(wire::j1939::parse_identifier(seen.frame.id), seen.frame.payload());
+  }
+  ASSERT_TRUE(whole);
+  EXPECT_EQ(whole->data.size(), 29U);
+  EXPECT_EQ(whole->data[0], 0x3F);
+  EXPECT_EQ(whole->data[23], 0x05);
+}
+
+TEST(ActisenseFile, AnAddressedMessageKeepsItsDestination) {
+  const Seen seen = only("A173321.107 23306 0EA00 14F001\n");
+  EXPECT_EQ(seen.frame.id, 0x18EA3023U);  // a request of node 23h to node 30h, priority 6
+  EXPECT_THAT(data_of(seen), ElementsAre(0x14, 0xF0, 0x01));
+}
+
+TEST(FilesWithTimesOfDay, GoOnOverMidnight) {
+  const Outcome actisense = read_capture(
+      "A235959.900 01FF6 0EE00 05A0BE1C00A0A0C0\nA000000.100 01FF6 0EE00 05A0BE1C00A0A0C0\n");
+  const Outcome ydwg = read_capture(
+      "23:59:59.900 R 18EEFF01 05 A0\n23:59:59.800 T 18EEFF01 05\n00:00:00.100 R 18EEFF01 05\n");
+  ASSERT_EQ(actisense.records.size(), 2U);
+  ASSERT_EQ(ydwg.records.size(), 3U);
+  EXPECT_EQ(*actisense.records[1].time - *actisense.records[0].time, 200ms);
+  EXPECT_EQ(ydwg.records[1].time, 24h - 200ms) << "a line out of its order";
+  EXPECT_EQ(ydwg.records[2].time, 24h + 100ms);
+}
+
+/// A line of SavvyCAN's own making has a comma at its end, and microseconds since its start.
+TEST(SavvyCanFile, TimesMayCountFromTheStart) {
+  const Seen seen = only("185818721,00000545,false,Rx,1,4,00,04,7F,FF,\n");
+  EXPECT_EQ(seen.time, 185'818'721us);
+  EXPECT_EQ(seen.frame.id, 0x545U);
+  EXPECT_EQ(seen.interface, "can1");
+  EXPECT_THAT(data_of(seen), ElementsAre(0x00, 0x04, 0x7F, 0xFF));
+}
+
+/// RFC 4648, section 10: "foobar" in base64 is Zm9vYmFy, "fooba" Zm9vYmE=, "foob" Zm9vYg==.
+TEST(PythonCanFile, DataAreInBase64) {
+  EXPECT_THAT(data_of(only("1.5,0x1,0,0,0,6,Zm9vYmFy\n")),
+              ElementsAre('f', 'o', 'o', 'b', 'a', 'r'));
+  EXPECT_THAT(data_of(only("1.5,0x1,0,0,0,5,Zm9vYmE=\n")), ElementsAre('f', 'o', 'o', 'b', 'a'));
+  EXPECT_THAT(data_of(only("1.5,0x1,0,0,0,4,Zm9vYg==\n")), ElementsAre('f', 'o', 'o', 'b'));
+  const Outcome outcome =
+      read_capture("1.5,0x1,0,0,0,4,Zm9vYg==\n1.5,0x1,0,0,0,5,Zm9vYg==\n1.5,0x1,0,0,0,3,Zm9*\n");
+  EXPECT_EQ(outcome.records.size(), 1U);
+  EXPECT_EQ(outcome.damaged, 2U);
+}
+
 }  // namespace formats_test
 }  // namespace drydock::capture::testing

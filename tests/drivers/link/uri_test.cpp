@@ -170,7 +170,8 @@ TEST(Uri, ARecordingsKeysFitWhatItIsToCarry) {
             "\"file:dive.cap?format=trc\": format=trc is for CAN frames; for bytes there is raw");
   EXPECT_EQ(misfit("file:can.log?format=raw", Carries::frames),
             "\"file:can.log?format=raw\": format=raw is for bytes; for CAN frames there are "
-            "pcap, pcapng, blf, candump-log, candump-screen, asc, trc, canboat");
+            "pcap, pcapng, blf, candump-log, candump-screen, asc, trc, canboat, actisense, "
+            "ydwg, savvycan, python-can");
 }
 
 }  // namespace

@@ -22,7 +22,7 @@ class Canboatjs : public testing::Test {
                          {.path = log, .overwrite = false, .plain = false, .direction = direction},
                          [](double) { return true; });
     EXPECT_TRUE(done);
-    return test::run_node("tests/drivers/recordings/export/read_candump.cjs", {},
+    return test::run_node("tests/npm/read_nmea2000_lines.cjs", {},
                           record::test::read_all(log));
   }
 
