@@ -17,7 +17,7 @@ using Eigen::Vector3d;
 constexpr double flight_step_s = 0.05;  // Runge-Kutta 4: error below a micrometre over the whole
                                         // flight
 constexpr double longest_flight_s = 3600;
-constexpr double highest_m = 500e3;  // the series of normal gravity is wrong by 0.2 % there
+constexpr double series_end_m = 500e3;  // the series of normal gravity is wrong by 0.2 % there
 
 // Isothermal air with the sea-level density and scale height of the US Standard Atmosphere 1976.
 constexpr double sea_level_density_kgm3 = 1.225, scale_height_m = 8434.5;
@@ -39,7 +39,7 @@ BallisticTrajectory::BallisticTrajectory(const rig_config::MissionConfig& missio
            -mission.speed_mps * std::sin(flight_.elevation_rad)}};
   checkpoints_.push_back(s);
   while (s.height_m >= flight_.ground_height_m) {
-    if (s.height_m > highest_m)
+    if (s.height_m > series_end_m)
       throw BadMission("/ballistic", "mission: the ballistic flight climbs above 500 km");
     if (flight_step_s * static_cast<double>(checkpoints_.size()) > longest_flight_s)
       throw BadMission("/ballistic", "mission: the ballistic flight does not end within an hour");
