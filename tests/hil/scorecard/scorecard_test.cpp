@@ -82,7 +82,7 @@ TEST(Recording, ThatGoesOnFromASharedBeginningIsTheRunAlone) {
   const Reference reference(sound.run_to(shortest.run_s()));
   const auto pairs = pairs_of(rig, shortest, {"dvl", "actuators"},
                               {"drop", "jitter", "off", "unplug", "babbling", "bus-off", "bias"});
-  ASSERT_EQ(pairs.size(), 11u);
+  ASSERT_EQ(pairs.size(), 12u);
   for (const auto& pair : pairs) {
     auto faulty = rig;
     faulty.faults = {pair.fault};
