@@ -10,7 +10,7 @@ namespace {
 
 using std::chrono::nanoseconds;
 
-constexpr std::string_view blanks = " \t";
+constexpr bool is_blank(char c) { return c == ' ' || c == '\t'; }
 using wire::fd_sizes;
 
 constexpr std::int64_t power_of_ten(int exponent) {
@@ -22,14 +22,13 @@ constexpr std::int64_t power_of_ten(int exponent) {
 }  // namespace
 
 std::string_view Words::peek() const {
-  const auto begin = rest_.find_first_not_of(blanks);
-  if (begin == rest_.npos) return {};
-  return rest_.substr(begin, rest_.find_first_of(blanks, begin) - begin);
+  const auto begin = std::find_if_not(rest_.begin(), rest_.end(), is_blank);
+  return {begin, std::find_if(begin, rest_.end(), is_blank)};
 }
 
 std::string_view Words::next() {
   const std::string_view word = peek();
-  rest_ = word.empty() ? std::string_view{} : rest_.substr(rest_.find(word) + word.size());
+  rest_ = word.empty() ? std::string_view{} : std::string_view{word.end(), rest_.end()};
   return word;
 }
 

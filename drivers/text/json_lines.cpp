@@ -1,6 +1,7 @@
 #include "drivers/text/json_lines.hpp"
 
 #include <algorithm>
+#include <array>
 
 namespace drydock::text {
 
@@ -14,6 +15,13 @@ char* put_escaped(char* at, unsigned char byte) {
   *at++ = hex[byte & 0xF];
   return at;
 }
+
+/// Bytes that stand for themselves.
+constexpr auto plain = [] {
+  std::array<bool, 256> is{};
+  for (unsigned byte = 0x20; byte < 0x7F; ++byte) is[byte] = byte != '"' && byte != '\\';
+  return is;
+}();
 
 /// There is room for six characters.
 char* put_character_of_text(char* at, char c) {
@@ -34,7 +42,10 @@ char* JsonWriter::put(char* at, std::string_view text) {
   // valid JSON.
   for (const char c : text) {
     const auto byte = static_cast<unsigned char>(c);
-    at = byte < 0x80 ? put_character_of_text(at, c) : put_escaped(at, byte);
+    if (plain[byte])
+      *at++ = c;
+    else
+      at = byte < 0x80 ? put_character_of_text(at, c) : put_escaped(at, byte);
   }
   *at++ = '"';
   return at;

@@ -83,6 +83,10 @@ char* write_number(char* at, double number) {
   if (const auto milli = whole_number<1'000>(magnitude)) return write_decimal<3, 1'000>(at, *milli);
   if (const auto ten_millionth = whole_number<10'000'000>(magnitude))
     return write_decimal<7, 10'000'000>(at, *ten_millionth);
+  // A smaller one may be shorter with an exponent.
+  if (magnitude >= 1e-4)
+    if (const auto nano = whole_number<1'000'000'000>(magnitude))
+      return write_decimal<9, 1'000'000'000>(at, *nano);
   return std::to_chars(at, at + longest_number, magnitude).ptr;
 }
 

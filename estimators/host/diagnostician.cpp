@@ -75,6 +75,7 @@ class Diagnostician::Bench final : public Follower, private diagnosis::FindingLi
   std::vector<const device::Device*> devices_;
   std::vector<Bus> buses_;
   std::vector<Line> lines_;           ///< each link once
+  double fastest_hz_ = 0;             ///< of the lines
   std::vector<std::size_t> line_of_;  ///< of each device
   std::vector<double> down_m_;        ///< of each device below the vehicle's origin
   Stamp next_look_{}, last_{};
@@ -97,6 +98,7 @@ Diagnostician::Bench::Bench(const rig_config::Rig& rig, Follower& to)
     line->rate_hz += config.rate_hz;
     line_of_.push_back(static_cast<std::size_t>(line - lines_.begin()));
   }
+  for (const Line& line : lines_) fastest_hz_ = std::max(fastest_hz_, line.rate_hz);
   add_buses(rig);
 }
 
@@ -136,7 +138,8 @@ void Diagnostician::Bench::on_measurement(const measurement::Measurement& measur
 
 void Diagnostician::Bench::notice_stall(std::size_t device, Stamp now) {
   const double silent_s = measurement::seconds(now - last_);
-  const auto due = std::ranges::count_if(lines_, [&](const Line& line) {
+  const bool long_enough = fastest_hz_ * silent_s > due_messages;
+  const auto due = !long_enough ? 0 : std::ranges::count_if(lines_, [&](const Line& line) {
     const bool streamed = now - line.last < std::chrono::seconds{10};
     return streamed && line.rate_hz * silent_s > due_messages;
   });

@@ -84,6 +84,12 @@ LockstepBench::LockstepBench(const rig_config::Rig& rig, const motion::Trajector
 
 LockstepBench::~LockstepBench() = default;
 
+void LockstepBench::set_fault(const rig_config::FaultConfig& fault) {
+  if (const auto set = faults_.set(fault, now()); !set)
+    throw std::runtime_error(set.error().front().what);
+  for (auto& bus : buses_) bus.second.bus->faults_changed();
+}
+
 void LockstepBench::add_pilot(setup::Outside::Say say) {
   pilot_ = std::make_unique<PilotInStep>(
       rig_, start_,

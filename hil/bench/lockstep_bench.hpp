@@ -48,6 +48,9 @@ class LockstepBench final : private device::Listener {
   pipeline::Pipeline& pipeline() { return pipeline_; }
   const pipeline::Pipeline& pipeline() const { return pipeline_; }
   fault::Injector& faults() { return faults_; }
+  /// Sets a fault by hand; its times count from now. Throws std::runtime_error with one line if the
+  /// device cannot have it.
+  void set_fault(const rig_config::FaultConfig& fault);
 
  private:
   class ToLine;

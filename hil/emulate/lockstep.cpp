@@ -83,7 +83,8 @@ struct EmulatedBus::Node final : Wire {
   int index;
   bool cuts_off = false;
   Stamp now{};
-  Stamp due{};  ///< the device's deadline, which changes only when it hears or acts; max: none
+  Stamp due{};  ///< the device's deadline, which changes only when it hears or acts, or when its
+                ///< faults do; max: none
 };
 
 namespace {
@@ -103,6 +104,11 @@ void EmulatedBus::add(std::unique_ptr<EmulatedDevice> device) {
 
 void EmulatedBus::receive(const wire::CanFrame& frame, Stamp now) {
   if (cut_off_by_ == 0) pacer_.queue(frame, a_driver, now);
+  woken();
+}
+
+void EmulatedBus::faults_changed() {
+  for (const auto& node : nodes_) node->ask();
   woken();
 }
 

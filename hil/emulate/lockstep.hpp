@@ -72,6 +72,7 @@ class EmulatedBus final : public shell::Actor {
 
   void add(std::unique_ptr<EmulatedDevice> device);
   void receive(const wire::CanFrame& frame, Stamp now);  ///< from a driver
+  void faults_changed();  ///< its devices may have to act at another time
   std::optional<Stamp> deadline() const override;
   void act(Stamp now) override;
 

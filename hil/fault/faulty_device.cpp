@@ -42,8 +42,9 @@ FaultyDevice::FaultyDevice(const DeviceConfig& config, const motion::Trajectory&
 std::optional<Stamp> FaultyDevice::deadline() const {
   using measurement::earlier;
   const auto own = device_ ? device_->deadline() : std::nullopt;
-  const auto held = earlier(bytes_.deadline(), frames_.deadline());
-  return earlier(own, earlier(schedule_.deadline(), held));
+  const auto next = earlier(own, schedule_.deadline());
+  if (bytes_.empty() && frames_.empty()) return next;
+  return earlier(next, earlier(bytes_.deadline(), frames_.deadline()));
 }
 
 void FaultyDevice::tick(Stamp now, emulate::Wire& out) {
@@ -115,8 +116,10 @@ void FaultyDevice::receive(const wire::CanFrame& frame, Stamp now, emulate::Wire
 }
 
 void FaultyDevice::send(wire::Bytes bytes) {
-  if (!port_.unplugged())
-    bytes_.put(Message(bytes.begin(), bytes.end()), now_, device_->sampled_at());
+  if (port_.unplugged()) return;
+  sampled_at_ = device_->sampled_at();
+  if (sound_ && bytes_.idle()) return out_->send(bytes);
+  bytes_.put(Message(bytes.begin(), bytes.end()), now_, sampled_at_);
 }
 
 void FaultyDevice::send_to(emulate::Client client, wire::Bytes bytes) {
@@ -125,7 +128,10 @@ void FaultyDevice::send_to(emulate::Client client, wire::Bytes bytes) {
 }
 
 void FaultyDevice::send(const wire::CanFrame& frame) {
-  if (!port_.unplugged()) frames_.put(frame, now_, device_->sampled_at());
+  if (port_.unplugged()) return;
+  sampled_at_ = device_->sampled_at();
+  if (sound_ && frames_.idle()) return out_->send(frame);
+  frames_.put(frame, now_, sampled_at_);
 }
 
 }  // namespace drydock::fault

@@ -27,7 +27,7 @@ KinematicTrajectory::KinematicTrajectory(const rig_config::MissionConfig& missio
       pivot_m_(mission.pivot_m),
       sideslip_lag_s_(mission.sideslip_lag_s),
       spacing_s_(pivot_m_ > 0 ? spacing_in_lags * sideslip_lag_s_ : spacing_s),
-      checkpoints_(Path{mission.latitude_rad, mission.longitude_rad}) {
+      checkpoints_(checkpoint_of(0, Path{mission.latitude_rad, mission.longitude_rad})) {
   check_clear_of_bed();
 }
 
@@ -35,9 +35,10 @@ void KinematicTrajectory::check_clear_of_bed() const {
   const auto looks = static_cast<int>(profile_.lap_s() / spacing_s);
   for (int look = 0; look <= looks; ++look) {
     const double t = look * spacing_s;
-    const Path place = path_at(t);
+    const Prescribed p = profile_.at(t);
+    const Path place = path_at(t, p);
     const double bed_m = ocean_.bed_depth_m(place.latitude_rad, place.longitude_rad);
-    const double depth_m = profile_.at(t).depth_m + place.slip_depth_m;
+    const double depth_m = p.depth_m + place.slip_depth_m;
     if (depth_m >= bed_m)
       throw BadMission(
           profile_.path_at(t),
@@ -54,7 +55,7 @@ Stamp KinematicTrajectory::end() const {
 Truth KinematicTrajectory::at(Stamp time) const {
   const double t = measurement::seconds(time - start_);
   const Prescribed p = profile_.at(t);
-  const Path path = path_at(t);
+  const Path path = path_at(t, p);
 
   Truth truth;
   truth.at = time;
@@ -81,23 +82,38 @@ Truth KinematicTrajectory::at(Stamp time) const {
   return truth;
 }
 
-KinematicTrajectory::Path KinematicTrajectory::path_at(double t) const {
+KinematicTrajectory::Path KinematicTrajectory::path_at(double t, const Prescribed& p) const {
   const auto index = static_cast<std::size_t>(std::max(t, 0.0) / spacing_s_);
-  Path checkpoint;
+  Checkpoint checkpoint;
   {
     const std::lock_guard lock(mutex_);
-    checkpoint = checkpoints_.at(index, [&](const Path& from, std::size_t step) {
-      return integrate(from, spacing_s_ * static_cast<double>(step), spacing_s_);
+    checkpoint = checkpoints_.at(index, [&](const Checkpoint& from, std::size_t step) {
+      const double begin = spacing_s_ * static_cast<double>(step);
+      const Course at_end(profile_.at(begin + spacing_s_));
+      return checkpoint_of(step + 1, integrate(from, begin, spacing_s_, at_end));
     });
   }
   const double from = spacing_s_ * static_cast<double>(index);
-  return integrate(checkpoint, from, t - from);
+  // The end, from + (t - from), is `t` to the last bit: numbers within a factor of 2 of each other
+  // have an exact difference (Sterbenz).
+  return integrate(checkpoint, from, t - from, Course(p));
 }
 
-KinematicTrajectory::Path KinematicTrajectory::derivative(const Prescribed& p,
+KinematicTrajectory::Checkpoint KinematicTrajectory::checkpoint_of(std::size_t index,
+                                                                   const Path& path) const {
+  return {path, derivative(Course(profile_.at(spacing_s_ * static_cast<double>(index))), path)};
+}
+
+KinematicTrajectory::Course::Course(const Prescribed& prescribed)
+    : p(prescribed),
+      sin_pitch(std::sin(p.pitch.value)),
+      cos_pitch(std::cos(p.pitch.value)),
+      sin_yaw(std::sin(p.yaw.value)),
+      cos_yaw(std::cos(p.yaw.value)) {}
+
+KinematicTrajectory::Path KinematicTrajectory::derivative(const Course& course,
                                                           const Path& path) const {
-  const double sin_pitch = std::sin(p.pitch.value), cos_pitch = std::cos(p.pitch.value);
-  const double sin_yaw = std::sin(p.yaw.value), cos_yaw = std::cos(p.yaw.value);
+  const auto& [p, sin_pitch, cos_pitch, sin_yaw, cos_yaw] = course;
   double ahead = p.speed.value * cos_pitch, abeam = 0;  // over ground, relative to the heading
   Path rate;
   if (pivot_m_ > 0) {
@@ -123,19 +139,20 @@ KinematicTrajectory::Path KinematicTrajectory::derivative(const Prescribed& p,
 }
 
 // One step of Runge-Kutta 4.
-KinematicTrajectory::Path KinematicTrajectory::integrate(const Path& from, double t,
-                                                         double duration) const {
+KinematicTrajectory::Path KinematicTrajectory::integrate(const Checkpoint& from, double t,
+                                                         double duration,
+                                                         const Course& at_end) const {
   const auto moved = [](const Path& path, double h, const Path& rate) -> Path {
     return {path.latitude_rad + h * rate.latitude_rad, path.longitude_rad + h * rate.longitude_rad,
             path.slip_depth_m + h * rate.slip_depth_m, path.lagged + h * rate.lagged,
             path.slip_mps + h * rate.slip_mps};
   };
-  const Prescribed middle = profile_.at(t + duration / 2);
-  const Path k1 = derivative(profile_.at(t), from);
-  const Path k2 = derivative(middle, moved(from, duration / 2, k1));
-  const Path k3 = derivative(middle, moved(from, duration / 2, k2));
-  const Path k4 = derivative(profile_.at(t + duration), moved(from, duration, k3));
-  const Path halfway = moved(moved(from, duration / 6, k1), duration / 3, k2);
+  const auto& [begin, k1] = from;
+  const Course middle(profile_.at(t + duration / 2));
+  const Path k2 = derivative(middle, moved(begin, duration / 2, k1));
+  const Path k3 = derivative(middle, moved(begin, duration / 2, k2));
+  const Path k4 = derivative(at_end, moved(begin, duration, k3));
+  const Path halfway = moved(moved(begin, duration / 6, k1), duration / 3, k2);
   return moved(moved(halfway, duration / 3, k3), duration / 6, k4);
 }
 

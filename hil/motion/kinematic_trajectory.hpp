@@ -32,10 +32,22 @@ class KinematicTrajectory final : public Trajectory {
     Eigen::Vector2d lagged = Eigen::Vector2d::Zero(), slip_mps = Eigen::Vector2d::Zero();
   };
 
+  /// What the legs prescribe, with the sines and cosines that every derivative at that time needs.
+  struct Course {
+    explicit Course(const Prescribed& prescribed);
+    Prescribed p;
+    double sin_pitch, cos_pitch, sin_yaw, cos_yaw;
+  };
+  struct Checkpoint {
+    Path path, rate;
+  };
+
   void check_clear_of_bed() const;  ///< checks the first lap; throws
-  Path path_at(double t) const;
-  Path integrate(const Path& from, double t, double duration) const;
-  Path derivative(const Prescribed& p, const Path& path) const;
+  /// `p`: what the legs prescribe at `t`.
+  Path path_at(double t, const Prescribed& p) const;
+  Checkpoint checkpoint_of(std::size_t index, const Path& path) const;
+  Path integrate(const Checkpoint& from, double t, double duration, const Course& at_end) const;
+  Path derivative(const Course& course, const Path& path) const;
 
   Stamp start_;
   ocean::Ocean ocean_;
@@ -43,7 +55,7 @@ class KinematicTrajectory final : public Trajectory {
   double pivot_m_, sideslip_lag_s_;
   double spacing_s_;
   mutable std::mutex mutex_;
-  mutable Checkpoints<Path> checkpoints_;  ///< equally spaced from start()
+  mutable Checkpoints<Checkpoint> checkpoints_;  ///< equally spaced from start()
 };
 
 }  // namespace drydock::motion

@@ -9,6 +9,8 @@
 #include "estimators/host/diagnostician.hpp"
 #include "estimators/host/sound_devices.hpp"
 #include "hil/bench/lockstep_bench.hpp"
+#include "hil/motion/kept_trajectory.hpp"
+#include "hil/motion/make_trajectory.hpp"
 #include "hil/motion/remembered_trajectory.hpp"
 #include "hil/summary/truth_of_rig.hpp"
 
@@ -21,11 +23,22 @@ double sigmas_of(const Eigen::Vector2d& error, const Eigen::Matrix2d& covariance
   return error.cwiseAbs().cwiseQuotient(covariance.diagonal().cwiseSqrt()).maxCoeff();
 }
 
-class Recorder final : private host::Follower {
+/// A motion that takes orders is another one in each run.
+std::shared_ptr<const motion::Trajectory> motion_of(const rig_config::Rig& rig) {
+  auto motion = motion::make_trajectory(rig.mission, measurement::stamp_from_ns(rig.start_utc_ns));
+  if (rig.mission.steering)
+    return std::make_shared<motion::RememberedTrajectory>(std::move(motion));
+  return std::make_shared<motion::KeptTrajectory>(std::move(motion));
+}
+
+}  // namespace
+
+class Recording::Recorder final : private host::Follower {
  public:
-  explicit Recorder(const rig_config::Rig& rig)
+  Recorder(const rig_config::Rig& rig, std::shared_ptr<const motion::Trajectory> motion)
       : start_(measurement::stamp_from_ns(rig.start_utc_ns)),
-        motion_(motion::make_trajectory(rig.mission, start_)),
+        shared_motion_(std::move(motion)),
+        motion_(*shared_motion_),
         has_truth_(summary::truth_for_estimators(rig)),
         diagnostician_(rig, *this),
         bench_(rig, motion_, *this),
@@ -37,15 +50,25 @@ class Recorder final : private host::Follower {
     diagnostician_.watch(std::move(devices));
   }
 
-  RunRecord run(double duration_s) {
-    const auto looks = static_cast<std::size_t>(std::ceil(duration_s / poll_s));
-    for (std::size_t k = 1; k <= looks; ++k) {
-      bench_.run_until(start_ + measurement::from_seconds(static_cast<double>(k) * poll_s));
+  void look_until(std::size_t last) {
+    while (looks_ < last) {
+      ++looks_;
+      bench_.run_until(start_ + measurement::from_seconds(static_cast<double>(looks_) * poll_s));
       look();
     }
+  }
+
+  void set(rig_config::FaultConfig fault) {
+    fault.start_s -= since_start(bench_.now());
+    bench_.set_fault(fault);
+  }
+
+  RunRecord finish() {
     bench_.flush();
     return std::move(record_);
   }
+
+  const std::shared_ptr<const motion::Trajectory>& motion() const { return shared_motion_; }
 
  private:
   double since_start(Stamp at) const { return measurement::seconds(at - start_); }
@@ -143,19 +166,38 @@ class Recorder final : private host::Follower {
   }
 
   Stamp start_;
-  motion::RememberedTrajectory motion_;
+  std::shared_ptr<const motion::Trajectory> shared_motion_;
+  const motion::Trajectory& motion_;
   bool has_truth_;
   RunRecord record_;
   std::vector<Field> fields_;
   host::Diagnostician diagnostician_;
   bench::LockstepBench bench_;
   host::SoundDevices sound_devices_;
+  std::size_t looks_ = 0;
 };
 
-}  // namespace
+Recording::Recording(const rig_config::Rig& rig)
+    : recorder_(std::make_unique<Recorder>(rig, motion_of(rig))) {}
+Recording::Recording(const rig_config::Rig& rig, const Recording& of_same_motion)
+    : recorder_(std::make_unique<Recorder>(
+          rig, rig.mission.steering ? motion_of(rig) : of_same_motion.recorder_->motion())) {}
+Recording::~Recording() = default;
+
+void Recording::run_before(double time_s) {
+  const double looks = std::ceil(time_s / poll_s - 0.5) - 1;
+  if (looks > 0) recorder_->look_until(static_cast<std::size_t>(looks));
+}
+
+void Recording::set(const rig_config::FaultConfig& fault) { recorder_->set(fault); }
+
+RunRecord Recording::run_to(double end_s) {
+  recorder_->look_until(static_cast<std::size_t>(std::ceil(end_s / poll_s)));
+  return recorder_->finish();
+}
 
 RunRecord record_run(const rig_config::Rig& rig, double duration_s) {
-  return Recorder(rig).run(duration_s);
+  return Recording(rig).run_to(duration_s);
 }
 
 }  // namespace drydock::scorecard

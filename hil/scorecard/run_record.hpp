@@ -83,6 +83,27 @@ struct RunRecord {
 
 inline constexpr double poll_s = 0.1;
 
+/// A run that is recorded, in two parts: what comes before its faults may be shared with others.
+class Recording {
+ public:
+  /// The rig must outlive the recording. Throws like LockstepBench.
+  explicit Recording(const rig_config::Rig& rig);
+  /// It takes the truth from the other recording, of a rig with the same mission and start.
+  Recording(const rig_config::Rig& rig, const Recording& of_same_motion);
+  ~Recording();
+
+  /// Runs to the last look before this time.
+  void run_before(double time_s);
+  /// Its start counts from the begin of the run, and has not come yet.
+  void set(const rig_config::FaultConfig& fault);
+  /// Runs to the end; call it last.
+  RunRecord run_to(double end_s);
+
+ private:
+  class Recorder;
+  std::unique_ptr<Recorder> recorder_;
+};
+
 /// Runs the rig with its faults for this time. Throws like LockstepBench.
 RunRecord record_run(const rig_config::Rig& rig, double duration_s);
 

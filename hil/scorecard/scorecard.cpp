@@ -10,6 +10,8 @@
 #include <thread>
 
 #include "drivers/terminal/exit_codes.hpp"
+#include "hil/scorecard/copies.hpp"
+#include "hil/scorecard/score_bytes.hpp"
 #include "hil/scorecard/scorecard_file.hpp"
 #include "hil/scorecard/scorecard_report.hpp"
 #include "hil/study/run/study_progress.hpp"
@@ -47,12 +49,35 @@ std::vector<Pair> pairs_for(const rig_config::Rig& rig, const Options& options) 
   return pairs;
 }
 
-/// Runs each pair alone, and one run without any fault.
+/// A program that answers with estimates cannot be copied with us.
+bool may_be_copied(const rig_config::Rig& rig) {
+  return std::ranges::none_of(rig.estimators, [](const rig_config::EstimatorConfig& estimator) {
+    return std::holds_alternative<rig_config::ExternalConfig>(estimator.kind);
+  });
+}
+
+/// The rest of a run with these faults, and what it is worth.
+Score score_from_fault_on(Recording& run, const rig_config::Rig& rig, const Pair& pair,
+                          const Window& window, const Reference& reference) {
+  run.set(pair.fault);
+  if (pair.also) run.set(*pair.also);
+  return score_of(rig, window, pair, reference, run.run_to(window.run_s()));
+}
+
+/// Runs each pair alone, and one run without any fault. The pairs share what comes before the
+/// faults: it runs once, and each goes on from there in a copy of this process.
 Scorecard play(const rig_config::Rig& asked, const std::vector<Pair>& pairs, const Options& options,
                const study::Options& campaign, study::Progress& progress) {
   rig_config::Rig rig = asked;
   rig.faults.clear();
-  const Reference reference(record_run(rig, options.window.run_s()));
+  Recording sound(rig);
+  const Reference reference(sound.run_to(options.window.run_s()));
+  const auto begun = [&] {
+    auto run = std::make_unique<Recording>(rig, sound);
+    run->run_before(options.window.warm_up_s);
+    return run;
+  };
+  const auto shared = may_be_copied(rig) ? begun() : nullptr;
   Scorecard card{.rig = rig.name,
                  .seed = rig.seed,
                  .window = options.window,
@@ -60,16 +85,14 @@ Scorecard play(const rig_config::Rig& asked, const std::vector<Pair>& pairs, con
                  .whole = options.devices.empty() && options.faults.empty() &&
                           options.amount == 1 && options.also.empty(),
                  .scores = {}};
-  study::campaign(
+  in_copies(
       "scorecard", campaign, progress,
       [&](std::size_t k) {
-        rig_config::Rig faulty = rig;
-        faulty.faults = {pairs[k].fault};
-        if (pairs[k].also) faulty.faults.push_back(*pairs[k].also);
-        return score_of(rig, options.window, pairs[k], reference,
-                        record_run(faulty, options.window.run_s()));
+        const auto own = shared ? nullptr : begun();
+        return to_bytes(
+            score_from_fault_on(shared ? *shared : *own, rig, pairs[k], options.window, reference));
       },
-      [&](std::size_t, Score&& score) { card.scores.push_back(std::move(score)); });
+      [&](std::string&& bytes) { card.scores.push_back(score_from(bytes)); });
   return card;
 }
 

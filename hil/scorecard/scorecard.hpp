@@ -14,7 +14,7 @@ struct Options {
   std::vector<std::string> devices, faults;      ///< empty: all
   double amount = 1;                             ///< times the usual amount of each fault
   std::string also;                              ///< "DEVICE:FAULT" beside each fault
-  unsigned jobs = 0;                             ///< threads; 0: one per processor
+  unsigned jobs = 0;                             ///< processes; 0: one per processor
   std::string json, report, check, update_refs;  ///< file, folder, files; empty: none
 };
 

@@ -17,8 +17,8 @@ class ArrivalPattern {
     intervals_[next_++ % intervals_.size()] = arrival.interval_s;
     const bool pause = arrival.interval_s > long_interval * period_s;
     pauses_in_a_row_ = pause ? pauses_in_a_row_ + 1 : 0;
-    const bool other = alike(intervals_, 0.12) && next_ >= intervals_.size() &&
-                       std::abs(arrival.interval_s / period_s - 1) > least_change;
+    const bool other = std::abs(arrival.interval_s / period_s - 1) > least_change &&
+                       next_ >= intervals_.size() && alike(intervals_, 0.12);
     other_s_ = other ? other_s_ + arrival.interval_s : 0;
     if (pause) pauses_[next_pause_++ % pauses_.size()] = arrival.interval_s;
   }

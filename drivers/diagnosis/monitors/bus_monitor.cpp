@@ -1,6 +1,7 @@
 #include "drivers/diagnosis/monitors/bus_monitor.hpp"
 
 #include <algorithm>
+#include <cstring>
 #include <utility>
 
 #include "drivers/wire/can/can_bits.hpp"
@@ -33,9 +34,10 @@ std::uint64_t size_bit(const wire::CanFrame& frame) {
   return std::uint64_t{1} << std::min<unsigned>(frame.size, 63);
 }
 
+/// Only to be compared: the order of the bytes is the computer's.
 std::uint64_t first_bytes_of(const wire::CanFrame& frame) {
   std::uint64_t bytes = 0;
-  for (std::size_t i = 8; i-- > 0;) bytes = bytes << 8 | frame.data[i];
+  std::memcpy(&bytes, frame.data.data(), sizeof bytes);
   return bytes;
 }
 

@@ -28,12 +28,10 @@ double QuantityMonitor::minus(double a, double b) const {
 QuantityMonitor::News QuantityMonitor::add(double value, Stamp at) {
   const double period_s = samples_ > 0 ? measurement::seconds(at - last_at_) : 0;
   if (known_ && period_s > longest_pause * usual_period_s_) samples_ = 0;
-  std::shift_right(last_.begin(), last_.end(), 1);
-  last_[0] = value;
+  last_ = {value, last_[0], last_[1], last_[2]};
   last_at_ = at;
   samples_ = std::min(samples_ + 1, 4U);
-  std::shift_right(took_s_.begin(), took_s_.end(), 1);
-  took_s_[0] = period_s;
+  took_s_ = {period_s, took_s_[0], took_s_[1]};
   if (samples_ == 4 && took_s_[2] > 0)
     rate_ += (minus(last_[2], last_[3]) / took_s_[2] - rate_) / rate_memory;
   if (samples_ < 3) return {};

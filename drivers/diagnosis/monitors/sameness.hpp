@@ -36,12 +36,7 @@ class Sameness {
   const Readings& latest() const { return last_; }
 
   /// A run of so many is impossible. Empty: equal messages are usual here, or not learned yet.
-  std::optional<unsigned> impossible_run() const {
-    constexpr double most_share = 0.7;
-    if (!learned_ || share_ > most_share) return {};
-    const double run = std::ceil(std::log(false_alarm) / std::log(share_));
-    return std::max({static_cast<unsigned>(run), 4U, 2 * longest_ + 2});
-  }
+  std::optional<unsigned> impossible_run() const { return impossible_run_; }
 
  private:
   bool equal(const Readings& readings) const {
@@ -63,12 +58,21 @@ class Sameness {
       same_ = 0;
     }
     learned_ = at - *first_ >= learning && windows_ > 0;
+    if (learned_) settle();
+  }
+
+  void settle() {
+    constexpr double most_share = 0.7;
+    if (share_ > most_share) return;
+    const double run = std::ceil(std::log(false_alarm) / std::log(share_));
+    impossible_run_ = std::max({static_cast<unsigned>(run), 4U, 2 * longest_ + 2});
   }
 
   static constexpr unsigned window = 30;  ///< messages
   Readings last_, before_;
   std::optional<Stamp> first_;
   bool learned_ = false;
+  std::optional<unsigned> impossible_run_;
   unsigned run_ = 0, longest_ = 0, count_ = 0;
   unsigned windows_ = 0;
   double same_ = 0, share_ = 0;

@@ -19,10 +19,11 @@ constexpr auto can_crc_table = [] {
 }();
 
 /// After five equal bits the sender inserts a bit of the other value, which counts towards the next
-/// five. State: 4 * last bit + length of its run - 1. Entry: 8 * inserted bits + state.
+/// five. State: 4 * last bit + length of its run - 1. Index: 256 * state + byte. Entry: 4096 *
+/// inserted bits + 256 * next state.
 constexpr auto stuff_table = [] {
-  std::array<std::array<std::uint8_t, 256>, 8> table{};
-  for (unsigned state = 0; state < table.size(); ++state) {
+  std::array<std::uint16_t, 8 * 256> table{};
+  for (unsigned state = 0; state < 8; ++state) {
     for (unsigned byte = 0; byte < 256; ++byte) {
       unsigned last = state / 4, run = state % 4 + 1, inserted = 0;
       for (int place = 7; place >= 0; --place) {
@@ -34,7 +35,8 @@ constexpr auto stuff_table = [] {
         last = 1 - bit;
         run = 1;
       }
-      table[state][byte] = static_cast<std::uint8_t>(8 * inserted + 4 * last + run - 1);
+      table[256 * state + byte] =
+          static_cast<std::uint16_t>(4096 * inserted + 256 * (4 * last + run - 1));
     }
   }
   return table;
@@ -43,15 +45,26 @@ constexpr auto stuff_table = [] {
 /// Takes the bytes of a frame in the order of sending.
 class Stuffing {
  public:
-  void put(unsigned byte) {
-    const unsigned entry = stuff_table[state_][byte];
-    inserted_ += entry / 8;
-    state_ = entry % 8;
+  void put(std::uint8_t byte) {
+    const unsigned entry = stuff_table[state_ | byte];
+    inserted_ += entry / 4096;
+    state_ = entry & 0x700;
   }
   unsigned inserted() const { return inserted_; }
 
  private:
-  unsigned state_ = 0, inserted_ = 0;
+  unsigned state_ = 0, inserted_ = 0;  ///< 256 times the state
+};
+
+class Crc {
+ public:
+  void put(std::uint8_t byte) {
+    crc_ = static_cast<std::uint16_t>(crc_ << 8 ^ can_crc_table[crc_ >> 8 ^ byte]);
+  }
+  std::uint16_t value() const { return crc_; }  ///< left-aligned
+
+ private:
+  std::uint16_t crc_ = 0;
 };
 
 /// The bits before the data. Leading bits that fill the first byte are 0, which does not change the
@@ -89,21 +102,22 @@ unsigned longest_fd_bits(const CanFrame& frame) {
 
 unsigned classic_bits(const CanFrame& frame) {
   const HeadBits head = head_bits_of(frame);
-  unsigned crc = 0;
+  Crc crc;
   Stuffing stuffing;
-  const auto put = [&](std::uint8_t byte, unsigned as_stuffed) {
-    crc = (crc << 8 ^ can_crc_table[(crc >> 8 ^ byte) & 0xFF]) & 0xFFFF;
-    stuffing.put(as_stuffed);
-  };
-  for (unsigned i = head.bytes; i-- > 0;) {
-    put(static_cast<std::uint8_t>(head.bits >> 8 * i),
-        static_cast<unsigned>((head.bits | head.fill) >> 8 * i) & 0xFF);
+  for (unsigned shift = 8 * head.bytes; shift > 0;) {
+    shift -= 8;
+    crc.put(static_cast<std::uint8_t>(head.bits >> shift));
+    stuffing.put(static_cast<std::uint8_t>((head.bits | head.fill) >> shift));
   }
   const auto data = frame.remote ? std::span<const std::uint8_t>{} : frame.payload();
-  for (const std::uint8_t byte : data) put(byte, byte);
-  stuffing.put(crc >> 8);
-  stuffing.put((crc & 0xFE) | (~crc >> 1 & 1));  // the sixteenth bit ends a run, so no bit is
-                                                 // inserted
+  for (const std::uint8_t byte : data) {
+    crc.put(byte);
+    stuffing.put(byte);
+  }
+  const unsigned check = crc.value();
+  stuffing.put(static_cast<std::uint8_t>(check >> 8));
+  // The sixteenth bit ends a run, so no bit is inserted.
+  stuffing.put(static_cast<std::uint8_t>((check & 0xFE) | (~check >> 1 & 1)));
   return head.size + 8 * static_cast<unsigned>(data.size()) + crc_bits + stuffing.inserted() +
          behind_the_crc;
 }

@@ -15,7 +15,7 @@ using candump::Line;
 
 constexpr std::uint32_t error_flag = 0x20000000;
 constexpr std::uint32_t max_standard_id = 0x7FF, max_extended_id = 0x1FFFFFFF;
-constexpr std::string_view blanks = " \t";
+constexpr bool is_blank(char c) { return c == ' ' || c == '\t'; }
 constexpr std::size_t longest_interface = 21;  // the limit of canplayer; Linux itself has 15
 
 std::optional<std::uint64_t> parse_decimal(std::string_view digits) {
@@ -94,11 +94,10 @@ std::optional<std::string_view> cut(std::string_view& rest, char separator) {
 /// Removes the word at the front of `rest` and the blanks around it. Programs write one blank;
 /// people and editors write more, or tabs.
 std::string_view cut_word(std::string_view& rest) {
-  rest.remove_prefix(std::min(rest.find_first_not_of(blanks), rest.size()));
-  const std::string_view word = rest.substr(0, rest.find_first_of(blanks));
-  rest.remove_prefix(word.size());
-  rest.remove_prefix(std::min(rest.find_first_not_of(blanks), rest.size()));
-  return word;
+  const auto begin = std::find_if_not(rest.begin(), rest.end(), is_blank);
+  const auto end = std::find_if(begin, rest.end(), is_blank);
+  rest = {std::find_if_not(end, rest.end(), is_blank), rest.end()};
+  return {begin, end};
 }
 
 std::optional<Direction> direction_of(std::string_view word) {
@@ -126,7 +125,7 @@ std::optional<Line> candump::parse_line(std::string_view rest) {
   if (rest.empty() || rest[0] != '(') return std::nullopt;
   rest.remove_prefix(1);
   const auto stamp = cut(rest, ')');
-  if (!stamp || rest.empty() || blanks.find(rest[0]) == blanks.npos) return std::nullopt;
+  if (!stamp || rest.empty() || !is_blank(rest[0])) return std::nullopt;
   Line line;
   line.interface = cut_word(rest);
   if (line.interface.empty() || line.interface.size() > longest_interface) return std::nullopt;

@@ -33,7 +33,8 @@ class FaultyWire {
   std::optional<Carried> take(Stamp now) { return held_.take(now); }
   std::optional<Stamp> sampled_at() const { return held_.sampled_at(); }
   bool silent() const { return faults_.silent(); }
-  bool empty() const { return held_.empty(); }  ///< no message is on its way
+  bool empty() const { return held_.empty(); }               ///< no message is on its way
+  bool idle() const { return empty() && !faults_.holds(); }  ///< nor waits for its successor
   void drop_all() {
     faults_.release([](const Carried&) {});
     held_.drop_all();

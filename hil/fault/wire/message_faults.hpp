@@ -34,7 +34,8 @@ class MessageFaults {
   void release(const Emit& emit);
 
   const FaultHits& hits() const { return hits_; }
-  bool silent() const { return silent_; }  ///< no message passes
+  bool silent() const { return silent_; }           ///< no message passes
+  bool holds() const { return held_.has_value(); }  ///< a message waits for its successor
 
  private:
   struct Active {

@@ -44,7 +44,7 @@ void add_scorecard(CLI::App& app, Command& command) {
   sub->add_option("--seed", a->seed, "seed of all random errors; default that of the rig file")
       ->check(seed_number);
   sub->add_option("--jobs", o.jobs,
-                  "threads; the result does not depend on it; default one a processor")
+                  "processes; the result does not depend on it; default one a processor")
       ->check(CLI::Range(1U, 1024U));
   sub->add_option("--json", o.json, "write the figures to this file");
   sub->add_option("--report", o.report, "write index.html and heat-map.svg into this folder");

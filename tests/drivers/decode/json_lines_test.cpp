@@ -82,7 +82,7 @@ RC_GTEST_PROP(JsonWriter, DoublesReadBackTheSame, (double number)) {
 
 RC_GTEST_PROP(JsonWriter, DecimalsOfAWireHaveTheFewestDigits, ()) {
   const auto whole = *rc::gen::inRange<std::int64_t>(-1'000'000'000'000'000, 1'000'000'000'000'000);
-  const double unit = *rc::gen::element(1.0, 10.0, 100.0, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8);
+  const double unit = *rc::gen::element(1.0, 10.0, 100.0, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9);
   const double number = static_cast<double>(whole) / unit;
   const auto digits = [](std::string_view text) {
     std::string kept;

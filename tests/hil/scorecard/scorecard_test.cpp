@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "hil/scorecard/score_bytes.hpp"
 #include "hil/scorecard/scorecard_report.hpp"
 #include "hil/scorecard/wrong_numbers.hpp"
 #include "rig_config/load.hpp"
@@ -35,7 +36,7 @@ std::string json_of(Options options) {
   return text.str();
 }
 
-TEST(Scorecard, IsTheSameToTheLastByteWhateverTheNumberOfThreads) {
+TEST(Scorecard, IsTheSameToTheLastByteWhateverTheNumberOfProcesses) {
   Options options;
   options.faults = {"flip", "hang"};
   options.devices = {"dvl", "gnss", "depth"};
@@ -71,6 +72,29 @@ TEST(Pairs, WithThreeTimesTheAmountKeepTheirLimits) {
   EXPECT_EQ(words("dvl:unplug"), "dvl: unplug") << "has no amount";
   const auto drop = scaled(fault_named(demo(), {}, "dvl:drop"), 30);
   EXPECT_EQ(drop.words, "dvl: drop, probability = 1");
+}
+
+TEST(Recording, ThatGoesOnFromASharedBeginningIsTheRunAlone) {
+  const Window shortest{.warm_up_s = 5, .fault_s = 5, .after_s = 5};
+  auto rig = demo();
+  rig.faults.clear();
+  Recording sound(rig);
+  const Reference reference(sound.run_to(shortest.run_s()));
+  const auto pairs = pairs_of(rig, shortest, {"dvl", "actuators"},
+                              {"drop", "jitter", "off", "unplug", "babbling", "bus-off", "bias"});
+  ASSERT_EQ(pairs.size(), 12u);
+  for (const auto& pair : pairs) {
+    auto faulty = rig;
+    faulty.faults = {pair.fault};
+    const Score alone =
+        score_of(rig, shortest, pair, reference, record_run(faulty, shortest.run_s()));
+    Recording shared(rig, sound);
+    shared.run_before(shortest.warm_up_s);
+    shared.set(pair.fault);
+    const Score of_shared =
+        score_of(rig, shortest, pair, reference, shared.run_to(shortest.run_s()));
+    EXPECT_EQ(to_bytes(alone), to_bytes(of_shared)) << alone.device << " " << alone.fault;
+  }
 }
 
 TEST(Scorecard, NoDeviceWithAChecksumGivesAWrongNumberForDamagedBytes) {
