@@ -48,8 +48,9 @@ report::Table waypoints_table(const pilot::LoopAccount& loop) {
     };
     const std::string passed =
         w.passed_s ? fmt::format("{:.1f} s{}", *w.passed_s, w.reached ? "" : ", missed") : "-";
+    const bool begun = w.passed_s || w.cross_track_max_m > 0;
     table.rows.push_back({fmt::format("{}", i + 1), metres(w.north_m, 1), metres(w.east_m, 1),
-                          passed, metres(w.cross_track_max_m, 2),
+                          passed, begun ? metres(w.cross_track_max_m, 2) : "-",
                           w.passed_s ? metres(w.cross_track_end_m, 2) : "-"});
   }
   table.note = loop.waypoints.back().passed_s
