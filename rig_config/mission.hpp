@@ -40,6 +40,21 @@ struct LegConfig {
   double ramp_s = 0;  ///< to and from a constant rate (dv/dt, turn, sink); 0: smoothest possible
 };
 
+/// A corner of the way that a vehicle sails by line-of-sight guidance. Metres from where the
+/// mission begins.
+struct WaypointConfig {
+  double north_m = 0, east_m = 0;
+  double depth_m = 0;    ///< below the surface
+  double speed_mps = 0;  ///< through the water, on the line that ends here
+  double radius_m = 0;   ///< of the circle of acceptance; 0: two lengths of the vehicle
+};
+
+/// docs/world/waypoints.md has the law.
+struct GuidanceConfig {
+  double lookahead_m = 0;        ///< 0: four lengths of the vehicle
+  double integral_gain_mps = 0;  ///< 0: the proportional law
+};
+
 /// The flight of a rolling airframe from burn-out to the ground.
 struct BallisticConfig {
   double height_m = 0;                    ///< at burn-out, above the ellipsoid
@@ -71,6 +86,8 @@ struct MissionConfig {
   double pivot_m = 0;           ///< point without side slip in a turn, ahead of the origin
   double sideslip_lag_s = 0.5;  ///< of each of the two lags from turn to side slip
   std::vector<LegConfig> legs;  ///< repeated from the first one if the run lasts longer
+  std::vector<WaypointConfig> waypoints;  ///< instead of legs, sailed once; needs a vehicle
+  GuidanceConfig guidance;
   std::vector<FaultConfig> faults;
   std::optional<BallisticConfig> ballistic;  ///< instead of legs
   std::optional<TrackConfig> track;          ///< instead of legs

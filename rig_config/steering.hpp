@@ -20,4 +20,9 @@ inline bool steered_over_wires(const MissionConfig& mission) {
   return mission.steering && mission.steering->from == wires;
 }
 
+/// True if the mission says where to go.
+inline bool has_plan(const MissionConfig& mission) {
+  return !mission.legs.empty() || !mission.waypoints.empty();
+}
+
 }  // namespace drydock::rig_config

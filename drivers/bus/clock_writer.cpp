@@ -22,4 +22,10 @@ void ClockWriter::write(measurement::Stamp now) {
   dds_write_ts(writer_.handle(), &message, now.time_since_epoch().count());
 }
 
+std::size_t ClockWriter::matched_readers() const {
+  dds_publication_matched_status_t status{};
+  dds_get_publication_matched_status(writer_.handle(), &status);
+  return status.current_count;
+}
+
 }  // namespace drydock::bus

@@ -11,6 +11,7 @@ class ClockWriter {
  public:
   explicit ClockWriter(const Participant& participant);
   void write(measurement::Stamp now);
+  std::size_t matched_readers() const;
 
  private:
   Entity topic_, writer_;

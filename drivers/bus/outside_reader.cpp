@@ -1,5 +1,7 @@
 #include "drivers/bus/outside_reader.hpp"
 
+#include <poll.h>
+
 #include "drivers/bus/convert/convert_outside.hpp"
 #include "drivers/bus/reader.hpp"
 
@@ -9,6 +11,7 @@ struct OutsideReader::Source {
   virtual ~Source() = default;
   virtual void take(const std::function<void(const Heard&)>& to) = 0;
   virtual std::size_t matched() const = 0;
+  virtual int doorbell() const = 0;
   std::uint64_t unusable = 0;
 };
 
@@ -33,6 +36,7 @@ class OutsideSource final : public Base {
     });
   }
   std::size_t matched() const override { return reader_.matched(); }
+  int doorbell() const override { return doorbell_.fd(); }
 
  private:
   Doorbell doorbell_;
@@ -65,6 +69,12 @@ OutsideReader::OutsideReader(const Participant& participant, const std::string& 
 OutsideReader::~OutsideReader() = default;
 
 void OutsideReader::take(const std::function<void(const Heard&)>& to) { source_->take(to); }
+void OutsideReader::wait(std::chrono::nanoseconds longest) const {
+  pollfd rung{source_->doorbell(), POLLIN, 0};
+  const auto seconds = std::chrono::floor<std::chrono::seconds>(longest);
+  const timespec limit{seconds.count(), (longest - seconds).count()};
+  ::ppoll(&rung, 1, &limit, nullptr);
+}
 std::size_t OutsideReader::matched_writers() const { return source_->matched(); }
 std::uint64_t OutsideReader::unusable() const { return source_->unusable; }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -29,6 +30,8 @@ class OutsideReader {
 
   /// Gives what has come since the last call, in order. Never waits.
   void take(const std::function<void(const Heard&)>& to);
+  /// Returns when something has come since the last take(), or after `longest`.
+  void wait(std::chrono::nanoseconds longest) const;
   std::size_t matched_writers() const;
   /// Messages whose content cannot be an estimate: not finite, no rotation, or in unknown axes.
   std::uint64_t unusable() const;

@@ -83,6 +83,12 @@ std::size_t Publisher::matched_readers() const {
   return count;
 }
 
+bool Publisher::wait_for_readers(std::chrono::nanoseconds longest) const {
+  bool all = true;
+  writers_->for_each([&](const auto& writer) { all = writer.wait_for_readers(longest) && all; });
+  return all;
+}
+
 std::vector<TopicCounters> Publisher::counters() const {
   std::vector<TopicCounters> all;
   writers_->for_each([&all](const auto& writer) { all.push_back(writer.counters()); });

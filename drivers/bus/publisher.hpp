@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -21,7 +22,7 @@ struct TopicCounters {
   std::uint64_t failed = 0;   ///< DDS refused them for any other reason
 };
 
-/// Puts measurements, estimates and health on the bus. Never waits for a reader and never throws
+/// Puts measurements, estimates and health on the bus. Only wait_for_readers() waits. Never throws
 /// after construction. One thread at a time.
 class Publisher {
  public:
@@ -48,6 +49,10 @@ class Publisher {
 
   /// Connections with readers, summed over all topics. 0 means that nobody listens yet.
   std::size_t matched_readers() const;
+
+  /// Waits until all readers have all that was published; `longest` for each topic. False: one has
+  /// not.
+  bool wait_for_readers(std::chrono::nanoseconds longest) const;
 
   std::vector<TopicCounters> counters() const;
   std::uint64_t misrouted() const;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <memory>
 
 #include "drivers/bus/endpoint.hpp"
@@ -47,6 +48,11 @@ class Writer {
   }
 
   const TopicCounters& counters() const { return counters_; }
+
+  /// False: after `longest` a reader still owes an acknowledgement.
+  bool wait_for_readers(std::chrono::nanoseconds longest) const {
+    return dds_wait_for_acks(writer_.handle(), longest.count()) == DDS_RETCODE_OK;
+  }
 
   std::size_t matched() const {
     dds_publication_matched_status_t status{};

@@ -6,24 +6,18 @@
 #include <utility>
 
 #include "estimators/external/answer.hpp"
+#include "estimators/external/patience.hpp"
 
 namespace drydock::external {
 namespace {
 
 /// A program that does not read for so long that this waits for it is given up.
 constexpr std::size_t most_unsent = 16'000'000;
-constexpr int patience_factor = 5;
-/// Interpreters take their time to start.
-constexpr std::chrono::seconds to_greet{10};
 
 std::vector<std::string> names_of(const Hello& hello) {
   std::vector<std::string> names;
   for (const auto& device : hello.devices) names.push_back(device.name);
   return names;
-}
-
-double seconds(std::chrono::nanoseconds time) {
-  return std::chrono::duration<double>(time).count();
 }
 
 }  // namespace

@@ -1,25 +1,12 @@
 #pragma once
 
-#include <functional>
-#include <string>
 #include <vector>
 
-#include "drivers/bus/outside_reader.hpp"
 #include "estimators/external/complaints.hpp"
-#include "estimators/external/gives.hpp"
+#include "estimators/external/topic_options.hpp"
 #include "estimators/pipeline/peer.hpp"
 
 namespace drydock::external {
-
-struct TopicOptions {
-  std::string estimator, topic;
-  bus::OutsideType type = bus::OutsideType::odometry;
-  Gives gives = Gives::navigation;
-  frame::Position origin;  ///< where the axes of the program's poses begin
-  std::uint32_t domain = 0;
-  std::string interface;
-  std::function<void(const std::string&)> say;
-};
 
 /// An estimator that publishes on the bus, such as a ROS 2 node. It takes the measurements from the
 /// bus itself, so it is sent nothing, and nothing waits for it.

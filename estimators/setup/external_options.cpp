@@ -1,10 +1,8 @@
-#include <fmt/format.h>
-
 #include <filesystem>
-#include <stdexcept>
 
 #include "drivers/measurement/stamp.hpp"
 #include "estimators/external/client_peer.hpp"
+#include "estimators/external/step_topic_peer.hpp"
 #include "estimators/external/topic_peer.hpp"
 #include "estimators/setup/options_of.hpp"
 
@@ -49,11 +47,6 @@ frame::Position origin_of(const rig_config::ExternalConfig& config, const rig_co
 
 external::TopicOptions topic_of(const rig_config::ExternalConfig& config,
                                 const EstimatorInRig& place) {
-  if (place.outside->lockstep)
-    throw std::runtime_error(fmt::format(
-        "{}: estimator \"{}\" has a topic, and the bus has no virtual time; allowed with --speed "
-        "max: command",
-        place.rig.file, place.estimator.name));
   return {.estimator = place.estimator.name,
           .topic = config.topic,
           .type = static_cast<bus::OutsideType>(config.message),
@@ -74,6 +67,11 @@ pipeline::ExternalOptions options_of(const rig_config::ExternalConfig& config,
   if (const auto peer = place.outside->peers.find(place.estimator.name);
       peer != place.outside->peers.end())
     options.connect = peer->second;
+  else if (!config.topic.empty() && place.outside->lockstep)
+    options.connect = [topic = topic_of(config, place), devices = place.outside->devices,
+                       within = measurement::from_seconds(config.answer_within_s)] {
+      return std::make_unique<external::StepTopicPeer>(topic, devices, within);
+    };
   else if (!config.topic.empty())
     options.connect = [topic = topic_of(config, place)] {
       return std::make_unique<external::TopicPeer>(topic);

@@ -4,7 +4,9 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <vector>
 
+#include "drivers/bus/device.hpp"
 #include "estimators/pipeline/peer.hpp"
 
 namespace drydock::setup {
@@ -16,7 +18,9 @@ struct Outside {
 
   bool lockstep = false;  ///< virtual time waits for each answer
   Say say = {};           ///< gets lines for a person; may be empty
-  Peers peers = {};       ///< by estimator, in the place of the program or topic of the rig
+  /// The devices of the rig as the bus calls them; lockstep needs them for estimators on topics.
+  std::vector<bus::Device> devices = {};
+  Peers peers = {};  ///< by estimator, in the place of the program or topic of the rig
 };
 
 }  // namespace drydock::setup

@@ -37,6 +37,7 @@ auto or_throw(Result result) {
 pipeline::Pipeline pipeline_in_step(const rig_config::Rig& rig, setup::Outside outside,
                                     pipeline::EstimateListener& listener) {
   outside.lockstep = true;
+  outside.devices = host::bus_devices(rig);
   return or_throw(pipeline::make_pipeline(setup::pipeline_options(rig, &outside), listener));
 }
 

@@ -39,9 +39,13 @@ LoopRecord::LoopRecord(const rig_config::Rig& rig, const motion::Trajectory& tru
     : mission_(rig.mission),
       truth_(truth),
       in_process_(std::make_unique<motion::VehicleTrajectory>(rig.mission, start)),
-      profile_(rig.mission),
+      plan_(rig.mission),
       start_(start),
-      next_(start) {}
+      next_(start) {
+  if (!plan_.guidance()) return;
+  for (const auto& waypoint : plan_.guidance()->waypoints())
+    account_.waypoints.push_back({waypoint.north_m, waypoint.east_m, waypoint.radius_m, {}});
+}
 
 void LoopRecord::on_measurement(const measurement::Measurement& m) {
   const Stamp valid_at = measurement::origin_of(m).valid_at;
@@ -52,8 +56,12 @@ void LoopRecord::on_measurement(const measurement::Measurement& m) {
 
 void LoopRecord::sample(Stamp at) {
   const double t = measurement::seconds(at - start_);
-  const auto plan = profile_.at(t);
   const motion::Truth is = truth_.at(at), ideal = in_process_->at(at);
+  motion::VehicleState state;
+  state.latitude_rad = is.latitude_rad;
+  state.longitude_rad = is.longitude_rad;
+  follow(state, t);
+  const auto plan = plan_.at(t, state, guidance_, std::chrono::duration<double>(period).count());
   auto& trace = account_.trace;
   trace.t_s.push_back(t);
   const double first_deg = mission_.heading_rad / units::degree;
@@ -71,6 +79,24 @@ void LoopRecord::sample(Stamp at) {
   keep_larger(trace.speed_mps.is.back() - trace.speed_mps.in_process.back(),
               account_.speed_off_mps);
   keep_larger(frame::ned_offset(place_of(ideal), place_of(is)).norm(), account_.place_off_m);
+}
+
+/// The cross-track error on the line that the true place is at, and the waypoint that it passes.
+void LoopRecord::follow(const motion::VehicleState& state, double t) {
+  if (!plan_.guidance() || guidance_.over) return;
+  const std::size_t line = guidance_.line;
+  const auto& waypoints = plan_.guidance()->waypoints();
+  const double cross_m =
+      motion::track_errors(motion::place_of(waypoints[line]), motion::place_of(waypoints[line + 1]),
+                           plan_.north_east_m(state))
+          .cross;
+  auto& end = account_.waypoints[line + 1];
+  keep_larger(cross_m, end.cross_track_max_m);
+  const auto passed = plan_.pass(state, guidance_);
+  if (!passed) return;
+  end.passed_s = t;
+  end.reached = passed->reached;
+  end.cross_track_end_m = cross_m;
 }
 
 pilot::LoopAccount LoopRecord::account() const {

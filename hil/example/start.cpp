@@ -21,6 +21,8 @@ struct Start {
 constexpr std::array all_starts{
     Start{"rig", "starts/rig.toml", "NAME", "drydock run {} --for 30s --speed max"},
     Start{"mission", "starts/mission.toml", "NAME", "mission = \"{}\" in the [rig] of a rig file"},
+    Start{"waypoints", "starts/waypoints.toml", "NAME",
+          "mission = \"{}\" in the [rig] of a rig file"},
     Start{"sensor", "starts/sensor.toml", "NAME", "emulate = {{ errors = \"{}\" }} of a device"},
     Start{"vehicle", "vehicles/nps-auv-ii.toml", "nps-auv-ii",
           "drydock maneuver {} turning-circle"}};

@@ -11,7 +11,8 @@ namespace drydock::pilot {
 
 Pilot::Pilot(const rig_config::Rig& rig, Stamp start, OrderPorts::Send send, OrderPorts::Say say)
     : state_(rig),
-      profile_(rig.mission),
+      place_(rig, start),
+      plan_(rig.mission),
       autopilot_(rig.mission.vehicle.value()),
       advance_m_(rig.mission.vehicle->propeller.advance_m),
       ports_(rig, std::move(send), say),
@@ -31,7 +32,7 @@ void Pilot::tick(Stamp now) {
 }
 
 void Pilot::steer(Stamp now) {
-  const auto state = state_.at(now);
+  auto state = state_.at(now);
   const bool blind = !state && orders_ > 0;  // before the first order sensors may still start
   if (blind && !was_blind_)
     say_(fmt::format("{:.1f} s: the autopilot gives no orders, no {} came for {} s",
@@ -42,16 +43,27 @@ void Pilot::steer(Stamp now) {
     silences_ += blind ? 1 : 0;
     return;
   }
-  const auto plan = profile_.at(measurement::seconds(now - start_));
-  const auto command =
-      autopilot_.steer(plan, *state, memory_, std::chrono::duration<double>(period).count());
+  place_.place(*state, now);
+  if (const auto passed = plan_.pass(*state, memory_.guidance)) tell(*passed, now);
+  const double period_s = std::chrono::duration<double>(period).count();
+  const auto wanted =
+      plan_.at(measurement::seconds(now - start_), *state, memory_.guidance, period_s);
+  const auto command = autopilot_.steer(wanted, *state, memory_, period_s);
   ports_.order({command.delta_r, command.delta_s, command.delta_b, command.speed_mps / advance_m_},
                now);
   ++orders_;
 }
 
+void Pilot::tell(const motion::Passed& passed, Stamp now) const {
+  say_(fmt::format("{:.1f} s: waypoint {} of {} is {}, {:.1f} m off by the autopilot's reckoning{}",
+                   measurement::seconds(now - start_), passed.waypoint + 1,
+                   plan_.guidance()->waypoints().size(), passed.reached ? "reached" : "missed",
+                   passed.off_m,
+                   memory_.guidance.over ? "; it was the last, the vehicle goes straight on" : ""));
+}
+
 bool is_wanted(const rig_config::Rig& rig) {
-  return rig_config::steered_over_wires(rig.mission) && !rig.mission.legs.empty();
+  return rig_config::steered_over_wires(rig.mission) && rig_config::has_plan(rig.mission);
 }
 
 }  // namespace drydock::pilot

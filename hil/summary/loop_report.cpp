@@ -37,12 +37,34 @@ report::Table table_of(const pilot::LoopAccount& loop) {
   return table;
 }
 
+report::Table waypoints_table(const pilot::LoopAccount& loop) {
+  report::Table table;
+  table.title = "Waypoints";
+  table.columns = {"waypoint", "north", "east", "passed", "off its line at most", "in the end"};
+  for (std::size_t i = 1; i < loop.waypoints.size(); ++i) {
+    const auto& w = loop.waypoints[i];
+    const auto metres = [](double value, int digits) {
+      return fmt::format("{:.{}f} m", value, digits);
+    };
+    const std::string passed =
+        w.passed_s ? fmt::format("{:.1f} s{}", *w.passed_s, w.reached ? "" : ", missed") : "-";
+    const bool begun = w.passed_s || w.cross_track_max_m > 0;
+    table.rows.push_back({fmt::format("{}", i + 1), metres(w.north_m, 1), metres(w.east_m, 1),
+                          passed, begun ? metres(w.cross_track_max_m, 2) : "-",
+                          w.passed_s ? metres(w.cross_track_end_m, 2) : "-"});
+  }
+  table.note = loop.waypoints.back().passed_s
+                   ? "All waypoints are behind; the vehicle goes straight on. By the truth."
+                   : "The run ended before the last waypoint. By the truth.";
+  return table;
+}
+
 report::Figure figure_of(const char* title, const char* unit, const std::vector<double>& t_s,
                          const pilot::LoopCurve& curve) {
   return {title,
           "time [s]",
           unit,
-          {{"the legs", t_s, curve.wanted},
+          {{"wanted", t_s, curve.wanted},
            {"over the wires", t_s, curve.is},
            {"inside the simulation", t_s, curve.in_process}}};
 }
@@ -50,7 +72,10 @@ report::Figure figure_of(const char* title, const char* unit, const std::vector<
 }  // namespace
 
 std::string loop_text(const pilot::LoopAccount& loop) {
-  return loop.responses.empty() ? difference_text(loop) + "\n" : to_text(table_of(loop));
+  std::string text =
+      loop.responses.empty() ? difference_text(loop) + "\n" : to_text(table_of(loop));
+  if (!loop.waypoints.empty()) text += to_text(waypoints_table(loop));
+  return text;
 }
 
 Json loop_json(const pilot::LoopAccount& loop) {
@@ -67,18 +92,25 @@ Json loop_json(const pilot::LoopAccount& loop) {
                          {"overshoot", r.overshoot},
                          {"settling_s", or_null(r.settling_s)},
                          {"steady_error", or_null(r.steady_error)}});
-  return {{"heading_off_deg", loop.heading_off_deg},
-          {"depth_off_m", loop.depth_off_m},
-          {"speed_off_mps", loop.speed_off_mps},
-          {"place_off_m", loop.place_off_m},
-          {"responses", std::move(responses)}};
+  Json waypoints = Json::array();
+  for (const auto& w : loop.waypoints)
+    waypoints.push_back({{"north_m", w.north_m},
+                         {"east_m", w.east_m},
+                         {"radius_m", w.radius_m},
+                         {"passed_s", or_null(w.passed_s)},
+                         {"reached", w.reached},
+                         {"cross_track_max_m", w.cross_track_max_m},
+                         {"cross_track_end_m", w.cross_track_end_m}});
+  return {{"heading_off_deg", loop.heading_off_deg}, {"depth_off_m", loop.depth_off_m},
+          {"speed_off_mps", loop.speed_off_mps},     {"place_off_m", loop.place_off_m},
+          {"responses", std::move(responses)},       {"waypoints", std::move(waypoints)}};
 }
 
 std::string loop_section(const pilot::LoopAccount& loop) {
   const auto& trace = loop.trace;
   report::Figure depth = figure_of("Depth", "m", trace.t_s, trace.depth_m);
   depth.y_down = true;
-  return to_html(table_of(loop)) +
+  return to_html(table_of(loop)) + (loop.waypoints.empty() ? "" : to_html(waypoints_table(loop))) +
          report::html::figure(figure_of("Heading", "deg", trace.t_s, trace.heading_deg)) +
          report::html::figure(depth) +
          report::html::figure(

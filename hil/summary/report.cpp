@@ -182,6 +182,14 @@ report::Figure track_figure(const Summary& s) {
   report::Figure track{
       "Track", "east [m]", "north [m]", {{"truth", s.motion.east_m, s.motion.north_m}}};
   track.equal_scales = true;
+  if (s.loop && !s.loop->waypoints.empty()) {
+    report::Curve waypoints{"waypoints", {}, {}, false, true};
+    for (const auto& waypoint : s.loop->waypoints) {
+      waypoints.x.push_back(waypoint.east_m);
+      waypoints.y.push_back(waypoint.north_m);
+    }
+    track.curves.push_back(std::move(waypoints));
+  }
   return track;
 }
 

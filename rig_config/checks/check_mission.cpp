@@ -28,6 +28,7 @@ class MissionChecks {
   Problems run() {
     if (const Node* mission = root_.find("mission")) {
       legs_stay_in_the_water();
+      waypoints_make_lines();
       vehicle_fits(mission->find_text("vehicle"));
     }
     if (bed_kind_ == "raster") raster_exists();
@@ -54,6 +55,20 @@ class MissionChecks {
         add(*change, fmt::format("/leg/{}/depth_change_m", i),
             fmt::format("the leg ends at a depth of {} m, allowed: 0 (the surface) to {}{}",
                         depth_m, bed_m, plane ? " (the bed)" : ""));
+    });
+  }
+
+  /// A line has two ends.
+  void waypoints_make_lines() {
+    const Node* before = nullptr;
+    for_each_table(root_, "waypoint", [&](const Node& waypoint, std::size_t i) {
+      const auto same = [&](const char* key) {
+        return number_at(before, key, 0) == number_at(&waypoint, key, 0);
+      };
+      if (before && same("north_m") && same("east_m"))
+        add(waypoint, fmt::format("/waypoint/{}", i),
+            "is at the place of the one before it, allowed: another north_m or east_m");
+      before = &waypoint;
     });
   }
 

@@ -43,6 +43,25 @@ BallisticConfig build_ballistic(const Node& table) {
   return flight;
 }
 
+WaypointConfig build_waypoint(const Node& table, const WaypointConfig& before) {
+  WaypointConfig waypoint;
+  waypoint.depth_m = before.depth_m;
+  waypoint.speed_mps = before.speed_mps;
+  read(table, "north_m", waypoint.north_m);
+  read(table, "east_m", waypoint.east_m);
+  read(table, "depth_m", waypoint.depth_m);
+  read(table, "speed_mps", waypoint.speed_mps);
+  read(table, "radius_m", waypoint.radius_m);
+  return waypoint;
+}
+
+GuidanceConfig build_guidance(const Node& table) {
+  GuidanceConfig guidance;
+  read(table, "lookahead_m", guidance.lookahead_m);
+  read(table, "integral_gain_mps", guidance.integral_gain_mps);
+  return guidance;
+}
+
 SteeringConfig build_steering(const Node& table) {
   SteeringConfig steering;
   read(table, "from", steering.from);
@@ -69,6 +88,11 @@ MissionConfig build_mission(const Node& root, const std::string& file) {
     mission.legs.push_back(build_leg(leg, speed_mps));
     speed_mps = mission.legs.back().speed_mps;
   });
+  WaypointConfig before{.depth_m = mission.depth_m, .speed_mps = mission.speed_mps};
+  for_each_table(root, "waypoint", [&](const Node& waypoint, std::size_t) {
+    before = mission.waypoints.emplace_back(build_waypoint(waypoint, before));
+  });
+  if (const Node* guidance = root.find("guidance")) mission.guidance = build_guidance(*guidance);
   if (const Node* ballistic = root.find("ballistic")) {
     mission.ballistic = build_ballistic(*ballistic);
     read(*ballistic, "speed_mps", mission.speed_mps);

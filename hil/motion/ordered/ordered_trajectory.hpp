@@ -12,12 +12,12 @@ namespace drydock::motion {
 class OrderedTrajectory final : public Trajectory, public TakesOrders {
  public:
   /// `mission.vehicle` must be set. Throws std::invalid_argument for a vehicle that is not
-  /// possible, BadMission for legs that it cannot sail.
+  /// possible, BadMission for legs or waypoints that it cannot sail.
   OrderedTrajectory(const rig_config::MissionConfig& mission, Stamp start);
 
   Truth at(Stamp time) const override;  ///< any order, any thread
   Stamp start() const override { return start_; }
-  Stamp end() const override;  ///< when the legs have been sailed once; without legs start()
+  Stamp end() const override;  ///< when the plan has been sailed once; without one start()
   const ocean::Ocean& ocean() const override { return voyage_.motion().ocean(); }
   OrderSink* orders() const override { return &orders_; }
 
@@ -25,7 +25,7 @@ class OrderedTrajectory final : public Trajectory, public TakesOrders {
   mutable OrderLog orders_;
   Voyage voyage_;
   Stamp start_;
-  double legs_s_;
+  double planned_s_;
 };
 
 }  // namespace drydock::motion

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "hil/motion/leg_profile.hpp"
 #include "hil/motion/vehicle/actuators.hpp"
 #include "hil/motion/vehicle/vehicle_motion.hpp"
+#include "hil/motion/waypoint_guidance.hpp"
 
 /// Autopilots for heading, depth and speed. They use the true state. Equation numbers are those of
 /// docs/world/vehicle.md.
@@ -22,7 +22,8 @@ class Integral {
 /// The memory of the autopilots from step to step.
 struct AutopilotMemory {
   Integral heading, pitch, depth, speed;
-  double turned_rad = 0;  ///< by turning circles, in addition to the headings of the legs
+  GuidanceMemory guidance;  ///< between waypoints
+  double turned_rad = 0;    ///< by turning circles, in addition to the headings of the legs
 };
 
 /// The gains apply to the prime system, in which time is measured in lengths over speed. They are

@@ -8,10 +8,12 @@ namespace drydock::motion {
 
 VehicleTrajectory::VehicleTrajectory(const rig_config::MissionConfig& mission, Stamp start)
     : helm_(mission), voyage_(mission, helm_, Edges::open), start_(start) {
-  helm_.check_plan(mission, ocean());
+  helm_.plan().check(mission, ocean());
 }
 
-Stamp VehicleTrajectory::end() const { return start_ + measurement::from_seconds(helm_.lap_s()); }
+Stamp VehicleTrajectory::end() const {
+  return start_ + measurement::from_seconds(helm_.plan().planned_s());
+}
 
 Truth truth_at(const Voyage& voyage, Stamp start, Stamp time) {
   const std::int64_t ns = std::max<std::int64_t>((time - start).count(), 0);

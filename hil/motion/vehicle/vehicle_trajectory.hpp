@@ -14,7 +14,7 @@ Truth truth_at(const Voyage& voyage, Stamp start, Stamp time);
 /// the rotating Earth, in a current: docs/world/vehicle.md. Between two steps of 10 ms it is one
 /// shorter Runge-Kutta step, so velocity, attitude and specific force are continuous, and the
 /// inertial measurements are the derivatives of the path. The legs repeat as in
-/// KinematicTrajectory.
+/// KinematicTrajectory; waypoints do not.
 class VehicleTrajectory final : public Trajectory {
  public:
   /// `mission.vehicle` must be set. Throws std::invalid_argument (one line) for a mission that the

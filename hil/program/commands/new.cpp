@@ -13,7 +13,7 @@ void add_new(CLI::App& app, Command& command) {
       "         drydock new sensor my-imu");
   sub->add_option("KIND", options->kind, "what")
       ->required()
-      ->check(CLI::IsMember({"rig", "mission", "sensor", "vehicle"}));
+      ->check(CLI::IsMember({"rig", "mission", "waypoints", "sensor", "vehicle"}));
   sub->add_option("NAME", options->name, "its name, letters, digits, - and _")
       ->required()
       ->check(CLI::Validator(

@@ -212,11 +212,4 @@ TEST(TruthOnTheBus, IsNotToldBesideARealDevice) {
   EXPECT_FALSE(summary::no_real_device(rig)) << "a recorded device is not of this truth";
 }
 
-TEST(OutsideTopic, HasNoVirtualTime) {
-  const Folder folder;
-  std::ofstream(folder / "rig.toml") << one_imu + on_topic("/a/b", "fix", "navigation");
-  const auto rig = rig_config::load_rig(folder / "rig.toml").value();
-  EXPECT_THROW(bench::run_lockstep(rig, {}), std::runtime_error);
-}
-
 }  // namespace topic_test

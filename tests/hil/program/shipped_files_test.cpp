@@ -62,7 +62,7 @@ TEST(ShippedFiles, TheListHasOneOfEachKindWithWhatItsFileSaysFirst) {
 
 TEST(NewFile, OfEachKindIsAcceptedByCheck) {
   const Folder folder;
-  for (const std::string kind : {"rig", "mission", "sensor", "vehicle"}) {
+  for (const std::string kind : {"rig", "mission", "waypoints", "sensor", "vehicle"}) {
     const auto made = elsewhere(folder, "new " + kind + " my-" + kind);
     EXPECT_EQ(made.exit_code, 0) << made.output;
     EXPECT_EQ(elsewhere(folder, "check my-" + kind + ".toml").output, "my-" + kind + ".toml: ok\n");
