@@ -58,14 +58,16 @@ TEST(FileTrouble, EachIsCalledWhatItIsByTheCommandsOfRecordings) {
 
 TEST(FileTrouble, ARecordingThatCannotBeReadIsOneInEveryCommandThatTakesOne) {
   const Files files;
-  const std::string out = " -o " + (files.folder / "out").string();
+  const std::string out = " -o " + (files.folder / "out").string(),
+                    dives = (files.folder / "dives.mcap").string();
+  fs::create_directory(dives);
   for (const std::string command :
        {"replay @", "info @", "cut @", "recover @", "bisect @ --run 'test {}'", "diagnose @",
         "export @ --to csv", "diff @ @", "track @", "calibrate @",
         "compare @ --estimators leveling", "characterize @ --device imu", "topic @ imu",
         "score @ --truth @"}) {
-    for (const auto& [file, word] : {std::pair{files.empty, "is empty"},
-                                     std::pair{(files.folder / "").string(), "is a folder"}}) {
+    for (const auto& [file, word] :
+         {std::pair{files.empty, "is empty"}, std::pair{dives, "is a folder"}}) {
       auto typed = command;
       for (auto at = typed.find('@'); at != std::string::npos; at = typed.find('@'))
         typed.replace(at, 1, file);
@@ -74,8 +76,8 @@ TEST(FileTrouble, ARecordingThatCannotBeReadIsOneInEveryCommandThatTakesOne) {
       EXPECT_THAT(refused.output, HasSubstr(word)) << typed;
     }
   }
-  for (const std::string command :
-       {"track", "calibrate", "diagnose", "compare --estimators leveling", "twin" + out}) {
+  for (const std::string& command : std::vector<std::string>{
+           "track", "calibrate", "diagnose", "compare --estimators leveling", "twin" + out}) {
     const auto garbage = drydock(command + " " + files.garbage);
     EXPECT_EQ(garbage.exit_code, 1) << command;
     EXPECT_THAT(garbage.output, HasSubstr("not an MCAP file")) << command;
@@ -97,9 +99,9 @@ TEST(FileTrouble, AWriteThatFailedSaysWhy) {
 
 TEST(FileTrouble, WhatStandsThereIsNotReplacedUnasked) {
   const Files files;
-  for (const std::string command :
-       {"cut " + dive + " -o ", "export " + dive + " --to pcapng -o ",
-        "calibrate " + dive + " --write ", "track " + dive + " --as csv -o "}) {
+  for (const std::string& command : std::vector<std::string>{
+           "cut " + dive + " -o ", "export " + dive + " --to pcapng -o ",
+           "calibrate " + dive + " --write ", "track " + dive + " --as csv -o "}) {
     const auto refused = drydock(command + files.garbage);
     EXPECT_EQ(refused.exit_code, 1) << command;
     EXPECT_THAT(refused.output, HasSubstr("--overwrite replaces it")) << command;
