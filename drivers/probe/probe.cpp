@@ -8,6 +8,7 @@
 #include "drivers/capture/arrival_times.hpp"
 #include "drivers/capture/byte_content.hpp"
 #include "drivers/capture/foreign_content.hpp"
+#include "drivers/doctor/holders.hpp"
 #include "drivers/link/can/frame_file.hpp"
 #include "drivers/link/clock.hpp"
 #include "drivers/probe/probe_bus.hpp"
@@ -105,6 +106,13 @@ bool read_bytes(const link::Uri& uri, const survey::ByteSurvey::Descriptions& de
   return true;
 }
 
+/// Other programs that have the port open, in words: each byte goes to only one of them.
+std::string others_at(const link::Uri& uri) {
+  const bool pty = uri.scheme == link::Scheme::pty || uri.scheme == link::Scheme::can_auto;
+  if (!pty && uri.scheme != link::Scheme::serial) return {};
+  return doctor::in_words(doctor::holders_of("/", pty ? link::pty_path(uri.target) : uri.target));
+}
+
 bool search(const ProbeOptions& options, const link::Uri& uri, std::FILE* err,
             ProbeReport& report) {
   if (uri.recorded())
@@ -119,6 +127,7 @@ bool search(const ProbeOptions& options, const link::Uri& uri, std::FILE* err,
                                                       : search_bus(wanted, ear, progress, report);
   report.listened_s = measurement::seconds(link::steady_now() - start);
   report.interrupted = ear.interrupted();
+  if (opened) report.shared_with = others_at(uri);
   if (uri.scheme == link::Scheme::pty && opened)
     report.notes.push_back("a pty has no baud rate: any will do");
   return opened;
@@ -171,7 +180,7 @@ int probe(const ProbeOptions& options, std::FILE* out, std::FILE* err) {
     report.opened = false;
     fmt::print(err, "probe: {}\n", problems_of(report).front());
     if (options.json) print_json(report, out);
-    return terminal::exit_usage;
+    return terminal::exit_failed;
   }
   note_nothing(*uri, report);
   if (options.json) {

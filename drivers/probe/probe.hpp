@@ -23,7 +23,8 @@ struct ProbeOptions {
 /// `drydock probe LINK`: finds the protocol, its rate and the sensors, and prints the `[[device]]`
 /// blocks for a rig file. Without `ask` it never writes. It reads a recording at once, in the
 /// recording's own time; one without times by the device's clock. Exit code: 0 something was found
-/// and nothing is wrong, 1 something is wrong (problems_of), 2 the link cannot be opened.
+/// and nothing is wrong, 1 something is wrong (problems_of) or the link cannot be opened, 2 the
+/// link is no link.
 int probe(const ProbeOptions& options, std::FILE* out, std::FILE* err);
 
 /// `drydock probe --all`: serial ports and CAN interfaces under `root`, which is "/" except in

@@ -178,6 +178,10 @@ void print_bus(const ProbeReport& report, std::FILE* out) {
   for (const auto& node : report.nodes) print_node(node, out);
 }
 
+std::string shared_text(const ProbeReport& report) {
+  return "each reads a part of the bytes: also open in " + report.shared_with;
+}
+
 }  // namespace
 
 survey::Confidence ProbeReport::confidence() const {
@@ -200,6 +204,7 @@ std::vector<std::string> problems_of(const ProbeReport& report) {
       problems.push_back(fmt::format("{} of {} frames of {} are damaged", best.bad_checksums,
                                      best.proofs + best.bad_checksums, best.protocol));
   }
+  if (!report.shared_with.empty()) problems.push_back(shared_text(report));
   for (const auto& c : report.complaints)
     problems.push_back(fmt::format("{} error frames: {}", c.frames, c.text));
   for (const Node& n : report.nodes)
@@ -215,6 +220,7 @@ void print_text(const ProbeReport& report, std::FILE* out) {
   for (std::size_t i = 0; i < report.attempts.size(); ++i)
     print_attempt(report.attempts[i], i + 1 == report.attempts.size(), out);
   print_bus(report, out);
+  if (!report.shared_with.empty()) fmt::print(out, "  {}\n", shared_text(report));
   for (const auto& note : report.notes) fmt::print(out, "  {}\n", note);
   if (!report.devices.empty()) fmt::print(out, "\n# for a rig file:\n");
   for (const auto& device : report.devices) fmt::print(out, "\n{}", survey::rig_block(device));

@@ -31,7 +31,8 @@ struct ProbeReport {
   std::optional<unsigned> bitrate;  ///< as the kernel reports it
   std::vector<std::string> notes;   ///< sentences for a person
   std::vector<survey::FoundDevice> devices;
-  bool opened = true;  ///< false: the last note says why not
+  std::string shared_with;  ///< other programs that read the port, in words; empty: none seen
+  bool opened = true;       ///< false: the last note says why not
 
   survey::Confidence confidence() const;
 };
@@ -41,7 +42,8 @@ struct ProbeReport {
 ProbeReport find_sensors(const std::string& link, double duration_s);
 
 /// What is wrong, in words: nothing found, more than one damaged frame in ten, error frames, an
-/// emergency of a node, a link that could not be opened. Empty: nothing.
+/// emergency of a node, a port that another program reads too, a link that could not be opened.
+/// Empty: nothing.
 std::vector<std::string> problems_of(const ProbeReport& report);
 
 void print_text(const ProbeReport& report, std::FILE* out);

@@ -29,7 +29,7 @@ int calibrate(const CalibrateOptions& options, std::FILE* out, std::FILE* err) {
   try {
     if (!options.write.empty() && !options.overwrite && std::filesystem::exists(options.write)) {
       fmt::print(err, "calibrate: {} exists; --overwrite replaces it\n", options.write);
-      return terminal::exit_usage;
+      return terminal::exit_failed;
     }
     const auto outcome = calibrated(track::gather(options.source));
     fmt::print(out, "{}", options.json ? to_json(outcome) : to_text(outcome));

@@ -46,7 +46,7 @@ int diff(const DiffOptions& options, std::FILE* out, std::FILE* err) {
     sides = read_sides(options);
   } catch (const std::exception& error) {
     fmt::print(err, "diff: {}\n", error.what());
-    return terminal::exit_usage;
+    return terminal::exit_failed;
   }
   if (sides.empty()) return terminal::exit_interrupted;
   const auto& a = sides.front();

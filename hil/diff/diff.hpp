@@ -12,8 +12,8 @@ struct DiffOptions {
   bool json = false;
 };
 
-/// `drydock diff`: two runs side by side. Exit code: 0 they could be compared, whatever differs; 2
-/// a file cannot be read.
+/// `drydock diff`: two runs side by side. Exit code: 0 they could be compared, whatever differs; 1
+/// a file cannot be read or written.
 int diff(const DiffOptions& options, std::FILE* out, std::FILE* err);
 
 }  // namespace drydock::diff

@@ -30,6 +30,15 @@ std::string first_sentence(const std::filesystem::path& path) {
   return sentence.substr(0, sentence.rfind(' ', widest)) + " ...";
 }
 
+/// The files that a shipped one names lie beside its folder; a copy elsewhere names them by where
+/// they are.
+std::string with_whole_paths(std::string text, const std::filesystem::path& from) {
+  const std::string up = "\"../", kinds_folder = from.parent_path().parent_path().string();
+  for (auto at = text.find(up); at != std::string::npos; at = text.find(up, at + 1))
+    text.replace(at + 1, up.size() - 2, kinds_folder);
+  return text;
+}
+
 int nothing_shipped(std::FILE* err) {
   fmt::print(err, "example: the files that come with the program are not beside it\n");
   return terminal::exit_failed;
@@ -56,7 +65,7 @@ int show(const std::string& name, std::FILE* out, std::FILE* err) {
       if (path.stem() != name && path.filename() != name) continue;
       std::ifstream in(path, std::ios::binary);
       const std::string text{std::istreambuf_iterator<char>(in), {}};
-      fmt::print(out, "# {}\n{}", path.string(), text);
+      fmt::print(out, "# {}\n{}", path.string(), with_whole_paths(text, path));
       return terminal::exit_success;
     }
   fmt::print(err, "example: no shipped file is named '{}'; drydock example lists them\n", name);

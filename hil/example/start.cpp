@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cerrno>
+#include <cstring>
 #include <fstream>
 #include <iterator>
 #include <optional>
@@ -69,7 +71,9 @@ int start(const StartOptions& options, std::FILE* out, std::FILE* err) {
   std::ofstream to(file, std::ios::binary);
   to << *text;
   to.close();
-  if (!to) return refuse_start(err, file + ": cannot be written", terminal::exit_failed);
+  if (!to)
+    return refuse_start(err, file + ": cannot be written: " + std::strerror(errno),
+                        terminal::exit_failed);
   fmt::print(out, "{}: change it, then drydock check {}\n", file, file);
   fmt::print(out, "use it: {}\n", fmt::format(fmt::runtime(from.next), file));
   return terminal::exit_success;

@@ -5,15 +5,19 @@
 
 #include "drivers/decode/decode.hpp"
 #include "drivers/decode/replay.hpp"
+#include "hil/replay/replay_rig.hpp"
 #include "rig_config/file_trouble.hpp"
 #include "rig_config/nearest_file.hpp"
 
 namespace drydock::program {
 
-/// Throws std::runtime_error with the reason where a file cannot be read.
+/// Throws std::runtime_error with the reason where a file cannot be read, or where it is no MCAP
+/// file though its name says so: a recording that lost its first bytes is no capture.
 inline void must_be_readable(const std::string& file) {
   if (const auto why = rig_config::file_trouble(file); !why.empty())
     throw std::runtime_error(file + ": " + why + rig_config::nearest_file(file));
+  if (file.ends_with(".mcap") && !replay::is_recording(file))
+    throw std::runtime_error(file + ": byte 0: not an MCAP file");
 }
 
 /// The options of a capture without a rig, for commands that also take recordings.

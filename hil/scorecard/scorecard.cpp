@@ -10,6 +10,7 @@
 #include <thread>
 
 #include "drivers/terminal/exit_codes.hpp"
+#include "hil/report/write_file.hpp"
 #include "hil/scorecard/copies.hpp"
 #include "hil/scorecard/score_bytes.hpp"
 #include "hil/scorecard/scorecard_file.hpp"
@@ -20,14 +21,6 @@ namespace drydock::scorecard {
 namespace {
 
 namespace fs = std::filesystem;
-
-void write(const fs::path& path, const std::string& text) {
-  std::error_code ignored;  // the stream below reports a missing folder
-  if (path.has_parent_path()) fs::create_directories(path.parent_path(), ignored);
-  std::ofstream file(path);
-  file << text;
-  if (!file.flush()) throw std::runtime_error(fmt::format("{}: cannot be written", path.string()));
-}
 
 std::string read(const fs::path& path) {
   std::ifstream file(path);
@@ -129,13 +122,14 @@ int run_scorecard(const rig_config::Rig& rig, const Options& options, std::FILE*
   if (card.scores.empty()) return terminal::exit_failed;
 
   fmt::print(out, "{}", to_text(card));
-  if (!options.json.empty()) write(options.json, to_json_text(card));
+  if (!options.json.empty()) report::write_file(options.json, to_json_text(card));
   if (!options.report.empty()) {
-    write(fs::path(options.report) / "index.html", to_html(card));
-    write(fs::path(options.report) / "heat-map.svg", overview_svg(card));
+    report::write_file(fs::path(options.report) / "index.html", to_html(card));
+    report::write_file(fs::path(options.report) / "heat-map.svg", overview_svg(card));
   }
   const bool complete = card.scores.size() == card.pairs;
-  if (!options.update_refs.empty() && complete) write(options.update_refs, to_json_text(card));
+  if (!options.update_refs.empty() && complete)
+    report::write_file(options.update_refs, to_json_text(card));
   if (!options.update_refs.empty() && !complete)
     fmt::print(errors, "{} is left as it is\n", options.update_refs);
   if (!options.check.empty() && !check(card, options.check, out)) return terminal::exit_failed;

@@ -22,7 +22,7 @@ std::optional<Format> wanted_format(const TrackOptions& options) {
   if (!format)
     throw BadOptions(options.out + ": --as says the format: one of geojson, gpx, csv, mcap");
   if (!options.overwrite && std::filesystem::exists(options.out))
-    throw BadOptions(options.out + " exists; --overwrite replaces it");
+    throw std::runtime_error(options.out + " exists; --overwrite replaces it");
   return format;
 }
 

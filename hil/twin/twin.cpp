@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <stdexcept>
 
 #include "drivers/terminal/exit_codes.hpp"
 #include "hil/report/write_file.hpp"
@@ -12,10 +13,10 @@ namespace drydock::twin {
 int twin(const TwinOptions& options, std::FILE* out, std::FILE* err) {
   namespace fs = std::filesystem;
   try {
-    if (!options.overwrite && fs::exists(options.folder) && !fs::is_empty(options.folder)) {
-      fmt::print(err, "twin: {} is not empty; --overwrite writes into it\n", options.folder);
-      return terminal::exit_usage;
-    }
+    if (fs::exists(options.folder) && !fs::is_directory(options.folder))
+      throw std::runtime_error(options.folder + " is a file, not a folder");
+    if (!options.overwrite && fs::exists(options.folder) && !fs::is_empty(options.folder))
+      throw std::runtime_error(options.folder + " is not empty; --overwrite writes into it");
     const auto outcome = make_twin(options);
     fmt::print(out, "{}", options.json ? to_json(outcome) : to_text(outcome));
     if (!options.report.empty())

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <numbers>
@@ -12,6 +11,7 @@
 #include "drivers/terminal/exit_codes.hpp"
 #include "hil/motion/maneuver/maneuver.hpp"
 #include "hil/motion/schedule.hpp"
+#include "hil/report/write_file.hpp"
 #include "hil/world/maneuver_plot.hpp"
 #include "rig_config/load.hpp"
 
@@ -64,18 +64,17 @@ motion::Track sail(const ManeuverOptions& options, const rig_config::VehicleConf
   });
 }
 
-bool write_csv(const std::string& path, const motion::Track& track) {
-  std::ofstream out(path);
-  out << "t,u,v,w,p,q,r,x,y,z,phi,theta,psi,delta_r,delta_s,delta_b\n";
+std::string csv_of(const motion::Track& track) {
+  std::string out = "t,u,v,w,p,q,r,x,y,z,phi,theta,psi,delta_r,delta_s,delta_b\n";
   constexpr std::size_t each = 5;  // one of 5 points: 50 Hz becomes 10 Hz
   for (std::size_t i = 0; i < track.size(); i += each) {
     const auto& point = track[i];
-    out << fmt::format("{:.10g}", point.t);
-    for (const double value : point.state) out << fmt::format(",{:.10g}", value);
-    out << fmt::format(",{:.10g},{:.10g},{:.10g}\n", point.control.delta_r, point.control.delta_s,
+    out += fmt::format("{:.10g}", point.t);
+    for (const double value : point.state) out += fmt::format(",{:.10g}", value);
+    out += fmt::format(",{:.10g},{:.10g},{:.10g}\n", point.control.delta_r, point.control.delta_s,
                        point.control.delta_b);
   }
-  return static_cast<bool>(out.flush());
+  return out;
 }
 
 /// "tactical diameter", "m" -> "tactical_diameter_m"
@@ -126,9 +125,19 @@ void print_table(std::FILE* out, const std::vector<motion::Figure>& figures,
        "m below the start");
 }
 
-int written(bool done, const std::string& path, std::FILE* errors) {
-  if (!done) fmt::print(errors, "maneuver: {}: cannot be written\n", path);
-  return terminal::exit_of(done);
+/// One file that fails does not keep the other from being written.
+int write(const std::string& path, const std::string& text, std::FILE* errors) try {
+  report::write_file(path, text);
+  return terminal::exit_success;
+} catch (const std::runtime_error& error) {
+  fmt::print(errors, "maneuver: {}\n", error.what());
+  return terminal::exit_failed;
+}
+
+int write_plot(const std::string& path, const std::string& svg, std::FILE* errors) {
+  if (!svg.empty()) return write(path, svg, errors);
+  fmt::print(errors, "maneuver: {}: gnuplot is needed and missing\n", path);
+  return terminal::exit_failed;
 }
 
 }  // namespace
@@ -163,9 +172,8 @@ int maneuver(const ManeuverOptions& options, std::FILE* out, std::FILE* errors) 
     print_table(out, figures, points, track);
   }
   int failed = 0;
-  if (!options.csv.empty()) failed |= written(write_csv(options.csv, track), options.csv, errors);
-  if (!options.plot.empty())
-    failed |= written(write_plot(options.plot, kind, track), options.plot, errors);
+  if (!options.csv.empty()) failed |= write(options.csv, csv_of(track), errors);
+  if (!options.plot.empty()) failed |= write_plot(options.plot, plot_svg(kind, track), errors);
   return failed;
 }
 

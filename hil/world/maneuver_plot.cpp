@@ -1,7 +1,5 @@
 #include "hil/world/maneuver_plot.hpp"
 
-#include <fstream>
-
 #include "drivers/measurement/units.hpp"
 #include "hil/report/plot.hpp"
 
@@ -79,12 +77,8 @@ report::Figure plot_of(std::optional<motion::ManeuverKind> kind, const motion::T
 
 }  // namespace
 
-bool write_plot(const std::string& path, std::optional<motion::ManeuverKind> kind,
-                const motion::Track& track) {
-  const std::string svg = report::render_svg(plot_of(kind, track));
-  std::ofstream out(path);
-  out << svg;
-  return !svg.empty() && out.flush();
+std::string plot_svg(std::optional<motion::ManeuverKind> kind, const motion::Track& track) {
+  return report::render_svg(plot_of(kind, track));
 }
 
 }  // namespace drydock::world

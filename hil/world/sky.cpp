@@ -3,12 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 
 #include "drivers/measurement/units.hpp"
 #include "drivers/terminal/exit_codes.hpp"
+#include "hil/report/write_file.hpp"
 #include "hil/sky/ephemeris_file.hpp"
 #include "hil/world/sky_plot.hpp"
 
@@ -117,7 +118,7 @@ SkyListing list_sky(sky::BroadcastOrbits orbits, sky::GpsTime at,
   return listing;
 }
 
-int show_sky(const SkyOptions& options, std::FILE* out, std::FILE* errors) {
+int show_sky(const SkyOptions& options, std::FILE* out, std::FILE* errors) try {
   const auto file = sky::read_navigation_file(options.ephemeris);
   if (!file) return fail(errors, file.error().message);
   const auto from = options.from ? parse_place(*options.from) : std::nullopt;
@@ -130,16 +131,14 @@ int show_sky(const SkyOptions& options, std::FILE* out, std::FILE* errors) {
         fmt::format("{} has no record within 2 h of {}; its records are of {} to {}",
                     options.ephemeris, to_string(listing.at), to_string(first), to_string(last)));
   }
-  if (!options.plot.empty()) {
-    std::ofstream plot(options.plot);
-    if (!(plot << sky_plot_svg(listing)) || !plot.flush())
-      return fail(errors, options.plot + ": cannot be written");
-  }
+  if (!options.plot.empty()) report::write_file(options.plot, sky_plot_svg(listing));
   if (options.json)
     fmt::print(out, "{}\n", to_json(listing).dump(2));
   else
     print_table(listing, out);
   return terminal::exit_success;
+} catch (const std::runtime_error& error) {  // the plot cannot be written
+  return fail(errors, error.what());
 }
 
 }  // namespace drydock::world

@@ -47,12 +47,13 @@ const std::array device_columns{
 };
 constexpr std::size_t narrowest_words = 10;
 
-/// What a person should know first about a device.
+/// What a person should know first about a device. Bytes that another program takes explain all
+/// else: they look like damage or a wrong rate.
 std::string first_words(const DeviceView& device) {
+  if (!device.shared_with.empty()) return "also open in " + device.shared_with;
   if (!device.hint.empty()) return device.hint;
   if (device.finding) return device.finding->cause + ": " + device.finding->meaning;
   if (!device.streaming) return device.status;
-  if (!device.shared_with.empty()) return "also open in " + device.shared_with;
   return device.kind + ' ' + device.protocol;
 }
 

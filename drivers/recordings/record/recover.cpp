@@ -49,10 +49,17 @@ class Copy {
 
 }  // namespace
 
-Recovered recover(mcap::Reader& source, mcap::Sink sink) {
+Recovered recover(mcap::Reader& source, mcap::Sink sink, const std::function<bool()>& go_on) {
   Copy copy(std::move(sink));
-  while (const auto record = source.next()) std::visit(copy, *record);
-  return copy.finish(source.damage());
+  bool ended_early = false;
+  while (const auto record = source.next()) {
+    std::visit(copy, *record);
+    ended_early = !go_on();
+    if (ended_early) break;
+  }
+  auto done = copy.finish(source.damage());
+  done.ended_early = ended_early;
+  return done;
 }
 
 }  // namespace drydock::record

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+
 #include "drivers/recordings/mcap/file_writer.hpp"
 #include "drivers/recordings/mcap/reader.hpp"
 
@@ -10,10 +12,14 @@ struct Recovered {
   std::uint64_t first_time = 0, last_time = 0;  ///< ns since 1970
   std::string damage;                           ///< of the source; empty: none
   boost::system::error_code error;              ///< of the new file
+  bool ended_early = false;                     ///< it was not to go on
 };
 
 /// Copies everything that can be read into a new file with a summary. The result is a complete
-/// recording again. The source may come from any program.
-Recovered recover(mcap::Reader& source, mcap::Sink sink);
+/// recording again. The source may come from any program. It is asked after each record
+/// whether to go on; what was read until then is a complete recording too.
+Recovered recover(
+    mcap::Reader& source, mcap::Sink sink,
+    const std::function<bool()>& go_on = [] { return true; });
 
 }  // namespace drydock::record

@@ -90,9 +90,9 @@ class Trial {
   std::string trouble_;
 };
 
-int refuse_bisect(std::FILE* err, std::string_view why) {
+int refuse_bisect(std::FILE* err, std::string_view why, int code = terminal::exit_failed) {
   fmt::print(err, "bisect: {}\n", why);
-  return terminal::exit_failed;
+  return code;
 }
 
 }  // namespace
@@ -101,7 +101,7 @@ int bisect(const BisectOptions& options, const record::Watch& watch, std::FILE* 
   auto recording = record::Recording::open(options.recording);
   if (!recording) return refuse_bisect(err, recording.error().line);
   if (options.command.find("{}") == std::string::npos)
-    return refuse_bisect(err, "--run: the command has no {} for the slice");
+    return refuse_bisect(err, "--run: the command has no {} for the slice", terminal::exit_usage);
   const std::string output = options.output.empty()
                                  ? fs::path(options.recording).stem().string() + "-smallest.mcap"
                                  : options.output;

@@ -1,7 +1,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <charconv>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <memory>
@@ -55,7 +57,7 @@ int write_fixture(const CutOptions& options, const slice::Sliced& done, std::FIL
   const std::string reference = folder / fixture_reference;
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> out(std::fopen(reference.c_str(), "wb"),
                                                             std::fclose);
-  if (!out) return refuse_cut(err, reference + ": cannot be written");
+  if (!out) return refuse_cut(err, reference + ": cannot be written: " + std::strerror(errno));
   const auto measurements = write_reference(options.output, out.get());
   if (!measurements) return refuse_cut(err, measurements.error().line);
   if (*measurements == 0) return refuse_cut(err, "the drivers made no measurement of the slice");
@@ -70,6 +72,8 @@ bool is_digit(char c) { return c >= '0' && c <= '9'; }
 }  // namespace
 
 int cut(CutOptions options, const record::Watch& watch, std::FILE* err) {
+  if (!names_what_is_there(options.recording, options.slice.part, "cut", err))
+    return terminal::exit_usage;
   const fs::path folder = fs::path(options.fixtures_folder) / options.fixture;
   if (options.output.empty())
     options.output = fs::path(options.recording).stem().string() + "-cut.mcap";

@@ -33,7 +33,17 @@ std::string ending_of(bool damaged, const std::string& damage) {
 
 }  // namespace
 
+bool names_what_is_there(const std::string& recording, const record::Selection& part,
+                         std::string_view command, std::FILE* err) {
+  const auto opened = record::Recording::open(recording);
+  const auto wrong = opened ? record::misfit(part, *opened) : std::string{};
+  if (!wrong.empty()) fmt::print(err, "{}: {}\n", command, wrong);
+  return wrong.empty();
+}
+
 int export_recording(ExportOptions options, const record::Watch& watch, std::FILE* err) {
+  if (!names_what_is_there(options.recording, options.part, "export", err))
+    return terminal::exit_usage;
   const auto& format = exporting::formats.at(static_cast<std::size_t>(options.format));
   auto& path = options.target.path;
   if (path.empty()) path = named_after(options.recording, format.suffix);
@@ -56,7 +66,7 @@ int export_recording(ExportOptions options, const record::Watch& watch, std::FIL
   return terminal::exit_success;
 }
 
-int recover(const RecoverOptions& options, std::FILE* err) {
+int recover(const RecoverOptions& options, const record::Watch& watch, std::FILE* err) {
   if (const auto why = rig_config::file_trouble(options.recording); !why.empty())
     return refuse(err, "recover", options.recording + ": " + why);
   auto file = std::make_unique<std::ifstream>(options.recording, std::ios::binary);
@@ -66,15 +76,22 @@ int recover(const RecoverOptions& options, std::FILE* err) {
   auto sink = mcap::file_sink(to, options.overwrite);
   if (!sink) return refuse(err, "recover", mcap::refused(to, sink.error()));
   mcap::Reader reader(std::move(file));
-  const auto saved = record::recover(reader, std::move(*sink));
+  std::error_code ignored;
+  const auto size = static_cast<double>(std::filesystem::file_size(options.recording, ignored));
+  const auto saved = record::recover(reader, std::move(*sink), [&] {
+    return watch(static_cast<double>(reader.position()) / size);
+  });
   if (saved.error) return refuse(err, "recover", to + ": " + saved.error.message());
   fmt::print(err, "{}: {}\n", options.recording,
-             saved.damage.empty() ? "whole, nothing to mend" : saved.damage);
+             !saved.damage.empty() ? saved.damage
+             : saved.ended_early   ? "not read to its end"
+                                   : "whole, nothing to mend");
   if (saved.messages == 0 && saved.attachments == 0)
     return refuse(err, "recover", "nothing in it could be saved");
   made.keep();
-  fmt::print(err, "{}: {} messages of {:.1f} s and {} attachments saved\n", to, saved.messages,
-             static_cast<double>(saved.last_time - saved.first_time) / 1e9, saved.attachments);
+  fmt::print(err, "{}: {} messages of {:.1f} s and {} attachments saved{}\n", to, saved.messages,
+             static_cast<double>(saved.last_time - saved.first_time) / 1e9, saved.attachments,
+             saved.ended_early ? ", ended by Ctrl-C" : "");
   return terminal::exit_success;
 }
 

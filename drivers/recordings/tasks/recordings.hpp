@@ -22,7 +22,12 @@ struct RecoverOptions {
   std::string recording, output;  ///< output empty: `<name>-recovered.mcap`
   bool overwrite = false;
 };
-int recover(const RecoverOptions& options, std::FILE* err);
+int recover(const RecoverOptions& options, const record::Watch& watch, std::FILE* err);
+
+/// False, and a line of `command` says which, if `part` names what the recording has not. True for
+/// a recording that cannot be read: the work itself tells why.
+bool names_what_is_there(const std::string& recording, const record::Selection& part,
+                         std::string_view command, std::FILE* err);
 
 struct CutOptions {
   std::string recording, output;  ///< output empty: `<name>-cut.mcap`

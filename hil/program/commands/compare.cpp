@@ -36,6 +36,8 @@ bool is_rig(const CompareArguments& a) {
 int run_compare(CompareArguments& a) {
   auto& capture = a.options.capture;
   capture.description = load_protocol(capture.protocol);
+  if (!a.options.source.ends_with(".toml") && std::filesystem::exists(a.options.source))
+    must_be_readable(a.options.source);
   if (!is_rig(a)) return compare::compare(nullptr, a.options, stdout, stderr);
   const auto rig = load_rig(a.options.source, check::Use::lockstep);
   return compare::compare(&rig, a.options, stdout, stderr);

@@ -2,6 +2,7 @@
 
 #include "drivers/recordings/tasks/recordings.hpp"
 #include "hil/program/commands.hpp"
+#include "hil/replay/recording_progress.hpp"
 
 namespace drydock::program {
 
@@ -14,7 +15,10 @@ void add_recover(CLI::App& app, Command& command) {
   sub->add_option("-o,--output", options->output, "default NAME-recovered.mcap, here");
   sub->add_flag("--overwrite", options->overwrite, "replace what is there");
   sub->callback([options, &command] {
-    command = [options] { return recordings::recover(*options, stderr); };
+    command = [options] {
+      replay::RecordingProgress progress("recover", stderr);
+      return recordings::recover(*options, std::ref(progress), stderr);
+    };
   });
 }
 

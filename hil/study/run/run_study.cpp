@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cerrno>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <optional>
@@ -32,12 +34,18 @@ class Output {
     stream_ << text;
     return good();
   }
-  bool good() { return static_cast<bool>(stream_.flush()); }
+  bool good() {
+    if (stream_.flush()) return true;
+    trouble_ = std::strerror(errno);
+    return false;
+  }
+  const std::string& trouble() const { return trouble_; }  ///< of the write that failed last
   const fs::path& path() const { return path_; }
 
  private:
   fs::path path_;
   std::ofstream stream_;
+  std::string trouble_;
 };
 
 std::string to_json(const study::Study& study, const study::Options& options,
@@ -86,7 +94,7 @@ int run_study(const study::Study& study, const StudyOptions& options, std::FILE*
     return study_usage;
   }
   const auto cannot_write = [&](const Output& file) {
-    fmt::print(errors, "study: {}: cannot be written\n", file.path().string());
+    fmt::print(errors, "study: {}: cannot be written: {}\n", file.path().string(), file.trouble());
     return study_failed;
   };
   std::optional<Output> json, report;

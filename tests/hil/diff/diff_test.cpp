@@ -80,13 +80,13 @@ TEST_F(Diff, TakesTheSummaryOfARunForTheRecordingOfIt) {
   EXPECT_THAT(ran.out, HasSubstr("\n0 differences; "));
 }
 
-TEST_F(Diff, AFileThatIsNeitherIsTwoAndIsNamed) {
+TEST_F(Diff, AFileThatIsNeitherIsOneAndIsNamed) {
   const auto words = folder_ / "words.txt";
   std::ofstream(words) << "no summary";
   const auto ran = run({.a = words.string(), .b = bottom});
-  EXPECT_EQ(ran.exit_code, 2);
+  EXPECT_EQ(ran.exit_code, 1);
   EXPECT_THAT(ran.err, HasSubstr("words.txt: neither a recording (MCAP) nor the summary of a run"));
-  EXPECT_EQ(run({.a = bottom, .b = (folder_ / "absent.mcap").string()}).exit_code, 2);
+  EXPECT_EQ(run({.a = bottom, .b = (folder_ / "absent.mcap").string()}).exit_code, 1);
 }
 
 }  // namespace diff_test

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <utility>
 #include <vector>
 
 #include "tests/hil/program/program.hpp"
@@ -53,6 +54,67 @@ TEST(FileTrouble, EachIsCalledWhatItIsByTheCommandsOfRecordings) {
     EXPECT_EQ(garbage.exit_code, 1) << command;
     EXPECT_THAT(garbage.output, HasSubstr("not an MCAP file")) << command;
   }
+}
+
+TEST(FileTrouble, ARecordingThatCannotBeReadIsOneInEveryCommandThatTakesOne) {
+  const Files files;
+  const std::string out = " -o " + (files.folder / "out").string(),
+                    dives = (files.folder / "dives.mcap").string();
+  fs::create_directory(dives);
+  for (const std::string command :
+       {"replay @", "info @", "cut @", "recover @", "bisect @ --run 'test {}'", "diagnose @",
+        "export @ --to csv", "diff @ @", "track @", "calibrate @",
+        "compare @ --estimators leveling", "characterize @ --device imu", "topic @ imu",
+        "score @ --truth @"}) {
+    for (const auto& [file, word] :
+         {std::pair{files.empty, "is empty"}, std::pair{dives, "is a folder"}}) {
+      auto typed = command;
+      for (auto at = typed.find('@'); at != std::string::npos; at = typed.find('@'))
+        typed.replace(at, 1, file);
+      const auto refused = drydock(typed);
+      EXPECT_EQ(refused.exit_code, 1) << typed << refused.output;
+      EXPECT_THAT(refused.output, HasSubstr(word)) << typed;
+    }
+  }
+  for (const std::string& command : std::vector<std::string>{
+           "track", "calibrate", "diagnose", "compare --estimators leveling", "twin" + out}) {
+    const auto garbage = drydock(command + " " + files.garbage);
+    EXPECT_EQ(garbage.exit_code, 1) << command;
+    EXPECT_THAT(garbage.output, HasSubstr("not an MCAP file")) << command;
+  }
+}
+
+TEST(FileTrouble, AWriteThatFailedSaysWhy) {
+  for (const std::string command :
+       {"maneuver nps-auv-ii zigzag --csv", "study mixing --runs 1 --json",
+        "scorecard rig_config/rigs/demo.toml --devices dvl --faults flip --json",
+        "sky --ephemeris fixtures/rinex/walker.rnx --at 2026-11-21T09:00:00Z --from 36,129 "
+        "--plot"}) {
+    const auto full = drydock(command + " /dev/full");
+    EXPECT_EQ(full.exit_code, 1) << command;
+    EXPECT_THAT(full.output, HasSubstr("/dev/full")) << command;
+    EXPECT_THAT(full.output, HasSubstr("No space left on device")) << command;
+  }
+}
+
+TEST(FileTrouble, WhatStandsThereIsNotReplacedUnasked) {
+  const Files files;
+  for (const std::string& command : std::vector<std::string>{
+           "cut " + dive + " -o ", "export " + dive + " --to pcapng -o ",
+           "calibrate " + dive + " --write ", "track " + dive + " --as csv -o "}) {
+    const auto refused = drydock(command + files.garbage);
+    EXPECT_EQ(refused.exit_code, 1) << command;
+    EXPECT_THAT(refused.output, HasSubstr("--overwrite replaces it")) << command;
+  }
+}
+
+TEST(WrongUsage, OfANameThatTheRecordingDoesNotHaveIsTwo) {
+  for (const std::string command : {"cut", "export --to csv", "replay"}) {
+    const auto refused = drydock(command + " " + dive + " --only sonar");
+    EXPECT_EQ(refused.exit_code, 2) << command;
+    EXPECT_THAT(refused.output, HasSubstr("there is no \"sonar\" in the recording")) << command;
+  }
+  EXPECT_EQ(drydock("bisect " + dive + " --run true").exit_code, 2);
 }
 
 TEST(FileTrouble, EachIsCalledWhatItIsByTheRigFile) {

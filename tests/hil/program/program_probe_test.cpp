@@ -57,7 +57,7 @@ TEST(Program, AProbeOfARecordingNeedsNoTime) {
   EXPECT_THAT(drydock("probe file:" + comment).output, HasSubstr("no bytes but comments"));
   const auto raw = drydock("probe 'file:" + comment + "?format=raw'");
   EXPECT_THAT(raw.output, HasSubstr("the line: 4 bytes"));
-  EXPECT_EQ(drydock("probe serial:/dev/nowhere").exit_code, 2);
+  EXPECT_EQ(drydock("probe serial:/dev/nowhere").exit_code, 1);
   EXPECT_EQ(drydock("probe").exit_code, 2);
 }
 

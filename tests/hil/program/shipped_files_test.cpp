@@ -60,6 +60,14 @@ TEST(ShippedFiles, TheListHasOneOfEachKindWithWhatItsFileSaysFirst) {
   EXPECT_EQ(elsewhere(folder, "example nothing").exit_code, 2);
 }
 
+TEST(ShippedFiles, ACopyOfARigIsAcceptedByCheckWhereverItIs) {
+  const Folder folder;
+  for (const std::string rig : {"demo", "loop", "velocity-paper"}) {
+    elsewhere(folder, "example " + rig + " > my-rig.toml");
+    EXPECT_EQ(elsewhere(folder, "check my-rig.toml").output, "my-rig.toml: ok\n") << rig;
+  }
+}
+
 TEST(NewFile, OfEachKindIsAcceptedByCheck) {
   const Folder folder;
   for (const std::string kind : {"rig", "mission", "waypoints", "sensor", "vehicle"}) {

@@ -112,7 +112,7 @@ TEST_F(TwinOfARun, IsARigAsAnyOther) {
 
 TEST_F(TwinOfARun, ShowsBothSidesAsTextJsonAndAPage) {
   auto again = options();
-  EXPECT_EQ(twin(again, stdout, stderr), 2) << "the folder is not empty";
+  EXPECT_EQ(twin(again, stdout, stderr), 1) << "the folder is not empty";
   EXPECT_THAT(to_text(outcome_), testing::HasSubstr("Errors against the track"));
   const auto json = nlohmann::json::parse(to_json(outcome_));
   EXPECT_EQ(json["devices"].size(), 6u);

@@ -42,14 +42,26 @@ TEST_F(RecordingCommand, ExportSaysInALineWhatItWroteOrWhyNot) {
 TEST_F(RecordingCommand, RecoverSaysWhatWasWrongAndWhatIsSaved) {
   const std::string whole = read_all(dive_);
   std::ofstream(folder_ / "cut.mcap", std::ios::binary) << whole.substr(0, whole.size() / 2);
-  EXPECT_EQ(recover({folder_ / "cut.mcap", folder_ / "saved.mcap"}, err_.file()), 0);
+  EXPECT_EQ(recover({folder_ / "cut.mcap", folder_ / "saved.mcap"}, to_the_end, err_.file()), 0);
   EXPECT_THAT(err_.text(), HasSubstr("the file is cut here"));
   EXPECT_THAT(err_.text(), testing::ContainsRegex("saved.mcap: [0-9]+ messages of [0-9.]+ s and 3 "
                                                   "attachments saved"));
-  EXPECT_EQ(recover({folder_ / "cut.mcap", folder_ / "saved.mcap"}, err_.file()), 1);
+  EXPECT_EQ(recover({folder_ / "cut.mcap", folder_ / "saved.mcap"}, to_the_end, err_.file()), 1);
   EXPECT_THAT(err_.text(), HasSubstr("saved.mcap: File exists; --overwrite replaces it"));
-  EXPECT_EQ(recover({"/nowhere.mcap", ""}, err_.file()), 1);
+  EXPECT_EQ(recover({"/nowhere.mcap", ""}, to_the_end, err_.file()), 1);
   EXPECT_THAT(err_.text(), HasSubstr("recover: /nowhere.mcap: No such file or directory"));
+}
+
+TEST_F(RecordingCommand, RecoverThatIsEndedKeepsACompleteRecordingOfWhatItRead) {
+  int left = 50;
+  const std::string saved = folder_ / "saved.mcap";
+  EXPECT_EQ(recover(
+                {dive_, saved}, [&](double) { return --left > 0; }, err_.file()),
+            0);
+  EXPECT_THAT(err_.text(), HasSubstr("not read to its end"));
+  EXPECT_THAT(err_.text(), HasSubstr("attachments saved, ended by Ctrl-C"));
+  EXPECT_EQ(recover({saved, folder_ / "again.mcap"}, to_the_end, err_.file()), 0);
+  EXPECT_THAT(err_.text(), HasSubstr("saved.mcap: whole, nothing to mend"));
 }
 
 TEST_F(RecordingCommand, AFixtureHoldsWhatBecameOfTheBytes) {
