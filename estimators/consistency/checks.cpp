@@ -192,12 +192,13 @@ void Checks::tell(Stamp now) const {
   for (const Named& one : names_) {
     const Test& test = *one.by->test;
     const double unit = test.facts().unit_si;
+    const Test::Evidence evidence = test.evidence();
     to_.see({.device = one.device,
              .sign = test.sign(one.by->freeze),
              .since = test.since(),
              .at = now,
-             .value = test.deviation() / unit,
-             .limit = 3 * test.sigma() / unit,
+             .value = evidence.deviation / unit,
+             .limit = evidence.least / unit,
              .quantity = test.facts().quantity,
              .unit = test.facts().unit});
   }

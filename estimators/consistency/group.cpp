@@ -67,10 +67,12 @@ void Group::test(Witness& witness, Stamp at, std::size_t seen) const {
 }
 
 void Group::anchor(double dt) {
-  double sum = 0;
-  for (const Witness& witness : witnesses_) sum += witness.test.offset();
-  const double mean = witnesses_.empty() ? 0 : sum / static_cast<double>(witnesses_.size());
-  for (Witness& witness : witnesses_) witness.test.shift(-mean * dt / anchor_s);
+  Values offsets;
+  for (const Witness& witness : witnesses_)
+    if (witness.present && witness.test.learned()) offsets.push_back(witness.test.offset());
+  if (offsets.empty()) return;
+  const double shift = -middle_of(offsets) * dt / anchor_s;
+  for (Witness& witness : witnesses_) witness.test.shift(shift);
 }
 
 /// The median leaves a witness only as far as the best of the others does. How much that one is

@@ -48,8 +48,8 @@ class Group {
   template <class Distrusted>
   void settle(Stamp at, double dt, const Distrusted& distrusted);
 
-  /// Draws the mean of the offsets to 0. The tests see differences only, so all offsets together
-  /// would walk away, and the median with them.
+  /// Draws the median of the offsets to 0, of those that speak now. The tests see differences only,
+  /// so all offsets together would walk away, and the median of the witnesses with them.
   void anchor(double dt);
 
   /// The median of the last time and its derivative.

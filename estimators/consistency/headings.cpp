@@ -58,9 +58,11 @@ Headings::Headings(const Tracks& tracks) : tracks_(tracks) {
 }
 
 void Headings::see(const Moment& moment) {
-  for (std::size_t i = 0; i < units_.size(); ++i)
-    if (tracks_.units[i].running())
-      group_.see(units_[i], tracks_.units[i].heading(), tracks_.units[i].serial());
+  for (std::size_t i = 0; i < units_.size(); ++i) {
+    if (!tracks_.units[i].running()) continue;
+    if (tracks_.units[i].resumed()) group_.restart(units_[i]);
+    group_.see(units_[i], tracks_.units[i].heading(), tracks_.units[i].serial());
+  }
   for (std::size_t i = 0; i < dvls_.size(); ++i)
     if (const auto read = tracks_.dvls[i].heading.at(moment.at))
       group_.see(dvls_[i], read->value.x(), read->serial);

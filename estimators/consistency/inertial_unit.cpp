@@ -12,6 +12,8 @@ constexpr std::chrono::milliseconds push_period{24};
 constexpr double quick_pull_s = 3, quick_mean_s = 2;
 constexpr double quick_s = 2, slow_s = 60;  // time constants of the pull at first and later
 constexpr double earth_memory_s = 600;      // of the Earth's turn; slower than the pull
+constexpr double longest_bridge_s = 1;      // over a hole the rates are taken as linear
+constexpr double whole_share = 0.999;       // of a step: it has all its samples
 constexpr double steepest = 0.9;            // of the body's x against the level
 
 std::chrono::nanoseconds gap_of_unit(const Sensor& sensor) {
@@ -29,9 +31,10 @@ void InertialUnit::take(const measurement::ImuSample& sample) {
   freeze_.see(at, (sample.angular_rate - last_rate_).cwiseAbs().sum() +
                       (sample.specific_force - last_force_).cwiseAbs().sum());
   const double dt = measurement::seconds(at - last_sample_);
-  if (at > last_sample_ && at - last_sample_ <= longest_gap_) {
+  if (at > last_sample_ && dt <= longest_bridge_s) {
     sum_.head<3>() += dt / 2 * (sample.angular_rate + last_rate_);
-    sum_.tail<3>() += dt / 2 * (sample.specific_force + last_force_);
+    sum_.segment<3>(3) += dt / 2 * (sample.specific_force + last_force_);
+    if (at - last_sample_ <= longest_gap_) sum_[6] += dt;
   }
   last_rate_ = sample.angular_rate;
   last_force_ = sample.specific_force;
@@ -42,20 +45,24 @@ void InertialUnit::take(const measurement::ImuSample& sample) {
 }
 
 bool InertialUnit::advance(Stamp at) {
+  const bool ran = running_;
   running_ = false;
   const auto sums = sums_.at(at);
+  if (!sums) return false;
   dt_ = measurement::seconds(at - last_);
-  if (!sums || dt_ <= 0 || dt_ > 1 || !begun_) {
-    begun_ = sums.has_value();
-    if (begun_) begin(at, sums->value);
+  if (!begun_ || dt_ <= 0 || dt_ > longest_bridge_s) {
+    begun_ = true;
+    begin(at, sums->value);
     return false;
   }
-  rate_ = (sums->value - at_last_).head<3>() / dt_;
-  force_ = (sums->value - at_last_).tail<3>() / dt_;
+  const Sums gone = sums->value - at_last_;
+  rate_ = gone.head<3>() / dt_;
+  force_ = gone.segment<3>(3) / dt_;
   begin(at, sums->value);
   serial_ = sums->serial;
   turn(dt_);
-  return running_ = true;
+  holed_ = !ran;
+  return running_ = gone[6] > whole_share * dt_;
 }
 
 void InertialUnit::begin(Stamp at, const Sums& sums) {

@@ -18,7 +18,8 @@ class InertialUnit {
 
   void take(const measurement::ImuSample& sample);
 
-  /// Moves on to `at`. False: there are no samples around it.
+  /// Moves on to `at`. False: there are no samples around it, or not all of those since the last
+  /// step. Over a short hole the level turns on by the rates on both sides of it.
   bool advance(Stamp at);
 
   /// Eq. (8): how much the specific force differs from acceleration less gravity, m/s2, body.
@@ -40,22 +41,25 @@ class InertialUnit {
   const Eigen::Vector3d& down() const { return down_; }  ///< unit vector, body
   double heading() const { return heading_; }            ///< rad, integrated from 0
   std::uint64_t serial() const { return serial_; }
-  bool running() const { return running_; }  ///< the last step had samples
+  bool running() const { return running_; }  ///< the last step had all its samples
+  /// The first step behind a hole: what was integrated over it is a guess.
+  bool resumed() const { return running_ && holed_; }
   const Freeze& freeze() const { return freeze_; }
 
  private:
-  using Sums = Eigen::Matrix<double, 6, 1>;
+  using Sums = Eigen::Matrix<double, 7, 1>;
   void begin(Stamp at, const Sums& sums);
   void turn(double dt);
   void learn_earth_turn(const Eigen::Vector3d& difference);
 
   std::uint16_t device_;
   std::chrono::nanoseconds longest_gap_;
-  Track<6, 64> sums_;  ///< of rate and specific force over time, about 40 a second
+  /// Of rate and specific force over time, and the time without holes; about 40 a second.
+  Track<7, 64> sums_;
   Sums sum_ = Sums::Zero(), at_last_ = Sums::Zero();
   Eigen::Vector3d last_rate_ = Eigen::Vector3d::Zero(), last_force_ = Eigen::Vector3d::Zero();
   Stamp last_sample_{}, next_push_{}, last_{};
-  bool begun_ = false, running_ = false;
+  bool begun_ = false, running_ = false, holed_ = false;
   Eigen::Vector3d rate_ = Eigen::Vector3d::Zero(), force_ = Eigen::Vector3d::Zero();
   Eigen::Vector3d down_ = Eigen::Vector3d::UnitZ(), middle_ = Eigen::Vector3d::UnitZ();
   Eigen::Vector3d quick_ = Eigen::Vector3d::UnitZ(), quick_difference_ = Eigen::Vector3d::Zero();

@@ -84,6 +84,10 @@ void Test::test(const Residual& residual, Stamp at) {
     usual_quantity_ = residual.quantity;
     return;
   }
+  if (was_quiet || std::abs(deviation_ / sigma_) > std::abs(peak_ / peak_sigma_)) {
+    peak_ = deviation_;
+    peak_sigma_ = sigma_;
+  }
   if (was_quiet) {
     shape_.clear();
     fired_samples_ = 0;

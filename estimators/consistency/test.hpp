@@ -58,6 +58,12 @@ class Test {
   Stamp since() const { return since_; }
   Stamp last() const { return last_; }             ///< when it was tested last
   double deviation() const { return deviation_; }  ///< of the last residual from its offset
+  /// What speaks most for the alarm: the deviation of most sigmas since it began to rise, and the
+  /// least deviation that makes it rise.
+  struct Evidence {
+    double deviation = 0, least = 0;
+  };
+  Evidence evidence() const { return {peak_, design.reference * peak_sigma_}; }
   /// What the history of the residual says about the device.
   diagnosis::Sign sign(const Freeze* own) const;
   Shape shape() const { return shape_.best(); }
@@ -80,6 +86,7 @@ class Test {
   int samples_ = 0, fired_samples_ = 0;
   double offset_ = 0, trend_ = 0, steady_ = 0, mean_square_ = 0, noise_square_ = 0;
   double deviation_ = 0, sigma_ = 0;
+  double peak_ = 0, peak_sigma_ = 1;
   double usual_rate_ = 0, usual_quantity_ = 0;
   Stamp last_{}, since_{}, steady_since_{};
   bool fired_ = false;

@@ -8,6 +8,7 @@
 #include "drivers/terminal/exit_codes.hpp"
 #include "hil/bench/run.hpp"
 #include "hil/endurance/soak_watch.hpp"
+#include "hil/motion/make_trajectory.hpp"
 #include "hil/report/html.hpp"
 #include "hil/report/write_file.hpp"
 
@@ -33,6 +34,14 @@ std::vector<std::string> troubles_of(const summary::Summary& summary, const Soak
     if (estimator.whole_run && !std::isfinite(estimator.whole_run->roll_rms_deg))
       all.push_back(estimator.name + ": its estimates are no numbers");
   return all;
+}
+
+/// A flight ends at its impact: what its sensors say behind it, no sensor could. Empty: no end.
+std::optional<double> last_second(const rig_config::Rig& rig) {
+  if (!rig.mission.ballistic) return {};
+  const auto flight =
+      motion::make_trajectory(rig.mission, measurement::stamp_from_ns(rig.start_utc_ns));
+  return measurement::seconds(flight->end() - flight->start());
 }
 
 std::string words_line(const SoakWatch& watch) {
@@ -107,6 +116,10 @@ int soak(rig_config::Rig rig, const SoakOptions& options, std::FILE* out) {
                   options.faults ? std::optional(options.fault_interval_s) : std::nullopt);
   bench::RunOptions run;
   run.duration_s = options.duration_s;
+  if (const auto last = last_second(rig); last && *last < run.duration_s) {
+    run.duration_s = *last;
+    fmt::print(out, "the flight of its mission ends after {:.1f} s, and the soak with it\n", *last);
+  }
   run.quiet = true;
   run.curve_points = 300;  // stored curves must not look like a leak
   run.followers = {&watch};

@@ -82,7 +82,7 @@ hil/calibrate              hil/track hil/report estimators/calibration estimator
 hil/compare                drivers/diagnosis hil/track hil/replay hil/bench hil/summary hil/report hil/motion estimators/host estimators/setup estimators/pipeline estimators/frame drivers/decode drivers/host drivers/recordings/record drivers/io drivers/terminal drivers/measurement rig_config
 hil/twin                   hil/track hil/replay hil/characterize hil/bench hil/check hil/report hil/motion hil/ocean hil/sensor estimators/smoothing estimators/frame drivers/recordings/record drivers/host drivers/link drivers/terminal drivers/wire/protocols drivers/measurement rig_config
 hil/scorecard              drivers/diagnosis estimators/host hil/bench hil/summary hil/study hil/study/run hil/report hil/motion estimators/pipeline estimators/frame drivers/device drivers/link drivers/terminal drivers/measurement rig_config
-hil/endurance              drivers/diagnosis hil/bench hil/summary hil/validity hil/validity/run hil/report hil/fault drivers/text drivers/link drivers/terminal rig_config
+hil/endurance              drivers/diagnosis hil/motion hil/bench hil/summary hil/validity hil/validity/run hil/report hil/fault drivers/text drivers/link drivers/terminal rig_config
 hil/info                   drivers/recordings/record drivers/recordings/mcap drivers/bus drivers/capture drivers/probe drivers/survey drivers/terminal drivers/measurement rig_config
 hil/topic                  hil/replay/reference drivers/recordings/record drivers/recordings/mcap drivers/host drivers/bus drivers/io drivers/text drivers/terminal drivers/measurement rig_config
 hil/example                drivers/terminal rig_config

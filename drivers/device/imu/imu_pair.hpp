@@ -33,9 +33,18 @@ class ImuPair {
 
   /// Publishes the sample if both are there and no component is missing.
   void publish(const Mounting& mounting, Output& out) {
-    if (!rate_ || !force_) return;
-    const auto apart = rate_->origin.received_at - force_->origin.received_at;
-    if (std::chrono::abs(apart) > window) return;  // the older message has no partner
+    if (!whole() || is_late()) return;  // of a late one the older message has no partner
+    if (const auto sample = take(mounting)) out.publish(*sample);
+  }
+
+  bool whole() const { return rate_ && force_; }
+  /// The two of a whole pair came too far apart to be one sample by their arrival.
+  bool is_late() const {
+    return std::chrono::abs(rate_->origin.received_at - force_->origin.received_at) > window;
+  }
+
+  /// The sample of a whole pair, however far apart its halves came.
+  std::optional<measurement::ImuSample> take(const Mounting& mounting) {
     // Both were sampled together, before the first of the two was sent.
     measurement::Origin origin = rate_->origin;
     origin.received_at = std::max(origin.received_at, force_->origin.received_at);
@@ -43,7 +52,7 @@ class ImuPair {
     const auto sample = make_imu_sample(origin, rate_->components, force_->components, mounting);
     rate_.reset();
     force_.reset();
-    if (sample) out.publish(*sample);
+    return sample;
   }
 
  private:

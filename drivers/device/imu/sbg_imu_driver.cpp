@@ -19,6 +19,9 @@ void SbgImuDriver::restart(Stamp, Output&) {
   pair_.reset();
   clock_.reset();
   group_.reset();
+  order_.reset();
+  late_.reset();
+  timed_ = false;
 }
 
 void SbgImuDriver::receive(const wire::CanFrame& frame, Stamp received_at, Output& out) {
@@ -32,14 +35,19 @@ void SbgImuDriver::receive(const wire::CanFrame& frame, Stamp received_at, Outpu
       *message);
 }
 
-void SbgImuDriver::on(const sbg::ImuInfo& m, const Origin& origin, Output&) {
+void SbgImuDriver::on(const sbg::ImuInfo& m, const Origin& origin, Output& out) {
+  // Were frames between the two halves lost, then so was the time of the group of the second.
+  const bool follows = order_.follows(m.time_us);
+  if (late_ && follows) out.publish(*late_);
+  late_.reset();
   pair_.reset();
+  timed_ = true;
   group_ = clock_.map(m.time_us, origin.valid_at);
 }
 
 void SbgImuDriver::on(const sbg::ImuAcceleration& m, const Origin& origin, Output& out) {
   pair_.set_force(origin, components_of(m.value));
-  pair_.publish(mounting_, out);
+  join(out);
 }
 
 void SbgImuDriver::on(const sbg::ImuRate& m, const Origin& origin, Output& out) {
@@ -48,7 +56,14 @@ void SbgImuDriver::on(const sbg::ImuRate& m, const Origin& origin, Output& out) 
   pair_.set_rate(timed, components_of(m.value));
   if (group_) pair_.state(group_->host);
   group_.reset();
-  pair_.publish(mounting_, out);
+  join(out);
+}
+
+void SbgImuDriver::join(Output& out) {
+  if (timed_ && pair_.whole() && pair_.is_late())
+    late_ = pair_.take(mounting_);
+  else
+    pair_.publish(mounting_, out);
 }
 
 }  // namespace drydock::device

@@ -26,6 +26,9 @@ XsensImuDriver::XsensImuDriver(const DriverOptions& options)
 
 void XsensImuDriver::restart(Stamp, Output&) {
   group_ = {};
+  order_.reset();
+  last_counter_.reset();
+  late_.reset();
   marked_ = false;
   plain_at_.reset();
   clock_.reset();
@@ -51,11 +54,15 @@ void XsensImuDriver::begin_group(const Origin& origin) {
 void XsensImuDriver::on(const xsens::SampleTime& m, const Origin& origin, Output&) {
   if (!group_.first || group_.ticks || group_.has_data()) begin_group(origin);
   group_.ticks = m.ticks;
+  group_.follows = order_.follows(m.ticks);
 }
 
 void XsensImuDriver::on(const xsens::GroupCounter& m, const Origin& origin, Output&) {
   if (!group_.first || group_.counter || group_.has_data()) begin_group(origin);
   group_.counter = m.counter;
+  // It says more than the ticks do.
+  group_.follows = last_counter_ && m.counter == static_cast<std::uint16_t>(*last_counter_ + 1);
+  last_counter_ = m.counter;
 }
 
 void XsensImuDriver::on(const xsens::StatusWord& m, const Origin&, Output& out) {
@@ -99,15 +106,22 @@ void XsensImuDriver::add(std::optional<Axes> Group::*which, const Axes& axes, co
   const bool late = group_.first && origin.received_at - group_.first->received_at > longest_group;
   const bool repeated = (group_.*which).has_value();
   if (marked_) {
-    // A repeated or late message belongs to a group whose beginning was lost.
-    if (late || repeated) group_.whole = true;
+    if (!group_.has_data()) judge_late(out);
+    if (repeated) group_.whole = true;  // it belongs to a group whose beginning was lost
     if (group_.whole) return;
+    group_.late = late;
   } else if (!group_.first || late || repeated || group_.whole) {
     group_ = {};
     group_.first = origin;
   }
   group_.*which = axes;
   if (group_.rate && group_.force) publish(origin, out);
+}
+
+/// Were frames between the two halves lost, then so was the beginning of the group of the second.
+void XsensImuDriver::judge_late(Output& out) {
+  if (late_ && group_.follows) out.publish(*late_);
+  late_.reset();
 }
 
 void XsensImuDriver::publish(const Origin& last, Output& out) {
@@ -122,7 +136,10 @@ void XsensImuDriver::publish(const Origin& last, Output& out) {
   if (group_.clipped) return;
   const auto sample =
       make_imu_sample(origin, all_there(*group_.rate), all_there(*group_.force), mounting_);
-  if (sample) out.publish(*sample);
+  if (sample && group_.late)
+    late_ = sample;
+  else if (sample)
+    out.publish(*sample);
 }
 
 /// Reports each error once, when it begins.

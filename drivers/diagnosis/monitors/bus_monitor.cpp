@@ -89,15 +89,38 @@ void BusMonitor::take_error(const wire::CanFrame& frame, Stamp at) {
 void BusMonitor::take_claim(const wire::CanFrame& frame, Stamp at) {
   const auto identifier = wire::j1939::identify(frame);
   if (!identifier || identifier->pgn != wire::j1939::address_claim_pgn || frame.size != 8) return;
-  for (Node& node : nodes_) {
-    const bool here = node.expected.protocol.network == wire::Network::j1939 &&
-                      node.expected.address != 0 && node.expected.address == identifier->source;
-    if (!here) continue;
-    if (node.name == 0) node.name = first_bytes_of(frame);
-    const bool robbed = node.name != first_bytes_of(frame);
-    if (robbed && !node.robbed) node.robbed_since = at;
-    node.robbed = robbed;
+  const std::uint64_t name = first_bytes_of(frame);
+  const auto first = std::ranges::find(claims_, identifier->source, &Claim::address);
+  if (first == claims_.end()) {
+    if (claims_.size() < claims_.capacity()) claims_.push_back({identifier->source, name});
+    return;
   }
+  Node* const node = node_at(identifier->source);
+  if (node == nullptr) return;
+  const bool robbed = name != first->name;
+  if (robbed && !node->robbed) node->robbed_since = at;
+  node->robbed = robbed;
+}
+
+/// A rig that states no address takes the node that sends; two such devices cannot be told apart.
+BusMonitor::Node* BusMonitor::node_at(std::uint8_t address) {
+  Node* unstated = nullptr;
+  for (Node& node : nodes_) {
+    if (node.expected.protocol.network != wire::Network::j1939) continue;
+    if (node.expected.address == address) return &node;
+    if (node.expected.address != 0) continue;
+    if (unstated != nullptr) return nullptr;
+    unstated = &node;
+  }
+  return sends_from(address) ? unstated : nullptr;
+}
+
+bool BusMonitor::sends_from(std::uint8_t address) const {
+  return std::ranges::any_of(usual_, [&](const Usual& usual) {
+    const auto identifier = wire::j1939::parse_identifier(usual.key);
+    return identifier.source == address && identifier.pgn != wire::j1939::address_claim_pgn &&
+           identifier.pgn != wire::j1939::request_pgn;
+  });
 }
 
 void BusMonitor::judge_identifier(const wire::CanFrame& frame, Stamp at) {

@@ -32,11 +32,15 @@ class BusMonitor {
   struct Node {
     Expected expected;
     Teller teller;
-    TimeMonitor frames;      ///< half a sample shows here, and only here
-    std::uint64_t name = 0;  ///< NAME of J1939 that first claimed its address; 0: none yet
+    TimeMonitor frames;  ///< half a sample shows here, and only here
     bool robbed = false;
     Stamp robbed_since{};
     unsigned follows_strange = 0;  ///< its frames that came right behind a strange one
+  };
+  /// Who first claimed an address of J1939.
+  struct Claim {
+    std::uint8_t address = 0;
+    std::uint64_t name = 0;
   };
   struct Usual {
     std::uint32_t key = 0;    ///< identifier
@@ -58,12 +62,15 @@ class BusMonitor {
   void look_at_strange(Stamp now);
   void tell_all(Sign sign, Stamp since, Stamp now, const Amount& amount);
   Node* owner_of(const wire::CanFrame& frame);
+  Node* node_at(std::uint8_t address);
+  bool sends_from(std::uint8_t address) const;
 
   std::vector<Node> nodes_;
   const Node* drifts_ = nullptr;  ///< its clock's rate changed; null: none
   unsigned bitrate_ = 250'000;
   std::optional<Stamp> first_;
   boost::container::static_vector<Usual, 128> usual_;
+  boost::container::static_vector<Claim, 32> claims_;
   std::array<std::uint32_t, 64> recent_{};  ///< the last ones that are not usual, a ring
   std::size_t next_recent_ = 0;
   bool off_ = false;

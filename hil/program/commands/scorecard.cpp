@@ -4,6 +4,7 @@
 
 #include <memory>
 
+#include "hil/endurance/emulated_rig.hpp"
 #include "hil/scorecard/scorecard.hpp"
 
 namespace drydock::program {
@@ -23,7 +24,8 @@ void add_scorecard(CLI::App& app, Command& command) {
       "         drydock scorecard rig_config/rigs/demo.toml --devices dvl,imu --faults "
       "flip,unplug\n"
       "         drydock scorecard rig_config/rigs/demo.toml --check scorecard.json");
-  sub->add_option("RIG", a->rig, "rig file (TOML)")->required();
+  sub->add_option("RIG", a->rig, "rig file (TOML); emulated lines stand in for real ones")
+      ->required();
   auto* devices =
       sub->add_option("--devices", o.devices, "these alone: dvl,imu; default all that are emulated")
           ->delimiter(',');
@@ -59,7 +61,7 @@ void add_scorecard(CLI::App& app, Command& command) {
       ->excludes(also);
   sub->callback([a, &command] {
     command = [a] {
-      auto rig = load_rig(a->rig, check::Use::lockstep);
+      auto rig = endurance::all_emulated(load_rig(a->rig));
       if (a->seed) rig.seed = *a->seed;
       return scorecard::run_scorecard(rig, a->options, stdout, stderr);
     };

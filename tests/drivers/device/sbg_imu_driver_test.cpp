@@ -77,6 +77,36 @@ TEST(SbgImuDriver, HalvesOfTwoGroupsAreNotJoined) {
   EXPECT_TRUE(bus.samples().empty());
 }
 
+/// A busy host reads the rate 25 ms late, and what waited behind it together with it.
+TEST(SbgImuDriver, HalvesThatWereReadFarApartAreASampleIfTheDevicesTimeGoesOn) {
+  SbgBus bus;
+  const auto group = [&](std::uint32_t us, double at, double rate_at) {
+    bus.says(time_of_group(us), at);
+    bus.says(acceleration, at + 0.0003);
+    bus.says(rate, rate_at);
+  };
+  group(1'000'000, 5, 5.0006);
+  group(1'010'000, 5.01, 5.0106);
+  group(1'020'000, 5.02, 5.0456);
+  EXPECT_EQ(bus.samples().size(), 2U) << "the third waits for the time of the fourth";
+  group(1'030'000, 5.0457, 5.0459);
+  ASSERT_EQ(bus.samples().size(), 4U);
+  EXPECT_EQ(bus.samples()[2].origin.device_time, std::chrono::milliseconds{1020});
+  EXPECT_EQ(bus.samples()[2].origin.received_at, at_s(5.0456));
+}
+
+TEST(SbgImuDriver, HalvesFarApartAreNoneIfATimeIsMissing) {
+  SbgBus bus;
+  for (const std::uint32_t i : {0U, 1U, 2U}) {
+    bus.says(time_of_group(1'000'000 + 10'000 * i), 5 + 0.01 * i);
+    bus.says(acceleration, 5.0003 + 0.01 * i);
+    if (i < 2) bus.says(rate, 5.0006 + 0.01 * i);
+  }
+  bus.says(rate, 5.0306);  // of the fourth, whose time and acceleration were lost
+  bus.says(time_of_group(1'040'000), 5.04);
+  EXPECT_EQ(bus.samples().size(), 2U);
+}
+
 TEST(SbgImuDriver, WithoutTheTimeOfItsGroupASampleHasTheTimeOfItsFrames) {
   SbgBus bus;
   bus.says(acceleration, 5);

@@ -85,6 +85,43 @@ TEST(XsensImuDriver, TheLastOfOneGroupAndTheFirstOfALaterOneAreNotJoined) {
   EXPECT_EQ(bus.samples().size(), 1U);
 }
 
+/// A busy host reads the acceleration 25 ms late, and what waited behind it together with it.
+TEST(XsensImuDriver, DataThatWereReadFarApartAreASampleIfTheDevicesCountGoesOn) {
+  for (const bool counted : {true, false}) {
+    Bus bus;
+    const auto marked = [&](unsigned group, double at) {
+      if (counted)
+        bus.says({counter(group), rate}, at);
+      else
+        bus.says({ticks(100 * group), rate}, at);
+    };
+    for (unsigned i = 0; i < 3; ++i) {
+      marked(i, 1 + 0.01 * i);
+      bus.says(force, at_s(1.0008 + 0.01 * i));
+    }
+    marked(3, 1.03);
+    bus.says(force, at_s(1.055));
+    EXPECT_EQ(bus.samples().size(), 3U) << "the fourth waits for the fifth";
+    marked(4, 1.0551);
+    bus.says(force, at_s(1.056));
+    ASSERT_EQ(bus.samples().size(), 5U) << (counted ? "counter" : "ticks");
+    EXPECT_EQ(bus.samples()[3].origin.received_at, at_s(1.055));
+    EXPECT_LT(bus.samples()[3].origin.valid_at, at_s(1.031));
+  }
+}
+
+TEST(XsensImuDriver, DataFarApartAreNoneIfAGroupIsMissing) {
+  for (const bool counted : {true, false}) {
+    Bus bus;
+    const auto mark = [&](unsigned group) { return counted ? counter(group) : ticks(100 * group); };
+    for (unsigned i = 0; i < 3; ++i) bus.says({mark(i), rate, force}, 1 + 0.01 * i);
+    bus.says({mark(3), rate}, 1.03);
+    bus.says(force, at_s(1.0408));  // of the next group, whose beginning was lost
+    bus.says({mark(5), rate, force}, 1.05);
+    EXPECT_EQ(bus.samples().size(), 4U) << (counted ? "counter" : "ticks");
+  }
+}
+
 TEST(XsensImuDriver, WithoutSampleTimeAndCounterOnlyTimeJoins) {
   Bus bus;
   bus.says({rate, force}, 1);

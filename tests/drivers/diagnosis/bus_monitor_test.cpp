@@ -119,6 +119,25 @@ TEST_F(BusThatIsWatched, HasAnAddressWithTwoOwners) {
   EXPECT_FALSE(signs.has(Sign::address_taken, rudder));
 }
 
+/// A rig need not state the address of its only node; a claim of an address from which nobody sends
+/// data is not about it.
+TEST_F(BusThatIsWatched, HasTwoOwnersOfAnAddressThatTheRigDoesNotState) {
+  BusMonitor alone{{node(depth, 0)}, signs};
+  const auto claim = [&](std::uint8_t address, std::uint8_t name) {
+    wire::CanFrame frame = frame_of(id(wire::j1939::address_claim_pgn | 0xFF, address), true);
+    frame.data[7] = name;
+    alone.take(frame, at_s(now));
+    alone.look(at_s(now));
+  };
+  claim(35, 0xC0);
+  alone.take(frame_of(id(127'257, 35), true), at_s(now));
+  claim(90, 0xC0);
+  claim(90, 0x80);
+  EXPECT_FALSE(signs.has(Sign::address_taken));
+  claim(35, 0x80);
+  EXPECT_TRUE(signs.has(Sign::address_taken, depth));
+}
+
 TEST_F(BusThatIsWatched, HasFramesThatComeTwice) {
   for (int i = 0; i < 30; ++i) {
     tenth();

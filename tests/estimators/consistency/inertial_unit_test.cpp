@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <numbers>
 
 #include "drivers/measurement/units.hpp"
@@ -60,6 +61,56 @@ TEST(InertialUnit, TheTurnOfTheEarthTiltsTheLevelByItsRateTimesTheMemoryAtFirst)
 TEST(InertialUnit, LearnsTheTurnOfTheEarthWhileTheVehicleTurns) {
   EXPECT_LT(Level{}.worst_tilt(3600, 7200, 75), 0.0006);
   EXPECT_LT(Level{}.worst_tilt(3600, 7200, 600), 0.0006);
+}
+
+/// Ten degrees a second on the spot; the level steps are those of the checks, 0.2 s. A busy
+/// computer loses the samples of `hole_s` from 5.03 s on.
+struct Turning {
+  static constexpr double rate_radps = 10 * std::numbers::pi / 180;
+  double worst_force = 0;  ///< m/s2, of the steps that are given
+  int given = 0, resumed = 0;
+  double heading_error = 0;  ///< rad, at the end
+
+  explicit Turning(double hole_s) {
+    InertialUnit unit{0, {.rate_hz = 100}};
+    const auto at = [](int ms) { return Stamp{} + std::chrono::milliseconds{1'000'000 + ms}; };
+    double first_s = 0;
+    for (int ms = 0; ms <= 10'000; ms += 10) {
+      if (ms <= 5030 || ms >= 5030 + std::lround(1000 * hole_s)) {
+        measurement::ImuSample sample;
+        sample.origin.valid_at = at(ms);
+        sample.angular_rate = rate_radps * Vector3d::UnitZ();
+        sample.specific_force = -units::standard_gravity * Vector3d::UnitZ();
+        unit.take(sample);
+      }
+      // The checks are some 0.4 s behind, so that the samples around the time are there.
+      const int then = ms - 400;
+      if (then < 0 || then % 200 != 0) continue;
+      if (!unit.advance(at(then))) continue;
+      if (given++ == 0) first_s = then / 1000.0 - 0.2;
+      resumed += unit.resumed() ? 1 : 0;
+      worst_force = std::max(worst_force, unit.level(Vector3d::Zero(), true).norm());
+      heading_error = unit.heading() - rate_radps * (then / 1000.0 - first_s);
+    }
+  }
+};
+
+TEST(InertialUnit, GivesNoStepWhoseSamplesWereLostAndTurnsOnOverTheHole) {
+  const Turning whole(0);
+  EXPECT_EQ(whole.resumed, 1) << "the start";
+  for (const double hole_s : {0.11, 0.12, 0.13, 0.15, 0.19, 0.3, 0.6}) {
+    const Turning turning(hole_s);
+    EXPECT_LT(turning.worst_force, 1e-9) << hole_s << " s";
+    EXPECT_NEAR(turning.heading_error, 0, 1e-9) << hole_s << " s";
+    EXPECT_EQ(turning.resumed, 2) << hole_s << " s: start and hole";
+    EXPECT_GE(turning.given, whole.given - 5) << hole_s << " s";
+  }
+}
+
+TEST(InertialUnit, ASingleLostSampleLeavesEveryStep) {
+  const Turning whole(0), turning(0.02);
+  EXPECT_EQ(turning.given, whole.given);
+  EXPECT_LT(turning.worst_force, 1e-9);
 }
 
 }  // namespace

@@ -51,6 +51,21 @@ TEST(Soak, HoursOfRandomFaultsLeaveNothingStuckLostOrGrown) {
   std::filesystem::remove(file);
 }
 
+/// The flight of 700 m/s at 45 degrees lasts some 87 s. No receiver lives behind the impact.
+TEST(Soak, EndsWithTheImpactOfAFlight) {
+  const auto rocket =
+      rig_config::load_rig(DRYDOCK_SOURCE_DIR "/rig_config/rigs/sounding-rocket.toml").value();
+  endurance::SoakOptions options;
+  options.duration_s = 3600;
+  options.faults = false;
+  testing::internal::CaptureStdout();
+  const int code = endurance::soak(rocket, options, stdout);
+  const std::string said = testing::internal::GetCapturedStdout();
+  EXPECT_EQ(code, 0) << said;
+  EXPECT_THAT(said, testing::HasSubstr("the flight of its mission ends after 8"));
+  EXPECT_THAT(said, testing::HasSubstr("0 are false alarms"));
+}
+
 TEST(Soak, ASeedIsThatOfTheSensorsToo) {
   const auto file = std::filesystem::temp_directory_path() / "drydock-soak-seed-test.json";
   endurance::SoakOptions options;
