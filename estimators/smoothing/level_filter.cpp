@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "estimators/frame/earth.hpp"
+#include "estimators/smoothing/singer.hpp"
 
 namespace drydock::smoothing {
 
@@ -17,10 +18,16 @@ constexpr double any_heading_rad = 1.8138;
 constexpr double any_turn_radps = 0.1;  ///< as at the start of a dive
 constexpr int most_refused = 3;         ///< headings, one after the other
 
-LevelVector start_sigma(const LevelSigmas& s) {
+double swing_of(const LevelMotion& motion) {
+  return singer_acceleration(motion.turn_radps, motion.turn_change_s);
+}
+
+LevelVector start_sigma(const LevelSigmas& s, const LevelMotion& motion) {
   LevelVector sigma;
   sigma << s.position_m, s.position_m, s.depth_m, Vector3d::Constant(s.velocity_mps), s.heading_rad,
-      s.turn_radps, s.heading_bias_rad, s.current_mps, s.current_mps;
+      s.turn_radps, s.heading_bias_rad, s.current_mps, s.current_mps,
+      Vector3d::Constant(singer_acceleration(motion.velocity_mps, motion.acceleration_s)),
+      swing_of(motion);
   return sigma;
 }
 
@@ -35,7 +42,7 @@ Vector3d swung(const Vector3d& v) { return {-v.y(), v.x(), 0}; }
 }  // namespace
 
 LevelFilter::LevelFilter(const LevelOptions& options) : options_(options), state_(options.start) {
-  p_.diagonal() = start_sigma(options.sigmas).cwiseAbs2();
+  p_.diagonal() = start_sigma(options.sigmas, options.motion).cwiseAbs2();
 }
 
 const SensorModel& LevelFilter::sensor(std::uint16_t device) const {
@@ -60,30 +67,36 @@ LevelMatrix LevelFilter::forget(int part, double sigma) {
 LevelMatrix LevelFilter::forget_refused_heading() {
   if (refused_headings_ < most_refused) return LevelMatrix::Identity();
   refused_headings_ = 0;
-  return forget(heading_part, any_heading_rad) * forget(turn_part, any_turn_radps);
+  return forget(heading_part, any_heading_rad) * forget(turn_part, any_turn_radps) *
+         forget(turn_change_part, swing_of(options_.motion));
 }
 
 bool LevelFilter::loses_heading(double dt) const {
-  const double turn = options_.motion.turn_radps;
-  const double variance = p_(heading_part, heading_part) +
-                          dt * (2 * p_(heading_part, turn_part) +
-                                dt * (p_(turn_part, turn_part) + turn * turn * dt / 3));
+  const auto about = singer_step(options_.motion.turn_radps, options_.motion.turn_change_s, dt);
+  constexpr std::array parts{heading_part, turn_part, turn_change_part};
+  double variance = about.noise(0, 0);
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j)
+      variance += about.transition(0, i) * about.transition(0, j) *
+                  p_(parts[static_cast<std::size_t>(i)], parts[static_cast<std::size_t>(j)]);
   return variance > any_heading_rad * any_heading_rad;
 }
 
 LevelMatrix LevelFilter::cross_gap(double dt) {
-  const LevelMatrix forgetting = forget(heading_part, any_heading_rad) * forget(turn_part, 0);
-  state_.turn_radps = 0;
+  const LevelMatrix forgetting =
+      forget(heading_part, any_heading_rad) * forget(turn_part, 0) * forget(turn_change_part, 0);
+  state_.turn_radps = state_.turn_change_radps2 = 0;
   LevelMotion straight = options_.motion;
   straight.turn_radps = 0;
   LevelMatrix transition = step(dt, straight) * forgetting;
   p_(turn_part, turn_part) = any_turn_radps * any_turn_radps;
+  p_(turn_change_part, turn_change_part) = std::pow(swing_of(options_.motion), 2);
   return transition;
 }
 
 LevelMatrix LevelFilter::step(double dt, const LevelMotion& motion) {
   const LevelMatrix q = wandering(state_, motion, dt);
-  LevelMatrix transition = move(state_, dt);
+  LevelMatrix transition = move(state_, motion, dt);
   const LevelMatrix p = transition * p_ * transition.transpose() + q;
   p_ = (p + p.transpose()) / 2;
   return transition;

@@ -1,8 +1,10 @@
 #include "estimators/smoothing/level_state.hpp"
 
+#include <array>
 #include <cmath>
 
 #include "estimators/frame/earth.hpp"
+#include "estimators/smoothing/singer.hpp"
 
 namespace drydock::smoothing {
 
@@ -35,6 +37,8 @@ void LevelState::add(const LevelVector& correction) {
   turn_radps += correction(turn_part);
   heading_bias_rad += correction(bias_part);
   current += correction.segment<2>(current_part);
+  acceleration += correction.segment<3>(acceleration_part);
+  turn_change_radps2 += correction(turn_change_part);
 }
 
 Matrix3d heading_to_ned(double heading_rad) {
@@ -46,32 +50,52 @@ Matrix3d body_to_level(const Tilt& tilt) {
   return frame::body_to_ned({tilt.roll_rad, tilt.pitch_rad, 0}).toRotationMatrix();
 }
 
-LevelMatrix move(LevelState& state, double dt) {
-  const double middle = state.heading_rad + state.turn_radps * dt / 2;
+LevelMatrix move(LevelState& state, const LevelMotion& motion, double dt) {
+  const auto along = singer_step(motion.velocity_mps, motion.acceleration_s, dt).transition;
+  const auto about = singer_step(motion.turn_radps, motion.turn_change_s, dt).transition;
+  const double turned_rad = state.turn_radps * dt + state.turn_change_radps2 * about(0, 2);
+  const Vector3d way = state.velocity * dt + state.acceleration * along(0, 2);
+  const double middle = state.heading_rad + turned_rad / 2;
   const Matrix3d axes = heading_to_ned(middle);
-  const Vector3d by_heading = turned(middle, state.velocity) * dt;
+  const Vector3d by_heading = turned(middle, way);
   LevelMatrix transition = LevelMatrix::Identity();
   transition.block<3, 3>(position_part, velocity_part) = axes * dt;
+  transition.block<3, 3>(position_part, acceleration_part) = axes * along(0, 2);
   transition.block<3, 1>(position_part, heading_part) = by_heading;
   transition.block<3, 1>(position_part, turn_part) = by_heading * dt / 2;
+  transition.block<3, 1>(position_part, turn_change_part) = by_heading * about(0, 2) / 2;
+  transition.block<3, 3>(velocity_part, acceleration_part) = along(1, 2) * Matrix3d::Identity();
+  transition.block<3, 3>(acceleration_part, acceleration_part) = along(2, 2) * Matrix3d::Identity();
   transition(heading_part, turn_part) = dt;
-  move_by(state.position, axes * state.velocity * dt);
-  state.heading_rad = frame::wrap_pi(state.heading_rad + state.turn_radps * dt);
+  transition(heading_part, turn_change_part) = about(0, 2);
+  transition(turn_part, turn_change_part) = about(1, 2);
+  transition(turn_change_part, turn_change_part) = about(2, 2);
+  move_by(state.position, axes * way);
+  state.heading_rad = frame::wrap_pi(state.heading_rad + turned_rad);
+  state.velocity += along(1, 2) * state.acceleration;
+  state.acceleration *= along(2, 2);
+  state.turn_radps += about(1, 2) * state.turn_change_radps2;
+  state.turn_change_radps2 *= about(2, 2);
   return transition;
 }
 
 LevelMatrix wandering(const LevelState& state, const LevelMotion& motion, double dt) {
-  const double v = motion.velocity_mps * motion.velocity_mps;
-  const double turn = motion.turn_radps * motion.turn_radps;
+  const auto along = singer_step(motion.velocity_mps, motion.acceleration_s, dt).noise;
+  const auto about = singer_step(motion.turn_radps, motion.turn_change_s, dt).noise;
   LevelMatrix q = LevelMatrix::Zero();
   const Matrix3d axes = heading_to_ned(state.heading_rad);
-  q.block<3, 3>(position_part, position_part).diagonal().array() = v * dt * dt * dt / 3;
-  q.block<3, 3>(position_part, velocity_part) = v * dt * dt / 2 * axes;
-  q.block<3, 3>(velocity_part, position_part) = v * dt * dt / 2 * axes.transpose();
-  q.block<3, 3>(velocity_part, velocity_part).diagonal().array() = v * dt;
-  q(heading_part, heading_part) = turn * dt * dt * dt / 3;
-  q(heading_part, turn_part) = q(turn_part, heading_part) = turn * dt * dt / 2;
-  q(turn_part, turn_part) = turn * dt;
+  constexpr std::array moved{position_part, velocity_part, acceleration_part};
+  constexpr std::array swung{heading_part, turn_part, turn_change_part};
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) {
+      const auto to = static_cast<std::size_t>(i), from = static_cast<std::size_t>(j);
+      // Positions are in NED, their rates in heading axes.
+      const Matrix3d turn = i == 0 && j > 0   ? axes
+                            : j == 0 && i > 0 ? Matrix3d(axes.transpose())
+                                              : Matrix3d(Matrix3d::Identity());
+      q.block<3, 3>(moved[to], moved[from]) = along(i, j) * turn;
+      q(swung[to], swung[from]) = about(i, j);
+    }
   q(bias_part, bias_part) = motion.heading_bias_rad * motion.heading_bias_rad * dt;
   q.diagonal().segment<2>(current_part).array() = motion.current_mps * motion.current_mps * dt;
   return q;

@@ -5,7 +5,7 @@
 #include "estimators/smoothing/track.hpp"
 
 /// A vehicle without an inertial unit: it moves along its heading axes (ahead, starboard, down;
-/// they turn with the heading and stay level) with a velocity and a rate of turn that wander.
+/// they turn with the heading and stay level) with accelerations that last for a while.
 namespace drydock::smoothing {
 
 /// First index of each part of the errors. Position in m north, east, down.
@@ -16,24 +16,29 @@ enum LevelError {
   turn_part = 7,
   bias_part = 8,
   current_part = 9,
-  level_size = 11
+  acceleration_part = 11,
+  turn_change_part = 14,
+  level_size = 15
 };
 using LevelVector = Eigen::Matrix<double, level_size, 1>;
 using LevelMatrix = Eigen::Matrix<double, level_size, level_size>;
 
 struct LevelState {
   frame::Position position;
-  Eigen::Vector3d velocity = Eigen::Vector3d::Zero();  ///< over ground, heading axes, m/s
-  double heading_rad = 0, turn_radps = 0;
+  Eigen::Vector3d velocity = Eigen::Vector3d::Zero();      ///< over ground, heading axes, m/s
+  Eigen::Vector3d acceleration = Eigen::Vector3d::Zero();  ///< of that, m/s2
+  double heading_rad = 0, turn_radps = 0, turn_change_radps2 = 0;
   double heading_bias_rad = 0;                        ///< compass minus true heading
   Eigen::Vector2d current = Eigen::Vector2d::Zero();  ///< of the water, north, east, m/s
 
   void add(const LevelVector& correction);
 };
 
-/// How fast the state wanders: densities per sqrt(s). Chosen for vehicles of 1 to 10 m.
+/// How fast the state wanders: densities per sqrt(s), and how long an acceleration and a change of
+/// the turn last. Chosen for vehicles of 1 to 10 m.
 struct LevelMotion {
   double velocity_mps = 0.1, turn_radps = 0.02;
+  double acceleration_s = 2, turn_change_s = 2;
   double heading_bias_rad = 0;
   double current_mps = 0.002;
 };
@@ -44,7 +49,7 @@ Eigen::Matrix3d heading_to_ned(double heading_rad);
 Eigen::Matrix3d body_to_level(const Tilt& tilt);
 
 /// Moves the state by `dt` and returns the transition of its errors, eq. (S6).
-LevelMatrix move(LevelState& state, double dt);
+LevelMatrix move(LevelState& state, const LevelMotion& motion, double dt);
 /// What `dt` adds to the covariance, eq. (S7).
 LevelMatrix wandering(const LevelState& state, const LevelMotion& motion, double dt);
 

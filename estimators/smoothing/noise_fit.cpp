@@ -9,8 +9,10 @@ namespace drydock::smoothing {
 namespace {
 
 constexpr std::size_t most_readings = 40'000;
+constexpr std::size_t motion_knobs = 4;  ///< of the velocity and the turn: density and correlation
 constexpr double first_step = 4, last_step = 1.02;  ///< factors that the search tries
 constexpr double largest_change = 1e3;              ///< of the motion, either way
+constexpr double longest_change = 10;               ///< of its correlation times, either way
 /// A sensor's noise is within these of its first guess: a motion that explains every wiggle would
 /// else leave the sensor none.
 constexpr double least_noise = 0.05, largest_noise = 1e3;
@@ -36,22 +38,25 @@ class Trial {
       options_.start = level_start(dive_, options.start.position);
   }
 
-  std::size_t knobs() const { return 2 + unstated_.size(); }
+  std::size_t knobs() const { return motion_knobs + unstated_.size(); }
   double likelihood() const {
     return log_likelihood(level_residuals(dive_, options_), options_.gate_sigma);
   }
   bool may_turn(std::size_t knob, double by) const {
     const double after = turned_[knob] * by;
     if (knob < 2) return after * largest_change > 1 && after < largest_change;
+    if (knob < motion_knobs) return after > 1 / longest_change && after < longest_change;
     return after > least_noise && after < largest_noise;
   }
   void turn(std::size_t knob, double by) {
     turned_[knob] *= by;
     if (knob == 0) options_.motion.velocity_mps *= by;
     if (knob == 1) options_.motion.turn_radps *= by;
-    if (knob < 2) return;
-    factors_[knob - 2] *= by;
-    scale_noise(dive_, unstated_[knob - 2], by);
+    if (knob == 2) options_.motion.acceleration_s *= by;
+    if (knob == 3) options_.motion.turn_change_s *= by;
+    if (knob < motion_knobs) return;
+    factors_[knob - motion_knobs] *= by;
+    scale_noise(dive_, unstated_[knob - motion_knobs], by);
   }
   NoiseFit fit() const { return {options_.motion, factors_}; }
 
@@ -60,7 +65,7 @@ class Trial {
   LevelOptions options_;
   const std::vector<UnstatedNoise>& unstated_;
   std::vector<double> factors_;
-  std::vector<double> turned_ = std::vector<double>(2 + unstated_.size(), 1);
+  std::vector<double> turned_ = std::vector<double>(motion_knobs + unstated_.size(), 1);
 };
 
 /// Turns a knob as long as that makes the readings more likely. True if it did once.
@@ -92,8 +97,12 @@ double log_likelihood(const Residuals& residuals, double gate_sigma) {
   const double edge = gate_sigma > 0 ? gate_sigma * gate_sigma : INFINITY;
   double sum = 0;
   for (const auto& axes : residuals)
-    for (const Residual& r : axes)
-      if (r.known) sum -= std::min(r.normalised() * r.normalised(), edge) / 2 + std::log(r.sigma);
+    for (const Residual& r : axes) {
+      if (!r.known) continue;
+      const double square = r.normalised() * r.normalised();
+      sum -= (square <= edge ? square : edge * (1 + std::log(square / edge))) / 2;
+      sum -= std::log(r.sigma);
+    }
   return sum;
 }
 

@@ -11,12 +11,13 @@ struct UnstatedNoise {
 };
 
 struct NoiseFit {
-  LevelMotion motion;           ///< its velocity and its rate of turn are fitted
+  LevelMotion motion;           ///< its velocity and its turn are fitted
   std::vector<double> factors;  ///< on the sigmas of each unstated one
 };
 
 /// ln of the likelihood of the readings: -1/2 sum (e2/s2 + ln s2) over their residuals e with the
-/// deviation s, up to a constant. A residual outside the gate counts as one at its edge.
+/// deviation s, up to a constant. Outside the gate e2/s2 counts only by its logarithm: a wild
+/// reading must not shape the motion, and a motion that refuses its readings must not win.
 double log_likelihood(const Residuals& residuals, double gate_sigma);
 
 /// The wandering of the vehicle and the unstated noise that make the readings most likely, eq.
@@ -24,8 +25,8 @@ double log_likelihood(const Residuals& residuals, double gate_sigma);
 NoiseFit fit_noise(const Dive& dive, const LevelOptions& options,
                    const std::vector<UnstatedNoise>& unstated);
 
-/// A fitted wandering, made larger: a vehicle manoeuvres in bursts, and the likeliest random walk
-/// is that of its quiet hours. With the factor of 1.6 the bounds of `study calibration` hold.
+/// A fitted wandering, made larger: a vehicle manoeuvres in bursts, and the likeliest motion is
+/// that of its quiet hours. With the factor of 1.6 the gate lets the begins of turns pass.
 LevelMotion for_manoeuvres(LevelMotion fitted);
 
 /// Multiplies the sigmas of a sensor's readings.

@@ -25,6 +25,15 @@ bool is_from(const std::optional<ReckoningDevice>& device, const measurement::Or
   return device && device->index == origin.device;
 }
 
+/// The mean of a velocity that goes from one to the other in `dt`, while the vehicle turns evenly
+/// by `turn_rad`: Simpson's rule, whose middle is the mean of both in the vehicle's axes there. A
+/// line between the ends alone would cut the curve short.
+Vector2d mean_over_turn(const Vector2d& from, const Vector2d& to, double turn_rad) {
+  const Eigen::Rotation2Dd half(turn_rad / 2);
+  const Vector2d middle = (half * from + half.inverse() * to) / 2;
+  return (from + 4 * middle + to) / 6;
+}
+
 void take_angle(const std::optional<double>& told, double& angle) {
   if (told && std::isfinite(*told)) angle = *told;
 }
@@ -69,7 +78,8 @@ Outcome DeadReckoningEstimator::take(const measurement::BottomVelocity& track,
   const Stamp at = track.origin.valid_at;
   if (!track.velocity || !knows_heading(at)) return Outcome::unused;
   if (!is_speed(*track.velocity)) return Outcome::refused;
-  const Speed speed{at, frame::body_to_ned(attitude_) * *track.velocity, SpeedOver::ground};
+  const Speed speed{at, frame::body_to_ned(attitude_) * *track.velocity, attitude_.yaw,
+                    SpeedOver::ground};
   const Outcome outcome = go_on(speed, listener);
   if (outcome == Outcome::accepted) {
     ground_at_ = at;
@@ -86,7 +96,7 @@ Outcome DeadReckoningEstimator::take(const measurement::WaterSpeed& water,
   const Vector3d body{*water.longitudinal_mps, water.transverse_mps.value_or(0), 0};
   if (!is_speed(body)) return Outcome::refused;
   if (!knows_heading(at)) return Outcome::unused;
-  const Speed speed{at, frame::body_to_ned(attitude_) * body, SpeedOver::water};
+  const Speed speed{at, frame::body_to_ned(attitude_) * body, attitude_.yaw, SpeedOver::water};
   if (!ground_at_ || !is_recent(*ground_at_, at)) {
     const Outcome outcome = go_on(speed, listener);
     if (outcome == Outcome::accepted) note_fed_by(options_.log);
@@ -224,7 +234,11 @@ void DeadReckoningEstimator::move(const Speed& speed, double dt) {
     const Vector2d ground = filter_.over_ground(from, last_->over);
     from = speed.over == SpeedOver::ground ? ground : Vector2d(ground - filter_.current());
   }
-  const Vector2d way = filter_.move(from, speed.ned.head<2>(), dt, speed.over);
+  // Over a gap the vehicle may have turned anywhere: the way is then a line.
+  const double turn =
+      dt > options_.gap_s ? 0 : frame::wrap_pi(speed.heading_rad - last_->heading_rad);
+  const Vector2d mean = mean_over_turn(from, speed.ned.head<2>(), turn);
+  const Vector2d way = filter_.move(mean, dt, speed.over);
   const double down = dt * (last_->ned.z() + speed.ned.z()) / 2;
   position_ = frame::at_ned_offset(*position_, {way.x(), way.y(), down});
   const double tilted = options_.tilt_sigma_rad * way.norm();

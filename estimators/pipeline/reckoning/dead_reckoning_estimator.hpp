@@ -30,10 +30,11 @@ class DeadReckoningEstimator final : public Estimator {
   const EstimatorStatus& status() const override { return status_; }
 
  private:
-  /// A speed at one instant, as measured, in NED.
+  /// A speed at one instant, as measured, in NED, and the heading that turned it there.
   struct Speed {
     Stamp valid_at{};
     Eigen::Vector3d ned = Eigen::Vector3d::Zero();
+    double heading_rad = 0;
     SpeedOver over = SpeedOver::ground;
   };
 

@@ -47,9 +47,7 @@ double ReckoningFilter::noise_mps(SpeedOver over) const {
   return over == SpeedOver::ground ? sigmas_.velocity_mps : sigmas_.water_speed_mps;
 }
 
-Vector2d ReckoningFilter::move(const Vector2d& from, const Vector2d& to, double dt,
-                               SpeedOver over) {
-  const Vector2d mean = (from + to) / 2;
+Vector2d ReckoningFilter::move(const Vector2d& mean, double dt, SpeedOver over) {
   Matrix6 transition = Matrix6::Identity();
   transition.topRows<2>() += dt * sensitivity(mean, over);
   covariance_ = transition * covariance_ * transition.transpose();

@@ -32,10 +32,9 @@ class ReckoningFilter {
   /// The velocity over ground, north and east, that a measured one means with the errors known so
   /// far.
   Eigen::Vector2d over_ground(const Eigen::Vector2d& measured, SpeedOver over) const;
-  /// The vehicle moved for `dt` with these speeds at the begin and the end (as measured). Returns
-  /// the way, north and east, m. Eqs. (1) to (3).
-  Eigen::Vector2d move(const Eigen::Vector2d& from, const Eigen::Vector2d& to, double dt,
-                       SpeedOver over);
+  /// The vehicle moved for `dt` with this mean velocity (as measured). Returns the way, north and
+  /// east, m. Eqs. (1) to (3).
+  Eigen::Vector2d move(const Eigen::Vector2d& mean, double dt, SpeedOver over);
   /// The same instant's speed over ground and through the water, as measured: shows the current.
   void compare(const Eigen::Vector2d& ground, const Eigen::Vector2d& water);
   /// A position that lies at `offset` of the track's, north and east, m. Returns the innovations;
