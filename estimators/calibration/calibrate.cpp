@@ -154,13 +154,23 @@ void fit_again(Dive& dive, LevelOptions& options, const LevelOptions& at,
 
 }  // namespace
 
+smoothing::LevelMotion rough_motion() {
+  smoothing::LevelMotion motion;
+  motion.acceleration_s = motion.turn_change_s = 0.01;
+  return motion;
+}
+
 Calibration calibrate(Dive& dive, LevelOptions options, const std::vector<Parameter>& parameters,
                       const std::vector<smoothing::UnstatedNoise>& unstated, bool fit) {
   Calibration result;
   result.noise_factors.assign(unstated.size(), 1);
   options.sigmas.heading_bias_rad = 0;
   options.motion.heading_bias_rad = 0;
-  if (fit) fit_again(dive, options, options, unstated, result.noise_factors);
+  if (fit) {
+    options.motion.acceleration_s = rough_motion().acceleration_s;
+    options.motion.turn_change_s = rough_motion().turn_change_s;
+    fit_again(dive, options, options, unstated, result.noise_factors);
+  }
   Maximum found =
       search(dive, options, parameters, Eigen::VectorXd::Zero(priors_of(parameters).size()));
   if (fit) {

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <stdexcept>
 
 #include "drivers/measurement/units.hpp"
@@ -27,13 +28,34 @@ std::string passed_over_by(const Gathered& gathered) {
   return text;
 }
 
+/// Fixes without a heading and without a speed of the vehicle's own axes.
+bool is_gnss_alone(const smoothing::Dive& dive) {
+  return has(dive, Quantity::fix) && !has(dive, Quantity::heading) &&
+         !has(dive, Quantity::bottom) && !has(dive, Quantity::log);
+}
+
+/// With a heading held north, the axes of the velocity are north and east: fixes need no more.
+void hold_north(smoothing::LevelOptions& options) {
+  options.start.heading_rad = 0;
+  options.sigmas.heading_rad = options.sigmas.turn_radps = options.sigmas.heading_bias_rad = 0;
+  options.motion.turn_radps = options.motion.heading_bias_rad = 0;
+}
+
+/// One sigma of an angle anywhere around the circle is pi / sqrt(3).
+void tell_no_heading(Outcome& outcome) {
+  for (auto* points : {&outcome.track.filtered, &outcome.track.smoothed})
+    for (auto& point : *points) point.heading_sigma_rad = std::numbers::pi / std::numbers::sqrt3;
+  outcome.notes.emplace_back(
+      "GNSS alone: the track is that of the antenna, and its heading is not known");
+}
+
 /// Why there can be no track; empty: there can.
 std::string obstacle(const Gathered& gathered) {
   const auto& dive = gathered.dive;
   if (dive.readings.empty()) return "nothing in it can make a track" + passed_over_by(gathered);
   if (dive.readings.front().time_s == dive.readings.back().time_s)
     return "all of its readings are of one moment";
-  if (!has(dive, Quantity::heading))
+  if (!has(dive, Quantity::heading) && !is_gnss_alone(dive))
     return "no heading: a compass, or a DVL with its own" + passed_over_by(gathered);
   if (!has(dive, Quantity::bottom) && !has(dive, Quantity::log) && !has(dive, Quantity::fix))
     return "no velocity: no bottom track, no log, no fix" + passed_over_by(gathered);
@@ -79,11 +101,14 @@ void smooth_without_imu(Outcome& outcome, const std::optional<frame::Position>& 
   auto& gathered = outcome.gathered;
   if (const auto why = obstacle(gathered); !why.empty()) throw std::runtime_error(why);
   auto options = level_of(gathered, origin_of(outcome, origin));
+  const bool gnss_alone = is_gnss_alone(gathered.dive);
+  if (gnss_alone) hold_north(options);
   const auto fit = smoothing::fit_noise(gathered.dive, options, gathered.unstated);
   options.motion = smoothing::for_manoeuvres(fit.motion);
   for (std::size_t i = 0; i < gathered.unstated.size(); ++i)
     smoothing::scale_noise(gathered.dive, gathered.unstated[i], fit.factors[i]);
   outcome.track = smoothing::smooth_level(gathered.dive, options);
+  if (gnss_alone) tell_no_heading(outcome);
   if (gathered.dive.tilts.empty())
     outcome.notes.emplace_back("nothing tells roll and pitch: the vehicle is taken as level");
 }

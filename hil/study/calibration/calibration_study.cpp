@@ -43,11 +43,20 @@ struct CalibrationSum {
 };
 
 /// The vehicle's wandering is the same in all dives: it is fitted once, without errors.
-LevelMotion calibration_motion(std::uint64_t seed) {
+LevelMotion fitted_motion(std::uint64_t seed, const LevelMotion& first) {
   const auto dive = calibration_dive({}, seed, 1'000'000);
-  return smoothing::for_manoeuvres(
-      smoothing::fit_noise(dive, calibration_options(dive), {}).motion);
+  auto options = calibration_options(dive);
+  options.motion.velocity_mps = first.velocity_mps;
+  options.motion.turn_radps = first.turn_radps;
+  options.motion.acceleration_s = first.acceleration_s;
+  options.motion.turn_change_s = first.turn_change_s;
+  return smoothing::for_manoeuvres(smoothing::fit_noise(dive, options, {}).motion);
 }
+
+/// Of the calibration, and of the smoother.
+struct FittedMotions {
+  LevelMotion calibration, track;
+};
 
 CalibrationTrack calibration_track(std::uint64_t seed, std::size_t run, const LevelMotion& motion) {
   constexpr std::size_t every = 15;  // half a minute
@@ -72,16 +81,17 @@ CalibrationTrack calibration_track(std::uint64_t seed, std::size_t run, const Le
   return sum;
 }
 
-CalibrationOutcome calibration_run(std::uint64_t seed, std::size_t run, const LevelMotion& motion) {
+CalibrationOutcome calibration_run(std::uint64_t seed, std::size_t run,
+                                   const FittedMotions& motions) {
   const auto errors = drawn_errors(seed, run);
   auto dive = calibration_dive(errors, seed, run);
   auto options = calibration_options(dive);
-  options.motion = motion;
+  options.motion = motions.calibration;
   const auto found = calibration::calibrate(dive, options, errors.parameters, {}, false);
   CalibrationOutcome outcome{{}, found.findings, found.converged, {}};
   for (std::size_t i = 0; i < errors.values.size(); ++i)
     outcome.error.push_back(found.findings[i].value - errors.values[i]);
-  outcome.track = calibration_track(seed, run, motion);
+  outcome.track = calibration_track(seed, run, motions.track);
   return outcome;
 }
 
@@ -98,7 +108,8 @@ std::string calibration_unit(calibration::Unknown unknown) {
 }  // namespace
 
 Result calibration_study(const Options& options, Progress& progress) {
-  const auto motion = calibration_motion(options.seed);
+  const FittedMotions motions{fitted_motion(options.seed, calibration::rough_motion()),
+                              fitted_motion(options.seed, {})};
   const auto parameters = drawn_errors(options.seed, 0).parameters;
   std::vector<CalibrationSum> sums(parameters.size());
   CalibrationTrack tracks;
@@ -106,7 +117,7 @@ Result calibration_study(const Options& options, Progress& progress) {
   Result result;
   result.runs = campaign(
       "calibration", options, progress,
-      [&](std::size_t run) { return calibration_run(options.seed, run, motion); },
+      [&](std::size_t run) { return calibration_run(options.seed, run, motions); },
       [&](std::size_t, const CalibrationOutcome& outcome) {
         for (std::size_t i = 0; i < sums.size(); ++i)
           sums[i].add(outcome.findings[i], outcome.error[i]);

@@ -120,9 +120,17 @@ TEST_F(TrackOfARun, ACaptureWithoutAMeasurementSaysWhatToLookAt) {
   EXPECT_NE(run(options).second.find("is empty"), std::string::npos);
 }
 
-TEST_F(TrackOfARun, SaysWhyThereIsNoTrack) {
+TEST_F(TrackOfARun, OfGnssAloneIsTheAntennasWayWithoutAHeading) {
   TrackOptions options;
   options.part.only = {"gnss"};
+  const auto [code, text] = run(options);
+  EXPECT_EQ(code, 0) << text;
+  EXPECT_NE(text.find("its heading is not known"), std::string::npos) << text;
+}
+
+TEST_F(TrackOfARun, SaysWhyThereIsNoTrack) {
+  TrackOptions options;
+  options.part.only = {"depth"};
   const auto [code, text] = run(options);
   EXPECT_EQ(code, 1);
   EXPECT_NE(text.find("no heading"), std::string::npos) << text;
