@@ -22,8 +22,7 @@ class Canboatjs : public testing::Test {
                          {.path = log, .overwrite = false, .plain = false, .direction = direction},
                          [](double) { return true; });
     EXPECT_TRUE(done);
-    return test::run_node("tests/npm/read_nmea2000_lines.cjs", {},
-                          record::test::read_all(log));
+    return test::run_node("tests/npm/read_nmea2000_lines.cjs", {}, record::test::read_all(log));
   }
 
   record::test::TestFolder folder_;
