@@ -38,15 +38,18 @@ std::string line(const std::vector<std::string>& cells, const std::vector<std::s
 }  // namespace
 
 std::string to_html(const Table& table) {
-  std::string out = fmt::format("<h2>{}</h2>\n<div class=scroll><table><tr>", escaped(table.title));
-  for (const auto& name : table.columns) out += "<th>" + escaped(name);
-  out += "</tr>\n";
-  for (const auto& row : table.rows) {
-    out += "<tr>";
-    for (const auto& cell : row) out += "<td>" + escaped(cell);
+  std::string out = "<h2>" + escaped(table.title) + "</h2>\n";
+  if (!table.rows.empty()) {
+    out += "<div class=scroll><table><tr>";
+    for (const auto& name : table.columns) out += "<th>" + escaped(name);
     out += "</tr>\n";
+    for (const auto& row : table.rows) {
+      out += "<tr>";
+      for (const auto& cell : row) out += "<td>" + escaped(cell);
+      out += "</tr>\n";
+    }
+    out += "</table></div>\n";
   }
-  out += "</table></div>\n";
   return table.note.empty() ? out : out + "<p class=soft>" + escaped(table.note) + "</p>\n";
 }
 

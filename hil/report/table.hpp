@@ -17,7 +17,7 @@ struct Table {
 /// Columns side by side. The first is aligned left, the others right. The text ends with a newline.
 std::string to_text(const Table& table);
 
-/// A heading, the table and its note.
+/// A heading, the table and its note. Without rows there is no table.
 std::string to_html(const Table& table);
 
 }  // namespace drydock::report
