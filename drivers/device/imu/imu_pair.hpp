@@ -49,7 +49,7 @@ class ImuPair {
     measurement::Origin origin = rate_->origin;
     origin.received_at = std::max(origin.received_at, force_->origin.received_at);
     origin.valid_at = stated_valid_at_.value_or(std::min(origin.valid_at, force_->origin.valid_at));
-    const auto sample = make_imu_sample(origin, rate_->components, force_->components, mounting);
+    auto sample = make_imu_sample(origin, rate_->components, force_->components, mounting);
     rate_.reset();
     force_.reset();
     return sample;
