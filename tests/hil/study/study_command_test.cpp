@@ -119,7 +119,8 @@ TEST_F(StudyCommand, AFileThatCannotBeWrittenIsSaidBeforeTheWork) {
   StudyOptions options;
   options.json = "/proc/no/such.json";
   EXPECT_EQ(run_study(normals, options, out_, errors_), 1);
-  EXPECT_EQ(text_of(errors_), "study: /proc/no/such.json: cannot be written\n");
+  EXPECT_EQ(text_of(errors_),
+            "study: /proc/no/such.json: cannot be written: No such file or directory\n");
   EXPECT_EQ(text_of(out_), "");
 }
 
