@@ -7,6 +7,7 @@
 #include <array>
 
 #include "drivers/link/clock.hpp"
+#include "drivers/probe/hearing.hpp"
 #include "drivers/terminal/terminal_screen.hpp"
 #include "drivers/wire/ubx/ubx_frame.hpp"
 
@@ -15,9 +16,7 @@ namespace {
 
 using link::Stamp;
 using survey::ByteSurvey;
-using survey::Confidence;
 using std::chrono_literals::operator""ms;
-using std::chrono_literals::operator""s;
 
 /// The most likely rates first: the factory settings of DVLs, EM logs and receivers.
 constexpr std::array bauds{115200, 9600, 4800, 38400, 57600, 19200, 230400, 460800, 921600};
@@ -41,49 +40,6 @@ std::string with_keys(std::string uri, const Setting& s, int bits) {
   if (bits == 7) add("bits=7");
   return uri;
 }
-
-/// One line, decoded in three ways: as it is, and as 7 data bits with even or odd parity.
-struct Hearing {
-  explicit Hearing(const ByteSurvey::Descriptions& descriptions)
-      : eight(descriptions), even(descriptions), odd(descriptions) {}
-
-  survey::ByteSurvey eight, even, odd;
-  /// A burst began after silence and has ended: its messages were heard completely.
-  bool whole_burst = false;
-  bool from_silence = true;
-  std::uint64_t burst = 0;
-  Stamp last_byte{};
-
-  void feed(wire::Bytes bytes, Stamp at, bool seven_too) {
-    if (burst == 0) from_silence = eight.bytes() == 0 || at - last_byte > 150ms;
-    burst += bytes.size();
-    last_byte = at;
-    eight.feed(bytes, at);
-    if (!seven_too) return;
-    even.feed(survey::seven_bits(bytes, false), at);
-    odd.feed(survey::seven_bits(bytes, true), at);
-  }
-  void pause(Stamp now) {
-    constexpr std::uint64_t least = 16;
-    if (burst == 0 || now - last_byte < 150ms) return;
-    whole_burst |= burst >= least && from_silence;
-    burst = 0;
-  }
-  bool settled() const { return eight.settled() || even.settled() || odd.settled(); }
-  survey::Confidence confidence() const {
-    return std::max({eight.best().confidence, even.best().confidence, odd.best().confidence});
-  }
-  /// True if more listening at this rate is useless. One accidental frame in noise does not count.
-  bool hopeless(Stamp now, Stamp since) const {
-    constexpr std::uint64_t many = 8192;
-    constexpr double some = 0.5;
-    const double explained =
-        std::max({eight.best().explained(), even.best().explained(), odd.best().explained()});
-    if (eight.bytes() == 0 || explained >= some) return false;
-    const bool nothing = confidence() == survey::Confidence::nothing;
-    return (nothing && whole_burst) || eight.bytes() > many || now - since > 3s;
-  }
-};
 
 /// Questions that change nothing: UBX-MON-VER, and Water Linked's version. docs/pier/probe.md
 std::vector<std::uint8_t> questions() {
@@ -130,6 +86,7 @@ class Attempt {
   }
 
   const Hearing& hearing() const { return hearing_; }
+  Setting setting() const { return setting_; }
 
   void report_into(ProbeReport& report) const {
     const auto strength = [](const survey::ByteSurvey& s) { return s.best().confidence; };
@@ -163,14 +120,12 @@ class Attempt {
   std::string note_;  ///< of the link
 };
 
-/// First 8N1 at every rate, then parity. Nearly all sensors show with 8N1, and so do all with 7
-/// data bits.
-std::vector<Setting> settings_of(const std::string& uri) {
+/// The settings with one of these parities: every rate, or that of the URI.
+std::vector<Setting> settings_of(const std::string& uri, std::string_view parities) {
   const auto parsed = link::parse_uri(uri);
   const bool fixed_baud = uri.find("baud=") != std::string::npos;
-  const bool fixed_parity = uri.find("parity=") != std::string::npos;
   std::vector<Setting> settings;
-  for (const char parity : fixed_parity ? std::string("N") : std::string("NEO")) {
+  for (const char parity : parities) {
     if (fixed_baud && parsed) {
       settings.push_back({static_cast<int>(parsed->baud().value_or(0)), parity});
     } else {
@@ -213,21 +168,32 @@ void note_line(const survey::ByteSurvey& survey, const std::string& setting,
 
 bool search_line(const LineSearch& search, Ear& ear, Progress& progress, ProbeReport& report) {
   const bool serial = search.link.starts_with("serial:");
-  const auto settings = serial ? settings_of(search.link) : std::vector<Setting>{{0, 'N'}};
+  const bool fixed_parity = search.link.find("parity=") != std::string::npos;
+  const auto plain = serial ? settings_of(search.link, "N") : std::vector<Setting>{{0, 'N'}};
+  const bool may_leave = serial && (plain.size() > 1 || !fixed_parity);
   std::vector<std::unique_ptr<Attempt>> attempts;
-  for (const Setting& setting : settings) {
+  bool over = false;
+  // Nothing if the port does not support the setting.
+  const auto listen = [&](Setting setting) -> std::unique_ptr<Attempt> {
     auto attempt = std::make_unique<Attempt>(search, setting, serial);
-    const auto failure = attempt->run(ear, progress, settings.size() > 1);
-    if (failure && attempts.empty()) {
-      report.notes.push_back(failure->message);
-      return false;
-    }
-    if (failure) continue;  // the port does not support this rate
-    attempts.push_back(std::move(attempt));
-    if (attempts.back()->hearing().settled() || ear.interrupted() ||
-        link::steady_now() >= search.until)
-      break;
+    const auto failure = attempt->run(ear, progress, may_leave);
+    if (failure && attempts.empty()) report.notes.push_back(failure->message);
+    over = (failure && attempts.empty()) || attempt->hearing().settled() || ear.interrupted() ||
+           link::steady_now() >= search.until;
+    return failure ? nullptr : std::move(attempt);
+  };
+  const auto listen_with_each = [&](const std::vector<Setting>& settings) {
+    for (std::size_t i = 0; i < settings.size() && !over; ++i)
+      if (auto attempt = listen(settings[i])) attempts.push_back(std::move(attempt));
+  };
+  // Nearly all sensors show with 8N1, and so do all with 7 data bits. So parity comes last.
+  listen_with_each(plain);
+  for (auto& attempt : attempts) {
+    if (over || !attempt->hearing().slight()) continue;
+    if (auto again = listen(attempt->setting())) attempt = std::move(again);
   }
+  if (serial && !fixed_parity) listen_with_each(settings_of(search.link, "EO"));
+  if (attempts.empty()) return false;
   std::ranges::stable_sort(attempts, {}, [](const auto& a) { return a->hearing().confidence(); });
   // Only the devices of the best attempt are real: the same sensor at another rate is noise.
   for (const auto& attempt : attempts) {

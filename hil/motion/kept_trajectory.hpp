@@ -21,7 +21,7 @@ class KeptTrajectory final : public Trajectory {
     const std::lock_guard lock(mutex_);
     const auto known = kept_.find(time.time_since_epoch().count());
     if (known != kept_.end()) return known->second;
-    const Truth truth = motion_->at(time);
+    Truth truth = motion_->at(time);
     if (kept_.size() < most_kept) kept_.emplace(time.time_since_epoch().count(), truth);
     return truth;
   }

@@ -80,7 +80,7 @@ class OrderPorts::Port final : private device::Output {
   std::set<std::string, std::less<>> told_;
 };
 
-OrderPorts::OrderPorts(const rig_config::Rig& rig, Send send, Say say) {
+OrderPorts::OrderPorts(const rig_config::Rig& rig, const Send& send, const Say& say) {
   const auto left = without_a_drive(rig);
   std::set<std::string> canopen;
   for (const DeviceConfig& device : rig.devices) {

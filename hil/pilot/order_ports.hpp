@@ -22,7 +22,7 @@ class OrderPorts {
   using Say = std::function<void(const std::string& line)>;
 
   /// Throws std::runtime_error (one line) if nothing takes orders.
-  OrderPorts(const rig_config::Rig& rig, Send send, Say say);
+  OrderPorts(const rig_config::Rig& rig, const Send& send, const Say& say);
   ~OrderPorts();
 
   std::vector<std::string> links() const;  ///< each once

@@ -112,6 +112,7 @@ class Copy {
 /// Waits until one or more of them say something.
 std::vector<pollfd> heard_from(const std::vector<std::unique_ptr<Copy>>& copies) {
   std::vector<pollfd> handles;
+  handles.reserve(copies.size());
   for (const auto& copy : copies) handles.push_back({copy->handle(), POLLIN, 0});
   if (::poll(handles.data(), handles.size(), -1) < 0 && errno != EINTR) fail("runs are not heard");
   return handles;

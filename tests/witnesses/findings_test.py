@@ -114,6 +114,9 @@ class PassedOver(unittest.TestCase):
 <system-out>[ RUN ]\n/x/y_test.cpp:7: Skipped\nno captures at "/x"\n</system-out></testcase>
 <testcase name="Vcan.Opens" status="notrun"><skipped message=""/><system-out>/x/v.cpp:9: Skipped\nno kernel module\n</system-out></testcase>
 <testcase name="Peer.Reads" status="notrun"><skipped message=""/><system-out>tshark is not installed\n</system-out></testcase>
+<testcase name="Ports.Opens" status="run"><system-out>P.Q: passed at the second run only
+The first run:
+</system-out></testcase>
 <testcase name="Other.Runs" status="run"/></testsuite>"""
 
     def setUp(self):
@@ -121,6 +124,7 @@ class PassedOver(unittest.TestCase):
             file.write(self.JUNIT)
         self.addCleanup(pathlib.Path(file.name).unlink)
         self.cases = list(passed_over.skipped(file.name))
+        self.late = list(passed_over.late(file.name))
 
     def test_each_skipped_check_is_counted_with_its_reason(self):
         named = passed_over.tests_by_claim([CLAIM], [OTHERS], here=False)
@@ -132,6 +136,8 @@ class PassedOver(unittest.TestCase):
         reasons, _ = passed_over.summary(self.cases, passed_over.tests_by_claim([CLAIM], [OTHERS], here=True))
         self.assertEqual(reasons['no captures at "/x"'], 1)
 
+    def test_what_passed_at_its_second_run_only_is_said(self):
+        self.assertEqual(self.late, ["P.Q: passed at the second run only"])
 
     def test_ci_needs_every_witness_where_captures_are_or_are_named(self):
         must = passed_over.every_witness_must_be_heard

@@ -21,6 +21,12 @@ def skipped(junit):
             yield case.get("name"), case.findtext("system-out") or ""
 
 
+def late(junit):
+    """What tests say of checks that passed at their second run only (tests/second_run.py)."""
+    for case in xml.etree.ElementTree.parse(junit).getroot().iter("testcase"):
+        yield from re.findall(r".+: passed at the second run only$", case.findtext("system-out") or "", re.M)
+
+
 def reason_of(output, needs_captures):
     """In the test's own words: of gtest the line after its place, of others the first line."""
     if needs_captures:
@@ -61,6 +67,7 @@ def summary(passed_over, named):
 
 
 def main(junit):
+    print("".join(f"{line}\n" for line in late(junit)), end="")
     reasons, lost = summary(skipped(junit), tests_by_claim(ledger.claims(), ledger.witnesses(), captures_are_here()))
     if not reasons:
         print("passed over: no check")

@@ -45,10 +45,11 @@ bool run_until(asio::io_context& io, Done&& done, std::chrono::milliseconds boun
   return true;
 }
 
-/// Runs everything that is ready now, and all work that follows from it.
+/// Runs everything that is ready now, and all work that follows from it. The kernel hands the bytes
+/// of a pty over in a thread of its own, which on a busy machine comes some tens of ms later.
 inline void settle(asio::io_context& io) {
   io.restart();
-  while (io.run_for(10ms) > 0) io.restart();
+  while (io.run_for(50ms) > 0) io.restart();
 }
 
 template <class T>

@@ -51,6 +51,14 @@ class Ubxtool : public testing::Test {
     if (pipe) pclose(pipe);
     return output;
   }
+  /// ubxtool empties its input as it starts, and on a busy machine the answer is lost with it. So
+  /// it asks up to three times.
+  std::string answer(const std::string& arguments, int baud, const std::string& expected) const {
+    std::string output = ubxtool(arguments, baud);
+    for (int again = 0; again < 2 && output.find(expected) == output.npos; ++again)
+      output = ubxtool(arguments, baud);
+    return output;
+  }
 
   const std::string pty_ = "/tmp/drydock-ubxtool-" + std::to_string(::getpid());
   struct Still final : motion::Trajectory {
@@ -71,13 +79,13 @@ class Ubxtool : public testing::Test {
 };
 
 TEST_F(Ubxtool, ReadsTheVersionSetsTheRateAndFollowsTheBaudRate) {
-  EXPECT_THAT(ubxtool("-p MON-VER", 38400), HasSubstr("FWVER=SPG 3.01"));
-  EXPECT_THAT(ubxtool("-p CFG-PRT", 38400), HasSubstr("38400"));
-  EXPECT_THAT(ubxtool("-p CFG-RATE,500", 38400), HasSubstr("UBX-ACK-ACK"));
-  EXPECT_THAT(ubxtool("-p CFG-RATE", 38400), HasSubstr("500"));
+  EXPECT_THAT(answer("-p MON-VER", 38400, "FWVER=SPG 3.01"), HasSubstr("FWVER=SPG 3.01"));
+  EXPECT_THAT(answer("-p CFG-PRT", 38400, "38400"), HasSubstr("38400"));
+  EXPECT_THAT(answer("-p CFG-RATE,500", 38400, "UBX-ACK-ACK"), HasSubstr("UBX-ACK-ACK"));
+  EXPECT_THAT(answer("-p CFG-RATE", 38400, "500"), HasSubstr("500"));
   ubxtool("-S 115200", 38400);
   EXPECT_THAT(ubxtool("-p MON-VER", 38400), Not(HasSubstr("FWVER")));
-  EXPECT_THAT(ubxtool("-p MON-VER", 115200), HasSubstr("FWVER=SPG 3.01"));
+  EXPECT_THAT(answer("-p MON-VER", 115200, "FWVER=SPG 3.01"), HasSubstr("FWVER=SPG 3.01"));
 }
 
 }  // namespace
