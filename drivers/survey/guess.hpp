@@ -1,6 +1,8 @@
 #pragma once
 
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "drivers/wire/codec.hpp"
 
@@ -12,8 +14,9 @@ namespace drydock::survey {
 /// Empty: it finds nothing that repeats.
 std::string guess_description(wire::Bytes capture);
 
-// The two ways.
+// The ways.
 std::string guess_text(wire::Bytes capture);
+std::string guess_lines(const std::vector<std::string_view>& lines);  ///< without their line ends
 std::string guess_binary(wire::Bytes capture);
 
 }  // namespace drydock::survey

@@ -59,6 +59,7 @@ Frames cut(Bytes capture, std::size_t phase, std::size_t length) {
 struct Sum {
   std::string_view name;
   bool big_endian = false;
+  std::size_t from = 0;  ///< the first byte that it covers
 };
 
 std::uint32_t stored(Bytes frame, std::size_t size, bool big_endian) {
@@ -77,11 +78,16 @@ std::optional<Sum> frame_checksum(const Frames& frames) {
     Checksum::find(name, checksum);
     const std::size_t size = checksum.size();
     if (frames.length <= size + 2) continue;
-    for (const bool big : {false, true}) {
-      const auto right = std::ranges::count_if(some, [&](Bytes f) {
-        return checksum.of(f.first(f.size() - size)) == stored(f, size, big);
-      });
-      if (static_cast<std::size_t>(right) * 10 >= some.size() * 9) return Sum{name, big};
+    for (const std::size_t from : {0u, 1u, 2u}) {  // with the sync, behind its first byte or both
+      if (frames.length <= size + from + 1) continue;
+      for (const bool big : {false, true}) {
+        std::size_t wrong = 0;
+        for (const Bytes f : some) {
+          wrong += checksum.of(f.first(f.size() - size).subspan(from)) != stored(f, size, big);
+          if (wrong * 10 > some.size()) break;
+        }
+        if (wrong * 10 <= some.size()) return Sum{name, big, from};
+      }
     }
   }
   return {};
@@ -178,11 +184,12 @@ std::string frame_text(const Frames& frames, const std::optional<Sum>& sum) {
   if (sum) Checksum::find(sum->name, checksum);
   const Bytes one = frames.all[0];
   return fmt::format(
-      "\n[protocol]\n{}{}\n[[protocol.binary]]             # {} frames\nname = \"frame\"\n"
+      "\n[protocol]\n{}{}{}\n[[protocol.binary]]             # {} frames\nname = \"frame\"\n"
       "sync = \"{:02X} {:02X}\"\nlength = {}\nfields = [\n{}]\n",
       sum ? fmt::format("checksum = \"{}\"\n", sum->name) : "# no checksum was found\n",
-      sum && sum->big_endian ? "checksum_order = \"big\"\n" : "", frames.all.size(), one[0], one[1],
-      frames.length, fields_text(frames, frames.length - checksum.size()));
+      sum && sum->big_endian ? "checksum_order = \"big\"\n" : "",
+      sum && sum->from > 0 ? fmt::format("checksum_from = {}\n", sum->from) : "", frames.all.size(),
+      one[0], one[1], frames.length, fields_text(frames, frames.length - checksum.size()));
 }
 
 }  // namespace

@@ -122,7 +122,11 @@ std::string guess_text(wire::Bytes capture) {
   constexpr std::size_t fewest = 2;
   if (lines.size() < fewest) return {};
   const Guess guess = line_checksum(lines);
-  return guess.checksum == "none" ? std::string() : sentences_text(lines, guess);
+  const auto sentences = std::ranges::count_if(
+      lines, [](std::string_view line) { return line[0] == '$' || line[0] == '!'; });
+  const bool without = 2 * static_cast<std::size_t>(sentences) > lines.size();
+  if (guess.checksum != "none" || without) return sentences_text(lines, guess);
+  return guess_lines(lines);
 }
 
 }  // namespace drydock::survey

@@ -128,7 +128,10 @@ class FieldReader {
     if (constant) field_.type = Type::constant;
     read(table_, "text", field_.text);
     read(table_, "optional", field_.optional);
-    if (const Node* end = table_.find("ends")) field_.end = end->text.empty() ? '\0' : end->text[0];
+    if (const Node* end = table_.find("ends")) {
+      field_.end = end->text.empty() ? '\0' : end->text[0];
+      field_.closed = field_.end != '\0' && field_.end != ' ';  // blanks may stand behind any text
+    }
   }
 
   void read_place() {

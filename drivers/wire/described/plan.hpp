@@ -46,6 +46,7 @@ struct Field {
   Type type = Type::number;
   std::string text;       ///< of a constant, or what an emulated device sends
   char end = 0;           ///< text: the character behind the field; 0: the end of the message
+  bool closed = false;    ///< text: `end` stands behind it at the end of the message too
   bool optional = false;  ///< text: the message may end before it
   std::uint16_t at = 0;   ///< binary: first byte; frames: the signal; a pattern: the group
   std::uint8_t size = 0;  ///< binary: bytes

@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t checksum_digits = 2;  // sentences have checksums of 8 bits
 
 constexpr bool ends_a_line(std::uint8_t c) { return c == '\r' || c == '\n'; }
-constexpr bool is_printable(std::uint8_t c) { return c >= 0x20 && c <= 0x7E; }
+constexpr bool is_printable(std::uint8_t c) { return (c >= 0x20 && c <= 0x7E) || c == '\t'; }
 
 Scan at_star(const Plan& plan, Bytes bytes, std::size_t star) {
   if (bytes.size() < star + 1 + checksum_digits) return Scan::need_more();
@@ -138,11 +138,17 @@ void cut_fields(std::span<const Field> fields, std::string_view text, Cuts& cuts
     now = cut(now.rest, field.end);
     cuts.pieces[cuts.count++] = {now.field.data(), now.field.size()};
   }
-  cuts.ended = now.ended || (!fields.empty() && fields.back().end == ' ' && now.rest.empty());
+  const bool whole = cuts.count == fields.size() && !now.ended && now.rest.empty();
+  if (fields.empty() || cuts.count < fields.size())
+    cuts.ended = now.ended;
+  else
+    cuts.ended = fields.back().closed ? whole : now.ended || (whole && fields.back().end == ' ');
 }
 
 bool cut_alike(std::span<const Field> some, std::span<const Field> others) {
-  return std::ranges::equal(some, others, {}, &Field::end, &Field::end);
+  return std::ranges::equal(some, others, [](const Field& a, const Field& b) {
+    return a.end == b.end && a.closed == b.closed;
+  });
 }
 
 /// False if a constant or the number of fields is another's. Messages of one id differ in these,
@@ -252,7 +258,7 @@ bool write_fields(const Plan& plan, const Message& message, const Readings& read
   const auto fields = plan.fields_of(message);
   for (std::size_t i = 0; i < fields.size(); ++i) {
     if (!write_field(plan, fields, fields[i], readings, line)) return false;
-    if (i + 1 < fields.size()) line.text({&fields[i].end, 1});
+    if (i + 1 < fields.size() || fields[i].closed) line.text({&fields[i].end, 1});
   }
   return true;
 }

@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include "drivers/survey/guess.hpp"
@@ -68,6 +69,97 @@ TEST(GuessedDescription, FramesGiveLengthChecksumCounterAndFloat) {
   const Buffer stream = unknown_frames();
   EXPECT_EQ(wire::described::scan(description->plan, wire::Bytes(stream).subspan(3)),
             wire::Scan::frame(10));
+}
+
+/// How a conductivity, temperature and depth sensor streams, after a line that lost its beginning.
+std::string ctd_lines() {
+  std::string all = ":59.500, 42.9, 10.1, 20.0\r\n";
+  for (int i = 0; i < 20; ++i)
+    all += fmt::format("2026-11-24 05:00:{:02}.000, 42.91{:02}, {:.2f}, {:.1f}\r\n", i, i,
+                       10.5 + 0.01 * i, 20.5 - i);
+  return all;
+}
+
+TEST(GuessedDescription, LinesThatDifferInTheirNumbersAreOneMessage) {
+  const auto guess = survey::guess_description(wire::testing::as_bytes(ctd_lines()));
+  EXPECT_THAT(guess,
+              HasSubstr("[[protocol.lines]]             # 20 times, as 2026-11-24 05:00:00"));
+  EXPECT_THAT(guess, HasSubstr("column_8\", decimals = 2 },  # 10.5 to 10.69"));
+  EXPECT_THAT(guess, HasSubstr("column_9\", decimals = 1 },  # 1.5 to 20.5"));
+  const auto toy =
+      described(replaced(guess, "name = \"column_9\"", "field = \"pressure_pa\", unit = \"dbar\""));
+  wire::described::Record record;
+  const auto line = wire::testing::as_bytes("2026-11-25 06:10:00.000, 42.9, -0.05, 33.25\r\n");
+  ASSERT_EQ(wire::described::decode(toy->plan, line, record), wire::described::Decoded::message);
+  EXPECT_DOUBLE_EQ(value_of(record, "pressure_pa"), 332'500);
+  EXPECT_DOUBLE_EQ(value_of(record, "column_8"), -0.05);
+}
+
+TEST(GuessedDescription, LinesWithOtherWordsAreMessagesOfTheirOwn) {
+  std::string all = "stray\n";
+  for (int i = 0; i < 9; ++i) all += fmt::format("T1={}.5C\tok\nDepth 'top' {} m\n", i, i - 4);
+  const auto guess = survey::guess_description(wire::testing::as_bytes(all + "Depth failed\n"));
+  EXPECT_THAT(guess, HasSubstr("head = \"T1=\""));
+  EXPECT_THAT(guess, HasSubstr("head = \"Depth 'top' \""));
+  EXPECT_THAT(guess, HasSubstr("emulate = \"{c1}C\\tok\""));  // it stands behind the head
+  EXPECT_THAT(guess, HasSubstr("# Not described:\n# 1 times: Depth failed\n"));
+  EXPECT_THAT(
+      problems_of(replaced(guess, "name = \"column_1\"", "field = \"depth_m\", unit = \"m\"")),
+      IsEmpty())
+      << guess;
+}
+
+TEST(GuessedDescription, LinesThatNoPatternHoldsAreNamed) {
+  std::string all = "stray\n";
+  for (int i = 0; i < 9; ++i) {
+    all += std::string(40, 'h') + fmt::format(" {} +{}.5\n", i, i);
+    for (int n = 0; n < 30; ++n) all += fmt::format("{} value ", n + i);
+    all += "\n";
+  }
+  const auto guess = survey::guess_description(wire::testing::as_bytes(all));
+  EXPECT_THAT(guess, HasSubstr("head = \"" + std::string(32, 'h') + "\""));
+  EXPECT_THAT(guess, HasSubstr("# Not described:\n# 9 times: 0 value 1 value"));
+  EXPECT_THAT(
+      problems_of(replaced(guess, "name = \"column_2\"", "field = \"depth_m\", unit = \"m\"")),
+      IsEmpty())
+      << guess;
+}
+
+TEST(GuessedDescription, SentencesNeedNoChecksum) {
+  std::string all;
+  for (int i = 0; i < 9; ++i) all += fmt::format("$ALT,{}.25,m\r\n", i);
+  const auto guess = survey::guess_description(wire::testing::as_bytes(all));
+  EXPECT_THAT(guess, HasSubstr("checksum = \"none\""));
+  EXPECT_THAT(guess, HasSubstr("{ name = \"column_1\" },  # 0.25 to 8.25"));
+}
+
+/// VectorNav's binary message of yaw, pitch and roll: CRC-16/XMODEM behind the sync byte, high byte
+/// first (VN-100 user manual). The CRC of "123456789" is 31C3h.
+TEST(GuessedDescription, AChecksumMayBeginBehindTheSync) {
+  Buffer all;
+  for (int i = 0; i < 40; ++i) {
+    Buffer frame{0xFA, 0x01, 0x08, 0x00};
+    for (const float angle : {-120.3F + 0.7137F * static_cast<float>(i), 3.1F, -1.2F}) {
+      std::array<std::uint8_t, 4> raw{};
+      std::memcpy(raw.data(), &angle, 4);
+      frame.insert(frame.end(), raw.begin(), raw.end());
+    }
+    unsigned crc = 0;
+    for (const unsigned byte : wire::Bytes(frame).subspan(1)) {
+      crc ^= byte << 8;
+      for (int bit = 0; bit < 8; ++bit)
+        crc = (crc & 0x8000 ? crc << 1 ^ 0x1021 : crc << 1) & 0xFFFF;
+    }
+    frame.push_back(static_cast<std::uint8_t>(crc >> 8));
+    frame.push_back(static_cast<std::uint8_t>(crc));
+    all.insert(all.end(), frame.begin(), frame.end());
+  }
+  const auto guess = survey::guess_description(all);
+  EXPECT_THAT(
+      guess,
+      HasSubstr("checksum = \"crc-16/xmodem\"\nchecksum_order = \"big\"\nchecksum_from = 1\n"));
+  EXPECT_THAT(guess,
+              HasSubstr("{ at = 4, type = \"f32\", name = \"at_4\" },  # -120.3 to -92.4657"));
 }
 
 TEST(GuessedDescription, NoiseGivesNothing) {

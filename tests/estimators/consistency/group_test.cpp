@@ -7,7 +7,13 @@
 namespace drydock::consistency {
 namespace {
 
-constexpr TestFacts exact{.floor = 0.02, .wander = 0.001}, rough{.floor = 0.05, .wander = 0.003};
+constexpr TestFacts facts_of(double floor, double wander) {
+  TestFacts facts;
+  facts.floor = floor;
+  facts.wander = wander;
+  return facts;
+}
+constexpr TestFacts exact = facts_of(0.02, 0.001), rough = facts_of(0.05, 0.003);
 
 /// Witnesses of a constant speed, with white noise of known deviation.
 class Sailing {

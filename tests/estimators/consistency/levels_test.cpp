@@ -37,7 +37,7 @@ class Vehicle {
       most_suspicion_ = std::max(most_suspicion_, test.suspicion());
   }
 
-  Tracks tracks_{.units = {InertialUnit(0, {.rate_hz = 100})}};
+  Tracks tracks_{{}, {}, {}, {InertialUnit(0, {.rate_hz = 100})}, {}, {}, {}};
   Levels levels_{tracks_};
   double t_s_ = 0, most_suspicion_ = 0;
   long samples_ = 0;
