@@ -103,6 +103,7 @@ std::optional<Pd0::Message> Pd0::decode(Bytes frame) {
       case pd0::high_resolution: read_optional(table.block(i), m.high_resolution); break;
       case pd0::bottom_range: read_optional(table.block(i), m.bottom_range); break;
       case pd0::navigation: read_optional(table.block(i), m.navigation); break;
+      case pd0::computer_navigation: read_block(table.block(i), m.computer); break;
       default: read_block(table.block(i), m.winriver); break;
     }
   }
@@ -115,9 +116,15 @@ std::optional<Pd0::Message> Pd0::decode(Bytes frame) {
 void Pd0::unread_blocks(Bytes frame, const std::function<void(std::uint16_t)>& tell) {
   if (frame.size() < header_size + checksum_size) return;
   const OffsetTable table{frame};
-  WinRiverSentences read;
-  for (std::size_t i = 0; i < table.size(); ++i)
-    if (!is_read(table.id(i)) && !read_block(table.block(i), read)) tell(table.id(i));
+  WinRiverSentences sentences;
+  Pd0ComputerNavigation computer;
+  for (std::size_t i = 0; i < table.size(); ++i) {
+    const std::uint16_t id = table.id(i);
+    const bool read =
+        is_read(id) || (id == pd0::computer_navigation ? read_block(table.block(i), computer)
+                                                       : read_block(table.block(i), sentences));
+    if (!read) tell(id);
+  }
 }
 
 }  // namespace drydock::wire

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "drivers/wire/dvl/dvl_frame.hpp"
+#include "drivers/wire/dvl/pd0_vmdas.hpp"
 #include "drivers/wire/dvl/pd0_winriver.hpp"
 #include "drivers/wire/fields.hpp"
 
@@ -82,7 +83,8 @@ struct Pd0Ensemble {
   std::optional<Pd0HighResolution> high_resolution;
   std::optional<Pd0BottomRange> bottom_range;
   std::optional<Pd0Navigation> navigation;
-  WinRiverSentences winriver;  ///< only in files that WinRiver wrote; no DVL sends them
+  Pd0ComputerNavigation computer;  ///< only in files of VmDas and of REMUS vehicles
+  WinRiverSentences winriver;      ///< only in files that WinRiver wrote; no DVL sends them
 };
 
 /// Age of the velocity when the first byte is sent: the mean of the good beams.
@@ -177,6 +179,7 @@ void visit_fields(const Pd0Ensemble& m, F&& field) {
   visit_fields(m.high_resolution.value_or(Pd0HighResolution{}), field);
   visit_fields(m.bottom_range.value_or(Pd0BottomRange{}), field);
   visit_fields(m.navigation.value_or(Pd0Navigation{}), field);
+  visit_fields(m.computer, field);
   visit_fields(m.winriver, field);
 }
 

@@ -108,10 +108,13 @@ TEST(PassedOver, DataTypesOfAnEnsembleAreNamedByTheirId) {
 }
 
 /// README.md of the dive: the vehicle's navigation is in data type 0x2000 of each of the 1934
-/// ensembles, in an order of its own.
-TEST_F(Corpora, TheNavigationOfAnAuvInItsEnsemblesIsCounted) {
+/// ensembles, in an order of its own. It is read, so only the profiles are left.
+TEST_F(Corpora, TheNavigationOfAnAuvInItsEnsemblesIsNotPassedOver) {
   const auto counts = passed_over("pd0", read_file(root_ / "dvl/pd0/raw/remus_20141219_a.adc"));
-  EXPECT_EQ(counts.at("block 2000 navigation, as of VmDas"), 1934);
+  EXPECT_THAT(counts, ElementsAre(Pair("block 0100 velocity profile", 1934),
+                                  Pair("block 0200 correlation profile", 1934),
+                                  Pair("block 0300 echo intensity profile", 1934),
+                                  Pair("block 0400 percent good profile", 1934)));
 }
 
 /// SOURCES.md of the captures: the boat's GPS is in the data types 2022, 2101 and 2102. All are
