@@ -37,7 +37,7 @@ Origin from(std::uint16_t device, double t) {
 }
 
 void hear_all(MeasuredState& state, double t) {
-  state.receive(measurement::ImuSample{from(0, t), {}, {0, 0, 0.1}});
+  state.receive(measurement::ImuSample{from(0, t), {0, 0, 0}, {0, 0, 0.1}});
   measurement::AttitudeSample attitude;
   attitude.origin = from(1, t);
   attitude.roll_rad = 0;

@@ -83,10 +83,11 @@ TEST(ScoreBytes, KeepEveryNumberToTheLastBit) {
   score.lost = -3;
   score.wrong = std::numeric_limits<std::uint64_t>::max();
   score.finding = {.found_s = 1.0 / 3, .word = "bias", .right_device = true};
-  score.estimators.push_back({.name = "leveling",
-                              .error_deg = std::numeric_limits<double>::infinity(),
-                              .usual_deg = 5e-324,
-                              .nees = 0.0});
+  auto& leveling = score.estimators.emplace_back();
+  leveling.name = "leveling";
+  leveling.error_deg = std::numeric_limits<double>::infinity();
+  leveling.usual_deg = 5e-324;
+  leveling.nees = 0.0;
   const Score same = score_from(to_bytes(score));
   EXPECT_EQ(same.device, "dvl");
   EXPECT_EQ(same.detect_s, 0.1);
