@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,10 @@ class FileBlocks {
   FileBlocks(const FileBlocks&) = delete;
   FileBlocks& operator=(const FileBlocks&) = delete;
 
+  /// From now on `ended` may end the file before its end: it is asked before each block, and four
+  /// times a second while a live input says nothing.
+  void end_when(std::function<bool()> ended) { ended_ = std::move(ended); }
+
   /// The next bytes. Empty at the end or after an error.
   wire::Bytes read();
   /// True if the last read filled the block: more data are probably waiting.
@@ -22,10 +27,13 @@ class FileBlocks {
   int error() const { return error_; }  ///< errno; 0: none
 
  private:
+  bool has_more() const;
+
   bool owned_;
   int fd_;
   int error_ = 0;
   std::vector<std::uint8_t> block_;
+  std::function<bool()> ended_ = [] { return false; };
 };
 
 }  // namespace drydock::capture

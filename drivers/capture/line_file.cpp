@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <filesystem>
 
 namespace drydock::capture {
 
@@ -67,6 +68,10 @@ std::string LineFile::trouble() const {
   return "";
 }
 
-bool is_pcapng(const std::string& file) { return Pcapng::recognises(FileBlocks(file).read()); }
+bool is_pcapng(const std::string& file) {
+  std::error_code none;
+  return std::filesystem::is_regular_file(file, none) &&
+         Pcapng::recognises(FileBlocks(file).read());
+}
 
 }  // namespace drydock::capture

@@ -24,6 +24,9 @@ class LineFile {
   /// line of a pcapng file.
   LineFile(const std::string& file, bool raw, std::string interface = {});
 
+  /// As FileBlocks::end_when().
+  void end_when(std::function<bool()> ended) { blocks_.end_when(std::move(ended)); }
+
   std::optional<Read> next();  ///< empty at the end or after an error
   bool likely_more(Bytes last) const { return packets_ || blocks_.likely_more(last); }
   /// Names of the serial lines of a pcapng file, as far as it was read.
@@ -49,7 +52,7 @@ class LineFile {
   Bytes first_;
 };
 
-/// True for a pcapng file, whatever is in it.
+/// True for a pcapng file, whatever is in it. A look takes bytes out of a pipe, so a pipe is none.
 bool is_pcapng(const std::string& file);
 
 }  // namespace drydock::capture

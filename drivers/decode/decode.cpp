@@ -15,6 +15,7 @@
 #include "drivers/decode/decode_by_pgns.hpp"
 #include "drivers/decode/records.hpp"
 #include "drivers/terminal/exit_codes.hpp"
+#include "drivers/terminal/interrupt_flag.hpp"
 #include "drivers/text/json_lines.hpp"
 #include "drivers/wire/described/described_codec.hpp"
 #include "drivers/wire/described/frame_codec.hpp"
@@ -229,6 +230,9 @@ int decode(const DecodeOptions& options, std::FILE* out, std::FILE* err) {
   const std::string file = options.file.empty() ? "standard input" : options.file;
   FileBlocks blocks(options.file);
   LineFile line(options.file, raw, options.interface);
+  const terminal::InterruptFlag interrupt;  // what came before a signal is counted at the end
+  blocks.end_when([&] { return interrupt.set(); });
+  line.end_when([&] { return interrupt.set(); });
   FrameCapture capture(format);
   Sink sink(options, out);
   wire::StreamCounters counters;

@@ -12,6 +12,7 @@
 #include "drivers/decode/decode.hpp"
 #include "drivers/measurement/stamp.hpp"
 #include "drivers/terminal/exit_codes.hpp"
+#include "drivers/terminal/interrupt_flag.hpp"
 #include "drivers/text/json_lines.hpp"
 
 /// What all ways to decode a CAN capture have in common.
@@ -72,6 +73,8 @@ int decode_frames(Messages& messages, const DecodeOptions& options, std::FILE* e
     return refuse(err, fmt::format("no format \"{}\" of CAN captures, allowed: {}", options.format,
                                    capture::format_names()));
   capture::FileBlocks blocks(options.file);
+  const terminal::InterruptFlag interrupt;
+  blocks.end_when([&] { return interrupt.set(); });
   capture::FrameCapture capture(format);
   const bool read = read_records(
       blocks, capture, [&](const capture::Record& record) { messages.receive(record); },

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
@@ -287,6 +288,8 @@ class RigReplay {
 }  // namespace
 
 bool is_recording(const std::string& path) {
+  std::error_code none;
+  if (!std::filesystem::is_regular_file(path, none)) return false;
   std::array<char, mcap::magic.size()> head{};
   std::ifstream in(path, std::ios::binary);
   return in.read(head.data(), head.size()) &&

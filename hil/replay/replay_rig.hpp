@@ -30,7 +30,8 @@ struct RigReplayOptions {
   bool expect = false;              ///< judges the rig's [[expect]]
 };
 
-/// True if the file is a Drydock recording and not a capture. The content decides, not the name.
+/// True if the file is a Drydock recording and not a capture. The content decides, not the name. A
+/// look takes bytes out of a pipe, so a pipe is none.
 bool is_recording(const std::string& path);
 
 /// `drydock replay` of a recording: plays its bytes through the rig's drivers and estimators.

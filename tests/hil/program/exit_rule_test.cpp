@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <fstream>
 #include <sstream>
 #include <vector>
 
@@ -172,6 +173,19 @@ TEST_P(ASignalBeforeTheEnd, Is130InEveryCommandThatLasts) {
     EXPECT_TRUE(run.says(row.says)) << row.command;
     EXPECT_EQ(run.end(GetParam()), 130) << row.command << ": " << run.output();
   }
+}
+
+/// The sentence is from gpsd's page on NMEA 0183; its sum is that of its characters.
+TEST_P(ASignalBeforeTheEnd, EndsADecodeOfALivePipeWithTheCounts) {
+  const Folder folder;
+  const auto pipe = (folder / "pipe").string();
+  ASSERT_EQ(std::system(("mkfifo " + pipe).c_str()), 0);
+  Running decode(folder, "decode --protocol nmea0183 " + pipe, "out.txt");
+  std::ofstream line(pipe);
+  line << "$GPGLL,4916.45,N,12311.12,W,225444,A*31\r\n" << std::flush;
+  ASSERT_TRUE(decode.says("\"latitude_deg\":49.27416"));
+  EXPECT_EQ(decode.end(GetParam()), 130);
+  EXPECT_THAT(decode.output(), HasSubstr("1 frames, 1 messages, 0 bad checksums, 0 bytes skipped"));
 }
 
 INSTANTIATE_TEST_SUITE_P(Of, ASignalBeforeTheEnd, testing::Values(SIGINT, SIGTERM, SIGHUP));
