@@ -22,6 +22,7 @@ static void open_topics(const char* imu_topic, const char* estimate_topic) {
   imus = dds_create_reader(participant, in, qos, NULL);
   estimates = dds_create_writer(participant, out, qos, NULL);
   clocks = dds_create_reader(participant, time, qos, NULL); /* the last one: all else is open */
+  dds_delete_qos(qos);
 }
 
 /* Whether there was a message; `into` is valid until the next one. */

@@ -14,6 +14,7 @@ int main(int argc, char** argv) {
   dds_qos_t* qos = dds_create_qos();
   dds_qset_reliability(qos, DDS_RELIABILITY_RELIABLE, DDS_SECS(1));
   dds_entity_t reader = dds_create_reader(participant, topic, qos, NULL);
+  dds_delete_qos(qos);
   if (reader < 0) return fprintf(stderr, "no reader: %s\n", dds_strretcode(-reader)), 1;
   for (int heard = 0; heard < wanted;) {
     void* message[1] = {NULL};

@@ -18,6 +18,7 @@ int main(int argc, char** argv) {
   dds_qos_t* qos = dds_create_qos();
   dds_qset_reliability(qos, DDS_RELIABILITY_RELIABLE, DDS_SECS(1));
   dds_entity_t writer = dds_create_writer(participant, topic, qos, NULL);
+  dds_delete_qos(qos);
   if (writer < 0) return fprintf(stderr, "no writer: %s\n", dds_strretcode(-writer)), 1;
   sensor_msgs_msg_dds__JointState_ order = {0};
   order.header.frame_id = "";

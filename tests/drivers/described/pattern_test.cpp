@@ -54,7 +54,8 @@ TEST(LinePatterns, ALineGivesTheValuesOfItsGroups) {
 }
 
 TEST(LinePatterns, AGroupThatTookNoPartHasNoValue) {
-  const auto few = read_line(described(sounder), "Ping #13: -0.10ft\n");
+  const auto toy = described(sounder);
+  const auto few = read_line(toy, "Ping #13: -0.10ft\n");
   EXPECT_DOUBLE_EQ(value_of(few, "depth_m"), -0.1);
   EXPECT_TRUE(std::isnan(value_of(few, "temperature_k")));
   EXPECT_TRUE(std::isnan(value_of(few, "battery_v")));
