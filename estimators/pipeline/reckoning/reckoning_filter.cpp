@@ -68,7 +68,7 @@ Matrix2d ReckoningFilter::velocity_covariance(const Vector2d& measured, SpeedOve
 void ReckoningFilter::compare(const Vector2d& ground, const Vector2d& water) {
   const Vector2d difference =
       over_ground(ground, SpeedOver::ground) - over_ground(water, SpeedOver::water);
-  const auto by_error =
+  const Eigen::Matrix<double, 2, 6> by_error =
       sensitivity(water, SpeedOver::water) - sensitivity(ground, SpeedOver::ground);
   const double variance = square(sigmas_.velocity_mps) + square(sigmas_.water_speed_mps);
   const Vector6 before = errors_;
