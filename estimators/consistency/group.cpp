@@ -1,7 +1,5 @@
 #include "estimators/consistency/group.hpp"
 
-#include <limits>
-
 namespace drydock::consistency {
 namespace {
 
@@ -33,7 +31,8 @@ void Group::see(std::size_t witness, double value, std::uint64_t serial, double 
   one.seen = true;
   one.fresh = serial != one.serial;
   one.serial = serial;
-  one.value = value;
+  const double expected = value_.value_or(value) + one.test.offset();
+  one.value = expected + std::remainder(value - expected, period_);
   one.sigma = sigma;
 }
 

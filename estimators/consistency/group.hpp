@@ -2,6 +2,7 @@
 
 #include <boost/container/static_vector.hpp>
 #include <cmath>
+#include <limits>
 #include <span>
 
 #include "estimators/consistency/devices.hpp"
@@ -27,6 +28,10 @@ struct Witness {
 class Group {
  public:
   static constexpr std::size_t most = 32;
+
+  /// Values that differ by a whole number of `period` are the same: 2 pi for headings. A witness
+  /// that was silent while the vehicle turned does not know how often it did.
+  explicit Group(double period = std::numeric_limits<double>::infinity()) : period_(period) {}
 
   /// Adds a witness; its number counts from 0. A group that is full gives the number `most`.
   std::size_t add(const Devices& devices, const TestFacts& facts, const Freeze* freeze = nullptr,
@@ -72,6 +77,7 @@ class Group {
   void test(Witness& witness, Stamp at, std::size_t seen) const;
   double wider_now(const Witness& witness) const;
 
+  double period_;
   boost::container::static_vector<Witness, most> witnesses_;
   std::optional<double> value_;
   double rate_ = 0;

@@ -54,7 +54,6 @@ Headings::Headings(const Tracks& tracks) : tracks_(tracks) {
     compasses_.push_back(group_.add({compass.device}, compass_facts, &compass.heading.freeze()));
   for (const auto& receiver : tracks.receivers)
     receivers_.push_back(group_.add({receiver.device}, course_facts, &receiver.velocity.freeze()));
-  courses_.resize(receivers_.size());
 }
 
 void Headings::see(const Moment& moment) {
@@ -82,8 +81,8 @@ void Headings::see_courses(const Moment& moment) {
     if (moment.over_ground) drift = *moment.over_ground;
     if (moment.rate) drift.y() += moment.rate->z() * tracks_.receivers[i].sensor.lever_arm_m.x();
     const double course = std::atan2(read->value.y(), read->value.x());
-    group_.see(receivers_[i], courses_[i].next(course - std::atan2(drift.y(), drift.x())),
-               read->serial, slip_sigma(moment, read->value.norm()));
+    group_.see(receivers_[i], course - std::atan2(drift.y(), drift.x()), read->serial,
+               slip_sigma(moment, read->value.norm()));
   }
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <numbers>
+
 #include "estimators/consistency/group.hpp"
 #include "estimators/consistency/moment.hpp"
 
@@ -27,9 +29,8 @@ class Headings {
   void see_courses(const Moment& moment);
 
   const Tracks& tracks_;
-  Group group_;
+  Group group_{2 * std::numbers::pi};
   std::vector<std::size_t> units_, dvls_, compasses_, receivers_;
-  std::vector<Unwrapped> courses_;
 };
 
 }  // namespace drydock::consistency

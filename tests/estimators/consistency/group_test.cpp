@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <numbers>
 #include <random>
+
+#include "drivers/measurement/units.hpp"
 
 namespace drydock::consistency {
 namespace {
@@ -82,6 +85,45 @@ TEST(Group, ForgetsAWitnessThatIsFarOffAndThenSilent) {
   sailing.run(20, 3, true);
   EXPECT_EQ(sailing.run(3600, 2, true), 0);
   EXPECT_NEAR(*sailing.group.value(), 3, 0.001) << "what both say";
+}
+
+/// Three headings of a vehicle that turns by 6 degrees a second. From `lost_s` on, the third is a
+/// course that is silent for `silent_s`, as that of a receiver under water. Its first value after
+/// that is `away_rad` off.
+struct TurningHeadings {
+  Group group{2 * std::numbers::pi};
+  double turn_radps = 6 * units::degree, lost_s = 100, silent_s = 0, away_rad = 0;
+
+  const Witness& sail(double seconds) {
+    constexpr double dt = 0.2;
+    for (std::uint16_t k = 0; k < 3; ++k)
+      group.add({k}, facts_of(1 * units::degree, 0.05 * units::degree));
+    for (std::uint64_t i = 1; static_cast<double>(i) * dt < seconds; ++i) {
+      const double t = static_cast<double>(i) * dt, heading = turn_radps * t;
+      const bool comes_back = t >= lost_s + silent_s;
+      group.see(0, heading, i);
+      group.see(1, heading + 20 * units::degree, i);
+      if (t < lost_s || comes_back)
+        group.see(2, std::remainder(heading + (comes_back ? away_rad : 0), 2 * std::numbers::pi),
+                  i);
+      group.settle(Stamp{measurement::from_seconds(1000 + t)}, dt,
+                   [](const Devices&) { return false; });
+    }
+    return group.witnesses()[2];
+  }
+};
+
+/// In 100 s the vehicle turns by 600 degrees: one whole turn, and 240 degrees.
+TEST(Group, OfHeadingsDoesNotDoubtAWitnessThatMissedATurn) {
+  EXPECT_EQ(TurningHeadings{.silent_s = 0}.sail(300).test.suspicion(), 0);
+  EXPECT_EQ(TurningHeadings{.silent_s = 100}.sail(300).test.suspicion(), 0);
+}
+
+TEST(Group, OfHeadingsTellsHowFarAWitnessIsOffAfterATurnThatItMissed) {
+  TurningHeadings turning{.silent_s = 100, .away_rad = 25 * units::degree};
+  const consistency::Test& course = turning.sail(203).test;
+  EXPECT_TRUE(course.fired());
+  EXPECT_NEAR(course.deviation(), 25 * units::degree, 0.5 * units::degree);
 }
 
 /// A witness that is unsure now, as the shaft of a hull that gains speed, pulls the median.
