@@ -48,11 +48,11 @@ struct Hearing {
   survey::Confidence confidence() const {
     return std::max({eight.best().confidence, even.best().confidence, odd.best().confidence});
   }
-  /// True if more listening at this rate is useless. One accidental frame in noise does not count.
-  bool hopeless(link::Stamp now, link::Stamp since) const {
+  /// True if more listening at this rate is useless: after a burst, or after `longest` of a stream
+  /// without pauses. One accidental frame in noise does not count.
+  bool hopeless(link::Stamp now, link::Stamp since, std::chrono::milliseconds longest) const {
     constexpr std::uint64_t many = 8192;
     constexpr double some = 0.5;
-    constexpr std::chrono::seconds longest{3};
     const double explained =
         std::max({eight.best().explained(), even.best().explained(), odd.best().explained()});
     if (eight.bytes() == 0 || explained >= some) return false;

@@ -41,6 +41,13 @@ std::string with_keys(std::string uri, const Setting& s, int bits) {
   return uri;
 }
 
+/// In this time a stream without pauses brings a whole message, of up to 2048 bytes. All rates with
+/// 8N1 and with even parity then fit into half a minute.
+std::chrono::milliseconds patience(int baud) {
+  constexpr std::int64_t bits_ms = 2048 * 10 * 1000;
+  return std::clamp(std::chrono::milliseconds(bits_ms / std::max(baud, 1)), 1000ms, 3000ms);
+}
+
 /// Questions that change nothing: UBX-MON-VER, and Water Linked's version. docs/pier/probe.md
 std::vector<std::uint8_t> questions() {
   std::array<std::uint8_t, wire::ubx::overhead> poll;
@@ -79,7 +86,7 @@ class Attempt {
         ear.say(**opened, questions());
       }
       if (bytes.empty()) progress.show(progress_text(at));
-      return hearing_.settled() || (may_leave && hearing_.hopeless(at, since));
+      return hearing_.settled() || (may_leave && hearing_.hopeless(at, since, patience(setting_.baud)));
     });
     note_ = (*opened)->note();
     return {};

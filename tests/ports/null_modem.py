@@ -1,11 +1,12 @@
 """Null modems between pairs of serial ports of the machine in software, which by itself compares no rates and paces nothing.
 
-Plain: bytes pass at once. Paced: a byte takes its time at the rate that the guest set, and a port at another rate reads other
-bytes than were sent, as on a real line. QEMU passes the guest's rate to a pseudo-terminal, so a paced line has those for ends;
-a pseudo-terminal keeps no parity and no number of data bits, so of these nothing is seen."""
+Plain: bytes pass at once. Paced: a byte takes its time at the rate that the guest set. A port at another rate reads other bytes
+than were sent, and one with another parity or number of bits reads what a UART makes of the levels on the line (uart.py). QEMU passes the
+guest's rate to a pseudo-terminal, so a paced line has those for ends. Parity, data and stop bits come by line_settings.c."""
 import collections
 import fcntl
 import os
+import pathlib
 import random
 import select
 import socket
@@ -13,8 +14,11 @@ import termios
 import threading
 import time
 
+import uart
+
 RATE = {getattr(termios, name): int(name[1:]) for name in dir(termios) if name[0] == "B" and name[1:].isdigit()}
 MOST_QUEUED = 1 << 20  # pieces on a line
+LONGEST_CHARACTER = 12  # bits: start, eight data bits, parity, two stop bits
 MOST_UNREAD = 256  # bytes that wait in a paced line's port; a port that nobody has open loses what comes after them
 
 
@@ -23,11 +27,13 @@ class End:
 
     def __init__(self, paced, path):
         self.queue, self.free_at = collections.deque(), 0.0
+        self.pending = ""  # levels of a character that is not complete
         self.paced = paced
         if paced:
             self.fd, self.slave = os.openpty()
             os.set_blocking(self.fd, False)
             self.chardev = f"serial,path={os.ttyname(self.slave)}"
+            self.flags_file = pathlib.Path(path).parent / pathlib.Path(os.ttyname(self.slave)).name
         else:
             self.listener = socket.socket(socket.AF_UNIX)
             self.listener.bind(path)
@@ -41,28 +47,45 @@ class End:
             self.fd = self.connection.fileno()
 
     def rate(self):
-        """Rate in baud and bits of a character: start, eight data bits, stop. None on a plain line."""
-        if not self.paced:
-            return None
-        flags, speed = termios.tcgetattr(self.fd)[2], termios.tcgetattr(self.fd)[5]
-        return RATE.get(speed, 9600), 11 if flags & termios.CSTOPB else 10
+        """In baud."""
+        return RATE.get(termios.tcgetattr(self.fd)[5], 9600)
+
+    def frame(self):
+        """8N1 until the guest has set the port."""
+        told = self.flags_file.read_bytes() if self.flags_file.exists() else b""
+        flags = int.from_bytes(told, "little") if told else termios.CS8
+        bits = {termios.CS5: 5, termios.CS6: 6, termios.CS7: 7}.get(flags & termios.CSIZE, 8)
+        parity = ("O" if flags & termios.PARODD else "E") if flags & termios.PARENB else "N"
+        return uart.Frame(bits, parity, 2 if flags & termios.CSTOPB else 1)
 
     def unread(self):
         """Bytes that QEMU has not taken from the pseudo-terminal, since the guest does not read them."""
         return int.from_bytes(fcntl.ioctl(self.slave, termios.FIONREAD, bytes(4)), "little") if self.paced else 0
 
 
+def pass_on(receiver, at, data):
+    if data and len(receiver.queue) < MOST_QUEUED:
+        receiver.queue.append((at, data))
+
+
 def carry(data, sender, receiver, noise, now):
     """Puts the bytes on the line: each arrives when its last bit has."""
-    rate = sender.rate()
-    if rate and rate != receiver.rate():
-        data = bytes(noise.randrange(256) for _ in data if noise.random() < 0.7)
-    seconds = rate[1] / rate[0] if rate else 0.0
+    if not sender.paced:
+        return pass_on(receiver, now, data)
+    rate, sent, heard = sender.rate(), sender.frame(), receiver.frame()
+    bit_s, other_rate = 1 / rate, rate != receiver.rate()
+    idle = max(0.0, now - receiver.free_at) / bit_s
+    receiver.pending, late = uart.heard(receiver.pending, "1" * int(min(idle, LONGEST_CHARACTER)), heard)
     receiver.free_at = max(receiver.free_at, now)
-    for byte in range(len(data)) if rate else [slice(None)]:
-        receiver.free_at += seconds
-        if len(receiver.queue) < MOST_QUEUED:
-            receiver.queue.append((receiver.free_at, data[byte:byte + 1] if rate else data))
+    pass_on(receiver, receiver.free_at, late)
+    for byte in data:
+        levels = uart.sent(byte, sent)
+        receiver.free_at += len(levels) * bit_s
+        if other_rate:
+            pass_on(receiver, receiver.free_at, bytes([noise.randrange(256)]) if noise.random() < 0.7 else b"")
+        else:
+            receiver.pending, read = uart.heard(receiver.pending, levels, heard)
+            pass_on(receiver, receiver.free_at, read)
 
 
 def deliver(end, now):

@@ -1,9 +1,11 @@
 // `drydock probe` on lines that carry bytes at their rate and turn them into others at a wrong one
 // (with-ports.py --paced). Each case has one sensor behind the 16550A and one behind the FTDI
-// adapter, at two rates.
+// adapter, at two rates and with two settings.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
+#include <vector>
 
 #include "tests/vcan/process.hpp"
 
@@ -12,20 +14,23 @@ namespace {
 
 using vcan::Process;
 
+/// `settings`: keys of the URI. `found`: those of them that a receiver can find out. It looks at
+/// the first stop bit alone, so a second one does not show.
 struct Sensor {
-  std::string kind, protocol, baud;
+  std::string kind, protocol, baud, settings, found;
+  std::string name() const { return baud + settings; }
 };
 struct Case {
   Sensor uart, ftdi;
   friend void PrintTo(const Case& c, std::ostream* out) {
-    *out << c.uart.baud << ", " << c.ftdi.baud;
+    *out << c.uart.name() << ", " << c.ftdi.name();
   }
 };
 
 std::string device(const std::string& name, const Sensor& sensor, const std::string& port) {
   return "\n[[device]]\nname = \"" + name + "\"\nkind = \"" + sensor.kind + "\"\nprotocol = \"" +
          sensor.protocol + "\"\nlink = \"serial:" + port + "?emulated=1&baud=" + sensor.baud +
-         "\"\nrate_hz = 5\n";
+         sensor.settings + "\"\nrate_hz = 5\n";
 }
 
 std::string rig_file(const Case& sensors) {
@@ -49,14 +54,14 @@ std::string found_by(Process& probe) {
 
 std::string entry(const Sensor& sensor, const std::string& port) {
   return "protocol = \"" + sensor.protocol + "\"\nlink = \"serial:" + port +
-         "?baud=" + sensor.baud + "\"";
+         "?baud=" + sensor.baud + sensor.found + "\"";
 }
 
 class APacedLine : public ::testing::TestWithParam<Case> {};
 
 /// A machine in software on a busy host stands still at times, and a probe then hears too little.
 /// So each line is probed up to three times; what a probe says must be right.
-TEST_P(APacedLine, IsProbedToItsRateAndItsProtocol) {
+TEST_P(APacedLine, IsProbedToItsRateItsParityAndItsProtocol) {
   Process emulator({DRYDOCK_PROGRAM, "emulate", rig_file(GetParam())});
   ASSERT_NE(emulator.output_until("ftdi:").find("ftdi:"), std::string::npos);
   const auto& [u, f] = GetParam();
@@ -72,13 +77,19 @@ TEST_P(APacedLine, IsProbedToItsRateAndItsProtocol) {
   EXPECT_NE(ftdi.find(entry(f, "/dev/ttyUSB0")), ftdi.npos) << ftdi;
 }
 
-const Sensor dvl115{"dvl", "pd0", "115200"}, dvl57{"dvl", "pd0", "57600"},
-    dvl38{"dvl", "pd0", "38400"};
-const Sensor log4{"emlog", "nmea0183", "4800"}, log9{"emlog", "nmea0183", "9600"},
-    log19{"emlog", "nmea0183", "19200"};
-INSTANTIATE_TEST_SUITE_P(
-    Rates, APacedLine, ::testing::Values(Case{dvl115, log4}, Case{log9, dvl57}, Case{dvl38, log19}),
-    [](const auto& one) { return one.param.uart.baud + "_" + one.param.ftdi.baud; });
+const std::string even = "&parity=even", seven = "&parity=even&bits=7", two_stops = "&stop=2";
+/// QEMU's FTDI adapter has eight data bits whatever it is told, so seven are those of the 16550A.
+const std::vector<Case> cases{
+    {{"dvl", "pd0", "115200", even, even}, {"emlog", "nmea0183", "4800", "", ""}},
+    {{"emlog", "nmea0183", "9600", seven, seven}, {"dvl", "pd0", "57600", two_stops, ""}},
+    {{"dvl", "pd0", "38400", "", ""}, {"emlog", "nmea0183", "19200", even, even}}};
+
+INSTANTIATE_TEST_SUITE_P(Rates, APacedLine, ::testing::ValuesIn(cases), [](const auto& one) {
+  std::string name = one.param.uart.name() + "_" + one.param.ftdi.name();
+  std::ranges::replace_if(
+      name, [](char c) { return c == '&' || c == '='; }, '_');
+  return name;
+});
 
 }  // namespace
 }  // namespace drydock::ports

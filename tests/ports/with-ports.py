@@ -4,7 +4,8 @@
   can0 can1        two SJA1000 controllers (kvaser_pci) on one bus, down
   /dev/qmp         the machine's own control: unplug and plug the adapters usb0 and usb1 (QMP device_del, device_add)
 usage: with-ports.py [--paced] [--virtual] [--seconds N] COMMAND [ARGUMENT...]      exit status of the command
---paced: the lines carry bytes at the rates that the ports are set to (null_modem.py).
+--paced: the lines carry bytes at the rates, with the parity and bits that the ports are set to (null_modem.py; the library
+of line_settings.c is named in DRYDOCK_LINE_SETTINGS_LIBRARY).
 --virtual: the machine's time counts instructions, 2 ns each, and passes over idle time. Not for serial ports.
 Where it cannot run, one line says why; the exit status is 77 (skipped), or 1 if CI=true."""
 import argparse
@@ -96,13 +97,19 @@ def ended(guest, share, seconds):
     return True
 
 
+def settings_told(share, paced):
+    """What makes QEMU write down the parity and the bits of the ports (line_settings.c)."""
+    return {"LD_PRELOAD": os.environ["DRYDOCK_LINE_SETTINGS_LIBRARY"], "DRYDOCK_LINE_SETTINGS": str(share)} if paced else {}
+
+
 def run(options):
     with tempfile.TemporaryDirectory(prefix="drydock-ports-") as folder:
         share = pathlib.Path(folder)
         modem = NullModem(options.paced, [f"{share}/{name}" for name in PORTS])
         modem.start()
         write_command(share, options.command)
-        guest = subprocess.Popen(machine(share, modem, options.virtual), stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL)
+        guest = subprocess.Popen(machine(share, modem, options.virtual), stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
+                                 env=os.environ | settings_told(share, options.paced))
         try:
             if not ended(guest, share, options.seconds):
                 print(f"ports: the machine did not end within {options.seconds:g} s", file=sys.stderr)
