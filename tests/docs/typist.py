@@ -9,6 +9,7 @@ import subprocess
 import time
 
 STUCK_S = 300  # however busy the machine is, a command that takes longer hangs
+SILENT_S = 1  # a program that has said nothing for so long works in silence; nothing depends on it but how much is seen
 
 
 class Typist:
@@ -30,6 +31,7 @@ class Typist:
             interrupted = []
             if until_ctrl_c:
                 self.wait_for(lambda: process.poll() is not None or self.handling_ctrl_c(process.pid))
+                self.wait_for(lambda: process.poll() is not None or said(), SILENT_S)
                 interrupted = self.handling_ctrl_c(process.pid)
                 for pid in interrupted:
                     os.kill(pid, signal.SIGINT)
@@ -61,8 +63,8 @@ class Typist:
             process.wait()
 
     @staticmethod
-    def wait_for(condition):
-        until = time.monotonic() + STUCK_S
+    def wait_for(condition, longest_s=STUCK_S):
+        until = time.monotonic() + longest_s
         while not condition() and time.monotonic() < until:
             time.sleep(0.02)
 

@@ -1,5 +1,5 @@
-"""Types the commands of README.md and docs as they stand there: walk.py SOURCE_FOLDER DRYDOCK [real-time|virtual-time] [PAGE:LINE ...].
-`real-time` types only what speaks to emulated devices on this machine, `virtual-time` only the rest.
+"""Types the commands of README.md and docs as they stand there: walk.py SOURCE_FOLDER DRYDOCK [WHICH ...].
+WHICH: `real-time` (what speaks to emulated devices on this machine), `virtual-time` (the rest), PAGE or PAGE:LINE; default all.
 
 Each block of a page has a folder of its own, with the files that its commands read; its commands are typed in their order. A command
 must end with 0, or, after Ctrl-C, as docs/use/run.md says; walk_table.py has what is not typed, and when 1 is right. Each
@@ -82,9 +82,8 @@ def type_all(commands, root, program, found_pages):
 def main(source, program, *wanted):
     root, found_pages = pathlib.Path(source).resolve(), pages.pages_of(pathlib.Path(source).resolve())
     plan = Plan(root, found_pages)
-    parts = {"real-time": True, "virtual-time": False}
-    here = [command for command in plan.here
-            if all(walk_table.in_real_time(command) == parts[word] if word in parts else f"{command.page}:{command.line}" == word for word in wanted)]
+    part = lambda command: "real-time" if walk_table.in_real_time(command) else "virtual-time"
+    here = [command for command in plan.here if not wanted or {part(command), command.page, f"{command.page}:{command.line}"} & set(wanted)]
     findings = plan.findings + list(type_all(here, root, pathlib.Path(program).resolve(), found_pages))
     print(*findings, sep="\n\n")
     counted = lambda counter: ", ".join(f"{number} {name}" for name, number in counter.most_common())

@@ -4,7 +4,7 @@ import re
 
 # Why a command is not typed. The first row that fits counts.
 NOT_TYPED = [
-    ("a synopsis", r"\[--|\[-o|\[SECONDS|\b(?:RIG|CAMPAIGN)\b|study NAME|--ephemeris F |LINK --protocol"),
+    ("a synopsis", r"\[--|\[-o|\[SECONDS|\b(?:RIG|CAMPAIGN)\b|study NAME|--ephemeris F "),
     ("an example of a recipe, which the tree does not have", r"^docs/build/add-a"),
     ("builds, tests or measures the tree", r": (?:\./rig|cmake|PYTHONPATH=\S+|DRYDOCK_\w+=\S+ build/\S+_test|build/\S+/conformance) ?|ports_latency_test"),
     ("needs root", r": (?:sudo|apt-get|buildah) "),
@@ -20,13 +20,13 @@ NOT_TYPED = [
 
 # Typed beside the emulated devices of a rig, which it speaks to.
 BESIDE = [
-    ("demo", r"drydock (?:monitor|drive|record|diagnose|topic) (?:my-)?rig\.toml|drydock fault \S+ set|: ls \$XDG_RUNTIME_DIR/drydock"),
+    ("demo", r"drydock (?:monitor|drive|record|diagnose|topic) (?:my-)?rig\.toml|drydock monitor '?(?:pty|can):|drydock fault \S+ set|: ls \$XDG_RUNTIME_DIR/drydock"),
     ("described", r"drydock probe pty:altimeter"),
 ]
 
 # Ended with Ctrl-C when it is at work: what has no end, and what lasts too long for a test.
 LASTS = [
-    ("works in real time until Ctrl-C, or for a given time", r"drydock (?:emulate|drive|record) |drydock monitor (?!.*--once)|drydock run (?!.*--speed max)"),
+    ("works in real time until Ctrl-C, or for a given time", r"drydock (?:emulate|drive|record|estimate) |drydock monitor |drydock run (?!.*--speed max)"),
     ("listens for a given time", r"drydock diagnose rig\.toml|drydock topic \S+\.toml"),
     ("plays in real time", r"drydock replay .*(?:--serve|--onto auto)"),
     ("computes for more than some seconds", r"velocity-paper\.toml --speed max|characterize bench\.toml --for|--for 2h|study leveling --runs 1000"),
@@ -35,7 +35,7 @@ LASTS = [
 # An exit code of 1 is right where the output says this.
 ANSWERS = [
     ("what is wrong with this machine", r"drydock doctor", r"(?m)^wrong |\"fitness\": ?\"wrong\""),
-    ("what is wrong with the devices, on a busy machine", r"drydock monitor \S+ --once|drydock probe pty:", r"messages|listened for"),
+    ("what is wrong with the devices, on a busy machine", r"drydock probe pty:", r"listened for"),
     ("its port is another program's", r"--serve|ardusub\.toml", r"Address already in use"),
 ]
 
