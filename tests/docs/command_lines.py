@@ -12,7 +12,24 @@ SHELL = r"export [A-Z_]+=|for \w+ in .*; do "
 PATHS = r"\./[\w.-]+ |(?:build|tests|fixtures)/[\w./-]+/[\w.-]+(?:_test|\.py|\.sh)\b|build/\w+/bin/\w+"
 PYTHON = r"python3(?: |$)"
 START = re.compile(rf"(?:[A-Z_]+=(?:\"[^\"]*\"|\S+) +)*(?:(?:{'|'.join(map(re.escape, PROGRAMS))}) |{SHELL}|{PATHS}|{PYTHON})")
-LANGUAGES = ("", "sh", "bash", "console", "yaml")  # of blocks that may have commands
+
+
+def after_prompt(line):
+    return line.strip().removeprefix("$ ") if line.strip().startswith("$ ") else ""
+
+
+def after_indent(line):
+    """The command of a line, also of one in a CI server's YAML; "" where it is something else, such as output."""
+    line = re.sub(r"^(?:- )?(?:run: )?", "", line.strip())
+    is_command = START.match(line + " ") and not re.search(r"\(new\)|\| +\d+ [+-]+$", line)  # else a row of git diff --stat
+    return re.sub(r"\s+# .*", "", line).strip() if is_command else ""
+
+
+def whole_line(line):
+    return "" if re.match(r" *(?:```|#|$)", line) else re.sub(r"\s+# .*", "", line).strip()
+
+
+READERS = {"console": after_prompt, "sh": whole_line, "bash": whole_line, "": after_indent, "yaml": after_indent}  # of blocks by their language
 
 
 @dataclasses.dataclass(frozen=True)
@@ -35,20 +52,9 @@ def commands_of(name, page: Page):
     for begin, text in sorted(page.blocks):
         fence = re.match(r" *(?:```+|~~~+)(\w*)", text)
         language = fence[1] if fence else ""
-        if language not in LANGUAGES:
+        if language not in READERS:
             continue
         heading = next((title for line, title in reversed(page.headings_at) if line < begin), "")
         for offset, line in joined_lines(text):
-            if command := (after_prompt if language == "console" else after_indent)(line):
+            if command := READERS[language](line):
                 yield Command(name, begin + text.count("\n", 0, offset), begin, heading, command, language == "console")
-
-
-def after_prompt(line):
-    return line.strip().removeprefix("$ ") if line.strip().startswith("$ ") else ""
-
-
-def after_indent(line):
-    """The command of a line, also of one in a CI server's YAML; "" where it is something else, such as output."""
-    line = re.sub(r"^(?:- )?(?:run: )?", "", line.strip())
-    is_command = START.match(line + " ") and not re.search(r"\(new\)|\| +\d+ [+-]+$", line)  # else a row of git diff --stat
-    return re.sub(r"\s+# .*", "", line).strip() if is_command else ""

@@ -38,6 +38,11 @@ script:
 ```python
 drydock run rig.toml
 ```
+
+```sh
+# twice
+any-program --at all    # each line
+```
 """
 LISTS = 'add_test(NAME program.rig COMMAND py ${DIR}/transcript.py\n  ${SOURCE}/docs/rig.md "Typed by another" x)\n'
 ROOT, PROGRAM = (pathlib.Path(word).resolve() for word in sys.argv[1:3])
@@ -52,7 +57,8 @@ class Lines(unittest.TestCase):
     def test_commands_stand_at_prompts_and_where_a_line_begins_with_a_program(self):
         found = [(command.line, command.text, command.console) for command in commands_of("docs/rig.md", Page(PAGE))]
         self.assertEqual(found, [(5, "drydock check rig.toml", False), (8, 'CYCLONEDDS_URI="$(drydock dds-config)" ./listener topic', False),
-                                 (13, "drydock doctor", True), (15, "grep ok log", True), (20, "drydock run rig.toml --for 1s  --speed max", False)])
+                                 (13, "drydock doctor", True), (15, "grep ok log", True), (20, "drydock run rig.toml --for 1s  --speed max", False),
+                                 (30, "any-program --at all", False)])
 
 
 class Planned(unittest.TestCase):
@@ -64,13 +70,13 @@ class Planned(unittest.TestCase):
 
     def test_each_command_of_readme_and_docs_is_in_one_of_three_places(self):
         plan = self.plan(NOT_TYPED=[("domain 0", r"dds-config")])
-        self.assertEqual((plan.total, plan.pages), (5, 1))
-        self.assertEqual([command.line for command in plan.here], [5, 20])
+        self.assertEqual((plan.total, plan.pages), (6, 1))
+        self.assertEqual([command.line for command in plan.here], [5, 20, 30])
         self.assertEqual((dict(plan.elsewhere), dict(plan.untyped)), ({"program.rig": 2}, {"domain 0": 1}))
         self.assertEqual(plan.findings, [])
 
     def test_a_console_that_no_transcript_types_is_typed_here(self):
-        self.assertEqual([command.line for command in self.plan(lists="").here], [5, 8, 13, 15, 20])
+        self.assertEqual([command.line for command in self.plan(lists="").here], [5, 8, 13, 15, 20, 30])
 
     def test_a_reason_that_no_command_has_is_a_finding(self):
         self.assertEqual(self.plan(NOT_TYPED=[("needs root", "sudo")]).findings, ["NOT_TYPED: no command any more: needs root"])
