@@ -61,8 +61,8 @@ class PageFiles:
                 (folder / old.relative_to(self.source)).symlink_to(old)
 
     def put(self, command, page, folder, written):
-        """Puts what `command` reads into `folder`, and takes away what it writes: the lines of a block may be alternatives.
-        `written`: the names that commands of this folder wrote; those of this one are added."""
+        """Puts what `command` reads into `folder`, but for the names in `written`, which commands of this folder wrote. Takes away what
+        it writes, since the lines of a block may be alternatives, and returns those names."""
         outputs = set(OUTPUT.findall(command))
         for name in set(FILE.findall(command)) - outputs - written:
             if shown := re.search(rf"`{re.escape(name)}`:\n\n```toml\n(.*?)```", page.text, re.S):
@@ -72,7 +72,7 @@ class PageFiles:
         for name in outputs:
             path = folder / name
             shutil.rmtree(path) if path.is_dir() else path.unlink(missing_ok=True)
-        written |= outputs
+        return outputs
 
     def origin(self, name, command):
         """The file that stands for `name`; None if the command itself must find it."""

@@ -70,11 +70,13 @@ def type_all(commands, root, program, found_pages):
             if folder not in written_of:
                 files.new_folder(folder)
                 written_of[folder] = set()
-            files.put(command.text, found_pages[command.page], folder, written_of[folder])
+            outputs = files.put(command.text, found_pages[command.page], folder, written_of[folder])
             lasts = walk_table.first_of(walk_table.LASTS, command)
             rig = walk_table.first_of(walk_table.BESIDE, command)
             with typist.beside(f"drydock emulate {rig}", folder) if rig else contextlib.nullcontext():
                 code, said, interrupted = typist.type(command.text.removesuffix("&"), folder, bool(lasts))
+            if not interrupted:  # else little is in them
+                written_of[folder] |= outputs
             if not is_right(command, code, said, interrupted):
                 yield f"{command}\nexit code {code}\n{said[-1000:]}"
 

@@ -97,6 +97,9 @@ class Typed(unittest.TestCase):
     def test_a_command_finds_its_files_and_those_of_the_command_before(self):
         self.assertEqual(self.findings_of("drydock check rig.toml", "drydock new rig mine", "drydock check mine.toml"), [])
 
+    def test_a_command_gets_a_whole_recording_where_ctrl_c_ended_the_one_before(self):
+        self.assertEqual(self.findings_of("drydock record rig.toml -o dive.mcap", "drydock replay dive.mcap --quiet"), [])
+
     def test_a_command_that_fails_is_a_finding_with_its_place_code_and_words(self):
         (finding,) = self.findings_of("drydock check no-such-rig.toml")
         self.assertRegex(finding, r"^docs/rig\.md:1: drydock check no-such-rig\.toml\nexit code 2\n.*No such file")
