@@ -6,7 +6,8 @@ import re
 NOT_TYPED = [
     ("a synopsis", r"\[--|\[-o|\[SECONDS|\b(?:RIG|CAMPAIGN)\b|study NAME|--ephemeris F "),
     ("an example of a recipe, which the tree does not have", r"^docs/build/add-a"),
-    ("builds, tests or measures the tree", r": (?:\./rig|cmake|PYTHONPATH=\S+|DRYDOCK_\w+=\S+ build/\S+_test|build/\S+/conformance) ?|ports_latency_test"),
+    ("builds, tests or measures the tree",
+     r": (?:\./rig|cmake|PYTHONPATH=\S+|DRYDOCK_\w+=\S+ build/\S+_test|build/\S+/conformance) ?|ports_latency_test"),
     ("needs root", r": (?:sudo|apt-get|buildah) "),
     ("belongs to the build of a container or a package", r"packages\.example\.org|Containerfile"),
     ("needs a real port or sensor", r"^(?!.*drydock check ).*(?:tty(?:USB|ACM)\d|socketcan:|\bcan0\b|\bdvl\.toml|mixed\.toml|192\.168\.)"),
@@ -20,16 +21,20 @@ NOT_TYPED = [
 
 # Typed beside the emulated devices of a rig, which it speaks to.
 BESIDE = [
-    ("demo", r"drydock (?:monitor|drive|record|diagnose|topic) (?:my-)?rig\.toml|drydock monitor '?(?:pty|can):|drydock fault \S+ set|: ls \$XDG_RUNTIME_DIR/drydock"),
+    ("demo",
+     r"drydock (?:monitor|drive|record|diagnose|topic) (?:my-)?rig\.toml|drydock monitor '?(?:pty|can):|drydock fault \S+ set|: ls \$XDG"),
     ("described", r"drydock probe pty:altimeter"),
 ]
 
 # Ended with Ctrl-C when it is at work: what has no end, and what lasts too long for a test.
-LASTS = [
-    ("works in real time until Ctrl-C, or for a given time", r"drydock (?:emulate|drive|record|estimate) |drydock monitor |drydock run (?!.*--speed max)"),
+REAL_TIME = [
+    ("works in real time until Ctrl-C, or for a given time",
+     r"drydock (?:emulate|drive|record|estimate) |drydock monitor |drydock run (?!.*--speed max)"),
     ("listens for a given time", r"drydock diagnose rig\.toml|drydock topic \S+\.toml"),
     ("plays in real time", r"drydock replay .*(?:--serve|--onto auto)"),
-    ("computes for more than some seconds", r"velocity-paper\.toml --speed max|characterize bench\.toml --for|--for 2h|study leveling --runs 1000"),
+]
+LASTS = REAL_TIME + [
+    ("computes for more than some seconds", r"velocity-paper\.toml --speed max|characterize bench\.toml .*--for 2h|study leveling --runs 1000"),
 ]
 
 # An exit code of 1 is right where the output says this.
@@ -51,4 +56,4 @@ def first_of(table, command):
 
 def in_real_time(command):
     """True for what needs emulated devices, sockets or the bus of this machine."""
-    return bool(first_of(BESIDE, command) or first_of(LASTS[:3], command))
+    return bool(first_of(BESIDE, command) or first_of(REAL_TIME, command))
