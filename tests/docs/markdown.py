@@ -4,16 +4,18 @@ import re
 
 
 class Page:
-    """`code`: blocks and spans with their line numbers. `prose`: the text with all code blanked, the same length."""
+    """`code`: lines of blocks, and spans, with their line numbers. `blocks`: (line, text) of each block, a fence included.
+    `headings_at`: (line, title). `prose`: the text with all code blanked, the same length."""
 
     def __init__(self, text):
-        self.text, self.code = text, []
+        self.text, self.code, self.blocks = text, [], []
         self.prose = re.sub(r"^( *)(```+|~~~+).*?^ *\2[^\n]*$", self._block, text, flags=re.M | re.S)
         self.prose = re.sub(r"(?:(?<=\n\n)|(?<=\A))(?: {4,}\S[^\n]*(?:\n+(?= {4,}\S)|\n|\Z))+", self._block, self.prose)
-        self.headings = re.findall(r"^#{1,6} +(.+?) *#*$", self.prose, re.M)
+        self.headings_at = [(self.line_of(match.start()), match[1]) for match in re.finditer(r"^#{1,6} +(.+?) *#*$", self.prose, re.M)]
         self.prose = re.sub(r"(?<!`)(`+)(?!`)((?:(?!\n\n).)+?)(?<!`)\1(?!`)", self._span, self.prose, flags=re.S)
 
     def _block(self, match):
+        self.blocks.append((self.line_of(match.start()), match[0]))
         for offset, line in joined_lines(match[0]):
             self.code.append((self.line_of(match.start() + offset), line))
         return re.sub(r"[^\n]", " ", match[0])
@@ -35,7 +37,7 @@ class Page:
     def anchors(self):
         """As GitHub makes them of headings: lower case, no punctuation, blanks to hyphens, a number behind the second of a name."""
         found = {}
-        for heading in self.headings:
+        for _, heading in self.headings_at:
             words = re.sub(r"\[([^\]]*)\]\([^)]*\)", r"\1", heading).replace("`", "")
             slug = re.sub(r"[^\w\- ]", "", words.lower()).replace(" ", "-")
             found[slug] = found.get(slug, -1) + 1
