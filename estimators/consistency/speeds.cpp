@@ -44,7 +44,7 @@ Speeds::Speeds(const Tracks& tracks) : tracks_(tracks) {
   for (const auto& log : tracks.logs)
     logs_.push_back(group_.add({log.device}, log_facts, &log.speed.freeze()));
   for (const auto& actuator : tracks.actuators)
-    shafts_.push_back(group_.add({actuator.device}, shaft_facts, &actuator.shaft.freeze()));
+    shafts_.push_back(group_.add({actuator.device}, shaft_facts, &actuator.shaft.freeze(), true));
   currents_.resize(logs_.size());
   learned_.resize(logs_.size());
   surges_.resize(shafts_.size());

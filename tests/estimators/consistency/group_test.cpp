@@ -87,6 +87,22 @@ TEST(Group, ForgetsAWitnessThatIsFarOffAndThenSilent) {
   EXPECT_NEAR(*sailing.group.value(), 3, 0.001) << "what both say";
 }
 
+/// Two nodes tell the turns of one shaft, and one law makes both speeds: if it is wrong they are
+/// not two against the two others.
+TEST(Group, GivesOneVoteToWitnessesThatShareAnError) {
+  Group group;
+  for (std::uint16_t k = 0; k < 4; ++k) group.add({k}, exact, nullptr, k >= 2);
+  Stamp at{std::chrono::seconds{1000}};
+  for (std::uint64_t i = 0; i < 400; ++i) {
+    at += std::chrono::milliseconds{200};
+    for (std::uint16_t k = 0; k < 4; ++k) group.see(k, i > 300 && k >= 2 ? 3.2 : 3, i + 1);
+    group.settle(at, 0.2, [](const Devices&) { return false; });
+  }
+  const auto witnesses = group.witnesses();
+  EXPECT_EQ(witnesses[0].test.suspicion() + witnesses[1].test.suspicion(), 0);
+  EXPECT_TRUE(witnesses[2].test.fired() && witnesses[3].test.fired());
+}
+
 /// Three headings of a vehicle that turns by 6 degrees a second. From `lost_s` on, the third is a
 /// course that is silent for `silent_s`, as that of a receiver under water. Its first value after
 /// that is `away_rad` off.
