@@ -23,6 +23,14 @@ std::vector<std::string> names_of_options(const CLI::App& command) {
   return names;
 }
 
+/// "RIG, RECORDING"; the words that need no name before them.
+std::string words_of(const CLI::App& command) {
+  std::vector<std::string> words;
+  for (const auto* option : command.get_options())
+    if (option->get_positional()) words.push_back(option->get_name(true));
+  return words.empty() ? "no word" : rig_config::listed(words);
+}
+
 /// The innermost command of those that were typed.
 const CLI::App& typed_command(const CLI::App& app) {
   const auto typed = app.get_subcommands();
@@ -52,12 +60,15 @@ std::string missing_word(const CLI::App& app, const CLI::RequiredError& error) {
 std::string misspelled_option(const CLI::App& app, const CLI::ExtrasError& error) {
   const auto& command = typed_command(app);
   const auto unknown = command.remaining();
-  std::string text = error.what();
-  if (!unknown.empty() && unknown.front().starts_with("--")) {
-    const auto name = unknown.front().substr(0, unknown.front().find('='));
-    text += rig_config::did_you_mean(name, names_of_options(command));
-  }
-  return text;
+  if (unknown.empty()) return error.what();
+  if (!unknown.front().starts_with('-'))
+    return fmt::format(
+        "{}: '{}' is one word too many; it takes {}, and any other value behind the name of its "
+        "option, as --name value",
+        command.get_name(), unknown.front(), words_of(command));
+  if (!unknown.front().starts_with("--")) return error.what();
+  const auto name = unknown.front().substr(0, unknown.front().find('='));
+  return std::string(error.what()) + rig_config::did_you_mean(name, names_of_options(command));
 }
 
 }  // namespace drydock::program

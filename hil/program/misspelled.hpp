@@ -12,7 +12,8 @@ std::string misspelled_command(const CLI::App& app, int argc, const char* const*
 /// What CLI11 says of an argument that is missing; of a command, also which there are.
 std::string missing_word(const CLI::App& app, const CLI::RequiredError& error);
 
-/// What CLI11 says of words that it did not expect, with the nearest option of the command.
+/// What is wrong with a word that was not expected: with the nearest option of the command, or with
+/// the words that the command takes.
 std::string misspelled_option(const CLI::App& app, const CLI::ExtrasError& error);
 
 }  // namespace drydock::program
