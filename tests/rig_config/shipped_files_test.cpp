@@ -114,8 +114,6 @@ TEST(ReplayedGps, TheRecordingIsFoundFromTheRigFilesFolder) {
   const fs::path expected = fs::path(DRYDOCK_SOURCE_DIR).parent_path() /
                             "shared/corpora/gps/gpsd/daemon/ublox-neo-m8l.log";
   EXPECT_EQ(gnss->link, "file:" + expected.string() + "?speed=1&baud=38400");
-  if (!fs::exists(expected)) GTEST_SKIP() << "the corpora are not here: " << expected;
-  EXPECT_GT(fs::file_size(expected), 0);
 }
 
 TEST(Links, OnlyRelativeFileTargetsAreResolved) {
