@@ -86,7 +86,8 @@ class Attempt {
         ear.say(**opened, questions());
       }
       if (bytes.empty()) progress.show(progress_text(at));
-      return hearing_.settled() || (may_leave && hearing_.hopeless(at, since, patience(setting_.baud)));
+      return hearing_.settled() ||
+             (may_leave && hearing_.hopeless(at, since, patience(setting_.baud)));
     });
     note_ = (*opened)->note();
     return {};
