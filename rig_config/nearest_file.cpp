@@ -38,6 +38,7 @@ std::string nearest_file(const std::string& path) {
   const bool bare_word = !asked.has_parent_path();
   if (bare_word) add_shipped(names);
   auto meant = did_you_mean(asked.filename().string(), names);
+  if (meant.empty() && bare_word) meant = did_you_mean(asked.stem().string(), names);
   if (meant.empty() && bare_word && !asked.has_extension())
     return "; `drydock example` lists the files that come with the program";
   return meant;

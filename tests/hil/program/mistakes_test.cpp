@@ -64,6 +64,7 @@ TEST(Mistakes, AFileThatIsNotThereIsComparedWithThoseThatAre) {
   expect_told({
       {"run demmo --for 1s", 2,
        "demmo: cannot be read: No such file or directory (did you mean 'demo'?)"},
+      {"run demo.tml --for 1s", 2, "(did you mean 'demo'?)"},
       {"check dmo", 2, "(did you mean 'demo'?)"},
       {"maneuver nps-auv-i zigzag", 2, "(did you mean 'nps-auv-ii'?)"},
       {"replay " + dive + " --rig demmo", 2, "(did you mean 'demo'?)"},
