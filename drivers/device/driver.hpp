@@ -21,6 +21,7 @@ using measurement::Stamp;
 enum class Refusal : std::uint8_t {
   impossible,      ///< it was damaged, or is read wrongly
   of_another,      ///< it is another instance's
+  incomplete,      ///< other frames of its sample were lost
   no_measurement,  ///< it is good, but no measurement holds it
 };
 

@@ -60,6 +60,12 @@ inline bool is_sea_pressure(double absolute_pa) {
   return absolute_pa >= 0 && absolute_pa <= deepest_sea_pa;
 }
 
+/// False for a depth that no vehicle in a sea or on its deck can have, and for NaN.
+inline bool is_sea_depth(double depth_m) {
+  constexpr double highest_deck_m = 100;
+  return depth_m >= -highest_deck_m && depth_m <= deepest_sea_m;
+}
+
 /// The water above a pressure sensor. With one density under standard gravity
 ///  depth = (p - p_surface) / (density g),  g = 9.80665 m/s2,
 /// or, if a latitude is given, standard ocean water (salinity 35, 0 deg C) as in EOS-80.

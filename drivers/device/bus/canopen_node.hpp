@@ -25,6 +25,9 @@ class CanopenNode {
   /// True for a frame of the predefined connection set (CiA 301) that belongs to another node.
   bool is_of_another(const wire::CanFrame& frame) const;
 
+  /// The sensor was configured, or it was heard.
+  bool is_known() const { return source_.source().has_value(); }
+
   /// True if process data of `node` are our sensor's.
   bool accepts(std::uint8_t node, Stamp now) { return source_.accepts(node, now); }
   void on(const wire::canopen::Heartbeat& heartbeat, Stamp at, Output& out);

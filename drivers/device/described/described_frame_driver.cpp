@@ -67,7 +67,7 @@ void DescribedFrameDriver::join(const wire::CanFrame& frame, Stamp at, Output& o
   const auto origin = age ? timing_.of_frame(at, frame, *age) : timing_.of_frame(at, frame);
   SampleGroup& group = groups_[group_of_[decoder_.place()]];
   if (group.add(record_, decoder_.place(), origin, age.has_value()))
-    out.refuse("a sample whose frames did not all come was left out", Refusal::no_measurement);
+    out.refuse("a sample whose frames did not all come was left out", Refusal::incomplete);
   if (!group.is_complete()) return;
   publisher_.publish(group.readings(), group.origin(), out);
   group.reset();

@@ -16,9 +16,9 @@ constexpr std::size_t place_of(const aceinna::SensorStatus&) { return 2; }
 
 AceinnaImuDriver::AceinnaImuDriver(const DriverOptions& options)
     : BusDriver(options),
-      mounting_(options.mounting),
       source_(options.address),
-      configurator_(options) {}
+      configurator_(options),
+      pair_(options.mounting) {}
 
 void AceinnaImuDriver::restart(Stamp now, Output& out) {
   pair_.reset();
@@ -61,18 +61,13 @@ void AceinnaImuDriver::receive(const wire::CanFrame& frame, Stamp received_at, O
 void AceinnaImuDriver::on(const aceinna::AngularRate& m, const wire::CanFrame& frame, Stamp at,
                           Output& out) {
   if (!accepts(m.source, at)) return;
-  pair_.set_rate(timing_.of_frame(at, frame), m.rate_radps);
-  if (m.latency_s) {
-    pair_.state(timing_.of_frame(at, frame, measurement::from_seconds(*m.latency_s)).valid_at);
-  }
-  pair_.publish(mounting_, out);
+  pair_.add_rate(half_of(timing_, frame, at, m.rate_radps, m.latency_s), out);
 }
 
 void AceinnaImuDriver::on(const aceinna::Acceleration& m, const wire::CanFrame& frame, Stamp at,
                           Output& out) {
   if (!accepts(m.source, at)) return;
-  pair_.set_force(timing_.of_frame(at, frame), m.acceleration_mps2);
-  pair_.publish(mounting_, out);
+  pair_.add_force(half_of(timing_, frame, at, m.acceleration_mps2), out);
 }
 
 /// The claim is the first message after a boot: the device has lost its settings.

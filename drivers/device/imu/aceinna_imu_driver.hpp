@@ -4,13 +4,13 @@
 #include "drivers/device/bus/node_search.hpp"
 #include "drivers/device/bus/source_filter.hpp"
 #include "drivers/device/imu/aceinna_configurator.hpp"
-#include "drivers/device/imu/imu_pair.hpp"
+#include "drivers/device/imu/j1939_imu_pair.hpp"
 #include "drivers/wire/j1939/aceinna.hpp"
 
 namespace drydock::device {
 
 /// Aceinna IMU on J1939: joins ACCS and ARI of one instant into one ImuSample. The device sends the
-/// two directly one after the other, in either order. A message without a partner in time gives no
+/// two directly one after the other, in either order. A message without its partner gives no
 /// sample. A set gives no sample if the device marks a component as error or not available. The
 /// driver takes X, Y, Z on the wire as the sensor's right-handed axes and ACCS as specific force;
 /// the mounting converts them to the body. It ignores SSI2, the device's own attitude. It reports
@@ -24,6 +24,7 @@ class AceinnaImuDriver final : public BusDriver<wire::Aceinna> {
   void restart(Stamp now, Output& out) override;
   void tick(Stamp now, Output& out) override;
   std::optional<Stamp> deadline() const override;
+  void finish(Output& out) override { pair_.finish(out); }
 
  private:
   void on(const wire::aceinna::AngularRate& m, const wire::CanFrame& frame, Stamp at, Output& out);
@@ -37,11 +38,10 @@ class AceinnaImuDriver final : public BusDriver<wire::Aceinna> {
   bool accepts(std::uint8_t source, Stamp at);
   bool ours(std::uint8_t source) const { return source_.source() == source; }
 
-  Mounting mounting_;
   SourceFilter source_;
   NodeSearch search_;
   AceinnaConfigurator configurator_;
-  ImuPair pair_;
+  J1939ImuPair pair_;
   std::array<std::string_view, 3> told_;  ///< errors that were reported
 };
 

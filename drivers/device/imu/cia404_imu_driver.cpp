@@ -1,5 +1,8 @@
 #include "drivers/device/imu/cia404_imu_driver.hpp"
 
+#include <type_traits>
+#include <utility>
+
 #include "drivers/device/imu/imu_sample.hpp"
 
 namespace drydock::device {
@@ -8,11 +11,18 @@ namespace {
 
 namespace canopen = wire::canopen;
 
-/// Three frames take 1.5 ms at 250 kbit/s, and traffic of higher priority may come between. If
-/// frames are further apart they belong to two samples, and frames between them were lost.
-constexpr std::chrono::milliseconds longest_set{5};
+/// Epson's frames have a counter. It joins them, until it may have come round.
+template <class Protocol>
+constexpr bool counts = !std::is_same_v<Protocol, wire::Cia404Imu>;
+constexpr std::chrono::seconds counter_round{10};
 
 }  // namespace
+
+template <class Protocol>
+void Cia404ImuDriver<Protocol>::restart(Stamp now, Output& out) {
+  join_.reset();
+  node_.restart(now, out);
+}
 
 template <class Protocol>
 void Cia404ImuDriver<Protocol>::receive(const wire::CanFrame& frame, Stamp received_at,
@@ -21,6 +31,7 @@ void Cia404ImuDriver<Protocol>::receive(const wire::CanFrame& frame, Stamp recei
   if (const auto node = canopen::node_above(frame, canopen::tpdo_id(1, 0))) {
     first_frame_[*node] = timing_.of_frame(received_at, frame);
   }
+  if (!counts<Protocol> && node_.is_known()) follow(frame, received_at, out);
   const auto message = decoder_.receive(frame);
   if (!message) return;
   if (const auto* set = std::get_if<wire::cia404_imu::ImuSet>(&*message)) {
@@ -32,19 +43,29 @@ void Cia404ImuDriver<Protocol>::receive(const wire::CanFrame& frame, Stamp recei
   }
 }
 
+/// Where the sets of the sensor begin, also of those of which frames are lost.
+template <class Protocol>
+void Cia404ImuDriver<Protocol>::follow(const wire::CanFrame& frame, Stamp at, Output& out) {
+  if (canopen::node_above(frame, canopen::tpdo_id(1, 0))) {
+    begun_ = true;
+    join_.begins(at, out);
+  } else if (canopen::node_above(frame, canopen::tpdo_id(3, 0))) {
+    if (!std::exchange(begun_, false)) join_.misses();
+  }
+}
+
 template <class Protocol>
 void Cia404ImuDriver<Protocol>::on(const wire::cia404_imu::ImuSet& set, const Origin& end,
                                    Output& out) {
   if (!node_.accepts(set.node, end.received_at)) return;
   // All values were true together, before the first frame was sent.
   Origin origin = first_frame_[set.node];
-  if (end.received_at - origin.received_at > longest_set) {
-    out.report("frames of one sample came over 5 ms apart: some were lost, or the host was late");
-    return;
-  }
-  origin.received_at = end.received_at;
+  const Stamp begun_at = std::exchange(origin.received_at, end.received_at);
+  if (counts<Protocol> && end.received_at - begun_at > counter_round)
+    return out.refuse("frames with one counter came over 10 s apart", Refusal::incomplete);
   const auto sample = make_imu_sample(origin, set.rate_radps, set.specific_force_mps2, mounting_);
-  if (sample) return out.publish(*sample);
+  if (sample && counts<Protocol>) return out.publish(*sample);
+  if (sample) return join_.completes(*sample, begun_at, end.received_at, out);
   if (!believable(set.rate_radps, most_rate_radps) ||
       !believable(set.specific_force_mps2, most_force_mps2))
     out.refuse("a sample beyond 100 rad/s or 2000 m/s2 was dropped: damaged on its way");

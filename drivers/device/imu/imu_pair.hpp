@@ -10,9 +10,9 @@
 
 namespace drydock::device {
 
-/// Joins the rate and the acceleration of one instant, which J1939 sensors send in two messages
-/// directly one after the other, in either order. A message without a partner within 5 ms gives no
-/// sample: half a period at 100 Hz still separates two samples.
+/// Joins the rate and the acceleration of one instant, which an SBG sends in two messages directly
+/// one after the other, in either order. Without the device's time a message without a partner
+/// within 5 ms gives no sample: half a period at 100 Hz still separates two samples.
 class ImuPair {
  public:
   using Components = std::array<std::optional<double>, 3>;
@@ -37,6 +37,7 @@ class ImuPair {
     if (const auto sample = take(mounting)) out.publish(*sample);
   }
 
+  bool begun() const { return rate_ || force_; }
   bool whole() const { return rate_ && force_; }
   /// The two of a whole pair came too far apart to be one sample by their arrival.
   bool is_late() const {

@@ -5,12 +5,12 @@ namespace drydock::device {
 namespace {
 
 /// From SAE's order: lateral, longitudinal, vertical.
-ImuPair::Components to_xyz(const ImuPair::Components& sae) { return {sae[1], sae[0], sae[2]}; }
+ImuComponents to_xyz(const ImuComponents& sae) { return {sae[1], sae[0], sae[2]}; }
 
 }  // namespace
 
 Mv5ImuDriver::Mv5ImuDriver(const DriverOptions& options)
-    : BusDriver(options), mounting_(options.mounting), source_(options.address) {}
+    : BusDriver(options), source_(options.address), pair_(options.mounting) {}
 
 void Mv5ImuDriver::restart(Stamp now, Output& out) {
   pair_.reset();
@@ -36,18 +36,13 @@ void Mv5ImuDriver::receive(const wire::CanFrame& frame, Stamp received_at, Outpu
 void Mv5ImuDriver::on(const wire::mv5::AngularRate& m, const wire::CanFrame& frame, Stamp at,
                       Output& out) {
   if (!accepts(m.source, at)) return;
-  pair_.set_rate(timing_.of_frame(at, frame), to_xyz(m.rate_radps));
-  if (m.latency_s) {
-    pair_.state(timing_.of_frame(at, frame, measurement::from_seconds(*m.latency_s)).valid_at);
-  }
-  pair_.publish(mounting_, out);
+  pair_.add_rate(half_of(timing_, frame, at, to_xyz(m.rate_radps), m.latency_s), out);
 }
 
 void Mv5ImuDriver::on(const wire::mv5::Acceleration& m, const wire::CanFrame& frame, Stamp at,
                       Output& out) {
   if (!accepts(m.source, at)) return;
-  pair_.set_force(timing_.of_frame(at, frame), to_xyz(m.acceleration_mps2));
-  pair_.publish(mounting_, out);
+  pair_.add_force(half_of(timing_, frame, at, to_xyz(m.acceleration_mps2)), out);
 }
 
 void Mv5ImuDriver::on(const wire::j1939::AddressClaimed& m, const wire::CanFrame&, Stamp at,

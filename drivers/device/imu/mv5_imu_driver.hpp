@@ -3,7 +3,7 @@
 #include "drivers/device/bus/bus_driver.hpp"
 #include "drivers/device/bus/node_search.hpp"
 #include "drivers/device/bus/source_filter.hpp"
-#include "drivers/device/imu/imu_pair.hpp"
+#include "drivers/device/imu/j1939_imu_pair.hpp"
 #include "drivers/wire/j1939/mv5.hpp"
 
 namespace drydock::device {
@@ -19,6 +19,7 @@ class Mv5ImuDriver final : public BusDriver<wire::Mv5> {
   void restart(Stamp now, Output& out) override;
   void tick(Stamp now, Output& out) override { search_.tick(now, out); }
   std::optional<Stamp> deadline() const override { return search_.deadline(); }
+  void finish(Output& out) override { pair_.finish(out); }
 
  private:
   void on(const wire::mv5::AngularRate& m, const wire::CanFrame& frame, Stamp at, Output& out);
@@ -26,10 +27,9 @@ class Mv5ImuDriver final : public BusDriver<wire::Mv5> {
   void on(const wire::j1939::AddressClaimed& m, const wire::CanFrame& frame, Stamp at, Output& out);
   bool accepts(std::uint8_t source, Stamp at);
 
-  Mounting mounting_;
   SourceFilter source_;
   NodeSearch search_;
-  ImuPair pair_;
+  J1939ImuPair pair_;
 };
 
 }  // namespace drydock::device

@@ -1,5 +1,7 @@
 #include "drivers/device/imu/sbg_imu_driver.hpp"
 
+#include "drivers/device/imu/lost_message.hpp"
+
 namespace drydock::device {
 
 namespace {
@@ -39,6 +41,7 @@ void SbgImuDriver::on(const sbg::ImuInfo& m, const Origin& origin, Output& out) 
   // Were frames between the two halves lost, then so was the time of the group of the second.
   const bool follows = order_.follows(m.time_us);
   if (late_ && follows) out.publish(*late_);
+  if ((late_ && !follows) || (timed_ && !late_ && pair_.begun())) report_lost_message(out);
   late_.reset();
   pair_.reset();
   timed_ = true;

@@ -121,6 +121,8 @@ void XsensImuDriver::add(std::optional<Axes> Group::*which, const Axes& axes, co
 /// Were frames between the two halves lost, then so was the beginning of the group of the second.
 void XsensImuDriver::judge_late(Output& out) {
   if (late_ && group_.follows) out.publish(*late_);
+  if (late_ && !group_.follows)
+    out.refuse("a sample read late was left out: a group behind it was lost", Refusal::incomplete);
   late_.reset();
 }
 

@@ -12,8 +12,13 @@ inline bool is_possible(const measurement::DepthSample& sample, Output& out) {
     out.refuse("a pressure below zero or over 1200 bar was refused: damaged, or in another unit");
     return false;
   }
-  if (sample.altitude_m && !(*sample.altitude_m <= measurement::deepest_sea_m)) {
-    out.refuse("a height over the bed beyond 12 km was refused: damaged on its way");
+  if (sample.depth_m && !measurement::is_sea_depth(*sample.depth_m)) {
+    out.refuse("a depth over 12 km, or 100 m above the surface, was refused: damaged on its way");
+    return false;
+  }
+  if (sample.altitude_m &&
+      !(*sample.altitude_m >= 0 && *sample.altitude_m <= measurement::deepest_sea_m)) {
+    out.refuse("a height over the bed below zero or beyond 12 km was refused: damaged on its way");
     return false;
   }
   return true;

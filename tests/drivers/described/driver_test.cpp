@@ -134,6 +134,26 @@ TEST(DescribedDrivers, ARefusedRequestIsToldAndTheNextOneFollows) {
   EXPECT_FALSE(driver->deadline()) << "the start is over";
 }
 
+TEST(DescribedDrivers, ADepthThatNoSeaHasIsRefusedAsAPressureIs) {
+  Heard heard;
+  const auto driver = driver_of(described(shy));
+  for (const char* depth : {"1e30", "-1e30", "12000.1", "-100.1", "-2147483648"})
+    receive(*driver, "$PD," + std::string(depth) + "\r\n", {}, heard);
+  EXPECT_TRUE(heard.all.empty());
+  EXPECT_EQ(heard.refusals.size(), 5u);
+  for (const char* depth : {"10902", "-2.5", "0"})  // Challenger Deep; on deck; at the surface
+    receive(*driver, "$PD," + std::string(depth) + "\r\n", {}, heard);
+  EXPECT_EQ(heard.all.size(), 3u);
+}
+
+TEST(DescribedDrivers, AHeightOverTheBedBelowZeroIsRefused) {
+  Heard heard;
+  const auto driver = driver_of(shipped("nmea-depth.toml"));
+  receive(*driver, "$INDPT,-500.0,0.0*6F\r\n", {}, heard);
+  EXPECT_TRUE(heard.all.empty());
+  EXPECT_EQ(heard.refusals.size(), 1u);
+}
+
 TEST(DescribedDevices, AnEmulatedOneRefusesUnderTheFaultNak) {
   const emulate::Frozen truth(emulate::under_way());
   auto config = emulate::device(Kind::depth, "shy.toml", 1);
