@@ -180,35 +180,47 @@ void Device::refuse(std::string_view why, Refusal because) {
   if (because != Refusal::no_measurement || last_error_.empty()) note_error(why, now_);
 }
 
+const RateMeter* Device::fastest() const {
+  if (state() != State::streaming) return nullptr;
+  const RateMeter* fastest = nullptr;
+  double most_hz = 0;
+  for (const RateMeter& meter : rates_) {
+    const auto rate_hz = meter.rate_hz();
+    if (!rate_hz || *rate_hz <= most_hz) continue;
+    most_hz = *rate_hz;
+    fastest = &meter;
+  }
+  return fastest;
+}
+
+Vitals Device::vitals() const {
+  const auto opened = life_cycle_.opened_count();
+  const RateMeter* const meter = fastest();
+  return {.state = state(),
+          .since = life_cycle_.since(),
+          .stream = driver().counters(),
+          .held_bytes = driver().held_bytes(),
+          .rate_hz = meter != nullptr ? meter->rate_hz() : std::nullopt,
+          .last_message_at = last_message_at_,
+          .last_error = last_error_,
+          .reopened = opened > 0 ? opened - 1 : 0,
+          .error_frames = error_frames_,
+          .impossible = impossible_};
+}
+
 Health Device::health(Stamp now) const {
   Health health;
-  health.state = state();
-  health.since = life_cycle_.since();
+  static_cast<Vitals&>(health) = vitals();
   health.status = life_cycle_.status(now);
-  health.stream = driver().counters();
-  health.held_bytes = driver().held_bytes();
   health.messages = messages_;
-  if (state() == State::streaming) {
-    for (const RateMeter& meter : rates_) {
-      const auto rate = meter.rate_hz();
-      if (!rate || *rate <= health.rate_hz.value_or(0)) continue;
-      health.rate_hz = rate;
-      health.jitter = meter.jitter();
-    }
-  }
+  if (const RateMeter* const meter = fastest()) health.jitter = meter->jitter();
   health.nominal_rate_hz = options_.nominal_rate_hz;
-  health.last_message_at = last_message_at_;
   if (last_message_at_) health.age = now - *last_message_at_;
-  health.last_error = last_error_;
   if (last_error_at_) health.last_error_age = now - *last_error_at_;
   health.errors = errors_;
   health.link_note = link_note_;
-  const auto opened = life_cycle_.opened_count();
-  health.reopened = opened > 0 ? opened - 1 : 0;
   health.can_dropped = can_dropped_;
-  health.error_frames = error_frames_;
   health.refused = refused_;
-  health.impossible = impossible_;
   return health;
 }
 

@@ -83,6 +83,7 @@ class Device final : private Output {
 
   std::uint64_t messages() const { return messages_; }
   Health health(Stamp now) const;
+  Vitals vitals() const;
   void note_dropped(std::uint64_t total) { can_dropped_ = total; }  ///< FrameLink::dropped()
   void note_link(std::string_view note) { link_note_ = note; }      ///< FrameLink::note()
 
@@ -97,7 +98,8 @@ class Device final : private Output {
   void report(std::string_view trouble) override { note_error(trouble, now_); }
   void refuse(std::string_view why, Refusal because) override;
 
-  void finish(Stamp now);  ///< frames that wait in the driver come out
+  const RateMeter* fastest() const;  ///< null: none has a rate, or nothing streams
+  void finish(Stamp now);            ///< frames that wait in the driver come out
   Driver& driver() const;
   void tell(const LifeCycle::Change& change);
   void note_error(std::string_view what, Stamp at);

@@ -9,29 +9,34 @@
 
 namespace drydock::device {
 
-/// What a person needs to know about one device. It is a plain value that can be copied at any
-/// time.
-struct Health {
+/// What a program that watches a device needs to know several times a second: no words are made for
+/// it.
+struct Vitals {
   State state = State::closed;
   Stamp since{};                  ///< start of the present state
-  Reason status;                  ///< the present state in words
   wire::StreamCounters stream;    ///< this device's frames; on a bus only those it understands
   std::uint64_t held_bytes = 0;   ///< waiting for the rest of a frame
-  std::uint64_t messages = 0;     ///< number of published measurements
   std::optional<double> rate_hz;  ///< rate of its fastest kind of measurement, while streaming
-  std::optional<Jitter> jitter;   ///< of the intervals of that kind
-  double nominal_rate_hz = 0;
   std::optional<Stamp> last_message_at;
-  std::optional<std::chrono::nanoseconds> age;  ///< of the last message, at the time of the call
-  Reason last_error;                            ///< empty: none so far
-  std::optional<std::chrono::nanoseconds> last_error_age;  ///< at the time of the call
-  std::uint64_t errors = 0;        ///< how many so far, the last one among them
-  Reason link_note;                ///< of the link, for a person; empty: none
+  Reason last_error;               ///< empty: none so far
   std::uint32_t reopened = 0;      ///< how often the link was opened again
-  std::uint64_t can_dropped = 0;   ///< frames that the kernel lost on this bus
   std::uint64_t error_frames = 0;  ///< from the CAN controller
   std::uint64_t impossible = 0;    ///< among the refused ones
-  std::uint64_t refused = 0;       ///< values that cannot be true, or are of another instance
+};
+
+/// What a person needs to know about one device. It is a plain value that can be copied at any
+/// time.
+struct Health : Vitals {
+  Reason status;                 ///< the present state in words
+  std::uint64_t messages = 0;    ///< number of published measurements
+  std::optional<Jitter> jitter;  ///< of the intervals of the fastest kind
+  double nominal_rate_hz = 0;
+  std::optional<std::chrono::nanoseconds> age;  ///< of the last message, at the time of the call
+  std::optional<std::chrono::nanoseconds> last_error_age;  ///< at the time of the call
+  std::uint64_t errors = 0;       ///< how many so far, the last one among them
+  Reason link_note;               ///< of the link, for a person; empty: none
+  std::uint64_t can_dropped = 0;  ///< frames that the kernel lost on this bus
+  std::uint64_t refused = 0;      ///< values that cannot be true, or are of another instance
 };
 
 }  // namespace drydock::device

@@ -67,6 +67,7 @@ void Judge::see(const Symptom& symptom) {
 void Judge::settle(Stamp now) {
   for (std::size_t device = 0; device < cases_.size(); ++device) {
     Case& one = cases_[device];
+    if (one.signs.empty() && !one.finding) continue;
     forget_old(one, now);
     const std::span<const Symptom> signs{one.signs.data(), one.signs.size()};
     const auto verdict = verdict_on(signs);

@@ -68,6 +68,11 @@ constexpr auto rules = std::to_array<Rule>({
     {Sign::refuses, Cause::nak, 0.9},
 });
 
+static_assert(static_cast<unsigned>(Sign::heat) < 64);
+constexpr std::uint64_t bit_of(Sign sign) {
+  return std::uint64_t{1} << static_cast<unsigned>(sign);
+}
+
 const Symptom* find_sign(std::span<const Symptom> signs, Sign sign) {
   const auto found = std::ranges::find(signs, sign, &Symptom::sign);
   return found != signs.end() ? &*found : nullptr;
@@ -76,10 +81,12 @@ const Symptom* find_sign(std::span<const Symptom> signs, Sign sign) {
 }  // namespace
 
 std::optional<Verdict> verdict_on(std::span<const Symptom> signs) {
+  std::uint64_t present = 0;
+  for (const Symptom& symptom : signs) present |= bit_of(symptom.sign);
   for (const Rule& rule : rules) {
-    const Symptom* const symptom = find_sign(signs, rule.sign);
-    if (symptom == nullptr || symptom->value < rule.least) continue;
-    if (rule.with && find_sign(signs, *rule.with) == nullptr) continue;
+    if ((present & bit_of(rule.sign)) == 0) continue;
+    if (find_sign(signs, rule.sign)->value < rule.least) continue;
+    if (rule.with && (present & bit_of(*rule.with)) == 0) continue;
     return Verdict{rule.cause, rule.confidence, rule.sign};
   }
   return {};

@@ -1,6 +1,7 @@
 #include "drivers/shell/lockstep.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <stdexcept>
 
 namespace drydock::shell {
@@ -10,34 +11,51 @@ namespace {
 constexpr int most_acts_at_one_instant = 1'000'000;
 }  // namespace
 
-Actor* Lockstep::first_due(Stamp end) {
-  Actor* first = nullptr;
-  Stamp earliest = end;
-  for (Actor* actor : actors_) {
-    if (!actor->asked_) {
-      actor->due_ = actor->deadline();
-      actor->asked_ = true;
-    }
-    if (!actor->due_) continue;
-    const Stamp due = std::max(*actor->due_, now_);
-    if (due < earliest || (!first && due == earliest)) {
-      first = actor;
-      earliest = due;
-    }
+void Lockstep::add(Actor& actor) {
+  actor.clock_ = this;
+  actor.place_ = actors_.size();
+  actors_.push_back(&actor);
+  woken_.reserve(actors_.size());
+}
+
+void Lockstep::ask(Actor& actor) {
+  actor.asked_ = true;
+  const auto deadline = actor.deadline();
+  std::size_t node = leaves_ + actor.place_;
+  tree_[node] = {deadline ? std::max(*deadline, now_) : Stamp::max(), actor.place_};
+  for (node /= 2; node > 0; node /= 2) {
+    const Due winner = std::min(tree_[2 * node], tree_[2 * node + 1]);
+    if (tree_[node] == winner) return;  // nothing changes above
+    tree_[node] = winner;
   }
-  return first;
+}
+
+/// The caller of run_until() may have changed the actors, or added some.
+void Lockstep::ask_all() {
+  leaves_ = std::bit_ceil(std::max<std::size_t>(actors_.size(), 1));
+  tree_.assign(2 * leaves_, Due{});
+  woken_.clear();
+  for (Actor* actor : actors_) ask(*actor);
+}
+
+Actor* Lockstep::first_due(Stamp end) {
+  for (Actor* actor : woken_) ask(*actor);
+  woken_.clear();
+  const Due& first = tree_[1];
+  return first.at == Stamp::max() || first.at > end ? nullptr : actors_[first.place];
 }
 
 void Lockstep::run_until(Stamp end) {
-  for (Actor* actor : actors_) actor->asked_ = false;  // the caller may have changed the actors
+  ask_all();
   int acts_at_this_instant = 0;
   while (Actor* actor = first_due(end)) {
-    acts_at_this_instant = *actor->due_ > now_ ? 0 : acts_at_this_instant + 1;
+    const Stamp due = tree_[1].at;
+    acts_at_this_instant = due > now_ ? 0 : acts_at_this_instant + 1;
     if (acts_at_this_instant > most_acts_at_one_instant) {
       throw std::logic_error("lockstep: an actor stays due at the same instant for ever");
     }
-    now_ = std::max(*actor->due_, now_);
-    actor->asked_ = false;
+    now_ = due;
+    actor->woken();
     actor->act(now_);
   }
   now_ = std::max(now_, end);

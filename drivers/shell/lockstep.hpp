@@ -1,5 +1,7 @@
 #pragma once
 
+#include <compare>
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -11,6 +13,8 @@ namespace drydock::shell {
 
 using measurement::Stamp;
 
+class Lockstep;
+
 /// Acts at its own times: a driver, an emulated device, a line between them.
 class Actor {
  public:
@@ -20,20 +24,22 @@ class Actor {
 
  protected:
   /// Call it if the deadline moves for a reason other than the actor's own act().
-  void woken() { asked_ = false; }
+  void woken();
 
  private:
   friend class Lockstep;
-  bool asked_ = false;  ///< `due_` equals deadline()
-  std::optional<Stamp> due_;
+  Lockstep* clock_ = nullptr;  ///< the one that it was added to
+  std::size_t place_ = 0;      ///< in the order of adding
+  bool asked_ = false;         ///< the clock knows its deadline
 };
 
 class Lockstep {
  public:
   explicit Lockstep(Stamp start) : now_(start) {}
 
-  /// The actor must outlive the shell. Actors due at the same time act in the order of adding.
-  void add(Actor& actor) { actors_.push_back(&actor); }
+  /// The actor must outlive the shell and have no other. Actors due at the same time act in the
+  /// order of adding. Not during run_until().
+  void add(Actor& actor);
 
   Stamp now() const { return now_; }
 
@@ -45,10 +51,30 @@ class Lockstep {
   void skip_to(Stamp at) { now_ = at > now_ ? at : now_; }
 
  private:
+  friend class Actor;
+  /// When an actor is due, not before the time at which it was asked.
+  struct Due {
+    Stamp at = Stamp::max();  ///< max: not at all
+    std::size_t place = 0;
+    auto operator<=>(const Due&) const = default;
+  };
+  void ask(Actor& actor);
+  void ask_all();
   Actor* first_due(Stamp end);
 
   Stamp now_;
   std::vector<Actor*> actors_;
+  std::vector<Actor*> woken_;  ///< to be asked, each once
+  /// A knockout tree: the leaves are the actors, every node has the earlier one of its two, and the
+  /// winner of all stands at 1. A new deadline replays only its own matches.
+  std::vector<Due> tree_;
+  std::size_t leaves_ = 1;
 };
+
+inline void Actor::woken() {
+  if (!asked_) return;
+  asked_ = false;
+  clock_->woken_.push_back(this);
+}
 
 }  // namespace drydock::shell

@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "drivers/wire/decimal_text.hpp"
 #include "drivers/wire/fields.hpp"
 #include "drivers/wire/plain_number.hpp"
 
@@ -64,24 +65,14 @@ std::optional<double> TextFields::angle() {
   return value ? std::optional{radians(*value)} : std::nullopt;
 }
 
-void FieldWriter::text(std::string_view text) {
-  if (overflow_ || text.size() > out_.size() - size_) {
-    overflow_ = true;
-    return;
-  }
-  std::ranges::copy(text, out_.begin() + static_cast<std::ptrdiff_t>(size_));
-  size_ += text.size();
-}
-
 void FieldWriter::number(double value, int decimals) {
-  std::array<char, 64> digits;
-  const auto [end, error] = std::to_chars(digits.data(), digits.data() + digits.size(), value,
-                                          std::chars_format::fixed, decimals);
-  if (error != std::errc{}) {
+  std::array<char, decimal_text_size> digits;
+  const char* const end = fixed_text(value, decimals, digits.data());
+  if (end == nullptr) {
     overflow_ = true;
     return;
   }
-  text({digits.data(), static_cast<std::size_t>(end - digits.data())});
+  text({digits.data(), end});
 }
 
 }  // namespace drydock::wire

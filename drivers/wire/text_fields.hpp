@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <cstring>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -37,7 +38,14 @@ class FieldWriter {
  public:
   explicit FieldWriter(std::span<std::uint8_t> out) : out_(out) {}
 
-  void text(std::string_view text);
+  void text(std::string_view text) {
+    if (overflow_ || text.size() > out_.size() - size_) {
+      overflow_ = true;
+      return;
+    }
+    if (!text.empty()) std::memcpy(out_.data() + size_, text.data(), text.size());
+    size_ += text.size();
+  }
   void number(double value, int decimals);  ///< only the digits, without a separator
   Bytes written() const { return {out_.data(), size()}; }
   std::size_t size() const { return overflow_ ? 0 : size_; }  ///< 0: the buffer was too small

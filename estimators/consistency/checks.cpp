@@ -165,6 +165,18 @@ void Checks::accuse(const Group& group) {
     accuse(group.accused(witness), witness.test, witness.freeze);
 }
 
+/// While nothing is wrong, as nearly always, nobody is accused.
+bool Checks::any_fired() const {
+  const auto fired = [](const Test& test) { return test.fired(); };
+  const auto has_fired = [&](const auto& one) { return std::ranges::any_of(one.tests, fired); };
+  for (const Group* group : {&speeds_.group(), &headings_.group(), &heights_.group()})
+    if (std::ranges::any_of(group->witnesses(), fired, &Witness::test)) return true;
+  return std::ranges::any_of(levels_.units(), has_fired) ||
+         std::ranges::any_of(places_.receivers(), has_fired) ||
+         std::ranges::any_of(attitudes_.compasses(), has_fired) ||
+         std::ranges::any_of(steering_.rudders(), fired, &Steering::Rudder::test);
+}
+
 void Checks::accuse(const Moment& moment) {
   const auto with = [](std::uint16_t device, const Devices& others) {
     Devices all{device};
@@ -172,6 +184,7 @@ void Checks::accuse(const Moment& moment) {
     return all;
   };
   accusations_.clear();
+  if (!any_fired()) return;
   accuse(speeds_.group());
   accuse(headings_.group());
   accuse(heights_.group());

@@ -29,6 +29,7 @@ class Checks {
   Moment moment_at(Stamp at);
   std::optional<Eigen::Vector3d> acceleration(const Moment& moment);
   std::optional<Eigen::Vector3d> velocity(const Moment& moment) const;
+  bool any_fired() const;
   void accuse(const Moment& moment);
   void accuse(const Group& group);
   void accuse(const Devices& devices, const Test& test, const Freeze* freeze,

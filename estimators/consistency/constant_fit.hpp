@@ -25,8 +25,8 @@ class ConstantFit {
   }
 
   struct Answer {
-    Vector value;
-    Eigen::Matrix<double, N, N> covariance;
+    Vector value = Vector::Zero();
+    Eigen::Matrix<double, N, N> covariance = Eigen::Matrix<double, N, N>::Zero();
     double sigma(int k) const { return std::sqrt(covariance(k, k)); }
     /// Of the y that belongs to x.
     double sigma_of(const Vector& x) const { return std::sqrt(x.dot(covariance * x)); }

@@ -72,15 +72,16 @@ void Constants::end(Dvl& dvl, double depth_m) {
   const double seconds = measurement::seconds(sums.last - *dvl.begun);
   if (sums.deep) {
     dvl.vertical.add((depth_m - sums.depth_m - sums.down_m) / seconds, sums.terms_s / seconds);
-    const auto fit = dvl.vertical.solve();
-    dvl.known = fit.value;
+    const auto& fit = dvl.constant = dvl.vertical.solve();
     dvl.tilts_told = dvl.tilts_told ? std::abs(fit.value[2]) > least_tilt / 2
                                     : dvl.vertical.count() > fewest &&
                                           is_told(fit.value[2], fit.sigma(2), least_tilt);
   }
-  if (sums.fixed && sums.over_ground_m > slowest_for_scale_mps * seconds)
+  if (sums.fixed && sums.over_ground_m > slowest_for_scale_mps * seconds) {
     dvl.scale.add((sums.receiver_m - sums.over_ground_m) / seconds,
                   ConstantFit<1>::Vector{sums.over_ground_m / seconds});
+    dvl.factor = dvl.scale.solve();
+  }
   dvl.begun.reset();
 }
 
@@ -94,7 +95,7 @@ void Constants::tell(Stamp now, diagnosis::SymptomSink& to) const {
       sign.quantity = quantity, sign.unit = unit;
       to.see(sign);
     };
-    const auto constant = dvl.vertical.solve();
+    const auto& constant = dvl.constant;
     if (dvl.tilts_told)
       say(Sign::rotated, 100 * constant.value[2], 100 * least_tilt,
           "share of the tilts used wrongly", "%");
@@ -102,7 +103,7 @@ void Constants::tell(Stamp now, diagnosis::SymptomSink& to) const {
              is_told(constant.value[1], constant.sigma(1), least_pitch))
       say(Sign::rotated, constant.value[1] / degree, least_pitch / degree,
           "pitch against the depth", "deg");
-    const auto factor = dvl.scale.solve();
+    const auto& factor = dvl.factor;
     if (dvl.scale.count() > fewest && is_told(factor.value[0], factor.sigma(0), least_scale))
       say(Sign::scale, -100 * factor.value[0], 100 * least_scale, "speed error against GNSS", "%");
   }

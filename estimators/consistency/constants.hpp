@@ -19,17 +19,20 @@ class Constants {
 
   template <class Distrusted>
   void step(const Moment& moment, const Distrusted& distrusted) {
+    const auto depth_m = depth(moment, distrusted);
+    const auto speed_mps = speed(moment, distrusted);
     for (Dvl& dvl : dvls_)
       if (distrusted(Devices{dvl.device}))
         dvl.begun = {};
       else
-        step(dvl, moment, depth_of(dvl, moment, distrusted), speed_of(moment, distrusted));
+        step(dvl, moment, depth_m ? depth_m : tracks_.dvls[dvl.track].living_depth(moment.at),
+             speed_mps);
   }
 
   /// What a DVL's velocity down lacks by these errors, as far as they are known now, m/s.
   double missing_down(std::size_t dvl, const Eigen::Vector3d& velocity,
                       const Eigen::Vector3d& down) const {
-    return dvls_[dvl].known.dot(terms(velocity, down));
+    return dvls_[dvl].constant.value.dot(terms(velocity, down));
   }
 
   /// Repeats the signs that last.
@@ -49,25 +52,25 @@ class Constants {
     std::optional<Stamp> begun{};
     Stamp first{};
     Sums sums{};
-    Eigen::Vector3d known = Eigen::Vector3d::Zero();  ///< the answer of `vertical`
-    bool tilts_told = false;                          ///< then half of it is told still
+    bool tilts_told = false;  ///< then half of it is told still
     ConstantFit<3> vertical;
     ConstantFit<1> scale;
+    ConstantFit<3>::Answer constant{};  ///< of `vertical`, as of its last window
+    ConstantFit<1>::Answer factor{};    ///< of `scale`
   };
 
-  /// Of a pressure sensor, else of the head itself.
+  /// Of a pressure sensor. Without one, each head may tell its own.
   template <class Distrusted>
-  std::optional<double> depth_of(const Dvl& dvl, const Moment& moment,
-                                 const Distrusted& distrusted) const {
+  std::optional<double> depth(const Moment& moment, const Distrusted& distrusted) const {
     for (const auto& depth : tracks_.depths)
       if (!distrusted(Devices{depth.device}))
         if (const auto read = depth.depth.at(moment.at))
           return read->value.x() - (moment.down ? moment.down->dot(depth.sensor.lever_arm_m) : 0);
-    return tracks_.dvls[dvl.track].living_depth(moment.at);
+    return {};
   }
   /// Of the antenna, along the sea.
   template <class Distrusted>
-  std::optional<double> speed_of(const Moment& moment, const Distrusted& distrusted) const {
+  std::optional<double> speed(const Moment& moment, const Distrusted& distrusted) const {
     for (const auto& receiver : tracks_.receivers)
       if (!distrusted(Devices{receiver.device}))
         if (const auto read = receiver.velocity.at(moment.at)) return read->value.norm();

@@ -52,15 +52,17 @@ void Group::move_to(std::optional<double> value, double dt) {
 }
 
 void Group::test(Witness& witness, Stamp at, std::size_t seen) const {
-  if (value_ && seen > 1 && &witness != sole_ && witness.seen && witness.fresh)
-    witness.test.take({.value = witness.value - *value_,
-                       .rate = rate_,
-                       .quantity = *value_,
-                       .sigma = voters_ > 2 ? std::hypot(witness.sigma, wider_now(witness))
-                                            : half_of_pair * worst_sigma_,
-                       .shapes = voters_ > 2,
-                       .pair = seen <= 2},
-                      at);
+  if (value_ && seen > 1 && &witness != sole_ && witness.seen && witness.fresh) {
+    witness.test.take(
+        {.value = witness.value - *value_,
+         .rate = rate_,
+         .quantity = *value_,
+         .sigma = voters_ > 2 ? sigma_among_others(witness) : half_of_pair * worst_sigma_,
+         .shapes = voters_ > 2,
+         .pair = seen <= 2},
+        at);
+    witness.measure();
+  }
   witness.present = witness.seen;
   witness.seen = false;
 }
@@ -80,10 +82,15 @@ double Group::wider_now(const Witness& witness) const {
   double usual = std::numeric_limits<double>::infinity(), now = usual;
   for (const Witness& other : witnesses_) {
     if (&other == &witness || !other.votes) continue;
-    usual = std::min(usual, other.test.spread());
-    now = std::min(now, std::hypot(other.test.spread(), other.sigma));
+    usual = std::min(usual, other.spread);
+    now = std::min(now, other.wide);
   }
   return now > usual ? std::sqrt(now * now - usual * usual) : 0;
+}
+
+double Group::sigma_among_others(const Witness& witness) const {
+  const double wider = wider_now(witness);
+  return wider == 0 ? witness.sigma : std::hypot(witness.sigma, wider);
 }
 
 Devices Group::accused(const Witness& witness) const {

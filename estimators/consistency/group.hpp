@@ -20,7 +20,13 @@ struct Witness {
   // of this time
   bool seen = false, fresh = false, present = false, votes = false;
   double value = 0, sigma = 0;
+  double spread = 0, wide = 0;  ///< the test's spread, and with sigma
   std::uint64_t serial = 0;
+
+  void measure() {
+    spread = test.spread();
+    wide = sigma == 0 ? spread : std::hypot(spread, sigma);
+  }
 };
 
 /// Sensors that say the same quantity, each with its own offset. A witness is tested against the
@@ -76,6 +82,7 @@ class Group {
   void move_to(std::optional<double> value, double dt);
   void test(Witness& witness, Stamp at, std::size_t seen) const;
   double wider_now(const Witness& witness) const;
+  double sigma_among_others(const Witness& witness) const;
 
   double period_;
   boost::container::static_vector<Witness, most> witnesses_;
@@ -94,7 +101,8 @@ void Group::settle(Stamp at, double dt, const Distrusted& distrusted) {
   for (Witness& witness : witnesses_) {
     witness.votes = false;
     if (!witness.seen) continue;
-    worst = std::max(worst, std::hypot(witness.test.spread(), witness.sigma));
+    witness.measure();
+    worst = std::max(worst, witness.wide);
     const double value = witness.value - witness.test.offset();
     any.add(value, witness.kin);
     if (!witness.test.learned() || distrusted(witness.devices)) continue;

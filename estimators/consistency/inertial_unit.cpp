@@ -74,6 +74,7 @@ void InertialUnit::begin(Stamp at, const Sums& sums) {
 /// the step, as rate and specific force are.
 void InertialUnit::turn(double dt) {
   heading_ += rate_.dot(down_) * dt / std::max(0.1, down_.squaredNorm());
+  cos_heading_ = std::cos(heading_), sin_heading_ = std::sin(heading_);
   const Eigen::Vector3d before = down_;
   const auto axes = level_axes();
   const Eigen::Vector3d rate = axes ? Eigen::Vector3d(rate_ - *axes * earth_turn_) : rate_;
@@ -91,8 +92,8 @@ std::optional<Eigen::Matrix<double, 3, 2>> InertialUnit::level_axes() const {
   const Eigen::Vector3d ahead = (Eigen::Vector3d::UnitX() - down_.x() * down_).normalized();
   const Eigen::Vector3d starboard = down_.cross(ahead);
   Eigen::Matrix<double, 3, 2> axes;
-  axes.col(0) = std::cos(heading_) * ahead - std::sin(heading_) * starboard;
-  axes.col(1) = std::sin(heading_) * ahead + std::cos(heading_) * starboard;
+  axes.col(0) = cos_heading_ * ahead - sin_heading_ * starboard;
+  axes.col(1) = sin_heading_ * ahead + cos_heading_ * starboard;
   return axes;
 }
 

@@ -65,6 +65,7 @@ class InertialUnit {
   Eigen::Vector3d quick_ = Eigen::Vector3d::UnitZ(), quick_difference_ = Eigen::Vector3d::Zero();
   Eigen::Vector2d earth_turn_ = Eigen::Vector2d::Zero();  ///< rad/s, level_axes
   double heading_ = 0, levelled_s_ = 0, dt_ = 0;
+  double cos_heading_ = 1, sin_heading_ = 0;
   std::uint64_t serial_ = 0;
   Freeze freeze_;
 };

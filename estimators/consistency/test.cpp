@@ -27,10 +27,11 @@ void Test::take(const Residual& residual, Stamp at) {
   last_ = at;
   if (!learned()) return learn(residual.value);
   deviation_ = residual.value - offset_;
-  const double most = square(wildest * spread());
+  const double usual = spread();
+  const double most = square(wildest * usual);
   noise_square_ +=
       (std::min(square(deviation_ - before) / 2, most) - noise_square_) / noise_samples;
-  sigma_ = sigma_of(residual);
+  sigma_ = sigma_of(residual, usual);
   test(residual, at);
   if (fired_) return end_sum(at);
   mean_square_ += (std::min(square(deviation_), most / 4) - mean_square_) / spread_samples;
@@ -70,9 +71,9 @@ void Test::end_sum(Stamp at) {
 
 double Test::spread() const { return std::sqrt(std::max(square(facts_.floor), mean_square_)); }
 
-double Test::sigma_of(const Residual& residual) const {
-  return std::sqrt(std::max(square(spread()), noise_square_) +
-                   square(facts_.late_s * residual.rate) + square(residual.sigma));
+double Test::sigma_of(const Residual& residual, double spread) const {
+  return std::sqrt(std::max(square(spread), noise_square_) + square(facts_.late_s * residual.rate) +
+                   square(residual.sigma));
 }
 
 void Test::test(const Residual& residual, Stamp at) {

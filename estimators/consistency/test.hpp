@@ -80,7 +80,7 @@ class Test {
   void follow(double dt);
   void end_sum(Stamp at);
   void test(const Residual& residual, Stamp at);
-  double sigma_of(const Residual& residual) const;
+  double sigma_of(const Residual& residual, double spread) const;
 
   TestFacts facts_;
   int samples_ = 0, fired_samples_ = 0;

@@ -160,7 +160,7 @@ void Diagnostician::Bench::notice_depth(const measurement::DepthSample& sample,
 }
 
 void Diagnostician::Bench::look(Stamp now) {
-  for (const auto* device : devices_) monitors_.at(device->index()).look(device->health(now), now);
+  for (const auto* device : devices_) monitors_.at(device->index()).look(device->vitals(), now);
   for (Bus& bus : buses_) bus.monitor.look(now);
   cross_checks_.tell(now);
   judge_.settle(now);

@@ -98,17 +98,17 @@ void SoakWatch::set_faults(Stamp now) {
 
 void SoakWatch::look_at(std::size_t index, Stamp now) {
   const device::Device& device = *bench_->devices[index];
-  const auto health = device.health(now);
-  const auto& stream = health.stream;
-  const auto accounted = stream.bytes_good + stream.bytes_skipped + health.held_bytes;
+  const auto vitals = device.vitals();
+  const auto& stream = vitals.stream;
+  const auto accounted = stream.bytes_good + stream.bytes_skipped + vitals.held_bytes;
   const double t = measurement::seconds(now - start_);
   if (stream.bytes_in != accounted)
     add(fmt::format("{:.0f} s: {} had {} bytes in, {} are accounted for", t, device.name(),
                     stream.bytes_in, accounted));
-  if (now > trouble_until_[index] && health.state != device::State::streaming) {
+  if (now > trouble_until_[index] && vitals.state != device::State::streaming) {
     add(fmt::format("{:.0f} s: {} is {}, {} s after its last fault: {}", t, device.name(),
-                    device::to_string(health.state), recovers_within.count(),
-                    health.status.view()));
+                    device::to_string(vitals.state), recovers_within.count(),
+                    device.health(now).status.view()));
     trouble_until_[index] = now + recovers_within;  // reports this only once
   }
 }

@@ -28,6 +28,19 @@ double RandomStream::normal() {
   return radius * std::cos(2 * std::numbers::pi * uniform());
 }
 
+double RandomStream::normal(double sigma) {
+  if (sigma != 0) return sigma * normal();
+  const bool on_origin = uniform() == 0;  // there the radius is -0
+  const double turn = uniform(), from_half = std::abs(turn - 0.5);
+  // The cosine of a turn is negative within a quarter around the half; rounding decides at its
+  // ends.
+  constexpr double quarter = 0.25, rounding = 1e-9;
+  const bool left = std::abs(from_half - quarter) < rounding
+                        ? std::cos(2 * std::numbers::pi * turn) < 0
+                        : from_half < quarter;
+  return left != on_origin ? -sigma : sigma;
+}
+
 Eigen::Vector3d RandomStream::normal3() {
   const double x = normal();
   const double y = normal();

@@ -22,6 +22,8 @@ class RandomStream {
   std::uint64_t next() { return splitmix64(state_); }
   double uniform();  ///< [0, 1), 53 bits
   double normal();   ///< N(0, 1), Box-Muller
+  /// sigma * normal(), to the last bit. Where sigma is 0 it only draws, and finds the sign of 0.
+  double normal(double sigma);
   Eigen::Vector3d normal3();
 
  private:

@@ -135,15 +135,27 @@ void BusMonitor::judge_identifier(const wire::CanFrame& frame, Stamp at) {
   behind_strange_ = false;
 }
 
+/// Frames mostly follow each other as they did the last time. Null: it is not usual.
+BusMonitor::Usual* BusMonitor::usual_of(std::uint32_t key) {
+  if (usual_.empty()) return nullptr;
+  std::size_t& next = usual_[latest_].next;
+  if (usual_[next].key != key) {
+    const auto found = std::ranges::find(usual_, key, &Usual::key);
+    if (found == usual_.end()) return nullptr;
+    next = static_cast<std::size_t>(found - usual_.begin());
+  }
+  latest_ = next;
+  return &usual_[next];
+}
+
 bool BusMonitor::is_usual(const wire::CanFrame& frame, Stamp at) {
-  const auto usual = std::ranges::find(usual_, key_of(frame), &Usual::key);
-  if (usual != usual_.end()) {
+  if (Usual* const usual = usual_of(key_of(frame))) {
     judge_size(*usual, frame, at);
     watch_times(*usual, frame, at);
     return true;
   }
   if (at - *first_ < learning && usual_.size() < usual_.capacity()) {
-    usual_.push_back({key_of(frame), size_bit(frame), 0});
+    usual_.push_back({key_of(frame), size_bit(frame), 0, 0});
     return true;
   }
   return std::ranges::any_of(

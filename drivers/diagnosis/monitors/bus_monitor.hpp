@@ -46,6 +46,7 @@ class BusMonitor {
     std::uint32_t key = 0;    ///< identifier
     std::uint64_t sizes = 0;  ///< one bit for each number of bytes that it had
     std::uint64_t data = 0;   ///< the first eight bytes of the latest frame
+    std::size_t next = 0;     ///< index of the one that came behind it last time
   };
 
   void note_busy(const wire::CanFrame& frame, Stamp at);
@@ -54,6 +55,7 @@ class BusMonitor {
   void judge_identifier(const wire::CanFrame& frame, Stamp at);
   bool is_usual(const wire::CanFrame& frame, Stamp at);
   void judge_size(Usual& usual, const wire::CanFrame& frame, Stamp at);
+  Usual* usual_of(std::uint32_t key);
   bool is_repeated(std::uint32_t key);
   void watch_times(Usual& usual, const wire::CanFrame& frame, Stamp at);
   void note_strange(Stamp at);
@@ -70,6 +72,7 @@ class BusMonitor {
   unsigned bitrate_ = 250'000;
   std::optional<Stamp> first_;
   boost::container::static_vector<Usual, 128> usual_;
+  std::size_t latest_ = 0;  ///< index of the latest usual one
   boost::container::static_vector<Claim, 32> claims_;
   std::array<std::uint32_t, 64> recent_{};  ///< the last ones that are not usual, a ring
   std::size_t next_recent_ = 0;

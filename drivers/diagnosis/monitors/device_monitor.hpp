@@ -24,10 +24,10 @@ class DeviceMonitor {
     times_.take(stream, measurement::origin_of(measurement), same);
   }
   /// Call it about every look_period.
-  void look(const device::Health& health, Stamp now) {
+  void look(const device::Vitals& vitals, Stamp now) {
     // A shorter silence is part of the pattern.
-    if (health.state != device::State::streaming && now - last_ > away) interrupt();
-    line_.look(health, now);
+    if (vitals.state != device::State::streaming && now - last_ > away) interrupt();
+    line_.look(vitals, now);
     times_.look(now);
     values_.look(now);
   }

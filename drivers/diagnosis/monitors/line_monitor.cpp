@@ -8,8 +8,8 @@
 namespace drydock::diagnosis {
 namespace {
 
-using device::Health;
 using device::State;
+using device::Vitals;
 
 /// A device that has just been opened may still boot.
 constexpr std::chrono::seconds longest_boot{10};
@@ -32,81 +32,81 @@ double grown(std::uint64_t now, std::uint64_t before) {
 LineMonitor::LineMonitor(const Expected& expected, SymptomSink& to)
     : expected_(expected), teller_(expected.device, to) {}
 
-void LineMonitor::look(const Health& health, Stamp now) {
-  look_at_state(health, now);
+void LineMonitor::look(const Vitals& vitals, Stamp now) {
+  look_at_state(vitals, now);
   if (!looked_) last_frame_ = now;
-  look_at_bytes(health, now);
+  look_at_bytes(vitals, now);
   if (looked_) {
-    look_at_counters(health, now);
-    look_at_reports(health, now);
-    look_at_rate(health, now);
+    look_at_counters(vitals, now);
+    look_at_reports(vitals, now);
+    look_at_rate(vitals, now);
   }
-  last_ = health;
+  last_ = vitals;
   looked_ = true;
 }
 
-void LineMonitor::look_at_state(const Health& health, Stamp now) {
+void LineMonitor::look_at_state(const Vitals& vitals, Stamp now) {
   const auto patience = std::max<std::chrono::nanoseconds>(expected_.stale_after, longest_boot);
-  const bool silent = health.state == State::stale ||
-                      (health.state == State::waiting && now - health.since > patience);
-  const Stamp last = health.last_message_at.value_or(health.since);
+  const bool silent = vitals.state == State::stale ||
+                      (vitals.state == State::waiting && now - vitals.since > patience);
+  const Stamp last = vitals.last_message_at.value_or(vitals.since);
   if (silent)
     teller_.tell(Sign::silent, last, now,
                  {measurement::seconds(now - last), measurement::seconds(expected_.stale_after),
                   "silence", "s"});
-  if (health.state == State::backing_off)
-    teller_.tell(Sign::port_lost, health.since, now,
-                 {static_cast<double>(health.reopened), 0, "reopens", ""});
+  if (vitals.state == State::backing_off)
+    teller_.tell(Sign::port_lost, vitals.since, now,
+                 {static_cast<double>(vitals.reopened), 0, "reopens", ""});
 }
 
-void LineMonitor::look_at_bytes(const Health& health, Stamp now) {
-  if (health.stream.frames != last_.stream.frames ||
+void LineMonitor::look_at_bytes(const Vitals& vitals, Stamp now) {
+  if (vitals.stream.frames != last_.stream.frames ||
       expected_.protocol.travels == wire::Travels::as_frames) {
     last_frame_ = now;
-    bytes_then_ = health.stream.bytes_in;
+    bytes_then_ = vitals.stream.bytes_in;
     return;
   }
   const auto patience = std::max<std::chrono::nanoseconds>(
       shortest_babel, measurement::from_seconds(3 / std::max(expected_.nominal_rate_hz, 0.1)));
-  const double bytes = grown(health.stream.bytes_in, bytes_then_);
+  const double bytes = grown(vitals.stream.bytes_in, bytes_then_);
   constexpr double fewest = 16;
   // Bytes must still come: the rest of a damaged frame before a silence is none of this.
-  if (health.stream.bytes_in != last_.stream.bytes_in) bytes_at_ = now;
+  if (vitals.stream.bytes_in != last_.stream.bytes_in) bytes_at_ = now;
   if (now - last_frame_ > patience && bytes >= fewest && now - bytes_at_ < patience)
     teller_.tell(Sign::nothing_decodes, last_frame_, now,
                  {bytes, fewest, "bytes without a frame", "B"});
 }
 
-void LineMonitor::look_at_counters(const Health& health, Stamp now) {
+void LineMonitor::look_at_counters(const Vitals& vitals, Stamp now) {
   const auto& was = last_.stream;
   // On a bus the driver also counts frames of others and halves of samples: the bus monitor looks.
   const bool bytes = expected_.protocol.travels == wire::Travels::as_bytes;
-  const double damaged = bytes ? grown(health.stream.bad_checksums, was.bad_checksums) : 0;
+  const double damaged = bytes ? grown(vitals.stream.bad_checksums, was.bad_checksums) : 0;
   if (damaged > 0) teller_.tell(Sign::bad_checksums, now, now, {damaged, 0, "damaged frames", ""});
-  const double skipped = grown(health.stream.bytes_skipped, was.bytes_skipped);
+  const double skipped = grown(vitals.stream.bytes_skipped, was.bytes_skipped);
   // Before its first frame a device may say its name, or the end of a frame may come.
   const bool in_stream = last_.state == State::streaming;
   if (skipped > 0 && damaged == 0 && bytes && in_stream)
     teller_.tell(Sign::foreign_bytes, now, now, {skipped, 0, "bytes outside of frames", "B"});
-  const auto excess = frames_.add(health.stream.frames, now);
+  const auto excess = frames_.add(vitals.stream.frames, now);
   if (excess && bytes)
     teller_.tell(Sign::repeated, now - std::chrono::seconds{FrameCount::window}, now,
                  {*excess, frames_.usual(), "frames too many in 8 s", ""});
-  const double errors = grown(health.error_frames, last_.error_frames);
+  const double errors = grown(vitals.error_frames, last_.error_frames);
   if (errors > 0) teller_.tell(Sign::error_frames, now, now, {errors, 0, "error frames", ""});
-  const double impossible = grown(health.impossible, last_.impossible);
+  const double impossible = grown(vitals.impossible, last_.impossible);
   if (impossible > 0)
     teller_.tell(Sign::impossible, now, now, {impossible, 0, "impossible values", ""});
 }
 
-void LineMonitor::look_at_reports(const Health& health, Stamp now) {
-  const bool news = health.last_error.view() != last_.last_error.view();
-  if (news && health.last_error.view() == device::hot_report) {
+void LineMonitor::look_at_reports(const Vitals& vitals, Stamp now) {
+  const bool news = vitals.last_error.view() != last_.last_error.view();
+  if (news && vitals.last_error.view() == device::hot_report) {
     hot_since_ = now;
     hot_until_ = now + heat_lasts;
   }
   if (now < hot_until_) teller_.tell(Sign::heat, hot_since_, now, {1, 0, "reports of heat", ""});
-  if (news && health.last_error.view().find(device::refusal_word) != std::string_view::npos) {
+  if (news && vitals.last_error.view().find(device::refusal_word) != std::string_view::npos) {
     refused_since_ = now;
     refused_until_ = now + refusal_lasts;
   }
@@ -115,18 +115,18 @@ void LineMonitor::look_at_reports(const Health& health, Stamp now) {
 }
 
 /// Once a device had its rate, other monitors tell a change.
-void LineMonitor::look_at_rate(const Health& health, Stamp now) {
+void LineMonitor::look_at_rate(const Vitals& vitals, Stamp now) {
   if (had_its_rate_ || expected_.nominal_rate_hz <= 0) return;
-  if (!health.rate_hz || health.state != State::streaming) return off_rate_since_.reset();
+  if (!vitals.rate_hz || vitals.state != State::streaming) return off_rate_since_.reset();
   const double nominal = expected_.nominal_rate_hz;
-  if (std::abs(*health.rate_hz - nominal) < most_rate_error * nominal) {
+  if (std::abs(*vitals.rate_hz - nominal) < most_rate_error * nominal) {
     had_its_rate_ = true;
     return;
   }
   if (!off_rate_since_) off_rate_since_ = now;
   if (now - *off_rate_since_ > rate_settles)
-    teller_.tell(Sign::rate_unexpected, health.since, now,
-                 {*health.rate_hz, nominal, "rate", "Hz"});
+    teller_.tell(Sign::rate_unexpected, vitals.since, now,
+                 {*vitals.rate_hz, nominal, "rate", "Hz"});
 }
 
 }  // namespace drydock::diagnosis

@@ -17,18 +17,18 @@ class LineMonitor {
   /// The sink must outlive the monitor.
   LineMonitor(const Expected& expected, SymptomSink& to);
 
-  void look(const device::Health& health, Stamp now);
+  void look(const device::Vitals& vitals, Stamp now);
 
  private:
-  void look_at_state(const device::Health& health, Stamp now);
-  void look_at_bytes(const device::Health& health, Stamp now);
-  void look_at_counters(const device::Health& health, Stamp now);
-  void look_at_reports(const device::Health& health, Stamp now);
-  void look_at_rate(const device::Health& health, Stamp now);
+  void look_at_state(const device::Vitals& vitals, Stamp now);
+  void look_at_bytes(const device::Vitals& vitals, Stamp now);
+  void look_at_counters(const device::Vitals& vitals, Stamp now);
+  void look_at_reports(const device::Vitals& vitals, Stamp now);
+  void look_at_rate(const device::Vitals& vitals, Stamp now);
 
   Expected expected_;
   Teller teller_;
-  device::Health last_{};
+  device::Vitals last_{};
   bool looked_ = false;
   Stamp last_frame_{};  ///< when the counter of good frames last moved
   Stamp bytes_at_{};    ///< when bytes last came

@@ -11,65 +11,66 @@ namespace {
 
 constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
-constexpr bool is_of_word(char c) {
-  return is_digit(c) || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '-' || c == '+' ||
-         c == '.';
+/// Of each character, whether a word may have it.
+constexpr auto words = [] {
+  std::array<bool, 256> all{};
+  for (unsigned c = 0; c < all.size(); ++c)
+    all[c] = (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
+             c == '-' || c == '+' || c == '.';
+  return all;
+}();
+
+bool is_of_word(char c) { return words[static_cast<unsigned char>(c)]; }
+
+/// Of a string, as it is: no quote, no backslash, no control character.
+bool is_plain(char c) { return static_cast<unsigned char>(c) >= 0x20 && c != '"' && c != '\\'; }
+
+/// The first place from `at` on whose character is none of those, else the end.
+template <class IsOne>
+std::size_t end_of(std::string_view text, std::size_t at, const IsOne& is_one) {
+  while (at < text.size() && is_one(text[at])) ++at;
+  return at;
 }
 
-/// Removes digits from the front. False if there was none.
-bool take_digits(std::string_view& rest) {
-  const std::size_t before = rest.size();
-  while (!rest.empty() && is_digit(rest.front())) rest.remove_prefix(1);
-  return rest.size() < before;
+/// Goes past digits. False if there was none.
+bool take_digits(const char*& at, const char* end) {
+  const char* const from = at;
+  while (at != end && is_digit(*at)) ++at;
+  return at != from;
 }
 
-bool take(std::string_view& rest, std::string_view any_of) {
-  if (rest.empty() || any_of.find(rest.front()) == any_of.npos) return false;
-  rest.remove_prefix(1);
-  return true;
-}
-
-bool is_number(std::string_view rest) {
-  if (!take_digits(rest)) return false;
-  if (take(rest, ".") && !take_digits(rest)) return false;
-  if (!take(rest, "eE")) return rest.empty();
-  take(rest, "+-");
-  return take_digits(rest) && rest.empty();
+bool is_number(std::string_view text) {
+  const char *at = text.data(), *const end = at + text.size();
+  if (!take_digits(at, end)) return false;
+  if (at != end && *at == '.' && !take_digits(++at, end)) return false;
+  if (at == end) return true;
+  if (*at != 'e' && *at != 'E') return false;
+  ++at;
+  if (at != end && (*at == '+' || *at == '-')) ++at;
+  return take_digits(at, end) && at == end;
 }
 
 bool is_scalar(std::string_view word) {
   using namespace std::string_view_literals;
-  if (word == "true"sv || word == "false"sv || word == "null"sv) return true;
-  take(word, "-");
+  constexpr std::array names{"true"sv, "false"sv, "null"sv};
+  if (std::ranges::find(names, word) != names.end()) return true;
+  if (word.starts_with('-')) word.remove_prefix(1);
   constexpr std::array no_values{"NaN"sv, "nan"sv, "Infinity"sv, "inf"sv};
   return is_number(word) || std::ranges::find(no_values, word) != no_values.end();
 }
 
 }  // namespace
 
-char JsonReader::peek() {
-  while (at_ < text_.size() && (text_[at_] == ' ' || text_[at_] == '\t')) ++at_;
-  if (sound() && at_ == text_.size()) state_ = State::cut;
-  return sound() ? text_[at_] : '\0';
-}
-
-bool JsonReader::accept(char wanted) {
-  if (peek() != wanted) return false;
-  ++at_;
-  return true;
-}
-
-void JsonReader::expect(char wanted) {
-  if (!accept(wanted) && sound()) state_ = State::broken;
-}
-
 std::string_view JsonReader::string() {
   expect('"');
   const std::size_t from = at_;
-  while (sound() && at_ < text_.size() && text_[at_] != '"') {
-    const auto c = static_cast<unsigned char>(text_[at_++]);
-    if (c < 0x20) state_ = State::broken;
-    if (c == '\\') escape();
+  while (sound()) {
+    at_ = end_of(text_, at_, is_plain);
+    if (at_ == text_.size() || text_[at_] == '"') break;
+    if (text_[at_++] == '\\')
+      escape();
+    else
+      state_ = State::broken;
   }
   if (sound() && at_ == text_.size()) state_ = State::cut;
   if (!sound()) return {};
@@ -91,7 +92,7 @@ void JsonReader::escape() {
 std::string_view JsonReader::word() {
   if (peek() == '\0') return {};
   const std::size_t from = at_;
-  while (at_ < text_.size() && is_of_word(text_[at_])) ++at_;
+  at_ = end_of(text_, at_, is_of_word);
   const std::string_view word = text_.substr(from, at_ - from);
   if (at_ == text_.size()) {
     state_ = State::cut;  // more of it may come

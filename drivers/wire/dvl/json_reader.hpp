@@ -60,9 +60,22 @@ class JsonReader {
     --depth_;
   }
 
-  char peek();  ///< the next character that is no blank; 0: there is none
-  bool accept(char wanted);
-  void expect(char wanted);
+  /// The next character that is no blank; 0: there is none, or an error before.
+  char peek() {
+    if (!sound()) return '\0';
+    while (at_ < text_.size() && (text_[at_] == ' ' || text_[at_] == '\t')) ++at_;
+    if (at_ < text_.size()) return text_[at_];
+    state_ = State::cut;
+    return '\0';
+  }
+  bool accept(char wanted) {
+    if (peek() != wanted) return false;
+    ++at_;
+    return true;
+  }
+  void expect(char wanted) {
+    if (!accept(wanted) && sound()) state_ = State::broken;
+  }
   std::string_view string();
   void escape();
   std::string_view word();  ///< a number, true, false, null

@@ -1,8 +1,10 @@
 #include "drivers/wire/dvl/water_linked.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 
+#include "drivers/wire/crc.hpp"
 #include "drivers/wire/hex.hpp"
 #include "drivers/wire/line_end.hpp"
 #include "drivers/wire/text_fields.hpp"
@@ -13,6 +15,15 @@ namespace {
 using namespace water_linked;
 
 constexpr std::size_t head_size = 3, checksum_size = 3, line_end_size = 2;
+
+/// What needs no look inside a frame: printable, no checksum's star, no start of another frame.
+constexpr auto plain = [] {
+  std::array<bool, 256> all{};
+  for (unsigned c = 0x20; c <= 0x7e; ++c) all[c] = c != '*' && c != 'w';
+  return all;
+}();
+
+constexpr Crc checksum{{.width = 8, .polynomial = 0x07}};
 
 constexpr bool ends_line(std::uint8_t c) { return c == '\r' || c == '\n'; }
 
@@ -54,6 +65,7 @@ Scan WaterLinked::scan(Bytes bytes) {
   const std::size_t limit = std::min(bytes.size(), max_frame - checksum_size - line_end_size + 1);
   for (std::size_t i = head_size; i < limit; ++i) {
     const std::uint8_t c = bytes[i];
+    if (plain[c]) continue;
     if (c == '*') return with_checksum(bytes, i);
     if (bytes[1] == 'c' && ends_line(c)) return with_line_end(bytes, i);
     if (c < 0x20 || c > 0x7e) return Scan::skip(1);
@@ -65,12 +77,8 @@ Scan WaterLinked::scan(Bytes bytes) {
 namespace water_linked {
 
 std::uint8_t crc8(std::string_view text) {
-  unsigned crc = 0;
-  for (const char c : text) {
-    crc ^= static_cast<std::uint8_t>(c);
-    for (int bit = 0; bit < 8; ++bit) crc = (crc << 1 ^ (crc & 0x80 ? 0x07u : 0u)) & 0xFF;
-  }
-  return static_cast<std::uint8_t>(crc);
+  return static_cast<std::uint8_t>(
+      checksum(Bytes{reinterpret_cast<const std::uint8_t*>(text.data()), text.size()}));
 }
 
 }  // namespace water_linked

@@ -1,6 +1,6 @@
 #include <array>
-#include <charconv>
 
+#include "drivers/wire/decimal_text.hpp"
 #include "drivers/wire/dvl/water_linked_json.hpp"
 #include "drivers/wire/text_fields.hpp"
 
@@ -30,12 +30,8 @@ class JsonText {
   }
 
   void number(double value) {
-    constexpr int digits = 9;
-    std::array<char, 32> text{};
-    const auto end = std::to_chars(text.data(), text.data() + text.size(), value,
-                                   std::chars_format::general, digits)
-                         .ptr;
-    raw({text.data(), static_cast<std::size_t>(end - text.data())});
+    std::array<char, decimal_text_size> text;
+    raw({text.data(), general_text(value, text.data())});
   }
   void raw(std::string_view value) {
     separate();
@@ -81,8 +77,9 @@ class JsonText {
     first_ = false;
   }
   void quoted(std::string_view value) {
-    for (const std::string_view part : {std::string_view{"\""}, value, std::string_view{"\""}})
-      out_.text(part);
+    out_.text("\"");
+    out_.text(value);
+    out_.text("\"");
   }
 
   FieldWriter out_;

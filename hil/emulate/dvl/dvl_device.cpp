@@ -26,9 +26,9 @@ DvlDevice::DvlDevice(const DeviceSetup& setup, const sensor::JanusHead& made)
 sensor::PingNoise DvlDevice::next_noise() {
   sensor::PingNoise noise;
   for (std::size_t beam = 0; beam < 4; ++beam) {
-    noise.fade_db[beam] = head_.fading_db * noise_.normal();
-    noise.bed_mps[beam] = head_.beam_noise_mps * noise_.normal();
-    noise.water_mps[beam] = head_.beam_noise_mps * noise_.normal();
+    noise.fade_db[beam] = noise_.normal(head_.fading_db);
+    noise.bed_mps[beam] = noise_.normal(head_.beam_noise_mps);
+    noise.water_mps[beam] = noise_.normal(head_.beam_noise_mps);
   }
   return noise;
 }

@@ -40,6 +40,18 @@ TEST(Random, NormalNumbersHaveTheMomentsOfTheNormalDistribution) {
   EXPECT_NEAR(beyond_two_sigma, 0.04550026 * n, 4 * std::sqrt(0.0455 * 0.9545 * n));
 }
 
+TEST(Random, ANormalNumberTimesSigmaIsTheProductToTheLastBitAndDrawsAsMuch) {
+  for (const double sigma : {0.0, 1.5}) {
+    RandomStream product(3, "dvl", "beams"), whole(3, "dvl", "beams");
+    for (int i = 0; i < 100'000; ++i) {
+      const double expected = sigma * product.normal(), found = whole.normal(sigma);
+      ASSERT_EQ(found, expected);
+      ASSERT_EQ(std::signbit(found), std::signbit(expected));
+    }
+    EXPECT_EQ(whole.next(), product.next());
+  }
+}
+
 double correlation(RandomStream a, RandomStream b) {
   constexpr int n = 100'000;
   double sum = 0;
