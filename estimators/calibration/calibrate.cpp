@@ -37,15 +37,20 @@ class Rows {
     options_.gate_sigma = 0;
   }
 
-  Eigen::VectorXd at(const std::vector<Parameter>& parameters,
-                     const Eigen::VectorXd& values) const {
+  Normals at(const std::vector<Parameter>& parameters, const Eigen::VectorXd& values) const {
     const auto residuals = smoothing::level_residuals(dive_, with(options_, parameters, values));
-    Eigen::VectorXd rows(static_cast<Eigen::Index>(3 * residuals.size()));
+    const auto most = static_cast<Eigen::Index>(3 * residuals.size());
+    Normals rows{Eigen::VectorXd(most), Eigen::VectorXd(most)};
     Eigen::Index k = 0;
     for (const auto& axes : residuals)
-      for (const auto& axis : axes)
-        if (axis.known) rows(k++) = axis.normalised();
-    return rows.head(k);
+      for (const auto& axis : axes) {
+        if (!axis.known) continue;
+        rows.residual(k) = axis.value;
+        rows.sigma(k++) = axis.sigma;
+      }
+    rows.residual.conservativeResize(k);
+    rows.sigma.conservativeResize(k);
+    return rows;
   }
 
  private:
@@ -140,12 +145,14 @@ Maximum search(const Dive& dive, const LevelOptions& options,
   return search(dive, options, parameters, first.value, 1);
 }
 
-/// Fits noise and motion with the sensors as `at` has them.
+/// Fits noise and motion with the sensors as `at` has them. The motion is the likeliest one: made
+/// larger as for a track it would let the sensors disagree, and the bounds would be those of other
+/// residuals.
 void fit_again(Dive& dive, LevelOptions& options, const LevelOptions& at,
                const std::vector<smoothing::UnstatedNoise>& unstated,
                std::vector<double>& factors) {
   const auto fit = smoothing::fit_noise(dive, at, unstated);
-  options.motion = smoothing::for_manoeuvres(fit.motion);
+  options.motion = fit.motion;
   for (std::size_t i = 0; i < unstated.size(); ++i) {
     factors[i] *= fit.factors[i];
     smoothing::scale_noise(dive, unstated[i], fit.factors[i]);
@@ -154,23 +161,13 @@ void fit_again(Dive& dive, LevelOptions& options, const LevelOptions& at,
 
 }  // namespace
 
-smoothing::LevelMotion rough_motion() {
-  smoothing::LevelMotion motion;
-  motion.acceleration_s = motion.turn_change_s = 0.01;
-  return motion;
-}
-
 Calibration calibrate(Dive& dive, LevelOptions options, const std::vector<Parameter>& parameters,
                       const std::vector<smoothing::UnstatedNoise>& unstated, bool fit) {
   Calibration result;
   result.noise_factors.assign(unstated.size(), 1);
   options.sigmas.heading_bias_rad = 0;
   options.motion.heading_bias_rad = 0;
-  if (fit) {
-    options.motion.acceleration_s = rough_motion().acceleration_s;
-    options.motion.turn_change_s = rough_motion().turn_change_s;
-    fit_again(dive, options, options, unstated, result.noise_factors);
-  }
+  if (fit) fit_again(dive, options, options, unstated, result.noise_factors);
   Maximum found =
       search(dive, options, parameters, Eigen::VectorXd::Zero(priors_of(parameters).size()));
   if (fit) {

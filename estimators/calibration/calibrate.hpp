@@ -29,11 +29,6 @@ struct Calibration {
   bool converged = false;
 };
 
-/// The start of a fitted motion for a calibration: velocity and turn are random walks.
-/// Accelerations that last would explain a latency away (`study calibration`: 1 % instead of 90 %
-/// inside).
-smoothing::LevelMotion rough_motion();
-
 /// Finds the parameters jointly by maximum likelihood of the smoother's forward filter. `dive`: its
 /// unstated noise is scaled to what was fitted. The heading's constant bias is held at zero: a
 /// parameter must hold it. `fit`: fit the noise before and after a first calibration.

@@ -11,49 +11,75 @@ using Eigen::VectorXd;
 constexpr int most_iterations = 12, most_halvings = 5;
 constexpr double small_step = 0.01;  ///< of the bounds
 
+/// Derivatives of the whitened residuals at fixed sigma, and of ln sigma.
+struct Slopes {
+  MatrixXd residual, log_sigma;
+};
+
 /// Everything in units of the prior's sigma.
 struct Problem {
-  const Whitened& residuals;
+  const ResidualsAt& residuals;
   const VectorXd& sigma;
 
-  VectorXd at(const VectorXd& x) const { return residuals(sigma.cwiseProduct(x)); }
-  double cost(const VectorXd& r, const VectorXd& x) const {
-    return r.squaredNorm() + x.squaredNorm();
+  Normals at(const VectorXd& x) const { return residuals(sigma.cwiseProduct(x)); }
+  static VectorXd whitened(const Normals& n) { return n.residual.cwiseQuotient(n.sigma); }
+  /// -2 ln of the likelihood and the prior, up to a constant.
+  static double cost(const Normals& n, const VectorXd& x) {
+    return whitened(n).squaredNorm() + 2 * n.sigma.array().log().sum() + x.squaredNorm();
   }
-  MatrixXd slopes(const VectorXd& x, const VectorXd& here, double step) const {
-    MatrixXd j(here.size(), x.size());
-    for (Eigen::Index i = 0; i < x.size(); ++i)
-      j.col(i) = (at(x + step * VectorXd::Unit(x.size(), i)) - here) / step;
-    return j;
+  Slopes slopes(const VectorXd& x, const Normals& here, double step) const {
+    Slopes slopes{MatrixXd(here.residual.size(), x.size()), MatrixXd(here.sigma.size(), x.size())};
+    for (Eigen::Index i = 0; i < x.size(); ++i) {
+      const Normals there = at(x + step * VectorXd::Unit(x.size(), i));
+      slopes.residual.col(i) = (there.residual - here.residual).cwiseQuotient(here.sigma) / step;
+      slopes.log_sigma.col(i) = (there.sigma - here.sigma).cwiseQuotient(here.sigma) / step;
+    }
+    return slopes;
   }
 };
 
+/// Half the derivative of the cost.
+VectorXd gradient(const Slopes& slopes, const Normals& n, const VectorXd& x) {
+  const VectorXd white = Problem::whitened(n);
+  const VectorXd excess = 1 - white.array().square();
+  return slopes.residual.transpose() * white + slopes.log_sigma.transpose() * excess + x;
+}
+
+/// The inverse of Fisher's information: each residual e has that of its mean, and of its sigma
+/// 2 (d ln sigma)2.
+MatrixXd covariance_of(const Slopes& slopes) {
+  const auto count = slopes.residual.cols();
+  const MatrixXd unit = MatrixXd::Identity(count, count);
+  const MatrixXd information = slopes.residual.transpose() * slopes.residual +
+                               2 * slopes.log_sigma.transpose() * slopes.log_sigma + unit;
+  return information.llt().solve(unit);
+}
+
 }  // namespace
 
-Maximum most_likely(const Whitened& residuals, const VectorXd& prior_sigma, const VectorXd& start,
-                    double step) {
+Maximum most_likely(const ResidualsAt& residuals, const VectorXd& prior_sigma,
+                    const VectorXd& start, double step) {
   const Problem problem{residuals, prior_sigma};
-  VectorXd x = start.cwiseQuotient(prior_sigma), r = problem.at(x);
+  VectorXd x = start.cwiseQuotient(prior_sigma);
+  Normals here = problem.at(x);
   Maximum result;
   MatrixXd covariance;
   while (result.iterations < most_iterations && !result.converged) {
     ++result.iterations;
-    const MatrixXd j = problem.slopes(x, r, step);
-    const MatrixXd information =
-        j.transpose() * j + MatrixXd::Identity(prior_sigma.size(), prior_sigma.size());
-    covariance = information.llt().solve(MatrixXd::Identity(x.size(), x.size()));
-    VectorXd change = -covariance * (j.transpose() * r + x);
-    const double before = problem.cost(r, x);
-    VectorXd next = problem.at(x + change);
-    for (int i = 0; i < most_halvings && problem.cost(next, x + change) > before; ++i) {
+    const Slopes slopes = problem.slopes(x, here, step);
+    covariance = covariance_of(slopes);
+    VectorXd change = -covariance * gradient(slopes, here, x);
+    const double before = Problem::cost(here, x);
+    Normals next = problem.at(x + change);
+    for (int i = 0; i < most_halvings && Problem::cost(next, x + change) > before; ++i) {
       change /= 2;
       next = problem.at(x + change);
     }
     result.converged =
         (change.cwiseAbs().array() < small_step * covariance.diagonal().array().sqrt()).all();
-    if (problem.cost(next, x + change) > before) break;  // rounding: it gets no better
+    if (Problem::cost(next, x + change) > before) break;  // rounding: it gets no better
     x += change;
-    r = next;
+    here = next;
   }
   result.value = prior_sigma.cwiseProduct(x);
   result.covariance = prior_sigma.asDiagonal() * covariance * prior_sigma.asDiagonal();

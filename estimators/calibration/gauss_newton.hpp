@@ -5,20 +5,25 @@
 
 namespace drydock::calibration {
 
-/// Residuals in units of their own sigma, at values of the parameters. Their number must not
-/// change.
-using Whitened = std::function<Eigen::VectorXd(const Eigen::VectorXd&)>;
+/// Normal residuals with the sigma that is expected of each; both may depend on the parameters.
+struct Normals {
+  Eigen::VectorXd residual, sigma;
+};
+
+/// At values of the parameters. The number of residuals must not change.
+using ResidualsAt = std::function<Normals(const Eigen::VectorXd&)>;
 
 struct Maximum {
   Eigen::VectorXd value;
-  Eigen::MatrixXd covariance;  ///< inverse of the Hessian, with the prior
+  Eigen::MatrixXd covariance;  ///< inverse of Fisher's information, with the prior
   int iterations = 0;
   bool converged = false;  ///< the last step was below a hundredth of the bounds
 };
 
-/// The most likely values for whitened residuals, eq. (S13), from `start` on. The prior of each is
-/// normal about zero; derivatives are differences over `step` of the prior's sigma.
-Maximum most_likely(const Whitened& residuals, const Eigen::VectorXd& prior_sigma,
+/// The most likely values for normal residuals, eq. (S13), from `start` on: Gauss-Newton's method
+/// with Fisher's information, in which the sigmas count too. The prior of each is normal about
+/// zero; derivatives are differences over `step` of the prior's sigma.
+Maximum most_likely(const ResidualsAt& residuals, const Eigen::VectorXd& prior_sigma,
                     const Eigen::VectorXd& start, double step = 1e-3);
 
 }  // namespace drydock::calibration

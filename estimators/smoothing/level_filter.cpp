@@ -161,7 +161,8 @@ LevelFilter::Rows LevelFilter::velocity_rows(const SensorModel& sensor, const Ti
   const Matrix3d to_sensor =
       (1 + sensor.scale_error) * misalignment(sensor).transpose() * level.transpose();
   const Vector3d arm = swung(level * sensor.lever);
-  Vector3d velocity = state_.velocity + state_.turn_radps * arm;
+  Vector3d velocity =
+      state_.velocity + state_.turn_radps * arm + moved_by_tilting(tilt, sensor.lever);
   const Matrix3d to_heading = heading_to_ned(state_.heading_rad).transpose();
   const Vector3d current = to_heading.leftCols<2>() * state_.current;
   if (of_water) velocity -= current;

@@ -50,6 +50,12 @@ Matrix3d body_to_level(const Tilt& tilt) {
   return frame::body_to_ned({tilt.roll_rad, tilt.pitch_rad, 0}).toRotationMatrix();
 }
 
+Vector3d moved_by_tilting(const Tilt& tilt, const Vector3d& place) {
+  const Matrix3d level = body_to_level(tilt);
+  const Vector3d by_roll = tilt.roll_radps * Vector3d::UnitX().cross(place);
+  return level * by_roll + tilt.pitch_radps * Vector3d::UnitY().cross(level * place);
+}
+
 LevelMatrix move(LevelState& state, const LevelMotion& motion, double dt) {
   const auto along = singer_step(motion.velocity_mps, motion.acceleration_s, dt).transition;
   const auto about = singer_step(motion.turn_radps, motion.turn_change_s, dt).transition;

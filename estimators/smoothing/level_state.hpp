@@ -47,6 +47,8 @@ struct LevelMotion {
 Eigen::Matrix3d heading_to_ned(double heading_rad);
 /// Coordinates of a vector in body axes -> heading axes.
 Eigen::Matrix3d body_to_level(const Tilt& tilt);
+/// How fast a place in the body moves by the rates of roll and pitch alone, heading axes, m/s.
+Eigen::Vector3d moved_by_tilting(const Tilt& tilt, const Eigen::Vector3d& place);
 
 /// Moves the state by `dt` and returns the transition of its errors, eq. (S6).
 LevelMatrix move(LevelState& state, const LevelMotion& motion, double dt);

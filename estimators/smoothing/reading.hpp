@@ -24,9 +24,10 @@ struct Reading {
   Eigen::Vector3d sigma = Eigen::Vector3d::Ones();
 };
 
-/// Roll and pitch of the body at one time, rad.
+/// Roll and pitch of the body at one time, and their rates.
 struct Tilt {
   double time_s = 0, roll_rad = 0, pitch_rad = 0;
+  double roll_radps = 0, pitch_radps = 0;  ///< smooth_tilts() finds them
 };
 
 /// An IMU sample in body axes: rad/s and m/s2.
@@ -41,7 +42,8 @@ struct Dive {
   std::vector<InertialReading> inertial;
 };
 
-/// The tilt at a time, on a line between its neighbours, and the nearest one beyond the ends.
+/// The tilt at a time: between its neighbours on the cubic with their rates, or on a line if they
+/// are far from each other; beyond the ends the nearest one.
 Tilt tilt_at(const std::vector<Tilt>& tilts, double time_s);
 
 /// A measured value minus the expected one, and the standard deviation that the filter expects of

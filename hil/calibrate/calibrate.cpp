@@ -33,6 +33,8 @@ int calibrate(const CalibrateOptions& options, std::FILE* out, std::FILE* err) {
     }
     const auto outcome = calibrated(track::gather(options.source));
     fmt::print(out, "{}", options.json ? to_json(outcome) : to_text(outcome));
+    if (!options.report.empty())
+      report::write_file(std::filesystem::path(options.report) / "index.html", to_html(outcome));
     if (!options.write.empty()) write_rig(outcome, options, err);
     return terminal::exit_of(std::ranges::any_of(outcome.calibration.findings, [](const auto& f) {
       return f.verdict == calibration::Verdict::told;

@@ -6,51 +6,25 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "drivers/measurement/units.hpp"
+#include "estimators/smoothing/level_smoother.hpp"
+#include "hil/calibrate/outcome_words.hpp"
+#include "hil/calibrate/residual_change.hpp"
+#include "hil/track/outcome.hpp"
 #include "hil/track/setup.hpp"
 
 namespace drydock::calibrate {
 namespace {
 
 using calibration::Finding;
-using calibration::Verdict;
 using smoothing::Quantity;
 using Json = nlohmann::ordered_json;
 
-bool is_angle(const Finding& f) { return unit_of(f.parameter.unknown) == "rad"; }
-double shown(const Finding& f, double value) {
-  return is_angle(f) ? value * units::degrees_per_radian : value;
-}
-std::string shown_unit(const Finding& f) {
-  const auto unit = unit_of(f.parameter.unknown);
-  return is_angle(f) ? " deg" : unit == "1" ? "" : " " + std::string(unit);
-}
-
-std::string full_name(const Outcome& outcome, const Finding& f) {
-  return outcome.gathered.device_name(f.parameter.device) + ": " +
-         std::string(name_of(f.parameter.unknown));
-}
-
-std::string_view verdict_text(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::told: return "told";
-    case Verdict::weakly: return "told weakly";
-    case Verdict::not_told: break;
-  }
-  return "not told";
-}
-
-std::string why_of(const Outcome& outcome, const Finding& f) {
-  if (f.verdict == Verdict::told || f.confused_with < 0) return f.why;
-  const auto& other = outcome.calibration.findings.at(static_cast<std::size_t>(f.confused_with));
-  return "it cannot be told apart from " + full_name(outcome, other);
-}
-
 std::string line_of(const Outcome& outcome, const Finding& f) {
   const auto why = why_of(outcome, f);
+  const auto unit = shown_unit(f);
   return fmt::format("  {} {:+.4f} +- {:.4f}{} (95 %), {}{}\n", full_name(outcome, f),
-                     shown(f, f.value), shown(f, f.bound()), shown_unit(f), verdict_text(f.verdict),
-                     why.empty() ? "" : ": " + why);
+                     shown(f, f.value), shown(f, f.bound()), unit.empty() ? "" : " " + unit,
+                     verdict_text(f.verdict), why.empty() ? "" : ": " + why);
 }
 
 Json finding_json(const Outcome& outcome, const Finding& f) {
@@ -89,14 +63,17 @@ Outcome calibrated(track::Gathered gathered) {
         "in the vehicle cannot be told");
   const auto options = track::level_of(gathered, {});
   auto found = calibration::calibrate(gathered.dive, options, parameters, gathered.unstated);
-  return {std::move(gathered), std::move(found)};
+  auto as_in_rig = found.options;
+  as_in_rig.sensors = options.sensors;
+  auto before = smoothing::level_residuals(gathered.dive, as_in_rig);
+  auto after = smoothing::level_residuals(gathered.dive, found.options);
+  return {std::move(gathered), std::move(found), std::move(before), std::move(after)};
 }
 
 std::string to_text(const Outcome& outcome) {
   const auto& c = outcome.calibration;
-  std::string out = fmt::format("{}: changes of what the rig says, after {} iterations{}\n",
-                                outcome.gathered.source, c.iterations,
-                                c.converged ? "" : ", which did not settle");
+  std::string out = fmt::format("{}: changes of what the rig says; {}\n", outcome.gathered.source,
+                                settled_text(c));
   for (const auto& note : outcome.gathered.notes) out += "  " + note + "\n";
   for (const auto& finding : c.findings) out += line_of(outcome, finding);
   for (std::size_t i = 0; i < c.findings.size(); ++i)
@@ -113,12 +90,21 @@ std::string to_json(const Outcome& outcome) {
   const auto& c = outcome.calibration;
   Json json{{"source", outcome.gathered.source}, {"converged", c.converged},
             {"iterations", c.iterations},        {"notes", outcome.gathered.notes},
-            {"findings", Json::array()},         {"correlation", Json::array()}};
+            {"findings", Json::array()},         {"correlation", Json::array()},
+            {"residuals", Json::array()}};
   for (const auto& finding : c.findings) json["findings"].push_back(finding_json(outcome, finding));
   for (Eigen::Index i = 0; i < c.correlation.rows(); ++i) {
     const Eigen::VectorXd row = c.correlation.row(i);
     json["correlation"].push_back(std::vector<double>(row.begin(), row.end()));
   }
+  for (const auto& change : residual_changes(outcome))
+    json["residuals"].push_back({{"device", outcome.gathered.device_name(change.device)},
+                                 {"quantity", track::name_of(change.quantity)},
+                                 {"unit", track::unit_of(change.quantity)},
+                                 {"rms_before", change.rms_before},
+                                 {"rms_after", change.rms_after},
+                                 {"nis_before", change.nis_before},
+                                 {"nis_after", change.nis_after}});
   return json.dump(2) + "\n";
 }
 

@@ -34,6 +34,8 @@ void add_calibrate(CLI::App& app, Command& command) {
       ->required();
   auto* write = sub->add_option("--write", o.write, "a rig file with what was told, TOML");
   sub->add_flag("--overwrite", o.overwrite, "replace what is there")->needs(write);
+  sub->add_option("--report", o.report,
+                  "folder for index.html: bounds, correlations, residuals before and after");
   sub->add_flag("--json", o.json, "one JSON object instead of text");
   sub->add_option("--rig", o.source.rig,
                   "rig file in the place of the recorded one, or with the sensor of a capture")

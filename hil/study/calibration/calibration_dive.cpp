@@ -4,6 +4,7 @@
 
 #include "drivers/measurement/units.hpp"
 #include "estimators/smoothing/level_smoother.hpp"
+#include "estimators/smoothing/tilt_smoother.hpp"
 #include "hil/motion/make_trajectory.hpp"
 #include "hil/sensor/ideal.hpp"
 #include "hil/study/campaign.hpp"
@@ -65,6 +66,7 @@ class Emulated {
     for (int i = 0; i * period_s < end; ++i)
       sense(i * period_s,
             trajectory.at(trajectory.start() + measurement::from_seconds(i * period_s)));
+    dive_.tilts = smoothing::smooth_tilts(std::move(dive_.tilts));
     return std::move(dive_);
   }
 

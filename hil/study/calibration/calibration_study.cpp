@@ -43,14 +43,9 @@ struct CalibrationSum {
 };
 
 /// The vehicle's wandering is the same in all dives: it is fitted once, without errors.
-LevelMotion fitted_motion(std::uint64_t seed, const LevelMotion& first) {
+LevelMotion fitted_motion(std::uint64_t seed) {
   const auto dive = calibration_dive({}, seed, 1'000'000);
-  auto options = calibration_options(dive);
-  options.motion.velocity_mps = first.velocity_mps;
-  options.motion.turn_radps = first.turn_radps;
-  options.motion.acceleration_s = first.acceleration_s;
-  options.motion.turn_change_s = first.turn_change_s;
-  return smoothing::for_manoeuvres(smoothing::fit_noise(dive, options, {}).motion);
+  return smoothing::fit_noise(dive, calibration_options(dive), {}).motion;
 }
 
 /// Of the calibration, and of the smoother.
@@ -108,8 +103,8 @@ std::string calibration_unit(calibration::Unknown unknown) {
 }  // namespace
 
 Result calibration_study(const Options& options, Progress& progress) {
-  const FittedMotions motions{fitted_motion(options.seed, calibration::rough_motion()),
-                              fitted_motion(options.seed, {})};
+  const auto motion = fitted_motion(options.seed);
+  const FittedMotions motions{motion, smoothing::for_manoeuvres(motion)};
   const auto parameters = drawn_errors(options.seed, 0).parameters;
   std::vector<CalibrationSum> sums(parameters.size());
   CalibrationTrack tracks;

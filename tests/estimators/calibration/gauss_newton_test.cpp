@@ -12,13 +12,16 @@ using Eigen::MatrixXd;
 using Eigen::Vector2d;
 using Eigen::VectorXd;
 
+/// Residuals of sigma 1.
+Normals white(const VectorXd& residuals) { return {residuals, VectorXd::Ones(residuals.size())}; }
+
 TEST(GaussNewton, OnALinearProblemIsTheClosedFormOfLeastSquaresWithAPrior) {
   MatrixXd a(4, 2);
   a << 1, 2, 3, -1, 0.5, 4, -2, 1;
   const Eigen::Vector4d b{1, 2, -1, 0.5};
   const Vector2d prior{2, 0.5};
   const auto found =
-      most_likely([&](const VectorXd& x) { return VectorXd(a * x - b); }, prior, Vector2d::Zero());
+      most_likely([&](const VectorXd& x) { return white(a * x - b); }, prior, Vector2d::Zero());
   MatrixXd information = a.transpose() * a;
   information.diagonal() += prior.cwiseAbs2().cwiseInverse();
   const MatrixXd covariance = information.inverse();
@@ -30,15 +33,31 @@ TEST(GaussNewton, OnALinearProblemIsTheClosedFormOfLeastSquaresWithAPrior) {
 TEST(GaussNewton, FindsTheLogarithmThatMakesAnExponentialFit) {
   // exp(x) = 3, measured to 1e-4: x = ln 3, sigma = 1e-4 / 3.
   const auto found = most_likely(
-      [](const VectorXd& x) { return VectorXd::Constant(1, (std::exp(x(0)) - 3) / 1e-4).eval(); },
+      [](const VectorXd& x) {
+        return Normals{VectorXd::Constant(1, std::exp(x(0)) - 3), VectorXd::Constant(1, 1e-4)};
+      },
       VectorXd::Constant(1, 10), VectorXd::Zero(1), 1e-8);
   EXPECT_NEAR(found.value(0), std::log(3), 1e-6);
   EXPECT_NEAR(std::sqrt(found.covariance(0, 0)), 1e-4 / 3, 1e-7);
 }
 
+/// n normal values whose sigma is exp(x): its most likely value is their RMS, and the variance of x
+/// is 1 / 2n. Without ln sigma in the likelihood the sigma would grow without end.
+TEST(GaussNewton, FindsAParameterThatOnlyTheSigmaHas) {
+  const VectorXd values = (VectorXd(8) << 1, -2, 3, -1, 2, -3, 1, 2).finished();
+  const auto found = most_likely(
+      [&](const VectorXd& x) {
+        return Normals{values, VectorXd::Constant(values.size(), std::exp(x(0)))};
+      },
+      VectorXd::Constant(1, 1e4), VectorXd::Zero(1), 1e-8);
+  EXPECT_TRUE(found.converged);
+  EXPECT_NEAR(found.value(0), std::log(std::sqrt(33.0 / 8)), 1e-4);
+  EXPECT_NEAR(found.covariance(0, 0), 1.0 / 16, 1e-4);
+}
+
 TEST(GaussNewton, WhatNoResidualTouchesKeepsItsPrior) {
   const auto found =
-      most_likely([](const VectorXd& x) { return VectorXd::Constant(1, x(0) - 1).eval(); },
+      most_likely([](const VectorXd& x) { return white(VectorXd::Constant(1, x(0) - 1)); },
                   Vector2d{1e3, 7}, Vector2d::Zero());
   EXPECT_NEAR(found.value(0), 1, 1e-5);
   EXPECT_EQ(found.value(1), 0);

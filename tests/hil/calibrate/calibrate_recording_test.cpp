@@ -62,6 +62,7 @@ TEST_F(CalibrationOfARun, FindsTwoDegreesOfYawAndWritesThemIntoTheRigFile) {
   options.source.rig = file("wrong.toml");
   options.source.part.only = {"dvl", "gnss", "depth", "compass"};  // the log has a constant bias
   options.write = file("right.toml");
+  options.report = file("report");
   options.json = true;
   testing::internal::CaptureStdout();
   const int code = calibrate(options, stdout, stderr);
@@ -77,6 +78,15 @@ TEST_F(CalibrationOfARun, FindsTwoDegreesOfYawAndWritesThemIntoTheRigFile) {
   EXPECT_NEAR(mounting[2], 45 * M_PI / 180, yaw["bound_95"].get<double>());
   EXPECT_LT(yaw["bound_95"], 1.5 * M_PI / 180);  // so 43 degrees are outside
   EXPECT_EQ(calibrate(options, stdout, stderr), 1) << "must not be replaced";
+  ASSERT_EQ(json["residuals"].size(), 4U);
+  for (const auto& residual : json["residuals"])
+    if (residual["quantity"] == "fix") {
+      EXPECT_LT(residual["nis_after"], residual["nis_before"]);
+    }
+  const auto page = text_of(file("report/index.html"));
+  for (const char* part :
+       {"settled after", "Correlations", "Residuals before and after", "dvl: yaw"})
+    EXPECT_NE(page.find(part), std::string::npos) << part;
 }
 
 TEST(CalibrationOfACapture, OfOneSensorAloneIsRefusedWithWhatItNeeds) {
