@@ -11,7 +11,8 @@ namespace drydock::io {
 
 UntilStopped::UntilStopped(boost::asio::io_context& io, double duration_s,
                            std::function<void()> stop)
-    : stop_(std::move(stop)), signals_(io, SIGINT, SIGTERM, SIGHUP), timer_(io) {
+    : stop_(std::move(stop)), signals_(io), timer_(io) {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGPIPE}) signals_.add(signal);
   signals_.async_wait([this, has_end = duration_s > 0](const boost::system::error_code& ec, int) {
     if (ec || stopped_) return;
     terminal::leave_dead_terminal();
@@ -31,7 +32,7 @@ void UntilStopped::stop() {
   signals_.cancel();
   signals_.clear();
   for (const int second : {SIGINT, SIGTERM}) std::signal(second, terminal::end_at_once);
-  std::signal(SIGHUP, SIG_IGN);
+  for (const int again : {SIGHUP, SIGPIPE}) std::signal(again, SIG_IGN);
   timer_.cancel();
   stop_();
 }

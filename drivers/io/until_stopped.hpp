@@ -8,7 +8,8 @@
 namespace drydock::io {
 
 /// Ends a program that runs until it is told to end: at Ctrl-C, at SIGTERM, when its terminal
-/// hangs up (a dropped ssh), or when its time is over. A second Ctrl-C ends it at once. A signal
+/// hangs up (a dropped ssh), when nobody reads what it prints any more (a pipe whose other end has
+/// gone), or when its time is over. A second Ctrl-C ends it at once. A signal
 /// before the end of a given time is noted as an early end.
 class UntilStopped {
  public:

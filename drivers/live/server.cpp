@@ -84,8 +84,8 @@ struct Server::House : std::enable_shared_from_this<House> {
   std::vector<Service> services;
   std::vector<std::shared_ptr<Viewer>> viewers;
   std::size_t clients = 0;
-  std::list<beast::tcp_stream*> half_open;  ///< wait for the end of a request, the oldest first
-  ServerCounters past;                      ///< counts of viewers that have left
+  std::list<beast::tcp_stream*> unserved;  ///< amid a request or its answer, the oldest first
+  ServerCounters past;                     ///< counts of viewers that have left
 };
 
 boost::system::error_code Server::House::open() {
@@ -141,7 +141,9 @@ asio::awaitable<void> Server::House::serve(tcp::socket socket) {
         refused ? answer(*request, http::status::forbidden, "text/plain", *refused + "\n")
                 : answer_to(*request);
     more = response.keep_alive();
+    const auto place = unserved.insert(unserved.end(), &stream);
     const auto [write_error, written] = co_await http::async_write(stream, response, as_outcome);
+    unserved.erase(place);
     if (write_error) co_return;
   }
 }
@@ -151,19 +153,19 @@ asio::awaitable<std::optional<HttpRequest>> Server::House::request_on(beast::tcp
                                                                       beast::flat_buffer& buffer) {
   HttpRequest request;
   stream.expires_after(options.patience);
-  const auto place = half_open.insert(half_open.end(), &stream);
+  const auto place = unserved.insert(unserved.end(), &stream);
   const auto [error, size] = co_await http::async_read(stream, buffer, request, as_outcome);
-  half_open.erase(place);
+  unserved.erase(place);
   if (error) co_return std::nullopt;
   co_return request;
 }
 
-/// A client that has asked for nothing yet gives way to one that may.
+/// A client that has asked for nothing yet, or does not take its answer, gives way to one that may.
 bool Server::House::make_room() {
   if (clients < most_clients) return true;
-  if (half_open.empty()) return false;
-  auto* const oldest = half_open.front();
-  half_open.splice(half_open.end(), half_open, half_open.begin());
+  if (unserved.empty()) return false;
+  auto* const oldest = unserved.front();
+  unserved.splice(unserved.end(), unserved, unserved.begin());
   oldest->close();
   return true;
 }

@@ -1,6 +1,7 @@
 #include "drivers/terminal/dead_terminal.hpp"
 
 #include <fcntl.h>
+#include <poll.h>
 #include <termios.h>
 #include <unistd.h>
 
@@ -8,11 +9,21 @@
 
 namespace drydock::terminal {
 
+namespace {
+
+bool is_dead(int output) {
+  termios settings{};
+  if (::tcgetattr(output, &settings) != 0 && errno == EIO) return true;
+  pollfd pipe{output, 0, 0};
+  return ::poll(&pipe, 1, 0) == 1 && (pipe.revents & POLLERR) != 0;
+}
+
+}  // namespace
+
 void leave_dead_terminal() {
   const int error = errno;
   for (const int output : {STDOUT_FILENO, STDERR_FILENO}) {
-    termios settings{};
-    if (::tcgetattr(output, &settings) == 0 || errno != EIO) continue;
+    if (!is_dead(output)) continue;
     const int nowhere = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
     ::dup2(nowhere, output);
     ::close(nowhere);

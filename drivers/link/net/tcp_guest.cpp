@@ -62,6 +62,9 @@ asio::awaitable<void> TcpGuest::deliver() {
       throw_out();
     } else {
       waiting_.erase_begin(std::get<1>(*written));
+      const bool is_slow =
+          full_since_ && std::chrono::steady_clock::now() - *full_since_ > longest_pause;
+      if (is_slow) throw_out();
       changed_->notify();
     }
   }
@@ -71,6 +74,10 @@ std::size_t TcpGuest::give(std::span<const std::uint8_t> bytes) {
   const std::size_t sent = waiting_.empty() ? send_now(bytes) : 0;
   const auto rest = bytes.subspan(sent);
   const auto kept = rest.first(std::min(rest.size(), here_ ? waiting_.reserve() : 0));
+  if (kept.size() == rest.size())
+    full_since_.reset();
+  else if (!full_since_)
+    full_since_ = std::chrono::steady_clock::now();
   if (kept.empty()) return sent;
   waiting_.insert(waiting_.end(), kept.begin(), kept.end());
   changed_->notify();

@@ -18,7 +18,8 @@ class TcpGuest {
   TcpGuest(asio::ip::tcp::socket socket, std::shared_ptr<io::Signal> changed, std::uint64_t number);
 
   asio::awaitable<void> listen();
-  /// Sends what waits. A guest that takes nothing for 1 s is left.
+  /// Sends what waits. A guest that takes nothing for 1 s, or has no room for a message for so long
+  /// though it takes a little now and then, is left.
   asio::awaitable<void> deliver();
 
   /// Sends these bytes, or lets them wait; returns how many there was room for.
@@ -48,6 +49,7 @@ class TcpGuest {
   std::array<std::uint8_t, longest_read> heard_{};
   std::size_t begin_ = 0, end_ = 0;  ///< of heard_
   Stamp said_at_{};
+  std::optional<std::chrono::steady_clock::time_point> full_since_;  ///< a message found no room
   std::uint64_t number_;
   std::uint64_t dropped_ = 0;
   bool here_ = true, finishing_ = false;

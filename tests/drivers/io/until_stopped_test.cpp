@@ -1,6 +1,7 @@
 #include "drivers/io/until_stopped.hpp"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <csignal>
 
@@ -48,6 +49,22 @@ TEST(UntilStopped, EndsAtAHangupAndASecondHangupDoesNotDisturbTheEnd) {
         program.io.run();
         std::raise(SIGHUP);
         std::exit(program.stops == 1 && program.until.interrupted() ? 0 : 1);
+      },
+      testing::ExitedWithCode(0), "");
+}
+
+// As `drydock record ... | tee log` whose tee was ended: the recording is ended well.
+TEST(UntilStopped, EndsWellWhenNobodyReadsWhatItPrints) {
+  EXPECT_EXIT(
+      {
+        int ends[2];
+        if (::pipe(ends) != 0 || ::dup2(ends[1], STDOUT_FILENO) < 0) std::exit(2);
+        ::close(ends[0]);
+        Program program(0);
+        bool failed = ::write(STDOUT_FILENO, "x", 1) < 0;
+        program.io.run();
+        failed = failed && ::write(STDOUT_FILENO, "x", 1) == 1;  // to /dev/null now
+        std::exit(failed && program.stops == 1 && program.until.interrupted() ? 0 : 1);
       },
       testing::ExitedWithCode(0), "");
 }

@@ -84,6 +84,31 @@ TEST_F(TcpDevice, TheNextClientFindsItServedWhileAnotherOneNeverReads) {
   EXPECT_THAT(all, ::testing::EndsWith("here"));
 }
 
+/// Every 50 ms it reads 3 KB: never nothing for 1 s, and never as much as the device sends.
+TEST_F(TcpDevice, AClientThatReadsALittleNowAndThenIsLeftToo) {
+  make();
+  tcp::socket slow(io);
+  slow.open(tcp::v4());
+  slow.set_option(asio::socket_base::receive_buffer_size(4096));
+  slow.connect({asio::ip::address_v4::loopback(), port});
+  settle(io);
+  slow.non_blocking(true);
+  const Buffer much(300 * chunk, 'x');
+  auto stuffing = start(io, device->write(much));
+  Buffer little(3000);
+  auto next = std::chrono::steady_clock::now();
+  const auto reads_a_little = [&] {
+    if (std::chrono::steady_clock::now() >= next) {
+      boost::system::error_code nothing;
+      slow.read_some(asio::buffer(little), nothing);
+      next += 50ms;
+    }
+    return stuffing->outcome.has_value();
+  };
+  EXPECT_TRUE(run_until(io, reads_a_little, 5s)) << "held up by a client";
+  EXPECT_GT(device->dropped(), 0U);
+}
+
 TEST_F(TcpDevice, TheNewestClientIsServedWhereThereIsRoomForOne) {
   make();
   tcp::socket first = join();

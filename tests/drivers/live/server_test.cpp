@@ -264,6 +264,34 @@ TEST_F(BesideClients, ManyThatNeverFinishARequestKeepNobodyOut) {
   EXPECT_EQ(rest_of(clients_.front()), "") << "the oldest gave way";
 }
 
+/// Each of 100 clients asks for a page of 1 MB and takes none of it.
+TEST(LiveServerClients, ManyThatTakeNoAnswerKeepNobodyOut) {
+  using Tcp = asio::ip::tcp;
+  asio::io_context io{1}, own;
+  const std::string large(1u << 20, 'x');
+  Server server(io.get_executor(), {.port = 0},
+                {{"/", "text/html", "<title>Drydock</title>"}, {"/large", "text/plain", large}});
+  ASSERT_FALSE(server.listen());
+  std::jthread serving([&] { io.run(); });
+  std::list<Tcp::socket> clients;
+  const auto ask = [&](const std::string& what) -> Tcp::socket& {
+    auto& socket = clients.emplace_back(own);
+    socket.open(Tcp::v4());
+    socket.set_option(asio::socket_base::receive_buffer_size(4096));
+    socket.connect({asio::ip::address_v4::loopback(), server.port()});
+    boost::system::error_code gone;
+    asio::write(socket, asio::buffer(what + to_end), gone);
+    return socket;
+  };
+  for (int i = 0; i < 100; ++i) ask("GET /large");
+  std::string page;
+  boost::system::error_code end;
+  asio::read(ask("GET /"), asio::dynamic_buffer(page), end);
+  EXPECT_NE(page.find("<title>Drydock</title>"), std::string::npos) << page;
+  asio::post(io, [&] { server.stop(); });
+  clients.clear();
+}
+
 /// 16 bytes, one each 100 ms: each comes within the time, the request does not.
 TEST_F(BesideClients, AByteNowAndThenProlongsNoRequest) {
   auto& socket = connect();
