@@ -105,7 +105,7 @@ void Checks::step(Stamp at) {
   levels_.step(moment, acceleration(moment));
   attitudes_.step(moment);
   places_.step(moment);
-  steering_.step(moment, speeds_.group().value());
+  steering_.step(moment, speeds_.group().value(), speeds_.through_water(moment));
   accuse(moment);
   names_ = parity_.name(accusations_, at);
   std::fill(named_.begin(), named_.end(), false);

@@ -40,7 +40,11 @@ Helm::Fit::Vector Helm::terms() const {
   return {twice_, (once_ - twice_) / filter_s / speed_mps_, 1};
 }
 
-void Helm::learn() { fit_.add(rudders_.back(), terms()); }
+void Helm::learn() {
+  const double wrong = (rudders_.back() - fit_.solve().value.dot(terms())) / steering_noise;
+  misfit_ = steered_memory * misfit_ + wrong * wrong;
+  fit_.add(rudders_.back(), terms());
+}
 
 std::optional<Helm::Answer> Helm::answer() {
   const Fit::Answer law = fit_.solve();

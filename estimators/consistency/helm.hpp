@@ -28,6 +28,8 @@ class Helm {
   };
   /// Empty until the vehicle has turned enough.
   std::optional<Answer> answer();
+  /// Sum of the squares of what the law said wrong before it learned each step, in sigmas.
+  double misfit() const { return misfit_; }
 
  private:
   using Fit = ConstantFit<3>;
@@ -36,7 +38,7 @@ class Helm {
   Fit fit_;
   std::array<double, 5> rudders_{};  ///< rad, the newest first
   double once_ = 0, twice_ = 0;      ///< curvature behind one and two low passes
-  double speed_mps_ = 1;
+  double speed_mps_ = 1, misfit_ = 0;
   bool begun_ = false, known_ = false;
 };
 

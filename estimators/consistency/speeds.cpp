@@ -105,7 +105,8 @@ Eigen::Vector2d Speeds::water(std::size_t log, const Eigen::Vector2d& read,
   return through;
 }
 
-/// A propeller drives through the water; only a log tells how that moves.
+/// A propeller drives the hull ahead; what it drifts to the side, the DVL tells. Only a log tells
+/// how the water moves.
 void Speeds::see_shafts(const Moment& moment) {
   for (std::size_t i = 0; i < shafts_.size(); ++i) {
     const auto read = tracks_.actuators[i].shaft.at(moment.at);
@@ -113,12 +114,17 @@ void Speeds::see_shafts(const Moment& moment) {
     if (!read || !made || !moment.rate) continue;
     const bool current_known = !logs_.empty() && learned_[0] > 0 && moment.heading_known;
     const double current = current_known ? 0 : usual_current_mps;
-    group_.see(shafts_[i], made->speed_mps, read->serial, std::hypot(made->sigma_mps, current));
+    group_.see(shafts_[i], std::hypot(made->speed_mps, starboard(moment)), read->serial,
+               std::hypot(made->sigma_mps, current));
   }
 }
 
-double Speeds::current_along(const Moment& moment) const {
-  return currents_.empty() ? 0 : currents_[0].at(moment.heading).x();
+double Speeds::starboard(const Moment& moment) {
+  return moment.along_deck.value_or(Eigen::Vector2d::Zero()).y();
+}
+
+Eigen::Vector2d Speeds::current(const Moment& moment) const {
+  return currents_.empty() ? Eigen::Vector2d::Zero().eval() : currents_[0].at(moment.heading);
 }
 
 bool Speeds::is_quiet(std::size_t witness) const {
@@ -155,17 +161,34 @@ std::optional<double> Speeds::speed_of_others() const {
   return count > 0 ? std::optional(sum / count) : std::nullopt;
 }
 
+/// Ahead and to starboard, of a speed along the deck.
+Eigen::Vector2d Speeds::along_deck(double speed_mps, const Moment& moment) {
+  const double aside = starboard(moment);
+  return {std::sqrt(std::max(0.0, speed_mps * speed_mps - aside * aside)), aside};
+}
+
+std::optional<double> Speeds::through_water(const Moment& moment) const {
+  const auto speed = group_.value();
+  if (currents_.empty() || !speed) return {};
+  return (along_deck(*speed, moment) - current(moment)).norm();
+}
+
 void Speeds::learn_surge(const Moment& moment) {
+  auto speed = speed_of_others();
+  if (speed) speed = along_deck(*speed, moment).x();
   // Without the rate of turn the law is not judged.
-  const auto speed = moment.rate ? speed_of_others() : std::nullopt;
-  const double turn = moment.rate ? moment.rate->z() : 0;
+  const auto turn = moment.rate ? std::optional(moment.rate->z()) : std::nullopt;
+  const Eigen::Vector2d water = current(moment);
   for (std::size_t i = 0; i < shafts_.size(); ++i) {
     const auto read = tracks_.actuators[i].shaft.at(moment.at);
     if (!read) continue;
     surges_[i].take({.shaft_radps = read->value.x(),
                      .speed_mps = speed,
-                     .current_mps = current_along(moment),
-                     .turn_radps = turn},
+                     .starboard_mps = starboard(moment),
+                     .turn_radps = turn,
+                     .current_mps = water.x(),
+                     .current_starboard_mps = water.y(),
+                     .current_sigma_mps = logs_.empty() ? 0 : current_sigma(0, moment)},
                     moment.dt);
     if (is_quiet(shafts_[i])) surges_[i].learn();
   }

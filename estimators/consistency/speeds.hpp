@@ -22,6 +22,8 @@ class Speeds {
   }
 
   const Group& group() const { return group_; }
+  /// The speed along the deck less the current; empty if nothing tells how the water moves.
+  std::optional<double> through_water(const Moment& moment) const;
 
  private:
   void see(const Moment& moment);
@@ -34,7 +36,9 @@ class Speeds {
   void learn_surge(const Moment& moment);
   bool is_quiet(std::size_t witness) const;
   std::optional<double> speed_of_others() const;
-  double current_along(const Moment& moment) const;
+  static double starboard(const Moment& moment);
+  Eigen::Vector2d current(const Moment& moment) const;
+  static Eigen::Vector2d along_deck(double speed_mps, const Moment& moment);
   double current_sigma(std::size_t log, const Moment& moment) const;
   Eigen::Vector2d water(std::size_t log, const Eigen::Vector2d& read, const Moment& moment) const;
 

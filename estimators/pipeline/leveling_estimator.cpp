@@ -1,5 +1,6 @@
 #include "estimators/pipeline/leveling_estimator.hpp"
 
+#include <cmath>
 #include <variant>
 
 #include "drivers/measurement/units.hpp"
@@ -8,11 +9,11 @@ namespace drydock::pipeline {
 
 namespace {
 
-/// The filters with six states have no biases in their covariance: three sigmas of that of an
-/// accelerometer, as a tilt.
-double bias_bound_of(const LevelingOptions& options) {
+/// The filters with six states have no biases in their covariance: that of an accelerometer, as a
+/// tilt, rad2.
+double bias_variance_of(const LevelingOptions& options) {
   if (options.kind == leveling::FilterKind::augmented) return 0;
-  return 3 * options.filter.accelerometer_bias_sigma_mps2 / units::standard_gravity;
+  return std::pow(options.filter.accelerometer_bias_sigma_mps2 / units::standard_gravity, 2);
 }
 
 }  // namespace
@@ -32,7 +33,7 @@ LevelingEstimator::LevelingEstimator(Seat seat, const LevelingOptions& options,
                                      const PipelineOptions& pipeline)
     : ImuDrivenEstimator(seat, options.stationary ? std::nullopt : options.log, pipeline),
       stationary_(options.stationary),
-      bias_bound_rad_(bias_bound_of(options)),
+      bias_variance_(bias_variance_of(options)),
       filter_(leveling::make_filter(options.kind, options.filter)) {}
 
 void LevelingEstimator::start(const measurement::ImuSample& sample, double speed_mps) {
@@ -100,6 +101,7 @@ void LevelingEstimator::fill(AttitudeEstimate& estimate) const {
         estimate.roll_rad = filter.roll();
         estimate.pitch_rad = filter.pitch();
         estimate.covariance = filter.roll_pitch_covariance();
+        estimate.covariance.diagonal().array() += bias_variance_;
       },
       filter_);
 }

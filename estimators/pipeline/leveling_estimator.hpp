@@ -26,13 +26,12 @@ class LevelingEstimator final : public ImuDrivenEstimator {
   void forget_innovations() override;
   void believe_log(double change_mps) override;
   Correction correct(double speed_mps, bool trusted) override;
-  double bias_bound_rad() const override { return bias_bound_rad_; }
   void fill(AttitudeEstimate& estimate) const override;
 
   bool stationary_;
   ConstraintWatch constraints_;
   navigation::InnovationWindow log_;
-  double bias_bound_rad_;
+  double bias_variance_;  ///< of roll and pitch, rad2: what the filter has no states for
   leveling::AnyLevelingFilter filter_;
 };
 

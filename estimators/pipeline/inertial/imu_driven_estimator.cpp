@@ -200,8 +200,8 @@ void ImuDrivenEstimator::go_on(const ImuSample& sample) {
 
 Integrity ImuDrivenEstimator::integrity_of(const AttitudeEstimate& estimate) const {
   Integrity integrity;
-  integrity.roll_bound_rad = bound_of(estimate.covariance(0, 0), bias_bound_rad());
-  integrity.pitch_bound_rad = bound_of(estimate.covariance(1, 1), bias_bound_rad());
+  integrity.roll_bound_rad = bound_of(estimate.covariance(0, 0));
+  integrity.pitch_bound_rad = bound_of(estimate.covariance(1, 1));
   // This comparison is false for NaN too.
   integrity.valid = integrity.roll_bound_rad <= alert_.attitude_rad &&
                     integrity.pitch_bound_rad <= alert_.attitude_rad;

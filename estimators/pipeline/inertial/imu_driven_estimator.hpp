@@ -63,8 +63,6 @@ class ImuDrivenEstimator : public Estimator {
             EstimateListener& listener);
   /// Corrects the present state with a speed. `trusted` = false: only compares it.
   virtual Correction correct(double speed_mps, bool trusted) = 0;
-  /// b of eq. (I1): what sound sensors add to roll and pitch beyond the covariance, rad.
-  virtual double bias_bound_rad() const { return 0; }
   /// Fills in roll, pitch and covariance.
   virtual void fill(AttitudeEstimate& estimate) const = 0;
 

@@ -60,5 +60,65 @@ TEST(Surge, KnowsATurnOfTheShaftThatTheHullDoesNotFollow) {
   EXPECT_LT(hull.surge.answer()->sigma_mps, 0.03);
 }
 
+/// A hull of m = 100 m that loses d r^2 with d = 300 m2 in its turns, ahead through water that
+/// moves north by 0.3 m/s. Integrated in steps of 10 ms.
+class Turning {
+ public:
+  void sail(double seconds, double turn_radps, bool learn, double said_radps = 0) {
+    constexpr double step = 0.01, shaft = 150;
+    for (int i = 0; i < std::lround(seconds / dt); ++i) {
+      for (int k = 0; k < std::lround(dt / step); ++k) {
+        const double steady = std::pow(0.012 * shaft, 2) - 300 * turn_radps * turn_radps;
+        through_mps += step * (steady - through_mps * through_mps) / 100;
+        heading += step * turn_radps;
+      }
+      const double current = 0.3 * std::cos(heading);
+      surge.take({.shaft_radps = shaft + said_radps,
+                  .speed_mps = through_mps + current,
+                  .starboard_mps = -0.3 * std::sin(heading),
+                  .turn_radps = turn_radps,
+                  .current_mps = current,
+                  .current_starboard_mps = -0.3 * std::sin(heading)},
+                 dt);
+      if (learn) surge.learn();
+    }
+  }
+  double off() const { return surge.answer()->speed_mps - through_mps - 0.3 * std::cos(heading); }
+
+  Surge surge;
+  double through_mps = 0.012 * 150, heading = 0;
+};
+
+TEST(Surge, KnowsThatTheWaterTakesAHullAlongThroughASharpTurn) {
+  Turning hull;
+  hull.sail(60, 0, true);
+  for (const double side : {1.0, -1.0, 1.0}) {
+    hull.sail(25, side * 0.1, true);
+    hull.sail(40, 0, true);
+  }
+  hull.sail(25, 0.1, false);
+  EXPECT_NEAR(hull.off(), 0, 0.03);
+  hull.sail(10, 0, false);
+  EXPECT_NEAR(hull.off(), 0, 0.03);
+  EXPECT_LT(hull.surge.answer()->sigma_mps, 0.06);
+}
+
+TEST(Surge, IsUnsureInAndAfterItsFirstSharpTurn) {
+  Turning hull;
+  hull.sail(60, 0, true);
+  hull.sail(25, 0.1, false);
+  EXPECT_GT(hull.surge.answer()->sigma_mps, std::abs(hull.off()) / 3) << "what it takes is unknown";
+  hull.sail(10, 0, false);
+  EXPECT_GT(hull.surge.answer()->sigma_mps, std::abs(hull.off()) / 3) << "and lasts";
+}
+
+// What the shaft makes is carried on without a rate of turn by what the others say.
+TEST(Surge, GoesOnFromTheSpeedOfTheOthersWhereNothingTellsTheTurn) {
+  Hull hull;
+  for (const double shaft : {150.0, 110.0, 160.0, 120.0}) hull.drive(shaft, 60);
+  hull.surge.take({.shaft_radps = 120, .speed_mps = 1.1, .turn_radps = {}}, dt);
+  EXPECT_NEAR(hull.surge.answer()->speed_mps, 1.1, 1e-9);
+}
+
 }  // namespace
 }  // namespace drydock::consistency

@@ -172,6 +172,17 @@ TEST_P(EveryAttitude, IsNotValidWhileItsImuIsSilentOrGivesNoNumbers) {
   }
 }
 
+// A bias of 1 mg tilts a filter of six states by 0.0573 degrees, whatever its innovations say.
+TEST(Leveling, OfSixStatesCountsTheBiasOfItsAccelerometersInItsCovariance) {
+  Ahead bench(leveling_kind());
+  bench.run(600);
+  const auto& last = bench.estimates.all.back();
+  EXPECT_GT(std::sqrt(last.covariance(0, 0)), 0.0573 * one_degree);
+  EXPECT_GT(std::sqrt(last.covariance(1, 1)), 0.0573 * one_degree);
+  EXPECT_NEAR(last.integrity.roll_bound_rad, bound_sigmas * std::sqrt(last.covariance(0, 0)),
+              1e-12);
+}
+
 TEST(Leveling, WhoseGyroDriftsIsNotValidAndStartsAgainByItself) {
   // The drift ends at 1 deg/s, a hundred times beyond what the filter knows of its gyro.
   Ahead bench(leveling_kind());

@@ -72,6 +72,17 @@ double worst_depth(const summary::Summary& summary, double from_s) {
   return worst;
 }
 
+// The legs take 210 s. A run that only dived would be 4 m deeper after each lap.
+TEST(LoopRun, StaysBetweenItsTwoDepthsForTenLaps) {
+  const auto summary = sail(loop_rig(), 2100);
+  const auto& depth = summary.loop->trace.depth_m.is;
+  EXPECT_GT(std::ranges::min(depth), 2.2);
+  EXPECT_LT(std::ranges::max(depth), 7.8);
+  EXPECT_NEAR(depth.back(), 3, 0.5);
+  for (const auto& finding : summary.findings)
+    ADD_FAILURE() << finding.device << ' ' << finding.cause << " at " << finding.found_s;
+}
+
 TEST(LoopRun, StuckPlanesMissTheDive) {
   auto rig = loop_rig();
   rig.faults = {fault("stern_planes", rig_config::FaultKind::stuck, 40)};
