@@ -115,12 +115,13 @@ void Checks::step(Stamp at) {
 
 Moment Checks::moment_at(Stamp at) {
   Moment moment{.at = at, .dt = last_ == Stamp{} ? 0 : measurement::seconds(at - last_)};
-  for (const InertialUnit& unit : tracks_.units)
-    if (unit.running() && trusted({unit.device()}) && !moment.rate) {
-      moment.rate = unit.rate();
-      moment.down = unit.down();
-      moment.level_from.push_back(unit.device());
-    }
+  for (const InertialUnit& unit : tracks_.units) {
+    if (!unit.running() || !trusted({unit.device()}) || moment.down) continue;
+    if (!moment.rate || !unit.level_lost()) moment.rate = unit.rate();
+    if (unit.level_lost()) continue;
+    moment.down = unit.down();
+    moment.level_from.push_back(unit.device());
+  }
   moment.heading = headings_.group().value().value_or(0);
   moment.heading_known = headings_.group().value().has_value();
   for (const DvlTracks& dvl : tracks_.dvls) {

@@ -51,6 +51,7 @@ bool InertialUnit::advance(Stamp at) {
   if (!sums) return false;
   dt_ = measurement::seconds(at - last_);
   if (!begun_ || dt_ <= 0 || dt_ > longest_bridge_s) {
+    if (begun_) lose_level();
     begun_ = true;
     begin(at, sums->value);
     return false;
@@ -68,6 +69,14 @@ bool InertialUnit::advance(Stamp at) {
 void InertialUnit::begin(Stamp at, const Sums& sums) {
   last_ = at;
   at_last_ = sums;
+}
+
+/// The axes in which the Earth's turn was learned are lost as well.
+void InertialUnit::lose_level() {
+  level_lost_ = true;
+  levelled_s_ = 0;
+  earth_turn_.setZero();
+  quick_difference_.setZero();
 }
 
 /// down' = -w x down; the heading's rate is the rate about the vertical. `middle_` is the mean over
@@ -110,7 +119,10 @@ void InertialUnit::learn_earth_turn(const Eigen::Vector3d& difference) {
 
 Eigen::Vector3d InertialUnit::level(const Eigen::Vector3d& acceleration, bool pull) {
   const Eigen::Vector3d gravity = acceleration - force_;
-  if (levelled_s_ <= 0 && gravity.norm() > 1) down_ = middle_ = quick_ = gravity.normalized();
+  if (levelled_s_ <= 0 && gravity.norm() > 1) {
+    down_ = middle_ = quick_ = gravity.normalized();
+    level_lost_ = false;
+  }
   Eigen::Vector3d difference = units::standard_gravity * middle_ - gravity;
   const auto pulled = [&](const Eigen::Vector3d& down, const Eigen::Vector3d& by, double memory_s) {
     return (down - by / units::standard_gravity * std::min(1.0, dt_ / memory_s)).normalized();

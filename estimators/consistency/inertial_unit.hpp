@@ -39,7 +39,9 @@ class InertialUnit {
   std::uint16_t device() const { return device_; }
   const Eigen::Vector3d& rate() const { return rate_; }  ///< rad/s, mean of the last step
   const Eigen::Vector3d& down() const { return down_; }  ///< unit vector, body
-  double heading() const { return heading_; }            ///< rad, integrated from 0
+  /// The unit was away, and nothing turned its level meanwhile: the next level() finds it anew.
+  bool level_lost() const { return level_lost_; }
+  double heading() const { return heading_; }  ///< rad, integrated from 0
   std::uint64_t serial() const { return serial_; }
   bool running() const { return running_; }  ///< the last step had all its samples
   /// The first step behind a hole: what was integrated over it is a guess.
@@ -49,6 +51,7 @@ class InertialUnit {
  private:
   using Sums = Eigen::Matrix<double, 7, 1>;
   void begin(Stamp at, const Sums& sums);
+  void lose_level();
   void turn(double dt);
   void learn_earth_turn(const Eigen::Vector3d& difference);
 
@@ -59,7 +62,7 @@ class InertialUnit {
   Sums sum_ = Sums::Zero(), at_last_ = Sums::Zero();
   Eigen::Vector3d last_rate_ = Eigen::Vector3d::Zero(), last_force_ = Eigen::Vector3d::Zero();
   Stamp last_sample_{}, next_push_{}, last_{};
-  bool begun_ = false, running_ = false, holed_ = false;
+  bool begun_ = false, running_ = false, holed_ = false, level_lost_ = false;
   Eigen::Vector3d rate_ = Eigen::Vector3d::Zero(), force_ = Eigen::Vector3d::Zero();
   Eigen::Vector3d down_ = Eigen::Vector3d::UnitZ(), middle_ = Eigen::Vector3d::UnitZ();
   Eigen::Vector3d quick_ = Eigen::Vector3d::UnitZ(), quick_difference_ = Eigen::Vector3d::Zero();

@@ -67,6 +67,10 @@ double Levels::unsettled(Unit& unit, const InertialUnit& inertial,
 
 void Levels::step(Unit& unit, InertialUnit& inertial, const Moment& moment,
                   const Eigen::Vector3d& acceleration, double sigma) {
+  if (inertial.level_lost()) {
+    for (Test& test : unit.tests) test.restart();
+    unit.in_body.setZero(), unit.in_level.setZero();
+  }
   const bool sound = !any_fired(unit);
   const Eigen::Vector3d difference = inertial.level(acceleration, sound);
   const double turned = sound ? unsettled(unit, inertial, difference, moment.dt) : 0;

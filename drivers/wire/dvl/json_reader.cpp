@@ -39,6 +39,16 @@ bool take_digits(const char*& at, const char* end) {
   return at != from;
 }
 
+/// The length of the usual number at the front: a minus, digits, digits behind a point, and then
+/// nothing that a word may have. 0: it is none, or more of it may come.
+std::size_t plain_number_size(std::string_view text) {
+  const char *at = text.data(), *const end = at + text.size();
+  if (at != end && *at == '-') ++at;
+  if (!take_digits(at, end)) return 0;
+  if (at != end && *at == '.' && !take_digits(++at, end)) return 0;
+  return at == end || is_of_word(*at) ? 0 : static_cast<std::size_t>(at - text.data());
+}
+
 bool is_number(std::string_view text) {
   const char *at = text.data(), *const end = at + text.size();
   if (!take_digits(at, end)) return false;
@@ -92,6 +102,10 @@ void JsonReader::escape() {
 std::string_view JsonReader::word() {
   if (peek() == '\0') return {};
   const std::size_t from = at_;
+  if (const std::size_t size = plain_number_size(text_.substr(from)); size > 0) {
+    at_ += size;
+    return text_.substr(from, size);
+  }
   at_ = end_of(text_, at_, is_of_word);
   const std::string_view word = text_.substr(from, at_ - from);
   if (at_ == text_.size()) {

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -200,6 +202,35 @@ TEST(Consistency, ForgetsAFaultThatIsOver) {
   voyage.run(200);
   ASSERT_FALSE(voyage.said().empty());
   EXPECT_LT(voyage.said().back().at_s, 100);
+}
+
+/// While the inertial unit is off the bow goes up by 8 degrees, and the vehicle climbs. All that is
+/// measured later fits together, so nobody is wrong. A level that nothing had turned would say
+/// 2 m/s * sin(8 deg) = 0.28 m/s to the DVL, and 1.4 m/s2 to the unit.
+TEST(Consistency, DoubtsNothingWhenAnInertialUnitComesBackToAVehicleThatPitchedMeanwhile) {
+  constexpr double off_s = 200, on_s = 226, most_rad = 8 * degree;
+  double depth_m = 10;
+  Voyage voyage({dvl, gnss, imu, depth});
+  voyage.run(500, [&](Measurement& measurement, double t) {
+    const double share = std::clamp((t - off_s - 5) / 10, 0.0, 1.0);
+    const double pitch = most_rad * share, rate = share > 0 && share < 1 ? most_rad / 10 : 0;
+    const Eigen::Matrix3d to_body =
+        Eigen::AngleAxisd(-pitch, Eigen::Vector3d::UnitY()).toRotationMatrix();
+    if (auto* inertial = std::get_if<ImuSample>(&measurement)) {
+      const double speed = 2 + 0.1 * std::sin(2 * std::numbers::pi * t / 20);
+      depth_m -= 0.01 * speed * std::tan(pitch);
+      inertial->angular_rate = to_body * inertial->angular_rate + rate * Eigen::Vector3d::UnitY();
+      inertial->specific_force = to_body * inertial->specific_force;
+      if (t >= off_s && t < on_s) inertial->angular_rate.x() = std::nan("");  // not taken
+    }
+    if (auto* below = std::get_if<DepthSample>(&measurement)) *below->depth_m += depth_m - 10;
+    if (auto* bottom = std::get_if<BottomVelocity>(&measurement)) {
+      bottom->velocity->z() -= bottom->velocity->x() * std::tan(pitch);
+      bottom->velocity = to_body * *bottom->velocity;
+    }
+  });
+  for (const auto& one : voyage.said())
+    EXPECT_TRUE(false) << one.at_s << " s: " << one.device << " " << diagnosis::to_string(one.sign);
 }
 
 TEST(Consistency, NamesTwoFaultsAtOnce) {

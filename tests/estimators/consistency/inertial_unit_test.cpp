@@ -107,6 +107,32 @@ TEST(InertialUnit, GivesNoStepWhoseSamplesWereLostAndTurnsOnOverTheHole) {
   }
 }
 
+/// The unit is off for 26 s, in which a dive begins: the bow comes down by 10 degrees. Nothing
+/// turned the level meanwhile, so it stands where the first specific force says.
+TEST(InertialUnit, FindsTheLevelAnewAfterItWasAway) {
+  constexpr double pitch_rad = -10 * std::numbers::pi / 180;
+  InertialUnit unit{0, {.rate_hz = 5}};
+  const auto at = [](double time_s) { return Stamp{} + measurement::from_seconds(1000 + time_s); };
+  const Vector3d before = Vector3d::UnitZ();
+  const Vector3d behind{-std::sin(pitch_rad), 0, std::cos(pitch_rad)};
+  int steps_behind = 0;
+  for (int step = 0; step < 800; ++step) {
+    const double time_s = 0.2 * step;
+    const bool dives = time_s >= 126;
+    if (time_s < 100 || dives) {
+      measurement::ImuSample sample;
+      sample.origin.valid_at = at(time_s);
+      sample.specific_force = -units::standard_gravity * (dives ? behind : before);
+      unit.take(sample);
+    }
+    if (!unit.advance(at(time_s - 0.1))) continue;
+    EXPECT_LT(unit.level(Vector3d::Zero(), true).norm(), 1e-9) << time_s << " s";
+    EXPECT_LT((unit.down() - (dives ? behind : before)).norm(), 1e-9) << time_s << " s";
+    steps_behind += dives ? 1 : 0;
+  }
+  EXPECT_GT(steps_behind, 150);
+}
+
 TEST(InertialUnit, ASingleLostSampleLeavesEveryStep) {
   const Turning whole(0), turning(0.02);
   EXPECT_EQ(turning.given, whole.given);
