@@ -69,7 +69,7 @@ TEST(NetworkLines, OfUdpAreItsDatagrams) {
 TEST(NetworkLines, OfTcpNeedAChoiceWhereBothSidesSpeak) {
   LineFile unchosen(file("tcp.pcap"), false);
   EXPECT_EQ(all_of(unchosen), "");
-  EXPECT_THAT(unchosen.trouble(), HasSubstr("several lines: 10.2.2.2:16171, 10.1.1.1:50312; "
+  EXPECT_THAT(unchosen.trouble(), HasSubstr("several lines: 10.1.1.1:50312, 10.2.2.2:16171; "
                                             "--interface chooses one"));
   LineFile device(file("tcp.pcap"), false, "10.2.2.2:16171");
   EXPECT_EQ(all_of(device), "$GPHDT,75.5664,T*36\r\n$GNTHS,244.17,A*1D\r\n");
