@@ -7,6 +7,7 @@
 #include "drivers/capture/formats/canboat_plain.hpp"
 #include "drivers/capture/formats/candump_log.hpp"
 #include "drivers/capture/formats/candump_screen.hpp"
+#include "drivers/capture/formats/ikonvert.hpp"
 #include "drivers/capture/formats/pcan_trc.hpp"
 #include "drivers/capture/formats/pcap.hpp"
 #include "drivers/capture/formats/pcapng.hpp"
@@ -56,7 +57,8 @@ constexpr std::array all{
     binary_format<Pcap>(),       binary_format<Pcapng>(),      binary_format<VectorBlf>(),
     text_format<CandumpLog>(),   text_format<CandumpScreen>(), text_format<VectorAsc>(),
     text_format<PcanTrc>(),      text_format<CanboatPlain>(),  text_format<ActisenseAscii>(),
-    text_format<YachtDevices>(), text_format<SavvyCan>(),      text_format<PythonCan>()};
+    text_format<YachtDevices>(), text_format<Ikonvert>(),      text_format<SavvyCan>(),
+    text_format<PythonCan>()};
 
 }  // namespace
 

@@ -1,10 +1,29 @@
 #include "drivers/capture/line_file.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstring>
 #include <filesystem>
 
 namespace drydock::capture {
+namespace {
+
+bool is_regular(const std::string& file) {
+  std::error_code none;
+  return std::filesystem::is_regular_file(file, none);
+}
+
+/// Those that said something, or all where none did: `10.0.0.7:16171, 10.0.0.2:50312`.
+std::string names_of(const std::vector<PacketLines::Line>& lines) {
+  std::string names;
+  const bool any = std::ranges::any_of(lines, [](const auto& line) { return line.bytes > 0; });
+  for (const auto& line : lines)
+    if (!any || line.bytes > 0) names += (names.empty() ? "" : ", ") + line.name;
+  return names;
+}
+
+}  // namespace
 
 LineFile::LineFile(const std::string& file, bool raw, std::string interface)
     : file_(file), interface_(std::move(interface)), raw_(raw), blocks_(file), content_(raw) {}
@@ -12,9 +31,21 @@ LineFile::LineFile(const std::string& file, bool raw, std::string interface)
 bool LineFile::begin() {
   begun_ = true;
   first_ = blocks_.read();
-  packets_ = !raw_ && Pcapng::recognises(first_);
-  if (packets_) buffer_.assign(first_.begin(), first_.end());
-  return packets_;
+  if (raw_ || !PacketLines::recognises(first_)) return false;
+  packets_.emplace(first_);
+  buffer_.assign(first_.begin(), first_.end());
+  if (interface_.empty() && is_regular(file_)) choose();
+  return true;
+}
+
+/// Looks at the whole file: if one line alone says something, it is that one.
+void LineFile::choose() {
+  LineFile all(file_, false, "*");
+  while (all.next()) continue;
+  const auto lines = all.lines();
+  const auto speaks = [](const auto& line) { return line.bytes > 0; };
+  if (std::ranges::count_if(lines, speaks) == 1)
+    interface_ = std::ranges::find_if(lines, speaks)->name;
 }
 
 std::optional<LineFile::Read> LineFile::next() {
@@ -26,52 +57,54 @@ std::optional<LineFile::Read> LineFile::next() {
   return {};
 }
 
+/// Of several lines the one that was asked for; without a choice none, which trouble() tells.
 std::optional<LineFile::Read> LineFile::next_packet() {
+  while (const auto piece = next_piece())
+    if (interface_ == "*" || packets_->lines()[piece->line].name == interface_)
+      return Read{piece->time, piece->bytes};
+  return {};
+}
+
+std::optional<PacketLines::Piece> LineFile::next_piece() {
   for (;;) {
     const Bytes rest = Bytes{buffer_}.subspan(at_);
-    const Scan scan = pcapng_.scan(rest, false);
+    const Scan scan = packets_->scan(rest);
     if (scan.kind == Scan::Kind::need_more) {
       buffer_.erase(buffer_.begin(), buffer_.begin() + static_cast<std::ptrdiff_t>(at_));
       at_ = 0;
       const Bytes block = blocks_.read();
-      if (block.empty()) return {};
+      if (block.empty()) return packets_->finish();
       buffer_.insert(buffer_.end(), block.begin(), block.end());
       continue;
     }
     at_ += scan.size;
     if (scan.kind != Scan::Kind::frame) continue;
-    if (const auto read = take(rest.first(scan.size))) return read;
+    if (const auto piece = packets_->read(rest.first(scan.size))) return piece;
   }
 }
 
-/// Of several lines the one that was asked for; without a choice none, which trouble() tells.
-std::optional<LineFile::Read> LineFile::take(Bytes unit) {
-  pcapng_.read(unit);
-  const auto serial = pcapng_.serial(unit);
-  if (!serial || serial->sent || serial->bytes.empty()) return {};
-  const bool chosen =
-      interface_.empty() ? pcapng_.serial_lines().size() == 1 : serial->interface == interface_;
-  return chosen ? std::optional(Read{serial->time, serial->bytes}) : std::nullopt;
+std::vector<PacketLines::Line> LineFile::lines() const {
+  return packets_ ? packets_->lines() : std::vector<PacketLines::Line>{};
 }
 
 std::string LineFile::trouble() const {
   if (blocks_.error() != 0) return "cannot read " + file_ + ": " + std::strerror(blocks_.error());
-  if (!packets_) return "";
-  const auto lines = pcapng_.serial_lines();
-  std::string names;
-  for (const auto& name : lines) names += (names.empty() ? "" : ", ") + name;
-  if (lines.empty()) return file_ + ": this pcapng file has no serial line";
-  if (interface_.empty() && lines.size() > 1)
-    return file_ + " has several serial lines: " + names + "; --interface chooses one";
-  if (!interface_.empty() && std::ranges::find(lines, interface_) == lines.end())
-    return file_ + " has no serial line " + interface_ + "; it has " + names;
+  if (!packets_ || interface_ == "*") return "";
+  const auto found = lines();
+  const std::string_view kind =
+      std::ranges::all_of(found, &PacketLines::Line::serial) ? "serial line" : "line";
+  if (found.empty()) return file_ + ": none of its packets is of a serial line, of UDP or of TCP";
+  if (interface_.empty() && found.size() > 1)
+    return fmt::format("{} has several {}s: {}; --interface chooses one", file_, kind,
+                       names_of(found));
+  if (!interface_.empty() &&
+      std::ranges::find(found, interface_, &PacketLines::Line::name) == found.end())
+    return fmt::format("{} has no {} {}; it has {}", file_, kind, interface_, names_of(found));
   return "";
 }
 
-bool is_pcapng(const std::string& file) {
-  std::error_code none;
-  return std::filesystem::is_regular_file(file, none) &&
-         Pcapng::recognises(FileBlocks(file).read());
+bool has_packets(const std::string& file) {
+  return is_regular(file) && PacketLines::recognises(FileBlocks(file).read());
 }
 
 }  // namespace drydock::capture

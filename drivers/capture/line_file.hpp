@@ -6,13 +6,13 @@
 
 #include "drivers/capture/byte_content.hpp"
 #include "drivers/capture/file_blocks.hpp"
-#include "drivers/capture/formats/pcapng.hpp"
+#include "drivers/capture/packet_lines.hpp"
 
 namespace drydock::capture {
 
-/// The bytes that a serial line brought, from a file of those bytes alone or from a pcapng file
-/// with RTAC serial packets, which also has their times. Comments at the head are left out,
-/// hexadecimal text is read as its bytes.
+/// The bytes that a line brought, from a file of those bytes alone, or from a pcap or pcapng file
+/// with packets of serial lines (RTAC) or of a network (UDP, TCP), which also has their times.
+/// Comments at the head are left out, hexadecimal text is read as its bytes.
 class LineFile {
  public:
   struct Read {
@@ -21,7 +21,7 @@ class LineFile {
   };
 
   /// Empty `file` or "-": standard input. `raw`: the file to the byte. Empty `interface`: the only
-  /// line of a pcapng file.
+  /// line of a file of packets.
   LineFile(const std::string& file, bool raw, std::string interface = {});
 
   /// As FileBlocks::end_when().
@@ -29,8 +29,8 @@ class LineFile {
 
   std::optional<Read> next();  ///< empty at the end or after an error
   bool likely_more(Bytes last) const { return packets_ || blocks_.likely_more(last); }
-  /// Names of the serial lines of a pcapng file, as far as it was read.
-  std::vector<std::string> lines() const { return pcapng_.serial_lines(); }
+  /// The lines of a file of packets, as far as it was read.
+  std::vector<PacketLines::Line> lines() const;
   bool is_hex() const { return content_.is_hex(); }  ///< hexadecimal text, as its bytes
   int error() const { return blocks_.error(); }      ///< errno; 0: none
   /// Empty, or why there are no bytes: the file cannot be read, or it holds several lines and none
@@ -39,20 +39,22 @@ class LineFile {
 
  private:
   bool begin();
+  void choose();
   std::optional<Read> next_packet();
-  std::optional<Read> take(Bytes unit);
+  std::optional<PacketLines::Piece> next_piece();
 
   std::string file_, interface_;
-  bool raw_, begun_ = false, packets_ = false;
+  bool raw_, begun_ = false;
   FileBlocks blocks_;
   ByteContent content_;
-  Pcapng pcapng_;
-  std::vector<std::uint8_t> buffer_;  ///< of a pcapng file: blocks that are not read yet
+  std::optional<PacketLines> packets_;
+  std::vector<std::uint8_t> buffer_;  ///< of a file of packets: blocks that are not read yet
   std::size_t at_ = 0;
   Bytes first_;
 };
 
-/// True for a pcapng file, whatever is in it. A look takes bytes out of a pipe, so a pipe is none.
-bool is_pcapng(const std::string& file);
+/// True for a pcapng file, whatever is in it, and for a pcap file of a network. A look takes bytes
+/// out of a pipe, so a pipe is none.
+bool has_packets(const std::string& file);
 
 }  // namespace drydock::capture

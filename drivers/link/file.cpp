@@ -127,10 +127,10 @@ std::optional<OpenError> refuse_file(const Uri& uri, Side side, Carries what) {
 OpenedBytes open_file(const asio::any_io_executor& executor, const Uri& uri, Side side,
                       measurement::MessageTimes messages) {
   if (auto refused = refuse_file(uri, side, Carries::bytes)) return std::move(*refused);
-  if (uri.text_of("format") != "raw" && capture::is_pcapng(uri.target))
+  if (uri.text_of("format") != "raw" && capture::has_packets(uri.target))
     return OpenError{asio::error::operation_not_supported,
                      uri.target +
-                         " is a pcapng file: its serial lines play in virtual time alone "
+                         " is a file of packets: its lines play in virtual time alone "
                          "(speed=max); drydock export --to raw gives a file of bytes"};
   auto link = std::make_unique<FileLink>(executor, uri, bytes_per_second(uri), std::move(messages));
   if (link->error() != 0) return open_error(link->error(), "cannot open " + uri.target);

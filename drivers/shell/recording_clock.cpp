@@ -50,7 +50,7 @@ capture::ArrivalTimes arrival_times(const link::Uri& uri) {
 
 /// Empty: a file of bytes alone.
 std::optional<std::chrono::nanoseconds> first_packet_time(const link::Uri& uri) {
-  if (uri.text_of("format") == "raw" || !capture::is_pcapng(uri.target)) return {};
+  if (uri.text_of("format") == "raw" || !capture::has_packets(uri.target)) return {};
   capture::LineFile line(uri.target, false, std::string(uri.text_of("interface")));
   const auto first = line.next();
   return first ? first->time : std::nullopt;

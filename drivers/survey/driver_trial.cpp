@@ -34,7 +34,7 @@ device::DeviceOptions options_for(Kind kind, std::string_view protocol, std::uin
 }
 
 device::DeviceOptions options_for(const wire::described::DescriptionPtr& description) {
-  auto options = options_for(description->kind, description->name, 0);
+  auto options = options_for(description->kind.value(), description->name, 0);
   options.driver.description = description;
   return options;
 }

@@ -9,9 +9,9 @@
 namespace drydock::survey {
 
 /// A first description (docs/sensors/described.md) of a line that nobody knows, from what it said:
-/// sentences with their columns, lines, or binary frames of one length with their checksum,
-/// constant and counting bytes and what looks like numbers. It only guesses, and its text says so.
-/// Empty: it finds nothing that repeats.
+/// sentences with their columns, lines, or binary frames with their sync, their length, their
+/// checksum, their kinds, constant and counting bytes and what looks like numbers. It only guesses,
+/// and its text says so. Empty: it finds nothing that repeats.
 std::string guess_description(wire::Bytes capture);
 
 // The ways.

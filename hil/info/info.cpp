@@ -41,7 +41,7 @@ int of_recording(const std::string& file, bool json, std::FILE* out, std::FILE* 
 int of_capture(const std::string& file, bool json, std::FILE* out) {
   const auto lines = line_infos(file);
   const auto frames = capture_info(file);
-  if (!lines.empty() && frames && frames->frames == 0) {
+  if (!lines.empty() && (!frames || frames->frames == 0)) {
     fmt::print(out, "{}", json ? to_json(file, lines) : to_text(file, lines));
     return terminal::exit_success;
   }

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "drivers/capture/line_file.hpp"
@@ -22,6 +23,10 @@ LineInfo info_of_line(const std::string& file, const std::string& name) {
   return info;
 }
 
+std::string_view format_of(const std::string& file) {
+  return capture::Pcapng::recognises(capture::FileBlocks(file).read()) ? "pcapng" : "pcap";
+}
+
 double covered_s(const LineInfo& line) {
   return line.first && line.last ? std::chrono::duration<double>(*line.last - *line.first).count()
                                  : 0;
@@ -30,16 +35,21 @@ double covered_s(const LineInfo& line) {
 }  // namespace
 
 std::vector<LineInfo> line_infos(const std::string& file) {
-  if (!capture::is_pcapng(file)) return {};
-  capture::LineFile all(file, false);
+  if (!capture::has_packets(file)) return {};
+  capture::LineFile all(file, false, "*");
   while (all.next()) continue;
   std::vector<LineInfo> infos;
-  for (const auto& name : all.lines()) infos.push_back(info_of_line(file, name));
+  for (const auto& line : all.lines()) {
+    infos.push_back(info_of_line(file, line.name));
+    infos.back().serial = line.serial;
+  }
   return infos;
 }
 
 std::string to_text(const std::string& file, const std::vector<LineInfo>& lines) {
-  std::string text = fmt::format("{}: pcapng, {} serial lines\n", file, lines.size());
+  const bool serial = std::ranges::all_of(lines, &LineInfo::serial);
+  std::string text = fmt::format("{}: {}, {} {}\n", file, format_of(file), lines.size(),
+                                 serial ? "serial lines" : "lines");
   for (const auto& line : lines)
     text += fmt::format("line {}: {} reads, {} bytes, {:.1f} s\n", line.name, line.reads,
                         line.bytes, covered_s(line));
@@ -53,7 +63,8 @@ std::string to_json(const std::string& file, const std::vector<LineInfo>& lines)
                     {"reads", line.reads},
                     {"bytes", line.bytes},
                     {"duration_s", covered_s(line)}});
-  return nlohmann::json{{"file", file}, {"format", "pcapng"}, {"lines", list}}.dump(2) + "\n";
+  return nlohmann::json{{"file", file}, {"format", format_of(file)}, {"lines", list}}.dump(2) +
+         "\n";
 }
 
 }  // namespace drydock::info

@@ -90,12 +90,12 @@ bool ambiguous(const Message& a, const Message& b, const Plan& plan) {
 /// What stands outside the frame of a binary message, in words. Empty: nothing.
 std::string outside(const Message& message, const Plan& plan) {
   const auto& length = message.length;
-  const std::size_t sum = plan.checksum.size();
+  const std::size_t sum = plan.tail();
   const std::size_t longest = length.size == 0 ? length.fixed : plan.longest;
   if (longest > plan.longest)
     return fmt::format("has {} bytes, allowed: up to {} ('longest')", longest, plan.longest);
   if (longest < message.head.size() + sum || longest < plan.checksum_from + sum)
-    return fmt::format("has {} bytes, fewer than its sync and its checksum", longest);
+    return fmt::format("has {} bytes, fewer than its sync, its checksum and its end", longest);
   if (length.size != 0 && length.at + std::size_t{length.size} + sum > plan.longest)
     return "its length is outside of it";
   for (const Field& field : plan.fields_of(message))

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "drivers/wire/dbc/database.hpp"
@@ -12,9 +13,9 @@ namespace drydock::rig_config {
 /// What a field needs to know of its protocol and sensor.
 struct FieldContext {
   wire::described::Form form;
-  measurement::Kind kind;
-  char separator;   ///< behind a field of a text
-  bool big_endian;  ///< unless the field says it
+  std::optional<measurement::Kind> kind;  ///< empty: of a sensor that measures nothing
+  char separator;                         ///< behind a field of a text
+  bool big_endian;                        ///< unless the field says it
   std::string file, path;
   const wire::dbc::Message* message = nullptr;       ///< frames: that of the DBC file
   const std::vector<std::string>* groups = nullptr;  ///< lines: of their pattern

@@ -67,12 +67,16 @@ void read_target(const Node& table, const FieldContext& context, const std::stri
     field.validity.emplace();
     return;
   }
-  const TargetRow* row = find_target(word.text, context.kind);
-  if (!row) {
-    const auto names = target_names(context.kind);
+  if (!context.kind)
     return add(problems, context, word,
-               fmt::format("\"{}\" is nothing that a {} measures{}, allowed: {}", word.text,
-                           to_string(context.kind), did_you_mean(word.text, names), listed(names)));
+               "a field is measured by a kind of sensor: [sensor] has no key 'kind'");
+  const TargetRow* row = find_target(word.text, *context.kind);
+  if (!row) {
+    const auto names = target_names(*context.kind);
+    return add(
+        problems, context, word,
+        fmt::format("\"{}\" is nothing that a {} measures{}, allowed: {}", word.text,
+                    to_string(*context.kind), did_you_mean(word.text, names), listed(names)));
   }
   if (field.type == Type::text)
     add(problems, context, word, "a text is no measurement; allowed: number, hex");

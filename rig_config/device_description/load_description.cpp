@@ -37,7 +37,7 @@ void add_facts(const described::FramePlan& plan, wire::Protocol& facts) {
 wire::Protocol facts_of(const described::Description& description) {
   wire::Protocol facts;
   facts.name = description.name;
-  facts.kinds = description.kind;
+  if (description.kind) facts.kinds = *description.kind;
   const auto& sum = description.plan.checksum;
   if (sum.size() != 0) facts.checksum = sum.name();
   if (tells_time(description.plan)) facts.clock = wire::DeviceClock::yes;

@@ -32,7 +32,8 @@ class PlanReader {
   Description run() {
     const Node& sensor = *root_.find("sensor");
     read(sensor, "title", description_.title);
-    description_.kind = measurement::kind_of(sensor.find("kind")->text).value();
+    if (const Node* kind = sensor.find("kind"))
+      description_.kind = measurement::kind_of(kind->text).value();
     if (const auto wait = read_if(sensor, "reply_within_ms"))
       description_.reply_within = std::chrono::milliseconds{static_cast<std::int64_t>(*wait)};
     if (const Node* messages = the_messages()) {
@@ -85,7 +86,8 @@ class PlanReader {
     if (const Node* from = protocol_.find("checksum_from"))
       plan().checksum_from = static_cast<std::uint16_t>(from->integer);
     read(protocol_, "checksum_optional", plan().checksum_optional);
-    if (plan().form != Form::binary) plan().longest = 256;
+    read_end();
+    plan().longest = plan().form == Form::binary ? 1024 : 256;
     if (const Node* longest = protocol_.find("longest"))
       plan().longest = static_cast<std::size_t>(longest->integer);
     if (plan().form == Form::sentences && plan().checksum.size() > 1)
@@ -96,9 +98,21 @@ class PlanReader {
           "lines have none; with one behind a '*' they are sentences");
   }
 
+  void read_end() {
+    const Node* end = protocol_.find("end");
+    if (!end) return;
+    const auto bytes = hex_bytes(end->text);
+    if (plan().form != Form::binary)
+      add(*end, "/protocol/end", "only binary frames have bytes behind their checksum");
+    else if (!bytes || bytes->empty() || bytes->size() > 16)
+      add(*end, "/protocol/end", "expected 1 to 16 bytes in hexadecimal digits, such as \"0D 0A\"");
+    else
+      plan().end = *bytes;
+  }
+
   void unknown_checksum() {
-    std::vector<std::string> names{"none", "xor", "sum-8", "sum-16", "sum-32", "fletcher-16"};
-    for (const auto& crc : described::crcs) names.emplace_back(crc.name);
+    const auto known = described::checksum_names();
+    const std::vector<std::string> names(known.begin(), known.end());
     const Node& word = *protocol_.find("checksum");
     add(word, "/protocol/checksum",
         fmt::format("\"{}\" is no checksum{}, allowed: {}", word.text,
@@ -228,10 +242,11 @@ class PlanReader {
       description_.frames = frames_;
     } else {
       for (const Message& message : plan().messages) note_starts(message);
+      plan().texts = described::FlatTexts(plan());
       for (Problem& one : check_plan(plan(), messages.items, file_, path_))
         problems_.push_back(std::move(one));
     }
-    if (std::ranges::none_of(plan().messages, &Message::publishes))
+    if (description_.kind && std::ranges::none_of(plan().messages, &Message::publishes))
       add(messages, path_, "no field is part of a measurement: none has the key 'field'");
   }
 

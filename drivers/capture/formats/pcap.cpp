@@ -2,14 +2,13 @@
 
 #include <algorithm>
 
-#include "drivers/capture/formats/socketcan_packet.hpp"
 #include "drivers/wire/bytes.hpp"
 
 namespace drydock::capture {
 
 namespace {
 
-constexpr std::size_t file_head = 24, packet_head = 16, largest_packet = 4096;
+constexpr std::size_t file_head = 24, packet_head = 16, largest_packet = 1u << 18;
 constexpr std::uint32_t magic_us = 0xA1B2C3D4, magic_ns = 0xA1B23C4D;
 
 struct Form {
@@ -28,12 +27,17 @@ std::optional<Form> form_of(Bytes head) {
 
 }  // namespace
 
-bool Pcap::recognises(Bytes head) {
+std::optional<std::uint32_t> Pcap::link_type_of(Bytes head) {
   const auto form = form_of(head);
-  if (!form) return false;
+  if (!form) return std::nullopt;
   const auto link_type = form->big_endian ? wire::load_be<std::uint32_t>(head, 20)
                                           : wire::load_le<std::uint32_t>(head, 20);
-  return (link_type & 0xFFFF) == linktype_can_socketcan;
+  return link_type & 0xFFFF;
+}
+
+bool Pcap::recognises(Bytes head) {
+  const auto link_type = link_type_of(head);
+  return link_type && may_hold_can(*link_type);
 }
 
 std::uint32_t Pcap::number(Bytes bytes, std::size_t offset) const {
@@ -63,13 +67,19 @@ Reading Pcap::read(Bytes unit) {
     const auto form = form_of(unit);
     big_endian_ = form && form->big_endian;
     nanoseconds_ = form && form->nanoseconds;
+    link_type_ = link_type_of(unit).value_or(0);
     return form ? Reading::nothing() : Reading::damage();
   }
-  const auto frame = parse_socketcan_packet(unit.subspan(packet_head));
-  if (!frame) return Reading::damage();
+  const auto found = packet(unit);
+  return found ? can_frame_of(*found) : Reading::damage();
+}
+
+std::optional<CapturedPacket> Pcap::packet(Bytes unit) const {
+  if (unit.size() <= packet_head || unit.size() != packet_head + number(unit, 8)) return {};
   const std::chrono::nanoseconds fraction{std::int64_t{number(unit, 4)} *
                                           (nanoseconds_ ? 1 : 1000)};
-  return {Record{std::chrono::seconds{number(unit, 0)} + fraction, "can0", *frame}, false};
+  return CapturedPacket{link_type_, "can0", std::chrono::seconds{number(unit, 0)} + fraction,
+                        unit.subspan(packet_head), big_endian_};
 }
 
 }  // namespace drydock::capture

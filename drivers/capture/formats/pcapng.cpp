@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "drivers/capture/formats/socketcan_packet.hpp"
 #include "drivers/capture/words.hpp"
 #include "drivers/wire/bytes.hpp"
 
@@ -11,9 +10,8 @@ namespace drydock::capture {
 namespace {
 
 constexpr std::uint32_t section_block = 0x0A0D0D0A, interface_block = 1, packet_block = 6;
-constexpr std::size_t block_head = 8, smallest_block = 12, largest_block = 8192;
+constexpr std::size_t block_head = 8, smallest_block = 12, largest_block = 1u << 18;
 constexpr std::size_t most_interfaces = 64;
-constexpr std::uint16_t linktype_rtac_serial = 250;
 
 /// The byte order of a section. Its magic stands behind type and length. Empty if there is no
 /// magic.
@@ -81,7 +79,9 @@ Reading Pcapng::read(Bytes unit) {
   const Bytes body = unit.subspan(block_head, unit.size() - smallest_block);
   if (type == section_block) interfaces_.clear();
   if (type == interface_block) return read_interface(body);
-  return type == packet_block ? read_packet(body) : Reading::nothing();
+  if (type != packet_block) return Reading::nothing();
+  const auto packet = packet_of(body);
+  return packet ? can_frame_of(*packet) : Reading::damage();
 }
 
 Reading Pcapng::read_interface(Bytes body) {
@@ -102,23 +102,20 @@ Reading Pcapng::read_interface(Bytes body) {
   return Reading::nothing();
 }
 
-std::optional<Pcapng::Packet> Pcapng::packet_of(Bytes body) const {
+std::optional<CapturedPacket> Pcapng::packet_of(Bytes body) const {
   constexpr std::size_t fixed_part = 20;
   if (body.size() < fixed_part) return {};
   const std::size_t index = number(body, 0), size = number(body, 12);
   if (index >= interfaces_.size() || size > body.size() - fixed_part) return {};
   const std::uint64_t ticks = std::uint64_t{number(body, 4)} << 32 | number(body, 8);
   const Interface& interface = interfaces_[index];
-  return Packet{&interface, time_of(ticks, interface.resolution), body.subspan(fixed_part, size)};
+  return CapturedPacket{interface.link_type, interface.name, time_of(ticks, interface.resolution),
+                        body.subspan(fixed_part, size), big_endian_};
 }
 
-Reading Pcapng::read_packet(Bytes body) const {
-  const auto packet = packet_of(body);
-  if (!packet) return Reading::damage();
-  if (packet->interface->link_type != linktype_can_socketcan) return Reading::nothing();
-  const auto frame = parse_socketcan_packet(packet->bytes);
-  if (!frame) return Reading::damage();
-  return {Record{packet->time, packet->interface->name, *frame}, false};
+std::optional<CapturedPacket> Pcapng::packet(Bytes unit) const {
+  if (number(unit, 0) != packet_block) return {};
+  return packet_of(unit.subspan(block_head, unit.size() - smallest_block));
 }
 
 std::vector<std::string> Pcapng::serial_lines() const {
@@ -126,19 +123,6 @@ std::vector<std::string> Pcapng::serial_lines() const {
   for (const auto& interface : interfaces_)
     if (interface.link_type == linktype_rtac_serial) names.push_back(interface.name);
   return names;
-}
-
-std::optional<Pcapng::Serial> Pcapng::serial(Bytes unit) const {
-  constexpr std::size_t event_at = 8, header = 12;  // seconds, microseconds, event, lines, footer
-  constexpr std::uint8_t sent = 1, received = 2;    // DATA_TX_START, DATA_RX_START
-  if (number(unit, 0) != packet_block) return {};
-  const auto packet = packet_of(unit.subspan(block_head, unit.size() - smallest_block));
-  if (!packet || packet->interface->link_type != linktype_rtac_serial) return {};
-  if (packet->bytes.size() < header) return {};
-  const std::uint8_t event = packet->bytes[event_at];
-  if (event != sent && event != received) return {};
-  return Serial{packet->time, event == sent, packet->interface->name,
-                packet->bytes.subspan(header)};
 }
 
 }  // namespace drydock::capture

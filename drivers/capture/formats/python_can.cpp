@@ -1,5 +1,6 @@
 #include "drivers/capture/formats/python_can.hpp"
 
+#include "drivers/capture/base64.hpp"
 #include "drivers/capture/words.hpp"
 #include "drivers/wire/hex.hpp"
 #include "drivers/wire/text_fields.hpp"
@@ -10,24 +11,6 @@ namespace {
 
 constexpr std::string_view head = "timestamp,arbitration_id,extended,remote,error,dlc,data";
 constexpr int seconds = 9;  ///< 10^9 ns
-
-/// RFC 4648, section 4. False if it is not of that alphabet, or has another number of bytes.
-bool read_base64(std::string_view text, std::size_t bytes, wire::CanFrame& frame) {
-  constexpr std::string_view alphabet =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  const auto digits = text.substr(0, text.find('='));
-  if (text.size() % 4 != 0 || text.size() - digits.size() > 2 || digits.size() * 6 / 8 != bytes)
-    return false;
-  std::uint32_t bits = 0;
-  for (std::size_t i = 0, at = 0; i < digits.size(); ++i) {
-    const auto value = alphabet.find(digits[i]);
-    if (value == alphabet.npos) return false;
-    bits = bits << 6 | static_cast<std::uint32_t>(value);
-    if (i % 4 != 0) frame.data.at(at++) = static_cast<std::uint8_t>(bits >> (6 - 2 * (i % 4)));
-  }
-  frame.size = static_cast<std::uint8_t>(bytes);
-  return true;
-}
 
 /// `0` or `1`
 std::optional<bool> flag(std::string_view word) {
@@ -56,7 +39,7 @@ std::optional<Record> parse(std::string_view line) {
   record.frame.remote = *remote;
   record.frame.fd = *size > 8;
   record.frame.size = static_cast<std::uint8_t>(*size);
-  if (!*remote && !read_base64(fields.text(), *size, record.frame)) return std::nullopt;
+  if (!*remote && decode_base64(fields.text(), record.frame.data) != *size) return std::nullopt;
   return record;
 }
 

@@ -7,12 +7,13 @@
 
 namespace drydock::capture {
 
-std::optional<wire::CanFrame> parse_socketcan_packet(wire::Bytes packet) {
+std::optional<wire::CanFrame> parse_socketcan_packet(wire::Bytes packet, bool big_endian) {
   constexpr std::size_t head = 8, fd_packet = 72;
   constexpr std::uint32_t extended = 0x80000000, remote = 0x40000000, error = 0x20000000;
   constexpr std::uint8_t bit_rate_switch = 0x01, fd_format = 0x04, fd_flags = 0x07;
   if (packet.size() < head) return std::nullopt;
-  const auto id = wire::load_be<std::uint32_t>(packet, 0);
+  const auto id = big_endian ? wire::load_be<std::uint32_t>(packet, 0)
+                             : wire::load_le<std::uint32_t>(packet, 0);
   const std::uint8_t size = packet[4], flags = packet[5];
   wire::CanFrame frame;
   frame.error = (id & error) != 0;

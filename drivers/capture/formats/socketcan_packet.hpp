@@ -7,11 +7,9 @@
 
 namespace drydock::capture {
 
-constexpr std::uint32_t linktype_can_socketcan = 227;
-
-/// A packet of LINKTYPE_CAN_SOCKETCAN (tcpdump.org/linktypes): identifier with its flags (always
-/// big-endian), length, CAN FD flags, two more bytes, data. Empty for CAN XL and for invalid
-/// lengths.
-std::optional<wire::CanFrame> parse_socketcan_packet(wire::Bytes packet);
+/// A packet of LINKTYPE_CAN_SOCKETCAN (tcpdump.org/linktypes): identifier with its flags
+/// (big-endian, but for cooked packets), length, CAN FD flags, two more bytes, data. Empty for CAN
+/// XL and for invalid lengths.
+std::optional<wire::CanFrame> parse_socketcan_packet(wire::Bytes packet, bool big_endian);
 
 }  // namespace drydock::capture

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "drivers/wire/described/codec.hpp"
+#include "drivers/wire/text_fields.hpp"
 
 namespace drydock::wire::described {
 namespace {
@@ -32,13 +33,16 @@ std::optional<std::size_t> length_of(const Length& length, Bytes bytes) {
   return load(bytes, length.at, length.size, length.big_endian) + length.plus;
 }
 
+/// True if the frame has its checksum and its end.
 bool is_checked(const Plan& plan, Bytes frame) {
   const std::size_t size = plan.checksum.size();
+  if (frame.size() < plan.tail()) return false;
+  const std::size_t content = frame.size() - plan.tail();
+  if (as_text(frame.last(plan.end.size())) != plan.end) return false;
   if (size == 0) return true;
-  if (frame.size() < size + plan.checksum_from) return false;
-  const Bytes covered = frame.first(frame.size() - size).subspan(plan.checksum_from);
-  return plan.checksum.of(covered) ==
-         load(frame, frame.size() - size, size, plan.checksum_big_endian);
+  if (content < plan.checksum_from) return false;
+  const Bytes covered = frame.first(content).subspan(plan.checksum_from);
+  return plan.checksum.of(covered) == load(frame, content, size, plan.checksum_big_endian);
 }
 
 bool has_constant(const Field& field, Bytes bytes) {
@@ -95,8 +99,7 @@ Scan scan_binary(const Plan& plan, Bytes bytes) {
     if (bytes.size() < message.head.size()) return Scan::need_more();
     const auto length = length_of(message.length, bytes);
     if (!length) return Scan::need_more();
-    const std::size_t shortest =
-        std::max<std::size_t>(message.head.size() + plan.checksum.size(), 1);
+    const std::size_t shortest = std::max<std::size_t>(message.head.size() + plan.tail(), 1);
     if (*length < shortest || *length > plan.longest) continue;
     if (*length > bytes.size()) {
       waits_for = std::max(waits_for, *length);
@@ -115,7 +118,7 @@ bool decode_binary(const Plan& plan, const Message& message, Bytes frame, Record
   const auto length = length_of(message.length, frame);
   if (!length || *length != frame.size()) return false;
   const auto fields = plan.fields_of(message);
-  const std::size_t content = frame.size() - plan.checksum.size();
+  const std::size_t content = frame.size() - plan.tail();
   for (std::size_t i = 0; i < fields.size(); ++i) {
     const Field& field = fields[i];
     Value& value = record.values[i];
@@ -184,9 +187,9 @@ std::size_t encode_binary(const Plan& plan, const Message& message, const Readin
       std::max<std::size_t>(message.head.size(), message.length.at + message.length.size);
   for (const Field& field : fields)
     content = std::max<std::size_t>(content, field.at + std::size_t{field.size});
-  const std::size_t sum = plan.checksum.size();
-  const std::size_t size = message.length.size == 0 ? message.length.fixed : content + sum;
-  if (size > out.size() || size < std::max<std::size_t>(content, plan.checksum_from) + sum)
+  const std::size_t sum = plan.checksum.size(), tail = plan.tail();
+  const std::size_t size = message.length.size == 0 ? message.length.fixed : content + tail;
+  if (size > out.size() || size < std::max<std::size_t>(content, plan.checksum_from) + tail)
     return 0;
   std::fill_n(out.begin(), size, std::uint8_t{0});
   std::ranges::copy(message.head, out.begin());
@@ -198,8 +201,9 @@ std::size_t encode_binary(const Plan& plan, const Message& message, const Readin
     if (!number && !real && !says_nothing_holds(fields, readings)) return 0;
     put(field, number.value_or(real ? std::nan("") : field.idle), out);
   }
-  const Bytes covered = Bytes(out).first(size - sum).subspan(plan.checksum_from);
-  store(out, size - sum, sum, plan.checksum_big_endian, plan.checksum.of(covered));
+  const Bytes covered = Bytes(out).first(size - tail).subspan(plan.checksum_from);
+  store(out, size - tail, sum, plan.checksum_big_endian, plan.checksum.of(covered));
+  std::ranges::copy(plan.end, out.begin() + static_cast<std::ptrdiff_t>(size - plan.end.size()));
   return size;
 }
 

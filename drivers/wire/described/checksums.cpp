@@ -49,13 +49,20 @@ bool Checksum::find(std::string_view name, Checksum& into) {
     return known == name;
   };
   if (take("none", Way::none, 0) || take("xor", Way::exclusive_or, 8) ||
-      take("sum-8", Way::sum, 8) || take("sum-16", Way::sum, 16) || take("sum-32", Way::sum, 32) ||
-      take("fletcher-16", Way::fletcher, 16))
+      take("sum-8", Way::sum, 8) || take("sum-8-negative", Way::negative_sum, 8) ||
+      take("sum-15", Way::sum, 15) || take("sum-16", Way::sum, 16) ||
+      take("sum-32", Way::sum, 32) || take("fletcher-16", Way::fletcher, 16))
     return true;
   const auto found = std::ranges::find(crcs, name, &Crc::name);
   if (found == crcs.end()) return false;
   into = Checksum(*found);
   return true;
+}
+
+std::vector<std::string_view> checksum_names() {
+  std::vector<std::string_view> names(plain_checksums.begin(), plain_checksums.end());
+  for (const Crc& crc : crcs) names.push_back(crc.name);
+  return names;
 }
 
 std::uint32_t Checksum::of(Bytes bytes) const {
@@ -64,6 +71,7 @@ std::uint32_t Checksum::of(Bytes bytes) const {
     case Way::none: return 0;
     case Way::exclusive_or: return exclusive_or(bytes);
     case Way::sum: return byte_total(bytes) & (0xFFFFFFFFu >> (32 - width_));
+    case Way::negative_sum: return -byte_total(bytes) & (0xFFFFFFFFu >> (32 - width_));
     case Way::fletcher: return fletcher8(bytes);
     case Way::crc:
       for (const std::uint8_t byte : bytes) crc = crc << 8 ^ table_[crc >> 24 ^ byte];

@@ -55,12 +55,6 @@ bool has_head(const Message& message, Bytes bytes) {
   return true;
 }
 
-void take_number(const Field& field, double number, Value& value) {
-  if (std::ranges::find(field.no_value, number) != field.no_value.end()) return;
-  value.number = number * field.factor + field.offset;
-  value.state = std::isfinite(value.number) ? Value::State::number : Value::State::malformed;
-}
-
 void take_validity(const Field& field, const Value& raw, std::string_view text, Record& record) {
   const Validity& rule = *field.validity;
   bool good = std::ranges::find(rule.good_texts, text) != rule.good_texts.end();

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cmath>
+
 #include "drivers/wire/described/record.hpp"
 
 /// The codec of every described protocol, by the contract of drivers/wire/codec.hpp. The plan is
@@ -35,7 +37,7 @@ Scan scan_sentence(const Plan& plan, Bytes bytes);
 Scan scan_binary(const Plan& plan, Bytes bytes);
 Scan scan_line(const Plan& plan, Bytes bytes);
 
-/// True if a message that begins with these bytes has this head.
+/// True if the bytes begin with this head.
 bool has_head(const Message& message, Bytes bytes);
 
 /// The first message whose head, constants and number of fields are those of a sentence or line.
@@ -43,7 +45,12 @@ Decoded decode_texts(const Plan& plan, Bytes frame, Record& record);
 bool decode_binary(const Plan& plan, const Message& message, Bytes frame, Record& record);
 
 /// What both have in common: a number of the wire becomes the field's value.
-void take_number(const Field& field, double number, Value& value);
+inline void take_number(const Field& field, double number, Value& value) {
+  for (const double none : field.no_value)
+    if (none == number) return;
+  value.number = number * field.factor + field.offset;
+  value.state = std::isfinite(value.number) ? Value::State::number : Value::State::malformed;
+}
 void take_validity(const Field& field, const Value& raw, std::string_view text, Record& record);
 /// Divides the fields that are a distance in a time.
 void divide(Record& record);

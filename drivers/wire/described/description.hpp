@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,10 +22,10 @@ struct Request {
 struct FramePlan;
 
 struct Description {
-  std::string name;   ///< of the file, as a rig names it: `valeport-vat.toml`
-  std::string title;  ///< the sensor in words
-  Protocol facts;     ///< its name is `name`
-  Kind kind = Kind::depth;
+  std::string name;          ///< of the file, as a rig names it: `valeport-vat.toml`
+  std::string title;         ///< the sensor in words
+  Protocol facts;            ///< its name is `name`
+  std::optional<Kind> kind;  ///< empty: it measures nothing, only `drydock decode` reads it
   Plan plan;
   std::shared_ptr<const FramePlan> frames;  ///< of a DBC file; null: it travels as bytes
   std::string dbc_file;        ///< path of the DBC file; empty: it is part of the program

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "drivers/wire/described/checksums.hpp"
+#include "drivers/wire/described/flat_texts.hpp"
 #include "drivers/wire/described/line_pattern.hpp"
 #include "drivers/wire/described/targets.hpp"
 
@@ -16,7 +17,7 @@
 /// fields. rig_config/device_description reads the file and proves what the codec relies on.
 namespace drydock::wire::described {
 
-inline constexpr std::size_t longest_frame = 1024, most_fields = 32, most_messages = 64;
+inline constexpr std::size_t longest_frame = 8192, most_fields = 32, most_messages = 64;
 
 enum class Form : std::uint8_t { sentences, binary, lines, frames };
 
@@ -93,10 +94,15 @@ struct Plan {
   bool checksum_optional = false;    ///< sentences: a line without '*' counts too
   bool checksum_big_endian = false;  ///< binary
   std::uint16_t checksum_from = 0;   ///< first byte that it covers
+  std::string end;                   ///< binary: bytes behind the checksum, the last of a frame
   std::size_t longest = longest_frame;
   std::array<bool, 256> starts{};  ///< bytes with which a message can begin
   std::vector<Message> messages;
   std::vector<Field> fields;
+  FlatTexts texts;  ///< of sentences and lines
+
+  /// Binary: bytes of a frame behind its fields.
+  std::size_t tail() const { return checksum.size() + end.size(); }
 
   std::span<const Field> fields_of(const Message& message) const {
     return std::span(fields).subspan(message.first_field, message.fields);

@@ -1,11 +1,10 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <utility>
 
 #include "drivers/wire/described/codec.hpp"
-#include "drivers/wire/hex.hpp"
 #include "drivers/wire/line_end.hpp"
+#include "drivers/wire/plain_number.hpp"
 #include "drivers/wire/text_fields.hpp"
 
 namespace drydock::wire::described {
@@ -16,26 +15,37 @@ constexpr std::size_t checksum_digits = 2;  // sentences have checksums of 8 bit
 constexpr bool ends_a_line(std::uint8_t c) { return c == '\r' || c == '\n'; }
 constexpr bool is_printable(std::uint8_t c) { return (c >= 0x20 && c <= 0x7E) || c == '\t'; }
 
+/// Above Fh: it is no digit.
+constexpr unsigned hex_digit(std::uint8_t c) {
+  if (c >= '0' && c <= '9') return c - unsigned{'0'};
+  const unsigned letter = c | 0x20u;
+  return letter >= 'a' && letter <= 'f' ? letter - 'a' + 10 : 0x100;
+}
+
 Scan at_star(const Plan& plan, Bytes bytes, std::size_t star) {
   if (bytes.size() < star + 1 + checksum_digits) return Scan::need_more();
-  const auto sent = parse_hex(as_text(bytes.subspan(star + 1, checksum_digits)));
-  if (!sent) return Scan::skip(1);
+  const unsigned sent = hex_digit(bytes[star + 1]) << 4 | hex_digit(bytes[star + 2]);
+  if (sent > 0xFF) return Scan::skip(1);
   const Bytes covered = bytes.first(star).subspan(std::min<std::size_t>(plan.checksum_from, star));
-  return *sent == plan.checksum.of(covered) ? with_line_end(bytes, star + 1 + checksum_digits)
-                                            : Scan::bad_checksum();
+  return sent == plan.checksum.of(covered) ? with_line_end(bytes, star + 1 + checksum_digits)
+                                           : Scan::bad_checksum();
 }
 
 bool begins_message(const Plan& plan, Bytes bytes) {
   if (bytes[0] == '$' || bytes[0] == '!') return true;
-  return std::ranges::any_of(plan.messages,
-                             [&](const Message& message) { return has_head(message, bytes); });
+  return std::ranges::any_of(plan.texts.families,
+                             [&](const FlatFamily& family) { return begins(family, bytes); });
 }
 
 /// Sentences and lines without their line end, and sentences without their checksum.
 std::string_view body_of(const Plan& plan, Bytes frame) {
   std::string_view text = as_text(frame);
   while (!text.empty() && (text.back() == '\r' || text.back() == '\n')) text.remove_suffix(1);
-  const std::size_t star = plan.form == Form::sentences ? text.rfind('*') : text.npos;
+  const std::size_t usual = text.size() - std::min(text.size(), 1 + checksum_digits);
+  const bool is_usual = usual < text.size() && text.find('*', usual) == usual;
+  const std::size_t star = plan.form != Form::sentences ? text.npos
+                           : is_usual                   ? usual
+                                                        : text.rfind('*');
   return star == text.npos || plan.checksum.size() == 0 ? text : text.substr(0, star);
 }
 
@@ -61,12 +71,19 @@ std::optional<double> parse_hex_number(std::string_view text) {
   return static_cast<double>(value);
 }
 
+/// The usual number is read here, any other is not worth the code.
+std::optional<double> number_in(std::string_view text) {
+  const PlainNumber plain = plain_number(text.data(), text.data() + text.size());
+  const bool all = plain.end == text.data() + text.size();
+  if (all && plain.is_exact() && plain.mantissa != 0) return plain.value();
+  return parse_number(text);
+}
+
 /// False: the text cannot be this field.
 bool take(const Plan& plan, const Field& field, std::string_view text, std::size_t i,
           Record& record) {
   Value& value = record.values[i];
   value = {};
-  if (field.type == Type::constant || field.type == Type::ignored) return true;
   if (field.type == Type::text) {
     value = {Value::State::text, 0, text};
     if (field.validity) take_validity(field, value, text, record);
@@ -76,7 +93,7 @@ bool take(const Plan& plan, const Field& field, std::string_view text, std::size
     if (field.validity) record.valid = false;
     return plan.form == Form::sentences || field.optional;
   }
-  const auto number = field.type == Type::hex ? parse_hex_number(text) : parse_number(text);
+  const auto number = field.type == Type::hex ? parse_hex_number(text) : number_in(text);
   if (!number && plan.form == Form::lines) return false;  // nothing else proves a line
   if (number) take_number(field, *number, value);
   if (!number) value.state = Value::State::malformed;
@@ -92,7 +109,7 @@ Scan scan_sentence(const Plan& plan, Bytes bytes) {
   const std::size_t limit = std::min(bytes.size(), plan.longest);
   for (std::size_t i = 1; i < limit; ++i) {
     const std::uint8_t c = bytes[i];
-    if (c != '*' && is_printable(c) && !plan.starts[c]) continue;
+    if (!plan.texts.stops[c]) continue;
     if (c == '*' && checked) return at_star(plan, bytes, i);
     if (ends_a_line(c) && (!checked || plan.checksum_optional)) return with_line_end(bytes, i);
     if (!is_printable(c)) return Scan::skip(1);
@@ -130,6 +147,20 @@ struct Cuts {
   std::string_view operator[](std::size_t i) const { return {pieces[i].begin, pieces[i].size}; }
 };
 
+/// Each field ends with the separator, the last one with the text.
+void cut_at(char separator, std::size_t fields, std::string_view text, Cuts& cuts) {
+  const char *begin = text.data(), *const end = begin + text.size();
+  cuts.count = 0;
+  cuts.ended = true;
+  for (const char* at = begin; cuts.count + 1 < fields; ++at) {
+    while (at != end && *at != separator) ++at;
+    if (at == end) break;
+    cuts.pieces[cuts.count++] = {begin, static_cast<std::size_t>(at - begin)};
+    begin = at + 1;
+  }
+  cuts.pieces[cuts.count++] = {begin, static_cast<std::size_t>(end - begin)};
+}
+
 void cut_fields(std::span<const Field> fields, std::string_view text, Cuts& cuts) {
   Cut now{{}, text, fields.empty() && text.empty()};
   cuts.count = 0;
@@ -145,32 +176,35 @@ void cut_fields(std::span<const Field> fields, std::string_view text, Cuts& cuts
     cuts.ended = fields.back().closed ? whole : now.ended || (whole && fields.back().end == ' ');
 }
 
-bool cut_alike(std::span<const Field> some, std::span<const Field> others) {
-  return std::ranges::equal(some, others, [](const Field& a, const Field& b) {
-    return a.end == b.end && a.closed == b.closed;
-  });
+bool is_constant(const Field& field, std::string_view text) {
+  const std::string& wanted = field.text;
+  if (text.size() != wanted.size()) return field.optional && text.empty();
+  if (text.size() == 1) return text[0] == wanted[0];
+  return text == wanted;
 }
 
 /// False if a constant or the number of fields is another's. Messages of one id differ in these,
 /// and a number costs more to read than a constant.
-bool may_be(std::span<const Field> fields, const Cuts& cuts) {
-  if (!cuts.ended) return false;
-  for (std::size_t i = 0; i < fields.size(); ++i) {
-    const Field& field = fields[i];
-    if (i >= cuts.count ? !field.optional
-                        : field.type == Type::constant && cuts[i] != field.text &&
-                              !(field.optional && cuts[i].empty()))
-      return false;
+bool may_be(const FlatText& flat, std::span<const Field> fields, const Cuts& cuts) {
+  if (!cuts.ended || cuts.count < flat.fewest) return false;
+  for (const std::uint8_t i : flat.constants) {
+    if (i >= cuts.count) break;
+    if (!is_constant(fields[i], cuts[i])) return false;
   }
   return true;
 }
 
-bool decode_cuts(const Plan& plan, const Message& message, const Cuts& cuts, Record& record) {
-  const auto fields = plan.fields_of(message);
-  if (!may_be(fields, cuts)) return false;
-  for (std::size_t i = 0; i < cuts.count; ++i)
-    if (!take(plan, fields[i], cuts[i], i, record)) return false;
-  for (std::size_t i = cuts.count; i < fields.size(); ++i) record.values[i] = {};
+bool decode_cuts(const Plan& plan, const FlatText& flat, const Cuts& cuts, Record& record) {
+  const auto fields = std::span(plan.fields).subspan(flat.first_field, flat.fields);
+  if (!may_be(flat, fields, cuts)) return false;
+  record.begin(plan, plan.messages[flat.message]);
+  for (const std::uint8_t i : flat.blank) record.values[i] = {};
+  for (const std::uint8_t i : flat.read) {
+    if (i >= cuts.count)
+      record.values[i] = {};
+    else if (!take(plan, fields[i], cuts[i], i, record))
+      return false;
+  }
   divide(record);
   return true;
 }
@@ -184,6 +218,7 @@ bool decode_pattern(const Plan& plan, const Message& message, std::string_view t
   for (std::size_t i = 0; i < fields.size(); ++i) {
     const std::string_view found = groups[fields[i].at];
     record.values[i] = {};
+    if (fields[i].type == Type::constant || fields[i].type == Type::ignored) continue;
     if (found.empty() && fields[i].validity) record.valid = false;
     if (!found.empty() && !take(plan, fields[i], found, i, record)) return false;
   }
@@ -193,25 +228,37 @@ bool decode_pattern(const Plan& plan, const Message& message, std::string_view t
 
 }  // namespace
 
+namespace {
+
+/// The first message of the family whose constants and number of fields are those of the text.
+bool decode_family(const Plan& plan, const FlatFamily& family, std::string_view text,
+                   Record& record) {
+  const auto texts = std::span(plan.texts.texts).subspan(family.first, family.count);
+  if (family.by_pattern) {
+    const Message& message = plan.messages[texts[0].message];
+    record.begin(plan, message);
+    return decode_pattern(plan, message, text, record);
+  }
+  Cuts cuts;
+  if (family.separator != 0)
+    cut_at(family.separator, texts[0].fields, text, cuts);
+  else
+    cut_fields(plan.fields_of(plan.messages[texts[0].message]), text, cuts);
+  for (const FlatText& flat : texts)
+    if (decode_cuts(plan, flat, cuts, record)) return true;
+  record.begin(plan, plan.messages[texts.back().message]);
+  return false;
+}
+
+}  // namespace
+
 Decoded decode_texts(const Plan& plan, Bytes frame, Record& record) {
   const std::string_view body = body_of(plan, frame);
   Decoded result = Decoded::other;
-  Cuts cuts;
-  const Message* before = nullptr;
-  bool has_its_head = false, is_cut = false;
-  for (const Message& message : plan.messages) {
-    const bool same_head = has_its_head && before->head == message.head;
-    is_cut = is_cut && same_head && cut_alike(plan.fields_of(*before), plan.fields_of(message));
-    has_its_head = same_head || has_head(message, frame);
-    before = &message;
-    if (!has_its_head) continue;
-    record.begin(plan, message);
-    const std::string_view text = body.substr(std::min(body.size(), message.head.size()));
-    if (!message.line && !std::exchange(is_cut, true))
-      cut_fields(plan.fields_of(message), text, cuts);
-    if (message.line ? decode_pattern(plan, message, text, record)
-                     : decode_cuts(plan, message, cuts, record))
-      return Decoded::message;
+  for (const FlatFamily& family : plan.texts.families) {
+    if (!begins(family, frame)) continue;
+    const std::string_view text = body.substr(std::min(body.size(), family.head.size()));
+    if (decode_family(plan, family, text, record)) return Decoded::message;
     result = Decoded::misfit;
   }
   return result;

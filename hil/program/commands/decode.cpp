@@ -35,7 +35,7 @@ void add_decode(CLI::App& app, Command& command) {
       "--format", options->format,
       "the file's format, where its content does not tell: one of " + decode::decode_formats());
   sub->add_option("--interface", options->interface,
-                  "of a pcapng file with several serial lines; default the only one");
+                  "of a file of packets with several lines; default the only one that speaks");
   sub->add_flag("--count", options->count, "how many of each type, not the messages");
   sub->add_flag("--quiet", options->quiet, "no line of counts at the end");
   sub->callback([options, &command] {

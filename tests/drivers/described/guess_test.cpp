@@ -18,6 +18,11 @@ std::string replaced(std::string text, const std::string& from, const std::strin
   return at == text.npos ? text : text.replace(at, from.size(), to);
 }
 
+/// With a column that is measured, and so with the kind of sensor that measures it.
+std::string measured(std::string text, const std::string& from, const std::string& to) {
+  return replaced(replaced(std::move(text), from, to), "# kind = ", "kind = ");
+}
+
 TEST(GuessedDescription, SentencesGiveTheirChecksumAndColumns) {
   const auto guess =
       survey::guess_description(wire::testing::fixture("described/valeport-vat.txt"));
@@ -28,9 +33,15 @@ TEST(GuessedDescription, SentencesGiveTheirChecksumAndColumns) {
   EXPECT_THAT(guess, HasSubstr("{ text = \"M\" },"));
 }
 
+TEST(GuessedDescription, IsADescriptionAsItStands) {
+  const auto guess =
+      survey::guess_description(wire::testing::fixture("described/cerulean-dvpdl.txt"));
+  EXPECT_THAT(problems_of(guess), IsEmpty()) << guess;
+}
+
 TEST(GuessedDescription, WithAFieldNamedItIsADescription) {
   const auto guess =
-      replaced(survey::guess_description(wire::testing::fixture("described/cerulean-dvpdl.txt")),
+      measured(survey::guess_description(wire::testing::fixture("described/cerulean-dvpdl.txt")),
                "name = \"column_9\"", "field = \"depth_m\", unit = \"m\"");
   EXPECT_THAT(problems_of(guess), IsEmpty()) << guess;
 }
@@ -64,7 +75,7 @@ TEST(GuessedDescription, FramesGiveLengthChecksumCounterAndFloat) {
   EXPECT_THAT(guess, HasSubstr("name = \"counter_2\""));
   EXPECT_THAT(guess, HasSubstr("{ at = 3, type = \"f32\", name = \"at_3\" },  # 10 to 24.43"));
   EXPECT_THAT(guess, HasSubstr("byte 7: always 119 (0x77)"));
-  const auto named = replaced(guess, "name = \"at_3\"", "field = \"depth_m\", unit = \"m\"");
+  const auto named = measured(guess, "name = \"at_3\"", "field = \"depth_m\", unit = \"m\"");
   const auto description = described(named);
   const Buffer stream = unknown_frames();
   EXPECT_EQ(wire::described::scan(description->plan, wire::Bytes(stream).subspan(3)),
@@ -87,7 +98,7 @@ TEST(GuessedDescription, LinesThatDifferInTheirNumbersAreOneMessage) {
   EXPECT_THAT(guess, HasSubstr("column_8\", decimals = 2 },  # 10.5 to 10.69"));
   EXPECT_THAT(guess, HasSubstr("column_9\", decimals = 1 },  # 1.5 to 20.5"));
   const auto toy =
-      described(replaced(guess, "name = \"column_9\"", "field = \"pressure_pa\", unit = \"dbar\""));
+      described(measured(guess, "name = \"column_9\"", "field = \"pressure_pa\", unit = \"dbar\""));
   wire::described::Record record;
   const auto line = wire::testing::as_bytes("2026-11-25 06:10:00.000, 42.9, -0.05, 33.25\r\n");
   ASSERT_EQ(wire::described::decode(toy->plan, line, record), wire::described::Decoded::message);
@@ -104,7 +115,7 @@ TEST(GuessedDescription, LinesWithOtherWordsAreMessagesOfTheirOwn) {
   EXPECT_THAT(guess, HasSubstr("emulate = \"{c1}C\\tok\""));  // it stands behind the head
   EXPECT_THAT(guess, HasSubstr("# Not described:\n# 1 times: Depth failed\n"));
   EXPECT_THAT(
-      problems_of(replaced(guess, "name = \"column_1\"", "field = \"depth_m\", unit = \"m\"")),
+      problems_of(measured(guess, "name = \"column_1\"", "field = \"depth_m\", unit = \"m\"")),
       IsEmpty())
       << guess;
 }
@@ -120,7 +131,7 @@ TEST(GuessedDescription, LinesThatNoPatternHoldsAreNamed) {
   EXPECT_THAT(guess, HasSubstr("head = \"" + std::string(32, 'h') + "\""));
   EXPECT_THAT(guess, HasSubstr("# Not described:\n# 9 times: 0 value 1 value"));
   EXPECT_THAT(
-      problems_of(replaced(guess, "name = \"column_2\"", "field = \"depth_m\", unit = \"m\"")),
+      problems_of(measured(guess, "name = \"column_2\"", "field = \"depth_m\", unit = \"m\"")),
       IsEmpty())
       << guess;
 }

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string_view>
+
+namespace drydock::capture {
+
+/// Bytes of a text in base64 (RFC 4648, section 4), into the front of `out`. Empty:
+/// it is none, or does not fit.
+inline std::optional<std::size_t> decode_base64(std::string_view text,
+                                                std::span<std::uint8_t> out) {
+  constexpr std::string_view letters =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  const auto digits = text.substr(0, text.find('='));
+  if (text.size() % 4 != 0 || text.size() - digits.size() > 2) return std::nullopt;
+  std::size_t size = 0;
+  std::uint32_t bits = 0;
+  unsigned held = 0;
+  for (const char letter : digits) {
+    const auto value = letters.find(letter);
+    if (value == letters.npos) return std::nullopt;
+    bits = bits << 6 | static_cast<std::uint32_t>(value);
+    held += 6;
+    if (held < 8) continue;
+    held -= 8;
+    if (size == out.size()) return std::nullopt;
+    out[size++] = static_cast<std::uint8_t>(bits >> held);
+  }
+  return size;
+}
+
+}  // namespace drydock::capture

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "drivers/capture/formats/network_segment.hpp"
+#include "drivers/capture/formats/pcap.hpp"
+#include "drivers/capture/formats/pcapng.hpp"
+#include "drivers/capture/stream_order.hpp"
+
+namespace drydock::capture {
+
+/// The lines of bytes in a file of packets: what came over serial lines (link type 250, RTAC
+/// serial), and what each sender said to each receiver by UDP or TCP. Sans-I/O.
+class PacketLines {
+ public:
+  struct Line {
+    std::string name;  ///< of a serial line, or the sender's address and port
+    bool serial = false;
+    std::uint64_t bytes = 0;
+  };
+  struct Piece {
+    std::optional<std::chrono::nanoseconds> time;  ///< UTC since 1970
+    std::size_t line = 0;
+    Bytes bytes;  ///< valid until the next call
+  };
+
+  /// True for a pcapng file, and for a pcap file of a network.
+  static bool recognises(Bytes head);
+
+  explicit PacketLines(Bytes head);
+
+  Scan scan(Bytes bytes);
+  /// Empty: the unit, a frame of scan(), adds nothing to a line now.
+  std::optional<Piece> read(Bytes unit);
+  /// At the end of the file, until it is empty: what waited behind gaps of a TCP stream.
+  std::optional<Piece> finish();
+
+  const std::vector<Line>& lines() const { return lines_; }
+
+ private:
+  struct Conversation {
+    std::size_t line = 0;
+    StreamOrder order;
+    std::optional<std::chrono::nanoseconds> time;
+  };
+  std::optional<Piece> read_serial(const CapturedPacket& packet);
+  std::optional<Piece> read_network(const CapturedPacket& packet);
+  Conversation& conversation(const NetworkSegment& segment);
+  std::optional<Piece> piece(std::size_t line, std::optional<std::chrono::nanoseconds> time,
+                             Bytes bytes);
+  std::size_t line_of(const std::string& name, bool serial);
+
+  std::variant<Pcap, Pcapng> file_;
+  std::vector<Line> lines_;
+  std::map<std::pair<std::string, std::string>, Conversation> conversations_;
+};
+
+}  // namespace drydock::capture

@@ -1,0 +1,139 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "drivers/survey/binary_guess.hpp"
+#include "drivers/survey/guess_messages.hpp"
+#include "drivers/wire/described/plan.hpp"
+
+namespace drydock::survey {
+namespace {
+
+using wire::Bytes;
+
+std::string order_of(bool big_endian) { return big_endian ? ", order = \"big\"" : ""; }
+
+std::string field_text(const Guessed& one) {
+  if (one.looks == Guessed::Looks::counter)
+    return fmt::format("  {{ at = {}, type = \"u8\", name = \"counter_{}\" }},\n", one.at, one.at);
+  return fmt::format("  {{ at = {}, type = \"{}\", name = \"at_{}\"{} }},  # {:.6g} to {:.6g}\n",
+                     one.at, one.type, one.at, order_of(one.big_endian), one.low, one.high);
+}
+
+std::string constant_text(const Guessed& one, Bytes frame) {
+  return fmt::format("  # byte {}: {} {} (0x{:02X})\n", one.at,
+                     one.low == one.high ? "always" : "mostly", frame[one.at], frame[one.at]);
+}
+
+/// Runs of constant bytes, which only a comment names, and fields until they are too many.
+class FieldList {
+ public:
+  FieldList(const BinaryGuess& guess, const MessageGuesses& kinds, const MessageGuess& kind)
+      : guess_(guess), kinds_(kinds), kind_(kind) {}
+
+  std::string text() {
+    const std::size_t tail =
+        guess_.sum ? guess_.sum->checksum.size() + guess_.sum->behind : std::size_t{0};
+    identify();
+    // A number does not reach over an identifier or the length.
+    const std::size_t end = kind_.shortest - tail;
+    for (std::size_t from = guess_.sync, to = from; from < end; from = to + 1) {
+      for (to = from; to < end && !is_known(to);) ++to;
+      for (const Guessed& one : guess_numbers(kind_.frames, from, to)) add(one);
+    }
+    if (left_out_ > 0) text_ += fmt::format("  # and {} more that change\n", left_out_);
+    if (kind_.longest > kind_.shortest)
+      text_ += fmt::format("  # the longest has {} bytes more\n", kind_.longest - kind_.shortest);
+    return std::move(text_);
+  }
+
+ private:
+  /// Identifiers that the sync cannot have with it, as constants.
+  void identify() {
+    for (std::size_t i = 0; i < kinds_.id_at.size(); ++i) {
+      if (kinds_.id_at[i] == guess_.sync + i) continue;
+      text_ +=
+          fmt::format("  {{ at = {}, type = \"u8\", is = {} }},\n", kinds_.id_at[i], kind_.id[i]);
+      ++fields_;
+    }
+  }
+
+  bool is_known(std::size_t at) const {
+    const auto& length = guess_.length;
+    return std::ranges::find(kinds_.id_at, at) != kinds_.id_at.end() ||
+           (length && at >= length->at && at < length->at + length->size);
+  }
+
+  void add(const Guessed& one) {
+    if (one.looks == Guessed::Looks::constant)
+      text_ += constant_text(one, kind_.frames[0]);
+    else if (fields_ == wire::described::most_fields)
+      ++left_out_;
+    else
+      text_ += field_text(one), ++fields_;
+  }
+
+  const BinaryGuess& guess_;
+  const MessageGuesses& kinds_;
+  const MessageGuess& kind_;
+  std::string text_;
+  std::size_t fields_ = 0, left_out_ = 0;
+};
+
+/// The sync with those identifiers that follow it at once.
+std::string head_of(const BinaryGuess& guess, const MessageGuesses& kinds, Bytes frame) {
+  std::size_t size = guess.sync;
+  for (const std::size_t at : kinds.id_at) size += at == size;
+  return hex_of(frame.first(size));
+}
+
+std::string length_text(const BinaryGuess& guess) {
+  if (!guess.length) return fmt::format("{}", guess.frames[0].size());
+  const LengthField& field = *guess.length;
+  return fmt::format("{{ at = {}, type = \"u{}\"{}{} }}", field.at, 8 * field.size,
+                     field.size > 1 ? order_of(field.big_endian) : "",
+                     field.plus > 0 ? fmt::format(", plus = {}", field.plus) : "");
+}
+
+std::string message_text(const BinaryGuess& guess, const MessageGuesses& kinds,
+                         const MessageGuess& kind) {
+  std::string name = "frame";
+  for (const std::uint8_t byte : kind.id) name += fmt::format("_{:02X}", byte);
+  return fmt::format(
+      "\n[[protocol.binary]]             # {} frames\nname = \"{}\"\nsync = \"{}\"\nlength = {}\n"
+      "fields = [\n{}]\n",
+      kind.frames.size(), name, head_of(guess, kinds, kind.frames[0]), length_text(guess),
+      FieldList(guess, kinds, kind).text());
+}
+
+std::string protocol_text(const BinaryGuess& guess, const MessageGuesses& kinds) {
+  std::string text = "\n[protocol]\n";
+  constexpr std::size_t usual = 1024;
+  const auto longest = std::ranges::max(kinds.all, {}, &MessageGuess::longest).longest;
+  if (longest > usual) text += fmt::format("longest = {}\n", wire::described::longest_frame);
+  if (!guess.sum) return text + "# no checksum was found\n";
+  const Sum& sum = *guess.sum;
+  text += fmt::format("checksum = \"{}\"\n", sum.checksum.name());
+  if (sum.big_endian) text += "checksum_order = \"big\"\n";
+  if (sum.from > 0) text += fmt::format("checksum_from = {}\n", sum.from);
+  if (sum.behind > 0)
+    text += fmt::format("end = \"{}\"\n", hex_of(guess.frames[0].last(sum.behind)));
+  return text;
+}
+
+}  // namespace
+
+std::string binary_text(const BinaryGuess& guess) {
+  const MessageGuesses kinds = guess_messages(guess);
+  std::string text = protocol_text(guess, kinds), left_out;
+  for (std::size_t i = 0; i < kinds.all.size(); ++i) {
+    const MessageGuess& kind = kinds.all[i];
+    if (i < wire::described::most_messages)
+      text += message_text(guess, kinds, kind);
+    else
+      left_out += fmt::format("# {} frames {}\n", kind.frames.size(), hex_of(kind.id));
+  }
+  return text + (left_out.empty() ? "" : "\n# Not described:\n" + left_out);
+}
+
+}  // namespace drydock::survey
