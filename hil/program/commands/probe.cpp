@@ -45,7 +45,15 @@ void add_probe(CLI::App& app, Command& command) {
   sub->callback([a, &command] {
     command = [a] {
       if (a->all) return probe::probe_all("/", a->options.json, stdout);
-      for (const auto& name : a->describe) a->options.descriptions.push_back(load_protocol(name));
+      for (const auto& name : a->describe) {
+        a->options.descriptions.push_back(load_protocol(name));
+        if (a->options.descriptions.back()->kind) continue;
+        fmt::print(stderr,
+                   "probe: {}: [sensor] has no key 'kind', and the probe listens for kinds; "
+                   "`drydock decode --protocol {}` reads its messages\n",
+                   name, name);
+        return terminal::exit_usage;
+      }
       if (!a->options.link.empty()) return probe::probe(a->options, stdout, stderr);
       fmt::print(stderr, "probe: give a LINK, or --all\n");
       return terminal::exit_usage;

@@ -13,7 +13,7 @@ struct Bus final : Heard {
                std::uint8_t address = 0) {
     device::DriverOptions options;
     options.address = address;
-    options.kind = description->kind;
+    options.kind = description->kind.value();
     options.protocol = protocol.empty() ? description->name : protocol;
     if (protocol.empty()) options.description = description;
     driver = *device::make_frame_driver(options);
@@ -27,7 +27,7 @@ struct Bus final : Heard {
 /// The truth through the emulated device, its bus and its driver.
 inline void run(const DescriptionPtr& description, double rate_hz, double seconds, Bus& bus) {
   const emulate::Frozen truth(emulate::under_way());
-  auto config = emulate::device(description->kind, description->name, rate_hz);
+  auto config = emulate::device(description->kind.value(), description->name, rate_hz);
   config.description = description;
   emulate::EmulatedBus line(
       500'000, [&](const wire::CanFrame& one, std::size_t, const emulate::Passage& passage) {

@@ -29,7 +29,7 @@ struct Heard : device::Output {
 
 inline device::DriverOptions options_of(const DescriptionPtr& description) {
   device::DriverOptions options;
-  options.kind = description->kind;
+  options.kind = description->kind.value();
   options.protocol = description->name;
   options.description = description;
   options.poll_period = std::chrono::milliseconds{500};
@@ -51,7 +51,7 @@ class Bench final : public device::Output {
   explicit Bench(const std::string& file, double rate_hz = 4,
                  const motion::Truth& truth = emulate::under_way())
       : description_(shipped(file)), trajectory_(truth) {
-    config_ = emulate::device(description_->kind, file, rate_hz);
+    config_ = emulate::device(description_->kind.value(), file, rate_hz);
     config_.description = description_;
     auto options = options_of(description_);
     options.poll_period = measurement::from_seconds(1 / rate_hz);

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <fstream>
 #include <vector>
 
 #include "tests/hil/program/program.hpp"
@@ -71,6 +72,15 @@ TEST(Mistakes, AFileThatIsNotThereIsComparedWithThoseThatAre) {
       {"track fixtures/dives/dvl-finds-the-bottom/div.mcap", 1, "(did you mean 'dive.mcap'?)"},
       {"run nothing-like-it --for 1s", 2, "`drydock example` lists the files"},
   });
+}
+
+TEST(Mistakes, AProbeForASensorOfNoKindSaysWhoReadsIt) {
+  const Folder folder;
+  const std::string file = (folder / "any.toml").string();
+  std::ofstream(file) << "[sensor]\ntitle = \"any\"\n[[protocol.binary]]\nname = \"a\"\n"
+                         "sync = \"A0 A1\"\nlength = 4\n"
+                         "fields = [{ at = 2, type = \"u8\", name = \"n\" }]\n";
+  expect_told({{"probe pty:nobody --describe " + file, 2, "has no key 'kind'"}});
 }
 
 TEST(Mistakes, AnEmptyFileIsCalledEmptyByThoseThatMakeATrackToo) {
