@@ -96,7 +96,7 @@ constexpr Key clock{"clock", "device line",
                     [](std::string_view text) { return text == "device" || text == "line"; }};
 constexpr Key format{"format",
                      "raw pcap pcapng blf candump-log candump-screen asc trc canboat actisense "
-                     "ydwg savvycan python-can",
+                     "ydwg ikonvert savvycan python-can",
                      is_capture_format};
 constexpr Key interface { "interface", "up to 15 letters, digits, _ - .", is_interface };
 constexpr Key from{"from", "an IP address in numbers", is_address};

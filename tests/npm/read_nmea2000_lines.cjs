@@ -1,4 +1,4 @@
-// What canboatjs finds in the lines of NMEA 2000 (candump, Actisense, Yacht Devices) on standard input, as JSON: the messages, and how many lines it refuses.
+// What canboatjs finds in the lines of NMEA 2000 (candump, Actisense, Yacht Devices, iKonvert) on standard input, as JSON: the messages, and how many lines it refuses.
 const { FromPgn } = require('@canboat/canboatjs')
 
 const parser = new FromPgn({ returnNulls: true })

@@ -62,6 +62,7 @@ const Sample samples[] = {
     {"plain.csv", "canboat", {1, 3}, false, false},
     {"actisense.txt", "actisense", {1, 3}, false, false, Sample::of_day, 1ms},
     {"ydwg.txt", "ydwg", {1, 3}, false, false, Sample::of_day, 1ms},
+    {"ikonvert.txt", "ikonvert", {1, 3}, false, false, Sample::from_start, 1ms},
     {"savvycan.csv", "savvycan", {0, 1, 3, 4, 6, 7}, true, false},
     {"savvycan-v1.csv", "savvycan", {0, 1, 3, 4, 6, 7}, true, false},
     {"table.csv", "python-can", all, false, false},
