@@ -44,7 +44,7 @@ std::string_view to_string(Sign sign) {
                                                           "satellites gone",
                                                           "signals changed",
                                                           "heat"});
-  static_assert(names.size() == static_cast<std::size_t>(Sign::heat) + 1);
+  static_assert(names.size() == sign_count);
   return names[static_cast<std::size_t>(sign)];
 }
 

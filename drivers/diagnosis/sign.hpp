@@ -55,6 +55,10 @@ enum class Sign : std::uint8_t {
   heat              ///< the device says that it is too hot
 };
 
+/// How many there are. A set of signs fits one word of 64 bits.
+inline constexpr unsigned sign_count = static_cast<unsigned>(Sign::heat) + 1;
+static_assert(sign_count <= 64);
+
 std::string_view to_string(Sign sign);
 
 }  // namespace drydock::diagnosis

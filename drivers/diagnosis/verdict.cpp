@@ -68,7 +68,6 @@ constexpr auto rules = std::to_array<Rule>({
     {Sign::refuses, Cause::nak, 0.9},
 });
 
-static_assert(static_cast<unsigned>(Sign::heat) < 64);
 constexpr std::uint64_t bit_of(Sign sign) {
   return std::uint64_t{1} << static_cast<unsigned>(sign);
 }

@@ -131,17 +131,15 @@ diagnosis::Symptom symptom_of(diagnosis::Sign sign) {
   return symptom;
 }
 
-constexpr int more_than_all_signs = 128;
-
 std::set<Cause> all_conclusions() {
   std::set<Cause> found;
   const auto conclude = [&](const auto&... signs) {
     const std::array symptoms{symptom_of(signs)...};
     if (const auto verdict = diagnosis::verdict_on(symptoms)) found.insert(verdict->cause);
   };
-  for (int first = 0; first < more_than_all_signs; ++first) {
+  for (unsigned first = 0; first < diagnosis::sign_count; ++first) {
     conclude(static_cast<diagnosis::Sign>(first));
-    for (int second = 0; second < more_than_all_signs; ++second)
+    for (unsigned second = 0; second < diagnosis::sign_count; ++second)
       conclude(static_cast<diagnosis::Sign>(first), static_cast<diagnosis::Sign>(second));
   }
   return found;

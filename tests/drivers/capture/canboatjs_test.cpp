@@ -11,7 +11,8 @@ namespace canboatjs_test {
 
 TEST(LinesOfGateways, CanboatjsReadsTheSameMessages) {
   DRYDOCK_NEEDS_NODE();
-  for (const std::string file : {"capture/actisense.txt", "capture/ydwg.txt", "capture/ikonvert.txt"}) {
+  for (const std::string file :
+       {"capture/actisense.txt", "capture/ydwg.txt", "capture/ikonvert.txt"}) {
     const Buffer bytes = wire::testing::fixture(file);
     const auto theirs = drydock::test::run_node("tests/npm/read_nmea2000_lines.cjs", {},
                                                 std::string(bytes.begin(), bytes.end()));

@@ -24,7 +24,7 @@ TEST(FindingsPage, HasARowForEachCauseWithItsMeaningAndAdvice) {
 
 TEST(FindingsPage, NamesEachSign) {
   const std::string text = page();
-  for (int i = 0; i <= static_cast<int>(Sign::heat); ++i) {
+  for (unsigned i = 0; i < diagnosis::sign_count; ++i) {
     const auto name = to_string(static_cast<Sign>(i));
     EXPECT_NE(text.find(fmt::format("| {} |", name)), std::string::npos) << name;
   }

@@ -88,7 +88,7 @@ TEST(Causes, HaveAMeaningAndAdvice) {
 }
 
 TEST(SignNames, AreThereForEachSign) {
-  for (int i = 0; i <= static_cast<int>(Sign::heat); ++i)
+  for (unsigned i = 0; i < diagnosis::sign_count; ++i)
     EXPECT_FALSE(to_string(static_cast<Sign>(i)).empty()) << i;
 }
 
