@@ -6,7 +6,6 @@
 
 #include "drivers/measurement/units.hpp"
 #include "estimators/frame/attitude.hpp"
-#include "estimators/smoothing/tilt_smoother.hpp"
 
 namespace drydock::track {
 namespace {
@@ -149,7 +148,6 @@ Gathered Gatherer::take() {
       tilts_, {}, [](const auto& of_device) { return of_device.second.size(); });
   if (most != tilts_.end()) dive.tilts = std::move(most->second);
   std::ranges::stable_sort(dive.tilts, {}, &smoothing::Tilt::time_s);
-  dive.tilts = smoothing::smooth_tilts(std::move(dive.tilts));
   gathered_.rig = rig_;
   return std::move(gathered_);
 }

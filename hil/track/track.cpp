@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "drivers/terminal/exit_codes.hpp"
+#include "estimators/smoothing/tilt_smoother.hpp"
 #include "hil/replay/replay_rig.hpp"
 #include "hil/report/write_file.hpp"
 #include "hil/track/formats.hpp"
@@ -47,10 +48,16 @@ Gathered gather(const TrackOptions& options, host::Follower* also) {
   }
 }
 
+Gathered gather_with_smooth_tilts(const TrackOptions& options) {
+  auto gathered = gather(options);
+  gathered.dive.tilts = smoothing::smooth_tilts(std::move(gathered.dive.tilts));
+  return gathered;
+}
+
 int track(const TrackOptions& options, std::FILE* out, std::FILE* err) {
   try {
     const auto format = wanted_format(options);
-    const auto outcome = smoothed(gather(options), options.model, options.origin);
+    const auto outcome = smoothed(gather_with_smooth_tilts(options), options.model, options.origin);
     fmt::print(out, "{}", options.json ? to_json(outcome) : to_text(outcome));
     if (format) write(outcome, options, *format);
     if (!options.report.empty())
