@@ -96,7 +96,8 @@ void SurgeLaw::learn() {
   const double twice_speed = 2 * std::max(std::abs(twice_.speed), slowest_mps);
   const double y = twice_.square / twice_speed;
   const Fit::Vector x = terms() / twice_speed;
-  if (known_) misfit_ = surge_memory * misfit_ + surge_square((y - law_.value.dot(x)) / surge_noise_mps);
+  if (known_)
+    misfit_ = surge_memory * misfit_ + surge_square((y - law_.value.dot(x)) / surge_noise_mps);
   fit_.add(y, x);
   believe(fit_.solve());
 }
