@@ -31,7 +31,7 @@ int calibrate(const CalibrateOptions& options, std::FILE* out, std::FILE* err) {
       fmt::print(err, "calibrate: {} exists; --overwrite replaces it\n", options.write);
       return terminal::exit_failed;
     }
-    const auto outcome = calibrated(track::gather_with_smooth_tilts(options.source));
+    const auto outcome = calibrated(track::gather(options.source));
     fmt::print(out, "{}", options.json ? to_json(outcome) : to_text(outcome));
     if (!options.report.empty())
       report::write_file(std::filesystem::path(options.report) / "index.html", to_html(outcome));

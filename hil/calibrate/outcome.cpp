@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "estimators/smoothing/level_smoother.hpp"
+#include "estimators/smoothing/tilt_smoother.hpp"
 #include "hil/calibrate/outcome_words.hpp"
 #include "hil/calibrate/residual_change.hpp"
 #include "hil/track/outcome.hpp"
@@ -48,6 +49,7 @@ bool is_alone(const smoothing::Dive& dive) {
 }  // namespace
 
 Outcome calibrated(track::Gathered gathered) {
+  gathered.dive.tilts = smoothing::smooth_tilts(std::move(gathered.dive.tilts));
   if (!track::has(gathered.dive, Quantity::heading))
     throw std::runtime_error("no heading: a compass, or a DVL with its own");
   const auto parameters = calibration::parameters_of(gathered.dive);

@@ -48,16 +48,13 @@ Gathered gather(const TrackOptions& options, host::Follower* also) {
   }
 }
 
-Gathered gather_with_smooth_tilts(const TrackOptions& options) {
-  auto gathered = gather(options);
-  gathered.dive.tilts = smoothing::smooth_tilts(std::move(gathered.dive.tilts));
-  return gathered;
-}
-
 int track(const TrackOptions& options, std::FILE* out, std::FILE* err) {
   try {
     const auto format = wanted_format(options);
-    const auto outcome = smoothed(gather_with_smooth_tilts(options), options.model, options.origin);
+    auto gathered = gather(options);
+    // A twin takes the tilts as they were sent: its poses average them.
+    gathered.dive.tilts = smoothing::smooth_tilts(std::move(gathered.dive.tilts));
+    const auto outcome = smoothed(std::move(gathered), options.model, options.origin);
     fmt::print(out, "{}", options.json ? to_json(outcome) : to_text(outcome));
     if (format) write(outcome, options, *format);
     if (!options.report.empty())

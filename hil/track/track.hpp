@@ -30,10 +30,6 @@ struct TrackOptions {
 /// std::exception with one line.
 Gathered gather(const TrackOptions& options, host::Follower* also = nullptr);
 
-/// The same, its tilts freed from the noise of their sensor (smoothing::smooth_tilts). A twin takes
-/// them as they were sent: its poses average them, and its own sensors are noisy again.
-Gathered gather_with_smooth_tilts(const TrackOptions& options);
-
 /// `drydock track`: prints what the track is worth and writes its files. Exit code: 0 there is a
 /// track, 1 there can be none, 2 wrong usage.
 int track(const TrackOptions& options, std::FILE* out, std::FILE* err);
