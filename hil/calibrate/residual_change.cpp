@@ -35,6 +35,7 @@ std::vector<ResidualChange> residual_changes(const Outcome& outcome) {
     after.add(outcome.after.at(i));
   }
   std::vector<ResidualChange> changes;
+  changes.reserve(sums.size());
   for (const auto& [of, sum] : sums)
     changes.push_back({of.first, of.second, sum.first.rms(), sum.second.rms(), sum.first.nis(),
                        sum.second.nis()});
