@@ -144,6 +144,7 @@ void Device::tick(Stamp now) {
 
 void Device::clock_stepped(std::chrono::nanoseconds step, Stamp now) {
   finish(now);
+  clock_moved_ += step;
   life_cycle_.clock_stepped(step);
   if (last_message_at_) *last_message_at_ += step;
   if (last_error_at_) *last_error_at_ += step;

@@ -70,6 +70,8 @@ class Device final : private Output {
   /// The host's clock was changed by `step` and now shows `now`. The driver begins anew, as after
   /// opening: its knowledge of the device's clock and its time limits refer to the old time.
   void clock_stepped(std::chrono::nanoseconds step, Stamp now);
+  /// By how much the host's clock was set in all.
+  std::chrono::nanoseconds clock_moved() const { return clock_moved_; }
   std::optional<Stamp> deadline() const;
 
   State state() const { return life_cycle_.state(); }
@@ -112,6 +114,7 @@ class Device final : private Output {
   Transmitter* transmitter_ = nullptr;
   bool listens_only_ = false;
   Stamp now_{};  ///< time of the current call
+  std::chrono::nanoseconds clock_moved_{0};
   std::array<RateMeter, 4> rates_;
   std::uint64_t messages_ = 0;
   std::optional<Stamp> last_message_at_;

@@ -77,6 +77,10 @@ void Judge::settle(Stamp now) {
   }
 }
 
+void Judge::end_all(Stamp until) {
+  for (Case& one : cases_) end(one, until);
+}
+
 std::optional<Stamp> Judge::end(Case& one, Stamp now) {
   if (!one.finding) return {};
   const Stamp since = one.finding->since;

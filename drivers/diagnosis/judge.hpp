@@ -20,6 +20,9 @@ class Judge final : public SymptomSink {
   /// a second, and before it `see` for all signs that last.
   void settle(Stamp now);
 
+  /// Nothing more is known from then on: tells the listener the end of all findings.
+  void end_all(Stamp until);
+
   /// The open finding of a device; null: none.
   const Finding* open(std::uint16_t device) const;
 

@@ -50,6 +50,7 @@ class Diagnostician::Bench final : public Follower, private diagnosis::FindingLi
                 Stamp at) override;
   void on_measurement(const measurement::Measurement& measurement) override;
   void look(Stamp now);
+  void end_all(Stamp until) { judge_.end_all(until); }
   const diagnosis::Judge& judge() const { return judge_; }
 
  private:
@@ -168,20 +169,39 @@ void Diagnostician::Bench::look(Stamp now) {
 }
 
 Diagnostician::Diagnostician(const rig_config::Rig& rig, Follower& to)
-    : bench_(std::make_unique<Bench>(rig, to)) {}
+    : rig_(rig), to_(to), bench_(std::make_unique<Bench>(rig, to)) {}
 Diagnostician::~Diagnostician() = default;
 
 void Diagnostician::watch(std::vector<const device::Device*> devices) {
-  bench_->watch(std::move(devices));
+  devices_ = std::move(devices);
+  moved_.clear();
+  for (const auto* device : devices_) moved_.push_back(device->clock_moved());
+  bench_->watch(devices_);
+}
+void Diagnostician::follow_clock(Stamp now) {
+  std::chrono::nanoseconds step{0};
+  for (std::size_t i = 0; i < devices_.size(); ++i) {
+    const auto moved = devices_[i]->clock_moved();
+    if (moved != moved_[i]) step = moved - moved_[i];
+    moved_[i] = moved;
+  }
+  if (step == std::chrono::nanoseconds{0}) return;
+  bench_->end_all(now - step);
+  bench_ = std::make_unique<Bench>(rig_, to_);
+  bench_->watch(devices_);
 }
 void Diagnostician::on_frame(std::string_view link, shell::Direction way,
                              const wire::CanFrame& frame, Stamp at) {
   bench_->on_frame(link, way, frame, at);
 }
 void Diagnostician::on_measurement(const measurement::Measurement& measurement) {
+  follow_clock(measurement::origin_of(measurement).received_at);
   bench_->on_measurement(measurement);
 }
-void Diagnostician::look(Stamp now) { bench_->look(now); }
+void Diagnostician::look(Stamp now) {
+  follow_clock(now);
+  bench_->look(now);
+}
 const diagnosis::Judge& Diagnostician::judge() const { return bench_->judge(); }
 
 }  // namespace drydock::host

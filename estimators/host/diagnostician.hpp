@@ -36,6 +36,16 @@ class Diagnostician final : public Follower {
 
  private:
   class Bench;  ///< the monitors and the judge
+
+  /// Where the host's clock was set, all that the monitors know refers to another time: they begin
+  /// anew, and findings end at the old time.
+  void follow_clock(Stamp now);
+
+  const rig_config::Rig& rig_;
+  Follower& to_;
+  std::vector<const device::Device*> devices_;
+  std::vector<std::chrono::nanoseconds>
+      moved_;  ///< the clock of each device, as far as it is known
   std::unique_ptr<Bench> bench_;
 };
 
