@@ -97,7 +97,7 @@ def check(steps, output):
         own = "".join(parts[number:]) if step.in_background else parts[number]
         code = re.search(rf"{mark} code (\d+)", parts[number])
         if not step.in_background and int(code[1]) != step.code:
-            failures.append(f"$ {step.command}\nexit code {code[1]}, not {step.code}")
+            failures.append(f"$ {step.command}\nexit code {code[1]}, not {step.code}; it said:\n{parts[number]}")
         came = own.splitlines()
         for line in step.expected:
             found = next((i for i, candidate in enumerate(came) if pattern_of(line).fullmatch(candidate)), None)
