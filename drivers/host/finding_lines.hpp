@@ -21,6 +21,7 @@ class FindingLines final : public Follower {
       : rig_(rig), start_(start), print_(std::move(print)) {}
 
   void on_finding(const diagnosis::Finding& finding) override;
+  void on_clock_step(std::chrono::nanoseconds step) override { start_ += step; }
 
  private:
   const rig_config::Rig& rig_;

@@ -14,6 +14,15 @@ void FindingLog::on_finding(const diagnosis::Finding& finding) {
   }
 }
 
+void FindingLog::on_clock_step(std::chrono::nanoseconds step) {
+  stepped_ += step;
+  for (auto& finding : all_) {
+    finding.since += step;
+    finding.found += step;
+    if (finding.until) *finding.until += step;
+  }
+}
+
 const diagnosis::Finding* FindingLog::open(std::uint16_t device) const {
   const auto found = std::find_if(all_.rbegin(), all_.rend(), [&](const auto& one) {
     return one.device == device && !one.until;

@@ -46,6 +46,8 @@ class Follower : public shell::RawListener, public device::Listener {
   virtual void on_faults(std::span<const bus::Fault>, Stamp /*now*/) {}
   /// Called when a finding begins and again when it is over (`until`).
   virtual void on_finding(const diagnosis::Finding&) {}
+  /// Somebody set the host's clock by `step`: all stamps told so far are of the old time.
+  virtual void on_clock_step(std::chrono::nanoseconds /*step*/) {}
   virtual void tick(Stamp /*now*/) {}  ///< a few times a second; in virtual time once a second
 };
 
@@ -85,6 +87,9 @@ class Followers final : public Follower {
   }
   void on_finding(const diagnosis::Finding& finding) override {
     for (auto* follower : all_) follower->on_finding(finding);
+  }
+  void on_clock_step(std::chrono::nanoseconds step) override {
+    for (auto* follower : all_) follower->on_clock_step(step);
   }
   void tick(Stamp now) override {
     for (auto* follower : all_) follower->tick(now);

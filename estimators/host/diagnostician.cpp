@@ -6,6 +6,7 @@
 #include "drivers/diagnosis/judge.hpp"
 #include "drivers/diagnosis/monitors/bus_monitor.hpp"
 #include "drivers/diagnosis/monitors/device_monitor.hpp"
+#include "drivers/link/clock.hpp"
 #include "estimators/consistency/consistency.hpp"
 #include "estimators/frame/attitude.hpp"
 
@@ -175,18 +176,25 @@ Diagnostician::~Diagnostician() = default;
 void Diagnostician::watch(std::vector<const device::Device*> devices) {
   devices_ = std::move(devices);
   moved_.clear();
-  for (const auto* device : devices_) moved_.push_back(device->clock_moved());
+  for (const auto* device : devices_) {
+    moved_.push_back(device->clock_moved());
+    all_moved_ = moved_.back();
+  }
   bench_->watch(devices_);
 }
 void Diagnostician::follow_clock(Stamp now) {
+  // Each line notices a step by itself, some milliseconds apart: the first one counts.
   std::chrono::nanoseconds step{0};
   for (std::size_t i = 0; i < devices_.size(); ++i) {
     const auto moved = devices_[i]->clock_moved();
-    if (moved != moved_[i]) step = moved - moved_[i];
+    if (moved == moved_[i]) continue;
     moved_[i] = moved;
+    step = moved - all_moved_;
   }
-  if (step == std::chrono::nanoseconds{0}) return;
+  if (std::chrono::abs(step) < link::ClockWatch::smallest_step) return;
+  all_moved_ += step;
   bench_->end_all(now - step);
+  to_.on_clock_step(step);
   bench_ = std::make_unique<Bench>(rig_, to_);
   bench_->watch(devices_);
 }

@@ -38,14 +38,14 @@ class Diagnostician final : public Follower {
   class Bench;  ///< the monitors and the judge
 
   /// Where the host's clock was set, all that the monitors know refers to another time: they begin
-  /// anew, and findings end at the old time.
+  /// anew, and findings end at the old time. The followers are told.
   void follow_clock(Stamp now);
 
   const rig_config::Rig& rig_;
   Follower& to_;
   std::vector<const device::Device*> devices_;
-  std::vector<std::chrono::nanoseconds>
-      moved_;  ///< the clock of each device, as far as it is known
+  std::vector<std::chrono::nanoseconds> moved_;  ///< by which each device knows that it was set
+  std::chrono::nanoseconds all_moved_{0};
   std::unique_ptr<Bench> bench_;
 };
 

@@ -55,7 +55,7 @@ ExpectWatch::ExpectWatch(const rig_config::Rig& rig, const motion::Trajectory* t
 }
 
 void ExpectWatch::on_state(const device::Device& device, const device::Transition& change) {
-  const double t = measurement::seconds(change.at - start_);
+  const double t = measurement::seconds(steady(change.at) - start_);
   for (Window& w : windows_) {
     const auto& e = *w.expect;
     if (e.device != device.name() || e.state.empty() || !(e.after_s > 0) || t <= e.after_s)
@@ -75,7 +75,7 @@ bool ExpectWatch::concerns(const Window& w, std::size_t estimator, measurement::
 }
 
 void ExpectWatch::on_estimate(const host::Estimate& estimate) {
-  const auto at = estimate.attitude.valid_at;
+  const auto at = steady(estimate.attitude.valid_at);
   for (Window& w : windows_) {
     if (!concerns(w, estimate.estimator, at)) continue;
     ++w.estimates;

@@ -27,6 +27,7 @@ class ExpectWatch final : public host::Follower {
 
   void on_state(const device::Device& device, const device::Transition& change) override;
   void on_estimate(const host::Estimate& estimate) override;
+  void on_clock_step(std::chrono::nanoseconds step) override { stepped_ += step; }
   void tick(measurement::Stamp now) override;
 
   /// Call it at the end. Adds the estimators' counts and the verdicts to the summary.
@@ -45,6 +46,8 @@ class ExpectWatch final : public host::Follower {
     NavigationRecord navigation;
   };
 
+  /// A message's time in the time of the start, which no step of the host's clock changes.
+  measurement::Stamp steady(measurement::Stamp at) const { return at - stepped_; }
   bool concerns(const Window& w, std::size_t estimator, measurement::Stamp at) const;
   Outcome of_device(const Window& w, const Summary& summary) const;
   Outcome of_estimator(const Window& w, const Summary& summary,
@@ -53,6 +56,7 @@ class ExpectWatch final : public host::Follower {
   const rig_config::Rig& rig_;
   const motion::Trajectory* truth_;
   measurement::Stamp start_;
+  std::chrono::nanoseconds stepped_{0};
   std::function<Counts(measurement::Stamp)> counts_;
   std::vector<Window> windows_;  ///< one per block
 };

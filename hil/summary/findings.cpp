@@ -15,7 +15,8 @@ std::vector<FindingAccount> accounts_of(const host::FindingLog& log, const rig_c
                                         measurement::Stamp start) {
   std::vector<FindingAccount> accounts;
   for (const auto& finding : log.all())
-    accounts.push_back(diagnosis::account_of(finding, rig.devices.at(finding.device).name, start));
+    accounts.push_back(
+        diagnosis::account_of(finding, rig.devices.at(finding.device).name, start + log.stepped()));
   return accounts;
 }
 

@@ -87,7 +87,7 @@ void Scribe::add_device(const rig_config::DeviceConfig& device) {
 
 void Scribe::point(std::size_t curve, Stamp at, double value) {
   auto& c = curves_[curve];
-  const double t = since_start(at);
+  const double t = since_start(steady(at));
   if (t < c.next_point_s) return;
   c.next_point_s = t + spacing_s_;
   plots_[c.plot].t_s[c.line].push_back(t);
@@ -133,9 +133,9 @@ void Scribe::on_estimate(const host::Estimate& estimate) {
   auto& e = estimators_[estimate.estimator];
   e.summary.promised = estimate.integrity;
   std::optional<motion::Truth> truth;
-  if (e.has_truth) truth = truth_->at(estimate.attitude.valid_at);
+  if (e.has_truth) truth = truth_->at(steady(estimate.attitude.valid_at));
   const motion::Truth* known = truth ? &*truth : nullptr;
-  const double t = since_start(estimate.attitude.valid_at);
+  const double t = since_start(steady(estimate.attitude.valid_at));
   const bool draw = is_time_to_draw(e, t);
   compare(e, estimate.attitude, known, draw);
   if (estimate.navigation)
@@ -151,8 +151,8 @@ bool Scribe::is_time_to_draw(Estimator& e, double t_s) const {
 void Scribe::compare(Estimator& e, const bus::Attitude& estimate, const motion::Truth* truth,
                      bool draw) {
   ++e.summary.estimates;
-  e.rate.add(estimate.valid_at);
-  const double t = since_start(estimate.valid_at);
+  e.rate.add(steady(estimate.valid_at));
+  const double t = since_start(steady(estimate.valid_at));
   if (draw) {
     e.trace.t_s.push_back(t);
     e.trace.roll_deg.push_back(estimate.roll_rad * units::degrees_per_radian);

@@ -25,6 +25,7 @@ class Scribe final : public host::Follower {
 
   void on_measurement(const measurement::Measurement& measurement) override;
   void on_estimate(const host::Estimate& estimate) override;
+  void on_clock_step(std::chrono::nanoseconds step) override { stepped_ += step; }
   /// Stores the true motion and the memory of this process. Call it at least as often as the curves
   /// have points.
   void tick(measurement::Stamp now) override;
@@ -50,6 +51,8 @@ class Scribe final : public host::Follower {
 
   void compare(Estimator& e, const bus::Attitude& estimate, const motion::Truth* truth, bool draw);
   bool is_time_to_draw(Estimator& e, double t_s) const;
+  /// A message's time in the time of the start, which no step of the host's clock changes.
+  measurement::Stamp steady(measurement::Stamp at) const { return at - stepped_; }
   double since_start(measurement::Stamp at) const { return measurement::seconds(at - start_); }
   void point(std::size_t curve, measurement::Stamp at, double value);
   std::size_t add_plot(const rig_config::DeviceConfig& device, const std::string& what,
@@ -60,6 +63,7 @@ class Scribe final : public host::Follower {
 
   const motion::Trajectory* truth_;
   measurement::Stamp start_;
+  std::chrono::nanoseconds stepped_{0};
   double spacing_s_;
   std::vector<Estimator> estimators_;
   std::vector<MeasurementTrace> plots_;

@@ -2,6 +2,7 @@
 
 #include "drivers/host/finding_log.hpp"
 #include "estimators/host/diagnostician.hpp"
+#include "hil/summary/findings.hpp"
 
 /// A diagnosis while somebody sets the host's clock.
 namespace drydock::diagnose {
@@ -59,6 +60,7 @@ struct Away {
 TEST(DiagnosisAtAClockStep, NoFindingLastsLongerThanItDid) {
   for (const auto step : {3600s, -3600s}) {
     Away away;
+    const Stamp start = away.now;
     away.go_on(20s);
     ASSERT_EQ(away.findings.all().size(), 1u);
     away.now += step;
@@ -72,6 +74,10 @@ TEST(DiagnosisAtAClockStep, NoFindingLastsLongerThanItDid) {
     EXPECT_FALSE(all[1].until) << "it is still away";
     EXPECT_GT(away.now - all[1].since, 10s) << step.count();
     EXPECT_LT(away.now - all[1].since, 41s) << step.count();
+    const auto told = summary::accounts_of(away.findings, away.rig, start);
+    EXPECT_NEAR(told[0].until_s.value_or(0), 20, 0.3) << "counted from the start of the run";
+    EXPECT_GE(told[1].found_s, 20) << step.count();
+    EXPECT_LT(told[1].found_s, 40) << step.count();
   }
 }
 
