@@ -200,7 +200,7 @@ HttpResponse Server::House::answer_to(const HttpRequest& request) const {
 }
 
 asio::awaitable<void> Server::House::show(beast::tcp_stream stream, HttpRequest request) {
-  const auto viewer = std::make_shared<Viewer>(std::move(stream));
+  const auto viewer = std::make_shared<Viewer>(std::move(stream), options.silence);
   viewers.push_back(viewer);
   const bool obeys = !services.empty();
   std::vector<std::string> greeting{server_info(options.name, std::to_string(options.port), obeys),

@@ -21,6 +21,7 @@ struct ServerOptions {
   std::string token = {};     ///< `?token=...` in every request; empty: not needed
   std::string name = "drydock";
   std::chrono::milliseconds patience{10'000};  ///< for a whole request, and for its answer
+  std::chrono::milliseconds silence{20'000};   ///< of a viewer that answers no ping: then it goes
   std::chrono::seconds history{0};  ///< kept for GET /history, for viewers that come later
 };
 

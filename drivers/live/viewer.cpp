@@ -27,13 +27,16 @@ std::string_view chosen_subprotocol(std::string_view offered) {
 
 }  // namespace
 
-Viewer::Viewer(beast::tcp_stream stream)
-    : socket_(std::move(stream)), queued_(std::make_shared<io::Signal>(socket_.get_executor())) {}
+Viewer::Viewer(beast::tcp_stream stream, std::chrono::milliseconds silence)
+    : socket_(std::move(stream)), queued_(std::make_shared<io::Signal>(socket_.get_executor())) {
+  auto limits = websocket::stream_base::timeout::suggested(beast::role_type::server);
+  limits.idle_timeout = silence;
+  socket_.set_option(limits);
+}
 
 asio::awaitable<void> Viewer::run(beast::http::request<beast::http::string_body> request,
                                   std::vector<std::string> greeting, Desk desk) {
   beast::get_lowest_layer(socket_).expires_never();  // the WebSocket has its own time-outs
-  socket_.set_option(websocket::stream_base::timeout::suggested(beast::role_type::server));
   socket_.read_message_max(longest_request);
   const std::string chosen(chosen_subprotocol(request[beast::http::field::sec_websocket_protocol]));
   socket_.set_option(

@@ -5,6 +5,7 @@
 #include <boost/beast/core/tcp_stream.hpp>
 #include <boost/beast/http/string_body.hpp>
 #include <boost/beast/websocket.hpp>
+#include <chrono>
 #include <deque>
 #include <functional>
 #include <map>
@@ -30,7 +31,8 @@ class Viewer : public std::enable_shared_from_this<Viewer> {
   static constexpr std::size_t most_queued = 512, most_queued_bytes = 4u << 20;
   static constexpr std::size_t most_texts = 512;
 
-  explicit Viewer(boost::beast::tcp_stream stream);
+  /// A client that is silent for half of `silence` gets a ping; after all of it, it has gone.
+  Viewer(boost::beast::tcp_stream stream, std::chrono::milliseconds silence);
 
   /// Ends when the client has gone. The texts of `greeting` are sent first.
   boost::asio::awaitable<void> run(

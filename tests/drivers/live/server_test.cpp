@@ -9,6 +9,7 @@
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/asio/read.hpp>
+#include <boost/asio/read_until.hpp>
 #include <boost/asio/steady_timer.hpp>
 #include <boost/asio/use_awaitable.hpp>
 #include <boost/asio/write.hpp>
@@ -287,6 +288,44 @@ TEST(LiveServerClients, ManyThatTakeNoAnswerKeepNobodyOut) {
   std::string page;
   boost::system::error_code end;
   asio::read(ask("GET /"), asio::dynamic_buffer(page), end);
+  EXPECT_NE(page.find("<title>Drydock</title>"), std::string::npos) << page;
+  asio::post(io, [&] { server.stop(); });
+  clients.clear();
+}
+
+/// 64 viewers, as many as are let in, answer no ping: they have gone, though their sockets stand.
+TEST(LiveServerClients, ViewersThatHaveGoneGiveTheirPlaces) {
+  using Tcp = asio::ip::tcp;
+  asio::io_context io{1}, own;
+  Server server(io.get_executor(), {.port = 0, .silence = std::chrono::milliseconds{200}},
+                {{"/", "text/html", "<title>Drydock</title>"}});
+  ASSERT_FALSE(server.listen());
+  std::jthread serving([&] { io.run(); });
+  std::list<Tcp::socket> clients;
+  const auto ask = [&](const std::string& what) -> Tcp::socket& {
+    auto& socket = clients.emplace_back(own);
+    socket.connect({asio::ip::address_v4::loopback(), server.port()});
+    boost::system::error_code gone;
+    asio::write(socket, asio::buffer(what + to_end), gone);
+    return socket;
+  };
+  const std::string upgrade =
+      "GET / HTTP/1.1\r\nHost: localhost\r\nUpgrade: websocket\r\nConnection: Upgrade\r\n"
+      "Sec-WebSocket-Version: 13\r\nSec-WebSocket-Key: AAAAAAAAAAAAAAAAAAAAAA==\r\n\r\n";
+  for (int i = 0; i < 64; ++i) {
+    auto& socket = clients.emplace_back(own);
+    socket.connect({asio::ip::address_v4::loopback(), server.port()});
+    asio::write(socket, asio::buffer(upgrade));
+    std::string answer;
+    asio::read_until(socket, asio::dynamic_buffer(answer), "\r\n\r\n");
+    ASSERT_TRUE(answer.starts_with("HTTP/1.1 101")) << answer;
+  }
+  std::string page;
+  const auto begin = std::chrono::steady_clock::now();
+  while (page.empty() && std::chrono::steady_clock::now() - begin < std::chrono::seconds{10}) {
+    boost::system::error_code end;
+    asio::read(ask("GET /"), asio::dynamic_buffer(page), end);
+  }
   EXPECT_NE(page.find("<title>Drydock</title>"), std::string::npos) << page;
   asio::post(io, [&] { server.stop(); });
   clients.clear();
