@@ -207,21 +207,20 @@ int load_run(const rig_config::Rig& whole, const LoadOptions& options, std::FILE
   if (stalled > 0)
     fmt::print(out, "{} samples fell to stalls of this machine longer than their period\n",
                stalled);
-  const bool passed = failed == 0;
+  const summary::Summary& run = result.summary;
+  const bool passed = failed == 0 && !run.interrupted;
   if (!options.json.empty())
     report::write_file(options.json, json_of(result, passed).dump(2) + "\n");
-  const summary::Summary& run = result.summary;
-  const std::string ended =
-      run.interrupted ? fmt::format(", ended by Ctrl-C before {:g} s", options.duration_s) : "";
   if (passed)
     fmt::print(out,
-               "PASS {} devices, {} samples in {:.0f} s{}: no deadline missed, none lost, every "
-               "rate held\n",
-               result.devices.size(), samples, run.duration_s, ended);
+               "PASS {} devices, {} samples in {:.0f} s: no deadline missed, none lost, every rate "
+               "held\n",
+               result.devices.size(), samples, run.duration_s);
   else
-    fmt::print(out, "FAIL {} of {} devices in {:.0f} s{}: see the lines above\n", failed,
-               result.devices.size(), run.duration_s, ended);
-  if (!passed) fmt::print(out, "{}", host_note(whole, result.floor));
+    fmt::print(
+        out, "FAIL {} of {} devices in {:.0f} s{}\n", failed, result.devices.size(), run.duration_s,
+        run.interrupted ? fmt::format(", ended by Ctrl-C before {:g} s", options.duration_s) : "");
+  if (failed > 0) fmt::print(out, "{}", host_note(whole, result.floor));
   if (run.interrupted) return terminal::exit_interrupted;
   return terminal::exit_of(passed);
 }

@@ -7,6 +7,7 @@
 
 #include "drivers/terminal/exit_codes.hpp"
 #include "hil/bench/run.hpp"
+#include "hil/bench/short_run.hpp"
 #include "hil/endurance/soak_watch.hpp"
 #include "hil/motion/make_trajectory.hpp"
 #include "hil/report/html.hpp"
@@ -125,7 +126,9 @@ int soak(rig_config::Rig rig, const SoakOptions& options, std::FILE* out) {
   run.curve_points = 300;  // stored curves must not look like a leak
   run.followers = {&watch};
   const summary::Summary summary = bench::run_lockstep(rig, run);
-  const auto troubles = troubles_of(summary, watch);
+  auto troubles = troubles_of(summary, watch);
+  if (const auto late = bench::verdict_of_short_run(summary, run.duration_s))
+    troubles.push_back(fmt::format("a run of {} s, not of {} s", late->measured, late->expected));
   print(summary, watch, troubles, out);
   if (!options.json.empty()) report::write_file(options.json, json_of(summary, watch, troubles));
   if (!options.report.empty())

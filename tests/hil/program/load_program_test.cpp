@@ -48,14 +48,14 @@ TEST(Load, ADeviceThatFallsSilentFails) {
   EXPECT_THAT(load.output, HasSubstr("FAIL 1 of 1 devices"));
 }
 
-TEST(Load, CtrlCEndsItWithAVerdictOnWhatWasRun) {
+TEST(Load, CtrlCEndsItWithWhatWasRunAndNoPass) {
   const Folder folder;
   const auto rig = rig_in(folder, "");
   const auto load = drydock(
       "check " + rig.string() +
       " >/dev/null; timeout --preserve-status --foreground -s INT 2 " DRYDOCK_PROGRAM " load " +
       rig.string() + " --for 1min; echo exit $?");
-  EXPECT_THAT(load.output, HasSubstr("ended by Ctrl-C before 60 s"));
+  EXPECT_THAT(load.output, HasSubstr("FAIL 0 of 1 devices in 2 s, ended by Ctrl-C before 60 s"));
   EXPECT_THAT(load.output, HasSubstr("exit 130"));
 }
 
