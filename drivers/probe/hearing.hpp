@@ -13,8 +13,9 @@ constexpr std::chrono::milliseconds silence{150};
 
 /// One line, decoded in three ways: as it is, and as 7 data bits with even or odd parity.
 struct Hearing {
-  explicit Hearing(const survey::ByteSurvey::Descriptions& descriptions)
-      : eight(descriptions), even(descriptions), odd(descriptions) {}
+  Hearing(const survey::ByteSurvey::Descriptions& named,
+          const survey::ByteSurvey::Descriptions& known)
+      : eight(named, known), even(named, known), odd(named, known) {}
 
   survey::ByteSurvey eight, even, odd;
   /// A burst began after silence and has ended: its messages were heard completely.

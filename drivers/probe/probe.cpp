@@ -65,14 +65,14 @@ bool read_frames(const link::Uri& uri, const survey::BusSurvey::Descriptions& de
 }
 
 /// The rates of a recording's sensors: by the device's own clock, else none.
-void note_times(const link::Uri& uri, const survey::ByteSurvey::Descriptions& descriptions,
-                ProbeReport& report) {
+void note_times(const link::Uri& uri, const ProbeOptions& options, ProbeReport& report) {
   for (auto& found : report.devices) {
     device::DriverOptions driver;
     driver.kind = found.kind;
     driver.protocol = found.protocol;
-    for (const auto& description : descriptions)
-      if (description->name == found.protocol) driver.description = description;
+    for (const auto* list : {&options.shipped, &options.descriptions})
+      for (const auto& description : *list)
+        if (description->name == found.protocol) driver.description = description;
     const auto clock = shell::clock_of(uri, driver, device::Travels::as_bytes);
     found.rate_hz = clock.usual_rate_hz();
     if (clock.pace == shell::Pace::device)
@@ -82,11 +82,10 @@ void note_times(const link::Uri& uri, const survey::ByteSurvey::Descriptions& de
 }
 
 /// Surveys a byte capture. Bytes have no times of their own: only the device can tell them.
-bool read_bytes(const link::Uri& uri, const survey::ByteSurvey::Descriptions& descriptions,
-                ProbeReport& report) {
+bool read_bytes(const link::Uri& uri, const ProbeOptions& options, ProbeReport& report) {
   capture::FileBlocks blocks(uri.target);
   capture::ByteContent content(uri.text_of("format") == "raw");
-  survey::ByteSurvey survey(descriptions);
+  survey::ByteSurvey survey(options.descriptions, options.shipped);
   for (wire::Bytes block = blocks.read(); !block.empty(); block = blocks.read()) {
     if (survey.bytes() == 0)
       if (const auto advice = capture::foreign_content(block); !advice.empty())
@@ -102,7 +101,7 @@ bool read_bytes(const link::Uri& uri, const survey::ByteSurvey::Descriptions& de
   if (content.is_hex())
     report.notes.emplace_back("hexadecimal text, read as the bytes that it means");
   note_line(survey, "", uri.text, report);
-  note_times(uri, descriptions, report);
+  note_times(uri, options, report);
   return true;
 }
 
@@ -116,13 +115,12 @@ std::string others_at(const link::Uri& uri) {
 bool search(const ProbeOptions& options, const link::Uri& uri, std::FILE* err,
             ProbeReport& report) {
   if (uri.recorded())
-    return read_frames(uri, options.descriptions, report) ||
-           read_bytes(uri, options.descriptions, report);
+    return read_frames(uri, options.descriptions, report) || read_bytes(uri, options, report);
   Ear ear;
   Progress progress(err);
   const Stamp start = link::steady_now();
   const LineSearch wanted{report.link, start + measurement::from_seconds(options.duration_s),
-                          options.ask, options.descriptions};
+                          options.ask, options.descriptions, options.shipped};
   const bool opened = uri.carries() == Carries::bytes ? search_line(wanted, ear, progress, report)
                                                       : search_bus(wanted, ear, progress, report);
   report.listened_s = measurement::seconds(link::steady_now() - start);

@@ -16,8 +16,9 @@ struct ProbeOptions {
   double duration_s = 30;
   bool ask = false;   ///< may write to the wire: docs/pier/probe.md lists the questions
   bool json = false;  ///< one JSON object
-  /// Protocols that files describe, tried beside those of the registry.
-  std::vector<std::shared_ptr<const wire::described::Description>> descriptions{};
+  /// Protocols that files describe, tried beside those of the registry: those that the user named,
+  /// and those of the program, which byte lines are tried for.
+  std::vector<std::shared_ptr<const wire::described::Description>> descriptions{}, shipped{};
 };
 
 /// `drydock probe LINK`: finds the protocol, its rate and the sensors, and prints the `[[device]]`

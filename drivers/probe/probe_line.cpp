@@ -70,7 +70,10 @@ std::string found_so_far(const Hearing& hearing) {
 class Attempt {
  public:
   Attempt(const LineSearch& search, Setting setting, bool serial)
-      : search_(search), setting_(setting), serial_(serial), hearing_(search.descriptions) {}
+      : search_(search),
+        setting_(setting),
+        serial_(serial),
+        hearing_(search.descriptions, search.shipped) {}
 
   std::optional<link::OpenError> run(Ear& ear, Progress& progress, bool may_leave) {
     const auto uri = link::parse_uri(uri_with(8)).value();

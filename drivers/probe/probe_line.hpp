@@ -27,7 +27,8 @@ struct LineSearch {
   std::string link;  ///< URI; for a serial port `baud`, `parity` and `bits` may be missing
   link::Stamp until{};
   bool ask = false;
-  survey::ByteSurvey::Descriptions descriptions{};
+  survey::ByteSurvey::Descriptions descriptions{};  ///< that the user named
+  survey::ByteSurvey::Descriptions shipped{};       ///< of the program
 };
 
 /// Listens on a byte line. It uses the settings of the URI; without them it tries one setting after

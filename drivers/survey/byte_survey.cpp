@@ -141,15 +141,20 @@ std::string reasons(const ByteFinding& f) {
                      f.bad_checksums, 100 * f.explained(), f.bytes);
 }
 
-ByteSurvey::ByteSurvey(const Descriptions& descriptions) {
+ByteSurvey::ByteSurvey(const Descriptions& named, const Descriptions& known) {
+  add(named);
+  add_all(wire::BytesProtocols{}, candidates_);
+  add_all(wire::FrameCarriers{}, candidates_);
+  add(known);
+}
+
+void ByteSurvey::add(const Descriptions& descriptions) {
   using wire::described::DescribedCodec;
   for (const auto& one : descriptions) {
     if (one->frames) continue;  // BusSurvey looks for those
     candidates_.push_back(
         std::make_unique<CandidateOf<DescribedCodec>>(DescribedCodec(one), trials_of(one)));
   }
-  add_all(wire::BytesProtocols{}, candidates_);
-  add_all(wire::FrameCarriers{}, candidates_);
 }
 
 void ByteSurvey::feed(wire::Bytes bytes, Stamp at) {

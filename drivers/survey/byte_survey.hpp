@@ -65,8 +65,10 @@ class ByteSurvey {
  public:
   using Descriptions = std::vector<wire::described::DescriptionPtr>;
 
-  /// It also tries the described protocols.
-  explicit ByteSurvey(const Descriptions& descriptions = {});
+  /// It also tries the described protocols: those that the user named, and those that it knows
+  /// itself. Where two explain as much, one that was named goes before the registry's, and one that
+  /// was not goes behind.
+  explicit ByteSurvey(const Descriptions& named = {}, const Descriptions& known = {});
 
   /// `at` is the arrival of the last byte. If times are not known, all stamps may be equal.
   void feed(wire::Bytes bytes, Stamp at);
@@ -83,6 +85,8 @@ class ByteSurvey {
   bool settled() const;
 
  private:
+  void add(const Descriptions& descriptions);
+
   std::vector<std::unique_ptr<ByteCandidate>> candidates_;
   std::uint64_t bytes_ = 0;
 };

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "drivers/survey/guess.hpp"
+#include "drivers/survey/left_out.hpp"
 #include "drivers/wire/text_fields.hpp"
 
 /// Lines that no checksum proves: those that differ in their numbers alone are one message, and its
@@ -13,9 +14,13 @@
 namespace drydock::survey {
 namespace {
 
-constexpr std::size_t most_groups = 32, fewest_lines = 4, most_forms = 16;
+constexpr std::size_t most_groups = 32, most_decimals = 12, fewest_lines = 4, most_forms = 16;
 
 constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
+/// A description has no other characters.
+bool is_printable(std::string_view line) {
+  return std::ranges::all_of(line, [](char c) { return (c >= ' ' && c <= '~') || c == '\t'; });
+}
 constexpr bool is_letter(char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z'); }
 
 /// The text between the numbers of a line (one more than there are numbers), and the numbers.
@@ -23,6 +28,15 @@ struct Cut {
   std::vector<std::string> texts{""};
   std::vector<std::string_view> numbers;
 };
+
+/// Characters of "e-05" behind the digits of a number; 0: there is no exponent.
+std::size_t exponent_at(std::string_view text) {
+  if (text.size() < 3 || (text[0] != 'e' && text[0] != 'E')) return 0;
+  if (text[1] != '-' && text[1] != '+') return 0;  // "12E" is 12 and a letter
+  std::size_t i = 2;
+  while (i < text.size() && is_digit(text[i])) ++i;
+  return i > 2 ? i : 0;
+}
 
 /// Characters of the number that begins here; 0: none does. A sign belongs to it where nothing
 /// that a minus could join stands before.
@@ -39,7 +53,7 @@ std::size_t number_at(std::string_view line, std::size_t at) {
   if (is_letter(before) && !has_point && i - digits <= longest_name) return 0;
   if (has_point) ++i;
   while (has_point && i < line.size() && is_digit(line[i])) ++i;
-  return i - at;
+  return i + exponent_at(line.substr(i)) - at;
 }
 
 Cut cut_at_numbers(std::string_view line) {
@@ -62,7 +76,7 @@ Cut cut_at_numbers(std::string_view line) {
 struct Numbers {
   double low = 0, high = 0;
   std::size_t decimals = 0;
-  bool has_plus = false;
+  bool has_plus = false, has_exponent = false;
 };
 
 /// All lines with the same texts.
@@ -83,8 +97,11 @@ struct Form {
       column.low = lines == 1 ? number : std::min(column.low, number);
       column.high = lines == 1 ? number : std::max(column.high, number);
       column.has_plus |= text[0] == '+';
+      const std::size_t power = std::min(text.find_first_of("eE"), text.size());
+      column.has_exponent |= power < text.size();
       const std::size_t point = text.find('.');
-      if (point != text.npos) column.decimals = std::max(column.decimals, text.size() - point - 1);
+      if (point != text.npos)
+        column.decimals = std::clamp(power - point - 1, column.decimals, most_decimals);
     }
   }
 };
@@ -136,8 +153,9 @@ std::optional<std::string> form_text(const OneForm& one, std::size_t number) {
   std::string pattern = regex_of(behind), emulate(behind), fields;
   for (std::size_t i = 0; i < form.columns.size(); ++i) {
     const Numbers& column = form.columns[i];
-    pattern += fmt::format("(?P<c{}>{}?[0-9.]+){}", i + 1, column.has_plus ? "[-+]" : "-",
-                           regex_of(texts[i + 1]));
+    pattern +=
+        fmt::format("(?P<c{}>{}?[0-9.]+{}){}", i + 1, column.has_plus ? "[-+]" : "-",
+                    column.has_exponent ? "(?:[eE][-+][0-9]+)?" : "", regex_of(texts[i + 1]));
     emulate += fmt::format("{{c{}}}{}", i + 1, texts[i + 1]);
     fields += fmt::format(
         "  {{ group = \"c{0}\", name = \"column_{0}\", decimals = {1} }},  # {2} to {3}\n", i + 1,
@@ -155,12 +173,12 @@ bool heads_meet(std::string_view a, std::string_view b) {
   return a.starts_with(b) || b.starts_with(a);
 }
 
-std::string forms_text(const Forms& forms) {
+std::string forms_text(const Forms& forms, LeftOut& left_out) {
   std::vector<const OneForm*> often;
   for (const auto& form : forms) often.push_back(&form);
   std::ranges::stable_sort(often, std::ranges::greater{},
                            [](auto* one) { return one->second.lines; });
-  std::string out = "\n[protocol]\n# lines without a checksum\n", left_out;
+  std::string out = "\n[protocol]\n# lines without a checksum\n";
   std::vector<std::string_view> heads;
   for (const OneForm* one : often) {
     const auto& [texts, form] = *one;
@@ -169,14 +187,14 @@ std::string forms_text(const Forms& forms) {
     const bool seldom = form.columns.empty() || form.lines < 2 || heads.size() == most_forms;
     const auto text = meets || seldom ? std::nullopt : form_text(*one, heads.size() + 1);
     if (!text) {
-      left_out += fmt::format("# {} times: {}\n", form.lines, form.example);
+      left_out.add(form.example, form.lines);
       continue;
     }
     heads.push_back(head);
     out += *text;
   }
   if (heads.empty()) return {};
-  return out + (left_out.empty() ? "" : "\n# Not described:\n" + left_out);
+  return out + left_out.text();
 }
 
 }  // namespace
@@ -184,11 +202,16 @@ std::string forms_text(const Forms& forms) {
 std::string guess_lines(const std::vector<std::string_view>& lines) {
   if (lines.size() <= fewest_lines) return {};
   Forms forms;
+  LeftOut left_out;
   for (std::size_t i = 1; i < lines.size(); ++i) {  // the first may have lost its beginning
+    if (!is_printable(lines[i])) {
+      left_out.add(lines[i]);
+      continue;
+    }
     Cut cut = cut_at_numbers(lines[i]);
     forms[cut.texts].add(lines[i], cut);
   }
-  return forms.size() * 2 > lines.size() ? std::string() : forms_text(forms);
+  return forms.size() * 2 > lines.size() ? std::string() : forms_text(forms, left_out);
 }
 
 }  // namespace drydock::survey

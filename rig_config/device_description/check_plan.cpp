@@ -98,10 +98,14 @@ std::string outside(const Message& message, const Plan& plan) {
     return fmt::format("has {} bytes, fewer than its sync, its checksum and its end", longest);
   if (length.size != 0 && length.at + std::size_t{length.size} + sum > plan.longest)
     return "its length is outside of it";
-  for (const Field& field : plan.fields_of(message))
+  for (const Field& field : plan.fields_of(message)) {
+    if (field.at < message.head.size() && field.type != Type::ignored)
+      return fmt::format("field at {} is in the sync, which ends at byte {}", field.at,
+                         message.head.size() - 1);
     if (field.at + std::size_t{field.size} + sum > longest)
       return fmt::format("field at {} ends behind byte {}, where the checksum or the end is",
                          field.at, longest - sum - 1);
+  }
   return {};
 }
 

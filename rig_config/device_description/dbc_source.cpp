@@ -32,7 +32,7 @@ std::optional<wire::dbc::Database> find_dbc(const Node& word, const std::string&
     read_from = path;
     const auto text = read_file(path);
     if (text) return database_of(*text, path, problems);
-    problems.insert(problems.end(), text.error().begin(), text.error().end());
+    append(problems, text.error());
     return {};
   }
   std::vector<std::string> names;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "rig_config/device_description/field_target.hpp"
@@ -17,6 +18,20 @@ namespace dbc = wire::dbc;
 using described::Field;
 using described::Form;
 using described::Type;
+
+/// How DBC files write some units.
+struct Spelling {
+  std::string_view in_files, here;
+};
+constexpr auto spellings = std::to_array<Spelling>({{"m/s\u00b2", "m/s2"},
+                                                    {"m/s^2", "m/s2"},
+                                                    {"m/s/s", "m/s2"},
+                                                    {"\u00b0", "deg"},
+                                                    {"\u00b0/s", "deg/s"},
+                                                    {"dps", "deg/s"},
+                                                    {"\u00b0/h", "deg/h"},
+                                                    {"\u00b0C", "degC"},
+                                                    {"\u00b0F", "degF"}});
 
 class FieldReader {
  public:
@@ -33,6 +48,7 @@ class FieldReader {
     else
       read_kind();
     read_place();
+    if (context_.form == Form::binary && field_.type == Type::constant) check_constant();
     if (table_.find("field")) read_target(table_, context_, unit_of_file(), field_, problems_);
     if (!field_.target) scale_plainly(table_, context_, field_, problems_);
     if (signal_) scale_by_file();
@@ -159,10 +175,17 @@ class FieldReader {
     field_.bits = static_cast<std::uint8_t>(count);
   }
 
-  /// The unit of the DBC file. Some files write a power with a sign of its own.
+  void check_constant() {
+    const int bits = field_.bits > 0 ? field_.bits : 8 * field_.size;
+    if (field_.idle >= std::ldexp(1.0, bits))
+      add(*table_.find("is"), fmt::format("{} has more than {} bits", field_.idle, bits));
+  }
+
+  /// The unit of the DBC file, as a description writes it.
   std::string unit_of_file() const {
     if (!signal_) return "";
-    return signal_->unit == "m/s\u00b2" || signal_->unit == "m/s^2" ? "m/s2" : signal_->unit;
+    const auto other = std::ranges::find(spellings, signal_->unit, &Spelling::in_files);
+    return other == spellings.end() ? signal_->unit : std::string(other->here);
   }
 
   void read_validity() {

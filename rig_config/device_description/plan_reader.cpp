@@ -90,9 +90,6 @@ class PlanReader {
     plan().longest = plan().form == Form::binary ? 1024 : 256;
     if (const Node* longest = protocol_.find("longest"))
       plan().longest = static_cast<std::size_t>(longest->integer);
-    if (plan().form == Form::sentences && plan().checksum.size() > 1)
-      add(*protocol_.find("checksum"), "/protocol/checksum",
-          "a sentence has a checksum of 8 bits: two digits behind the '*'");
     if (plan().form == Form::lines && plan().checksum.size() > 0)
       add(*protocol_.find("checksum"), "/protocol/checksum",
           "lines have none; with one behind a '*' they are sentences");
@@ -111,12 +108,16 @@ class PlanReader {
   }
 
   void unknown_checksum() {
-    const auto known = described::checksum_names();
-    const std::vector<std::string> names(known.begin(), known.end());
+    const auto all = described::checksum_names();
+    std::vector<std::string> known(all.begin(), all.end());
+    for (const auto& crc : described::crc_aliases) known.emplace_back(crc.alias);
+    const std::vector<std::string> plain(described::plain_checksums.begin(),
+                                         described::plain_checksums.end());
     const Node& word = *protocol_.find("checksum");
     add(word, "/protocol/checksum",
-        fmt::format("\"{}\" is no checksum{}, allowed: {}", word.text,
-                    did_you_mean(word.text, names), listed(names)));
+        fmt::format("\"{}\" is no checksum{}, allowed: {}, or a CRC of 8, 16, 24 or 32 bits by its "
+                    "name in the CRC catalogue, such as crc-16/modbus",
+                    word.text, did_you_mean(word.text, known), listed(plain)));
   }
 
   void read_message(const Node& table, std::size_t i) {
@@ -168,13 +169,18 @@ class PlanReader {
       message.head = *bytes;
       return read_length(table, path, message);
     }
-    read(table, plan().form == Form::sentences ? "id" : "head", message.head);
+    const bool has_id = plan().form == Form::sentences && !table.find("head");
+    if (has_id && !table.find("id"))
+      add(table, path, "a sentence needs 'id', or 'head' if no separator is behind it");
+    if (const Node* id = table.find("id"); id && !has_id)
+      add(*id, path + "/id", "a sentence has 'id' or 'head', not both");
+    read(table, has_id ? "id" : "head", message.head);
     message.name = message.head;
     if (plan().form == Form::lines) return;
     std::erase_if(message.name, [](char c) { return c == '$' || c == '!' || c == '-'; });
     message.any_talker =
         message.head.substr(std::min<std::size_t>(1, message.head.size())).starts_with("--");
-    message.head += separator();
+    if (has_id) message.head += separator();
   }
 
   void read_length(const Node& table, const std::string& path, Message& message) {

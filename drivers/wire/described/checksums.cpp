@@ -1,6 +1,7 @@
 #include "drivers/wire/described/checksums.hpp"
 
 #include <algorithm>
+#include <string>
 
 #include "drivers/wire/checksum.hpp"
 
@@ -26,6 +27,29 @@ constexpr std::uint32_t entry_of(const Crc& crc, std::uint32_t index) {
   return value;
 }
 
+std::uint32_t word_sum(Bytes bytes, bool big_endian) {
+  std::uint32_t sum = 0;
+  for (std::size_t i = 0; i < bytes.size(); ++i)
+    sum += std::uint32_t{bytes[i]} << ((i % 2 == 0) == big_endian ? 8 : 0);
+  return sum & 0xFFFF;
+}
+
+std::uint32_t fletcher_255(Bytes bytes) {
+  std::uint32_t low = 0, high = 0;
+  for (const std::uint8_t byte : bytes) {
+    low = (low + byte) % 255;
+    high = (high + low) % 255;
+  }
+  return high << 8 | low;
+}
+
+std::string in_small_letters(std::string_view name) {
+  std::string small(name);
+  for (char& c : small)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return small;
+}
+
 std::uint8_t exclusive_or(Bytes bytes) {
   std::uint64_t sum = 0;
   for (; bytes.size() >= 8; bytes = bytes.subspan(8)) sum ^= load_le<std::uint64_t>(bytes, 0);
@@ -43,15 +67,21 @@ Checksum::Checksum(const Crc& crc)
   for (std::uint32_t i = 0; i < table_.size(); ++i) table_[i] = entry_of(crc, i);
 }
 
-bool Checksum::find(std::string_view name, Checksum& into) {
+bool Checksum::find(std::string_view word, Checksum& into) {
+  const std::string small = in_small_letters(word);
+  const auto alias = std::ranges::find(crc_aliases, small, &CrcAlias::alias);
+  const std::string_view name = alias == crc_aliases.end() ? std::string_view(small) : alias->name;
   const auto take = [&](std::string_view known, Way way, unsigned width) {
     if (known == name) into = Checksum(known, way, width);
     return known == name;
   };
   if (take("none", Way::none, 0) || take("xor", Way::exclusive_or, 8) ||
       take("sum-8", Way::sum, 8) || take("sum-8-negative", Way::negative_sum, 8) ||
-      take("sum-15", Way::sum, 15) || take("sum-16", Way::sum, 16) ||
-      take("sum-32", Way::sum, 32) || take("fletcher-16", Way::fletcher, 16))
+      take("sum-8-inverted", Way::inverted_sum, 8) || take("word-sum-16", Way::word_sum, 16) ||
+      take("word-sum-16-big", Way::big_word_sum, 16) ||
+      take("fletcher-16-255", Way::fletcher_255, 16) || take("sum-15", Way::sum, 15) ||
+      take("sum-16", Way::sum, 16) || take("sum-32", Way::sum, 32) ||
+      take("fletcher-16", Way::fletcher, 16))
     return true;
   const auto found = std::ranges::find(crcs, name, &Crc::name);
   if (found == crcs.end()) return false;
@@ -72,6 +102,10 @@ std::uint32_t Checksum::of(Bytes bytes) const {
     case Way::exclusive_or: return exclusive_or(bytes);
     case Way::sum: return byte_total(bytes) & (0xFFFFFFFFu >> (32 - width_));
     case Way::negative_sum: return -byte_total(bytes) & (0xFFFFFFFFu >> (32 - width_));
+    case Way::inverted_sum: return ~byte_total(bytes) & (0xFFFFFFFFu >> (32 - width_));
+    case Way::word_sum: return word_sum(bytes, false);
+    case Way::big_word_sum: return word_sum(bytes, true);
+    case Way::fletcher_255: return fletcher_255(bytes);
     case Way::fletcher: return fletcher8(bytes);
     case Way::crc:
       for (const std::uint8_t byte : bytes) crc = crc << 8 ^ table_[crc >> 24 ^ byte];

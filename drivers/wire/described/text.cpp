@@ -10,8 +10,6 @@
 namespace drydock::wire::described {
 namespace {
 
-constexpr std::size_t checksum_digits = 2;  // sentences have checksums of 8 bits
-
 constexpr bool ends_a_line(std::uint8_t c) { return c == '\r' || c == '\n'; }
 constexpr bool is_printable(std::uint8_t c) { return (c >= 0x20 && c <= 0x7E) || c == '\t'; }
 
@@ -22,12 +20,23 @@ constexpr unsigned hex_digit(std::uint8_t c) {
   return letter >= 'a' && letter <= 'f' ? letter - 'a' + 10 : 0x100;
 }
 
+/// A line may have letters that are not of ASCII, such as a degree sign in any encoding.
+constexpr bool is_of_line(std::uint8_t c) { return is_printable(c) || c >= 0x80; }
+
+/// Digits of a checksum behind the '*' of a sentence.
+std::size_t checksum_digits(const Plan& plan) { return 2 * plan.checksum.size(); }
+
 Scan at_star(const Plan& plan, Bytes bytes, std::size_t star) {
-  if (bytes.size() < star + 1 + checksum_digits) return Scan::need_more();
-  const unsigned sent = hex_digit(bytes[star + 1]) << 4 | hex_digit(bytes[star + 2]);
-  if (sent > 0xFF) return Scan::skip(1);
+  const std::size_t digits = checksum_digits(plan);
+  if (bytes.size() < star + 1 + digits) return Scan::need_more();
+  std::uint32_t sent = 0;
+  for (const std::uint8_t c : bytes.subspan(star + 1, digits)) {
+    const unsigned digit = hex_digit(c);
+    if (digit > 15) return Scan::skip(1);
+    sent = sent << 4 | digit;
+  }
   const Bytes covered = bytes.first(star).subspan(std::min<std::size_t>(plan.checksum_from, star));
-  return sent == plan.checksum.of(covered) ? with_line_end(bytes, star + 1 + checksum_digits)
+  return sent == plan.checksum.of(covered) ? with_line_end(bytes, star + 1 + digits)
                                            : Scan::bad_checksum();
 }
 
@@ -41,12 +50,19 @@ bool begins_message(const Plan& plan, Bytes bytes) {
 std::string_view body_of(const Plan& plan, Bytes frame) {
   std::string_view text = as_text(frame);
   while (!text.empty() && (text.back() == '\r' || text.back() == '\n')) text.remove_suffix(1);
-  const std::size_t usual = text.size() - std::min(text.size(), 1 + checksum_digits);
+  const std::size_t usual = text.size() - std::min(text.size(), 1 + checksum_digits(plan));
   const bool is_usual = usual < text.size() && text.find('*', usual) == usual;
   const std::size_t star = plan.form != Form::sentences ? text.npos
                            : is_usual                   ? usual
                                                         : text.rfind('*');
   return star == text.npos || plan.checksum.size() == 0 ? text : text.substr(0, star);
+}
+
+/// Fields of a fixed width have blanks beside the number.
+std::string_view without_blanks(std::string_view text) {
+  while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
+  while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
+  return text;
 }
 
 /// One field of a text, and what is behind it.
@@ -89,6 +105,7 @@ bool take(const Plan& plan, const Field& field, std::string_view text, std::size
     if (field.validity) take_validity(field, value, text, record);
     return true;
   }
+  text = without_blanks(text);
   if (text.empty()) {
     if (field.validity) record.valid = false;
     return plan.form == Form::sentences || field.optional;
@@ -121,7 +138,7 @@ Scan scan_sentence(const Plan& plan, Bytes bytes) {
 Scan scan_line(const Plan& plan, Bytes bytes) {
   const std::size_t limit = std::min(bytes.size(), plan.longest);
   std::size_t end = 0;
-  while (end < limit && is_printable(bytes[end])) ++end;
+  while (end < limit && is_of_line(bytes[end])) ++end;
   if (end == limit) return limit == plan.longest ? Scan::skip(1) : Scan::need_more();
   if (!ends_a_line(bytes[end])) return Scan::skip(end);
   Record record;
@@ -169,6 +186,7 @@ void cut_fields(std::span<const Field> fields, std::string_view text, Cuts& cuts
     now = cut(now.rest, field.end);
     cuts.pieces[cuts.count++] = {now.field.data(), now.field.size()};
   }
+  if (!fields.empty() && fields.back().end == ' ') now.rest = without_blanks(now.rest);
   const bool whole = cuts.count == fields.size() && !now.ended && now.rest.empty();
   if (fields.empty() || cuts.count < fields.size())
     cuts.ended = now.ended;
@@ -337,8 +355,9 @@ void write_checksum(const Plan& plan, FieldWriter& line) {
   constexpr std::string_view digits = "0123456789ABCDEF";
   const std::uint32_t sum = plan.checksum.of(
       line.written().subspan(std::min<std::size_t>(plan.checksum_from, line.size())));
-  const std::array<char, 3> end{'*', digits[sum >> 4 & 15], digits[sum & 15]};
-  line.text({end.data(), end.size()});
+  line.text("*");
+  for (std::size_t left = checksum_digits(plan); left-- > 0;)
+    line.text(digits.substr(sum >> (4 * left) & 15, 1));
 }
 
 }  // namespace

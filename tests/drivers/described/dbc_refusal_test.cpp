@@ -41,6 +41,11 @@ TEST(DbcProblems, AFileThatIsNowhereIsRefused) {
                         "contains no \"xens.dbc\" (did you mean 'xsens.dbc'?)"));
 }
 
+TEST(DbcProblems, AFolderInPlaceOfAFileIsNamed) {
+  EXPECT_THAT(imu("dbc = \"/\"\n" + std::string(rate)),
+              HasSubstr("/: cannot be read: is a folder, not a file"));
+}
+
 TEST(DbcProblems, FramesWithoutAFileAndAFileWithoutFramesAreRefused) {
   EXPECT_THAT(imu(rate), HasSubstr("frames need the key 'dbc'"));
   EXPECT_THAT(xsens("[[protocol.sentences]]\nid = \"$PX\"\nfields = [{name = \"x\"}]\n"),

@@ -23,7 +23,9 @@ BO_ 256 state: 4 s
  SG_ COUNTER : 8|4@1+ (1,0) [0|0] "" Vector__XXX
  SG_ page M : 12|4@1+ (1,0) [0|0] "" Vector__XXX
  SG_ pressure m0 : 16|16@1+ (0.1,0) [0|0] "kPa" Vector__XXX
- SG_ temperature m1 : 16|16@1- (0.01,0) [0|0] "degC" Vector__XXX
+ SG_ temperature m1 : 16|16@1- (0.01,0) [0|0] ")"
+                                          "\xB0"  // a degree sign, as most programs write it
+                                          R"(C" Vector__XXX
 )";
     std::ofstream(folder_ / "toy.toml") << R"([sensor]
 title = "toy"

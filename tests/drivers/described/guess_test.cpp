@@ -136,6 +136,46 @@ TEST(GuessedDescription, LinesThatNoPatternHoldsAreNamed) {
       << guess;
 }
 
+TEST(GuessedDescription, LettersBetweenTheNumbersOfASentenceEndItsFields) {
+  const auto guess = survey::guess_description(
+      wire::testing::as_bytes("$C320.5P0.2R-18.3T20.1*37\r\n$C0.5P-1.2R18.3T20.0*36\r\n"
+                              "$C7.0P0.0R0.1T19.9*22\r\n"));
+  EXPECT_THAT(guess, HasSubstr("head = \"$C\""));
+  EXPECT_THAT(guess, HasSubstr("{ name = \"column_1\", ends = \"P\" },  # 0.5 to 320.5"));
+  EXPECT_THAT(guess, HasSubstr("{ name = \"column_4\" },  # 19.9 to 20.1"));
+  EXPECT_THAT(problems_of(guess), IsEmpty()) << guess;
+}
+
+/// Two ids in two forms each, an id that is none, more columns than a description has, an
+/// empty column, letters that are not of ASCII.
+TEST(GuessedDescription, IsADescriptionWhateverTheSentencesAre) {
+  std::string all = "$ok $PXYZ,1\r\n# stray\r\n$PWORD\r\n$PDEG,12.5 \xB0,\r\n";
+  for (int i = 0; i < 9; ++i) {
+    all += fmt::format("$PAB,{0},,M\r\n$PAB,{0}\r\n$PCD,{0},K\r\n$PCD,{0}\r\n", i);
+    all += "$PLONG";
+    for (int n = 0; n < 40; ++n) all += fmt::format(",{}", i + n);
+    all += "\r\n";
+  }
+  const auto guess = survey::guess_description(wire::testing::as_bytes(all));
+  EXPECT_THAT(guess, HasSubstr("name = \"PAB_2\""));
+  EXPECT_THAT(guess, HasSubstr("name = \"PCD_2\""));
+  EXPECT_THAT(guess, HasSubstr("# always empty"));
+  EXPECT_THAT(guess, HasSubstr("# 9 times: $PLONG,0,1,2"));
+  EXPECT_THAT(guess, HasSubstr("# 1 times: $ok $PXYZ,1"));
+  EXPECT_THAT(problems_of(guess), IsEmpty()) << guess;
+}
+
+TEST(GuessedDescription, ALineMayHavePowersOfTenAndManyDecimals) {
+  std::string all = "stray\n";
+  for (int i = 0; i < 9; ++i) all += fmt::format("{}.5,1.25e-0{},0.{}23456789012345\n", i, i, i);
+  all += "12.5 \xB0\n";
+  const auto guess = survey::guess_description(wire::testing::as_bytes(all));
+  EXPECT_THAT(guess, HasSubstr("# 9 times, as 0.5,1.25e-00,"));
+  EXPECT_THAT(guess, HasSubstr("# 1.25e-08 to 1.25"));
+  EXPECT_THAT(guess, HasSubstr("# 1 times: 12.5 ."));
+  EXPECT_THAT(problems_of(guess), IsEmpty()) << guess;
+}
+
 TEST(GuessedDescription, SentencesNeedNoChecksum) {
   std::string all;
   for (int i = 0; i < 9; ++i) all += fmt::format("$ALT,{}.25,m\r\n", i);

@@ -74,6 +74,21 @@ TEST(DescriptionProblems, ABinaryFieldOutsideItsFrameIsRefused) {
               HasSubstr("bits 4 to 8 are beyond the 8 of u8"));
 }
 
+TEST(DescriptionProblems, ABinaryFieldInTheSyncAndAConstantThatDoesNotFitAreRefused) {
+  const auto frame = [](std::string_view field) {
+    return with(
+        "[[protocol.binary]]\nname = \"a\"\nsync = \"A5 5A\"\nlength = 8\n"
+        "fields = [{at = 4, type = \"f32\", field = \"depth_m\", unit = \"m\"}, " +
+        std::string(field) + "]\n");
+  };
+  EXPECT_THAT(frame("{at = 1, type = \"u8\", name = \"x\"}"),
+              HasSubstr("field at 1 is in the sync, which ends at byte 1"));
+  EXPECT_THAT(frame("{at = 2, type = \"u8\", is = 300}"), HasSubstr("300 has more than 8 bits"));
+  EXPECT_THAT(frame("{at = 2, type = \"u8\", bits = [4, 3], is = 8}"),
+              HasSubstr("8 has more than 3 bits"));
+  EXPECT_THAT(frame("{at = 2, type = \"u8\", bits = [4, 3], is = 7}"), IsEmpty());
+}
+
 TEST(DescriptionProblems, BinaryFramesOfOneSyncNeedAChecksumToTellTheirLengths) {
   const auto two = [](std::string_view sum) {
     return with(

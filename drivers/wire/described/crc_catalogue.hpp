@@ -1,0 +1,163 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+/// The CRC catalogue of G. Cook (reveng.sourceforge.io/crc-catalogue): its algorithms of whole
+/// bytes. A guess tries them in this order, so the usual ones come first.
+namespace drydock::wire::described {
+
+/// `check` is the CRC of the nine digits "123456789".
+struct Crc {
+  std::string_view name;
+  unsigned width = 0;  ///< bits, up to 32
+  std::uint32_t polynomial = 0, start = 0;
+  bool reflected = false;  ///< input and output
+  std::uint32_t xor_out = 0, check = 0;
+};
+
+inline constexpr auto crcs = std::to_array<Crc>({
+    {"crc-8/smbus", 8, 0x07, 0x00, false, 0x00, 0xF4},
+    {"crc-8/maxim-dow", 8, 0x31, 0x00, true, 0x00, 0xA1},
+    {"crc-8/sae-j1850", 8, 0x1D, 0xFF, false, 0xFF, 0x4B},
+    {"crc-16/arc", 16, 0x8005, 0x0000, true, 0x0000, 0xBB3D},
+    {"crc-16/modbus", 16, 0x8005, 0xFFFF, true, 0x0000, 0x4B37},
+    {"crc-16/usb", 16, 0x8005, 0xFFFF, true, 0xFFFF, 0xB4C8},
+    {"crc-16/ibm-3740", 16, 0x1021, 0xFFFF, false, 0x0000, 0x29B1},
+    {"crc-16/genibus", 16, 0x1021, 0xFFFF, false, 0xFFFF, 0xD64E},
+    {"crc-16/xmodem", 16, 0x1021, 0x0000, false, 0x0000, 0x31C3},
+    {"crc-16/kermit", 16, 0x1021, 0x0000, true, 0x0000, 0x2189},
+    {"crc-16/mcrf4xx", 16, 0x1021, 0xFFFF, true, 0x0000, 0x6F91},
+    {"crc-16/ibm-sdlc", 16, 0x1021, 0xFFFF, true, 0xFFFF, 0x906E},
+    {"crc-24/lte-a", 24, 0x864CFB, 0x000000, false, 0x000000, 0xCDE703},
+    {"crc-32/iso-hdlc", 32, 0x04C11DB7, 0xFFFFFFFF, true, 0xFFFFFFFF, 0xCBF43926},
+    {"crc-32/bzip2", 32, 0x04C11DB7, 0xFFFFFFFF, false, 0xFFFFFFFF, 0xFC891918},
+    {"crc-32/mpeg-2", 32, 0x04C11DB7, 0xFFFFFFFF, false, 0x00000000, 0x0376E6E7},
+    {"crc-32/iscsi", 32, 0x1EDC6F41, 0xFFFFFFFF, true, 0xFFFFFFFF, 0xE3069283},
+    {"crc-8/autosar", 8, 0x2F, 0xFF, false, 0xFF, 0xDF},
+    {"crc-8/bluetooth", 8, 0xA7, 0x00, true, 0x00, 0x26},
+    {"crc-8/cdma2000", 8, 0x9B, 0xFF, false, 0x00, 0xDA},
+    {"crc-8/darc", 8, 0x39, 0x00, true, 0x00, 0x15},
+    {"crc-8/dvb-s2", 8, 0xD5, 0x00, false, 0x00, 0xBC},
+    {"crc-8/gsm-a", 8, 0x1D, 0x00, false, 0x00, 0x37},
+    {"crc-8/gsm-b", 8, 0x49, 0x00, false, 0xFF, 0x94},
+    {"crc-8/hitag", 8, 0x1D, 0xFF, false, 0x00, 0xB4},
+    {"crc-8/i-432-1", 8, 0x07, 0x00, false, 0x55, 0xA1},
+    {"crc-8/i-code", 8, 0x1D, 0xFD, false, 0x00, 0x7E},
+    {"crc-8/lte", 8, 0x9B, 0x00, false, 0x00, 0xEA},
+    {"crc-8/mifare-mad", 8, 0x1D, 0xC7, false, 0x00, 0x99},
+    {"crc-8/nrsc-5", 8, 0x31, 0xFF, false, 0x00, 0xF7},
+    {"crc-8/opensafety", 8, 0x2F, 0x00, false, 0x00, 0x3E},
+    {"crc-8/rohc", 8, 0x07, 0xFF, true, 0x00, 0xD0},
+    {"crc-8/tech-3250", 8, 0x1D, 0xFF, true, 0x00, 0x97},
+    {"crc-8/wcdma", 8, 0x9B, 0x00, true, 0x00, 0x25},
+    {"crc-16/cdma2000", 16, 0xC867, 0xFFFF, false, 0x0000, 0x4C06},
+    {"crc-16/cms", 16, 0x8005, 0xFFFF, false, 0x0000, 0xAEE7},
+    {"crc-16/dds-110", 16, 0x8005, 0x800D, false, 0x0000, 0x9ECF},
+    {"crc-16/dect-r", 16, 0x0589, 0x0000, false, 0x0001, 0x007E},
+    {"crc-16/dect-x", 16, 0x0589, 0x0000, false, 0x0000, 0x007F},
+    {"crc-16/dnp", 16, 0x3D65, 0x0000, true, 0xFFFF, 0xEA82},
+    {"crc-16/en-13757", 16, 0x3D65, 0x0000, false, 0xFFFF, 0xC2B7},
+    {"crc-16/gsm", 16, 0x1021, 0x0000, false, 0xFFFF, 0xCE3C},
+    {"crc-16/iso-iec-14443-3-a", 16, 0x1021, 0xC6C6, true, 0x0000, 0xBF05},
+    {"crc-16/lj1200", 16, 0x6F63, 0x0000, false, 0x0000, 0xBDF4},
+    {"crc-16/m17", 16, 0x5935, 0xFFFF, false, 0x0000, 0x772B},
+    {"crc-16/maxim-dow", 16, 0x8005, 0x0000, true, 0xFFFF, 0x44C2},
+    {"crc-16/nrsc-5", 16, 0x080B, 0xFFFF, true, 0x0000, 0xA066},
+    {"crc-16/opensafety-a", 16, 0x5935, 0x0000, false, 0x0000, 0x5D38},
+    {"crc-16/opensafety-b", 16, 0x755B, 0x0000, false, 0x0000, 0x20FE},
+    {"crc-16/profibus", 16, 0x1DCF, 0xFFFF, false, 0xFFFF, 0xA819},
+    {"crc-16/riello", 16, 0x1021, 0xB2AA, true, 0x0000, 0x63D0},
+    {"crc-16/spi-fujitsu", 16, 0x1021, 0x1D0F, false, 0x0000, 0xE5CC},
+    {"crc-16/t10-dif", 16, 0x8BB7, 0x0000, false, 0x0000, 0xD0DB},
+    {"crc-16/teledisk", 16, 0xA097, 0x0000, false, 0x0000, 0x0FB3},
+    {"crc-16/tms37157", 16, 0x1021, 0x89EC, true, 0x0000, 0x26B1},
+    {"crc-16/umts", 16, 0x8005, 0x0000, false, 0x0000, 0xFEE8},
+    {"crc-24/ble", 24, 0x00065B, 0x555555, true, 0x000000, 0xC25A56},
+    {"crc-24/flexray-a", 24, 0x5D6DCB, 0xFEDCBA, false, 0x000000, 0x7979BD},
+    {"crc-24/flexray-b", 24, 0x5D6DCB, 0xABCDEF, false, 0x000000, 0x1F23B8},
+    {"crc-24/interlaken", 24, 0x328B63, 0xFFFFFF, false, 0xFFFFFF, 0xB4F3E6},
+    {"crc-24/lte-b", 24, 0x800063, 0x000000, false, 0x000000, 0x23EF52},
+    {"crc-24/openpgp", 24, 0x864CFB, 0xB704CE, false, 0x000000, 0x21CF02},
+    {"crc-24/os-9", 24, 0x800063, 0xFFFFFF, false, 0xFFFFFF, 0x200FA5},
+    {"crc-32/aixm", 32, 0x814141AB, 0x00000000, false, 0x00000000, 0x3010BF7F},
+    {"crc-32/autosar", 32, 0xF4ACFB13, 0xFFFFFFFF, true, 0xFFFFFFFF, 0x1697D06A},
+    {"crc-32/base91-d", 32, 0xA833982B, 0xFFFFFFFF, true, 0xFFFFFFFF, 0x87315576},
+    {"crc-32/cd-rom-edc", 32, 0x8001801B, 0x00000000, true, 0x00000000, 0x6EC2EDC4},
+    {"crc-32/cksum", 32, 0x04C11DB7, 0x00000000, false, 0xFFFFFFFF, 0x765E7680},
+    {"crc-32/jamcrc", 32, 0x04C11DB7, 0xFFFFFFFF, true, 0x00000000, 0x340BC6D9},
+    {"crc-32/mef", 32, 0x741B8CD7, 0xFFFFFFFF, true, 0x00000000, 0xD2C22F51},
+    {"crc-32/xfer", 32, 0x000000AF, 0x00000000, false, 0x00000000, 0xBD0BE338},
+});
+
+/// Another name of the catalogue for one of them.
+struct CrcAlias {
+  std::string_view alias, name;
+};
+
+inline constexpr auto crc_aliases = std::to_array<CrcAlias>({
+    {"crc-8", "crc-8/smbus"},
+    {"crc-8/maxim", "crc-8/maxim-dow"},
+    {"dow-crc", "crc-8/maxim-dow"},
+    {"crc-8/itu", "crc-8/i-432-1"},
+    {"crc-8/aes", "crc-8/tech-3250"},
+    {"crc-8/ebu", "crc-8/tech-3250"},
+    {"crc-16", "crc-16/arc"},
+    {"arc", "crc-16/arc"},
+    {"crc-16/lha", "crc-16/arc"},
+    {"crc-ibm", "crc-16/arc"},
+    {"modbus", "crc-16/modbus"},
+    {"crc-16/autosar", "crc-16/ibm-3740"},
+    {"crc-16/ccitt-false", "crc-16/ibm-3740"},
+    {"crc-16/darc", "crc-16/genibus"},
+    {"crc-16/epc", "crc-16/genibus"},
+    {"crc-16/epc-c1g2", "crc-16/genibus"},
+    {"crc-16/i-code", "crc-16/genibus"},
+    {"xmodem", "crc-16/xmodem"},
+    {"zmodem", "crc-16/xmodem"},
+    {"crc-16/acorn", "crc-16/xmodem"},
+    {"crc-16/lte", "crc-16/xmodem"},
+    {"crc-16/v-41-msb", "crc-16/xmodem"},
+    {"kermit", "crc-16/kermit"},
+    {"crc-ccitt", "crc-16/kermit"},
+    {"crc-16/bluetooth", "crc-16/kermit"},
+    {"crc-16/ccitt", "crc-16/kermit"},
+    {"crc-16/ccitt-true", "crc-16/kermit"},
+    {"crc-16/v-41-lsb", "crc-16/kermit"},
+    {"x-25", "crc-16/ibm-sdlc"},
+    {"crc-b", "crc-16/ibm-sdlc"},
+    {"crc-16/x-25", "crc-16/ibm-sdlc"},
+    {"crc-16/iso-hdlc", "crc-16/ibm-sdlc"},
+    {"crc-16/iso-iec-14443-3-b", "crc-16/ibm-sdlc"},
+    {"crc-16/aug-ccitt", "crc-16/spi-fujitsu"},
+    {"crc-16/buypass", "crc-16/umts"},
+    {"crc-16/verifone", "crc-16/umts"},
+    {"crc-16/iec-61158-2", "crc-16/profibus"},
+    {"crc-16/maxim", "crc-16/maxim-dow"},
+    {"crc-a", "crc-16/iso-iec-14443-3-a"},
+    {"r-crc-16", "crc-16/dect-r"},
+    {"x-crc-16", "crc-16/dect-x"},
+    {"crc-24", "crc-24/openpgp"},
+    {"crc-32", "crc-32/iso-hdlc"},
+    {"crc-32/adccp", "crc-32/iso-hdlc"},
+    {"crc-32/v-42", "crc-32/iso-hdlc"},
+    {"crc-32/xz", "crc-32/iso-hdlc"},
+    {"pkzip", "crc-32/iso-hdlc"},
+    {"crc-32/aal5", "crc-32/bzip2"},
+    {"crc-32/dect-b", "crc-32/bzip2"},
+    {"b-crc-32", "crc-32/bzip2"},
+    {"crc-32/base91-c", "crc-32/iscsi"},
+    {"crc-32/castagnoli", "crc-32/iscsi"},
+    {"crc-32/interlaken", "crc-32/iscsi"},
+    {"crc-32c", "crc-32/iscsi"},
+    {"crc-32/nvme", "crc-32/iscsi"},
+    {"crc-32d", "crc-32/base91-d"},
+    {"crc-32q", "crc-32/aixm"},
+    {"cksum", "crc-32/cksum"},
+    {"crc-32/posix", "crc-32/cksum"},
+    {"jamcrc", "crc-32/jamcrc"},
+    {"xfer", "crc-32/xfer"},
+});
+
+}  // namespace drydock::wire::described
