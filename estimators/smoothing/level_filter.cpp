@@ -17,6 +17,9 @@ namespace {
 constexpr double any_heading_rad = 1.8138;
 constexpr double any_turn_radps = 0.1;  ///< as at the start of a dive
 constexpr int most_refused = 3;         ///< headings, one after the other
+/// A vehicle manoeuvres in bursts, and the likeliest motion is that of all its hours: the gate takes
+/// what was expected as this much less certain, so that the begins of turns pass.
+constexpr double burst_factor = 1.6;
 
 double swing_of(const LevelMotion& motion) {
   return singer_acceleration(motion.turn_radps, motion.turn_change_s);
@@ -123,11 +126,12 @@ std::array<Residual, 3> LevelFilter::update(const Reading& reading, const Tilt& 
 
 Residual LevelFilter::take(const Row& row, double residual, double variance, LevelVector& errors) {
   const LevelVector cross = p_ * row.slope;
-  const double expected = row.slope.dot(cross) + variance;
+  const double of_state = row.slope.dot(cross), expected = of_state + variance;
   const double innovation = residual - row.slope.dot(errors);
   const double gate = options_.gate_sigma;
   Residual result{innovation, std::sqrt(expected), true, true};
-  if (gate > 0 && std::abs(result.normalised()) > gate) {
+  const double in_burst = burst_factor * burst_factor * of_state + variance;
+  if (gate > 0 && innovation * innovation > gate * gate * in_burst) {
     result.used = false;
     return result;
   }

@@ -86,13 +86,6 @@ bool improve(Trial& trial, std::size_t knob, double by, double& best) {
 
 }  // namespace
 
-LevelMotion for_manoeuvres(LevelMotion fitted) {
-  constexpr double burst_factor = 1.6;
-  fitted.velocity_mps *= burst_factor;
-  fitted.turn_radps *= burst_factor;
-  return fitted;
-}
-
 double log_likelihood(const Residuals& residuals, double gate_sigma) {
   const double edge = gate_sigma > 0 ? gate_sigma * gate_sigma : INFINITY;
   double sum = 0;

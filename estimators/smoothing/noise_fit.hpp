@@ -25,10 +25,6 @@ double log_likelihood(const Residuals& residuals, double gate_sigma);
 NoiseFit fit_noise(const Dive& dive, const LevelOptions& options,
                    const std::vector<UnstatedNoise>& unstated);
 
-/// A fitted wandering, made larger: a vehicle manoeuvres in bursts, and the likeliest motion is
-/// that of its quiet hours. With the factor of 1.6 the gate lets the begins of turns pass.
-LevelMotion for_manoeuvres(LevelMotion fitted);
-
 /// Multiplies the sigmas of a sensor's readings.
 void scale_noise(Dive& dive, const UnstatedNoise& sensor, double factor);
 

@@ -104,7 +104,7 @@ void smooth_without_imu(Outcome& outcome, const std::optional<frame::Position>& 
   const bool gnss_alone = is_gnss_alone(gathered.dive);
   if (gnss_alone) hold_north(options);
   const auto fit = smoothing::fit_noise(gathered.dive, options, gathered.unstated);
-  options.motion = smoothing::for_manoeuvres(fit.motion);
+  options.motion = fit.motion;
   for (std::size_t i = 0; i < gathered.unstated.size(); ++i)
     smoothing::scale_noise(gathered.dive, gathered.unstated[i], fit.factors[i]);
   outcome.track = smoothing::smooth_level(gathered.dive, options);

@@ -48,11 +48,6 @@ LevelMotion fitted_motion(std::uint64_t seed) {
   return smoothing::fit_noise(dive, calibration_options(dive), {}).motion;
 }
 
-/// Of the calibration, and of the smoother.
-struct FittedMotions {
-  LevelMotion calibration, track;
-};
-
 CalibrationTrack calibration_track(std::uint64_t seed, std::size_t run, const LevelMotion& motion) {
   constexpr std::size_t every = 15;  // half a minute
   const auto dive = calibration_dive(drawn_bias(seed, run), seed, run);
@@ -76,17 +71,16 @@ CalibrationTrack calibration_track(std::uint64_t seed, std::size_t run, const Le
   return sum;
 }
 
-CalibrationOutcome calibration_run(std::uint64_t seed, std::size_t run,
-                                   const FittedMotions& motions) {
+CalibrationOutcome calibration_run(std::uint64_t seed, std::size_t run, const LevelMotion& motion) {
   const auto errors = drawn_errors(seed, run);
   auto dive = calibration_dive(errors, seed, run);
   auto options = calibration_options(dive);
-  options.motion = motions.calibration;
+  options.motion = motion;
   const auto found = calibration::calibrate(dive, options, errors.parameters, {}, false);
   CalibrationOutcome outcome{{}, found.findings, found.converged, {}};
   for (std::size_t i = 0; i < errors.values.size(); ++i)
     outcome.error.push_back(found.findings[i].value - errors.values[i]);
-  outcome.track = calibration_track(seed, run, motions.track);
+  outcome.track = calibration_track(seed, run, motion);
   return outcome;
 }
 
@@ -104,7 +98,6 @@ std::string calibration_unit(calibration::Unknown unknown) {
 
 Result calibration_study(const Options& options, Progress& progress) {
   const auto motion = fitted_motion(options.seed);
-  const FittedMotions motions{motion, smoothing::for_manoeuvres(motion)};
   const auto parameters = drawn_errors(options.seed, 0).parameters;
   std::vector<CalibrationSum> sums(parameters.size());
   CalibrationTrack tracks;
@@ -112,7 +105,7 @@ Result calibration_study(const Options& options, Progress& progress) {
   Result result;
   result.runs = campaign(
       "calibration", options, progress,
-      [&](std::size_t run) { return calibration_run(options.seed, run, motions); },
+      [&](std::size_t run) { return calibration_run(options.seed, run, motion); },
       [&](std::size_t, const CalibrationOutcome& outcome) {
         for (std::size_t i = 0; i < sums.size(); ++i)
           sums[i].add(outcome.findings[i], outcome.error[i]);
