@@ -28,31 +28,39 @@ struct Partials {
 };
 
 /// [M - M_A, E - E_A; D - D_A, J - J_A]: the factor of the accelerations in eq. (2) and (3).
-Matrix6 mass_matrix(const Vehicle& vehicle);
+template <class Real>
+BasicMatrix6<Real> mass_matrix(const BasicVehicle<Real>& vehicle);
 
 /// True if the symmetric part is positive definite: then no motion has negative kinetic energy.
 bool is_mass(const Matrix6& mass_matrix);
 
 /// The equations of one vehicle. Allocates no memory after construction.
-class Model {
+template <class Real>
+class BasicModel {
  public:
+  using Vector3 = Eigen::Vector3<Real>;
+  using Matrix3 = Eigen::Matrix3<Real>;
+
   /// Throws std::invalid_argument (one line) if is_mass() refuses the mass matrix.
-  explicit Model(const Vehicle& vehicle);
+  explicit BasicModel(const BasicVehicle<Real>& vehicle);
+
+  /// Of a mass matrix that was inverted before.
+  BasicModel(const BasicVehicle<Real>& vehicle, const BasicMatrix6<Real>& inverse_mass)
+      : vehicle_(vehicle), inverse_mass_(inverse_mass) {}
 
   /// Eq. (4): d/dt of u v w p q r. `ned_to_body`: C_n^b.
-  Velocity acceleration(const Velocity& velocity, const Eigen::Matrix3d& ned_to_body,
-                        const Control& control,
-                        const Eigen::Vector3d& earth_rate_ned = Eigen::Vector3d::Zero()) const;
+  BasicVelocity<Real> acceleration(const BasicVelocity<Real>& velocity, const Matrix3& ned_to_body,
+                                   const Control& control,
+                                   const Vector3& earth_rate_ned = Vector3::Zero()) const;
 
   /// Eq. (7) at the same arguments.
-  Partials partials(const Velocity& velocity, const Eigen::Matrix3d& ned_to_body,
-                    const Control& control,
-                    const Eigen::Vector3d& earth_rate_ned = Eigen::Vector3d::Zero()) const;
+  Partials partials(const BasicVelocity<Real>& velocity, const Matrix3& ned_to_body,
+                    const Control& control, const Vector3& earth_rate_ned = Vector3::Zero()) const;
 
   /// Only the derivative by u v w p q r.
-  Matrix6 velocity_partials(const Velocity& velocity, const Eigen::Matrix3d& ned_to_body,
-                            const Control& control,
-                            const Eigen::Vector3d& earth_rate_ned = Eigen::Vector3d::Zero()) const;
+  BasicMatrix6<Real> velocity_partials(const BasicVelocity<Real>& velocity,
+                                       const Matrix3& ned_to_body, const Control& control,
+                                       const Vector3& earth_rate_ned = Vector3::Zero()) const;
 
   /// Eq. (4) with the kinematics (1), (1a), (1b). Not defined at pitch +-pi/2.
   State derivative(const State& state, const Control& control,
@@ -62,17 +70,19 @@ class Model {
   State step(const State& state, const Control& control, double dt,
              const Surroundings& surroundings = {}) const;
 
-  const Vehicle& vehicle() const { return vehicle_; }
+  const BasicVehicle<Real>& vehicle() const { return vehicle_; }
+  const BasicMatrix6<Real>& inverse_mass() const { return inverse_mass_; }
 
  private:
   /// The inverse mass matrix times these columns. Surge, heave and pitch do not couple with sway,
   /// roll and yaw in it, so each row has three factors that are not zero.
   template <int Columns>
-  Eigen::Matrix<double, 6, Columns> accelerations(
-      const Eigen::Matrix<double, 6, Columns>& wrenches) const;
+  Eigen::Matrix<Real, 6, Columns> accelerations(
+      const Eigen::Matrix<Real, 6, Columns>& wrenches) const;
 
-  Vehicle vehicle_;
-  Matrix6 inverse_mass_;
+  BasicVehicle<Real> vehicle_;
+  BasicMatrix6<Real> inverse_mass_;
 };
+using Model = BasicModel<double>;
 
 }  // namespace drydock::hydrodynamics

@@ -29,6 +29,11 @@ using Vector15 = Eigen::Matrix<double, 15, 1>;
 /// Standard deviations of the errors at the start, in the order of eq. (14).
 Vector15 initial_sigma(const NavigationOptions& options, const frame::Position& at);
 
+/// The same of any number.
+template <class Real>
+Eigen::Matrix<Real, 15, 1> basic_initial_sigma(const NavigationOptions& options,
+                                               const frame::BasicPosition<Real>& at);
+
 /// Diagonal of Q, eq. (15), per second.
 Vector15 noise_density(const NavigationOptions& options);
 
@@ -42,32 +47,37 @@ struct HeadingRow {
 HeadingRow heading_row(const Eigen::Quaterniond& body_to_ned);
 
 /// Rows of eq. (16) for the velocity in body axes: d(C_N^B V^N) by velocity and phi, 3 x 6.
-Eigen::Matrix<double, 3, 6> body_velocity_rows(const NavigationState& state);
+template <class Real>
+Eigen::Matrix<Real, 3, 6> body_velocity_rows(const BasicNavigationState<Real>& state);
 
-/// Allocates nothing, throws nothing; inputs must be finite.
-class AidedNavigation {
+/// Allocates nothing, throws nothing; inputs must be finite. `Real`: a double, or several runs side
+/// by side, which have no gate; they have the functions of aided_navigation_body.hpp.
+template <class Real>
+class BasicAidedNavigation {
  public:
-  AidedNavigation(const NavigationState& start, const NavigationOptions& options);
+  using Vector3 = Eigen::Vector3<Real>;
+  using Filter = ErrorFilter<0, Real>;
+
+  BasicAidedNavigation(const BasicNavigationState<Real>& start, const NavigationOptions& options);
 
   /// An IMU sample: integrals of angular rate (rad) and specific force (m/s) over `dt`.
-  void add_imu(const Eigen::Vector3d& angle, const Eigen::Vector3d& velocity, double dt);
+  void add_imu(const Vector3& angle, const Vector3& velocity, double dt);
 
   /// The navigation step over the samples since the last step, and eq. (15).
-  void step(std::optional<double> reference_height_m = {});
+  void step(std::optional<Real> reference_height_m = {});
 
   /// Adds noise beyond that of the options to the samples since the last step: one standard
   /// deviation of the angle (rad) and of the velocity (m/s), body axes.
-  void add_noise(const Eigen::Vector3d& angle, const Eigen::Vector3d& velocity);
+  void add_noise(const Vector3& angle, const Vector3& velocity);
 
   /// Eq. (16). These functions correct the state at once and return the number of rows inside the
   /// gate. Standard deviations in body axes m/s; in m; in m north, east, up.
   /// `lever`: from the IMU to the sensor, body axes, m, eq. (N8).
-  int update_velocity(const Eigen::Vector3d& velocity_body, const Eigen::Vector3d& sigma,
-                      const Eigen::Vector3d& lever = Eigen::Vector3d::Zero());
-  int update_height(double height_m, double sigma,
-                    const Eigen::Vector3d& lever = Eigen::Vector3d::Zero());
-  int update_position(const frame::Position& position, const Eigen::Vector3d& sigma,
-                      const Eigen::Vector3d& lever = Eigen::Vector3d::Zero());
+  int update_velocity(const Vector3& velocity_body, const Vector3& sigma,
+                      const Vector3& lever = Vector3::Zero());
+  int update_height(const Real& height_m, double sigma, const Vector3& lever = Vector3::Zero());
+  int update_position(const frame::Position& position, const Vector3& sigma,
+                      const Vector3& lever = Vector3::Zero());
 
   /// True heading of body x, rad: eq. (N9). Does nothing while the bow points within 6 degrees of
   /// up or down, where it has no heading.
@@ -82,18 +92,20 @@ class AidedNavigation {
   void loosen_position(double sigma_m);
   void loosen_biases(double gyro_sigma_radps, double accel_sigma_mps2);
 
-  const NavigationState& state() const { return sdins_.state(); }
+  const BasicNavigationState<Real>& state() const { return sdins_.state(); }
   /// Eq. (15) over the last step: F at its end, of which covariance() was propagated.
-  ErrorDynamics dynamics() const {
+  BasicErrorDynamics<Real> dynamics() const {
     return error_dynamics(sdins_.state(), sdins_.force_ned(), sdins_.loop());
   }
   /// The attitude including the samples since the last step.
-  Eigen::Quaterniond body_to_ned() const {
-    return sdins_.state().body_to_ned * quaternion_of(sum_.angle());
+  Eigen::Quaternion<Real> body_to_ned() const {
+    return sdins_.state().body_to_ned * quaternion_of<Real>(sum_.angle());
   }
-  const Eigen::Vector3d& gyro_bias() const { return gyro_bias_; }
-  const Eigen::Vector3d& accel_bias() const { return accel_bias_; }
-  const ErrorFilter<0>::Covariance& covariance() const { return filter_.covariance(); }
+  /// Rotation of the Earth in NED at the end of the last step, rad/s.
+  const Vector3& earth_rate_ned() const { return earth_rate_ned_; }
+  const Vector3& gyro_bias() const { return gyro_bias_; }
+  const Vector3& accel_bias() const { return accel_bias_; }
+  const typename Filter::Covariance& covariance() const { return filter_.covariance(); }
 
   /// Innovations of the last update or passes_height(): body axes m/s; up m; north, east, down m;
   /// clockwise rad.
@@ -103,22 +115,25 @@ class AidedNavigation {
   const InnovationTally& taken() const { return taken_; }  ///< all rows inside the gate
 
  private:
-  using Vector = ErrorFilter<0>::Vector;
+  using Vector = typename Filter::Vector;
   /// `unit`: the row's unit per unit of the reported innovation.
-  int update_row(const Vector& row, double residual, double variance, Vector& errors,
+  int update_row(const Vector& row, const Real& residual, const Real& variance, Vector& errors,
                  double unit = 1);
+  bool passes(double innovation, double variance, double unit);
   void feed_back(const Vector& errors);
 
   NavigationOptions options_;
-  Sdins sdins_;
-  IncrementSum sum_;
-  ErrorFilter<0> filter_;
+  BasicSdins<Real> sdins_;
+  BasicIncrementSum<Real> sum_;
+  Filter filter_;
   Vector noise_;
-  Eigen::Vector3d gyro_bias_ = Eigen::Vector3d::Zero(), accel_bias_ = Eigen::Vector3d::Zero();
-  Eigen::Vector3d rate_ = Eigen::Vector3d::Zero();  ///< mean over the last step, rad/s
+  Vector3 earth_rate_ned_;
+  Vector3 gyro_bias_ = Vector3::Zero(), accel_bias_ = Vector3::Zero();
+  Vector3 rate_ = Vector3::Zero();  ///< mean over the last step, rad/s
   Innovations innovations_;
   std::uint64_t rejected_ = 0;
   InnovationTally taken_;
 };
+using AidedNavigation = BasicAidedNavigation<double>;
 
 }  // namespace drydock::navigation

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <utility>
 
+#include "estimators/lanes/real.hpp"
 #include "estimators/navigation/error_model.hpp"
 
 namespace drydock::navigation {
@@ -15,27 +16,27 @@ inline bool outside_gate(double normalised_square, double gate_sigma) {
 /// Kalman filter of the 15 errors of eq. (14) and of `Further` constant states. The owner defines
 /// the meaning and the units of the further states. The owner feeds estimated errors back, so the
 /// state is zero between updates and this class does not store it.
-template <int Further>
+template <int Further, class Real = double>
 class ErrorFilter {
  public:
   static constexpr int size = 15 + Further;
   /// An odd `size` gets one more state, always zero, so that each column fills whole SIMD words.
   static constexpr int stored = size + size % 2;
-  using Vector = Eigen::Matrix<double, stored, 1>;
-  using Covariance = Eigen::Matrix<double, stored, stored>;
+  using Vector = Eigen::Matrix<Real, stored, 1>;
+  using Covariance = Eigen::Matrix<Real, stored, stored>;
 
   /// `sigma`: one standard deviation of each error.
   explicit ErrorFilter(const Vector& sigma) : p_(sigma.array().square().matrix().asDiagonal()) {}
 
   /// Eq. (15): P <- (I + F dt) P (I + F dt)' + diag(`noise`) dt. Noise per second.
-  void propagate(const ErrorDynamics& f, double dt, const Vector& noise) {
+  void propagate(const BasicErrorDynamics<Real>& f, double dt, const Vector& noise) {
     constexpr auto rows = std::make_index_sequence<9>{};
-    const ErrorDynamics g = dt * f;
-    Eigen::Matrix<double, stored, 9> right = p_.template leftCols<9>();  // P (I + F dt)'
+    const BasicErrorDynamics<Real> g = dt * f;
+    Eigen::Matrix<Real, stored, 9> right = p_.template leftCols<9>();  // P (I + F dt)'
     add_products(right, g, p_, rows);
-    Eigen::Matrix<double, 10, stored> left = Eigen::Matrix<double, 10, stored>::Zero();
+    Eigen::Matrix<Real, 10, stored> left = Eigen::Matrix<Real, 10, stored>::Zero();
     left.template topRows<9>() = right.transpose();
-    Eigen::Matrix<double, 10, 9> both = left.template leftCols<9>();  // (I + F dt) P (I + F dt)'
+    Eigen::Matrix<Real, 10, 9> both = left.template leftCols<9>();  // (I + F dt) P (I + F dt)'
     add_products(both, g, left, rows);
 
     p_.template topRightCorner<9, stored - 9>() = left.template topRightCorner<9, stored - 9>();
@@ -47,10 +48,10 @@ class ErrorFilter {
 
   /// P h' and the innovation's variance for a measurement z = h x + noise.
   struct Row {
-    Vector cross;     ///< P h'
-    double variance;  ///< of the innovation, h P h' + r
+    Vector cross;   ///< P h'
+    Real variance;  ///< of the innovation, h P h' + r
   };
-  Row row(const Vector& h, double noise_variance) const {
+  Row row(const Vector& h, const Real& noise_variance) const {
     const Vector cross = p_.lazyProduct(h);
     return {cross, h.dot(cross) + noise_variance};
   }
@@ -58,8 +59,9 @@ class ErrorFilter {
   /// Updates with the measurement and returns the correction of the errors, for feedback. With
   /// K = P h' / s and s the variance of the innovation, Joseph's form (I - K h) P (I - K h)' + K r
   /// K' equals P - P h' (P h')' / s. This subtracts a square, so P stays symmetric to the last bit.
-  Vector update(const Row& row, double innovation) {
-    const Vector root = row.cross / std::sqrt(row.variance);
+  Vector update(const Row& row, const Real& innovation) {
+    using lanes::sqrt;
+    const Vector root = row.cross / sqrt(row.variance);
     for (int j = 0; j < stored; ++j) p_.col(j) -= root(j) * root;
     return innovation / row.variance * row.cross;
   }
@@ -83,13 +85,13 @@ class ErrorFilter {
  private:
   /// to += from G', column by column. Each column is one sum over the nonzero entries of G.
   template <class To, class From, std::size_t... Row>
-  static void add_products(To& to, const ErrorDynamics& g, const From& from,
+  static void add_products(To& to, const BasicErrorDynamics<Real>& g, const From& from,
                            std::index_sequence<Row...>) {
     (add_product<Row>(to, g, from, std::make_index_sequence<error_dynamics_pattern[Row].entries>{}),
      ...);
   }
   template <std::size_t Row, class To, class From, std::size_t... I>
-  static void add_product(To& to, const ErrorDynamics& g, const From& from,
+  static void add_product(To& to, const BasicErrorDynamics<Real>& g, const From& from,
                           std::index_sequence<I...>) {
     constexpr auto& columns = error_dynamics_pattern[Row].columns;
     to.col(Row) += ((g(Row, columns[I]) * from.col(columns[I])) + ...);

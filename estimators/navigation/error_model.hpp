@@ -2,7 +2,9 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <type_traits>
 
+#include "estimators/frame/local_earth.hpp"
 #include "estimators/navigation/sdins.hpp"
 
 /// Eq. (14): the dynamics of the errors of an SDINS. The states are IN minus truth: latitude,
@@ -14,11 +16,22 @@ namespace drydock::navigation {
 enum ErrorBlock { position_error = 0, velocity_error = 3, phi = 6, gyro_bias = 9, accel_bias = 12 };
 
 /// The nonzero rows of F: d/dt of position, velocity and attitude by all 15 states.
-using ErrorDynamics = Eigen::Matrix<double, 9, 15>;
+template <class Real>
+using BasicErrorDynamics = Eigen::Matrix<Real, 9, 15>;
+using ErrorDynamics = BasicErrorDynamics<double>;
 
 /// F at a state with the specific force `force_ned` (m/s2) and the gains of the height loop.
-ErrorDynamics error_dynamics(const NavigationState& state, const Eigen::Vector3d& force_ned,
-                             const HeightLoop& loop = {});
+template <class Real>
+BasicErrorDynamics<Real> error_dynamics(const BasicNavigationState<Real>& state,
+                                        const std::type_identity_t<Eigen::Vector3<Real>>& force_ned,
+                                        const HeightLoop& loop = {});
+
+/// The same where the Earth at the state's position is known already.
+template <class Real>
+BasicErrorDynamics<Real> error_dynamics(const BasicNavigationState<Real>& state,
+                                        const frame::BasicLocalEarth<Real>& earth,
+                                        const Eigen::Vector3<Real>& force_ned,
+                                        const HeightLoop& loop);
 
 /// The columns of each row of F that may differ from zero. Code that uses F skips the others.
 struct ErrorDynamicsRow {

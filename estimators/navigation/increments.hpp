@@ -7,34 +7,40 @@
 namespace drydock::navigation {
 
 /// Increments over `dt` seconds, in the body axes at the begin of this interval.
-struct Increments {
-  Eigen::Vector3d rotation = Eigen::Vector3d::Zero();  ///< rotation vector against inertial, rad
-  Eigen::Vector3d velocity = Eigen::Vector3d::Zero();  ///< integral of specific force, m/s
+template <class Real>
+struct BasicIncrements {
+  Eigen::Vector3<Real> rotation = Eigen::Vector3<Real>::Zero();  ///< against inertial, rad
+  Eigen::Vector3<Real> velocity =
+      Eigen::Vector3<Real>::Zero();  ///< integral of specific force, m/s
   double dt = 0;
 };
+using Increments = BasicIncrements<double>;
 
 /// Savage's two-speed algorithm, for any number of samples per step from one on.
-class IncrementSum {
+template <class Real>
+class BasicIncrementSum {
  public:
+  using Vector = Eigen::Vector3<Real>;
+
   /// The next sample: integrals of angular rate (rad) and specific force (m/s) over `dt`.
-  void add(const Eigen::Vector3d& angle, const Eigen::Vector3d& velocity, double dt);
+  void add(const Vector& angle, const Vector& velocity, double dt);
 
   /// The rotation since the start of the step without the coning term. The error of a moving
   /// vehicle is below 1e-9 rad.
-  const Eigen::Vector3d& angle() const { return angle_; }
+  const Vector& angle() const { return angle_; }
   double dt() const { return dt_; }
   int samples() const { return samples_; }
 
   /// Eq. (N3), (N4). Starts the next step.
-  Increments take();
+  BasicIncrements<Real> take();
 
  private:
-  using Vector = Eigen::Vector3d;
   Vector angle_ = Vector::Zero(), velocity_ = Vector::Zero();
   Vector coning_ = Vector::Zero(), sculling_ = Vector::Zero();
   Vector last_angle_ = Vector::Zero(), last_velocity_ = Vector::Zero();
   double dt_ = 0;
   int samples_ = 0;
 };
+using IncrementSum = BasicIncrementSum<double>;
 
 }  // namespace drydock::navigation

@@ -3,17 +3,19 @@
 #include <Eigen/Geometry>
 #include <optional>
 
-#include "estimators/frame/geodetic.hpp"
+#include "estimators/frame/basic_position.hpp"
 #include "estimators/navigation/increments.hpp"
 
 /// Strapdown inertial navigation on WGS-84, eq. (13) of docs/estimators/navigation.md.
 namespace drydock::navigation {
 
-struct NavigationState {
-  frame::Position position;
-  Eigen::Vector3d velocity_ned = Eigen::Vector3d::Zero();  ///< m/s over ground
-  Eigen::Quaterniond body_to_ned = Eigen::Quaterniond::Identity();
+template <class Real>
+struct BasicNavigationState {
+  frame::BasicPosition<Real> position;
+  Eigen::Vector3<Real> velocity_ned = Eigen::Vector3<Real>::Zero();  ///< m/s over ground
+  Eigen::Quaternion<Real> body_to_ned = Eigen::Quaternion<Real>::Identity();
 };
+using NavigationState = BasicNavigationState<double>;
 
 /// Gains of the third-order loop that corrects the height to a reference, eq. (N5).
 struct HeightLoop {
@@ -26,35 +28,43 @@ struct HeightLoop {
 };
 
 /// Allocates nothing, throws nothing. Not usable at the poles.
-class Sdins {
+template <class Real>
+class BasicSdins {
  public:
-  explicit Sdins(const NavigationState& start, const HeightLoop& loop = {})
+  using Vector = Eigen::Vector3<Real>;
+  using State = BasicNavigationState<Real>;
+
+  explicit BasicSdins(const State& start, const HeightLoop& loop = {})
       : state_(start), loop_(loop) {}
 
   /// One step of eq. (13). `reference_height_m` (above the ellipsoid, up) drives the height loop;
   /// without it the loop keeps its last correction.
-  void step(const Increments& increments, std::optional<double> reference_height_m = {});
+  void step(const BasicIncrements<Real>& increments, std::optional<Real> reference_height_m = {});
 
   /// Removes estimated errors from the state. An error is IN minus truth: position [rad rad m],
   /// velocity m/s, attitude phi with C_IN = (I - phi x) C.
-  void correct(const Eigen::Vector3d& position, const Eigen::Vector3d& velocity,
-               const Eigen::Vector3d& phi);
+  void correct(const Vector& position, const Vector& velocity, const Vector& phi);
 
-  const NavigationState& state() const { return state_; }
+  const State& state() const { return state_; }
   const HeightLoop& loop() const { return loop_; }
 
   /// Mean specific force over the last step, in NED, m/s2.
-  const Eigen::Vector3d& force_ned() const { return force_ned_; }
+  const Vector& force_ned() const { return force_ned_; }
 
  private:
-  NavigationState state_;
+  State state_;
   HeightLoop loop_;
-  Eigen::Vector3d acceleration_ = Eigen::Vector3d::Zero();  ///< dV/dt of the last step
-  Eigen::Vector3d force_ned_ = Eigen::Vector3d::Zero();
-  double loop_acceleration_ = 0;  ///< a of eq. (N5), m/s2 down
+  Vector acceleration_ = Vector::Zero();  ///< dV/dt of the last step
+  Vector force_ned_ = Vector::Zero();
+  Real loop_acceleration_ = 0;  ///< a of eq. (N5), m/s2 down
 };
+using Sdins = BasicSdins<double>;
 
 /// The unit quaternion of a rotation vector. The error is below 1e-15.
 Eigen::Quaterniond quaternion_of(const Eigen::Vector3d& rotation);
+/// The same for any rotation, with sine and cosine.
+Eigen::Quaterniond far_turn(const Eigen::Vector3d& rotation);
+template <class Real>
+Eigen::Quaternion<Real> quaternion_of(const Eigen::Vector3<Real>& rotation);
 
 }  // namespace drydock::navigation

@@ -28,23 +28,29 @@ struct CoupledOptions {
 /// States of the filter after the 15 of the navigation; errors are estimate minus truth.
 enum CoupledState { current_error = 15, log_error = 17, force_error = 19 };
 
-class CoupledNavigation {
+template <class Real>
+class BasicCoupledNavigation {
  public:
-  using Filter = navigation::ErrorFilter<7>;
+  using Filter = navigation::ErrorFilter<7, Real>;
+  using Vector3 = Eigen::Vector3<Real>;
+  using Sway = BasicSwayModel<Real>;
+  using State = navigation::BasicNavigationState<Real>;
 
-  CoupledNavigation(const navigation::NavigationState& start, const hydrodynamics::Vehicle& vehicle,
-                    const CoupledOptions& options);
+  BasicCoupledNavigation(const State& start, const hydrodynamics::BasicVehicle<Real>& vehicle,
+                         const CoupledOptions& options);
 
   /// An IMU sample: integrals of angular rate (rad) and specific force (m/s) over `dt`.
-  void add_imu(const Eigen::Vector3d& angle, const Eigen::Vector3d& velocity, double dt) {
+  void add_imu(const Vector3& angle, const Vector3& velocity, double dt) {
     sum_.add(angle - gyro_bias_ * dt, velocity - accel_bias_ * dt, dt);
   }
 
   /// The height (up) of a depth sensor at the time of the last IMU sample. The next step uses it.
-  void add_height(double height_m) {
+  void add_height(const Real& height_m) {
     innovations_.clear();
-    const double at_start = height_m + sdins_.state().velocity_ned.z() * sum_.dt();
-    if (!passes_height(at_start)) return;
+    const Real at_start = height_m + sdins_.state().velocity_ned.z() * sum_.dt();
+    if constexpr (lanes::alone<Real>) {
+      if (!passes_height(at_start)) return;
+    }
     height_sum_ += at_start;
     ++heights_;
   }
@@ -53,9 +59,9 @@ class CoupledNavigation {
   /// most). Then updates with the sway equation as a measurement, eq. (V6).
   void step(const hydrodynamics::Control& control);
 
-  void update_log(double speed_mps);                           ///< |V| through the water, (V7)
-  void update_longitudinal(double mps);                        ///< u through the water, (V7a)
-  void update_velocity(const Eigen::Vector3d& velocity_body);  ///< over ground, body
+  void update_log(const Real& speed_mps);              ///< |V| through the water, (V7)
+  void update_longitudinal(const Real& mps);           ///< u through the water, (V7a)
+  void update_velocity(const Vector3& velocity_body);  ///< over ground, body
 
   /// Adds these standard deviations to velocity and attitude, each axis.
   void loosen(double velocity_sigma_mps, double angle_sigma_rad) {
@@ -65,13 +71,13 @@ class CoupledNavigation {
     filter_.loosen_biases(gyro_sigma_radps, accel_sigma_mps2);
   }
 
-  const navigation::NavigationState& state() const { return sdins_.state(); }
-  const Filter::Covariance& covariance() const { return filter_.covariance(); }
-  const Eigen::Vector2d& current_ned() const { return current_; }  ///< north, east
-  double log_scale() const { return log_(0); }
-  double log_bias_mps() const { return log_(1); }
-  const SwayModel& sway() const { return sway_; }
-  const Eigen::Vector3d& gyro_bias() const { return gyro_bias_; }
+  const State& state() const { return sdins_.state(); }
+  const typename Filter::Covariance& covariance() const { return filter_.covariance(); }
+  const Eigen::Vector2<Real>& current_ned() const { return current_; }  ///< north, east
+  Real log_scale() const { return log_(0); }
+  Real log_bias_mps() const { return log_(1); }
+  const Sway& sway() const { return sway_; }
+  const Vector3& gyro_bias() const { return gyro_bias_; }
   /// Values of log, DVL and depth outside `navigation.gate_sigma`.
   std::uint64_t rejected() const { return rejected_; }
   const navigation::InnovationTally& taken() const { return taken_; }  ///< values inside it
@@ -79,31 +85,31 @@ class CoupledNavigation {
   const navigation::Innovations& innovations() const { return innovations_; }
 
  private:
-  using Vector = Filter::Vector;
-  Eigen::Vector3d velocity_through_water() const;
+  using Vector = typename Filter::Vector;
+  Vector3 velocity_through_water() const;
   /// Derivatives of C_n^b (V - current) by velocity, phi and current.
-  Eigen::Matrix<double, 3, Filter::stored> water_rows() const;
-  void update(const Vector& row, double residual, double variance);
+  Eigen::Matrix<Real, 3, Filter::stored> water_rows() const;
+  void update(const Vector& row, const Real& residual, double variance);
   bool passes(double innovation, double variance);
   bool passes_height(double height_m);
   /// `row`: the derivatives of the quantity of the log by the states before those of the log;
   /// `value`: the present estimate of this quantity, m/s.
-  void update_by_log(Vector row, double value, double measured_mps);
+  void update_by_log(Vector row, const Real& value, const Real& measured_mps);
   void feed_back(const Vector& errors);
-  void update_height(double sinking_m);  ///< over the step
+  void update_height(const Real& sinking_m);  ///< over the step
   void weigh_hypotheses();
   void reopen_hypotheses();
 
   CoupledOptions options_;
-  navigation::Sdins sdins_;
-  navigation::IncrementSum sum_;
+  navigation::BasicSdins<Real> sdins_;
+  navigation::BasicIncrementSum<Real> sum_;
   Filter filter_;
   Vector noise_;
-  SwayModel sway_;
-  Eigen::Vector3d gyro_bias_ = Eigen::Vector3d::Zero(), accel_bias_ = Eigen::Vector3d::Zero();
-  Eigen::Vector2d current_ = Eigen::Vector2d::Zero(), log_ = Eigen::Vector2d::Zero();
-  Eigen::Vector3d last_rate_ = Eigen::Vector3d::Zero();
-  double height_sum_ = 0;  ///< heights at the start of the step
+  Sway sway_;
+  Vector3 gyro_bias_ = Vector3::Zero(), accel_bias_ = Vector3::Zero();
+  Eigen::Vector2<Real> current_ = Eigen::Vector2<Real>::Zero(), log_ = Eigen::Vector2<Real>::Zero();
+  Vector3 last_rate_ = Vector3::Zero();
+  Real height_sum_ = 0;  ///< heights at the start of the step
   int heights_ = 0;
   bool moving_ = false;  ///< after the first step
   std::uint64_t rejected_ = 0;
@@ -111,10 +117,11 @@ class CoupledNavigation {
   navigation::Innovations innovations_;
   double since_ground_s_ = -1;  ///< -1: no DVL value yet, or none since the weighing
   struct Open {
-    Eigen::Vector4d values;  ///< current, log
-    Eigen::Matrix4d covariance;
+    Eigen::Vector4<Real> values;  ///< current, log
+    Eigen::Matrix4<Real> covariance;
   };
   std::optional<Open> open_;  ///< estimates before the weighing, while the mixture is in use
 };
+using CoupledNavigation = BasicCoupledNavigation<double>;
 
 }  // namespace drydock::velocity

@@ -25,22 +25,27 @@ struct VelocityFilterOptions {
 
 /// The 7-state filter (8)-(12) in a form that feeds its corrections into the simulator. If a() is
 /// evaluated exactly, its numbers are those of the paper. Each sensor has its own rows and may
-/// arrive at any time. Allocates nothing, throws nothing; inputs must be finite.
-class VelocityFilter {
+/// arrive at any time. Allocates nothing, throws nothing; inputs must be finite. `Real`: a double,
+/// or several runs side by side, which have no gate and note no innovations.
+template <class Real>
+class BasicVelocityFilter {
  public:
-  VelocityFilter(const hydrodynamics::Model& model, const Simulated& start,
-                 const VelocityFilterOptions& options = {});
+  using Vector3 = Eigen::Vector3<Real>;
 
-  void predict(const Setting& setting, const hydrodynamics::Control& control, double dt);  ///< (12)
+  BasicVelocityFilter(const hydrodynamics::BasicModel<Real>& model,
+                      const BasicSimulated<Real>& start, const VelocityFilterOptions& options = {});
 
-  bool update_height(double height_m);            ///< rows of (10), (11); true: inside the gate
-  void update_log(double speed_mps);              ///< |V| through the water
-  void update_longitudinal(double mps);           ///< u through the water
-  void update_rate(const Eigen::Vector3d& rate);  ///< against the Earth, body, rad/s
-  void update_velocity(const Eigen::Vector3d& velocity);  ///< of a DVL, body, m/s
+  void predict(const BasicSetting<Real>& setting, const hydrodynamics::Control& control,
+               double dt);  ///< (12)
 
-  Eigen::Vector3d velocity() const { return simulator_.state().velocity.head<3>(); }
-  const Simulated& state() const { return simulator_.state(); }
+  bool update_height(const Real& height_m);       ///< rows of (10), (11); true: inside the gate
+  void update_log(const Real& speed_mps);         ///< |V| through the water
+  void update_longitudinal(const Real& mps);      ///< u through the water
+  void update_rate(const Vector3& rate);          ///< against the Earth, body, rad/s
+  void update_velocity(const Vector3& velocity);  ///< of a DVL, body, m/s
+
+  Vector3 velocity() const { return simulator_.state().velocity.template head<3>(); }
+  const BasicSimulated<Real>& state() const { return simulator_.state(); }
 
   std::uint64_t rejected() const { return rejected_; }                 ///< values outside the gate
   const navigation::InnovationTally& taken() const { return taken_; }  ///< values inside it
@@ -48,22 +53,23 @@ class VelocityFilter {
   const navigation::Innovations& innovations() const { return innovations_; }
 
   /// Covariance of h, u v w, p q r. The eighth row and column are zero and fill the SIMD words.
-  using Covariance = Eigen::Matrix<double, 8, 8>;
+  using Covariance = Eigen::Matrix<Real, 8, 8>;
   const Covariance& covariance() const { return p_; }
-  Eigen::Vector3d velocity_sigma() const { return p_.diagonal().segment<3>(1).cwiseSqrt(); }
+  Vector3 velocity_sigma() const { return p_.diagonal().template segment<3>(1).cwiseSqrt(); }
 
  private:
-  using Vector = Eigen::Matrix<double, 8, 1>;
-  bool passes(double residual, double innovation_variance);
-  bool update_state(int index, double residual, double sigma);  ///< true: inside the gate
-  void apply(const Vector& cross, double innovation_variance, double residual);
+  using Vector = Eigen::Matrix<Real, 8, 1>;
+  bool passes(const Real& residual, const Real& innovation_variance);
+  bool update_state(int index, const Real& residual, double sigma);  ///< true: inside the gate
+  void apply(const Vector& cross, const Real& innovation_variance, const Real& residual);
 
-  Simulator simulator_;
+  BasicSimulator<Real> simulator_;
   VelocityFilterOptions options_;
   Covariance p_ = Covariance::Zero();
   std::uint64_t rejected_ = 0;
   navigation::InnovationTally taken_;
   navigation::Innovations innovations_;
 };
+using VelocityFilter = BasicVelocityFilter<double>;
 
 }  // namespace drydock::velocity

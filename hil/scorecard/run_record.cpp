@@ -63,6 +63,20 @@ class Recording::Recorder final : private host::Follower {
     bench_.set_fault(fault);
   }
 
+  void make_room(const RunRecord& of_like_run) {
+    for (std::size_t i = 0; i < record_.devices.size(); ++i) {
+      auto& device = record_.devices[i];
+      const auto& like = of_like_run.devices.at(i);
+      for (auto& [key, series] : device.series)
+        if (const auto other = like.series.find(key); other != like.series.end())
+          series.samples.reserve(other->second.samples.size());
+      device.arrivals.reserve(like.arrivals.size());
+      device.looks.reserve(like.looks.size());
+    }
+    for (std::size_t i = 0; i < record_.estimators.size(); ++i)
+      record_.estimators[i].reserve(of_like_run.estimators.at(i).size());
+  }
+
   RunRecord finish() {
     bench_.flush();
     return std::move(record_);
@@ -188,6 +202,8 @@ void Recording::run_before(double time_s) {
   const double looks = std::ceil(time_s / poll_s - 0.5) - 1;
   if (looks > 0) recorder_->look_until(static_cast<std::size_t>(looks));
 }
+
+void Recording::make_room(const RunRecord& of_like_run) { recorder_->make_room(of_like_run); }
 
 void Recording::set(const rig_config::FaultConfig& fault) { recorder_->set(fault); }
 

@@ -94,6 +94,9 @@ class Recording {
 
   /// Runs to the last look before this time.
   void run_before(double time_s);
+  /// Takes memory for the rest of a run that is as long as this one, so that what is recorded now
+  /// stays where it is.
+  void make_room(const RunRecord& of_like_run);
   /// Its start counts from the begin of the run, and has not come yet.
   void set(const rig_config::FaultConfig& fault);
   /// Runs to the end; call it last.

@@ -68,6 +68,7 @@ Scorecard play(const rig_config::Rig& asked, const std::vector<Pair>& pairs, con
   const auto begun = [&] {
     auto run = std::make_unique<Recording>(rig, sound);
     run->run_before(options.window.warm_up_s);
+    run->make_room(reference.run());  // else each copy would copy what came before, page by page
     return run;
   };
   const auto shared = may_be_copied(rig) ? begun() : nullptr;

@@ -31,16 +31,17 @@ drivers/doctor             drivers/terminal drivers/text drivers/link drivers/wi
 drivers/host               drivers/diagnosis drivers/shell drivers/device drivers/bus drivers/live drivers/recordings/record drivers/link drivers/io drivers/terminal drivers/wire drivers/measurement rig_config
 drivers/probe              drivers/survey drivers/shell drivers/device drivers/doctor drivers/text drivers/link drivers/io drivers/terminal drivers/capture drivers/wire drivers/measurement
 drivers/monitor            drivers/survey drivers/doctor drivers/diagnosis drivers/host drivers/probe drivers/decode drivers/text drivers/shell drivers/device drivers/bus drivers/link drivers/io drivers/terminal drivers/wire drivers/measurement rig_config
-estimators/frame           drivers/measurement
-estimators/navigation      estimators/frame
+estimators/lanes
+estimators/frame           estimators/lanes drivers/measurement
+estimators/navigation      estimators/lanes estimators/frame
 estimators/smoothing        estimators/navigation estimators/frame
 estimators/calibration      estimators/smoothing estimators/frame
 estimators/leveling        estimators/navigation estimators/frame drivers/measurement
 estimators/mixing          estimators/frame
 estimators/roll            estimators/frame drivers/measurement
-estimators/hydrodynamics   estimators/frame
+estimators/hydrodynamics   estimators/lanes estimators/frame
 estimators/vehicle         estimators/hydrodynamics rig_config
-estimators/velocity        estimators/navigation estimators/hydrodynamics estimators/frame
+estimators/velocity        estimators/lanes estimators/navigation estimators/hydrodynamics estimators/frame
 estimators/pipeline        estimators/leveling estimators/mixing estimators/roll estimators/velocity estimators/navigation estimators/hydrodynamics estimators/frame drivers/measurement
 estimators/consistency     estimators/frame drivers/diagnosis drivers/measurement
 estimators/external        estimators/pipeline estimators/frame drivers/bus drivers/process drivers/text drivers/measurement rig_config/estimator/external

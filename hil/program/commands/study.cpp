@@ -25,6 +25,10 @@ void add_study(CLI::App& app, Command& command) {
   sub->add_option("--cases", options->campaign.cases,
                   "these experiments of the study alone: A,B; velocity has them")
       ->delimiter(',');
+  sub->add_option("--registers", options->campaign.registers,
+                  "velocity: the widest that hold runs side by side; the result does not depend on "
+                  "it; default the widest of the processor")
+      ->check(CLI::IsMember({"off", "sse2", "avx2", "avx512"}));
   sub->add_option("--ephemeris", options->campaign.ephemeris,
                   "roll: GPS navigation file in place of that of 2010-07-01");
   sub->add_option("--json", options->json, "write the figures to this file");

@@ -24,15 +24,17 @@ struct VelocityErrors {
 };
 
 /// The sensor readings of one navigation step.
-struct MeasuredStep {
+template <class Real>
+struct BasicMeasuredStep {
   static constexpr std::size_t samples = RecordedMission::samples_a_step;
-  std::array<Eigen::Vector3d, samples> angle, velocity;
-  std::array<double, samples> height_m;
-  double mean_height_m;
+  std::array<Eigen::Vector3<Real>, samples> angle, velocity;
+  std::array<Real, samples> height_m;
+  Real mean_height_m;
   std::array<hydrodynamics::Control, samples> control;
-  std::optional<double> log_mps;          ///< 2 Hz
-  std::optional<Eigen::Vector3d> ground;  ///< DVL, 1 Hz, body axes, m/s
+  std::optional<Real> log_mps;                 ///< 2 Hz
+  std::optional<Eigen::Vector3<Real>> ground;  ///< DVL, 1 Hz, body axes, m/s
 };
+using MeasuredStep = BasicMeasuredStep<double>;
 
 /// Draws the errors of one run and returns its steps one after another.
 class MeasuredMission {

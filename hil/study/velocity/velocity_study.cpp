@@ -32,19 +32,25 @@ RecordedMission mission_of(const VelocityGroup& group) {
       group.hull, group.current_mps * Eigen::Vector2d{std::cos(towards), std::sin(towards)});
 }
 
-/// Runs every method in every case of a group on the same sensors. `pure` uses no vehicle model and
-/// runs only once.
-std::vector<VelocityTrial> run_group(const VelocityGroup& group, const RecordedMission& mission,
-                                     const hydrodynamics::Vehicle& vehicle, std::uint64_t seed,
-                                     std::size_t run) {
-  std::vector<hydrodynamics::Model> models;
-  for (const auto& which : group.cases)
-    models.push_back(known_model(vehicle, which.coefficient_sigma, seed, run));
-  std::vector<Contender> contenders{{Method::pure, &models[0]}};
-  for (const auto& model : models)
-    for (const auto method : {Method::earlier, Method::paper, Method::ours})
-      contenders.push_back({method, &model});
-  return velocity_trial(mission, errors_of(group), group.gaps, seed, run, contenders);
+/// Runs every method in every case of a group on the same sensors, in the runs `run`, `run` + 1,
+/// ... `pure` uses no vehicle model and runs only once.
+std::vector<std::vector<VelocityTrial>> run_group(const VelocityGroup& group,
+                                                  const RecordedMission& mission,
+                                                  const hydrodynamics::Vehicle& vehicle,
+                                                  const Options& options, std::size_t run,
+                                                  std::size_t runs) {
+  std::vector<std::vector<hydrodynamics::Model>> models(runs);
+  std::vector<std::vector<Contender>> contenders(runs);
+  for (std::size_t k = 0; k < runs; ++k) {
+    for (const auto& which : group.cases)
+      models[k].push_back(known_model(vehicle, which.coefficient_sigma, options.seed, run + k));
+    contenders[k] = {{Method::pure, &models[k][0]}};
+    for (const auto& model : models[k])
+      for (const auto method : {Method::earlier, Method::paper, Method::ours})
+        contenders[k].push_back({method, &model});
+  }
+  return velocity_trials(mission, errors_of(group), group.gaps, options.seed, run, contenders,
+                         registers_for(runs, options.registers));
 }
 
 std::size_t study_group(const VelocityGroup& group, const Options& options, Progress& progress,
@@ -58,9 +64,11 @@ std::size_t study_group(const VelocityGroup& group, const Options& options, Prog
   if (results.track.empty())
     for (std::size_t i = 0; i < instants; ++i)
       results.track.push_back(mission.instants[i * VelocityTrial::steps_an_instant]);
-  const std::size_t done = campaign(
-      group.name, options, progress,
-      [&](std::size_t run) { return run_group(group, mission, vehicle, options.seed, run); },
+  const std::size_t done = campaign_by_batches(
+      group.name, options, registers_for(most_runs, options.registers).width, progress,
+      [&](std::size_t run, std::size_t runs) {
+        return run_group(group, mission, vehicle, options, run, runs);
+      },
       [&](std::size_t, std::vector<VelocityTrial>&& trials) {
         for (std::size_t c = 0; c < cases.size(); ++c) {
           cases[c].methods[0].add(trials[0]);

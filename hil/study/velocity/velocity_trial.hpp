@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "hil/study/velocity/velocity_methods.hpp"
+#include "hil/study/velocity/run_group.hpp"
 
 namespace drydock::study {
 
@@ -32,5 +32,12 @@ std::vector<VelocityTrial> velocity_trial(const RecordedMission& mission,
                                           const VelocityErrors& errors, bool gaps,
                                           std::uint64_t seed, std::size_t run,
                                           std::span<const Contender> contenders);
+
+/// The same for the runs `run`, `run` + 1, ... side by side: one element of `contenders` for each,
+/// with the same methods. There are at most as many as the registers hold.
+std::vector<std::vector<VelocityTrial>> velocity_trials(
+    const RecordedMission& mission, const VelocityErrors& errors, bool gaps, std::uint64_t seed,
+    std::size_t run, std::span<const std::vector<Contender>> contenders,
+    const Registers& registers);
 
 }  // namespace drydock::study

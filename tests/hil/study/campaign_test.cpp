@@ -3,8 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <mutex>
 #include <numeric>
 #include <stdexcept>
 #include <thread>
@@ -127,6 +129,33 @@ TEST(Campaign, WhatARunThrowsEndsIt) {
   };
   EXPECT_THROW(failing(), std::runtime_error);
   EXPECT_LE(watcher.seen.size(), 7U);
+}
+
+TEST(Campaign, BatchesHaveEveryRunOnceAndAreAsManyForEachThread) {
+  Options options{.runs = 21, .jobs = 2};
+  std::mutex mutex;
+  std::vector<std::pair<std::size_t, std::size_t>> batches;
+  std::vector<std::size_t> order;
+  Watcher watcher;
+  const auto collected = campaign_by_batches(
+      "test", options, 8, watcher,
+      [&](std::size_t first, std::size_t runs) {
+        const std::lock_guard lock(mutex);
+        batches.emplace_back(first, runs);
+        std::vector<std::size_t> outcomes(runs);
+        std::iota(outcomes.begin(), outcomes.end(), first);
+        return outcomes;
+      },
+      [&](std::size_t k, std::size_t outcome) {
+        EXPECT_EQ(k, outcome);
+        order.push_back(k);
+      });
+  EXPECT_EQ(collected, 21U);
+  EXPECT_TRUE(std::ranges::is_sorted(order));
+  std::ranges::sort(batches);
+  EXPECT_THAT(batches,
+              ElementsAre(std::pair(0, 5), std::pair(5, 5), std::pair(10, 5), std::pair(15, 6)));
+  EXPECT_EQ(watcher.seen.back(), 21U);
 }
 
 TEST(Campaign, RunsAndStreamsDrawIndependently) {
