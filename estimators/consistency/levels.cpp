@@ -5,8 +5,10 @@ namespace {
 
 /// A gyro that is off by 0.3 deg/s turns the level so fast; no accelerometer drifts so.
 constexpr double fastest_drift_mps3 = 0.05;
-/// Without a velocity the acceleration of the vehicle is an error.
-constexpr double unknown_acceleration_mps2 = 0.5;
+/// Without a velocity the acceleration of the vehicle is an error, and so is what a turn of a speed
+/// ahead makes of it. Nothing pulls the level while that may be large.
+constexpr double unknown_acceleration_mps2 = 0.5, unknown_speed_mps = 10;
+constexpr double most_unknown_mps2 = 1;
 constexpr double acceleration_share = 0.15, change_share = 1, acceleration_memory_s = 2;
 /// A gyro's fault has turned the level; when that no longer goes on, the level begins anew.
 constexpr double usual_memory_s = 60;  // as the level's own
@@ -19,6 +21,10 @@ TestFacts facts_along(std::string_view quantity) {
           .sum_above = fastest_drift_mps3,
           .quantity = quantity,
           .unit = "m/s2"};
+}
+
+double unknown_acceleration(const InertialUnit& unit) {
+  return std::hypot(unknown_acceleration_mps2, unknown_speed_mps * unit.rate().tail<2>().norm());
 }
 
 bool any_fired(const Levels::Unit& unit) {
@@ -47,10 +53,14 @@ void Levels::step(const Moment& moment, const std::optional<Eigen::Vector3d>& ac
   const double change = (known - usual_acceleration_).norm();
   usual_acceleration_ +=
       (known - usual_acceleration_) * std::min(1.0, moment.dt / acceleration_memory_s);
-  const double sigma = acceleration ? acceleration_share * known.norm() + change_share * change
-                                    : unknown_acceleration_mps2;
-  for (std::size_t i = 0; i < units_.size(); ++i)
-    if (tracks_.units[i].running()) step(units_[i], tracks_.units[i], moment, known, sigma);
+  const double of_known = acceleration_share * known.norm() + change_share * change;
+  for (std::size_t i = 0; i < units_.size(); ++i) {
+    InertialUnit& unit = tracks_.units[i];
+    if (!unit.running()) continue;
+    const double sigma = acceleration ? of_known : unknown_acceleration(unit);
+    const bool pulls = acceleration || sigma < most_unknown_mps2;
+    step(units_[i], unit, moment, known, sigma, pulls);
+  }
 }
 
 /// What differs always may be the body's or the Earth's (its turn, the level's own error); straight
@@ -66,12 +76,12 @@ double Levels::unsettled(Unit& unit, const InertialUnit& inertial,
 }
 
 void Levels::step(Unit& unit, InertialUnit& inertial, const Moment& moment,
-                  const Eigen::Vector3d& acceleration, double sigma) {
+                  const Eigen::Vector3d& acceleration, double sigma, bool pulls) {
   if (inertial.level_lost()) {
     for (Test& test : unit.tests) test.restart();
     unit.in_body.setZero(), unit.in_level.setZero();
   }
-  const bool sound = !any_fired(unit);
+  const bool sound = pulls && !any_fired(unit);
   const Eigen::Vector3d difference = inertial.level(acceleration, sound);
   const double turned = sound ? unsettled(unit, inertial, difference, moment.dt) : 0;
   for (int axis = 0; axis < 3; ++axis)

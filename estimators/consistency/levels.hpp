@@ -31,7 +31,7 @@ class Levels {
   static double unsettled(Unit& unit, const InertialUnit& inertial,
                           const Eigen::Vector3d& difference, double dt);
   void step(Unit& unit, InertialUnit& inertial, const Moment& moment,
-            const Eigen::Vector3d& acceleration, double sigma);
+            const Eigen::Vector3d& acceleration, double sigma, bool pulls);
 
   Tracks& tracks_;
   std::vector<Unit> units_;

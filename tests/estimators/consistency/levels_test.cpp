@@ -15,6 +15,9 @@ using namespace measurement;
 /// One inertial unit of a level vehicle that goes straight on and then turns at a constant rate.
 class Vehicle {
  public:
+  /// `knows_velocity`: another device tells the vehicle's velocity.
+  explicit Vehicle(bool knows_velocity = true) : knows_velocity_(knows_velocity) {}
+
   /// `bias`: of the gyros, rad/s.
   void go(double seconds, double turn_radps, const Eigen::Vector3d& bias, double speed_mps) {
     for (const double end_s = t_s_ + seconds; t_s_ < end_s; t_s_ += 0.01) {
@@ -23,7 +26,7 @@ class Vehicle {
       sample.angular_rate = Eigen::Vector3d{0, 0, turn_radps} + bias;
       sample.specific_force = {0, speed_mps * turn_radps, -units::standard_gravity};
       tracks_.units[0].take(sample);
-      if (++samples_ % 20 == 0) step({0, speed_mps * turn_radps, 0});
+      if (++samples_ % 20 == 0) step(Eigen::Vector3d{0, speed_mps * turn_radps, 0});
     }
   }
 
@@ -32,13 +35,16 @@ class Vehicle {
  private:
   void step(const Eigen::Vector3d& acceleration) {
     const Stamp at = Stamp{} + from_seconds(t_s_ + 99.8);
-    if (tracks_.units[0].advance(at)) levels_.step({.at = at, .dt = 0.2}, acceleration);
+    if (tracks_.units[0].advance(at))
+      levels_.step({.at = at, .dt = 0.2},
+                   knows_velocity_ ? std::optional(acceleration) : std::nullopt);
     for (const Test& test : levels_.units()[0].tests)
       most_suspicion_ = std::max(most_suspicion_, test.suspicion());
   }
 
   Tracks tracks_{{}, {}, {}, {InertialUnit(0, {.rate_hz = 100})}, {}, {}, {}};
   Levels levels_{tracks_};
+  bool knows_velocity_;
   double t_s_ = 0, most_suspicion_ = 0;
   long samples_ = 0;
 };
@@ -60,6 +66,22 @@ TEST(Levels, SeeAGyroThatIsOffByHalfADegreeASecondInSuchATurn) {
   vehicle.go(600, 0, {31 * degree_per_hour, 0, 0}, 6);
   vehicle.go(20, 0.114, {31 * degree_per_hour, 0, 0}, 6);
   vehicle.go(10, 0.114, {1800 * degree_per_hour, 0, 0}, 6);
+  EXPECT_EQ(vehicle.most_suspicion(), 1);
+}
+
+/// At 6 m/s and 0.15 rad/s the vehicle is pulled to starboard by 0.9 m/s2, which nobody else knows.
+TEST(Levels, DoNotDoubtAUnitForATurnWhereNobodyKnowsTheSpeed) {
+  Vehicle vehicle(false);
+  vehicle.go(300, 0, {}, 6);
+  for (const double turn : {0.15, -0.15, 0.15}) vehicle.go(60, turn, {}, 6);
+  vehicle.go(120, 0, {}, 6);
+  EXPECT_LT(vehicle.most_suspicion(), 0.5);
+}
+
+TEST(Levels, SeeAGyroThatIsOffStraightAheadWhereNobodyKnowsTheSpeed) {
+  Vehicle vehicle(false);
+  vehicle.go(300, 0, {}, 6);
+  vehicle.go(30, 0, {1800 * degree_per_hour, 0, 0}, 6);
   EXPECT_EQ(vehicle.most_suspicion(), 1);
 }
 
