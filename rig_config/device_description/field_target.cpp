@@ -44,6 +44,9 @@ void read_unit(const Node& table, const FieldContext& context, const TargetRow& 
   std::vector<std::string> allowed;
   for (const WireUnit& unit : wire_units)
     if (unit.dimension == wanted) allowed.emplace_back(unit.name);
+  if (allowed.empty())
+    return add(problems, context, *table.find("per"),
+               fmt::format("{} is nothing that a time divides", row.name));
   const Node* named = table.find("unit");
   const std::string word = named ? named->text : wanted == Dimension{} ? "1" : unit_of_file;
   const WireUnit* unit = find_unit(word);

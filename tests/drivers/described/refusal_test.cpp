@@ -114,6 +114,8 @@ TEST(DescriptionProblems, ContradictionsAreNamed) {
   EXPECT_THAT(sentence("{name = \"x\", good = [1]}"), HasSubstr("only for field = \"valid\""));
   EXPECT_THAT(sentence("{field = \"valid\"}"), HasSubstr("needs 'good'"));
   EXPECT_THAT(sentence("{name = \"x\", per = \"depth_m\"}"), HasSubstr("that is a time"));
+  EXPECT_THAT(sentence("{field = \"depth_m\", unit = \"m\", per = \"interval_s\"}"),
+              HasSubstr("depth_m is nothing that a time divides"));
   EXPECT_THAT(sentence("{name = \"x\", scale = 0}"), HasSubstr("a scale of 0 loses the value"));
   EXPECT_THAT(sentence("{name = \"x\", unit = \"furlong\"}"), HasSubstr("is no unit"));
   EXPECT_THAT(with("[[protocol.sentences]]\nid = \"$PX\"\nfields = [{name = \"x\"}]\n"),
