@@ -1,10 +1,10 @@
 // Takes a picture of a page that is drawn: node shot.cjs BROWSER URL FILE WIDTH HEIGHT TEXT. Waits until the page has figures and says
 // TEXT. If a heading says it, the picture begins there.
-const puppeteer = require('puppeteer-core');
+const openBrowser = require('../npm/browser.cjs');
 const [browserPath, url, file, width, height, text] = process.argv.slice(2);
 
 (async () => {
-  const browser = await puppeteer.launch({ executablePath: browserPath, headless: true, args: ['--no-sandbox', '--disable-gpu'] });
+  const browser = await openBrowser(browserPath);
   const page = await browser.newPage();
   await page.setViewport({ width: Number(width), height: Number(height) });
   await page.goto(url, { waitUntil: 'load' });

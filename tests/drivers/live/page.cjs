@@ -1,7 +1,7 @@
 // Opens the page in a real browser: node page.cjs BROWSER URL FOLDER WIDTH light|dark. Waits until
 // it is drawn and saves a screenshot. Prints the texts on the page and the measurements of the
 // screenshot's pixels.
-const puppeteer = require('puppeteer-core');
+const openBrowser = require('../../npm/browser.cjs');
 const path = require('path');
 const [browserPath, url, folder, width, theme] = process.argv.slice(2);
 
@@ -61,7 +61,7 @@ async function measure({ image, colours, figures }) {
 }
 
 (async () => {
-  const browser = await puppeteer.launch({ executablePath: browserPath, headless: true, args: ['--no-sandbox', '--disable-gpu'] });
+  const browser = await openBrowser(browserPath);
   const page = await browser.newPage();
   const errors = [];
   page.on('pageerror', (error) => errors.push(String(error)));

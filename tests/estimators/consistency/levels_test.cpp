@@ -50,6 +50,7 @@ class Vehicle {
 };
 
 constexpr double degree_per_hour = std::numbers::pi / 180 / 3600;
+const Eigen::Vector3d none = Eigen::Vector3d::Zero();
 
 /// The pull of 60 s leaves 60 s * 9.8 m/s2 * 31 deg/h = 0.09 m/s2, to starboard as long as the
 /// vehicle goes straight on. After half a turn it stands to port: 0.18 m/s2 beside what is usual.
@@ -72,15 +73,15 @@ TEST(Levels, SeeAGyroThatIsOffByHalfADegreeASecondInSuchATurn) {
 /// At 6 m/s and 0.15 rad/s the vehicle is pulled to starboard by 0.9 m/s2, which nobody else knows.
 TEST(Levels, DoNotDoubtAUnitForATurnWhereNobodyKnowsTheSpeed) {
   Vehicle vehicle(false);
-  vehicle.go(300, 0, {}, 6);
-  for (const double turn : {0.15, -0.15, 0.15}) vehicle.go(60, turn, {}, 6);
-  vehicle.go(120, 0, {}, 6);
+  vehicle.go(300, 0, none, 6);
+  for (const double turn : {0.15, -0.15, 0.15}) vehicle.go(60, turn, none, 6);
+  vehicle.go(120, 0, none, 6);
   EXPECT_LT(vehicle.most_suspicion(), 0.5);
 }
 
 TEST(Levels, SeeAGyroThatIsOffStraightAheadWhereNobodyKnowsTheSpeed) {
   Vehicle vehicle(false);
-  vehicle.go(300, 0, {}, 6);
+  vehicle.go(300, 0, none, 6);
   vehicle.go(30, 0, {1800 * degree_per_hour, 0, 0}, 6);
   EXPECT_EQ(vehicle.most_suspicion(), 1);
 }

@@ -1,6 +1,6 @@
 // Drives the page of a run in a real browser: node fault_page.cjs BROWSER URL FOLDER. It tries a fault that is refused, sets
 // one and clears it. It prints the answers of the page and measures screenshots at two widths, light and dark.
-const puppeteer = require('puppeteer-core');
+const openBrowser = require('../../npm/browser.cjs');
 const path = require('path');
 const [browserPath, url, folder] = process.argv.slice(2);
 const looks = [[1280, 'light'], [1280, 'dark'], [400, 'light'], [400, 'dark']];
@@ -40,7 +40,7 @@ async function measure({ image, rects, colours }) {
 }
 
 (async () => {
-  const browser = await puppeteer.launch({ executablePath: browserPath, headless: true, args: ['--no-sandbox', '--disable-gpu'] });
+  const browser = await openBrowser(browserPath);
   const page = await browser.newPage(), bench = await browser.newPage();
   await page.bringToFront();
   const errors = [], seen = { errors, looks: [] };

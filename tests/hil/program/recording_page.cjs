@@ -1,9 +1,9 @@
 // Starts and stops a recording on the page of a run: node recording_page.cjs BROWSER URL PICTURE. Prints what the page says.
-const puppeteer = require('puppeteer-core');
+const openBrowser = require('../../npm/browser.cjs');
 const [browserPath, url, picture] = process.argv.slice(2);
 
 (async () => {
-  const browser = await puppeteer.launch({ executablePath: browserPath, headless: true, args: ['--no-sandbox', '--disable-gpu'] });
+  const browser = await openBrowser(browserPath);
   const page = await browser.newPage(), errors = [];
   page.on('pageerror', (error) => errors.push(String(error)));
   page.on('console', (message) => { if (message.type() === 'error') errors.push(message.text()); });

@@ -1,6 +1,6 @@
 // Opens a report in a real browser: node page.cjs BROWSER FILE PICTURE WIDTH light|dark. Saves a picture, then zooms. Prints what the
 // page says and how its charts stand: their scales, and what a metre and a second are in pixels.
-const puppeteer = require('puppeteer-core');
+const openBrowser = require('../../npm/browser.cjs');
 const [browserPath, file, picture, width, theme] = process.argv.slice(2);
 
 // Runs in the page.
@@ -18,7 +18,7 @@ function read() {
 }
 
 (async () => {
-  const browser = await puppeteer.launch({ executablePath: browserPath, headless: true, args: ['--no-sandbox', '--disable-gpu'] });
+  const browser = await openBrowser(browserPath);
   const page = await browser.newPage(), errors = [], loaded = [];
   page.on('pageerror', (error) => errors.push(String(error)));
   page.on('console', (message) => { if (message.type() === 'error') errors.push(message.text()); });
