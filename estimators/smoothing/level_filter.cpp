@@ -17,8 +17,8 @@ namespace {
 constexpr double any_heading_rad = 1.8138;
 constexpr double any_turn_radps = 0.1;  ///< as at the start of a dive
 constexpr int most_refused = 3;         ///< headings, one after the other
-/// A vehicle manoeuvres in bursts, and the likeliest motion is that of all its hours: the gate takes
-/// what was expected as this much less certain, so that the begins of turns pass.
+/// A vehicle manoeuvres in bursts, and the likeliest motion is that of all its hours: the gate
+/// takes what was expected as this much less certain, so that the begins of turns pass.
 constexpr double burst_factor = 1.6;
 
 double swing_of(const LevelMotion& motion) {

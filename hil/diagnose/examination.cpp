@@ -44,7 +44,8 @@ Outcome Examination::result(const std::string& source, measurement::Stamp end, b
                             bool has_times) const {
   Outcome outcome;
   outcome.source = source;
-  outcome.circumstances = {measurement::seconds(end - start_ - findings_.stepped()), live, has_times};
+  outcome.circumstances = {measurement::seconds(end - start_ - findings_.stepped()), live,
+                           has_times};
   for (const auto device : head_depths_.changed)
     outcome.circumstances.heads_with_depth.push_back(rig_.devices.at(device).name);
   for (const auto* device : devices_)
