@@ -13,7 +13,7 @@
 namespace drydock::probe {
 namespace {
 
-constexpr std::size_t enough = 1u << 22;
+constexpr std::size_t enough_bytes = 1u << 22;
 
 using Buffer = std::vector<std::uint8_t>;
 
@@ -21,7 +21,7 @@ void append(Buffer& all, wire::Bytes some) { all.insert(all.end(), some.begin(),
 
 Buffer read_start(capture::FileBlocks& blocks) {
   Buffer bytes;
-  for (wire::Bytes block = blocks.read(); !block.empty() && bytes.size() < enough;
+  for (wire::Bytes block = blocks.read(); !block.empty() && bytes.size() < enough_bytes;
        block = blocks.read())
     append(bytes, block);
   return bytes;
@@ -45,7 +45,7 @@ Buffer line_bytes(const std::string& file, const Buffer& bytes, std::string& tro
     return carried;
   }
   capture::LineFile line(file, false);
-  for (auto read = line.next(); read && carried.size() < enough; read = line.next())
+  for (auto read = line.next(); read && carried.size() < enough_bytes; read = line.next())
     append(carried, read->bytes);
   trouble = line.trouble();
   return carried;

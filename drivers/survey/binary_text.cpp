@@ -37,9 +37,11 @@ class FieldList {
     identify();
     // A number does not reach over an identifier or the length.
     const std::size_t end = kind_.shortest - tail;
-    for (std::size_t from = guess_.sync, to = from; from < end; from = to + 1) {
-      for (to = from; to < end && !is_known(to);) ++to;
+    for (std::size_t from = guess_.sync; from < end; ++from) {
+      std::size_t to = from;
+      while (to < end && !is_known(to)) ++to;
       for (const Guessed& one : guess_numbers(kind_.frames, from, to)) add(one);
+      from = to;
     }
     if (left_out_ > 0) text_ += fmt::format("  # and {} more that change\n", left_out_);
     if (kind_.longest > kind_.shortest)

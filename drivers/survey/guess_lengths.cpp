@@ -147,7 +147,7 @@ Frames checked_frames(const Tried& tried, const Sum& sum, Bytes capture) {
 
 /// `sum`: the checksum, if it is known.
 BinaryGuess guess_of(const Tried& tried, Bytes capture, std::optional<Sum> sum = {}) {
-  BinaryGuess guess{tried.sync->size, tried.field, std::move(sum), {}};
+  BinaryGuess guess{tried.sync->size, tried.field, sum, {}};
   if (!guess.sum) guess.frames = linked_frames(tried, capture);
   if (!guess.sum && guess.frames.size() < fewest_frames) return {};
   if (!guess.sum) guess.sum = guess_checksum(guess.frames);

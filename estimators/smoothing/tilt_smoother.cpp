@@ -125,9 +125,12 @@ TiltMotion most_likely_motion(std::span<const Tilt> all, const Axis& axis) {
       better = true;
     }
   };
-  for (double step = first_tilt_factor; step > last_tilt_factor; step = std::sqrt(step))
+  double step = first_tilt_factor;
+  while (step > last_tilt_factor) {
     for (auto knob : {&TiltMotion::density, &TiltMotion::lasts_s, &TiltMotion::noise_rad})
       if (!improve(knob, step)) improve(knob, 1 / step);
+    step = std::sqrt(step);
+  }
   return motion;
 }
 

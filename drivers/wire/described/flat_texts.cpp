@@ -21,7 +21,8 @@ FlatText flat_text(const Plan& plan, std::uint16_t place) {
   const auto fields = plan.fields_of(message);
   FlatText text{place, message.first_field, static_cast<std::uint8_t>(fields.size()), 0, {}, {},
                 {}};
-  for (std::uint8_t i = 0; i < fields.size(); ++i) {
+  for (std::size_t n = 0; n < fields.size(); ++n) {
+    const auto i = static_cast<std::uint8_t>(n);
     const Field& field = fields[i];
     if (!field.optional) text.fewest = static_cast<std::uint8_t>(i + 1);
     if (field.type == Type::constant) text.constants.push_back(i);
@@ -73,7 +74,8 @@ FlatTexts::FlatTexts(const Plan& plan) {
     const bool printable = (c >= 0x20 && c <= 0x7E) || c == '\t';
     stops[c] = !printable || c == '*' || plan.starts[c];
   }
-  for (std::uint16_t i = 0; i < plan.messages.size(); ++i) {
+  for (std::size_t m = 0; m < plan.messages.size(); ++m) {
+    const auto i = static_cast<std::uint16_t>(m);
     const Message& message = plan.messages[i];
     if (i == 0 || !joins(plan, plan.messages[i - 1u], message)) {
       families.push_back(family_of(plan, message));
