@@ -17,7 +17,7 @@ struct MonitorOptions {
   std::string protocol;  ///< as in a rig file; empty: probing finds it
   std::shared_ptr<const wire::described::Description> description{};  ///< of `protocol`, if a file
   double duration_s = 0;                                              ///< 0: until Ctrl-C
-  bool once = false;         ///< one table, when every device streams, or after 10 s
+  bool once = false;         ///< one table, when all is well, or after 10 s
   bool start = false;        ///< CANopen nodes are started, as their drivers do
   bool json = false;         ///< JSON Lines, one object for each device, every second
   DisplayUnits units;        ///< of the values, for a person

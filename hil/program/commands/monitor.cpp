@@ -55,9 +55,9 @@ void add_monitor(CLI::App& app, Command& command) {
       "--protocol", a->options.protocol,
       "of a link: its frames, or without a terminal each message as a JSON line; one of " +
           decode::decode_protocols() + "; or a description: valeport-vat.toml");
-  auto* once =
-      sub->add_flag("--once", a->options.once,
-                    "one table, as soon as all stream; exit 1 when something is wrong with one");
+  auto* once = sub->add_flag(
+      "--once", a->options.once,
+      "one table, as soon as all is well, or after 10 s; exit 1 when something is wrong");
   auto* json =
       sub->add_flag("--json", a->options.json, "an object a device each second, JSON Lines");
   auto* bus = sub->add_flag("--bus", a->bus,

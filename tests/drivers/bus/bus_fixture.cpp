@@ -10,10 +10,11 @@ std::uint32_t test_domain() {
 }
 
 std::vector<Measurement> take(Subscriber& subscriber, std::size_t count) {
+  constexpr int wait_ms = std::chrono::milliseconds(patience).count();
   std::vector<Measurement> taken;
   while (taken.size() < count) {
     pollfd waiting{subscriber.fd(), POLLIN, 0};
-    if (::poll(&waiting, 1, 5000) <= 0) break;
+    if (::poll(&waiting, 1, wait_ms) <= 0) break;
     subscriber.take_measurements([&taken](const Measurement& m) { taken.push_back(m); });
   }
   return taken;

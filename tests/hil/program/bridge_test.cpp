@@ -44,10 +44,10 @@ class AutopilotPort {
 
   std::string uri() const { return "udp:127.0.0.1:" + std::to_string(port_); }
 
-  /// Waits for this many deltas, but not for more than 15 s.
+  /// Waits for this many deltas, but not longer than patience lasts.
   std::vector<VisionPositionDelta> deltas(std::size_t wanted) {
     std::vector<VisionPositionDelta> found;
-    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds{15};
+    const auto end = std::chrono::steady_clock::now() + program::patience;
     while (found.size() < wanted && std::chrono::steady_clock::now() < end)
       if (const auto message = receive())
         if (const auto* delta = std::get_if<VisionPositionDelta>(&*message))

@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <array>
+#include <chrono>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -12,6 +13,9 @@
 
 /// Runs the program as a person or a script does.
 namespace program {
+
+/// Patience with a busy machine: nothing waits so long unless it fails.
+inline constexpr std::chrono::seconds patience{60};
 
 struct Outcome {
   int exit_code = -1;

@@ -49,11 +49,12 @@ class Running {
   Running(const Running&) = delete;
   Running& operator=(const Running&) = delete;
 
-  /// True as soon as the program catches the signal. False after 15 s.
+  /// True as soon as the program catches the signal. False when patience is over.
   bool catches(int signal) const {
     const auto path = "/proc/" + std::to_string(pid_) + "/status";
-    for (const auto end = std::chrono::steady_clock::now() + std::chrono::seconds{15};
-         std::chrono::steady_clock::now() < end; std::this_thread::yield()) {
+    for (const auto end = std::chrono::steady_clock::now() + patience;
+         std::chrono::steady_clock::now() < end;
+         std::this_thread::sleep_for(std::chrono::milliseconds{1})) {
       const std::string status = read_file(path);
       const auto mask = status.find("SigCgt:");
       if (mask != std::string::npos &&
@@ -74,9 +75,9 @@ class Running {
 
   std::string output() const { return read_file(output_); }
 
-  /// True as soon as it has printed the text. False after 15 s.
+  /// True as soon as it has printed the text. False when patience is over.
   bool says(const std::string& text) const {
-    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds{15};
+    const auto end = std::chrono::steady_clock::now() + patience;
     while (output().find(text) == std::string::npos) {
       if (std::chrono::steady_clock::now() > end) return false;
       std::this_thread::sleep_for(std::chrono::milliseconds{20});
@@ -84,9 +85,10 @@ class Running {
     return true;
   }
 
-  /// The text between `from` and the end of its line, as soon as it is printed. Empty after 15 s.
+  /// The text between `from` and the end of its line, as soon as it is printed. Empty when it is
+  /// over.
   std::string line_from(const std::string& from) const {
-    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds{15};
+    const auto end = std::chrono::steady_clock::now() + patience;
     while (std::chrono::steady_clock::now() < end) {
       const auto said = output();
       const auto begin = said.find(from);

@@ -33,9 +33,9 @@ class TerminalScreen {
   }
   std::string bytes() const { return read_file(raw_); }  ///< all that the program wrote
 
-  /// The screen as soon as it has the text; the last one after 15 s.
+  /// The screen as soon as it has the text; the last one when patience is over.
   std::string showing(const std::string& wanted) const {
-    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds{15};
+    const auto end = std::chrono::steady_clock::now() + patience;
     std::string seen;
     while (std::chrono::steady_clock::now() < end) {
       seen = text();

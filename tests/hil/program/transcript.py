@@ -3,8 +3,8 @@ Usage: transcript.py PAGE HEADING DRYDOCK SOURCE_FOLDER
 
 The transcript is below the heading, in blocks that begin with ```console. `$ ` begins a command, `> ` continues it, and the next lines
 are its output. Every output line must come, in any order; numbers and paths may differ. `...` stands for lines that are not shown.
-Digits after a letter are no number (pd0 is a name). Bytes in hex are numbers. "0 bad" and "0 lost" must match exactly. A command must
-succeed unless the line after its output is `(exit code N)`."""
+Digits after a letter are no number (pd0 is a name). Bytes in hex are numbers. "0 bad" and "0 lost" must match exactly; in a table of the
+monitor one bad frame may come, that in which it began to listen. A command must succeed unless the line after its output is `(exit code N)`."""
 
 import itertools
 import os
@@ -52,12 +52,13 @@ def code_aside(text):
 
 def pattern_of(line):
     words = []
+    in_table = line.rstrip().endswith(" s") and " age " in line
     for word, following in itertools.pairwise(line.split() + [""]):
         if word.startswith("/"):
             words.append(r"/\S+")
             continue
         if word == "0" and re.match("bad|lost", following):
-            words.append("0")
+            words.append("[01]" if in_table and following == "bad" else "0")
             continue
         if re.fullmatch(r"[0-9A-F]{2}", word):
             words.append(rf"(?:[0-9A-F]{{2}}|{number})")
