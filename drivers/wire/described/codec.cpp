@@ -6,8 +6,6 @@
 namespace drydock::wire::described {
 namespace {
 
-constexpr bool is_letter(std::uint8_t c) { return c >= 'A' && c <= 'Z'; }
-
 Decoded decode_frames(const Plan& plan, Bytes frame, Record& record) {
   for (const Message& message : plan.messages) {
     if (!has_head(message, frame)) continue;
@@ -49,7 +47,7 @@ bool has_head(const Message& message, Bytes bytes) {
   if (bytes.size() < head.size()) return false;
   for (std::size_t i = head.size(); i-- > 0;) {  // sentences differ at the end of their heads
     const bool talker = message.any_talker && (i == 1 || i == 2);
-    if (talker ? !is_letter(bytes[i]) : bytes[i] != static_cast<std::uint8_t>(head[i]))
+    if (talker ? !is_talker(bytes[i]) : bytes[i] != static_cast<std::uint8_t>(head[i]))
       return false;
   }
   return true;

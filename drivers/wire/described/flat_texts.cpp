@@ -10,8 +10,6 @@ namespace {
 
 constexpr std::size_t word_size = 8;
 
-constexpr bool is_letter(std::uint8_t c) { return c >= 'A' && c <= 'Z'; }
-
 bool is_wild(const FlatFamily& family, std::size_t i) {
   return family.any_talker && (i == 1 || i == 2);
 }
@@ -91,7 +89,7 @@ bool begins(const FlatFamily& family, Bytes bytes) {
     return false;
   const std::string& head = family.head;
   if (bytes.size() < head.size()) return false;
-  if (family.any_talker && head.size() > 2 && !(is_letter(bytes[1]) && is_letter(bytes[2])))
+  if (family.any_talker && head.size() > 2 && !(is_talker(bytes[1]) && is_talker(bytes[2])))
     return false;
   const std::size_t known = bytes.size() >= word_size ? std::min(word_size, head.size()) : 0;
   for (std::size_t i = known; i < head.size(); ++i)

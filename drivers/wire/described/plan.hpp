@@ -72,6 +72,9 @@ struct Length {
   std::uint16_t plus = 0;
 };
 
+/// A character of a talker, the two behind the first of a sentence: $GPHDG.
+constexpr bool is_talker(std::uint8_t c) { return c >= 'A' && c <= 'Z'; }
+
 struct Message {
   std::string name;
   std::string head;         ///< text or sync bytes with which it begins
