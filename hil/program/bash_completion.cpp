@@ -1,10 +1,26 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <iterator>
+
 #include "hil/program/completion.hpp"
 #include "hil/program/completion_words.hpp"
 
 namespace drydock::program {
 namespace {
+
+/// The words that an option's value may be, as one argument in the shell. Empty: they are not
+/// known.
+std::string bash_words(const CLI::App& command, const CLI::Option& option) {
+  switch (rig_words_of(command, option)) {
+    case RigWords::devices: return R"sh("$(_drydock_faults "${COMP_WORDS[2]}")")sh";
+    case RigWords::faults: return R"sh("$(_drydock_faults "${COMP_WORDS[2]}" all)")sh";
+    case RigWords::none: break;
+  }
+  auto values = values_of(option);
+  std::ranges::move(shipped_names_of(option), std::back_inserter(values));
+  return values.empty() ? "" : "'" + joined(values) + "'";
+}
 
 /// The arms of the shell's `case "command previous-word"` for one command.
 std::string bash_values(const CLI::App& command) {
@@ -12,11 +28,14 @@ std::string bash_values(const CLI::App& command) {
   for (const auto* option : options_of(command)) {
     if (is_flag(*option)) continue;
     const auto key = fmt::format("'{} {}'", command.get_name(), long_name(*option));
-    if (const auto values = values_of(*option); !values.empty())
-      arms += fmt::format("    {}) COMPREPLY=($(compgen -W '{}' -- \"$cur\")); return ;;\n", key,
-                          joined(values));
-    else if (!takes_file(*option))
+    if (const auto words = bash_words(command, *option); !words.empty()) {
+      arms += fmt::format("    {}) {} {}", key,
+                          takes_list(*option) ? "_drydock_list" : "_drydock_word", words);
+      if (!shipped_names_of(*option).empty()) arms += "; COMPREPLY+=($(compgen -f -- \"$cur\"))";
+      arms += "; return ;;\n";
+    } else if (!takes_file(*option)) {
       arms += fmt::format("    {}) return ;;\n", key);
+    }
   }
   return arms;
 }
@@ -60,11 +79,19 @@ std::string arm(const CLI::App& command, const std::string& does) {
 
 constexpr std::string_view script =
     R"sh(# bash completion for drydock: source <(drydock completion bash)
-# The devices of a rig, or the faults of one of them: drydock fault RIG words says both.
+# The devices of a rig, or the faults of one of them or of all: drydock fault RIG words says both.
 _drydock_faults() {
   drydock fault "$1" words 2>/dev/null | awk -v device="$2" '
     /^[^ ]/ { here = $1; if (device == "") print $1 }
-    /^  [a-z]/ && here == device { print $1 }'
+    /^  [a-z]/ && (here == device || device == "all") && !said[$1]++ { print $1 }'
+}
+# The word that is typed, out of these; the last of a list with commas.
+_drydock_word() { COMPREPLY=($(compgen -W "$1" -- "$cur")); }
+_drydock_list() {
+  local before=''
+  [[ $cur != *,* ]] || before=${cur%,*},
+  COMPREPLY=($(compgen -P "$before" -W "$1" -- "${cur##*,}"))
+  compopt -o nospace 2>/dev/null
 }
 _drydock() {
   local cur=${COMP_WORDS[COMP_CWORD]} prev=${COMP_WORDS[COMP_CWORD - 1]} command=${COMP_WORDS[1]}
@@ -75,10 +102,7 @@ _drydock() {
     return
   fi
   case "$command $prev" in
-@VALUES    'scorecard --devices' | 'characterize --device')
-      COMPREPLY=($(compgen -W "$(_drydock_faults "${COMP_WORDS[2]}")" -- "$cur"))
-      return ;;
-  esac
+@VALUES  esac
   if [[ $cur == -* ]]; then
     case $command in
 @OPTIONS    esac

@@ -2,9 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <sstream>
+#include <utility>
 
+#include "rig_config/device_description/load_description.hpp"
 #include "rig_config/shipped.hpp"
 
 namespace drydock::program {
@@ -21,8 +22,10 @@ std::vector<std::string> values_of(const CLI::Option& option) {
   const std::string& text = option.get_description();
   if (const auto brace = type.find('{'); brace != std::string::npos) {
     list = type.substr(brace + 1, type.find('}') - brace - 1);
-  } else if (const auto one_of = text.find("one of "); one_of != std::string::npos) {
-    list = text.substr(one_of + 7, text.find_first_of(";(", one_of) - one_of - 7);
+  } else {
+    for (const std::string_view before : {"one of ", "out of "})
+      if (const auto at = text.find(before); at != std::string::npos && list.empty())
+        list = text.substr(at + 7, text.find_first_of(";(", at) - at - 7);
   }
   std::vector<std::string> values;
   std::istringstream in(list);
@@ -52,17 +55,44 @@ std::string joined(const std::vector<std::string>& words) {
   return fmt::format("{}", fmt::join(words, " "));
 }
 
-std::vector<std::string> shipped_names_of(const CLI::Option& positional) {
-  using Kind = std::pair<std::string_view, std::string_view>;
-  static constexpr std::array kinds{Kind{"RIG", rig_config::rigs},
-                                    Kind{"VEHICLE", rig_config::vehicles},
-                                    Kind{"GRADE", rig_config::sensors}};
+namespace {
+
+void add_names(std::vector<std::string>& names, std::string_view kind) {
+  for (const auto& file : rig_config::shipped_files(kind)) names.push_back(file.stem().string());
+}
+
+}  // namespace
+
+std::vector<std::string> shipped_names_of(const CLI::Option& option) {
   std::vector<std::string> names;
-  for (const auto& [name, kind] : kinds)
-    if (positional.get_name(true) == name)
-      for (const auto& file : rig_config::shipped_files(kind))
-        names.push_back(file.stem().string());
+  if (option.check_lname("protocol"))
+    for (const auto& built_in : rig_config::built_in_descriptions())
+      names.emplace_back(built_in.name);
+  if (!option.get_positional()) return names;
+  const std::string name = option.get_name(true);
+  using Kind = std::pair<std::string_view, std::string_view>;
+  for (const auto& [argument, kind] :
+       {Kind{"RIG", rig_config::rigs}, Kind{"VEHICLE", rig_config::vehicles},
+        Kind{"GRADE", rig_config::sensors}})
+    if (name == argument) add_names(names, kind);
+  if (name == "EXAMPLE")
+    for (const auto kind : {rig_config::rigs, rig_config::missions, rig_config::sensors,
+                            rig_config::vehicles, rig_config::campaigns})
+      add_names(names, kind);
   return names;
+}
+
+bool takes_list(const CLI::Option& option) {
+  return option.get_delimiter() == ',' || option.check_lname("units");
+}
+
+RigWords rig_words_of(const CLI::App& command, const CLI::Option& option) {
+  const bool is_scorecard = command.get_name() == "scorecard";
+  if (is_scorecard && option.check_lname("faults")) return RigWords::faults;
+  if ((is_scorecard && option.check_lname("devices")) ||
+      (command.get_name() == "characterize" && option.check_lname("device")))
+    return RigWords::devices;
+  return RigWords::none;
 }
 
 }  // namespace drydock::program

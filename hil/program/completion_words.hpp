@@ -1,6 +1,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -10,8 +11,8 @@ namespace drydock::program {
 std::vector<const CLI::App*> commands_of(const CLI::App& app);
 bool is_flag(const CLI::Option& option);
 
-/// The words of "{1,max}" in a type name, or those after "one of " in a description, up to a
-/// semicolon. Empty if any value is allowed.
+/// The words of "{1,max}" in a type name, or those after "one of " or "out of " in a description,
+/// up to a semicolon. Empty if any value is allowed.
 std::vector<std::string> values_of(const CLI::Option& option);
 
 /// True for "TEXT:PATH(existing)", false for a number or a duration.
@@ -24,7 +25,16 @@ std::vector<const CLI::Option*> options_of(const CLI::App& command);
 std::vector<const CLI::Option*> positionals_of(const CLI::App& command);
 std::string joined(const std::vector<std::string>& words);
 
-/// The shipped files that a positional may name: rigs for RIG, and so on. Empty: none.
-std::vector<std::string> shipped_names_of(const CLI::Option& positional);
+/// The shipped files that an argument may name beside other files: rigs for RIG, descriptions for
+/// --protocol, and so on. Empty: none.
+std::vector<std::string> shipped_names_of(const CLI::Option& option);
+
+/// True if the value is a list with commas: kn,bar.
+bool takes_list(const CLI::Option& option);
+
+/// What the shell asks the program for when it completes the values of an option: devices of the
+/// rig at hand, or words of their faults.
+enum class RigWords : std::uint8_t { none, devices, faults };
+RigWords rig_words_of(const CLI::App& command, const CLI::Option& option);
 
 }  // namespace drydock::program

@@ -20,10 +20,21 @@ std::string zsh_text(std::string text) {
   return out;
 }
 
+/// Values, and files beside the names of shipped ones.
 std::string zsh_action(const CLI::Option& option) {
-  if (const auto values = values_of(option); !values.empty())
-    return fmt::format("({})", joined(values));
-  return takes_file(option) ? "_files" : " ";
+  const auto values = values_of(option);
+  if (const auto names = shipped_names_of(option); !names.empty())
+    return fmt::format("{{_files; compadd -- {} {}}}", joined(values), joined(names));
+  if (values.empty()) return takes_file(option) ? "_files" : " ";
+  return takes_list(option) ? fmt::format("{{_values -s , value {}}}", joined(values))
+                            : fmt::format("({})", joined(values));
+}
+
+std::string zsh_value(const CLI::App& command, const CLI::Option& option) {
+  const auto words = rig_words_of(command, option);
+  if (words == RigWords::none) return zsh_action(option);
+  return fmt::format("{{_values -s , value $(_drydock_faults $words[2]{})}}",
+                     words == RigWords::faults ? " all" : "");
 }
 
 /// `'(-o --output)'{-o,--output}'` if the option has a short name (zsh then offers one of both);
@@ -34,18 +45,12 @@ std::string zsh_names(const CLI::Option& option) {
   return fmt::format("'(-{0} {1})'{{-{0},{1}}}'", option.get_snames().front(), name);
 }
 
-std::string zsh_option(const CLI::Option& option) {
+std::string zsh_option(const CLI::App& command, const CLI::Option& option) {
   std::string text = fmt::format("{}[{}]", zsh_names(option), zsh_text(option.get_description()));
   if (is_flag(option)) return text + "'";
   const bool may_be_left_out = option.get_items_expected_min() == 0;
-  return text + fmt::format("{}value:{}'", may_be_left_out ? "::" : ":", zsh_action(option));
-}
-
-/// Files, and the names of shipped ones.
-std::string zsh_place(const CLI::Option& positional) {
-  const auto names = shipped_names_of(positional);
-  if (names.empty()) return zsh_action(positional);
-  return fmt::format("{{_files; compadd -- {}}}", joined(names));
+  return text +
+         fmt::format("{}value:{}'", may_be_left_out ? "::" : ":", zsh_value(command, option));
 }
 
 /// What stands behind the rig: set, a device of the rig, a fault that it can have.
@@ -61,10 +66,11 @@ std::string zsh_fault_places(const CLI::App& fault) {
 
 std::string zsh_command(const CLI::App& command) {
   std::string text = fmt::format("    {})\n      _arguments", command.get_name());
-  for (const auto* option : options_of(command)) text += " \\\n        " + zsh_option(*option);
+  for (const auto* option : options_of(command))
+    text += " \\\n        " + zsh_option(command, *option);
   for (const auto* option : positionals_of(command))
     text += fmt::format(" \\\n        '{}:{}:{}'", option->get_items_expected_max() > 1 ? "*" : "",
-                        option->get_name(true), zsh_place(*option));
+                        option->get_name(true), zsh_action(*option));
   if (command.get_name() == "fault") text += zsh_fault_places(command);
   return text + " ;;\n";
 }
@@ -79,11 +85,11 @@ std::string zsh_completion(const CLI::App& app) {
     cases += zsh_command(*command);
   }
   return fmt::format(R"(#compdef drydock
-# The devices of a rig, or the faults of one of them: drydock fault RIG words says both.
+# The devices of a rig, or the faults of one of them or of all: drydock fault RIG words says both.
 _drydock_faults() {{
   drydock fault "$1" words 2>/dev/null | awk -v device="$2" '
     /^[^ ]/ {{ here = $1; if (device == "") print $1 }}
-    /^  [a-z]/ && here == device {{ print $1 }}'
+    /^  [a-z]/ && (here == device || device == "all") && !said[$1]++ {{ print $1 }}'
 }}
 _drydock() {{
   local -a commands=(

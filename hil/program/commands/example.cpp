@@ -13,7 +13,7 @@ void add_example(CLI::App& app, Command& command) {
   sub->footer(
       "Example: drydock example\n"
       "         drydock example demo > my-rig.toml");
-  sub->add_option("NAME", *name, "prints this one; default a list of all");
+  sub->add_option("EXAMPLE", *name, "prints this one; default a list of all");
   sub->callback([name, &command] {
     command = [name] {
       return name->empty() ? example::list(stdout, stderr) : example::show(*name, stdout, stderr);

@@ -72,6 +72,20 @@ TEST(BashCompletion, KnowsTheDevicesAndFaultsOfTheRigAtHand) {
   EXPECT_EQ(bash_offers("drydock scorecard rig_config/rigs/demo.toml --devices im"), "imu\n");
 }
 
+TEST(BashCompletion, KnowsUnitsExamplesAndDescriptions) {
+  EXPECT_EQ(bash_offers("drydock monitor demo --units k"), "kn km/h kPa\n");
+  EXPECT_EQ(bash_offers("drydock monitor demo --units kn,ba"), "kn,bar\n");
+  EXPECT_EQ(bash_offers("drydock example bluero"), "bluerov2\n");
+  EXPECT_EQ(bash_offers("drydock decode --protocol valep"), "valeport-vat.toml\n");
+}
+
+TEST(BashCompletion, KnowsTheFaultsOfAllDevicesOfTheRigAtHand) {
+  const std::string scorecard = "drydock scorecard rig_config/rigs/demo.toml ";
+  EXPECT_EQ(bash_offers(scorecard + "--faults bottom"), "bottom-lost\n");
+  EXPECT_EQ(bash_offers(scorecard + "--faults flip,unp"), "flip,unplug\n");
+  EXPECT_EQ(bash_offers(scorecard + "--devices dvl,im"), "dvl,imu\n");
+}
+
 /// Runs an interactive zsh on each line, in a folder with two files, and returns its completions
 /// for the last word.
 class Zsh : public testing::Test {
@@ -88,7 +102,8 @@ class Zsh : public testing::Test {
   std::string offers(const std::string& line) const {
     const auto offered =
         drydock("--version >/dev/null; cd " + (folder_ / "pier").string() +
-                "; zsh -f " DRYDOCK_SOURCE_DIR "/tests/hil/program/zsh_offers.zsh " +
+                "; PATH=$(dirname " DRYDOCK_PROGRAM "):$PATH zsh -f " DRYDOCK_SOURCE_DIR
+                "/tests/hil/program/zsh_offers.zsh " +
                 (folder_ / "").string() + " '" + line + "'");
     EXPECT_EQ(offered.exit_code, 0) << offered.output;
     return offered.output;
@@ -132,6 +147,13 @@ TEST_F(Zsh, OffersFilesForARigAndForWhatAnOptionWrites) {
 TEST_F(Zsh, OffersManoeuvresAndStudies) {
   EXPECT_EQ(offers("drydock maneuver a.toml "), "dive\nspiral\nturning-circle\nzigzag\n");
   EXPECT_EQ(offers("drydock study "), "calibration\nleveling\nmixing\nroll\nvelocity\n");
+}
+
+TEST_F(Zsh, OffersUnitsExamplesDescriptionsAndFaults) {
+  EXPECT_EQ(offers("drydock monitor pier.toml --units k"), "kPa\nkm/h\nkn\n");
+  EXPECT_EQ(offers("drydock example bluero"), "bluerov2\n");
+  EXPECT_EQ(offers("drydock decode --protocol valep"), "valeport-vat.toml\n");
+  EXPECT_EQ(offers("drydock scorecard demo --faults bottom"), "bottom-lost\n");
 }
 
 TEST_F(Zsh, TakesTheCompletionFromSourceToo) {
