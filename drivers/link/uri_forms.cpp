@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 #include <charconv>
+#include <cstring>
 #include <system_error>
 
 #include "drivers/capture/format.hpp"
@@ -54,6 +55,16 @@ bool is_interface(std::string_view text) {
          });
 }
 
+/// True for the name of a bus in a capture, of a serial line (/dev/ttyUSB0), or of who spoke on a
+/// network (10.0.0.7:16171).
+bool is_recorded_line(std::string_view text) {
+  constexpr std::size_t longest = 64;
+  return !text.empty() && text.size() <= longest &&
+         std::all_of(text.begin(), text.end(), [](unsigned char c) {
+           return std::isalnum(c) != 0 || std::strchr("_-.:/[]", c) != nullptr;
+         });
+}
+
 bool is_name(std::string_view text) {
   return !text.empty() && text.find('/') == std::string_view::npos;
 }
@@ -99,6 +110,8 @@ constexpr Key format{"format",
                      "ydwg ikonvert savvycan python-can",
                      is_capture_format};
 constexpr Key interface { "interface", "up to 15 letters, digits, _ - .", is_interface };
+constexpr Key recorded_line{"interface", "up to 64 letters, digits, _ - . : / [ ]",
+                            is_recorded_line};
 constexpr Key from{"from", "an IP address in numbers", is_address};
 constexpr Key fd{"fd", "0 1", is_flag};
 constexpr Key echo{"echo", "0 1", is_flag};
@@ -140,7 +153,7 @@ constexpr std::array<Form, 10> forms{{
      "a path",
      "file:dive.log?speed=1&baud=38400",
      is_path,
-     {speed, baud, bits, parity, stop, format, interface, clock}},
+     {speed, baud, bits, parity, stop, format, recorded_line, clock}},
     {Scheme::memory,
      "memory",
      "a name without /",

@@ -3,11 +3,10 @@
 #include <fmt/format.h>
 
 #include <boost/asio/error.hpp>
-#include <cstring>
 
 #include "drivers/capture/arrival_times.hpp"
-#include "drivers/capture/byte_content.hpp"
 #include "drivers/capture/foreign_content.hpp"
+#include "drivers/capture/line_file.hpp"
 #include "drivers/doctor/holders.hpp"
 #include "drivers/link/can/frame_file.hpp"
 #include "drivers/link/clock.hpp"
@@ -22,15 +21,15 @@ namespace {
 using link::Carries;
 using link::Stamp;
 
-std::string with_baud(const std::string& uri, unsigned baud) {
-  return fmt::format("{}{}baud={}", uri, uri.find('?') == std::string::npos ? '?' : '&', baud);
+std::string with_key(const std::string& uri, std::string_view key, std::string_view value) {
+  return fmt::format("{}{}{}={}", uri, uri.find('?') == std::string::npos ? '?' : '&', key, value);
 }
 
 /// Parses the URI. If the rate is missing it puts one in: the probe searches for the rate.
 boost::system::result<link::Uri, link::UriError> parse_without_baud(const std::string& text) {
   const bool missing = text.starts_with("serial:") && text.find("baud=") == std::string::npos;
   if (!missing) return link::parse_uri(text);
-  return link::parse_uri(with_baud(text, 9600));
+  return link::parse_uri(with_key(text, "baud", "9600"));
 }
 
 /// True if the capture keeps when its frames arrived.
@@ -64,9 +63,13 @@ bool read_frames(const link::Uri& uri, const survey::BusSurvey::Descriptions& de
   return true;
 }
 
-/// The rates of a recording's sensors: by the device's own clock, else none.
+constexpr double shortest_s = 0.5;  // what came at once tells no rate
+
+/// The rates of a line's sensors: by the times of arrival that the capture keeps, else by the
+/// device's own clock, else none.
 void note_times(const link::Uri& uri, const ProbeOptions& options, ProbeReport& report) {
   for (auto& found : report.devices) {
+    if (found.link != uri.text) continue;
     device::DriverOptions driver;
     driver.kind = found.kind;
     driver.protocol = found.protocol;
@@ -74,35 +77,61 @@ void note_times(const link::Uri& uri, const ProbeOptions& options, ProbeReport& 
       for (const auto& description : *list)
         if (description->name == found.protocol) driver.description = description;
     const auto clock = shell::clock_of(uri, driver, device::Travels::as_bytes);
-    found.rate_hz = clock.usual_rate_hz();
+    if (clock.pace != shell::Pace::arrival || report.listened_s < shortest_s)
+      found.rate_hz = clock.usual_rate_hz();
     if (clock.pace == shell::Pace::device)
       report.listened_s = std::max(report.listened_s, clock.seconds());
     report.notes.push_back(found.name + ": " + clock.in_words());
   }
 }
 
-/// Surveys a byte capture. Bytes have no times of their own: only the device can tell them.
-bool read_bytes(const link::Uri& uri, const ProbeOptions& options, ProbeReport& report) {
-  capture::FileBlocks blocks(uri.target);
-  capture::ByteContent content(uri.text_of("format") == "raw");
+/// Surveys a line of bytes in a capture.
+bool read_line(const link::Uri& uri, const ProbeOptions& options, ProbeReport& report) {
+  capture::LineFile line(uri.target, uri.text_of("format") == "raw",
+                         std::string(uri.text_of("interface")));
   survey::ByteSurvey survey(options.descriptions, options.shipped);
-  for (wire::Bytes block = blocks.read(); !block.empty(); block = blocks.read()) {
-    if (survey.bytes() == 0)
-      if (const auto advice = capture::foreign_content(block); !advice.empty())
-        report.notes.emplace_back(advice);
-    survey.feed(content.of(block), Stamp{});
+  std::optional<std::chrono::nanoseconds> first, last;
+  while (const auto read = line.next()) {
+    if (!first) first = read->time;
+    last = read->time;
+    survey.feed(read->bytes, Stamp{last.value_or(std::chrono::nanoseconds{})});
   }
-  if (blocks.error() != 0) {
-    report.notes.push_back(
-        fmt::format("cannot read {}: {}", uri.target, std::strerror(blocks.error())));
+  if (auto trouble = line.trouble(); !trouble.empty()) {
+    report.notes.push_back(std::move(trouble));
     return false;
   }
   survey.finish();
-  if (content.is_hex())
-    report.notes.emplace_back("hexadecimal text, read as the bytes that it means");
-  note_line(survey, "", uri.text, report);
+  if (first && last)
+    report.listened_s = std::max(report.listened_s, measurement::seconds(*last - *first));
+  if (line.is_hex()) report.notes.emplace_back("hexadecimal text, read as the bytes that it means");
+  note_line(survey, std::string(uri.text_of("interface")), uri.text, report);
   note_times(uri, options, report);
   return true;
+}
+
+/// Every line of a file of packets that said something, as if it were the file's only one.
+bool read_lines(const link::Uri& uri, const ProbeOptions& options, ProbeReport& report) {
+  capture::LineFile all(uri.target, false, "*");
+  while (all.next()) continue;
+  report.has_lines = true;
+  bool any = false;
+  for (const auto& line : all.lines()) {
+    if (line.bytes == 0) continue;
+    const auto one = link::parse_uri(with_key(uri.text, "interface", line.name));
+    any = (one && read_line(*one, options, report)) || any;
+  }
+  return any;
+}
+
+/// Surveys a capture of bytes.
+bool read_bytes(const link::Uri& uri, const ProbeOptions& options, ProbeReport& report) {
+  const bool raw = uri.text_of("format") == "raw";
+  const bool several = !raw && uri.text_of("interface").empty() && capture::has_packets(uri.target);
+  if (several && read_lines(uri, options, report)) return true;
+  if (const auto advice = capture::foreign_content(capture::FileBlocks(uri.target).read());
+      !advice.empty())
+    report.notes.emplace_back(advice);
+  return !several && read_line(uri, options, report);
 }
 
 /// Other programs that have the port open, in words: each byte goes to only one of them.

@@ -108,7 +108,7 @@ std::string rate_text(std::optional<double> rate_hz) {
   return rate_hz ? fmt::format(" at {:.3g} Hz", *rate_hz) : std::string();
 }
 
-void print_attempt(const LineAttempt& attempt, bool is_best, std::FILE* out) {
+void print_attempt(const LineAttempt& attempt, bool in_full, std::FILE* out) {
   const std::string setting = attempt.setting.empty() ? "the line" : attempt.setting;
   if (attempt.findings.empty()) {
     fmt::print(out, "  {}: {} bytes, no frame of any protocol\n", setting, attempt.bytes);
@@ -117,7 +117,7 @@ void print_attempt(const LineAttempt& attempt, bool is_best, std::FILE* out) {
   const auto& best = attempt.findings.front();
   fmt::print(out, "  {}: {} ({}): {}\n", setting, best.protocol, to_string(best.confidence),
              survey::reasons(best));
-  if (!is_best) return;
+  if (!in_full) return;
   for (const auto& m : best.messages)
     fmt::print(out, "    {:<10} {:>6}{}\n", m.type, m.count, rate_text(m.rate_hz));
   for (const auto& u : best.unread)
@@ -218,7 +218,7 @@ void print_text(const ProbeReport& report, std::FILE* out) {
   fmt::print(out, "{}: listened for {:.1f} s{}\n", report.link, report.listened_s,
              report.interrupted ? ", interrupted" : "");
   for (std::size_t i = 0; i < report.attempts.size(); ++i)
-    print_attempt(report.attempts[i], i + 1 == report.attempts.size(), out);
+    print_attempt(report.attempts[i], report.has_lines || i + 1 == report.attempts.size(), out);
   print_bus(report, out);
   if (!report.shared_with.empty()) fmt::print(out, "  {}\n", shared_text(report));
   for (const auto& note : report.notes) fmt::print(out, "  {}\n", note);

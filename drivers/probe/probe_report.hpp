@@ -24,6 +24,7 @@ struct ProbeReport {
   double listened_s = 0;
   bool interrupted = false;
   std::vector<LineAttempt> attempts;  ///< byte lines; the best last
+  bool has_lines = false;             ///< a file of packets: each attempt is a line of its own
   std::uint64_t frames = 0;           ///< number of CAN frames
   std::vector<survey::Node> nodes;
   std::vector<survey::Complaint> complaints;

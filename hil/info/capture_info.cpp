@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "drivers/capture/capture_file.hpp"
+#include "hil/info/utc.hpp"
 
 namespace drydock::info {
 namespace {
@@ -16,8 +17,14 @@ void add(const capture::Record& record, CaptureInfo& info) {
   ++info.interfaces[std::string(record.interface)];
   ++info.identifiers[record.frame.id];
   if (!record.time) return;
-  if (info.last) info.longest = std::max(info.longest, *record.time - *info.last);
-  if (!info.first) info.first = record.time;
+  if (!info.first) info.first = info.last = record.time;
+  const auto since_latest = *record.time - *info.last;
+  if (since_latest < since_latest.zero()) {
+    ++info.behind;
+    info.most_behind = std::max(info.most_behind, -since_latest);
+    return;
+  }
+  info.longest = std::max(info.longest, since_latest);
   info.last = record.time;
 }
 
@@ -48,7 +55,12 @@ std::string to_text(const CaptureInfo& info) {
     text += fmt::format(", {:.1f} s, {:.1f} frames a second, longest gap {:.3f} s",
                         info.duration_s(), static_cast<double>(info.frames) / info.duration_s(),
                         std::chrono::duration<double>(info.longest).count());
+  if (info.first) text += utc::from(*info.first);
   text += '\n';
+  if (info.behind > 0)
+    text += fmt::format(
+        "the clock went back: {} frames have times before an earlier frame's, by up to {:.3f} s\n",
+        info.behind, std::chrono::duration<double>(info.most_behind).count());
   for (const auto& [name, frames] : info.interfaces)
     text +=
         fmt::format("interface {}: {} frames\n", name.empty() ? "without a name" : name, frames);
@@ -63,7 +75,10 @@ std::string to_json(const CaptureInfo& info) {
       {"size", info.size},
       {"frames", info.frames},
       {"duration_s", info.duration_s()},
+      {"begin", info.first ? utc::text(*info.first) : ""},
       {"longest_gap_s", std::chrono::duration<double>(info.longest).count()},
+      {"frames_behind", info.behind},
+      {"most_behind_s", std::chrono::duration<double>(info.most_behind).count()},
       {"interfaces", info.interfaces},
       {"identifiers", info.identifiers.size()},
       {"damage", info.damage}};

@@ -43,6 +43,7 @@ int of_capture(const std::string& file, bool json, std::FILE* out) {
   const auto frames = capture_info(file);
   if (!lines.empty() && (!frames || frames->frames == 0)) {
     fmt::print(out, "{}", json ? to_json(file, lines) : to_text(file, lines));
+    if (!json) probe::print_text(probe::find_sensors("file:" + file + "?speed=max", 0), out);
     return terminal::exit_success;
   }
   if (frames) fmt::print(out, "{}", json ? to_json(*frames) : to_text(*frames));

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "drivers/capture/line_file.hpp"
+#include "hil/info/utc.hpp"
 
 namespace drydock::info {
 namespace {
@@ -51,8 +52,8 @@ std::string to_text(const std::string& file, const std::vector<LineInfo>& lines)
   std::string text = fmt::format("{}: {}, {} {}\n", file, format_of(file), lines.size(),
                                  serial ? "serial lines" : "lines");
   for (const auto& line : lines)
-    text += fmt::format("line {}: {} reads, {} bytes, {:.1f} s\n", line.name, line.reads,
-                        line.bytes, covered_s(line));
+    text += fmt::format("line {}: {} reads, {} bytes, {:.1f} s{}\n", line.name, line.reads,
+                        line.bytes, covered_s(line), line.first ? utc::from(*line.first) : "");
   return text;
 }
 
@@ -62,6 +63,7 @@ std::string to_json(const std::string& file, const std::vector<LineInfo>& lines)
     list.push_back({{"name", line.name},
                     {"reads", line.reads},
                     {"bytes", line.bytes},
+                    {"begin", line.first ? utc::text(*line.first) : ""},
                     {"duration_s", covered_s(line)}});
   return nlohmann::json{{"file", file}, {"format", format_of(file)}, {"lines", list}}.dump(2) +
          "\n";

@@ -1,18 +1,12 @@
-#include <fmt/chrono.h>
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
 
 #include "hil/info/recording_info.hpp"
+#include "hil/info/utc.hpp"
 
 namespace drydock::info {
 namespace {
-
-std::string utc(record::Stamp at) {
-  return fmt::format("{:%Y-%m-%dT%H:%M:%S}Z",
-                     std::chrono::time_point_cast<std::chrono::seconds>(
-                         std::chrono::sys_time<std::chrono::nanoseconds>(at.time_since_epoch())));
-}
 
 std::string lines_of(std::string_view head, const std::map<std::string, TopicInfo>& all,
                      record::Stamp begin) {
@@ -43,11 +37,11 @@ nlohmann::json json_of(const std::map<std::string, TopicInfo>& all, record::Stam
 }  // namespace
 
 std::string to_text(const RecordingInfo& info) {
-  std::string text =
-      fmt::format("{}: MCAP recording, {:.1f} MB, {:.1f} s from {}\nwritten by {}{}\n", info.file,
-                  static_cast<double>(info.size) / 1e6, info.duration_s(), utc(info.begin),
-                  info.written_by.empty() ? "another program" : info.written_by,
-                  info.rig.empty() ? "" : ", rig " + info.rig);
+  std::string text = fmt::format("{}: MCAP recording, {:.1f} MB, {:.1f} s{}\nwritten by {}{}\n",
+                                 info.file, static_cast<double>(info.size) / 1e6, info.duration_s(),
+                                 utc::from(info.begin.time_since_epoch()),
+                                 info.written_by.empty() ? "another program" : info.written_by,
+                                 info.rig.empty() ? "" : ", rig " + info.rig);
   for (const auto& [link, devices] : info.devices)
     text += fmt::format("link {}: {}\n", link, fmt::join(devices, ", "));
   text += lines_of("links", info.links, info.begin) + lines_of("topics", info.topics, info.begin);
@@ -69,7 +63,7 @@ std::string to_json(const RecordingInfo& info) {
   const nlohmann::json all = {{"file", info.file},
                               {"format", "mcap"},
                               {"size", info.size},
-                              {"begin", utc(info.begin)},
+                              {"begin", utc::text(info.begin.time_since_epoch())},
                               {"duration_s", info.duration_s()},
                               {"written_by", info.written_by},
                               {"rig", info.rig},

@@ -113,6 +113,35 @@ TEST(Info, OfACandumpLogHasItsFramesInterfacesAndGap) {
   EXPECT_DOUBLE_EQ(info["longest_gap_s"], 2.5);
 }
 
+TEST(Info, OfACaptureWithDatesSaysWhenItBegan) {
+  const Folder folder;
+  std::ofstream(folder / "t.log") << "(1700000000.000000) can0 123#11\n";
+  const auto said = drydock("info " + (folder / "t.log").string());
+  EXPECT_THAT(said.output, HasSubstr("from 2023-11-14T22:13:20Z"));  // by `date -u -d @1700000000`
+  std::ofstream(folder / "own.log") << "(1.000000) can0 123#11\n";   // counts from its own start
+  EXPECT_THAT(drydock("info " + (folder / "own.log").string()).output,
+              testing::Not(HasSubstr("from ")));
+}
+
+TEST(Info, AClockThatWasSetIsNoGap) {
+  const Folder folder;
+  std::ofstream(folder / "t.log") << "(1700000000.000000) can0 123#11\n"
+                                     "(1699990000.000000) can0 123#22\n"
+                                     "(1699990000.500000) can0 123#22\n"
+                                     "(1700000001.000000) can0 123#33\n";
+  const auto said = drydock("info " + (folder / "t.log").string()).output;
+  EXPECT_THAT(said, HasSubstr("longest gap 1.000 s"));
+  EXPECT_THAT(said, HasSubstr("the clock went back: 2 frames have times before an earlier frame's, "
+                              "by up to 10000.000 s"));
+}
+
+TEST(Info, OfPacketsOfSerialLinesNamesTheProtocolOfEach) {
+  const auto said = drydock("info fixtures/install/two-lines.pcapng");
+  EXPECT_THAT(said.output, HasSubstr("line log: 6 reads, 99 bytes, 2.0 s, from "));
+  EXPECT_THAT(said.output,
+              HasSubstr("other: nmea0183 (likely): 3 good frames, 0 bad; 100 % of 102 bytes"));
+}
+
 TEST(Info, OfBytesNamesTheProtocol) {
   const auto said = drydock("info fixtures/pd0/golden.pd0");
   EXPECT_EQ(said.exit_code, 0);

@@ -63,6 +63,22 @@ TEST(SerialPcapng, IsToldByInfo) {
   EXPECT_THAT(drydock(std::string("info ") + two).output, HasSubstr("2 serial lines"));
 }
 
+TEST(SerialPcapng, IsProbedLineByLineWithARigBlockForEach) {
+  const auto probed = drydock(std::string("probe file:") + two + "?speed=max");
+  EXPECT_EQ(probed.exit_code, 0);
+  EXPECT_THAT(probed.output,
+              HasSubstr("log: nmea0183 (likely): 3 good frames, 0 bad; 100 % of 99"));
+  EXPECT_THAT(probed.output,
+              HasSubstr("other: nmea0183 (likely): 3 good frames, 0 bad; 100 % of 102"));
+  const Folder folder;
+  auto blocks = probed.output.substr(probed.output.find("[[device]]"));
+  for (auto at = blocks.find("file:f"); at != std::string::npos; at = blocks.find("file:f", at))
+    blocks.insert(at + 5, DRYDOCK_SOURCE_DIR "/");
+  std::ofstream(folder / "rig.toml") << "[rig]\nname = \"two\"\n" << blocks;
+  const auto run = drydock("run --speed max --for 5s " + (folder / "rig.toml").string());
+  EXPECT_EQ(run.exit_code, 0) << run.output;
+}
+
 TEST(SerialPcapng, OfAnExportGivesTheMeasurementsOfTheRecording) {
   const Folder folder;
   const std::string dive = (folder / "d.mcap").string(), packets = (folder / "d.pcapng").string();
