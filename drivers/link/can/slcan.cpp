@@ -24,8 +24,9 @@ using namespace std::chrono_literals;
 constexpr std::size_t read_size = 512;
 constexpr std::size_t most_frames_per_read = 128;  // the shortest line has 4 bytes
 
-/// An adapter answers a command within milliseconds; one behind a radio or a network needs more.
-constexpr auto answer_patience = 500ms;
+/// An adapter answers a command within milliseconds; one behind a radio or a network needs more,
+/// and so does a busy host. One that has not answered anything yet may be one that never does.
+constexpr auto first_answer_patience = 500ms, answer_patience = 2000ms;
 /// Some adapters answer the empty line as well as C: nothing more comes after this silence.
 constexpr auto quiet_after = 50ms;
 
@@ -127,7 +128,7 @@ Task<void> SlcanLink::close_first() {
   silent_ = true;
   answer_.reset();
   if (const auto written = co_await line_->write(bytes_of(closing)); !written) co_return written;
-  if (const auto heard = co_await hear_for(answer_patience); !heard) co_return heard;
+  if (const auto heard = co_await hear_for(first_answer_patience); !heard) co_return heard;
   while (answer_) {
     answer_.reset();
     if (const auto heard = co_await hear_for(quiet_after); !heard) co_return heard;
@@ -142,7 +143,8 @@ Task<void> SlcanLink::command(std::string_view text) {
   answer_.reset();
   const std::string line = std::string(text) + "\r";
   if (const auto written = co_await line_->write(bytes_of(line)); !written) co_return written;
-  if (const auto heard = co_await hear_for(answer_patience, true); !heard) co_return heard;
+  const auto limit = silent_ ? first_answer_patience : answer_patience;
+  if (const auto heard = co_await hear_for(limit, true); !heard) co_return heard;
   if (answer_ == Answer::refused) co_return slcan_refused(text);
   if (!answer_ && !silent_ && frames_.empty()) co_return slcan_unanswered(text);
   co_return boost::system::result<void>{};

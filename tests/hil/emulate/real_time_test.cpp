@@ -106,7 +106,7 @@ TEST_F(RealTime, ALineOf4800BaudCarriesNoMoreThanItsRate) {
   listen_bytes(uri);
   run(emulator, std::chrono::milliseconds{1500});
   const double elapsed = measurement::seconds(link::now() - begin);
-  EXPECT_LE(heard_.size(), elapsed * 480 + 2);
+  EXPECT_LE(heard_.size(), elapsed * 480 + 4);  // a block of a UART's FIFO and the byte in it
   EXPECT_GT(heard_.size(), 300);
   EXPECT_GT(emulator.counters().lost, 0u);  // the line cannot carry twenty samples a second
   EXPECT_EQ(static_cast<std::uint64_t>(hooks), emulator.counters().messages);
