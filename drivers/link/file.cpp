@@ -23,7 +23,7 @@ class FileLink final : public ByteLink {
   FileLink(const asio::any_io_executor& executor, const Uri& uri, double bytes_per_second,
            measurement::MessageTimes messages)
       : executor_(executor),
-        file_(uri.target, uri.text_of("format") == "raw"),
+        file_(uri.target, uri.text_of("format") == "raw", std::string(uri.text_of("interface"))),
         bytes_per_second_(bytes_per_second),
         speed_(uri.speed().value_or(1)),
         messages_(std::move(messages)),
@@ -105,6 +105,26 @@ Task<ReceivedBytes> FileLink::read(std::span<std::uint8_t> into) {
   co_return ReceivedBytes{size, now()};
 }
 
+/// When the reads of a line in a file of packets came, from the first time in the file on: its
+/// lines keep their distances.
+boost::system::result<measurement::MessageTimes, OpenError> times_of_reads(const Uri& uri) {
+  capture::LineFile all(uri.target, false, "*");
+  const auto first = all.next();
+  capture::LineFile line(uri.target, false, std::string(uri.text_of("interface")));
+  measurement::MessageTimes times;
+  if (first && first->time) times.push_back({0, *first->time});
+  std::uint64_t through = 0;
+  while (const auto read = line.next()) {
+    through += read->bytes.size();
+    if (!read->time) continue;
+    times.push_back(
+        {through, times.empty() ? *read->time : std::max(times.back().at, *read->time)});
+  }
+  if (auto trouble = line.trouble(); !trouble.empty())
+    return OpenError{asio::error::invalid_argument, std::move(trouble)};
+  return times;
+}
+
 double bytes_per_second(const Uri& uri) {
   return uri.line_rate().value_or(wire::LineRate{}).bytes_per_second() * uri.speed().value_or(1);
 }
@@ -127,11 +147,11 @@ std::optional<OpenError> refuse_file(const Uri& uri, Side side, Carries what) {
 OpenedBytes open_file(const asio::any_io_executor& executor, const Uri& uri, Side side,
                       measurement::MessageTimes messages) {
   if (auto refused = refuse_file(uri, side, Carries::bytes)) return std::move(*refused);
-  if (uri.text_of("format") != "raw" && capture::has_packets(uri.target))
-    return OpenError{asio::error::operation_not_supported,
-                     uri.target +
-                         " is a file of packets: its lines play in virtual time alone "
-                         "(speed=max); drydock export --to raw gives a file of bytes"};
+  if (uri.text_of("format") != "raw" && capture::has_packets(uri.target)) {
+    auto reads = times_of_reads(uri);
+    if (!reads) return std::move(reads).error();
+    if (messages.empty() && uri.speed() != 0) messages = std::move(*reads);
+  }
   auto link = std::make_unique<FileLink>(executor, uri, bytes_per_second(uri), std::move(messages));
   if (link->error() != 0) return open_error(link->error(), "cannot open " + uri.target);
   return link;

@@ -51,12 +51,14 @@ bool read_frames(const link::Uri& uri, const survey::BusSurvey::Descriptions& de
   survey::BusSurvey survey(descriptions);
   Stamp first{}, last{};
   const bool timed = tells_arrival(uri);
+  bool any = false;
   while (const auto record = file.next()) {
+    any = true;
     if (timed) last = Stamp{*record->time};
     if (survey.frames() == 0) first = last;
     survey.receive(record->frame, last);
   }
-  if (!file.trouble().empty() || file.frames().tally().frames == 0) return false;
+  if (!file.trouble().empty() || !any) return false;
   report.listened_s = measurement::seconds(last - first);
   note_bus(survey, uri.text, report);
   if (!timed) report.notes.emplace_back("the capture keeps no times of arrival: no rates");
@@ -134,6 +136,15 @@ bool read_bytes(const link::Uri& uri, const ProbeOptions& options, ProbeReport& 
   return !several && read_line(uri, options, report);
 }
 
+/// A file of packets may hold buses and lines.
+bool read_recording(const link::Uri& uri, const ProbeOptions& options, ProbeReport& report) {
+  if (!read_frames(uri, options.descriptions, report)) return read_bytes(uri, options, report);
+  if (uri.text_of("interface").empty() && uri.text_of("format").empty() &&
+      capture::has_packets(uri.target))
+    read_lines(uri, options, report);
+  return true;
+}
+
 /// Other programs that have the port open, in words: each byte goes to only one of them.
 std::string others_at(const link::Uri& uri) {
   const bool pty = uri.scheme == link::Scheme::pty || uri.scheme == link::Scheme::can_auto;
@@ -143,8 +154,7 @@ std::string others_at(const link::Uri& uri) {
 
 bool search(const ProbeOptions& options, const link::Uri& uri, std::FILE* err,
             ProbeReport& report) {
-  if (uri.recorded())
-    return read_frames(uri, options.descriptions, report) || read_bytes(uri, options, report);
+  if (uri.recorded()) return read_recording(uri, options, report);
   Ear ear;
   Progress progress(err);
   const Stamp start = link::steady_now();

@@ -178,6 +178,11 @@ void print_bus(const ProbeReport& report, std::FILE* out) {
   for (const auto& node : report.nodes) print_node(node, out);
 }
 
+/// Of the settings of one port the last is the best; lines of a file all count.
+bool counts(const ProbeReport& report, std::size_t attempt) {
+  return report.has_lines || attempt + 1 == report.attempts.size();
+}
+
 std::string shared_text(const ProbeReport& report) {
   return "each reads a part of the bytes: also open in " + report.shared_with;
 }
@@ -197,8 +202,9 @@ std::vector<std::string> problems_of(const ProbeReport& report) {
   std::vector<std::string> problems;
   if (!report.opened) return {report.notes.empty() ? "cannot open it" : report.notes.back()};
   if (report.confidence() == Confidence::nothing) problems.emplace_back("nothing was found");
-  if (!report.attempts.empty() && !report.attempts.back().findings.empty()) {
-    const auto& best = report.attempts.back().findings.front();
+  for (std::size_t i = 0; i < report.attempts.size(); ++i) {
+    if (!counts(report, i) || report.attempts[i].findings.empty()) continue;
+    const auto& best = report.attempts[i].findings.front();
     // Listening may have begun inside a frame; that one is not counted.
     if (best.bad_checksums > 1 + (best.proofs + best.bad_checksums) / 10)
       problems.push_back(fmt::format("{} of {} frames of {} are damaged", best.bad_checksums,
@@ -218,7 +224,7 @@ void print_text(const ProbeReport& report, std::FILE* out) {
   fmt::print(out, "{}: listened for {:.1f} s{}\n", report.link, report.listened_s,
              report.interrupted ? ", interrupted" : "");
   for (std::size_t i = 0; i < report.attempts.size(); ++i)
-    print_attempt(report.attempts[i], report.has_lines || i + 1 == report.attempts.size(), out);
+    print_attempt(report.attempts[i], counts(report, i), out);
   print_bus(report, out);
   if (!report.shared_with.empty()) fmt::print(out, "  {}\n", shared_text(report));
   for (const auto& note : report.notes) fmt::print(out, "  {}\n", note);

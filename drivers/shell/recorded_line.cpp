@@ -40,7 +40,7 @@ void RecordedLine::begin_packets(const link::Uri& uri) {
   if (const auto trouble = packets_->trouble(); !trouble.empty()) throw std::runtime_error(trouble);
   if (!first) return;
   read_ = *first;
-  next_ = start_;
+  next_ = std::max(start_, due());
 }
 
 /// A time that runs backwards is of a clock that was set: such a read comes at once.
@@ -50,9 +50,11 @@ void RecordedLine::act_on_packet(Stamp now) {
   const auto following = packets_->next();
   if (!following) return;
   read_ = *following;
-  const auto since_first =
-      read_.time.value_or(Stamp::duration{0}) - clock_.first.time_since_epoch();
-  next_ = std::max(now, start_ + since_first);
+  next_ = std::max(now, due());
+}
+
+Stamp RecordedLine::due() const {
+  return start_ + (read_.time.value_or(Stamp::duration{0}) - clock_.first.time_since_epoch());
 }
 
 void RecordedLine::act(Stamp now) {

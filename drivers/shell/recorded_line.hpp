@@ -28,6 +28,7 @@ class RecordedLine final : public Actor {
  private:
   void begin_packets(const link::Uri& uri);
   void act_on_packet(Stamp now);
+  Stamp due() const;  ///< of read_
   /// Bytes of the next step: to the end of the message that the device's clock says, else a few.
   std::size_t next_bytes() const;
   void schedule(Stamp now);

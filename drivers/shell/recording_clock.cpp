@@ -2,10 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 
 #include "drivers/capture/arrival_times.hpp"
 #include "drivers/capture/byte_file.hpp"
+#include "drivers/capture/capture_file.hpp"
 #include "drivers/link/can/frame_file.hpp"
 
 namespace drydock::shell {
@@ -48,12 +50,25 @@ capture::ArrivalTimes arrival_times(const link::Uri& uri) {
   return arrivals;
 }
 
+std::optional<std::chrono::nanoseconds> first_read(const link::Uri& uri, std::string line_name) {
+  capture::LineFile line(uri.target, false, std::move(line_name));
+  const auto first = line.next();
+  return first ? first->time : std::nullopt;
+}
+
 /// Empty: a file of bytes alone.
 std::optional<std::chrono::nanoseconds> first_packet_time(const link::Uri& uri) {
   if (uri.text_of("format") == "raw" || !capture::has_packets(uri.target)) return {};
-  capture::LineFile line(uri.target, false, std::string(uri.text_of("interface")));
-  const auto first = line.next();
-  return first ? first->time : std::nullopt;
+  return first_read(uri, std::string(uri.text_of("interface")));
+}
+
+/// The lines and buses of one file keep their distances, so they count from the first time in it.
+Stamp begin_of_file(const link::Uri& uri, std::chrono::nanoseconds own_first) {
+  if (!capture::has_packets(uri.target)) return Stamp{own_first};
+  const auto read = first_read(uri, "*");
+  const auto record = capture::CaptureFile(uri.target, "", "").next();
+  return Stamp{std::min({own_first, read.value_or(own_first),
+                         record ? record->time.value_or(own_first) : own_first})};
 }
 
 }  // namespace
@@ -87,14 +102,14 @@ RecordingClock clock_of(const link::Uri& uri, const DriverOptions& driver, Trave
   if (travels == Travels::as_frames && wanted != "device") {
     if (const auto arrivals = arrival_times(uri); arrivals.are_told()) {
       clock.pace = Pace::arrival;
-      clock.first = Stamp{*arrivals.first()};
+      clock.first = begin_of_file(uri, *arrivals.first());
       return clock;
     }
   }
   if (travels == Travels::as_bytes && wanted != "device") {
     if (const auto first = first_packet_time(uri)) {
       clock.pace = Pace::arrival;
-      clock.first = Stamp{*first};
+      clock.first = begin_of_file(uri, *first);
       return clock;
     }
   }

@@ -8,6 +8,7 @@
 #include "drivers/host/rig_bus.hpp"
 #include "drivers/shell/recorded_bus.hpp"
 #include "drivers/shell/recorded_line.hpp"
+#include "drivers/shell/recorded_starts.hpp"
 #include "drivers/shell/rig_devices.hpp"
 #include "estimators/setup/rig_pipeline.hpp"
 #include "rig_config/steering.hpp"
@@ -39,6 +40,18 @@ pipeline::Pipeline pipeline_in_step(const rig_config::Rig& rig, setup::Outside o
   outside.lockstep = true;
   outside.devices = host::bus_devices(rig);
   return or_throw(pipeline::make_pipeline(setup::pipeline_options(rig, &outside), listener));
+}
+
+/// The clocks of the devices whose links are recordings; the others' are of no use.
+std::vector<shell::RecordingClock> recordings_of(
+    const std::vector<std::unique_ptr<device::Device>>& drivers) {
+  std::vector<shell::RecordingClock> clocks(drivers.size());
+  for (std::size_t i = 0; i < drivers.size(); ++i) {
+    const auto uri = link::parse_uri(drivers[i]->options().link);
+    if (uri && uri->recorded())
+      clocks[i] = shell::clock_of(*uri, drivers[i]->options().driver, drivers[i]->travels());
+  }
+  return clocks;
 }
 
 }  // namespace
@@ -78,7 +91,10 @@ LockstepBench::LockstepBench(const rig_config::Rig& rig, const motion::Trajector
       teller_(follower),
       pipeline_(pipeline_in_step(rig, outside, teller_)) {
   auto drivers = or_throw(shell::make_devices(rig));
-  for (std::size_t i = 0; i < drivers.size(); ++i) add(rig.devices[i], std::move(drivers[i]));
+  const auto recordings = recordings_of(drivers);
+  const auto starts = shell::recorded_starts(recordings, start_);
+  for (std::size_t i = 0; i < drivers.size(); ++i)
+    add(rig.devices[i], std::move(drivers[i]), recordings[i], starts[i]);
   for (auto& bus : buses_) clock_.add(*bus.second.bus);
   if (pilot::is_wanted(rig)) add_pilot(std::move(outside.say));
 }
@@ -104,7 +120,8 @@ void LockstepBench::add_pilot(setup::Outside::Say say) {
 }
 
 void LockstepBench::add(const rig_config::DeviceConfig& config,
-                        std::unique_ptr<device::Device> device) {
+                        std::unique_ptr<device::Device> device, const shell::RecordingClock& clock,
+                        measurement::Stamp begin) {
   const auto uri = link::parse_uri(config.link);
   if (!uri) throw std::runtime_error(uri.error().message);
   to_lines_.push_back(std::make_unique<ToLine>(clock_, config.link, follower_));
@@ -116,9 +133,9 @@ void LockstepBench::add(const rig_config::DeviceConfig& config,
   if (uri->recorded()) {
     actor.tap(follower_);
     if (actor.device().on_bus()) {
-      recordings_.push_back(std::make_unique<shell::RecordedBus>(*uri, actor, start_));
+      recordings_.push_back(std::make_unique<shell::RecordedBus>(*uri, actor, begin, clock));
     } else {
-      recordings_.push_back(std::make_unique<shell::RecordedLine>(*uri, actor, start_));
+      recordings_.push_back(std::make_unique<shell::RecordedLine>(*uri, actor, begin, clock));
     }
     clock_.add(*recordings_.back());
   } else if (!uri->emulated()) {

@@ -16,6 +16,10 @@
 #include "hil/emulate/real_time/real_time.hpp"
 #include "hil/fault/injector.hpp"
 
+namespace drydock::shell {
+struct RecordingClock;
+}
+
 namespace drydock::bench {
 
 /// A rig in virtual time. Every link becomes a line inside this process with the same baud rate.
@@ -60,7 +64,9 @@ class LockstepBench final : private device::Listener {
     std::vector<shell::DeviceActor*> drivers;
   };
 
-  void add(const rig_config::DeviceConfig& config, std::unique_ptr<device::Device> device);
+  /// `clock` and `begin` are of its recording, if its link is one.
+  void add(const rig_config::DeviceConfig& config, std::unique_ptr<device::Device> device,
+           const shell::RecordingClock& clock, measurement::Stamp begin);
   void add_line(const rig_config::DeviceConfig& config, const link::Uri& uri,
                 shell::DeviceActor& actor);
   void add_pilot(setup::Outside::Say say);

@@ -1,12 +1,12 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <boost/asio/io_context.hpp>
 #include <set>
 #include <stdexcept>
 
 #include "drivers/diagnosis/monitors/device_monitor.hpp"
 #include "drivers/host/rig_bus.hpp"
-#include "drivers/link/can/frame_file.hpp"
 #include "drivers/monitor/found_devices.hpp"
 #include "drivers/shell/device_actor.hpp"
 #include "drivers/shell/recorded_bus.hpp"
@@ -89,12 +89,21 @@ class CaptureBench final : public device::Listener, public device::Transmitter {
   Examination examination_;
 };
 
-/// The stamp of a capture's first frame; bytes begin at zero.
-Stamp first_time(const device::Device& device) {
-  if (!device.on_bus()) return Stamp{};
-  auto file = link::capture_of(link::parse_uri(device.options().link).value());
-  const auto first = file.next();
-  return Stamp{first ? first->time.value_or(Stamp::duration{0}) : Stamp::duration{0}};
+/// True if the sensor measures along axes of its own.
+bool has_axes(const rig_config::DeviceConfig& device) {
+  using rig_config::DeviceKind;
+  return device.kind == DeviceKind::imu || device.kind == DeviceKind::dvl ||
+         device.kind == DeviceKind::emlog;
+}
+
+/// The clocks of the devices' recordings.
+std::vector<shell::RecordingClock> clocks_of(
+    const std::vector<std::unique_ptr<device::Device>>& devices) {
+  std::vector<shell::RecordingClock> clocks;
+  for (const auto& device : devices)
+    clocks.push_back(shell::clock_of(link::parse_uri(device->options().link).value(),
+                                     device->options().driver, device->travels()));
+  return clocks;
 }
 
 }  // namespace
@@ -111,15 +120,21 @@ Outcome read_capture(const std::string& path, unsigned baud) {
     return nothing;
   }
   const auto rig = host::rig_of(devices, path);
-  const bool has_times = devices.front()->on_bus();
-  const Stamp start = first_time(*devices.front());
-  const auto clock = shell::clock_of(link::parse_uri(devices.front()->options().link).value(),
-                                     devices.front()->options().driver, devices.front()->travels());
+  const auto clocks = clocks_of(devices);
+  const auto timed = std::ranges::find(clocks, shell::Pace::arrival, &shell::RecordingClock::pace);
+  const bool has_times = timed != clocks.end() || devices.front()->on_bus();
+  const Stamp start = timed != clocks.end()       ? timed->first
+                      : devices.front()->on_bus() ? clocks.front().first
+                                                  : Stamp{};  // bytes begin at zero
   auto outcome = CaptureBench(rig, std::move(devices), start).play(path, has_times);
+  if (std::ranges::count_if(rig.devices, has_axes) > 1)
+    outcome.notes.emplace_back(
+        "a capture tells no mountings: what one sensor says against another holds where their axes "
+        "are the vehicle's; a rig file with mounting_deg says more");
   if (!has_times)
     outcome.notes.push_back(fmt::format(
         "a capture of bytes has no times{}",
-        clock.pace == shell::Pace::device
+        clocks.front().pace == shell::Pace::device
             ? " of arrival: those here are of the device's own clock"
             : fmt::format(": they count its bytes at {} baud, without the pauses", rate)));
   return outcome;

@@ -68,20 +68,20 @@ std::string to_text(const CaptureInfo& info) {
   return text;
 }
 
-std::string to_json(const CaptureInfo& info) {
-  const nlohmann::json all = {
-      {"file", info.file},
-      {"format", info.format},
-      {"size", info.size},
-      {"frames", info.frames},
-      {"duration_s", info.duration_s()},
-      {"begin", info.first ? utc::text(*info.first) : ""},
-      {"longest_gap_s", std::chrono::duration<double>(info.longest).count()},
-      {"frames_behind", info.behind},
-      {"most_behind_s", std::chrono::duration<double>(info.most_behind).count()},
-      {"interfaces", info.interfaces},
-      {"identifiers", info.identifiers.size()},
-      {"damage", info.damage}};
+std::string to_json(const CaptureInfo& info, const std::vector<LineInfo>& lines) {
+  nlohmann::json all = {{"file", info.file},
+                        {"format", info.format},
+                        {"size", info.size},
+                        {"frames", info.frames},
+                        {"duration_s", info.duration_s()},
+                        {"begin", info.first ? utc::text(*info.first) : ""},
+                        {"longest_gap_s", std::chrono::duration<double>(info.longest).count()},
+                        {"frames_behind", info.behind},
+                        {"most_behind_s", std::chrono::duration<double>(info.most_behind).count()},
+                        {"interfaces", info.interfaces},
+                        {"identifiers", info.identifiers.size()},
+                        {"damage", info.damage}};
+  if (!lines.empty()) all["lines"] = json_of(lines);
   return all.dump(2) + "\n";
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "drivers/capture/frame_capture.hpp"
+#include "hil/info/line_info.hpp"
 
 namespace drydock::info {
 
@@ -26,6 +27,7 @@ struct CaptureInfo {
 std::optional<CaptureInfo> capture_info(const std::string& file);
 
 std::string to_text(const CaptureInfo& info);
-std::string to_json(const CaptureInfo& info);
+/// `lines`: of bytes, in the same file.
+std::string to_json(const CaptureInfo& info, const std::vector<LineInfo>& lines);
 
 }  // namespace drydock::info

@@ -41,19 +41,20 @@ int of_recording(const std::string& file, bool json, std::FILE* out, std::FILE* 
 int of_capture(const std::string& file, bool json, std::FILE* out) {
   const auto lines = line_infos(file);
   const auto frames = capture_info(file);
-  if (!lines.empty() && (!frames || frames->frames == 0)) {
-    fmt::print(out, "{}", json ? to_json(file, lines) : to_text(file, lines));
-    if (!json) probe::print_text(probe::find_sensors("file:" + file + "?speed=max", 0), out);
+  const bool on_bus = frames && (lines.empty() || frames->frames > 0);
+  if (json && (on_bus || !lines.empty())) {
+    fmt::print(out, "{}", on_bus ? to_json(*frames, lines) : to_json(file, lines));
     return terminal::exit_success;
   }
-  if (frames) fmt::print(out, "{}", json ? to_json(*frames) : to_text(*frames));
-  if (frames && json) return terminal::exit_success;
+  if (!json && on_bus) fmt::print(out, "{}", to_text(*frames));
+  if (!json && !lines.empty()) fmt::print(out, "{}", to_text(file, lines));
   const auto heard = probe::find_sensors("file:" + file + "?speed=max", 0);
-  if (!frames && !json)
+  if (!on_bus && lines.empty() && !json)
     fmt::print(out, "{}: {} bytes of a line, without times\n", file,
                std::filesystem::file_size(file));
   json ? probe::print_json(heard, out) : probe::print_text(heard, out);
-  return terminal::exit_of(frames || heard.confidence() > survey::Confidence::nothing);
+  return terminal::exit_of(on_bus || !lines.empty() ||
+                           heard.confidence() > survey::Confidence::nothing);
 }
 
 }  // namespace

@@ -57,7 +57,7 @@ std::string to_text(const std::string& file, const std::vector<LineInfo>& lines)
   return text;
 }
 
-std::string to_json(const std::string& file, const std::vector<LineInfo>& lines) {
+nlohmann::json json_of(const std::vector<LineInfo>& lines) {
   auto list = nlohmann::json::array();
   for (const auto& line : lines)
     list.push_back({{"name", line.name},
@@ -65,7 +65,12 @@ std::string to_json(const std::string& file, const std::vector<LineInfo>& lines)
                     {"bytes", line.bytes},
                     {"begin", line.first ? utc::text(*line.first) : ""},
                     {"duration_s", covered_s(line)}});
-  return nlohmann::json{{"file", file}, {"format", format_of(file)}, {"lines", list}}.dump(2) +
+  return list;
+}
+
+std::string to_json(const std::string& file, const std::vector<LineInfo>& lines) {
+  return nlohmann::json{{"file", file}, {"format", format_of(file)}, {"lines", json_of(lines)}}
+             .dump(2) +
          "\n";
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <chrono>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -19,6 +20,7 @@ struct LineInfo {
 std::vector<LineInfo> line_infos(const std::string& file);
 
 std::string to_text(const std::string& file, const std::vector<LineInfo>& lines);
+nlohmann::json json_of(const std::vector<LineInfo>& lines);
 std::string to_json(const std::string& file, const std::vector<LineInfo>& lines);
 
 }  // namespace drydock::info

@@ -79,6 +79,43 @@ TEST(SerialPcapng, IsProbedLineByLineWithARigBlockForEach) {
   EXPECT_EQ(run.exit_code, 0) << run.output;
 }
 
+/// A recording of the demo rig, as one file of packets with a CAN bus and three serial lines.
+class MixedPackets : public testing::Test {
+ protected:
+  void SetUp() override {
+    const std::string dive = (folder_ / "d.mcap").string();
+    ASSERT_EQ(
+        drydock("run rig_config/rigs/demo.toml --for 20s --speed max --record " + dive).exit_code,
+        0);
+    ASSERT_EQ(drydock("export " + dive + " --to pcapng -o " + packets()).exit_code, 0);
+  }
+  std::string packets() const { return (folder_ / "d.pcapng").string(); }
+  Folder folder_;
+};
+
+TEST_F(MixedPackets, AreProbedAndToldWithBusAndLines) {
+  for (const auto& said : {drydock("probe " + packets()), drydock("info " + packets())}) {
+    EXPECT_EQ(said.exit_code, 0);
+    EXPECT_THAT(said.output, HasSubstr("CANopen node 1"));
+    EXPECT_THAT(said.output, HasSubstr("dvl: pd0 (certain)"));
+    EXPECT_THAT(said.output, HasSubstr("emlog: nmea0183 ("));
+    EXPECT_THAT(said.output, HasSubstr("gnss: ubx ("));
+  }
+  EXPECT_EQ(json::parse(drydock("info --json " + packets()).output)["lines"].size(), 3u);
+}
+
+TEST_F(MixedPackets, AreDiagnosedWithAllDevicesBesideEachOther) {
+  const auto said = drydock("diagnose " + packets());
+  EXPECT_THAT(said.output, HasSubstr("20.0 s, 6 of 6 devices heard"));
+  EXPECT_THAT(said.output, HasSubstr("a capture tells no mountings"));  // the DVL stands at 45 deg
+}
+
+TEST_F(MixedPackets, PlayInRealTimeAtTheirOwnTimes) {
+  const auto seen = drydock("monitor 'file:" + packets() + "?interface=dvl' --once");
+  EXPECT_EQ(seen.exit_code, 0) << seen.output;
+  EXPECT_THAT(seen.output, HasSubstr("dvl        streaming"));
+}
+
 TEST(SerialPcapng, OfAnExportGivesTheMeasurementsOfTheRecording) {
   const Folder folder;
   const std::string dive = (folder / "d.mcap").string(), packets = (folder / "d.pcapng").string();
