@@ -36,6 +36,8 @@ class LineFile {
   /// Empty, or why there are no bytes: the file cannot be read, or it holds several lines and none
   /// was chosen.
   std::string trouble() const;
+  /// As PacketLines::damage(), of what was read of this line.
+  std::string damage() const { return packets_ ? packets_->damage(interface_) : std::string(); }
 
  private:
   bool begin();

@@ -1,5 +1,7 @@
 #include "drivers/capture/packet_lines.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace drydock::capture {
@@ -63,6 +65,7 @@ PacketLines::Conversation& PacketLines::conversation(const NetworkSegment& segme
 
 std::optional<PacketLines::Piece> PacketLines::read_network(const CapturedPacket& packet) {
   const auto payload = link_payload(packet.link_type, packet.bytes);
+  if (payload && is_fragment(*payload)) return ++fragments_, std::nullopt;
   const auto segment = payload ? network_segment(*payload) : std::nullopt;
   if (!segment || (segment->payload.empty() && !segment->begins)) return {};
   if (segment->payload.empty() && !conversations_.contains({segment->sender, segment->receiver}))
@@ -73,6 +76,18 @@ std::optional<PacketLines::Piece> PacketLines::read_network(const CapturedPacket
   if (segment->begins) talk.order.begin(segment->sequence);
   talk.order.take(segment->sequence + (segment->begins ? 1 : 0), segment->payload);
   return piece(talk.line, packet.time, talk.order.ready());
+}
+
+std::string PacketLines::damage(const std::string& line) const {
+  std::uint64_t lost = 0;
+  for (const auto& [ends, talk] : conversations_)
+    if (line == "*" || lines_[talk.line].name == line) lost += talk.order.lost_bytes();
+  std::string text;
+  if (lost > 0) text = fmt::format("{} bytes of TCP are not in the file", lost);
+  if (fragments_ > 0)
+    text += fmt::format("{}{} fragments of IP packets passed over", text.empty() ? "" : "; ",
+                        fragments_);
+  return text;
 }
 
 std::optional<PacketLines::Piece> PacketLines::finish() {

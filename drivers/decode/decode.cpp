@@ -260,6 +260,7 @@ int decode(const DecodeOptions& options, std::FILE* out, std::FILE* err) {
   if (!options.quiet) {
     if (line.is_hex()) fmt::print(err, "hexadecimal text, read as the bytes that it means\n");
     print_totals(err, counters, sink.messages(), capture);
+    if (const auto damage = line.damage(); !damage.empty()) fmt::print(err, "{}\n", damage);
     print_passed_over(err, sink);
   }
   return terminal::exit_of(sink.messages() > 0);

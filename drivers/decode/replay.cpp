@@ -178,6 +178,7 @@ device::HealthAccount play_in_virtual_time(const link::Uri& uri, std::unique_ptr
     fmt::print(totals, "{}\n", times.in_words());
     print_totals(totals, driver.device().health(clock.now()),
                  bus ? &bus->frames().tally() : nullptr);
+    if (line && !line->damage().empty()) fmt::print(totals, "{}\n", line->damage());
   }
   return account;
 }

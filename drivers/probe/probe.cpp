@@ -105,6 +105,7 @@ bool read_line(const link::Uri& uri, const ProbeOptions& options, ProbeReport& r
   survey.finish();
   if (first && last)
     report.listened_s = std::max(report.listened_s, measurement::seconds(*last - *first));
+  if (const auto damage = line.damage(); !damage.empty()) report.notes.push_back(damage);
   if (line.is_hex()) report.notes.emplace_back("hexadecimal text, read as the bytes that it means");
   note_line(survey, std::string(uri.text_of("interface")), uri.text, report);
   note_times(uri, options, report);

@@ -24,6 +24,8 @@ class RecordedLine final : public Actor {
   std::optional<Stamp> deadline() const override { return next_; }
   void act(Stamp now) override;
   const RecordingClock& clock() const { return clock_; }
+  /// As capture::LineFile::damage().
+  std::string damage() const { return packets_ ? packets_->damage() : std::string(); }
 
  private:
   void begin_packets(const link::Uri& uri);

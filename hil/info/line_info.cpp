@@ -21,6 +21,7 @@ LineInfo info_of_line(const std::string& file, const std::string& name) {
     if (!info.first) info.first = read->time;
     info.last = read->time;
   }
+  info.damage = line.damage();
   return info;
 }
 
@@ -52,8 +53,9 @@ std::string to_text(const std::string& file, const std::vector<LineInfo>& lines)
   std::string text = fmt::format("{}: {}, {} {}\n", file, format_of(file), lines.size(),
                                  serial ? "serial lines" : "lines");
   for (const auto& line : lines)
-    text += fmt::format("line {}: {} reads, {} bytes, {:.1f} s{}\n", line.name, line.reads,
-                        line.bytes, covered_s(line), line.first ? utc::from(*line.first) : "");
+    text += fmt::format("line {}: {} reads, {} bytes, {:.1f} s{}{}\n", line.name, line.reads,
+                        line.bytes, covered_s(line), line.first ? utc::from(*line.first) : "",
+                        line.damage.empty() ? "" : "; " + line.damage);
   return text;
 }
 
@@ -64,7 +66,8 @@ nlohmann::json json_of(const std::vector<LineInfo>& lines) {
                     {"reads", line.reads},
                     {"bytes", line.bytes},
                     {"begin", line.first ? utc::text(*line.first) : ""},
-                    {"duration_s", covered_s(line)}});
+                    {"duration_s", covered_s(line)},
+                    {"damage", line.damage}});
   return list;
 }
 

@@ -10,7 +10,7 @@ namespace drydock::info {
 
 /// What one serial line of a pcapng file brought.
 struct LineInfo {
-  std::string name;
+  std::string name, damage;
   bool serial = true;
   std::uint64_t reads = 0, bytes = 0;
   std::optional<std::chrono::nanoseconds> first, last;  ///< UTC since 1970

@@ -18,8 +18,8 @@ struct EchoOptions {
 int echo_recording(const std::string& file, const EchoOptions& options, std::FILE* out,
                    std::FILE* err);
 
-/// Prints what the drivers of a rig, in whatever process, say on the bus, as JSON lines. Returns
-/// the exit code: 1 if nothing came, 2 if the rig has no such device.
+/// Prints what the drivers and the attitude estimators of a rig, in whatever process, say on the
+/// bus, as JSON lines. Returns the exit code: 1 if nothing came, 2 if the rig has no such source.
 int echo_bus(const rig_config::Rig& rig, const EchoOptions& options, std::FILE* out,
              std::FILE* err);
 

@@ -102,6 +102,8 @@ Loaded<std::string> read_file(const std::string& path) {
     return Problems{{path, 0, 0, "/", "cannot be read: " + why + nearest_file(path)}};
   if (!fs::is_regular_file(path, error))
     return Problems{{path, 0, 0, "/", "cannot be read: is a device or a pipe, not a file"}};
+  if (auto why = no_text_trouble(path); !why.empty())
+    return Problems{{path, 0, 0, "/", std::move(why)}};
   const auto size = fs::file_size(path, error);
   if (size > largest_file)
     return Problems{

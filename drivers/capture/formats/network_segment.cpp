@@ -41,6 +41,8 @@ std::optional<Transport> of_ipv4(Bytes packet) {
                    address_text(AF_INET, packet.subspan(16, 4)), packet.subspan(header)};
 }
 
+constexpr std::uint8_t ipv6_fragment = 44;
+
 /// Extension headers with a length in units of 8 bytes (RFC 8200).
 constexpr bool is_extension(std::uint8_t next) { return next == 0 || next == 43 || next == 60; }
 
@@ -86,6 +88,14 @@ std::optional<NetworkSegment> segment_of(const Transport& transport) {
 }
 
 }  // namespace
+
+bool is_fragment(const LinkPayload& packet) {
+  constexpr std::uint16_t more_or_offset = 0x3FFF;
+  const Bytes bytes = packet.bytes;
+  if (packet.protocol == protocol_ipv4)
+    return bytes.size() >= 8 && (half(bytes, 6) & more_or_offset) != 0;
+  return packet.protocol == protocol_ipv6 && bytes.size() > 6 && bytes[6] == ipv6_fragment;
+}
 
 std::optional<NetworkSegment> network_segment(const LinkPayload& packet) {
   std::optional<Transport> transport;

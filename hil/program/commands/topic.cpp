@@ -23,7 +23,8 @@ void add_topic(CLI::App& app, Command& command) {
   sub->add_option("SOURCE", a->source,
                   "rig file (TOML) whose drivers run somewhere, or recording (MCAP)")
       ->required();
-  sub->add_option("NAME", a->options.name, "device, or topic of a recording; default all");
+  sub->add_option("NAME", a->options.name,
+                  "device, attitude estimator, diagnostics, or topic of a recording; default all");
   sub->add_option("--count", a->options.most, "so many messages, then it ends")
       ->check(positive_number);
   sub->add_option("--for", a->options.duration_s, "of a rig: 60s, 10min; default until Ctrl-C")

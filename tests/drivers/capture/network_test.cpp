@@ -2,6 +2,8 @@
 
 #include <array>
 #include <filesystem>
+#include <fstream>
+#include <functional>
 
 #include "drivers/capture/line_file.hpp"
 #include "drivers/capture/stream_order.hpp"
@@ -73,6 +75,46 @@ TEST(NetworkLines, OfTcpNeedAChoiceWhereBothSidesSpeak) {
                                             "--interface chooses one"));
   LineFile device(file("tcp.pcap"), false, "10.2.2.2:16171");
   EXPECT_EQ(all_of(device), "$GPHDT,75.5664,T*36\r\n$GNTHS,244.17,A*1D\r\n");
+}
+
+/// A file of fixtures/capture/network, each of whose packets `change` may change.
+std::string changed(const std::string& name, const std::function<void(Buffer& packet)>& change) {
+  const Buffer plain = wire::testing::fixture("capture/network/" + name);
+  Buffer out(plain.begin(), plain.begin() + 24);
+  for (std::size_t at = 24; at < plain.size();) {
+    const std::size_t size = 16 + wire::load_le<std::uint32_t>(plain, at + 8);
+    Buffer packet(plain.begin() + at, plain.begin() + at + size);
+    change(packet);
+    out = out + packet;
+    at += size;
+  }
+  const auto path = std::filesystem::temp_directory_path() / ("changed-" + name);
+  std::ofstream(path, std::ios::binary) << wire::testing::as_text(out);
+  return path.string();
+}
+
+TEST(NetworkLines, PiecesOfADatagramAreCountedAndNotRead) {
+  LineFile line(changed("udp-ethernet.pcap",
+                        [](Buffer& packet) {
+                          constexpr std::size_t flags = 16 + 14 + 6;  // RFC 791, behind Ethernet
+                          if (wire::testing::as_text(packet).find("HDT") != std::string::npos)
+                            packet[flags] = 0x20;  // more fragments
+                        }),
+                false);
+  EXPECT_EQ(all_of(line), "$GNTHS,244.17,A*1D\r\n");
+  EXPECT_EQ(line.damage(), "1 fragments of IP packets passed over");
+}
+
+TEST(NetworkLines, WhatIsMissingInAStreamIsSaid) {
+  const auto later_by_100 = [](Buffer& packet) {
+    constexpr std::size_t sequence = 16 + 14 + 20 + 4;  // RFC 9293, behind Ethernet and IPv4
+    if (wire::testing::as_text(packet).find(".5664") != std::string::npos)
+      wire::store_be<std::uint32_t>(packet, sequence,
+                                    wire::load_be<std::uint32_t>(packet, sequence) + 100);
+  };
+  LineFile line(changed("tcp.pcap", later_by_100), false, "10.2.2.2:16171");
+  EXPECT_EQ(all_of(line), "$GPHDT,75.5664,T*36\r\n$GNTHS,244.17,A*1D\r\n");
+  EXPECT_EQ(line.damage(), "100 bytes of TCP are not in the file");
 }
 
 TEST(StreamOrder, GivesEachByteOnceAndInOrder) {

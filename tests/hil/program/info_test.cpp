@@ -99,6 +99,15 @@ TEST(Topic, OfARunningRigComesFromTheBus) {
   EXPECT_EQ(messages, 5) << said.output;
 }
 
+TEST(Topic, OfARunningRigHasItsEstimatesAndDiagnosticsToo) {
+  const std::string topic = DRYDOCK_PROGRAM " topic rig_config/rigs/demo.toml ";
+  const auto said =
+      drydock("run rig_config/rigs/demo.toml --for 12s >/dev/null 2>&1 & sleep 2; " + topic +
+              "/estimate/leveling --count 1; " + topic + "diagnostics --count 1; wait; true");
+  EXPECT_THAT(said.output, HasSubstr("{\"estimator\":\"leveling\",\"type\":\"attitude\""));
+  EXPECT_THAT(said.output, HasSubstr("{\"type\":\"diagnostics\",\"name\":\""));
+}
+
 TEST(Info, OfACandumpLogHasItsFramesInterfacesAndGap) {
   const Folder folder;
   std::ofstream(folder / "t.log") << "(1700000000.000000) can0 123#11\n"

@@ -108,6 +108,19 @@ TEST(Mistakes, ANameOfAShippedFileIsTakenByEveryCommandOfThatKind) {
                {"diagnose demo --for 1s", 1, "0 of 6 devices heard"}});
 }
 
+TEST(Mistakes, ARecordingOrACaptureIsNoRigFile) {
+  const std::string why = ", no TOML file: drydock info says what is in it";
+  expect_told({{"check " + dive, 2, "is an MCAP recording" + why},
+               {"run fixtures/capture/le.pcapng", 2, "is a pcapng capture" + why},
+               {"emulate fixtures/pd0/golden.pd0", 2, "is a binary file" + why},
+               {"probe " + dive, 1, "it is an MCAP recording: drydock info"}});
+}
+
+TEST(Mistakes, ASourceThatIsNotInARigIsComparedWithThoseThatAre) {
+  expect_told({{"topic demo sonar", 2,
+                "it has dvl, emlog, gnss, imu, depth, actuators, leveling, diagnostics"}});
+}
+
 TEST(Mistakes, ARecordingIsNoCaptureOfALine) {
   expect_told({{"decode " + dive + " --protocol pd0", 1,
                 "is a recording of a rig: drydock replay and drydock topic read it"}});
