@@ -16,11 +16,15 @@ bool is_regular(const std::string& file) {
 
 /// Those that said something, or all where none did: `10.0.0.7:16171, 10.0.0.2:50312`.
 std::string names_of(const std::vector<PacketLines::Line>& lines) {
-  std::string names;
+  constexpr std::size_t most = 16;
+  std::vector<std::string_view> names;
   const bool any = std::ranges::any_of(lines, [](const auto& line) { return line.bytes > 0; });
   for (const auto& line : lines)
-    if (!any || line.bytes > 0) names += (names.empty() ? "" : ", ") + line.name;
-  return names;
+    if (!any || line.bytes > 0) names.emplace_back(line.name);
+  const std::size_t left = names.size() - std::min(names.size(), most);
+  names.resize(names.size() - left);
+  return fmt::format("{}{}", fmt::join(names, ", "),
+                     left > 0 ? fmt::format(" and {} more (drydock info)", left) : "");
 }
 
 }  // namespace
@@ -61,7 +65,7 @@ std::optional<LineFile::Read> LineFile::next() {
 std::optional<LineFile::Read> LineFile::next_packet() {
   while (const auto piece = next_piece())
     if (interface_ == "*" || packets_->lines()[piece->line].name == interface_)
-      return Read{piece->time, piece->bytes};
+      return Read{piece->time, piece->bytes, piece->line};
   return {};
 }
 
@@ -95,8 +99,8 @@ std::string LineFile::trouble() const {
       std::ranges::all_of(found, &PacketLines::Line::serial) ? "serial line" : "line";
   if (found.empty()) return file_ + ": none of its packets is of a serial line, of UDP or of TCP";
   if (interface_.empty() && found.size() > 1)
-    return fmt::format("{} has several {}s: {}; --interface chooses one", file_, kind,
-                       names_of(found));
+    return fmt::format("{} has several {}s: {}; --interface chooses one, in a link interface=",
+                       file_, kind, names_of(found));
   if (!interface_.empty() &&
       std::ranges::find(found, interface_, &PacketLines::Line::name) == found.end())
     return fmt::format("{} has no {} {}; it has {}", file_, kind, interface_, names_of(found));

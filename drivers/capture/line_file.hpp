@@ -18,6 +18,7 @@ class LineFile {
   struct Read {
     std::optional<std::chrono::nanoseconds> time;  ///< UTC since 1970; empty: not known
     Bytes bytes;                                   ///< valid until the next call
+    std::size_t line = 0;                          ///< its place in lines(), in a file of packets
   };
 
   /// Empty `file` or "-": standard input. `raw`: the file to the byte. Empty `interface`: the only
@@ -37,7 +38,10 @@ class LineFile {
   /// was chosen.
   std::string trouble() const;
   /// As PacketLines::damage(), of what was read of this line.
-  std::string damage() const { return packets_ ? packets_->damage(interface_) : std::string(); }
+  std::string damage() const { return damage(interface_); }
+  std::string damage(const std::string& line) const {
+    return packets_ ? packets_->damage(line) : std::string();
+  }
 
  private:
   bool begin();

@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <boost/asio/error.hpp>
+#include <functional>
 
 #include "drivers/capture/arrival_times.hpp"
 #include "drivers/capture/foreign_content.hpp"
@@ -112,14 +114,26 @@ bool read_line(const link::Uri& uri, const ProbeOptions& options, ProbeReport& r
   return true;
 }
 
-/// Every line of a file of packets that said something, as if it were the file's only one.
+/// A capture of a whole network has hundreds of lines, of which few are of sensors.
+constexpr std::size_t most_lines = 16;
+
+/// The lines of a file of packets that said most, each as if it were the file's only one.
 bool read_lines(const link::Uri& uri, const ProbeOptions& options, ProbeReport& report) {
   capture::LineFile all(uri.target, false, "*");
   while (all.next()) continue;
+  auto lines = all.lines();
+  std::erase_if(lines, [](const auto& line) { return line.bytes == 0; });
+  if (lines.size() > most_lines) {
+    report.notes.push_back(
+        fmt::format("{} lines with fewer bytes were not looked at: interface= "
+                    "names one, drydock info lists all",
+                    lines.size() - most_lines));
+    std::ranges::stable_sort(lines, std::greater{}, [](const auto& line) { return line.bytes; });
+    lines.resize(most_lines);
+  }
   report.has_lines = true;
   bool any = false;
-  for (const auto& line : all.lines()) {
-    if (line.bytes == 0) continue;
+  for (const auto& line : lines) {
     const auto one = link::parse_uri(with_key(uri.text, "interface", line.name));
     any = (one && read_line(*one, options, report)) || any;
   }

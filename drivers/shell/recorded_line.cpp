@@ -10,6 +10,13 @@ namespace {
 constexpr unsigned default_baud = 9600;
 constexpr std::size_t bytes_per_step = 64, bytes_at_once = 65536;
 
+/// Throws where a file of packets has no such line, or several and none was chosen.
+void refuse_no_line(const link::Uri& uri) {
+  capture::LineFile line(uri.target, false, std::string(uri.text_of("interface")));
+  line.next();
+  if (const auto trouble = line.trouble(); !trouble.empty()) throw std::runtime_error(trouble);
+}
+
 }  // namespace
 
 RecordedLine::RecordedLine(const link::Uri& uri, DeviceActor& driver, Stamp start)
@@ -27,6 +34,7 @@ RecordedLine::RecordedLine(const link::Uri& uri, DeviceActor& driver, Stamp star
     throw std::runtime_error("cannot open the recording " + uri.target + ": " +
                              std::strerror(file_.error()));
   }
+  if (uri.text_of("format") != "raw" && capture::has_packets(uri.target)) refuse_no_line(uri);
   if (clock_.pace == Pace::arrival)
     begin_packets(uri);
   else
@@ -37,7 +45,6 @@ void RecordedLine::begin_packets(const link::Uri& uri) {
   packets_ =
       std::make_unique<capture::LineFile>(uri.target, false, std::string(uri.text_of("interface")));
   const auto first = packets_->next();
-  if (const auto trouble = packets_->trouble(); !trouble.empty()) throw std::runtime_error(trouble);
   if (!first) return;
   read_ = *first;
   next_ = std::max(start_, due());

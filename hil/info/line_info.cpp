@@ -11,20 +11,6 @@
 namespace drydock::info {
 namespace {
 
-LineInfo info_of_line(const std::string& file, const std::string& name) {
-  capture::LineFile line(file, false, name);
-  LineInfo info;
-  info.name = name;
-  while (const auto read = line.next()) {
-    ++info.reads;
-    info.bytes += read->bytes.size();
-    if (!info.first) info.first = read->time;
-    info.last = read->time;
-  }
-  info.damage = line.damage();
-  return info;
-}
-
 std::string_view format_of(const std::string& file) {
   return capture::Pcapng::recognises(capture::FileBlocks(file).read()) ? "pcapng" : "pcap";
 }
@@ -39,11 +25,21 @@ double covered_s(const LineInfo& line) {
 std::vector<LineInfo> line_infos(const std::string& file) {
   if (!capture::has_packets(file)) return {};
   capture::LineFile all(file, false, "*");
-  while (all.next()) continue;
   std::vector<LineInfo> infos;
-  for (const auto& line : all.lines()) {
-    infos.push_back(info_of_line(file, line.name));
-    infos.back().serial = line.serial;
+  while (const auto read = all.next()) {
+    infos.resize(std::max(infos.size(), read->line + 1));
+    auto& info = infos[read->line];
+    ++info.reads;
+    info.bytes += read->bytes.size();
+    if (!info.first) info.first = read->time;
+    info.last = read->time;
+  }
+  const auto lines = all.lines();
+  infos.resize(lines.size());
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    infos[i].name = lines[i].name;
+    infos[i].serial = lines[i].serial;
+    infos[i].damage = all.damage(lines[i].name);
   }
   return infos;
 }

@@ -63,6 +63,18 @@ TEST(SerialPcapng, IsToldByInfo) {
   EXPECT_THAT(drydock(std::string("info ") + two).output, HasSubstr("2 serial lines"));
 }
 
+TEST(SerialPcapng, OfSeveralLinesInARigNeedsAChoiceToo) {
+  const Folder folder;
+  std::ofstream(folder / "rig.toml") << "[rig]\nname = \"two\"\n[[device]]\nname = \"log\"\n"
+                                        "kind = \"emlog\"\nprotocol = \"nmea0183\"\n"
+                                        "link = \"file:" DRYDOCK_SOURCE_DIR "/"
+                                     << two << "\"\n";
+  const auto said = drydock("run --speed max --for 3s " + (folder / "rig.toml").string());
+  EXPECT_NE(said.exit_code, 0);
+  EXPECT_THAT(said.output, HasSubstr("several serial lines: log, other; --interface chooses one, "
+                                     "in a link interface="));
+}
+
 TEST(SerialPcapng, IsProbedLineByLineWithARigBlockForEach) {
   const auto probed = drydock(std::string("probe file:") + two + "?speed=max");
   EXPECT_EQ(probed.exit_code, 0);
@@ -77,6 +89,50 @@ TEST(SerialPcapng, IsProbedLineByLineWithARigBlockForEach) {
   std::ofstream(folder / "rig.toml") << "[rig]\nname = \"two\"\n" << blocks;
   const auto run = drydock("run --speed max --for 5s " + (folder / "rig.toml").string());
   EXPECT_EQ(run.exit_code, 0) << run.output;
+}
+
+/// A pcap file (link type 101, raw IP; microseconds) in which each sender says one sentence by UDP.
+std::string whole_network(int senders) {
+  const std::string sentence = "$GPHDT,75.5664,T*36\r\n";
+  const auto little = [](std::uint32_t value) {
+    return std::string{static_cast<char>(value), static_cast<char>(value >> 8),
+                       static_cast<char>(value >> 16), static_cast<char>(value >> 24)};
+  };
+  std::string file =
+      little(0xA1B2C3D4) + little(0x00040002) + little(0) + little(0) + little(65535) + little(101);
+  for (int i = 0; i < senders; ++i) {
+    const auto size = static_cast<char>(28 + sentence.size());
+    const std::string ip = {0x45, 0,
+                            0,    size,
+                            0,    0,
+                            0,    0,
+                            64,   17,
+                            0,    0,
+                            10,   0,
+                            0,    static_cast<char>(i),
+                            10,   0,
+                            1,    1,
+                            39,   16,
+                            39,   17,
+                            0,    static_cast<char>(size - 20),
+                            0,    0};
+    const auto length = static_cast<std::uint32_t>(size);
+    file += little(1'700'000'000) + little(static_cast<std::uint32_t>(1000 * i)) + little(length) +
+            little(length) + ip + sentence;
+  }
+  return file;
+}
+
+TEST(WholeNetwork, IsProbedWhereMostWasSaidAndTheRestIsCounted) {
+  const Folder folder;
+  const std::string file = (folder / "all.pcap").string();
+  std::ofstream(file, std::ios::binary) << whole_network(40);
+  const auto probed = drydock("probe " + file);
+  EXPECT_THAT(probed.output, HasSubstr("24 lines with fewer bytes were not looked at"));
+  EXPECT_THAT(probed.output, HasSubstr("10.0.0.3:10000: nmea0183"));
+  EXPECT_THAT(drydock("info " + file).output, HasSubstr("line 10.0.0.39:10000: 1 reads, 21 bytes"));
+  EXPECT_THAT(drydock("decode --protocol nmea0183 " + file).output,
+              HasSubstr("10.0.0.15:10000 and 24 more (drydock info); --interface chooses one"));
 }
 
 /// A recording of the demo rig, as one file of packets with a CAN bus and three serial lines.
