@@ -2,19 +2,13 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <boost/asio/error.hpp>
-#include <functional>
 
-#include "drivers/capture/arrival_times.hpp"
-#include "drivers/capture/foreign_content.hpp"
-#include "drivers/capture/line_file.hpp"
 #include "drivers/doctor/holders.hpp"
-#include "drivers/link/can/frame_file.hpp"
 #include "drivers/link/clock.hpp"
 #include "drivers/probe/probe_bus.hpp"
+#include "drivers/probe/probe_recording.hpp"
 #include "drivers/probe/typed_link.hpp"
-#include "drivers/shell/recording_clock.hpp"
 #include "drivers/terminal/exit_codes.hpp"
 
 namespace drydock::probe {
@@ -23,141 +17,11 @@ namespace {
 using link::Carries;
 using link::Stamp;
 
-std::string with_key(const std::string& uri, std::string_view key, std::string_view value) {
-  return fmt::format("{}{}{}={}", uri, uri.find('?') == std::string::npos ? '?' : '&', key, value);
-}
-
 /// Parses the URI. If the rate is missing it puts one in: the probe searches for the rate.
 boost::system::result<link::Uri, link::UriError> parse_without_baud(const std::string& text) {
   const bool missing = text.starts_with("serial:") && text.find("baud=") == std::string::npos;
   if (!missing) return link::parse_uri(text);
   return link::parse_uri(with_key(text, "baud", "9600"));
-}
-
-/// True if the capture keeps when its frames arrived.
-bool tells_arrival(const link::Uri& uri) {
-  auto file = link::capture_of(uri);
-  capture::ArrivalTimes arrivals;
-  while (!arrivals.enough()) {
-    const auto record = file.next();
-    if (!record) break;
-    arrivals.add(*record);
-  }
-  return arrivals.are_told();
-}
-
-/// Surveys a CAN capture, in its own time. False if the content is no CAN capture.
-bool read_frames(const link::Uri& uri, const survey::BusSurvey::Descriptions& descriptions,
-                 ProbeReport& report) {
-  auto file = link::capture_of(uri);
-  survey::BusSurvey survey(descriptions);
-  Stamp first{}, last{};
-  const bool timed = tells_arrival(uri);
-  bool any = false;
-  while (const auto record = file.next()) {
-    any = true;
-    if (timed) last = Stamp{*record->time};
-    if (survey.frames() == 0) first = last;
-    survey.receive(record->frame, last);
-  }
-  if (!file.trouble().empty() || !any) return false;
-  report.listened_s = measurement::seconds(last - first);
-  note_bus(survey, uri.text, report);
-  if (!timed) report.notes.emplace_back("the capture keeps no times of arrival: no rates");
-  return true;
-}
-
-constexpr double shortest_s = 0.5;  // what came at once tells no rate
-
-/// The rates of a line's sensors: by the times of arrival that the capture keeps, else by the
-/// device's own clock, else none.
-void note_times(const link::Uri& uri, const ProbeOptions& options, ProbeReport& report) {
-  for (auto& found : report.devices) {
-    if (found.link != uri.text) continue;
-    device::DriverOptions driver;
-    driver.kind = found.kind;
-    driver.protocol = found.protocol;
-    for (const auto* list : {&options.shipped, &options.descriptions})
-      for (const auto& description : *list)
-        if (description->name == found.protocol) driver.description = description;
-    const auto clock = shell::clock_of(uri, driver, device::Travels::as_bytes);
-    if (clock.pace != shell::Pace::arrival || report.listened_s < shortest_s)
-      found.rate_hz = clock.usual_rate_hz();
-    if (clock.pace == shell::Pace::device)
-      report.listened_s = std::max(report.listened_s, clock.seconds());
-    report.notes.push_back(found.name + ": " + clock.in_words());
-  }
-}
-
-/// Surveys a line of bytes in a capture.
-bool read_line(const link::Uri& uri, const ProbeOptions& options, ProbeReport& report) {
-  capture::LineFile line(uri.target, uri.text_of("format") == "raw",
-                         std::string(uri.text_of("interface")));
-  survey::ByteSurvey survey(options.descriptions, options.shipped);
-  std::optional<std::chrono::nanoseconds> first, last;
-  while (const auto read = line.next()) {
-    if (!first) first = read->time;
-    last = read->time;
-    survey.feed(read->bytes, Stamp{last.value_or(std::chrono::nanoseconds{})});
-  }
-  if (auto trouble = line.trouble(); !trouble.empty()) {
-    report.notes.push_back(std::move(trouble));
-    return false;
-  }
-  survey.finish();
-  if (first && last)
-    report.listened_s = std::max(report.listened_s, measurement::seconds(*last - *first));
-  if (const auto damage = line.damage(); !damage.empty()) report.notes.push_back(damage);
-  if (line.is_hex()) report.notes.emplace_back("hexadecimal text, read as the bytes that it means");
-  note_line(survey, std::string(uri.text_of("interface")), uri.text, report);
-  note_times(uri, options, report);
-  return true;
-}
-
-/// A capture of a whole network has hundreds of lines, of which few are of sensors.
-constexpr std::size_t most_lines = 16;
-
-/// The lines of a file of packets that said most, each as if it were the file's only one.
-bool read_lines(const link::Uri& uri, const ProbeOptions& options, ProbeReport& report) {
-  capture::LineFile all(uri.target, false, "*");
-  while (all.next()) continue;
-  auto lines = all.lines();
-  std::erase_if(lines, [](const auto& line) { return line.bytes == 0; });
-  if (lines.size() > most_lines) {
-    report.notes.push_back(
-        fmt::format("{} lines with fewer bytes were not looked at: interface= "
-                    "names one, drydock info lists all",
-                    lines.size() - most_lines));
-    std::ranges::stable_sort(lines, std::greater{}, [](const auto& line) { return line.bytes; });
-    lines.resize(most_lines);
-  }
-  report.has_lines = true;
-  bool any = false;
-  for (const auto& line : lines) {
-    const auto one = link::parse_uri(with_key(uri.text, "interface", line.name));
-    any = (one && read_line(*one, options, report)) || any;
-  }
-  return any;
-}
-
-/// Surveys a capture of bytes.
-bool read_bytes(const link::Uri& uri, const ProbeOptions& options, ProbeReport& report) {
-  const bool raw = uri.text_of("format") == "raw";
-  const bool several = !raw && uri.text_of("interface").empty() && capture::has_packets(uri.target);
-  if (several && read_lines(uri, options, report)) return true;
-  if (const auto advice = capture::foreign_content(capture::FileBlocks(uri.target).read());
-      !advice.empty())
-    report.notes.emplace_back(advice);
-  return !several && read_line(uri, options, report);
-}
-
-/// A file of packets may hold buses and lines.
-bool read_recording(const link::Uri& uri, const ProbeOptions& options, ProbeReport& report) {
-  if (!read_frames(uri, options.descriptions, report)) return read_bytes(uri, options, report);
-  if (uri.text_of("interface").empty() && uri.text_of("format").empty() &&
-      capture::has_packets(uri.target))
-    read_lines(uri, options, report);
-  return true;
 }
 
 /// Other programs that have the port open, in words: each byte goes to only one of them.
