@@ -13,7 +13,6 @@
 #include "drivers/terminal/exit_codes.hpp"
 #include "drivers/text/json_lines.hpp"
 #include "drivers/text/measurement_fields.hpp"
-#include "drivers/wire/fields.hpp"
 #include "hil/topic/topic.hpp"
 
 namespace drydock::topic {
