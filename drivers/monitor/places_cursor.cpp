@@ -1,7 +1,6 @@
 #include "drivers/monitor/places_cursor.hpp"
 
 #include <unistd.h>
-#include <bit>
 #include <cstdint>
 
 #include <curses.h>
@@ -14,7 +13,7 @@ bool places_cursor() {
   int error = 0;
   if (setupterm(nullptr, STDOUT_FILENO, &error) != OK) return false;
   const char* way = tigetstr(const_cast<char*>("cup"));
-  const bool found = way != nullptr && std::bit_cast<std::intptr_t>(way) != -1;
+  const bool found = way != nullptr && reinterpret_cast<std::intptr_t>(way) != -1;
   del_curterm(cur_term);
   return found;
 }

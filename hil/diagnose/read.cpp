@@ -100,6 +100,7 @@ bool has_axes(const rig_config::DeviceConfig& device) {
 std::vector<shell::RecordingClock> clocks_of(
     const std::vector<std::unique_ptr<device::Device>>& devices) {
   std::vector<shell::RecordingClock> clocks;
+  clocks.reserve(devices.size());
   for (const auto& device : devices)
     clocks.push_back(shell::clock_of(link::parse_uri(device->options().link).value(),
                                      device->options().driver, device->travels()));

@@ -26,8 +26,8 @@ class RecordedEcho {
     ++printed_;
     nlohmann::ordered_json line{{"topic", message.channel->topic},
                                 {"at_s", measurement::seconds(message.at.time_since_epoch())}};
-    for (auto& [name, value] : replay::values_of(layout_of(*message.schema), message.cdr))
-      line[name] = std::move(value);
+    for (const auto& [name, value] : replay::values_of(layout_of(*message.schema), message.cdr))
+      line[name] = value;
     fmt::print(out_, "{}\n", line.dump());
   }
   bool full() const { return options_.most > 0 && printed_ >= options_.most; }
